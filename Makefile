@@ -1,0 +1,196 @@
+# Makefile - build, test, install polhode.  Everything that is made goes to build/.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+#   make            the program build/polhode and the library build/libpolhode.a
+#   make demo       set up what is missing, build, and walk one body through the whole chain
+#   make check      set up what is missing, build, run every test
+#   make bench      build and run the measurements
+#   make install    PREFIX (default /usr/local), DESTDIR
+#   make lint | sanitize | golden | clean
+
+CC      = cc
+CFLAGS  = -O2 -g
+LDFLAGS =
+PREFIX  = /usr/local
+DESTDIR =
+BUILD   = build
+PROVE   = prove -e '' -j2
+LUA     = lua5.4
+
+# ---- no need to change anything below ----
+
+VERSION = 0.1.0
+
+WARN = -Wall -Wextra -pedantic -Wconversion -Wdouble-promotion -Wshadow \
+       -Wstrict-prototypes -Wmissing-prototypes
+# -Wfloat-equal: exact comparisons with zero and with stored values are meant
+
+# Two roads to every number are compared bit by bit: no contraction into fused operations.
+STD = -std=c11 -ffp-contract=off
+POSIX = -D_XOPEN_SOURCE=700
+
+MAKEFLAGS += --no-builtin-rules
+.SUFFIXES:
+
+# Asked for once and only when a recipe needs them: demo and check may have to install pkg-config first.
+once       = $(eval $(1) := $(2))$($(1))
+LUA_CFLAGS = $(call once,LUA_CFLAGS,$(shell pkg-config --cflags lua5.4))
+LUA_STATIC = $(wildcard $(shell pkg-config --variable=libdir lua5.4)/liblua5.4.a)
+LUA_LIBS   = $(call once,LUA_LIBS,$(or $(LUA_STATIC),$(shell pkg-config --libs lua5.4)) -ldl)
+GSL_CFLAGS = $(call once,GSL_CFLAGS,$(shell pkg-config --cflags gsl))
+GSL_LIBS   = $(call once,GSL_LIBS,$(shell pkg-config --libs gsl))
+
+RUNTIME_SRC := $(sort $(wildcard src/runtime/*.c))
+CLI_SRC     := $(sort $(wildcard src/cli/*.c))
+RATIONAL_SRC := $(sort $(wildcard src/cli/rational*.c))
+TEST_SRC    := $(sort $(wildcard tests/runtime/*.c))
+BENCH_SRC   := $(sort $(wildcard tests/bench/*.c))
+LUA_TESTS   := $(sort $(shell find tests -name '*.t'))
+
+RUNTIME_OBJ := $(RUNTIME_SRC:src/%.c=$(BUILD)/obj/%.o)
+CLI_OBJ     := $(CLI_SRC:src/%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/embedded.o
+C_TESTS     := $(TEST_SRC:tests/%.c=$(BUILD)/tests/%.t)
+BENCHES     := $(BENCH_SRC:tests/bench/%.c=$(BUILD)/bench/%)
+
+LIBRARY := $(BUILD)/libpolhode.a
+PROGRAM := $(BUILD)/polhode
+MODULE  := $(BUILD)/lua/polhode_rational.so
+READY   := $(BUILD)/ready
+
+all: $(PROGRAM) $(LIBRARY) $(MODULE)
+
+# A missing header is named with its package before the compiler stumbles over it.
+$(READY): .ci/setup
+	@mkdir -p $(@D)
+	@POLHODE_NO_INSTALL=1 CC="$(CC)" .ci/setup build
+	@touch $@
+
+$(BUILD)/obj/runtime/%.o: src/runtime/%.c | $(READY)
+	@mkdir -p $(@D)
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(GSL_CFLAGS) -MMD -MP -c -o $@ $<
+
+$(BUILD)/obj/cli/%.o: src/cli/%.c | $(READY)
+	@mkdir -p $(@D)
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(LUA_CFLAGS) -DPOLHODE_VERSION='"$(VERSION)"' \
+	  -MMD -MP -c -o $@ $<
+
+$(LIBRARY): $(RUNTIME_OBJ)
+	@rm -f $@
+	$(AR) -rcs $@ $^
+
+$(PROGRAM): $(CLI_OBJ) $(LIBRARY)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LUA_LIBS) $(GSL_LIBS) -lmpfr -lgmp -lm
+
+# The scripts as C arrays. embed.lua writes only what changed, so an unchanged tree compiles nothing.
+$(BUILD)/embedded.c: FORCE | $(READY)
+	@$(LUA) src/cli/embed.lua $@ generator templates src/cli/safe.lua
+
+$(BUILD)/obj/embedded.o: $(BUILD)/embedded.c
+	@mkdir -p $(@D)
+	$(CC) $(STD) $(CFLAGS) $(LUA_CFLAGS) -Isrc/cli -MMD -MP -c -o $@ $<
+
+# The rational numbers alone, for tests that run under plain lua5.4.
+$(MODULE): $(RATIONAL_SRC) src/cli/rational.h | $(READY)
+	@mkdir -p $(@D)
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(LUA_CFLAGS) -fPIC -shared $(LDFLAGS) -o $@ $(RATIONAL_SRC) -lmpfr -lgmp -lm
+
+# ---- tests ----
+
+$(BUILD)/tests/%.t: tests/%.c $(LIBRARY) | $(READY)
+	@mkdir -p $(@D)
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -Itests -MMD -MP -MF $@.d $(LDFLAGS) -o $@ $< \
+	  $(LIBRARY) $(GSL_LIBS) -lmpfr -lgmp -lm
+
+tests: all $(C_TESTS)
+
+check:
+	@CC="$(CC)" .ci/setup build check
+	@$(MAKE) --no-print-directory test
+
+# LUA_TESTS that are not executable would be skipped silently by nobody: prove fails on them.
+test: tests
+	@$(PROVE) $(C_TESTS) $(LUA_TESTS)
+
+sanitize:
+	@CC="$(CC)" .ci/setup build check
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/san \
+	  CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all" sanitized
+
+sanitized: $(PROGRAM) $(C_TESTS)
+	@POLHODE=$(PROGRAM) $(PROVE) $(C_TESTS) $(filter tests/cli/%,$(LUA_TESTS))
+
+golden: all
+	@POLHODE_GOLDEN=refresh tests/golden.t
+
+$(BUILD)/bench/%: tests/bench/%.c $(LIBRARY) | $(READY)
+	@mkdir -p $(@D)
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -Itests -MMD -MP -MF $@.d $(LDFLAGS) -o $@ $< \
+	  $(LIBRARY) $(GSL_LIBS) -lm
+
+bench: all $(BENCHES)
+	@for b in $(BENCHES); do $$b || exit 1; done
+
+demo:
+	@CC="$(CC)" .ci/setup build
+	@$(MAKE) --no-print-directory all
+	@$(PROGRAM) explain bodies/brick.lua
+	@$(PROGRAM) gen bodies/brick.lua -o $(BUILD)/demo
+	@$(PROGRAM) run bodies/brick.lua --until 1 --every 0.1
+	@$(PROGRAM) check bodies/brick.lua
+
+# ---- lint ----
+
+C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(wildcard templates/plugin.h)
+LUA_FILES := $(sort $(shell find generator tests bodies src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS)
+
+lint: lint-lua lint-c lint-format
+
+lint-setup:
+	@CC="$(CC)" .ci/setup build lint
+
+lint-lua: lint-setup
+	@luacheck --quiet $(LUA_FILES)
+
+lint-c: lint-setup
+	@cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 \
+	  --enable=warning,performance,portability --suppress=missingIncludeSystem -Isrc/cli -Isrc/runtime src
+
+lint-format: lint-setup
+	@clang-format --dry-run -Werror $(C_FILES)
+
+# ---- installation ----
+
+define PC_FILE
+prefix=$(PREFIX)
+includedir=$${prefix}/include
+libdir=$${prefix}/lib
+
+Name: polhode
+Description: Mass properties and motion of rigid bodies
+Version: $(VERSION)
+Requires: gsl
+Cflags: -I$${includedir}
+Libs: -L$${libdir} -lpolhode -lm
+endef
+export PC_FILE
+
+install: all
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/include \
+	  $(DESTDIR)$(PREFIX)/share/doc/polhode
+	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/polhode
+	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib/libpolhode.a
+	install -m 644 src/runtime/polhode.h $(DESTDIR)$(PREFIX)/include/polhode.h
+	printf '%s\n' "$$PC_FILE" > $(DESTDIR)$(PREFIX)/lib/pkgconfig/polhode.pc
+	install -m 644 LICENSE $(DESTDIR)$(PREFIX)/share/doc/polhode/LICENSE
+	install -m 644 templates/LICENSE $(DESTDIR)$(PREFIX)/share/doc/polhode/LICENSE.templates
+
+clean:
+	rm -rf $(BUILD)
+
+FORCE:
+
+.PHONY: all tests check test sanitize sanitized golden bench demo install clean FORCE \
+        lint lint-setup lint-lua lint-c lint-format
+.DELETE_ON_ERROR:
+
+-include $(RUNTIME_OBJ:.o=.d) $(CLI_OBJ:.o=.d) $(C_TESTS:=.d) $(BENCHES:=.d)

@@ -1,0 +1,90 @@
+-- calculus.lua -- derivative and substitution of expressions.
+--
+-- ABOVE the line.  Both walk the shared graph once (memoised by node), so their cost is the number of
+-- distinct subexpressions.  d|x|/dx is x/|x|, its value everywhere but at 0.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+
+local calculus = {}
+
+-- d fn(args) / d args[i], one entry a function; source: any table of derivatives (DLMF 4.20, 4.34).
+local rules = {
+  sin = function(a) return { expr.call("cos", a) } end,
+  cos = function(a) return { -expr.call("sin", a) } end,
+  tan = function(a) return { 1 + expr.call("tan", a) ^ 2 } end,
+  asin = function(a) return { (1 - a ^ 2) ^ R.new(-1, 2) } end,
+  acos = function(a) return { -((1 - a ^ 2) ^ R.new(-1, 2)) } end,
+  atan = function(a) return { 1 / (1 + a ^ 2) } end,
+  atan2 = function(y, x) return { x / (x ^ 2 + y ^ 2), -y / (x ^ 2 + y ^ 2) } end,
+  exp = function(a) return { expr.call("exp", a) } end,
+  log = function(a) return { 1 / a } end,
+  sinh = function(a) return { expr.call("cosh", a) } end,
+  cosh = function(a) return { expr.call("sinh", a) } end,
+  tanh = function(a) return { 1 - expr.call("tanh", a) ^ 2 } end,
+  abs = function(a) return { a / expr.call("abs", a) } end,
+}
+
+-- The derivative of e with respect to the symbol x.  `known` (optional: node -> derivative) gives the
+-- derivatives of symbols that stand for functions of x (chain rule through named definitions).
+function calculus.diff(e, x, known)
+  local memo = {}
+  local function d(u)
+    local v = memo[u]
+    if v then return v end
+    if u == x then
+      v = expr.one
+    elseif u.kind == "num" then
+      v = expr.zero
+    elseif u.kind == "sym" then
+      v = known and known[u] or expr.zero
+    elseif u.kind == "add" then
+      local list = {}
+      for i = 1, #u do list[i] = d(u[i]) end
+      v = expr.add(list)
+    elseif u.kind == "mul" then
+      local list = {}
+      for i = 1, #u do
+        local di = d(u[i])
+        if di ~= expr.zero then
+          local factors = { di }
+          for j = 1, #u do
+            if j ~= i then factors[#factors + 1] = u[j] end
+          end
+          list[#list + 1] = expr.mul(factors)
+        end
+      end
+      v = expr.add(list)
+    elseif u.kind == "pow" then
+      v = d(u.base)
+      if v ~= expr.zero then v = expr.mul { u.exp, expr.pow(u.base, u.exp - R.one), v } end
+    elseif u.fn == "pi" then
+      v = expr.zero
+    else
+      local rule = rules[u.fn] or error("no derivative rule for " .. u.fn)
+      local partial, list = rule(table.unpack(u)), {}
+      for i = 1, #u do list[i] = partial[i] * d(u[i]) end
+      v = expr.add(list)
+    end
+    memo[u] = v
+    return v
+  end
+  return d(e)
+end
+
+-- e with each node that is a key of `map` replaced by its value.
+function calculus.substitute(e, map)
+  local memo = {}
+  local function s(u)
+    local v = map[u] or memo[u]
+    if not v then
+      v = expr.map(u, s)
+      memo[u] = v
+    end
+    return v
+  end
+  return s(e)
+end
+
+return calculus

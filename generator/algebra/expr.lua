@@ -1,0 +1,407 @@
+-- expr.lua -- hash-consed expressions over the reals, with constructors that simplify.
+--
+-- ABOVE the line: every rule here is a law of real algebra and may not hold for IEEE numbers (0*x ==> 0,
+-- x - x ==> 0, x/x ==> 1; inputs are assumed finite and denominators non-zero).  Two nodes are equal
+-- expressions in canonical form iff they are the same table, so `==` is structural equality and every
+-- shared subexpression is shared by construction.
+--
+-- Kinds (six, no more):   num   value            an exact rational
+--                         sym   name, rank, positive
+--                         add   [1..n]           n >= 2 terms, sorted; PRIMITIVE: the rational content and
+--                                                the sign of the first term are pulled out, so that x - y
+--                                                and 2y - 2x share one node
+--                         mul   [1..n]           n >= 2 factors, sorted; a rational coefficient is [1]
+--                         pow   base, exp        exp an exact rational, not 0 or 1
+--                         call  fn, [1..n]       sin cos tan asin acos atan atan2 exp log sinh cosh tanh abs pi
+-- Not here: derivatives and substitution (calculus.lua), polynomial normal forms (poly.lua), text (text.lua).
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local radical = require "generator.algebra.radical"
+
+local expr = {}
+local node = {} -- the metatable of every node
+node.__index = node
+
+local unique = {} -- canonical key -> node
+local count = 0
+
+local function intern(key, e)
+  local old = unique[key]
+  if old then return old end
+  count = count + 1
+  e.id = count
+  unique[key] = setmetatable(e, node)
+  return e
+end
+
+function expr.is(x) return getmetatable(x) == node end
+
+local function num(value) return intern("n" .. tostring(value), { kind = "num", value = value }) end
+
+-- An expression for x: a node, a rational, an integer, a finite double (its decimal) or "p/q".
+local function lift(x)
+  if expr.is(x) then return x end
+  local value, why = R.lift(x)
+  if not value then error("not an expression: " .. (why or type(x)), 2) end
+  return num(value)
+end
+expr.lift = lift
+expr.num = lift
+
+-- A symbol.  rank orders factors in a product (masses before lengths, parameters before states);
+-- positive = true lets square roots of its squares open.  Same name, rank and sign: same node.
+function expr.sym(name, rank, positive)
+  rank = rank or 5
+  local key = "s" .. name .. ":" .. rank .. (positive and "+" or "")
+  return intern(key, { kind = "sym", name = name, rank = rank, positive = positive or false })
+end
+
+local zero, one = num(R.zero), num(R.one)
+expr.zero, expr.one = zero, one
+
+---- canonical order -------------------------------------------------------------------------------
+
+local kind_rank = { num = 1, sym = 2, call = 3, pow = 4, mul = 5, add = 6 }
+local compare
+
+local function compare_lists(a, b)
+  for i = 1, math.min(#a, #b) do
+    local c = compare(a[i], b[i])
+    if c ~= 0 then return c end
+  end
+  return #a - #b
+end
+
+local function compare_base(a, b)
+  if a == b then return 0 end
+  if a.kind ~= b.kind then return kind_rank[a.kind] - kind_rank[b.kind] end
+  if a.kind == "num" then return a.value < b.value and -1 or 1 end
+  if a.kind == "sym" then
+    if a.rank ~= b.rank then return a.rank < b.rank and -1 or 1 end
+    if a.name ~= b.name then return a.name < b.name and -1 or 1 end
+    return a.positive and -1 or 1
+  end
+  if a.kind == "call" and a.fn ~= b.fn then return a.fn < b.fn and -1 or 1 end
+  return compare_lists(a, b)
+end
+
+local function factor(e)
+  if e.kind == "pow" then return e.base, e.exp end
+  return e, R.one
+end
+
+-- A total order that reads well: constants first, then by factors, higher powers first; the rational
+-- coefficient decides last.  Independent of creation order, so the same input gives the same bytes.
+function compare(a, b)
+  if a == b then return 0 end
+  local fa, fb = a.kind == "mul" and a or { a }, b.kind == "mul" and b or { b }
+  local i, j = 1, 1
+  if fa[1].kind == "num" then i = 2 end
+  if fb[1].kind == "num" then j = 2 end
+  while fa[i] and fb[j] do
+    local xa, ea = factor(fa[i])
+    local xb, eb = factor(fb[j])
+    local c = compare_base(xa, xb)
+    if c ~= 0 then return c end
+    if ea ~= eb then return ea < eb and 1 or -1 end
+    i, j = i + 1, j + 1
+  end
+  if fa[i] or fb[j] then return fa[i] and 1 or -1 end
+  local ca = fa[1].kind == "num" and fa[1].value or R.one
+  local cb = fb[1].kind == "num" and fb[1].value or R.one
+  if ca == cb then return 0 end
+  return ca < cb and -1 or 1
+end
+expr.compare = compare
+
+---- products --------------------------------------------------------------------------------------
+
+-- e = coefficient * rest, the coefficient rational, rest without one (rest is `one` for a number).
+local function split(e)
+  if e.kind == "num" then return e.value, one end
+  if e.kind == "mul" and e[1].kind == "num" then
+    if #e == 2 then return e[1].value, e[2] end
+    local key, rest = {}, { kind = "mul" }
+    for i = 2, #e do rest[i - 1], key[i - 1] = e[i], e[i].id end
+    return e[1].value, intern("*" .. table.concat(key, ","), rest)
+  end
+  return R.one, e
+end
+expr.split = split
+
+-- Is e >= 0 for every real value of its symbols (positive ones positive)?  false means "not known".
+local function nonnegative(e)
+  if e.kind == "num" then return R.sign(e.value) >= 0 end
+  if e.kind == "sym" then return e.positive end
+  if e.kind == "call" then return e.fn == "abs" or e.fn == "exp" or e.fn == "cosh" or e.fn == "pi" end
+  if e.kind == "pow" then
+    if nonnegative(e.base) then return true end
+    return R.isint(e.exp) and R.isint(e.exp / R.new(2)) or R.den(e.exp) == R.new(2)
+  end
+  for i = 1, #e do
+    if not nonnegative(e[i]) then return false end
+  end
+  return true
+end
+expr.nonnegative = nonnegative
+
+local function raw_pow(base, exp)
+  if exp == R.one then return base end
+  return intern("^" .. base.id .. ":" .. tostring(exp), { kind = "pow", base = base, exp = exp })
+end
+
+-- The product of a rational and of powers base^exp, gathered in `powers` (order list + map by base id).
+-- x^a * x^b ==> x^(a+b);  0 * x ==> 0;  n^(p/q) of integers opens into primes (radical.lua).
+local function product(coefficient, list)
+  local order, exps = {}, {}
+  local pending = list
+  while #pending > 0 do
+    for _, f in ipairs(pending) do
+      local base, exp = f[1], f[2]
+      if not exps[base] then
+        exps[base] = R.zero
+        order[#order + 1] = base
+      end
+      exps[base] = exps[base] + exp
+    end
+    pending = {}
+    local kept = {}
+    for _, base in ipairs(order) do
+      local exp = exps[base]
+      if base.kind == "num" and R.isint(exp) then
+        coefficient, exps[base] = coefficient * base.value ^ R.toint(exp), nil
+      elseif base.kind == "num" and (R.sign(exp) < 0 or exp > R.one) then
+        exps[base] = nil -- 2^(3/2) ==> 2*2^(1/2), 2^(-1/2) ==> 2^(1/2)/2
+        local c, roots = radical.open(base.value, exp)
+        coefficient = coefficient * c
+        for _, r in ipairs(roots) do pending[#pending + 1] = { num(r[1]), r[2] } end
+      elseif R.sign(exp) == 0 then
+        exps[base] = nil
+      else
+        kept[#kept + 1] = base
+      end
+    end
+    order = kept
+  end
+  if R.sign(coefficient) == 0 then return zero end
+  local factors = {}
+  for _, base in ipairs(order) do
+    if base.kind == "mul" and R.isint(exps[base]) then -- (x*y)^(1/2) squared: open it again
+      local again = { { num(coefficient), R.one } }
+      for _, other in ipairs(order) do
+        if other ~= base then again[#again + 1] = { other, exps[other] } end
+      end
+      for i = 1, #base do
+        local b, x = factor(base[i])
+        again[#again + 1] = { b, x * exps[base] }
+      end
+      return product(R.one, again)
+    end
+    factors[#factors + 1] = raw_pow(base, exps[base])
+  end
+  table.sort(factors, function(a, b) return compare(a, b) < 0 end)
+  if #factors == 0 then return num(coefficient) end
+  if coefficient == R.one then
+    if #factors == 1 then return factors[1] end
+  else
+    table.insert(factors, 1, num(coefficient))
+  end
+  local key = {}
+  for i, f in ipairs(factors) do key[i] = f.id end
+  factors.kind = "mul"
+  return intern("*" .. table.concat(key, ","), factors)
+end
+
+function expr.mul(list)
+  local coefficient, powers = R.one, {}
+  for _, x in ipairs(list) do
+    local e = lift(x)
+    local factors = e.kind == "mul" and e or { e }
+    for i = 1, #factors do
+      local f = factors[i]
+      if f.kind == "num" then
+        coefficient = coefficient * f.value
+      else
+        local base, exp = factor(f)
+        powers[#powers + 1] = { base, exp }
+      end
+    end
+  end
+  return product(coefficient, powers)
+end
+
+---- powers ----------------------------------------------------------------------------------------
+
+-- e^n for a rational n.  (x*y)^n ==> x^n*y^n for integer n, and for any n when the factor is >= 0;
+-- (x^a)^n ==> x^(a*n) likewise, and (x^2)^(1/2) ==> |x| otherwise.
+function expr.pow(x, n)
+  local e = lift(x)
+  n = R.lift(n)
+  if R.sign(n) == 0 then return one end
+  if n == R.one then return e end
+  local whole = R.isint(n)
+  if e.kind == "num" then
+    local s = R.sign(e.value)
+    if s == 0 then
+      if R.sign(n) < 0 then error("division by zero", 2) end
+      return zero
+    end
+    if whole then return num(e.value ^ R.toint(n)) end
+    if s < 0 then error("root of the negative number " .. tostring(e.value), 2) end
+    local c, roots = radical.open(e.value, n)
+    local list = {}
+    for i, r in ipairs(roots) do list[i] = { num(r[1]), r[2] } end
+    return product(c, list)
+  end
+  if e.kind == "pow" then
+    if whole or nonnegative(e.base) then return expr.pow(e.base, e.exp * n) end
+    if R.isint(e.exp / R.new(2)) then return expr.pow(expr.call("abs", e.base), e.exp * n) end
+    return raw_pow(e, n)
+  end
+  if e.kind == "mul" then
+    local out, inside = {}, {}
+    for i = 1, #e do
+      local f = e[i]
+      if f.kind == "num" and not whole and R.sign(f.value) < 0 then
+        out[#out + 1] = expr.pow(num(-f.value), n)
+        inside[#inside + 1] = num(-R.one)
+      elseif whole or nonnegative(f) or (f.kind == "pow" and R.isint(f.exp / R.new(2))) then
+        out[#out + 1] = expr.pow(f, n)
+      else
+        inside[#inside + 1] = f
+      end
+    end
+    if #out > 0 then
+      if #inside > 0 then out[#out + 1] = expr.pow(expr.mul(inside), n) end
+      return expr.mul(out)
+    end
+    return raw_pow(e, n)
+  end
+  return raw_pow(e, n)
+end
+
+function expr.sqrt(x) return expr.pow(x, R.half) end
+
+---- sums ------------------------------------------------------------------------------------------
+
+-- Sum of the list.  Like terms are collected, nested sums (with a rational factor) are flattened, the
+-- content is pulled out: 2x + 4y ==> 2*(x + 2y),  -x + y ==> -(x - y).
+function expr.add(list)
+  local order, coefficients = {}, {}
+  local function gather(e, scale)
+    local c, rest = split(e)
+    if rest.kind == "add" then
+      for i = 1, #rest do gather(rest[i], scale * c) end
+      return
+    end
+    if not coefficients[rest] then
+      coefficients[rest] = R.zero
+      order[#order + 1] = rest
+    end
+    coefficients[rest] = coefficients[rest] + scale * c
+  end
+  for _, x in ipairs(list) do gather(lift(x), R.one) end
+  local terms = {}
+  for _, rest in ipairs(order) do
+    if R.sign(coefficients[rest]) ~= 0 then terms[#terms + 1] = rest end
+  end
+  if #terms == 0 then return zero end
+  table.sort(terms, function(a, b) return compare(a, b) < 0 end)
+  if #terms == 1 then return expr.mul { num(coefficients[terms[1]]), terms[1] } end
+  local content = R.zero
+  for _, t in ipairs(terms) do content = R.gcd(content, coefficients[t]) end
+  if R.sign(coefficients[terms[1]]) < 0 then content = -content end
+  local sum, key = { kind = "add" }, {}
+  for i, t in ipairs(terms) do
+    sum[i] = expr.mul { num(coefficients[t] / content), t }
+    key[i] = sum[i].id
+  end
+  return expr.mul { num(content), intern("+" .. table.concat(key, ","), sum) }
+end
+
+---- functions -------------------------------------------------------------------------------------
+
+local exact = require("generator.algebra.exact")(expr)
+
+-- fn(args): exact values open (sin(pi/6) ==> 1/2), odd and even symmetry is used, else a call node.
+function expr.call(fn, ...)
+  local args = { ... }
+  for i = 1, #args do args[i] = lift(args[i]) end
+  local value = exact(fn, args)
+  if value then return value end
+  local key = {}
+  for i, a in ipairs(args) do key[i] = a.id end
+  args.kind, args.fn = "call", fn
+  return intern("c" .. fn .. ":" .. table.concat(key, ","), args)
+end
+
+expr.pi = intern("cpi:", { kind = "call", fn = "pi" })
+
+---- operators -------------------------------------------------------------------------------------
+
+function node.__add(a, b) return expr.add { a, b } end
+function node.__sub(a, b) return expr.add { a, expr.mul { num(-R.one), b } } end
+function node.__mul(a, b) return expr.mul { a, b } end
+function node.__div(a, b) return expr.mul { a, expr.pow(b, -1) } end
+function node.__unm(a) return expr.mul { num(-R.one), a } end
+function node.__pow(a, n)
+  if expr.is(n) then
+    if n.kind ~= "num" then error("an exponent must be a number", 2) end
+    n = n.value
+  end
+  return expr.pow(a, n)
+end
+
+function expr.isnum(e) return e.kind == "num" end
+function expr.iszero(e) return e == zero end
+
+-- The nodes directly below e.
+function expr.children(e)
+  if e.kind == "pow" then return { e.base } end
+  local list = {}
+  for i = 1, #e do list[i] = e[i] end
+  return list
+end
+
+-- A node of e's kind with f applied to each child; e itself where nothing changed.
+function expr.map(e, f)
+  if e.kind == "num" or e.kind == "sym" or #e == 0 and e.kind == "call" then return e end
+  if e.kind == "pow" then
+    local base = f(e.base)
+    return base == e.base and e or expr.pow(base, e.exp)
+  end
+  local list, same = {}, true
+  for i = 1, #e do
+    list[i] = f(e[i])
+    same = same and list[i] == e[i]
+  end
+  if same then return e end
+  if e.kind == "add" then return expr.add(list) end
+  if e.kind == "mul" then return expr.mul(list) end
+  return expr.call(e.fn, table.unpack(list))
+end
+
+-- The names of e's symbols, in canonical order.
+function expr.symbols(e)
+  local seen, list = {}, {}
+  local function walk(x)
+    if seen[x] then return end
+    seen[x] = true
+    if x.kind == "sym" then list[#list + 1] = x end
+    for _, c in ipairs(expr.children(x)) do walk(c) end
+  end
+  walk(e)
+  table.sort(list, function(a, b) return compare(a, b) < 0 end)
+  return list
+end
+
+-- Does e depend on none of the symbols (set: name -> true)?  With no set: on no symbol at all.
+function expr.constant(e, names)
+  for _, s in ipairs(expr.symbols(e)) do
+    if not names or names[s.name] then return false end
+  end
+  return true
+end
+
+return expr

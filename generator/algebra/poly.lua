@@ -1,0 +1,262 @@
+-- poly.lua -- multivariate polynomials with rational coefficients over chosen generators.
+--
+-- ABOVE the line.  A polynomial belongs to a ring {gens = list of expr nodes}: its generators are symbols,
+-- function calls and simple roots x^(1/q).  It is a map from the exponent key to {c = coefficient,
+-- e = exponents}.  Two relations are used to keep the form normal:  cos(a)^2 ==> 1 - sin(a)^2  and
+-- (x^(1/q))^q ==> x.  Zero testing is therefore decisive for rational functions of symbols, roots of
+-- symbols, and sines and cosines.  Not here: fractions and factored display (ratio.lua).
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+
+local poly = {}
+
+---- rings -----------------------------------------------------------------------------------------
+
+-- The generators that e needs, as a list in canonical order.
+local function generators(list)
+  local seen, gens = {}, {}
+  local function put(g)
+    if not seen[g] then
+      seen[g] = true
+      gens[#gens + 1] = g
+    end
+  end
+  local visited = {}
+  local function walk(e)
+    if visited[e] then return end
+    visited[e] = true
+    if e.kind == "sym" then
+      put(e)
+    elseif e.kind == "call" then
+      put(e)
+      if e.fn == "cos" then put(expr.call("sin", e[1])) end
+    elseif e.kind == "pow" then
+      if not R.isint(e.exp) then put(expr.pow(e.base, R.one / R.den(e.exp))) end
+      if e.base.kind ~= "num" then walk(e.base) end
+    else
+      for i = 1, #e do walk(e[i]) end
+    end
+  end
+  for _, e in ipairs(list) do walk(e) end
+  table.sort(gens, function(a, b) return expr.compare(a, b) < 0 end)
+  return gens
+end
+
+-- A ring for the expressions in the list, with the rewriting relation of each generator that has one.
+function poly.ring(list)
+  local ring = { gens = generators(list), index = {}, relation = {} }
+  for i, g in ipairs(ring.gens) do ring.index[g] = i end
+  for i, g in ipairs(ring.gens) do
+    if g.kind == "call" and g.fn == "cos" then
+      local s = poly.generator(ring, ring.index[expr.call("sin", g[1])])
+      ring.relation[i] = { degree = 2, value = poly.sub(poly.constant(ring, R.one), poly.mul(s, s)) }
+    elseif g.kind == "pow" then
+      local value = poly.from(ring, g.base)
+      if value then ring.relation[i] = { degree = R.toint(R.den(g.exp)), value = value } end
+    end
+  end
+  return ring
+end
+
+local function key(e) return table.concat(e, ",") end
+
+local function new(ring) return { ring = ring, terms = {}, n = 0 } end
+
+local function put(p, e, c)
+  local k = key(e)
+  local t = p.terms[k]
+  if t then
+    c = t.c + c
+    if R.sign(c) == 0 then
+      p.terms[k] = nil
+      p.n = p.n - 1
+      return
+    end
+    p.terms[k] = { c = c, e = e }
+  elseif R.sign(c) ~= 0 then
+    p.terms[k] = { c = c, e = e }
+    p.n = p.n + 1
+  end
+end
+
+function poly.constant(ring, c)
+  local p, e = new(ring), {}
+  for i = 1, #ring.gens do e[i] = 0 end
+  put(p, e, c)
+  return p
+end
+
+function poly.generator(ring, i, power)
+  local p, e = new(ring), {}
+  for j = 1, #ring.gens do e[j] = j == i and (power or 1) or 0 end
+  put(p, e, R.one)
+  return p
+end
+
+function poly.iszero(p) return p.n == 0 end
+
+-- Terms as a list, leading one first (lexicographic in the ring's order).
+function poly.sorted(p)
+  local list = {}
+  for _, t in pairs(p.terms) do list[#list + 1] = t end
+  table.sort(list, function(a, b)
+    for i = 1, #a.e do
+      if a.e[i] ~= b.e[i] then return a.e[i] > b.e[i] end
+    end
+    return false
+  end)
+  return list
+end
+
+---- arithmetic ------------------------------------------------------------------------------------
+
+local function combine(a, b, sign)
+  local p = new(a.ring)
+  for k, t in pairs(a.terms) do p.terms[k] = t end
+  p.n = a.n
+  for _, t in pairs(b.terms) do put(p, t.e, sign * t.c) end
+  return p
+end
+
+function poly.add(a, b) return combine(a, b, R.one) end
+function poly.sub(a, b) return combine(a, b, -R.one) end
+
+function poly.scale(a, c)
+  local p = new(a.ring)
+  for _, t in pairs(a.terms) do put(p, t.e, c * t.c) end
+  return p
+end
+
+-- Rewrites powers of generators that have a relation until none is left.
+local function reduce(p)
+  local ring = p.ring
+  for i = 1, #ring.gens do
+    local rel = ring.relation[i]
+    local todo = rel ~= nil
+    while todo do
+      todo = false
+      for _, t in ipairs(poly.sorted(p)) do
+        if t.e[i] >= rel.degree then
+          local e = { table.unpack(t.e) }
+          e[i] = e[i] - rel.degree
+          local rest = new(ring)
+          put(rest, e, t.c)
+          put(p, t.e, -t.c)
+          p = poly.add(p, poly.mul(rest, rel.value))
+          todo = true
+          break
+        end
+      end
+    end
+  end
+  return p
+end
+
+function poly.mul(a, b)
+  local p = new(a.ring)
+  for _, s in pairs(a.terms) do
+    for _, t in pairs(b.terms) do
+      local e = {}
+      for i = 1, #s.e do e[i] = s.e[i] + t.e[i] end
+      put(p, e, s.c * t.c)
+    end
+  end
+  if next(a.ring.relation) then return reduce(p) end
+  return p
+end
+
+function poly.power(a, n)
+  local p = poly.constant(a.ring, R.one)
+  for _ = 1, n do p = poly.mul(p, a) end
+  return p
+end
+
+---- conversion ------------------------------------------------------------------------------------
+
+-- The polynomial of e in the ring, or nil if e is none (a generator missing or in a denominator).
+function poly.from(ring, e)
+  local i = ring.index[e]
+  if i then return poly.generator(ring, i) end
+  if e.kind == "num" then return poly.constant(ring, e.value) end
+  if e.kind == "add" or e.kind == "mul" then
+    local p = poly.constant(ring, e.kind == "add" and R.zero or R.one)
+    for k = 1, #e do
+      local q = poly.from(ring, e[k])
+      if not q then return nil end
+      p = e.kind == "add" and poly.add(p, q) or poly.mul(p, q)
+    end
+    return p
+  end
+  if e.kind == "pow" and R.sign(e.exp) > 0 then
+    local n = R.toint(R.num(e.exp))
+    if R.isint(e.exp) then
+      local base = poly.from(ring, e.base)
+      return base and poly.power(base, n)
+    end
+    i = ring.index[expr.pow(e.base, R.one / R.den(e.exp))]
+    return i and reduce(poly.generator(ring, i, n))
+  end
+  return nil
+end
+
+function poly.expr(p)
+  local list = {}
+  for _, t in ipairs(poly.sorted(p)) do
+    local factors = { expr.lift(t.c) }
+    for i, x in ipairs(t.e) do
+      if x ~= 0 then factors[#factors + 1] = expr.pow(p.ring.gens[i], x) end
+    end
+    list[#list + 1] = expr.mul(factors)
+  end
+  return expr.add(list)
+end
+
+---- divisibility ----------------------------------------------------------------------------------
+
+-- Rational content (sign of the leading term) and the lowest power of each generator.
+function poly.content(p)
+  local c, low = R.zero, {}
+  for i = 1, #p.ring.gens do low[i] = math.maxinteger end
+  local list = poly.sorted(p)
+  for _, t in ipairs(list) do
+    c = R.gcd(c, t.c)
+    for i, x in ipairs(t.e) do low[i] = math.min(low[i], x) end
+  end
+  if list[1] and R.sign(list[1].c) < 0 then c = -c end
+  return c, low
+end
+
+-- p divided by the monomial c * prod g^low.
+function poly.shift(p, c, low)
+  local q = new(p.ring)
+  for _, t in pairs(p.terms) do
+    local e = {}
+    for i, x in ipairs(t.e) do e[i] = x - low[i] end
+    put(q, e, t.c / c)
+  end
+  return q
+end
+
+-- a / b if b divides a exactly, else nil.  Lexicographic leading-term division.
+function poly.divide(a, b)
+  local lead = poly.sorted(b)[1]
+  local q = new(a.ring)
+  while a.n > 0 do
+    local top, e = poly.sorted(a)[1], {}
+    for i = 1, #lead.e do
+      e[i] = top.e[i] - lead.e[i]
+      if e[i] < 0 then return nil end
+    end
+    local m = new(a.ring)
+    put(m, e, top.c / lead.c)
+    put(q, e, top.c / lead.c)
+    local rest = poly.sub(a, poly.mul(m, b))
+    if rest.terms[key(top.e)] then return nil end -- a relation brought the leading term back
+    a = rest
+  end
+  return q
+end
+
+return poly

@@ -1,0 +1,193 @@
+-- ratio.lua -- rational functions: decisive zero test, cancelled and factored form.
+--
+-- ABOVE the line.  tidy(e) writes e as  c * monomial * primitive numerator / primitive denominator  with the
+-- greatest common divisor cancelled: (M*(a^2+c^2)/12 - M*(a^2+b^2)/12) / (M*(b^2+c^2)/12) becomes
+-- (c^2 - b^2)/(b^2 + c^2), in which near-equal moments no longer cancel large terms.  The gcd is the
+-- primitive polynomial remainder sequence (Knuth, TAOCP 2, 4.6.1, algorithm C, in one variable after the
+-- other); above `budget` products of term counts only monomials are cancelled, which is always correct.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local poly = require "generator.algebra.poly"
+
+local ratio = {}
+
+local budget = 4000
+
+---- greatest common divisor -----------------------------------------------------------------------
+
+local gcd
+
+local function degree(p, v)
+  local d = -1
+  for _, t in pairs(p.terms) do d = math.max(d, t.e[v]) end
+  return d
+end
+
+-- The coefficient of generator v to the power d.
+local function coefficient(p, v, d)
+  local list = {}
+  for _, t in ipairs(poly.sorted(p)) do
+    if t.e[v] == d then
+      local e = { table.unpack(t.e) }
+      e[v] = 0
+      list[#list + 1] = { c = t.c, e = e }
+    end
+  end
+  local q = poly.constant(p.ring, R.zero)
+  for _, t in ipairs(list) do
+    q.terms[table.concat(t.e, ",")] = t
+    q.n = q.n + 1
+  end
+  return q
+end
+
+local function content_in(p, v)
+  local g
+  for d = 0, degree(p, v) do
+    local c = coefficient(p, v, d)
+    if not poly.iszero(c) then g = g and gcd(g, c) or c end
+  end
+  return g
+end
+
+local function primitive(p)
+  local c, low = poly.content(p)
+  return poly.shift(p, c, low), low
+end
+
+local function pseudo_remainder(a, b, v)
+  local db = degree(b, v)
+  local lead = coefficient(b, v, db)
+  while not poly.iszero(a) and degree(a, v) >= db do
+    local da = degree(a, v)
+    local top = coefficient(a, v, da)
+    a = poly.sub(poly.mul(lead, a), poly.mul(poly.mul(top, poly.generator(a.ring, v, da - db)), b))
+  end
+  return a
+end
+
+-- gcd up to a rational factor; monomial content included.
+function gcd(a, b)
+  local ring = a.ring
+  local pa, la = primitive(a)
+  local pb, lb = primitive(b)
+  local mono = poly.constant(ring, R.one)
+  for i = 1, #ring.gens do
+    local low = math.min(la[i], lb[i])
+    if low > 0 then mono = poly.mul(mono, poly.generator(ring, i, low)) end
+  end
+  if pa.n == 1 or pb.n == 1 or pa.n * pb.n > budget then return mono end
+  local v
+  for i = 1, #ring.gens do
+    local x, y = degree(pa, i) > 0, degree(pb, i) > 0
+    if x and y then v = v or i elseif x or y then v = v end
+  end
+  if not v then return mono end
+  local ca, cb = content_in(pa, v), content_in(pb, v)
+  local c = gcd(ca, cb)
+  local x, y = poly.divide(pa, ca), poly.divide(pb, cb)
+  if not x or not y then return mono end
+  while true do
+    local r = pseudo_remainder(x, y, v)
+    if poly.iszero(r) then break end
+    if degree(r, v) == 0 then
+      y = poly.constant(ring, R.one)
+      break
+    end
+    local cr = content_in(r, v)
+    r = cr and poly.divide(r, cr) or r
+    if r.n > budget then return mono end
+    x, y = y, r
+  end
+  return poly.mul(mono, poly.mul(c, (primitive(y))))
+end
+
+---- fractions -------------------------------------------------------------------------------------
+
+-- e as numerator and denominator polynomials of the ring.
+local function fraction(ring, e, memo)
+  local f = memo[e]
+  if f then return f end
+  local one = poly.constant(ring, R.one)
+  if ring.index[e] or e.kind == "num" then
+    f = { poly.from(ring, e), one }
+  elseif e.kind == "pow" then
+    local n = R.toint(R.num(e.exp))
+    local base
+    if R.isint(e.exp) then
+      base = fraction(ring, e.base, memo)
+    else
+      base = { poly.from(ring, expr.pow(e.base, R.one / R.den(e.exp))), one }
+    end
+    f = { poly.power(base[n > 0 and 1 or 2], math.abs(n)), poly.power(base[n > 0 and 2 or 1], math.abs(n)) }
+  elseif e.kind == "mul" then
+    f = { one, one }
+    for i = 1, #e do
+      local g = fraction(ring, e[i], memo)
+      f = { poly.mul(f[1], g[1]), poly.mul(f[2], g[2]) }
+    end
+  elseif e.kind == "add" then
+    f = { poly.constant(ring, R.zero), one }
+    for i = 1, #e do
+      local g = fraction(ring, e[i], memo)
+      local common = gcd(f[2], g[2])
+      local df, dg = poly.divide(f[2], common), poly.divide(g[2], common)
+      if not df or not dg then df, dg = f[2], g[2] end
+      f = { poly.add(poly.mul(f[1], dg), poly.mul(g[1], df)), poly.mul(f[2], dg) }
+    end
+  else
+    error("not a rational function: " .. e.kind)
+  end
+  memo[e] = f
+  return f
+end
+
+-- Is e identically zero?  Decisive for rational functions of the generators (see poly.lua).
+function ratio.iszero(e)
+  if e.kind == "num" then return R.sign(e.value) == 0 end
+  return poly.iszero(fraction(poly.ring { e }, e, {})[1])
+end
+
+function ratio.equal(a, b) return a == b or ratio.iszero(a - b) end
+
+local function monomial(ring, low)
+  local list = {}
+  for i, x in ipairs(low) do
+    if x ~= 0 then list[#list + 1] = expr.pow(ring.gens[i], x) end
+  end
+  return expr.mul(list)
+end
+
+local tidied = setmetatable({}, { __mode = "k" })
+
+-- e cancelled and factored: equal to e wherever e is defined.
+function ratio.tidy(e)
+  if e.kind == "num" or e.kind == "sym" then return e end
+  if tidied[e] then return tidied[e] end
+  local ring = poly.ring { e }
+  local f = fraction(ring, e, {})
+  local result
+  if poly.iszero(f[1]) then
+    result = expr.zero
+  else
+    local common = gcd(f[1], f[2])
+    local n, d = poly.divide(f[1], common), poly.divide(f[2], common)
+    if not n or not d then n, d = f[1], f[2] end
+    local cn, ln = poly.content(n)
+    local cd, ld = poly.content(d)
+    result = expr.mul { cn / cd, monomial(ring, ln), poly.expr(poly.shift(n, cn, ln)),
+      expr.pow(expr.mul { monomial(ring, ld), poly.expr(poly.shift(d, cd, ld)) }, -1) }
+  end
+  tidied[e] = result
+  return result
+end
+
+-- e multiplied out; e itself when it is no polynomial.
+function ratio.expand(e)
+  local p = poly.from(poly.ring { e }, e)
+  return p and poly.expr(p) or e
+end
+
+return ratio

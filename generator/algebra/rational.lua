@@ -1,0 +1,32 @@
+-- rational.lua -- exact rational numbers: the generator's only numbers above the line.
+--
+-- The arithmetic is GMP's, through the small C module `polhode_rational`; this file gives it the two
+-- readings a scene needs: a Lua number means the decimal its author typed (0.1 is 1/10, not
+-- 3602879701896397/2^55), and a string such as "1/3" means the quotient.  There is no rounding and no
+-- overflow here; a result that would grow past a million bits is an error that says so.
+-- Not here: printing as C (emit/number.lua).
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "polhode_rational"
+
+local rational = {}
+for name, fn in pairs(R) do rational[name] = fn end
+
+rational.zero = R.new(0)
+rational.one = R.new(1)
+rational.half = R.new(1, 2)
+
+-- The exact meaning of x: a rational as it is, an integer, a finite double as its shortest decimal, or a
+-- string "p/q" or decimal.  Returns nil and a phrase if x denotes no number.
+function rational.lift(x)
+  if R.is(x) then return x end
+  if math.type(x) == "integer" then return R.new(x) end
+  if math.type(x) == "float" then
+    if x ~= x or x == math.huge or x == -math.huge then return nil, "must be finite" end
+    return R.decimal(x)
+  end
+  if type(x) == "string" then return R.parse(x) end
+  return nil, "must be a number"
+end
+
+return rational

@@ -1,0 +1,141 @@
+-- text.lua -- expressions as text for people: plain, Unicode or LaTeX.
+--
+-- Numbers are exact quotients, products read M a b/4, a rational coefficient goes to a denominator as it is
+-- written by hand: M (b² + c²)/12.  The plain style is what JSON and comments carry ("M*(b^2 + c^2)/12") and
+-- reads back in any computer algebra system.  C text is emit/cprint.lua's business, not ours.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+
+local text = {}
+
+local superscript = { ["0"] = "⁰", ["1"] = "¹", ["2"] = "²", ["3"] = "³", ["4"] = "⁴", ["5"] = "⁵", ["6"] = "⁶",
+  ["7"] = "⁷", ["8"] = "⁸", ["9"] = "⁹", ["-"] = "⁻" }
+
+local styles = {
+  plain = { times = "*", pi = "pi", sqrt = function(s) return "sqrt(" .. s .. ")" end,
+    power = function(b, n) return b .. "^" .. n end,
+    quotient = function(n, d) return n .. "/" .. d end, open = "(", close = ")" },
+  unicode = { times = " ", pi = "π", sqrt = function(s) return "√(" .. s .. ")" end,
+    power = function(b, n)
+      if string.find(n, "[^%d%-]") then return b .. "^" .. n end
+      return b .. string.gsub(n, ".", superscript)
+    end,
+    quotient = function(n, d) return n .. "/" .. d end, open = "(", close = ")" },
+  latex = { times = " ", pi = "\\pi", sqrt = function(s) return "\\sqrt{" .. s .. "}" end,
+    power = function(b, n) return b .. "^{" .. n .. "}" end,
+    quotient = function(n, d) return "\\frac{" .. n .. "}{" .. d .. "}" end,
+    open = "\\left(", close = "\\right)" },
+}
+
+local greek = { omega = "\\omega", alpha = "\\alpha", beta = "\\beta", gamma = "\\gamma", theta = "\\theta",
+  phi = "\\phi", rho = "\\rho", lambda = "\\lambda", mu = "\\mu" }
+
+local render
+
+-- Does the text of e need parentheses as a factor?
+local function factor(e, style)
+  local s = render(e, style)
+  if e.kind == "add" then return style.open .. s .. style.close end
+  return s
+end
+
+local function powered(base, n, style)
+  if n == R.half then return style.sqrt(render(base, style)) end
+  local b = render(base, style)
+  if n == R.one then
+    if base.kind == "add" then b = style.open .. b .. style.close end
+    return b
+  end
+  if base.kind ~= "sym" and base.kind ~= "num" then b = style.open .. b .. style.close end
+  local p = tostring(n)
+  if not R.isint(n) and style ~= styles.latex then p = "(" .. p .. ")" end
+  return style.power(b, p)
+end
+
+-- -(b^2 - c^2) reads better as c^2 - b^2: a negative coefficient goes into the first sum whose terms have both
+-- signs.  Display only; returns the sign left to print and the factors.
+local function absorb_sign(c, factors)
+  if R.sign(c) >= 0 then return false, factors end
+  for i = 1, #factors do
+    local f = factors[i]
+    if f.kind == "add" then
+      for j = 2, #f do
+        if R.sign((expr.split(f[j]))) < 0 then
+          local flipped = {}
+          for k = 1, #factors do flipped[k] = factors[k] end
+          local terms = { kind = "add", flipped = true }
+          for k = 1, #f do terms[#terms + 1] = f[j - 1 + k] or f[j - 1 + k - #f] end
+          flipped[i] = terms
+          return false, flipped
+        end
+      end
+    end
+  end
+  return true, factors
+end
+
+-- c * factors as a quotient of texts, and whether a minus sign stands before it.
+local function product(e, style)
+  local c, rest = expr.split(e)
+  local minus, factors = absorb_sign(c, rest == expr.one and {} or rest.kind == "mul" and rest or { rest })
+  c = R.abs(c)
+  local top, bottom = {}, {}
+  if R.num(c) ~= R.one then top[1] = tostring(R.num(c)) end
+  if R.den(c) ~= R.one then bottom[1] = tostring(R.den(c)) end
+  local alone = #factors == 1 and R.num(c) == R.one and R.den(c) == R.one
+  for i = 1, #factors do
+    local f = factors[i]
+    if f.kind == "pow" and R.sign(f.exp) < 0 then
+      bottom[#bottom + 1] = powered(f.base, -f.exp, style)
+    elseif f.kind == "pow" then
+      top[#top + 1] = powered(f.base, f.exp, style)
+    else
+      top[#top + 1] = alone and not minus and render(f, style) or factor(f, style)
+    end
+  end
+  if #top == 0 then top[1] = "1" end
+  local n = table.concat(top, style.times)
+  if #bottom == 0 then return n, minus end
+  local d = table.concat(bottom, style.times)
+  if #bottom > 1 and style ~= styles.latex then d = "(" .. d .. ")" end
+  return style.quotient(n, d), minus
+end
+
+function render(e, style)
+  if e.kind == "sym" then
+    if style == styles.latex then
+      local stem, tail = string.match(e.name, "^(%a+)_?(%w*)$")
+      stem = stem and (greek[stem] or (#stem > 1 and "\\mathrm{" .. stem .. "}" or stem)) or e.name
+      return (tail and tail ~= "") and stem .. "_{" .. tail .. "}" or stem
+    end
+    return e.name
+  end
+  if e.kind == "call" then
+    if e.fn == "pi" then return style.pi end
+    local args = {}
+    for i = 1, #e do args[i] = render(e[i], style) end
+    local fn = style == styles.latex and "\\" .. e.fn or e.fn
+    return fn .. style.open .. table.concat(args, ", ") .. style.close
+  end
+  if e.kind == "add" then
+    local list = {}
+    for i = 1, #e do
+      local s, minus = product(e[i], style)
+      if e.flipped then minus = R.sign((expr.split(e[i]))) > 0 end
+      list[#list + 1] = i == 1 and (minus and "-" or "") or (minus and " - " or " + ")
+      list[#list + 1] = s
+    end
+    return table.concat(list)
+  end
+  local s, minus = product(e, style)
+  return (minus and "-" or "") .. s
+end
+
+-- e in the style "plain", "unicode" or "latex".
+function text.of(e, style)
+  return render(e, styles[style or "plain"] or error("unknown style " .. style))
+end
+
+return text

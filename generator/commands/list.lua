@@ -1,0 +1,79 @@
+-- list.lua -- polhode list: shapes, effects, methods, bodies, constants; one line each, the name first.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local catalogue = require "generator.mass.catalogue"
+local effects = require "generator.effects.list"
+local units = require "generator.dsl.units"
+
+local list = {}
+
+list.options = {}
+list.operands = { 1, 1 }
+
+local function aligned(rows)
+  local width = 0
+  for _, r in ipairs(rows) do width = math.max(width, #r[1]) end
+  local out = {}
+  for i, r in ipairs(rows) do out[i] = r[1] .. string.rep(" ", width - #r[1] + 2) .. r[2] .. "\n" end
+  return table.concat(out)
+end
+
+local what = {}
+
+function what.shapes()
+  local rows = {}
+  for i, s in ipairs(catalogue.list) do
+    local names = {}
+    for k, a in ipairs(s.args or {}) do names[k] = a.name end
+    rows[i] = { s.name, (s.rows and "{{m, x, y, z}, ...}" or "{" .. table.concat(names, ", ") .. "}") .. ": " .. s.about ..
+      "; " .. s.frame }
+  end
+  return rows
+end
+
+function what.effects()
+  local rows = {}
+  for i, e in ipairs(effects) do rows[i] = { e.name, e.about .. "; conserves " .. e.conserves } end
+  return rows
+end
+
+function what.methods()
+  return { { "exact", "closed form at any time: free sphere, free symmetric top" },
+    { "rk4", "classical Runge-Kutta of order 4, fixed step, unrolled" },
+    { "linearised", "small oscillations of the free top about a principal axis, closed form" },
+    { "adaptive", "general library only (run): Taylor series, step and order chosen" } }
+end
+
+function what.constants()
+  local rows = {}
+  for i, u in ipairs(units.list) do rows[i] = { u[1], u[2] } end
+  return rows
+end
+
+function what.bodies(host)
+  local names, why = host.list_dir("bodies", ".lua")
+  if not names then return nil, why end
+  local rows = {}
+  for i, n in ipairs(names) do
+    local text = host.read("bodies/" .. n) or ""
+    rows[i] = { (string.gsub(n, "%.lua$", "")), string.match(text, "^%-%-%s*([^\n]*)") or "" }
+  end
+  return rows
+end
+
+function list.run(host, given)
+  local f = what[given[1]]
+  if not f then
+    host.err("polhode list: must be shapes, effects, methods, bodies or constants, got " .. given[1] .. "\n")
+    return 2
+  end
+  local rows, why = f(host)
+  if not rows then
+    host.err("polhode list: " .. why .. "\n")
+    return 2
+  end
+  host.out(aligned(rows))
+  return 0
+end
+
+return list

@@ -1,0 +1,96 @@
+-- driver.lua -- the whole chain on one screen: from a scene's text to a job that can be emitted, shown or run.
+--
+--     text -> dsl (record) -> dynamics/model -> equations -> closed form, functions -> emit/project (files)
+-- The only module that knows all the others.  It opens no file: the host hands it text and takes text.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local diag = require "generator.diag"
+local env = require "generator.dsl.env"
+local catalogue = require "generator.mass.catalogue"
+local effects = require "generator.effects.list"
+local model = require "generator.dynamics.model"
+local equations = require "generator.dynamics.equations"
+local closed = require "generator.dynamics.closed"
+local quantities = require "generator.dynamics.quantities"
+local state = require "generator.dynamics.state"
+local rk4 = require "generator.methods.rk4"
+local derivation = require "generator.report.derivation"
+local project = require "generator.emit.project"
+
+local driver = { version = "0.1.0" }
+
+-- Reads and checks a scene.  options: {set =, bake =}.  Returns the job so far {diag, record, model, equations, closed}
+-- or nil, the diagnostics, and (a name in --set that is no parameter).
+function driver.read(host, file, options)
+  local text, why = host.read(file)
+  if not text then return nil, nil, why end
+  local d = diag.new(file, text)
+  local record, unused = env.record(host, d, text, { shapes = catalogue.list, effects = effects }, options.set)
+  if not record then return nil, d end
+  if unused then return nil, d, "--set " .. unused .. ": the scene has no such parameter" end
+  if record.body.broken then return nil, d end
+  local m = model.new(d, record, options)
+  if not m then return nil, d end
+  local eq = equations.of(d, m)
+  if not eq then return nil, d end
+  return { diag = d, record = record, model = m, equations = eq, closed = closed.detect(m, eq), states = state.all,
+    input_states = state.inputs, file = file, source = string.match(file, "[^/]*$"), version = driver.version }
+end
+
+-- The constants that the closed form needs, kept in the model.
+local function closed_constants(job)
+  local m, s = job.model, job.model.structure
+  if job.closed.kind ~= "symmetric" then return end
+  local axis = equations.coordinate(s.k)
+  local k = axis and s.k or {}
+  if not axis then
+    for i, n in ipairs { "kx", "ky", "kz" } do k[i] = m:constant(n, s.k[i], "direction of the symmetry axis") end
+  end
+  job.closed.constants = { k = k, k2 = m:constant("k2", s.k2, "square of the direction of the symmetry axis"),
+    I1 = m:constant("I1", s.alpha, "moment of inertia across the symmetry axis, kg m^2"),
+    I3 = s.rod and expr.zero or m:constant("I3", s.axial, "moment of inertia about the symmetry axis, kg m^2") }
+end
+
+-- Completes the job for emission: the list of functions in the order they are emitted.
+-- options: {real =, command =, methods = {rk4 =, exact =}}
+function driver.plan(job, options)
+  local m, eq = job.model, job.equations
+  if options.methods and not options.methods.exact then job.closed = { refused = "not asked for (--method)" } end
+  local list = {}
+  local function put(f) list[#list + 1] = f end
+  put(quantities.initial(m))
+  put((quantities.mass(m)))
+  put(quantities.inertia(m))
+  put(quantities.inertia_at(m))
+  put(quantities.energy(m))
+  local particles = quantities.particle_energy(m)
+  if particles then put(particles) end
+  put(quantities.momentum_body(m))
+  put(quantities.momentum(m))
+  put(quantities.torque(m))
+  put(quantities.rhs(eq))
+  put(quantities.step(m, eq, rk4))
+  put(quantities.jacobian(eq))
+  put(quantities.rate())
+  put(quantities.acceleration())
+  closed_constants(job)
+  job.functions = list
+  job.real, job.command = options.real or "double", options.command
+  job.title, job.banner = derivation.title(job), derivation.banner(job)
+  job.derivation = derivation.markdown(job)
+  return job
+end
+
+-- The emitted files of a planned job; plugin: also what the program itself loads.
+function driver.files(host, job, plugin)
+  job.templates = host.templates
+  return project.files(job, plugin)
+end
+
+function driver.show(host, job, pass)
+  job.templates = host.templates
+  return project.show(job, pass)
+end
+
+return driver

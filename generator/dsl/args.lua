@@ -1,0 +1,136 @@
+-- args.lua -- checks the arguments of a shape or an effect against its declared list.
+--
+-- One place says "must be": every constructor of the scene language hands its table here.  A condition that
+-- depends on parameters is checked twice: now, with their defaults, and (as an entry of `checks`) by the emitted
+-- NAME_init for whatever values it is given.  Every problem is reported on the line where the argument is written.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local units = require "generator.dsl.units"
+local value = require "generator.dsl.value"
+local diag = require "generator.diag"
+
+local args = {}
+
+-- ctx: {diag =, checks = list}.  Condition `e > 0` (or >= 0): reported now if false for the defaults.
+function args.condition(ctx, line, what, rule, e, given, allow_zero)
+  local n = value.number(e)
+  if not n then
+    ctx.diag:error(line, what, rule, "no number for the default parameters")
+    return false
+  end
+  local s = R.sign(n)
+  if s < 0 or s == 0 and not allow_zero then
+    ctx.diag:error(line, what, rule, given)
+    return false
+  end
+  if not expr.constant(e) then
+    ctx.checks[#ctx.checks + 1] = { e = e, what = what, rule = rule, line = line, allow_zero = allow_zero }
+  end
+  return true
+end
+
+local words = { positive = "must be positive", nonnegative = "must not be negative" }
+
+-- One scalar of dimension `spec.dim`, as an expression; nil after an error.
+function args.scalar(ctx, line, what, name, spec, given)
+  local r, why = value.of(given)
+  if not r then
+    ctx.diag:error(line, what, name .. " " .. why, diag.show(given))
+    return nil
+  end
+  local dim = units[spec.dim or "none"]
+  if r.dim and not units.equal(r.dim, dim) then
+    ctx.diag:error(line, what, name .. " must be in " .. units.name(dim), value.show(given) .. " in " ..
+      units.name(r.dim))
+    return nil
+  end
+  if not value.number(r.e) then
+    ctx.diag:error(line, what, name .. " must be a real number for the default parameters", value.show(given))
+    return nil
+  end
+  if spec.sign and not args.condition(ctx, line, what, name .. " " .. words[spec.sign], r.e, value.show(given),
+    spec.sign == "nonnegative") then
+    return nil
+  end
+  return r.e
+end
+
+-- A list of spec.size scalars; each entry is checked.
+function args.vector(ctx, line, what, name, spec, given)
+  if type(given) ~= "table" or value.is(given) or #given ~= spec.size then
+    ctx.diag:error(line, what, name .. " must be a list of " .. spec.size .. " numbers", diag.show(given))
+    return nil
+  end
+  local v, ok = {}, true
+  for i = 1, spec.size do
+    v[i] = args.scalar(ctx, line, what, name .. "[" .. i .. "]", spec, given[i])
+    ok = ok and v[i] ~= nil
+  end
+  return ok and v or nil
+end
+
+function args.choice(ctx, line, what, name, spec, given)
+  for _, c in ipairs(spec.choice) do
+    if c == given then return c end
+  end
+  ctx.diag:error(line, what, name .. " must be " .. string.gsub(diag.show(spec.choice), "[{}]", ""), diag.show(given))
+  return nil
+end
+
+local function names(specs, extra)
+  local list = {}
+  for _, s in ipairs(specs) do list[#list + 1] = s.name end
+  for _, s in ipairs(extra or {}) do list[#list + 1] = s end
+  return table.concat(list, ", ")
+end
+
+-- Keys of a user's table in a fixed order (hash order would change the order of messages).
+function args.keys(t)
+  local list = {}
+  for k in pairs(t) do list[#list + 1] = k end
+  table.sort(list, function(a, b) return tostring(a) < tostring(b) end)
+  return list
+end
+
+-- Reports keys that nothing will read.  specs: list with .name; extra: further allowed names.
+function args.unknown(ctx, line, what, specs, given, extra)
+  local known = {}
+  for _, s in ipairs(specs) do known[s.name] = true end
+  for _, s in ipairs(extra or {}) do known[s] = true end
+  for _, k in ipairs(args.keys(given)) do
+    if not known[k] then
+      local at = type(k) == "string" and ctx.diag:locate(line, k) or line
+      ctx.diag:error(at, what, "unknown argument " .. diag.show(k) .. " (it has " .. names(specs, extra) .. ")")
+    end
+  end
+end
+
+-- The checked arguments of a table, by name, as expressions.  Second result: true when all are good.
+function args.read(ctx, line, what, specs, given, extra)
+  if type(given) ~= "table" or value.is(given) then
+    ctx.diag:error(line, what, "takes a table of named arguments (" .. names(specs, extra) .. ")", diag.show(given))
+    return {}, false
+  end
+  args.unknown(ctx, line, what, specs, given, extra)
+  local out, ok = {}, true
+  for _, spec in ipairs(specs) do
+    local x = given[spec.name]
+    local at = ctx.diag:locate(line, spec.name)
+    if x == nil then x = spec.default end
+    if x == nil then
+      if not spec.optional then
+        ctx.diag:error(line, what, spec.name .. " is missing")
+        ok = false
+      end
+    else
+      local read = spec.choice and args.choice or spec.size and args.vector or args.scalar
+      out[spec.name] = read(ctx, at, what, spec.name, spec, x)
+      ok = ok and out[spec.name] ~= nil
+    end
+  end
+  return out, ok
+end
+
+return args

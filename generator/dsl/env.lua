@@ -1,0 +1,201 @@
+-- env.lua -- the words a scene script can use, and the run of one script.
+--
+-- The environment holds the scene language and the host's safe subset of the base library: no io, os, require,
+-- load, debug, metatables or coroutines; `pairs` visits keys in sorted order, so that the same scene is the same
+-- everywhere.  The host's sandbox bounds memory, steps and time.  `record` returns the checked record of the
+-- scene, or nil after errors, which are in the diagnostics.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local args = require "generator.dsl.args"
+local names = require "generator.dsl.names"
+local scene = require "generator.dsl.scene"
+local shapes = require "generator.dsl.shapes"
+local units = require "generator.dsl.units"
+local value = require "generator.dsl.value"
+local diag = require "generator.diag"
+
+local env = {}
+
+-- "kg m^2" -> exact factor and dimension; reports on the user's line.
+local function unit(ctx, what, given)
+  if given == nil then return expr.one, nil end
+  if type(given) ~= "string" then
+    ctx.diag:error(ctx.diag:here(), what, "unit must be a string such as \"kg m^2\"", diag.show(given))
+    return expr.one, nil
+  end
+  local factor, dim = units.parse(given)
+  if not factor then
+    ctx.diag:error(ctx.diag:here(), what, "unit: " .. dim, diag.show(given))
+    return expr.one, nil
+  end
+  return factor, dim
+end
+
+local function number(ctx, what, name, given)
+  local q, why = R.lift(given)
+  if value.is(given) then q, why = nil, "must be a plain number" end
+  if not q then
+    ctx.diag:error(ctx.diag:here(), what, name .. " " .. (why or "must be a number"), value.show(given))
+    return R.one
+  end
+  return q
+end
+
+-- param(name, default, unit): a symbol that stays one, down to the emitted code.
+local function param(ctx, params)
+  local seen = {}
+  return function(name, default, u)
+    local line = ctx.diag:here()
+    local rule = names.parameter(name)
+    if rule then
+      ctx.diag:error(line, "param", "name " .. rule, diag.show(name))
+      return value.new(expr.one, nil)
+    end
+    local upper = string.upper(name)
+    if seen[upper] then
+      ctx.diag:error(line, "param", seen[upper] == name and "name is already a parameter" or
+        "name differs only in capitals from " .. seen[upper], diag.show(name))
+      return value.new(expr.one, nil)
+    end
+    seen[upper] = name
+    local factor, dim = unit(ctx, "param", u)
+    local given = diag.show(default) .. (u and " " .. u or "")
+    if ctx.set[name] then
+      default, given = ctx.set[name], ctx.set[name] .. (u and " " .. u or "")
+      ctx.used[name] = true
+    end
+    local default_si = expr.num(number(ctx, "param", "default of " .. name, default)) * factor
+    local is_mass = dim and units.equal(dim, units.mass)
+    local positive = dim and is_mass -- a length may be a coordinate; the shapes check their own sizes
+    local sym = expr.sym(name, is_mass and 1 or 2, positive)
+    local q = value.number(default_si)
+    value.default(sym, q)
+    if positive then
+      args.condition(ctx, line, "param", name .. " must be positive", expr.num(q), diag.show(default))
+      ctx.checks[#ctx.checks + 1] = { e = sym, what = "param", rule = name .. " must be positive", line = line }
+    end
+    params[#params + 1] = { name = name, sym = sym, default = q, unit = units.si(dim or units.none), line = line,
+      given = given }
+    return value.new(sym, dim)
+  end
+end
+
+-- quantity(number, unit): an exact constant with a unit.
+local function quantity(ctx)
+  return function(n, u)
+    local factor, dim = unit(ctx, "quantity", u)
+    return value.new(expr.num(number(ctx, "quantity", "the number", n)) * factor, dim)
+  end
+end
+
+-- A table of constructors {solid = {box = f, ...}, tensor = f, ...} from names such as "solid.box".
+local function tree(host, list, make)
+  local out = {}
+  local function constructor(spec) return host.visible(make(spec)) end
+  for _, spec in ipairs(list) do
+    local family, name = string.match(spec.name, "^(%w+)%.([%w_]+)$")
+    if family then
+      out[family] = out[family] or {}
+      out[family][name] = constructor(spec)
+    else
+      out[spec.name] = constructor(spec)
+    end
+  end
+  return out
+end
+
+-- Families answer an unknown name with what they have, on the user's line.
+local function strict(ctx, family, t)
+  return setmetatable({}, {
+    __index = function(_, k)
+      if t[k] then return t[k] end
+      ctx.diag:error(ctx.diag:here(), family, "has no " .. diag.show(k), nil)
+      return function() return nil end
+    end,
+    __newindex = function() ctx.diag:error(ctx.diag:here(), family, "cannot be changed") end,
+    __metatable = false,
+  })
+end
+
+-- Effects: opaque handles {kind=, a={args}, line=}.
+local function effect_constructor(ctx, record)
+  return function(spec)
+    local what = "effect." .. string.match(spec.name, "([%w_]+)$")
+    return function(given)
+      local line = ctx.diag:here()
+      local a, ok
+      if type(given or {}) ~= "table" or value.is(given) then
+        ctx.diag:error(line, what, "takes a table of named arguments", value.show(given))
+      elseif spec.read then
+        a = spec.read(ctx, line, what, given or {}, args)
+        ok = a ~= nil
+      else
+        a, ok = args.read(ctx, line, what, spec.args, given or {})
+      end
+      for _, c in ipairs(ok and a and spec.check and spec.check(a) or {}) do
+        ok = args.condition(ctx, line, what, c[2], c[1], "zero") and ok
+      end
+      local h = setmetatable({}, { __metatable = false })
+      record[h] = { kind = spec.name, spec = spec, a = a or {}, line = line, broken = not ok or a == nil }
+      return h
+    end
+  end
+end
+
+-- Runs the script in the host's sandbox.  tables: {shapes =, effects =} (the catalogues); set: {name = "0.3"} replaces
+-- parameters' defaults (in their own units).  Returns the scene record with .params and .checks, or nil when d has
+-- errors; second result: the first name of `set` that is no parameter.
+function env.record(host, d, text, tables, set)
+  local ctx = { diag = d, checks = {}, set = set or {}, used = {} }
+  local params, effects = {}, setmetatable({}, { __mode = "k" })
+  value.begin(d)
+  shapes.begin(ctx, host.visible)
+  local result
+  local e = {}
+  for _, k in ipairs(args.keys(host.safe)) do e[k] = host.safe[k] end
+  local made = tree(host, tables.shapes, function(spec)
+    return spec.rows and shapes.points or shapes.constructor(spec)
+  end)
+  for _, k in ipairs(args.keys(made)) do
+    e[k] = type(made[k]) == "table" and strict(ctx, k, made[k]) or made[k]
+  end
+  e.effect = strict(ctx, "effect", tree(host, tables.effects, effect_constructor(ctx, effects)).effect)
+  e.param, e.quantity = param(ctx, params), quantity(ctx)
+  e.exact = function(s)
+    return value.new(expr.num(number(ctx, "exact", "the number", s)), nil)
+  end
+  e.pi, e.sqrt = value.new(expr.pi, units.none), value.sqrt
+  for _, fn in ipairs { "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "sinh", "cosh", "tanh",
+    "abs" } do
+    e[fn] = value.func(fn)
+  end
+  local calls = 0
+  e.scene = scene.constructor(ctx, function(h) return effects[h] end, function(s)
+    calls = calls + 1
+    result = s
+  end)
+
+  local ok, first = host.sandbox(text, "@" .. d.file, e)
+  if not ok then
+    local message = string.gsub(first.message or "", "^.-:%d+: ", "")
+    d:error(first.line or 0, first.kind == "syntax" and "syntax" or "script", message)
+    return nil
+  end
+  if not d:failed() then
+    if calls == 0 then
+      d:error(#d.lines, "scene", "the script must end with: return scene { ... }")
+    elseif first ~= result then
+      d:error(result.line, "scene", "the script must return its scene", diag.show(first))
+    end
+  end
+  if d:failed() then return nil end
+  result.params, result.checks = params, ctx.checks
+  for _, name in ipairs(args.keys(ctx.set)) do
+    if not ctx.used[name] then return result, name end
+  end
+  return result
+end
+
+return env

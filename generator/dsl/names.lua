@@ -1,0 +1,43 @@
+-- names.lua -- which names a scene may give: they become C identifiers of the emitted code.
+--
+-- A scene's name is the prefix of every emitted function, a parameter's name a C variable and, in capitals, an
+-- enumerator (BRICK_A).  Refused here, on the user's line: what is no identifier, keywords of C and C++, names
+-- that the C standard reserves, and names that would collide with emitted ones.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local names = {}
+
+local keywords = {}
+for word in string.gmatch([[
+  auto break case char const continue default do double else enum extern float for goto if inline int long register
+  restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+  alignas alignof and and_eq asm bitand bitor bool catch class compl concept const_cast constexpr decltype delete
+  dynamic_cast explicit export false friend mutable namespace new noexcept not not_eq nullptr operator or or_eq
+  private protected public reinterpret_cast static_assert static_cast template this thread_local throw true try
+  typeid typename using virtual wchar_t xor xor_eq main NULL errno INFINITY NAN HUGE_VAL assert I complex]], "%S+") do
+  keywords[word] = true
+end
+
+local taken = {} -- enumerators of the emitted header, without the scene's prefix
+for word in string.gmatch("QW QX QY QZ WX WY WZ UX UY UZ NX NU NP", "%S+") do taken[word] = true end
+
+-- nil if `s` can be a name in C, else the rule it breaks.
+function names.identifier(s)
+  if type(s) ~= "string" or not string.find(s, "^%a[%w_]*$") then
+    return "must be a C identifier (a letter, then letters, digits, _)"
+  end
+  if #s > 31 then return "must have at most 31 characters" end
+  if keywords[s] then return "must not be a word of C or C++" end
+  if string.find(s, "__", 1, true) then return "must not contain __ (reserved in C++)" end
+  return nil
+end
+
+-- The same for a parameter: also against the header's own enumerators.
+function names.parameter(s)
+  local rule = names.identifier(s)
+  if rule then return rule end
+  if taken[string.upper(s)] then return "is taken by the emitted code" end
+  return nil
+end
+
+return names

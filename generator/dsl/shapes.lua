@@ -1,0 +1,208 @@
+-- shapes.lua -- shapes of the scene language: constructors, placement, sums and holes.
+--
+-- A shape is an opaque handle whose record is a tree of plain data (expressions inside):
+--     {shape=, a={args}, mass= | density=, line=}    {op="at", of=, r=}    {op="turned", of=, q=unit quaternion}
+--     {op="scaled", of=, k={kx,ky,kz}}    {op="sum" | "minus", a, b}
+-- Nothing is integrated here; mass/body.lua turns the tree into mass, centre and tensor.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local vec = require "generator.algebra.vec"
+local args = require "generator.dsl.args"
+local value = require "generator.dsl.value"
+local diag = require "generator.diag"
+
+local shapes = {}
+
+local record = setmetatable({}, { __mode = "k" })
+local handle = { __name = "shape" }
+local method = {}
+
+local ctx -- the scene that is being recorded: {diag =, checks =}
+
+-- visible: the host's wrapper that keeps the caller's line known in `return shape:at{...}`.
+function shapes.begin(c, visible)
+  ctx = c
+  local methods = {}
+  for _, name in ipairs { "at", "turned", "scaled", "mirrored" } do methods[name] = visible(method[name]) end
+  handle.__index = function(_, name)
+    if methods[name] then return methods[name] end
+    ctx.diag:error(ctx.diag:here(), "shape", "has no operation " .. diag.show(name) ..
+      " (it has at, turned, scaled, mirrored)")
+    return function(self) return self end
+  end
+end
+function shapes.record(h) return record[h] end
+
+local function new(r)
+  local h = setmetatable({}, handle)
+  record[h] = r
+  return h
+end
+
+local function here() return ctx.diag:here() end
+
+-- Mass or density, exactly one.
+local function amount(spec, what, line, given, node)
+  local m, d = given.mass, given.density
+  if m ~= nil and d ~= nil then
+    ctx.diag:error(ctx.diag:locate(line, "density"), what, "give mass or density, not both")
+  elseif m == nil and d == nil then
+    ctx.diag:error(line, what, "mass is missing (give mass or density)")
+  elseif m ~= nil then
+    node.mass = args.scalar(ctx, ctx.diag:locate(line, "mass"), what, "mass", { dim = "mass", sign = "positive" }, m)
+  else
+    local at = ctx.diag:locate(line, "density")
+    node.density = args.scalar(ctx, at, what, "density", { dim = "density_" .. spec.measure, sign = "positive" }, d)
+  end
+  return node.mass ~= nil or node.density ~= nil
+end
+
+-- The constructor of one catalogue entry.
+function shapes.constructor(spec)
+  local what = string.match(spec.name, "([%w_]+)$")
+  return function(given)
+    local line = here()
+    local extra = spec.measure and { "mass", "density" }
+    local a, ok = args.read(ctx, line, what, spec.args, given, extra)
+    local node = { shape = spec.name, a = a, line = line }
+    if type(given) == "table" and spec.measure then ok = amount(spec, what, line, given, node) and ok end
+    if ok and spec.requires then
+      for _, c in ipairs(spec.requires(a)) do
+        ok = args.condition(ctx, line, what, c[2], c[1], value.show(value.new(c[1]))) and ok
+      end
+    end
+    if spec.name == "tensor" then node.mass = a.mass end
+    node.broken = not ok
+    return new(node)
+  end
+end
+
+-- points{{m, x, y, z}, ...}
+function shapes.points(given)
+  local line, node = here(), { shape = "points", rows = {} }
+  node.line = line
+  if type(given) ~= "table" or value.is(given) or #given == 0 then
+    ctx.diag:error(line, "points", "takes a list of rows {mass, x, y, z}", diag.show(given))
+    node.broken = true
+    return new(node)
+  end
+  for i = 1, #given do
+    local row = given[i]
+    if type(row) ~= "table" or value.is(row) or #row ~= 4 then
+      ctx.diag:error(line, "points", "row " .. i .. " must be {mass, x, y, z}", diag.show(row))
+      node.broken = true
+    else
+      local m = args.scalar(ctx, line, "points", "mass of row " .. i, { dim = "mass", sign = "positive" }, row[1])
+      local r = args.vector(ctx, line, "points", "position of row " .. i, { dim = "length", size = 3 },
+        { row[2], row[3], row[4] })
+      if m and r then node.rows[#node.rows + 1] = { m, r[1], r[2], r[3] } else node.broken = true end
+    end
+  end
+  return new(node)
+end
+
+---- placement -------------------------------------------------------------------------------------
+
+local function derived(self, node)
+  node.line = here()
+  node.of = record[self]
+  node.broken = node.broken or node.of.broken
+  return new(node)
+end
+
+local function receiver(self, name)
+  if record[self] then return true end
+  ctx.diag:error(here(), name, "is called on a shape with a colon: shape:" .. name .. "{...}", diag.show(self))
+  return false
+end
+
+function method.at(self, r)
+  if not receiver(self, "at") then return self end
+  local v = args.vector(ctx, here(), "at", "position", { dim = "length", size = 3 }, r)
+  return derived(self, { op = "at", r = v, broken = v == nil })
+end
+
+local unit = { x = { 1, 0, 0 }, y = { 0, 1, 0 }, z = { 0, 0, 1 } }
+
+-- The exact unit quaternion along q (which must not be zero).
+local function normalised(q)
+  local n = q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2
+  return vec.map(q, function(x) return x / expr.sqrt(n) end)
+end
+shapes.normalised = normalised
+
+-- {axis = "x" | {..}, angle =} or {quaternion = {..}} as a unit quaternion; nil after an error.
+function shapes.rotation(c, line, what, given)
+  if type(given) ~= "table" or value.is(given) then
+    c.diag:error(line, what, "takes {axis =, angle =} or {quaternion =}", diag.show(given))
+    return nil
+  end
+  local specs = { { name = "axis" }, { name = "angle" }, { name = "quaternion" } }
+  args.unknown(c, line, what, specs, given)
+  local function nonzero(v, name)
+    local n = expr.zero
+    for _, x in ipairs(v) do n = n + x ^ 2 end
+    return args.condition(c, line, what, name .. " must not be zero", n, diag.show(given[name]))
+  end
+  if given.quaternion ~= nil then
+    local q = args.vector(c, line, what, "quaternion", { size = 4 }, given.quaternion)
+    return q and nonzero(q, "quaternion") and normalised(q) or nil
+  end
+  local axis = given.axis
+  if type(axis) == "string" then axis = unit[axis] end
+  if axis == nil or given.angle == nil then
+    c.diag:error(line, what, "needs axis (\"x\", \"y\", \"z\" or a vector) and angle, or quaternion")
+    return nil
+  end
+  local v = args.vector(c, line, what, "axis", { size = 3 }, axis)
+  local angle = args.scalar(c, line, what, "angle", {}, given.angle)
+  if not v or not angle or not nonzero(v, "axis") then return nil end
+  local n = expr.sqrt(vec.dot(v, v))
+  local s, k = expr.call("sin", angle / 2) / n, expr.call("cos", angle / 2)
+  return { k, v[1] * s, v[2] * s, v[3] * s }, angle, vec.map(v, function(x) return x / n end)
+end
+
+function method.turned(self, given)
+  if not receiver(self, "turned") then return self end
+  local q, angle, axis = shapes.rotation(ctx, here(), "turned", given)
+  return derived(self, { op = "turned", q = q, angle = angle, axis = axis, broken = q == nil })
+end
+
+function method.scaled(self, k)
+  if not receiver(self, "scaled") then return self end
+  if type(k) ~= "table" or value.is(k) then k = { k } end
+  local specs = { size = #k == 1 and 1 or 3, sign = "positive" }
+  local v = args.vector(ctx, here(), "scaled", "factor", specs, k)
+  if v and #v == 1 then v = { v[1], v[1], v[1] } end
+  return derived(self, { op = "scaled", k = v, broken = v == nil })
+end
+
+function method.mirrored(self, axis)
+  if not receiver(self, "mirrored") then return self end
+  local k = { x = { -1, 1, 1 }, y = { 1, -1, 1 }, z = { 1, 1, -1 } }
+  local v = k[axis]
+  if not v then ctx.diag:error(here(), "mirrored", "axis must be \"x\", \"y\" or \"z\"", diag.show(axis)) end
+  return derived(self, { op = "scaled", k = v and vec.map(v, expr.lift), broken = v == nil })
+end
+
+local function joined(op, word)
+  return function(a, b)
+    local line = here()
+    for _, x in ipairs { a, b } do
+      if not record[x] then
+        ctx.diag:error(line, word, "both sides must be shapes", diag.show(x))
+        return record[a] and a or b
+      end
+    end
+    local x, y = record[a], record[b]
+    return new { op = op, x, y, line = line, broken = x.broken or y.broken }
+  end
+end
+
+handle.__add = joined("sum", "+")
+handle.__sub = joined("minus", "-")
+function handle.__newindex() ctx.diag:error(here(), "shape", "a shape cannot be changed") end
+function handle.__tostring() return "shape" end
+
+return shapes

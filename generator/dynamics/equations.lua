@@ -1,0 +1,222 @@
+-- equations.lua -- the equations of motion of a scene, in the least form its body's structure allows.
+--
+--     q' = q (0, w)/2                                        kinematics (Hamilton product)
+--     I w' + w x I w = N                                      Euler's equations (Goldstein 5.39)
+-- The structure of I (mass/principal.lua) decides what is written down:
+--     sphere      I w' = N: no gyroscopic term at all
+--     symmetric   I = alpha 1 + beta k k^T/k^2:   w' = -Omega-terms: (beta/(alpha k^2)) (k.w) (k x w), so the
+--                 component of w along k has no equation of its own
+--     diagonal    three quotients of principal moments
+--     full        L = I w,  w' = I^-1 (N + L x w), structural zeros of I and of its inverse vanishing
+-- An equation group is {why, where, defs = {{name, expr}}, outs = {{state, expr}}}.  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+local state = require "generator.dynamics.state"
+
+local equations = {}
+
+local axis_name = { "x", "y", "z" }
+local tidy = ratio.tidy
+
+local function place(m, line) return line and (string.match(m.file, "[^/]*$") .. ":" .. line) or nil end
+
+-- Is k a coordinate axis?  Returns its number.
+local function coordinate(k)
+  local found
+  for i = 1, 3 do
+    if k[i] ~= expr.zero then
+      if found then return nil end
+      found = i
+    end
+  end
+  return found
+end
+equations.coordinate = coordinate
+
+-- The tensor's entries as derived constants, Ixx .. Iyz; zeros stay zero.
+function equations.inertia(m)
+  return vec.map(m.inertia, function(e, n)
+    return m:constant("I" .. vec.entry[n], e, "moment of inertia " .. vec.entry[n] .. ", kg m^2")
+  end)
+end
+
+-- I w as named definitions, unless an entry is trivial.
+local function momentum(m)
+  local I = equations.inertia(m)
+  local Iw = vec.apply(I, state.w)
+  local defs, L = {}, {}
+  for i = 1, 3 do
+    if Iw[i] == expr.zero then
+      L[i] = expr.zero
+    else
+      defs[#defs + 1] = { name = "L" .. axis_name[i], expr = Iw[i] }
+      L[i] = expr.sym("L" .. axis_name[i], 7)
+    end
+  end
+  return L, defs
+end
+equations.momentum = momentum
+
+-- Sum of the torques of all effects in body axes, each effect one group of definitions N1x .. ; and what they use.
+local function torques(m)
+  local total, groups = { expr.zero, expr.zero, expr.zero }, {}
+  local need_L = false
+  local c = { mass = m.mass, com = m.com, inertia = m.inertia, q = state.q, w = state.w, u = state.u }
+  c.constant = function(name, e, about) return m:constant(name, e, about) end
+  c.L = function()
+    need_L = true
+    return (momentum(m))
+  end
+  for _, e in ipairs(m.record.effects) do
+    local N = e.spec.torque(e.a, c)
+    local group = { why = string.gsub(e.kind, "^effect%.", "") .. ": " .. e.spec.about, where = place(m, e.line),
+      defs = {}, outs = {} }
+    for i = 1, 3 do
+      local n = N[i]
+      if n ~= expr.zero and n.kind ~= "num" and n.kind ~= "sym" then
+        local name = "N" .. axis_name[i] .. (#m.record.effects > 1 and "_" .. #groups + 1 or "")
+        group.defs[#group.defs + 1] = { name = name, expr = n }
+        n = expr.sym(name, 7)
+      end
+      total[i] = total[i] + n
+    end
+    if #group.defs > 0 then groups[#groups + 1] = group end
+  end
+  return total, groups, need_L
+end
+
+-- Replaces the definitions' names in e by their expressions: for zero tests, derivatives and reports.
+function equations.inline(groups, e)
+  local calculus = require "generator.algebra.calculus"
+  local map = {}
+  for _, g in ipairs(groups) do
+    for _, d in ipairs(g.defs) do map[expr.sym(d.name, 7)] = calculus.substitute(d.expr, map) end
+  end
+  return calculus.substitute(e, map)
+end
+
+local builders = {}
+
+function builders.sphere(m, N)
+  local alpha = m:constant("I1", m.structure.alpha, "moment of inertia about any axis, kg m^2")
+  return { why = "Euler: I w' = N, every axis is a principal one", defs = {},
+    outs = vec.map(N, function(n) return n / alpha end) }
+end
+
+function builders.symmetric(m, N, groups, d)
+  local s = m.structure
+  local k, w = s.k, state.w
+  local c = m:constant("c", (s.axial - s.alpha) / (s.alpha * s.k2), "(I3 - I1)/I1" ..
+    (s.k2 == expr.one and "" or " / k^2"))
+  local axis = coordinate(k)
+  local kk = axis and k or vec.map(k, function(x, i)
+    return m:constant("k" .. axis_name[i], x, "direction of the symmetry axis")
+  end)
+  local defs, Omega = {}, expr.sym("Omega", 7)
+  local g = { why = "Euler, symmetric top: w' = Omega k x w, Omega = (I3 - I1)/I1 k.w", defs = defs }
+  if s.rod then g.why = "Euler, rod: w' = Omega k x w, Omega = -k.w; the rate along k is kept" end
+  local spin = c * vec.dot(kk, w)
+  local turning = vec.cross(kk, w)
+  g.outs = { expr.zero, expr.zero, expr.zero }
+  if spin ~= expr.zero then
+    defs[1] = { name = "Omega", expr = spin }
+    g.outs = vec.map(turning, function(x) return Omega * x end)
+  end
+  local plain = vec.map(N, function(n) return n == expr.zero end)
+  if plain[1] and plain[2] and plain[3] then return g end
+  -- I^-1 N = N/alpha + (1/axial - 1/alpha) k (k.N)/k^2
+  local along = vec.dot(k, N)
+  if s.rod and not ratio.iszero(equations.inline(groups, along)) then
+    d:error(m.line, "body", "is a rod: no torque may act along its line, where it has no moment of inertia")
+    return nil
+  end
+  local alpha = m:constant("I1", s.alpha, "moment of inertia across the symmetry axis, kg m^2")
+  if axis then
+    local I3 = s.rod and expr.one or m:constant("I3", s.axial, "moment of inertia about the symmetry axis, kg m^2")
+    for i = 1, 3 do
+      if not (s.rod and i == axis) then g.outs[i] = g.outs[i] + N[i] / (i == axis and I3 or alpha) end
+    end
+    return g
+  end
+  for i = 1, 3 do g.outs[i] = g.outs[i] + N[i] / alpha end
+  if not s.rod then
+    local extra = m:constant("e", (s.alpha - s.axial) / (s.alpha * s.axial * s.k2), "(1/I3 - 1/I1)/k^2, 1/(kg m^2)")
+    defs[#defs + 1] = { name = "Nk", expr = extra * vec.dot(kk, N) }
+    for i = 1, 3 do g.outs[i] = g.outs[i] + kk[i] * expr.sym("Nk", 7) end
+  end
+  return g
+end
+
+function builders.diagonal(m, N)
+  local I, w = m.inertia, state.w
+  local g = { why = "Euler, principal axes: I1 w1' = (I2 - I3) w2 w3 + N1, and cyclic", defs = {}, outs = {} }
+  for i = 1, 3 do
+    local j, k = i % 3 + 1, (i + 1) % 3 + 1
+    local c = m:constant("c" .. i, tidy((I[j] - I[k]) / I[i]), string.format("(I%d - I%d)/I%d", j, k, i))
+    g.outs[i] = c * w[j] * w[k]
+    if N[i] ~= expr.zero then
+      g.outs[i] = g.outs[i] + N[i] / m:constant("I" .. vec.entry[i], I[i], "moment of inertia " .. vec.entry[i] ..
+        ", kg m^2")
+    end
+  end
+  return g
+end
+
+function builders.full(m, N)
+  local L, defs = momentum(m)
+  local adj, det = vec.adjugate(m.inertia)
+  local J = vec.map(adj, function(e, n)
+    return m:constant("J" .. vec.entry[n], tidy(e / det), "inverse of the tensor, " .. vec.entry[n] .. ", 1/(kg m^2)")
+  end)
+  local n = vec.add(N, vec.cross(L, state.w))
+  local names = {}
+  for i = 1, 3 do
+    defs[#defs + 1] = { name = "n" .. axis_name[i], expr = n[i] }
+    names[i] = expr.sym("n" .. axis_name[i], 7)
+  end
+  return { why = "Euler: L = I w, n = N + L x w, w' = I^-1 n", defs = defs, outs = vec.apply(J, names) }
+end
+
+-- The equations of the model: {groups, coupled}, coupled telling whether the rates depend on the attitude.
+-- Reports what cannot be (torque along a rod) and returns nil then.
+function equations.of(d, m)
+  local w, q = state.w, state.q
+  local qdot = vec.map(vec.qmul(q, { expr.zero, w[1], w[2], w[3] }), function(e) return e / 2 end)
+  local attitude = { why = "attitude: q' = q (0, w)/2", defs = {}, outs = {} }
+  for i, n in ipairs { "qw", "qx", "qy", "qz" } do attitude.outs[i] = { state = n, expr = qdot[i] } end
+
+  local N, groups, need_L = torques(m)
+  local euler = builders[m.structure.kind](m, N, groups, d)
+  if not euler then return nil end
+  euler.where = place(m, m.line)
+  for i, n in ipairs { "wx", "wy", "wz" } do euler.outs[i] = { state = n, expr = euler.outs[i] } end
+  if need_L and m.structure.kind ~= "full" then
+    local _, defs = momentum(m)
+    table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = defs, outs = {} })
+  elseif need_L then -- the Euler group defines L: let it stand before the torques that use it
+    local _, defs = momentum(m)
+    table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = defs, outs = {} })
+    for _ = 1, #defs do table.remove(euler.defs, 1) end
+  end
+  groups[#groups + 1] = euler
+  table.insert(groups, 1, attitude)
+
+  local coupled = false
+  for _, g in ipairs(groups) do
+    if g ~= attitude then
+      for _, list in ipairs { g.defs, g.outs } do
+        for _, x in ipairs(list) do
+          if not expr.constant(x.expr, { qw = true, qx = true, qy = true, qz = true }) then coupled = true end
+        end
+      end
+    end
+  end
+  local inputs = false
+  for _, e in ipairs(m.record.effects) do inputs = inputs or e.spec.input or false end
+  return { groups = groups, coupled = coupled, inputs = inputs, free = #m.record.effects == 0 }
+end
+
+return equations

@@ -1,0 +1,146 @@
+-- model.lua -- the validated scene as physics: mass, tensors, structure, and the derived constants.
+--
+-- The model answers "what is this body" once, exactly; equations, closed forms and reports read it.  A derived
+-- constant is an expression of parameters that the emitted code computes once (in NAME_init) and keeps: asking
+-- twice for the same expression gives the same constant, a number stays a number, and with `bake` every parameter
+-- is a number and no constant is left.  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local evaluate = require "generator.algebra.evaluate"
+local calculus = require "generator.algebra.calculus"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+local body = require "generator.mass.body"
+local principal = require "generator.mass.principal"
+local validity = require "generator.mass.validity"
+
+local model = {}
+model.__index = model
+
+-- Bits kept of a constant that is no rational number (sqrt(2), pi/3) when it becomes one.
+local bits = 240
+
+-- The value of e for the parameters' defaults, as a rational (exact where e is rational).
+function model:number(e) return evaluate.precise(e, self.defaults, bits) end
+
+function model:double(e) return R.todouble(self:number(e)) end
+
+-- A derived constant; see the head.  Returns the expression to use in equations.
+function model:constant(name, e, about)
+  e = ratio.tidy(e)
+  if e.kind == "num" then return e end
+  if expr.constant(e) then return expr.num(evaluate.precise(e, {}, bits)) end
+  local member = self.by_expr[e]
+  if not member then
+    local unique, n = name, 1
+    while self.by_name[unique] do
+      n = n + 1
+      unique = name .. n
+    end
+    member = { name = unique, e = e, about = about, sym = expr.sym(unique, 3) }
+    self.by_expr[e], self.by_name[unique] = member, member
+    self.members[#self.members + 1] = member
+  end
+  return member.sym
+end
+
+-- A constant made of other derived constants (a multiple, say); nil if e depends on anything else.
+function model:derived(e, about)
+  local map, source = {}, nil
+  for _, member in ipairs(self.members) do
+    map[member.sym] = member.e
+    if not source and not expr.constant(e, { [member.name] = true }) then source = member end
+  end
+  local inlined = calculus.substitute(e, map)
+  local params = {}
+  for _, p in ipairs(self.params) do params[p.sym] = true end
+  for _, s in ipairs(expr.symbols(inlined)) do
+    if not params[s] then return nil end
+  end
+  local stem = source and source.name or "constant"
+  return self:constant(stem .. "_" .. string.gsub(about, "%W", ""), inlined,
+    about .. (source and source.about or ""))
+end
+
+-- Origin of rotation in the shape's frame; reports an unknown named point.
+local function origin(d, record, b)
+  local o = record.origin
+  if not o then return nil end
+  if o.kind == "point" then return o.r end
+  local r = b.points[o.name]
+  if not r then
+    local names = {}
+    for k in pairs(b.points) do names[#names + 1] = k end
+    table.sort(names)
+    d:error(o.line, "origin", "must be one of " .. table.concat(names, ", ") .. " or {x, y, z}",
+      string.format("%q", o.name))
+  end
+  return r
+end
+
+local function substituted(record, map)
+  local function s(e) return calculus.substitute(e, map) end
+  local function walk(x)
+    if expr.is(x) then return s(x) end
+    if type(x) ~= "table" then return x end
+    local y = {}
+    for k, v in pairs(x) do y[k] = (k == "spec") and v or walk(v) end
+    return y
+  end
+  local out = {}
+  for k, v in pairs(record) do out[k] = k == "params" and v or walk(v) end
+  return out
+end
+
+-- What NAME_init must test again: every condition on parameters once, with the scene's line.
+local function conditions(m, checks)
+  local list, seen = {}, {}
+  local function put(c)
+    if expr.constant(c.e) or seen[c.e] then return end
+    seen[c.e] = true
+    list[#list + 1] = { e = c.e, allow_zero = c.allow_zero,
+      text = c.what .. ": " .. c.rule .. " (" .. string.match(m.file, "[^/]*$") .. ":" .. c.line .. ")" }
+  end
+  for _, c in ipairs(checks) do put(c) end
+  for _, c in ipairs(validity.conditions(m)) do put(c) end
+  return list
+end
+
+-- d: diagnostics; record: what the scene language made; options: {bake = boolean, set = {name -> rational}}.
+-- Returns nil after errors.
+function model.new(d, record, options)
+  local m = setmetatable({ name = record.name, members = {}, by_expr = {}, by_name = {}, defaults = {},
+    params = record.params }, model)
+  local map = {}
+  for _, p in ipairs(record.params) do
+    m.defaults[p.name] = p.default
+    if options.bake then map[p.sym] = expr.num(p.default) end
+  end
+  if options.bake then
+    record = substituted(record, map)
+    m.params = {}
+  end
+  for _, p in ipairs(m.params) do m.by_name[p.name] = p end
+  m.record, m.baked = record, options.bake or false
+  m.file, m.line = d.file, record.body and record.body.line
+  m.omega, m.attitude, m.horizon, m.step = record.omega, record.attitude, record.horizon, record.step
+
+  local b = body.of(record.body)
+  local r = origin(d, record, b)
+  if not r then return nil end
+  m.body, m.mass, m.origin = b, b.mass, r
+  m.com = vec.map(vec.sub(b.com, r), ratio.tidy)
+  m.inertia, m.centroidal = body.tensor(b, r), body.tensor(b, b.com)
+  if not validity.check(d, m) then return nil end
+  m.structure = principal.classify(m.inertia)
+  if m.structure.nothing then
+    d:error(m.line, "body", "has no moment of inertia about the origin, so its rotation is undetermined")
+    return nil
+  end
+  m.conditions = conditions(m, record.checks)
+  return m
+end
+
+return model

@@ -1,0 +1,249 @@
+-- quantities.lua -- what the emitted code can be asked, as function descriptions.
+--
+-- A description is {name, args, result, doc, groups, when}: args are the words m x xo t u h w (see emit/source.lua) or
+-- arrays {name, count, doc, out}; an out is {array, index, expr}, {state, expr} (into dx) or {result, expr}.
+-- The formulas are here, once, in the lecture's notation; steppers come from methods/.  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+local state = require "generator.dynamics.state"
+local frames = require "generator.dynamics.frames"
+local equations = require "generator.dynamics.equations"
+
+local quantities = {}
+
+local comp = { "x", "y", "z" }
+
+local function array(name, count, out) return { name = name, count = count, out = out } end
+
+-- Symbols of an array argument: {r} -> rx, ry, rz for 3, rxx.. for 6.
+local function symbols(name, count)
+  local v = {}
+  for i = 1, count do v[i] = expr.sym(name .. (count == 6 and vec.entry[i] or comp[i]), 8) end
+  return v
+end
+quantities.symbols = symbols
+
+local function outs(name, v)
+  return vec.map(v, function(e, i) return { array = name, index = i - 1, expr = e } end)
+end
+
+local function group(why, defs, results) return { why = why, defs = defs, outs = results } end
+
+function quantities.initial(m)
+  local list = {}
+  local all = { m.attitude[1], m.attitude[2], m.attitude[3], m.attitude[4], m.omega[1], m.omega[2], m.omega[3] }
+  for i, s in ipairs(state.all) do
+    list[i] = { array = "x", state = s.name, expr = m:constant(s.name .. "0", all[i], "initial " .. s.name .. ", " ..
+      s.unit) }
+  end
+  return { name = "initial", args = { "m", "xo" }, doc = { "The scene's initial state." },
+    groups = { group("initial attitude and rates", {}, list) } }
+end
+
+function quantities.mass(m)
+  local com = vec.map(m.com, function(e, i)
+    return m:constant("r" .. comp[i], e, "centre of mass " .. comp[i] .. " from the origin of rotation, m")
+  end)
+  local mass = m:constant("mass", m.mass, "mass, kg")
+  return { name = "mass", args = { "m", array("com", 3, true) }, result = true,
+    doc = { "Mass, kg; com: the centre of mass from the origin of rotation, body axes, m." },
+    groups = { group("mass and centre of mass", {}, { { array = "com", index = 0, expr = com[1] },
+      { array = "com", index = 1, expr = com[2] }, { array = "com", index = 2, expr = com[3] },
+      { result = true, expr = mass } }) } }, mass, com
+end
+
+function quantities.inertia(m)
+  return { name = "inertia", args = { "m", array("I", 6, true) },
+    doc = { "The tensor of inertia about the origin of rotation, entries xx yy zz xy xz yz (off-diagonal",
+      "entries are minus the products of inertia), body axes, kg m^2." },
+    groups = { group("I_ij = sum m (r^2 d_ij - r_i r_j)", {}, outs("I", equations.inertia(m))) } }
+end
+
+-- I'_ij = I_ij + M (a^2 d_ij - a_i a_j) - M (2 a.R d_ij - a_i R_j - a_j R_i)
+local function shifted(I, M, Rc, a)
+  local entries = {}
+  for n, p in ipairs(vec.pair) do
+    local i, j = p[1], p[2]
+    local e = -a[i] * a[j] + a[i] * Rc[j] + a[j] * Rc[i]
+    if i == j then e = e + vec.dot(a, a) - 2 * vec.dot(a, Rc) end
+    entries[n] = I[n] + M * e
+  end
+  return entries
+end
+quantities.shifted = shifted
+
+function quantities.inertia_at(m)
+  local _, mass, com = quantities.mass(m)
+  local a, I = symbols("a", 3), equations.inertia(m)
+  local function s2(i, j) return a[i] * (a[i] - 2 * com[i]) + a[j] * (a[j] - 2 * com[j]) end
+  local list = {}
+  for n, p in ipairs(vec.pair) do
+    local i, j = p[1], p[2]
+    if i == j then
+      local k, l = i % 3 + 1, (i + 1) % 3 + 1
+      list[n] = I[n] + mass * s2(k, l)
+    else
+      list[n] = I[n] + mass * (a[i] * com[j] + a[j] * (com[i] - a[i]))
+    end
+  end
+  return { name = "inertia_at", args = { "m", array("a", 3), array("I", 6, true) },
+    doc = { "The tensor about the point a (from the origin of rotation, body axes, m), same six entries." },
+    groups = { group("I'_ij = I_ij + M (a^2 d_ij - a_i a_j) - M (2 a.R d_ij - a_i R_j - a_j R_i)", {},
+      outs("I", list)) } }
+end
+
+local function potential(m)
+  local V = expr.zero
+  local c = { mass = m.mass, com = m.com, inertia = m.inertia, q = state.q, w = state.w, u = state.u,
+    constant = function(name, e, about) return m:constant(name, e, about) end }
+  for _, e in ipairs(m.record.effects) do
+    if e.spec.potential then V = V + e.spec.potential(e.a, c) end
+  end
+  return V
+end
+quantities.potential_energy = potential
+
+function quantities.kinetic(m)
+  local w, I = state.w, equations.inertia(m)
+  local diagonal = I[4] == expr.zero and I[5] == expr.zero and I[6] == expr.zero
+  if diagonal then
+    return vec.dot(I, vec.map(w, function(x) return x ^ 2 end)) / 2, {},
+      "T = (I1 w1^2 + I2 w2^2 + I3 w3^2)/2, principal axes"
+  end
+  local L, defs = equations.momentum(m)
+  return vec.dot(w, L) / 2, defs, "T = w.L/2, L = I w"
+end
+
+function quantities.energy(m)
+  local T, defs, why = quantities.kinetic(m)
+  local V = potential(m)
+  local doc = { V == expr.zero and "Kinetic energy T = w.I w/2, J." or "Energy T + V, J; V = 0 with the centre of " ..
+    "mass at the height of the origin." }
+  return { name = "energy", args = { "m", "x" }, result = true, doc = doc,
+    groups = { group(why .. (V ~= expr.zero and ";  V from the effects" or ""), defs,
+      { { result = true, expr = T + V } }) } }
+end
+
+function quantities.momentum_body(m)
+  local L = vec.apply(equations.inertia(m), state.w)
+  return { name = "momentum_body", args = { "m", "x", array("L", 3, true) },
+    doc = { "Angular momentum about the origin of rotation, body axes, kg m^2/s." },
+    groups = { group("L = I w", {}, outs("L", L)) } }
+end
+
+function quantities.momentum(m)
+  local L, defs = equations.momentum(m)
+  return { name = "momentum", args = { "m", "x", array("L", 3, true) },
+    doc = { "Angular momentum about the origin of rotation, inertial axes, kg m^2/s; |q| = 1." },
+    groups = { group("L = I w in body axes", defs, {}),
+      group("turned to inertial axes, L = q L q*", {}, outs("L", vec.matvec(vec.rotation(state.q), L))) } }
+end
+
+function quantities.torque(m)
+  local w, dw = symbols("w", 3), symbols("dw", 3)
+  local I = equations.inertia(m)
+  local L, Lp, defs = vec.apply(I, w), {}, {}
+  for i = 1, 3 do
+    Lp[i] = L[i]
+    if L[i] ~= expr.zero then
+      defs[#defs + 1] = { name = "L" .. comp[i], expr = L[i] }
+      Lp[i] = expr.sym("L" .. comp[i], 7)
+    end
+  end
+  return { name = "torque", args = { "m", array("w", 3), array("dw", 3), array("N", 3, true) },
+    doc = { "The torque that makes the body turn with rates w and accelerations dw, body axes, N m",
+      "(the torque equation read backwards: N = dL/dt + w x L in the body frame)." },
+    groups = { group("L = I w", defs, {}), group("N = I w' + w x L", {},
+      outs("N", vec.add(vec.apply(I, dw), vec.cross(w, Lp)))) } }
+end
+
+function quantities.rhs(eq)
+  local groups = {}
+  for i, g in ipairs(eq.groups) do
+    local list = vec.map(g.outs, function(o) return { array = "dx", state = o.state, expr = o.expr } end)
+    groups[i] = { why = g.why, where = g.where, defs = g.defs, outs = list }
+  end
+  return { name = "rhs", args = { "m", "t", "x", "u", "dx" },
+    doc = { "Equations of motion: dx = dx/dt at time t, state x, input u.  dx must not overlap x." }, groups = groups }
+end
+
+function quantities.step(m, eq, method)
+  local groups = {}
+  local list, divides = method.groups(eq, function(e, words) return m:derived(e, words) end)
+  for i, g in ipairs(list) do
+    local list = vec.map(g.outs, function(o) return { array = "x", state = o.state, expr = o.expr } end)
+    groups[i] = { why = g.why, where = g.where, defs = g.defs, outs = list }
+  end
+  return { name = "step", args = { "m", "t", "x!", "u", "h" },
+    doc = { "One step of the classical Runge-Kutta method of order 4: x goes from time t to t + h, the input u",
+      "held.  q must be a unit quaternion (to a few per cent: it is brought back to |q| = 1)." }, groups = groups,
+    -- 4/(3 h) must stay finite; a step shorter than the smallest normal number moves nothing that could be seen
+    guard = divides and "h" or nil }
+end
+
+function quantities.jacobian(eq)
+  local g = { why = "J[i][k] = d(dx_i/dt)/dx_k; entries that are zero for every state are written once", defs = {},
+    outs = {} }
+  local n = #state.all
+  local row = {}
+  for i, s in ipairs(state.all) do row[s.name] = i - 1 end
+  for _, eg in ipairs(eq.groups) do
+    for _, o in ipairs(eg.outs) do
+      local e = equations.inline(eq.groups, o.expr)
+      for k, s in ipairs(state.all) do
+        g.outs[#g.outs + 1] = { array = "J", index = row[o.state] * n + k - 1, expr = calculus.diff(e, s.sym) }
+      end
+    end
+  end
+  table.sort(g.outs, function(a, b) return a.index < b.index end)
+  return { name = "jacobian", args = { "m", "t", "x", "u", array("J", n * n, true) },
+    doc = { "Jacobian of the equations of motion, row major, NX x NX: J[i*NX + k] = d(dx[i])/d(x[k])." },
+    groups = { g } }
+end
+
+function quantities.rate()
+  local w, A, dA = symbols("w", 3), symbols("a", 3), symbols("da", 3)
+  return { name = "rate", args = { array("w", 3), array("a", 3), array("da", 3), array("out", 3, true) },
+    doc = { "Rate of change of the vector a in the inertial frame, from its rate da in the body frame;",
+      "all in body axes, w the body's rates." },
+    groups = { group("dA/dt (inertial) = dA/dt (body) + w x A", {}, outs("out", frames.rate(w, A, dA))) } }
+end
+
+function quantities.acceleration()
+  local w, dw, r, v, a = symbols("w", 3), symbols("dw", 3), symbols("r", 3), symbols("v", 3), symbols("a", 3)
+  local f = frames.acceleration(w, dw, r, v, a)
+  local total, results = {}, {}
+  for _, term in ipairs { "coriolis", "euler", "centrifugal" } do
+    for _, o in ipairs(outs(term, f[term])) do results[#results + 1] = o end
+  end
+  for i = 1, 3 do total[i] = a[i] + f.coriolis[i] + f.euler[i] + f.centrifugal[i] end
+  for _, o in ipairs(outs("total", total)) do results[#results + 1] = o end
+  return { name = "acceleration", args = { array("w", 3), array("dw", 3), array("r", 3), array("v", 3), array("a", 3),
+    array("coriolis", 3, true), array("euler", 3, true), array("centrifugal", 3, true), array("total", 3, true) },
+    doc = { "Inertial acceleration of a point at r that moves with velocity v and acceleration a relative to the",
+      "body: the terms 2 w x v, w' x r, w x (w x r) apart, and total = a + all three; all in body axes." },
+    groups = { group("total = a + 2 w x v + w' x r + w x (w x r)", {}, results) } }
+end
+
+function quantities.particle_energy(m)
+  if not m.body.particles then return nil end
+  local rows = {}
+  for n, p in ipairs(m.body.pieces) do
+    local r = vec.map(vec.sub(p.com, m.origin), ratio.tidy)
+    rows[n] = { m:constant("m_" .. n, p.mass, "mass of particle " .. n .. ", kg") }
+    for i = 1, 3 do
+      rows[n][i + 1] = m:constant(comp[i] .. "_" .. n, r[i], comp[i] .. " of particle " .. n .. " from the origin, m")
+    end
+  end
+  return { name = "particle_energy", args = { "m", "x" }, result = true,
+    doc = { "Kinetic energy of the particles by its definition, the sum of m v^2/2 with v = w x r, J." },
+    groups = { group("T = sum m (w x r)^2/2", {},
+      { { result = true, expr = frames.particle_energy(rows, state.w, expr.lift(R.zero)) } }) } }
+end
+
+return quantities

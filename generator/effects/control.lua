@@ -1,0 +1,28 @@
+-- control.lua -- the input u: three torque components in body axes, optionally limited.
+--
+-- With `max` each component is clamped to [-max, max] as (|u + max| - |u - max|)/2, an identity that needs no
+-- branch and is exact outside the limits.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local vec = require "generator.algebra.vec"
+
+local control = {
+  name = "effect.control",
+  about = "input u: torque in body axes, max (optional) limits each component",
+  args = { { name = "max", dim = "torque", sign = "positive", optional = true } },
+  input = true,
+  conserves = "nothing",
+}
+
+function control.torque(a, c)
+  if not a.max then return c.u end
+  local limit = c.constant("umax", a.max, "limit of each input, N m")
+  return vec.map(c.u, function(u)
+    return (expr.call("abs", u + limit) - expr.call("abs", u - limit)) / 2
+  end)
+end
+
+function control.numeric() return { kind = "control" } end
+
+return control

@@ -1,0 +1,69 @@
+-- damping.lua -- linear damping: a torque -C w, or -rate L.
+--
+-- c may be a number (isotropic), three numbers (principal) or a 3x3 matrix, in N m s; rate, in 1/s, damps the
+-- angular momentum uniformly, so the motion is the free one with a slower and slower clock.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local vec = require "generator.algebra.vec"
+
+local damping = {
+  name = "effect.damping",
+  about = "torque -C w (c: number, {cx, cy, cz} or 3x3 matrix), or -rate L",
+  conserves = "nothing",
+}
+
+-- Own reading: c has three shapes, and exactly one of c and rate is given.
+function damping.read(ctx, line, what, given, args)
+  args.unknown(ctx, line, what, { { name = "c" }, { name = "rate" } }, given)
+  local at = ctx.diag:locate(line, given.c ~= nil and "c" or "rate")
+  if (given.c == nil) == (given.rate == nil) then
+    ctx.diag:error(line, what, "give c or rate, one of them")
+    return nil
+  end
+  if given.rate ~= nil then
+    local rate = args.scalar(ctx, at, what, "rate", { dim = "rate" }, given.rate)
+    return rate and { rate = rate }
+  end
+  local c, spec = given.c, { dim = "damping" }
+  local zero = expr.zero
+  if type(c) == "table" and #c == 3 and type(c[1]) == "table" and #c[1] == 3 then
+    local C = {}
+    for i = 1, 3 do
+      C[i] = args.vector(ctx, at, what, "c[" .. i .. "]", { dim = "damping", size = 3 }, c[i])
+      if not C[i] then return nil end
+    end
+    return { C = C }
+  end
+  if type(c) == "table" and #c == 3 then
+    local v = args.vector(ctx, at, what, "c", { dim = "damping", size = 3 }, c)
+    return v and { C = { { v[1], zero, zero }, { zero, v[2], zero }, { zero, zero, v[3] } } }
+  end
+  local k = args.scalar(ctx, at, what, "c", spec, c)
+  return k and { C = { { k, zero, zero }, { zero, k, zero }, { zero, zero, k } } }
+end
+
+function damping.torque(a, c)
+  if a.rate then
+    local rate = c.constant("decay", a.rate, "rate of decay of L, 1/s")
+    return vec.scale(-rate, c.L())
+  end
+  local C = {}
+  for i = 1, 3 do
+    C[i] = vec.map(a.C[i], function(x, j)
+      return c.constant("C" .. string.sub("xyz", i, i) .. string.sub("xyz", j, j), x, "damping, N m s")
+    end)
+  end
+  return vec.scale(expr.lift(-1), vec.matvec(C, c.w))
+end
+
+function damping.numeric(a, num)
+  if a.rate then return { kind = "damping", rate = num(a.rate) } end
+  local C = {}
+  for i = 1, 3 do
+    for j = 1, 3 do C[#C + 1] = num(a.C[i][j]) end
+  end
+  return { kind = "damping", C = C }
+end
+
+return damping

@@ -1,0 +1,210 @@
+-- project.lua -- the files that are emitted for one scene: the values each template is filled with.
+--
+-- One function per artifact prepares lists of text; templates/ put them in place.  Nothing here decides what is
+-- computed (dynamics/ and methods/ do) or how an expression looks (cprint does).  No clock, no host, no path but the
+-- scene's base name: same input, same bytes.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local number = require "generator.emit.number"
+local source = require "generator.emit.source"
+local template = require "generator.emit.template"
+local selftest = require "generator.emit.selftest"
+local vectors = require "generator.emit.vectors"
+
+local project = {}
+
+local license = "SPDX-License-Identifier: MIT-0"
+
+local function libm(real)
+  local v = {}
+  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp" } do
+    v[fn] = real == "float" and fn .. "f" or fn
+  end
+  return v
+end
+
+local function literals(real)
+  local function n(q) return number.text(R.lift(q), real) end
+  local bits = real == "float" and 24 or 53
+  return { zero = n(0), one = n(1), two = n(2), half = n "1/2", threehalves = n "3/2", twelve = n(12),
+    epsilon = n(R.new(2) ^ (1 - bits)), split = n(R.new(2) ^ ((bits + 1) // 2) + R.one) }
+end
+
+local function enumeration(upper, list, last)
+  local lines = {}
+  for i, s in ipairs(list) do
+    local unit = s.unit and "[" .. s.unit .. "]" or ""
+    local about = (s.about ~= "" and s.about .. " " or "") .. unit
+    lines[i] = upper .. "_" .. string.upper(s.name) .. ", /* " .. about .. " */"
+  end
+  lines[#lines + 1] = upper .. "_" .. last
+  return lines
+end
+
+local init_words = { m = true, p = true, k = true, own = true } -- what NAME_init itself calls something
+
+-- The statements of NAME_init: checks in their order, then the derived constants.
+local function init(ctx, m, values)
+  local upper, inputs, map = ctx.upper, {}, {}
+  for _, p in ipairs(m.params) do
+    local name = p.name
+    if init_words[name] then -- the C local gets another name than the parameter
+      name = name .. "_"
+      map[p.sym] = expr.sym(name, 2)
+    end
+    inputs[#inputs + 1] = { sym = name, c = "p[" .. upper .. "_" .. string.upper(p.name) .. "]" }
+  end
+  local groups, checks = {}, {}
+  for i, c in ipairs(m.conditions) do
+    groups[i] = { defs = {}, outs = { { c = "const " .. ctx.name .. "_real check" .. i,
+      expr = calculus.substitute(c.e, map) } } }
+    checks[i] = { number = string.format("%d", i), text = c.text, condition = "check" .. i .. (c.allow_zero and " >= " or " > ") ..
+      number.text(R.zero, ctx.real), lines = {} }
+  end
+  for _, member in ipairs(m.members) do
+    groups[#groups + 1] = { why = member.about, defs = {}, outs = { { c = "k." .. member.name,
+      expr = calculus.substitute(member.e, map) } } }
+  end
+  values.init_loads, values.init_checks, values.init_groups = {}, checks, {}
+  local c = source.statements(ctx, { name = "init", args = {}, inputs = inputs, groups = groups })
+  values.init_loads = c.loads
+  for i, g in ipairs(c.groups) do
+    local lines = {}
+    if g.why then lines = source.comment(g.why) end
+    for _, l in ipairs(g.lines) do lines[#lines + 1] = l end
+    if checks[i] then checks[i].lines = lines else values.init_groups[#values.init_groups + 1] = { lines = lines } end
+  end
+  values.finite_lines = {}
+  local code = #checks + 1
+  for _, member in ipairs(m.members) do
+    values.finite_lines[#values.finite_lines + 1] = string.format("if (!(k.%s - k.%s == %s)) return %d;", member.name,
+      member.name, number.text(R.zero, ctx.real), code)
+  end
+  values.has_finite = #m.members > 0
+  local listed = {}
+  for i, check in ipairs(checks) do listed[i] = { number = check.number, text = check.text } end
+  if #m.members > 0 then
+    listed[#listed + 1] = { number = string.format("%d", code), text = "every derived constant must be finite" }
+  end
+  if #listed == 0 then listed[1] = { number = "-", text = "there is nothing to check" } end
+  values.checks = listed
+end
+
+local function members(m, real_name)
+  local list = {}
+  for i, member in ipairs(m.members) do
+    local line = real_name .. " " .. member.name .. "; "
+    list[i] = { lines = { line .. "/* " .. member.about .. " */" } }
+  end
+  if #list == 0 then list[1] = { lines = { "char empty; /* every constant is in the code */" } } end
+  return list
+end
+
+local function function_values(list)
+  local out = {}
+  for i, f in ipairs(list) do
+    local comment = {}
+    for k, line in ipairs(f.doc) do
+      comment[k] = (k == 1 and "/* " or " * ") .. line .. (k == #f.doc and " */" or "")
+    end
+    out[i] = { comment = comment, declaration = f.declaration, head = f.head, lines = f.lines }
+  end
+  return out
+end
+
+local function costs(list)
+  local out = {}
+  for i, f in ipairs(list) do
+    local c = f.cost
+    local function n(k) return string.format("%d", c[k] or 0) end
+    out[i] = { name = f.name, add = n "add", mul = n "mul", div = n "div", sqrt = n "sqrt", call = n "call" }
+  end
+  return out
+end
+
+-- Values shared by all templates of the scene.  job: {model, equations, closed, functions (descriptions), real,
+-- command, version, title, banner, derivation}
+local function common(job)
+  local m, eq, real = job.model, job.equations, job.real
+  local ctx = { name = m.name, upper = string.upper(m.name), real = real, members = m.members, states = job.states,
+    inputs = eq.inputs and job.input_states or {} }
+  local made = {}
+  for i, f in ipairs(job.functions) do made[i] = source.make(ctx, f) end
+  local v = { name = m.name, upper = ctx.upper, real = real, version = job.version, source = job.source,
+    command = job.command, title = job.title, license = license, banner = job.banner, derivation = job.derivation,
+    state_enum = enumeration(ctx.upper, job.states, "NX"), has_inputs = eq.inputs, has_params = #m.params > 0,
+    input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
+    members = members(m, m.name .. "_real"), no_members = #m.members == 0, functions = function_values(made),
+    costs = costs(made), has_closed = job.closed.kind ~= nil, free = eq.free, bits = string.format("%d", selftest.bits),
+    step_note = "", }
+  local list, params = {}, {}
+  for i, p in ipairs(m.params) do
+    list[i] = { name = p.name, about = "default " .. p.given .. ",", unit = p.unit }
+    params[i] = { upper = string.upper(p.name), value = number.text(p.default, real) }
+  end
+  v.param_enum, v.params = enumeration(ctx.upper, list, "NP"), params
+  for k, x in pairs(libm(real)) do v[k] = x end
+  for k, x in pairs(literals(real)) do v[k] = x end
+  v.step_literal, v.horizon_literal = number.text(m:number(m.step), real), number.text(m:number(m.horizon), real)
+  v.step_text, v.horizon_text = number.text(m:number(m.step), "double"), number.text(m:number(m.horizon), "double")
+  init(ctx, m, v)
+  return v, ctx
+end
+
+-- The closed form's constants as C text.
+local function closed_values(job, v, ctx)
+  v.closed_header, v.closed_source = "", ""
+  if not v.has_closed then return end
+  local m, s = job.model, job.model.structure
+  v.theorem, v.closed_text, v.symmetric = job.closed.theorem, job.closed.text, job.closed.kind == "symmetric"
+  local function text(e)
+    if e.kind == "num" then return number.text(e.value, ctx.real) end
+    return "m->" .. e.name
+  end
+  if v.symmetric then
+    local c = job.closed.constants
+    v.kx, v.ky, v.kz = text(c.k[1]), text(c.k[2]), text(c.k[3])
+    v.k2, v.I1, v.I3 = text(c.k2), text(c.I1), s.rod and v.zero or text(c.I3)
+  end
+  v.closed_header = template.render("templates/closed.h", job.templates["templates/closed.h"], v)
+  v.closed_source = template.render("templates/closed.c", job.templates["templates/closed.c"], v)
+end
+
+local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
+
+-- The list of files {name, text}.  With plugin = true also the table that the program polhode loads.
+function project.files(job, plugin)
+  local v, ctx = common(job)
+  closed_values(job, v, ctx)
+  local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
+  v.analysis_header = render "templates/analysis.h"
+  v.analysis_source = render "templates/analysis.c"
+  v.closed_header, v.closed_source = trimmed(v.closed_header), trimmed(v.closed_source)
+  vectors.fill(job, v, ctx)
+  local n = job.model.name
+  local files = {
+    { name = n .. ".h", text = render "templates/scene.h" },
+    { name = n .. ".c", text = render "templates/scene.c" },
+    { name = n .. "_test.c", text = render "templates/test.c" },
+    { name = "Makefile", text = render "templates/Makefile" },
+    { name = "README.md", text = render "templates/README.md" },
+  }
+  if plugin then
+    files[#files + 1] = { name = "plugin.c", text = render "templates/plugin.c" }
+    files[#files + 1] = { name = "plugin.h", text = job.templates["templates/plugin.h"] }
+  end
+  return files
+end
+
+-- The IR of every function after a pass, as text.
+function project.show(job, stop)
+  local _, ctx = common(job)
+  local out = {}
+  for i, f in ipairs(job.functions) do out[i] = source.show(ctx, f, stop) end
+  return table.concat(out, "\n")
+end
+
+return project

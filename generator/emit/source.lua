@@ -1,0 +1,170 @@
+-- source.lua -- function descriptions as C: prototype, contract, body.
+--
+-- A description (dynamics/quantities.lua, methods/) knows symbols and results; here it gets its C arguments, each
+-- symbol the place it is read from, each result the place it is written to.  The body goes through lower, the
+-- passes and cprint; nothing else makes C expressions.  All inputs are read before the first result is written, so
+-- results may overlap arguments.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local number = require "generator.emit.number"
+local lower = require "generator.ir.lower"
+local passes = require "generator.ir.passes"
+local count = require "generator.ir.count"
+local show = require "generator.ir.show"
+local cprint = require "generator.emit.cprint"
+
+local source = {}
+
+-- ctx: {name, upper, real ("double"|"float"), members (set name -> true), states, inputs (lists of {name})}
+local function declarations(ctx, f)
+  local real = ctx.name .. "_real "
+  local word = {
+    m = "const " .. ctx.name .. "_model *m", x = "const " .. real .. "x[]", ["x!"] = real .. "x[]", xo = real .. "x[]",
+    t = real .. "t", h = real .. "h", u = "const " .. real .. "u[]", dx = real .. "dx[]",
+  }
+  local list = {}
+  for i, a in ipairs(f.args) do
+    if type(a) == "table" then
+      list[i] = (a.out and "" or "const ") .. real .. a.name .. "[" .. a.count .. "]"
+    else
+      list[i] = word[a] or error("unknown argument word " .. a)
+    end
+  end
+  return list
+end
+
+local six, three = { "xx", "yy", "zz", "xy", "xz", "yz" }, { "x", "y", "z" }
+
+-- Where each symbol is read from, as a list in the order of loading: {sym, c}.
+local function sources(ctx, f)
+  local list = {}
+  local function put(sym, c) list[#list + 1] = { sym = sym, c = c } end
+  for _, a in ipairs(f.args) do
+    if a == "m" then
+      for _, m in ipairs(ctx.members) do put(m.name, "m->" .. m.name) end
+    elseif a == "x" or a == "x!" then
+      for _, s in ipairs(ctx.states) do put(s.name, "x[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]") end
+    elseif a == "u" then
+      for _, s in ipairs(ctx.inputs) do put(s.name, "u[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]") end
+    elseif a == "t" or a == "h" then
+      put(a, a)
+    elseif type(a) == "table" and not a.out then
+      local names = a.count == 6 and six or three
+      for i = 1, a.count do put(a.name .. names[i], a.name .. "[" .. (i - 1) .. "]") end
+    end
+  end
+  return list
+end
+
+local function target(ctx, o)
+  if o.result then return "const " .. ctx.name .. "_real result" end
+  if o.c then return o.c end
+  if o.state then return o.array .. "[" .. ctx.upper .. "_" .. string.upper(o.state) .. "]" end
+  return o.array .. "[" .. o.index .. "]"
+end
+
+-- The program of a description (see ir/lower.lua).
+function source.program(ctx, f)
+  local groups = {}
+  for i, g in ipairs(f.groups) do
+    local outs = {}
+    for k, o in ipairs(g.outs) do outs[k] = { c = target(ctx, o), expr = o.expr } end
+    groups[i] = { why = g.why, where = g.where, defs = g.defs, outs = outs }
+  end
+  return { name = ctx.name .. "_" .. f.name, inputs = f.inputs or sources(ctx, f), groups = groups }
+end
+
+-- Lines of comment text `s` within the width, continued with `pad`.
+local function comment(s)
+  local lines, line = {}, "/*"
+  for word in string.gmatch(s, "%S+") do
+    if #line + #word > 92 then
+      lines[#lines + 1] = line
+      line = "  "
+    end
+    line = line .. " " .. word
+  end
+  lines[#lines + 1] = line .. " */"
+  return lines
+end
+source.comment = comment
+
+-- The statements of groups, each with its equation as a comment, blank lines between.
+local function body(c)
+  local lines = {}
+  for _, l in ipairs(c.loads) do lines[#lines + 1] = l end
+  for i, g in ipairs(c.groups) do
+    if i > 1 or #lines > 0 then lines[#lines + 1] = "" end
+    if g.why then
+      for _, l in ipairs(comment(g.why .. (g.where and "  [" .. g.where .. "]" or ""))) do lines[#lines + 1] = l end
+    end
+    for _, l in ipairs(g.lines) do lines[#lines + 1] = l end
+  end
+  return lines
+end
+
+-- Arguments that the body never mentions are voided, so that no compiler warns.
+local function unused(f, lines)
+  local text, list = " " .. table.concat(lines, "\n") .. " ", {}
+  for _, a in ipairs(f.args) do
+    local name = type(a) == "table" and a.name or a == "x!" and "x" or a == "xo" and "x" or a
+    if not string.find(text, "%f[%w_]" .. name .. "%f[^%w_]") then list[#list + 1] = "(void)" .. name .. ";" end
+  end
+  return list
+end
+
+-- prefix(arg, arg, ...) broken at 100 columns.
+local function prototype(head, args, tail)
+  local line = head .. "(" .. table.concat(args, ", ") .. ")" .. tail
+  if #line <= 98 then return line end
+  local lines, current = {}, head .. "("
+  local pad = string.rep(" ", #current)
+  for i, a in ipairs(args) do
+    local piece = a .. (i < #args and "," or ")" .. tail)
+    if #current + #piece > 98 then
+      lines[#lines + 1] = string.gsub(current, "%s+$", "")
+      current = pad
+    end
+    current = current .. piece .. (i < #args and " " or "")
+  end
+  lines[#lines + 1] = current
+  return table.concat(lines, "\n")
+end
+
+-- Everything a template needs of one function: doc lines, prototype, body lines, operation counts, IR.
+function source.make(ctx, f)
+  local ir = passes.run(lower.run(source.program(ctx, f)))
+  local c = cprint.statements(ir, ctx.real, { type = ctx.name .. "_real", indent = 2 })
+  local lines = body(c)
+  local void = unused(f, lines)
+  for i = #void, 1, -1 do table.insert(lines, 1, void[i]) end
+  if f.guard then
+    local least = number.text(R.new(2) ^ (ctx.real == "float" and -126 or -1022), ctx.real)
+    table.insert(lines, #void + 1, string.format("if (%s > -%s && %s < %s) return; /* no time passes */", f.guard, least,
+      f.guard, least))
+  end
+  if f.result then
+    local value = string.match(lines[#lines], "^const [%w_]+ result = (.*)$")
+    lines[#lines] = value and "return " .. value or lines[#lines]
+    if not value then lines[#lines + 1] = "return result;" end
+  end
+  local head = (f.result and ctx.name .. "_real " or "void ") .. ctx.name .. "_" .. f.name
+  local args = declarations(ctx, f)
+  return { name = f.name, doc = f.doc, declaration = prototype(head, args, ";"), head = prototype(head, args, ""),
+    lines = lines, cost = count.run(ir) }
+end
+
+-- The IR of a description after the pass `stop`, as text: --show.
+function source.show(ctx, f, stop)
+  return show.run(passes.run(lower.run(source.program(ctx, f)), stop), ctx.real)
+end
+
+-- C statements for groups without a function around them (NAME_init): loads and groups of lines.
+function source.statements(ctx, f)
+  local ir = passes.run(lower.run(source.program(ctx, f)))
+  return cprint.statements(ir, ctx.real, { type = ctx.name .. "_real", indent = 2 }), count.run(ir)
+end
+
+
+return source

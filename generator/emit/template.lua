@@ -1,0 +1,60 @@
+-- template.lua -- the template engine: text with ${name} and lines of logic that begin with %%.
+--
+-- One template line becomes exactly one line of a Lua chunk named after the template, so every load and run error
+-- has the right file and line.  Three laws: an unknown name is an error; a value that is not a string is an error
+-- (only emit/number.lua turns numbers into text); logic is `for` and `if` over prepared lists, nothing else, so
+-- the environment holds the values and ipairs, no functions of the library.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local template = {}
+
+local function quoted(s) return string.format("%q", s) end
+
+-- One line of text as Lua: _put("...", _str(expr, "expr"), ..., "\n").
+local function text_line(line, newline)
+  local parts, from = {}, 1
+  while true do
+    local a, b, name = string.find(line, "%${([^}]*)}", from)
+    if not a then break end
+    if a > from then parts[#parts + 1] = quoted(string.sub(line, from, a - 1)) end
+    parts[#parts + 1] = "_str(" .. name .. ", " .. quoted(name) .. ")"
+    from = b + 1
+  end
+  local tail = string.sub(line, from)
+  if tail ~= "" then parts[#parts + 1] = quoted(tail) end
+  if newline then parts[#parts + 1] = "\"\\n\"" end
+  return "_put(" .. table.concat(parts, ", ") .. ")"
+end
+
+-- The text of template `source` (its name is used in messages) with the values.
+function template.render(name, source, values)
+  local lines = {}
+  for line in string.gmatch(source, "([^\n]*)\n") do
+    local logic = string.match(line, "^%s*%%%%(.*)$")
+    lines[#lines + 1] = logic or text_line(line, true)
+  end
+  local out = {}
+  local env = setmetatable({
+    ipairs = ipairs,
+    _put = function(...)
+      for _, s in ipairs { ... } do out[#out + 1] = s end
+    end,
+    _str = function(v, what)
+      if type(v) ~= "string" then error("${" .. what .. "} is " .. type(v) .. ", not a string", 2) end
+      return v
+    end,
+  }, {
+    __index = function(_, k)
+      local v = values[k]
+      if v == nil then error("unknown name '" .. tostring(k) .. "'", 2) end
+      return v
+    end,
+    __newindex = function(_, k) error("a template must not assign '" .. tostring(k) .. "'", 2) end,
+  })
+  local chunk, why = load(table.concat(lines, "\n"), "@" .. name, "t", env)
+  if not chunk then error(why, 0) end
+  chunk()
+  return table.concat(out)
+end
+
+return template

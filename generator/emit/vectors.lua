@@ -1,0 +1,132 @@
+-- vectors.lua -- the states, cases and bounds of the emitted self-test, as text for templates/test.c.
+--
+-- Three states: the scene's own and two fixed ones scaled to its rates.  They are rounded to the emitted real type
+-- before anything is computed from them (see selftest.lua), so the expected numbers belong to exactly the inputs that
+-- the C code sees.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local number = require "generator.emit.number"
+local selftest = require "generator.emit.selftest"
+
+local vectors = {}
+
+local function rounder(real)
+  return function(q) return R.fromdouble(real == "float" and R.tofloat(q) or R.todouble(q)) end
+end
+
+-- Numbers three to a line, with commas.
+local function lines(list, real)
+  local out = {}
+  for i = 1, #list, 3 do
+    local row = {}
+    for k = i, math.min(i + 2, #list) do row[#row + 1] = number.text(list[k], real) .. (k < #list and "," or "") end
+    out[#out + 1] = table.concat(row, " ")
+  end
+  return out
+end
+
+local function states(job, round)
+  local m = job.model
+  local own, scale = {}, R.zero
+  for i = 1, 4 do own[i] = round(m:number(m.attitude[i])) end
+  for i = 1, 3 do
+    own[4 + i] = round(m:number(m.omega[i]))
+    if R.abs(own[4 + i]) > scale then scale = R.abs(own[4 + i]) end
+  end
+  if R.sign(scale) == 0 then scale = R.one end
+  local power = R.new(2) ^ R.log2(scale) -- so that the fixed states stay exact
+  local function state(list)
+    local x = {}
+    for i = 1, 7 do
+      local q = R.lift(list[i])
+      x[i] = i > 4 and q * power or q
+    end
+    return x
+  end
+  return { { name = "x1", values = own },
+    { name = "x2", values = state { "1/2", "-1/2", "1/2", "1/2", "3/4", "-5/8", "9/16" } },
+    { name = "x3", values = state { "-1/2", "1/2", "1/2", "1/2", "-3/8", "1/2", "7/8" } } }, power
+end
+
+local rest = { -- inputs of functions that take vectors: w, dw, a, r, v, N
+  w = { "3/4", "-5/8", "9/16" }, dw = { "-1/2", "7/8", "1/4" }, a = { "1/4", "-3/8", "5/8" }, r = { "5/8", "3/4", "-1/2" },
+  v = { "-7/8", "1/8", "3/8" }, da = { "1/2", "3/8", "-1/8" },
+}
+
+local function by_index(o)
+  return o.index and o.index + 1
+end
+
+-- Cases: which function, with which state, how many numbers, how it is called.
+function vectors.fill(job, v, ctx)
+  local m, real = job.model, ctx.real
+  local round = rounder(real)
+  local xs, power = states(job, round)
+  local epsilon = R.lift(R.new(2) ^ (real == "float" and -23 or -52))
+  local position, names = {}, { "x", "y", "z" }
+  for i, s in ipairs(job.states) do position[s.name] = i end
+
+  local base = {}
+  for _, p in ipairs(m.params) do base[p.name] = round(p.default) end
+  base.t = R.zero
+  for i, s in ipairs(job.input_states) do base[s.name] = R.new(i, 4) end
+  for name, list in pairs(rest) do
+    for i = 1, 3 do base[name .. names[i]] = R.lift(list[i]) end
+  end
+  local function environment(x)
+    local env = {}
+    for k, q in pairs(base) do env[k] = q end
+    for i, s in ipairs(job.states) do env[s.name] = x[i] end
+    return env
+  end
+
+  v.cases = {}
+  -- a shift of parameters' rounding is not what is tested: e is exact for the rounded parameters
+  local function case(name, n, state, call, what, index)
+    local f
+    for _, candidate in ipairs(job.functions) do
+      if candidate.name == name then f = candidate end
+    end
+    if not f then return end
+    local want, tolerance = selftest.expect(m, f, environment(state or xs[1].values), index, epsilon)
+    for i = 1, n do want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero end
+    v.cases[#v.cases + 1] = { n = string.format("%d", n), want = lines(want, real), tolerance = lines(tolerance, real),
+      call = call, what = what }
+  end
+  local p = m.name .. "_"
+  local function of_state(o) return o.state and position[o.state] or by_index(o) end
+  local function result(o) return o.result and 1 end
+  case("inertia", 6, nil, p .. "inertia(&m, got)", "tensor of inertia about the origin", by_index)
+  case("initial", 7, nil, p .. "initial(&m, got)", "initial state", of_state)
+  case("mass", 1, nil, "got[0] = " .. p .. "mass(&m, got + 1)", "mass", result)
+  for i = 1, 3 do
+    local x = xs[i]
+    case("rhs", 7, x.values, p .. "rhs(&m, " .. v.zero .. ", " .. x.name .. ", u, got)",
+      "rates of change at state " .. i, of_state)
+    case("energy", 1, x.values, "got[0] = " .. p .. "energy(&m, " .. x.name .. ")", "energy at state " .. i, result)
+    case("momentum", 3, x.values, p .. "momentum(&m, " .. x.name .. ", got)", "angular momentum at state " .. i, by_index)
+  end
+  case("jacobian", 49, xs[2].values, p .. "jacobian(&m, " .. v.zero .. ", x2, u, got)",
+    "Jacobian of the equations at state 2", by_index)
+
+  v.states = {}
+  for i, x in ipairs(xs) do v.states[i] = { name = x.name, lines = lines(x.values, real) } end
+  v.input_values = ""
+  if v.has_inputs then
+    local list = {}
+    for i in ipairs(job.input_states) do list[i] = number.text(R.new(i, 4), real) end
+    v.input_values = table.concat(list, ", ")
+  end
+
+  -- The test of order runs over about half a radian: h w = 1/64 and less, where the fourth-order term leads and still
+  -- stands above rounding (float: the floor of 64 roundings of the state).
+  local time = R.new(1, 2) / power
+  local size = R.one > power and R.one or power
+  v.order_time = number.text(time, real)
+  v.order_floor = number.text(R.round(size * epsilon * R.new(256), 24), real)
+  v.norm_bound = number.text(epsilon * R.new(16), real)
+  v.drift = number.text(epsilon * R.new(4096), real)
+end
+
+return vectors

@@ -1,0 +1,48 @@
+-- main.lua -- the command line: options, the command, the exit status.
+--
+-- Exit status: 0; 1 the scene is wrong; 2 the command line is wrong; 3 the numbers failed a check; 70 a bug (an error
+-- that reaches the host).  Results go to standard output, everything else to standard error.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local options = require "generator.commands.options"
+
+local usage = [[
+usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method rk4,exact] [--set a=0.3 ...] [--show PASS]
+       polhode run     SCENE [--engine general|generated] [--method M] [--step H] [--until T --every DT | --at T1,T2,...]
+                             [--format csv|json] [-o FILE] [--real double|float] [--set a=0.3 ...]
+       polhode explain SCENE [--format text|markdown|latex|json] [--set a=0.3 ...]
+       polhode check   SCENE...
+       polhode list    shapes|effects|methods|bodies|constants
+       polhode --version | --help
+]]
+
+local commands = {
+  gen = function() return require "generator.commands.gen" end,
+  run = function() return require "generator.commands.run" end,
+  explain = function() return require "generator.commands.explain" end,
+  check = function() return require "generator.commands.check" end,
+  list = function() return require "generator.commands.list" end,
+}
+
+return function(host, args)
+  local name = args[1]
+  if name == "--help" or name == "-h" then
+    host.out(usage)
+    return 0
+  end
+  if name == "--version" then
+    host.out("polhode " .. require("generator.driver").version .. "\n")
+    return 0
+  end
+  if not name or not commands[name] then
+    host.err((name and "polhode: no command " .. string.format("%q", name) .. "\n" or "") .. usage)
+    return 2
+  end
+  local command = commands[name]()
+  local given, why = options.parse(command.options, command.operands, args)
+  if not given then
+    host.err("polhode " .. name .. ": " .. why .. "\n" .. usage)
+    return 2
+  end
+  return command.run(host, given)
+end

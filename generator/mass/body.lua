@@ -1,0 +1,154 @@
+-- body.lua -- mass, centre of mass and second moments of a shape tree.
+--
+-- A body is a list of pieces, each {mass, com, sigma}: sigma are the second moments about the piece's own
+-- centroid per unit mass, so the pseudo-inertia of one piece about a point P is  mass*(sigma + d d^T),  d = com - P.
+-- Sums, holes (negative mass), rotations and affine images act piece by piece, and the tensor about any point is
+-- one sum over the pieces: nothing is ever shifted to a common origin and back, so nothing cancels there.
+--     I(P) = tr(Sigma) 1 - Sigma,   Sigma = sum mass*(sigma + d d^T)
+-- ABOVE the line.  Goldstein, Poole, Safko, Classical Mechanics (3rd ed.), eqs. 5.7 and 5.23.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+local catalogue = require "generator.mass.catalogue"
+
+local body = {}
+
+local zero3 = { expr.zero, expr.zero, expr.zero }
+local tidy = ratio.tidy
+
+local function tidy_all(v) return vec.map(v, tidy) end
+
+local function sigma_of_tensor(I) -- Sigma = tr(I)/2 1 - I
+  local half = vec.trace(I) / 2
+  return { half - I[1], half - I[2], half - I[3], -I[4], -I[5], -I[6] }
+end
+
+local function tensor_of_sigma(S)
+  local t = vec.trace(S)
+  return { t - S[1], t - S[2], t - S[3], -S[4], -S[5], -S[6] }
+end
+
+local build
+
+local function primitive(node)
+  if node.shape == "points" then
+    local pieces = {}
+    for _, row in ipairs(node.rows) do
+      pieces[#pieces + 1] = { mass = row[1], com = { row[2], row[3], row[4] }, sigma = nil, line = node.line,
+        name = "particle" }
+    end
+    return { pieces = pieces, points = {}, particles = true }
+  end
+  local a = node.a
+  if node.shape == "tensor" then
+    local I = { a.xx, a.yy, a.zz, a.xy, a.xz, a.yz }
+    if a.about == "origin" then
+      local d = vec.outer(a.com)
+      I = vec.sub(I, vec.map(tensor_of_sigma(d), function(x) return a.mass * x end))
+    end
+    local sigma = vec.map(sigma_of_tensor(I), function(x) return tidy(x / a.mass) end)
+    return { pieces = { { mass = a.mass, com = a.com, sigma = sigma, line = node.line, name = "tensor",
+      given = a.about == "com" and I or nil } }, points = {} }
+  end
+  local spec = catalogue.by_name[node.shape]
+  local shape = spec.build(a)
+  local com = shape.com or zero3
+  local points = { centroid = com }
+  for k, v in pairs(shape.points or {}) do points[k] = v end
+  return { pieces = { { mass = node.mass or node.density * shape.measure, com = com, sigma = shape.sigma,
+    line = node.line, name = node.shape, density = node.density, measure = shape.measure } }, points = points }
+end
+
+-- r -> A r + b applied to every piece and named point.
+local function affine(b, A, shift, change)
+  local function move(r)
+    local v = A and vec.matvec(A, r) or r
+    return shift and vec.add(v, shift) or v
+  end
+  local out = { pieces = {}, points = {}, particles = b.particles }
+  for i, p in ipairs(b.pieces) do
+    local piece = { mass = change and change(p) or p.mass, com = tidy_all(move(p.com)), line = p.line, name = p.name,
+      density = p.density, measure = p.measure }
+    piece.sigma = p.sigma and (A and tidy_all(vec.congruence(A, p.sigma)) or p.sigma)
+    piece.given = not A and p.given or nil
+    out.pieces[i] = piece
+  end
+  for k, r in pairs(b.points) do out.points[k] = tidy_all(move(r)) end
+  return out
+end
+
+local function joined(a, b, sign)
+  local out = { pieces = {}, points = {}, particles = a.particles and b.particles and sign > 0 }
+  for _, p in ipairs(a.pieces) do out.pieces[#out.pieces + 1] = p end
+  for _, p in ipairs(b.pieces) do
+    local q = {}
+    for k, v in pairs(p) do q[k] = v end
+    q.mass = sign * p.mass
+    q.given = nil
+    out.pieces[#out.pieces + 1] = q
+  end
+  for k, r in pairs(a.points) do
+    if k ~= "centroid" then out.points[k] = r end
+  end
+  return out
+end
+
+function build(node)
+  if node.shape then return primitive(node) end
+  if node.op == "at" then return affine(build(node.of), nil, node.r) end
+  if node.op == "turned" then
+    local A = vec.rotation(node.q)
+    for i = 1, 3 do A[i] = tidy_all(A[i]) end
+    return affine(build(node.of), A, nil)
+  end
+  if node.op == "scaled" then
+    local k = node.k
+    local A = { { k[1], expr.zero, expr.zero }, { expr.zero, k[2], expr.zero }, { expr.zero, expr.zero, k[3] } }
+    -- a mass that was given stays; a density keeps being one, so the mass follows the volume
+    local volume = expr.call("abs", k[1] * k[2] * k[3])
+    return affine(build(node.of), A, nil, function(p) return p.density and p.mass * volume or p.mass end)
+  end
+  if node.op == "sum" then return joined(build(node[1]), build(node[2]), 1) end
+  if node.op == "minus" then return joined(build(node[1]), build(node[2]), -1) end
+  error("unknown node in a shape tree: " .. tostring(node.op))
+end
+
+-- The body of a shape tree: pieces, named points, total mass and centre of mass, in the shape's frame.
+function body.of(node)
+  local b = build(node)
+  local mass, first = expr.zero, zero3
+  for _, p in ipairs(b.pieces) do
+    mass = mass + p.mass
+    first = vec.add(first, vec.scale(p.mass, p.com))
+  end
+  b.mass = tidy(mass)
+  if #b.pieces == 1 then
+    b.com = b.pieces[1].com
+  elseif ratio.iszero(b.mass) then
+    b.com = zero3
+  else
+    b.com = vec.map(first, function(x) return tidy(x / b.mass) end)
+  end
+  b.points.centroid = b.points.centroid or b.com
+  return b
+end
+
+-- The tensor about the point P, {xx, yy, zz, xy, xz, yz}, factored.
+function body.tensor(b, P)
+  local I = { expr.zero, expr.zero, expr.zero, expr.zero, expr.zero, expr.zero }
+  for _, p in ipairs(b.pieces) do
+    local d = vec.sub(p.com, P)
+    local shift = tensor_of_sigma(vec.outer(d))
+    if p.given then
+      I = vec.add(I, vec.add(p.given, vec.scale(p.mass, shift)))
+    else
+      if p.sigma then shift = vec.add(tensor_of_sigma(p.sigma), shift) end
+      I = vec.add(I, vec.scale(p.mass, shift))
+    end
+  end
+  return tidy_all(I)
+end
+
+return body

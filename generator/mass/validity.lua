@@ -1,0 +1,84 @@
+-- validity.lua -- can this body exist?  Positive mass, moments that are not negative, the triangle inequality.
+--
+-- The three conditions are necessary and sufficient for a distribution of positive mass with that tensor: the
+-- second moments Sigma = tr(I)/2 1 - I about the centre of mass must be positive semidefinite (Wensing, Kim,
+-- Slotine 2018, IEEE RA-L 3, 60).  They are decided exactly, for the parameters' defaults, by the leading minors of
+-- rationals; each broken one is named with its numbers.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local vec = require "generator.algebra.vec"
+local diag = require "generator.diag"
+
+local validity = {}
+
+local function show(q) return diag.show(R.todouble(q)) end
+
+-- Is the symmetric matrix of rationals positive semidefinite?  All principal minors must be >= 0.  `slack` bounds
+-- what the rounding of irrational entries may do, 2^-200 of the trace.
+local function semidefinite(S)
+  local trace = R.abs(S[1]) + R.abs(S[2]) + R.abs(S[3])
+  local slack = -trace * R.new(2) ^ -200
+  for i = 1, 3 do
+    if S[i] < slack then return false end
+  end
+  local adj, det = vec.adjugate(S)
+  for i = 1, 3 do
+    if adj[i] < slack * trace then return false end
+  end
+  return det >= slack * trace * trace
+end
+
+local names = { "xx", "yy", "zz" }
+
+-- Reports what is wrong with the model's mass and centroidal tensor; true when nothing is.
+function validity.check(d, m)
+  local mass = m:number(m.mass)
+  if R.sign(mass) <= 0 then
+    d:error(m.line, "body", "total mass must be positive", show(mass) .. " kg")
+    return false
+  end
+  for _, e in ipairs { m.mass, table.unpack(m.inertia) } do
+    local x = R.todouble(m:number(e))
+    if x == math.huge or x == -math.huge then
+      d:error(m.line, "body", "mass and moments must be within the range of double", "1e" ..
+        math.tointeger(R.log2(m:number(e)) * 301 // 1000))
+      return false
+    end
+  end
+  local I = vec.map(m.centroidal, function(e) return m:number(e) end)
+  local half = vec.trace(I) / R.new(2)
+  local sigma = { half - I[1], half - I[2], half - I[3], -I[4], -I[5], -I[6] }
+  if semidefinite(sigma) then return true end
+  local said = false
+  local slack = vec.trace(I) * R.new(2) ^ -200
+  for i = 1, 3 do
+    local j, k = i % 3 + 1, (i + 1) % 3 + 1
+    if I[i] > I[j] + I[k] + slack then
+      d:error(m.line, "body", string.format("triangle inequality about the centre of mass: %s <= %s + %s must hold",
+        names[i], names[j], names[k]), string.format("%s > %s + %s", show(I[i]), show(I[j]), show(I[k])))
+      said = true
+    end
+  end
+  if not said then
+    local adj, det = vec.adjugate(I)
+    local indefinite = R.sign(det) < 0 or R.sign(adj[1]) < 0 or R.sign(adj[2]) < 0 or R.sign(adj[3]) < 0
+    d:error(m.line, "body", indefinite and "the tensor about the centre of mass must be positive semidefinite"
+      or "triangle inequality of the principal moments about the centre of mass must hold",
+      string.format("xx %s, yy %s, zz %s, xy %s, xz %s, yz %s", show(I[1]), show(I[2]), show(I[3]), show(I[4]),
+        show(I[5]), show(I[6])))
+  end
+  return false
+end
+
+-- Conditions on parameters that NAME_init must test again: a positive total mass (expressions that must be > 0).
+function validity.conditions(m)
+  local list = {}
+  if not expr.constant(m.mass) then
+    list[1] = { e = m.mass, what = "body", rule = "total mass must be positive", line = m.line }
+  end
+  return list
+end
+
+return validity

@@ -1,0 +1,158 @@
+-- rk4.lua -- the classical Runge-Kutta method of order 4, unrolled for attitude and rates.
+--
+--     k1 = f(x), k2 = f(x + h k1/2), k3 = f(x + h k2/2), k4 = f(x + h k3),  x += h (k1 + 2 k2 + 2 k3 + k4)/6
+-- (Kutta 1901; Hairer, Norsett, Wanner, Solving ODEs I, 2nd ed., table II.1.2.)  Structure is used, the method is not
+-- changed in exact arithmetic:
+--   * the attitude's equation is linear in q: methods/attitude.lua;
+--   * without torque the rates are quadratic in w, k(s w) = s^2 k(w).  The stages then run on the angles v = w h/4 that
+--     the attitude needs anyway: v + 2 k(v), v + 2 k(v2), v + 4 k(v3), and h drops out of them;
+--   * a factor of a rate that is constant during the step (a quotient of moments) is taken out of the stages.
+-- ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local vec = require "generator.algebra.vec"
+local state = require "generator.dynamics.state"
+local attitude = require "generator.methods.attitude"
+local stages = require "generator.methods.stages"
+
+local rk4 = { name = "rk4", order = 4, about = "classical Runge-Kutta, fixed step, unrolled" }
+
+local h, q, w = state.h, state.q, state.w
+local comp, named = attitude.comp, attitude.named
+
+local function group(why, rank) return { why = why, defs = {}, outs = {}, rank = rank } end
+
+-- The final sum of the rates: w + weight (k1 + 2 k2 + 2 k3 + k4).
+local function finish(prepared, rate, weight, why)
+  local g = group(why)
+  for i, name in ipairs(stages.rates) do
+    if not prepared.zero[name] then
+      local middle = named(g, "s", "", { rate[2][i] + rate[3][i] }, { comp[i] })[1]
+      g.outs[#g.outs + 1] = { state = name, expr = w[i] + weight[i] * (rate[1][i] + 2 * middle + rate[4][i]) }
+    end
+  end
+  return g
+end
+
+---- with torque ------------------------------------------------------------------------------------
+
+-- h, h/2 and h/6 times the constant factor of each rate: lists whole, half, sixth.  A factor 1 costs nothing.
+local function fractions(pre, prepared, hh)
+  local part = { whole = {}, half = {}, sixth = {} }
+  for i, name in ipairs(stages.rates) do
+    local c = prepared.factor[name]
+    if prepared.zero[name] then
+      part.whole[i], part.half[i], part.sixth[i] = expr.zero, expr.zero, expr.zero
+    elseif c == expr.one then
+      part.whole[i], part.half[i] = h, hh
+      part.sixth[i] = named(pre, "h6", "", { h / 6 }, { "" })[1]
+    else
+      part.whole[i] = named(pre, "h", "", { h * c }, { comp[i] })[1]
+      part.half[i] = named(pre, "h", "2", { part.whole[i] / 2 }, { comp[i] })[1]
+      part.sixth[i] = named(pre, "h", "6", { part.whole[i] / 6 }, { comp[i] })[1]
+    end
+  end
+  return part
+end
+
+local why = { "stage 1: at the start", "stage 2: at h/2 along stage 1", "stage 3: at h/2 along stage 2",
+  "stage 4: at h along stage 3" }
+
+local function forced(eq, prepared)
+  local pre = group("fractions of the step, times the constant factors of the rates", 6)
+  local hh, h4 = named(pre, "hh", "", { h / 2 }, { "" })[1], named(pre, "h4", "", { h / 4 }, { "" })[1]
+  local part = fractions(pre, prepared, hh)
+  local groups, rate, increment = { pre }, {}, {}
+  for s = 1, 4 do
+    local g = group(why[s] .. (s == 1 and "; v = w h/4" or ""))
+    local suffix = s == 1 and "" or tostring(s)
+    local at = w
+    if s > 1 then
+      at = named(g, "w", suffix, vec.map(w, function(x, i)
+        return x + (s == 4 and part.whole or part.half)[i] * rate[s - 1][i]
+      end), comp)
+    end
+    local v = named(g, "v", tostring(s), vec.scale(h4, at), comp)
+    local qs = attitude.at(g, s, increment[s - 1], eq.coupled)
+    increment[s] = attitude.increment(g, s, v, qs, increment[s - 1], eq.coupled)
+    local map = {}
+    if s > 1 then
+      for i = 1, 3 do map[w[i]] = at[i] end
+      for i = 1, 4 do map[q[i]] = qs[i] end
+      map[state.t] = state.t + (s == 4 and h or hh)
+    end
+    local defs, out = stages.instance(prepared, map, suffix)
+    for _, def in ipairs(defs) do g.defs[#g.defs + 1] = def end
+    rate[s] = named(g, "k", tostring(s), { out.wx, out.wy, out.wz }, comp)
+    groups[#groups + 1] = g
+  end
+  groups[#groups + 1] = finish(prepared, rate, part.sixth, "w += h (k1 + 2 k2 + 2 k3 + k4)/6")
+  groups[#groups + 1] = attitude.finish(increment, eq.coupled)
+  return groups
+end
+
+---- without torque -----------------------------------------------------------------------------------
+
+local free_why = { "stage 1: k1 = k(v1)", "stage 2: v2 = v1 + 2 k1", "stage 3: v3 = v1 + 2 k2", "stage 4: v4 = v1 + 4 k3" }
+
+-- Twice and four times the constant factor of each rate; kept in the model where they depend on parameters alone.
+local function factors(g, prepared, out_factor, constant)
+  local two, four = {}, {}
+  for i, name in ipairs(stages.rates) do
+    local c = out_factor[name]
+    if prepared.zero[name] then
+      two[i], four[i] = expr.zero, expr.zero
+    else
+      two[i] = constant(2 * c, "twice ") or named(g, "c", "2", { 2 * c }, { comp[i] })[1]
+      four[i] = constant(4 * c, "four times ") or named(g, "c", "4", { 4 * c }, { comp[i] })[1]
+    end
+  end
+  return two, four
+end
+
+local function free(prepared, constant)
+  local pre = group("angles v = w h/4: k(v) = (h/4)^2 k(w) is quadratic, so the stages need no h", 6)
+  local h4 = named(pre, "h4", "", { h / 4 }, { "" })[1]
+  local v1 = named(pre, "v", "1", vec.scale(h4, w), comp)
+  local groups, rate, increment = { pre }, {}, {}
+  local two, four
+  for s = 1, 4 do
+    local g = group(free_why[s])
+    local v = v1
+    if s > 1 then
+      v = named(g, "v", tostring(s), vec.map(v1, function(x, i)
+        return x + (s == 4 and four or two)[i] * rate[s - 1][i]
+      end), comp)
+    end
+    local map = {}
+    for i = 1, 3 do map[w[i]] = v[i] end
+    local defs, out, factor = stages.instance(prepared, map, tostring(s))
+    for _, def in ipairs(defs) do g.defs[#g.defs + 1] = def end
+    if s == 1 then two, four = factors(g, prepared, factor, constant) end
+    increment[s] = attitude.increment(g, s, v, q, increment[s - 1], false)
+    rate[s] = named(g, "k", tostring(s), { out.wx, out.wy, out.wz }, comp)
+    groups[#groups + 1] = g
+  end
+  -- h/6 k(w) = 16/(6 h) k(v)
+  local moving = not (prepared.zero.wx and prepared.zero.wy and prepared.zero.wz)
+  if moving then
+    local scale = expr.lift "4/3" / h
+    pre.defs[#pre.defs + 1] = { name = "g", expr = scale }
+    local weight = vec.map(two, function(x) return x * expr.sym("g", 6) end)
+    groups[#groups + 1] = finish(prepared, rate, weight, "w += (4/h) (2 k1 + 4 k2 + 4 k3 + 2 k4)/6, back from angles")
+  end
+  groups[#groups + 1] = attitude.finish(increment, false)
+  return groups, moving
+end
+
+-- The step as equation groups with outs {state, expr}; its inputs are the state, h, t, u and derived constants.
+-- constant(e, words): e as a constant kept in the model, or nil if it depends on the state.
+-- Second result: the step divides by h.
+function rk4.groups(eq, constant)
+  local prepared = stages.prepare(eq)
+  if eq.free then return free(prepared, constant) end
+  return forced(eq, prepared), false
+end
+
+return rk4

@@ -1,0 +1,98 @@
+-- stages.lua -- instances of the equations at the stages of a one-step method.
+--
+-- A stepper is unrolled by instantiating the equation groups once a stage, with the state's symbols replaced by
+-- that stage's values and the definitions renamed.  What does not change from stage to stage (a component of w
+-- that is conserved, and whatever depends on it alone) keeps its one name, so it is computed once.  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local state = require "generator.dynamics.state"
+
+local stages = {}
+
+local rates = { "wx", "wy", "wz" }
+
+local attitude = { qw = true, qx = true, qy = true, qz = true }
+
+-- The rate of each component of w, and whether it is structurally zero.
+function stages.conserved(eq)
+  local zero = {}
+  for _, g in ipairs(eq.groups) do
+    for _, o in ipairs(g.outs) do
+      if not attitude[o.state] and o.expr == expr.zero then zero[o.state] = true end
+    end
+  end
+  return zero
+end
+
+-- Names of what changes during a step: states that are not conserved, time, and every definition that depends
+-- on one of them.
+local function varying(eq, zero)
+  local set = { t = true }
+  for _, s in ipairs(state.all) do set[s.name] = not zero[s.name] or nil end
+  for _, g in ipairs(eq.groups) do
+    for _, d in ipairs(g.defs) do
+      if not expr.constant(d.expr, set) then set[d.name] = true end
+    end
+  end
+  return set
+end
+
+-- e = constant * rest, the constant free of the names in `set`.
+local function split(e, set)
+  local factors = e.kind == "mul" and e or { e }
+  local c, rest = {}, {}
+  for i = 1, #factors do
+    local list = expr.constant(factors[i], set) and c or rest
+    list[#list + 1] = factors[i]
+  end
+  return expr.mul(c), expr.mul(rest)
+end
+
+-- The equations of w prepared for a method: {groups, factor = {by state}, zero = {by state}}.  Each rate is
+-- factor * what the groups give; the factor does not change during a step.
+function stages.prepare(eq)
+  local zero = stages.conserved(eq)
+  local set = varying(eq, zero)
+  local out = { groups = {}, factor = {}, zero = zero }
+  for _, g in ipairs(eq.groups) do
+    local copy = { defs = g.defs, outs = {} }
+    for _, o in ipairs(g.outs) do
+      if not attitude[o.state] then
+        local c, rest = split(o.expr, set)
+        out.factor[o.state] = c
+        copy.outs[#copy.outs + 1] = { state = o.state, expr = rest }
+      end
+    end
+    out.groups[#out.groups + 1] = copy
+  end
+  return out
+end
+
+-- One instance with the symbols in `map` (node -> node) replaced: the definitions, named with `suffix` where they
+-- changed, the factor-free rates and the factors by state name.  The first stage (suffix "" or "1") also defines what
+-- never changes.
+function stages.instance(prepared, map, suffix)
+  local defs, out, factor, renamed = {}, {}, {}, {}
+  for k, v in pairs(map) do renamed[k] = v end
+  for _, g in ipairs(prepared.groups) do
+    for _, d in ipairs(g.defs) do
+      local e = calculus.substitute(d.expr, renamed)
+      if e ~= d.expr then
+        renamed[expr.sym(d.name, 7)] = expr.sym(d.name .. suffix, 7)
+        defs[#defs + 1] = { name = d.name .. suffix, expr = e }
+      elseif suffix == "" or suffix == "1" then
+        defs[#defs + 1] = d
+      end
+    end
+    for _, o in ipairs(g.outs) do
+      out[o.state] = calculus.substitute(o.expr, renamed)
+      factor[o.state] = calculus.substitute(prepared.factor[o.state], renamed)
+    end
+  end
+  return defs, out, factor
+end
+
+stages.rates = rates
+return stages

@@ -1,0 +1,81 @@
+-- derivation.lua -- the scene in words and formulas, for the emitted banner and README.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local text = require "generator.algebra.text"
+local vec = require "generator.algebra.vec"
+
+local derivation = {}
+
+local words = {
+  sphere = "spherical top", symmetric = "symmetric top", diagonal = "asymmetric top, principal axes",
+  full = "asymmetric top, oblique axes",
+}
+
+function derivation.kind(m) return m.structure.rod and "rod" or words[m.structure.kind] end
+
+function derivation.title(job)
+  local m = job.model
+  local n = #m.record.effects
+  return "rigid body \"" .. m.name .. "\": " .. derivation.kind(m) .. ", " ..
+    (n == 0 and "torque-free" or n == 1 and "1 effect" or n .. " effects") .. ", " .. job.real
+end
+
+-- The entries of a tensor as lines "Ixx = ...", zeros gathered in one line.
+local function tensor(I, style, prefix, suffix)
+  local lines, zeros = {}, {}
+  for n, e in ipairs(I) do
+    local name = "I" .. vec.entry[n]
+    if e == expr.zero then
+      zeros[#zeros + 1] = name
+    else
+      lines[#lines + 1] = prefix .. name .. " = " .. text.of(e, style) .. suffix
+    end
+  end
+  if #zeros > 0 then lines[#lines + 1] = prefix .. table.concat(zeros, " = ") .. " = 0" .. suffix end
+  return lines
+end
+derivation.tensor = tensor
+
+-- Lines for the header's banner: what the body is, its tensor, what was chosen.
+function derivation.banner(job)
+  local m = job.model
+  local lines = { "Tensor of inertia about the origin of rotation, kg m^2 (off-diagonals are tensor entries):" }
+  for _, l in ipairs(tensor(m.inertia, "plain", "    ", "")) do
+    while #l > 110 do -- a long formula goes on, at a blank
+      local cut = 110
+      while cut > 20 and string.sub(l, cut, cut) ~= " " do cut = cut - 1 end
+      lines[#lines + 1] = string.sub(l, 1, cut - 1)
+      l = "        " .. string.sub(l, cut + 1)
+    end
+    lines[#lines + 1] = l
+  end
+  for _, e in ipairs(m.record.effects) do lines[#lines + 1] = "Effect " .. string.gsub(e.kind, "effect%.", "") .. ": " ..
+    e.spec.about .. "." end
+  if #m.record.effects == 0 then lines[#lines + 1] = "No effects: torque-free motion about the origin." end
+  lines[#lines + 1] = "Method: rk4" .. (job.closed.kind and "; closed form: " .. job.closed.theorem or "") .. "."
+  if m.baked then lines[#lines + 1] = "Parameters are folded into the constants (--bake)." end
+  return lines
+end
+
+function derivation.markdown(job)
+  local m = job.model
+  local lines = { "Tensor of inertia about the origin of rotation (entries; kg m²):", "" }
+  for _, l in ipairs(tensor(m.inertia, "unicode", "    ", "")) do lines[#lines + 1] = l end
+  lines[#lines + 1] = ""
+  lines[#lines + 1] = "Structure: " .. derivation.kind(m) .. ".  Equations of motion:"
+  lines[#lines + 1] = ""
+  for _, g in ipairs(job.equations.groups) do
+    lines[#lines + 1] = "    " .. g.why .. (g.where and "   [" .. g.where .. "]" or "")
+  end
+  lines[#lines + 1] = ""
+  if job.closed.kind then
+    lines[#lines + 1] = "Closed form: " .. job.closed.theorem .. "."
+    for _, l in ipairs(job.closed.text) do lines[#lines + 1] = l end
+  else
+    lines[#lines + 1] = "No closed form: " .. job.closed.refused .. "."
+  end
+  return lines
+end
+
+return derivation

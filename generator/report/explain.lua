@@ -1,0 +1,259 @@
+-- explain.lua -- the explanation of a scene as text, Markdown, LaTeX or JSON, all from report/facts.lua.
+--
+-- A document is a list of sections {title, {line, ...}}; a line is plain words, or a formula {name, expression,
+-- unit, number} that each format writes in its own way.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local text = require "generator.algebra.text"
+local vec = require "generator.algebra.vec"
+local facts = require "generator.report.facts"
+local json = require "generator.report.json"
+
+local explain = {}
+
+local comp = { "x", "y", "z" }
+
+local function formula(name, e, unit, number) return { name = name, e = e, unit = unit, number = number } end
+
+local function tensor_lines(I, numbers)
+  local lines, zeros = {}, {}
+  for n, e in ipairs(I) do
+    local name = "I" .. vec.entry[n]
+    if e == expr.zero then zeros[#zeros + 1] = name else lines[#lines + 1] = formula(name, e, "kg m^2", numbers[n]) end
+  end
+  if #zeros > 0 then lines[#lines + 1] = table.concat(zeros, " = ") .. " = 0" end
+  return lines
+end
+
+local function number(x) return json.number(x) end
+
+local function body_section(f)
+  local lines = { formula("M", f.mass, "kg", f.mass_number) }
+  local zero = true
+  for i = 1, 3 do
+    if f.com[i] ~= expr.zero then
+      zero = false
+      lines[#lines + 1] = formula("R" .. comp[i], f.com[i], "m", f.com_number[i])
+    end
+  end
+  lines[#lines + 1] = zero and "the centre of mass is the origin of rotation" or
+    "R is the centre of mass seen from the origin of rotation, body axes"
+  local pieces = f.job.model.body.pieces
+  if #pieces > 1 then
+    lines[#lines + 1] = "made of " .. #pieces .. " pieces: " .. (function()
+      local names = {}
+      for i, p in ipairs(pieces) do
+        if i <= 8 then names[i] = p.name .. " (line " .. p.line .. ")" end
+      end
+      return table.concat(names, ", ") .. (#pieces > 8 and ", ..." or "")
+    end)()
+  end
+  return lines
+end
+
+local function principal_section(f)
+  local lines = { "structure: " .. f.symmetry }
+  for _, p in ipairs(f.closed_moments or {}) do
+    lines[#lines + 1] = formula("I" .. (p.multiplicity > 1 and " (" .. p.multiplicity .. " times)" or ""), p.moment,
+      "kg m^2", f.job.model:double(p.moment))
+    if p.axis then
+      local parts = {}
+      for i = 1, 3 do parts[i] = text.of(p.axis[i], "plain") end
+      lines[#lines + 1] = "  about the axis (" .. table.concat(parts, ", ") .. ")"
+    end
+  end
+  for k = 1, 3 do
+    local a = f.axes[k]
+    lines[#lines + 1] = string.format("I%d = %s kg m^2, axis (%s, %s, %s)", k, number(f.moments[k]), number(a[1]),
+      number(a[2]), number(a[3]))
+  end
+  return lines
+end
+
+local function equation_section(f)
+  local lines = {}
+  for _, member in ipairs(f.job.model.members) do
+    lines[#lines + 1] = formula(member.name, member.e, nil, f.job.model:double(member.e))
+  end
+  for _, g in ipairs(f.job.equations.groups) do
+    lines[#lines + 1] = g.why .. (g.where and "  [" .. g.where .. "]" or "")
+    for _, d in ipairs(g.defs) do lines[#lines + 1] = formula("  " .. d.name, d.expr) end
+    for _, o in ipairs(g.outs) do lines[#lines + 1] = formula("  d" .. o.state .. "/dt", o.expr) end
+  end
+  return lines
+end
+
+local function stability_section(f)
+  local lines = { "small oscillations of a free spin w about each principal axis (k; i, j cyclic):" ..
+    " Omega1 = (Ik - Ij)/Ii w, Omega2 = (Ik - Ii)/Ij w, Omega^2 = Omega1 Omega2" }
+  for k, s in ipairs(f.stability) do
+    local tail = s.period and ", period " .. number(s.period) .. "/w" or s.growth and ", growth rate " ..
+      number(s.growth) .. " w" or ""
+    lines[#lines + 1] = string.format("axis %d: %s; Omega1 = %s w, Omega2 = %s w%s", k, s.verdict, number(s.omega1),
+      number(s.omega2), tail)
+  end
+  for k, e in ipairs(f.conditions or {}) do
+    lines[#lines + 1] = formula("  Omega^2/w^2 about " .. comp[k], e, nil, f.job.model:double(e))
+  end
+  return lines
+end
+
+local function motion_section(f)
+  local lines = {}
+  if f.closed.kind then
+    lines[1] = "closed form: " .. f.closed.theorem
+    for _, l in ipairs(f.closed.text) do lines[#lines + 1] = "  " .. l end
+  else
+    lines[1] = "no closed form: " .. f.closed.refused
+  end
+  for _, e in ipairs(f.job.record.effects) do
+    lines[#lines + 1] = "effect " .. string.gsub(e.kind, "effect%.", "") .. " (line " .. e.line .. "): " .. e.spec.about ..
+      "; conserves " .. e.spec.conserves
+  end
+  if #f.job.record.effects == 0 then
+    lines[#lines + 1] = "no effects: T and the inertial L are conserved"
+  end
+  return lines
+end
+
+local function cost_section(job)
+  local source = require "generator.emit.source"
+  local ctx = { name = job.model.name, upper = string.upper(job.model.name), real = job.real,
+    members = job.model.members, states = job.states, inputs = job.equations.inputs and job.input_states or {} }
+  local lines = {}
+  for _, fn in ipairs(job.functions) do
+    local c = source.make(ctx, fn).cost
+    lines[#lines + 1] = { fn = fn.name, add = c.add or 0, mul = c.mul or 0, div = c.div or 0, sqrt = c.sqrt or 0,
+      call = c.call or 0 }
+  end
+  return lines
+end
+
+local function document(f)
+  local doc = {}
+  local function section(title, lines) doc[#doc + 1] = { title = title, lines = lines } end
+  local params = {}
+  for i, p in ipairs(f.params) do params[i] = p.name .. " = " .. p.given end
+  if #params == 0 then params[1] = "none: every number is an exact constant" end
+  section("Parameters", params)
+  section("Body", body_section(f))
+  section("Tensor of inertia about the origin of rotation", tensor_lines(f.inertia, f.inertia_number))
+  section("Tensor of inertia about the centre of mass", tensor_lines(f.centroidal, f.centroidal_number))
+  section("Principal moments and axes", principal_section(f))
+  section("Equations of motion", equation_section(f))
+  section("Motion", motion_section(f))
+  section("Stability", stability_section(f))
+  local costs = {}
+  for i, c in ipairs(cost_section(f.job)) do
+    costs[i] = string.format("%-16s %4d + -  %4d *  %3d /  %2d sqrt  %2d calls", c.fn, c.add, c.mul, c.div, c.sqrt, c.call)
+  end
+  section("Operations of the emitted functions", costs)
+  local warnings = {}
+  for i, w in ipairs(f.warnings) do warnings[i] = w.text end
+  if #warnings > 0 then section("Warnings", warnings) end
+  return doc
+end
+
+local writers = {}
+
+function writers.text(f)
+  local out = { f.name .. " (" .. f.file .. ")" }
+  for _, s in ipairs(document(f)) do
+    out[#out + 1] = "\n" .. s.title
+    for _, l in ipairs(s.lines) do
+      if type(l) == "string" then
+        out[#out + 1] = "  " .. l
+      else
+        local value = text.of(l.e, "unicode")
+        local plain = l.number and number(l.number)
+        out[#out + 1] = "  " .. l.name .. " = " .. value .. (plain and plain ~= value and " = " .. plain or "") ..
+          (l.unit and " " .. l.unit or "")
+      end
+    end
+  end
+  return table.concat(out, "\n") .. "\n"
+end
+
+function writers.markdown(f)
+  local out = { "# " .. f.name, "", "Scene: `" .. f.file .. "`" }
+  for _, s in ipairs(document(f)) do
+    out[#out + 1] = "\n## " .. s.title .. "\n"
+    for _, l in ipairs(s.lines) do
+      if type(l) == "string" then
+        out[#out + 1] = "- " .. l
+      else
+        out[#out + 1] = "- `" .. string.gsub(l.name, "^%s+", "") .. "` = " .. text.of(l.e, "unicode") ..
+          (l.number and " = " .. number(l.number) or "") .. (l.unit and " " .. l.unit or "")
+      end
+    end
+  end
+  return table.concat(out, "\n") .. "\n"
+end
+
+local function latex_name(name)
+  local s = string.gsub(name, "^%s+", "")
+  local stem, rest = string.match(s, "^(%a)([xyz]+)$")
+  if stem then return stem .. "_{" .. rest .. "}" end
+  return "\\mathrm{" .. string.gsub(string.gsub(s, "_", "\\_"), "%^", "\\hat{}") .. "}"
+end
+
+function writers.latex(f)
+  local function escape(s) return (string.gsub(string.gsub(s, "([_#%%&])", "\\%1"), "%^", "\\^{}")) end
+  local out = { "% " .. f.name .. " (" .. f.file .. "); needs amsmath", "\\section*{" .. escape(f.name) .. "}" }
+  for _, s in ipairs(document(f)) do
+    out[#out + 1] = "\\subsection*{" .. s.title .. "}"
+    for _, l in ipairs(s.lines) do
+      if type(l) == "string" then
+        out[#out + 1] = "\\noindent " .. escape(l) .. "\\\\"
+      else
+        out[#out + 1] = "\\[ " .. latex_name(l.name) .. " = " .. text.of(l.e, "latex") ..
+          (l.number and " = " .. number(l.number) or "") .. (l.unit and "\\ \\mathrm{" .. l.unit .. "}" or "") .. " \\]"
+      end
+    end
+  end
+  return table.concat(out, "\n") .. "\n"
+end
+
+local object = json.object
+
+local function entries(I, numbers)
+  local symbolic = {}
+  for n, e in ipairs(I) do symbolic[n] = { vec.entry[n], text.of(e, "plain") } end
+  return object { { "symbolic", object(symbolic) }, { "numeric", numbers } }
+end
+
+function writers.json(f)
+  local closed = f.closed.kind and object { { "kind", f.closed.kind }, { "theorem", f.closed.theorem } } or
+    object { { "kind", json.null }, { "refused", f.closed.refused } }
+  local params, stability, effects, cost, warnings = {}, {}, {}, {}, {}
+  for i, p in ipairs(f.params) do
+    params[i] = object { { "name", p.name }, { "default", f.job.model:double(p.sym) }, { "unit", p.unit } }
+  end
+  for i, s in ipairs(f.stability) do
+    stability[i] = object { { "axis", s.axis }, { "moment", s.moment }, { "verdict", s.verdict },
+      { "Omega1_per_rate", s.omega1 }, { "Omega2_per_rate", s.omega2 }, { "Omega_squared_per_rate_squared", s.square } }
+  end
+  for i, e in ipairs(f.job.record.effects) do
+    effects[i] = object { { "name", e.kind }, { "about", e.spec.about }, { "conserves", e.spec.conserves },
+      { "line", e.line } }
+  end
+  for i, c in ipairs(cost_section(f.job)) do
+    cost[i] = object { { "function", c.fn }, { "add", c.add }, { "mul", c.mul }, { "div", c.div }, { "sqrt", c.sqrt },
+      { "call", c.call } }
+  end
+  for i, w in ipairs(f.warnings) do warnings[i] = w.text end
+  local methods = { "rk4", "linearised" }
+  if f.closed.kind then methods[#methods + 1] = "exact" end
+  return json.text(object { { "name", f.name }, { "parameters", params }, { "mass", f.mass_number },
+    { "mass_symbolic", text.of(f.mass, "plain") }, { "com", f.com_number },
+    { "inertia", entries(f.inertia, f.inertia_number) }, { "centroidal", entries(f.centroidal, f.centroidal_number) },
+    { "principal", object { { "moments", f.moments }, { "axes", f.axes } } }, { "symmetry", f.symmetry },
+    { "closed_form", closed }, { "stability", stability }, { "effects", effects }, { "methods", methods },
+    { "cost", cost }, { "warnings", warnings } })
+end
+
+-- The explanation of a planned job in the format.
+function explain.text(job, format) return writers[format](facts.of(job)) end
+
+return explain

@@ -1,0 +1,71 @@
+-- facts.lua -- what there is to say about a scene, once: every report and banner is written from this.
+--
+-- Symbolic entries are expressions of the parameters; numbers belong to the parameters' defaults.  The numeric
+-- principal axes are Jacobi's on the double tensor; closed forms stand beside them where they exist.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+local principal = require "generator.mass.principal"
+local jacobi = require "generator.mass.jacobi"
+
+local facts = {}
+
+local words = {
+  sphere = "spherical top: all moments equal",
+  symmetric = "symmetric top: two moments equal",
+  diagonal = "asymmetric top on its principal axes",
+  full = "asymmetric top, axes oblique to the body's",
+}
+
+-- Omega1, Omega2 per unit spin about principal axis k (Landau, Lifshitz, section 37), and the verdict.
+local function stability(I)
+  local list = {}
+  for k = 1, 3 do
+    local i, j = k % 3 + 1, (k + 1) % 3 + 1
+    local o1, o2 = (I[k] - I[j]) / I[i], (I[k] - I[i]) / I[j]
+    local square = o1 * o2
+    local entry = { axis = k, moment = I[k], omega1 = o1, omega2 = o2, square = square }
+    if I[i] == 0 or I[j] == 0 then
+      entry.verdict, entry.omega1, entry.omega2, entry.square = "neutral", 0.0, 0.0, 0.0
+    else
+      entry.verdict = square > 0 and "stable" or square < 0 and "unstable" or "neutral"
+      if square > 0 then entry.period = 2 * math.pi / math.sqrt(square) end
+      if square < 0 then entry.growth = math.sqrt(-square) end
+    end
+    list[k] = entry
+  end
+  return list
+end
+
+-- Everything a report needs of a job (driver.read).
+function facts.of(job)
+  local m = job.model
+  local f = { name = m.name, file = m.file, params = m.params, job = job }
+  local function doubles(v) return vec.map(v, function(e) return m:double(e) end) end
+  f.mass, f.mass_number = m.mass, m:double(m.mass)
+  f.com, f.com_number = m.com, doubles(m.com)
+  f.inertia, f.inertia_number = m.inertia, doubles(m.inertia)
+  f.centroidal, f.centroidal_number = m.centroidal, doubles(m.centroidal)
+  f.moments, f.axes = jacobi.run(f.inertia_number)
+  f.closed_moments = principal.closed(m.inertia, m.structure)
+  f.structure = m.structure
+  f.symmetry = m.structure.rod and "rod: no moment about its line" or words[m.structure.kind]
+  f.stability = stability(f.moments)
+  f.closed = job.closed
+  f.warnings = job.diag.warnings
+  -- the same with symbols, for bodies whose principal axes are coordinate axes and whose moments all differ
+  if m.structure.kind == "diagonal" then
+    f.conditions = {}
+    for k = 1, 3 do
+      local i, j = k % 3 + 1, (k + 1) % 3 + 1
+      local I = m.inertia
+      f.conditions[k] = ratio.tidy((I[k] - I[i]) * (I[k] - I[j]) / (I[i] * I[j]))
+    end
+  end
+  f.one = expr.one
+  return f
+end
+
+return facts

@@ -1,0 +1,47 @@
+/* engine.h - the general library seen from Lua: what the engine_*.c files share.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A scene arrives as plain tables of numbers, every parameter and default filled in:
+ *     {name=, body=tree, origin={x,y,z}, effects={...}, q={w,x,y,z}, w={x,y,z}}
+ *     tree   {shape="solid.box", mass= or density=, x=, y=, z=} and so on, arguments as the library
+ * names them {shape="rod.between", mass=, from={3}, to={3}} {shape="points", list={{m,x,y,z}, ...}}
+ *            {shape="tensor", mass=, com={3}, xx= ... yz=, about="com" or "origin"}
+ *            {op="at", of=tree, r={3}}  {op="turned", of=tree, q={4}}  {op="scaled", of=tree,
+ * k={3}} {op="sum", tree, tree, ...}  {op="minus", tree, hole} effect {kind="gravity", g=,
+ * direction={3}}  {kind="damping", C={9}} or {kind="damping", rate=} {kind="torque", body={3}}
+ * and/or {.., inertial={3}}  {kind="control"} Tables of the wrong form are a bug of the caller and
+ * raise; numbers that no body can have are the library's to refuse, and come back as nil and a
+ * message that names the shape.
+ */
+#ifndef POLHODE_ENGINE_H
+#define POLHODE_ENGINE_H
+
+#include "../runtime/polhode.h"
+#include "host.h"
+
+/* Where the library refused: the shape, operation or effect. The text lives in the scene's table.
+ */
+struct engine_scene {
+  lua_State *L;
+  const char *where;
+  ph_body body;
+  ph_top top;
+};
+
+/* Read body, origin and effects of the scene table at `index`: PH_OK or the library's status. */
+int engine_read(struct engine_scene *s, lua_State *L, int index);
+/* The tree at the stack's top, which is popped. */
+int engine_read_body(struct engine_scene *s, ph_body *out);
+/* Push nil and "solid.box: lengths and scale factors must be positive"; returns 2. */
+int engine_fail(const struct engine_scene *s, int status);
+
+/* n numbers from field `key` of the table at `index`: a list, or `standard` when absent (NULL:
+ * required). */
+void engine_get(lua_State *L, int index, const char *key, int n, double out[],
+                const double standard[]);
+/* n numbers from the list at `index` itself. */
+void engine_list(lua_State *L, int index, int n, double out[]);
+/* Push {v[0], ..., v[n-1]}. */
+void engine_push(lua_State *L, int n, const double v[]);
+
+#endif

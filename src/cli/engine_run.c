@@ -1,0 +1,305 @@
+/* engine_run.c - motion by the general library: trajectories, and rates of change with their scale.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * run() integrates.  rates() gives what the emitted equations are compared with: beside each number
+ * the largest term that was added to make it, because only relative to that can two honest
+ * roundings agree (a difference that cancels has no correct digits of its own).
+ */
+#include "engine.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#define STATES 7 /* qw qx qy qz wx wy wz */
+
+static const double no_control[3] = {0, 0, 0};
+
+/* ---- run ---- */
+
+static const struct {
+  const char *name;
+  ph_method method;
+  double tolerance; /* where none is asked for */
+} methods[] = {
+    {"adaptive", PH_TAYLOR, 0}, {"taylor", PH_TAYLOR, 0},   {"rk4", PH_RK4, 0},
+    {"gsl-rk4", PH_RK4_GSL, 0}, {"rkf45", PH_RKF45, 1e-10}, {"rk8pd", PH_RK8PD, 1e-13},
+};
+
+/* Does the table hold this number? Then *out is it. */
+static int option(lua_State *L, int index, const char *key, double *out) {
+  const int given = lua_istable(L, index) && lua_getfield(L, index, key) != LUA_TNIL;
+  if (given)
+    *out = luaL_checknumber(L, -1);
+  if (lua_istable(L, index))
+    lua_pop(L, 1);
+  return given;
+}
+
+static int read_options(lua_State *L, int index, ph_options *o) {
+  *o = ph_options_default();
+  lua_getfield(L, index, "method");
+  const char *name = luaL_optstring(L, -1, "adaptive");
+  size_t i = 0;
+  while (i < sizeof methods / sizeof methods[0] && strcmp(methods[i].name, name) != 0)
+    i++;
+  lua_pop(L, 1);
+  if (i == sizeof methods / sizeof methods[0])
+    return PH_EMETHOD;
+  o->method = methods[i].method;
+  if (methods[i].tolerance > 0)
+    o->tolerance = methods[i].tolerance;
+  double value;
+  if (option(L, index, "step", &value))
+    o->step = value;
+  if (option(L, index, "tol", &value))
+    o->tolerance = value;
+  if (option(L, index, "order", &value))
+    o->order = (int)value;
+  return PH_OK;
+}
+
+static int push_row(lua_State *L, const ph_top *top, double t, const double x[STATES]) {
+  double row[12] = {t};
+  memcpy(row + 1, x, STATES * sizeof x[0]);
+  int status = ph_top_energy(top, x, &row[8]);
+  if (status == PH_OK)
+    status = ph_top_momentum(top, x, &row[9]);
+  if (status == PH_OK)
+    engine_push(L, 12, row);
+  return status;
+}
+
+/* Holds the ph_run so that an error in Lua frees it. */
+static int run_free(lua_State *L) {
+  ph_run **run = lua_touserdata(L, 1);
+  ph_run_free(*run);
+  *run = NULL;
+  return 0;
+}
+
+static ph_run **new_run_holder(lua_State *L) {
+  ph_run **run = lua_newuserdatauv(L, sizeof *run, 0);
+  *run = NULL;
+  if (luaL_newmetatable(L, "polhode.run")) {
+    lua_pushcfunction(L, run_free);
+    lua_setfield(L, -2, "__gc");
+  }
+  lua_setmetatable(L, -2);
+  return run;
+}
+
+static int fail_at(lua_State *L, double t, int status) {
+  lua_pushnil(L);
+  lua_pushfstring(L, "at t = %f s: %s", (LUAI_UACNUMBER)t, ph_status_phrase(status));
+  return 2;
+}
+
+/* run(scene, {method=, step=, tol=, order=, times={...}, t0=, u={3}}) -> {{t, q4, w3, energy, L3},
+   ...} | nil, message.  Method: adaptive (default) and taylor (long double Taylor series), rk4,
+   gsl-rk4, rkf45, rk8pd. */
+int host_run(lua_State *L) {
+  struct engine_scene s;
+  ph_options options;
+  double x[STATES], u[3], t = 0;
+  luaL_checktype(L, 2, LUA_TTABLE);
+  lua_settop(L, 2);
+  int status = engine_read(&s, L, 1);
+  if (status != PH_OK)
+    return engine_fail(&s, status);
+  engine_get(L, 1, "q", 4, x, NULL);
+  engine_get(L, 1, "w", 3, x + 4, NULL);
+  engine_get(L, 2, "u", 3, u, no_control);
+  option(L, 2, "t0", &t);
+  status = read_options(L, 2, &options);
+  ph_run **run = new_run_holder(L);
+  if (status == PH_OK)
+    status = ph_run_new(run, &s.top, &options, t, x);
+  if (status != PH_OK)
+    return fail_at(L, t, status);
+  lua_getfield(L, 2, "times");
+  luaL_checktype(L, -1, LUA_TTABLE);
+  const int n = (int)lua_rawlen(L, -1), times = lua_gettop(L);
+  lua_createtable(L, n, 0);
+  for (int i = 1; i <= n; i++) {
+    lua_rawgeti(L, times, i);
+    t = luaL_checknumber(L, -1);
+    lua_pop(L, 1);
+    status = ph_run_to(*run, t, u, x);
+    if (status == PH_OK)
+      status = push_row(L, &s.top, t, x);
+    if (status != PH_OK)
+      return fail_at(L, t, status);
+    lua_rawseti(L, times + 1, i);
+    interrupt_check(L);
+  }
+  ph_run_free(*run);
+  *run = NULL;
+  return 1;
+}
+
+/* ---- rates ---- */
+
+#define RATES_TYPE "polhode.rates"
+
+struct rates {
+  ph_top top;
+  double inverse[9]; /* |components| of the pseudo-inverse of the inertia tensor */
+  double spread[9];  /* |components| of the tensor, as a matrix */
+};
+
+static double largest(double a, double b) {
+  return a > b ? a : b; /* NaN in b is passed over: dx itself shows it */
+}
+
+static double norm(const double v[3]) {
+  return hypot(hypot(v[0], v[1]), v[2]);
+}
+
+/* Sum of a_k a_k^T / I_k over the axes that have a moment, entrywise absolute values. */
+static int prepare(struct rates *r) {
+  static const int at[9] = {0, 3, 4, 3, 1, 5, 4, 5, 2};
+  ph_axes p;
+  const int status = ph_principal(r->top.inertia, &p);
+  if (status != PH_OK)
+    return status;
+  for (int i = 0; i < 9; i++) {
+    double sum = 0;
+    for (int k = 0; k < 3; k++)
+      if (p.moment[k] > 16 * DBL_EPSILON * p.moment[2]) /* else a rod's own axis */
+        sum += p.axis[k][i / 3] * p.axis[k][i % 3] / p.moment[k];
+    r->inverse[i] = fabs(sum);
+    r->spread[i] = fabs(r->top.inertia[at[i]]);
+  }
+  return PH_OK;
+}
+
+/* term[j] = largest term of component j of N - w x I w: every product of the formula on its own. */
+static void torque_terms(const struct rates *r, const double x[STATES], const double u[3],
+                         double term[3]) {
+  const ph_top *top = &r->top;
+  const double *w = x + 4;
+  const double q2 = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
+  for (int j = 0; j < 3; j++) {
+    const int a = (j + 1) % 3, b = (j + 2) % 3;
+    double t = 0;
+    for (int k = 0; k < 3; k++) {
+      t = largest(t, fabs(w[a]) * r->spread[3 * b + k] * fabs(w[k]));
+      t = largest(t, fabs(w[b]) * r->spread[3 * a + k] * fabs(w[k]));
+      if (top->effects & PH_DAMPING)
+        t = largest(t, fabs(top->damping[3 * j + k] * w[k]));
+      if (top->effects & PH_DECAY)
+        t = largest(t, fabs(top->decay) * r->spread[3 * j + k] * fabs(w[k]));
+    }
+    /* a vector turned into body axes: its terms are as large as the vector, whatever is left of
+     * them */
+    if (top->effects & PH_GRAVITY)
+      t = largest(t, largest(fabs(top->com[a]), fabs(top->com[b])) * top->mass *
+                         norm(top->gravity) * q2);
+    if (top->effects & PH_TORQUE_INERTIAL)
+      t = largest(t, norm(top->torque_inertial) * q2);
+    if (top->effects & PH_TORQUE_BODY)
+      t = largest(t, fabs(top->torque_body[j]));
+    if (top->effects & PH_CONTROL)
+      t = largest(t, fabs(u[j]));
+    term[j] = t;
+  }
+}
+
+static void scales(const struct rates *r, const double x[STATES], const double u[3],
+                   double scale[STATES]) {
+  /* which q multiplies wx, wy, wz in row i of q' = q (0, w) / 2 */
+  static const int row[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
+  double term[3];
+  torque_terms(r, x, u, term);
+  for (int i = 0; i < 4; i++) {
+    scale[i] = 0;
+    for (int k = 0; k < 3; k++)
+      scale[i] = largest(scale[i], fabs(0.5 * x[row[i][k]] * x[4 + k]));
+  }
+  for (int i = 0; i < 3; i++) {
+    scale[4 + i] = 0;
+    for (int j = 0; j < 3; j++)
+      scale[4 + i] = largest(scale[4 + i], r->inverse[3 * i + j] * term[j]);
+  }
+}
+
+static struct rates *self(lua_State *L) {
+  return luaL_checkudata(L, 1, RATES_TYPE);
+}
+
+static int fail(lua_State *L, int status) {
+  lua_pushnil(L);
+  lua_pushstring(L, ph_status_phrase(status));
+  return 2;
+}
+
+/* object:rates(t, x[, u]) -> dx, scale | nil, message */
+static int rates_rates(lua_State *L) {
+  const struct rates *r = self(L);
+  double x[STATES], u[3] = {0, 0, 0}, dx[STATES], scale[STATES];
+  const double t = luaL_checknumber(L, 2);
+  engine_list(L, 3, STATES, x);
+  if (!lua_isnoneornil(L, 4) && lua_rawlen(L, 4) > 0)
+    engine_list(L, 4, 3, u);
+  const int status = ph_top_rates(&r->top, t, x, u, dx);
+  if (status != PH_OK)
+    return fail(L, status);
+  scales(r, x, u, scale);
+  engine_push(L, STATES, dx);
+  engine_push(L, STATES, scale);
+  return 2;
+}
+
+/* object:energy(x) -> E, largest term | nil, message */
+static int rates_energy(lua_State *L) {
+  const struct rates *r = self(L);
+  double x[STATES], energy, scale = 0;
+  engine_list(L, 2, STATES, x);
+  const int status = ph_top_energy(&r->top, x, &energy);
+  if (status != PH_OK)
+    return fail(L, status);
+  for (int i = 0; i < 9; i++)
+    scale = largest(scale, 0.5 * fabs(x[4 + i / 3] * x[4 + i % 3]) * r->spread[i]);
+  if (r->top.effects & PH_GRAVITY)
+    scale = largest(scale, r->top.mass * norm(r->top.com) * norm(r->top.gravity));
+  lua_pushnumber(L, energy);
+  lua_pushnumber(L, scale);
+  return 2;
+}
+
+/* object:momentum(x) -> {L3}, largest term of any component | nil, message */
+static int rates_momentum(lua_State *L) {
+  const struct rates *r = self(L);
+  double x[STATES], momentum[3], scale = 0;
+  engine_list(L, 2, STATES, x);
+  const int status = ph_top_momentum(&r->top, x, momentum);
+  if (status != PH_OK)
+    return fail(L, status);
+  for (int i = 0; i < 9; i++)
+    scale = largest(scale, r->spread[i] * fabs(x[4 + i % 3]));
+  engine_push(L, 3, momentum);
+  lua_pushnumber(L, scale);
+  return 2;
+}
+
+/* rates(scene) -> object with the methods above | nil, message */
+int host_rates(lua_State *L) {
+  static const luaL_Reg functions[] = {
+      {"rates", rates_rates}, {"energy", rates_energy}, {"momentum", rates_momentum}, {NULL, NULL}};
+  struct engine_scene s;
+  int status = engine_read(&s, L, 1);
+  if (status != PH_OK)
+    return engine_fail(&s, status);
+  struct rates *r = lua_newuserdatauv(L, sizeof *r, 0);
+  r->top = s.top;
+  status = prepare(r);
+  if (status != PH_OK)
+    return fail(L, status);
+  if (luaL_newmetatable(L, RATES_TYPE)) {
+    luaL_newlib(L, functions);
+    lua_setfield(L, -2, "__index");
+  }
+  lua_setmetatable(L, -2);
+  return 1;
+}

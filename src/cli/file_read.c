@@ -1,0 +1,112 @@
+/* file_read.c - reading files and directories.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Regular files only and of bounded size: a scene named /dev/zero or a fifo must end in a message,
+ * not in a hang.  Directory listings are sorted by byte, because what is listed ends up in output.
+ */
+#include "host.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static int fail(lua_State *L, const char *path, const char *why) {
+  lua_pushnil(L);
+  lua_pushfstring(L, "cannot read %s: %s", path, why);
+  return 2;
+}
+
+/* Why the open file is not to be read, or NULL. */
+static const char *refuse(int fd, struct stat *info) {
+  if (fstat(fd, info) != 0)
+    return strerror(errno);
+  if (S_ISDIR(info->st_mode))
+    return "it is a directory";
+  if (!S_ISREG(info->st_mode))
+    return "it is not a regular file";
+  if (info->st_size < 0 || (size_t)info->st_size > HOST_MAX_FILE)
+    return "it is larger than 64 MiB";
+  return NULL;
+}
+
+/* Read up to `size` bytes; the number read, or -1. */
+static ssize_t read_all(int fd, char *text, size_t size) {
+  size_t got = 0;
+  while (got < size) {
+    const ssize_t n = read(fd, text + got, size - got);
+    if (n < 0 && errno == EINTR)
+      continue;
+    if (n < 0)
+      return -1;
+    if (n == 0)
+      break;
+    got += (size_t)n;
+  }
+  return (ssize_t)got;
+}
+
+int host_read_file(lua_State *L, const char *path) {
+  const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC); /* a fifo must not block the open */
+  if (fd < 0)
+    return fail(L, path, strerror(errno));
+  struct stat info;
+  const char *why = refuse(fd, &info);
+  if (why != NULL) {
+    close(fd);
+    return fail(L, path, why);
+  }
+  /* malloc, not a Lua buffer: no error may be raised while fd is open */
+  char *text = malloc((size_t)info.st_size + 1);
+  const ssize_t got = text != NULL ? read_all(fd, text, (size_t)info.st_size) : -1;
+  const int error = errno;
+  close(fd);
+  if (got < 0) {
+    free(text);
+    return fail(L, path, strerror(error));
+  }
+  luaL_Buffer buffer;
+  char *copy = luaL_buffinitsize(L, &buffer, (size_t)got);
+  memcpy(copy, text, (size_t)got);
+  free(text);
+  luaL_pushresultsize(&buffer, (size_t)got);
+  return 1;
+}
+
+int host_read(lua_State *L) {
+  return host_read_file(L, luaL_checkstring(L, 1));
+}
+
+static int chosen(const char *name, const char *suffix) {
+  const size_t n = strlen(name), s = strlen(suffix);
+  return name[0] != '.' && n >= s && strcmp(name + n - s, suffix) == 0;
+}
+
+/* By byte; scandir's alphasort follows the locale. */
+static int by_byte(const struct dirent **a, const struct dirent **b) {
+  return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+int host_list_directory(lua_State *L, const char *path, const char *suffix) {
+  struct dirent **entry;
+  const int n = scandir(path, &entry, NULL, by_byte);
+  if (n < 0)
+    return fail(L, path, strerror(errno));
+  lua_newtable(L);
+  for (int i = 0, kept = 0; i < n; i++) {
+    if (chosen(entry[i]->d_name, suffix)) {
+      lua_pushstring(L, entry[i]->d_name);
+      lua_rawseti(L, -2, ++kept);
+    }
+    free(entry[i]);
+  }
+  free(entry);
+  return 1;
+}
+
+int host_list_dir(lua_State *L) {
+  return host_list_directory(L, luaL_checkstring(L, 1), luaL_optstring(L, 2, ""));
+}

@@ -1,0 +1,46 @@
+/* host.c - the table `host`: everything that the generator can do to the world outside it.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Beside the functions of host.h it holds
+ *     version    "0.1.0"
+ *     templates  {["templates/body.h"] = text, ..., [1..n] = those names in order}
+ *     safe       {assert =, ..., math = {...}, string = {...}, table = {...}}: all that a scene may
+ * be given
+ */
+#include "host.h"
+#include "script.h"
+
+static const luaL_Reg functions[] = {
+    {"read", host_read},
+    {"list_dir", host_list_dir},
+    {"write_files", host_write_files},
+    {"write_file", host_write_file},
+    {"tempdir", host_tempdir},
+    {"out", host_out},
+    {"err", host_err},
+    {"isatty", host_isatty},
+    {"execute", host_execute},
+    {"compile", host_compile},
+    {"clock", host_clock},
+    {"mass", host_mass},
+    {"run", host_run},
+    {"rates", host_rates},
+    {"plugin", host_plugin},
+    {"visible", sandbox_visible},
+    {NULL, NULL},
+};
+
+void host_push(lua_State *L) {
+  luaL_newlib(L, functions);
+  lua_pushliteral(L, POLHODE_VERSION);
+  lua_setfield(L, -2, "version");
+  script_push_templates(L);
+  lua_setfield(L, -2, "templates");
+  script_load(L, "src/cli/safe.lua");
+  lua_pushcfunction(L, sandbox_visible);
+  lua_call(L, 1, 1);
+  lua_pushvalue(L, -1);
+  lua_pushcclosure(L, host_sandbox, 1);
+  lua_setfield(L, -3, "sandbox");
+  lua_setfield(L, -2, "safe");
+}

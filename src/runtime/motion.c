@@ -1,0 +1,188 @@
+/* motion.c - torque, equations of motion, energy and angular momentum of the general top.
+   SPDX-License-Identifier: GPL-3.0-or-later
+
+   I w' = N - w x I w about the fixed origin, body axes (Euler 1758; Goldstein, Classical
+   Mechanics, 5.5), with the full tensor: no principal axes are assumed, and the system is solved
+   through the principal system that ph_top_init found. q' = q (0, w)/2 for the attitude. Vectors
+   fixed in inertial axes come to body axes by the polynomial q* v q. */
+#include "motion.h"
+
+void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
+  *loads = (motion_loads){0};
+  for (int i = 0; i < 3; i++) {
+    if (top->effects & PH_GRAVITY)
+      loads->weight[i] = (ph_wide)top->mass * (ph_wide)top->gravity[i];
+    if (top->effects & PH_TORQUE_INERTIAL)
+      loads->inertial[i] = (ph_wide)top->torque_inertial[i];
+    if (top->effects & PH_TORQUE_BODY)
+      loads->body[i] = (ph_wide)top->torque_body[i];
+    if ((top->effects & PH_CONTROL) && u)
+      loads->body[i] += (ph_wide)u[i];
+  }
+  if (top->effects & PH_DAMPING)
+    wide_load(9, top->damping, loads->damping);
+  if (top->effects & PH_DECAY)
+    loads->decay = (ph_wide)top->decay;
+}
+
+/* N, and a size against which a torque along a rod is rounding: it bounds the terms of I w' = N - w
+   x I w, so that a weight which turns the rod hard, but not about itself, leaves no residue that
+   counts. */
+void motion_torque(const ph_top *top, const motion_loads *loads, const ph_wide x[7], ph_wide N[3],
+                   ph_wide *size) {
+  const ph_wide *q = x, *w = x + 4;
+  ph_wide weight[3], inertial[3], L[3], gravity[3], sum = 0;
+  wide_sandwich(q, loads->weight, 0, weight);
+  wide_sandwich(q, loads->inertial, 0, inertial);
+  wide_apply(top->wide_inertia, w, L);
+  wide_cross(top->wide_com, weight, gravity);
+  for (int i = 0; i < 3; i++) {
+    const ph_wide drag = wide_dot(loads->damping + 3 * i, w);
+    N[i] = gravity[i] + inertial[i] + loads->body[i] - drag - loads->decay * L[i];
+    sum += fabsl(inertial[i]) + fabsl(loads->body[i]) + fabsl(drag) + fabsl(loads->decay * L[i]);
+  }
+  *size = sum + wide_norm(top->wide_com) * wide_norm(weight) + wide_norm(w) * wide_norm(L);
+}
+
+/* w' = sum over principal axes of e (e.b)/I: for a rod the pseudo-inverse, since an axis without
+   moment takes no part. For a torque along it there is no motion at all that Newton's law allows.
+ */
+int motion_solve(const ph_top *top, const ph_wide b[3], ph_wide size, ph_wide w_rate[3]) {
+  ph_wide sum[3] = {0, 0, 0};
+  for (int k = 0; k < 3; k++) {
+    const ph_wide along = wide_dot(top->wide_axis[k], b);
+    if (top->wide_moment[k] > 0)
+      for (int i = 0; i < 3; i++)
+        sum[i] += along / top->wide_moment[k] * top->wide_axis[k][i];
+    else if (size >= 0 && fabsl(along) > 32 * (ph_wide)DBL_EPSILON * size)
+      return PH_EROD;
+  }
+  for (int i = 0; i < 3; i++)
+    w_rate[i] = sum[i];
+  return PH_OK;
+}
+
+int motion_rates(const ph_top *top, const motion_loads *loads, const ph_wide x[7], ph_wide dx[7]) {
+  const ph_wide *w = x + 4, pure[4] = {0, w[0], w[1], w[2]};
+  ph_wide b[3], L[3], size;
+  motion_torque(top, loads, x, b, &size);
+  wide_apply(top->wide_inertia, w, L);
+  wide_cross(w, L, L);
+  for (int i = 0; i < 3; i++)
+    b[i] -= L[i];
+  ph_wide rate[7];
+  const int status = motion_solve(top, b, size, rate + 4);
+  if (status)
+    return status;
+  wide_quat_multiply(x, pure, rate);
+  for (int i = 0; i < 7; i++)
+    dx[i] = i < 4 ? rate[i] / 2 : rate[i];
+  return PH_OK;
+}
+
+/* ---- public ---- */
+
+/* Control counts only when it is on: then it must be finite. */
+static int inputs_finite(const ph_top *top, const double x[7], const double u[3]) {
+  return wide_finite(7, x) && (!u || !(top->effects & PH_CONTROL) || wide_finite(3, u));
+}
+
+int ph_top_torque(const ph_top *top, double t, const double x[7], const double u[3], double N[3]) {
+  (void)t; /* no effect of today depends on time */
+  if (!inputs_finite(top, x, u))
+    return PH_EFINITE;
+  motion_loads loads;
+  ph_wide state[7], torque[3], size;
+  wide_load(7, x, state);
+  motion_load(top, u, &loads);
+  motion_torque(top, &loads, state, torque, &size);
+  return wide_store(3, torque, N);
+}
+
+int ph_top_rates(const ph_top *top, double t, const double x[7], const double u[3], double dx[7]) {
+  (void)t;
+  if (!inputs_finite(top, x, u))
+    return PH_EFINITE;
+  motion_loads loads;
+  ph_wide state[7], rate[7];
+  wide_load(7, x, state);
+  motion_load(top, u, &loads);
+  const int status = motion_rates(top, &loads, state, rate);
+  return status ? status : wide_store(7, rate, dx);
+}
+
+int ph_top_inverse(const ph_top *top, const double w[3], const double w_rate[3], double N[3]) {
+  if (!wide_finite(3, w) || !wide_finite(3, w_rate))
+    return PH_EFINITE;
+  ph_wide omega[3], L[3], turning[3], rate[3];
+  wide_load(3, w, omega);
+  wide_load(3, w_rate, rate);
+  wide_apply(top->wide_inertia, omega, L);
+  wide_cross(omega, L, turning);
+  wide_apply(top->wide_inertia, rate, rate);
+  for (int i = 0; i < 3; i++)
+    rate[i] += turning[i];
+  return wide_store(3, rate, N);
+}
+
+static ph_wide kinetic(const ph_top *top, const ph_wide x[7]) {
+  ph_wide L[3];
+  wide_apply(top->wide_inertia, x + 4, L);
+  return wide_dot(x + 4, L) / 2;
+}
+
+/* V = -F.r for the constant force F = M g d at the centre of mass, zero when that is level with the
+ * origin. */
+static ph_wide potential(const ph_top *top, const ph_wide x[7]) {
+  motion_loads loads;
+  ph_wide com[3];
+  motion_load(top, NULL, &loads);
+  wide_sandwich(x, top->wide_com, 1, com);
+  return -wide_dot(loads.weight, com);
+}
+
+int ph_top_kinetic(const ph_top *top, const double x[7], double *T) {
+  ph_wide state[7];
+  if (!wide_finite(7, x))
+    return PH_EFINITE;
+  wide_load(7, x, state);
+  const ph_wide value = kinetic(top, state);
+  return wide_store(1, &value, T);
+}
+
+int ph_top_potential(const ph_top *top, const double x[7], double *V) {
+  ph_wide state[7];
+  if (!wide_finite(7, x))
+    return PH_EFINITE;
+  wide_load(7, x, state);
+  const ph_wide value = potential(top, state);
+  return wide_store(1, &value, V);
+}
+
+int ph_top_energy(const ph_top *top, const double x[7], double *E) {
+  ph_wide state[7];
+  if (!wide_finite(7, x))
+    return PH_EFINITE;
+  wide_load(7, x, state);
+  const ph_wide value = kinetic(top, state) + potential(top, state);
+  return wide_store(1, &value, E);
+}
+
+static int momentum(const ph_top *top, const double x[7], int to_inertial, double L[3]) {
+  ph_wide state[7], v[3];
+  if (!wide_finite(7, x))
+    return PH_EFINITE;
+  wide_load(7, x, state);
+  wide_apply(top->wide_inertia, state + 4, v);
+  if (to_inertial)
+    wide_sandwich(state, v, 1, v);
+  return wide_store(3, v, L);
+}
+
+int ph_top_momentum_body(const ph_top *top, const double x[7], double L[3]) {
+  return momentum(top, x, 0, L);
+}
+
+int ph_top_momentum(const ph_top *top, const double x[7], double L[3]) {
+  return momentum(top, x, 1, L);
+}

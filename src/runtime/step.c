@@ -1,0 +1,75 @@
+/* step.c - one step by classical Runge-Kutta or by a method of GSL.
+   SPDX-License-Identifier: GPL-3.0-or-later
+
+   GSL works in double. Were it given the state, each step would round it, and a thousand
+   revolutions would collect 1e-12. So it is given the INCREMENT z of the step, z(0) = 0, z' = f(x0
+   + z) with x0 in long double: z is rounded relative to itself, and x0 + z is added in long double.
+   That is compensated summation without a second variable. Time is given in units of the step, z' =
+   h f on [0, 1], so that h too keeps its long double. gsl_odeiv2_step_apply never calls GSL's error
+   handler (only its allocation would, when memory is out). */
+#include <gsl/gsl_errno.h>
+
+#include "step.h"
+
+int step_rk4(stepper *s, const ph_wide x[7], ph_wide h, ph_wide out[7]) {
+  /* time of the stage as a part of h, and its weight in the mean */
+  static const int part[4] = {0, 1, 1, 2}, weight[4] = {1, 2, 2, 1};
+  ph_wide k[7] = {0}, mean[7] = {0}, y[7];
+  for (int stage = 0; stage < 4; stage++) {
+    for (int i = 0; i < 7; i++)
+      y[i] = x[i] + part[stage] * h / 2 * k[i];
+    const int status = motion_rates(s->top, &s->loads, y, k);
+    s->evaluations++;
+    if (status)
+      return status;
+    for (int i = 0; i < 7; i++)
+      mean[i] += weight[stage] * k[i] / 6;
+  }
+  for (int i = 0; i < 7; i++)
+    out[i] = x[i] + h * mean[i];
+  return PH_OK;
+}
+
+/* GSL's right-hand side: z' = h f(base + z). */
+static int increment_rates(double t, const double z[], double dz[], void *params) {
+  stepper *s = params;
+  ph_wide y[7], dy[7];
+  (void)t;
+  for (int i = 0; i < 7; i++)
+    y[i] = s->base[i] + (ph_wide)z[i];
+  s->evaluations++;
+  s->status = motion_rates(s->top, &s->loads, y, dy);
+  if (s->status)
+    return GSL_EBADFUNC;
+  for (int i = 0; i < 7; i++)
+    dz[i] = (double)(s->h * dy[i]);
+  return GSL_SUCCESS;
+}
+
+int step_gsl(stepper *s, const ph_wide x[7], ph_wide h, ph_wide out[7], ph_wide *error) {
+  gsl_odeiv2_system system = {increment_rates, NULL, 7, s};
+  double z[7] = {0}, bound[7];
+  ph_wide wide_bound[7];
+  for (int i = 0; i < 7; i++)
+    s->base[i] = x[i];
+  s->h = h;
+  s->status = PH_OK;
+  if (gsl_odeiv2_step_apply(s->gsl, 0, 1, z, bound, NULL, NULL, &system) != GSL_SUCCESS)
+    return s->status ? s->status : PH_ERANGE;
+  for (int i = 0; i < 7; i++)
+    out[i] = x[i] + (ph_wide)z[i];
+  wide_load(7, bound, wide_bound);
+  const ph_wide size = fmaxl(step_size(3, x + 4), step_size(3, out + 4));
+  const ph_wide turn = step_size(3, wide_bound + 4);
+  *error = fmaxl(step_size(4, wide_bound), size > 0 ? turn / size : turn);
+  return wide_fits(7, out) && wide_fits(7, wide_bound) ? PH_OK : PH_ERANGE;
+}
+
+int step_rate(stepper *s, const ph_wide x[7], ph_wide *rate) {
+  ph_wide dx[7];
+  const int status = motion_rates(s->top, &s->loads, x, dx);
+  s->evaluations++;
+  if (!status)
+    *rate = fmaxl(step_size(3, x + 4), sqrtl(step_size(3, dx + 4)));
+  return status;
+}

@@ -1,0 +1,224 @@
+/* ---- closed form: ${theorem} ----
+ * Pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP 2, 4.2.2. */
+
+typedef struct pair {
+  ${name}_real hi, lo;
+} pair;
+
+/* a + b = hi + lo exactly (Knuth's two-sum) */
+static pair pair_sum(${name}_real a, ${name}_real b)
+{
+  pair s;
+  ${name}_real bb;
+
+  s.hi = a + b;
+  bb = s.hi - a;
+  s.lo = (a - (s.hi - bb)) + (b - bb);
+  return s;
+}
+
+/* a*b = hi + lo exactly (Dekker's product, factors split in halves) */
+static pair pair_product(${name}_real a, ${name}_real b)
+{
+  const ${name}_real split = ${split};
+  ${name}_real c, ah, al, bh, bl;
+  pair p;
+
+  c = split*a;
+  ah = c - (c - a);
+  al = a - ah;
+  c = split*b;
+  bh = c - (c - b);
+  bl = b - bh;
+  p.hi = a*b;
+  p.lo = ((ah*bh - p.hi) + ah*bl + al*bh) + al*bl;
+  return p;
+}
+
+static pair pair_add(pair a, pair b)
+{
+  pair s = pair_sum(a.hi, b.hi);
+
+  return pair_sum(s.hi, s.lo + (a.lo + b.lo));
+}
+
+static pair pair_multiply(pair a, pair b)
+{
+  pair p = pair_product(a.hi, b.hi);
+
+  return pair_sum(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
+}
+
+/* a/b for b not 0: the remainder a - q b is exact, so one correction doubles the digits */
+static pair pair_divide(pair a, ${name}_real b)
+{
+  const ${name}_real q = a.hi/b;
+  pair p = pair_product(q, b);
+
+  return pair_sum(q, ((a.hi - p.hi) - p.lo + a.lo)/b);
+}
+
+static pair pair_of(${name}_real a)
+{
+  pair p;
+
+  p.hi = a;
+  p.lo = ${zero};
+  return p;
+}
+
+/* sine and cosine of (rate t), rate a pair: sin(h + l) = sin h + l cos h to the working precision */
+static void turn(const ${name}_real rate[2], ${name}_real t, ${name}_real *s, ${name}_real *c)
+{
+  pair p = pair_product(rate[0], t);
+  const ${name}_real low = p.lo + rate[1]*t;
+  const ${name}_real sh = ${sin}(p.hi), ch = ${cos}(p.hi);
+
+  *s = sh + low*ch;
+  *c = ch - low*sh;
+}
+
+static void quaternion_product(const ${name}_real a[4], const ${name}_real b[4], ${name}_real out[4])
+{
+  out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
+  out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
+  out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
+  out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
+}
+
+/* v = s u with |u| = 1, s >= 0; u = 0 if v = 0.  Scaled by a power of two, so nothing over- or underflows.
+ * The length comes as a pair. */
+static pair unit_vector(const pair v[3], ${name}_real u[3])
+{
+  ${name}_real big = ${fabs}(v[0].hi), root;
+  pair n, square = pair_of(${zero});
+  int i, e;
+
+  if (${fabs}(v[1].hi) > big) big = ${fabs}(v[1].hi);
+  if (${fabs}(v[2].hi) > big) big = ${fabs}(v[2].hi);
+  u[0] = u[1] = u[2] = ${zero};
+  if (big == ${zero}) return square;
+  (void)${frexp}(big, &e);
+  for (i = 0; i < 3; i++) {
+    n.hi = ${ldexp}(v[i].hi, -e);
+    n.lo = ${ldexp}(v[i].lo, -e);
+    u[i] = n.hi;
+    square = pair_add(square, pair_multiply(n, n));
+  }
+  root = ${sqrt}(square.hi);
+  for (i = 0; i < 3; i++) u[i] /= root;
+  n = pair_product(root, root); /* one Newton step: sqrt(s) = r + (s - r^2)/(2 r) */
+  n = pair_sum(root, ((square.hi - n.hi) - n.lo + square.lo)/(${two}*root));
+  n.hi = ${ldexp}(n.hi, e);
+  n.lo = ${ldexp}(n.lo, e);
+  return n;
+}
+
+int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[])
+{
+  const ${name}_real *w = x0 + ${upper}_WX;
+%% if symmetric then
+  const ${name}_real k[3] = {${kx}, ${ky}, ${kz}}; /* symmetry axis, body; its square is k2 */
+  const ${name}_real k2 = ${k2}, I1 = ${I1}, I3 = ${I3};
+  const ${name}_real ku = ${sqrt}(k2);
+  pair s, ratio, along;
+%% end
+  pair v[3], q[3], length;
+  ${name}_real u[3], left[4], right[4];
+  ${name}_orbit p;
+  int i;
+
+%% if symmetric then
+%% else
+  (void)m;
+%% end
+  for (i = 0; i < ${upper}_NX; i++) {
+    if (!(x0[i] - x0[i] == ${zero})) return 1;
+  }
+%% if symmetric then
+  /* L/I1 = w + (I3/I1 - 1) (k.w) k/k^2, the rate of the precession, body axes */
+  s = pair_product(k[0], w[0]);
+  s = pair_add(s, pair_product(k[1], w[1]));
+  s = pair_divide(pair_add(s, pair_product(k[2], w[2])), k2);
+  ratio = pair_divide(pair_sum(I3, -I1), I1);
+  along = pair_multiply(ratio, s);
+  for (i = 0; i < 3; i++) v[i] = pair_add(pair_of(w[i]), pair_multiply(along, pair_of(k[i])));
+%% else
+  /* L/I1 = w */
+  for (i = 0; i < 3; i++) v[i] = pair_of(w[i]);
+%% end
+  length = unit_vector(v, u);
+  p.precession[0] = ${half}*length.hi;
+  p.precession[1] = ${half}*length.lo;
+
+  /* q0, normalised as a vector of four: first the vector part, then with the scalar */
+  for (i = 0; i < 3; i++) q[i] = pair_of(x0[${upper}_QX + i]);
+  length = unit_vector(q, right);
+  q[0] = pair_of(x0[${upper}_QW]);
+  q[1] = length;
+  q[2] = pair_of(${zero});
+  if (unit_vector(q, left).hi == ${zero}) return 1;
+  p.q[0][0] = left[0];
+  for (i = 0; i < 3; i++) p.q[0][i + 1] = left[1]*right[i];
+
+  /* turning about L on the left is turning about its body direction on the right of q0 */
+  left[0] = ${zero};
+  for (i = 0; i < 3; i++) left[i + 1] = u[i];
+  quaternion_product(p.q[0], left, p.q[1]);
+%% if symmetric then
+  length = pair_product(ku, ku); /* ku is rounded: |k| = ku + (k2 - ku^2)/(2 ku) */
+  length = pair_sum(ku, ((k2 - length.hi) - length.lo)/(${two}*ku));
+  length = pair_multiply(along, length);
+  p.spin[0] = -${half}*length.hi;
+  p.spin[1] = -${half}*length.lo;
+  right[0] = ${zero};
+  for (i = 0; i < 3; i++) right[i + 1] = k[i]/ku;
+  quaternion_product(p.q[0], right, p.q[2]);
+  quaternion_product(p.q[1], right, p.q[3]);
+
+  /* w along and across k; k x across, turned backwards, is where w goes next */
+  for (i = 0; i < 3; i++) {
+    p.along[i] = s.hi*k[i];
+    p.across[i] = pair_add(pair_of(w[i]), pair_multiply(pair_of(-k[i]), s)).hi;
+  }
+  p.turned[0] = (k[2]*p.across[1] - k[1]*p.across[2])/ku;
+  p.turned[1] = (k[0]*p.across[2] - k[2]*p.across[0])/ku;
+  p.turned[2] = (k[1]*p.across[0] - k[0]*p.across[1])/ku;
+%% else
+  for (i = 0; i < 4; i++) p.q[2][i] = p.q[3][i] = ${zero};
+  for (i = 0; i < 3; i++) {
+    p.along[i] = w[i];
+    p.across[i] = p.turned[i] = ${zero};
+  }
+%% end
+  *o = p;
+  return 0;
+}
+
+void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
+{
+  ${name}_real s, c, n;
+%% if symmetric then
+  ${name}_real sk, ck, sine, cosine;
+%% end
+  ${name}_real *q = x + ${upper}_QW, *w = x + ${upper}_WX;
+  int i;
+
+  turn(o->precession, t, &s, &c);
+%% if symmetric then
+  turn(o->spin, t, &sk, &ck);
+  sine = ${two}*(sk*ck);
+  cosine = (ck - sk)*(ck + sk);
+  for (i = 0; i < 4; i++) {
+    q[i] = ck*(c*o->q[0][i] + s*o->q[1][i]) + sk*(c*o->q[2][i] + s*o->q[3][i]);
+  }
+  for (i = 0; i < 3; i++) w[i] = o->along[i] + (cosine*o->across[i] + sine*o->turned[i]);
+%% else
+  for (i = 0; i < 4; i++) q[i] = c*o->q[0][i] + s*o->q[1][i];
+  for (i = 0; i < 3; i++) w[i] = o->along[i];
+%% end
+
+  /* rounding only: one Newton step for 1/|q| */
+  n = ${threehalves} - ${half}*(q[0]*q[0] + q[1]*q[1] + q[2]*q[2] + q[3]*q[3]);
+  for (i = 0; i < 4; i++) q[i] *= n;
+}

@@ -1,0 +1,145 @@
+/* plugin.c -- ${name} behind the table of plugin.h, for the program polhode; not part of what is delivered.
+ * template: templates/plugin.c.  ${license} */
+#include "${name}.h"
+#include "plugin.h"
+
+#include <stddef.h>
+
+typedef ${name}_real real;
+
+static void narrow(int n, const double *from, real *to)
+{
+  int i;
+
+  for (i = 0; i < n; i++) to[i] = (real)from[i];
+}
+
+static void widen(int n, const real *from, double *to)
+{
+  int i;
+
+  for (i = 0; i < n; i++) to[i] = (double)from[i];
+}
+
+static int plugin_init(void *m, const double *p)
+{
+  real q[${upper}_NP + 1];
+
+  if (!p) return ${name}_init((${name}_model *)m, NULL);
+  narrow(${upper}_NP, p, q);
+  return ${name}_init((${name}_model *)m, q);
+}
+
+static void plugin_params(double *p)
+{
+  real q[${upper}_NP + 1] = {0};
+
+  ${name}_defaults(q);
+  widen(${upper}_NP, q, p);
+}
+
+static void plugin_inertia(const void *m, double *I)
+{
+  real v[6];
+
+  ${name}_inertia((const ${name}_model *)m, v);
+  widen(6, v, I);
+}
+
+static void plugin_principal(const void *m, double *moments, double *axes)
+{
+  real v[3], a[9];
+
+  ${name}_principal((const ${name}_model *)m, v, a);
+  widen(3, v, moments);
+  widen(9, a, axes);
+}
+
+static void plugin_rhs(const void *m, double t, const double *x, const double *u, double *dx)
+{
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0}, d[${upper}_NX];
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  ${name}_rhs((const ${name}_model *)m, (real)t, y, v, d);
+  widen(${upper}_NX, d, dx);
+}
+
+static void plugin_step(const void *m, double t, double *x, const double *u, double h)
+{
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0};
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  ${name}_step((const ${name}_model *)m, (real)t, y, v, (real)h);
+  widen(${upper}_NX, y, x);
+}
+
+static void plugin_jacobian(const void *m, double t, const double *x, const double *u, double *J)
+{
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0}, j[${upper}_NX*${upper}_NX];
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  ${name}_jacobian((const ${name}_model *)m, (real)t, y, v, j);
+  widen(${upper}_NX*${upper}_NX, j, J);
+}
+
+static double plugin_energy(const void *m, const double *x)
+{
+  real y[${upper}_NX];
+
+  narrow(${upper}_NX, x, y);
+  return (double)${name}_energy((const ${name}_model *)m, y);
+}
+
+static void plugin_momentum(const void *m, const double *x, double *L)
+{
+  real y[${upper}_NX], v[3];
+
+  narrow(${upper}_NX, x, y);
+  ${name}_momentum((const ${name}_model *)m, y, v);
+  widen(3, v, L);
+}
+%% if has_closed then
+
+static int plugin_solve(void *o, const void *m, const double *x0)
+{
+  real y[${upper}_NX];
+
+  narrow(${upper}_NX, x0, y);
+  return ${name}_solve((${name}_orbit *)o, (const ${name}_model *)m, y);
+}
+
+static void plugin_at(const void *o, double t, double *x)
+{
+  real y[${upper}_NX];
+
+  ${name}_at((const ${name}_orbit *)o, (real)t, y);
+  widen(${upper}_NX, y, x);
+}
+%% end
+
+const struct polhode_plugin *polhode_plugin(void);
+
+const struct polhode_plugin *polhode_plugin(void)
+{
+  static const struct polhode_plugin table = {
+    POLHODE_PLUGIN_ABI, "${name}", "${real}", (double)${epsilon}, ${upper}_NX, ${upper}_NU, ${upper}_NP,
+    (unsigned long)sizeof(${name}_model),
+%% if has_closed then
+    (unsigned long)sizeof(${name}_orbit),
+%% else
+    0,
+%% end
+    plugin_init, plugin_params, plugin_inertia, plugin_principal, plugin_rhs, plugin_step, plugin_jacobian,
+    plugin_energy, plugin_momentum,
+%% if has_closed then
+    plugin_solve, plugin_at
+%% else
+    NULL, NULL
+%% end
+  };
+
+  return &table;
+}

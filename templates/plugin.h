@@ -1,0 +1,44 @@
+/* plugin.h - the emitted code of one scene as a shared object that the program polhode can load.
+ * SPDX-License-Identifier: MIT-0
+ *
+ * The object exports one function,
+ *     const struct polhode_plugin *polhode_plugin(void);
+ * whose table names everything that was emitted.  All numbers cross as double, whatever the scene's
+ * real type is; `epsilon` is that type's unit in the last place of 1.  The caller owns the memory:
+ * a model of model_size bytes and an orbit of orbit_size bytes, aligned for any type.  A function
+ * that the scene does not have is NULL.  Lengths: x, dx nx; u nu; p np; jacobian J nx rows of nx.
+ * C99, nothing included.
+ */
+#ifndef POLHODE_PLUGIN_H
+#define POLHODE_PLUGIN_H
+
+#define POLHODE_PLUGIN_ABI 1
+
+struct polhode_plugin {
+  int abi; /* POLHODE_PLUGIN_ABI */
+  const char *name;
+  const char *real; /* "double" or "float" */
+  double epsilon;
+  int nx, nu, np;
+  unsigned long model_size, orbit_size; /* bytes */
+
+  /* 0, or which check of the parameters failed; p NULL: the scene's own */
+  int (*init)(void *m, const double *p);
+  void (*params)(double *p); /* the scene's own parameters */
+
+  void (*inertia)(const void *m, double I[6]); /* xx yy zz xy xz yz about the origin, kg m^2 */
+  /* moments ascending; axes: three unit vectors, one after the other */
+  void (*principal)(const void *m, double moments[3], double axes[9]);
+
+  void (*rhs)(const void *m, double t, const double *x, const double *u, double *dx);
+  void (*step)(const void *m, double t, double *x, const double *u, double h);
+  void (*jacobian)(const void *m, double t, const double *x, const double *u, double *J);
+  double (*energy)(const void *m, const double *x);              /* J */
+  void (*momentum)(const void *m, const double *x, double L[3]); /* inertial axes, N m s */
+
+  /* closed form: 0 and the orbit through x0 at t = 0, or why there is none; then the state at t */
+  int (*solve)(void *o, const void *m, const double *x0);
+  void (*at)(const void *o, double t, double *x);
+};
+
+#endif

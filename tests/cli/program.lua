@@ -1,0 +1,74 @@
+-- program.lua - runs the program polhode from a test, with a generator of the test's own.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+--     local program = require "tests.cli.program"
+--     local status, out, err, seconds = program.run(lua_text, "argument", ...)
+--     local dir = program.directory()      -- of this test alone, removed by program.finish()
+--
+-- POLHODE names another binary (the one with sanitizers).  Every run is under timeout(1): a test never hangs.
+
+local program = {}
+
+local binary = os.getenv("POLHODE") or "build/polhode"
+local LIMIT = 60 -- s; far above what any test may take
+
+local dir
+
+local function quote(s)
+  return "'" .. s:gsub("'", "'\\''") .. "'"
+end
+
+function program.read(path)
+  local file = io.open(path, "rb")
+  if file == nil then
+    return nil
+  end
+  local text = file:read("a")
+  file:close()
+  return text
+end
+
+function program.write(path, text)
+  local file = assert(io.open(path, "wb"))
+  assert(file:write(text))
+  assert(file:close())
+end
+
+function program.directory()
+  if dir == nil then
+    local pipe = assert(io.popen("mktemp -d"))
+    dir = pipe:read("l")
+    pipe:close()
+  end
+  return dir
+end
+
+function program.shell(command)
+  local _, why, code = os.execute(command)
+  return why == "signal" and 128 + code or code
+end
+
+-- Run the Lua text as the program's generator. Environment variables and redirections go before and after.
+function program.run_with(before, after, text, ...)
+  local base = program.directory()
+  program.write(base .. "/main.lua", text)
+  local words = { before, "POLHODE_SOURCE=tests/cli/tree timeout", tostring(LIMIT), binary, quote(base .. "/main.lua") }
+  for _, argument in ipairs { ... } do
+    words[#words + 1] = quote(argument)
+  end
+  words[#words + 1] = ">" .. base .. "/out 2>" .. base .. "/err " .. after
+  local code = program.shell(table.concat(words, " "))
+  return code, program.read(base .. "/out"), program.read(base .. "/err")
+end
+
+function program.run(text, ...)
+  return program.run_with("", "", text, ...)
+end
+
+function program.finish()
+  if dir ~= nil then
+    program.shell("rm -rf " .. quote(dir))
+  end
+end
+
+return program

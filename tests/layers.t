@@ -1,0 +1,314 @@
+#!/usr/bin/env lua5.4
+-- layers.t - which part may know which, and the house rules that no linter knows.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- Dependencies are read from the `require` and `#include` lines.  The tables below are the whole truth: an
+-- arrow that they do not have fails the test, and the way to add one is to add it here and in docs/design.md.
+
+local tap = require "tests.tap"
+
+-- A part of the generator is a folder (or a file at the top) and may require itself and what is listed here.
+local ARROWS = {
+  algebra = { "polhode_rational" },
+  diag = {},
+  dsl = { "algebra", "diag" },
+  mass = { "algebra", "diag" },
+  effects = { "algebra" },
+  dynamics = { "algebra", "mass" }, -- mass: principal axes and validity of the tensor that moves
+  methods = { "algebra", "dynamics" },
+  ir = { "algebra", "polhode_rational" },
+  emit = { "algebra", "ir" },
+  plan = { "algebra", "dynamics", "methods", "ir" },
+  report = { "algebra", "mass", "emit" },
+  driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report" },
+  commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report",
+    "driver" },
+  main = { "commands", "driver", "diag" },
+}
+
+-- Inside ir/, a pass knows the instruction table and nothing of its neighbours.
+local PASSES = { "power", "fold", "cse", "dce", "order" }
+
+-- A link unit of C: the folders of ours that it may include, and the outside headers that only it may.
+local INCLUDES = {
+  ["src/runtime"] = { own = { "src/runtime" }, outside = { "^gsl/" } },
+  ["src/cli"] = { own = { "src/cli", "src/runtime/polhode.h", "templates/plugin.h" },
+    outside = { "^lua%.h$", "^lauxlib%.h$", "^lualib%.h$", "^gmp%.h$", "^mpfr%.h$" } },
+  ["templates"] = { own = { "templates" }, outside = {} },
+  ["tests"] = { own = { "tests", "src/runtime" }, outside = { "^gsl/", "^gmp%.h$", "^mpfr%.h$" } },
+}
+-- Emitted code needs these of the C library and no more; stdio only for its self-test.
+local EMITTED = { ["math.h"] = true, ["stddef.h"] = true, ["stdio.h"] = true }
+
+local MAX_LUA, MAX_C = 400, 500
+
+-- Files that turn numbers into text by design: literals of C, messages, and the listing of the IR.
+local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/diag.lua"] = true,
+  ["generator/ir/show.lua"] = true, ["generator/report/json.lua"] = true, ["generator/report/facts.lua"] = true,
+  ["generator/report/explain.lua"] = true, ["generator/commands/run.lua"] = true,
+  ["generator/commands/check.lua"] = true }
+
+local METHODS = { "gsub", "match", "format", "sub", "rep", "find", "gmatch", "byte", "lower", "upper", "len",
+  "reverse" }
+
+-- ---- reading ----
+
+local function files(...)
+  local list = {}
+  local pipe = assert(io.popen("find " .. table.concat({ ... }, " ") .. " -type f 2>/dev/null | LC_ALL=C sort"))
+  for name in pipe:lines() do
+    list[#list + 1] = name
+  end
+  pipe:close()
+  return list
+end
+
+local function lines_of(path)
+  local list = {}
+  for line in io.lines(path) do
+    list[#list + 1] = line
+  end
+  return list
+end
+
+-- Lua lines without comments and with strings emptied, so that prose about pairs() is not code. Long strings and
+-- comments are blanked as wholes, line by line.
+local function code_of(path)
+  local list, closing = {}, nil
+  for i, line in ipairs(lines_of(path)) do
+    local out = ""
+    while line ~= "" do
+      if closing then
+        local _, to = line:find(closing, 1, true)
+        line = to and line:sub(to + 1) or ""
+        closing = to == nil and closing or nil
+      else
+        local from, to, mark = line:find("(%-?%-?%[=*%[)")
+        local quote = line:find("[\"']")
+        local comment = line:find("--", 1, true)
+        if quote and (not from or quote < from) and (not comment or quote < comment) then
+          local q, at = line:sub(quote, quote), quote + 1
+          while at <= #line and line:sub(at, at) ~= q do
+            at = at + (line:sub(at, at) == "\\" and 2 or 1)
+          end
+          out = out .. line:sub(1, quote - 1) .. "''"
+          line = line:sub(at + 1)
+        elseif from and mark:find("%[=*%[$") and (not comment or from <= comment) then
+          closing = "]" .. mark:match("%[(=*)%[") .. "]"
+          out = out .. line:sub(1, from - 1)
+          line = line:sub(to + 1)
+        elseif comment then
+          out = out .. line:sub(1, comment - 1)
+          line = ""
+        else
+          out = out .. line
+          line = ""
+        end
+      end
+    end
+    list[i] = out
+  end
+  return list
+end
+
+-- One test: nothing in `faults` (a list of "file:line: what").
+local function clean(name, faults)
+  return tap.ok(#faults == 0, name, table.concat(faults, "\n"))
+end
+
+local function contains(list, x)
+  for _, y in ipairs(list) do
+    if x == y then
+      return true
+    end
+  end
+  return false
+end
+
+local GENERATOR = files("generator -name '*.lua'")
+local C_FILES = files("src", "templates", "tests -name '*.[ch]'")
+tap.ok(#GENERATOR > 10 and #C_FILES > 10, "there are files to look at: the test runs in the project's root")
+
+-- ---- arrows ----
+
+local function part_of(module)
+  return module:match("^generator%.([%w_]+)") or module
+end
+
+do
+  local unknown, new, passes = {}, {}, {}
+  for _, path in ipairs(GENERATOR) do
+    local module = path:gsub("%.lua$", ""):gsub("/", ".")
+    local part = part_of(module)
+    if ARROWS[part] == nil then
+      unknown[#unknown + 1] = path .. ": part '" .. part .. "' has no row in ARROWS"
+    end
+    for n, line in ipairs(lines_of(path)) do
+      -- only a string that can be required: comments talk about require too
+      for target in line:gsub("^%s*%-%-.*", ""):gmatch("require%s*%(?%s*[\"']([%w_.]+)[\"']") do
+        local to = part_of(target)
+        if to ~= part and not contains(ARROWS[part] or {}, to) then
+          new[#new + 1] = string.format("%s:%d: %s -> %s", path, n, part, to)
+        end
+        local pass = path:match("^generator/ir/(%w+)%.lua$")
+        if pass and contains(PASSES, pass) and to == "ir" and target ~= "generator.ir.instr" then
+          passes[#passes + 1] = string.format("%s:%d: a pass requires %s", path, n, target)
+        end
+      end
+    end
+  end
+  clean("every part of the generator has its row in the table of arrows", unknown)
+  clean("the generator's parts require only what the table allows", new)
+  clean("passes know the instruction table and not each other", passes)
+end
+
+-- "src/cli" + "../runtime/polhode.h" -> "src/runtime/polhode.h"
+local function join(folder, name)
+  local parts = {}
+  for part in (folder .. "/" .. name):gmatch("[^/]+") do
+    if part == ".." then
+      parts[#parts] = nil
+    else
+      parts[#parts + 1] = part
+    end
+  end
+  return table.concat(parts, "/")
+end
+
+local function exists(path)
+  local file = io.open(path)
+  if file then
+    file:close()
+  end
+  return file ~= nil
+end
+
+local function unit_of(path)
+  return path:match("^src/[^/]+") or path:match("^[^/]+")
+end
+
+-- Where a quoted include leads: beside the file, or on the include path of its unit.
+local function resolve(path, name)
+  local folder = path:match("^(.*)/")
+  for _, base in ipairs { folder, "tests", "src/runtime" } do
+    if exists(join(base, name)) then
+      return join(base, name)
+    end
+  end
+  return join(folder, name)
+end
+
+do
+  local own, outside = {}, {}
+  for _, path in ipairs(C_FILES) do
+    local rule = INCLUDES[unit_of(path)] or { own = {}, outside = {} }
+    for n, line in ipairs(lines_of(path)) do
+      local quoted, system = line:match('^%s*#%s*include%s+"([^"]+)"'), line:match("^%s*#%s*include%s+<([^>]+)>")
+      if quoted and not quoted:find("${", 1, true) then
+        local target, allowed = resolve(path, quoted), false
+        for _, prefix in ipairs(rule.own) do
+          allowed = allowed or target:sub(1, #prefix) == prefix
+        end
+        if not allowed then
+          own[#own + 1] = string.format("%s:%d: includes %s", path, n, target)
+        end
+      end
+      if system and unit_of(path) == "templates" and not EMITTED[system] then
+        outside[#outside + 1] = string.format("%s:%d: emitted code includes <%s>", path, n, system)
+      end
+      for _, other in pairs(INCLUDES) do -- any order
+        for _, pattern in ipairs(other.outside) do
+          if system and system:find(pattern) and not contains(rule.outside, pattern) then
+            outside[#outside + 1] = string.format("%s:%d: includes <%s>", path, n, system)
+          end
+        end
+      end
+    end
+  end
+  clean("C units include only their own headers and the library's public one", own)
+  clean("Lua, GMP, MPFR and GSL stay in the units that may know them; emitted code needs only the C library", outside)
+end
+
+-- ---- sizes and heads ----
+
+do
+  local long, heads = {}, {}
+  for _, path in ipairs(files("generator", "src", "templates", "tests", "bodies")) do
+    local list = lines_of(path)
+    local lua, c = path:find("%.lua$") or path:find("%.t$"), path:find("%.[ch]$")
+    if (lua and #list > MAX_LUA or c and #list > MAX_C) and not path:find("^tests/.*reference/") then
+      long[#long + 1] = string.format("%s: %d lines", path, #list)
+    end
+    if (lua or c) and not path:find("^bodies/") and not path:find("^tests/golden/") then
+      local head = table.concat(list, "\n", 1, math.min(#list, 30))
+      local licence = path:find("^templates/") and (head:find("MIT%-0") or head:find("${license}", 1, true))
+        or head:find("SPDX-License-Identifier: GPL-3.0-or-later", 1, true)
+      if not licence then
+        heads[#heads + 1] = path .. ": no licence in its head"
+      end
+      if not (head:find("^%-%- ") or head:find("^/%* ") or head:find("^#![^\n]*\n%-%- ")) then
+        heads[#heads + 1] = path .. ": does not open with what it is for"
+      end
+    end
+  end
+  clean("no file is longer than " .. MAX_LUA .. " lines of Lua or " .. MAX_C .. " of C", long)
+  clean("every file opens with its purpose and its licence", heads)
+end
+
+-- ---- habits that would break sameness ----
+
+do
+  local order, numbers, methods = {}, {}, {}
+  for _, path in ipairs(GENERATOR) do
+    local text, code = lines_of(path), code_of(path)
+    for n, line in ipairs(code) do
+      local where = string.format("%s:%d: %s", path, n, text[n])
+      -- a line that copies or compares whole tables may say so: "-- any order"
+      local sensitive = path:find("^generator/emit/") or path:find("^generator/ir/") or path:find("^generator/methods/")
+        or path:find("^generator/dynamics/") or path:find("^generator/report/")
+      if sensitive and (line:find("%f[%w_]pairs%s*%(") or line:find("%f[%w_]next%s*,"))
+        and not text[n]:find("-- any order", 1, true) then
+        order[#order + 1] = where
+      end
+      if not PRINTS_NUMBERS[path] then
+        -- the format is in the string, so it is looked for in the text of a line whose code formats
+        if line:find("string%.format") and text[n]:find("%%[%-+ #0]*%d*%.?%d*[aAeEfgG]%f[^%w]")
+          and not line:find("error") then
+          numbers[#numbers + 1] = where
+        end
+        if path:find("^generator/emit/") and line:find("%f[%w_]tostring%s*%(") and not line:find("error") then
+          numbers[#numbers + 1] = where
+        end
+      end
+      for _, method in ipairs(METHODS) do
+        if line:find(":" .. method .. "%s*[%(\"'{]") then
+          methods[#methods + 1] = where
+        end
+      end
+    end
+  end
+  for _, path in ipairs(files("templates")) do
+    for n, line in ipairs(lines_of(path)) do
+      if line:find("^%%%%") and line:find("tostring", 1, true) then
+        numbers[#numbers + 1] = string.format("%s:%d: %s", path, n, line)
+      end
+    end
+  end
+  clean("no hash order on the way to output", order)
+  clean("numbers become text in one place", numbers)
+  clean("strings have no methods in the generator: their metatable is the scene's", methods)
+end
+
+do
+  local faults = {}
+  for _, path in ipairs(files("tests -name '*.t'")) do
+    local handle = io.popen("test -x " .. path .. " && echo yes")
+    if handle:read("l") ~= "yes" then
+      faults[#faults + 1] = path .. " is not executable"
+    end
+    handle:close()
+  end
+  clean("every test can be executed", faults)
+end
+
+tap.done()

@@ -1,0 +1,230 @@
+-- convert.lua - reference tables from JSON and CSV into C headers that a test can include.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+--     lua5.4 tests/reference/convert.lua DIRECTORY_OF_THE_TABLES tests/reference
+--
+-- Nothing is computed: digits are copied as text, fractions stay fractions. Inputs stay doubles (shortest repr),
+-- references become long double literals with all their digits. Rows are chosen by the rules written beside each table.
+-- Provenance of the tables themselves: README.md here.
+
+local from, to = arg[1], arg[2]
+
+local function slurp(name)
+  local file = assert(io.open(from .. "/" .. name))
+  local text = file:read "a"
+  file:close()
+  return text
+end
+
+-- JSON: a value at position i, and the position after it. Objects and arrays become tables; null becomes false.
+local value
+
+local function sequence(text, i, close, item)
+  local result = {}
+  i = text:match("^%s*()", i + 1)
+  while text:sub(i, i) ~= close do
+    i = item(result, i)
+    i = text:match("^%s*,?%s*()", i)
+  end
+  return result, i + 1
+end
+
+local escapes = { n = "\n", t = "\t" }
+
+function value(text, i)
+  i = text:match("^%s*()", i)
+  local c = text:sub(i, i)
+  if c == "{" then
+    return sequence(text, i, "}", function(object, at)
+      local key, colon = value(text, at)
+      local v, next = value(text, text:match("^%s*:()", colon))
+      object[key] = v
+      return next
+    end)
+  elseif c == "[" then
+    return sequence(text, i, "]", function(array, at)
+      local v, next = value(text, at)
+      array[#array + 1] = v
+      return next
+    end)
+  elseif c == '"' then
+    local j = i + 1
+    while text:sub(j, j) ~= '"' do
+      j = j + (text:sub(j, j) == "\\" and 2 or 1)
+    end
+    local raw = text:sub(i + 1, j - 1):gsub("\\u%x%x%x%x", "?"):gsub("\\(.)", function(e) return escapes[e] or e end)
+    return raw, j + 1
+  end
+  local word, after = text:match("^([%w%.%+%-]+)()", i)
+  return tonumber(word) or word == "true", after
+end
+
+local function json(name)
+  return (value(slurp(name), 1))
+end
+
+local function write(name, lines)
+  local file = assert(io.open(to .. "/" .. name, "w"))
+  file:write(table.concat(lines, "\n"), "\n")
+  file:close()
+end
+
+local function each(list, f)
+  local result = {}
+  for i, v in ipairs(list) do
+    result[i] = f(v)
+  end
+  return result
+end
+
+local function braces(list)
+  return "{" .. table.concat(list, ", ") .. "}"
+end
+
+-- Text of a number as a C literal: a point or an exponent is added where there is none.
+local function double(text)
+  text = tostring(text)
+  return text:find "[%.eE]" and text or text .. ".0"
+end
+
+local function long(text)
+  return double(text) .. "L"
+end
+
+local function fraction(text)
+  local n, d = text:match "^(%-?%d+)/(%d+)$"
+  return n and string.format("%s.0L / %s.0L", n, d) or long(text)
+end
+
+local function head(name, what, declaration)
+  return {
+    "/* " .. name .. " - " .. what,
+    "   SPDX-License-Identifier: GPL-3.0-or-later",
+    "",
+    "   Made by convert.lua; provenance in README.md beside this file. */",
+    "/* clang-format off */",
+    declaration,
+  }
+end
+
+-- ---- eigen.json: all rows ----
+do
+  local out = head("eigen.h", "symmetric tensors with eigenvalues and axes, 32 digits",
+    "static const struct {\n  const char *id, *category;\n  double tensor[6];\n  long double value[3];\n" ..
+    "  int simple[3]; /* is this eigenvalue simple, so that axis[k] means something? */\n  long double axis[3][3];\n" ..
+    "} eigen_rows[] = {")
+  for _, case in ipairs(json("eigen.json").cases) do
+    local simple, axis = { 0, 0, 0 }, { "{0}", "{0}", "{0}" }
+    for _, a in ipairs(case.simple_axes_unit_largest_component_positive or {}) do
+      simple[a.index + 1] = 1
+      axis[a.index + 1] = braces(each(a.axis, long))
+    end
+    out[#out + 1] = string.format('  {"%s", "%s", %s,\n   %s,\n   %s, %s},', case.id, case.category,
+      braces(each(case.a_xx_yy_zz_xy_xz_yz, double)), braces(each(case.eigenvalues_ascending, long)),
+      braces(simple), braces(axis))
+  end
+  out[#out + 1] = "};"
+  write("eigen.h", out)
+end
+
+-- ---- inertia.json: every body whose other point has rational coordinates ----
+do
+  local out = head("inertia.h", "mass, centroid and tensors of bodies, 34 digits",
+    "static const struct inertia_row {\n  const char *id;\n  long double mass, measure, centroid[3], tensor[6];\n" ..
+    "  long double point[3], about[6]; /* another point, and the tensor about it */\n} inertia_rows[] = {")
+  for _, body in ipairs(json("inertia.json").bodies) do
+    local rational = true
+    for _, c in ipairs(body.other_point.coordinates) do
+      rational = rational and c:find "^%-?%d+$" or c:find "^%-?%d+/%d+$"
+    end
+    if rational then
+      out[#out + 1] = string.format('  {"%s", %s, %s, %s,\n   %s,\n   %s, %s},', body.id, long(body.mass.decimal),
+        long(body.measure.decimal), braces(each(body.centroid.decimal, long)),
+        braces(each(body.tensor_about_centroid_xx_yy_zz_xy_xz_yz.decimal, long)),
+        braces(each(body.other_point.coordinates, fraction)),
+        braces(each(body.other_point.tensor_xx_yy_zz_xy_xz_yz.decimal, long)))
+    end
+  end
+  out[#out + 1] = "};"
+  write("inertia.h", out)
+end
+
+-- ---- free_top.json: samples within 20000 rad of the start that move by less than 1e-3 if the inputs do by 2^-53 ----
+do
+  local out = head("free_top.h", "torque-free motion, 32 digits",
+    "static const struct {\n  const char *id;\n  double tensor[6], w0[3], q0[4], t;\n  long double w[3], q[4];\n" ..
+    "  double w_sensitivity, q_sensitivity; /* change (of w relative, of q) when the inputs move by 2^-53 */\n" ..
+    "  double period, separation; /* of the rates; (L^2 - 2 T I2)/L^2: distance from the separatrix */\n" ..
+    "} free_top_rows[] = {")
+  for _, case in ipairs(json("free_top.json").cases) do
+    local tensor = case.tensor_xx_yy_zz_xy_xz_yz or { case.I[1], case.I[2], case.I[3], "0.0", "0.0", "0.0" }
+    local speed = 0
+    for _, w in ipairs(case.omega0) do
+      speed = math.max(speed, math.abs(tonumber(w)))
+    end
+    for _, s in ipairs(case.samples) do
+      local ws, qs = s.input_ulp_sensitivity.omega_rel, s.input_ulp_sensitivity.q_abs
+      local physical = case.id ~= "nonphysical_triangle_violation"
+      if physical and speed * math.abs(tonumber(s.t)) <= 2e4 and tonumber(ws) < 1e-3 and tonumber(qs) < 1e-3 then
+        out[#out + 1] = string.format('  {"%s", %s, %s, %s, %s,\n   %s,\n   %s, %s, %s, %s, %s},', case.id,
+          braces(each(tensor, double)), braces(each(case.omega0, double)), braces(each(case.q0, double)), double(s.t),
+          braces(each(s.omega, long)), braces(each(s.q, long)), double(ws), double(qs), double(case.period or "0"),
+          double(case.sep_rel or "1"))
+      end
+    end
+  end
+  out[#out + 1] = "};"
+  write("free_top.h", out)
+end
+
+-- ---- forced_top.json: the models that the library has ----
+do
+  local out = head("forced_top.h", "heavy tops, linear damping, constant torques, 32 digits",
+    "enum { FORCED_HEAVY, FORCED_DAMPING, FORCED_BODY, FORCED_INERTIAL };\n" ..
+    "static const struct {\n  const char *id;\n  int model;\n  double moment[3];\n" ..
+    "  double load[3]; /* m g r, diagonal of C, or torque */\n" ..
+    "  double x0[7], t; /* state: w, then q */\n  long double x[7];\n} forced_top_rows[] = {")
+  local models = {
+    ["heavy top"] = { "FORCED_HEAVY", "mgr" }, ["linear damping"] = { "FORCED_DAMPING", "c" },
+    ["constant body torque"] = { "FORCED_BODY", "tau_body" },
+    ["constant inertial torque"] = { "FORCED_INERTIAL", "tau_inertial" },
+  }
+  for _, case in ipairs(json("forced_top.json").cases) do
+    local model = models[case.model]
+    for _, s in ipairs(model and case.samples or {}) do
+      out[#out + 1] = string.format('  {"%s", %s, %s, %s,\n   %s, %s,\n   %s},', case.id, model[1],
+        braces(each(case.params.I, double)), braces(each(case.params[model[2]], double)),
+        braces(each(case.x0, double)), double(s.t), braces(each(s.x, long)))
+    end
+  end
+  out[#out + 1] = "};"
+  write("forced_top.h", out)
+end
+
+-- ---- nesc_brick_case2.csv: simulator 04, every half second ----
+do
+  local out = head("nesc_case2.h", "NASA check case 2, simulator 04",
+    "static const struct {\n  double t, rate[3]; /* s; p q r, deg/s, inertial */\n" ..
+    "  double angle[3];   /* yaw, pitch, roll against local north-east-down, deg */\n} nesc_rows[] = {")
+  local column
+  for line in slurp("nesc_brick_case2.csv"):gmatch "[^\r\n]+" do
+    local field = {}
+    for f in line:gmatch "[^,]+" do
+      field[#field + 1] = f
+    end
+    if not column then
+      column = {}
+      for i, name in ipairs(field) do
+        column[name] = i
+      end
+    elseif tonumber(field[1]) * 2 % 1 == 0 then
+      local function get(name)
+        return double(field[column["sim04_" .. name]])
+      end
+      out[#out + 1] = string.format("  {%s, %s, %s},", double(field[1]),
+        braces { get "p", get "q", get "r" }, braces { get "psi", get "theta", get "phi" })
+    end
+  end
+  out[#out + 1] = "};"
+  write("nesc_case2.h", out)
+end
