@@ -16,6 +16,7 @@ local quantities = require "generator.dynamics.quantities"
 local state = require "generator.dynamics.state"
 local rk4 = require "generator.methods.rk4"
 local derivation = require "generator.report.derivation"
+local number = require "generator.emit.number"
 local project = require "generator.emit.project"
 
 local driver = { version = "0.1.0" }
@@ -82,10 +83,17 @@ function driver.plan(job, options)
   return job
 end
 
--- The emitted files of a planned job; plugin: also what the program itself loads.
+-- The emitted files of a planned job, or nil after an error in its diagnostics (a constant that the real type cannot
+-- hold); plugin: also what the program itself loads.
 function driver.files(host, job, plugin)
   job.templates = host.templates
-  return project.files(job, plugin)
+  local ok, files = xpcall(project.files, function(e)
+    return getmetatable(e) == number.out_of_range and e or debug.traceback(tostring(e), 2)
+  end, job, plugin)
+  if ok then return files end
+  if getmetatable(files) ~= number.out_of_range then error(files, 0) end
+  job.diag:error(job.record.line, "real " .. job.real, "every constant must be within its range", files.message)
+  return nil
 end
 
 function driver.show(host, job, pass)

@@ -7,9 +7,11 @@
 local options = require "generator.commands.options"
 
 local usage = [[
-usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method rk4,exact] [--set a=0.3 ...] [--show PASS]
-       polhode run     SCENE [--engine general|generated] [--method M] [--step H] [--until T --every DT | --at T1,T2,...]
-                             [--format csv|json] [-o FILE] [--real double|float] [--set a=0.3 ...]
+usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method rk4,exact] [--set a=0.3 ...]
+                             [--show lower|power|fold|cse|dce|order]
+       polhode run     SCENE [--engine general|generated] [--method M] [--step H] [--tolerance E]
+                             [--until T --every DT | --at T1,T2,...] [--format csv|json] [-o FILE]
+                             [--real double|float] [--set a=0.3 ...]
        polhode explain SCENE [--format text|markdown|latex|json] [--set a=0.3 ...]
        polhode check   SCENE...
        polhode list    shapes|effects|methods|bodies|constants

@@ -1,3 +1,4 @@
+%% -- closed.c -- the closed form of the free sphere and symmetric top: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- closed form: ${theorem} ----
  * Pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP 2, 4.2.2. */
 
@@ -128,9 +129,9 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_orbit p;
   int i;
 
-%% if symmetric then
+%% if uses_model then
 %% else
-  (void)m;
+  (void)m; /* every constant is in the code */
 %% end
   for (i = 0; i < ${upper}_NX; i++) {
     if (!(x0[i] - x0[i] == ${zero})) return 1;
@@ -140,7 +141,8 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   s = pair_product(k[0], w[0]);
   s = pair_add(s, pair_product(k[1], w[1]));
   s = pair_divide(pair_add(s, pair_product(k[2], w[2])), k2);
-  ratio = pair_divide(pair_sum(I3, -I1), I1);
+  (void)${frexp}(I1, &i); /* by a power of two: huge moments must not overflow in a split */
+  ratio = pair_divide(pair_sum(${ldexp}(I3, -i), -${ldexp}(I1, -i)), ${ldexp}(I1, -i));
   along = pair_multiply(ratio, s);
   for (i = 0; i < 3; i++) v[i] = pair_add(pair_of(w[i]), pair_multiply(along, pair_of(k[i])));
 %% else

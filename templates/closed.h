@@ -1,3 +1,4 @@
+%% -- closed.h -- its contract: part of scene.h.  SPDX-License-Identifier: MIT-0
 /* ---- closed form: ${theorem} ----
  *
 %% for _, line in ipairs(closed_text) do

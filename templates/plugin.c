@@ -23,7 +23,7 @@ static void widen(int n, const real *from, double *to)
 
 static int plugin_init(void *m, const double *p)
 {
-  real q[${upper}_NP + 1];
+  real q[${upper}_NP + 1] = {0};
 
   if (!p) return ${name}_init((${name}_model *)m, NULL);
   narrow(${upper}_NP, p, q);

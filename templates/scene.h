@@ -8,8 +8,8 @@
  * ${line}
 %% end
  */
-#ifndef ${upper}_H
-#define ${upper}_H
+#ifndef POLHODE_${upper}_HEADER
+#define POLHODE_${upper}_HEADER
 
 #ifdef __cplusplus
 extern "C" {

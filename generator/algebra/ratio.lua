@@ -180,7 +180,7 @@ function ratio.tidy(e)
     result = expr.mul { cn / cd, monomial(ring, ln), poly.expr(poly.shift(n, cn, ln)),
       expr.pow(expr.mul { monomial(ring, ld), poly.expr(poly.shift(d, cd, ld)) }, -1) }
   end
-  tidied[e] = result
+  tidied[e], tidied[result] = result, result
   return result
 end
 

@@ -54,8 +54,10 @@ function gen.run(host, given)
     host.out(driver.show(host, job, given.show))
     return 0
   end
+  local files = driver.files(host, job)
+  if not files then return options.refuse(host, given[1], job.diag) end
   local dir = given.o or job.model.name
-  local ok, written = host.write_files(dir, driver.files(host, job))
+  local ok, written = host.write_files(dir, files)
   if not ok then
     host.err("polhode gen: " .. written .. "\n")
     return 2

@@ -25,8 +25,8 @@ function what.shapes()
   for i, s in ipairs(catalogue.list) do
     local names = {}
     for k, a in ipairs(s.args or {}) do names[k] = a.name end
-    rows[i] = { s.name, (s.rows and "{{m, x, y, z}, ...}" or "{" .. table.concat(names, ", ") .. "}") .. ": " .. s.about ..
-      "; " .. s.frame }
+    local takes = s.rows and "{{m, x, y, z}, ...}" or "{" .. table.concat(names, ", ") .. "}"
+    rows[i] = { s.name, takes .. ": " .. s.about .. "; " .. s.frame }
   end
   return rows
 end

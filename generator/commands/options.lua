@@ -1,8 +1,8 @@
 -- options.lua -- reads a command's options and operands against its declaration.
 --
 -- A declaration is {["--real"] = {"double", "float"}, ["--bake"] = false, ["--step"] = "number", ["--set"] = "pair"}:
--- a list of words, a flag, or the kind of value: text, number, numbers (comma list), words (comma list), pair (name=value,
--- repeatable).  -o DIR and --name=value are understood.  The result maps names without dashes.
+-- a list of words, a flag, or the kind of value: text, number, numbers (comma list), words (comma list), pair
+-- (name=value, repeatable).  -o DIR and --name=value are understood.  The result maps names without dashes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

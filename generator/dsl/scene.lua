@@ -45,7 +45,8 @@ local function initial(ctx, line, given, out)
   end
   args.unknown(ctx, at, "initial", list { "omega", "attitude" }, given)
   if given.omega ~= nil then
-    local w = args.vector(ctx, ctx.diag:locate(at, "omega"), "initial", "omega", { dim = "rate", size = 3 }, given.omega)
+    local line_of = ctx.diag:locate(at, "omega")
+    local w = args.vector(ctx, line_of, "initial", "omega", { dim = "rate", size = 3 }, given.omega)
     out.omega = w or out.omega
   end
   local q = given.attitude

@@ -27,8 +27,8 @@ function closed.detect(m, eq)
   if s.kind == "symmetric" then
     return { kind = "symmetric", theorem = s.rod and "free rod, rotation in a plane" or
       "free symmetric top, regular precession",
-      text = { "Two moments are equal (I1), the third is I3 about the axis k.  Seen from the inertial frame the axis goes",
-        "round L at |L|/I1; in the body w goes round k at Omega = (I3 - I1)/I1 k.w; hence",
+      text = { "Two moments are equal (I1), the third is I3 about the axis k.  Seen from the inertial frame the axis",
+        "goes round L at |L|/I1; in the body w goes round k at Omega = (I3 - I1)/I1 k.w; hence",
         "q(t) = (cos, L/|L| sin)(|L|t/2 I1) q(0) (cos, k/|k| sin)((1 - I3/I1) k.w t/2).",
         "Landau, Lifshitz, Mechanics, sections 33 and 36." } }
   end

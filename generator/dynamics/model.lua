@@ -72,7 +72,7 @@ local function origin(d, record, b)
   local r = b.points[o.name]
   if not r then
     local names = {}
-    for k in pairs(b.points) do names[#names + 1] = k end
+    for k in pairs(b.points) do names[#names + 1] = k end -- in hash order, so:
     table.sort(names)
     d:error(o.line, "origin", "must be one of " .. table.concat(names, ", ") .. " or {x, y, z}",
       string.format("%q", o.name))
@@ -86,11 +86,11 @@ local function substituted(record, map)
     if expr.is(x) then return s(x) end
     if type(x) ~= "table" then return x end
     local y = {}
-    for k, v in pairs(x) do y[k] = (k == "spec") and v or walk(v) end
+    for k, v in pairs(x) do y[k] = (k == "spec") and v or walk(v) end -- into a table: order is lost anyway
     return y
   end
   local out = {}
-  for k, v in pairs(record) do out[k] = k == "params" and v or walk(v) end
+  for k, v in pairs(record) do out[k] = k == "params" and v or walk(v) end -- order is lost anyway
   return out
 end
 

@@ -174,8 +174,8 @@ end
 
 function quantities.step(m, eq, method)
   local groups = {}
-  local list, divides = method.groups(eq, function(e, words) return m:derived(e, words) end)
-  for i, g in ipairs(list) do
+  local steps, divides = method.groups(eq, function(e, words) return m:derived(e, words) end)
+  for i, g in ipairs(steps) do
     local list = vec.map(g.outs, function(o) return { array = "x", state = o.state, expr = o.expr } end)
     groups[i] = { why = g.why, where = g.where, defs = g.defs, outs = list }
   end

@@ -69,14 +69,22 @@ local function decimal(x, f)
   return layout(shortest(x, f)) .. f.suffix
 end
 
+-- What number.text raises for a constant that the real type cannot hold: {message =}.  A scene's fault, not a bug.
+number.out_of_range = { __tostring = function(e) return e.message end }
+
+local function refuse(q, f, what)
+  error(setmetatable({ message = "a constant near 2^" .. R.log2(q) .. " " .. what .. " " .. f.name },
+    number.out_of_range), 0)
+end
+
 -- The C text of the rational q in `real` ("double" or "float").
 function number.text(q, real)
   local f = format_of(real)
   local x = f.round(q)
   if x == math.huge or x == -math.huge then
-    error("number: a constant near 2^" .. R.log2(q) .. " is beyond the range of " .. f.name, 2)
+    refuse(q, f, "is beyond the range of")
   elseif x == 0 and R.sign(q) ~= 0 then
-    error("number: a constant near 2^" .. R.log2(q) .. " vanishes in " .. f.name, 2)
+    refuse(q, f, "vanishes in")
   end
   local sign = x < 0 and "-" or ""
   local n, d = R.abs(R.num(q)), R.den(q)

@@ -61,8 +61,9 @@ local function init(ctx, m, values)
   for i, c in ipairs(m.conditions) do
     groups[i] = { defs = {}, outs = { { c = "const " .. ctx.name .. "_real check" .. i,
       expr = calculus.substitute(c.e, map) } } }
-    checks[i] = { number = string.format("%d", i), text = c.text, condition = "check" .. i .. (c.allow_zero and " >= " or " > ") ..
-      number.text(R.zero, ctx.real), lines = {} }
+    local relation = c.allow_zero and " >= " or " > "
+    checks[i] = { number = string.format("%d", i), text = c.text, lines = {},
+      condition = "check" .. i .. relation .. number.text(R.zero, ctx.real) }
   end
   for _, member in ipairs(m.members) do
     groups[#groups + 1] = { why = member.about, defs = {}, outs = { { c = "k." .. member.name,
@@ -146,8 +147,9 @@ local function common(job)
     params[i] = { upper = string.upper(p.name), value = number.text(p.default, real) }
   end
   v.param_enum, v.params = enumeration(ctx.upper, list, "NP"), params
-  for k, x in pairs(libm(real)) do v[k] = x end
-  for k, x in pairs(literals(real)) do v[k] = x end
+  for _, t in ipairs { libm(real), literals(real) } do
+    for k, x in pairs(t) do v[k] = x end -- into a table: order is lost anyway
+  end
   v.step_literal, v.horizon_literal = number.text(m:number(m.step), real), number.text(m:number(m.horizon), real)
   v.step_text, v.horizon_text = number.text(m:number(m.step), "double"), number.text(m:number(m.horizon), "double")
   init(ctx, m, v)
@@ -158,7 +160,7 @@ end
 local function closed_values(job, v, ctx)
   v.closed_header, v.closed_source = "", ""
   if not v.has_closed then return end
-  local m, s = job.model, job.model.structure
+  local s = job.model.structure
   v.theorem, v.closed_text, v.symmetric = job.closed.theorem, job.closed.text, job.closed.kind == "symmetric"
   local function text(e)
     if e.kind == "num" then return number.text(e.value, ctx.real) end
@@ -168,6 +170,10 @@ local function closed_values(job, v, ctx)
     local c = job.closed.constants
     v.kx, v.ky, v.kz = text(c.k[1]), text(c.k[2]), text(c.k[3])
     v.k2, v.I1, v.I3 = text(c.k2), text(c.I1), s.rod and v.zero or text(c.I3)
+  end
+  v.uses_model = false
+  for _, k in ipairs { "kx", "ky", "kz", "k2", "I1", "I3" } do
+    if v[k] and string.find(v[k], "m->", 1, true) then v.uses_model = true end
   end
   v.closed_header = template.render("templates/closed.h", job.templates["templates/closed.h"], v)
   v.closed_source = template.render("templates/closed.c", job.templates["templates/closed.c"], v)

@@ -43,7 +43,7 @@ end
 -- env of rationals rounded to the real type
 function selftest.rounded(env, real)
   local out = {}
-  for k, v in pairs(env) do
+  for k, v in pairs(env) do -- into a table: order is lost anyway
     out[k] = R.fromdouble(real == "float" and R.tofloat(v) or R.todouble(v))
   end
   return out

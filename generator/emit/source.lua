@@ -106,7 +106,7 @@ end
 
 -- Arguments that the body never mentions are voided, so that no compiler warns.
 local function unused(f, lines)
-  local text, list = " " .. table.concat(lines, "\n") .. " ", {}
+  local text, list = " " .. string.gsub(table.concat(lines, "\n"), "/%*.-%*/", "") .. " ", {}
   for _, a in ipairs(f.args) do
     local name = type(a) == "table" and a.name or a == "x!" and "x" or a == "xo" and "x" or a
     if not string.find(text, "%f[%w_]" .. name .. "%f[^%w_]") then list[#list + 1] = "(void)" .. name .. ";" end
@@ -141,8 +141,8 @@ function source.make(ctx, f)
   for i = #void, 1, -1 do table.insert(lines, 1, void[i]) end
   if f.guard then
     local least = number.text(R.new(2) ^ (ctx.real == "float" and -126 or -1022), ctx.real)
-    table.insert(lines, #void + 1, string.format("if (%s > -%s && %s < %s) return; /* no time passes */", f.guard, least,
-      f.guard, least))
+    local test = string.format("if (%s > -%s && %s < %s)", f.guard, least, f.guard, least)
+    table.insert(lines, #void + 1, test .. " return; /* no time passes */")
   end
   if f.result then
     local value = string.match(lines[#lines], "^const [%w_]+ result = (.*)$")

@@ -50,8 +50,8 @@ local function states(job, round)
 end
 
 local rest = { -- inputs of functions that take vectors: w, dw, a, r, v, N
-  w = { "3/4", "-5/8", "9/16" }, dw = { "-1/2", "7/8", "1/4" }, a = { "1/4", "-3/8", "5/8" }, r = { "5/8", "3/4", "-1/2" },
-  v = { "-7/8", "1/8", "3/8" }, da = { "1/2", "3/8", "-1/8" },
+  w = { "3/4", "-5/8", "9/16" }, dw = { "-1/2", "7/8", "1/4" }, a = { "1/4", "-3/8", "5/8" },
+  r = { "5/8", "3/4", "-1/2" }, v = { "-7/8", "1/8", "3/8" }, da = { "1/2", "3/8", "-1/8" },
 }
 
 local function by_index(o)
@@ -64,6 +64,7 @@ function vectors.fill(job, v, ctx)
   local round = rounder(real)
   local xs, power = states(job, round)
   local epsilon = R.lift(R.new(2) ^ (real == "float" and -23 or -52))
+  local least = R.new(2) ^ (real == "float" and -126 or -1022)
   local position, names = {}, { "x", "y", "z" }
   for i, s in ipairs(job.states) do position[s.name] = i end
 
@@ -71,12 +72,12 @@ function vectors.fill(job, v, ctx)
   for _, p in ipairs(m.params) do base[p.name] = round(p.default) end
   base.t = R.zero
   for i, s in ipairs(job.input_states) do base[s.name] = R.new(i, 4) end
-  for name, list in pairs(rest) do
+  for name, list in pairs(rest) do -- into a table: order is lost anyway
     for i = 1, 3 do base[name .. names[i]] = R.lift(list[i]) end
   end
   local function environment(x)
     local env = {}
-    for k, q in pairs(base) do env[k] = q end
+    for k, q in pairs(base) do env[k] = q end -- into a table: order is lost anyway
     for i, s in ipairs(job.states) do env[s.name] = x[i] end
     return env
   end
@@ -90,7 +91,12 @@ function vectors.fill(job, v, ctx)
     end
     if not f then return end
     local want, tolerance = selftest.expect(m, f, environment(state or xs[1].values), index, epsilon)
-    for i = 1, n do want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero end
+    for i = 1, n do
+      want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero
+      -- below the smallest normal number relative rounding ends
+      if R.sign(tolerance[i]) > 0 and tolerance[i] < least then tolerance[i] = least end
+      if R.abs(want[i]) < least then want[i] = round(want[i]) end
+    end
     v.cases[#v.cases + 1] = { n = string.format("%d", n), want = lines(want, real), tolerance = lines(tolerance, real),
       call = call, what = what }
   end
@@ -105,7 +111,8 @@ function vectors.fill(job, v, ctx)
     case("rhs", 7, x.values, p .. "rhs(&m, " .. v.zero .. ", " .. x.name .. ", u, got)",
       "rates of change at state " .. i, of_state)
     case("energy", 1, x.values, "got[0] = " .. p .. "energy(&m, " .. x.name .. ")", "energy at state " .. i, result)
-    case("momentum", 3, x.values, p .. "momentum(&m, " .. x.name .. ", got)", "angular momentum at state " .. i, by_index)
+    case("momentum", 3, x.values, p .. "momentum(&m, " .. x.name .. ", got)",
+      "angular momentum at state " .. i, by_index)
   end
   case("jacobian", 49, xs[2].values, p .. "jacobian(&m, " .. v.zero .. ", x2, u, got)",
     "Jacobian of the equations at state 2", by_index)

@@ -20,6 +20,8 @@ local R = require "polhode_rational"
 
 local instr = {}
 
+local HUGE = math.huge
+
 -- ---- evaluation of the functions that Lua's math library lacks -------------------------------------
 
 -- Correctly rounded by MPFR; `ends` gives the values at -inf and +inf.  The odd functions keep the
@@ -53,24 +55,36 @@ end
 -- cost     class of count.lua: add, mul, div, sqrt, call, or free
 -- apply    the IEEE result from operands, instruction and the rounding to `real`; its last rounding
 --          is left to the caller
-local HUGE = math.huge
-local op = {
-  const = { fields = { "dst", "value" }, c = "literal", cost = "free" },
-  input = { fields = { "dst", "sym", "c" }, c = "name", cost = "free" },
-  store = { fields = { "src1", "c", "assign" }, c = "store", cost = "free" },
-  neg = { fields = { "dst", "src1" }, c = "prefix", symbol = "-", level = 3, cost = "free",
-    apply = function(x) return -x end },
-  add = { fields = { "dst", "src1", "src2" }, c = "infix", symbol = " + ", level = 1, cost = "add",
-    commutes = true, apply = function(x, y) return x + y end },
-  sub = { fields = { "dst", "src1", "src2" }, c = "infix", symbol = " - ", level = 1, cost = "add",
-    apply = function(x, y) return x - y end },
-  mul = { fields = { "dst", "src1", "src2" }, c = "infix", symbol = "*", level = 2, cost = "mul",
-    commutes = true, apply = function(x, y) return x * y end },
-  div = { fields = { "dst", "src1", "src2" }, c = "infix", symbol = "/", level = 2, cost = "div",
-    apply = function(x, y) return x / y end },
-  powi = { fields = { "dst", "src1", "n" }, cost = "mul",
-    apply = function(x, _, i, rounded) return powi(x, i.n, rounded) end },
-}
+local op = {}
+
+-- Enters an opcode; operands and immediates follow from the names of its fields.
+local function declare(name, entry)
+  entry.srcs, entry.immediates = {}, {}
+  for _, field in ipairs(entry.fields) do
+    if string.match(field, "^src") then
+      table.insert(entry.srcs, field)
+    elseif field ~= "dst" then
+      table.insert(entry.immediates, field)
+    end
+  end
+  op[name] = entry
+end
+
+declare("const", { fields = { "dst", "value" }, c = "literal", cost = "free" })
+declare("input", { fields = { "dst", "sym", "c" }, c = "name", cost = "free" })
+declare("store", { fields = { "src1", "c", "assign" }, c = "store", cost = "free" })
+declare("neg", { fields = { "dst", "src1" }, c = "prefix", symbol = "-", level = 3, cost = "free",
+  apply = function(x) return -x end })
+declare("add", { fields = { "dst", "src1", "src2" }, c = "infix", symbol = " + ", level = 1, cost = "add",
+  commutes = true, apply = function(x, y) return x + y end })
+declare("sub", { fields = { "dst", "src1", "src2" }, c = "infix", symbol = " - ", level = 1, cost = "add",
+  apply = function(x, y) return x - y end })
+declare("mul", { fields = { "dst", "src1", "src2" }, c = "infix", symbol = "*", level = 2, cost = "mul",
+  commutes = true, apply = function(x, y) return x * y end })
+declare("div", { fields = { "dst", "src1", "src2" }, c = "infix", symbol = "/", level = 2, cost = "div",
+  apply = function(x, y) return x / y end })
+declare("powi", { fields = { "dst", "src1", "n" }, cost = "mul",
+  apply = function(x, _, i, rounded) return powi(x, i.n, rounded) end })
 
 -- libm functions: name, number of operands, cost class, evaluation.  Each is an opcode of its own.
 for _, row in ipairs {
@@ -92,22 +106,11 @@ for _, row in ipairs {
   { "pow", 2, "call", function(x, y) return x ^ y end },
 } do
   local name, arity, cost, apply = table.unpack(row)
-  op[name] = { fields = { "dst", "src1", arity == 2 and "src2" or nil },
-    c = "call", stem = name, level = 4, cost = cost, apply = apply }
+  declare(name, { fields = { "dst", "src1", arity == 2 and "src2" or nil },
+    c = "call", stem = name, level = 4, cost = cost, apply = apply })
 end
 
--- ---- what follows from the table ----------------------------------------------------------------------
-
-for _, entry in pairs(op) do -- order is irrelevant: entries do not see each other
-  entry.srcs, entry.immediates = {}, {}
-  for _, field in ipairs(entry.fields) do
-    if string.match(field, "^src") then
-      table.insert(entry.srcs, field)
-    elseif field ~= "dst" then
-      table.insert(entry.immediates, field)
-    end
-  end
-end
+-- ---- reading instructions -------------------------------------------------------------------------------
 
 -- The table's entry of an opcode; unknown opcodes are bugs of the caller.
 function instr.of(opcode)

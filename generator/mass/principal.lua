@@ -26,7 +26,9 @@ local function unit_axis(i)
   return k
 end
 
-local function symmetric(alpha, axial, k) return { kind = "symmetric", alpha = tidy(alpha), axial = tidy(axial), k = k } end
+local function symmetric(alpha, axial, k)
+  return { kind = "symmetric", alpha = tidy(alpha), axial = tidy(axial), k = k }
+end
 
 local function diagonal(I)
   local same12, same13, same23 = iszero(I[1] - I[2]), iszero(I[1] - I[3]), iszero(I[2] - I[3])

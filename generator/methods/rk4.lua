@@ -94,7 +94,8 @@ end
 
 ---- without torque -----------------------------------------------------------------------------------
 
-local free_why = { "stage 1: k1 = k(v1)", "stage 2: v2 = v1 + 2 k1", "stage 3: v3 = v1 + 2 k2", "stage 4: v4 = v1 + 4 k3" }
+local free_why = { "stage 1: k1 = k(v1)", "stage 2: v2 = v1 + 2 k1", "stage 3: v3 = v1 + 2 k2",
+  "stage 4: v4 = v1 + 4 k3" }
 
 -- Twice and four times the constant factor of each rate; kept in the model where they depend on parameters alone.
 local function factors(g, prepared, out_factor, constant)

@@ -75,7 +75,7 @@ end
 -- never changes.
 function stages.instance(prepared, map, suffix)
   local defs, out, factor, renamed = {}, {}, {}, {}
-  for k, v in pairs(map) do renamed[k] = v end
+  for k, v in pairs(map) do renamed[k] = v end -- into a table: order is lost anyway
   for _, g in ipairs(prepared.groups) do
     for _, d in ipairs(g.defs) do
       local e = calculus.substitute(d.expr, renamed)

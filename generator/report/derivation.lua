@@ -50,8 +50,9 @@ function derivation.banner(job)
     end
     lines[#lines + 1] = l
   end
-  for _, e in ipairs(m.record.effects) do lines[#lines + 1] = "Effect " .. string.gsub(e.kind, "effect%.", "") .. ": " ..
-    e.spec.about .. "." end
+  for _, e in ipairs(m.record.effects) do
+    lines[#lines + 1] = "Effect " .. string.gsub(e.kind, "effect%.", "") .. ": " .. e.spec.about .. "."
+  end
   if #m.record.effects == 0 then lines[#lines + 1] = "No effects: torque-free motion about the origin." end
   lines[#lines + 1] = "Method: rk4" .. (job.closed.kind and "; closed form: " .. job.closed.theorem or "") .. "."
   if m.baked then lines[#lines + 1] = "Parameters are folded into the constants (--bake)." end

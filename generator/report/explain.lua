@@ -108,8 +108,9 @@ local function motion_section(f)
     lines[1] = "no closed form: " .. f.closed.refused
   end
   for _, e in ipairs(f.job.record.effects) do
-    lines[#lines + 1] = "effect " .. string.gsub(e.kind, "effect%.", "") .. " (line " .. e.line .. "): " .. e.spec.about ..
-      "; conserves " .. e.spec.conserves
+    local name = string.gsub(e.kind, "effect%.", "")
+    lines[#lines + 1] = "effect " .. name .. " (line " .. e.line .. "): " .. e.spec.about .. "; conserves " ..
+      e.spec.conserves
   end
   if #f.job.record.effects == 0 then
     lines[#lines + 1] = "no effects: T and the inertial L are conserved"
@@ -146,7 +147,8 @@ local function document(f)
   section("Stability", stability_section(f))
   local costs = {}
   for i, c in ipairs(cost_section(f.job)) do
-    costs[i] = string.format("%-16s %4d + -  %4d *  %3d /  %2d sqrt  %2d calls", c.fn, c.add, c.mul, c.div, c.sqrt, c.call)
+    costs[i] = string.format("%-16s %4d + -  %4d *  %3d /  %2d sqrt  %2d calls", c.fn, c.add, c.mul, c.div, c.sqrt,
+      c.call)
   end
   section("Operations of the emitted functions", costs)
   local warnings = {}

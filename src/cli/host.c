@@ -22,6 +22,7 @@ static const luaL_Reg functions[] = {
     {"execute", host_execute},
     {"compile", host_compile},
     {"clock", host_clock},
+    {"visible", sandbox_visible},
     {"mass", host_mass},
     {"run", host_run},
     {"rates", host_rates},

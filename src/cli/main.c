@@ -87,6 +87,8 @@ int main(int argc, char **argv) {
     fputs("polhode: not enough memory\n", stderr);
     return HOST_EXIT_BUG;
   }
+  /* a run lasts a tenth of a second and keeps most of what it makes: collect rarely */
+  lua_gc(L, LUA_GCINC, 1000, 100, 0);
   interrupt_watch(L);
   lua_pushcfunction(L, traceback);
   lua_pushcfunction(L, run);

@@ -143,10 +143,11 @@ int ph_body_turned(ph_body *out, const ph_body *in, const double q[4]) {
   return body_store(out, (ph_wide)in->mass, origin, centre, second, tensor);
 }
 
+/* A deformation acts on second moments (A S A^T), not on the tensor, which then follows by sums. */
 int ph_body_scaled(ph_body *out, const ph_body *in, const double k[3]) {
   if (!wide_finite(3, k))
     return PH_EFINITE;
-  ph_wide A[9] = {0}, centre[3], second[6], tensor[6];
+  ph_wide A[9] = {0}, centre[3], second[6];
   const double origin[3] = {0, 0, 0};
   for (int i = 0; i < 3; i++) {
     if (!(k[i] > 0))
@@ -156,13 +157,7 @@ int ph_body_scaled(ph_body *out, const ph_body *in, const double k[3]) {
   }
   wide_load(6, in->second, second);
   wide_congruence(A, second, second);
-  /* A similarity scales the tensor as it is; only a true deformation has to go through second
-   * moments. */
-  const int similar = k[0] == k[1] && k[1] == k[2];
-  wide_load(6, in->tensor, tensor);
-  for (int i = 0; i < 6; i++)
-    tensor[i] *= A[0] * A[0];
-  return body_store(out, (ph_wide)in->mass, origin, centre, second, similar ? tensor : NULL);
+  return body_store(out, (ph_wide)in->mass, origin, centre, second, NULL);
 }
 
 /* out = a + sign b. */

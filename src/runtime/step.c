@@ -2,11 +2,12 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 
    GSL works in double. Were it given the state, each step would round it, and a thousand
-   revolutions would collect 1e-12. So it is given the INCREMENT z of the step, z(0) = 0, z' = f(x0
-   + z) with x0 in long double: z is rounded relative to itself, and x0 + z is added in long double.
-   That is compensated summation without a second variable. Time is given in units of the step, z' =
-   h f on [0, 1], so that h too keeps its long double. gsl_odeiv2_step_apply never calls GSL's error
-   handler (only its allocation would, when memory is out). */
+   revolutions would collect up to 1e-11 (8e-12 was measured for rk8pd in 131369 steps, and 1e-12
+   this way). So it is given the INCREMENT z of the step, z(0) = 0, z' = f(x0 + z) with x0 in long
+   double: z is rounded relative to itself, and x0 + z is added in long double. That is compensated
+   summation without a second variable. Time is given in units of the step, z' = h f on [0, 1], so
+   that h too keeps its long double. gsl_odeiv2_step_apply never calls GSL's error handler (only its
+   allocation would, when memory is out). */
 #include <gsl/gsl_errno.h>
 
 #include "step.h"

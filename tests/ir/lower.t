@@ -134,8 +134,7 @@ tap.is(lines_of(program(x - y, y - x)), "const real t1 = x - y;\nr1 = t1;\nr2 = 
 tap.is(cost(expr.call("sin", x - y), expr.call("sin", y - x)), "1 add 0 mul 0 div", "in arguments as well")
 tap.is(cost(x ^ 2 * a, x ^ 4 * b, x ^ 8 * c), "0 add 6 mul 0 div", "powers of one base share their steps")
 
-
-  - ---- intermediates ----------------------------------------------------------------------------------------------------
+-- ---- intermediates ---------------------------------------------------------------------------------------
 
 local function with(defs, outs)
   local group = { why = "test", defs = {}, outs = {} }
@@ -158,8 +157,7 @@ tap.is(lines_of(with({ { "L", x * y }, { "k", L * z } }, { a })), "r1 = a;",
 tap.is(lines_of(with({ { "L", y - x } }, { L * a, x - y })), "const real L = y - x;\nr1 = L*a;\nr2 = -L;",
   "a def is not turned round")
 
-
-  - ---- refusals -----------------------------------------------------------------------------------------------------------
+-- ---- refusals --------------------------------------------------------------------------------------------
 
 tap.throws(function() lower.run(program(expr.sym "nowhere" * x)) end, "'nowhere' is neither an input nor defined above",
   "an unknown symbol is loud")
@@ -171,8 +169,7 @@ tap.throws(function() lower.run(program(expr.call("log", expr.num(-1)))) end, "l
 tap.throws(function() lower.run(program { kind = "tensor" }) end, "unknown node kind 'tensor'",
   "an unknown node is loud")
 
-
-  - ---- same input, same bytes; time in proportion ----------------------------------------------------------------------------
+-- ---- same input, same bytes; time in proportion ----------------------------------------------------------
 
 local function run()
   local pipe = io.popen("lua5.4 tests/ir/lower.t text")
@@ -204,8 +201,8 @@ local function series(order)
     for i = 0, 2 do
       local terms = {}
       for j = 0, n do terms[#terms + 1] = w(i + 1, j) * w(i + 2, n - j) end
-
-             defs[#defs + 1] = { name = "w" .. i .. "_" .. n + 1, expr = expr.num(R.new(i + 1, 7 * (n + 1))) * expr.add(terms) }
+      local factor = expr.num(R.new(i + 1, 7 * (n + 1)))
+      defs[#defs + 1] = { name = "w" .. i .. "_" .. n + 1, expr = factor * expr.add(terms) }
     end
     p.groups[n + 1] = { why = "order " .. n + 1, defs = defs }
   end

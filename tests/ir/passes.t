@@ -151,8 +151,7 @@ do
   tap.is(table.concat(names, " "), "power fold cse dce order", "passes: the order is this list")
 end
 
-
-    - ---- show and count ---------------------------------------------------------------------------------------------------
+-- ---- show and count --------------------------------------------------------------------------------------
 
 tap.is(show.run(build.ir { { why = "Euler", where = "brick.lua:5",
   { "dx[0]", { "mul", R.new(5, 13), { "mul", "wy", "wz" } } },

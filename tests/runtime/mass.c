@@ -310,6 +310,17 @@ static void tensors_given(void) {
   s = ph_body_tensor_origin(&b, 1, com, (const double[]){13, 10, 5, -2, -3, -6});
   ok(s == 0 && b.tensor[0] == 0 && b.tensor[1] == 0 && b.tensor[5] == 0,
      "a point mass's tensor leaves nothing");
+  int valid = 0;
+  for (int n = 1; n <= 100; n++) { /* tensors whose digits end in rounding, of either sign */
+    const double at[3] = {0.1 * n, 0.2, -0.3 * n};
+    ph_particles_tensor(1, (const double[]){0.7}, at, about);
+    valid += ph_body_tensor_origin(&b, 0.7, at, about) == PH_OK && ph_body_check(&b) == PH_OK;
+  }
+  ok(valid == 100,
+     "100 point masses given by tensors about the origin are bodies, whatever the rounding");
+  s = ph_body_tensor(&b, 2, com, I) || ph_body_scaled(&b, &b, (const double[]){3, 3, 3});
+  ok(s == 0 && b.tensor[2] == 9 * 1e-12,
+     "a similarity scales a moment of 1e-12 beside 1 without loss");
   /* 45 degrees about z swaps half: xx, yy -> mean, xy = (xx - yy)/2 */
   s = ph_body_tensor(&b, 1, (const double[]){1, 0, 0}, (const double[]){1, 2, 2.5, 0, 0, 0});
   const double r = sqrt(0.5), q[4] = {cos(0.39269908169872414), 0, 0, sin(0.39269908169872414)};

@@ -1,0 +1,61 @@
+-- check.lua -- polhode check: emitted code against the general library and the invariants, as TAP.
+--
+-- For each scene, in double and float: compile with warnings as errors, then compare over random parameters and states.
+-- What is compared and how much may differ:
+--   tensor      the library's from the shapes; a few roundings of the largest entry each
+--   rates       1000 random states; 8 ulp of the largest term that was added (host.rates gives it)
+--   energy, momentum   8 ulp of the largest term
+--   Jacobian    against central differences of the emitted rates, whose own error is eps^(2/3) of the scale
+--   stepper     order 4, by halving h against the library's motion
+--   closed form against the library's motion at the emitted tensor
+-- Exit status 3 when a number fails.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local options = require "generator.commands.options"
+local build = require "generator.commands.build"
+local driver = require "generator.driver"
+local comparison = require "generator.commands.comparison"
+
+local check = {}
+
+check.options = { ["--real"] = { "double", "float" }, ["--states"] = "number" }
+check.operands = { 1, math.huge }
+
+function check.run(host, given)
+  local tap = { n = 0, failed = 0 }
+  function tap.ok(pass, what, detail)
+    tap.n = tap.n + 1
+    if not pass then tap.failed = tap.failed + 1 end
+    local tail = detail and " (" .. detail .. ")" or ""
+    host.out(string.format("%s %d - %s%s\n", pass and "ok" or "not ok", tap.n, what, tail))
+  end
+  host.out("TAP version 13\n")
+  local worst = 0
+  for i = 1, #given do
+    for _, real in ipairs(given.real and { given.real } or { "double", "float" }) do
+      local job, d, why = driver.read(host, given[i], {})
+      if not job then
+        worst = math.max(worst, options.refuse(host, given[i], d, why))
+        tap.ok(false, given[i] .. " is a scene")
+        break
+      end
+      driver.plan(job, { real = real, command = "" })
+      local plugin, kind
+      plugin, why, kind = build.plugin(host, job)
+      local refused = kind == "range" and real == "float"
+      local what = job.model.name .. ", " .. real .. ": the emitted code compiles without a warning"
+      if refused then what = what .. " # SKIP its constants are outside the range of float" end
+      tap.ok(plugin ~= nil or refused, what)
+      if plugin then
+        comparison.run(host, job, plugin, tap, math.tointeger(given.states or 1000) or 1000)
+      elseif not refused then
+        host.err(why .. "\n")
+      end
+    end
+  end
+  host.out("1.." .. tap.n .. "\n")
+  if worst > 0 then return worst end
+  return tap.failed > 0 and 3 or 0
+end
+
+return check

@@ -1,0 +1,63 @@
+-- numeric.lua -- a scene as plain numbers, for the general library.
+--
+-- The library gets the SHAPES and the effects, not our tensor: it computes mass properties and motion by its own
+-- formulas, which is what makes it a second road.  Parameters take given values (their defaults, or random ones).
+-- A reflection is a turn by pi followed by the inversion r -> -r, under which second moments do not change.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local evaluate = require "generator.algebra.evaluate"
+local vec = require "generator.algebra.vec"
+
+local numeric = {}
+
+-- job: driver.read's result; values: {name -> rational} for all parameters (nil: defaults).
+-- Returns {name, body, origin, effects, q, w} as the host's engine takes it.
+function numeric.scene(job, values)
+  local m, record = job.model, job.record
+  local env = {}
+  for _, p in ipairs(record.params) do env[p.name] = values and values[p.name] or p.default end
+  local function exact(e) return evaluate.precise(e, env, 240) end
+  local function num(e) return R.todouble(exact(e)) end
+  local function nums(v) return vec.map(v, num) end
+
+  -- density is multiplied by `volume`, the factor of the scalings around the shape: the library's scaling keeps mass
+  local function tree(node, volume)
+    if node.shape == "points" then
+      local rows = {}
+      for i, row in ipairs(node.rows) do rows[i] = nums(row) end
+      return { shape = "points", list = rows }
+    elseif node.shape then
+      local out = { shape = node.shape, mass = node.mass and num(node.mass),
+        density = node.density and num(node.density * volume) }
+      for k, v in pairs(node.a) do -- order does not matter: a table of named numbers
+        if type(v) == "string" then out[k] = v elseif expr.is(v) then out[k] = num(v) else out[k] = nums(v) end
+      end
+      return out
+    elseif node.op == "at" then
+      return { op = "at", of = tree(node.of, volume), r = nums(node.r) }
+    elseif node.op == "turned" then
+      return { op = "turned", of = tree(node.of, volume), q = nums(node.q) }
+    elseif node.op == "scaled" then
+      local k = nums(node.k)
+      volume = volume * expr.call("abs", node.k[1] * node.k[2] * node.k[3])
+      if k[1] > 0 and k[2] > 0 and k[3] > 0 then return { op = "scaled", of = tree(node.of, volume), k = k } end
+      local flipped = {}
+      for i = 1, 3 do flipped[i] = k[i] < 0 and 1.0 or 0.0 end
+      return { op = "mirrored", of = tree(node.of, volume), normal = flipped }
+    elseif node.op == "sum" then
+      return { op = "sum", tree(node[1], volume), tree(node[2], volume) }
+    elseif node.op == "minus" then
+      return { op = "minus", tree(node[1], volume), tree(node[2], volume) }
+    end
+    error("unknown node in a shape tree: " .. tostring(node.op))
+  end
+
+  local effects = {}
+  for i, e in ipairs(record.effects) do effects[i] = e.spec.numeric(e.a, num) end
+  return { name = m.name, body = tree(record.body, expr.one), origin = nums(m.origin), effects = effects,
+    q = nums(record.attitude), w = nums(record.omega) }
+end
+
+return numeric
