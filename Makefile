@@ -44,13 +44,11 @@ RUNTIME_SRC := $(sort $(wildcard src/runtime/*.c))
 CLI_SRC     := $(sort $(wildcard src/cli/*.c))
 RATIONAL_SRC := $(sort $(wildcard src/cli/rational*.c))
 TEST_SRC    := $(sort $(wildcard tests/runtime/*.c))
-BENCH_SRC   := $(sort $(wildcard tests/bench/*.c))
 LUA_TESTS   := $(sort $(shell find tests -name '*.t'))
 
 RUNTIME_OBJ := $(RUNTIME_SRC:src/%.c=$(BUILD)/obj/%.o)
 CLI_OBJ     := $(CLI_SRC:src/%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/embedded.o
 C_TESTS     := $(TEST_SRC:tests/%.c=$(BUILD)/tests/%.t)
-BENCHES     := $(BENCH_SRC:tests/bench/%.c=$(BUILD)/bench/%)
 
 LIBRARY := $(BUILD)/libpolhode.a
 PROGRAM := $(BUILD)/polhode
@@ -122,21 +120,57 @@ sanitized: $(PROGRAM) $(C_TESTS)
 golden: all
 	@POLHODE_GOLDEN=refresh tests/golden.t
 
-$(BUILD)/bench/%: tests/bench/%.c $(LIBRARY) | $(READY)
-	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -Itests -MMD -MP -MF $@.d $(LDFLAGS) -o $@ $< \
-	  $(LIBRARY) $(GSL_LIBS) -lm
+# The emitted code that is measured, with the flags that its own Makefile uses.
+$(BUILD)/bench/%.c: bodies/%.lua $(PROGRAM)
+	@$(PROGRAM) gen $< -o $(@D)
 
-bench: all $(BENCHES)
-	@for b in $(BENCHES); do $$b || exit 1; done
+$(BUILD)/bench/%.o: $(BUILD)/bench/%.c
+	$(CC) -std=c99 -O2 -ffp-contract=off -c -o $@ $<
+
+$(BUILD)/bench/hand.o: tests/bench/hand.c tests/bench/hand.h
+	@mkdir -p $(@D)
+	$(CC) -std=c99 -O2 -c -o $@ $<
+
+BENCH_OBJ = $(BUILD)/bench/hand.o $(BUILD)/bench/brick_centroid.o $(BUILD)/bench/symmetric_top.o
+
+$(BUILD)/bench/step: tests/bench/step.c $(BENCH_OBJ)
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Itests/bench -I$(BUILD)/bench -o $@ $^ $(GSL_LIBS) -lm
+
+$(BUILD)/bench/gen: tests/bench/gen.c
+	@mkdir -p $(@D)
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) -o $@ $<
+
+BODIES = $(sort $(wildcard bodies/*.lua))
+
+.PRECIOUS: $(BUILD)/bench/%.c
+bench: all $(BUILD)/bench/step $(BUILD)/bench/gen
+	@$(BUILD)/bench/step
+	@$(BUILD)/bench/gen $(PROGRAM) $(BUILD)/bench/out $(BODIES)
+	@echo "emitted code against the general library, all bodies, 1000 random states each"
+	@$(PROGRAM) check --real double $(BODIES) > $(BUILD)/bench/check.tap; status=$$?; \
+	  grep -e 'to 8 ulp' -e 'closed form agrees' -e '^not ok' $(BUILD)/bench/check.tap | sed 's/^\(.*ok\) [0-9]* - /  \1 /'; \
+	  exit $$status
+
+# One body through the whole chain; each step shows the command that makes it.
+DEMO = bodies/brick.lua
+say  = @printf '\n\033[1m%s\033[0m\n' "$(1)"
 
 demo:
 	@CC="$(CC)" .ci/setup build
-	@$(MAKE) --no-print-directory all
-	@$(PROGRAM) explain bodies/brick.lua
-	@$(PROGRAM) gen bodies/brick.lua -o $(BUILD)/demo
-	@$(PROGRAM) run bodies/brick.lua --until 1 --every 0.1
-	@$(PROGRAM) check bodies/brick.lua
+	@$(MAKE) --no-print-directory -s all
+	$(call say,1. A scene: $(DEMO))
+	@cat $(DEMO)
+	$(call say,2. polhode explain $(DEMO)   (the first lines))
+	@$(PROGRAM) explain $(DEMO) | sed -n '1,30p'
+	$(call say,3. polhode gen $(DEMO) -o $(BUILD)/demo)
+	@$(PROGRAM) gen $(DEMO) -o $(BUILD)/demo && wc -l $(BUILD)/demo/*
+	$(call say,4. make -C $(BUILD)/demo check   (compile the emitted C and run its own self-test))
+	@$(MAKE) --no-print-directory -s -C $(BUILD)/demo check
+	$(call say,5. The motion by the emitted code and by the general library: t qw qx qy qz wx wy wz)
+	@for e in generated general; do echo "polhode run $(DEMO) --engine $$e --at 0.5,1"; \
+	  $(PROGRAM) run $(DEMO) --engine $$e --at 0.5,1 | tail -n 2 | cut -d, -f1-8; done
+	$(call say,6. polhode check $(DEMO)   (1000 random states and parameters against the general library))
+	@$(PROGRAM) check $(DEMO)
 
 # ---- lint ----
 
@@ -196,4 +230,4 @@ FORCE:
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 
--include $(RUNTIME_OBJ:.o=.d) $(CLI_OBJ:.o=.d) $(C_TESTS:=.d) $(BENCHES:=.d)
+-include $(RUNTIME_OBJ:.o=.d) $(CLI_OBJ:.o=.d) $(C_TESTS:=.d)

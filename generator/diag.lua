@@ -91,6 +91,7 @@ function diag.show(x)
   end
   if type(x) == "number" then
     if math.type(x) == "integer" then return string.format("%d", x) end
+    if x ~= x then return "nan" end -- its sign, which printf shows, depends on the machine
     for digits = 15, 17 do
       local s = string.format("%." .. digits .. "g", x)
       if tonumber(s) == x then return s end

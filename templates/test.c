@@ -50,6 +50,14 @@ static ${name}_real distance(const ${name}_real a[], const ${name}_real b[], int
   return d;
 }
 
+/* Euler's equations in principal axes, no torque: I1 w1' = (I2 - I3) w2 w3 and cyclic */
+static void euler(const ${name}_real I[3], const ${name}_real w[3], ${name}_real dw[3])
+{
+  dw[0] = (I[1] - I[2])/I[0]*w[1]*w[2];
+  dw[1] = (I[2] - I[0])/I[1]*w[2]*w[0];
+  dw[2] = (I[0] - I[1])/I[2]*w[0]*w[1];
+}
+
 /* the scene's initial state after `steps` steps over the time T */
 static void advance(const ${name}_model *m, ${name}_real T, int steps, ${name}_real x[])
 {
@@ -63,6 +71,52 @@ static void advance(const ${name}_model *m, ${name}_real T, int steps, ${name}_r
 
   ${name}_initial(m, x);
   for (i = 0; i < steps; i++) ${name}_step(m, (${name}_real)i*h, x, u, h);
+}
+
+/* Principal axes by their definition, and small oscillations by Euler's equations. */
+static void principal(const ${name}_model *m)
+{
+  ${name}_real I[6], moments[3], axes[9], worst = ${zero}, skew = ${zero}, size;
+  int i, k;
+
+  ${name}_inertia(m, I);
+  ${name}_principal(m, moments, axes);
+  size = moments[2];
+  for (k = 0; k < 3; k++) {
+    const ${name}_real *a = axes + 3*k, *b = axes + 3*((k + 1) % 3);
+    const ${name}_real r[3] = {I[0]*a[0] + I[3]*a[1] + I[4]*a[2] - moments[k]*a[0],
+                               I[3]*a[0] + I[1]*a[1] + I[5]*a[2] - moments[k]*a[1],
+                               I[4]*a[0] + I[5]*a[1] + I[2]*a[2] - moments[k]*a[2]};
+
+    for (i = 0; i < 3; i++) worst = ${fabs}(r[i]) > worst ? ${fabs}(r[i]) : worst;
+    skew += ${fabs}(a[0]*b[0] + a[1]*b[1] + a[2]*b[2]) + ${fabs}(a[0]*a[0] + a[1]*a[1] + a[2]*a[2] - ${one});
+  }
+  /* Jacobi: some 30 roundings of the largest moment; of unit vectors */
+  report(worst <= ${jacobi_bound}*size, "I a = moment a for each principal axis");
+  report(skew <= ${jacobi_bound}, "the principal axes are orthonormal");
+  report(moments[0] <= moments[1] && moments[1] <= moments[2], "the moments ascend");
+
+  /* a spin 1 about each axis with a disturbance e: over the time 1 the linearised motion errs by some e^2 */
+  for (k = 0; k < 3; k++) {
+    const ${name}_real e = ${disturbance}, h = ${disturbance_step};
+    ${name}_real w0[3] = {e, e, e}, w[3], x[3], d[3], y[3];
+
+    if (moments[0] <= ${jacobi_bound}*size) continue; /* a rod: no moment to spin about */
+    w0[k] = ${one};
+    ${name}_linearised(moments, k, w0, ${one}, w);
+    for (i = 0; i < 3; i++) x[i] = w0[i];
+    for (i = 0; i < 256; i++) { /* the midpoint rule: error h^2 */
+      euler(moments, x, d);
+      y[0] = x[0] + ${half}*h*d[0];
+      y[1] = x[1] + ${half}*h*d[1];
+      y[2] = x[2] + ${half}*h*d[2];
+      euler(moments, y, d);
+      x[0] += h*d[0];
+      x[1] += h*d[1];
+      x[2] += h*d[2];
+    }
+    report(distance(w, x, 3) <= ${sixteen}*e*e, "small oscillations about a principal axis follow Euler's equations");
+  }
 }
 
 int main(void)
@@ -83,6 +137,9 @@ int main(void)
     ${line}
 %%   end
   };
+%% end
+%% for _, a in ipairs(vectors) do
+  const ${name}_real ${a.name}[3] = {${a.values}};
 %% end
 %% if has_inputs then
   const ${name}_real u[${upper}_NU] = {${input_values}};
@@ -110,6 +167,8 @@ int main(void)
     near(got, want, tolerance, ${c.n}, "${c.what}");
   }
 %% end
+
+  principal(&m);
 
   /* order: the difference of solutions with steps h and h/2 falls 16-fold when h is halved; the scale of what
    * rounding leaves is the type's epsilon times the number of steps */

@@ -246,7 +246,7 @@ do
       if not licence then
         heads[#heads + 1] = path .. ": no licence in its head"
       end
-      if not (head:find("^%-%- ") or head:find("^/%* ") or head:find("^#![^\n]*\n%-%- ")) then
+      if not (head:find("^%-%- ") or head:find("^/%* ") or head:find("^#![^\n]*\n%-%- ") or head:find("^%%%% %-%- ")) then
         heads[#heads + 1] = path .. ": does not open with what it is for"
       end
     end

@@ -16,6 +16,13 @@ rational.zero = R.new(0)
 rational.one = R.new(1)
 rational.half = R.new(1, 2)
 
+-- What R.parse refuses, as a rule of the kind "must ...".
+local rules = {
+  ["malformed number"] = "must be a number such as \"0.1\", \"1e-3\" or \"1/3\"",
+  ["division by zero"] = "must not divide by zero",
+  ["number too large"] = "must have at most 300000 digits",
+}
+
 -- The exact meaning of x: a rational as it is, an integer, a finite double as its shortest decimal, or a
 -- string "p/q" or decimal.  Returns nil and a phrase if x denotes no number.
 function rational.lift(x)
@@ -25,7 +32,10 @@ function rational.lift(x)
     if x ~= x or x == math.huge or x == -math.huge then return nil, "must be finite" end
     return R.decimal(x)
   end
-  if type(x) == "string" then return R.parse(x) end
+  if type(x) == "string" then
+    local q, why = R.parse(x)
+    return q, why and (rules[why] or why)
+  end
   return nil, "must be a number"
 end
 

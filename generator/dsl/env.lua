@@ -179,6 +179,10 @@ function env.record(host, d, text, tables, set)
 
   local ok, first = host.sandbox(text, "@" .. d.file, e)
   if not ok then
+    local source = first.source or ""
+    if first.kind == "runtime" and source ~= d.file and string.find(source, "^generator/") then
+      error(first.traceback, 0) -- a bug of ours, not an error of the scene
+    end
     local message = string.gsub(first.message or "", "^.-:%d+: ", "")
     d:error(first.line or 0, first.kind == "syntax" and "syntax" or "script", message)
     return nil

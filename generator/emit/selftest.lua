@@ -7,20 +7,23 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local expr = require "generator.algebra.expr"
-local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
 
 local selftest = { bits = 200, roundings = 32 }
 
+-- An environment holds values and magnitudes of names: {value = {name -> R}, size = {name -> R}}; a name without a
+-- size is an input, whose size is its absolute value.
+local function value(e, env) return evaluate.precise(e, env.value, selftest.bits) end
+
 -- The value of e with every term of every sum made positive: e's magnitude before cancellation.
 local function magnitude(e, env)
   local memo = {}
-  local function value(u) return R.abs(evaluate.precise(u, env, selftest.bits)) end
   local function mag(u)
     if memo[u] then return memo[u] end
     local v
-    if u.kind == "add" then
+    if u.kind == "sym" and env.size[u.name] then
+      v = env.size[u.name]
+    elseif u.kind == "add" then
       v = R.zero
       for i = 1, #u do v = v + mag(u[i]) end
     elseif u.kind == "mul" then
@@ -29,10 +32,10 @@ local function magnitude(e, env)
     elseif u.kind == "pow" and R.isint(u.exp) and R.sign(u.exp) > 0 then
       v = mag(u.base) ^ R.toint(u.exp)
     elseif u.kind == "pow" then -- relative error of the base times |exponent|
-      local b = value(u.base)
-      v = R.sign(b) == 0 and R.zero or value(u) * (mag(u.base) / b) * (R.abs(u.exp) + R.one)
+      local b = R.abs(value(u.base, env))
+      v = R.sign(b) == 0 and R.zero or R.abs(value(u, env)) * (mag(u.base) / b) * (R.abs(u.exp) + R.one)
     else
-      v = value(u)
+      v = R.abs(value(u, env))
     end
     memo[u] = R.round(v, 64)
     return memo[u]
@@ -40,38 +43,34 @@ local function magnitude(e, env)
   return mag(e)
 end
 
--- env of rationals rounded to the real type
-function selftest.rounded(env, real)
-  local out = {}
-  for k, v in pairs(env) do -- into a table: order is lost anyway
-    out[k] = R.fromdouble(real == "float" and R.tofloat(v) or R.todouble(v))
+-- The environment of the inputs (name -> rational) and of the model's derived constants.
+function selftest.environment(m, inputs)
+  local env = { value = inputs, size = {} }
+  local values = {}
+  for i, member in ipairs(m.members) do
+    values[i] = value(member.e, env)
+    env.size[member.name] = magnitude(member.e, env)
   end
-  return out
+  for i, member in ipairs(m.members) do env.value[member.name] = values[i] end
+  return env
 end
 
--- Replaces definitions and derived constants of a function description by what they stand for.
-local function inlined(m, f)
-  local map, list = {}, {}
-  for _, member in ipairs(m.members) do map[member.sym] = member.e end
+-- Expected values and tolerances (rationals) of a description's results: env from selftest.environment, state: more
+-- inputs; index: out -> position from 1.
+function selftest.expect(f, env, state, index, epsilon)
+  local here = { value = setmetatable(state, { __index = env.value }), size = setmetatable({}, { __index = env.size }) }
+  local want, tolerance = {}, {}
   for _, g in ipairs(f.groups) do
     for _, d in ipairs(g.defs) do
-      local e = calculus.substitute(d.expr, map)
-      for rank = 6, 9 do map[expr.sym(d.name, rank)] = e end
+      local v, size = value(d.expr, here), magnitude(d.expr, here)
+      here.value[d.name], here.size[d.name] = v, size
     end
-    for _, o in ipairs(g.outs) do list[#list + 1] = { out = o, e = calculus.substitute(o.expr, map) } end
-  end
-  return list
-end
-
--- Expected values and tolerances (rationals) of a description's results in the environment, in the order of `index`
--- (out -> position from 1).
-function selftest.expect(m, f, env, index, epsilon)
-  local want, tolerance = {}, {}
-  for _, x in ipairs(inlined(m, f)) do
-    local i = index(x.out)
-    if i then
-      want[i] = evaluate.precise(x.e, env, selftest.bits)
-      tolerance[i] = R.round(magnitude(x.e, env) * epsilon * R.new(selftest.roundings), 64)
+    for _, o in ipairs(g.outs) do
+      local i = index(o)
+      if i then
+        want[i] = value(o.expr, here)
+        tolerance[i] = R.round(magnitude(o.expr, here) * epsilon * R.new(selftest.roundings), 64)
+      end
     end
   end
   return want, tolerance

@@ -75,22 +75,21 @@ function vectors.fill(job, v, ctx)
   for name, list in pairs(rest) do -- into a table: order is lost anyway
     for i = 1, 3 do base[name .. names[i]] = R.lift(list[i]) end
   end
-  local function environment(x)
-    local env = {}
-    for k, q in pairs(base) do env[k] = q end -- into a table: order is lost anyway
-    for i, s in ipairs(job.states) do env[s.name] = x[i] end
-    return env
+  local env = selftest.environment(m, base)
+  local function inputs(x)
+    local list = {}
+    for i, s in ipairs(job.states) do list[s.name] = x[i] end
+    return list
   end
 
   v.cases = {}
-  -- a shift of parameters' rounding is not what is tested: e is exact for the rounded parameters
   local function case(name, n, state, call, what, index)
     local f
     for _, candidate in ipairs(job.functions) do
       if candidate.name == name then f = candidate end
     end
     if not f then return end
-    local want, tolerance = selftest.expect(m, f, environment(state or xs[1].values), index, epsilon)
+    local want, tolerance = selftest.expect(f, env, state and inputs(state) or {}, index, epsilon)
     for i = 1, n do
       want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero
       -- below the smallest normal number relative rounding ends
@@ -114,9 +113,24 @@ function vectors.fill(job, v, ctx)
     case("momentum", 3, x.values, p .. "momentum(&m, " .. x.name .. ", got)",
       "angular momentum at state " .. i, by_index)
   end
+  case("momentum_body", 3, xs[2].values, p .. "momentum_body(&m, x2, got)", "angular momentum in body axes", by_index)
+  case("particle_energy", 1, xs[2].values, "got[0] = " .. p .. "particle_energy(&m, x2)",
+    "kinetic energy of the particles", result)
+  case("inertia_at", 6, nil, p .. "inertia_at(&m, a, got)", "tensor about another point", by_index)
+  case("torque", 3, nil, p .. "torque(&m, w, dw, got)", "torque of a given motion", by_index)
+  case("rate", 3, nil, p .. "rate(w, a, da, got)", "rate of change of a vector", by_index)
+  local term = { coriolis = 0, euler = 3, centrifugal = 6, total = 9 }
+  case("acceleration", 12, nil, p .. "acceleration(w, dw, r, v, a, got, got + 3, got + 6, got + 9)",
+    "acceleration: Coriolis, Euler, centrifugal, total", function(o) return term[o.array] + o.index + 1 end)
   case("jacobian", 49, xs[2].values, p .. "jacobian(&m, " .. v.zero .. ", x2, u, got)",
     "Jacobian of the equations at state 2", by_index)
 
+  v.vectors = {}
+  for i, name in ipairs { "w", "dw", "r", "v", "a", "da" } do
+    local list = {}
+    for k = 1, 3 do list[k] = R.lift(rest[name][k]) end
+    v.vectors[i] = { name = name, values = table.concat(lines(list, real), " ") }
+  end
   v.states = {}
   for i, x in ipairs(xs) do v.states[i] = { name = x.name, lines = lines(x.values, real) } end
   v.input_values = ""
@@ -133,6 +147,11 @@ function vectors.fill(job, v, ctx)
   v.order_time = number.text(time, real)
   v.order_floor = number.text(R.round(size * epsilon * R.new(256), 24), real)
   v.norm_bound = number.text(epsilon * R.new(16), real)
+  v.jacobi_bound = number.text(epsilon * R.new(64), real)
+  -- float: e^2 must stay above 256 roundings of 1
+  local small = real == "float" and -6 or -10
+  v.disturbance, v.disturbance_step = number.text(R.new(2) ^ small, real), number.text(R.new(1, 256), real)
+  v.sixteen = number.text(R.new(16), real)
   v.drift = number.text(epsilon * R.new(4096), real)
 end
 

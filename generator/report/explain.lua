@@ -167,10 +167,11 @@ function writers.text(f)
       if type(l) == "string" then
         out[#out + 1] = "  " .. l
       else
-        local value = text.of(l.e, "unicode")
-        local plain = l.number and number(l.number)
-        out[#out + 1] = "  " .. l.name .. " = " .. value .. (plain and plain ~= value and " = " .. plain or "") ..
-          (l.unit and " " .. l.unit or "")
+        local sides = { l.name } -- the name, the formula, the number; what repeats is said once
+        local value, plain = text.of(l.e, "unicode"), l.number and number(l.number)
+        if value ~= l.name then sides[#sides + 1] = value end
+        if plain and tonumber(value) ~= l.number then sides[#sides + 1] = plain end
+        out[#out + 1] = "  " .. table.concat(sides, " = ") .. (l.unit and " " .. l.unit or "")
       end
     end
   end

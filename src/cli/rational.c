@@ -75,9 +75,22 @@ int rational_push(lua_State *L, mpq_srcptr q) {
 
 /* ---- arithmetic ---- */
 
+/* q + e with an object e that knows this operation (an expression, say): e's metamethod answers.
+   Lua asks the left operand first, so this matters for the right one only.  1: its result is on
+   top. */
+static int deferred(lua_State *L, const char *event) {
+  if (!lua_istable(L, 2) || luaL_getmetafield(L, 2, event) == LUA_TNIL)
+    return 0;
+  lua_insert(L, 1);
+  lua_call(L, 2, 1);
+  return 1;
+}
+
 static int add(lua_State *L) {
   struct rational_view a, b;
   struct rational_scratch *s = rational_scratch(L);
+  if (deferred(L, "__add"))
+    return 1;
   mpq_add(s->q, rational_arg(L, 1, &a), rational_arg(L, 2, &b));
   return rational_push(L, s->q);
 }
@@ -85,6 +98,8 @@ static int add(lua_State *L) {
 static int subtract(lua_State *L) {
   struct rational_view a, b;
   struct rational_scratch *s = rational_scratch(L);
+  if (deferred(L, "__sub"))
+    return 1;
   mpq_sub(s->q, rational_arg(L, 1, &a), rational_arg(L, 2, &b));
   return rational_push(L, s->q);
 }
@@ -92,6 +107,8 @@ static int subtract(lua_State *L) {
 static int multiply(lua_State *L) {
   struct rational_view a, b;
   struct rational_scratch *s = rational_scratch(L);
+  if (deferred(L, "__mul"))
+    return 1;
   mpq_mul(s->q, rational_arg(L, 1, &a), rational_arg(L, 2, &b));
   return rational_push(L, s->q);
 }
@@ -99,6 +116,8 @@ static int multiply(lua_State *L) {
 static int divide(lua_State *L) {
   struct rational_view a, b;
   struct rational_scratch *s = rational_scratch(L);
+  if (deferred(L, "__div"))
+    return 1;
   rational_arg(L, 1, &a);
   if (mpq_sgn(rational_arg(L, 2, &b)) == 0)
     return luaL_error(L, "division by zero");
@@ -123,6 +142,8 @@ static void check_power(lua_State *L, mpz_srcptr z, unsigned long n) {
 static int power(lua_State *L) {
   struct rational_view a;
   struct rational_scratch *s = rational_scratch(L);
+  if (deferred(L, "__pow"))
+    return 1;
   rational_arg(L, 1, &a);
   if (!lua_isinteger(L, 2))
     return luaL_argerror(L, 2, "integer exponent expected");
