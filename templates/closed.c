@@ -50,6 +50,7 @@ static pair pair_multiply(pair a, pair b)
   return pair_sum(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
 }
 
+%% if symmetric then
 /* a/b for b not 0: the remainder a - q b is exact, so one correction doubles the digits */
 static pair pair_divide(pair a, ${name}_real b)
 {
@@ -59,6 +60,7 @@ static pair pair_divide(pair a, ${name}_real b)
   return pair_sum(q, ((a.hi - p.hi) - p.lo + a.lo)/b);
 }
 
+%% end
 static pair pair_of(${name}_real a)
 {
   pair p;

@@ -79,5 +79,4 @@ ${f.head}
 
 ${closed_source}
 %% end
-
 ${analysis_source}

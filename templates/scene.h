@@ -75,7 +75,6 @@ ${f.declaration}
 
 ${closed_header}
 %% end
-
 ${analysis_header}
 #ifdef __cplusplus
 }

@@ -32,7 +32,8 @@ local function sandbox(text, name, env)
   if not chunk then return false, { message = why, line = tonumber(why:match(":(%d+):")), kind = "syntax" } end
   local result = table.pack(pcall(chunk))
   if result[1] then return table.unpack(result, 1, result.n) end
-  return false, { message = tostring(result[2]), line = tonumber(tostring(result[2]):match(":(%d+):")), kind = "runtime" }
+  local raised = tostring(result[2])
+  return false, { message = raised, line = tonumber(raised:match(":(%d+):")), kind = "runtime" }
 end
 
 local templates

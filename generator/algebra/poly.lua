@@ -154,8 +154,17 @@ local function reduce(p)
   return p
 end
 
+-- How many products of terms the caller still grants; nil: any number.  Expansions can grow without bound, and what
+-- they are for (cancelling, zero tests) has a cheaper second best.
+poly.budget = nil
+poly.exhausted = setmetatable({}, { __tostring = function() return "polynomial too large" end })
+
 function poly.mul(a, b)
   local p = new(a.ring)
+  if poly.budget then
+    poly.budget = poly.budget - a.n * b.n
+    if poly.budget < 0 then error(poly.exhausted, 0) end
+  end
   for _, s in pairs(a.terms) do
     for _, t in pairs(b.terms) do
       local e = {}

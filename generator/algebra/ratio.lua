@@ -4,16 +4,29 @@
 -- greatest common divisor cancelled: (M*(a^2+c^2)/12 - M*(a^2+b^2)/12) / (M*(b^2+c^2)/12) becomes
 -- (c^2 - b^2)/(b^2 + c^2), in which near-equal moments no longer cancel large terms.  The gcd is the
 -- primitive polynomial remainder sequence (Knuth, TAOCP 2, 4.6.1, algorithm C, in one variable after the
--- other); above `budget` products of term counts only monomials are cancelled, which is always correct.
+-- other).  Work is bounded: what would expand beyond `budget` products of terms is left as it is, which is always
+-- correct, and the zero test then rests on values at random points (see iszero).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local poly = require "generator.algebra.poly"
+local evaluate = require "generator.algebra.evaluate"
 
 local ratio = {}
 
-local budget = 4000
+local budget = 60000 -- products of terms; about 0.1 s
+
+-- f(...) within the budget: its result, or nil when that is used up.  Nested calls share the outermost grant.
+local function bounded(f, ...)
+  if poly.budget then return f(...) end
+  poly.budget = budget
+  local ok, result = pcall(f, ...)
+  poly.budget = nil
+  if ok then return result end
+  if result == poly.exhausted or string.find(tostring(result), "number too large", 1, true) then return nil end
+  error(result, 0)
+end
 
 ---- greatest common divisor -----------------------------------------------------------------------
 
@@ -78,7 +91,7 @@ function gcd(a, b)
     local low = math.min(la[i], lb[i])
     if low > 0 then mono = poly.mul(mono, poly.generator(ring, i, low)) end
   end
-  if pa.n == 1 or pb.n == 1 or pa.n * pb.n > budget then return mono end
+  if pa.n == 1 or pb.n == 1 or pa.n * pb.n > 4000 then return mono end
   local v
   for i = 1, #ring.gens do
     local x, y = degree(pa, i) > 0, degree(pb, i) > 0
@@ -98,7 +111,6 @@ function gcd(a, b)
     end
     local cr = content_in(r, v)
     r = cr and poly.divide(r, cr) or r
-    if r.n > budget then return mono end
     x, y = y, r
   end
   return poly.mul(mono, poly.mul(c, (primitive(y))))
@@ -144,10 +156,32 @@ local function fraction(ring, e, memo)
   return f
 end
 
--- Is e identically zero?  Decisive for rational functions of the generators (see poly.lua).
+-- The value of e at the n-th of a fixed sequence of random points, relative to nothing; nil where it has none.
+local function sample(e, n)
+  local env, state = {}, 1 + 7919 * n
+  for _, s in ipairs(expr.symbols(e)) do
+    state = state * 48271 % 2147483647 -- Lehmer's generator (Park, Miller, 1988)
+    env[s.name] = R.new(2147483647 + state, 2147483647) -- in (1, 2): positive, as masses and lengths are
+  end
+  local ok, value = pcall(evaluate.precise, e, env, 400)
+  return ok and value or nil
+end
+
+-- Is e identically zero?  A value that is not tiny at one point settles "no"; "yes" is proved by the normal form,
+-- decisive for rational functions of the generators (poly.lua), and where that would be too large it rests on three
+-- random points with 400 bits, of which 300 must vanish (Schwartz 1980: a polynomial of degree d vanishes at such a
+-- point with probability below d/2^31).
 function ratio.iszero(e)
   if e.kind == "num" then return R.sign(e.value) == 0 end
-  return poly.iszero(fraction(poly.ring { e }, e, {})[1])
+  local value = sample(e, 0)
+  if value and R.sign(value) ~= 0 and R.log2(value) > -200 then return false end
+  local proved = bounded(function() return { poly.iszero(fraction(poly.ring { e }, e, {})[1]) } end)
+  if proved then return proved[1] end
+  for n = 1, 3 do
+    value = sample(e, n)
+    if not value or R.sign(value) ~= 0 and R.log2(value) > -300 then return false end
+  end
+  return true
 end
 
 function ratio.equal(a, b) return a == b or ratio.iszero(a - b) end
@@ -162,10 +196,7 @@ end
 
 local tidied = setmetatable({}, { __mode = "k" })
 
--- e cancelled and factored: equal to e wherever e is defined.
-function ratio.tidy(e)
-  if e.kind == "num" or e.kind == "sym" then return e end
-  if tidied[e] then return tidied[e] end
+local function cancelled(e)
   local ring = poly.ring { e }
   local f = fraction(ring, e, {})
   local result
@@ -180,8 +211,20 @@ function ratio.tidy(e)
     result = expr.mul { cn / cd, monomial(ring, ln), poly.expr(poly.shift(n, cn, ln)),
       expr.pow(expr.mul { monomial(ring, ld), poly.expr(poly.shift(d, cd, ld)) }, -1) }
   end
-  tidied[e], tidied[result] = result, result
   return result
+end
+
+-- e cancelled and factored: equal to e wherever e is defined.  Second result: false if it was too large and is left
+-- as it was.
+function ratio.tidy(e)
+  if e.kind == "num" or e.kind == "sym" then return e, true end
+  local known = tidied[e]
+  if known == nil then
+    known = bounded(cancelled, e) or false
+    tidied[e] = known
+    if known then tidied[known] = known end
+  end
+  return known or e, known ~= false
 end
 
 -- e multiplied out; e itself when it is no polynomial.

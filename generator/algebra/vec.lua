@@ -6,6 +6,8 @@
 -- (expressions here, rationals or doubles as well).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local expr = require "generator.algebra.expr"
+
 local vec = {}
 
 function vec.map(a, f)
@@ -97,6 +99,22 @@ function vec.rotation(q)
     { 2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x) },
     { 2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z },
   }
+end
+
+-- The same for the turn by `angle` about the unit vector n (Rodrigues): cos 1 + (1 - cos) n n^T + sin [n]x.
+function vec.rodrigues(n, angle)
+  local c, s = expr.call("cos", angle), expr.call("sin", angle)
+  local A = {}
+  for i = 1, 3 do
+    A[i] = {}
+    for j = 1, 3 do A[i][j] = (1 - c) * n[i] * n[j] end
+    A[i][i] = A[i][i] + c
+  end
+  for i = 1, 3 do
+    local j, k = i % 3 + 1, (i + 1) % 3 + 1
+    A[k][j], A[j][k] = A[k][j] + s * n[i], A[j][k] - s * n[i]
+  end
+  return A
 end
 
 return vec

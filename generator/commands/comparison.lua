@@ -49,7 +49,10 @@ local function state(random, scale, real)
   return q
 end
 
-local function input(random, scale, real)
+local function input(job, random, scale, real)
+  for _, e in ipairs(job.record.effects) do -- the library's input has no limit: stay below the scene's
+    if e.a.max then scale = math.min(scale, job.model:double(e.a.max)) end
+  end
   return { narrow(random() * scale, real), narrow(random() * scale, real), narrow(random() * scale, real) }
 end
 
@@ -114,7 +117,7 @@ local function rates(host, job, plugin, tap, count, name, random, real, epsilon)
     end
     for _ = 1, count // sets do
       local x = state(random, scale, real)
-      local u = job.equations.inputs and input(random, scale, real) or nil
+      local u = job.equations.inputs and input(job, random, scale, real) or nil
       local want, size = library:rates(0, x, u)
       local got = plugin:rhs(0, x, u)
       for k = 1, 7 do

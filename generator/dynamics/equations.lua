@@ -165,11 +165,22 @@ function builders.diagonal(m, N)
   return g
 end
 
+-- Terms of the longest sum in e.
+local function largest_sum(e)
+  local n = e.kind == "add" and #e or 0
+  for _, c in ipairs(expr.children(e)) do n = math.max(n, largest_sum(c)) end
+  return n
+end
+
 function builders.full(m, N)
   local L, defs = momentum(m)
   local adj, det = vec.adjugate(m.inertia)
+  -- expanded, the determinant of a simple body is a sum of positive terms; of a complicated one it is unreadable
+  local expanded = tidy(det)
+  local small = largest_sum(expanded) <= 24
   local J = vec.map(adj, function(e, n)
-    return m:constant("J" .. vec.entry[n], tidy(e / det), "inverse of the tensor, " .. vec.entry[n] .. ", 1/(kg m^2)")
+    return m:constant("J" .. vec.entry[n], small and tidy(e / det) or e / det,
+      "inverse of the tensor, " .. vec.entry[n] .. ", 1/(kg m^2)", not small)
   end)
   local n = vec.add(N, vec.cross(L, state.w))
   local names = {}

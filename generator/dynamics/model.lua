@@ -27,9 +27,9 @@ function model:number(e) return evaluate.precise(e, self.defaults, bits) end
 
 function model:double(e) return R.todouble(self:number(e)) end
 
--- A derived constant; see the head.  Returns the expression to use in equations.
-function model:constant(name, e, about)
-  e = ratio.tidy(e)
+-- A derived constant; see the head.  Returns the expression to use in equations.  raw: keep e's form.
+function model:constant(name, e, about, raw)
+  if not raw then e = ratio.tidy(e) end
   if e.kind == "num" then return e end
   if expr.constant(e) then return expr.num(evaluate.precise(e, {}, bits)) end
   local member = self.by_expr[e]

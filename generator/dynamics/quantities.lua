@@ -47,7 +47,7 @@ end
 
 function quantities.mass(m)
   local com = vec.map(m.com, function(e, i)
-    return m:constant("r" .. comp[i], e, "centre of mass " .. comp[i] .. " from the origin of rotation, m")
+    return m:constant("R" .. comp[i], e, "centre of mass " .. comp[i] .. " from the origin of rotation, m")
   end)
   local mass = m:constant("mass", m.mass, "mass, kg")
   return { name = "mass", args = { "m", array("com", 3, true) }, result = true,

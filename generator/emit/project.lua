@@ -33,12 +33,17 @@ local function literals(real)
     epsilon = n(R.new(2) ^ (1 - bits)), split = n(R.new(2) ^ ((bits + 1) // 2) + R.one) }
 end
 
+-- Enumerators with their meaning; names that share one meaning (about = "" after the first) share a line.
 local function enumeration(upper, list, last)
-  local lines = {}
+  local lines, names = {}, {}
   for i, s in ipairs(list) do
-    local unit = s.unit and "[" .. s.unit .. "]" or ""
-    local about = (s.about ~= "" and s.about .. " " or "") .. unit
-    lines[i] = upper .. "_" .. string.upper(s.name) .. ", /* " .. about .. " */"
+    names[#names + 1] = upper .. "_" .. string.upper(s.name) .. ","
+    local next_one = list[i + 1]
+    if not next_one or next_one.about ~= "" then
+      local first = list[i - #names + 1]
+      lines[#lines + 1] = table.concat(names, " ") .. " /* " .. first.about .. " [" .. first.unit .. "] */"
+      names = {}
+    end
   end
   lines[#lines + 1] = upper .. "_" .. last
   return lines
@@ -126,6 +131,15 @@ local function costs(list)
   return out
 end
 
+-- "rhs 12 +, 24 *": what one call costs, for the banner.
+local function cost_line(f)
+  local parts, c = {}, f.cost
+  for _, k in ipairs { { "add", "+" }, { "mul", "*" }, { "div", "/" }, { "sqrt", "sqrt" }, { "call", "libm calls" } } do
+    if (c[k[1]] or 0) > 0 then parts[#parts + 1] = string.format("%d %s", c[k[1]], k[2]) end
+  end
+  return f.name .. " " .. table.concat(parts, " ")
+end
+
 -- Values shared by all templates of the scene.  job: {model, equations, closed, functions (descriptions), real,
 -- command, version, title, banner, derivation}
 local function common(job)
@@ -141,9 +155,12 @@ local function common(job)
     members = members(m, m.name .. "_real"), no_members = #m.members == 0, functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil, free = eq.free, bits = string.format("%d", selftest.bits),
     step_note = "", }
+  for _, f in ipairs(made) do
+    if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations: " .. cost_line(f) .. "." end
+  end
   local list, params = {}, {}
   for i, p in ipairs(m.params) do
-    list[i] = { name = p.name, about = "default " .. p.given .. ",", unit = p.unit }
+    list[i] = { name = p.name, about = "default " .. p.given, unit = p.unit }
     params[i] = { upper = string.upper(p.name), value = number.text(p.default, real) }
   end
   v.param_enum, v.params = enumeration(ctx.upper, list, "NP"), params
@@ -188,7 +205,6 @@ function project.files(job, plugin)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   v.analysis_header = render "templates/analysis.h"
   v.analysis_source = render "templates/analysis.c"
-  v.closed_header, v.closed_source = trimmed(v.closed_header), trimmed(v.closed_source)
   vectors.fill(job, v, ctx)
   local n = job.model.name
   local files = {

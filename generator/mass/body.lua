@@ -99,7 +99,7 @@ function build(node)
   if node.shape then return primitive(node) end
   if node.op == "at" then return affine(build(node.of), nil, node.r) end
   if node.op == "turned" then
-    local A = vec.rotation(node.q)
+    local A = node.angle and vec.rodrigues(node.axis, node.angle) or vec.rotation(node.q)
     for i = 1, 3 do A[i] = tidy_all(A[i]) end
     return affine(build(node.of), A, nil)
   end
