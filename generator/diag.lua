@@ -47,7 +47,7 @@ function diag:locate(line, key)
 end
 
 local function entry(self, line, message)
-  local text = self.file .. ":" .. line .. ": " .. message
+  local text = self.file .. (line > 0 and ":" .. line or "") .. ": " .. message -- 0: nobody knows where
   if self.said[text] then return nil end
   self.said[text] = true
   local source = self.lines[line]

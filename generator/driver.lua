@@ -39,16 +39,17 @@ function driver.read(host, file, options)
     input_states = state.inputs, file = file, source = string.match(file, "[^/]*$"), version = driver.version }
 end
 
--- The constants that the closed form needs, kept in the model.
-local function closed_constants(job)
+-- The constants of a symmetric top that its closed form needs, and its principal axes where they are oblique.
+local function symmetry_constants(job)
   local m, s = job.model, job.model.structure
-  if job.closed.kind ~= "symmetric" then return end
+  if s.kind ~= "symmetric" then return end
   local axis = equations.coordinate(s.k)
+  if axis and not job.closed.kind then return end
   local k = axis and s.k or {}
   if not axis then
     for i, n in ipairs { "kx", "ky", "kz" } do k[i] = m:constant(n, s.k[i], "direction of the symmetry axis") end
   end
-  job.closed.constants = { k = k, k2 = m:constant("k2", s.k2, "square of the direction of the symmetry axis"),
+  job.symmetry = { oblique = not axis, k = k, k2 = m:constant("k2", s.k2, "square of the direction of the symmetry axis"),
     I1 = m:constant("I1", s.alpha, "moment of inertia across the symmetry axis, kg m^2"),
     I3 = s.rod and expr.zero or m:constant("I3", s.axial, "moment of inertia about the symmetry axis, kg m^2") }
 end
@@ -75,7 +76,7 @@ function driver.plan(job, options)
   put(quantities.jacobian(eq))
   put(quantities.rate())
   put(quantities.acceleration())
-  closed_constants(job)
+  symmetry_constants(job)
   job.functions = list
   job.real, job.command = options.real or "double", options.command
   job.title, job.banner = derivation.title(job), derivation.banner(job)

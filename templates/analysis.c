@@ -61,7 +61,10 @@ void ${name}_principal(const ${name}_model *m, ${name}_real moments[3], ${name}_
   for (i = 0; i < 3; i++) {
     int largest = 0;
 
+%% if oblique then
+%% else
     moments[i] = a[order[i]][order[i]];
+%% end
     for (k = 1; k < 3; k++) {
       if (${fabs}(v[k][order[i]]) > ${fabs}(v[largest][order[i]])) largest = k;
     }
@@ -69,6 +72,12 @@ void ${name}_principal(const ${name}_model *m, ${name}_real moments[3], ${name}_
       axes[3*i + k] = v[largest][order[i]] < ${zero} ? -v[k][order[i]] : v[k][order[i]];
     }
   }
+%% if oblique then
+  /* two moments are equal by the body's symmetry: they are given as equal, not as what rounding left of them */
+  moments[0] = ${I3} < ${I1} ? ${I3} : ${I1};
+  moments[1] = ${I1};
+  moments[2] = ${I3} < ${I1} ? ${I1} : ${I3};
+%% end
   /* the third axis is the vector product of the others: right-handed */
   axes[6] = axes[1]*axes[5] - axes[2]*axes[4];
   axes[7] = axes[2]*axes[3] - axes[0]*axes[5];
@@ -79,8 +88,9 @@ int ${name}_stability(const ${name}_real I[3], int k, ${name}_real s, ${name}_re
 {
   const int i = (k + 1) % 3, j = (k + 2) % 3;
 
-  Omega[0] = (I[k] - I[j])/I[i]*s;
-  Omega[1] = (I[k] - I[i])/I[j]*s;
+  /* about the line of a rod, which has no moment, the rate stays what it is */
+  Omega[0] = I[i] > ${zero} ? (I[k] - I[j])/I[i]*s : ${zero};
+  Omega[1] = I[j] > ${zero} ? (I[k] - I[i])/I[j]*s : ${zero};
   *rate = ${sqrt}(${fabs}(Omega[0]))*${sqrt}(${fabs}(Omega[1]));
   if (Omega[0] == ${zero} || Omega[1] == ${zero}) return 0;
   return (Omega[0] > ${zero}) == (Omega[1] > ${zero}) ? 1 : -1;

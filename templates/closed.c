@@ -2,14 +2,14 @@
 /* ---- closed form: ${theorem} ----
  * Pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP 2, 4.2.2. */
 
-typedef struct pair {
+typedef struct ${name}_pair {
   ${name}_real hi, lo;
-} pair;
+} ${name}_pair;
 
 /* a + b = hi + lo exactly (Knuth's two-sum) */
-static pair pair_sum(${name}_real a, ${name}_real b)
+static ${name}_pair ${name}_pair_sum(${name}_real a, ${name}_real b)
 {
-  pair s;
+  ${name}_pair s;
   ${name}_real bb;
 
   s.hi = a + b;
@@ -19,11 +19,11 @@ static pair pair_sum(${name}_real a, ${name}_real b)
 }
 
 /* a*b = hi + lo exactly (Dekker's product, factors split in halves) */
-static pair pair_product(${name}_real a, ${name}_real b)
+static ${name}_pair ${name}_pair_product(${name}_real a, ${name}_real b)
 {
   const ${name}_real split = ${split};
   ${name}_real c, ah, al, bh, bl;
-  pair p;
+  ${name}_pair p;
 
   c = split*a;
   ah = c - (c - a);
@@ -36,34 +36,34 @@ static pair pair_product(${name}_real a, ${name}_real b)
   return p;
 }
 
-static pair pair_add(pair a, pair b)
+static ${name}_pair ${name}_pair_add(${name}_pair a, ${name}_pair b)
 {
-  pair s = pair_sum(a.hi, b.hi);
+  ${name}_pair s = ${name}_pair_sum(a.hi, b.hi);
 
-  return pair_sum(s.hi, s.lo + (a.lo + b.lo));
+  return ${name}_pair_sum(s.hi, s.lo + (a.lo + b.lo));
 }
 
-static pair pair_multiply(pair a, pair b)
+static ${name}_pair ${name}_pair_multiply(${name}_pair a, ${name}_pair b)
 {
-  pair p = pair_product(a.hi, b.hi);
+  ${name}_pair p = ${name}_pair_product(a.hi, b.hi);
 
-  return pair_sum(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
+  return ${name}_pair_sum(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
 }
 
 %% if symmetric then
 /* a/b for b not 0: the remainder a - q b is exact, so one correction doubles the digits */
-static pair pair_divide(pair a, ${name}_real b)
+static ${name}_pair ${name}_pair_divide(${name}_pair a, ${name}_real b)
 {
   const ${name}_real q = a.hi/b;
-  pair p = pair_product(q, b);
+  ${name}_pair p = ${name}_pair_product(q, b);
 
-  return pair_sum(q, ((a.hi - p.hi) - p.lo + a.lo)/b);
+  return ${name}_pair_sum(q, ((a.hi - p.hi) - p.lo + a.lo)/b);
 }
 
 %% end
-static pair pair_of(${name}_real a)
+static ${name}_pair ${name}_pair_of(${name}_real a)
 {
-  pair p;
+  ${name}_pair p;
 
   p.hi = a;
   p.lo = ${zero};
@@ -71,9 +71,9 @@ static pair pair_of(${name}_real a)
 }
 
 /* sine and cosine of (rate t), rate a pair: sin(h + l) = sin h + l cos h to the working precision */
-static void turn(const ${name}_real rate[2], ${name}_real t, ${name}_real *s, ${name}_real *c)
+static void ${name}_turn(const ${name}_real rate[2], ${name}_real t, ${name}_real *s, ${name}_real *c)
 {
-  pair p = pair_product(rate[0], t);
+  ${name}_pair p = ${name}_pair_product(rate[0], t);
   const ${name}_real low = p.lo + rate[1]*t;
   const ${name}_real sh = ${sin}(p.hi), ch = ${cos}(p.hi);
 
@@ -81,7 +81,7 @@ static void turn(const ${name}_real rate[2], ${name}_real t, ${name}_real *s, ${
   *c = ch - low*sh;
 }
 
-static void quaternion_product(const ${name}_real a[4], const ${name}_real b[4], ${name}_real out[4])
+static void ${name}_quaternion_product(const ${name}_real a[4], const ${name}_real b[4], ${name}_real out[4])
 {
   out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
   out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
@@ -91,10 +91,10 @@ static void quaternion_product(const ${name}_real a[4], const ${name}_real b[4],
 
 /* v = s u with |u| = 1, s >= 0; u = 0 if v = 0.  Scaled by a power of two, so nothing over- or underflows.
  * The length comes as a pair. */
-static pair unit_vector(const pair v[3], ${name}_real u[3])
+static ${name}_pair ${name}_unit_vector(const ${name}_pair v[3], ${name}_real u[3])
 {
   ${name}_real big = ${fabs}(v[0].hi), root;
-  pair n, square = pair_of(${zero});
+  ${name}_pair n, square = ${name}_pair_of(${zero});
   int i, e;
 
   if (${fabs}(v[1].hi) > big) big = ${fabs}(v[1].hi);
@@ -106,12 +106,12 @@ static pair unit_vector(const pair v[3], ${name}_real u[3])
     n.hi = ${ldexp}(v[i].hi, -e);
     n.lo = ${ldexp}(v[i].lo, -e);
     u[i] = n.hi;
-    square = pair_add(square, pair_multiply(n, n));
+    square = ${name}_pair_add(square, ${name}_pair_multiply(n, n));
   }
   root = ${sqrt}(square.hi);
   for (i = 0; i < 3; i++) u[i] /= root;
-  n = pair_product(root, root); /* one Newton step: sqrt(s) = r + (s - r^2)/(2 r) */
-  n = pair_sum(root, ((square.hi - n.hi) - n.lo + square.lo)/(${two}*root));
+  n = ${name}_pair_product(root, root); /* one Newton step: sqrt(s) = r + (s - r^2)/(2 r) */
+  n = ${name}_pair_sum(root, ((square.hi - n.hi) - n.lo + square.lo)/(${two}*root));
   n.hi = ${ldexp}(n.hi, e);
   n.lo = ${ldexp}(n.lo, e);
   return n;
@@ -124,9 +124,9 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   const ${name}_real k[3] = {${kx}, ${ky}, ${kz}}; /* symmetry axis, body; its square is k2 */
   const ${name}_real k2 = ${k2}, I1 = ${I1}, I3 = ${I3};
   const ${name}_real ku = ${sqrt}(k2);
-  pair s, ratio, along;
+  ${name}_pair s, ratio, along;
 %% end
-  pair v[3], q[3], length;
+  ${name}_pair v[3], q[3], length;
   ${name}_real u[3], left[4], right[4];
   ${name}_orbit p;
   int i;
@@ -140,50 +140,50 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   }
 %% if symmetric then
   /* L/I1 = w + (I3/I1 - 1) (k.w) k/k^2, the rate of the precession, body axes */
-  s = pair_product(k[0], w[0]);
-  s = pair_add(s, pair_product(k[1], w[1]));
-  s = pair_divide(pair_add(s, pair_product(k[2], w[2])), k2);
+  s = ${name}_pair_product(k[0], w[0]);
+  s = ${name}_pair_add(s, ${name}_pair_product(k[1], w[1]));
+  s = ${name}_pair_divide(${name}_pair_add(s, ${name}_pair_product(k[2], w[2])), k2);
   (void)${frexp}(I1, &i); /* by a power of two: huge moments must not overflow in a split */
-  ratio = pair_divide(pair_sum(${ldexp}(I3, -i), -${ldexp}(I1, -i)), ${ldexp}(I1, -i));
-  along = pair_multiply(ratio, s);
-  for (i = 0; i < 3; i++) v[i] = pair_add(pair_of(w[i]), pair_multiply(along, pair_of(k[i])));
+  ratio = ${name}_pair_divide(${name}_pair_sum(${ldexp}(I3, -i), -${ldexp}(I1, -i)), ${ldexp}(I1, -i));
+  along = ${name}_pair_multiply(ratio, s);
+  for (i = 0; i < 3; i++) v[i] = ${name}_pair_add(${name}_pair_of(w[i]), ${name}_pair_multiply(along, ${name}_pair_of(k[i])));
 %% else
   /* L/I1 = w */
-  for (i = 0; i < 3; i++) v[i] = pair_of(w[i]);
+  for (i = 0; i < 3; i++) v[i] = ${name}_pair_of(w[i]);
 %% end
-  length = unit_vector(v, u);
+  length = ${name}_unit_vector(v, u);
   p.precession[0] = ${half}*length.hi;
   p.precession[1] = ${half}*length.lo;
 
   /* q0, normalised as a vector of four: first the vector part, then with the scalar */
-  for (i = 0; i < 3; i++) q[i] = pair_of(x0[${upper}_QX + i]);
-  length = unit_vector(q, right);
-  q[0] = pair_of(x0[${upper}_QW]);
+  for (i = 0; i < 3; i++) q[i] = ${name}_pair_of(x0[${upper}_QX + i]);
+  length = ${name}_unit_vector(q, right);
+  q[0] = ${name}_pair_of(x0[${upper}_QW]);
   q[1] = length;
-  q[2] = pair_of(${zero});
-  if (unit_vector(q, left).hi == ${zero}) return 1;
+  q[2] = ${name}_pair_of(${zero});
+  if (${name}_unit_vector(q, left).hi == ${zero}) return 1;
   p.q[0][0] = left[0];
   for (i = 0; i < 3; i++) p.q[0][i + 1] = left[1]*right[i];
 
   /* turning about L on the left is turning about its body direction on the right of q0 */
   left[0] = ${zero};
   for (i = 0; i < 3; i++) left[i + 1] = u[i];
-  quaternion_product(p.q[0], left, p.q[1]);
+  ${name}_quaternion_product(p.q[0], left, p.q[1]);
 %% if symmetric then
-  length = pair_product(ku, ku); /* ku is rounded: |k| = ku + (k2 - ku^2)/(2 ku) */
-  length = pair_sum(ku, ((k2 - length.hi) - length.lo)/(${two}*ku));
-  length = pair_multiply(along, length);
+  length = ${name}_pair_product(ku, ku); /* ku is rounded: |k| = ku + (k2 - ku^2)/(2 ku) */
+  length = ${name}_pair_sum(ku, ((k2 - length.hi) - length.lo)/(${two}*ku));
+  length = ${name}_pair_multiply(along, length);
   p.spin[0] = -${half}*length.hi;
   p.spin[1] = -${half}*length.lo;
   right[0] = ${zero};
   for (i = 0; i < 3; i++) right[i + 1] = k[i]/ku;
-  quaternion_product(p.q[0], right, p.q[2]);
-  quaternion_product(p.q[1], right, p.q[3]);
+  ${name}_quaternion_product(p.q[0], right, p.q[2]);
+  ${name}_quaternion_product(p.q[1], right, p.q[3]);
 
   /* w along and across k; k x across, turned backwards, is where w goes next */
   for (i = 0; i < 3; i++) {
     p.along[i] = s.hi*k[i];
-    p.across[i] = pair_add(pair_of(w[i]), pair_multiply(pair_of(-k[i]), s)).hi;
+    p.across[i] = ${name}_pair_add(${name}_pair_of(w[i]), ${name}_pair_multiply(${name}_pair_of(-k[i]), s)).hi;
   }
   p.turned[0] = (k[2]*p.across[1] - k[1]*p.across[2])/ku;
   p.turned[1] = (k[0]*p.across[2] - k[2]*p.across[0])/ku;
@@ -194,6 +194,10 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     p.along[i] = w[i];
     p.across[i] = p.turned[i] = ${zero};
   }
+%% end
+  if (!(p.precession[0] - p.precession[0] == ${zero})) return 1; /* |L|/I1 is beyond the range of the type */
+%% if symmetric then
+  if (!(p.spin[0] - p.spin[0] == ${zero})) return 1;
 %% end
   *o = p;
   return 0;
@@ -208,9 +212,9 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
   ${name}_real *q = x + ${upper}_QW, *w = x + ${upper}_WX;
   int i;
 
-  turn(o->precession, t, &s, &c);
+  ${name}_turn(o->precession, t, &s, &c);
 %% if symmetric then
-  turn(o->spin, t, &sk, &ck);
+  ${name}_turn(o->spin, t, &sk, &ck);
   sine = ${two}*(sk*ck);
   cosine = (ck - sk)*(ck + sk);
   for (i = 0; i < 4; i++) {

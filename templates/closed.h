@@ -14,10 +14,10 @@ typedef struct ${name}_orbit {
   ${name}_real along[3], across[3], turned[3]; /* w = along + cos(a) across + sin(a) turned, a the spin angle */
 } ${name}_orbit;
 
-/* Prepare the motion through x0 at t = 0.  q of x0 is normalised.  Returns 0, or 1 if q is 0 or a number is not
- * finite, *o untouched then. */
+/* Prepare the motion through x0 at t = 0.  q of x0 is normalised.  Returns 0, or 1 if q is 0, a number is not
+ * finite or a rate beyond the range of the type; *o is untouched then. */
 int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[]);
 
-/* The state at time t (of either sign, any size): attitude and rates, no step, no error that grows from step to
+/* The state at time t, of either sign, as long as the phases rate*t stay within the range of the type: attitude and rates, no step, no error that grows from step to
  * step; the phases are formed in twice the working precision. */
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[]);

@@ -70,15 +70,17 @@ function scene.file(path, options)
   return assert(scene.read(text, given))
 end
 
--- A scene of one body named b.  params: names; M is a mass (kg), rho a density, other names lengths (m), with the
--- defaults 2, 3, 5, 7 ... in their order unless "name = value" says otherwise.  more: further lines of the scene.
+-- A scene of one body named b.  params: names; M... is a mass, phi and k... are pure numbers, rho is of any kind, other
+-- names are lengths; defaults 2, 3, 5, 7 ... in their order unless "name = value" says otherwise.  more: further lines
+-- of the scene.
 function scene.body(shape, params, more, options)
   local lines = {}
   local prime = { 2, 3, 5, 7, 11, 13, 17, 19, 23, 29 }
   for i, p in ipairs(params or {}) do
     local name, value = p:match "^(%w+)%s*=%s*(.+)$"
     name, value = name or p, value or tostring(prime[i])
-    local unit = name:find "^M" and '"kg"' or name:find "^rho" and "nil" or name:find "^phi" and '"rad"' or '"m"'
+    local unit = name:find "^M" and '"kg"' or name:find "^rho" and "nil"
+      or (name:find "^phi" or name:find "^k") and '"rad"' or '"m"'
     lines[i] = string.format('local %s = param("%s", %s, %s)', name, name, value, unit)
   end
   return scene.read(table.concat(lines, "\n") .. "\nlocal body = " .. shape ..

@@ -61,11 +61,11 @@ local function param(ctx, params)
     end
     seen[upper] = name
     local factor, dim = unit(ctx, "param", u)
-    local given = diag.show(default) .. (u and " " .. u or "")
     if ctx.set[name] then
-      default, given = ctx.set[name], ctx.set[name] .. (u and " " .. u or "")
+      default = ctx.set[name]
       ctx.used[name] = true
     end
+    local given = (ctx.set[name] or diag.show(default)) .. (dim and " " .. u or "")
     local default_si = expr.num(number(ctx, "param", "default of " .. name, default)) * factor
     local is_mass = dim and units.equal(dim, units.mass)
     local positive = dim and is_mass -- a length may be a coordinate; the shapes check their own sizes
@@ -181,7 +181,7 @@ function env.record(host, d, text, tables, set)
   if not ok then
     local source = first.source or ""
     if first.kind == "runtime" and source ~= d.file and string.find(source, "^generator/") then
-      error(first.traceback, 0) -- a bug of ours, not an error of the scene
+      error(first.message .. "\n" .. first.traceback, 0) -- a bug of ours, not an error of the scene
     end
     local message = string.gsub(first.message or "", "^.-:%d+: ", "")
     d:error(first.line or 0, first.kind == "syntax" and "syntax" or "script", message)

@@ -18,6 +18,8 @@ local record = setmetatable({}, { __mode = "k" })
 local handle = { __name = "shape" }
 local method = {}
 
+local most_parts = 1000 -- of one body: a loop of b = b + b would make 2^n
+
 local ctx -- the scene that is being recorded: {diag =, checks =}
 
 -- visible: the host's wrapper that keeps the caller's line known in `return shape:at{...}`.
@@ -87,6 +89,12 @@ function shapes.points(given)
     node.broken = true
     return new(node)
   end
+  node.size = #given
+  if node.size > most_parts then
+    ctx.diag:error(line, "points", "takes at most " .. most_parts .. " rows", diag.show(node.size))
+    node.broken = true
+    return new(node)
+  end
   for i = 1, #given do
     local row = given[i]
     if type(row) ~= "table" or value.is(row) or #row ~= 4 then
@@ -107,6 +115,7 @@ end
 local function derived(self, node)
   node.line = here()
   node.of = record[self]
+  node.size = node.of.size
   node.broken = node.broken or node.of.broken
   return new(node)
 end
@@ -189,14 +198,17 @@ end
 local function joined(op, word)
   return function(a, b)
     local line = here()
-    for _, x in ipairs { a, b } do
-      if not record[x] then
-        ctx.diag:error(line, word, "both sides must be shapes", diag.show(x))
-        return record[a] and a or b
-      end
+    local x, y = record[a or false], record[b or false]
+    if not x or not y then
+      ctx.diag:error(line, word, "both sides must be shapes", value.show(not x and a or b))
+      return x and a or b
     end
-    local x, y = record[a], record[b]
-    return new { op = op, x, y, line = line, broken = x.broken or y.broken }
+    local node = { op = op, x, y, line = line, broken = x.broken or y.broken, size = (x.size or 1) + (y.size or 1) }
+    if node.size > most_parts then
+      ctx.diag:error(line, word, "a body must have at most " .. most_parts .. " parts", diag.show(node.size))
+      node.broken = true
+    end
+    return new(node)
   end
 end
 

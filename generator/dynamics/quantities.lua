@@ -187,23 +187,23 @@ function quantities.step(m, eq, method)
 end
 
 function quantities.jacobian(eq)
-  local g = { why = "J[i][k] = d(dx_i/dt)/dx_k; entries that are zero for every state are written once", defs = {},
-    outs = {} }
-  local n = #state.all
+  local n, groups = #state.all, {}
   local row = {}
-  for i, s in ipairs(state.all) do row[s.name] = i - 1 end
+  for i, s in ipairs(state.all) do
+    row[s.name] = i
+    groups[i] = group("derivatives of d" .. s.name .. "/dt", {}, {})
+  end
   for _, eg in ipairs(eq.groups) do
     for _, o in ipairs(eg.outs) do
-      local e = equations.inline(eq.groups, o.expr)
+      local e, i = equations.inline(eq.groups, o.expr), row[o.state]
       for k, s in ipairs(state.all) do
-        g.outs[#g.outs + 1] = { array = "J", index = row[o.state] * n + k - 1, expr = calculus.diff(e, s.sym) }
+        groups[i].outs[k] = { array = "J", index = (i - 1) * n + k - 1, expr = calculus.diff(e, s.sym) }
       end
     end
   end
-  table.sort(g.outs, function(a, b) return a.index < b.index end)
   return { name = "jacobian", args = { "m", "t", "x", "u", array("J", n * n, true) },
     doc = { "Jacobian of the equations of motion, row major, NX x NX: J[i*NX + k] = d(dx[i])/d(x[k])." },
-    groups = { g } }
+    groups = groups }
 end
 
 function quantities.rate()

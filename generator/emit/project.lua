@@ -173,21 +173,21 @@ local function common(job)
   return v, ctx
 end
 
--- The closed form's constants as C text.
+-- The symmetry's constants as C text, and the closed form's part of header and source.
 local function closed_values(job, v, ctx)
   v.closed_header, v.closed_source = "", ""
-  if not v.has_closed then return end
-  local s = job.model.structure
-  v.theorem, v.closed_text, v.symmetric = job.closed.theorem, job.closed.text, job.closed.kind == "symmetric"
+  local c = job.symmetry
+  v.oblique = c ~= nil and c.oblique
   local function text(e)
     if e.kind == "num" then return number.text(e.value, ctx.real) end
     return "m->" .. e.name
   end
-  if v.symmetric then
-    local c = job.closed.constants
+  if c then
     v.kx, v.ky, v.kz = text(c.k[1]), text(c.k[2]), text(c.k[3])
-    v.k2, v.I1, v.I3 = text(c.k2), text(c.I1), s.rod and v.zero or text(c.I3)
+    v.k2, v.I1, v.I3 = text(c.k2), text(c.I1), text(c.I3)
   end
+  if not v.has_closed then return end
+  v.theorem, v.closed_text, v.symmetric = job.closed.theorem, job.closed.text, job.closed.kind == "symmetric"
   v.uses_model = false
   for _, k in ipairs { "kx", "ky", "kz", "k2", "I1", "I3" } do
     if v[k] and string.find(v[k], "m->", 1, true) then v.uses_model = true end

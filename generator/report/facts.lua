@@ -49,6 +49,11 @@ function facts.of(job)
   f.inertia, f.inertia_number = m.inertia, doubles(m.inertia)
   f.centroidal, f.centroidal_number = m.centroidal, doubles(m.centroidal)
   f.moments, f.axes = jacobi.run(f.inertia_number)
+  local s = m.structure
+  if s.kind == "symmetric" then -- equal moments are equal, whatever rounding made of them
+    local alpha, axial = m:double(s.alpha), m:double(s.axial)
+    f.moments = axial < alpha and { axial, alpha, alpha } or { alpha, alpha, axial }
+  end
   f.closed_moments = principal.closed(m.inertia, m.structure)
   f.structure = m.structure
   f.symmetry = m.structure.rod and "rod: no moment about its line" or words[m.structure.kind]

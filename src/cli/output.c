@@ -55,6 +55,7 @@ int output_finish(void) {
     failure = errno != 0 ? errno : EIO;
   if (failure == 0)
     return 0;
-  fprintf(stderr, "polhode: cannot write standard output: %s\n", strerror(failure));
+  if (failure != EPIPE) /* a reader that has seen enough (| head) needs no message */
+    fprintf(stderr, "polhode: cannot write standard output: %s\n", strerror(failure));
   return HOST_EXIT_OUTPUT;
 }

@@ -33,7 +33,8 @@ return {
     about = { "8/5", "8/5", "8/5", "0", "0", "0" } },
   { id = "thick_spherical_shell_1_2",
     source = "geometry: standard; Wikipedia 'List of moments of inertia' / standard handbook formula",
-    body = [[solid.sphere { r = 2, density = quantity(3, "kg/m^3")/(28*pi) } - solid.sphere { r = 1, density = quantity(3, "kg/m^3")/(28*pi) }]],
+    body = [[solid.sphere { r = 2, density = quantity(3, "kg/m^3")/(28*pi) }
+    - solid.sphere { r = 1, density = quantity(3, "kg/m^3")/(28*pi) }]],
     mass = "1",
     centroid = { "0", "0", "0" },
     tensor = { "62/35", "62/35", "62/35", "0", "0", "0" },
@@ -126,7 +127,8 @@ return {
     about = { "1", "5", "6", "0", "0", "0" } },
   { id = "annulus_1_2",
     source = "geometry: standard; Wikipedia 'List of moments of inertia' / standard handbook formula",
-    body = [[plate.disc { r = 2, density = quantity(1, "kg/m^2")/(3*pi) } - plate.disc { r = 1, density = quantity(1, "kg/m^2")/(3*pi) }]],
+    body = [[plate.disc { r = 2, density = quantity(1, "kg/m^2")/(3*pi) }
+    - plate.disc { r = 1, density = quantity(1, "kg/m^2")/(3*pi) }]],
     mass = "1",
     centroid = { "0", "0", "0" },
     tensor = { "5/4", "5/4", "5/2", "0", "0", "0" },
