@@ -118,7 +118,7 @@ sanitized: $(PROGRAM) $(C_TESTS)
 	  $(filter-out tests/cli/rational.t,$(filter tests/cli/%,$(LUA_TESTS)))
 
 golden: all
-	@POLHODE_GOLDEN=refresh tests/golden.t
+	@POLHODE_GOLDEN=refresh $(LUA) tests/emit/golden.t
 
 # The emitted code that is measured, with the flags that its own Makefile uses.
 $(BUILD)/bench/%.c: bodies/%.lua $(PROGRAM)
@@ -161,7 +161,7 @@ demo:
 	$(call say,1. A scene: $(DEMO))
 	@cat $(DEMO)
 	$(call say,2. polhode explain $(DEMO)   (the first lines))
-	@$(PROGRAM) explain $(DEMO) | sed -n '1,30p'
+	@$(PROGRAM) explain $(DEMO) | sed -n "1,31p"
 	$(call say,3. polhode gen $(DEMO) -o $(BUILD)/demo)
 	@$(PROGRAM) gen $(DEMO) -o $(BUILD)/demo && wc -l $(BUILD)/demo/*
 	$(call say,4. make -C $(BUILD)/demo check   (compile the emitted C and run its own self-test))

@@ -2,8 +2,10 @@
 --
 -- An error is `file:line: what: rule, got value`, followed by the source line it blames.  Errors are collected,
 -- not thrown: a scene's author sees all of them at once (the first `cap`, then how many more).  Whoever finds an
--- error goes on with a harmless value.  A leaf: everybody may use it, it uses nobody.
+-- error goes on with a harmless value.  A leaf: everybody may use it, it uses only diag/tokens.lua.
 -- SPDX-License-Identifier: GPL-3.0-or-later
+
+local tokens = require "generator.diag.tokens"
 
 local diag = {}
 diag.__index = diag
@@ -13,8 +15,9 @@ local cap = 20
 -- Diagnostics for one scene: its file name as the user typed it, and its text.
 function diag.new(file, text)
   local lines = {}
-  for line in string.gmatch(text .. "\n", "(.-)\r?\n") do lines[#lines + 1] = line end
-  return setmetatable({ file = file, lines = lines, errors = {}, warnings = {}, said = {} }, diag)
+  text = string.gsub(string.gsub(text, "\r\n", "\n"), "\r", "\n") -- lines as Lua counts them
+  for line in string.gmatch(text .. "\n", "([^\n]*)\n") do lines[#lines + 1] = line end
+  return setmetatable({ file = file, text = text, lines = lines, errors = {}, warnings = {}, said = {} }, diag)
 end
 
 -- The line of the scene that is being executed, seen from inside one of the functions it calls.
@@ -28,22 +31,17 @@ function diag:here()
   end
 end
 
--- The line on which argument `key` is written in the table constructor that starts on `line`, or `line` itself.
--- A reading aid: strings and comments are skipped, nesting is counted, nothing depends on it but the line number.
+-- The line on which argument `key` is written in a table constructor that opens on `line`, or `line` itself: the first
+-- such table that has the key, at its own level, decides.  A reading aid: nothing depends on it but the line number.
 function diag:locate(line, key)
-  local depth, opened = 0, false
-  for n = line, math.min(#self.lines, line + 200) do
-    local s = self.lines[n] or ""
-    s = string.gsub(s, "\"[^\"]*\"", function(q) return "\"" .. string.rep("_", #q - 2) .. "\"" end)
-    s = string.gsub(s, "%-%-.*", "")
-    if string.find(s, "%f[%w_]" .. key .. "%s*=[^=]") or string.find(s, "%f[%w_]" .. key .. "%s*=$") then return n end
-    for c in string.gmatch(s, "[{}()]") do
-      depth = depth + ((c == "{" or c == "(") and 1 or -1)
-      opened = opened or depth > 0
-    end
-    if opened and depth <= 0 then break end
-  end
-  return line
+  self.tokens = self.tokens or tokens.of(self.text)
+  return tokens.argument(self.tokens, line, key) or line
+end
+
+-- The line of the first  :name  on or after `line`, where a chain of calls begins; `line` if there is none near.
+function diag:called(line, name)
+  self.tokens = self.tokens or tokens.of(self.text)
+  return tokens.method(self.tokens, line, name) or line
 end
 
 local function entry(self, line, message)
@@ -52,7 +50,8 @@ local function entry(self, line, message)
   self.said[text] = true
   local source = self.lines[line]
   if source and string.find(source, "%S") then
-    text = text .. "\n    " .. string.gsub(string.gsub(source, "^%s+", ""), "\t", " ")
+    source = string.gsub(string.gsub(source, "^%s+", ""), "%c", " ") -- a scene shall not steer the terminal
+    text = text .. "\n    " .. diag.cut(source, 160)
   end
   return { line = line, message = message, text = text }
 end
@@ -79,16 +78,20 @@ function diag:report()
   end)
   local out = {}
   for i = 1, math.min(cap, #order) do out[i] = order[i].e.text end
-  if #order > cap then out[#out + 1] = self.file .. ": and " .. (#order - cap) .. " more errors" end
+  local more = #order - cap
+  if more > 0 then out[#out + 1] = self.file .. ": and " .. more .. " more error" .. (more > 1 and "s" or "") end
   return table.concat(out, "\n") .. "\n"
 end
 
--- A value as it should be quoted in a message.
-function diag.show(x)
-  if type(x) == "string" then
-    if #x > 40 then x = string.sub(x, 1, 37) .. "..." end
-    return string.format("%q", x)
-  end
+-- s, or its first n bytes (whole characters of UTF-8) and dots.
+function diag.cut(s, n)
+  if #s <= n then return s end
+  return (string.gsub(string.sub(s, 1, n - 3), "[\192-\255][\128-\191]*$", "")) .. "..."
+end
+
+-- A value as it should be quoted in a message: on one line, bounded, the same on every machine.
+function diag.show(x, depth)
+  if type(x) == "string" then return (string.gsub(string.format("%q", diag.cut(x, 40)), "\\\n", "\\n")) end
   if type(x) == "number" then
     if math.type(x) == "integer" then return string.format("%d", x) end
     if x ~= x then return "nan" end -- its sign, which printf shows, depends on the machine
@@ -96,11 +99,14 @@ function diag.show(x)
       local s = string.format("%." .. digits .. "g", x)
       if tonumber(s) == x then return s end
     end
-    return string.format("%g", x)
+    return string.format("%g", x) -- an infinity
   end
   if type(x) == "table" then
+    local meta = getmetatable(x)
+    if meta and meta.__tostring then return tostring(x) end -- an object of the scene language
+    depth = depth or 0
     local parts = {}
-    for i = 1, math.min(#x, 6) do parts[i] = diag.show(x[i]) end
+    for i = 1, math.min(#x, 6) do parts[i] = depth < 2 and diag.show(x[i], depth + 1) or "..." end
     if #x > 6 then parts[7] = "..." end
     return #parts > 0 and "{" .. table.concat(parts, ", ") .. "}" or "a table"
   end

@@ -80,18 +80,26 @@ end
 expr.split = split
 
 -- Is e >= 0 for every real value of its symbols (positive ones positive)?  false means "not known".
-local function nonnegative(e)
+local sign_known = setmetatable({}, { __mode = "k" })
+local nonnegative
+
+local function sign_of(e)
   if e.kind == "num" then return R.sign(e.value) >= 0 end
   if e.kind == "sym" then return e.positive end
   if e.kind == "call" then return e.fn == "abs" or e.fn == "exp" or e.fn == "cosh" or e.fn == "pi" end
   if e.kind == "pow" then
     if nonnegative(e.base) then return true end
-    return R.isint(e.exp) and R.isint(e.exp / R.new(2)) or R.den(e.exp) == R.new(2)
+    return R.isint(e.exp / R.new(2)) or R.den(e.exp) == R.new(2)
   end
   for i = 1, #e do
     if not nonnegative(e[i]) then return false end
   end
   return true
+end
+
+function nonnegative(e)
+  if sign_known[e] == nil then sign_known[e] = sign_of(e) end
+  return sign_known[e]
 end
 expr.nonnegative = nonnegative
 
@@ -101,7 +109,7 @@ local function raw_pow(base, exp)
 end
 
 -- The product of a rational and of powers base^exp, gathered in `powers` (order list + map by base id).
--- x^a * x^b ==> x^(a+b);  0 * x ==> 0;  n^(p/q) of integers opens into primes (radical.lua).
+-- x^a * x^b ==> x^(a+b);  0 * x ==> 0;  |x|^2 ==> x^2;  n^(p/q) of integers opens into primes (radical.lua).
 local function product(coefficient, list)
   local order, exps = {}, {}
   local pending = list
@@ -127,6 +135,13 @@ local function product(coefficient, list)
         for _, r in ipairs(roots) do pending[#pending + 1] = { num(r[1]), r[2] } end
       elseif R.sign(exp) == 0 then
         exps[base] = nil
+      elseif base.kind == "call" and base.fn == "abs" and R.isint(exp / R.new(2)) then
+        exps[base] = nil -- |x|^2 ==> x^2
+        local inside = base[1].kind == "mul" and base[1] or { base[1] }
+        for i = 1, #inside do
+          local b, x = factor(inside[i])
+          pending[#pending + 1] = { b, x * exp }
+        end
       else
         kept[#kept + 1] = base
       end
@@ -213,7 +228,7 @@ function expr.pow(x, n)
     for i = 1, #e do
       local f = e[i]
       if f.kind == "num" and not whole and R.sign(f.value) < 0 then
-        out[#out + 1] = expr.pow(num(-f.value), n)
+        if f.value ~= -R.one then out[#out + 1] = expr.pow(num(-f.value), n) end
         inside[#inside + 1] = num(-R.one)
       elseif whole or nonnegative(f) or (f.kind == "pow" and R.isint(f.exp / R.new(2))) then
         out[#out + 1] = expr.pow(f, n)
@@ -227,7 +242,7 @@ function expr.pow(x, n)
     end
     return raw_pow(e, n)
   end
-  return raw_pow(e, n)
+  return e.kind == "call" and product(R.one, { { e, n } }) or raw_pow(e, n)
 end
 
 function expr.sqrt(x) return expr.pow(x, R.half) end

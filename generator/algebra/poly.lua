@@ -2,7 +2,7 @@
 --
 -- ABOVE the line.  A polynomial belongs to a ring {gens = list of expr nodes}: its generators are symbols,
 -- function calls and simple roots x^(1/q).  It is a map from the exponent key to {c = coefficient,
--- e = exponents}.  Two relations are used to keep the form normal:  cos(a)^2 ==> 1 - sin(a)^2  and
+-- e = exponents}.  Three relations keep the form normal:  cos(a)^2 ==> 1 - sin(a)^2,  |a|^2 ==> a^2  and
 -- (x^(1/q))^q ==> x.  Zero testing is therefore decisive for rational functions of symbols, roots of
 -- symbols, and sines and cosines.  Not here: fractions and factored display (ratio.lua).
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -14,9 +14,11 @@ local poly = {}
 
 ---- rings -----------------------------------------------------------------------------------------
 
--- The generators that e needs, as a list in canonical order.
+-- The generators that the expressions need, as a list in canonical order.  Of several roots of one base the common
+-- one is taken: x^(1/2) and x^(1/3) are powers of x^(1/6).
 local function generators(list)
   local seen, gens = {}, {}
+  local bases, degree = {}, {}
   local function put(g)
     if not seen[g] then
       seen[g] = true
@@ -32,26 +34,38 @@ local function generators(list)
     elseif e.kind == "call" then
       put(e)
       if e.fn == "cos" then put(expr.call("sin", e[1])) end
+      if e.fn == "abs" then walk(e[1]) end
     elseif e.kind == "pow" then
-      if not R.isint(e.exp) then put(expr.pow(e.base, R.one / R.den(e.exp))) end
+      if not R.isint(e.exp) then
+        if not degree[e.base] then bases[#bases + 1] = e.base end
+        local d, old = R.den(e.exp), degree[e.base] or R.one
+        degree[e.base] = d * old / R.gcd(d, old)
+      end
       if e.base.kind ~= "num" then walk(e.base) end
     else
       for i = 1, #e do walk(e[i]) end
     end
   end
   for _, e in ipairs(list) do walk(e) end
+  for _, base in ipairs(bases) do put(expr.pow(base, R.one / degree[base])) end
   table.sort(gens, function(a, b) return expr.compare(a, b) < 0 end)
   return gens
 end
 
 -- A ring for the expressions in the list, with the rewriting relation of each generator that has one.
 function poly.ring(list)
-  local ring = { gens = generators(list), index = {}, relation = {} }
-  for i, g in ipairs(ring.gens) do ring.index[g] = i end
+  local ring = { gens = generators(list), index = {}, relation = {}, root = {} }
+  for i, g in ipairs(ring.gens) do
+    ring.index[g] = i
+    if g.kind == "pow" then ring.root[g.base] = i end
+  end
   for i, g in ipairs(ring.gens) do
     if g.kind == "call" and g.fn == "cos" then
       local s = poly.generator(ring, ring.index[expr.call("sin", g[1])])
       ring.relation[i] = { degree = 2, value = poly.sub(poly.constant(ring, R.one), poly.mul(s, s)) }
+    elseif g.kind == "call" and g.fn == "abs" then
+      local inside = poly.from(ring, g[1])
+      if inside then ring.relation[i] = { degree = 2, value = poly.mul(inside, inside) } end
     elseif g.kind == "pow" then
       local value = poly.from(ring, g.base)
       if value then ring.relation[i] = { degree = R.toint(R.den(g.exp)), value = value } end
@@ -204,8 +218,9 @@ function poly.from(ring, e)
       local base = poly.from(ring, e.base)
       return base and poly.power(base, n)
     end
-    i = ring.index[expr.pow(e.base, R.one / R.den(e.exp))]
-    return i and reduce(poly.generator(ring, i, n))
+    i = ring.root[e.base]
+    local times = i and e.exp / ring.gens[i].exp -- power of the generator
+    return i and R.isint(times) and reduce(poly.generator(ring, i, R.toint(times))) or nil
   end
   return nil
 end

@@ -156,30 +156,37 @@ local function fraction(ring, e, memo)
   return f
 end
 
--- The value of e at the n-th of a fixed sequence of random points, relative to nothing; nil where it has none.
-local function sample(e, n)
+-- The value of e at the n-th of a fixed sequence of random points, to so many bits; nil where it has none.
+local function sample(e, n, bits)
   local env, state = {}, 1 + 7919 * n
   for _, s in ipairs(expr.symbols(e)) do
     state = state * 48271 % 2147483647 -- Lehmer's generator (Park, Miller, 1988)
     env[s.name] = R.new(2147483647 + state, 2147483647) -- in (1, 2): positive, as masses and lengths are
   end
-  local ok, value = pcall(evaluate.precise, e, env, 400)
+  local ok, value = pcall(evaluate.precise, e, env, bits)
   return ok and value or nil
 end
 
--- Is e identically zero?  A value that is not tiny at one point settles "no"; "yes" is proved by the normal form,
--- decisive for rational functions of the generators (poly.lua), and where that would be too large it rests on three
--- random points with 400 bits, of which 300 must vanish (Schwartz 1980: a polynomial of degree d vanishes at such a
--- point with probability below d/2^31).
+-- Is e zero at the n-th point?  A value that is there stays the same with twice the bits; one that is only rounding
+-- shrinks with them, whatever the scale of the terms.  nil where e has no value.
+local function vanishes(e, n)
+  local rough, fine = sample(e, n, 400), sample(e, n, 800)
+  if not rough or not fine then return nil end
+  if R.sign(fine) == 0 then return true end
+  local change = rough - fine
+  return R.sign(change) ~= 0 and R.log2(change) > R.log2(fine) - 64
+end
+
+-- Is e identically zero?  A value at one point settles "no"; "yes" is proved by the normal form, decisive for rational
+-- functions of the generators (poly.lua), and where that would be too large it rests on three random points
+-- (Schwartz 1980: a polynomial of degree d vanishes at such a point with probability below d/2^31).
 function ratio.iszero(e)
   if e.kind == "num" then return R.sign(e.value) == 0 end
-  local value = sample(e, 0)
-  if value and R.sign(value) ~= 0 and R.log2(value) > -200 then return false end
+  if vanishes(e, 0) == false then return false end
   local proved = bounded(function() return { poly.iszero(fraction(poly.ring { e }, e, {})[1]) } end)
   if proved then return proved[1] end
   for n = 1, 3 do
-    value = sample(e, n)
-    if not value or R.sign(value) ~= 0 and R.log2(value) > -300 then return false end
+    if not vanishes(e, n) then return false end
   end
   return true
 end

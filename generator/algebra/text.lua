@@ -32,6 +32,8 @@ local styles = {
 local greek = { omega = "\\omega", alpha = "\\alpha", beta = "\\beta", gamma = "\\gamma", theta = "\\theta",
   phi = "\\phi", rho = "\\rho", lambda = "\\lambda", mu = "\\mu" }
 
+local latex_name = { asin = "\\arcsin", acos = "\\arccos", atan = "\\arctan", atan2 = "\\operatorname{atan2}" }
+
 local render
 
 -- Does the text of e need parentheses as a factor?
@@ -107,8 +109,9 @@ function render(e, style)
   if e.kind == "sym" then
     if style == styles.latex then
       local stem, tail = string.match(e.name, "^(%a+)_?(%w*)$")
-      stem = stem and (greek[stem] or (#stem > 1 and "\\mathrm{" .. stem .. "}" or stem)) or e.name
-      return (tail and tail ~= "") and stem .. "_{" .. tail .. "}" or stem
+      if not stem then return "\\mathrm{" .. string.gsub(e.name, "_", "\\_") .. "}" end
+      stem = greek[stem] or (#stem > 1 and "\\mathrm{" .. stem .. "}" or stem)
+      return tail ~= "" and stem .. "_{" .. tail .. "}" or stem
     end
     return e.name
   end
@@ -116,7 +119,8 @@ function render(e, style)
     if e.fn == "pi" then return style.pi end
     local args = {}
     for i = 1, #e do args[i] = render(e[i], style) end
-    local fn = style == styles.latex and "\\" .. e.fn or e.fn
+    if style == styles.latex and e.fn == "abs" then return "\\left|" .. args[1] .. "\\right|" end
+    local fn = style == styles.latex and (latex_name[e.fn] or "\\" .. e.fn) or e.fn
     return fn .. style.open .. table.concat(args, ", ") .. style.close
   end
   if e.kind == "add" then
@@ -133,8 +137,24 @@ function render(e, style)
   return (minus and "-" or "") .. s
 end
 
--- e in the style "plain", "unicode" or "latex".
+-- Terms and factors that e has when it is written out; shared parts count each time, so this can be astronomical.
+local function written(e)
+  local memo = {}
+  local function size(u)
+    if memo[u] then return memo[u] end
+    local n = 1.0
+    for _, c in ipairs(expr.children(u)) do n = n + size(c) end
+    memo[u] = n
+    return n
+  end
+  return size(e)
+end
+
+local longest = 3000 -- parts; more is no text for people
+
+-- e in the style "plain", "unicode" or "latex"; "..." where it would be too long to read.
 function text.of(e, style)
+  if written(e) > longest then return "..." end
   return render(e, styles[style or "plain"] or error("unknown style " .. style))
 end
 

@@ -31,6 +31,29 @@ function args.condition(ctx, line, what, rule, e, given, allow_zero)
   return true
 end
 
+-- A table that the scene wrote: no shape, value or effect, which are objects.
+function args.plain(x) return type(x) == "table" and getmetatable(x) == nil end
+
+-- A plain list of exactly n entries and nothing else.
+function args.list(x, n)
+  if not args.plain(x) or #x ~= n then return false end
+  for k in pairs(x) do
+    if math.type(k) ~= "integer" or k < 1 or k > n then return false end
+  end
+  return true
+end
+
+-- The arguments that a rule speaks of, as they were given: "r_in 2, r_out 1".
+function args.named(specs, rule, given)
+  local list = {}
+  for _, s in ipairs(specs) do
+    if string.find(rule, "%f[%w_]" .. s.name .. "%f[^%w_]") then
+      list[#list + 1] = s.name .. " " .. value.show(given[s.name])
+    end
+  end
+  return table.concat(list, ", ")
+end
+
 local words = { positive = "must be positive", nonnegative = "must not be negative" }
 
 -- One scalar of dimension `spec.dim`, as an expression; nil after an error.
@@ -42,8 +65,9 @@ function args.scalar(ctx, line, what, name, spec, given)
   end
   local dim = units[spec.dim or "none"]
   if r.dim and not units.equal(r.dim, dim) then
-    ctx.diag:error(line, what, name .. " must be in " .. units.name(dim), value.show(given) .. " in " ..
-      units.name(r.dim))
+    local pure = units.equal(dim, units.none)
+    ctx.diag:error(line, what, name .. (pure and " must be a pure number" or " must be in " .. units.name(dim)),
+      value.show(given, true))
     return nil
   end
   if not value.number(r.e) then
@@ -59,7 +83,7 @@ end
 
 -- A list of spec.size scalars; each entry is checked.
 function args.vector(ctx, line, what, name, spec, given)
-  if type(given) ~= "table" or value.is(given) or #given ~= spec.size then
+  if not args.list(given, spec.size) then
     ctx.diag:error(line, what, name .. " must be a list of " .. spec.size .. " numbers", diag.show(given))
     return nil
   end
@@ -86,11 +110,18 @@ local function names(specs, extra)
   return table.concat(list, ", ")
 end
 
--- Keys of a user's table in a fixed order (hash order would change the order of messages).
+local key_rank = { number = 1, string = 2 }
+
+-- Keys of a user's table in a fixed order (hash order would change the order of messages): numbers, strings, others.
 function args.keys(t)
   local list = {}
   for k in pairs(t) do list[#list + 1] = k end
-  table.sort(list, function(a, b) return tostring(a) < tostring(b) end)
+  table.sort(list, function(a, b)
+    local x, y = key_rank[type(a)] or 3, key_rank[type(b)] or 3
+    if x ~= y then return x < y end
+    if x == 3 then return diag.show(a) < diag.show(b) end
+    return a < b
+  end)
   return list
 end
 
@@ -109,7 +140,7 @@ end
 
 -- The checked arguments of a table, by name, as expressions.  Second result: true when all are good.
 function args.read(ctx, line, what, specs, given, extra)
-  if type(given) ~= "table" or value.is(given) then
+  if not args.plain(given) then
     ctx.diag:error(line, what, "takes a table of named arguments (" .. names(specs, extra) .. ")", diag.show(given))
     return {}, false
   end

@@ -34,10 +34,10 @@ local function unit(ctx, what, given)
 end
 
 local function number(ctx, what, name, given)
-  local q, why = R.lift(given)
-  if value.is(given) then q, why = nil, "must be a plain number" end
+  local q, why = nil, "must be a plain number"
+  if not value.is(given) then q, why = R.lift(given) end
   if not q then
-    ctx.diag:error(ctx.diag:here(), what, name .. " " .. (why or "must be a number"), value.show(given))
+    ctx.diag:error(ctx.diag:here(), what, name .. " " .. why, diag.show(given))
     return R.one
   end
   return q
@@ -73,7 +73,7 @@ local function param(ctx, params)
     local q = value.number(default_si)
     value.default(sym, q)
     if positive then
-      args.condition(ctx, line, "param", name .. " must be positive", expr.num(q), diag.show(default))
+      args.condition(ctx, line, "param", name .. " must be positive", expr.num(q), given)
       ctx.checks[#ctx.checks + 1] = { e = sym, what = "param", rule = name .. " must be positive", line = line }
     end
     params[#params + 1] = { name = name, sym = sym, default = q, unit = units.si(dim or units.none), line = line,
@@ -106,18 +106,21 @@ local function tree(host, list, make)
   return out
 end
 
--- Families answer an unknown name with what they have, on the user's line.
-local function strict(ctx, family, t)
+-- Families report an unknown name on the user's line; `otherwise` is what such a constructor makes.
+local function strict(ctx, family, t, otherwise)
   return setmetatable({}, {
     __index = function(_, k)
       if t[k] then return t[k] end
       ctx.diag:error(ctx.diag:here(), family, "has no " .. diag.show(k), nil)
-      return function() return nil end
+      return otherwise
     end,
     __newindex = function() ctx.diag:error(ctx.diag:here(), family, "cannot be changed") end,
-    __metatable = false,
+    __tostring = function() return family end,
   })
 end
+
+local effect_object = { __name = "effect", __tostring = function() return "an effect" end }
+local scene_object = { __name = "scene", __tostring = function() return "a scene" end }
 
 -- Effects: opaque handles {kind=, a={args}, line=}.
 local function effect_constructor(ctx, record)
@@ -126,8 +129,8 @@ local function effect_constructor(ctx, record)
     return function(given)
       local line = ctx.diag:here()
       local a, ok
-      if type(given or {}) ~= "table" or value.is(given) then
-        ctx.diag:error(line, what, "takes a table of named arguments", value.show(given))
+      if given ~= nil and not args.plain(given) then
+        ctx.diag:error(line, what, "takes a table of named arguments", diag.show(given))
       elseif spec.read then
         a = spec.read(ctx, line, what, given or {}, args)
         ok = a ~= nil
@@ -135,13 +138,21 @@ local function effect_constructor(ctx, record)
         a, ok = args.read(ctx, line, what, spec.args, given or {})
       end
       for _, c in ipairs(ok and a and spec.check and spec.check(a) or {}) do
-        ok = args.condition(ctx, line, what, c[2], c[1], "zero") and ok
+        ok = args.condition(ctx, line, what, c[2], c[1], args.named(spec.args, c[2], given)) and ok
       end
-      local h = setmetatable({}, { __metatable = false })
+      local h = setmetatable({}, effect_object)
       record[h] = { kind = spec.name, spec = spec, a = a or {}, line = line, broken = not ok or a == nil }
       return h
     end
   end
+end
+
+-- The last line of the text with something on it.
+local function last_line(d)
+  for n = #d.lines, 2, -1 do
+    if string.find(d.lines[n], "%S") then return n end
+  end
+  return 1
 end
 
 -- Runs the script in the host's sandbox.  tables: {shapes =, effects =} (the catalogues); set: {name = "0.3"} replaces
@@ -159,24 +170,23 @@ function env.record(host, d, text, tables, set)
     return spec.rows and shapes.points or shapes.constructor(spec)
   end)
   for _, k in ipairs(args.keys(made)) do
-    e[k] = type(made[k]) == "table" and strict(ctx, k, made[k]) or made[k]
+    e[k] = type(made[k]) == "table" and strict(ctx, k, made[k], shapes.broken) or made[k]
   end
-  e.effect = strict(ctx, "effect", tree(host, tables.effects, effect_constructor(ctx, effects)).effect)
+  local effect = effect_constructor(ctx, effects)
+  e.effect = strict(ctx, "effect", tree(host, tables.effects, effect).effect, function() return nil end)
   e.param, e.quantity = param(ctx, params), quantity(ctx)
   e.exact = function(s)
     return value.new(expr.num(number(ctx, "exact", "the number", s)), nil)
   end
-  e.pi, e.sqrt = value.new(expr.pi, units.none), value.sqrt
-  for _, fn in ipairs { "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "sinh", "cosh", "tanh",
-    "abs" } do
-    e[fn] = value.func(fn)
-  end
-  local calls = 0
+  e.pi, e.sqrt = value.new(expr.pi, nil), value.sqrt
+  for _, f in ipairs(value.functions) do e[f[1]] = value.func(table.unpack(f)) end
+  local calls, scene_handle = 0, nil
   e.scene = scene.constructor(ctx, function(h) return effects[h] end, function(s)
-    calls = calls + 1
-    result = s
+    calls, result, scene_handle = calls + 1, s, setmetatable({}, scene_object)
+    return scene_handle
   end)
 
+  text = string.gsub(text, "^\239\187\191", "") -- a byte order mark, as some editors write it
   local ok, first = host.sandbox(text, "@" .. d.file, e)
   if not ok then
     local source = first.source or ""
@@ -189,9 +199,11 @@ function env.record(host, d, text, tables, set)
   end
   if not d:failed() then
     if calls == 0 then
-      d:error(#d.lines, "scene", "the script must end with: return scene { ... }")
-    elseif first ~= result then
-      d:error(result.line, "scene", "the script must return its scene", diag.show(first))
+      d:error(last_line(d), "scene", "the script must end with: return scene { ... }")
+    elseif calls > 1 then
+      d:error(result.line, "scene", "must be called once", calls .. " calls")
+    elseif first ~= scene_handle then
+      d:error(result.line, "scene", "the script must return its scene", value.show(first))
     end
   end
   if d:failed() then return nil end

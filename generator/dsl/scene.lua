@@ -10,7 +10,6 @@ local expr = require "generator.algebra.expr"
 local args = require "generator.dsl.args"
 local names = require "generator.dsl.names"
 local shapes = require "generator.dsl.shapes"
-local value = require "generator.dsl.value"
 local diag = require "generator.diag"
 
 local scene = {}
@@ -39,7 +38,7 @@ local function initial(ctx, line, given, out)
   out.attitude = { expr.one, expr.zero, expr.zero, expr.zero }
   if given == nil then return end
   local at = ctx.diag:locate(line, "initial")
-  if type(given) ~= "table" or value.is(given) then
+  if not args.plain(given) then
     ctx.diag:error(at, "initial", "must be a table with omega and attitude", diag.show(given))
     return
   end
@@ -52,7 +51,7 @@ local function initial(ctx, line, given, out)
   local q = given.attitude
   if q == nil then return end
   local where = ctx.diag:locate(at, "attitude")
-  if type(q) == "table" and #q == 4 then q = { quaternion = q } end
+  if args.plain(q) and #q > 0 then q = { quaternion = q } end
   out.attitude = shapes.rotation(ctx, where, "attitude", q) or out.attitude
 end
 
@@ -69,14 +68,14 @@ local function effects(ctx, line, given, record_of)
   local out = {}
   if given == nil then return out end
   local at = ctx.diag:locate(line, "effects")
-  if type(given) ~= "table" or value.is(given) then
+  if not args.plain(given) then
     ctx.diag:error(at, "effects", "must be a list of effects", diag.show(given))
     return out
   end
   for _, k in ipairs(args.keys(given)) do
     local e = record_of(given[k])
     if math.type(k) ~= "integer" or not e then
-      ctx.diag:error(at, "effects", "entry " .. tostring(k) .. " must be an effect such as effect.control{}",
+      ctx.diag:error(at, "effects", "entry " .. diag.show(k) .. " must be an effect such as effect.control{}",
         diag.show(given[k]))
     elseif not e.broken then
       out[#out + 1] = e
@@ -85,11 +84,12 @@ local function effects(ctx, line, given, record_of)
   return out
 end
 
--- The function `scene` of the environment; `put` receives the checked record.  effect_of: handle -> record.
+-- The function `scene` of the environment; `put` takes the checked record
+-- and returns what the script gets.  effect_of: handle -> record.
 function scene.constructor(ctx, effect_of, put)
   return function(given)
     local line = ctx.diag:here()
-    if type(given) ~= "table" or value.is(given) then
+    if not args.plain(given) then
       ctx.diag:error(line, "scene", "takes a table", diag.show(given))
       return nil
     end
@@ -116,8 +116,7 @@ function scene.constructor(ctx, effect_of, put)
     s.effects = effects(ctx, line, given.effects, effect_of)
     initial(ctx, line, given.initial, s)
     time(ctx, line, given.time, s)
-    put(s)
-    return s
+    return put(s)
   end
 end
 

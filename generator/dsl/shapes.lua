@@ -42,7 +42,13 @@ local function new(r)
   return h
 end
 
+-- What an unknown constructor makes: nothing more is said about it.
+function shapes.broken() return new { broken = true, line = ctx.diag:here() } end
+
 local function here() return ctx.diag:here() end
+
+-- The line of a call shape:name{...}: Lua knows only the line on which a chain of calls begins.
+local function called(name) return ctx.diag:called(here(), name) end
 
 -- Mass or density, exactly one.
 local function amount(spec, what, line, given, node)
@@ -62,16 +68,16 @@ end
 
 -- The constructor of one catalogue entry.
 function shapes.constructor(spec)
-  local what = string.match(spec.name, "([%w_]+)$")
+  local what = string.gsub(spec.name, "^solid%.", "")
   return function(given)
     local line = here()
     local extra = spec.measure and { "mass", "density" }
     local a, ok = args.read(ctx, line, what, spec.args, given, extra)
     local node = { shape = spec.name, a = a, line = line }
-    if type(given) == "table" and spec.measure then ok = amount(spec, what, line, given, node) and ok end
+    if args.plain(given) and spec.measure then ok = amount(spec, what, line, given, node) and ok end
     if ok and spec.requires then
       for _, c in ipairs(spec.requires(a)) do
-        ok = args.condition(ctx, line, what, c[2], c[1], value.show(value.new(c[1]))) and ok
+        ok = args.condition(ctx, line, what, c[2], c[1], args.named(spec.args, c[2], given)) and ok
       end
     end
     if spec.name == "tensor" then node.mass = a.mass end
@@ -84,7 +90,7 @@ end
 function shapes.points(given)
   local line, node = here(), { shape = "points", rows = {} }
   node.line = line
-  if type(given) ~= "table" or value.is(given) or #given == 0 then
+  if not args.plain(given) or #given == 0 then
     ctx.diag:error(line, "points", "takes a list of rows {mass, x, y, z}", diag.show(given))
     node.broken = true
     return new(node)
@@ -95,9 +101,14 @@ function shapes.points(given)
     node.broken = true
     return new(node)
   end
+  for _, k in ipairs(args.keys(given)) do
+    if math.type(k) ~= "integer" then
+      ctx.diag:error(line, "points", "unknown argument " .. diag.show(k) .. " (it has only rows)")
+    end
+  end
   for i = 1, #given do
     local row = given[i]
-    if type(row) ~= "table" or value.is(row) or #row ~= 4 then
+    if not args.list(row, 4) then
       ctx.diag:error(line, "points", "row " .. i .. " must be {mass, x, y, z}", diag.show(row))
       node.broken = true
     else
@@ -113,7 +124,7 @@ end
 ---- placement -------------------------------------------------------------------------------------
 
 local function derived(self, node)
-  node.line = here()
+  node.line = node.line or here()
   node.of = record[self]
   node.size = node.of.size
   node.broken = node.broken or node.of.broken
@@ -127,9 +138,10 @@ local function receiver(self, name)
 end
 
 function method.at(self, r)
-  if not receiver(self, "at") then return self end
-  local v = args.vector(ctx, here(), "at", "position", { dim = "length", size = 3 }, r)
-  return derived(self, { op = "at", r = v, broken = v == nil })
+  if not receiver(self, "at") then return shapes.broken() end
+  local line = called "at"
+  local v = args.vector(ctx, line, "at", "position", { dim = "length", size = 3 }, r)
+  return derived(self, { op = "at", r = v, broken = v == nil, line = line })
 end
 
 local unit = { x = { 1, 0, 0 }, y = { 0, 1, 0 }, z = { 0, 0, 1 } }
@@ -143,7 +155,7 @@ shapes.normalised = normalised
 
 -- {axis = "x" | {..}, angle =} or {quaternion = {..}} as a unit quaternion; nil after an error.
 function shapes.rotation(c, line, what, given)
-  if type(given) ~= "table" or value.is(given) then
+  if not args.plain(given) then
     c.diag:error(line, what, "takes {axis =, angle =} or {quaternion =}", diag.show(given))
     return nil
   end
@@ -153,6 +165,10 @@ function shapes.rotation(c, line, what, given)
     local n = expr.zero
     for _, x in ipairs(v) do n = n + x ^ 2 end
     return args.condition(c, line, what, name .. " must not be zero", n, diag.show(given[name]))
+  end
+  if given.quaternion ~= nil and (given.axis ~= nil or given.angle ~= nil) then
+    c.diag:error(line, what, "takes axis and angle, or quaternion, not both")
+    return nil
   end
   if given.quaternion ~= nil then
     local q = args.vector(c, line, what, "quaternion", { size = 4 }, given.quaternion)
@@ -173,26 +189,29 @@ function shapes.rotation(c, line, what, given)
 end
 
 function method.turned(self, given)
-  if not receiver(self, "turned") then return self end
-  local q, angle, axis = shapes.rotation(ctx, here(), "turned", given)
-  return derived(self, { op = "turned", q = q, angle = angle, axis = axis, broken = q == nil })
+  if not receiver(self, "turned") then return shapes.broken() end
+  local line = called "turned"
+  local q, angle, axis = shapes.rotation(ctx, line, "turned", given)
+  return derived(self, { op = "turned", q = q, angle = angle, axis = axis, broken = q == nil, line = line })
 end
 
 function method.scaled(self, k)
-  if not receiver(self, "scaled") then return self end
-  if type(k) ~= "table" or value.is(k) then k = { k } end
+  if not receiver(self, "scaled") then return shapes.broken() end
+  if not args.plain(k) then k = { k } end
   local specs = { size = #k == 1 and 1 or 3, sign = "positive" }
-  local v = args.vector(ctx, here(), "scaled", "factor", specs, k)
+  local line = called "scaled"
+  local v = args.vector(ctx, line, "scaled", "factor", specs, k)
   if v and #v == 1 then v = { v[1], v[1], v[1] } end
-  return derived(self, { op = "scaled", k = v, broken = v == nil })
+  return derived(self, { op = "scaled", k = v, broken = v == nil, line = line })
 end
 
 function method.mirrored(self, axis)
-  if not receiver(self, "mirrored") then return self end
+  if not receiver(self, "mirrored") then return shapes.broken() end
   local k = { x = { -1, 1, 1 }, y = { 1, -1, 1 }, z = { 1, 1, -1 } }
   local v = k[axis]
-  if not v then ctx.diag:error(here(), "mirrored", "axis must be \"x\", \"y\" or \"z\"", diag.show(axis)) end
-  return derived(self, { op = "scaled", k = v and vec.map(v, expr.lift), broken = v == nil })
+  local line = called "mirrored"
+  if not v then ctx.diag:error(line, "mirrored", "axis must be \"x\", \"y\" or \"z\"", diag.show(axis)) end
+  return derived(self, { op = "scaled", k = v and vec.map(v, expr.lift), broken = v == nil, line = line })
 end
 
 local function joined(op, word)
@@ -201,7 +220,7 @@ local function joined(op, word)
     local x, y = record[a or false], record[b or false]
     if not x or not y then
       ctx.diag:error(line, word, "both sides must be shapes", value.show(not x and a or b))
-      return x and a or b
+      return (x and a) or (y and b) or shapes.broken()
     end
     local node = { op = op, x, y, line = line, broken = x.broken or y.broken, size = (x.size or 1) + (y.size or 1) }
     if node.size > most_parts then
@@ -215,6 +234,6 @@ end
 handle.__add = joined("sum", "+")
 handle.__sub = joined("minus", "-")
 function handle.__newindex() ctx.diag:error(here(), "shape", "a shape cannot be changed") end
-function handle.__tostring() return "shape" end
+function handle.__tostring() return "a shape" end
 
 return shapes

@@ -114,7 +114,7 @@ function units.parse(s)
     local unit = name and symbols[name]
     if not unit then return nil, "unknown unit " .. string.format("%q", name or rest) end
     local n, more = string.match(after, "^%^(%-?%d+)(.*)$")
-    local power = R.new(sign * (tonumber(n) or 1))
+    local power = R.parse(n or "1") * sign
     if R.abs(power) > R.new(20) then return nil, "an exponent in " .. string.format("%q", s) .. " is too large" end
     factor = factor * expr.pow(unit[1], power)
     d = units.times(d, units.power(unit[2], power))

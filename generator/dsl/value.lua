@@ -1,9 +1,10 @@
 -- value.lua -- what a scene computes with: exact expressions that know their dimension.
 --
 -- A value is an opaque handle; its record {e = expression, dim = dimension or nil} is private, so a scene
--- cannot alter it.  A plain Lua number is exact (the decimal that was typed) and takes any dimension; in a
--- product it counts as a pure number.  A wrong combination is reported on the user's line and goes on as a
--- value without dimension, so that one slip gives one message.
+-- cannot alter it.  A plain Lua number is exact (the decimal that was typed) and takes any dimension, and so does
+-- what is computed from plain numbers only; beside a value with a dimension it counts as a pure number in a product.
+-- A wrong combination is reported on the user's line and goes on as a value without dimension, so that one slip gives
+-- one message.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -45,14 +46,32 @@ function value.of(x)
   return { e = expr.lift(q), dim = nil }
 end
 
--- How x should be quoted in a message: what was typed, or the expression with its value.
-function value.show(x)
+-- Nodes of e as a tree, counted up to `most`.
+local function size(e, most)
+  local n = 1
+  for _, c in ipairs(expr.children(e)) do
+    if n > most then return n end
+    n = n + size(c, most - n)
+  end
+  return n
+end
+
+local most_nodes, most_text = 40, 60 -- of an expression in a message
+
+-- How x should be quoted in a message: what was typed, or the expression with its value; with_unit: and its SI unit.
+function value.show(x, with_unit)
   local r = record[x]
   if not r then return diag.show(x) end
   local n = value.number(r.e)
   local number = n and diag.show(R.todouble(n)) or "no number"
-  local s = text.of(r.e)
-  return s == number and s or s .. " = " .. number
+  if n and (number == "inf" or number == "-inf" or number == "0.0" and R.sign(n) ~= 0) then
+    number = (R.sign(n) < 0 and "-" or "") .. "1e" .. R.log2(n) * 30103 // 100000
+  end
+  local s = size(r.e, most_nodes) <= most_nodes and text.of(r.e) or nil
+  if s and s ~= number and #s <= most_text then number = s .. " = " .. number end
+  if not with_unit then return number end
+  local pure = not r.dim or units.equal(r.dim, units.none)
+  return number .. (pure and " (a pure number)" or " " .. units.name(r.dim))
 end
 
 -- The number that e has for the parameters' defaults, as a rational within 2^-200 of it (exact where e is a
@@ -95,16 +114,20 @@ handle.__add = sum("sum", function(a, b) return a + b end)
 handle.__sub = sum("difference", function(a, b) return a - b end)
 function handle.__unm(a) return new(-record[a].e, record[a].dim) end
 
+-- Dimension of x * y^n; nil if neither has one.
+local function combined(x, y, n)
+  if not x.dim and not y.dim then return nil end
+  return units.times(x.dim or units.none, units.power(y.dim or units.none, R.new(n)))
+end
+
 function handle.__mul(a, b)
   local x, y = operand(a, "product"), operand(b, "product")
-  return new(guarded("product", function() return x.e * y.e end),
-    units.times(x.dim or units.none, y.dim or units.none))
+  return new(guarded("product", function() return x.e * y.e end), combined(x, y, 1))
 end
 
 function handle.__div(a, b)
   local x, y = operand(a, "quotient"), operand(b, "quotient")
-  return new(guarded("quotient", function() return x.e / y.e end),
-    units.times(x.dim or units.none, units.power(y.dim or units.none, R.new(-1))))
+  return new(guarded("quotient", function() return x.e / y.e end), combined(x, y, -1))
 end
 
 function handle.__pow(a, n)
@@ -116,26 +139,49 @@ function handle.__pow(a, n)
   return new(guarded("power", function() return x.e ^ y.e end), x.dim and units.power(x.dim, y.e.value))
 end
 
+local function unordered()
+  complain("comparison", "values have no order: a parameter is a symbol, its default only one of its values")
+  return false
+end
+handle.__lt, handle.__le = unordered, unordered
+
 function handle.__tostring(v) return value.show(v) end
 function handle.__newindex() complain("value", "a value cannot be changed") end
 
--- A function of a pure number for scenes: sin(x), with x checked for dimension.
-function value.func(fn)
+-- The functions of scenes: how many arguments, and what the dimensions must be: "pure" numbers (an angle is one), the
+-- "same" for all (the result is a pure number), or "any" (the result has it).
+value.functions = {
+  { "sin", 1, "pure" }, { "cos", 1, "pure" }, { "tan", 1, "pure" }, { "asin", 1, "pure" }, { "acos", 1, "pure" },
+  { "atan", 1, "pure" }, { "atan2", 2, "same" }, { "exp", 1, "pure" }, { "log", 1, "pure" }, { "sinh", 1, "pure" },
+  { "cosh", 1, "pure" }, { "tanh", 1, "pure" }, { "abs", 1, "any" },
+}
+
+local function counted(fn, n, ...)
+  if select("#", ...) <= n then return end
+  complain(fn, "takes " .. (n == 1 and "one argument" or n .. " arguments"), tostring(select("#", ...)))
+end
+
+function value.func(fn, n, kind)
   return function(...)
-    local args = { ... }
-    for i = 1, math.max(1, #args) do
-      local r = operand(args[i], fn)
-      if r.dim and not units.equal(r.dim, units.none) then
-        complain(fn, "the argument must be a pure number or an angle", units.name(r.dim))
+    counted(fn, n, ...)
+    local given, es, dim = { ... }, {}, nil
+    for i = 1, n do
+      local r = operand(given[i], fn)
+      es[i] = r.e
+      if r.dim and kind == "pure" and not units.equal(r.dim, units.none) then
+        complain(fn, "the argument must be a pure number or an angle", value.show(given[i], true))
+      elseif r.dim and dim and not units.equal(r.dim, dim) then
+        complain(fn, "both arguments must have one dimension", units.name(dim) .. " and " .. units.name(r.dim))
       end
-      args[i] = r.e
+      dim = dim or r.dim
     end
-    return new(guarded(fn, expr.call, fn, table.unpack(args)), units.none)
+    return new(guarded(fn, expr.call, fn, table.unpack(es)), dim and (kind == "any" and dim or units.none))
   end
 end
 
-function value.sqrt(x)
-  local r = operand(x, "sqrt")
+function value.sqrt(...)
+  counted("sqrt", 1, ...)
+  local r = operand((...), "sqrt")
   return new(guarded("sqrt", expr.sqrt, r.e), r.dim and units.power(r.dim, R.half))
 end
 

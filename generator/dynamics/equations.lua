@@ -12,6 +12,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local state = require "generator.dynamics.state"
@@ -78,6 +79,7 @@ local function torques(m)
       local n = N[i]
       if n ~= expr.zero and n.kind ~= "num" and n.kind ~= "sym" then
         local name = "N" .. axis_name[i] .. (#m.record.effects > 1 and "_" .. #groups + 1 or "")
+        while m.by_name[name] do name = name .. "_" end -- a constant of the effect may be called so
         group.defs[#group.defs + 1] = { name = name, expr = n }
         n = expr.sym(name, 7)
       end
@@ -90,11 +92,18 @@ end
 
 -- Replaces the definitions' names in e by their expressions: for zero tests, derivatives and reports.
 function equations.inline(groups, e)
-  local calculus = require "generator.algebra.calculus"
   local map = {}
   for _, g in ipairs(groups) do
     for _, d in ipairs(g.defs) do map[expr.sym(d.name, 7)] = calculus.substitute(d.expr, map) end
   end
+  return calculus.substitute(e, map)
+end
+
+-- e in the parameters alone: derived constants replaced by what they stand for, so that k.(r x d) = 0 is seen for r
+-- along k.
+local function resolved(m, e)
+  local map = {}
+  for _, member in ipairs(m.members) do map[member.sym] = member.e end
   return calculus.substitute(e, map)
 end
 
@@ -129,7 +138,7 @@ function builders.symmetric(m, N, groups, d)
   if plain[1] and plain[2] and plain[3] then return g end
   -- I^-1 N = N/alpha + (1/axial - 1/alpha) k (k.N)/k^2
   local along = vec.dot(k, N)
-  if s.rod and not ratio.iszero(equations.inline(groups, along)) then
+  if s.rod and not ratio.iszero(resolved(m, equations.inline(groups, along))) then
     d:error(m.line, "body", "is a rod: no torque may act along its line, where it has no moment of inertia")
     return nil
   end
@@ -200,17 +209,17 @@ function equations.of(d, m)
   for i, n in ipairs { "qw", "qx", "qy", "qz" } do attitude.outs[i] = { state = n, expr = qdot[i] } end
 
   local N, groups, need_L = torques(m)
+  local L_defs = {}
+  if need_L then -- before the torques that use it
+    L_defs = select(2, momentum(m))
+    table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = L_defs, outs = {} })
+  end
   local euler = builders[m.structure.kind](m, N, groups, d)
   if not euler then return nil end
   euler.where = place(m, m.line)
   for i, n in ipairs { "wx", "wy", "wz" } do euler.outs[i] = { state = n, expr = euler.outs[i] } end
-  if need_L and m.structure.kind ~= "full" then
-    local _, defs = momentum(m)
-    table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = defs, outs = {} })
-  elseif need_L then -- the Euler group defines L: let it stand before the torques that use it
-    local _, defs = momentum(m)
-    table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = defs, outs = {} })
-    for _ = 1, #defs do table.remove(euler.defs, 1) end
+  if m.structure.kind == "full" then -- which begins with the same definitions
+    for _ = 1, #L_defs do table.remove(euler.defs, 1) end
   end
   groups[#groups + 1] = euler
   table.insert(groups, 1, attitude)

@@ -2,7 +2,6 @@
 --
 -- The library gets the SHAPES and the effects, not our tensor: it computes mass properties and motion by its own
 -- formulas, which is what makes it a second road.  Parameters take given values (their defaults, or random ones).
--- A reflection is a turn by pi followed by the inversion r -> -r, under which second moments do not change.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -42,10 +41,7 @@ function numeric.scene(job, values)
     elseif node.op == "scaled" then
       local k = nums(node.k)
       volume = volume * expr.call("abs", node.k[1] * node.k[2] * node.k[3])
-      if k[1] > 0 and k[2] > 0 and k[3] > 0 then return { op = "scaled", of = tree(node.of, volume), k = k } end
-      local flipped = {}
-      for i = 1, 3 do flipped[i] = k[i] < 0 and 1.0 or 0.0 end
-      return { op = "mirrored", of = tree(node.of, volume), normal = flipped }
+      return { op = "scaled", of = tree(node.of, volume), k = k }
     elseif node.op == "sum" then
       return { op = "sum", tree(node[1], volume), tree(node[2], volume) }
     elseif node.op == "minus" then

@@ -43,15 +43,13 @@ local function magnitude(e, env)
   return mag(e)
 end
 
--- The environment of the inputs (name -> rational) and of the model's derived constants.
-function selftest.environment(m, inputs)
-  local env = { value = inputs, size = {} }
-  local values = {}
-  for i, member in ipairs(m.members) do
-    values[i] = value(member.e, env)
-    env.size[member.name] = magnitude(member.e, env)
+-- The environment of the model's derived constants, for these parameters (name -> rational).  The parameters
+-- themselves are not in it: only NAME_init sees them, and their names may be those of states or arguments.
+function selftest.environment(m, params)
+  local from, env = { value = params, size = {} }, { value = {}, size = {} }
+  for _, member in ipairs(m.members) do
+    env.value[member.name], env.size[member.name] = value(member.e, from), magnitude(member.e, from)
   end
-  for i, member in ipairs(m.members) do env.value[member.name] = values[i] end
   return env
 end
 

@@ -20,6 +20,7 @@ local function text_line(line, newline)
     parts[#parts + 1] = "_str(" .. name .. ", " .. quoted(name) .. ")"
     from = b + 1
   end
+  if string.find(line, "${", from, true) then parts[#parts + 1] = "_unclosed()" end
   local tail = string.sub(line, from)
   if tail ~= "" then parts[#parts + 1] = quoted(tail) end
   if newline then parts[#parts + 1] = "\"\\n\"" end
@@ -29,6 +30,10 @@ end
 -- The text of template `source` (its name is used in messages) with the values.
 function template.render(name, source, values)
   local lines = {}
+  if source ~= "" and string.sub(source, -1) ~= "\n" then
+    local _, newlines = string.gsub(source, "\n", "")
+    error(name .. ":" .. newlines + 1 .. ": the last line has no newline", 0)
+  end
   for line in string.gmatch(source, "([^\n]*)\n") do
     local logic = string.match(line, "^%s*%%%%(.*)$")
     lines[#lines + 1] = logic or text_line(line, true)
@@ -39,6 +44,7 @@ function template.render(name, source, values)
     _put = function(...)
       for _, s in ipairs { ... } do out[#out + 1] = s end
     end,
+    _unclosed = function() error("${ is not closed", 2) end,
     _str = function(v, what)
       if type(v) ~= "string" then error("${" .. what .. "} is " .. type(v) .. ", not a string", 2) end
       return v

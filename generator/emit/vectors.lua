@@ -68,17 +68,17 @@ function vectors.fill(job, v, ctx)
   local position, names = {}, { "x", "y", "z" }
   for i, s in ipairs(job.states) do position[s.name] = i end
 
-  local base = {}
-  for _, p in ipairs(m.params) do base[p.name] = round(p.default) end
-  base.t = R.zero
+  local params, base = {}, { t = R.zero }
+  for _, p in ipairs(m.params) do params[p.name] = round(p.default) end
   for i, s in ipairs(job.input_states) do base[s.name] = R.new(i, 4) end
   for name, list in pairs(rest) do -- into a table: order is lost anyway
     for i = 1, 3 do base[name .. names[i]] = R.lift(list[i]) end
   end
-  local env = selftest.environment(m, base)
-  local function inputs(x)
+  local env = selftest.environment(m, params)
+  local function inputs(x) -- the state x, or without one the arguments that are vectors
     local list = {}
-    for i, s in ipairs(job.states) do list[s.name] = x[i] end
+    for k, q in pairs(base) do list[k] = q end -- into a table: order is lost anyway
+    for i, s in ipairs(x and job.states or {}) do list[s.name] = x[i] end
     return list
   end
 
@@ -89,7 +89,7 @@ function vectors.fill(job, v, ctx)
       if candidate.name == name then f = candidate end
     end
     if not f then return end
-    local want, tolerance = selftest.expect(f, env, state and inputs(state) or {}, index, epsilon)
+    local want, tolerance = selftest.expect(f, env, inputs(state), index, epsilon)
     for i = 1, n do
       want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero
       -- below the smallest normal number relative rounding ends

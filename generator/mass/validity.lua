@@ -32,6 +32,12 @@ end
 
 local names = { "xx", "yy", "zz" }
 
+-- The six entries, for a message.
+local function entries(I)
+  return string.format("xx %s, yy %s, zz %s, xy %s, xz %s, yz %s", show(I[1]), show(I[2]), show(I[3]), show(I[4]),
+    show(I[5]), show(I[6]))
+end
+
 -- Reports what is wrong with the model's mass and centroidal tensor; true when nothing is.
 function validity.check(d, m)
   local mass = m:number(m.mass)
@@ -51,6 +57,10 @@ function validity.check(d, m)
   local half = vec.trace(I) / R.new(2)
   local sigma = { half - I[1], half - I[2], half - I[3], -I[4], -I[5], -I[6] }
   if semidefinite(sigma) then return true end
+  if not semidefinite(I) then
+    d:error(m.line, "body", "the tensor about the centre of mass must be positive semidefinite", entries(I))
+    return false
+  end
   local said = false
   local slack = vec.trace(I) * R.new(2) ^ -200
   for i = 1, 3 do
@@ -62,12 +72,8 @@ function validity.check(d, m)
     end
   end
   if not said then
-    local adj, det = vec.adjugate(I)
-    local indefinite = R.sign(det) < 0 or R.sign(adj[1]) < 0 or R.sign(adj[2]) < 0 or R.sign(adj[3]) < 0
-    d:error(m.line, "body", indefinite and "the tensor about the centre of mass must be positive semidefinite"
-      or "triangle inequality of the principal moments about the centre of mass must hold",
-      string.format("xx %s, yy %s, zz %s, xy %s, xz %s, yz %s", show(I[1]), show(I[2]), show(I[3]), show(I[4]),
-        show(I[5]), show(I[6])))
+    d:error(m.line, "body", "triangle inequality of the principal moments about the centre of mass must hold",
+      entries(I))
   end
   return false
 end

@@ -30,15 +30,17 @@ local function number(x) return json.number(x) end
 
 local function body_section(f)
   local lines = { formula("M", f.mass, "kg", f.mass_number) }
-  local zero = true
-  for i = 1, 3 do
-    if f.com[i] ~= expr.zero then
-      zero = false
-      lines[#lines + 1] = formula("R" .. comp[i], f.com[i], "m", f.com_number[i])
+  local function vector(name, v, numbers, meaning, vanishes)
+    local count = #lines
+    for i = 1, 3 do
+      if v[i] ~= expr.zero then lines[#lines + 1] = formula(name .. comp[i], v[i], "m", numbers[i]) end
     end
+    lines[#lines + 1] = #lines == count and vanishes or meaning
   end
-  lines[#lines + 1] = zero and "the centre of mass is the origin of rotation" or
-    "R is the centre of mass seen from the origin of rotation, body axes"
+  vector("com_", f.com, f.com_number, "com: the centre of mass in the coordinates of the shape",
+    "the centre of mass is at (0, 0, 0) of the shape")
+  vector("R", f.arm, f.arm_number, "R: the centre of mass seen from the origin of rotation",
+    "the centre of mass is the origin of rotation")
   local pieces = f.job.model.body.pieces
   if #pieces > 1 then
     lines[#lines + 1] = "made of " .. #pieces .. " pieces: " .. (function()
@@ -226,6 +228,12 @@ local function entries(I, numbers)
   return object { { "symbolic", object(symbolic) }, { "numeric", numbers } }
 end
 
+local function symbolic(v)
+  local list = {}
+  for i, e in ipairs(v) do list[i] = text.of(e, "plain") end
+  return list
+end
+
 function writers.json(f)
   local closed = f.closed.kind and object { { "kind", f.closed.kind }, { "theorem", f.closed.theorem } } or
     object { { "kind", json.null }, { "refused", f.closed.refused } }
@@ -249,7 +257,8 @@ function writers.json(f)
   local methods = { "rk4", "linearised" }
   if f.closed.kind then methods[#methods + 1] = "exact" end
   return json.text(object { { "name", f.name }, { "parameters", params }, { "mass", f.mass_number },
-    { "mass_symbolic", text.of(f.mass, "plain") }, { "com", f.com_number },
+    { "mass_symbolic", text.of(f.mass, "plain") }, { "com", f.com_number }, { "com_symbolic", symbolic(f.com) }, { "origin", f.origin_number },
+    { "com_from_origin", f.arm_number },
     { "inertia", entries(f.inertia, f.inertia_number) }, { "centroidal", entries(f.centroidal, f.centroidal_number) },
     { "principal", object { { "moments", f.moments }, { "axes", f.axes } } }, { "symmetry", f.symmetry },
     { "closed_form", closed }, { "stability", stability }, { "effects", effects }, { "methods", methods },

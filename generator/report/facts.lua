@@ -45,7 +45,9 @@ function facts.of(job)
   local f = { name = m.name, file = m.file, params = m.params, job = job }
   local function doubles(v) return vec.map(v, function(e) return m:double(e) end) end
   f.mass, f.mass_number = m.mass, m:double(m.mass)
-  f.com, f.com_number = m.com, doubles(m.com)
+  f.com, f.com_number = m.body.com, doubles(m.body.com) -- in the coordinates of the shape
+  f.arm, f.arm_number = m.com, doubles(m.com) -- from the origin of rotation
+  f.origin, f.origin_number = m.origin, doubles(m.origin)
   f.inertia, f.inertia_number = m.inertia, doubles(m.inertia)
   f.centroidal, f.centroidal_number = m.centroidal, doubles(m.centroidal)
   f.moments, f.axes = jacobi.run(f.inertia_number)

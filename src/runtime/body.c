@@ -150,7 +150,7 @@ int ph_body_scaled(ph_body *out, const ph_body *in, const double k[3]) {
   ph_wide A[9] = {0}, centre[3], second[6];
   const double origin[3] = {0, 0, 0};
   for (int i = 0; i < 3; i++) {
-    if (!(k[i] > 0))
+    if (k[i] == 0)
       return PH_ELENGTH;
     A[4 * i] = (ph_wide)k[i];
     centre[i] = (ph_wide)k[i] * ((ph_wide)in->com[i] + (ph_wide)in->com_tail[i]);

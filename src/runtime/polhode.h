@@ -121,7 +121,7 @@ int ph_body_tensor(ph_body *b, double mass, const double com[3], const double te
 int ph_body_tensor_origin(ph_body *b, double mass, const double com[3], const double tensor[6]);
 
 /* Placement; out may be in. at: shift by d. turned: rotate about the origin by q (any length but
-   0). scaled: r -> diag(k) r with the MASS kept (k > 0). */
+   0). scaled: r -> diag(k) r with the MASS kept, k not 0; a negative factor mirrors. */
 int ph_body_at(ph_body *out, const ph_body *in, const double d[3]);
 int ph_body_turned(ph_body *out, const ph_body *in, const double q[4]);
 int ph_body_scaled(ph_body *out, const ph_body *in, const double k[3]);

@@ -250,6 +250,14 @@ static void two_ways(void) {
   s = ph_body_scaled(&a, &a, (const double[]){2, 3, 1}) || ph_plate_ellipse(&b, ONE, 2, 3);
   ok(s == 0, "a disc is scaled");
   near_all(6, a.tensor, b.tensor, TOL * b.tensor[2], "a disc scaled by 2, 3 is the ellipse");
+  /* a mirror in x changes the sign of what is odd in x: com x, and the entries xy and xz */
+  s = ph_rod_between(&a, ONE, (const double[]){1, 2, 3}, (const double[]){2, 4, -1}) ||
+      ph_body_scaled(&b, &a, (const double[]){-1, 1, 1});
+  ok(s == 0 && b.com[0] == -a.com[0] && b.com[1] == a.com[1],
+     "a mirrored rod's centre is mirrored");
+  const double mirrored[6] = {a.tensor[0],  a.tensor[1],  a.tensor[2],
+                              -a.tensor[3], -a.tensor[4], a.tensor[5]};
+  near_all(6, b.tensor, mirrored, TOL * a.tensor[2], "a mirror changes the sign of xy and xz");
   s = ph_rod_straight(&a, ONE, 3) ||
       ph_rod_between(&b, ONE, (const double[]){0, 0, -1.5}, (const double[]){0, 0, 1.5});
   ok(s == 0, "two rods are made");

@@ -1,0 +1,191 @@
+#!/usr/bin/env lua5.4
+-- text.t: the plain text of an expression reads back to its value; the other styles by example.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- A reader of twenty lines (usual precedence: ^ before unary minus before * / before + -, * and / from the left)
+-- computes with rationals straight from the text.
+package.path = "./?.lua;" .. package.path
+package.cpath = "build/lua/?.so;" .. package.cpath
+
+local tap = require "tests.tap"
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local evaluate = require "generator.algebra.evaluate"
+local text = require "generator.algebra.text"
+local recipe = require "tests.algebra.recipe"
+
+local x, y, z = expr.sym "x", expr.sym "y", expr.sym "z"
+local call, sqrt = expr.call, expr.sqrt
+
+-- ---- the reader ----
+
+local function read(source, env)
+  local at = 1
+  local function peek(pattern) return source:match("^%s*(" .. pattern .. ")", at) end
+  local function take(pattern)
+    local s, to = source:match("^%s*(" .. pattern .. ")()", at)
+    if s then at = to end
+    return s
+  end
+  local sum
+  local function argument()
+    local v = sum()
+    return v
+  end
+  local function atom()
+    if take "%(" then
+      local v = sum()
+      assert(take "%)", "no ) at " .. at .. " in " .. source)
+      return v
+    end
+    local digits = take "%d+"
+    if digits then return R.parse(digits) end
+    local name = assert(take "%a[%w_]*", "nothing at " .. at .. " in " .. source)
+    if name == "pi" then return R.apply("pi", recipe.bits) end
+    if not peek "%(" then return env[name] end
+    take "%("
+    local first, second = argument(), nil
+    if take "," then second = argument() end
+    assert(take "%)", "no ) after the argument of " .. name)
+    if name == "abs" then return R.abs(first) end
+    if second then return R.apply(name, recipe.bits, first, second) end
+    return R.apply(name, recipe.bits, first)
+  end
+  local function signed(f)
+    if take "%-" then return -f() end
+    return f()
+  end
+  local function power()
+    local base = atom()
+    if not take "%^" then return base end
+    local exponent = signed(power)
+    if R.isint(exponent) then return base ^ R.toint(exponent) end
+    return R.apply("pow", recipe.bits, base, exponent)
+  end
+  local function product()
+    local v = signed(power)
+    while true do
+      if take "%*" then
+        v = v * signed(power)
+      elseif take "/" then
+        v = v / signed(power)
+      else
+        return v
+      end
+    end
+  end
+  function sum()
+    local v = product()
+    while true do
+      if take "%+" then
+        v = v + product()
+      elseif take "%-" then
+        v = v - product()
+      else
+        return v
+      end
+    end
+  end
+  local v = sum()
+  assert(not peek "%S", "text left over at " .. at .. " in " .. source)
+  return v
+end
+
+-- the reader by itself
+tap.is(tostring(read("1 + 2*3^2/6 - -4", {})), "8", "the reader knows precedence")
+tap.is(tostring(read("-x^2/(2*x)", { x = R.new(3) })), "-3/2", "the reader takes ^ before the sign")
+
+-- ---- plain ----
+
+for _, family in ipairs {
+  { name = "rational functions", kinds = {}, seed = 51, exact = true },
+  { name = "roots and functions", kinds = { roots = true, calls = true }, seed = 52 },
+} do
+  recipe.seed(family.seed)
+  local wrong, fine = {}, 0
+  for n = 1, 200 do
+    local e = recipe.build(recipe.random(6, family.kinds))
+    local at = recipe.point()
+    local s = text.of(e, "plain")
+    local ok, got = pcall(read, s, at)
+    local want = family.exact and evaluate.exact(e, at) or evaluate.precise(e, at, recipe.bits)
+    -- both roads keep 300 bits; 200 is below what a few hundred operations can lose
+    if ok and (family.exact and got == want or not family.exact and recipe.close(got, want, 200)) then
+      fine = fine + 1
+    else
+      wrong[#wrong + 1] = n .. ": " .. s .. " (" .. tostring(got) .. ")"
+    end
+  end
+  tap.is(table.concat(wrong, "\n"), "", "200 " .. family.name .. ": the plain text has the value" ..
+    (family.exact and ", exactly" or " to 200 bits"))
+  tap.is(fine, 200, "all 200 were read")
+end
+
+local m, a, b, c = expr.sym("M", 1), expr.sym("a", 2), expr.sym("b", 2), expr.sym("c", 2)
+local samples = {
+  { m * (b ^ 2 + c ^ 2) / 12, "M*(b^2 + c^2)/12", "M (b² + c²)/12", "\\frac{M \\left(b^{2} + c^{2}\\right)}{12}" },
+  { -m * a * b / 4, "-M*a*b/4", "-M a b/4", "-\\frac{M a b}{4}" },
+  { (c ^ 2 - b ^ 2) / (b ^ 2 + c ^ 2), "(c^2 - b^2)/(b^2 + c^2)", "(c² - b²)/(b² + c²)",
+    "\\frac{\\left(c^{2} - b^{2}\\right)}{\\left(b^{2} + c^{2}\\right)}" },
+  { x / (y * z), "x/(y*z)", "x/(y z)", "\\frac{x}{y z}" },
+  { 2 * x / 3, "2*x/3", "2 x/3", "\\frac{2 x}{3}" },
+  { 1 / x, "1/x", "1/x", "\\frac{1}{x}" },
+  { x ^ -2, "1/x^2", "1/x²", "\\frac{1}{x^{2}}" },
+  { expr.lift "-3/7", "-3/7", "-3/7", "-\\frac{3}{7}" },
+  { expr.zero, "0", "0", "0" },
+  { sqrt(2) / 2, "sqrt(2)/2", "√(2)/2", "\\frac{\\sqrt{2}}{2}" },
+  { sqrt(x + y), "sqrt(x + y)", "√(x + y)", "\\sqrt{x + y}" },
+  { 1 / sqrt(x), "1/sqrt(x)", "1/√(x)", "\\frac{1}{\\sqrt{x}}" },
+  { expr.pow(x, "1/3"), "x^(1/3)", "x^(1/3)", "x^{1/3}" },
+  { (x + y) ^ 3, "(x + y)^3", "(x + y)³", "\\left(x + y\\right)^{3}" },
+  { expr.pi * x ^ 12 / 2, "x^12*pi/2", "x¹² π/2", "\\frac{x^{12} \\pi}{2}" },
+  { call("sin", 2 * x) * y, "y*sin(2*x)", "y sin(2 x)", "y \\sin\\left(2 x\\right)" },
+  { call("atan2", y, x), "atan2(y, x)", "atan2(y, x)", "\\operatorname{atan2}\\left(y, x\\right)" },
+  { call("asin", x), "asin(x)", "asin(x)", "\\arcsin\\left(x\\right)" },
+  { call("abs", x - y), "abs(x - y)", "abs(x - y)", "\\left|x - y\\right|" },
+  { x - y, "x - y", "x - y", "x - y" }, { -x - y, "-(x + y)", "-(x + y)", "-\\left(x + y\\right)" },
+  { y - x, "y - x", "y - x", "y - x" },
+  { expr.sym "omega_1", "omega_1", "omega_1", "\\omega_{1}" }, { expr.sym "head", "head", "head", "\\mathrm{head}" },
+  { expr.sym "a_b_c", "a_b_c", "a_b_c", "\\mathrm{a\\_b\\_c}" }, { expr.sym "m1", "m1", "m1", "m_{1}" },
+  { expr.sym "rho", "rho", "rho", "\\rho" },
+}
+for _, s in ipairs(samples) do
+  for i, style in ipairs { "plain", "unicode", "latex" } do
+    if s[i + 1] then
+      local got = text.of(s[1], style)
+      tap.ok(got == s[i + 1], style .. ": " .. s[i + 1], got)
+    end
+  end
+end
+tap.ok(text.of(x) == text.of(x, "plain"), "plain is the style without a name")
+tap.throws(function() return text.of(x, "roman") end, "unknown style roman", "another style is an error")
+
+-- LaTeX is balanced and names only commands that there are.
+do
+  recipe.seed(53)
+  local wrong = {}
+  local known = { frac = true, left = true, right = true, sqrt = true, pi = true, sin = true, cos = true, arctan = true,
+    tanh = true }
+  for n = 1, 100 do
+    local s = text.of(recipe.build(recipe.random(6, { roots = true, calls = true })), "latex")
+    local braces, brackets, command = 0, 0, true
+    for ch in s:gmatch "[{}]" do braces = braces + (ch == "{" and 1 or -1) end
+    for word in s:gmatch "\\(%a+)" do
+      brackets = brackets + (word == "left" and 1 or word == "right" and -1 or 0)
+      command = command and known[word]
+    end
+    if braces ~= 0 or brackets ~= 0 or not command then wrong[#wrong + 1] = n .. ": " .. s end
+  end
+  tap.is(table.concat(wrong, "\n"), "", "100 expressions in LaTeX have balanced braces and only known commands")
+end
+
+-- A shared graph can be astronomically long as text.
+do
+  local deep = x
+  for _ = 1, 100 do deep = call("sin", deep + deep ^ 2) end
+  local start = os.clock()
+  tap.is(text.of(deep), "...", "what would be 2^100 characters is shown as dots")
+  tap.ok(os.clock() - start < 1, "at once")
+end
+
+tap.done()

@@ -1,0 +1,178 @@
+#!/usr/bin/env lua5.4
+-- compile.t - the emitted code of every body, and of scenes that are hard, keeps its promises to compiler and linker.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- In double and float, with parameters and with --bake: gcc and clang as C99, g++ as C++11, all warnings errors; the
+-- self-test passes under both compilers; the objects hold no mutable data and call nothing but the libm functions of
+-- their real type; all scenes link into one program; and under address and undefined-behaviour sanitizers, float division
+-- by zero included, the self-test and a walk along the edges of the valid (exercise.lua) find nothing.
+
+package.path = "./?.lua;" .. package.path
+
+local tap = require "tests.tap"
+local program = require "tests.cli.program"
+local exercise = require "tests.emit.exercise"
+
+local binary = os.getenv "POLHODE" or "build/polhode"
+local dir = program.directory()
+
+-- The scenes beside bodies/: one hard thing each.
+local hard = {
+  ball = 'body = solid.sphere { r = param("r", 2, "m"), density = 3 }, initial = { omega = {1, 2, 3} }',
+  still = 'body = solid.box { x = 1, y = 2, z = 3, mass = param("M", 1, "kg") }',
+  pendulum = [[body = rod.between { from = {0, 0, 0}, to = {1, 2, 3}, mass = param("M", 2, "kg") },
+    origin = {0, 0, 0}, effects = { effect.gravity{} }, initial = { omega = {2, -1, 0} }]],
+  heavy_top = [[body = solid.cone { r = param("r", 0.05, "m"), h = 0.1, mass = 1 }:turned{axis = "x", angle = pi},
+    origin = "apex", effects = { effect.gravity{}, effect.damping{ c = param("c", 1e-5, "N m s") } },
+    initial = { omega = {0, 0.3, 40}, attitude = { axis = "y", angle = 0.3 } }]],
+  driven = [[body = solid.box { x = param("a", 1, "m"), y = 2, z = 3, mass = 4 }, origin = "corner",
+    effects = { effect.control{ max = param("limit", 2, "N m") }, effect.damping{ rate = 0.1 },
+      effect.torque{ inertial = { param("n", 1, "N m"), 0, 2 } },
+      effect.damping{ c = {{1, 2, 3}, {0, 1, 2}, {0, 0, 1}} } },
+    initial = { omega = {1, 2, 3} }]],
+  pushed = [[body = solid.box { x = 1, y = 2, z = 3, mass = 4 },
+    effects = { effect.torque{ inertial = { param("n", 2, "N m"), 1, 3 } } }, initial = { omega = {1, 2, 3} }]],
+  huge = [[body = tensor { mass = 1, xx = 1e30, yy = 2e30, zz = 2.5e30, xy = 1e29 },
+    initial = { omega = {1e-20, 2e-20, 0} }, time = { horizon = 1e21, step = 1e18 }]],
+  tiny = [[body = tensor { mass = 1, xx = 1e-30, yy = 2e-30, zz = 2.5e-30, yz = 1e-31 },
+    initial = { omega = {1e10, 2e10, 1} }, time = { horizon = 1e-9, step = 1e-12 }]],
+  far = [[body = solid.box { x = param("a", 1, "m"), y = 1, z = 1, mass = 1 }, origin = {2^30, 0, 0},
+    initial = { omega = {1, 2, 3} }]],
+  near_symmetric = [[body = tensor { mass = 1, xx = 1, yy = exact("1.00000000000000000001"), zz = 1.5 },
+    initial = { omega = {1, 2, 3} }]],
+  lamina = [[body = plate.rectangle { x = param("a", 1, "m"), y = 2, mass = 1 }:turned{axis = {1, 2, 3}, angle = 1},
+    initial = { omega = {1, 2, 3} }]],
+  -- names that the emitted functions use themselves
+  words = [[body = solid.box { x = param("x", 1, "m"), y = param("h", 2, "m"), z = param("t", 3, "m"),
+      mass = param("m", 4, "kg") }, origin = "corner",
+    effects = { effect.damping{ c = param("u", 1e-3, "N m s") }, effect.gravity{ g = param("k", 9.8, "m/s^2") } },
+    initial = { omega = { param("p", 1, "rad/s"), param("n", 2, "rad/s"), param("result", 3, "rad/s") } }]],
+}
+
+-- Too far out for float: products of a tensor of 1e30 with rates of 1e-20 leave its range.
+local double_only = { huge = true, tiny = true }
+
+local scenes = {}
+do
+  local pipe = assert(io.popen "ls bodies/*.lua")
+  for path in pipe:lines() do scenes[#scenes + 1] = { name = path:match "([%w_]+)%.lua$", path = path, body = true } end
+  pipe:close()
+  local names = {}
+  for name in pairs(hard) do names[#names + 1] = name end
+  table.sort(names)
+  for _, name in ipairs(names) do
+    local path = string.format("%s/%s.lua", dir, name)
+    program.write(path, "-- " .. name .. "\nreturn scene { name = \"" .. name .. "\",\n  " .. hard[name] .. " }\n")
+    scenes[#scenes + 1] = { name = name, path = path }
+  end
+end
+
+-- ---- the work on one directory, as a shell script: each line of its output is a check that failed ----
+
+program.write(dir .. "/one.sh", [[
+#!/bin/sh
+# one.sh DIRECTORY NAME REAL SANITIZE
+cd "$1" || exit 1
+name=$2 real=$3
+warn="-pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror -ffp-contract=off"
+failed() { echo "$1" >>failed; [ -f log ] && head -n 12 log >>failed; }
+for cc in gcc clang; do
+  $cc -std=c99 -O2 $warn -c $name.c -o $name-$cc.o 2>log || failed "$cc compiles the code"
+  $cc -std=c99 -O1 $warn -c ${name}_test.c -o test-$cc.o 2>log || failed "$cc compiles the self-test"
+  $cc test-$cc.o $name-$cc.o -lm -o test-$cc 2>log || failed "$cc links"
+  ./test-$cc >log 2>&1 || { grep -B3 '^not ok' log >log2; mv log2 log; failed "$cc: the self-test passes"; }
+  tail -n 1 log | grep -q '^1\.\.[1-9]' || failed "$cc: the self-test has a plan"
+  nm $name-$cc.o | grep ' [BbDdCSsGgVvuW] ' >log && failed "$cc: no mutable data"
+  : >log
+  if [ $real = float ]; then
+    nm -u $name-$cc.o | sed 's/.* U //' | grep -v 'f$' | grep -Ev '^(mem(set|cpy)|_GLOBAL_OFFSET_TABLE_|__stack_chk_fail)$' >log &&
+      failed "$cc: only float functions are called"
+  else
+    nm -u $name-$cc.o | sed 's/.* U //' |
+      grep -Ev '^(sin|cos|sincos|sqrt|fabs|frexp|ldexp|scalbn|sinh|cosh|mem(set|cpy)|_GLOBAL_OFFSET_TABLE_|__stack_chk_fail)$' >log &&
+      failed "$cc: only functions of math.h are called"
+  fi
+  : >log
+done
+for f in $name.c ${name}_test.c; do
+  g++ -std=c++11 -x c++ $warn -fsyntax-only $f 2>log || failed "g++ takes $f as C++11"
+done
+if [ $4 = yes ]; then
+  san="-fsanitize=address,undefined,float-divide-by-zero -fno-sanitize-recover=all"
+  gcc -std=c99 -O1 -g $san $name.c ${name}_test.c -lm -o test-san 2>log || failed "builds with sanitizers"
+  ./test-san >log 2>&1 || { grep -E -A4 '^not ok|runtime error|ERROR' log >log2; mv log2 log; failed "sanitizers: the self-test"; }
+  gcc -std=c99 -O1 -g $san $name.c exercise.c -lm -o exercise 2>log || failed "the exercise builds"
+  ./exercise >log 2>&1 || failed "sanitizers: the edges of the valid"
+fi
+: >>done
+exit 0
+]])
+
+local jobs, list = {}, {}
+for _, s in ipairs(scenes) do
+  for _, real in ipairs { "double", "float" } do
+    for _, bake in ipairs { false, true } do
+      local where = string.format("%s/%s-%s%s", dir, s.name, real, bake and "-bake" or "")
+      local code = program.shell(string.format("%s gen %s --real %s %s -o %s 2>%s.err", binary, s.path, real,
+        bake and "--bake" or "", where, where))
+      local name = s.name .. ", " .. real .. (bake and ", baked" or "")
+      if code == 0 then
+        -- bodies in all variants; hard scenes in double, with sanitizers, and in float without
+        local sanitize = real == "double" and (s.body or not bake)
+        local header = program.read(where .. "/" .. s.name .. ".h")
+        program.write(where .. "/exercise.c", exercise.text(s.name, header))
+        if s.body or not bake and not (real == "float" and double_only[s.name]) then
+          jobs[#jobs + 1] = { where = where, name = name, scene = s, real = real, bake = bake, sanitize = sanitize }
+          list[#list + 1] = string.format("%s %s %s %s", where, s.name, real, sanitize and "yes" or "no")
+        end
+      else
+        local why = program.read(where .. ".err") or ""
+        tap.ok(code == 1 and real == "float" and why:find("constant", 1, true),
+          name .. ": refused, because float cannot hold its constants", "status " .. code .. "\n" .. why)
+      end
+    end
+  end
+end
+
+program.write(dir .. "/list", table.concat(list, "\n") .. "\n")
+program.shell("xargs -L 1 -P 2 sh " .. dir .. "/one.sh <" .. dir .. "/list")
+
+local CHECKS = "compiles as C99 (gcc, clang) and C++11, self-test passes, no data, no foreign symbol"
+for _, job in ipairs(jobs) do
+  local failed = program.read(job.where .. "/failed")
+  tap.ok(not failed and program.read(job.where .. "/done"), job.name .. ": " .. CHECKS ..
+    (job.sanitize and ", clean under sanitizers" or ""), failed or "the script did not end")
+end
+
+-- ---- all scenes in one program ----
+
+for _, real in ipairs { "double", "float" } do
+  local includes, calls, objects, n = {}, {}, {}, 0
+  for _, job in ipairs(jobs) do
+    if job.real == real and not job.bake then
+      n = n + 1
+      includes[n] = string.format('#include "%s/%s.h"\n', job.where, job.scene.name)
+      calls[n] = string.format("  {\n    %s_model m;\n    if (%s_init(&m, 0) != 0) return %d;\n  }\n", job.scene.name,
+        job.scene.name, n)
+      objects[n] = string.format("%s/%s-gcc.o", job.where, job.scene.name)
+    end
+  end
+  program.write(dir .. "/all.c", table.concat(includes) .. "int main(void)\n{\n" .. table.concat(calls) ..
+    "  return 0;\n}\n")
+  local build = "cd %s && gcc -std=c99 -Wall -Wextra -Werror all.c %s -lm -o all >log 2>&1 && ./all"
+  local code = program.shell(build:format(dir, table.concat(objects, " ")))
+  tap.ok(code == 0 and n > 10, n .. " scenes in " .. real .. " link into one program and initialise",
+    code .. "\n" .. (program.read(dir .. "/log") or ""))
+end
+
+-- ---- the emitted Makefile ----
+
+do
+  local where = dir .. "/brick-double"
+  local code = program.shell("cd " .. where .. " && make check CC=gcc >log 2>&1 && grep -q '^ok 1' log && " ..
+    "make clean >>log 2>&1 && test ! -e brick_test -a ! -e brick.o")
+  tap.is(code, 0, "the emitted Makefile builds, checks and cleans")
+end
+
+program.finish()
+tap.done()
