@@ -206,6 +206,12 @@ function env.record(host, d, text, tables, set)
       d:error(result.line, "scene", "the script must return its scene", value.show(first))
     end
   end
+  for _, p in ipairs(not d:failed() and params or {}) do
+    if string.find(p.name, "^" .. result.name .. "_") then
+      d:error(p.line, "param", "name must not begin with " .. result.name .. "_, as the emitted code's own names do",
+        diag.show(p.name))
+    end
+  end
   if d:failed() then return nil end
   result.params, result.checks = params, ctx.checks
   for _, name in ipairs(args.keys(ctx.set)) do

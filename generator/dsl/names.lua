@@ -14,7 +14,9 @@ for word in string.gmatch([[
   alignas alignof and and_eq asm bitand bitor bool catch class compl concept const_cast constexpr decltype delete
   dynamic_cast explicit export false friend mutable namespace new noexcept not not_eq nullptr operator or or_eq
   private protected public reinterpret_cast static_assert static_cast template this thread_local throw true try
-  typeid typename using virtual wchar_t xor xor_eq main NULL errno INFINITY NAN HUGE_VAL assert I complex]], "%S+") do
+  typeid typename using virtual wchar_t xor xor_eq
+  char8_t char16_t char32_t consteval constinit co_await co_return co_yield requires typeof typeof_unqual
+  main NULL errno INFINITY NAN assert I complex linux unix i386 MAXFLOAT]], "%S+") do
   keywords[word] = true
 end
 
@@ -27,7 +29,10 @@ function names.identifier(s)
     return "must be a C identifier (a letter, then letters, digits, _)"
   end
   if #s > 31 then return "must have at most 31 characters" end
-  if keywords[s] then return "must not be a word of C or C++" end
+  -- M_PI, FP_NAN, HUGE_VAL and their kin are macros of <math.h>; linux is one of gcc's, outside its standard modes
+  if keywords[s] or string.find(s, "^M_%u") or string.find(s, "^FP_%u") or string.find(s, "^HUGE") then
+    return "must not be a word of C or C++"
+  end
   if string.find(s, "__", 1, true) then return "must not contain __ (reserved in C++)" end
   return nil
 end

@@ -73,7 +73,7 @@ function shapes.constructor(spec)
     local line = here()
     local extra = spec.measure and { "mass", "density" }
     local a, ok = args.read(ctx, line, what, spec.args, given, extra)
-    local node = { shape = spec.name, a = a, line = line }
+    local node = { shape = spec.name, a = a, line = line, measure = spec.measure, curved = spec.curved }
     if args.plain(given) and spec.measure then ok = amount(spec, what, line, given, node) and ok end
     if ok and spec.requires then
       for _, c in ipairs(spec.requires(a)) do
@@ -195,6 +195,21 @@ function method.turned(self, given)
   return derived(self, { op = "turned", q = q, angle = angle, axis = axis, broken = q == nil, line = line })
 end
 
+-- Why the shapes below `node` cannot be scaled by different factors, or nil.  A volume stays uniform under any affine
+-- map, a flat plate and a straight rod too, but how much a density per area or length is worth then depends on how it
+-- lies; a curved wire or shell does not stay uniform.
+local function stiff(node)
+  if node.shape then
+    if node.curved then return "a curved wire or shell must be scaled by one factor" end
+    if node.density and node.measure ~= "volume" then
+      return "a plate or rod given by its density must be scaled by one factor"
+    end
+    return nil
+  end
+  if node.of then return stiff(node.of) end
+  return stiff(node[1]) or stiff(node[2])
+end
+
 function method.scaled(self, k)
   if not receiver(self, "scaled") then return shapes.broken() end
   if not args.plain(k) then k = { k } end
@@ -202,6 +217,11 @@ function method.scaled(self, k)
   local line = called "scaled"
   local v = args.vector(ctx, line, "scaled", "factor", specs, k)
   if v and #v == 1 then v = { v[1], v[1], v[1] } end
+  local rule = v and not (v[1] == v[2] and v[2] == v[3]) and stiff(record[self])
+  if rule then
+    ctx.diag:error(line, "scaled", rule, diag.show(k))
+    v = nil
+  end
   return derived(self, { op = "scaled", k = v, broken = v == nil, line = line })
 end
 

@@ -77,7 +77,8 @@ end
 -- The number that e has for the parameters' defaults, as a rational within 2^-200 of it (exact where e is a
 -- rational function); nil if e has no value there.
 function value.number(e)
-  local ok, q = pcall(evaluate.precise, e, current.defaults, 200)
+  local ok, q = pcall(evaluate.exact, e, current.defaults)
+  if not ok then ok, q = pcall(evaluate.precise, e, current.defaults, 200) end
   return ok and q or nil
 end
 

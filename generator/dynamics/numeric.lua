@@ -8,6 +8,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local vec = require "generator.algebra.vec"
+local body = require "generator.mass.body"
 
 local numeric = {}
 
@@ -21,38 +22,40 @@ function numeric.scene(job, values)
   local function num(e) return R.todouble(exact(e)) end
   local function nums(v) return vec.map(v, num) end
 
-  -- density is multiplied by `volume`, the factor of the scalings around the shape: the library's scaling keeps mass
-  local function tree(node, volume)
+  -- density is multiplied by the growth of its shape under the scalings around it: the library's scaling keeps mass
+  local function tree(node, growth)
     if node.shape == "points" then
       local rows = {}
       for i, row in ipairs(node.rows) do rows[i] = nums(row) end
       return { shape = "points", list = rows }
     elseif node.shape then
       local out = { shape = node.shape, mass = node.mass and num(node.mass),
-        density = node.density and num(node.density * volume) }
+        density = node.density and num(node.density * growth[node.measure]) }
       for k, v in pairs(node.a) do -- order does not matter: a table of named numbers
         if type(v) == "string" then out[k] = v elseif expr.is(v) then out[k] = num(v) else out[k] = nums(v) end
       end
       return out
     elseif node.op == "at" then
-      return { op = "at", of = tree(node.of, volume), r = nums(node.r) }
+      return { op = "at", of = tree(node.of, growth), r = nums(node.r) }
     elseif node.op == "turned" then
-      return { op = "turned", of = tree(node.of, volume), q = nums(node.q) }
+      return { op = "turned", of = tree(node.of, growth), q = nums(node.q) }
     elseif node.op == "scaled" then
-      local k = nums(node.k)
-      volume = volume * expr.call("abs", node.k[1] * node.k[2] * node.k[3])
-      return { op = "scaled", of = tree(node.of, volume), k = k }
+      local inner = {}
+      for _, measure in ipairs { "volume", "area", "length" } do
+        inner[measure] = growth[measure] * body.growth(node.k, measure)
+      end
+      return { op = "scaled", of = tree(node.of, inner), k = nums(node.k) }
     elseif node.op == "sum" then
-      return { op = "sum", tree(node[1], volume), tree(node[2], volume) }
+      return { op = "sum", tree(node[1], growth), tree(node[2], growth) }
     elseif node.op == "minus" then
-      return { op = "minus", tree(node[1], volume), tree(node[2], volume) }
+      return { op = "minus", tree(node[1], growth), tree(node[2], growth) }
     end
     error("unknown node in a shape tree: " .. tostring(node.op))
   end
 
   local effects = {}
   for i, e in ipairs(record.effects) do effects[i] = e.spec.numeric(e.a, num) end
-  return { name = m.name, body = tree(record.body, expr.one), origin = nums(m.origin), effects = effects,
+  return { name = m.name, body = tree(record.body, { volume = expr.one, area = expr.one, length = expr.one }), origin = nums(m.origin), effects = effects,
     q = nums(record.attitude), w = nums(record.omega) }
 end
 

@@ -30,6 +30,14 @@ local function tensor_of_sigma(S)
   return { t - S[1], t - S[2], t - S[3], -S[4], -S[5], -S[6] }
 end
 
+-- How much more of it there is after the scaling by k: of volume, area or length (the last two only for one factor
+-- and mirrors, see the scene language).
+function body.growth(k, measure)
+  local v = vec.map(k, function(x) return expr.call("abs", x) end)
+  if measure == "volume" then return v[1] * v[2] * v[3] end
+  return measure == "area" and v[1] ^ 2 or v[1]
+end
+
 local build
 
 local function primitive(node)
@@ -58,7 +66,7 @@ local function primitive(node)
   local points = { centroid = com }
   for k, v in pairs(shape.points or {}) do points[k] = v end
   return { pieces = { { mass = node.mass or node.density * shape.measure, com = com, sigma = shape.sigma,
-    line = node.line, name = node.shape, density = node.density, measure = shape.measure } }, points = points }
+    line = node.line, name = node.shape, density = node.density, measure = spec.measure } }, points = points }
 end
 
 -- r -> A r + b applied to every piece and named point.
@@ -106,9 +114,10 @@ function build(node)
   if node.op == "scaled" then
     local k = node.k
     local A = { { k[1], expr.zero, expr.zero }, { expr.zero, k[2], expr.zero }, { expr.zero, expr.zero, k[3] } }
-    -- a mass that was given stays; a density keeps being one, so the mass follows the volume
-    local volume = expr.call("abs", k[1] * k[2] * k[3])
-    return affine(build(node.of), A, nil, function(p) return p.density and p.mass * volume or p.mass end)
+    -- a mass that was given stays; a density keeps being one, so the mass follows volume, area or length
+    return affine(build(node.of), A, nil, function(p)
+      return p.density and p.mass * body.growth(k, p.measure) or p.mass
+    end)
   end
   if node.op == "sum" then return joined(build(node[1]), build(node[2]), 1) end
   if node.op == "minus" then return joined(build(node[1]), build(node[2]), -1) end

@@ -106,7 +106,7 @@ local list = {
       return { measure = expr.sqrt(vec.dot(d, d)), com = vec.scale(expr.lift "1/2", vec.add(a.from, a.to)),
         sigma = vec.map(vec.outer(d), function(s) return s / 12 end), points = { from = a.from, to = a.to } }
     end },
-  { name = "wire.hoop", measure = "length", frame = "circle's centre, in z = 0", about = "radius r",
+  { name = "wire.hoop", measure = "length", curved = true, frame = "circle's centre, in z = 0", about = "radius r",
     args = { length "r" },
     build = function(a) return centred(2 * pi * a.r, diagonal(a.r ^ 2 / 2, a.r ^ 2 / 2, zero)) end },
   { name = "points", frame = "as given", about = "particles {{m, x, y, z}, ...}", rows = true },

@@ -41,7 +41,9 @@ local function expected(scene, faults)
   for i, fault in ipairs(faults) do
     local line, message = fault[1], fault[2]
     out[i] = "s.lua" .. (line and ":" .. line or "") .. ": " .. message .. "\n"
-    if line and source[line]:find "%S" then out[i] = out[i] .. "    " .. source[line]:gsub("^%s+", ""):gsub("%c", " ") .. "\n" end
+    if line and source[line]:find "%S" then
+      out[i] = out[i] .. "    " .. source[line]:gsub("^%s+", ""):gsub("%c", " ") .. "\n"
+    end
   end
   return table.concat(out)
 end
@@ -88,7 +90,8 @@ end
 
 do
   local scene = 'return scene { name = "s", body = solid.sphere { r = -1, mass = 1 } }'
-  for _, command in ipairs { "explain s.lua", "explain --format json s.lua", "run s.lua", "gen s.lua", "check s.lua" } do
+  for _, command in ipairs { "explain s.lua", "explain --format json s.lua", "run s.lua", "gen s.lua",
+    "check s.lua" } do
     local status, _, err = run(scene, command)
     tap.ok(status == 1 and err:find("s.lua:1: sphere: r must be positive, got -1", 1, true) == 1,
       "polhode " .. command .. " says the same and ends with 1", status .. "\n" .. err)
@@ -119,7 +122,8 @@ for _, case in ipairs {
   { "gen --set 1=1 s.lua", 2, "polhode gen: --set must be NAME=NUMBER, got 1=1\n" },
   { "gen --set q=1 s.lua", 2, "polhode: --set q: the scene has no such parameter\n" },
   { "fly s.lua", 2, "polhode: no command \"fly\"\n" },
-  { "", 2, "usage: polhode gen" }, { "list planets", 2, "polhode list: must be shapes, effects, methods, bodies or constants" },
+  { "", 2, "usage: polhode gen" },
+  { "list planets", 2, "polhode list: must be shapes, effects, methods, bodies or constants" },
 } do
   local status, out, err = run('local r = param("r", 1, "m")\n' ..
     'return scene { name = "s", body = solid.sphere { r = r, mass = 1 } }', case[1])

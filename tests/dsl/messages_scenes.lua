@@ -2,8 +2,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- A row is {scene, line, message}, or {scene, {line, message}, {line, message}, ...} for several errors; no line: the
--- message has none.  `name` says what a row is about where the message does not; `args` are further words of the command
--- line.
+-- message has none.  `name` says what a row is about where the message does not; `args` are further words of the
+-- command line.
 
 local forms = require "tests.dsl.forms"
 local BOX, keyword, identifier, number = forms.BOX, forms.keyword, forms.identifier, forms.number
@@ -17,6 +17,8 @@ local params = { about = "param",
   { after 'param("I", 1, "m")', 1, "param: name " .. keyword .. ", got \"I\"" },
   { after 'param("qw", 1, "m")', 1, "param: name is taken by the emitted code, got \"qw\"" },
   { after 'param("NX", 1, "m")', 1, "param: name is taken by the emitted code, got \"NX\"" },
+  { after 'param("s_real", 1, "m")', 1,
+    "param: name must not begin with s_, as the emitted code's own names do, got \"s_real\"" },
   { after 'param("a__b", 1, "m")', 1, "param: name must not contain __ (reserved in C++), got \"a__b\"" },
   { after 'param("_a", 1, "m")', 1, "param: name " .. identifier .. ", got \"_a\"" },
   { after 'param("2a", 1, "m")', 1, "param: name " .. identifier .. ", got \"2a\"" },

@@ -2,8 +2,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- A row is {scene, line, message}, or {scene, {line, message}, {line, message}, ...} for several errors; no line: the
--- message has none.  `name` says what a row is about where the message does not; `args` are further words of the command
--- line.
+-- message has none.  `name` says what a row is about where the message does not; `args` are further words of the
+-- command line.
 
 local forms = require "tests.dsl.forms"
 local BOX, number, body, with = forms.BOX, forms.number, forms.body, forms.with
