@@ -49,7 +49,8 @@ local function symmetry_constants(job)
   if not axis then
     for i, n in ipairs { "kx", "ky", "kz" } do k[i] = m:constant(n, s.k[i], "direction of the symmetry axis") end
   end
-  job.symmetry = { oblique = not axis, k = k, k2 = m:constant("k2", s.k2, "square of the direction of the symmetry axis"),
+  job.symmetry = { oblique = not axis, k = k,
+    k2 = m:constant("k2", s.k2, "square of the direction of the symmetry axis"),
     I1 = m:constant("I1", s.alpha, "moment of inertia across the symmetry axis, kg m^2"),
     I3 = s.rod and expr.zero or m:constant("I3", s.axial, "moment of inertia about the symmetry axis, kg m^2") }
 end

@@ -247,7 +247,8 @@ do
       if not licence then
         heads[#heads + 1] = path .. ": no licence in its head"
       end
-      if not (head:find("^%-%- ") or head:find("^/%* ") or head:find("^#![^\n]*\n%-%- ") or head:find("^%%%% %-%- ")) then
+      if not (head:find("^%-%- ") or head:find("^/%* ") or head:find("^#![^\n]*\n%-%- ")
+        or head:find("^%%%% %-%- ")) then
         heads[#heads + 1] = path .. ": does not open with what it is for"
       end
     end

@@ -39,4 +39,11 @@ function rational.lift(x)
   return nil, "must be a number"
 end
 
+-- The power of ten at or below |q|, as text with q's sign: what is said of a number that no double holds.
+function rational.magnitude(q)
+  local n = R.log2(q) * 30103 // 100000 - 1
+  while R.new(10) ^ (n + 1) <= R.abs(q) do n = n + 1 end
+  return (R.sign(q) < 0 and "-1e" or "1e") .. n
+end
+
 return rational

@@ -138,7 +138,7 @@ local function effect_constructor(ctx, record)
         a, ok = args.read(ctx, line, what, spec.args, given or {})
       end
       for _, c in ipairs(ok and a and spec.check and spec.check(a) or {}) do
-        ok = args.condition(ctx, line, what, c[2], c[1], args.named(spec.args, c[2], given)) and ok
+        ok = args.condition(ctx, line, what, c[2], c[1], args.named(spec.args, c[2], given or {})) and ok
       end
       local h = setmetatable({}, effect_object)
       record[h] = { kind = spec.name, spec = spec, a = a or {}, line = line, broken = not ok or a == nil }

@@ -65,7 +65,7 @@ function value.show(x, with_unit)
   local n = value.number(r.e)
   local number = n and diag.show(R.todouble(n)) or "no number"
   if n and (number == "inf" or number == "-inf" or number == "0.0" and R.sign(n) ~= 0) then
-    number = (R.sign(n) < 0 and "-" or "") .. "1e" .. R.log2(n) * 30103 // 100000
+    number = R.magnitude(n)
   end
   local s = size(r.e, most_nodes) <= most_nodes and text.of(r.e) or nil
   if s and s ~= number and #s <= most_text then number = s .. " = " .. number end

@@ -55,7 +55,8 @@ function numeric.scene(job, values)
 
   local effects = {}
   for i, e in ipairs(record.effects) do effects[i] = e.spec.numeric(e.a, num) end
-  return { name = m.name, body = tree(record.body, { volume = expr.one, area = expr.one, length = expr.one }), origin = nums(m.origin), effects = effects,
+  local body_tree = tree(record.body, { volume = expr.one, area = expr.one, length = expr.one })
+  return { name = m.name, body = body_tree, origin = nums(m.origin), effects = effects,
     q = nums(record.attitude), w = nums(record.omega) }
 end
 

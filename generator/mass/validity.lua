@@ -32,6 +32,13 @@ end
 
 local names = { "xx", "yy", "zz" }
 
+-- Moments are divided by, so their reciprocals must be doubles too; a tensor that is not diagonal is inverted, and its
+-- determinant is the cube of a moment.
+local ranges = {
+  plain = { most = R.parse "1e300", about = " (1e-300 to 1e300)" },
+  coupled = { most = R.parse "1e100", about = ", and so must their cubes (1e-100 to 1e100)" },
+}
+
 -- The six entries, for a message.
 local function entries(I)
   return string.format("xx %s, yy %s, zz %s, xy %s, xz %s, yz %s", show(I[1]), show(I[2]), show(I[3]), show(I[4]),
@@ -45,15 +52,17 @@ function validity.check(d, m)
     d:error(m.line, "body", "total mass must be positive", show(mass) .. " kg")
     return false
   end
-  for _, e in ipairs { m.mass, table.unpack(m.inertia) } do
-    local x = R.todouble(m:number(e))
-    if x == math.huge or x == -math.huge then
-      d:error(m.line, "body", "mass and moments must be within the range of double", "1e" ..
-        math.tointeger(R.log2(m:number(e)) * 301 // 1000))
+  local I, J = m.inertia, m.centroidal
+  local coupled = not (expr.iszero(I[4]) and expr.iszero(I[5]) and expr.iszero(I[6]))
+  local range = ranges[coupled and "coupled" or "plain"]
+  for _, e in ipairs { m.mass, I[1], I[2], I[3], J[1], J[2], J[3] } do
+    local x = m:number(e)
+    if R.sign(x) ~= 0 and (R.abs(x) * range.most < R.one or R.abs(x) > range.most) then
+      d:error(m.line, "body", "mass and moments must be within the range of double" .. range.about, R.magnitude(x))
       return false
     end
   end
-  local I = vec.map(m.centroidal, function(e) return m:number(e) end)
+  I = vec.map(J, function(e) return m:number(e) end)
   local half = vec.trace(I) / R.new(2)
   local sigma = { half - I[1], half - I[2], half - I[3], -I[4], -I[5], -I[6] }
   if semidefinite(sigma) then return true end

@@ -257,8 +257,8 @@ function writers.json(f)
   local methods = { "rk4", "linearised" }
   if f.closed.kind then methods[#methods + 1] = "exact" end
   return json.text(object { { "name", f.name }, { "parameters", params }, { "mass", f.mass_number },
-    { "mass_symbolic", text.of(f.mass, "plain") }, { "com", f.com_number }, { "com_symbolic", symbolic(f.com) }, { "origin", f.origin_number },
-    { "com_from_origin", f.arm_number },
+    { "mass_symbolic", text.of(f.mass, "plain") }, { "com", f.com_number }, { "com_symbolic", symbolic(f.com) },
+    { "origin", f.origin_number },    { "com_from_origin", f.arm_number },
     { "inertia", entries(f.inertia, f.inertia_number) }, { "centroidal", entries(f.centroidal, f.centroidal_number) },
     { "principal", object { { "moments", f.moments }, { "axes", f.axes } } }, { "symmetry", f.symmetry },
     { "closed_form", closed }, { "stability", stability }, { "effects", effects }, { "methods", methods },

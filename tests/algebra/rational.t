@@ -45,6 +45,11 @@ for _, case in ipairs {
   tap.ok(q == nil and why == case[2], case[3] .. " is no number: " .. case[2], tostring(why))
 end
 
+for _, case in ipairs { { "1e400", "1e400" }, { "9.99e-401", "1e-401" }, { "-1e-101", "-1e-101" }, { "1", "1e0" },
+  { "-12345", "-1e4" }, { "1e-300", "1e-300" } } do
+  tap.is(rational.magnitude(rational.parse(case[1])), case[2], case[1] .. " is about " .. case[2])
+end
+
 local x, q = expr.sym "x", rational.new(2, 3)
 tap.ok(q + x == x + q, "a rational can be the left operand of a sum with an expression")
 tap.ok(q - x == -(x - q), "a rational can be the left operand of a difference")

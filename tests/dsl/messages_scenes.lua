@@ -213,7 +213,12 @@ local existence = { about = "validity",
     "body: is a rod: no torque may act along its line, where it has no moment of inertia",
     name = "an oblique rod with a torque along it" },
   { body "solid.sphere { r = 1e200, mass = 1 }", 2,
-    "body: mass and moments must be within the range of double, got 1e399" },
+    "body: mass and moments must be within the range of double (1e-300 to 1e300), got 1e399" },
+  { body "solid.sphere { r = 1, mass = 1e-301 }", 2,
+    "body: mass and moments must be within the range of double (1e-300 to 1e300), got 1e-301" },
+  { body("solid.box { x = 1e-40, y = 1e-40, z = 1e-40, mass = 1e-30 }, origin = \"corner\""), 2,
+    "body: mass and moments must be within the range of double, and so must their cubes (1e-100 to 1e100), " ..
+    "got 1e-111" },
 }
 
 -- Where the blame is put.

@@ -135,8 +135,9 @@ local a, b = param("a", 2, "m"), param("b", 1, "m")
 return scene { name = "s", body = solid.tube { r_in = b, r_out = a, h = 3, mass = param("M", 1, "kg") } }]]
   local rules = {}
   for i, c in ipairs(job.model.conditions) do rules[i] = c.text end
-  tap.is(table.concat(rules, "; "), "param: M must be positive (test.lua:2); tube: " ..
-    "r_in must be positive (test.lua:2); tube: r_out must be positive (test.lua:2); tube: r_out must be larger than r_in (test.lua:2)",
+  tap.is(table.concat(rules, "; "), "param: M must be positive (test.lua:2); " ..
+    "tube: r_in must be positive (test.lua:2); tube: r_out must be positive (test.lua:2); " ..
+    "tube: r_out must be larger than r_in (test.lua:2)",
     "conditions on parameters are kept for the emitted code, each once, with their lines")
 end
 

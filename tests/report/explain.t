@@ -116,7 +116,10 @@ do
     tap.near(j.inertia.numeric[n], want[n], 4 * EPSILON, 0.0, "brick: entry " .. n, "four operations")
   end
   tap.is(j.inertia.numeric[1], 0.01, "brick: I_xx is the double nearest to 1/100")
-  for i, x in ipairs { 0.1, 0.05, 0.025 } do tap.is(j.com[i], x, "brick: com[" .. i .. "]") end
+  for i, x in ipairs { 0.1, 0.05, 0.025 } do
+    tap.is(j.com[i], 0.0, "brick: com[" .. i .. "], in the coordinates of the shape")
+    tap.is(j.com_from_origin[i], x, "brick: com_from_origin[" .. i .. "]")
+  end
   tap.is(j.centroidal.symbolic.xy, "0", "brick: a vanishing entry is written 0")
   tap.is(#j.effects, 0, "brick: no effects")
   tap.is(#j.parameters, 4, "brick: four parameters")
@@ -126,7 +129,7 @@ do
   tap.is(j.parameters[1].default, 0.4, "--set changes a default")
   tap.near(j.inertia.numeric[4], -M * 0.4 * b / 4, 4 * EPSILON, 0.0, "--set: and the numbers", "four operations")
   j = json.read((explain("bodies/gyroscope.lua", "json")))
-  tap.ok(#j.effects == 1 and j.effects[1].name == "effect.control" and j.effects[1].line == 13,
+  tap.ok(#j.effects == 1 and j.effects[1].name == "effect.control" and j.effects[1].line == 12,
     "gyroscope: one effect, with its line")
   j = json.read((explain("bodies/cube_corner.lua", "json")))
   local m = j.principal.moments
@@ -152,7 +155,7 @@ contains(explain("bodies/brick.lua", "latex"), { "\\section*{brick}", "\\frac{M 
   "-\\frac{M a b}{4}", "\\frac{M \\left(b^{2} + c^{2}\\right)}{12}" }, "brick, latex")
 contains(explain("bodies/cube_corner.lua", "text"), { "11 M a²/12", "M a²/6", "(1, 1, 1)",
   "closed form: free symmetric top" }, "cube about its corner, text")
-contains(explain("bodies/gyroscope.lua", "text"), { "effect control (line 13)", "conserves nothing" }, "gyroscope, text")
+contains(explain("bodies/gyroscope.lua", "text"), { "effect control (line 12)", "conserves nothing" }, "gyroscope, text")
 contains(explain("bodies/dumbbell.lua", "text"), { "rod", "m1 m2 d²" }, "dumbbell, text")
 
 for _, path in ipairs(bodies) do
