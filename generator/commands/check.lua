@@ -49,6 +49,7 @@ function check.run(host, given)
       if plugin then
         comparison.run(host, job, plugin, tap, math.tointeger(given.states or 1000) or 1000)
       elseif not refused then
+        if kind == "range" then worst = math.max(worst, 1) end
         host.err(why .. "\n")
       end
     end

@@ -13,6 +13,7 @@ explain.operands = { 1, 1 }
 function explain.run(host, given)
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, given[1], d, why) end
+  options.warn(host, job.diag)
   driver.plan(job, { command = "" })
   host.out(report.text(job, given.format or "text"))
   return 0

@@ -7,6 +7,7 @@
 -- All components stay in body axes.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
 
 local frames = {}
@@ -24,14 +25,14 @@ function frames.acceleration(w, dw, r, v, a)
 end
 
 -- Kinetic energy of particles that turn with w about the origin, by the definition: sum m (w x r)^2/2.
--- rows: {{m, x, y, z}, ...}
-function frames.particle_energy(rows, w, zero)
-  local T = zero
-  for _, p in ipairs(rows) do
+-- rows: {{m, x, y, z}, ...}, expressions.
+function frames.particle_energy(rows, w)
+  local T = {}
+  for i, p in ipairs(rows) do
     local v = vec.cross(w, { p[2], p[3], p[4] })
-    T = T + p[1] * vec.dot(v, v) / 2
+    T[i] = p[1] * vec.dot(v, v) / 2
   end
-  return T
+  return expr.add(T)
 end
 
 return frames

@@ -155,6 +155,9 @@ function source.make(ctx, f)
     lines = lines, cost = count.run(ir) }
 end
 
+-- Operation counts of a description, without making C of it.
+function source.cost(ctx, f) return count.run(passes.run(lower.run(source.program(ctx, f)))) end
+
 -- The IR of a description after the pass `stop`, as text: --show.
 function source.show(ctx, f, stop)
   return show.run(passes.run(lower.run(source.program(ctx, f)), stop), ctx.real)

@@ -126,7 +126,7 @@ local function cost_section(job)
     members = job.model.members, states = job.states, inputs = job.equations.inputs and job.input_states or {} }
   local lines = {}
   for _, fn in ipairs(job.functions) do
-    local c = source.make(ctx, fn).cost
+    local c = source.cost(ctx, fn)
     lines[#lines + 1] = { fn = fn.name, add = c.add or 0, mul = c.mul or 0, div = c.div or 0, sqrt = c.sqrt or 0,
       call = c.call or 0 }
   end

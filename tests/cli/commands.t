@@ -93,7 +93,8 @@ end
 
 do
   local status, out, err = run "--help"
-  tap.ok(status == 0 and err == "" and out:find("usage: polhode gen", 1, true) == 1, "--help prints the usage, status 0")
+  tap.ok(status == 0 and err == "" and out:find("usage: polhode gen", 1, true) == 1,
+    "--help prints the usage, status 0")
   status, out = run "--version"
   tap.ok(status == 0 and out:match "^polhode %d+%.%d+%.%d+\n$", "--version prints name and number", out)
 end

@@ -1,8 +1,8 @@
 -- exercise.lua - C text that calls every emitted function of a scene at the edges of what is valid.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- Rest, pure spins, steps of length zero and of both signs, long times, zero and NaN states, parameters of every kind: for
--- valid input every result must be finite, for invalid input the answer must be a status and the output untouched.
+-- Rest, pure spins, steps of length zero and of both signs, long times, zero and NaN states, parameters of every kind:
+-- for valid input every result must be finite, for invalid input the answer must be a status and the output untouched.
 -- Built with sanitizers, so that a division by zero or an uninitialised read ends the program.
 
 local exercise = {}

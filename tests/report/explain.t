@@ -15,7 +15,8 @@ local EPSILON = 2.0 ^ -52
 local binary = os.getenv "POLHODE" or "build/polhode"
 
 local function explain(path, format, more)
-  local pipe = assert(io.popen(string.format("%s explain %s --format %s %s 2>/dev/null", binary, path, format, more or "")))
+  local command = string.format("%s explain %s --format %s %s 2>/dev/null", binary, path, format, more or "")
+  local pipe = assert(io.popen(command))
   local text = pipe:read "a"
   local fine = pipe:close()
   return text, fine
@@ -29,7 +30,8 @@ do
 end
 
 -- the reader refuses what is no JSON, so that what it reads is some
-for _, text in ipairs { "{", "[1,]", "{\"a\":1,}", "nan", "01", "1.", "\"a\nb\"", "{\"a\":1,\"a\":2}", "[1] x", "'a'" } do
+for _, text in ipairs { "{", "[1,]", "{\"a\":1,}", "nan", "01", "1.", "\"a\nb\"", "{\"a\":1,\"a\":2}", "[1] x",
+  "'a'" } do
   tap.ok(not pcall(json.read, text), "no JSON: " .. text:gsub("\n", "\\n"))
 end
 
