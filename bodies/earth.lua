@@ -1,5 +1,5 @@
--- The rigid Earth: Euler's free precession of the pole in C/(C - A) = 305 days.
--- Moments of the symmetric figure: C = 8.0365e37 kg m^2, C/(C - A) = 305.3 (the dynamical ellipticity).
+-- The rigid Earth: Euler's free precession of the pole, A/(C - A) = 304 sidereal days (he found 305).
+-- Moments of the symmetric figure: C = 8.0365e37 kg m^2, dynamical ellipticity (C - A)/C = 1/305.3.
 local C = quantity(8.0365e37, "kg m^2")
 local A = C*exact("3043/3053")
 return scene {

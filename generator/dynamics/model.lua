@@ -22,7 +22,7 @@ model.__index = model
 -- Bits kept of a constant that is no rational number (sqrt(2), pi/3) when it becomes one.
 local bits = 240
 
--- The value of e for the parameters' defaults, as a rational: exact where e is a rational function, else to `bits` bits.
+-- The value of e for the parameters' defaults, as a rational: exact for a rational function, else to `bits` bits.
 function model:number(e)
   local ok, value = pcall(evaluate.exact, e, self.defaults)
   return ok and value or evaluate.precise(e, self.defaults, bits)

@@ -11,6 +11,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Between two rows: a minute or so of the slowest method; signals are looked at once a row. */
+#define MAX_STEPS 5000000
+
 #define STATES 7 /* qw qx qy qz wx wy wz */
 
 static const double no_control[3] = {0, 0, 0};
@@ -38,6 +41,7 @@ static int option(lua_State *L, int index, const char *key, double *out) {
 
 static int read_options(lua_State *L, int index, ph_options *o) {
   *o = ph_options_default();
+  o->max_steps = MAX_STEPS;
   lua_getfield(L, index, "method");
   const char *name = luaL_optstring(L, -1, "adaptive");
   size_t i = 0;

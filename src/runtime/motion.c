@@ -3,8 +3,10 @@
 
    I w' = N - w x I w about the fixed origin, body axes (Euler 1758; Goldstein, Classical
    Mechanics, 5.5), with the full tensor: no principal axes are assumed, and the system is solved
-   through the principal system that ph_top_init found. q' = q (0, w)/2 for the attitude. Vectors
-   fixed in inertial axes come to body axes by the polynomial q* v q. */
+   through the principal system that ph_top_init found. With the second moments S, I = tr(S) 1 - S,
+   the gyroscopic term is -w x I w = w x S w: what all moments have in common is not there to
+   cancel, so a needle of 1e-30 keeps its digits. q' = q (0, w)/2 for the attitude. Vectors fixed in
+   inertial axes come to body axes by the polynomial q* v q. */
 #include "motion.h"
 
 void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
@@ -64,12 +66,12 @@ int motion_solve(const ph_top *top, const ph_wide b[3], ph_wide size, ph_wide w_
 
 int motion_rates(const ph_top *top, const motion_loads *loads, const ph_wide x[7], ph_wide dx[7]) {
   const ph_wide *w = x + 4, pure[4] = {0, w[0], w[1], w[2]};
-  ph_wide b[3], L[3], size;
+  ph_wide b[3], S[3], size;
   motion_torque(top, loads, x, b, &size);
-  wide_apply(top->wide_inertia, w, L);
-  wide_cross(w, L, L);
+  wide_apply(top->wide_second, w, S);
+  wide_cross(w, S, S);
   for (int i = 0; i < 3; i++)
-    b[i] -= L[i];
+    b[i] += S[i];
   ph_wide rate[7];
   const int status = motion_solve(top, b, size, rate + 4);
   if (status)
@@ -114,14 +116,14 @@ int ph_top_rates(const ph_top *top, double t, const double x[7], const double u[
 int ph_top_inverse(const ph_top *top, const double w[3], const double w_rate[3], double N[3]) {
   if (!wide_finite(3, w) || !wide_finite(3, w_rate))
     return PH_EFINITE;
-  ph_wide omega[3], L[3], turning[3], rate[3];
+  ph_wide omega[3], S[3], turning[3], rate[3];
   wide_load(3, w, omega);
   wide_load(3, w_rate, rate);
-  wide_apply(top->wide_inertia, omega, L);
-  wide_cross(omega, L, turning);
+  wide_apply(top->wide_second, omega, S);
+  wide_cross(omega, S, turning);
   wide_apply(top->wide_inertia, rate, rate);
   for (int i = 0; i < 3; i++)
-    rate[i] += turning[i];
+    rate[i] -= turning[i];
   return wide_store(3, rate, N);
 }
 

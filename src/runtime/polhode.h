@@ -239,7 +239,7 @@ typedef struct ph_top {
   double decay;                              /* 1/s */
   double torque_body[3], torque_inertial[3]; /* N m */
   /* prepared, private: the tensor and its principal system in full precision */
-  long double wide_com[3], wide_inertia[6], wide_moment[3], wide_axis[3][3];
+  long double wide_com[3], wide_inertia[6], wide_second[6], wide_moment[3], wide_axis[3][3];
 } ph_top;
 
 /* The free top of body b about the point origin (NULL: its centre of mass). Checks b. */

@@ -15,7 +15,8 @@
 #include <string.h>
 
 typedef struct series {
-  ph_wide q[TAYLOR_MAX + 1][4], w[TAYLOR_MAX + 1][3], L[TAYLOR_MAX + 1][3];
+  ph_wide q[TAYLOR_MAX + 1][4], w[TAYLOR_MAX + 1][3],
+      S[TAYLOR_MAX + 1][3]; /* S = second moments times w */
 } series;
 
 /* n-th coefficient of q* v q for a constant inertial v. */
@@ -37,13 +38,14 @@ static void turned(const series *c, int n, const ph_wide v[3], ph_wide out[3]) {
 /* Coefficients n + 1 of q and w from those up to n, in units of H. */
 static int extend(const stepper *s, series *c, int n, ph_wide H) {
   const ph_wide scale = H / (n + 1);
-  ph_wide weight[3], inertial[3], b[3], term[4], dq[4] = {0}, rate[3];
-  wide_apply(s->top->wide_inertia, c->w[n], c->L[n]);
+  ph_wide weight[3], inertial[3], b[3], L[3], term[4], dq[4] = {0}, rate[3];
+  wide_apply(s->top->wide_second, c->w[n], c->S[n]);
+  wide_apply(s->top->wide_inertia, c->w[n], L);
   turned(c, n, s->loads.weight, weight);
   turned(c, n, s->loads.inertial, inertial);
   wide_cross(s->top->wide_com, weight, b);
   for (int i = 0; i < 3; i++) {
-    b[i] += inertial[i] - wide_dot(s->loads.damping + 3 * i, c->w[n]) - s->loads.decay * c->L[n][i];
+    b[i] += inertial[i] - wide_dot(s->loads.damping + 3 * i, c->w[n]) - s->loads.decay * L[i];
     if (n == 0)
       b[i] += s->loads.body[i];
   }
@@ -52,9 +54,9 @@ static int extend(const stepper *s, series *c, int n, ph_wide H) {
     wide_quat_multiply(c->q[k], pure, term);
     for (int i = 0; i < 4; i++)
       dq[i] += term[i];
-    wide_cross(c->w[k], c->L[n - k], term);
+    wide_cross(c->w[k], c->S[n - k], term); /* - w x I w = w x S w, see motion.c */
     for (int i = 0; i < 3; i++)
-      b[i] -= term[i];
+      b[i] += term[i];
   }
   /* a rod's torque along itself is looked for by step_rate at the start of each step */
   const int status = motion_solve(s->top, b, -1, rate);

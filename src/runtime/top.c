@@ -9,7 +9,16 @@
 
 #include <string.h>
 
-static int prepare(ph_top *top, ph_wide mass, const ph_wide com[3], const ph_wide tensor[6]) {
+/* Second moments of a tensor: tr(I)/2 1 - I. */
+static void seconds(const ph_wide tensor[6], ph_wide second[6]) {
+  const ph_wide half = (tensor[0] + tensor[1] + tensor[2]) / 2;
+  for (int i = 0; i < 6; i++)
+    second[i] = (i < 3 ? half : 0) - tensor[i];
+}
+
+/* second: about the origin; NULL: by the tensor. */
+static int prepare(ph_top *top, ph_wide mass, const ph_wide com[3], const ph_wide tensor[6],
+                   const ph_wide second[6]) {
   if (!wide_fits(3, com) || !wide_fits(6, tensor))
     return PH_ERANGE;
   memset(top, 0, sizeof *top);
@@ -31,6 +40,10 @@ static int prepare(ph_top *top, ph_wide mass, const ph_wide com[3], const ph_wid
     for (int k = zeros; k < 3; k++)
       wide_add_outer(top->wide_inertia, top->wide_moment[k], top->wide_axis[k]);
   }
+  if (second && zeros == 0)
+    memcpy(top->wide_second, second, sizeof top->wide_second);
+  else
+    seconds(top->wide_inertia, top->wide_second);
   return PH_OK;
 }
 
@@ -45,9 +58,11 @@ int ph_top_init(ph_top *top, const ph_body *b, const double origin[3]) {
     com[i] = ((ph_wide)b->com[i] - (ph_wide)origin[i]) + (ph_wide)b->com_tail[i];
   wide_add_outer(second, (ph_wide)b->mass, com);
   wide_inertia(second, tensor);
-  for (int i = 0; i < 6; i++)
+  for (int i = 0; i < 6; i++) {
     tensor[i] += (ph_wide)b->tensor[i];
-  return prepare(top, (ph_wide)b->mass, com, tensor);
+    second[i] += (ph_wide)b->second[i];
+  }
+  return prepare(top, (ph_wide)b->mass, com, tensor, second);
 }
 
 int ph_top_init_tensor(ph_top *top, double mass, const double com[3], const double tensor[6]) {
@@ -60,7 +75,7 @@ int ph_top_init_tensor(ph_top *top, double mass, const double com[3], const doub
   ph_wide R[3], I[6];
   wide_load(3, com ? com : zero, R);
   wide_load(6, tensor, I);
-  return prepare(top, (ph_wide)mass, R, I);
+  return prepare(top, (ph_wide)mass, R, I, NULL);
 }
 
 /* Kept as one vector g d, so that no later line needs |d| = 1. */

@@ -62,7 +62,7 @@ end
 
 local function vanishes(list, name)
   for i, e in ipairs(list) do
-    if not ratio.iszero(e) then return tap.ok(false, name, "entry " .. i .. ": " .. text.of(ratio.tidy(e))) end
+    if not ratio.iszero(e) then return tap.ok(false, name, "entry " .. i .. ": " .. text.of((ratio.tidy(e)))) end
   end
   return tap.ok(#list > 0, name)
 end

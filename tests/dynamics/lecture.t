@@ -36,7 +36,7 @@ local function identical(a, b, name)
   for i = 1, math.max(#a, #b) do
     local d = a[i] - b[i]
     if not ratio.iszero(d) then
-      return tap.ok(false, name, "entry " .. i .. " is off by " .. text.of(ratio.tidy(d)))
+      return tap.ok(false, name, "entry " .. i .. " is off by " .. text.of((ratio.tidy(d))))
     end
     n = n + 1
   end

@@ -25,7 +25,7 @@ end
 local function same(got, want)
   for i, w in ipairs(want) do
     local d = got[i] - expr.lift(w)
-    if not ratio.iszero(d) then return false, "entry " .. i .. " is off by " .. text.of(ratio.tidy(d)) end
+    if not ratio.iszero(d) then return false, "entry " .. i .. " is off by " .. text.of((ratio.tidy(d))) end
   end
   return true
 end
