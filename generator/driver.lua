@@ -4,6 +4,7 @@
 -- The only module that knows all the others.  It opens no file: the host hands it text and takes text.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local diag = require "generator.diag"
 local env = require "generator.dsl.env"
@@ -85,10 +86,34 @@ function driver.plan(job, options)
   return job
 end
 
+-- Do the scene's own parameters and the constants made from them survive in the real type?  Reports the first that
+-- becomes zero or infinite.
+local function representable(job)
+  if job.real ~= "float" then return true end
+  local m = job.model
+  local function survives(q) -- zero stays zero; anything else must not become zero or infinite
+    local x = R.tofloat(q)
+    return (x ~= 0 or R.sign(q) == 0) and x ~= math.huge and x ~= -math.huge
+  end
+  local list = {}
+  for _, p in ipairs(m.params) do list[#list + 1] = { "parameter " .. p.name, p.default, p.line } end
+  for _, member in ipairs(m.members) do
+    list[#list + 1] = { "the constant " .. member.name .. " (" .. member.about .. ")", m:number(member.e), job.record.line }
+  end
+  for _, c in ipairs(list) do
+    if not survives(c[2]) then
+      job.diag:error(c[3], "real float", c[1] .. " must be within the range of float", "about 2^" .. R.log2(c[2]))
+      return false
+    end
+  end
+  return true
+end
+
 -- The emitted files of a planned job, or nil after an error in its diagnostics (a constant that the real type cannot
 -- hold); plugin: also what the program itself loads.
 function driver.files(host, job, plugin)
   job.templates = host.templates
+  if not representable(job) then return nil end
   local ok, files = xpcall(project.files, function(e)
     return getmetatable(e) == number.out_of_range and e or debug.traceback(tostring(e), 2)
   end, job, plugin)

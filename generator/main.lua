@@ -13,7 +13,8 @@ usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method r
                              [--until T --every DT | --at T1,T2,...] [--format csv|json] [-o FILE]
                              [--real double|float] [--set a=0.3 ...]
        polhode explain SCENE [--format text|markdown|latex|json] [--set a=0.3 ...]
-       polhode check   SCENE...
+       polhode check   SCENE... [--real double|float]
+       (--set NAME=NUMBER: in the parameter's own unit)
        polhode list    shapes|effects|methods|bodies|constants
        polhode --version | --help
 ]]
@@ -39,6 +40,12 @@ return function(host, args)
   if not name or not commands[name] then
     host.err((name and "polhode: no command " .. string.format("%q", name) .. "\n" or "") .. usage)
     return 2
+  end
+  for i = 2, #args do
+    if args[i] == "--help" or args[i] == "-h" then
+      host.out(usage)
+      return 0
+    end
   end
   local command = commands[name]()
   local given, why = options.parse(command.options, command.operands, args)

@@ -1,4 +1,5 @@
 %% -- analysis.c -- principal axes, stability, small oscillations: part of scene.c.  SPDX-License-Identifier: MIT-0
+
 /* ---- principal axes, stability, small oscillations ---- */
 
 void ${name}_principal(const ${name}_model *m, ${name}_real moments[3], ${name}_real axes[9])

@@ -1,4 +1,5 @@
 %% -- analysis.h -- their contracts: part of scene.h.  SPDX-License-Identifier: MIT-0
+
 /* ---- principal axes, stability, small oscillations ---- */
 
 /* Principal moments about the origin of rotation, ascending, and their axes: axes[3*k .. 3*k+2] is the unit vector

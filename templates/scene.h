@@ -24,7 +24,7 @@ enum { /* state x[${upper}_NX] */
 };
 %% if has_inputs then
 
-enum { /* input u[${upper}_NU] */
+enum { /* input u[${upper}_NU], which must not be NULL */
 %% for _, line in ipairs(input_enum) do
   ${line}
 %% end

@@ -10,6 +10,8 @@
 --                         add   [1..n]           n >= 2 terms, sorted; PRIMITIVE: the rational content and
 --                                                the sign of the first term are pulled out, so that x - y
 --                                                and 2y - 2x share one node
+--                                                (a content beyond 64 bits, of rounded constants, stays:
+--                                                numbers keep their size)
 --                         mul   [1..n]           n >= 2 factors, sorted; a rational coefficient is [1]
 --                         pow   base, exp        exp an exact rational, not 0 or 1
 --                         call  fn, [1..n]       sin cos tan asin acos atan atan2 exp log sinh cosh tanh abs pi
@@ -275,6 +277,7 @@ function expr.add(list)
   if #terms == 1 then return expr.mul { num(coefficients[terms[1]]), terms[1] } end
   local content = R.zero
   for _, t in ipairs(terms) do content = R.gcd(content, coefficients[t]) end
+  if R.sign(content) ~= 0 and (R.log2(R.num(content)) > 64 or R.log2(R.den(content)) > 64) then content = R.one end -- see the head
   if R.sign(coefficients[terms[1]]) < 0 then content = -content end
   local sum, key = { kind = "add" }, {}
   for i, t in ipairs(terms) do

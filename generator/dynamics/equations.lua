@@ -40,7 +40,7 @@ equations.coordinate = coordinate
 -- The tensor's entries as derived constants, Ixx .. Iyz; zeros stay zero.
 function equations.inertia(m)
   return vec.map(m.inertia, function(e, n)
-    return m:constant("I" .. vec.entry[n], e, "moment of inertia " .. vec.entry[n] .. ", kg m^2")
+    return m:constant("I" .. vec.entry[n], e, (n > 3 and "tensor entry " or "moment of inertia ") .. vec.entry[n] .. ", kg m^2")
   end)
 end
 

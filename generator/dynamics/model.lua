@@ -13,6 +13,7 @@ local calculus = require "generator.algebra.calculus"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local body = require "generator.mass.body"
+local jacobi = require "generator.mass.jacobi"
 local principal = require "generator.mass.principal"
 local validity = require "generator.mass.validity"
 
@@ -111,6 +112,18 @@ local function conditions(m, checks)
   return list
 end
 
+-- w' = I^-1 (L x w) with an oblique tensor loses as many digits as I has in its condition number; say so from 1e8 on.
+local function warn_of_condition(d, m)
+  if m.structure.kind ~= "full" then return end
+  local moments = jacobi.run(vec.map(m.inertia, function(e) return m:double(e) end))
+  local digits = math.log(moments[3] / math.max(moments[1], moments[3] * 2.0 ^ -60), 10)
+  if digits >= 8 then
+    d:warn(m.line, "body", string.format("the tensor about the origin of rotation has a condition number of 1e%d: the " ..
+      "equations of motion lose that many digits (an origin at the centroid, or principal axes, would keep them)",
+      math.floor(digits)))
+  end
+end
+
 -- d: diagnostics; record: what the scene language made; options: {bake = boolean, set = {name -> rational}}.
 -- Returns nil after errors.
 function model.new(d, record, options)
@@ -143,6 +156,7 @@ function model.new(d, record, options)
     return nil
   end
   m.conditions = conditions(m, record.checks)
+  warn_of_condition(d, m)
   return m
 end
 

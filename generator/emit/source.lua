@@ -7,6 +7,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
 local number = require "generator.emit.number"
 local lower = require "generator.ir.lower"
 local passes = require "generator.ir.passes"
@@ -64,15 +66,30 @@ local function target(ctx, o)
   return o.array .. "[" .. o.index .. "]"
 end
 
+-- pi as a name, so that it is read as pi and rounded once.
+local pi = expr.sym("pi", 1)
+
 -- The program of a description (see ir/lower.lua).
 function source.program(ctx, f)
-  local groups = {}
+  local groups, uses_pi = {}, false
+  local function named(e)
+    local x = calculus.substitute(e, { [expr.pi] = pi })
+    uses_pi = uses_pi or x ~= e
+    return x
+  end
   for i, g in ipairs(f.groups) do
     local outs = {}
-    for k, o in ipairs(g.outs) do outs[k] = { c = target(ctx, o), expr = o.expr } end
-    groups[i] = { why = g.why, where = g.where, defs = g.defs, outs = outs }
+    for k, o in ipairs(g.outs) do outs[k] = { c = target(ctx, o), expr = named(o.expr) } end
+    local defs = {}
+    for k, d in ipairs(g.defs) do defs[k] = { name = d.name, expr = named(d.expr) } end
+    groups[i] = { why = g.why, where = g.where, defs = defs, outs = outs }
   end
-  return { name = ctx.name .. "_" .. f.name, inputs = f.inputs or sources(ctx, f), groups = groups }
+  local inputs = f.inputs or sources(ctx, f)
+  if uses_pi then
+    local value = number.text(R.apply("pi", 200), ctx.real)
+    inputs = { { sym = "pi", c = value }, table.unpack(inputs) }
+  end
+  return { name = ctx.name .. "_" .. f.name, inputs = inputs, groups = groups }
 end
 
 -- Lines of comment text `s` within the width, continued with `pad`.

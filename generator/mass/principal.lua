@@ -13,6 +13,8 @@
 
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
+local R = require "generator.algebra.rational"
+local text = require "generator.algebra.text"
 local vec = require "generator.algebra.vec"
 
 local principal = {}
@@ -39,13 +41,36 @@ local function diagonal(I)
   return { kind = "diagonal" }
 end
 
+-- Denominator of e as it stands: the product of its factors with negative exponents, and of its coefficient.
+local function denominator(e)
+  local list = { R.den((expr.split(e))) }
+  for _, f in ipairs(e.kind == "mul" and e or { e }) do
+    if f.kind == "pow" and R.sign(f.exp) < 0 then list[#list + 1] = expr.pow(f.base, -f.exp) end
+  end
+  return expr.mul(list)
+end
+
+-- The plane direction (a : b) of the first of the candidates {a, b} that is shortest when denominators are cleared: it is
+-- polynomial, so it has a value wherever the tensor has one (a turned cylinder's is (sin, cos), not (1, cos/sin)).
+local function direction(candidates)
+  local best, length
+  for _, c in ipairs(candidates) do
+    local quotient = tidy(c[2] / c[1])
+    local d = denominator(quotient)
+    local k = { d, (tidy(quotient * d)) }
+    local size = #text.of(k[1]) + #text.of(k[2])
+    if not best or size < length then best, length = k, size end
+  end
+  return best[1], best[2]
+end
+
 -- One off-diagonal entry I_ij, the third axis c alone: a 2x2 block.  Symmetric about a direction in the block's
 -- plane iff (I_ii - I_cc)(I_jj - I_cc) = I_ij^2.
 local function block(I, i, j, c)
   local x, y, z, p = I[i], I[j], I[c], I[vec.index[i][j]]
   if iszero((x - z) * (y - z) - p ^ 2) then
     local k = { zero, zero, zero }
-    k[i], k[j] = one, tidy((y - z) / p)
+    k[i], k[j] = direction { { x - z, p }, { p, y - z } }
     return symmetric(z, x + y - z, k)
   end
   return { kind = "full", block = { i, j, c } }

@@ -25,8 +25,10 @@ attitude.comp = comp
 local function named(group, prefix, suffix, v, letters)
   return vec.map(v, function(e, i)
     if e.kind == "num" or e.kind == "sym" then return e end
-    local name, last = prefix .. letters[i] .. suffix, group.defs[#group.defs]
-    if not last or last.name ~= name then group.defs[#group.defs + 1] = { name = name, expr = e } end
+    local name = prefix .. letters[i] .. suffix
+    local known = false
+    for _, d in ipairs(group.defs) do known = known or d.name == name end
+    if not known then group.defs[#group.defs + 1] = { name = name, expr = e } end
     return expr.sym(name, group.rank or 9)
   end)
 end

@@ -56,14 +56,14 @@ int brick_init(brick_model *m, const brick_real p[])
   const brick_real t7 = t5 + t2;
   k.Izz = t1*t7;
 
-  /* moment of inertia xy, kg m^2 */
+  /* tensor entry xy, kg m^2 */
   const brick_real t8 = -0.25*(M*a);
   k.Ixy = t8*b;
 
-  /* moment of inertia xz, kg m^2 */
+  /* tensor entry xz, kg m^2 */
   k.Ixz = t8*c;
 
-  /* moment of inertia yz, kg m^2 */
+  /* tensor entry yz, kg m^2 */
   const brick_real t9 = b*c;
   k.Iyz = -0.25*M*t9;
 
@@ -551,6 +551,7 @@ void brick_acceleration(const brick_real w[3], const brick_real dw[3], const bri
   total[1] = ay + t5 + t2 + t11;
   total[2] = az + t6 + t3 + t12;
 }
+
 /* ---- principal axes, stability, small oscillations ---- */
 
 void brick_principal(const brick_model *m, brick_real moments[3], brick_real axes[9])

@@ -46,9 +46,9 @@ typedef struct brick_model {
   brick_real Ixx; /* moment of inertia xx, kg m^2 */
   brick_real Iyy; /* moment of inertia yy, kg m^2 */
   brick_real Izz; /* moment of inertia zz, kg m^2 */
-  brick_real Ixy; /* moment of inertia xy, kg m^2 */
-  brick_real Ixz; /* moment of inertia xz, kg m^2 */
-  brick_real Iyz; /* moment of inertia yz, kg m^2 */
+  brick_real Ixy; /* tensor entry xy, kg m^2 */
+  brick_real Ixz; /* tensor entry xz, kg m^2 */
+  brick_real Iyz; /* tensor entry yz, kg m^2 */
   brick_real Jxx; /* inverse of the tensor, xx, 1/(kg m^2) */
   brick_real Jyy; /* inverse of the tensor, yy, 1/(kg m^2) */
   brick_real Jzz; /* inverse of the tensor, zz, 1/(kg m^2) */
@@ -124,6 +124,7 @@ void brick_rate(const brick_real w[3], const brick_real a[3], const brick_real d
 void brick_acceleration(const brick_real w[3], const brick_real dw[3], const brick_real r[3],
                         const brick_real v[3], const brick_real a[3], brick_real coriolis[3],
                         brick_real euler[3], brick_real centrifugal[3], brick_real total[3]);
+
 /* ---- principal axes, stability, small oscillations ---- */
 
 /* Principal moments about the origin of rotation, ascending, and their axes: axes[3*k .. 3*k+2] is the unit vector
