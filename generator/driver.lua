@@ -98,7 +98,8 @@ local function representable(job)
   local list = {}
   for _, p in ipairs(m.params) do list[#list + 1] = { "parameter " .. p.name, p.default, p.line } end
   for _, member in ipairs(m.members) do
-    list[#list + 1] = { "the constant " .. member.name .. " (" .. member.about .. ")", m:number(member.e), job.record.line }
+    local what = "the constant " .. member.name .. " (" .. member.about .. ")"
+    list[#list + 1] = { what, m:number(member.e), job.record.line }
   end
   for _, c in ipairs(list) do
     if not survives(c[2]) then

@@ -277,7 +277,7 @@ function expr.add(list)
   if #terms == 1 then return expr.mul { num(coefficients[terms[1]]), terms[1] } end
   local content = R.zero
   for _, t in ipairs(terms) do content = R.gcd(content, coefficients[t]) end
-  if R.sign(content) ~= 0 and (R.log2(R.num(content)) > 64 or R.log2(R.den(content)) > 64) then content = R.one end -- see the head
+  if R.log2(R.num(content)) > 64 or R.log2(R.den(content)) > 64 then content = R.one end -- see the head
   if R.sign(coefficients[terms[1]]) < 0 then content = -content end
   local sum, key = { kind = "add" }, {}
   for i, t in ipairs(terms) do

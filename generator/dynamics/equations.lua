@@ -40,7 +40,8 @@ equations.coordinate = coordinate
 -- The tensor's entries as derived constants, Ixx .. Iyz; zeros stay zero.
 function equations.inertia(m)
   return vec.map(m.inertia, function(e, n)
-    return m:constant("I" .. vec.entry[n], e, (n > 3 and "tensor entry " or "moment of inertia ") .. vec.entry[n] .. ", kg m^2")
+    local what = n > 3 and "tensor entry " or "moment of inertia "
+    return m:constant("I" .. vec.entry[n], e, what .. vec.entry[n] .. ", kg m^2")
   end)
 end
 

@@ -118,8 +118,8 @@ local function warn_of_condition(d, m)
   local moments = jacobi.run(vec.map(m.inertia, function(e) return m:double(e) end))
   local digits = math.log(moments[3] / math.max(moments[1], moments[3] * 2.0 ^ -60), 10)
   if digits >= 8 then
-    d:warn(m.line, "body", string.format("the tensor about the origin of rotation has a condition number of 1e%d: the " ..
-      "equations of motion lose that many digits (an origin at the centroid, or principal axes, would keep them)",
+    d:warn(m.line, "body", string.format("the tensor about the origin of rotation has a condition number of 1e%d: " ..
+      "the equations of motion lose that many digits (an origin at the centroid, or principal axes, would keep them)",
       math.floor(digits)))
   end
 end

@@ -153,7 +153,8 @@ local function common(job)
     state_enum = enumeration(ctx.upper, job.states, "NX"), has_inputs = eq.inputs, has_params = #m.params > 0,
     input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
     members = members(m, m.name .. "_real"), no_members = #m.members == 0, functions = function_values(made),
-    costs = costs(made), has_closed = job.closed.kind ~= nil, free = eq.free, bits = string.format("%d", selftest.bits), }
+    costs = costs(made), has_closed = job.closed.kind ~= nil, free = eq.free,
+    bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations: " .. cost_line(f) .. "." end
   end

@@ -50,7 +50,7 @@ local function denominator(e)
   return expr.mul(list)
 end
 
--- The plane direction (a : b) of the first of the candidates {a, b} that is shortest when denominators are cleared: it is
+-- The plane direction (a : b) of that candidate {a, b} which is shortest when denominators are cleared: it is
 -- polynomial, so it has a value wherever the tensor has one (a turned cylinder's is (sin, cos), not (1, cos/sin)).
 local function direction(candidates)
   local best, length
