@@ -89,6 +89,7 @@ end
 local function stability_section(f)
   local lines = { "small oscillations of a free spin w about each principal axis (k; i, j cyclic):" ..
     " Omega1 = (Ik - Ij)/Ii w, Omega2 = (Ik - Ii)/Ij w, Omega^2 = Omega1 Omega2" }
+  if #f.job.record.effects > 0 then lines[#lines + 1] = "(of the body without its effects)" end
   for k, s in ipairs(f.stability) do
     local tail = s.period and ", period " .. number(s.period) .. "/w" or s.growth and ", growth rate " ..
       number(s.growth) .. " w" or ""
