@@ -162,7 +162,8 @@ end
 
 function builders.diagonal(m, N)
   local I, w = m.inertia, state.w
-  local g = { why = "Euler, principal axes: I1 w1' = (I2 - I3) w2 w3 + N1, and cyclic", defs = {}, outs = {} }
+  local torque = #m.record.effects > 0 and " + N1" or ""
+  local g = { why = "Euler, principal axes: I1 w1' = (I2 - I3) w2 w3" .. torque .. ", and cyclic", defs = {}, outs = {} }
   for i = 1, 3 do
     local j, k = i % 3 + 1, (i + 1) % 3 + 1
     local c = m:constant("c" .. i, tidy((I[j] - I[k]) / I[i]), string.format("(I%d - I%d)/I%d", j, k, i))
@@ -198,7 +199,8 @@ function builders.full(m, N)
     defs[#defs + 1] = { name = "n" .. axis_name[i], expr = n[i] }
     names[i] = expr.sym("n" .. axis_name[i], 7)
   end
-  return { why = "Euler: L = I w, n = N + L x w, w' = I^-1 n", defs = defs, outs = vec.apply(J, names) }
+  local torque = #m.record.effects > 0 and "N + " or ""
+  return { why = "Euler: L = I w, n = " .. torque .. "L x w, w' = I^-1 n", defs = defs, outs = vec.apply(J, names) }
 end
 
 -- The equations of the model: {groups, coupled}, coupled telling whether the rates depend on the attitude.

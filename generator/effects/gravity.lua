@@ -22,7 +22,8 @@ local function weight(a, c)
   local n = vec.dot(a.direction, a.direction)
   local d = vec.map(a.direction, function(x) return ratio.tidy(x / expr.sqrt(n)) end)
   local m = vec.map(c.com, function(x, i)
-    return c.constant("Mgr" .. string.sub("xyz", i, i), ratio.tidy(c.mass * a.g * x), "M g r, N m")
+    return c.constant("Mgr" .. string.sub("xyz", i, i), ratio.tidy(c.mass * a.g * x),
+      "M g r along " .. string.sub("xyz", i, i) .. ", N m")
   end)
   return m, d
 end

@@ -131,13 +131,14 @@ local function costs(list)
   return out
 end
 
--- "rhs 12 +, 24 *": what one call costs, for the banner.
+-- "rhs: 12 additions, 24 multiplications": what one call costs, for the banner.
 local function cost_line(f)
   local parts, c = {}, f.cost
-  for _, k in ipairs { { "add", "+" }, { "mul", "*" }, { "div", "/" }, { "sqrt", "sqrt" }, { "call", "libm calls" } } do
+  for _, k in ipairs { { "add", "additions" }, { "mul", "multiplications" }, { "div", "divisions" },
+    { "sqrt", "roots" }, { "call", "calls of libm" } } do
     if (c[k[1]] or 0) > 0 then parts[#parts + 1] = string.format("%d %s", c[k[1]], k[2]) end
   end
-  return f.name .. " " .. table.concat(parts, " ")
+  return f.name .. ": " .. table.concat(parts, ", ")
 end
 
 -- Values shared by all templates of the scene.  job: {model, equations, closed, functions (descriptions), real,
@@ -156,7 +157,7 @@ local function common(job)
     costs = costs(made), has_closed = job.closed.kind ~= nil, free = eq.free,
     bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
-    if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations: " .. cost_line(f) .. "." end
+    if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
   end
   local list, params = {}, {}
   for i, p in ipairs(m.params) do

@@ -276,7 +276,7 @@ void brick_rhs(const brick_model *m, brick_real t, const brick_real x[], const b
   dx[BRICK_QY] = 0.5*(qw*wy - qx*wz + qz*wx);
   dx[BRICK_QZ] = 0.5*(qw*wz + qx*wy - qy*wx);
 
-  /* Euler: L = I w, n = N + L x w, w' = I^-1 n [brick.lua:6] */
+  /* Euler: L = I w, n = L x w, w' = I^-1 n [brick.lua:6] */
   const brick_real Lx = Ixx*wx + Ixy*wy + Ixz*wz;
   const brick_real Ly = Ixy*wx + Iyy*wy + Iyz*wz;
   const brick_real Lz = Ixz*wx + Iyz*wy + Izz*wz;

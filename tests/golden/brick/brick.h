@@ -13,8 +13,8 @@
  *     Iyz = -M*b*c/4
  * No effects: torque-free motion about the origin.
  * Method: rk4.
- * Operations: rhs 23 + 40 *.
- * Operations: step 135 + 179 * 1 /.
+ * Operations of rhs: 23 additions, 40 multiplications.
+ * Operations of step: 135 additions, 179 multiplications, 1 divisions.
  */
 #ifndef POLHODE_BRICK_HEADER
 #define POLHODE_BRICK_HEADER
