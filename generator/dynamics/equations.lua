@@ -163,7 +163,8 @@ end
 function builders.diagonal(m, N)
   local I, w = m.inertia, state.w
   local torque = #m.record.effects > 0 and " + N1" or ""
-  local g = { why = "Euler, principal axes: I1 w1' = (I2 - I3) w2 w3" .. torque .. ", and cyclic", defs = {}, outs = {} }
+  local why = "Euler, principal axes: I1 w1' = (I2 - I3) w2 w3" .. torque .. ", and cyclic"
+  local g = { why = why, defs = {}, outs = {} }
   for i = 1, 3 do
     local j, k = i % 3 + 1, (i + 1) % 3 + 1
     local c = m:constant("c" .. i, tidy((I[j] - I[k]) / I[i]), string.format("(I%d - I%d)/I%d", j, k, i))
