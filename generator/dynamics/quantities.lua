@@ -25,7 +25,6 @@ local function symbols(name, count)
   for i = 1, count do v[i] = expr.sym(name .. (count == 6 and vec.entry[i] or comp[i]), 8) end
   return v
 end
-quantities.symbols = symbols
 
 local function outs(name, v)
   return vec.map(v, function(e, i) return { array = name, index = i - 1, expr = e } end)

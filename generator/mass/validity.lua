@@ -93,12 +93,14 @@ function validity.conditions(m)
   if not expr.constant(m.mass) then
     list[1] = { e = m.mass, what = "body", rule = "total mass must be positive", line = m.line }
   end
-  -- a hole may outgrow its body when parameters change: then the central tensor must be tested again (its minors)
+  -- a hole may outgrow its body when parameters change: then the central tensor must be tested again
   local hole = false
   for _, p in ipairs(m.body.pieces) do hole = hole or R.sign(m:number(p.mass)) < 0 end
   if hole then
+    -- the pivots of elimination, not the minors: each is as large as a moment, so none leaves the range of float
     local I = m.centroidal
-    for _, e in ipairs { I[1], I[1] * I[2] - I[4] ^ 2, select(2, vec.adjugate(I)) } do
+    local second, mixed = I[2] - I[4] ^ 2 / I[1], I[6] - I[4] * I[5] / I[1]
+    for _, e in ipairs { I[1], second, I[3] - I[5] ^ 2 / I[1] - mixed ^ 2 / second } do
       list[#list + 1] = { e = e, what = "body", line = m.line,
         rule = "the tensor about the centre of mass must be positive definite" }
     end

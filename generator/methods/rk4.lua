@@ -23,11 +23,15 @@ local comp, named = attitude.comp, attitude.named
 
 local function group(why, rank) return { why = why, defs = {}, outs = {}, rank = rank } end
 
--- The final sum of the rates: w + weight (k1 + 2 k2 + 2 k3 + k4).
-local function finish(prepared, rate, weight, why)
+-- The final sum of the rates: w + weight (k1 + 2 k2 + 2 k3 + k4); with `whole` = 6 weight, a rate that is the same at
+-- all stages is added as it is.
+local function finish(prepared, rate, weight, why, whole)
   local g = group(why)
   for i, name in ipairs(stages.rates) do
-    if not prepared.zero[name] then
+    local same = rate[1][i] == rate[2][i] and rate[2][i] == rate[3][i] and rate[3][i] == rate[4][i]
+    if whole and same and not prepared.zero[name] then
+      g.outs[#g.outs + 1] = { state = name, expr = w[i] + whole[i] * rate[1][i] }
+    elseif not prepared.zero[name] then
       local middle = named(g, "s", "", { rate[2][i] + rate[3][i] }, { comp[i] })[1]
       g.outs[#g.outs + 1] = { state = name, expr = w[i] + weight[i] * (rate[1][i] + 2 * middle + rate[4][i]) }
     end
@@ -87,7 +91,7 @@ local function forced(eq, prepared)
     rate[s] = named(g, "k", tostring(s), { out.wx, out.wy, out.wz }, comp)
     groups[#groups + 1] = g
   end
-  groups[#groups + 1] = finish(prepared, rate, part.sixth, "w += h (k1 + 2 k2 + 2 k3 + k4)/6")
+  groups[#groups + 1] = finish(prepared, rate, part.sixth, "w += h (k1 + 2 k2 + 2 k3 + k4)/6", part.whole)
   groups[#groups + 1] = attitude.finish(increment, eq.coupled)
   return groups
 end

@@ -4,7 +4,6 @@
 -- principal axes are Jacobi's on the double tensor; closed forms stand beside them where they exist.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local principal = require "generator.mass.principal"
@@ -71,7 +70,6 @@ function facts.of(job)
       f.conditions[k] = ratio.tidy((I[k] - I[i]) * (I[k] - I[j]) / (I[i] * I[j]))
     end
   end
-  f.one = expr.one
   return f
 end
 
