@@ -42,6 +42,16 @@ return function(expr)
     if fn == "abs" then
       if a.kind == "num" then return expr.lift(R.abs(a.value)) end
       if expr.nonnegative(a) then return a end
+      local c, rest = expr.split(a) -- |c x y| ==> |c| y |x| for y >= 0
+      local out, inside = { expr.lift(R.abs(c)) }, {}
+      for _, f in ipairs(rest.kind == "mul" and rest or { rest }) do
+        local list = expr.nonnegative(f) and out or inside
+        list[#list + 1] = f
+      end
+      if #out > 1 or out[1] ~= expr.one then
+        out[#out + 1] = expr.call("abs", expr.mul(inside))
+        return expr.mul(out)
+      end
     end
     if expr.iszero(a) and at_zero[fn] then return expr.lift(at_zero[fn]) end
     if fn == "log" and a == expr.one then return expr.zero end

@@ -70,9 +70,21 @@ local function init(ctx, m, values)
     checks[i] = { number = string.format("%d", i), text = c.text, lines = {},
       condition = "check" .. i .. relation .. number.text(R.zero, ctx.real) }
   end
+  local forms, used = {}, {}
+  for i, member in ipairs(m.members) do forms[i] = member.form end
+  for _, step in ipairs(m.parts and m.parts:needed(forms) or {}) do
+    forms[#forms + 1] = step.e
+    groups[#groups + 1] = { why = step.about, defs = { { name = step.name, expr = calculus.substitute(step.e, map) } },
+      outs = {} }
+  end
+  for _, e in ipairs(forms) do
+    for _, s in ipairs(expr.symbols(e)) do used[s] = true end
+  end
   for _, member in ipairs(m.members) do
-    groups[#groups + 1] = { why = member.about, defs = {}, outs = { { c = "k." .. member.name,
-      expr = calculus.substitute(member.e, map) } } }
+    local e = calculus.substitute(member.form, map)
+    local named = used[member.sym] and member.form ~= member.sym -- by a later constant, as a local of that name
+    groups[#groups + 1] = { why = member.about, defs = named and { { name = member.name, expr = e } } or {},
+      outs = { { c = "k." .. member.name, expr = named and member.sym or e } } }
   end
   values.init_loads, values.init_checks, values.init_groups = {}, checks, {}
   local c = source.statements(ctx, { name = "init", args = {}, inputs = inputs, groups = groups })

@@ -1,0 +1,128 @@
+-- parts.lua -- the mass properties of a composite body in named steps, as a person writes them.
+--
+--     m1, m2, ...          masses of the pieces
+--     mass = m1 + m2 ...   com = (m1 c1 + m2 c2 ...)/mass
+--     d1 = c1 - com ...    I = sum over the pieces of  m (tr(sigma) 1 - sigma) + m (d^2 1 - d d^T)
+-- Multiplied out, the entries of such a sum are polynomials that nobody can read, cost more and cancel more.  So each
+-- step is an expression of the parameters and of the names before it; `pure` is the same in the parameters alone, for
+-- what must be decided exactly.  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+
+local parts = {}
+parts.__index = parts
+
+local comp = { "x", "y", "z" }
+local zero3 = { expr.zero, expr.zero, expr.zero }
+
+-- Is the body composite, with parameters in it?
+function parts.wanted(b)
+  if #b.pieces < 2 then return false end
+  for _, p in ipairs(b.pieces) do
+    for _, e in ipairs { p.mass, p.com[1], p.com[2], p.com[3], table.unpack(p.sigma or {}) } do
+      if not expr.constant(e) then return true end
+    end
+  end
+  return false
+end
+
+function parts:step(name, e, pure, about, unit)
+  if e.kind == "num" or e.kind == "sym" then return e end
+  if expr.constant(e) then return e end
+  local sym = expr.sym(self.unique(name), 3)
+  self.list[#self.list + 1] = { name = sym.name, sym = sym, e = e, pure = pure, about = about, unit = unit }
+  return sym
+end
+
+-- The part of the tensor that piece p adds in entry n, divided by its mass.
+local function own(p, n)
+  if not p.sigma then return expr.zero end
+  if n > 3 then return -p.sigma[n] end
+  local j, k = n % 3 + 1, (n + 1) % 3 + 1
+  return ratio.tidy(p.sigma[j] + p.sigma[k])
+end
+
+-- b: a body (mass/body.lua); P: the point the tensor is about, nil for its centre of mass; unique: name -> a name that
+-- is not taken yet.  The result has list (the steps), mass, com, pieces {m, d}, and the methods below.
+function parts.of(b, P, unique)
+  local self = setmetatable({ list = {}, unique = unique, pieces = {}, body = b }, parts)
+  local mass, first = expr.zero, zero3
+  for i, p in ipairs(b.pieces) do
+    local m = self:step("m" .. i, p.mass, p.mass, "mass of piece " .. i .. ", " .. p.name, "kg")
+    self.pieces[i] = { m = m, piece = p }
+    mass = mass + m
+    first = vec.add(first, vec.map(p.com, function(c) return m * c end))
+  end
+  self.mass = self:step("mass", mass, b.mass, "mass", "kg")
+  self.com = vec.map(b.com, function(pure, k)
+    if pure.kind == "num" or pure.kind == "sym" then return pure end
+    return self:step("com_" .. comp[k], first[k] / self.mass, pure, "centre of mass " .. comp[k] ..
+      " in the coordinates of the shape", "m")
+  end)
+  local about = P and "the origin of rotation" or "the centre of mass"
+  for i, s in ipairs(self.pieces) do
+    s.d = vec.map(s.piece.com, function(c, k)
+      local pure = c - (P or b.com)[k]
+      if ratio.iszero(pure) then return expr.zero end
+      return self:step("d" .. i .. comp[k], c - (P or self.com)[k], pure,
+        "piece " .. i .. ", centroid " .. comp[k] .. " from " .. about, "m")
+    end)
+  end
+  return self
+end
+
+-- Entry n of the tensor, in names.
+function parts:entry(n)
+  local sum = expr.zero
+  for _, s in ipairs(self.pieces) do
+    local d = s.d
+    local shift = n > 3 and -d[vec.pair[n][1]] * d[vec.pair[n][2]] or d[n % 3 + 1] ^ 2 + d[(n + 1) % 3 + 1] ^ 2
+    if s.piece.given then
+      sum = sum + s.piece.given[n] + s.m * shift
+    else
+      sum = sum + s.m * (own(s.piece, n) + shift)
+    end
+  end
+  return sum
+end
+
+-- I_jj - I_kk, piece by piece: the common part of two moments is never formed.
+function parts:difference(j, k)
+  local sum = expr.zero
+  for _, s in ipairs(self.pieces) do
+    local d, p = s.d, s.piece
+    local shift = (d[k] - d[j]) * (d[k] + d[j])
+    if p.given then
+      sum = sum + ratio.tidy(p.given[j] - p.given[k]) + s.m * shift
+    else
+      sum = sum + s.m * ((p.sigma and ratio.tidy(p.sigma[k] - p.sigma[j]) or expr.zero) + shift)
+    end
+  end
+  return sum
+end
+
+-- The steps that the expressions in the list need, in order.
+function parts:needed(list)
+  local needed, by_sym = {}, {}
+  for _, s in ipairs(self.list) do by_sym[s.sym] = s end
+  local function mark(e)
+    for _, s in ipairs(expr.symbols(e)) do
+      local step = by_sym[s]
+      if step and not needed[step] then
+        needed[step] = true
+        mark(step.e)
+      end
+    end
+  end
+  for _, e in ipairs(list) do mark(e) end
+  local out = {}
+  for _, s in ipairs(self.list) do
+    if needed[s] then out[#out + 1] = s end
+  end
+  return out
+end
+
+return parts
