@@ -75,8 +75,10 @@ function model:derived(e, about)
     if not params[s] then return nil end
   end
   local stem = source and source.name or "constant"
-  return self:constant(stem .. "_" .. string.gsub(about, "%W", ""), inlined,
+  local sym = self:constant(stem .. "_" .. string.gsub(about, "%W", ""), inlined,
     about .. (source and source.about or ""), self.parts ~= nil, self.parts and e)
+  if self.by_name[sym.name] then self.by_name[sym.name].multiple = true end
+  return sym
 end
 
 -- Origin of rotation in the shape's frame; reports an unknown named point.
@@ -153,7 +155,7 @@ local function in_parts(m, b, r)
   local known = {}
   if cost(m.inertia) <= cost(steps, known) + cost(entries, known) then return nil end
   for _, s in ipairs(p.list) do m.by_name[s.name] = s end
-  p.entries = entries
+  p.entries, p.central = entries, r == nil
   return p
 end
 

@@ -6,8 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local expr = require "generator.algebra.expr"
-local calculus = require "generator.algebra.calculus"
+local init = require "generator.emit.init"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
 local template = require "generator.emit.template"
@@ -47,68 +46,6 @@ local function enumeration(upper, list, last)
   end
   lines[#lines + 1] = upper .. "_" .. last
   return lines
-end
-
-local init_words = { m = true, p = true, k = true, own = true } -- what NAME_init itself calls something
-
--- The statements of NAME_init: checks in their order, then the derived constants.
-local function init(ctx, m, values)
-  local upper, inputs, map = ctx.upper, {}, {}
-  for _, p in ipairs(m.params) do
-    local name = p.name
-    if init_words[name] then -- the C local gets another name than the parameter
-      name = name .. "_"
-      map[p.sym] = expr.sym(name, 2)
-    end
-    inputs[#inputs + 1] = { sym = name, c = "p[" .. upper .. "_" .. string.upper(p.name) .. "]" }
-  end
-  local groups, checks = {}, {}
-  for i, c in ipairs(m.conditions) do
-    groups[i] = { defs = {}, outs = { { c = "const " .. ctx.name .. "_real check" .. i,
-      expr = calculus.substitute(c.e, map) } } }
-    local relation = c.allow_zero and " >= " or " > "
-    checks[i] = { number = string.format("%d", i), text = c.text, lines = {},
-      condition = "check" .. i .. relation .. number.text(R.zero, ctx.real) }
-  end
-  local forms, used = {}, {}
-  for i, member in ipairs(m.members) do forms[i] = member.form end
-  for _, step in ipairs(m.parts and m.parts:needed(forms) or {}) do
-    forms[#forms + 1] = step.e
-    groups[#groups + 1] = { why = step.about, defs = { { name = step.name, expr = calculus.substitute(step.e, map) } },
-      outs = {} }
-  end
-  for _, e in ipairs(forms) do
-    for _, s in ipairs(expr.symbols(e)) do used[s] = true end
-  end
-  for _, member in ipairs(m.members) do
-    local e = calculus.substitute(member.form, map)
-    local named = used[member.sym] and member.form ~= member.sym -- by a later constant, as a local of that name
-    groups[#groups + 1] = { why = member.about, defs = named and { { name = member.name, expr = e } } or {},
-      outs = { { c = "k." .. member.name, expr = named and member.sym or e } } }
-  end
-  values.init_loads, values.init_checks, values.init_groups = {}, checks, {}
-  local c = source.statements(ctx, { name = "init", args = {}, inputs = inputs, groups = groups })
-  values.init_loads = c.loads
-  for i, g in ipairs(c.groups) do
-    local lines = {}
-    if g.why then lines = source.comment(g.why) end
-    for _, l in ipairs(g.lines) do lines[#lines + 1] = l end
-    if checks[i] then checks[i].lines = lines else values.init_groups[#values.init_groups + 1] = { lines = lines } end
-  end
-  values.finite_lines = {}
-  local code = #checks + 1
-  for _, member in ipairs(m.members) do
-    values.finite_lines[#values.finite_lines + 1] = string.format("if (!(k.%s - k.%s == %s)) return %d;", member.name,
-      member.name, number.text(R.zero, ctx.real), code)
-  end
-  values.has_finite = #m.members > 0
-  local listed = {}
-  for i, check in ipairs(checks) do listed[i] = { number = check.number, text = check.text } end
-  if #m.members > 0 then
-    listed[#listed + 1] = { number = string.format("%d", code), text = "every derived constant must be finite" }
-  end
-  if #listed == 0 then listed[1] = { number = "-", text = "there is nothing to check" } end
-  values.checks = listed
 end
 
 local function members(m, real_name)
@@ -182,7 +119,7 @@ local function common(job)
   end
   v.step_literal, v.horizon_literal = number.text(m:number(m.step), real), number.text(m:number(m.horizon), real)
   v.step_text, v.horizon_text = number.text(m:number(m.step), "double"), number.text(m:number(m.horizon), "double")
-  init(ctx, m, v)
+  init.fill(ctx, m, v)
   return v, ctx
 end
 

@@ -120,8 +120,8 @@ function build(node)
   if node.op == "turned" then
     local A = node.angle and vec.rodrigues(node.axis, node.angle) or vec.rotation(node.q)
     for i = 1, 3 do A[i] = tidy_all(A[i]) end
-    local step = node.angle and { "turned about", node.axis, "by", node.angle } or { "turned by the quaternion", node.q }
-    return affine(build(node.of), A, nil, step)
+    return affine(build(node.of), A, nil, node.angle and { "turned about", node.axis, "by", node.angle } or
+      { "turned by the quaternion", node.q })
   end
   if node.op == "scaled" then
     local k = node.k

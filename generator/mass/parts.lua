@@ -3,11 +3,14 @@
 --     m1, m2, ...          masses of the pieces
 --     mass = m1 + m2 ...   com = (m1 c1 + m2 c2 ...)/mass
 --     d1 = c1 - com ...    I = sum over the pieces of  m (tr(sigma) 1 - sigma) + m (d^2 1 - d d^T)
+-- and for two pieces about their centre of mass, with D = c2 - c1 and the reduced mass mu = m1 m2/mass,
+--     I = I1 + I2 + mu (D^2 1 - D D^T).
 -- Multiplied out, the entries of such a sum are polynomials that nobody can read, cost more and cancel more.  So each
 -- step is an expression of the parameters and of the names before it; `pure` is the same in the parameters alone, for
 -- what must be decided exactly.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
@@ -45,14 +48,39 @@ local function own(p, n)
   return ratio.tidy(p.sigma[j] + p.sigma[k])
 end
 
+-- The number that most moments of the piece have in front (1/12 for boxes), made a step with the mass.
+local function scaled_mass(self, p, m, i)
+  local count = {}
+  for n = 1, p.given and 0 or 3 do
+    local c = expr.split(own(p, n))
+    local key = tostring(c)
+    count[key] = (count[key] or 0) + 1
+    if count[key] == 2 and c ~= R.one and m.kind ~= "num" then
+      return c, self:step("k" .. i, c * m, c * p.mass, "mass of piece " .. i .. " times " .. key, "kg")
+    end
+  end
+  return nil, nil
+end
+
+-- Distances that a shift is made of: {x, y, z} as steps.
+local function distances(self, name, v, pure, about)
+  return vec.map(v, function(e, k)
+    if ratio.iszero(pure[k]) then return expr.zero end
+    return self:step(name .. comp[k], e, pure[k], string.gsub(about, "#", comp[k]), "m")
+  end)
+end
+
 -- b: a body (mass/body.lua); P: the point the tensor is about, nil for its centre of mass; unique: name -> a name that
--- is not taken yet.  The result has list (the steps), mass, com, pieces {m, d}, and the methods below.
+-- is not taken yet.  The result has list (the steps), mass, com, pieces {piece, m}, shifts {m, d}, and the methods
+-- below.
 function parts.of(b, P, unique)
-  local self = setmetatable({ list = {}, unique = unique, pieces = {}, body = b }, parts)
+  local self = setmetatable({ list = {}, unique = unique, pieces = {}, shifts = {} }, parts)
   local mass, first = expr.zero, zero3
   for i, p in ipairs(b.pieces) do
     local m = self:step("m" .. i, p.mass, p.mass, "mass of piece " .. i .. ", " .. p.name, "kg")
-    self.pieces[i] = { m = m, piece = p }
+    local s = { m = m, piece = p }
+    s.content, s.k = scaled_mass(self, p, m, i)
+    self.pieces[i] = s
     mass = mass + m
     first = vec.add(first, vec.map(p.com, function(c) return m * c end))
   end
@@ -62,29 +90,39 @@ function parts.of(b, P, unique)
     return self:step("com_" .. comp[k], first[k] / self.mass, pure, "centre of mass " .. comp[k] ..
       " in the coordinates of the shape", "m")
   end)
-  local about = P and "the origin of rotation" or "the centre of mass"
-  for i, s in ipairs(self.pieces) do
-    s.d = vec.map(s.piece.com, function(c, k)
-      local pure = c - (P or b.com)[k]
-      if ratio.iszero(pure) then return expr.zero end
-      return self:step("d" .. i .. comp[k], c - (P or self.com)[k], pure,
-        "piece " .. i .. ", centroid " .. comp[k] .. " from " .. about, "m")
-    end)
+  if not P and #b.pieces == 2 then
+    local one, two = self.pieces[1], self.pieces[2]
+    local D = vec.map(vec.sub(two.piece.com, one.piece.com), ratio.tidy)
+    local mu = self:step("mu", one.m * two.m / self.mass, one.piece.mass * two.piece.mass / b.mass,
+      "reduced mass m1 m2/mass", "kg")
+    self.shifts[1] = { m = mu, d = distances(self, "D", D, D, "centroid # of piece 2 from that of piece 1") }
+  else
+    local about = P and "the origin of rotation" or "the centre of mass"
+    for i, s in ipairs(self.pieces) do
+      self.shifts[i] = { m = s.m, d = distances(self, "d" .. i, vec.sub(s.piece.com, P or self.com),
+        vec.sub(s.piece.com, P or b.com), "piece " .. i .. ", centroid # from " .. about) }
+    end
   end
   return self
+end
+
+-- m e for piece s, with the number in front taken into its step.
+local function times(s, e)
+  local c, rest = expr.split(e)
+  if s.k and R.abs(c) == R.abs(s.content) then return c / s.content * s.k * rest end
+  return s.m * e
 end
 
 -- Entry n of the tensor, in names.
 function parts:entry(n)
   local sum = expr.zero
   for _, s in ipairs(self.pieces) do
+    sum = sum + (s.piece.given and s.piece.given[n] or times(s, own(s.piece, n)))
+  end
+  for _, s in ipairs(self.shifts) do
     local d = s.d
     local shift = n > 3 and -d[vec.pair[n][1]] * d[vec.pair[n][2]] or d[n % 3 + 1] ^ 2 + d[(n + 1) % 3 + 1] ^ 2
-    if s.piece.given then
-      sum = sum + s.piece.given[n] + s.m * shift
-    else
-      sum = sum + s.m * (own(s.piece, n) + shift)
-    end
+    sum = sum + s.m * shift
   end
   return sum
 end
@@ -93,14 +131,14 @@ end
 function parts:difference(j, k)
   local sum = expr.zero
   for _, s in ipairs(self.pieces) do
-    local d, p = s.d, s.piece
-    local shift = (d[k] - d[j]) * (d[k] + d[j])
+    local p = s.piece
     if p.given then
-      sum = sum + ratio.tidy(p.given[j] - p.given[k]) + s.m * shift
-    else
-      sum = sum + s.m * ((p.sigma and ratio.tidy(p.sigma[k] - p.sigma[j]) or expr.zero) + shift)
+      sum = sum + ratio.tidy(p.given[j] - p.given[k])
+    elseif p.sigma then
+      sum = sum + times(s, ratio.tidy(p.sigma[k] - p.sigma[j]))
     end
   end
+  for _, s in ipairs(self.shifts) do sum = sum + s.m * (s.d[k] - s.d[j]) * (s.d[k] + s.d[j]) end
   return sum
 end
 
