@@ -109,6 +109,13 @@ local list = {
   { name = "wire.hoop", measure = "length", curved = true, frame = "circle's centre, in z = 0", about = "radius r",
     args = { length "r" },
     build = function(a) return centred(2 * pi * a.r, diagonal(a.r ^ 2 / 2, a.r ^ 2 / 2, zero)) end },
+  { name = "shell.ellipsoid", measure = "area", curved = true, frame = "centred",
+    about = "semi-axes a, b, c along x, y, z; uniform areal density", args = { length "a", length "b", length "c" },
+    build = function(a)
+      local function mean(x, y, z) return x ^ 2 * (1 + expr.call("ellipsoid_normal", x, y, z)) / 4 end
+      return centred(4 * pi * expr.call("ellipsoid_area", a.a, a.b, a.c),
+        diagonal(mean(a.a, a.b, a.c), mean(a.b, a.c, a.a), mean(a.c, a.a, a.b)))
+    end },
   { name = "points", frame = "as given", about = "particles {{m, x, y, z}, ...}", rows = true },
   { name = "tensor", frame = "as given",
     about = "mass, com, tensor entries xx .. yz about the centre of mass or the origin",
