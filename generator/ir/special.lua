@@ -9,10 +9,10 @@
 local special = {}
 
 -- What depends on `real`: steps after the ratio is 2 (each gains 6 bits, from 5 at the start), the least ratio of axes
--- (its square is normal), and Dekker's factor.
+-- (whose parts of a pair still have some bits), and Dekker's factor.
 special.constants = {
-  double = { steps = 9, least = 0x1p-511, split = 0x1p27 + 1 },
-  float = { steps = 4, least = 0x1p-63, split = 0x1p12 + 1 },
+  double = { steps = 9, least = 0x1p-1000, split = 0x1p27 + 1 },
+  float = { steps = 4, least = 0x1p-120, split = 0x1p12 + 1 },
 }
 
 -- Arithmetic of pairs with that rounding, which tells the real type by what it does to 1 + 2^-30.
