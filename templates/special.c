@@ -59,7 +59,7 @@ static ${name}_pair ${name}_ellipsoid_parts(${name}_real axis[3], ${name}_pair h
     r[i].hi = axis[2]/axis[i];
     r[i].lo = ${zero};
     /* a ratio that would vanish: no result depends on it to first order */
-    if (!(r[i].hi > ${ellipsoid_least})) r[i].hi = ${ellipsoid_least};
+    if (r[i].hi < ${ellipsoid_least}) r[i].hi = ${ellipsoid_least};
     s[i] = r[i];
     x[i] = ${name}_pair_product(r[i].hi, r[i].hi);
     e[i].hi = e[i].lo = ${zero};

@@ -18,8 +18,8 @@ local cprint = require "generator.emit.cprint"
 
 local source = {}
 
--- ctx: {name, upper, real ("double"|"float"), members (set name -> true), states, inputs (lists of {name}), helpers (set
--- of the functions that libm lacks and the code calls; filled here)}
+-- ctx: {name, upper, real ("double"|"float"), members (set name -> true), states, inputs (lists of {name}), helpers
+-- (set of the functions that libm lacks and the code calls; filled here)}
 local function declarations(ctx, f)
   local real = ctx.name .. "_real "
   local word = {

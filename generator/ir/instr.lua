@@ -118,7 +118,7 @@ for _, row in ipairs(special.list) do
   local fields = { "dst" }
   for k = 1, arity do fields[k + 1] = "src" .. k end
   declare(name, { fields = fields, c = "helper", stem = name, level = 4, cost = "call",
-    apply = function(x, y, i, rounded, ...) return value(rounded, x, y, ...) end })
+    apply = function(x, y, _, rounded, ...) return value(rounded, x, y, ...) end })
 end
 
 -- ---- reading instructions -------------------------------------------------------------------------------

@@ -76,7 +76,7 @@ local function parts(f, a, b, c)
   local r, s, x, e = {}, {}, {}, {}
   for i = 1, 3 do
     local ratio = f(axis[3] / axis[i])
-    if not (ratio > P.constants.least) then ratio = P.constants.least end
+    if ratio < P.constants.least then ratio = P.constants.least end
     r[i], s[i] = { ratio, 0.0 }, { ratio, 0.0 }
     x[i], e[i] = P.product(ratio, ratio), { 0.0, 0.0 }
   end

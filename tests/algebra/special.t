@@ -2,8 +2,8 @@
 -- special.t - the functions of the uniform ellipsoid shell: values, limits, laws, text, derivative.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- Oracles: mpmath 1.3 at 60 digits, its elliprg and elliprd (DLMF 19.33.1; 19.21.8 for the normal), agreeing to 25 digits
--- with mpmath's two-dimensional quadrature of sqrt(Q), p n^2/sqrt(Q) and n^2 sqrt(Q) over the sphere; the elementary
+-- Oracles: mpmath 1.3 at 60 digits, its elliprg and elliprd (DLMF 19.33.1; 19.21.8 for the normal), agreeing to 25
+-- digits with mpmath's two-dimensional quadrature of sqrt(Q), p n^2/sqrt(Q) and n^2 sqrt(Q) over the sphere; the elementary
 -- formulas of spheroids; numeric derivatives at 400 bits.
 
 package.path = "./?.lua;" .. package.path
@@ -54,9 +54,8 @@ for _, row in ipairs(published) do
   tap.ok(agree(R.apply("ellipsoid_normal", 240, a, b, c), q(row[5]), 147), "normal of " .. name .. " to 45 digits")
 end
 
--- ---- spheroids: a along the axis, e the eccentricity; area/(4 pi) and second about the axis by elementary integrals ----
--- Oblate (a < b): area/(2 pi) = b^2 + a^2/e artanh e; prolate: b^2 + a b/e arcsin e.  The mean of N_a^2, b^2 = 1:
--- with k = (a^2 - b^2)/a^2 = 1 - 1/a^2,  G = integral_0^1 sqrt(1 - k u^2) du,  H_a = integral u^2/a^2/sqrt(1 - k u^2),
+-- ---- spheroids: a along the axis, b = c = 1, by elementary integrals over u = cos of the polar angle ----
+-- With k = (a^2 - b^2)/a^2 = 1 - 1/a^2,  G = integral_0^1 sqrt(1 - k u^2) du,  H_a = integral u^2/a^2/sqrt(1 - k u^2),
 -- and  integral u^2/sqrt(1 - k u^2) = (F - G)/k  with F = integral 1/sqrt(1 - k u^2).
 
 local bits = 400

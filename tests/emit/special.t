@@ -2,8 +2,8 @@
 -- special.t - the emitted helpers: their values against 200 bits, against the ir's, and only where they are used.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- The emitted file is compiled into a program that reads axes and prints area and normal as hexadecimal numbers.  Bounds:
--- the pairs leave the sum of shares right to one rounding; the ratios of the axes (1/2 ulp each, weighted with shares
+-- The emitted file is compiled into a program that reads axes and prints area and normal as hexadecimal numbers.
+-- Bounds: the pairs leave the sum of shares right to one rounding; the ratios of the axes (1/2 ulp each, weighted with shares
 -- below 1) and two products add up to 2 roundings of area, hence 2 ulp of its own, for a rounding is at most 1/2 ulp of
 -- a number up to twice as large; the third unit is for the rounding of the pair and what the series leaves.  A normal
 -- depends on a ratio up to its square (2 roundings) and is a quotient of two rounded sums (1 1/2): 3 ulp too.
@@ -96,7 +96,8 @@ for _, real in ipairs(reals) do
   program.write(dir .. "/points", table.concat(lines, "\n") .. "\n")
   program.write(dir .. "/main.c", body)
   for _, compiler in ipairs { "gcc", "clang" } do
-    local build = string.format("cd %s && %s %s -o try main.c -lm >log 2>&1 && ./try <points >values", dir, compiler, WARN)
+    local build = string.format("cd %s && %s %s -o try main.c -lm >log 2>&1 && ./try <points >values", dir,
+      compiler, WARN)
     if not tap.is(program.shell(build), 0, real.name .. ", " .. compiler .. ": no warning, and it runs") then
       tap.diag(program.read(dir .. "/log"))
     end
@@ -119,7 +120,7 @@ for _, real in ipairs(reals) do
     end
     tap.is(differ, 0, real.name .. ", " .. compiler .. ": the ir computes the same to the bit")
   end
-  local plus = string.format("cd %s && g++ -std=c++11 -pedantic -Wall -Wextra -Wshadow -Werror -x c++ -c egg.c -o egg.o", dir)
+  local plus = "cd " .. dir .. " && g++ -std=c++11 -pedantic -Wall -Wextra -Wshadow -Werror -x c++ -c egg.c -o egg.o"
   tap.is(program.shell(plus), 0, real.name .. ": C++ takes it")
   local function count(pattern) return select(2, string.gsub(code, pattern, "")) end
   tap.is(count "static egg_real egg_ellipsoid_area", 1, real.name .. ": one helper, however often it is called")
