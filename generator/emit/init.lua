@@ -52,8 +52,7 @@ end
 -- Operations that computing the constants `members` from the parameters takes.
 function init.cost(ctx, m, members)
   local list, map = inputs(ctx, m)
-  local program = { name = "init", args = {}, inputs = list, groups = constants(m, members, map, {}) }
-  return select(2, source.statements(ctx, program))
+  return source.count { name = "init", inputs = list, groups = constants(m, members, map, {}) }
 end
 
 -- Fills the template's values: init_loads, init_checks, init_groups, finite_lines, checks.

@@ -9,6 +9,7 @@ local R = require "generator.algebra.rational"
 local init = require "generator.emit.init"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
+local special = require "generator.emit.special"
 local template = require "generator.emit.template"
 local selftest = require "generator.emit.selftest"
 local vectors = require "generator.emit.vectors"
@@ -95,7 +96,7 @@ end
 local function common(job)
   local m, eq, real = job.model, job.equations, job.real
   local ctx = { name = m.name, upper = string.upper(m.name), real = real, members = m.members, states = job.states,
-    inputs = eq.inputs and job.input_states or {} }
+    inputs = eq.inputs and job.input_states or {}, helpers = {} }
   local made = {}
   for i, f in ipairs(job.functions) do made[i] = source.make(ctx, f) end
   local v = { name = m.name, upper = ctx.upper, real = real, version = job.version, source = job.source,
@@ -120,6 +121,7 @@ local function common(job)
   v.step_literal, v.horizon_literal = number.text(m:number(m.step), real), number.text(m:number(m.horizon), real)
   v.step_text, v.horizon_text = number.text(m:number(m.step), "double"), number.text(m:number(m.horizon), "double")
   init.fill(ctx, m, v)
+  special.fill(job, v, ctx)
   return v, ctx
 end
 

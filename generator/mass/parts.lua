@@ -6,11 +6,12 @@
 -- and for two pieces about their centre of mass, with D = c2 - c1 and the reduced mass mu = m1 m2/mass,
 --     I = I1 + I2 + mu (D^2 1 - D D^T).
 -- Multiplied out, the entries of such a sum are polynomials that nobody can read, cost more and cancel more.  So each
--- step is an expression of the parameters and of the names before it; `pure` is the same in the parameters alone, for
--- what must be decided exactly.  ABOVE the line.
+-- step is an expression of the parameters and of the names before it; its `pure` is the same in the parameters alone,
+-- for what must be decided exactly.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local calculus = require "generator.algebra.calculus"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
@@ -32,11 +33,12 @@ function parts.wanted(b)
   return false
 end
 
-function parts:step(name, e, pure, about, unit)
-  if e.kind == "num" or e.kind == "sym" then return e end
-  if expr.constant(e) then return e end
+function parts:step(name, e, about, unit)
+  if e.kind == "num" or e.kind == "sym" or expr.constant(e) then return e end
   local sym = expr.sym(self.unique(name), 3)
+  local pure = calculus.substitute(e, self.pure)
   self.list[#self.list + 1] = { name = sym.name, sym = sym, e = e, pure = pure, about = about, unit = unit }
+  self.pure[sym] = pure
   return sym
 end
 
@@ -56,17 +58,17 @@ local function scaled_mass(self, p, m, i)
     local key = tostring(c)
     count[key] = (count[key] or 0) + 1
     if count[key] == 2 and c ~= R.one and m.kind ~= "num" then
-      return c, self:step("k" .. i, c * m, c * p.mass, "mass of piece " .. i .. " times " .. key, "kg")
+      return c, self:step("k" .. i, c * m, "mass of piece " .. i .. " times " .. key, "kg")
     end
   end
   return nil, nil
 end
 
 -- Distances that a shift is made of: {x, y, z} as steps.
-local function distances(self, name, v, pure, about)
+local function distances(self, name, v, about)
   return vec.map(v, function(e, k)
-    if ratio.iszero(pure[k]) then return expr.zero end
-    return self:step(name .. comp[k], e, pure[k], string.gsub(about, "#", comp[k]), "m")
+    if ratio.iszero(calculus.substitute(e, self.pure)) then return expr.zero end
+    return self:step(name .. comp[k], e, string.gsub(about, "#", comp[k]), "m")
   end)
 end
 
@@ -74,34 +76,40 @@ end
 -- is not taken yet.  The result has list (the steps), mass, com, pieces {piece, m}, shifts {m, d}, and the methods
 -- below.
 function parts.of(b, P, unique)
-  local self = setmetatable({ list = {}, unique = unique, pieces = {}, shifts = {} }, parts)
+  local self = setmetatable({ list = {}, pure = {}, unique = unique, pieces = {}, shifts = {} }, parts)
   local mass, first = expr.zero, zero3
   for i, p in ipairs(b.pieces) do
-    local m = self:step("m" .. i, p.mass, p.mass, "mass of piece " .. i .. ", " .. p.name, "kg")
+    local m = self:step("m" .. i, p.mass, "mass of piece " .. i .. ", " .. p.name, "kg")
     local s = { m = m, piece = p }
     s.content, s.k = scaled_mass(self, p, m, i)
     self.pieces[i] = s
     mass = mass + m
     first = vec.add(first, vec.map(p.com, function(c) return m * c end))
   end
-  self.mass = self:step("mass", mass, b.mass, "mass", "kg")
+  self.mass = self:step("mass", mass, "mass", "kg")
   self.com = vec.map(b.com, function(pure, k)
     if pure.kind == "num" or pure.kind == "sym" then return pure end
-    return self:step("com_" .. comp[k], first[k] / self.mass, pure, "centre of mass " .. comp[k] ..
+    return self:step("com_" .. comp[k], first[k] / self.mass, "centre of mass " .. comp[k] ..
       " in the coordinates of the shape", "m")
   end)
   if not P and #b.pieces == 2 then
     local one, two = self.pieces[1], self.pieces[2]
     local D = vec.map(vec.sub(two.piece.com, one.piece.com), ratio.tidy)
-    local mu = self:step("mu", one.m * two.m / self.mass, one.piece.mass * two.piece.mass / b.mass,
-      "reduced mass m1 m2/mass", "kg")
-    self.shifts[1] = { m = mu, d = distances(self, "D", D, D, "centroid # of piece 2 from that of piece 1") }
+    local mu = self:step("mu", one.m * two.m / self.mass, "reduced mass m1 m2/mass", "kg")
+    self.shifts[1] = { m = mu, d = distances(self, "D", D, "centroid # of piece 2 from that of piece 1") }
   else
     local about = P and "the origin of rotation" or "the centre of mass"
     for i, s in ipairs(self.pieces) do
       self.shifts[i] = { m = s.m, d = distances(self, "d" .. i, vec.sub(s.piece.com, P or self.com),
-        vec.sub(s.piece.com, P or b.com), "piece " .. i .. ", centroid # from " .. about) }
+        "piece " .. i .. ", centroid # from " .. about) }
     end
+  end
+  for i, s in ipairs(self.shifts) do
+    local name = #self.shifts == 1 and "u" or "u" .. i
+    s.u = vec.map(s.d, function(d, k)
+      if d == expr.zero then return d end
+      return self:step(name .. comp[k], s.m * d, "that times the mass", "kg m")
+    end)
   end
   return self
 end
@@ -120,9 +128,12 @@ function parts:entry(n)
     sum = sum + (s.piece.given and s.piece.given[n] or times(s, own(s.piece, n)))
   end
   for _, s in ipairs(self.shifts) do
-    local d = s.d
-    local shift = n > 3 and -d[vec.pair[n][1]] * d[vec.pair[n][2]] or d[n % 3 + 1] ^ 2 + d[(n + 1) % 3 + 1] ^ 2
-    sum = sum + s.m * shift
+    local function moment(j, k) return s.u[j] * s.d[k] end
+    if n > 3 then
+      sum = sum - moment(vec.pair[n][1], vec.pair[n][2])
+    else
+      sum = sum + moment(n % 3 + 1, n % 3 + 1) + moment((n + 1) % 3 + 1, (n + 1) % 3 + 1)
+    end
   end
   return sum
 end

@@ -1,7 +1,7 @@
 -- shells.lua -- thin shells of uniform mass per area.
 --
 -- Sources: integrals over the surface; a zone of a sphere is uniform in z (Archimedes).  The ellipsoid of uniform
--- thickness has elliptic integrals: see ellipsoid_area and ellipsoid_second.
+-- thickness has elliptic integrals: ellipsoid_area and ellipsoid_normal.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -10,12 +10,11 @@ local kit = require "generator.mass.shapes.kit"
 local zero, pi = expr.zero, expr.pi
 local q, length, diagonal, centred, axial = kit.q, kit.length, kit.diagonal, kit.centred, kit.axial
 
+-- Mean of x^2: a^2 (1 + N)/4, N the mean of the squared component of the unit normal (see ellipsoid_normal).
 local function ellipsoid(a)
-  local function f(x, y, z)
-    return expr.call("ellipsoid_second", x, y, z)
-  end
-  local area = expr.call("ellipsoid_area", a.a, a.b, a.c)
-  return centred(4 * pi * area, diagonal(f(a.a, a.b, a.c) / area, f(a.b, a.c, a.a) / area, f(a.c, a.a, a.b) / area),
+  local function mean(x, y, z) return x ^ 2 * (1 + expr.call("ellipsoid_normal", x, y, z)) / 4 end
+  return centred(4 * pi * expr.call("ellipsoid_area", a.a, a.b, a.c),
+    diagonal(mean(a.a, a.b, a.c), mean(a.b, a.c, a.a), mean(a.c, a.a, a.b)),
     { pole = axial(a.c), bottom = axial(-a.c) })
 end
 
