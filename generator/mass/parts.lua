@@ -57,7 +57,7 @@ local function scaled_mass(self, p, m, i)
     local c = expr.split(own(p, n))
     local key = tostring(c)
     count[key] = (count[key] or 0) + 1
-    if count[key] == 2 and c ~= R.one and m.kind ~= "num" then
+    if count[key] == 2 and c ~= R.one and R.sign(c) ~= 0 and m.kind ~= "num" then
       return c, self:step("k" .. i, c * m, "mass of piece " .. i .. " times " .. key, "kg")
     end
   end
