@@ -68,31 +68,27 @@ int brick_init(brick_model *m, const brick_real p[])
   k.Iyz = -0.25*M*t9;
 
   /* inverse of the tensor, xx, 1/(kg m^2) */
-  const brick_real t10 = 16.0*(t5 + t4);
+  const brick_real t10 = t5 + t4;
   const brick_real t11 = t2*t3;
-  const brick_real t12 = t5*t5;
-  const brick_real t13 = t2*t2;
-  const brick_real t14 = t3*t3;
-  const brick_real t15 = 14.0*(t12*t2 + t12*t3 + t5*t13 + t5*t14 + t13*t3 + t2*t14);
-  const brick_real t16 = M*(t15 + 37.0*t5*t11);
-  k.Jxx = 6.0*(t10*t5 + 7.0*t11)/t16;
+  const brick_real t12 = M*(t5*(14.0*t6*t3 + t2*(14.0*t7 + 37.0*t3)) + 14.0*t4*t11);
+  k.Jxx = 6.0*(16.0*t5*t10 + 7.0*t11)/t12;
 
   /* inverse of the tensor, yy, 1/(kg m^2) */
-  const brick_real t17 = 7.0*t5;
-  k.Jyy = 6.0*(t10*t2 + t17*t3)/t16;
+  const brick_real t13 = 7.0*t5;
+  k.Jyy = 6.0*(t13*t3 + 16.0*t2*t10)/t12;
 
   /* inverse of the tensor, zz, 1/(kg m^2) */
-  k.Jzz = 6.0*(t17*t2 + t10*t3)/t16;
+  k.Jzz = 6.0*(t13*t2 + 16.0*t3*t10)/t12;
 
   /* inverse of the tensor, xy, 1/(kg m^2) */
-  const brick_real t18 = 18.0*a;
-  k.Jxy = t18*b*(4.0*t7 + 3.0*t3)/t16;
+  const brick_real t14 = 18.0*(a/t12);
+  k.Jxy = t14*b*(4.0*t7 + 3.0*t3);
 
   /* inverse of the tensor, xz, 1/(kg m^2) */
-  k.Jxz = t18*c*(4.0*t6 + 3.0*t2)/t16;
+  k.Jxz = t14*c*(4.0*t6 + 3.0*t2);
 
   /* inverse of the tensor, yz, 1/(kg m^2) */
-  k.Jyz = 18.0*t9*(3.0*t5 + 4.0*t4)/t16;
+  k.Jyz = 18.0*t9*(3.0*t5 + 4.0*t4)/t12;
 
   /* centre of mass x from the origin of rotation, m */
   k.Rx = 0.5*a;
