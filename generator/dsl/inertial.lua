@@ -1,7 +1,8 @@
 -- inertial.lua -- inertial{file = "robot.urdf", link = "base"}: a shape whose mass properties another program wrote.
 --
 -- The shape's coordinates are the link's frame.  It is tensor{...} with the exact decimals of the file, turned as the
--- inertial frame lies in the link's, and put at the centre of mass.
+-- inertial frame lies in the link's, and put at the centre of mass.  Its node is named "inertial": those numbers were
+-- rounded by somebody, which mass/validity.lua allows for.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -23,7 +24,7 @@ local function tree(p, line)
   local I, com = vec.map(p.tensor, expr.num), vec.map(p.com, expr.num)
   local a = { mass = expr.num(p.mass), com = #p.turns == 0 and com or zero3, about = "com" }
   for i, name in ipairs(vec.entry) do a[name] = I[i] end
-  local node = { shape = "tensor", a = a, mass = a.mass, line = line }
+  local node = { shape = "tensor", name = "inertial", a = a, mass = a.mass, line = line }
   for _, t in ipairs(p.turns) do
     local q = t.q
     if not q then

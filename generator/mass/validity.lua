@@ -15,11 +15,11 @@ local validity = {}
 
 local function show(q) return diag.show(R.todouble(q)) end
 
--- How much rounding may do to a condition, per trace: 2^-200 where irrational entries are evaluated, 2^-49 where a tensor
--- was given in rounded numbers (a plate's zz = xx + yy is then off by a unit of the last place of each entry).
+-- How much rounding may do to a condition, per trace: 2^-200 where irrational entries are evaluated, 2^-49 where
+-- another program rounded them (inertial{}: the zz = xx + yy of a plate is off by a unit of the last place of each).
 local function rounding(m)
   for _, p in ipairs(m.body.pieces) do
-    if p.name == "tensor" then return R.new(2) ^ -49 end
+    if p.name == "inertial" then return R.new(2) ^ -49 end
   end
   return R.new(2) ^ -200
 end
@@ -72,7 +72,7 @@ function validity.check(d, m)
   I = vec.map(J, function(e) return m:number(e) end)
   local half = vec.trace(I) / R.new(2)
   local sigma = { half - I[1], half - I[2], half - I[3], -I[4], -I[5], -I[6] }
-  local trace, relative = vec.trace(I), rounding(m)
+  local trace, relative = R.abs(I[1]) + R.abs(I[2]) + R.abs(I[3]), rounding(m)
   if semidefinite(sigma, trace, relative) then return true end
   if not semidefinite(I, trace, relative) then
     d:error(m.line, "body", "the tensor about the centre of mass must be positive semidefinite", entries(I))
