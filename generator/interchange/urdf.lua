@@ -50,13 +50,13 @@ function urdf.read(r, inertial)
     r:fail(inertial, "<inertial> has no <inertia>")
     return out
   end
-  local I, known = {}, {}
+  local I, known, whole = {}, {}, true
   for i, name in ipairs { "ixx", "iyy", "izz", "ixy", "ixz", "iyz" } do
     local q = r:attribute(inertia, name, 1)
-    I[i], known[name] = q and q[1], true
+    I[i], known[name], whole = q and q[1], true, whole and q ~= nil
   end
   r:unread(inertia, known)
-  out.tensor, out.tensor_at = #I == 6 and I or nil, inertia
+  out.tensor, out.tensor_at = whole and I or nil, inertia
   return out
 end
 

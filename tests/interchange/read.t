@@ -2,9 +2,10 @@
 -- read.t - what an <inertial> of each format means: numbers, frames, units of angles, defaults, names.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- Turned tensors are compared with R I R^T taken in 60 decimal digits (mpmath 1.3) from the textbook matrices: Rx, Ry, Rz,
--- Rodrigues' formula, the matrix of a quaternion, Gram and Schmidt; then rounded to double.  The program's way is another
--- (exact expressions through half angles or Rodrigues, evaluated to 240 bits), and both round once: equal doubles.
+-- Turned tensors are compared with R I R^T taken in 60 decimal digits (mpmath 1.3) from the textbook matrices: Rx, Ry,
+-- Rz, Rodrigues' formula, the matrix of a quaternion, Gram and Schmidt; then rounded to double.  The program's way is
+-- another (exact expressions through half angles or Rodrigues, evaluated to 240 bits), and both round once: equal
+-- doubles.
 package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
@@ -48,8 +49,8 @@ local function urdf(origin, inertia)
 end
 local function sdf(attributes, pose, more)
   return '<sdf version="1.11"><model name="m"><link name="base"><inertial><mass>1.5</mass><pose' .. attributes .. ">" ..
-    pose .. "</pose>" .. (more or "<inertia><ixx>1</ixx><ixy>0</ixy><ixz>0</ixz><iyy>2</iyy><iyz>0</iyz><izz>2.5</izz>" ..
-    "</inertia>") .. "</inertial></link></model></sdf>"
+    pose .. "</pose>" .. (more or "<inertia><ixx>1</ixx><ixy>0</ixy><ixz>0</ixz><iyy>2</iyy><iyz>0</iyz>" ..
+    "<izz>2.5</izz></inertia>") .. "</inertial></link></model></sdf>"
 end
 local function mjcf(compiler, orientation, inertia)
   return '<mujoco><compiler ' .. compiler .. '/><worldbody><body name="base"><inertial pos="0.25 -0.5 3" mass="1.5" ' ..
@@ -57,8 +58,8 @@ local function mjcf(compiler, orientation, inertia)
 end
 
 silent("URDF", urdf 'xyz="0.25 -0.5 3"', plain)
-silent("URDF, spelled otherwise", urdf('rpy="0 0. -0e5" xyz=" +.25\n-5E-1\t3. "', '<inertia ixx="1e-2" ixy="+1.0e-3" ' ..
-  'ixz="-.2e-3" iyy="2E-2" iyz="0.00030" izz="15.e-3"/>'), plain)
+silent("URDF, spelled otherwise", urdf('rpy="0 0. -0e5" xyz=" +.25\n-5E-1\t3. "', '<inertia ixx="1e-2" ' ..
+  'ixy="+1.0e-3" ixz="-.2e-3" iyy="2E-2" iyz="0.00030" izz="15.e-3"/>'), plain)
 silent("URDF without origin", "<robot><link name='base'><inertial><mass value='2'/><inertia ixx='1' ixy='0' ixz='0' " ..
   "iyy='1' iyz='0' izz='1'/></inertial></link></robot>", { 2, 0, 0, 0, 1, 1, 1, 0, 0, 0 })
 silent("SDF", sdf("", " 0.25 -0.5 3 0 0 0 ", "<inertia><ixx>0.01</ixx><iyy> 0.02 </iyy><izz>0.015</izz>" ..
@@ -74,10 +75,10 @@ silent("a <link> of SDF alone", sdf("", "0.25 -0.5 3 0 0 0"):match "<link.*</lin
 
 -- The sign of a product: masses at (1, 1, 0) and (-1, -1, 0) have -integral of x y dm = -2, in all three formats.
 for _, format in ipairs { "urdf", "mjcf", "sdf" } do
-  local _, out = run.explain('return scene { name = "b", body = points { {1, 1, 1, 0}, {1, -1, -1, 0}, {1, 0, 0, 1}, ' ..
-    '{1, 0, 0, -1} } }', format)
-  tap.like(out, ({ urdf = 'ixy="-2.0"', mjcf = 'fullinertia="4.0 4.0 4.0 -2.0 0.0 0.0"', sdf = "<ixy>-2.0</ixy>" })[format],
-    format .. ": mass along x = y has a negative ixy")
+  local _, out = run.explain('return scene { name = "b", body = points { {1, 1, 1, 0}, {1, -1, -1, 0}, ' ..
+    '{1, 0, 0, 1}, {1, 0, 0, -1} } }', format)
+  local want = { urdf = 'ixy="-2.0"', mjcf = 'fullinertia="4.0 4.0 4.0 -2.0 0.0 0.0"', sdf = "<ixy>-2.0</ixy>" }
+  tap.like(out, want[format], format .. ": mass along x = y has a negative ixy")
 end
 
 -- ---- turned frames ----
@@ -114,8 +115,9 @@ silent("MJCF: euler xyz about turning axes, the default", mjcf("", 'euler="20 -5
 silent("MJCF: eulerseq XYZ about fixed axes", mjcf('eulerseq="XYZ"', 'euler="20 -50 110"'),
   tensor { 2.1127500635971375, 1.7916522697497577, 1.5955976666531047, -0.025980382227047433, 0.33983242191827356,
     -0.6316705188415058 })
-silent("MJCF: eulerseq XYZ is URDF's rpy", '<mujoco><compiler angle="radian" eulerseq="XYZ"/><worldbody><body><inertial ' ..
-  'mass="1.5" pos="0.25 -0.5 3" euler="1.5707963267948966 0 0" diaginertia="1 2 2.5"/></body></worldbody></mujoco>',
+silent("MJCF: eulerseq XYZ is URDF's rpy", '<mujoco><compiler angle="radian" eulerseq="XYZ"/><worldbody><body>' ..
+  '<inertial mass="1.5" pos="0.25 -0.5 3" euler="1.5707963267948966 0 0" diaginertia="1 2 2.5"/></body>' ..
+  "</worldbody></mujoco>",
   tensor { 1, 2.5, 2, 0, 0, -9.615660845819876e-18 })
 silent("MJCF: eulerseq zXz, mixed", mjcf('eulerseq="zXz"', 'euler="20 -50 110"'),
   tensor { 1.5868240888334653, 2.050950466818494, 1.8622254443480408, 0.31651111077974453, -0.3772032533677445,
@@ -146,16 +148,17 @@ silent("a link by its name", two, { 2, 0, 0, 0, 1, 1, 1, 0, 0, 0 }, "b")
 silent("a body inside bodies", '<mujoco><worldbody><body name="a"><body name="b"><frame><body name="c"><inertial ' ..
   'pos="0 0 0" mass="3" diaginertia="1 1 1"/></body></frame></body></body></worldbody></mujoco>',
   { 3, 0, 0, 0, 1, 1, 1, 0, 0, 0 }, "c")
-local nested = '<sdf version="1.9"><world name="w"><model name="arm"><link name="base"><inertial><mass>4</mass><inertia>' ..
-  '<ixx>1</ixx><iyy>1</iyy><izz>1</izz><ixy>0</ixy><ixz>0</ixz><iyz>0</iyz></inertia></inertial></link></model>' ..
-  '<model name="leg"><link name="base"><inertial><mass>5</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz><ixy>0</ixy>' ..
-  "<ixz>0</ixz><iyz>0</iyz></inertia></inertial></link></model></world></sdf>"
+local nested = '<sdf version="1.9"><world name="w"><model name="arm"><link name="base"><inertial><mass>4</mass>' ..
+  '<inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz><ixy>0</ixy><ixz>0</ixz><iyz>0</iyz></inertia></inertial></link>' ..
+  "</model>" ..
+  '<model name="leg"><link name="base"><inertial><mass>5</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz>' ..
+  "<ixy>0</ixy><ixz>0</ixz><iyz>0</iyz></inertia></inertial></link></model></world></sdf>"
 silent("a link of one of two models", nested, { 5, 0, 0, 0, 1, 1, 1, 0, 0, 0 }, "leg::base")
 
 -- ---- what is assumed, is said ----
 
 tap.like(reads("SDF without mass: 1 kg", sdf("", "0.25 -0.5 3 0 0 0"):gsub("<mass>.-</mass>", ""),
-  { 1, 0.25, -0.5, 3, 1, 2, 2.5, 0, 0, 0 }), 'robot.xml:1: link "base": <inertial> has no <mass>: ' ..
+  { 1, 0.25, -0.5, 3, 1, 2, 2.5, 0, 0, 0 }), 'robot.xml:1: link "m::base": <inertial> has no <mass>: ' ..
   "the format's default is 1 kg", "and says so")
 tap.like(reads("SDF without inertia: 1 kg m^2", sdf("", "0.25 -0.5 3 0 0 0", ""), tensor { 1, 1, 1, 0, 0, 0 }),
   "<inertial> has no <inertia>: the format's default is ixx = iyy = izz = 1 kg m^2", "and says so")

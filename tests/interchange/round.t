@@ -2,10 +2,10 @@
 -- round.t - a body written as URDF, MJCF or SDF and read again is the same body to the last bit.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- For every body: scene -> urdf -> inertial{} -> urdf must give the same bytes, urdf -> mjcf -> sdf -> urdf too, and the
--- doubles of `explain --format json` must not move.  Bodies: composed scenes, the bounds of validity (plates and rods in
--- oblique axes, whose written tensor may break zz = xx + yy in its last place), needles, far origins, small and large
--- units, and random heaps of particles, which are valid by construction.
+-- For every body: scene -> urdf -> inertial{} -> urdf must give the same bytes, urdf -> mjcf -> sdf -> urdf too, and
+-- the doubles of `explain --format json` must not move.  Bodies: composed scenes, the bounds of validity (plates and
+-- rods in oblique axes, whose written tensor may break zz = xx + yy in its last place), needles, far origins, small and
+-- large units, and random heaps of particles, which are valid by construction.
 package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
@@ -30,8 +30,8 @@ body("a rod in oblique axes", "rod.between { from = {0, 0, 0}, to = {0.1, 0.2, 0
 body("a rod along z", "rod.straight { length = 0.3, mass = 3 }")
 body("a needle, 1e8", "solid.box { x = 1e-8, y = 1, z = 1e-8, mass = 1 }:turned{axis = {1, 1, 1}, angle = 0.3}")
 body("an origin 1e6 away", "solid.box { x = 0.1, y = 0.2, z = 0.3, mass = 1/3 }:at{1e6, -1e6, 1/3}")
-body("kilograms of 1e-30", "solid.sphere { r = 1e-10/3, mass = 1e-30/7 } + solid.box { x = 1e-10, y = 2e-10, z = 3e-10," ..
-  " mass = 1e-30 }:at{1e-9, 0, 0}")
+body("kilograms of 1e-30", "solid.sphere { r = 1e-10/3, mass = 1e-30/7 } + solid.box { x = 1e-10, y = 2e-10, " ..
+  "z = 3e-10, mass = 1e-30 }:at{1e-9, 0, 0}")
 body("kilograms of 1e30", "solid.sphere { r = 6.4e6, mass = 6e24 } + solid.sphere { r = 7e8, mass = 2e30 }" ..
   ":at{1.5e11, 1e9, 0}")
 body("a cube about its corner", "solid.box { x = 1, y = 1, z = 1, mass = 1 }:at{0.5, 0.5, 0.5}")
