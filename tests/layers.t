@@ -23,7 +23,7 @@ local ARROWS = {
   report = { "algebra", "mass", "emit" },
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report",
-    "driver" },
+    "driver", "interchange" },
   main = { "commands", "driver", "diag" },
 }
 

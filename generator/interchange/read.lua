@@ -103,15 +103,19 @@ local function choose(r, root, format, wanted)
     return r:fail(root, "link must name a <" .. word .. "> with <inertial> (" .. some .. more .. ")")
   end
   local found, bare = {}, nil
-  for _, l in ipairs(list) do
-    if l.name and (l.name == wanted or string.sub(l.name, -#wanted - 2) == "::" .. wanted) then
-      found[#found + 1] = l
+  local function collect(fits)
+    for _, l in ipairs(list) do
+      if l.name and fits(l.name) then found[#found + 1] = l end
     end
+  end
+  collect(function(name) return name == wanted end)
+  if #found == 0 and format == sdf then -- its models may be left out while that is clear
+    collect(function(name) return string.sub(name, -#wanted - 2) == "::" .. wanted end)
   end
   if #found == 1 then return found[1] end
   if #found > 1 then
     local others = {}
-    for i, l in ipairs(found) do others[i] = l.name .. " in line " .. l.element.line end
+    for i, l in ipairs(found) do others[i] = diag.show(l.name) .. " in line " .. l.element.line end
     return r:fail(root, "more than one <" .. word .. "> has this name (" .. table.concat(others, ", ") .. ")",
       diag.show(wanted))
   end

@@ -9,6 +9,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local diag = require "generator.diag"
 local reader = require "generator.interchange.reader"
 local turns = require "generator.interchange.turns"
 
@@ -39,7 +40,7 @@ local function pose(r, element)
   end
   local form = element.at.rotation_format or "euler_rpy"
   if form ~= "euler_rpy" and form ~= "quat_xyzw" then
-    return r:fail(element, "<pose> rotation_format must be euler_rpy or quat_xyzw", form)
+    return r:fail(element, "<pose> rotation_format must be euler_rpy or quat_xyzw", diag.show(form))
   end
   if not string.find(element.text, "%S") then return zeros, {} end
   local quaternion = form == "quat_xyzw"

@@ -59,8 +59,8 @@ file("<robot>\n<link></robot>", "r.urdf:2: mismatched tag")
 file("<!DOCTYPE r [<!ENTITY a 'b'>]>\n<robot/>", "r.urdf:1: a document type declaration is not allowed")
 file("<html/>", "r.urdf:1: the root must be <robot> (URDF), <mujoco> (MJCF), <sdf> (SDF) or an <inertial> of one of " ..
   "them, got <html>")
-file("<inertial/>", "r.urdf:1: the root must be <robot> (URDF), <mujoco> (MJCF), <sdf> (SDF) or an <inertial> of one " ..
-  "of them, got <inertial>")
+file("<inertial/>", "r.urdf:1: the root must be <robot> (URDF), <mujoco> (MJCF), <sdf> (SDF) or an <inertial> of " ..
+  "one of them, got <inertial>")
 
 -- ---- which link ----
 
@@ -74,7 +74,7 @@ file(two, 'r.urdf:1: no <link> with <inertial> has this name (there are "a", "b"
 file(two, 'r.urdf:4: <link> "c" has no <inertial>', "c")
 file(good, 'r.urdf:1: the file is one <inertial>, which has no name, got "a"', "a")
 file('<robot>\n<link name="a">' .. good .. '</link>\n<link name="a">' .. good .. "</link></robot>",
-  'r.urdf:1: more than one <link> has this name (a in line 2, a in line 3), got "a"', "a")
+  'r.urdf:1: more than one <link> has this name ("a" in line 2, "a" in line 3), got "a"', "a")
 file('<mujoco><include file="more.xml"/></mujoco>', 'r.urdf:1: no <body> with <inertial> has this name (there are ' ..
   'none; files that it includes are not read), got "a"', "a")
 
@@ -146,7 +146,7 @@ sdf(inertial '<pose rotation_format="quat_xyzw">1 2 3 0 0 0</pose>',
   here .. '<pose> must be 7 numbers, got "1 2 3 0 0 0"')
 sdf(inertial '<pose rotation_format="quat_xyzw">1 2 3 0 0 0 0</pose>', here .. "<pose> quaternion must not be zero")
 sdf(inertial '<pose rotation_format="x">1 2 3 0 0 0 0</pose>', here .. "<pose> rotation_format must be euler_rpy or " ..
-  "quat_xyzw, got x")
+  'quat_xyzw, got "x"')
 sdf("<inertial><mass>x</mass><inertia>" .. entries .. "</inertia></inertial>",
   here .. '<mass> must be a number, got "x"')
 sdf("<inertial><mass>1</mass><inertia>" .. entries:gsub("<ixx>1", "<ixx>") .. "</inertia></inertial>",

@@ -133,6 +133,10 @@ for i, c in ipairs {
     -0.11397435372198779, 0.18493178745544675 } } } do
   silent("MJCF: xyaxes, " .. i, mjcf("", 'xyaxes="' .. c[1] .. '"'), tensor(c[2]))
 end
+-- half turns, whose quaternion has no scalar part: about y, and about (1, 2, 2) with R = 2 n nT - 1 by hand
+silent("MJCF: xyaxes, half a turn about y", mjcf("", 'xyaxes="-1 0 0 0 1 0"'), tensor { 1, 2, 2.5, 0, 0, 0 })
+silent("MJCF: xyaxes, half a turn about (1, 2, 2)", mjcf("", 'xyaxes="-7 4 4 4 -1 8"'),
+  tensor { 121 / 81, 178 / 81, 293 / 162, 44 / 81, 26 / 81, -20 / 81 })
 silent("MJCF: zaxis", mjcf("", 'zaxis="0.3 -0.4 -1.2"'), tensor { 1.9319526627218935, 1.1952662721893492,
   2.3727810650887573, -0.31952662721893493, -0.03550295857988166, 0.35502958579881655 })
 silent("MJCF: zaxis upside down", mjcf("", 'zaxis="0 0 -2"', 'diaginertia="1 2 2.5" '), tensor { 1, 2, 2.5, 0, 0, 0 })
