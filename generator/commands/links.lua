@@ -48,7 +48,9 @@ function links.run(host, given)
   local root, message, line = host.xml(text)
   if not root then return refuse(file .. ":" .. line .. ": " .. message) end
   local format = read.format(root)
-  if not format then return refuse(file .. ": the root is <" .. diag.cut(root.name, 40) .. ">: no URDF, MJCF or SDF") end
+  if not format then
+    return refuse(file .. ": no URDF, MJCF or SDF: the root is <" .. diag.cut(root.name, 40) .. ">")
+  end
   local list, _, all, includes = read.links(root, format)
   local bad = 0
   for _, link in ipairs(list) do

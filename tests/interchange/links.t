@@ -40,7 +40,8 @@ SDF: 2 of 2 with <inertial>, 0 wrong
 prints("links no/such/file", 2, "", "polhode: cannot read no/such/file: No such file or directory\n")
 prints("links README.md", 2, "", "polhode: README.md:1: not well-formed (invalid token)\n")
 run.write("x.xml", "<a/>")
-prints("links " .. run.dir .. "/x.xml", 2, "", "polhode: " .. run.dir .. "/x.xml: the root is <a>: no URDF, MJCF or SDF\n")
+prints("links " .. run.dir .. "/x.xml", 2, "",
+  "polhode: " .. run.dir .. "/x.xml: no URDF, MJCF or SDF: the root is <a>\n")
 
 do
   local first
