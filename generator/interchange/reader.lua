@@ -53,10 +53,12 @@ local function decimal(word)
     if string.find(word, "${", 1, true) then return nil, "must be a number (expand xacro files first)" end
     return nil, "must be a number"
   end
+  if #word > 400 then return nil, "must have at most 400 characters" end -- no double needs more; exact ones must end
   if string.sub(digits, 1, 1) == "." then digits = "0" .. digits end
   if string.sub(digits, -1) == "." then digits = digits .. "0" end
   local q = R.parse((sign == "-" and "-" or "") .. digits .. exponent)
-  if not q or math.abs(R.todouble(q)) == math.huge then return nil, "must be within the range of double" end
+  local x = q and math.abs(R.todouble(q))
+  if not q or x == math.huge or x == 0 and R.sign(q) ~= 0 then return nil, "must be within the range of double" end
   return q
 end
 

@@ -97,6 +97,11 @@ for _, word in ipairs { "one", "1/3", "0x1p3", "nan", "inf", "1e", "1e5.0", "--1
 end
 urdf(inertia("${i}"), at .. '<inertia> ixx must be a number (expand xacro files first), got "${i}"')
 urdf(inertia("1e400"), at .. '<inertia> ixx must be within the range of double, got "1e400"')
+urdf(inertia("1e-400"), at .. '<inertia> ixx must be within the range of double, got "1e-400"')
+urdf(inertia("1e-299999"), at .. '<inertia> ixx must be within the range of double, got "1e-299999"')
+urdf(inertia("1e999999999"), at .. '<inertia> ixx must be within the range of double, got "1e999999999"')
+urdf(inertia("0." .. ("3"):rep(399)), at .. "<inertia> ixx must have at most 400 characters, got \"0." ..
+  ("3"):rep(35) .. "...\"")
 urdf(inertia("1 2"), at .. '<inertia> ixx must be one number, got "1 2"')
 urdf(inertia(""), at .. "<inertia> ixx must be one number, got none")
 urdf(mass .. '<inertia ixx="1" ixy="0" ixz="0" iyy="1" izz="1"/>', at .. "<inertia> iyz is missing")
