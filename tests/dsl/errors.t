@@ -112,7 +112,7 @@ for _, case in ipairs {
   { "explain s.lua t.lua", 2, "polhode explain: too many operands: t.lua\n" },
   { "explain --formt json s.lua", 2, "polhode explain: no option --formt\n" },
   { "explain --format", 2, "polhode explain: --format needs a value\n" },
-  { "explain --format pdf s.lua", 2, "polhode explain: --format must be text or markdown or latex or json, got pdf\n" },
+  { "explain --format pdf s.lua", 2, "polhode explain: --format must be text or markdown or latex or json or urdf or mjcf or sdf, got pdf\n" },
   { "gen --bake=yes s.lua", 2, "polhode gen: --bake takes no value\n" },
   { "gen --method euler s.lua", 2, "polhode gen: --method: gen emits rk4 and exact, got euler\n" },
   { "gen --set x s.lua", 2, "polhode gen: --set must be NAME=NUMBER, got x\n" },

@@ -20,8 +20,7 @@ local function int(n)
 end
 
 local values = { "", " ", "0", "-1", "2e-3", "1 2", "1 2 3 4", "0 0 0", "1 0 0 0", "1e308", "1e-320", "nan",
-  "0x1p3", "x",
-  "true", "XYz", "degree", "9999999999999999999", "&lt;", "-.5", "0.3 0.2 0.1", "lower", "quat_xyzw" }
+  "0x1p3", "x", "true", "XYz", "degree", "9999999999999999999", "&lt;", "-.5", "0.3 0.2 0.1", "lower", "quat_xyzw" }
 local pieces = { "<inertial>", "</inertial>", "<mass/>", "<mass value='1'/>", " auto='true'", " quat='1 0 0 0'", "\0",
   " zaxis='0 0 -1'", " name='x'", " rpy='0 0 1'", "<pose>1 2 3 4 5 6</pose>", " fullinertia='1 1 1 0 0 0'", "\xff",
   "<!DOCTYPE a>", "<include file='x'/>", "<compiler angle='x'/>", "<!-- -->", "<", ">", "/>", "\"" }
