@@ -45,7 +45,8 @@ local EMITTED = { ["math.h"] = true, ["stddef.h"] = true, ["stdio.h"] = true }
 local MAX_LUA, MAX_C = 400, 500
 
 -- Files that turn numbers into text by design: literals of C, messages, and the listing of the IR.
-local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/svg.lua"] = true, ["generator/diag.lua"] = true,
+local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/svg.lua"] = true,
+  ["generator/diag.lua"] = true,
   ["generator/ir/show.lua"] = true, ["generator/report/json.lua"] = true, ["generator/report/facts.lua"] = true,
   ["generator/report/explain.lua"] = true, ["generator/commands/run.lua"] = true,
   ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true }
