@@ -9,6 +9,9 @@
 
 #include <math.h>
 
+%% if has_special then
+${special_source}
+%% end
 void ${name}_defaults(${name}_real p[])
 {
 %% if has_params then

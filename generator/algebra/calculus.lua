@@ -24,6 +24,13 @@ local rules = {
   cosh = function(a) return { expr.call("sinh", a) } end,
   tanh = function(a) return { 1 - expr.call("tanh", a) ^ 2 } end,
   abs = function(a) return { a / expr.call("abs", a) } end,
+  -- R_G's partial derivatives are the means H_i (exact.lua): a d/da (a b c G) = a b c (G - H_a) = a b c (H_b + H_c)
+  ellipsoid_area = function(a, b, c)
+    local area = expr.call("ellipsoid_area", a, b, c)
+    local function normal(...) return expr.call("ellipsoid_normal", ...) end
+    local x, y, z = normal(a, b, c), normal(b, c, a), normal(c, a, b)
+    return { area * (y + z) / a, area * (z + x) / b, area * (x + y) / c }
+  end,
 }
 
 -- The derivative of e with respect to the symbol x.  `known` (optional: node -> derivative) gives the
@@ -62,10 +69,19 @@ function calculus.diff(e, x, known)
     elseif u.fn == "pi" then
       v = expr.zero
     else
-      local rule = rules[u.fn] or error("no derivative rule for " .. u.fn)
-      local partial, list = rule(table.unpack(u)), {}
-      for i = 1, #u do list[i] = partial[i] * d(u[i]) end
-      v = expr.add(list)
+      local inner, constant = {}, true
+      for i = 1, #u do
+        inner[i] = d(u[i])
+        constant = constant and inner[i] == expr.zero
+      end
+      if constant then
+        v = expr.zero
+      else
+        local rule = rules[u.fn] or error("no derivative rule for " .. u.fn)
+        local partial = rule(table.unpack(u))
+        for i = 1, #u do inner[i] = partial[i] * inner[i] end
+        v = expr.add(inner)
+      end
     end
     memo[u] = v
     return v

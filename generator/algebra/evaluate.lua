@@ -122,8 +122,13 @@ end
 
 -- Functions that Lua's library lacks, by MPFR, correctly rounded; out of range is NaN.
 local function by_mpfr(fn)
-  return function(x)
-    local y = R.apply(fn, 53, R.fromdouble(x))
+  return function(...)
+    local args = { ... }
+    for k, x in ipairs(args) do
+      if x - x ~= 0 then return 0.0 / 0.0 end
+      args[k] = R.fromdouble(x)
+    end
+    local y = R.apply(fn, 53, table.unpack(args))
     return y and R.todouble(y) or 0.0 / 0.0
   end
 end
@@ -136,6 +141,7 @@ local functions = {
   sinh = by_mpfr "sinh", cosh = by_mpfr "cosh", tanh = by_mpfr "tanh",
   abs = math.abs,
   pi = function() return math.pi end,
+  ellipsoid_area = by_mpfr "ellipsoid_area", ellipsoid_normal = by_mpfr "ellipsoid_normal",
 }
 
 -- The value in doubles; env holds Lua numbers or rationals.

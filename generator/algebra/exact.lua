@@ -2,6 +2,16 @@
 --
 -- Used by expr.call before a call node is made: sin and cos at multiples of pi/12, odd and even symmetry,
 -- and inverse pairs.  A law stands beside each rule.  ABOVE the line.
+--
+-- The uniform shell on the ellipsoid of semi-axes a, b, c > 0, points (a nx, b ny, c nz) with n on the unit sphere,
+-- p = (1/a^2, 1/b^2, 1/c^2), Q = sum p_i n_i^2:
+--     ellipsoid_area(a, b, c)     area/(4 pi) = a b c G,  G = mean of sqrt(Q) = R_G(p)    (DLMF 19.33.1, 19.16.3)
+--     ellipsoid_normal(a, b, c)   mean over the surface of N_x^2, N the unit normal, = H_x/G with
+--                                 H_i = mean of p_i n_i^2/sqrt(Q), sum H_i = G
+--     ellipsoid_second(a, b, c)   1/(4 pi) times the integral of x^2 over the surface; always opened:
+-- With w_i = mean of n_i^2 sqrt(Q), which is a b c a_i^2 w_i = second: sum w_i = G, and the equation of Euler, Poisson
+-- and Darboux that such means obey gives w_i - w_j = (H_i - H_j)/4.  Hence w_i = (G + H_i)/4, that is
+--     ellipsoid_second = a^2 (1 + ellipsoid_normal)/4 ellipsoid_area.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -36,12 +46,34 @@ return function(expr)
     return sine(n <= 6 and n or 12 - n)
   end
 
+  -- Symmetric in all arguments of area, in the last two of normal: these are put in order.  A sphere is exact.
+  local function ellipsoid(fn, args)
+    local a, b, c = args[1], args[2], args[3]
+    if fn == "ellipsoid_second" then
+      return a ^ 2 * (1 + expr.call("ellipsoid_normal", a, b, c)) / 4 * expr.call("ellipsoid_area", a, b, c)
+    end
+    if a == b and b == c then return fn == "ellipsoid_area" and a ^ 2 or expr.lift(R.new(1, 3)) end
+    if expr.compare(b, c) > 0 then return expr.call(fn, a, c, b) end
+    if fn == "ellipsoid_area" and expr.compare(a, b) > 0 then return expr.call(fn, b, a, c) end
+  end
+
   return function(fn, args)
     if fn == "pi" then return expr.pi end
+    if string.match(fn, "^ellipsoid_") then return ellipsoid(fn, args) end
     local a = args[1]
     if fn == "abs" then
       if a.kind == "num" then return expr.lift(R.abs(a.value)) end
       if expr.nonnegative(a) then return a end
+      local c, rest = expr.split(a) -- |c x y| ==> |c| y |x| for y >= 0
+      local out, inside = { expr.lift(R.abs(c)) }, {}
+      for _, f in ipairs(rest.kind == "mul" and rest or { rest }) do
+        local list = expr.nonnegative(f) and out or inside
+        list[#list + 1] = f
+      end
+      if #out > 1 or out[1] ~= expr.one then
+        out[#out + 1] = expr.call("abs", expr.mul(inside))
+        return expr.mul(out)
+      end
     end
     if expr.iszero(a) and at_zero[fn] then return expr.lift(at_zero[fn]) end
     if fn == "log" and a == expr.one then return expr.zero end

@@ -14,7 +14,8 @@
 --                                                numbers keep their size)
 --                         mul   [1..n]           n >= 2 factors, sorted; a rational coefficient is [1]
 --                         pow   base, exp        exp an exact rational, not 0 or 1
---                         call  fn, [1..n]       sin cos tan asin acos atan atan2 exp log sinh cosh tanh abs pi
+--                         call  fn, [1..n]       sin cos tan asin acos atan atan2 exp log sinh cosh tanh abs pi;
+--                                                ellipsoid_area ellipsoid_normal (exact.lua)
 -- Not here: derivatives and substitution (calculus.lua), polynomial normal forms (poly.lua), text (text.lua).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -84,11 +85,12 @@ expr.split = split
 -- Is e >= 0 for every real value of its symbols (positive ones positive)?  false means "not known".
 local sign_known = setmetatable({}, { __mode = "k" })
 local nonnegative
+local positive = { abs = true, exp = true, cosh = true, pi = true, ellipsoid_area = true, ellipsoid_normal = true }
 
 local function sign_of(e)
   if e.kind == "num" then return R.sign(e.value) >= 0 end
   if e.kind == "sym" then return e.positive end
-  if e.kind == "call" then return e.fn == "abs" or e.fn == "exp" or e.fn == "cosh" or e.fn == "pi" end
+  if e.kind == "call" then return positive[e.fn] or false end
   if e.kind == "pow" then
     if nonnegative(e.base) then return true end
     return R.isint(e.exp / R.new(2)) or R.den(e.exp) == R.new(2)

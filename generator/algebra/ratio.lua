@@ -1,15 +1,16 @@
 -- ratio.lua -- rational functions: decisive zero test, cancelled and factored form.
 --
--- ABOVE the line.  tidy(e) writes e as  c * monomial * primitive numerator / primitive denominator  with the
--- greatest common divisor cancelled: (M*(a^2+c^2)/12 - M*(a^2+b^2)/12) / (M*(b^2+c^2)/12) becomes
--- (c^2 - b^2)/(b^2 + c^2), in which near-equal moments no longer cancel large terms.  The gcd is the
--- primitive polynomial remainder sequence (Knuth, TAOCP 2, 4.6.1, algorithm C, in one variable after the
--- other).  Work is bounded: what would expand beyond `budget` products of terms is left as it is, which is always
--- correct, and the zero test then rests on values at random points (see iszero).
+-- ABOVE the line.  tidy(e) writes e as  c * monomial * numerator / denominator  with the greatest common divisor
+-- cancelled: (M*(a^2+c^2)/12 - M*(a^2+b^2)/12) / (M*(b^2+c^2)/12) becomes (c^2 - b^2)/(b^2 + c^2), in which
+-- near-equal moments no longer cancel large terms.  Numerator and denominator stand as products of the factors that
+-- are found (factor.lua).  Work is bounded: what would expand beyond `budget` products of terms is left as it is,
+-- which is always correct, and the zero test then rests on values at random points (see iszero).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
+local factor = require "generator.algebra.factor"
+local gcd = require("generator.algebra.gcd").of
 local poly = require "generator.algebra.poly"
 local evaluate = require "generator.algebra.evaluate"
 
@@ -17,103 +18,15 @@ local ratio = {}
 
 local budget = 60000 -- products of terms; about 0.1 s
 
--- f(...) within the budget: its result, or nil when that is used up.  Nested calls share the outermost grant.
-local function bounded(f, ...)
+-- f(...) within the grant: its result, or nil when that is used up.  Nested calls share the outermost grant.
+local function bounded(grant, f, ...)
   if poly.budget then return f(...) end
-  poly.budget = budget
+  poly.budget = grant
   local ok, result = pcall(f, ...)
   poly.budget = nil
   if ok then return result end
   if result == poly.exhausted or string.find(tostring(result), "number too large", 1, true) then return nil end
   error(result, 0)
-end
-
----- greatest common divisor -----------------------------------------------------------------------
-
-local gcd
-
-local function degree(p, v)
-  local d = -1
-  for _, t in pairs(p.terms) do d = math.max(d, t.e[v]) end
-  return d
-end
-
--- The coefficient of generator v to the power d.
-local function coefficient(p, v, d)
-  local list = {}
-  for _, t in ipairs(poly.sorted(p)) do
-    if t.e[v] == d then
-      local e = { table.unpack(t.e) }
-      e[v] = 0
-      list[#list + 1] = { c = t.c, e = e }
-    end
-  end
-  local q = poly.constant(p.ring, R.zero)
-  for _, t in ipairs(list) do
-    q.terms[table.concat(t.e, ",")] = t
-    q.n = q.n + 1
-  end
-  return q
-end
-
-local function content_in(p, v)
-  local g
-  for d = 0, degree(p, v) do
-    local c = coefficient(p, v, d)
-    if not poly.iszero(c) then g = g and gcd(g, c) or c end
-  end
-  return g
-end
-
-local function primitive(p)
-  local c, low = poly.content(p)
-  return poly.shift(p, c, low), low
-end
-
-local function pseudo_remainder(a, b, v)
-  local db = degree(b, v)
-  local lead = coefficient(b, v, db)
-  while not poly.iszero(a) and degree(a, v) >= db do
-    local da = degree(a, v)
-    local top = coefficient(a, v, da)
-    a = poly.sub(poly.mul(lead, a), poly.mul(poly.mul(top, poly.generator(a.ring, v, da - db)), b))
-  end
-  return a
-end
-
--- gcd up to a rational factor; monomial content included.
-function gcd(a, b)
-  local ring = a.ring
-  local pa, la = primitive(a)
-  local pb, lb = primitive(b)
-  local mono = poly.constant(ring, R.one)
-  for i = 1, #ring.gens do
-    local low = math.min(la[i], lb[i])
-    if low > 0 then mono = poly.mul(mono, poly.generator(ring, i, low)) end
-  end
-  if pa.n == 1 or pb.n == 1 or pa.n * pb.n > 4000 then return mono end
-  local v
-  for i = 1, #ring.gens do
-    local x, y = degree(pa, i) > 0, degree(pb, i) > 0
-    if x and y then v = v or i elseif x or y then v = v end
-  end
-  if not v then return mono end
-  local ca, cb = content_in(pa, v), content_in(pb, v)
-  local c = gcd(ca, cb)
-  local x, y = poly.divide(pa, ca), poly.divide(pb, cb)
-  if not x or not y then return mono end
-  while true do
-    local r = pseudo_remainder(x, y, v)
-    if poly.iszero(r) then break end
-    if degree(r, v) == 0 then
-      y = poly.constant(ring, R.one)
-      break
-    end
-    local cr = content_in(r, v)
-    r = cr and poly.divide(r, cr) or r
-    x, y = y, r
-  end
-  return poly.mul(mono, poly.mul(c, (primitive(y))))
 end
 
 ---- fractions -------------------------------------------------------------------------------------
@@ -183,7 +96,7 @@ end
 function ratio.iszero(e)
   if e.kind == "num" then return R.sign(e.value) == 0 end
   if vanishes(e, 0) == false then return false end
-  local proved = bounded(function() return { poly.iszero(fraction(poly.ring { e }, e, {})[1]) } end)
+  local proved = bounded(budget, function() return { poly.iszero(fraction(poly.ring { e }, e, {})[1]) } end)
   if proved then return proved[1] end
   for n = 1, 3 do
     if not vanishes(e, n) then return false end
@@ -193,41 +106,26 @@ end
 
 function ratio.equal(a, b) return a == b or ratio.iszero(a - b) end
 
-local function monomial(ring, low)
-  local list = {}
-  for i, x in ipairs(low) do
-    if x ~= 0 then list[#list + 1] = expr.pow(ring.gens[i], x) end
-  end
-  return expr.mul(list)
-end
-
 local tidied = setmetatable({}, { __mode = "k" })
 
 local function cancelled(e)
   local ring = poly.ring { e }
   local f = fraction(ring, e, {})
-  local result
-  if poly.iszero(f[1]) then
-    result = expr.zero
-  else
-    local common = gcd(f[1], f[2])
-    local n, d = poly.divide(f[1], common), poly.divide(f[2], common)
-    if not n or not d then n, d = f[1], f[2] end
-    local cn, ln = poly.content(n)
-    local cd, ld = poly.content(d)
-    result = expr.mul { cn / cd, monomial(ring, ln), poly.expr(poly.shift(n, cn, ln)),
-      expr.pow(expr.mul { monomial(ring, ld), poly.expr(poly.shift(d, cd, ld)) }, -1) }
-  end
-  return result
+  if poly.iszero(f[1]) then return expr.zero end
+  local common = gcd(f[1], f[2])
+  local n, d = poly.divide(f[1], common), poly.divide(f[2], common)
+  if not n or not d then n, d = f[1], f[2] end
+  local hints = factor.hints(ring, e)
+  return factor.product(n, hints) / factor.product(d, hints)
 end
 
 -- e cancelled and factored: equal to e wherever e is defined.  Second result: false if it was too large and is left
--- as it was.
-function ratio.tidy(e)
+-- as it was.  limit: products of terms that may be spent on it, when less than usual.
+function ratio.tidy(e, limit)
   if e.kind == "num" or e.kind == "sym" then return e, true end
   local known = tidied[e]
   if known == nil then
-    known = bounded(cancelled, e) or false
+    known = bounded(limit or budget, cancelled, e) or false
     tidied[e] = known
     if known then tidied[known] = known end
   end

@@ -34,6 +34,12 @@ local greek = { omega = "\\omega", alpha = "\\alpha", beta = "\\beta", gamma = "
 
 local latex_name = { asin = "\\arcsin", acos = "\\arccos", atan = "\\arctan", atan2 = "\\operatorname{atan2}" }
 
+local function latex_call(fn)
+  if latex_name[fn] then return latex_name[fn] end
+  if not string.find(fn, "_", 1, true) then return "\\" .. fn end
+  return "\\operatorname{" .. string.gsub(fn, "_", "\\_") .. "}"
+end
+
 local render
 
 -- Does the text of e need parentheses as a factor?
@@ -120,7 +126,7 @@ function render(e, style)
     local args = {}
     for i = 1, #e do args[i] = render(e[i], style) end
     if style == styles.latex and e.fn == "abs" then return "\\left|" .. args[1] .. "\\right|" end
-    local fn = style == styles.latex and (latex_name[e.fn] or "\\" .. e.fn) or e.fn
+    local fn = style == styles.latex and latex_call(e.fn) or e.fn
     return fn .. style.open .. table.concat(args, ", ") .. style.close
   end
   if e.kind == "add" then

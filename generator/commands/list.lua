@@ -25,7 +25,7 @@ function what.shapes()
   for i, s in ipairs(catalogue.list) do
     local names = {}
     for k, a in ipairs(s.args or {}) do names[k] = a.name end
-    local takes = s.rows and "{{m, x, y, z}, ...}" or "{" .. table.concat(names, ", ") .. "}"
+    local takes = s.takes or "{" .. table.concat(names, ", ") .. "}"
     rows[i] = { s.name, takes .. ": " .. s.about .. "; " .. s.frame }
   end
   return rows

@@ -56,6 +56,48 @@ end
 
 local words = { positive = "must be positive", nonnegative = "must not be negative" }
 
+local most_rows = 1000 -- of one list: a polygon is checked for crossings pair by pair
+
+-- A list of rows of spec.rows scalars each: spec.count of them, or spec.least and more.
+function args.rows(ctx, line, what, name, spec, given)
+  local n = spec.count
+  local rule = string.format("%s must be a list of %s rows of %d numbers", name, n or spec.least .. " or more",
+    spec.rows)
+  if not args.plain(given) or (n and #given ~= n) or #given < (spec.least or 1) or #given > most_rows or
+    not args.list(given, #given) then
+    ctx.diag:error(line, what, #(args.plain(given) and given or {}) > most_rows and
+      name .. " must have at most " .. most_rows .. " rows" or rule, diag.show(given))
+    return nil
+  end
+  local out, ok = {}, true
+  for i = 1, #given do
+    out[i] = args.vector(ctx, line, what, name .. "[" .. i .. "]", { dim = spec.dim, size = spec.rows }, given[i])
+    ok = ok and out[i] ~= nil
+  end
+  return ok and out or nil
+end
+
+-- A list of lists of rows; may be empty.
+function args.lists(ctx, line, what, name, spec, given)
+  if not args.plain(given) or not args.list(given, #given) then
+    ctx.diag:error(line, what, name .. " must be a list of lists of rows of " .. spec.rows .. " numbers",
+      diag.show(given))
+    return nil
+  end
+  local out, ok = {}, true
+  for i = 1, #given do
+    out[i] = args.rows(ctx, line, what, name .. "[" .. i .. "]", spec, given[i])
+    ok = ok and out[i] ~= nil
+  end
+  return ok and out or nil
+end
+
+function args.flag(ctx, line, what, name, _, given)
+  if type(given) == "boolean" then return given end
+  ctx.diag:error(line, what, name .. " must be true or false", diag.show(given))
+  return nil
+end
+
 -- One scalar of dimension `spec.dim`, as an expression; nil after an error.
 function args.scalar(ctx, line, what, name, spec, given)
   local r, why = value.of(given)
@@ -156,7 +198,8 @@ function args.read(ctx, line, what, specs, given, extra)
         ok = false
       end
     else
-      local read = spec.choice and args.choice or spec.size and args.vector or args.scalar
+      local read = spec.choice and args.choice or spec.flag and args.flag or spec.lists and args.lists or
+        spec.rows and args.rows or spec.size and args.vector or args.scalar
       out[spec.name] = read(ctx, at, what, spec.name, spec, x)
       ok = ok and out[spec.name] ~= nil
     end

@@ -7,6 +7,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local coordinate = require "generator.algebra.coordinate"
 local expr = require "generator.algebra.expr"
 local args = require "generator.dsl.args"
 local names = require "generator.dsl.names"
@@ -167,7 +168,7 @@ function env.record(host, d, text, tables, set)
   local e = {}
   for _, k in ipairs(args.keys(host.safe)) do e[k] = host.safe[k] end
   local made = tree(host, tables.shapes, function(spec)
-    return spec.rows and shapes.points or shapes.constructor(spec)
+    return spec.reader and shapes[spec.reader] or shapes.constructor(spec)
   end)
   for _, k in ipairs(args.keys(made)) do
     e[k] = type(made[k]) == "table" and strict(ctx, k, made[k], shapes.broken) or made[k]
@@ -178,6 +179,7 @@ function env.record(host, d, text, tables, set)
   e.exact = function(s)
     return value.new(expr.num(number(ctx, "exact", "the number", s)), nil)
   end
+  for i, s in ipairs(coordinate.symbols) do e[coordinate.names[i]] = value.new(s, units.length) end
   e.pi, e.sqrt = value.new(expr.pi, nil), value.sqrt
   for _, f in ipairs(value.functions) do e[f[1]] = value.func(table.unpack(f)) end
   local calls, scene_handle = 0, nil

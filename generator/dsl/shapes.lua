@@ -2,13 +2,15 @@
 --
 -- A shape is an opaque handle whose record is a tree of plain data (expressions inside):
 --     {shape=, a={args}, mass= | density=, line=}    {op="at", of=, r=}    {op="turned", of=, q=unit quaternion}
---     {op="scaled", of=, k={kx,ky,kz}}    {op="sum" | "minus", a, b}
+--     {op="scaled", of=, k={kx,ky,kz}}    {op="sheared", of=, A={rows}}    {op="sum" | "minus", a, b}
 -- Nothing is integrated here; mass/body.lua turns the tree into mass, centre and tensor.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
 local args = require "generator.dsl.args"
+local polygon = require "generator.dsl.polygon"
+local region = require "generator.dsl.region"
 local value = require "generator.dsl.value"
 local diag = require "generator.diag"
 
@@ -26,11 +28,11 @@ local ctx -- the scene that is being recorded: {diag =, checks =}
 function shapes.begin(c, visible)
   ctx = c
   local methods = {}
-  for _, name in ipairs { "at", "turned", "scaled", "mirrored" } do methods[name] = visible(method[name]) end
+  for _, name in ipairs { "at", "turned", "scaled", "sheared", "mirrored" } do methods[name] = visible(method[name]) end
   handle.__index = function(_, name)
     if methods[name] then return methods[name] end
     ctx.diag:error(ctx.diag:here(), "shape", "has no operation " .. diag.show(name) ..
-      " (it has at, turned, scaled, mirrored)")
+      " (it has at, turned, scaled, sheared, mirrored)")
     return function(self) return self end
   end
 end
@@ -77,8 +79,11 @@ function shapes.constructor(spec)
     if args.plain(given) and spec.measure then ok = amount(spec, what, line, given, node) and ok end
     if ok and spec.requires then
       for _, c in ipairs(spec.requires(a)) do
-        ok = args.condition(ctx, line, what, c[2], c[1], args.named(spec.args, c[2], given)) and ok
+        ok = args.condition(ctx, line, what, c[2], c[1], args.named(spec.args, c[2], given), c[3]) and ok
       end
+    end
+    if ok and spec.polygons then
+      ok = polygon.check(ctx, line, what, a.profile, a.holes or {}, spec.polygons == "x")
     end
     if spec.name == "tensor" then node.mass = a.mass end
     node.broken = not ok
@@ -120,6 +125,9 @@ function shapes.points(given)
   end
   return new(node)
 end
+
+-- region{{x, lo, hi}, {y, lo, hi}, {z, lo, hi}, density = ...}
+function shapes.region(given) return new(region.read(ctx, here(), given)) end
 
 ---- placement -------------------------------------------------------------------------------------
 
@@ -195,14 +203,14 @@ function method.turned(self, given)
   return derived(self, { op = "turned", q = q, angle = angle, axis = axis, broken = q == nil, line = line })
 end
 
--- Why the shapes below `node` cannot be scaled by different factors, or nil.  A volume stays uniform under any affine
--- map, a flat plate and a straight rod too, but how much a density per area or length is worth then depends on how it
--- lies; a curved wire or shell does not stay uniform.
+-- Why the shapes below `node` cannot be scaled by different factors or sheared, or nil.  A volume stays uniform under
+-- any affine map, a flat plate and a straight rod too, but how much a density per area or length is worth then depends
+-- on how it lies; a curved wire or shell does not stay uniform.
 local function stiff(node)
   if node.shape then
-    if node.curved then return "a curved wire or shell must be scaled by one factor" end
+    if node.curved then return "a curved wire or shell can only be scaled by one factor" end
     if node.density and node.measure ~= "volume" then
-      return "a plate or rod given by its density must be scaled by one factor"
+      return "a plate or rod given by its density can only be scaled by one factor"
     end
     return nil
   end
@@ -223,6 +231,30 @@ function method.scaled(self, k)
     v = nil
   end
   return derived(self, { op = "scaled", k = v, broken = v == nil, line = line })
+end
+
+-- {xy = k, ...}: x grows by k y, and so on for any of the six pairs.
+function method.sheared(self, given)
+  if not receiver(self, "sheared") then return shapes.broken() end
+  local line = called "sheared"
+  local specs, A = {}, {}
+  for i, to in ipairs { "x", "y", "z" } do
+    A[i] = { expr.zero, expr.zero, expr.zero }
+    A[i][i] = expr.one
+    for j, by in ipairs { "x", "y", "z" } do
+      if i ~= j then specs[#specs + 1] = { name = to .. by, default = 0, i = i, j = j } end
+    end
+  end
+  local a, ok = args.read(ctx, line, "sheared", specs, given)
+  for _, s in ipairs(specs) do A[s.i][s.j] = a[s.name] or expr.zero end
+  local rule = ok and stiff(record[self])
+  if rule then
+    ctx.diag:error(line, "sheared", rule)
+    ok = false
+  end
+  ok = ok and args.condition(ctx, line, "sheared", "the determinant must be positive",
+    vec.dot(A[1], vec.cross(A[2], A[3])), diag.show(given))
+  return derived(self, { op = "sheared", A = A, broken = not ok, line = line })
 end
 
 function method.mirrored(self, axis)

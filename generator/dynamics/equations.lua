@@ -41,7 +41,8 @@ equations.coordinate = coordinate
 function equations.inertia(m)
   return vec.map(m.inertia, function(e, n)
     local what = n > 3 and "tensor entry " or "moment of inertia "
-    return m:constant("I" .. vec.entry[n], e, what .. vec.entry[n] .. ", kg m^2")
+    return m:constant("I" .. vec.entry[n], e, what .. vec.entry[n] .. ", kg m^2", m.parts ~= nil,
+      m.parts and m.parts.entries[n])
   end)
 end
 
@@ -116,12 +117,18 @@ function builders.sphere(m, N)
     outs = vec.map(N, function(n) return n / alpha end) }
 end
 
+-- (I_jj - I_kk)/I_ii in the body's parts; nil when it has none.
+local function quotient(m, j, k, i)
+  return m.parts and m.parts:difference(j, k) / equations.inertia(m)[i]
+end
+
 function builders.symmetric(m, N, groups, d)
   local s = m.structure
   local k, w = s.k, state.w
-  local c = m:constant("c", (s.axial - s.alpha) / (s.alpha * s.k2), "(I3 - I1)/I1" ..
-    (s.k2 == expr.one and "" or " / k^2"))
   local axis = coordinate(k)
+  local across = axis and axis % 3 + 1
+  local c = m:constant("c", (s.axial - s.alpha) / (s.alpha * s.k2), "(I3 - I1)/I1" ..
+    (s.k2 == expr.one and "" or " / k^2"), false, axis and quotient(m, axis, across, across))
   local kk = axis and k or vec.map(k, function(x, i)
     return m:constant("k" .. axis_name[i], x, "direction of the symmetry axis")
   end)
@@ -167,7 +174,8 @@ function builders.diagonal(m, N)
   local g = { why = why, defs = {}, outs = {} }
   for i = 1, 3 do
     local j, k = i % 3 + 1, (i + 1) % 3 + 1
-    local c = m:constant("c" .. i, tidy((I[j] - I[k]) / I[i]), string.format("(I%d - I%d)/I%d", j, k, i))
+    local c = m:constant("c" .. i, (I[j] - I[k]) / I[i], string.format("(I%d - I%d)/I%d", j, k, i), false,
+      quotient(m, j, k, i))
     g.outs[i] = c * w[j] * w[k]
     if N[i] ~= expr.zero then
       g.outs[i] = g.outs[i] + N[i] / m:constant("I" .. vec.entry[i], I[i], "moment of inertia " .. vec.entry[i] ..
@@ -187,12 +195,12 @@ end
 function builders.full(m, N)
   local L, defs = momentum(m)
   local adj, det = vec.adjugate(m.inertia)
+  local named, whole = vec.adjugate(equations.inertia(m))
   -- expanded, the determinant of a simple body is a sum of positive terms; of a complicated one it is unreadable
-  local expanded = tidy(det)
-  local small = largest_sum(expanded) <= 24
+  local small = not m.parts and largest_sum(tidy(det)) <= 24
   local J = vec.map(adj, function(e, n)
     return m:constant("J" .. vec.entry[n], small and tidy(e / det) or e / det,
-      "inverse of the tensor, " .. vec.entry[n] .. ", 1/(kg m^2)", not small)
+      "inverse of the tensor, " .. vec.entry[n] .. ", 1/(kg m^2)", not small, not small and named[n] / whole or nil)
   end)
   local n = vec.add(N, vec.cross(L, state.w))
   local names = {}

@@ -10,10 +10,12 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local calculus = require "generator.algebra.calculus"
+local cost = require "generator.algebra.cost"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local body = require "generator.mass.body"
 local jacobi = require "generator.mass.jacobi"
+local parts = require "generator.mass.parts"
 local principal = require "generator.mass.principal"
 local validity = require "generator.mass.validity"
 
@@ -31,19 +33,28 @@ end
 
 function model:double(e) return R.todouble(self:number(e)) end
 
--- A derived constant; see the head.  Returns the expression to use in equations.  raw: keep e's form.
-function model:constant(name, e, about, raw)
+-- The name, or the name with a number after it, whichever is free.
+function model:unique(name)
+  local unique, n = name, 1
+  while self.by_name[unique] do
+    n = n + 1
+    unique = name .. n
+  end
+  return unique
+end
+
+-- A derived constant; see the head.  Returns the expression to use in equations.  raw: keep e's form; form: the same
+-- in the names of the body's parts and of constants made before, to be computed so when that costs less.
+function model:constant(name, e, about, raw, form)
   if not raw then e = ratio.tidy(e) end
   if e.kind == "num" then return e end
   if expr.constant(e) then return expr.num(evaluate.precise(e, {}, bits)) end
   local member = self.by_expr[e]
   if not member then
-    local unique, n = name, 1
-    while self.by_name[unique] do
-      n = n + 1
-      unique = name .. n
-    end
-    member = { name = unique, e = e, about = about, sym = expr.sym(unique, 3) }
+    local step = form and form.kind == "sym" -- it has its name already
+    local unique = step and form.name or self:unique(name)
+    if form and not step and cost { e } <= cost { form } then form = nil end
+    member = { name = unique, e = e, form = form or e, about = about, sym = expr.sym(unique, 3) }
     self.by_expr[e], self.by_name[unique] = member, member
     self.members[#self.members + 1] = member
   end
@@ -64,8 +75,10 @@ function model:derived(e, about)
     if not params[s] then return nil end
   end
   local stem = source and source.name or "constant"
-  return self:constant(stem .. "_" .. string.gsub(about, "%W", ""), inlined,
-    about .. (source and source.about or ""))
+  local sym = self:constant(stem .. "_" .. string.gsub(about, "%W", ""), inlined,
+    about .. (source and source.about or ""), self.parts ~= nil, self.parts and e)
+  if self.by_name[sym.name] then self.by_name[sym.name].multiple = true end
+  return sym
 end
 
 -- Origin of rotation in the shape's frame; reports an unknown named point.
@@ -124,6 +137,28 @@ local function warn_of_condition(d, m)
   end
 end
 
+-- The body in named steps, when that is less work than its tensor multiplied out; its names are then taken.
+local function in_parts(m, b, r)
+  local taken = {}
+  local p = parts.of(b, r, function(name)
+    local unique, n = name, 1
+    while m.by_name[unique] or taken[unique] do
+      n = n + 1
+      unique = name .. n
+    end
+    taken[unique] = true
+    return unique
+  end)
+  local entries, steps = {}, {}
+  for n = 1, 6 do entries[n] = m.inertia[n].kind == "num" and m.inertia[n] or p:entry(n) end
+  for _, s in ipairs(p:needed(entries)) do steps[#steps + 1] = s.e end
+  local known = {}
+  if cost(m.inertia) <= cost(steps, known) + cost(entries, known) then return nil end
+  for _, s in ipairs(p.list) do m.by_name[s.name] = s end
+  p.entries, p.central = entries, r == nil
+  return p
+end
+
 -- d: diagnostics; record: what the scene language made; options: {bake = boolean, set = {name -> rational}}.
 -- Returns nil after errors.
 function model.new(d, record, options)
@@ -149,6 +184,10 @@ function model.new(d, record, options)
   m.body, m.mass, m.origin = b, b.mass, r
   m.com = vec.map(vec.sub(b.com, r), ratio.tidy)
   m.inertia, m.centroidal = body.tensor(b, r), body.tensor(b, b.com)
+  if parts.wanted(b) then
+    local central = record.origin.kind == "named" and record.origin.name == "centroid"
+    m.parts = in_parts(m, b, not central and r or nil)
+  end
   if not validity.check(d, m) then return nil end
   m.structure = principal.classify(m.inertia)
   if m.structure.nothing then

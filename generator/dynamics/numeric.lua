@@ -22,17 +22,37 @@ function numeric.scene(job, values)
   local function num(e) return R.todouble(exact(e)) end
   local function nums(v) return vec.map(v, num) end
 
+  -- an argument of a shape: an expression, a word or flag, or a list of such
+  local function plain(v)
+    if expr.is(v) then return num(v) end
+    return type(v) == "table" and vec.map(v, plain) or v
+  end
+
+  -- the terms of a polynomial in the coordinates: {coefficient, i, j, k}
+  local function terms(p, factor)
+    return vec.map(p, function(t) return { num(factor * t.c), t[1], t[2], t[3] } end)
+  end
+
+  local function region(node, growth)
+    local limits = {}
+    for n, l in ipairs(node.a.limits) do limits[n] = { terms(l[1], expr.one), terms(l[2], expr.one) } end
+    return { shape = "region", order = node.a.order, limits = limits, mass = node.mass and num(node.mass),
+      density = not node.mass and terms(node.a.density, growth.volume) or nil }
+  end
+
   -- density is multiplied by the growth of its shape under the scalings around it: the library's scaling keeps mass
   local function tree(node, growth)
     if node.shape == "points" then
       local rows = {}
       for i, row in ipairs(node.rows) do rows[i] = nums(row) end
       return { shape = "points", list = rows }
+    elseif node.shape == "region" then
+      return region(node, growth)
     elseif node.shape then
       local out = { shape = node.shape, mass = node.mass and num(node.mass),
         density = node.density and num(node.density * growth[node.measure]) }
       for k, v in pairs(node.a) do -- order does not matter: a table of named numbers
-        if type(v) == "string" then out[k] = v elseif expr.is(v) then out[k] = num(v) else out[k] = nums(v) end
+        out[k] = plain(v)
       end
       return out
     elseif node.op == "at" then
@@ -45,10 +65,16 @@ function numeric.scene(job, values)
         inner[measure] = growth[measure] * body.growth(node.k, measure)
       end
       return { op = "scaled", of = tree(node.of, inner), k = nums(node.k) }
+    elseif node.op == "sheared" then
+      local A = node.A
+      local inner = { volume = growth.volume * body.determinant(A), area = growth.area, length = growth.length }
+      return { op = "affine", of = tree(node.of, inner),
+        A = { num(A[1][1]), num(A[1][2]), num(A[1][3]), num(A[2][1]), num(A[2][2]), num(A[2][3]), num(A[3][1]),
+          num(A[3][2]), num(A[3][3]) } }
     elseif node.op == "sum" then
       return { op = "sum", tree(node[1], growth), tree(node[2], growth) }
     elseif node.op == "minus" then
-      return { op = "minus", tree(node[1], growth), tree(node[2], growth) }
+      return { op = "minus", tree(node[1], growth), tree(node[2], growth), line = node.line }
     end
     error("unknown node in a shape tree: " .. tostring(node.op))
   end

@@ -45,9 +45,10 @@ end
 
 function quantities.mass(m)
   local com = vec.map(m.com, function(e, i)
-    return m:constant("R" .. comp[i], e, "centre of mass " .. comp[i] .. " from the origin of rotation, m")
+    local form = m.parts and m.parts.com[i] - m.origin[i]
+    return m:constant("R" .. comp[i], e, "centre of mass " .. comp[i] .. " from the origin of rotation, m", false, form)
   end)
-  local mass = m:constant("mass", m.mass, "mass, kg")
+  local mass = m:constant("mass", m.mass, "mass, kg", false, m.parts and m.parts.mass)
   return { name = "mass", args = { "m", array("com", 3, true) }, result = true,
     doc = { "Mass, kg; com: the centre of mass from the origin of rotation, body axes, m." },
     groups = { group("mass and centre of mass", {}, { { array = "com", index = 0, expr = com[1] },

@@ -53,6 +53,15 @@ local function right(p, level)
   return p
 end
 
+local function call(name, args)
+  local texts, depth = {}, 0
+  for k, p in ipairs(args) do
+    texts[k] = p.text
+    depth = math.max(depth, p.depth)
+  end
+  return { text = name .. "(" .. table.concat(texts, ", ") .. ")", level = ATOM, depth = depth + 1 }
+end
+
 local joined = {
   infix = function(entry, _, args)
     local a, b = left(args[1], entry.level), right(args[2], entry.level)
@@ -63,14 +72,9 @@ local joined = {
     return { text = entry.symbol .. a.text, level = entry.level, depth = a.depth }
   end,
   call = function(entry, real, args)
-    local texts, depth = {}, 0
-    for k, p in ipairs(args) do
-      texts[k] = p.text
-      depth = math.max(depth, p.depth)
-    end
-    local stem = entry.stem .. (real == "float" and "f" or "")
-    return { text = stem .. "(" .. table.concat(texts, ", ") .. ")", level = ATOM, depth = depth + 1 }
+    return call(entry.stem .. (real == "float" and "f" or ""), args)
   end,
+  helper = function(entry, _, args, scene) return call(scene .. "_" .. entry.stem, args) end,
 }
 
 -- ---- lines ------------------------------------------------------------------------------------------------
@@ -139,7 +143,8 @@ end
 -- ---- statements -------------------------------------------------------------------------------------------
 
 -- { loads = { lines }, groups = { { why, where, lines } } }; groups that compute nothing are left out.
--- real: "double" or "float".  opts: type (the C name of the real, default real itself), indent (2).
+-- real: "double" or "float".  opts: type (the C name of the real, default real itself), indent (2), scene (the prefix
+-- of helpers), helpers (a set that the stems of the helpers called go to).
 function cprint.statements(ir, real, opts)
   opts = opts or {}
   local type_name, indent = opts.type or real, opts.indent or 2
@@ -151,6 +156,7 @@ function cprint.statements(ir, real, opts)
   instr.each(ir, function(i)
     if i.sym then taken[i.sym] = true end
     if i.name then taken[i.name] = true end
+    if instr.of(i.op).c == "helper" then opts.helpers[i.op] = true end
   end)
 
   local function temporary()
@@ -176,7 +182,7 @@ function cprint.statements(ir, real, opts)
     local args = {}
     for k, field in ipairs(entry.srcs) do args[k] = piece(i[field], width) end
     while true do
-      local whole = join(entry, real, args)
+      local whole = join(entry, real, args, opts.scene)
       if #whole.text <= width and whole.depth <= NESTING then return whole end
       local longest
       for k, p in ipairs(args) do

@@ -6,10 +6,10 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local expr = require "generator.algebra.expr"
-local calculus = require "generator.algebra.calculus"
+local init = require "generator.emit.init"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
+local special = require "generator.emit.special"
 local template = require "generator.emit.template"
 local selftest = require "generator.emit.selftest"
 local vectors = require "generator.emit.vectors"
@@ -47,56 +47,6 @@ local function enumeration(upper, list, last)
   end
   lines[#lines + 1] = upper .. "_" .. last
   return lines
-end
-
-local init_words = { m = true, p = true, k = true, own = true } -- what NAME_init itself calls something
-
--- The statements of NAME_init: checks in their order, then the derived constants.
-local function init(ctx, m, values)
-  local upper, inputs, map = ctx.upper, {}, {}
-  for _, p in ipairs(m.params) do
-    local name = p.name
-    if init_words[name] then -- the C local gets another name than the parameter
-      name = name .. "_"
-      map[p.sym] = expr.sym(name, 2)
-    end
-    inputs[#inputs + 1] = { sym = name, c = "p[" .. upper .. "_" .. string.upper(p.name) .. "]" }
-  end
-  local groups, checks = {}, {}
-  for i, c in ipairs(m.conditions) do
-    groups[i] = { defs = {}, outs = { { c = "const " .. ctx.name .. "_real check" .. i,
-      expr = calculus.substitute(c.e, map) } } }
-    local relation = c.allow_zero and " >= " or " > "
-    checks[i] = { number = string.format("%d", i), text = c.text, lines = {},
-      condition = "check" .. i .. relation .. number.text(R.zero, ctx.real) }
-  end
-  for _, member in ipairs(m.members) do
-    groups[#groups + 1] = { why = member.about, defs = {}, outs = { { c = "k." .. member.name,
-      expr = calculus.substitute(member.e, map) } } }
-  end
-  values.init_loads, values.init_checks, values.init_groups = {}, checks, {}
-  local c = source.statements(ctx, { name = "init", args = {}, inputs = inputs, groups = groups })
-  values.init_loads = c.loads
-  for i, g in ipairs(c.groups) do
-    local lines = {}
-    if g.why then lines = source.comment(g.why) end
-    for _, l in ipairs(g.lines) do lines[#lines + 1] = l end
-    if checks[i] then checks[i].lines = lines else values.init_groups[#values.init_groups + 1] = { lines = lines } end
-  end
-  values.finite_lines = {}
-  local code = #checks + 1
-  for _, member in ipairs(m.members) do
-    values.finite_lines[#values.finite_lines + 1] = string.format("if (!(k.%s - k.%s == %s)) return %d;", member.name,
-      member.name, number.text(R.zero, ctx.real), code)
-  end
-  values.has_finite = #m.members > 0
-  local listed = {}
-  for i, check in ipairs(checks) do listed[i] = { number = check.number, text = check.text } end
-  if #m.members > 0 then
-    listed[#listed + 1] = { number = string.format("%d", code), text = "every derived constant must be finite" }
-  end
-  if #listed == 0 then listed[1] = { number = "-", text = "there is nothing to check" } end
-  values.checks = listed
 end
 
 local function members(m, real_name)
@@ -146,7 +96,7 @@ end
 local function common(job)
   local m, eq, real = job.model, job.equations, job.real
   local ctx = { name = m.name, upper = string.upper(m.name), real = real, members = m.members, states = job.states,
-    inputs = eq.inputs and job.input_states or {} }
+    inputs = eq.inputs and job.input_states or {}, helpers = {} }
   local made = {}
   for i, f in ipairs(job.functions) do made[i] = source.make(ctx, f) end
   local v = { name = m.name, upper = ctx.upper, real = real, version = job.version, source = job.source,
@@ -170,7 +120,8 @@ local function common(job)
   end
   v.step_literal, v.horizon_literal = number.text(m:number(m.step), real), number.text(m:number(m.horizon), real)
   v.step_text, v.horizon_text = number.text(m:number(m.step), "double"), number.text(m:number(m.horizon), "double")
-  init(ctx, m, v)
+  init.fill(ctx, m, v)
+  special.fill(job, v, ctx)
   return v, ctx
 end
 

@@ -18,7 +18,8 @@ local cprint = require "generator.emit.cprint"
 
 local source = {}
 
--- ctx: {name, upper, real ("double"|"float"), members (set name -> true), states, inputs (lists of {name})}
+-- ctx: {name, upper, real ("double"|"float"), members (set name -> true), states, inputs (lists of {name}), helpers
+-- (set of the functions that libm lacks and the code calls; filled here)}
 local function declarations(ctx, f)
   local real = ctx.name .. "_real "
   local word = {
@@ -149,10 +150,14 @@ local function prototype(head, args, tail)
   return table.concat(lines, "\n")
 end
 
+local function printed(ctx)
+  return { type = ctx.name .. "_real", indent = 2, scene = ctx.name, helpers = ctx.helpers }
+end
+
 -- Everything a template needs of one function: doc lines, prototype, body lines, operation counts, IR.
 function source.make(ctx, f)
   local ir = passes.run(lower.run(source.program(ctx, f)))
-  local c = cprint.statements(ir, ctx.real, { type = ctx.name .. "_real", indent = 2 })
+  local c = cprint.statements(ir, ctx.real, printed(ctx))
   local lines = body(c)
   local void = unused(f, lines)
   for i = #void, 1, -1 do table.insert(lines, 1, void[i]) end
@@ -172,8 +177,9 @@ function source.make(ctx, f)
     lines = lines, cost = count.run(ir) }
 end
 
--- Operation counts of a description, without making C of it.
-function source.cost(ctx, f) return count.run(passes.run(lower.run(source.program(ctx, f)))) end
+-- Operation counts of a program and of a description, without making C of it.
+function source.count(program) return count.run(passes.run(lower.run(program))) end
+function source.cost(ctx, f) return source.count(source.program(ctx, f)) end
 
 -- The IR of a description after the pass `stop`, as text: --show.
 function source.show(ctx, f, stop)
@@ -182,9 +188,7 @@ end
 
 -- C statements for groups without a function around them (NAME_init): loads and groups of lines.
 function source.statements(ctx, f)
-  local ir = passes.run(lower.run(source.program(ctx, f)))
-  return cprint.statements(ir, ctx.real, { type = ctx.name .. "_real", indent = 2 }), count.run(ir)
+  return cprint.statements(passes.run(lower.run(source.program(ctx, f))), ctx.real, printed(ctx))
 end
-
 
 return source

@@ -49,7 +49,7 @@ function eval.run(ir, env, real)
     local entry = instr.of(i.op)
     local x
     if entry.apply then
-      x = rounded(entry.apply(value[i.src1], value[i.src2], i, rounded))
+      x = rounded(entry.apply(value[i.src1], value[i.src2], i, rounded, value[i.src3]))
     else
       x = special[i.op](i)
     end

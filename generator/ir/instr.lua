@@ -17,6 +17,7 @@
 -- Not here: evaluation order of a program (lower, order), rewriting (fold, cse, power).
 
 local R = require "polhode_rational"
+local special = require "generator.ir.special"
 
 local instr = {}
 
@@ -50,11 +51,12 @@ end
 
 -- fields   operands and immediates, in order
 -- c        how it is written in C: "infix" with symbol and level, "prefix", "call" with the libm stem
---          (the suffix f follows `real`), "literal", "name", "store", or nil if it never reaches C
+--          (the suffix f follows `real`), "helper" with the stem of a function that the file defines,
+--          "literal", "name", "store", or nil if it never reaches C
 -- level    binding strength: 1 for + and -, 2 for * and /, 3 for the unary minus, 4 for operands
 -- cost     class of count.lua: add, mul, div, sqrt, call, or free
--- apply    the IEEE result from operands, instruction and the rounding to `real`; its last rounding
---          is left to the caller
+-- apply    the IEEE result from two operands, instruction and the rounding to `real`, helpers from the
+--          rounding and all operands; its last rounding is left to the caller
 local op = {}
 
 -- Enters an opcode; operands and immediates follow from the names of its fields.
@@ -108,6 +110,15 @@ for _, row in ipairs {
   local name, arity, cost, apply = table.unpack(row)
   declare(name, { fields = { "dst", "src1", arity == 2 and "src2" or nil },
     c = "call", stem = name, level = 4, cost = cost, apply = apply })
+end
+
+-- Functions that libm lacks.
+for _, row in ipairs(special.list) do
+  local name, arity, value = table.unpack(row)
+  local fields = { "dst" }
+  for k = 1, arity do fields[k + 1] = "src" .. k end
+  declare(name, { fields = fields, c = "helper", stem = name, level = 4, cost = "call",
+    apply = function(x, y, _, rounded, ...) return value(rounded, x, y, ...) end })
 end
 
 -- ---- reading instructions -------------------------------------------------------------------------------

@@ -141,8 +141,11 @@ function select.new(ir, survey)
     powi = function(f) return emit("powi", value(f.base), nil, f.n) end,
     scale = function(f) return signed(f.args[1]) end,
     call = function(f)
-      local first = signed(f.args[1])
-      return emit(f.op, first, f.args[2] and signed(f.args[2]))
+      local v = {}
+      for k, t in ipairs(f.args) do v[k] = signed(t) end
+      local result = emit(f.op, v[1], v[2])
+      S.made[result].src3 = v[3]
+      return result
     end,
   }
 

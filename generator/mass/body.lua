@@ -18,7 +18,12 @@ local body = {}
 local zero3 = { expr.zero, expr.zero, expr.zero }
 local tidy = ratio.tidy
 
-local function tidy_all(v) return vec.map(v, tidy) end
+local function tidy_all(v) return vec.map(v, function(e) return (tidy(e)) end) end
+
+-- What a sum over several pieces may cost to multiply out: beyond that parts.lua has the better form.
+local composite = 3000
+
+local function tidy_sum(b, e) return (tidy(e, #b.pieces > 1 and composite or nil)) end
 
 local function sigma_of_tensor(I) -- Sigma = tr(I)/2 1 - I
   local half = vec.trace(I) / 2
@@ -31,12 +36,14 @@ local function tensor_of_sigma(S)
 end
 
 -- How much more of it there is after the scaling by k: of volume, area or length (the last two only for one factor
--- and mirrors, see the scene language).
+-- and mirrors, see the scene language); and after the shear A, which only volumes allow.
 function body.growth(k, measure)
   local v = vec.map(k, function(x) return expr.call("abs", x) end)
   if measure == "volume" then return v[1] * v[2] * v[3] end
   return measure == "area" and v[1] ^ 2 or v[1]
 end
+
+function body.determinant(A) return vec.dot(A[1], vec.cross(A[2], A[3])) end
 
 local build
 
@@ -62,15 +69,15 @@ local function primitive(node)
   end
   local spec = catalogue.by_name[node.shape]
   local shape = spec.build(a)
-  local com = shape.com or zero3
+  local com = tidy_all(shape.com or zero3)
   local points = { centroid = com }
   for k, v in pairs(shape.points or {}) do points[k] = v end
-  return { pieces = { { mass = node.mass or node.density * shape.measure, com = com, sigma = shape.sigma,
+  return { pieces = { { mass = node.mass or node.density * shape.measure, com = com, sigma = tidy_all(shape.sigma),
     line = node.line, name = node.shape, density = node.density, measure = spec.measure } }, points = points }
 end
 
--- r -> A r + b applied to every piece and named point.
-local function affine(b, A, shift, change)
+-- r -> A r + b applied to every piece and named point; step: what that is called in a derivation.
+local function affine(b, A, shift, step, change)
   local function move(r)
     local v = A and vec.matvec(A, r) or r
     return shift and vec.add(v, shift) or v
@@ -78,7 +85,8 @@ local function affine(b, A, shift, change)
   local out = { pieces = {}, points = {}, particles = b.particles }
   for i, p in ipairs(b.pieces) do
     local piece = { mass = change and change(p) or p.mass, com = tidy_all(move(p.com)), line = p.line, name = p.name,
-      density = p.density, measure = p.measure }
+      density = p.density, measure = p.measure, hole = p.hole, steps = { table.unpack(p.steps or {}) } }
+    piece.steps[#piece.steps + 1] = step
     piece.sigma = p.sigma and (A and tidy_all(vec.congruence(A, p.sigma)) or p.sigma)
     piece.given = not A and p.given or nil
     out.pieces[i] = piece
@@ -94,6 +102,7 @@ local function joined(a, b, sign)
     local q = {}
     for k, v in pairs(p) do q[k] = v end
     q.mass = sign * p.mass
+    if sign < 0 then q.hole = not p.hole end
     q.given = nil
     out.pieces[#out.pieces + 1] = q
   end
@@ -105,18 +114,27 @@ end
 
 function build(node)
   if node.shape then return primitive(node) end
-  if node.op == "at" then return affine(build(node.of), nil, node.r) end
+  if node.op == "at" then
+    return affine(build(node.of), nil, node.r, { "moved by", node.r })
+  end
   if node.op == "turned" then
     local A = node.angle and vec.rodrigues(node.axis, node.angle) or vec.rotation(node.q)
     for i = 1, 3 do A[i] = tidy_all(A[i]) end
-    return affine(build(node.of), A, nil)
+    return affine(build(node.of), A, nil, node.angle and { "turned about", node.axis, "by", node.angle } or
+      { "turned by the quaternion", node.q })
   end
   if node.op == "scaled" then
     local k = node.k
     local A = { { k[1], expr.zero, expr.zero }, { expr.zero, k[2], expr.zero }, { expr.zero, expr.zero, k[3] } }
     -- a mass that was given stays; a density keeps being one, so the mass follows volume, area or length
-    return affine(build(node.of), A, nil, function(p)
+    return affine(build(node.of), A, nil, { "scaled by", k }, function(p)
       return p.density and p.mass * body.growth(k, p.measure) or p.mass
+    end)
+  end
+  if node.op == "sheared" then
+    local volume = body.determinant(node.A)
+    return affine(build(node.of), node.A, nil, { "sheared by the rows", table.unpack(node.A) }, function(p)
+      return p.density and p.mass * volume or p.mass
     end)
   end
   if node.op == "sum" then return joined(build(node[1]), build(node[2]), 1) end
@@ -132,13 +150,13 @@ function body.of(node)
     mass = mass + p.mass
     first = vec.add(first, vec.scale(p.mass, p.com))
   end
-  b.mass = tidy(mass)
+  b.mass = tidy_sum(b, mass)
   if #b.pieces == 1 then
     b.com = b.pieces[1].com
   elseif ratio.iszero(b.mass) then
     b.com = zero3
   else
-    b.com = vec.map(first, function(x) return tidy(x / b.mass) end)
+    b.com = vec.map(first, function(x) return tidy_sum(b, x / b.mass) end)
   end
   b.points.centroid = b.points.centroid or b.com
   return b
@@ -157,7 +175,7 @@ function body.tensor(b, P)
       I = vec.add(I, vec.scale(p.mass, shift))
     end
   end
-  return tidy_all(I)
+  return vec.map(I, function(e) return tidy_sum(b, e) end)
 end
 
 return body

@@ -7,8 +7,11 @@
 local expr = require "generator.algebra.expr"
 local text = require "generator.algebra.text"
 local vec = require "generator.algebra.vec"
+local init = require "generator.emit.init"
+local source = require "generator.emit.source"
 local facts = require "generator.report.facts"
 local json = require "generator.report.json"
+local pieces = require "generator.report.pieces"
 
 local explain = {}
 
@@ -16,11 +19,16 @@ local comp = { "x", "y", "z" }
 
 local function formula(name, e, unit, number) return { name = name, e = e, unit = unit, number = number } end
 
-local function tensor_lines(I, numbers)
+-- named: the entries in the names of the body's parts, when it has such.
+local function tensor_lines(I, numbers, named)
   local lines, zeros = {}, {}
   for n, e in ipairs(I) do
     local name = "I" .. vec.entry[n]
-    if e == expr.zero then zeros[#zeros + 1] = name else lines[#lines + 1] = formula(name, e, "kg m^2", numbers[n]) end
+    if e == expr.zero then
+      zeros[#zeros + 1] = name
+    else
+      lines[#lines + 1] = formula(name, named and named[n] or e, "kg m^2", numbers[n])
+    end
   end
   if #zeros > 0 then lines[#lines + 1] = table.concat(zeros, " = ") .. " = 0" end
   return lines
@@ -41,27 +49,18 @@ local function body_section(f)
     "the centre of mass is at (0, 0, 0) of the shape")
   vector("R", f.arm, f.arm_number, "R: the centre of mass seen from the origin of rotation",
     "the centre of mass is the origin of rotation")
-  local pieces = f.job.model.body.pieces
-  if #pieces > 1 then
-    lines[#lines + 1] = "made of " .. #pieces .. " pieces: " .. (function()
-      local names = {}
-      for i, p in ipairs(pieces) do
-        if i <= 8 then names[i] = p.name .. " (line " .. p.line .. ")" end
-      end
-      return table.concat(names, ", ") .. (#pieces > 8 and ", ..." or "")
-    end)()
-  end
   return lines
 end
 
 local function principal_section(f)
   local lines = { "structure: " .. f.symmetry }
-  for _, p in ipairs(f.closed_moments or {}) do
-    lines[#lines + 1] = formula("I" .. (p.multiplicity > 1 and " (" .. p.multiplicity .. " times)" or ""), p.moment,
-      "kg m^2", f.job.model:double(p.moment))
+  for n, p in ipairs(f.closed_moments or {}) do
+    local shown = f.closed_named[n]
+    lines[#lines + 1] = formula("I" .. (p.multiplicity > 1 and " (" .. p.multiplicity .. " times)" or ""),
+      shown.moment, "kg m^2", f.job.model:double(p.moment))
     if p.axis then
       local parts = {}
-      for i = 1, 3 do parts[i] = text.of(p.axis[i], "plain") end
+      for i = 1, 3 do parts[i] = text.of(shown.axis[i], "plain") end
       lines[#lines + 1] = "  about the axis (" .. table.concat(parts, ", ") .. ")"
     end
   end
@@ -75,8 +74,14 @@ end
 
 local function equation_section(f)
   local lines = {}
+  local shown = {} -- above, or a multiple that only the code needs
+  for _, list in ipairs { f.inertia, f.arm, { f.mass } } do
+    for _, e in ipairs(list) do shown[e] = true end
+  end
   for _, member in ipairs(f.job.model.members) do
-    lines[#lines + 1] = formula(member.name, member.e, nil, f.job.model:double(member.e))
+    if not shown[member.e] and not member.multiple then
+      lines[#lines + 1] = formula(member.name, member.form, nil, f.job.model:double(member.e))
+    end
   end
   for _, g in ipairs(f.job.equations.groups) do
     lines[#lines + 1] = g.why .. (g.where and "  [" .. g.where .. "]" or "")
@@ -122,16 +127,33 @@ local function motion_section(f)
 end
 
 local function cost_section(job)
-  local source = require "generator.emit.source"
   local ctx = { name = job.model.name, upper = string.upper(job.model.name), real = job.real,
     members = job.model.members, states = job.states, inputs = job.equations.inputs and job.input_states or {} }
   local lines = {}
-  for _, fn in ipairs(job.functions) do
-    local c = source.cost(ctx, fn)
-    lines[#lines + 1] = { fn = fn.name, add = c.add or 0, mul = c.mul or 0, div = c.div or 0, sqrt = c.sqrt or 0,
+  local function put(name, c)
+    lines[#lines + 1] = { fn = name, add = c.add or 0, mul = c.mul or 0, div = c.div or 0, sqrt = c.sqrt or 0,
       call = c.call or 0 }
   end
+  local m, tensor = job.model, {}
+  for _, member in ipairs(m.members) do
+    for _, e in ipairs(m.inertia) do
+      if member.e == e then tensor[#tensor + 1] = member end
+    end
+  end
+  put("init", init.cost(ctx, m, m.members))
+  put("  its tensor", init.cost(ctx, m, tensor))
+  for _, fn in ipairs(job.functions) do put(fn.name, source.cost(ctx, fn)) end
   return lines
+end
+
+-- The central tensor in the names of the parts of a body that turns about another point: the shift back.
+local function shifted_back(f, parts)
+  local R = vec.map(f.arm, function(e, i) return e.kind == "num" and e or expr.sym("R" .. comp[i], 3) end)
+  return vec.map(f.inertia, function(_, n)
+    local I = expr.sym("I" .. vec.entry[n], 3)
+    if n > 3 then return I + parts.mass * R[vec.pair[n][1]] * R[vec.pair[n][2]] end
+    return I - parts.mass * (R[n % 3 + 1] ^ 2 + R[(n + 1) % 3 + 1] ^ 2)
+  end)
 end
 
 local function document(f)
@@ -141,9 +163,14 @@ local function document(f)
   for i, p in ipairs(f.params) do params[i] = p.name .. " = " .. p.given end
   if #params == 0 then params[1] = "none: every number is an exact constant" end
   section("Parameters", params)
+  local derived = pieces.lines(f.job.model, formula)
+  if #derived > 0 then section("Pieces", derived) end
   section("Body", body_section(f))
-  section("Tensor of inertia about the origin of rotation", tensor_lines(f.inertia, f.inertia_number))
-  section("Tensor of inertia about the centre of mass", tensor_lines(f.centroidal, f.centroidal_number))
+  local parts = f.job.model.parts
+  section("Tensor of inertia about the origin of rotation",
+    tensor_lines(f.inertia, f.inertia_number, parts and parts.entries))
+  section("Tensor of inertia about the centre of mass", f.is_central and { "the same" } or
+    tensor_lines(f.centroidal, f.centroidal_number, parts and shifted_back(f, parts)))
   section("Principal moments and axes", principal_section(f))
   section("Equations of motion", equation_section(f))
   section("Motion", motion_section(f))

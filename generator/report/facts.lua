@@ -4,6 +4,7 @@
 -- principal axes are Jacobi's on the double tensor; closed forms stand beside them where they exist.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local principal = require "generator.mass.principal"
@@ -56,6 +57,11 @@ function facts.of(job)
     f.moments = axial < alpha and { axial, alpha, alpha } or { alpha, alpha, axial }
   end
   f.closed_moments = principal.closed(m.inertia, m.structure)
+  -- a root of a quadratic is written in the entries of the tensor, which are listed above it
+  f.closed_named = m.structure.block and principal.closed(vec.map(m.inertia, function(e, n)
+    return e.kind == "num" and e or expr.sym("I" .. vec.entry[n], 3)
+  end), m.structure) or f.closed_moments
+  f.is_central = m.com[1] == expr.zero and m.com[2] == expr.zero and m.com[3] == expr.zero
   f.structure = m.structure
   f.symmetry = m.structure.rod and "rod: no moment about its line" or words[m.structure.kind]
   f.stability = stability(f.moments)

@@ -12,6 +12,7 @@
  * except next to an extremum of sin or cos, whose value 1 is then the rounding of both ends.
  */
 #include "rational.h"
+#include "rational_special.h"
 
 #include <lauxlib.h>
 #include <math.h>
@@ -147,6 +148,7 @@ int rational_lua_log2(lua_State *L) {
 
 typedef int unary(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 typedef int binary(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
+typedef void special(mpfr_ptr, mpq_srcptr const *); /* rounds by itself, see rational_special.h */
 
 static int constant_pi(mpfr_ptr y, mpfr_srcptr x, mpfr_rnd_t mode) {
   (void)x;
@@ -158,13 +160,26 @@ static const struct function {
   int arity;
   unary *f1;
   binary *f2;
+  special *f3;
 } functions[] = {
-    {"pi", 0, constant_pi, NULL}, {"sqrt", 1, mpfr_sqrt, NULL}, {"cbrt", 1, mpfr_cbrt, NULL},
-    {"sin", 1, mpfr_sin, NULL},   {"cos", 1, mpfr_cos, NULL},   {"tan", 1, mpfr_tan, NULL},
-    {"asin", 1, mpfr_asin, NULL}, {"acos", 1, mpfr_acos, NULL}, {"atan", 1, mpfr_atan, NULL},
-    {"exp", 1, mpfr_exp, NULL},   {"log", 1, mpfr_log, NULL},   {"sinh", 1, mpfr_sinh, NULL},
-    {"cosh", 1, mpfr_cosh, NULL}, {"tanh", 1, mpfr_tanh, NULL}, {"atan2", 2, NULL, mpfr_atan2},
-    {"pow", 2, NULL, mpfr_pow},
+    {"pi", 0, constant_pi, NULL, NULL},
+    {"sqrt", 1, mpfr_sqrt, NULL, NULL},
+    {"cbrt", 1, mpfr_cbrt, NULL, NULL},
+    {"sin", 1, mpfr_sin, NULL, NULL},
+    {"cos", 1, mpfr_cos, NULL, NULL},
+    {"tan", 1, mpfr_tan, NULL, NULL},
+    {"asin", 1, mpfr_asin, NULL, NULL},
+    {"acos", 1, mpfr_acos, NULL, NULL},
+    {"atan", 1, mpfr_atan, NULL, NULL},
+    {"exp", 1, mpfr_exp, NULL, NULL},
+    {"log", 1, mpfr_log, NULL, NULL},
+    {"sinh", 1, mpfr_sinh, NULL, NULL},
+    {"cosh", 1, mpfr_cosh, NULL, NULL},
+    {"tanh", 1, mpfr_tanh, NULL, NULL},
+    {"atan2", 2, NULL, mpfr_atan2, NULL},
+    {"pow", 2, NULL, mpfr_pow, NULL},
+    {"ellipsoid_area", 3, NULL, NULL, rational_ellipsoid_area},
+    {"ellipsoid_normal", 3, NULL, NULL, rational_ellipsoid_normal},
 };
 
 static const struct function *find_function(const char *name) {
@@ -207,8 +222,8 @@ static void evaluate(mpfr_ptr y, const struct function *f, mpq_srcptr const arg[
 
 int rational_lua_apply(lua_State *L) {
   struct rational_scratch *s = rational_scratch(L);
-  struct rational_view view[2];
-  mpq_srcptr arg[2] = {NULL, NULL};
+  struct rational_view view[3];
+  mpq_srcptr arg[3] = {NULL, NULL, NULL};
   const struct function *f = find_function(luaL_checkstring(L, 1));
   luaL_argcheck(L, f != NULL, 1, "unknown function");
   const mpfr_prec_t bits = (mpfr_prec_t)check_precision(L, 2);
@@ -217,7 +232,10 @@ int rational_lua_apply(lua_State *L) {
   mpfr_t y;
   mpfr_init2(y, bits);
   mpfr_clear_underflow();
-  evaluate(y, f, arg);
+  if (f->f3)
+    f->f3(y, arg);
+  else
+    evaluate(y, f, arg);
   int sign = 0;
   long exponent = 0;
   /* beyond the bound a result is out of range: nil, as for log(-1) */

@@ -163,7 +163,7 @@ for _, case in ipairs {
   { "a power of a power", 'local x = param("x", 2) for i = 1, 10 do x = x^64 end',
     "solid.sphere { r = x, mass = 1 }", 1 },
   { "a million errors", "for i = 1, 1e6 do local b = solid.sphere { r = -i, mass = 1 } end", "b", 1 },
-  { "a scene of a hundred thousand lines", ("x = (x or 1) + 1\n"):rep(100000), "solid.sphere { r = 1, mass = 1 }", 0 },
+  { "a scene of a hundred thousand lines", ("n = (n or 1) + 1\n"):rep(100000), "solid.sphere { r = 1, mass = 1 }", 0 },
 } do
   local start = os.time()
   local scene = case[2] .. '\nreturn scene { name = "s", body = ' .. case[3] .. " }"

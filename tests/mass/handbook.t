@@ -91,6 +91,9 @@ local rows = {
     points = { from = function(e) return { e.p, -e.p, 2 * e.p } end } },
   ["wire.hoop"] = { args = "r = r", params = { "r" }, k = 1,
     measure = function(e) return 2 * e.r end, I = function(m, e) return axial(m, e.r ^ 2 / 2, e.r ^ 2) end },
+  ["shell.ellipsoid"] = { args = "a = r, b = r, c = r", params = { "r" }, k = 1, -- the sphere; others: algebra/special.t
+    measure = function(e) return 4 * e.r ^ 2 end,
+    I = function(m, e) return axial(m, 2 * e.r ^ 2 / 3, 2 * e.r ^ 2 / 3) end },
 }
 
 -- Are the expressions the numbers that want(env) gives, at random positive sizes?

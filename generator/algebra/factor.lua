@@ -1,0 +1,147 @@
+-- factor.lua -- polynomials as products, the way a person writes them.
+--
+-- ABOVE the line.  No complete factorisation, but the factors that matter to an eye and to rounding: monomials,
+-- contents in each variable, repeated factors (Yun: gcd(p, p')), and the sums that stood in the expression before it
+-- was multiplied out (`hints`: the r_out - r_in of a tube), so that a thin wall is a factor and not a difference of
+-- powers.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local gcd = require "generator.algebra.gcd"
+local poly = require "generator.algebra.poly"
+
+local factor = {}
+
+local most_hints, most_terms = 16, 4
+local readable = 16 -- terms: a longer sum is not made readable by a factor, and looking for one is work
+
+-- The short sums inside e as primitive polynomials.
+function factor.hints(ring, e)
+  local list, seen = {}, {}
+  local function walk(u)
+    if seen[u] or #list >= most_hints then return end
+    seen[u] = true
+    if u.kind == "add" and #u <= most_terms and u ~= e then
+      local p = poly.from(ring, u)
+      if p and p.n > 1 then list[#list + 1] = (gcd.primitive(p)) end
+    end
+    for _, c in ipairs(expr.children(u)) do walk(c) end
+  end
+  walk(e)
+  return list
+end
+
+-- Derivative with respect to generator v.
+local function derivative(p, v)
+  local sum = poly.constant(p.ring, R.zero)
+  for _, t in ipairs(poly.sorted(p)) do
+    if t.e[v] > 0 then
+      local q = poly.constant(p.ring, t.c * R.new(t.e[v]))
+      for i, n in ipairs(t.e) do
+        local power = i == v and n - 1 or n
+        if power > 0 then q = poly.mul(q, poly.generator(p.ring, i, power)) end
+      end
+      sum = poly.add(sum, q)
+    end
+  end
+  return sum
+end
+
+---- numbers put in for all generators but one: a factor stays a factor ------------------------------
+
+local primes = { 3, 5, 7, 11, 13, 17, 19, 23 }
+
+-- Coefficients of p in generator v, from degree 0; `other` is added to the number for generator u.
+local function specialised(p, v, u, other)
+  local c = {}
+  for d = 0, gcd.degree(p, v) do c[d + 1] = R.zero end
+  for _, t in ipairs(poly.sorted(p)) do
+    local x = t.c
+    for i, n in ipairs(t.e) do
+      if i ~= v and n > 0 then x = x * R.new(primes[(i - 1) % #primes + 1] + (i == u and other or 0)) ^ n end
+    end
+    c[t.e[v] + 1] = c[t.e[v] + 1] + x
+  end
+  return c
+end
+
+local function trimmed(c)
+  while #c > 0 and R.sign(c[#c]) == 0 do c[#c] = nil end
+  return c
+end
+
+-- Have the two a common factor?  Euclid; both are used up.
+local function common(a, b)
+  a, b = trimmed(a), trimmed(b)
+  if #a < #b then a, b = b, a end
+  while #b > 1 do
+    while #a >= #b do
+      local k, shift = a[#a] / b[#b], #a - #b
+      for d = 1, #b do a[d + shift] = a[d + shift] - k * b[d] end
+      a[#a] = nil
+      trimmed(a)
+    end
+    a, b = b, a
+  end
+  return #b == 0
+end
+
+-- May p have a factor twice that depends on v?
+local function repeated(p, v)
+  local a, b = specialised(p, v), {}
+  for d = 1, #a - 1 do b[d] = a[d + 1] * R.new(d) end
+  return common(a, b)
+end
+
+-- May p have a factor that does not depend on v?
+local function without(p, v)
+  for w = 1, #p.ring.gens do
+    if w ~= v and gcd.degree(p, w) > 0 and common(specialised(p, w, v, 2), specialised(p, w, v, 100)) then
+      return true
+    end
+  end
+  return false
+end
+
+-- A proper divisor of p with more than one term, or nil.
+local function divisor(p, hints)
+  for _, h in ipairs(hints) do
+    if h.n <= p.n and not poly.iszero(poly.sub(h, p)) and poly.divide(p, h) then return h end
+  end
+  for v = 1, p.n <= readable and #p.ring.gens or 0 do
+    if gcd.degree(p, v) > 0 then
+      local c = without(p, v) and gcd.content_in(p, v)
+      if c and c.n > 1 then return c end
+      if p.ring.relation[v] == nil and repeated(p, v) then
+        local twice = gcd.of(p, derivative(p, v))
+        if twice.n > 1 then return twice end
+      end
+    end
+  end
+end
+
+-- The polynomial as an expression, a product of what is found.
+function factor.product(p, hints)
+  local ring, list = p.ring, {}
+  local function take(q)
+    local c, low = poly.content(q)
+    q = poly.shift(q, c, low)
+    list[#list + 1] = expr.num(c)
+    for i, n in ipairs(low) do
+      if n ~= 0 then list[#list + 1] = expr.pow(ring.gens[i], n) end
+    end
+    local d = q.n > 1 and divisor(q, hints)
+    local rest = d and poly.divide(q, d)
+    if rest then
+      take(d)
+      take(rest)
+    else
+      list[#list + 1] = poly.expr(q)
+    end
+  end
+  take(p)
+  return expr.mul(list)
+end
+
+return factor

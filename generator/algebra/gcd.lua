@@ -1,0 +1,106 @@
+-- gcd.lua -- greatest common divisor of polynomials.
+--
+-- ABOVE the line.  The primitive polynomial remainder sequence (Knuth, TAOCP 2, 4.6.1, algorithm C), in one variable
+-- after the other.  What would be too large has the greatest common monomial as its divisor: a divisor is always
+-- returned, not always the greatest.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local poly = require "generator.algebra.poly"
+
+local gcd
+
+local function degree(p, v)
+  local d = -1
+  for _, t in pairs(p.terms) do d = math.max(d, t.e[v]) end
+  return d
+end
+
+-- The coefficient of generator v to the power d.
+local function coefficient(p, v, d)
+  local list = {}
+  for _, t in ipairs(poly.sorted(p)) do
+    if t.e[v] == d then
+      local e = { table.unpack(t.e) }
+      e[v] = 0
+      list[#list + 1] = { c = t.c, e = e }
+    end
+  end
+  local q = poly.constant(p.ring, R.zero)
+  for _, t in ipairs(list) do
+    q.terms[table.concat(t.e, ",")] = t
+    q.n = q.n + 1
+  end
+  return q
+end
+
+local function degree_sum(p) -- of a single term
+  local _, t = next(p.terms)
+  local sum = 0
+  for _, n in ipairs(t.e) do sum = sum + n end
+  return sum
+end
+
+-- The greatest common divisor of the coefficients of p as a polynomial in generator v.
+local function content_in(p, v)
+  local g
+  for d = 0, degree(p, v) do
+    local c = coefficient(p, v, d)
+    if not poly.iszero(c) then g = g and gcd(g, c) or c end
+    if g and g.n == 1 and degree_sum(g) == 0 then return g end
+  end
+  return g
+end
+
+local function primitive(p)
+  local c, low = poly.content(p)
+  return poly.shift(p, c, low), low
+end
+
+local function pseudo_remainder(a, b, v)
+  local db = degree(b, v)
+  local lead = coefficient(b, v, db)
+  while not poly.iszero(a) and degree(a, v) >= db do
+    local da = degree(a, v)
+    local top = coefficient(a, v, da)
+    a = poly.sub(poly.mul(lead, a), poly.mul(poly.mul(top, poly.generator(a.ring, v, da - db)), b))
+  end
+  return a
+end
+
+-- gcd up to a rational factor; monomial content included.
+function gcd(a, b)
+  local ring = a.ring
+  local pa, la = primitive(a)
+  local pb, lb = primitive(b)
+  local mono = poly.constant(ring, R.one)
+  for i = 1, #ring.gens do
+    local low = math.min(la[i], lb[i])
+    if low > 0 then mono = poly.mul(mono, poly.generator(ring, i, low)) end
+  end
+  if pa.n == 1 or pb.n == 1 or pa.n * pb.n > 4000 then return mono end
+  local v
+  for i = 1, #ring.gens do
+    local x, y = degree(pa, i) > 0, degree(pb, i) > 0
+    if x and y then v = v or i elseif x or y then v = v end
+  end
+  if not v then return mono end
+  local ca, cb = content_in(pa, v), content_in(pb, v)
+  local c = gcd(ca, cb)
+  local x, y = poly.divide(pa, ca), poly.divide(pb, cb)
+  if not x or not y then return mono end
+  while true do
+    local r = pseudo_remainder(x, y, v)
+    if poly.iszero(r) then break end
+    if degree(r, v) == 0 then
+      y = poly.constant(ring, R.one)
+      break
+    end
+    local cr = content_in(r, v)
+    r = cr and poly.divide(r, cr) or r
+    x, y = y, r
+  end
+  return poly.mul(mono, poly.mul(c, (primitive(y))))
+end
+
+return { of = gcd, degree = degree, content_in = content_in, primitive = primitive }

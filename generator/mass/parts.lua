@@ -1,0 +1,177 @@
+-- parts.lua -- the mass properties of a composite body in named steps, as a person writes them.
+--
+--     m1, m2, ...          masses of the pieces
+--     mass = m1 + m2 ...   com = (m1 c1 + m2 c2 ...)/mass
+--     d1 = c1 - com ...    I = sum over the pieces of  m (tr(sigma) 1 - sigma) + m (d^2 1 - d d^T)
+-- and for two pieces about their centre of mass, with D = c2 - c1 and the reduced mass mu = m1 m2/mass,
+--     I = I1 + I2 + mu (D^2 1 - D D^T).
+-- Multiplied out, the entries of such a sum are polynomials that nobody can read, cost more and cancel more.  So each
+-- step is an expression of the parameters and of the names before it; its `pure` is the same in the parameters alone,
+-- for what must be decided exactly.  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local calculus = require "generator.algebra.calculus"
+local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+
+local parts = {}
+parts.__index = parts
+
+local comp = { "x", "y", "z" }
+local zero3 = { expr.zero, expr.zero, expr.zero }
+
+-- Is the body composite, with parameters in it?
+function parts.wanted(b)
+  if #b.pieces < 2 then return false end
+  for _, p in ipairs(b.pieces) do
+    for _, e in ipairs { p.mass, p.com[1], p.com[2], p.com[3], table.unpack(p.sigma or {}) } do
+      if not expr.constant(e) then return true end
+    end
+  end
+  return false
+end
+
+function parts:step(name, e, about, unit)
+  if e.kind == "num" or e.kind == "sym" or expr.constant(e) then return e end
+  local sym = expr.sym(self.unique(name), 3)
+  local pure = calculus.substitute(e, self.pure)
+  self.list[#self.list + 1] = { name = sym.name, sym = sym, e = e, pure = pure, about = about, unit = unit }
+  self.pure[sym] = pure
+  return sym
+end
+
+-- The part of the tensor that piece p adds in entry n, divided by its mass.
+local function own(p, n)
+  if not p.sigma then return expr.zero end
+  if n > 3 then return -p.sigma[n] end
+  local j, k = n % 3 + 1, (n + 1) % 3 + 1
+  return ratio.tidy(p.sigma[j] + p.sigma[k])
+end
+
+-- The number that most moments of the piece have in front (1/12 for boxes), made a step with the mass.
+local function scaled_mass(self, p, m, i)
+  local count = {}
+  for n = 1, p.given and 0 or 3 do
+    local c = expr.split(own(p, n))
+    local key = tostring(c)
+    count[key] = (count[key] or 0) + 1
+    if count[key] == 2 and c ~= R.one and R.sign(c) ~= 0 and m.kind ~= "num" then
+      return c, self:step("k" .. i, c * m, "mass of piece " .. i .. " times " .. key, "kg")
+    end
+  end
+  return nil, nil
+end
+
+-- Distances that a shift is made of: {x, y, z} as steps.
+local function distances(self, name, v, about)
+  return vec.map(v, function(e, k)
+    if ratio.iszero(calculus.substitute(e, self.pure)) then return expr.zero end
+    return self:step(name .. comp[k], e, string.gsub(about, "#", comp[k]), "m")
+  end)
+end
+
+-- b: a body (mass/body.lua); P: the point the tensor is about, nil for its centre of mass; unique: name -> a name that
+-- is not taken yet.  The result has list (the steps), mass, com, pieces {piece, m}, shifts {m, d}, and the methods
+-- below.
+function parts.of(b, P, unique)
+  local self = setmetatable({ list = {}, pure = {}, unique = unique, pieces = {}, shifts = {} }, parts)
+  local mass, first = expr.zero, zero3
+  for i, p in ipairs(b.pieces) do
+    local m = self:step("m" .. i, p.mass, "mass of piece " .. i .. ", " .. p.name, "kg")
+    local s = { m = m, piece = p }
+    s.content, s.k = scaled_mass(self, p, m, i)
+    self.pieces[i] = s
+    mass = mass + m
+    first = vec.add(first, vec.map(p.com, function(c) return m * c end))
+  end
+  self.mass = self:step("mass", mass, "mass", "kg")
+  self.com = vec.map(b.com, function(pure, k)
+    if pure.kind == "num" or pure.kind == "sym" then return pure end
+    return self:step("com_" .. comp[k], first[k] / self.mass, "centre of mass " .. comp[k] ..
+      " in the coordinates of the shape", "m")
+  end)
+  if not P and #b.pieces == 2 then
+    local one, two = self.pieces[1], self.pieces[2]
+    local D = vec.map(vec.sub(two.piece.com, one.piece.com), ratio.tidy)
+    local mu = self:step("mu", one.m * two.m / self.mass, "reduced mass m1 m2/mass", "kg")
+    self.shifts[1] = { m = mu, d = distances(self, "D", D, "centroid # of piece 2 from that of piece 1") }
+  else
+    local about = P and "the origin of rotation" or "the centre of mass"
+    for i, s in ipairs(self.pieces) do
+      self.shifts[i] = { m = s.m, d = distances(self, "d" .. i, vec.sub(s.piece.com, P or self.com),
+        "piece " .. i .. ", centroid # from " .. about) }
+    end
+  end
+  for i, s in ipairs(self.shifts) do
+    local name = #self.shifts == 1 and "u" or "u" .. i
+    s.u = vec.map(s.d, function(d, k)
+      if d == expr.zero then return d end
+      return self:step(name .. comp[k], s.m * d, "that times the mass", "kg m")
+    end)
+  end
+  return self
+end
+
+-- m e for piece s, with the number in front taken into its step.
+local function times(s, e)
+  local c, rest = expr.split(e)
+  if s.k and R.abs(c) == R.abs(s.content) then return c / s.content * s.k * rest end
+  return s.m * e
+end
+
+-- Entry n of the tensor, in names.
+function parts:entry(n)
+  local sum = expr.zero
+  for _, s in ipairs(self.pieces) do
+    sum = sum + (s.piece.given and s.piece.given[n] or times(s, own(s.piece, n)))
+  end
+  for _, s in ipairs(self.shifts) do
+    local function moment(j, k) return s.u[j] * s.d[k] end
+    if n > 3 then
+      sum = sum - moment(vec.pair[n][1], vec.pair[n][2])
+    else
+      sum = sum + moment(n % 3 + 1, n % 3 + 1) + moment((n + 1) % 3 + 1, (n + 1) % 3 + 1)
+    end
+  end
+  return sum
+end
+
+-- I_jj - I_kk, piece by piece: the common part of two moments is never formed.
+function parts:difference(j, k)
+  local sum = expr.zero
+  for _, s in ipairs(self.pieces) do
+    local p = s.piece
+    if p.given then
+      sum = sum + ratio.tidy(p.given[j] - p.given[k])
+    elseif p.sigma then
+      sum = sum + times(s, ratio.tidy(p.sigma[k] - p.sigma[j]))
+    end
+  end
+  for _, s in ipairs(self.shifts) do sum = sum + s.m * (s.d[k] - s.d[j]) * (s.d[k] + s.d[j]) end
+  return sum
+end
+
+-- The steps that the expressions in the list need, in order.
+function parts:needed(list)
+  local needed, by_sym = {}, {}
+  for _, s in ipairs(self.list) do by_sym[s.sym] = s end
+  local function mark(e)
+    for _, s in ipairs(expr.symbols(e)) do
+      local step = by_sym[s]
+      if step and not needed[step] then
+        needed[step] = true
+        mark(step.e)
+      end
+    end
+  end
+  for _, e in ipairs(list) do mark(e) end
+  local out = {}
+  for _, s in ipairs(self.list) do
+    if needed[s] then out[#out + 1] = s end
+  end
+  return out
+end
+
+return parts

@@ -1,0 +1,113 @@
+-- wires.lua -- thin rods and wires of uniform mass per length.
+--
+-- Sources: integrals along the curve; a straight piece d has sigma = d d^T/12.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local kit = require "generator.mass.shapes.kit"
+local vec = require "generator.algebra.vec"
+
+local zero, pi = expr.zero, expr.pi
+local q, length, diagonal, centred = kit.q, kit.length, kit.diagonal, kit.centred
+
+-- The straight pieces of a polyline: {from, to, d}.
+local function pieces(a)
+  local list, p = {}, a.points
+  for i = 1, a.closed and #p or #p - 1 do
+    local from, to = p[i], p[i % #p + 1]
+    list[i] = { from = from, to = to, d = vec.sub(to, from) }
+  end
+  return list
+end
+
+local function polyline(a)
+  local total, first, parts = zero, { zero, zero, zero }, pieces(a)
+  for _, s in ipairs(parts) do
+    s.length = expr.sqrt(vec.dot(s.d, s.d))
+    s.middle = vec.scale(q "1/2", vec.add(s.from, s.to))
+    total = total + s.length
+    first = vec.add(first, vec.scale(s.length, s.middle))
+  end
+  local com = vec.scale(1 / total, first)
+  local sum = diagonal(zero, zero, zero)
+  for _, s in ipairs(parts) do
+    local about = vec.add(vec.scale(q "1/12", vec.outer(s.d)), vec.outer(vec.sub(s.middle, com)))
+    sum = vec.add(sum, vec.scale(s.length, about))
+  end
+  return { measure = total, com = com, sigma = vec.scale(1 / total, sum),
+    points = { first = a.points[1], last = a.points[#a.points] } }
+end
+
+local function helix(a)
+  local T, r, k = 2 * pi * a.turns, a.r, a.pitch / (2 * pi)
+  local s, c, half = expr.call("sin", T), expr.call("cos", T), expr.call("sin", T / 2)
+  local x, y, z = r * s / T, 2 * r * half ^ 2 / T, k * T / 2
+  local m = r ^ 2 / 2
+  -- means over the turns: t cos t -> (T s + c - 1)/T, t sin t -> (s - T c)/T
+  local sigma = { m * (1 + s * c / T) - x ^ 2, m * (1 - s * c / T) - y ^ 2, k ^ 2 * T ^ 2 / 12, m * s ^ 2 / T - x * y,
+    r * k * (s - 2 * half ^ 2 / T) - x * z, r * k * (s / T - c) - y * z }
+  return { measure = a.turns * expr.sqrt((2 * pi * r) ^ 2 + a.pitch ^ 2), com = { x, y, z }, sigma = sigma,
+    points = { axis = { zero, zero, zero }, first = { r, zero, zero } } }
+end
+
+local function catenary(a)
+  local h, c = a.span / 2, a.a -- integrals of powers of x and cosh(x/c) against ds = cosh(x/c) dx
+  local u = h / c
+  local s, k = expr.call("sinh", u), expr.call("cosh", u)
+  local y = c * (u / s + k) / 2
+  return { measure = 2 * c * s, com = { zero, y, zero },
+    sigma = diagonal(h ^ 2 - 2 * h * c * k / s + 2 * c ^ 2, c ^ 2 * (1 + s ^ 2 / 3) - y ^ 2, zero),
+    points = { vertex = { zero, c, zero } } }
+end
+
+return {
+  { name = "rod.straight", measure = "length", frame = "centred, along z", about = "thin rod of the length",
+    args = { length "length" },
+    build = function(a)
+      return centred(a.length, diagonal(zero, zero, a.length ^ 2 / 12), { ["end"] = kit.axial(-a.length / 2) })
+    end },
+  { name = "rod.between", measure = "length", frame = "as given", about = "thin rod between two points",
+    args = { kit.vector "from", kit.vector "to" },
+    requires = function(a)
+      local d = vec.sub(a.to, a.from)
+      return { { vec.dot(d, d), "from and to must be different points" } }
+    end,
+    build = function(a)
+      local d = vec.sub(a.to, a.from)
+      return { measure = expr.sqrt(vec.dot(d, d)), com = vec.scale(q "1/2", vec.add(a.from, a.to)),
+        sigma = vec.map(vec.outer(d), function(s) return s / 12 end), points = { from = a.from, to = a.to } }
+    end },
+  { name = "wire.hoop", measure = "length", curved = true, frame = "circle's centre, in z = 0", about = "radius r",
+    args = { length "r" },
+    build = function(a)
+      return centred(2 * pi * a.r, diagonal(a.r ^ 2 / 2, a.r ^ 2 / 2, zero), { rim = { a.r, zero, zero } })
+    end },
+  { name = "wire.arc", measure = "length", curved = true, frame = "circle's centre, in z = 0",
+    about = "radius r, from the x axis to the angle", args = { length "r", kit.angle },
+    requires = function(a) return { kit.full_turn(a) } end,
+    build = function(a)
+      local r, w = a.r, a.angle
+      local s, c, half = expr.call("sin", w), expr.call("cos", w), expr.call("sin", w / 2)
+      local x, y, m = r * s / w, 2 * r * half ^ 2 / w, r ^ 2 / 2
+      return { measure = r * w, com = { x, y, zero },
+        sigma = { m * (1 + s * c / w) - x ^ 2, m * (1 - s * c / w) - y ^ 2, zero, m * s ^ 2 / w - x * y, zero, zero },
+        points = { centre = { zero, zero, zero }, first = { r, zero, zero } } }
+    end },
+  { name = "wire.polyline", measure = "length", curved = true, frame = "as given",
+    about = "straight pieces through points, open or closed",
+    args = { kit.rows("points", 3, 2), kit.flag "closed" },
+    requires = function(a)
+      local list = {}
+      for i, s in ipairs(pieces(a)) do
+        list[i] = { vec.dot(s.d, s.d), "points must differ from their neighbours" }
+      end
+      return list
+    end,
+    build = polyline },
+  { name = "wire.helix", measure = "length", curved = true, frame = "axis z, from (r, 0, 0)",
+    about = "radius r, rise per turn (pitch, any sign), turns",
+    args = { length "r", kit.coordinate "pitch", { name = "turns", dim = "none", sign = "positive" } },
+    build = helix },
+  { name = "wire.catenary", measure = "length", curved = true, frame = "y = a cosh(x/a) in z = 0, |x| <= span/2",
+    about = "hanging chain", args = { length "a", length "span" }, build = catenary },
+}

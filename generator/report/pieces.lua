@@ -1,0 +1,88 @@
+-- pieces.lua -- the derivation of a body's mass properties: its pieces, where each was put, and the shifts.
+--
+-- Huygens and Steiner: every piece has its tensor about its own centroid, turned and stretched with it, and is carried
+-- to the common point by  m (d^2 1 - d d^T).  For a body with parameters the steps are those that the emitted code
+-- takes.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
+local text = require "generator.algebra.text"
+local vec = require "generator.algebra.vec"
+
+local pieces = {}
+
+local comp = { "x", "y", "z" }
+local most = 12 -- pieces that are spelled out
+
+local function tuple(v)
+  local list = {}
+  for i, e in ipairs(v) do list[i] = text.of(e, "unicode") end
+  return "(" .. table.concat(list, ", ") .. ")"
+end
+
+-- "moved by (1, 0, 0), turned about (0, 0, 1) by α"
+local function placement(p)
+  local list = {}
+  for i, step in ipairs(p.steps or {}) do
+    local words = {}
+    for k, w in ipairs(step) do
+      words[k] = type(w) == "string" and w or expr.is(w) and text.of(w, "unicode") or tuple(w)
+    end
+    list[i] = table.concat(words, " ")
+  end
+  return table.concat(list, ", ")
+end
+
+local function matter(p)
+  if p.density then return ", of density " .. text.of(p.density, "unicode") end
+  return ""
+end
+
+-- "1. solid.box (line 4), moved by (a, 0, 0)"
+function pieces.title(i, p)
+  local placed = placement(p)
+  return string.format("%d. %s%s (line %d)%s%s", i, p.hole and "minus " or "", p.name, p.line, matter(p),
+    placed == "" and "" or ", " .. placed)
+end
+
+-- Lines of the section: titles, and per piece its mass, centroid and own tensor.  formula(name, e, unit, number).
+function pieces.lines(m, formula)
+  local b, lines = m.body, {}
+  local placed = false
+  for _, p in ipairs(b.pieces) do placed = placed or #(p.steps or {}) > 0 end
+  if #b.pieces == 1 and not placed then return lines end
+  for i, p in ipairs(b.pieces) do
+    if i > most then
+      lines[#lines + 1] = "... and " .. #b.pieces - most .. " more"
+      break
+    end
+    lines[#lines + 1] = pieces.title(i, p)
+    lines[#lines + 1] = formula("m" .. i, p.mass, "kg", m:double(p.mass))
+    for k = 1, 3 do
+      if p.com[k] ~= expr.zero then
+        lines[#lines + 1] = formula("c" .. i .. comp[k], p.com[k], "m", m:double(p.com[k]))
+      end
+    end
+    local sigma = p.sigma
+    for n = 1, sigma and 6 or 0 do
+      local j, k = n % 3 + 1, (n + 1) % 3 + 1
+      local e = n > 3 and -sigma[n] or sigma[j] + sigma[k]
+      e = p.given and p.given[n] or ratio.tidy(p.mass * e)
+      if e ~= expr.zero then
+        lines[#lines + 1] = formula("I" .. i .. vec.entry[n], e, "kg m^2", m:double(e))
+      end
+    end
+  end
+  if #b.pieces > 1 then
+    local reduced = m.parts and #m.parts.shifts < #b.pieces
+    lines[#lines + 1] = reduced and "I = I_1 + I_2 + mu (D² 1 - D Dᵀ), D from centroid 1 to 2 (Huygens, Steiner)"
+      or "I = sum of I_i + m_i (d_i² 1 - d_i d_iᵀ), d_i from the common point to centroid i (Huygens, Steiner)"
+    for _, s in ipairs(m.parts and m.parts:needed(m.parts.entries) or {}) do
+      if not string.find(s.name, "^m%d+$") then lines[#lines + 1] = formula(s.name, s.e, s.unit, m:double(s.pure)) end
+    end
+  end
+  return lines
+end
+
+return pieces
