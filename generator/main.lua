@@ -15,7 +15,7 @@ usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method r
        polhode explain SCENE [--format text|markdown|latex|json] [--set a=0.3 ...]
        polhode check   SCENE... [--real double|float]
        (--set NAME=NUMBER: in the parameter's own unit)
-       polhode list    shapes|effects|methods|bodies|constants
+       polhode list    shapes|effects|methods|bodies|constants [--format markdown -o DIR: shapes, with pictures]
        polhode --version | --help
 ]]
 

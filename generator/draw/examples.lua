@@ -1,8 +1,9 @@
 -- examples.lua -- every shape in pleasant proportions: arguments, what its dimensions measure, how to look at it.
 --
--- An entry: {args = {name = number, vector or list}, dims = function(a) -> {{label, from, to, out =}, ...}, open = true for
--- shells and plates, view = {azimuth, height}, turn = {from, angle}: cut open, in turns; cut = true: a shell without the
--- quarter x > 0, y > 0}.  `scene` is the same with literals a person would type, where numbers are not.
+-- An entry: {args = {name = number, vector or list}, dims = function(a) -> {{label, from, to, out =}, ...}, open = true
+-- for shells and plates, view = {azimuth, height}, turn = {from, angle}: cut open, in turns; cut = true: a shell without
+-- the quarter x > 0, y > 0; node = what is drawn instead of the shape with these arguments; n = segments of a turn;
+-- scene = {name = text}: arguments as a person would type them; line = the whole constructor as text}.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local pi = math.pi
@@ -98,11 +99,11 @@ entry("solid.hoof", { r = 1, h = 1.4 }, function(a)
 end, { view = { 118, 22 } })
 entry("solid.torus", { R = 1.4, r = 0.5 }, function(a)
   return { { "R", { 0, 0, 0 }, { 0, a.R, 0 } }, { "r", { 0, a.R, 0 }, { 0, a.R + a.r * 0.6, a.r * 0.8 } } }
-end, { view = { 32, 32 }, turn = quarter })
+end, { view = { 32, 32 }, turn = quarter, n = 40 })
 entry("solid.hollow_sphere", { r_in = 0.65, r_out = 1 }, function(a)
   return { { "r_in", { 0, 0, 0 }, { a.r_in * 0.8, 0, a.r_in * 0.6 } },
     { "r_out", { 0, 0, 0 }, { 0, a.r_out * 0.8, a.r_out * -0.6 } } }
-end, { turn = quarter })
+end, { turn = quarter, n = 40 })
 entry("solid.paraboloid", { r = 1, h = 1.6 }, function(a) return { radius("r", a.r, a.h), upright("h", a.r, 0, a.h) } end)
 entry("solid.pyramid", { x = 1.6, y = 2.2, h = 1.8 }, function(a)
   local e = edges({ -a.x / 2, -a.y / 2, 0 }, { a.x / 2, a.y / 2, a.h }, { "x", "y", "h" })
@@ -129,12 +130,14 @@ entry("solid.bicylinder", { r = 1 }, function(a) return { { "r", { 0, 0, 0 }, { 
 
 -- ---- shells ----
 
-entry("shell.sphere", { r = 1 }, function(a) return { { "r", { 0, 0, 0 }, { 0, a.r * 0.8, a.r * -0.6 } } } end, { cut = true })
+entry("shell.sphere", { r = 1 }, function(a)
+  return { { "r", { 0, 0, 0 }, { 0, a.r * 0.8, a.r * -0.6 } } }
+end, { cut = true, n = 40 })
 entry("shell.hemisphere", { r = 1 }, function(a) return { radius("r", a.r, 0, 0.25) } end, { cut = true })
 entry("shell.zone", { r = 1, z1 = -0.3, z2 = 0.7 }, function(a)
   return { { "r", { 0, 0, 0 }, at(a.r, 0.25) }, upright("z_1", -1, 0, a.z1), upright("z_2", 1, 0, a.z2) }
 end, { cut = true })
-entry("shell.ellipsoid", { a = 1, b = 1.5, c = 0.8 }, examples["solid.ellipsoid"].dims, { cut = true })
+entry("shell.ellipsoid", { a = 1, b = 1.5, c = 0.8 }, examples["solid.ellipsoid"].dims, { cut = true, n = 40 })
 entry("shell.cylinder", { r = 1, h = 2, ends = false }, function(a)
   return { radius("r", a.r, a.h / 2, 0.5), upright("h", a.r, -a.h / 2, a.h / 2) }
 end, { cut = true })
@@ -143,7 +146,7 @@ entry("shell.cone", { r = 1, h = 2 }, function(a)
 end, { cut = true })
 entry("shell.torus", { R = 1.4, r = 0.5 }, function(a)
   return { { "R", { 0, 0, 0 }, { 0, a.R, 0 } }, { "r", { 0, a.R, 0 }, { 0, a.R + a.r * 0.6, a.r * 0.8 } } }
-end, { view = { 32, 32 }, cut = true })
+end, { view = { 32, 32 }, cut = true, n = 32 })
 entry("shell.box", { x = 2, y = 3, z = 1.2 }, box_edges, { cut = true })
 
 -- ---- plates ----
@@ -192,7 +195,7 @@ end)
 entry("wire.catenary", { a = 1, span = 2.4 }, function(a)
   local y = (math.exp(a.span / (2 * a.a)) + math.exp(-a.span / (2 * a.a))) * a.a / 2
   return { { "a", { 0, 0, 0 }, { 0, a.a, 0 } }, { "span", { -a.span / 2, y, 0 }, { a.span / 2, y, 0 }, out = true } }
-end, { view = { -62, 62 } })
+end, { view = { -75, 68 } })
 
 -- ---- others ----
 
@@ -200,7 +203,7 @@ entry("points", { list = { { 1, 1.2, 0, 0 }, { 2, 0, 1.4, 0 }, { 1, -0.6, -0.6, 
   local list = {}
   for i, p in ipairs(a.list) do list[i] = { "m_" .. i, { p[2], p[3], p[4] }, { p[2], p[3], p[4] }, out = 4 } end
   return list
-end)
+end, { line = "points{{1, 1.2, 0, 0}, {2, 0, 1.4, 0}, {1, -0.6, -0.6, 0.8}}" })
 entry("extrude", { profile = { { 0, 0 }, { 2.4, 0 }, { 2.4, 1 }, { 1, 2 }, { 0, 2 } }, h = 0.6,
   holes = { { { 0.4, 0.4 }, { 1.2, 0.4 }, { 1.2, 1.2 }, { 0.4, 1.2 } } } },
   function(a) return { { "h", { 0, 2, 0 }, { 0, 2, a.h }, out = true } } end, { view = { 32, 40 } })
@@ -208,6 +211,13 @@ entry("revolve", { profile = { { 0.5, 0 }, { 1.3, 0 }, { 1.3, 0.4 }, { 0.9, 0.5 
   { turn = quarter })
 entry("region", { order = { 1, 2, 3 }, limits = { { { { -1, 0, 0, 0 } }, { { 1, 0, 0, 0 } } },
   { {}, { { 1.5, 0, 0, 0 }, { -1.5, 2, 0, 0 } } }, { {}, { { 0.3, 0, 0, 0 }, { 0.6, 0, 1, 0 } } } } }, nil,
-  { view = { 118, 26 }, scene = { "{x, -1, 1}", "{y, 0, 3/2 - 3/2*x^2}", "{z, 0, 3/10 + 3/5*y}", "density = 1000 + 200*z" } })
+  { view = { -58, 30 }, density = { { 1000, 0, 0, 0 }, { 200, 0, 0, 1 } },
+    line = "region{{x, -1, 1}, {y, 0, 1.5 - 1.5*x^2}, {z, 0, 0.3 + 0.6*y}, density = 1000 + 200*z}" })
+entry("tensor", { mass = 5, xx = 2.89, yy = 1.64, zz = 3.25 }, examples["solid.ellipsoid"].dims,
+  { node = { shape = "solid.ellipsoid", a = 1, b = 1.5, c = 0.8 },
+    line = "tensor{mass = 5, xx = 2.89, yy = 1.64, zz = 3.25}",
+    note = "The picture shows the ellipsoid that has this mass and this tensor." })
+entry("mesh", { com = { 0, 0, 0 } }, nil, { node = { shape = "solid.regular", faces = 20, edge = 1 },
+  line = 'mesh{file = "part.stl", units = "mm", kind = "volume", density = 2700}' })
 
 return examples

@@ -16,15 +16,16 @@ local width, height, margin = 340, 280, 46
 
 local styles = {
   { "skin", "stroke-width:.7;stroke-linejoin:round" },
-  { "outline", "fill:none;stroke:#1d3247;stroke-width:1.5;stroke-linejoin:round;stroke-linecap:round", "stroke:#dce8f5" },
+  { "outline", "fill:none;stroke:#1d3247;stroke-width:1.5;stroke-linejoin:round;stroke-linecap:round",
+    "stroke:#dce8f5" },
   { "edge", "fill:none;stroke:#33506e;stroke-width:.9;stroke-linejoin:round;stroke-linecap:round", "stroke:#b9cde2" },
   { "wire", "fill:none;stroke:#2f659c;stroke-width:3.2;stroke-linejoin:round;stroke-linecap:round", "stroke:#8fb8e6" },
   { "ball", "fill:#5f8fc2;stroke:#1d3247;stroke-width:1", "fill:#7da9d8;stroke:#dce8f5" },
   { "hid", "stroke:#555;stroke-width:.8;stroke-dasharray:2 3;fill:none", "stroke:#c8cdd6" },
   { "dim", "fill:none;stroke:#b3261e;stroke-width:1.1;stroke-linecap:round", "stroke:#ff9a8f" },
   { "ext", "fill:none;stroke:#b3261e;stroke-width:.5;stroke-dasharray:2 2", "stroke:#ff9a8f" },
-  { "name", "font:italic 16px serif;fill:#9c1c15;stroke:#fff;stroke-width:3.5px;paint-order:stroke;stroke-linejoin:round",
-    "fill:#ffb3aa;stroke:#15181d" },
+  { "name", "font:italic 16px serif;fill:#9c1c15;stroke:#fff;stroke-width:3.5px;paint-order:stroke;"
+    .. "stroke-linejoin:round", "fill:#ffb3aa;stroke:#15181d" },
   { "xyz", "font:italic 15px serif;fill:#444", "fill:#c3c8d0" },
   { "cm", "fill:none;stroke:#fff;stroke-width:3", "stroke:#15181d" },
   { "com", "fill:#fff;stroke:#000;stroke-width:1.2", "fill:#15181d;stroke:#fff" },
@@ -107,7 +108,10 @@ end
 -- A line in space, solid where it is seen, dotted where something is before it.
 local function line_in_space(doc, seen, p, q, class)
   local n, from, state = 60, p, nil
-  local function at(i) return { p[1] + (q[1] - p[1]) * i / n, p[2] + (q[2] - p[2]) * i / n, p[3] + (q[3] - p[3]) * i / n } end
+  local function at(i)
+    local t = i / n
+    return { p[1] + (q[1] - p[1]) * t, p[2] + (q[2] - p[2]) * t, p[3] + (q[3] - p[3]) * t }
+  end
   for i = 0, n do
     local hidden = i < n and view.hidden(seen, at(i + 0.5))
     if i == n or state ~= nil and hidden ~= state then

@@ -1,7 +1,7 @@
 -- shade.lua -- faces as areas of few tones, joined to outlines, and edges joined to lines.
 --
--- Brightness belongs to the corners and is linear between them; a face is cut where it passes from one tone to the next,
--- and what has the same tone is joined by cancelling common sides.  So a ball is some bands, not a thousand tiles.
+-- Brightness belongs to the corners and is linear between them; a face is cut where it passes from one tone to the
+-- next, and what has the same tone is joined by cancelling common sides.  So a ball is some bands, not a thousand tiles.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local shade = { tones = 8 }
@@ -57,11 +57,12 @@ local function add_sides(sides, p)
   end
 end
 
-local function straight(a, b, c, closed)
+-- Is b on the way from a to c, but for a tenth of a pixel?
+local function straight(a, b, c)
   local w = (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])
   local l = math.sqrt((c[1] - a[1]) ^ 2 + (c[2] - a[2]) ^ 2)
   local on = (b[1] - a[1]) * (c[1] - b[1]) + (b[2] - a[2]) * (c[2] - b[2]) > 0
-  return (on or closed) and math.abs(w) <= 0.08 * l
+  return on and math.abs(w) <= 0.12 * l
 end
 
 local function simplified(p, closed)
@@ -69,7 +70,7 @@ local function simplified(p, closed)
   for i, v in ipairs(p) do
     local last = #out > 0 and out[#out] or closed and p[#p]
     local after = p[i + 1] or closed and p[1]
-    if not (last and after and straight(last, v, after, false)) then out[#out + 1] = v end
+    if not (last and after and straight(last, v, after)) then out[#out + 1] = v end
   end
   return out
 end
@@ -111,7 +112,7 @@ function shade.areas(faces)
       p[k] = { v[1], v[2], brightness(f.corner[k]) }
       lo, hi = math.min(lo, p[k][3]), math.max(hi, p[k][3])
     end
-    if f.flat or hi - lo < 1e-3 then lo, hi = (lo + hi) / 2, (lo + hi) / 2 end
+    if hi - lo < 1e-3 then lo, hi = (lo + hi) / 2, (lo + hi) / 2 end
     for tone = math.floor(lo), math.floor(hi) do
       local part = p
       if lo < tone then part = clip(part, tone, 1) end
