@@ -6,6 +6,7 @@
 #   make check      set up what is missing, build, run every test
 #   make bench      build and run the measurements
 #   make install    PREFIX (default /usr/local), DESTDIR
+#   make docs       docs/shapes.md and its pictures, from the catalogue
 #   make lint | format | sanitize | golden | clean
 
 CC      = cc
@@ -119,6 +120,10 @@ sanitized: $(PROGRAM) $(C_TESTS)
 	@POLHODE=$(PROGRAM) POLHODE_SANITIZED=1 $(PROVE) $(C_TESTS) \
 	  $(filter-out tests/cli/rational.t,$(filter tests/cli/%,$(LUA_TESTS)))
 
+# The page of all shapes and its pictures.
+docs: $(PROGRAM)
+	@$(PROGRAM) list shapes --format markdown -o docs
+
 golden: all
 	@POLHODE_GOLDEN=refresh $(LUA) tests/emit/golden.t
 
@@ -228,7 +233,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check test sanitize sanitized golden bench demo install clean FORCE \
+.PHONY: all tests check test sanitize sanitized golden docs bench demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

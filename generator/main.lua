@@ -16,7 +16,7 @@ usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method r
        polhode check   SCENE... [--real double|float]
        (--set NAME=NUMBER: in the parameter's own unit)
        polhode links   FILE             (URDF, MJCF, SDF: can each link's inertial exist?)
-       polhode list    shapes|effects|methods|bodies|constants
+       polhode list    shapes|effects|methods|bodies|constants [--format markdown -o DIR: shapes, with pictures]
        polhode --version | --help
 ]]
 

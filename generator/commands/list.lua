@@ -1,4 +1,5 @@
 -- list.lua -- polhode list: shapes, effects, methods, bodies, constants; one line each, the name first.
+-- list shapes --format markdown -o DIR writes the page of all shapes with pictures instead.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local catalogue = require "generator.mass.catalogue"
@@ -7,7 +8,7 @@ local units = require "generator.dsl.units"
 
 local list = {}
 
-list.options = {}
+list.options = { ["--format"] = { "text", "markdown" }, ["-o"] = "text" }
 list.operands = { 1, 1 }
 
 local function aligned(rows)
@@ -61,7 +62,26 @@ function what.bodies(host)
   return rows
 end
 
+-- DIR/shapes.md and DIR/shapes/NAME.svg
+local function page(host, given)
+  if given[1] ~= "shapes" or not given.o then
+    host.err("polhode list: --format markdown is for shapes and needs -o DIR\n")
+    return 2
+  end
+  local ok, why = host.write_files(given.o, require("generator.report.shapes").files(catalogue.list))
+  if not ok then
+    host.err("polhode list: " .. why .. "\n")
+    return 2
+  end
+  return 0
+end
+
 function list.run(host, given)
+  if given.format == "markdown" then return page(host, given) end
+  if given.o then
+    host.err("polhode list: -o goes with --format markdown\n")
+    return 2
+  end
   local f = what[given[1]]
   if not f then
     host.err("polhode list: must be shapes, effects, methods, bodies or constants, got " .. given[1] .. "\n")
