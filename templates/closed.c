@@ -1,54 +1,5 @@
 %% -- closed.c -- the closed form of the free sphere and symmetric top: part of scene.c.  SPDX-License-Identifier: MIT-0
-/* ---- closed form: ${theorem} ----
- * Pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP 2, 4.2.2. */
-
-typedef struct ${name}_pair {
-  ${name}_real hi, lo;
-} ${name}_pair;
-
-/* a + b = hi + lo exactly (Knuth's two-sum) */
-static ${name}_pair ${name}_pair_sum(${name}_real a, ${name}_real b)
-{
-  ${name}_pair s;
-  ${name}_real bb;
-
-  s.hi = a + b;
-  bb = s.hi - a;
-  s.lo = (a - (s.hi - bb)) + (b - bb);
-  return s;
-}
-
-/* a*b = hi + lo exactly (Dekker's product, factors split in halves) */
-static ${name}_pair ${name}_pair_product(${name}_real a, ${name}_real b)
-{
-  const ${name}_real split = ${split};
-  ${name}_real c, ah, al, bh, bl;
-  ${name}_pair p;
-
-  c = split*a;
-  ah = c - (c - a);
-  al = a - ah;
-  c = split*b;
-  bh = c - (c - b);
-  bl = b - bh;
-  p.hi = a*b;
-  p.lo = ((ah*bh - p.hi) + ah*bl + al*bh) + al*bl;
-  return p;
-}
-
-static ${name}_pair ${name}_pair_add(${name}_pair a, ${name}_pair b)
-{
-  ${name}_pair s = ${name}_pair_sum(a.hi, b.hi);
-
-  return ${name}_pair_sum(s.hi, s.lo + (a.lo + b.lo));
-}
-
-static ${name}_pair ${name}_pair_multiply(${name}_pair a, ${name}_pair b)
-{
-  ${name}_pair p = ${name}_pair_product(a.hi, b.hi);
-
-  return ${name}_pair_sum(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
-}
+/* ---- closed form: ${theorem} ---- */
 
 %% if symmetric then
 /* a/b for b not 0: the remainder a - q b is exact, so one correction doubles the digits */
@@ -61,15 +12,6 @@ static ${name}_pair ${name}_pair_divide(${name}_pair a, ${name}_real b)
 }
 
 %% end
-static ${name}_pair ${name}_pair_of(${name}_real a)
-{
-  ${name}_pair p;
-
-  p.hi = a;
-  p.lo = ${zero};
-  return p;
-}
-
 /* sine and cosine of (rate t), rate a pair: sin(h + l) = sin h + l cos h to the working precision */
 static void ${name}_turn(const ${name}_real rate[2], ${name}_real t, ${name}_real *s, ${name}_real *c)
 {

@@ -75,8 +75,10 @@ ${f.head}
 %%   end
 }
 %% end
-%% if has_closed then
 
+${pair_source}
+%% if has_closed then
 ${closed_source}
 %% end
+${principal_source}
 ${analysis_source}
