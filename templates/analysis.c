@@ -1,5 +1,4 @@
 %% -- analysis.c -- stability, small oscillations: part of scene.c.  SPDX-License-Identifier: MIT-0
-
 /* ---- stability, small oscillations ---- */
 
 int ${name}_stability(const ${name}_real I[3], int k, ${name}_real s, ${name}_real Omega[2], ${name}_real *rate)

@@ -1,5 +1,4 @@
 %% -- analysis.h -- their contracts: part of scene.h.  SPDX-License-Identifier: MIT-0
-
 /* ---- stability, small oscillations ---- */
 
 /* Spin s about principal axis k (0, 1, 2) of the three moments I, slightly disturbed (i, j, k cyclic):

@@ -1,5 +1,4 @@
 %% -- principal.c -- principal axes of a tensor: part of scene.c.  SPDX-License-Identifier: MIT-0
-
 /* ---- principal axes: Jacobi's method in pairs ----
  * Jacobi's rotations keep small moments beside large ones: Demmel, Veselic 1992, SIAM J. Matrix Anal. Appl. 13, 1204.
  * In pairs the rotations are orthogonal to twice the precision, so rounding their product once is all that the axes

@@ -1,5 +1,4 @@
 %% -- principal.h -- principal axes, their contract: part of scene.h.  SPDX-License-Identifier: MIT-0
-
 /* ---- principal axes ---- */
 
 /* Moments, ascending, and axes of any symmetric tensor I = xx yy zz xy xz yz (entries of the tensor: no sign is
