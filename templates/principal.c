@@ -80,9 +80,11 @@ int ${name}_principal_of(const ${name}_real I[6], ${name}_real moments[3], ${nam
   /* The planes xy, xz, yz in turn, until each is negligible beside BOTH its diagonal entries.  With I_pq = 0 a
    * rotation in the plane (r, p) splits I_rq = y into I_rq = y cos, I_pq = y sin; |sin| <= sqrt(1/2), and the next
    * plane is that of the larger one.  So from the second rotation on the smaller of the two products left shrinks by
-   * sqrt(1/2) or more each time, for ANY tensor: after 120 both are below 2^-59 of the largest entry.  As a rule each
-   * rotation squares what is left, and 6 to 12 are made. */
-  for (count = 0; settled < 3 && count < 120; count++) {
+   * sqrt(1/2) or more each time, for ANY tensor: after 240 both are below 2^-118 of the largest entry, beyond the
+   * pairs.  For a positive definite one a rotation with I_pq^2 >= I_pp I_qq/4 takes a quarter or more off the product
+   * of the diagonal, which stays above the determinant: the condition alone bounds their number.  Then what is left is
+   * squared; some ten rotations are made in all. */
+  for (count = 0; settled < 3 && count < 240; count++) {
     i = 2 - count % 3;
     j = (i + 1) % 3;
     k = (i + 2) % 3;

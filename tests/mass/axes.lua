@@ -95,19 +95,20 @@ function axes.measure(I, moments, vectors, format, graded)
     x[1][1] * x[2][2] - x[1][2] * x[2][1] }
   e.handed = R.sign(dot(cross, x[3])) > 0
   e.ascending = m[1] <= m[2] and m[2] <= m[3]
-  e.signed = axes.signed(vectors)
+  e.signed = axes.signed(vectors, format)
   return e
 end
 
--- The rule of sign: in the first two axes the first component within 1/16 of the largest is positive.
-function axes.signed(v)
+-- The rule of sign: in the first two axes the first component within 1/16 of the largest is positive.  At 15/16 itself,
+-- as in (15, -4, -16), rounding decides whether a component is within.
+function axes.signed(v, format)
+  local slack = 4 * 2.0 ^ (1 - format.p)
   for k = 0, 1 do
     local largest = math.max(math.abs(v[3 * k + 1]), math.abs(v[3 * k + 2]), math.abs(v[3 * k + 3]))
     for n = 1, 3 do
-      if math.abs(v[3 * k + n]) >= largest * 15 / 16 then
-        if v[3 * k + n] < 0 then return false end
-        break
-      end
+      local ratio = math.abs(v[3 * k + n]) / largest
+      if ratio >= 15 / 16 - slack and v[3 * k + n] > 0 then break end
+      if ratio >= 15 / 16 + slack then return false end
     end
   end
   return true
@@ -157,19 +158,29 @@ end
 
 local function small() return int(9) - 5.0 end
 
--- In this order; `graded` ones are positive definite, their unit-diagonal form no more singular than 1e3 or so.
+-- A positive definite B with unit diagonal and condition at most 36/delta: (1 - delta) of the singular matrix of ones
+-- and delta of a dominant one, whose eigenvalues are at least 1 - 2*0.45 = 0.1.
+local function nearly_singular(delta, format)
+  local B = { 1.0, 1.0, 1.0 }
+  for n = 4, 6 do B[n] = 1 - delta + delta * 0.45 * either() end
+  return graded(B, format)
+end
+
+-- In this order.  The number: these are positive definite and so is their unit-diagonal form, with at most this
+-- condition; moments are then good to their own last place.
 local families = {
   { "generic", function() return { either(), either(), either(), either(), either(), either() } end },
   { "diagonal, graded", function(f)
       return { decades(f) ^ 2, decades(f) ^ 2, decades(f) ^ 2, 0.0, 0.0, 0.0 }
-    end, true },
+    end, 1 },
   { "dominant, graded", function(f)
       return graded({ 1.0, 1.0, 1.0, 0.45 * either(), 0.45 * either(), 0.45 * either() }, f)
-    end, true },
-  { "nearly singular but for its scale, graded", function(f)
-      return graded({ 1.0, 1.0, 1.0, 0.99 + 0.009 * either(), 0.99 + 0.009 * either(), 0.99 + 0.009 * either() }, f)
-    end, true },
-  { "block, graded", function(f) return graded({ 1.0, 1.0, 1.0, 0.0, 0.9 * either(), 0.0 }, f) end, true },
+    end, 20 },
+  { "condition 4e3, graded", function(f) return nearly_singular(0.01, f) end, 4e3 },
+  { "condition of some digits, graded", function(f)
+      return nearly_singular(f.name == "float" and 1e-4 or 1e-10, f)
+    end, function(f) return f.name == "float" and 4e5 or 4e11 end },
+  { "block, graded", function(f) return graded({ 1.0, 1.0, 1.0, 0.0, 0.9 * either(), 0.0 }, f) end, 20 },
   { "two nearly equal", function(f) return turned { 1.0, 1 + 2.0 ^ -int(f.p + 2), 2.0 } end },
   { "all nearly equal", function(f)
       local e = 2.0 ^ -int(f.p + 2)
@@ -219,7 +230,7 @@ local families = {
     end },
 }
 
--- Iterates over `each` tensors of every family: name, six numbers of the format, graded?
+-- Iterates over `each` tensors of every family: name, six numbers of the format, condition (or false).
 function axes.families(format, each)
   state = 20240229
   return coroutine.wrap(function()
@@ -229,7 +240,7 @@ function axes.families(format, each)
         for n = 1, 6 do
           if format.name == "float" then I[n] = R.tofloat(R.fromdouble(I[n])) end
         end
-        coroutine.yield(f[1], I, f[3] or false)
+        coroutine.yield(f[1], I, type(f[3]) == "function" and f[3](format) or f[3] or false)
       end
     end
   end)
