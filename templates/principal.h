@@ -7,7 +7,7 @@
  * and a diagonal tensor keeps these as its axes.
  * Each moment is right to one unit in the last place of the largest; of a positive definite tensor each to one of its
  * own, down to 10^-${pair_decades} of the largest, unless the tensor scaled to unit diagonal is singular to
- * ${pair_digits} digits.  The axes are rounded once: their products differ from 0 and 1 by no more than the type's epsilon.
+ * ${pair_digits} digits.  The axes are rounded once: their products differ from 0 and 1 by at most the type's epsilon.
  * At most 240 rotations, some ten in practice.  Returns 0; 1 if an entry, or a moment, is not a finite number:
  * nothing is written then.  moments and axes must not overlap I. */
 int ${name}_principal_of(const ${name}_real I[6], ${name}_real moments[3], ${name}_real axes[9]);

@@ -260,7 +260,7 @@ function axes.reference(text)
       local list, k = {}, 0
       for v in string.gmatch(vectors .. "}", "{(.-)}") do
         k = k + 1
-        if string.match(string.gsub(simple, "[, ]", ""), "^(%d%d%d)$"):sub(k, k) == "1" then list[k] = each(v, R.parse) end
+        if each(simple, tonumber)[k] == 1 then list[k] = each(v, R.parse) end
       end
       coroutine.yield(id, category, each(tensor, tonumber), each(moments, R.parse), list)
     end
