@@ -30,7 +30,8 @@ local function literals(real)
   local function n(q) return number.text(R.lift(q), real) end
   local bits = real == "float" and 24 or 53
   return { zero = n(0), one = n(1), two = n(2), half = n "1/2", threehalves = n "3/2", twelve = n(12),
-    epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16", split = n(R.new(2) ^ ((bits + 1) // 2) + R.one) }
+    epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
+    split = n(R.new(2) ^ ((bits + 1) // 2) + R.one) }
 end
 
 -- Enumerators with their meaning; names that share one meaning (about = "" after the first) share a line.

@@ -122,7 +122,7 @@ static int principal(lua_State *L) {
   if (p->code->principal == NULL)
     return absent(L, "principal axes");
   if (p->code->principal(p->model, moments, axes))
-    return luaL_error(L, "a principal moment is beyond the range of the type");
+    return luaL_error(L, "plugin: a principal moment is beyond the range of the type");
   engine_push(L, 3, moments);
   engine_push(L, 9, axes);
   return 2;

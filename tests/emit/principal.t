@@ -327,10 +327,10 @@ local function invariance(name, format)
     tap.ok(untouched, name .. ": refuses, and leaves the results alone: " .. spelled(odd[i]))
   end
   answers = ask(name, { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { most, -most, 2.0 ^ format.lowest, 0.0, 0.0, 0.0 },
-    { 2.0, 2.0, 1.0, 0.0, 0.0, 0.0 } })
+    { 2.0, 2.0, 1.0, 0.0, 0.0, 0.0 }, { 3.0, 2.0, 1.0, 0.0, 0.0, 0.0 } })
   local want = { { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 },
     { -most, 2.0 ^ format.lowest, most, 0, 1, 0, 0, 0, 1, 1, 0, 0 },
-    { 1, 2, 2, 0, 0, 1, 1, 0, 0, 0, 1, 0 } }
+    { 1, 2, 2, 0, 0, 1, 1, 0, 0, 0, 1, 0 }, { 1, 2, 3, 0, 0, 1, 0, 1, 0, -1, 0, 0 } }
   for i, a in ipairs(answers or {}) do
     local got = { a.moments[1], a.moments[2], a.moments[3], table.unpack(a.vectors) }
     local equal = a.status == 0
