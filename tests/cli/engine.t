@@ -228,11 +228,12 @@ static int init(void *m, const double *p) {
 }
 static void params(double *p) { p[0] = 0.5; }
 static void inertia(const void *m, double I[6]) { int i; (void)m; for (i = 0; i < 6; i++) I[i] = i + 1; }
-static void principal(const void *m, double moments[3], double axes[9]) {
+static int principal(const void *m, double moments[3], double axes[9]) {
   int i;
-  (void)m;
+  if (((const struct model *)m)->rate == 99) return 1;
   for (i = 0; i < 3; i++) moments[i] = i + 1;
   for (i = 0; i < 9; i++) axes[i] = i % 4 == 0;
+  return 0;
 }
 static void rhs(const void *m, double t, const double *x, const double *u, double *dx) {
   (void)t;
@@ -295,6 +296,10 @@ says("every function is called with what was given", BUILD .. [[
   say(row(p:inertia())) say(row(moments), row(axes)) say(row(p:step(0, { 1, 0 }, { 0 }, 0.1)))
   say(row(p:jacobian(0, { 1, 0 }))) say(p:energy { 3, 0 }, row(p:momentum { 1, 2 }))]],
   "1 2 3 4 5 6\n1 2 3 1 0 0 0 1 0 0 0 1\n0.94999999999999996 1\n-0.5 0 0 7\n4.5 1 2 3\n")
+says("moments that the type does not hold are an error", BUILD .. [[
+  local p = build(all)
+  p:init { 99 }
+  say(pcall(p.principal, p))]], "false plugin: a principal moment is beyond the range of the type\n")
 says("integrate takes whole steps that hit the times", BUILD .. [[
   local p = build(all)
   p:init()
