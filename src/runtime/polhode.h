@@ -184,13 +184,13 @@ typedef struct ph_polynomial {
   const ph_term *term;
 } ph_polynomial;
 
-/* The region limit[0][0] <= u <= limit[0][1], then v, then w, where order = {0, 1, 2} or another
-   permutation says which of x, y, z are u, v, w; limits may depend on the variables before. Density
-   (NULL: uniform) is multiplied by a.value, or scaled to the mass a.value. Exact up to rounding, by
-   Gauss's rule. PH_EBOUND: order, a limit of a wrong variable, limits that cross (where the rule
-   looks), a negative power, or a degree that needs more than 128 points a line; PH_EMASS: density
-   negative at a point of the rule, or no mass. */
-int ph_region(ph_body *b, ph_amount a, const int order[3], const ph_polynomial limit[3][2],
+/* The region limit[0] <= u <= limit[1], limit[2] <= v <= limit[3], limit[4] <= w <= limit[5], where
+   order = {0, 1, 2} or another permutation says which of x, y, z are u, v, w; limits may depend on
+   the variables before. Density (NULL: uniform) is multiplied by a.value, or scaled to the mass
+   a.value. Exact up to rounding, by Gauss's rule. PH_EBOUND: order, a limit of a wrong variable,
+   limits that cross (where the rule looks), a negative power, or a degree that needs more than 256
+   points a line; PH_EMASS: density negative at a point of the rule, or no mass. */
+int ph_region(ph_body *b, ph_amount a, const int order[3], const ph_polynomial limit[6],
               const ph_polynomial *density);
 
 /* n particles: masses m[i] > 0 at (r[3i], r[3i+1], r[3i+2]). Sums are taken relative to the first

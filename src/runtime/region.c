@@ -9,7 +9,7 @@
 
 #include "shape.h"
 
-enum { MAX_NODES = 128 };
+enum { MAX_NODES = 256 };
 
 typedef struct rule {
   int n;
@@ -18,7 +18,7 @@ typedef struct rule {
 
 typedef struct region {
   const int *order;
-  const ph_polynomial (*limit)[2];
+  const ph_polynomial *limit;
   const ph_polynomial *density;
   rule line[3];
   /* what is summed up; moments are taken about `about` */
@@ -61,8 +61,8 @@ static int visit(region *r, const pair point[3], ph_wide weight) {
 static int scan(region *r, int depth, pair point[3], ph_wide weight) {
   if (depth == 3)
     return visit(r, point, weight);
-  const pair low = evaluate(&r->limit[depth][0], point);
-  const pair length = pair_subtract(evaluate(&r->limit[depth][1], point), low);
+  const pair low = evaluate(&r->limit[2 * depth], point);
+  const pair length = pair_subtract(evaluate(&r->limit[2 * depth + 1], point), low);
   if (!(pair_value(length) >= 0))
     return PH_EBOUND;
   for (int k = 0; k < r->line[depth].n; k++) {
@@ -95,13 +95,14 @@ static int degree(const ph_polynomial *p, int variable) {
 }
 
 static int degree_of_limits(const region *r, int depth, int outer) {
-  const int low = degree(&r->limit[depth][0], r->order[outer]);
-  const int high = degree(&r->limit[depth][1], r->order[outer]);
+  const int low = degree(&r->limit[2 * depth], r->order[outer]);
+  const int high = degree(&r->limit[2 * depth + 1], r->order[outer]);
   return low > high ? low : high;
 }
 
 /* Integrands: density times a product of two coordinates. Integrating w^k between limits of degree
-   p in u adds (k + 1) p to u's degree, at most. Degrees are below 1000 each, so nothing overflows.
+   p in u adds (k + 1) p to u's degree, at most. Degrees are below 3 MAX_NODES each, so nothing
+   overflows.
  */
 static int prepare(region *r) {
   int top[3];
@@ -136,7 +137,7 @@ static int polynomial_check(const ph_polynomial *p, const int order[3], int befo
   return PH_OK;
 }
 
-static int region_check(const int order[3], const ph_polynomial limit[3][2],
+static int region_check(const int order[3], const ph_polynomial limit[6],
                         const ph_polynomial *density) {
   unsigned seen = 0;
   for (int i = 0; i < 3; i++) {
@@ -146,11 +147,11 @@ static int region_check(const int order[3], const ph_polynomial limit[3][2],
   }
   int status = density ? polynomial_check(density, order, 3) : PH_OK;
   for (int i = 0; i < 6 && !status; i++)
-    status = polynomial_check(&limit[i / 2][i % 2], order, i / 2);
+    status = polynomial_check(&limit[i], order, i / 2);
   return status;
 }
 
-int ph_region(ph_body *b, ph_amount a, const int order[3], const ph_polynomial limit[3][2],
+int ph_region(ph_body *b, ph_amount a, const int order[3], const ph_polynomial limit[6],
               const ph_polynomial *density) {
   region r = {.order = order, .limit = limit, .density = density};
   int status = shape_amount(0, NULL, a);
