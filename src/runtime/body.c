@@ -127,15 +127,14 @@ int ph_body_moments(ph_body *b, double mass, const double com[3], const double s
 int ph_body_at(ph_body *out, const ph_body *in, const double d[3]) {
   if (!wide_finite(3, d))
     return PH_EFINITE;
-  /* com + d is exact where it cancels; its head and the rest of it keep the tail's digits. */
   double head[3];
   ph_wide off[3], second[6], tensor[6];
   for (int i = 0; i < 3; i++) {
-    const ph_wide sum = (ph_wide)in->com[i] + (ph_wide)d[i];
-    head[i] = (double)sum;
+    const pair sum = pair_sum((ph_wide)in->com[i], (ph_wide)d[i]); /* exactly */
+    head[i] = (double)sum.hi;
     if (!isfinite(head[i]))
       return PH_ERANGE;
-    off[i] = (sum - (ph_wide)head[i]) + (ph_wide)in->com_tail[i];
+    off[i] = (sum.hi - (ph_wide)head[i]) + (sum.lo + (ph_wide)in->com_tail[i]);
   }
   wide_load(6, in->second, second);
   wide_load(6, in->tensor, tensor);

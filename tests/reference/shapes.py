@@ -2,12 +2,14 @@
 """shapes.py - measure, centroid and tensor of shapes by direct integration, as tests/reference/shapes.h.
 SPDX-License-Identifier: GPL-3.0-or-later
 
-    python3 tests/reference/shapes.py > tests/reference/shapes.h        needs mpmath; about a minute
+    python3 tests/reference/shapes.py > tests/reference/shapes.h        needs mpmath; half a minute
 
 Every number is an integral of the definition: raw moments about the origin of the frame, in 110 digits (exact
 rationals for points, outlines and regions), centred by subtraction, which 110 digits bear. Inputs are doubles and
-taken exactly. No formula of the library is used: where it cuts slices this integrates in other coordinates, where it
-sums squares this expands, where it uses relations between angles this uses vertices and faces.
+taken exactly. Slices and Green's theorem are common ground with the library; the rest differs: caps and zones are
+expanded about the ball's centre, sectors, hooves and tori are integrated in angles, polyhedra are built from vertices
+and faces, helix and catenary have their antiderivatives, regions are integrated symbolically, ellipsoids' shells have
+Legendre's E and K.
 """
 from fractions import Fraction
 from itertools import combinations

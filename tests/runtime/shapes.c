@@ -14,7 +14,7 @@
 #include "tap.h"
 
 /* The requirement: 4 ulp of the largest entry. */
-static const long double TOL = 4 * DBL_EPSILON;
+static const long double ULP = (long double)DBL_EPSILON, TOL = 4 * (long double)DBL_EPSILON;
 
 static const ph_amount ONE = {0, 1.0}, DENSE = {1, 1.0};
 
@@ -46,13 +46,13 @@ static void compare(const char *name, const double *size, int s1, const ph_body 
     return;
   const long double mass = error(1, &dense->mass, &measure, measure);
   const long double place = error(3, b->com, com, reach), turn = error(6, b->tensor, tensor, big);
-  worst.mass = fmaxl(worst.mass, mass / DBL_EPSILON);
-  worst.com = fmaxl(worst.com, place / DBL_EPSILON);
-  worst.tensor = fmaxl(worst.tensor, turn / DBL_EPSILON);
+  worst.mass = fmaxl(worst.mass, mass / ULP);
+  worst.com = fmaxl(worst.com, place / ULP);
+  worst.tensor = fmaxl(worst.tensor, turn / ULP);
   if (!ok(mass <= TOL && place <= TOL && turn <= TOL, "%s %g %g %g: mass, centre, tensor to 4 ulp",
           name, size[0], size[1], size[2])) {
-    diag("errors in ulp: mass %.3Lg, centre %.3Lg, tensor %.3Lg", mass / DBL_EPSILON,
-         place / DBL_EPSILON, turn / DBL_EPSILON);
+    diag("errors in ulp: mass %.3Lg, centre %.3Lg, tensor %.3Lg", mass / ULP, place / ULP,
+         turn / ULP);
     diag("centre %.17g %.17g %.17g", b->com[0], b->com[1], b->com[2]);
     diag("tensor %.17g %.17g %.17g %.17g %.17g %.17g", b->tensor[0], b->tensor[1], b->tensor[2],
          b->tensor[3], b->tensor[4], b->tensor[5]);
