@@ -3,7 +3,7 @@
 
    An outline is a simple polygon: at least three points, no two edges meet except neighbours in
    their common point. Holes lie within outline 0, and apart from each other. On which side of a
-   line a point is, is the sign of a determinant in pairs: for doubles whose sizes are within 2^30
+   line a point is, is the sign of a determinant in pairs: for doubles whose sizes are within 2^8
    of each other that is exact. All pairs of edges are compared. */
 #include "geometry.h"
 
