@@ -56,7 +56,7 @@ local function powered(base, n, style)
     if base.kind == "add" then b = style.open .. b .. style.close end
     return b
   end
-  if base.kind ~= "sym" and base.kind ~= "num" then b = style.open .. b .. style.close end
+  if base.kind ~= "sym" and base.kind ~= "num" and base.fn ~= "pi" then b = style.open .. b .. style.close end
   local p = tostring(n)
   if not R.isint(n) and style ~= styles.latex then p = "(" .. p .. ")" end
   return style.power(b, p)

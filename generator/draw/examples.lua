@@ -1,8 +1,8 @@
 -- examples.lua -- every shape in pleasant proportions: arguments, what its dimensions measure, how to look at it.
 --
--- An entry: {args = {name = number, vector or list}, dims = function(a) -> {{label, from, to, out =}, ...}, open = true
--- for shells and plates, view = {azimuth, height}, turn = {from, angle}: cut open, in turns; cut = true: a shell without
--- the quarter x > 0, y > 0; node = what is drawn instead of the shape with these arguments; n = segments of a turn;
+-- An entry: {args = {name = number, vector or list}, dims = function(a) -> {{label, from, to, out =}, ...},
+-- open = true for shells and plates, view = {azimuth, height}, turn = {from, angle}: cut open, in turns; cut = true: a
+-- shell without the quarter x > 0, y > 0; node = what is drawn instead of the shape with these arguments;
 -- scene = {name = text}: arguments as a person would type them; line = the whole constructor as text}.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -49,7 +49,8 @@ local function radius(label, r, z, turns) return { label, { 0, 0, z }, at(r, tur
 entry("solid.box", { x = 2, y = 3, z = 1.2 }, box_edges)
 entry("solid.sphere", { r = 1 }, function(a) return { radius("r", a.r, 0, 0.22) } end)
 entry("solid.ellipsoid", { a = 1, b = 1.5, c = 0.8 }, function(a)
-  return { { "a", { 0, 0, 0 }, { a.a, 0, 0 } }, { "b", { 0, 0, 0 }, { 0, a.b, 0 } }, { "c", { 0, 0, 0 }, { 0, 0, a.c } } }
+  local o = { 0, 0, 0 }
+  return { { "a", o, { a.a, 0, 0 } }, { "b", o, { 0, a.b, 0 } }, { "c", o, { 0, 0, a.c } } }
 end)
 entry("solid.cylinder", { r = 1, h = 2 }, function(a)
   return { radius("r", a.r, a.h / 2), upright("h", a.r, -a.h / 2, a.h / 2) }
@@ -99,12 +100,13 @@ entry("solid.hoof", { r = 1, h = 1.4 }, function(a)
 end, { view = { 118, 22 } })
 entry("solid.torus", { R = 1.4, r = 0.5 }, function(a)
   return { { "R", { 0, 0, 0 }, { 0, a.R, 0 } }, { "r", { 0, a.R, 0 }, { 0, a.R + a.r * 0.6, a.r * 0.8 } } }
-end, { view = { 32, 32 }, turn = quarter, n = 40 })
+end, { view = { 32, 46 }, turn = quarter })
 entry("solid.hollow_sphere", { r_in = 0.65, r_out = 1 }, function(a)
   return { { "r_in", { 0, 0, 0 }, { a.r_in * 0.8, 0, a.r_in * 0.6 } },
     { "r_out", { 0, 0, 0 }, { 0, a.r_out * 0.8, a.r_out * -0.6 } } }
-end, { turn = quarter, n = 40 })
-entry("solid.paraboloid", { r = 1, h = 1.6 }, function(a) return { radius("r", a.r, a.h), upright("h", a.r, 0, a.h) } end)
+end, { turn = quarter })
+entry("solid.paraboloid", { r = 1, h = 1.6 },
+  function(a) return { radius("r", a.r, a.h), upright("h", a.r, 0, a.h) } end)
 entry("solid.pyramid", { x = 1.6, y = 2.2, h = 1.8 }, function(a)
   local e = edges({ -a.x / 2, -a.y / 2, 0 }, { a.x / 2, a.y / 2, a.h }, { "x", "y", "h" })
   return { e[1], e[2], { "h", { -a.x / 2, a.y / 2, 0 }, { -a.x / 2, a.y / 2, a.h }, out = true } }
@@ -132,12 +134,12 @@ entry("solid.bicylinder", { r = 1 }, function(a) return { { "r", { 0, 0, 0 }, { 
 
 entry("shell.sphere", { r = 1 }, function(a)
   return { { "r", { 0, 0, 0 }, { 0, a.r * 0.8, a.r * -0.6 } } }
-end, { cut = true, n = 40 })
+end, { cut = true })
 entry("shell.hemisphere", { r = 1 }, function(a) return { radius("r", a.r, 0, 0.25) } end, { cut = true })
 entry("shell.zone", { r = 1, z1 = -0.3, z2 = 0.7 }, function(a)
   return { { "r", { 0, 0, 0 }, at(a.r, 0.25) }, upright("z_1", -1, 0, a.z1), upright("z_2", 1, 0, a.z2) }
 end, { cut = true })
-entry("shell.ellipsoid", { a = 1, b = 1.5, c = 0.8 }, examples["solid.ellipsoid"].dims, { cut = true, n = 40 })
+entry("shell.ellipsoid", { a = 1, b = 1.5, c = 0.8 }, examples["solid.ellipsoid"].dims, { cut = true })
 entry("shell.cylinder", { r = 1, h = 2, ends = false }, function(a)
   return { radius("r", a.r, a.h / 2, 0.5), upright("h", a.r, -a.h / 2, a.h / 2) }
 end, { cut = true })
@@ -146,7 +148,7 @@ entry("shell.cone", { r = 1, h = 2 }, function(a)
 end, { cut = true })
 entry("shell.torus", { R = 1.4, r = 0.5 }, function(a)
   return { { "R", { 0, 0, 0 }, { 0, a.R, 0 } }, { "r", { 0, a.R, 0 }, { 0, a.R + a.r * 0.6, a.r * 0.8 } } }
-end, { view = { 32, 32 }, cut = true, n = 32 })
+end, { view = { 32, 46 }, cut = true })
 entry("shell.box", { x = 2, y = 3, z = 1.2 }, box_edges, { cut = true })
 
 -- ---- plates ----
@@ -212,7 +214,8 @@ entry("revolve", { profile = { { 0.5, 0 }, { 1.3, 0 }, { 1.3, 0.4 }, { 0.9, 0.5 
 entry("region", { order = { 1, 2, 3 }, limits = { { { { -1, 0, 0, 0 } }, { { 1, 0, 0, 0 } } },
   { {}, { { 1.5, 0, 0, 0 }, { -1.5, 2, 0, 0 } } }, { {}, { { 0.3, 0, 0, 0 }, { 0.6, 0, 1, 0 } } } } }, nil,
   { view = { -58, 30 }, density = { { 1000, 0, 0, 0 }, { 200, 0, 0, 1 } },
-    line = "region{{x, -1, 1}, {y, 0, 1.5 - 1.5*x^2}, {z, 0, 0.3 + 0.6*y}, density = 1000 + 200*z}" })
+    line = 'region{{x, -1, 1}, {y, 0, 1.5 - quantity(1.5, "1/m")*x^2}, {z, 0, 0.3 + 0.6*y},\n'
+      .. '  density = 1000 + quantity(200, "kg/m^4")*z}' })
 entry("tensor", { mass = 5, xx = 2.89, yy = 1.64, zz = 3.25 }, examples["solid.ellipsoid"].dims,
   { node = { shape = "solid.ellipsoid", a = 1, b = 1.5, c = 0.8 },
     line = "tensor{mass = 5, xx = 2.89, yy = 1.64, zz = 3.25}",

@@ -1,7 +1,8 @@
 -- shade.lua -- faces as areas of few tones, joined to outlines, and edges joined to lines.
 --
 -- Brightness belongs to the corners and is linear between them; a face is cut where it passes from one tone to the
--- next, and what has the same tone is joined by cancelling common sides.  So a ball is some bands, not a thousand tiles.
+-- next, and what has the same tone is joined by cancelling common sides.
+-- So a ball is some bands, not a thousand tiles.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local shade = { tones = 8 }

@@ -113,6 +113,41 @@ end
 
 local function key(p) return string.format("%.3f %.3f %.3f", p[1] + 0.0, p[2] + 0.0, p[3] + 0.0) end
 
+-- Is the screen point behind one of the faces, by more than `least`?
+local function covered(faces, p, least)
+  for _, f in ipairs(faces) do
+    if p[1] >= f.x1 and p[1] <= f.x2 and p[2] >= f.y1 and p[2] <= f.y2 then
+      local within = true
+      for k, a in ipairs(f.seen) do
+        local b = f.seen[k % #f.seen + 1]
+        if (b[1] - a[1]) * (p[2] - a[2]) - (b[2] - a[2]) * (p[1] - a[1]) < 0 then
+          within = false
+          break
+        end
+      end
+      if within and depth(f, p[1], p[2]) > p[3] + least then return true end
+    end
+  end
+  return false
+end
+
+function view.hidden(seen, p) return covered(seen.faces, p, 0.5) end
+
+local function towards(p, q, t)
+  return { p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2]), p[3] + t * (q[3] - p[3]) }
+end
+
+-- Are the middle and the corners (drawn in a little) all covered?  Such a face or edge need not be painted.
+local function out_of_sight(faces, points, least)
+  local c = { 0, 0, 0 }
+  for _, p in ipairs(points) do c = { c[1] + p[1] / #points, c[2] + p[2] / #points, c[3] + p[3] / #points } end
+  if not covered(faces, c, least) then return false end
+  for _, p in ipairs(points) do
+    if not covered(faces, towards(p, c, 0.15), least) then return false end
+  end
+  return true
+end
+
 -- s: a surface in screen coordinates (see surface.tree); open: both sides of its faces can be seen.
 -- Returns {faces = those to paint, each {seen = points counter-clockwise, n = unit normal towards the viewer, layer,
 -- inside = true for the wrong side, corner = normals at the points}, edges = {{p, q, layer, outline =}}, layers}.
@@ -145,6 +180,12 @@ function view.of(s, open)
       end
     end
   end
+  local visible = {}
+  for _, f in ipairs(faces) do
+    if not out_of_sight(faces, f.seen, 0.5) then visible[#visible + 1] = f end
+  end
+  local all = faces
+  faces = visible
   local out = { faces = faces, edges = {}, layers = layers(faces) }
   for _, f in ipairs(faces) do
     f.corner = {}
@@ -174,11 +215,11 @@ function view.of(s, open)
       local a, b = keys[p], keys[q]
       local g = sides[b .. "|" .. a]
       local fold = not g or not g.painted or (g.inside or false) ~= (f.inside or false)
-      if a ~= b and (fold or g.index > f.index) then
+      if a ~= b and (fold or g.index > f.index or not g.layer) and not out_of_sight(all, { p, q }, 0.05) then
         local sharply = g and dot(f.n, g.n) < sharp and not fold
-        local layer = g and g.painted and math.max(f.layer, g.layer) or f.layer
+        local layer = math.max(f.layer, g and g.layer or 0)
         if fold or sharply or crease[a .. "|" .. b] and dot(f.n, g.n) < 0.9999 or g.cut ~= f.cut then
-          if not (fold and g and g.painted and g.index < f.index) then
+          if not (fold and g and g.layer and g.index < f.index) then -- the other face draws it
             out.edges[#out.edges + 1] = { p, q, layer = layer, outline = fold }
           end
         end
@@ -186,21 +227,6 @@ function view.of(s, open)
     end
   end
   return out
-end
-
--- Is the screen point behind a painted face?
-function view.hidden(seen, p)
-  for _, f in ipairs(seen.faces) do
-    if p[1] >= f.x1 and p[1] <= f.x2 and p[2] >= f.y1 and p[2] <= f.y2 then
-      local within = true
-      for k, a in ipairs(f.seen) do
-        local b = f.seen[k % #f.seen + 1]
-        if (b[1] - a[1]) * (p[2] - a[2]) - (b[2] - a[2]) * (p[1] - a[1]) < 0 then within = false break end
-      end
-      if within and depth(f, p[1], p[2]) > p[3] + 0.5 then return true end
-    end
-  end
-  return false
 end
 
 return view

@@ -35,7 +35,8 @@ function opened.of(s)
   for _, face in ipairs(s.faces) do
     for _, side in ipairs { { 1, -1 }, { -1, 1 }, { -1, -1 } } do
       local part = clip(clip(face, 1, side[1]), 2, side[2])
-      local degenerate = #part < 3 or flat_in(part, 1) and not flat_in(face, 1) or flat_in(part, 2) and not flat_in(face, 2)
+      local degenerate = #part < 3
+      for d = 1, 2 do degenerate = degenerate or flat_in(part, d) and not flat_in(face, d) end
       if not degenerate then
         part.flat = face.flat
         out.faces[#out.faces + 1] = part

@@ -77,7 +77,7 @@ local function choices(spec)
 end
 
 -- Arguments as build() takes them: symbols for single numbers, the example's values for lists.
-local function arguments(spec, example, chosen)
+function shapes.arguments(spec, example, chosen)
   if spec.name == "region" then
     local limits = {}
     for i, l in ipairs(example.args.limits) do limits[i] = { polynomial(l[1]), polynomial(l[2]) } end
@@ -145,16 +145,21 @@ local function scene_line(spec, example)
   return spec.name .. "{" .. table.concat(list, ", ") .. "}"
 end
 
--- Centroid of the example, as numbers.
+-- What build() gives for the example: measure, com, sigma without symbols.
+function shapes.example(spec)
+  local example, chosen = examples[spec.name], {}
+  for _, s in ipairs(spec.args or {}) do
+    local v = example.args[s.name]
+    chosen[s.name] = (s.choice or s.flag) and v or v and lifted(v)
+  end
+  return spec.build(shapes.arguments(spec, example, chosen))
+end
+
+-- The centroid of the example, as numbers.
 local function centre(spec, example)
   local com
   if spec.build then
-    local chosen = {}
-    for _, s in ipairs(spec.args or {}) do
-      local v = example.args[s.name]
-      chosen[s.name] = (s.choice or s.flag) and v or v and lifted(v)
-    end
-    com = vec.map(spec.build(arguments(spec, example, chosen)).com or { expr.zero, expr.zero, expr.zero },
+    com = vec.map(shapes.example(spec).com or { expr.zero, expr.zero, expr.zero },
       function(e) return evaluate.double(e, {}) end)
   elseif example.args.list then
     local m = 0.0
@@ -186,10 +191,10 @@ end
 local head = [[
 # Shapes
 
-Every shape of the scene language, made by `polhode list shapes --format markdown -o docs`. Lengths are in metres, angles
-in radians. `mass` and `density` (per volume, area or length) are alternatives. The tensor is about the centroid for the
-mass m, in the axes of the picture; entries that are not listed are zero, and off-diagonal entries are tensor entries
-(minus the products of inertia). Where an argument is a list, the formulas are for the list of the example. In the
+Every shape of the scene language, made by `polhode list shapes --format markdown -o docs`. Lengths are in metres,
+angles in radians. `mass` and `density` (per volume, area or length) are alternatives. The tensor is about the centroid
+for the mass m, in the axes of the picture; entries that are not listed are zero, and off-diagonal entries are tensor
+entries (minus the products of inertia). Where an argument is a list, the formulas are for the list of the example. In the
 pictures the black and white disc is the centroid; red lines are what the arguments measure; a quarter is cut out where
 that shows more.
 
@@ -212,7 +217,7 @@ function shapes.files(list)
     for _, choice in ipairs(spec.build and choices(spec) or {}) do
       if #choice[1] > 0 then out[#out + 1] = "With " .. table.concat(choice[1], ", ") .. ":\n\n" end
       out[#out + 1] = "| | |\n|---|---|\n"
-      for _, row in ipairs(facts(spec, arguments(spec, example, choice[2]))) do
+      for _, row in ipairs(facts(spec, shapes.arguments(spec, example, choice[2]))) do
         out[#out + 1] = "| " .. row[1] .. " | `" .. row[2] .. "` |\n"
       end
       out[#out + 1] = "\n"

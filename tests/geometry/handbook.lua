@@ -4,9 +4,9 @@
 -- A row: {node, measure =, com = {x, y, z} (default the origin), and one of
 --   I = {xx, yy, zz, xy, xz, yz}  tensor about the centroid per unit mass (off-diagonals: tensor entries, default 0)
 --   S = {xx, yy, zz, xy, xz, yz}  mean of x_i x_j about the frame's origin}
--- Sources: Goldstein, Classical Mechanics, ch. 5; Gradshteyn, Ryzhik for the integrals; Weisstein, MathWorld, for sector
--- ("Spherical Sector"), capsule, bicylinder ("Steinmetz Solid"), hoof ("Cylindrical Wedge") and the regular polyhedra;
--- Tonon, J. Math. Stat. 1 (2004) 8 for the tetrahedron.  The others are one elementary integral each, written out.
+-- Sources: Goldstein, Classical Mechanics, ch. 5; Gradshteyn, Ryzhik for the integrals; Weisstein, MathWorld, for the
+-- sector ("Spherical Sector"), capsule, bicylinder ("Steinmetz Solid"), hoof ("Cylindrical Wedge") and the regular
+-- polyhedra; Tonon, J. Math. Stat. 1 (2004) 8 for the tetrahedron.  The others are one elementary integral each, written out.
 
 local pi, sqrt, sin, cos = math.pi, math.sqrt, math.sin, math.cos
 local phi = (1 + sqrt(5)) / 2
@@ -108,7 +108,8 @@ row({ shape = "solid.hoof", r = r, h = h }, { measure = 2 / 3 * r ^ 2 * h,
 do
   local R, q = 1.7, 0.5
   local I = R ^ 2 / 2 + 5 / 8 * q ^ 2
-  row({ shape = "solid.torus", R = R, r = q }, { measure = 2 * pi ^ 2 * R * q ^ 2, I = { I, I, R ^ 2 + 3 / 4 * q ^ 2 } })
+  row({ shape = "solid.torus", R = R, r = q },
+    { measure = 2 * pi ^ 2 * R * q ^ 2, I = { I, I, R ^ 2 + 3 / 4 * q ^ 2 } })
   I = R ^ 2 / 2 + 5 / 4 * q ^ 2
   row({ shape = "shell.torus", R = R, r = q }, { measure = 4 * pi ^ 2 * R * q, I = { I, I, R ^ 2 + 3 / 2 * q ^ 2 } })
 end
