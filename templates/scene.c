@@ -20,6 +20,9 @@ void ${name}_defaults(${name}_real p[])
 %% end
 }
 
+%% if has_order then
+${order_source}
+%% end
 int ${name}_init(${name}_model *m, const ${name}_real p[])
 {
   ${name}_model k;
@@ -56,6 +59,9 @@ int ${name}_init(${name}_model *m, const ${name}_real p[])
   ${line}
 %%   end
 %% end
+%% if has_order then
+  ${name}_order(p, k.order);
+%% end
 %% if no_members then
   k.empty = 0;
 %% end
@@ -80,3 +86,4 @@ ${f.head}
 ${closed_source}
 %% end
 ${analysis_source}
+${stability_source}

@@ -14,12 +14,14 @@ local ARROWS = {
   dsl = { "algebra", "diag" },
   mass = { "algebra", "diag" },
   effects = { "algebra" },
+  geometry = {},
+  draw = { "geometry" },
   dynamics = { "algebra", "mass" }, -- mass: principal axes and validity of the tensor that moves
   methods = { "algebra", "dynamics" },
   ir = { "algebra", "polhode_rational" },
   emit = { "algebra", "ir" },
   plan = { "algebra", "dynamics", "methods", "ir" },
-  report = { "algebra", "mass", "emit" },
+  report = { "algebra", "mass", "emit", "geometry", "draw" },
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report",
     "driver" },
@@ -43,9 +45,10 @@ local EMITTED = { ["math.h"] = true, ["stddef.h"] = true, ["stdio.h"] = true }
 local MAX_LUA, MAX_C = 400, 500
 
 -- Files that turn numbers into text by design: literals of C, messages, and the listing of the IR.
-local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/diag.lua"] = true,
+local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/svg.lua"] = true, ["generator/diag.lua"] = true,
   ["generator/ir/show.lua"] = true, ["generator/report/json.lua"] = true, ["generator/report/facts.lua"] = true,
   ["generator/report/explain.lua"] = true, ["generator/commands/run.lua"] = true,
+  ["generator/report/stability.lua"] = true, ["generator/report/chart.lua"] = true,
   ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true }
 
 local METHODS = { "gsub", "match", "format", "sub", "rep", "find", "gmatch", "byte", "lower", "upper", "len",

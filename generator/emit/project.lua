@@ -11,6 +11,7 @@ local calculus = require "generator.algebra.calculus"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
 local template = require "generator.emit.template"
+local stability = require "generator.emit.stability"
 local selftest = require "generator.emit.selftest"
 local vectors = require "generator.emit.vectors"
 
@@ -105,7 +106,6 @@ local function members(m, real_name)
     local line = real_name .. " " .. member.name .. "; "
     list[i] = { lines = { line .. "/* " .. member.about .. " */" } }
   end
-  if #list == 0 then list[1] = { lines = { "char empty; /* every constant is in the code */" } } end
   return list
 end
 
@@ -153,7 +153,7 @@ local function common(job)
     command = job.command, title = job.title, license = license, banner = job.banner, derivation = job.derivation,
     state_enum = enumeration(ctx.upper, job.states, "NX"), has_inputs = eq.inputs, has_params = #m.params > 0,
     input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
-    members = members(m, m.name .. "_real"), no_members = #m.members == 0, functions = function_values(made),
+    members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil, free = eq.free,
     bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
@@ -171,6 +171,8 @@ local function common(job)
   v.step_literal, v.horizon_literal = number.text(m:number(m.step), real), number.text(m:number(m.horizon), real)
   v.step_text, v.horizon_text = number.text(m:number(m.step), "double"), number.text(m:number(m.horizon), "double")
   init(ctx, m, v)
+  stability.fill(ctx, job.stability, v)
+  v.no_members = #m.members == 0 and not v.has_order
   return v, ctx
 end
 
@@ -204,6 +206,8 @@ function project.files(job, plugin)
   local v, ctx = common(job)
   closed_values(job, v, ctx)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
+  v.order_source = v.has_order and render "templates/order.c" or ""
+  v.stability_header, v.stability_source = render "templates/stability.h", render "templates/stability.c"
   v.analysis_header = render "templates/analysis.h"
   v.analysis_source = render "templates/analysis.c"
   vectors.fill(job, v, ctx)
