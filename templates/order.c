@@ -19,15 +19,17 @@ static int ${name}_exact_add(${name}_real e[], int n, ${name}_real b)
   return k;
 }
 
-/* e[0..n) += a*b */
+/* e[0..n) += a*b; volatile keeps compilers from fusing the products into sums */
 static int ${name}_exact_product(${name}_real e[], int n, ${name}_real a, ${name}_real b)
 {
-  const ${name}_real split = ${split}, p = a*b;
-  const ${name}_real ca = split*a, ah = ca - (ca - a), al = a - ah;
-  const ${name}_real cb = split*b, bh = cb - (cb - b), bl = b - bh;
+  const ${name}_real split = ${split};
+  const volatile ${name}_real ca = split*a, cb = split*b, p = a*b;
+  const ${name}_real c = ca, ah = c - (c - a), al = a - ah;
+  const ${name}_real d = cb, bh = d - (d - b), bl = b - bh;
+  const ${name}_real high = p;
 
-  n = ${name}_exact_add(e, n, ((ah*bh - p) + ah*bl + al*bh) + al*bl);
-  return ${name}_exact_add(e, n, p);
+  n = ${name}_exact_add(e, n, ((ah*bh - high) + ah*bl + al*bh) + al*bl);
+  return ${name}_exact_add(e, n, high);
 }
 
 /* The sign of a sum of `rows` products of `columns` factors f, row by row.  Rows are scaled by one power of two, so that

@@ -63,8 +63,8 @@ function stability.of(m)
     local p = I[vec.index[i][j]]
     self.axes = {}
     self.axes[k] = "axis " .. names[k]
-    self.axes[i] = "the axis of the lesser moment in the " .. names[i] .. "-" .. names[j] .. " plane"
-    self.axes[j] = "the axis of the greater moment in the " .. names[i] .. "-" .. names[j] .. " plane"
+    self.axes[i] = "the axis of lesser moment in " .. names[i] .. "-" .. names[j]
+    self.axes[j] = "the axis of greater moment in " .. names[i] .. "-" .. names[j]
     self.block = { c = k, i = i, j = j, D = product(c, (I[k] - I[i]) * (I[k] - I[j]) - p ^ 2),
       S = product(c, 2 * I[k] - I[i] - I[j]), gap = product(c, (I[i] - I[j]) ^ 2 + 4 * p ^ 2) }
   elseif s.kind ~= "full" then
@@ -251,6 +251,16 @@ function stability:text(tree, style)
     return table.concat(list, style == "plain" and "*" or " ") .. " " .. relation .. " 0"
   end
   return render(tree)
+end
+
+-- "I_y = I_z" for an atom that decides between the moments of two coordinate axes; nil for others.
+function stability:equality(atom)
+  for i = 1, self.order and not self.line and 3 or 0 do
+    for _, a in ipairs(self.order[i].atoms) do
+      if a == atom then return "I_" .. names[i % 3 + 1] .. " = I_" .. names[(i + 1) % 3 + 1] end
+    end
+  end
+  return nil
 end
 
 -- Is axis k one of two whose moments are equal whatever the parameters?

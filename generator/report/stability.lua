@@ -9,10 +9,9 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local calculus = require "generator.algebra.calculus"
 local expr = require "generator.algebra.expr"
-local poly = require "generator.algebra.poly"
 local roots = require "generator.algebra.roots"
+local section = require "generator.algebra.section"
 local text = require "generator.algebra.text"
 local mass = require "generator.mass.stability"
 local json = require "generator.report.json"
@@ -58,34 +57,10 @@ end
 -- The sign of an atom at the model's defaults.
 local function at_defaults(m) return function(atom) return R.sign(m:number(atom)) end end
 
--- The atom as a polynomial in the parameter v, the others at their defaults: coefficients in doubles, or nil.
-local function in_one(m, atom, v)
-  local map = {}
-  for _, p in ipairs(m.params) do
-    for _, s in ipairs { p.sym, expr.sym(p.sym.name, p.sym.rank, true) } do
-      if s.name ~= v.name then map[s] = expr.num(p.default) end
-    end
-  end
-  local e = calculus.substitute(atom, map)
-  local ring = poly.ring { e }
-  local p = poly.from(ring, e)
-  if not p then return nil end
-  local c = {}
-  for _, t in ipairs(poly.sorted(p)) do
-    local degree, value = 0, R.todouble(t.c)
-    for i, x in ipairs(t.e) do
-      local g = ring.gens[i]
-      if g.kind == "sym" then
-        degree = degree + x
-      elseif x ~= 0 then
-        if not expr.constant(g) then return nil end
-        value = value * m:double(g) ^ x
-      end
-    end
-    while #c <= degree do c[#c + 1] = 0.0 end
-    c[degree + 1] = c[degree + 1] + value
-  end
-  return c
+-- The atom as a polynomial in one parameter, the others at their defaults: coefficients in doubles, or nil.
+local function in_one(m, atom, name)
+  local terms = section.terms(atom, m.defaults, { name })
+  return terms and section.coefficients(terms)
 end
 
 -- How far each parameter may go until the verdict about axis k changes.
@@ -99,7 +74,7 @@ local function margins(f, s, k, dissipation)
     local candidates, usable, polynomials = {}, true, {}
     for _, atom in ipairs(s:atoms()) do
       if not expr.constant(atom, { [p.name] = true }) then
-        local c = in_one(m, atom, p)
+        local c = in_one(m, atom, p.name)
         usable = usable and c ~= nil
         polynomials[atom] = c
         local far = 2.0 ^ 20 * (here ~= 0 and math.abs(here) or 1)
@@ -213,18 +188,28 @@ function stability.lines(f)
   return lines
 end
 
--- Further members of a JSON entry of stability[]: {key, value} pairs.
+-- Further members of a JSON entry of stability[]: {key, value} pairs.  What is not known has no member: a condition
+-- without axes in closed form, a side on which the verdict never changes.
 function stability.json(e)
-  local list = { { "about", e.about or json.null }, { "condition", e.condition or json.null },
-    { "condition_dissipative", e.condition_dissipative or json.null }, { "holds", e.stable == 1 },
-    { "holds_dissipative", e.stable_dissipative == 1 }, { "verdict_dissipative", words[e.stable_dissipative] } }
+  local list = {}
+  local function put(to, key, value)
+    if value ~= nil then to[#to + 1] = { key, value } end
+  end
+  put(list, "about", e.about)
+  put(list, "condition", e.condition)
+  put(list, "condition_dissipative", e.condition_dissipative)
+  put(list, "holds", e.stable == 1)
+  put(list, "holds_dissipative", e.stable_dissipative == 1)
+  put(list, "verdict_dissipative", words[e.stable_dissipative])
   for _, way in ipairs { "margins", "margins_dissipative" } do
     local rows = {}
     for i, m in ipairs(e[way] or {}) do
-      rows[i] = json.object { { "parameter", m.name }, { "default", m.default }, { "below", m.below or json.null },
-        { "above", m.above or json.null } }
+      local row = { { "parameter", m.name }, { "default", m.default } }
+      put(row, "below", m.below)
+      put(row, "above", m.above)
+      rows[i] = json.object(row)
     end
-    list[#list + 1] = { way, rows }
+    put(list, way, rows)
   end
   return list
 end
