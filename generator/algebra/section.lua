@@ -27,8 +27,7 @@ end
 -- polynomial in them.
 function section.terms(e, values, names)
   e = section.fixed(e, values, names)
-  local ring = poly.ring { e }
-  local p = poly.from(ring, e)
+  local ring, p = poly.modest(e)
   if not p then return nil end
   local place = {}
   for i, n in ipairs(names) do place[n] = i end

@@ -42,8 +42,7 @@ end
 
 -- The rows of factors of the polynomial atom: {{coefficient, "p[..]", ...}, ...}, columns; nil where it is none.
 local function rows_of(ctx, atom)
-  local ring = poly.ring { atom }
-  local p = poly.from(ring, atom)
+  local ring, p = poly.modest(atom)
   if not p then return nil end
   local rows, columns, largest = {}, 1, R.zero
   for n, t in ipairs(poly.sorted(p)) do

@@ -104,6 +104,19 @@ local function split_squares(e)
   return { root[1] - root[2], root[1] + root[2] }
 end
 
+-- 1 - sin(a)^2: cos(a), twice; else nil.
+local function cosine(e)
+  if #e ~= 2 or e[1] ~= expr.one then return nil end
+  for _, s in ipairs(e[2].kind == "mul" and e[2] or {}) do
+    local sine = s.kind == "pow" and s.base
+    if sine and sine.kind == "call" and sine.fn == "sin" and e[2] == -(sine ^ 2) then
+      local c = expr.call("cos", sine[1])
+      return { c, c }
+    end
+  end
+  return nil
+end
+
 -- x^2n - 2 x^n y^m + y^2m, or with a plus: the root x^n -+ y^m; else nil.
 local function square_root(e)
   if #e ~= 3 then return nil end
@@ -112,10 +125,7 @@ local function square_root(e)
     for _, s in ipairs { -1, 1 } do
       if R.sign((expr.split(e[i]))) > 0 and R.sign((expr.split(e[j]))) > 0 then
         local root = expr.sqrt(e[i]) + s * expr.sqrt(e[j])
-        if expr.constant(poly.from(poly.ring { e, root }, root) and ratio.expand(root ^ 2) - ratio.expand(e) or e) and
-          ratio.iszero(root ^ 2 - e) then
-          return root
-        end
+        if ratio.iszero(root ^ 2 - e) then return root end
       end
     end
   end
@@ -125,8 +135,7 @@ end
 -- A factor of the sum e that does not contain all of e's symbols: the common divisor of e's coefficients as a
 -- polynomial in one of them.
 local function content(e)
-  local ring = poly.ring { e }
-  local p = poly.from(ring, e)
+  local ring, p = poly.modest(e)
   if not p or p.n > 200 then return nil end
   for v = 1, #ring.gens do
     local by = {}
@@ -180,7 +189,7 @@ function critical:signs(e)
     elseif expr.constant(f) then
       sign = sign * R.sign(evaluate.precise(f, {}, 240))
     else
-      local pair = f.kind == "add" and split_squares(f)
+      local pair = f.kind == "add" and (cosine(f) or split_squares(f))
       local root = f.kind == "add" and square_root(f)
       local g, rest
       if root then pair = { root, root } end
@@ -253,8 +262,8 @@ end
 -- Solutions of  e rel 0  for a parameter: a list of {v, relation, right side, squared = is v^2 compared with it?}.
 function critical:solutions(e, relation)
   local list = {}
-  local ring = poly.ring { e }
-  if not poly.from(ring, e) then return list end
+  local ring = poly.modest(e)
+  if not ring then return list end
   for _, v in ipairs(expr.symbols(e)) do
     local inside = false -- of a function: no polynomial in v
     for _, g in ipairs(ring.gens) do inside = inside or g ~= v and not expr.constant(g, { [v.name] = true }) end

@@ -10,6 +10,7 @@
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
+local poly = require "generator.algebra.poly"
 local roots = require "generator.algebra.roots"
 local section = require "generator.algebra.section"
 local text = require "generator.algebra.text"
@@ -59,6 +60,7 @@ local function at_defaults(m) return function(atom) return R.sign(m:number(atom)
 
 -- The atom as a polynomial in one parameter, the others at their defaults: coefficients in doubles, or nil.
 local function in_one(m, atom, name)
+  if not poly.modest(atom) then return nil end
   local terms = section.terms(atom, m.defaults, { name })
   return terms and section.coefficients(terms)
 end
