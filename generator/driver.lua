@@ -10,6 +10,7 @@ local diag = require "generator.diag"
 local env = require "generator.dsl.env"
 local catalogue = require "generator.mass.catalogue"
 local effects = require "generator.effects.list"
+local stability = require "generator.mass.stability"
 local model = require "generator.dynamics.model"
 local equations = require "generator.dynamics.equations"
 local closed = require "generator.dynamics.closed"
@@ -79,6 +80,7 @@ function driver.plan(job, options)
   put(quantities.rate())
   put(quantities.acceleration())
   symmetry_constants(job)
+  job.stability = stability.of(m)
   job.functions = list
   job.real, job.command = options.real or "double", options.command
   job.title, job.banner = derivation.title(job), derivation.banner(job)

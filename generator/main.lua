@@ -15,6 +15,8 @@ usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method r
        polhode explain SCENE [--format text|markdown|latex|json|urdf|mjcf|sdf] [--set a=0.3 ...]
        polhode check   SCENE... [--real double|float]
        (--set NAME=NUMBER: in the parameter's own unit)
+       polhode chart   SCENE --over A=LOW:HIGH,B=LOW:HIGH [--axis x|y|z|0|1|2] [--dissipation] [-o FILE.svg]
+                             [--set a=0.3 ...]
        polhode links   FILE             (URDF, MJCF, SDF: can each link's inertial exist?)
        polhode list    shapes|effects|methods|bodies|constants [--format markdown -o DIR: shapes, with pictures]
        polhode --version | --help
@@ -26,6 +28,7 @@ local commands = {
   explain = function() return require "generator.commands.explain" end,
   check = function() return require "generator.commands.check" end,
   links = function() return require "generator.commands.links" end,
+  chart = function() return require "generator.commands.chart" end,
   list = function() return require "generator.commands.list" end,
 }
 

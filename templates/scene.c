@@ -24,6 +24,9 @@ void ${name}_defaults(${name}_real p[])
 %% end
 }
 
+%% if has_order then
+${order_source}
+%% end
 int ${name}_init(${name}_model *m, const ${name}_real p[])
 {
   ${name}_model k;
@@ -60,6 +63,9 @@ int ${name}_init(${name}_model *m, const ${name}_real p[])
   ${line}
 %%   end
 %% end
+%% if has_order then
+  ${name}_order(p, k.order);
+%% end
 %% if no_members then
   k.empty = 0;
 %% end
@@ -88,3 +94,4 @@ ${closed_source}
 %% end
 ${principal_source}
 ${analysis_source}
+${stability_source}

@@ -52,6 +52,12 @@ typedef struct ${name}_model {
   ${line}
 %%   end
 %% end
+%% if has_order then
+  int order[3]; /* which moments are larger, see ${name}_spin_stable */
+%% end
+%% if no_members then
+  char empty; /* every constant is in the code */
+%% end
 } ${name}_model;
 
 /* Parameters p[${upper}_NP], SI units; NULL: the scene's own.  Returns 0, or the number of the check that failed,
@@ -77,6 +83,7 @@ ${closed_header}
 %% end
 ${principal_header}
 ${analysis_header}
+${stability_header}
 #ifdef __cplusplus
 }
 #endif

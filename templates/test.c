@@ -119,6 +119,21 @@ static void principal(const ${name}_model *m)
   }
 }
 
+%% if stability_numeric then
+/* the predicate without dissipation against the product of the linearised rates of the same moments */
+static void spins(const ${name}_model *m)
+{
+  ${name}_real moments[3], axes[9], Omega[2], rate;
+  int k, ok = 1;
+
+  ${name}_principal(m, moments, axes);
+  for (k = 0; k < 3; k++) {
+    if (${name}_spin_stable(m, k, 0) != ${name}_stability(moments, k, ${one}, Omega, &rate)) ok = 0;
+  }
+  report(ok && ${name}_spin_stable(m, 0, 1) <= 0, "which spins persist, without and with dissipation");
+}
+
+%% end
 int main(void)
 {
   ${name}_model m;
@@ -169,6 +184,16 @@ int main(void)
 %% end
 
   principal(&m);
+%% if stability_numeric then
+  spins(&m);
+%% end
+%% if has_spin_cases then
+  report(
+%%   for _, c in ipairs(spin_cases) do
+      ${name}_spin_stable(&m, ${c.axis}, ${c.dissipation}) == ${c.want}${c.tail}
+%%   end
+      "which spins persist, without and with dissipation");
+%% end
 
   /* order: the difference of solutions with steps h and h/2 falls 16-fold when h is halved; the scale of what
    * rounding leaves is the type's epsilon times the number of steps */

@@ -237,6 +237,34 @@ function poly.expr(p)
   return expr.add(list)
 end
 
+local modest = 20000 -- products of terms that poly.modest grants
+
+-- The ring of e and its polynomial there; nil where e is none or would take too long to multiply out.
+function poly.modest(e)
+  local seen = {}
+  local function whole(u) -- no denominators: said before anything is multiplied out
+    if seen[u] then return true end
+    seen[u] = true
+    if u.kind == "pow" and R.sign(u.exp) < 0 then return false end
+    if u.kind == "call" then return true end
+    for _, c in ipairs(expr.children(u)) do
+      if not whole(c) then return false end
+    end
+    return true
+  end
+  if not whole(e) then return nil end
+  local before = poly.budget
+  poly.budget = before or modest
+  local ok, ring, p = pcall(function()
+    local r = poly.ring { e }
+    return r, poly.from(r, e)
+  end)
+  poly.budget = before
+  if not ok and ring ~= poly.exhausted then error(ring, 0) end
+  if ok and p then return ring, p end
+  return nil
+end
+
 ---- divisibility ----------------------------------------------------------------------------------
 
 -- Rational content (sign of the leading term) and the lowest power of each generator.

@@ -79,7 +79,7 @@ local function param(ctx, params)
       ctx.checks[#ctx.checks + 1] = { e = sym, what = "param", rule = name .. " must be positive", line = line }
     end
     params[#params + 1] = { name = name, sym = sym, default = q, unit = units.si(dim or units.none), line = line,
-      given = given }
+      given = given, own = dim and u or nil, factor = factor }
     return value.new(sym, dim)
   end
 end

@@ -11,6 +11,7 @@ local number = require "generator.emit.number"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
+local stability = require "generator.emit.stability"
 local selftest = require "generator.emit.selftest"
 local vectors = require "generator.emit.vectors"
 
@@ -65,7 +66,6 @@ local function members(m, real_name)
     local line = real_name .. " " .. member.name .. "; "
     list[i] = { lines = { line .. "/* " .. member.about .. " */" } }
   end
-  if #list == 0 then list[1] = { lines = { "char empty; /* every constant is in the code */" } } end
   return list
 end
 
@@ -113,7 +113,7 @@ local function common(job)
     command = job.command, title = job.title, license = license, banner = job.banner, derivation = job.derivation,
     state_enum = enumeration(ctx.upper, job.states, "NX"), has_inputs = eq.inputs, has_params = #m.params > 0,
     input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
-    members = members(m, m.name .. "_real"), no_members = #m.members == 0, functions = function_values(made),
+    members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil, free = eq.free,
     bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
@@ -132,6 +132,8 @@ local function common(job)
   v.step_text, v.horizon_text = number.text(m:number(m.step), "double"), number.text(m:number(m.horizon), "double")
   init.fill(ctx, m, v)
   special.fill(job, v, ctx)
+  stability.fill(ctx, job.stability, v)
+  v.no_members = #m.members == 0 and not v.has_order
   return v, ctx
 end
 
@@ -166,6 +168,8 @@ function project.files(job, plugin)
   closed_values(job, v, ctx)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
+  v.order_source = v.has_order and render "templates/order.c" or ""
+  v.stability_header, v.stability_source = render "templates/stability.h", render "templates/stability.c"
   v.analysis_header = render "templates/analysis.h"
   v.analysis_source = render "templates/analysis.c"
   vectors.fill(job, v, ctx)

@@ -74,4 +74,22 @@ function selftest.expect(f, env, state, index, epsilon)
   return want, tolerance
 end
 
+-- The verdicts of NAME_spin_stable for these parameters: a list of {axis, dissipation, want, last}.  Without axes in
+-- closed form nothing is expected: what NAME_principal makes of nearly equal moments is its own affair.
+function selftest.spins(job, params)
+  local s, list = job.stability, {}
+  if not s.axes then return list end
+  local signs = s:signs(function(atom)
+    local ok, x = pcall(evaluate.exact, atom, params)
+    return R.sign(ok and x or evaluate.precise(atom, params, selftest.bits))
+  end)
+  for k = 1, 3 do
+    for dissipation = 0, 1 do
+      list[#list + 1] = { axis = k - 1, dissipation = dissipation, want = s.verdict(signs, k, dissipation == 1) }
+    end
+  end
+  list[#list].last = true
+  return list
+end
+
 return selftest

@@ -125,6 +125,13 @@ function vectors.fill(job, v, ctx)
   case("jacobian", 49, xs[2].values, p .. "jacobian(&m, " .. v.zero .. ", x2, u, got)",
     "Jacobian of the equations at state 2", by_index)
 
+  v.spin_cases = {}
+  for i, c in ipairs(selftest.spins(job, params)) do
+    v.spin_cases[i] = { axis = string.format("%d", c.axis), dissipation = string.format("%d", c.dissipation),
+      want = string.format("%d", c.want), tail = c.last and "," or " &&" }
+  end
+  v.has_spin_cases = #v.spin_cases > 0
+
   v.vectors = {}
   for i, name in ipairs { "w", "dw", "r", "v", "a", "da" } do
     local list = {}

@@ -12,6 +12,7 @@ local source = require "generator.emit.source"
 local facts = require "generator.report.facts"
 local json = require "generator.report.json"
 local pieces = require "generator.report.pieces"
+local design = require "generator.report.stability"
 
 local explain = {}
 
@@ -175,6 +176,7 @@ local function document(f)
   section("Equations of motion", equation_section(f))
   section("Motion", motion_section(f))
   section("Stability", stability_section(f))
+  section("Stability by design", design.lines(f))
   local costs = {}
   for i, c in ipairs(cost_section(f.job)) do
     costs[i] = string.format("%-16s %4d + -  %4d *  %3d /  %2d sqrt  %2d calls", c.fn, c.add, c.mul, c.div, c.sqrt,
@@ -189,13 +191,16 @@ end
 
 local writers = {}
 
+-- A line of words; some have a form of their own for LaTeX: {text =, latex =}.
+local function words(l) return type(l) == "table" and l.text or l end
+
 function writers.text(f)
   local out = { f.name .. " (" .. f.file .. ")" }
   for _, s in ipairs(document(f)) do
     out[#out + 1] = "\n" .. s.title
     for _, l in ipairs(s.lines) do
-      if type(l) == "string" then
-        out[#out + 1] = "  " .. l
+      if type(l) == "string" or l.text then
+        out[#out + 1] = "  " .. words(l)
       else
         local sides = { l.name } -- the name, the formula, the number; what repeats is said once
         local value, plain = text.of(l.e, "unicode"), l.number and number(l.number)
@@ -213,8 +218,8 @@ function writers.markdown(f)
   for _, s in ipairs(document(f)) do
     out[#out + 1] = "\n## " .. s.title .. "\n"
     for _, l in ipairs(s.lines) do
-      if type(l) == "string" then
-        out[#out + 1] = "- " .. l
+      if type(l) == "string" or l.text then
+        out[#out + 1] = "- " .. words(l)
       else
         out[#out + 1] = "- `" .. string.gsub(l.name, "^%s+", "") .. "` = " .. text.of(l.e, "unicode") ..
           (l.number and " = " .. number(l.number) or "") .. (l.unit and " " .. l.unit or "")
@@ -237,8 +242,8 @@ function writers.latex(f)
   for _, s in ipairs(document(f)) do
     out[#out + 1] = "\\subsection*{" .. s.title .. "}"
     for _, l in ipairs(s.lines) do
-      if type(l) == "string" then
-        out[#out + 1] = "\\noindent " .. escape(l) .. "\\\\"
+      if type(l) == "string" or l.latex then
+        out[#out + 1] = "\\noindent " .. (type(l) == "string" and escape(l) or l.latex) .. "\\\\"
       else
         out[#out + 1] = "\\[ " .. latex_name(l.name) .. " = " .. text.of(l.e, "latex") ..
           (l.number and " = " .. number(l.number) or "") .. (l.unit and "\\ \\mathrm{" .. l.unit .. "}" or "") .. " \\]"
@@ -270,8 +275,10 @@ function writers.json(f)
     params[i] = object { { "name", p.name }, { "default", f.job.model:double(p.sym) }, { "unit", p.unit } }
   end
   for i, s in ipairs(f.stability) do
-    stability[i] = object { { "axis", s.axis }, { "moment", s.moment }, { "verdict", s.verdict },
+    local entry = { { "axis", s.axis }, { "moment", s.moment }, { "verdict", s.verdict },
       { "Omega1_per_rate", s.omega1 }, { "Omega2_per_rate", s.omega2 }, { "Omega_squared_per_rate_squared", s.square } }
+    for _, more in ipairs(design.json(s)) do entry[#entry + 1] = more end
+    stability[i] = object(entry)
   end
   for i, e in ipairs(f.job.record.effects) do
     effects[i] = object { { "name", e.kind }, { "about", e.spec.about }, { "conserves", e.spec.conserves },

@@ -10,6 +10,8 @@ local vec = require "generator.algebra.vec"
 local principal = require "generator.mass.principal"
 local jacobi = require "generator.mass.jacobi"
 
+local design = require "generator.report.stability"
+
 local facts = {}
 
 local words = {
@@ -76,6 +78,7 @@ function facts.of(job)
       f.conditions[k] = ratio.tidy((I[k] - I[i]) * (I[k] - I[j]) / (I[i] * I[j]))
     end
   end
+  design.extend(f)
   return f
 end
 

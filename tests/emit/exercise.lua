@@ -142,6 +142,7 @@ int main(void)
     EXPECT(NAME_stability(moments, k, scale, Omega, &rate) >= -1);
     EXPECT(finite_all(2, Omega) && finite_all(1, &rate));
     EXPECT(NAME_stability(moments, k, 0, Omega, &rate) == 0 && rate == 0);
+    for (i = 0; i < 2; i++) EXPECT(NAME_spin_stable(&m, k, i) >= -1 && NAME_spin_stable(&m, k, i) <= 1);
     NAME_linearised(moments, k, w, 1/scale, a);
     EXPECT(finite_all(3, a) && a[k] == scale);
     NAME_linearised(moments, k, w, 0, a);

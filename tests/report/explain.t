@@ -185,7 +185,7 @@ for _, path in ipairs(bodies) do
       local function count(part) return select(2, text:gsub(part, "")) end
       tap.is(count "\\left%(", count "\\right%)", name .. ", latex: every \\left( has its \\right)")
       tap.is(count "\\%[ ", count " \\%]", name .. ", latex: every formula ends")
-      local plain = text:gsub("\\%[ .- \\%]", ""):gsub("%%[^\n]*", "")
+      local plain = text:gsub("\\%[ .- \\%]", ""):gsub("\\%( .- \\%)", ""):gsub("%%[^\n]*", "")
       tap.ok(not plain:find "[^\\][_^&#]" and not text:find "[\x80-\xff]",
         name .. ", latex: special characters outside formulas are escaped, no character beyond ASCII")
     end

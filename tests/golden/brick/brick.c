@@ -782,3 +782,21 @@ void brick_linearised(const brick_real I[3], int k, const brick_real w0[3], bric
   w[j] = c*wj + Omega[1]*s*wi;
   w[k] = wk;
 }
+
+int brick_spin_stable(const brick_model *m, int axis, int dissipation)
+{
+  brick_real I[3], axes[9];
+  int order[3];
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  int above_i, above_j; /* the signs of I_axis - I_i and I_axis - I_j */
+
+  brick_principal(m, I, axes);
+  order[0] = (I[1] > I[2]) - (I[1] < I[2]);
+  order[1] = (I[2] > I[0]) - (I[2] < I[0]);
+  order[2] = (I[0] > I[1]) - (I[0] < I[1]);
+  above_i = order[j];
+  above_j = -order[i];
+  if (!dissipation) return above_i*above_j;
+  if (above_i < 0 || above_j < 0) return -1;
+  return above_i*above_j;
+}

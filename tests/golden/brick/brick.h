@@ -152,6 +152,19 @@ int brick_stability(const brick_real I[3], int k, brick_real s, brick_real Omega
  * constant.  Exact for a symmetric top about its axis; else its error is of second order in the disturbance. */
 void brick_linearised(const brick_real I[3], int k, const brick_real w0[3], brick_real t, brick_real w[3]);
 
+
+/* ---- stability by design ---- */
+
+/* Does a spin of the free body about a principal axis persist?  1 stable, 0 neutral (equal moments), -1 unstable.
+ * dissipation 0: a rigid body, stable about the axes of the largest and of the smallest moment; not 0: a body that loses
+ * energy inside while it keeps its angular momentum, stable about the axis of the largest moment only.
+ * (Landau, Lifshitz, section 37; Hughes, Spacecraft Attitude Dynamics, chapter 7.)  axis, and when it is stable:
+ *   0, 1, 2  the axes of brick_principal, ascending moments
+ * The moments have no simple closed form: those of brick_principal are compared,
+ * and are equal only if they are so to the last bit.
+ */
+int brick_spin_stable(const brick_model *m, int axis, int dissipation);
+
 #ifdef __cplusplus
 }
 #endif

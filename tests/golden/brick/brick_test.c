@@ -115,6 +115,19 @@ static void principal(const brick_model *m)
   }
 }
 
+/* the predicate without dissipation against the product of the linearised rates of the same moments */
+static void spins(const brick_model *m)
+{
+  brick_real moments[3], axes[9], Omega[2], rate;
+  int k, ok = 1;
+
+  brick_principal(m, moments, axes);
+  for (k = 0; k < 3; k++) {
+    if (brick_spin_stable(m, k, 0) != brick_stability(moments, k, 1.0, Omega, &rate)) ok = 0;
+  }
+  report(ok && brick_spin_stable(m, 0, 1) <= 0, "which spins persist, without and with dissipation");
+}
+
 int main(void)
 {
   brick_model m;
@@ -406,6 +419,7 @@ int main(void)
   }
 
   principal(&m);
+  spins(&m);
 
   /* order: the difference of solutions with steps h and h/2 falls 16-fold when h is halved; the scale of what
    * rounding leaves is the type's epsilon times the number of steps */
