@@ -15,6 +15,8 @@ usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method r
        polhode explain SCENE [--format text|markdown|latex|json] [--set a=0.3 ...]
        polhode check   SCENE... [--real double|float]
        (--set NAME=NUMBER: in the parameter's own unit)
+       polhode mesh    FILE [--kind volume|surface|wires] [--units mm] [--mass "2 kg" | --density "2.7 g/cm^3"]
+                             [--format text|json]
        polhode list    shapes|effects|methods|bodies|constants
        polhode --version | --help
 ]]
@@ -24,6 +26,7 @@ local commands = {
   run = function() return require "generator.commands.run" end,
   explain = function() return require "generator.commands.explain" end,
   check = function() return require "generator.commands.check" end,
+  mesh = function() return require "generator.commands.mesh" end,
   list = function() return require "generator.commands.list" end,
 }
 

@@ -46,7 +46,8 @@ local MAX_LUA, MAX_C = 400, 500
 local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/diag.lua"] = true,
   ["generator/ir/show.lua"] = true, ["generator/report/json.lua"] = true, ["generator/report/facts.lua"] = true,
   ["generator/report/explain.lua"] = true, ["generator/commands/run.lua"] = true,
-  ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true }
+  ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true,
+  ["generator/commands/mesh.lua"] = true }
 
 local METHODS = { "gsub", "match", "format", "sub", "rep", "find", "gmatch", "byte", "lower", "upper", "len",
   "reverse" }

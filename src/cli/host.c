@@ -27,6 +27,7 @@ static const luaL_Reg functions[] = {
     {"run", host_run},
     {"rates", host_rates},
     {"plugin", host_plugin},
+    {"mesh", host_mesh},
     {"visible", sandbox_visible},
     {NULL, NULL},
 };

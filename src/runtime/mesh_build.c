@@ -15,6 +15,9 @@ int mesh_fail(struct mesh_build *b, int status, const char *format, ...) {
     va_start(args, format);
     vsnprintf(b->message, b->message_size, format, args);
     va_end(args);
+    for (char *s = b->message; *s != '\0'; s++) /* a file shall not steer the terminal */
+      if ((*s >= 0 && *s < ' ') || *s == 127)
+        *s = '?';
   }
   return status;
 }
