@@ -91,7 +91,7 @@ local function verdict(m)
 end
 
 -- The text is for reading: 12 digits.  JSON has all of them.
-local function show(x) return string.format("%.12g", x) end
+local function show(x) return string.format("%.12g", x + 0.0) end -- no -0
 
 local function numbers(list)
   local out = {}

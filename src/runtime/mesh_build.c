@@ -260,7 +260,7 @@ int mesh_add_segment(struct mesh_build *b, uint32_t from, uint32_t to) {
     b->result.nonfinite++;
     return PH_OK;
   }
-  uint32_t u, v;
+  uint32_t u = 0, v = 0;
   int status = use_vertex(b, from, &u);
   if (status == PH_OK)
     status = use_vertex(b, to, &v);

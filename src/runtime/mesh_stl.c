@@ -61,6 +61,7 @@ static int read_binary(struct mesh_build *b, uint32_t count) {
 struct loop {
   double p[9];
   int corners; /* -1: outside of a loop */
+  int solid;   /* inside of a solid */
 };
 
 static int wrong(struct mesh_build *b, const char *rule, const char *got) {
@@ -101,6 +102,7 @@ static int statement(struct mesh_build *b, struct loop *loop, char *word, char *
   } else if (mesh_word_is(word, *s, "solid") || mesh_word_is(word, *s, "endsolid")) {
     if (loop->corners >= 0)
       return wrong(b, "a loop must end before the solid does", word);
+    loop->solid = mesh_word_is(word, *s, "solid");
     *s += strlen(*s); /* the name */
   } else if (!mesh_word_is(word, *s, "endfacet")) {
     return wrong(b, "a statement of STL is expected", word);
@@ -123,7 +125,7 @@ static int read_text(struct mesh_build *b) {
   }
   if (more < 0)
     return mesh_fail_line(b);
-  return loop.corners >= 0 || b->in.failed ? mesh_fail_end(b, "a loop") : PH_OK;
+  return loop.solid || b->in.failed ? mesh_fail_end(b, "a solid") : PH_OK;
 }
 
 int mesh_read_stl(struct mesh_build *b) {
