@@ -118,6 +118,10 @@ int ph_mesh_read(ph_mesh *out, const char *path, ph_mesh_kind kind, char *messag
     message[0] = '\0';
   if (b == NULL)
     return PH_EMEMORY;
+  if ((unsigned)kind > PH_MESH_WIRES) {
+    free(b);
+    return PH_ENAME;
+  }
   b->message = message;
   b->message_size = size;
   b->result.kind = kind;

@@ -62,7 +62,7 @@ char *mesh_number(char *s, double *value);
 
 /* ---- welded vertices (mesh_points.c) ---- */
 
-#define MESH_NONE UINT32_MAX        /* no vertex */
+#define MESH_NONE UINT32_MAX          /* no vertex */
 #define MESH_MAX  (UINT32_C(1) << 31) /* vertices; edges need 31 bits a number */
 
 struct mesh_points {
@@ -74,9 +74,20 @@ struct mesh_points {
 };
 
 uint64_t mesh_points_hash(const double p[3]);
-static inline void mesh_points_prefetch(const struct mesh_points *v, uint64_t hash) {
+/* Hints: the slot of a hash, and then the coordinates of the vertex in it. */
+static inline void mesh_points_fetch_slot(const struct mesh_points *v, uint64_t hash) {
 #if defined(__GNUC__)
-  __builtin_prefetch(&v->slot[(size_t)hash & v->mask]);
+  if (v->slot != NULL)
+    __builtin_prefetch(&v->slot[(size_t)hash & v->mask]);
+#else
+  (void)v, (void)hash;
+#endif
+}
+static inline void mesh_points_fetch_vertex(const struct mesh_points *v, uint64_t hash) {
+#if defined(__GNUC__)
+  const uint32_t id = v->slot != NULL ? (uint32_t)v->slot[(size_t)hash & v->mask] : 0;
+  if (id != 0)
+    __builtin_prefetch(v->xyz + 3 * (size_t)(id - 1));
 #else
   (void)v, (void)hash;
 #endif

@@ -65,9 +65,11 @@ static int weld(struct mesh_build *b) {
   for (int k = 0; k < batch->count; k++)
     for (int i = 0; i < 3 && batch->id[k][0] == MESH_NONE; i++) {
       hash[k][i] = mesh_points_hash(batch->p[k] + 3 * i);
-      if (b->points.slot != NULL)
-        mesh_points_prefetch(&b->points, hash[k][i]);
+      mesh_points_fetch_slot(&b->points, hash[k][i]);
     }
+  for (int k = 0; k < batch->count; k++)
+    for (int i = 0; i < 3 && batch->id[k][0] == MESH_NONE; i++)
+      mesh_points_fetch_vertex(&b->points, hash[k][i]);
   for (int k = 0; k < batch->count; k++) {
     if (batch->id[k][0] != MESH_NONE)
       continue;

@@ -175,9 +175,9 @@ typedef struct ph_mesh {
    the fan of triangles from its first corner: exact for plane polygons, convex or not (in a
    surface, a triangle that looks against the polygon's vector area is subtracted); a polygon that
    is not plane means that fan. Its diagonals are no edges. A volume needs closed faces: else, and
-   when what was asked for is 0, *out has its counts and measure, com and sigma are 0. PH_EFILE,
-   PH_EFORMAT, PH_ERANGE, PH_EMEMORY; then message (NULL allowed) has at most size bytes of text
-   with the line or byte, without the file's name, and *out is untouched. */
+   when what was asked for is 0, *out has its counts and measure, com and sigma are 0. PH_ENAME (no
+   such kind), PH_EFILE, PH_EFORMAT, PH_ERANGE, PH_EMEMORY; then message (NULL allowed) has at most
+   size bytes of text with the line or byte, without the file's name, and *out is untouched. */
 int ph_mesh_read(ph_mesh *out, const char *path, ph_mesh_kind kind, char *message, size_t size);
 /* Can it be a body? PH_EFINITE: coordinates that are not finite; PH_EOPEN: a volume with unbalanced
    edges; PH_EEMPTY: measure 0. */

@@ -166,6 +166,28 @@ static void hard_boxes(void) {
   }
 }
 
+/* A plate 1 : t in no coordinate plane: terms of the size of its plane cancel down to its
+   thickness, so the volume loses 1/t = 2^20 of the long doubles' digits. The roundings of a block
+   of 2^8 terms wander 2^4 units of 2^-64: 2^-40 in all. */
+static void tilted_plate(void) {
+  static const double lo[3] = {3, 4, 5}, size[3] = {1, 1, 0x1p-20};
+  shape s = shape_box(lo, size, 8);
+  for (size_t i = 0; i < s.vertices; i++) {
+    double *p = s.xyz + 3 * i;
+    const double x = p[0], y = p[1], z = p[2];
+    p[0] = x - 0.7 * z + 0.1 * y, p[1] = y + 0.3 * x, p[2] = z + 0.9 * x - 1.1 * y;
+  }
+  const double loss = 0x1p-40;
+  const ph_mesh m = read_shape(&s, PLY_BIG, PH_MESH_VOLUME);
+  const truth t = shape_truth(&s, 0, 0);
+  const double trace = (double)(t.sigma[0] + t.sigma[1] + t.sigma[2]);
+  ok(m.unbalanced == 0 && m.degenerate == 0, "tilted plate: closed");
+  near(m.measure, t.measure, loss * m.measure, "tilted plate: volume");
+  near_all_wide(6, m.sigma, t.sigma, (TOL + loss) * trace, "tilted plate: moments");
+  diag("volume off by %.1Lg of it", fabsl((long double)m.measure - t.measure) / t.measure);
+  shape_free(&s);
+}
+
 static void others(void) {
   /* Corner tetrahedron: integrals x^i y^j z^k = i! j! k!/(i + j + k + 3)! */
   const ph_mesh m =
@@ -322,6 +344,7 @@ static void bodies(void) {
   ok(ph_mesh_body(&b, mass, &m, -1) == PH_ELENGTH, "a unit must be positive");
   ok(ph_mesh_body(&b, mass, &m, nan("")) == PH_EFINITE, "a unit must be finite");
   ok(ph_mesh_body(&b, density, &m, 1e150) == PH_ERANGE, "a unit too large");
+  ok(ph_mesh_read(&m, path, (ph_mesh_kind)3, NULL, 0) == PH_ENAME, "there are three kinds");
   m.unbalanced = 1;
   ok(ph_mesh_body(&b, mass, &m, 1) == PH_EOPEN, "an open mesh makes no solid");
 }
@@ -331,6 +354,7 @@ int main(void) {
   snprintf(path, sizeof path, "%.30s/polhode-mesh-%ld", tmp ? tmp : "/tmp", (long)getpid());
   boxes();
   hard_boxes();
+  tilted_plate();
   others();
   defects();
   fan();
