@@ -143,6 +143,10 @@ BENCH_OBJ = $(BUILD)/bench/hand.o $(BUILD)/bench/brick_centroid.o $(BUILD)/bench
 $(BUILD)/bench/step: tests/bench/step.c $(BENCH_OBJ)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Itests/bench -I$(BUILD)/bench -o $@ $^ $(GSL_LIBS) -lm
 
+$(BUILD)/bench/mesh: tests/bench/mesh.c tests/mesh_files.h $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) -Isrc/runtime -Itests -o $@ $< $(LIBRARY) $(GSL_LIBS) -lmpfr -lgmp -lm
+
 $(BUILD)/bench/gen: tests/bench/gen.c
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) -o $@ $<
@@ -150,9 +154,10 @@ $(BUILD)/bench/gen: tests/bench/gen.c
 BODIES = $(sort $(wildcard bodies/*.lua))
 
 .PRECIOUS: $(BUILD)/bench/%.c
-bench: all $(BUILD)/bench/step $(BUILD)/bench/gen
+bench: all $(BUILD)/bench/step $(BUILD)/bench/gen $(BUILD)/bench/mesh
 	@$(BUILD)/bench/step
 	@$(BUILD)/bench/gen $(PROGRAM) $(BUILD)/bench/out $(BODIES)
+	@$(BUILD)/bench/mesh $(BUILD)/bench/out
 	@echo "emitted code against the general library, all bodies, 1000 random states each"
 	@$(PROGRAM) check --real double $(BODIES) > $(BUILD)/bench/check.tap; status=$$?; \
 	  grep -e 'to 8 ulp' -e 'closed form agrees' -e '^not ok' $(BUILD)/bench/check.tap | sed 's/^\(.*ok\) [0-9]* - /  \1 /'; \

@@ -17,6 +17,8 @@ usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method r
        (--set NAME=NUMBER: in the parameter's own unit)
        polhode chart   SCENE --over A=LOW:HIGH,B=LOW:HIGH [--axis x|y|z|0|1|2] [--dissipation] [-o FILE.svg]
                              [--set a=0.3 ...]
+       polhode mesh    FILE [--kind volume|surface|wires] [--units mm] [--mass "2 kg" | --density "2.7 g/cm^3"]
+                             [--format text|json]
        polhode links   FILE             (URDF, MJCF, SDF: can each link's inertial exist?)
        polhode list    shapes|effects|methods|bodies|constants [--format markdown -o DIR: shapes, with pictures]
        polhode --version | --help
@@ -29,6 +31,7 @@ local commands = {
   check = function() return require "generator.commands.check" end,
   links = function() return require "generator.commands.links" end,
   chart = function() return require "generator.commands.chart" end,
+  mesh = function() return require "generator.commands.mesh" end,
   list = function() return require "generator.commands.list" end,
 }
 

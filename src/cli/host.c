@@ -28,6 +28,7 @@ static const luaL_Reg functions[] = {
     {"rates", host_rates},
     {"xml", host_xml},
     {"plugin", host_plugin},
+    {"mesh", host_mesh},
     {"visible", sandbox_visible},
     {NULL, NULL},
 };

@@ -114,10 +114,12 @@ int host_xml(lua_State *L);
 /* ---- engine ---- */
 
 /* mass(scene) -> table | nil, message;  run(scene, options) -> {rows} | nil, message;
-   rates(scene) -> object | nil, message;  plugin(path) -> object | nil, message */
+   rates(scene) -> object | nil, message;  plugin(path) -> object | nil, message;
+   mesh(path, kind, options) -> table | nil, message, table: see engine_mesh.c */
 int host_mass(lua_State *L);
 int host_run(lua_State *L);
 int host_rates(lua_State *L);
 int host_plugin(lua_State *L);
+int host_mesh(lua_State *L);
 
 #endif

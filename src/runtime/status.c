@@ -30,12 +30,16 @@ static const char *const phrases[] = {
     "tolerance or order is outside its bounds",
     "more steps than allowed",
     "out of memory",
+    "the file cannot be read",
+    "the file is malformed",
+    "the volume of a mesh is defined only if its faces close",
+    "the mesh has no volume, area or length",
 };
 
-_Static_assert(sizeof phrases / sizeof phrases[0] == PH_EMEMORY + 1, "one phrase for each status");
+_Static_assert(sizeof phrases / sizeof phrases[0] == PH_EEMPTY + 1, "one phrase for each status");
 
 const char *ph_status_phrase(int status) {
-  return status >= 0 && status <= PH_EMEMORY ? phrases[status] : "unknown status";
+  return status >= 0 && status <= PH_EEMPTY ? phrases[status] : "unknown status";
 }
 
 const char *ph_version(void) {
