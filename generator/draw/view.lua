@@ -223,8 +223,8 @@ function view.of(s, open)
       local line = fold or dot(f.n, g.n) < sharp or g.cut ~= f.cut or crease[a .. "|" .. b] and dot(f.n, g.n) < 0.9999
       if line and a ~= b and not (other and other.index < f.index) then -- of two faces the first draws it
         local part = hidden_part(all, { p, q }, 0.05)
-        local layer = math.max(f.layer or 0, other and other.layer or 0)
-        if part == 0 or layer == 0 then layer = out.layers end -- nothing covers it
+        local layer = math.max(f.layer or 1, other and other.layer or 1)
+        if part == 0 then layer = out.layers end -- nothing covers it
         if part < 1 then out.edges[#out.edges + 1] = { p, q, layer = layer, outline = fold } end
       end
     end
