@@ -4,7 +4,8 @@ max_line_length = 120
 files["bodies/*.lua"] = {
   read_globals = {
     "param", "scene", "solid", "shell", "plate", "rod", "wire", "points", "tensor", "effect",
-    "extrude", "revolve", "region", "mesh", "quantity", "exact", "pi", "sqrt", "sin", "cos", "tan", "asin", "acos",
+    "extrude", "revolve", "region", "mesh", "inertial",
+    "quantity", "exact", "pi", "sqrt", "sin", "cos", "tan", "asin", "acos",
     "atan", "atan2", "exp", "log", "sinh", "cosh", "tanh", "abs",
   },
 }

@@ -40,6 +40,8 @@ LUA_STATIC = $(wildcard $(shell pkg-config --variable=libdir lua5.4)/liblua5.4.a
 LUA_LIBS   = $(call once,LUA_LIBS,$(or $(LUA_STATIC),$(shell pkg-config --libs lua5.4)) -ldl)
 GSL_CFLAGS = $(call once,GSL_CFLAGS,$(shell pkg-config --cflags gsl))
 GSL_LIBS   = $(call once,GSL_LIBS,$(shell pkg-config --libs gsl))
+XML_CFLAGS = $(call once,XML_CFLAGS,$(shell pkg-config --cflags expat))
+XML_LIBS   = $(call once,XML_LIBS,$(shell pkg-config --libs expat))
 
 RUNTIME_SRC := $(sort $(wildcard src/runtime/*.c))
 CLI_SRC     := $(sort $(wildcard src/cli/*.c))
@@ -70,7 +72,7 @@ $(BUILD)/obj/runtime/%.o: src/runtime/%.c | $(READY)
 
 $(BUILD)/obj/cli/%.o: src/cli/%.c | $(READY)
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(LUA_CFLAGS) -DPOLHODE_VERSION='"$(VERSION)"' \
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(LUA_CFLAGS) $(XML_CFLAGS) -DPOLHODE_VERSION='"$(VERSION)"' \
 	  -MMD -MP -c -o $@ $<
 
 $(LIBRARY): $(RUNTIME_OBJ)
@@ -78,7 +80,7 @@ $(LIBRARY): $(RUNTIME_OBJ)
 	$(AR) -rcs $@ $^
 
 $(PROGRAM): $(CLI_OBJ) $(LIBRARY)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LUA_LIBS) $(GSL_LIBS) -lmpfr -lgmp -lm
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LUA_LIBS) $(XML_LIBS) $(GSL_LIBS) -lmpfr -lgmp -lm
 
 # The scripts as C arrays. embed.lua writes only what changed, so an unchanged tree compiles nothing.
 $(BUILD)/embedded.c: FORCE | $(READY)

@@ -12,9 +12,10 @@ usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method r
        polhode run     SCENE [--engine general|generated] [--method M] [--step H] [--tolerance E]
                              [--until T --every DT | --at T1,T2,...] [--format csv|json] [-o FILE]
                              [--real double|float] [--set a=0.3 ...]
-       polhode explain SCENE [--format text|markdown|latex|json] [--set a=0.3 ...]
+       polhode explain SCENE [--format text|markdown|latex|json|urdf|mjcf|sdf] [--set a=0.3 ...]
        polhode check   SCENE... [--real double|float]
        (--set NAME=NUMBER: in the parameter's own unit)
+       polhode links   FILE             (URDF, MJCF, SDF: can each link's inertial exist?)
        polhode list    shapes|effects|methods|bodies|constants [--format markdown -o DIR: shapes, with pictures]
        polhode --version | --help
 ]]
@@ -24,6 +25,7 @@ local commands = {
   run = function() return require "generator.commands.run" end,
   explain = function() return require "generator.commands.explain" end,
   check = function() return require "generator.commands.check" end,
+  links = function() return require "generator.commands.links" end,
   list = function() return require "generator.commands.list" end,
 }
 

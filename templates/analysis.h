@@ -1,10 +1,5 @@
 %% -- analysis.h -- their contracts: part of scene.h.  SPDX-License-Identifier: MIT-0
-
-/* ---- principal axes, stability, small oscillations ---- */
-
-/* Principal moments about the origin of rotation, ascending, and their axes: axes[3*k .. 3*k+2] is the unit vector
- * of moments[k] in body axes; the three are right-handed.  Jacobi's method, at most 12 sweeps. */
-void ${name}_principal(const ${name}_model *m, ${name}_real moments[3], ${name}_real axes[9]);
+/* ---- stability, small oscillations ---- */
 
 /* Spin s about principal axis k (0, 1, 2) of the three moments I, slightly disturbed (i, j, k cyclic):
  *     w_i' = -Omega1 w_j,  w_j' = Omega2 w_i,  Omega1 = (I_k - I_j)/I_i s,  Omega2 = (I_k - I_i)/I_j s

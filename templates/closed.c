@@ -1,10 +1,6 @@
 %% -- closed.c -- the closed form of the free sphere and symmetric top: part of scene.c.  SPDX-License-Identifier: MIT-0
-/* ---- closed form: ${theorem} ----
- * Pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP 2, 4.2.2. */
+/* ---- closed form: ${theorem} ---- */
 
-%% if pairs_in_closed then
-${pair_source}
-%% end
 %% if symmetric then
 /* a/b for b not 0: the remainder a - q b is exact, so one correction doubles the digits */
 static ${name}_pair ${name}_pair_divide(${name}_pair a, ${name}_real b)
@@ -16,15 +12,6 @@ static ${name}_pair ${name}_pair_divide(${name}_pair a, ${name}_real b)
 }
 
 %% end
-static ${name}_pair ${name}_pair_of(${name}_real a)
-{
-  ${name}_pair p;
-
-  p.hi = a;
-  p.lo = ${zero};
-  return p;
-}
-
 /* sine and cosine of (rate t), rate a pair: sin(h + l) = sin h + l cos h to the working precision */
 static void ${name}_turn(const ${name}_real rate[2], ${name}_real t, ${name}_real *s, ${name}_real *c)
 {

@@ -1,4 +1,6 @@
-%% -- pair.c -- numbers of twice the precision: part of scene.c.  SPDX-License-Identifier: MIT-0
+%% -- pair.c -- arithmetic of twice the precision: part of scene.c.  SPDX-License-Identifier: MIT-0
+/* ---- pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP 2, 4.2.2 ---- */
+
 typedef struct ${name}_pair {
   ${name}_real hi, lo;
 } ${name}_pair;
@@ -31,6 +33,22 @@ static ${name}_pair ${name}_pair_product(${name}_real a, ${name}_real b)
   p.hi = a*b;
   p.lo = ((ah*bh - p.hi) + ah*bl + al*bh) + al*bl;
   return p;
+}
+
+static ${name}_pair ${name}_pair_of(${name}_real a)
+{
+  ${name}_pair p;
+
+  p.hi = a;
+  p.lo = ${zero};
+  return p;
+}
+
+static ${name}_pair ${name}_pair_minus(${name}_pair a)
+{
+  a.hi = -a.hi;
+  a.lo = -a.lo;
+  return a;
 }
 
 static ${name}_pair ${name}_pair_add(${name}_pair a, ${name}_pair b)

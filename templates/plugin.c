@@ -46,13 +46,14 @@ static void plugin_inertia(const void *m, double *I)
   widen(6, v, I);
 }
 
-static void plugin_principal(const void *m, double *moments, double *axes)
+static int plugin_principal(const void *m, double *moments, double *axes)
 {
   real v[3], a[9];
 
-  ${name}_principal((const ${name}_model *)m, v, a);
+  if (${name}_principal((const ${name}_model *)m, v, a)) return 1;
   widen(3, v, moments);
   widen(9, a, axes);
+  return 0;
 }
 
 static void plugin_rhs(const void *m, double t, const double *x, const double *u, double *dx)

@@ -12,7 +12,7 @@
 #ifndef POLHODE_PLUGIN_H
 #define POLHODE_PLUGIN_H
 
-#define POLHODE_PLUGIN_ABI 1
+#define POLHODE_PLUGIN_ABI 2
 
 struct polhode_plugin {
   int abi; /* POLHODE_PLUGIN_ABI */
@@ -28,7 +28,7 @@ struct polhode_plugin {
 
   void (*inertia)(const void *m, double I[6]); /* xx yy zz xy xz yz about the origin, kg m^2 */
   /* moments ascending; axes: three unit vectors, one after the other */
-  void (*principal)(const void *m, double moments[3], double axes[9]);
+  int (*principal)(const void *m, double moments[3], double axes[9]);
 
   void (*rhs)(const void *m, double t, const double *x, const double *u, double *dx);
   void (*step)(const void *m, double t, double *x, const double *u, double h);

@@ -10,6 +10,7 @@
 #include <math.h>
 
 %% if has_special then
+${pair_source}
 ${special_source}
 %% end
 void ${name}_defaults(${name}_real p[])
@@ -78,8 +79,12 @@ ${f.head}
 %%   end
 }
 %% end
-%% if has_closed then
 
+%% if not has_special then
+${pair_source}
+%% end
+%% if has_closed then
 ${closed_source}
 %% end
+${principal_source}
 ${analysis_source}

@@ -75,6 +75,7 @@ ${f.declaration}
 
 ${closed_header}
 %% end
+${principal_header}
 ${analysis_header}
 #ifdef __cplusplus
 }

@@ -1,10 +1,6 @@
 %% -- special.c -- functions that libm lacks, each only where it is used: part of scene.c.  SPDX-License-Identifier: MIT-0
-/* ---- functions that libm lacks ----
- * Pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP 2, 4.2.2. */
+/* ---- functions that libm lacks ---- */
 
-%% if pairs_in_special then
-${pair_source}
-%% end
 %% if has_ellipsoid then
 static ${name}_pair ${name}_pair_quotient(${name}_pair a, ${name}_pair b)
 {

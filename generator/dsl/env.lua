@@ -15,6 +15,7 @@ local scene = require "generator.dsl.scene"
 local shapes = require "generator.dsl.shapes"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
+local inertial = require "generator.dsl.inertial"
 local diag = require "generator.diag"
 
 local env = {}
@@ -160,7 +161,7 @@ end
 -- parameters' defaults (in their own units).  Returns the scene record with .params and .checks, or nil when d has
 -- errors; second result: the first name of `set` that is no parameter.
 function env.record(host, d, text, tables, set)
-  local ctx = { diag = d, checks = {}, set = set or {}, used = {} }
+  local ctx = { diag = d, host = host, checks = {}, set = set or {}, used = {} }
   local params, effects = {}, setmetatable({}, { __mode = "k" })
   value.begin(d)
   shapes.begin(ctx, host.visible)
@@ -173,6 +174,7 @@ function env.record(host, d, text, tables, set)
   for _, k in ipairs(args.keys(made)) do
     e[k] = type(made[k]) == "table" and strict(ctx, k, made[k], shapes.broken) or made[k]
   end
+  e.inertial = host.visible(inertial.constructor(ctx))
   local effect = effect_constructor(ctx, effects)
   e.effect = strict(ctx, "effect", tree(host, tables.effects, effect).effect, function() return nil end)
   e.param, e.quantity = param(ctx, params), quantity(ctx)

@@ -43,6 +43,7 @@ local function new(r)
   record[h] = r
   return h
 end
+shapes.new = new -- for constructors in files of their own
 
 -- What an unknown constructor makes: nothing more is said about it.
 function shapes.broken() return new { broken = true, line = ctx.diag:here() } end

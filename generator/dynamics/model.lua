@@ -128,7 +128,7 @@ end
 -- w' = I^-1 (L x w) with an oblique tensor loses as many digits as I has in its condition number; say so from 1e8 on.
 local function warn_of_condition(d, m)
   if m.structure.kind ~= "full" then return end
-  local moments = jacobi.run(vec.map(m.inertia, function(e) return m:double(e) end))
+  local moments = jacobi.run(vec.map(m.inertia, function(e) return m:number(e) end))
   local digits = math.log(moments[3] / math.max(moments[1], moments[3] * 2.0 ^ -60), 10)
   if digits >= 8 then
     d:warn(m.line, "body", string.format("the tensor about the origin of rotation has a condition number of 1e%d: " ..

@@ -7,6 +7,8 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
+local cost = require "generator.algebra.cost"
+local nest = require "generator.algebra.nest"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
 
@@ -28,10 +30,24 @@ local function inputs(ctx, m)
   return list, map
 end
 
+-- The members' forms, nested if that is cheaper: all or none, as sums that they share must stay shared.
+local function nested(members)
+  local best = {}
+  for i, member in ipairs(members) do best[i] = member.form end
+  local least = cost(best)
+  for _, last in ipairs { false, true } do
+    local forms = {}
+    for i, member in ipairs(members) do forms[i] = nest(member.form, last) end
+    local now = cost(forms)
+    if now < least then best, least = forms, now end
+  end
+  return best
+end
+
 -- The groups of parts and constants; members: which constants.
 local function constants(m, members, map, groups)
-  local forms, used = {}, {}
-  for i, member in ipairs(members) do forms[i] = member.form end
+  local forms, used = nested(members), {}
+  local own = { table.unpack(forms) }
   for _, step in ipairs(m.parts and m.parts:needed(forms) or {}) do
     forms[#forms + 1] = step.e
     groups[#groups + 1] = { why = step.about, defs = { { name = step.name, expr = calculus.substitute(step.e, map) } },
@@ -40,9 +56,9 @@ local function constants(m, members, map, groups)
   for _, e in ipairs(forms) do
     for _, s in ipairs(expr.symbols(e)) do used[s] = true end
   end
-  for _, member in ipairs(members) do
-    local e = calculus.substitute(member.form, map)
-    local named = used[member.sym] and member.form ~= member.sym
+  for i, member in ipairs(members) do
+    local e = calculus.substitute(own[i], map)
+    local named = used[member.sym] and own[i] ~= member.sym
     groups[#groups + 1] = { why = member.about, defs = named and { { name = member.name, expr = e } } or {},
       outs = { { c = "k." .. member.name, expr = named and member.sym or e } } }
   end

@@ -30,7 +30,8 @@ local function literals(real)
   local function n(q) return number.text(R.lift(q), real) end
   local bits = real == "float" and 24 or 53
   return { zero = n(0), one = n(1), two = n(2), half = n "1/2", threehalves = n "3/2", twelve = n(12),
-    epsilon = n(R.new(2) ^ (1 - bits)), split = n(R.new(2) ^ ((bits + 1) // 2) + R.one) }
+    epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
+    split = n(R.new(2) ^ ((bits + 1) // 2) + R.one) }
 end
 
 -- Enumerators with their meaning; names that share one meaning (about = "" after the first) share a line.
@@ -47,6 +48,15 @@ local function enumeration(upper, list, last)
   end
   lines[#lines + 1] = upper .. "_" .. last
   return lines
+end
+
+-- What NAME_principal_of promises (templates/principal.c).  pair_top: entries below 2^pair_top may grow by 2^3 and be
+-- split (2^28, 2^13) below the largest number.  A rounding of 2^-104 (2^-46), magnified by the condition, stays below
+-- half an ulp of a moment up to `digits`; the smallest number is 2^-1074 (2^-149), so that a moment 10^-decades of
+-- the largest still has all its own.
+local function promises(real)
+  if real == "float" then return { pair_top = "110", pair_digits = "5", pair_decades = "65" } end
+  return { pair_top = "990", pair_digits = "12", pair_decades = "600" }
 end
 
 local function members(m, real_name)
@@ -115,7 +125,7 @@ local function common(job)
     params[i] = { upper = string.upper(p.name), value = number.text(p.default, real) }
   end
   v.param_enum, v.params = enumeration(ctx.upper, list, "NP"), params
-  for _, t in ipairs { libm(real), literals(real) } do
+  for _, t in ipairs { libm(real), literals(real), promises(real) } do
     for k, x in pairs(t) do v[k] = x end -- into a table: order is lost anyway
   end
   v.step_literal, v.horizon_literal = number.text(m:number(m.step), real), number.text(m:number(m.horizon), real)
@@ -155,6 +165,7 @@ function project.files(job, plugin)
   local v, ctx = common(job)
   closed_values(job, v, ctx)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
+  v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
   v.analysis_header = render "templates/analysis.h"
   v.analysis_source = render "templates/analysis.c"
   vectors.fill(job, v, ctx)

@@ -1,7 +1,7 @@
 -- special.lua -- the helpers in an emitted file: functions that libm lacks, each only where it is called.
 --
 -- Printing the code has gathered their names in ctx.helpers; here are the values that templates/special.c needs.  The
--- arithmetic of pairs (templates/pair.c) stands once, before its first use: here or in the closed form.
+-- arithmetic of pairs (templates/pair.c) stands once, before its first use.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -21,14 +21,12 @@ function special.fill(job, v, ctx)
     v.has_special = v.has_special or used
   end
   v.has_ellipsoid = v.has_ellipsoid_area or v.has_ellipsoid_normal
-  v.pairs_in_special = v.has_ellipsoid
-  v.pairs_in_closed = v.has_closed and not v.pairs_in_special
-  v.pair_source, v.special_source = "", ""
+  v.special_source = ""
   v.quarter, v.three, v.five = literal "1/4", literal(3), literal(5)
   v.ellipsoid_steps = string.format("%d", constants.steps)
   v.ellipsoid_least = number.text(R.fromdouble(constants.least), ctx.real)
   local function render(name) return template.render(name, job.templates[name], v) end
-  if v.pairs_in_special or v.pairs_in_closed then v.pair_source = render "templates/pair.c" end
+  v.pair_source = render "templates/pair.c"
   if v.has_special then v.special_source = render "templates/special.c" end
 end
 

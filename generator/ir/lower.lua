@@ -138,6 +138,7 @@ end
 function lower.run(program)
   local B = form.builder()
   local roots, forms = needed(roots_of(program, B))
+  share.quotients(forms, B)
   share.products(forms, B)
   share.sums(forms, B)
   local terms = {}

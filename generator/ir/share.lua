@@ -136,6 +136,56 @@ local function greedy(bags, id, key, join)
   end
 end
 
+-- Products with one denominator and a common factor above it, M p/d and M q/d, become (M/d) p and (M/d) q: one
+-- division.
+function share.quotients(forms, B)
+  local groups, order = {}, {}
+  for _, f in ipairs(forms) do
+    if f.kind == "prod" and #f.den > 0 and #f.num > 0 then
+      local ids = {}
+      for k, d in ipairs(f.den) do ids[k] = d.id end
+      table.sort(ids)
+      local key = table.concat(ids, " ")
+      if not groups[key] then
+        groups[key] = {}
+        order[#order + 1] = groups[key]
+      end
+      table.insert(groups[key], f)
+    end
+  end
+  for _, group in ipairs(order) do
+    local places, best = {}, nil -- factor -> the products that have it
+    for _, f in ipairs(group) do
+      for _, x in ipairs(f.num) do
+        places[x] = places[x] or {}
+        table.insert(places[x], f)
+        if #places[x] > 1 and (not best or #places[x] > #places[best]) then best = x end
+      end
+    end
+    if best then
+      local quotient
+      for _, f in ipairs(places[best]) do
+        if #f.num == 1 then quotient = f end
+      end
+      if not quotient then
+        B.count = B.count + 1
+        quotient = { kind = "prod", num = { best }, den = group[1].den, id = B.count }
+      end
+      for _, f in ipairs(places[best]) do
+        if f ~= quotient then
+          for k, x in ipairs(f.num) do
+            if x == best then
+              f.num[k] = quotient
+              break
+            end
+          end
+          f.den = {}
+        end
+      end
+    end
+  end
+end
+
 -- Shares common products among the products in the list `forms`.  B is their builder: new forms take
 -- their ids from it.
 function share.products(forms, B)

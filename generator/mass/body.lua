@@ -64,7 +64,7 @@ local function primitive(node)
       I = vec.sub(I, vec.map(tensor_of_sigma(d), function(x) return a.mass * x end))
     end
     local sigma = vec.map(sigma_of_tensor(I), function(x) return tidy(x / a.mass) end)
-    return { pieces = { { mass = a.mass, com = a.com, sigma = sigma, line = node.line, name = "tensor",
+    return { pieces = { { mass = a.mass, com = a.com, sigma = sigma, line = node.line, name = node.name or "tensor",
       given = a.about == "com" and I or nil } }, points = {} }
   end
   local spec = catalogue.by_name[node.shape]

@@ -1,66 +1,82 @@
--- jacobi.lua -- principal moments and axes of a tensor of doubles, for reports.
+-- jacobi.lua -- principal moments and axes of a tensor, for reports.
 --
--- Cyclic Jacobi (Golub, Van Loan, Matrix Computations, 8.5), moments ascending, axes right-handed, the largest
--- component of the first two positive.  The emitted code has its own (templates/analysis.c), the library another.
--- BELOW the line: IEEE doubles.
+-- Jacobi's method (Golub, Van Loan, Matrix Computations, 8.5) in rationals rounded to `bits` bits after each rotation,
+-- so that no size over- or underflows and what is returned is rounded once.  Moments ascending, axes right-handed; in
+-- the first two the first component within 1/16 of the largest is positive.  The planes xy, xz, yz in turn: with one
+-- product of inertia zero a rotation multiplies the smaller of the other two by a sine of at most sqrt(1/2), so the
+-- bound on the rotations suffices for any tensor.  The emitted code has its own (templates/principal.c), the library
+-- another.
 -- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
 
 local jacobi = {}
 
-local epsilon = 2.0 ^ -52
+local bits = 128
+local most = 2 * bits
+local negligible = R.new(2) ^ (-2 * bits) -- of the product of the diagonal entries, for the square of an entry
 
--- I: {xx, yy, zz, xy, xz, yz}.  Returns {m1, m2, m3} and {axis1, axis2, axis3}.
+local function round(q) return R.round(q, bits) end
+
+-- Turn the axes p and q of the diagonal d, the products of inertia o (o[r] = I_pq) and the frame v so that o[r] becomes
+-- zero but for the rounding of the tangent, of which nothing is neglected.
+local function turn(d, o, v, r)
+  local p, q = r % 3 + 1, (r + 1) % 3 + 1
+  local ratio = (d[q] - d[p]) / (o[r] + o[r])
+  local root = R.apply("sqrt", bits, R.one + ratio * ratio)
+  local t = round(R.one / (R.sign(ratio) < 0 and ratio - root or ratio + root))
+  local c = R.one / R.apply("sqrt", 2 * bits, R.one + t * t)
+  local s = t * c
+  local left = ((R.one - t * t) * o[r] - t * (d[q] - d[p])) / (R.one + t * t)
+  local shift = t * (o[r] + left)
+  d[p], d[q], o[r] = round(d[p] - shift), round(d[q] + shift), round(left)
+  o[q], o[p] = round(c * o[q] - s * o[p]), round(s * o[q] + c * o[p]) -- I_rp, I_rq
+  for k = 1, 3 do v[p][k], v[q][k] = round(c * v[p][k] - s * v[q][k]), round(s * v[p][k] + c * v[q][k]) end
+end
+
+-- I: {xx, yy, zz, xy, xz, yz}, rationals or finite doubles.  Returns {m1, m2, m3} and {axis1, axis2, axis3}, doubles.
 function jacobi.run(I)
-  local a = { { I[1], I[4], I[5] }, { I[4], I[2], I[6] }, { I[5], I[6], I[3] } }
-  local v = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } }
-  for _ = 1, 12 do
-    local busy = false
-    for i = 1, 2 do
-      for j = i + 1, 3 do
-        local limit = epsilon * (math.sqrt(math.abs(a[i][i])) * math.sqrt(math.abs(a[j][j])))
-        if math.abs(a[i][j]) > limit then
-          busy = true
-          local theta = 0.5 * (a[j][j] - a[i][i]) / a[i][j]
-          local t = 1 / (math.abs(theta) + math.sqrt(1 + theta * theta))
-          if theta < 0 then t = -t end
-          local c = 1 / math.sqrt(1 + t * t)
-          local s, k = t * c, 6 - i - j
-          a[i][i], a[j][j] = a[i][i] - t * a[i][j], a[j][j] + t * a[i][j]
-          a[i][j], a[j][i] = 0.0, 0.0
-          local p, q = a[k][i], a[k][j]
-          a[k][i], a[k][j] = c * p - s * q, s * p + c * q
-          a[i][k], a[j][k] = a[k][i], a[k][j]
-          for r = 1, 3 do
-            p, q = v[r][i], v[r][j]
-            v[r][i], v[r][j] = c * p - s * q, s * p + c * q
-          end
-        else
-          a[i][j], a[j][i] = 0.0, 0.0
-        end
+  local e = {}
+  for n = 1, 6 do e[n] = round(R.is(I[n]) and I[n] or R.fromdouble(I[n])) end
+  local d, o, v = { e[1], e[2], e[3] }, { e[6], e[5], e[4] }, {}
+  for k = 1, 3 do v[k] = { R.new(k == 1 and 1 or 0), R.new(k == 2 and 1 or 0), R.new(k == 3 and 1 or 0) } end
+  local settled = 0
+  for n = 0, most do
+    local r = 3 - n % 3
+    if o[r] * o[r] <= negligible * R.abs(d[r % 3 + 1] * d[(r + 1) % 3 + 1]) then
+      settled, o[r] = settled + 1, R.zero
+    else
+      settled = 0
+      turn(d, o, v, r)
+    end
+    if settled == 3 then break end
+  end
+  local moments, order, even = {}, { 1, 2, 3 }, true
+  for k = 1, 3 do moments[k] = R.todouble(d[k]) end
+  for i = 2, 3 do -- insertion sort: equal moments keep their order
+    for j = i, 2, -1 do
+      if moments[order[j]] < moments[order[j - 1]] then
+        order[j], order[j - 1], even = order[j - 1], order[j], not even
       end
     end
-    if not busy then break end
   end
-  local order = { 1, 2, 3 }
-  for i = 2, 3 do
-    for j = i, 2, -1 do
-      if a[order[j]][order[j]] < a[order[j - 1]][order[j - 1]] then order[j], order[j - 1] = order[j - 1], order[j] end
-    end
-  end
-  local moments, axes = {}, {}
+  local sorted, axes = {}, {}
   for n, i in ipairs(order) do
-    moments[n] = a[i][i]
-    local largest = 1
-    for r = 2, 3 do
-      if math.abs(v[r][i]) > math.abs(v[largest][i]) then largest = r end
+    local a = {}
+    for k = 1, 3 do a[k] = R.todouble(v[i][k]) end
+    local margin = math.max(math.abs(a[1]), math.abs(a[2]), math.abs(a[3])) * 15 / 16
+    local first = 1
+    while math.abs(a[first]) < margin do first = first + 1 end
+    -- the rotations have determinant 1: two signs and the order settle the third
+    local negative = not even
+    if n < 3 then negative = a[first] < 0 end
+    if negative then
+      even = not even
+      for k = 1, 3 do a[k] = 0.0 - a[k] end -- no negative zero
     end
-    local sign = v[largest][i] < 0 and -1.0 or 1.0
-    axes[n] = { sign * v[1][i], sign * v[2][i], sign * v[3][i] }
-    for r = 1, 3 do axes[n][r] = axes[n][r] + 0.0 end -- no negative zero
+    sorted[n], axes[n] = moments[i], a
   end
-  local x, y = axes[1], axes[2]
-  axes[3] = { x[2] * y[3] - x[3] * y[2], x[3] * y[1] - x[1] * y[3], x[1] * y[2] - x[2] * y[1] }
-  return moments, axes
+  return sorted, axes
 end
 
 return jacobi

@@ -1,7 +1,7 @@
 -- facts.lua -- what there is to say about a scene, once: every report and banner is written from this.
 --
 -- Symbolic entries are expressions of the parameters; numbers belong to the parameters' defaults.  The numeric
--- principal axes are Jacobi's on the double tensor; closed forms stand beside them where they exist.
+-- principal axes are Jacobi's on the tensor's values; closed forms stand beside them where they exist.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -50,7 +50,7 @@ function facts.of(job)
   f.origin, f.origin_number = m.origin, doubles(m.origin)
   f.inertia, f.inertia_number = m.inertia, doubles(m.inertia)
   f.centroidal, f.centroidal_number = m.centroidal, doubles(m.centroidal)
-  f.moments, f.axes = jacobi.run(f.inertia_number)
+  f.moments, f.axes = jacobi.run(vec.map(m.inertia, function(e) return m:number(e) end))
   local s = m.structure
   if s.kind == "symmetric" then -- equal moments are equal, whatever rounding made of them
     local alpha, axial = m:double(s.alpha), m:double(s.axial)

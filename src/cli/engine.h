@@ -2,16 +2,16 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A scene arrives as plain tables of numbers, every parameter and default filled in:
- *     {name=, body=tree, origin={x,y,z}, effects={...}, q={w,x,y,z}, w={x,y,z}}
- *     tree   {shape="solid.box", mass= or density=, x=, y=, z=} and so on, arguments as the library
- * names them {shape="rod.between", mass=, from={3}, to={3}} {shape="points", list={{m,x,y,z}, ...}}
- *            {shape="tensor", mass=, com={3}, xx= ... yz=, about="com" or "origin"}
- *            {op="at", of=tree, r={3}}  {op="turned", of=tree, q={4}}  {op="scaled", of=tree,
- * k={3}} {op="sum", tree, tree, ...}  {op="minus", tree, hole} effect {kind="gravity", g=,
- * direction={3}}  {kind="damping", C={9}} or {kind="damping", rate=} {kind="torque", body={3}}
- * and/or {.., inertial={3}}  {kind="control"} Tables of the wrong form are a bug of the caller and
- * raise; numbers that no body can have are the library's to refuse, and come back as nil and a
- * message that names the shape.
+ * - scene {name=, body=tree, origin={x,y,z}, effects={...}, q={w,x,y,z}, w={x,y,z}}
+ * - tree {shape="solid.box", mass= or density=, x=, y=, z=} and so on, arguments as the library
+ *   names them, those that are points, outlines or polynomials as engine_shape.c says
+ * - tree {op="at", of=tree, r={3}} {op="turned", of=tree, q={4}} {op="scaled", of=tree, k={3}}
+ *   {op="affine", of=tree, A={9}} {op="sum", tree, tree, ...} {op="minus", tree, hole}
+ * - effect {kind="gravity", g=, direction={3}} {kind="damping", C={9}} or {kind="damping", rate=}
+ *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="control"}
+ *
+ * Tables of the wrong form are a bug of the caller and raise; numbers that no body can have are the
+ * library's to refuse, and come back as nil and a message that names the shape.
  */
 #ifndef POLHODE_ENGINE_H
 #define POLHODE_ENGINE_H
@@ -32,6 +32,8 @@ struct engine_scene {
 int engine_read(struct engine_scene *s, lua_State *L, int index);
 /* The tree at the stack's top, which is popped. */
 int engine_read_body(struct engine_scene *s, ph_body *out);
+/* The shape of that name from the table at the stack's top, which stays. */
+int engine_read_shape(struct engine_scene *s, const char *name, ph_body *out);
 /* Push nil and "solid.box: lengths and scale factors must be positive"; returns 2. */
 int engine_fail(const struct engine_scene *s, int status);
 
@@ -39,6 +41,9 @@ int engine_fail(const struct engine_scene *s, int status);
  * required). */
 void engine_get(lua_State *L, int index, const char *key, int n, double out[],
                 const double standard[]);
+/* A number from a field of the table on top; is there such a field? */
+double engine_number(lua_State *L, const char *key);
+int engine_has(lua_State *L, const char *key);
 /* n numbers from the list at `index` itself. */
 void engine_list(lua_State *L, int index, int n, double out[]);
 /* Push {v[0], ..., v[n-1]}. */

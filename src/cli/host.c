@@ -26,6 +26,7 @@ static const luaL_Reg functions[] = {
     {"mass", host_mass},
     {"run", host_run},
     {"rates", host_rates},
+    {"xml", host_xml},
     {"plugin", host_plugin},
     {"visible", sandbox_visible},
     {NULL, NULL},

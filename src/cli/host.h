@@ -104,6 +104,13 @@ int host_sandbox(lua_State *L);
    it. */
 int sandbox_visible(lua_State *L);
 
+/* ---- xml.c ---- */
+
+/* xml(text) -> {name=, line=, at={[attribute]=value, [1..n]=names in order}, text=,
+   [1..n]=elements} | nil, message, line.  No document types; bounded size, depth and number of
+   elements. */
+int host_xml(lua_State *L);
+
 /* ---- engine ---- */
 
 /* mass(scene) -> table | nil, message;  run(scene, options) -> {rows} | nil, message;

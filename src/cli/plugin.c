@@ -121,7 +121,8 @@ static int principal(lua_State *L) {
   double moments[3], axes[9];
   if (p->code->principal == NULL)
     return absent(L, "principal axes");
-  p->code->principal(p->model, moments, axes);
+  if (p->code->principal(p->model, moments, axes))
+    return luaL_error(L, "plugin: a principal moment is beyond the range of the type");
   engine_push(L, 3, moments);
   engine_push(L, 9, axes);
   return 2;

@@ -9,6 +9,8 @@
    negative. */
 #include "body.h"
 
+#include "geometry.h"
+
 int body_store(ph_body *b, ph_wide mass, const double at[3], const ph_wide off[3],
                const ph_wide second[6], const ph_wide tensor[6]) {
   ph_wide own[6], centre[3];
@@ -106,18 +108,33 @@ int ph_body_tensor_origin(ph_body *b, double mass, const double com[3], const do
   return from_tensor(b, mass, com, tensor, 1);
 }
 
+int ph_body_moments(ph_body *b, double mass, const double com[3], const double sigma[6]) {
+  if (!wide_finite(1, &mass) || !wide_finite(3, com) || !wide_finite(6, sigma))
+    return PH_EFINITE;
+  if (!(mass > 0))
+    return PH_EMASS;
+  const ph_wide zero[3] = {0, 0, 0};
+  ph_wide second[6], moment[3], axis[3][3];
+  wide_load(6, sigma, second);
+  wide_eigen(second, moment, axis);
+  if (moment[0] < -8 * (ph_wide)DBL_EPSILON * fabsl(moment[2])) /* as in wide_tensor_check */
+    return PH_EPOSITIVE;
+  for (int i = 0; i < 6; i++)
+    second[i] *= (ph_wide)mass;
+  return body_store(b, (ph_wide)mass, com, zero, second, NULL);
+}
+
 int ph_body_at(ph_body *out, const ph_body *in, const double d[3]) {
   if (!wide_finite(3, d))
     return PH_EFINITE;
-  /* com + d is exact where it cancels; its head and the rest of it keep the tail's digits. */
   double head[3];
   ph_wide off[3], second[6], tensor[6];
   for (int i = 0; i < 3; i++) {
-    const ph_wide sum = (ph_wide)in->com[i] + (ph_wide)d[i];
-    head[i] = (double)sum;
+    const pair sum = pair_sum((ph_wide)in->com[i], (ph_wide)d[i]); /* exactly */
+    head[i] = (double)sum.hi;
     if (!isfinite(head[i]))
       return PH_ERANGE;
-    off[i] = (sum - (ph_wide)head[i]) + (ph_wide)in->com_tail[i];
+    off[i] = (sum.hi - (ph_wide)head[i]) + (sum.lo + (ph_wide)in->com_tail[i]);
   }
   wide_load(6, in->second, second);
   wide_load(6, in->tensor, tensor);
@@ -158,6 +175,33 @@ int ph_body_scaled(ph_body *out, const ph_body *in, const double k[3]) {
   wide_load(6, in->second, second);
   wide_congruence(A, second, second);
   return body_store(out, (ph_wide)in->mass, origin, centre, second, NULL);
+}
+
+/* The centre's coordinates are products of doubles and may cancel: a shear can bring a far body
+   near. */
+int ph_body_affine(ph_body *out, const ph_body *in, const double A[9]) {
+  if (!wide_finite(9, A))
+    return PH_EFINITE;
+  if (!(geometry_determinant(A) > 0))
+    return PH_EFLAT;
+  ph_wide map[9], off[3], second[6];
+  double head[3];
+  for (int i = 0; i < 3; i++) {
+    pair sum = {0, 0};
+    for (int j = 0; j < 3; j++) {
+      const ph_wide a = (ph_wide)A[3 * i + j];
+      sum = pair_add(sum, pair_product(a, (ph_wide)in->com[j]));
+      sum = pair_add(sum, pair_product(a, (ph_wide)in->com_tail[j]));
+    }
+    head[i] = (double)sum.hi;
+    if (!isfinite(head[i]))
+      return PH_ERANGE;
+    off[i] = (sum.hi - (ph_wide)head[i]) + sum.lo;
+  }
+  wide_load(9, A, map);
+  wide_load(6, in->second, second);
+  wide_congruence(map, second, second);
+  return body_store(out, (ph_wide)in->mass, head, off, second, NULL);
 }
 
 /* out = a + sign b. */

@@ -11,8 +11,10 @@
    II/1), the smaller of the two angles. */
 #include "wide.h"
 
-/* 3x3 Jacobi converges quadratically after two or three sweeps; graded inputs of this library took
- * 6 at most. */
+/* With one product of inertia zero, a rotation multiplies the smaller of the other two by a sine of
+ * at most sqrt(1/2), and the row-cyclic order takes the larger one next: 180 rotations bring any
+ * matrix below 2^-88 of its norm, whatever its eigenvalues. As a rule convergence is quadratic,
+ * in 4 to 6 sweeps. */
 enum { MAX_SWEEPS = 60 };
 
 /* Zero a[p][q] by a rotation in the plane (p, q); the columns of v turn along. */

@@ -39,6 +39,9 @@ enum ph_status {
   PH_ECOUNT,      /* a count is wrong: no particles, wrong number of arguments */
   PH_ENAME,       /* no shape of that name */
   PH_EHOLE,       /* what is subtracted is more than what is there */
+  PH_EFLAT,       /* points, edges or a matrix span no area or volume */
+  PH_ECROSS,      /* an outline crosses or touches itself */
+  PH_EBOUND,      /* a height, angle, coordinate or limit beyond what the shape allows */
   PH_EPOSITIVE,   /* a moment of inertia is negative */
   PH_ETRIANGLE,   /* a principal moment exceeds the sum of the other two */
   PH_EDIRECTION,  /* a direction or axis has zero length */
@@ -78,9 +81,10 @@ typedef struct ph_amount {
 ph_amount ph_amount_mass(double mass);
 ph_amount ph_amount_density(double density);
 
-/* Solids; all lengths must be positive. Frames: "centred" has the centroid at the origin, "based"
-   the base in z = 0 and the body on z >= 0, axis z. PH_EMASS, PH_ELENGTH, PH_EORDER, PH_EFINITE,
-   PH_ERANGE. */
+/* Shapes of given sizes; lengths, radii, angles (rad) must be positive. Frames: "centred" has the
+   centroid at the origin, "based" the base in z = 0 and the body on z >= 0, both with axis z. Mass,
+   centre and tensor are right to 4 ulp of the largest entry, also for needles, plates, thin walls
+   and slivers. PH_EMASS, PH_ELENGTH, PH_EORDER, PH_EBOUND, PH_EFINITE, PH_ERANGE. */
 int ph_solid_box(ph_body *b, ph_amount a, double x, double y, double z); /* centred */
 int ph_solid_sphere(ph_body *b, ph_amount a, double r);                  /* centred */
 int ph_solid_ellipsoid(ph_body *b, ph_amount a, double ax, double by,
@@ -90,26 +94,104 @@ int ph_solid_elliptic_cylinder(ph_body *b, ph_amount a, double ax, double by, do
 int ph_solid_tube(ph_body *b, ph_amount a, double r_in, double r_out,
                   double h);                                    /* centred, axis z */
 int ph_solid_cone(ph_body *b, ph_amount a, double r, double h); /* based, apex at z = h */
+int ph_solid_elliptic_cone(ph_body *b, ph_amount a, double ax, double by, double h);  /* so */
 int ph_solid_frustum(ph_body *b, ph_amount a, double r_base, double r_top, double h); /* based */
 int ph_solid_capsule(ph_body *b, ph_amount a, double r, double h); /* centred; h: cylinder */
 int ph_solid_hemisphere(ph_body *b, ph_amount a, double r);        /* based */
-int ph_solid_torus(ph_body *b, ph_amount a, double R, double r);   /* centred; r <= R */
+/* Of a ball of radius r: the cap of height h <= 2r, based; what lies between the planes z1 < z2,
+   from -r to r, the ball's centre at the origin; the cone of rays from the centre to a cap of
+   height h <= 2r about +z. */
+int ph_solid_cap(ph_body *b, ph_amount a, double r, double h);
+int ph_solid_zone(ph_body *b, ph_amount a, double r, double z1, double z2);
+int ph_solid_sector(ph_body *b, ph_amount a, double r, double h);
+/* Of a cylinder about z: the half x >= 0 and the quarter x, y >= 0, both |z| <= h/2; the part
+   0 <= z <= h x/r. */
+int ph_solid_half_cylinder(ph_body *b, ph_amount a, double r, double h);
+int ph_solid_quarter_cylinder(ph_body *b, ph_amount a, double r, double h);
+int ph_solid_hoof(ph_body *b, ph_amount a, double r, double h);
+int ph_solid_torus(ph_body *b, ph_amount a, double R, double r); /* centred; r <= R */
 int ph_solid_hollow_sphere(ph_body *b, ph_amount a, double r_in, double r_out); /* centred */
+int ph_solid_paraboloid(ph_body *b, ph_amount a, double r,
+                        double h); /* vertex at the origin, radius r at z = h */
+int ph_solid_pyramid(ph_body *b, ph_amount a, double x, double y, double h); /* based */
+/* Prism on the triangle (0, 0), (x, 0), (0, y), 0 <= z <= z. */
+int ph_solid_wedge(ph_body *b, ph_amount a, double x, double y, double z);
+int ph_solid_bicylinder(ph_body *b, ph_amount a, double r); /* cylinders about x and y, centred */
+/* The regular polyhedron of 4, 6, 8, 12 or 20 faces (else PH_ECOUNT), centred. */
+int ph_solid_regular(ph_body *b, ph_amount a, int faces, double edge);
+
+/* Shells; the density is per area. The hemisphere is open and based; the zone as solid_zone; the
+   cylinder's ends are closed by discs if `ends`; the cone is the lateral surface, based, apex z=h.
+ */
+int ph_shell_sphere(ph_body *b, ph_amount a, double r);
+int ph_shell_hemisphere(ph_body *b, ph_amount a, double r);
+int ph_shell_zone(ph_body *b, ph_amount a, double r, double z1, double z2);
+int ph_shell_ellipsoid(ph_body *b, ph_amount a, double ax, double by, double cz);
+int ph_shell_cylinder(ph_body *b, ph_amount a, double r, double h, int ends);
+int ph_shell_cone(ph_body *b, ph_amount a, double r, double h);
+int ph_shell_torus(ph_body *b, ph_amount a, double R, double r); /* r <= R */
+int ph_shell_box(ph_body *b, ph_amount a, double x, double y, double z);
+
 int ph_plate_disc(ph_body *b, ph_amount a, double r); /* centred, in z = 0 */
 int ph_plate_annulus(ph_body *b, ph_amount a, double r_in, double r_out);
 int ph_plate_ellipse(ph_body *b, ph_amount a, double ax, double by);
 int ph_plate_rectangle(ph_body *b, ph_amount a, double x, double y);
+/* Sector of a disc and arc of a circle from the x axis to angle <= 2 pi, centre at the origin. */
+int ph_plate_sector(ph_body *b, ph_amount a, double r, double angle);
+int ph_wire_arc(ph_body *b, ph_amount a, double r, double angle);
+
 int ph_rod_straight(ph_body *b, ph_amount a, double length); /* centred, along z */
 int ph_rod_between(ph_body *b, ph_amount a, const double from[3], const double to[3]);
 int ph_wire_hoop(ph_body *b, ph_amount a, double r); /* centred, in z = 0 */
+/* (r cos t, r sin t, pitch t/2pi), 0 <= t <= 2 pi turns; turns > 0, pitch of any sign. */
+int ph_wire_helix(ph_body *b, ph_amount a, double r, double pitch, double turns);
+/* (x, a cosh(x/a), 0), |x| <= span/2. */
+int ph_wire_catenary(ph_body *b, ph_amount a, double scale, double span);
 
 /* The same by name ("solid.box", "rod.between", ...; arguments in the order above, points as three
-   numbers each): PH_ENAME for an unknown name, PH_ECOUNT for a wrong number of arguments. */
+   numbers each, ends 0 or 1): PH_ENAME for an unknown name, PH_ECOUNT for a wrong number of
+   arguments. */
 int ph_shape_make(ph_body *b, const char *name, ph_amount a, const double arg[], int count);
 /* The i-th name of that catalogue, and the names of its arguments with blanks between; NULL past
  * the end. */
 const char *ph_shape_name(int i);
 const char *ph_shape_arguments(int i);
+
+/* Shapes of points. Vertices and edges are rows of three numbers. PH_EFLAT if they span no area or
+   volume; the polyline (n >= 2, of rods, closed: back to the first point) only needs a length. */
+int ph_solid_tetrahedron(ph_body *b, ph_amount a, const double vertex[12]);
+int ph_solid_parallelepiped(ph_body *b, ph_amount a, const double edge[9]); /* from the origin */
+int ph_plate_triangle(ph_body *b, ph_amount a, const double vertex[9]);
+int ph_wire_polyline(ph_body *b, ph_amount a, int n, const double point[], int closed);
+
+/* Shapes of plane outlines: n >= 1 polygons, outline 0 with the others as holes in it, count[i]
+   points each, all coordinates in one list of pairs. Either orientation. Prism and extrude: x, y
+   with 0 <= z <= h; revolve: x, z with x >= 0 (PH_EBOUND), a full turn about z. PH_ECOUNT: less
+   than three points; PH_EFLAT; PH_ECROSS: an outline that crosses, touches or repeats itself;
+   PH_EHOLE: a hole that is not within outline 0 and clear of it and of the other holes. */
+int ph_plate_polygon(ph_body *b, ph_amount a, int n, const int count[], const double point[]);
+int ph_solid_prism(ph_body *b, ph_amount a, int n, const double point[], double h); /* n points */
+int ph_extrude(ph_body *b, ph_amount a, int n, const int count[], const double point[], double h);
+int ph_revolve(ph_body *b, ph_amount a, int n, const int count[], const double point[]);
+
+/* A polynomial in x, y, z: the sum of coefficient x^power[0] y^power[1] z^power[2]; no terms: 0. */
+typedef struct ph_term {
+  double coefficient;
+  int power[3];
+} ph_term;
+typedef struct ph_polynomial {
+  int count;
+  const ph_term *term;
+} ph_polynomial;
+
+/* The region limit[0] <= u <= limit[1], limit[2] <= v <= limit[3], limit[4] <= w <= limit[5], where
+   order = {0, 1, 2} or another permutation says which of x, y, z are u, v, w; limits may depend on
+   the variables before. Density (NULL: uniform) is multiplied by a.value, or scaled to the mass
+   a.value. Exact up to rounding, by Gauss's rule. PH_EBOUND: order, a limit of a wrong variable,
+   limits that cross (where the rule looks), a negative power, or a degree that needs more than 256
+   points a line; PH_EMASS: density negative at a point of the rule, or no mass. */
+int ph_region(ph_body *b, ph_amount a, const int order[3], const ph_polynomial limit[6],
+              const ph_polynomial *density);
 
 /* n particles: masses m[i] > 0 at (r[3i], r[3i+1], r[3i+2]). Sums are taken relative to the first
  * particle. */
@@ -120,11 +202,17 @@ int ph_body_tensor(ph_body *b, double mass, const double com[3], const double te
    rounding makes negative are taken as zero. */
 int ph_body_tensor_origin(ph_body *b, double mass, const double com[3], const double tensor[6]);
 
+/* A body by its second moments per unit mass about its centre of mass (xx yy zz xy xz yz, m2), as a
+   mesh has them: PH_EPOSITIVE if one about some axis is negative by more than rounding. */
+int ph_body_moments(ph_body *b, double mass, const double com[3], const double sigma[6]);
+
 /* Placement; out may be in. at: shift by d. turned: rotate about the origin by q (any length but
    0). scaled: r -> diag(k) r with the MASS kept, k not 0; a negative factor mirrors. */
 int ph_body_at(ph_body *out, const ph_body *in, const double d[3]);
 int ph_body_turned(ph_body *out, const ph_body *in, const double q[4]);
 int ph_body_scaled(ph_body *out, const ph_body *in, const double k[3]);
+/* r -> A r (row major) with the mass kept, a shear for instance: PH_EFLAT if det A = 0. */
+int ph_body_affine(ph_body *out, const ph_body *in, const double A[9]);
 /* Union of bodies that do not overlap, and what is left when a hole (a part of a) is taken out.
    PH_EHOLE if mass or a second moment would become negative. */
 int ph_body_add(ph_body *out, const ph_body *a, const ph_body *b);

@@ -104,6 +104,61 @@ gives("a rod between two points",
   "say(row(host.mass(scene { shape = 'rod.between', mass = 3, from = { 0, 0, 0 }, to = { 2, 0, 0 } }).inertia))",
   { 0, 4, 4, 0, 0, 0 })
 
+-- shapes of points, outlines and limits; each is given by a list that could be read in the wrong order
+local function shape(name, text, want)
+  gives(name, "local m = host.mass(scene(" .. text .. ")) say(row { m.mass }, row(m.com), row(m.inertia))", want)
+end
+-- inertia about the origin from mass, centre and the moments and products <xx> ... of unit mass there
+local function from(m, cx, cy, cz, xx, yy, zz, xy, xz, yz)
+  return { m, cx, cy, cz, m * (yy + zz), m * (xx + zz), m * (xx + yy), -m * (xy or 0), -m * (xz or 0), -m * (yz or 0) }
+end
+shape("a flag and a negative size", "{ shape = 'shell.cylinder', density = 1, r = 1, h = 2, ends = true }",
+  from(6 * math.pi, 0, 0, 0, 5 / 12, 5 / 12, 5 / 9))
+shape("a zone below the equator: x^2 = (r^2 - z^2)/2 on a sphere",
+  "{ shape = 'shell.zone', mass = 3, r = 1, z1 = -1, z2 = 0 }", from(3, 0, 0, -1 / 2, 1 / 3, 1 / 3, 1 / 3))
+shape("a tetrahedron: x^2 is 1/10, xy is 1/20",
+  "{ shape = 'solid.tetrahedron', density = 6, vertices = { {0,0,0}, {1,0,0}, {0,2,0}, {0,0,3} } }",
+  from(6, 1 / 4, 2 / 4, 3 / 4, 1 / 10, 4 / 10, 9 / 10, 2 / 20, 3 / 20, 6 / 20))
+shape("a triangle in space: x^2 is 1/6, xy is 1/12",
+  "{ shape = 'plate.triangle', mass = 1, vertices = { {0,0,1}, {1,0,1}, {0,2,1} } }",
+  from(1, 1 / 3, 2 / 3, 1, 1 / 6, 4 / 6, 1, 2 / 12, 1 / 3, 2 / 3))
+shape("a parallelepiped", "{ shape = 'solid.parallelepiped', density = 1, edges = { {1,0,0}, {0,2,0}, {0,0,3} } }",
+  from(6, 1 / 2, 1, 3 / 2, 1 / 3, 4 / 3, 9 / 3, 2 / 4, 3 / 4, 6 / 4))
+shape("an open polyline: two rods", "{ shape = 'wire.polyline', density = 1, points = { {2,0,0}, {0,0,0}, {0,2,0} } }",
+  from(4, 1 / 2, 1 / 2, 0, 2 / 3, 2 / 3, 0))
+shape("a closed one",
+  "{ shape = 'wire.polyline', density = 1, closed = true, points = { {0,0,0}, {2,0,0}, {2,2,0}, {0,2,0} } }",
+  from(8, 1, 1, 0, 5 / 3, 5 / 3, 0, 1))
+shape("a prism", "{ shape = 'solid.prism', density = 1, h = 2, profile = { {0,0}, {1,0}, {1,3}, {0,3} } }",
+  from(6, 1 / 2, 3 / 2, 1, 1 / 3, 3, 4 / 3, 3 / 4, 1 / 2, 3 / 2))
+local FRAME = "profile = { {-2,-2}, {2,-2}, {2,2}, {-2,2} }, holes = { { {-1,-1}, {1,-1}, {1,1}, {-1,1} } }"
+local square = (16 * 4 / 3 - 4 / 3) / 12
+shape("a plate with a hole", "{ shape = 'plate.polygon', density = 1, " .. FRAME .. "}",
+  from(12, 0, 0, 0, square, square, 0))
+shape("extruded", "{ shape = 'extrude', density = 1, h = 3, " .. FRAME .. "}",
+  from(36, 0, 0, 3 / 2, square, square, 3))
+shape("a plate with two holes, of unlike length", [[{ shape = 'plate.polygon', density = 1,
+    profile = { {0,0}, {4,0}, {4,2}, {0,2} },
+    holes = { { {1,0.5}, {2,0.5}, {1,1.5} }, { {2.5,0.5}, {3.5,0.5}, {3.5,1.5}, {2.5,1.5} } } }]],
+  -- rectangle 8, triangle 1/2 at (4/3, 5/6), square 1 at (3, 1)
+  from(6.5, (16 - 2 / 3 - 3) / 6.5, (8 - 5 / 12 - 1) / 6.5,
+    0, (8 * 16 / 3 - (16 / 9 + 1 / 18) / 2 - (9 + 1 / 12)) / 6.5,
+    (8 * 4 / 3 - (25 / 36 + 1 / 18) / 2 - (1 + 1 / 12)) / 6.5, 0,
+    (8 * 2 - (10 / 9 - 1 / 36) / 2 - 3) / 6.5))
+shape("revolved: a tube", "{ shape = 'revolve', density = 1, profile = { {1,-1}, {2,-1}, {2,1}, {1,1} } }",
+  from(6 * math.pi, 0, 0, 0, 5 / 4, 5 / 4, 1 / 3))
+shape("a region: z from 0 to x y over 0 < x < 1, 0 < y < 2", [[{ shape = 'region', mass = 2, order = { 2, 1, 3 },
+    limits = { { {}, { {2,0,0,0} } }, { {}, { {1,0,0,0} } }, { {}, { {1,1,1,0} } } } }]],
+  -- means with the weight x y: x^n is 2/(n + 2), y^n is 2^n 2/(n + 2); z is x y/2
+  from(2, 2 / 3, 4 / 3, 4 / 9, 1 / 2, 2, 1 / 3, 8 / 9, 1 / 2 * 4 / 3 / 2, 2 / 3 * 2 / 2))
+shape("a region of the density 1 + x", [[{ shape = 'region', density = { {1,0,0,0}, {1,1,0,0} }, order = { 1, 2, 3 },
+    limits = { { {}, { {1,0,0,0} } }, { {}, { {1,0,0,0} } }, { {}, { {1,0,0,0} } } } }]],
+  from(3 / 2, 5 / 9, 1 / 2, 1 / 2, 7 / 18, 1 / 3, 1 / 3, 5 / 18, 5 / 18, 1 / 4))
+shape("a mesh's moments", "{ shape = 'mesh', mass = 2, com = { 1, 2, 3 }, sigma = { 3, 4, 5, 0.1, 0.2, 0.3 } }",
+  from(2, 1, 2, 3, 4, 8, 14, 2.1, 3.2, 6.3))
+shape("a shear: x + y", [[{ op = "affine", A = { 1, 1, 0, 0, 1, 0, 0, 0, 1 },
+    of = { shape = 'solid.box', mass = 1, x = 2, y = 2, z = 2 } }]], from(1, 0, 0, 0, 2 / 3, 1 / 3, 1 / 3, 1 / 3))
+
 tap.is(lua("say(host.mass(scene { shape = 'solid.sphere', mass = 1, r = -1 }))"),
   "nil solid.sphere: lengths and scale factors must be positive\n", "a wrong length is refused, with the shape's name")
 for _, case in ipairs {
@@ -114,6 +169,21 @@ for _, case in ipairs {
   { "a quaternion of zero", "{ op = 'turned', of = box, q = { 0, 0, 0, 0 } }", "nil turned: " },
   { "a tensor that no body has", "{ shape = 'tensor', mass = 1, xx = 1, yy = 1, zz = 9 }", "nil tensor: " },
   { "no points", "{ shape = 'points', list = {} }", "nil points: " },
+  { "a bow tie", "{ shape = 'plate.polygon', mass = 1, profile = { {0,0}, {1,1}, {1,0}, {0,1} } }",
+    "nil plate.polygon: an outline must not cross" },
+  { "a hole beside the profile", "{ shape = 'extrude', mass = 1, h = 1, profile = { {0,0}, {1,0}, {0,1} }, " ..
+    "holes = { { {5,5}, {6,5}, {5,6} } } }", "nil extrude: a hole must lie within" },
+  { "ten faces", "{ shape = 'solid.regular', mass = 1, faces = 10, edge = 1 }", "nil solid.regular: wrong number" },
+  { "two vertices", "{ shape = 'plate.triangle', mass = 1, vertices = { {0,0,0}, {1,0,0} } }", "nil plate.triangle: " },
+  { "a region that integrates x twice", "{ shape = 'region', mass = 1, order = { 1, 1, 2 }, limits = { " ..
+    "{ {}, { {1,0,0,0} } }, { {}, { {1,0,0,0} } }, { {}, { {1,0,0,0} } } } }", "nil region: " },
+  { "a power of -1", "{ shape = 'region', mass = 1, order = { 1, 2, 3 }, limits = { " ..
+    "{ {}, { {1,0,0,0} } }, { {}, { {1,-1,0,0} } }, { {}, { {1,0,0,0} } } } }", "nil region: " },
+  { "a power of 1e300", "{ shape = 'region', mass = 1, order = { 1, 2, 3 }, limits = { " ..
+    "{ {}, { {1,0,0,0} } }, { {}, { {1,1e300,0,0} } }, { {}, { {1,0,0,0} } } } }", "nil region: " },
+  { "a flattening map", "{ op = 'affine', of = box, A = { 1, 0, 0, 0, 1, 0, 0, 0, 0 } }", "nil affine: points, edges" },
+  { "a mesh of negative moments", "{ shape = 'mesh', mass = 1, com = { 0, 0, 0 }, sigma = { 1, 1, -1, 0, 0, 0 } }",
+    "nil mesh: " },
   { "NaN", "{ shape = 'solid.sphere', mass = 0 / 0, r = 1 }", "nil solid.sphere: " },
 } do
   tap.like(lua("say(host.mass(scene(" .. case[2] .. ")))"), case[3], case[1] .. " is refused by name")
@@ -124,6 +194,15 @@ for _, case in ipairs {
   { "a shape without sizes", "scene { shape = 'solid.box', mass = 1 }" },
   { "an unknown operation", "scene { op = 'melted', of = box }" },
   { "a short vector", "scene { op = 'at', of = box, r = { 1 } }" },
+  { "a profile of one number a row", "scene { shape = 'plate.polygon', mass = 1, profile = { {0}, {1}, {2} } }" },
+  { "a profile that is a number", "scene { shape = 'revolve', mass = 1, profile = 3 }" },
+  { "holes that are points", "scene { shape = 'plate.polygon', mass = 1, profile = { {0,0}, {1,0}, {0,1} }, " ..
+    "holes = { 1 } }" },
+  { "ends that are a number", "scene { shape = 'shell.cylinder', mass = 1, r = 1, h = 1, ends = 1 }" },
+  { "an exponent of 1/2", "scene { shape = 'region', mass = 1, order = { 1, 2, 3 }, limits = { " ..
+    "{ {}, { {1,0,0,0} } }, { {}, { {1,0.5,0,0} } }, { {}, { {1,0,0,0} } } } }" },
+  { "a region of two limits", "scene { shape = 'region', mass = 1, order = { 1, 2, 3 }, " ..
+    "limits = { { {}, {} }, { {}, {} } } }" },
   { "an unknown effect", "scene(box, { { kind = 'magic' } })" },
 } do
   tap.is(lua("say((pcall(host.mass, " .. case[2] .. ")))"), "false\n", case[1] .. " is a bug of the caller")
@@ -228,11 +307,12 @@ static int init(void *m, const double *p) {
 }
 static void params(double *p) { p[0] = 0.5; }
 static void inertia(const void *m, double I[6]) { int i; (void)m; for (i = 0; i < 6; i++) I[i] = i + 1; }
-static void principal(const void *m, double moments[3], double axes[9]) {
+static int principal(const void *m, double moments[3], double axes[9]) {
   int i;
-  (void)m;
+  if (((const struct model *)m)->rate == 99) return 1;
   for (i = 0; i < 3; i++) moments[i] = i + 1;
   for (i = 0; i < 9; i++) axes[i] = i % 4 == 0;
+  return 0;
 }
 static void rhs(const void *m, double t, const double *x, const double *u, double *dx) {
   (void)t;
@@ -295,6 +375,10 @@ says("every function is called with what was given", BUILD .. [[
   say(row(p:inertia())) say(row(moments), row(axes)) say(row(p:step(0, { 1, 0 }, { 0 }, 0.1)))
   say(row(p:jacobian(0, { 1, 0 }))) say(p:energy { 3, 0 }, row(p:momentum { 1, 2 }))]],
   "1 2 3 4 5 6\n1 2 3 1 0 0 0 1 0 0 0 1\n0.94999999999999996 1\n-0.5 0 0 7\n4.5 1 2 3\n")
+says("moments that the type does not hold are an error", BUILD .. [[
+  local p = build(all)
+  p:init { 99 }
+  say(pcall(p.principal, p))]], "false plugin: a principal moment is beyond the range of the type\n")
 says("integrate takes whole steps that hit the times", BUILD .. [[
   local p = build(all)
   p:init()

@@ -91,11 +91,6 @@ local function long(text)
   return double(text) .. "L"
 end
 
-local function fraction(text)
-  local n, d = text:match "^(%-?%d+)/(%d+)$"
-  return n and string.format("%s.0L / %s.0L", n, d) or long(text)
-end
-
 local function head(name, what, declaration)
   return {
     "/* " .. name .. " - " .. what,
@@ -127,23 +122,22 @@ do
   write("eigen.h", out)
 end
 
--- ---- inertia.json: every body whose other point has rational coordinates ----
+-- ---- inertia.json: all bodies; other points as sums of fractions, with one surd ----
 do
+  local SQRT5 = "2.236067977499789696409173668731276"
+  local function coordinate(text)
+    local c = text:gsub("sqrt%(5%)", "S"):gsub("%d+", "%0.0L"):gsub("S", SQRT5 .. "L"):gsub("/", " / ")
+    return c
+  end
   local out = head("inertia.h", "mass, centroid and tensors of bodies, 34 digits",
     "static const struct inertia_row {\n  const char *id;\n  long double mass, measure, centroid[3], tensor[6];\n" ..
     "  long double point[3], about[6]; /* another point, and the tensor about it */\n} inertia_rows[] = {")
   for _, body in ipairs(json("inertia.json").bodies) do
-    local rational = true
-    for _, c in ipairs(body.other_point.coordinates) do
-      rational = rational and c:find "^%-?%d+$" or c:find "^%-?%d+/%d+$"
-    end
-    if rational then
-      out[#out + 1] = string.format('  {"%s", %s, %s, %s,\n   %s,\n   %s, %s},', body.id, long(body.mass.decimal),
-        long(body.measure.decimal), braces(each(body.centroid.decimal, long)),
-        braces(each(body.tensor_about_centroid_xx_yy_zz_xy_xz_yz.decimal, long)),
-        braces(each(body.other_point.coordinates, fraction)),
-        braces(each(body.other_point.tensor_xx_yy_zz_xy_xz_yz.decimal, long)))
-    end
+    out[#out + 1] = string.format('  {"%s", %s, %s, %s,\n   %s,\n   %s, %s},', body.id, long(body.mass.decimal),
+      long(body.measure.decimal), braces(each(body.centroid.decimal, long)),
+      braces(each(body.tensor_about_centroid_xx_yy_zz_xy_xz_yz.decimal, long)),
+      braces(each(body.other_point.coordinates, coordinate)),
+      braces(each(body.other_point.tensor_xx_yy_zz_xy_xz_yz.decimal, long)))
   end
   out[#out + 1] = "};"
   write("inertia.h", out)

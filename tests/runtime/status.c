@@ -107,6 +107,90 @@ static void bodies(void) {
   refused(ph_body_check(&box), PH_EFINITE, "a body of NaN mass");
 }
 
+/* What shapes of sizes, of points, of outlines and of limits refuse, beyond what a box does. */
+static void shapes(void) {
+  ph_body *b = &out.body;
+  const double pi2 = 6.283185307179587, nan = NOT_A_NUMBER;
+  refused(ph_solid_cap(b, ONE, 1, 2.0000000000000004), PH_EBOUND, "a cap higher than its ball");
+  refused(ph_solid_sector(b, ONE, 1, 2.5), PH_EBOUND, "a spherical sector beyond the ball");
+  refused(ph_solid_zone(b, ONE, 1, 0.5, 0.5), PH_EBOUND, "a zone without height");
+  refused(ph_solid_zone(b, ONE, 1, -1.5, 0.5), PH_EBOUND, "a zone below the ball");
+  refused(ph_shell_zone(b, ONE, 1, 0, 1.5), PH_EBOUND, "a zone above the sphere");
+  refused(ph_plate_sector(b, ONE, 1, pi2), PH_EBOUND, "a sector of more than the full angle");
+  refused(ph_wire_arc(b, ONE, 1, pi2), PH_EBOUND, "an arc of more than the full angle");
+  refused(ph_wire_arc(b, ONE, 1, 0), PH_ELENGTH, "an arc of no angle");
+  refused(ph_wire_helix(b, ONE, 1, 1, -1), PH_ELENGTH, "a helix of -1 turns");
+  refused(ph_wire_helix(b, ONE, 1, nan, 1), PH_EFINITE, "a helix of NaN pitch");
+  refused(ph_wire_catenary(b, ONE, 1, 1e6), PH_ERANGE, "a catenary as high as e^500000");
+  refused(ph_wire_catenary(b, ONE, 1, 2000), PH_ERANGE, "a catenary as high as e^1000");
+  refused(ph_solid_regular(b, ONE, 10, 1), PH_ECOUNT, "a regular polyhedron of ten faces");
+  refused(ph_shell_torus(b, ONE, 1, 2), PH_EORDER, "a shell that runs through itself");
+  refused(ph_shape_make(b, "shell.cylinder", ONE, (const double[]){1, 1, 2}, 3), PH_EBOUND,
+          "a cylinder with ends = 2");
+  refused(ph_solid_tetrahedron(b, ONE, (const double[]){0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}),
+          PH_EFLAT, "a flat tetrahedron");
+  refused(ph_solid_parallelepiped(b, ONE, (const double[]){1, 2, 3, 4, 5, 6, 7, 8, 9}), PH_EFLAT,
+          "edges in one plane");
+  refused(ph_plate_triangle(b, ONE, (const double[]){0, 0, 0, 1, 2, 3, 2, 4, 6}), PH_EFLAT,
+          "a triangle on a line");
+  refused(ph_plate_triangle(b, ONE, BAD), PH_EFINITE, "a triangle nowhere");
+  refused(ph_wire_polyline(b, ONE, 1, E1, 0), PH_ECOUNT, "a polyline of one point");
+  refused(ph_wire_polyline(b, ONE, 3, ZERO, 1), PH_ELENGTH, "a polyline that goes nowhere");
+  refused(ph_wire_polyline(b, ph_amount_mass(-1), 3, ZERO, 1), PH_EMASS, "a polyline of mass -1");
+
+  const int one[] = {4}, two[] = {4, 3}, three[] = {4, 3, 3}, few[] = {2};
+#define PLATE(n, count, ...) ph_plate_polygon(b, ONE, n, count, (const double[]){__VA_ARGS__})
+#define SQUARE               0, 0, 4, 0, 4, 4, 0, 4
+  refused(PLATE(0, one, 0), PH_ECOUNT, "no outline");
+  refused(PLATE(1, few, SQUARE), PH_ECOUNT, "an outline of two points");
+  refused(PLATE(1, one, 0, 0, 1, 1, 2, 2, 3, 3), PH_EFLAT, "an outline on a line");
+  refused(PLATE(1, one, 0, 0, 1, 0, nan, 1, 0, 1), PH_EFINITE, "an outline through NaN");
+  refused(PLATE(1, one, 0, 0, 1, 1, 1, 0, 0, 1), PH_ECROSS, "a bow tie");
+  refused(PLATE(1, one, 0, 0, 4, 0, 2, 0, 2, 4), PH_ECROSS, "an outline that turns back");
+  refused(PLATE(1, one, 0, 0, 4, 0, 0, 4, 0, 0), PH_ECROSS, "an outline with a point twice");
+  refused(PLATE(2, two, SQUARE, 5, 5, 6, 5, 5, 6), PH_EHOLE, "a hole beside the plate");
+  refused(PLATE(2, two, SQUARE, 3, 1, 5, 1, 3, 2), PH_EHOLE, "a hole across the edge");
+  refused(PLATE(2, two, SQUARE, 4, 1, 2, 1, 2, 2), PH_EHOLE, "a hole that touches the edge");
+  refused(PLATE(2, two, 1, 1, 2, 1, 2, 2, 1, 2, 0, 0, 9, 0, 0, 9), PH_EHOLE,
+          "a hole around the plate");
+  refused(PLATE(3, three, SQUARE, 1, 1, 3, 1, 1, 3, 1.5, 1.5, 2, 1.5, 1.5, 2), PH_EHOLE,
+          "a hole in a hole");
+  refused(PLATE(3, three, SQUARE, 1.5, 1.5, 2, 1.5, 1.5, 2, 1, 1, 3, 1, 1, 3), PH_EHOLE,
+          "a hole around a hole");
+  const double square[] = {SQUARE}, left[] = {-1, 0, 1, 0, 1, 1, 0, 1};
+  refused(ph_solid_prism(b, ONE, 4, square, 0), PH_ELENGTH, "a prism without height");
+  refused(ph_extrude(b, ONE, 1, one, square, nan), PH_EFINITE, "a prism of NaN height");
+  refused(ph_revolve(b, ONE, 1, one, left), PH_EBOUND, "a profile across the axis");
+  refused(ph_revolve(b, ph_amount_density(0), 1, one, square), PH_EMASS,
+          "a turned part of no density");
+
+  const ph_term unit = {1, {0, 0, 0}}, in_x = {1, {1, 0, 0}}, back = {1, {-1, 0, 0}},
+                minus = {-1, {0, 0, 0}}, steep = {1, {200, 0, 0}}, none = {nan, {0, 0, 0}};
+  const ph_polynomial O = {0, NULL}, l = {1, &unit}, x = {1, &in_x}, neg = {1, &minus};
+  const int xyz[] = {0, 1, 2}, yxz[] = {1, 0, 2}, xxz[] = {0, 0, 2};
+  const ph_polynomial cube[] = {O, l, O, l, O, l}, wedge[] = {O, l, O, x, O, l},
+                      crossed[] = {O, l, l, O, O, l}, powers[] = {O, l, O, {1, &back}, O, l},
+                      high[] = {O, l, O, {1, &steep}, O, l}, lost[] = {O, l, O, l, O, {1, &none}};
+  refused(ph_region(b, ONE, xxz, cube, NULL), PH_EBOUND, "a region that integrates x twice");
+  refused(ph_region(b, ONE, yxz, wedge, NULL), PH_EBOUND,
+          "a limit that depends on a later variable");
+  refused(ph_region(b, ONE, xyz, crossed, NULL), PH_EBOUND, "limits in the wrong order");
+  refused(ph_region(b, ONE, xyz, powers, NULL), PH_EBOUND, "a limit 1/x");
+  refused(ph_region(b, ONE, xyz, high, NULL), PH_EBOUND, "a limit x^200");
+  refused(ph_region(b, ONE, xyz, lost, NULL), PH_EFINITE, "a limit of NaN");
+  refused(ph_region(b, ONE, xyz, cube, &neg), PH_EMASS, "a density of -1");
+  refused(ph_region(b, ONE, xyz, cube, &O), PH_EMASS, "a density of 0");
+
+  ph_body box;
+  ph_solid_box(&box, ONE, 1, 1, 1);
+  refused(ph_body_affine(b, &box, ZERO), PH_EFLAT, "a map to a point");
+  refused(ph_body_affine(b, &box, BAD), PH_EFINITE, "a map to NaN");
+  const double sigma[] = {1, 1, -1e-9, 0, 0, 0};
+  refused(ph_body_moments(b, 1, ZERO, sigma), PH_EPOSITIVE, "a second moment of -1e-9");
+  refused(ph_body_moments(b, 0, ZERO, ZERO), PH_EMASS, "moments without mass");
+  refused(ph_body_moments(b, 1, BAD, ZERO), PH_EFINITE, "moments nowhere");
+}
+
 static void tensors(void) {
   const double I[6] = {1, 1, 1, 0, 0, 0}, huge[6] = {1e300, 1e300, 1e300, 0, 0, 0};
   const double nearly[6] = {1e308, 1e308, 1e308, 1e308, 1e308, 1e308};
@@ -304,6 +388,7 @@ static void runs(void) {
 int main(void) {
   fresh();
   bodies();
+  shapes();
   tensors();
   rotations();
   tops();

@@ -68,31 +68,27 @@ int brick_init(brick_model *m, const brick_real p[])
   k.Iyz = -0.25*M*t9;
 
   /* inverse of the tensor, xx, 1/(kg m^2) */
-  const brick_real t10 = 16.0*(t5 + t4);
+  const brick_real t10 = t5 + t4;
   const brick_real t11 = t2*t3;
-  const brick_real t12 = t5*t5;
-  const brick_real t13 = t2*t2;
-  const brick_real t14 = t3*t3;
-  const brick_real t15 = 14.0*(t12*t2 + t12*t3 + t5*t13 + t5*t14 + t13*t3 + t2*t14);
-  const brick_real t16 = M*(t15 + 37.0*t5*t11);
-  k.Jxx = 6.0*(t10*t5 + 7.0*t11)/t16;
+  const brick_real t12 = M*(t5*(14.0*t6*t3 + t2*(14.0*t7 + 37.0*t3)) + 14.0*t4*t11);
+  k.Jxx = 6.0*(16.0*t5*t10 + 7.0*t11)/t12;
 
   /* inverse of the tensor, yy, 1/(kg m^2) */
-  const brick_real t17 = 7.0*t5;
-  k.Jyy = 6.0*(t10*t2 + t17*t3)/t16;
+  const brick_real t13 = 7.0*t5;
+  k.Jyy = 6.0*(t13*t3 + 16.0*t2*t10)/t12;
 
   /* inverse of the tensor, zz, 1/(kg m^2) */
-  k.Jzz = 6.0*(t17*t2 + t10*t3)/t16;
+  k.Jzz = 6.0*(t13*t2 + 16.0*t3*t10)/t12;
 
   /* inverse of the tensor, xy, 1/(kg m^2) */
-  const brick_real t18 = 18.0*a;
-  k.Jxy = t18*b*(4.0*t7 + 3.0*t3)/t16;
+  const brick_real t14 = 18.0*(a/t12);
+  k.Jxy = t14*b*(4.0*t7 + 3.0*t3);
 
   /* inverse of the tensor, xz, 1/(kg m^2) */
-  k.Jxz = t18*c*(4.0*t6 + 3.0*t2)/t16;
+  k.Jxz = t14*c*(4.0*t6 + 3.0*t2);
 
   /* inverse of the tensor, yz, 1/(kg m^2) */
-  k.Jyz = 18.0*t9*(3.0*t5 + 4.0*t4)/t16;
+  k.Jyz = 18.0*t9*(3.0*t5 + 4.0*t4)/t12;
 
   /* centre of mass x from the origin of rotation, m */
   k.Rx = 0.5*a;
@@ -552,81 +548,209 @@ void brick_acceleration(const brick_real w[3], const brick_real dw[3], const bri
   total[2] = az + t6 + t3 + t12;
 }
 
-/* ---- principal axes, stability, small oscillations ---- */
+/* ---- pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP 2, 4.2.2 ---- */
 
-void brick_principal(const brick_model *m, brick_real moments[3], brick_real axes[9])
+typedef struct brick_pair {
+  brick_real hi, lo;
+} brick_pair;
+
+/* a + b = hi + lo exactly (Knuth's two-sum) */
+static brick_pair brick_pair_sum(brick_real a, brick_real b)
 {
-  brick_real I[6], a[3][3], v[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-  int order[3] = {0, 1, 2}, sweep, i, j, k, busy = 1;
+  brick_pair s;
+  brick_real bb;
 
-  brick_inertia(m, I);
-  a[0][0] = I[0];
-  a[1][1] = I[1];
-  a[2][2] = I[2];
-  a[0][1] = a[1][0] = I[3];
-  a[0][2] = a[2][0] = I[4];
-  a[1][2] = a[2][1] = I[5];
+  s.hi = a + b;
+  bb = s.hi - a;
+  s.lo = (a - (s.hi - bb)) + (b - bb);
+  return s;
+}
 
-  /* cyclic Jacobi (Golub, Van Loan, 8.5): a rotation in the plane (i, j) removes a[i][j]; an entry is removed
-   * already when it is negligible beside BOTH its diagonal entries, which keeps small moments accurate */
-  for (sweep = 0; sweep < 12 && busy; sweep++) {
-    busy = 0;
-    for (i = 0; i < 2; i++) {
-      for (j = i + 1; j < 3; j++) {
-        const brick_real limit = 2.220446049250313e-16*(sqrt(fabs(a[i][i]))*sqrt(fabs(a[j][j])));
-        brick_real theta, tangent, cosine, sine, p, q;
+/* a*b = hi + lo exactly (Dekker's product, factors split in halves) */
+static brick_pair brick_pair_product(brick_real a, brick_real b)
+{
+  const brick_real split = 134217729.0;
+  brick_real c, ah, al, bh, bl;
+  brick_pair p;
 
-        if (fabs(a[i][j]) <= limit) {
-          a[i][j] = a[j][i] = 0.0;
-          continue;
-        }
-        busy = 1;
-        theta = 0.5*(a[j][j] - a[i][i])/a[i][j];
-        tangent = 1.0/(fabs(theta) + sqrt(1.0 + theta*theta));
-        if (theta < 0.0) tangent = -tangent;
-        cosine = 1.0/sqrt(1.0 + tangent*tangent);
-        sine = tangent*cosine;
-        a[i][i] -= tangent*a[i][j];
-        a[j][j] += tangent*a[i][j];
-        a[i][j] = a[j][i] = 0.0;
-        k = 3 - i - j;
-        p = a[k][i];
-        q = a[k][j];
-        a[k][i] = a[i][k] = cosine*p - sine*q;
-        a[k][j] = a[j][k] = sine*p + cosine*q;
-        for (k = 0; k < 3; k++) {
-          p = v[k][i];
-          q = v[k][j];
-          v[k][i] = cosine*p - sine*q;
-          v[k][j] = sine*p + cosine*q;
-        }
-      }
+  c = split*a;
+  ah = c - (c - a);
+  al = a - ah;
+  c = split*b;
+  bh = c - (c - b);
+  bl = b - bh;
+  p.hi = a*b;
+  p.lo = ((ah*bh - p.hi) + ah*bl + al*bh) + al*bl;
+  return p;
+}
+
+static brick_pair brick_pair_of(brick_real a)
+{
+  brick_pair p;
+
+  p.hi = a;
+  p.lo = 0.0;
+  return p;
+}
+
+static brick_pair brick_pair_minus(brick_pair a)
+{
+  a.hi = -a.hi;
+  a.lo = -a.lo;
+  return a;
+}
+
+static brick_pair brick_pair_add(brick_pair a, brick_pair b)
+{
+  brick_pair s = brick_pair_sum(a.hi, b.hi);
+
+  return brick_pair_sum(s.hi, s.lo + (a.lo + b.lo));
+}
+
+static brick_pair brick_pair_multiply(brick_pair a, brick_pair b)
+{
+  brick_pair p = brick_pair_product(a.hi, b.hi);
+
+  return brick_pair_sum(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
+}
+
+/* ---- principal axes: Jacobi's method in pairs ----
+ * Jacobi's rotations keep small moments beside large ones: Demmel, Veselic 1992, SIAM J. Matrix Anal. Appl. 13, 1204.
+ * In pairs the rotations are orthogonal to twice the precision, so rounding their product once is all that the axes
+ * suffer. */
+
+/* (x, y) turned: (c x - s y, s x + c y) */
+static void brick_pair_turn(brick_pair c, brick_pair s, brick_pair *x, brick_pair *y)
+{
+  const brick_pair cx = brick_pair_multiply(c, *x), sx = brick_pair_multiply(s, *x);
+  const brick_pair cy = brick_pair_multiply(c, *y), sy = brick_pair_multiply(s, *y);
+
+  *x = brick_pair_add(cx, brick_pair_minus(sy));
+  *y = brick_pair_add(sx, cy);
+}
+
+/* Turn the axes p, q so that the entry I_pq = off[r] vanishes ({p, q, r} = {0, 1, 2}; I_kk = diagonal[k]).
+ * The tangent t solves (1 - t^2) I_pq = t (I_qq - I_pp), |t| <= 1 (Golub, Van Loan, 8.5), but only to the type's
+ * precision; the rotation by this t is exact, and what is left of I_pq = cos^2 ((1 - t^2) I_pq - t (I_qq - I_pp))
+ * stays for the next one. */
+static void brick_jacobi(brick_pair diagonal[3], brick_pair off[3], brick_pair axis[3][3], int r)
+{
+  const int p = (r + 1) % 3, q = (r + 2) % 3;
+  const brick_pair difference = brick_pair_add(diagonal[q], brick_pair_minus(diagonal[p]));
+  const brick_real d = 0.5*difference.hi, b = off[r].hi;
+  brick_pair t, t2, c, s, left, shift;
+  brick_real ratio, root;
+  int k;
+
+  /* the ratio that is at most 1: no overflow, whatever the sizes */
+  if (fabs(b) < fabs(d)) {
+    ratio = b/d;
+    ratio = ratio/(1.0 + sqrt(1.0 + ratio*ratio));
+  } else {
+    ratio = d/b;
+    root = sqrt(1.0 + ratio*ratio);
+    ratio = ratio < 0.0 ? 1.0/(ratio - root) : 1.0/(ratio + root);
+  }
+  t = brick_pair_of(ratio);
+  t2 = brick_pair_product(ratio, ratio);
+
+  /* c = 1/sqrt(1 + t^2), a Newton step from its leading half; s = t c */
+  c = brick_pair_add(brick_pair_of(1.0), t2);
+  root = 1.0/sqrt(c.hi);
+  s = brick_pair_multiply(c, brick_pair_product(root, root));
+  c = brick_pair_sum(root, 0.5*root*((1.0 - s.hi) - s.lo));
+  s = brick_pair_multiply(t, c);
+
+  left = brick_pair_multiply(brick_pair_add(brick_pair_of(1.0), brick_pair_minus(t2)), off[r]);
+  left = brick_pair_add(left, brick_pair_minus(brick_pair_multiply(t, difference)));
+  left = brick_pair_multiply(brick_pair_multiply(c, c), left);
+  shift = brick_pair_multiply(t, brick_pair_add(off[r], left));
+  diagonal[p] = brick_pair_add(diagonal[p], brick_pair_minus(shift));
+  diagonal[q] = brick_pair_add(diagonal[q], shift);
+  off[r] = ratio == 0.0 ? brick_pair_of(0.0) : left; /* too small to turn by: too small to matter */
+  brick_pair_turn(c, s, &off[q], &off[p]); /* I_rp, I_rq */
+  for (k = 0; k < 3; k++) brick_pair_turn(c, s, &axis[p][k], &axis[q][k]);
+}
+
+int brick_principal_of(const brick_real I[6], brick_real moments[3], brick_real axes[9])
+{
+  brick_pair diagonal[3], off[3], axis[3][3];
+  brick_real largest = 0.0, products = 0.0, own[3];
+  int order[3] = {0, 1, 2}, odd = 0, count, settled = 0, scale = 0, i, j, k;
+
+  for (i = 0; i < 6; i++) {
+    if (!(I[i] - I[i] == 0.0)) return 1;
+    if (fabs(I[i]) > largest) largest = fabs(I[i]);
+    if (i > 2) products += fabs(I[i]) > 0.0 ? 1.0 : 0.0;
+  }
+  /* by a power of two to where the halves of the products neither over- nor underflow */
+  (void)frexp(largest, &scale);
+  scale = products > 0.0 ? 990 - scale : 0;
+  for (i = 0; i < 3; i++) {
+    diagonal[i] = brick_pair_of(ldexp(I[i], scale));
+    off[i] = brick_pair_of(ldexp(I[5 - i], scale)); /* yz, xz, xy: the one opposite to axis i */
+    for (k = 0; k < 3; k++) axis[i][k] = brick_pair_of(i == k ? 1.0 : 0.0);
+  }
+
+  /* The planes xy, xz, yz in turn, until each is negligible beside BOTH its diagonal entries.  With I_pq = 0 a
+   * rotation in the plane (r, p) splits I_rq = y into I_rq = y cos, I_pq = y sin; |sin| <= sqrt(1/2), and the next
+   * plane is that of the larger one.  So from the second rotation on the smaller of the two products left shrinks by
+   * sqrt(1/2) or more each time, for ANY tensor: after 240 both are below 2^-118 of the largest entry, beyond the
+   * pairs.  For a positive definite one a rotation with I_pq^2 >= I_pp I_qq/4 takes a quarter or more off the product
+   * of the diagonal, which stays above the determinant: the condition alone bounds their number.  Then what is left is
+   * squared; some ten rotations are made in all. */
+  for (count = 0; settled < 3 && count < 240; count++) {
+    i = 2 - count % 3;
+    j = (i + 1) % 3;
+    k = (i + 2) % 3;
+    if (fabs(off[i].hi) <= 4.930380657631324e-32*(sqrt(fabs(diagonal[j].hi))*sqrt(fabs(diagonal[k].hi)))) {
+      off[i] = brick_pair_of(0.0);
+      settled++;
+    } else {
+      brick_jacobi(diagonal, off, axis, i);
+      settled = 0;
     }
   }
 
   for (i = 1; i < 3; i++) { /* insertion sort: equal moments keep their order */
-    for (j = i; j > 0 && a[order[j]][order[j]] < a[order[j - 1]][order[j - 1]]; j--) {
+    for (j = i; j > 0 && diagonal[order[j]].hi < diagonal[order[j - 1]].hi; j--) {
       k = order[j];
       order[j] = order[j - 1];
       order[j - 1] = k;
+      odd = !odd;
     }
   }
   for (i = 0; i < 3; i++) {
-    int largest = 0;
-
-    moments[i] = a[order[i]][order[i]];
-    for (k = 1; k < 3; k++) {
-      if (fabs(v[k][order[i]]) > fabs(v[largest][order[i]])) largest = k;
-    }
-    for (k = 0; k < 3; k++) {
-      axes[3*i + k] = v[largest][order[i]] < 0.0 ? -v[k][order[i]] : v[k][order[i]];
-    }
+    own[i] = ldexp(diagonal[order[i]].hi, -scale);
+    if (!(own[i] - own[i] == 0.0)) return 1;
   }
-  /* the third axis is the vector product of the others: right-handed */
-  axes[6] = axes[1]*axes[5] - axes[2]*axes[4];
-  axes[7] = axes[2]*axes[3] - axes[0]*axes[5];
-  axes[8] = axes[0]*axes[4] - axes[1]*axes[3];
+  for (i = 0; i < 3; i++) {
+    const brick_pair *v = axis[order[i]];
+    brick_real sign;
+
+    moments[i] = own[i];
+    largest = 0.0;
+    for (k = 0; k < 3; k++) {
+      if (fabs(v[k].hi) > largest) largest = fabs(v[k].hi);
+    }
+    for (k = 0; fabs(v[k].hi) < 0.9375*largest;) k++;
+    /* the rotations have determinant 1: two signs and the order settle the third */
+    sign = (i < 2 ? v[k].hi < 0.0 : odd) ? -1.0 : 1.0;
+    if (sign < 0.0) odd = !odd;
+    for (k = 0; k < 3; k++) axes[3*i + k] = sign*v[k].hi + 0.0; /* no negative zero */
+  }
+  return 0;
 }
+
+int brick_principal(const brick_model *m, brick_real moments[3], brick_real axes[9])
+{
+  brick_real I[6];
+
+  brick_inertia(m, I);
+  return brick_principal_of(I, moments, axes);
+}
+
+/* ---- stability, small oscillations ---- */
 
 int brick_stability(const brick_real I[3], int k, brick_real s, brick_real Omega[2], brick_real *rate)
 {

@@ -1,0 +1,43 @@
+-- files.lua -- which files a scene may name: those in its own folder and below.
+--
+-- A scene is data that someone may have sent: it names files relative to itself, and nothing above.  Reading is the
+-- host's, which takes regular files of bounded size only.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local diag = require "generator.diag"
+
+local files = {}
+
+local function rule_for(given)
+  if type(given) ~= "string" or given == "" then return "file must be the name of a file" end
+  if string.find(given, "%c") then return "file must not contain control characters" end
+  if string.sub(given, 1, 1) == "/" then return "file must be relative to the scene's folder" end
+  for part in string.gmatch(given, "[^/]+") do
+    if part == ".." then return "file must be in the scene's folder or below it, without .." end
+  end
+  return nil
+end
+
+-- The path of the file that the scene calls `given`, or nil after an error on the line.
+function files.resolve(ctx, line, what, given)
+  local rule = rule_for(given)
+  if rule then
+    ctx.diag:error(line, what, rule, diag.show(given))
+    return nil
+  end
+  return (string.match(ctx.diag.file, "^.*/") or "") .. given
+end
+
+-- The text of that file and its path, or nil after an error on the line.  ctx: {diag =, host =}.
+function files.read(ctx, line, what, given)
+  local path = files.resolve(ctx, line, what, given)
+  if not path then return nil end
+  local text, why = ctx.host.read(path)
+  if not text then
+    ctx.diag:error(line, what, why)
+    return nil
+  end
+  return text, path
+end
+
+return files
