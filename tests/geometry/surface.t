@@ -94,7 +94,7 @@ for _, node in ipairs { { shape = "solid.tube", r_in = 1, r_out = 2, h = 3 }, { 
   { shape = "solid.hollow_sphere", r_in = 1, r_out = 2 } } do
   local whole = integrals.volume(surface.of(node, 32).faces)[1]
   local rest = surface.of(node, 32, { turn = { 1 / 4, 3 / 4 } })
-  tap.near(integrals.volume(rest.faces)[1], 3 / 4 * whole, 1e-12, 0, node.shape .. ": cut open, three quarters are left",
+  tap.near(integrals.volume(rest.faces)[1], 3 / 4 * whole, 1e-12, 0, node.shape .. ": three quarters are left of it",
     "equal sectors; sums of 1e3 terms")
   tap.is(integrals.open_edges(rest.faces), 0, node.shape .. ": cut open, still closed")
 end
