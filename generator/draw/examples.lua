@@ -62,7 +62,7 @@ entry("solid.elliptic_cylinder", { a = 0.8, b = 1.4, h = 1.6 }, function(a)
 end)
 entry("solid.tube", { r_in = 0.6, r_out = 1, h = 2 }, function(a)
   local z = a.h / 2
-  return { radius("r_in", a.r_in, z, 0.5), radius("r_out", a.r_out, z, 0.75), upright("h", a.r_out, -z, z) }
+  return { radius("r_in", a.r_in, z, 0.5), radius("r_out", a.r_out, z, 0.88), upright("h", a.r_out, -z, z) }
 end, { turn = quarter })
 entry("solid.cone", { r = 1, h = 2 }, function(a) return { radius("r", a.r, 0), upright("h", a.r, 0, a.h) } end)
 entry("solid.elliptic_cone", { a = 0.8, b = 1.3, h = 1.8 }, function(a)

@@ -111,7 +111,11 @@ local function layers(faces)
   return top
 end
 
-local function key(p) return string.format("%.3f %.3f %.3f", p[1] + 0.0, p[2] + 0.0, p[3] + 0.0) end
+-- The same point, to a thousandth of a pixel.
+local function key(p)
+  local function round(x) return math.floor(x * 1000 + 0.5) end
+  return round(p[1]) .. " " .. round(p[2]) .. " " .. round(p[3])
+end
 
 -- Is the screen point behind one of the faces, by more than `least`?
 local function covered(faces, p, least)
@@ -137,15 +141,15 @@ local function towards(p, q, t)
   return { p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2]), p[3] + t * (q[3] - p[3]) }
 end
 
--- Are the middle and the corners (drawn in a little) all covered?  Such a face or edge need not be painted.
-local function out_of_sight(faces, points, least)
-  local c = { 0, 0, 0 }
+-- How many of the points (drawn in a little) and their middle are covered: 0 in full sight, 1 out of sight.
+local function hidden_part(faces, points, least)
+  local c, count = { 0, 0, 0 }, 0
   for _, p in ipairs(points) do c = { c[1] + p[1] / #points, c[2] + p[2] / #points, c[3] + p[3] / #points } end
-  if not covered(faces, c, least) then return false end
+  if covered(faces, c, least) then count = 1 end
   for _, p in ipairs(points) do
-    if not covered(faces, towards(p, c, 0.15), least) then return false end
+    if covered(faces, towards(p, c, 0.15), least) then count = count + 1 end
   end
-  return true
+  return count / (#points + 1)
 end
 
 -- s: a surface in screen coordinates (see surface.tree); open: both sides of its faces can be seen.
@@ -182,7 +186,7 @@ function view.of(s, open)
   end
   local visible = {}
   for _, f in ipairs(faces) do
-    if not out_of_sight(faces, f.seen, 0.5) then visible[#visible + 1] = f end
+    if hidden_part(faces, f.seen, 0.5) < 1 then visible[#visible + 1] = f end
   end
   local all = faces
   faces = visible
@@ -209,20 +213,19 @@ function view.of(s, open)
       crease[a .. "|" .. b], crease[b .. "|" .. a] = true, true
     end
   end
-  for _, f in ipairs(faces) do
+  for _, f in ipairs(all) do
     for k, p in ipairs(f.raw) do
       local q = f.raw[k % #f.raw + 1]
       local a, b = keys[p], keys[q]
       local g = sides[b .. "|" .. a]
-      local fold = not g or not g.painted or (g.inside or false) ~= (f.inside or false)
-      if a ~= b and (fold or g.index > f.index or not g.layer) and not out_of_sight(all, { p, q }, 0.05) then
-        local sharply = g and dot(f.n, g.n) < sharp and not fold
-        local layer = math.max(f.layer, g and g.layer or 0)
-        if fold or sharply or crease[a .. "|" .. b] and dot(f.n, g.n) < 0.9999 or g.cut ~= f.cut then
-          if not (fold and g and g.layer and g.index < f.index) then -- the other face draws it
-            out.edges[#out.edges + 1] = { p, q, layer = layer, outline = fold }
-          end
-        end
+      local other = g and g.painted and g or nil
+      local fold = not other or (other.inside or false) ~= (f.inside or false)
+      local line = fold or dot(f.n, g.n) < sharp or g.cut ~= f.cut or crease[a .. "|" .. b] and dot(f.n, g.n) < 0.9999
+      if line and a ~= b and not (other and other.index < f.index) then -- of two faces the first draws it
+        local part = hidden_part(all, { p, q }, 0.05)
+        local layer = math.max(f.layer or 1, other and other.layer or 1)
+        if part == 0 then layer = out.layers end -- nothing covers it
+        if part < 1 then out.edges[#out.edges + 1] = { p, q, layer = layer, outline = fold } end
       end
     end
   end

@@ -194,9 +194,9 @@ local head = [[
 Every shape of the scene language, made by `polhode list shapes --format markdown -o docs`. Lengths are in metres,
 angles in radians. `mass` and `density` (per volume, area or length) are alternatives. The tensor is about the centroid
 for the mass m, in the axes of the picture; entries that are not listed are zero, and off-diagonal entries are tensor
-entries (minus the products of inertia). Where an argument is a list, the formulas are for the list of the example. In the
-pictures the black and white disc is the centroid; red lines are what the arguments measure; a quarter is cut out where
-that shows more.
+entries (minus the products of inertia). Where an argument is a list, the formulas are for the list of the example. In
+the pictures the black and white disc is the centroid; red lines are what the arguments measure; a quarter is cut out
+where that shows more.
 
 ]]
 

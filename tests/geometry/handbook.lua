@@ -6,7 +6,7 @@
 --   S = {xx, yy, zz, xy, xz, yz}  mean of x_i x_j about the frame's origin}
 -- Sources: Goldstein, Classical Mechanics, ch. 5; Gradshteyn, Ryzhik for the integrals; Weisstein, MathWorld, for the
 -- sector ("Spherical Sector"), capsule, bicylinder ("Steinmetz Solid"), hoof ("Cylindrical Wedge") and the regular
--- polyhedra; Tonon, J. Math. Stat. 1 (2004) 8 for the tetrahedron.  The others are one elementary integral each, written out.
+-- polyhedra; Tonon, J. Math. Stat. 1 (2004) 8 for the tetrahedron.  The others are one elementary integral each.
 
 local pi, sqrt, sin, cos = math.pi, math.sqrt, math.sin, math.cos
 local phi = (1 + sqrt(5)) / 2
