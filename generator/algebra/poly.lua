@@ -150,18 +150,24 @@ local function reduce(p)
     local rel = ring.relation[i]
     local todo = rel ~= nil
     while todo do
-      todo = false
-      for _, t in ipairs(poly.sorted(p)) do
+      local kept, high = new(ring), {}
+      for k, t in pairs(p.terms) do -- sums of exact terms: order is lost anyway
         if t.e[i] >= rel.degree then
+          high[#high + 1] = t
+        else
+          kept.terms[k] = t
+          kept.n = kept.n + 1
+        end
+      end
+      todo = #high > 0
+      if todo then
+        local lowered = new(ring)
+        for _, t in ipairs(high) do
           local e = { table.unpack(t.e) }
           e[i] = e[i] - rel.degree
-          local rest = new(ring)
-          put(rest, e, t.c)
-          put(p, t.e, -t.c)
-          p = poly.add(p, poly.mul(rest, rel.value))
-          todo = true
-          break
+          put(lowered, e, t.c)
         end
+        p = poly.add(kept, poly.mul(lowered, rel.value))
       end
     end
   end
