@@ -75,8 +75,10 @@ function model:derived(e, about)
     if not params[s] then return nil end
   end
   local stem = source and source.name or "constant"
+  local multiple = source and select(2, expr.split(e)) == source.sym
+  local raw = multiple or self.parts ~= nil
   local sym = self:constant(stem .. "_" .. string.gsub(about, "%W", ""), inlined,
-    about .. (source and source.about or ""), self.parts ~= nil, self.parts and e)
+    about .. (source and source.about or ""), raw, raw and e or nil)
   if self.by_name[sym.name] then self.by_name[sym.name].multiple = true end
   return sym
 end

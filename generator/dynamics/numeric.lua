@@ -46,6 +46,10 @@ function numeric.scene(job, values)
       local rows = {}
       for i, row in ipairs(node.rows) do rows[i] = nums(row) end
       return { shape = "points", list = rows }
+    elseif node.shape == "mesh" then
+      local a = node.a
+      return { shape = "mesh", mass = num(node.mass or node.density * growth[node.measure] * a.measure),
+        com = nums(a.com), sigma = nums(a.sigma) }
     elseif node.shape == "region" then
       return region(node, growth)
     elseif node.shape then
@@ -56,7 +60,13 @@ function numeric.scene(job, values)
       end
       return out
     elseif node.op == "at" then
-      return { op = "at", of = tree(node.of, growth), r = nums(node.r) }
+      local r, rest, exact_shift = nums(node.r), {}, true
+      for i, e in ipairs(node.r) do -- a shift is no double: what is left of it is a second, small one
+        rest[i] = R.todouble(exact(e) - R.fromdouble(r[i]))
+        exact_shift = exact_shift and rest[i] == 0
+      end
+      local moved = { op = "at", of = tree(node.of, growth), r = r }
+      return exact_shift and moved or { op = "at", of = moved, r = rest }
     elseif node.op == "turned" then
       return { op = "turned", of = tree(node.of, growth), q = nums(node.q) }
     elseif node.op == "scaled" then
