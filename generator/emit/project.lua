@@ -63,6 +63,8 @@ local function init(ctx, m, values)
     inputs[#inputs + 1] = { sym = name, c = "p[" .. upper .. "_" .. string.upper(p.name) .. "]" }
   end
   local groups, checks = {}, {}
+  -- a condition may ask for the rounding of the real type: half a unit in the last place of 1
+  map[expr.sym("unit roundoff", 1, true)] = expr.num(R.new(2) ^ (ctx.real == "float" and -24 or -53))
   for i, c in ipairs(m.conditions) do
     groups[i] = { defs = {}, outs = { { c = "const " .. ctx.name .. "_real check" .. i,
       expr = calculus.substitute(c.e, map) } } }
