@@ -13,9 +13,11 @@ local calculus = require "generator.algebra.calculus"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local body = require "generator.mass.body"
+local holes = require "generator.mass.holes"
 local jacobi = require "generator.mass.jacobi"
 local principal = require "generator.mass.principal"
 local validity = require "generator.mass.validity"
+local numeric = require "generator.dynamics.numeric"
 
 local model = {}
 model.__index = model
@@ -149,7 +151,9 @@ function model.new(d, record, options)
   m.body, m.mass, m.origin = b, b.mass, r
   m.com = vec.map(vec.sub(b.com, r), ratio.tidy)
   m.inertia, m.centroidal = body.tensor(b, r), body.tensor(b, b.com)
-  if not validity.check(d, m) then return nil end
+  -- a hole that reaches out is the cause of what else is wrong, so it is said alone
+  local sound = not holes.any(m.record.body) or holes.check(d, m, numeric.scene({ model = m, record = m.record }).body)
+  if not sound or not validity.check(d, m) then return nil end
   m.structure = principal.classify(m.inertia)
   if m.structure.nothing then
     d:error(m.line, "body", "has no moment of inertia about the origin, so its rotation is undetermined")

@@ -37,6 +37,17 @@ local function scaled(v, k)
   return w
 end
 
+-- ---- rounding ----
+
+-- A lamina or a rod lies on the border of what is lawful, and digits that were cut, to five or more, push it over: then
+-- Sigma + 1e-5 tr 1 is lawful, whose tensor is I + 2e-5 tr 1.
+local function rounded(g)
+  if g.about ~= "com" then return {} end
+  local I, more = g.I, (g.I[1] + g.I[2] + g.I[3]) * R.parse "0.00002"
+  if not g.lawful { I[1] + more, I[2] + more, I[3] + more, I[4], I[5], I[6] } then return {} end
+  return { "the entries of a flat or thin body were rounded (more digits, or the sum itself, would satisfy it)" }
+end
+
 -- ---- slips of form: no digit is wrong ----
 
 local swaps = { { 4, 5 }, { 4, 6 }, { 5, 6 }, { 1, 2 }, { 1, 3 }, { 2, 3 } }
@@ -145,11 +156,11 @@ local function meaning(g)
   return {}
 end
 
-local kinds = { { form, "most likely" }, { beside, "most likely" }, { digits, "most likely" }, { units, "most likely" },
-  { meaning, "perhaps" } }
+local kinds = { { rounded, "most likely" }, { form, "most likely" }, { beside, "most likely" },
+  { digits, "most likely" }, { units, "most likely" }, { meaning, "perhaps" } }
 
--- given: {I =, mass =, com =, about = "com" | "origin", lawful = the test of a central tensor}.  Returns the most likely
--- explanation as "most likely: ...", or nil.
+-- given: {I =, mass =, com =, about = "com" | "origin", lawful = the test of a central tensor}.  Returns the
+-- most likely explanation as "most likely: ...", or nil.
 function slips.hint(given)
   local function valid(I, m, c)
     for i = 1, 3 do

@@ -68,8 +68,8 @@ local function excess(a, b, text)
   return show(a) .. " > " .. text .. (close and " by " .. R.magnitude(a - b) or "")
 end
 
--- The broken conditions of a central tensor as {rule, got}, simplest first: what follows from a broken diagonal, or from
--- a broken pair, is not said again.
+-- The broken conditions of a central tensor as {rule, got}, simplest first: what follows from a broken diagonal, or
+-- from a broken pair, is not said again.
 local function faults(I)
   local S, list = sigma_of(I), {}
   local broken = negative(S)
@@ -227,8 +227,9 @@ validity.roundoff = expr.sym("unit roundoff", 1, true)
 -- Conditions under which S is positive semidefinite, as expressions >= 0; size: a bound of the terms it was added from.
 -- Entries that were rounded, and added, are off by some 4 u size; a lamina or a rod (S singular) must pass with these.
 -- So the test is made of S + 16 u size 1, which is then positive definite by 12 u size, more than the rounding of the
--- elimination itself can eat (Higham, Accuracy and Stability, 2nd ed., theorem 10.7: some 4 u of the largest entry).  The
--- conditions are the pivots of elimination, not minors: each is as large as a moment, so none leaves the range of float.
+-- elimination itself can eat (Higham, Accuracy and Stability, 2nd ed., theorem 10.7: some 4 u of the largest entry).
+-- The conditions are the pivots of elimination, not minors: each is as large as a moment, so none leaves the range of
+-- float.
 local function semidefinite(S, size)
   local shift = 16 * validity.roundoff * size
   local p = S[1] + shift
