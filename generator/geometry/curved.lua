@@ -65,7 +65,7 @@ end
 
 -- The image of the unit cube under the iterated limits: six patches.
 family.region = function(out, a, n)
-  local m = math.max(4, n // 4)
+  local m = n // 2
   local o = a.order
   local function at(s)
     local p = { 0, 0, 0 }

@@ -9,8 +9,8 @@
 --
 -- A face is a list of points, counter-clockwise seen from outside.  The faces of a solid close it: every edge is shared
 -- by two faces that walk it in opposite directions.  Those of shells and plates need not.  The vertices lie on the
--- true surface; so do all points of faces that are marked `flat`.  A hole's faces are turned inside out.  creases: lines
--- along which a smooth-looking surface has an edge.
+-- true surface; so do all points of faces that are marked `flat`.  A hole's faces are turned inside out.  creases:
+-- lines along which a smooth-looking surface has an edge.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local turned = require "generator.geometry.turned"

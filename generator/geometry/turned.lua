@@ -132,8 +132,8 @@ local function zone(z1, z2, r, n)
   return chain
 end
 
--- name -> function(a, n): the outer chain, holes' chains (clockwise), stretch.  Solids are closed; shells and plates are
--- open unless the surface closes by itself.
+-- name -> function(a, n): the outer chain, holes' chains (clockwise), stretch.  Solids are closed; shells and plates
+-- are open unless the surface closes by itself.
 local profile = {}
 
 function profile.sphere(a, n) return bow({}, a.r, 0, -a.r, a.r, n) end

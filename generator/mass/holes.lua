@@ -122,20 +122,24 @@ local function shifts(node)
   return shifts(node[1]) + shifts(node[2])
 end
 
--- At most `most_samples` points of the hole's surface, their size, and the slack.
+-- At most `most_samples` points of the hole's surface, their size, and the slack.  Samples that are not in the hole are
+-- dropped: points on the chords of its inner rims, and on what a part of it cuts from another.
 local function sampled(a, hole)
   local all, list = surface.samples(hole, 12), {}
   local step = math.max(1, math.ceil(#all / most_samples))
   local lo, hi, reach = { 1 / 0, 1 / 0, 1 / 0 }, { -1 / 0, -1 / 0, -1 / 0 }, shifts(a) + shifts(hole)
-  for n, p in ipairs(all) do
-    if (n - 1) % step == 0 then list[#list + 1] = p end
+  for _, p in ipairs(all) do
     for i = 1, 3 do
       lo[i], hi[i] = math.min(lo[i], p[i]), math.max(hi[i], p[i])
       reach = math.max(reach, math.abs(p[i]))
     end
   end
   local size = math.max(hi[1] - lo[1], hi[2] - lo[2], hi[3] - lo[3])
-  return list, size, 1e-9 * size + 64 * 2.0 ^ -52 * reach
+  local slack = 1e-9 * size + 64 * 2.0 ^ -52 * reach
+  for n = 1, #all, step do
+    if inside.contains(hole, all[n], slack) then list[#list + 1] = all[n] end
+  end
+  return list, size, slack
 end
 
 -- Points between the samples that are in the hole.

@@ -65,13 +65,10 @@ local function form(g, valid)
     local a, b = s[1], s[2]
     if I[a] ~= I[b] then try(with(I, { [a] = I[b], [b] = I[a] }), names[a] .. " and " .. names[b] .. " are swapped") end
   end
-  if g.about == "origin" and g.lawful(I) then
-    found[#found + 1] = "the entries are about the centre of mass already (about = \"com\")"
-  end
   return found
 end
 
--- ---- slips of units, of what is given beside the entries ----
+-- ---- slips of what is given beside the entries: the point of reference, the units of com and mass ----
 
 local lengths = { { "1/1000", "mm" }, { "1/100", "cm" }, { "0.0254", "in" }, { "0.3048", "ft" } }
 local masses = { { "1/1000", "g" }, { "0.45359237", "lb" } }
@@ -80,6 +77,7 @@ local masses = { { "1/1000", "g" }, { "0.45359237", "lb" } }
 local function beside(g, valid)
   local found = {}
   if g.about ~= "origin" then return found end
+  if g.lawful(g.I) then found[1] = "the entries are about the centre of mass already (about = \"com\")" end
   for _, u in ipairs(lengths) do
     if valid(g.I, g.mass, scaled(g.com, R.parse(u[1]))) then
       found[#found + 1] = "com is in " .. u[2]
@@ -92,7 +90,7 @@ local function beside(g, valid)
       break
     end
   end
-  for n = 3, 9, 3 do
+  for n = 3, #found > 0 and 0 or 9, 3 do
     if valid(scaled(g.I, ten(n)), g.mass, g.com) then
       found[#found + 1] = "all entries are too small by 1e" .. n
       break

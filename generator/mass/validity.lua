@@ -137,7 +137,7 @@ local function plausible(d, line, mass, com, I)
       end
     end
     d:warn(line, "tensor", "the moments look too large for the mass: " .. about .. guess)
-  elseif density > heaviest then
+  elseif density > heaviest and k > 1e-8 then -- the mass of a molecule is in its nuclei
     local grams = math.sqrt(moment / mass * 1e3)
     local fits = mass * 1e-3 / grams ^ 3 < heaviest and mass * 1e-3 / grams ^ 3 > 1
     d:warn(line, "tensor", "the moments look too small for the mass, denser than any metal: " .. about ..
@@ -233,7 +233,9 @@ validity.roundoff = expr.sym("unit roundoff", 1, true)
 local function semidefinite(S, size)
   local shift = 16 * validity.roundoff * size
   local p = S[1] + shift
-  if expr.iszero(S[4]) and expr.iszero(S[5]) and expr.iszero(S[6]) then return { p, S[2] + shift, S[3] + shift } end
+  if expr.iszero(S[4]) and expr.iszero(S[5]) and expr.iszero(S[6]) then
+    return { p, S[2] + shift, S[3] + shift }, true -- may be zero
+  end
   local second = S[2] + shift - S[4] ^ 2 / p
   return { p, second, S[3] + shift - S[5] ^ 2 / p - (S[6] - S[4] * S[5] / p) ^ 2 / second }
 end
@@ -255,8 +257,9 @@ function validity.conditions(m)
     if constant(I) then return end
     local half = vec.trace(I) / 2
     local S = { half - I[1], half - I[2], half - I[3], -I[4], -I[5], -I[6] }
-    for _, e in ipairs(semidefinite(S, size)) do
-      list[#list + 1] = { e = e, what = what, line = line, allow_zero = true,
+    local pivots, zero = semidefinite(S, size)
+    for _, e in ipairs(pivots) do -- the next pivot divides by this one
+      list[#list + 1] = { e = e, what = what, line = line, allow_zero = zero,
         rule = "the triangle inequality of the principal moments about the centre of mass must hold" }
     end
   end
