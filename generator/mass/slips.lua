@@ -73,9 +73,14 @@ end
 local lengths = { { "1/1000", "mm" }, { "1/100", "cm" }, { "0.0254", "in" }, { "0.3048", "ft" } }
 local masses = { { "1/1000", "g" }, { "0.45359237", "lb" } }
 
--- About the origin the mass and the centre's position take part; about the centre neither does.
-local function beside(g, valid)
+-- About the origin the mass and the centre's position take part; about the centre neither does.  A change that leaves
+-- Steiner's term below a hundredth of the entries explains nothing: it is the tensor about the centre once more.
+local function beside(g, lawful)
   local found = {}
+  local function valid(I, m, c)
+    local shift = slips.steiner(m, c)
+    return (shift[1] + shift[2] + shift[3]) * R.new(100) > I[1] + I[2] + I[3] and lawful(I, m, c)
+  end
   if g.about ~= "origin" then return found end
   if g.lawful(g.I) then found[1] = "the entries are about the centre of mass already (about = \"com\")" end
   for _, u in ipairs(lengths) do
