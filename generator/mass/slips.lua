@@ -70,8 +70,8 @@ end
 
 -- ---- slips of what is given beside the entries: the point of reference, the units of com and mass ----
 
-local lengths = { { "1/1000", "mm" }, { "1/100", "cm" }, { "0.0254", "in" }, { "0.3048", "ft" } }
-local masses = { { "1/1000", "g" }, { "0.45359237", "lb" } }
+local lengths = { { "1/1000", "mm" }, { "1/100", "cm" }, { "0.0254", "in" } } -- no ft, lb: near one
+local masses = { { "1/1000", "g" } }
 
 -- About the origin the mass and the centre's position take part; about the centre neither does.  A change that leaves
 -- Steiner's term below a hundredth of the entries explains nothing: it is the tensor about the centre once more.
