@@ -156,7 +156,7 @@ end
 -- differences have no error but rounding: a few eps of the rates over the step d.
 local function jacobian(job, plugin, tap, name, random, real, epsilon)
   plugin:init()
-  local scale = rate_scale(job)
+  local scale, factor = rate_scale(job), cancellation(job)
   local worst = 0.0
   for _ = 1, 10 do
     local x = state(random, scale, real)
@@ -170,12 +170,12 @@ local function jacobian(job, plugin, tap, name, random, real, epsilon)
       for i = 1, 7 do
         local difference = (a[i] - b[i]) / (up[k] - down[k])
         local size = math.max(rhs_scale, largest(a)) / d
-        worst = worse(worst, math.abs(J[(i - 1) * 7 + k] - difference) / (size * 16 * epsilon))
+        worst = worse(worst, math.abs(J[(i - 1) * 7 + k] - difference) / (size * 16 * factor * epsilon))
       end
     end
   end
   tap.ok(worst <= 1, name .. ": Jacobian as central differences of the rates",
-    string.format("%.2g of the bound", worst))
+    string.format("%.2g of the bound%s", worst, said(factor)))
 end
 
 local function distance(a, b)
