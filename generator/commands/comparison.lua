@@ -92,7 +92,9 @@ local function cancellation(job, values)
   return selftest.cancellation(job.model, params)
 end
 
-local function said(factor) return factor > 1.5 and string.format(" x %.3g that cancels in the constants", factor) or "" end
+local function said(factor)
+  return factor > 1.5 and string.format(" x %.3g that cancels in the constants", factor) or ""
+end
 
 local function tensors(job, name, plugin, mass, tap, epsilon)
   local I, worst = plugin:inertia(), 0.0

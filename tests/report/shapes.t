@@ -139,7 +139,7 @@ end
 -- ---- catalogue against surface ----
 
 for _, spec in ipairs(catalogue.list) do
-  if spec.build and spec.name ~= "region" then
+  if spec.build and spec.args then
     local example = examples[spec.name]
     local made, node = shapes.example(spec), { shape = spec.name }
     for k, v in pairs(example.args) do node[k] = v end
