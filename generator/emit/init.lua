@@ -14,7 +14,7 @@ local source = require "generator.emit.source"
 
 local init = {}
 
-local words = { m = true, p = true, k = true, own = true } -- what NAME_init itself calls something
+local words = { m = true, p = true, k = true, own = true, roundoff = true } -- what NAME_init itself calls something
 
 -- The parameters as inputs, and the names that must change for it: node -> symbol.
 local function inputs(ctx, m)
@@ -85,8 +85,10 @@ end
 function init.fill(ctx, m, values)
   local list, map = inputs(ctx, m)
   local groups, checks, placed = {}, {}, {}
-  -- a condition may ask for the rounding of the real type: half a unit in the last place of 1
-  map[expr.sym("unit roundoff", 1, true)] = expr.num(R.new(2) ^ (ctx.real == "float" and -24 or -53))
+  -- a condition may ask for the rounding of the real type, half a unit in the last place of 1: it keeps a name, for
+  -- multiplied into the other numbers of a sum it would spoil their form
+  map[expr.sym("unit roundoff", 1, true)] = expr.sym("roundoff", 1, true)
+  list[#list + 1] = { sym = "roundoff", c = number.text(R.new(2) ^ (ctx.real == "float" and -24 or -53), ctx.real) }
   for i, c in ipairs(m.conditions) do
     groups[i] = { defs = steps(m, { c.form }, map, placed), outs = { { c = "const " .. ctx.name .. "_real check" .. i,
       expr = calculus.substitute(c.form, map) } } }
