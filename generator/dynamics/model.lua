@@ -121,7 +121,7 @@ local function conditions(m, checks)
   local function put(c)
     if expr.constant(c.e) or seen[c.e] then return end
     seen[c.e] = true
-    list[#list + 1] = { e = c.e, form = c.form or c.e, allow_zero = c.allow_zero,
+    list[#list + 1] = { e = c.e, form = c.form or c.e, pivot = c.pivot, allow_zero = c.allow_zero,
       text = c.what .. ": " .. c.rule .. " (" .. string.match(m.file, "[^/]*$") .. ":" .. c.line .. ")" }
   end
   for _, c in ipairs(checks) do put(c) end

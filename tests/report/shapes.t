@@ -124,7 +124,7 @@ end
 do
   local path, refused = os.tmpname(), {}
   for line in named["shapes.md"]:gmatch "```lua\n(.-)\n```" do
-    if not line:find "^mesh" then
+    if not line:find "file = " then
       local file = assert(io.open(path, "w"))
       file:write('return scene { name = "example", body = ', line, ", initial = { omega = {1, 2, 3} } }\n")
       file:close()
