@@ -11,7 +11,7 @@ local template = require "generator.emit.template"
 
 local special = {}
 
-function special.fill(job, v, ctx)
+function special.fill(v, ctx)
   local function literal(x) return number.text(R.lift(x), ctx.real) end
   local constants = algorithm.constants[ctx.real]
   v.has_special = false
@@ -21,13 +21,16 @@ function special.fill(job, v, ctx)
     v.has_special = v.has_special or used
   end
   v.has_ellipsoid = v.has_ellipsoid_area or v.has_ellipsoid_normal
-  v.special_source = ""
   v.quarter, v.three, v.five = literal "1/4", literal(3), literal(5)
   v.ellipsoid_steps = string.format("%d", constants.steps)
   v.ellipsoid_least = number.text(R.fromdouble(constants.least), ctx.real)
+end
+
+-- Renders the pairs and the helpers that are used.
+function special.render(job, v)
   local function render(name) return template.render(name, job.templates[name], v) end
   v.pair_source = render "templates/pair.c"
-  if v.has_special then v.special_source = render "templates/special.c" end
+  v.special_source = v.has_special and render "templates/special.c" or ""
 end
 
 return special
