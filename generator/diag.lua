@@ -89,6 +89,9 @@ function diag.cut(s, n)
   return (string.gsub(string.sub(s, 1, n - 3), "[\192-\255][\128-\191]*$", "")) .. "..."
 end
 
+-- A number that was computed, for a message: three digits say enough.
+function diag.rough(x) return string.format("%.3g", x) end
+
 -- A value as it should be quoted in a message: on one line, bounded, the same on every machine.
 function diag.show(x, depth)
   if type(x) == "string" then return (string.gsub(string.format("%q", diag.cut(x, 40)), "\\\n", "\\n")) end

@@ -150,18 +150,24 @@ local function reduce(p)
     local rel = ring.relation[i]
     local todo = rel ~= nil
     while todo do
-      todo = false
-      for _, t in ipairs(poly.sorted(p)) do
+      local kept, high = new(ring), {}
+      for k, t in pairs(p.terms) do -- sums of exact terms: order is lost anyway
         if t.e[i] >= rel.degree then
+          high[#high + 1] = t
+        else
+          kept.terms[k] = t
+          kept.n = kept.n + 1
+        end
+      end
+      todo = #high > 0
+      if todo then
+        local lowered = new(ring)
+        for _, t in ipairs(high) do
           local e = { table.unpack(t.e) }
           e[i] = e[i] - rel.degree
-          local rest = new(ring)
-          put(rest, e, t.c)
-          put(p, t.e, -t.c)
-          p = poly.add(p, poly.mul(rest, rel.value))
-          todo = true
-          break
+          put(lowered, e, t.c)
         end
+        p = poly.add(kept, poly.mul(lowered, rel.value))
       end
     end
   end
@@ -291,16 +297,33 @@ function poly.shift(p, c, low)
   return q
 end
 
+-- The lexicographically leading term.
+local function leading(p)
+  local best
+  for _, t in pairs(p.terms) do -- the largest of all: order is lost anyway
+    local larger = not best
+    for i = 1, #t.e do
+      if larger or t.e[i] ~= best.e[i] then
+        larger = larger or t.e[i] > best.e[i]
+        break
+      end
+    end
+    if larger then best = t end
+  end
+  return best
+end
+
 -- a / b if b divides a exactly, else nil.  Lexicographic leading-term division.
 function poly.divide(a, b)
-  local lead = poly.sorted(b)[1]
+  local lead = leading(b)
   local q = new(a.ring)
   while a.n > 0 do
-    local top, e = poly.sorted(a)[1], {}
+    local top, e = leading(a), {}
     for i = 1, #lead.e do
       e[i] = top.e[i] - lead.e[i]
       if e[i] < 0 then return nil end
     end
+    if poly.budget then poly.budget = poly.budget - a.n end -- looking for the leading term, and the difference
     local m = new(a.ring)
     put(m, e, top.c / lead.c)
     put(q, e, top.c / lead.c)

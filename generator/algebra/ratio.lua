@@ -108,8 +108,16 @@ function ratio.equal(a, b) return a == b or ratio.iszero(a - b) end
 
 local tidied = setmetatable({}, { __mode = "k" })
 
+-- Roots of sums double the terms of whatever they are multiplied with; with many of them nothing cancels anyway.
+local most_roots = 3
+
 local function cancelled(e)
   local ring = poly.ring { e }
+  local roots = 0
+  for _, g in ipairs(ring.gens) do
+    if g.kind == "pow" and g.base.kind ~= "num" then roots = roots + 1 end
+  end
+  if roots > most_roots then error(poly.exhausted, 0) end
   local f = fraction(ring, e, {})
   if poly.iszero(f[1]) then return expr.zero end
   local common = gcd(f[1], f[2])

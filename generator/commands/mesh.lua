@@ -6,6 +6,7 @@
 
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
+local defects = require "generator.dsl.defects"
 local units = require "generator.dsl.units"
 local json = require "generator.report.json"
 
@@ -59,29 +60,11 @@ local function read(given, what)
   return out
 end
 
--- ---- words ----
+---- words ----
 
-local function count(n, one, many) return n .. " " .. (n == 1 and one or many) end
+local count = defects.count
 
-local phrases = {
-  { "open", "edge with one face only", "edges with one face only" },
-  { "flipped", "edge between faces that look to opposite sides", "edges between faces that look to opposite sides" },
-  { "nonmanifold", "edge of more than two faces", "edges of more than two faces" },
-  { "duplicate", "triangle that repeats another", "triangles that repeat others" },
-  { "degenerate", "face without area", "faces without area" },
-  { "nonfinite", "face with a coordinate that is not finite", "faces with coordinates that are not finite" },
-}
-
--- The defects in words, in the order of the table above.
-local function defects_of(m)
-  local list = {}
-  for _, p in ipairs(phrases) do
-    local n = m.defects[p[1]]
-    if n > 0 then list[#list + 1] = count(n, p[2], p[3]) end
-  end
-  if m.defects.inverted then list[#list + 1] = "inside out: the faces look inward; the volume was taken positive" end
-  return list
-end
+local function defects_of(m) return defects.phrases(m.defects) end
 
 local function verdict(m)
   if m.triangles == 0 then return "lines only" end
@@ -123,7 +106,7 @@ end
 
 local function tojson(file, m, kind, options)
   local b, d = m.body, {}
-  for i, p in ipairs(phrases) do d[i] = { p[1], m.defects[p[1]] } end
+  for i, p in ipairs(defects.list) do d[i] = { p[1], m.defects[p[1]] } end
   d[#d + 1] = { "unbalanced", m.defects.unbalanced }
   d[#d + 1] = { "inverted", m.defects.inverted }
   return json.text(json.object {

@@ -54,6 +54,8 @@ function args.named(specs, rule, given)
   return table.concat(list, ", ")
 end
 
+local turn = R.parse "6.284" -- a full turn, also one that was typed as 6.2832
+
 local words = { positive = "must be positive", nonnegative = "must not be negative" }
 
 local most_rows = 1000 -- of one list: a polygon is checked for crossings pair by pair
@@ -112,13 +114,19 @@ function args.scalar(ctx, line, what, name, spec, given)
       value.show(given, true))
     return nil
   end
-  if not value.number(r.e) then
+  local number = value.number(r.e)
+  if not number then
     ctx.diag:error(line, what, name .. " must be a real number for the default parameters", value.show(given))
     return nil
   end
   if spec.sign and not args.condition(ctx, line, what, name .. " " .. words[spec.sign], r.e, value.show(given),
     spec.sign == "nonnegative") then
     return nil
+  end
+  if name == "angle" and r.e.kind == "num" and not r.dim and R.abs(number) > turn then -- a plain number, without pi
+    local x = value.show(given)
+    ctx.diag:warn(line, what, string.format("angle is in radians and %s looks like degrees: " ..
+      "write quantity(%s, \"deg\") or quantity(%s, \"rad\")", x, x, x))
   end
   return r.e
 end

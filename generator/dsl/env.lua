@@ -16,6 +16,7 @@ local shapes = require "generator.dsl.shapes"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
 local inertial = require "generator.dsl.inertial"
+local mesh = require "generator.dsl.mesh"
 local diag = require "generator.diag"
 
 local env = {}
@@ -169,12 +170,12 @@ function env.record(host, d, text, tables, set)
   local e = {}
   for _, k in ipairs(args.keys(host.safe)) do e[k] = host.safe[k] end
   local made = tree(host, tables.shapes, function(spec)
-    return spec.reader and shapes[spec.reader] or shapes.constructor(spec)
+    return shapes[spec.reader or ""] or shapes.constructor(spec)
   end)
   for _, k in ipairs(args.keys(made)) do
     e[k] = type(made[k]) == "table" and strict(ctx, k, made[k], shapes.broken) or made[k]
   end
-  e.inertial = host.visible(inertial.constructor(ctx))
+  e.inertial, e.mesh = host.visible(inertial.constructor(ctx)), host.visible(mesh.constructor(ctx))
   local effect = effect_constructor(ctx, effects)
   e.effect = strict(ctx, "effect", tree(host, tables.effects, effect).effect, function() return nil end)
   e.param, e.quantity = param(ctx, params), quantity(ctx)

@@ -53,8 +53,8 @@ local function here() return ctx.diag:here() end
 -- The line of a call shape:name{...}: Lua knows only the line on which a chain of calls begins.
 local function called(name) return ctx.diag:called(here(), name) end
 
--- Mass or density, exactly one.
-local function amount(spec, what, line, given, node)
+-- Mass or density, exactly one; into node.  spec: {measure =}.
+function shapes.amount(spec, what, line, given, node)
   local m, d = given.mass, given.density
   if m ~= nil and d ~= nil then
     ctx.diag:error(ctx.diag:locate(line, "density"), what, "give mass or density, not both")
@@ -77,7 +77,7 @@ function shapes.constructor(spec)
     local extra = spec.measure and { "mass", "density" }
     local a, ok = args.read(ctx, line, what, spec.args, given, extra)
     local node = { shape = spec.name, a = a, line = line, measure = spec.measure, curved = spec.curved }
-    if args.plain(given) and spec.measure then ok = amount(spec, what, line, given, node) and ok end
+    if args.plain(given) and spec.measure then ok = shapes.amount(spec, what, line, given, node) and ok end
     if ok and spec.requires then
       for _, c in ipairs(spec.requires(a)) do
         ok = args.condition(ctx, line, what, c[2], c[1], args.named(spec.args, c[2], given), c[3]) and ok

@@ -14,10 +14,12 @@ local cost = require "generator.algebra.cost"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local body = require "generator.mass.body"
+local holes = require "generator.mass.holes"
 local jacobi = require "generator.mass.jacobi"
 local parts = require "generator.mass.parts"
 local principal = require "generator.mass.principal"
 local validity = require "generator.mass.validity"
+local numeric = require "generator.dynamics.numeric"
 
 local model = {}
 model.__index = model
@@ -75,8 +77,10 @@ function model:derived(e, about)
     if not params[s] then return nil end
   end
   local stem = source and source.name or "constant"
+  local multiple = source and select(2, expr.split(e)) == source.sym
+  local raw = multiple or self.parts ~= nil
   local sym = self:constant(stem .. "_" .. string.gsub(about, "%W", ""), inlined,
-    about .. (source and source.about or ""), self.parts ~= nil, self.parts and e)
+    about .. (source and source.about or ""), raw, raw and e or nil)
   if self.by_name[sym.name] then self.by_name[sym.name].multiple = true end
   return sym
 end
@@ -117,7 +121,7 @@ local function conditions(m, checks)
   local function put(c)
     if expr.constant(c.e) or seen[c.e] then return end
     seen[c.e] = true
-    list[#list + 1] = { e = c.e, allow_zero = c.allow_zero,
+    list[#list + 1] = { e = c.e, form = c.form or c.e, allow_zero = c.allow_zero,
       text = c.what .. ": " .. c.rule .. " (" .. string.match(m.file, "[^/]*$") .. ":" .. c.line .. ")" }
   end
   for _, c in ipairs(checks) do put(c) end
@@ -188,7 +192,9 @@ function model.new(d, record, options)
     local central = record.origin.kind == "named" and record.origin.name == "centroid"
     m.parts = in_parts(m, b, not central and r or nil)
   end
-  if not validity.check(d, m) then return nil end
+  -- a hole that reaches out is the cause of what else is wrong, so it is said alone
+  local sound = not holes.any(m.record.body) or holes.check(d, m, numeric.scene({ model = m, record = m.record }).body)
+  if not sound or not validity.check(d, m) then return nil end
   m.structure = principal.classify(m.inertia)
   if m.structure.nothing then
     d:error(m.line, "body", "has no moment of inertia about the origin, so its rotation is undetermined")

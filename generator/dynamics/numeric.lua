@@ -28,6 +28,35 @@ function numeric.scene(job, values)
     return type(v) == "table" and vec.map(v, plain) or v
   end
 
+  -- t moved by r, which need not be a double: what is left of it is a second, small shift.  own: the scene moves it;
+  -- other shifts are marked `extra`, as the scene's tree has no such node.
+  local function shifted(t, r, own)
+    local high, low, whole = nums(r), {}, true
+    for i, e in ipairs(r) do
+      low[i] = R.todouble(exact(e) - R.fromdouble(high[i]))
+      whole = whole and low[i] == 0
+    end
+    local moved = { op = "at", of = t, r = high, extra = not own }
+    return whole and moved or { op = "at", of = moved, r = low, extra = true }
+  end
+
+  -- Coordinates are rounded relative to the first point, so that a far body keeps its small distances.  Returns the
+  -- arguments and that point, or nil for shapes that are not given by points.
+  local function relative(a)
+    local key = a.vertices and "vertices" or a.points and "points" or a.profile and a.h and "profile"
+    if a.from then
+      return { from = vec.sub(a.from, a.from), to = vec.sub(a.to, a.from) }, a.from
+    elseif not key then
+      return a, nil
+    end
+    local base, out = a[key][1], {}
+    local function local_rows(rows) return vec.map(rows, function(r) return vec.sub(r, base) end) end
+    for k, v in pairs(a) do out[k] = v end -- order does not matter: a table of named arguments
+    out[key] = local_rows(a[key])
+    if a.holes then out.holes = vec.map(a.holes, local_rows) end
+    return out, { base[1], base[2], base[3] or expr.zero }
+  end
+
   -- the terms of a polynomial in the coordinates: {coefficient, i, j, k}
   local function terms(p, factor)
     return vec.map(p, function(t) return { num(factor * t.c), t[1], t[2], t[3] } end)
@@ -44,19 +73,28 @@ function numeric.scene(job, values)
   local function tree(node, growth)
     if node.shape == "points" then
       local rows = {}
-      for i, row in ipairs(node.rows) do rows[i] = nums(row) end
-      return { shape = "points", list = rows }
+      local first = node.rows[1]
+      local base = { first[2], first[3], first[4] }
+      for i, row in ipairs(node.rows) do
+        rows[i] = { num(row[1]), table.unpack(nums(vec.sub({ row[2], row[3], row[4] }, base))) }
+      end
+      return shifted({ shape = "points", list = rows }, base)
+    elseif node.shape == "mesh" then
+      local a = node.a
+      return shifted({ shape = "mesh", mass = num(node.mass or node.density * growth[node.measure] * a.measure),
+        com = { 0.0, 0.0, 0.0 }, sigma = nums(a.sigma) }, a.com)
     elseif node.shape == "region" then
       return region(node, growth)
     elseif node.shape then
       local out = { shape = node.shape, mass = node.mass and num(node.mass),
         density = node.density and num(node.density * growth[node.measure]) }
-      for k, v in pairs(node.a) do -- order does not matter: a table of named numbers
+      local a, base = relative(node.a)
+      for k, v in pairs(a) do -- order does not matter: a table of named numbers
         out[k] = plain(v)
       end
-      return out
+      return base and shifted(out, base) or out
     elseif node.op == "at" then
-      return { op = "at", of = tree(node.of, growth), r = nums(node.r) }
+      return shifted(tree(node.of, growth), node.r, true)
     elseif node.op == "turned" then
       return { op = "turned", of = tree(node.of, growth), q = nums(node.q) }
     elseif node.op == "scaled" then
@@ -82,7 +120,9 @@ function numeric.scene(job, values)
   local effects = {}
   for i, e in ipairs(record.effects) do effects[i] = e.spec.numeric(e.a, num) end
   local body_tree = tree(record.body, { volume = expr.one, area = expr.one, length = expr.one })
-  return { name = m.name, body = body_tree, origin = nums(m.origin), effects = effects,
+  -- the origin of rotation becomes that of the coordinates
+  body_tree = shifted(body_tree, vec.map(m.origin, function(e) return -e end))
+  return { name = m.name, body = body_tree, origin = { 0.0, 0.0, 0.0 }, effects = effects,
     q = nums(record.attitude), w = nums(record.omega) }
 end
 

@@ -44,14 +44,24 @@ local function nested(members)
   return best
 end
 
--- The groups of parts and constants; members: which constants.
-local function constants(m, members, map, groups)
+-- The steps of the body's parts that the forms need and that are not in `placed` yet, as definitions.
+local function steps(m, forms, map, placed)
+  local list = {}
+  for _, step in ipairs(m.parts and m.parts:needed(forms) or {}) do
+    if not placed[step] then
+      placed[step] = true
+      list[#list + 1] = { name = step.name, expr = calculus.substitute(step.e, map), about = step.about }
+    end
+  end
+  return list
+end
+
+-- The groups of parts and constants; members: which constants; placed: steps that are there already.
+local function constants(m, members, map, groups, placed)
   local forms, used = nested(members), {}
   local own = { table.unpack(forms) }
-  for _, step in ipairs(m.parts and m.parts:needed(forms) or {}) do
-    forms[#forms + 1] = step.e
-    groups[#groups + 1] = { why = step.about, defs = { { name = step.name, expr = calculus.substitute(step.e, map) } },
-      outs = {} }
+  for _, step in ipairs(steps(m, forms, map, placed)) do
+    groups[#groups + 1] = { why = step.about, defs = { step }, outs = {} }
   end
   for _, e in ipairs(forms) do
     for _, s in ipairs(expr.symbols(e)) do used[s] = true end
@@ -68,21 +78,23 @@ end
 -- Operations that computing the constants `members` from the parameters takes.
 function init.cost(ctx, m, members)
   local list, map = inputs(ctx, m)
-  return source.count { name = "init", inputs = list, groups = constants(m, members, map, {}) }
+  return source.count { name = "init", inputs = list, groups = constants(m, members, map, {}, {}) }
 end
 
 -- Fills the template's values: init_loads, init_checks, init_groups, finite_lines, checks.
 function init.fill(ctx, m, values)
   local list, map = inputs(ctx, m)
-  local groups, checks = {}, {}
+  local groups, checks, placed = {}, {}, {}
+  -- a condition may ask for the rounding of the real type: half a unit in the last place of 1
+  map[expr.sym("unit roundoff", 1, true)] = expr.num(R.new(2) ^ (ctx.real == "float" and -24 or -53))
   for i, c in ipairs(m.conditions) do
-    groups[i] = { defs = {}, outs = { { c = "const " .. ctx.name .. "_real check" .. i,
-      expr = calculus.substitute(c.e, map) } } }
+    groups[i] = { defs = steps(m, { c.form }, map, placed), outs = { { c = "const " .. ctx.name .. "_real check" .. i,
+      expr = calculus.substitute(c.form, map) } } }
     local relation = c.allow_zero and " >= " or " > "
     checks[i] = { number = string.format("%d", i), text = c.text, lines = {},
       condition = "check" .. i .. relation .. number.text(R.zero, ctx.real) }
   end
-  constants(m, m.members, map, groups)
+  constants(m, m.members, map, groups, placed)
   values.init_loads, values.init_checks, values.init_groups = {}, checks, {}
   local c = source.statements(ctx, { name = "init", args = {}, inputs = list, groups = groups })
   values.init_loads = c.loads

@@ -46,11 +46,28 @@ end
 -- The environment of the model's derived constants, for these parameters (name -> rational).  The parameters
 -- themselves are not in it: only NAME_init sees them, and their names may be those of states or arguments.
 function selftest.environment(m, params)
-  local from, env = { value = params, size = {} }, { value = {}, size = {} }
+  local from, env = { value = {}, size = {} }, { value = {}, size = {} }
+  for k, v in pairs(params) do from.value[k] = v end -- into a table: order is lost anyway
+  local function put(name, pure, form)
+    from.value[name], from.size[name] = value(pure, { value = params }), magnitude(form, from)
+  end
+  for _, step in ipairs(m.parts and m.parts.list or {}) do put(step.name, step.pure, step.e) end
   for _, member in ipairs(m.members) do
-    env.value[member.name], env.size[member.name] = value(member.e, from), magnitude(member.e, from)
+    if member.form ~= member.sym then put(member.name, member.e, member.form) end
+    env.value[member.name], env.size[member.name] = from.value[member.name], from.size[member.name]
   end
   return env
+end
+
+-- How many times larger than the derived constants the terms are that cancel in them, at worst: what an error of
+-- rounding is multiplied with before the motion begins.
+function selftest.cancellation(m, params)
+  local env, worst = selftest.environment(m, params), 1.0
+  for _, member in ipairs(m.members) do
+    local x = R.abs(env.value[member.name])
+    if R.sign(x) > 0 then worst = math.max(worst, R.todouble(env.size[member.name] / x)) end
+  end
+  return worst
 end
 
 -- Expected values and tolerances (rationals) of a description's results: env from selftest.environment, state: more

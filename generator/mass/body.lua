@@ -47,6 +47,19 @@ function body.determinant(A) return vec.dot(A[1], vec.cross(A[2], A[3])) end
 
 local build
 
+-- A shape that is a sum of simpler ones: its mass is shared among them by their measure.
+local function divided(node, spec)
+  local list, total = spec.pieces(node.a), expr.zero
+  for _, s in ipairs(list) do total = total + s.measure end
+  local out = { pieces = {}, points = {} }
+  for i, s in ipairs(list) do
+    out.pieces[i] = { mass = node.density and node.density * s.measure or node.mass * s.measure / total,
+      com = tidy_all(s.com), sigma = tidy_all(s.sigma), line = node.line, name = node.shape .. ", part " .. i,
+      density = node.density, measure = spec.measure }
+  end
+  return out
+end
+
 local function primitive(node)
   if node.shape == "points" then
     local pieces = {}
@@ -68,6 +81,7 @@ local function primitive(node)
       given = a.about == "com" and I or nil } }, points = {} }
   end
   local spec = catalogue.by_name[node.shape]
+  if spec.pieces then return divided(node, spec) end
   local shape = spec.build(a)
   local com = tidy_all(shape.com or zero3)
   local points = { centroid = com }

@@ -7,7 +7,7 @@
 --     com       centroid; the origin when absent
 --     sigma     second moments about the centroid PER UNIT MASS, {xx, yy, zz, xy, xz, yz} of  mean(r r^T)
 --     points    named points
--- `curved` says that it does not stay uniform under a general affine map.  The tensor of inertia is never written down
+-- `pieces(a)`, of a shape that is a sum of simpler ones, returns these: {measure, com, sigma} each.  `curved` says that it does not stay uniform under a general affine map.  The tensor of inertia is never written down
 -- here: it is tr(sigma) 1 - sigma times the mass (body.lua), so a formula of the handbooks can be checked against it.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -24,9 +24,14 @@ local function entry(spec, name)
   return { name = name, dim = spec.dim, sign = spec.sign, default = spec.default }
 end
 
--- What is no integral over a fixed figure; the scene language has a reader for each (`reader`).
+-- What is no integral over a fixed figure; the scene language has a reader of its own for each.
 local others = {
   require "generator.mass.shapes.region",
+  { name = "mesh", reader = "mesh", measure = "volume, area or length", frame = "as in the file",
+    about = "STL, OBJ or PLY file in the scene's folder or below; kind = \"volume\", \"surface\" or \"wires\"",
+    takes = "{file, units, kind}", build = function(a) return a end },
+  { name = "inertial", reader = "inertial", frame = "the link's",
+    about = "mass, centre and tensor of a link in a URDF, MJCF or SDF file", takes = "{file, link}" },
   { name = "points", reader = "points", frame = "as given", about = "particles {{m, x, y, z}, ...}",
     takes = "{{m, x, y, z}, ...}" },
   { name = "tensor", frame = "as given",

@@ -153,6 +153,23 @@ function parts:difference(j, k)
   return sum
 end
 
+-- An expression in names as one in the parameters.
+function parts:resolve(e) return calculus.substitute(e, self.pure) end
+
+-- A bound of the terms that the trace of the tensor is added from; signs: of the pieces' masses.
+function parts:size(signs)
+  local sum = expr.zero
+  for i, s in ipairs(self.pieces) do
+    local sigma = s.piece.sigma
+    if sigma then sum = sum + 2 * signs[i] * s.m * (sigma[1] + sigma[2] + sigma[3]) end
+  end
+  for i, s in ipairs(self.shifts) do
+    local sign = #self.shifts == 1 and signs[1] * signs[2] or signs[i] -- mu = m1 m2/mass
+    sum = sum + 2 * sign * s.m * vec.dot(s.d, s.d)
+  end
+  return sum
+end
+
 -- The steps that the expressions in the list need, in order.
 function parts:needed(list)
   local needed, by_sym = {}, {}

@@ -78,8 +78,9 @@ end
 
 local function oblique(I)
   local xy, xz, yz = I[4], I[5], I[6]
-  local alpha = tidy(I[1] - xy * xz / yz)
+  local alpha = I[1] - xy * xz / yz
   if iszero(alpha - (I[2] - xy * yz / xz)) and iszero(alpha - (I[3] - xz * yz / xy)) then
+    alpha = tidy(alpha)
     return symmetric(alpha, vec.trace(I) - 2 * alpha, { one, tidy(yz / xz), (tidy(yz / xy)) })
   end
   return { kind = "full" }

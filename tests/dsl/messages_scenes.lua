@@ -181,21 +181,34 @@ local effects = { about = "effects",
 -- Bodies that cannot be, or whose rotation is undetermined.
 local existence = { about = "validity",
   { body "tensor { mass = 1, xx = 1, yy = 1, zz = 3 }", 2,
-    "body: triangle inequality about the centre of mass: zz <= xx + yy must hold, got 3 > 1 + 1" },
+    "tensor: triangle inequality about the centre of mass: zz <= xx + yy must hold, got 3 > 1 + 1; most likely: zz " ..
+    "has a slipped decimal point (0.3 would satisfy it)" },
   { body "tensor { mass = 1, xx = 5, yy = 1, zz = 3 }", 2,
-    "body: triangle inequality about the centre of mass: xx <= yy + zz must hold, got 5 > 1 + 3" },
+    "tensor: triangle inequality about the centre of mass: xx <= yy + zz must hold, got 5 > 1 + 3; perhaps: the " ..
+    "entries are second moments (integrals of x^2), whose tensor is their trace minus them" },
   { body "tensor { mass = 1, xx = 1, yy = 1, zz = 1, xy = 2 }", 2,
-    "body: the tensor about the centre of mass must be positive semidefinite, got xx 1, yy 1, zz 1, xy 2, xz 0, yz 0" },
+    "tensor: |xy| <= sqrt((yy + zz - xx)(zz + xx - yy))/2 must hold about the centre of mass, got 2 > 0.5; most " ..
+    "likely: xy has a slipped decimal point (0.2 would satisfy it)" },
   { body "tensor { mass = 1, xx = 2, yy = 2, zz = 2, xy = 1.5 }", 2,
-    "body: triangle inequality of the principal moments about the centre of mass must hold, got xx 2, yy 2, zz 2, " ..
-    "xy 1.5, xz 0, yz 0" },
+    "tensor: |xy| <= sqrt((yy + zz - xx)(zz + xx - yy))/2 must hold about the centre of mass, got 1.5 > 1; most " ..
+    "likely: xy has a slipped decimal point (0.15 would satisfy it)" },
   { body 'tensor { mass = 1, com = {1, 0, 0}, xx = 1, yy = 1, zz = 1, about = "origin" }', 2,
-    "body: triangle inequality about the centre of mass: xx <= yy + zz must hold, got 1 > 0 + 0" },
+    "tensor: triangle inequality about the centre of mass: xx <= yy + zz must hold, got 1 > 0 + 0; most likely: the " ..
+    "entries are about the centre of mass already (about = \"com\")" },
+  { body 'tensor { mass = 1, com = {3, 0, 0}, xx = 1, yy = 1, zz = 2, about = "origin" }',
+    { 2, "tensor: yy about the centre of mass must not be negative, got -8; most likely: the entries are about the " ..
+      "centre of mass already (about = \"com\")" },
+    { 2, "tensor: zz about the centre of mass must not be negative, got -7" },
+    { 2, "tensor: triangle inequality about the centre of mass: xx <= yy + zz must hold, got 1 > -8 + -7" } },
   { body(BOX .. " - solid.sphere { r = 0.1, mass = 2 }"), 2, "body: total mass must be positive, got -1 kg" },
   { body(BOX .. " - solid.sphere { r = 0.1, mass = 1 }"), 2, "body: total mass must be positive, got 0 kg" },
   { body "solid.sphere { r = 1, mass = 2 } - solid.sphere { r = 10, mass = 1 }", 2,
-    "body: the tensor about the centre of mass must be positive semidefinite, got xx -39.2, yy -39.2, zz -39.2, " ..
-    "xy 0, xz 0, yz 0", name = "a hole that sticks out" },
+    "hole: must lie inside the body it is cut from, got the point (0, 0, -10) of the hole (line 2), 9 m outside" },
+  { body(BOX .. " - plate.disc { r = 0.1, mass = 0.1 }"), 2,
+    "hole: must be of the same kind (volume, area, length or particles) as the body it is cut from, got an area " ..
+    "from a volume" },
+  { body("solid.box { x = 1, y = 2, z = 3, density = 5 } - solid.sphere { r = 0.1, density = 8 }:at{0.2, 0.3, 0}"), 2,
+    "hole: must not be denser than the body it is cut from, got 8 > 5 kg/m^3 at (0.2, 0.3, -0.00742)" },
   { body "points { {1, 0, 0, 0} }", 2,
     "body: has no moment of inertia about the origin, so its rotation is undetermined" },
   { body "points { {1, 1, 2, 3}, {2, 1, 2, 3} }", 2,

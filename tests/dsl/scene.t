@@ -285,6 +285,15 @@ do
   tap.is(table.concat(said, "; "), "scene: accuracy is recorded but not used by this version; " ..
     "scene: events is recorded but not used by this version", "keys for later versions are accepted with a warning")
 end
+-- an angle beyond a full turn, without a unit and without pi, was probably meant in degrees
+for _, case in ipairs { { "90", true }, { "-45", true }, { "6.3", true }, { "6.2832", false }, { "2*pi", false },
+  { "4*pi", false }, { "quantity(90, \"deg\")", false }, { "quantity(90, \"rad\")", false }, { "1.5", false } } do
+  local _, job = body(BOX .. ":turned{ axis = \"x\", angle = " .. case[1] .. " }")
+  local w = job.diag.warnings[1]
+  tap.is(w and w.message or "", case[2] and "turned: angle is in radians and " .. case[1] .. " looks like degrees: " ..
+    "write quantity(" .. case[1] .. ", \"deg\") or quantity(" .. case[1] .. ", \"rad\")" or "",
+    "an angle of " .. case[1] .. (case[2] and " is questioned" or " is not questioned"))
+end
 do
   local _, job = body(BOX, "effects = { effect.gravity{}, effect.damping { rate = 0.1 }, " ..
     "effect.torque { body = {1, 2, 3} } }")

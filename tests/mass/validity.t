@@ -35,12 +35,14 @@ refused(tensor "xx = 4, yy = 2, zz = 1", "xx <= yy + zz must hold, got 4 > 2 + 1
 refused(tensor "xx = 1, yy = 4, zz = 2", "yy <= zz + xx must hold, got 4 > 2 + 1", "yy > zz + xx: named")
 refused(tensor "xx = 1, yy = 2, zz = exact(\"3.000000000000000000000000000001\")", "triangle inequality",
   "a lamina whose largest moment is 1e-30 too large is refused: decided exactly")
-refused(tensor "xx = 1, yy = 1, zz = 1, xy = 1.1", "positive semidefinite",
+refused(tensor "xx = 1, yy = 1, zz = 1, xy = 1.1",
+  "|xy| <= sqrt((yy + zz - xx)(zz + xx - yy))/2 must hold about the centre of mass, got 1.1 > 0.5",
   "a negative principal moment behind a product of inertia is found")
 refused(tensor "xx = 2, yy = 2, zz = 2, xy = 0.6, xz = 0.6, yz = 0.6",
-  "triangle inequality of the principal moments",
+  -- 2 - 0.6 twice, and 2 + 2*0.6: eigenvectors (1, -1, 0), (0, 1, -1) and (1, 1, 1)
+  "triangle inequality of the principal moments about the centre of mass must hold, got 3.2 > 1.4 + 1.4 from xx 2",
   "principal moments that break the triangle inequality, though the diagonal keeps it")
-refused(tensor "xx = 0, yy = 1, zz = 1, xy = 0.1", "positive semidefinite",
+refused(tensor "xx = 0, yy = 1, zz = 1, xy = 0.1", "must hold about the centre of mass, got 0.1 > 0",
   "a product with an axis of no moment is refused")
 refused(tensor "xx = 0, yy = 0, zz = 1", "triangle inequality", "one moment alone is refused")
 refused(tensor "com = {3, 0, 0}, xx = 1, yy = 1, zz = 1, about = \"origin\"", "got",

@@ -10,29 +10,29 @@ local vec = require "generator.algebra.vec"
 local zero, pi = expr.zero, expr.pi
 local q, length, diagonal, centred = kit.q, kit.length, kit.diagonal, kit.centred
 
--- The straight pieces of a polyline: {from, to, d}.
+-- The straight pieces of a polyline, each as a shape of its own.
 local function pieces(a)
   local list, p = {}, a.points
   for i = 1, a.closed and #p or #p - 1 do
     local from, to = p[i], p[i % #p + 1]
-    list[i] = { from = from, to = to, d = vec.sub(to, from) }
+    local d = vec.sub(to, from)
+    list[i] = { square = vec.dot(d, d), measure = expr.sqrt(vec.dot(d, d)), com = vec.scale(q "1/2", vec.add(from, to)),
+      sigma = vec.scale(q "1/12", vec.outer(d)) }
   end
   return list
 end
 
+-- All of it at once.
 local function polyline(a)
   local total, first, parts = zero, { zero, zero, zero }, pieces(a)
   for _, s in ipairs(parts) do
-    s.length = expr.sqrt(vec.dot(s.d, s.d))
-    s.middle = vec.scale(q "1/2", vec.add(s.from, s.to))
-    total = total + s.length
-    first = vec.add(first, vec.scale(s.length, s.middle))
+    total = total + s.measure
+    first = vec.add(first, vec.scale(s.measure, s.com))
   end
   local com = vec.scale(1 / total, first)
   local sum = diagonal(zero, zero, zero)
   for _, s in ipairs(parts) do
-    local about = vec.add(vec.scale(q "1/12", vec.outer(s.d)), vec.outer(vec.sub(s.middle, com)))
-    sum = vec.add(sum, vec.scale(s.length, about))
+    sum = vec.add(sum, vec.scale(s.measure, vec.add(s.sigma, vec.outer(vec.sub(s.com, com)))))
   end
   return { measure = total, com = com, sigma = vec.scale(1 / total, sum),
     points = { first = a.points[1], last = a.points[#a.points] } }
@@ -99,11 +99,11 @@ return {
     requires = function(a)
       local list = {}
       for i, s in ipairs(pieces(a)) do
-        list[i] = { vec.dot(s.d, s.d), "points must differ from their neighbours" }
+        list[i] = { s.square, "points must differ from their neighbours" }
       end
       return list
     end,
-    build = polyline },
+    build = polyline, pieces = pieces },
   { name = "wire.helix", measure = "length", curved = true, frame = "axis z, from (r, 0, 0)",
     about = "radius r, rise per turn (pitch, any sign), turns",
     args = { length "r", kit.coordinate "pitch", { name = "turns", dim = "none", sign = "positive" } },

@@ -1,0 +1,76 @@
+-- mesh.lua -- mesh{file = "part.stl", units = "mm", kind = "volume", density = ...}: a body from a mesh.
+--
+-- The host reads the file and integrates; its doubles become exact numbers here, so the mesh bakes to constants while
+-- mass or density may stay a parameter.  Defects that leave the integrals defined are warnings with their counts.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local args = require "generator.dsl.args"
+local defects = require "generator.dsl.defects"
+local files = require "generator.dsl.files"
+local shapes = require "generator.dsl.shapes"
+local units = require "generator.dsl.units"
+local diag = require "generator.diag"
+
+local mesh = {}
+
+local what = "mesh"
+local specs = { { name = "file" }, { name = "units", default = "m" },
+  { name = "kind", choice = { "volume", "surface", "wires" }, default = "volume" } }
+local measures = { volume = { "volume", 3 }, surface = { "area", 2 }, wires = { "length", 1 } }
+
+-- The exact factor of a unit of length, or nil after an error.
+local function unit(ctx, line, given)
+  local factor, dim
+  if type(given) == "string" then factor, dim = units.parse(given) end
+  if factor and units.equal(dim, units.length) then return factor end
+  ctx.diag:error(ctx.diag:locate(line, "units"), what, "units must be a unit of length such as \"mm\"",
+    diag.show(given))
+  return nil
+end
+
+-- What the host found, as expressions in metres: {measure, com, sigma}.  A double stands for the shortest decimal that
+-- reads back to it, which is as near to the truth and can be read.
+local function exact(m, k, power)
+  local function scaled(x, n) return expr.num(x) * k ^ n end
+  local com, sigma = {}, {}
+  for i = 1, 3 do
+    local x, tail = m.com[i], m.com_tail[i]
+    com[i] = scaled(tail == 0 and R.decimal(x) or R.fromdouble(x) + R.fromdouble(tail), 1)
+  end
+  for i = 1, 6 do sigma[i] = scaled(R.decimal(m.sigma[i]), 2) end
+  return { measure = scaled(R.decimal(m.measure), power), com = com, sigma = sigma }
+end
+
+-- The constructor.  ctx: {diag =, host =}.
+function mesh.constructor(ctx)
+  return function(given)
+    local line = ctx.diag:here()
+    if not args.plain(given) then
+      ctx.diag:error(line, what, "takes a table of named arguments (file, units, kind, mass, density)",
+        diag.show(given))
+      return shapes.broken()
+    end
+    args.unknown(ctx, line, what, specs, given, { "mass", "density" })
+    local kind = args.choice(ctx, ctx.diag:locate(line, "kind"), what, "kind", specs[3], given.kind or "volume")
+    local k = unit(ctx, line, given.units or "m")
+    local path = files.resolve(ctx, ctx.diag:locate(line, "file"), what, given.file)
+    if not (kind and k and path) then return shapes.broken() end
+    local measure, power = table.unpack(measures[kind])
+    local node = { shape = what, line = line, measure = measure, curved = kind ~= "volume" }
+    node.broken = not shapes.amount({ measure = measure }, what, line, given, node)
+    local m, why, failed = ctx.host.mesh(path, kind, { unit = 1, density = 1 })
+    if not m then
+      ctx.diag:error(ctx.diag:locate(line, "file"), what, (failed.reason == "file" and "cannot read " or "") .. why)
+      return shapes.broken()
+    end
+    for _, phrase in ipairs(defects.phrases(m.defects)) do
+      ctx.diag:warn(ctx.diag:locate(line, "file"), what, given.file .. ": " .. phrase)
+    end
+    node.a = exact(m, k, power)
+    return shapes.new(node)
+  end
+end
+
+return mesh
