@@ -1,8 +1,8 @@
 -- handbook.lua - the tables of tests/handbook in doubles, for surface.t; and what only pictures need.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- A row: {node, measure =, com = {x, y, z}, and I or S as tests/handbook.lua says}.  Nodes are the numeric form of a shape
--- (the library's), which a region has of its own.
+-- A row: {node, measure =, com = {x, y, z}, and I or S as tests/handbook.lua says}.  Nodes are the numeric form of a
+-- shape (the library's), which a region has of its own.
 
 local handbook = require "tests.handbook"
 

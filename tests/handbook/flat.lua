@@ -1,8 +1,8 @@
 -- flat.lua - solids with plane faces, and what polygons sweep out, as handbooks print them.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- The form of a row: tests/handbook.lua.  Sources: Beer and Johnston, Vector Mechanics; Tonon, J. Math. Stat. 1 (2004) 8
--- for the tetrahedron (sums over pairs of corners); Weisstein, MathWorld, for the regular polyhedra (moments of the
+-- The form of a row: tests/handbook.lua.  Sources: Beer and Johnston, Vector Mechanics; Tonon, J. Math. Stat. 1 (2004)
+-- 8, for the tetrahedron (sums over pairs of corners); Weisstein, MathWorld, for the regular polyhedra (moments of the
 -- dodecahedron and icosahedron there: (95 + 39 sqrt 5)/300 and (3 + sqrt 5)/20).  Prisms and turned bodies: sums over
 -- rectangles, rings, cones and triangles.
 
@@ -121,7 +121,7 @@ local function triangle(x, y, a, b)
     yy = y ^ 2 + 2 * y * b / 3 + b ^ 2 / 6, xy = x * y + x * b / 3 + y * a / 3 + a * b / 12 }
 end
 
--- a rectangle 6 a x 4 b with its first corner at (p, q), without a rectangle a x b and a triangle; holes wind either way
+-- a rectangle 6 a x 4 b with its corner at (p, q), without a rectangle a x b and a triangle; holes wind either way
 local FRAME = "profile = {{p, q}, {p, q + 4*b}, {p + 6*a, q + 4*b}, {p + 6*a, q}}, holes = " ..
   "{{{p + a, q + b}, {p + a, q + 2*b}, {p + 2*a, q + 2*b}, {p + 2*a, q + b}}, " ..
   "{{p + 3*a, q + b}, {p + 5*a, q + b}, {p + 3*a, q + 3*b}}}"
@@ -146,7 +146,8 @@ row("extrude", FRAME .. ", h = h", { "a", "b", "p", "q", "h" }, { a = 0.5, b = 0
 -- ---- turned ----
 
 local function ring(f, p, q, s, t) -- radii p < q, heights s < t
-  return f.pi * (q ^ 2 - p ^ 2) * (t - s), { xx = (p ^ 2 + q ^ 2) / 4, z = (s + t) / 2, zz = (s ^ 2 + s * t + t ^ 2) / 3 }
+  return f.pi * (q ^ 2 - p ^ 2) * (t - s),
+    { xx = (p ^ 2 + q ^ 2) / 4, z = (s + t) / 2, zz = (s ^ 2 + s * t + t ^ 2) / 3 }
 end
 local function cone(f, r, s, h) -- base of radius r at height s, apex at s + h: moments of the tables about the base
   return f.pi * r ^ 2 * h / 3, { xx = 3 * r ^ 2 / 20, z = s + h / 4, zz = s ^ 2 + s * h / 2 + h ^ 2 / 10 }

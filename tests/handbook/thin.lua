@@ -57,7 +57,8 @@ end)
 row("shell.box", "x = a, y = b, z = c", { "a", "b", "c" }, { a = 3, b = 2, c = 1.5 }, function(e)
   local a, b, c = e.a, e.b, e.c
   local A = 2 * (a * b + b * c + c * a)
-  local function about(p, q, s) -- moment about the axis of edge p: faces q x s across it, p x q and p x s at s/2 and q/2
+  -- moment about the axis of edge p: faces q x s across it, p x q and p x s at s/2 and q/2
+  local function about(p, q, s)
     return (2 * q * s * (q ^ 2 + s ^ 2) / 12 + 2 * p * q * (q ^ 2 / 12 + s ^ 2 / 4) +
       2 * p * s * (s ^ 2 / 12 + q ^ 2 / 4)) / A
   end
@@ -129,7 +130,8 @@ row("rod.between", "from = {p, -p, 2*p}, to = {p + 2*l/7, -p + 3*l/7, 2*p + 6*l/
     local s = e.l ^ 2 / 588
     return { measure = e.l, com = { e.p + e.l / 7, -e.p + 3 * e.l / 14, 2 * e.p + 3 * e.l / 7 },
       I = { 45 * s, 40 * s, 13 * s, -6 * s, -12 * s, -18 * s },
-      points = { from = { e.p, -e.p, 2 * e.p }, to = { e.p + 2 * e.l / 7, -e.p + 3 * e.l / 7, 2 * e.p + 6 * e.l / 7 } } }
+      points = { from = { e.p, -e.p, 2 * e.p },
+        to = { e.p + 2 * e.l / 7, -e.p + 3 * e.l / 7, 2 * e.p + 6 * e.l / 7 } } }
   end)
 row("wire.hoop", "r = r", { "r" }, { r = 1.2 }, function(e, f)
   return { measure = 2 * f.pi * e.r, I = axial(e.r ^ 2 / 2, e.r ^ 2), points = { rim = { e.r, 0, 0 } } }
