@@ -14,7 +14,6 @@ local scene = require "tests.scene"
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
-local evaluate = require "generator.algebra.evaluate"
 local text = require "generator.algebra.text"
 local handbook = require "tests.handbook"
 local catalogue = require "generator.mass.catalogue"
@@ -24,23 +23,13 @@ local NAMES = { "xx", "yy", "zz", "xy", "xz", "yz" }
 
 -- ---- exact numbers ----
 
--- Numbers with pi, roots and sines are compared at 600 bits: numbers that agree to 500 of them (100 are for what
--- cancels) at random sizes are the same, as no short formula comes that close to another one by chance.
-local BITS, AGREE = 600, 500
-
 local functions = { pi = expr.pi, sqrt = expr.sqrt }
 for _, name in ipairs { "abs", "sin", "cos", "sinh", "cosh" } do
   functions[name] = function(x) return expr.call(name, x) end
 end
 
-local function equal(got, want)
-  if got.kind == "num" and want.kind == "num" then return got == want end
-  local a, b = evaluate.precise(got, {}, BITS), evaluate.precise(want, {}, BITS)
-  local d = R.abs(a - b)
-  return R.sign(d) == 0 or R.sign(b) ~= 0 and R.log2(d) < R.log2(b) - AGREE
-end
-tap.ok(equal(expr.pi * 2, 2 * expr.pi) and not equal(expr.pi, expr.lift "355/113") and
-  not equal(expr.lift "1/3", expr.lift(1 / 3)), "the comparison tells numbers apart")
+tap.ok(scene.same(expr.pi * 2, 2 * expr.pi) and not scene.same(expr.pi, expr.lift "355/113") and
+  not scene.same(expr.lift "1/3", expr.lift(1 / 3)), "the comparison tells numbers apart")
 
 -- Are the expressions what want(sizes) gives, at random positive sizes?
 local function holds(list, want, names)
@@ -52,7 +41,7 @@ local function holds(list, want, names)
     end
     for i, v in ipairs(want(sizes)) do
       local got = calculus.substitute(list[i], map)
-      if not equal(got, expr.lift(v)) then
+      if not scene.same(got, expr.lift(v)) then
         return false, string.format("entry %d: %s instead of %s", i, text.of(got), text.of(expr.lift(v)))
       end
     end
