@@ -156,6 +156,15 @@ end
 
 function scene.exact(e, env) return evaluate.exact(e, env) end
 
+-- Are two nodes without symbols the same number?  Rational ones exactly; what has pi, roots, sines and the like at 600
+-- bits, of which 500 must agree: 100 are for what cancels, and no two short formulas come that close by chance.
+function scene.same(a, b)
+  if a.kind == "num" and b.kind == "num" then return a == b end
+  local x, y = evaluate.precise(a, {}, 600), evaluate.precise(b, {}, 600)
+  local d = R.abs(x - y)
+  return R.sign(d) == 0 or R.sign(y) ~= 0 and R.log2(d) < R.log2(y) - 500
+end
+
 -- Is e = want (a node or number) at `count` random points with positive values?  Exact for rational functions.
 -- Second result: where not.
 function scene.agree(e, want, count)

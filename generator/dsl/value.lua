@@ -67,8 +67,9 @@ function value.show(x, with_unit)
   if n and (number == "inf" or number == "-inf" or number == "0.0" and R.sign(n) ~= 0) then
     number = R.magnitude(n)
   end
-  local s = size(r.e, most_nodes) <= most_nodes and string.gsub(text.of(r.e), "@", "") or nil -- @x: a coordinate
-  if s and s ~= number and #s <= most_text then number = s .. " = " .. number end
+  local s, coordinates = nil, 0 -- @x: a coordinate, which has no number
+  if size(r.e, most_nodes) <= most_nodes then s, coordinates = string.gsub(text.of(r.e), "@", "") end
+  if s and s ~= number and #s <= most_text then number = coordinates > 0 and s or s .. " = " .. number end
   if not with_unit then return number end
   local pure = not r.dim or units.equal(r.dim, units.none)
   return number .. (pure and " (a pure number)" or " " .. units.name(r.dim))

@@ -27,10 +27,16 @@ model.__index = model
 -- Bits kept of a constant that is no rational number (sqrt(2), pi/3) when it becomes one.
 local bits = 240
 
--- The value of e for the parameters' defaults, as a rational: exact for a rational function, else to `bits` bits.
+-- The value of e for the parameters' defaults, as a rational: exact for a rational function, else to `bits` bits.  What
+-- is only their rounding (sin(pi n) for n = 2) is zero.
 function model:number(e)
   local ok, value = pcall(evaluate.exact, e, self.defaults)
-  return ok and value or evaluate.precise(e, self.defaults, bits)
+  if ok then return value end
+  value = evaluate.precise(e, self.defaults, bits)
+  if R.sign(value) == 0 or R.log2(value) > -bits / 2 then return value end
+  local change = R.abs(value - evaluate.precise(e, self.defaults, 2 * bits))
+  if R.sign(change) ~= 0 and R.log2(change) > R.log2(value) - 64 then return R.zero end
+  return value
 end
 
 function model:double(e) return R.todouble(self:number(e)) end

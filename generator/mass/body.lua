@@ -51,7 +51,7 @@ local build
 local function divided(node, spec)
   local list, total = spec.pieces(node.a), expr.zero
   for _, s in ipairs(list) do total = total + s.measure end
-  local out = { pieces = {}, points = {} }
+  local out = { pieces = {}, points = spec.points(node.a) }
   for i, s in ipairs(list) do
     out.pieces[i] = { mass = node.density and node.density * s.measure or node.mass * s.measure / total,
       com = tidy_all(s.com), sigma = tidy_all(s.sigma), line = node.line, name = node.shape .. ", part " .. i,

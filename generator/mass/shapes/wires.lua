@@ -22,6 +22,8 @@ local function pieces(a)
   return list
 end
 
+local function ends(a) return { first = a.points[1], last = a.points[#a.points] } end
+
 -- All of it at once.
 local function polyline(a)
   local total, first, parts = zero, { zero, zero, zero }, pieces(a)
@@ -34,8 +36,7 @@ local function polyline(a)
   for _, s in ipairs(parts) do
     sum = vec.add(sum, vec.scale(s.measure, vec.add(s.sigma, vec.outer(vec.sub(s.com, com)))))
   end
-  return { measure = total, com = com, sigma = vec.scale(1 / total, sum),
-    points = { first = a.points[1], last = a.points[#a.points] } }
+  return { measure = total, com = com, sigma = vec.scale(1 / total, sum), points = ends(a) }
 end
 
 local function helix(a)
@@ -103,7 +104,7 @@ return {
       end
       return list
     end,
-    build = polyline, pieces = pieces },
+    build = polyline, pieces = pieces, points = ends },
   { name = "wire.helix", measure = "length", curved = true, frame = "axis z, from (r, 0, 0)",
     about = "radius r, rise per turn (pitch, any sign), turns",
     args = { length "r", kit.coordinate "pitch", { name = "turns", dim = "none", sign = "positive" } },
