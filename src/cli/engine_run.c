@@ -281,8 +281,10 @@ static int rates_energy(lua_State *L) {
   const int status = ph_top_energy(&r->top, x, &energy);
   if (status != PH_OK)
     return fail(L, status);
+  /* w.I w/2: off the diagonal two halves make one term */
   for (int i = 0; i < 9; i++)
-    scale = largest(scale, 0.5 * fabs(x[4 + i / 3] * x[4 + i % 3]) * r->spread[i]);
+    scale = largest(scale,
+                    (i / 3 == i % 3 ? 0.5 : 1) * fabs(x[4 + i / 3] * x[4 + i % 3]) * r->spread[i]);
   if (r->top.effects & PH_GRAVITY)
     scale = largest(scale, r->top.mass * norm(r->top.com) * norm(r->top.gravity));
   lua_pushnumber(L, energy);
