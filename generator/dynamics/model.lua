@@ -25,10 +25,17 @@ model.__index = model
 -- Bits kept of a constant that is no rational number (sqrt(2), pi/3) when it becomes one.
 local bits = 240
 
--- The value of e for the parameters' defaults, as a rational: exact for a rational function, else to `bits` bits.
+-- The value of e for the parameters' defaults, as a rational: exact for a rational function, else to `bits` bits.  They
+-- are put in first, for then sin(pi n) of n = 1 is 0 and not what rounding leaves of it.
 function model:number(e)
   local ok, value = pcall(evaluate.exact, e, self.defaults)
-  return ok and value or evaluate.precise(e, self.defaults, bits)
+  if ok then return value end
+  local map = {}
+  for _, s in ipairs(expr.symbols(e)) do
+    if self.defaults[s.name] then map[s] = expr.lift(self.defaults[s.name]) end
+  end
+  local opened, constant = pcall(calculus.substitute, e, map)
+  return evaluate.precise(opened and constant or e, self.defaults, bits)
 end
 
 function model:double(e) return R.todouble(self:number(e)) end
