@@ -8,6 +8,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local cost = require "generator.algebra.cost"
+local cosine = require "generator.algebra.cosine"
 local nest = require "generator.algebra.nest"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
@@ -33,11 +34,11 @@ end
 -- The members' forms, nested if that is cheaper: all or none, as sums that they share must stay shared.
 local function nested(members)
   local best = {}
-  for i, member in ipairs(members) do best[i] = member.form end
+  for i, member in ipairs(members) do best[i] = cosine(member.form) end
   local least = cost(best)
   for _, last in ipairs { false, true } do
     local forms = {}
-    for i, member in ipairs(members) do forms[i] = nest(member.form, last) end
+    for i, member in ipairs(members) do forms[i] = nest(cosine(member.form), last) end
     local now = cost(forms)
     if now < least then best, least = forms, now end
   end
