@@ -64,7 +64,7 @@ local function number(e, env) return evaluate.precise(e, env, BITS) end
 local function rounded(q, real)
   local x = R.todouble(q)
   if real == "float" then x = string.unpack("f", string.pack("f", x)) end
-  return R.lift(x)
+  return R.fromdouble(x)
 end
 
 local dir = program.directory()

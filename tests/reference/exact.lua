@@ -18,8 +18,7 @@ function exact.value(s)
 end
 
 -- Has the text functions that no normal form decides?
-function exact.transcendental(s) return s:find("[cs]inh") ~= nil or s:find "osh" ~= nil or s:find "exp" ~= nil or
-  s:find "tanh" ~= nil end
+function exact.transcendental(s) return s:find "nh" ~= nil or s:find "osh" ~= nil or s:find "exp" ~= nil end
 
 -- The second point of a row as a scene's table.
 function exact.point(row)
