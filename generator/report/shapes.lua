@@ -199,8 +199,8 @@ entries (minus the products of inertia). Where an argument is a list, the formul
 the pictures the black and white disc is the centroid; red lines are what the arguments measure; a quarter is cut out
 where that shows more.
 
-Some means have names, because their closed forms lose digits for a short curve. They are computed without that loss, and
-where sine and cosine of h are known numbers the closed form stands instead.
+Some means have names, because their closed forms lose digits for a short curve. They are computed without that loss,
+and where sine and cosine of h are known numbers the closed form stands instead.
 
 | | |
 |---|---|
