@@ -157,7 +157,7 @@ BODIES = $(sort $(wildcard bodies/*.lua))
 bench: all $(BUILD)/bench/step $(BUILD)/bench/gen $(BUILD)/bench/mesh
 	@$(BUILD)/bench/step
 	@$(BUILD)/bench/gen $(PROGRAM) $(BUILD)/bench/out $(BODIES)
-	@$(BUILD)/bench/mesh $(BUILD)/bench/out
+	@$(BUILD)/bench/mesh $(BUILD)/bench/mesh.stl
 	@echo "emitted code against the general library, all bodies, 1000 random states each"
 	@$(PROGRAM) check --real double $(BODIES) > $(BUILD)/bench/check.tap; status=$$?; \
 	  grep -e 'to 8 ulp' -e 'closed form agrees' -e '^not ok' $(BUILD)/bench/check.tap | sed 's/^\(.*ok\) [0-9]* - /  \1 /'; \

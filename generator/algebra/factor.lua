@@ -13,7 +13,7 @@ local poly = require "generator.algebra.poly"
 
 local factor = {}
 
-local most_hints, most_terms = 16, 4
+local most_hints, most_terms = 8, 3
 local readable = 16 -- terms: a longer sum is not made readable by a factor, and looking for one is work
 
 -- The short sums inside e as primitive polynomials.
@@ -48,56 +48,19 @@ local function derivative(p, v)
   return sum
 end
 
----- numbers put in for all generators but one: a factor stays a factor ------------------------------
+---- may p have a factor of a kind?  Numbers are put in for all generators but one (gcd.lua) ----------
 
-local primes = { 3, 5, 7, 11, 13, 17, 19, 23 }
-
--- Coefficients of p in generator v, from degree 0; `other` is added to the number for generator u.
-local function specialised(p, v, u, other)
-  local c = {}
-  for d = 0, gcd.degree(p, v) do c[d + 1] = R.zero end
-  for _, t in ipairs(poly.sorted(p)) do
-    local x = t.c
-    for i, n in ipairs(t.e) do
-      if i ~= v and n > 0 then x = x * R.new(primes[(i - 1) % #primes + 1] + (i == u and other or 0)) ^ n end
-    end
-    c[t.e[v] + 1] = c[t.e[v] + 1] + x
-  end
-  return c
-end
-
-local function trimmed(c)
-  while #c > 0 and R.sign(c[#c]) == 0 do c[#c] = nil end
-  return c
-end
-
--- Have the two a common factor?  Euclid; both are used up.
-local function common(a, b)
-  a, b = trimmed(a), trimmed(b)
-  if #a < #b then a, b = b, a end
-  while #b > 1 do
-    while #a >= #b do
-      local k, shift = a[#a] / b[#b], #a - #b
-      for d = 1, #b do a[d + shift] = a[d + shift] - k * b[d] end
-      a[#a] = nil
-      trimmed(a)
-    end
-    a, b = b, a
-  end
-  return #b == 0
-end
-
--- May p have a factor twice that depends on v?
+-- One that it has twice and that depends on v?
 local function repeated(p, v)
-  local a, b = specialised(p, v), {}
+  local a, b = gcd.specialised(p, v), {}
   for d = 1, #a - 1 do b[d] = a[d + 1] * R.new(d) end
-  return common(a, b)
+  return gcd.common(a, b)
 end
 
--- May p have a factor that does not depend on v?
+-- One that does not depend on v?
 local function without(p, v)
   for w = 1, #p.ring.gens do
-    if w ~= v and gcd.degree(p, w) > 0 and common(specialised(p, w, v, 2), specialised(p, w, v, 100)) then
+    if w ~= v and gcd.degree(p, w) > 0 and gcd.common(gcd.specialised(p, w, v, 2), gcd.specialised(p, w, v, 100)) then
       return true
     end
   end
@@ -121,9 +84,10 @@ local function divisor(p, hints)
   end
 end
 
--- The polynomial as an expression, a product of what is found.
+-- The polynomial as an expression, a product of what is found.  What was found for a ring is kept in it.
 function factor.product(p, hints)
   local ring, list = p.ring, {}
+  ring.factored = ring.factored or {}
   local function take(q)
     local c, low = poly.content(q)
     q = poly.shift(q, c, low)
@@ -131,13 +95,18 @@ function factor.product(p, hints)
     for i, n in ipairs(low) do
       if n ~= 0 then list[#list + 1] = expr.pow(ring.gens[i], n) end
     end
-    local d = q.n > 1 and divisor(q, hints)
-    local rest = d and poly.divide(q, d)
+    local e = poly.expr(q)
+    local known = ring.factored[e]
+    if known == nil then
+      known = q.n > 1 and divisor(q, hints) or false
+      ring.factored[e] = known
+    end
+    local rest = known and poly.divide(q, known)
     if rest then
-      take(d)
+      take(known)
       take(rest)
     else
-      list[#list + 1] = poly.expr(q)
+      list[#list + 1] = e
     end
   end
   take(p)

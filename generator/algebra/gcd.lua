@@ -68,6 +68,53 @@ local function pseudo_remainder(a, b, v)
   return a
 end
 
+---- numbers put in for all generators but one: a factor stays a factor ------------------------------
+
+local primes = { 3, 5, 7, 11, 13, 17, 19, 23 }
+
+-- Coefficients of p in generator v, from degree 0; `other` is added to the number for generator u.
+local function specialised(p, v, u, other)
+  local c = {}
+  for d = 0, degree(p, v) do c[d + 1] = R.zero end
+  for _, t in ipairs(poly.sorted(p)) do
+    local x = t.c
+    for i, n in ipairs(t.e) do
+      if i ~= v and n > 0 then x = x * R.new(primes[(i - 1) % #primes + 1] + (i == u and other or 0)) ^ n end
+    end
+    c[t.e[v] + 1] = c[t.e[v] + 1] + x
+  end
+  return c
+end
+
+local function trimmed(c)
+  while #c > 0 and R.sign(c[#c]) == 0 do c[#c] = nil end
+  return c
+end
+
+-- Have the two a common factor?  Euclid; both are used up.
+local function common(a, b)
+  a, b = trimmed(a), trimmed(b)
+  if #a < #b then a, b = b, a end
+  while #b > 1 do
+    while #a >= #b do
+      local k, shift = a[#a] / b[#b], #a - #b
+      for d = 1, #b do a[d + shift] = a[d + shift] - k * b[d] end
+      a[#a] = nil
+      trimmed(a)
+    end
+    a, b = b, a
+  end
+  return #b == 0
+end
+
+-- May a and b have a common factor that is more than a monomial?  A factor in w stays one with numbers for the others.
+local function perhaps(a, b)
+  for w = 1, #a.ring.gens do
+    if degree(a, w) > 0 and degree(b, w) > 0 and common(specialised(a, w), specialised(b, w)) then return true end
+  end
+  return false
+end
+
 -- gcd up to a rational factor; monomial content included.
 function gcd(a, b)
   local ring = a.ring
@@ -78,7 +125,7 @@ function gcd(a, b)
     local low = math.min(la[i], lb[i])
     if low > 0 then mono = poly.mul(mono, poly.generator(ring, i, low)) end
   end
-  if pa.n == 1 or pb.n == 1 or pa.n * pb.n > 4000 then return mono end
+  if pa.n == 1 or pb.n == 1 or pa.n * pb.n > 4000 or not perhaps(pa, pb) then return mono end
   local v
   for i = 1, #ring.gens do
     local x, y = degree(pa, i) > 0, degree(pb, i) > 0
@@ -103,4 +150,5 @@ function gcd(a, b)
   return poly.mul(mono, poly.mul(c, (primitive(y))))
 end
 
-return { of = gcd, degree = degree, content_in = content_in, primitive = primitive }
+return { of = gcd, degree = degree, content_in = content_in, primitive = primitive, specialised = specialised,
+  common = common }

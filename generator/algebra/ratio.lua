@@ -111,20 +111,42 @@ local tidied = setmetatable({}, { __mode = "k" })
 -- Roots of sums double the terms of whatever they are multiplied with; with many of them nothing cancels anyway.
 local most_roots = 3
 
-local function cancelled(e)
-  local ring = poly.ring { e }
-  local roots = 0
+local function ring_of(list)
+  local ring, roots = poly.ring(list), 0
   for _, g in ipairs(ring.gens) do
     if g.kind == "pow" and g.base.kind ~= "num" then roots = roots + 1 end
   end
   if roots > most_roots then error(poly.exhausted, 0) end
-  local f = fraction(ring, e, {})
-  if poly.iszero(f[1]) then return expr.zero end
-  local common = gcd(f[1], f[2])
-  local n, d = poly.divide(f[1], common), poly.divide(f[2], common)
-  if not n or not d then n, d = f[1], f[2] end
-  local hints = factor.hints(ring, e)
+  return ring
+end
+
+-- The quotient of two polynomials as an expression.
+local function lowest(a, b, hints)
+  if poly.iszero(a) then return expr.zero end
+  local common = gcd(a, b)
+  local n, d = poly.divide(a, common), poly.divide(b, common)
+  if not n or not d then n, d = a, b end
   return factor.product(n, hints) / factor.product(d, hints)
+end
+
+local function cancelled(e)
+  local ring = ring_of { e }
+  local f = fraction(ring, e, {})
+  return lowest(f[1], f[2], factor.hints(ring, e))
+end
+
+-- a / d for each a of the list, tidied together: what they share is expanded and factored once.  nil if that is too
+-- large.
+function ratio.over(list, d)
+  return bounded(budget, function()
+    local ring, memo, out = ring_of { d, table.unpack(list) }, {}, {}
+    local hints, below = factor.hints(ring, d), fraction(ring, d, memo)
+    for i, a in ipairs(list) do
+      local f = fraction(ring, a, memo)
+      out[i] = lowest(poly.mul(f[1], below[2]), poly.mul(f[2], below[1]), hints)
+    end
+    return out
+  end)
 end
 
 -- e cancelled and factored: equal to e wherever e is defined.  Second result: false if it was too large and is left

@@ -198,9 +198,10 @@ function builders.full(m, N)
   local named, whole = vec.adjugate(equations.inertia(m))
   -- expanded, the determinant of a simple body is a sum of positive terms; of a complicated one it is unreadable
   local small = not m.parts and largest_sum(tidy(det)) <= 24
+  local expanded = small and ratio.over(adj, det)
   local J = vec.map(adj, function(e, n)
-    return m:constant("J" .. vec.entry[n], small and tidy(e / det) or e / det,
-      "inverse of the tensor, " .. vec.entry[n] .. ", 1/(kg m^2)", not small, not small and named[n] / whole or nil)
+    return m:constant("J" .. vec.entry[n], expanded and expanded[n] or e / det,
+      "inverse of the tensor, " .. vec.entry[n] .. ", 1/(kg m^2)", true, not expanded and named[n] / whole or nil)
   end)
   local n = vec.add(N, vec.cross(L, state.w))
   local names = {}

@@ -27,16 +27,17 @@ model.__index = model
 -- Bits kept of a constant that is no rational number (sqrt(2), pi/3) when it becomes one.
 local bits = 240
 
--- The value of e for the parameters' defaults, as a rational: exact for a rational function, else to `bits` bits.  What
--- is only their rounding (sin(pi n) for n = 2) is zero.
+-- The value of e for the parameters' defaults, as a rational: exact for a rational function, else to `bits` bits.  They
+-- are put in first, for then sin(pi n) of n = 1 is 0 and not what rounding leaves of it.
 function model:number(e)
   local ok, value = pcall(evaluate.exact, e, self.defaults)
   if ok then return value end
-  value = evaluate.precise(e, self.defaults, bits)
-  if R.sign(value) == 0 or R.log2(value) > -bits / 2 then return value end
-  local change = R.abs(value - evaluate.precise(e, self.defaults, 2 * bits))
-  if R.sign(change) ~= 0 and R.log2(change) > R.log2(value) - 64 then return R.zero end
-  return value
+  local map = {}
+  for _, s in ipairs(expr.symbols(e)) do
+    if self.defaults[s.name] then map[s] = expr.lift(self.defaults[s.name]) end
+  end
+  local opened, constant = pcall(calculus.substitute, e, map)
+  return evaluate.precise(opened and constant or e, self.defaults, bits)
 end
 
 function model:double(e) return R.todouble(self:number(e)) end
@@ -127,7 +128,7 @@ local function conditions(m, checks)
   local function put(c)
     if expr.constant(c.e) or seen[c.e] then return end
     seen[c.e] = true
-    list[#list + 1] = { e = c.e, form = c.form or c.e, allow_zero = c.allow_zero,
+    list[#list + 1] = { e = c.e, form = c.form or c.e, pivot = c.pivot, allow_zero = c.allow_zero,
       text = c.what .. ": " .. c.rule .. " (" .. string.match(m.file, "[^/]*$") .. ":" .. c.line .. ")" }
   end
   for _, c in ipairs(checks) do put(c) end

@@ -8,13 +8,14 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local cost = require "generator.algebra.cost"
+local cosine = require "generator.algebra.cosine"
 local nest = require "generator.algebra.nest"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
 
 local init = {}
 
-local words = { m = true, p = true, k = true, own = true } -- what NAME_init itself calls something
+local words = { m = true, p = true, k = true, own = true, roundoff = true } -- what NAME_init itself calls something
 
 -- The parameters as inputs, and the names that must change for it: node -> symbol.
 local function inputs(ctx, m)
@@ -33,11 +34,11 @@ end
 -- The members' forms, nested if that is cheaper: all or none, as sums that they share must stay shared.
 local function nested(members)
   local best = {}
-  for i, member in ipairs(members) do best[i] = member.form end
+  for i, member in ipairs(members) do best[i] = cosine(member.form) end
   local least = cost(best)
   for _, last in ipairs { false, true } do
     local forms = {}
-    for i, member in ipairs(members) do forms[i] = nest(member.form, last) end
+    for i, member in ipairs(members) do forms[i] = nest(cosine(member.form), last) end
     local now = cost(forms)
     if now < least then best, least = forms, now end
   end
@@ -85,8 +86,10 @@ end
 function init.fill(ctx, m, values)
   local list, map = inputs(ctx, m)
   local groups, checks, placed = {}, {}, {}
-  -- a condition may ask for the rounding of the real type: half a unit in the last place of 1
-  map[expr.sym("unit roundoff", 1, true)] = expr.num(R.new(2) ^ (ctx.real == "float" and -24 or -53))
+  -- a condition may ask for the rounding of the real type, half a unit in the last place of 1: it keeps a name, for
+  -- multiplied into the other numbers of a sum it would spoil their form
+  map[expr.sym("unit roundoff", 1, true)] = expr.sym("roundoff", 1, true)
+  list[#list + 1] = { sym = "roundoff", c = number.text(R.new(2) ^ (ctx.real == "float" and -24 or -53), ctx.real) }
   for i, c in ipairs(m.conditions) do
     groups[i] = { defs = steps(m, { c.form }, map, placed), outs = { { c = "const " .. ctx.name .. "_real check" .. i,
       expr = calculus.substitute(c.form, map) } } }

@@ -21,7 +21,7 @@ local license = "SPDX-License-Identifier: MIT-0"
 
 local function libm(real)
   local v = {}
-  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp" } do
+  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "exp", "sinh", "cosh", "frexp", "ldexp" } do
     v[fn] = real == "float" and fn .. "f" or fn
   end
   return v
@@ -131,7 +131,7 @@ local function common(job)
   v.step_literal, v.horizon_literal = number.text(m:number(m.step), real), number.text(m:number(m.horizon), real)
   v.step_text, v.horizon_text = number.text(m:number(m.step), "double"), number.text(m:number(m.horizon), "double")
   init.fill(ctx, m, v)
-  special.fill(job, v, ctx)
+  special.fill(v, ctx)
   stability.fill(ctx, job.stability, v)
   v.no_members = #m.members == 0 and not v.has_order
   return v, ctx
@@ -166,6 +166,7 @@ local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
 function project.files(job, plugin)
   local v, ctx = common(job)
   closed_values(job, v, ctx)
+  special.render(job, v)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
   v.order_source = v.has_order and render "templates/order.c" or ""

@@ -7,8 +7,9 @@
 --     com       centroid; the origin when absent
 --     sigma     second moments about the centroid PER UNIT MASS, {xx, yy, zz, xy, xz, yz} of  mean(r r^T)
 --     points    named points
--- `pieces(a)`, of a shape that is a sum of simpler ones, returns these: {measure, com, sigma} each.  `curved` says that it does not stay uniform under a general affine map.  The tensor of inertia is never written down
--- here: it is tr(sigma) 1 - sigma times the mass (body.lua), so a formula of the handbooks can be checked against it.
+-- `pieces(a)`, of a shape that is a sum of simpler ones, returns these: {measure, com, sigma} each.  `curved` says that
+-- it does not stay uniform under a general affine map.  The tensor of inertia is never written down here: it is
+-- tr(sigma) 1 - sigma times the mass (body.lua), so a formula of the handbooks can be checked against it.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local kit = require "generator.mass.shapes.kit"

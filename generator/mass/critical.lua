@@ -60,14 +60,18 @@ end
 -- say: symbols that are positive, and sums of known sign.  An object with :signs(e) and :positive(e).
 function critical.of(conditions)
   local self = setmetatable({ map = {}, known = {} }, critical)
+  local simple = {} -- not the pivots of a tensor: large, and the sign of no factor follows from them
   for _, c in ipairs(conditions) do
+    if not c.pivot then simple[#simple + 1] = c end
+  end
+  for _, c in ipairs(simple) do
     local coefficient, list = factors((ratio.tidy(c.e)))
     if not c.allow_zero and R.sign(coefficient) > 0 and #list == 1 and list[1][1].kind == "sym" then
       local s = list[1][1]
       self.map[s] = expr.sym(s.name, s.rank, true)
     end
   end
-  for _, c in ipairs(conditions) do
+  for _, c in ipairs(simple) do
     local coefficient, list = factors(self:plain(c.e))
     local left = {}
     for _, f in ipairs(list) do

@@ -45,15 +45,15 @@ local function kinds_of(node, set)
 end
 
 -- The part of a tree that is of one kind (or unknown), nil if there is none.
-local function part(node, kind)
+local function of_kind(node, kind)
   if node.shape then
     local k = inside.kind(node.shape)
     return (k == kind or k == nil) and node or nil
   elseif node.of then
-    local of = part(node.of, kind)
+    local of = of_kind(node.of, kind)
     return of and setmetatable({ of = of }, { __index = node })
   end
-  local a, b = part(node[1], kind), part(node[2], kind)
+  local a, b = of_kind(node[1], kind), of_kind(node[2], kind)
   if a and b then return setmetatable({ a, b }, { __index = node }) end
   return a or node.op == "sum" and b or nil
 end
@@ -62,7 +62,11 @@ end
 
 -- How many times larger things of a kind are after the map of a node.
 local function growth(node, kind)
-  if node.op == "affine" then return 1 end -- a shear
+  if node.op == "affine" then
+    local A = node.A
+    return kind == "volume" and math.abs(A[1] * (A[5] * A[9] - A[6] * A[8]) - A[2] * (A[4] * A[9] - A[6] * A[7]) +
+      A[3] * (A[4] * A[8] - A[5] * A[7])) or 1
+  end
   local k = node.op == "scaled" and node.k
   if not k then return 1 end
   if kind == "volume" then return math.abs(k[1] * k[2] * k[3]) end
@@ -77,11 +81,15 @@ local function weigh(m, node, num, size)
     local spec = catalogue.by_name[node.shape]
     local kind = inside.kind(num.shape)
     num.by_mass = node.mass ~= nil
-    if expr.is(node.density) then
+    if num.shape == "region" or not spec or not kind or kind == "particles" then return end -- not one number
+    if node.density then
       num.weight = R.todouble(m:number(node.density))
-    elseif expr.is(node.mass) and spec and spec.build and kind and kind ~= "particles" then
-      local measure = spec.build(node.a, node).measure
-      num.weight = expr.is(measure) and R.todouble(m:number(node.mass / measure)) / (size[kind] or 1) or nil
+    elseif node.mass then
+      local measure = expr.zero
+      for _, part in ipairs(spec.pieces and spec.pieces(node.a) or { spec.build(node.a) }) do
+        measure = measure + part.measure
+      end
+      num.weight = R.todouble(m:number(node.mass / measure)) / (size[kind] or 1)
     end
   elseif num.of then
     local larger = {}
@@ -223,7 +231,7 @@ local function cut(d, node, a, hole)
         good = false
       end
     elseif in_hole[kind] then
-      local x, y = part(a, kind), part(hole, kind)
+      local x, y = of_kind(a, kind), of_kind(hole, kind)
       local ok, points, slack = contained(d, node, x, y, kind)
       good = ok and (kind == "particles" or same_stuff(d, node, x, y, kind, points, slack)) and good
     end

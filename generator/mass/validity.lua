@@ -263,7 +263,8 @@ function validity.conditions(m)
     local S = { half - I[1], half - I[2], half - I[3], -I[4], -I[5], -I[6] }
     local pivots, zero = semidefinite(S, size)
     for _, e in ipairs(pivots) do -- the next pivot divides by this one
-      list[#list + 1] = { e = named and m.parts:resolve(e) or e, form = named and e or nil, what = what, line = line, allow_zero = zero,
+      list[#list + 1] = { e = named and m.parts:resolve(e) or e, form = named and e or nil, pivot = true, line = line,
+        what = what, allow_zero = zero,
         rule = "the triangle inequality of the principal moments about the centre of mass must hold" }
     end
   end

@@ -17,7 +17,7 @@ local most = 12 -- pieces that are spelled out
 
 local function tuple(v)
   local list = {}
-  for i, e in ipairs(v) do list[i] = text.of(e, "unicode") end
+  for i, e in ipairs(v) do list[i] = text.of(e, "plain") end
   return "(" .. table.concat(list, ", ") .. ")"
 end
 
@@ -27,7 +27,7 @@ local function placement(p)
   for i, step in ipairs(p.steps or {}) do
     local words = {}
     for k, w in ipairs(step) do
-      words[k] = type(w) == "string" and w or expr.is(w) and text.of(w, "unicode") or tuple(w)
+      words[k] = type(w) == "string" and w or expr.is(w) and text.of(w, "plain") or tuple(w)
     end
     list[i] = table.concat(words, " ")
   end
@@ -35,7 +35,7 @@ local function placement(p)
 end
 
 local function matter(p)
-  if p.density then return ", of density " .. text.of(p.density, "unicode") end
+  if p.density then return ", of density " .. text.of(p.density, "plain") end
   return ""
 end
 
@@ -46,7 +46,7 @@ function pieces.title(i, p)
     placed == "" and "" or ", " .. placed)
 end
 
--- Lines of the section: titles, and per piece its mass, centroid and own tensor.  formula(name, e, unit, number).
+-- Lines of the section: titles, and per piece its mass, centroid c and own tensor.  formula(name, e, unit, number).
 function pieces.lines(m, formula)
   local b, lines = m.body, {}
   local placed = false
@@ -58,10 +58,10 @@ function pieces.lines(m, formula)
       break
     end
     lines[#lines + 1] = pieces.title(i, p)
-    lines[#lines + 1] = formula("m" .. i, p.mass, "kg", m:double(p.mass))
+    lines[#lines + 1] = formula("  mass", p.mass, "kg", m:double(p.mass))
     for k = 1, 3 do
       if p.com[k] ~= expr.zero then
-        lines[#lines + 1] = formula("c" .. i .. comp[k], p.com[k], "m", m:double(p.com[k]))
+        lines[#lines + 1] = formula("  c" .. comp[k], p.com[k], "m", m:double(p.com[k]))
       end
     end
     local sigma = p.sigma
@@ -70,16 +70,16 @@ function pieces.lines(m, formula)
       local e = n > 3 and -sigma[n] or sigma[j] + sigma[k]
       e = p.given and p.given[n] or ratio.tidy(p.mass * e)
       if e ~= expr.zero then
-        lines[#lines + 1] = formula("I" .. i .. vec.entry[n], e, "kg m^2", m:double(e))
+        lines[#lines + 1] = formula("  I" .. vec.entry[n], e, "kg m^2", m:double(e))
       end
     end
   end
   if #b.pieces > 1 then
     local reduced = m.parts and #m.parts.shifts < #b.pieces
-    lines[#lines + 1] = reduced and "I = I_1 + I_2 + mu (D² 1 - D Dᵀ), D from centroid 1 to 2 (Huygens, Steiner)"
-      or "I = sum of I_i + m_i (d_i² 1 - d_i d_iᵀ), d_i from the common point to centroid i (Huygens, Steiner)"
+    lines[#lines + 1] = reduced and "I = I_1 + I_2 + mu (D^2 1 - D D^T), D from centroid 1 to 2 (Huygens, Steiner)"
+      or "I = sum of I_i + m_i (d_i^2 1 - d_i d_i^T), d_i from the common point to centroid i (Huygens, Steiner)"
     for _, s in ipairs(m.parts and m.parts:needed(m.parts.entries) or {}) do
-      if not string.find(s.name, "^m%d+$") then lines[#lines + 1] = formula(s.name, s.e, s.unit, m:double(s.pure)) end
+      lines[#lines + 1] = formula(s.name, s.e, s.unit, m:double(s.pure))
     end
   end
   return lines

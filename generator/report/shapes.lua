@@ -76,6 +76,9 @@ local function choices(spec)
   return list
 end
 
+-- Has the shape formulas of its own?  (A mesh has the numbers of its file.)
+local function described(spec) return spec.build and (spec.args or spec.name == "region") end
+
 -- Arguments as build() takes them: symbols for single numbers, the example's values for lists.
 function shapes.arguments(spec, example, chosen)
   if spec.name == "region" then
@@ -158,7 +161,7 @@ end
 -- The centroid of the example, as numbers.
 local function centre(spec, example)
   local com
-  if spec.build then
+  if described(spec) then
     com = vec.map(shapes.example(spec).com or { expr.zero, expr.zero, expr.zero },
       function(e) return evaluate.double(e, {}) end)
   elseif example.args.list then
@@ -214,7 +217,7 @@ function shapes.files(list)
     out[#out + 1] = "## " .. spec.name .. "\n\n`" .. spec.name .. names_of(spec) .. "`: " .. spec.about .. ". Frame: "
       .. spec.frame .. ".\n\n![" .. spec.name .. "](shapes/" .. spec.name .. ".svg)\n\n"
     if example.note then out[#out + 1] = example.note .. "\n\n" end
-    for _, choice in ipairs(spec.build and choices(spec) or {}) do
+    for _, choice in ipairs(described(spec) and choices(spec) or {}) do
       if #choice[1] > 0 then out[#out + 1] = "With " .. table.concat(choice[1], ", ") .. ":\n\n" end
       out[#out + 1] = "| | |\n|---|---|\n"
       for _, row in ipairs(facts(spec, shapes.arguments(spec, example, choice[2]))) do

@@ -124,7 +124,7 @@ end
 do
   local path, refused = os.tmpname(), {}
   for line in named["shapes.md"]:gmatch "```lua\n(.-)\n```" do
-    if not line:find "^mesh" then
+    if not line:find "file = " then
       local file = assert(io.open(path, "w"))
       file:write('return scene { name = "example", body = ', line, ", initial = { omega = {1, 2, 3} } }\n")
       file:close()
@@ -139,7 +139,7 @@ end
 -- ---- catalogue against surface ----
 
 for _, spec in ipairs(catalogue.list) do
-  if spec.build and spec.name ~= "region" then
+  if spec.build and spec.args then
     local example = examples[spec.name]
     local made, node = shapes.example(spec), { shape = spec.name }
     for k, v in pairs(example.args) do node[k] = v end
