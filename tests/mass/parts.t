@@ -159,14 +159,15 @@ do
   local text = explain.text(job, "text")
   for i, line in ipairs {
     "1. solid.box (line 6), of density rho, moved by (a/2, 0, 0)",
-    "2. solid.cylinder (line 6), turned about (1, 0, 0) by π/3, moved by (0, a, b)",
+    "2. solid.cylinder (line 6), turned about (1, 0, 0) by pi/3, moved by (0, a, b)",
     "3. solid.box (line 6), scaled by (2, 1, 1), sheared by the rows (1, 1/2, 0) (0, 1, 0) (0, 0, 1), " ..
       "scaled by (1, 1, -1)",
     "4. minus solid.sphere (line 6), of density rho, moved by (a/2, 0, 0)",
   } do
-    tap.like(text, "\n  " .. line .. "\n", "explain: piece " .. i .. " with its placement")
+    local _, at = text:find("\n  " .. line .. "\n", 1, true)
+    tap.ok(at, "explain: piece " .. i .. " with its placement", line)
+    tap.ok(at and text:find("^    mass = ", at + 1), "explain: and the mass of piece " .. i)
   end
-  for i = 1, 4 do tap.like(text, "\n  m" .. i .. " = ", "explain: the mass of piece " .. i) end
   local last = 0
   local ordered = job.model.parts ~= nil
   for _, s in ipairs(job.model.parts and job.model.parts:needed(job.model.parts.entries) or {}) do
@@ -177,7 +178,7 @@ do
     end
   end
   tap.ok(ordered and last > 0, "explain: the steps stand in the order in which they are computed")
-  tap.like(text, "(Huygens, Steiner)", "explain: and where the shifts come from")
+  tap.ok(text:find("(Huygens, Steiner)", 1, true), "explain: and where the shifts come from")
 end
 
 tap.done()
