@@ -8,6 +8,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
 local poly = require "generator.algebra.poly"
@@ -24,6 +25,8 @@ local parts = 3  -- numbers of the real type that a coefficient may take
 -- The largest row of a sum is scaled to about 2^top, which leaves room for the split of Dekker's product; the last bit
 -- of a subnormal number is 2^lowest.
 local top, lowest, digits = { double = 900, float = 100 }, { double = -1074, float = -149 }, { double = 53, float = 24 }
+
+local words = { p = true, order = true, value = true, D = true, S = true } -- what NAME_order itself calls something
 
 local function parameter(ctx, name) return "p[" .. ctx.upper .. "_" .. string.upper(name) .. "]" end
 
@@ -110,8 +113,13 @@ local function define(ctx, name, atom, lines, need)
     put(string.format("const int %s = %s_sign_of_sum(%d, %d, f_%s);", name, ctx.name, #rows, columns, name))
     return
   end
-  local inputs = {}
-  for _, s in ipairs(expr.symbols(atom)) do inputs[#inputs + 1] = { sym = s.name, c = parameter(ctx, s.name) } end
+  local inputs, map = {}, {}
+  for i, s in ipairs(expr.symbols(atom)) do
+    local own = words[s.name] or string.find(s.name, "^s%d+$")
+    if own then map[s] = expr.sym(s.name .. "_", 2) end
+    inputs[i] = { sym = own and s.name .. "_" or s.name, c = parameter(ctx, s.name) }
+  end
+  atom = calculus.substitute(atom, map)
   local c = source.statements(ctx, { name = name, args = {}, inputs = inputs,
     groups = { { defs = {}, outs = { { c = "const " .. ctx.name .. "_real value", expr = atom } } } } })
   put("int " .. name .. ";")
