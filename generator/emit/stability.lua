@@ -94,6 +94,9 @@ local function comparison(ctx, atom)
   return "(" .. sides[1] .. " > " .. sides[2] .. ") - (" .. sides[1] .. " < " .. sides[2] .. ")"
 end
 
+-- Does NAME_order itself call something so?
+local function taken(name) return name == "p" or name == "order" or name == "value" or string.match(name, "^s%d+$") end
+
 -- Statements that define `const int NAME` for the atom.
 local function define(ctx, name, atom, lines, need)
   local function put(l) lines[#lines + 1] = l end
@@ -113,15 +116,11 @@ local function define(ctx, name, atom, lines, need)
     put(string.format("const int %s = %s_sign_of_sum(%d, %d, f_%s);", name, ctx.name, #rows, columns, name))
     return
   end
-  local inputs, map = {}, {}
-  for i, s in ipairs(expr.symbols(atom)) do
-    local own = words[s.name] or string.find(s.name, "^s%d+$")
-    if own then map[s] = expr.sym(s.name .. "_", 2) end
-    inputs[i] = { sym = own and s.name .. "_" or s.name, c = parameter(ctx, s.name) }
-  end
-  atom = calculus.substitute(atom, map)
-  local c = source.statements(ctx, { name = name, args = {}, inputs = inputs,
-    groups = { { defs = {}, outs = { { c = "const " .. ctx.name .. "_real value", expr = atom } } } } })
+  local params = {}
+  for i, s in ipairs(expr.symbols(atom)) do params[i] = { name = s.name, sym = s } end
+  local inputs, map = source.parameters(ctx, params, taken)
+  local c = source.statements(ctx, { name = name, args = {}, inputs = inputs, groups = { { defs = {},
+    outs = { { c = "const " .. ctx.name .. "_real value", expr = calculus.substitute(atom, map) } } } } })
   put("int " .. name .. ";")
   put("{")
   local inner = {}

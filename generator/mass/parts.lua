@@ -108,10 +108,11 @@ function parts.of(b, P, unique)
     end
   end
   for i, s in ipairs(self.shifts) do
-    local name = #self.shifts == 1 and "u" or "u" .. i
+    local name, of = "u" .. i, " of piece " .. i
+    if #self.shifts == 1 then name, of = "u", ", mu D" end
     s.u = vec.map(s.d, function(d, k)
       if d == expr.zero then return d end
-      return self:step(name .. comp[k], s.m * d, "that times the mass", "kg m")
+      return self:step(name .. comp[k], s.m * d, "first moment " .. comp[k] .. of, "kg m")
     end)
   end
   return self
