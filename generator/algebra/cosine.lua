@@ -1,7 +1,8 @@
 -- cosine.lua -- cosines brought back: A - A sin(a)^2 ==> A cos(a)^2.
 --
--- ABOVE the line.  The normal form of polynomials (poly.lua) knows sin^2 + cos^2 = 1 and keeps the sine, so that a turned
--- moment A cos^2 + B sin^2 comes out of it as A - A sin^2 + B sin^2, which cancels where the cosine is small.  For code.
+-- ABOVE the line.  The normal form of polynomials (poly.lua) knows sin^2 + cos^2 = 1 and keeps the sine, so that a
+-- turned moment A cos^2 + B sin^2 comes out of it as A - A sin^2 + B sin^2, which cancels where the cosine is small
+-- and is longer to read.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

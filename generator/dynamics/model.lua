@@ -12,6 +12,7 @@ local evaluate = require "generator.algebra.evaluate"
 local calculus = require "generator.algebra.calculus"
 local cost = require "generator.algebra.cost"
 local ratio = require "generator.algebra.ratio"
+local text = require "generator.algebra.text"
 local vec = require "generator.algebra.vec"
 local body = require "generator.mass.body"
 local holes = require "generator.mass.holes"
@@ -148,7 +149,17 @@ local function warn_of_condition(d, m)
   end
 end
 
--- The body in named steps, when that is less work than its tensor multiplied out; its names are then taken.
+-- Characters of the expressions, and whether a number of nine digits or more is among them.
+local function length(list)
+  local n, long = 0, false
+  for _, e in ipairs(list) do
+    local s = text.of(e)
+    n, long = n + #s, long or string.find(s, string.rep("%d", 9)) ~= nil
+  end
+  return n, long
+end
+
+-- The body in named steps, unless its tensor multiplied out is less work and less to read; its names are then taken.
 local function in_parts(m, b, r)
   local taken = {}
   local p = parts.of(b, r, function(name)
@@ -164,7 +175,9 @@ local function in_parts(m, b, r)
   for n = 1, 6 do entries[n] = m.inertia[n].kind == "num" and m.inertia[n] or p:entry(n) end
   for _, s in ipairs(p:needed(entries)) do steps[#steps + 1] = s.e end
   local known = {}
-  if cost(m.inertia) <= cost(steps, known) + cost(entries, known) then return nil end
+  local cheaper = cost(m.inertia) <= cost(steps, known) + cost(entries, known)
+  local whole, long = length(m.inertia)
+  if cheaper and not long and whole <= 2 * ((length(steps)) + (length(entries))) then return nil end
   for _, s in ipairs(p.list) do m.by_name[s.name] = s end
   p.entries, p.central = entries, r == nil
   return p

@@ -26,8 +26,8 @@ function special.fill(v, ctx)
   v.has_sums = v.has_weights or v.has_arc_across
   v.has_series = v.has_sums or v.has_catenary_width
   v.quarter, v.threequarters = literal "1/4", literal "3/4"
-  v.three, v.four, v.five, v.nine, v.n24, v.n64 = literal(3), literal(4), literal(5), literal(9), literal(24), literal(64)
-  v.n720, v.n4320 = literal(720), literal(4320)
+  v.three, v.four, v.five, v.nine = literal(3), literal(4), literal(5), literal(9)
+  v.n24, v.n64, v.n720, v.n4320 = literal(24), literal(64), literal(720), literal(4320)
   v.series_terms = string.format("%d", series.terms[ctx.real])
   v.ellipsoid_steps = string.format("%d", constants.steps)
   v.ellipsoid_least = number.text(R.fromdouble(constants.least), ctx.real)

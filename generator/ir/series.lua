@@ -1,8 +1,8 @@
 -- series.lua: means over arcs and catenaries, as the emitted C computes them, operation for operation.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- Below the line.  templates/series.c says what each function is and has the derivation.  Up to 3 the values equal those
--- of the C to the bit; beyond, the closed forms call sin, cos and exp, and are as good as libm's.
+-- Below the line.  templates/series.c says what each function is and has the derivation.  Up to 3 the values equal
+-- those of the C to the bit; beyond, the closed forms call sin, cos and exp, and are as good as libm's.
 
 local pair = require "generator.ir.pair"
 
