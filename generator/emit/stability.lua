@@ -26,7 +26,6 @@ local parts = 3  -- numbers of the real type that a coefficient may take
 -- of a subnormal number is 2^lowest.
 local top, lowest, digits = { double = 900, float = 100 }, { double = -1074, float = -149 }, { double = 53, float = 24 }
 
-local words = { p = true, order = true, value = true, D = true, S = true } -- what NAME_order itself calls something
 
 local function parameter(ctx, name) return "p[" .. ctx.upper .. "_" .. string.upper(name) .. "]" end
 
