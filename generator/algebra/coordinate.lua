@@ -17,7 +17,10 @@ for i, s in ipairs(coordinate.symbols) do number[s] = i end
 -- 1, 2 or 3 when e is a coordinate.
 function coordinate.index(e) return number[e] end
 
-local most_terms, most_degree = 2000, 40
+local most_products, most_degree = 20000, 40
+
+-- Raised by a product that would have too many terms; what catches it says so to the user.
+coordinate.too_large = setmetatable({}, { __tostring = function() return "too many terms in a polynomial" end })
 
 local function collect(terms)
   local out, at = {}, {}
@@ -50,7 +53,7 @@ function coordinate.add(a, b)
 end
 
 function coordinate.mul(a, b)
-  if #a * #b > most_terms * 10 then error("too many terms in a polynomial", 0) end
+  if #a * #b > most_products then error(coordinate.too_large, 0) end
   local list = {}
   for _, s in ipairs(a) do
     for _, t in ipairs(b) do list[#list + 1] = { c = s.c * t.c, s[1] + t[1], s[2] + t[2], s[3] + t[3] } end

@@ -323,7 +323,6 @@ function node.__pow(a, n)
   return expr.pow(a, n)
 end
 
-function expr.isnum(e) return e.kind == "num" end
 function expr.iszero(e) return e == zero end
 
 -- The nodes directly below e.
@@ -352,7 +351,7 @@ function expr.map(e, f)
   return expr.call(e.fn, table.unpack(list))
 end
 
--- The names of e's symbols, in canonical order.
+-- The symbols in e, in canonical order.
 function expr.symbols(e)
   local seen, list = {}, {}
   local function walk(x)

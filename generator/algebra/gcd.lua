@@ -18,20 +18,15 @@ end
 
 -- The coefficient of generator v to the power d.
 local function coefficient(p, v, d)
-  local list = {}
-  for _, t in ipairs(poly.sorted(p)) do
+  local power, chosen = {}, { ring = p.ring, terms = {}, n = 0 }
+  for i = 1, #p.ring.gens do power[i] = i == v and d or 0 end
+  for k, t in pairs(p.terms) do -- into a table: order is lost anyway
     if t.e[v] == d then
-      local e = { table.unpack(t.e) }
-      e[v] = 0
-      list[#list + 1] = { c = t.c, e = e }
+      chosen.terms[k] = t
+      chosen.n = chosen.n + 1
     end
   end
-  local q = poly.constant(p.ring, R.zero)
-  for _, t in ipairs(list) do
-    q.terms[table.concat(t.e, ",")] = t
-    q.n = q.n + 1
-  end
-  return q
+  return poly.shift(chosen, R.one, power)
 end
 
 local function degree_sum(p) -- of a single term
@@ -126,10 +121,9 @@ function gcd(a, b)
     if low > 0 then mono = poly.mul(mono, poly.generator(ring, i, low)) end
   end
   if pa.n == 1 or pb.n == 1 or pa.n * pb.n > 4000 or not perhaps(pa, pb) then return mono end
-  local v
-  for i = 1, #ring.gens do
-    local x, y = degree(pa, i) > 0, degree(pb, i) > 0
-    if x and y then v = v or i elseif x or y then v = v end
+  local v -- the first generator that both depend on
+  for i = #ring.gens, 1, -1 do
+    if degree(pa, i) > 0 and degree(pb, i) > 0 then v = i end
   end
   if not v then return mono end
   local ca, cb = content_in(pa, v), content_in(pb, v)

@@ -162,10 +162,4 @@ function ratio.tidy(e, limit)
   return known or e, known ~= false
 end
 
--- e multiplied out; e itself when it is no polynomial.
-function ratio.expand(e)
-  local p = poly.from(poly.ring { e }, e)
-  return p and poly.expr(p) or e
-end
-
 return ratio

@@ -6,6 +6,7 @@
 -- (expressions here, rationals or doubles as well).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 
 local vec = {}
@@ -51,6 +52,16 @@ function vec.adjugate(S)
 end
 
 function vec.trace(S) return S[1] + S[2] + S[3] end
+
+-- The tensor of inertia  tr(S) 1 - S  of the second moments S, and the second moments  tr(I)/2 1 - I  of a tensor.
+function vec.inertia(S)
+  return { S[2] + S[3], S[1] + S[3], S[1] + S[2], -S[4], -S[5], -S[6] }
+end
+
+function vec.second(I)
+  local half = vec.trace(I) * R.half
+  return { half - I[1], half - I[2], half - I[3], -I[4], -I[5], -I[6] }
+end
 
 ---- matrices --------------------------------------------------------------------------------------
 

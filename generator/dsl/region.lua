@@ -29,9 +29,11 @@ local function polynomial(ctx, line, name, given, dim, known)
     ctx.diag:error(line, what, name .. " must be in " .. units.name(dim), value.show(given, true))
     return nil
   end
-  local p = coordinate.of(r.e)
-  if not p then
-    ctx.diag:error(line, what, name .. " must be a polynomial in x, y, z", value.show(given))
+  local done, p = pcall(coordinate.of, r.e)
+  if not done and p ~= coordinate.too_large then error(p, 0) end
+  if not (done and p) then
+    ctx.diag:error(line, what, name .. " must be a polynomial in x, y, z" .. (done and "" or " of fewer terms"),
+      value.show(given))
     return nil
   end
   for _, t in ipairs(p) do

@@ -201,7 +201,7 @@ function builders.full(m, N)
   local expanded = small and ratio.over(adj, det)
   local J = vec.map(adj, function(e, n)
     return m:constant("J" .. vec.entry[n], expanded and expanded[n] or e / det,
-      "inverse of the tensor, " .. vec.entry[n] .. ", 1/(kg m^2)", true, not expanded and named[n] / whole or nil)
+      "inverse of the tensor, " .. vec.entry[n] .. ", 1/(kg m^2)", true, not expanded and tidy(named[n] / whole) or nil)
   end)
   local n = vec.add(N, vec.cross(L, state.w))
   local names = {}

@@ -10,6 +10,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local calculus = require "generator.algebra.calculus"
+local coordinate = require "generator.algebra.coordinate"
 local cost = require "generator.algebra.cost"
 local ratio = require "generator.algebra.ratio"
 local text = require "generator.algebra.text"
@@ -202,7 +203,15 @@ function model.new(d, record, options)
   m.file, m.line = d.file, record.body and record.body.line
   m.omega, m.attitude, m.horizon, m.step = record.omega, record.attitude, record.horizon, record.step
 
-  local b = body.of(record.body)
+  local ok, b = xpcall(body.of, function(e)
+    return e == coordinate.too_large and e or debug.traceback(tostring(e), 2)
+  end, record.body)
+  if not ok and b == coordinate.too_large then
+    d:error(m.line, "region", "its integrals must have fewer terms (limits or density of lower degree)")
+    return nil
+  elseif not ok then
+    error(b, 0)
+  end
   local r = origin(d, record, b)
   if not r then return nil end
   m.body, m.mass, m.origin = b, b.mass, r

@@ -94,9 +94,10 @@ end
 -- "rhs: 12 additions, 24 multiplications": what one call costs, for the banner.
 local function cost_line(f)
   local parts, c = {}, f.cost
-  for _, k in ipairs { { "add", "additions" }, { "mul", "multiplications" }, { "div", "divisions" },
-    { "sqrt", "roots" }, { "call", "calls of libm" } } do
-    if (c[k[1]] or 0) > 0 then parts[#parts + 1] = string.format("%d %s", c[k[1]], k[2]) end
+  for _, k in ipairs { { "add", "addition" }, { "mul", "multiplication" }, { "div", "division" }, { "sqrt", "root" },
+    { "call", "function call" } } do
+    local n = c[k[1]] or 0
+    if n > 0 then parts[#parts + 1] = string.format("%d %s%s", n, k[2], n == 1 and "" or "s") end
   end
   return f.name .. ": " .. table.concat(parts, ", ")
 end

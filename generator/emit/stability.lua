@@ -3,8 +3,8 @@
 -- The signs depend on parameters alone, so NAME_init computes them once (NAME_order) and the model keeps them.  An
 -- atom (mass/critical.lua) that is a difference of two numbers is a comparison; any other polynomial is a sum of
 -- products of parameters, whose sign NAME_sign_of_sum finds without rounding; what is no polynomial, or too large, is
--- computed as it stands and has the sign of the rounded value.  A number of the scene that is not one of the real type
--- stands as a sum of up to three.
+-- computed as it stands (of a composite body in its named parts) and has the sign of the rounded value.  A number of
+-- the scene that is not one of the real type stands as a sum of up to three.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -93,45 +93,92 @@ local function comparison(ctx, atom)
   return "(" .. sides[1] .. " > " .. sides[2] .. ") - (" .. sides[1] .. " < " .. sides[2] .. ")"
 end
 
--- Does NAME_order itself call something so?
-local function taken(name) return name == "p" or name == "order" or name == "value" or string.match(name, "^s%d+$") end
+-- The lines of statements in a block of their own: loads, then each group with its comment.
+local function block(c, lines)
+  lines[#lines + 1] = "{"
+  for _, l in ipairs(c.loads) do lines[#lines + 1] = "  " .. l end
+  for _, g in ipairs(c.groups) do
+    for _, l in ipairs(g.why and source.comment(g.why) or {}) do lines[#lines + 1] = "  " .. l end
+    for _, l in ipairs(g.lines) do lines[#lines + 1] = "  " .. l end
+  end
+end
 
--- Statements that define `const int NAME` for the atom.
-local function define(ctx, name, atom, lines, need)
+-- Ends the block: the sign of each value.
+local function signs_of_values(ctx, names, lines)
+  local zero = number.text(R.zero, ctx.real)
+  for _, name in ipairs(names) do
+    local value = "value_" .. name
+    lines[#lines + 1] = "  " .. name .. " = (" .. value .. " > " .. zero .. ") - (" .. value .. " < " .. zero .. ");"
+  end
+  lines[#lines + 1] = "}"
+end
+
+-- Statements that define `const int NAME` for the atom without rounding; false where they cannot.
+local function exactly(ctx, name, atom, lines, need)
   local function put(l) lines[#lines + 1] = l end
   local compared = comparison(ctx, atom)
   if compared then
     put("const int " .. name .. " = " .. compared .. ";")
-    return
+    return true
   end
-  for _, l in ipairs(source.comment("the sign of " .. text.of(atom, "plain"))) do put(l) end
   local rows, columns = rows_of(ctx, atom)
-  if rows then
-    need.terms = math.max(need.terms, #rows << (columns - 1))
-    need.columns = math.max(need.columns, columns)
-    put("const " .. ctx.name .. "_real f_" .. name .. "[] = {")
-    for i, row in ipairs(rows) do put("    " .. table.concat(row, ", ") .. (i < #rows and "," or "")) end
-    put("};")
-    put(string.format("const int %s = %s_sign_of_sum(%d, %d, f_%s);", name, ctx.name, #rows, columns, name))
-    return
+  if not rows then return false end
+  for _, l in ipairs(source.comment("the sign of " .. text.of(atom, "plain"))) do put(l) end
+  need.terms = math.max(need.terms, #rows << (columns - 1))
+  need.columns = math.max(need.columns, columns)
+  put("const " .. ctx.name .. "_real f_" .. name .. "[] = {")
+  for i, row in ipairs(rows) do put("    " .. table.concat(row, ", ") .. (i < #rows and "," or "")) end
+  put("};")
+  put(string.format("const int %s = %s_sign_of_sum(%d, %d, f_%s);", name, ctx.name, #rows, columns, name))
+  return true
+end
+
+local words = { p = true, order = true, D = true, S = true, gap = true }
+
+-- Does NAME_order itself call something so?
+local function taken(name)
+  return words[name] or string.match(name, "^value") or string.match(name, "^[rs]%d+$")
+end
+
+-- The parameters in the expressions as inputs, and their new names.
+local function inputs(ctx, list)
+  local params, seen = {}, {}
+  for _, e in ipairs(list) do
+    for _, s in ipairs(expr.symbols(e)) do
+      if not seen[s] then params[#params + 1] = { name = s.name, sym = s } end
+      seen[s] = true
+    end
   end
-  local params = {}
-  for i, s in ipairs(expr.symbols(atom)) do params[i] = { name = s.name, sym = s } end
-  local inputs, map = source.parameters(ctx, params, taken)
-  local c = source.statements(ctx, { name = name, args = {}, inputs = inputs, groups = { { defs = {},
-    outs = { { c = "const " .. ctx.name .. "_real value", expr = calculus.substitute(atom, map) } } } } })
-  put("int " .. name .. ";")
-  put("{")
-  local inner = {}
-  for _, l in ipairs(c.loads) do inner[#inner + 1] = l end
-  for _, g in ipairs(c.groups) do
-    for _, l in ipairs(g.lines) do inner[#inner + 1] = l end
+  return source.parameters(ctx, params, taken)
+end
+
+-- The same with rounding: int NAME and a block that computes the atom as it stands.
+local function rounded(ctx, name, atom, lines)
+  for _, l in ipairs(source.comment("the sign of " .. text.of(atom, "plain"))) do lines[#lines + 1] = l end
+  local list, map = inputs(ctx, { atom })
+  lines[#lines + 1] = "int " .. name .. ";"
+  local out = { c = "const " .. ctx.name .. "_real value_" .. name, expr = calculus.substitute(atom, map) }
+  block(source.statements(ctx, { name = name, args = {}, inputs = list, groups = { { defs = {}, outs = { out } } } }),
+    lines)
+  signs_of_values(ctx, { name }, lines)
+end
+
+-- Several from the named parts of the body (mass/parts.lua), which are computed once.  list: {name, why, expression}.
+local function from_parts(ctx, body, list, lines)
+  local forms, groups, names, pure = {}, {}, {}, {}
+  for i, x in ipairs(list) do forms[i], names[i], pure[i] = x[3], x[1], body:resolve(x[3]) end
+  local loads, map = inputs(ctx, pure)
+  for _, step in ipairs(body:needed(forms)) do
+    groups[#groups + 1] = { why = step.about, outs = {},
+      defs = { { name = step.name, expr = calculus.substitute(step.e, map) } } }
   end
-  for _, l in ipairs(inner) do put("  " .. l) end
-  local zero = number.text(R.zero, ctx.real)
-  put("  " .. name .. " = (value > " .. zero .. ") - (value < " .. zero .. ");")
-  put("}")
-  need.rounded = true
+  for _, x in ipairs(list) do
+    groups[#groups + 1] = { why = x[2], defs = {},
+      outs = { { c = "const " .. ctx.name .. "_real value_" .. x[1], expr = calculus.substitute(x[3], map) } } }
+  end
+  lines[#lines + 1] = "int " .. table.concat(names, ", ") .. ";"
+  block(source.statements(ctx, { name = "order", args = {}, inputs = loads, groups = groups }), lines)
+  signs_of_values(ctx, names, lines)
 end
 
 -- A product of signs as C: "-s1*s2", "1", "0".
@@ -143,22 +190,68 @@ local function product(s, names)
   return (s.sign < 0 and "-" or "") .. table.concat(list, "*")
 end
 
+-- The difference that is minus difference k because the third is zero; nil if none is.
+local function opposite(order, k)
+  local i, j = k % 3 + 1, (k + 1) % 3 + 1
+  return order[i].sign == 0 and j or order[j].sign == 0 and i or nil
+end
+
+local moment = { "I_x", "I_y", "I_z" }
+
+-- The signs of the three differences, or of D, S and gap, as C; lines: what defines them.  A sign that cannot be had
+-- exactly is computed from the body's parts if it has such.
+local function signs(ctx, s, lines, need)
+  local from, sign, names, count, later = s.block or s.order, {}, {}, 0, {}
+  local function lossy(p)
+    for _, a in ipairs(p.atoms) do
+      if not comparison(ctx, a) and not rows_of(ctx, a) then return true end
+    end
+    return false
+  end
+  for _, k in ipairs(s.block and { "D", "S", "gap" } or { 1, 2, 3 }) do
+    if s.named and lossy(from[k]) then
+      local other = not s.block and opposite(s.order, k)
+      if other and sign[other] then -- opposite signs stay so when rounded
+        sign[k] = "-" .. sign[other]
+      else
+        sign[k] = s.block and k or "r" .. k
+        local why = s.block and k or moment[k % 3 + 1] .. " - " .. moment[(k + 1) % 3 + 1]
+        later[#later + 1] = { sign[k], why, s.named[k] }
+      end
+    else
+      for _, a in ipairs(from[k].atoms) do
+        if not names[a] then
+          count = count + 1
+          names[a] = "s" .. count
+          if not exactly(ctx, names[a], a, lines, need) then
+            rounded(ctx, names[a], a, lines)
+            need.rounded = true
+          end
+        end
+      end
+      sign[k] = product(from[k], names)
+    end
+  end
+  if #later > 0 then
+    from_parts(ctx, s.parts, later, lines)
+    need.rounded = true
+  end
+  return sign
+end
+
 -- The lines of NAME_order, and what they need of NAME_sign_of_sum.
 local function order(ctx, s)
-  local lines, names, need = {}, {}, { terms = 0, columns = 0 }
-  for i, a in ipairs(s:atoms()) do
-    names[a] = "s" .. i
-    define(ctx, names[a], a, lines, need)
-  end
-  lines[#lines + 1] = ""
-  if s.order then
-    for i = 1, 3 do lines[#lines + 1] = "order[" .. i - 1 .. "] = " .. product(s.order[i], names) .. ";" end
-    return lines, need
-  end
-  local b = s.block
+  local lines, need = {}, { terms = 0, columns = 0 }
+  local sign = signs(ctx, s, lines, need)
   local function put(l) lines[#lines + 1] = l end
-  for _, w in ipairs { "D", "S" } do
-    table.insert(lines, #lines, "const int " .. w .. " = " .. product(b[w], names) .. ";")
+  local b = s.block
+  for _, w in ipairs(b and { "D", "S" } or {}) do
+    if sign[w] ~= w then put("const int " .. w .. " = " .. sign[w] .. ";") end
+  end
+  put("")
+  if not b then
+    for i = 1, 3 do put("order[" .. i - 1 .. "] = " .. sign[i] .. ";") end
+    return lines, need
   end
   -- the sign of I_p - I_q at the place of the third axis
   local function set(p, q, positive, negative)
@@ -167,8 +260,7 @@ local function order(ctx, s)
   put("/* D = (I_c - I_i)(I_c - I_j) - I_ij^2, S = 2 I_c - I_i - I_j: the product and the sum of the differences */")
   set(b.c, b.j, "D < 0 ? -1 : D > 0 ? S : S < 0 ? -1 : 0", "D < 0 ? 1 : D > 0 ? -S : S < 0 ? 1 : 0")
   set(b.c, b.i, "D < 0 ? 1 : D > 0 ? S : S > 0 ? 1 : 0", "D < 0 ? -1 : D > 0 ? -S : S > 0 ? -1 : 0")
-  local gap = product(b.gap, names)
-  set(b.j, b.i, gap, "-" .. gap)
+  set(b.j, b.i, sign.gap, "-" .. sign.gap)
   return lines, need
 end
 
@@ -225,10 +317,10 @@ function stability.fill(ctx, s, v)
     v.stability_order = "const int *order = m->order; /* signs of I1 - I2, I2 - I0, I0 - I1 */"
     v.stability_void = false
   else
-    local signs = s:signs(function() return 0 end)
+    local fixed = s:signs(function() return 0 end)
     v.stability_order = string.format(
       "const int order[3] = {%d, %d, %d}; /* signs of I1 - I2, I2 - I0, " ..
-      "I0 - I1 */", signs[1], signs[2], signs[3])
+      "I0 - I1 */", fixed[1], fixed[2], fixed[3])
     v.stability_void = true
   end
 end

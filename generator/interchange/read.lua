@@ -64,8 +64,7 @@ function read.impossible(I)
         string.format("%s > %s + %s", show(I[i]), show(I[j]), show(I[k]))
     end
   end
-  local half = vec.trace(I) / R.new(2)
-  if semidefinite({ half - I[1], half - I[2], half - I[3], -I[4], -I[5], -I[6] }, trace) then return nil end
+  if semidefinite(vec.second(I), trace) then return nil end
   local entries = {}
   for i, q in ipairs(I) do entries[i] = vec.entry[i] .. " " .. show(q) end
   local rule = semidefinite(I, trace) and "the triangle inequality of the principal moments must hold"

@@ -25,16 +25,6 @@ local composite = 1000
 
 local function tidy_sum(b, e) return (tidy(e, #b.pieces > 1 and composite or nil)) end
 
-local function sigma_of_tensor(I) -- Sigma = tr(I)/2 1 - I
-  local half = vec.trace(I) / 2
-  return { half - I[1], half - I[2], half - I[3], -I[4], -I[5], -I[6] }
-end
-
-local function tensor_of_sigma(S)
-  local t = vec.trace(S)
-  return { t - S[1], t - S[2], t - S[3], -S[4], -S[5], -S[6] }
-end
-
 -- How much more of it there is after the scaling by k: of volume, area or length (the last two only for one factor
 -- and mirrors, see the scene language); and after the shear A, which only volumes allow.
 function body.growth(k, measure)
@@ -74,9 +64,9 @@ local function primitive(node)
     local I = { a.xx, a.yy, a.zz, a.xy, a.xz, a.yz }
     if a.about == "origin" then
       local d = vec.outer(a.com)
-      I = vec.sub(I, vec.map(tensor_of_sigma(d), function(x) return a.mass * x end))
+      I = vec.sub(I, vec.map(vec.inertia(d), function(x) return a.mass * x end))
     end
-    local sigma = vec.map(sigma_of_tensor(I), function(x) return tidy(x / a.mass) end)
+    local sigma = vec.map(vec.second(I), function(x) return tidy(x / a.mass) end)
     return { pieces = { { mass = a.mass, com = a.com, sigma = sigma, line = node.line, name = node.name or "tensor",
       given = a.about == "com" and I or nil } }, points = {} }
   end
@@ -181,11 +171,11 @@ function body.tensor(b, P)
   local I = { expr.zero, expr.zero, expr.zero, expr.zero, expr.zero, expr.zero }
   for _, p in ipairs(b.pieces) do
     local d = vec.sub(p.com, P)
-    local shift = tensor_of_sigma(vec.outer(d))
+    local shift = vec.inertia(vec.outer(d))
     if p.given then
       I = vec.add(I, vec.add(p.given, vec.scale(p.mass, shift)))
     else
-      if p.sigma then shift = vec.add(tensor_of_sigma(p.sigma), shift) end
+      if p.sigma then shift = vec.add(vec.inertia(p.sigma), shift) end
       I = vec.add(I, vec.scale(p.mass, shift))
     end
   end

@@ -9,6 +9,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local vec = require "generator.algebra.vec"
 local diag = require "generator.diag"
 
 local slips = {}
@@ -21,8 +22,7 @@ local function show(q) return diag.show(R.todouble(q)) end
 
 -- Steiner's term of the mass m at c, which the tensor about the origin has more than the one about the centre.
 function slips.steiner(m, c)
-  local x, y, z = c[1], c[2], c[3]
-  return { m * (y * y + z * z), m * (z * z + x * x), m * (x * x + y * y), -m * x * y, -m * x * z, -m * y * z }
+  return vec.scale(m, vec.inertia(vec.outer(c)))
 end
 
 local function with(I, changes)

@@ -47,10 +47,23 @@ local function coordinate(k)
   return found
 end
 
+-- The same signs' expressions in the names of a composite body's parts, for code: multiplied out they are unreadable
+-- and cancel.  nil for other bodies.
+local function named(m, s, across)
+  local p = m.parts
+  if not p or across then return nil end
+  if s.kind == "full" then
+    local i, j, k = table.unpack(s.block)
+    local ki, kj, ij = p:difference(k, i), p:difference(k, j), p:entry(vec.index[i][j])
+    return { D = ki * kj - ij ^ 2, S = ki + kj, gap = p:difference(i, j) ^ 2 + 4 * ij ^ 2 }
+  end
+  return { p:difference(2, 3), p:difference(3, 1), p:difference(1, 2) }
+end
+
 -- The stability of the model's body: {critical, axes = three names, order = three signs (I_j - I_k for axis i, cyclic)
--- or block = {c =, i =, j =, D =, S =, gap =}}.
+-- or block = {c =, i =, j =, D =, S =, gap =}, named = their expressions in the parts or nil, parts}.
 function stability.of(m)
-  local self = setmetatable({ critical = critical.of(m.conditions), inertia = m.inertia }, stability)
+  local self = setmetatable({ critical = critical.of(m.conditions), inertia = m.inertia, parts = m.parts }, stability)
   local c, I, s = self.critical, m.inertia, m.structure
   local line = s.kind == "symmetric" and coordinate(s.k)
   if s.kind == "symmetric" and not line then
@@ -72,6 +85,7 @@ function stability.of(m)
     self.order = {}
     for i = 1, 3 do self.order[i] = product(c, I[i % 3 + 1] - I[(i + 1) % 3 + 1]) end
   end
+  self.named = self.axes and named(m, s, self.line) or nil
   return self
 end
 

@@ -26,11 +26,6 @@ local function show(q) return diag.show(R.todouble(q)) end
 -- inertial{} were rounded by another program (the zz = xx + yy of a plate is off by a unit of the last place of each).
 local rounding, foreign = R.new(2) ^ -200, R.new(2) ^ -49
 
-local function sigma_of(I)
-  local half = vec.trace(I) / R.new(2)
-  return { half - I[1], half - I[2], half - I[3], -I[4], -I[5], -I[6] }
-end
-
 -- Which principal minors of a symmetric matrix of rationals are negative: {[1..3] = diagonal entry i, [4..6] = minor of
 -- the pair xy, xz, yz, [7] = determinant}; empty if it is positive semidefinite to `relative`.
 local function negative(S, relative)
@@ -45,7 +40,7 @@ local function negative(S, relative)
   return broken
 end
 
-local function lawful(I) return next(negative(sigma_of(I))) == nil end
+local function lawful(I) return next(negative(vec.second(I))) == nil end
 
 local names = { "xx", "yy", "zz", "xy", "xz", "yz" }
 local pairs_of = { { 1, 2 }, { 1, 3 }, { 2, 3 } }
@@ -72,7 +67,7 @@ end
 -- The broken conditions of a central tensor as {rule, got}, simplest first: what follows from a broken diagonal, or
 -- from a broken pair, is not said again.
 local function faults(I, relative)
-  local S, list = sigma_of(I), {}
+  local S, list = vec.second(I), {}
   local broken = negative(S, relative)
   local function put(rule, got) list[#list + 1] = { rule, got } end
   for i = 1, 3 do
@@ -260,9 +255,7 @@ function validity.conditions(m)
   -- named: I and size are in the names of the body's parts
   local function lawful_at(I, size, what, line, named)
     if constant(I) then return end
-    local half = vec.trace(I) / 2
-    local S = { half - I[1], half - I[2], half - I[3], -I[4], -I[5], -I[6] }
-    local pivots, zero = semidefinite(S, size)
+    local pivots, zero = semidefinite(vec.second(I), size)
     for _, e in ipairs(pivots) do -- the next pivot divides by this one
       list[#list + 1] = { e = named and m.parts:resolve(e) or e, form = named and e or nil, pivot = true, line = line,
         what = what, allow_zero = zero,

@@ -166,4 +166,17 @@ local families = { about = "unknown names",
   { after "effect.wind = 1", 1, "effect: cannot be changed" },
 }
 
-return { sizes, mass, rows, placement, families }
+-- the limits or the density of a region over |x|, |y| < 1 m, 0 < z < top m
+local function region(top, density)
+  return string.format('local m, rho = quantity(1, "m"), quantity(1, "kg/m^3")\nreturn scene { name = "s", body = ' ..
+    "region { {x, -m, m}, {y, -m, m}, {z, 0*m, m*(%s)}, density = rho*(%s) } }\n", top, density)
+end
+
+local regions = { about = "regions too large to multiply out",
+  { region("(3 + x/m + y/m)^14", "(9 + x/m + y/m + z/m)^5"), 2,
+    "region: its integrals must have fewer terms (limits or density of lower degree)" },
+  { region("1", "(3 + x/m + y/m)^30*(2 + x/m + 7*y/m)^30"), 2,
+    "region: density must be a polynomial in x, y, z of fewer terms, got (2 + x + 7*y)^30*(3 + x + y)^30" },
+}
+
+return { sizes, mass, rows, placement, families, regions }

@@ -9,8 +9,6 @@ local coordinate = require "generator.algebra.coordinate"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 
-local pairs_of = { { 1, 1 }, { 2, 2 }, { 3, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } }
-
 -- a: {order = {outermost, .., innermost coordinate}, limits = {{lo, hi}, ...} in that order, density = polynomial}
 local function build(a)
   local function integral(i, j)
@@ -21,10 +19,10 @@ local function build(a)
     return ratio.tidy(p[1] and p[1].c or expr.zero)
   end
   local mass = integral()
-  if mass == expr.zero then return { measure = mass, sigma = vec.map(pairs_of, function() return mass end) } end
+  if mass == expr.zero then return { measure = mass, sigma = vec.map(vec.pair, function() return mass end) } end
   local com = {}
   for i = 1, 3 do com[i] = ratio.tidy(integral(i) / mass) end
-  local sigma = vec.map(pairs_of, function(p)
+  local sigma = vec.map(vec.pair, function(p)
     return ratio.tidy(integral(p[1], p[2]) / mass - com[p[1]] * com[p[2]])
   end)
   return { measure = mass, com = com, sigma = sigma, points = { origin = { expr.zero, expr.zero, expr.zero } } }

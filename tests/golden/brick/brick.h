@@ -14,7 +14,7 @@
  * No effects: torque-free motion about the origin.
  * Method: rk4.
  * Operations of rhs: 23 additions, 40 multiplications.
- * Operations of step: 135 additions, 179 multiplications, 1 divisions.
+ * Operations of step: 135 additions, 179 multiplications, 1 division.
  */
 #ifndef POLHODE_BRICK_HEADER
 #define POLHODE_BRICK_HEADER
