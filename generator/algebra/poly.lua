@@ -243,7 +243,7 @@ function poly.expr(p)
   return expr.add(list)
 end
 
-local modest = 20000 -- products of terms that poly.modest grants
+local modest = 4000 -- products of terms that poly.modest grants
 
 -- The ring of e and its polynomial there; nil where e is none or would take too long to multiply out.
 function poly.modest(e)

@@ -18,6 +18,8 @@ local ratio = require "generator.algebra.ratio"
 local text = require "generator.algebra.text"
 
 local critical = {}
+
+local affordable = 4000 -- products of terms: what is longer decides nothing that a person could read
 critical.__index = critical
 
 -- Is e > 0 (strict) or >= 0 (not strict) for all values of its symbols, positive ones positive?
@@ -86,7 +88,7 @@ end
 
 -- e factored, with the positive symbols marked as such.
 function critical:plain(e)
-  return (ratio.tidy(calculus.substitute(e, self.map)))
+  return (ratio.tidy(calculus.substitute(e, self.map), affordable))
 end
 
 -- p/q where that is a polynomial again.
