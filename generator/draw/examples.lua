@@ -214,8 +214,8 @@ entry("revolve", { profile = { { 0.5, 0 }, { 1.3, 0 }, { 1.3, 0.4 }, { 0.9, 0.5 
 entry("region", { order = { 1, 2, 3 }, limits = { { { { -1, 0, 0, 0 } }, { { 1, 0, 0, 0 } } },
   { {}, { { 1.5, 0, 0, 0 }, { -1.5, 2, 0, 0 } } }, { {}, { { 0.3, 0, 0, 0 }, { 0.6, 0, 1, 0 } } } } }, nil,
   { view = { -58, 30 }, density = { { 1000, 0, 0, 0 }, { 200, 0, 0, 1 } },
-    line = 'region{{x, -1, 1}, {y, 0, 1.5 - quantity(1.5, "1/m")*x^2}, {z, 0, 0.3 + 0.6*y},\n'
-      .. '  density = 1000 + quantity(200, "kg/m^4")*z}' })
+    line = 'region{{x, -1, 1}, {y, 0, 1.5 - 1.5*x^2}, {z, 0, 0.3 + 0.6*y},\n'
+      .. '  density = 1000 + 200*z}' })
 entry("tensor", { mass = 5, xx = 2.89, yy = 1.64, zz = 3.25 }, examples["solid.ellipsoid"].dims,
   { node = { shape = "solid.ellipsoid", a = 1, b = 1.5, c = 0.8 },
     line = "tensor{mass = 5, xx = 2.89, yy = 1.64, zz = 3.25}",

@@ -182,7 +182,7 @@ function env.record(host, d, text, tables, set)
   e.exact = function(s)
     return value.new(expr.num(number(ctx, "exact", "the number", s)), nil)
   end
-  for i, s in ipairs(coordinate.symbols) do e[coordinate.names[i]] = value.new(s, units.length) end
+  for i, s in ipairs(coordinate.symbols) do e[coordinate.names[i]] = value.new(s, units.length, true) end
   e.pi, e.sqrt = value.new(expr.pi, nil), value.sqrt
   for _, f in ipairs(value.functions) do e[f[1]] = value.func(table.unpack(f)) end
   local calls, scene_handle = 0, nil

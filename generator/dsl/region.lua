@@ -1,7 +1,8 @@
 -- region.lua -- reads region{{x, lo, hi}, {y, lo, hi}, {z, lo, hi}, density = ...} of a scene.
 --
 -- The rows go from the outermost coordinate to the innermost, in any order of x, y, z; limits are polynomials in the
--- coordinates of the rows before, with parameters as coefficients; so is the density, in all three.  For the default
+-- coordinates of the rows before, with parameters as coefficients; so is the density, in all three.  A polynomial with
+-- plain numbers only, 1 - x^2, is one in metres; with a unit among them all units must fit.  For the default
 -- parameters, limits must not cross and the density must not be negative, at 7 x 7 x 7 points of the region.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -25,7 +26,7 @@ local function polynomial(ctx, line, name, given, dim, known)
     ctx.diag:error(line, what, name .. " " .. why, diag.show(given))
     return nil
   end
-  if r.dim and not units.equal(r.dim, dim) then
+  if r.dim and not r.plain and not units.equal(r.dim, dim) then
     ctx.diag:error(line, what, name .. " must be in " .. units.name(dim), value.show(given, true))
     return nil
   end

@@ -3,6 +3,8 @@
 -- A value is an opaque handle; its record {e = expression, dim = dimension or nil} is private, so a scene
 -- cannot alter it.  A plain Lua number is exact (the decimal that was typed) and takes any dimension, and so does
 -- what is computed from plain numbers only; beside a value with a dimension it counts as a pure number in a product.
+-- `plain` marks what is computed from plain numbers and coordinates of a region only: a region takes it, as it takes
+-- plain numbers, for any dimension; beside a value with a dimension it has that of its powers.
 -- A wrong combination is reported on the user's line and goes on as a value without dimension, so that one slip gives
 -- one message.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -19,9 +21,9 @@ local value = {}
 local record = setmetatable({}, { __mode = "k" })
 local handle = { __name = "value" }
 
-local function new(e, dim)
+local function new(e, dim, plain)
   local v = setmetatable({}, handle)
-  record[v] = { e = e, dim = dim }
+  record[v] = { e = e, dim = dim, plain = plain }
   return v
 end
 value.new = new
@@ -99,22 +101,27 @@ local function guarded(what, f, ...)
   return expr.one
 end
 
+-- Has neither operand a dimension but for that of coordinates?
+local function both_plain(x, y) return (x.plain or not x.dim) and (y.plain or not y.dim) and (x.plain or y.plain) end
+
 local function sum(what, f)
   return function(a, b)
     local x, y = operand(a, what), operand(b, what)
-    local dim = x.dim or y.dim
+    local dim, plain = x.dim or y.dim, both_plain(x, y)
     if x.dim and y.dim and not units.equal(x.dim, y.dim) then
-      complain(what, "both sides must have one dimension",
-        units.name(x.dim) .. " and " .. units.name(y.dim))
+      if not plain then
+        complain(what, "both sides must have one dimension",
+          units.name(x.dim) .. " and " .. units.name(y.dim))
+      end
       dim = nil
     end
-    return new(guarded(what, f, x.e, y.e), dim)
+    return new(guarded(what, f, x.e, y.e), dim, plain)
   end
 end
 
 handle.__add = sum("sum", function(a, b) return a + b end)
 handle.__sub = sum("difference", function(a, b) return a - b end)
-function handle.__unm(a) return new(-record[a].e, record[a].dim) end
+function handle.__unm(a) return new(-record[a].e, record[a].dim, record[a].plain) end
 
 -- Dimension of x * y^n; nil if neither has one.
 local function combined(x, y, n)
@@ -124,12 +131,14 @@ end
 
 function handle.__mul(a, b)
   local x, y = operand(a, "product"), operand(b, "product")
-  return new(guarded("product", function() return x.e * y.e end), combined(x, y, 1))
+  return new(guarded("product", function() return x.e * y.e end), combined(x, y, 1),
+    both_plain(x, y))
 end
 
 function handle.__div(a, b)
   local x, y = operand(a, "quotient"), operand(b, "quotient")
-  return new(guarded("quotient", function() return x.e / y.e end), combined(x, y, -1))
+  return new(guarded("quotient", function() return x.e / y.e end), combined(x, y, -1),
+    both_plain(x, y))
 end
 
 function handle.__pow(a, n)
@@ -138,7 +147,8 @@ function handle.__pow(a, n)
     complain("power", "the exponent must be a plain number between -64 and 64", value.show(n))
     return new(x.e, x.dim)
   end
-  return new(guarded("power", function() return x.e ^ y.e end), x.dim and units.power(x.dim, y.e.value))
+  return new(guarded("power", function() return x.e ^ y.e end), x.dim and units.power(x.dim, y.e.value),
+    x.plain)
 end
 
 local function unordered()
@@ -166,25 +176,25 @@ end
 function value.func(fn, n, kind)
   return function(...)
     counted(fn, n, ...)
-    local given, es, dim = { ... }, {}, nil
+    local given, es, dim, plain = { ... }, {}, nil, nil
     for i = 1, n do
       local r = operand(given[i], fn)
       es[i] = r.e
-      if r.dim and kind == "pure" and not units.equal(r.dim, units.none) then
+      if r.dim and kind == "pure" and not r.plain and not units.equal(r.dim, units.none) then
         complain(fn, "the argument must be a pure number or an angle", value.show(given[i], true))
       elseif r.dim and dim and not units.equal(r.dim, dim) then
         complain(fn, "both arguments must have one dimension", units.name(dim) .. " and " .. units.name(r.dim))
       end
-      dim = dim or r.dim
+      dim, plain = dim or r.dim, plain or r.plain
     end
-    return new(guarded(fn, expr.call, fn, table.unpack(es)), dim and (kind == "any" and dim or units.none))
+    return new(guarded(fn, expr.call, fn, table.unpack(es)), dim and (kind == "any" and dim or units.none), plain)
   end
 end
 
 function value.sqrt(...)
   counted("sqrt", 1, ...)
   local r = operand((...), "sqrt")
-  return new(guarded("sqrt", expr.sqrt, r.e), r.dim and units.power(r.dim, R.half))
+  return new(guarded("sqrt", expr.sqrt, r.e), r.dim and units.power(r.dim, R.half), r.plain)
 end
 
 return value

@@ -249,7 +249,17 @@ function equations.of(d, m)
   end
   local inputs = false
   for _, e in ipairs(m.record.effects) do inputs = inputs or e.spec.input or false end
-  return { groups = groups, coupled = coupled, inputs = inputs, free = #m.record.effects == 0 }
+  return { groups = groups, coupled = coupled, inputs = inputs, free = #m.record.effects == 0, model = m }
+end
+
+-- The same equations with twice the bits in their numbers; nil where no number was rounded, so that all are exact.
+function equations.finer(eq)
+  local m = eq.model
+  if not m.rounded then return nil end
+  m.finer = true
+  local fine = equations.of(nil, m) -- nothing is left to be reported
+  m.finer = nil
+  return fine
 end
 
 return equations

@@ -59,7 +59,10 @@ end
 function model:constant(name, e, about, raw, form)
   if not raw then e = ratio.tidy(e) end
   if e.kind == "num" then return e end
-  if expr.constant(e) then return expr.num(evaluate.precise(e, {}, bits)) end
+  if expr.constant(e) then
+    self.rounded = true
+    return expr.num(evaluate.precise(e, {}, self.finer and 2 * bits or bits))
+  end
   local member = self.by_expr[e]
   if not member then
     local step = form and form.kind == "sym" -- it has its name already

@@ -5,6 +5,7 @@
 -- The formulas are here, once, in the lecture's notation; steppers come from methods/.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local ratio = require "generator.algebra.ratio"
@@ -185,18 +186,36 @@ function quantities.step(m, eq, method)
     guard = divides and "h" or nil }
 end
 
+-- e without the terms c*x of the states x whose number c is only what rounding left, for in `fine`, with twice the
+-- bits, it is another one: products of tensor and inverse cancel (a lamina has Izz = Ixx + Iyy), their roundings do
+-- not.
+local function without_roundings(e, fine)
+  for _, s in ipairs(e ~= fine and state.all or {}) do
+    local c, d = calculus.diff(e, s.sym), calculus.diff(fine, s.sym)
+    if c.kind == "num" and d.kind == "num" and c ~= d and
+      (d == expr.zero or R.log2(c.value - d.value) > R.log2(d.value) - 64) then
+      e = calculus.substitute(e, { [s.sym] = expr.zero })
+    end
+  end
+  return e
+end
+
 function quantities.jacobian(eq)
   local n, groups = #state.all, {}
+  local fine = equations.finer(eq)
   local row = {}
   for i, s in ipairs(state.all) do
     row[s.name] = i
     groups[i] = group("derivatives of d" .. s.name .. "/dt", {}, {})
   end
-  for _, eg in ipairs(eq.groups) do
-    for _, o in ipairs(eg.outs) do
+  for g, eg in ipairs(eq.groups) do
+    for j, o in ipairs(eg.outs) do
       local e, i = equations.inline(eq.groups, o.expr), row[o.state]
+      local f = fine and equations.inline(fine.groups, fine.groups[g].outs[j].expr)
       for k, s in ipairs(state.all) do
-        groups[i].outs[k] = { array = "J", index = (i - 1) * n + k - 1, expr = calculus.diff(e, s.sym) }
+        local d = calculus.diff(e, s.sym)
+        if f then d = without_roundings(d, calculus.diff(f, s.sym)) end
+        groups[i].outs[k] = { array = "J", index = (i - 1) * n + k - 1, expr = d }
       end
     end
   end

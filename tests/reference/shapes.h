@@ -1,5 +1,5 @@
-/* shapes.h - shapes by size, by points, by outlines and by limits: measure, centroid, tensor of unit mass
-   SPDX-License-Identifier: GPL-3.0-or-later
+/* shapes.h - shapes by size, by points, by outlines and by limits: measure, centroid, tensor of
+   unit mass SPDX-License-Identifier: GPL-3.0-or-later
 
    Made by shapes.py; provenance in README.md beside this file. */
 /* clang-format off */
