@@ -93,11 +93,11 @@ static void euler_quat(const ph_wide L[3], ph_wide half_phi, ph_wide half_psi, p
 
 /* State of the periodic motion and of the separatrix: q from the frame of L to the axes 1, 2, 3,
    and L in them. */
-static void elliptic_at(const ph_free_top *f, ph_wide t, ph_wide q[4], ph_wide L[3]) {
+static void elliptic_at(const ph_free_top *f, pair t, ph_wide q[4], ph_wide L[3]) {
   ph_wide n = 0, skip, u = f->u0, sn, cn, dn;
-  pair half_phi = pair_fraction(pair_times(kept(f->turn_rate), t), &skip);
+  pair half_phi = pair_fraction(pair_multiply(kept(f->turn_rate), t), &skip);
   if (f->kind == PH_FREE_PERIODIC) {
-    const pair rest = pair_fraction(pair_times(kept(f->half_rate), t), &n);
+    const pair rest = pair_fraction(pair_multiply(kept(f->half_rate), t), &n);
     u += 2 * f->K * pair_value(rest);
     if (fabsl(u) > f->K) {
       const ph_wide more = u > 0 ? 1 : -1;
@@ -107,7 +107,7 @@ static void elliptic_at(const ph_free_top *f, ph_wide t, ph_wide q[4], ph_wide L
     const pair turned = pair_fraction(pair_times(kept(f->half_turn), n), &skip);
     half_phi = pair_add(half_phi, f->sign > 0 ? turned : pair_negative(turned));
   } else {
-    u += f->lambda * t;
+    u += f->lambda * pair_value(t);
   }
   elliptic_sncndn(pair_of(u), pair_of(f->K), f->kc, &sn, &cn, &dn);
   const ph_wide half = 2 * PI * pair_value(half_phi) + f->sign * precession(f, sn, cn, dn) / 2;
@@ -129,22 +129,22 @@ static void turn_of(const ph_wide e[3], pair half, ph_wide q[4]) {
 
 /* One turn about L, and for the rod another about its own axis (special.c has the symmetric top).
  */
-static void turned_at(const ph_free_top *f, ph_wide t, ph_wide x[7]) {
+static void turned_at(const ph_free_top *f, pair t, ph_wide x[7]) {
   ph_wide outer[4], inner[4], skip;
-  turn_of(f->Ls, pair_fraction(pair_times(kept(f->turn_rate), t), &skip), outer);
+  turn_of(f->Ls, pair_fraction(pair_multiply(kept(f->turn_rate), t), &skip), outer);
   wide_quat_multiply(outer, f->q, x);
   for (int i = 0; i < 3; i++)
     x[4 + i] = f->w[i];
   if (f->kind != PH_FREE_ROD)
     return;
-  const pair half = pair_fraction(pair_times(kept(f->half_rate), t), &skip);
+  const pair half = pair_fraction(pair_multiply(kept(f->half_rate), t), &skip);
   turn_of(f->axis[2], half, inner);
   wide_quat_multiply(x, inner, x);
   /* the rates turn the other way, seen from the body */
   wide_sandwich(inner, f->w, 0, x + 4);
 }
 
-static int at(const ph_free_top *f, ph_wide t, double x[7]) {
+int free_top_at(const ph_free_top *f, pair t, double x[7]) {
   ph_wide v[7];
   if (f->kind == PH_FREE_CONSTANT || f->kind == PH_FREE_ROD) {
     turned_at(f, t, v);
@@ -166,7 +166,7 @@ static int at(const ph_free_top *f, ph_wide t, double x[7]) {
 }
 
 int ph_free_top_at(const ph_free_top *f, double t, double x[7]) {
-  return isfinite(t) ? at(f, (ph_wide)t, x) : PH_EFINITE;
+  return isfinite(t) ? free_top_at(f, pair_of((ph_wide)t), x) : PH_EFINITE;
 }
 
 /* ---- set-up ---- */
@@ -294,7 +294,7 @@ static void general(ph_free_top *f, const ph_wide q0[4], pair I[3], pair axis[3]
   /* the frame of L: q0 = q p0 e*, e from axes 1, 2, 3 to the body's */
   ph_wide e[4], p0[4], L0[3], back[4];
   quat_of_axes(f->axis, e);
-  elliptic_at(f, 0, p0, L0);
+  elliptic_at(f, pair_of(0), p0, L0);
   conjugate_of(p0, back);
   wide_quat_multiply(q0, e, f->q);
   wide_quat_multiply(f->q, back, f->q);
