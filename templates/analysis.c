@@ -1,7 +1,8 @@
 %% -- analysis.c -- stability, small oscillations: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- stability, small oscillations ---- */
 
-int ${name}_stability(const ${name}_real I[3], int k, ${name}_real s, ${name}_real Omega[2], ${name}_real *rate)
+int ${name}_stability(const ${name}_real I[3], int k, ${name}_real s,
+    ${name}_real Omega[2], ${name}_real *rate)
 {
   const int i = (k + 1) % 3, j = (k + 2) % 3;
 
@@ -13,7 +14,8 @@ int ${name}_stability(const ${name}_real I[3], int k, ${name}_real s, ${name}_re
   return (Omega[0] > ${zero}) == (Omega[1] > ${zero}) ? 1 : -1;
 }
 
-void ${name}_linearised(const ${name}_real I[3], int k, const ${name}_real w0[3], ${name}_real t, ${name}_real w[3])
+void ${name}_linearised(const ${name}_real I[3], int k, const ${name}_real w0[3],
+    ${name}_real t, ${name}_real w[3])
 {
   const int i = (k + 1) % 3, j = (k + 2) % 3;
   const ${name}_real wi = w0[i], wj = w0[j], wk = w0[k];

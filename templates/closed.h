@@ -18,6 +18,6 @@ typedef struct ${name}_orbit {
  * finite or a rate beyond the range of the type; *o is untouched then. */
 int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[]);
 
-/* The state at time t, of either sign, as long as the phases rate*t stay within the range of the type: attitude and rates, no step, no error that grows from step to
- * step; the phases are formed in twice the working precision. */
+/* The state at time t, of either sign, as long as the phases rate*t stay within the range of the type: attitude and
+ * rates, no step, no error that grows from step to step; the phases are formed in twice the working precision. */
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[]);

@@ -43,13 +43,6 @@ int ${name}_init(${name}_model *m, const ${name}_real p[])
 %% else
   (void)p;
 %% end
-%% for _, g in ipairs(init_checks) do
-
-%%   for _, line in ipairs(g.lines) do
-  ${line}
-%%   end
-  if (!(${g.condition})) return ${g.number}; /* ${g.text} */
-%% end
 %% for _, g in ipairs(init_groups) do
 
 %%   for _, line in ipairs(g.lines) do

@@ -77,8 +77,8 @@ ${line}
 %%   end
 ${f.declaration}
 %% end
-%% if has_closed then
 
+%% if has_closed then
 ${closed_header}
 %% end
 ${principal_header}

@@ -1,7 +1,7 @@
 %% -- special.c -- functions that libm lacks, each only where it is used: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- functions that libm lacks ---- */
+%% if has_ellipsoid or has_sums then
 
-%% if has_ellipsoid then
 static ${name}_pair ${name}_pair_quotient(${name}_pair a, ${name}_pair b)
 {
   const ${name}_real q = a.hi/b.hi;
@@ -9,6 +9,8 @@ static ${name}_pair ${name}_pair_quotient(${name}_pair a, ${name}_pair b)
 
   return ${name}_pair_sum(q, (((a.hi - p.hi) - p.lo) + (a.lo - q*b.lo))/b.hi);
 }
+%% end
+%% if has_ellipsoid then
 
 /* one Newton step: sqrt(a) = r + (a - r^2)/(2 r) */
 static ${name}_pair ${name}_pair_root(${name}_pair a)
@@ -117,3 +119,4 @@ static ${name}_real ${name}_ellipsoid_normal(${name}_real a, ${name}_real b, ${n
   return h[(b > a) + (c > a)].hi/sum.hi;
 }
 %% end
+${series_source}

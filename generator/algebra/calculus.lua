@@ -31,6 +31,25 @@ local rules = {
     local x, y, z = normal(a, b, c), normal(b, c, a), normal(c, a, b)
     return { area * (y + z) / a, area * (z + x) / b, area * (x + y) / c }
   end,
+  -- of the closed forms in exact.lua
+  arc_across = function(h) return { expr.call("arc_lever", 2 * h) / (2 * h) } end,
+  arc_along = function(h)
+    local function lever(x) return expr.call("arc_lever", x) end
+    return { (2 * expr.call("sin", h) / h * lever(h) - lever(2 * h) / 2) / h }
+  end,
+  arc_lever = function(h) return { expr.call("sin", h) - expr.call("arc_lever", h) / h } end,
+  catenary_rise = function(u)
+    local s = expr.call("sinh", u)
+    return { expr.call("cosh", u) / s ^ 2 * (1 - u / s) }
+  end,
+  catenary_width = function(u)
+    local s = expr.call("sinh", u)
+    return { 2 * (1 / (u * s ^ 2) + expr.call("cosh", u) / (u ^ 2 * s) - 2 / u ^ 3) }
+  end,
+  catenary_height = function(u)
+    local s, c = expr.call("sinh", u), expr.call("cosh", u)
+    return { c / s ^ 3 * (u * c / s + u ^ 2 / s ^ 2 - 2) }
+  end,
 }
 
 -- The derivative of e with respect to the symbol x.  `known` (optional: node -> derivative) gives the

@@ -141,8 +141,11 @@ local functions = {
   sinh = by_mpfr "sinh", cosh = by_mpfr "cosh", tanh = by_mpfr "tanh",
   abs = math.abs,
   pi = function() return math.pi end,
-  ellipsoid_area = by_mpfr "ellipsoid_area", ellipsoid_normal = by_mpfr "ellipsoid_normal",
 }
+for _, fn in ipairs { "ellipsoid_area", "ellipsoid_normal", "arc_across", "arc_along", "arc_lever", "catenary_rise",
+  "catenary_width", "catenary_height" } do
+  functions[fn] = by_mpfr(fn)
+end
 
 -- The value in doubles; env holds Lua numbers or rationals.
 function evaluate.double(e, env)

@@ -12,14 +12,26 @@
 -- With w_i = mean of n_i^2 sqrt(Q), which is a b c a_i^2 w_i = second: sum w_i = G, and the equation of Euler, Poisson
 -- and Darboux that such means obey gives w_i - w_j = (H_i - H_j)/4.  Hence w_i = (G + H_i)/4, that is
 --     ellipsoid_second = a^2 (1 + ellipsoid_normal)/4 ellipsoid_area.
+--
+-- Means whose closed forms cancel for a short curve, so that they are functions of their own:
+--     arc_across(h)       mean of sin(t)^2 over |t| <= h       = (1 - sin(2 h)/(2 h))/2                h^2/3
+--     arc_along(h)        variance of cos(t) over |t| <= h     = (1 + sin(2 h)/(2 h))/2 - (sin(h)/h)^2 h^4/45
+--     arc_lever(h)        mean of t sin(t) over |t| <= h       = sin(h)/h - cos(h)                     h^2/3
+-- (the last column: first term for small h); where sine and cosine of h are known they open.  And over the catenary
+-- y = cosh(x), |x| <= u, of half length s = sinh(u), uniform in arc length:
+--     catenary_rise(u)    mean of (y - 1)/s    = coth(u)/2 + u/(2 s^2) - 1/s                           u/6
+--     catenary_width(u)   variance of x/u      = 1 - 2 coth(u)/u + 2/u^2                               1/3
+--     catenary_height(u)  variance of y/s      = 1/12 + (3/4 - u coth(u)/2)/s^2 - u^2/(4 s^4)          u^2/45
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local radical = require "generator.algebra.radical"
 
-local odd = { sin = true, tan = true, asin = true, atan = true, sinh = true, tanh = true }
-local even = { cos = true, cosh = true, abs = true }
-local at_zero = { sin = 0, tan = 0, asin = 0, atan = 0, sinh = 0, tanh = 0, cos = 1, cosh = 1, exp = 1, abs = 0 }
+local odd = { sin = true, tan = true, asin = true, atan = true, sinh = true, tanh = true, catenary_rise = true }
+local even = { cos = true, cosh = true, abs = true, arc_across = true, arc_along = true, arc_lever = true,
+  catenary_width = true, catenary_height = true }
+local at_zero = { sin = 0, tan = 0, asin = 0, atan = 0, sinh = 0, tanh = 0, cos = 1, cosh = 1, exp = 1, abs = 0,
+  arc_across = 0, arc_along = 0, arc_lever = 0, catenary_rise = 0, catenary_width = "1/3", catenary_height = 0 }
 
 return function(expr)
   -- a = r*pi with r rational?  returns r
@@ -57,6 +69,15 @@ return function(expr)
     if fn == "ellipsoid_area" and expr.compare(a, b) > 0 then return expr.call(fn, b, a, c) end
   end
 
+  -- Means over the arc of half angle h = r pi where sine and cosine open.
+  local function arc(fn, h, r)
+    local s, c, double = sin_pi(r), sin_pi(r + R.half), sin_pi(r + r)
+    if not (s and c and double) then return nil end
+    if fn == "arc_across" then return (1 - double / (2 * h)) / 2 end
+    if fn == "arc_along" then return (1 + double / (2 * h)) / 2 - (s / h) ^ 2 end
+    return s / h - c
+  end
+
   return function(fn, args)
     if fn == "pi" then return expr.pi end
     if string.match(fn, "^ellipsoid_") then return ellipsoid(fn, args) end
@@ -85,6 +106,7 @@ return function(expr)
       end
     end
     local r = turns(a)
+    if r and string.match(fn, "^arc_") then return arc(fn, a, r) end
     if r and fn == "sin" then return sin_pi(r) end
     if r and fn == "cos" then return sin_pi(r + R.half) end
     if r and fn == "tan" then

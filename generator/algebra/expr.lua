@@ -15,7 +15,7 @@
 --                         mul   [1..n]           n >= 2 factors, sorted; a rational coefficient is [1]
 --                         pow   base, exp        exp an exact rational, not 0 or 1
 --                         call  fn, [1..n]       sin cos tan asin acos atan atan2 exp log sinh cosh tanh abs pi;
---                                                ellipsoid_area ellipsoid_normal (exact.lua)
+--                                                ellipsoid_area ellipsoid_normal, arc_* and catenary_* (exact.lua)
 -- Not here: derivatives and substitution (calculus.lua), polynomial normal forms (poly.lua), text (text.lua).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -85,7 +85,8 @@ expr.split = split
 -- Is e >= 0 for every real value of its symbols (positive ones positive)?  false means "not known".
 local sign_known = setmetatable({}, { __mode = "k" })
 local nonnegative
-local positive = { abs = true, exp = true, cosh = true, pi = true, ellipsoid_area = true, ellipsoid_normal = true }
+local positive = { abs = true, exp = true, cosh = true, pi = true, ellipsoid_area = true, ellipsoid_normal = true,
+  arc_across = true, arc_along = true, catenary_width = true, catenary_height = true }
 
 local function sign_of(e)
   if e.kind == "num" then return R.sign(e.value) >= 0 end

@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local coordinate = require "generator.algebra.coordinate"
 local expr = require "generator.algebra.expr"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
@@ -116,7 +117,9 @@ function args.scalar(ctx, line, what, name, spec, given)
   end
   local number = value.number(r.e)
   if not number then
-    ctx.diag:error(line, what, name .. " must be a real number for the default parameters", value.show(given))
+    ctx.diag:error(line, what, name .. (coordinate.inside(r.e) and
+      " must not depend on x, y, z, which are the coordinates of a region" or
+      " must be a real number for the default parameters"), value.show(given))
     return nil
   end
   if spec.sign and not args.condition(ctx, line, what, name .. " " .. words[spec.sign], r.e, value.show(given),

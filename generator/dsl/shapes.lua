@@ -6,6 +6,7 @@
 -- Nothing is integrated here; mass/body.lua turns the tree into mass, centre and tensor.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
 local args = require "generator.dsl.args"
@@ -253,8 +254,10 @@ function method.sheared(self, given)
     ctx.diag:error(line, "sheared", rule)
     ok = false
   end
-  ok = ok and args.condition(ctx, line, "sheared", "the determinant must be positive",
-    vec.dot(A[1], vec.cross(A[2], A[3])), diag.show(given))
+  local volume = vec.dot(A[1], vec.cross(A[2], A[3]))
+  local n = ok and value.number(volume)
+  ok = ok and args.condition(ctx, line, "sheared", "the determinant must be positive", volume,
+    n and diag.show(R.todouble(n)))
   return derived(self, { op = "sheared", A = A, broken = not ok, line = line })
 end
 

@@ -12,6 +12,7 @@ local evaluate = require "generator.algebra.evaluate"
 local calculus = require "generator.algebra.calculus"
 local cost = require "generator.algebra.cost"
 local ratio = require "generator.algebra.ratio"
+local text = require "generator.algebra.text"
 local vec = require "generator.algebra.vec"
 local body = require "generator.mass.body"
 local holes = require "generator.mass.holes"
@@ -27,16 +28,17 @@ model.__index = model
 -- Bits kept of a constant that is no rational number (sqrt(2), pi/3) when it becomes one.
 local bits = 240
 
--- The value of e for the parameters' defaults, as a rational: exact for a rational function, else to `bits` bits.  What
--- is only their rounding (sin(pi n) for n = 2) is zero.
+-- The value of e for the parameters' defaults, as a rational: exact for a rational function, else to `bits` bits.  They
+-- are put in first, for then sin(pi n) of n = 1 is 0 and not what rounding leaves of it.
 function model:number(e)
   local ok, value = pcall(evaluate.exact, e, self.defaults)
   if ok then return value end
-  value = evaluate.precise(e, self.defaults, bits)
-  if R.sign(value) == 0 or R.log2(value) > -bits / 2 then return value end
-  local change = R.abs(value - evaluate.precise(e, self.defaults, 2 * bits))
-  if R.sign(change) ~= 0 and R.log2(change) > R.log2(value) - 64 then return R.zero end
-  return value
+  local map = {}
+  for _, s in ipairs(expr.symbols(e)) do
+    if self.defaults[s.name] then map[s] = expr.lift(self.defaults[s.name]) end
+  end
+  local opened, constant = pcall(calculus.substitute, e, map)
+  return evaluate.precise(opened and constant or e, self.defaults, bits)
 end
 
 function model:double(e) return R.todouble(self:number(e)) end
@@ -147,7 +149,17 @@ local function warn_of_condition(d, m)
   end
 end
 
--- The body in named steps, when that is less work than its tensor multiplied out; its names are then taken.
+-- Characters of the expressions, and whether a number of nine digits or more is among them.
+local function length(list)
+  local n, long = 0, false
+  for _, e in ipairs(list) do
+    local s = text.of(e)
+    n, long = n + #s, long or string.find(s, string.rep("%d", 9)) ~= nil
+  end
+  return n, long
+end
+
+-- The body in named steps, unless its tensor multiplied out is less work and less to read; its names are then taken.
 local function in_parts(m, b, r)
   local taken = {}
   local p = parts.of(b, r, function(name)
@@ -163,7 +175,9 @@ local function in_parts(m, b, r)
   for n = 1, 6 do entries[n] = m.inertia[n].kind == "num" and m.inertia[n] or p:entry(n) end
   for _, s in ipairs(p:needed(entries)) do steps[#steps + 1] = s.e end
   local known = {}
-  if cost(m.inertia) <= cost(steps, known) + cost(entries, known) then return nil end
+  local cheaper = cost(m.inertia) <= cost(steps, known) + cost(entries, known)
+  local whole, long = length(m.inertia)
+  if cheaper and not long and whole <= 2 * ((length(steps)) + (length(entries))) then return nil end
   for _, s in ipairs(p.list) do m.by_name[s.name] = s end
   p.entries, p.central = entries, r == nil
   return p

@@ -21,7 +21,7 @@ local license = "SPDX-License-Identifier: MIT-0"
 
 local function libm(real)
   local v = {}
-  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp" } do
+  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "exp", "sinh", "cosh", "frexp", "ldexp" } do
     v[fn] = real == "float" and fn .. "f" or fn
   end
   return v

@@ -67,6 +67,25 @@ local function target(ctx, o)
   return o.array .. "[" .. o.index .. "]"
 end
 
+-- Parameters {name, sym} as inputs, and the new symbol of each whose name `taken` claims: node -> symbol.
+function source.parameters(ctx, params, taken)
+  local list, map, used = {}, {}, {}
+  for _, p in ipairs(params) do used[p.name] = true end
+  for i, p in ipairs(params) do
+    local name, n = p.name, 1
+    if taken(name) then
+      name = name .. "_"
+      while used[name] do
+        n = n + 1
+        name = p.name .. "_" .. n
+      end
+      map[p.sym] = expr.sym(name, 2)
+    end
+    list[i] = { sym = name, c = "p[" .. ctx.upper .. "_" .. string.upper(p.name) .. "]" }
+  end
+  return list, map
+end
+
 -- pi as a name, so that it is read as pi and rounded once.
 local pi = expr.sym("pi", 1)
 

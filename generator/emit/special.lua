@@ -7,6 +7,7 @@
 local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
 local algorithm = require "generator.ir.special"
+local series = require "generator.ir.series"
 local template = require "generator.emit.template"
 
 local special = {}
@@ -21,7 +22,13 @@ function special.fill(v, ctx)
     v.has_special = v.has_special or used
   end
   v.has_ellipsoid = v.has_ellipsoid_area or v.has_ellipsoid_normal
-  v.quarter, v.three, v.five = literal "1/4", literal(3), literal(5)
+  v.has_weights = v.has_arc_along or v.has_arc_lever or v.has_catenary_rise or v.has_catenary_height
+  v.has_sums = v.has_weights or v.has_arc_across
+  v.has_series = v.has_sums or v.has_catenary_width
+  v.quarter, v.threequarters = literal "1/4", literal "3/4"
+  v.three, v.four, v.five, v.nine = literal(3), literal(4), literal(5), literal(9)
+  v.n24, v.n64, v.n720, v.n4320 = literal(24), literal(64), literal(720), literal(4320)
+  v.series_terms = string.format("%d", series.terms[ctx.real])
   v.ellipsoid_steps = string.format("%d", constants.steps)
   v.ellipsoid_least = number.text(R.fromdouble(constants.least), ctx.real)
 end
@@ -30,6 +37,7 @@ end
 function special.render(job, v)
   local function render(name) return template.render(name, job.templates[name], v) end
   v.pair_source = render "templates/pair.c"
+  v.series_source = v.has_series and render "templates/series.c" or ""
   v.special_source = v.has_special and render "templates/special.c" or ""
 end
 

@@ -8,6 +8,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
 local poly = require "generator.algebra.poly"
@@ -24,6 +25,8 @@ local parts = 3  -- numbers of the real type that a coefficient may take
 -- The largest row of a sum is scaled to about 2^top, which leaves room for the split of Dekker's product; the last bit
 -- of a subnormal number is 2^lowest.
 local top, lowest, digits = { double = 900, float = 100 }, { double = -1074, float = -149 }, { double = 53, float = 24 }
+
+local words = { p = true, order = true, value = true, D = true, S = true } -- what NAME_order itself calls something
 
 local function parameter(ctx, name) return "p[" .. ctx.upper .. "_" .. string.upper(name) .. "]" end
 
@@ -91,6 +94,9 @@ local function comparison(ctx, atom)
   return "(" .. sides[1] .. " > " .. sides[2] .. ") - (" .. sides[1] .. " < " .. sides[2] .. ")"
 end
 
+-- Does NAME_order itself call something so?
+local function taken(name) return name == "p" or name == "order" or name == "value" or string.match(name, "^s%d+$") end
+
 -- Statements that define `const int NAME` for the atom.
 local function define(ctx, name, atom, lines, need)
   local function put(l) lines[#lines + 1] = l end
@@ -110,10 +116,11 @@ local function define(ctx, name, atom, lines, need)
     put(string.format("const int %s = %s_sign_of_sum(%d, %d, f_%s);", name, ctx.name, #rows, columns, name))
     return
   end
-  local inputs = {}
-  for _, s in ipairs(expr.symbols(atom)) do inputs[#inputs + 1] = { sym = s.name, c = parameter(ctx, s.name) } end
-  local c = source.statements(ctx, { name = name, args = {}, inputs = inputs,
-    groups = { { defs = {}, outs = { { c = "const " .. ctx.name .. "_real value", expr = atom } } } } })
+  local params = {}
+  for i, s in ipairs(expr.symbols(atom)) do params[i] = { name = s.name, sym = s } end
+  local inputs, map = source.parameters(ctx, params, taken)
+  local c = source.statements(ctx, { name = name, args = {}, inputs = inputs, groups = { { defs = {},
+    outs = { { c = "const " .. ctx.name .. "_real value", expr = calculus.substitute(atom, map) } } } } })
   put("int " .. name .. ";")
   put("{")
   local inner = {}

@@ -21,7 +21,7 @@ local tidy = ratio.tidy
 local function tidy_all(v) return vec.map(v, function(e) return (tidy(e)) end) end
 
 -- What a sum over several pieces may cost to multiply out: beyond that parts.lua has the better form.
-local composite = 3000
+local composite = 1000
 
 local function tidy_sum(b, e) return (tidy(e, #b.pieces > 1 and composite or nil)) end
 

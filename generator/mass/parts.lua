@@ -14,10 +14,13 @@ local R = require "generator.algebra.rational"
 local calculus = require "generator.algebra.calculus"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
+local text = require "generator.algebra.text"
 local vec = require "generator.algebra.vec"
 
 local parts = {}
 parts.__index = parts
+
+local short = 8 -- characters: a longer constant gets a name, so that formulas stay readable
 
 local comp = { "x", "y", "z" }
 local zero3 = { expr.zero, expr.zero, expr.zero }
@@ -34,7 +37,7 @@ function parts.wanted(b)
 end
 
 function parts:step(name, e, about, unit)
-  if e.kind == "num" or e.kind == "sym" or expr.constant(e) then return e end
+  if e.kind == "sym" or expr.constant(e) and #text.of(e) <= short then return e end
   local sym = expr.sym(self.unique(name), 3)
   local pure = calculus.substitute(e, self.pure)
   self.list[#self.list + 1] = { name = sym.name, sym = sym, e = e, pure = pure, about = about, unit = unit }
@@ -105,10 +108,11 @@ function parts.of(b, P, unique)
     end
   end
   for i, s in ipairs(self.shifts) do
-    local name = #self.shifts == 1 and "u" or "u" .. i
+    local name, of = "u" .. i, " of piece " .. i
+    if #self.shifts == 1 then name, of = "u", ", mu D" end
     s.u = vec.map(s.d, function(d, k)
       if d == expr.zero then return d end
-      return self:step(name .. comp[k], s.m * d, "that times the mass", "kg m")
+      return self:step(name .. comp[k], s.m * d, "first moment " .. comp[k] .. of, "kg m")
     end)
   end
   return self

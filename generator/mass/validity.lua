@@ -254,7 +254,8 @@ end
 function validity.conditions(m)
   local list = {}
   if not expr.constant(m.mass) then
-    list[1] = { e = m.mass, what = "body", rule = "total mass must be positive", line = m.line }
+    list[1] = { e = m.mass, form = m.parts and m.parts.mass or nil, line = m.line, what = "body",
+      rule = "total mass must be positive" }
   end
   -- named: I and size are in the names of the body's parts
   local function lawful_at(I, size, what, line, named)

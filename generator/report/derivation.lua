@@ -35,13 +35,29 @@ local function tensor(I, style, prefix, suffix)
   if #zeros > 0 then lines[#lines + 1] = prefix .. table.concat(zeros, " = ") .. " = 0" .. suffix end
   return lines
 end
-derivation.tensor = tensor
+
+local most = 60 -- steps that are spelled out
+
+-- The tensor about the origin of rotation as lines; of a composite body in its named parts, which come first.
+local function named_tensor(m, style)
+  local lines = {}
+  local steps = m.parts and m.parts:needed(m.parts.entries) or {}
+  for i, s in ipairs(steps) do
+    if i > most then
+      lines[i] = "    ... and " .. #steps - most .. " more, see " .. m.name .. "_init"
+      break
+    end
+    lines[i] = "    " .. s.name .. " = " .. text.of(s.e, style) .. (s.about ~= s.name and "  (" .. s.about .. ")" or "")
+  end
+  for _, l in ipairs(tensor(m.parts and m.parts.entries or m.inertia, style, "    ", "")) do lines[#lines + 1] = l end
+  return lines
+end
 
 -- Lines for the header's banner: what the body is, its tensor, what was chosen.
 function derivation.banner(job)
   local m = job.model
   local lines = { "Tensor of inertia about the origin of rotation, kg m^2 (off-diagonals are tensor entries):" }
-  for _, l in ipairs(tensor(m.inertia, "plain", "    ", "")) do
+  for _, l in ipairs(named_tensor(m, "plain")) do
     while #l > 110 do -- a long formula goes on, at a blank
       local cut = 110
       while cut > 20 and string.sub(l, cut, cut) ~= " " do cut = cut - 1 end
@@ -62,7 +78,7 @@ end
 function derivation.markdown(job)
   local m = job.model
   local lines = { "Tensor of inertia about the origin of rotation (entries; kg m²):", "" }
-  for _, l in ipairs(tensor(m.inertia, "unicode", "    ", "")) do lines[#lines + 1] = l end
+  for _, l in ipairs(named_tensor(m, "unicode")) do lines[#lines + 1] = l end
   lines[#lines + 1] = ""
   lines[#lines + 1] = "Structure: " .. derivation.kind(m) .. ".  Equations of motion:"
   lines[#lines + 1] = ""

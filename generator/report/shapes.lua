@@ -6,6 +6,7 @@
 
 local R = require "generator.algebra.rational"
 local coordinate = require "generator.algebra.coordinate"
+local cosine = require "generator.algebra.cosine"
 local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
 local text = require "generator.algebra.text"
@@ -36,7 +37,7 @@ local function literal(x)
   return "{" .. table.concat(list, ", ") .. "}"
 end
 
-local function show(e) return text.of(e, "unicode") end
+local function show(e) return text.of(cosine(e), "unicode") end
 
 local function names_of(spec)
   if spec.takes then return spec.takes end
@@ -200,6 +201,20 @@ for the mass m, in the axes of the picture; entries that are not listed are zero
 entries (minus the products of inertia). Where an argument is a list, the formulas are for the list of the example. In
 the pictures the black and white disc is the centroid; red lines are what the arguments measure; a quarter is cut out
 where that shows more.
+
+Some means have names, because their closed forms lose digits for a short curve. They are computed without that loss,
+and where sine and cosine of h are known numbers the closed form stands instead.
+
+| | |
+|---|---|
+| `arc_across(h)` | mean of sin² t over -h <= t <= h: `(1 - sin(2 h)/(2 h))/2` |
+| `arc_along(h)` | variance of cos t over the same: `(1 + sin(2 h)/(2 h))/2 - (sin(h)/h)²` |
+| `arc_lever(h)` | mean of t sin t over the same: `sin(h)/h - cos(h)` |
+| `catenary_rise(u)` | catenary y = cosh x, -u <= x <= u, s = sinh u: mean of (y - 1)/s: `coth(u)/2 + u/(2 s²) - 1/s` |
+| `catenary_width(u)` | variance of x/u on it: `1 - 2 coth(u)/u + 2/u²` |
+| `catenary_height(u)` | variance of y/s on it: `1/12 + (3/4 - u coth(u)/2)/s² - u²/(4 s⁴)` |
+| `ellipsoid_area(a, b, c)` | area of the ellipsoid's surface divided by 4 π |
+| `ellipsoid_normal(a, b, c)` | mean over that surface of the square of the unit normal's component along a |
 
 ]]
 

@@ -149,8 +149,8 @@ int host_run(lua_State *L) {
 
 struct rates {
   ph_top top;
-  double inverse[9]; /* |components| of the pseudo-inverse of the inertia tensor */
-  double spread[9];  /* |components| of the tensor, as a matrix */
+  double inverse[9]; /* |components| of the pseudo-inverse of the inertia tensor; see bound() */
+  double spread[9];  /* |components| of the tensor, as a matrix; likewise */
 };
 
 static double largest(double a, double b) {
@@ -161,6 +161,15 @@ static double norm(const double v[3]) {
   return hypot(hypot(v[0], v[1]), v[2]);
 }
 
+/* A component off the diagonal that is not 0 by symmetry is a sum of terms of both signs and may
+ * pass through zero.  It is as good as the sum of their moduli, of which this is a bound: sqrt(m_i
+ * m_j), by Cauchy and Schwarz, for the squares m on the diagonal. */
+static double bound(double component, double mi, double mj) {
+  if (component == 0 || !(mi > 0) || !(mj > 0))
+    return fabs(component);
+  return largest(fabs(component), sqrt(mi) * sqrt(mj));
+}
+
 /* Sum of a_k a_k^T / I_k over the axes that have a moment, entrywise absolute values. */
 static int prepare(struct rates *r) {
   static const int at[9] = {0, 3, 4, 3, 1, 5, 4, 5, 2};
@@ -168,13 +177,22 @@ static int prepare(struct rates *r) {
   const int status = ph_principal(r->top.inertia, &p);
   if (status != PH_OK)
     return status;
+  double inverse[9];
   for (int i = 0; i < 9; i++) {
-    double sum = 0;
+    inverse[i] = 0;
     for (int k = 0; k < 3; k++)
       if (p.moment[k] > 16 * DBL_EPSILON * p.moment[2]) /* else a rod's own axis */
-        sum += p.axis[k][i / 3] * p.axis[k][i % 3] / p.moment[k];
-    r->inverse[i] = fabs(sum);
-    r->spread[i] = fabs(r->top.inertia[at[i]]);
+        inverse[i] += p.axis[k][i / 3] * p.axis[k][i % 3] / p.moment[k];
+  }
+  const double *I = r->top.inertia, half = (I[0] + I[1] + I[2]) / 2; /* half - I_ii: of x_i^2 */
+  for (int i = 0; i < 9; i++) {
+    const int a = i / 3, b = i % 3;
+    r->inverse[i] = fabs(inverse[i]);
+    r->spread[i] = fabs(I[at[i]]);
+    if (a != b) {
+      r->inverse[i] = bound(inverse[i], inverse[4 * a], inverse[4 * b]);
+      r->spread[i] = bound(I[at[i]], half - I[a], half - I[b]);
+    }
   }
   return PH_OK;
 }
@@ -264,8 +282,10 @@ static int rates_energy(lua_State *L) {
   const int status = ph_top_energy(&r->top, x, &energy);
   if (status != PH_OK)
     return fail(L, status);
+  /* w.I w/2: off the diagonal two halves make one term */
   for (int i = 0; i < 9; i++)
-    scale = largest(scale, 0.5 * fabs(x[4 + i / 3] * x[4 + i % 3]) * r->spread[i]);
+    scale = largest(scale,
+                    (i / 3 == i % 3 ? 0.5 : 1) * fabs(x[4 + i / 3] * x[4 + i % 3]) * r->spread[i]);
   if (r->top.effects & PH_GRAVITY)
     scale = largest(scale, r->top.mass * norm(r->top.com) * norm(r->top.gravity));
   lua_pushnumber(L, energy);

@@ -180,6 +180,12 @@ static const struct function {
     {"pow", 2, NULL, mpfr_pow, NULL},
     {"ellipsoid_area", 3, NULL, NULL, rational_ellipsoid_area},
     {"ellipsoid_normal", 3, NULL, NULL, rational_ellipsoid_normal},
+    {"arc_across", 1, NULL, NULL, rational_arc_across},
+    {"arc_along", 1, NULL, NULL, rational_arc_along},
+    {"arc_lever", 1, NULL, NULL, rational_arc_lever},
+    {"catenary_rise", 1, NULL, NULL, rational_catenary_rise},
+    {"catenary_width", 1, NULL, NULL, rational_catenary_width},
+    {"catenary_height", 1, NULL, NULL, rational_catenary_height},
 };
 
 static const struct function *find_function(const char *name) {

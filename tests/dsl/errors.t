@@ -12,7 +12,8 @@ package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
 local program = require "tests.cli.program"
-local tables = { require "tests.dsl.messages_shapes", (require "tests.dsl.messages_scenes") }
+local tables = { require "tests.dsl.messages_shapes", require "tests.dsl.messages_rows",
+  (require "tests.dsl.messages_scenes") }
 
 local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"

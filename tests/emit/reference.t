@@ -64,7 +64,7 @@ local function number(e, env) return evaluate.precise(e, env, BITS) end
 local function rounded(q, real)
   local x = R.todouble(q)
   if real == "float" then x = string.unpack("f", string.pack("f", x)) end
-  return R.lift(x)
+  return R.fromdouble(x)
 end
 
 local dir = program.directory()
@@ -144,7 +144,7 @@ local function distance(got, want, bits)
   end
   for i, w in ipairs(want) do
     if not got[i] or got[i] ~= got[i] or got[i] == math.huge or got[i] == -math.huge then return math.huge end
-    local d = R.abs(R.lift(got[i]) - w)
+    local d = R.abs(R.fromdouble(got[i]) - w)
     if d > worst then worst = d end
   end
   if R.sign(worst) == 0 then return 0 end

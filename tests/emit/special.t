@@ -133,7 +133,7 @@ end
 
 do
   local _, box = scene("box", 'solid.box { x = param("x", 1, "m"), y = 2, z = 3, mass = 1 }')
-  tap.ok(not string.find(box, "ellipsoid", 1, true), "a box has no helper")
+  tap.ok(not string.find(box, "functions that libm lacks", 1, true), "a box has no helper")
   local _, given = scene("given", 'shell.ellipsoid { a = param("a", 1, "m"), b = 2, c = 3, mass = 1 }')
   tap.ok(string.find(given, "given_real given_ellipsoid_normal", 1, true) and
     not string.find(given, "ellipsoid_area", 1, true), "with the mass given the area is not needed, and not there")

@@ -88,8 +88,9 @@ row("solid.ellipsoid", "a = a, b = b, c = c", { "a", "b", "c" }, { a = 1.4, b = 
   return { measure = 4 * f.pi * e.a * e.b * e.c / 3, I = { (b + c) / 5, (a + c) / 5, (a + b) / 5, 0, 0, 0 },
     points = poles(e.c) }
 end)
-row("solid.hollow_sphere", "r_in = s, r_out = s + d", { "s", "d" }, { s = 0.7, d = 0.4 }, function(e, f)
-  local p, q = e.s, e.s + e.d
+-- radii of their own: the sum of two would be rounded, and a thin wall is sensitive to that
+row("solid.hollow_sphere", "r_in = p, r_out = q", { "p", "q" }, { p = 0.7, q = 1.1 }, function(e, f)
+  local p, q = e.p, e.q
   local x = 2 * (q ^ 5 - p ^ 5) / (q ^ 3 - p ^ 3) / 5
   return { measure = 4 * f.pi * (q ^ 3 - p ^ 3) / 3, I = axial(x, x), points = poles(q) }
 end)

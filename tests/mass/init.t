@@ -103,7 +103,7 @@ for _, name in ipairs { "com", "origin" } do
     local out = dir .. "/" .. name .. "_" .. real
     program.shell(string.format("%s gen --real %s -o %s %s/%s.lua >%s.log 2>&1", binary, real, out, dir, name, out))
     local first, last
-    for code in (program.read(out .. "/" .. name .. ".c") or ""):gmatch "return (%d+); /%* tensor: the triangle" do
+    for code in (program.read(out .. "/" .. name .. ".h") or ""):gmatch "%*   (%d+)  tensor: the triangle" do
       first, last = first or code, code
     end
     tap.ok(first and last - first == 2, name .. ", " .. real .. ": init tests three pivots", program.read(out .. ".log"))

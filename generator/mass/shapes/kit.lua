@@ -42,6 +42,13 @@ function kit.diagonal(x, y, z) return { x, y, z, zero, zero, zero } end
 
 function kit.centred(measure, sigma, points) return { measure = measure, sigma = sigma, points = points } end
 
+-- Matter in z = 0 symmetric about the ray at the angle h whose sine and cosine are s, c: second moments about its
+-- centroid, the variances along the ray and across it given.  The natural frame's x axis is where the arc of half
+-- angle h begins.
+function kit.fan(s, c, along, across)
+  return { c ^ 2 * along + s ^ 2 * across, s ^ 2 * along + c ^ 2 * across, zero, s * c * (along - across), zero, zero }
+end
+
 -- On the z axis at height z.
 function kit.axial(z) return { zero, zero, z } end
 

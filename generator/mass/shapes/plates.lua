@@ -41,13 +41,12 @@ return {
     about = "radius r, from the x axis to the angle (pi: half disc)", args = { length "r", kit.angle },
     requires = function(a) return { kit.full_turn(a) } end,
     build = function(a)
-      local r, w = a.r, a.angle
-      local s, c, half = expr.call("sin", w), expr.call("cos", w), expr.call("sin", w / 2)
-      local x, y = q "2/3" * r * s / w, q "4/3" * r * half ^ 2 / w
-      local m = r ^ 2 / 4
-      return { measure = r ^ 2 * w / 2, com = { x, y, zero },
-        sigma = { m * (1 + s * c / w) - x ^ 2, m * (1 - s * c / w) - y ^ 2, zero, m * s ^ 2 / w - x * y, zero, zero },
-        points = { apex = { zero, zero, zero } } }
+      local r, h = a.r, a.angle / 2 -- along a ray the mean distance is 2 r/3, the mean square r^2/2
+      local s, c = expr.call("sin", h), expr.call("cos", h)
+      local x = q "2/3" * r * s / h
+      local along = r ^ 2 * expr.call("arc_along", h) / 2 + (x / 2) ^ 2 / 2
+      return { measure = r ^ 2 * h, com = { x * c, x * s, zero },
+        sigma = kit.fan(s, c, along, r ^ 2 * expr.call("arc_across", h) / 2), points = { apex = { zero, zero, zero } } }
     end },
   { name = "plate.triangle", measure = "area", frame = "as given", about = "three corners in space",
     args = { kit.rows("vertices", 3, nil, 3) },

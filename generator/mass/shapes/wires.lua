@@ -1,6 +1,7 @@
 -- wires.lua -- thin rods and wires of uniform mass per length.
 --
--- Sources: integrals along the curve; a straight piece d has sigma = d d^T/12.
+-- Sources: integrals along the curve; a straight piece d has sigma = d d^T/12.  Arc and helix are integrated over the
+-- angle t from the middle, |t| <= h, where they are symmetric, and then turned by h (arc_* and catenary_*: exact.lua).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -39,26 +40,31 @@ local function polyline(a)
   return { measure = total, com = com, sigma = vec.scale(1 / total, sum), points = ends(a) }
 end
 
+-- Circle of radius r, |t| <= h, then turned by h: centroid, second moments, sine and cosine of h.
+local function arc(r, h)
+  local s, c = expr.call("sin", h), expr.call("cos", h)
+  local x = r * s / h
+  local sigma = kit.fan(s, c, r ^ 2 * expr.call("arc_along", h), r ^ 2 * expr.call("arc_across", h))
+  return { x * c, x * s, zero }, sigma, s, c
+end
+
 local function helix(a)
-  local T, r, k = 2 * pi * a.turns, a.r, a.pitch / (2 * pi)
-  local s, c, half = expr.call("sin", T), expr.call("cos", T), expr.call("sin", T / 2)
-  local x, y, z = r * s / T, 2 * r * half ^ 2 / T, k * T / 2
-  local m = r ^ 2 / 2
-  -- means over the turns: t cos t -> (T s + c - 1)/T, t sin t -> (s - T c)/T
-  local sigma = { m * (1 + s * c / T) - x ^ 2, m * (1 - s * c / T) - y ^ 2, k ^ 2 * T ^ 2 / 12, m * s ^ 2 / T - x * y,
-    r * k * (s - 2 * half ^ 2 / T) - x * z, r * k * (s / T - c) - y * z }
-  return { measure = a.turns * expr.sqrt((2 * pi * r) ^ 2 + a.pitch ^ 2), com = { x, y, z }, sigma = sigma,
-    points = { axis = { zero, zero, zero }, first = { r, zero, zero } } }
+  local h, k = pi * a.turns, a.pitch / (2 * pi) -- z = k (t + h)
+  local com, sigma, s, c = arc(a.r, h)
+  local lever = a.r * k * expr.call("arc_lever", h)
+  com[3] = k * h
+  sigma[3], sigma[5], sigma[6] = k ^ 2 * h ^ 2 / 3, -s * lever, c * lever
+  return { measure = a.turns * expr.sqrt((2 * pi * a.r) ^ 2 + a.pitch ^ 2), com = com, sigma = sigma,
+    points = { axis = { zero, zero, zero }, first = { a.r, zero, zero } } }
 end
 
 local function catenary(a)
-  local h, c = a.span / 2, a.a -- integrals of powers of x and cosh(x/c) against ds = cosh(x/c) dx
-  local u = h / c
-  local s, k = expr.call("sinh", u), expr.call("cosh", u)
-  local y = c * (u / s + k) / 2
-  return { measure = 2 * c * s, com = { zero, y, zero },
-    sigma = diagonal(h ^ 2 - 2 * h * c * k / s + 2 * c ^ 2, c ^ 2 * (1 + s ^ 2 / 3) - y ^ 2, zero),
-    points = { vertex = { zero, c, zero } } }
+  local x = a.span / 2
+  local u = x / a.a
+  local half = a.a * expr.call("sinh", u)
+  return { measure = 2 * half, com = { zero, a.a + half * expr.call("catenary_rise", u), zero },
+    sigma = diagonal(x ^ 2 * expr.call("catenary_width", u), half ^ 2 * expr.call("catenary_height", u), zero),
+    points = { vertex = { zero, a.a, zero } } }
 end
 
 return {
@@ -87,12 +93,9 @@ return {
     about = "radius r, from the x axis to the angle", args = { length "r", kit.angle },
     requires = function(a) return { kit.full_turn(a) } end,
     build = function(a)
-      local r, w = a.r, a.angle
-      local s, c, half = expr.call("sin", w), expr.call("cos", w), expr.call("sin", w / 2)
-      local x, y, m = r * s / w, 2 * r * half ^ 2 / w, r ^ 2 / 2
-      return { measure = r * w, com = { x, y, zero },
-        sigma = { m * (1 + s * c / w) - x ^ 2, m * (1 - s * c / w) - y ^ 2, zero, m * s ^ 2 / w - x * y, zero, zero },
-        points = { centre = { zero, zero, zero }, first = { r, zero, zero } } }
+      local com, sigma = arc(a.r, a.angle / 2)
+      return { measure = a.r * a.angle, com = com, sigma = sigma,
+        points = { centre = { zero, zero, zero }, first = { a.r, zero, zero } } }
     end },
   { name = "wire.polyline", measure = "length", curved = true, frame = "as given",
     about = "straight pieces through points, open or closed",

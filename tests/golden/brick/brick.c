@@ -752,7 +752,8 @@ int brick_principal(const brick_model *m, brick_real moments[3], brick_real axes
 
 /* ---- stability, small oscillations ---- */
 
-int brick_stability(const brick_real I[3], int k, brick_real s, brick_real Omega[2], brick_real *rate)
+int brick_stability(const brick_real I[3], int k, brick_real s,
+    brick_real Omega[2], brick_real *rate)
 {
   const int i = (k + 1) % 3, j = (k + 2) % 3;
 
@@ -764,7 +765,8 @@ int brick_stability(const brick_real I[3], int k, brick_real s, brick_real Omega
   return (Omega[0] > 0.0) == (Omega[1] > 0.0) ? 1 : -1;
 }
 
-void brick_linearised(const brick_real I[3], int k, const brick_real w0[3], brick_real t, brick_real w[3])
+void brick_linearised(const brick_real I[3], int k, const brick_real w0[3],
+    brick_real t, brick_real w[3])
 {
   const int i = (k + 1) % 3, j = (k + 2) % 3;
   const brick_real wi = w0[i], wj = w0[j], wk = w0[k];

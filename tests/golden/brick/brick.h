@@ -124,6 +124,7 @@ void brick_rate(const brick_real w[3], const brick_real a[3], const brick_real d
 void brick_acceleration(const brick_real w[3], const brick_real dw[3], const brick_real r[3],
                         const brick_real v[3], const brick_real a[3], brick_real coriolis[3],
                         brick_real euler[3], brick_real centrifugal[3], brick_real total[3]);
+
 /* ---- principal axes ---- */
 
 /* Moments, ascending, and axes of any symmetric tensor I = xx yy zz xy xz yz (entries of the tensor: no sign is
@@ -146,18 +147,19 @@ int brick_principal(const brick_model *m, brick_real moments[3], brick_real axes
  *     w_i' = -Omega1 w_j,  w_j' = Omega2 w_i,  Omega1 = (I_k - I_j)/I_i s,  Omega2 = (I_k - I_i)/I_j s
  * Omega[0], Omega[1] are these; *rate = sqrt |Omega1 Omega2|: the oscillation's angular frequency (period 2 pi/rate)
  * or the growth rate, 1/s.  Returns 1 stable, -1 unstable, 0 neutral (equal moments or no spin). */
-int brick_stability(const brick_real I[3], int k, brick_real s, brick_real Omega[2], brick_real *rate);
+int brick_stability(const brick_real I[3], int k, brick_real s,
+    brick_real Omega[2], brick_real *rate);
 
 /* The small-oscillation solution: rates w (principal axes) at time t after w0, the spin about axis k taken as
  * constant.  Exact for a symmetric top about its axis; else its error is of second order in the disturbance. */
-void brick_linearised(const brick_real I[3], int k, const brick_real w0[3], brick_real t, brick_real w[3]);
-
+void brick_linearised(const brick_real I[3], int k, const brick_real w0[3],
+    brick_real t, brick_real w[3]);
 
 /* ---- stability by design ---- */
 
 /* Does a spin of the free body about a principal axis persist?  1 stable, 0 neutral (equal moments), -1 unstable.
- * dissipation 0: a rigid body, stable about the axes of the largest and of the smallest moment; not 0: a body that loses
- * energy inside while it keeps its angular momentum, stable about the axis of the largest moment only.
+ * dissipation 0: a rigid body, stable about the axes of the largest and of the smallest moment; not 0: a body that
+ * loses energy inside while it keeps its angular momentum, stable about the axis of the largest moment only.
  * (Landau, Lifshitz, section 37; Hughes, Spacecraft Attitude Dynamics, chapter 7.)  axis, and when it is stable:
  *   0, 1, 2  the axes of brick_principal, ascending moments
  * The moments have no simple closed form: those of brick_principal are compared,
