@@ -164,10 +164,11 @@ typedef struct invariants {
   long refused;
 } invariants;
 
-static void inertial(const double I[6], const double x[7], long double *T, long double L[3]) {
-  const long double w = x[0], v[3] = {x[1], x[2], x[3]},
-                    n = w * w + v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  long double b[3], c[3];
+static void inertial(const double I[6], const double state[7], long double *T, long double L[3]) {
+  long double x[7], b[3], c[3];
+  tap_wide(7, state, x);
+  const long double w = x[0], *v = x + 1;
+  const long double n = w * w + v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
   *T = 0;
   for (int i = 0; i < 3; i++) {
     b[i] = (long double)I[i] * x[4 + i];
@@ -202,7 +203,7 @@ static void invariant(invariants *worst) {
     size += L0[i] * L0[i];
   }
   for (int i = 0; i < 4; i++)
-    q += (long double)x[i] * x[i];
+    q += (long double)x[i] * (long double)x[i];
   /* written so that a NaN is the worst of all */
   const long double e[3] = {fabsl(sqrtl(q) - 1), T0 > 0 ? fabsl(T / T0 - 1) : fabsl(T),
                             size > 0 ? sqrtl(d / size) : sqrtl(d)};
@@ -261,7 +262,7 @@ static void against_taylor(void) {
     long double wide[7];
     int sign;
     for (int i = 0; i < 7; i++)
-      wide[i] = y[i];
+      wide[i] = (long double)y[i];
     failed += status != 0;
     attitude = fmaxl(attitude, angle(x, wide, &sign));
     rates = fmaxl(rates, rates_error(x + 4, wide + 4));
