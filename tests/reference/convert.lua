@@ -177,19 +177,19 @@ do
   write("free_top_long.h", rest)
 end
 
--- ---- elliptic.json: all rows; what a row does not have is NAN ----
+-- ---- elliptic.json: all rows; what a row does not have is 0, n HUGE_VAL ----
 do
   local out = head("elliptic.h", "elliptic integrals and functions, 32 digits",
     "enum { ELLIPTIC_JACOBI, ELLIPTIC_INCOMPLETE, ELLIPTIC_COMPLETE };\n" ..
     "static const struct {\n  int kind, complement; /* is value 1 - m? */\n  double value, u, phi, n;\n" ..
-    "  long double sn, cn, dn, am, F, E, Pi; /* complete: F is K */\n} elliptic_rows[] = {")
+    "  long double sn, cn, dn, am, F, E, Pi; /* complete: F is K; n not finite: no Pi */\n} elliptic_rows[] = {")
   local kinds = { jacobi = "ELLIPTIC_JACOBI", incomplete = "ELLIPTIC_INCOMPLETE", complete = "ELLIPTIC_COMPLETE" }
-  local function field(v, f)
-    return v and f(v) or "NAN"
+  local function field(v, f, none)
+    return v and f(v) or none or "0"
   end
   for _, c in ipairs(json("elliptic.json").cases) do
     local row = { kinds[c.kind], c.given == "mc" and "1" or "0", double(c.value), field(c.u, double),
-      field(c.phi, double), field(c.n, double) }
+      field(c.phi, double), field(c.n, double, "HUGE_VAL") }
     for _, key in ipairs { "sn", "cn", "dn", "am", "F", "E", "Pi" } do
       row[#row + 1] = field(c[key] or key == "F" and c.K, long)
     end
