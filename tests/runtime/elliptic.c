@@ -120,6 +120,77 @@ static void gsl(size_t i, worst w[FUNCTIONS]) {
   }
 }
 
+/* ---- every argument ---- */
+
+static uint64_t seed = 0x9e3779b97f4a7c15;
+
+static double uniform(void) { /* xorshift64* (Vigna 2016), in [0, 1) */
+  seed ^= seed >> 12, seed ^= seed << 25, seed ^= seed >> 27;
+  return (double)(seed * 0x2545f4914f6cdd1d >> 11) * 0x1p-53;
+}
+
+static double any_size(void) {
+  return (uniform() < 0.5 ? -1 : 1) * pow(10, 600 * uniform() - 320);
+}
+
+/* 1 - a a - b b of two doubles: each rounded once, so the sum is off by 2^-53 of each square times
+   two, 4.5e-16 at most; b may come with a factor m. */
+static void identities(void) {
+  double circle = 0, delta = 0;
+  int failed = 0, finite = 1, ordered = 1;
+  for (int i = 0; i < 100000; i++) {
+    const double part = uniform() < 0.5 ? uniform() : fmin(1, fabs(any_size()));
+    const ph_modulus m = i % 2 ? ph_modulus_m(part) : ph_modulus_mc(part);
+    const double u = i % 3 ? 20 * uniform() - 10 : any_size();
+    const double n = i % 5 ? 1 - fabs(any_size()) : uniform();
+    ph_jacobi j;
+    double F = 0, E = 0, Pi = 0;
+    failed += ph_elliptic_jacobi(u, m, &j) != PH_OK;
+    const long double sn = (long double)j.sn, cn = (long double)j.cn, dn = (long double)j.dn;
+    const long double k2 = i % 2 ? (long double)part : 1 - (long double)part;
+    circle = fmax(circle, (double)fabsl(sn * sn + cn * cn - 1));
+    delta = fmax(delta, (double)fabsl(dn * dn + k2 * sn * sn - 1));
+    const int one = ph_elliptic_f(u, m, &F), two = ph_elliptic_e(u, m, &E);
+    const int three = n < 1 ? ph_elliptic_pi(n, u, m, &Pi) : PH_OK;
+    failed += (one != PH_OK && one != PH_ERANGE) || two != PH_OK ||
+              (three != PH_OK && three != PH_ERANGE);
+    finite = finite && isfinite(F) && isfinite(E) && isfinite(Pi) && isfinite(j.am);
+    /* E <= phi <= F where phi > 0 */
+    ordered = ordered && (one != PH_OK || (fabs(E) <= fabs(u) && fabs(u) <= fabs(F)));
+  }
+  ok(failed == 0 && finite, "no argument gives NaN or a wrong refusal");
+  near(circle, 0, 2 * DBL_EPSILON, "sn^2 + cn^2 = 1");
+  near(delta, 0, 2 * DBL_EPSILON, "dn^2 + m sn^2 = 1");
+  ok(ordered, "|E| <= |phi| <= |F|");
+}
+
+static void refusals(void) {
+  double v = 7;
+  ph_jacobi j = {7, 7, 7, 7};
+  const ph_modulus half = ph_modulus_m(0.5),
+                   bad[3] = {ph_modulus_m(-0.5), ph_modulus_mc(1.5), ph_modulus_m(1 + DBL_EPSILON)};
+  int all = 1;
+  for (int i = 0; i < 3; i++)
+    all = all && ph_elliptic_jacobi(1, bad[i], &j) == PH_EBOUND &&
+          ph_elliptic_f(1, bad[i], &v) == PH_EBOUND &&
+          ph_elliptic_complete_e(bad[i], &v) == PH_EBOUND;
+  ok(all, "m outside [0, 1] is refused");
+  ok(ph_elliptic_pi(1, 0.5, half, &v) == PH_EBOUND &&
+         ph_elliptic_complete_pi(2, half, &v) == PH_EBOUND,
+     "n >= 1 is refused");
+  ok(ph_elliptic_complete_k(ph_modulus_m(1), &v) == PH_ERANGE &&
+         ph_elliptic_f(2, ph_modulus_mc(0), &v) == PH_ERANGE,
+     "K(1) is infinite");
+  ok(ph_elliptic_jacobi((double)NAN, half, &j) == PH_EFINITE &&
+         ph_elliptic_f((double)INFINITY, half, &v) == PH_EFINITE &&
+         ph_elliptic_complete_pi((double)NAN, half, &v) == PH_EFINITE &&
+         ph_elliptic_complete_k(ph_modulus_m((double)NAN), &v) == PH_EFINITE,
+     "numbers that are not finite are refused");
+  ok(v == 7 && j.sn == 7, "and nothing is written");
+  ok(ph_elliptic_e(2, ph_modulus_m(1), &v) == PH_OK && fabs(v - (2 - sin(2))) <= DBL_EPSILON,
+     "E(2 | 1) = 2 - sin 2");
+}
+
 int main(void) {
   worst mine[FUNCTIONS] = {{0, 0, 0, 0}}, theirs[FUNCTIONS] = {{0, 0, 0, 0}};
   gsl_set_error_handler_off();
@@ -146,5 +217,7 @@ int main(void) {
            elliptic_rows[i].n);
     }
   }
+  identities();
+  refusals();
   return tap_done();
 }
