@@ -169,6 +169,22 @@ bench: all $(BUILD)/bench/step $(BUILD)/bench/gen $(BUILD)/bench/mesh
 	  grep -e 'to 8 ulp' -e 'closed form agrees' -e '^not ok' $(BUILD)/bench/check.tap | sed 's/^\(.*ok\) [0-9]* - /  \1 /'; \
 	  exit $$status
 
+# The emitted free top against 50 digits: a sweep of bodies, motions and times, in double and float.
+MAP := $(BUILD)/errormap
+$(MAP)/%/errormap.c: tests/bench/errormap.lua $(PROGRAM)
+	@$(PROGRAM) gen $< --real $* -o $(@D) > $(@D).log
+
+$(MAP)/%/sweep: tests/bench/errormap.c $(MAP)/%/errormap.c
+	$(CC) $(STD) $(CFLAGS) $(WARN) -I$(@D) -o $@ $^ -lm
+
+$(MAP)/%/errors: $(MAP)/%/sweep $(ORACLE)
+	@$< $(@D)/places > $(@D)/lines
+	@$(ORACLE) -b 512 -e < $(@D)/lines > $@
+
+.SECONDARY:
+errormap: $(MAP)/double/errors $(MAP)/float/errors
+	@$(LUA) tests/bench/errormap_report.lua $(MAP) docs/errormap.svg
+
 # One body through the whole chain; each step shows the command that makes it.
 DEMO = bodies/brick.lua
 say  = @printf '\n\033[1m%s\033[0m\n' "$(1)"
@@ -244,7 +260,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check test sanitize sanitized golden docs bench demo install clean FORCE \
+.PHONY: all tests check test sanitize sanitized golden docs bench errormap demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

@@ -5,7 +5,7 @@
 
    Reads lines of numbers (decimal or hexadecimal, taken exactly as doubles): the tensor xx yy zz xy
    xz yz, the rates w0, the attitude q0, the time t. Prints the rates and the attitude with 40
-   digits. With -e each line goes on with seven decimals, the rates and attitude of somebody else,
+   digits. With -e each line goes on with seven numbers, the rates and attitude of somebody else,
    and what is printed is how far they are off: rates relative to the largest of them, attitude as
    |q - q'| (signs count).
 
@@ -382,13 +382,13 @@ static void solve(const double in[14], num x[7]) {
     general(I, axis, w, q, real(in[13]), x);
 }
 
-/* How far the seven decimals in text are from x. */
+/* How far the seven numbers in text are from x. */
 static int compare(num x[7], char *text, double *rates, double *attitude) {
   num d[2] = {real(0), real(0)}, scale = real(0);
   for (int i = 0; i < 7; i++) {
     num v = fresh();
     char *end;
-    if (mpfr_strtofr(v, text, &end, 10, MPFR_RNDN), end == text)
+    if (mpfr_strtofr(v, text, &end, 0, MPFR_RNDN), end == text)
       return 0;
     text = end;
     num e = size(sub(v, x[i]));
@@ -439,7 +439,7 @@ int main(int argc, char **argv) {
     } else if (compare(x, p, &rates, &attitude)) {
       printf("%.3g %.3g\n", rates, attitude);
     } else {
-      fprintf(stderr, "free_top: -e wants seven decimals after the time\n");
+      fprintf(stderr, "free_top: -e wants seven numbers after the time\n");
       return 2;
     }
   }
