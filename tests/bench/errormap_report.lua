@@ -61,6 +61,10 @@ local function shade(e)
   return string.format("#%02x%02xff", v, v)
 end
 
+local function label(e)
+  return e and (e < 100 and string.format("%.1f", e) or (string.gsub(string.format("%.0e", e), "e%+0*", "e"))) or ""
+end
+
 local out = { string.format('<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" ' ..
   'font-family="sans-serif" font-size="11">', 2 * (GRID * CELL + 60), GRID * CELL + 70) }
 for i, real in ipairs { "double", "float" } do
@@ -73,7 +77,7 @@ for i, real in ipairs { "double", "float" } do
       out[#out + 1] = string.format('<rect x="%d" y="%d" width="%d" height="%d" fill="%s" stroke="#888"/>', x, y,
         CELL, CELL, e and shade(e) or "#ddd")
       out[#out + 1] = string.format('<text x="%d" y="%d" text-anchor="middle">%s</text>', x + CELL // 2,
-        y + CELL // 2 + 4, e and string.format(e < 100 and "%.1f" or "%.0e", e) or "")
+        y + CELL // 2 + 4, label(e))
     end
   end
   out[#out + 1] = string.format('<text x="%d" y="%d">A from C - B (lamina) to B (symmetric)</text>', x0,
