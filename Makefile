@@ -102,7 +102,13 @@ $(BUILD)/tests/%.t: tests/%.c $(LIBRARY) | $(READY)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -Itests -MMD -MP -MF $@.d $(LDFLAGS) -o $@ $< \
 	  $(LIBRARY) $(GSL_LIBS) -lmpfr -lgmp -lm
 
-tests: all $(C_TESTS)
+# The free top with MPFR's digits: the oracle of tests/oracle/free_top.t and of the error map.
+ORACLE := $(BUILD)/oracle/free_top
+$(ORACLE): tests/oracle/free_top.c | $(READY)
+	@mkdir -p $(@D)
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(LDFLAGS) -o $@ $< -lmpfr -lgmp -lm
+
+tests: all $(C_TESTS) $(ORACLE)
 
 check:
 	@CC="$(CC)" .ci/setup build check
@@ -162,6 +168,22 @@ bench: all $(BUILD)/bench/step $(BUILD)/bench/gen $(BUILD)/bench/mesh
 	@$(PROGRAM) check --real double $(BODIES) > $(BUILD)/bench/check.tap; status=$$?; \
 	  grep -e 'to 8 ulp' -e 'closed form agrees' -e '^not ok' $(BUILD)/bench/check.tap | sed 's/^\(.*ok\) [0-9]* - /  \1 /'; \
 	  exit $$status
+
+# The emitted free top against 50 digits: a sweep of bodies, motions and times, in double and float.
+MAP := $(BUILD)/errormap
+$(MAP)/%/errormap.c: tests/bench/errormap.lua $(PROGRAM)
+	@$(PROGRAM) gen $< --real $* -o $(@D) > $(@D).log
+
+$(MAP)/%/sweep: tests/bench/errormap.c $(MAP)/%/errormap.c
+	$(CC) $(STD) $(CFLAGS) $(WARN) -I$(@D) -o $@ $^ -lm
+
+$(MAP)/%/errors: $(MAP)/%/sweep $(ORACLE)
+	@$< $(@D)/places > $(@D)/lines
+	@$(ORACLE) -b 512 -e < $(@D)/lines > $@
+
+.SECONDARY:
+errormap: $(MAP)/double/errors $(MAP)/float/errors
+	@$(LUA) tests/bench/errormap_report.lua $(MAP) docs/errormap.svg
 
 # One body through the whole chain; each step shows the command that makes it.
 DEMO = bodies/brick.lua
@@ -228,7 +250,7 @@ install: all
 	  $(DESTDIR)$(PREFIX)/share/doc/polhode
 	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/polhode
 	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib/libpolhode.a
-	install -m 644 src/runtime/polhode.h $(DESTDIR)$(PREFIX)/include/polhode.h
+	install -m 644 src/runtime/polhode.h src/runtime/polhode_exact.h $(DESTDIR)$(PREFIX)/include/
 	printf '%s\n' "$$PC_FILE" > $(DESTDIR)$(PREFIX)/lib/pkgconfig/polhode.pc
 	install -m 644 LICENSE $(DESTDIR)$(PREFIX)/share/doc/polhode/LICENSE
 	install -m 644 templates/LICENSE $(DESTDIR)$(PREFIX)/share/doc/polhode/LICENSE.templates
@@ -238,7 +260,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check test sanitize sanitized golden docs bench demo install clean FORCE \
+.PHONY: all tests check test sanitize sanitized golden docs bench errormap demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

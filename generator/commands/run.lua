@@ -18,7 +18,8 @@ run.options = { ["--engine"] = { "general", "generated" }, ["--method"] = "text"
 run.operands = { 1, 1 }
 
 local columns = { "t", "qw", "qx", "qy", "qz", "wx", "wy", "wz", "energy", "Lx", "Ly", "Lz" }
-local general = { adaptive = true, taylor = true, rk4 = true, rkf45 = true, rk8pd = true, ["gsl-rk4"] = true }
+local general = { adaptive = true, taylor = true, rk4 = true, rkf45 = true, rk8pd = true, ["gsl-rk4"] = true,
+  exact = true }
 
 -- Most rows that one call prints; more is a slip of --every.
 local most = 1000000
@@ -73,10 +74,14 @@ end
 local function library(host, job, given, list)
   local method = given.method or "adaptive"
   if not general[method] then
-    return nil, "--engine general has the methods adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, got " .. method
+    return nil, "--engine general has the methods adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, exact, got " .. method
+  end
+  local scene = numeric.scene(job)
+  if method == "exact" and #scene.effects > 0 then
+    return nil, "--engine general --method exact solves free tops, and this scene has effects"
   end
   local fixed = given.step or (method == "rk4" or method == "gsl-rk4") and job.model:double(job.model.step) or nil
-  return host.run(numeric.scene(job), { method = method, step = fixed, tol = given.tolerance, times = list })
+  return host.run(scene, { method = method, step = fixed, tol = given.tolerance, times = list })
 end
 
 local writers = {}

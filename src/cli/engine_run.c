@@ -27,6 +27,7 @@ static const struct {
 } methods[] = {
     {"adaptive", PH_TAYLOR, 0}, {"taylor", PH_TAYLOR, 0},   {"rk4", PH_RK4, 0},
     {"gsl-rk4", PH_RK4_GSL, 0}, {"rkf45", PH_RKF45, 1e-10}, {"rk8pd", PH_RK8PD, 1e-13},
+    {"exact", PH_EXACT, 0},
 };
 
 /* Does the table hold this number? Then *out is it. */
@@ -101,7 +102,7 @@ static int fail_at(lua_State *L, double t, int status) {
 
 /* run(scene, {method=, step=, tol=, order=, times={...}, t0=, u={3}}) -> {{t, q4, w3, energy, L3},
    ...} | nil, message.  Method: adaptive (default) and taylor (long double Taylor series), rk4,
-   gsl-rk4, rkf45, rk8pd. */
+   gsl-rk4, rkf45, rk8pd, exact (a free top only). */
 int host_run(lua_State *L) {
   struct engine_scene s;
   ph_options options;

@@ -78,6 +78,32 @@ static inline pair pair_divide(pair a, pair b) {
   return pair_tidy(q, pair_value(rest) / b.hi);
 }
 
+/* One step of Newton's method from the square root of the upper half. a >= 0. */
+static inline pair pair_sqrt(pair a) {
+  const ph_wide r = sqrtl(a.hi);
+  if (!(r > 0))
+    return pair_of(0);
+  return pair_tidy(r, pair_value(pair_subtract(a, pair_product(r, r))) / (2 * r));
+}
+
+/* pi to 128 bits */
+static inline pair pair_pi(void) {
+  return (pair){0xc.90fdaa22168c235p-2L, -0xe.ce675d1fc8f8cbbp-68L};
+}
+
+/* a = n + rest with |rest| at most a half (and a rounding): the rest, and n in *whole, rounded
+   where it has more than 64 bits. */
+static inline pair pair_fraction(pair a, ph_wide *whole) {
+  pair rest = a;
+  *whole = 0;
+  for (int i = 0; i < 3; i++) { /* 64 bits at a time */
+    const ph_wide n = rintl(rest.hi);
+    rest = pair_add(rest, pair_of(-n));
+    *whole += n;
+  }
+  return rest;
+}
+
 /* a b - c d */
 static inline pair pair_cross(pair a, pair b, pair c, pair d) {
   return pair_subtract(pair_multiply(a, b), pair_multiply(c, d));

@@ -456,7 +456,8 @@ typedef enum ph_method {
   PH_RK4_GSL, /* GSL's rk4: two half steps with the difference to the whole one as error */
   PH_RKF45,   /* GSL: Runge-Kutta-Fehlberg */
   PH_RK8PD,   /* GSL: Prince-Dormand 8(9) */
-  PH_TAYLOR   /* Taylor series of q and w in long double: the reference */
+  PH_TAYLOR,  /* Taylor series of q and w in long double: the reference */
+  PH_EXACT    /* no integration: ph_free_top_solve, and PH_EMETHOD if an effect is on */
 } ph_method;
 
 typedef struct ph_options {
@@ -494,5 +495,5 @@ long ph_run_evaluations(const ph_run *run);
 #ifdef __cplusplus
 }
 #endif
-
+#include "polhode_exact.h" /* free top, elliptic functions */
 #endif

@@ -8,12 +8,15 @@
    of the state; a failure leaves the run where it was. */
 #include <stdlib.h>
 
+#include "free_top.h"
 #include "step.h"
 
 struct ph_run {
   ph_top top;
   ph_options options;
   stepper stepper;
+  ph_free_top exact; /* PH_EXACT: the motion from x at start */
+  double start;
   double t;
   ph_wide x[7];
   ph_wide h; /* what the step control would take next, > 0; 0: not yet known */
@@ -28,7 +31,7 @@ ph_options ph_options_default(void) {
 static int options_check(const ph_options *o) {
   if (!isfinite(o->step) || !isfinite(o->tolerance))
     return PH_EFINITE;
-  if (o->method < PH_RK4 || o->method > PH_TAYLOR || (o->method == PH_RK4 && o->step == 0))
+  if (o->method < PH_RK4 || o->method > PH_EXACT || (o->method == PH_RK4 && o->step == 0))
     return PH_EMETHOD;
   if (o->step < 0)
     return PH_ESTEP;
@@ -47,6 +50,7 @@ int ph_run_new(ph_run **run, const ph_top *top, const ph_options *options, doubl
       [PH_RKF45] = gsl_odeiv2_step_rkf45,
       [PH_RK8PD] = gsl_odeiv2_step_rk8pd,
       [PH_TAYLOR] = NULL,
+      [PH_EXACT] = NULL,
   };
   ph_wide q[4];
   int status = options_check(options);
@@ -54,6 +58,9 @@ int ph_run_new(ph_run **run, const ph_top *top, const ph_options *options, doubl
     status = PH_EFINITE;
   if (!status)
     status = wide_load_unit(x0, q);
+  ph_free_top exact;
+  if (!status && options->method == PH_EXACT)
+    status = ph_free_top_solve(&exact, top, x0);
   if (status)
     return status;
   ph_run *r = calloc(1, sizeof *r);
@@ -61,6 +68,9 @@ int ph_run_new(ph_run **run, const ph_top *top, const ph_options *options, doubl
     return PH_EMEMORY;
   r->top = *top;
   r->options = *options;
+  if (options->method == PH_EXACT)
+    r->exact = exact;
+  r->start = t0;
   r->t = t0;
   wide_load(7, x0, r->x);
   for (int i = 0; i < 4; i++)
@@ -189,10 +199,23 @@ static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[7], ph_wide *suggest
   return PH_OK;
 }
 
-/* The only writer of a run's state: all of it at once, after everything has gone well. */
+/* No steps: every time from the start. */
+static int go_exact(ph_run *run, double t, double x[7]) {
+  const int status = free_top_at(&run->exact, pair_difference(t, run->start), x);
+  if (status)
+    return status;
+  wide_load(7, x, run->x);
+  run->t = t;
+  return PH_OK;
+}
+
+/* Of the methods of integration, the only writer of a run's state: all of it at once, after
+ * everything has gone well. */
 int ph_run_to(ph_run *run, double t, const double u[3], double x[7]) {
   if (!isfinite(t) || (u && (run->top.effects & PH_CONTROL) && !wide_finite(3, u)))
     return PH_EFINITE;
+  if (run->options.method == PH_EXACT)
+    return go_exact(run, t, x);
   ph_wide state[7], suggestion = run->h;
   const ph_wide span = (ph_wide)t - (ph_wide)run->t;
   long steps = 0;

@@ -59,7 +59,7 @@ gives("gravity acts at the centre of mass, and twice when it is there twice", [[
     local dx = host.rates(scene(rod, effects)):rates(0, { math.sqrt(0.5), math.sqrt(0.5), 0, 0, 0, 0, 0 })
     say(row { r[9] + 1, dx[5] })
   end]], { 1, -4 * 4 / (4 + 1 + 1), 1, -2 * 4 * 4 / (4 + 1 + 1) }, 1e-14)
-for _, method in ipairs { "adaptive", "taylor", "rk4", "gsl-rk4", "rkf45", "rk8pd" } do
+for _, method in ipairs { "adaptive", "taylor", "rk4", "gsl-rk4", "rkf45", "rk8pd", "exact" } do
   -- the error of rk4 at h = 1/1000 is of order h^4 w^5 t, a few 1e-9
   gives(method .. " agrees with the reference", string.format([[
     local o = { method = %q, times = { 1 } }
@@ -73,6 +73,8 @@ gives("rows come at the times asked for, backwards too", [[
   say(row { r[1][1], r[2][1], r[3][1], r[3][7] })]], { 1, 0.5, 0, 6 }, 1e-13)
 tap.like(lua("say(host.run(scene(box), { times = { 1 }, method = 'magic' }))"), "nil at t = 0.0 s: ",
   "an unknown method is refused")
+tap.like(lua("say(host.run(scene(box, { { kind = 'control' } }), { times = { 1 }, method = 'exact' }))"),
+  "nil at t = 0.0 s: ", "the exact method refuses effects")
 tap.like(lua("say(host.run(scene(box), { times = { 1 }, method = 'rk4', step = -1 }))"), "nil at t = 0.0 s: ",
   "a negative step is refused")
 tap.like(lua("say(host.run(scene(box), { times = { 0 / 0 } }))"), "nil at t = ", "a time that is no number is refused")

@@ -87,8 +87,10 @@ local function double(text)
   return text:find "[%.eE]" and text or text .. ".0"
 end
 
+-- Below the range of an 80-bit long double only 0 is left.
 local function long(text)
-  return double(text) .. "L"
+  local exponent = tonumber(tostring(text):match "e(%-%d+)$")
+  return exponent and exponent < -4900 and "0.0L" or double(text) .. "L"
 end
 
 local function head(name, what, declaration)
@@ -143,32 +145,58 @@ do
   write("inertia.h", out)
 end
 
--- ---- free_top.json: samples within 20000 rad of the start that move by less than 1e-3 if the inputs do by 2^-53 ----
+-- ---- free_top.json: samples within 20000 rad of the start that move by less than 1e-3 if the inputs do by 2^-53, and
+-- the others in a table of their own ----
 do
-  local out = head("free_top.h", "torque-free motion, 32 digits",
+  local short = head("free_top.h", "torque-free motion, 32 digits",
     "static const struct {\n  const char *id;\n  double tensor[6], w0[3], q0[4], t;\n  long double w[3], q[4];\n" ..
     "  double w_sensitivity, q_sensitivity; /* change (of w relative, of q) when the inputs move by 2^-53 */\n" ..
     "  double period, separation; /* of the rates; (L^2 - 2 T I2)/L^2: distance from the separatrix */\n" ..
     "} free_top_rows[] = {")
+  local rest = head("free_top_long.h", "torque-free motion, the samples that free_top.h leaves out",
+    (short[#short]:gsub("free_top_rows", "free_top_long_rows")))
   for _, case in ipairs(json("free_top.json").cases) do
     local tensor = case.tensor_xx_yy_zz_xy_xz_yz or { case.I[1], case.I[2], case.I[3], "0.0", "0.0", "0.0" }
     local speed = 0
     for _, w in ipairs(case.omega0) do
       speed = math.max(speed, math.abs(tonumber(w)))
     end
-    for _, s in ipairs(case.samples) do
+    for _, s in ipairs(case.id ~= "nonphysical_triangle_violation" and case.samples or {}) do
       local ws, qs = s.input_ulp_sensitivity.omega_rel, s.input_ulp_sensitivity.q_abs
-      local physical = case.id ~= "nonphysical_triangle_violation"
-      if physical and speed * math.abs(tonumber(s.t)) <= 2e4 and tonumber(ws) < 1e-3 and tonumber(qs) < 1e-3 then
-        out[#out + 1] = string.format('  {"%s", %s, %s, %s, %s,\n   %s,\n   %s, %s, %s, %s, %s},', case.id,
-          braces(each(tensor, double)), braces(each(case.omega0, double)), braces(each(case.q0, double)), double(s.t),
-          braces(each(s.omega, long)), braces(each(s.q, long)), double(ws), double(qs), double(case.period or "0"),
-          double(case.sep_rel or "1"))
-      end
+      local near = speed * math.abs(tonumber(s.t)) <= 2e4 and tonumber(ws) < 1e-3 and tonumber(qs) < 1e-3
+      local out = near and short or rest
+      out[#out + 1] = string.format('  {"%s", %s, %s, %s, %s,\n   %s,\n   %s, %s, %s, %s, %s},', case.id,
+        braces(each(tensor, double)), braces(each(case.omega0, double)), braces(each(case.q0, double)), double(s.t),
+        braces(each(s.omega, long)), braces(each(s.q, long)), double(ws), double(qs), double(case.period or "0"),
+        double(case.sep_rel or "1"))
     end
   end
+  short[#short + 1] = "};"
+  rest[#rest + 1] = "};"
+  write("free_top.h", short)
+  write("free_top_long.h", rest)
+end
+
+-- ---- elliptic.json: all rows; what a row does not have is 0, n HUGE_VAL ----
+do
+  local out = head("elliptic.h", "elliptic integrals and functions, 32 digits",
+    "enum { ELLIPTIC_JACOBI, ELLIPTIC_INCOMPLETE, ELLIPTIC_COMPLETE };\n" ..
+    "static const struct {\n  int kind, complement; /* is value 1 - m? */\n  double value, u, phi, n;\n" ..
+    "  long double sn, cn, dn, am, F, E, Pi; /* complete: F is K; n not finite: no Pi */\n} elliptic_rows[] = {")
+  local kinds = { jacobi = "ELLIPTIC_JACOBI", incomplete = "ELLIPTIC_INCOMPLETE", complete = "ELLIPTIC_COMPLETE" }
+  local function field(v, f, none)
+    return v and f(v) or none or "0"
+  end
+  for _, c in ipairs(json("elliptic.json").cases) do
+    local row = { kinds[c.kind], c.given == "mc" and "1" or "0", double(c.value), field(c.u, double),
+      field(c.phi, double), field(c.n, double, "HUGE_VAL") }
+    for _, key in ipairs { "sn", "cn", "dn", "am", "F", "E", "Pi" } do
+      row[#row + 1] = field(c[key] or key == "F" and c.K, long)
+    end
+    out[#out + 1] = "  " .. braces(row) .. ","
+  end
   out[#out + 1] = "};"
-  write("free_top.h", out)
+  write("elliptic.h", out)
 end
 
 -- ---- forced_top.json: the models that the library has ----
