@@ -31,7 +31,8 @@ for _, case in ipairs {
   { (o - i) * (o ^ 2 + o * i + i ^ 2) * 4 * expr.pi / 3, 4 * expr.pi * (o - i) * (o ^ 2 + o * i + i ^ 2) / 3,
     "a hollow ball: the wall o - i stays a factor of its volume" },
   { expr.pi * (o - i) * (o + i) * h, expr.pi * h * (o - i) * (o + i), "a tube: the wall and the sum of its radii" },
-  { M * (o - i) * (o + i) * (o ^ 2 + i ^ 2) / (o - i), M * (o + i) * (o ^ 2 + i ^ 2), "a wall above and below is cancelled" },
+  { M * (o - i) * (o + i) * (o ^ 2 + i ^ 2) / (o - i), M * (o + i) * (o ^ 2 + i ^ 2),
+    "a wall above and below is cancelled" },
   { a ^ 2 * b + 2 * a * b ^ 2 + b ^ 3, b * (a + b) ^ 2, "a square is found (Yun)" },
   { a ^ 3 + 3 * a ^ 2 * b + 3 * a * b ^ 2 + b ^ 3, (a + b) ^ 3, "a cube" },
   { a * c + a * h + b * c + b * h, (a + b) * (c + h), "contents in one variable" },
@@ -101,10 +102,12 @@ do -- a divisor divides both, and holds what was put into both
     if not poly.iszero(P) and not poly.iszero(Q) and not poly.iszero(G) then
       local d = gcd.of(P, Q)
       if not poly.divide(P, d) or not poly.divide(Q, d) then wrong[#wrong + 1] = n .. ": no divisor" end
-      if poly.divide(d, G) then found = found + 1 else wrong[#wrong + 1] = n .. ": " .. text.of(g) .. " is not found" end
+      if poly.divide(d, G) then found = found + 1 else wrong[#wrong + 1] = n .. ": " .. text.of(g) ..
+        " is not found" end
     end
   end
-  tap.is(table.concat(wrong, "\n"), "", "60 pairs with a common factor: the greatest common divisor has it and divides both")
+  tap.is(table.concat(wrong, "\n"), "",
+    "60 pairs with a common factor: the greatest common divisor has it and divides both")
   tap.ok(found > 50, "which were pairs", found .. "")
 end
 

@@ -84,7 +84,8 @@ local first = { -- coefficient, power
 
 for _, name in ipairs(names) do
   local good = true
-  for _, s in ipairs { "1e-40", "1e-15", "1e-8", "0.01", "0.3", "1", "1.5707963267948966", "3", "3.1", "4.493409457909064",
+  for _, s in ipairs { "1e-40", "1e-15", "1e-8", "0.01", "0.3", "1", "1.5707963267948966", "3", "3.1",
+    "4.493409457909064",
     "6.283185307179586", "50", "700", string.find(name, "arc_") and "1000000.25" or "7000.25", "-0.3", "-5" } do
     local x = q(s)
     -- the closed form loses at most 4 log2(1/x) + 60 bits; the large argument 20 more
@@ -97,7 +98,8 @@ for _, name in ipairs(names) do
   tap.ok(good, name .. ": 240 bits of the closed form")
   local tiny, c, n = q "1e-300", q(first[name][1]), first[name][2]
   tap.ok(agree(R.apply(name, 240, tiny), c * tiny ^ n, 238), name .. "(1e-300) is the first term of its series")
-  tap.is(tostring(R.apply(name, 100, R.zero)), tostring(n == 0 and R.round(c, 100) or R.zero), name .. ": the limit at 0")
+  tap.is(tostring(R.apply(name, 100, R.zero)), tostring(n == 0 and R.round(c, 100) or R.zero), name ..
+    ": the limit at 0")
   for _, bits in ipairs { 24, 53, 800 } do
     tap.ok(agree(R.apply(name, bits, q "0.37"), R.apply(name, 1000, q "0.37"), bits - 1),
       name .. " is good to the last of " .. bits .. " bits")
@@ -144,7 +146,8 @@ local function pi() return R.apply("pi", bits) end
 
 -- Do com and sigma of the shape (name, numbers) have these values to 180 bits?
 local function holds(args, values, want, what)
-  local m = assert(scene.body(args.shape .. " { " .. args.text .. ", mass = 1 }", args.names, "origin = {0, 0, 0}")).model
+  local m = assert(scene.body(args.shape .. " { " .. args.text .. ", mass = 1 }", args.names,
+    "origin = {0, 0, 0}")).model
   local I = m.centroidal
   local S = { (I[2] + I[3] - I[1]) / 2, (I[1] + I[3] - I[2]) / 2, (I[1] + I[2] - I[3]) / 2, -I[4], -I[5], -I[6] }
   local got = { m.com[1], m.com[2], m.com[3], table.unpack(S) }
@@ -169,7 +172,8 @@ for _, s in ipairs { "1e-8", "0.3", "3", "6.2" } do
     "sector of angle " .. s)
   local tx, ty, k = sn + (cs - R.one) / w, sn / w - cs, R.one / (two * pi()) -- means of t cos t, t sin t; pitch 1
   local turns = w / (two * pi())
-  holds({ shape = "wire.helix", text = "r = 1, pitch = 1, turns = n/o", names = { "n", "o" } }, { n = turns, o = R.one },
+  holds({ shape = "wire.helix", text = "r = 1, pitch = 1, turns = n/o", names = { "n", "o" } }, { n = turns,
+    o = R.one },
     { x, y, k * w / two, xx - x ^ 2, yy - y ^ 2, k ^ 2 * w ^ 2 / R.new(12), xy - x * y, k * (tx - x * w / two),
       k * (ty - y * w / two) }, "helix of angle " .. s)
   local a = q "0.5" -- u = span/(2 a) = span

@@ -3,7 +3,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- Oracles: mpmath 1.3 at 60 digits, its elliprg and elliprd (DLMF 19.33.1; 19.21.8 for the normal), agreeing to 25
--- digits with mpmath's two-dimensional quadrature of sqrt(Q), p n^2/sqrt(Q) and n^2 sqrt(Q) over the sphere; the elementary
+-- digits with mpmath's two-dimensional quadrature of sqrt(Q), p n^2/sqrt(Q) and n^2 sqrt(Q) over the sphere; the
+-- elementary
 -- formulas of spheroids; numeric derivatives at 400 bits.
 
 package.path = "./?.lua;" .. package.path

@@ -39,12 +39,13 @@ local ABC, AT = { "a", "b", "c" }, { a = 0.5, b = 0.4, c = 0.3 }
 for _, body in ipairs {
   "region { {x, 0, a}, {y, 0, b*(1 - x/a)}, {z, 0, c*(1 - x/a)}, AMOUNT }",
   "region { {z, 0, c}, {x, -a, a}, {y, 0, b + x^2/a}, AMOUNT }",
-  "solid.box { x = a, y = b, z = c, AMOUNT }:sheared{xy = 0.3, zx = 0.2}:turned{axis = {1, 1, 0}, angle = b/a}:at{a, 0, 0}",
+  "solid.box { x = a, y = b, z = c, AMOUNT }:sheared{xy = 0.3, zx = 0.2}:turned{axis = {1, 1, 0}, angle = b/a}" ..
+    ":at{a, 0, 0}",
   "solid.cone { r = a, h = b, AMOUNT }:scaled{1, 2, c/a}:mirrored \"z\"",
   "solid.box { x = a, y = b, z = c, AMOUNT } + solid.sphere { r = a, AMOUNT }:at{b, c, a} + " ..
     "solid.cone { r = a, h = c, AMOUNT }:at{-1, 0, b}",
-  "solid.box { x = 4*a, y = 4*a, z = 4*a, density = rho } - solid.sphere { r = a, density = rho }:at{a/2, a/4, -a/2} + " ..
-    "points { {M, a, b, c}, {M, -a, 0, 0} }",
+  "solid.box { x = 4*a, y = 4*a, z = 4*a, density = rho } - solid.sphere { r = a, density = rho }" ..
+    ":at{a/2, a/4, -a/2} + points { {M, a, b, c}, {M, -a, 0, 0} }",
 } do
   for _, amount in ipairs { "mass = M", "density = rho" } do
     if body:find "AMOUNT" or amount == "mass = M" then add(body, ABC, AT, amount, body) end
@@ -63,7 +64,8 @@ do
     ">N.out 2>&1; echo status $? >>N.out' <list", path, dir, "'$p'"))
 end
 
-local WANT = { "compiles without a warning", "tensor as the library's", "principal moments", "rates of change to 8 ulp" }
+local WANT = { "compiles without a warning", "tensor as the library's", "principal moments",
+  "rates of change to 8 ulp" }
 local worst = { 0, "" }
 for _, s in ipairs(scenes) do
   local out = program.read(dir .. "/" .. s.id .. ".out") or ""

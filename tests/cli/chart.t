@@ -2,7 +2,8 @@
 -- chart.t - polhode chart: borders where the conditions say, regions, errors; the same bytes twice.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- Coordinates of the picture are read back through the frame, so a border is compared with its equation; a coordinate is
+-- Coordinates of the picture are read back through the frame, so a border is compared with its equation; a coordinate
+-- is
 -- written with two decimals and a border simplified to a hundredth of a pixel.
 
 package.path = "./?.lua;" .. package.path

@@ -2,7 +2,8 @@
 -- design.t - stability by design: conditions in the parameters, their text, the emitted predicate near its boundary.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- The law is a comparison of principal moments (Landau, Lifshitz, section 37; the major-axis rule).  The oracle compares
+-- The law is a comparison of principal moments (Landau, Lifshitz, section 37; the major-axis rule). The oracle
+-- compares
 -- the moments themselves, exact rationals from the body's tensor, or, where a root stands in them, numbers of 600 bits;
 -- conditions, verdicts and texts must agree with it at random parameters.  The emitted predicate is driven with
 -- parameters a few ulp on either side of the boundary; its oracle is the sign of a rational number.
@@ -175,7 +176,8 @@ do
   tap.is(#e.margins_dissipative, 2, "symmetric_top: r and h may both change the verdict, the density may not")
   -- a root by bisection and a root of 3: a few roundings
   tap.near(e.margins_dissipative[1].above, 0.12 / math.sqrt(3), 4 * 2.0 ^ -52, 0.0, "r would have to grow to h/sqrt(3)")
-  tap.near(e.margins_dissipative[2].below, 0.03 * math.sqrt(3), 4 * 2.0 ^ -52, 0.0, "h would have to shrink to sqrt(3) r")
+  tap.near(e.margins_dissipative[2].below, 0.03 * math.sqrt(3), 4 * 2.0 ^ -52, 0.0,
+    "h would have to shrink to sqrt(3) r")
   tap.ok(f.stability[2].stable == 0 and f.stability[2].stable_dissipative == 0, "across: neutral, the greater moments")
   f = facts.of(scene.file "bodies/brick_centroid.lua") -- a > b > c
   for k, want in ipairs { { "a", 1, -1 }, { "b", -1, -1 }, { "c", 1, 1 } } do
@@ -252,7 +254,8 @@ local function compare(what, job, points, real)
         local want = law(m, k, d == 1)
         signs[want] = true
         if got[at] ~= want then
-          wrong[#wrong + 1] = string.format("point %d axis %d dissipation %d: got %g, want %d", n, k - 1, d, got[at], want)
+          wrong[#wrong + 1] = string.format("point %d axis %d dissipation %d: got %g, want %d", n, k - 1, d, got[at],
+            want)
         end
       end
     end
@@ -280,7 +283,8 @@ for _, real in ipairs { "double", "float" } do
     for k = -1, 1 do points[#points + 1] = { 2.5, a, step(a, k, real), c } end
     points[#points + 1] = { 2.5, a, a, a }
   end
-  compare("box, a = b", assert(scene.body("solid.box { x = a, y = b, z = c, mass = M }", { "M", "a", "b", "c" })), points,
+  compare("box, a = b", assert(scene.body("solid.box { x = a, y = b, z = c, mass = M }", { "M", "a", "b", "c" })),
+    points,
     real)
   points = {}
   for _ = 1, 60 do
@@ -298,7 +302,8 @@ for _, real in ipairs { "double", "float" } do
     for k = -2, 2 do points[#points + 1] = { m1, m2, r, step(h, k, real) } end
   end
   compare("cylinder and ball", assert(scene.body(
-    "solid.cylinder { r = r, h = h, mass = M } + solid.sphere { r = r, mass = Mb }:at{0, 0, h}", { "M", "Mb", "r", "h" })),
+    "solid.cylinder { r = r, h = h, mass = M } + solid.sphere { r = r, mass = Mb }:at{0, 0, h}", { "M", "Mb", "r",
+      "h" })),
     points, real)
   points = {}
   for _ = 1, 60 do -- numbers of the scene that are not doubles: 0.1 and 1/3 are meant exactly

@@ -1,11 +1,14 @@
 #!/usr/bin/env lua5.4
--- means.t - the emitted means over arcs and catenaries: against 200 bits, against the ir's, and only where they are used.
+-- means.t - the emitted means over arcs and catenaries: against 200 bits, against the ir's, and only where they are
+-- used.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- The emitted file is compiled into a program that reads arguments and prints the six functions as hexadecimal numbers.
--- Bound, 3 ulp.  Up to 3 a sum of pairs is right to one rounding, then comes one division, and for the rise one product:
+-- Bound, 3 ulp. Up to 3 a sum of pairs is right to one rounding, then comes one division, and for the rise one
+-- product:
 -- 2 ulp; the width has 4 roundings of which the fraction's are damped.  Beyond, each closed form has a constant that
--- outweighs the rest and some 4 roundings of what is at most a third of the result.  arc_lever has zeros beyond pi: it is
+-- outweighs the rest and some 4 roundings of what is at most a third of the result. arc_lever has zeros beyond pi: it
+-- is
 -- there a product of inertia beside a variance above 1, and is measured in units of the last place of 1.
 
 package.path = "./?.lua;" .. package.path
@@ -115,7 +118,8 @@ for _, real in ipairs(reals) do
           if names[n] == "arc_lever" and x > math.pi then of = R.one end
           local u = got == got and math.abs(got) < math.huge and ulps(got, want[k][n], of, real) or math.huge
           if u > (worst[n] or -1) then worst[n], at[n] = u, lines[k] end
-          if x <= 3 and k % 4 == 0 and compiler == "gcc" and real.round(series.list[n][3](real.round, x)) ~= got then differ = differ + 1 end
+          if x <= 3 and k % 4 == 0 and compiler == "gcc" and real.round(series.list[n][3](real.round,
+            x)) ~= got then differ = differ + 1 end
         end
       end
     end
@@ -166,7 +170,8 @@ do
   local path = dir .. "/thin.lua"
   program.write(path, [[
 local w = param("w", 1, "rad")
-return scene { name = "thin", body = wire.arc { r = 3, angle = w, mass = 7 }:turned { axis = {0, 0, 1}, angle = -w/2 } }]])
+return scene { name = "thin", body = wire.arc { r = 3, angle = w, mass = 7 }:turned { axis = {0, 0, 1},
+  angle = -w/2 } }]])
   local status = program.shell(string.format("POLHODE_SOURCE=. %s gen %s -o %s >%s/log 2>&1", binary, path, dir, dir))
   tap.is(status, 0, "the thin arc is emitted")
   program.write(dir .. "/main.c", [[

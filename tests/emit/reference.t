@@ -122,7 +122,8 @@ do
     table.concat(calls) .. "  return 0;\n}\n")
   program.write(dir .. "/names", table.concat(objects))
 end
-local code = program.shell("cd " .. dir .. " && xargs -P 2 -I N cc -std=c99 -ffp-contract=off -O1 -c N.c -o N.o <names " ..
+local code = program.shell("cd " .. dir ..
+  " && xargs -P 2 -I N cc -std=c99 -ffp-contract=off -O1 -c N.c -o N.o <names " ..
   ">log 2>&1 && cc -std=c99 main.c r*.o -lm -o all >>log 2>&1 && ./all >out")
 tap.is(code, 0, #jobs .. " emitted bodies compile into one program, which runs")
 if code ~= 0 then tap.diag((program.read(dir .. "/log") or "") .. (program.read(dir .. "/out") or "")) end
@@ -217,7 +218,8 @@ do
   local largest, id = 0, ""
   for _, row in ipairs(rows) do
     for _, origin in ipairs { '"centroid"', exact.point(row) } do
-      local m = assert(scene.read("return scene { name = \"b\", body = " .. row.body .. ", origin = " .. origin .. " }\n",
+      local m = assert(scene.read("return scene { name = \"b\", body = " .. row.body .. ", origin = " .. origin ..
+        " }\n",
         { bake = true })).model
       local got = {}
       for i = 1, 6 do got[i] = m:double(m.inertia[i]) end

@@ -3,7 +3,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- The emitted file is compiled into a program that reads axes and prints area and normal as hexadecimal numbers.
--- Bounds: the pairs leave the sum of shares right to one rounding; the ratios of the axes (1/2 ulp each, weighted with shares
+-- Bounds: the pairs leave the sum of shares right to one rounding; the ratios of the axes (1/2 ulp each, weighted
+-- with shares
 -- below 1) and two products add up to 2 roundings of area, hence 2 ulp of its own, for a rounding is at most 1/2 ulp of
 -- a number up to twice as large; the third unit is for the rounding of the pair and what the series leaves.  A normal
 -- depends on a ratio up to its square (2 roundings) and is a quotient of two rounded sums (1 1/2): 3 ulp too.

@@ -2,7 +2,8 @@
 -- quotients.t: products over one denominator share one division, and keep their value.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- Random groups of  f p/D, f q/D, ...  as the tensors of composite bodies are; every result lies within the running error
+-- Random groups of f p/D, f q/D, ... as the tensors of composite bodies are; every result lies within the running
+-- error
 -- bound of the exact value (running.lua), and the divisions are counted.
 
 package.path = "./?.lua;" .. package.path

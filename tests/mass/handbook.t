@@ -2,8 +2,10 @@
 -- handbook.t - every shape of the catalogue against the formulas of the handbooks.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- The catalogue stores second moments per unit mass; the handbooks print moments of inertia (tests/handbook.lua has them
--- with their sources).  Both sides are evaluated at random rational sizes: exactly, where they are rational, so that there
+-- The catalogue stores second moments per unit mass; the handbooks print moments of inertia (tests/handbook.lua has
+-- them
+-- with their sources). Both sides are evaluated at random rational sizes: exactly, where they are rational, so that
+-- there
 -- is no tolerance.  A shape without a row fails the test.
 
 package.path = "./?.lua;" .. package.path

@@ -31,12 +31,14 @@ quiet(BOX .. " - " .. BOX:gsub("x = 1", "x = 0.5") .. ":at{0.25, 0, 0}", "half a
 quiet("(" .. BOX .. " - " .. drill("0.1", "1") .. "):at{1e6, 1e6, 0}:turned{axis = {1, 2, 3}, angle = 1}",
   "the whole far away and turned")
 quiet(BOX .. ":at{1e6, 1e6, 0}:turned{axis = {1, 2, 3}, angle = 1} - " .. drill("0.1", "1") ..
-  ":at{1e6, 1e6, 0}:turned{axis = {1, 2, 3}, angle = 1}", "body and hole each far away and turned: only rounding differs")
+  ":at{1e6, 1e6, 0}:turned{axis = {1, 2, 3}, angle = 1}",
+    "body and hole each far away and turned: only rounding differs")
 quiet("solid.cylinder { r = 1e3, h = 1, density = 1 } - " .. drill("1e-2", "1") .. ":at{9e2, 0, 0}",
   "a hole of a centimetre far out in a plate of 2 km")
 quiet("solid.sphere { r = 1, density = 1 } - solid.sphere { r = 0.5, density = 1 }:at{0.5, 0, 0}", "balls that touch")
 quiet(BOX .. " - (" .. drill("0.1", "1") .. " - " .. drill("0.05", "1") .. ")", "a hole that leaves a core")
-quiet("solid.tube { r_in = 1, r_out = 2, h = 1, density = 1 } - solid.tube { r_in = 1, r_out = 1.5, h = 1, density = 1 }",
+quiet("solid.tube { r_in = 1, r_out = 2, h = 1, density = 1 } - " ..
+  "solid.tube { r_in = 1, r_out = 1.5, h = 1, density = 1 }",
   "a tube's inner layer, its inner rims round")
 quiet(box "2" .. " + " .. box "2" .. ":at{2, 0, 0} - " .. drill("0.1", "1") .. ":at{1, 0, 0}",
   "a hole across the joint of two boxes")
@@ -48,7 +50,8 @@ quiet(BOX .. " - solid.cylinder { r = s, h = 1, density = 1 }", "with parameters
 
 -- ---- what reaches out ----
 
-told(BOX .. " - " .. drill("0.1", "1.02"), "hole: must lie inside the body it is cut from, got the point (0, 0, -0.51) " ..
+told(BOX .. " - " .. drill("0.1", "1.02"),
+  "hole: must lie inside the body it is cut from, got the point (0, 0, -0.51) " ..
   "of the hole (line 2), 0.01 m outside", "a drill longer than the plate")
 told(BOX .. " - " .. drill("0.1", "1.000001"), "5e-07 m outside", "by half a millionth")
 told(BOX .. " - " .. drill("0.1", "0.5") .. ":at{5, 0, 0}", "m outside", "a hole beside the body")
@@ -67,7 +70,8 @@ told("points { {1, 0, 0, 0}, {1, 1, 0, 0} } - points { {1, 0, 1, 0} }", "m outsi
 
 -- ---- kinds ----
 
-told(BOX .. " - plate.disc { r = 0.1, density = 1 }", "must be of the same kind (volume, area, length or particles) as " ..
+told(BOX .. " - plate.disc { r = 0.1, density = 1 }",
+  "must be of the same kind (volume, area, length or particles) as " ..
   "the body it is cut from, got an area from a volume", "a plate cut from a solid")
 told("plate.disc { r = 1, density = 1 } - rod.straight { length = 0.1, density = 1 }", "got a length from an area",
   "a rod cut from a plate")
@@ -80,12 +84,15 @@ quiet("tensor { mass = 9, xx = 1, yy = 1, zz = 1 } - solid.sphere { r = 0.1, den
 
 -- ---- density ----
 
-told(BOX .. " - solid.sphere { r = 0.1, density = 1.001 }", "hole: must not be denser than the body it is cut from, got",
+told(BOX .. " - solid.sphere { r = 0.1, density = 1.001 }",
+  "hole: must not be denser than the body it is cut from, got",
   "a hole denser than its body")
-told(BOX .. " - solid.sphere { r = 0.1, density = 0.5 }", "warning hole: is less dense than the body it is cut from, 0.5 <",
+told(BOX .. " - solid.sphere { r = 0.1, density = 0.5 }",
+  "warning hole: is less dense than the body it is cut from, 0.5 <",
   "a lighter one leaves something in the hole")
 -- balls of 1 m and 1/2 m: an eighth of the volume
-told("solid.sphere { r = 1, mass = 2 } - solid.sphere { r = 0.5, mass = 1 }", "warning hole: is denser than the body it " ..
+told("solid.sphere { r = 1, mass = 2 } - solid.sphere { r = 0.5, mass = 1 }",
+  "warning hole: is denser than the body it " ..
   "is cut from, 1.91 > 0.477 kg/m^3", "a hole of half the mass and an eighth of the volume")
 quiet("solid.sphere { r = 1, mass = 8 } - solid.sphere { r = 0.5, mass = 1 }", "a mass that fits the volume")
 quiet("solid.sphere { r = 1, mass = 8 } - solid.sphere { r = 0.5, mass = 0.998 }", "a mass that was weighed")
@@ -94,7 +101,8 @@ quiet("solid.sphere { r = 1, density = 3 } - solid.sphere { r = 1, density = 3 }
   "a density that was scaled by three factors")
 do
   local two = BOX .. " + " .. BOX:gsub("density = 1", "density = 8") .. ":at{0, 0, 1}"
-  quiet(two .. " - solid.sphere { r = 0.1, density = 8 }:at{0, 0, 1}", "the density where the hole is counts: the heavy part")
+  quiet(two .. " - solid.sphere { r = 0.1, density = 8 }:at{0, 0, 1}",
+    "the density where the hole is counts: the heavy part")
   told(two .. " - solid.sphere { r = 0.1, density = 8 }", "got 8 > 1 kg/m^3", "and the light part")
 end
 

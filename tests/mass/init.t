@@ -106,7 +106,8 @@ for _, name in ipairs { "com", "origin" } do
     for code in (program.read(out .. "/" .. name .. ".h") or ""):gmatch "%*   (%d+)  tensor: the triangle" do
       first, last = first or code, code
     end
-    tap.ok(first and last - first == 2, name .. ", " .. real .. ": init tests three pivots", program.read(out .. ".log"))
+    tap.ok(first and last - first == 2, name .. ", " .. real .. ": init tests three pivots", program.read(out ..
+      ".log"))
     program.write(out .. "/test.c", (main:gsub("NAME", name)))
     program.shell(string.format("cc -std=c99 -O1 -DLAST=%s -DFAR=%d -o %s/test %s/test.c %s/%s.c -lm >%s.log 2>&1",
       last, name == "origin" and 1 or 0, out, out, out, name, out))

@@ -1,5 +1,6 @@
 #!/usr/bin/env lua5.4
--- parts.t - composite bodies in named steps: their values are the tensor's, exactly, and the report tells them in order.
+-- parts.t - composite bodies in named steps: their values are the tensor's, exactly, and the report tells them in
+-- order.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- The oracle is the definition: every piece's handbook tensor and Steiner's term, summed, in exact rationals at random
@@ -43,7 +44,8 @@ local function nothing() return { 0, 0, 0, 0, 0, 0 } end
 local bodies = {
   { "two boxes", "solid.box { x = a, y = b, z = c, mass = M1 }:at{a/2, 0, 0} + " ..
     "solid.box { x = c, y = a, z = b, mass = M2 }:at{0, a, b}", { "M1", "M2", "a", "b", "c" }, function(e)
-      return { { e.M1, { e.a / 2, 0, 0 }, box(e.M1, e.a, e.b, e.c) }, { e.M2, { 0, e.a, e.b }, box(e.M2, e.c, e.a, e.b) } }
+      return { { e.M1, { e.a / 2, 0, 0 }, box(e.M1, e.a, e.b, e.c) }, { e.M2, { 0, e.a, e.b }, box(e.M2, e.c, e.a,
+        e.b) } }
     end },
   { "a box with a hole", "solid.box { x = 4*a, y = 4*b, z = 4*c, density = rho } - " ..
     "solid.box { x = a, y = b, z = c, density = rho }:at{a, -b, c/2}", { "rho", "a", "b", "c" }, function(e)
@@ -51,12 +53,14 @@ local bodies = {
       return { { 64 * m, { 0, 0, 0 }, box(64 * m, 4 * e.a, 4 * e.b, 4 * e.c) },
         { -m, { e.a, -e.b, e.c / 2 }, box(-m, e.a, e.b, e.c) } }
     end },
-  { "three of kinds", "solid.box { x = a, y = b, z = c, mass = M1 } + solid.sphere { r = a, mass = M2 }:at{b, 0, c} + " ..
+  { "three of kinds",
+    "solid.box { x = a, y = b, z = c, mass = M1 } + solid.sphere { r = a, mass = M2 }:at{b, 0, c} + " ..
     "solid.cylinder { r = b, h = a, mass = M3 }:at{-a, b, 0}", { "M1", "M2", "M3", "a", "b", "c" }, function(e)
       return { { e.M1, { 0, 0, 0 }, box(e.M1, e.a, e.b, e.c) }, { e.M2, { e.b, 0, e.c }, ball(e.M2, e.a) },
         { e.M3, { -e.a, e.b, 0 }, cylinder(e.M3, e.b, e.a) } }
     end },
-  { "points, a tensor and turned boxes", "solid.box { x = a, y = b, z = c, mass = M1 }:turned{axis = \"z\", angle = pi/2} " ..
+  { "points, a tensor and turned boxes",
+    "solid.box { x = a, y = b, z = c, mass = M1 }:turned{axis = \"z\", angle = pi/2} " ..
     "+ tensor { mass = M2, xx = 5, yy = 6, zz = 7, xy = 1, xz = -1, yz = 0.5 }:at{0, a, 0} + " ..
     "points { {M1, b, 0, c}, {M2, 0, 0, -a} } + solid.sphere { r = b, mass = M1 }:mirrored \"x\":at{a, b, c}",
     { "M1", "M2", "a", "b", "c" }, function(e)

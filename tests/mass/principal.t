@@ -192,7 +192,8 @@ local worst, bad, count = { norm = 0.0, own = 0.0, skew = 0.0, residue = 0.0 }, 
 
 local function judged(id, I, graded)
   local moments, a = jacobi.run(I)
-  local e = axes.measure(I, moments, { a[1][1], a[1][2], a[1][3], a[2][1], a[2][2], a[2][3], a[3][1], a[3][2], a[3][3] },
+  local e = axes.measure(I, moments, { a[1][1], a[1][2], a[1][3], a[2][1], a[2][2], a[2][3], a[3][1], a[3][2],
+    a[3][3] },
     axes.double, graded)
   for k, v in pairs(worst) do worst[k] = math.max(v, e[k]) end -- the order does not matter
   count = count + 1

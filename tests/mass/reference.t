@@ -2,7 +2,8 @@
 -- reference.t - mass, centroid and tensors of bodies against exact values integrated elsewhere.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- The table and its provenance: tests/reference/inertia.lua.  Values with pi and roots are compared as rational functions
+-- The table and its provenance: tests/reference/inertia.lua. Values with pi and roots are compared as rational
+-- functions
 -- of them, so equality of the numbers is equality of the functions, and there is no tolerance; those with hyperbolic
 -- functions to 500 bits.  Each row is also held against the 34 digits of tests/reference/inertia.h, so that neither
 -- table is copied wrongly.

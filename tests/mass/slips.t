@@ -54,8 +54,10 @@ told(entries { xx = "24e-3" }, "xx has a slipped decimal point or is off by a un
   "a thousand times too small")
 told(entries { xz = -140 }, "xz has a slipped decimal point (-14 would satisfy it)", "a product ten times too large")
 -- 0.0254^2 kg m^2 is 1 kg in^2
-told("mass = 1, xx = 4, yy = 0.5, zz = 6200", "zz is in kg in^2 (3.999992 would satisfy it)", "square inches in one entry")
-told("mass = 1, xx = 1.23456, yy = 2.34568, zz = 3.58025", "most likely: the entries of a flat or thin body were rounded",
+told("mass = 1, xx = 4, yy = 0.5, zz = 6200", "zz is in kg in^2 (3.999992 would satisfy it)",
+  "square inches in one entry")
+told("mass = 1, xx = 1.23456, yy = 2.34568, zz = 3.58025",
+  "most likely: the entries of a flat or thin body were rounded",
   "a lamina whose entries were rounded to six digits")
 told("mass = 1, xx = 1, yy = 2, zz = \"3.00000000000000000000000001\"", "got 3 > 1 + 2 by 1e-26; most likely: the " ..
   "entries of a flat", "an excess that doubles do not show is given by its size")
