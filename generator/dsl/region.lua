@@ -111,6 +111,42 @@ local function sound(ctx, line, node)
   return not bad
 end
 
+-- The polynomial at the point r, whose coordinates are expressions.
+local function symbolic(p, r)
+  local sum = expr.zero
+  for _, t in ipairs(p) do
+    local e = t.c
+    for i = 1, 3 do
+      if t[i] > 0 then e = e * r[i] ^ t[i] end
+    end
+    sum = sum + e
+  end
+  return sum
+end
+
+-- Conditions for other parameters, asked by the emitted code: at the corners of the region, where outer coordinates are
+-- at their limits, limits must not cross and the density must not be negative.  That is necessary; what lies between
+-- the corners is not asked again.
+local function corners(ctx, line, node)
+  local r = {}
+  local function visit(n)
+    if n > 3 then
+      args.condition(ctx, line, what, "density must not be negative", symbolic(node.density, r), "a negative one", true)
+      return
+    end
+    local v = node.order[n]
+    local ends = { symbolic(node.limits[n][1], r), symbolic(node.limits[n][2], r) }
+    args.condition(ctx, line, what, "the upper limit of " .. names[v] .. " must exceed the lower one",
+      ends[2] - ends[1], "a lower one", n > 1)
+    for k = 1, 2 do
+      r[v] = ends[k]
+      visit(n + 1)
+    end
+    r[v] = nil
+  end
+  visit(1)
+end
+
 -- The node {shape, a = {order, limits, density}, mass, density, measure, line, broken} of a scene's table.
 function region.read(ctx, line, given)
   local node = { shape = what, line = line, measure = "volume", broken = true }
@@ -158,6 +194,7 @@ function region.read(ctx, line, given)
   end
   node.a = a
   node.broken = not (ok and sound(ctx, line, a))
+  if not node.broken then corners(ctx, line, a) end
   return node
 end
 

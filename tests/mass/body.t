@@ -194,6 +194,9 @@ do
   local bored = model("solid.cylinder { r = a + b, h = c, density = 3 } - solid.cylinder { r = a, h = c, density = 3 }",
     { "a", "b", "c" })
   tap.ok(same(bored.inertia, tube.inertia) and same({ bored.mass }, { tube.mass }), "a bored cylinder is the tube")
+  local ring = model("extrude { profile = {{0, 0}, {a, 0}, {a, b}, {0, 0}}, h = c, mass = 3 }", { "a", "b", "c" })
+  local open = model("extrude { profile = {{0, 0}, {a, 0}, {a, b}}, h = c, mass = 3 }", { "a", "b", "c" })
+  tap.ok(same(ring.inertia, open.inertia) and same(ring.com, open.com), "a last corner on the first changes nothing")
   local s = model("(points{ {2, a, 0, 0} } + points{ {3, 0, b, 0} }) + points{ {5, 0, 0, c} }", { "a", "b", "c" })
   local t = model("points{ {5, 0, 0, c}, {3, 0, b, 0}, {2, a, 0, 0} }", { "a", "b", "c" })
   tap.ok(same(s.inertia, t.inertia) and same(s.com, t.com), "the order and the grouping of a sum do not matter")
@@ -205,7 +208,7 @@ do
   -- a wheel of n equal particles: the exact radicals of cos(2 pi k/n) cancel to a symmetric top
   local rows = {}
   for k = 0, 11 do rows[#rows + 1] = string.format("{1, a*cos(%d*pi/6), a*sin(%d*pi/6), 0}", k, k) end
-  local ring = model("points { " .. table.concat(rows, ", ") .. " }", { "a" })
+  ring = model("points { " .. table.concat(rows, ", ") .. " }", { "a" })
   local a = expr.sym("a", 2)
   tap.ok(same(ring.inertia, { 6 * a ^ 2, 6 * a ^ 2, 12 * a ^ 2, 0, 0, 0 }) and ring.structure.kind == "symmetric",
     "twelve particles on a ring: 6 a^2, 6 a^2, 12 a^2, a symmetric top although the coordinates are radicals")
