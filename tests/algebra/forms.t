@@ -79,7 +79,7 @@ do
       local tidy = ratio.tidy(e)
       if not same_value(e, tidy) then fault("tidy", n, e) end
       if ratio.tidy(tidy) ~= tidy then fault("tidy twice", n, e) end
-      local open = ratio.expand(e)
+      local open = poly.expr(whole)
       for _, last in ipairs { false, true } do
         local nested = nest(open, last)
         if not same_value(e, nested) then fault("nest", n, e) end
