@@ -98,7 +98,7 @@ do -- a divisor divides both, and holds what was put into both
   for n = 1, 60 do
     local p, q, g = polynomial(2, 1) + 1, polynomial(2, 1) + X[1], polynomial(2, 1) + X[2] * X[3]
     local ring = poly.ring { p, q, g, X[1] }
-    local P, Q, G = poly.from(ring, ratio.expand(p * g)), poly.from(ring, ratio.expand(q * g)), poly.from(ring, g)
+    local P, Q, G = poly.from(ring, p * g), poly.from(ring, q * g), poly.from(ring, g)
     if not poly.iszero(P) and not poly.iszero(Q) and not poly.iszero(G) then
       local d = gcd.of(P, Q)
       if not poly.divide(P, d) or not poly.divide(Q, d) then wrong[#wrong + 1] = n .. ": no divisor" end

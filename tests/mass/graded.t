@@ -56,4 +56,26 @@ end
 local job = assert(region "region { {x, 0, 1}, {y, 0, 1}, {z, 0, 1}, mass = 1 }")
 tap.ok(differs(job.model, first) ~= nil, "another region is told apart")
 
+-- ---- other parameters: what NAME_init asks ----
+
+-- Do all conditions of the model hold for a and b?
+local function holds(m, a, b)
+  for _, c in ipairs(m.conditions) do
+    local s = R.sign(evaluate.exact(c.e, { a = R.new(a), b = R.new(b) }))
+    if s < 0 or s == 0 and not c.allow_zero then return false end
+  end
+  return true
+end
+
+for _, case in ipairs {
+  { "limits that cross", "{x, 0, a}, {y, 0, b - x}, {z, 0, x}, mass = 1", { 2, 3 }, { 3, 3 }, { 4, 3 } },
+  { "a density that becomes negative", [[{x, 0, 1}, {y, 0, 1}, {z, 0, 1},
+    density = quantity(1, "kg/m^4")*(a - b*x/quantity(1, "m"))]], { 3, 2 }, { 3, 3 }, { 3, 4 } },
+} do
+  local m = assert(region("region { " .. case[2] .. " }", string.format(
+    'local a, b = param("a", %d, "m"), param("b", %d, "m")', case[3][1], case[3][2]))).model
+  local fine = holds(m, table.unpack(case[3])) and holds(m, table.unpack(case[4]))
+  tap.ok(fine and not holds(m, table.unpack(case[5])), case[1] .. ": asked again for other parameters")
+end
+
 tap.done()
