@@ -115,6 +115,8 @@ do
   tap.ok(not emitted("symmetric_top", nil, { methods = { rk4 = true } })["symmetric_top.h"]:find("orbit", 1, true),
     "--method rk4: no closed form is emitted")
   h = emitted("brick")["brick.h"]
+  says(h, "free asymmetric top, theta functions", "brick.h: the theorem of its closed form")
+  h = emitted "gyroscope"["gyroscope.h"]
   tap.ok(not h:find("orbit", 1, true), "a scene without a closed form has no orbit")
 end
 
