@@ -172,17 +172,48 @@ static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
   o->scale[2] = ${one}/three_;
 }
 
-/* the pair of two functions at a phase: y = w, x, y, z of the quaternion and f = cn, sn, dn, all but for one factor each */
-static void ${name}_functions(const ${name}_orbit *o, ${name}_real r, ${name}_real flip, ${name}_real turn, ${name}_real y[4], ${name}_real f[3])
+/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
+static ${name}_real ${name}_nearest(${name}_real x)
 {
-  const ${name}_real angle = ${two}*${pi_high}*turn;
-  const ${name}_real ct = ${cos}(angle), st = ${sin}(angle);
+  return (x + ${round_off}) - ${round_off};
+}
+
+/* sin and cos of pi x, |x| <= 1/2: their series at half of it, and one doubling; no call, so that loops are vectorised */
+static void ${name}_sincos(${name}_real x, ${name}_real *s, ${name}_real *c)
+{
+  const ${name}_real y = ${half}*${pi_high}*x, u = y*y;
+%% if single then
+  const ${name}_real a = y*(${one} - u*(${one}/6.0F - u*(${one}/120.0F - u*(${one}/5040.0F - u*(${one}/362880.0F)))));
+  const ${name}_real b = ${one} - u*(${half} - u*(${one}/24.0F - u*(${one}/720.0F - u*(${one}/40320.0F))));
+%% else
+  const double u2 = u*u, u4 = u2*u2; /* Horner's rule in two halves, which run side by side */
+  const double a0 = 1.0 - u*(1.0/6.0) + u2*(1.0/120.0 - u*(1.0/5040.0));
+  const double a1 = 1.0/362880.0 - u*(1.0/39916800.0) + u2*(1.0/6227020800.0 - u*(1.0/1307674368000.0) + u2*(1.0/355687428096000.0));
+  const double b0 = 1.0 - u*0.5 + u2*(1.0/24.0 - u*(1.0/720.0));
+  const double b1 = 1.0/40320.0 - u*(1.0/3628800.0) + u2*(1.0/479001600.0 - u*(1.0/87178291200.0) + u2*(1.0/20922789888000.0));
+  const double a = y*(a0 + u4*a1), b = b0 + u4*b1;
+%% end
+
+  *s = ${two}*(a*b);
+  *c = (b - a)*(b + a);
+}
+
+/* w, x, y, z of the quaternion and cn, sn, dn, all but for one factor each, at the phase r, whose period is passed an
+ * even (flip = 1) or an odd number of times (-1), after a turn about L */
+static void ${name}_functions(const ${name}_orbit *o, ${name}_real r, ${name}_real flip, ${name}_real turn,
+                              ${name}_real y[4], ${name}_real f[3])
+{
+  ${name}_real st, ct;
   ${name}_real a, b, c, d;
 
   if (!o->hyperbolic) {
-    const ${name}_real z = ${pi_high}*r, cz = flip*${cos}(z), sz = flip*${sin}(z);
-    const ${name}_real X = (cz - sz)*(cz + sz), s2 = ${two}*(sz*cz);
+    ${name}_real sz, cz, X, s2;
 
+    ${name}_sincos(r, &sz, &cz);
+    X = (cz - sz)*(cz + sz);
+    s2 = ${two}*(sz*cz);
+    sz *= flip;
+    cz *= flip;
     a = o->a_re[0] + X*(o->a_re[1] + X*(o->a_re[2] + X*o->a_re[3]));
     b = s2*(o->a_im[0] + X*(o->a_im[1] + X*o->a_im[2]));
     c = sz*(o->b_re[0] + X*(o->b_re[1] + X*(o->b_re[2] + X*o->b_re[3])));
@@ -206,6 +237,10 @@ static void ${name}_functions(const ${name}_orbit *o, ${name}_real r, ${name}_re
     f[1] = flip*sign*(${one} - Q*g2 + Q4*g2*g2 - e2*(${one} - Q*Q*e2 + Q4*Q*Q*e2*e2));
     f[2] = e*(${one} + (g2 + Q*e2) + (Q*Q*g2*g2 + Q4*e2*e2));
   }
+  ${name}_sincos(turn, &st, &ct); /* half of it */
+  r = ct;
+  ct = (ct - st)*(ct + st);
+  st = ${two}*(st*r);
   y[0] = ct*a - st*b;
   y[3] = st*a + ct*b;
   y[1] = ct*c - st*d;
@@ -229,39 +264,48 @@ static void ${name}_state(const ${name}_orbit *o, ${name}_real r, ${name}_real f
   for (i = 0; i < 4; i++) q[i] *= n;
 }
 
-/* x less the nearest multiple n of the period, x = start + rate t in pairs */
-static ${name}_real ${name}_reduce(const ${name}_orbit *o, ${name}_real t, ${name}_real *n)
+/* a + b t in pairs */
+static ${name}_pair ${name}_phase(${name}_pair a, const ${name}_real b[2], ${name}_real t)
 {
-  const ${name}_pair p = ${name}_pair_product(o->rate[0], t), s = ${name}_pair_sum(p.hi, o->start[0]);
-  const ${name}_real rest = s.lo + (p.lo + o->rate[1]*t + o->start[1]);
-  ${name}_pair whole;
+  const ${name}_pair p = ${name}_pair_product(b[0], t), s = ${name}_pair_sum(p.hi, a.hi);
+  ${name}_pair phase;
 
-  *n = ${floor}(s.hi*o->inverse + ${half});
-  whole = ${name}_pair_product(*n, o->period[0]);
-  return (s.hi - whole.hi) + (rest - whole.lo - *n*o->period[1]);
+  phase.hi = s.hi;
+  phase.lo = s.lo + (p.lo + b[1]*t + a.lo);
+  return phase;
 }
 
-/* the phase about L, in turns: less whole turns */
-static ${name}_real ${name}_turned(const ${name}_orbit *o, ${name}_real t, ${name}_real n)
+/* phases: of the rates, less the nearest multiple of its period; about L, less whole turns; and (-1) to the multiple */
+static void ${name}_reduce(const ${name}_orbit *o, ${name}_real t, ${name}_real *r, ${name}_real *turn, ${name}_real *flip)
 {
-  const ${name}_pair p = ${name}_pair_product(o->turn[0], t), j = ${name}_pair_product(-n, o->jump[0]), s = ${name}_pair_sum(p.hi, j.hi);
-  const ${name}_real low = s.lo + (p.lo + o->turn[1]*t + (j.lo - n*o->jump[1]));
+  ${name}_pair p, jump;
+  ${name}_real n;
 
-  return (s.hi - ${floor}(s.hi + ${half})) + low;
-}
+  p.hi = o->start[0];
+  p.lo = o->start[1];
+  p = ${name}_phase(p, o->rate, t);
+  n = ${name}_nearest(p.hi*o->inverse);
+  *flip = ${one} - ${two}*${fabs}(n - ${two}*${name}_nearest(${half}*n));
+  jump = ${name}_pair_of(${zero});
+  if (o->hyperbolic) {
+    const ${name}_pair whole = ${name}_pair_product(n, o->period[0]);
 
-/* 1 if n is even, else -1 */
-static ${name}_real ${name}_flip(${name}_real n)
-{
-  return ${one} - ${two}*(n - ${two}*${floor}(${half}*n));
+    jump = ${name}_pair_product(-n, o->jump[0]);
+    jump.lo -= n*o->jump[1];
+    *r = (p.hi - whole.hi) + (p.lo - whole.lo - n*o->period[1]);
+  } else {
+    *r = (p.hi - n) + p.lo;
+  }
+  p = ${name}_phase(jump, o->turn, t);
+  *turn = (p.hi - ${name}_nearest(p.hi)) + p.lo;
 }
 
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
-  ${name}_real n;
-  const ${name}_real r = ${name}_reduce(o, t, &n), turn = ${name}_turned(o, t, n);
+  ${name}_real r, turn, flip;
 
-  ${name}_state(o, r, ${name}_flip(n), turn, x);
+  ${name}_reduce(o, t, &r, &turn, &flip);
+  ${name}_state(o, r, flip, turn, x);
 }
 
 static ${name}_pair ${name}_unit_quaternion(const ${name}_real q[4], ${name}_real out[4])
@@ -380,9 +424,10 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   }
   /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */
   {
-    const ${name}_real r = ${name}_reduce(&made, ${zero}, &size);
+    ${name}_real r, turn, flip;
 
-    ${name}_functions(&made, r, ${name}_flip(size), ${name}_turned(&made, ${zero}, size), y, f);
+    ${name}_reduce(&made, ${zero}, &r, &turn, &flip);
+    ${name}_functions(&made, r, flip, turn, y, f);
     (void)${name}_unit_quaternion(y, y);
   }
   for (k = 0; k < 4; k++) {

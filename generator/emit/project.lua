@@ -21,9 +21,11 @@ local license = "SPDX-License-Identifier: MIT-0"
 
 local function libm(real)
   local v = {}
-  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor" } do
+  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor",
+    "fma" } do
     v[fn] = real == "float" and fn .. "f" or fn
   end
+  v.fast_fma = real == "float" and "FP_FAST_FMAF" or "FP_FAST_FMA"
   return v
 end
 
@@ -32,7 +34,8 @@ local function literals(real)
   local bits = real == "float" and 24 or 53
   return { zero = n(0), one = n(1), two = n(2), half = n "1/2", threehalves = n "3/2", twelve = n(12),
     epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
-    split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8), least = n(R.new(2) ^ (bits == 24 and -126 or -1022)),
+    split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
+    least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
     carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
 end
 
@@ -165,7 +168,8 @@ local function closed_values(job, v, ctx)
   local function render(name) return template.render(name, job.templates[name], v) end
   if job.closed.kind == "asymmetric" then
     v.closed_header = render "templates/top.h"
-    v.closed_source = render "templates/double.c" .. "\n" .. render "templates/top.c" .. "\n" .. render "templates/theta.c"
+    v.single = ctx.real == "float"
+    v.closed_source = table.concat({ render "templates/double.c", render "templates/top.c", render "templates/theta.c" }, "\n")
     return
   end
   v.uses_model = false

@@ -12,7 +12,7 @@
  *     Ixz = -M*a*c/4
  *     Iyz = -M*b*c/4
  * No effects: torque-free motion about the origin.
- * Method: rk4.
+ * Method: rk4; closed form: free asymmetric top, theta functions.
  * Operations of rhs: 23 additions, 40 multiplications.
  * Operations of step: 135 additions, 179 multiplications, 1 divisions.
  */
@@ -124,6 +124,22 @@ void brick_rate(const brick_real w[3], const brick_real a[3], const brick_real d
 void brick_acceleration(const brick_real w[3], const brick_real dw[3], const brick_real r[3],
                         const brick_real v[3], const brick_real a[3], brick_real coriolis[3],
                         brick_real euler[3], brick_real centrifugal[3], brick_real total[3]);
+
+/* ---- closed form: free asymmetric top, theta functions ----
+ */
+typedef struct brick_orbit {
+  brick_real start[2], rate[2];     /* phase of the rates, at t = 0 and per second, as pairs high + low */
+  brick_real period[2], inverse;    /* its period, 0 for ever */
+  brick_real turn[2], jump[2];      /* turns about L per second, and less per period of the phase */
+  brick_real a_re[4], a_im[4], b_re[4], b_im[4], f[3][5], nome, scale[3], s;
+  brick_real q[4][4], w[3][3];
+  int hyperbolic;
+} brick_orbit;
+
+int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[]);
+
+void brick_at(const brick_orbit *o, brick_real t, brick_real x[]);
+
 /* ---- principal axes ---- */
 
 /* Moments, ascending, and axes of any symmetric tensor I = xx yy zz xy xz yz (entries of the tensor: no sign is
