@@ -247,21 +247,29 @@ static void ${name}_functions(const ${name}_orbit *o, ${name}_real r, ${name}_re
   y[2] = st*c + ct*d;
 }
 
-/* attitude and rates */
-static void ${name}_state(const ${name}_orbit *o, ${name}_real r, ${name}_real flip, ${name}_real turn, ${name}_real x[])
+/* the quaternion from y, normalised */
+static void ${name}_attitude(const ${name}_orbit *o, const ${name}_real y[4], ${name}_real q[])
 {
-  ${name}_real y[4], f[3], n;
-  ${name}_real *q = x + ${upper}_QW, *w = x + ${upper}_WX;
+  ${name}_real n = ${one}/${sqrt}(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
   int i;
 
-  ${name}_functions(o, r, flip, turn, y, f);
-  n = ${one}/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
-  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
-  n = ${sqrt}(n);
   for (i = 0; i < 4; i++) q[i] = n*(y[0]*o->q[0][i] + y[1]*o->q[1][i] + y[2]*o->q[2][i] + y[3]*o->q[3][i]);
   /* rounding only: one Newton step for 1/|q| */
   n = ${threehalves} - ${half}*(q[0]*q[0] + q[1]*q[1] + q[2]*q[2] + q[3]*q[3]);
   for (i = 0; i < 4; i++) q[i] *= n;
+}
+
+/* attitude and rates */
+static void ${name}_state(const ${name}_orbit *o, ${name}_real r, ${name}_real flip, ${name}_real turn, ${name}_real x[])
+{
+  ${name}_real y[4], f[3], n;
+  ${name}_real *w = x + ${upper}_WX;
+  int i;
+
+  ${name}_functions(o, r, flip, turn, y, f);
+  ${name}_attitude(o, y, x + ${upper}_QW);
+  n = ${one}/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
+  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
 }
 
 /* a + b t in pairs */
@@ -331,12 +339,13 @@ static void ${name}_clear(${name}_orbit *o)
   int i, k;
 
   for (i = 0; i < 2; i++) o->start[i] = o->rate[i] = o->period[i] = o->turn[i] = o->jump[i] = ${zero};
+  for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
   for (i = 0; i < 4; i++) o->a_re[i] = o->a_im[i] = o->b_re[i] = o->b_im[i] = ${zero};
   for (i = 0; i < 3; i++) {
     for (k = 0; k < 5; k++) o->f[i][k] = ${zero};
     o->scale[i] = ${zero};
   }
-  o->inverse = o->nome = ${zero};
+  o->inverse = o->nome = o->tick = ${zero};
   o->s = ${one};
   o->hyperbolic = 0;
 }

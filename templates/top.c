@@ -148,7 +148,7 @@ static void ${name}_invariants(${name}_top *p)
  * factors.  Comes as a mantissa of the same power. */
 static ${name}_pair ${name}_nome(${name}_pair m, ${name}_pair mc, int power)
 {
-  static const ${name}_real series[9] = {${one}, (${name}_real)2, (${name}_real)15, (${name}_real)150, (${name}_real)1707, (${name}_real)20910, (${name}_real)268616,
+  const ${name}_real series[9] = {${one}, (${name}_real)2, (${name}_real)15, (${name}_real)150, (${name}_real)1707, (${name}_real)20910, (${name}_real)268616,
                                   (${name}_real)3567400, (${name}_real)48555069};
   const ${name}_pair k = ${name}_pair_root(mc), root = ${name}_pair_root(k), first = ${name}_pair_add(${name}_pair_of(${one}), k);
   const ${name}_pair second = ${name}_pair_add(${name}_pair_of(${one}), root);

@@ -266,7 +266,8 @@ local function closed(host, job, plugin, tap, name, epsilon)
     for i, time in ipairs(times) do
       local got = plugin:at(time)
       for n = 1, 7 do
-        growth = math.max(growth, math.abs(got[n] - states[i][n]) / (n > 4 and scale or 1.0) / math.abs(near[k] - x0[k]))
+        local d = math.abs(got[n] - states[i][n]) / (n > 4 and scale or 1.0)
+        growth = math.max(growth, d / math.abs(near[k] - x0[k]))
       end
     end
   end

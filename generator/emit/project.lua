@@ -25,6 +25,7 @@ local function libm(real)
     "fma" } do
     v[fn] = real == "float" and fn .. "f" or fn
   end
+  v.huge = real == "float" and "HUGE_VALF" or "HUGE_VAL"
   v.fast_fma = real == "float" and "FP_FAST_FMAF" or "FP_FAST_FMA"
   return v
 end
@@ -36,12 +37,14 @@ local function literals(real)
     epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
+    two64 = n(R.new(2) ^ -64),
     carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
 end
 
--- pi and log 2 as pairs high + low
+-- pi and log 2 as pairs high + low, into a table: order is lost
 local function constants(real, v)
-  for name, x in pairs { pi = R.apply("pi", 200), log2 = R.apply("log", 200, R.lift(2)) } do -- into a table: order is lost
+  for name, x in pairs { -- order is lost in a table
+    pi = R.apply("pi", 200), log2 = R.apply("log", 200, R.lift(2)) } do
     local high = R.fromdouble(real == "float" and R.tofloat(x) or R.todouble(x))
     v[name .. "_high"], v[name .. "_low"] = number.text(high, real), number.text(x - high, real)
   end
@@ -126,7 +129,8 @@ local function common(job)
     state_enum = enumeration(ctx.upper, job.states, "NX"), has_inputs = eq.inputs, has_params = #m.params > 0,
     input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
     members = members(m, m.name .. "_real"), functions = function_values(made),
-    costs = costs(made), has_closed = job.closed.kind ~= nil, free = eq.free,
+    costs = costs(made), has_closed = job.closed.kind ~= nil,
+    has_ticks = job.closed.kind == "asymmetric", free = eq.free,
     bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
@@ -169,7 +173,9 @@ local function closed_values(job, v, ctx)
   if job.closed.kind == "asymmetric" then
     v.closed_header = render "templates/top.h"
     v.single = ctx.real == "float"
-    v.closed_source = table.concat({ render "templates/double.c", render "templates/top.c", render "templates/theta.c" }, "\n")
+    local parts = {}
+    for i, part in ipairs { "double", "top", "theta", "tick" } do parts[i] = render("templates/" .. part .. ".c") end
+    v.closed_source = table.concat(parts, "\n")
     return
   end
   v.uses_model = false

@@ -67,6 +67,27 @@ static void rows(void) {
     top_at(&o, all_rows[k].t, x);
     print_errors("row", all_rows[k].id, all_rows[k].t, x, all_rows[k].w, all_rows[k].q);
 
+    /* the same time by ticks, 2^k of them forth and back; rates and attitude alone; the mean rate about L */
+    const int64_t count = (int64_t)1 << (k % 40);
+    double z[7], far_away = 0;
+    if (top_set_tick(&o, ldexp(all_rows[k].t, -(int)(k % 40))) != 0)
+      printf("row %s refused tick\n", all_rows[k].id);
+    top_at_tick(&o, count, z);
+    print_errors("tick", all_rows[k].id, all_rows[k].t, z, all_rows[k].w, all_rows[k].q);
+    top_at_tick(&o, 0, z);
+    top_at(&o, 0, y);
+    for (int i = 0; i < 7; i++)
+      far_away = larger(far_away, fabs(z[i] - y[i]) / (i < 4 ? 1 : length(y + 4, 3)));
+    top_at_tick(&o, -count, z);
+    top_at(&o, -all_rows[k].t, y);
+    for (int i = 0; i < 7; i++)
+      far_away = larger(far_away, fabs(z[i] - y[i]) / (i < 4 ? 1 : length(y + 4, 3)));
+    top_at_attitude(&o, all_rows[k].t, z);
+    top_at_rates(&o, all_rows[k].t, z + 4);
+    for (int i = 0; i < 7; i++)
+      far_away = larger(far_away, fabs(z[i] - x[i]) / (i < 4 ? 1 : length(y + 4, 3)));
+    printf("same %s %a %.3e 0 0\n", all_rows[k].id, all_rows[k].t, far_away);
+
     /* rounded to float: another motion, which the double code has just been shown to follow */
     float t = (float)all_rows[k].t;
     int held = 1;
@@ -88,6 +109,8 @@ static void rows(void) {
       continue;
     }
     small_at(&os, t, s);
+    if (small_set_tick(&os, ldexpf(t, -20)) == 0)
+      small_at_tick(&os, (int64_t)1 << 20, s);
     top_at(&o, t, y);
     for (int i = 0; i < 7; i++) {
       x[i] = s[i];

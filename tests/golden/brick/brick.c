@@ -1086,7 +1086,7 @@ static void brick_invariants(brick_top *p)
  * factors.  Comes as a mantissa of the same power. */
 static brick_pair brick_nome(brick_pair m, brick_pair mc, int power)
 {
-  static const brick_real series[9] = {1.0, (brick_real)2, (brick_real)15, (brick_real)150, (brick_real)1707, (brick_real)20910, (brick_real)268616,
+  const brick_real series[9] = {1.0, (brick_real)2, (brick_real)15, (brick_real)150, (brick_real)1707, (brick_real)20910, (brick_real)268616,
                                   (brick_real)3567400, (brick_real)48555069};
   const brick_pair k = brick_pair_root(mc), root = brick_pair_root(k), first = brick_pair_add(brick_pair_of(1.0), k);
   const brick_pair second = brick_pair_add(brick_pair_of(1.0), root);
@@ -1412,21 +1412,29 @@ static void brick_functions(const brick_orbit *o, brick_real r, brick_real flip,
   y[2] = st*c + ct*d;
 }
 
-/* attitude and rates */
-static void brick_state(const brick_orbit *o, brick_real r, brick_real flip, brick_real turn, brick_real x[])
+/* the quaternion from y, normalised */
+static void brick_attitude(const brick_orbit *o, const brick_real y[4], brick_real q[])
 {
-  brick_real y[4], f[3], n;
-  brick_real *q = x + BRICK_QW, *w = x + BRICK_WX;
+  brick_real n = 1.0/sqrt(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
   int i;
 
-  brick_functions(o, r, flip, turn, y, f);
-  n = 1.0/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
-  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
-  n = sqrt(n);
   for (i = 0; i < 4; i++) q[i] = n*(y[0]*o->q[0][i] + y[1]*o->q[1][i] + y[2]*o->q[2][i] + y[3]*o->q[3][i]);
   /* rounding only: one Newton step for 1/|q| */
   n = 1.5 - 0.5*(q[0]*q[0] + q[1]*q[1] + q[2]*q[2] + q[3]*q[3]);
   for (i = 0; i < 4; i++) q[i] *= n;
+}
+
+/* attitude and rates */
+static void brick_state(const brick_orbit *o, brick_real r, brick_real flip, brick_real turn, brick_real x[])
+{
+  brick_real y[4], f[3], n;
+  brick_real *w = x + BRICK_WX;
+  int i;
+
+  brick_functions(o, r, flip, turn, y, f);
+  brick_attitude(o, y, x + BRICK_QW);
+  n = 1.0/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
+  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
 }
 
 /* a + b t in pairs */
@@ -1496,12 +1504,13 @@ static void brick_clear(brick_orbit *o)
   int i, k;
 
   for (i = 0; i < 2; i++) o->start[i] = o->rate[i] = o->period[i] = o->turn[i] = o->jump[i] = 0.0;
+  for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
   for (i = 0; i < 4; i++) o->a_re[i] = o->a_im[i] = o->b_re[i] = o->b_im[i] = 0.0;
   for (i = 0; i < 3; i++) {
     for (k = 0; k < 5; k++) o->f[i][k] = 0.0;
     o->scale[i] = 0.0;
   }
-  o->inverse = o->nome = 0.0;
+  o->inverse = o->nome = o->tick = 0.0;
   o->s = 1.0;
   o->hyperbolic = 0;
 }
@@ -1607,6 +1616,126 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   }
   *o = made;
   return 0;
+}
+
+/* ---- time in ticks: phases as fractions of a turn, 128 bits, in which whole turns vanish by overflow ---- */
+
+/* a less whole turns, in units of 2^-128: {high, low}; sixteen bits at a time, each step exact */
+static void brick_fraction(brick_pair a, uint64_t out[2])
+{
+  int i;
+
+  a = brick_pair_add(brick_pair_sum(a.hi, -floor(a.hi)), brick_pair_of(a.lo));
+  if (a.hi < 0.0) a = brick_pair_add(a, brick_pair_of(1.0));
+  out[0] = out[1] = 0;
+  for (i = 0; i < 8; i++) {
+    brick_real whole;
+
+    a = brick_pair_scale(a, 16);
+    whole = floor(a.hi);
+    if (!(a.hi > whole) && a.lo < 0.0) whole -= 1.0;
+    a = brick_pair_sum(a.hi - whole, a.lo);
+    out[i/4] = out[i/4] << 16 | ((uint64_t)(int64_t)whole & 0xFFFFU);
+  }
+}
+
+/* the upper half of start + n rate, modulo a turn */
+static uint64_t brick_counted(const uint64_t start[2], const uint64_t rate[2], int64_t n)
+{
+  const uint64_t m = n < 0 ? 0 - (uint64_t)n : (uint64_t)n, a = m >> 32, b = m & 0xFFFFFFFFU;
+  const uint64_t c = rate[1] >> 32, d = rate[1] & 0xFFFFFFFFU;
+  const uint64_t middle = a*d + (b*d >> 32), cross = b*c + (middle & 0xFFFFFFFFU); /* m rate[1], its upper half */
+  uint64_t high = m*rate[0] + a*c + (middle >> 32) + (cross >> 32), low = m*rate[1], sum;
+
+  if (n < 0) {
+    high = 0 - high - (low > 0 ? 1U : 0U);
+    low = 0 - low;
+  }
+  sum = start[1] + low;
+  return start[0] + high + (sum < low ? 1U : 0U);
+}
+
+/* a fraction as a signed number of turns, |turns| <= 1/2 */
+static brick_real brick_turns(uint64_t f)
+{
+  return f >> 63 ? -((brick_real)(0 - f)*5.421010862427522e-20) : (brick_real)f*5.421010862427522e-20;
+}
+
+int brick_set_tick(brick_orbit *o, brick_real h)
+{
+  const brick_pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]};
+  const brick_pair turn = {o->turn[0], o->turn[1]}, jump = {o->jump[0], o->jump[1]};
+  const brick_pair period = {o->period[0], o->period[1]};
+  brick_pair per = brick_pair_of(0.0), first = brick_pair_of(0.0), mean;
+
+  if (o->inverse > 0.0) {
+    per = brick_pair_divide(rate, period);
+    first = brick_pair_divide(start, period);
+  }
+  mean = brick_pair_times(h, brick_pair_subtract(turn, brick_pair_multiply(jump, per)));
+  per = brick_pair_times(h, per);
+  if (!(per.hi - per.hi == 0.0) || !(mean.hi - mean.hi == 0.0)) return 1;
+  o->tick = h;
+  brick_fraction(brick_pair_scale(per, -1), o->rate_tick); /* of two periods: the last bit is the sign */
+  brick_fraction(brick_pair_scale(first, -1), o->rate_start);
+  brick_fraction(mean, o->turn_tick);
+  brick_fraction(brick_pair_minus(brick_pair_multiply(jump, first)), o->turn_start);
+  return 0;
+}
+
+void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[])
+{
+  const uint64_t two = brick_counted(o->rate_start, o->rate_tick, n);
+  brick_real r = brick_turns(two << 1), turn = brick_turns(brick_counted(o->turn_start, o->turn_tick, n));
+  const int odd = (int)((two + ((uint64_t)1 << 62)) >> 63);
+
+  if (o->hyperbolic) {
+    turn += o->jump[0]*r;
+    turn -= brick_nearest(turn);
+    r *= o->period[0];
+    if (!(o->inverse > 0.0)) { /* the separatrix has no period */
+      brick_pair t = brick_pair_product((brick_real)n, o->tick), p = brick_pair_of(o->start[0]);
+
+      p.lo = o->start[1] + o->rate[0]*t.lo;
+      p = brick_phase(p, o->rate, t.hi);
+      r = p.hi + p.lo;
+    }
+  }
+  brick_state(o, r, odd ? -1.0 : 1.0, turn, x);
+}
+
+void brick_at_rates(const brick_orbit *o, brick_real t, brick_real w[])
+{
+  brick_real r, turn, flip, y[4], f[3], n;
+  int i;
+
+  brick_reduce(o, t, &r, &turn, &flip);
+  brick_functions(o, r, flip, 0.0, y, f);
+  n = 1.0/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
+  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
+}
+
+void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
+{
+  brick_real r, turn, flip, y[4], f[3];
+
+  brick_reduce(o, t, &r, &turn, &flip);
+  brick_functions(o, r, flip, turn, y, f);
+  brick_attitude(o, y, q);
+}
+
+brick_real brick_polhode_period(const brick_orbit *o)
+{
+  if (!(o->rate[0] > 0.0)) return 0.0;
+  return o->inverse > 0.0 ? 2.0*o->period[0]/o->rate[0] : HUGE_VAL;
+}
+
+/* 2 mu + s z': b winds once more than a in each period of z */
+brick_real brick_precession_rate(const brick_orbit *o)
+{
+  const brick_real per = o->rate[0]*o->inverse;
+
+  return 3.141592653589793*(2.0*2.0*(o->turn[0] - o->jump[0]*per) + o->s*per);
 }
 
 /* ---- stability, small oscillations ---- */
