@@ -3,8 +3,9 @@
 -- Decided from the effects and the structure of the tensor, never from numbers.  Known here: the free sphere
 -- (uniform rotation) and the free symmetric top (Poinsot's regular precession),
 --     R(t) = exp([L]x t/I1) R(0) exp([k]x (1 - I3/I1) (k.w) t),   w(t) = w turned about k by -(1 - I3/I1)(k.w) t
--- (Landau, Lifshitz, Mechanics, sections 33 and 36: precession |L|/I1 about L, and the rest about the axis).
--- and the asymmetric top (templates/top.c).  `precise` evaluates the first two it with many bits for expected values; it is not what is emitted.  ABOVE the line.
+-- (Landau, Lifshitz, Mechanics, sections 33 and 36: precession |L|/I1 about L, and the rest about the axis), and the
+-- asymmetric top (templates/top.c).  `precise` evaluates the first two with many bits for expected values; it is not
+-- what is emitted.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
