@@ -213,7 +213,7 @@ do
   c = detected("solid.box { x = a, y = b, z = c, mass = M }", { "M", "a", "b", "c" })
   tap.is(c.kind, "asymmetric", "a free body of three moments: the asymmetric top")
   c = detected("solid.box { x = a, y = b, z = c, mass = M }", { "M", "a", "b = 5", "c = 5" })
-  tap.is(c.kind, "asymmetric", "moments that are equal for the defaults alone make no symmetric top: the structure decides")
+  tap.is(c.kind, "asymmetric", "moments equal for the defaults alone make no symmetric top: the structure decides")
 end
 
 tap.done()
