@@ -17,10 +17,19 @@ static ${name}_pair ${name}_pair_sum(${name}_real a, ${name}_real b)
   return s;
 }
 
-/* a*b = hi + lo exactly (Dekker's product, factors split in halves) */
+/* a*b = hi + lo exactly.  Where the machine has a fused operation compilers may fuse products into sums, which would
+ * spoil Dekker's halves: there it is used, and volatile keeps hi what it is. */
 static ${name}_pair ${name}_pair_product(${name}_real a, ${name}_real b)
 {
-  const ${name}_real split = ${split};
+#if defined ${fast_fma} || defined __${fast_fma} || defined __FMA__ || defined __ARM_FEATURE_FMA
+  const volatile ${name}_real high = a*b;
+  ${name}_pair p;
+
+  p.hi = high;
+  p.lo = ${fma}(a, b, -p.hi);
+  return p;
+#else
+  const ${name}_real split = ${split}; /* Dekker's product, factors split in halves */
   ${name}_real c, ah, al, bh, bl;
   ${name}_pair p;
 
@@ -33,6 +42,7 @@ static ${name}_pair ${name}_pair_product(${name}_real a, ${name}_real b)
   p.hi = a*b;
   p.lo = ((ah*bh - p.hi) + ah*bl + al*bh) + al*bl;
   return p;
+#endif
 }
 
 static ${name}_pair ${name}_pair_of(${name}_real a)

@@ -57,11 +57,19 @@ static void ${name}_jacobi(${name}_pair diagonal[3], ${name}_pair off[3], ${name
   for (k = 0; k < 3; k++) ${name}_pair_turn(c, s, &axis[p][k], &axis[q][k]);
 }
 
-int ${name}_principal_of(const ${name}_real I[6], ${name}_real moments[3], ${name}_real axes[9])
+static int ${name}_pair_less(${name}_pair a, ${name}_pair b)
 {
-  ${name}_pair diagonal[3], off[3], axis[3][3];
-  ${name}_real largest = ${zero}, products = ${zero}, own[3];
-  int order[3] = {0, 1, 2}, odd = 0, count, settled = 0, scale = 0, i, j, k;
+  return a.hi < b.hi || (!(b.hi < a.hi) && a.lo < b.lo);
+}
+
+/* The unrounded result: I_kk 2^scale and the vector of each axis, which come in no order; `order` sorts them, ascending.
+ * 1 if an entry is not finite. */
+static int ${name}_principal_pairs(const ${name}_real I[6], ${name}_pair diagonal[3], ${name}_pair axis[3][3],
+                                   int order[3], int *scale)
+{
+  ${name}_pair off[3];
+  ${name}_real largest = ${zero}, products = ${zero};
+  int count, settled = 0, i, j, k;
 
   for (i = 0; i < 6; i++) {
     if (!(I[i] - I[i] == ${zero})) return 1;
@@ -69,11 +77,11 @@ int ${name}_principal_of(const ${name}_real I[6], ${name}_real moments[3], ${nam
     if (i > 2) products += ${fabs}(I[i]) > ${zero} ? ${one} : ${zero};
   }
   /* by a power of two to where the halves of the products neither over- nor underflow */
-  (void)${frexp}(largest, &scale);
-  scale = products > ${zero} ? ${pair_top} - scale : 0;
+  (void)${frexp}(largest, scale);
+  *scale = products > ${zero} ? ${pair_top} - *scale : 0;
   for (i = 0; i < 3; i++) {
-    diagonal[i] = ${name}_pair_of(${ldexp}(I[i], scale));
-    off[i] = ${name}_pair_of(${ldexp}(I[5 - i], scale)); /* yz, xz, xy: the one opposite to axis i */
+    diagonal[i] = ${name}_pair_of(${ldexp}(I[i], *scale));
+    off[i] = ${name}_pair_of(${ldexp}(I[5 - i], *scale)); /* yz, xz, xy: the one opposite to axis i */
     for (k = 0; k < 3; k++) axis[i][k] = ${name}_pair_of(i == k ? ${one} : ${zero});
   }
 
@@ -97,21 +105,32 @@ int ${name}_principal_of(const ${name}_real I[6], ${name}_real moments[3], ${nam
     }
   }
 
+  for (i = 0; i < 3; i++) order[i] = i;
   for (i = 1; i < 3; i++) { /* insertion sort: equal moments keep their order */
-    for (j = i; j > 0 && diagonal[order[j]].hi < diagonal[order[j - 1]].hi; j--) {
+    for (j = i; j > 0 && ${name}_pair_less(diagonal[order[j]], diagonal[order[j - 1]]); j--) {
       k = order[j];
       order[j] = order[j - 1];
       order[j - 1] = k;
-      odd = !odd;
     }
   }
+  return 0;
+}
+
+int ${name}_principal_of(const ${name}_real I[6], ${name}_real moments[3], ${name}_real axes[9])
+{
+  ${name}_pair diagonal[3], axis[3][3];
+  ${name}_real own[3];
+  int order[3], odd, scale, i, k;
+
+  if (${name}_principal_pairs(I, diagonal, axis, order, &scale)) return 1;
+  odd = order[1] != (order[0] + 1) % 3;
   for (i = 0; i < 3; i++) {
     own[i] = ${ldexp}(diagonal[order[i]].hi, -scale);
     if (!(own[i] - own[i] == ${zero})) return 1;
   }
   for (i = 0; i < 3; i++) {
     const ${name}_pair *v = axis[order[i]];
-    ${name}_real sign;
+    ${name}_real sign, largest;
 
     moments[i] = own[i];
     largest = ${zero};

@@ -24,6 +24,9 @@ void ${name}_defaults(${name}_real p[])
 %% end
 }
 
+%% if has_exact then
+${exact_source}
+%% end
 %% if has_order then
 ${order_source}
 %% end
@@ -82,9 +85,9 @@ ${f.head}
 %% if not has_special then
 ${pair_source}
 %% end
+${principal_source}
 %% if has_closed then
 ${closed_source}
 %% end
-${principal_source}
 ${analysis_source}
 ${stability_source}

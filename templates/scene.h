@@ -11,6 +11,10 @@
 #ifndef POLHODE_${upper}_HEADER
 #define POLHODE_${upper}_HEADER
 
+%% if has_ticks then
+#include <stdint.h>
+
+%% end
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -41,7 +41,7 @@ local INCLUDES = {
   ["tests"] = { own = { "tests", "src/runtime" }, outside = { "^gsl/", "^gmp%.h$", "^mpfr%.h$" } },
 }
 -- Emitted code needs these of the C library and no more; stdio only for its self-test.
-local EMITTED = { ["math.h"] = true, ["stddef.h"] = true, ["stdio.h"] = true }
+local EMITTED = { ["math.h"] = true, ["stddef.h"] = true, ["stdio.h"] = true, ["stdint.h"] = true }
 
 local MAX_LUA, MAX_C = 400, 500
 

@@ -39,7 +39,7 @@ function what.effects()
 end
 
 function what.methods()
-  return { { "exact", "closed form at any time: free sphere, free symmetric top" },
+  return { { "exact", "closed form at any time: every torque-free top" },
     { "rk4", "classical Runge-Kutta of order 4, fixed step, unrolled" },
     { "linearised", "small oscillations of the free top about a principal axis, closed form" },
     { "adaptive", "general library only (run): Taylor series, step and order chosen" } }

@@ -3,8 +3,9 @@
 -- Decided from the effects and the structure of the tensor, never from numbers.  Known here: the free sphere
 -- (uniform rotation) and the free symmetric top (Poinsot's regular precession),
 --     R(t) = exp([L]x t/I1) R(0) exp([k]x (1 - I3/I1) (k.w) t),   w(t) = w turned about k by -(1 - I3/I1)(k.w) t
--- (Landau, Lifshitz, Mechanics, sections 33 and 36: precession |L|/I1 about L, and the rest about the axis).
--- `precise` evaluates it with many bits for expected values; it is not what is emitted.  ABOVE the line.
+-- (Landau, Lifshitz, Mechanics, sections 33 and 36: precession |L|/I1 about L, and the rest about the axis), and the
+-- asymmetric top (templates/top.c).  `precise` evaluates the first two with many bits for expected values; it is not
+-- what is emitted.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -32,8 +33,11 @@ function closed.detect(m, eq)
         "q(t) = (cos, L/|L| sin)(|L|t/2 I1) q(0) (cos, k/|k| sin)((1 - I3/I1) k.w t/2).",
         "Landau, Lifshitz, Mechanics, sections 33 and 36." } }
   end
-  return { refused = "the three principal moments differ: the asymmetric top needs elliptic functions, which this " ..
-    "version does not emit; use the steppers" }
+  return { kind = "asymmetric", theorem = "free asymmetric top, theta functions",
+    text = { "With u linear in time L = (B1 cn u, B2 sn u, B3 dn u) along the principal axes, Jacobi's functions; the",
+      "attitude is exp(i mu t) times theta4 and theta1 of pi u/(2 K) - i eta, a complex pair (Jacobi 1849; Whittaker,",
+      "Analytical Dynamics, section 69).  Set up in twice the working precision; any moments and any state: symmetric,",
+      "spherical, a rod, spin about an axis and the separatrix are limits that the same formulas pass through." } }
 end
 
 -- The state at time t after the state x0 (rationals, q any length but 0), with `bits` bits; all rationals.

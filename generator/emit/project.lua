@@ -21,9 +21,12 @@ local license = "SPDX-License-Identifier: MIT-0"
 
 local function libm(real)
   local v = {}
-  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "exp", "sinh", "cosh", "frexp", "ldexp" } do
+  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor",
+    "fma" } do
     v[fn] = real == "float" and fn .. "f" or fn
   end
+  v.huge = real == "float" and "HUGE_VALF" or "HUGE_VAL"
+  v.fast_fma = real == "float" and "FP_FAST_FMAF" or "FP_FAST_FMA"
   return v
 end
 
@@ -32,7 +35,19 @@ local function literals(real)
   local bits = real == "float" and 24 or 53
   return { zero = n(0), one = n(1), two = n(2), half = n "1/2", threehalves = n "3/2", twelve = n(12),
     epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
-    split = n(R.new(2) ^ ((bits + 1) // 2) + R.one) }
+    split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
+    least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
+    two64 = n(R.new(2) ^ -64),
+    carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
+end
+
+-- pi and log 2 as pairs high + low, into a table: order is lost
+local function constants(real, v)
+  for name, x in pairs { -- order is lost in a table
+    pi = R.apply("pi", 200), log2 = R.apply("log", 200, R.lift(2)) } do
+    local high = R.fromdouble(real == "float" and R.tofloat(x) or R.todouble(x))
+    v[name .. "_high"], v[name .. "_low"] = number.text(high, real), number.text(x - high, real)
+  end
 end
 
 -- Enumerators with their meaning; names that share one meaning (about = "" after the first) share a line.
@@ -115,7 +130,8 @@ local function common(job)
     state_enum = enumeration(ctx.upper, job.states, "NX"), has_inputs = eq.inputs, has_params = #m.params > 0,
     input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
     members = members(m, m.name .. "_real"), functions = function_values(made),
-    costs = costs(made), has_closed = job.closed.kind ~= nil, free = eq.free,
+    costs = costs(made), has_closed = job.closed.kind ~= nil,
+    has_ticks = job.closed.kind == "asymmetric", free = eq.free,
     bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
@@ -131,6 +147,7 @@ local function common(job)
   end
   v.step_literal, v.horizon_literal = number.text(m:number(m.step), real), number.text(m:number(m.horizon), real)
   v.step_text, v.horizon_text = number.text(m:number(m.step), "double"), number.text(m:number(m.horizon), "double")
+  constants(real, v)
   init.fill(ctx, m, v)
   special.fill(v, ctx)
   stability.fill(ctx, job.stability, v)
@@ -153,12 +170,20 @@ local function closed_values(job, v, ctx)
   end
   if not v.has_closed then return end
   v.theorem, v.closed_text, v.symmetric = job.closed.theorem, job.closed.text, job.closed.kind == "symmetric"
+  local function render(name) return template.render(name, job.templates[name], v) end
+  if job.closed.kind == "asymmetric" then
+    v.closed_header = render "templates/top.h"
+    v.single = ctx.real == "float"
+    local parts = {}
+    for i, part in ipairs { "double", "top", "theta", "tick" } do parts[i] = render("templates/" .. part .. ".c") end
+    v.closed_source = table.concat(parts, "\n")
+    return
+  end
   v.uses_model = false
   for _, k in ipairs { "kx", "ky", "kz", "k2", "I1", "I3" } do
     if v[k] and string.find(v[k], "m->", 1, true) then v.uses_model = true end
   end
-  v.closed_header = template.render("templates/closed.h", job.templates["templates/closed.h"], v)
-  v.closed_source = template.render("templates/closed.c", job.templates["templates/closed.c"], v)
+  v.closed_header, v.closed_source = render "templates/closed.h", render "templates/closed.c"
 end
 
 local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
@@ -170,6 +195,8 @@ function project.files(job, plugin)
   special.render(job, v)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
+  v.has_exact = v.order_sums or job.closed.kind == "asymmetric"
+  v.exact_source = v.has_exact and render "templates/exact.c" or ""
   v.order_source = v.has_order and render "templates/order.c" or ""
   v.stability_header, v.stability_source = render "templates/stability.h", render "templates/stability.c"
   v.analysis_header = render "templates/analysis.h"

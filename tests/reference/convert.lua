@@ -199,6 +199,25 @@ do
   write("elliptic.h", out)
 end
 
+-- ---- free_top.json, every sample of a physical body: the closed form must meet them all ----
+do
+  local out = head("free_top_all.h", "torque-free motion, every sample, 32 digits",
+    "static const struct {\n  const char *id;\n  double tensor[6], w0[3], q0[4], t;\n  long double w[3], q[4];\n" ..
+    "  double w_sensitivity, q_sensitivity; /* change (of w relative, of q) when the inputs move by 2^-53 */\n" ..
+    "} all_rows[] = {")
+  for _, case in ipairs(json("free_top.json").cases) do
+    local tensor = case.tensor_xx_yy_zz_xy_xz_yz or { case.I[1], case.I[2], case.I[3], "0.0", "0.0", "0.0" }
+    for _, s in ipairs(case.id ~= "nonphysical_triangle_violation" and case.samples or {}) do
+      out[#out + 1] = string.format('  {"%s", %s, %s, %s, %s,\n   %s,\n   %s, %s, %s},', case.id,
+        braces(each(tensor, double)), braces(each(case.omega0, double)), braces(each(case.q0, double)), double(s.t),
+        braces(each(s.omega, long)), braces(each(s.q, long)), double(s.input_ulp_sensitivity.omega_rel),
+        double(s.input_ulp_sensitivity.q_abs))
+    end
+  end
+  out[#out + 1] = "};"
+  write("free_top_all.h", out)
+end
+
 -- ---- forced_top.json: the models that the library has ----
 do
   local out = head("forced_top.h", "heavy tops, linear damping, constant torques, 32 digits",

@@ -17,6 +17,38 @@ void brick_defaults(brick_real p[])
   p[BRICK_M] = 2.4;
 }
 
+/* ---- exact sums ----
+ * A sum of products of numbers as numbers that do not overlap, ascending: no digit is lost, so near equality the sign is
+ * right (Shewchuk 1997, Discrete Comput. Geom. 18, 305; products: Dekker 1971, Numer. Math. 18, 224). */
+
+/* e[0..n) += b; the new n */
+static int brick_exact_add(brick_real e[], int n, brick_real b)
+{
+  int i, k = 0;
+
+  for (i = 0; i < n; i++) {
+    const brick_real s = b + e[i], v = s - b, low = (b - (s - v)) + (e[i] - v);
+
+    if (low < 0.0 || low > 0.0) e[k++] = low;
+    b = s;
+  }
+  if (b < 0.0 || b > 0.0) e[k++] = b;
+  return k;
+}
+
+/* e[0..n) += a*b; volatile keeps compilers from fusing the products into sums */
+static int brick_exact_product(brick_real e[], int n, brick_real a, brick_real b)
+{
+  const brick_real split = 134217729.0;
+  const volatile brick_real ca = split*a, cb = split*b, p = a*b;
+  const brick_real c = ca, ah = c - (c - a), al = a - ah;
+  const brick_real d = cb, bh = d - (d - b), bl = b - bh;
+  const brick_real high = p;
+
+  n = brick_exact_add(e, n, ((ah*bh - high) + ah*bl + al*bh) + al*bl);
+  return brick_exact_add(e, n, high);
+}
+
 int brick_init(brick_model *m, const brick_real p[])
 {
   brick_model k;
@@ -566,10 +598,19 @@ static brick_pair brick_pair_sum(brick_real a, brick_real b)
   return s;
 }
 
-/* a*b = hi + lo exactly (Dekker's product, factors split in halves) */
+/* a*b = hi + lo exactly.  Where the machine has a fused operation compilers may fuse products into sums, which would
+ * spoil Dekker's halves: there it is used, and volatile keeps hi what it is. */
 static brick_pair brick_pair_product(brick_real a, brick_real b)
 {
-  const brick_real split = 134217729.0;
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || defined __ARM_FEATURE_FMA
+  const volatile brick_real high = a*b;
+  brick_pair p;
+
+  p.hi = high;
+  p.lo = fma(a, b, -p.hi);
+  return p;
+#else
+  const brick_real split = 134217729.0; /* Dekker's product, factors split in halves */
   brick_real c, ah, al, bh, bl;
   brick_pair p;
 
@@ -582,6 +623,7 @@ static brick_pair brick_pair_product(brick_real a, brick_real b)
   p.hi = a*b;
   p.lo = ((ah*bh - p.hi) + ah*bl + al*bh) + al*bl;
   return p;
+#endif
 }
 
 static brick_pair brick_pair_of(brick_real a)
@@ -672,11 +714,19 @@ static void brick_jacobi(brick_pair diagonal[3], brick_pair off[3], brick_pair a
   for (k = 0; k < 3; k++) brick_pair_turn(c, s, &axis[p][k], &axis[q][k]);
 }
 
-int brick_principal_of(const brick_real I[6], brick_real moments[3], brick_real axes[9])
+static int brick_pair_less(brick_pair a, brick_pair b)
 {
-  brick_pair diagonal[3], off[3], axis[3][3];
-  brick_real largest = 0.0, products = 0.0, own[3];
-  int order[3] = {0, 1, 2}, odd = 0, count, settled = 0, scale = 0, i, j, k;
+  return a.hi < b.hi || (!(b.hi < a.hi) && a.lo < b.lo);
+}
+
+/* The unrounded result: I_kk 2^scale and the vector of each axis, which come in no order; `order` sorts them, ascending.
+ * 1 if an entry is not finite. */
+static int brick_principal_pairs(const brick_real I[6], brick_pair diagonal[3], brick_pair axis[3][3],
+                                   int order[3], int *scale)
+{
+  brick_pair off[3];
+  brick_real largest = 0.0, products = 0.0;
+  int count, settled = 0, i, j, k;
 
   for (i = 0; i < 6; i++) {
     if (!(I[i] - I[i] == 0.0)) return 1;
@@ -684,11 +734,11 @@ int brick_principal_of(const brick_real I[6], brick_real moments[3], brick_real 
     if (i > 2) products += fabs(I[i]) > 0.0 ? 1.0 : 0.0;
   }
   /* by a power of two to where the halves of the products neither over- nor underflow */
-  (void)frexp(largest, &scale);
-  scale = products > 0.0 ? 990 - scale : 0;
+  (void)frexp(largest, scale);
+  *scale = products > 0.0 ? 990 - *scale : 0;
   for (i = 0; i < 3; i++) {
-    diagonal[i] = brick_pair_of(ldexp(I[i], scale));
-    off[i] = brick_pair_of(ldexp(I[5 - i], scale)); /* yz, xz, xy: the one opposite to axis i */
+    diagonal[i] = brick_pair_of(ldexp(I[i], *scale));
+    off[i] = brick_pair_of(ldexp(I[5 - i], *scale)); /* yz, xz, xy: the one opposite to axis i */
     for (k = 0; k < 3; k++) axis[i][k] = brick_pair_of(i == k ? 1.0 : 0.0);
   }
 
@@ -712,21 +762,32 @@ int brick_principal_of(const brick_real I[6], brick_real moments[3], brick_real 
     }
   }
 
+  for (i = 0; i < 3; i++) order[i] = i;
   for (i = 1; i < 3; i++) { /* insertion sort: equal moments keep their order */
-    for (j = i; j > 0 && diagonal[order[j]].hi < diagonal[order[j - 1]].hi; j--) {
+    for (j = i; j > 0 && brick_pair_less(diagonal[order[j]], diagonal[order[j - 1]]); j--) {
       k = order[j];
       order[j] = order[j - 1];
       order[j - 1] = k;
-      odd = !odd;
     }
   }
+  return 0;
+}
+
+int brick_principal_of(const brick_real I[6], brick_real moments[3], brick_real axes[9])
+{
+  brick_pair diagonal[3], axis[3][3];
+  brick_real own[3];
+  int order[3], odd, scale, i, k;
+
+  if (brick_principal_pairs(I, diagonal, axis, order, &scale)) return 1;
+  odd = order[1] != (order[0] + 1) % 3;
   for (i = 0; i < 3; i++) {
     own[i] = ldexp(diagonal[order[i]].hi, -scale);
     if (!(own[i] - own[i] == 0.0)) return 1;
   }
   for (i = 0; i < 3; i++) {
     const brick_pair *v = axis[order[i]];
-    brick_real sign;
+    brick_real sign, largest;
 
     moments[i] = own[i];
     largest = 0.0;
@@ -748,6 +809,933 @@ int brick_principal(const brick_model *m, brick_real moments[3], brick_real axes
 
   brick_inertia(m, I);
   return brick_principal_of(I, moments, axes);
+}
+
+/* ---- functions of pairs, to about twice the working precision ---- */
+
+static brick_pair brick_pair_scale(brick_pair a, int e)
+{
+  a.hi = ldexp(a.hi, e);
+  a.lo = ldexp(a.lo, e);
+  return a;
+}
+
+static brick_pair brick_pair_subtract(brick_pair a, brick_pair b)
+{
+  return brick_pair_add(a, brick_pair_minus(b));
+}
+
+/* two quotients: the remainder of the first is formed in pairs */
+static brick_pair brick_pair_divide(brick_pair a, brick_pair b)
+{
+  const brick_real q = a.hi/b.hi;
+  const brick_pair r = brick_pair_subtract(a, brick_pair_multiply(brick_pair_of(q), b));
+
+  return brick_pair_sum(q, r.hi/b.hi);
+}
+
+static brick_pair brick_pair_times(brick_real a, brick_pair b)
+{
+  return brick_pair_multiply(brick_pair_of(a), b);
+}
+
+/* one Newton step: sqrt(a) = r + (a - r^2)/(2 r) */
+static brick_pair brick_pair_root(brick_pair a)
+{
+  const brick_real r = a.hi > 0.0 ? sqrt(a.hi) : 0.0;
+  const brick_pair p = brick_pair_product(r, r);
+
+  if (!(r > 0.0)) return brick_pair_of(0.0);
+  return brick_pair_sum(r, ((a.hi - p.hi) - p.lo + a.lo)/(2.0*r));
+}
+
+/* 2^e exp(x): x less a multiple of log 2, divided by 64, the series of exp - 1, and six doublings of exp(x) - 1 */
+static brick_pair brick_pair_exp(brick_pair x, int e)
+{
+  const brick_pair log2 = {0.6931471805599453, 2.3190468138462996e-17};
+  const brick_real n = floor(x.hi/log2.hi + 0.5);
+  brick_pair y = brick_pair_scale(brick_pair_subtract(x, brick_pair_times(n, log2)), -6), s = brick_pair_of(0.0);
+  int i;
+
+  for (i = 12; i > 0; i--) { /* s = y/i (1 + s) */
+    s = brick_pair_multiply(y, brick_pair_add(brick_pair_of(1.0), s));
+    s = brick_pair_divide(s, brick_pair_of((brick_real)i));
+  }
+  for (i = 0; i < 6; i++) s = brick_pair_add(brick_pair_scale(s, 1), brick_pair_multiply(s, s));
+  return brick_pair_scale(brick_pair_add(brick_pair_of(1.0), s), (int)n + e);
+}
+
+/* log a = l + log(1 + r), r = a exp(-l) - 1, where l is good to the working precision */
+static brick_pair brick_pair_log(brick_pair a)
+{
+  const brick_pair l = brick_pair_of(log(a.hi));
+  const brick_pair r = brick_pair_subtract(brick_pair_multiply(a, brick_pair_exp(brick_pair_minus(l), 0)), brick_pair_of(1.0));
+
+  return brick_pair_add(l, brick_pair_subtract(r, brick_pair_scale(brick_pair_multiply(r, r), -1)));
+}
+
+/* cos x - 1 and sin x, |x| <= pi: the series at x/64 and six doublings */
+static void brick_pair_circle(brick_pair x, brick_pair *c1, brick_pair *s)
+{
+  const brick_pair y = brick_pair_scale(x, -6), y2 = brick_pair_multiply(y, y);
+  brick_pair c = brick_pair_of(0.0), d = brick_pair_of(0.0);
+  int i;
+
+  for (i = 16; i > 0; i -= 2) {
+    c = brick_pair_minus(brick_pair_multiply(y2, brick_pair_add(brick_pair_of(1.0), c)));
+    c = brick_pair_divide(c, brick_pair_of((brick_real)(i*(i - 1))));
+    d = brick_pair_minus(brick_pair_multiply(y2, brick_pair_add(brick_pair_of(1.0), d)));
+    d = brick_pair_divide(d, brick_pair_of((brick_real)(i*(i + 1))));
+  }
+  d = brick_pair_multiply(y, brick_pair_add(brick_pair_of(1.0), d));
+  for (i = 0; i < 6; i++) { /* cos 2x - 1 = -2 sin^2 x, sin 2x = 2 sin x (1 + (cos x - 1)) */
+    const brick_pair square = brick_pair_multiply(d, d);
+
+    d = brick_pair_scale(brick_pair_multiply(d, brick_pair_add(brick_pair_of(1.0), c)), 1);
+    c = brick_pair_minus(brick_pair_scale(square, 1));
+  }
+  *c1 = c;
+  *s = d;
+}
+
+/* Carlson's R_F(x^2, y^2, z^2), at most one of x, y, z = 0: duplication (DLMF 19.26.18) until the three agree to 13 bits
+ * (seven steps and some more if one is small: 40 cover every number), then the series of order 7 (DLMF 19.36.1). */
+static brick_pair brick_carlson(brick_pair x, brick_pair y, brick_pair z)
+{
+  brick_pair sum = brick_pair_of(0.0), X, Y, Z, E2, E3, s;
+  int i;
+
+  for (i = 0; i < 40; i++) {
+    const brick_pair xy = brick_pair_multiply(x, y);
+    const brick_pair l = brick_pair_add(xy, brick_pair_multiply(z, brick_pair_add(x, y)));
+    const brick_pair x2 = brick_pair_scale(brick_pair_add(brick_pair_multiply(x, x), l), -2);
+    const brick_pair y2 = brick_pair_scale(brick_pair_add(brick_pair_multiply(y, y), l), -2);
+    const brick_pair z2 = brick_pair_scale(brick_pair_add(brick_pair_multiply(z, z), l), -2);
+
+    sum = brick_pair_add(brick_pair_add(x2, y2), z2);
+    X = brick_pair_subtract(sum, brick_pair_times((brick_real)3, x2));
+    Y = brick_pair_subtract(sum, brick_pair_times((brick_real)3, y2));
+    Z = brick_pair_subtract(sum, brick_pair_times((brick_real)3, z2));
+    if (fabs(X.hi) + fabs(Y.hi) + fabs(Z.hi) <= 0.000244140625*sum.hi) break;
+    x = brick_pair_root(x2);
+    y = brick_pair_root(y2);
+    z = brick_pair_root(z2);
+  }
+  X = brick_pair_divide(X, sum);
+  Y = brick_pair_divide(Y, sum);
+  Z = brick_pair_divide(Z, sum);
+  E2 = brick_pair_multiply(X, Y);
+  E3 = brick_pair_multiply(E2, Z);
+  E2 = brick_pair_subtract(E2, brick_pair_multiply(Z, Z));
+  /* 1 - E2/10 + E3/14 + E2^2/24 - 3 E2 E3/44 - 5 E2^3/208 + 3 E3^2/104 + E2^2 E3/16; only the first two corrections
+   * need more than the working precision */
+  s = brick_pair_of(E2.hi*E2.hi/(brick_real)24 - (brick_real)3*E2.hi*E3.hi/(brick_real)44
+               + E2.hi*E2.hi*(E3.hi/(brick_real)16 - (brick_real)5*E2.hi/(brick_real)208) + (brick_real)3*E3.hi*E3.hi/(brick_real)104);
+  s = brick_pair_add(s, brick_pair_divide(E3, brick_pair_of((brick_real)14)));
+  s = brick_pair_subtract(s, brick_pair_divide(E2, brick_pair_of((brick_real)10)));
+  s = brick_pair_add(brick_pair_of(1.0), s);
+  return brick_pair_divide(s, brick_pair_root(brick_pair_divide(sum, brick_pair_of((brick_real)3))));
+}
+
+/* ---- closed form: free asymmetric top, theta functions ----
+ *
+ * Axes 1, 2, 3 here are principal axes: 2 that of the middle moment, 3 the one about which L circulates, signed so that
+ * L1 >= 0, L3 > 0.  With a = w + i z, b = x + i y of the quaternion from these axes to a frame whose z axis is along L,
+ *     a(t) = exp(i mu t) theta4(z - i s eta; p)/N,   b(t) = s exp(i mu t) theta1(z - i s eta; p)/N,   z = pi u/(2 K)
+ * where u = lambda t + u0 is the argument of Jacobi's functions, L = (B1 cn u, s B2 sn u, B3 dn u), and p = q^2
+ * (Jacobi 1849; Whittaker, Analytical Dynamics, section 69).  Near the separatrix the imaginary transformation
+ * (DLMF 20.7.30-33) replaces z by V = kappa z, kappa = K/(2 K'), and circular functions by hyperbolic ones. */
+
+/* What is known of the motion in principal axes.  [i] is axis i + 1 of the above.  Moments and rates are scaled by powers
+ * of two, the largest to about 1; w1 and w2, which may be tiny together, once more by 2^-small12, so w1 and w3 by
+ * 2^-small13: nothing underflows that matters. */
+typedef struct brick_top {
+  brick_pair I[3], w[3];          /* moments and rates at t = 0 */
+  brick_pair d21, d31, d32;       /* |I2 - I1|, |I3 - I1|, |I3 - I2| */
+  brick_pair b[3];                /* amplitudes of the rates, B/I; b[0], b[1] scaled like w1, w2 */
+  brick_pair G;                   /* |L| */
+  brick_pair Lambda1;             /* |G^2 - 2 T I1|/I3 */
+  brick_pair rho;                 /* |I2 - I1|/I3, 0 for a rod about axis 3 */
+  brick_pair lambda;              /* rate of u */
+  brick_pair k2, kc2;             /* k^2 2^(-2 small12), (1 - k^2) 2^(-2 small13) */
+  brick_pair K, Kc;               /* K(k^2), K(1 - k^2) */
+  brick_pair q, qc;               /* nomes exp(-pi Kc/K) 2^(-2 small12), exp(-pi K/Kc) */
+  brick_pair log_qc;              /* log of the second; not set if that is 0, on the separatrix */
+  brick_real axis[3][3];          /* unit vectors, body axes */
+  brick_real s;                   /* sign of I3 - I1 */
+  int small12, small13, hyperbolic;
+} brick_top;
+
+/* the exponent of the larger of two numbers */
+static int brick_exponent(brick_real a, brick_real b)
+{
+  int e;
+
+  (void)frexp(fabs(a) > fabs(b) ? a : b, &e);
+  return e;
+}
+
+/* e[0..n) += I w^2 (d.hi + d.lo), without rounding; the new n */
+static int brick_exact_term(brick_real e[], int n, brick_real I, brick_real w, brick_pair d)
+{
+  brick_real a[2], b[4];
+  int na, nb = 0, i;
+
+  na = brick_exact_product(a, 0, w, w);
+  for (i = 0; i < na; i++) nb = brick_exact_product(b, nb, a[i], I);
+  for (i = 0; i < nb; i++) {
+    n = brick_exact_product(e, n, b[i], d.hi);
+    n = brick_exact_product(e, n, b[i], d.lo);
+  }
+  return n;
+}
+
+/* I3 w3^2 (I3 - I2) - I1 w1^2 (I2 - I1) = G^2 - 2 T I2: its sign says about which axis L circulates.  Exact before one
+ * rounding, if the moments and rates are single numbers. */
+static brick_pair brick_circulation(const brick_pair I[3], brick_pair w1, brick_pair w3, brick_pair d21, brick_pair d32)
+{
+  brick_pair sum = brick_pair_of(0.0);
+
+  if (!(fabs(I[0].lo) + fabs(I[2].lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) {
+    brick_real e[32];
+    int n;
+
+    n = brick_exact_term(e, 0, I[2].hi, w3.hi, d32);
+    for (n = brick_exact_term(e, n, I[0].hi, w1.hi, brick_pair_minus(d21)); n > 0; n--) sum = brick_pair_add(sum, brick_pair_of(e[n - 1]));
+    return sum;
+  }
+  sum = brick_pair_multiply(brick_pair_multiply(I[2], d32), brick_pair_multiply(w3, w3));
+  return brick_pair_subtract(sum, brick_pair_multiply(brick_pair_multiply(I[0], d21), brick_pair_multiply(w1, w1)));
+}
+
+/* a quotient's root */
+static brick_pair brick_root_of(brick_pair a, brick_pair b)
+{
+  return brick_pair_root(brick_pair_divide(a, b));
+}
+
+/* Labels and signs of the axes; `order` sorts moments of I, ascending. */
+static void brick_label(brick_top *p, const brick_pair I[3], const brick_pair w[3], const brick_pair axis[3][3], const int order[3])
+{
+  const int small = order[0], middle = order[1], large = order[2];
+  const int e = brick_exponent(w[small].hi, w[large].hi);
+  const brick_pair sorted[3] = {I[small], I[middle], I[large]};
+  const brick_pair low = brick_pair_subtract(I[middle], I[small]), high = brick_pair_subtract(I[large], I[middle]);
+  brick_pair D = brick_circulation(sorted, brick_pair_scale(w[small], -e), brick_pair_scale(w[large], -e), low, high);
+  const int rod = !(I[small].hi > 0.0), reverse = rod || D.hi < 0.0;
+  const int own[3] = {reverse ? large : small, middle, reverse ? small : large};
+  brick_real sign[3];
+  int i, j;
+
+  p->small13 = e;
+  p->s = reverse ? -1.0 : 1.0;
+  p->d21 = reverse ? high : low;
+  p->d32 = reverse ? low : high;
+  p->d31 = brick_pair_subtract(I[large], I[small]);
+  sign[0] = w[own[0]].hi < 0.0 ? -1.0 : 1.0;
+  sign[2] = w[own[2]].hi < 0.0 ? -1.0 : 1.0;
+  sign[1] = own[1] == (own[0] + 1) % 3 ? sign[0]*sign[2] : -sign[0]*sign[2]; /* right-handed */
+  for (i = 0; i < 3; i++) {
+    p->I[i] = I[own[i]];
+    p->w[i] = brick_pair_times(sign[i], w[own[i]]);
+    for (j = 0; j < 3; j++) p->axis[i][j] = sign[i]*axis[own[i]][j].hi;
+  }
+  p->rho = rod ? brick_pair_of(0.0) : brick_pair_divide(p->d21, p->I[2]);
+  D = reverse ? brick_pair_minus(D) : D;
+  if (rod) {
+    D = brick_pair_scale(p->w[2], -e);
+    D = brick_pair_multiply(brick_pair_multiply(D, D), p->d32);
+  } else {
+    D = brick_pair_divide(D, p->I[2]);
+  }
+  p->kc2 = brick_pair_multiply(D, p->d31); /* over |I3 - I2| Lambda1, which brick_invariants knows */
+}
+
+/* amplitudes, rate and modulus: sums of terms of one sign */
+static void brick_invariants(brick_top *p)
+{
+  brick_pair w[3], square[3], Delta3, g, wide;
+  int i;
+
+  p->small12 = brick_exponent(p->w[0].hi, p->w[1].hi);
+  for (i = 0; i < 3; i++) {
+    w[i] = i < 2 ? brick_pair_scale(p->w[i], -p->small12) : p->w[i];
+    square[i] = brick_pair_multiply(p->w[i], p->w[i]);
+  }
+  p->Lambda1 = brick_pair_multiply(p->rho, brick_pair_multiply(p->I[1], square[1]));
+  p->Lambda1 = brick_pair_add(p->Lambda1, brick_pair_multiply(square[2], p->d31));
+  Delta3 = brick_pair_multiply(brick_pair_multiply(p->I[0], p->d31), brick_pair_multiply(w[0], w[0]));
+  Delta3 = brick_pair_add(Delta3, brick_pair_multiply(brick_pair_multiply(p->I[1], p->d32), brick_pair_multiply(w[1], w[1])));
+  p->b[0] = brick_root_of(Delta3, brick_pair_multiply(p->I[0], p->d31));
+  p->b[1] = brick_root_of(Delta3, brick_pair_multiply(p->I[1], p->d32));
+  p->b[2] = brick_root_of(p->Lambda1, p->d31);
+  wide = brick_pair_multiply(p->d32, p->Lambda1);
+  p->lambda = brick_root_of(wide, brick_pair_multiply(p->I[0], p->I[1]));
+  p->k2 = brick_pair_divide(brick_pair_multiply(p->rho, Delta3), wide);
+  p->kc2 = brick_pair_divide(p->kc2, wide);
+  p->G = brick_pair_of(0.0);
+  for (i = 0; i < 3; i++) {
+    g = brick_pair_multiply(p->I[i], p->w[i]);
+    p->G = brick_pair_add(p->G, brick_pair_multiply(g, g));
+  }
+  p->G = brick_pair_root(p->G);
+}
+
+/* The nome of modulus k from k^2 = m 2^power <= 0.51, k'^2 = mc: eps = (1 - sqrt k')/(2 (1 + sqrt k')),
+ * q = eps + 2 eps^5 + 15 eps^9 + ... (DLMF 19.5.6, 22.20; integers: OEIS A002103), with 1 - sqrt k' = k^2 over two
+ * factors.  Comes as a mantissa of the same power. */
+static brick_pair brick_nome(brick_pair m, brick_pair mc, int power)
+{
+  const brick_real series[9] = {1.0, (brick_real)2, (brick_real)15, (brick_real)150, (brick_real)1707, (brick_real)20910, (brick_real)268616,
+                                  (brick_real)3567400, (brick_real)48555069};
+  const brick_pair k = brick_pair_root(mc), root = brick_pair_root(k), first = brick_pair_add(brick_pair_of(1.0), k);
+  const brick_pair second = brick_pair_add(brick_pair_of(1.0), root);
+  const brick_pair eps = brick_pair_divide(brick_pair_scale(m, -1), brick_pair_multiply(first, brick_pair_multiply(second, second)));
+  const brick_pair e2 = brick_pair_scale(brick_pair_multiply(eps, eps), 2*power), e4 = brick_pair_multiply(e2, e2);
+  brick_pair sum = brick_pair_of(series[8]);
+  int i;
+
+  for (i = 7; i >= 0; i--) sum = brick_pair_add(brick_pair_of(series[i]), brick_pair_multiply(sum, e4));
+  return brick_pair_multiply(eps, sum);
+}
+
+static brick_pair brick_pi(void)
+{
+  const brick_pair pi = {3.141592653589793, 1.2246467991473532e-16};
+
+  return pi;
+}
+
+static brick_pair brick_log2(void)
+{
+  const brick_pair log2 = {0.6931471805599453, 2.3190468138462996e-17};
+
+  return log2;
+}
+
+static void brick_store(brick_real out[2], brick_pair a)
+{
+  out[0] = a.hi;
+  out[1] = a.lo;
+}
+
+/* pi/2 theta3(0; q)^2 = K (DLMF 22.2.2), q <= 0.044 */
+static brick_pair brick_complete(brick_pair q)
+{
+  const brick_pair q2 = brick_pair_multiply(q, q), q3 = brick_pair_multiply(q2, q), q5 = brick_pair_multiply(q3, q2);
+  brick_pair t = brick_pair_multiply(q5, brick_pair_add(brick_pair_of(1.0), brick_pair_multiply(brick_pair_multiply(q5, q2),
+      brick_pair_add(brick_pair_of(1.0), brick_pair_multiply(brick_pair_multiply(q5, q3), q)))));
+
+  t = brick_pair_multiply(q, brick_pair_add(brick_pair_of(1.0), brick_pair_multiply(q3, brick_pair_add(brick_pair_of(1.0), t))));
+  t = brick_pair_add(brick_pair_of(1.0), brick_pair_scale(t, 1));
+  return brick_pair_scale(brick_pair_multiply(brick_pi(), brick_pair_multiply(t, t)), -1);
+}
+
+/* Both nomes from the smaller one, log q log q' = pi^2; hyperbolic from kappa = 1 on, where the two series converge alike */
+static void brick_nomes(brick_top *p)
+{
+  const brick_pair m = brick_pair_scale(p->k2, 2*p->small12), mc = brick_pair_scale(p->kc2, 2*p->small13);
+  const brick_pair pi = brick_pi();
+
+  p->hyperbolic = 0;
+  if (m.hi <= 0.5) {
+    p->q = brick_nome(p->k2, mc, 2*p->small12);
+    p->K = brick_complete(brick_pair_scale(p->q, 2*p->small12));
+    return;
+  }
+  p->qc = brick_nome(p->kc2, m, 2*p->small13);
+  p->hyperbolic = 1;
+  p->log_qc = brick_pair_of(0.0);
+  if (p->qc.hi > 0.0) { /* else on the separatrix, to the last bit */
+    p->log_qc = brick_pair_log(p->qc);
+    p->log_qc = brick_pair_add(p->log_qc, brick_pair_times((brick_real)(2*p->small13), brick_log2()));
+    p->hyperbolic = p->log_qc.hi < -2.0*pi.hi;
+  }
+  p->qc = brick_pair_scale(p->qc, 2*p->small13);
+  p->Kc = brick_complete(p->qc);
+  if (!p->hyperbolic) {
+    p->q = brick_pair_exp(brick_pair_divide(brick_pair_multiply(pi, pi), p->log_qc), -2*p->small12);
+    p->K = brick_pair_divide(brick_pair_multiply(p->Kc, p->log_qc), brick_pair_minus(pi));
+  }
+}
+
+/* u0 from sn, cn, dn: F(phi, k^2) = sn R_F(cn^2, dn^2, 1) for |phi| <= pi/2 (DLMF 19.25.5) */
+static brick_pair brick_argument(const brick_top *p)
+{
+  const brick_pair sn = brick_pair_times(p->s, brick_pair_divide(brick_pair_scale(p->w[1], -p->small12), p->b[1]));
+  const brick_pair cn = brick_pair_divide(brick_pair_scale(p->w[0], -p->small12), p->b[0]);
+  const brick_pair dn = brick_pair_divide(p->w[2], p->b[2]);
+
+  return brick_pair_multiply(sn, brick_carlson(cn, dn, brick_pair_of(1.0)));
+}
+
+static void brick_quaternion_product(const brick_real a[4], const brick_real b[4], brick_real out[4])
+{
+  out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
+  out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
+  out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
+  out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
+}
+
+/* c[0] + c[1] y[1] + ...: a series in multiple angles, y[n+1] = 2 X y[n] - y[n-1], as a polynomial in X; y[0] = 1 and
+ * y[1] = first + slope X */
+static void brick_polynomial(int n, const brick_real c[], brick_real first, brick_real slope, brick_real out[])
+{
+  brick_real before[5] = {1.0, 0.0, 0.0, 0.0, 0.0};
+  brick_real now[5] = {first, slope, 0.0, 0.0, 0.0}, next[5];
+  int i, k;
+
+  for (k = 0; k < n; k++) out[k] = k == 0 ? c[0] : 0.0;
+  for (i = 1; i < n; i++) {
+    for (k = 0; k <= i; k++) out[k] += c[i]*now[k];
+    for (k = 0; k < 5; k++) next[k] = (k > 0 ? 2.0*now[k - 1] : 0.0) - before[k];
+    for (k = 0; k < 5; k++) {
+      before[k] = now[k];
+      now[k] = next[k];
+    }
+  }
+}
+
+/* Away from the separatrix.  q^(1/2) e^eta = E = exp(-pi F/(2 K)), F = B3 R_F(B1^2, B2^2, G^2), e^(-2 eta) = r = q/E^2;
+ * mu = G/(2 I2) - s z'/2 d log theta2(i eta; q)/d eta, whose terms are of the size of the rates. */
+static void brick_circular(brick_orbit *o, const brick_top *p)
+{
+  const brick_pair one = brick_pair_of(1.0), pi = brick_pi(), K2 = brick_pair_scale(p->K, 1);
+  const brick_pair rate = brick_pair_divide(p->lambda, K2), start = brick_pair_divide(brick_argument(p), K2);
+  const brick_pair q = brick_pair_scale(p->q, 2*p->small12);
+  brick_pair F, E, E2, r, r2, up, down, odd, power, D, total;
+  brick_real e[8], g[8], c[5], Q[26], sign;
+  int n;
+
+  F = brick_carlson(brick_pair_scale(brick_pair_multiply(p->I[0], p->b[0]), p->small12),
+               brick_pair_scale(brick_pair_multiply(p->I[1], p->b[1]), p->small12), p->G);
+  F = brick_pair_multiply(brick_pair_multiply(p->I[2], p->b[2]), F);
+  E = brick_pair_exp(brick_pair_divide(brick_pair_multiply(pi, F), brick_pair_minus(K2)), -p->small12);
+  r = brick_pair_divide(p->q, brick_pair_multiply(E, E));
+  E = brick_pair_scale(E, p->small12);
+  E2 = brick_pair_multiply(E, E);
+
+  /* sum (2n+1) q^(n^2) E^(2n) (1 - r^(2n+1)) over the same without 2n+1 and with a plus */
+  r2 = brick_pair_multiply(r, r);
+  up = down = brick_pair_of(0.0);
+  power = one; /* q^(n^2) E^(2n) */
+  odd = r;     /* r^(2n+1) */
+  D = brick_pair_multiply(q, E2);
+  total = brick_pair_multiply(q, q);
+  for (n = 0; n < 8; n++) {
+    up = brick_pair_add(up, brick_pair_times((brick_real)(2*n + 1), brick_pair_multiply(power, brick_pair_subtract(one, odd))));
+    down = brick_pair_add(down, brick_pair_multiply(power, brick_pair_add(one, odd)));
+    odd = brick_pair_multiply(odd, r2);
+    power = brick_pair_multiply(power, D);
+    D = brick_pair_multiply(D, total);
+  }
+  D = brick_pair_multiply(brick_pair_divide(up, down), rate);
+  total = brick_pair_divide(p->G, brick_pair_multiply(pi, p->I[1]));
+  total = brick_pair_scale(brick_pair_subtract(total, brick_pair_times(p->s, D)), -2);
+  o->hyperbolic = 0;
+  brick_store(o->start, start);
+  brick_store(o->rate, rate);
+  brick_store(o->turn, total);
+  brick_store(o->period, one);
+  o->inverse = 1.0;
+
+  /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin z - ... */
+  e[0] = g[0] = 1.0;
+  for (n = 1; n < 8; n++) {
+    e[n] = e[n - 1]*E.hi;
+    g[n] = g[n - 1]*(E.hi*r.hi);
+  }
+  Q[0] = 1.0; /* powers of q */
+  for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q.hi;
+  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = n == 0 ? 1.0 : sign*Q[n*(2*n - 1)]*(e[2*n] + g[2*n]);
+  brick_polynomial(4, c, 0.0, 1.0, o->a_re);
+  for (n = 1, sign = -1.0; n < 4; n++, sign = -sign) c[n - 1] = p->s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
+  brick_polynomial(3, c, 0.0, 2.0, o->a_im);
+  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = p->s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
+  brick_polynomial(4, c, 1.0, 2.0, o->b_re);
+  for (n = 0, sign = -1.0; n < 4; n++, sign = -sign) c[n] = sign*Q[n*(2*n + 1)]*(e[2*n + 1] - g[2*n + 1]);
+  brick_polynomial(4, c, -1.0, 2.0, o->b_im);
+
+  /* theta2(z; q), theta1(z; q) without 2 q^(1/4), theta3(z; q), each over what makes it cn, sn, dn times theta4/theta4(0) */
+  {
+    brick_real two_ = 0.0, three_ = 1.0, four_ = 1.0;
+
+    for (n = 0; n < 5; n++) two_ += Q[n*(n + 1)];
+    for (n = 1; n < 6; n++) {
+      three_ += 2.0*Q[n*n];
+      four_ += (n % 2 ? -2.0 : 2.0)*Q[n*n];
+    }
+    for (n = 0; n < 5; n++) c[n] = Q[n*(n + 1)];
+    brick_polynomial(5, c, -1.0, 2.0, o->f[0]);
+    for (n = 0; n < 5; n++) c[n] = p->s*(n % 2 ? -1.0 : 1.0)*Q[n*(n + 1)];
+    brick_polynomial(5, c, 1.0, 2.0, o->f[1]);
+    for (n = 0; n < 5; n++) c[n] = (n ? 2.0 : 1.0)*Q[n*n];
+    brick_polynomial(5, c, 0.0, 1.0, o->f[2]);
+    o->scale[0] = 1.0/two_;
+    o->scale[1] = three_/(two_*four_);
+    o->scale[2] = 1.0/three_;
+  }
+}
+
+/* Near the separatrix.  h = kappa eta = pi v/(4 K'), sc(v, k') = sqrt(I1 (I3 - I2)/(I3 (I2 - I1))); V has the period
+ * pi kappa = -log(q')/2 (none on the separatrix), at which the phase about L jumps by -2 s h; between,
+ * mu = G/(2 I2) - s V' theta4'(2h; q')/theta4(2h; q'). */
+static void brick_hyperbolic(brick_orbit *o, const brick_top *p)
+{
+  const brick_pair one = brick_pair_of(1.0), pi = brick_pi(), K4 = brick_pair_scale(p->Kc, 2);
+  const brick_pair scale = brick_pair_divide(pi, K4);
+  const brick_pair rate = brick_pair_multiply(p->lambda, scale), start = brick_pair_multiply(brick_argument(p), scale);
+  const brick_pair sum = brick_pair_multiply(p->I[1], p->d31);
+  const brick_pair sn = brick_root_of(brick_pair_multiply(p->I[0], p->d32), sum), cn = brick_root_of(brick_pair_multiply(p->I[2], p->d21), sum);
+  const brick_pair dn = brick_pair_multiply(p->G, brick_root_of(p->rho, brick_pair_multiply(p->I[1], p->Lambda1)));
+  const brick_pair v = brick_pair_multiply(sn, brick_carlson(cn, dn, one)), turn = brick_pair_divide(v, K4);
+  brick_pair c1, s1, c, s, up, down, power, odd, ratio;
+  brick_real cosine[4], sine[4]; const brick_real h = brick_pair_multiply(pi, turn).hi; brick_real P, Q, two_, three_, four_;
+  int n;
+
+  brick_pair_circle(brick_pair_scale(brick_pair_multiply(pi, turn), 2), &c1, &s1); /* 4h: cos - 1, sin */
+  up = brick_pair_of(0.0);
+  down = one;
+  c = brick_pair_add(one, c1);
+  s = s1;
+  power = p->qc;
+  odd = brick_pair_multiply(p->qc, brick_pair_multiply(p->qc, p->qc));
+  for (n = 1; n < 5; n++) { /* theta4(x) = 1 - 2 q' cos 2x + 2 q'^4 cos 4x - ... */
+    ratio = c;
+    up = brick_pair_add(up, brick_pair_times((brick_real)(n % 2 ? 4*n : -4*n), brick_pair_multiply(power, s)));
+    down = brick_pair_add(down, brick_pair_times((brick_real)(n % 2 ? -2 : 2), brick_pair_multiply(power, c)));
+    c = brick_pair_subtract(brick_pair_add(ratio, brick_pair_multiply(ratio, c1)), brick_pair_multiply(s, s1));
+    s = brick_pair_add(brick_pair_add(s, brick_pair_multiply(s, c1)), brick_pair_multiply(ratio, s1));
+    power = brick_pair_multiply(power, odd);
+    odd = brick_pair_multiply(odd, brick_pair_multiply(p->qc, p->qc));
+  }
+  up = brick_pair_multiply(rate, brick_pair_divide(up, down));
+  up = brick_pair_subtract(brick_pair_divide(p->G, brick_pair_scale(p->I[1], 1)), brick_pair_times(p->s, up));
+  brick_store(o->turn, brick_pair_divide(up, brick_pair_scale(pi, 1)));
+  brick_store(o->start, start);
+  brick_store(o->rate, rate);
+  brick_store(o->period, brick_pair_scale(brick_pair_minus(p->log_qc), -1));
+  brick_store(o->jump, brick_pair_times(p->s, turn));
+  o->hyperbolic = 1;
+  o->inverse = p->qc.hi > 0.0 || p->log_qc.hi < 0.0 ? -2.0/p->log_qc.hi : 0.0;
+
+  P = sqrt(p->qc.hi);
+  Q = p->qc.hi;
+  o->nome = P;
+  for (n = 0; n < 4; n++) {
+    const brick_real to = n == 0 ? 1.0 : n == 1 ? P : n == 2 ? Q*Q : Q*Q*Q*Q*P;                     /* p'^(n^2) */
+    const brick_real from = n == 0 ? 1.0 : n == 1 ? Q : n == 2 ? Q*Q*Q : Q*Q*Q*Q*Q*Q;               /* p'^(n(n+1)) */
+
+    cosine[n] = cos((brick_real)(2*n + 1)*h);
+    sine[n] = p->s*sin((brick_real)(2*n + 1)*h);
+    o->a_re[n] = cosine[n]*to;
+    o->a_im[n] = sine[n]*to;
+    o->b_re[n] = cosine[n]*from;
+    o->b_im[n] = sine[n]*from;
+  }
+  /* cn, sn, dn times theta2/theta2(0), nome q', scaled */
+  two_ = 1.0 + Q*Q + Q*Q*Q*Q*Q*Q;
+  three_ = 1.0 + 2.0*(Q + Q*Q*Q*Q);
+  four_ = 1.0 - 2.0*(Q - Q*Q*Q*Q);
+  o->scale[0] = 1.0/four_;
+  o->scale[1] = p->s*three_/(2.0*two_*four_);
+  o->scale[2] = 1.0/three_;
+}
+
+/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
+static brick_real brick_nearest(brick_real x)
+{
+  return (x + 6755399441055744.0) - 6755399441055744.0;
+}
+
+/* sin and cos of pi x, |x| <= 1/2: their series at half of it, and one doubling; no call, so that loops are vectorised */
+static void brick_sincos(brick_real x, brick_real *s, brick_real *c)
+{
+  const brick_real y = 0.5*3.141592653589793*x, u = y*y;
+  const double u2 = u*u, u4 = u2*u2; /* Horner's rule in two halves, which run side by side */
+  const double a0 = 1.0 - u*(1.0/6.0) + u2*(1.0/120.0 - u*(1.0/5040.0));
+  const double a1 = 1.0/362880.0 - u*(1.0/39916800.0) + u2*(1.0/6227020800.0 - u*(1.0/1307674368000.0) + u2*(1.0/355687428096000.0));
+  const double b0 = 1.0 - u*0.5 + u2*(1.0/24.0 - u*(1.0/720.0));
+  const double b1 = 1.0/40320.0 - u*(1.0/3628800.0) + u2*(1.0/479001600.0 - u*(1.0/87178291200.0) + u2*(1.0/20922789888000.0));
+  const double a = y*(a0 + u4*a1), b = b0 + u4*b1;
+
+  *s = 2.0*(a*b);
+  *c = (b - a)*(b + a);
+}
+
+/* w, x, y, z of the quaternion and cn, sn, dn, all but for one factor each, at the phase r, whose period is passed an
+ * even (flip = 1) or an odd number of times (-1), after a turn about L */
+static void brick_functions(const brick_orbit *o, brick_real r, brick_real flip, brick_real turn,
+                              brick_real y[4], brick_real f[3])
+{
+  brick_real st, ct;
+  brick_real a, b, c, d;
+
+  if (!o->hyperbolic) {
+    brick_real sz, cz, X, s2;
+
+    brick_sincos(r, &sz, &cz);
+    X = (cz - sz)*(cz + sz);
+    s2 = 2.0*(sz*cz);
+    sz *= flip;
+    cz *= flip;
+    a = o->a_re[0] + X*(o->a_re[1] + X*(o->a_re[2] + X*o->a_re[3]));
+    b = s2*(o->a_im[0] + X*(o->a_im[1] + X*o->a_im[2]));
+    c = sz*(o->b_re[0] + X*(o->b_re[1] + X*(o->b_re[2] + X*o->b_re[3])));
+    d = cz*(o->b_im[0] + X*(o->b_im[1] + X*(o->b_im[2] + X*o->b_im[3])));
+    f[0] = cz*(o->f[0][0] + X*(o->f[0][1] + X*(o->f[0][2] + X*(o->f[0][3] + X*o->f[0][4]))));
+    f[1] = sz*(o->f[1][0] + X*(o->f[1][1] + X*(o->f[1][2] + X*(o->f[1][3] + X*o->f[1][4]))));
+    f[2] = o->f[2][0] + X*(o->f[2][1] + X*(o->f[2][2] + X*(o->f[2][3] + X*o->f[2][4])));
+  } else {
+    const brick_real e = exp(-2.0*fabs(r)) + 2.2250738585072014e-308, g = o->nome/e, sign = r < 0.0 ? -1.0 : 1.0;
+    const brick_real Q = o->nome*o->nome, Q4 = (Q*Q)*(Q*Q), e2 = e*e, g2 = g*g;
+    const brick_real re = o->a_re[0] + g2*o->a_re[2], ro = g*(o->a_re[1] + g2*o->a_re[3]);
+    const brick_real ie = o->a_im[0] + g2*o->a_im[2], io = g*(o->a_im[1] + g2*o->a_im[3]);
+    const brick_real se = e*(o->b_re[0] + e2*o->b_re[2]), so = e2*(o->b_re[1] + e2*o->b_re[3]);
+    const brick_real te = e*(o->b_im[0] + e2*o->b_im[2]), to = e2*(o->b_im[1] + e2*o->b_im[3]);
+
+    a = (re + ro) + (se + so);
+    b = -sign*((ie + io) - (te + to));
+    c = flip*sign*o->s*((re - ro) - (se - so));
+    d = -flip*o->s*((ie - io) + (te - to));
+    f[0] = flip*e*(1.0 - (g2 + Q*e2) + (Q*Q*g2*g2 + Q4*e2*e2));
+    f[1] = flip*sign*(1.0 - Q*g2 + Q4*g2*g2 - e2*(1.0 - Q*Q*e2 + Q4*Q*Q*e2*e2));
+    f[2] = e*(1.0 + (g2 + Q*e2) + (Q*Q*g2*g2 + Q4*e2*e2));
+  }
+  brick_sincos(turn, &st, &ct); /* half of it */
+  r = ct;
+  ct = (ct - st)*(ct + st);
+  st = 2.0*(st*r);
+  y[0] = ct*a - st*b;
+  y[3] = st*a + ct*b;
+  y[1] = ct*c - st*d;
+  y[2] = st*c + ct*d;
+}
+
+/* the quaternion from y, normalised */
+static void brick_attitude(const brick_orbit *o, const brick_real y[4], brick_real q[])
+{
+  brick_real n = 1.0/sqrt(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
+  int i;
+
+  for (i = 0; i < 4; i++) q[i] = n*(y[0]*o->q[0][i] + y[1]*o->q[1][i] + y[2]*o->q[2][i] + y[3]*o->q[3][i]);
+  /* rounding only: one Newton step for 1/|q| */
+  n = 1.5 - 0.5*(q[0]*q[0] + q[1]*q[1] + q[2]*q[2] + q[3]*q[3]);
+  for (i = 0; i < 4; i++) q[i] *= n;
+}
+
+/* attitude and rates */
+static void brick_state(const brick_orbit *o, brick_real r, brick_real flip, brick_real turn, brick_real x[])
+{
+  brick_real y[4], f[3], n;
+  brick_real *w = x + BRICK_WX;
+  int i;
+
+  brick_functions(o, r, flip, turn, y, f);
+  brick_attitude(o, y, x + BRICK_QW);
+  n = 1.0/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
+  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
+}
+
+/* a + b t in pairs */
+static brick_pair brick_phase(brick_pair a, const brick_real b[2], brick_real t)
+{
+  const brick_pair p = brick_pair_product(b[0], t), s = brick_pair_sum(p.hi, a.hi);
+  brick_pair phase;
+
+  phase.hi = s.hi;
+  phase.lo = s.lo + (p.lo + b[1]*t + a.lo);
+  return phase;
+}
+
+/* phases: of the rates, less the nearest multiple of its period; about L, less whole turns; and (-1) to the multiple */
+static void brick_reduce(const brick_orbit *o, brick_real t, brick_real *r, brick_real *turn, brick_real *flip)
+{
+  brick_pair p, jump;
+  brick_real n;
+
+  p.hi = o->start[0];
+  p.lo = o->start[1];
+  p = brick_phase(p, o->rate, t);
+  n = brick_nearest(p.hi*o->inverse);
+  *flip = 1.0 - 2.0*fabs(n - 2.0*brick_nearest(0.5*n));
+  jump = brick_pair_of(0.0);
+  if (o->hyperbolic) {
+    const brick_pair whole = brick_pair_product(n, o->period[0]);
+
+    jump = brick_pair_product(-n, o->jump[0]);
+    jump.lo -= n*o->jump[1];
+    *r = (p.hi - whole.hi) + (p.lo - whole.lo - n*o->period[1]);
+  } else {
+    *r = (p.hi - n) + p.lo;
+  }
+  p = brick_phase(jump, o->turn, t);
+  *turn = (p.hi - brick_nearest(p.hi)) + p.lo;
+}
+
+void brick_at(const brick_orbit *o, brick_real t, brick_real x[])
+{
+  brick_real r, turn, flip;
+
+  brick_reduce(o, t, &r, &turn, &flip);
+  brick_state(o, r, flip, turn, x);
+}
+
+static brick_pair brick_unit_quaternion(const brick_real q[4], brick_real out[4])
+{
+  brick_pair sum = brick_pair_of(0.0), length;
+  brick_real big = 0.0;
+  int i, e;
+
+  for (i = 0; i < 4; i++) big = fabs(q[i]) > big ? fabs(q[i]) : big;
+  (void)frexp(big, &e);
+  for (i = 0; i < 4; i++) {
+    out[i] = ldexp(q[i], -e);
+    sum = brick_pair_add(sum, brick_pair_product(out[i], out[i]));
+  }
+  length = brick_pair_root(sum);
+  for (i = 0; i < 4 && big > 0.0; i++) out[i] = brick_pair_divide(brick_pair_of(out[i]), length).hi;
+  return length;
+}
+
+/* all numbers 0 */
+static void brick_clear(brick_orbit *o)
+{
+  int i, k;
+
+  for (i = 0; i < 2; i++) o->start[i] = o->rate[i] = o->period[i] = o->turn[i] = o->jump[i] = 0.0;
+  for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
+  for (i = 0; i < 4; i++) o->a_re[i] = o->a_im[i] = o->b_re[i] = o->b_im[i] = 0.0;
+  for (i = 0; i < 3; i++) {
+    for (k = 0; k < 5; k++) o->f[i][k] = 0.0;
+    o->scale[i] = 0.0;
+  }
+  o->inverse = o->nome = o->tick = 0.0;
+  o->s = 1.0;
+  o->hyperbolic = 0;
+}
+
+/* Constant rotation: w and L are parallel; axis 3 is theirs, and p = 0, E = 0. */
+static void brick_constant(brick_orbit *o, brick_top *p, const brick_real w[3])
+{
+  brick_pair length = brick_pair_of(0.0);
+  int i, j;
+
+  for (i = 0; i < 3; i++) length = brick_pair_add(length, brick_pair_product(w[i], w[i]));
+  length = brick_pair_root(length);
+  for (i = 0; i < 3; i++) {
+    for (j = 0; j < 2; j++) p->axis[j][i] = 0.0;
+    p->axis[2][i] = length.hi > 0.0 ? brick_pair_divide(brick_pair_of(w[i]), length).hi : 0.0;
+  }
+  p->b[0] = p->b[1] = brick_pair_of(0.0);
+  p->b[2] = length;
+  o->a_re[0] = o->f[2][0] = 1.0;
+  brick_store(o->turn, brick_pair_divide(length, brick_pair_scale(brick_pi(), 2)));
+  o->scale[2] = o->inverse = o->period[0] = 1.0;
+}
+
+int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
+{
+  brick_orbit made;
+  brick_top p;
+  brick_pair I[3], axis[3][3], w[3];
+  brick_real tensor[6], rate[3], y[4], f[3], q0[4], n, size, largest = 0.0;
+  int order[3], scale, e, i, j, k;
+
+  brick_inertia(m, tensor);
+  for (i = 0; i < BRICK_NX; i++) {
+    if (!(x0[i] - x0[i] == 0.0)) return 1;
+  }
+  if (!(brick_unit_quaternion(x0 + BRICK_QW, q0).hi > 0.0)) return 1;
+  if (brick_principal_pairs(tensor, I, axis, order, &scale)) return 1;
+  (void)frexp(I[order[2]].hi, &e);
+  for (i = 0; i < 3; i++) I[i] = brick_pair_scale(I[i], -e);
+  size = 8.0*2.220446049250313e-16*I[order[2]].hi;
+  if (!(I[order[0]].hi > 0.0)) { /* a rod */
+    const brick_pair sum = brick_pair_add(I[order[1]], I[order[2]]);
+
+    if (I[order[0]].hi < -size || I[order[2]].hi - I[order[1]].hi > size) return 1;
+    I[order[0]] = brick_pair_of(0.0);
+    I[order[1]] = I[order[2]] = brick_pair_scale(sum, -1);
+  }
+  for (i = 0; i < 3; i++) largest = fabs(x0[BRICK_WX + i]) > largest ? fabs(x0[BRICK_WX + i]) : largest;
+  (void)frexp(largest, &e);
+  for (i = 0; i < 3; i++) rate[i] = ldexp(x0[BRICK_WX + i], -e);
+  for (i = 0; i < 3; i++) {
+    w[i] = brick_pair_times(rate[0], axis[i][0]);
+    for (j = 1; j < 3; j++) w[i] = brick_pair_add(w[i], brick_pair_times(rate[j], axis[i][j]));
+  }
+  for (i = 0, k = 0; i < 3; i++) { /* w x L = 0? */
+    j = (i + 1) % 3;
+    n = brick_pair_subtract(I[i], I[j]).hi;
+    if (fabs(w[i].hi) > 0.0 && fabs(w[j].hi) > 0.0 && fabs(n) > 0.0) k = 1;
+  }
+  brick_clear(&made);
+  if (!k) {
+    p.small12 = 0;
+    brick_constant(&made, &p, rate);
+  } else {
+    brick_label(&p, I, w, (const brick_pair(*)[3])axis, order);
+    brick_invariants(&p);
+    brick_nomes(&p);
+    made.s = p.s;
+    if (p.hyperbolic) brick_hyperbolic(&made, &p);
+    else brick_circular(&made, &p);
+  }
+  for (i = 0; i < 2; i++) { /* per second again */
+    made.rate[i] = ldexp(made.rate[i], e);
+    made.turn[i] = ldexp(made.turn[i], e);
+  }
+  if (!(made.rate[0] - made.rate[0] == 0.0) || !(made.turn[0] - made.turn[0] == 0.0)) return 1;
+
+  /* the rates are over N^2, which is this at u = 0 */
+  brick_functions(&made, 0.0, 1.0, 0.0, y, f);
+  n = y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3];
+  for (i = 0; i < 3; i++) {
+    for (j = 0; j < 3; j++) {
+      made.w[i][j] = ldexp(n*made.scale[i]*p.b[i].hi*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
+    }
+  }
+  /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */
+  {
+    brick_real r, turn, flip;
+
+    brick_reduce(&made, 0.0, &r, &turn, &flip);
+    brick_functions(&made, r, flip, turn, y, f);
+    (void)brick_unit_quaternion(y, y);
+  }
+  for (k = 0; k < 4; k++) {
+    brick_real unit[4] = {0.0, 0.0, 0.0, 0.0}, d[4], v[4];
+
+    unit[k] = 1.0;
+    for (i = 1; i < 4; i++) y[i] = k == 0 ? -y[i] : y[i];
+    brick_quaternion_product(y, unit, d);
+    v[0] = d[0];
+    for (j = 0; j < 3; j++) v[j + 1] = d[1]*p.axis[0][j] + d[2]*p.axis[1][j] + d[3]*p.axis[2][j];
+    brick_quaternion_product(q0, v, made.q[k]);
+  }
+  *o = made;
+  return 0;
+}
+
+/* ---- time in ticks: phases as fractions of a turn, 128 bits, in which whole turns vanish by overflow ---- */
+
+/* a less whole turns, in units of 2^-128: {high, low}; sixteen bits at a time, each step exact */
+static void brick_fraction(brick_pair a, uint64_t out[2])
+{
+  int i;
+
+  a = brick_pair_add(brick_pair_sum(a.hi, -floor(a.hi)), brick_pair_of(a.lo));
+  if (a.hi < 0.0) a = brick_pair_add(a, brick_pair_of(1.0));
+  out[0] = out[1] = 0;
+  for (i = 0; i < 8; i++) {
+    brick_real whole;
+
+    a = brick_pair_scale(a, 16);
+    whole = floor(a.hi);
+    if (!(a.hi > whole) && a.lo < 0.0) whole -= 1.0;
+    a = brick_pair_sum(a.hi - whole, a.lo);
+    out[i/4] = out[i/4] << 16 | ((uint64_t)(int64_t)whole & 0xFFFFU);
+  }
+}
+
+/* the upper half of start + n rate, modulo a turn */
+static uint64_t brick_counted(const uint64_t start[2], const uint64_t rate[2], int64_t n)
+{
+  const uint64_t m = n < 0 ? 0 - (uint64_t)n : (uint64_t)n, a = m >> 32, b = m & 0xFFFFFFFFU;
+  const uint64_t c = rate[1] >> 32, d = rate[1] & 0xFFFFFFFFU;
+  const uint64_t middle = a*d + (b*d >> 32), cross = b*c + (middle & 0xFFFFFFFFU); /* m rate[1], its upper half */
+  uint64_t high = m*rate[0] + a*c + (middle >> 32) + (cross >> 32), low = m*rate[1], sum;
+
+  if (n < 0) {
+    high = 0 - high - (low > 0 ? 1U : 0U);
+    low = 0 - low;
+  }
+  sum = start[1] + low;
+  return start[0] + high + (sum < low ? 1U : 0U);
+}
+
+/* a fraction as a signed number of turns, |turns| <= 1/2 */
+static brick_real brick_turns(uint64_t f)
+{
+  return f >> 63 ? -((brick_real)(0 - f)*5.421010862427522e-20) : (brick_real)f*5.421010862427522e-20;
+}
+
+int brick_set_tick(brick_orbit *o, brick_real h)
+{
+  const brick_pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]};
+  const brick_pair turn = {o->turn[0], o->turn[1]}, jump = {o->jump[0], o->jump[1]};
+  const brick_pair period = {o->period[0], o->period[1]};
+  brick_pair per = brick_pair_of(0.0), first = brick_pair_of(0.0), mean;
+
+  if (o->inverse > 0.0) {
+    per = brick_pair_divide(rate, period);
+    first = brick_pair_divide(start, period);
+  }
+  mean = brick_pair_times(h, brick_pair_subtract(turn, brick_pair_multiply(jump, per)));
+  per = brick_pair_times(h, per);
+  if (!(per.hi - per.hi == 0.0) || !(mean.hi - mean.hi == 0.0)) return 1;
+  o->tick = h;
+  brick_fraction(brick_pair_scale(per, -1), o->rate_tick); /* of two periods: the last bit is the sign */
+  brick_fraction(brick_pair_scale(first, -1), o->rate_start);
+  brick_fraction(mean, o->turn_tick);
+  brick_fraction(brick_pair_minus(brick_pair_multiply(jump, first)), o->turn_start);
+  return 0;
+}
+
+void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[])
+{
+  const uint64_t two = brick_counted(o->rate_start, o->rate_tick, n);
+  brick_real r = brick_turns(two << 1), turn = brick_turns(brick_counted(o->turn_start, o->turn_tick, n));
+  const int odd = (int)((two + ((uint64_t)1 << 62)) >> 63);
+
+  if (o->hyperbolic) {
+    turn += o->jump[0]*r;
+    turn -= brick_nearest(turn);
+    r *= o->period[0];
+    if (!(o->inverse > 0.0)) { /* the separatrix has no period */
+      brick_pair t = brick_pair_product((brick_real)n, o->tick), p = brick_pair_of(o->start[0]);
+
+      p.lo = o->start[1] + o->rate[0]*t.lo;
+      p = brick_phase(p, o->rate, t.hi);
+      r = p.hi + p.lo;
+    }
+  }
+  brick_state(o, r, odd ? -1.0 : 1.0, turn, x);
+}
+
+void brick_at_rates(const brick_orbit *o, brick_real t, brick_real w[])
+{
+  brick_real r, turn, flip, y[4], f[3], n;
+  int i;
+
+  brick_reduce(o, t, &r, &turn, &flip);
+  brick_functions(o, r, flip, 0.0, y, f);
+  n = 1.0/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
+  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
+}
+
+void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
+{
+  brick_real r, turn, flip, y[4], f[3];
+
+  brick_reduce(o, t, &r, &turn, &flip);
+  brick_functions(o, r, flip, turn, y, f);
+  brick_attitude(o, y, q);
+}
+
+brick_real brick_polhode_period(const brick_orbit *o)
+{
+  if (!(o->rate[0] > 0.0)) return 0.0;
+  return o->inverse > 0.0 ? 2.0*o->period[0]/o->rate[0] : HUGE_VAL;
+}
+
+/* 2 mu + s z': b winds once more than a in each period of z */
+brick_real brick_precession_rate(const brick_orbit *o)
+{
+  const brick_real per = o->rate[0]*o->inverse;
+
+  return 3.141592653589793*(2.0*2.0*(o->turn[0] - o->jump[0]*per) + o->s*per);
 }
 
 /* ---- stability, small oscillations ---- */

@@ -12,12 +12,14 @@
  *     Ixz = -M*a*c/4
  *     Iyz = -M*b*c/4
  * No effects: torque-free motion about the origin.
- * Method: rk4.
+ * Method: rk4; closed form: free asymmetric top, theta functions.
  * Operations of rhs: 23 additions, 40 multiplications.
  * Operations of step: 135 additions, 179 multiplications, 1 division.
  */
 #ifndef POLHODE_BRICK_HEADER
 #define POLHODE_BRICK_HEADER
+
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -124,6 +126,46 @@ void brick_rate(const brick_real w[3], const brick_real a[3], const brick_real d
 void brick_acceleration(const brick_real w[3], const brick_real dw[3], const brick_real r[3],
                         const brick_real v[3], const brick_real a[3], brick_real coriolis[3],
                         brick_real euler[3], brick_real centrifugal[3], brick_real total[3]);
+
+/* ---- closed form: free asymmetric top, theta functions ----
+ *
+ * With u linear in time L = (B1 cn u, B2 sn u, B3 dn u) along the principal axes, Jacobi's functions; the
+ * attitude is exp(i mu t) times theta4 and theta1 of pi u/(2 K) - i eta, a complex pair (Jacobi 1849; Whittaker,
+ * Analytical Dynamics, section 69).  Set up in twice the working precision; any moments and any state: symmetric,
+ * spherical, a rod, spin about an axis and the separatrix are limits that the same formulas pass through.
+ */
+typedef struct brick_orbit {
+  brick_real start[2], rate[2];   /* phase of the rates at t = 0, and per second, as pairs high + low */
+  brick_real period[2], inverse;  /* its period; on the separatrix, which has none, both are 0 */
+  brick_real turn[2], jump[2];    /* turns about L per second, and what goes off with each period of the phase */
+  brick_real a_re[4], a_im[4], b_re[4], b_im[4], f[3][5], nome, scale[3], s; /* series, see brick_functions */
+  brick_real q[4][4], w[3][3];    /* quaternion and rates are combinations of these */
+  brick_real tick;                /* s; the rest is set by brick_set_tick: fractions of two periods, of a turn */
+  uint64_t rate_tick[2], rate_start[2], turn_tick[2], turn_start[2];
+  int hyperbolic;                   /* near the separatrix */
+} brick_orbit;
+
+/* Prepare the motion through x0 at t = 0, q of x0 normalised: about 5000 operations.  Returns 0, or 1 if q is 0, a number
+ * not finite, the body none (a negative moment; no moment about an axis across which two differ), or a rate beyond the
+ * range of the type; *o is untouched then. */
+int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[]);
+
+/* The state at time t, of either sign: attitude and rates.  The phases are formed and reduced in twice the working
+ * precision: errors stay some units of the last place until that is used up, after 2^40 turns (float: 2^20). */
+void brick_at(const brick_orbit *o, brick_real t, brick_real x[]);
+
+/* The rates w[3], rad/s, body axes, or the attitude q[4] alone. */
+void brick_at_rates(const brick_orbit *o, brick_real t, brick_real w[]);
+void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[]);
+
+/* Time in steps of h s.  Phases are integers, which lose nothing however many ticks have passed.  Returns 1 if a step is
+ * beyond the range of the type. */
+int brick_set_tick(brick_orbit *o, brick_real h);
+void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[]);
+
+/* Period of the rates, s (infinite on the separatrix; 0 if they are constant), and the mean rate about L, rad/s. */
+brick_real brick_polhode_period(const brick_orbit *o);
+brick_real brick_precession_rate(const brick_orbit *o);
 
 /* ---- principal axes ---- */
 
