@@ -13,7 +13,7 @@ static ${name}_pair ${name}_pair_quotient(${name}_pair a, ${name}_pair b)
 %% if has_ellipsoid then
 
 /* one Newton step: sqrt(a) = r + (a - r^2)/(2 r) */
-static ${name}_pair ${name}_pair_root(${name}_pair a)
+static ${name}_pair ${name}_positive_root(${name}_pair a)
 {
   const ${name}_real r = ${sqrt}(a.hi);
   ${name}_pair p = ${name}_pair_product(r, r);
@@ -70,7 +70,7 @@ static ${name}_pair ${name}_ellipsoid_parts(${name}_real axis[3], ${name}_pair h
       t = ${name}_pair_multiply(${name}_pair_quotient(r[i], s[i]), ${name}_pair_quotient(r[i], x[i]));
       e[i] = ${name}_pair_add(e[i], ${name}_pair_scaled(t, scale));
       x[i] = ${name}_pair_scaled(x[i], ${quarter});
-      s[i] = ${name}_pair_root(x[i]);
+      s[i] = ${name}_positive_root(x[i]);
     }
     scale *= ${quarter};
   }
