@@ -1,10 +1,11 @@
 /* top.c - measures the emitted closed form of the free top: part of top.t, which judges.
    SPDX-License-Identifier: GPL-3.0-or-later
 
-   Prints "row ID TIME dw dq norm": error of the rates over the largest rate, of the attitude as an angle, |q| - 1, for
-   every sample of the table; "float ID TIME dw dq norm": the float code against the double one at inputs that both
-   hold; "random STATES refused start norm L T": worst of random states that are hard. The emitted code is two
-   compiled scenes, top (double) and small (float), of a tensor whose six entries are parameters. */
+   Prints "row ID TIME dw dq norm": error of the rates over the largest rate, of the attitude as an
+   angle, |q| - 1, for every sample of the table; "float ID TIME dw dq norm": the float code against
+   the double one at inputs that both hold; "random STATES refused start norm L T": worst of random
+   states that are hard. The emitted code is two compiled scenes, top (double) and small (float), of
+   a tensor whose six entries are parameters. */
 #include "free_top_all.h"
 #include "small.h"
 #include "top.h"
@@ -14,7 +15,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static double larger(double a, double b) { return b <= a ? a : b; } /* a NaN stays */
+static double larger(double a, double b) {
+  return b <= a ? a : b;
+} /* a NaN stays */
 
 static double length(const double *x, int n) {
   long double s = 0;
@@ -31,8 +34,8 @@ static double norm_error(const double x[7]) {
 }
 
 /* Errors of x against rates w and attitude q. */
-static void print_errors(const char *what, const char *id, double t, const double x[7], const long double w[3],
-                         const long double q[4]) {
+static void print_errors(const char *what, const char *id, double t, const double x[7],
+                         const long double w[3], const long double q[4]) {
   long double most = 0, dw = 0, plus = 0, minus = 0;
   for (int i = 0; i < 3; i++) {
     most = fmaxl(most, fabsl(w[i]));
@@ -43,8 +46,8 @@ static void print_errors(const char *what, const char *id, double t, const doubl
     plus += (x[i] - q[i]) * (x[i] - q[i]);
     minus += (x[i] + q[i]) * (x[i] + q[i]);
   }
-  printf("%s %s %a %.3Le %.3Le %.3e\n", what, id, t, dw / most, 2 * sqrtl(minus < plus ? minus : plus),
-         norm_error(x));
+  printf("%s %s %a %.3Le %.3Le %.3e\n", what, id, t, dw / most,
+         2 * sqrtl(minus < plus ? minus : plus), norm_error(x));
 }
 
 static void rows(void) {
@@ -67,7 +70,8 @@ static void rows(void) {
     top_at(&o, all_rows[k].t, x);
     print_errors("row", all_rows[k].id, all_rows[k].t, x, all_rows[k].w, all_rows[k].q);
 
-    /* the same time by ticks, 2^k of them forth and back; rates and attitude alone; the mean rate about L */
+    /* the same time by ticks, 2^k of them forth and back; rates and attitude alone; the mean rate
+     * about L */
     const int64_t count = (int64_t)1 << (k % 40);
     double z[7], far_away = 0;
     if (top_set_tick(&o, ldexp(all_rows[k].t, -(int)(k % 40))) != 0)
@@ -130,12 +134,15 @@ static double uniform(void) { /* in (0, 1): xorshift64, Marsaglia 2003 */
   seed ^= seed << 17;
   return ((double)(seed >> 11) + 0.5) * 0x1p-53;
 }
-static double spread(double decades) { return pow(10, decades * (2 * uniform() - 1)); }
+static double spread(double decades) {
+  return pow(10, decades * (2 * uniform() - 1));
+}
 
 /* L in inertial axes, and 2T */
 static long double invariants(const double I[6], const double x[7], long double L[3]) {
   const long double w[3] = {x[4], x[5], x[6]}, v[3] = {x[1], x[2], x[3]};
-  const long double M[3] = {I[0] * w[0] + I[3] * w[1] + I[4] * w[2], I[3] * w[0] + I[1] * w[1] + I[5] * w[2],
+  const long double M[3] = {I[0] * w[0] + I[3] * w[1] + I[4] * w[2],
+                            I[3] * w[0] + I[1] * w[1] + I[5] * w[2],
                             I[4] * w[0] + I[5] * w[1] + I[2] * w[2]};
   long double c[3];
   for (int i = 0; i < 3; i++)
@@ -145,7 +152,8 @@ static long double invariants(const double I[6], const double x[7], long double 
   return M[0] * w[0] + M[1] * w[1] + M[2] * w[2];
 }
 
-/* A body that can be, a <= b <= c <= a + b, and its rates; many are degenerate to the last bit or nearly. */
+/* A body that can be, a <= b <= c <= a + b, and its rates; many are degenerate to the last bit or
+ * nearly. */
 static void draw(double I[6], double x[7]) {
   const int kind = (int)(uniform() * 10), turn = (int)(uniform() * 3), swap = uniform() < 0.5;
   double m[3] = {1, 1 + uniform(), 0};
@@ -160,7 +168,9 @@ static void draw(double I[6], double x[7]) {
     m[0] = m[1];
     m[1] = larger_one;
   }
-  m[2] = kind == 4 ? m[1] : kind == 5 ? m[1] * (1 + 0x1p-52 * (int)(uniform() * 4)) : m[1] + uniform() * m[0];
+  m[2] = kind == 4   ? m[1]
+         : kind == 5 ? m[1] * (1 + 0x1p-52 * (int)(uniform() * 4))
+                     : m[1] + uniform() * m[0];
   if (kind == 6)
     m[2] = m[0] + m[1];
   if (m[2] > m[0] + m[1])
@@ -174,7 +184,8 @@ static void draw(double I[6], double x[7]) {
     x[4 + i] = r < 0.15 ? 0 : rate * (r < 0.4 ? spread(12) : 1) * (2 * uniform() - 1);
   }
   x[3] = 2 * uniform() - 1;
-  if (kind == 8) { /* on the separatrix to some units in the last place: I1 (I2 - I1) w1^2 = I3 (I3 - I2) w3^2 */
+  if (kind == 8) { /* on the separatrix to some units in the last place: I1 (I2 - I1) w1^2 = I3 (I3
+                      - I2) w3^2 */
     int o[3] = {0, 1, 2};
     for (int i = 0; i < 3; i++)
       for (int j = i + 1; j < 3; j++)
@@ -185,7 +196,8 @@ static void draw(double I[6], double x[7]) {
         }
     const double a = I[o[0]] / size, b = I[o[1]] / size, c = I[o[2]] / size;
     if (c > b && b > a)
-      x[4 + o[2]] = x[4 + o[0]] * sqrt(a * (b - a) / (c * (c - b))) * (1 + 0x1p-52 * (int)(uniform() * 5 - 2));
+      x[4 + o[2]] = x[4 + o[0]] * sqrt(a * (b - a) / (c * (c - b))) *
+                    (1 + 0x1p-52 * (int)(uniform() * 5 - 2));
   }
   if (kind == 9)
     for (int i = 0; i < 3; i++)
