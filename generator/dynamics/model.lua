@@ -44,10 +44,10 @@ end
 
 function model:double(e) return R.todouble(self:number(e)) end
 
--- The name, or the name with a number after it, whichever is free.
-function model:unique(name)
+-- The name, or the name with a number after it, whichever is free; taken: a set of further names that are not.
+function model:unique(name, taken)
   local unique, n = name, 1
-  while self.by_name[unique] do
+  while self.by_name[unique] or taken and taken[unique] do
     n = n + 1
     unique = name .. n
   end
@@ -167,11 +167,7 @@ end
 local function in_parts(m, b, r)
   local taken = {}
   local p = parts.of(b, r, function(name)
-    local unique, n = name, 1
-    while m.by_name[unique] or taken[unique] do
-      n = n + 1
-      unique = name .. n
-    end
+    local unique = m:unique(name, taken)
     taken[unique] = true
     return unique
   end)

@@ -142,6 +142,16 @@ function parts:entry(n)
   return sum
 end
 
+-- Second moment n (of x x for n = 1, of x y for n = 4) in names: the part of the mass matrix that must be positive.
+function parts:second(n)
+  local sum, p = expr.zero, vec.pair[n]
+  for _, s in ipairs(self.pieces) do
+    if s.piece.sigma then sum = sum + times(s, s.piece.sigma[n]) end
+  end
+  for _, s in ipairs(self.shifts) do sum = sum + s.u[p[1]] * s.d[p[2]] end
+  return sum
+end
+
 -- I_jj - I_kk, piece by piece: the common part of two moments is never formed.
 function parts:difference(j, k)
   local sum = expr.zero

@@ -252,10 +252,10 @@ function validity.conditions(m)
     list[1] = { e = m.mass, form = m.parts and m.parts.mass or nil, line = m.line, what = "body",
       rule = "total mass must be positive" }
   end
-  -- named: I and size are in the names of the body's parts
-  local function lawful_at(I, size, what, line, named)
-    if constant(I) then return end
-    local pivots, zero = semidefinite(vec.second(I), size)
+  -- S: second moments about the centre of mass; named: S and size are in the names of the body's parts
+  local function lawful_at(S, size, what, line, named)
+    if constant(S) then return end
+    local pivots, zero = semidefinite(S, size)
     for _, e in ipairs(pivots) do -- the next pivot divides by this one
       list[#list + 1] = { e = named and m.parts:resolve(e) or e, form = named and e or nil, pivot = true, line = line,
         what = what, allow_zero = zero,
@@ -270,7 +270,7 @@ function validity.conditions(m)
       local shift = slips.steiner(a.mass, a.com)
       I, size = vec.sub(I, shift), size + vec.trace(shift)
     end
-    lawful_at(I, size, "tensor", node.line)
+    lawful_at(vec.second(I), size, "tensor", node.line)
   end)
   -- a hole may outgrow its body when parameters change: then the central tensor must be tested again
   local hole, size, signs = false, expr.zero, {}
@@ -283,9 +283,11 @@ function validity.conditions(m)
     end
   end
   if hole and m.parts and m.parts.central then
-    lawful_at(m.parts.entries, m.parts:size(signs), "body", m.line, true)
+    local S = {}
+    for n = 1, 6 do S[n] = m.centroidal[n].kind == "num" and n > 3 and -m.centroidal[n] or m.parts:second(n) end
+    lawful_at(S, m.parts:size(signs), "body", m.line, true)
   elseif hole then
-    lawful_at(m.centroidal, size, "body", m.line)
+    lawful_at(vec.second(m.centroidal), size, "body", m.line)
   end
   return list
 end
