@@ -1,0 +1,310 @@
+%% -- setup.c -- the set-up of the free top's closed form: part of scene.c.  SPDX-License-Identifier: MIT-0
+static void ${name}_quaternion_product(const ${name}_real a[4], const ${name}_real b[4], ${name}_real out[4])
+{
+  out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
+  out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
+  out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
+  out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
+}
+
+/* c[0] + c[1] y[1] + ...: a series in multiple angles, y[n+1] = 2 X y[n] - y[n-1], as a polynomial in X; y[0] = 1 and
+ * y[1] = first + slope X */
+static void ${name}_polynomial(int n, const ${name}_real c[], ${name}_real first, ${name}_real slope, ${name}_real out[])
+{
+  ${name}_real before[5] = {${one}, ${zero}, ${zero}, ${zero}, ${zero}};
+  ${name}_real now[5] = {first, slope, ${zero}, ${zero}, ${zero}}, next[5];
+  int i, k;
+
+  for (k = 0; k < n; k++) out[k] = k == 0 ? c[0] : ${zero};
+  for (i = 1; i < n; i++) {
+    for (k = 0; k <= i; k++) out[k] += c[i]*now[k];
+    for (k = 0; k < 5; k++) next[k] = (k > 0 ? ${two}*now[k - 1] : ${zero}) - before[k];
+    for (k = 0; k < 5; k++) {
+      before[k] = now[k];
+      now[k] = next[k];
+    }
+  }
+}
+
+/* Away from the separatrix.  q^(1/2) e^eta = E = exp(-pi F/(2 K)), F = B3 R_F(B1^2, B2^2, G^2), e^(-2 eta) = r = q/E^2;
+ * mu = G/(2 I2) - s z'/2 d log theta2(i eta; q)/d eta, whose terms are of the size of the rates. */
+static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
+{
+  const ${name}_pair one = ${name}_pair_of(${one}), pi = ${name}_pi(), K2 = ${name}_pair_scale(p->K, 1);
+  const ${name}_pair rate = ${name}_pair_divide(p->lambda, K2), start = ${name}_pair_divide(${name}_argument(p), K2);
+  const ${name}_pair q = ${name}_pair_scale(p->q, 2*p->small12);
+  ${name}_pair F, E, E2, r, r2, up, down, odd, power, D, total;
+  ${name}_real e[8], g[8], c[5], Q[26], sign;
+  int n;
+
+  F = ${name}_carlson(${name}_pair_scale(${name}_pair_multiply(p->I[0], p->b[0]), p->small12),
+               ${name}_pair_scale(${name}_pair_multiply(p->I[1], p->b[1]), p->small12), p->G);
+  F = ${name}_pair_multiply(${name}_pair_multiply(p->I[2], p->b[2]), F);
+  E = ${name}_pair_exp(${name}_pair_divide(${name}_pair_multiply(pi, F), ${name}_pair_minus(K2)), -p->small12);
+  r = ${name}_pair_divide(p->q, ${name}_pair_multiply(E, E));
+  E = ${name}_pair_scale(E, p->small12);
+  E2 = ${name}_pair_multiply(E, E);
+
+  /* sum (2n+1) q^(n^2) E^(2n) (1 - r^(2n+1)) over the same without 2n+1 and with a plus */
+  r2 = ${name}_pair_multiply(r, r);
+  up = down = ${name}_pair_of(${zero});
+  power = one; /* q^(n^2) E^(2n) */
+  odd = r;     /* r^(2n+1) */
+  D = ${name}_pair_multiply(q, E2);
+  total = ${name}_pair_multiply(q, q);
+  for (n = 0; n < 8; n++) {
+    up = ${name}_pair_add(up, ${name}_pair_times((${name}_real)(2*n + 1), ${name}_pair_multiply(power, ${name}_pair_subtract(one, odd))));
+    down = ${name}_pair_add(down, ${name}_pair_multiply(power, ${name}_pair_add(one, odd)));
+    odd = ${name}_pair_multiply(odd, r2);
+    power = ${name}_pair_multiply(power, D);
+    D = ${name}_pair_multiply(D, total);
+  }
+  D = ${name}_pair_multiply(${name}_pair_divide(up, down), rate);
+  total = ${name}_pair_divide(p->G, ${name}_pair_multiply(pi, p->I[1]));
+  total = ${name}_pair_scale(${name}_pair_subtract(total, ${name}_pair_times(p->s, D)), -2);
+  o->hyperbolic = 0;
+  ${name}_store(o->start, start);
+  ${name}_store(o->rate, rate);
+  ${name}_store(o->turn, total);
+  ${name}_store(o->period, one);
+  o->inverse = ${one};
+
+  /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin z - ... */
+  e[0] = g[0] = ${one};
+  for (n = 1; n < 8; n++) {
+    e[n] = e[n - 1]*E.hi;
+    g[n] = g[n - 1]*(E.hi*r.hi);
+  }
+  Q[0] = ${one}; /* powers of q */
+  for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q.hi;
+  for (n = 0, sign = ${one}; n < 4; n++, sign = -sign) c[n] = n == 0 ? ${one} : sign*Q[n*(2*n - 1)]*(e[2*n] + g[2*n]);
+  ${name}_polynomial(4, c, ${zero}, ${one}, o->a_re);
+  for (n = 1, sign = -${one}; n < 4; n++, sign = -sign) c[n - 1] = p->s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
+  ${name}_polynomial(3, c, ${zero}, ${two}, o->a_im);
+  for (n = 0, sign = ${one}; n < 4; n++, sign = -sign) c[n] = p->s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
+  ${name}_polynomial(4, c, ${one}, ${two}, o->b_re);
+  for (n = 0, sign = -${one}; n < 4; n++, sign = -sign) c[n] = sign*Q[n*(2*n + 1)]*(e[2*n + 1] - g[2*n + 1]);
+  ${name}_polynomial(4, c, -${one}, ${two}, o->b_im);
+
+  /* theta2(z; q), theta1(z; q) without 2 q^(1/4), theta3(z; q), each over what makes it cn, sn, dn times theta4/theta4(0) */
+  {
+    ${name}_real two_ = ${zero}, three_ = ${one}, four_ = ${one};
+
+    for (n = 0; n < 5; n++) two_ += Q[n*(n + 1)];
+    for (n = 1; n < 6; n++) {
+      three_ += ${two}*Q[n*n];
+      four_ += (n % 2 ? -${two} : ${two})*Q[n*n];
+    }
+    for (n = 0; n < 5; n++) c[n] = Q[n*(n + 1)];
+    ${name}_polynomial(5, c, -${one}, ${two}, o->f[0]);
+    for (n = 0; n < 5; n++) c[n] = p->s*(n % 2 ? -${one} : ${one})*Q[n*(n + 1)];
+    ${name}_polynomial(5, c, ${one}, ${two}, o->f[1]);
+    for (n = 0; n < 5; n++) c[n] = (n ? ${two} : ${one})*Q[n*n];
+    ${name}_polynomial(5, c, ${zero}, ${one}, o->f[2]);
+    o->scale[0] = ${one}/two_;
+    o->scale[1] = three_/(two_*four_);
+    o->scale[2] = ${one}/three_;
+  }
+}
+
+/* Near the separatrix.  h = kappa eta = pi v/(4 K'), sc(v, k') = sqrt(I1 (I3 - I2)/(I3 (I2 - I1))); V has the period
+ * pi kappa = -log(q')/2 (none on the separatrix), at which the phase about L jumps by -2 s h; between,
+ * mu = G/(2 I2) - s V' theta4'(2h; q')/theta4(2h; q'). */
+static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
+{
+  const ${name}_pair one = ${name}_pair_of(${one}), pi = ${name}_pi(), K4 = ${name}_pair_scale(p->Kc, 2);
+  const ${name}_pair scale = ${name}_pair_divide(pi, K4);
+  const ${name}_pair rate = ${name}_pair_multiply(p->lambda, scale), start = ${name}_pair_multiply(${name}_argument(p), scale);
+  const ${name}_pair sum = ${name}_pair_multiply(p->I[1], p->d31);
+  const ${name}_pair sn = ${name}_root_of(${name}_pair_multiply(p->I[0], p->d32), sum), cn = ${name}_root_of(${name}_pair_multiply(p->I[2], p->d21), sum);
+  const ${name}_pair dn = ${name}_pair_multiply(p->G, ${name}_root_of(p->rho, ${name}_pair_multiply(p->I[1], p->Lambda1)));
+  const ${name}_pair v = ${name}_pair_multiply(sn, ${name}_carlson(cn, dn, one)), turn = ${name}_pair_divide(v, K4);
+  ${name}_pair c1, s1, c, s, up, down, power, odd, ratio;
+  ${name}_real cosine[4], sine[4]; const ${name}_real h = ${name}_pair_multiply(pi, turn).hi; ${name}_real P, Q, two_, three_, four_;
+  int n;
+
+  ${name}_pair_circle(${name}_pair_scale(${name}_pair_multiply(pi, turn), 2), &c1, &s1); /* 4h: cos - 1, sin */
+  up = ${name}_pair_of(${zero});
+  down = one;
+  c = ${name}_pair_add(one, c1);
+  s = s1;
+  power = p->qc;
+  odd = ${name}_pair_multiply(p->qc, ${name}_pair_multiply(p->qc, p->qc));
+  for (n = 1; n < 5; n++) { /* theta4(x) = 1 - 2 q' cos 2x + 2 q'^4 cos 4x - ... */
+    ratio = c;
+    up = ${name}_pair_add(up, ${name}_pair_times((${name}_real)(n % 2 ? 4*n : -4*n), ${name}_pair_multiply(power, s)));
+    down = ${name}_pair_add(down, ${name}_pair_times((${name}_real)(n % 2 ? -2 : 2), ${name}_pair_multiply(power, c)));
+    c = ${name}_pair_subtract(${name}_pair_add(ratio, ${name}_pair_multiply(ratio, c1)), ${name}_pair_multiply(s, s1));
+    s = ${name}_pair_add(${name}_pair_add(s, ${name}_pair_multiply(s, c1)), ${name}_pair_multiply(ratio, s1));
+    power = ${name}_pair_multiply(power, odd);
+    odd = ${name}_pair_multiply(odd, ${name}_pair_multiply(p->qc, p->qc));
+  }
+  up = ${name}_pair_multiply(rate, ${name}_pair_divide(up, down));
+  up = ${name}_pair_subtract(${name}_pair_divide(p->G, ${name}_pair_scale(p->I[1], 1)), ${name}_pair_times(p->s, up));
+  ${name}_store(o->turn, ${name}_pair_divide(up, ${name}_pair_scale(pi, 1)));
+  ${name}_store(o->start, start);
+  ${name}_store(o->rate, rate);
+  ${name}_store(o->period, ${name}_pair_scale(${name}_pair_minus(p->log_qc), -1));
+  ${name}_store(o->jump, ${name}_pair_times(p->s, turn));
+  o->hyperbolic = 1;
+  o->inverse = p->qc.hi > ${zero} || p->log_qc.hi < ${zero} ? -${two}/p->log_qc.hi : ${zero};
+
+  P = ${sqrt}(p->qc.hi);
+  Q = p->qc.hi;
+  o->nome = P;
+  for (n = 0; n < 4; n++) {
+    const ${name}_real to = n == 0 ? ${one} : n == 1 ? P : n == 2 ? Q*Q : Q*Q*Q*Q*P;                     /* p'^(n^2) */
+    const ${name}_real from = n == 0 ? ${one} : n == 1 ? Q : n == 2 ? Q*Q*Q : Q*Q*Q*Q*Q*Q;               /* p'^(n(n+1)) */
+
+    cosine[n] = ${cos}((${name}_real)(2*n + 1)*h);
+    sine[n] = p->s*${sin}((${name}_real)(2*n + 1)*h);
+    o->a_re[n] = cosine[n]*to;
+    o->a_im[n] = sine[n]*to;
+    o->b_re[n] = cosine[n]*from;
+    o->b_im[n] = sine[n]*from;
+  }
+  /* cn, sn, dn times theta2/theta2(0), nome q', scaled */
+  two_ = ${one} + Q*Q + Q*Q*Q*Q*Q*Q;
+  three_ = ${one} + ${two}*(Q + Q*Q*Q*Q);
+  four_ = ${one} - ${two}*(Q - Q*Q*Q*Q);
+  o->scale[0] = ${one}/four_;
+  o->scale[1] = p->s*three_/(${two}*two_*four_);
+  o->scale[2] = ${one}/three_;
+}
+
+static ${name}_pair ${name}_unit_quaternion(const ${name}_real q[4], ${name}_real out[4])
+{
+  ${name}_pair sum = ${name}_pair_of(${zero}), length;
+  ${name}_real big = ${zero};
+  int i, e;
+
+  for (i = 0; i < 4; i++) big = ${fabs}(q[i]) > big ? ${fabs}(q[i]) : big;
+  (void)${frexp}(big, &e);
+  for (i = 0; i < 4; i++) {
+    out[i] = ${ldexp}(q[i], -e);
+    sum = ${name}_pair_add(sum, ${name}_pair_product(out[i], out[i]));
+  }
+  length = ${name}_pair_root(sum);
+  for (i = 0; i < 4 && big > ${zero}; i++) out[i] = ${name}_pair_divide(${name}_pair_of(out[i]), length).hi;
+  return length;
+}
+
+/* all numbers 0 */
+static void ${name}_clear(${name}_orbit *o)
+{
+  int i, k;
+
+  for (i = 0; i < 2; i++) o->start[i] = o->rate[i] = o->period[i] = o->turn[i] = o->jump[i] = ${zero};
+  for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
+  for (i = 0; i < 4; i++) o->a_re[i] = o->a_im[i] = o->b_re[i] = o->b_im[i] = ${zero};
+  for (i = 0; i < 3; i++) {
+    for (k = 0; k < 5; k++) o->f[i][k] = ${zero};
+    o->scale[i] = ${zero};
+  }
+  o->inverse = o->nome = o->tick = ${zero};
+  o->s = ${one};
+  o->hyperbolic = 0;
+}
+
+/* Constant rotation: w and L are parallel; axis 3 is theirs, and p = 0, E = 0. */
+static void ${name}_constant(${name}_orbit *o, ${name}_top *p, const ${name}_real w[3])
+{
+  ${name}_pair length = ${name}_pair_of(${zero});
+  int i, j;
+
+  for (i = 0; i < 3; i++) length = ${name}_pair_add(length, ${name}_pair_product(w[i], w[i]));
+  length = ${name}_pair_root(length);
+  for (i = 0; i < 3; i++) {
+    for (j = 0; j < 2; j++) p->axis[j][i] = ${zero};
+    p->axis[2][i] = length.hi > ${zero} ? ${name}_pair_divide(${name}_pair_of(w[i]), length).hi : ${zero};
+  }
+  p->b[0] = p->b[1] = ${name}_pair_of(${zero});
+  p->b[2] = length;
+  o->a_re[0] = o->f[2][0] = ${one};
+  ${name}_store(o->turn, ${name}_pair_divide(length, ${name}_pair_scale(${name}_pi(), 2)));
+  o->scale[2] = o->inverse = o->period[0] = ${one};
+}
+
+int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[])
+{
+  ${name}_orbit made;
+  ${name}_top p;
+  ${name}_pair I[3], axis[3][3], w[3];
+  ${name}_real tensor[6], rate[3], y[4], f[3], q0[4], n, size, largest = ${zero};
+  int order[3], scale, e, i, j, k;
+
+  ${name}_inertia(m, tensor);
+  for (i = 0; i < ${upper}_NX; i++) {
+    if (!(x0[i] - x0[i] == ${zero})) return 1;
+  }
+  if (!(${name}_unit_quaternion(x0 + ${upper}_QW, q0).hi > ${zero})) return 1;
+  if (${name}_principal_pairs(tensor, I, axis, order, &scale)) return 1;
+  (void)${frexp}(I[order[2]].hi, &e);
+  for (i = 0; i < 3; i++) I[i] = ${name}_pair_scale(I[i], -e);
+  size = ${eight}*${epsilon}*I[order[2]].hi;
+  if (!(I[order[0]].hi > ${zero})) { /* a rod */
+    const ${name}_pair sum = ${name}_pair_add(I[order[1]], I[order[2]]);
+
+    if (I[order[0]].hi < -size || I[order[2]].hi - I[order[1]].hi > size) return 1;
+    I[order[0]] = ${name}_pair_of(${zero});
+    I[order[1]] = I[order[2]] = ${name}_pair_scale(sum, -1);
+  }
+  for (i = 0; i < 3; i++) largest = ${fabs}(x0[${upper}_WX + i]) > largest ? ${fabs}(x0[${upper}_WX + i]) : largest;
+  (void)${frexp}(largest, &e);
+  for (i = 0; i < 3; i++) rate[i] = ${ldexp}(x0[${upper}_WX + i], -e);
+  for (i = 0; i < 3; i++) {
+    w[i] = ${name}_pair_times(rate[0], axis[i][0]);
+    for (j = 1; j < 3; j++) w[i] = ${name}_pair_add(w[i], ${name}_pair_times(rate[j], axis[i][j]));
+  }
+  for (i = 0, k = 0; i < 3; i++) { /* w x L = 0? */
+    j = (i + 1) % 3;
+    n = ${name}_pair_subtract(I[i], I[j]).hi;
+    if (${fabs}(w[i].hi) > ${zero} && ${fabs}(w[j].hi) > ${zero} && ${fabs}(n) > ${zero}) k = 1;
+  }
+  ${name}_clear(&made);
+  if (!k) {
+    p.small12 = 0;
+    ${name}_constant(&made, &p, rate);
+  } else {
+    ${name}_label(&p, I, w, (const ${name}_pair(*)[3])axis, order);
+    ${name}_invariants(&p);
+    ${name}_nomes(&p);
+    made.s = p.s;
+    if (p.hyperbolic) ${name}_hyperbolic(&made, &p);
+    else ${name}_circular(&made, &p);
+  }
+  for (i = 0; i < 2; i++) { /* per second again */
+    made.rate[i] = ${ldexp}(made.rate[i], e);
+    made.turn[i] = ${ldexp}(made.turn[i], e);
+  }
+  if (!(made.rate[0] - made.rate[0] == ${zero}) || !(made.turn[0] - made.turn[0] == ${zero})) return 1;
+
+  /* the rates are over N^2, which is this at u = 0 */
+  ${name}_functions(&made, ${zero}, ${one}, ${zero}, y, f);
+  n = y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3];
+  for (i = 0; i < 3; i++) {
+    for (j = 0; j < 3; j++) {
+      made.w[i][j] = ${ldexp}(n*made.scale[i]*p.b[i].hi*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
+    }
+  }
+  /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */
+  {
+    ${name}_real r, turn, flip;
+
+    ${name}_reduce(&made, ${zero}, &r, &turn, &flip);
+    ${name}_functions(&made, r, flip, turn, y, f);
+    (void)${name}_unit_quaternion(y, y);
+  }
+  for (k = 0; k < 4; k++) {
+    ${name}_real unit[4] = {${zero}, ${zero}, ${zero}, ${zero}}, d[4], v[4];
+
+    unit[k] = ${one};
+    for (i = 1; i < 4; i++) y[i] = k == 0 ? -y[i] : y[i];
+    ${name}_quaternion_product(y, unit, d);
+    v[0] = d[0];
+    for (j = 0; j < 3; j++) v[j + 1] = d[1]*p.axis[0][j] + d[2]*p.axis[1][j] + d[3]*p.axis[2][j];
+    ${name}_quaternion_product(q0, v, made.q[k]);
+  }
+  *o = made;
+  return 0;
+}
