@@ -41,13 +41,28 @@ local function literals(real)
     carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
 end
 
--- pi and log 2 as pairs high + low, into a table: order is lost
+-- Constants as pairs high + low: pi, 1/pi, log 2, and the tables of templates/double.c.
 local function constants(real, v)
-  for name, x in pairs { -- order is lost in a table
-    pi = R.apply("pi", 200), log2 = R.apply("log", 200, R.lift(2)) } do
+  local function pair(x)
     local high = R.fromdouble(real == "float" and R.tofloat(x) or R.todouble(x))
-    v[name .. "_high"], v[name .. "_low"] = number.text(high, real), number.text(x - high, real)
+    return { high = number.text(high, real), low = number.text(x - high, real) }
   end
+  local function named(name, x)
+    local p = pair(x)
+    v[name .. "_high"], v[name .. "_low"] = p.high, p.low
+  end
+  local function table_of(n, f)
+    local list = {}
+    for j = 0, n do list[j + 1] = pair(f(R.lift(j))) end
+    return list
+  end
+  local pi = R.apply("pi", 200)
+  named("pi", pi)
+  named("inverse_pi", R.one / pi)
+  named("log2", R.apply("log", 200, R.lift(2)))
+  v.odd_reciprocals = table_of(5, function(j) return R.one / (R.lift(2) * j + R.one) end)
+  v.arctan_eighths = table_of(8, function(j) return R.apply("atan", 200, j / R.lift(8)) end)
+  v.log_eighths = table_of(8, function(j) return R.apply("log", 200, R.one + j / R.lift(8)) end)
 end
 
 -- Enumerators with their meaning; names that share one meaning (about = "" after the first) share a line.
@@ -131,7 +146,7 @@ local function common(job)
     input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
     members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil,
-    has_ticks = job.closed.kind == "asymmetric", free = eq.free,
+    has_full = job.closed.full or false, has_ticks = job.closed.ticks or false, free = eq.free,
     bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
@@ -155,37 +170,35 @@ local function common(job)
   return v, ctx
 end
 
--- The symmetry's constants as C text, and the closed form's part of header and source.
+-- Named constants as C text into the values; do any stand in the model?
+local function put_constants(list, v, real)
+  local uses = false
+  for name, e in pairs(list) do -- into a table: order is lost anyway
+    if e.kind == "num" then
+      v[name] = number.text(e.value, real)
+    else
+      v[name], uses = "m->" .. e.name, true
+    end
+  end
+  return uses
+end
+
+-- The closed form's part of header and source.
 local function closed_values(job, v, ctx)
   v.closed_header, v.closed_source = "", ""
-  local c = job.symmetry
-  v.oblique = c ~= nil and c.oblique
-  local function text(e)
-    if e.kind == "num" then return number.text(e.value, ctx.real) end
-    return "m->" .. e.name
-  end
-  if c then
-    v.kx, v.ky, v.kz = text(c.k[1]), text(c.k[2]), text(c.k[3])
-    v.k2, v.I1, v.I3 = text(c.k2), text(c.I1), text(c.I3)
-  end
+  v.oblique = job.oblique ~= nil
+  put_constants(job.oblique or {}, v, ctx.real)
   if not v.has_closed then return end
-  v.theorem, v.closed_text, v.symmetric = job.closed.theorem, job.closed.text, job.closed.kind == "symmetric"
+  local form = job.closed
+  v.theorem, v.closed_text, v.single = form.theorem, form.text, ctx.real == "float"
+  v.uses_model = put_constants(job.closed_constants, v, ctx.real)
+  v.symmetric = false
+  for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end
-  if job.closed.kind == "asymmetric" then
-    v.closed_header = render "templates/top.h"
-    v.single = ctx.real == "float"
-    local parts = {}
-    for i, part in ipairs { "double", "top", "theta", "setup", "tick" } do
-      parts[i] = render("templates/" .. part .. ".c")
-    end
-    v.closed_source = table.concat(parts, "\n")
-    return
-  end
-  v.uses_model = false
-  for _, k in ipairs { "kx", "ky", "kz", "k2", "I1", "I3" } do
-    if v[k] and string.find(v[k], "m->", 1, true) then v.uses_model = true end
-  end
-  v.closed_header, v.closed_source = render "templates/closed.h", render "templates/closed.c"
+  v.closed_header = render(form.header)
+  local parts = {}
+  for i, name in ipairs(form.sources) do parts[i] = render(name) end
+  v.closed_source = table.concat(parts, "\n")
 end
 
 local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
@@ -197,7 +210,7 @@ function project.files(job, plugin)
   special.render(job, v)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
-  v.has_exact = v.order_sums or job.closed.kind == "asymmetric"
+  v.has_exact = v.order_sums or job.closed.exact or false
   v.exact_source = v.has_exact and render "templates/exact.c" or ""
   v.order_source = v.has_order and render "templates/order.c" or ""
   v.stability_header, v.stability_source = render "templates/stability.h", render "templates/stability.c"
