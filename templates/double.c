@@ -74,6 +74,13 @@ static ${name}_pair ${name}_pi(void)
   return pi;
 }
 
+static ${name}_pair ${name}_inverse_pi(void)
+{
+  const ${name}_pair inverse = {${inverse_pi_high}, ${inverse_pi_low}};
+
+  return inverse;
+}
+
 /* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 + arctan of a rest below
  * 1/16 (DLMF 4.24.15). */
 static ${name}_pair ${name}_pair_angle(${name}_pair x, ${name}_pair y)

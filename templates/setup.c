@@ -1,4 +1,10 @@
 %% -- setup.c -- the set-up of the free top's closed form: part of scene.c.  SPDX-License-Identifier: MIT-0
+static void ${name}_store(${name}_real out[2], ${name}_pair a)
+{
+  out[0] = a.hi;
+  out[1] = a.lo;
+}
+
 static void ${name}_quaternion_product(const ${name}_real a[4], const ${name}_real b[4], ${name}_real out[4])
 {
   out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
@@ -26,62 +32,91 @@ static void ${name}_polynomial(int n, const ${name}_real c[], ${name}_real first
   }
 }
 
-/* Away from the separatrix.  q^(1/2) e^eta = E = exp(-pi F/(2 K)), F = B3 R_F(B1^2, B2^2, G^2), e^(-2 eta) = r = q/E^2;
- * mu = G/(2 I2) - s z'/2 d log theta2(i eta; q)/d eta, whose terms are of the size of the rates. */
-static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
+/* The means a, g of 1 and k' (DLMF 19.8.2), as far as they are needed: after four steps they agree to 2^-35, and what is
+ * left is added as a series. */
+typedef struct ${name}_means {
+  ${name}_pair k, a1, g1, a2, g2, a3, g3; /* k' first */
+  ${name}_pair M;                         /* their limit, pi/(2 K) */
+  ${name}_pair q;                         /* nome, up12^2 */
+} ${name}_means;
+
+/* The nome: q^(2^n) = e + 2 e^5 + 15 e^9 + ... with e = (a_n - g_n)/(8 a_(n+2)) (DLMF 19.5.6 at the n-th modulus).  From
+ * n to n + 1 e becomes e^2 a_(n+2)/a_(n+3), which gives q as a product that ends quickly,
+ *     q = k^2/(8 a_1 (1 + g_1) sqrt a_3) (a_3/a_4)^(1/4) (a_4/a_5)^(1/8) ... */
+static void ${name}_nome(${name}_means *f, const ${name}_top *p)
 {
-  const ${name}_pair one = ${name}_pair_of(${one}), pi = ${name}_pi(), K2 = ${name}_pair_scale(p->K, 1);
-  const ${name}_pair rate = ${name}_pair_divide(p->lambda, K2), start = ${name}_pair_divide(${name}_argument(p), K2);
-  const ${name}_pair q = ${name}_pair_scale(p->q, 2*p->small12);
-  ${name}_pair F, E, E2, r, r2, up, down, odd, power, D, total;
+  const ${name}_pair one = ${name}_pair_of(${one});
+  ${name}_pair a4, a5, d, rest, u;
+  ${name}_real t;
+
+  f->k = ${name}_pair_root(${name}_pair_shift(p->down13, ${name}_pair_shift(p->down13, p->kc2)));
+  f->a1 = ${name}_pair_shift(${half}, ${name}_pair_add(one, f->k));
+  f->g1 = ${name}_pair_root(f->k);
+  f->a2 = ${name}_pair_shift(${half}, ${name}_pair_add(f->a1, f->g1));
+  f->g2 = ${name}_pair_root(${name}_pair_multiply(f->a1, f->g1));
+  f->a3 = ${name}_pair_shift(${half}, ${name}_pair_add(f->a2, f->g2));
+  f->g3 = ${name}_pair_root(${name}_pair_multiply(f->a2, f->g2));
+  d = ${name}_pair_subtract(f->a3, f->g3);
+  a4 = ${name}_pair_subtract(f->a3, ${name}_pair_shift(${half}, d));
+  u = ${name}_pair_multiply(d, d);
+  t = u.hi/(${eight}*${two}*a4.hi);
+  rest = ${name}_pair_divide(u, ${name}_pair_shift(${eight}*${two}, ${name}_pair_subtract(a4, ${name}_pair_of(t)))); /* a_4 - a_5 = (a_3 - g_3)^2/(16 a_5) */
+  a5 = ${name}_pair_subtract(a4, rest);
+  f->M = ${name}_pair_subtract(a5, ${name}_pair_of(t*t/(${two}*${two}*a5.hi)));
+
+  u = ${name}_pair_divide(${name}_pair_shift(${half}*${quarter}, d), a4); /* (1 + 4 u)^(1/4) = 1 + u - 3/2 u^2 + 7/2 u^3 - ..., u < 2^-17 */
+  t = u.hi;
+  u = ${name}_pair_add(u, ${name}_pair_subtract(${name}_pair_of((${two} + ${threehalves})*(t*t*t)), ${name}_pair_times(${threehalves}, ${name}_pair_multiply(u, u))));
+  u = ${name}_pair_add(u, ${name}_pair_divide(${name}_pair_shift(${half}*${quarter}, rest), a5));
+  f->q = ${name}_pair_divide(p->k2, ${name}_pair_shift(${eight}, ${name}_pair_multiply(f->a1, ${name}_pair_multiply(${name}_pair_add(one, f->g1), ${name}_pair_root(f->a3)))));
+  f->q = ${name}_pair_add(f->q, ${name}_pair_multiply(f->q, u));
+}
+
+/* z at t = 0, in units of pi.  Two of Gauss's transformations, in which z is doubled (DLMF 22.7.2 and its companions), lead
+ * to functions of nome q^4, where sc = tan up to q^8 (DLMF 20.2.1-2, 22.2). */
+static ${name}_pair ${name}_start(const ${name}_top *p, const ${name}_means *f, ${name}_real q8)
+{
+  const ${name}_real size = ${ldexp}(${one}, -${name}_exponent(p->Delta3.hi, ${zero})), q24 = q8*q8*q8;
+  const ${name}_pair w12 = ${name}_pair_multiply(${name}_pair_shift(p->up12, p->w[0]), ${name}_pair_shift(p->up12, p->w[1]));
+  const ${name}_pair c = ${name}_pair_shift(size, ${name}_pair_subtract(p->part1, ${name}_pair_multiply(f->k, p->part2)));
+  const ${name}_pair s = ${name}_pair_shift(p->s*size*${two}, ${name}_pair_multiply(f->a1, ${name}_pair_multiply(w12, p->cross)));
+  ${name}_pair x = ${name}_pair_multiply(f->a2, ${name}_pair_subtract(${name}_pair_multiply(f->a1, ${name}_pair_multiply(c, c)), ${name}_pair_multiply(f->g1, ${name}_pair_multiply(s, s))));
+  ${name}_pair y = ${name}_pair_multiply(f->g3, ${name}_pair_shift(${two}, ${name}_pair_multiply(f->a2, ${name}_pair_multiply(c, s))));
+  ${name}_real more_x = ${zero}, more_y = ${zero}, cosine, X, Y;
+  int i;
+
+  for (i = 0; i < 3; i++) { /* the series know cos 8 z to 2^-15, 2^-30, 2^-45 */
+    X = x.hi + more_x;
+    Y = y.hi + more_y;
+    cosine = (X - Y)*(X + Y)/(X*X + Y*Y);
+    X = ${two}*cosine;
+    more_x = x.hi*(q24*(X*X + X - ${one}) - q8*(${one} + X));
+    more_y = y.hi*(q24*(X*X - X - ${one}) - q8*(${one} - X));
+  }
+  x = ${name}_pair_angle(${name}_pair_add(x, ${name}_pair_of(more_x)), ${name}_pair_add(y, ${name}_pair_of(more_y))); /* 4 z, or less by a turn if |2 z| > pi/2 */
+  if (c.hi < ${zero}) x = ${name}_pair_add(x, ${name}_pair_shift(p->s*p->w[1].hi < ${zero} ? -${two} : ${two}, ${name}_pi()));
+  return ${name}_pair_shift(${quarter}, ${name}_pair_multiply(x, ${name}_inverse_pi()));
+}
+
+/* The coefficients of away from the separatrix: E = q^(1/2) e^eta, r = e^(-2 eta) */
+static void ${name}_circular_series(${name}_orbit *o, ${name}_real s, ${name}_real q, ${name}_real E, ${name}_real r)
+{
   ${name}_real e[8], g[8], c[5], Q[26], sign;
   int n;
-
-  F = ${name}_carlson(${name}_pair_scale(${name}_pair_multiply(p->I[0], p->b[0]), p->small12),
-               ${name}_pair_scale(${name}_pair_multiply(p->I[1], p->b[1]), p->small12), p->G);
-  F = ${name}_pair_multiply(${name}_pair_multiply(p->I[2], p->b[2]), F);
-  E = ${name}_pair_exp(${name}_pair_divide(${name}_pair_multiply(pi, F), ${name}_pair_minus(K2)), -p->small12);
-  r = ${name}_pair_divide(p->q, ${name}_pair_multiply(E, E));
-  E = ${name}_pair_scale(E, p->small12);
-  E2 = ${name}_pair_multiply(E, E);
-
-  /* sum (2n+1) q^(n^2) E^(2n) (1 - r^(2n+1)) over the same without 2n+1 and with a plus */
-  r2 = ${name}_pair_multiply(r, r);
-  up = down = ${name}_pair_of(${zero});
-  power = one; /* q^(n^2) E^(2n) */
-  odd = r;     /* r^(2n+1) */
-  D = ${name}_pair_multiply(q, E2);
-  total = ${name}_pair_multiply(q, q);
-  for (n = 0; n < 8; n++) {
-    up = ${name}_pair_add(up, ${name}_pair_times((${name}_real)(2*n + 1), ${name}_pair_multiply(power, ${name}_pair_subtract(one, odd))));
-    down = ${name}_pair_add(down, ${name}_pair_multiply(power, ${name}_pair_add(one, odd)));
-    odd = ${name}_pair_multiply(odd, r2);
-    power = ${name}_pair_multiply(power, D);
-    D = ${name}_pair_multiply(D, total);
-  }
-  D = ${name}_pair_multiply(${name}_pair_divide(up, down), rate);
-  total = ${name}_pair_divide(p->G, ${name}_pair_multiply(pi, p->I[1]));
-  total = ${name}_pair_scale(${name}_pair_subtract(total, ${name}_pair_times(p->s, D)), -2);
-  o->hyperbolic = 0;
-  ${name}_store(o->start, start);
-  ${name}_store(o->rate, rate);
-  ${name}_store(o->turn, total);
-  ${name}_store(o->period, one);
-  o->inverse = ${one};
 
   /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin z - ... */
   e[0] = g[0] = ${one};
   for (n = 1; n < 8; n++) {
-    e[n] = e[n - 1]*E.hi;
-    g[n] = g[n - 1]*(E.hi*r.hi);
+    e[n] = e[n - 1]*E;
+    g[n] = g[n - 1]*(E*r);
   }
   Q[0] = ${one}; /* powers of q */
-  for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q.hi;
+  for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q;
   for (n = 0, sign = ${one}; n < 4; n++, sign = -sign) c[n] = n == 0 ? ${one} : sign*Q[n*(2*n - 1)]*(e[2*n] + g[2*n]);
   ${name}_polynomial(4, c, ${zero}, ${one}, o->a_re);
-  for (n = 1, sign = -${one}; n < 4; n++, sign = -sign) c[n - 1] = p->s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
+  for (n = 1, sign = -${one}; n < 4; n++, sign = -sign) c[n - 1] = s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
   ${name}_polynomial(3, c, ${zero}, ${two}, o->a_im);
-  for (n = 0, sign = ${one}; n < 4; n++, sign = -sign) c[n] = p->s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
+  for (n = 0, sign = ${one}; n < 4; n++, sign = -sign) c[n] = s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
   ${name}_polynomial(4, c, ${one}, ${two}, o->b_re);
   for (n = 0, sign = -${one}; n < 4; n++, sign = -sign) c[n] = sign*Q[n*(2*n + 1)]*(e[2*n + 1] - g[2*n + 1]);
   ${name}_polynomial(4, c, -${one}, ${two}, o->b_im);
@@ -97,7 +132,7 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
     }
     for (n = 0; n < 5; n++) c[n] = Q[n*(n + 1)];
     ${name}_polynomial(5, c, -${one}, ${two}, o->f[0]);
-    for (n = 0; n < 5; n++) c[n] = p->s*(n % 2 ? -${one} : ${one})*Q[n*(n + 1)];
+    for (n = 0; n < 5; n++) c[n] = s*(n % 2 ? -${one} : ${one})*Q[n*(n + 1)];
     ${name}_polynomial(5, c, ${one}, ${two}, o->f[1]);
     for (n = 0; n < 5; n++) c[n] = (n ? ${two} : ${one})*Q[n*n];
     ${name}_polynomial(5, c, ${zero}, ${one}, o->f[2]);
@@ -107,69 +142,212 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
   }
 }
 
-/* Near the separatrix.  h = kappa eta = pi v/(4 K'), sc(v, k') = sqrt(I1 (I3 - I2)/(I3 (I2 - I1))); V has the period
- * pi kappa = -log(q')/2 (none on the separatrix), at which the phase about L jumps by -2 s h; between,
- * mu = G/(2 I2) - s V' theta4'(2h; q')/theta4(2h; q'). */
-static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
+/* At u = 0 b/a = T.  With v = E - q/E, S = q (E^2 + (q/E)^2) = q (v^2 + 2 q) the two series are
+ *     b = v (1 - q^2 (S + q^2) + q^8 (S^2 + q^2 S - q^4) - ...),
+ *     a = 1 - S + q^4 (S^2 - 2 q^4) - q^12 (S^3 - 3 q^4 S) + ...:
+ * one equation for v, solved by Newton's method, the last step in pairs.  There the phase of a turns at half of `climb`,
+ * of which s z' 2 d log a/d(2 eta), with d = q (E^2 - (q/E)^2), is due to theta4: the rest is mu.  All terms are of the
+ * size of the rates. */
+static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
 {
-  const ${name}_pair one = ${name}_pair_of(${one}), pi = ${name}_pi(), K4 = ${name}_pair_scale(p->Kc, 2);
-  const ${name}_pair scale = ${name}_pair_divide(pi, K4);
-  const ${name}_pair rate = ${name}_pair_multiply(p->lambda, scale), start = ${name}_pair_multiply(${name}_argument(p), scale);
-  const ${name}_pair sum = ${name}_pair_multiply(p->I[1], p->d31);
-  const ${name}_pair sn = ${name}_root_of(${name}_pair_multiply(p->I[0], p->d32), sum), cn = ${name}_root_of(${name}_pair_multiply(p->I[2], p->d21), sum);
-  const ${name}_pair dn = ${name}_pair_multiply(p->G, ${name}_root_of(p->rho, ${name}_pair_multiply(p->I[1], p->Lambda1)));
-  const ${name}_pair v = ${name}_pair_multiply(sn, ${name}_carlson(cn, dn, one)), turn = ${name}_pair_divide(v, K4);
-  ${name}_pair c1, s1, c, s, up, down, power, odd, ratio;
-  ${name}_real cosine[4], sine[4]; const ${name}_real h = ${name}_pair_multiply(pi, turn).hi; ${name}_real P, Q, two_, three_, four_;
-  int n;
+  const ${name}_pair one = ${name}_pair_of(${one});
+  ${name}_pair q, q2, q4, q8, S, S2, a, b, v, d, rate, start, turn;
+  ${name}_means f;
+  ${name}_real q24, T = p->T.hi, square = p->down12*p->down12, x, da, db, dS, E, r;
+  int i;
 
-  ${name}_pair_circle(${name}_pair_scale(${name}_pair_multiply(pi, turn), 2), &c1, &s1); /* 4h: cos - 1, sin */
-  up = ${name}_pair_of(${zero});
-  down = one;
-  c = ${name}_pair_add(one, c1);
-  s = s1;
-  power = p->qc;
-  odd = ${name}_pair_multiply(p->qc, ${name}_pair_multiply(p->qc, p->qc));
-  for (n = 1; n < 5; n++) { /* theta4(x) = 1 - 2 q' cos 2x + 2 q'^4 cos 4x - ... */
-    ratio = c;
-    up = ${name}_pair_add(up, ${name}_pair_times((${name}_real)(n % 2 ? 4*n : -4*n), ${name}_pair_multiply(power, s)));
-    down = ${name}_pair_add(down, ${name}_pair_times((${name}_real)(n % 2 ? -2 : 2), ${name}_pair_multiply(power, c)));
-    c = ${name}_pair_subtract(${name}_pair_add(ratio, ${name}_pair_multiply(ratio, c1)), ${name}_pair_multiply(s, s1));
-    s = ${name}_pair_add(${name}_pair_add(s, ${name}_pair_multiply(s, c1)), ${name}_pair_multiply(ratio, s1));
-    power = ${name}_pair_multiply(power, odd);
-    odd = ${name}_pair_multiply(odd, ${name}_pair_multiply(p->qc, p->qc));
+  ${name}_nome(&f, p);
+  q = ${name}_pair_shift(square, f.q);
+  q2 = ${name}_pair_multiply(q, q);
+  q4 = ${name}_pair_multiply(q2, q2);
+  q8 = ${name}_pair_multiply(q4, q4);
+  q24 = q8.hi*q8.hi*q8.hi;
+  start = ${name}_start(p, &f, q8.hi);
+  rate = ${name}_pair_multiply(${name}_pair_multiply(p->lambda, f.M), ${name}_inverse_pi());
+
+  x = T/(${one} + q.hi*(T*T*square));
+  dS = S.hi = da = db = ${zero};
+  for (i = 0; i < 4; i++) { /* errors 2^-4, 2^-11, 2^-24, 2^-49, rounding; v, T and E are all up12 */
+    const ${name}_real s = q.hi*(square*(x*x + ${two}*f.q.hi)), Q = q4.hi, Q2 = q2.hi, Q8 = q8.hi;
+    const ${name}_real up = ${one} - s + Q*(s*s - ${two}*Q - Q8*s*(s*s - (${two} + ${one})*Q));
+    const ${name}_real down = ${one} - Q2*(s + Q2) + Q8*(s*s + Q2*s - Q);
+
+    da = Q*(${two}*s - (${two} + ${one})*Q8*(s*s - Q)) - ${one};
+    db = Q8*(${two}*s + Q2) - Q2;
+    dS = ${two}*q.hi*(square*x);
+    x += (T*up - x*down)/(down - (T*da - x*db)*dS);
   }
-  up = ${name}_pair_multiply(rate, ${name}_pair_divide(up, down));
-  up = ${name}_pair_subtract(${name}_pair_divide(p->G, ${name}_pair_scale(p->I[1], 1)), ${name}_pair_times(p->s, up));
-  ${name}_store(o->turn, ${name}_pair_divide(up, ${name}_pair_scale(pi, 1)));
+  S = ${name}_pair_multiply(${name}_pair_shift(square, q), ${name}_pair_add(${name}_pair_product(x, x), ${name}_pair_shift(${two}, f.q)));
+  S2 = ${name}_pair_multiply(S, S);
+  a = ${name}_pair_subtract(${name}_pair_subtract(S2, ${name}_pair_shift(${two}, q4)), ${name}_pair_multiply(${name}_pair_multiply(q8, S), ${name}_pair_subtract(S2, ${name}_pair_times(${three}, q4))));
+  a = ${name}_pair_add(${name}_pair_subtract(one, S), ${name}_pair_multiply(q4, a));
+  a = ${name}_pair_add(a, ${name}_pair_of(q24*(S2.hi*(S2.hi - ${four}*q4.hi) + ${two}*q8.hi)));
+  b = ${name}_pair_multiply(q2, ${name}_pair_add(S, q2));
+  d = ${name}_pair_multiply(q8, ${name}_pair_subtract(${name}_pair_add(S2, b), ${name}_pair_shift(${two}, q4)));
+  r = q8.hi*q8.hi*q2.hi*(S.hi*(S2.hi + q2.hi*S.hi - ${two}*q4.hi) - q2.hi*q4.hi);
+  b = ${name}_pair_add(${name}_pair_subtract(one, b), ${name}_pair_subtract(d, ${name}_pair_of(r)));
+  r = ${name}_pair_subtract(${name}_pair_multiply(p->T, a), ${name}_pair_times(x, b)).hi/(b.hi - (T*da - x*db)*dS);
+  v = ${name}_pair_sum(x, r);
+  S.lo += dS*r;
+  S2.lo += ${two}*S.hi*(dS*r);
+  a.lo += da*dS*r;
+
+  d = ${name}_pair_root(${name}_pair_add(${name}_pair_multiply(v, v), ${name}_pair_shift(${four}, f.q)));
+  E = ${half}*(v.hi + d.hi);
+  r = f.q.hi/(E*E);
+  E *= p->down12;
+  d = ${name}_pair_multiply(${name}_pair_multiply(${name}_pair_shift(square, q), v), d);
+  turn = ${name}_pair_subtract(${name}_pair_shift(${two}, S), ${name}_pair_multiply(${name}_pair_times(${three}, q8), ${name}_pair_subtract(S2, q4)));
+  turn = ${name}_pair_add(${name}_pair_subtract(one, ${name}_pair_multiply(q4, turn)), ${name}_pair_of(-${four}*q24*(S.hi*(S2.hi - ${two}*q4.hi))));
+  turn = ${name}_pair_multiply(${name}_pair_multiply(rate, ${name}_pair_divide(d, a)), turn);
+  turn = ${name}_pair_add(${name}_pair_shift(${quarter}, ${name}_pair_multiply(p->climb, ${name}_inverse_pi())), ${name}_pair_shift(p->s, turn));
+  o->hyperbolic = 0;
   ${name}_store(o->start, start);
   ${name}_store(o->rate, rate);
-  ${name}_store(o->period, ${name}_pair_scale(${name}_pair_minus(p->log_qc), -1));
-  ${name}_store(o->jump, ${name}_pair_times(p->s, turn));
-  o->hyperbolic = 1;
-  o->inverse = p->qc.hi > ${zero} || p->log_qc.hi < ${zero} ? -${two}/p->log_qc.hi : ${zero};
+  ${name}_store(o->turn, turn);
+  ${name}_store(o->period, one);
+  o->inverse = ${one};
+  ${name}_circular_series(o, p->s, q.hi, E, r);
+}
 
-  P = ${sqrt}(p->qc.hi);
-  Q = p->qc.hi;
-  o->nome = P;
-  for (n = 0; n < 4; n++) {
-    const ${name}_real to = n == 0 ? ${one} : n == 1 ? P : n == 2 ? Q*Q : Q*Q*Q*Q*P;                     /* p'^(n^2) */
-    const ${name}_real from = n == 0 ? ${one} : n == 1 ? Q : n == 2 ? Q*Q*Q : Q*Q*Q*Q*Q*Q;               /* p'^(n(n+1)) */
+/* V at t = 0 for k' <= 0.172, by the imaginary transformation: functions of 2 i V of nome Q (DLMF 22.6.ix, 22.2), from
+ * cd = dn of that, which is 1 - w + ... over 1 + w + ..., w = 2 Q cosh 4V, and sc = tanh of it, which gives sinh 2V.
+ * Where dn u < sqrt k' the same for K - u, half a period less V: so w <= sqrt Q. */
+static ${name}_pair ${name}_hyperbolic_start(const ${name}_top *p, ${name}_pair k, ${name}_pair Q, ${name}_pair period)
+{
+  const ${name}_pair one = ${name}_pair_of(${one}), w1 = ${name}_pair_shift(p->up13, p->w[0]), w3 = ${name}_pair_shift(p->up13, p->w[2]);
+  const ${name}_pair kc = ${name}_pair_root(p->kc2), Q2 = ${name}_pair_multiply(Q, Q);
+  const ${name}_pair two_ = ${name}_pair_add(one, Q2), three_ = ${name}_pair_add(one, ${name}_pair_shift(${two}, ${name}_pair_add(Q, ${name}_pair_multiply(Q2, Q2))));
+  const ${name}_real dn = w3.hi/p->b3.hi, q = Q.hi, sign = (p->w[1].hi < ${zero}) == (p->s < ${zero}) ? ${one} : -${one};
+  const int far = dn*dn*p->down13 < kc.hi;
+  int e = p->small12 - p->small13;
+  ${name}_pair up, down, y, w, V;
+  ${name}_real more;
 
-    cosine[n] = ${cos}((${name}_real)(2*n + 1)*h);
-    sine[n] = p->s*${sin}((${name}_real)(2*n + 1)*h);
-    o->a_re[n] = cosine[n]*to;
-    o->a_im[n] = sine[n]*to;
-    o->b_re[n] = cosine[n]*from;
-    o->b_im[n] = sine[n]*from;
+  up = ${name}_pair_multiply(${name}_pair_shift(p->w[1].hi < ${zero} ? -p->up12 : p->up12, p->w[1]), p->cross);
+  down = ${name}_pair_multiply(w1, ${name}_pair_multiply(p->J[0], p->d31)); /* sc = up/down 2^e */
+  if (far) {
+    y = ${name}_pair_root(${name}_pair_divide(${name}_pair_multiply(k, p->part2), p->Delta3));
+    w = ${name}_pair_multiply(up, kc);
+    up = down;
+    down = w;
+    e = -p->small12;
+  } else {
+    y = ${name}_pair_divide(${name}_pair_multiply(p->J[0], ${name}_pair_multiply(p->Lambda1, k)), ${name}_pair_multiply(p->J[2], p->Delta3));
+    y = ${name}_pair_divide(${name}_pair_shift(p->up12, ${name}_pair_multiply(w1, ${name}_pair_root(y))), w3);
   }
-  /* cn, sn, dn times theta2/theta2(0), nome q', scaled */
-  two_ = ${one} + Q*Q + Q*Q*Q*Q*Q*Q;
-  three_ = ${one} + ${two}*(Q + Q*Q*Q*Q);
-  four_ = ${one} - ${two}*(Q - Q*Q*Q*Q);
-  o->scale[0] = ${one}/four_;
-  o->scale[1] = p->s*three_/(${two}*two_*four_);
-  o->scale[2] = ${one}/three_;
+  w = ${name}_pair_divide(${name}_pair_subtract(one, y), ${name}_pair_add(one, y));
+  more = Q2.hi*(w.hi*w.hi - ${two}*Q2.hi); /* 2 Q^4 cosh 8V */
+  w = ${name}_pair_add(w, ${name}_pair_of(w.hi*more));
+  up = ${name}_pair_multiply(${name}_pair_multiply(up, two_), ${name}_pair_add(${name}_pair_subtract(one, w), ${name}_pair_of(more)));
+  V = ${name}_pair_subtract(one, ${name}_pair_multiply(Q, ${name}_pair_add(w, Q)));
+  V = ${name}_pair_add(V, ${name}_pair_of(Q2.hi*Q2.hi*(w.hi*w.hi + q*w.hi - Q2.hi)));
+  V = ${name}_pair_divide(up, ${name}_pair_multiply(${name}_pair_multiply(down, three_), V)); /* sinh 2V 2^-e */
+  if (${ldexp}(V.hi, e) > ${one}) {
+    y = ${name}_pair_scale(${name}_pair_divide(one, V), -e);
+    V = ${name}_pair_log(${name}_pair_multiply(V, ${name}_pair_add(one, ${name}_pair_root(${name}_pair_add(one, ${name}_pair_multiply(y, y))))), e);
+  } else {
+    V = ${name}_pair_scale(V, e);
+    V = ${name}_pair_log(${name}_pair_add(V, ${name}_pair_root(${name}_pair_add(one, ${name}_pair_multiply(V, V)))), 0);
+  }
+  V = ${name}_pair_shift(${half}, V);
+  if (far) V = ${name}_pair_subtract(${name}_pair_shift(${half}, period), V);
+  return ${name}_pair_shift(sign, V);
+}
+
+/* Near the separatrix, Q the nome of k'.  Its period is pi kappa = -log(Q)/2 (none on the separatrix), at which the phase
+ * about L jumps by -2 s h, h = kappa eta.  At u = 0 b/a = T is
+ *     (sin h - Q sin 3h + Q^3 sin 5h - ...)/(cos h + Q cos 3h + Q^3 cos 5h + ...),
+ * an equation for x = tan h; c = cos 2h.  Half of `climb` there is mu - s V' d log theta2/dh. */
+static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
+{
+  const ${name}_pair one = ${name}_pair_of(${one});
+  const ${name}_pair k = ${name}_pair_root(${name}_pair_shift(p->down12, ${name}_pair_shift(p->down12, p->k2))), more = ${name}_pair_add(one, ${name}_pair_root(k));
+  const ${name}_real T = ${name}_pair_shift(p->down12, p->T).hi, square = p->down13*p->down13;
+  ${name}_pair Q, Q2, Q3, c, first, second, up, down, rise, rate, turn, period, tangent;
+  ${name}_real sine[4], cosine[4], q, q3, q6, x, C, dc, slope, r;
+  int i;
+
+  /* nome (DLMF 19.5.6) up13^2; theta3(0; Q)^2 = 2 K'/pi */
+  Q = ${name}_pair_divide(${name}_pair_shift(${half}, p->kc2), ${name}_pair_multiply(${name}_pair_add(one, k), ${name}_pair_multiply(more, more)));
+  Q2 = ${name}_pair_shift(square, ${name}_pair_shift(square, ${name}_pair_multiply(Q, Q)));
+  Q2 = ${name}_pair_multiply(Q2, Q2);
+  Q = ${name}_pair_add(Q, ${name}_pair_multiply(Q, ${name}_pair_add(${name}_pair_shift(${two}, Q2), ${name}_pair_of((${two}*${eight} - ${one})*(Q2.hi*Q2.hi)))));
+  period = ${name}_pair_of(${zero});
+  if (Q.hi > ${zero}) period = ${name}_pair_shift(-${half}, ${name}_pair_log(Q, 2*p->small13)); /* else on the separatrix, to the last bit */
+  Q = ${name}_pair_shift(square, Q);
+  Q2 = ${name}_pair_multiply(Q, Q);
+  Q3 = ${name}_pair_multiply(Q2, Q);
+  q = Q.hi;
+  q3 = Q3.hi;
+  q6 = q3*q3;
+  c = ${name}_pair_add(Q, ${name}_pair_add(${name}_pair_multiply(Q2, Q2), ${name}_pair_of(q6*q3)));
+  c = ${name}_pair_add(one, ${name}_pair_shift(${two}, c));
+  rate = ${name}_pair_divide(${name}_pair_shift(${half}, p->lambda), ${name}_pair_multiply(c, c));
+
+  x = T;
+  slope = C = dc = ${zero};
+  for (i = 0; i < 3; i++) { /* errors 2^-8, 2^-25, 2^-59 */
+    const ${name}_real u = ${one}/(${one} + x*x);
+
+    C = (${one} - x*x)*u;
+    dc = -${four}*x*(u*u);
+    slope = ${one} - q*(${one} + ${two}*C) + q3*(${four}*C*C + ${two}*C - ${one});
+    r = T*(${one} + q*(${two}*C - ${one}) + q3*(${four}*C*C - ${two}*C - ${one})) - x*slope;
+    slope += dc*(x*(q3*(${eight}*C + ${two}) - ${two}*q) - T*(${two}*q + q3*(${eight}*C - ${two})));
+    x += r/slope;
+  }
+  r = ${four}*C*C;
+  sine[0] = cosine[0] = ${one}; /* over sin h, cos h: of h, 3 h, 5 h, 7 h (DLMF 4.21.27 on) */
+  sine[1] = ${two}*C + ${one};
+  cosine[1] = ${two}*C - ${one};
+  sine[2] = r + ${two}*C - ${one};
+  cosine[2] = r - ${two}*C - ${one};
+  sine[3] = (${two}*C + ${one})*r - ${four}*C - ${one};
+  cosine[3] = (${two}*C - ${one})*r - ${four}*C + ${one};
+
+  c = ${name}_pair_product(x, x);
+  c = ${name}_pair_divide(${name}_pair_subtract(one, c), ${name}_pair_add(one, c));
+  first = ${name}_pair_multiply(Q, ${name}_pair_add(one, ${name}_pair_shift(${two}, c)));
+  second = ${name}_pair_multiply(Q3, ${name}_pair_subtract(${name}_pair_shift(${two}, ${name}_pair_add(c, ${name}_pair_shift(${two}, ${name}_pair_multiply(c, c)))), one));
+  up = ${name}_pair_add(${name}_pair_subtract(one, first), ${name}_pair_subtract(second, ${name}_pair_of(q6*sine[3])));
+  down = ${name}_pair_subtract(${name}_pair_add(first, second), ${name}_pair_shift(${two}, ${name}_pair_add(Q, ${name}_pair_shift(${two}, ${name}_pair_multiply(Q3, c)))));
+  down = ${name}_pair_add(${name}_pair_add(one, down), ${name}_pair_of(q6*cosine[3]));
+  rise = ${name}_pair_add(${name}_pair_add(one, ${name}_pair_times(${three}, first)), ${name}_pair_add(${name}_pair_times(${four} + ${one}, second), ${name}_pair_of((${eight} - ${one})*q6*sine[3])));
+  r = ${name}_pair_subtract(${name}_pair_multiply(${name}_pair_shift(p->down12, p->T), down), ${name}_pair_times(x, up)).hi/slope;
+  tangent = ${name}_pair_sum(x, r);
+  rise.lo += dc*r*((${two}*${three})*q + (${four} + ${one})*q3*(${eight}*C + ${two}));
+  down.lo += dc*r*(${two}*q + q3*(${eight}*C - ${two}));
+  rise = ${name}_pair_multiply(rate, ${name}_pair_divide(${name}_pair_multiply(tangent, rise), down));
+  turn = ${name}_pair_add(${name}_pair_shift(${half}, p->climb), ${name}_pair_shift(p->s, rise));
+
+  o->hyperbolic = 1;
+  ${name}_store(o->start, ${name}_hyperbolic_start(p, k, Q, period));
+  ${name}_store(o->rate, rate);
+  ${name}_store(o->turn, ${name}_pair_shift(${half}, ${name}_pair_multiply(turn, ${name}_inverse_pi())));
+  ${name}_store(o->period, period);
+  ${name}_store(o->jump, ${name}_pair_shift(p->s, ${name}_pair_multiply(${name}_pair_angle(one, tangent), ${name}_inverse_pi())));
+  o->inverse = period.hi > ${zero} ? ${one}/period.hi : ${zero};
+
+  x = ${sqrt}(q);
+  o->nome = x;
+  r = ${one}/${sqrt}(${one} + tangent.hi*tangent.hi); /* cos h */
+  for (i = 0; i < 4; i++) {
+    const ${name}_real to = i == 0 ? ${one} : i == 1 ? x : i == 2 ? q*q : q3*q*x;      /* p'^(n^2), p'^2 = Q */
+    const ${name}_real from = i == 0 ? ${one} : i == 1 ? q : i == 2 ? q3 : q6;         /* p'^(n(n+1)) */
+
+    o->a_re[i] = r*cosine[i]*to;
+    o->a_im[i] = p->s*r*tangent.hi*sine[i]*to;
+    o->b_re[i] = r*cosine[i]*from;
+    o->b_im[i] = p->s*r*tangent.hi*sine[i]*from;
+  }
+  /* cn, sn, dn times theta2/theta2(0), nome Q, scaled */
+  C = ${one} + q*q + q6;
+  slope = ${one} + ${two}*(q + q3*q);
+  dc = ${one} - ${two}*(q - q3*q);
+  o->scale[0] = ${one}/dc;
+  o->scale[1] = p->s*slope/(${two}*C*dc);
+  o->scale[2] = ${one}/slope;
 }
 
 static ${name}_pair ${name}_unit_quaternion(const ${name}_real q[4], ${name}_real out[4])
@@ -218,8 +396,8 @@ static void ${name}_constant(${name}_orbit *o, ${name}_top *p, const ${name}_rea
     for (j = 0; j < 2; j++) p->axis[j][i] = ${zero};
     p->axis[2][i] = length.hi > ${zero} ? ${name}_pair_divide(${name}_pair_of(w[i]), length).hi : ${zero};
   }
-  p->b[0] = p->b[1] = ${name}_pair_of(${zero});
-  p->b[2] = length;
+  p->b[0] = p->b[1] = ${zero};
+  p->b[2] = length.hi;
   o->a_re[0] = o->f[2][0] = ${one};
   ${name}_store(o->turn, ${name}_pair_divide(length, ${name}_pair_scale(${name}_pi(), 2)));
   o->scale[2] = o->inverse = o->period[0] = ${one};
@@ -268,9 +446,9 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   } else {
     ${name}_label(&p, I, w, (const ${name}_pair(*)[3])axis, order);
     ${name}_invariants(&p);
-    ${name}_nomes(&p);
     made.s = p.s;
-    if (p.hyperbolic) ${name}_hyperbolic(&made, &p);
+    /* from kappa = 1, k'^2 = 17 - 12 sqrt 2, on, where the two series converge alike */
+    if (p.kc2.hi*p.down13*p.down13 < ${one}/(${name}_real)34) ${name}_hyperbolic(&made, &p);
     else ${name}_circular(&made, &p);
   }
   for (i = 0; i < 2; i++) { /* per second again */
@@ -284,7 +462,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   n = y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3];
   for (i = 0; i < 3; i++) {
     for (j = 0; j < 3; j++) {
-      made.w[i][j] = ${ldexp}(n*made.scale[i]*p.b[i].hi*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
+      made.w[i][j] = ${ldexp}(n*made.scale[i]*p.b[i]*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
     }
   }
   /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */
