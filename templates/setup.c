@@ -64,10 +64,12 @@ static void ${name}_nome(${name}_means *f, const ${name}_top *p)
   a5 = ${name}_pair_subtract(a4, rest);
   f->M = ${name}_pair_subtract(a5, ${name}_pair_of(t*t/(${two}*${two}*a5.hi)));
 
-  u = ${name}_pair_divide(${name}_pair_shift(${half}*${quarter}, d), a4); /* (1 + 4 u)^(1/4) = 1 + u - 3/2 u^2 + 7/2 u^3 - ..., u < 2^-17 */
+  u = ${name}_pair_divide(${name}_pair_shift(${half}*${quarter}, d), a4); /* (1 + 4 u)^(1/4) = 1 + u - 3/2 u^2 + 7/2 u^3 - 77/8 u^4 + 231/8 u^5, u < 2^-18 */
   t = u.hi;
-  u = ${name}_pair_add(u, ${name}_pair_subtract(${name}_pair_of((${two} + ${threehalves})*(t*t*t)), ${name}_pair_times(${threehalves}, ${name}_pair_multiply(u, u))));
-  u = ${name}_pair_add(u, ${name}_pair_divide(${name}_pair_shift(${half}*${quarter}, rest), a5));
+  u = ${name}_pair_add(u, ${name}_pair_subtract(${name}_pair_of((t*t*t)*((${name}_real)7/${two} - t*((${name}_real)77/${eight} - t*((${name}_real)231/${eight})))), ${name}_pair_times(${threehalves}, ${name}_pair_multiply(u, u))));
+  rest = ${name}_pair_divide(${name}_pair_shift(${half}*${quarter}, rest), a5); /* (1 + 8 r)^(1/8) = 1 + r - 7/2 r^2, and a_5/a_6 = 1 + 16 r^2 */
+  t = rest.hi;
+  u = ${name}_pair_add(u, ${name}_pair_add(rest, ${name}_pair_of(t*(u.hi - (${two} + ${half})*t))));
   f->q = ${name}_pair_divide(p->k2, ${name}_pair_shift(${eight}, ${name}_pair_multiply(f->a1, ${name}_pair_multiply(${name}_pair_add(one, f->g1), ${name}_pair_root(f->a3)))));
   f->q = ${name}_pair_add(f->q, ${name}_pair_multiply(f->q, u));
 }
@@ -184,7 +186,8 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
   a = ${name}_pair_add(a, ${name}_pair_of(q24*(S2.hi*(S2.hi - ${four}*q4.hi) + ${two}*q8.hi)));
   b = ${name}_pair_multiply(q2, ${name}_pair_add(S, q2));
   d = ${name}_pair_multiply(q8, ${name}_pair_subtract(${name}_pair_add(S2, b), ${name}_pair_shift(${two}, q4)));
-  r = q8.hi*q8.hi*q2.hi*(S.hi*(S2.hi + q2.hi*S.hi - ${two}*q4.hi) - q2.hi*q4.hi);
+  r = q2.hi*(S.hi*(S2.hi + q2.hi*S.hi - ${two}*q4.hi) - q2.hi*q4.hi);
+  r = q8.hi*q8.hi*(r - q8.hi*q8.hi*(S.hi*(S.hi*(S.hi*(S.hi + q2.hi) - ${three}*q4.hi) - ${two}*q2.hi*q4.hi) + q8.hi));
   b = ${name}_pair_add(${name}_pair_subtract(one, b), ${name}_pair_subtract(d, ${name}_pair_of(r)));
   r = ${name}_pair_subtract(${name}_pair_multiply(p->T, a), ${name}_pair_times(x, b)).hi/(b.hi - (T*da - x*db)*dS);
   v = ${name}_pair_sum(x, r);
@@ -217,12 +220,12 @@ static ${name}_pair ${name}_hyperbolic_start(const ${name}_top *p, ${name}_pair 
 {
   const ${name}_pair one = ${name}_pair_of(${one}), w1 = ${name}_pair_shift(p->up13, p->w[0]), w3 = ${name}_pair_shift(p->up13, p->w[2]);
   const ${name}_pair kc = ${name}_pair_root(p->kc2), Q2 = ${name}_pair_multiply(Q, Q);
-  const ${name}_pair two_ = ${name}_pair_add(one, Q2), three_ = ${name}_pair_add(one, ${name}_pair_shift(${two}, ${name}_pair_add(Q, ${name}_pair_multiply(Q2, Q2))));
-  const ${name}_real dn = w3.hi/p->b3.hi, q = Q.hi, sign = (p->w[1].hi < ${zero}) == (p->s < ${zero}) ? ${one} : -${one};
+  const ${name}_pair two_ = ${name}_pair_add(one, ${name}_pair_add(Q2, ${name}_pair_of(Q2.hi*Q2.hi*Q2.hi))), three_ = ${name}_pair_add(one, ${name}_pair_shift(${two}, ${name}_pair_add(Q, ${name}_pair_multiply(Q2, Q2))));
+  const ${name}_real q = Q.hi, sign = (p->w[1].hi < ${zero}) == (p->s < ${zero}) ? ${one} : -${one};
+  ${name}_real dn = w3.hi/p->b3.hi, more;
   const int far = dn*dn*p->down13 < kc.hi;
   int e = p->small12 - p->small13;
   ${name}_pair up, down, y, w, V;
-  ${name}_real more;
 
   up = ${name}_pair_multiply(${name}_pair_shift(p->w[1].hi < ${zero} ? -p->up12 : p->up12, p->w[1]), p->cross);
   down = ${name}_pair_multiply(w1, ${name}_pair_multiply(p->J[0], p->d31)); /* sc = up/down 2^e */
@@ -237,7 +240,9 @@ static ${name}_pair ${name}_hyperbolic_start(const ${name}_top *p, ${name}_pair 
     y = ${name}_pair_divide(${name}_pair_shift(p->up12, ${name}_pair_multiply(w1, ${name}_pair_root(y))), w3);
   }
   w = ${name}_pair_divide(${name}_pair_subtract(one, y), ${name}_pair_add(one, y));
-  more = Q2.hi*(w.hi*w.hi - ${two}*Q2.hi); /* 2 Q^4 cosh 8V */
+  more = Q2.hi*(w.hi*w.hi - ${two}*Q2.hi); /* 2 Q^4 cosh 8V = Q^2 (w^2 - 2 Q^2) */
+  dn = w.hi*(${one} + more);
+  more = Q2.hi*(dn*dn - ${two}*Q2.hi);
   w = ${name}_pair_add(w, ${name}_pair_of(w.hi*more));
   up = ${name}_pair_multiply(${name}_pair_multiply(up, two_), ${name}_pair_add(${name}_pair_subtract(one, w), ${name}_pair_of(more)));
   V = ${name}_pair_subtract(one, ${name}_pair_multiply(Q, ${name}_pair_add(w, Q)));
@@ -265,7 +270,7 @@ static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
   const ${name}_pair k = ${name}_pair_root(${name}_pair_shift(p->down12, ${name}_pair_shift(p->down12, p->k2))), more = ${name}_pair_add(one, ${name}_pair_root(k));
   const ${name}_real T = ${name}_pair_shift(p->down12, p->T).hi, square = p->down13*p->down13;
   ${name}_pair Q, Q2, Q3, c, first, second, up, down, rise, rate, turn, period, tangent;
-  ${name}_real sine[4], cosine[4], q, q3, q6, x, C, dc, slope, r;
+  ${name}_real sine[5], cosine[5], q, q3, q6, x, C, dc, slope, r;
   int i;
 
   /* nome (DLMF 19.5.6) up13^2; theta3(0; Q)^2 = 2 K'/pi */
@@ -297,23 +302,22 @@ static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
     slope += dc*(x*(q3*(${eight}*C + ${two}) - ${two}*q) - T*(${two}*q + q3*(${eight}*C - ${two})));
     x += r/slope;
   }
-  r = ${four}*C*C;
-  sine[0] = cosine[0] = ${one}; /* over sin h, cos h: of h, 3 h, 5 h, 7 h (DLMF 4.21.27 on) */
+  sine[0] = cosine[0] = ${one}; /* over sin h, cos h: of h, 3 h, ... 9 h */
   sine[1] = ${two}*C + ${one};
   cosine[1] = ${two}*C - ${one};
-  sine[2] = r + ${two}*C - ${one};
-  cosine[2] = r - ${two}*C - ${one};
-  sine[3] = (${two}*C + ${one})*r - ${four}*C - ${one};
-  cosine[3] = (${two}*C - ${one})*r - ${four}*C + ${one};
+  for (i = 2; i < 5; i++) {
+    sine[i] = ${two}*C*sine[i - 1] - sine[i - 2];
+    cosine[i] = ${two}*C*cosine[i - 1] - cosine[i - 2];
+  }
 
   c = ${name}_pair_product(x, x);
   c = ${name}_pair_divide(${name}_pair_subtract(one, c), ${name}_pair_add(one, c));
   first = ${name}_pair_multiply(Q, ${name}_pair_add(one, ${name}_pair_shift(${two}, c)));
   second = ${name}_pair_multiply(Q3, ${name}_pair_subtract(${name}_pair_shift(${two}, ${name}_pair_add(c, ${name}_pair_shift(${two}, ${name}_pair_multiply(c, c)))), one));
-  up = ${name}_pair_add(${name}_pair_subtract(one, first), ${name}_pair_subtract(second, ${name}_pair_of(q6*sine[3])));
+  up = ${name}_pair_add(${name}_pair_subtract(one, first), ${name}_pair_subtract(second, ${name}_pair_of(q6*(sine[3] - q3*q*sine[4]))));
   down = ${name}_pair_subtract(${name}_pair_add(first, second), ${name}_pair_shift(${two}, ${name}_pair_add(Q, ${name}_pair_shift(${two}, ${name}_pair_multiply(Q3, c)))));
-  down = ${name}_pair_add(${name}_pair_add(one, down), ${name}_pair_of(q6*cosine[3]));
-  rise = ${name}_pair_add(${name}_pair_add(one, ${name}_pair_times(${three}, first)), ${name}_pair_add(${name}_pair_times(${four} + ${one}, second), ${name}_pair_of((${eight} - ${one})*q6*sine[3])));
+  down = ${name}_pair_add(${name}_pair_add(one, down), ${name}_pair_of(q6*(cosine[3] + q3*q*cosine[4])));
+  rise = ${name}_pair_add(${name}_pair_add(one, ${name}_pair_times(${three}, first)), ${name}_pair_add(${name}_pair_times(${four} + ${one}, second), ${name}_pair_of(q6*((${eight} - ${one})*sine[3] + (${eight} + ${one})*q3*q*sine[4]))));
   r = ${name}_pair_subtract(${name}_pair_multiply(${name}_pair_shift(p->down12, p->T), down), ${name}_pair_times(x, up)).hi/slope;
   tangent = ${name}_pair_sum(x, r);
   rise.lo += dc*r*((${two}*${three})*q + (${four} + ${one})*q3*(${eight}*C + ${two}));
@@ -329,17 +333,17 @@ static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
   ${name}_store(o->jump, ${name}_pair_shift(p->s, ${name}_pair_multiply(${name}_pair_angle(one, tangent), ${name}_inverse_pi())));
   o->inverse = period.hi > ${zero} ? ${one}/period.hi : ${zero};
 
+  /* all over cos h */
   x = ${sqrt}(q);
   o->nome = x;
-  r = ${one}/${sqrt}(${one} + tangent.hi*tangent.hi); /* cos h */
   for (i = 0; i < 4; i++) {
     const ${name}_real to = i == 0 ? ${one} : i == 1 ? x : i == 2 ? q*q : q3*q*x;      /* p'^(n^2), p'^2 = Q */
     const ${name}_real from = i == 0 ? ${one} : i == 1 ? q : i == 2 ? q3 : q6;         /* p'^(n(n+1)) */
 
-    o->a_re[i] = r*cosine[i]*to;
-    o->a_im[i] = p->s*r*tangent.hi*sine[i]*to;
-    o->b_re[i] = r*cosine[i]*from;
-    o->b_im[i] = p->s*r*tangent.hi*sine[i]*from;
+    o->a_re[i] = cosine[i]*to;
+    o->a_im[i] = p->s*tangent.hi*sine[i]*to;
+    o->b_re[i] = cosine[i]*from;
+    o->b_im[i] = p->s*tangent.hi*sine[i]*from;
   }
   /* cn, sn, dn times theta2/theta2(0), nome Q, scaled */
   C = ${one} + q*q + q6;
