@@ -69,7 +69,7 @@ static void ${name}_nome(${name}_means *f, const ${name}_top *p)
   u = ${name}_pair_add(u, ${name}_pair_subtract(${name}_pair_of((t*t*t)*((${name}_real)7/${two} - t*((${name}_real)77/${eight} - t*((${name}_real)231/${eight})))), ${name}_pair_times(${threehalves}, ${name}_pair_multiply(u, u))));
   rest = ${name}_pair_divide(${name}_pair_shift(${half}*${quarter}, rest), a5); /* (1 + 8 r)^(1/8) = 1 + r - 7/2 r^2, and a_5/a_6 = 1 + 16 r^2 */
   t = rest.hi;
-  u = ${name}_pair_add(u, ${name}_pair_add(rest, ${name}_pair_of(t*(u.hi - (${two} + ${half})*t))));
+  u = ${name}_pair_add(u, ${name}_pair_add(rest, ${name}_pair_of(t*(u.hi - (${two} + ${half})*t*(${one} + u.hi)))));
   f->q = ${name}_pair_divide(p->k2, ${name}_pair_shift(${eight}, ${name}_pair_multiply(f->a1, ${name}_pair_multiply(${name}_pair_add(one, f->g1), ${name}_pair_root(f->a3)))));
   f->q = ${name}_pair_add(f->q, ${name}_pair_multiply(f->q, u));
 }
@@ -172,7 +172,7 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
   for (i = 0; i < 4; i++) { /* errors 2^-4, 2^-11, 2^-24, 2^-49, rounding; v, T and E are all up12 */
     const ${name}_real s = q.hi*(square*(x*x + ${two}*f.q.hi)), Q = q4.hi, Q2 = q2.hi, Q8 = q8.hi;
     const ${name}_real up = ${one} - s + Q*(s*s - ${two}*Q - Q8*s*(s*s - (${two} + ${one})*Q));
-    const ${name}_real down = ${one} - Q2*(s + Q2) + Q8*(s*s + Q2*s - Q);
+    const ${name}_real down = ${one} - Q2*(s + Q2) + Q8*((s*s + Q2*s - Q) - Q8*Q2*(s*(s*(s + Q2) - ${two}*Q) - Q*Q2));
 
     da = Q*(${two}*s - (${two} + ${one})*Q8*(s*s - Q)) - ${one};
     db = Q8*(${two}*s + Q2) - Q2;
@@ -201,7 +201,7 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
   E *= p->down12;
   d = ${name}_pair_multiply(${name}_pair_multiply(${name}_pair_shift(square, q), v), d);
   turn = ${name}_pair_subtract(${name}_pair_shift(${two}, S), ${name}_pair_multiply(${name}_pair_times(${three}, q8), ${name}_pair_subtract(S2, q4)));
-  turn = ${name}_pair_add(${name}_pair_subtract(one, ${name}_pair_multiply(q4, turn)), ${name}_pair_of(-${four}*q24*(S.hi*(S2.hi - ${two}*q4.hi))));
+  turn = ${name}_pair_add(${name}_pair_subtract(one, ${name}_pair_multiply(q4, turn)), ${name}_pair_of(-${four}*q24*(S.hi*(S2.hi - ${two}*q4.hi) - (${four} + ${one})/${four}*(q8.hi*q8.hi)*(S2.hi*S2.hi))));
   turn = ${name}_pair_multiply(${name}_pair_multiply(rate, ${name}_pair_divide(d, a)), turn);
   turn = ${name}_pair_add(${name}_pair_shift(${quarter}, ${name}_pair_multiply(p->climb, ${name}_inverse_pi())), ${name}_pair_shift(p->s, turn));
   o->hyperbolic = 0;
