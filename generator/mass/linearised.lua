@@ -77,9 +77,33 @@ function linearised.error(motion, n)
   return math.max(motion.axial, 2 * motion.swing * math.sin(turned))
 end
 
+-- The direction (x, y), of length 1, in which a transverse rate does most harm: along the axis with the weaker
+-- coupling where the spin is stable; where it is not, what grows is |x/sqrt|a| -+ y/sqrt|b|| (neutral: b x or a y).
+function linearised.direction(A)
+  if A.kind == "stable" then return A.weak == A.i and 1.0 or 0.0, A.weak == A.j and 1.0 or 0.0 end
+  local a, b = math.sqrt(math.abs(A.a)), math.sqrt(math.abs(A.b))
+  local n = math.sqrt(a * a + b * b)
+  if n == 0 then return 1.0, 0.0 end
+  return b / n, (A.a > 0 and -a or a) / n
+end
+
 -- The worst of the motions with the transverse rate e.
 function linearised.worst(A, e)
-  return linearised.motion(A, A.weak == A.i and e or 0.0, A.weak == A.j and e or 0.0)
+  local x, y = linearised.direction(A)
+  return linearised.motion(A, e * x, e * y)
+end
+
+-- The linearised rates x, y at the time t, in 1/w (templates/analysis.c has the same formula).
+function linearised.rates(A, x, y, t)
+  local c, s = 1.0, t
+  if A.kind == "unstable" then
+    local up, down = math.exp(A.growth * t), math.exp(-A.growth * t)
+    c, s = (up + down) / 2, (up - down) / 2 / A.growth
+  elseif A.kind ~= "neutral" then
+    local frequency = A.frequency or math.abs(A.a) -- exact: a = b
+    c, s = math.cos(frequency * t), frequency > 0 and math.sin(frequency * t) / frequency or t
+  end
+  return c * x - A.a * s * y, c * y + A.b * s * x
 end
 
 -- The amplitude below which n periods are right to eps, by bisection: the error grows with e.

@@ -17,18 +17,10 @@ local wrong = 0.1 -- of the spin: where the linearised motion of an unstable axi
 
 local function short(x) return string.format("%.2g", x) end
 
--- An axis that no period belongs to, in its worst direction: a spin that is not stable leaves fastest along it.
-local function fastest(A, e)
-  local a, b = math.sqrt(math.abs(A.a)), math.sqrt(math.abs(A.b))
-  if A.kind == "neutral" then return law.failure(A, a == 0 and e or 0.0, a == 0 and 0.0 or e, wrong) end
-  -- |x/a - y/b| is largest for (x, y) along (1/a, -1/b)
-  local n = math.sqrt(a * a + b * b)
-  return law.failure(A, e * b / n, (A.a > 0 and -e or e) * a / n, wrong)
-end
-
 local function axis(I, k)
   local A = law.axis(I, k)
   local entry = { law = A, kind = A.kind, errors = {}, good = {}, times = {} }
+  local x, y = law.direction(A)
   for i, e in ipairs(amplitudes) do
     if A.kind == "stable" then
       local motion = law.worst(A, e)
@@ -37,7 +29,7 @@ local function axis(I, k)
         entry.errors[n][i] = motion and law.error(motion, periods) or false
       end
     elseif A.kind ~= "exact" then
-      entry.times[i] = fastest(A, e)
+      entry.times[i] = law.failure(A, e * x, e * y, wrong)
     end
   end
   if A.kind == "stable" then
