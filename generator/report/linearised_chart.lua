@@ -111,7 +111,7 @@ local function stable_panel(d, f, list, box, measure)
   for n, A in ipairs(list) do
     local color = n == 1 and "a" or "b"
     for i, periods in ipairs { 1, 100 } do
-      local at = x + (i - 1) * 246
+      local at = x + (i - 1) * 260
       d:line(at, y - 4, at + 26, y - 4, "curve " .. color .. (periods == 1 and "" or " dashed"))
       d:circle(at + 13, y - 4, 3.2, (periods == 1 and "dot-" or "ring-") .. color)
       d:text(at + 33, y, periods == 1 and names[A.k] .. ": 1 period" or "100 periods", "note")
