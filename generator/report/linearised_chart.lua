@@ -163,9 +163,10 @@ function chart.text(job, measure)
   local panels = (#stable > 0 and 1 or 0) + (other and 1 or 0)
   if panels == 0 then return nil, "all moments of this body are equal: the linearised top is exact" end
   local title = f.name .. ": the linearised top against the exact one"
-  local d = svg.new(math.max(left + panels * side + (panels - 1) * gap + right, 560), top + side + bottom, { title = title,
-    palette = styles, about = "The error of the linearised free top as a function of the transverse rate at t = 0: " ..
-    "lines are the derived law, points the exact solution." })
+  local width = math.max(left + panels * side + (panels - 1) * gap + right, 560) -- the title's
+  local d = svg.new(width, top + side + bottom, { title = title, palette = styles, about = "The error of the " ..
+    "linearised free top as a function of the transverse rate at t = 0: lines are the derived law, points the exact " ..
+    "solution." })
   d:text(left, 26, title, "title")
   d:text(left, 44, "lines: derived law; points: exact motion, from the worst direction; dotted: separatrix", "note")
   local x = left
