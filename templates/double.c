@@ -81,6 +81,13 @@ static ${name}_pair ${name}_inverse_pi(void)
   return inverse;
 }
 
+static ${name}_pair ${name}_log2(void)
+{
+  const ${name}_pair log2 = {${log2_high}, ${log2_low}};
+
+  return log2;
+}
+
 /* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 + arctan of a rest below
  * 1/16 (DLMF 4.24.15). */
 static ${name}_pair ${name}_pair_angle(${name}_pair x, ${name}_pair y)
@@ -126,5 +133,5 @@ static ${name}_pair ${name}_pair_log(${name}_pair a, int e)
   near = ${name}_pair_of(${one} + eighths/(${name}_real)8);
   near = ${name}_pair_shift(${two}, ${name}_pair_arc(${name}_pair_divide(${name}_pair_subtract(a, near), ${name}_pair_add(a, near)), ${one}));
   near = ${name}_pair_add(log[(int)eighths], near);
-  return ${name}_pair_add(${name}_pair_times((${name}_real)(e + own - 1), log[8]), near);
+  return ${name}_pair_add(${name}_pair_times((${name}_real)(e + own - 1), ${name}_log2()), near);
 }

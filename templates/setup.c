@@ -31,7 +31,6 @@ static void ${name}_polynomial(int n, const ${name}_real c[], ${name}_real first
     }
   }
 }
-
 /* The means a, g of 1 and k' (DLMF 19.8.2), as far as they are needed: after four steps they agree to 2^-35, and what is
  * left is added as a series. */
 typedef struct ${name}_means {
@@ -114,14 +113,15 @@ static void ${name}_circular_series(${name}_orbit *o, ${name}_real s, ${name}_re
   }
   Q[0] = ${one}; /* powers of q */
   for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q;
+  /* what q <= exp(-pi/2) leaves above 2^-54 */
   for (n = 0, sign = ${one}; n < 4; n++, sign = -sign) c[n] = n == 0 ? ${one} : sign*Q[n*(2*n - 1)]*(e[2*n] + g[2*n]);
-  ${name}_polynomial(4, c, ${zero}, ${one}, o->a_re);
-  for (n = 1, sign = -${one}; n < 4; n++, sign = -sign) c[n - 1] = s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
-  ${name}_polynomial(3, c, ${zero}, ${two}, o->a_im);
+  ${name}_polynomial(4, c, ${zero}, ${one}, o->a);
+  for (n = 1, sign = -${two}; n < 4; n++, sign = -sign) c[n - 1] = s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
+  ${name}_polynomial(3, c, ${zero}, ${two}, o->b);
   for (n = 0, sign = ${one}; n < 4; n++, sign = -sign) c[n] = s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
-  ${name}_polynomial(4, c, ${one}, ${two}, o->b_re);
+  ${name}_polynomial(4, c, ${one}, ${two}, o->c);
   for (n = 0, sign = -${one}; n < 4; n++, sign = -sign) c[n] = sign*Q[n*(2*n + 1)]*(e[2*n + 1] - g[2*n + 1]);
-  ${name}_polynomial(4, c, -${one}, ${two}, o->b_im);
+  ${name}_polynomial(4, c, -${one}, ${two}, o->d);
 
   /* theta2(z; q), theta1(z; q) without 2 q^(1/4), theta3(z; q), each over what makes it cn, sn, dn times theta4/theta4(0) */
   {
@@ -133,13 +133,11 @@ static void ${name}_circular_series(${name}_orbit *o, ${name}_real s, ${name}_re
       four_ += (n % 2 ? -${two} : ${two})*Q[n*n];
     }
     for (n = 0; n < 5; n++) c[n] = Q[n*(n + 1)];
-    ${name}_polynomial(5, c, -${one}, ${two}, o->f[0]);
-    for (n = 0; n < 5; n++) c[n] = s*(n % 2 ? -${one} : ${one})*Q[n*(n + 1)];
-    ${name}_polynomial(5, c, ${one}, ${two}, o->f[1]);
+    ${name}_polynomial(5, c, -${one}, ${two}, o->f);
     for (n = 0; n < 5; n++) c[n] = (n ? ${two} : ${one})*Q[n*n];
-    ${name}_polynomial(5, c, ${zero}, ${one}, o->f[2]);
+    ${name}_polynomial(5, c, ${zero}, ${one}, o->f + 5);
     o->scale[0] = ${one}/two_;
-    o->scale[1] = three_/(two_*four_);
+    o->scale[1] = s*three_/(two_*four_);
     o->scale[2] = ${one}/three_;
   }
 }
@@ -205,12 +203,48 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
   turn = ${name}_pair_multiply(${name}_pair_multiply(rate, ${name}_pair_divide(d, a)), turn);
   turn = ${name}_pair_add(${name}_pair_shift(${quarter}, ${name}_pair_multiply(p->climb, ${name}_inverse_pi())), ${name}_pair_shift(p->s, turn));
   o->hyperbolic = 0;
-  ${name}_store(o->start, start);
-  ${name}_store(o->rate, rate);
+  ${name}_store(o->start, ${name}_pair_shift(${half}, start)); /* the rates have two periods of theta functions */
+  ${name}_store(o->rate, ${name}_pair_shift(${half}, rate));
   ${name}_store(o->turn, turn);
-  ${name}_store(o->period, one);
-  o->inverse = ${one};
   ${name}_circular_series(o, p->s, q.hi, E, r);
+}
+
+/* c[n] p^(n(n + 1)) cosh((2n + 1)V)/cosh V, n < 4, summed, as a polynomial in U = p cosh 2V */
+static void ${name}_multiples(const ${name}_real c[4], ${name}_real p, ${name}_real out[4])
+{
+  const ${name}_real p2 = p*p, p4 = p2*p2, p8 = p4*p4;
+
+  out[0] = c[0] - p2*(c[1] + p4*(c[2] - p4*p2*c[3]));
+  out[1] = ${two}*p*(c[1] - p4*(c[2] + ${two}*p4*p2*c[3]));
+  out[2] = ${two}*${two}*p4*(c[2] - p4*p2*c[3]);
+  out[3] = ${eight}*p8*p*c[3];
+}
+
+/* The coefficients near the separatrix, Q the nome of k': cosine[n] = cos((2n + 1)h), sine[n] = -+s sin((2n + 1)h), or a
+ * multiple of both */
+static void ${name}_hyperbolic_series(${name}_orbit *o, ${name}_real s, ${name}_real Q, const ${name}_real cosine[4], const ${name}_real sine[4])
+{
+  const ${name}_real P = ${sqrt}(Q), Q2 = Q*Q;
+  ${name}_real two_, three_, four_;
+
+  o->nome = ${half}*P;
+  ${name}_multiples(cosine, P, o->a);
+  ${name}_multiples(sine, P, o->b);
+  o->f[0] = ${one} + ${two}*Q2*Q2; /* with (n + 1/2)^2 = 2 (n(n + 1)/2) + 1/4 ... */
+  o->f[1] = -${eight}*${two}*Q2*Q;
+  o->f[2] = ${eight}*${two}*Q2;
+  o->f[3] = -${two}*Q;
+  o->f[4] = ${two}*${two};
+  o->f[5] = ${one} + Q2;
+  o->f[6] = -${two}*${two}*(Q + ${threehalves}*${two}*Q2*Q2*Q);
+  o->f[7] = ${eight}*${two}*Q2*Q2;
+  /* cn, sn, dn times theta2/theta2(0), nome q', scaled */
+  two_ = ${one} + Q*Q + Q*Q*Q*Q*Q*Q;
+  three_ = ${one} + ${two}*(Q + Q*Q*Q*Q);
+  four_ = ${one} - ${two}*(Q - Q*Q*Q*Q);
+  o->scale[0] = ${one}/four_;
+  o->scale[1] = s*three_/(${two}*two_*four_);
+  o->scale[2] = ${one}/three_;
 }
 
 /* V at t = 0 for k' <= 0.172, by the imaginary transformation: functions of 2 i V of nome Q (DLMF 22.6.ix, 22.2), from
@@ -269,7 +303,7 @@ static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
   const ${name}_pair one = ${name}_pair_of(${one});
   const ${name}_pair k = ${name}_pair_root(${name}_pair_shift(p->down12, ${name}_pair_shift(p->down12, p->k2))), more = ${name}_pair_add(one, ${name}_pair_root(k));
   const ${name}_real T = ${name}_pair_shift(p->down12, p->T).hi, square = p->down13*p->down13;
-  ${name}_pair Q, Q2, Q3, c, first, second, up, down, rise, rate, turn, period, tangent;
+  ${name}_pair Q, Q2, Q3, c, first, second, up, down, rise, rate, start, turn, period, tangent;
   ${name}_real sine[5], cosine[5], q, q3, q6, x, C, dc, slope, r;
   int i;
 
@@ -325,33 +359,28 @@ static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
   rise = ${name}_pair_multiply(rate, ${name}_pair_divide(${name}_pair_multiply(tangent, rise), down));
   turn = ${name}_pair_add(${name}_pair_shift(${half}, p->climb), ${name}_pair_shift(p->s, rise));
 
-  o->hyperbolic = 1;
-  ${name}_store(o->start, ${name}_hyperbolic_start(p, k, Q, period));
-  ${name}_store(o->rate, rate);
-  ${name}_store(o->turn, ${name}_pair_shift(${half}, ${name}_pair_multiply(turn, ${name}_inverse_pi())));
-  ${name}_store(o->period, period);
-  ${name}_store(o->jump, ${name}_pair_shift(p->s, ${name}_pair_multiply(${name}_pair_angle(one, tangent), ${name}_inverse_pi())));
-  o->inverse = period.hi > ${zero} ? ${one}/period.hi : ${zero};
+  start = ${name}_hyperbolic_start(p, k, Q, period);
+  turn = ${name}_pair_shift(${half}, ${name}_pair_multiply(turn, ${name}_inverse_pi()));
+  if (period.hi > ${zero}) {
+    const ${name}_pair twice = ${name}_pair_shift(${two}, period), jump = ${name}_pair_shift(p->s, ${name}_pair_multiply(${name}_pair_angle(one, tangent), ${name}_inverse_pi()));
 
-  /* all over cos h */
-  x = ${sqrt}(q);
-  o->nome = x;
-  for (i = 0; i < 4; i++) {
-    const ${name}_real to = i == 0 ? ${one} : i == 1 ? x : i == 2 ? q*q : q3*q*x;      /* p'^(n^2), p'^2 = Q */
-    const ${name}_real from = i == 0 ? ${one} : i == 1 ? q : i == 2 ? q3 : q6;         /* p'^(n(n+1)) */
+    rate = ${name}_pair_divide(rate, twice);
+    ${name}_store(o->rate, rate);
+    ${name}_store(o->start, ${name}_pair_divide(start, twice));
+    ${name}_store(o->turn, ${name}_pair_subtract(turn, ${name}_pair_shift(${two}, ${name}_pair_multiply(jump, rate))));
+    o->jump = jump.hi;
+    o->half = ${name}_pair_divide(period, ${name}_log2()).hi;
+  } else { /* none: that of ${no_period}, beyond which V never comes */
+    const ${name}_pair twice = ${name}_pair_shift(${two}, ${name}_pair_times(${no_period}, ${name}_log2()));
 
-    o->a_re[i] = cosine[i]*to;
-    o->a_im[i] = p->s*tangent.hi*sine[i]*to;
-    o->b_re[i] = cosine[i]*from;
-    o->b_im[i] = p->s*tangent.hi*sine[i]*from;
+    ${name}_store(o->rate, ${name}_pair_divide(rate, twice));
+    ${name}_store(o->start, ${name}_pair_divide(start, twice));
+    ${name}_store(o->turn, turn);
+    o->half = ${no_period};
   }
-  /* cn, sn, dn times theta2/theta2(0), nome Q, scaled */
-  C = ${one} + q*q + q6;
-  slope = ${one} + ${two}*(q + q3*q);
-  dc = ${one} - ${two}*(q - q3*q);
-  o->scale[0] = ${one}/dc;
-  o->scale[1] = p->s*slope/(${two}*C*dc);
-  o->scale[2] = ${one}/slope;
+  o->hyperbolic = o->half < ${two}*${binary_limit} ? 1 : 2;
+  for (i = 0; i < 4; i++) sine[i] *= (i % 2 ? p->s : -p->s)*tangent.hi; /* all over cos h */
+  ${name}_hyperbolic_series(o, p->s, q, cosine, sine);
 }
 
 static ${name}_pair ${name}_unit_quaternion(const ${name}_real q[4], ${name}_real out[4])
@@ -374,16 +403,13 @@ static ${name}_pair ${name}_unit_quaternion(const ${name}_real q[4], ${name}_rea
 /* all numbers 0 */
 static void ${name}_clear(${name}_orbit *o)
 {
-  int i, k;
+  int i;
 
-  for (i = 0; i < 2; i++) o->start[i] = o->rate[i] = o->period[i] = o->turn[i] = o->jump[i] = ${zero};
+  for (i = 0; i < 4; i++) o->rate[i] = o->turn[i] = o->a[i] = o->b[i] = o->c[i] = o->d[i] = ${zero};
   for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
-  for (i = 0; i < 4; i++) o->a_re[i] = o->a_im[i] = o->b_re[i] = o->b_im[i] = ${zero};
-  for (i = 0; i < 3; i++) {
-    for (k = 0; k < 5; k++) o->f[i][k] = ${zero};
-    o->scale[i] = ${zero};
-  }
-  o->inverse = o->nome = o->tick = ${zero};
+  for (i = 0; i < 10; i++) o->f[i] = ${zero};
+  for (i = 0; i < 3; i++) o->scale[i] = ${zero};
+  o->start[0] = o->start[1] = o->jump = o->half = o->nome = o->tick = ${zero};
   o->s = ${one};
   o->hyperbolic = 0;
 }
@@ -402,9 +428,9 @@ static void ${name}_constant(${name}_orbit *o, ${name}_top *p, const ${name}_rea
   }
   p->b[0] = p->b[1] = ${zero};
   p->b[2] = length.hi;
-  o->a_re[0] = o->f[2][0] = ${one};
+  o->a[0] = o->f[5] = ${one};
   ${name}_store(o->turn, ${name}_pair_divide(length, ${name}_pair_scale(${name}_pi(), 2)));
-  o->scale[2] = o->inverse = o->period[0] = ${one};
+  o->scale[2] = ${one};
 }
 
 int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[])
@@ -412,7 +438,9 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_orbit made;
   ${name}_top p;
   ${name}_pair I[3], axis[3][3], w[3];
-  ${name}_real tensor[6], rate[3], y[4], f[3], q0[4], n, size, largest = ${zero};
+  ${name}_real tensor[6], rate[3], y[4], q0[4], n, size, turned, largest = ${zero};
+  const ${name}_phases phases = {${zero}, ${zero}, ${zero}, ${zero}};
+  ${name}_terms terms;
   int order[3], scale, e, i, j, k;
 
   ${name}_inertia(m, tensor);
@@ -455,32 +483,37 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     if (p.kc2.hi*p.down13*p.down13 < ${one}/(${name}_real)34) ${name}_hyperbolic(&made, &p);
     else ${name}_circular(&made, &p);
   }
-  for (i = 0; i < 2; i++) { /* per second again */
-    made.rate[i] = ${ldexp}(made.rate[i], e);
-    made.turn[i] = ${ldexp}(made.turn[i], e);
+  for (i = 0; i < 2; i++) { /* high parts in halves, for Dekker's product */
+    ${name}_real *b = i == 0 ? made.rate : made.turn, c = ${split}*b[0];
+
+    b[2] = c - (c - b[0]);
+    b[3] = b[0] - b[2];
+    for (j = 0; j < 4; j++) b[j] = ${ldexp}(b[j], e); /* per second again */
   }
   if (!(made.rate[0] - made.rate[0] == ${zero}) || !(made.turn[0] - made.turn[0] == ${zero})) return 1;
 
   /* the rates are over N^2, which is this at u = 0 */
-  ${name}_functions(&made, ${zero}, ${one}, ${zero}, y, f);
-  n = y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3];
+  terms = ${name}_terms_of(&made, phases, made.hyperbolic);
+  n = ${name}_square(&terms);
   for (i = 0; i < 3; i++) {
     for (j = 0; j < 3; j++) {
       made.w[i][j] = ${ldexp}(n*made.scale[i]*p.b[i]*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
     }
   }
   /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */
-  {
-    ${name}_real r, turn, flip;
-
-    ${name}_reduce(&made, ${zero}, &r, &turn, &flip);
-    ${name}_functions(&made, r, flip, turn, y, f);
-    (void)${name}_unit_quaternion(y, y);
+  for (i = 0; i < 4; i++) {
+    for (j = 0; j < 4; j++) made.q[i][j] = i == j ? ${one} : ${zero};
   }
+  terms = ${name}_terms_of(&made, ${name}_reduce(&made, ${zero}), made.hyperbolic);
+  ${name}_attitude_of(&made, &terms, y);
+  turned = made.hyperbolic ? p.s : ${one}; /* of x and y */
+  y[1] *= turned;
+  y[2] *= turned;
+  (void)${name}_unit_quaternion(y, y);
   for (k = 0; k < 4; k++) {
     ${name}_real unit[4] = {${zero}, ${zero}, ${zero}, ${zero}}, d[4], v[4];
 
-    unit[k] = ${one};
+    unit[k] = k == 1 || k == 2 ? turned : ${one};
     for (i = 1; i < 4; i++) y[i] = k == 0 ? -y[i] : y[i];
     ${name}_quaternion_product(y, unit, d);
     v[0] = d[0];
