@@ -59,7 +59,8 @@ static ${name}_pair ${name}_pair_arc(${name}_pair x, ${name}_real sign)
   };
   const ${name}_pair square = ${name}_pair_multiply(x, x), z = ${name}_pair_shift(sign, square);
   const ${name}_real t = z.hi, seven = ${one}/(${name}_real)13 + t*(${one}/(${name}_real)15 + t*(${one}/(${name}_real)17
-    + t*(${one}/(${name}_real)19 + t*(${one}/(${name}_real)21 + t*(${one}/(${name}_real)23 + t*(${one}/(${name}_real)25))))));
+    + t*(${one}/(${name}_real)19 + t*(${one}/(${name}_real)21
+        + t*(${one}/(${name}_real)23 + t*(${one}/(${name}_real)25))))));
   ${name}_pair s = ${name}_pair_of(seven);
   int i;
 
@@ -131,7 +132,14 @@ static ${name}_pair ${name}_pair_log(${name}_pair a, int e)
   a = ${name}_pair_scale(a, 1 - own);
   eighths = ${floor}((${name}_real)8*(a.hi - ${one}) + ${half});
   near = ${name}_pair_of(${one} + eighths/(${name}_real)8);
-  near = ${name}_pair_shift(${two}, ${name}_pair_arc(${name}_pair_divide(${name}_pair_subtract(a, near), ${name}_pair_add(a, near)), ${one}));
+  near = ${name}_pair_shift(${two}, ${name}_pair_arc(${name}_pair_divide(${name}_pair_subtract(a, near),
+      ${name}_pair_add(a, near)), ${one}));
   near = ${name}_pair_add(log[(int)eighths], near);
   return ${name}_pair_add(${name}_pair_times((${name}_real)(e + own - 1), ${name}_log2()), near);
+}
+
+static void ${name}_store(${name}_real out[2], ${name}_pair a)
+{
+  out[0] = a.hi;
+  out[1] = a.lo;
 }

@@ -17,7 +17,8 @@ typedef struct ${name}_top {
   ${name}_pair I[3], J[3];              /* moments: as they are, scaled */
   ${name}_pair w[3];                    /* rates at t = 0 */
   ${name}_pair d21, d31, d32;           /* |I2 - I1|, |I3 - I1|, |I3 - I2| */
-  ${name}_pair D;                       /* |G^2 - 2 T I2| over the scale of w1, w3 squared and that of the least moment */
+  /* |G^2 - 2 T I2| over the scale of w1, w3 squared and that of the least moment */
+  ${name}_pair D;
   ${name}_pair G;                       /* |L| */
   ${name}_pair cross;                   /* sqrt(J1 I2 d31 d32) */
   ${name}_pair part1, part2, Delta3;    /* J1 d31 w1^2, I2 d32 w2^2 of the scaled w1, w2, and their sum */
@@ -64,7 +65,8 @@ static ${name}_pair ${name}_term(${name}_pair I, ${name}_pair w, ${name}_pair d)
 
 /* I3 w3^2 (I3 - I2) - I1 w1^2 (I2 - I1) = G^2 - 2 T I2: its sign says about which axis L circulates.  Where the terms
  * cancel by more than three bits, without rounding if the moments and rates are single numbers. */
-static ${name}_pair ${name}_circulation(${name}_pair I1, ${name}_pair I3, ${name}_pair w1, ${name}_pair w3, ${name}_pair d21, ${name}_pair d32)
+static ${name}_pair ${name}_circulation(${name}_pair I1, ${name}_pair I3, ${name}_pair w1, ${name}_pair w3,
+    ${name}_pair d21, ${name}_pair d32)
 {
   const ${name}_pair last = ${name}_term(I3, w3, d32), first = ${name}_term(I1, w1, d21);
   ${name}_pair sum = ${name}_pair_subtract(last, first);
@@ -76,19 +78,22 @@ static ${name}_pair ${name}_circulation(${name}_pair I1, ${name}_pair I3, ${name
 
     n = ${name}_exact_term(e, 0, I3.hi, w3.hi, d32);
     sum = ${name}_pair_of(${zero});
-    for (n = ${name}_exact_term(e, n, I1.hi, w1.hi, ${name}_pair_minus(d21)); n > 0; n--) sum = ${name}_pair_add(sum, ${name}_pair_of(e[n - 1]));
+    for (n = ${name}_exact_term(e, n, I1.hi, w1.hi, ${name}_pair_minus(d21)); n > 0; n--) sum =
+        ${name}_pair_add(sum, ${name}_pair_of(e[n - 1]));
   }
   return sum;
 }
 
 /* Labels and signs of the axes; `order` sorts moments of I, ascending. */
-static void ${name}_label(${name}_top *p, const ${name}_pair I[3], const ${name}_pair w[3], const ${name}_pair axis[3][3], const int order[3])
+static void ${name}_label(${name}_top *p, const ${name}_pair I[3], const ${name}_pair w[3],
+    const ${name}_pair axis[3][3], const int order[3])
 {
   const int small = order[0], middle = order[1], large = order[2], rod = !(I[small].hi > ${zero});
   const int e = ${name}_exponent(w[small].hi, w[large].hi);
   const ${name}_real down = ${ldexp}(${one}, ${name}_exponent(I[small].hi, ${zero})), up = ${one}/down;
   const ${name}_pair low = ${name}_pair_subtract(I[middle], I[small]);
-  const ${name}_pair high = rod ? ${name}_pair_of(${zero}) : ${name}_pair_shift(up, ${name}_pair_subtract(I[large], I[middle]));
+  const ${name}_pair high = rod ? ${name}_pair_of(${zero}) : ${name}_pair_shift(up,
+      ${name}_pair_subtract(I[large], I[middle]));
   const ${name}_pair least = rod ? ${name}_pair_of(${one}) : ${name}_pair_shift(up, I[small]);
   int own[3], reverse, i, j;
   ${name}_real sign[3];
@@ -96,7 +101,8 @@ static void ${name}_label(${name}_top *p, const ${name}_pair I[3], const ${name}
   p->small13 = e;
   p->down13 = ${ldexp}(${one}, e);
   p->up13 = ${one}/p->down13;
-  p->D = ${name}_circulation(least, I[large], ${name}_pair_shift(p->up13, w[small]), ${name}_pair_shift(p->up13, w[large]), low, high);
+  p->D = ${name}_circulation(least, I[large], ${name}_pair_shift(p->up13, w[small]),
+      ${name}_pair_shift(p->up13, w[large]), low, high);
   reverse = rod || p->D.hi < ${zero};
   own[0] = reverse ? large : small;
   own[1] = middle;
@@ -137,7 +143,8 @@ static void ${name}_invariants(${name}_top *p)
   p->part2 = ${name}_pair_multiply(second, ${name}_pair_multiply(w2, w2));
   p->Delta3 = ${name}_pair_add(p->part1, p->part2);
   wide = ${name}_pair_multiply(p->J[2], p->d31);
-  p->Lambda1 = ${name}_pair_add(${name}_term(p->I[1], p->w[1], p->d21), ${name}_pair_multiply(wide, ${name}_pair_multiply(p->w[2], p->w[2])));
+  p->Lambda1 = ${name}_pair_add(${name}_term(p->I[1], p->w[1], p->d21),
+      ${name}_pair_multiply(wide, ${name}_pair_multiply(p->w[2], p->w[2])));
   p->b3 = ${name}_pair_root(${name}_pair_divide(p->Lambda1, wide));
   p->lambda = ${name}_pair_divide(${name}_pair_multiply(p->b3, p->cross), ${name}_pair_multiply(p->J[0], p->I[1]));
   wide = ${name}_pair_multiply(p->d32, p->Lambda1);
@@ -155,7 +162,8 @@ static void ${name}_invariants(${name}_top *p)
   g = ${name}_pair_add(p->G, B3);
   first = ${name}_pair_divide(p->Delta3, p->d31);                              /* B1^2/I1 */
   p->T = ${name}_pair_divide(${name}_pair_root(${name}_pair_shift(unit, ${name}_pair_multiply(p->I[0], first))), g);
-  p->climb = ${name}_pair_add(p->b3, ${name}_pair_shift(unit, ${name}_pair_shift(p->down12, ${name}_pair_shift(p->down12, ${name}_pair_divide(first, g)))));
+  p->climb = ${name}_pair_add(p->b3, ${name}_pair_shift(unit,
+      ${name}_pair_shift(p->down12, ${name}_pair_shift(p->down12, ${name}_pair_divide(first, g)))));
   p->b[0] = ${sqrt}(first.hi/p->J[0].hi);
   p->b[1] = ${sqrt}(p->Delta3.hi/second.hi);
   p->b[2] = p->b3.hi;

@@ -34,8 +34,8 @@ scene.plan(job, { real = "double" })
 local files = scene.files(job)
 program.write(dir .. "/top.h", files["top.h"])
 program.write(dir .. "/top.c", files["top.c"])
-local code = program.shell(string.format("(gcc -std=c99 -O2 -ffp-contract=off -c -o %s/top.o %s/top.c && gcc -std=c11 " ..
-  "-O1 -D_DEFAULT_SOURCE -I%s -o %s/measure tests/emit/setup.c %s/top.o -lm && %s/measure) >%s/out 2>&1",
+local code = program.shell(string.format("(gcc -std=c99 -O2 -ffp-contract=off -c -o %s/top.o %s/top.c && gcc " ..
+  "-std=c11 -O1 -D_DEFAULT_SOURCE -I%s -o %s/measure tests/emit/setup.c %s/top.o -lm && %s/measure) >%s/out 2>&1",
   dir, dir, dir, dir, dir, dir, dir))
 tap.is(code, 0, "compiles and runs")
 
@@ -53,7 +53,8 @@ local function ask(option, list, edit)
   local text, answers = {}, {}
   for i, l in ipairs(list) do text[i] = table.concat(edit({ table.unpack(l, 3) }), " ") end
   program.write(dir .. "/in", table.concat(text, "\n") .. "\n")
-  tap.is(program.shell(string.format("%s %s <%s/in >%s/answers", oracle, option, dir, dir)), 0, "the oracle answers")
+  local status = program.shell(string.format("%s %s <%s/in >%s/answers", oracle, option, dir, dir))
+  tap.is(status, 0, "the oracle answers")
   for line in string.gmatch(program.read(dir .. "/answers"), "[^\n]+") do
     local numbers = {}
     for word in string.gmatch(line, "%S+") do numbers[#numbers + 1] = tonumber(word) or math.huge end
@@ -109,7 +110,7 @@ do
     end
     effect[l], most = distance, math.max(most, distance)
   end
-  tap.ok(most > 0.1, "oblique: some states are so near the separatrix that one unit of the last place moves them far",
+  tap.ok(most > 0.1, "oblique: some states are so near the separatrix that a unit of the last place moves them far",
     most)
   worst("oblique", function(l) return phases(l) + 2.0 ^ -45 * effect[l] end, 150)
 end
