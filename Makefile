@@ -172,6 +172,7 @@ bench: all $(BUILD)/bench/step $(BUILD)/bench/gen $(BUILD)/bench/mesh
 # The emitted free top against 50 digits: a sweep of bodies, motions and times, in double and float.
 MAP := $(BUILD)/errormap
 $(MAP)/%/errormap.c: tests/bench/errormap.lua $(PROGRAM)
+	@mkdir -p $(@D)
 	@$(PROGRAM) gen $< --real $* -o $(@D) > $(@D).log
 
 $(MAP)/%/sweep: tests/bench/errormap.c $(MAP)/%/errormap.c

@@ -104,17 +104,3 @@ void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[
   ${name}_functions(o, r, flip, turn, y, f);
   ${name}_attitude(o, y, q);
 }
-
-${name}_real ${name}_polhode_period(const ${name}_orbit *o)
-{
-  if (!(o->rate[0] > ${zero})) return ${zero};
-  return o->inverse > ${zero} ? ${two}*o->period[0]/o->rate[0] : ${huge};
-}
-
-/* 2 mu + s z': b winds once more than a in each period of z */
-${name}_real ${name}_precession_rate(const ${name}_orbit *o)
-{
-  const ${name}_real per = o->rate[0]*o->inverse;
-
-  return ${pi_high}*(${two}*${two}*(o->turn[0] - o->jump[0]*per) + o->s*per);
-}

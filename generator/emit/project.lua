@@ -175,7 +175,7 @@ local function closed_values(job, v, ctx)
     v.closed_header = render "templates/top.h"
     v.single = ctx.real == "float"
     local parts = {}
-    for i, part in ipairs { "double", "top", "theta", "tick" } do parts[i] = render("templates/" .. part .. ".c") end
+    for i, part in ipairs { "double", "top", "theta", "tick", "query" } do parts[i] = render("templates/" .. part .. ".c") end
     v.closed_source = table.concat(parts, "\n")
     return
   end

@@ -1724,18 +1724,79 @@ void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
   brick_attitude(o, y, q);
 }
 
+/* ---- inverse questions ---- */
+
+/* half-periods of the rates (0 if they have none) and turns about L in a second, both times 2^-e; the result is e.
+ * b winds once more than a in each period of the rates: the phase of a is 2 mu, that of both together 2 mu + s z'. */
+static int brick_means(const brick_orbit *o, brick_pair *halves, brick_pair *turns)
+{
+  const brick_pair rate = {o->rate[0], o->rate[1]}, period = {o->period[0], o->period[1]};
+  const brick_pair turn = {o->turn[0], o->turn[1]}, jump = {o->jump[0], o->jump[1]};
+  int e;
+
+  (void)frexp(fabs(turn.hi) > rate.hi ? turn.hi : rate.hi, &e);
+  *halves = brick_pair_of(0.0);
+  if (o->inverse > 0.0) *halves = brick_pair_divide(brick_pair_scale(rate, -e), period);
+  *turns = brick_pair_subtract(brick_pair_scale(turn, -e), brick_pair_multiply(jump, *halves));
+  *turns = brick_pair_add(brick_pair_scale(*turns, 1), brick_pair_times(o->s*0.5, *halves));
+  return e;
+}
+
 brick_real brick_polhode_period(const brick_orbit *o)
 {
   if (!(o->rate[0] > 0.0)) return 0.0;
-  return o->inverse > 0.0 ? 2.0*o->period[0]/o->rate[0] : HUGE_VAL;
+  return o->inverse > 0.0 ? 2.0*(o->period[0]/o->rate[0]) : HUGE_VAL;
 }
 
-/* 2 mu + s z': b winds once more than a in each period of z */
 brick_real brick_precession_rate(const brick_orbit *o)
 {
-  const brick_real per = o->rate[0]*o->inverse;
+  brick_pair halves, turns;
+  const int e = brick_means(o, &halves, &turns);
 
-  return 3.141592653589793*(2.0*2.0*(o->turn[0] - o->jump[0]*per) + o->s*per);
+  return ldexp(brick_pair_multiply(brick_pi(), turns).hi, e + 1);
+}
+
+brick_real brick_precession_period(const brick_orbit *o)
+{
+  brick_pair halves, turns;
+  const int e = brick_means(o, &halves, &turns);
+
+  return turns.hi > 0.0 ? ldexp(brick_pair_divide(brick_pair_of(1.0), turns).hi, -e) : HUGE_VAL;
+}
+
+brick_real brick_rotation_number(const brick_orbit *o)
+{
+  brick_pair halves, turns;
+
+  if (!(o->rate[0] > 0.0)) return 0.0;
+  (void)brick_means(o, &halves, &turns);
+  return halves.hi > 0.0 ? 2.0*brick_pair_divide(turns, halves).hi : HUGE_VAL;
+}
+
+/* start + rate t = n period, n the first integer whose t is later after rounding */
+brick_real brick_next_flip(const brick_orbit *o, brick_real t)
+{
+  const brick_pair start = {o->start[0], o->start[1]}, period = {o->period[0], o->period[1]};
+  brick_pair rate = {o->rate[0], o->rate[1]}, n = brick_pair_of(0.0);
+  brick_real next;
+  int e, i;
+
+  if (!(rate.hi > 0.0)) return HUGE_VAL;
+  (void)frexp(rate.hi, &e); /* time in units of 2^-e, so that nothing leaves the range before t has no digits left */
+  rate = brick_pair_scale(rate, -e);
+  if (!(o->inverse > 0.0)) {
+    next = ldexp(brick_pair_divide(brick_pair_minus(start), rate).hi, -e);
+    return next > t ? next : HUGE_VAL;
+  }
+  n = brick_pair_divide(brick_pair_add(start, brick_pair_times(ldexp(t, e), rate)), period);
+  next = floor(n.hi);
+  n = brick_pair_sum(next, next < n.hi ? 0.0 : floor(n.lo));
+  for (i = 0; i < 2; i++) {
+    n = brick_pair_add(n, brick_pair_of(1.0));
+    next = ldexp(brick_pair_divide(brick_pair_subtract(brick_pair_multiply(n, period), start), rate).hi, -e);
+    if (next > t) return next;
+  }
+  return t + fabs(t)*2.220446049250313e-16; /* a period is less than t's last place: every t is near a flip */
 }
 
 /* ---- stability, small oscillations ---- */
