@@ -277,8 +277,8 @@ local function closed(host, job, plugin, tap, name, random, epsilon)
     finish * scale / math.pi), string.format("%.2g of the bound", worst))
 end
 
--- A closed form of forced motion from the scene's state, a hundred revolutions, against the library's Taylor series, whose
--- steps of 1e-15 each have grown to 1e-12 by then.  To each phase the roundings of the constants are added, in both.
+-- A closed form of forced motion from the scene's state, a hundred revolutions, against the library's Taylor series,
+-- whose steps of 1e-15 each have grown to 1e-12 by then.  Each phase has the roundings of the constants in both.
 local function forced(host, job, plugin, tap, name, _, epsilon)
   local s, x0 = setting(job, plugin)
   local scale = rate_scale(job)
