@@ -184,7 +184,11 @@ $(MAP)/%/errors: $(MAP)/%/sweep $(ORACLE)
 
 .SECONDARY:
 errormap: $(MAP)/double/errors $(MAP)/float/errors
-	@$(LUA) tests/bench/errormap_report.lua $(MAP) docs/errormap.svg
+	@$(LUA) tests/bench/errormap_report.lua $(MAP) docs/errormap.md docs/errormap.svg
+
+# What the emitted free top costs on a Cortex-M4F: bytes, and instructions counted under QEMU.
+target-cost: $(PROGRAM)
+	@$(LUA) tests/target/cost.lua $(PROGRAM) $(BUILD)/target
 
 # One body through the whole chain; each step shows the command that makes it.
 DEMO = bodies/brick.lua
@@ -261,7 +265,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check test sanitize sanitized golden docs bench errormap demo install clean FORCE \
+.PHONY: all tests check test sanitize sanitized golden docs bench errormap target-cost demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 
