@@ -1,6 +1,12 @@
 %% -- query.c -- periods, rotation number and flips of the free top: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- inverse questions ---- */
 
+/* are the rates periodic? */
+static int ${name}_periodic(const ${name}_orbit *o)
+{
+  return o->inverse > ${zero};
+}
+
 /* half-periods of the rates (0 if they have none) and turns about L in a second, both times 2^-e; the result is e.
  * b winds once more than a in each period of the rates: the phase of a is 2 mu, that of both together 2 mu + s z'. */
 static int ${name}_means(const ${name}_orbit *o, ${name}_pair *halves, ${name}_pair *turns)
@@ -11,7 +17,7 @@ static int ${name}_means(const ${name}_orbit *o, ${name}_pair *halves, ${name}_p
 
   (void)${frexp}(${fabs}(turn.hi) > rate.hi ? turn.hi : rate.hi, &e);
   *halves = ${name}_pair_of(${zero});
-  if (o->inverse > ${zero}) *halves = ${name}_pair_divide(${name}_pair_scale(rate, -e), period);
+  if (${name}_periodic(o)) *halves = ${name}_pair_divide(${name}_pair_scale(rate, -e), period);
   *turns = ${name}_pair_subtract(${name}_pair_scale(turn, -e), ${name}_pair_multiply(jump, *halves));
   *turns = ${name}_pair_add(${name}_pair_scale(*turns, 1), ${name}_pair_times(o->s*${half}, *halves));
   return e;
@@ -20,7 +26,7 @@ static int ${name}_means(const ${name}_orbit *o, ${name}_pair *halves, ${name}_p
 ${name}_real ${name}_polhode_period(const ${name}_orbit *o)
 {
   if (!(o->rate[0] > ${zero})) return ${zero};
-  return o->inverse > ${zero} ? ${two}*(o->period[0]/o->rate[0]) : ${huge};
+  return ${name}_periodic(o) ? ${two}*(o->period[0]/o->rate[0]) : ${huge};
 }
 
 ${name}_real ${name}_precession_rate(const ${name}_orbit *o)
@@ -45,7 +51,7 @@ ${name}_real ${name}_rotation_number(const ${name}_orbit *o)
 
   if (!(o->rate[0] > ${zero})) return ${zero};
   (void)${name}_means(o, &halves, &turns);
-  return halves.hi > ${zero} ? ${two}*${name}_pair_divide(turns, halves).hi : ${huge};
+  return ${name}_periodic(o) ? ${two}*${name}_pair_divide(turns, halves).hi : ${huge};
 }
 
 /* start + rate t = n period, n the first integer whose t is later after rounding */
@@ -59,7 +65,7 @@ ${name}_real ${name}_next_flip(const ${name}_orbit *o, ${name}_real t)
   if (!(rate.hi > ${zero})) return ${huge};
   (void)${frexp}(rate.hi, &e); /* time in units of 2^-e, so that nothing leaves the range before t has no digits left */
   rate = ${name}_pair_scale(rate, -e);
-  if (!(o->inverse > ${zero})) {
+  if (!${name}_periodic(o)) {
     next = ${ldexp}(${name}_pair_divide(${name}_pair_minus(start), rate).hi, -e);
     return next > t ? next : ${huge};
   }

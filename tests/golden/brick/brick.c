@@ -1726,6 +1726,12 @@ void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
 
 /* ---- inverse questions ---- */
 
+/* are the rates periodic? */
+static int brick_periodic(const brick_orbit *o)
+{
+  return o->inverse > 0.0;
+}
+
 /* half-periods of the rates (0 if they have none) and turns about L in a second, both times 2^-e; the result is e.
  * b winds once more than a in each period of the rates: the phase of a is 2 mu, that of both together 2 mu + s z'. */
 static int brick_means(const brick_orbit *o, brick_pair *halves, brick_pair *turns)
@@ -1736,7 +1742,7 @@ static int brick_means(const brick_orbit *o, brick_pair *halves, brick_pair *tur
 
   (void)frexp(fabs(turn.hi) > rate.hi ? turn.hi : rate.hi, &e);
   *halves = brick_pair_of(0.0);
-  if (o->inverse > 0.0) *halves = brick_pair_divide(brick_pair_scale(rate, -e), period);
+  if (brick_periodic(o)) *halves = brick_pair_divide(brick_pair_scale(rate, -e), period);
   *turns = brick_pair_subtract(brick_pair_scale(turn, -e), brick_pair_multiply(jump, *halves));
   *turns = brick_pair_add(brick_pair_scale(*turns, 1), brick_pair_times(o->s*0.5, *halves));
   return e;
@@ -1745,7 +1751,7 @@ static int brick_means(const brick_orbit *o, brick_pair *halves, brick_pair *tur
 brick_real brick_polhode_period(const brick_orbit *o)
 {
   if (!(o->rate[0] > 0.0)) return 0.0;
-  return o->inverse > 0.0 ? 2.0*(o->period[0]/o->rate[0]) : HUGE_VAL;
+  return brick_periodic(o) ? 2.0*(o->period[0]/o->rate[0]) : HUGE_VAL;
 }
 
 brick_real brick_precession_rate(const brick_orbit *o)
@@ -1770,7 +1776,7 @@ brick_real brick_rotation_number(const brick_orbit *o)
 
   if (!(o->rate[0] > 0.0)) return 0.0;
   (void)brick_means(o, &halves, &turns);
-  return halves.hi > 0.0 ? 2.0*brick_pair_divide(turns, halves).hi : HUGE_VAL;
+  return brick_periodic(o) ? 2.0*brick_pair_divide(turns, halves).hi : HUGE_VAL;
 }
 
 /* start + rate t = n period, n the first integer whose t is later after rounding */
@@ -1784,7 +1790,7 @@ brick_real brick_next_flip(const brick_orbit *o, brick_real t)
   if (!(rate.hi > 0.0)) return HUGE_VAL;
   (void)frexp(rate.hi, &e); /* time in units of 2^-e, so that nothing leaves the range before t has no digits left */
   rate = brick_pair_scale(rate, -e);
-  if (!(o->inverse > 0.0)) {
+  if (!brick_periodic(o)) {
     next = ldexp(brick_pair_divide(brick_pair_minus(start), rate).hi, -e);
     return next > t ? next : HUGE_VAL;
   }
