@@ -1631,11 +1631,12 @@ static void brick_fraction(brick_pair a, uint64_t out[2])
   for (i = 0; i < 8; i++) {
     brick_real whole;
 
-    a = brick_pair_scale(a, 16);
+    a.hi *= (brick_real)65536;
+    a.lo *= (brick_real)65536;
     whole = floor(a.hi);
     if (!(a.hi > whole) && a.lo < 0.0) whole -= 1.0;
     a = brick_pair_sum(a.hi - whole, a.lo);
-    out[i/4] = out[i/4] << 16 | ((uint64_t)(int64_t)whole & 0xFFFFU);
+    out[i/4] = out[i/4] << 16 | ((uint32_t)(int32_t)whole & 0xFFFFU);
   }
 }
 
