@@ -248,6 +248,41 @@ static void limits(void) {
   tell("symmetric", wrong, 1);
 }
 
+/* At any time that is a number the state is one: a unit quaternion, and T as it was, although after
+   2^40 turns (float: 2^20) nobody knows where in its motion the top is. Both sides of the
+   separatrix, on it, near it, a fast spin. */
+static void any_time(void) {
+  static const double w[5][3] = {
+      {0.25, 1, -0.125}, {3, 0.5, 1}, {2.9999, 0.5, 1}, {3.0001, 0.5, 1}, {1e-3, 0, 1}};
+  const double I[6] = {4, 5, 9, 0, 0, 0};
+  double norm = 0, energy = 0;
+  int count = 0;
+  for (int n = 0; n < 5; n++)
+    for (double size = 1; size < (single ? 1e38 : 1e300); size *= 31.7)
+      for (int back = 0; back < 2; back++) {
+        const double t = back ? -size : size;
+        double x[7] = {1, 0, 0, 0, w[n][0], w[n][1], w[n][2]}, T0 = 0, T = 0;
+        float y[7];
+        if (solve(I, x))
+          continue;
+        for (int i = 0; i < 3; i++)
+          T0 += I[i] * x[4 + i] * x[4 + i];
+        if (single)
+          small_at(&narrow, (float)t, y);
+        else
+          top_at(&wide, t, x);
+        for (int i = 0; single && i < 7; i++)
+          x[i] = (double)y[i];
+        for (int i = 0; i < 3; i++)
+          T += I[i] * x[4 + i] * x[4 + i];
+        norm = worse(norm, off(x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3], 1));
+        energy = worse(energy, off(T, T0));
+        count++;
+      }
+  tell("norm", norm, count);
+  tell("energy", energy, count);
+}
+
 static void known(const char *name, const double I[6], const double x[7], double day) {
   if (solve(I, x))
     return;
@@ -296,6 +331,7 @@ int main(void) {
     chain(-1e30, 0);
     chain(1e7, 0);
     limits();
+    any_time();
   }
   single = 0;
   eps = DBL_EPSILON;
