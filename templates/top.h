@@ -9,6 +9,7 @@ typedef struct ${name}_orbit {
   ${name}_real start[2], rate[4];   /* phase of the rates at t = 0, and per second, in their periods: high, low, halves of high */
   ${name}_real turn[4], jump;       /* turns about L per second; how far it runs ahead in half a period, near the separatrix */
   ${name}_real half;                /* there: half a period as a power of two, 2^half; on it ${no_period} */
+  ${name}_real last;                /* s; later times are taken for this one, after 2^50 turns (float: 2^46) */
   ${name}_real a[4], b[4], c[4], d[4], f[10], nome, scale[3], s; /* series, see ${name}_circular_terms */
   ${name}_real q[4][4], w[3][3];    /* quaternion and rates are combinations of these */
   ${name}_real tick;                /* s; the rest is set by ${name}_set_tick: fractions of two periods, of a turn */
@@ -22,7 +23,8 @@ typedef struct ${name}_orbit {
 int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[]);
 
 /* The state at time t, of either sign: attitude and rates.  The phases are formed and reduced in twice the working
- * precision: errors stay some units of the last place until that is used up, after 2^40 turns (float: 2^20). */
+ * precision: errors stay some units of the last place until that is used up, after 2^40 turns (float: 2^20).  Later the
+ * state is one of this motion, but nobody knows which. */
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[]);
 
 /* The same bits at n times (if the compiler fuses nothing: -ffp-contract=off), x[i*n + k] component i at t[k]; x apart from
