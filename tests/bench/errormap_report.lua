@@ -161,7 +161,7 @@ prose [[
 
 Made by `make errormap`, which compiles the emitted code in double and in float, follows it through a sweep of bodies,
 motions and times, and compares every state with 512 bits of MPFR by the textbook's formulas (`tests/oracle/free_top.c`,
-which itself reproduces the 32 digits of the reference set). A minute or two; the same bytes each time.
+which itself reproduces the 32 digits of the reference set). Some minutes; the same bytes each time.
 
 - **Bodies**: moments A ≤ B ≤ C = 1, B from 1/2 to 1 in nine steps, A from C − B (a lamina) to B (two equal
   moments) in nine; the ends are approached to 10⁻⁶, so that the corners are nearly a rod, a sphere and a disc.
