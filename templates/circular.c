@@ -22,16 +22,16 @@ static void ${name}_polynomial(int n, const ${name}_real c[], ${name}_real first
 }
 /* The means a, g of 1 and k' (DLMF 19.8.2), as far as they are needed: after four steps they agree to 2^-35, and what is
  * left is added as a series. */
-typedef struct ${name}_means {
+typedef struct ${name}_agm {
   ${name}_pair k, a1, g1, a2, g2, a3, g3; /* k' first */
   ${name}_pair M;                         /* their limit, pi/(2 K) */
   ${name}_pair q;                         /* nome, up12^2 */
-} ${name}_means;
+} ${name}_agm;
 
 /* The nome: q^(2^n) = e + 2 e^5 + 15 e^9 + ... with e = (a_n - g_n)/(8 a_(n+2)) (DLMF 19.5.6 at the n-th modulus).  From
  * n to n + 1 e becomes e^2 a_(n+2)/a_(n+3), which gives q as a product that ends quickly,
  *     q = k^2/(8 a_1 (1 + g_1) sqrt a_3) (a_3/a_4)^(1/4) (a_4/a_5)^(1/8) ... */
-static void ${name}_nome(${name}_means *f, const ${name}_top *p)
+static void ${name}_nome(${name}_agm *f, const ${name}_top *p)
 {
   const ${name}_pair one = ${name}_pair_of(${one});
   ${name}_pair a4, a5, d, rest, u;
@@ -70,7 +70,7 @@ static void ${name}_nome(${name}_means *f, const ${name}_top *p)
 
 /* z at t = 0, in units of pi.  Two of Gauss's transformations, in which z is doubled (DLMF 22.7.2 and its companions), lead
  * to functions of nome q^4, where sc = tan up to q^8 (DLMF 20.2.1-2, 22.2). */
-static ${name}_pair ${name}_start(const ${name}_top *p, const ${name}_means *f, ${name}_real q8)
+static ${name}_pair ${name}_start(const ${name}_top *p, const ${name}_agm *f, ${name}_real q8)
 {
   const ${name}_real size = ${ldexp}(${one}, -${name}_exponent(p->Delta3.hi, ${zero})), q24 = q8*q8*q8;
   const ${name}_pair w12 = ${name}_pair_multiply(${name}_pair_shift(p->up12, p->w[0]),
@@ -154,7 +154,7 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
 {
   const ${name}_pair one = ${name}_pair_of(${one});
   ${name}_pair q, q2, q4, q8, S, S2, a, b, v, d, rate, start, turn;
-  ${name}_means f;
+  ${name}_agm f;
   ${name}_real q24, T = p->T.hi, square = p->down12*p->down12, x, da, db, dS, E, r;
   int i;
 

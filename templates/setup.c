@@ -119,6 +119,8 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     b[3] = b[0] - b[2];
     for (j = 0; j < 4; j++) b[j] = ${ldexp}(b[j], e); /* per second again */
   }
+  n = ${fabs}(made.turn[0]) > made.rate[0] ? ${fabs}(made.turn[0]) : made.rate[0];
+  made.last = n*${last_time} > ${last_turn} ? ${last_turn}/n : ${last_time};
   if (!(made.rate[0] - made.rate[0] == ${zero}) || !(made.turn[0] - made.turn[0] == ${zero})) return 1;
 
   /* the rates are over N^2, which is this at u = 0 */

@@ -41,8 +41,20 @@ ${upper}_INLINE ${name}_pair ${name}_advance(const ${name}_real b[4], ${name}_re
   return p;
 }
 
-${upper}_INLINE ${name}_phases ${name}_reduce(const ${name}_orbit *o, ${name}_real t)
+%% if single then
+/* the sum less whole numbers as the high part, what it has rounded as the low one */
+${upper}_INLINE void ${name}_join(${name}_real *high, ${name}_real *low)
 {
+  const ${name}_real sum = *high + *low;
+
+  *low -= sum - *high;
+  *high = sum - ${name}_nearest(sum);
+}
+
+%% end
+${upper}_INLINE ${name}_phases ${name}_reduce(const ${name}_orbit *o, ${name}_real at)
+{
+  const ${name}_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
   const ${name}_real c = ${split}*t, head = c - (c - t), tail = t - head;
   const ${name}_pair p = ${name}_advance(o->rate, t, head, tail), turn = ${name}_advance(o->turn, t, head, tail);
   const ${name}_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
@@ -53,6 +65,13 @@ ${upper}_INLINE ${name}_phases ${name}_reduce(const ${name}_orbit *o, ${name}_re
   phases.low = rest + (p.lo + o->start[1]);
   phases.turn = turn.hi;
   phases.turn_low = turn.lo;
+%% if single then
+  phases.low -= ${name}_nearest(phases.low); /* from 2^22 on: low may have whole periods, and the nearest was an even one */
+  phases.turn_low -= ${name}_nearest(phases.turn_low);
+  phases.turn -= ${name}_nearest(phases.turn);
+  ${name}_join(&phases.high, &phases.low);
+  ${name}_join(&phases.turn, &phases.turn_low);
+%% end
   return phases;
 }
 
