@@ -94,8 +94,8 @@ worst("between", phases, 180)
 worst("tick", phases, 300)
 
 -- Principal moments of an oblique tensor are pairs, good to 2^-100 or so of the largest, and so is G^2 - 2 T I2, which
--- vanishes on the separatrix.  A unit of the last place of one input, 2^-52 of it, moves that by some 2^-53: the error is
--- at most 2^-45 of what the unit does, and states so near the separatrix that it shows are moved far by the unit.
+-- vanishes on the separatrix.  A unit of the last place of one input, 2^-52 of it, moves that by some 2^-53: the error
+-- is at most 2^-45 of what the unit does, and states so near the separatrix that it shows are moved far by the unit.
 do
   local function moved(words) -- w0[0]
     words[7] = string.format("%a", tonumber(words[7]) * (1 + 2.0 ^ -52))
