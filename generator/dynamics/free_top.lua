@@ -9,7 +9,7 @@
 --
 -- What decides is decided exactly, on rationals: whether w x L = 0, and on which side of the separatrix a state is.
 -- With h = G^2/2T its distance is 2T (h - I2), and det(h 1 - I) = (h - I1)(h - I2)(h - I3) is a rational number,
--- whatever the axes are; the other two factors are sums of positive terms.  So k'^2 has all its bits however near it is.
+-- whatever the axes are; the other two factors are sums of positive terms. So k'^2 has all its bits however near it is
 -- What the emitted code stores of it: emit/orbit.lua.
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
