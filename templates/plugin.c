@@ -102,7 +102,7 @@ static void plugin_momentum(const void *m, const double *x, double *L)
   ${name}_momentum((const ${name}_model *)m, y, v);
   widen(3, v, L);
 }
-%% if has_closed then
+%% if has_full then
 
 static int plugin_solve(void *o, const void *m, const double *x0)
 {
@@ -128,14 +128,14 @@ const struct polhode_plugin *polhode_plugin(void)
   static const struct polhode_plugin table = {
     POLHODE_PLUGIN_ABI, "${name}", "${real}", (double)${epsilon}, ${upper}_NX, ${upper}_NU, ${upper}_NP,
     (unsigned long)sizeof(${name}_model),
-%% if has_closed then
+%% if has_full then
     (unsigned long)sizeof(${name}_orbit),
 %% else
     0,
 %% end
     plugin_init, plugin_params, plugin_inertia, plugin_principal, plugin_rhs, plugin_step, plugin_jacobian,
     plugin_energy, plugin_momentum,
-%% if has_closed then
+%% if has_full then
     plugin_solve, plugin_at
 %% else
     NULL, NULL

@@ -139,7 +139,7 @@ int main(void)
   ${name}_model m;
   ${name}_real got[${upper}_NX*${upper}_NX], x0[${upper}_NX], coarse[${upper}_NX], middle[${upper}_NX], fine[${upper}_NX];
   ${name}_real d1, d2;
-%% if has_closed then
+%% if has_full then
   ${name}_orbit o;
 %% end
 %% if free then
@@ -216,7 +216,7 @@ int main(void)
   report(${fabs}(${name}_energy(&m, fine) - E0) <= ${drift}*E0, "energy is conserved without torque");
   report(distance(L0, L1, 3) <= ${drift}*d1, "angular momentum is conserved without torque");
 %% end
-%% if has_closed then
+%% if has_full then
 
   /* the closed form against the stepper, whose own error at this step is below the bound */
   report(${name}_solve(&o, &m, x0) == 0, "the closed form accepts the initial state");
