@@ -9,7 +9,8 @@
 --
 -- What decides is decided exactly, on rationals: whether w x L = 0, and on which side of the separatrix a state is.
 -- With h = G^2/2T its distance is 2T (h - I2), and det(h 1 - I) = (h - I1)(h - I2)(h - I3) is a rational number,
--- whatever the axes are; the other two factors are sums of positive terms. So k'^2 has all its bits however near it is
+-- whatever the axes are; the other two factors are sums of positive terms.  So k'^2 has
+-- all its bits however near the separatrix is.
 -- What the emitted code stores of it: emit/orbit.lua.
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -307,10 +308,13 @@ local function hyperbolic_series(top, r)
       zero[2] * here[3] / (zero[3] * here[2]) }
 end
 
--- The unit quaternion {w, x, y, z} from principal axes to those of L, and {cn, s sn, dn}, at a phase.
+-- The unit quaternion {w, x, y, z} from principal axes to those of L, and {cn, s sn, dn}, at a phase; also N^2, in
+-- terms of the series as they are above.
 function free_top:pair(r, turn, odd)
   local bits = self.bits
-  if self.constant then return self:turned({ R.one, R.zero, R.zero, R.zero }, turn), { R.zero, R.zero, R.one } end
+  if self.constant then
+    return self:turned({ R.one, R.zero, R.zero, R.zero }, turn), { R.zero, R.zero, R.one }, R.one
+  end
   local y, f
   if self.hyperbolic then
     y, f = hyperbolic_series(self, R.abs(r))
@@ -319,7 +323,8 @@ function free_top:pair(r, turn, odd)
     y, f = circular_series(self, r)
   end
   if odd then y[3], y[4], f[1], f[2] = -y[3], -y[4], -f[1], -f[2] end
-  return self:turned(y, turn), rounded(f, bits)
+  local unit, n = self:turned(y, turn)
+  return unit, rounded(f, bits), n
 end
 
 -- alpha = w + i z and beta = x + i y, {re, im, re, im}, times e^(2 pi i turn), as a unit quaternion
@@ -327,25 +332,26 @@ function free_top:turned(p, turn)
   local bits = self.bits
   local angle = two * self.pi * turn
   local co, si = R.apply("cos", bits, angle), R.apply("sin", bits, angle)
-  local norm = elliptic.root(R.round(p[1] * p[1] + p[2] * p[2] + p[3] * p[3] + p[4] * p[4], bits), bits)
+  local n = R.round(p[1] * p[1] + p[2] * p[2] + p[3] * p[3] + p[4] * p[4], bits)
+  local norm = elliptic.root(n, bits)
   return vec.map({ co * p[1] - si * p[2], co * p[3] - si * p[4], si * p[3] + co * p[4], si * p[1] + co * p[2] },
-    function(x) return R.round(x / norm, bits) end)
+    function(x) return R.round(x / norm, bits) end), n
+end
+
+-- conj(y0) y, the turn since t = 0, its vector part in body axes
+function free_top:from_principal(y)
+  local p = vec.qmul({ self.y0[1], -self.y0[2], -self.y0[3], -self.y0[4] }, y)
+  local turned = { R.zero, R.zero, R.zero }
+  for i = 1, 3 do turned = vec.add(turned, vec.scale(p[i + 1], self.axis[i])) end
+  return rounded({ p[1], turned[1], turned[2], turned[3] }, self.bits)
 end
 
 -- The state {q, w} at the time t, a rational.
 function free_top:at(t)
-  local bits = self.bits
   local y, f = self:pair(self:phases(t))
-  local back = { self.y0[1], -self.y0[2], -self.y0[3], -self.y0[4] }
-  local p = vec.qmul(back, y)
-  local turned, w = { p[1], R.zero, R.zero, R.zero }, { R.zero, R.zero, R.zero }
-  for i = 1, 3 do
-    for k = 1, 3 do
-      turned[k + 1] = turned[k + 1] + p[i + 1] * self.axis[i][k]
-      w[k] = w[k] + f[i] * self.b[i] * self.axis[i][k]
-    end
-  end
-  local q = vec.qmul(self.q0, rounded(turned, bits))
+  local w = { R.zero, R.zero, R.zero }
+  for i = 1, 3 do w = vec.add(w, vec.scale(f[i] * self.b[i], self.axis[i])) end
+  local q = vec.qmul(self.q0, self:from_principal(y))
   local x = { q[1], q[2], q[3], q[4], w[1], w[2], w[3] }
   return rounded(x, self.wanted)
 end

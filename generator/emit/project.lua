@@ -8,6 +8,7 @@
 local R = require "generator.algebra.rational"
 local init = require "generator.emit.init"
 local number = require "generator.emit.number"
+local orbit = require "generator.emit.orbit"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
@@ -180,9 +181,11 @@ local function closed_values(job, v, ctx)
   v.symmetric = false
   for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end
+  orbit.fill(job, v)
   v.closed_header = render(form.header)
   local parts = {}
   for i, name in ipairs(form.sources) do parts[i] = render(name) end
+  if v.has_own then parts[#parts + 1] = render "templates/own.c" end
   v.closed_source = table.concat(parts, "\n")
 end
 
