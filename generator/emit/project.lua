@@ -172,7 +172,7 @@ end
 -- The closed form's part of header and source.
 local function closed_values(job, v, ctx)
   v.closed_header, v.closed_source = "", ""
-  v.oblique = job.oblique ~= nil
+  v.oblique, v.has_own = job.oblique ~= nil, false
   put_constants(job.oblique or {}, v, ctx.real)
   if not v.has_closed then return end
   local form = job.closed
