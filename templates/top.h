@@ -8,12 +8,12 @@
 typedef struct ${name}_orbit {
   ${name}_real start[2], rate[4];   /* phase of the rates at t = 0, and per second, in their periods: high, low, halves of high */
   ${name}_real turn[4], jump;       /* turns about L per second; how far it runs ahead in half a period, near the separatrix */
-  ${name}_real half, whole;         /* there: half a period in the functions' unit; on it 1 and 0: none, phases are unbounded */
+  ${name}_real half;                /* there: half a period as a power of two, 2^half; on it ${no_period} */
   ${name}_real a[4], b[4], c[4], d[4], f[10], nome, scale[3], s; /* series, see ${name}_circular_terms */
   ${name}_real q[4][4], w[3][3];    /* quaternion and rates are combinations of these */
   ${name}_real tick;                /* s; the rest is set by ${name}_set_tick: fractions of two periods, of a turn */
   uint64_t rate_tick[2], rate_start[2], turn_tick[2], turn_start[2];
-  int hyperbolic;                   /* near the separatrix */
+  int hyperbolic;                   /* 1 near the separatrix, 2 nearest to it */
 } ${name}_orbit;
 
 %% if has_own then
@@ -30,6 +30,10 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
 /* The state at time t, of either sign: attitude and rates.  The phases are formed and reduced in twice the working
  * precision: errors stay some units of the last place until that is used up, after 2^40 turns (float: 2^20). */
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[]);
+
+/* The same bits at n times (if the compiler fuses nothing: -ffp-contract=off), x[i*n + k] component i at t[k]; x apart from
+ * t.  Worth vector instructions: with GCC or Clang -O3 -march=native -fno-math-errno. */
+void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${name}_real x[]);
 
 /* The rates w[3], rad/s, body axes, or the attitude q[4] alone. */
 void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[]);
