@@ -338,9 +338,10 @@ function free_top:turned(p, turn)
     function(x) return R.round(x / norm, bits) end), n
 end
 
--- conj(y0) y, the turn since t = 0, its vector part in body axes
-function free_top:from_principal(y)
-  local p = vec.qmul({ self.y0[1], -self.y0[2], -self.y0[3], -self.y0[4] }, y)
+-- conj(y0) y, the turn since t = 0, its vector part in body axes; y0: as this motion counts turns, unless given
+function free_top:from_principal(y, y0)
+  y0 = y0 or self.y0
+  local p = vec.qmul({ y0[1], -y0[2], -y0[3], -y0[4] }, y)
   local turned = { R.zero, R.zero, R.zero }
   for i = 1, 3 do turned = vec.add(turned, vec.scale(p[i + 1], self.axis[i])) end
   return rounded({ p[1], turned[1], turned[2], turned[3] }, self.bits)

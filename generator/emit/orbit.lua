@@ -54,66 +54,80 @@ local function constants(q)
   return t2, t3, t4
 end
 
--- The coefficients of templates/theta.c: a_re, a_im, b_re, b_im, f, nome, scale.
+-- The coefficients of templates/theta_at.c: a, b, c, d, f, nome, and scale, which the rates take.
 local function circular(top, o)
   local s, q, E = R.new(top.s), R.round(top.q, 128), R.round(top.E, 128)
   local g = R.round(top.E * top.r, 128)
-  o.a_re = polynomial(4, list(4, function(n)
+  local function cosines(count, term, first, slope) return polynomial(count, list(count, term), first, slope) end
+  o.a = cosines(4, function(n)
     return n == 0 and R.one or sign(n) * q ^ (n * (2 * n - 1)) * (E ^ (2 * n) + g ^ (2 * n))
-  end), 0, 1)
-  o.a_im = polynomial(3, list(3, function(n)
-    return -s * sign(n) * q ^ ((n + 1) * (2 * n + 1)) * (E ^ (2 * n + 2) - g ^ (2 * n + 2))
-  end), 0, 2)
-  o.b_re = polynomial(4, list(4, function(n)
+  end, 0, 1)
+  o.b = cosines(3, function(n)
+    return -two * s * sign(n) * q ^ ((n + 1) * (2 * n + 1)) * (E ^ (2 * n + 2) - g ^ (2 * n + 2))
+  end, 0, 2)
+  o.c = cosines(4, function(n)
     return s * sign(n) * q ^ (n * (2 * n + 1)) * (E ^ (2 * n + 1) + g ^ (2 * n + 1))
-  end), 1, 2)
-  o.b_im = polynomial(4, list(4, function(n)
+  end, 1, 2)
+  o.d = cosines(4, function(n)
     return -sign(n) * q ^ (n * (2 * n + 1)) * (E ^ (2 * n + 1) - g ^ (2 * n + 1))
-  end), -1, 2)
+  end, -1, 2)
+  local theta2 = cosines(5, function(n) return q ^ (n * (n + 1)) end, -1, 2)
+  local theta3 = cosines(5, function(n) return n == 0 and R.one or two * q ^ (n * n) end, 0, 1)
+  o.f = table.move(theta3, 1, 5, 6, theta2)
   local t2, t3, t4 = constants(q)
-  o.f = { polynomial(5, list(5, function(n) return q ^ (n * (n + 1)) end), -1, 2),
-    polynomial(5, list(5, function(n) return s * sign(n) * q ^ (n * (n + 1)) end), 1, 2),
-    polynomial(5, list(5, function(n) return n == 0 and R.one or two * q ^ (n * n) end), 0, 1) }
-  o.scale = { R.one / t2, t3 / (t2 * t4), R.one / t3 }
+  o.scale = { R.one / t2, s * t3 / (t2 * t4), R.one / t3 }
+  o.start, o.rate, o.turn = top.start / two, top.rate / two, top.turn -- the rates have two periods of theta functions
 end
 
-local function hyperbolic(top, o)
-  local s, nome = R.new(top.s), R.sign(top.qc) == 0 and R.zero or R.apply("sqrt", 128, top.qc)
-  local function series(trig, exponent)
-    return list(4, function(n)
-      return (trig == "sin" and s or R.one) * R.apply(trig, 128, (2 * n + 1) * top.h) * nome ^ exponent(n)
-    end)
+-- Polynomials in U = p' cosh 2V; V in its periods, which 2^half measures, on the separatrix in those of no_period.
+local function hyperbolic(top, o, real)
+  local s, P = R.new(top.s), R.sign(top.qc) == 0 and R.zero or R.apply("sqrt", 128, top.qc)
+  local function multiples(trig, factor, alternates)
+    local out = {}
+    for k = 0, 3 do out[k + 1] = R.zero end
+    for n = 0, 3 do
+      local c = {}
+      for k = 0, 3 do c[k + 1] = k == n and R.one or R.zero end
+      local weight = (alternates and sign(n) or R.one) * factor * R.apply(trig, 128, (2 * n + 1) * top.h)
+      for k, x in ipairs(polynomial(4, c, -1, 2)) do
+        if k <= n + 1 then out[k] = out[k] + weight * x * P ^ (n * (n + 1) - k + 1) end
+      end
+    end
+    return out
   end
-  local function to(n) return n * n end
-  local function from(n) return n * (n + 1) end
-  o.a_re, o.a_im = series("cos", to), series("sin", to)
-  o.b_re, o.b_im = series("cos", from), series("sin", from)
-  local t2, t3, t4 = constants(R.round(top.qc, 128))
-  o.nome = nome
+  o.a, o.b = multiples("cos", R.one), multiples("sin", -s, true)
+  local Q = R.round(top.qc, 128)
+  local Q2 = Q * Q
+  o.nome = P / two
+  o.f = { R.one + two * Q2 * Q2, -16 * Q2 * Q, 16 * Q2, -two * Q, R.new(4), R.one + Q2, -4 * (Q + 3 * Q2 * Q2 * Q),
+    16 * Q2 * Q2 }
+  local t2, t3, t4 = constants(Q)
   o.scale = { R.one / t4, s * t3 / (two * t2 * t4), R.one / t3 }
-end
-
--- Phases of two periods and of turns about L, as fractions in units of 2^-128, for the step h.
-local function ticks(top, o, h)
-  local per, first = R.zero, R.zero
-  if top.period then per, first = top.rate / top.period, top.start / top.period end
-  o.tick = h
-  o.rate_tick, o.rate_start = per * h / two, first / two
-  o.turn_tick, o.turn_start = (top.turn - top.jump * per) * h, -top.jump * first
+  local log2 = R.apply("log", bits, two)
+  o.half = top.separatrix and two ^ (real == "float" and 40 or 100) or top.period / log2 -- no_period
+  local periods = top.separatrix and two * o.half * log2 or two * top.period
+  o.start, o.rate = R.round(top.start / periods, bits), R.round(top.rate / periods, bits)
+  o.jump = top.separatrix and R.zero or top.jump
+  o.turn = top.turn - two * o.jump * o.rate
+  o.nearest = o.half >= R.new(real == "float" and 120 or 1000) -- 2 binary_limit
 end
 
 -- What is stored, as rationals, by the names of templates/top.h.  h: the step that ticks count.
-function orbit.of(top, h)
-  local o = { start = top.start, rate = top.rate, period = top.period or R.zero, turn = top.turn, jump = top.jump,
-    inverse = top.period and R.one / top.period or R.zero, s = R.new(top.s), hyperbolic = top.hyperbolic }
+function orbit.of(top, h, real)
+  local o = { start = R.zero, rate = R.zero, turn = top.turn, s = R.new(top.s), tick = h, hyperbolic = top.hyperbolic }
+  local r, _, odd = top:phases(R.zero)
+  local y0, turned = top.y0, R.one
   if top.constant then
-    o.a_re, o.f, o.scale = { R.one }, { {}, {}, { R.one } }, { R.zero, R.zero, R.one }
+    o.a, o.f, o.scale = { R.one }, { [6] = R.one }, { R.zero, R.zero, R.one }
   elseif top.hyperbolic then
-    hyperbolic(top, o)
+    hyperbolic(top, o, real)
+    -- turns are counted with the part `jump` of the phase less its nearest period; x and y come without s
+    y0 = top:pair(r, top.separatrix and R.zero or o.jump * r / top.period, odd)
+    turned = o.s
   else
     circular(top, o)
   end
-  ticks(top, o, h)
+  o.rate_tick, o.rate_start, o.turn_tick, o.turn_start = o.rate * h, o.start, o.turn * h, R.zero
   -- rates are over N^2, which is this at u = 0
   local _, _, n = top:pair(R.zero, R.zero, false)
   o.w = {}
@@ -122,8 +136,8 @@ function orbit.of(top, h)
   o.q = {}
   for k = 1, 4 do
     local unit = { R.zero, R.zero, R.zero, R.zero }
-    unit[k] = R.one
-    o.q[k] = vec.qmul(top.q0, top:from_principal(unit))
+    unit[k] = (k == 2 or k == 3) and turned or R.one
+    o.q[k] = vec.qmul(top.q0, top:from_principal(unit, y0))
   end
   return o
 end
@@ -162,11 +176,16 @@ function orbit.lines(o, real)
     end
   end
   local function put(...) lines[#lines + 1] = table.concat({ ... }, ", ") .. "," end
-  put(pair(o.start), pair(o.rate))
-  put(pair(o.period), one(o.inverse))
-  put(pair(o.turn), pair(o.jump))
-  for _, name in ipairs { "a_re", "a_im", "b_re", "b_im" } do put(array(o[name], 4)) end
-  matrix(o.f, 3, 5)
+  local function halves(q) -- high, low, and the high part in halves as Dekker splits it
+    local high = round(q) or R.zero
+    local c = round(high * (two ^ (real == "float" and 12 or 27) + R.one))
+    local upper = c and round(c - round(c - high))
+    return array({ high, q - high, upper, upper and high - upper }, 4)
+  end
+  put(pair(o.start), halves(o.rate))
+  put(halves(o.turn), one(o.jump), one(o.half))
+  for _, name in ipairs { "a", "b", "c", "d" } do put(array(o[name], 4)) end
+  put(array(o.f, 10))
   put(one(o.nome), array(o.scale, 3), one(o.s))
   matrix(o.q, 4, 4)
   matrix(o.w, 3, 3)
@@ -174,7 +193,7 @@ function orbit.lines(o, real)
   for _, name in ipairs { "rate_tick", "rate_start", "turn_tick", "turn_start" } do
     put("{" .. table.concat(fraction(o[name]), ", ") .. "}")
   end
-  lines[#lines + 1] = o.hyperbolic and "1" or "0"
+  lines[#lines + 1] = not o.hyperbolic and "0" or o.nearest and "2" or "1"
   return fits and lines or nil
 end
 
@@ -196,7 +215,7 @@ function orbit.fill(job, v)
   if job.closed.kind ~= "asymmetric" or #job.model.params > 0 then return end
   local m, real = job.model, v.real
   local top, h = orbit.own(m, real), rounder(real)(m:number(m.step))
-  v.own_lines = top and h and orbit.lines(orbit.of(top, h), real)
+  v.own_lines = top and h and orbit.lines(orbit.of(top, h, real), real)
   v.has_own = v.own_lines ~= nil
 end
 
