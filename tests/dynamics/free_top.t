@@ -12,7 +12,7 @@ local tap = require "tests.tap"
 local R = require "generator.algebra.rational"
 local elliptic = require "generator.algebra.elliptic"
 local free_top = require "generator.dynamics.free_top"
-local random = require "tests.ir.random"
+local tops = require "tests.dynamics.tops"
 
 local BITS = 200
 local slack = R.new(2) ^ -50
@@ -60,38 +60,10 @@ end
 
 local program = os.getenv "POLHODE_ORACLE" or "build/oracle/free_top"
 
-local function below(n) return random.int(n) - 1 end
-local function uniform() return (below(1 << 30) + 0.5) / (1 << 30) end
-local function signed() return 2 * uniform() - 1 end
-
--- A tensor, rates, attitude and time as doubles.  Every kind of degeneracy, to the last bit and nearly.
-local function draw(kind)
-  local a, b = 1.0, 1.0 + uniform()
-  if kind == 0 then b = 1.0 + 2.0 ^ -52 * below(4) end
-  if kind == 1 then a = 10.0 ^ (-12 * uniform()) end
-  local c = kind == 2 and b or kind == 3 and a + b or b + uniform() * a
-  if kind == 4 then b, c = a, a end
-  local I, turn = { a, b, c, 0.0, 0.0, 0.0 }, below(3)
-  local w = { signed(), signed(), signed() }
-  if kind == 5 then w[3] = w[1] * math.sqrt(a * (b - a) / (c * (c - b))) * (1 + 2.0 ^ -52 * (below(5) - 2)) end
-  if kind == 6 then w[1 + below(3)] = 0.0 end
-  if kind == 7 then w[1 + below(3)], w[1 + below(3)] = 1e-100 * signed(), 1e-13 * signed() end
-  if kind == 8 then a = 2.0 ^ -40; I[1] = a end
-  I[1], I[2], I[3] = I[1 + turn], I[1 + (turn + 1) % 3], I[1 + (turn + 2) % 3]
-  w[1], w[2], w[3] = w[1 + turn], w[1 + (turn + 1) % 3], w[1 + (turn + 2) % 3]
-  if kind == 9 or kind == 10 then
-    local size = kind == 9 and 0.1 or 1e-9
-    for i = 4, 6 do I[i] = size * signed() end
-  end
-  if kind == 11 then I, w = { 2.0, 2.0, 3.0, 1.0, 0.0, 0.0 }, { signed(), signed(), signed() } end -- 1, 3, 3: I2 = I3
-  local t = signed() * 10.0 ^ (6 * uniform())
-  return { I[1], I[2], I[3], I[4], I[5], I[6], w[1], w[2], w[3], signed(), signed(), signed(), signed(), t }
-end
-
 local cases, lines = {}, {}
-random.seed(20)
+tops.seed(20)
 for n = 1, 180 do
-  local v, words = draw(n % 12), {}
+  local v, words = tops.draw(n % tops.kinds), {}
   for i = 1, 14 do
     words[i] = string.format("%a", v[i])
     v[i] = R.fromdouble(v[i])
@@ -109,14 +81,14 @@ for line in io.lines(output) do
   local v, want = cases[n], numbers(line, R.parse)
   local top = free_top.new({ table.unpack(v, 1, 6) }, { v[10], v[11], v[12], v[13], v[7], v[8], v[9] }, BITS, slack)
   local dw, dq = distance(top:at(v[14]), { table.unpack(want, 4, 7) }, { table.unpack(want, 1, 3) })
-  local kind = n % 12
+  local kind = n % tops.kinds
   local d = math.max(dw, dq)
   if d > (worst[kind] or 0) then worst[kind], at[kind] = d, lines[n] end
 end
 os.remove(input)
 os.remove(output)
 tap.is(n, #cases, "the oracle answers every line")
-for kind = 0, 11 do
+for kind = 0, tops.kinds - 1 do
   -- 41 digits are printed: half a unit of the last, and 200 bits
   tap.ok(worst[kind] and worst[kind] <= 1e-40, string.format("kind %d: 40 digits: %.3g", kind, worst[kind] or 0),
     at[kind])
