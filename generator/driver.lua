@@ -14,6 +14,7 @@ local stability = require "generator.mass.stability"
 local model = require "generator.dynamics.model"
 local equations = require "generator.dynamics.equations"
 local closed = require "generator.dynamics.closed"
+local conserved = require "generator.dynamics.conserved"
 local quantities = require "generator.dynamics.quantities"
 local state = require "generator.dynamics.state"
 local rk4 = require "generator.methods.rk4"
@@ -37,14 +38,15 @@ function driver.read(host, file, options)
   if not m then return nil, d end
   local eq = equations.of(d, m)
   if not eq then return nil, d end
-  return { diag = d, record = record, model = m, equations = eq, closed = closed.detect(m, eq), states = state.all,
+  return { diag = d, record = record, model = m, equations = eq, closed = closed.detect(m, eq), states = m.states,
+    conserved = conserved.of(m),
     input_states = state.inputs, file = file, source = string.match(file, "[^/]*$"), version = driver.version }
 end
 
 -- The constants of a symmetric top that its closed form needs, and its principal axes where they are oblique.
 local function symmetry_constants(job)
   local m, s = job.model, job.model.structure
-  if s.kind ~= "symmetric" then return end
+  if s.kind ~= "symmetric" or not m.has.rates then return end
   local axis = equations.coordinate(s.k)
   if axis and not job.closed.kind then return end
   local k = axis and s.k or {}
@@ -66,21 +68,23 @@ function driver.plan(job, options)
   local function put(f) list[#list + 1] = f end
   put(quantities.initial(m))
   put((quantities.mass(m)))
-  put(quantities.inertia(m))
-  put(quantities.inertia_at(m))
+  if m.has.rates then
+    put(quantities.inertia(m))
+    put(quantities.inertia_at(m))
+  end
   put(quantities.energy(m))
-  local particles = quantities.particle_energy(m)
+  local particles = m.has.rates and quantities.particle_energy(m)
   if particles then put(particles) end
-  put(quantities.momentum_body(m))
-  put(quantities.momentum(m))
-  put(quantities.torque(m))
+  if m.has.rates then put(quantities.momentum_body(m)) end
+  if m.has.attitude then put(quantities.momentum(m)) end
+  if m.has.rates then put(quantities.torque(m)) end
   put(quantities.rhs(eq))
   put(quantities.step(m, eq, rk4))
   put(quantities.jacobian(eq))
   put(quantities.rate())
   put(quantities.acceleration())
   symmetry_constants(job)
-  job.stability = stability.of(m)
+  job.stability = m.has.rates and stability.of(m) or nil
   job.functions = list
   job.real, job.command = options.real or "double", options.command
   job.title, job.banner = derivation.title(job), derivation.banner(job)

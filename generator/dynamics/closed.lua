@@ -16,6 +16,9 @@ local closed = {}
 -- {kind, theorem, text} or {refused = reason}
 function closed.detect(m, eq)
   local s = m.structure
+  if not m.has.attitude then
+    return { refused = "the closed forms known to this version carry the attitude, and the scene has none" }
+  end
   if not eq.free then
     return { refused = "an effect acts on the body (" .. #m.record.effects .. " in all); the closed forms known to " ..
       "this version are those of torque-free motion" }
