@@ -5,7 +5,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local expr = require "generator.algebra.expr"
 local diag = require "generator.diag"
 local env = require "generator.dsl.env"
 local catalogue = require "generator.mass.catalogue"
@@ -13,8 +12,9 @@ local effects = require "generator.effects.list"
 local stability = require "generator.mass.stability"
 local model = require "generator.dynamics.model"
 local equations = require "generator.dynamics.equations"
-local closed = require "generator.dynamics.closed"
+local closed = require "generator.dynamics.closed.list"
 local conserved = require "generator.dynamics.conserved"
+local symmetric = require "generator.dynamics.closed.symmetric"
 local quantities = require "generator.dynamics.quantities"
 local state = require "generator.dynamics.state"
 local rk4 = require "generator.methods.rk4"
@@ -43,27 +43,13 @@ function driver.read(host, file, options)
     input_states = state.inputs, file = file, source = string.match(file, "[^/]*$"), version = driver.version }
 end
 
--- The constants of a symmetric top that its closed form needs, and its principal axes where they are oblique.
-local function symmetry_constants(job)
-  local m, s = job.model, job.model.structure
-  if s.kind ~= "symmetric" or not m.has.rates then return end
-  local axis = equations.coordinate(s.k)
-  if axis and not job.closed.kind then return end
-  local k = axis and s.k or {}
-  if not axis then
-    for i, n in ipairs { "kx", "ky", "kz" } do k[i] = m:constant(n, s.k[i], "direction of the symmetry axis") end
-  end
-  job.symmetry = { oblique = not axis, k = k,
-    k2 = m:constant("k2", s.k2, "square of the direction of the symmetry axis"),
-    I1 = m:constant("I1", s.alpha, "moment of inertia across the symmetry axis, kg m^2"),
-    I3 = s.rod and expr.zero or m:constant("I3", s.axial, "moment of inertia about the symmetry axis, kg m^2") }
-end
-
 -- Completes the job for emission: the list of functions in the order they are emitted.
 -- options: {real =, command =, methods = {rk4 =, exact =}}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
-  if options.methods and not options.methods.exact then job.closed = { refused = "not asked for (--method)" } end
+  if options.methods and not options.methods.exact then
+    job.closed = { refused = "not asked for (--method)", others = {} }
+  end
   local list = {}
   local function put(f) list[#list + 1] = f end
   put(quantities.initial(m))
@@ -83,7 +69,11 @@ function driver.plan(job, options)
   put(quantities.jacobian(eq))
   put(quantities.rate())
   put(quantities.acceleration())
-  symmetry_constants(job)
+  if m.has.rates and m.structure.kind == "symmetric" and not equations.coordinate(m.structure.k) then
+    job.oblique = symmetric.constants(m)
+  end
+  local form = job.closed
+  job.closed_constants = form.constants and form.constants(m) or {}
   job.stability = m.has.rates and stability.of(m) or nil
   job.functions = list
   job.real, job.command = options.real or "double", options.command

@@ -106,7 +106,7 @@ static void plugin_momentum(const void *m, const double *x, double *L)
   widen(3, v, L);
 }
 %% end
-%% if has_closed then
+%% if has_full then
 
 static int plugin_solve(void *o, const void *m, const double *x0)
 {
@@ -132,7 +132,7 @@ const struct polhode_plugin *polhode_plugin(void)
   static const struct polhode_plugin table = {
     POLHODE_PLUGIN_ABI, "${name}", "${real}", (double)${epsilon}, ${upper}_NX, ${upper}_NU, ${upper}_NP,
     (unsigned long)sizeof(${name}_model),
-%% if has_closed then
+%% if has_full then
     (unsigned long)sizeof(${name}_orbit),
 %% else
     0,
@@ -149,7 +149,7 @@ const struct polhode_plugin *polhode_plugin(void)
 %% else
     NULL,
 %% end
-%% if has_closed then
+%% if has_full then
     plugin_solve, plugin_at
 %% else
     NULL, NULL

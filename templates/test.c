@@ -143,7 +143,7 @@ int main(void)
   ${name}_model m;
   ${name}_real got[${got_size}], x0[${upper}_NX], coarse[${upper}_NX], middle[${upper}_NX], fine[${upper}_NX];
   ${name}_real d1, d2;
-%% if has_closed then
+%% if has_full then
   ${name}_orbit o;
 %% end
 %% if free then
@@ -236,7 +236,7 @@ int main(void)
   E0 = ${name}_energy(&m, x0);
   report(${fabs}(${name}_energy(&m, fine) - E0) <= ${energy_drift}, "the energy is conserved");
 %% end
-%% if has_closed then
+%% if has_full then
 
   /* the closed form against the stepper, whose own error at this step is below the bound */
   report(${name}_solve(&o, &m, x0) == 0, "the closed form accepts the initial state");

@@ -392,7 +392,7 @@ function comparison.run(host, job, plugin, tap, count)
   rates(host, job, plugin, tap, count, name, random, real, epsilon)
   jacobian(host, job, plugin, tap, name, random, real, epsilon)
   motion(host, job, plugin, tap, name, epsilon)
-  if job.closed.kind then closed(host, job, plugin, tap, name, epsilon) end
+  if job.closed.full then closed(host, job, plugin, tap, name, epsilon) end
 end
 
 return comparison

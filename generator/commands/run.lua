@@ -62,12 +62,13 @@ local function times(job, given)
 end
 
 local function generated(host, job, given, list)
-  local method = given.method or (job.closed.kind and "exact" or "rk4")
+  local method = given.method or (job.closed.full and "exact" or "rk4")
   if method ~= "rk4" and method ~= "exact" then
     return nil, "--engine generated has the methods rk4 and exact, got " .. method
   end
-  if method == "exact" and not job.closed.kind then
-    return nil, "method exact: this scene has no closed form: " .. job.closed.refused
+  if method == "exact" and not job.closed.full then
+    return nil, "method exact: " .. (job.closed.kind and "the closed form of this scene gives the rates only" or
+      "this scene has no closed form: " .. job.closed.refused)
   end
   driver.plan(job, { real = given.real, command = "" })
   local plugin, why = build.plugin(host, job)

@@ -2,7 +2,7 @@
 --
 --     T+V   NAME_energy: kinetic energy, the effects' potentials, and those of a frame that turns steadily
 --     |L|   length of the angular momentum           L     the angular momentum, in inertial (the frame's) axes
---     L_z   its component along inertial z           w3    the rate about the body's axis z, of a body symmetric about it
+--     L_z   its component along inertial z           w3    the rate about the axis z of a body symmetric about it
 -- An effect that keeps L keeps |L| and L_z too; a scene without attitude has no L in inertial axes, one without rates
 -- no angular momentum.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later

@@ -126,8 +126,8 @@ function quantities.energy(m)
     T, why = T + context.mass(m) * v2 / 2, why .. (why == "" and "T = " or " + ") .. "m v^2/2"
   end
   if m.has.position or m.frame then
-    doc = { m.frame and "Kinetic energy relative to the frame, the effects' potential and the frame's own, J: Jacobi's" or
-      "Energy T + V, J; V = 0 at the origin.", m.frame and "integral where the frame turns at a constant rate." or nil }
+    doc = m.frame and { "Kinetic energy relative to the frame, the effects' potential and the frame's own, J: Jacobi's",
+      "integral where the frame turns at a constant rate." } or { "Energy T + V, J; V = 0 at the origin." }
   end
   doc = doc or { V == expr.zero and "Kinetic energy T = w.I w/2, J." or "Energy T + V, J; V = 0 with the centre of " ..
     "mass at the height of the origin." }

@@ -5,13 +5,12 @@
 --                are given) and nothing turns it: then it is a point
 --     position and velocity   when an effect moves the body
 --     further states          those that effects declare
--- What an effect depends on is read from its expressions.  An effect that does nothing (zero strength, gravity about the
--- centroid) is taken out here, so that leaving it out gives the same code.  ABOVE the line.
+-- What an effect depends on is read from its expressions.  An effect that does nothing (zero strength, gravity about
+-- the centroid) is taken out here, so that leaving it out gives the same code.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
-local vec = require "generator.algebra.vec"
 local context = require "generator.dynamics.context"
 local state = require "generator.dynamics.state"
 
@@ -63,7 +62,7 @@ local function torques(list)
 end
 
 -- The effects' own states, with names that are free: {key, name, sym, about, unit, initial}.
-local function own_states(d, m, e, taken)
+local function own_states(e, taken)
   e.own, e.states = {}, {}
   for i, s in ipairs(e.spec.states and e.spec.states(e.a) or {}) do
     local name, n = s.name, 1
@@ -128,7 +127,7 @@ function states.decide(d, m)
   local taken, moving, list = {}, nil, {}
   for _, s in ipairs(state.known) do taken[s.name] = true end
   for _, e in ipairs(m.record.effects) do
-    own_states(d, m, e, taken)
+    own_states(e, taken)
     if e.spec.moves and e.spec.moves(m.given) and not moving then moving = e end
   end
   contradictions(d, m, moving)
@@ -147,9 +146,10 @@ function states.decide(d, m)
       end
     end
   end
-  local record = {}
-  for k, v in pairs(m.record) do record[k] = v end -- into a table: order is lost anyway
-  record.effects, m.record = acting, record
+  local acted = {}
+  for k, v in pairs(m.record) do acted[k] = v end -- into a table: order is lost anyway
+  acted.effects = acting
+  m.record = acted
 
   local has, why = m.has, {}
   local spoken = m.given.omega and "initial gives omega" or m.given.attitude and "initial gives the attitude"

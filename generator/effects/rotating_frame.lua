@@ -3,10 +3,10 @@
 -- Omega(t) = rate + rate_dot t, in the axes of the frame, is its rate relative to an inertial frame.  The centre of
 -- mass has the Coriolis, centrifugal and Euler terms (dynamics/moving.lua), the attitude q from body to frame axes
 --     q' = (q (0, w) - (0, Omega) q)/2,
--- while w stays the inertial rate in body axes, so that torques enter as always.  What other effects call inertial axes
--- are then those of the frame.  Landau, Lifshitz, Mechanics, section 39.
--- centrifugal = false leaves Omega x (Omega x r) out: the usual linearised pendulum of Foucault, where the local gravity
--- already contains it.
+-- while w stays the inertial rate in body axes, so that torques enter as always.  What other effects call inertial
+-- axes are then those of the frame.  Landau, Lifshitz, Mechanics, section 39.
+-- centrifugal = false leaves Omega x (Omega x r) out: the usual linearised pendulum of Foucault, where the local
+-- gravity already contains it.
 -- With a constant rate Jacobi's integral is conserved (Landau, Lifshitz, 39.11): with v and w relative to the frame
 --     T + V - m (Omega x r)^2/2     and for the turning    w.I w/2 - Omega.L + V.
 -- Alone, it moves a body whose initial position or velocity is given.

@@ -131,7 +131,7 @@ local function common(job)
     input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
     members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil,
-    has_ticks = job.closed.kind == "asymmetric", free = eq.free and m.has.attitude,
+    has_full = job.closed.full or false, has_ticks = job.closed.ticks or false, free = eq.free and m.has.attitude,
     bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
@@ -152,42 +152,42 @@ local function common(job)
   special.fill(v, ctx)
   v.has_rates, v.has_attitude = m.has.rates, m.has.attitude
   v.conservative = job.conserved.is["T+V"] and not (eq.free and m.has.attitude)
-  v.uses_index = v.has_attitude or v.has_closed
+  v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
   v.no_members = #m.members == 0 and not v.has_order
   return v, ctx
 end
 
--- The symmetry's constants as C text, and the closed form's part of header and source.
+-- Named constants as C text into the values; do any stand in the model?
+local function put_constants(list, v, real)
+  local uses = false
+  for name, e in pairs(list) do -- into a table: order is lost anyway
+    if e.kind == "num" then
+      v[name] = number.text(e.value, real)
+    else
+      v[name], uses = "m->" .. e.name, true
+    end
+  end
+  return uses
+end
+
+-- The closed form's part of header and source.
 local function closed_values(job, v, ctx)
   v.closed_header, v.closed_source = "", ""
-  local c = job.symmetry
-  v.oblique = c ~= nil and c.oblique
-  local function text(e)
-    if e.kind == "num" then return number.text(e.value, ctx.real) end
-    return "m->" .. e.name
-  end
-  if c then
-    v.kx, v.ky, v.kz = text(c.k[1]), text(c.k[2]), text(c.k[3])
-    v.k2, v.I1, v.I3 = text(c.k2), text(c.I1), text(c.I3)
-  end
+  v.oblique = job.oblique ~= nil
+  put_constants(job.oblique or {}, v, ctx.real)
   if not v.has_closed then return end
-  v.theorem, v.closed_text, v.symmetric = job.closed.theorem, job.closed.text, job.closed.kind == "symmetric"
+  local form = job.closed
+  v.theorem, v.closed_text, v.single = form.theorem, form.text, ctx.real == "float"
+  v.uses_model = put_constants(job.closed_constants, v, ctx.real)
+  v.symmetric = false
+  for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end
-  if job.closed.kind == "asymmetric" then
-    v.closed_header = render "templates/top.h"
-    v.single = ctx.real == "float"
-    local parts = {}
-    for i, part in ipairs { "double", "top", "theta", "tick" } do parts[i] = render("templates/" .. part .. ".c") end
-    v.closed_source = table.concat(parts, "\n")
-    return
-  end
-  v.uses_model = false
-  for _, k in ipairs { "kx", "ky", "kz", "k2", "I1", "I3" } do
-    if v[k] and string.find(v[k], "m->", 1, true) then v.uses_model = true end
-  end
-  v.closed_header, v.closed_source = render "templates/closed.h", render "templates/closed.c"
+  v.closed_header = render(form.header)
+  local parts = {}
+  for i, name in ipairs(form.sources) do parts[i] = render(name) end
+  v.closed_source = table.concat(parts, "\n")
 end
 
 local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
@@ -201,7 +201,7 @@ function project.files(job, plugin)
   if v.has_rates then
     v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
   end
-  v.has_exact = v.order_sums or job.closed.kind == "asymmetric"
+  v.has_exact = v.order_sums or job.closed.exact or false
   v.exact_source = v.has_exact and render "templates/exact.c" or ""
   v.order_source = v.has_order and render "templates/order.c" or ""
   if v.has_rates then

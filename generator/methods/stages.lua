@@ -49,8 +49,8 @@ local function split(e, set)
 end
 
 -- All equations but the attitude's prepared for a method: {groups, factor = {by state}, zero = {by state}}.  Each rate
--- is factor * what the groups give; the factor does not change during a step.  Only rates of turning have one, a quotient
--- of moments: in other sums what is common is a coincidence of their numbers.
+-- is factor * what the groups give; the factor does not change during a step.  Only rates of turning have one, a
+-- quotient of moments: in other sums what is common is a coincidence of their numbers.
 function stages.prepare(eq)
   local zero = stages.conserved(eq)
   local set = varying(eq, zero)

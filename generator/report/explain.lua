@@ -109,13 +109,31 @@ local function stability_section(f)
   return lines
 end
 
+-- The closed forms that were refused, those with one reason together; the ones that a better form made needless are not
+-- told.
+local function refusals(others)
+  local groups, by_reason = {}, {}
+  for _, o in ipairs(others) do
+    local g = by_reason[o.reason]
+    if not g and not string.find(o.reason, "^not needed") then
+      g = { reason = o.reason, names = {} }
+      groups[#groups + 1], by_reason[o.reason] = g, g
+    end
+    if g then g.names[#g.names + 1] = o.name end
+  end
+  return groups
+end
+
 local function motion_section(f)
   local lines = {}
   if f.closed.kind then
     lines[1] = "closed form: " .. f.closed.theorem
     for _, l in ipairs(f.closed.text) do lines[#lines + 1] = "  " .. l end
   else
-    lines[1] = "no closed form: " .. f.closed.refused
+    lines[1] = "no closed form"
+  end
+  for _, o in ipairs(refusals(f.closed.others)) do
+    lines[#lines + 1] = "  not the " .. table.concat(o.names, ", the ") .. ": " .. o.reason
   end
   for _, e in ipairs(f.job.record.effects) do
     local name = string.gsub(e.kind, "effect%.", "")
@@ -272,8 +290,11 @@ local function symbolic(v)
 end
 
 function writers.json(f)
-  local closed = f.closed.kind and object { { "kind", f.closed.kind }, { "theorem", f.closed.theorem } } or
-    object { { "kind", json.null }, { "refused", f.closed.refused } }
+  local others = {}
+  for i, o in ipairs(f.closed.others) do others[i] = object { { "name", o.name }, { "reason", o.reason } } end
+  local closed = f.closed.kind and object { { "kind", f.closed.kind }, { "theorem", f.closed.theorem },
+      { "rates_only", not f.closed.full }, { "others", others } } or
+    object { { "kind", json.null }, { "refused", f.closed.refused }, { "others", others } }
   local params, stability, effects, cost, warnings = {}, {}, {}, {}, {}
   for i, p in ipairs(f.params) do
     params[i] = object { { "name", p.name }, { "default", f.job.model:double(p.sym) }, { "unit", p.unit } }

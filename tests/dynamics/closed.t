@@ -2,7 +2,7 @@
 -- closed.t - the free symmetric top in closed form: chosen when it should be, and true.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- closed.precise, which gives the expected numbers of self-tests, is put into the differential equation with hundreds
+-- precise, which gives the expected numbers of self-tests, is put into the differential equation with hundreds
 -- of bits, and compared with tests/reference/free_top.h (closed form at 200 digits and more by other means, checked by
 -- Taylor integration; 32 digits printed).  What is emitted is compared with it by the self-tests and by `check`.
 
@@ -12,7 +12,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local tap = require "tests.tap"
 local scene = require "tests.scene"
 local R = require "generator.algebra.rational"
-local closed = require "generator.dynamics.closed"
+local precise = require "generator.dynamics.closed.precise"
 
 local BITS = 600
 
@@ -91,7 +91,7 @@ local tops = {
 for _, top in ipairs(tops) do
   local name, alpha, axial, k = top[1], R.lift(top[2]), R.lift(top[3]), top[4] and lifted(top[4])
   local x0, scale = lifted(top[5]), R.lift(top[6] or 1)
-  local function at(t) return closed.precise(alpha, axial, k, x0, t, BITS) end
+  local function at(t) return precise(alpha, axial, k, x0, t, BITS) end
   -- unit: the size of the rates, so that "small" means small beside the terms of the equation
   local unit = math.max(0, -R.log2(scale))
   for _, time in ipairs { 0, "1/3", "-5/2", 1000 } do
@@ -133,7 +133,7 @@ do
   -- I1 = I2 = 1, I3 = 3/2, w3 = 2: Omega = (I3 - I1)/I1 w3 = 1, so w goes round the body's axis in 2 pi s
   local x0 = lifted { 1, 0, 0, 0, "3/10", 0, 2 }
   local pi = R.apply("pi", BITS)
-  local function at(t) return closed.precise(R.one, R.lift "3/2", lifted { 0, 0, 1 }, x0, t, BITS) end
+  local function at(t) return precise(R.one, R.lift "3/2", lifted { 0, 0, 1 }, x0, t, BITS) end
   local quarter, whole = at(pi / 2), at(pi * 2)
   tap.ok(size(quarter[5]) < -500 and size(quarter[6] - R.lift "3/10") < -500 and quarter[7] == R.new(2),
     "Omega = (I3 - I1)/I1 w3 = 1 rad/s: after pi/2 s the rates are (0, w1, w3)")
@@ -177,7 +177,7 @@ for id, tensor, w0, q0, t, w, q in scene.slurp("tests/reference/free_top.h"):gma
     local sphere = I[1] == I[2] and I[2] == I[3]
     local x0 = doubles(q0)
     for i, x in ipairs(doubles(w0)) do x0[4 + i] = x end
-    local got = closed.precise(I[axis % 3 + 1], I[axis], not sphere and k or nil, x0, R.fromdouble(tonumber(t)), 400)
+    local got = precise(I[axis % 3 + 1], I[axis], not sphere and k or nil, x0, R.fromdouble(tonumber(t)), 400)
     local want, scale = {}, R.zero
     for i, s in ipairs(numbers(q)) do want[i] = R.parse((s:gsub("L$", ""))) end
     for i, s in ipairs(numbers(w)) do
@@ -209,7 +209,7 @@ tap.is(detected("rod.between { from = {0, 0, 0}, to = {a, a, 2*a}, mass = M }", 
 do
   local c = detected("solid.box { x = a, y = b, z = b, mass = M }", { "M", "a", "b" }, "effects = {effect.control{}}")
   tap.is(c.kind, nil, "a driven body has none")
-  tap.like(c.refused, "an effect acts on the body", "and says why")
+  tap.like(c.refused, "control acts on the body", "and says why")
   c = detected("solid.box { x = a, y = b, z = c, mass = M }", { "M", "a", "b", "c" })
   tap.is(c.kind, "asymmetric", "a free body of three moments: the asymmetric top")
   c = detected("solid.box { x = a, y = b, z = c, mass = M }", { "M", "a", "b = 5", "c = 5" })

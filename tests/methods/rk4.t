@@ -15,7 +15,7 @@ local tap = require "tests.tap"
 local scene = require "tests.scene"
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
-local closed = require "generator.dynamics.closed"
+local precise = require "generator.dynamics.closed.precise"
 
 local STATES = { "qw", "qx", "qy", "qz", "wx", "wy", "wz" }
 
@@ -260,7 +260,7 @@ do -- against the closed form, and one step alone
   local alpha, axial = evaluate.exact(job.model.inertia[1], {}), evaluate.exact(job.model.inertia[3], {})
   local k = lifted { 0, 0, 1 }
   local function errors(time, n)
-    return distance(integrate(job, constants, start, time, n), closed.precise(alpha, axial, k, start, time, BITS))
+    return distance(integrate(job, constants, start, time, n), precise(alpha, axial, k, start, time, BITS))
   end
   local e1, e2 = errors(R.one, 32), errors(R.one, 64)
   tap.near(R.todouble(e1 / e2), 16.0, 0.02, 0.0, "symmetric top against its closed form: order 4", "first order in h")

@@ -1,0 +1,16 @@
+-- free.lua -- the one test that all closed forms of torque-free motion share.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+-- nil for a scene without effects, else why the motion is not free.
+return function(m, eq)
+  if not m.has.attitude then return "it carries the attitude, which this scene has not" end
+  if eq.free then return nil end
+  local names, seen = {}, {}
+  for _, e in ipairs(m.record.effects) do
+    local name = string.gsub(e.kind, "effect%.", "")
+    if not seen[name] then names[#names + 1] = name end
+    seen[name] = true
+  end
+  local acts = #names == 1 and " acts" or " act"
+  return "the motion is not free: " .. table.concat(names, ", ") .. acts .. " on the body"
+end

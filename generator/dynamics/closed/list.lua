@@ -1,0 +1,37 @@
+-- list.lua -- which closed form of the motion a scene has, and why each of the others is refused.
+--
+-- Decided from the effects and the structure of the tensor, never from numbers.  One file a form, tried in this order;
+-- each gives {name, detect}:
+--     detect(m, eq) -> form | nil, reason, near      near: only a detail is missing, so the reason is the one to tell
+--     form = { kind, theorem, text = {lines},        what is proved, for explain and the header
+--              header, sources = {..},               templates of its contract and its code
+--              flags = {name = bool},                what the templates ask of it
+--              constants = function(m),              -> {NAME = derived constant (m:constant)}, named there ${NAME};
+--                                                    called when the functions of the scene have made theirs
+--              full,                                 NAME_at gives the whole state (else only the rates)
+--              ticks,                                it counts time in ticks, with <stdint.h>
+--              exact }                               it needs templates/exact.c
+-- ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local closed = { require "generator.dynamics.closed.sphere", require "generator.dynamics.closed.symmetric",
+  (require "generator.dynamics.closed.asymmetric") } -- one value: require also returns where it found it
+
+-- The form that applies, with `others`, the list {name, reason} of those refused; without one {refused = text, others}.
+function closed.detect(m, eq)
+  local found, told, others = nil, nil, {}
+  for _, form in ipairs(closed) do
+    local made, reason, near = form.detect(m, eq)
+    if made and not found then
+      found = made
+    else
+      others[#others + 1] = { name = form.name, reason = made and "not needed: " .. found.theorem or reason }
+      if near or not told then told = reason end
+    end
+  end
+  found = found or { refused = told }
+  found.others = others
+  return found
+end
+
+return closed
