@@ -1,0 +1,117 @@
+/* taylor_move.c - the series of position and velocity, and of a turning frame.
+   SPDX-License-Identifier: GPL-3.0-or-later
+
+   Omega is linear in time, so its series has two terms. The speed s = |v| follows from s s = v.v:
+     2 s_0 s_n = (v.v)_n - sum over 0 < k < n of s_k s_{n-k},
+   and where v starts with its m-th coefficient, m > 0, |v| is H^m times such a series of v/H^m. On
+   the way of a stone thrown straight up |v| v is not analytic at the top: the radius of convergence
+   shrinks to nothing there. Steps shorter than 1e-7 of sqrt(m/(drag |a|)), the time in which drag
+   changes anything, are therefore left to the classical method of order 4, which errs by (1e-7)^3
+   of the speed that belongs to that time when it steps over the top. */
+#include "move.h"
+#include "taylor.h"
+
+ph_wide taylor_reach(int n, const ph_wide term[], int k, ph_wide bound) {
+  const ph_wide size = step_size(n, term);
+  return size > 0 ? powl(bound / size, 1.0L / k) : HUGE_VALL;
+}
+
+/* n-th coefficient of Omega x a. */
+static void turned(const ph_wide Omega[3], const ph_wide change[3], ph_wide H, ph_wide a[][3],
+                   int n, ph_wide out[3]) {
+  wide_cross(Omega, a[n], out);
+  if (n > 0) {
+    ph_wide more[3];
+    wide_cross(change, a[n - 1], more);
+    for (int i = 0; i < 3; i++)
+      out[i] += H * more[i];
+  }
+}
+
+void taylor_frame(const stepper *s, const series *c, int n, ph_wide H, ph_wide dq[4]) {
+  ph_wide Omega[3], change[3], term[4];
+  if (!(s->top->effects & PH_FRAME))
+    return;
+  move_frame(s->top, s->t, Omega, change);
+  for (int k = 0; k <= n && k <= 1; k++) {
+    const ph_wide *o = k == 0 ? Omega : change, f = k == 0 ? 1 : H;
+    const ph_wide pure[4] = {0, f * o[0], f * o[1], f * o[2]};
+    wide_quat_multiply(pure, c->q[n - k], term);
+    for (int i = 0; i < 4; i++)
+      dq[i] -= term[i];
+  }
+}
+
+/* Coefficient n of the speed from those of v up to n and its own below. */
+static void extend_speed(series *c, int n) {
+  int m = 0;
+  while (m <= n && step_size(3, c->v[m]) == 0)
+    m++;
+  c->speed[n] = 0;
+  if (m > n)
+    return;
+  ph_wide sum = 0;
+  for (int k = m; k <= n; k++)
+    sum += wide_dot(c->v[k], c->v[n + m - k]);
+  if (n == m) {
+    c->speed[n] = sqrtl(sum);
+    return;
+  }
+  for (int k = m + 1; k < n; k++)
+    sum -= c->speed[k] * c->speed[n + m - k];
+  c->speed[n] = sum / (2 * c->speed[m]);
+}
+
+void taylor_move(const stepper *s, series *c, int n, ph_wide H) {
+  ph_wide Omega[3], change[3], a[3], term[3];
+  move_loads loads;
+  move_load(s->top, &loads);
+  move_frame(s->top, s->t, Omega, change);
+  for (int i = 0; i < 3; i++)
+    a[i] = (n == 0 ? loads.gravity[i] : 0) - loads.stiffness[i] * c->r[n][i] -
+           loads.linear * c->v[n][i];
+  if (loads.drag > 0) {
+    extend_speed(c, n);
+    for (int k = 0; k <= n; k++)
+      for (int i = 0; i < 3; i++)
+        a[i] -= loads.drag * c->speed[k] * c->v[n - k][i];
+  }
+  if (s->top->effects & PH_FRAME) {
+    turned(Omega, change, H, c->v, n, term);
+    for (int i = 0; i < 3; i++)
+      a[i] -= 2 * term[i];
+    wide_cross(change, c->r[n], term);
+    for (int i = 0; i < 3; i++)
+      a[i] -= term[i];
+    ph_wide u[TAYLOR_MAX + 1][3]; /* Omega x r, coefficients n - 1 and n */
+    for (int k = n > 0 ? n - 1 : 0; k <= n; k++)
+      turned(Omega, change, H, c->r, k, u[k]);
+    turned(Omega, change, H, u, n, term);
+    for (int i = 0; i < 3 && s->top->move.centrifugal; i++)
+      a[i] -= term[i];
+  }
+  for (int i = 0; i < 3; i++) {
+    c->r[n + 1][i] = H / (n + 1) * c->v[n][i];
+    c->v[n + 1][i] = H / (n + 1) * a[i];
+  }
+}
+
+ph_wide taylor_move_reach(const series *c, int order, ph_wide tolerance) {
+  ph_wide size_r = 0, size_v = 0, sigma = HUGE_VALL;
+  for (int n = 0; n <= order; n++) {
+    size_r = fmaxl(size_r, step_size(3, c->r[n]));
+    size_v = fmaxl(size_v, step_size(3, c->v[n]));
+  }
+  for (int k = order - 2; k <= order; k++) {
+    sigma = fminl(sigma, taylor_reach(3, c->r[k], k, tolerance * size_r));
+    sigma = fminl(sigma, taylor_reach(3, c->v[k], k, tolerance * size_v));
+  }
+  return sigma;
+}
+
+ph_wide taylor_least(const stepper *s, const series *c, ph_wide H) {
+  move_loads loads;
+  move_load(s->top, &loads);
+  const ph_wide a = step_size(3, c->v[1]) / fabsl(H);
+  return loads.drag > 0 && a > 0 ? 1e-7L / sqrtl(loads.drag * a) : 0;
+}
