@@ -92,7 +92,7 @@ double engine_move_energy(const ph_top *top, const double x[], const double spre
     scale = larger(scale, top->mass * larger(v[i] * v[i] / 2, u * u));
     scale = larger(scale, top->mass * fabs(m->gravity[i] * r[i]));
     if (top->effects & PH_RESTORING)
-      scale = larger(scale, m->stiffness[i] * r[i] * r[i] / 2);
+      scale = larger(scale, fabs(m->stiffness[i]) * r[i] * r[i] / 2);
   }
   return scale;
 }

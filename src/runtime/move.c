@@ -38,8 +38,6 @@ int ph_top_drag(ph_top *top, double linear, double drag) {
 int ph_top_restoring(ph_top *top, const double stiffness[3]) {
   if (!wide_finite(3, stiffness))
     return PH_EFINITE;
-  if (stiffness[0] < 0 || stiffness[1] < 0 || stiffness[2] < 0)
-    return PH_EPOSITIVE;
   memcpy(top->move.stiffness, stiffness, sizeof top->move.stiffness);
   top->effects |= PH_RESTORING;
   return PH_OK;
@@ -140,7 +138,7 @@ ph_wide move_rate(const ph_top *top, ph_wide t, const ph_wide x[]) {
     move_loads loads;
     move_load(top, &loads);
     for (int i = 0; i < 3; i++)
-      k = fmaxl(k, loads.stiffness[i]);
+      k = fmaxl(k, fabsl(loads.stiffness[i]));
     rate = sqrtl(k) + loads.linear + loads.drag * wide_norm(x + 10);
   }
   return rate + wide_norm(Omega) + sqrtl(wide_norm(change));

@@ -36,8 +36,8 @@ typedef struct ph_move {
 struct ph_top;
 
 /* Each sets its parameters and switches the effect on; ph_top_without switches it off. Translation:
-   PH_EBOUND unless the top was made about its centre of mass. Drag and stiffness must not be
-   negative: PH_EPOSITIVE. */
+   PH_EBOUND unless the top was made about its centre of mass. Drag must not be negative:
+   PH_EPOSITIVE; a negative stiffness repels. */
 int ph_top_translation(struct ph_top *top, const double gravity[3]);
 int ph_top_drag(struct ph_top *top, double linear, double drag);
 int ph_top_restoring(struct ph_top *top, const double stiffness[3]);

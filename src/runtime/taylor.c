@@ -100,7 +100,7 @@ int step_taylor(stepper *s, const ph_wide x[], int order, ph_wide tolerance, ph_
         sigma = fminl(sigma, taylor_reach(1, &c.w[k][i], k, tolerance * size[i]));
     }
     if (states > 7)
-      sigma = fminl(sigma, taylor_move_reach(&c, order, tolerance));
+      sigma = taylor_turn(s, &c, order, taylor_move_reach(&c, order, tolerance, sigma));
     if (sigma < *h / H)
       *h = sigma * H;
     const ph_wide least = states > 7 ? taylor_least(s, &c, H) : 0;

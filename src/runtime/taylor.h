@@ -18,8 +18,11 @@ ph_wide taylor_reach(int n, const ph_wide term[], int k, ph_wide bound);
 void taylor_frame(const stepper *s, const series *c, int n, ph_wide H, ph_wide dq[4]);
 /* Coefficients n + 1 of r and v from those up to n. */
 void taylor_move(const stepper *s, series *c, int n, ph_wide H);
-/* The largest multiple of H for which r and v, relative to their sizes, keep to the tolerance. */
-ph_wide taylor_move_reach(const series *c, int order, ph_wide tolerance);
+/* The largest multiple of H, at most `longest`, for which r and v, relative to their sizes, keep to
+   the tolerance. */
+ph_wide taylor_move_reach(series *c, int order, ph_wide tolerance, ph_wide longest);
+/* With quadratic drag: where, before sigma, the series of the speed passes zero, or sigma. */
+ph_wide taylor_turn(const stepper *s, const series *c, int order, ph_wide sigma);
 /* With quadratic drag: the step below which the fourth-order method is as good as the series. */
 ph_wide taylor_least(const stepper *s, const series *c, ph_wide H);
 

@@ -7,7 +7,8 @@
    the way of a stone thrown straight up |v| v is not analytic at the top: the radius of convergence
    shrinks to nothing there. Steps shorter than 1e-7 of sqrt(m/(drag |a|)), the time in which drag
    changes anything, are therefore left to the classical method of order 4, which errs by (1e-7)^3
-   of the speed that belongs to that time when it steps over the top. */
+   of the speed that belongs to that time when it steps over the top. On an exactly straight way the
+   series of |v| goes on through zero as that of v: such a step ends at the zero. */
 #include "move.h"
 #include "taylor.h"
 
@@ -96,17 +97,58 @@ void taylor_move(const stepper *s, series *c, int n, ph_wide H) {
   }
 }
 
-ph_wide taylor_move_reach(const series *c, int order, ph_wide tolerance) {
-  ph_wide size_r = 0, size_v = 0, sigma = HUGE_VALL;
-  for (int n = 0; n <= order; n++) {
-    size_r = fmaxl(size_r, step_size(3, c->r[n]));
-    size_v = fmaxl(size_v, step_size(3, c->v[n]));
-  }
-  for (int k = order - 2; k <= order; k++) {
-    sigma = fminl(sigma, taylor_reach(3, c->r[k], k, tolerance * size_r));
-    sigma = fminl(sigma, taylor_reach(3, c->v[k], k, tolerance * size_v));
+/* Largest term of the series at sigma. */
+static ph_wide largest_term(ph_wide a[][3], int order, ph_wide sigma) {
+  ph_wide size = 0, power = 1;
+  for (int n = 0; n <= order; n++, power *= sigma)
+    size = fmaxl(size, step_size(3, a[n]) * power);
+  return size;
+}
+
+/* What r and v are measured by is their size within the step, which shrinks with it: so the step is
+   shortened until it holds. A few rounds do, as the bound falls with a high root of the size. */
+ph_wide taylor_move_reach(series *c, int order, ph_wide tolerance, ph_wide longest) {
+  ph_wide sigma = longest;
+  for (int round = 0; round < 100; round++) {
+    const ph_wide size_r = largest_term(c->r, order, sigma), before = sigma;
+    const ph_wide size_v = largest_term(c->v, order, sigma);
+    for (int k = order - 2; k <= order; k++) {
+      sigma = fminl(sigma, taylor_reach(3, c->r[k], k, tolerance * size_r));
+      sigma = fminl(sigma, taylor_reach(3, c->v[k], k, tolerance * size_v));
+    }
+    if (sigma > 0.99L * before)
+      break;
   }
   return sigma;
+}
+
+static ph_wide speed_at(const series *c, int order, ph_wide sigma) {
+  ph_wide s = 0;
+  for (int n = order - 1; n >= 0; n--) /* the speed has one coefficient less than v */
+    s = s * sigma + c->speed[n];
+  return s;
+}
+
+ph_wide taylor_turn(const stepper *s, const series *c, int order, ph_wide sigma) {
+  if (!(s->top->effects & PH_DRAG) || !(s->top->move.drag > 0) || !(c->speed[0] > 0))
+    return sigma;
+  ph_wide low = 0, high = 0;
+  for (int k = 1; k <= 32 && high == 0; k++) {
+    if (speed_at(c, order, sigma * k / 32) <= 0)
+      high = sigma * k / 32;
+    else
+      low = sigma * k / 32;
+  }
+  if (high == 0)
+    return sigma;
+  for (int k = 0; k < 70; k++) {
+    const ph_wide middle = (low + high) / 2;
+    if (speed_at(c, order, middle) <= 0)
+      high = middle;
+    else
+      low = middle;
+  }
+  return high;
 }
 
 ph_wide taylor_least(const stepper *s, const series *c, ph_wide H) {
