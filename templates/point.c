@@ -1,15 +1,15 @@
 %% -- point.c -- the closed form of a point under linear forces: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- closed form: ${theorem} ---- */
 
-/* sine and cosine of (rate t)/2, rate a pair: sin(h + l) = sin h + l cos h to the working precision */
+/* sine and cosine of (rate t)/2, rate a pair; the low part of a large phase need not be small */
 static void ${name}_turn(const ${name}_real rate[2], ${name}_real t, ${name}_real *s, ${name}_real *c)
 {
   ${name}_pair p = ${name}_pair_product(rate[0], ${half}*t);
   const ${name}_real low = p.lo + rate[1]*(${half}*t);
-  const ${name}_real sh = ${sin}(p.hi), ch = ${cos}(p.hi);
+  const ${name}_real sh = ${sin}(p.hi), ch = ${cos}(p.hi), sl = ${sin}(low), cl = ${cos}(low);
 
-  *s = sh + low*ch;
-  *c = ch - low*sh;
+  *s = sh*cl + ch*sl;
+  *c = ch*cl - sh*sl;
 }
 
 /* square root of a pair > 0: one Newton step */
