@@ -35,7 +35,8 @@ end
 local function literals(real)
   local function n(q) return number.text(R.lift(q), real) end
   local bits = real == "float" and 24 or 53
-  return { zero = n(0), one = n(1), two = n(2), half = n "1/2", threehalves = n "3/2", twelve = n(12),
+  return { zero = n(0), one = n(1), two = n(2), half = n "1/2", quarter = n "1/4", threehalves = n "3/2",
+    twelve = n(12),
     epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
@@ -138,7 +139,7 @@ local function common(job)
     input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
     members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil,
-    has_full = job.closed.full or false, has_ticks = job.closed.ticks or false, free = eq.free,
+    has_full = job.closed.full or false, has_ticks = job.closed.ticks or false, free = eq.free and m.has.attitude,
     bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
@@ -157,7 +158,11 @@ local function common(job)
   constants(real, v)
   init.fill(ctx, m, v)
   special.fill(v, ctx)
-  stability.fill(ctx, job.stability, v)
+  v.has_rates, v.has_attitude = m.has.rates, m.has.attitude
+  v.conservative = job.conserved.is["T+V"] and not (eq.free and m.has.attitude)
+  v.uses_index = v.has_attitude or v.has_full
+  v.stability_numeric, v.has_order = false, false
+  if m.has.rates then stability.fill(ctx, job.stability, v) end
   v.no_members = #m.members == 0 and not v.has_order
   return v, ctx
 end
@@ -177,7 +182,7 @@ end
 
 -- The closed form's part of header and source.
 local function closed_values(job, v, ctx)
-  v.closed_header, v.closed_source = "", ""
+  v.closed_header, v.closed_source, v.pairs_add, v.pairs_multiply = "", "", true, true
   v.oblique, v.has_own = job.oblique ~= nil, false
   put_constants(job.oblique or {}, v, ctx.real)
   if not v.has_closed then return end
@@ -186,6 +191,7 @@ local function closed_values(job, v, ctx)
   v.uses_model = put_constants(job.closed_constants, v, ctx.real)
   v.symmetric = false
   economy.fill(v, ctx.real)
+  v.pairs_add, v.pairs_multiply = form.pairs ~= "few" or v.has_special, form.pairs == nil or v.has_special
   for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end
   orbit.fill(job, v)
@@ -204,13 +210,17 @@ function project.files(job, plugin)
   closed_values(job, v, ctx)
   special.render(job, v)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
-  v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
+  if v.has_rates then
+    v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
+  end
   v.has_exact = v.order_sums or job.closed.exact or false
   v.exact_source = v.has_exact and render "templates/exact.c" or ""
   v.order_source = v.has_order and render "templates/order.c" or ""
-  v.stability_header, v.stability_source = render "templates/stability.h", render "templates/stability.c"
-  v.analysis_header = render "templates/analysis.h"
-  v.analysis_source = render "templates/analysis.c"
+  if v.has_rates then
+    v.stability_header, v.stability_source = render "templates/stability.h", render "templates/stability.c"
+    v.analysis_header = render "templates/analysis.h"
+    v.analysis_source = render "templates/analysis.c"
+  end
   vectors.fill(job, v, ctx)
   local n = job.model.name
   local files = {
