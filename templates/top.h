@@ -17,6 +17,12 @@ typedef struct ${name}_orbit {
   int hyperbolic;                   /* 1 near the separatrix, 2 nearest to it */
 } ${name}_orbit;
 
+%% if has_own then
+/* The motion through the scene's own initial state, as ${name}_solve gives it, but computed with many digits when this
+ * file was made; ticks are of ${step_text} s, the scene's step. */
+extern const ${name}_orbit ${name}_own_orbit;
+
+%% end
 /* Prepare the motion through x0 at t = 0, q of x0 normalised: about 6000 operations, a fixed number but for a tensor with
  * products, whose axes take some more.  Phases come to 2^-100 or so of a turn for each (float: 2^-42).  Near the
  * separatrix a tensor without products loses nothing; one with products is turned to its principal axes in pairs, which

@@ -9,6 +9,7 @@ local R = require "generator.algebra.rational"
 local economy = require "generator.emit.economy"
 local init = require "generator.emit.init"
 local number = require "generator.emit.number"
+local orbit = require "generator.emit.orbit"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
@@ -152,7 +153,7 @@ local function common(job)
     input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
     members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil,
-    has_full = job.closed.full or false, has_ticks = job.closed.ticks or false, free = eq.free,
+    has_full = job.closed.full or false, has_ticks = job.closed.ticks or false, free = eq.free and m.has.attitude,
     bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
@@ -171,7 +172,11 @@ local function common(job)
   constants(real, v)
   init.fill(ctx, m, v)
   special.fill(v, ctx)
-  stability.fill(ctx, job.stability, v)
+  v.has_rates, v.has_attitude = m.has.rates, m.has.attitude
+  v.conservative = job.conserved.is["T+V"] and not (eq.free and m.has.attitude)
+  v.uses_index = v.has_attitude or v.has_full
+  v.stability_numeric, v.has_order = false, false
+  if m.has.rates then stability.fill(ctx, job.stability, v) end
   v.no_members = #m.members == 0 and not v.has_order
   return v, ctx
 end
@@ -191,8 +196,8 @@ end
 
 -- The closed form's part of header and source.
 local function closed_values(job, v, ctx)
-  v.closed_header, v.closed_source = "", ""
-  v.oblique = job.oblique ~= nil
+  v.closed_header, v.closed_source, v.pairs_add, v.pairs_multiply = "", "", true, true
+  v.oblique, v.has_own = job.oblique ~= nil, false
   put_constants(job.oblique or {}, v, ctx.real)
   if not v.has_closed then return end
   local form = job.closed
@@ -200,11 +205,14 @@ local function closed_values(job, v, ctx)
   v.uses_model = put_constants(job.closed_constants, v, ctx.real)
   v.symmetric = false
   economy.fill(v, ctx.real)
+  v.pairs_add, v.pairs_multiply = form.pairs ~= "few" or v.has_special, form.pairs == nil or v.has_special
   for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end
+  orbit.fill(job, v)
   v.closed_header = render(form.header)
   local parts = {}
   for i, name in ipairs(form.sources) do parts[i] = render(name) end
+  if v.has_own then parts[#parts + 1] = render "templates/own.c" end
   v.closed_source = table.concat(parts, "\n")
 end
 
@@ -216,13 +224,17 @@ function project.files(job, plugin)
   closed_values(job, v, ctx)
   special.render(job, v)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
-  v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
+  if v.has_rates then
+    v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
+  end
   v.has_exact = v.order_sums or job.closed.exact or false
   v.exact_source = v.has_exact and render "templates/exact.c" or ""
   v.order_source = v.has_order and render "templates/order.c" or ""
-  v.stability_header, v.stability_source = render "templates/stability.h", render "templates/stability.c"
-  v.analysis_header = render "templates/analysis.h"
-  v.analysis_source = render "templates/analysis.c"
+  if v.has_rates then
+    v.stability_header, v.stability_source = render "templates/stability.h", render "templates/stability.c"
+    v.analysis_header = render "templates/analysis.h"
+    v.analysis_source = render "templates/analysis.c"
+  end
   vectors.fill(job, v, ctx)
   local n = job.model.name
   local files = {
