@@ -12,6 +12,7 @@ local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
 local stability = require "generator.emit.stability"
+local taylor = require "generator.emit.taylor"
 local selftest = require "generator.emit.selftest"
 local vectors = require "generator.emit.vectors"
 

@@ -1,0 +1,240 @@
+-- taylor.lua -- the Taylor stepper as C: the statements of templates/taylor.c.
+--
+-- Straight code goes through the IR as everywhere: one block for term 0, one for term n, whose groups are the levels;
+-- between them the template sums the lanes.  BELOW the line where it makes C.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local source = require "generator.emit.source"
+
+local taylor = {}
+
+local function symbol(name) return expr.sym(name, 8) end
+local function zeroth(x) return symbol(x.name .. "0") end
+
+-- Lines of the groups by the number that stands in `where`, loads first.
+local function rendered(ctx, inputs, groups)
+  local c = source.statements(ctx, { name = "taylor", args = {}, inputs = inputs, groups = groups })
+  local out = { loads = c.loads }
+  for i in ipairs(groups) do out[i] = {} end
+  for _, g in ipairs(c.groups) do out[g.where] = g.lines end
+  return out
+end
+
+local function put(x, value, outs)
+  if x.place then outs[#outs + 1] = { c = "y[" .. x.place .. "]", expr = value } end
+end
+
+-- Names as inputs: {sym, c}, read as they stand.
+local function plain(list, names)
+  for _, name in ipairs(names) do list[#list + 1] = { sym = name, c = name } end
+end
+
+-- The names that are read once before everything: members of the model, inputs, states that keep their value.
+local function outside(ctx, program)
+  local list = {}
+  local moving = {}
+  for _, s in ipairs(program.states) do moving[s.name] = true end
+  for _, m in ipairs(ctx.members) do list[#list + 1] = { name = m.name, from = "m->" .. m.name } end
+  for _, s in ipairs(ctx.states) do
+    if not moving[s.name] then
+      list[#list + 1] = { name = s.name, from = "x[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]" }
+    end
+  end
+  for _, s in ipairs(ctx.inputs) do
+    list[#list + 1] = { name = s.name, from = "u[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]" }
+  end
+  return list
+end
+
+-- The next terms of the states, and of the sums of states: the group's results in y.
+local function advance(program, key, by, map, group)
+  local following = {}
+  for _, x in ipairs(program.variables) do
+    if x.state and x.place then
+      local e = calculus.substitute(program.slopes[x.name][key], map) * by
+      following[x.sym] = symbol("next_" .. x.name)
+      group.defs[#group.defs + 1] = { name = "next_" .. x.name, expr = e }
+      put(x, following[x.sym], group.outs)
+    elseif x.level == 0 and x.place then
+      following[x.sym] = symbol("next_" .. x.name)
+      group.defs[#group.defs + 1] = { name = "next_" .. x.name, expr = calculus.substitute(x.term, following) }
+      put(x, following[x.sym], group.outs)
+    end
+  end
+end
+
+-- Term 0 of everything in y, then term 1 of the states: two groups, between them the lanes are gathered.
+local function start(ctx, program, names)
+  local inputs, map = {}, {}
+  plain(inputs, names)
+  local g, h = { where = 1, defs = {}, outs = {} }, { where = 2, defs = {}, outs = {} }
+  for _, s in ipairs(program.states) do
+    inputs[#inputs + 1] = { sym = s.name .. "0", c = "x[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]" }
+  end
+  inputs[#inputs + 1] = { sym = "t0", c = "t" }
+  for _, x in ipairs(program.variables) do map[x.sym] = zeroth(x) end
+  for _, x in ipairs(program.variables) do
+    if x.start then
+      local value = calculus.substitute(x.start, map)
+      g.defs[#g.defs + 1] = { name = x.name .. "0", expr = value }
+      if x.first then
+        g.outs[#g.outs + 1] = { c = "const " .. ctx.name .. "_real first_" .. x.name, expr = zeroth(x) }
+      end
+    end
+    put(x, zeroth(x), g.outs)
+  end
+  advance(program, "start", expr.one, map, h)
+  return rendered(ctx, inputs, { g, h })
+end
+
+-- Term n: a group for each level, and last the states' term n + 1.
+local function general(ctx, program, names)
+  local inputs, groups = {}, {}
+  plain(inputs, names)
+  plain(inputs, { "order", "after" })
+  for _, x in ipairs(program.read) do
+    if x.level == 0 then inputs[#inputs + 1] = { sym = x.name, c = "y[" .. x.place .. "]" } end
+  end
+  for _, l in ipairs(program.lanes) do plain(inputs, { "p[" .. l.index .. "]" }) end -- read where it is used
+  for _, x in ipairs(program.variables) do
+    if x.first then
+      inputs[#inputs + 1] = { sym = x.name .. "0", c = x.state and "c[0][" .. x.place .. "]" or "first_" .. x.name }
+    end
+  end
+  for level = 1, #program.levels do
+    local g = { where = level, defs = {}, outs = {} }
+    for _, x in ipairs(program.levels[level].variables) do
+      g.defs[#g.defs + 1] = { name = x.name, expr = x.term }
+      put(x, x.sym, g.outs)
+    end
+    groups[level] = g
+  end
+  -- sums of states that no lane reads
+  for _, x in ipairs(program.levels[0].variables) do
+    if not x.place then table.insert(groups[1].defs, 1, { name = x.name, expr = x.term }) end
+  end
+  local last = { where = #groups + 1, defs = {}, outs = {} }
+  groups[#groups + 1] = last
+  advance(program, "term", symbol "after", {}, last)
+  return rendered(ctx, inputs, groups)
+end
+
+-- Which of the names do the forms of the program use?
+local function used_names(program, list)
+  local seen = {}
+  local function note(e)
+    for _, s in ipairs(e and expr.symbols(e) or {}) do seen[s.name] = true end
+  end
+  for _, d in ipairs(program.constants) do note(d.expr) end
+  for _, x in ipairs(program.variables) do
+    note(x.start)
+    note(x.term)
+    if x.state and x.place then
+      note(program.slopes[x.name].start)
+      note(program.slopes[x.name].term)
+    end
+  end
+  local kept = {}
+  for _, n in ipairs(list) do
+    if seen[n.name] then kept[#kept + 1] = n end
+  end
+  return kept, seen
+end
+
+-- Names of the code around the statements, which those of the model must not take.
+local own = { a = true, b = true, c = true, j = true, l = true, m = true, n = true, order = true, after = true, p = true,
+  t = true, u = true, x = true, y = true }
+
+-- Fills the template's values for the program of methods/taylor.lua.
+function taylor.fill(ctx, program, v)
+  local outer, seen = used_names(program, outside(ctx, program))
+  local names = {}
+  v.taylor_outer = {}
+  for i, n in ipairs(outer) do
+    names[i] = n.name
+    v.taylor_outer[i] = "const " .. ctx.name .. "_real " .. n.name .. " = " .. n.from .. ";"
+  end
+  local constants = {}
+  for _, d in ipairs(program.constants) do
+    if seen[d.name] then
+      constants[#constants + 1] = { c = "const " .. ctx.name .. "_real " .. d.name, expr = d.expr }
+      local inputs = {}
+      plain(inputs, names)
+      for _, l in ipairs(rendered(ctx, inputs, { { where = 1, defs = {}, outs = { constants[#constants] } } })[1]) do
+        v.taylor_outer[#v.taylor_outer + 1] = l
+      end
+      names[#names + 1] = d.name
+    end
+  end
+  local first, rest = start(ctx, program, names), general(ctx, program, names)
+  v.taylor_start, v.taylor_next = first.loads, first[2]
+  for _, l in ipairs(first[1]) do v.taylor_start[#v.taylor_start + 1] = l end
+  v.taylor_loads, v.taylor_after = rest.loads, rest[#rest]
+  v.taylor_levels = {}
+  local left, right = {}, {}
+  for level, l in ipairs(program.levels) do
+    local entry = { number = tostring(level), lanes = {}, unknown = {}, known = {}, weighted = {}, lines = rest[level],
+      first = tostring(l.first - 1), last = tostring(l.last), has_lanes = l.last >= l.first }
+    for i = l.first, l.last do
+      local lane = program.lanes[i]
+      left[i], right[i] = tostring(lane.a.place), tostring(lane.b.place)
+      entry.lanes[#entry.lanes + 1] = { index = tostring(lane.index),
+        first = lane.weighted and v.zero or "y[" .. lane.a.place .. "]", left = (lane.weighted and "order*" or "") .. "y[" .. lane.a.place .. "]", right = "y[" .. lane.b.place .. "]",
+        about = (lane.weighted and "j " or "") .. lane.a.name .. "[j] " .. lane.b.name .. "[n-j]" }
+      if lane.weighted then entry.weighted[#entry.weighted + 1] = tostring(lane.index) end
+      for side, x in pairs { a = lane.a, b = lane.b } do -- at most one of the two: order is no matter
+        if x.level == level then
+          entry.unknown[tostring(x.place)] = true
+          entry.known[#entry.known + 1] = string.format("%s[n][%d] = %sy[%d];", side, lane.index,
+            side == "a" and lane.weighted and "order*" or "", x.place)
+        end
+      end
+    end
+    local list = {}
+    for k in pairs(entry.unknown) do list[#list + 1] = k end
+    table.sort(list, function(p, q) return tonumber(p) < tonumber(q) end)
+    entry.unknown = list
+    table.sort(entry.known)
+    v.taylor_levels[level] = entry
+  end
+  v.taylor_left, v.taylor_right = table.concat(left, ", "), table.concat(right, ", ")
+  local text = { table.concat(v.taylor_loads, "\n"), table.concat(v.taylor_after, "\n") }
+  for _, e in ipairs(v.taylor_levels) do
+    text[#text + 1] = table.concat(e.lines, "\n") .. table.concat(e.known, "\n") .. (e.weighted[1] and " order " or "")
+  end
+  v.taylor_order = string.find(table.concat(text, "\n"), "%f[%w_]order%f[^%w_]") ~= nil
+  v.taylor_lanes, v.taylor_places = tostring(#program.lanes), tostring(#program.read)
+  v.taylor_states = {}
+  for i, s in ipairs(program.states) do
+    v.taylor_states[i] = { index = tostring(i - 1), name = ctx.upper .. "_" .. string.upper(s.name) }
+  end
+  v.taylor_axis, v.taylor_turns = program.axis ~= nil, {}
+  if program.axis then
+    local f = { name = "taylor_spin", args = { "m", "x" }, result = true, doc = {},
+      groups = { { defs = {}, outs = { { result = true, expr = program.spin } } } } }
+    v.taylor_spin = source.make(ctx, f).lines
+    local at = {}
+    for i, s in ipairs(program.states) do at[s.name] = tostring(i - 1) end
+    local comp = { "x", "y", "z" }
+    local a, b, c = comp[program.axis], comp[program.axis % 3 + 1], comp[(program.axis + 1) % 3 + 1]
+    -- q (cos, k sin) of half the angle; the rates turned by minus the angle
+    v.taylor_turns[1] = { a = at["q" .. a], b = at.qw, one = "D", sine = "S" }
+    v.taylor_turns[2] = { a = at["q" .. b], b = at["q" .. c], one = "D", sine = "S" }
+    v.taylor_turns[3] = { a = at["w" .. b], b = at["w" .. c], one = "W", sine = "V" }
+  end
+  v.taylor_count = tostring(#program.states)
+  v.taylor_attitude = program.states[1].name == "qw"
+  v.taylor_kinds = {}
+  for i, s in ipairs(program.states) do
+    local kind = v.taylor_kinds[#v.taylor_kinds]
+    if not kind or s.about ~= "" then
+      kind = { first = tostring(i - 1), about = s.about ~= "" and s.about or s.name }
+      v.taylor_kinds[#v.taylor_kinds + 1] = kind
+    end
+    kind.last = tostring(i)
+  end
+end
+
+return taylor
