@@ -39,8 +39,11 @@ void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}
 %% for _, line in ipairs(taylor_outer) do
   ${line}
 %% end
-  int n, j, l;
+  int n, l;
 
+%% for _, line in ipairs(taylor_voids) do
+  ${line}
+%% end
 %% for _, line in ipairs(taylor_start) do
   ${line}
 %% end
@@ -284,3 +287,10 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
   }
   return -1;
 }
+%% if first then
+
+void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
+{
+  ${name}_taylor_step(m, t, x, u, h);
+}
+%% end

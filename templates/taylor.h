@@ -20,3 +20,8 @@ ${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name
 /* From time t0 to t1 by such steps, at most `most` of them, their sum compensated; returns how many, or -1 if they did not
  * suffice or the state became infinite (x is then where it stopped). */
 int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most);
+%% if first then
+
+/* One step of size h by the series: the scene's own stepper. */
+void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
+%% end

@@ -147,9 +147,28 @@ end
 local own = { a = true, b = true, c = true, j = true, l = true, m = true, n = true, order = true, after = true, p = true,
   t = true, u = true, x = true, y = true }
 
+-- The program with the names of members and inputs that the code around takes made free: a member c becomes c_.
+local function freed(ctx, program)
+  local map, renamed = {}, {}
+  local function free(sym, name)
+    if own[name] then
+      map[sym], renamed[name] = expr.sym(name .. "_", sym.rank), name .. "_"
+    end
+  end
+  for _, m in ipairs(ctx.members) do free(m.sym, m.name) end
+  local function put_in(e) return e and calculus.substitute(e, map) end
+  for _, d in ipairs(program.constants) do d.expr = put_in(d.expr) end
+  for _, x in ipairs(program.variables) do x.start, x.term = put_in(x.start), put_in(x.term) end
+  for _, s in pairs(program.slopes) do s.start, s.term = put_in(s.start), put_in(s.term) end -- each alone: order is lost
+  return renamed
+end
+
 -- Fills the template's values for the program of methods/taylor.lua.
 function taylor.fill(ctx, program, v)
-  local outer, seen = used_names(program, outside(ctx, program))
+  local renamed = freed(ctx, program)
+  local all = outside(ctx, program)
+  for _, n in ipairs(all) do n.name = renamed[n.name] or n.name end
+  local outer, seen = used_names(program, all)
   local names = {}
   v.taylor_outer = {}
   for i, n in ipairs(outer) do
@@ -204,12 +223,21 @@ function taylor.fill(ctx, program, v)
   for _, e in ipairs(v.taylor_levels) do
     text[#text + 1] = table.concat(e.lines, "\n") .. table.concat(e.known, "\n") .. (e.weighted[1] and " order " or "")
   end
+  local whole = table.concat(text, "\n") .. table.concat(v.taylor_start, "\n") .. table.concat(v.taylor_next, "\n") ..
+    table.concat(v.taylor_outer, "\n")
+  v.taylor_voids = {}
+  for _, name in ipairs { "m", "t", "u" } do
+    if not string.find(whole, "%f[%w_]" .. name .. "%f[^%w_]") then
+      v.taylor_voids[#v.taylor_voids + 1] = "(void)" .. name .. ";"
+    end
+  end
   v.taylor_order = string.find(table.concat(text, "\n"), "%f[%w_]order%f[^%w_]") ~= nil
   v.taylor_lanes, v.taylor_places = tostring(#program.lanes), tostring(#program.read)
   v.taylor_states = {}
   for i, s in ipairs(program.states) do
     v.taylor_states[i] = { index = tostring(i - 1), name = ctx.upper .. "_" .. string.upper(s.name) }
   end
+  v.taylor_order_text = tostring(program.order)
   v.taylor_axis, v.taylor_turns = program.axis ~= nil, {}
   if program.axis then
     local f = { name = "taylor_spin", args = { "m", "x" }, result = true, doc = {},

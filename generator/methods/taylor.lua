@@ -15,7 +15,10 @@ local state = require "generator.dynamics.state"
 local series = require "generator.methods.series"
 local stages = require "generator.methods.stages"
 
-local taylor = { name = "taylor", about = "Taylor series of any order, automatic recurrences, fixed or adaptive step" }
+local taylor = { name = "taylor", adaptive = true, orders = { 4, 30 },
+  about = "Taylor series of order 4 to 30 (--order, 20), automatic recurrences, fixed or adaptive step" }
+
+local rates = state.names.rates
 
 -- Where body and torque look alike from all sides of an axis k and the rate w3 about it is constant, the equations keep
 -- their form in a frame that turns about k at any rate s relative to the body: only Omega = (I3 - I1)/I1 w3 becomes
@@ -24,8 +27,8 @@ local taylor = { name = "taylor", about = "Taylor series of any order, automatic
 -- s; or the groups as they are.
 local function despun(eq, zero)
   local m = eq.model
-  local axis = m.structure.kind == "symmetric" and equations.coordinate(m.structure.k)
-  if not axis or not zero[stages.rates[axis]] or eq.inputs then return eq.groups end
+  local axis = m.has.rates and m.has.attitude and m.structure.kind == "symmetric" and equations.coordinate(m.structure.k)
+  if not axis or not zero[rates[axis]] or eq.inputs then return eq.groups end
   local q, w = state.q, state.w
   local k = { expr.zero, expr.zero, expr.zero }
   k[axis] = expr.one
@@ -35,7 +38,7 @@ local function despun(eq, zero)
   for _, g in ipairs(eq.groups) do
     for _, o in ipairs(g.outs) do slope[o.state] = equations.inline(eq.groups, o.expr) end
   end
-  local rate = vec.map(stages.rates, function(name) return slope[name] end)
+  local rate = vec.map(rates, function(name) return slope[name] end)
   local along = vec.cross(k, rate)
   for i = 1, 3 do
     local change = -along[i]
@@ -62,7 +65,7 @@ local function despun(eq, zero)
     local copy = { defs = g.defs, outs = {} }
     for i, o in ipairs(g.outs) do
       local e = o.expr
-      for n, name in ipairs(stages.rates) do
+      for n, name in ipairs(rates) do
         if o.state == name then e = e + s * turning[n] end
       end
       if string.find(o.state, "^q[wxyz]$") then e = calculus.substitute(e, { [w[axis]] = w[axis] - s }) end
@@ -73,9 +76,10 @@ local function despun(eq, zero)
   return groups, axis, groups[1].defs[1].expr
 end
 
--- The series of an equation set {states, groups}: nil and the name of a function without recurrence, or
--- {states = moving ones, lanes, levels = {{first, last, variables}}, ...}
-function taylor.program(eq, states)
+-- The series of the equations, or nil and why there is none.  options: {order =}.
+-- {order, states = the moving ones, lanes, levels = {{first, last, variables}}, ...}
+function taylor.program(eq, options)
+  local states = eq.model.states
   local zero = stages.conserved(eq)
   local varying, moving = { t = true }, {}
   for _, s in ipairs(states) do
@@ -90,7 +94,9 @@ function taylor.program(eq, states)
   local groups, axis, spin = despun(eq, zero)
   local ok, made = pcall(series.new, list, groups, varying)
   if not ok then
-    if getmetatable(made) == series.missing then return nil, made.fn end
+    if getmetatable(made) == series.missing then
+      return nil, "no recurrence is known for the function " .. made.fn
+    end
     error(made, 0)
   end
   made.slopes.t = { start = expr.one, term = expr.zero }
@@ -135,7 +141,7 @@ function taylor.program(eq, states)
     place(l.a)
     place(l.b)
   end
-  return { states = moving, variables = made.variables, lanes = lanes, levels = levels, slopes = made.slopes,
+  return { order = options.order or 20, states = moving, variables = made.variables, lanes = lanes, levels = levels, slopes = made.slopes,
     constants = made.constants or {}, read = read,
     axis = axis, spin = spin }
 end
