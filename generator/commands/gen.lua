@@ -8,7 +8,8 @@ local methods = require "generator.methods.list"
 
 local gen = {}
 
-gen.options = { ["-o"] = "text", ["--real"] = { "double", "float" }, ["--bake"] = false, ["--method"] = "words", ["--order"] = "number",
+gen.options = { ["-o"] = "text", ["--real"] = { "double", "float" }, ["--bake"] = false, ["--method"] = "words",
+  ["--order"] = "number",
   ["--set"] = "pair", ["--show"] = { "lower", "power", "fold", "cse", "dce", "order" } }
 gen.operands = { 1, 1 }
 

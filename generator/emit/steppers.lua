@@ -18,10 +18,9 @@ function steppers.render(job, v, ctx)
     if s.program then
       fill[own.name](ctx, s.program, v)
       v.first = i == 1
-      headers[#headers + 1] = template.render("templates/" .. own.name .. ".h", job.templates["templates/" .. own.name ..
-        ".h"], v)
-      sources[#sources + 1] = template.render("templates/" .. own.name .. ".c", job.templates["templates/" .. own.name ..
-        ".c"], v)
+      local path = "templates/" .. own.name
+      headers[#headers + 1] = template.render(path .. ".h", job.templates[path .. ".h"], v)
+      sources[#sources + 1] = template.render(path .. ".c", job.templates[path .. ".c"], v)
     end
   end
   v.stepper_header, v.stepper_source = table.concat(headers, "\n"), table.concat(sources, "\n")

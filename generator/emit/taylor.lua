@@ -144,8 +144,8 @@ local function used_names(program, list)
 end
 
 -- Names of the code around the statements, which those of the model must not take.
-local own = { a = true, b = true, c = true, j = true, l = true, m = true, n = true, order = true, after = true, p = true,
-  t = true, u = true, x = true, y = true }
+local own = { a = true, b = true, c = true, j = true, l = true, m = true, n = true, order = true, after = true,
+  p = true, t = true, u = true, x = true, y = true }
 
 -- The program with the names of members and inputs that the code around takes made free: a member c becomes c_.
 local function freed(ctx, program)
@@ -159,7 +159,9 @@ local function freed(ctx, program)
   local function put_in(e) return e and calculus.substitute(e, map) end
   for _, d in ipairs(program.constants) do d.expr = put_in(d.expr) end
   for _, x in ipairs(program.variables) do x.start, x.term = put_in(x.start), put_in(x.term) end
-  for _, s in pairs(program.slopes) do s.start, s.term = put_in(s.start), put_in(s.term) end -- each alone: order is lost
+  for _, s in pairs(program.slopes) do -- each alone: order is lost
+    s.start, s.term = put_in(s.start), put_in(s.term)
+  end
   return renamed
 end
 
@@ -199,8 +201,9 @@ function taylor.fill(ctx, program, v)
     for i = l.first, l.last do
       local lane = program.lanes[i]
       left[i], right[i] = tostring(lane.a.place), tostring(lane.b.place)
-      entry.lanes[#entry.lanes + 1] = { index = tostring(lane.index),
-        first = lane.weighted and v.zero or "y[" .. lane.a.place .. "]", left = (lane.weighted and "order*" or "") .. "y[" .. lane.a.place .. "]", right = "y[" .. lane.b.place .. "]",
+      local a, b = "y[" .. lane.a.place .. "]", "y[" .. lane.b.place .. "]"
+      entry.lanes[#entry.lanes + 1] = { index = tostring(lane.index), right = b,
+        first = lane.weighted and v.zero or a, left = (lane.weighted and "order*" or "") .. a,
         about = (lane.weighted and "j " or "") .. lane.a.name .. "[j] " .. lane.b.name .. "[n-j]" }
       if lane.weighted then entry.weighted[#entry.weighted + 1] = tostring(lane.index) end
       for side, x in pairs { a = lane.a, b = lane.b } do -- at most one of the two: order is no matter

@@ -330,7 +330,7 @@ series.missing = {}
 function series:steady(e) return expr.constant(e, self.varying) end
 
 -- Term 0 of a variable, a number during the step.
-function series:first(v)
+function series.first(_, v)
   v.first = true
   return expr.sym(v.name .. "0", 8)
 end

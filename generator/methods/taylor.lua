@@ -2,7 +2,8 @@
 --
 -- All products of one level are summed in one loop, lane beside lane, so that compilers put them into vector registers;
 -- what is linear is straight code around it.  y holds the newest term of every sequence that a lane reads, the states'
--- first; a[n][lane] and b[n][lane] are gathered from it.  Source of the method: Jorba, Zou 2005, Experimental Mathematics 14, 99.
+-- first; a[n][lane] and b[n][lane] are gathered from it.  Source of the method: Jorba, Zou 2005, Experimental
+-- Mathematics 14, 99.
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -22,12 +23,13 @@ local rates = state.names.rates
 
 -- Where body and torque look alike from all sides of an axis k and the rate w3 about it is constant, the equations keep
 -- their form in a frame that turns about k at any rate s relative to the body: only Omega = (I3 - I1)/I1 w3 becomes
--- Omega + s, and w3 in the attitude's equation w3 - s.  With s = (w3 - Omega)/2 the fastest oscillation, w3 of a direction
--- fixed in space, falls to (w3 + Omega)/2, and longer steps do.  Returns the groups in that frame, the number of the axis,
--- s; or the groups as they are.
+-- Omega + s, and w3 in the attitude's equation w3 - s.  With s = (w3 - Omega)/2 the fastest oscillation, w3 of a
+-- direction fixed in space, falls to (w3 + Omega)/2, and longer steps do.  Returns the groups in that frame, the number
+-- of the axis, s; or the groups as they are.
 local function despun(eq, zero)
   local m = eq.model
-  local axis = m.has.rates and m.has.attitude and m.structure.kind == "symmetric" and equations.coordinate(m.structure.k)
+  local turns = m.has.rates and m.has.attitude
+  local axis = turns and m.structure.kind == "symmetric" and equations.coordinate(m.structure.k)
   if not axis or not zero[rates[axis]] or eq.inputs then return eq.groups end
   local q, w = state.q, state.w
   local k = { expr.zero, expr.zero, expr.zero }
@@ -40,11 +42,19 @@ local function despun(eq, zero)
   end
   local rate = vec.map(rates, function(name) return slope[name] end)
   local along = vec.cross(k, rate)
+  local function turned_with(e) -- how e changes as the frame turns
+    local change = expr.zero
+    for j = 1, 3 do change = change + calculus.diff(e, w[j]) * turning[j] end
+    for j = 1, 4 do change = change + calculus.diff(e, q[j]) * turned[j] end
+    return change
+  end
   for i = 1, 3 do
-    local change = -along[i]
-    for j = 1, 3 do change = change + calculus.diff(rate[i], w[j]) * turning[j] end
-    for j = 1, 4 do change = change + calculus.diff(rate[i], q[j]) * turned[j] end
-    if calculus.diff(rate[i], state.t) ~= expr.zero or not ratio.iszero(change) then return eq.groups end
+    if not ratio.iszero(turned_with(rate[i]) - along[i]) then return eq.groups end
+  end
+  for _, s in ipairs(m.states) do -- what moves or turns beside the body must not tell the frames apart
+    if not string.find(s.name, "^[qw][wxyz]$") and not ratio.iszero(turned_with(slope[s.name])) then
+      return eq.groups
+    end
   end
   local Omega = expr.zero
   for i = 1, 3 do
@@ -54,10 +64,8 @@ local function despun(eq, zero)
       end
     end
   end
-  for i = 1, 3 do
-    for _, s in ipairs { w[axis % 3 + 1], w[(axis + 1) % 3 + 1] } do
-      if calculus.diff(Omega, s) ~= expr.zero then return eq.groups end
-    end
+  for _, s in ipairs { w[axis % 3 + 1], w[(axis + 1) % 3 + 1] } do
+    if calculus.diff(Omega, s) ~= expr.zero then return eq.groups end
   end
   local groups, s = {}, expr.sym("spin", 7)
   groups[1] = { defs = { { name = "spin", expr = (w[axis] - Omega) / 2 } }, outs = {} }
@@ -74,6 +82,17 @@ local function despun(eq, zero)
     groups[#groups + 1] = copy
   end
   return groups, axis, groups[1].defs[1].expr
+end
+
+-- Does any form of the series contain the symbol?
+local function uses(made, sym)
+  local set = { [sym.name] = true }
+  local function has(e) return e and not expr.constant(e, set) end
+  for _, v in ipairs(made.variables) do
+    local s = v.state and v.name ~= sym.name and made.slopes[v.name] or {}
+    if has(v.start) or has(v.term) or has(s.start) or has(s.term) then return true end
+  end
+  return false
 end
 
 -- The series of the equations, or nil and why there is none.  options: {order =}.
@@ -121,8 +140,8 @@ function taylor.program(eq, options)
   for _, v in ipairs(made.variables) do
     if v.term then
       v.term = calculus.substitute(v.term, rename)
-      local list = levels[v.level].variables
-      list[#list + 1] = v
+      local row = levels[v.level].variables
+      row[#row + 1] = v
     end
   end
   for name, s in pairs(made.slopes) do -- a map of its own: order is lost
@@ -141,8 +160,9 @@ function taylor.program(eq, options)
     place(l.a)
     place(l.b)
   end
-  return { order = options.order or 20, states = moving, variables = made.variables, lanes = lanes, levels = levels, slopes = made.slopes,
-    constants = made.constants or {}, read = read,
+  if uses(made, clock) then place(made.by_sym[clock]) end
+  return { order = options.order or 20, states = moving, variables = made.variables, lanes = lanes, levels = levels,
+    slopes = made.slopes, constants = made.constants or {}, read = read,
     axis = axis, spin = spin }
 end
 
