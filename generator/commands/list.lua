@@ -45,7 +45,7 @@ function what.methods()
   for _, m in ipairs(methods) do rows[#rows + 1] = { m.name, m.about } end
   for _, row in ipairs {
     { "linearised", "small oscillations of the free top about a principal axis; run: general library" },
-    { "adaptive", "general library only (run): Taylor series, step and order chosen" } } do
+  } do
     rows[#rows + 1] = row
   end
   return rows

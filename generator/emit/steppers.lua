@@ -5,7 +5,7 @@ local template = require "generator.emit.template"
 
 local steppers = {}
 
-local fill = { taylor = require("generator.emit.taylor").fill }
+local fill = { taylor = require("generator.emit.taylor").fill, adaptive = require("generator.emit.adaptive").fill }
 
 -- Fills stepper_header, stepper_source and steppers, the list for the program's own use: {name, step (C name), run}.
 function steppers.render(job, v, ctx)

@@ -257,6 +257,24 @@ function taylor.fill(ctx, program, v)
   end
   v.taylor_count = tostring(#program.states)
   v.taylor_attitude = program.states[1].name == "qw"
+  v.taylor_kinds = source.kinds(program.states)
+  v.taylor_order_text = tostring(program.order)
+  v.taylor_axis, v.taylor_turns = program.axis ~= nil, {}
+  if program.axis then
+    local f = { name = "taylor_spin", args = { "m", "x" }, result = true, doc = {},
+      groups = { { defs = {}, outs = { { result = true, expr = program.spin } } } } }
+    v.taylor_spin = source.make(ctx, f).lines
+    local at = {}
+    for i, s in ipairs(program.states) do at[s.name] = tostring(i - 1) end
+    local comp = { "x", "y", "z" }
+    local a, b, c = comp[program.axis], comp[program.axis % 3 + 1], comp[(program.axis + 1) % 3 + 1]
+    -- q (cos, k sin) of half the angle; the rates turned by minus the angle
+    v.taylor_turns[1] = { a = at["q" .. a], b = at.qw, one = "D", sine = "S" }
+    v.taylor_turns[2] = { a = at["q" .. b], b = at["q" .. c], one = "D", sine = "S" }
+    v.taylor_turns[3] = { a = at["w" .. b], b = at["w" .. c], one = "W", sine = "V" }
+  end
+  v.taylor_count = tostring(#program.states)
+  v.taylor_attitude = program.states[1].name == "qw"
   v.taylor_kinds = {}
   for i, s in ipairs(program.states) do
     local kind = v.taylor_kinds[#v.taylor_kinds]

@@ -8,6 +8,7 @@
 
 local list = {
   require "generator.methods.rk4",
+  require "generator.methods.adaptive",
   (require "generator.methods.taylor"), -- one value: require also returns where it found it
 }
 
