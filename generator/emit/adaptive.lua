@@ -21,8 +21,8 @@ function adaptive.fill(ctx, program, v)
   end
   local n = #program.states
   local f = source.make(ctx, { name = "adaptive_trial", groups = groups, doc = {},
-    args = { "m", "t", "x", "u", "h", { name = "k1", count = n, names = names }, { name = "out", count = n, out = true },
-      { name = "k7", count = n, out = true }, { name = "error", count = n, out = true } } })
+    args = { "m", "t", "x", "u", "h", { name = "k1", count = n, names = names },
+      { name = "out", count = n, out = true }, { name = "k7", count = n, out = true }, { name = "error", count = n, out = true } } })
   v.adaptive_head, v.adaptive_lines = f.head, f.lines
   v.adaptive_count, v.adaptive_states = tostring(n), {}
   for i, s in ipairs(program.states) do
