@@ -10,12 +10,15 @@
 --                                                    called when the functions of the scene have made theirs
 --              full,                                 NAME_at gives the whole state (else only the rates)
 --              ticks,                                it counts time in ticks, with <stdint.h>
---              exact }                               it needs templates/exact.c
+--              exact,                                it needs templates/exact.c
+--              pairs }                               of templates/pair.c it needs all (nil), no product of pairs
+--                                                    ("sums"), nor their sum ("few")
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local closed = { require "generator.dynamics.closed.sphere", require "generator.dynamics.closed.symmetric",
-  (require "generator.dynamics.closed.asymmetric") } -- one value: require also returns where it found it
+  require "generator.dynamics.closed.asymmetric",
+  (require "generator.dynamics.closed.point") } -- one value: require also returns where it found it
 
 -- The form that applies, with `others`, the list {name, reason} of those refused; without one {refused = text, others}.
 function closed.detect(m, eq)
