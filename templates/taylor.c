@@ -35,7 +35,10 @@ ${upper}_APART void ${name}_products${level.number}(int n, const ${name}_real a[
 void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[],
                   ${name}_real c[][${upper}_MOVING])
 {
-  ${name}_real a[${upper}_ORDER + 1][${taylor_lanes}], b[${upper}_ORDER + 1][${taylor_lanes}], y[${taylor_places}], p[${taylor_lanes}];
+%% if taylor_has_lanes then
+  ${name}_real a[${upper}_ORDER + 1][${taylor_lanes}], b[${upper}_ORDER + 1][${taylor_lanes}], p[${taylor_lanes}];
+%% end
+  ${name}_real y[${taylor_places}];
 %% for _, line in ipairs(taylor_outer) do
   ${line}
 %% end

@@ -51,7 +51,7 @@ function gen.order(given)
   local least, most = table.unpack(methods.by_name.taylor.orders)
   local n = given.order
   if n and (n < least or n > most or n % 1 ~= 0) then
-    return nil, string.format("--order must be a whole number from %d to %d, got %g", least, most, n)
+    return nil, string.format("--order must be a whole number from %d to %d, got %s", least, most, given.order)
   end
   return n and math.tointeger(n)
 end

@@ -179,10 +179,10 @@ function source.kinds(states)
   for i, s in ipairs(states) do
     local kind = list[#list]
     if not kind or s.about ~= "" then
-      kind = { first = tostring(i - 1), about = s.about ~= "" and s.about or s.name }
+      kind = { first = string.format("%d", i - 1), about = s.about ~= "" and s.about or s.name }
       list[#list + 1] = kind
     end
-    kind.last = tostring(i)
+    kind.last = string.format("%d", i)
   end
   return list
 end

@@ -8,6 +8,8 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local source = require "generator.emit.source"
 
+local function text(n) return string.format("%d", n) end
+
 local taylor = {}
 
 local function symbol(name) return expr.sym(name, 8) end
@@ -100,7 +102,8 @@ local function general(ctx, program, names)
   for _, l in ipairs(program.lanes) do plain(inputs, { "p[" .. l.index .. "]" }) end -- read where it is used
   for _, x in ipairs(program.variables) do
     if x.first then
-      inputs[#inputs + 1] = { sym = x.name .. "0", c = x.state and "c[0][" .. x.place .. "]" or "first_" .. x.name }
+      local name = "first_" .. x.name
+      inputs[#inputs + 1] = { sym = name, c = x.state and "c[0][" .. x.place .. "]" or name }
     end
   end
   for level = 1, #program.levels do
@@ -165,27 +168,71 @@ local function freed(ctx, program)
   return renamed
 end
 
+-- The levels for the template: what their lanes read and the statements after them.
+local function levels_of(program, rest, zero)
+  local out = {}
+  for level, l in ipairs(program.levels) do
+    local entry = { number = text(level), lanes = {}, unknown = {}, known = {}, weighted = false, lines = rest[level],
+      has_lanes = l.last >= l.first }
+    local unknown = {}
+    for i = l.first, l.last do
+      local lane = program.lanes[i]
+      local a, b = "y[" .. lane.a.place .. "]", "y[" .. lane.b.place .. "]"
+      entry.lanes[#entry.lanes + 1] = { index = text(lane.index), right = b, first = lane.weighted and zero or a,
+        left = (lane.weighted and "order*" or "") .. a,
+        about = (lane.weighted and "j " or "") .. lane.a.name .. "[j] " .. lane.b.name .. "[n-j]" }
+      entry.weighted = entry.weighted or lane.weighted
+      for side, x in ipairs { lane.a, lane.b } do
+        if x.level == level then -- its newest term is made here: zero until then
+          local left = side == 1
+          if not unknown[x.place] then entry.unknown[#entry.unknown + 1] = text(x.place) end
+          unknown[x.place] = true
+          entry.known[#entry.known + 1] = string.format("%s[n][%d] = %sy[%d];", left and "a" or "b", lane.index,
+            left and lane.weighted and "order*" or "", x.place)
+        end
+      end
+    end
+    out[level] = entry
+  end
+  return out
+end
+
+-- How to come back from the turning frame: pairs of states that the angle mixes, see templates/taylor.c.
+local function turns_of(ctx, program, v)
+  v.taylor_axis, v.taylor_turns = program.axis ~= nil, {}
+  if not program.axis then return end
+  local f = { name = "taylor_spin", args = { "m", "x" }, result = true, doc = {},
+    groups = { { defs = {}, outs = { { result = true, expr = program.spin } } } } }
+  v.taylor_spin = source.make(ctx, f).lines
+  local at, comp = {}, { "x", "y", "z" }
+  for i, s in ipairs(program.states) do at[s.name] = text(i - 1) end
+  local a, b, c = comp[program.axis], comp[program.axis % 3 + 1], comp[(program.axis + 1) % 3 + 1]
+  -- q (cos, k sin) of half the angle; the rates turned by minus the angle
+  v.taylor_turns[1] = { a = at["q" .. a], b = at.qw, one = "D", sine = "S" }
+  v.taylor_turns[2] = { a = at["q" .. b], b = at["q" .. c], one = "D", sine = "S" }
+  v.taylor_turns[3] = { a = at["w" .. b], b = at["w" .. c], one = "W", sine = "V" }
+end
+
+local function mentions(lines, name) return string.find(lines, "%f[%w_]" .. name .. "%f[^%w_]") ~= nil end
+
 -- Fills the template's values for the program of methods/taylor.lua.
 function taylor.fill(ctx, program, v)
   local renamed = freed(ctx, program)
   local all = outside(ctx, program)
   for _, n in ipairs(all) do n.name = renamed[n.name] or n.name end
   local outer, seen = used_names(program, all)
-  local names = {}
+  local names, type_name = {}, "const " .. ctx.name .. "_real "
   v.taylor_outer = {}
   for i, n in ipairs(outer) do
     names[i] = n.name
-    v.taylor_outer[i] = "const " .. ctx.name .. "_real " .. n.name .. " = " .. n.from .. ";"
+    v.taylor_outer[i] = type_name .. n.name .. " = " .. n.from .. ";"
   end
-  local constants = {}
   for _, d in ipairs(program.constants) do
     if seen[d.name] then
-      constants[#constants + 1] = { c = "const " .. ctx.name .. "_real " .. d.name, expr = d.expr }
       local inputs = {}
       plain(inputs, names)
-      for _, l in ipairs(rendered(ctx, inputs, { { where = 1, defs = {}, outs = { constants[#constants] } } })[1]) do
-        v.taylor_outer[#v.taylor_outer + 1] = l
-      end
+      local g = { where = 1, defs = {}, outs = { { c = type_name .. d.name, expr = d.expr } } }
+      for _, l in ipairs(rendered(ctx, inputs, { g })[1]) do v.taylor_outer[#v.taylor_outer + 1] = l end
       names[#names + 1] = d.name
     end
   end
@@ -193,97 +240,26 @@ function taylor.fill(ctx, program, v)
   v.taylor_start, v.taylor_next = first.loads, first[2]
   for _, l in ipairs(first[1]) do v.taylor_start[#v.taylor_start + 1] = l end
   v.taylor_loads, v.taylor_after = rest.loads, rest[#rest]
-  v.taylor_levels = {}
-  local left, right = {}, {}
-  for level, l in ipairs(program.levels) do
-    local entry = { number = tostring(level), lanes = {}, unknown = {}, known = {}, weighted = {}, lines = rest[level],
-      first = tostring(l.first - 1), last = tostring(l.last), has_lanes = l.last >= l.first }
-    for i = l.first, l.last do
-      local lane = program.lanes[i]
-      left[i], right[i] = tostring(lane.a.place), tostring(lane.b.place)
-      local a, b = "y[" .. lane.a.place .. "]", "y[" .. lane.b.place .. "]"
-      entry.lanes[#entry.lanes + 1] = { index = tostring(lane.index), right = b,
-        first = lane.weighted and v.zero or a, left = (lane.weighted and "order*" or "") .. a,
-        about = (lane.weighted and "j " or "") .. lane.a.name .. "[j] " .. lane.b.name .. "[n-j]" }
-      if lane.weighted then entry.weighted[#entry.weighted + 1] = tostring(lane.index) end
-      for side, x in pairs { a = lane.a, b = lane.b } do -- at most one of the two: order is no matter
-        if x.level == level then
-          entry.unknown[tostring(x.place)] = true
-          entry.known[#entry.known + 1] = string.format("%s[n][%d] = %sy[%d];", side, lane.index,
-            side == "a" and lane.weighted and "order*" or "", x.place)
-        end
-      end
-    end
-    local list = {}
-    for k in pairs(entry.unknown) do list[#list + 1] = k end
-    table.sort(list, function(p, q) return tonumber(p) < tonumber(q) end)
-    entry.unknown = list
-    table.sort(entry.known)
-    v.taylor_levels[level] = entry
-  end
-  v.taylor_left, v.taylor_right = table.concat(left, ", "), table.concat(right, ", ")
-  local text = { table.concat(v.taylor_loads, "\n"), table.concat(v.taylor_after, "\n") }
+  v.taylor_levels = levels_of(program, rest, v.zero)
+  local function joined(list) return table.concat(list, "\n") .. "\n" end
+  local loop = joined(v.taylor_loads) .. joined(v.taylor_after)
   for _, e in ipairs(v.taylor_levels) do
-    text[#text + 1] = table.concat(e.lines, "\n") .. table.concat(e.known, "\n") .. (e.weighted[1] and " order " or "")
+    loop = loop .. joined(e.lines) .. joined(e.known) .. (e.weighted and "order\n" or "")
   end
-  local whole = table.concat(text, "\n") .. table.concat(v.taylor_start, "\n") .. table.concat(v.taylor_next, "\n") ..
-    table.concat(v.taylor_outer, "\n")
-  v.taylor_voids = {}
+  local whole = loop .. joined(v.taylor_start) .. joined(v.taylor_next) .. joined(v.taylor_outer)
+  v.taylor_order, v.taylor_voids = mentions(loop, "order"), {}
   for _, name in ipairs { "m", "t", "u" } do
-    if not string.find(whole, "%f[%w_]" .. name .. "%f[^%w_]") then
-      v.taylor_voids[#v.taylor_voids + 1] = "(void)" .. name .. ";"
-    end
+    if not mentions(whole, name) then v.taylor_voids[#v.taylor_voids + 1] = "(void)" .. name .. ";" end
   end
-  v.taylor_order = string.find(table.concat(text, "\n"), "%f[%w_]order%f[^%w_]") ~= nil
-  v.taylor_lanes, v.taylor_places = tostring(#program.lanes), tostring(#program.read)
-  v.taylor_states = {}
+  v.taylor_has_lanes, v.taylor_lanes = #program.lanes > 0, text(#program.lanes)
+  v.taylor_places, v.taylor_order_text = text(#program.read), text(program.order)
+  v.taylor_count, v.taylor_states = text(#program.states), {}
   for i, s in ipairs(program.states) do
-    v.taylor_states[i] = { index = tostring(i - 1), name = ctx.upper .. "_" .. string.upper(s.name) }
+    v.taylor_states[i] = { index = text(i - 1), name = ctx.upper .. "_" .. string.upper(s.name) }
   end
-  v.taylor_order_text = tostring(program.order)
-  v.taylor_axis, v.taylor_turns = program.axis ~= nil, {}
-  if program.axis then
-    local f = { name = "taylor_spin", args = { "m", "x" }, result = true, doc = {},
-      groups = { { defs = {}, outs = { { result = true, expr = program.spin } } } } }
-    v.taylor_spin = source.make(ctx, f).lines
-    local at = {}
-    for i, s in ipairs(program.states) do at[s.name] = tostring(i - 1) end
-    local comp = { "x", "y", "z" }
-    local a, b, c = comp[program.axis], comp[program.axis % 3 + 1], comp[(program.axis + 1) % 3 + 1]
-    -- q (cos, k sin) of half the angle; the rates turned by minus the angle
-    v.taylor_turns[1] = { a = at["q" .. a], b = at.qw, one = "D", sine = "S" }
-    v.taylor_turns[2] = { a = at["q" .. b], b = at["q" .. c], one = "D", sine = "S" }
-    v.taylor_turns[3] = { a = at["w" .. b], b = at["w" .. c], one = "W", sine = "V" }
-  end
-  v.taylor_count = tostring(#program.states)
   v.taylor_attitude = program.states[1].name == "qw"
   v.taylor_kinds = source.kinds(program.states)
-  v.taylor_order_text = tostring(program.order)
-  v.taylor_axis, v.taylor_turns = program.axis ~= nil, {}
-  if program.axis then
-    local f = { name = "taylor_spin", args = { "m", "x" }, result = true, doc = {},
-      groups = { { defs = {}, outs = { { result = true, expr = program.spin } } } } }
-    v.taylor_spin = source.make(ctx, f).lines
-    local at = {}
-    for i, s in ipairs(program.states) do at[s.name] = tostring(i - 1) end
-    local comp = { "x", "y", "z" }
-    local a, b, c = comp[program.axis], comp[program.axis % 3 + 1], comp[(program.axis + 1) % 3 + 1]
-    -- q (cos, k sin) of half the angle; the rates turned by minus the angle
-    v.taylor_turns[1] = { a = at["q" .. a], b = at.qw, one = "D", sine = "S" }
-    v.taylor_turns[2] = { a = at["q" .. b], b = at["q" .. c], one = "D", sine = "S" }
-    v.taylor_turns[3] = { a = at["w" .. b], b = at["w" .. c], one = "W", sine = "V" }
-  end
-  v.taylor_count = tostring(#program.states)
-  v.taylor_attitude = program.states[1].name == "qw"
-  v.taylor_kinds = {}
-  for i, s in ipairs(program.states) do
-    local kind = v.taylor_kinds[#v.taylor_kinds]
-    if not kind or s.about ~= "" then
-      kind = { first = tostring(i - 1), about = s.about ~= "" and s.about or s.name }
-      v.taylor_kinds[#v.taylor_kinds + 1] = kind
-    end
-    kind.last = tostring(i)
-  end
+  turns_of(ctx, program, v)
 end
 
 return taylor

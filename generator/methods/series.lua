@@ -332,7 +332,7 @@ function series:steady(e) return expr.constant(e, self.varying) end
 -- Term 0 of a variable, a number during the step.
 function series.first(_, v)
   v.first = true
-  return expr.sym(v.name .. "0", 8)
+  return expr.sym("first_" .. v.name, 8)
 end
 
 -- The recurrences of equations: states: {name, sym} in order, with x' = n-th of outs; varying: names that change
