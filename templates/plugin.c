@@ -68,16 +68,32 @@ static void plugin_rhs(const void *m, double t, const double *x, const double *u
   widen(${upper}_NX, d, dx);
 }
 
-static void plugin_step(const void *m, double t, double *x, const double *u, double h)
+%% for _, s in ipairs(steppers) do
+static void plugin_${s.name}(const void *m, double t, double *x, const double *u, double h)
 {
   real y[${upper}_NX], v[${upper}_NU + 1] = {0};
 
   narrow(${upper}_NX, x, y);
   if (u) narrow(${upper}_NU, u, v);
-  ${name}_step((const ${name}_model *)m, (real)t, y, v, (real)h);
+  ${name}_${s.step}((const ${name}_model *)m, (real)t, y, v, (real)h);
   widen(${upper}_NX, y, x);
 }
 
+%%   if s.run then
+static int plugin_${s.name}_run(const void *m, double t0, double *x, const double *u, double t1, double tolerance, int most)
+{
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0};
+  int steps;
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  steps = ${name}_${s.name}_run((const ${name}_model *)m, (real)t0, y, v, (real)t1, (real)tolerance, most);
+  widen(${upper}_NX, y, x);
+  return steps;
+}
+
+%%   end
+%% end
 static void plugin_jacobian(const void *m, double t, const double *x, const double *u, double *J)
 {
   real y[${upper}_NX], v[${upper}_NU + 1] = {0}, j[${upper}_NX*${upper}_NX];
@@ -129,6 +145,16 @@ const struct polhode_plugin *polhode_plugin(void);
 
 const struct polhode_plugin *polhode_plugin(void)
 {
+  static const struct polhode_stepper steppers[] = {
+%% for _, s in ipairs(steppers) do
+%%   if s.run then
+    {"${s.name}", plugin_${s.name}, plugin_${s.name}_run},
+%%   else
+    {"${s.name}", plugin_${s.name}, NULL},
+%%   end
+%% end
+    {NULL, NULL, NULL},
+  };
   static const struct polhode_plugin table = {
     POLHODE_PLUGIN_ABI, "${name}", "${real}", (double)${epsilon}, ${upper}_NX, ${upper}_NU, ${upper}_NP,
     (unsigned long)sizeof(${name}_model),
@@ -143,7 +169,7 @@ const struct polhode_plugin *polhode_plugin(void)
 %% else
     NULL, NULL,
 %% end
-    plugin_rhs, plugin_step, plugin_jacobian, plugin_energy,
+    plugin_rhs, steppers, plugin_jacobian, plugin_energy,
 %% if has_attitude then
     plugin_momentum,
 %% else

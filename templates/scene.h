@@ -86,6 +86,9 @@ ${f.declaration}
 %% if has_closed then
 ${closed_header}
 %% end
+%% if stepper_header ~= "" then
+${stepper_header}
+%% end
 %% if has_rates then
 ${principal_header}
 ${analysis_header}

@@ -14,6 +14,7 @@ local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
 local stability = require "generator.emit.stability"
+local steppers = require "generator.emit.steppers"
 local selftest = require "generator.emit.selftest"
 local vectors = require "generator.emit.vectors"
 
@@ -222,6 +223,7 @@ local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
 function project.files(job, plugin)
   local v, ctx = common(job)
   closed_values(job, v, ctx)
+  steppers.render(job, v, ctx)
   special.render(job, v)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   if v.has_rates then

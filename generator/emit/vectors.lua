@@ -196,8 +196,8 @@ function vectors.fill(job, v, ctx)
     "Jacobian of the equations at state 2", by_index)
 
   v.motion_cases = {}
-  for i, c in ipairs(motion.cases { job = job, x0 = xs[1].values, power = R.new(1, 2) / (time or R.half), env = env, params = params,
-    epsilon = epsilon, real = real, name = m.name, has_own = v.has_own, has_ticks = v.has_ticks,
+  for i, c in ipairs(motion.cases { job = job, x0 = xs[1].values, power = R.new(1, 2) / (time or R.half), env = env,
+    params = params, epsilon = epsilon, real = real, name = m.name, has_own = v.has_own, has_ticks = v.has_ticks,
     number = function(q) return number.text(q, real) end }) do
     v.motion_cases[i] = printed(7, c.want, c.tolerance, c.call, c.what)
   end

@@ -17,7 +17,8 @@ local state = require "generator.dynamics.state"
 local attitude = require "generator.methods.attitude"
 local stages = require "generator.methods.stages"
 
-local rk4 = { name = "rk4", order = 4, about = "classical Runge-Kutta, fixed step, unrolled" }
+local rk4 = { name = "rk4", order = 4, title = "classical Runge-Kutta method of order 4",
+  about = "classical Runge-Kutta, fixed step, unrolled" }
 
 local h, q, w = state.h, state.q, state.w
 local comp, named = attitude.comp, attitude.named
