@@ -71,8 +71,8 @@ function motion_checks.laws(host, job, plugin, tap, name, x0, finish, epsilon)
 end
 
 -- The closed form of a point against the library's integration, to ten times the scene's horizon.  The emitted
--- constants are rounded to the real type, half a unit each, which the phases carry on; 16 operations and the turn add to
--- that.
+-- constants are rounded to the real type, half a unit each, which the phases carry on; 16 operations and the turn add
+-- to that.
 function motion_checks.point(host, job, plugin, tap, name, numbers, x0, scale, epsilon)
   if plugin:solve(x0) ~= 0 then
     tap.ok(false, name .. ": the closed form accepts the initial state")
