@@ -114,8 +114,7 @@ local function states(job, round, env)
     local rate = rate_of(job, env, x2.values)
     if rate and rate * time > R.new(1, 2) then time = R.new(1, 2) / rate end
   end
-  return { { name = "x1", values = own }, x2, made "x3" }, R.round(time or R.new(1, 2), 24), size,
-    scale.rates
+  return { { name = "x1", values = own }, x2, made "x3" }, R.round(time or R.new(1, 2), 24), size
 end
 
 local rest = { -- inputs of functions that take vectors: w, dw, a, r, v, N
@@ -143,7 +142,7 @@ function vectors.fill(job, v, ctx)
     for i = 1, 3 do base[name .. names[i]] = R.lift(list[i]) end
   end
   local env = selftest.environment(m, params)
-  local xs, time, size, power = states(job, round, env)
+  local xs, time, size = states(job, round, env)
   local function inputs(x) -- the state x, or without one the arguments that are vectors
     local list = {}
     for k, q in pairs(base) do list[k] = q end -- into a table: order is lost anyway
@@ -151,8 +150,6 @@ function vectors.fill(job, v, ctx)
     return list
   end
 
-  local nx = #job.states
-  v.got_size = nx < 4 and "16" or ctx.upper .. "_NX*" .. ctx.upper .. "_NX"
   local function printed(n, want, tolerance, call, what)
     for i = 1, n do
       want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero
@@ -163,6 +160,8 @@ function vectors.fill(job, v, ctx)
     return { n = string.format("%d", n), want = lines(want, real), tolerance = lines(tolerance, real), call = call,
       what = what }
   end
+  local nx = #job.states
+  v.got_size = nx < 4 and "16" or ctx.upper .. "_NX*" .. ctx.upper .. "_NX"
   v.cases = {}
   local function case(name, n, state, call, what, index)
     local f = description(job, name)
@@ -197,7 +196,7 @@ function vectors.fill(job, v, ctx)
     "Jacobian of the equations at state 2", by_index)
 
   v.motion_cases = {}
-  for i, c in ipairs(motion.cases { job = job, x0 = xs[1].values, power = power, env = env, params = params,
+  for i, c in ipairs(motion.cases { job = job, x0 = xs[1].values, power = R.new(1, 2) / (time or R.half), env = env, params = params,
     epsilon = epsilon, real = real, name = m.name, has_own = v.has_own, has_ticks = v.has_ticks,
     number = function(q) return number.text(q, real) end }) do
     v.motion_cases[i] = printed(7, c.want, c.tolerance, c.call, c.what)
