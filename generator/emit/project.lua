@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local economy = require "generator.emit.economy"
 local init = require "generator.emit.init"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
@@ -37,14 +38,15 @@ local function literals(real)
     epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
-    two64 = n(R.new(2) ^ -64),
+    two64 = n(R.new(2) ^ -64), two16 = n(R.new(2) ^ 16), quarter = n "1/4",
     carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
 end
 
--- pi and log 2 as pairs high + low, into a table: order is lost
+-- pi, its inverse and log 2 as pairs high + low, into a table: order is lost
 local function constants(real, v)
   for name, x in pairs { -- order is lost in a table
-    pi = R.apply("pi", 200), log2 = R.apply("log", 200, R.lift(2)) } do
+    pi = R.apply("pi", 200), log2 = R.apply("log", 200, R.lift(2)),
+    inverse_pi = R.one / R.apply("pi", 200) } do
     local high = R.fromdouble(real == "float" and R.tofloat(x) or R.todouble(x))
     v[name .. "_high"], v[name .. "_low"] = number.text(high, real), number.text(x - high, real)
   end
@@ -178,6 +180,7 @@ local function closed_values(job, v, ctx)
   v.theorem, v.closed_text, v.single = form.theorem, form.text, ctx.real == "float"
   v.uses_model = put_constants(job.closed_constants, v, ctx.real)
   v.symmetric = false
+  economy.fill(v, ctx.real)
   for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end
   v.closed_header = render(form.header)
