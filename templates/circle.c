@@ -1,14 +1,20 @@
 %% -- circle.c -- phases in turns, sine and cosine without a call: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- phases in turns: no call and no branch, so that loops over times are vectorised ---- */
 
+#if defined __GNUC__
+#define ${upper}_INLINE static inline __attribute__((always_inline)) /* GCC and Clang vectorise what they inline */
+#else
+#define ${upper}_INLINE static inline
+#endif
+
 /* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
-static inline ${name}_real ${name}_nearest(${name}_real x)
+${upper}_INLINE ${name}_real ${name}_nearest(${name}_real x)
 {
   return (x + ${round_off}) - ${round_off};
 }
 
 /* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well: Dekker's product */
-static inline ${name}_pair ${name}_advance(const ${name}_real b[4], ${name}_real t, ${name}_real head, ${name}_real tail)
+${upper}_INLINE ${name}_pair ${name}_advance(const ${name}_real b[4], ${name}_real t, ${name}_real head, ${name}_real tail)
 {
   ${name}_pair p;
 
@@ -25,7 +31,7 @@ static inline ${name}_pair ${name}_advance(const ${name}_real b[4], ${name}_real
 }
 
 /* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one doubling */
-static inline void ${name}_circle(${name}_real x, ${name}_real *sine, ${name}_real *cosine)
+${upper}_INLINE void ${name}_circle(${name}_real x, ${name}_real *sine, ${name}_real *cosine)
 {
   const ${name}_real u = x*x, u2 = u*u, u4 = u2*u2;
 %% for _, line in ipairs(sine_lines) do

@@ -13,7 +13,7 @@ static ${name}_pair ${name}_pair_divide(${name}_pair a, ${name}_real b)
 
 %% end
 /* rate t less whole turns; twice, for t so large that the first nearest number is not the nearest integer */
-static inline ${name}_real ${name}_phase(const ${name}_real rate[4], ${name}_real t)
+${upper}_INLINE ${name}_real ${name}_phase(const ${name}_real rate[4], ${name}_real t)
 {
   const ${name}_real c = ${split}*t, head = c - (c - t);
   const ${name}_pair p = ${name}_advance(rate, t, head, t - head);
@@ -165,7 +165,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
 
 %% if symmetric then
 /* the attitude after a turn about L by twice the angle of (c, s), about k by twice that of (ck, sk) */
-static inline void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${name}_real s, ${name}_real ck, ${name}_real sk, ${name}_real q[4])
+${upper}_INLINE void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${name}_real s, ${name}_real ck, ${name}_real sk, ${name}_real q[4])
 {
   const ${name}_real f0 = c*ck, f1 = s*ck, f2 = c*sk, f3 = s*sk;
   ${name}_real n;
@@ -176,7 +176,7 @@ static inline void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${na
   q[3] = (f0*o->q[0][3] + f1*o->q[1][3]) + (f2*o->q[2][3] + f3*o->q[3][3]);
 %% else
 /* the attitude after a turn about L by twice the angle of (c, s) */
-static inline void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${name}_real s, ${name}_real q[4])
+${upper}_INLINE void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${name}_real s, ${name}_real q[4])
 {
   ${name}_real n;
 
@@ -195,7 +195,7 @@ static inline void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${na
 
 %% if symmetric then
 /* the rates: across has turned by twice the angle */
-static inline void ${name}_rates(const ${name}_orbit *o, ${name}_real ck, ${name}_real sk, ${name}_real w[3])
+${upper}_INLINE void ${name}_rates(const ${name}_orbit *o, ${name}_real ck, ${name}_real sk, ${name}_real w[3])
 {
   const ${name}_real cosine = (ck - sk)*(ck + sk), sine = ${two}*(sk*ck);
 
@@ -207,7 +207,7 @@ static inline void ${name}_rates(const ${name}_orbit *o, ${name}_real ck, ${name
 %% end
 /* attitude and rates from the phases */
 %% if symmetric then
-static inline void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${name}_real spin, ${name}_real q[4], ${name}_real w[3])
+${upper}_INLINE void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${name}_real spin, ${name}_real q[4], ${name}_real w[3])
 {
   ${name}_real s, c, sk, ck;
 
@@ -217,7 +217,7 @@ static inline void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${n
   ${name}_rates(o, ck, sk, w);
 }
 %% else
-static inline void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${name}_real q[4], ${name}_real w[3])
+${upper}_INLINE void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${name}_real q[4], ${name}_real w[3])
 {
   ${name}_real s, c;
 

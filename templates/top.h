@@ -6,10 +6,10 @@
 %% end
  */
 typedef struct ${name}_orbit {
-  ${name}_real start[2], rate[2];   /* phase of the rates at t = 0, and per second, as pairs high + low */
-  ${name}_real period[2], inverse;  /* its period; on the separatrix, which has none, both are 0 */
-  ${name}_real turn[2], jump[2];    /* turns about L per second, and what goes off with each period of the phase */
-  ${name}_real a_re[4], a_im[4], b_re[4], b_im[4], f[3][5], nome, scale[3], s; /* series, see ${name}_functions */
+  ${name}_real start[2], rate[4];   /* phase of the rates at t = 0, and per second, in their periods: high, low, halves of high */
+  ${name}_real turn[4], jump;       /* turns about L per second; how far it runs ahead in half a period, near the separatrix */
+  ${name}_real half, whole;         /* there: half a period in the functions' unit; on it 1 and 0: none, phases are unbounded */
+  ${name}_real a[4], b[4], c[4], d[4], f[10], nome, scale[3], s; /* series, see ${name}_circular_terms */
   ${name}_real q[4][4], w[3][3];    /* quaternion and rates are combinations of these */
   ${name}_real tick;                /* s; the rest is set by ${name}_set_tick: fractions of two periods, of a turn */
   uint64_t rate_tick[2], rate_start[2], turn_tick[2], turn_start[2];

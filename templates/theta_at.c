@@ -1,0 +1,193 @@
+%% -- theta_at.c -- the free top's state at a time, from an orbit: part of scene.c.  SPDX-License-Identifier: MIT-0
+/* ---- evaluation: no call and no branch on data but for `hyperbolic`, so that loops over times are vectorised ---- */
+
+/* The phase of the rates in their periods, less whole ones, high + low; the turns about L, less whole ones. */
+typedef struct ${name}_phases {
+  ${name}_real high, low, turn;
+} ${name}_phases;
+
+/* The pair e^(-i mu t) (a + i b, c + i d) of quaternion components w + i z, x + i y, and cn, sn, dn, all but for constant
+ * factors and for their norms; and the turns that mu t makes. */
+typedef struct ${name}_terms {
+  ${name}_real a, b, c, d, cn, sn, dn, turn;
+} ${name}_terms;
+
+${upper}_INLINE ${name}_phases ${name}_reduce(const ${name}_orbit *o, ${name}_real t)
+{
+  const ${name}_real c = ${split}*t, head = c - (c - t), tail = t - head;
+  const ${name}_pair p = ${name}_advance(o->rate, t, head, tail), turn = ${name}_advance(o->turn, t, head, tail);
+  const ${name}_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
+  const ${name}_real rest = (p.hi - (sum - part)) + (o->start[0] - part);
+  ${name}_phases phases;
+
+  phases.high = sum - ${name}_nearest(sum)*o->whole;
+  phases.low = rest + (p.lo + o->start[1]);
+  phases.turn = (turn.hi - ${name}_nearest(turn.hi)) + turn.lo;
+  return phases;
+}
+
+/* 2^x and 2^-x, |x| <= ${binary_limit}: the even and the odd part of 2^f, f = x less the nearest integer n, which the sum with
+ * a large number leaves in the last bits of its representation (IEEE 754), next to where an exponent is wanted */
+${upper}_INLINE void ${name}_exponentials(${name}_real x, ${name}_real *up, ${name}_real *down)
+{
+  union {
+    ${name}_real number;
+    ${bits_type} bits;
+  } a, b;
+  const ${name}_real n = ${name}_nearest(x), f = x - n, u = f*f, u2 = u*u;
+%% if not single then
+  const double u4 = u2*u2;
+%% end
+%% for _, line in ipairs(even_lines) do
+  ${line}
+%% end
+%% for _, line in ipairs(odd_lines) do
+  ${line}
+%% end
+  const ${name}_real odd = f*o;
+
+  a.number = ${binary_one} + n;
+  b.number = ${binary_one} - n;
+  a.bits <<= ${binary_shift};
+  b.bits <<= ${binary_shift};
+  *up = a.number*(e + odd);
+  *down = b.number*(e - odd);
+}
+
+/* away from the separatrix: the series as polynomials in X = cos 2z */
+${upper}_INLINE ${name}_terms ${name}_circular_terms(const ${name}_orbit *o, ${name}_phases p)
+{
+  ${name}_terms y;
+  ${name}_real s, c, X, X2, even, odd;
+
+  ${name}_circle(p.high + p.low, &s, &c);
+  X = (c - s)*(c + s);
+  X2 = X*X;
+  y.a = (o->a[0] + X*o->a[1]) + X2*(o->a[2] + X*o->a[3]);
+  y.b = (s*c)*((o->b[0] + X*o->b[1]) + X2*o->b[2]);
+  y.c = s*((o->c[0] + X*o->c[1]) + X2*(o->c[2] + X*o->c[3]));
+  y.d = c*((o->d[0] + X*o->d[1]) + X2*(o->d[2] + X*o->d[3]));
+  even = o->f[0] + X2*(o->f[2] + X2*o->f[4]); /* theta2(z) = theta1(z + pi/2) */
+  odd = X*(o->f[1] + X2*o->f[3]);
+  y.cn = c*(even + odd);
+  y.sn = s*(even - odd);
+  y.dn = (o->f[5] + X2*(o->f[7] + X2*o->f[9])) + X*(o->f[6] + X2*o->f[8]);
+  y.turn = p.turn;
+  return y;
+}
+
+/* near it: in U = p' X, X = cosh 2V, which stays below 1; where 2^|x| would exceed the range all but 1/cosh is 1 */
+${upper}_INLINE ${name}_terms ${name}_hyperbolic_terms(const ${name}_orbit *o, ${name}_phases p)
+{
+  const ${name}_real odd_half = ${name}_nearest(${two}*p.high*o->whole); /* -1, 0, 1: half a period of the rates is one of V */
+  const ${name}_real flip = ${one} - ${two}*${fabs}(odd_half), r = (${two}*p.high - odd_half) + ${two}*p.low;
+  ${name}_terms y;
+  ${name}_real x = r*o->half, up, down, c, s, U, U2, even, odd;
+
+  x = x < ${binary_limit} ? x : ${binary_limit};
+  x = x > -${binary_limit} ? x : -${binary_limit};
+  ${name}_exponentials(x, &up, &down);
+  c = up + down; /* 2 cosh V, 2 sinh V */
+  s = (up - down)*flip;
+  U = o->nome*(${half}*(c*c) - ${one});
+  U2 = U*U;
+  even = o->a[0] + U2*o->a[2];
+  odd = U*(o->a[1] + U2*o->a[3]);
+  y.a = c*(even + odd);
+  y.c = s*(even - odd);
+  even = o->b[0] + U2*o->b[2];
+  odd = U*(o->b[1] + U2*o->b[3]);
+  y.b = -flip*s*(even - odd);
+  y.d = -flip*c*(even + odd);
+  even = o->f[0] + U2*(o->f[1] + U2*o->f[2]);
+  odd = o->f[3] + U2*o->f[4];
+  y.cn = flip*(even - odd);
+  y.dn = even + odd;
+  y.sn = c*s*(o->f[5] + U2*(o->f[6] + U2*o->f[7]));
+  y.turn = p.turn + o->jump*r;
+  y.turn -= ${name}_nearest(y.turn);
+  return y;
+}
+
+/* the attitude q[4] times a length, whose square is ${name}_square */
+${upper}_INLINE void ${name}_attitude_of(const ${name}_orbit *o, const ${name}_terms *y, ${name}_real q[])
+{
+  ${name}_real s, c, w, x_, y_, z;
+
+  ${name}_circle(y->turn, &s, &c);
+  w = c*y->a - s*y->b;
+  z = s*y->a + c*y->b;
+  x_ = c*y->c - s*y->d;
+  y_ = s*y->c + c*y->d;
+  q[0] = (w*o->q[0][0] + x_*o->q[1][0]) + (y_*o->q[2][0] + z*o->q[3][0]);
+  q[1] = (w*o->q[0][1] + x_*o->q[1][1]) + (y_*o->q[2][1] + z*o->q[3][1]);
+  q[2] = (w*o->q[0][2] + x_*o->q[1][2]) + (y_*o->q[2][2] + z*o->q[3][2]);
+  q[3] = (w*o->q[0][3] + x_*o->q[1][3]) + (y_*o->q[2][3] + z*o->q[3][3]);
+}
+
+${upper}_INLINE ${name}_real ${name}_square(const ${name}_terms *y)
+{
+  return (y->a*y->a + y->b*y->b) + (y->c*y->c + y->d*y->d);
+}
+
+/* the rates times that square */
+${upper}_INLINE void ${name}_rates_of(const ${name}_orbit *o, const ${name}_terms *y, ${name}_real w[])
+{
+  w[0] = y->cn*o->w[0][0] + y->sn*o->w[1][0] + y->dn*o->w[2][0];
+  w[1] = y->cn*o->w[0][1] + y->sn*o->w[1][1] + y->dn*o->w[2][1];
+  w[2] = y->cn*o->w[0][2] + y->sn*o->w[1][2] + y->dn*o->w[2][2];
+}
+
+${upper}_INLINE ${name}_terms ${name}_terms_of(const ${name}_orbit *o, ${name}_phases p)
+{
+  return o->hyperbolic ? ${name}_hyperbolic_terms(o, p) : ${name}_circular_terms(o, p);
+}
+
+/* both, scaled: |q| = 1 to rounding, the same factor twice for the rates */
+${upper}_INLINE void ${name}_state(const ${name}_orbit *o, ${name}_phases p, ${name}_real x[])
+{
+  const ${name}_terms y = ${name}_terms_of(o, p);
+  ${name}_real *q = x + ${upper}_QW, *w = x + ${upper}_WX;
+  ${name}_real n, root;
+
+  ${name}_attitude_of(o, &y, q);
+  ${name}_rates_of(o, &y, w);
+  n = ${one}/((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3]));
+  root = ${sqrt}(n);
+  q[0] *= root;
+  q[1] *= root;
+  q[2] *= root;
+  q[3] *= root;
+  w[0] *= n;
+  w[1] *= n;
+  w[2] *= n;
+}
+
+void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
+{
+  ${name}_state(o, ${name}_reduce(o, t), x);
+}
+
+void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[])
+{
+  const ${name}_terms y = ${name}_terms_of(o, ${name}_reduce(o, t));
+  const ${name}_real n = ${one}/${name}_square(&y);
+
+  ${name}_rates_of(o, &y, w);
+  w[0] *= n;
+  w[1] *= n;
+  w[2] *= n;
+}
+
+void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[])
+{
+  const ${name}_terms y = ${name}_terms_of(o, ${name}_reduce(o, t));
+  ${name}_real root;
+
+  ${name}_attitude_of(o, &y, q);
+  root = ${one}/${sqrt}((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3]));
+  q[0] *= root;
+  q[1] *= root;
+  q[2] *= root;
+  q[3] *= root;
+}
