@@ -13,6 +13,7 @@ local stability = require "generator.mass.stability"
 local model = require "generator.dynamics.model"
 local equations = require "generator.dynamics.equations"
 local closed = require "generator.dynamics.closed.list"
+local conserved = require "generator.dynamics.conserved"
 local symmetric = require "generator.dynamics.closed.symmetric"
 local quantities = require "generator.dynamics.quantities"
 local state = require "generator.dynamics.state"
@@ -37,7 +38,8 @@ function driver.read(host, file, options)
   if not m then return nil, d end
   local eq = equations.of(d, m)
   if not eq then return nil, d end
-  return { diag = d, record = record, model = m, equations = eq, closed = closed.detect(m, eq), states = state.all,
+  return { diag = d, record = record, model = m, equations = eq, closed = closed.detect(m, eq), states = m.states,
+    conserved = conserved.of(m),
     input_states = state.inputs, file = file, source = string.match(file, "[^/]*$"), version = driver.version }
 end
 
@@ -52,25 +54,27 @@ function driver.plan(job, options)
   local function put(f) list[#list + 1] = f end
   put(quantities.initial(m))
   put((quantities.mass(m)))
-  put(quantities.inertia(m))
-  put(quantities.inertia_at(m))
+  if m.has.rates then
+    put(quantities.inertia(m))
+    put(quantities.inertia_at(m))
+  end
   put(quantities.energy(m))
-  local particles = quantities.particle_energy(m)
+  local particles = m.has.rates and quantities.particle_energy(m)
   if particles then put(particles) end
-  put(quantities.momentum_body(m))
-  put(quantities.momentum(m))
-  put(quantities.torque(m))
+  if m.has.rates then put(quantities.momentum_body(m)) end
+  if m.has.attitude then put(quantities.momentum(m)) end
+  if m.has.rates then put(quantities.torque(m)) end
   put(quantities.rhs(eq))
   put(quantities.step(m, eq, rk4))
   put(quantities.jacobian(eq))
   put(quantities.rate())
   put(quantities.acceleration())
-  if m.structure.kind == "symmetric" and not equations.coordinate(m.structure.k) then
+  if m.has.rates and m.structure.kind == "symmetric" and not equations.coordinate(m.structure.k) then
     job.oblique = symmetric.constants(m)
   end
   local form = job.closed
   job.closed_constants = form.constants and form.constants(m) or {}
-  job.stability = stability.of(m)
+  job.stability = m.has.rates and stability.of(m) or nil
   job.functions = list
   job.real, job.command = options.real or "double", options.command
   job.title, job.banner = derivation.title(job), derivation.banner(job)

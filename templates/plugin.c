@@ -38,6 +38,7 @@ static void plugin_params(double *p)
   widen(${upper}_NP, q, p);
 }
 
+%% if has_rates then
 static void plugin_inertia(const void *m, double *I)
 {
   real v[6];
@@ -56,6 +57,7 @@ static int plugin_principal(const void *m, double *moments, double *axes)
   return 0;
 }
 
+%% end
 static void plugin_rhs(const void *m, double t, const double *x, const double *u, double *dx)
 {
   real y[${upper}_NX], v[${upper}_NU + 1] = {0}, d[${upper}_NX];
@@ -94,6 +96,7 @@ static double plugin_energy(const void *m, const double *x)
   return (double)${name}_energy((const ${name}_model *)m, y);
 }
 
+%% if has_attitude then
 static void plugin_momentum(const void *m, const double *x, double *L)
 {
   real y[${upper}_NX], v[3];
@@ -102,6 +105,7 @@ static void plugin_momentum(const void *m, const double *x, double *L)
   ${name}_momentum((const ${name}_model *)m, y, v);
   widen(3, v, L);
 }
+%% end
 %% if has_full then
 
 static int plugin_solve(void *o, const void *m, const double *x0)
@@ -133,8 +137,18 @@ const struct polhode_plugin *polhode_plugin(void)
 %% else
     0,
 %% end
-    plugin_init, plugin_params, plugin_inertia, plugin_principal, plugin_rhs, plugin_step, plugin_jacobian,
-    plugin_energy, plugin_momentum,
+    plugin_init, plugin_params,
+%% if has_rates then
+    plugin_inertia, plugin_principal,
+%% else
+    NULL, NULL,
+%% end
+    plugin_rhs, plugin_step, plugin_jacobian, plugin_energy,
+%% if has_attitude then
+    plugin_momentum,
+%% else
+    NULL,
+%% end
 %% if has_full then
     plugin_solve, plugin_at
 %% else

@@ -4,6 +4,7 @@
 
 local catalogue = require "generator.mass.catalogue"
 local effects = require "generator.effects.list"
+local conserved = require "generator.dynamics.conserved"
 local units = require "generator.dsl.units"
 
 local list = {}
@@ -34,7 +35,7 @@ end
 
 function what.effects()
   local rows = {}
-  for i, e in ipairs(effects) do rows[i] = { e.name, e.about .. "; conserves " .. e.conserves } end
+  for i, e in ipairs(effects) do rows[i] = { e.name, e.about .. "; conserves " .. conserved.words(e) } end
   return rows
 end
 

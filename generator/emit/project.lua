@@ -136,7 +136,7 @@ local function common(job)
     input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
     members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil,
-    has_full = job.closed.full or false, has_ticks = job.closed.ticks or false, free = eq.free,
+    has_full = job.closed.full or false, has_ticks = job.closed.ticks or false, free = eq.free and m.has.attitude,
     bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
@@ -155,7 +155,11 @@ local function common(job)
   constants(real, v)
   init.fill(ctx, m, v)
   special.fill(v, ctx)
-  stability.fill(ctx, job.stability, v)
+  v.has_rates, v.has_attitude = m.has.rates, m.has.attitude
+  v.conservative = job.conserved.is["T+V"] and not (eq.free and m.has.attitude)
+  v.uses_index = v.has_attitude or v.has_full
+  v.stability_numeric, v.has_order = false, false
+  if m.has.rates then stability.fill(ctx, job.stability, v) end
   v.no_members = #m.members == 0 and not v.has_order
   return v, ctx
 end
@@ -200,13 +204,17 @@ function project.files(job, plugin)
   closed_values(job, v, ctx)
   special.render(job, v)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
-  v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
+  if v.has_rates then
+    v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
+  end
   v.has_exact = v.order_sums or job.closed.exact or false
   v.exact_source = v.has_exact and render "templates/exact.c" or ""
   v.order_source = v.has_order and render "templates/order.c" or ""
-  v.stability_header, v.stability_source = render "templates/stability.h", render "templates/stability.c"
-  v.analysis_header = render "templates/analysis.h"
-  v.analysis_source = render "templates/analysis.c"
+  if v.has_rates then
+    v.stability_header, v.stability_source = render "templates/stability.h", render "templates/stability.c"
+    v.analysis_header = render "templates/analysis.h"
+    v.analysis_source = render "templates/analysis.c"
+  end
   vectors.fill(job, v, ctx)
   local n = job.model.name
   local files = {
