@@ -8,7 +8,8 @@
  * - tree {op="at", of=tree, r={3}} {op="turned", of=tree, q={4}} {op="scaled", of=tree, k={3}}
  *   {op="affine", of=tree, A={9}} {op="sum", tree, tree, ...} {op="minus", tree, hole}
  * - effect {kind="gravity", g=, direction={3}} {kind="damping", C={9}} or {kind="damping", rate=}
- *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="control"}
+ *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="rotor",
+ *   momentum={3}} {kind="control"}
  *
  * Tables of the wrong form are a bug of the caller and raise; numbers that no body can have are the
  * library's to refuse, and come back as nil and a message that names the shape.
