@@ -1,17 +1,6 @@
 %% -- closed.c -- the closed form of the free sphere and symmetric top: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- closed form: ${theorem} ---- */
 
-%% if symmetric then
-/* a/b for b not 0: the remainder a - q b is exact, so one correction doubles the digits */
-static ${name}_pair ${name}_pair_divide(${name}_pair a, ${name}_real b)
-{
-  const ${name}_real q = a.hi/b;
-  ${name}_pair p = ${name}_pair_product(q, b);
-
-  return ${name}_pair_sum(q, ((a.hi - p.hi) - p.lo + a.lo)/b);
-}
-
-%% end
 /* rate t less whole turns; twice, for t so large that the first nearest number is not the nearest integer */
 ${upper}_INLINE ${name}_real ${name}_phase(const ${name}_real rate[4], ${name}_real t)
 {
@@ -93,13 +82,20 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     if (!(x0[i] - x0[i] == ${zero})) return 1;
   }
 %% if symmetric then
+%% if rotor then
+  /* L/I1 = w + ((I3/I1 - 1) (k.w)/k^2 + h/I1) k, the rate of the precession, body axes; the rotor holds h k */
+%% else
   /* L/I1 = w + (I3/I1 - 1) (k.w) k/k^2, the rate of the precession, body axes */
+%% end
   s = ${name}_pair_product(k[0], w[0]);
   s = ${name}_pair_add(s, ${name}_pair_product(k[1], w[1]));
-  s = ${name}_pair_divide(${name}_pair_add(s, ${name}_pair_product(k[2], w[2])), k2);
+  s = ${name}_pair_divide(${name}_pair_add(s, ${name}_pair_product(k[2], w[2])), ${name}_pair_of(k2));
   (void)${frexp}(I1, &i); /* by a power of two: huge moments must not overflow in a split */
-  ratio = ${name}_pair_divide(${name}_pair_sum(${ldexp}(I3, -i), -${ldexp}(I1, -i)), ${ldexp}(I1, -i));
+  ratio = ${name}_pair_divide(${name}_pair_sum(${ldexp}(I3, -i), -${ldexp}(I1, -i)), ${name}_pair_of(${ldexp}(I1, -i)));
   along = ${name}_pair_multiply(ratio, s);
+%% if rotor then
+  along = ${name}_pair_add(along, ${name}_pair_divide(${name}_pair_of(${ldexp}(${hk}, -i)), ${name}_pair_of(${ldexp}(I1, -i))));
+%% end
   for (i = 0; i < 3; i++) v[i] = ${name}_pair_add(${name}_pair_of(w[i]), ${name}_pair_multiply(along, ${name}_pair_of(k[i])));
 %% else
   /* L/I1 = w */
@@ -155,9 +151,13 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
 %% if symmetric then
   if (!(p.spin[0] - p.spin[0] == ${zero})) return 1;
 %% end
+%% if damped then
+  p.decay = ${decay};
+%% else
   p.about_tick[0] = p.about_tick[1] = 0;
 %% if symmetric then
   p.spin_tick[0] = p.spin_tick[1] = 0;
+%% end
 %% end
   *o = p;
   return 0;
@@ -229,6 +229,39 @@ ${upper}_INLINE void ${name}_state(const ${name}_orbit *o, ${name}_real about, $
 }
 %% end
 
+%% if damped then
+/* the phase after a time of twice the working precision */
+static ${name}_real ${name}_phase_of(const ${name}_real rate[4], ${name}_pair time)
+{
+  const ${name}_real turns = ${name}_phase(rate, time.hi) + rate[0]*time.lo;
+
+  return turns - ${name}_nearest(turns);
+}
+
+void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
+{
+  const ${name}_pair time = ${name}_clock(o->decay, t);
+  const ${name}_real fade = ${name}_fading(o->decay, t);
+%% if rod then
+  const ${name}_real spin = ${name}_phase(o->spin, t); /* a rod's rate along itself carries no L and is not damped */
+%% elseif symmetric then
+  const ${name}_real spin = ${name}_phase_of(o->spin, time);
+%% end
+  ${name}_real *w = x + ${upper}_WX;
+  int i;
+
+%% if symmetric then
+  ${name}_state(o, ${name}_phase_of(o->about, time), spin, x + ${upper}_QW, w);
+%% else
+  ${name}_state(o, ${name}_phase_of(o->about, time), x + ${upper}_QW, w);
+%% end
+%% if rod then
+  for (i = 0; i < 3; i++) w[i] = o->along[i] + fade*(w[i] - o->along[i]);
+%% else
+  for (i = 0; i < 3; i++) w[i] *= fade;
+%% end
+}
+%% else
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
 %% if symmetric then
@@ -372,3 +405,4 @@ ${name}_real ${name}_next_flip(const ${name}_orbit *o, ${name}_real t)
   (void)t;
   return ${huge};
 }
+%% end

@@ -13,9 +13,13 @@ typedef struct ${name}_orbit {
 %% end
   ${name}_real along[3], across[3], turned[3]; /* w = along + cos(a) across + sin(a) turned, a the spin angle */
   ${name}_real mean;                  /* rate about L, rad/s */
+%% if damped then
+  ${name}_real decay;                 /* rate of decay of L, 1/s */
+%% else
   uint64_t about_tick[2];             /* set by ${name}_set_tick: the same for a tick, units of 2^-128 of a turn */
 %% if symmetric then
   uint64_t spin_tick[2];
+%% end
 %% end
 } ${name}_orbit;
 
@@ -23,6 +27,7 @@ typedef struct ${name}_orbit {
  * finite or a rate beyond the range of the type; *o is untouched then. */
 int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[]);
 
+%% if not damped then
 /* The state at time t, of either sign, as long as the phases rate*t stay within the range of the type: attitude and
  * rates, no step, no error that grows from step to step; the phases are formed in twice the working precision and whole
  * turns taken off. */
@@ -52,3 +57,4 @@ ${name}_real ${name}_rotation_number(const ${name}_orbit *o);
 
 /* The time of the first flip after t: a symmetric top has no middle moment and never flips, so infinite. */
 ${name}_real ${name}_next_flip(const ${name}_orbit *o, ${name}_real t);
+%% end

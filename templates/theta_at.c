@@ -163,6 +163,21 @@ ${upper}_INLINE void ${name}_state(const ${name}_orbit *o, ${name}_phases p, ${n
   w[2] *= n;
 }
 
+%% if damped then
+/* in a time of twice the working precision, and slower */
+void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
+{
+  const ${name}_pair time = ${name}_clock(o->decay, t);
+  const ${name}_real fade = ${name}_fading(o->decay, t);
+  ${name}_phases p = ${name}_reduce(o, time.hi);
+  int i;
+
+  p.low += o->rate[0]*time.lo;
+  p.turn += o->turn[0]*time.lo;
+  ${name}_state(o, p, x);
+  for (i = 0; i < 3; i++) x[${upper}_WX + i] *= fade;
+}
+%% else
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
   ${name}_state(o, ${name}_reduce(o, t), x);
@@ -191,3 +206,4 @@ void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[
   q[2] *= root;
   q[3] *= root;
 }
+%% end

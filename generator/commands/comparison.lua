@@ -5,6 +5,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local forced = require "generator.commands.forced"
 local numeric = require "generator.dynamics.numeric"
 local selftest = require "generator.emit.selftest"
 
@@ -392,7 +393,8 @@ function comparison.run(host, job, plugin, tap, count)
   rates(host, job, plugin, tap, count, name, random, real, epsilon)
   jacobian(host, job, plugin, tap, name, random, real, epsilon)
   motion(host, job, plugin, tap, name, epsilon)
-  if job.closed.full then closed(host, job, plugin, tap, name, epsilon) end
+  if job.closed.full and job.equations.free then closed(host, job, plugin, tap, name, epsilon) end
+  forced.run(host, job, plugin, tap, name, epsilon, scales(job).rates, setting(job, plugin))
 end
 
 return comparison

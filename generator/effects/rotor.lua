@@ -4,7 +4,7 @@
 -- moments belong to the body's (the rotor is symmetric about its axis, so these do not change).
 --     I w' = (I w + h) x w + N
 -- A motor keeps h, so it does work: what is constant without other torques is w.I w/2 and I w + h in inertial axes.
--- Volterra 1899, Acta Math. 22, 201; Hughes, Spacecraft Attitude Dynamics, section 3.5.
+-- Volterra 1899, Acta Math. 22, 201; Hughes, Spacecraft Attitude Dynamics (1986), on gyrostats.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
