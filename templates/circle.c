@@ -13,6 +13,7 @@ ${upper}_INLINE ${name}_real ${name}_nearest(${name}_real x)
   return (x + ${round_off}) - ${round_off};
 }
 
+%% if not axial then
 /* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well: Dekker's product */
 ${upper}_INLINE ${name}_pair ${name}_advance(const ${name}_real b[4], ${name}_real t, ${name}_real head, ${name}_real tail)
 {
@@ -30,6 +31,7 @@ ${upper}_INLINE ${name}_pair ${name}_advance(const ${name}_real b[4], ${name}_re
   return p;
 }
 
+%% end
 /* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one doubling */
 ${upper}_INLINE void ${name}_circle(${name}_real x, ${name}_real *sine, ${name}_real *cosine)
 {

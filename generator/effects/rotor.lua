@@ -29,7 +29,7 @@ rotor.held = held
 function rotor.momentum(a, c)
   return vec.map(held(a), function(x, i)
     local name = string.sub("xyz", i, i)
-    return c.constant("h" .. name, x, "angular momentum of the rotor along " .. name .. ", N m s")
+    return c.constant("H" .. name, x, "angular momentum of the rotor along " .. name .. ", N m s")
   end)
 end
 

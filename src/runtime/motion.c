@@ -31,8 +31,8 @@ void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
 }
 
 /* N, and a size against which a torque along a rod is rounding: it bounds the terms of I w' = N - w
-   x I w, so that a weight which turns the rod hard, but not about itself, leaves no residue that
-   counts. */
+   x I w, product by product, so that a weight which turns the rod hard, but not about itself, or a
+   rate along it, leaves no residue that counts. */
 void motion_torque(const ph_top *top, const motion_loads *loads, const ph_wide x[7], ph_wide N[3],
                    ph_wide *size) {
   const ph_wide *q = x, *w = x + 4;
@@ -45,10 +45,12 @@ void motion_torque(const ph_top *top, const motion_loads *loads, const ph_wide x
   for (int i = 0; i < 3; i++) {
     const ph_wide drag = wide_dot(loads->damping + 3 * i, w);
     N[i] = gravity[i] + inertial[i] + loads->body[i] + turning[i] - drag - loads->decay * L[i];
-    sum += fabsl(turning[i]) + fabsl(inertial[i]) + fabsl(loads->body[i]) + fabsl(drag) +
-           fabsl(loads->decay * L[i]);
+    sum += fabsl(inertial[i]) + fabsl(loads->body[i]);
+    for (int k = 0; k < 3; k++)
+      sum += fabsl(loads->damping[3 * i + k] * w[k]);
   }
-  *size = sum + wide_norm(top->wide_com) * wide_norm(weight) + wide_norm(w) * wide_norm(L);
+  *size = sum + wide_norm(top->wide_com) * wide_norm(weight) + wide_norm(w) * wide_norm(L) +
+          (wide_norm(loads->rotor) + fabsl(loads->decay) * top->wide_moment[2]) * wide_norm(w);
 }
 
 /* w' = sum over principal axes of e (e.b)/I: for a rod the pseudo-inverse, since an axis without
