@@ -173,7 +173,8 @@ local function header(c, real)
     end
   end
   return #lines, "#define FULL " .. (c.full and 1 or 0) .. "\nstatic const double START[7] = {" ..
-    table.concat(start, ", ") .. "};\nstatic const struct {\n  double t, x[7][2];\n} expected[] = {\n" .. table.concat(lines, "\n") .. "\n};\n"
+    table.concat(start, ", ") .. "};\nstatic const struct {\n  double t, x[7][2];\n} expected[] = {\n" ..
+    table.concat(lines, "\n") .. "\n};\n"
 end
 
 local compilers = { "gcc -std=c11 -O2 -ffp-contract=off", "gcc -std=c11 -O3 -march=native -ffp-contract=fast",

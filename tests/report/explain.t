@@ -83,7 +83,7 @@ for _, path in ipairs(bodies) do
       and type(j.symmetry) == "string", name .. ": stability[3], methods, cost, warnings, symmetry")
     local closed = j.closed_form
     tap.ok(closed.kind == json.null and type(closed.refused) == "string"
-      or ({ symmetric = true, asymmetric = true, sphere = true })[closed.kind] and type(closed.theorem) == "string",
+      or type(closed.kind) == "string" and #closed.kind > 0 and type(closed.theorem) == "string",
       name .. ": a closed form with its theorem, or why there is none")
     local exact = false
     for _, m in ipairs(j.methods) do exact = exact or m == "exact" end

@@ -5,7 +5,6 @@
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
-local rotor = require "generator.effects.rotor"
 
 local loads = {}
 
@@ -29,7 +28,7 @@ function loads.of(m, attitude)
     elseif e.kind == "effect.torque" and e.a.body then
       l.torque = vec.add(l.torque or zeros(), e.a.body)
     elseif e.kind == "effect.rotor" then
-      l.rotor, l.axis = vec.add(l.rotor or zeros(), rotor.held(e.a)), l.axis or e.a.axis
+      l.rotor, l.axis = vec.add(l.rotor or zeros(), e.spec.held(e.a)), l.axis or e.a.axis
     elseif e.kind == "effect.torque" then
       return nil, "a torque that is constant in inertial axes needs the attitude, which has no elementary form"
     else
