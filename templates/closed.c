@@ -2,8 +2,9 @@
 /* ---- closed form: ${theorem} ---- */
 
 /* rate t less whole turns; twice, for t so large that the first nearest number is not the nearest integer */
-${upper}_INLINE ${name}_real ${name}_phase(const ${name}_real rate[4], ${name}_real t)
+${upper}_INLINE ${name}_real ${name}_phase(const ${name}_orbit *o, const ${name}_real rate[4], ${name}_real at)
 {
+  const ${name}_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
   const ${name}_real c = ${split}*t, head = c - (c - t);
   const ${name}_pair p = ${name}_advance(rate, t, head, t - head);
   const ${name}_real turns = (p.hi - ${name}_nearest(p.hi)) + p.lo;
@@ -70,7 +71,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_pair s, ratio, along;
 %% end
   ${name}_pair v[3], q[3], length;
-  ${name}_real u[3], left[4], right[4];
+  ${name}_real u[3], left[4], right[4], fastest;
   ${name}_orbit p;
   int i;
 
@@ -147,10 +148,15 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   if (!(${fabs}(p.across[0]) + ${fabs}(p.across[1]) + ${fabs}(p.across[2]) > ${zero})) { /* w is constant, along L */
     p.mean = w[0]*u[0] + w[1]*u[1] + w[2]*u[2];
   }
-  if (!(p.about[0] - p.about[0] == ${zero})) return 1; /* |L|/I1 is beyond the range of the type */
+  if (!(p.about[3] - p.about[3] == ${zero})) return 1; /* |L|/I1 is beyond the range of the type */
 %% if symmetric then
-  if (!(p.spin[0] - p.spin[0] == ${zero})) return 1;
+  if (!(p.spin[3] - p.spin[3] == ${zero})) return 1;
 %% end
+  fastest = p.about[0];
+%% if symmetric then
+  if (${fabs}(p.spin[0]) > fastest) fastest = ${fabs}(p.spin[0]);
+%% end
+  p.last = fastest*${last_time} > ${last_turn} ? ${last_turn}/fastest : ${last_time};
 %% if damped then
   p.decay = ${decay};
 %% else
@@ -231,9 +237,9 @@ ${upper}_INLINE void ${name}_state(const ${name}_orbit *o, ${name}_real about, $
 
 %% if damped then
 /* the phase after a time of twice the working precision */
-static ${name}_real ${name}_phase_of(const ${name}_real rate[4], ${name}_pair time)
+static ${name}_real ${name}_phase_of(const ${name}_orbit *o, const ${name}_real rate[4], ${name}_pair time)
 {
-  const ${name}_real turns = ${name}_phase(rate, time.hi) + rate[0]*time.lo;
+  const ${name}_real turns = ${name}_phase(o, rate, time.hi) + rate[0]*time.lo;
 
   return turns - ${name}_nearest(turns);
 }
@@ -243,17 +249,17 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
   const ${name}_pair time = ${name}_clock(o->decay, t);
   const ${name}_real fade = ${name}_fading(o->decay, t);
 %% if rod then
-  const ${name}_real spin = ${name}_phase(o->spin, t); /* a rod's rate along itself carries no L and is not damped */
+  const ${name}_real spin = ${name}_phase(o, o->spin, t); /* a rod's rate along itself carries no L and is not damped */
 %% elseif symmetric then
-  const ${name}_real spin = ${name}_phase_of(o->spin, time);
+  const ${name}_real spin = ${name}_phase_of(o, o->spin, time);
 %% end
   ${name}_real *w = x + ${upper}_WX;
   int i;
 
 %% if symmetric then
-  ${name}_state(o, ${name}_phase_of(o->about, time), spin, x + ${upper}_QW, w);
+  ${name}_state(o, ${name}_phase_of(o, o->about, time), spin, x + ${upper}_QW, w);
 %% else
-  ${name}_state(o, ${name}_phase_of(o->about, time), x + ${upper}_QW, w);
+  ${name}_state(o, ${name}_phase_of(o, o->about, time), x + ${upper}_QW, w);
 %% end
 %% if rod then
   for (i = 0; i < 3; i++) w[i] = o->along[i] + fade*(w[i] - o->along[i]);
@@ -265,9 +271,9 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
 %% if symmetric then
-  ${name}_state(o, ${name}_phase(o->about, t), ${name}_phase(o->spin, t), x + ${upper}_QW, x + ${upper}_WX);
+  ${name}_state(o, ${name}_phase(o, o->about, t), ${name}_phase(o, o->spin, t), x + ${upper}_QW, x + ${upper}_WX);
 %% else
-  ${name}_state(o, ${name}_phase(o->about, t), x + ${upper}_QW, x + ${upper}_WX);
+  ${name}_state(o, ${name}_phase(o, o->about, t), x + ${upper}_QW, x + ${upper}_WX);
 %% end
 }
 
@@ -276,7 +282,7 @@ void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[])
 %% if symmetric then
   ${name}_real sk, ck;
 
-  ${name}_circle(${name}_phase(o->spin, t), &sk, &ck);
+  ${name}_circle(${name}_phase(o, o->spin, t), &sk, &ck);
   ${name}_rates(o, ck, sk, w);
 %% else
   int i;
@@ -292,12 +298,12 @@ void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[
 %% if symmetric then
   ${name}_real sk, ck;
 
-  ${name}_circle(${name}_phase(o->about, t), &s, &c);
-  ${name}_circle(${name}_phase(o->spin, t), &sk, &ck);
+  ${name}_circle(${name}_phase(o, o->about, t), &s, &c);
+  ${name}_circle(${name}_phase(o, o->spin, t), &sk, &ck);
   ${name}_attitude(o, c, s, ck, sk, q);
 %% else
 
-  ${name}_circle(${name}_phase(o->about, t), &s, &c);
+  ${name}_circle(${name}_phase(o, o->about, t), &s, &c);
   ${name}_attitude(o, c, s, q);
 %% end
 }
@@ -316,9 +322,9 @@ void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${na
       ${name}_real q[4], w[3];
 
 %% if symmetric then
-      ${name}_state(&orbit, ${name}_phase(orbit.about, time[k]), ${name}_phase(orbit.spin, time[k]), q, w);
+      ${name}_state(&orbit, ${name}_phase(&orbit, orbit.about, time[k]), ${name}_phase(&orbit, orbit.spin, time[k]), q, w);
 %% else
-      ${name}_state(&orbit, ${name}_phase(orbit.about, time[k]), q, w);
+      ${name}_state(&orbit, ${name}_phase(&orbit, orbit.about, time[k]), q, w);
 %% end
       block[${upper}_QW][k] = q[0];
       block[${upper}_QX][k] = q[1];

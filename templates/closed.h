@@ -13,6 +13,7 @@ typedef struct ${name}_orbit {
 %% end
   ${name}_real along[3], across[3], turned[3]; /* w = along + cos(a) across + sin(a) turned, a the spin angle */
   ${name}_real mean;                  /* rate about L, rad/s */
+  ${name}_real last;                  /* s; later times are taken for this one, after 2^50 turns (float: 2^46) */
 %% if damped then
   ${name}_real decay;                 /* rate of decay of L, 1/s */
 %% else
@@ -28,9 +29,9 @@ typedef struct ${name}_orbit {
 int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[]);
 
 %% if not damped then
-/* The state at time t, of either sign, as long as the phases rate*t stay within the range of the type: attitude and
- * rates, no step, no error that grows from step to step; the phases are formed in twice the working precision and whole
- * turns taken off. */
+/* The state at time t, of either sign: attitude and rates.  The phases are formed and reduced in twice the working
+ * precision: errors stay some units of the last place until that is used up, after 2^40 turns (float: 2^20).  Later the
+ * state is one of this motion, but nobody knows which. */
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[]);
 
 /* The rates w[3], rad/s, body axes, or the attitude q[4] alone. */

@@ -12,12 +12,12 @@ static void ${name}_fraction(${name}_pair a, uint64_t out[2])
   for (i = 0; i < 8; i++) {
     ${name}_real whole;
 
-    a.hi *= ${two16};
-    a.lo *= ${two16};
+    a.hi *= (${name}_real)65536;
+    a.lo *= (${name}_real)65536;
     whole = ${floor}(a.hi);
     if (!(a.hi > whole) && a.lo < ${zero}) whole -= ${one};
     a = ${name}_pair_sum(a.hi - whole, a.lo);
-    out[i/4] = out[i/4] << 16 | ((uint64_t)(int64_t)whole & 0xFFFFU);
+    out[i/4] = out[i/4] << 16 | ((uint32_t)(int32_t)whole & 0xFFFFU);
   }
 }
 
@@ -40,5 +40,11 @@ static uint64_t ${name}_counted(const uint64_t start[2], const uint64_t rate[2],
 /* a fraction as a signed number of turns, |turns| <= 1/2 */
 static ${name}_real ${name}_turns(uint64_t f)
 {
+%% if single then
+  const uint32_t high = (uint32_t)(f >> 32); /* float has no more digits, and small processors no wider conversion */
+
+  return high >> 31 ? -((${name}_real)(0 - high)*${two32}) : (${name}_real)high*${two32};
+%% else
   return f >> 63 ? -((${name}_real)(0 - f)*${two64}) : (${name}_real)f*${two64};
+%% end
 }

@@ -12,6 +12,7 @@
 #define POLHODE_${upper}_HEADER
 
 %% if has_integers then
+#include <stddef.h>
 #include <stdint.h>
 
 %% end
@@ -85,11 +86,9 @@ ${f.declaration}
 %% if has_closed then
 ${closed_header}
 %% end
-%% if has_rates then
 ${principal_header}
 ${analysis_header}
 ${stability_header}
-%% end
 #ifdef __cplusplus
 }
 #endif

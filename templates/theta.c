@@ -66,7 +66,6 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
   ${name}_store(o->start, ${name}_pair_scale(start, -1)); /* the rates have two periods of theta functions */
   ${name}_store(o->rate, ${name}_pair_scale(rate, -1));
   ${name}_store(o->turn, total);
-  o->whole = ${one};
 
   /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin z - ... */
   e[0] = g[0] = ${one};
@@ -151,7 +150,6 @@ static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
   up = ${name}_pair_multiply(rate, ${name}_pair_divide(up, down));
   up = ${name}_pair_subtract(${name}_pair_divide(p->G, ${name}_pair_scale(p->I[1], 1)), ${name}_pair_times(p->s, up));
   up = ${name}_pair_divide(up, ${name}_pair_scale(pi, 1));
-  o->hyperbolic = 1;
   if (p->qc.hi > ${zero} || p->log_qc.hi < ${zero}) {
     const ${name}_pair period = ${name}_pair_minus(p->log_qc), per = ${name}_pair_divide(rate, period);
 
@@ -161,24 +159,23 @@ static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
     ${name}_store(o->turn, ${name}_pair_subtract(up, ${name}_pair_scale(${name}_pair_multiply(turn, per), 1)));
     o->jump = turn.hi;
     o->half = ${name}_pair_divide(period, ${name}_pair_scale(${name}_log2(), 1)).hi;
-    o->whole = ${one};
-  } else { /* no period: in units of 2 log 2 */
-    const ${name}_pair unit = ${name}_pair_scale(${name}_log2(), 1);
+  } else { /* none: that of ${no_period}, beyond which V never comes */
+    const ${name}_pair period = ${name}_pair_times(${no_period}, ${name}_log2());
 
-    ${name}_store(o->rate, ${name}_pair_divide(rate, unit));
-    ${name}_store(o->start, ${name}_pair_divide(start, unit));
+    ${name}_store(o->rate, ${name}_pair_scale(${name}_pair_divide(rate, period), -1));
+    ${name}_store(o->start, ${name}_pair_scale(${name}_pair_divide(start, period), -1));
     ${name}_store(o->turn, up);
-    o->half = ${one};
-    o->whole = ${zero};
+    o->half = ${no_period};
   }
 
+  o->hyperbolic = o->half < ${two}*${binary_limit} ? 1 : 2;
   P = ${sqrt}(p->qc.hi);
   Q = p->qc.hi;
   Q2 = Q*Q;
-  o->nome = P;
+  o->nome = ${half}*P;
   for (n = 0; n < 4; n++) {
     cosine[n] = ${cos}((${name}_real)(2*n + 1)*h);
-    sine[n] = (n % 2 ? -p->s : p->s)*${sin}((${name}_real)(2*n + 1)*h);
+    sine[n] = (n % 2 ? p->s : -p->s)*${sin}((${name}_real)(2*n + 1)*h);
   }
   ${name}_multiples(cosine, P, o->a);
   ${name}_multiples(sine, P, o->b);
@@ -231,7 +228,6 @@ static void ${name}_clear(${name}_orbit *o)
   for (i = 0; i < 10; i++) o->f[i] = ${zero};
   for (i = 0; i < 3; i++) o->scale[i] = ${zero};
   o->start[0] = o->start[1] = o->jump = o->half = o->nome = ${zero};
-  o->whole = ${one};
   o->s = ${one};
   o->hyperbolic = 0;
 }
@@ -261,7 +257,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_top p;
   ${name}_pair I[3], axis[3][3], w[3];
   ${name}_real tensor[6], rate[3], y[4], q0[4], n, size, turned, largest = ${zero};
-  const ${name}_phases phases = {${zero}, ${zero}, ${zero}};
+  const ${name}_phases phases = {${zero}, ${zero}, ${zero}, ${zero}};
   ${name}_terms terms;
   int order[3], scale, e, i, j, k;
 
@@ -312,10 +308,12 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     b[3] = b[0] - b[2];
     for (j = 0; j < 4; j++) b[j] = ${ldexp}(b[j], e); /* per second again */
   }
+  n = ${fabs}(made.turn[0]) > made.rate[0] ? ${fabs}(made.turn[0]) : made.rate[0];
+  made.last = n*${last_time} > ${last_turn} ? ${last_turn}/n : ${last_time};
   if (!(made.rate[0] - made.rate[0] == ${zero}) || !(made.turn[0] - made.turn[0] == ${zero})) return 1;
 
   /* the rates are over N^2, which is this at u = 0 */
-  terms = ${name}_terms_of(&made, phases);
+  terms = ${name}_terms_of(&made, phases, made.hyperbolic);
   n = ${name}_square(&terms);
   for (i = 0; i < 3; i++) {
     for (j = 0; j < 3; j++) {
@@ -326,7 +324,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   for (i = 0; i < 4; i++) {
     for (j = 0; j < 4; j++) made.q[i][j] = i == j ? ${one} : ${zero};
   }
-  terms = ${name}_terms_of(&made, ${name}_reduce(&made, ${zero}));
+  terms = ${name}_terms_of(&made, ${name}_reduce(&made, ${zero}), made.hyperbolic);
   ${name}_attitude_of(&made, &terms, y);
   turned = made.hyperbolic ? p.s : ${one}; /* of x and y */
   y[1] *= turned;

@@ -16,29 +16,19 @@ int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
 void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[])
 {
   const uint64_t phase = ${name}_counted(o->rate_start, o->rate_tick, n);
+  const uint64_t turn = ${name}_counted(o->turn_start, o->turn_tick, n), last = 0xFFFFFFFFFFFFU; /* 48 bits */
   const ${name}_real low = ${half}*${name}_turns(phase << 1); /* without the half period that is nearest */
   ${name}_phases p;
 
   p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > ${zero} ? -${half} : ${half}) : ${zero};
   p.low = low;
-  if (!(o->whole > ${zero})) { /* the separatrix has no period */
+  if (!(o->half < ${no_period})) { /* the separatrix has no period */
     const ${name}_pair t = ${name}_pair_product((${name}_real)n, o->tick);
 
     p = ${name}_reduce(o, t.hi);
     p.low += o->rate[0]*t.lo;
   }
-  p.turn = ${name}_turns(${name}_counted(o->turn_start, o->turn_tick, n));
+  p.turn = ${name}_turns(turn & ~last);
+  p.turn_low = ${name}_turns(turn & last);
   ${name}_state(o, p, x);
-}
-
-${name}_real ${name}_polhode_period(const ${name}_orbit *o)
-{
-  if (!(o->rate[0] > ${zero})) return ${zero};
-  return o->whole > ${zero} ? ${one}/o->rate[0] : ${huge};
-}
-
-/* 2 mu + s z': b winds once more than a in each period of z, of which the rates' has two */
-${name}_real ${name}_precession_rate(const ${name}_orbit *o)
-{
-  return ${two}*${pi_high}*(${two}*o->turn[0] + o->s*o->rate[0]*o->whole);
 }

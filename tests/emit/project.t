@@ -48,7 +48,8 @@ for _, path in ipairs { "brick", "symmetric_top", "gyroscope", "dumbbell", "wate
       for what in files[name]:gmatch "\n#include%s+(%S+)" do includes[#includes + 1] = name .. " " .. what end
     end
     local q = '"' .. path .. '.h"'
-    local ticks = files[path .. ".h"]:find("_at_tick(", 1, true) and path .. ".h <stdint.h>, " or ""
+    local ticks = files[path .. ".h"]:find("_at_tick(", 1, true) and
+      string.format("%s.h <stddef.h>, %s.h <stdint.h>, ", path, path) or ""
     local want = ticks .. string.format("%s.c %s, %s.c <math.h>, ", path, q, path) ..
       string.format("%s_test.c %s, %s_test.c <math.h>, %s_test.c <stdio.h>", path, q, path, path)
     tap.is(table.concat(includes, ", "), want, tag .. ": the code needs math.h, the test also stdio.h")
