@@ -255,6 +255,23 @@ int main(void)
 %% else
   report(distance(got + ${upper}_WX, fine + ${upper}_WX, 3) <= ${drift}*d1, "closed form and stepper agree");
 %% end
+%% for _, c in ipairs(motion_cases) do
+  {
+    const ${name}_real want[${c.n}] = {
+%%   for _, line in ipairs(c.want) do
+      ${line}
+%%   end
+    };
+    const ${name}_real tolerance[${c.n}] = {
+%%   for _, line in ipairs(c.tolerance) do
+      ${line}
+%%   end
+    };
+
+    ${c.call};
+    near(got, want, tolerance, ${c.n}, "${c.what}");
+  }
+%% end
 %% end
 
   printf("1..%d\n", tests);

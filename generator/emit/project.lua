@@ -9,6 +9,7 @@ local R = require "generator.algebra.rational"
 local economy = require "generator.emit.economy"
 local init = require "generator.emit.init"
 local number = require "generator.emit.number"
+local orbit = require "generator.emit.orbit"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
@@ -159,7 +160,8 @@ local function common(job)
   special.fill(v, ctx)
   v.has_rates, v.has_attitude = m.has.rates, m.has.attitude
   v.conservative = job.conserved.is["T+V"] and not (eq.free and m.has.attitude)
-  v.has_integers = job.closed.ticks or job.closed.integers or false
+  v.has_ticks = job.closed.ticks or false
+  v.has_integers = v.has_ticks or job.closed.integers or false
   v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
@@ -183,7 +185,7 @@ end
 -- The closed form's part of header and source.
 local function closed_values(job, v, ctx)
   v.closed_header, v.closed_source = "", ""
-  v.oblique = job.oblique ~= nil
+  v.oblique, v.has_own = job.oblique ~= nil, false
   put_constants(job.oblique or {}, v, ctx.real)
   if not v.has_closed then return end
   local form = job.closed
@@ -193,11 +195,13 @@ local function closed_values(job, v, ctx)
   economy.fill(v, ctx.real)
   for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end
+  orbit.fill(job, v)
   local headers = {}
   for i, name in ipairs(form.headers or { form.header }) do headers[i] = render(name) end
   v.closed_header = table.concat(headers, "\n")
   local parts = {}
   for i, name in ipairs(form.sources) do parts[i] = render(name) end
+  if v.has_own then parts[#parts + 1] = render "templates/own.c" end
   v.closed_source = table.concat(parts, "\n")
 end
 

@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local motion = require "generator.emit.motion"
 local number = require "generator.emit.number"
 local selftest = require "generator.emit.selftest"
 
@@ -113,7 +114,8 @@ local function states(job, round, env)
     local rate = rate_of(job, env, x2.values)
     if rate and rate * time > R.new(1, 2) then time = R.new(1, 2) / rate end
   end
-  return { { name = "x1", values = own }, x2, made "x3" }, R.round(time or R.new(1, 2), 24), size
+  return { { name = "x1", values = own }, x2, made "x3" }, R.round(time or R.new(1, 2), 24), size,
+    scale.rates
 end
 
 local rest = { -- inputs of functions that take vectors: w, dw, a, r, v, N
@@ -141,7 +143,7 @@ function vectors.fill(job, v, ctx)
     for i = 1, 3 do base[name .. names[i]] = R.lift(list[i]) end
   end
   local env = selftest.environment(m, params)
-  local xs, time, size = states(job, round, env)
+  local xs, time, size, power = states(job, round, env)
   local function inputs(x) -- the state x, or without one the arguments that are vectors
     local list = {}
     for k, q in pairs(base) do list[k] = q end -- into a table: order is lost anyway
@@ -151,19 +153,22 @@ function vectors.fill(job, v, ctx)
 
   local nx = #job.states
   v.got_size = nx < 4 and "16" or ctx.upper .. "_NX*" .. ctx.upper .. "_NX"
-  v.cases = {}
-  local function case(name, n, state, call, what, index)
-    local f = description(job, name)
-    if not f then return end
-    local want, tolerance = selftest.expect(f, env, inputs(state), index, epsilon)
+  local function printed(n, want, tolerance, call, what)
     for i = 1, n do
       want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero
       -- below the smallest normal number relative rounding ends
       if R.sign(tolerance[i]) > 0 and tolerance[i] < least then tolerance[i] = least end
       if R.abs(want[i]) < least then want[i] = round(want[i]) end
     end
-    v.cases[#v.cases + 1] = { n = string.format("%d", n), want = lines(want, real), tolerance = lines(tolerance, real),
-      call = call, what = what }
+    return { n = string.format("%d", n), want = lines(want, real), tolerance = lines(tolerance, real), call = call,
+      what = what }
+  end
+  v.cases = {}
+  local function case(name, n, state, call, what, index)
+    local f = description(job, name)
+    if not f then return end
+    local want, tolerance = selftest.expect(f, env, inputs(state), index, epsilon)
+    v.cases[#v.cases + 1] = printed(n, want, tolerance, call, what)
   end
   local p = m.name .. "_"
   local function of_state(o) return o.state and position[o.state] or by_index(o) end
@@ -190,6 +195,13 @@ function vectors.fill(job, v, ctx)
     "acceleration: Coriolis, Euler, centrifugal, total", function(o) return term[o.array] + o.index + 1 end)
   case("jacobian", nx * nx, xs[2].values, p .. "jacobian(&m, " .. v.zero .. ", x2, u, got)",
     "Jacobian of the equations at state 2", by_index)
+
+  v.motion_cases = {}
+  for i, c in ipairs(motion.cases { job = job, x0 = xs[1].values, power = power, env = env, params = params,
+    epsilon = epsilon, real = real, name = m.name, has_own = v.has_own, has_ticks = v.has_ticks,
+    number = function(q) return number.text(q, real) end }) do
+    v.motion_cases[i] = printed(7, c.want, c.tolerance, c.call, c.what)
+  end
 
   v.spin_cases = {}
   for i, c in ipairs(selftest.spins(job, params)) do
