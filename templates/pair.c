@@ -61,6 +61,7 @@ static ${name}_pair ${name}_pair_minus(${name}_pair a)
   return a;
 }
 
+%% if pairs_add then
 static ${name}_pair ${name}_pair_add(${name}_pair a, ${name}_pair b)
 {
   ${name}_pair s = ${name}_pair_sum(a.hi, b.hi);
@@ -68,9 +69,12 @@ static ${name}_pair ${name}_pair_add(${name}_pair a, ${name}_pair b)
   return ${name}_pair_sum(s.hi, s.lo + (a.lo + b.lo));
 }
 
+%% end
+%% if pairs_multiply then
 static ${name}_pair ${name}_pair_multiply(${name}_pair a, ${name}_pair b)
 {
   ${name}_pair p = ${name}_pair_product(a.hi, b.hi);
 
   return ${name}_pair_sum(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
 }
+%% end

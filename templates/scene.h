@@ -86,9 +86,11 @@ ${f.declaration}
 %% if has_closed then
 ${closed_header}
 %% end
+%% if has_rates then
 ${principal_header}
 ${analysis_header}
 ${stability_header}
+%% end
 #ifdef __cplusplus
 }
 #endif

@@ -8,6 +8,7 @@ local R = require "generator.algebra.rational"
 local forced = require "generator.commands.forced"
 local numeric = require "generator.dynamics.numeric"
 local selftest = require "generator.emit.selftest"
+local motion_checks = require "generator.commands.motion_checks"
 
 local comparison = {}
 
@@ -253,65 +254,10 @@ local function setting(job, plugin)
   return s, x
 end
 
--- A span of some four radians of the fastest rate: of w and, with effects, of the Jacobian, whose |J_ik J_ki|^(1/2) is
--- a rate whatever the states' units are; not beyond the scene's own horizon where something moves away.
-local function span_of(job, plugin, scale, x0)
-  local rate, n = job.model.has.rates and scale.rates or 0.0, #x0
-  if not job.equations.free then
-    local J = plugin:jacobian(0, x0)
-    for i = 1, n do
-      for k = 1, n do
-        rate = math.max(rate, math.sqrt(math.abs(J[(i - 1) * n + k] * J[(k - 1) * n + i])))
-      end
-    end
-  end
-  local horizon = job.model:double(job.model.horizon)
-  if job.model.has.position and rate * horizon < 4 then return horizon end
-  return 4.0 / rate
-end
-
--- What the scene conserves, along the emitted stepper's own motion.
-local function laws(host, job, plugin, tap, name, x0, finish, epsilon)
-  local law = job.conserved.is
-  local turns = job.equations.free and finish * 25 or finish
-  local x = { table.unpack(plugin:integrate(x0, nil, finish / 256, { turns })[1], 2) }
-  -- 6400 steps: rounding grows like their square root, the method's own error is (h w)^4 of a turn
-  local bound = 4096 * epsilon + (4.0 / 256) ^ 4
-  local span = string.format("%.3g s", turns)
-  local function keeps(what, error, size)
-    tap.ok(error <= bound * size, name .. ": " .. what .. " is conserved over " .. span,
-      string.format("%.2g of %.3g", error, size))
-  end
-  if law["T+V"] then
-    local E0, E, size = plugin:energy(x0), plugin:energy(x), 0.0
-    local library = host.rates(numeric.scene(job))
-    for _, y in ipairs { x0, x } do
-      local _, terms = library:energy(numeric.whole(job, y))
-      size = math.max(size, terms)
-    end
-    keeps("energy", math.abs(E - E0), job.equations.free and math.abs(E0) or size)
-  end
-  if job.model.has.attitude and (law.L or law["|L|"] or law.L_z) then
-    local L0, L = plugin:momentum(x0), plugin:momentum(x)
-    local function norm(v) return math.sqrt(v[1] ^ 2 + v[2] ^ 2 + v[3] ^ 2) end
-    if law.L then
-      keeps("angular momentum", largest { L[1] - L0[1], L[2] - L0[2], L[3] - L0[3] }, largest(L0))
-    elseif law["|L|"] then
-      keeps("the length of L", math.abs(norm(L) - norm(L0)), norm(L0))
-    end
-    if law.L_z and not law.L then keeps("L_z", math.abs(L[3] - L0[3]), math.max(norm(L), norm(L0))) end
-  end
-  if law.w3 then
-    for i, s in ipairs(job.states) do
-      if s.name == "wz" then keeps("w3", math.abs(x[i] - x0[i]), math.abs(x0[i])) end
-    end
-  end
-end
-
 local function motion(host, job, plugin, tap, name, epsilon)
   local s, x0 = setting(job, plugin)
   local scale = scales(job)
-  local finish = span_of(job, plugin, scale, x0)
+  local finish = motion_checks.span(job, plugin, scale, x0)
   local exact, why = host.run(s, { method = "adaptive", times = { finish } })
   if not exact then
     tap.ok(false, name .. ": the library follows the motion", why)
@@ -326,7 +272,7 @@ local function motion(host, job, plugin, tap, name, epsilon)
   end
   tap.ok(errors[2] <= errors[1] / 12 + 256 * epsilon, name .. ": halving h divides the stepper's error by about 16",
     string.format("%.3g, %.3g", errors[1], errors[2]))
-  laws(host, job, plugin, tap, name, x0, finish, epsilon)
+  motion_checks.laws(host, job, plugin, tap, name, x0, finish, epsilon)
 end
 
 -- The closed form against the library's exact solver, by another road, at the tensor that the emitted code returns: the
@@ -385,8 +331,14 @@ function comparison.run(host, job, plugin, tap, count)
   rates(host, job, plugin, tap, count, name, random, real, epsilon)
   jacobian(host, job, plugin, tap, name, random, real, epsilon)
   motion(host, job, plugin, tap, name, epsilon)
-  if job.closed.full and job.equations.free then closed(host, job, plugin, tap, name, random, epsilon) end
-  forced.run(host, job, plugin, tap, name, epsilon, scales(job).rates, setting(job, plugin))
+  if job.closed.kind == "point" then
+    local numbers, x0 = setting(job, plugin)
+    motion_checks.point(host, job, plugin, tap, name, numbers, x0, scales(job), epsilon)
+  elseif job.closed.kind and not job.equations.free then
+    forced.run(host, job, plugin, tap, name, epsilon, scales(job).rates, setting(job, plugin))
+  elseif job.closed.full then
+    closed(host, job, plugin, tap, name, random, epsilon)
+  end
 end
 
 return comparison

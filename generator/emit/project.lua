@@ -35,7 +35,8 @@ end
 local function literals(real)
   local function n(q) return number.text(R.lift(q), real) end
   local bits = real == "float" and 24 or 53
-  return { zero = n(0), one = n(1), two = n(2), half = n "1/2", threehalves = n "3/2", twelve = n(12),
+  return { zero = n(0), one = n(1), two = n(2), half = n "1/2", quarter = n "1/4", threehalves = n "3/2",
+    twelve = n(12),
     epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
@@ -184,7 +185,7 @@ end
 
 -- The closed form's part of header and source.
 local function closed_values(job, v, ctx)
-  v.closed_header, v.closed_source = "", ""
+  v.closed_header, v.closed_source, v.pairs_add, v.pairs_multiply = "", "", true, true
   v.oblique, v.has_own = job.oblique ~= nil, false
   put_constants(job.oblique or {}, v, ctx.real)
   if not v.has_closed then return end
@@ -192,6 +193,7 @@ local function closed_values(job, v, ctx)
   v.theorem, v.closed_text, v.single = form.theorem, form.text, ctx.real == "float"
   v.uses_model = put_constants(job.closed_constants, v, ctx.real)
   v.symmetric, v.rod, v.rotor, v.damped, v.axial = false, false, false, false, false
+  v.pairs_add, v.pairs_multiply = form.pairs ~= "few" or v.has_special, form.pairs == nil or v.has_special
   economy.fill(v, ctx.real)
   for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end

@@ -195,7 +195,7 @@ local function document(f)
     tensor_lines(f.inertia, f.inertia_number, parts and parts.entries))
   section("Tensor of inertia about the centre of mass", f.is_central and { "the same" } or
     tensor_lines(f.centroidal, f.centroidal_number, parts and shifted_back(f, parts)))
-  section("Principal moments and axes", principal_section(f))
+  if f.job.model.has.rates then section("Principal moments and axes", principal_section(f)) end
   section("Equations of motion", equation_section(f))
   section("Motion", motion_section(f))
   section("Stability", stability_section(f))
@@ -318,7 +318,7 @@ function writers.json(f)
       { "call", c.call } }
   end
   for i, w in ipairs(f.warnings) do warnings[i] = w.text end
-  local methods = { "rk4", "linearised" }
+  local methods = { "rk4", f.job.model.has.rates and "linearised" or nil }
   if f.closed.kind then methods[#methods + 1] = "exact" end
   return json.text(object { { "name", f.name }, { "parameters", params }, { "mass", f.mass_number },
     { "mass_symbolic", text.of(f.mass, "plain") }, { "com", f.com_number }, { "com_symbolic", symbolic(f.com) },

@@ -69,7 +69,8 @@ static void read_rotor(lua_State *L, struct effects *e) {
 }
 
 static int read_effects(struct engine_scene *s, int index, struct effects *e) {
-  static const char *const kinds[] = {"gravity", "damping", "torque", "rotor", "control", NULL};
+  static const char *const kinds[] = {"gravity", "damping",     "torque", "rotor",
+                                      "control", "translation", "frame",  NULL};
   lua_State *L = s->L;
   int status = PH_OK;
   if (lua_getfield(L, index, "effects") == LUA_TNIL) {
@@ -95,6 +96,12 @@ static int read_effects(struct engine_scene *s, int index, struct effects *e) {
       break;
     case 3:
       read_rotor(L, e);
+      break;
+    case 5:
+      status = engine_read_translation(s);
+      break;
+    case 6:
+      status = engine_read_frame(s);
       break;
     default:
       e->controls++;

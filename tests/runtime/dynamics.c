@@ -49,6 +49,7 @@ static const double ORIGIN[3] = {0.05, -0.1, 0.02}, DIRECTION[3] = {1, -2, -5},
 static const double RATE = 0.7, BODY[3] = {0.1, -0.2, 0.3}, INERTIAL[3] = {-0.2, 0.4, 0.1},
                     U[3] = {0.5, 0.25, -1}, HELD[3] = {0.4, -0.7, 0.2};
 static const double G = 9.80665;
+static const unsigned ALL = 63 | PH_ROTOR;
 
 static int all_effects(ph_top *top) {
   ph_body b;
@@ -89,7 +90,7 @@ static double torque_by_matrix(const ph_top *top, unsigned effects, const double
         gyro[i]};
     N[i] = 0;
     for (int k = 0; k < 7; k++)
-      if (effects >> k & 1) {
+      if (effects & (k < 6 ? 1U << k : PH_ROTOR)) {
         N[i] += part[k];
         size = fmax(size, fabs(part[k]));
         for (int j = 0; j < 9 && k == 6; j++) /* whose products may cancel */
@@ -105,13 +106,13 @@ static void effects_one_by_one(void) {
                                       "rotor",       "all effects",     "no effect"};
   static const unsigned mask[9] = {
       PH_GRAVITY, PH_DAMPING, PH_DECAY, PH_TORQUE_BODY, PH_TORQUE_INERTIAL, PH_CONTROL,
-      PH_ROTOR,   127,        0};
+      PH_ROTOR,   ALL,        0};
   ph_top top;
-  if (!ok(all_effects(&top) == 0 && top.effects == 127, "an odd body with all effects is set up"))
+  if (!ok(all_effects(&top) == 0 && top.effects == ALL, "an odd body with all effects is set up"))
     return;
   for (int k = 0; k < 9; k++) {
     ph_top some = top;
-    ph_top_without(&some, 127 & ~mask[k]);
+    ph_top_without(&some, ALL & ~mask[k]);
     double worst_torque = 0, worst_balance = 0, worst_attitude = 0;
     for (int n = 0; n < 1000; n++) {
       double x[7], N[3], want[3], dx[7], L[3], turning[3], change[3], inverse[3];
@@ -157,7 +158,7 @@ static void power(void) {
     double x[7], dx[7], N[3], wN = 0, x1[7], x2[7], E1, E2, L1[3], L2[3], want[3], gravity[3];
     ph_top weight = top;
     uniform_state(x);
-    ph_top_without(&weight, 127 & ~(unsigned)PH_GRAVITY);
+    ph_top_without(&weight, ALL & ~(unsigned)PH_GRAVITY);
     ph_top_rates(&top, 0, x, U, dx);
     ph_top_torque(&top, 0, x, U, N);
     ph_top_torque(&weight, 0, x, NULL, gravity);

@@ -11,14 +11,16 @@
 --              full,                                 NAME_at gives the whole state (else only the rates)
 --              ticks,                                it counts time in ticks
 --              integers,                             its code needs <stdint.h> even without ticks
---              exact }                               it needs templates/exact.c
+--              exact,                                it needs templates/exact.c
+--              pairs }                               of templates/pair.c it needs all (nil), no product of pairs
+--                                                    ("sums"), nor their sum ("few")
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local closed = { require "generator.dynamics.closed.sphere", require "generator.dynamics.closed.symmetric",
   require "generator.dynamics.closed.asymmetric", require "generator.dynamics.closed.rotor",
-  require "generator.dynamics.closed.damped",
-  (require "generator.dynamics.closed.axial") } -- one value: require also returns where it found it
+  require "generator.dynamics.closed.damped", require "generator.dynamics.closed.axial",
+  (require "generator.dynamics.closed.point") } -- one value: require also returns where it found it
 
 -- The form that applies, with `others`, the list {name, reason} of those refused; without one {refused = text, others}.
 function closed.detect(m, eq)
