@@ -40,7 +40,7 @@ local function literals(real)
     epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
-    two64 = n(R.new(2) ^ -64), two32 = n(R.new(2) ^ -32), quarter = n "1/4",
+    two64 = n(R.new(2) ^ -64), two32 = n(R.new(2) ^ -32),
     last_turn = n(R.new(2) ^ (bits == 24 and 46 or 50)), last_time = n(R.new(2) ^ (bits == 24 and 97 or 990)),
     bits_type = bits == 24 and "uint32_t" or "uint64_t", binary_shift = bits == 24 and "23" or "52",
     binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
