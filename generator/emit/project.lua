@@ -35,8 +35,8 @@ end
 local function literals(real)
   local function n(q) return number.text(R.lift(q), real) end
   local bits = real == "float" and 24 or 53
-  return { zero = n(0), one = n(1), two = n(2), half = n "1/2", quarter = n "1/4", threehalves = n "3/2",
-    twelve = n(12),
+  return { zero = n(0), one = n(1), two = n(2), three = n(3), four = n(4), half = n "1/2",
+    quarter = n "1/4", eighth = n "1/8", threehalves = n "3/2", twelve = n(12),
     epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
@@ -45,18 +45,31 @@ local function literals(real)
     bits_type = bits == 24 and "uint32_t" or "uint64_t", binary_shift = bits == 24 and "23" or "52",
     binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
     block = bits == 24 and "16" or "8", no_period = n(R.new(2) ^ (bits == 24 and 40 or 100)),
-    binary_limit = n(bits == 24 and 60 or 500),
-    carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
+    binary_limit = n(bits == 24 and 60 or 500) }
 end
 
--- pi, its inverse and log 2 as pairs high + low, into a table: order is lost
+-- Constants as pairs high + low: pi, 1/pi, log 2, and the tables of templates/double.c.
 local function constants(real, v)
-  for name, x in pairs { -- order is lost in a table
-    pi = R.apply("pi", 200), log2 = R.apply("log", 200, R.lift(2)),
-    inverse_pi = R.one / R.apply("pi", 200) } do
+  local function pair(x)
     local high = R.fromdouble(real == "float" and R.tofloat(x) or R.todouble(x))
-    v[name .. "_high"], v[name .. "_low"] = number.text(high, real), number.text(x - high, real)
+    return { high = number.text(high, real), low = number.text(x - high, real) }
   end
+  local function named(name, x)
+    local p = pair(x)
+    v[name .. "_high"], v[name .. "_low"] = p.high, p.low
+  end
+  local function table_of(n, f)
+    local list = {}
+    for j = 0, n do list[j + 1] = pair(f(R.lift(j))) end
+    return list
+  end
+  local pi = R.apply("pi", 200)
+  named("pi", pi)
+  named("inverse_pi", R.one / pi)
+  named("log2", R.apply("log", 200, R.lift(2)))
+  v.odd_reciprocals = table_of(5, function(j) return R.one / (R.lift(2) * j + R.one) end)
+  v.arctan_eighths = table_of(8, function(j) return R.apply("atan", 200, j / R.lift(8)) end)
+  v.log_eighths = table_of(8, function(j) return R.apply("log", 200, R.one + j / R.lift(8)) end)
 end
 
 -- Enumerators with their meaning; names that share one meaning (about = "" after the first) share a line.

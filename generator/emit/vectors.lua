@@ -151,8 +151,6 @@ function vectors.fill(job, v, ctx)
     return list
   end
 
-  local nx = #job.states
-  v.got_size = nx < 4 and "16" or ctx.upper .. "_NX*" .. ctx.upper .. "_NX"
   local function printed(n, want, tolerance, call, what)
     for i = 1, n do
       want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero
@@ -163,6 +161,8 @@ function vectors.fill(job, v, ctx)
     return { n = string.format("%d", n), want = lines(want, real), tolerance = lines(tolerance, real), call = call,
       what = what }
   end
+  local nx = #job.states
+  v.got_size = nx < 4 and "16" or ctx.upper .. "_NX*" .. ctx.upper .. "_NX"
   v.cases = {}
   local function case(name, n, state, call, what, index)
     local f = description(job, name)
@@ -197,7 +197,7 @@ function vectors.fill(job, v, ctx)
     "Jacobian of the equations at state 2", by_index)
 
   v.motion_cases = {}
-  for i, c in ipairs(motion.cases { job = job, x0 = xs[1].values, power = power, env = env, params = params,
+  for i, c in ipairs(motion.cases { job = job, x0 = xs[1].values, power = R.new(1, 2) / (time or R.half), env = env, params = params,
     epsilon = epsilon, real = real, name = m.name, has_own = v.has_own, has_ticks = v.has_ticks,
     number = function(q) return number.text(q, real) end }) do
     v.motion_cases[i] = printed(7, c.want, c.tolerance, c.call, c.what)
