@@ -114,8 +114,7 @@ local function states(job, round, env)
     local rate = rate_of(job, env, x2.values)
     if rate and rate * time > R.new(1, 2) then time = R.new(1, 2) / rate end
   end
-  return { { name = "x1", values = own }, x2, made "x3" }, R.round(time or R.new(1, 2), 24), size,
-    scale.rates
+  return { { name = "x1", values = own }, x2, made "x3" }, R.round(time or R.new(1, 2), 24), size
 end
 
 local rest = { -- inputs of functions that take vectors: w, dw, a, r, v, N
@@ -143,7 +142,7 @@ function vectors.fill(job, v, ctx)
     for i = 1, 3 do base[name .. names[i]] = R.lift(list[i]) end
   end
   local env = selftest.environment(m, params)
-  local xs, time, size, power = states(job, round, env)
+  local xs, time, size = states(job, round, env)
   local function inputs(x) -- the state x, or without one the arguments that are vectors
     local list = {}
     for k, q in pairs(base) do list[k] = q end -- into a table: order is lost anyway
