@@ -122,7 +122,7 @@ static void plugin_momentum(const void *m, const double *x, double *L)
   widen(3, v, L);
 }
 %% end
-%% if has_full then
+%% if has_closed then
 
 static int plugin_solve(void *o, const void *m, const double *x0)
 {
@@ -134,9 +134,15 @@ static int plugin_solve(void *o, const void *m, const double *x0)
 
 static void plugin_at(const void *o, double t, double *x)
 {
+%% if has_full then
   real y[${upper}_NX];
 
   ${name}_at((const ${name}_orbit *)o, (real)t, y);
+%% else
+  real y[${upper}_NX] = {0}; /* the closed form gives the rates only */
+
+  ${name}_at_rates((const ${name}_orbit *)o, (real)t, y + ${upper}_WX);
+%% end
   widen(${upper}_NX, y, x);
 }
 %% end
@@ -158,7 +164,7 @@ const struct polhode_plugin *polhode_plugin(void)
   static const struct polhode_plugin table = {
     POLHODE_PLUGIN_ABI, "${name}", "${real}", (double)${epsilon}, ${upper}_NX, ${upper}_NU, ${upper}_NP,
     (unsigned long)sizeof(${name}_model),
-%% if has_full then
+%% if has_closed then
     (unsigned long)sizeof(${name}_orbit),
 %% else
     0,
@@ -175,7 +181,7 @@ const struct polhode_plugin *polhode_plugin(void)
 %% else
     NULL,
 %% end
-%% if has_full then
+%% if has_closed then
     plugin_solve, plugin_at
 %% else
     NULL, NULL

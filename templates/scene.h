@@ -11,7 +11,7 @@
 #ifndef POLHODE_${upper}_HEADER
 #define POLHODE_${upper}_HEADER
 
-%% if has_ticks then
+%% if has_integers then
 #include <stddef.h>
 #include <stdint.h>
 

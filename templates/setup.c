@@ -32,10 +32,15 @@ static void ${name}_clear(${name}_orbit *o)
   int i;
 
   for (i = 0; i < 4; i++) o->rate[i] = o->turn[i] = o->a[i] = o->b[i] = o->c[i] = o->d[i] = ${zero};
+%% if damped then
+  o->decay = ${zero};
+%% else
+  o->tick = ${zero};
   for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
+%% end
   for (i = 0; i < 10; i++) o->f[i] = ${zero};
   for (i = 0; i < 3; i++) o->scale[i] = ${zero};
-  o->start[0] = o->start[1] = o->jump = o->half = o->nome = o->tick = ${zero};
+  o->start[0] = o->start[1] = o->jump = o->half = o->nome = ${zero};
   o->s = ${one};
   o->hyperbolic = 0;
 }
@@ -151,6 +156,9 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     for (j = 0; j < 3; j++) v[j + 1] = d[1]*p.axis[0][j] + d[2]*p.axis[1][j] + d[3]*p.axis[2][j];
     ${name}_quaternion_product(q0, v, made.q[k]);
   }
+%% if damped then
+  made.decay = ${decay};
+%% end
   *o = made;
   return 0;
 }

@@ -5,6 +5,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local forced = require "generator.commands.forced"
 local numeric = require "generator.dynamics.numeric"
 local selftest = require "generator.emit.selftest"
 local motion_checks = require "generator.commands.motion_checks"
@@ -314,28 +315,6 @@ local function closed(host, job, plugin, tap, name, random, epsilon)
     finish * scale / math.pi), string.format("%.2g of the bound", worst))
 end
 
--- A closed form of forced motion from the scene's state, a hundred revolutions, against the library's Taylor series,
--- whose steps of 1e-15 each have grown to 1e-12 by then.  Each phase has the roundings of the constants in both.
-local function forced(host, job, plugin, tap, name, _, epsilon)
-  local s, x0 = setting(job, plugin)
-  local scale = scales(job).rates
-  local times, worst = {}, 0.0
-  for i, turns in ipairs { 0.3, 7, 100 } do times[i] = narrow(2 * math.pi * turns / scale, job.real) end
-  local rows, why = host.run(s, { method = "adaptive", times = times })
-  if not rows or plugin:solve(x0) ~= 0 then
-    tap.ok(false, name .. ": library and closed form accept the state", why)
-    return
-  end
-  for i, time in ipairs(times) do
-    local got, want = plugin:at(time), { table.unpack(rows[i], 2, 8) }
-    local most = math.max(scale, largest { want[5], want[6], want[7] })
-    local bound = 18 * epsilon + 1e-12 + 4 * epsilon * most * time
-    for k = 1, 7 do worst = worse(worst, math.abs(got[k] - want[k]) / (k > 4 and most or 1.0) / bound) end
-  end
-  tap.ok(worst <= 1, name .. ": the closed form is the library's motion over 100 revolutions",
-    string.format("%.2g of the bound", worst))
-end
-
 -- All checks of one compiled scene.
 function comparison.run(host, job, plugin, tap, count)
   local real = job.real
@@ -355,9 +334,10 @@ function comparison.run(host, job, plugin, tap, count)
   if job.closed.kind == "point" then
     local numbers, x0 = setting(job, plugin)
     motion_checks.point(host, job, plugin, tap, name, numbers, x0, scales(job), epsilon)
+  elseif job.closed.kind and not job.equations.free then
+    forced.run(host, job, plugin, tap, name, epsilon, scales(job).rates, setting(job, plugin))
   elseif job.closed.full then
-    local compare = job.equations.free and closed or forced
-    compare(host, job, plugin, tap, name, random, epsilon)
+    closed(host, job, plugin, tap, name, random, epsilon)
   end
 end
 

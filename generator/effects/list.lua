@@ -26,6 +26,7 @@ return {
   require "generator.effects.damping",
   require "generator.effects.torque",
   require "generator.effects.control",
+  require "generator.effects.rotor",
   require "generator.effects.translation",
   (require "generator.effects.rotating_frame"), -- one value: require also returns where it found it
 }

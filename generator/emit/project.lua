@@ -154,7 +154,7 @@ local function common(job)
     input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
     members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil,
-    has_full = job.closed.full or false, has_ticks = job.closed.ticks or false, free = eq.free and m.has.attitude,
+    has_full = job.closed.full or false, free = eq.free and m.has.attitude,
     bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
@@ -175,6 +175,8 @@ local function common(job)
   special.fill(v, ctx)
   v.has_rates, v.has_attitude = m.has.rates, m.has.attitude
   v.conservative = job.conserved.is["T+V"] and not (eq.free and m.has.attitude)
+  v.has_ticks = job.closed.ticks or false
+  v.has_integers = v.has_ticks or job.closed.integers or false
   v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
@@ -204,13 +206,15 @@ local function closed_values(job, v, ctx)
   local form = job.closed
   v.theorem, v.closed_text, v.single = form.theorem, form.text, ctx.real == "float"
   v.uses_model = put_constants(job.closed_constants, v, ctx.real)
-  v.symmetric = false
-  economy.fill(v, ctx.real)
+  v.symmetric, v.rod, v.rotor, v.damped, v.axial = false, false, false, false, false
   v.pairs_add, v.pairs_multiply = form.pairs ~= "few" or v.has_special, form.pairs == nil or v.has_special
+  economy.fill(v, ctx.real)
   for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end
   orbit.fill(job, v)
-  v.closed_header = render(form.header)
+  local headers = {}
+  for i, name in ipairs(form.headers or { form.header }) do headers[i] = render(name) end
+  v.closed_header = table.concat(headers, "\n")
   local parts = {}
   for i, name in ipairs(form.sources) do parts[i] = render(name) end
   if v.has_own then parts[#parts + 1] = render "templates/own.c" end

@@ -9,9 +9,9 @@
  * - tree {op="at", of=tree, r={3}} {op="turned", of=tree, q={4}} {op="scaled", of=tree, k={3}}
  *   {op="affine", of=tree, A={9}} {op="sum", tree, tree, ...} {op="minus", tree, hole}
  * - effect {kind="gravity", g=, direction={3}} {kind="damping", C={9}} or {kind="damping", rate=}
- *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="control"}
- *   {kind="translation", gravity={3}, linear=, drag=, stiffness={3}}
- *   {kind="frame", rate={3}, rate_dot={3}, centrifugal=}, moves= true if a translation is meant
+ *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="rotor", momentum={3}}
+ * {kind="control"} {kind="translation", gravity={3}, linear=, drag=, stiffness={3}} {kind="frame",
+ * rate={3}, rate_dot={3}, centrifugal=}, moves= true if a translation is meant
  *
  * Tables of the wrong form are a bug of the caller and raise; numbers that no body can have are the
  * library's to refuse, and come back as nil and a message that names the shape.

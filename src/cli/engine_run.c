@@ -231,6 +231,8 @@ static void torque_terms(const struct rates *r, const double x[], const double u
       t = largest(t, norm(top->torque_inertial) * q2);
     if (top->effects & PH_TORQUE_BODY)
       t = largest(t, fabs(top->torque_body[j]));
+    if (top->effects & PH_ROTOR)
+      t = largest(t, largest(fabs(w[a] * top->rotor[b]), fabs(w[b] * top->rotor[a])));
     if (top->effects & PH_CONTROL)
       t = largest(t, fabs(u[j]));
     term[j] = t;
@@ -314,6 +316,8 @@ static int rates_momentum(lua_State *L) {
     return fail(L, status);
   for (int i = 0; i < 9; i++)
     scale = largest(scale, r->spread[i] * fabs(x[4 + i % 3]));
+  if (r->top.effects & PH_ROTOR)
+    scale = largest(scale, norm(r->top.rotor));
   engine_push(L, 3, momentum);
   lua_pushnumber(L, scale);
   return 2;

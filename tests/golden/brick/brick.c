@@ -821,24 +821,13 @@ int brick_principal(const brick_model *m, brick_real moments[3], brick_real axes
   return brick_principal_of(I, moments, axes);
 }
 
-/* ---- evaluation: no call and no branch on data but for `hyperbolic`, so that loops over times are vectorised ---- */
+/* ---- phases in turns: no call and no branch, so that loops over times are vectorised ---- */
 
 #if defined __GNUC__
 #define BRICK_INLINE static inline __attribute__((always_inline)) /* GCC and Clang vectorise what they inline */
 #else
 #define BRICK_INLINE static inline
 #endif
-
-/* high + low: the phase of the rates in their periods, less whole ones; the turns about L */
-typedef struct brick_phases {
-  brick_real high, low, turn, turn_low;
-} brick_phases;
-
-/* The pair e^(-i mu t) (a + i b, c + i d) of quaternion components w + i z, x + i y, and cn, sn, dn, all but for constant
- * factors and for their norms; and the turns that mu t makes. */
-typedef struct brick_terms {
-  brick_real a, b, c, d, cn, sn, dn, turn;
-} brick_terms;
 
 /* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
 BRICK_INLINE brick_real brick_nearest(brick_real x)
@@ -863,22 +852,6 @@ BRICK_INLINE brick_pair brick_advance(const brick_real b[4], brick_real t, brick
   return p;
 }
 
-BRICK_INLINE brick_phases brick_reduce(const brick_orbit *o, brick_real at)
-{
-  const brick_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
-  const brick_real c = 134217729.0*t, head = c - (c - t), tail = t - head;
-  const brick_pair p = brick_advance(o->rate, t, head, tail), turn = brick_advance(o->turn, t, head, tail);
-  const brick_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
-  const brick_real rest = (p.hi - (sum - part)) + (o->start[0] - part);
-  brick_phases phases;
-
-  phases.high = sum - brick_nearest(sum);
-  phases.low = rest + (p.lo + o->start[1]);
-  phases.turn = turn.hi;
-  phases.turn_low = turn.lo;
-  return phases;
-}
-
 /* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one doubling */
 BRICK_INLINE void brick_circle(brick_real x, brick_real *sine, brick_real *cosine)
 {
@@ -897,6 +870,195 @@ BRICK_INLINE void brick_circle(brick_real x, brick_real *sine, brick_real *cosin
 
   *sine = 2.0*(half*c);
   *cosine = (c - half)*(c + half);
+}
+
+/* ---- functions of pairs, to about twice the working precision ---- */
+
+static brick_pair brick_pair_subtract(brick_pair a, brick_pair b)
+{
+  return brick_pair_add(a, brick_pair_minus(b));
+}
+
+static brick_pair brick_pair_times(brick_real a, brick_pair b)
+{
+  const brick_pair p = brick_pair_product(a, b.hi);
+
+  return brick_pair_tidy(p.hi, p.lo + a*b.lo);
+}
+
+/* a power of two times b: exact */
+static brick_pair brick_pair_shift(brick_real power, brick_pair b)
+{
+  b.hi *= power;
+  b.lo *= power;
+  return b;
+}
+
+/* the same for any exponent */
+static brick_pair brick_pair_scale(brick_pair a, int e)
+{
+  a.hi = ldexp(a.hi, e);
+  a.lo = ldexp(a.lo, e);
+  return a;
+}
+
+/* the leading quotient, and that of its remainder */
+static brick_pair brick_pair_divide(brick_pair a, brick_pair b)
+{
+  const brick_real q = a.hi/b.hi;
+  const brick_pair p = brick_pair_product(q, b.hi);
+
+  return brick_pair_tidy(q, (((a.hi - p.hi) - p.lo) + (a.lo - q*b.lo))/b.hi);
+}
+
+/* one Newton step: sqrt(a) = r + (a - r^2)/(2 r) */
+static brick_pair brick_pair_root(brick_pair a)
+{
+  const brick_real r = a.hi > 0.0 ? sqrt(a.hi) : 0.0;
+  const brick_pair p = brick_pair_product(r, r);
+
+  if (!(r > 0.0)) return brick_pair_of(0.0);
+  return brick_pair_tidy(r, (((a.hi - p.hi) - p.lo) + a.lo)*(0.5/r));
+}
+
+/* Artanh (sign = 1) or arctan (sign = -1) of x, |x| <= 1/16: x + sign x^3/3 + x^5/5 + ... (DLMF 4.38.2, 4.24.3).  From
+ * x^13 on, 2^-48 of the whole, the working precision will do; what is left out is 2^-100. */
+static brick_pair brick_pair_arc(brick_pair x, brick_real sign)
+{
+  const brick_pair odd[6] = {
+    {1.0, 0.0},
+    {0.3333333333333333, 1.850371707708594e-17},
+    {0.2, -1.1102230246251566e-17},
+    {0.14285714285714285, 7.93016446160826e-18},
+    {0.1111111111111111, 6.1679056923619804e-18},
+    {0.09090909090909091, -2.523234146875356e-18},
+  };
+  const brick_pair square = brick_pair_multiply(x, x), z = brick_pair_shift(sign, square);
+  const brick_real t = z.hi, seven = 1.0/(brick_real)13 + t*(1.0/(brick_real)15 + t*(1.0/(brick_real)17
+    + t*(1.0/(brick_real)19 + t*(1.0/(brick_real)21
+        + t*(1.0/(brick_real)23 + t*(1.0/(brick_real)25))))));
+  brick_pair s = brick_pair_of(seven);
+  int i;
+
+  for (i = 5; i >= 0; i--) s = brick_pair_add(odd[i], brick_pair_multiply(z, s));
+  return brick_pair_multiply(x, s);
+}
+
+static brick_pair brick_pi(void)
+{
+  const brick_pair pi = {3.141592653589793, 1.2246467991473532e-16};
+
+  return pi;
+}
+
+static brick_pair brick_inverse_pi(void)
+{
+  const brick_pair inverse = {0.3183098861837907, -1.9678676675182486e-17};
+
+  return inverse;
+}
+
+static brick_pair brick_log2(void)
+{
+  const brick_pair log2 = {0.6931471805599453, 2.3190468138462996e-17};
+
+  return log2;
+}
+
+/* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 + arctan of a rest below
+ * 1/16 (DLMF 4.24.15). */
+static brick_pair brick_pair_angle(brick_pair x, brick_pair y)
+{
+  const brick_pair arctan[9] = {
+    {0.0, 0.0},
+    {0.12435499454676144, -3.1253241424539383e-18},
+    {0.24497866312686414, 1.0698755618734451e-17},
+    {0.35877067027057225, -2.4623815582638635e-17},
+    {0.4636476090008061, 2.2698777452961687e-17},
+    {0.5585993153435624, -5.4556305485916264e-18},
+    {0.6435011087932844, 1.5834785051444286e-17},
+    {0.7188299996216245, -2.1478388444456983e-17},
+    {0.7853981633974483, 3.061616997868383e-17},
+  };
+  const brick_pair pi = brick_pi();
+  const int left = x.hi < 0.0, below = y.hi < 0.0;
+  const brick_pair u = left ? brick_pair_minus(x) : x, v = below ? brick_pair_minus(y) : y;
+  const int steep = v.hi > u.hi;
+  const brick_pair far = steep ? v : u, near = steep ? u : v;
+  brick_pair angle;
+  brick_real eighths;
+
+  if (!(far.hi > 0.0)) return brick_pair_of(0.0);
+  eighths = floor((brick_real)8*(near.hi/far.hi) + 0.5);
+  angle = brick_pair_divide(brick_pair_subtract(near, brick_pair_times(eighths/(brick_real)8, far)),
+               brick_pair_add(far, brick_pair_times(eighths/(brick_real)8, near)));
+  angle = brick_pair_add(arctan[(int)eighths], brick_pair_arc(angle, -1.0));
+  if (steep) angle = brick_pair_subtract(brick_pair_shift(0.5, pi), angle);
+  if (left) angle = brick_pair_subtract(pi, angle);
+  return below ? brick_pair_minus(angle) : angle;
+}
+
+/* log(2^e a), a > 0: of 2^e, of 1 + j/8, and 2 artanh of a rest below 1/16 */
+static brick_pair brick_pair_log(brick_pair a, int e)
+{
+  const brick_pair log[9] = {
+    {0.0, 0.0},
+    {0.11778303565638346, -1.1971685747593677e-18},
+    {0.22314355131420976, -9.091270597324799e-18},
+    {0.3184537311185346, 2.7114779367326236e-17},
+    {0.4054651081081644, -2.8811380259626426e-18},
+    {0.4855078157817008, -1.6618350693852048e-17},
+    {0.5596157879354227, 2.685492580212308e-17},
+    {0.6286086594223741, 4.3538742607970387e-17},
+    {0.6931471805599453, 2.3190468138462996e-17},
+  };
+  brick_pair near;
+  brick_real eighths;
+  int own;
+
+  (void)frexp(a.hi, &own);
+  a = brick_pair_scale(a, 1 - own);
+  eighths = floor((brick_real)8*(a.hi - 1.0) + 0.5);
+  near = brick_pair_of(1.0 + eighths/(brick_real)8);
+  near = brick_pair_shift(2.0, brick_pair_arc(brick_pair_divide(brick_pair_subtract(a, near),
+      brick_pair_add(a, near)), 1.0));
+  near = brick_pair_add(log[(int)eighths], near);
+  return brick_pair_add(brick_pair_times((brick_real)(e + own - 1), brick_log2()), near);
+}
+
+static void brick_store(brick_real out[2], brick_pair a)
+{
+  out[0] = a.hi;
+  out[1] = a.lo;
+}
+
+/* ---- evaluation: no call and no branch on data but for `hyperbolic`, so that loops over times are vectorised ---- */
+
+/* high + low: the phase of the rates in their periods, less whole ones; the turns about L */
+typedef struct brick_phases {
+  brick_real high, low, turn, turn_low;
+} brick_phases;
+
+/* The pair e^(-i mu t) (a + i b, c + i d) of quaternion components w + i z, x + i y, and cn, sn, dn, all but for constant
+ * factors and for their norms; and the turns that mu t makes. */
+typedef struct brick_terms {
+  brick_real a, b, c, d, cn, sn, dn, turn;
+} brick_terms;
+
+BRICK_INLINE brick_phases brick_reduce(const brick_orbit *o, brick_real at)
+{
+  const brick_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
+  const brick_real c = 134217729.0*t, head = c - (c - t), tail = t - head;
+  const brick_pair p = brick_advance(o->rate, t, head, tail), turn = brick_advance(o->turn, t, head, tail);
+  const brick_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
+  const brick_real rest = (p.hi - (sum - part)) + (o->start[0] - part);
+  brick_phases phases;
+
+  phases.high = sum - brick_nearest(sum);
+  phases.low = rest + (p.lo + o->start[1]);
+  phases.turn = turn.hi;
+  phases.turn_low = turn.lo;
+  return phases;
 }
 
 /* 2^x and 2^-x, |x| <= 500.0: the even and the odd part of 2^f, f = x less the nearest integer n, which the sum with
@@ -1069,166 +1231,6 @@ void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
   brick_attitude_of(o, &y, v);
   root = brick_inverse_length(v, n, sqrt(n));
   for (i = 0; i < 4; i++) q[i] = root*v[i];
-}
-
-/* ---- functions of pairs, to about twice the working precision ---- */
-
-static brick_pair brick_pair_subtract(brick_pair a, brick_pair b)
-{
-  return brick_pair_add(a, brick_pair_minus(b));
-}
-
-static brick_pair brick_pair_times(brick_real a, brick_pair b)
-{
-  const brick_pair p = brick_pair_product(a, b.hi);
-
-  return brick_pair_tidy(p.hi, p.lo + a*b.lo);
-}
-
-/* a power of two times b: exact */
-static brick_pair brick_pair_shift(brick_real power, brick_pair b)
-{
-  b.hi *= power;
-  b.lo *= power;
-  return b;
-}
-
-/* the same for any exponent */
-static brick_pair brick_pair_scale(brick_pair a, int e)
-{
-  a.hi = ldexp(a.hi, e);
-  a.lo = ldexp(a.lo, e);
-  return a;
-}
-
-/* the leading quotient, and that of its remainder */
-static brick_pair brick_pair_divide(brick_pair a, brick_pair b)
-{
-  const brick_real q = a.hi/b.hi;
-  const brick_pair p = brick_pair_product(q, b.hi);
-
-  return brick_pair_tidy(q, (((a.hi - p.hi) - p.lo) + (a.lo - q*b.lo))/b.hi);
-}
-
-/* one Newton step: sqrt(a) = r + (a - r^2)/(2 r) */
-static brick_pair brick_pair_root(brick_pair a)
-{
-  const brick_real r = a.hi > 0.0 ? sqrt(a.hi) : 0.0;
-  const brick_pair p = brick_pair_product(r, r);
-
-  if (!(r > 0.0)) return brick_pair_of(0.0);
-  return brick_pair_tidy(r, (((a.hi - p.hi) - p.lo) + a.lo)*(0.5/r));
-}
-
-/* Artanh (sign = 1) or arctan (sign = -1) of x, |x| <= 1/16: x + sign x^3/3 + x^5/5 + ... (DLMF 4.38.2, 4.24.3).  From
- * x^13 on, 2^-48 of the whole, the working precision will do; what is left out is 2^-100. */
-static brick_pair brick_pair_arc(brick_pair x, brick_real sign)
-{
-  const brick_pair odd[6] = {
-    {1.0, 0.0},
-    {0.3333333333333333, 1.850371707708594e-17},
-    {0.2, -1.1102230246251566e-17},
-    {0.14285714285714285, 7.93016446160826e-18},
-    {0.1111111111111111, 6.1679056923619804e-18},
-    {0.09090909090909091, -2.523234146875356e-18},
-  };
-  const brick_pair square = brick_pair_multiply(x, x), z = brick_pair_shift(sign, square);
-  const brick_real t = z.hi, seven = 1.0/(brick_real)13 + t*(1.0/(brick_real)15 + t*(1.0/(brick_real)17
-    + t*(1.0/(brick_real)19 + t*(1.0/(brick_real)21
-        + t*(1.0/(brick_real)23 + t*(1.0/(brick_real)25))))));
-  brick_pair s = brick_pair_of(seven);
-  int i;
-
-  for (i = 5; i >= 0; i--) s = brick_pair_add(odd[i], brick_pair_multiply(z, s));
-  return brick_pair_multiply(x, s);
-}
-
-static brick_pair brick_pi(void)
-{
-  const brick_pair pi = {3.141592653589793, 1.2246467991473532e-16};
-
-  return pi;
-}
-
-static brick_pair brick_inverse_pi(void)
-{
-  const brick_pair inverse = {0.3183098861837907, -1.9678676675182486e-17};
-
-  return inverse;
-}
-
-static brick_pair brick_log2(void)
-{
-  const brick_pair log2 = {0.6931471805599453, 2.3190468138462996e-17};
-
-  return log2;
-}
-
-/* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 + arctan of a rest below
- * 1/16 (DLMF 4.24.15). */
-static brick_pair brick_pair_angle(brick_pair x, brick_pair y)
-{
-  const brick_pair arctan[9] = {
-    {0.0, 0.0},
-    {0.12435499454676144, -3.1253241424539383e-18},
-    {0.24497866312686414, 1.0698755618734451e-17},
-    {0.35877067027057225, -2.4623815582638635e-17},
-    {0.4636476090008061, 2.2698777452961687e-17},
-    {0.5585993153435624, -5.4556305485916264e-18},
-    {0.6435011087932844, 1.5834785051444286e-17},
-    {0.7188299996216245, -2.1478388444456983e-17},
-    {0.7853981633974483, 3.061616997868383e-17},
-  };
-  const brick_pair pi = brick_pi();
-  const int left = x.hi < 0.0, below = y.hi < 0.0;
-  const brick_pair u = left ? brick_pair_minus(x) : x, v = below ? brick_pair_minus(y) : y;
-  const int steep = v.hi > u.hi;
-  const brick_pair far = steep ? v : u, near = steep ? u : v;
-  brick_pair angle;
-  brick_real eighths;
-
-  if (!(far.hi > 0.0)) return brick_pair_of(0.0);
-  eighths = floor((brick_real)8*(near.hi/far.hi) + 0.5);
-  angle = brick_pair_divide(brick_pair_subtract(near, brick_pair_times(eighths/(brick_real)8, far)),
-               brick_pair_add(far, brick_pair_times(eighths/(brick_real)8, near)));
-  angle = brick_pair_add(arctan[(int)eighths], brick_pair_arc(angle, -1.0));
-  if (steep) angle = brick_pair_subtract(brick_pair_shift(0.5, pi), angle);
-  if (left) angle = brick_pair_subtract(pi, angle);
-  return below ? brick_pair_minus(angle) : angle;
-}
-
-/* log(2^e a), a > 0: of 2^e, of 1 + j/8, and 2 artanh of a rest below 1/16 */
-static brick_pair brick_pair_log(brick_pair a, int e)
-{
-  const brick_pair log[9] = {
-    {0.0, 0.0},
-    {0.11778303565638346, -1.1971685747593677e-18},
-    {0.22314355131420976, -9.091270597324799e-18},
-    {0.3184537311185346, 2.7114779367326236e-17},
-    {0.4054651081081644, -2.8811380259626426e-18},
-    {0.4855078157817008, -1.6618350693852048e-17},
-    {0.5596157879354227, 2.685492580212308e-17},
-    {0.6286086594223741, 4.3538742607970387e-17},
-    {0.6931471805599453, 2.3190468138462996e-17},
-  };
-  brick_pair near;
-  brick_real eighths;
-  int own;
-
-  (void)frexp(a.hi, &own);
-  a = brick_pair_scale(a, 1 - own);
-  eighths = floor((brick_real)8*(a.hi - 1.0) + 0.5);
-  near = brick_pair_of(1.0 + eighths/(brick_real)8);
-  near = brick_pair_shift(2.0, brick_pair_arc(brick_pair_divide(brick_pair_subtract(a, near),
-      brick_pair_add(a, near)), 1.0));
-  near = brick_pair_add(log[(int)eighths], near);
-  return brick_pair_add(brick_pair_times((brick_real)(e + own - 1), brick_log2()), near);
-}
-
-static void brick_store(brick_real out[2], brick_pair a)
-{
-  out[0] = a.hi;
-  out[1] = a.lo;
 }
 
 /* ---- closed form: free asymmetric top, theta functions ----
@@ -1845,10 +1847,11 @@ static void brick_clear(brick_orbit *o)
   int i;
 
   for (i = 0; i < 4; i++) o->rate[i] = o->turn[i] = o->a[i] = o->b[i] = o->c[i] = o->d[i] = 0.0;
+  o->tick = 0.0;
   for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
   for (i = 0; i < 10; i++) o->f[i] = 0.0;
   for (i = 0; i < 3; i++) o->scale[i] = 0.0;
-  o->start[0] = o->start[1] = o->jump = o->half = o->nome = o->tick = 0.0;
+  o->start[0] = o->start[1] = o->jump = o->half = o->nome = 0.0;
   o->s = 1.0;
   o->hyperbolic = 0;
 }
