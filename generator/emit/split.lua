@@ -15,8 +15,7 @@ local function rows(p, real)
   for _, name in ipairs { "a", "b", "c" } do
     local list = {}
     for i, x in ipairs(p[name]) do
-      local q = name == "c" and x or x
-      list[i] = number.text(R.fromdouble(real == "float" and R.tofloat(q) or R.todouble(q)), real)
+      list[i] = number.text(R.fromdouble(real == "float" and R.tofloat(x) or R.todouble(x)), real)
     end
     out[name] = list
   end
@@ -55,8 +54,6 @@ function split.fill(ctx, program, v)
   v.split_oblique, v.split_diagonal = d.kind == "oblique", d.kind == "diagonal"
   v.split_turns, v.split_attitude, v.split_moves = program.has.rates, program.has.attitude, program.has.position
   for name, e in pairs(d.constants) do v[name] = constant(e, ctx.real) end -- into a table: order is lost anyway
-  v.split_rotor = d.constants.split_h ~= nil and d.constants.split_h.value ~= R.zero and
-    not (d.constants.split_h.kind == "num" and R.sign(d.constants.split_h.value) == 0)
   local function numbers(i) return i and text(i - 1) or "", i and text(i % 3) or "", i and text((i + 1) % 3) or "" end
   v.split_i, v.split_j, v.split_k = numbers(d.axis)
   v.split_bi, v.split_bj, v.split_bk = numbers(d.b)

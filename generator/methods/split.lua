@@ -1,18 +1,19 @@
 -- split.lua -- splitting: the exact flow of the free body alternates with kicks that hold the attitude.
 --
---     A (drift)  q, L of the free body, r += tau v, t += tau        B (kick)  L += tau N(q, r, t),  v += tau F/m
--- A step is the palindrome A(a1 h) B(b1 h) A(a2 h) ... A(a1 h); all torques that depend on attitude and time alone make
--- B exact.  The free body is made of rotations (all keep |L|, and L in inertial axes; Dullweber, Leimkuhler, McLachlan
--- 1997, J. Chem. Phys. 107, 5840; McLachlan, Quispel 2002, Acta Numerica 11, 341; Fasso 2003, J. Comput. Phys. 189, 527):
+--     A (drift)  q, L of the free body, r += tau v, t += tau      B (kick)  L += tau N(q, r, t),  v += tau F/m
+-- A step is the palindrome A(a1 h) B(b1 h) A(a2 h) ... A(a1 h); torques of attitude and time alone make B exact.  The
+-- free body is made of rotations, which keep L in inertial axes (Dullweber, Leimkuhler, McLachlan 1997, J. Chem. Phys.
+-- 107, 5840; McLachlan, Quispel 2002, Acta Numerica 11, 341; Fasso 2003, J. Comput. Phys. 189, 527):
 --     sphere      one, about L by |L| tau/I
 --     symmetric   two that commute, about L by |L| tau/I1 and about k by (1 - I3/I1) (k.w) tau: exact
 --     diagonal    T = L^2/(2 Ia) + Lb^2/2 (1/Ib - 1/Ia) + Lc^2/2 (1/Ic - 1/Ia): the first commutes with the others,
---                 which are composed by the same kind of palindrome (`inner`), so that all is symmetric.  Ia is the
---                 moment that is in the middle for the parameters' defaults: the product of the other two terms is least
--- A constant rotor along the axis adds its momentum to that of the axis.
--- Coefficients: `half` of each palindrome, the middle from consistency.  Blanes, Moan 2002, J. Comput. Appl. Math. 142,
--- 313: S6 (order 4) and S10 (order 6); McLachlan 1995, BIT 35, 258: order (8, 4), whose error is h^8 in the first power
--- of the torque.  Digits beyond the published ones solve the order conditions (tests/methods/split.t).  ABOVE the line.
+--                 which a palindrome of their own composes (`inner`), so that all is symmetric.  Ia is the moment in
+--                 the middle for the parameters' defaults: then the product of the other two terms is least
+-- A constant rotor along the axis adds its momentum to the body's there.
+-- Coefficients, the first half of each palindrome: Blanes, Moan 2002, J. Comput. Appl. Math. 142, 313: S10 (order 6);
+-- McLachlan 1995, BIT 35, 258: order (8, 4), whose error is h^8 in the first power of the torque, h^4 in the second.
+-- Digits beyond the published ones solve the order conditions (tests/methods/split.t).  Why these: docs/methods.md.
+-- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -54,8 +55,6 @@ end
 
 split.coefficients = {
   strang = palindrome("b", {}, {}),
-  S6 = palindrome("a", { "0.0792036964311957", "0.353172906049774", "-0.0420650803577195" },
-    { "0.209515106613362088883405339606592007120815", "-0.143851773179818114565389056334200686833855" }),
   S10 = palindrome("a", { "0.0502627644003922", "0.413514300428348280764209253255138114149686",
       "0.0450798897943974211608542852757026623955981", "-0.188054853819572834204124900735074375035274",
       "0.541960678450781754723292263234705650176817" },
@@ -84,8 +83,8 @@ local function refused(m, order)
       for _, x in ipairs(e.spec[deed] and e.spec[deed](e.a, c) or {}) do
         if not expr.constant(x, of_rates) then
           if order > 2 then
-            return short(e) .. " depends on the rates: order " .. order .. " has steps back in time, where what damps " ..
-              "would drive (split2 takes it)"
+            return short(e) .. " depends on the rates: order " .. order .. " has steps back in time, where what " ..
+              "damps would drive (split2 takes it)"
           end
           slowed = true
         end
@@ -136,7 +135,9 @@ local function drift(m)
   if s.kind ~= "diagonal" then
     return nil, "the tensor is not diagonal in the body's axes: turn the body (s:turned) into its principal axes"
   end
-  if rotor(m) ~= expr.zero then return nil, "the free flow of an asymmetric body with a rotor is not made of rotations" end
+  if rotor(m) ~= expr.zero then
+    return nil, "the free flow of an asymmetric body with a rotor is not made of rotations"
+  end
   local I, order = m.inertia, { 1, 2, 3 }
   local size = vec.map({ 1, 2, 3 }, function(i) return m:number(I[i]) end)
   table.sort(order, function(i, j)
@@ -160,8 +161,8 @@ for _, w in ipairs(state.w) do w_zero[w] = expr.zero end
 
 local function turns(g) return #g.outs > 0 and string.match(g.outs[1].state, "^w[xyz]$") ~= nil end
 
--- Groups of the kick, outs {state, expr} of the rates of w and v; and the states that have one.  What is left of Euler's
--- equations at w = 0 is the torque's part.
+-- Groups of the kick, outs {state, expr} of the rates of w and v; and the states that have one.  What is left of the
+-- equations of Euler at w = 0 is the torque's part.
 local function kick(eq, slowed)
   local groups, kicked = {}, {}
   for _, g in ipairs(eq.groups) do
@@ -209,11 +210,11 @@ local function method(order, outer, inner, about, source)
 end
 
 split.methods = {
-  method(2, "strang", "strang", "exact free flow and kicks in turn, order 2 (Strang), keeps |L|, long runs",
+  method(2, "strang", "strang", "exact free flow and kicks in turn, order 2 (Strang); no energy drift in long runs",
     "Strang 1968, SIAM J. Numer. Anal. 5, 506"),
-  method(4, "S6", "S6", "exact free flow and kicks in turn, order 4 (Blanes and Moan), keeps |L|, long runs",
-    "Blanes, Moan 2002, J. Comput. Appl. Math. 142, 313: S6"),
-  method(6, "S10", "S10", "exact free flow and kicks in turn, order 6 (Blanes and Moan), keeps |L|, long runs",
+  method(4, "M84", "S10", "exact free flow and kicks in turn, order 4, and 8 in weak torques (McLachlan)",
+    "McLachlan 1995, BIT 35, 258: order (8, 4)"),
+  method(6, "S10", "S10", "exact free flow and kicks in turn, order 6 (Blanes and Moan)",
     "Blanes, Moan 2002, J. Comput. Appl. Math. 142, 313: S10"),
 }
 
