@@ -180,7 +180,7 @@ for _, row in ipairs(rows) do
       tap.ok(m.drift[3] <= 4e-15, name .. ": |q| stays 1, split" .. order, tostring(m.drift[3]))
       if not row.only and not row.driven then
         -- bounded: the last tenth is no worse than the first, but for roundings that walk, sqrt(1e6 operations)
-        tap.ok(m.drift[2] <= 1.5 * m.drift[1] + 1e-12, name .. ": the energy of split" .. order .. " does not drift",
+        tap.ok(m.drift[2] <= 1.5 * m.drift[1] + 1e-12, name .. ": the energy does not drift, split" .. order,
           string.format("%.3g at first, %.3g at last", m.drift[1], m.drift[2]))
       end
     end
@@ -226,7 +226,8 @@ end
 -- ---- what cannot be split is refused by name ----
 
 for _, row in ipairs {
-  { "damping", scene(brick, "effect.damping { c = 0.001 }", "omega = {1, 2, 3}"), "split4: damping depends on the rates" },
+  { "damping", scene(brick, "effect.damping { c = 0.001 }", "omega = {1, 2, 3}"),
+    "split4: damping depends on the rates" },
   { "a turning frame", scene(brick, "effect.rotating_frame { rate = {0, 0, 1} }", "omega = {1, 2, 3}, " ..
     "position = {0, 0, 1}"), "the base frame turns" },
   { "an oblique rotor", scene(cylinder, "effect.rotor { axis = {1, 0, 0}, momentum = 1 }", "omega = {1, 2, 3}"),
