@@ -121,7 +121,7 @@ function numeric.scene(job, values)
   end
 
   local effects = {}
-  for i, e in ipairs(record.effects) do effects[i] = e.spec.numeric(e.a, num) end
+  for i, e in ipairs(record.effects) do effects[i] = e.spec.numeric(e.a, num, record.given) end
   local body_tree = tree(record.body, { volume = expr.one, area = expr.one, length = expr.one })
   -- the origin of rotation becomes that of the coordinates
   body_tree = shifted(body_tree, vec.map(m.origin, function(e) return -e end))

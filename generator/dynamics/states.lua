@@ -157,6 +157,7 @@ function states.decide(d, m)
     turned and short(turned) .. " turns the body" or (by_attitude or by_rates) and
     short(by_attitude or by_rates) .. " depends on how the body turns"
   local wanted = outputs(d, m, taken)
+  by_attitude = by_attitude or m.frame -- its energy does
   has.rates = cause and true or false
   has.attitude = has.rates and (not wanted or wanted.attitude or wanted.momentum or by_attitude) and true or false
   if has.attitude then

@@ -66,9 +66,9 @@ function frame.conserves(a)
   return list
 end
 
-function frame.numeric(a, num)
+function frame.numeric(a, num, given)
   return { kind = "frame", rate = vec.map(a.rate, num), rate_dot = vec.map(a.rate_dot, num),
-    centrifugal = a.centrifugal }
+    centrifugal = a.centrifugal, moves = given.position ~= nil or given.velocity ~= nil }
 end
 
 return frame

@@ -2,7 +2,8 @@
 --
 --     m r'' = m g - c |v| v - c1 v - (kx x, ky y, kz z)
 -- gravity: a number (along -z) or a vector; drag c and linear c1 act along the velocity at the centre of mass, without
--- a torque; stiffness: a restoring force towards the origin (a long pendulum's, a trap's), our extension.
+-- a torque; stiffness: a restoring force towards the origin (a long pendulum's, a trap's; negative: it repels), our
+-- extension.
 -- |v| is written sqrt(v^2 + 2^-126 m^2/s^2), so that its derivatives exist at rest; above 1e-11 m/s the difference is
 -- below rounding in double.  In a rotating frame r and v are relative to it, and gravity is fixed in it.
 -- Drag: Landau, Lifshitz, Fluid Mechanics, section 45.
@@ -22,7 +23,7 @@ local translation = {
 local comp = { "x", "y", "z" }
 local specs = { { name = "gravity", dim = "acceleration" }, { name = "drag", dim = "drag", sign = "nonnegative" },
   { name = "linear", dim = "friction", sign = "nonnegative" },
-  { name = "stiffness", dim = "stiffness", sign = "nonnegative" } }
+  { name = "stiffness", dim = "stiffness" } }
 
 -- Own reading: gravity and stiffness are numbers or vectors.
 function translation.read(ctx, line, what, given, args)

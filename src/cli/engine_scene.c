@@ -62,7 +62,8 @@ static void read_torque(lua_State *L, struct effects *e) {
 }
 
 static int read_effects(struct engine_scene *s, int index, struct effects *e) {
-  static const char *const kinds[] = {"gravity", "damping", "torque", "control", NULL};
+  static const char *const kinds[] = {"gravity",     "damping", "torque", "control",
+                                      "translation", "frame",   NULL};
   lua_State *L = s->L;
   int status = PH_OK;
   if (lua_getfield(L, index, "effects") == LUA_TNIL) {
@@ -85,6 +86,12 @@ static int read_effects(struct engine_scene *s, int index, struct effects *e) {
       break;
     case 2:
       read_torque(L, e);
+      break;
+    case 4:
+      status = engine_read_translation(s);
+      break;
+    case 5:
+      status = engine_read_frame(s);
       break;
     default:
       e->controls++;

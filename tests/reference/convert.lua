@@ -242,6 +242,21 @@ do
   write("forced_top.h", out)
 end
 
+-- ---- forced_top.json: points in rotating frames ----
+do
+  local out = head("moving.h", "points in rotating frames, 32 digits",
+    "static const struct {\n  const char *id;\n  int n; /* states: r, v in n/2 coordinates */\n" ..
+    "  double x0[6], t;\n  long double x[6];\n} moving_rows[] = {")
+  for _, case in ipairs(json("forced_top.json").cases) do
+    for _, s in ipairs(case.model == "point motion in rotating frame" and case.samples or {}) do
+      out[#out + 1] = string.format('  {"%s", %d, %s, %s,\n   %s},', case.id, #case.x0, braces(each(case.x0, double)),
+        double(s.t), braces(each(s.x, long)))
+    end
+  end
+  out[#out + 1] = "};"
+  write("moving.h", out)
+end
+
 -- ---- nesc_brick_case2.csv: simulator 04, every half second ----
 do
   local out = head("nesc_case2.h", "NASA check case 2, simulator 04",
