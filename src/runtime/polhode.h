@@ -379,6 +379,7 @@ typedef struct ph_top {
   double decay;                              /* 1/s */
   double torque_body[3], torque_inertial[3]; /* N m */
   ph_move move;                              /* translation and frame, polhode_move.h */
+  ph_acts acts;                              /* polhode_acts.h */
   /* prepared, private: the tensor and its principal system in full precision */
   long double wide_com[3], wide_inertia[6], wide_second[6], wide_moment[3], wide_axis[3][3];
 } ph_top;
