@@ -61,8 +61,8 @@ local function turn(a, c)
         "stiffness, N m") * x
     end)
   end
-  local k = c.constant("spring", a.k, "stiffness, N m")
-  axis = vec.map(axis, function(x, i) return c.constant("s" .. comp[i], x, "axis of the spring, unit vector") end)
+  local k = c.constant("spring", a.k / vec.dot(a.axis, a.axis), "stiffness over the axis squared, N m")
+  axis = vec.map(a.axis, function(x, i) return c.constant("s" .. comp[i], x, "axis of the spring") end)
   return p[1], u, vec.scale(k * vec.dot(axis, u), axis)
 end
 

@@ -9,7 +9,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
-local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local torque = require "generator.effects.torque"
 
@@ -29,18 +28,15 @@ local comp = { "x", "y", "z" }
 
 function wheel.check(a) return { { vec.dot(a.axis, a.axis), "axis must not be zero" } } end
 
-local function direction(a)
-  local n = expr.sqrt(vec.dot(a.axis, a.axis))
-  return vec.map(a.axis, function(x) return ratio.tidy(x / n) end)
-end
+local function length(a) return expr.sqrt(vec.dot(a.axis, a.axis)) end
 
--- Axis, J, u, and a.w + W.
+-- The axis b as it was given, n = |b|, J/n^2, u and n W + b.w.  Of these only n can be irrational, so that the squares
+-- of a rounded unit vector never meet exact ones.
 local function parts(a, c)
-  local axis = vec.map(direction(a), function(x, i)
-    return c.constant("a" .. comp[i], x, "axis of the wheel, unit vector")
-  end)
-  local J = c.constant("Jw", a.inertia, "moment of inertia of the wheel, kg m^2")
-  return axis, J, c.lift(a.torque, "uw", "torque of the wheel's motor, N m"), vec.dot(axis, c.w) + c.own.wheel
+  local b = vec.map(a.axis, function(x, i) return c.constant("a" .. comp[i], x, "axis of the wheel") end)
+  local n = c.constant("an", length(a), "length of the wheel's axis vector")
+  local J = c.constant("Jw", a.inertia / vec.dot(a.axis, a.axis), "moment of the wheel over the axis squared, kg m^2")
+  return b, n, J, c.lift(a.torque, "uw", "torque of the wheel's motor, N m"), n * c.own.wheel + vec.dot(b, c.w)
 end
 
 function wheel.states(a)
@@ -48,32 +44,32 @@ function wheel.states(a)
 end
 
 function wheel.torque(a, c)
-  local axis, _, u = parts(a, c)
-  return vec.scale(-u, axis)
+  local b, n, _, u = parts(a, c)
+  return vec.scale(-u / n, b)
 end
 
 function wheel.momentum(a, c)
-  local axis, J, _, speed = parts(a, c)
-  return vec.scale(J * speed, axis)
+  local b, _, J, _, speed = parts(a, c)
+  return vec.scale(J * speed, b)
 end
 
 -- J (a.w + W)' a is u a, which wheel.torque has already.
 function wheel.momentum_rate() return { expr.zero, expr.zero, expr.zero } end
 
 function wheel.derivative(a, c)
-  local axis, J, u = parts(a, c)
-  return { wheel = u / J - vec.dot(axis, c.dw) }
+  local b, n, _, u = parts(a, c)
+  return { wheel = u / c.constant("Jaxis", a.inertia, "moment of the wheel, kg m^2") - vec.dot(b, c.dw) / n }
 end
 
 function wheel.kinetic(a, c)
-  local _, J, _, speed = parts(a, c)
+  local _, _, J, _, speed = parts(a, c)
   return J * speed ^ 2 / 2
 end
 
 -- What it takes from the tensor that the rates carry.
 function wheel.carries(a)
   if not a.included then return nil end
-  return vec.scale(-a.inertia, vec.outer(direction(a)))
+  return vec.scale(-a.inertia / vec.dot(a.axis, a.axis), vec.outer(a.axis))
 end
 
 function wheel.conserves(a)
@@ -85,7 +81,7 @@ end
 
 function wheel.numeric(a, num, _, code)
   local free = not a.rows and #expr.symbols(a.torque) == 0
-  return { kind = "wheel", axis = vec.map(direction(a), num), inertia = num(a.inertia),
+  return { kind = "wheel", axis = vec.map(a.axis, num), inertia = num(a.inertia),
     included = a.included, torque = free and num(a.torque) or torque.varying(a.torque, a.rows, num, code) }
 end
 
