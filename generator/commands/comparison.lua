@@ -8,37 +8,11 @@ local R = require "generator.algebra.rational"
 local breaks = require "generator.dynamics.breaks"
 local numeric = require "generator.dynamics.numeric"
 local selftest = require "generator.emit.selftest"
+local samples = require "generator.commands.samples"
 
 local comparison = {}
 
--- xorshift64*: the same sequence on every machine (Marsaglia 2003, Vigna 2016)
-local function generator(seed)
-  local s = seed
-  return function() -- uniform in (-1, 1)
-    s = s ~ (s >> 12)
-    s = s ~ (s << 25)
-    s = s ~ (s >> 27)
-    return ((s * 2685821657736338717) >> 11) * 2.0 ^ -52 - 1
-  end
-end
-
--- The larger of two; a NaN counts as infinite, so that it cannot pass a test (math.max would drop it).
-local function worse(a, b)
-  if b ~= b then return math.huge end
-  return b > a and b or a
-end
-
-local function largest(v)
-  local m = 0.0
-  for i = 1, #v do m = worse(m, math.abs(v[i])) end
-  return m
-end
-
--- A double that the scene's real type holds exactly.
-local function narrow(x, real)
-  if real == "float" then return string.unpack("f", string.pack("f", x)) end
-  return x
-end
+local generator, worse, largest, narrow = samples.generator, samples.worse, samples.largest, samples.narrow
 
 -- scale: by the kind of state, see scales
 local function state(job, random, scale, real)

@@ -102,8 +102,9 @@ function args.flag(ctx, line, what, name, _, given)
   return nil
 end
 
--- One scalar of dimension `spec.dim` (its name in units, or itself), as an expression; nil after an error.  spec.motion: it may depend on time and
--- states, which, like plain numbers, take any dimension unless a value that has one is beside them.
+-- One scalar of dimension `spec.dim` (its name in units, or itself), as an expression; nil after an error.
+-- spec.motion: it may depend on time and states, which, like plain numbers, take any dimension unless a value that has
+-- one is beside them.
 function args.scalar(ctx, line, what, name, spec, given)
   local r, why = value.of(given)
   if not r then

@@ -165,7 +165,9 @@ local function received(ctx, what, own)
     if s[k] ~= nil then return s[k] end
     ctx.diag:error(ctx.diag:here(), what, "has no " .. diag.show(k) .. " (it has " .. table.concat(names, ", ") .. ")")
     return value.new(expr.one, nil)
-  end, __newindex = function() ctx.diag:error(ctx.diag:here(), what, "what a function receives cannot be changed") end })
+  end, __newindex = function()
+    ctx.diag:error(ctx.diag:here(), what, "what a function receives cannot be changed")
+  end })
 end
 
 local reserved = {} -- locals of the emitted functions and members of its structure
@@ -281,7 +283,8 @@ function moving.custom(ctx, line, what, given)
   end
   for i, x in ipairs(list) do
     a.states[i] = { name = x.name, initial = x.initial, unit = x.unit,
-      rate = call(ctx, x.at, what .. ", state " .. x.name, "rate", x.rate, s, { dim = units.times(x.dim, units.rate) }) }
+      rate = call(ctx, x.at, what .. ", state " .. x.name, "rate", x.rate, s,
+        { dim = units.times(x.dim, units.rate) }) }
   end
   if given.torque == nil and given.force == nil and given.potential == nil and #list == 0 then
     ctx.diag:error(line, what, "must have a torque, a force, a potential or states")

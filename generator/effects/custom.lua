@@ -1,6 +1,6 @@
 -- custom.lua -- an effect that the scene writes itself, with the rights of those here.
 --
---     effect.custom { params = {k = 2}, torque = function(s) return {..} end, force = .., potential = .., states = {..} }
+--     effect.custom { params = {..}, torque = function(s) return {..} end, force = .., potential = .., states = {..} }
 -- Each function receives s: lists s.w, s.q, s.r, s.v, s.L (I w, body axes), the time s.t, and the effect's own
 -- parameters and states by name; torque is in body axes, force (on the centre of mass) in inertial ones.  With a
 -- potential and no torque, N_i = -dV along a turn about body axis i, by q' = q (0, w)/2; with a potential and no force,

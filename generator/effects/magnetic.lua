@@ -25,7 +25,7 @@ local magnetic = {
 
 local comp = { "x", "y", "z" }
 
-function magnetic.refuse(a, given)
+function magnetic.refuse(_, given)
   if (given.field == nil) == (given.rotating == nil) then return "give field or rotating, one of them" end
   if (given.rotating == nil) ~= (given.rate == nil) then return "rotating needs rate, and rate needs rotating" end
   return nil

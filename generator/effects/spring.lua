@@ -21,7 +21,7 @@ local spring = {
   reader = "spring", keeps = "T+V",
   formula = "V = 2 u.K u, N = -2 (p0 K u + (K u) x u) with (p0, u) = rest* q, |u| = sin(angle/2)",
   signs = "for small angles N = -K angle, V = K angle^2/2; about an axis N = -k sin(angle), V = k (1 - cos(angle))",
-  source = "the potential of the angle's sine: Wie, Weiss, Arapostathis, J. Guidance 12 (1989) 375 (quaternion feedback)",
+  source = "derived here; as quaternion feedback: Wie, Weiss, Arapostathis, J. Guidance 12 (1989) 375",
   example = "torsion_pendulum",
 }
 

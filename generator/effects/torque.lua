@@ -11,7 +11,7 @@ local vec = require "generator.algebra.vec"
 
 local torque = {
   name = "effect.torque",
-  about = "torque, body = {x, y, z} or inertial = {x, y, z}: numbers, expressions of t and states, tables {{t, v}, ...}",
+  about = "torque, body or inertial = {x, y, z}: numbers, expressions of t and states, tables {{t, v}, ...}",
   reader = "torque",
   keeps = "w3 (body torque across z) or L_z (inertial torque across z)",
   formula = "N = body, or N = R(q)^T inertial",
