@@ -117,7 +117,7 @@ function args.scalar(ctx, line, what, name, spec, given)
     ctx.diag:error(line, what, name .. " must not depend on time or states", value.show(given))
     return nil
   end
-  if r.dim and not units.equal(r.dim, dim) and not (moves and r.plain) then
+  if r.dim and not units.equal(r.dim, dim) and not (spec.motion and r.plain) then
     local pure = units.equal(dim, units.none)
     ctx.diag:error(line, what, name .. (pure and " must be a pure number" or " must be in " .. units.name(dim)),
       value.show(given, true))
@@ -184,6 +184,13 @@ function args.keys(t)
     if x == 3 then return diag.show(a) < diag.show(b) end
     return a < b
   end)
+  return list
+end
+
+-- The keys of a user's table as a list of specs.
+function args.specs(given)
+  local list = {}
+  for i, k in ipairs(args.keys(given or {})) do list[i] = { name = tostring(k) } end
   return list
 end
 

@@ -147,7 +147,8 @@ local function effect_constructor(ctx, record)
         ok = false
       end
       for _, c in ipairs(ok and a and spec.check and spec.check(a) or {}) do
-        ok = args.condition(ctx, line, what, c[2], c[1], args.named(spec.args or {}, c[2], given or {})) and ok
+        local got = args.named(spec.args or args.specs(given), c[2], given or {})
+        ok = args.condition(ctx, line, what, c[2], c[1], got) and ok
       end
       local h = setmetatable({}, effect_object)
       record[h] = { kind = spec.name, spec = spec, a = a or {}, line = line, broken = not ok or a == nil }

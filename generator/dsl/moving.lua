@@ -8,6 +8,7 @@
 local expr = require "generator.algebra.expr"
 local motion = require "generator.algebra.motion"
 local args = require "generator.dsl.args"
+local names = require "generator.dsl.names"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
 local diag = require "generator.diag"
@@ -148,9 +149,9 @@ local built_in = { w = true, q = true, r = true, v = true, t = true, L = true }
 -- What functions of the scene receive: w, q, r, v, L as lists, t, and the effect's own parameters and states by name.
 local function received(ctx, what, own)
   local s = { t = moving.value { "t", "time" } }
-  local function list(name, names, dim)
+  local function list(name, components, dim)
     local v = {}
-    for i, n in ipairs(names) do v[i] = value.new(motion.sym(n), units[dim], true) end
+    for i, n in ipairs(components) do v[i] = value.new(motion.sym(n), units[dim], true) end
     s[name] = v
   end
   list("w", { "wx", "wy", "wz" }, "rate")
@@ -159,26 +160,27 @@ local function received(ctx, what, own)
   list("v", { "vx", "vy", "vz" }, "velocity")
   list("L", { "@Lx", "@Ly", "@Lz" }, "angular_momentum")
   for _, o in ipairs(own) do s[o[1]] = o[2] end
-  local names = {}
-  for i, k in ipairs(args.keys(s)) do names[i] = k end
+  local all = table.concat(args.keys(s), ", ")
   return setmetatable({}, { __index = function(_, k)
     if s[k] ~= nil then return s[k] end
-    ctx.diag:error(ctx.diag:here(), what, "has no " .. diag.show(k) .. " (it has " .. table.concat(names, ", ") .. ")")
+    ctx.diag:error(ctx.diag:here(), what, "has no " .. diag.show(k) .. " (it has " .. all .. ")")
     return value.new(expr.one, nil)
   end, __newindex = function()
     ctx.diag:error(ctx.diag:here(), what, "what a function receives cannot be changed")
   end })
 end
 
-local reserved = {} -- locals of the emitted functions and members of its structure
-for word in string.gmatch("hh mass com drag linear decay Omega Nk kk out dx dw da rest step time inertia", "%S+") do
+local reserved = {} -- members of the emitted structure and locals, of three letters and more without a digit
+for word in string.gmatch("mass com drag linear decay rest step time inertia out got", "%S+") do
   reserved[word] = true
 end
 
 -- nil if s can name a parameter or state of an effect, else the rule that it breaks.
 local function name_rule(s, taken)
-  if type(s) ~= "string" or not string.find(s, "^%l[%l_]+$") then
-    return "must be two or more small letters or _"
+  if type(s) ~= "string" or not string.find(s, "^%l[%l_][%l_]+$") then
+    return "must be three or more small letters or _"
+  elseif names.parameter(s) then
+    return names.parameter(s)
   elseif built_in[s] or reserved[s] or taken[s] or string.find(s, "_$") or string.find(s, "__", 1, true) then
     return "is taken by the emitted code or given twice"
   end

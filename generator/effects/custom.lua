@@ -23,9 +23,10 @@ local custom = {
   example = "magnet_pendulum",
 }
 
--- e with the effect's own names and L filled in, and what is constant lifted out.
+-- e with what is constant lifted out, and then the effect's own names and L filled in.
 local function filled(a, c, e, name)
   local map, L = {}, nil
+  e = c.lift(e, name, "constant of effect.custom")
   for _, p in ipairs(a.params) do
     map[expr.sym("@" .. p.name, 6)] = c.constant(p.name, p.e, "parameter of effect.custom, " .. p.unit)
   end
@@ -36,7 +37,7 @@ local function filled(a, c, e, name)
       map[motion.sym(n)] = L[i]
     end
   end
-  return c.lift(calculus.substitute(e, map), name, "constant of effect.custom")
+  return calculus.substitute(e, map)
 end
 
 local function all(a, c, v, name) return vec.map(v, function(e) return filled(a, c, e, name) end) end
