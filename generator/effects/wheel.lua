@@ -19,8 +19,8 @@ local wheel = {
   keeps = "L and |L| with the wheel's part; T+V without torque; w3 if free and along z",
   formula = "J (a.w + W)' = u; (I - J a a^T) w' = ((I - J a a^T) w + J (a.w + W) a) x w - u a",
   signs = "u > 0 speeds the wheel up along its axis and pushes the body the other way; W is relative to the body",
-  about = "driven wheel: axis (body), inertia, speed relative to the body, torque of its motor, included in the body?",
-    "section 4.5",
+  source = "Hughes, Spacecraft Attitude Dynamics, section 3.5; Schaub, Junkins, Analytical Mechanics, " ..
+    "of Space Systems, section 4.5",
   example = "wheels",
 }
 

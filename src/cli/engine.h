@@ -12,10 +12,11 @@
  *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="control"}
  *   {kind="translation", gravity={3}, linear=, drag=, stiffness={3}}
  *   {kind="frame", rate={3}, rate_dot={3}, centrifugal=}, moves= true if a translation is meant
- *   {kind="drag", c=} {kind="friction", torque=, smoothing=} {kind="spring", stiffness={3}, rest={4},
- *   axis={3} or nil} {kind="magnetic", moment={3}, field={3}, rotating=, rate=} {kind="varying",
- *   parts={3 of varying}, inertial=} {kind="wheel", axis={3}, inertia=, torque=varying, included=}
- *   {kind="custom", torque={3}, force={3}, potential=, states={..}}, each of them a program
+ *   {kind="drag", c=} {kind="friction", torque=, smoothing=} {kind="spring", stiffness={3},
+ * rest={4}, axis={3} or nil} {kind="magnetic", moment={3}, field={3}, rotating=, rate=}
+ * {kind="varying", parts={3 of varying}, inertial=} {kind="wheel", axis={3}, inertia=,
+ * torque=varying, included=} {kind="custom", torque={3}, force={3}, potential=, states={..}}, each
+ * of them a program
  * - varying: a number, {rows={t, v, ...}} or {code=program}; program: dynamics/postfix.lua's list
  *
  * Tables of the wrong form are a bug of the caller and raise; numbers that no body can have are the

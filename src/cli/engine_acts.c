@@ -259,6 +259,7 @@ double engine_acts_momentum(const ph_top *top, const double x[]) {
   double scale = 0;
   for (int k = 0; k < top->acts.n; k++)
     if (top->effects & PH_WHEEL && top->acts.list[k].kind == PH_WHEEL)
-      scale = larger(scale, top->acts.list[k].v[3] * larger(fabs(x[engine_own_place(top, k)]), norm(x + 4)));
+      scale = larger(scale, top->acts.list[k].v[3] *
+                                larger(fabs(x[engine_own_place(top, k)]), norm(x + 4)));
   return scale;
 }

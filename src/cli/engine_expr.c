@@ -11,14 +11,32 @@
 #include <string.h>
 
 #define MAX_DEPTH 64
-#define MAX_CODE 20000
+#define MAX_CODE  20000
 
-enum op { NUMBER, VARIABLE, ADD, MUL, POW, SIN, COS, TAN, ASIN, ACOS, ATAN, ATAN2, EXP, LOG, SINH,
-          COSH, TANH, ABS };
+enum op {
+  NUMBER,
+  VARIABLE,
+  ADD,
+  MUL,
+  POW,
+  SIN,
+  COS,
+  TAN,
+  ASIN,
+  ACOS,
+  ATAN,
+  ATAN2,
+  EXP,
+  LOG,
+  SINH,
+  COSH,
+  TANH,
+  ABS
+};
 
-static const char *const names[] = {"n",    "v",     "+",   "*",   "^",    "sin",  "cos",
-                                    "tan",  "asin",  "acos", "atan", "atan2", "exp",  "log",
-                                    "sinh", "cosh",  "tanh", "abs", NULL};
+static const char *const names[] = {"n",    "v",    "+",    "*",    "^",     "sin", "cos",
+                                    "tan",  "asin", "acos", "atan", "atan2", "exp", "log",
+                                    "sinh", "cosh", "tanh", "abs",  NULL};
 
 struct instruction {
   enum op op;
@@ -140,8 +158,7 @@ void engine_read_program(struct engine_scene *s, ph_varying *out) {
   const int n = (int)lua_rawlen(L, -1);
   if (n < 1 || n > MAX_CODE)
     luaL_error(L, "program: from 1 to %d items", MAX_CODE);
-  struct engine_program *p =
-      lua_newuserdatauv(L, sizeof *p + (size_t)n * sizeof p->code[0], 0);
+  struct engine_program *p = lua_newuserdatauv(L, sizeof *p + (size_t)n * sizeof p->code[0], 0);
   lua_insert(L, -2);
   p->length = 0;
   int depth = 0;

@@ -1,9 +1,9 @@
 /* acts.c - torques, forces and potentials of the effects of polhode_acts.h.
    SPDX-License-Identifier: GPL-3.0-or-later
 
-   What v[] of an act holds: PH_QUADRATIC c; PH_FRICTION T, s; PH_SPRING three stiffnesses, or one if
-   flag is set, then four of the rest attitude, then the axis if flag is set; PH_MAGNETIC m, B, rate;
-   PH_WHEEL axis, J. */
+   What v[] of an act holds: PH_QUADRATIC c; PH_FRICTION T, s; PH_SPRING three stiffnesses, or one
+   if flag is set, then four of the rest attitude, then the axis if flag is set; PH_MAGNETIC m, B,
+   rate; PH_WHEEL axis, J. */
 #include "acts.h"
 
 /* ---- what varies ---- */

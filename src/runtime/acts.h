@@ -16,7 +16,8 @@ int acts_place(const ph_top *top, int i);
 
 ph_wide acts_value(const ph_varying *v, ph_wide t, const ph_wide x[]);
 
-/* Adds their torques to N, body axes, but the motors' of wheels, and a bound of their terms to *size. */
+/* Adds their torques to N, body axes, but the motors' of wheels, and a bound of their terms to
+ * *size. */
 void acts_torque(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide N[3], ph_wide *size);
 /* Adds the forces of custom acts to F. */
 void acts_force(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide F[3]);

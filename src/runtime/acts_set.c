@@ -87,9 +87,15 @@ int ph_top_spring_axis(ph_top *top, double k, const double axis[3], const double
   const ph_wide n = wide_norm(a);
   if (!(n > 0))
     return PH_EDIRECTION;
-  const double v[10] = {k,       0,       0,
-                        rest[0], rest[1], rest[2],
-                        rest[3], (double)(a[0] / n), (double)(a[1] / n),
+  const double v[10] = {k,
+                        0,
+                        0,
+                        rest[0],
+                        rest[1],
+                        rest[2],
+                        rest[3],
+                        (double)(a[0] / n),
+                        (double)(a[1] / n),
                         (double)(a[2] / n)};
   return spring(top, v, 1);
 }

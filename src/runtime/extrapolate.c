@@ -36,8 +36,8 @@ static int midpoint(stepper *s, const ph_wide x[], ph_wide H, int n, ph_wide out
   return wide_fits(states, now) ? PH_OK : PH_ERANGE;
 }
 
-/* Largest component of e relative to the state's: |q| = 1, w, r and v by their size, own states each
-   by its own. */
+/* Largest component of e relative to the state's: |q| = 1, w, r and v by their size, own states
+   each by its own. */
 static ph_wide relative(const ph_top *top, const ph_wide x[], const ph_wide d[],
                         const ph_wide e[]) {
   const int n = ph_top_states(top), shared = n - acts_states(top);

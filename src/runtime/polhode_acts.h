@@ -1,5 +1,5 @@
-/* polhode_acts.h - further effects, as many of each as are wanted: part of polhode.h, which includes
-   it. SPDX-License-Identifier: GPL-3.0-or-later
+/* polhode_acts.h - further effects, as many of each as are wanted: part of polhode.h, which
+   includes it. SPDX-License-Identifier: GPL-3.0-or-later
 
    Each call adds one act to a top and switches its kind on; ph_top_without switches kinds off.
    N is in body axes, q the attitude, w the rates:
@@ -38,8 +38,8 @@ enum ph_act_kind { /* further bits of ph_top.effects */
                    PH_ANY_ACT = 127 << 16
 };
 
-/* A number that may vary: f(context, t, x) if f is not NULL, x the whole state; else, with rows > 0,
-   a table of rows t, v: linear between them, constant beyond, t ascending; else value. Table and
+/* A number that may vary: f(context, t, x) if f is not NULL, x the whole state; else, with rows >
+   0, a table of rows t, v: linear between them, constant beyond, t ascending; else value. Table and
    context stay the caller's and must live as long as the top is used. */
 typedef struct ph_varying {
   double value;
@@ -51,9 +51,9 @@ typedef struct ph_varying {
 
 typedef struct ph_act {
   enum ph_act_kind kind;
-  double v[10];/* numbers of the kind, acts.c */
-  int flag;    /* varying: inertial axes; wheel: included; magnetic: turns; spring: one axis */
-  int states;  /* of its own */
+  double v[10]; /* numbers of the kind, acts.c */
+  int flag;     /* varying: inertial axes; wheel: included; magnetic: turns; spring: one axis */
+  int states;   /* of its own */
   ph_varying torque[3], force[3], potential, rate[PH_OWN_STATES];
 } ph_act;
 
@@ -73,8 +73,8 @@ int ph_top_friction(struct ph_top *top, double T, double s);
 int ph_top_spring(struct ph_top *top, const double k[3], const double rest[4]);
 /* The same about one axis (any length but 0): V = 2 k (a.u)^2. */
 int ph_top_spring_axis(struct ph_top *top, double k, const double axis[3], const double rest[4]);
-/* Moment in body axes, A m^2; field in inertial axes, T, turning about inertial z at rate, rad/s, if
-   turns is not 0, from what it is at t = 0. */
+/* Moment in body axes, A m^2; field in inertial axes, T, turning about inertial z at rate, rad/s,
+   if turns is not 0, from what it is at t = 0. */
 int ph_top_magnetic(struct ph_top *top, const double moment[3], const double field[3], int turns,
                     double rate);
 int ph_top_varying(struct ph_top *top, int inertial, const ph_varying torque[3]);

@@ -169,11 +169,12 @@ static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[], ph_wide *suggesti
     const ph_wide left = span - done;
     ph_wide y[PH_STATES], error = 0, h = left;
     run->stepper.t = start + done;
-    if ((run->stepper.gsl || extrapolates) && fabsl(left) > longest) /* no crumb is left for the last step */
+    if ((run->stepper.gsl || extrapolates) &&
+        fabsl(left) > longest) /* no crumb is left for the last step */
       h = fabsl(left) > 2 * longest ? copysignl(longest, left) : left / 2;
     int status;
     ph_wide after = 0;
-    if (extrapolates)
+    if (run->stepper.gsl || extrapolates) /* no step crosses a corner of a table */
       h = acts_until(&run->top, run->stepper.t, h);
     if (run->stepper.gsl)
       status = step_gsl(&run->stepper, x, h, y, &error);

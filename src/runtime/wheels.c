@@ -4,8 +4,8 @@
    With I the tensor of the body with all wheels locked, and for each wheel J (a.w + W)' = u,
      I w' + sum J W' a = b - w x sum J W a,      J a.w' + J W' = u
    3 + n equations, solved as they stand by elimination with row pivots: what the wheels take from
-   the tensor is never subtracted. b of motion.h belongs to the body's own tensor; a wheel that is not
-   in it adds J a a^T, and to b its -w x J (a.w) a. */
+   the tensor is never subtracted. b of motion.h belongs to the body's own tensor; a wheel that is
+   not in it adds J a a^T, and to b its -w x J (a.w) a. */
 #include "acts.h"
 
 enum { ROWS = 3 + PH_ACTS };
