@@ -1,5 +1,5 @@
--- magnet_pendulum.lua -- an effect of the scene's own: a pendulum over a plate whose pull falls off with the height,
--- and a temperature that friction in the bearing raises.
+-- magnet_pendulum.lua -- effects of the scene's own: a pendulum over a magnet, and the heat of its bearing as a state.
+-- The magnet's pull falls off with the height.
 -- The potential is written, the torque follows from it; the bearing's torque is a second effect with a state.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
