@@ -15,7 +15,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local closed = { require "generator.dynamics.closed.sphere", require "generator.dynamics.closed.symmetric",
-  (require "generator.dynamics.closed.asymmetric") } -- one value: require also returns where it found it
+  require "generator.dynamics.closed.asymmetric",
+  (require "generator.dynamics.closed.lagrange") } -- one value: require also returns where it found it
 
 -- The form that applies, with `others`, the list {name, reason} of those refused; without one {refused = text, others}.
 function closed.detect(m, eq)
