@@ -102,13 +102,14 @@ $(BUILD)/tests/%.t: tests/%.c $(LIBRARY) | $(READY)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -Itests -MMD -MP -MF $@.d $(LDFLAGS) -o $@ $< \
 	  $(LIBRARY) $(GSL_LIBS) -lmpfr -lgmp -lm
 
-# The free top with MPFR's digits: the oracle of tests/oracle/free_top.t and of the error map.
+# The free top with MPFR's digits: the oracle of tests/oracle/free_top.t and of the error map; and the heavy top.
 ORACLE := $(BUILD)/oracle/free_top
-$(ORACLE): tests/oracle/free_top.c | $(READY)
+ORACLES := $(ORACLE) $(BUILD)/oracle/heavy_top
+$(BUILD)/oracle/%: tests/oracle/%.c | $(READY)
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(LDFLAGS) -o $@ $< -lmpfr -lgmp -lm
 
-tests: all $(C_TESTS) $(ORACLE)
+tests: all $(C_TESTS) $(ORACLES)
 
 check:
 	@CC="$(CC)" .ci/setup build check

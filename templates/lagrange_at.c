@@ -20,9 +20,11 @@ static void ${name}_circular_at(const ${name}_orbit *o, ${name}_real r, ${name}_
   X[2][1] = c*im + s*re;
 }
 
-static void ${name}_hyperbolic_at(const ${name}_orbit *o, ${name}_real r, ${name}_real X[3][2])
+/* low: what r lacks */
+static void ${name}_hyperbolic_at(const ${name}_orbit *o, ${name}_real r, ${name}_real low, ${name}_real X[3][2])
 {
-  const ${name}_real e = ${exp}(-${fabs}(r)) + ${least}, root = o->nome/e, g = root*root, sign = r < ${zero} ? -${one} : ${one};
+  const ${name}_real sign = r < ${zero} ? -${one} : ${one}, first = ${exp}(-${fabs}(r)), e = (first - first*(sign*low)) + ${least};
+  const ${name}_real root = o->nome/e, g = root*root;
   const ${name}_real E = e*e, h = (o->nome*e)*(o->nome*e), g2 = g*g, h2 = h*h, f = E*E*g;
   int i;
 
@@ -60,7 +62,7 @@ static void ${name}_turned(const ${name}_real X[3][2], ${name}_real flip, const 
 }
 
 /* phase of the nutation, less the nearest multiple of its period; of a and b, less whole turns; and (-1) to the multiple */
-static void ${name}_reduce(const ${name}_orbit *o, ${name}_real t, ${name}_real *r, ${name}_real turns[2], ${name}_real *flip)
+static void ${name}_reduce(const ${name}_orbit *o, ${name}_real t, ${name}_real *r, ${name}_real *low, ${name}_real turns[2], ${name}_real *flip)
 {
   ${name}_pair p = {o->start[0], o->start[1]}, whole, jump;
   ${name}_real n;
@@ -70,21 +72,25 @@ static void ${name}_reduce(const ${name}_orbit *o, ${name}_real t, ${name}_real 
   n = ${name}_nearest(p.hi*o->inverse);
   *flip = ${one} - ${two}*${fabs}(n - ${two}*${name}_nearest(${half}*n));
   whole = ${name}_pair_product(n, o->period[0]);
-  *r = (p.hi - whole.hi) + (p.lo - whole.lo - n*o->period[1]);
+  whole = ${name}_pair_sum(p.hi - whole.hi, p.lo - whole.lo - n*o->period[1]);
+  *low = whole.lo;
+  /* beyond some 2^50 periods or turns nothing is left of a phase; it stays in its range */
+  *r = ${fabs}(whole.hi)*o->inverse <= ${one} ? whole.hi : ${zero};
   for (i = 0; i < 2; i++) {
     jump = ${name}_pair_product(n, o->jump[i][0]);
     jump.lo += n*o->jump[i][1];
     p = ${name}_phase(jump, o->turn[i], t);
     turns[i] = (p.hi - ${name}_nearest(p.hi)) + p.lo;
+    if (!(${fabs}(turns[i]) <= ${one})) turns[i] = ${zero};
   }
 }
 
 static void ${name}_functions(const ${name}_orbit *o, ${name}_real t, ${name}_real y[4], ${name}_real f[2])
 {
-  ${name}_real r, flip, turns[2], X[3][2];
+  ${name}_real r, low, flip, turns[2], X[3][2];
 
-  ${name}_reduce(o, t, &r, turns, &flip);
-  if (o->hyperbolic) ${name}_hyperbolic_at(o, r, X);
+  ${name}_reduce(o, t, &r, &low, turns, &flip);
+  if (o->hyperbolic) ${name}_hyperbolic_at(o, r, low, X);
   else ${name}_circular_at(o, r, X);
   ${name}_turned((const ${name}_real(*)[2])X, flip, turns, y, f);
 }

@@ -197,7 +197,7 @@ static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_cubic *p, const $
         x += o->re[i][n]*(n == 0 ? ${one} : ${two}*power_of[n]);
       }
     }
-    if (i == 0) x = (${one} + Q + Q*(${one} + Q2*Q) + Q2*Q2*(${one} + Q2*Q2*Q))/${sqrt}(x*x + y*y);
+    if (i == 0) x = (${one} + ${two}*(Q + Q2*Q2 + Q2*Q2*Q2*Q2*Q))/${sqrt}(x*x + y*y);
     else x = ${two}*(${one} + Q2 + Q2*Q2*Q2)/x;
     ${name}_scale_series(o, i, amplitude[i]*x);
   }

@@ -33,7 +33,7 @@ end
 local function literals(real)
   local function n(q) return number.text(R.lift(q), real) end
   local bits = real == "float" and 24 or 53
-  return { zero = n(0), one = n(1), two = n(2), half = n "1/2", threehalves = n "3/2", sixteen = n(16), twelve = n(12),
+  return { zero = n(0), one = n(1), two = n(2), half = n "1/2", threehalves = n "3/2", twelve = n(12), sixteen = n(16),
     epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),

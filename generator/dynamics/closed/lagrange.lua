@@ -1,4 +1,4 @@
--- lagrange.lua -- the heavy symmetric top (Lagrange): gravity alone on a symmetric body held on its axis; templates/lagrange*.
+-- lagrange.lua -- the heavy symmetric top (Lagrange): gravity alone on a symmetric body held at a point of its axis.
 --
 -- The axis of a sphere about the origin of rotation is the line to its centre of mass.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -57,22 +57,23 @@ function lagrange.detect(m, eq)
   end
   if #list > 1 then return nil, "gravity acts " .. #list .. " times: write it as one" end
   if s.kind ~= "sphere" and s.kind ~= "symmetric" then
-    return nil, "gravity acts, but no two moments about the origin of rotation are equal for every value of the parameters",
-      true
+    return nil, "gravity acts, but no two moments about the origin of rotation are equal for every value of the " ..
+      "parameters", true
   end
   if not parallel(axis(m), m.com) then
     return nil, "gravity acts on a symmetric body, but its centre of mass is not on the symmetry axis for every value " ..
       "of the parameters", true
   end
   return { kind = "lagrange", theorem = "heavy symmetric top (Lagrange), theta functions",
-    text = { "The cosine u of the tilt swings between two roots of a cubic, u = u1 + (u2 - u1) sn^2, and the attitude is a",
-      "pair a, b with |a|^2 = (1 + u)/2, |b|^2 = (1 - u)/2, each exp(i mu t) times a quotient of theta functions with mu",
-      "and eta of its own, as are the rates across the axis (Jacobi; Klein and Sommerfeld, Theorie des Kreisels, part 2;",
-      "Whittaker, Analytical Dynamics, sections 71-73).  Set up in twice the working precision; any state: cusps and",
-      "loops, steady precession, the sleeping top, pendulums, passages through the vertical are limits of one formula." },
-    header = "templates/lagrange.h", sources = { "templates/double.c", "templates/nome.c", "templates/wide.c",
-      "templates/phase.c", "templates/lagrange.c", "templates/lagrange_theta.c", "templates/lagrange_at.c",
-      "templates/lagrange_solve.c" }, flags = {}, constants = constants, full = true }
+    text = { "The cosine u of the tilt swings between two roots of a cubic, u = u1 + (u2 - u1) sn^2; the attitude is a",
+      "pair a, b with |a|^2 = (1 + u)/2, |b|^2 = (1 - u)/2, each exp(i mu t) times a quotient of theta functions with",
+      "mu and eta of its own, as are the rates across the axis (Jacobi; Whittaker, Analytical Dynamics, sections 71-73;",
+      "Klein and Sommerfeld, Theorie des Kreisels, part 2).  Set up in twice the working precision; any state: cusps,",
+      "loops, steady precession, sleeping tops, pendulums, passages through the vertical are limits of one formula." },
+    header = "templates/lagrange.h", flags = {}, constants = constants, full = true, sensitive = true,
+    sources = { "templates/double.c", "templates/nome.c", "templates/wide.c", "templates/phase.c",
+      "templates/lagrange.c",
+      "templates/lagrange_theta.c", "templates/lagrange_at.c", "templates/lagrange_solve.c" } }
 end
 
 return lagrange
