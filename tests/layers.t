@@ -51,6 +51,7 @@ local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/
   ["generator/ir/show.lua"] = true, ["generator/report/json.lua"] = true, ["generator/report/facts.lua"] = true,
   ["generator/report/explain.lua"] = true, ["generator/commands/run.lua"] = true,
   ["generator/report/stability.lua"] = true, ["generator/report/chart.lua"] = true,
+  ["generator/report/linearised.lua"] = true,
   ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true,
   ["generator/commands/mesh.lua"] = true }
 

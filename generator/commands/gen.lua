@@ -24,12 +24,15 @@ function gen.command(given)
   return table.concat(parts, " ")
 end
 
--- {rk4 = true, exact = true} from --method; nil and a message for one that cannot be emitted.
+-- {rk4 = true, exact = true} from --method; nil and a message for one that cannot be emitted.  NAME_linearised, like
+-- the rest of the analysis, is always emitted: the name is allowed and changes nothing.
 local function methods(given)
   if not given.method then return nil end
   local set = {}
   for _, name in ipairs(given.method) do
-    if name ~= "rk4" and name ~= "exact" then return nil, "--method: gen emits rk4 and exact, got " .. name end
+    if name ~= "rk4" and name ~= "exact" and name ~= "linearised" then
+      return nil, "--method: gen emits rk4, exact and linearised, got " .. name
+    end
     set[name] = true
   end
   return set

@@ -41,7 +41,7 @@ end
 function what.methods()
   return { { "exact", "closed form at any time: every torque-free top" },
     { "rk4", "classical Runge-Kutta of order 4, fixed step, unrolled" },
-    { "linearised", "small oscillations of the free top about a principal axis, closed form" },
+    { "linearised", "small oscillations of the free top about a principal axis; run: general library" },
     { "adaptive", "general library only (run): Taylor series, step and order chosen" } }
 end
 

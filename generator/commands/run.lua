@@ -19,7 +19,7 @@ run.operands = { 1, 1 }
 
 local columns = { "t", "qw", "qx", "qy", "qz", "wx", "wy", "wz", "energy", "Lx", "Ly", "Lz" }
 local general = { adaptive = true, taylor = true, rk4 = true, rkf45 = true, rk8pd = true, ["gsl-rk4"] = true,
-  exact = true }
+  exact = true, linearised = true }
 
 -- Most rows that one call prints; more is a slip of --every.
 local most = 1000000
@@ -44,7 +44,8 @@ end
 local function generated(host, job, given, list)
   local method = given.method or (job.closed.full and "exact" or "rk4")
   if method ~= "rk4" and method ~= "exact" then
-    return nil, "--engine generated has the methods rk4 and exact, got " .. method
+    return nil, "--engine generated has the methods rk4 and exact, got " .. method ..
+      (method == "linearised" and " (--engine general has it; in C it is the function NAME_linearised)" or "")
   end
   if method == "exact" and not job.closed.full then
     return nil, "method exact: " .. (job.closed.kind and "the closed form of this scene gives the rates only" or
@@ -75,11 +76,12 @@ end
 local function library(host, job, given, list)
   local method = given.method or "adaptive"
   if not general[method] then
-    return nil, "--engine general has the methods adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, exact, got " .. method
+    return nil, "--engine general has the methods adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, exact, linearised, " ..
+      "got " .. method
   end
   local scene = numeric.scene(job)
-  if method == "exact" and #scene.effects > 0 then
-    return nil, "--engine general --method exact solves free tops, and this scene has effects"
+  if (method == "exact" or method == "linearised") and #scene.effects > 0 then
+    return nil, "--engine general --method " .. method .. " solves free tops, and this scene has effects"
   end
   local fixed = given.step or (method == "rk4" or method == "gsl-rk4") and job.model:double(job.model.step) or nil
   return host.run(scene, { method = method, step = fixed, tol = given.tolerance, times = list })

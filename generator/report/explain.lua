@@ -11,6 +11,7 @@ local init = require "generator.emit.init"
 local source = require "generator.emit.source"
 local facts = require "generator.report.facts"
 local json = require "generator.report.json"
+local linearised = require "generator.report.linearised"
 local pieces = require "generator.report.pieces"
 local design = require "generator.report.stability"
 
@@ -194,6 +195,7 @@ local function document(f)
   section("Equations of motion", equation_section(f))
   section("Motion", motion_section(f))
   section("Stability", stability_section(f))
+  section("Linearised motion", linearised.lines(f))
   section("Stability by design", design.lines(f))
   local costs = {}
   for i, c in ipairs(cost_section(f.job)) do
@@ -317,8 +319,9 @@ function writers.json(f)
     { "origin", f.origin_number },    { "com_from_origin", f.arm_number },
     { "inertia", entries(f.inertia, f.inertia_number) }, { "centroidal", entries(f.centroidal, f.centroidal_number) },
     { "principal", object { { "moments", f.moments }, { "axes", f.axes } } }, { "symmetry", f.symmetry },
-    { "closed_form", closed }, { "stability", stability }, { "effects", effects }, { "methods", methods },
-    { "cost", cost }, { "warnings", warnings } })
+    { "closed_form", closed }, { "stability", stability },
+    { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
+    { "warnings", warnings } })
 end
 
 -- The explanation of a planned job in the format.

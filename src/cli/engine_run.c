@@ -102,7 +102,7 @@ static int fail_at(lua_State *L, double t, int status) {
 
 /* run(scene, {method=, step=, tol=, order=, times={...}, t0=, u={3}}) -> {{t, q4, w3, energy, L3},
    ...} | nil, message.  Method: adaptive (default) and taylor (long double Taylor series), rk4,
-   gsl-rk4, rkf45, rk8pd, exact (a free top only). */
+   gsl-rk4, rkf45, rk8pd, exact and linearised (a free top only). */
 int host_run(lua_State *L) {
   struct engine_scene s;
   ph_options options;
@@ -116,10 +116,16 @@ int host_run(lua_State *L) {
   engine_get(L, 1, "w", 3, x + 4, NULL);
   engine_get(L, 2, "u", 3, u, no_control);
   option(L, 2, "t0", &t);
-  status = read_options(L, 2, &options);
+  const double t0 = t, x0[STATES] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6]};
+  lua_getfield(L, 2, "method");
+  const int linearised = strcmp(luaL_optstring(L, -1, ""), "linearised") == 0; /* from x0 */
+  lua_pop(L, 1);
   ph_run **run = new_run_holder(L);
-  if (status == PH_OK)
-    status = ph_run_new(run, &s.top, &options, t, x);
+  if (!linearised) {
+    status = read_options(L, 2, &options);
+    if (status == PH_OK)
+      status = ph_run_new(run, &s.top, &options, t, x);
+  }
   if (status != PH_OK)
     return fail_at(L, t, status);
   lua_getfield(L, 2, "times");
@@ -130,7 +136,7 @@ int host_run(lua_State *L) {
     lua_rawgeti(L, times, i);
     t = luaL_checknumber(L, -1);
     lua_pop(L, 1);
-    status = ph_run_to(*run, t, u, x);
+    status = linearised ? ph_top_linearised(&s.top, x0, t - t0, x) : ph_run_to(*run, t, u, x);
     if (status == PH_OK)
       status = push_row(L, &s.top, t, x);
     if (status != PH_OK)
