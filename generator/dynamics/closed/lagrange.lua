@@ -47,15 +47,15 @@ local function constants(m)
   return out
 end
 
-function lagrange.detect(m, eq)
+function lagrange.detect(m)
   local list, s = m.record.effects, m.structure
-  if eq.free then return nil, "no gravity acts" end
+  local weights, other = 0, nil
   for _, e in ipairs(list) do
-    if e.kind ~= "effect.gravity" then
-      return nil, string.gsub(e.kind, "effect%.", "") .. " acts on the body, not gravity alone"
-    end
+    if e.kind == "effect.gravity" then weights = weights + 1 else other = other or string.gsub(e.kind, "effect%.", "") end
   end
-  if #list > 1 then return nil, "gravity acts " .. #list .. " times: write it as one" end
+  if weights == 0 then return nil, "no gravity acts" end
+  if other then return nil, "not gravity alone acts on the body, but " .. other .. " too", true end
+  if weights > 1 then return nil, "gravity acts " .. weights .. " times: write it as one", true end
   if s.kind ~= "sphere" and s.kind ~= "symmetric" then
     return nil, "gravity acts, but no two moments about the origin of rotation are equal for every value of the " ..
       "parameters", true
