@@ -12,6 +12,7 @@
 #define POLHODE_${upper}_HEADER
 
 %% if has_ticks then
+#include <stddef.h>
 #include <stdint.h>
 
 %% end

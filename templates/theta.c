@@ -63,11 +63,9 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
   total = ${name}_pair_divide(p->G, ${name}_pair_multiply(pi, p->I[1]));
   total = ${name}_pair_scale(${name}_pair_subtract(total, ${name}_pair_times(p->s, D)), -2);
   o->hyperbolic = 0;
-  ${name}_store(o->start, start);
-  ${name}_store(o->rate, rate);
+  ${name}_store(o->start, ${name}_pair_scale(start, -1)); /* the rates have two periods of theta functions */
+  ${name}_store(o->rate, ${name}_pair_scale(rate, -1));
   ${name}_store(o->turn, total);
-  ${name}_store(o->period, one);
-  o->inverse = ${one};
 
   /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin z - ... */
   e[0] = g[0] = ${one};
@@ -77,14 +75,15 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
   }
   Q[0] = ${one}; /* powers of q */
   for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q.hi;
+  /* what q <= exp(-pi/2) leaves above 2^-54 */
   for (n = 0, sign = ${one}; n < 4; n++, sign = -sign) c[n] = n == 0 ? ${one} : sign*Q[n*(2*n - 1)]*(e[2*n] + g[2*n]);
-  ${name}_polynomial(4, c, ${zero}, ${one}, o->a_re);
-  for (n = 1, sign = -${one}; n < 4; n++, sign = -sign) c[n - 1] = p->s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
-  ${name}_polynomial(3, c, ${zero}, ${two}, o->a_im);
+  ${name}_polynomial(4, c, ${zero}, ${one}, o->a);
+  for (n = 1, sign = -${two}; n < 4; n++, sign = -sign) c[n - 1] = p->s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
+  ${name}_polynomial(3, c, ${zero}, ${two}, o->b);
   for (n = 0, sign = ${one}; n < 4; n++, sign = -sign) c[n] = p->s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
-  ${name}_polynomial(4, c, ${one}, ${two}, o->b_re);
+  ${name}_polynomial(4, c, ${one}, ${two}, o->c);
   for (n = 0, sign = -${one}; n < 4; n++, sign = -sign) c[n] = sign*Q[n*(2*n + 1)]*(e[2*n + 1] - g[2*n + 1]);
-  ${name}_polynomial(4, c, -${one}, ${two}, o->b_im);
+  ${name}_polynomial(4, c, -${one}, ${two}, o->d);
 
   /* theta2(z; q), theta1(z; q) without 2 q^(1/4), theta3(z; q), each over what makes it cn, sn, dn times theta4/theta4(0) */
   {
@@ -96,15 +95,24 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_top *p)
       four_ += (n % 2 ? -${two} : ${two})*Q[n*n];
     }
     for (n = 0; n < 5; n++) c[n] = Q[n*(n + 1)];
-    ${name}_polynomial(5, c, -${one}, ${two}, o->f[0]);
-    for (n = 0; n < 5; n++) c[n] = p->s*(n % 2 ? -${one} : ${one})*Q[n*(n + 1)];
-    ${name}_polynomial(5, c, ${one}, ${two}, o->f[1]);
+    ${name}_polynomial(5, c, -${one}, ${two}, o->f);
     for (n = 0; n < 5; n++) c[n] = (n ? ${two} : ${one})*Q[n*n];
-    ${name}_polynomial(5, c, ${zero}, ${one}, o->f[2]);
+    ${name}_polynomial(5, c, ${zero}, ${one}, o->f + 5);
     o->scale[0] = ${one}/two_;
-    o->scale[1] = three_/(two_*four_);
+    o->scale[1] = p->s*three_/(two_*four_);
     o->scale[2] = ${one}/three_;
   }
+}
+
+/* c[n] p^(n(n + 1)) cosh((2n + 1)V)/cosh V, n < 4, summed, as a polynomial in U = p cosh 2V */
+static void ${name}_multiples(const ${name}_real c[4], ${name}_real p, ${name}_real out[4])
+{
+  const ${name}_real p2 = p*p, p4 = p2*p2, p8 = p4*p4;
+
+  out[0] = c[0] - p2*(c[1] + p4*(c[2] - p4*p2*c[3]));
+  out[1] = ${two}*p*(c[1] - p4*(c[2] + ${two}*p4*p2*c[3]));
+  out[2] = ${two}*${two}*p4*(c[2] - p4*p2*c[3]);
+  out[3] = ${eight}*p8*p*c[3];
 }
 
 /* Near the separatrix.  h = kappa eta = pi v/(4 K'), sc(v, k') = sqrt(I1 (I3 - I2)/(I3 (I2 - I1))); V has the period
@@ -118,9 +126,9 @@ static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
   const ${name}_pair sum = ${name}_pair_multiply(p->I[1], p->d31);
   const ${name}_pair sn = ${name}_root_of(${name}_pair_multiply(p->I[0], p->d32), sum), cn = ${name}_root_of(${name}_pair_multiply(p->I[2], p->d21), sum);
   const ${name}_pair dn = ${name}_pair_multiply(p->G, ${name}_root_of(p->rho, ${name}_pair_multiply(p->I[1], p->Lambda1)));
-  const ${name}_pair v = ${name}_pair_multiply(sn, ${name}_carlson(cn, dn, one)), turn = ${name}_pair_divide(v, K4);
-  ${name}_pair c1, s1, c, s, up, down, power, odd, ratio;
-  ${name}_real cosine[4], sine[4]; const ${name}_real h = ${name}_pair_multiply(pi, turn).hi; ${name}_real P, Q, two_, three_, four_;
+  const ${name}_pair v = ${name}_pair_multiply(sn, ${name}_carlson(cn, dn, one));
+  ${name}_pair turn = ${name}_pair_divide(v, K4), c1, s1, c, s, up, down, power, odd, ratio;
+  ${name}_real cosine[4], sine[4]; const ${name}_real h = ${name}_pair_multiply(pi, turn).hi; ${name}_real P, Q, Q2, two_, three_, four_;
   int n;
 
   ${name}_pair_circle(${name}_pair_scale(${name}_pair_multiply(pi, turn), 2), &c1, &s1); /* 4h: cos - 1, sin */
@@ -141,28 +149,44 @@ static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
   }
   up = ${name}_pair_multiply(rate, ${name}_pair_divide(up, down));
   up = ${name}_pair_subtract(${name}_pair_divide(p->G, ${name}_pair_scale(p->I[1], 1)), ${name}_pair_times(p->s, up));
-  ${name}_store(o->turn, ${name}_pair_divide(up, ${name}_pair_scale(pi, 1)));
-  ${name}_store(o->start, start);
-  ${name}_store(o->rate, rate);
-  ${name}_store(o->period, ${name}_pair_scale(${name}_pair_minus(p->log_qc), -1));
-  ${name}_store(o->jump, ${name}_pair_times(p->s, turn));
-  o->hyperbolic = 1;
-  o->inverse = p->qc.hi > ${zero} || p->log_qc.hi < ${zero} ? -${two}/p->log_qc.hi : ${zero};
+  up = ${name}_pair_divide(up, ${name}_pair_scale(pi, 1));
+  if (p->qc.hi > ${zero} || p->log_qc.hi < ${zero}) {
+    const ${name}_pair period = ${name}_pair_minus(p->log_qc), per = ${name}_pair_divide(rate, period);
 
+    turn = ${name}_pair_times(p->s, turn);
+    ${name}_store(o->rate, per);
+    ${name}_store(o->start, ${name}_pair_divide(start, period));
+    ${name}_store(o->turn, ${name}_pair_subtract(up, ${name}_pair_scale(${name}_pair_multiply(turn, per), 1)));
+    o->jump = turn.hi;
+    o->half = ${name}_pair_divide(period, ${name}_pair_scale(${name}_log2(), 1)).hi;
+  } else { /* none: that of ${no_period}, beyond which V never comes */
+    const ${name}_pair period = ${name}_pair_times(${no_period}, ${name}_log2());
+
+    ${name}_store(o->rate, ${name}_pair_scale(${name}_pair_divide(rate, period), -1));
+    ${name}_store(o->start, ${name}_pair_scale(${name}_pair_divide(start, period), -1));
+    ${name}_store(o->turn, up);
+    o->half = ${no_period};
+  }
+
+  o->hyperbolic = o->half < ${two}*${binary_limit} ? 1 : 2;
   P = ${sqrt}(p->qc.hi);
   Q = p->qc.hi;
-  o->nome = P;
+  Q2 = Q*Q;
+  o->nome = ${half}*P;
   for (n = 0; n < 4; n++) {
-    const ${name}_real to = n == 0 ? ${one} : n == 1 ? P : n == 2 ? Q*Q : Q*Q*Q*Q*P;                     /* p'^(n^2) */
-    const ${name}_real from = n == 0 ? ${one} : n == 1 ? Q : n == 2 ? Q*Q*Q : Q*Q*Q*Q*Q*Q;               /* p'^(n(n+1)) */
-
     cosine[n] = ${cos}((${name}_real)(2*n + 1)*h);
-    sine[n] = p->s*${sin}((${name}_real)(2*n + 1)*h);
-    o->a_re[n] = cosine[n]*to;
-    o->a_im[n] = sine[n]*to;
-    o->b_re[n] = cosine[n]*from;
-    o->b_im[n] = sine[n]*from;
+    sine[n] = (n % 2 ? p->s : -p->s)*${sin}((${name}_real)(2*n + 1)*h);
   }
+  ${name}_multiples(cosine, P, o->a);
+  ${name}_multiples(sine, P, o->b);
+  o->f[0] = ${one} + ${two}*Q2*Q2; /* with (n + 1/2)^2 = 2 (n(n + 1)/2) + 1/4 ... */
+  o->f[1] = -${eight}*${two}*Q2*Q;
+  o->f[2] = ${eight}*${two}*Q2;
+  o->f[3] = -${two}*Q;
+  o->f[4] = ${two}*${two};
+  o->f[5] = ${one} + Q2;
+  o->f[6] = -${two}*${two}*(Q + ${threehalves}*${two}*Q2*Q2*Q);
+  o->f[7] = ${eight}*${two}*Q2*Q2;
   /* cn, sn, dn times theta2/theta2(0), nome q', scaled */
   two_ = ${one} + Q*Q + Q*Q*Q*Q*Q*Q;
   three_ = ${one} + ${two}*(Q + Q*Q*Q*Q);
@@ -170,150 +194,6 @@ static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_top *p)
   o->scale[0] = ${one}/four_;
   o->scale[1] = p->s*three_/(${two}*two_*four_);
   o->scale[2] = ${one}/three_;
-}
-
-/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
-static ${name}_real ${name}_nearest(${name}_real x)
-{
-  return (x + ${round_off}) - ${round_off};
-}
-
-/* sin and cos of pi x, |x| <= 1/2: their series at half of it, and one doubling; no call, so that loops are vectorised */
-static void ${name}_sincos(${name}_real x, ${name}_real *s, ${name}_real *c)
-{
-  const ${name}_real y = ${half}*${pi_high}*x, u = y*y;
-%% if single then
-  const ${name}_real a = y*(${one} - u*(${one}/6.0F - u*(${one}/120.0F - u*(${one}/5040.0F - u*(${one}/362880.0F)))));
-  const ${name}_real b = ${one} - u*(${half} - u*(${one}/24.0F - u*(${one}/720.0F - u*(${one}/40320.0F))));
-%% else
-  const double u2 = u*u, u4 = u2*u2; /* Horner's rule in two halves, which run side by side */
-  const double a0 = 1.0 - u*(1.0/6.0) + u2*(1.0/120.0 - u*(1.0/5040.0));
-  const double a1 = 1.0/362880.0 - u*(1.0/39916800.0) + u2*(1.0/6227020800.0 - u*(1.0/1307674368000.0) + u2*(1.0/355687428096000.0));
-  const double b0 = 1.0 - u*0.5 + u2*(1.0/24.0 - u*(1.0/720.0));
-  const double b1 = 1.0/40320.0 - u*(1.0/3628800.0) + u2*(1.0/479001600.0 - u*(1.0/87178291200.0) + u2*(1.0/20922789888000.0));
-  const double a = y*(a0 + u4*a1), b = b0 + u4*b1;
-%% end
-
-  *s = ${two}*(a*b);
-  *c = (b - a)*(b + a);
-}
-
-/* w, x, y, z of the quaternion and cn, sn, dn, all but for one factor each, at the phase r, whose period is passed an
- * even (flip = 1) or an odd number of times (-1), after a turn about L */
-static void ${name}_functions(const ${name}_orbit *o, ${name}_real r, ${name}_real flip, ${name}_real turn,
-                              ${name}_real y[4], ${name}_real f[3])
-{
-  ${name}_real st, ct;
-  ${name}_real a, b, c, d;
-
-  if (!o->hyperbolic) {
-    ${name}_real sz, cz, X, s2;
-
-    ${name}_sincos(r, &sz, &cz);
-    X = (cz - sz)*(cz + sz);
-    s2 = ${two}*(sz*cz);
-    sz *= flip;
-    cz *= flip;
-    a = o->a_re[0] + X*(o->a_re[1] + X*(o->a_re[2] + X*o->a_re[3]));
-    b = s2*(o->a_im[0] + X*(o->a_im[1] + X*o->a_im[2]));
-    c = sz*(o->b_re[0] + X*(o->b_re[1] + X*(o->b_re[2] + X*o->b_re[3])));
-    d = cz*(o->b_im[0] + X*(o->b_im[1] + X*(o->b_im[2] + X*o->b_im[3])));
-    f[0] = cz*(o->f[0][0] + X*(o->f[0][1] + X*(o->f[0][2] + X*(o->f[0][3] + X*o->f[0][4]))));
-    f[1] = sz*(o->f[1][0] + X*(o->f[1][1] + X*(o->f[1][2] + X*(o->f[1][3] + X*o->f[1][4]))));
-    f[2] = o->f[2][0] + X*(o->f[2][1] + X*(o->f[2][2] + X*(o->f[2][3] + X*o->f[2][4])));
-  } else {
-    const ${name}_real e = ${exp}(-${two}*${fabs}(r)) + ${least}, g = o->nome/e, sign = r < ${zero} ? -${one} : ${one};
-    const ${name}_real Q = o->nome*o->nome, Q4 = (Q*Q)*(Q*Q), e2 = e*e, g2 = g*g;
-    const ${name}_real re = o->a_re[0] + g2*o->a_re[2], ro = g*(o->a_re[1] + g2*o->a_re[3]);
-    const ${name}_real ie = o->a_im[0] + g2*o->a_im[2], io = g*(o->a_im[1] + g2*o->a_im[3]);
-    const ${name}_real se = e*(o->b_re[0] + e2*o->b_re[2]), so = e2*(o->b_re[1] + e2*o->b_re[3]);
-    const ${name}_real te = e*(o->b_im[0] + e2*o->b_im[2]), to = e2*(o->b_im[1] + e2*o->b_im[3]);
-
-    a = (re + ro) + (se + so);
-    b = -sign*((ie + io) - (te + to));
-    c = flip*sign*o->s*((re - ro) - (se - so));
-    d = -flip*o->s*((ie - io) + (te - to));
-    f[0] = flip*e*(${one} - (g2 + Q*e2) + (Q*Q*g2*g2 + Q4*e2*e2));
-    f[1] = flip*sign*(${one} - Q*g2 + Q4*g2*g2 - e2*(${one} - Q*Q*e2 + Q4*Q*Q*e2*e2));
-    f[2] = e*(${one} + (g2 + Q*e2) + (Q*Q*g2*g2 + Q4*e2*e2));
-  }
-  ${name}_sincos(turn, &st, &ct); /* half of it */
-  r = ct;
-  ct = (ct - st)*(ct + st);
-  st = ${two}*(st*r);
-  y[0] = ct*a - st*b;
-  y[3] = st*a + ct*b;
-  y[1] = ct*c - st*d;
-  y[2] = st*c + ct*d;
-}
-
-/* the quaternion from y, normalised */
-static void ${name}_attitude(const ${name}_orbit *o, const ${name}_real y[4], ${name}_real q[])
-{
-  ${name}_real n = ${one}/${sqrt}(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
-  int i;
-
-  for (i = 0; i < 4; i++) q[i] = n*(y[0]*o->q[0][i] + y[1]*o->q[1][i] + y[2]*o->q[2][i] + y[3]*o->q[3][i]);
-  /* rounding only: one Newton step for 1/|q| */
-  n = ${threehalves} - ${half}*(q[0]*q[0] + q[1]*q[1] + q[2]*q[2] + q[3]*q[3]);
-  for (i = 0; i < 4; i++) q[i] *= n;
-}
-
-/* attitude and rates */
-static void ${name}_state(const ${name}_orbit *o, ${name}_real r, ${name}_real flip, ${name}_real turn, ${name}_real x[])
-{
-  ${name}_real y[4], f[3], n;
-  ${name}_real *w = x + ${upper}_WX;
-  int i;
-
-  ${name}_functions(o, r, flip, turn, y, f);
-  ${name}_attitude(o, y, x + ${upper}_QW);
-  n = ${one}/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
-  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
-}
-
-/* a + b t in pairs */
-static ${name}_pair ${name}_phase(${name}_pair a, const ${name}_real b[2], ${name}_real t)
-{
-  const ${name}_pair p = ${name}_pair_product(b[0], t), s = ${name}_pair_sum(p.hi, a.hi);
-  ${name}_pair phase;
-
-  phase.hi = s.hi;
-  phase.lo = s.lo + (p.lo + b[1]*t + a.lo);
-  return phase;
-}
-
-/* phases: of the rates, less the nearest multiple of its period; about L, less whole turns; and (-1) to the multiple */
-static void ${name}_reduce(const ${name}_orbit *o, ${name}_real t, ${name}_real *r, ${name}_real *turn, ${name}_real *flip)
-{
-  ${name}_pair p, jump;
-  ${name}_real n;
-
-  p.hi = o->start[0];
-  p.lo = o->start[1];
-  p = ${name}_phase(p, o->rate, t);
-  n = ${name}_nearest(p.hi*o->inverse);
-  *flip = ${one} - ${two}*${fabs}(n - ${two}*${name}_nearest(${half}*n));
-  jump = ${name}_pair_of(${zero});
-  if (o->hyperbolic) {
-    const ${name}_pair whole = ${name}_pair_product(n, o->period[0]);
-
-    jump = ${name}_pair_product(-n, o->jump[0]);
-    jump.lo -= n*o->jump[1];
-    *r = (p.hi - whole.hi) + (p.lo - whole.lo - n*o->period[1]);
-  } else {
-    *r = (p.hi - n) + p.lo;
-  }
-  p = ${name}_phase(jump, o->turn, t);
-  *turn = (p.hi - ${name}_nearest(p.hi)) + p.lo;
-}
-
-void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
-{
-  ${name}_real r, turn, flip;
-
-  ${name}_reduce(o, t, &r, &turn, &flip);
-  ${name}_state(o, r, flip, turn, x);
 }
 
 static ${name}_pair ${name}_unit_quaternion(const ${name}_real q[4], ${name}_real out[4])
@@ -336,16 +216,13 @@ static ${name}_pair ${name}_unit_quaternion(const ${name}_real q[4], ${name}_rea
 /* all numbers 0 */
 static void ${name}_clear(${name}_orbit *o)
 {
-  int i, k;
+  int i;
 
-  for (i = 0; i < 2; i++) o->start[i] = o->rate[i] = o->period[i] = o->turn[i] = o->jump[i] = ${zero};
+  for (i = 0; i < 4; i++) o->rate[i] = o->turn[i] = o->a[i] = o->b[i] = o->c[i] = o->d[i] = ${zero};
   for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
-  for (i = 0; i < 4; i++) o->a_re[i] = o->a_im[i] = o->b_re[i] = o->b_im[i] = ${zero};
-  for (i = 0; i < 3; i++) {
-    for (k = 0; k < 5; k++) o->f[i][k] = ${zero};
-    o->scale[i] = ${zero};
-  }
-  o->inverse = o->nome = o->tick = ${zero};
+  for (i = 0; i < 10; i++) o->f[i] = ${zero};
+  for (i = 0; i < 3; i++) o->scale[i] = ${zero};
+  o->start[0] = o->start[1] = o->jump = o->half = o->nome = o->tick = ${zero};
   o->s = ${one};
   o->hyperbolic = 0;
 }
@@ -364,9 +241,9 @@ static void ${name}_constant(${name}_orbit *o, ${name}_top *p, const ${name}_rea
   }
   p->b[0] = p->b[1] = ${name}_pair_of(${zero});
   p->b[2] = length;
-  o->a_re[0] = o->f[2][0] = ${one};
+  o->a[0] = o->f[5] = ${one};
   ${name}_store(o->turn, ${name}_pair_divide(length, ${name}_pair_scale(${name}_pi(), 2)));
-  o->scale[2] = o->inverse = o->period[0] = ${one};
+  o->scale[2] = ${one};
 }
 
 int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[])
@@ -374,7 +251,9 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_orbit made;
   ${name}_top p;
   ${name}_pair I[3], axis[3][3], w[3];
-  ${name}_real tensor[6], rate[3], y[4], f[3], q0[4], n, size, largest = ${zero};
+  ${name}_real tensor[6], rate[3], y[4], q0[4], n, size, turned, largest = ${zero};
+  const ${name}_phases phases = {${zero}, ${zero}, ${zero}, ${zero}};
+  ${name}_terms terms;
   int order[3], scale, e, i, j, k;
 
   ${name}_inertia(m, tensor);
@@ -417,32 +296,39 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     if (p.hyperbolic) ${name}_hyperbolic(&made, &p);
     else ${name}_circular(&made, &p);
   }
-  for (i = 0; i < 2; i++) { /* per second again */
-    made.rate[i] = ${ldexp}(made.rate[i], e);
-    made.turn[i] = ${ldexp}(made.turn[i], e);
+  for (i = 0; i < 2; i++) { /* high parts in halves, for Dekker's product */
+    ${name}_real *b = i == 0 ? made.rate : made.turn, c = ${split}*b[0];
+
+    b[2] = c - (c - b[0]);
+    b[3] = b[0] - b[2];
+    for (j = 0; j < 4; j++) b[j] = ${ldexp}(b[j], e); /* per second again */
   }
+  n = ${fabs}(made.turn[0]) > made.rate[0] ? ${fabs}(made.turn[0]) : made.rate[0];
+  made.last = n*${last_time} > ${last_turn} ? ${last_turn}/n : ${last_time};
   if (!(made.rate[0] - made.rate[0] == ${zero}) || !(made.turn[0] - made.turn[0] == ${zero})) return 1;
 
   /* the rates are over N^2, which is this at u = 0 */
-  ${name}_functions(&made, ${zero}, ${one}, ${zero}, y, f);
-  n = y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3];
+  terms = ${name}_terms_of(&made, phases, made.hyperbolic);
+  n = ${name}_square(&terms);
   for (i = 0; i < 3; i++) {
     for (j = 0; j < 3; j++) {
       made.w[i][j] = ${ldexp}(n*made.scale[i]*p.b[i].hi*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
     }
   }
   /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */
-  {
-    ${name}_real r, turn, flip;
-
-    ${name}_reduce(&made, ${zero}, &r, &turn, &flip);
-    ${name}_functions(&made, r, flip, turn, y, f);
-    (void)${name}_unit_quaternion(y, y);
+  for (i = 0; i < 4; i++) {
+    for (j = 0; j < 4; j++) made.q[i][j] = i == j ? ${one} : ${zero};
   }
+  terms = ${name}_terms_of(&made, ${name}_reduce(&made, ${zero}), made.hyperbolic);
+  ${name}_attitude_of(&made, &terms, y);
+  turned = made.hyperbolic ? p.s : ${one}; /* of x and y */
+  y[1] *= turned;
+  y[2] *= turned;
+  (void)${name}_unit_quaternion(y, y);
   for (k = 0; k < 4; k++) {
     ${name}_real unit[4] = {${zero}, ${zero}, ${zero}, ${zero}}, d[4], v[4];
 
-    unit[k] = ${one};
+    unit[k] = k == 1 || k == 2 ? turned : ${one};
     for (i = 1; i < 4; i++) y[i] = k == 0 ? -y[i] : y[i];
     ${name}_quaternion_product(y, unit, d);
     v[0] = d[0];

@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local economy = require "generator.emit.economy"
 local init = require "generator.emit.init"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
@@ -37,7 +38,12 @@ local function literals(real)
     epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
-    two64 = n(R.new(2) ^ -64),
+    two64 = n(R.new(2) ^ -64), two32 = n(R.new(2) ^ -32),
+    last_turn = n(R.new(2) ^ (bits == 24 and 46 or 50)), last_time = n(R.new(2) ^ (bits == 24 and 97 or 990)),
+    bits_type = bits == 24 and "uint32_t" or "uint64_t", binary_shift = bits == 24 and "23" or "52",
+    binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
+    block = bits == 24 and "16" or "8", no_period = n(R.new(2) ^ (bits == 24 and 40 or 100)),
+    binary_limit = n(bits == 24 and 60 or 500),
     carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
 end
 
@@ -178,6 +184,7 @@ local function closed_values(job, v, ctx)
   v.theorem, v.closed_text, v.single = form.theorem, form.text, ctx.real == "float"
   v.uses_model = put_constants(job.closed_constants, v, ctx.real)
   v.symmetric = false
+  economy.fill(v, ctx.real)
   for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end
   v.closed_header = render(form.header)

@@ -7,7 +7,8 @@
    xz yz, the rates w0, the attitude q0, the time t. Prints the rates and the attitude with 40
    digits. With -e each line goes on with seven numbers, the rates and attitude of somebody else,
    and what is printed is how far they are off: rates relative to the largest of them, attitude as
-   |q - q'| (signs count).
+   |q - q'| (signs count); then the largest error of a component relative to itself, of the rates
+   and of q.
 
    The formulas are the textbook's (Landau and Lifshitz, Mechanics, 37; Whittaker, Analytical
    Dynamics, 69), written as they stand: amplitude by the descending Landen transformation (DLMF
@@ -382,9 +383,14 @@ static void solve(const double in[14], num x[7]) {
     general(I, axis, w, q, real(in[13]), x);
 }
 
-/* How far the seven numbers in text are from x. */
-static int compare(num x[7], char *text, double *rates, double *attitude) {
-  num d[2] = {real(0), real(0)}, scale = real(0);
+/* The larger; what is no number is the largest of all. */
+static num larger(num a, num b) {
+  return mpfr_nan_p(a) || mpfr_cmp(a, b) > 0 ? a : b;
+}
+
+/* How far the seven numbers in text are from x: off[] as -e prints them. */
+static int compare(num x[7], char *text, double off[4]) {
+  num d[4] = {real(0), real(0), real(0), real(0)}, scale = real(0);
   for (int i = 0; i < 7; i++) {
     num v = fresh();
     char *end;
@@ -392,15 +398,17 @@ static int compare(num x[7], char *text, double *rates, double *attitude) {
       return 0;
     text = end;
     num e = size(sub(v, x[i]));
-    if (i < 3) {
-      d[0] = mpfr_cmp(e, d[0]) > 0 ? e : d[0];
-      scale = mpfr_cmp(size(x[i]), scale) > 0 ? size(x[i]) : scale;
-    } else {
-      d[1] = add(d[1], square(e));
-    }
+    const int k = i < 3 ? 0 : 1;
+    if (k == 0)
+      scale = larger(size(x[i]), scale);
+    d[k] = k == 0 ? larger(e, d[k]) : add(d[k], square(e));
+    if (!mpfr_zero_p(e)) /* a component that ought to be 0 is infinitely wrong */
+      d[2 + k] = larger(over(e, size(x[i])), d[2 + k]);
   }
-  *rates = mpfr_get_d(sign(scale) ? over(d[0], scale) : d[0], MPFR_RNDN);
-  *attitude = mpfr_get_d(root(d[1]), MPFR_RNDN);
+  d[0] = sign(scale) ? over(d[0], scale) : d[0];
+  d[1] = root(d[1]);
+  for (int k = 0; k < 4; k++)
+    off[k] = mpfr_get_d(d[k], MPFR_RNDN);
   return 1;
 }
 
@@ -421,7 +429,7 @@ int main(int argc, char **argv) {
   if (!pool)
     return 2;
   while (fgets(line, sizeof line, stdin)) {
-    double in[14], rates, attitude;
+    double in[14], off[4];
     char *p = line, *end;
     for (int i = 0; i < 14; i++, p = end) {
       in[i] = strtod(p, &end);
@@ -436,8 +444,8 @@ int main(int argc, char **argv) {
     if (!errors) {
       for (int i = 0; i < 7; i++)
         mpfr_printf(i < 6 ? "%.40Re " : "%.40Re\n", x[i]);
-    } else if (compare(x, p, &rates, &attitude)) {
-      printf("%.3g %.3g\n", rates, attitude);
+    } else if (compare(x, p, off)) {
+      printf("%.3g %.3g %.3g %.3g\n", off[0], off[1], off[2], off[3]);
     } else {
       fprintf(stderr, "free_top: -e wants seven numbers after the time\n");
       return 2;

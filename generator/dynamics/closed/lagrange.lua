@@ -51,7 +51,11 @@ function lagrange.detect(m)
   local list, s = m.record.effects, m.structure
   local weights, other = 0, nil
   for _, e in ipairs(list) do
-    if e.kind == "effect.gravity" then weights = weights + 1 else other = other or string.gsub(e.kind, "effect%.", "") end
+    if e.kind == "effect.gravity" then
+      weights = weights + 1
+    else
+      other = other or string.gsub(e.kind, "effect%.", "")
+    end
   end
   if weights == 0 then return nil, "no gravity acts" end
   if other then return nil, "not gravity alone acts on the body, but " .. other .. " too", true end
@@ -61,19 +65,19 @@ function lagrange.detect(m)
       "parameters", true
   end
   if not parallel(axis(m), m.com) then
-    return nil, "gravity acts on a symmetric body, but its centre of mass is not on the symmetry axis for every value " ..
-      "of the parameters", true
+    return nil, "gravity acts on a symmetric body, but its centre of mass is not on the symmetry axis for every " ..
+      "value of the parameters", true
   end
   return { kind = "lagrange", theorem = "heavy symmetric top (Lagrange), theta functions",
-    text = { "The cosine u of the tilt swings between two roots of a cubic, u = u1 + (u2 - u1) sn^2; the attitude is a",
-      "pair a, b with |a|^2 = (1 + u)/2, |b|^2 = (1 - u)/2, each exp(i mu t) times a quotient of theta functions with",
-      "mu and eta of its own, as are the rates across the axis (Jacobi; Whittaker, Analytical Dynamics, sections 71-73;",
-      "Klein and Sommerfeld, Theorie des Kreisels, part 2).  Set up in twice the working precision; any state: cusps,",
-      "loops, steady precession, sleeping tops, pendulums, passages through the vertical are limits of one formula." },
-    header = "templates/lagrange.h", flags = {}, constants = constants, full = true, sensitive = true,
+    text = { "The cosine u of the tilt swings between two roots of a cubic, u = u1 + (u2 - u1) sn^2; the attitude",
+      "is a pair a, b with |a|^2 = (1 + u)/2, |b|^2 = (1 - u)/2, each exp(i mu t) times a quotient of theta functions",
+      "with mu and eta of its own, as are the rates across the axis (Jacobi; Whittaker, Analytical Dynamics, sections",
+      "71-73; Klein and Sommerfeld, Theorie des Kreisels, part 2).  Set up in twice the working precision; any state:",
+      "cusps, loops, steady precession, sleeping tops, pendulums, passages through the vertical are limits." },
+    header = "templates/lagrange.h", flags = {}, constants = constants, full = true,
     sources = { "templates/double.c", "templates/nome.c", "templates/wide.c", "templates/phase.c",
-      "templates/lagrange.c",
-      "templates/lagrange_theta.c", "templates/lagrange_at.c", "templates/lagrange_solve.c" } }
+      "templates/lagrange.c", "templates/lagrange_theta.c", "templates/lagrange_at.c",
+      "templates/lagrange_solve.c" } }
 end
 
 return lagrange

@@ -9,7 +9,6 @@
 --              constants = function(m),              -> {NAME = derived constant (m:constant)}, named there ${NAME};
 --                                                    called when the functions of the scene have made theirs
 --              full,                                 NAME_at gives the whole state (else only the rates)
---              sensitive,                            its periods depend on the state
 --              ticks,                                it counts time in ticks, with <stdint.h>
 --              exact }                               it needs templates/exact.c
 -- ABOVE the line.

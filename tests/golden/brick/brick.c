@@ -811,6 +811,256 @@ int brick_principal(const brick_model *m, brick_real moments[3], brick_real axes
   return brick_principal_of(I, moments, axes);
 }
 
+/* ---- evaluation: no call and no branch on data but for `hyperbolic`, so that loops over times are vectorised ---- */
+
+#if defined __GNUC__
+#define BRICK_INLINE static inline __attribute__((always_inline)) /* GCC and Clang vectorise what they inline */
+#else
+#define BRICK_INLINE static inline
+#endif
+
+/* high + low: the phase of the rates in their periods, less whole ones; the turns about L */
+typedef struct brick_phases {
+  brick_real high, low, turn, turn_low;
+} brick_phases;
+
+/* The pair e^(-i mu t) (a + i b, c + i d) of quaternion components w + i z, x + i y, and cn, sn, dn, all but for constant
+ * factors and for their norms; and the turns that mu t makes. */
+typedef struct brick_terms {
+  brick_real a, b, c, d, cn, sn, dn, turn;
+} brick_terms;
+
+/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
+BRICK_INLINE brick_real brick_nearest(brick_real x)
+{
+  return (x + 6755399441055744.0) - 6755399441055744.0;
+}
+
+/* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well: Dekker's product */
+BRICK_INLINE brick_pair brick_advance(const brick_real b[4], brick_real t, brick_real head, brick_real tail)
+{
+  brick_pair p;
+
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || defined __ARM_FEATURE_FMA
+  (void)head;
+  (void)tail;
+  p.hi = fma(b[0], t, 0.0); /* no compiler may fuse this one */
+  p.lo = fma(b[0], t, -p.hi) + b[1]*t;
+#else
+  p.hi = b[0]*t;
+  p.lo = (((b[2]*head - p.hi) + b[2]*tail + b[3]*head) + b[3]*tail) + b[1]*t;
+#endif
+  return p;
+}
+
+BRICK_INLINE brick_phases brick_reduce(const brick_orbit *o, brick_real at)
+{
+  const brick_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
+  const brick_real c = 134217729.0*t, head = c - (c - t), tail = t - head;
+  const brick_pair p = brick_advance(o->rate, t, head, tail), turn = brick_advance(o->turn, t, head, tail);
+  const brick_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
+  const brick_real rest = (p.hi - (sum - part)) + (o->start[0] - part);
+  brick_phases phases;
+
+  phases.high = sum - brick_nearest(sum);
+  phases.low = rest + (p.lo + o->start[1]);
+  phases.turn = turn.hi;
+  phases.turn_low = turn.lo;
+  return phases;
+}
+
+/* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one doubling */
+BRICK_INLINE void brick_circle(brick_real x, brick_real *sine, brick_real *cosine)
+{
+  const brick_real u = x*x, u2 = u*u, u4 = u2*u2;
+  const double s0 = 3.141592653589793 - 5.167712780049969*u;
+  const double s2 = 2.5501640398773007 - 0.599264529318946*u;
+  const double s4 = 0.08214588657312355 - 0.007370430506093225*u;
+  const double s6 = 0.00046629981702308817 - 2.1903499125519212e-5*u;
+  const double s = (s0 + u2*s2) + u4*(s4 + u2*s6 + u4*7.697847275590284e-7);
+  const double c0 = 1.0 - 4.934802200544676*u;
+  const double c2 = 4.058712126416498 - 1.335262768843456*u;
+  const double c4 = 0.23533063012967062 - 0.02580688873817758*u;
+  const double c6 = 0.001929556278037417 - 0.00010456656706174584*u;
+  const double c = (c0 + u2*c2) + u4*(c4 + u2*c6 + u4*4.149578027057121e-6);
+  const brick_real half = x*s;
+
+  *sine = 2.0*(half*c);
+  *cosine = (c - half)*(c + half);
+}
+
+/* 2^x and 2^-x, |x| <= 500.0: the even and the odd part of 2^f, f = x less the nearest integer n, which the sum with
+ * a large number leaves in the last bits of its representation (IEEE 754), next to where an exponent is wanted */
+BRICK_INLINE void brick_exponentials(brick_real x, brick_real *up, brick_real *down)
+{
+  union {
+    brick_real number;
+    uint64_t bits;
+  } a, b;
+  const brick_real n = brick_nearest(x), f = x - n, u = f*f, u2 = u*u;
+  const double u4 = u2*u2;
+  const double e0 = 1.0 + 0.24022650695910158*u;
+  const double e2 = 0.009618129107587253 + 0.00015403530463727982*u;
+  const double e4 = 1.3215432534254118e-6 + 7.074194562613105e-9*u;
+  const double e = (e0 + u2*e2) + u4*e4;
+  const double o0 = 0.6931471805599453 + 0.055504108664821625*u;
+  const double o2 = 0.0013333558146406469 + 1.5252733841558449e-5*u;
+  const double o4 = 1.0178057086967843e-7 + 4.4558180309131894e-10*u;
+  const double o = (o0 + u2*o2) + u4*o4;
+  const brick_real odd = f*o;
+
+  a.number = 6755399441056767.0 + n;
+  b.number = 6755399441056767.0 - n;
+  a.bits <<= 52;
+  b.bits <<= 52;
+  *up = a.number*(e + odd);
+  *down = b.number*(e - odd);
+}
+
+/* away from the separatrix: the series as polynomials in X = cos 2z */
+BRICK_INLINE brick_terms brick_circular_terms(const brick_orbit *o, brick_phases p)
+{
+  brick_terms y;
+  brick_real s, c, X, X2, even, odd;
+
+  brick_circle(p.high + p.low, &s, &c);
+  X = (c - s)*(c + s);
+  X2 = X*X;
+  y.a = (o->a[0] + X*o->a[1]) + X2*(o->a[2] + X*o->a[3]);
+  y.b = (s*c)*((o->b[0] + X*o->b[1]) + X2*o->b[2]);
+  y.c = s*((o->c[0] + X*o->c[1]) + X2*(o->c[2] + X*o->c[3]));
+  y.d = c*((o->d[0] + X*o->d[1]) + X2*(o->d[2] + X*o->d[3]));
+  even = o->f[0] + X2*(o->f[2] + X2*o->f[4]); /* theta2(z) = theta1(z + pi/2) */
+  odd = X*(o->f[1] + X2*o->f[3]);
+  y.cn = c*(even + odd);
+  y.sn = s*(even - odd);
+  y.dn = (o->f[5] + X2*(o->f[7] + X2*o->f[9])) + X*(o->f[6] + X2*o->f[8]);
+  y.turn = (p.turn - brick_nearest(p.turn)) + p.turn_low;
+  return y;
+}
+
+/* near it: in U = p' X, X = cosh 2V, which stays below 1; where 2^|x| would exceed the range all but 1/cosh is 1, and x is
+ * cut if it can come there */
+BRICK_INLINE brick_terms brick_hyperbolic_terms(const brick_orbit *o, brick_phases p, int cut)
+{
+  const brick_real n = brick_nearest(2.0*p.high); /* -1, 0, 1: V has two periods in one of the rates */
+  const brick_real flip = 1.0 - 2.0*fabs(n), r = (2.0*p.high - n) + 2.0*p.low, ahead = o->jump*r;
+  brick_terms y;
+  brick_real x = r*o->half, up, down, c, s, U, U2, even, odd;
+
+  if (cut) {
+    x = x < 500.0 ? x : 500.0;
+    x = x > -500.0 ? x : -500.0;
+  }
+  brick_exponentials(x, &up, &down);
+  c = up + down; /* 2 cosh V, 2 sinh V */
+  s = up - down;
+  U = o->nome*(c*c) - 2.0*o->nome;
+  U2 = U*U;
+  even = o->a[0] + U2*o->a[2];
+  odd = U*(o->a[1] + U2*o->a[3]);
+  y.a = c*(even + odd);
+  y.c = flip*s*(even - odd);
+  even = o->b[0] + U2*o->b[2];
+  odd = U*(o->b[1] + U2*o->b[3]);
+  y.b = s*(even - odd);
+  y.d = flip*c*(even + odd);
+  even = o->f[0] + U2*(o->f[1] + U2*o->f[2]);
+  odd = o->f[3] + U2*o->f[4];
+  y.cn = flip*(even - odd);
+  y.dn = even + odd;
+  y.sn = c*(flip*s)*(o->f[5] + U2*(o->f[6] + U2*o->f[7]));
+  y.turn = (p.turn - brick_nearest(p.turn + ahead)) + (ahead + p.turn_low);
+  return y;
+}
+
+/* the attitude q[4] times a length, whose square is brick_square */
+BRICK_INLINE void brick_attitude_of(const brick_orbit *o, const brick_terms *y, brick_real q[])
+{
+  brick_real s, c, w, x_, y_, z;
+
+  brick_circle(y->turn, &s, &c);
+  w = c*y->a - s*y->b;
+  z = s*y->a + c*y->b;
+  x_ = c*y->c - s*y->d;
+  y_ = s*y->c + c*y->d;
+  q[0] = (w*o->q[0][0] + x_*o->q[1][0]) + (y_*o->q[2][0] + z*o->q[3][0]);
+  q[1] = (w*o->q[0][1] + x_*o->q[1][1]) + (y_*o->q[2][1] + z*o->q[3][1]);
+  q[2] = (w*o->q[0][2] + x_*o->q[1][2]) + (y_*o->q[2][2] + z*o->q[3][2]);
+  q[3] = (w*o->q[0][3] + x_*o->q[1][3]) + (y_*o->q[2][3] + z*o->q[3][3]);
+}
+
+BRICK_INLINE brick_real brick_square(const brick_terms *y)
+{
+  return (y->a*y->a + y->b*y->b) + (y->c*y->c + y->d*y->d);
+}
+
+/* the rates times that square */
+BRICK_INLINE void brick_rates_of(const brick_orbit *o, const brick_terms *y, brick_real w[])
+{
+  w[0] = y->cn*o->w[0][0] + y->sn*o->w[1][0] + y->dn*o->w[2][0];
+  w[1] = y->cn*o->w[0][1] + y->sn*o->w[1][1] + y->dn*o->w[2][1];
+  w[2] = y->cn*o->w[0][2] + y->sn*o->w[1][2] + y->dn*o->w[2][2];
+}
+
+BRICK_INLINE brick_terms brick_terms_of(const brick_orbit *o, brick_phases p, int hyperbolic)
+{
+  return hyperbolic > 0 ? brick_hyperbolic_terms(o, p, hyperbolic > 1) : brick_circular_terms(o, p);
+}
+
+/* 1/|q| from n, the inverse of brick_square, to which |q|^2 is equal but for rounding, and its root */
+BRICK_INLINE brick_real brick_inverse_length(const brick_real q[4], brick_real n, brick_real root)
+{
+  return root*(1.5 - (0.5*n)*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])));
+}
+
+/* attitude and rates */
+BRICK_INLINE void brick_state(const brick_orbit *o, brick_phases p, brick_real x[])
+{
+  const brick_terms y = brick_terms_of(o, p, o->hyperbolic);
+  const brick_real n = 1.0/brick_square(&y);
+  brick_real q[4], w[3], root;
+
+  brick_rates_of(o, &y, w);
+  brick_attitude_of(o, &y, q);
+  root = brick_inverse_length(q, n, sqrt(n));
+  x[BRICK_QW] = root*q[0];
+  x[BRICK_QX] = root*q[1];
+  x[BRICK_QY] = root*q[2];
+  x[BRICK_QZ] = root*q[3];
+  x[BRICK_WX] = n*w[0];
+  x[BRICK_WY] = n*w[1];
+  x[BRICK_WZ] = n*w[2];
+}
+
+void brick_at(const brick_orbit *o, brick_real t, brick_real x[])
+{
+  brick_state(o, brick_reduce(o, t), x);
+}
+
+void brick_at_rates(const brick_orbit *o, brick_real t, brick_real w[])
+{
+  const brick_terms y = brick_terms_of(o, brick_reduce(o, t), o->hyperbolic);
+  const brick_real n = 1.0/brick_square(&y);
+  brick_real v[3];
+  int i;
+
+  brick_rates_of(o, &y, v);
+  for (i = 0; i < 3; i++) w[i] = n*v[i];
+}
+
+void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
+{
+  const brick_terms y = brick_terms_of(o, brick_reduce(o, t), o->hyperbolic);
+  const brick_real n = 1.0/brick_square(&y);
+  brick_real v[4], root;
+  int i;
+
+  brick_attitude_of(o, &y, v);
+  root = brick_inverse_length(v, n, sqrt(n));
+  for (i = 0; i < 4; i++) q[i] = root*v[i];
+}
+
 /* ---- functions of pairs, to about twice the working precision ---- */
 
 static brick_pair brick_pair_scale(brick_pair a, int e)
@@ -1233,11 +1483,9 @@ static void brick_circular(brick_orbit *o, const brick_top *p)
   total = brick_pair_divide(p->G, brick_pair_multiply(pi, p->I[1]));
   total = brick_pair_scale(brick_pair_subtract(total, brick_pair_times(p->s, D)), -2);
   o->hyperbolic = 0;
-  brick_store(o->start, start);
-  brick_store(o->rate, rate);
+  brick_store(o->start, brick_pair_scale(start, -1)); /* the rates have two periods of theta functions */
+  brick_store(o->rate, brick_pair_scale(rate, -1));
   brick_store(o->turn, total);
-  brick_store(o->period, one);
-  o->inverse = 1.0;
 
   /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin z - ... */
   e[0] = g[0] = 1.0;
@@ -1247,14 +1495,15 @@ static void brick_circular(brick_orbit *o, const brick_top *p)
   }
   Q[0] = 1.0; /* powers of q */
   for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q.hi;
+  /* what q <= exp(-pi/2) leaves above 2^-54 */
   for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = n == 0 ? 1.0 : sign*Q[n*(2*n - 1)]*(e[2*n] + g[2*n]);
-  brick_polynomial(4, c, 0.0, 1.0, o->a_re);
-  for (n = 1, sign = -1.0; n < 4; n++, sign = -sign) c[n - 1] = p->s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
-  brick_polynomial(3, c, 0.0, 2.0, o->a_im);
+  brick_polynomial(4, c, 0.0, 1.0, o->a);
+  for (n = 1, sign = -2.0; n < 4; n++, sign = -sign) c[n - 1] = p->s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
+  brick_polynomial(3, c, 0.0, 2.0, o->b);
   for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = p->s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
-  brick_polynomial(4, c, 1.0, 2.0, o->b_re);
+  brick_polynomial(4, c, 1.0, 2.0, o->c);
   for (n = 0, sign = -1.0; n < 4; n++, sign = -sign) c[n] = sign*Q[n*(2*n + 1)]*(e[2*n + 1] - g[2*n + 1]);
-  brick_polynomial(4, c, -1.0, 2.0, o->b_im);
+  brick_polynomial(4, c, -1.0, 2.0, o->d);
 
   /* theta2(z; q), theta1(z; q) without 2 q^(1/4), theta3(z; q), each over what makes it cn, sn, dn times theta4/theta4(0) */
   {
@@ -1266,15 +1515,24 @@ static void brick_circular(brick_orbit *o, const brick_top *p)
       four_ += (n % 2 ? -2.0 : 2.0)*Q[n*n];
     }
     for (n = 0; n < 5; n++) c[n] = Q[n*(n + 1)];
-    brick_polynomial(5, c, -1.0, 2.0, o->f[0]);
-    for (n = 0; n < 5; n++) c[n] = p->s*(n % 2 ? -1.0 : 1.0)*Q[n*(n + 1)];
-    brick_polynomial(5, c, 1.0, 2.0, o->f[1]);
+    brick_polynomial(5, c, -1.0, 2.0, o->f);
     for (n = 0; n < 5; n++) c[n] = (n ? 2.0 : 1.0)*Q[n*n];
-    brick_polynomial(5, c, 0.0, 1.0, o->f[2]);
+    brick_polynomial(5, c, 0.0, 1.0, o->f + 5);
     o->scale[0] = 1.0/two_;
-    o->scale[1] = three_/(two_*four_);
+    o->scale[1] = p->s*three_/(two_*four_);
     o->scale[2] = 1.0/three_;
   }
+}
+
+/* c[n] p^(n(n + 1)) cosh((2n + 1)V)/cosh V, n < 4, summed, as a polynomial in U = p cosh 2V */
+static void brick_multiples(const brick_real c[4], brick_real p, brick_real out[4])
+{
+  const brick_real p2 = p*p, p4 = p2*p2, p8 = p4*p4;
+
+  out[0] = c[0] - p2*(c[1] + p4*(c[2] - p4*p2*c[3]));
+  out[1] = 2.0*p*(c[1] - p4*(c[2] + 2.0*p4*p2*c[3]));
+  out[2] = 2.0*2.0*p4*(c[2] - p4*p2*c[3]);
+  out[3] = 8.0*p8*p*c[3];
 }
 
 /* Near the separatrix.  h = kappa eta = pi v/(4 K'), sc(v, k') = sqrt(I1 (I3 - I2)/(I3 (I2 - I1))); V has the period
@@ -1288,9 +1546,9 @@ static void brick_hyperbolic(brick_orbit *o, const brick_top *p)
   const brick_pair sum = brick_pair_multiply(p->I[1], p->d31);
   const brick_pair sn = brick_root_of(brick_pair_multiply(p->I[0], p->d32), sum), cn = brick_root_of(brick_pair_multiply(p->I[2], p->d21), sum);
   const brick_pair dn = brick_pair_multiply(p->G, brick_root_of(p->rho, brick_pair_multiply(p->I[1], p->Lambda1)));
-  const brick_pair v = brick_pair_multiply(sn, brick_carlson(cn, dn, one)), turn = brick_pair_divide(v, K4);
-  brick_pair c1, s1, c, s, up, down, power, odd, ratio;
-  brick_real cosine[4], sine[4]; const brick_real h = brick_pair_multiply(pi, turn).hi; brick_real P, Q, two_, three_, four_;
+  const brick_pair v = brick_pair_multiply(sn, brick_carlson(cn, dn, one));
+  brick_pair turn = brick_pair_divide(v, K4), c1, s1, c, s, up, down, power, odd, ratio;
+  brick_real cosine[4], sine[4]; const brick_real h = brick_pair_multiply(pi, turn).hi; brick_real P, Q, Q2, two_, three_, four_;
   int n;
 
   brick_pair_circle(brick_pair_scale(brick_pair_multiply(pi, turn), 2), &c1, &s1); /* 4h: cos - 1, sin */
@@ -1311,28 +1569,44 @@ static void brick_hyperbolic(brick_orbit *o, const brick_top *p)
   }
   up = brick_pair_multiply(rate, brick_pair_divide(up, down));
   up = brick_pair_subtract(brick_pair_divide(p->G, brick_pair_scale(p->I[1], 1)), brick_pair_times(p->s, up));
-  brick_store(o->turn, brick_pair_divide(up, brick_pair_scale(pi, 1)));
-  brick_store(o->start, start);
-  brick_store(o->rate, rate);
-  brick_store(o->period, brick_pair_scale(brick_pair_minus(p->log_qc), -1));
-  brick_store(o->jump, brick_pair_times(p->s, turn));
-  o->hyperbolic = 1;
-  o->inverse = p->qc.hi > 0.0 || p->log_qc.hi < 0.0 ? -2.0/p->log_qc.hi : 0.0;
+  up = brick_pair_divide(up, brick_pair_scale(pi, 1));
+  if (p->qc.hi > 0.0 || p->log_qc.hi < 0.0) {
+    const brick_pair period = brick_pair_minus(p->log_qc), per = brick_pair_divide(rate, period);
 
+    turn = brick_pair_times(p->s, turn);
+    brick_store(o->rate, per);
+    brick_store(o->start, brick_pair_divide(start, period));
+    brick_store(o->turn, brick_pair_subtract(up, brick_pair_scale(brick_pair_multiply(turn, per), 1)));
+    o->jump = turn.hi;
+    o->half = brick_pair_divide(period, brick_pair_scale(brick_log2(), 1)).hi;
+  } else { /* none: that of 1.2676506002282294e30, beyond which V never comes */
+    const brick_pair period = brick_pair_times(1.2676506002282294e30, brick_log2());
+
+    brick_store(o->rate, brick_pair_scale(brick_pair_divide(rate, period), -1));
+    brick_store(o->start, brick_pair_scale(brick_pair_divide(start, period), -1));
+    brick_store(o->turn, up);
+    o->half = 1.2676506002282294e30;
+  }
+
+  o->hyperbolic = o->half < 2.0*500.0 ? 1 : 2;
   P = sqrt(p->qc.hi);
   Q = p->qc.hi;
-  o->nome = P;
+  Q2 = Q*Q;
+  o->nome = 0.5*P;
   for (n = 0; n < 4; n++) {
-    const brick_real to = n == 0 ? 1.0 : n == 1 ? P : n == 2 ? Q*Q : Q*Q*Q*Q*P;                     /* p'^(n^2) */
-    const brick_real from = n == 0 ? 1.0 : n == 1 ? Q : n == 2 ? Q*Q*Q : Q*Q*Q*Q*Q*Q;               /* p'^(n(n+1)) */
-
     cosine[n] = cos((brick_real)(2*n + 1)*h);
-    sine[n] = p->s*sin((brick_real)(2*n + 1)*h);
-    o->a_re[n] = cosine[n]*to;
-    o->a_im[n] = sine[n]*to;
-    o->b_re[n] = cosine[n]*from;
-    o->b_im[n] = sine[n]*from;
+    sine[n] = (n % 2 ? p->s : -p->s)*sin((brick_real)(2*n + 1)*h);
   }
+  brick_multiples(cosine, P, o->a);
+  brick_multiples(sine, P, o->b);
+  o->f[0] = 1.0 + 2.0*Q2*Q2; /* with (n + 1/2)^2 = 2 (n(n + 1)/2) + 1/4 ... */
+  o->f[1] = -8.0*2.0*Q2*Q;
+  o->f[2] = 8.0*2.0*Q2;
+  o->f[3] = -2.0*Q;
+  o->f[4] = 2.0*2.0;
+  o->f[5] = 1.0 + Q2;
+  o->f[6] = -2.0*2.0*(Q + 1.5*2.0*Q2*Q2*Q);
+  o->f[7] = 8.0*2.0*Q2*Q2;
   /* cn, sn, dn times theta2/theta2(0), nome q', scaled */
   two_ = 1.0 + Q*Q + Q*Q*Q*Q*Q*Q;
   three_ = 1.0 + 2.0*(Q + Q*Q*Q*Q);
@@ -1340,145 +1614,6 @@ static void brick_hyperbolic(brick_orbit *o, const brick_top *p)
   o->scale[0] = 1.0/four_;
   o->scale[1] = p->s*three_/(2.0*two_*four_);
   o->scale[2] = 1.0/three_;
-}
-
-/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
-static brick_real brick_nearest(brick_real x)
-{
-  return (x + 6755399441055744.0) - 6755399441055744.0;
-}
-
-/* sin and cos of pi x, |x| <= 1/2: their series at half of it, and one doubling; no call, so that loops are vectorised */
-static void brick_sincos(brick_real x, brick_real *s, brick_real *c)
-{
-  const brick_real y = 0.5*3.141592653589793*x, u = y*y;
-  const double u2 = u*u, u4 = u2*u2; /* Horner's rule in two halves, which run side by side */
-  const double a0 = 1.0 - u*(1.0/6.0) + u2*(1.0/120.0 - u*(1.0/5040.0));
-  const double a1 = 1.0/362880.0 - u*(1.0/39916800.0) + u2*(1.0/6227020800.0 - u*(1.0/1307674368000.0) + u2*(1.0/355687428096000.0));
-  const double b0 = 1.0 - u*0.5 + u2*(1.0/24.0 - u*(1.0/720.0));
-  const double b1 = 1.0/40320.0 - u*(1.0/3628800.0) + u2*(1.0/479001600.0 - u*(1.0/87178291200.0) + u2*(1.0/20922789888000.0));
-  const double a = y*(a0 + u4*a1), b = b0 + u4*b1;
-
-  *s = 2.0*(a*b);
-  *c = (b - a)*(b + a);
-}
-
-/* w, x, y, z of the quaternion and cn, sn, dn, all but for one factor each, at the phase r, whose period is passed an
- * even (flip = 1) or an odd number of times (-1), after a turn about L */
-static void brick_functions(const brick_orbit *o, brick_real r, brick_real flip, brick_real turn,
-                              brick_real y[4], brick_real f[3])
-{
-  brick_real st, ct;
-  brick_real a, b, c, d;
-
-  if (!o->hyperbolic) {
-    brick_real sz, cz, X, s2;
-
-    brick_sincos(r, &sz, &cz);
-    X = (cz - sz)*(cz + sz);
-    s2 = 2.0*(sz*cz);
-    sz *= flip;
-    cz *= flip;
-    a = o->a_re[0] + X*(o->a_re[1] + X*(o->a_re[2] + X*o->a_re[3]));
-    b = s2*(o->a_im[0] + X*(o->a_im[1] + X*o->a_im[2]));
-    c = sz*(o->b_re[0] + X*(o->b_re[1] + X*(o->b_re[2] + X*o->b_re[3])));
-    d = cz*(o->b_im[0] + X*(o->b_im[1] + X*(o->b_im[2] + X*o->b_im[3])));
-    f[0] = cz*(o->f[0][0] + X*(o->f[0][1] + X*(o->f[0][2] + X*(o->f[0][3] + X*o->f[0][4]))));
-    f[1] = sz*(o->f[1][0] + X*(o->f[1][1] + X*(o->f[1][2] + X*(o->f[1][3] + X*o->f[1][4]))));
-    f[2] = o->f[2][0] + X*(o->f[2][1] + X*(o->f[2][2] + X*(o->f[2][3] + X*o->f[2][4])));
-  } else {
-    const brick_real e = exp(-2.0*fabs(r)) + 2.2250738585072014e-308, g = o->nome/e, sign = r < 0.0 ? -1.0 : 1.0;
-    const brick_real Q = o->nome*o->nome, Q4 = (Q*Q)*(Q*Q), e2 = e*e, g2 = g*g;
-    const brick_real re = o->a_re[0] + g2*o->a_re[2], ro = g*(o->a_re[1] + g2*o->a_re[3]);
-    const brick_real ie = o->a_im[0] + g2*o->a_im[2], io = g*(o->a_im[1] + g2*o->a_im[3]);
-    const brick_real se = e*(o->b_re[0] + e2*o->b_re[2]), so = e2*(o->b_re[1] + e2*o->b_re[3]);
-    const brick_real te = e*(o->b_im[0] + e2*o->b_im[2]), to = e2*(o->b_im[1] + e2*o->b_im[3]);
-
-    a = (re + ro) + (se + so);
-    b = -sign*((ie + io) - (te + to));
-    c = flip*sign*o->s*((re - ro) - (se - so));
-    d = -flip*o->s*((ie - io) + (te - to));
-    f[0] = flip*e*(1.0 - (g2 + Q*e2) + (Q*Q*g2*g2 + Q4*e2*e2));
-    f[1] = flip*sign*(1.0 - Q*g2 + Q4*g2*g2 - e2*(1.0 - Q*Q*e2 + Q4*Q*Q*e2*e2));
-    f[2] = e*(1.0 + (g2 + Q*e2) + (Q*Q*g2*g2 + Q4*e2*e2));
-  }
-  brick_sincos(turn, &st, &ct); /* half of it */
-  r = ct;
-  ct = (ct - st)*(ct + st);
-  st = 2.0*(st*r);
-  y[0] = ct*a - st*b;
-  y[3] = st*a + ct*b;
-  y[1] = ct*c - st*d;
-  y[2] = st*c + ct*d;
-}
-
-/* the quaternion from y, normalised */
-static void brick_attitude(const brick_orbit *o, const brick_real y[4], brick_real q[])
-{
-  brick_real n = 1.0/sqrt(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
-  int i;
-
-  for (i = 0; i < 4; i++) q[i] = n*(y[0]*o->q[0][i] + y[1]*o->q[1][i] + y[2]*o->q[2][i] + y[3]*o->q[3][i]);
-  /* rounding only: one Newton step for 1/|q| */
-  n = 1.5 - 0.5*(q[0]*q[0] + q[1]*q[1] + q[2]*q[2] + q[3]*q[3]);
-  for (i = 0; i < 4; i++) q[i] *= n;
-}
-
-/* attitude and rates */
-static void brick_state(const brick_orbit *o, brick_real r, brick_real flip, brick_real turn, brick_real x[])
-{
-  brick_real y[4], f[3], n;
-  brick_real *w = x + BRICK_WX;
-  int i;
-
-  brick_functions(o, r, flip, turn, y, f);
-  brick_attitude(o, y, x + BRICK_QW);
-  n = 1.0/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
-  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
-}
-
-/* a + b t in pairs */
-static brick_pair brick_phase(brick_pair a, const brick_real b[2], brick_real t)
-{
-  const brick_pair p = brick_pair_product(b[0], t), s = brick_pair_sum(p.hi, a.hi);
-  brick_pair phase;
-
-  phase.hi = s.hi;
-  phase.lo = s.lo + (p.lo + b[1]*t + a.lo);
-  return phase;
-}
-
-/* phases: of the rates, less the nearest multiple of its period; about L, less whole turns; and (-1) to the multiple */
-static void brick_reduce(const brick_orbit *o, brick_real t, brick_real *r, brick_real *turn, brick_real *flip)
-{
-  brick_pair p, jump;
-  brick_real n;
-
-  p.hi = o->start[0];
-  p.lo = o->start[1];
-  p = brick_phase(p, o->rate, t);
-  n = brick_nearest(p.hi*o->inverse);
-  *flip = 1.0 - 2.0*fabs(n - 2.0*brick_nearest(0.5*n));
-  jump = brick_pair_of(0.0);
-  if (o->hyperbolic) {
-    const brick_pair whole = brick_pair_product(n, o->period[0]);
-
-    jump = brick_pair_product(-n, o->jump[0]);
-    jump.lo -= n*o->jump[1];
-    *r = (p.hi - whole.hi) + (p.lo - whole.lo - n*o->period[1]);
-  } else {
-    *r = (p.hi - n) + p.lo;
-  }
-  p = brick_phase(jump, o->turn, t);
-  *turn = (p.hi - brick_nearest(p.hi)) + p.lo;
-}
-
-void brick_at(const brick_orbit *o, brick_real t, brick_real x[])
-{
-  brick_real r, turn, flip;
-
-  brick_reduce(o, t, &r, &turn, &flip);
-  brick_state(o, r, flip, turn, x);
 }
 
 static brick_pair brick_unit_quaternion(const brick_real q[4], brick_real out[4])
@@ -1501,16 +1636,13 @@ static brick_pair brick_unit_quaternion(const brick_real q[4], brick_real out[4]
 /* all numbers 0 */
 static void brick_clear(brick_orbit *o)
 {
-  int i, k;
+  int i;
 
-  for (i = 0; i < 2; i++) o->start[i] = o->rate[i] = o->period[i] = o->turn[i] = o->jump[i] = 0.0;
+  for (i = 0; i < 4; i++) o->rate[i] = o->turn[i] = o->a[i] = o->b[i] = o->c[i] = o->d[i] = 0.0;
   for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
-  for (i = 0; i < 4; i++) o->a_re[i] = o->a_im[i] = o->b_re[i] = o->b_im[i] = 0.0;
-  for (i = 0; i < 3; i++) {
-    for (k = 0; k < 5; k++) o->f[i][k] = 0.0;
-    o->scale[i] = 0.0;
-  }
-  o->inverse = o->nome = o->tick = 0.0;
+  for (i = 0; i < 10; i++) o->f[i] = 0.0;
+  for (i = 0; i < 3; i++) o->scale[i] = 0.0;
+  o->start[0] = o->start[1] = o->jump = o->half = o->nome = o->tick = 0.0;
   o->s = 1.0;
   o->hyperbolic = 0;
 }
@@ -1529,9 +1661,9 @@ static void brick_constant(brick_orbit *o, brick_top *p, const brick_real w[3])
   }
   p->b[0] = p->b[1] = brick_pair_of(0.0);
   p->b[2] = length;
-  o->a_re[0] = o->f[2][0] = 1.0;
+  o->a[0] = o->f[5] = 1.0;
   brick_store(o->turn, brick_pair_divide(length, brick_pair_scale(brick_pi(), 2)));
-  o->scale[2] = o->inverse = o->period[0] = 1.0;
+  o->scale[2] = 1.0;
 }
 
 int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
@@ -1539,7 +1671,9 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   brick_orbit made;
   brick_top p;
   brick_pair I[3], axis[3][3], w[3];
-  brick_real tensor[6], rate[3], y[4], f[3], q0[4], n, size, largest = 0.0;
+  brick_real tensor[6], rate[3], y[4], q0[4], n, size, turned, largest = 0.0;
+  const brick_phases phases = {0.0, 0.0, 0.0, 0.0};
+  brick_terms terms;
   int order[3], scale, e, i, j, k;
 
   brick_inertia(m, tensor);
@@ -1582,32 +1716,39 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
     if (p.hyperbolic) brick_hyperbolic(&made, &p);
     else brick_circular(&made, &p);
   }
-  for (i = 0; i < 2; i++) { /* per second again */
-    made.rate[i] = ldexp(made.rate[i], e);
-    made.turn[i] = ldexp(made.turn[i], e);
+  for (i = 0; i < 2; i++) { /* high parts in halves, for Dekker's product */
+    brick_real *b = i == 0 ? made.rate : made.turn, c = 134217729.0*b[0];
+
+    b[2] = c - (c - b[0]);
+    b[3] = b[0] - b[2];
+    for (j = 0; j < 4; j++) b[j] = ldexp(b[j], e); /* per second again */
   }
+  n = fabs(made.turn[0]) > made.rate[0] ? fabs(made.turn[0]) : made.rate[0];
+  made.last = n*1.0463951242053392e298 > 1125899906842624.0 ? 1125899906842624.0/n : 1.0463951242053392e298;
   if (!(made.rate[0] - made.rate[0] == 0.0) || !(made.turn[0] - made.turn[0] == 0.0)) return 1;
 
   /* the rates are over N^2, which is this at u = 0 */
-  brick_functions(&made, 0.0, 1.0, 0.0, y, f);
-  n = y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3];
+  terms = brick_terms_of(&made, phases, made.hyperbolic);
+  n = brick_square(&terms);
   for (i = 0; i < 3; i++) {
     for (j = 0; j < 3; j++) {
       made.w[i][j] = ldexp(n*made.scale[i]*p.b[i].hi*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
     }
   }
   /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */
-  {
-    brick_real r, turn, flip;
-
-    brick_reduce(&made, 0.0, &r, &turn, &flip);
-    brick_functions(&made, r, flip, turn, y, f);
-    (void)brick_unit_quaternion(y, y);
+  for (i = 0; i < 4; i++) {
+    for (j = 0; j < 4; j++) made.q[i][j] = i == j ? 1.0 : 0.0;
   }
+  terms = brick_terms_of(&made, brick_reduce(&made, 0.0), made.hyperbolic);
+  brick_attitude_of(&made, &terms, y);
+  turned = made.hyperbolic ? p.s : 1.0; /* of x and y */
+  y[1] *= turned;
+  y[2] *= turned;
+  (void)brick_unit_quaternion(y, y);
   for (k = 0; k < 4; k++) {
     brick_real unit[4] = {0.0, 0.0, 0.0, 0.0}, d[4], v[4];
 
-    unit[k] = 1.0;
+    unit[k] = k == 1 || k == 2 ? turned : 1.0;
     for (i = 1; i < 4; i++) y[i] = k == 0 ? -y[i] : y[i];
     brick_quaternion_product(y, unit, d);
     v[0] = d[0];
@@ -1616,6 +1757,72 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   }
   *o = made;
   return 0;
+}
+
+/* ---- many times at once, in blocks of one vector of 512 bits ----
+ * Loops of a fixed count over local arrays, without calls or branches: GCC and Clang vectorise them as they are, GCC at -O2
+ * too.  The roots have a loop of their own, the only one that stays scalar where a root may set errno.  (One comparison is
+ * left nearest to the separatrix, `hyperbolic` = 2, for which GCC wants -O3.) */
+enum { BRICK_BLOCK = 8 };
+
+BRICK_INLINE void brick_block(const brick_orbit *o, int hyperbolic, const brick_real t[], size_t n, brick_real x[])
+{
+  brick_real q[4][BRICK_BLOCK], w[3][BRICK_BLOCK], inverse[BRICK_BLOCK], root[BRICK_BLOCK];
+  size_t i, k;
+
+  for (k = 0; k < BRICK_BLOCK; k++) {
+    const brick_terms y = brick_terms_of(o, brick_reduce(o, t[k]), hyperbolic);
+    brick_real v[4], r[3];
+
+    brick_rates_of(o, &y, r);
+    w[0][k] = r[0];
+    w[1][k] = r[1];
+    w[2][k] = r[2];
+    brick_attitude_of(o, &y, v);
+    q[0][k] = v[0];
+    q[1][k] = v[1];
+    q[2][k] = v[2];
+    q[3][k] = v[3];
+    inverse[k] = 1.0/brick_square(&y);
+  }
+  for (k = 0; k < BRICK_BLOCK; k++) root[k] = sqrt(inverse[k]);
+  for (k = 0; k < BRICK_BLOCK; k++) {
+    const brick_real v[4] = {q[0][k], q[1][k], q[2][k], q[3][k]};
+
+    root[k] = brick_inverse_length(v, inverse[k], root[k]);
+  }
+  for (i = 0; i < 4; i++) {
+    for (k = 0; k < BRICK_BLOCK; k++) x[(BRICK_QW + i)*n + k] = root[k]*q[i][k];
+  }
+  for (i = 0; i < 3; i++) {
+    for (k = 0; k < BRICK_BLOCK; k++) x[(BRICK_WX + i)*n + k] = inverse[k]*w[i][k];
+  }
+}
+
+/* all of at least one block; the last two may overlap */
+BRICK_INLINE void brick_blocks(const brick_orbit *o, int hyperbolic, size_t n, const brick_real t[], brick_real x[])
+{
+  size_t k;
+
+  for (k = 0; k + BRICK_BLOCK <= n; k += BRICK_BLOCK) brick_block(o, hyperbolic, t + k, n, x + k);
+  if (k < n) brick_block(o, hyperbolic, t + n - BRICK_BLOCK, n, x + n - BRICK_BLOCK);
+}
+
+void brick_at_many(const brick_orbit *o, int n, const brick_real t[], brick_real x[])
+{
+  brick_real y[BRICK_NX];
+  int k, i;
+
+  if (n >= BRICK_BLOCK) {
+    if (o->hyperbolic == 0) brick_blocks(o, 0, (size_t)n, t, x);
+    else if (o->hyperbolic == 1) brick_blocks(o, 1, (size_t)n, t, x);
+    else brick_blocks(o, 2, (size_t)n, t, x);
+    return;
+  }
+  for (k = 0; k < n; k++) {
+    brick_at(o, t[k], y);
+    for (i = 0; i < BRICK_NX; i++) x[i*n + k] = y[i];
+  }
 }
 
 /* ---- time in ticks: phases as fractions of a turn, 128 bits, in which whole turns vanish by overflow ---- */
@@ -1631,11 +1838,12 @@ static void brick_fraction(brick_pair a, uint64_t out[2])
   for (i = 0; i < 8; i++) {
     brick_real whole;
 
-    a = brick_pair_scale(a, 16);
+    a.hi *= (brick_real)65536;
+    a.lo *= (brick_real)65536;
     whole = floor(a.hi);
     if (!(a.hi > whole) && a.lo < 0.0) whole -= 1.0;
     a = brick_pair_sum(a.hi - whole, a.lo);
-    out[i/4] = out[i/4] << 16 | ((uint64_t)(int64_t)whole & 0xFFFFU);
+    out[i/4] = out[i/4] << 16 | ((uint32_t)(int32_t)whole & 0xFFFFU);
   }
 }
 
@@ -1663,79 +1871,114 @@ static brick_real brick_turns(uint64_t f)
 
 int brick_set_tick(brick_orbit *o, brick_real h)
 {
-  const brick_pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]};
-  const brick_pair turn = {o->turn[0], o->turn[1]}, jump = {o->jump[0], o->jump[1]};
-  const brick_pair period = {o->period[0], o->period[1]};
-  brick_pair per = brick_pair_of(0.0), first = brick_pair_of(0.0), mean;
+  const brick_pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]}, turn = {o->turn[0], o->turn[1]};
+  const brick_pair per = brick_pair_times(h, rate), mean = brick_pair_times(h, turn);
 
-  if (o->inverse > 0.0) {
-    per = brick_pair_divide(rate, period);
-    first = brick_pair_divide(start, period);
-  }
-  mean = brick_pair_times(h, brick_pair_subtract(turn, brick_pair_multiply(jump, per)));
-  per = brick_pair_times(h, per);
   if (!(per.hi - per.hi == 0.0) || !(mean.hi - mean.hi == 0.0)) return 1;
   o->tick = h;
-  brick_fraction(brick_pair_scale(per, -1), o->rate_tick); /* of two periods: the last bit is the sign */
-  brick_fraction(brick_pair_scale(first, -1), o->rate_start);
+  brick_fraction(per, o->rate_tick);
+  brick_fraction(start, o->rate_start);
   brick_fraction(mean, o->turn_tick);
-  brick_fraction(brick_pair_minus(brick_pair_multiply(jump, first)), o->turn_start);
+  o->turn_start[0] = o->turn_start[1] = 0;
   return 0;
 }
 
 void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[])
 {
-  const uint64_t two = brick_counted(o->rate_start, o->rate_tick, n);
-  brick_real r = brick_turns(two << 1), turn = brick_turns(brick_counted(o->turn_start, o->turn_tick, n));
-  const int odd = (int)((two + ((uint64_t)1 << 62)) >> 63);
+  const uint64_t phase = brick_counted(o->rate_start, o->rate_tick, n);
+  const uint64_t turn = brick_counted(o->turn_start, o->turn_tick, n), last = 0xFFFFFFFFFFFFU; /* 48 bits */
+  const brick_real low = 0.5*brick_turns(phase << 1); /* without the half period that is nearest */
+  brick_phases p;
 
-  if (o->hyperbolic) {
-    turn += o->jump[0]*r;
-    turn -= brick_nearest(turn);
-    r *= o->period[0];
-    if (!(o->inverse > 0.0)) { /* the separatrix has no period */
-      brick_pair t = brick_pair_product((brick_real)n, o->tick), p = brick_pair_of(o->start[0]);
+  p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > 0.0 ? -0.5 : 0.5) : 0.0;
+  p.low = low;
+  if (!(o->half < 1.2676506002282294e30)) { /* the separatrix has no period */
+    const brick_pair t = brick_pair_product((brick_real)n, o->tick);
 
-      p.lo = o->start[1] + o->rate[0]*t.lo;
-      p = brick_phase(p, o->rate, t.hi);
-      r = p.hi + p.lo;
-    }
+    p = brick_reduce(o, t.hi);
+    p.low += o->rate[0]*t.lo;
   }
-  brick_state(o, r, odd ? -1.0 : 1.0, turn, x);
+  p.turn = brick_turns(turn & ~last);
+  p.turn_low = brick_turns(turn & last);
+  brick_state(o, p, x);
 }
 
-void brick_at_rates(const brick_orbit *o, brick_real t, brick_real w[])
-{
-  brick_real r, turn, flip, y[4], f[3], n;
-  int i;
+/* ---- inverse questions ---- */
 
-  brick_reduce(o, t, &r, &turn, &flip);
-  brick_functions(o, r, flip, 0.0, y, f);
-  n = 1.0/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
-  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
+/* are the rates periodic? */
+static int brick_periodic(const brick_orbit *o)
+{
+  return o->half < 1.2676506002282294e30;
 }
 
-void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
+/* Periods of the rates (0 if they have none) and turns about L in a second, both times 2^-e; the result is e.  b winds
+ * once more than a in each period of z, of which the rates' has two: the phase of a is 2 mu, of both 2 mu + s z'. */
+static int brick_means(const brick_orbit *o, brick_pair *periods, brick_pair *turns)
 {
-  brick_real r, turn, flip, y[4], f[3];
+  const brick_pair rate = {o->rate[0], o->rate[1]}, turn = {o->turn[0], o->turn[1]};
+  int e;
 
-  brick_reduce(o, t, &r, &turn, &flip);
-  brick_functions(o, r, flip, turn, y, f);
-  brick_attitude(o, y, q);
+  (void)frexp(fabs(turn.hi) > rate.hi ? turn.hi : rate.hi, &e);
+  *periods = brick_periodic(o) ? brick_pair_scale(rate, -e) : brick_pair_of(0.0);
+  *turns = brick_pair_add(brick_pair_scale(turn, 1 - e), brick_pair_times(o->s, *periods));
+  return e;
 }
 
 brick_real brick_polhode_period(const brick_orbit *o)
 {
   if (!(o->rate[0] > 0.0)) return 0.0;
-  return o->inverse > 0.0 ? 2.0*o->period[0]/o->rate[0] : HUGE_VAL;
+  return brick_periodic(o) ? 1.0/o->rate[0] : HUGE_VAL;
 }
 
-/* 2 mu + s z': b winds once more than a in each period of z */
 brick_real brick_precession_rate(const brick_orbit *o)
 {
-  const brick_real per = o->rate[0]*o->inverse;
+  brick_pair periods, turns;
+  const int e = brick_means(o, &periods, &turns);
 
-  return 3.141592653589793*(2.0*2.0*(o->turn[0] - o->jump[0]*per) + o->s*per);
+  return ldexp(brick_pair_multiply(brick_pi(), turns).hi, e + 1);
+}
+
+brick_real brick_precession_period(const brick_orbit *o)
+{
+  brick_pair periods, turns;
+  const int e = brick_means(o, &periods, &turns);
+
+  return turns.hi > 0.0 ? ldexp(brick_pair_divide(brick_pair_of(1.0), turns).hi, -e) : HUGE_VAL;
+}
+
+brick_real brick_rotation_number(const brick_orbit *o)
+{
+  brick_pair periods, turns;
+
+  if (!(o->rate[0] > 0.0)) return 0.0;
+  (void)brick_means(o, &periods, &turns);
+  return brick_periodic(o) ? brick_pair_divide(turns, periods).hi : HUGE_VAL;
+}
+
+/* start + rate t = n/2, n the first integer whose t is later after rounding; on the separatrix n = 0 alone */
+brick_real brick_next_flip(const brick_orbit *o, brick_real t)
+{
+  const brick_pair start = {o->start[0], o->start[1]};
+  brick_pair rate = {o->rate[0], o->rate[1]}, n = brick_pair_of(0.0);
+  brick_real next;
+  int e, i;
+
+  if (!(rate.hi > 0.0)) return HUGE_VAL;
+  (void)frexp(rate.hi, &e); /* time in units of 2^-e, so that nothing leaves the range before t has no digits left */
+  rate = brick_pair_scale(rate, -e);
+  if (!brick_periodic(o)) {
+    next = ldexp(brick_pair_divide(brick_pair_minus(start), rate).hi, -e);
+    return next > t ? next : HUGE_VAL;
+  }
+  n = brick_pair_scale(brick_pair_add(start, brick_pair_times(ldexp(t, e), rate)), 1);
+  next = floor(n.hi);
+  n = brick_pair_sum(next, next < n.hi ? 0.0 : floor(n.lo));
+  for (i = 0; i < 2; i++) {
+    n = brick_pair_add(n, brick_pair_of(1.0));
+    next = ldexp(brick_pair_divide(brick_pair_subtract(brick_pair_scale(n, -1), start), rate).hi, -e);
+    if (next > t) return next;
+  }
+  return t + fabs(t)*2.220446049250313e-16; /* a period is less than t's last place: every t is near a flip */
 }
 
 /* ---- stability, small oscillations ---- */
