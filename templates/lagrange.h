@@ -14,6 +14,10 @@ typedef struct ${name}_orbit {
   ${name}_real mean;                /* rad/s, the rate about the vertical */
   ${name}_real tilt[2];             /* rad, smallest and largest */
   ${name}_real q[4][4], along[3], across[2][3]; /* quaternion and rates are combinations of these */
+  ${name}_real tick;                /* s; the rest is set by ${name}_set_tick: fractions of two periods, of turns of a and b */
+  struct {
+    uint64_t start[2], tick[2];
+  } counts[3];
   int hyperbolic;                   /* near the separatrix */
 } ${name}_orbit;
 
@@ -29,8 +33,14 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[]);
 void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[]);
 void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[]);
 
-/* n states at the times t[n]: x[i*n + k] is component i at t[k].  x must not overlap t. */
+/* n states at the times t[n]: x[i*n + k] is component i at t[k].  x must not overlap t.  Rounded as
+ * ${name}_at is, or within a unit of the last place where the compiler fuses. */
 void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${name}_real x[]);
+
+/* Time in steps of h s.  Phases are integers, which lose nothing however many ticks have passed.  Returns 1 if a step is
+ * beyond the range of the type. */
+int ${name}_set_tick(${name}_orbit *o, ${name}_real h);
+void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[]);
 
 /* Period of the nutation, s: infinite on the separatrix; 0 if the axis rests; that of small nutation about a steady
  * precession.  The mean rate at which the axis goes round the vertical, rad/s: a passage through the vertical counts for

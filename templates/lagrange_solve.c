@@ -113,7 +113,10 @@ static void ${name}_clear(${name}_orbit *o)
   for (i = 0; i < 3; i++) {
     for (k = 0; k < 4; k++) o->re[i][k] = o->im[i][k] = ${zero};
   }
-  o->inverse = o->nome = o->winding = o->mean = ${zero};
+  for (i = 0; i < 3; i++) {
+    for (k = 0; k < 2; k++) o->counts[i].start[k] = o->counts[i].tick[k] = 0;
+  }
+  o->inverse = o->nome = o->winding = o->mean = o->tick = ${zero};
   o->hyperbolic = 0;
 }
 
@@ -152,7 +155,8 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_wide body[4], frame[4], q[4], w[4], t[4], back[4], v[3], I1, I3;
   const ${name}_wide zero = ${name}_wide_real(${zero});
   ${name}_pair mu[2], spin, turn;
-  ${name}_real weight, y[4], f[2], value[3][2], c[4][2], n, least;
+  ${name}_values v0;
+  ${name}_real weight, value[3][2], c[4][2], n, least;
   int i, k, e, rest, drop;
 
 %% if not uses_model then
@@ -250,13 +254,13 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   made.mean *= ${two}*${pi_high};
 
   /* What turns the series' a, b and W = -conj(a) b .. to those of t = 0, from the two that are farthest from a zero. */
-  ${name}_functions(&made, ${zero}, y, f);
-  value[0][0] = y[0];
-  value[0][1] = y[3];
-  value[1][0] = y[1];
-  value[1][1] = y[2];
-  value[2][0] = -f[0];
-  value[2][1] = -f[1];
+  v0 = ${name}_values_at(&made, ${zero});
+  value[0][0] = v0.w;
+  value[0][1] = v0.z;
+  value[1][0] = v0.x;
+  value[1][1] = v0.y;
+  value[2][0] = -v0.f;
+  value[2][1] = -v0.g;
   n = made.hyperbolic ? ${exp}(-${fabs}(made.start[0])) : ${one};
   n += made.nome/(n + ${least})*made.nome;
   for (i = 0, drop = 2, least = ${zero}; i < 3; i++) {

@@ -26,39 +26,53 @@ static void ${name}_polynomial(int n, const ${name}_real c[], ${name}_real first
   }
 }
 
+#if defined __GNUC__
+#define ${upper}_INLINE static inline __attribute__((always_inline)) /* GCC and Clang vectorise what they inline */
+#else
+#define ${upper}_INLINE static inline
+#endif
+
 /* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
-static ${name}_real ${name}_nearest(${name}_real x)
+${upper}_INLINE ${name}_real ${name}_nearest(${name}_real x)
 {
   return (x + ${round_off}) - ${round_off};
 }
 
-/* sin and cos of pi x, |x| <= 1/2: their series at half of it, and one doubling; no call, so that loops are vectorised */
-static void ${name}_sincos(${name}_real x, ${name}_real *s, ${name}_real *c)
+/* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one doubling */
+${upper}_INLINE void ${name}_circle(${name}_real x, ${name}_real *sine, ${name}_real *cosine)
 {
-  const ${name}_real y = ${half}*${pi_high}*x, u = y*y;
-%% if single then
-  const ${name}_real a = y*(${one} - u*(${one}/6.0F - u*(${one}/120.0F - u*(${one}/5040.0F - u*(${one}/362880.0F)))));
-  const ${name}_real b = ${one} - u*(${half} - u*(${one}/24.0F - u*(${one}/720.0F - u*(${one}/40320.0F))));
-%% else
-  const double u2 = u*u, u4 = u2*u2; /* Horner's rule in two halves, which run side by side */
-  const double a0 = 1.0 - u*(1.0/6.0) + u2*(1.0/120.0 - u*(1.0/5040.0));
-  const double a1 = 1.0/362880.0 - u*(1.0/39916800.0) + u2*(1.0/6227020800.0 - u*(1.0/1307674368000.0) + u2*(1.0/355687428096000.0));
-  const double b0 = 1.0 - u*0.5 + u2*(1.0/24.0 - u*(1.0/720.0));
-  const double b1 = 1.0/40320.0 - u*(1.0/3628800.0) + u2*(1.0/479001600.0 - u*(1.0/87178291200.0) + u2*(1.0/20922789888000.0));
-  const double a = y*(a0 + u4*a1), b = b0 + u4*b1;
+  const ${name}_real u = x*x, u2 = u*u, u4 = u2*u2;
+%% for _, line in ipairs(sine_lines) do
+  ${line}
 %% end
+%% for _, line in ipairs(cosine_lines) do
+  ${line}
+%% end
+  const ${name}_real half = x*s;
 
-  *s = ${two}*(a*b);
-  *c = (b - a)*(b + a);
+  *sine = ${two}*(half*c);
+  *cosine = (c - half)*(c + half);
 }
 
-/* a + b t in pairs */
-static ${name}_pair ${name}_phase(${name}_pair a, const ${name}_real b[2], ${name}_real t)
+/* a + b t in pairs: Knuth's two-sum, Dekker's product */
+${upper}_INLINE ${name}_pair ${name}_phase(${name}_pair a, const ${name}_real b[2], ${name}_real t)
 {
-  const ${name}_pair p = ${name}_pair_product(b[0], t), s = ${name}_pair_sum(p.hi, a.hi);
-  ${name}_pair phase;
+  ${name}_pair p;
+  ${name}_real sum, part;
+#if defined ${fast_fma} || defined __${fast_fma} || defined __FMA__ || defined __ARM_FEATURE_FMA
 
-  phase.hi = s.hi;
-  phase.lo = s.lo + (p.lo + b[1]*t + a.lo);
-  return phase;
+  p.hi = ${fma}(b[0], t, ${zero}); /* no compiler may fuse this one */
+  p.lo = ${fma}(b[0], t, -p.hi);
+#else
+  const ${name}_real c = ${split}*b[0], high = c - (c - b[0]), low = b[0] - high;
+  const ${name}_real d = ${split}*t, head = d - (d - t), tail = t - head;
+
+  p.hi = b[0]*t;
+  p.lo = ((high*head - p.hi) + high*tail + low*head) + low*tail;
+#endif
+  sum = p.hi + a.hi;
+  part = sum - p.hi;
+  p.lo = ((p.hi - (sum - part)) + (a.hi - part)) + (p.lo + b[1]*t + a.lo);
+  p.hi = sum;
+  return p;
 }

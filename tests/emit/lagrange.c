@@ -298,10 +298,11 @@ static void invariants(const double body[3], const double x[7], long double *E, 
 }
 
 static void random_states(long count) {
-  double start = 0, norm = 0, energy = 0, momentum = 0, many = 0, rates = 0;
+  double start = 0, norm = 0, energy = 0, momentum = 0, many = 0, rates = 0, ticks = 0;
   long refused = 0, wrong = 0;
   for (long n = 0; n < count; n++) {
-    double body[3], x0[7], x[7], t[4], table[28], w[3], q[4], d[2] = {0, 0}, length = 0, f[7];
+    double body[3], x0[7], x[7], z[7], t[12], table[84], w[3], q[4], d[2] = {0, 0}, length = 0,
+                                                                     f[7];
     long double E0, L0, E, L;
     top_model m;
     top_orbit o;
@@ -331,15 +332,25 @@ static void random_states(long count) {
       t[k] = k < 3            ? (uniform() - 0.5) * 100 * spread(3) / scale
              : period < 1e300 ? period * floor(uniform() * 1e6)
                               : 0;
-    top_at_many(&o, 4, t, table);
+    for (int k = 4; k < 12; k++)
+      t[k] = t[k - 4];
+    top_at_many(&o, 12, t, table); /* a block of eight and four more */
     for (int k = 0; k < 4; k++) {
       top_at(&o, t[k], x);
       top_at_rates(&o, t[k], w);
       top_at_attitude(&o, t[k], q);
       for (int i = 0; i < 7; i++) {
         wrong += !(x[i] - x[i] == 0);
-        many = larger(many, fabs(table[i * 4 + k] - x[i]) / (i < 4 ? 1 : scale));
+        many = larger(many, fabs(table[i * 12 + k] - x[i]) / (i < 4 ? 1 : scale));
+        many = larger(many, fabs(table[i * 12 + k + 8] - x[i]) / (i < 4 ? 1 : scale));
         many = larger(many, fabs((i < 4 ? q[i] : w[i - 4]) - x[i]) / (i < 4 ? 1 : scale));
+      }
+      /* the same time by ticks, there and back, as long as pairs have digits left */
+      for (int sign = -1; sign < 2 && fabs(t[k]) * scale < 0x1p40; sign += 2) {
+        wrong += top_set_tick(&o, sign * ldexp(t[k], -20)) != 0;
+        top_at_tick(&o, sign * ((int64_t)1 << 20), z);
+        for (int i = 0; i < 7; i++)
+          ticks = larger(ticks, fabs(z[i] - x[i]) / (i < 4 ? 1 : scale));
       }
       norm = larger(norm, norm_error(x));
       invariants(body, x, &E, &L);
@@ -359,8 +370,8 @@ static void random_states(long count) {
       }
     }
   }
-  printf("random %ld %ld %ld %.3e %.3e %.3e %.3e %.3e %.3e\n", count, refused, wrong, start, norm,
-         energy, momentum, many, rates);
+  printf("random %ld %ld %ld %.3e %.3e %.3e %.3e %.3e %.3e %.3e\n", count, refused, wrong, start,
+         norm, energy, momentum, many, rates, ticks);
 }
 
 static void floats(long count) {

@@ -14,8 +14,8 @@ function asymmetric.detect(m, eq)
       "Analytical Dynamics, section 69).  Set up in twice the working precision; any moments and any state: symmetric,",
       "spherical, a rod, spin about an axis and the separatrix are limits that the same formulas pass through." },
     header = "templates/top.h", sources = { "templates/theta_at.c", "templates/double.c", "templates/top.c",
-      "templates/theta.c", "templates/many.c", "templates/tick.c", "templates/query.c" }, flags = {}, full = true,
-    ticks = true, exact = true }
+      "templates/theta.c", "templates/many.c", "templates/count.c", "templates/tick.c", "templates/query.c" },
+    flags = {}, full = true, ticks = true, exact = true }
 end
 
 return asymmetric

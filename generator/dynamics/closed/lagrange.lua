@@ -77,7 +77,7 @@ function lagrange.detect(m)
     header = "templates/lagrange.h", flags = {}, constants = constants, full = true,
     sources = { "templates/double.c", "templates/nome.c", "templates/wide.c", "templates/phase.c",
       "templates/lagrange.c", "templates/lagrange_theta.c", "templates/lagrange_at.c",
-      "templates/lagrange_solve.c" } }
+      "templates/lagrange_solve.c", "templates/count.c", "templates/lagrange_tick.c" }, ticks = true }
 end
 
 return lagrange
