@@ -227,6 +227,23 @@ int main(void)
 %% end
   for (i = 0, d1 = ${one}; i < ${upper}_NX; i++) d1 = ${fabs}(x0[i]) > d1 ? ${fabs}(x0[i]) : d1;
   report(distance(got, fine, ${upper}_NX) <= ${drift}*d1, "closed form and stepper agree");
+%% for _, c in ipairs(motion_cases) do
+  {
+    const ${name}_real want[${c.n}] = {
+%%   for _, line in ipairs(c.want) do
+      ${line}
+%%   end
+    };
+    const ${name}_real tolerance[${c.n}] = {
+%%   for _, line in ipairs(c.tolerance) do
+      ${line}
+%%   end
+    };
+
+    ${c.call};
+    near(got, want, tolerance, ${c.n}, "${c.what}");
+  }
+%% end
 %% end
 
   printf("1..%d\n", tests);

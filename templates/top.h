@@ -17,6 +17,12 @@ typedef struct ${name}_orbit {
   int hyperbolic;                   /* 1 near the separatrix, 2 nearest to it */
 } ${name}_orbit;
 
+%% if has_own then
+/* The motion through the scene's own initial state, as ${name}_solve gives it, but computed with many digits when this
+ * file was made; ticks are of ${step_text} s, the scene's step. */
+extern const ${name}_orbit ${name}_own_orbit;
+
+%% end
 /* Prepare the motion through x0 at t = 0, q of x0 normalised: about 5000 operations.  Returns 0, or 1 if q is 0, a number
  * not finite, the body none (a negative moment; no moment about an axis across which two differ), or a rate beyond the
  * range of the type; *o is untouched then. */

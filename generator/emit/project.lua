@@ -9,6 +9,7 @@ local R = require "generator.algebra.rational"
 local economy = require "generator.emit.economy"
 local init = require "generator.emit.init"
 local number = require "generator.emit.number"
+local orbit = require "generator.emit.orbit"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
@@ -177,7 +178,7 @@ end
 -- The closed form's part of header and source.
 local function closed_values(job, v, ctx)
   v.closed_header, v.closed_source = "", ""
-  v.oblique = job.oblique ~= nil
+  v.oblique, v.has_own = job.oblique ~= nil, false
   put_constants(job.oblique or {}, v, ctx.real)
   if not v.has_closed then return end
   local form = job.closed
@@ -187,9 +188,11 @@ local function closed_values(job, v, ctx)
   economy.fill(v, ctx.real)
   for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end
+  orbit.fill(job, v)
   v.closed_header = render(form.header)
   local parts = {}
   for i, name in ipairs(form.sources) do parts[i] = render(name) end
+  if v.has_own then parts[#parts + 1] = render "templates/own.c" end
   v.closed_source = table.concat(parts, "\n")
 end
 

@@ -58,7 +58,8 @@ for _, path in ipairs { "brick", "symmetric_top", "gyroscope", "dumbbell", "wate
       if word == "static" then -- static functions are fine, static data is not
         found = code:find "\n[ \t]+static " ~= nil or code:find "\nstatic [^(\n]*[;=]" ~= nil
       elseif word == "extern" then
-        found = code:find 'extern [^"]' ~= nil
+        local rest = code:gsub("extern const [%w_]+_orbit [%w_]+_own_orbit;", "") -- a constant
+        found = rest:find 'extern [^"]' ~= nil
       end
       tap.ok(not found, tag .. ": no " .. word .. (word == "static" and " data" or ""))
     end

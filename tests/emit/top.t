@@ -75,7 +75,8 @@ local function judge_many(command, lines)
     if not (differ and (differ == 0 or fused and far <= bar)) then wrong[#wrong + 1] = table.concat(l, " ") end
   end
   tap.is(count, 2 * 6 * 68, command .. ": NAME_at_many: six states, n = 0 to 67, double and float")
-  tap.ok(kinds.top0 and kinds.top1 and kinds.top2 and kinds.small0 and kinds.small1 and kinds.small2, command .. ": of all kinds")
+  tap.ok(kinds.top0 and kinds.top1 and kinds.top2 and kinds.small0 and kinds.small1 and kinds.small2,
+    command .. ": of all kinds")
   tap.is(table.concat(wrong, "; "), "", command .. ": NAME_at_many agrees with NAME_at" ..
     (fused and "" or " in every bit"))
 end
