@@ -104,7 +104,7 @@ static const struct {
     {"slow", 1, 0.5, 2e-30, {0.9, 0.3, 0.1, -0.2}, {1e-15, 0.5e-15, 5e-15}, 1e16},
 };
 
-static void print_cases(void) {
+static void print_cases(int longer) {
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
     double x0[7], x[7];
     top_model m;
@@ -115,14 +115,26 @@ static void print_cases(void) {
       printf("%s, refused\n", cases[k].name);
       continue;
     }
-    for (int n = 0; n < 3; n++) {
-      const double t = n == 0 ? cases[k].t : n == 1 ? cases[k].t / 7 : -cases[k].t / 3;
+    double period = top_nutation_period(&o), tilt[2];
+    top_nutation_range(&o, tilt);
+    /* the oracle finds the period from gamma_z, which must change, and must not be 1 to all digits
+     * for most of it */
+    if (longer && !(period > 0 && period < 1e300 && tilt[1] - tilt[0] > 1e-3 && tilt[0] < 3 &&
+                    (tilt[0] > 1e-50 || tilt[0] <= 0)))
+      continue;
+    for (int n = 0; n < (longer ? 1 : 3); n++) {
+      const double t = longer   ? 1.2345678e6 * period
+                       : n == 0 ? cases[k].t
+                       : n == 1 ? cases[k].t / 7
+                                : -cases[k].t / 3;
       top_at(&o, t, x);
       printf("%s: t = %g; %.3e; %a %a %a 0 0 %a", cases[k].name, t, norm_error(x), cases[k].A,
              cases[k].A, cases[k].C, cases[k].mgl);
       for (int i = 0; i < 7; i++)
         printf(" %a", i < 3 ? x0[4 + i] : x0[i - 3]);
       printf(" %a", t);
+      if (longer)
+        printf(" %a", period);
       for (int i = 0; i < 7; i++)
         printf(" %a", i < 3 ? x[4 + i] : x[i - 3]);
       printf("\n");
@@ -420,7 +432,9 @@ static void floats(long count) {
 int main(int argc, char **argv) {
   const long count = argc > 2 ? atol(argv[2]) : 1000;
   if (argc > 1 && strcmp(argv[1], "cases") == 0)
-    print_cases();
+    print_cases(0);
+  else if (argc > 1 && strcmp(argv[1], "long") == 0)
+    print_cases(1);
   else if (argc > 1 && strcmp(argv[1], "rows") == 0)
     rows();
   else if (argc > 1 && strcmp(argv[1], "random") == 0)

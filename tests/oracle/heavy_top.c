@@ -1,13 +1,16 @@
 /* heavy_top.c - the heavy top with many digits: a Taylor series of high order with MPFR.
    SPDX-License-Identifier: GPL-3.0-or-later
 
-     heavy_top [-b BITS] [-e] < lines
+     heavy_top [-b BITS] [-p] [-e] < lines
 
    A line is I1 I2 I3 (principal moments about the fixed point), m g r (3 numbers, body axes), w0
    (3), q0 (4, any length but 0), t, in any notation of strtod, taken as the exact doubles; gravity
    points along -z. A line of the result: rates and attitude, 7 numbers of 40 digits. With -e seven
    more numbers follow t in a line, and the result is: largest error of their rates over the largest
    rate, and of their attitude, |q - q'|.
+
+     With -p an approximation of the period of gamma_z follows t: the body is symmetric about z, and
+   t may be long.
 
      I w' = (I w) x w + gamma x (m g r),   gamma = R(q)^T ez,   gamma' = gamma x w,   q' = q (0,
    w)/2
@@ -156,6 +159,69 @@ static void begin(const double in[14]) {
   mpfr_set_d(left, in[13], MPFR_RNDN);
 }
 
+/* (a, b) times exp(i angle) */
+static void turn(mpfr_t a, mpfr_t b, mpfr_t angle) {
+  mpfr_sin_cos(largest, power, angle, MPFR_RNDN);
+  mpfr_mul(sum, a, power, MPFR_RNDN);
+  mpfr_mul(term, b, largest, MPFR_RNDN);
+  mpfr_sub(sum, sum, term, MPFR_RNDN);
+  mpfr_mul(a, a, largest, MPFR_RNDN);
+  mpfr_mul(b, b, power, MPFR_RNDN);
+  mpfr_add(b, b, a, MPFR_RNDN);
+  mpfr_set(a, sum, MPFR_RNDN);
+}
+
+/* out = the angle from c + i d to a + i b */
+static void angle_between(mpfr_t out, mpfr_t a, mpfr_t b, mpfr_t c, mpfr_t d) {
+  mpfr_atan2(out, b, a, MPFR_RNDN);
+  mpfr_atan2(term, d, c, MPFR_RNDN);
+  mpfr_sub(out, out, term, MPFR_RNDN);
+}
+
+/* The state after the long time t, for a body symmetric about z: it comes back after a period of
+   gamma_z, but for turns A of w + i z and B of x + i y of the quaternion; N of them are powers.
+   period: an approximation of it. */
+static void repeat(const double in[14], double period) {
+  mpfr_t T, A, B, N;
+  mpfr_inits2(bits, T, A, B, N, (mpfr_ptr)0);
+  begin(in);
+  mpfr_set_d(left, period / 5, MPFR_RNDN); /* away from a turning point, where gamma_z' = 0 */
+  advance();
+  mpfr_t start[5];
+  for (int i = 0; i < 5; i++) { /* gamma_z and q */
+    mpfr_init2(start[i], bits);
+    mpfr_set(start[i], x[5 + i][0], MPFR_RNDN);
+  }
+  mpfr_set_d(T, period, MPFR_RNDN);
+  mpfr_set(left, T, MPFR_RNDN);
+  for (int i = 0; i < 5; i++) { /* Newton: each step doubles the digits */
+    advance();
+    next_order(0);
+    mpfr_sub(left, start[0], x[5][0], MPFR_RNDN);
+    mpfr_div(left, left, x[5][1], MPFR_RNDN);
+    mpfr_add(T, T, left, MPFR_RNDN);
+  }
+  advance();
+  angle_between(A, x[6][0], x[9][0], start[1], start[4]);
+  angle_between(B, x[7][0], x[8][0], start[2], start[3]);
+  begin(in);
+  mpfr_div(N, left, T, MPFR_RNDN);
+  mpfr_rint(N, N, MPFR_RNDN);
+  mpfr_mul(T, T, N, MPFR_RNDN);
+  mpfr_sub(left, left, T, MPFR_RNDN);
+  mpfr_mul(A, A, N, MPFR_RNDN);
+  mpfr_mul(B, B, N, MPFR_RNDN);
+  turn(x[6][0], x[9][0], A);
+  turn(x[7][0], x[8][0], B);
+  mpfr_sub(B, B, A, MPFR_RNDN);
+  turn(x[0][0], x[1][0], B);
+  turn(x[3][0], x[4][0], B);
+  advance();
+  for (int i = 0; i < 5; i++)
+    mpfr_clear(start[i]);
+  mpfr_clears(T, A, B, N, (mpfr_ptr)0);
+}
+
 /* How far the seven numbers in text, rates and attitude, are from the state; the attitude up to its
  * sign. */
 static int compare(char *text, double *rates, double *attitude) {
@@ -202,14 +268,16 @@ static int compare(char *text, double *rates, double *attitude) {
 
 int main(int argc, char **argv) {
   static char line[4096];
-  int errors = 0;
+  int errors = 0, longer = 0;
   for (int i = 1; i < argc; i++) {
     if (strcmp(argv[i], "-e") == 0) {
       errors = 1;
+    } else if (strcmp(argv[i], "-p") == 0) {
+      longer = 1;
     } else if (strcmp(argv[i], "-b") == 0 && i + 1 < argc && atoi(argv[i + 1]) >= 64) {
       bits = atoi(argv[++i]);
     } else {
-      fprintf(stderr, "usage: heavy_top [-b BITS] [-e] < lines\n");
+      fprintf(stderr, "usage: heavy_top [-b BITS] [-p] [-e] < lines\n");
       return 2;
     }
   }
@@ -223,17 +291,21 @@ int main(int argc, char **argv) {
     mpfr_inits2(bits, I[i], load[i], (mpfr_ptr)0);
   mpfr_inits2(bits, sum, term, h, left, largest, power, (mpfr_ptr)0);
   while (fgets(line, sizeof line, stdin)) {
-    double in[14], rates, attitude;
+    double in[15], rates, attitude;
     char *p = line, *end;
-    for (int i = 0; i < 14; i++, p = end) {
+    for (int i = 0; i < 14 + longer; i++, p = end) {
       in[i] = strtod(p, &end);
       if (end == p) {
         fprintf(stderr, "heavy_top: number %d of a line is missing\n", i + 1);
         return 2;
       }
     }
-    begin(in);
-    advance();
+    if (longer) {
+      repeat(in, in[14]);
+    } else {
+      begin(in);
+      advance();
+    }
     if (!errors) {
       for (int i = 0; i < 7; i++)
         mpfr_printf(i < 6 ? "%.40Re " : "%.40Re\n", x[i < 3 ? i : i + 3][0]);
