@@ -13,10 +13,11 @@ local stability = require "generator.mass.stability"
 local model = require "generator.dynamics.model"
 local equations = require "generator.dynamics.equations"
 local closed = require "generator.dynamics.closed.list"
+local conserved = require "generator.dynamics.conserved"
 local symmetric = require "generator.dynamics.closed.symmetric"
 local quantities = require "generator.dynamics.quantities"
 local state = require "generator.dynamics.state"
-local rk4 = require "generator.methods.rk4"
+local methods = require "generator.methods.list"
 local derivation = require "generator.report.derivation"
 local number = require "generator.emit.number"
 local project = require "generator.emit.project"
@@ -37,40 +38,66 @@ function driver.read(host, file, options)
   if not m then return nil, d end
   local eq = equations.of(d, m)
   if not eq then return nil, d end
-  return { diag = d, record = record, model = m, equations = eq, closed = closed.detect(m, eq), states = state.all,
+  return { diag = d, record = record, model = m, equations = eq, closed = closed.detect(m, eq), states = m.states,
+    conserved = conserved.of(m),
     input_states = state.inputs, file = file, source = string.match(file, "[^/]*$"), version = driver.version }
 end
 
--- Completes the job for emission: the list of functions in the order they are emitted.
--- options: {real =, command =, methods = {rk4 =, exact =}}
+-- The steppers that are asked for, the first one as NAME_step; rk4 if none is: a list of {method, program}.
+local function steppers(job, options)
+  local list = {}
+  for _, name in ipairs(options.methods or {}) do
+    local method, program = methods.by_name[name], nil
+    if method and method.program then
+      local why
+      program, why = method.program(job.equations, options)
+      if not program then
+        job.diag:error(job.record.line, "method " .. name, why)
+        return nil
+      end
+    end
+    if method then list[#list + 1] = { method = method, program = program } end
+  end
+  if #list == 0 then list[1] = { method = methods.by_name.rk4 } end
+  return list
+end
+
+-- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
+-- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor)}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
-  if options.methods and not options.methods.exact then
-    job.closed = { refused = "not asked for (--method)", others = {} }
-  end
+  local exact = not options.methods
+  for _, name in ipairs(options.methods or {}) do exact = exact or name == "exact" end
+  if not exact then job.closed = { refused = "not asked for (--method)", others = {} } end
+  job.steppers = steppers(job, options)
+  if not job.steppers then return nil end
   local list = {}
   local function put(f) list[#list + 1] = f end
   put(quantities.initial(m))
   put((quantities.mass(m)))
-  put(quantities.inertia(m))
-  put(quantities.inertia_at(m))
+  if m.has.rates then
+    put(quantities.inertia(m))
+    put(quantities.inertia_at(m))
+  end
   put(quantities.energy(m))
-  local particles = quantities.particle_energy(m)
+  local particles = m.has.rates and quantities.particle_energy(m)
   if particles then put(particles) end
-  put(quantities.momentum_body(m))
-  put(quantities.momentum(m))
-  put(quantities.torque(m))
+  if m.has.rates then put(quantities.momentum_body(m)) end
+  if m.has.attitude then put(quantities.momentum(m)) end
+  if m.has.rates then put(quantities.torque(m)) end
   put(quantities.rhs(eq))
-  put(quantities.step(m, eq, rk4))
+  for i, s in ipairs(job.steppers) do
+    if s.method.groups then put(quantities.step(m, eq, s.method, i == 1 and "step" or s.method.name .. "_step")) end
+  end
   put(quantities.jacobian(eq))
   put(quantities.rate())
   put(quantities.acceleration())
-  if m.structure.kind == "symmetric" and not equations.coordinate(m.structure.k) then
+  if m.has.rates and m.structure.kind == "symmetric" and not equations.coordinate(m.structure.k) then
     job.oblique = symmetric.constants(m)
   end
   local form = job.closed
   job.closed_constants = form.constants and form.constants(m) or {}
-  job.stability = stability.of(m)
+  job.stability = m.has.rates and stability.of(m) or nil
   job.functions = list
   job.real, job.command = options.real or "double", options.command
   job.title, job.banner = derivation.title(job), derivation.banner(job)

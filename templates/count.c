@@ -1,4 +1,4 @@
-%% -- count.c -- phases counted in integers: part of scene.c.  SPDX-License-Identifier: MIT-0
+%% -- count.c -- phases that are counted in integers: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- time in ticks: phases as fractions of a turn, 128 bits, in which whole turns vanish by overflow ---- */
 
 /* a less whole turns, in units of 2^-128: {high, low}; sixteen bits at a time, each step exact */

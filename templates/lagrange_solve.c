@@ -94,7 +94,7 @@ static void ${name}_series(${name}_orbit *o, const ${name}_cubic *p, ${name}_pai
 
     q = ${name}_nome(${name}_wide_pair(kc2, powerc), m, powerc);
     o->nome = ${ldexp}(${name}_pair_root(q).hi, powerc/2);
-    if (q.hi > ${zero}) logq = ${name}_pair_add(${name}_pair_log(q), ${name}_pair_times((${name}_real)powerc, ${name}_log2()));
+    if (q.hi > ${zero}) logq = ${name}_pair_log(q, powerc);
     q = ${name}_pair_scale(q, powerc);
     ${name}_hyperbolic(o, p, amplitude, q, logq, ${name}_complete(q), nu, v, mu);
   }

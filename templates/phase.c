@@ -1,4 +1,4 @@
-%% -- phase.c -- phases in pairs, their sines and cosines, quaternions: part of scene.c.  SPDX-License-Identifier: MIT-0
+%% -- phase.c -- phases in pairs, quaternions, series as polynomials: part of scene.c.  SPDX-License-Identifier: MIT-0
 static void ${name}_quaternion_product(const ${name}_real a[4], const ${name}_real b[4], ${name}_real out[4])
 {
   out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
@@ -24,34 +24,6 @@ static void ${name}_polynomial(int n, const ${name}_real c[], ${name}_real first
       now[k] = next[k];
     }
   }
-}
-
-#if defined __GNUC__
-#define ${upper}_INLINE static inline __attribute__((always_inline)) /* GCC and Clang vectorise what they inline */
-#else
-#define ${upper}_INLINE static inline
-#endif
-
-/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
-${upper}_INLINE ${name}_real ${name}_nearest(${name}_real x)
-{
-  return (x + ${round_off}) - ${round_off};
-}
-
-/* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one doubling */
-${upper}_INLINE void ${name}_circle(${name}_real x, ${name}_real *sine, ${name}_real *cosine)
-{
-  const ${name}_real u = x*x, u2 = u*u, u4 = u2*u2;
-%% for _, line in ipairs(sine_lines) do
-  ${line}
-%% end
-%% for _, line in ipairs(cosine_lines) do
-  ${line}
-%% end
-  const ${name}_real half = x*s;
-
-  *sine = ${two}*(half*c);
-  *cosine = (c - half)*(c + half);
 }
 
 /* a + b t in pairs: Knuth's two-sum, Dekker's product */

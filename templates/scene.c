@@ -83,11 +83,20 @@ ${f.head}
 %% end
 
 %% if not has_special then
+%%   if has_rates or has_closed then
 ${pair_source}
+%%   end
 %% end
+%% if has_rates then
 ${principal_source}
+%% end
 %% if has_closed then
 ${closed_source}
 %% end
+%% if stepper_source ~= "" then
+${stepper_source}
+%% end
+%% if has_rates then
 ${analysis_source}
 ${stability_source}
+%% end

@@ -11,7 +11,7 @@
 #ifndef POLHODE_${upper}_HEADER
 #define POLHODE_${upper}_HEADER
 
-%% if has_ticks then
+%% if has_integers then
 #include <stddef.h>
 #include <stdint.h>
 
@@ -86,9 +86,14 @@ ${f.declaration}
 %% if has_closed then
 ${closed_header}
 %% end
+%% if stepper_header ~= "" then
+${stepper_header}
+%% end
+%% if has_rates then
 ${principal_header}
 ${analysis_header}
 ${stability_header}
+%% end
 #ifdef __cplusplus
 }
 #endif

@@ -1,12 +1,6 @@
 %% -- theta_at.c -- the free top's state at a time, from an orbit: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- evaluation: no call and no branch on data but for `hyperbolic`, so that loops over times are vectorised ---- */
 
-#if defined __GNUC__
-#define ${upper}_INLINE static inline __attribute__((always_inline)) /* GCC and Clang vectorise what they inline */
-#else
-#define ${upper}_INLINE static inline
-#endif
-
 /* high + low: the phase of the rates in their periods, less whole ones; the turns about L */
 typedef struct ${name}_phases {
   ${name}_real high, low, turn, turn_low;
@@ -17,29 +11,6 @@ typedef struct ${name}_phases {
 typedef struct ${name}_terms {
   ${name}_real a, b, c, d, cn, sn, dn, turn;
 } ${name}_terms;
-
-/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
-${upper}_INLINE ${name}_real ${name}_nearest(${name}_real x)
-{
-  return (x + ${round_off}) - ${round_off};
-}
-
-/* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well: Dekker's product */
-${upper}_INLINE ${name}_pair ${name}_advance(const ${name}_real b[4], ${name}_real t, ${name}_real head, ${name}_real tail)
-{
-  ${name}_pair p;
-
-#if defined ${fast_fma} || defined __${fast_fma} || defined __FMA__ || defined __ARM_FEATURE_FMA
-  (void)head;
-  (void)tail;
-  p.hi = ${fma}(b[0], t, ${zero}); /* no compiler may fuse this one */
-  p.lo = ${fma}(b[0], t, -p.hi) + b[1]*t;
-#else
-  p.hi = b[0]*t;
-  p.lo = (((b[2]*head - p.hi) + b[2]*tail + b[3]*head) + b[3]*tail) + b[1]*t;
-#endif
-  return p;
-}
 
 %% if single then
 /* the sum less whole numbers as the high part, what it has rounded as the low one */
@@ -73,22 +44,6 @@ ${upper}_INLINE ${name}_phases ${name}_reduce(const ${name}_orbit *o, ${name}_re
   ${name}_join(&phases.turn, &phases.turn_low);
 %% end
   return phases;
-}
-
-/* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one doubling */
-${upper}_INLINE void ${name}_circle(${name}_real x, ${name}_real *sine, ${name}_real *cosine)
-{
-  const ${name}_real u = x*x, u2 = u*u, u4 = u2*u2;
-%% for _, line in ipairs(sine_lines) do
-  ${line}
-%% end
-%% for _, line in ipairs(cosine_lines) do
-  ${line}
-%% end
-  const ${name}_real half = x*s;
-
-  *sine = ${two}*(half*c);
-  *cosine = (c - half)*(c + half);
 }
 
 /* 2^x and 2^-x, |x| <= ${binary_limit}: the even and the odd part of 2^f, f = x less the nearest integer n, which the sum with
@@ -235,6 +190,21 @@ ${upper}_INLINE void ${name}_state(const ${name}_orbit *o, ${name}_phases p, ${n
   x[${upper}_WZ] = n*w[2];
 }
 
+%% if damped then
+/* in a time of twice the working precision, and slower */
+void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
+{
+  const ${name}_pair time = ${name}_clock(o->decay, t);
+  const ${name}_real fade = ${name}_fading(o->decay, t);
+  ${name}_phases p = ${name}_reduce(o, time.hi);
+  int i;
+
+  p.low += o->rate[0]*time.lo;
+  p.turn_low += o->turn[0]*time.lo;
+  ${name}_state(o, p, x);
+  for (i = 0; i < 3; i++) x[${upper}_WX + i] *= fade;
+}
+%% else
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
   ${name}_state(o, ${name}_reduce(o, t), x);
@@ -262,3 +232,4 @@ void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[
   root = ${name}_inverse_length(v, n, ${sqrt}(n));
   for (i = 0; i < 4; i++) q[i] = root*v[i];
 }
+%% end

@@ -1,4 +1,4 @@
-%% -- tick.c -- the free top at equal steps: part of scene.c.  SPDX-License-Identifier: MIT-0
+%% -- tick.c -- the free top at equal steps, its phases counted in integers: part of scene.c.  SPDX-License-Identifier: MIT-0
 int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
 {
   const ${name}_pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]}, turn = {o->turn[0], o->turn[1]};

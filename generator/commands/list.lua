@@ -4,6 +4,8 @@
 
 local catalogue = require "generator.mass.catalogue"
 local effects = require "generator.effects.list"
+local methods = require "generator.methods.list"
+local conserved = require "generator.dynamics.conserved"
 local units = require "generator.dsl.units"
 
 local list = {}
@@ -34,15 +36,19 @@ end
 
 function what.effects()
   local rows = {}
-  for i, e in ipairs(effects) do rows[i] = { e.name, e.about .. "; conserves " .. e.conserves } end
+  for i, e in ipairs(effects) do rows[i] = { e.name, e.about .. "; conserves " .. conserved.words(e) } end
   return rows
 end
 
 function what.methods()
-  return { { "exact", "closed form at any time: every torque-free top" },
-    { "rk4", "classical Runge-Kutta of order 4, fixed step, unrolled" },
+  local rows = { { "exact", "closed form at any time: every torque-free top" } }
+  for _, m in ipairs(methods) do rows[#rows + 1] = { m.name, m.about } end
+  for _, row in ipairs {
     { "linearised", "small oscillations of the free top about a principal axis; run: general library" },
-    { "adaptive", "general library only (run): Taylor series, step and order chosen" } }
+  } do
+    rows[#rows + 1] = row
+  end
+  return rows
 end
 
 function what.constants()

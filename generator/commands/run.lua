@@ -1,11 +1,14 @@
 -- run.lua -- polhode run: the motion as a table, by the general library or by the emitted code.
 --
--- Columns t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz; every number reads back to the same double.
+-- Columns t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz,rx,ry,rz,vx,vy,vz and further states, those that the scene has; every
+-- number reads back to the same double.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local options = require "generator.commands.options"
 local build = require "generator.commands.build"
 local driver = require "generator.driver"
+local gen = require "generator.commands.gen"
+local methods = require "generator.methods.list"
 local numeric = require "generator.dynamics.numeric"
 local json = require "generator.report.json"
 
@@ -14,10 +17,29 @@ local run = {}
 run.options = { ["--engine"] = { "general", "generated" }, ["--method"] = "text", ["--step"] = "number",
   ["--until"] = "number", ["--every"] = "number", ["--at"] = "numbers", ["--format"] = { "csv", "json" },
   ["-o"] = "text",
-  ["--real"] = { "double", "float" }, ["--set"] = "pair", ["--tolerance"] = "number" }
+  ["--real"] = { "double", "float" }, ["--set"] = "pair", ["--tolerance"] = "number", ["--order"] = "number" }
 run.operands = { 1, 1 }
 
-local columns = { "t", "qw", "qx", "qy", "qz", "wx", "wy", "wz", "energy", "Lx", "Ly", "Lz" }
+-- The names of the columns, and a row of them from t, the scene's state, energy and L (nil without attitude).
+local function columns(job)
+  local list, first = { "t" }, {}
+  for i, s in ipairs(job.states) do
+    if s.kind == "attitude" or s.kind == "rates" then
+      list[#list + 1], first[#first + 1] = s.name, i
+    end
+  end
+  list[#list + 1] = "energy"
+  for _, name in ipairs(job.model.has.attitude and { "Lx", "Ly", "Lz" } or {}) do list[#list + 1] = name end
+  for i = #first + 1, #job.states do list[#list + 1] = job.states[i].name end
+  return list, function(t, x, energy, L)
+    local row = { t, table.unpack(x, 1, #first) }
+    row[#row + 1] = energy
+    for _, y in ipairs(job.model.has.attitude and L or {}) do row[#row + 1] = y end
+    for i = #first + 1, #x do row[#row + 1] = x[i] end
+    return row
+  end
+end
+
 local general = { adaptive = true, taylor = true, rk4 = true, rkf45 = true, rk8pd = true, ["gsl-rk4"] = true,
   exact = true, linearised = true }
 
@@ -43,32 +65,41 @@ end
 
 local function generated(host, job, given, list)
   local method = given.method or (job.closed.full and "exact" or "rk4")
-  if method ~= "rk4" and method ~= "exact" then
-    return nil, "--engine generated has the methods rk4 and exact, got " .. method ..
+  if method ~= "exact" and not methods.by_name[method] then
+    local names = { "exact" }
+    for _, m in ipairs(methods) do names[#names + 1] = m.name end
+    return nil, "--engine generated has the methods " .. table.concat(names, ", ") .. ", got " .. method ..
       (method == "linearised" and " (--engine general has it; in C it is the function NAME_linearised)" or "")
   end
   if method == "exact" and not job.closed.full then
     return nil, "method exact: " .. (job.closed.kind and "the closed form of this scene gives the rates only" or
       "this scene has no closed form: " .. job.closed.refused)
   end
-  driver.plan(job, { real = given.real, command = "" })
+  local order, wrong = gen.order(given)
+  if wrong then return nil, wrong end
+  if given.tolerance and not (methods.by_name[method] or {}).adaptive then
+    return nil, "--tolerance: the method " .. method .. " has a fixed step"
+  end
+  if not driver.plan(job, { real = given.real, command = "", methods = { method }, order = order }) then
+    return nil, job.diag:report()
+  end
   local plugin, why = build.plugin(host, job)
   if not plugin then return nil, why end
   if plugin:init() ~= 0 then return nil, "the emitted code refuses the scene's own parameters" end
-  local s = numeric.scene(job)
-  local x0 = { s.q[1], s.q[2], s.q[3], s.q[4], s.w[1], s.w[2], s.w[3] }
-  local rows = {}
+  local x0, rows = numeric.initial(job), {}
   if method == "exact" then
     if plugin:solve(x0) ~= 0 then return nil, "the closed form refuses the initial state" end
     for i, t in ipairs(list) do rows[i] = { t, table.unpack(plugin:at(t)) } end
   else
-    rows = plugin:integrate(x0, nil, given.step or job.model:double(job.model.step), list)
+    local adaptive = methods.by_name[method].adaptive and not given.step
+    local step = adaptive and { given.tolerance or 1e-12 } or given.step or job.model:double(job.model.step)
+    rows = plugin:integrate(x0, nil, step, list, 0, method)
+    if not rows then return nil, "method " .. method .. ": no steps lead to the end; is there a singularity?" end
   end
-  for _, row in ipairs(rows) do
-    local x = { table.unpack(row, 2, 8) }
-    row[9] = plugin:energy(x)
-    local L = plugin:momentum(x)
-    row[10], row[11], row[12] = L[1], L[2], L[3]
+  local _, row_of = columns(job)
+  for i, row in ipairs(rows) do
+    local x = { table.unpack(row, 2) }
+    rows[i] = row_of(row[1], x, plugin:energy(x), job.model.has.attitude and plugin:momentum(x) or nil)
   end
   return rows
 end
@@ -84,25 +115,32 @@ local function library(host, job, given, list)
     return nil, "--engine general --method " .. method .. " solves free tops, and this scene has effects"
   end
   local fixed = given.step or (method == "rk4" or method == "gsl-rk4") and job.model:double(job.model.step) or nil
-  return host.run(scene, { method = method, step = fixed, tol = given.tolerance, times = list })
+  local rows, why = host.run(scene, { method = method, step = fixed, tol = given.tolerance, times = list })
+  if not rows then return nil, why end
+  local _, row_of = columns(job)
+  for i, row in ipairs(rows) do
+    local n = #row - 4
+    rows[i] = row_of(row[1], numeric.part(job, row, 1), row[n + 1], { table.unpack(row, n + 2) })
+  end
+  return rows
 end
 
 local writers = {}
 
-function writers.csv(rows)
-  local out = { table.concat(columns, ",") }
+function writers.csv(rows, names)
+  local out = { table.concat(names, ",") }
   for i, row in ipairs(rows) do
     local cells = {}
-    for k = 1, #columns do cells[k] = json.number(row[k]) end
+    for k = 1, #names do cells[k] = json.number(row[k]) end
     out[i + 1] = table.concat(cells, ",")
   end
   return table.concat(out, "\n") .. "\n"
 end
 
-function writers.json(rows)
+function writers.json(rows, names)
   local out = {}
   for i, row in ipairs(rows) do out[i] = row end
-  return json.text(json.object { { "columns", columns }, { "rows", out } })
+  return json.text(json.object { { "columns", names }, { "rows", out } })
 end
 
 function run.run(host, given)
@@ -118,7 +156,7 @@ function run.run(host, given)
     host.err("polhode run: " .. wrong .. "\n")
     return 2
   end
-  local text = writers[given.format or "csv"](rows)
+  local text = writers[given.format or "csv"](rows, (columns(job)))
   if given.o then
     local ok, failure = host.write_file(given.o, text)
     if not ok then

@@ -1,9 +1,11 @@
 -- scene.lua -- the scene{} call: reads and checks the whole description, and only that.
 --
 -- The result is a plain record (expressions, no numbers yet):
---     {name, line, body = shape tree, origin = {kind, ...}, effects = {...}, omega, attitude, horizon, step}
--- Defaults: origin at the centroid, attitude 1, horizon 10 s, step 1 ms.  What the record means is decided in
--- mass/ and dynamics/.
+--     {name, line, body = shape tree, origin = {kind, ...}, effects = {...}, omega, attitude, given, outputs, horizon,
+--     step}
+-- given tells what `initial` says: {omega = bool, attitude = bool, position = vector or nil, velocity = so, line}.
+-- Defaults: origin at the centroid, attitude 1, all else 0, horizon 10 s, step 1 ms.  What the record means is decided
+-- in mass/ and dynamics/.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -17,7 +19,7 @@ local scene = {}
 local keys = { "name", "body", "origin", "effects", "initial", "time", "accuracy", "budget", "ranges", "outputs",
   "events" }
 -- in the contract of scenes, recorded, and not acted upon by this version: a warning says so
-local later = { "accuracy", "budget", "ranges", "outputs", "events" }
+local later = { "accuracy", "budget", "ranges", "events" }
 
 local function list(strings)
   local out = {}
@@ -35,19 +37,21 @@ end
 
 local function initial(ctx, line, given, out)
   out.omega = { expr.zero, expr.zero, expr.zero }
-  out.attitude = { expr.one, expr.zero, expr.zero, expr.zero }
+  out.attitude, out.given = { expr.one, expr.zero, expr.zero, expr.zero }, {}
   if given == nil then return end
   local at = ctx.diag:locate(line, "initial")
   if not args.plain(given) then
-    ctx.diag:error(at, "initial", "must be a table with omega and attitude", diag.show(given))
+    ctx.diag:error(at, "initial", "must be a table with omega, attitude, position, velocity", diag.show(given))
     return
   end
-  args.unknown(ctx, at, "initial", list { "omega", "attitude" }, given)
-  if given.omega ~= nil then
-    local line_of = ctx.diag:locate(at, "omega")
-    local w = args.vector(ctx, line_of, "initial", "omega", { dim = "rate", size = 3 }, given.omega)
-    out.omega = w or out.omega
+  args.unknown(ctx, at, "initial", list { "omega", "attitude", "position", "velocity" }, given)
+  local function vector(name, dim)
+    if given[name] == nil then return nil end
+    return args.vector(ctx, ctx.diag:locate(at, name), "initial", name, { dim = dim, size = 3 }, given[name])
   end
+  out.omega = vector("omega", "rate") or out.omega
+  out.given = { omega = given.omega ~= nil, attitude = given.attitude ~= nil, position = vector("position", "length"),
+    velocity = vector("velocity", "velocity"), line = at }
   local q = given.attitude
   if q == nil then return end
   local where = ctx.diag:locate(at, "attitude")
@@ -84,6 +88,20 @@ local function effects(ctx, line, given, record_of)
   return out
 end
 
+-- What is asked for: a list of names, {list =, line =}; which names there are is decided in dynamics/states.lua.
+local function outputs(ctx, line, given)
+  if given == nil then return nil end
+  local at, names_given = ctx.diag:locate(line, "outputs"), {}
+  local ok = args.plain(given) and args.list(given, #given)
+  for i = 1, ok and #given or 0 do
+    ok = ok and type(given[i]) == "string"
+    names_given[i] = given[i]
+  end
+  if ok then return { list = names_given, line = at } end
+  ctx.diag:error(at, "outputs", "must be a list of names", diag.show(given))
+  return nil
+end
+
 -- The function `scene` of the environment; `put` takes the checked record
 -- and returns what the script gets.  effect_of: handle -> record.
 function scene.constructor(ctx, effect_of, put)
@@ -115,6 +133,7 @@ function scene.constructor(ctx, effect_of, put)
     s.origin = origin(ctx, line, given.origin)
     s.effects = effects(ctx, line, given.effects, effect_of)
     initial(ctx, line, given.initial, s)
+    s.outputs = outputs(ctx, line, given.outputs)
     time(ctx, line, given.time, s)
     return put(s)
   end

@@ -8,6 +8,7 @@
 --                 component of w along k has no equation of its own
 --     diagonal    three quotients of principal moments
 --     full        L = I w,  w' = I^-1 (N + L x w), structural zeros of I and of its inverse vanishing
+-- The centre of mass (dynamics/moving.lua) and the states that effects declare follow.
 -- An equation group is {why, where, defs = {{name, expr}}, outs = {{state, expr}}}.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -15,6 +16,8 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
+local context = require "generator.dynamics.context"
+local moving = require "generator.dynamics.moving"
 local state = require "generator.dynamics.state"
 
 local equations = {}
@@ -37,14 +40,7 @@ local function coordinate(k)
 end
 equations.coordinate = coordinate
 
--- The tensor's entries as derived constants, Ixx .. Iyz; zeros stay zero.
-function equations.inertia(m)
-  return vec.map(m.inertia, function(e, n)
-    local what = n > 3 and "tensor entry " or "moment of inertia "
-    return m:constant("I" .. vec.entry[n], e, what .. vec.entry[n] .. ", kg m^2", m.parts ~= nil,
-      m.parts and m.parts.entries[n])
-  end)
-end
+equations.inertia = context.inertia
 
 -- I w as named definitions, unless an entry is trivial.
 local function momentum(m)
@@ -63,18 +59,35 @@ local function momentum(m)
 end
 equations.momentum = momentum
 
+-- The torque of an effect; one that holds angular momentum h of its own (a rotor) adds -(h' + w x h).
+local function torque_of(m, e, c)
+  local zero = { expr.zero, expr.zero, expr.zero }
+  local N = e.spec.torque and e.spec.torque(e.a, c) or zero
+  local h = e.spec.momentum and e.spec.momentum(e.a, c)
+  if not h then return N end
+  local rate = zero
+  if #e.states > 0 then
+    local change = e.spec.derivative(e.a, c)
+    rate = vec.map(h, function(x)
+      local sum = expr.zero
+      for _, s in ipairs(e.states) do sum = sum + calculus.diff(x, s.sym) * change[s.key] end
+      return sum
+    end)
+  end
+  return vec.sub(vec.sub(N, rate), vec.cross(m.has.rates and state.w or zero, h))
+end
+
 -- Sum of the torques of all effects in body axes, each effect one group of definitions N1x .. ; and what they use.
 local function torques(m)
   local total, groups = { expr.zero, expr.zero, expr.zero }, {}
   local need_L = false
-  local c = { mass = m.mass, com = m.com, inertia = m.inertia, q = state.q, w = state.w, u = state.u }
-  c.constant = function(name, e, about) return m:constant(name, e, about) end
+  local c = context.of(m)
   c.L = function()
     need_L = true
     return (momentum(m))
   end
   for _, e in ipairs(m.record.effects) do
-    local N = e.spec.torque(e.a, c)
+    local N = torque_of(m, e, context.with(c, e))
     local group = { why = string.gsub(e.kind, "^effect%.", "") .. ": " .. e.spec.about, where = place(m, e.line),
       defs = {}, outs = {} }
     for i = 1, 3 do
@@ -127,7 +140,7 @@ function builders.symmetric(m, N, groups, d)
   local k, w = s.k, state.w
   local axis = coordinate(k)
   local across = axis and axis % 3 + 1
-  local c = m:constant("c", (s.axial - s.alpha) / (s.alpha * s.k2), "(I3 - I1)/I1" ..
+  local c = m:constant("cs", (s.axial - s.alpha) / (s.alpha * s.k2), "(I3 - I1)/I1" ..
     (s.k2 == expr.one and "" or " / k^2"), false, axis and quotient(m, axis, across, across))
   local kk = axis and k or vec.map(k, function(x, i)
     return m:constant("k" .. axis_name[i], x, "direction of the symmetry axis")
@@ -213,14 +226,23 @@ function builders.full(m, N)
   return { why = "Euler: L = I w, n = " .. torque .. "L x w, w' = I^-1 n", defs = defs, outs = vec.apply(J, names) }
 end
 
--- The equations of the model: {groups, coupled}, coupled telling whether the rates depend on the attitude.
--- Reports what cannot be (torque along a rod) and returns nil then.
-function equations.of(d, m)
+-- q' = (q (0, w) - (0, Omega) q)/2, Omega the rate of the base frame.
+local function attitude(m)
   local w, q = state.w, state.q
-  local qdot = vec.map(vec.qmul(q, { expr.zero, w[1], w[2], w[3] }), function(e) return e / 2 end)
-  local attitude = { why = "attitude: q' = q (0, w)/2", defs = {}, outs = {} }
-  for i, n in ipairs { "qw", "qx", "qy", "qz" } do attitude.outs[i] = { state = n, expr = qdot[i] } end
+  local rate = vec.qmul(q, { expr.zero, w[1], w[2], w[3] })
+  local g = { why = "attitude: q' = q (0, w)/2", defs = {}, outs = {} }
+  if m.frame then
+    local turn, defs = moving.rate(m)
+    rate, g.defs = vec.sub(rate, vec.qmul({ expr.zero, turn[1], turn[2], turn[3] }, q)), defs
+    g.why = "attitude in the turning frame: q' = (q (0, w) - (0, Omega) q)/2"
+    g.where = place(m, m.frame.line)
+  end
+  for i, n in ipairs(state.names.attitude) do g.outs[i] = { state = n, expr = rate[i] / 2 } end
+  return g
+end
 
+-- Euler's equations with the torques of the effects, appended to list; nil after an error.
+local function turning(d, m, list)
   local N, groups, need_L = torques(m)
   local L_defs = {}
   if need_L then -- before the torques that use it
@@ -230,25 +252,47 @@ function equations.of(d, m)
   local euler = builders[m.structure.kind](m, N, groups, d)
   if not euler then return nil end
   euler.where = place(m, m.line)
-  for i, n in ipairs { "wx", "wy", "wz" } do euler.outs[i] = { state = n, expr = euler.outs[i] } end
+  for i, n in ipairs(state.names.rates) do euler.outs[i] = { state = n, expr = euler.outs[i] } end
   if m.structure.kind == "full" then -- which begins with the same definitions
     for _ = 1, #L_defs do table.remove(euler.defs, 1) end
   end
   groups[#groups + 1] = euler
-  table.insert(groups, 1, attitude)
+  for _, g in ipairs(groups) do list[#list + 1] = g end
+  return true
+end
 
-  local coupled = false
-  for _, g in ipairs(groups) do
-    if g ~= attitude then
-      for _, list in ipairs { g.defs, g.outs } do
-        for _, x in ipairs(list) do
-          if not expr.constant(x.expr, { qw = true, qx = true, qy = true, qz = true }) then coupled = true end
-        end
+local of_attitude = { qw = true, qx = true, qy = true, qz = true }
+
+-- The equations of the model: {groups, coupled}, coupled telling whether the attitude's equation or another one needs
+-- the attitude at every stage.  Reports what cannot be (torque along a rod) and returns nil then.
+function equations.of(d, m)
+  local groups, inputs = {}, false
+  if m.has.attitude then groups[1] = attitude(m) end
+  if m.has.rates and not turning(d, m, groups) then return nil end
+  if m.has.position then
+    for _, g in ipairs(moving.groups(m, groups[1])) do
+      g.where = place(m, g.line)
+      groups[#groups + 1] = g
+    end
+  end
+  local c = context.of(m)
+  for _, e in ipairs(m.record.effects) do
+    inputs = inputs or e.spec.input or false
+    local change = #e.states > 0 and e.spec.derivative(e.a, context.with(c, e))
+    local g = { why = string.gsub(e.kind, "^effect%.", "") .. ": its own states", where = place(m, e.line), defs = {},
+      outs = {} }
+    for i, s in ipairs(e.states) do g.outs[i] = { state = s.name, expr = change[s.key] } end
+    if #g.outs > 0 then groups[#groups + 1] = g end
+  end
+
+  local coupled = m.frame ~= nil and m.has.attitude
+  for i = m.has.attitude and 2 or 1, #groups do
+    for _, list in ipairs { groups[i].defs, groups[i].outs } do
+      for _, x in ipairs(list) do
+        if not expr.constant(x.expr, of_attitude) then coupled = true end
       end
     end
   end
-  local inputs = false
-  for _, e in ipairs(m.record.effects) do inputs = inputs or e.spec.input or false end
   return { groups = groups, coupled = coupled, inputs = inputs, free = #m.record.effects == 0, model = m }
 end
 

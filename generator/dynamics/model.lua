@@ -22,6 +22,7 @@ local parts = require "generator.mass.parts"
 local principal = require "generator.mass.principal"
 local validity = require "generator.mass.validity"
 local numeric = require "generator.dynamics.numeric"
+local states = require "generator.dynamics.states"
 
 local model = {}
 model.__index = model
@@ -200,7 +201,8 @@ function model.new(d, record, options)
   for _, p in ipairs(m.params) do m.by_name[p.name] = p end
   m.record, m.baked = record, options.bake or false
   m.file, m.line = d.file, record.body and record.body.line
-  m.omega, m.attitude, m.horizon, m.step = record.omega, record.attitude, record.horizon, record.step
+  m.omega, m.attitude, m.given, m.horizon, m.step = record.omega, record.attitude, record.given, record.horizon,
+    record.step
 
   local ok, b = xpcall(body.of, function(e)
     return e == coordinate.too_large and e or debug.traceback(tostring(e), 2)
@@ -224,7 +226,8 @@ function model.new(d, record, options)
   local sound = not holes.any(m.record.body) or holes.check(d, m, numeric.scene({ model = m, record = m.record }).body)
   if not sound or not validity.check(d, m) then return nil end
   m.structure = principal.classify(m.inertia)
-  if m.structure.nothing then
+  if not states.decide(d, m) then return nil end
+  if m.structure.nothing and m.has.rates then
     d:error(m.line, "body", "has no moment of inertia about the origin, so its rotation is undetermined")
     return nil
   end

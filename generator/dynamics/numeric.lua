@@ -9,11 +9,14 @@ local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local vec = require "generator.algebra.vec"
 local body = require "generator.mass.body"
+local state = require "generator.dynamics.state"
 
 local numeric = {}
 
+local none = { expr.zero, expr.zero, expr.zero }
+
 -- job: driver.read's result; values: {name -> rational} for all parameters (nil: defaults).
--- Returns {name, body, origin, effects, q, w} as the host's engine takes it.
+-- Returns {name, body, origin, effects, q, w, r, v} as the host's engine takes it.
 function numeric.scene(job, values)
   local m, record = job.model, job.record
   local env = {}
@@ -118,12 +121,44 @@ function numeric.scene(job, values)
   end
 
   local effects = {}
-  for i, e in ipairs(record.effects) do effects[i] = e.spec.numeric(e.a, num) end
+  for i, e in ipairs(record.effects) do effects[i] = e.spec.numeric(e.a, num, record.given) end
   local body_tree = tree(record.body, { volume = expr.one, area = expr.one, length = expr.one })
   -- the origin of rotation becomes that of the coordinates
   body_tree = shifted(body_tree, vec.map(m.origin, function(e) return -e end))
   return { name = m.name, body = body_tree, origin = { 0.0, 0.0, 0.0 }, effects = effects,
-    q = nums(record.attitude), w = nums(record.omega) }
+    q = nums(record.attitude), w = nums(record.omega), r = nums(record.given.position or none),
+    v = nums(record.given.velocity or none) }
+end
+
+-- The library's state is q and w, with r and v where the body moves.  Where each state of the scene is in it, and how
+-- long it is.
+function numeric.positions(job)
+  local list = {}
+  for i, s in ipairs(job.states) do
+    for k, known in ipairs(state.known) do
+      if known.name == s.name then list[i] = k end
+    end
+  end
+  return list, job.model.has.position and 13 or 7
+end
+
+-- The library's state for the scene's state x: no turning where the scene has none.
+function numeric.whole(job, x)
+  local at, n = numeric.positions(job)
+  local full = { 1.0, 0.0, 0.0, 0.0 }
+  for i = 5, n do full[i] = 0.0 end
+  for i, k in ipairs(at) do full[k] = x[i] end
+  return full
+end
+
+-- The scene's part of a list in the library's order, which begins after `offset` entries.
+function numeric.part(job, full, offset)
+  return vec.map((numeric.positions(job)), function(k) return full[(offset or 0) + k] end)
+end
+
+-- The scene's initial state as doubles, parameters at their defaults.
+function numeric.initial(job)
+  return vec.map(job.states, function(s) return job.model:double(s.initial) end)
 end
 
 return numeric

@@ -12,6 +12,7 @@ local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local state = require "generator.dynamics.state"
 local frames = require "generator.dynamics.frames"
+local context = require "generator.dynamics.context"
 local equations = require "generator.dynamics.equations"
 
 local quantities = {}
@@ -35,13 +36,12 @@ local function group(why, defs, results) return { why = why, defs = defs, outs =
 
 function quantities.initial(m)
   local list = {}
-  local all = { m.attitude[1], m.attitude[2], m.attitude[3], m.attitude[4], m.omega[1], m.omega[2], m.omega[3] }
-  for i, s in ipairs(state.all) do
-    list[i] = { array = "x", state = s.name, expr = m:constant(s.name .. "0", all[i], "initial " .. s.name .. ", " ..
+  for i, s in ipairs(m.states) do
+    list[i] = { array = "x", state = s.name, expr = m:constant(s.name .. "0", s.initial, "initial " .. s.name .. ", " ..
       s.unit) }
   end
   return { name = "initial", args = { "m", "xo" }, doc = { "The scene's initial state." },
-    groups = { group("initial attitude and rates", {}, list) } }
+    groups = { group(m.has.position and "initial state" or "initial attitude and rates", {}, list) } }
 end
 
 function quantities.mass(m)
@@ -49,7 +49,7 @@ function quantities.mass(m)
     local form = m.parts and m.parts.com[i] - m.origin[i]
     return m:constant("R" .. comp[i], e, "centre of mass " .. comp[i] .. " from the origin of rotation, m", false, form)
   end)
-  local mass = m:constant("mass", m.mass, "mass, kg", false, m.parts and m.parts.mass)
+  local mass = context.mass(m)
   return { name = "mass", args = { "m", array("com", 3, true) }, result = true,
     doc = { "Mass, kg; com: the centre of mass from the origin of rotation, body axes, m." },
     groups = { group("mass and centre of mass", {}, { { array = "com", index = 0, expr = com[1] },
@@ -98,17 +98,16 @@ function quantities.inertia_at(m)
 end
 
 local function potential(m)
-  local V = expr.zero
-  local c = { mass = m.mass, com = m.com, inertia = m.inertia, q = state.q, w = state.w, u = state.u,
-    constant = function(name, e, about) return m:constant(name, e, about) end }
+  local V, c = expr.zero, context.of(m)
   for _, e in ipairs(m.record.effects) do
-    if e.spec.potential then V = V + e.spec.potential(e.a, c) end
+    if e.spec.potential then V = V + e.spec.potential(e.a, context.with(c, e)) end
   end
-  return V
+  return context.massive(m, V)
 end
 quantities.potential_energy = potential
 
 function quantities.kinetic(m)
+  if not m.has.rates then return expr.zero, {}, "" end
   local w, I = state.w, equations.inertia(m)
   local diagonal = I[4] == expr.zero and I[5] == expr.zero and I[6] == expr.zero
   if diagonal then
@@ -121,16 +120,33 @@ end
 
 function quantities.energy(m)
   local T, defs, why = quantities.kinetic(m)
-  local V = potential(m)
-  local doc = { V == expr.zero and "Kinetic energy T = w.I w/2, J." or "Energy T + V, J; V = 0 with the centre of " ..
+  local V, doc = potential(m), nil
+  if m.has.position then
+    local v2 = vec.dot(state.v, state.v)
+    T, why = T + context.mass(m) * v2 / 2, why .. (why == "" and "T = " or " + ") .. "m v^2/2"
+  end
+  if m.has.position or m.frame then
+    doc = m.frame and { "Kinetic energy relative to the frame, the effects' potential and the frame's own, J: Jacobi's",
+      "integral where the frame turns at a constant rate." } or { "Energy T + V, J; V = 0 at the origin." }
+  end
+  doc = doc or { V == expr.zero and "Kinetic energy T = w.I w/2, J." or "Energy T + V, J; V = 0 with the centre of " ..
     "mass at the height of the origin." }
   return { name = "energy", args = { "m", "x" }, result = true, doc = doc,
     groups = { group(why .. (V ~= expr.zero and ";  V from the effects" or ""), defs,
       { { result = true, expr = T + V } }) } }
 end
 
+-- What effects hold beside I w.
+local function held(m)
+  local h, c = { expr.zero, expr.zero, expr.zero }, context.of(m)
+  for _, e in ipairs(m.record.effects) do
+    if e.spec.momentum then h = vec.add(h, e.spec.momentum(e.a, context.with(c, e))) end
+  end
+  return h
+end
+
 function quantities.momentum_body(m)
-  local L = vec.apply(equations.inertia(m), state.w)
+  local L = vec.add(vec.apply(equations.inertia(m), state.w), held(m))
   return { name = "momentum_body", args = { "m", "x", array("L", 3, true) },
     doc = { "Angular momentum about the origin of rotation, body axes, kg m^2/s." },
     groups = { group("L = I w", {}, outs("L", L)) } }
@@ -138,6 +154,7 @@ end
 
 function quantities.momentum(m)
   local L, defs = equations.momentum(m)
+  L = vec.add(L, held(m))
   return { name = "momentum", args = { "m", "x", array("L", 3, true) },
     doc = { "Angular momentum about the origin of rotation, inertial axes, kg m^2/s; |q| = 1." },
     groups = { group("L = I w in body axes", defs, {}),
@@ -172,15 +189,16 @@ function quantities.rhs(eq)
     doc = { "Equations of motion: dx = dx/dt at time t, state x, input u.  dx must not overlap x." }, groups = groups }
 end
 
-function quantities.step(m, eq, method)
+-- One step by a method that is written as equation groups, as the function `name`.
+function quantities.step(m, eq, method, name)
   local groups = {}
   local steps, divides = method.groups(eq, function(e, words) return m:derived(e, words) end)
   for i, g in ipairs(steps) do
     local list = vec.map(g.outs, function(o) return { array = "x", state = o.state, expr = o.expr } end)
     groups[i] = { why = g.why, where = g.where, defs = g.defs, outs = list }
   end
-  return { name = "step", args = { "m", "t", "x!", "u", "h" },
-    doc = { "One step of the classical Runge-Kutta method of order 4: x goes from time t to t + h, the input u",
+  return { name = name, args = { "m", "t", "x!", "u", "h" },
+    doc = { "One step of the " .. method.title .. ": x goes from time t to t + h, the input u",
       "held.  q must be a unit quaternion (to a few per cent: it is brought back to |q| = 1)." }, groups = groups,
     -- 4/(3 h) must stay finite; a step shorter than the smallest normal number moves nothing that could be seen
     guard = divides and "h" or nil }
@@ -189,8 +207,8 @@ end
 -- e without the terms c*x of the states x whose number c is only what rounding left, for in `fine`, with twice the
 -- bits, it is another one: products of tensor and inverse cancel (a lamina has Izz = Ixx + Iyy), their roundings do
 -- not.
-local function without_roundings(e, fine)
-  for _, s in ipairs(e ~= fine and state.all or {}) do
+local function without_roundings(m, e, fine)
+  for _, s in ipairs(e ~= fine and m.states or {}) do
     local c, d = calculus.diff(e, s.sym), calculus.diff(fine, s.sym)
     if c.kind == "num" and d.kind == "num" and c ~= d and
       (d == expr.zero or R.log2(c.value - d.value) > R.log2(d.value) - 64) then
@@ -201,10 +219,11 @@ local function without_roundings(e, fine)
 end
 
 function quantities.jacobian(eq)
-  local n, groups = #state.all, {}
+  local m, groups = eq.model, {}
+  local n = #m.states
   local fine = equations.finer(eq)
   local row = {}
-  for i, s in ipairs(state.all) do
+  for i, s in ipairs(m.states) do
     row[s.name] = i
     groups[i] = group("derivatives of d" .. s.name .. "/dt", {}, {})
   end
@@ -212,9 +231,9 @@ function quantities.jacobian(eq)
     for j, o in ipairs(eg.outs) do
       local e, i = equations.inline(eq.groups, o.expr), row[o.state]
       local f = fine and equations.inline(fine.groups, fine.groups[g].outs[j].expr)
-      for k, s in ipairs(state.all) do
+      for k, s in ipairs(m.states) do
         local d = calculus.diff(e, s.sym)
-        if f then d = without_roundings(d, calculus.diff(f, s.sym)) end
+        if f then d = without_roundings(m, d, calculus.diff(f, s.sym)) end
         groups[i].outs[k] = { array = "J", index = (i - 1) * n + k - 1, expr = d }
       end
     end

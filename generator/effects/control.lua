@@ -12,7 +12,6 @@ local control = {
   about = "input u: torque in body axes, max (optional) limits each component",
   args = { { name = "max", dim = "torque", sign = "positive", optional = true } },
   input = true,
-  conserves = "nothing",
 }
 
 function control.torque(a, c)

@@ -10,7 +10,6 @@ local vec = require "generator.algebra.vec"
 local damping = {
   name = "effect.damping",
   about = "torque -C w (c: number, {cx, cy, cz} or 3x3 matrix), or -rate L",
-  conserves = "nothing",
 }
 
 -- Own reading: c has three shapes, and exactly one of c and rate is given.

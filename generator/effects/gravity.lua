@@ -14,7 +14,8 @@ local gravity = {
   about = "uniform gravity g along direction (inertial), acting at the centre of mass",
   args = { { name = "g", dim = "acceleration", sign = "nonnegative", default = 9.80665 },
     { name = "direction", size = 3, default = { 0, 0, -1 } } },
-  conserves = "T + V",
+  keeps = "T+V, L_z if direction is along z, w3 if the centre of mass is on the body's z",
+  fixed = "give gravity = to effect.translation",
 }
 
 -- d . (components of the weight per unit moment): the constants M g r and the unit direction.
@@ -40,6 +41,13 @@ end
 function gravity.potential(a, c)
   local m, d = weight(a, c)
   return -vec.dot(d, vec.matvec(vec.rotation(c.q), m))
+end
+
+function gravity.conserves(a, c)
+  local list = { "T+V" }
+  if a.direction[1] == expr.zero and a.direction[2] == expr.zero then list[2] = "L_z" end
+  if c.com[1] == expr.zero and c.com[2] == expr.zero then list[#list + 1] = "w3" end
+  return list
 end
 
 -- What the general library is told.  num: expression -> double.

@@ -4,12 +4,13 @@
 -- enters (Goldstein 5.39).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
 
 local torque = {
   name = "effect.torque",
   about = "constant torque, body = {x, y, z} or inertial = {x, y, z}",
-  conserves = "nothing",
+  keeps = "w3 (body torque across z) or L_z (inertial torque across z)",
 }
 
 function torque.read(ctx, line, what, given, args)
@@ -29,6 +30,12 @@ function torque.torque(a, c)
   end)
   if a.body then return N end
   return vec.matvec(vec.transpose(vec.rotation(c.q)), N)
+end
+
+-- A torque across the axis of symmetry leaves the spin alone, one across z in inertial axes L_z.
+function torque.conserves(a)
+  if a.body then return a.body[3] == expr.zero and { "w3" } or {} end
+  return a.inertial[3] == expr.zero and { "L_z" } or {}
 end
 
 function torque.numeric(a, num)

@@ -95,7 +95,7 @@ end
 -- closed form nothing is expected: what NAME_principal makes of nearly equal moments is its own affair.
 function selftest.spins(job, params)
   local s, list = job.stability, {}
-  if not s.axes then return list end
+  if not s or not s.axes then return list end
   local signs = s:signs(function(atom)
     local ok, x = pcall(evaluate.exact, atom, params)
     return R.sign(ok and x or evaluate.precise(atom, params, selftest.bits))

@@ -27,27 +27,94 @@ local function lines(list, real)
   return out
 end
 
-local function states(job, round)
-  local m = job.model
-  local own, scale = {}, R.zero
-  for i = 1, 4 do own[i] = round(m:number(m.attitude[i])) end
-  for i = 1, 3 do
-    own[4 + i] = round(m:number(m.omega[i]))
-    if R.abs(own[4 + i]) > scale then scale = R.abs(own[4 + i]) end
+local function description(job, name)
+  for _, f in ipairs(job.functions) do
+    if f.name == name then return f end
   end
-  if R.sign(scale) == 0 then scale = R.one end
-  local power = R.new(2) ^ R.log2(scale) -- so that the fixed states stay exact
-  local function state(list)
-    local x = {}
-    for i = 1, 7 do
-      local q = R.lift(list[i])
-      x[i] = i > 4 and q * power or q
+  return nil
+end
+
+-- 2^n next below the largest of the list; nil if all are 0
+local function power_of(list)
+  local most = R.zero
+  for _, x in ipairs(list) do
+    if R.abs(x) > most then most = R.abs(x) end
+  end
+  return R.sign(most) > 0 and R.new(2) ^ R.log2(most) or nil
+end
+
+-- sqrt |J_ij J_ji| and |J_ii| of the Jacobian have the dimension of a rate whatever the states' units: a power of two
+-- near the largest at the initial state, or nil.
+local function rate_of(job, env, own)
+  local n, state = #job.states, { t = R.zero }
+  for i, s in ipairs(job.states) do state[s.name] = own[i] end
+  for i, s in ipairs(job.input_states) do state[s.name] = R.new(i, 4) end
+  local J = selftest.expect(description(job, "jacobian"), env, state, function(o) return o.index + 1 end, R.one)
+  local list = {}
+  for i = 1, n do
+    for k = 1, n do list[#list + 1] = J[(i - 1) * n + k] * J[(k - 1) * n + i] end
+  end
+  local square = power_of(list)
+  return square and R.new(2) ^ (R.log2(square) // 2)
+end
+
+local fixed = { x2 = { q = { "1/2", "-1/2", "1/2", "1/2" }, { "3/4", "-5/8", "9/16" } },
+  x3 = { q = { "-1/2", "1/2", "1/2", "1/2" }, { "-3/8", "1/2", "7/8" } } }
+
+-- The three states {name, values}; the time of half a radian of the fastest rate, and a scale of all states.
+local function states(job, round, env)
+  local m, own = job.model, {}
+  for i, s in ipairs(job.states) do own[i] = round(m:number(s.initial)) end
+  local function of(k) -- the initial values of one kind
+    local list = {}
+    for i, s in ipairs(job.states) do
+      if s.kind == k then list[#list + 1] = own[i] end
     end
-    return x
+    return list
   end
-  return { { name = "x1", values = own },
-    { name = "x2", values = state { "1/2", "-1/2", "1/2", "1/2", "3/4", "-5/8", "9/16" } },
-    { name = "x3", values = state { "-1/2", "1/2", "1/2", "1/2", "-3/8", "1/2", "7/8" } } }, power
+  local power = power_of(of "rates")
+  if not job.equations.free or not power then
+    local rate = not job.equations.free and rate_of(job, env, own)
+    if rate and (not power or rate > power) then power = rate end
+  end
+  local scale, time = { rates = power or R.one }, power and R.new(1, 2) / power
+  if m.has.position then
+    local longest = m:number(m.horizon) / R.new(16)
+    if not time or time > longest then time = longest end
+    local x = { t = R.zero }
+    for i, s in ipairs(job.states) do x[s.name] = own[i] end
+    for i, s in ipairs(job.input_states) do x[s.name] = R.new(i, 4) end
+    local a, tail = {}, {}
+    for i, s in ipairs(job.states) do tail[s.name] = i end
+    local dx = selftest.expect(description(job, "rhs"), env, x, function(o) return tail[o.state] end, R.one)
+    for i, s in ipairs(job.states) do
+      if s.kind == "velocity" then a[#a + 1] = dx[i] * time end
+    end
+    for _, v in ipairs(of "velocity") do a[#a + 1] = v end
+    scale.velocity = power_of(a) or R.one
+    local r = of "position"
+    r[#r + 1] = scale.velocity * time
+    scale.position = power_of(r) or R.one
+  end
+  local function made(name)
+    local x = {}
+    for i, s in ipairs(job.states) do
+      local turned = s.kind == "attitude"
+      x[i] = R.lift((turned and fixed[name].q or fixed[name][1])[s.place])
+      if not turned then x[i] = x[i] * (scale[s.kind] or power_of { own[i] } or R.one) end
+    end
+    return { name = name, values = x }
+  end
+  local size = R.one
+  for _, k in ipairs { "rates", "position", "velocity" } do
+    if m.has[k] and scale[k] > size then size = scale[k] end
+  end
+  local x2 = made "x2"
+  if m.has.position then -- drag may be faster than at rest
+    local rate = rate_of(job, env, x2.values)
+    if rate and rate * time > R.new(1, 2) then time = R.new(1, 2) / rate end
+  end
+  return { { name = "x1", values = own }, x2, made "x3" }, R.round(time or R.new(1, 2), 24), size
 end
 
 local rest = { -- inputs of functions that take vectors: w, dw, a, r, v, N
@@ -63,7 +130,6 @@ end
 function vectors.fill(job, v, ctx)
   local m, real = job.model, ctx.real
   local round = rounder(real)
-  local xs, power = states(job, round)
   local epsilon = R.lift(R.new(2) ^ (real == "float" and -23 or -52))
   local least = R.new(2) ^ (real == "float" and -126 or -1022)
   local position, names = {}, { "x", "y", "z" }
@@ -76,6 +142,7 @@ function vectors.fill(job, v, ctx)
     for i = 1, 3 do base[name .. names[i]] = R.lift(list[i]) end
   end
   local env = selftest.environment(m, params)
+  local xs, time, size = states(job, round, env)
   local function inputs(x) -- the state x, or without one the arguments that are vectors
     local list = {}
     for k, q in pairs(base) do list[k] = q end -- into a table: order is lost anyway
@@ -93,12 +160,11 @@ function vectors.fill(job, v, ctx)
     return { n = string.format("%d", n), want = lines(want, real), tolerance = lines(tolerance, real), call = call,
       what = what }
   end
+  local nx = #job.states
+  v.got_size = nx < 4 and "16" or ctx.upper .. "_NX*" .. ctx.upper .. "_NX"
   v.cases = {}
   local function case(name, n, state, call, what, index)
-    local f
-    for _, candidate in ipairs(job.functions) do
-      if candidate.name == name then f = candidate end
-    end
+    local f = description(job, name)
     if not f then return end
     local want, tolerance = selftest.expect(f, env, inputs(state), index, epsilon)
     v.cases[#v.cases + 1] = printed(n, want, tolerance, call, what)
@@ -107,11 +173,11 @@ function vectors.fill(job, v, ctx)
   local function of_state(o) return o.state and position[o.state] or by_index(o) end
   local function result(o) return o.result and 1 end
   case("inertia", 6, nil, p .. "inertia(&m, got)", "tensor of inertia about the origin", by_index)
-  case("initial", 7, nil, p .. "initial(&m, got)", "initial state", of_state)
+  case("initial", nx, nil, p .. "initial(&m, got)", "initial state", of_state)
   case("mass", 1, nil, "got[0] = " .. p .. "mass(&m, got + 1)", "mass", result)
   for i = 1, 3 do
     local x = xs[i]
-    case("rhs", 7, x.values, p .. "rhs(&m, " .. v.zero .. ", " .. x.name .. ", u, got)",
+    case("rhs", nx, x.values, p .. "rhs(&m, " .. v.zero .. ", " .. x.name .. ", u, got)",
       "rates of change at state " .. i, of_state)
     case("energy", 1, x.values, "got[0] = " .. p .. "energy(&m, " .. x.name .. ")", "energy at state " .. i, result)
     case("momentum", 3, x.values, p .. "momentum(&m, " .. x.name .. ", got)",
@@ -126,12 +192,12 @@ function vectors.fill(job, v, ctx)
   local term = { coriolis = 0, euler = 3, centrifugal = 6, total = 9 }
   case("acceleration", 12, nil, p .. "acceleration(w, dw, r, v, a, got, got + 3, got + 6, got + 9)",
     "acceleration: Coriolis, Euler, centrifugal, total", function(o) return term[o.array] + o.index + 1 end)
-  case("jacobian", 49, xs[2].values, p .. "jacobian(&m, " .. v.zero .. ", x2, u, got)",
+  case("jacobian", nx * nx, xs[2].values, p .. "jacobian(&m, " .. v.zero .. ", x2, u, got)",
     "Jacobian of the equations at state 2", by_index)
 
   v.motion_cases = {}
-  for i, c in ipairs(motion.cases { job = job, x0 = xs[1].values, power = power, env = env, params = params,
-    epsilon = epsilon, real = real, name = m.name, has_own = v.has_own, has_ticks = v.has_ticks,
+  for i, c in ipairs(motion.cases { job = job, x0 = xs[1].values, power = R.new(1, 2) / (time or R.half), env = env,
+    params = params, epsilon = epsilon, real = real, name = m.name, has_own = v.has_own, has_ticks = v.has_ticks,
     number = function(q) return number.text(q, real) end }) do
     v.motion_cases[i] = printed(7, c.want, c.tolerance, c.call, c.what)
   end
@@ -160,8 +226,6 @@ function vectors.fill(job, v, ctx)
 
   -- The test of order runs over about half a radian: h w = 1/64 and less, where the fourth-order term leads and still
   -- stands above rounding (float: the floor of 64 roundings of the state).
-  local time = R.new(1, 2) / power
-  local size = R.one > power and R.one or power
   v.order_time = number.text(time, real)
   v.order_floor = number.text(R.round(size * epsilon * R.new(256), 24), real)
   v.norm_bound = number.text(epsilon * R.new(16), real)
@@ -171,6 +235,14 @@ function vectors.fill(job, v, ctx)
   v.disturbance, v.disturbance_step = number.text(R.new(2) ^ small, real), number.text(R.new(1, 256), real)
   v.sixteen = number.text(R.new(16), real)
   v.drift = number.text(epsilon * R.new(4096), real)
+  if v.conservative then -- relative to the terms of the energy at the largest of the three states
+    local most = least
+    for _, x in ipairs(xs) do
+      local _, tolerance = selftest.expect(description(job, "energy"), env, inputs(x.values), result, epsilon)
+      if tolerance[1] > most then most = tolerance[1] end
+    end
+    v.energy_drift = number.text(R.round(most * R.new(4096 // selftest.roundings), 24), real)
+  end
 end
 
 return vectors

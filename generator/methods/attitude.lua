@@ -4,7 +4,7 @@
 -- angles, h/2 for the whole step of stage 4's input) they are q e_s,
 --     e1 = v1,  e2 = (1 + e1) v2,  e3 = (1 + e2) 2 v3,  e4 = (1 + e3) v4,  q += q (e1 + 2 e2 + e3 + e4)/3
 -- and if no rate depends on q, q itself enters one product at the end ("apart").  Else the increments d_s = q e_s are
--- formed at each stage ("coupled").
+-- formed at each stage ("coupled").  In a frame that turns at Omega they are d_s = q v_s - V_s q, V_s = Omega h/4.
 -- The factor n = 3/2 - |q|^2/2 is one Newton step for 1/|q|, taken from the q that comes in: by linearity that is
 -- normalising before the step.  It costs no latency, and |q| cannot drift: what a step leaves, the next one removes.
 -- Source: Kutta 1901; Hairer, Norsett, Wanner, Solving ODEs I (2nd ed.), table II.1.2.  ABOVE the line.
@@ -20,6 +20,7 @@ local q = state.q
 local axes = { "w", "x", "y", "z" }
 local comp = { "x", "y", "z" }
 attitude.comp = comp
+attitude.is = { qw = true, qx = true, qy = true, qz = true } -- names of its states
 
 -- Adds definitions prefix..letter..suffix for the entries of v; returns their symbols (a number or a symbol stays).
 local function named(group, prefix, suffix, v, letters)
@@ -58,10 +59,11 @@ function attitude.at(g, s, previous, coupled)
   return named(g, "q", tostring(s), vec.add(q, previous.d), axes)
 end
 
--- The increment of stage s from the angles v and the attitude `at` of the stage.
-function attitude.increment(g, s, v, at, previous, coupled)
+-- The increment of stage s from the angles v (and V of the frame) and the attitude `at` of the stage.
+function attitude.increment(g, s, v, at, previous, coupled, V)
   if not coupled then return apart(g, s, v, previous) end
   local d = vec.qmul(at, pure(v))
+  if V then d = vec.sub(d, vec.qmul(pure(V), at)) end
   if s == 3 then d = vec.scale(expr.lift(2), d) end
   d = named(g, "d", tostring(s), d, axes)
   return { d = d, sum = s == 2 and vec.scale(expr.lift(2), d) or d }

@@ -7,15 +7,13 @@
 
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
-local state = require "generator.dynamics.state"
 
 local stages = {}
 
-local rates = { "wx", "wy", "wz" }
-
+local quotient = { wx = true, wy = true, wz = true }
 local attitude = { qw = true, qx = true, qy = true, qz = true }
 
--- The rate of each component of w, and whether it is structurally zero.
+-- The states whose rate is structurally zero.
 function stages.conserved(eq)
   local zero = {}
   for _, g in ipairs(eq.groups) do
@@ -30,7 +28,7 @@ end
 -- on one of them.
 local function varying(eq, zero)
   local set = { t = true }
-  for _, s in ipairs(state.all) do set[s.name] = not zero[s.name] or nil end
+  for _, s in ipairs(eq.model.states) do set[s.name] = not zero[s.name] or nil end
   for _, g in ipairs(eq.groups) do
     for _, d in ipairs(g.defs) do
       if not expr.constant(d.expr, set) then set[d.name] = true end
@@ -50,8 +48,9 @@ local function split(e, set)
   return expr.mul(c), expr.mul(rest)
 end
 
--- The equations of w prepared for a method: {groups, factor = {by state}, zero = {by state}}.  Each rate is
--- factor * what the groups give; the factor does not change during a step.
+-- All equations but the attitude's prepared for a method: {groups, factor = {by state}, zero = {by state}}.  Each rate
+-- is factor * what the groups give; the factor does not change during a step.  Only rates of turning have one, a
+-- quotient of moments: in other sums what is common is a coincidence of their numbers.
 function stages.prepare(eq)
   local zero = stages.conserved(eq)
   local set = varying(eq, zero)
@@ -60,7 +59,8 @@ function stages.prepare(eq)
     local copy = { defs = g.defs, outs = {} }
     for _, o in ipairs(g.outs) do
       if not attitude[o.state] then
-        local c, rest = split(o.expr, set)
+        local c, rest = expr.one, o.expr
+        if quotient[o.state] then c, rest = split(o.expr, set) end
         out.factor[o.state] = c
         copy.outs[#copy.outs + 1] = { state = o.state, expr = rest }
       end
@@ -71,8 +71,8 @@ function stages.prepare(eq)
 end
 
 -- One instance with the symbols in `map` (node -> node) replaced: the definitions, named with `suffix` where they
--- changed, the factor-free rates and the factors by state name.  The first stage (suffix "" or "1") also defines what
--- never changes.
+-- changed, the factor-free rates and the factors by state name, and what was replaced by what.  The first stage (suffix
+-- "" or "1") also defines what never changes.
 function stages.instance(prepared, map, suffix)
   local defs, out, factor, renamed = {}, {}, {}, {}
   for k, v in pairs(map) do renamed[k] = v end -- into a table: order is lost anyway
@@ -91,8 +91,7 @@ function stages.instance(prepared, map, suffix)
       factor[o.state] = calculus.substitute(prepared.factor[o.state], renamed)
     end
   end
-  return defs, out, factor
+  return defs, out, factor, renamed
 end
 
-stages.rates = rates
 return stages

@@ -96,6 +96,7 @@ end
 local function stability_section(f)
   local lines = { "small oscillations of a free spin w about each principal axis (k; i, j cyclic):" ..
     " Omega1 = (Ik - Ij)/Ii w, Omega2 = (Ik - Ii)/Ij w, Omega^2 = Omega1 Omega2" }
+  if not f.job.model.has.rates then return { "the body is a point: it does not turn" } end
   if #f.job.record.effects > 0 then lines[#lines + 1] = "(of the body without its effects)" end
   for k, s in ipairs(f.stability) do
     local tail = s.period and ", period " .. number(s.period) .. "/w" or s.growth and ", growth rate " ..
@@ -138,11 +139,14 @@ local function motion_section(f)
   for _, e in ipairs(f.job.record.effects) do
     local name = string.gsub(e.kind, "effect%.", "")
     lines[#lines + 1] = "effect " .. name .. " (line " .. e.line .. "): " .. e.spec.about .. "; conserves " ..
-      e.spec.conserves
+      f.job.conserved.words(e.spec)
   end
   if #f.job.record.effects == 0 then
     lines[#lines + 1] = "no effects: T and the inertial L are conserved"
   end
+  local laws = f.job.conserved
+  lines[#lines + 1] = "conserved: " .. (#laws > 0 and table.concat(laws, ", ") or "nothing")
+  for _, why in ipairs(f.job.model.reasons) do lines[#lines + 1] = "state: " .. why end
   return lines
 end
 
@@ -191,12 +195,14 @@ local function document(f)
     tensor_lines(f.inertia, f.inertia_number, parts and parts.entries))
   section("Tensor of inertia about the centre of mass", f.is_central and { "the same" } or
     tensor_lines(f.centroidal, f.centroidal_number, parts and shifted_back(f, parts)))
-  section("Principal moments and axes", principal_section(f))
+  if f.job.model.has.rates then section("Principal moments and axes", principal_section(f)) end
   section("Equations of motion", equation_section(f))
   section("Motion", motion_section(f))
   section("Stability", stability_section(f))
-  section("Linearised motion", linearised.lines(f))
-  section("Stability by design", design.lines(f))
+  if f.job.model.has.rates then
+    section("Linearised motion", linearised.lines(f))
+    section("Stability by design", design.lines(f))
+  end
   local costs = {}
   for i, c in ipairs(cost_section(f.job)) do
     costs[i] = string.format("%-16s %4d + -  %4d *  %3d /  %2d sqrt  %2d calls", c.fn, c.add, c.mul, c.div, c.sqrt,
@@ -304,7 +310,7 @@ function writers.json(f)
     stability[i] = object(entry)
   end
   for i, e in ipairs(f.job.record.effects) do
-    effects[i] = object { { "name", e.kind }, { "about", e.spec.about }, { "conserves", e.spec.conserves },
+    effects[i] = object { { "name", e.kind }, { "about", e.spec.about }, { "conserves", f.job.conserved.words(e.spec) },
       { "line", e.line } }
   end
   for i, c in ipairs(cost_section(f.job)) do
@@ -312,7 +318,7 @@ function writers.json(f)
       { "call", c.call } }
   end
   for i, w in ipairs(f.warnings) do warnings[i] = w.text end
-  local methods = { "rk4", "linearised" }
+  local methods = { "rk4", f.job.model.has.rates and "linearised" or nil }
   if f.closed.kind then methods[#methods + 1] = "exact" end
   return json.text(object { { "name", f.name }, { "parameters", params }, { "mass", f.mass_number },
     { "mass_symbolic", text.of(f.mass, "plain") }, { "com", f.com_number }, { "com_symbolic", symbolic(f.com) },

@@ -2,13 +2,16 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A scene arrives as plain tables of numbers, every parameter and default filled in:
- * - scene {name=, body=tree, origin={x,y,z}, effects={...}, q={w,x,y,z}, w={x,y,z}}
+ * - scene {name=, body=tree, origin={x,y,z}, effects={...}, q={w,x,y,z}, w={x,y,z},
+ *   r={x,y,z}, v={x,y,z}}, the last two where the body moves
  * - tree {shape="solid.box", mass= or density=, x=, y=, z=} and so on, arguments as the library
  *   names them, those that are points, outlines or polynomials as engine_shape.c says
  * - tree {op="at", of=tree, r={3}} {op="turned", of=tree, q={4}} {op="scaled", of=tree, k={3}}
  *   {op="affine", of=tree, A={9}} {op="sum", tree, tree, ...} {op="minus", tree, hole}
  * - effect {kind="gravity", g=, direction={3}} {kind="damping", C={9}} or {kind="damping", rate=}
- *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="control"}
+ *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="rotor", momentum={3}}
+ * {kind="control"} {kind="translation", gravity={3}, linear=, drag=, stiffness={3}} {kind="frame",
+ * rate={3}, rate_dot={3}, centrifugal=}, moves= true if a translation is meant
  *
  * Tables of the wrong form are a bug of the caller and raise; numbers that no body can have are the
  * library's to refuse, and come back as nil and a message that names the shape.
@@ -44,6 +47,13 @@ void engine_get(lua_State *L, int index, const char *key, int n, double out[],
 /* A number from a field of the table on top; is there such a field? */
 double engine_number(lua_State *L, const char *key);
 int engine_has(lua_State *L, const char *key);
+/* A translation or frame from the table at the stack's top, which stays. */
+int engine_read_translation(struct engine_scene *s);
+int engine_read_frame(struct engine_scene *s);
+/* Adds to scale (as long as the state) the largest terms that translation and frame bring. */
+void engine_move_scale(const ph_top *top, double t, const double x[], double scale[]);
+/* The largest term that they bring to the energy; spread: moduli of the tensor. */
+double engine_move_energy(const ph_top *top, const double x[], const double spread[9]);
 /* n numbers from the list at `index` itself. */
 void engine_list(lua_State *L, int index, int n, double out[]);
 /* Push {v[0], ..., v[n-1]}. */

@@ -14,8 +14,6 @@
 /* Between two rows: a minute or so of the slowest method; signals are looked at once a row. */
 #define MAX_STEPS 5000000
 
-#define STATES 7 /* qw qx qy qz wx wy wz */
-
 static const double no_control[3] = {0, 0, 0};
 
 /* ---- run ---- */
@@ -64,14 +62,15 @@ static int read_options(lua_State *L, int index, ph_options *o) {
   return PH_OK;
 }
 
-static int push_row(lua_State *L, const ph_top *top, double t, const double x[STATES]) {
-  double row[12] = {t};
-  memcpy(row + 1, x, STATES * sizeof x[0]);
-  int status = ph_top_energy(top, x, &row[8]);
+static int push_row(lua_State *L, const ph_top *top, double t, const double x[]) {
+  const int n = ph_top_states(top);
+  double row[PH_STATES + 5] = {t};
+  memcpy(row + 1, x, (size_t)n * sizeof x[0]);
+  int status = ph_top_energy(top, x, &row[n + 1]);
   if (status == PH_OK)
-    status = ph_top_momentum(top, x, &row[9]);
+    status = ph_top_momentum(top, x, &row[n + 2]);
   if (status == PH_OK)
-    engine_push(L, 12, row);
+    engine_push(L, n + 5, row);
   return status;
 }
 
@@ -101,12 +100,13 @@ static int fail_at(lua_State *L, double t, int status) {
 }
 
 /* run(scene, {method=, step=, tol=, order=, times={...}, t0=, u={3}}) -> {{t, q4, w3, energy, L3},
-   ...} | nil, message.  Method: adaptive (default) and taylor (long double Taylor series), rk4,
-   gsl-rk4, rkf45, rk8pd, exact and linearised (a free top only). */
+   ...} (with r3, v3 after w3 where the body moves) | nil, message.  Method: adaptive (default) and
+   taylor (long double Taylor series), rk4, gsl-rk4, rkf45, rk8pd, exact and linearised (a free top
+   only). */
 int host_run(lua_State *L) {
   struct engine_scene s;
   ph_options options;
-  double x[STATES], u[3], t = 0;
+  double x[PH_STATES], u[3], t = 0;
   luaL_checktype(L, 2, LUA_TTABLE);
   lua_settop(L, 2);
   int status = engine_read(&s, L, 1);
@@ -114,9 +114,11 @@ int host_run(lua_State *L) {
     return engine_fail(&s, status);
   engine_get(L, 1, "q", 4, x, NULL);
   engine_get(L, 1, "w", 3, x + 4, NULL);
+  engine_get(L, 1, "r", 3, x + 7, no_control);
+  engine_get(L, 1, "v", 3, x + 10, no_control);
   engine_get(L, 2, "u", 3, u, no_control);
   option(L, 2, "t0", &t);
-  const double t0 = t, x0[STATES] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6]};
+  const double t0 = t, x0[7] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6]};
   lua_getfield(L, 2, "method");
   const int linearised = strcmp(luaL_optstring(L, -1, ""), "linearised") == 0; /* from x0 */
   lua_pop(L, 1);
@@ -204,7 +206,7 @@ static int prepare(struct rates *r) {
 }
 
 /* term[j] = largest term of component j of N - w x I w: every product of the formula on its own. */
-static void torque_terms(const struct rates *r, const double x[STATES], const double u[3],
+static void torque_terms(const struct rates *r, const double x[], const double u[3],
                          double term[3]) {
   const ph_top *top = &r->top;
   const double *w = x + 4;
@@ -229,14 +231,16 @@ static void torque_terms(const struct rates *r, const double x[STATES], const do
       t = largest(t, norm(top->torque_inertial) * q2);
     if (top->effects & PH_TORQUE_BODY)
       t = largest(t, fabs(top->torque_body[j]));
+    if (top->effects & PH_ROTOR)
+      t = largest(t, largest(fabs(w[a] * top->rotor[b]), fabs(w[b] * top->rotor[a])));
     if (top->effects & PH_CONTROL)
       t = largest(t, fabs(u[j]));
     term[j] = t;
   }
 }
 
-static void scales(const struct rates *r, const double x[STATES], const double u[3],
-                   double scale[STATES]) {
+static void scales(const struct rates *r, double t, const double x[], const double u[3],
+                   double scale[]) {
   /* which q multiplies wx, wy, wz in row i of q' = q (0, w) / 2 */
   static const int row[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
   double term[3];
@@ -251,6 +255,7 @@ static void scales(const struct rates *r, const double x[STATES], const double u
     for (int j = 0; j < 3; j++)
       scale[4 + i] = largest(scale[4 + i], r->inverse[3 * i + j] * term[j]);
   }
+  engine_move_scale(&r->top, t, x, scale);
 }
 
 static struct rates *self(lua_State *L) {
@@ -266,25 +271,26 @@ static int fail(lua_State *L, int status) {
 /* object:rates(t, x[, u]) -> dx, scale | nil, message */
 static int rates_rates(lua_State *L) {
   const struct rates *r = self(L);
-  double x[STATES], u[3] = {0, 0, 0}, dx[STATES], scale[STATES];
+  double x[PH_STATES], u[3] = {0, 0, 0}, dx[PH_STATES], scale[PH_STATES];
+  const int n = ph_top_states(&r->top);
   const double t = luaL_checknumber(L, 2);
-  engine_list(L, 3, STATES, x);
+  engine_list(L, 3, n, x);
   if (!lua_isnoneornil(L, 4) && lua_rawlen(L, 4) > 0)
     engine_list(L, 4, 3, u);
   const int status = ph_top_rates(&r->top, t, x, u, dx);
   if (status != PH_OK)
     return fail(L, status);
-  scales(r, x, u, scale);
-  engine_push(L, STATES, dx);
-  engine_push(L, STATES, scale);
+  scales(r, t, x, u, scale);
+  engine_push(L, n, dx);
+  engine_push(L, n, scale);
   return 2;
 }
 
 /* object:energy(x) -> E, largest term | nil, message */
 static int rates_energy(lua_State *L) {
   const struct rates *r = self(L);
-  double x[STATES], energy, scale = 0;
-  engine_list(L, 2, STATES, x);
+  double x[PH_STATES], energy, scale = 0;
+  engine_list(L, 2, ph_top_states(&r->top), x);
   const int status = ph_top_energy(&r->top, x, &energy);
   if (status != PH_OK)
     return fail(L, status);
@@ -294,6 +300,7 @@ static int rates_energy(lua_State *L) {
                     (i / 3 == i % 3 ? 0.5 : 1) * fabs(x[4 + i / 3] * x[4 + i % 3]) * r->spread[i]);
   if (r->top.effects & PH_GRAVITY)
     scale = largest(scale, r->top.mass * norm(r->top.com) * norm(r->top.gravity));
+  scale = largest(scale, engine_move_energy(&r->top, x, r->spread));
   lua_pushnumber(L, energy);
   lua_pushnumber(L, scale);
   return 2;
@@ -302,13 +309,15 @@ static int rates_energy(lua_State *L) {
 /* object:momentum(x) -> {L3}, largest term of any component | nil, message */
 static int rates_momentum(lua_State *L) {
   const struct rates *r = self(L);
-  double x[STATES], momentum[3], scale = 0;
-  engine_list(L, 2, STATES, x);
+  double x[PH_STATES], momentum[3], scale = 0;
+  engine_list(L, 2, ph_top_states(&r->top), x);
   const int status = ph_top_momentum(&r->top, x, momentum);
   if (status != PH_OK)
     return fail(L, status);
   for (int i = 0; i < 9; i++)
     scale = largest(scale, r->spread[i] * fabs(x[4 + i % 3]));
+  if (r->top.effects & PH_ROTOR)
+    scale = largest(scale, norm(r->top.rotor));
   engine_push(L, 3, momentum);
   lua_pushnumber(L, scale);
   return 2;

@@ -6,8 +6,11 @@
    through the principal system that ph_top_init found. With the second moments S, I = tr(S) 1 - S,
    the gyroscopic term is -w x I w = w x S w: what all moments have in common is not there to
    cancel, so a needle of 1e-30 keeps its digits. q' = q (0, w)/2 for the attitude. Vectors fixed in
-   inertial axes come to body axes by the polynomial q* v q. */
+   inertial axes come to body axes by the polynomial q* v q. A rotor of constant relative momentum h
+   (gyrostat; Volterra 1899) adds -w x h to N and h to L. */
 #include "motion.h"
+
+#include "move.h"
 
 void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
   *loads = (motion_loads){0};
@@ -21,6 +24,8 @@ void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
     if ((top->effects & PH_CONTROL) && u)
       loads->body[i] += (ph_wide)u[i];
   }
+  if (top->effects & PH_ROTOR)
+    wide_load(3, top->rotor, loads->rotor);
   if (top->effects & PH_DAMPING)
     wide_load(9, top->damping, loads->damping);
   if (top->effects & PH_DECAY)
@@ -28,22 +33,26 @@ void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
 }
 
 /* N, and a size against which a torque along a rod is rounding: it bounds the terms of I w' = N - w
-   x I w, so that a weight which turns the rod hard, but not about itself, leaves no residue that
-   counts. */
-void motion_torque(const ph_top *top, const motion_loads *loads, const ph_wide x[7], ph_wide N[3],
+   x I w, product by product, so that a weight which turns the rod hard, but not about itself, or a
+   rate along it, leaves no residue that counts. */
+void motion_torque(const ph_top *top, const motion_loads *loads, const ph_wide x[], ph_wide N[3],
                    ph_wide *size) {
   const ph_wide *q = x, *w = x + 4;
-  ph_wide weight[3], inertial[3], L[3], gravity[3], sum = 0;
+  ph_wide weight[3], inertial[3], L[3], gravity[3], turning[3], sum = 0;
   wide_sandwich(q, loads->weight, 0, weight);
   wide_sandwich(q, loads->inertial, 0, inertial);
   wide_apply(top->wide_inertia, w, L);
   wide_cross(top->wide_com, weight, gravity);
+  wide_cross(loads->rotor, w, turning);
   for (int i = 0; i < 3; i++) {
     const ph_wide drag = wide_dot(loads->damping + 3 * i, w);
-    N[i] = gravity[i] + inertial[i] + loads->body[i] - drag - loads->decay * L[i];
-    sum += fabsl(inertial[i]) + fabsl(loads->body[i]) + fabsl(drag) + fabsl(loads->decay * L[i]);
+    N[i] = gravity[i] + inertial[i] + loads->body[i] + turning[i] - drag - loads->decay * L[i];
+    sum += fabsl(inertial[i]) + fabsl(loads->body[i]);
+    for (int k = 0; k < 3; k++)
+      sum += fabsl(loads->damping[3 * i + k] * w[k]);
   }
-  *size = sum + wide_norm(top->wide_com) * wide_norm(weight) + wide_norm(w) * wide_norm(L);
+  *size = sum + wide_norm(top->wide_com) * wide_norm(weight) + wide_norm(w) * wide_norm(L) +
+          (wide_norm(loads->rotor) + fabsl(loads->decay) * top->wide_moment[2]) * wide_norm(w);
 }
 
 /* w' = sum over principal axes of e (e.b)/I: for a rod the pseudo-inverse, since an axis without
@@ -64,7 +73,8 @@ int motion_solve(const ph_top *top, const ph_wide b[3], ph_wide size, ph_wide w_
   return PH_OK;
 }
 
-int motion_rates(const ph_top *top, const motion_loads *loads, const ph_wide x[7], ph_wide dx[7]) {
+int motion_rates(const ph_top *top, const motion_loads *loads, ph_wide t, const ph_wide x[],
+                 ph_wide dx[]) {
   const ph_wide *w = x + 4, pure[4] = {0, w[0], w[1], w[2]};
   ph_wide b[3], S[3], size;
   motion_torque(top, loads, x, b, &size);
@@ -72,45 +82,48 @@ int motion_rates(const ph_top *top, const motion_loads *loads, const ph_wide x[7
   wide_cross(w, S, S);
   for (int i = 0; i < 3; i++)
     b[i] += S[i];
-  ph_wide rate[7];
+  ph_wide rate[PH_STATES];
   const int status = motion_solve(top, b, size, rate + 4);
   if (status)
     return status;
   wide_quat_multiply(x, pure, rate);
-  for (int i = 0; i < 7; i++)
-    dx[i] = i < 4 ? rate[i] / 2 : rate[i];
+  for (int i = 0; i < 4; i++)
+    rate[i] /= 2;
+  move_rates(top, t, x, rate);
+  for (int i = 0; i < ph_top_states(top); i++)
+    dx[i] = rate[i];
   return PH_OK;
 }
 
 /* ---- public ---- */
 
 /* Control counts only when it is on: then it must be finite. */
-static int inputs_finite(const ph_top *top, const double x[7], const double u[3]) {
-  return wide_finite(7, x) && (!u || !(top->effects & PH_CONTROL) || wide_finite(3, u));
+static int inputs_finite(const ph_top *top, const double x[], const double u[3]) {
+  return wide_finite(ph_top_states(top), x) &&
+         (!u || !(top->effects & PH_CONTROL) || wide_finite(3, u));
 }
 
-int ph_top_torque(const ph_top *top, double t, const double x[7], const double u[3], double N[3]) {
-  (void)t; /* no effect of today depends on time */
+int ph_top_torque(const ph_top *top, double t, const double x[], const double u[3], double N[3]) {
+  (void)t; /* no torque of today depends on time */
   if (!inputs_finite(top, x, u))
     return PH_EFINITE;
   motion_loads loads;
-  ph_wide state[7], torque[3], size;
-  wide_load(7, x, state);
+  ph_wide state[PH_STATES], torque[3], size;
+  wide_load(ph_top_states(top), x, state);
   motion_load(top, u, &loads);
   motion_torque(top, &loads, state, torque, &size);
   return wide_store(3, torque, N);
 }
 
-int ph_top_rates(const ph_top *top, double t, const double x[7], const double u[3], double dx[7]) {
-  (void)t;
-  if (!inputs_finite(top, x, u))
+int ph_top_rates(const ph_top *top, double t, const double x[], const double u[3], double dx[]) {
+  if (!isfinite(t) || !inputs_finite(top, x, u))
     return PH_EFINITE;
   motion_loads loads;
-  ph_wide state[7], rate[7];
-  wide_load(7, x, state);
+  ph_wide state[PH_STATES], rate[PH_STATES];
+  wide_load(ph_top_states(top), x, state);
   motion_load(top, u, &loads);
-  const int status = motion_rates(top, &loads, state, rate);
-  return status ? status : wide_store(7, rate, dx);
+  const int status = motion_rates(top, &loads, (ph_wide)t, state, rate);
+  return status ? status : wide_store(ph_top_states(top), rate, dx);
 }
 
 int ph_top_inverse(const ph_top *top, const double w[3], const double w_rate[3], double N[3]) {
@@ -127,64 +140,66 @@ int ph_top_inverse(const ph_top *top, const double w[3], const double w_rate[3],
   return wide_store(3, rate, N);
 }
 
-static ph_wide kinetic(const ph_top *top, const ph_wide x[7]) {
+static ph_wide kinetic(const ph_top *top, const ph_wide x[]) {
   ph_wide L[3];
   wide_apply(top->wide_inertia, x + 4, L);
-  return wide_dot(x + 4, L) / 2;
+  return wide_dot(x + 4, L) / 2 + move_kinetic(top, x);
 }
 
 /* V = -F.r for the constant force F = M g d at the centre of mass, zero when that is level with the
  * origin. */
-static ph_wide potential(const ph_top *top, const ph_wide x[7]) {
+static ph_wide potential(const ph_top *top, const ph_wide x[]) {
   motion_loads loads;
   ph_wide com[3];
   motion_load(top, NULL, &loads);
   wide_sandwich(x, top->wide_com, 1, com);
-  return -wide_dot(loads.weight, com);
+  return move_potential(top, x) - wide_dot(loads.weight, com);
 }
 
-int ph_top_kinetic(const ph_top *top, const double x[7], double *T) {
-  ph_wide state[7];
-  if (!wide_finite(7, x))
+int ph_top_kinetic(const ph_top *top, const double x[], double *T) {
+  ph_wide state[PH_STATES];
+  if (!wide_finite(ph_top_states(top), x))
     return PH_EFINITE;
-  wide_load(7, x, state);
+  wide_load(ph_top_states(top), x, state);
   const ph_wide value = kinetic(top, state);
   return wide_store(1, &value, T);
 }
 
-int ph_top_potential(const ph_top *top, const double x[7], double *V) {
-  ph_wide state[7];
-  if (!wide_finite(7, x))
+int ph_top_potential(const ph_top *top, const double x[], double *V) {
+  ph_wide state[PH_STATES];
+  if (!wide_finite(ph_top_states(top), x))
     return PH_EFINITE;
-  wide_load(7, x, state);
+  wide_load(ph_top_states(top), x, state);
   const ph_wide value = potential(top, state);
   return wide_store(1, &value, V);
 }
 
-int ph_top_energy(const ph_top *top, const double x[7], double *E) {
-  ph_wide state[7];
-  if (!wide_finite(7, x))
+int ph_top_energy(const ph_top *top, const double x[], double *E) {
+  ph_wide state[PH_STATES];
+  if (!wide_finite(ph_top_states(top), x))
     return PH_EFINITE;
-  wide_load(7, x, state);
+  wide_load(ph_top_states(top), x, state);
   const ph_wide value = kinetic(top, state) + potential(top, state);
   return wide_store(1, &value, E);
 }
 
-static int momentum(const ph_top *top, const double x[7], int to_inertial, double L[3]) {
-  ph_wide state[7], v[3];
-  if (!wide_finite(7, x))
+static int momentum(const ph_top *top, const double x[], int to_inertial, double L[3]) {
+  ph_wide state[PH_STATES], v[3];
+  if (!wide_finite(ph_top_states(top), x))
     return PH_EFINITE;
-  wide_load(7, x, state);
+  wide_load(ph_top_states(top), x, state);
   wide_apply(top->wide_inertia, state + 4, v);
+  for (int i = 0; i < 3 && (top->effects & PH_ROTOR); i++)
+    v[i] += (ph_wide)top->rotor[i];
   if (to_inertial)
     wide_sandwich(state, v, 1, v);
   return wide_store(3, v, L);
 }
 
-int ph_top_momentum_body(const ph_top *top, const double x[7], double L[3]) {
+int ph_top_momentum_body(const ph_top *top, const double x[], double L[3]) {
   return momentum(top, x, 0, L);
 }
 
-int ph_top_momentum(const ph_top *top, const double x[7], double L[3]) {
+int ph_top_momentum(const ph_top *top, const double x[], double L[3]) {
   return momentum(top, x, 1, L);
 }

@@ -10,12 +10,13 @@
    xz yz, where xy, xz, yz are tensor ENTRIES (minus the products of inertia). A quaternion is
    double[4], scalar first (w, x, y, z), Hamilton product, body to inertial: v_inertial = q v_body
    q*. Angular velocity w and torque are in body axes; the state of motion is x = (qw qx qy qz wx wy
-   wz). Failure. Every function that can fail returns a status, PH_OK = 0, and leaves its outputs
-   untouched otherwise. Nothing prints, exits, or keeps state outside its arguments, so distinct
-   objects may be used from distinct threads. Pointers must not be NULL unless it is said.
-   Overlap. An output may be the same array as an input of the same type, unless it is said.
-   Precision. Inside, sums are formed in long double, which must have 64 bits or more (x86-64,
-   AArch64, RISC-V 64; not MSVC), and are rounded once at the end. */
+   wz), and rx ry rz vx vy vz where the top moves (polhode_move.h). Failure. Every function that can
+   fail returns a status, PH_OK = 0, and leaves its outputs untouched otherwise. Nothing prints,
+   exits, or keeps state outside its arguments, so distinct objects may be used from distinct
+   threads. Pointers must not be NULL unless it is said. Overlap. An output may be the same array as
+   an input of the same type, unless it is said. Precision. Inside, sums are formed in long double,
+   which must have 64 bits or more (x86-64, AArch64, RISC-V 64; not MSVC), and are rounded once at
+   the end. */
 #ifndef POLHODE_H
 #define POLHODE_H
 
@@ -70,8 +71,7 @@ const char *ph_version(void);
    holds what the double does not, so that parts far from the origin keep their small distances.
    second is integral rho s s^T dV with s = r - com (the 3x3 block of the pseudo-inertia, kg m2),
    tensor is tr(second) 1 - second, the inertia tensor about com. Both are kept because second ->
-   tensor only adds, but tensor -> second cancels: a tensor given by the user comes back unchanged.
- */
+   tensor only adds, tensor -> second cancels: a tensor given by the user comes back unchanged. */
 typedef struct ph_body {
   double mass, com[3], com_tail[3], second[6], tensor[6];
 } ph_body;
@@ -125,8 +125,7 @@ int ph_solid_bicylinder(ph_body *b, ph_amount a, double r); /* cylinders about x
 int ph_solid_regular(ph_body *b, ph_amount a, int faces, double edge);
 
 /* Shells; the density is per area. The hemisphere is open and based; the zone as solid_zone; the
-   cylinder's ends are closed by discs if `ends`; the cone is the lateral surface, based, apex z=h.
- */
+   cylinder's ends are closed by discs if `ends`; the cone is the side alone, based, apex z = h. */
 int ph_shell_sphere(ph_body *b, ph_amount a, double r);
 int ph_shell_hemisphere(ph_body *b, ph_amount a, double r);
 int ph_shell_zone(ph_body *b, ph_amount a, double r, double z1, double z2);
@@ -305,8 +304,7 @@ int ph_particles_momentum(int n, const double m[], const double r[], const doubl
 
 /* Moments ascending; axis[k] is the unit vector of moment k in the tensor's axes; axis[0], axis[1],
    axis[2] are right-handed and orthonormal to 4e-16. In axis[0] and axis[1] the first component
-   within 1/16 of the largest is positive. Equal moments: coordinate axes if the tensor is diagonal.
- */
+   within 1/16 of the largest is positive. Equal moments: coordinate axes if it is diagonal. */
 typedef struct ph_axes {
   double moment[3], axis[3][3];
 } ph_axes;
@@ -356,7 +354,9 @@ typedef struct ph_acceleration {
 int ph_frame_acceleration(const double w[3], const double w_rate[3], const double r[3],
                           const double r_rate[3], const double r_rate2[3], ph_acceleration *out);
 
-/* ---- the rigid body that turns about a fixed origin ---- */
+/* ---- the rigid body that turns about a fixed origin, or about its centre and moves ---- */
+
+#include "polhode_move.h" /* PH_TRANSLATION and further effects; lengths of states */
 
 enum ph_effect {
   PH_GRAVITY = 1,          /* com x (M g d), d inertial */
@@ -364,7 +364,8 @@ enum ph_effect {
   PH_DECAY = 4,            /* -rate L */
   PH_TORQUE_BODY = 8,      /* constant in body axes */
   PH_TORQUE_INERTIAL = 16, /* constant in inertial axes */
-  PH_CONTROL = 32          /* input u, body axes */
+  PH_CONTROL = 32,         /* input u, body axes */
+  PH_ROTOR = 1024          /* -w x h: a rotor of constant relative momentum h, body axes */
 };
 
 /* The model; constant while it is used. Read the first part, change it only through the functions
@@ -376,45 +377,45 @@ typedef struct ph_top {
   unsigned effects;                          /* PH_GRAVITY | ... */
   double gravity[3];                         /* g d, m/s2, inertial axes */
   double damping[9];                         /* C, N m s, row major, body axes */
-  double decay;                              /* 1/s */
+  double decay, rotor[3];                    /* 1/s; N m s, body axes */
   double torque_body[3], torque_inertial[3]; /* N m */
+  ph_move move;                              /* translation and frame, polhode_move.h */
   /* prepared, private: the tensor and its principal system in full precision */
   long double wide_com[3], wide_inertia[6], wide_second[6], wide_moment[3], wide_axis[3][3];
 } ph_top;
 
 /* The free top of body b about the point origin (NULL: its centre of mass). Checks b. */
 int ph_top_init(ph_top *top, const ph_body *b, const double origin[3]);
-/* The same from mass, centre of mass seen from the origin (NULL: 0), and tensor about the origin.
- */
+/* The same from mass, centre of mass from the origin (NULL: 0), and tensor about the origin. */
 int ph_top_init_tensor(ph_top *top, double mass, const double com[3], const double tensor[6]);
 
-/* Effects: each call sets its parameters and switches it on; ph_top_without switches some (PH_... |
- * ...) off. */
+/* Each call sets an effect's parameters and switches it on; ph_top_without switches some off. */
 int ph_top_gravity(ph_top *top, double g,
                    const double direction[3]); /* direction: inertial, any length but 0 */
 int ph_top_damping(ph_top *top, const double C[9]);
 int ph_top_decay(ph_top *top, double rate);
 int ph_top_torque_body(ph_top *top, const double torque[3]);
 int ph_top_torque_inertial(ph_top *top, const double torque[3]);
+int ph_top_rotor(ph_top *top, const double momentum[3]);
 int ph_top_control(ph_top *top);
 void ph_top_without(ph_top *top, unsigned effects);
 
 /* Total torque about the origin, body axes. u: three components, used only with PH_CONTROL; NULL is
    0. q enters as the polynomial q* v q, exact for unit q (any q near it is accepted: stages of a
    stepper). */
-int ph_top_torque(const ph_top *top, double t, const double x[7], const double u[3], double N[3]);
+int ph_top_torque(const ph_top *top, double t, const double x[], const double u[3], double N[3]);
 /* Equations of motion: q' = q (0, w) / 2, I w' = N - w x I w, each component rounded once from long
    double. About an axis without moment w' = 0, and a torque about it is PH_EROD. */
-int ph_top_rates(const ph_top *top, double t, const double x[7], const double u[3], double dx[7]);
+int ph_top_rates(const ph_top *top, double t, const double x[], const double u[3], double dx[]);
 /* The torque equation read backwards: N = dL/dt|body + w x L with dL/dt|body = I w', body axes. */
 int ph_top_inverse(const ph_top *top, const double w[3], const double w_rate[3], double N[3]);
-/* T = w.I.w / 2, V = -M g d.com (0 without gravity), E = T + V; L = I w in body and q L q* in
- * inertial axes. */
-int ph_top_kinetic(const ph_top *top, const double x[7], double *T);
-int ph_top_potential(const ph_top *top, const double x[7], double *V);
-int ph_top_energy(const ph_top *top, const double x[7], double *E);
-int ph_top_momentum_body(const ph_top *top, const double x[7], double L[3]);
-int ph_top_momentum(const ph_top *top, const double x[7], double L[3]);
+/* T = w.I.w / 2, V = -M g d.com (0 without gravity), E = T + V; L = I w + h (h: of rotors, whose
+ * own energy T leaves out) in body and q L q* in inertial axes. */
+int ph_top_kinetic(const ph_top *top, const double x[], double *T);
+int ph_top_potential(const ph_top *top, const double x[], double *V);
+int ph_top_energy(const ph_top *top, const double x[], double *E);
+int ph_top_momentum_body(const ph_top *top, const double x[], double L[3]);
+int ph_top_momentum(const ph_top *top, const double x[], double L[3]);
 
 /* ---- motion in principal axes ---- */
 
@@ -479,14 +480,14 @@ typedef struct ph_run ph_run;
 /* A run of a copy of top from state x0 at t0; q of x0 is normalised first. *run is to be freed with
  * ph_run_free. */
 int ph_run_new(ph_run **run, const ph_top *top, const ph_options *options, double t0,
-               const double x0[7]);
+               const double x0[]);
 void ph_run_free(ph_run *run); /* NULL is allowed */
 /* Go on to time t, forward or backward, with constant control u (NULL: 0), and give the state
    there. On failure the run stays where it was. The state is carried in long double, and |q| = 1 is
    restored by projection after each step (which keeps the method's order), so that it does not
    drift. Over 1000 revolutions PH_TAYLOR keeps 1e-14 in attitude and rates; GSL's methods, whose
    coefficients are doubles, about 1e-12. PH_ESTEP, PH_ESTEPS, PH_EROD, PH_ERANGE, PH_EFINITE. */
-int ph_run_to(ph_run *run, double t, const double u[3], double x[7]);
+int ph_run_to(ph_run *run, double t, const double u[3], double x[]);
 double ph_run_time(const ph_run *run);
 /* Steps accepted and evaluations of the equations (for PH_TAYLOR: expansions) since ph_run_new. */
 long ph_run_steps(const ph_run *run);

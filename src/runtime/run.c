@@ -18,7 +18,7 @@ struct ph_run {
   ph_free_top exact; /* PH_EXACT: the motion from x at start */
   double start;
   double t;
-  ph_wide x[7];
+  ph_wide x[PH_STATES];
   ph_wide h; /* what the step control would take next, > 0; 0: not yet known */
   long steps;
 };
@@ -43,7 +43,7 @@ static int options_check(const ph_options *o) {
 }
 
 int ph_run_new(ph_run **run, const ph_top *top, const ph_options *options, double t0,
-               const double x0[7]) {
+               const double x0[]) {
   const gsl_odeiv2_step_type *const gsl[] = {
       [PH_RK4] = NULL,
       [PH_RK4_GSL] = gsl_odeiv2_step_rk4,
@@ -54,7 +54,7 @@ int ph_run_new(ph_run **run, const ph_top *top, const ph_options *options, doubl
   };
   ph_wide q[4];
   int status = options_check(options);
-  if (!status && (!isfinite(t0) || !wide_finite(7, x0)))
+  if (!status && (!isfinite(t0) || !wide_finite(ph_top_states(top), x0)))
     status = PH_EFINITE;
   if (!status)
     status = wide_load_unit(x0, q);
@@ -72,12 +72,12 @@ int ph_run_new(ph_run **run, const ph_top *top, const ph_options *options, doubl
     r->exact = exact;
   r->start = t0;
   r->t = t0;
-  wide_load(7, x0, r->x);
+  wide_load(ph_top_states(top), x0, r->x);
   for (int i = 0; i < 4; i++)
     r->x[i] = q[i];
   r->stepper.top = &r->top;
   if (gsl[options->method]) {
-    r->stepper.gsl = gsl_odeiv2_step_alloc(gsl[options->method], 7);
+    r->stepper.gsl = gsl_odeiv2_step_alloc(gsl[options->method], (size_t)ph_top_states(top));
     if (!r->stepper.gsl) {
       free(r);
       return PH_EMEMORY;
@@ -95,7 +95,7 @@ void ph_run_free(ph_run *run) {
   free(run);
 }
 
-static void project(const ph_run *run, ph_wide x[7]) {
+static void project(const ph_run *run, ph_wide x[]) {
   if (run->options.free_norm)
     return;
   const ph_wide n = wide_quat_norm(x);
@@ -112,7 +112,7 @@ static int taylor_order(const ph_options *o) {
   return order < 4 ? 4 : order;
 }
 
-static int go_fixed(ph_run *run, ph_wide span, ph_wide x[7], long *steps) {
+static int go_fixed(ph_run *run, ph_wide span, ph_wide x[], long *steps) {
   /* As many steps as fit; a ratio that is an integer up to its rounding in double counts as that
    * integer. */
   const ph_wide ratio = fabsl(span) / (ph_wide)run->options.step;
@@ -123,13 +123,14 @@ static int go_fixed(ph_run *run, ph_wide span, ph_wide x[7], long *steps) {
   ph_wide h = span / (ph_wide)(n > 0 ? n : 1), error;
   for (long k = 0; k < n; k++) {
     int status;
+    run->stepper.t = (ph_wide)run->t + (ph_wide)k * h;
     if (run->options.method == PH_RK4)
       status = step_rk4(&run->stepper, x, h, x);
     else if (run->options.method == PH_TAYLOR)
       status = step_taylor(&run->stepper, x, taylor_order(&run->options), 0, &h, x);
     else
       status = step_gsl(&run->stepper, x, h, x, &error);
-    if (!status && !wide_fits(7, x))
+    if (!status && !wide_fits(ph_top_states(&run->top), x))
       status = PH_ERANGE;
     if (status)
       return status;
@@ -146,9 +147,11 @@ static ph_wide rescale(ph_wide h, ph_wide e, unsigned order) {
   return h * fminl(5, fmaxl(0.2L, factor));
 }
 
-static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[7], ph_wide *suggestion, long *steps) {
+static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[], ph_wide *suggestion, long *steps) {
   const ph_wide tolerance = (ph_wide)run->options.tolerance, start = (ph_wide)run->t;
+  const int n = ph_top_states(&run->top);
   ph_wide done = 0, longest = *suggestion;
+  run->stepper.t = start;
   if (run->stepper.gsl &&
       !(longest > 0)) { /* a hundredth of a radian: the control finds its own within a few */
     ph_wide rate;
@@ -160,7 +163,8 @@ static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[7], ph_wide *suggest
   long tries = 0;
   while (done != span) {
     const ph_wide left = span - done;
-    ph_wide y[7], error = 0, h = left;
+    ph_wide y[PH_STATES], error = 0, h = left;
+    run->stepper.t = start + done;
     if (run->stepper.gsl && fabsl(left) > longest) /* no crumb is left for the last step */
       h = fabsl(left) > 2 * longest ? copysignl(longest, left) : left / 2;
     int status;
@@ -188,7 +192,7 @@ static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[7], ph_wide *suggest
       continue;
     }
     project(run, y);
-    for (int i = 0; i < 7; i++)
+    for (int i = 0; i < n; i++)
       x[i] = y[i];
     done = h == left ? span : done + h;
     if (h != left || next > longest) /* a step cut short by the end says nothing of the next one */
@@ -211,25 +215,26 @@ static int go_exact(ph_run *run, double t, double x[7]) {
 
 /* Of the methods of integration, the only writer of a run's state: all of it at once, after
  * everything has gone well. */
-int ph_run_to(ph_run *run, double t, const double u[3], double x[7]) {
+int ph_run_to(ph_run *run, double t, const double u[3], double x[]) {
   if (!isfinite(t) || (u && (run->top.effects & PH_CONTROL) && !wide_finite(3, u)))
     return PH_EFINITE;
   if (run->options.method == PH_EXACT)
     return go_exact(run, t, x);
-  ph_wide state[7], suggestion = run->h;
+  const int n = ph_top_states(&run->top);
+  ph_wide state[PH_STATES], suggestion = run->h;
   const ph_wide span = (ph_wide)t - (ph_wide)run->t;
   long steps = 0;
-  for (int i = 0; i < 7; i++)
+  for (int i = 0; i < n; i++)
     state[i] = run->x[i];
   motion_load(&run->top, u, &run->stepper.loads);
   int status = run->options.step > 0 ? go_fixed(run, span, state, &steps)
                                      : go_adaptive(run, span, state, &suggestion, &steps);
-  double out[7];
+  double out[PH_STATES];
   if (!status)
-    status = wide_store(7, state, out);
+    status = wide_store(n, state, out);
   if (status)
     return status;
-  for (int i = 0; i < 7; i++) {
+  for (int i = 0; i < n; i++) {
     run->x[i] = state[i];
     x[i] = out[i];
   }

@@ -10,23 +10,25 @@
    allocation would, when memory is out). */
 #include <gsl/gsl_errno.h>
 
+#include "move.h"
 #include "step.h"
 
-int step_rk4(stepper *s, const ph_wide x[7], ph_wide h, ph_wide out[7]) {
+int step_rk4(stepper *s, const ph_wide x[], ph_wide h, ph_wide out[]) {
   /* time of the stage as a part of h, and its weight in the mean */
   static const int part[4] = {0, 1, 1, 2}, weight[4] = {1, 2, 2, 1};
-  ph_wide k[7] = {0}, mean[7] = {0}, y[7];
+  ph_wide k[PH_STATES] = {0}, mean[PH_STATES] = {0}, y[PH_STATES];
+  const int n = ph_top_states(s->top);
   for (int stage = 0; stage < 4; stage++) {
-    for (int i = 0; i < 7; i++)
+    for (int i = 0; i < n; i++)
       y[i] = x[i] + part[stage] * h / 2 * k[i];
-    const int status = motion_rates(s->top, &s->loads, y, k);
+    const int status = motion_rates(s->top, &s->loads, s->t + part[stage] * h / 2, y, k);
     s->evaluations++;
     if (status)
       return status;
-    for (int i = 0; i < 7; i++)
+    for (int i = 0; i < n; i++)
       mean[i] += weight[stage] * k[i] / 6;
   }
-  for (int i = 0; i < 7; i++)
+  for (int i = 0; i < n; i++)
     out[i] = x[i] + h * mean[i];
   return PH_OK;
 }
@@ -34,43 +36,47 @@ int step_rk4(stepper *s, const ph_wide x[7], ph_wide h, ph_wide out[7]) {
 /* GSL's right-hand side: z' = h f(base + z). */
 static int increment_rates(double t, const double z[], double dz[], void *params) {
   stepper *s = params;
-  ph_wide y[7], dy[7];
-  (void)t;
-  for (int i = 0; i < 7; i++)
+  ph_wide y[PH_STATES], dy[PH_STATES];
+  const int n = ph_top_states(s->top);
+  for (int i = 0; i < n; i++)
     y[i] = s->base[i] + (ph_wide)z[i];
   s->evaluations++;
-  s->status = motion_rates(s->top, &s->loads, y, dy);
+  s->status = motion_rates(s->top, &s->loads, s->t + (ph_wide)t * s->h, y, dy);
   if (s->status)
     return GSL_EBADFUNC;
-  for (int i = 0; i < 7; i++)
+  for (int i = 0; i < n; i++)
     dz[i] = (double)(s->h * dy[i]);
   return GSL_SUCCESS;
 }
 
-int step_gsl(stepper *s, const ph_wide x[7], ph_wide h, ph_wide out[7], ph_wide *error) {
-  gsl_odeiv2_system system = {increment_rates, NULL, 7, s};
-  double z[7] = {0}, bound[7];
-  ph_wide wide_bound[7];
-  for (int i = 0; i < 7; i++)
+int step_gsl(stepper *s, const ph_wide x[], ph_wide h, ph_wide out[], ph_wide *error) {
+  const int n = ph_top_states(s->top);
+  gsl_odeiv2_system system = {increment_rates, NULL, (size_t)n, s};
+  double z[PH_STATES] = {0}, bound[PH_STATES];
+  ph_wide wide_bound[PH_STATES];
+  for (int i = 0; i < n; i++)
     s->base[i] = x[i];
   s->h = h;
   s->status = PH_OK;
   if (gsl_odeiv2_step_apply(s->gsl, 0, 1, z, bound, NULL, NULL, &system) != GSL_SUCCESS)
     return s->status ? s->status : PH_ERANGE;
-  for (int i = 0; i < 7; i++)
+  for (int i = 0; i < n; i++)
     out[i] = x[i] + (ph_wide)z[i];
-  wide_load(7, bound, wide_bound);
-  const ph_wide size = fmaxl(step_size(3, x + 4), step_size(3, out + 4));
-  const ph_wide turn = step_size(3, wide_bound + 4);
-  *error = fmaxl(step_size(4, wide_bound), size > 0 ? turn / size : turn);
-  return wide_fits(7, out) && wide_fits(7, wide_bound) ? PH_OK : PH_ERANGE;
+  wide_load(n, bound, wide_bound);
+  *error = step_size(4, wide_bound);
+  for (int i = 4; i < n; i += 3) { /* w, r, v, each relative to its size */
+    const ph_wide size = fmaxl(step_size(3, x + i), step_size(3, out + i));
+    const ph_wide e = step_size(3, wide_bound + i);
+    *error = fmaxl(*error, size > 0 ? e / size : e);
+  }
+  return wide_fits(n, out) && wide_fits(n, wide_bound) ? PH_OK : PH_ERANGE;
 }
 
-int step_rate(stepper *s, const ph_wide x[7], ph_wide *rate) {
-  ph_wide dx[7];
-  const int status = motion_rates(s->top, &s->loads, x, dx);
+int step_rate(stepper *s, const ph_wide x[], ph_wide *rate) {
+  ph_wide dx[PH_STATES];
+  const int status = motion_rates(s->top, &s->loads, s->t, x, dx);
   s->evaluations++;
   if (!status)
-    *rate = fmaxl(step_size(3, x + 4), sqrtl(step_size(3, dx + 4)));
+    *rate = move_rate(s->top, s->t, x) + fmaxl(step_size(3, x + 4), sqrtl(step_size(3, dx + 4)));
   return status;
 }

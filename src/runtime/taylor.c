@@ -10,14 +10,9 @@
    tolerance, |q| being 1 and each component of w measured by its own size: a spin about the
    unstable axis with 1e-100 rad/s across it leaves that axis when its 1e-100 have grown, not when a
    truncation error of 1e-18 has. */
-#include "step.h"
+#include "taylor.h"
 
 #include <string.h>
-
-typedef struct series {
-  ph_wide q[TAYLOR_MAX + 1][4], w[TAYLOR_MAX + 1][3],
-      S[TAYLOR_MAX + 1][3]; /* S = second moments times w */
-} series;
 
 /* n-th coefficient of q* v q for a constant inertial v. */
 static void turned(const series *c, int n, const ph_wide v[3], ph_wide out[3]) {
@@ -38,14 +33,16 @@ static void turned(const series *c, int n, const ph_wide v[3], ph_wide out[3]) {
 /* Coefficients n + 1 of q and w from those up to n, in units of H. */
 static int extend(const stepper *s, series *c, int n, ph_wide H) {
   const ph_wide scale = H / (n + 1);
-  ph_wide weight[3], inertial[3], b[3], L[3], term[4], dq[4] = {0}, rate[3];
+  ph_wide weight[3], inertial[3], b[3], L[3], term[4], dq[4] = {0}, rate[3], gyro[3];
   wide_apply(s->top->wide_second, c->w[n], c->S[n]);
   wide_apply(s->top->wide_inertia, c->w[n], L);
   turned(c, n, s->loads.weight, weight);
   turned(c, n, s->loads.inertial, inertial);
   wide_cross(s->top->wide_com, weight, b);
+  wide_cross(s->loads.rotor, c->w[n], gyro);
   for (int i = 0; i < 3; i++) {
-    b[i] += inertial[i] - wide_dot(s->loads.damping + 3 * i, c->w[n]) - s->loads.decay * L[i];
+    b[i] +=
+        inertial[i] + gyro[i] - wide_dot(s->loads.damping + 3 * i, c->w[n]) - s->loads.decay * L[i];
     if (n == 0)
       b[i] += s->loads.body[i];
   }
@@ -60,31 +57,34 @@ static int extend(const stepper *s, series *c, int n, ph_wide H) {
   }
   /* a rod's torque along itself is looked for by step_rate at the start of each step */
   const int status = motion_solve(s->top, b, -1, rate);
+  taylor_frame(s, c, n, H, dq);
   for (int i = 0; i < 4; i++)
     c->q[n + 1][i] = scale * dq[i] / 2;
   for (int i = 0; i < 3; i++)
     c->w[n + 1][i] = scale * rate[i];
+  if (s->top->effects & PH_TRANSLATION)
+    taylor_move(s, c, n, H);
   return status;
 }
 
-/* The largest multiple of H at which term k of n components stays below bound. */
-static ph_wide reach(int n, const ph_wide term[], int k, ph_wide bound) {
-  const ph_wide size = step_size(n, term);
-  return size > 0 ? powl(bound / size, 1.0L / k) : HUGE_VALL;
-}
-
-int step_taylor(stepper *s, const ph_wide x[7], int order, ph_wide tolerance, ph_wide *h,
-                ph_wide out[7]) {
+int step_taylor(stepper *s, const ph_wide x[], int order, ph_wide tolerance, ph_wide *h,
+                ph_wide out[]) {
+  const int states = ph_top_states(s->top);
   series c;
   ph_wide rate;
   int status = step_rate(s, x, &rate);
   if (status)
     return status;
+  const ph_wide longest = fabsl(*h);
   const ph_wide H = tolerance > 0 && rate > 0 ? copysignl(1 / rate, *h) : *h;
   for (int i = 0; i < 4; i++)
     c.q[0][i] = x[i];
   for (int i = 0; i < 3; i++)
     c.w[0][i] = x[4 + i];
+  for (int i = 0; i < 3 && states > 7; i++) {
+    c.r[0][i] = x[7 + i];
+    c.v[0][i] = x[10 + i];
+  }
   for (int n = 0; n < order && !status; n++)
     status = extend(s, &c, n, H);
   if (status)
@@ -97,21 +97,31 @@ int step_taylor(stepper *s, const ph_wide x[7], int order, ph_wide tolerance, ph
       for (int i = 0; i < 3; i++)
         size[i] = fmaxl(size[i], fabsl(c.w[n][i]));
     for (int k = order - 2; k <= order; k++) {
-      sigma = fminl(sigma, reach(4, c.q[k], k, tolerance));
+      sigma = fminl(sigma, taylor_reach(4, c.q[k], k, tolerance));
       for (int i = 0; i < 3; i++)
-        sigma = fminl(sigma, reach(1, &c.w[k][i], k, tolerance * size[i]));
+        sigma = fminl(sigma, taylor_reach(1, &c.w[k][i], k, tolerance * size[i]));
     }
+    if (states > 7)
+      sigma = taylor_turn(s, &c, order, taylor_move_reach(&c, order, tolerance, sigma));
     if (sigma < *h / H)
       *h = sigma * H;
+    const ph_wide least = states > 7 ? taylor_least(s, &c, H) : 0;
+    if (fabsl(*h) < least) { /* close to where the speed passes zero */
+      *h = copysignl(fminl(least, longest), *h);
+      return step_rk4(s, x, *h, out);
+    }
   }
-  ph_wide y[7];
-  for (int i = 0; i < 7; i++) {
+  ph_wide y[PH_STATES];
+  for (int i = 0; i < states; i++) {
     y[i] = 0;
     for (int n = order; n >= 0; n--)
-      y[i] = y[i] * sigma + (i < 4 ? c.q[n][i] : c.w[n][i - 4]);
+      y[i] = y[i] * sigma + (i < 4    ? c.q[n][i]
+                             : i < 7  ? c.w[n][i - 4]
+                             : i < 10 ? c.r[n][i - 7]
+                                      : c.v[n][i - 10]);
   }
-  if (!wide_fits(7, y))
+  if (!wide_fits(states, y))
     return PH_ERANGE;
-  memcpy(out, y, sizeof y);
+  memcpy(out, y, (size_t)states * sizeof y[0]);
   return PH_OK;
 }

@@ -125,6 +125,12 @@ do
   end
   tap.ok(again and cells == 60, "every cell is a number")
   tap.like(lines[2], "0.0,1.0,0.0,0.0,0.0,1.0,0.5,20.0,", "the first row is the initial state")
+  local _, stone = run("run bodies/dropped_stone.lua --at 0,1")
+  tap.is(lines_of(stone)[1], "t,energy,rx,ry,rz,vx,vy,vz", "a point has no columns of turning")
+  local _, book = run("run bodies/thrown_book.lua --at 0 --engine generated")
+  tap.is(lines_of(book)[1], "t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz,rx,ry,rz,vx,vy,vz",
+    "position and velocity follow the angular momentum")
+  tap.like(lines_of(book)[2], "0.0,1.0,0.0,0.0,0.0,0.05,9.0,0.05,", "and the first row is the initial state again")
   local _, at = run("run " .. TOP .. " --at 0,0.25,0.5,0.75,1")
   tap.is(at, out, "--at with the same times gives the same table")
   local _, set = run("run " .. TOP .. " --until 1 --every 0.25 --set r=30")

@@ -14,7 +14,7 @@ local source = require "generator.emit.source"
 local function context(real, name)
   name = name or "toy"
   return { name = name, upper = name:upper(), real = real or "double", members = { { name = "I1" }, { name = "c" } },
-    states = state.all, inputs = state.inputs }
+    states = state.known, inputs = state.inputs }
 end
 
 local wx, wy = expr.sym("wx", 8), expr.sym("wy", 8)

@@ -220,15 +220,16 @@ end
 
 -- ---- forced_top.json: the models that the library has ----
 do
-  local out = head("forced_top.h", "heavy tops, linear damping, constant torques, 32 digits",
-    "enum { FORCED_HEAVY, FORCED_DAMPING, FORCED_BODY, FORCED_INERTIAL };\n" ..
+  local out = head("forced_top.h", "heavy tops, linear damping, constant torques, a gyrostat, 32 digits",
+    "enum { FORCED_HEAVY, FORCED_DAMPING, FORCED_BODY, FORCED_INERTIAL, FORCED_ROTOR };\n" ..
     "static const struct {\n  const char *id;\n  int model;\n  double moment[3];\n" ..
-    "  double load[3]; /* m g r, diagonal of C, or torque */\n" ..
+    "  double load[3]; /* m g r, diagonal of C, torque, or momentum of the rotor */\n" ..
     "  double x0[7], t; /* state: w, then q */\n  long double x[7];\n} forced_top_rows[] = {")
   local models = {
     ["heavy top"] = { "FORCED_HEAVY", "mgr" }, ["linear damping"] = { "FORCED_DAMPING", "c" },
     ["constant body torque"] = { "FORCED_BODY", "tau_body" },
     ["constant inertial torque"] = { "FORCED_INERTIAL", "tau_inertial" },
+    ["gyrostat (constant relative rotor momentum)"] = { "FORCED_ROTOR", "h" },
   }
   for _, case in ipairs(json("forced_top.json").cases) do
     local model = models[case.model]
@@ -240,6 +241,21 @@ do
   end
   out[#out + 1] = "};"
   write("forced_top.h", out)
+end
+
+-- ---- forced_top.json: points in rotating frames ----
+do
+  local out = head("moving.h", "points in rotating frames, 32 digits",
+    "static const struct {\n  const char *id;\n  int n; /* states: r, v in n/2 coordinates */\n" ..
+    "  double x0[6], t;\n  long double x[6];\n} moving_rows[] = {")
+  for _, case in ipairs(json("forced_top.json").cases) do
+    for _, s in ipairs(case.model == "point motion in rotating frame" and case.samples or {}) do
+      out[#out + 1] = string.format('  {"%s", %d, %s, %s,\n   %s},', case.id, #case.x0, braces(each(case.x0, double)),
+        double(s.t), braces(each(s.x, long)))
+    end
+  end
+  out[#out + 1] = "};"
+  write("moving.h", out)
 end
 
 -- ---- nesc_brick_case2.csv: simulator 04, every half second ----

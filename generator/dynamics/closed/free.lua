@@ -3,6 +3,7 @@
 
 -- nil for a scene without effects, else why the motion is not free.
 return function(m, eq)
+  if not m.has.attitude then return "it carries the attitude, which this scene has not" end
   if eq.free then return nil end
   local names, seen = {}, {}
   for _, e in ipairs(m.record.effects) do

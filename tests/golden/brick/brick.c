@@ -642,18 +642,28 @@ static brick_pair brick_pair_minus(brick_pair a)
   return a;
 }
 
+/* hi + lo = the same, |lo| <= |hi| or hi a multiple of the last place of lo (Dekker's fast two-sum) */
+static brick_pair brick_pair_tidy(brick_real hi, brick_real lo)
+{
+  brick_pair s;
+
+  s.hi = hi + lo;
+  s.lo = lo - (s.hi - hi);
+  return s;
+}
+
 static brick_pair brick_pair_add(brick_pair a, brick_pair b)
 {
   brick_pair s = brick_pair_sum(a.hi, b.hi);
 
-  return brick_pair_sum(s.hi, s.lo + (a.lo + b.lo));
+  return brick_pair_tidy(s.hi, s.lo + (a.lo + b.lo));
 }
 
 static brick_pair brick_pair_multiply(brick_pair a, brick_pair b)
 {
   brick_pair p = brick_pair_product(a.hi, b.hi);
 
-  return brick_pair_sum(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
+  return brick_pair_tidy(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
 }
 
 /* ---- principal axes: Jacobi's method in pairs ----
@@ -811,24 +821,13 @@ int brick_principal(const brick_model *m, brick_real moments[3], brick_real axes
   return brick_principal_of(I, moments, axes);
 }
 
-/* ---- evaluation: no call and no branch on data but for `hyperbolic`, so that loops over times are vectorised ---- */
+/* ---- phases in turns: no call and no branch, so that loops over times are vectorised ---- */
 
 #if defined __GNUC__
 #define BRICK_INLINE static inline __attribute__((always_inline)) /* GCC and Clang vectorise what they inline */
 #else
 #define BRICK_INLINE static inline
 #endif
-
-/* high + low: the phase of the rates in their periods, less whole ones; the turns about L */
-typedef struct brick_phases {
-  brick_real high, low, turn, turn_low;
-} brick_phases;
-
-/* The pair e^(-i mu t) (a + i b, c + i d) of quaternion components w + i z, x + i y, and cn, sn, dn, all but for constant
- * factors and for their norms; and the turns that mu t makes. */
-typedef struct brick_terms {
-  brick_real a, b, c, d, cn, sn, dn, turn;
-} brick_terms;
 
 /* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
 BRICK_INLINE brick_real brick_nearest(brick_real x)
@@ -853,22 +852,6 @@ BRICK_INLINE brick_pair brick_advance(const brick_real b[4], brick_real t, brick
   return p;
 }
 
-BRICK_INLINE brick_phases brick_reduce(const brick_orbit *o, brick_real at)
-{
-  const brick_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
-  const brick_real c = 134217729.0*t, head = c - (c - t), tail = t - head;
-  const brick_pair p = brick_advance(o->rate, t, head, tail), turn = brick_advance(o->turn, t, head, tail);
-  const brick_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
-  const brick_real rest = (p.hi - (sum - part)) + (o->start[0] - part);
-  brick_phases phases;
-
-  phases.high = sum - brick_nearest(sum);
-  phases.low = rest + (p.lo + o->start[1]);
-  phases.turn = turn.hi;
-  phases.turn_low = turn.lo;
-  return phases;
-}
-
 /* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one doubling */
 BRICK_INLINE void brick_circle(brick_real x, brick_real *sine, brick_real *cosine)
 {
@@ -887,6 +870,195 @@ BRICK_INLINE void brick_circle(brick_real x, brick_real *sine, brick_real *cosin
 
   *sine = 2.0*(half*c);
   *cosine = (c - half)*(c + half);
+}
+
+/* ---- functions of pairs, to about twice the working precision ---- */
+
+static brick_pair brick_pair_subtract(brick_pair a, brick_pair b)
+{
+  return brick_pair_add(a, brick_pair_minus(b));
+}
+
+static brick_pair brick_pair_times(brick_real a, brick_pair b)
+{
+  const brick_pair p = brick_pair_product(a, b.hi);
+
+  return brick_pair_tidy(p.hi, p.lo + a*b.lo);
+}
+
+/* a power of two times b: exact */
+static brick_pair brick_pair_shift(brick_real power, brick_pair b)
+{
+  b.hi *= power;
+  b.lo *= power;
+  return b;
+}
+
+/* the same for any exponent */
+static brick_pair brick_pair_scale(brick_pair a, int e)
+{
+  a.hi = ldexp(a.hi, e);
+  a.lo = ldexp(a.lo, e);
+  return a;
+}
+
+/* the leading quotient, and that of its remainder */
+static brick_pair brick_pair_divide(brick_pair a, brick_pair b)
+{
+  const brick_real q = a.hi/b.hi;
+  const brick_pair p = brick_pair_product(q, b.hi);
+
+  return brick_pair_tidy(q, (((a.hi - p.hi) - p.lo) + (a.lo - q*b.lo))/b.hi);
+}
+
+/* one Newton step: sqrt(a) = r + (a - r^2)/(2 r) */
+static brick_pair brick_pair_root(brick_pair a)
+{
+  const brick_real r = a.hi > 0.0 ? sqrt(a.hi) : 0.0;
+  const brick_pair p = brick_pair_product(r, r);
+
+  if (!(r > 0.0)) return brick_pair_of(0.0);
+  return brick_pair_tidy(r, (((a.hi - p.hi) - p.lo) + a.lo)*(0.5/r));
+}
+
+/* Artanh (sign = 1) or arctan (sign = -1) of x, |x| <= 1/16: x + sign x^3/3 + x^5/5 + ... (DLMF 4.38.2, 4.24.3).  From
+ * x^13 on, 2^-48 of the whole, the working precision will do; what is left out is 2^-100. */
+static brick_pair brick_pair_arc(brick_pair x, brick_real sign)
+{
+  const brick_pair odd[6] = {
+    {1.0, 0.0},
+    {0.3333333333333333, 1.850371707708594e-17},
+    {0.2, -1.1102230246251566e-17},
+    {0.14285714285714285, 7.93016446160826e-18},
+    {0.1111111111111111, 6.1679056923619804e-18},
+    {0.09090909090909091, -2.523234146875356e-18},
+  };
+  const brick_pair square = brick_pair_multiply(x, x), z = brick_pair_shift(sign, square);
+  const brick_real t = z.hi, seven = 1.0/(brick_real)13 + t*(1.0/(brick_real)15 + t*(1.0/(brick_real)17
+    + t*(1.0/(brick_real)19 + t*(1.0/(brick_real)21
+        + t*(1.0/(brick_real)23 + t*(1.0/(brick_real)25))))));
+  brick_pair s = brick_pair_of(seven);
+  int i;
+
+  for (i = 5; i >= 0; i--) s = brick_pair_add(odd[i], brick_pair_multiply(z, s));
+  return brick_pair_multiply(x, s);
+}
+
+static brick_pair brick_pi(void)
+{
+  const brick_pair pi = {3.141592653589793, 1.2246467991473532e-16};
+
+  return pi;
+}
+
+static brick_pair brick_inverse_pi(void)
+{
+  const brick_pair inverse = {0.3183098861837907, -1.9678676675182486e-17};
+
+  return inverse;
+}
+
+static brick_pair brick_log2(void)
+{
+  const brick_pair log2 = {0.6931471805599453, 2.3190468138462996e-17};
+
+  return log2;
+}
+
+/* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 + arctan of a rest below
+ * 1/16 (DLMF 4.24.15). */
+static brick_pair brick_pair_angle(brick_pair x, brick_pair y)
+{
+  const brick_pair arctan[9] = {
+    {0.0, 0.0},
+    {0.12435499454676144, -3.1253241424539383e-18},
+    {0.24497866312686414, 1.0698755618734451e-17},
+    {0.35877067027057225, -2.4623815582638635e-17},
+    {0.4636476090008061, 2.2698777452961687e-17},
+    {0.5585993153435624, -5.4556305485916264e-18},
+    {0.6435011087932844, 1.5834785051444286e-17},
+    {0.7188299996216245, -2.1478388444456983e-17},
+    {0.7853981633974483, 3.061616997868383e-17},
+  };
+  const brick_pair pi = brick_pi();
+  const int left = x.hi < 0.0, below = y.hi < 0.0;
+  const brick_pair u = left ? brick_pair_minus(x) : x, v = below ? brick_pair_minus(y) : y;
+  const int steep = v.hi > u.hi;
+  const brick_pair far = steep ? v : u, near = steep ? u : v;
+  brick_pair angle;
+  brick_real eighths;
+
+  if (!(far.hi > 0.0)) return brick_pair_of(0.0);
+  eighths = floor((brick_real)8*(near.hi/far.hi) + 0.5);
+  angle = brick_pair_divide(brick_pair_subtract(near, brick_pair_times(eighths/(brick_real)8, far)),
+               brick_pair_add(far, brick_pair_times(eighths/(brick_real)8, near)));
+  angle = brick_pair_add(arctan[(int)eighths], brick_pair_arc(angle, -1.0));
+  if (steep) angle = brick_pair_subtract(brick_pair_shift(0.5, pi), angle);
+  if (left) angle = brick_pair_subtract(pi, angle);
+  return below ? brick_pair_minus(angle) : angle;
+}
+
+/* log(2^e a), a > 0: of 2^e, of 1 + j/8, and 2 artanh of a rest below 1/16 */
+static brick_pair brick_pair_log(brick_pair a, int e)
+{
+  const brick_pair log[9] = {
+    {0.0, 0.0},
+    {0.11778303565638346, -1.1971685747593677e-18},
+    {0.22314355131420976, -9.091270597324799e-18},
+    {0.3184537311185346, 2.7114779367326236e-17},
+    {0.4054651081081644, -2.8811380259626426e-18},
+    {0.4855078157817008, -1.6618350693852048e-17},
+    {0.5596157879354227, 2.685492580212308e-17},
+    {0.6286086594223741, 4.3538742607970387e-17},
+    {0.6931471805599453, 2.3190468138462996e-17},
+  };
+  brick_pair near;
+  brick_real eighths;
+  int own;
+
+  (void)frexp(a.hi, &own);
+  a = brick_pair_scale(a, 1 - own);
+  eighths = floor((brick_real)8*(a.hi - 1.0) + 0.5);
+  near = brick_pair_of(1.0 + eighths/(brick_real)8);
+  near = brick_pair_shift(2.0, brick_pair_arc(brick_pair_divide(brick_pair_subtract(a, near),
+      brick_pair_add(a, near)), 1.0));
+  near = brick_pair_add(log[(int)eighths], near);
+  return brick_pair_add(brick_pair_times((brick_real)(e + own - 1), brick_log2()), near);
+}
+
+static void brick_store(brick_real out[2], brick_pair a)
+{
+  out[0] = a.hi;
+  out[1] = a.lo;
+}
+
+/* ---- evaluation: no call and no branch on data but for `hyperbolic`, so that loops over times are vectorised ---- */
+
+/* high + low: the phase of the rates in their periods, less whole ones; the turns about L */
+typedef struct brick_phases {
+  brick_real high, low, turn, turn_low;
+} brick_phases;
+
+/* The pair e^(-i mu t) (a + i b, c + i d) of quaternion components w + i z, x + i y, and cn, sn, dn, all but for constant
+ * factors and for their norms; and the turns that mu t makes. */
+typedef struct brick_terms {
+  brick_real a, b, c, d, cn, sn, dn, turn;
+} brick_terms;
+
+BRICK_INLINE brick_phases brick_reduce(const brick_orbit *o, brick_real at)
+{
+  const brick_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
+  const brick_real c = 134217729.0*t, head = c - (c - t), tail = t - head;
+  const brick_pair p = brick_advance(o->rate, t, head, tail), turn = brick_advance(o->turn, t, head, tail);
+  const brick_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
+  const brick_real rest = (p.hi - (sum - part)) + (o->start[0] - part);
+  brick_phases phases;
+
+  phases.high = sum - brick_nearest(sum);
+  phases.low = rest + (p.lo + o->start[1]);
+  phases.turn = turn.hi;
+  phases.turn_low = turn.lo;
+  return phases;
 }
 
 /* 2^x and 2^-x, |x| <= 500.0: the even and the odd part of 2^f, f = x less the nearest integer n, which the sum with
@@ -1061,132 +1233,6 @@ void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
   for (i = 0; i < 4; i++) q[i] = root*v[i];
 }
 
-/* ---- functions of pairs, to about twice the working precision ---- */
-
-static brick_pair brick_pair_scale(brick_pair a, int e)
-{
-  a.hi = ldexp(a.hi, e);
-  a.lo = ldexp(a.lo, e);
-  return a;
-}
-
-static brick_pair brick_pair_subtract(brick_pair a, brick_pair b)
-{
-  return brick_pair_add(a, brick_pair_minus(b));
-}
-
-/* two quotients: the remainder of the first is formed in pairs */
-static brick_pair brick_pair_divide(brick_pair a, brick_pair b)
-{
-  const brick_real q = a.hi/b.hi;
-  const brick_pair r = brick_pair_subtract(a, brick_pair_multiply(brick_pair_of(q), b));
-
-  return brick_pair_sum(q, r.hi/b.hi);
-}
-
-static brick_pair brick_pair_times(brick_real a, brick_pair b)
-{
-  return brick_pair_multiply(brick_pair_of(a), b);
-}
-
-/* one Newton step: sqrt(a) = r + (a - r^2)/(2 r) */
-static brick_pair brick_pair_root(brick_pair a)
-{
-  const brick_real r = a.hi > 0.0 ? sqrt(a.hi) : 0.0;
-  const brick_pair p = brick_pair_product(r, r);
-
-  if (!(r > 0.0)) return brick_pair_of(0.0);
-  return brick_pair_sum(r, ((a.hi - p.hi) - p.lo + a.lo)/(2.0*r));
-}
-
-/* 2^e exp(x): x less a multiple of log 2, divided by 64, the series of exp - 1, and six doublings of exp(x) - 1 */
-static brick_pair brick_pair_exp(brick_pair x, int e)
-{
-  const brick_pair log2 = {0.6931471805599453, 2.3190468138462996e-17};
-  const brick_real n = floor(x.hi/log2.hi + 0.5);
-  brick_pair y = brick_pair_scale(brick_pair_subtract(x, brick_pair_times(n, log2)), -6), s = brick_pair_of(0.0);
-  int i;
-
-  for (i = 12; i > 0; i--) { /* s = y/i (1 + s) */
-    s = brick_pair_multiply(y, brick_pair_add(brick_pair_of(1.0), s));
-    s = brick_pair_divide(s, brick_pair_of((brick_real)i));
-  }
-  for (i = 0; i < 6; i++) s = brick_pair_add(brick_pair_scale(s, 1), brick_pair_multiply(s, s));
-  return brick_pair_scale(brick_pair_add(brick_pair_of(1.0), s), (int)n + e);
-}
-
-/* log a = l + log(1 + r), r = a exp(-l) - 1, where l is good to the working precision */
-static brick_pair brick_pair_log(brick_pair a)
-{
-  const brick_pair l = brick_pair_of(log(a.hi));
-  const brick_pair r = brick_pair_subtract(brick_pair_multiply(a, brick_pair_exp(brick_pair_minus(l), 0)), brick_pair_of(1.0));
-
-  return brick_pair_add(l, brick_pair_subtract(r, brick_pair_scale(brick_pair_multiply(r, r), -1)));
-}
-
-/* cos x - 1 and sin x, |x| <= pi: the series at x/64 and six doublings */
-static void brick_pair_circle(brick_pair x, brick_pair *c1, brick_pair *s)
-{
-  const brick_pair y = brick_pair_scale(x, -6), y2 = brick_pair_multiply(y, y);
-  brick_pair c = brick_pair_of(0.0), d = brick_pair_of(0.0);
-  int i;
-
-  for (i = 16; i > 0; i -= 2) {
-    c = brick_pair_minus(brick_pair_multiply(y2, brick_pair_add(brick_pair_of(1.0), c)));
-    c = brick_pair_divide(c, brick_pair_of((brick_real)(i*(i - 1))));
-    d = brick_pair_minus(brick_pair_multiply(y2, brick_pair_add(brick_pair_of(1.0), d)));
-    d = brick_pair_divide(d, brick_pair_of((brick_real)(i*(i + 1))));
-  }
-  d = brick_pair_multiply(y, brick_pair_add(brick_pair_of(1.0), d));
-  for (i = 0; i < 6; i++) { /* cos 2x - 1 = -2 sin^2 x, sin 2x = 2 sin x (1 + (cos x - 1)) */
-    const brick_pair square = brick_pair_multiply(d, d);
-
-    d = brick_pair_scale(brick_pair_multiply(d, brick_pair_add(brick_pair_of(1.0), c)), 1);
-    c = brick_pair_minus(brick_pair_scale(square, 1));
-  }
-  *c1 = c;
-  *s = d;
-}
-
-/* Carlson's R_F(x^2, y^2, z^2), at most one of x, y, z = 0: duplication (DLMF 19.26.18) until the three agree to 13 bits
- * (seven steps and some more if one is small: 40 cover every number), then the series of order 7 (DLMF 19.36.1). */
-static brick_pair brick_carlson(brick_pair x, brick_pair y, brick_pair z)
-{
-  brick_pair sum = brick_pair_of(0.0), X, Y, Z, E2, E3, s;
-  int i;
-
-  for (i = 0; i < 40; i++) {
-    const brick_pair xy = brick_pair_multiply(x, y);
-    const brick_pair l = brick_pair_add(xy, brick_pair_multiply(z, brick_pair_add(x, y)));
-    const brick_pair x2 = brick_pair_scale(brick_pair_add(brick_pair_multiply(x, x), l), -2);
-    const brick_pair y2 = brick_pair_scale(brick_pair_add(brick_pair_multiply(y, y), l), -2);
-    const brick_pair z2 = brick_pair_scale(brick_pair_add(brick_pair_multiply(z, z), l), -2);
-
-    sum = brick_pair_add(brick_pair_add(x2, y2), z2);
-    X = brick_pair_subtract(sum, brick_pair_times((brick_real)3, x2));
-    Y = brick_pair_subtract(sum, brick_pair_times((brick_real)3, y2));
-    Z = brick_pair_subtract(sum, brick_pair_times((brick_real)3, z2));
-    if (fabs(X.hi) + fabs(Y.hi) + fabs(Z.hi) <= 0.000244140625*sum.hi) break;
-    x = brick_pair_root(x2);
-    y = brick_pair_root(y2);
-    z = brick_pair_root(z2);
-  }
-  X = brick_pair_divide(X, sum);
-  Y = brick_pair_divide(Y, sum);
-  Z = brick_pair_divide(Z, sum);
-  E2 = brick_pair_multiply(X, Y);
-  E3 = brick_pair_multiply(E2, Z);
-  E2 = brick_pair_subtract(E2, brick_pair_multiply(Z, Z));
-  /* 1 - E2/10 + E3/14 + E2^2/24 - 3 E2 E3/44 - 5 E2^3/208 + 3 E3^2/104 + E2^2 E3/16; only the first two corrections
-   * need more than the working precision */
-  s = brick_pair_of(E2.hi*E2.hi/(brick_real)24 - (brick_real)3*E2.hi*E3.hi/(brick_real)44
-               + E2.hi*E2.hi*(E3.hi/(brick_real)16 - (brick_real)5*E2.hi/(brick_real)208) + (brick_real)3*E3.hi*E3.hi/(brick_real)104);
-  s = brick_pair_add(s, brick_pair_divide(E3, brick_pair_of((brick_real)14)));
-  s = brick_pair_subtract(s, brick_pair_divide(E2, brick_pair_of((brick_real)10)));
-  s = brick_pair_add(brick_pair_of(1.0), s);
-  return brick_pair_divide(s, brick_pair_root(brick_pair_divide(sum, brick_pair_of((brick_real)3))));
-}
-
 /* ---- closed form: free asymmetric top, theta functions ----
  *
  * Axes 1, 2, 3 here are principal axes: 2 that of the middle moment, 3 the one about which L circulates, signed so that
@@ -1197,32 +1243,37 @@ static brick_pair brick_carlson(brick_pair x, brick_pair y, brick_pair z)
  * (DLMF 20.7.30-33) replaces z by V = kappa z, kappa = K/(2 K'), and circular functions by hyperbolic ones. */
 
 /* What is known of the motion in principal axes.  [i] is axis i + 1 of the above.  Moments and rates are scaled by powers
- * of two, the largest to about 1; w1 and w2, which may be tiny together, once more by 2^-small12, so w1 and w3 by
- * 2^-small13: nothing underflows that matters. */
+ * of two, the largest to about 1.  What may be tiny together is scaled once more, so that nothing underflows that matters:
+ * w1 and w2 by up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the difference of the other two,
+ * which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.  They come as J1, J3, d32 and
+ * d21; of a rod about axis 3 it is 1 and 0. */
 typedef struct brick_top {
-  brick_pair I[3], w[3];          /* moments and rates at t = 0 */
-  brick_pair d21, d31, d32;       /* |I2 - I1|, |I3 - I1|, |I3 - I2| */
-  brick_pair b[3];                /* amplitudes of the rates, B/I; b[0], b[1] scaled like w1, w2 */
-  brick_pair G;                   /* |L| */
-  brick_pair Lambda1;             /* |G^2 - 2 T I1|/I3 */
-  brick_pair rho;                 /* |I2 - I1|/I3, 0 for a rod about axis 3 */
-  brick_pair lambda;              /* rate of u */
-  brick_pair k2, kc2;             /* k^2 2^(-2 small12), (1 - k^2) 2^(-2 small13) */
-  brick_pair K, Kc;               /* K(k^2), K(1 - k^2) */
-  brick_pair q, qc;               /* nomes exp(-pi Kc/K) 2^(-2 small12), exp(-pi K/Kc) */
-  brick_pair log_qc;              /* log of the second; not set if that is 0, on the separatrix */
-  brick_real axis[3][3];          /* unit vectors, body axes */
-  brick_real s;                   /* sign of I3 - I1 */
-  int small12, small13, hyperbolic;
+  brick_pair I[3], J[3];              /* moments: as they are, scaled */
+  brick_pair w[3];                    /* rates at t = 0 */
+  brick_pair d21, d31, d32;           /* |I2 - I1|, |I3 - I1|, |I3 - I2| */
+  /* |G^2 - 2 T I2| over the scale of w1, w3 squared and that of the least moment */
+  brick_pair D;
+  brick_pair G;                       /* |L| */
+  brick_pair cross;                   /* sqrt(J1 I2 d31 d32) */
+  brick_pair part1, part2, Delta3;    /* J1 d31 w1^2, I2 d32 w2^2 of the scaled w1, w2, and their sum */
+  brick_pair Lambda1;                 /* J3 d31 w3^2 + I1 d21 w2^2 */
+  brick_pair k2, kc2;                 /* k^2 up12^2, (1 - k^2) up13^2 */
+  brick_pair b3, lambda;              /* amplitude of w3; rate of u */
+  brick_pair T, climb;                /* at u = 0: tan(angle(L, axis 3)/2) up12; twice the rate of the phase of a */
+  brick_real b[3];                    /* amplitudes of the rates, b[0], b[1] up12 */
+  brick_real axis[3][3];              /* unit vectors, body axes */
+  brick_real s;                       /* sign of I3 - I1 */
+  brick_real up12, down12, up13, down13, small;
+  int small12, small13;             /* exponents of down12, down13 */
 } brick_top;
 
-/* the exponent of the larger of two numbers */
+/* the exponent of the larger of two numbers, if its power of two is one */
 static int brick_exponent(brick_real a, brick_real b)
 {
   int e;
 
   (void)frexp(fabs(a) > fabs(b) ? a : b, &e);
-  return e;
+  return e < -990 ? -990 : e;
 }
 
 /* e[0..n) += I w^2 (d.hi + d.lo), without rounding; the new n */
@@ -1240,196 +1291,124 @@ static int brick_exact_term(brick_real e[], int n, brick_real I, brick_real w, b
   return n;
 }
 
-/* I3 w3^2 (I3 - I2) - I1 w1^2 (I2 - I1) = G^2 - 2 T I2: its sign says about which axis L circulates.  Exact before one
- * rounding, if the moments and rates are single numbers. */
-static brick_pair brick_circulation(const brick_pair I[3], brick_pair w1, brick_pair w3, brick_pair d21, brick_pair d32)
+/* I w^2 d */
+static brick_pair brick_term(brick_pair I, brick_pair w, brick_pair d)
 {
-  brick_pair sum = brick_pair_of(0.0);
+  return brick_pair_multiply(brick_pair_multiply(I, d), brick_pair_multiply(w, w));
+}
 
-  if (!(fabs(I[0].lo) + fabs(I[2].lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) {
+/* I3 w3^2 (I3 - I2) - I1 w1^2 (I2 - I1) = G^2 - 2 T I2: its sign says about which axis L circulates.  Where the terms
+ * cancel by more than three bits, without rounding if the moments and rates are single numbers. */
+static brick_pair brick_circulation(brick_pair I1, brick_pair I3, brick_pair w1, brick_pair w3,
+    brick_pair d21, brick_pair d32)
+{
+  const brick_pair last = brick_term(I3, w3, d32), first = brick_term(I1, w1, d21);
+  brick_pair sum = brick_pair_subtract(last, first);
+
+  if (!(8.0*fabs(sum.hi) < first.hi + last.hi)) return sum;
+  if (!(fabs(I1.lo) + fabs(I3.lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) {
     brick_real e[32];
     int n;
 
-    n = brick_exact_term(e, 0, I[2].hi, w3.hi, d32);
-    for (n = brick_exact_term(e, n, I[0].hi, w1.hi, brick_pair_minus(d21)); n > 0; n--) sum = brick_pair_add(sum, brick_pair_of(e[n - 1]));
-    return sum;
+    n = brick_exact_term(e, 0, I3.hi, w3.hi, d32);
+    sum = brick_pair_of(0.0);
+    for (n = brick_exact_term(e, n, I1.hi, w1.hi, brick_pair_minus(d21)); n > 0; n--) sum =
+        brick_pair_add(sum, brick_pair_of(e[n - 1]));
   }
-  sum = brick_pair_multiply(brick_pair_multiply(I[2], d32), brick_pair_multiply(w3, w3));
-  return brick_pair_subtract(sum, brick_pair_multiply(brick_pair_multiply(I[0], d21), brick_pair_multiply(w1, w1)));
-}
-
-/* a quotient's root */
-static brick_pair brick_root_of(brick_pair a, brick_pair b)
-{
-  return brick_pair_root(brick_pair_divide(a, b));
+  return sum;
 }
 
 /* Labels and signs of the axes; `order` sorts moments of I, ascending. */
-static void brick_label(brick_top *p, const brick_pair I[3], const brick_pair w[3], const brick_pair axis[3][3], const int order[3])
+static void brick_label(brick_top *p, const brick_pair I[3], const brick_pair w[3],
+    const brick_pair axis[3][3], const int order[3])
 {
-  const int small = order[0], middle = order[1], large = order[2];
+  const int small = order[0], middle = order[1], large = order[2], rod = !(I[small].hi > 0.0);
   const int e = brick_exponent(w[small].hi, w[large].hi);
-  const brick_pair sorted[3] = {I[small], I[middle], I[large]};
-  const brick_pair low = brick_pair_subtract(I[middle], I[small]), high = brick_pair_subtract(I[large], I[middle]);
-  brick_pair D = brick_circulation(sorted, brick_pair_scale(w[small], -e), brick_pair_scale(w[large], -e), low, high);
-  const int rod = !(I[small].hi > 0.0), reverse = rod || D.hi < 0.0;
-  const int own[3] = {reverse ? large : small, middle, reverse ? small : large};
+  const brick_real down = ldexp(1.0, brick_exponent(I[small].hi, 0.0)), up = 1.0/down;
+  const brick_pair low = brick_pair_subtract(I[middle], I[small]);
+  const brick_pair high = rod ? brick_pair_of(0.0) : brick_pair_shift(up,
+      brick_pair_subtract(I[large], I[middle]));
+  const brick_pair least = rod ? brick_pair_of(1.0) : brick_pair_shift(up, I[small]);
+  int own[3], reverse, i, j;
   brick_real sign[3];
-  int i, j;
 
   p->small13 = e;
+  p->down13 = ldexp(1.0, e);
+  p->up13 = 1.0/p->down13;
+  p->D = brick_circulation(least, I[large], brick_pair_shift(p->up13, w[small]),
+      brick_pair_shift(p->up13, w[large]), low, high);
+  reverse = rod || p->D.hi < 0.0;
+  own[0] = reverse ? large : small;
+  own[1] = middle;
+  own[2] = reverse ? small : large;
   p->s = reverse ? -1.0 : 1.0;
+  p->D = reverse ? brick_pair_minus(p->D) : p->D;
   p->d21 = reverse ? high : low;
   p->d32 = reverse ? low : high;
   p->d31 = brick_pair_subtract(I[large], I[small]);
+  p->small = down;
   sign[0] = w[own[0]].hi < 0.0 ? -1.0 : 1.0;
   sign[2] = w[own[2]].hi < 0.0 ? -1.0 : 1.0;
   sign[1] = own[1] == (own[0] + 1) % 3 ? sign[0]*sign[2] : -sign[0]*sign[2]; /* right-handed */
   for (i = 0; i < 3; i++) {
     p->I[i] = I[own[i]];
-    p->w[i] = brick_pair_times(sign[i], w[own[i]]);
+    p->J[i] = own[i] == small ? least : I[own[i]];
+    p->w[i] = brick_pair_shift(sign[i], w[own[i]]);
     for (j = 0; j < 3; j++) p->axis[i][j] = sign[i]*axis[own[i]][j].hi;
   }
-  p->rho = rod ? brick_pair_of(0.0) : brick_pair_divide(p->d21, p->I[2]);
-  D = reverse ? brick_pair_minus(D) : D;
-  if (rod) {
-    D = brick_pair_scale(p->w[2], -e);
-    D = brick_pair_multiply(brick_pair_multiply(D, D), p->d32);
-  } else {
-    D = brick_pair_divide(D, p->I[2]);
-  }
-  p->kc2 = brick_pair_multiply(D, p->d31); /* over |I3 - I2| Lambda1, which brick_invariants knows */
 }
 
 /* amplitudes, rate and modulus: sums of terms of one sign */
 static void brick_invariants(brick_top *p)
 {
-  brick_pair w[3], square[3], Delta3, g, wide;
+  const brick_real unit = p->s > 0.0 ? p->small : 1.0; /* what J1 and d32 are over */
+  brick_pair w1, w2, first, second, wide, g, B3;
   int i;
 
   p->small12 = brick_exponent(p->w[0].hi, p->w[1].hi);
-  for (i = 0; i < 3; i++) {
-    w[i] = i < 2 ? brick_pair_scale(p->w[i], -p->small12) : p->w[i];
-    square[i] = brick_pair_multiply(p->w[i], p->w[i]);
-  }
-  p->Lambda1 = brick_pair_multiply(p->rho, brick_pair_multiply(p->I[1], square[1]));
-  p->Lambda1 = brick_pair_add(p->Lambda1, brick_pair_multiply(square[2], p->d31));
-  Delta3 = brick_pair_multiply(brick_pair_multiply(p->I[0], p->d31), brick_pair_multiply(w[0], w[0]));
-  Delta3 = brick_pair_add(Delta3, brick_pair_multiply(brick_pair_multiply(p->I[1], p->d32), brick_pair_multiply(w[1], w[1])));
-  p->b[0] = brick_root_of(Delta3, brick_pair_multiply(p->I[0], p->d31));
-  p->b[1] = brick_root_of(Delta3, brick_pair_multiply(p->I[1], p->d32));
-  p->b[2] = brick_root_of(p->Lambda1, p->d31);
+  p->down12 = ldexp(1.0, p->small12);
+  p->up12 = 1.0/p->down12;
+  w1 = brick_pair_shift(p->up12, p->w[0]);
+  w2 = brick_pair_shift(p->up12, p->w[1]);
+  first = brick_pair_multiply(p->J[0], p->d31);
+  second = brick_pair_multiply(p->I[1], p->d32);
+  p->cross = brick_pair_root(brick_pair_multiply(first, second));
+  p->part1 = brick_pair_multiply(first, brick_pair_multiply(w1, w1));
+  p->part2 = brick_pair_multiply(second, brick_pair_multiply(w2, w2));
+  p->Delta3 = brick_pair_add(p->part1, p->part2);
+  wide = brick_pair_multiply(p->J[2], p->d31);
+  p->Lambda1 = brick_pair_add(brick_term(p->I[1], p->w[1], p->d21),
+      brick_pair_multiply(wide, brick_pair_multiply(p->w[2], p->w[2])));
+  p->b3 = brick_pair_root(brick_pair_divide(p->Lambda1, wide));
+  p->lambda = brick_pair_divide(brick_pair_multiply(p->b3, p->cross), brick_pair_multiply(p->J[0], p->I[1]));
   wide = brick_pair_multiply(p->d32, p->Lambda1);
-  p->lambda = brick_root_of(wide, brick_pair_multiply(p->I[0], p->I[1]));
-  p->k2 = brick_pair_divide(brick_pair_multiply(p->rho, Delta3), wide);
-  p->kc2 = brick_pair_divide(p->kc2, wide);
+  p->k2 = brick_pair_divide(brick_pair_multiply(p->d21, p->Delta3), wide);
+  p->kc2 = brick_pair_divide(brick_pair_multiply(p->d31, p->D), wide);
   p->G = brick_pair_of(0.0);
   for (i = 0; i < 3; i++) {
     g = brick_pair_multiply(p->I[i], p->w[i]);
     p->G = brick_pair_add(p->G, brick_pair_multiply(g, g));
   }
   p->G = brick_pair_root(p->G);
+
+  /* at u = 0, where L = (B1, 0, B3): tan = B1/(G + B3), and the phase of a turns at half of w3 + w1 tan */
+  B3 = brick_pair_multiply(p->I[2], p->b3);
+  g = brick_pair_add(p->G, B3);
+  first = brick_pair_divide(p->Delta3, p->d31);                              /* B1^2/I1 */
+  p->T = brick_pair_divide(brick_pair_root(brick_pair_shift(unit, brick_pair_multiply(p->I[0], first))), g);
+  p->climb = brick_pair_add(p->b3, brick_pair_shift(unit,
+      brick_pair_shift(p->down12, brick_pair_shift(p->down12, brick_pair_divide(first, g)))));
+  p->b[0] = sqrt(first.hi/p->J[0].hi);
+  p->b[1] = sqrt(p->Delta3.hi/second.hi);
+  p->b[2] = p->b3.hi;
 }
 
-/* The nome of modulus k from k^2 = m 2^power <= 0.51, k'^2 = mc: eps = (1 - sqrt k')/(2 (1 + sqrt k')),
- * q = eps + 2 eps^5 + 15 eps^9 + ... (DLMF 19.5.6, 22.20; integers: OEIS A002103), with 1 - sqrt k' = k^2 over two
- * factors.  Comes as a mantissa of the same power. */
-static brick_pair brick_nome(brick_pair m, brick_pair mc, int power)
-{
-  const brick_real series[9] = {1.0, (brick_real)2, (brick_real)15, (brick_real)150, (brick_real)1707, (brick_real)20910, (brick_real)268616,
-                                  (brick_real)3567400, (brick_real)48555069};
-  const brick_pair k = brick_pair_root(mc), root = brick_pair_root(k), first = brick_pair_add(brick_pair_of(1.0), k);
-  const brick_pair second = brick_pair_add(brick_pair_of(1.0), root);
-  const brick_pair eps = brick_pair_divide(brick_pair_scale(m, -1), brick_pair_multiply(first, brick_pair_multiply(second, second)));
-  const brick_pair e2 = brick_pair_scale(brick_pair_multiply(eps, eps), 2*power), e4 = brick_pair_multiply(e2, e2);
-  brick_pair sum = brick_pair_of(series[8]);
-  int i;
-
-  for (i = 7; i >= 0; i--) sum = brick_pair_add(brick_pair_of(series[i]), brick_pair_multiply(sum, e4));
-  return brick_pair_multiply(eps, sum);
-}
-
-static brick_pair brick_pi(void)
-{
-  const brick_pair pi = {3.141592653589793, 1.2246467991473532e-16};
-
-  return pi;
-}
-
-static brick_pair brick_log2(void)
-{
-  const brick_pair log2 = {0.6931471805599453, 2.3190468138462996e-17};
-
-  return log2;
-}
-
-static void brick_store(brick_real out[2], brick_pair a)
-{
-  out[0] = a.hi;
-  out[1] = a.lo;
-}
-
-/* pi/2 theta3(0; q)^2 = K (DLMF 22.2.2), q <= 0.044 */
-static brick_pair brick_complete(brick_pair q)
-{
-  const brick_pair q2 = brick_pair_multiply(q, q), q3 = brick_pair_multiply(q2, q), q5 = brick_pair_multiply(q3, q2);
-  brick_pair t = brick_pair_multiply(q5, brick_pair_add(brick_pair_of(1.0), brick_pair_multiply(brick_pair_multiply(q5, q2),
-      brick_pair_add(brick_pair_of(1.0), brick_pair_multiply(brick_pair_multiply(q5, q3), q)))));
-
-  t = brick_pair_multiply(q, brick_pair_add(brick_pair_of(1.0), brick_pair_multiply(q3, brick_pair_add(brick_pair_of(1.0), t))));
-  t = brick_pair_add(brick_pair_of(1.0), brick_pair_scale(t, 1));
-  return brick_pair_scale(brick_pair_multiply(brick_pi(), brick_pair_multiply(t, t)), -1);
-}
-
-/* Both nomes from the smaller one, log q log q' = pi^2; hyperbolic from kappa = 1 on, where the two series converge alike */
-static void brick_nomes(brick_top *p)
-{
-  const brick_pair m = brick_pair_scale(p->k2, 2*p->small12), mc = brick_pair_scale(p->kc2, 2*p->small13);
-  const brick_pair pi = brick_pi();
-
-  p->hyperbolic = 0;
-  if (m.hi <= 0.5) {
-    p->q = brick_nome(p->k2, mc, 2*p->small12);
-    p->K = brick_complete(brick_pair_scale(p->q, 2*p->small12));
-    return;
-  }
-  p->qc = brick_nome(p->kc2, m, 2*p->small13);
-  p->hyperbolic = 1;
-  p->log_qc = brick_pair_of(0.0);
-  if (p->qc.hi > 0.0) { /* else on the separatrix, to the last bit */
-    p->log_qc = brick_pair_log(p->qc);
-    p->log_qc = brick_pair_add(p->log_qc, brick_pair_times((brick_real)(2*p->small13), brick_log2()));
-    p->hyperbolic = p->log_qc.hi < -2.0*pi.hi;
-  }
-  p->qc = brick_pair_scale(p->qc, 2*p->small13);
-  p->Kc = brick_complete(p->qc);
-  if (!p->hyperbolic) {
-    p->q = brick_pair_exp(brick_pair_divide(brick_pair_multiply(pi, pi), p->log_qc), -2*p->small12);
-    p->K = brick_pair_divide(brick_pair_multiply(p->Kc, p->log_qc), brick_pair_minus(pi));
-  }
-}
-
-/* u0 from sn, cn, dn: F(phi, k^2) = sn R_F(cn^2, dn^2, 1) for |phi| <= pi/2 (DLMF 19.25.5) */
-static brick_pair brick_argument(const brick_top *p)
-{
-  const brick_pair sn = brick_pair_times(p->s, brick_pair_divide(brick_pair_scale(p->w[1], -p->small12), p->b[1]));
-  const brick_pair cn = brick_pair_divide(brick_pair_scale(p->w[0], -p->small12), p->b[0]);
-  const brick_pair dn = brick_pair_divide(p->w[2], p->b[2]);
-
-  return brick_pair_multiply(sn, brick_carlson(cn, dn, brick_pair_of(1.0)));
-}
-
-static void brick_quaternion_product(const brick_real a[4], const brick_real b[4], brick_real out[4])
-{
-  out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
-  out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
-  out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
-  out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
-}
+/* ---- set-up away from the separatrix ---- */
 
 /* c[0] + c[1] y[1] + ...: a series in multiple angles, y[n+1] = 2 X y[n] - y[n-1], as a polynomial in X; y[0] = 1 and
  * y[1] = first + slope X */
-static void brick_polynomial(int n, const brick_real c[], brick_real first, brick_real slope, brick_real out[])
+static void brick_polynomial(int n, const brick_real c[], brick_real first, brick_real slope,
+    brick_real out[])
 {
   brick_real before[5] = {1.0, 0.0, 0.0, 0.0, 0.0};
   brick_real now[5] = {first, slope, 0.0, 0.0, 0.0}, next[5];
@@ -1445,62 +1424,107 @@ static void brick_polynomial(int n, const brick_real c[], brick_real first, bric
     }
   }
 }
+/* The means a, g of 1 and k' (DLMF 19.8.2), as far as they are needed: after four steps they agree to 2^-35, and what is
+ * left is added as a series. */
+typedef struct brick_agm {
+  brick_pair k, a1, g1, a2, g2, a3, g3; /* k' first */
+  brick_pair M;                         /* their limit, pi/(2 K) */
+  brick_pair q;                         /* nome, up12^2 */
+} brick_agm;
 
-/* Away from the separatrix.  q^(1/2) e^eta = E = exp(-pi F/(2 K)), F = B3 R_F(B1^2, B2^2, G^2), e^(-2 eta) = r = q/E^2;
- * mu = G/(2 I2) - s z'/2 d log theta2(i eta; q)/d eta, whose terms are of the size of the rates. */
-static void brick_circular(brick_orbit *o, const brick_top *p)
+/* The nome: q^(2^n) = e + 2 e^5 + 15 e^9 + ... with e = (a_n - g_n)/(8 a_(n+2)) (DLMF 19.5.6 at the n-th modulus).  From
+ * n to n + 1 e becomes e^2 a_(n+2)/a_(n+3), which gives q as a product that ends quickly,
+ *     q = k^2/(8 a_1 (1 + g_1) sqrt a_3) (a_3/a_4)^(1/4) (a_4/a_5)^(1/8) ... */
+static void brick_nome(brick_agm *f, const brick_top *p)
 {
-  const brick_pair one = brick_pair_of(1.0), pi = brick_pi(), K2 = brick_pair_scale(p->K, 1);
-  const brick_pair rate = brick_pair_divide(p->lambda, K2), start = brick_pair_divide(brick_argument(p), K2);
-  const brick_pair q = brick_pair_scale(p->q, 2*p->small12);
-  brick_pair F, E, E2, r, r2, up, down, odd, power, D, total;
+  const brick_pair one = brick_pair_of(1.0);
+  brick_pair a4, a5, d, rest, u;
+  brick_real t;
+
+  f->k = brick_pair_root(brick_pair_shift(p->down13, brick_pair_shift(p->down13, p->kc2)));
+  f->a1 = brick_pair_shift(0.5, brick_pair_add(one, f->k));
+  f->g1 = brick_pair_root(f->k);
+  f->a2 = brick_pair_shift(0.5, brick_pair_add(f->a1, f->g1));
+  f->g2 = brick_pair_root(brick_pair_multiply(f->a1, f->g1));
+  f->a3 = brick_pair_shift(0.5, brick_pair_add(f->a2, f->g2));
+  f->g3 = brick_pair_root(brick_pair_multiply(f->a2, f->g2));
+  d = brick_pair_subtract(f->a3, f->g3);
+  a4 = brick_pair_subtract(f->a3, brick_pair_shift(0.5, d));
+  u = brick_pair_multiply(d, d);
+  t = u.hi/((brick_real)16*a4.hi);
+  /* a_4 - a_5 = (a_3 - g_3)^2/(16 a_5) */
+  rest = brick_pair_divide(u, brick_pair_shift((brick_real)16, brick_pair_subtract(a4, brick_pair_of(t))));
+  a5 = brick_pair_subtract(a4, rest);
+  f->M = brick_pair_subtract(a5, brick_pair_of(t*t/(4.0*a5.hi)));
+
+  /* (1 + 4 u)^(1/4) = 1 + u - 3/2 u^2 + 7/2 u^3 - 77/8 u^4 + 231/8 u^5, u < 2^-18 */
+  u = brick_pair_divide(brick_pair_shift(0.125, d), a4);
+  t = u.hi;
+  u = brick_pair_add(u, brick_pair_subtract(brick_pair_of((t*t*t)*((brick_real)7/2.0
+      - t*((brick_real)77/8.0 - t*((brick_real)231/8.0)))),
+      brick_pair_times(1.5, brick_pair_multiply(u, u))));
+  /* (1 + 8 r)^(1/8) = 1 + r - 7/2 r^2, and a_5/a_6 = 1 + 16 r^2 */
+  rest = brick_pair_divide(brick_pair_shift(0.125, rest), a5);
+  t = rest.hi;
+  u = brick_pair_add(u, brick_pair_add(rest, brick_pair_of(t*(u.hi - (brick_real)5/2.0*t*(1.0 + u.hi)))));
+  f->q = brick_pair_divide(p->k2, brick_pair_shift(8.0,
+      brick_pair_multiply(f->a1, brick_pair_multiply(brick_pair_add(one, f->g1), brick_pair_root(f->a3)))));
+  f->q = brick_pair_add(f->q, brick_pair_multiply(f->q, u));
+}
+
+/* z at t = 0, in units of pi.  Two of Gauss's transformations, in which z is doubled (DLMF 22.7.2 and its companions), lead
+ * to functions of nome q^4, where sc = tan up to q^8 (DLMF 20.2.1-2, 22.2). */
+static brick_pair brick_start(const brick_top *p, const brick_agm *f, brick_real q8)
+{
+  const brick_real size = ldexp(1.0, -brick_exponent(p->Delta3.hi, 0.0)), q24 = q8*q8*q8;
+  const brick_pair w12 = brick_pair_multiply(brick_pair_shift(p->up12, p->w[0]),
+      brick_pair_shift(p->up12, p->w[1]));
+  const brick_pair c = brick_pair_shift(size, brick_pair_subtract(p->part1,
+      brick_pair_multiply(f->k, p->part2)));
+  const brick_pair s = brick_pair_shift(p->s*size*2.0,
+      brick_pair_multiply(f->a1, brick_pair_multiply(w12, p->cross)));
+  brick_pair x = brick_pair_multiply(f->a2, brick_pair_subtract(brick_pair_multiply(f->a1,
+      brick_pair_multiply(c, c)), brick_pair_multiply(f->g1, brick_pair_multiply(s, s))));
+  brick_pair y = brick_pair_multiply(f->g3, brick_pair_shift(2.0,
+      brick_pair_multiply(f->a2, brick_pair_multiply(c, s))));
+  brick_real more_x = 0.0, more_y = 0.0, cosine, X, Y;
+  int i;
+
+  for (i = 0; i < 3; i++) { /* the series know cos 8 z to 2^-15, 2^-30, 2^-45 */
+    X = x.hi + more_x;
+    Y = y.hi + more_y;
+    cosine = (X - Y)*(X + Y)/(X*X + Y*Y);
+    X = 2.0*cosine;
+    more_x = x.hi*(q24*(X*X + X - 1.0) - q8*(1.0 + X));
+    more_y = y.hi*(q24*(X*X - X - 1.0) - q8*(1.0 - X));
+  }
+  /* 4 z, or less by a turn if |2 z| > pi/2 */
+  x = brick_pair_angle(brick_pair_add(x, brick_pair_of(more_x)), brick_pair_add(y, brick_pair_of(more_y)));
+  if (c.hi < 0.0) x = brick_pair_add(x, brick_pair_shift(p->s*p->w[1].hi < 0.0 ? -2.0 : 2.0,
+      brick_pi()));
+  return brick_pair_shift(0.25, brick_pair_multiply(x, brick_inverse_pi()));
+}
+
+/* The coefficients away from the separatrix: E = q^(1/2) e^eta, r = e^(-2 eta) */
+static void brick_circular_series(brick_orbit *o, brick_real s, brick_real q, brick_real E, brick_real r)
+{
   brick_real e[8], g[8], c[5], Q[26], sign;
   int n;
-
-  F = brick_carlson(brick_pair_scale(brick_pair_multiply(p->I[0], p->b[0]), p->small12),
-               brick_pair_scale(brick_pair_multiply(p->I[1], p->b[1]), p->small12), p->G);
-  F = brick_pair_multiply(brick_pair_multiply(p->I[2], p->b[2]), F);
-  E = brick_pair_exp(brick_pair_divide(brick_pair_multiply(pi, F), brick_pair_minus(K2)), -p->small12);
-  r = brick_pair_divide(p->q, brick_pair_multiply(E, E));
-  E = brick_pair_scale(E, p->small12);
-  E2 = brick_pair_multiply(E, E);
-
-  /* sum (2n+1) q^(n^2) E^(2n) (1 - r^(2n+1)) over the same without 2n+1 and with a plus */
-  r2 = brick_pair_multiply(r, r);
-  up = down = brick_pair_of(0.0);
-  power = one; /* q^(n^2) E^(2n) */
-  odd = r;     /* r^(2n+1) */
-  D = brick_pair_multiply(q, E2);
-  total = brick_pair_multiply(q, q);
-  for (n = 0; n < 8; n++) {
-    up = brick_pair_add(up, brick_pair_times((brick_real)(2*n + 1), brick_pair_multiply(power, brick_pair_subtract(one, odd))));
-    down = brick_pair_add(down, brick_pair_multiply(power, brick_pair_add(one, odd)));
-    odd = brick_pair_multiply(odd, r2);
-    power = brick_pair_multiply(power, D);
-    D = brick_pair_multiply(D, total);
-  }
-  D = brick_pair_multiply(brick_pair_divide(up, down), rate);
-  total = brick_pair_divide(p->G, brick_pair_multiply(pi, p->I[1]));
-  total = brick_pair_scale(brick_pair_subtract(total, brick_pair_times(p->s, D)), -2);
-  o->hyperbolic = 0;
-  brick_store(o->start, brick_pair_scale(start, -1)); /* the rates have two periods of theta functions */
-  brick_store(o->rate, brick_pair_scale(rate, -1));
-  brick_store(o->turn, total);
 
   /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin z - ... */
   e[0] = g[0] = 1.0;
   for (n = 1; n < 8; n++) {
-    e[n] = e[n - 1]*E.hi;
-    g[n] = g[n - 1]*(E.hi*r.hi);
+    e[n] = e[n - 1]*E;
+    g[n] = g[n - 1]*(E*r);
   }
   Q[0] = 1.0; /* powers of q */
-  for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q.hi;
+  for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q;
   /* what q <= exp(-pi/2) leaves above 2^-54 */
   for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = n == 0 ? 1.0 : sign*Q[n*(2*n - 1)]*(e[2*n] + g[2*n]);
   brick_polynomial(4, c, 0.0, 1.0, o->a);
-  for (n = 1, sign = -2.0; n < 4; n++, sign = -sign) c[n - 1] = p->s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
+  for (n = 1, sign = -2.0; n < 4; n++, sign = -sign) c[n - 1] = s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
   brick_polynomial(3, c, 0.0, 2.0, o->b);
-  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = p->s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
+  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
   brick_polynomial(4, c, 1.0, 2.0, o->c);
   for (n = 0, sign = -1.0; n < 4; n++, sign = -sign) c[n] = sign*Q[n*(2*n + 1)]*(e[2*n + 1] - g[2*n + 1]);
   brick_polynomial(4, c, -1.0, 2.0, o->d);
@@ -1519,10 +1543,85 @@ static void brick_circular(brick_orbit *o, const brick_top *p)
     for (n = 0; n < 5; n++) c[n] = (n ? 2.0 : 1.0)*Q[n*n];
     brick_polynomial(5, c, 0.0, 1.0, o->f + 5);
     o->scale[0] = 1.0/two_;
-    o->scale[1] = p->s*three_/(two_*four_);
+    o->scale[1] = s*three_/(two_*four_);
     o->scale[2] = 1.0/three_;
   }
 }
+
+/* At u = 0 b/a = T.  With v = E - q/E, S = q (E^2 + (q/E)^2) = q (v^2 + 2 q) the two series are
+ *     b = v (1 - q^2 (S + q^2) + q^8 (S^2 + q^2 S - q^4) - ...),
+ *     a = 1 - S + q^4 (S^2 - 2 q^4) - q^12 (S^3 - 3 q^4 S) + ...:
+ * one equation for v, solved by Newton's method, the last step in pairs.  There the phase of a(t) turns at half of
+ * `climb`, theta4 has its part in it, and the rest is mu: with d = q (E^2 - (q/E)^2)
+ *     mu = climb/2 + s z' (2 d - 4 q^4 d S + 6 q^12 d (S^2 - q^4) - ...)/a. */
+static void brick_circular(brick_orbit *o, const brick_top *p)
+{
+  const brick_pair one = brick_pair_of(1.0);
+  brick_pair q, q2, q4, q8, S, S2, a, b, v, d, rate, start, turn;
+  brick_agm f;
+  brick_real q24, T = p->T.hi, square = p->down12*p->down12, x, da, db, dS, E, r;
+  int i;
+
+  brick_nome(&f, p);
+  q = brick_pair_shift(square, f.q);
+  q2 = brick_pair_multiply(q, q);
+  q4 = brick_pair_multiply(q2, q2);
+  q8 = brick_pair_multiply(q4, q4);
+  q24 = q8.hi*q8.hi*q8.hi;
+  start = brick_start(p, &f, q8.hi);
+  rate = brick_pair_multiply(brick_pair_multiply(p->lambda, f.M), brick_inverse_pi());
+
+  x = T/(1.0 + q.hi*(T*T*square));
+  dS = S.hi = da = db = 0.0;
+  for (i = 0; i < 4; i++) { /* errors 2^-4, 2^-11, 2^-24, 2^-49, rounding; v, T and E are all up12 */
+    const brick_real s = q.hi*(square*(x*x + 2.0*f.q.hi)), Q = q4.hi, Q2 = q2.hi, Q8 = q8.hi;
+    const brick_real up = 1.0 - s + Q*(s*s - 2.0*Q - Q8*s*(s*s - 3.0*Q));
+    const brick_real down = 1.0 - Q2*(s + Q2) + Q8*((s*s + Q2*s - Q) - Q8*Q2*(s*(s*(s + Q2) - 2.0*Q) - Q*Q2));
+
+    da = Q*(2.0*s - 3.0*Q8*(s*s - Q)) - 1.0;
+    db = Q8*(2.0*s + Q2) - Q2;
+    dS = 2.0*q.hi*(square*x);
+    x += (T*up - x*down)/(down - (T*da - x*db)*dS);
+  }
+  S = brick_pair_multiply(brick_pair_shift(square, q),
+      brick_pair_add(brick_pair_product(x, x), brick_pair_shift(2.0, f.q)));
+  S2 = brick_pair_multiply(S, S);
+  a = brick_pair_subtract(brick_pair_subtract(S2, brick_pair_shift(2.0, q4)),
+      brick_pair_multiply(brick_pair_multiply(q8, S), brick_pair_subtract(S2, brick_pair_times(3.0, q4))));
+  a = brick_pair_add(brick_pair_subtract(one, S), brick_pair_multiply(q4, a));
+  a = brick_pair_add(a, brick_pair_of(q24*(S2.hi*(S2.hi - 4.0*q4.hi) + 2.0*q8.hi)));
+  b = brick_pair_multiply(q2, brick_pair_add(S, q2));
+  d = brick_pair_multiply(q8, brick_pair_subtract(brick_pair_add(S2, b), brick_pair_shift(2.0, q4)));
+  r = q2.hi*(S.hi*(S2.hi + q2.hi*S.hi - 2.0*q4.hi) - q2.hi*q4.hi);
+  r = q8.hi*q8.hi*(r - q8.hi*q8.hi*(S.hi*(S.hi*(S.hi*(S.hi + q2.hi) - 3.0*q4.hi) - 2.0*q2.hi*q4.hi) + q8.hi));
+  b = brick_pair_add(brick_pair_subtract(one, b), brick_pair_subtract(d, brick_pair_of(r)));
+  r = brick_pair_subtract(brick_pair_multiply(p->T, a), brick_pair_times(x, b)).hi/(b.hi - (T*da - x*db)*dS);
+  v = brick_pair_sum(x, r);
+  S.lo += dS*r;
+  S2.lo += 2.0*S.hi*(dS*r);
+  a.lo += da*dS*r;
+
+  d = brick_pair_root(brick_pair_add(brick_pair_multiply(v, v), brick_pair_shift(4.0, f.q)));
+  E = 0.5*(v.hi + d.hi);
+  r = f.q.hi/(E*E);
+  E *= p->down12;
+  d = brick_pair_multiply(brick_pair_multiply(brick_pair_shift(square, q), v), d);
+  turn = brick_pair_subtract(brick_pair_shift(2.0, S),
+      brick_pair_multiply(brick_pair_times(3.0, q8), brick_pair_subtract(S2, q4)));
+  turn = brick_pair_add(brick_pair_subtract(one, brick_pair_multiply(q4, turn)),
+      brick_pair_of(-4.0*q24*(S.hi*(S2.hi - 2.0*q4.hi)
+      - ((brick_real)5/4.0)*(q8.hi*q8.hi)*(S2.hi*S2.hi))));
+  turn = brick_pair_multiply(brick_pair_multiply(rate, brick_pair_divide(d, a)), turn);
+  turn = brick_pair_add(brick_pair_shift(0.25, brick_pair_multiply(p->climb, brick_inverse_pi())),
+      brick_pair_shift(p->s, turn));
+  o->hyperbolic = 0;
+  brick_store(o->start, brick_pair_shift(0.5, start)); /* the rates have two periods of theta functions */
+  brick_store(o->rate, brick_pair_shift(0.5, rate));
+  brick_store(o->turn, turn);
+  brick_circular_series(o, p->s, q.hi, E, r);
+}
+
+/* ---- set-up near the separatrix ---- */
 
 /* c[n] p^(n(n + 1)) cosh((2n + 1)V)/cosh V, n < 4, summed, as a polynomial in U = p cosh 2V */
 static void brick_multiples(const brick_real c[4], brick_real p, brick_real out[4])
@@ -1535,68 +1634,15 @@ static void brick_multiples(const brick_real c[4], brick_real p, brick_real out[
   out[3] = 8.0*p8*p*c[3];
 }
 
-/* Near the separatrix.  h = kappa eta = pi v/(4 K'), sc(v, k') = sqrt(I1 (I3 - I2)/(I3 (I2 - I1))); V has the period
- * pi kappa = -log(q')/2 (none on the separatrix), at which the phase about L jumps by -2 s h; between,
- * mu = G/(2 I2) - s V' theta4'(2h; q')/theta4(2h; q'). */
-static void brick_hyperbolic(brick_orbit *o, const brick_top *p)
+/* The coefficients near the separatrix, Q the nome of k': cosine[n] = cos((2n + 1)h), sine[n] = -+s sin((2n + 1)h), or a
+ * multiple of both */
+static void brick_hyperbolic_series(brick_orbit *o, brick_real s, brick_real Q, const brick_real cosine[4],
+    const brick_real sine[4])
 {
-  const brick_pair one = brick_pair_of(1.0), pi = brick_pi(), K4 = brick_pair_scale(p->Kc, 2);
-  const brick_pair scale = brick_pair_divide(pi, K4);
-  const brick_pair rate = brick_pair_multiply(p->lambda, scale), start = brick_pair_multiply(brick_argument(p), scale);
-  const brick_pair sum = brick_pair_multiply(p->I[1], p->d31);
-  const brick_pair sn = brick_root_of(brick_pair_multiply(p->I[0], p->d32), sum), cn = brick_root_of(brick_pair_multiply(p->I[2], p->d21), sum);
-  const brick_pair dn = brick_pair_multiply(p->G, brick_root_of(p->rho, brick_pair_multiply(p->I[1], p->Lambda1)));
-  const brick_pair v = brick_pair_multiply(sn, brick_carlson(cn, dn, one));
-  brick_pair turn = brick_pair_divide(v, K4), c1, s1, c, s, up, down, power, odd, ratio;
-  brick_real cosine[4], sine[4]; const brick_real h = brick_pair_multiply(pi, turn).hi; brick_real P, Q, Q2, two_, three_, four_;
-  int n;
+  const brick_real P = sqrt(Q), Q2 = Q*Q;
+  brick_real two_, three_, four_;
 
-  brick_pair_circle(brick_pair_scale(brick_pair_multiply(pi, turn), 2), &c1, &s1); /* 4h: cos - 1, sin */
-  up = brick_pair_of(0.0);
-  down = one;
-  c = brick_pair_add(one, c1);
-  s = s1;
-  power = p->qc;
-  odd = brick_pair_multiply(p->qc, brick_pair_multiply(p->qc, p->qc));
-  for (n = 1; n < 5; n++) { /* theta4(x) = 1 - 2 q' cos 2x + 2 q'^4 cos 4x - ... */
-    ratio = c;
-    up = brick_pair_add(up, brick_pair_times((brick_real)(n % 2 ? 4*n : -4*n), brick_pair_multiply(power, s)));
-    down = brick_pair_add(down, brick_pair_times((brick_real)(n % 2 ? -2 : 2), brick_pair_multiply(power, c)));
-    c = brick_pair_subtract(brick_pair_add(ratio, brick_pair_multiply(ratio, c1)), brick_pair_multiply(s, s1));
-    s = brick_pair_add(brick_pair_add(s, brick_pair_multiply(s, c1)), brick_pair_multiply(ratio, s1));
-    power = brick_pair_multiply(power, odd);
-    odd = brick_pair_multiply(odd, brick_pair_multiply(p->qc, p->qc));
-  }
-  up = brick_pair_multiply(rate, brick_pair_divide(up, down));
-  up = brick_pair_subtract(brick_pair_divide(p->G, brick_pair_scale(p->I[1], 1)), brick_pair_times(p->s, up));
-  up = brick_pair_divide(up, brick_pair_scale(pi, 1));
-  if (p->qc.hi > 0.0 || p->log_qc.hi < 0.0) {
-    const brick_pair period = brick_pair_minus(p->log_qc), per = brick_pair_divide(rate, period);
-
-    turn = brick_pair_times(p->s, turn);
-    brick_store(o->rate, per);
-    brick_store(o->start, brick_pair_divide(start, period));
-    brick_store(o->turn, brick_pair_subtract(up, brick_pair_scale(brick_pair_multiply(turn, per), 1)));
-    o->jump = turn.hi;
-    o->half = brick_pair_divide(period, brick_pair_scale(brick_log2(), 1)).hi;
-  } else { /* none: that of 1.2676506002282294e30, beyond which V never comes */
-    const brick_pair period = brick_pair_times(1.2676506002282294e30, brick_log2());
-
-    brick_store(o->rate, brick_pair_scale(brick_pair_divide(rate, period), -1));
-    brick_store(o->start, brick_pair_scale(brick_pair_divide(start, period), -1));
-    brick_store(o->turn, up);
-    o->half = 1.2676506002282294e30;
-  }
-
-  o->hyperbolic = o->half < 2.0*500.0 ? 1 : 2;
-  P = sqrt(p->qc.hi);
-  Q = p->qc.hi;
-  Q2 = Q*Q;
   o->nome = 0.5*P;
-  for (n = 0; n < 4; n++) {
-    cosine[n] = cos((brick_real)(2*n + 1)*h);
-    sine[n] = (n % 2 ? p->s : -p->s)*sin((brick_real)(2*n + 1)*h);
-  }
   brick_multiples(cosine, P, o->a);
   brick_multiples(sine, P, o->b);
   o->f[0] = 1.0 + 2.0*Q2*Q2; /* with (n + 1/2)^2 = 2 (n(n + 1)/2) + 1/4 ... */
@@ -1612,8 +1658,170 @@ static void brick_hyperbolic(brick_orbit *o, const brick_top *p)
   three_ = 1.0 + 2.0*(Q + Q*Q*Q*Q);
   four_ = 1.0 - 2.0*(Q - Q*Q*Q*Q);
   o->scale[0] = 1.0/four_;
-  o->scale[1] = p->s*three_/(2.0*two_*four_);
+  o->scale[1] = s*three_/(2.0*two_*four_);
   o->scale[2] = 1.0/three_;
+}
+
+/* V at t = 0 for k' <= 0.172, by the imaginary transformation: functions of 2 i V of nome Q (DLMF 22.6.ix, 22.2), from
+ * cd = dn of that, which is 1 - w + ... over 1 + w + ..., w = 2 Q cosh 4V, and sc = tanh of it, which gives sinh 2V.
+ * Where dn u < sqrt k' the same for K - u, half a period less V: so w <= sqrt Q. */
+static brick_pair brick_hyperbolic_start(const brick_top *p, brick_pair k, brick_pair Q, brick_pair period)
+{
+  const brick_pair one = brick_pair_of(1.0), w1 = brick_pair_shift(p->up13, p->w[0]),
+      w3 = brick_pair_shift(p->up13, p->w[2]);
+  const brick_pair kc = brick_pair_root(p->kc2), Q2 = brick_pair_multiply(Q, Q);
+  const brick_pair two_ = brick_pair_add(one, brick_pair_add(Q2, brick_pair_of(Q2.hi*Q2.hi*Q2.hi))),
+      three_ = brick_pair_add(one, brick_pair_shift(2.0, brick_pair_add(Q, brick_pair_multiply(Q2, Q2))));
+  const brick_real q = Q.hi, sign = (p->w[1].hi < 0.0) == (p->s < 0.0) ? 1.0 : -1.0;
+  brick_real dn = w3.hi/p->b3.hi, more;
+  const int far = dn*dn*p->down13 < kc.hi;
+  int e = p->small12 - p->small13;
+  brick_pair up, down, y, w, V;
+
+  up = brick_pair_multiply(brick_pair_shift(p->w[1].hi < 0.0 ? -p->up12 : p->up12, p->w[1]), p->cross);
+  down = brick_pair_multiply(w1, brick_pair_multiply(p->J[0], p->d31)); /* sc = up/down 2^e */
+  if (far) {
+    y = brick_pair_root(brick_pair_divide(brick_pair_multiply(k, p->part2), p->Delta3));
+    w = brick_pair_multiply(up, kc);
+    up = down;
+    down = w;
+    e = -p->small12;
+  } else {
+    y = brick_pair_divide(brick_pair_multiply(p->J[0], brick_pair_multiply(p->Lambda1, k)),
+        brick_pair_multiply(p->J[2], p->Delta3));
+    y = brick_pair_divide(brick_pair_shift(p->up12, brick_pair_multiply(w1, brick_pair_root(y))), w3);
+  }
+  w = brick_pair_divide(brick_pair_subtract(one, y), brick_pair_add(one, y));
+  more = Q2.hi*(w.hi*w.hi - 2.0*Q2.hi); /* 2 Q^4 cosh 8V = Q^2 (w^2 - 2 Q^2) */
+  dn = w.hi*(1.0 + more);
+  more = Q2.hi*(dn*dn - 2.0*Q2.hi);
+  w = brick_pair_add(w, brick_pair_of(w.hi*more));
+  up = brick_pair_multiply(brick_pair_multiply(up, two_),
+      brick_pair_add(brick_pair_subtract(one, w), brick_pair_of(more)));
+  V = brick_pair_subtract(one, brick_pair_multiply(Q, brick_pair_add(w, Q)));
+  V = brick_pair_add(V, brick_pair_of(Q2.hi*Q2.hi*(w.hi*w.hi + q*w.hi - Q2.hi)));
+  V = brick_pair_divide(up, brick_pair_multiply(brick_pair_multiply(down, three_), V)); /* sinh 2V 2^-e */
+  if (ldexp(V.hi, e) > 1.0) {
+    y = brick_pair_scale(brick_pair_divide(one, V), -e);
+    V = brick_pair_log(brick_pair_multiply(V, brick_pair_add(one,
+        brick_pair_root(brick_pair_add(one, brick_pair_multiply(y, y))))), e);
+  } else {
+    V = brick_pair_scale(V, e);
+    V = brick_pair_log(brick_pair_add(V, brick_pair_root(brick_pair_add(one, brick_pair_multiply(V, V)))), 0);
+  }
+  V = brick_pair_shift(0.5, V);
+  if (far) V = brick_pair_subtract(brick_pair_shift(0.5, period), V);
+  return brick_pair_shift(sign, V);
+}
+
+/* Near the separatrix, Q the nome of k'.  Its period is pi kappa = -log(Q)/2 (none on the separatrix), at which the phase
+ * about L jumps by -2 s h, h = kappa eta.  At u = 0 b/a = T is
+ *     (sin h - Q sin 3h + Q^3 sin 5h - ...)/(cos h + Q cos 3h + Q^3 cos 5h + ...),
+ * an equation for x = tan h; c = cos 2h.  Half of `climb` there is mu - s V' d log theta2/dh. */
+static void brick_hyperbolic(brick_orbit *o, const brick_top *p)
+{
+  const brick_pair one = brick_pair_of(1.0);
+  const brick_pair k = brick_pair_root(brick_pair_shift(p->down12, brick_pair_shift(p->down12, p->k2))),
+      more = brick_pair_add(one, brick_pair_root(k));
+  const brick_real T = brick_pair_shift(p->down12, p->T).hi, square = p->down13*p->down13;
+  brick_pair Q, Q2, Q3, c, first, second, up, down, rise, rate, start, turn, period, tangent;
+  brick_real sine[5], cosine[5], q, q3, q6, x, C, dc, slope, r;
+  int i;
+
+  /* nome (DLMF 19.5.6) up13^2; theta3(0; Q)^2 = 2 K'/pi */
+  Q = brick_pair_divide(brick_pair_shift(0.5, p->kc2),
+      brick_pair_multiply(brick_pair_add(one, k), brick_pair_multiply(more, more)));
+  Q2 = brick_pair_shift(square, brick_pair_shift(square, brick_pair_multiply(Q, Q)));
+  Q2 = brick_pair_multiply(Q2, Q2);
+  Q = brick_pair_add(Q, brick_pair_multiply(Q, brick_pair_add(brick_pair_shift(2.0, Q2),
+      brick_pair_of((brick_real)15*(Q2.hi*Q2.hi)))));
+  period = brick_pair_of(0.0);
+  /* else on the separatrix, to the last bit */
+  if (Q.hi > 0.0) period = brick_pair_shift(-0.5, brick_pair_log(Q, 2*p->small13));
+  Q = brick_pair_shift(square, Q);
+  Q2 = brick_pair_multiply(Q, Q);
+  Q3 = brick_pair_multiply(Q2, Q);
+  q = Q.hi;
+  q3 = Q3.hi;
+  q6 = q3*q3;
+  c = brick_pair_add(Q, brick_pair_add(brick_pair_multiply(Q2, Q2), brick_pair_of(q6*q3)));
+  c = brick_pair_add(one, brick_pair_shift(2.0, c));
+  rate = brick_pair_divide(brick_pair_shift(0.5, p->lambda), brick_pair_multiply(c, c));
+
+  x = T;
+  slope = C = dc = 0.0;
+  for (i = 0; i < 3; i++) { /* errors 2^-8, 2^-25, 2^-59 */
+    const brick_real u = 1.0/(1.0 + x*x);
+
+    C = (1.0 - x*x)*u;
+    dc = -4.0*x*(u*u);
+    slope = 1.0 - q*(1.0 + 2.0*C) + q3*(4.0*C*C + 2.0*C - 1.0);
+    r = T*(1.0 + q*(2.0*C - 1.0) + q3*(4.0*C*C - 2.0*C - 1.0)) - x*slope;
+    slope += dc*(x*(q3*(8.0*C + 2.0) - 2.0*q) - T*(2.0*q + q3*(8.0*C - 2.0)));
+    x += r/slope;
+  }
+  sine[0] = cosine[0] = 1.0; /* over sin h, cos h: of h, 3 h, ... 9 h */
+  sine[1] = 2.0*C + 1.0;
+  cosine[1] = 2.0*C - 1.0;
+  for (i = 2; i < 5; i++) {
+    sine[i] = 2.0*C*sine[i - 1] - sine[i - 2];
+    cosine[i] = 2.0*C*cosine[i - 1] - cosine[i - 2];
+  }
+
+  c = brick_pair_product(x, x);
+  c = brick_pair_divide(brick_pair_subtract(one, c), brick_pair_add(one, c));
+  first = brick_pair_multiply(Q, brick_pair_add(one, brick_pair_shift(2.0, c)));
+  second = brick_pair_multiply(Q3, brick_pair_subtract(brick_pair_shift(2.0,
+      brick_pair_add(c, brick_pair_shift(2.0, brick_pair_multiply(c, c)))), one));
+  up = brick_pair_add(brick_pair_subtract(one, first),
+      brick_pair_subtract(second, brick_pair_of(q6*(sine[3] - q3*q*sine[4]))));
+  down = brick_pair_subtract(brick_pair_add(first, second),
+      brick_pair_shift(2.0, brick_pair_add(Q, brick_pair_shift(2.0, brick_pair_multiply(Q3, c)))));
+  down = brick_pair_add(brick_pair_add(one, down), brick_pair_of(q6*(cosine[3] + q3*q*cosine[4])));
+  rise = brick_pair_add(brick_pair_add(one, brick_pair_times(3.0, first)),
+      brick_pair_add(brick_pair_times(4.0 + 1.0, second),
+      brick_pair_of(q6*((brick_real)7*sine[3] + (brick_real)9*q3*q*sine[4]))));
+  r = brick_pair_subtract(brick_pair_multiply(brick_pair_shift(p->down12, p->T), down),
+      brick_pair_times(x, up)).hi/slope;
+  tangent = brick_pair_sum(x, r);
+  rise.lo += dc*r*((brick_real)6*q + (brick_real)5*q3*(8.0*C + 2.0));
+  down.lo += dc*r*(2.0*q + q3*(8.0*C - 2.0));
+  rise = brick_pair_multiply(rate, brick_pair_divide(brick_pair_multiply(tangent, rise), down));
+  turn = brick_pair_add(brick_pair_shift(0.5, p->climb), brick_pair_shift(p->s, rise));
+
+  start = brick_hyperbolic_start(p, k, Q, period);
+  turn = brick_pair_shift(0.5, brick_pair_multiply(turn, brick_inverse_pi()));
+  if (period.hi > 0.0) {
+    const brick_pair twice = brick_pair_shift(2.0, period),
+        jump = brick_pair_shift(p->s, brick_pair_multiply(brick_pair_angle(one, tangent), brick_inverse_pi()));
+
+    rate = brick_pair_divide(rate, twice);
+    brick_store(o->rate, rate);
+    brick_store(o->start, brick_pair_divide(start, twice));
+    brick_store(o->turn, brick_pair_subtract(turn, brick_pair_shift(2.0, brick_pair_multiply(jump, rate))));
+    o->jump = jump.hi;
+    o->half = brick_pair_divide(period, brick_log2()).hi;
+  } else { /* none: that of 1.2676506002282294e30, beyond which V never comes */
+    const brick_pair twice = brick_pair_shift(2.0, brick_pair_times(1.2676506002282294e30, brick_log2()));
+
+    brick_store(o->rate, brick_pair_divide(rate, twice));
+    brick_store(o->start, brick_pair_divide(start, twice));
+    brick_store(o->turn, turn);
+    o->half = 1.2676506002282294e30;
+  }
+  o->hyperbolic = o->half < 2.0*500.0 ? 1 : 2;
+  for (i = 0; i < 4; i++) sine[i] *= (i % 2 ? p->s : -p->s)*tangent.hi; /* all over cos h */
+  brick_hyperbolic_series(o, p->s, q, cosine, sine);
+}
+
+/* ---- set-up from a state ---- */
+
+static void brick_quaternion_product(const brick_real a[4], const brick_real b[4], brick_real out[4])
+{
+  out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
+  out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
+  out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
+  out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
 }
 
 static brick_pair brick_unit_quaternion(const brick_real q[4], brick_real out[4])
@@ -1639,10 +1847,11 @@ static void brick_clear(brick_orbit *o)
   int i;
 
   for (i = 0; i < 4; i++) o->rate[i] = o->turn[i] = o->a[i] = o->b[i] = o->c[i] = o->d[i] = 0.0;
+  o->tick = 0.0;
   for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
   for (i = 0; i < 10; i++) o->f[i] = 0.0;
   for (i = 0; i < 3; i++) o->scale[i] = 0.0;
-  o->start[0] = o->start[1] = o->jump = o->half = o->nome = o->tick = 0.0;
+  o->start[0] = o->start[1] = o->jump = o->half = o->nome = 0.0;
   o->s = 1.0;
   o->hyperbolic = 0;
 }
@@ -1659,8 +1868,8 @@ static void brick_constant(brick_orbit *o, brick_top *p, const brick_real w[3])
     for (j = 0; j < 2; j++) p->axis[j][i] = 0.0;
     p->axis[2][i] = length.hi > 0.0 ? brick_pair_divide(brick_pair_of(w[i]), length).hi : 0.0;
   }
-  p->b[0] = p->b[1] = brick_pair_of(0.0);
-  p->b[2] = length;
+  p->b[0] = p->b[1] = 0.0;
+  p->b[2] = length.hi;
   o->a[0] = o->f[5] = 1.0;
   brick_store(o->turn, brick_pair_divide(length, brick_pair_scale(brick_pi(), 2)));
   o->scale[2] = 1.0;
@@ -1674,9 +1883,10 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   brick_real tensor[6], rate[3], y[4], q0[4], n, size, turned, largest = 0.0;
   const brick_phases phases = {0.0, 0.0, 0.0, 0.0};
   brick_terms terms;
-  int order[3], scale, e, i, j, k;
+  int order[3], scale, oblique, e, i, j, k;
 
   brick_inertia(m, tensor);
+  oblique = fabs(tensor[3]) + fabs(tensor[4]) + fabs(tensor[5]) > 0.0;
   for (i = 0; i < BRICK_NX; i++) {
     if (!(x0[i] - x0[i] == 0.0)) return 1;
   }
@@ -1696,6 +1906,8 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   (void)frexp(largest, &e);
   for (i = 0; i < 3; i++) rate[i] = ldexp(x0[BRICK_WX + i], -e);
   for (i = 0; i < 3; i++) {
+    w[i] = brick_pair_of(rate[i]);
+    if (!oblique) continue; /* axis i is the body's */
     w[i] = brick_pair_times(rate[0], axis[i][0]);
     for (j = 1; j < 3; j++) w[i] = brick_pair_add(w[i], brick_pair_times(rate[j], axis[i][j]));
   }
@@ -1711,9 +1923,9 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   } else {
     brick_label(&p, I, w, (const brick_pair(*)[3])axis, order);
     brick_invariants(&p);
-    brick_nomes(&p);
     made.s = p.s;
-    if (p.hyperbolic) brick_hyperbolic(&made, &p);
+    /* from kappa = 1, k'^2 = 17 - 12 sqrt 2, on, where the two series converge alike */
+    if (p.kc2.hi*p.down13*p.down13 < 1.0/(brick_real)34) brick_hyperbolic(&made, &p);
     else brick_circular(&made, &p);
   }
   for (i = 0; i < 2; i++) { /* high parts in halves, for Dekker's product */
@@ -1732,7 +1944,7 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   n = brick_square(&terms);
   for (i = 0; i < 3; i++) {
     for (j = 0; j < 3; j++) {
-      made.w[i][j] = ldexp(n*made.scale[i]*p.b[i].hi*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
+      made.w[i][j] = ldexp(n*made.scale[i]*p.b[i]*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
     }
   }
   /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */

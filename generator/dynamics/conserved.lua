@@ -1,0 +1,53 @@
+-- conserved.lua -- what the motion of a scene conserves: the laws of the free body that every effect keeps.
+--
+--     T+V   NAME_energy: kinetic energy, the effects' potentials, and those of a frame that turns steadily
+--     |L|   length of the angular momentum           L     the angular momentum, in inertial (the frame's) axes
+--     L_z   its component along inertial z           w3    the rate about the axis z of a body symmetric about it
+-- An effect that keeps L keeps |L| and L_z too; a scene without attitude has no L in inertial axes, one without rates
+-- no angular momentum.  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local context = require "generator.dynamics.context"
+local expr = require "generator.algebra.expr"
+
+local conserved = {}
+
+conserved.laws = { "T+V", "|L|", "L", "L_z", "w3" }
+
+local function about_z(s)
+  if s.kind == "sphere" then return true end
+  return s.kind == "symmetric" and s.k[1] == expr.zero and s.k[2] == expr.zero
+end
+
+-- The effect's own list as a set.
+local function kept(m, e)
+  local set, list = {}, e.spec.conserves
+  if type(list) == "function" then list = list(e.a, context.with(context.dry(m), e)) end
+  for _, law in ipairs(list or {}) do set[law] = true end
+  if set.L then set["|L|"], set.L_z = true, true end
+  return set
+end
+
+-- What an effect's module says, in words: for lists of effects.
+function conserved.words(spec)
+  if type(spec.conserves) == "function" then return spec.keeps end
+  return #(spec.conserves or {}) > 0 and table.concat(spec.conserves, ", ") or "nothing"
+end
+
+-- The laws of the scene: a list in the order of conserved.laws; `is`, the same by name; `words` of an effect.
+function conserved.of(m)
+  local has = m.has
+  local holds = { ["T+V"] = true, ["|L|"] = has.rates, L = has.attitude, L_z = has.attitude,
+    w3 = has.rates and about_z(m.structure) }
+  for _, e in ipairs(m.record.effects) do
+    local set = kept(m, e)
+    for _, law in ipairs(conserved.laws) do holds[law] = holds[law] and set[law] or false end
+  end
+  local list = { is = holds, words = conserved.words }
+  for _, law in ipairs(conserved.laws) do
+    if holds[law] then list[#list + 1] = law end
+  end
+  return list
+end
+
+return conserved

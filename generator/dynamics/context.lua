@@ -1,0 +1,63 @@
+-- context.lua -- what an effect is given when it is asked for its torque, force and so on.
+--
+-- The fields are listed in effects/list.lua.  A force and a potential are proportional to constants of the effect; what
+-- counts in m r'' = F is each divided by the mass, so per_mass keeps that quotient as the constant and writes M, a
+-- symbol that stands for the mass and cancels.  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local vec = require "generator.algebra.vec"
+local state = require "generator.dynamics.state"
+
+local context = {}
+
+local M = expr.sym("the mass", 1)
+context.M = M
+
+-- The tensor's entries as derived constants, Ixx .. Iyz; zeros stay zero.
+function context.inertia(m)
+  return vec.map(m.inertia, function(e, n)
+    local what = n > 3 and "tensor entry " or "moment of inertia "
+    return m:constant("I" .. vec.entry[n], e, what .. vec.entry[n] .. ", kg m^2", m.parts ~= nil,
+      m.parts and m.parts.entries[n])
+  end)
+end
+
+-- constant: what keeps a derived constant; nil: the model.
+function context.of(m, constant)
+  constant = constant or function(name, e, about) return m:constant(name, e, about) end
+  return { mass = m.mass, com = m.com, inertia = m.inertia, structure = m.structure, has = m.has, q = state.q,
+    w = state.w, r = state.r, v = state.v, u = state.u, t = state.t, M = M, constant = constant,
+    L = function() return vec.apply(m.inertia, state.w) end, -- the equations give names to its entries
+    inertia_constants = function() return context.inertia(m) end,
+    per_mass = function(name, e, about) return constant(name, e / m.mass, about .. " per kg") * M end }
+end
+
+-- The context with the symbols of the effect's own states.
+function context.with(c, e)
+  c.own = e.own or {}
+  return c
+end
+
+-- For looking only: constants are not kept.
+function context.dry(m) return context.of(m, function(_, e) return e end) end
+
+-- The mass as a constant of the model.
+function context.mass(m)
+  return m:constant("mass", m.mass, "mass, kg", false, m.parts and m.parts.mass)
+end
+
+-- e/M of what is linear in M, a M + b: M cancels where e is proportional to it.
+function context.divided(e)
+  if expr.constant(e, { [M.name] = true }) then return e / M end
+  return calculus.diff(e, M) + calculus.substitute(e, { [M] = expr.zero }) / M
+end
+
+-- e with the model's mass in place of M where it is left.
+function context.massive(m, e)
+  if expr.constant(e, { [M.name] = true }) then return e end
+  return calculus.substitute(e, { [M] = context.mass(m) })
+end
+
+return context

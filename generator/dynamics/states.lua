@@ -1,0 +1,214 @@
+-- states.lua -- which states a scene has, and why: what the scene needs and no more.
+--
+--     attitude   unless the body does not turn, or `outputs` asks for nothing made of it and no effect depends on it
+--     rates      unless the body moves through space, its turning is not spoken of (neither initial rates nor attitude
+--                are given) and nothing turns it: then it is a point
+--     position and velocity   when an effect moves the body
+--     further states          those that effects declare
+-- What an effect depends on is read from its expressions.  An effect that does nothing (zero strength, gravity about
+-- the centroid) is taken out here, so that leaving it out gives the same code.  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
+local context = require "generator.dynamics.context"
+local state = require "generator.dynamics.state"
+
+local states = {}
+
+local function set(names)
+  local s = {}
+  for _, n in ipairs(names) do s[n] = true end
+  return s
+end
+
+local of_attitude, of_rates = set(state.names.attitude), set(state.names.rates)
+
+local function zero(e) return e == expr.zero or ratio.iszero(e) end
+
+-- What the effect does, as lists of expressions: {torque =, force =, rates = (of its own states)}; and whether it acts.
+local function deeds(m, e)
+  local c = context.with(context.dry(m), e)
+  local list, acts = { torque = {}, force = {}, rates = {} }, e.spec.input or false
+  for _, name in ipairs { "torque", "force" } do
+    list[name] = e.spec[name] and e.spec[name](e.a, c) or {}
+    for _, x in ipairs(list[name]) do acts = acts or not zero(x) end
+  end
+  for _, s in ipairs(e.states) do
+    acts = true
+    list.rates[#list.rates + 1] = e.spec.derivative(e.a, c)[s.key]
+  end
+  for _, x in ipairs(e.spec.momentum and e.spec.momentum(e.a, c) or {}) do acts = acts or not zero(x) end
+  local frame = e.spec.frame and e.spec.frame(e.a, c)
+  for i = 1, frame and 3 or 0 do
+    list.frame = list.frame or not zero(frame.rate[i]) or not zero(frame.rate_dot[i])
+  end
+  acts = acts or list.frame
+  return list, acts or e.spec.moves and e.spec.moves(m.given) or false
+end
+
+local function depends(list, names)
+  for _, e in ipairs(list) do
+    if not expr.constant(e, names) then return true end
+  end
+  return false
+end
+
+local function torques(list)
+  for _, x in ipairs(list.torque) do
+    if not zero(x) then return true end
+  end
+  return false
+end
+
+-- The effects' own states, with names that are free: {key, name, sym, about, unit, initial}.
+local function own_states(e, taken)
+  e.own, e.states = {}, {}
+  for i, s in ipairs(e.spec.states and e.spec.states(e.a) or {}) do
+    local name, n = s.name, 1
+    while taken[name] do
+      n = n + 1
+      name = s.name .. "_" .. n -- speed2 would be the speed at stage 2
+    end
+    taken[name] = true
+    e.own[s.name] = state.sym(name)
+    e.states[i] = { key = s.name, name = name, sym = e.own[s.name], about = s.about, unit = s.unit,
+      kind = name, place = i, initial = s.initial, effect = e }
+  end
+end
+
+local short = function(e) return (string.gsub(e.kind, "^effect%.", "")) end
+
+-- What cannot be together: a second base or translation, a fixed point and a body that moves.
+local function contradictions(d, m, moving)
+  local seen = {}
+  for _, e in ipairs(m.record.effects) do
+    if e.spec.single and seen[e.kind] then
+      d:error(e.line, e.kind, "is given twice (first on line " .. seen[e.kind] .. ")")
+    end
+    seen[e.kind] = seen[e.kind] or e.line
+    if moving and e.spec.fixed then
+      d:error(e.line, e.kind, "acts about a fixed point, and " .. moving.kind .. " (line " .. moving.line ..
+        ") moves the body: " .. e.spec.fixed)
+    end
+  end
+  if not moving and (m.given.position or m.given.velocity) then
+    d:error(m.given.line, "initial", "position and velocity need an effect that moves the body: effect.translation " ..
+      "or effect.rotating_frame")
+  end
+end
+
+local function central(m)
+  for i = 1, 3 do
+    if not zero(m.com[i]) then return false end
+  end
+  return true
+end
+
+-- The names that `outputs` gives, checked; nil without it.
+local function outputs(d, m, taken)
+  local given = m.record.outputs
+  if not given then return nil end
+  local wanted, known = {}, { "attitude", "rates", "position", "velocity", "energy", "momentum", "momentum_body" }
+  local is = set(known)
+  for _, name in ipairs(given.list) do
+    wanted[name] = true
+    if not is[name] and not taken[name] then
+      d:error(given.line, "outputs", "must be names of states or of " .. table.concat(known, ", "),
+        string.format("%q", name))
+    end
+  end
+  return wanted
+end
+
+-- Decides m.has, m.states (a list of {name, sym, about, unit, kind, place in its kind, initial}, and by_name),
+-- of m.record.  Reports what cannot be.
+function states.decide(d, m)
+  local taken, moving, list = {}, nil, {}
+  for _, s in ipairs(state.known) do taken[s.name] = true end
+  for _, e in ipairs(m.record.effects) do
+    own_states(e, taken)
+    if e.spec.moves and e.spec.moves(m.given) and not moving then moving = e end
+  end
+  contradictions(d, m, moving)
+  m.has = { attitude = true, rates = true, position = moving ~= nil } -- until we know better
+  local acting, turned, by_attitude, by_rates = {}, nil, nil, nil
+  m.frame = nil
+  for _, e in ipairs(m.record.effects) do
+    local deed, acts = deeds(m, e)
+    if acts then
+      acting[#acting + 1] = e
+      if deed.frame then m.frame = e end
+      if torques(deed) or e.spec.input then turned = turned or e end
+      for _, name in ipairs { "torque", "force", "rates" } do
+        if depends(deed[name], of_attitude) then by_attitude = by_attitude or e end
+        if name ~= "torque" and depends(deed[name], of_rates) then by_rates = by_rates or e end
+      end
+    end
+  end
+  local acted = {}
+  for k, v in pairs(m.record) do acted[k] = v end -- into a table: order is lost anyway
+  acted.effects = acting
+  m.record = acted
+
+  local has, why = m.has, {}
+  local spoken = m.given.omega and "initial gives omega" or m.given.attitude and "initial gives the attitude"
+  local cause = not moving and "the body turns about a fixed point" or spoken or
+    turned and short(turned) .. " turns the body" or (by_attitude or by_rates) and
+    short(by_attitude or by_rates) .. " depends on how the body turns"
+  local wanted = outputs(d, m, taken)
+  by_attitude = by_attitude or m.frame -- its energy does
+  has.rates = cause and true or false
+  has.attitude = has.rates and (not wanted or wanted.attitude or wanted.momentum or by_attitude) and true or false
+  if has.attitude then
+    why[1] = "attitude: " .. (by_attitude and short(by_attitude) .. " depends on it" or wanted and "outputs names " ..
+      (wanted.attitude and "it" or "the momentum in inertial axes") or "it is part of the motion")
+  else
+    why[1] = "no attitude: " .. (has.rates and "outputs does not ask for it and nothing depends on it" or
+      "the body is a point")
+  end
+  why[2] = has.rates and "rates: " .. cause or "no rates: the body moves, initial gives neither omega nor attitude, " ..
+    "and nothing turns the body: a point"
+  why[3] = moving and "position and velocity: " .. short(moving) .. " moves the body" or
+    "no position: nothing moves the body"
+  for _, e in ipairs(acting) do
+    for _, s in ipairs(e.states) do
+      list[#list + 1] = s
+      why[#why + 1] = s.name .. ": " .. short(e) .. " has it"
+    end
+  end
+  if moving and has.rates and not central(m) then
+    d:error(m.record.origin and m.record.origin.line or m.line, "origin", "must be the centroid, as " .. moving.kind ..
+      " (line " .. moving.line .. ") moves the body")
+  end
+
+  local first = { attitude = m.attitude, rates = m.omega, position = m.given.position, velocity = m.given.velocity }
+  local none = { expr.zero, expr.zero, expr.zero }
+  m.states = { by_name = {} }
+  has.velocity = has.position
+  local place = m.frame and "frame" or "inertial"
+  for _, kind in ipairs(state.kinds) do
+    for i, name in ipairs(has[kind] and state.names[kind] or {}) do
+      local s = state.known.by_name[name]
+      local about = s.about
+      if i == 1 and (kind == "position" or kind == "velocity") then about = about .. ", " .. place .. " axes" end
+      if name == "qw" and m.frame then about = "attitude, body to frame" end
+      m.states[#m.states + 1] = { name = name, sym = s.sym, about = about, unit = s.unit,
+        kind = kind, place = i, initial = (first[kind] or none)[i] }
+    end
+  end
+  for _, s in ipairs(list) do m.states[#m.states + 1] = s end
+  for _, s in ipairs(m.states) do
+    m.states.by_name[s.name] = s
+    for _, p in ipairs(m.params) do
+      if string.upper(p.name) == string.upper(s.name) then
+        d:error(p.line, "param", "name is taken by a state of the scene", string.format("%q", p.name))
+      end
+    end
+  end
+  m.moving, m.reasons = moving, why
+  return not d:failed()
+end
+
+
+return states

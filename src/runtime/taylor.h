@@ -1,0 +1,29 @@
+/* taylor.h - the Taylor series of a step, shared by taylor.c and taylor_move.c.
+   SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TAYLOR_H
+#define TAYLOR_H
+
+#include "step.h"
+
+/* Coefficients x_n H^n; S = second moments times w; speed = |v|, of use only with PH_DRAG. */
+typedef struct series {
+  ph_wide q[TAYLOR_MAX + 1][4], w[TAYLOR_MAX + 1][3], S[TAYLOR_MAX + 1][3];
+  ph_wide r[TAYLOR_MAX + 1][3], v[TAYLOR_MAX + 1][3], speed[TAYLOR_MAX + 1];
+} series;
+
+/* The largest multiple of H at which term k of n components stays below bound. */
+ph_wide taylor_reach(int n, const ph_wide term[], int k, ph_wide bound);
+
+/* Adds the n-th coefficient of -(0, Omega) q to dq. */
+void taylor_frame(const stepper *s, const series *c, int n, ph_wide H, ph_wide dq[4]);
+/* Coefficients n + 1 of r and v from those up to n. */
+void taylor_move(const stepper *s, series *c, int n, ph_wide H);
+/* The largest multiple of H, at most `longest`, for which r and v, relative to their sizes, keep to
+   the tolerance. */
+ph_wide taylor_move_reach(series *c, int order, ph_wide tolerance, ph_wide longest);
+/* With quadratic drag: where, before sigma, the series of the speed passes zero, or sigma. */
+ph_wide taylor_turn(const stepper *s, const series *c, int order, ph_wide sigma);
+/* With quadratic drag: the step below which the fourth-order method is as good as the series. */
+ph_wide taylor_least(const stepper *s, const series *c, ph_wide H);
+
+#endif
