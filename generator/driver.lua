@@ -17,7 +17,7 @@ local conserved = require "generator.dynamics.conserved"
 local symmetric = require "generator.dynamics.closed.symmetric"
 local quantities = require "generator.dynamics.quantities"
 local state = require "generator.dynamics.state"
-local rk4 = require "generator.methods.rk4"
+local methods = require "generator.methods.list"
 local derivation = require "generator.report.derivation"
 local number = require "generator.emit.number"
 local project = require "generator.emit.project"
@@ -43,13 +43,34 @@ function driver.read(host, file, options)
     input_states = state.inputs, file = file, source = string.match(file, "[^/]*$"), version = driver.version }
 end
 
--- Completes the job for emission: the list of functions in the order they are emitted.
--- options: {real =, command =, methods = {rk4 =, exact =}}
+-- The steppers that are asked for, the first one as NAME_step; rk4 if none is: a list of {method, program}.
+local function steppers(job, options)
+  local list = {}
+  for _, name in ipairs(options.methods or {}) do
+    local method, program = methods.by_name[name], nil
+    if method and method.program then
+      local why
+      program, why = method.program(job.equations, options)
+      if not program then
+        job.diag:error(job.record.line, "method " .. name, why)
+        return nil
+      end
+    end
+    if method then list[#list + 1] = { method = method, program = program } end
+  end
+  if #list == 0 then list[1] = { method = methods.by_name.rk4 } end
+  return list
+end
+
+-- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
+-- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor)}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
-  if options.methods and not options.methods.exact then
-    job.closed = { refused = "not asked for (--method)", others = {} }
-  end
+  local exact = not options.methods
+  for _, name in ipairs(options.methods or {}) do exact = exact or name == "exact" end
+  if not exact then job.closed = { refused = "not asked for (--method)", others = {} } end
+  job.steppers = steppers(job, options)
+  if not job.steppers then return nil end
   local list = {}
   local function put(f) list[#list + 1] = f end
   put(quantities.initial(m))
@@ -65,7 +86,9 @@ function driver.plan(job, options)
   if m.has.attitude then put(quantities.momentum(m)) end
   if m.has.rates then put(quantities.torque(m)) end
   put(quantities.rhs(eq))
-  put(quantities.step(m, eq, rk4))
+  for i, s in ipairs(job.steppers) do
+    if s.method.groups then put(quantities.step(m, eq, s.method, i == 1 and "step" or s.method.name .. "_step")) end
+  end
   put(quantities.jacobian(eq))
   put(quantities.rate())
   put(quantities.acceleration())

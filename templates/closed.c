@@ -1,26 +1,28 @@
 %% -- closed.c -- the closed form of the free sphere and symmetric top: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- closed form: ${theorem} ---- */
 
-%% if symmetric then
-/* a/b for b not 0: the remainder a - q b is exact, so one correction doubles the digits */
-static ${name}_pair ${name}_pair_divide(${name}_pair a, ${name}_real b)
+/* rate t less whole turns; twice, for t so large that the first nearest number is not the nearest integer */
+${upper}_INLINE ${name}_real ${name}_phase(const ${name}_orbit *o, const ${name}_real rate[4], ${name}_real at)
 {
-  const ${name}_real q = a.hi/b;
-  ${name}_pair p = ${name}_pair_product(q, b);
+  const ${name}_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
+  const ${name}_real c = ${split}*t, head = c - (c - t);
+  const ${name}_pair p = ${name}_advance(rate, t, head, t - head);
+  const ${name}_real turns = (p.hi - ${name}_nearest(p.hi)) + p.lo;
 
-  return ${name}_pair_sum(q, ((a.hi - p.hi) - p.lo + a.lo)/b);
+  return turns - ${name}_nearest(turns);
 }
 
-%% end
-/* sine and cosine of (rate t), rate a pair: sin(h + l) = sin h + l cos h to the working precision */
-static void ${name}_turn(const ${name}_real rate[2], ${name}_real t, ${name}_real *s, ${name}_real *c)
+/* half the angle of a rate in rad/s, in turns per second; the high part also in halves, see ${name}_advance */
+static void ${name}_half_turns(${name}_pair rate, ${name}_real out[4])
 {
-  ${name}_pair p = ${name}_pair_product(rate[0], t);
-  const ${name}_real low = p.lo + rate[1]*t;
-  const ${name}_real sh = ${sin}(p.hi), ch = ${cos}(p.hi);
+  const ${name}_pair inverse = {${quarter}*${inverse_pi_high}, ${quarter}*${inverse_pi_low}};
+  const ${name}_pair turns = ${name}_pair_multiply(rate, inverse);
+  const ${name}_real c = ${split}*turns.hi;
 
-  *s = sh + low*ch;
-  *c = ch - low*sh;
+  out[0] = turns.hi;
+  out[1] = turns.lo;
+  out[2] = c - (c - turns.hi);
+  out[3] = turns.hi - out[2];
 }
 
 static void ${name}_quaternion_product(const ${name}_real a[4], const ${name}_real b[4], ${name}_real out[4])
@@ -69,7 +71,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_pair s, ratio, along;
 %% end
   ${name}_pair v[3], q[3], length;
-  ${name}_real u[3], left[4], right[4];
+  ${name}_real u[3], left[4], right[4], fastest;
   ${name}_orbit p;
   int i;
 
@@ -81,21 +83,28 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     if (!(x0[i] - x0[i] == ${zero})) return 1;
   }
 %% if symmetric then
+%% if rotor then
+  /* L/I1 = w + ((I3/I1 - 1) (k.w)/k^2 + h/I1) k, the rate of the precession, body axes; the rotor holds h k */
+%% else
   /* L/I1 = w + (I3/I1 - 1) (k.w) k/k^2, the rate of the precession, body axes */
+%% end
   s = ${name}_pair_product(k[0], w[0]);
   s = ${name}_pair_add(s, ${name}_pair_product(k[1], w[1]));
-  s = ${name}_pair_divide(${name}_pair_add(s, ${name}_pair_product(k[2], w[2])), k2);
+  s = ${name}_pair_divide(${name}_pair_add(s, ${name}_pair_product(k[2], w[2])), ${name}_pair_of(k2));
   (void)${frexp}(I1, &i); /* by a power of two: huge moments must not overflow in a split */
-  ratio = ${name}_pair_divide(${name}_pair_sum(${ldexp}(I3, -i), -${ldexp}(I1, -i)), ${ldexp}(I1, -i));
+  ratio = ${name}_pair_divide(${name}_pair_sum(${ldexp}(I3, -i), -${ldexp}(I1, -i)), ${name}_pair_of(${ldexp}(I1, -i)));
   along = ${name}_pair_multiply(ratio, s);
+%% if rotor then
+  along = ${name}_pair_add(along, ${name}_pair_divide(${name}_pair_of(${ldexp}(${hk}, -i)), ${name}_pair_of(${ldexp}(I1, -i))));
+%% end
   for (i = 0; i < 3; i++) v[i] = ${name}_pair_add(${name}_pair_of(w[i]), ${name}_pair_multiply(along, ${name}_pair_of(k[i])));
 %% else
   /* L/I1 = w */
   for (i = 0; i < 3; i++) v[i] = ${name}_pair_of(w[i]);
 %% end
   length = ${name}_unit_vector(v, u);
-  p.precession[0] = ${half}*length.hi;
-  p.precession[1] = ${half}*length.lo;
+  ${name}_half_turns(length, p.about);
+  p.mean = length.hi;
 
   /* q0, normalised as a vector of four: first the vector part, then with the scalar */
   for (i = 0; i < 3; i++) q[i] = ${name}_pair_of(x0[${upper}_QX + i]);
@@ -115,8 +124,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   length = ${name}_pair_product(ku, ku); /* ku is rounded: |k| = ku + (k2 - ku^2)/(2 ku) */
   length = ${name}_pair_sum(ku, ((k2 - length.hi) - length.lo)/(${two}*ku));
   length = ${name}_pair_multiply(along, length);
-  p.spin[0] = -${half}*length.hi;
-  p.spin[1] = -${half}*length.lo;
+  ${name}_half_turns(${name}_pair_minus(length), p.spin);
   right[0] = ${zero};
   for (i = 0; i < 3; i++) right[i + 1] = k[i]/ku;
   ${name}_quaternion_product(p.q[0], right, p.q[2]);
@@ -137,38 +145,270 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     p.across[i] = p.turned[i] = ${zero};
   }
 %% end
-  if (!(p.precession[0] - p.precession[0] == ${zero})) return 1; /* |L|/I1 is beyond the range of the type */
+  if (!(${fabs}(p.across[0]) + ${fabs}(p.across[1]) + ${fabs}(p.across[2]) > ${zero})) { /* w is constant, along L */
+    p.mean = w[0]*u[0] + w[1]*u[1] + w[2]*u[2];
+  }
+  if (!(p.about[3] - p.about[3] == ${zero})) return 1; /* |L|/I1 is beyond the range of the type */
 %% if symmetric then
-  if (!(p.spin[0] - p.spin[0] == ${zero})) return 1;
+  if (!(p.spin[3] - p.spin[3] == ${zero})) return 1;
+%% end
+  fastest = p.about[0];
+%% if symmetric then
+  if (${fabs}(p.spin[0]) > fastest) fastest = ${fabs}(p.spin[0]);
+%% end
+  p.last = fastest*${last_time} > ${last_turn} ? ${last_turn}/fastest : ${last_time};
+%% if damped then
+  p.decay = ${decay};
+%% else
+  p.about_tick[0] = p.about_tick[1] = 0;
+%% if symmetric then
+  p.spin_tick[0] = p.spin_tick[1] = 0;
+%% end
 %% end
   *o = p;
   return 0;
 }
 
+%% if symmetric then
+/* the attitude after a turn about L by twice the angle of (c, s), about k by twice that of (ck, sk) */
+${upper}_INLINE void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${name}_real s, ${name}_real ck, ${name}_real sk, ${name}_real q[4])
+{
+  const ${name}_real f0 = c*ck, f1 = s*ck, f2 = c*sk, f3 = s*sk;
+  ${name}_real n;
+
+  q[0] = (f0*o->q[0][0] + f1*o->q[1][0]) + (f2*o->q[2][0] + f3*o->q[3][0]);
+  q[1] = (f0*o->q[0][1] + f1*o->q[1][1]) + (f2*o->q[2][1] + f3*o->q[3][1]);
+  q[2] = (f0*o->q[0][2] + f1*o->q[1][2]) + (f2*o->q[2][2] + f3*o->q[3][2]);
+  q[3] = (f0*o->q[0][3] + f1*o->q[1][3]) + (f2*o->q[2][3] + f3*o->q[3][3]);
+%% else
+/* the attitude after a turn about L by twice the angle of (c, s) */
+${upper}_INLINE void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${name}_real s, ${name}_real q[4])
+{
+  ${name}_real n;
+
+  q[0] = c*o->q[0][0] + s*o->q[1][0];
+  q[1] = c*o->q[0][1] + s*o->q[1][1];
+  q[2] = c*o->q[0][2] + s*o->q[1][2];
+  q[3] = c*o->q[0][3] + s*o->q[1][3];
+%% end
+  /* rounding only: one Newton step for 1/|q| */
+  n = ${threehalves} - ${half}*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3]));
+  q[0] *= n;
+  q[1] *= n;
+  q[2] *= n;
+  q[3] *= n;
+}
+
+%% if symmetric then
+/* the rates: across has turned by twice the angle */
+${upper}_INLINE void ${name}_rates(const ${name}_orbit *o, ${name}_real ck, ${name}_real sk, ${name}_real w[3])
+{
+  const ${name}_real cosine = (ck - sk)*(ck + sk), sine = ${two}*(sk*ck);
+
+  w[0] = o->along[0] + (cosine*o->across[0] + sine*o->turned[0]);
+  w[1] = o->along[1] + (cosine*o->across[1] + sine*o->turned[1]);
+  w[2] = o->along[2] + (cosine*o->across[2] + sine*o->turned[2]);
+}
+
+%% end
+/* attitude and rates from the phases */
+%% if symmetric then
+${upper}_INLINE void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${name}_real spin, ${name}_real q[4], ${name}_real w[3])
+{
+  ${name}_real s, c, sk, ck;
+
+  ${name}_circle(about, &s, &c);
+  ${name}_circle(spin, &sk, &ck);
+  ${name}_attitude(o, c, s, ck, sk, q);
+  ${name}_rates(o, ck, sk, w);
+}
+%% else
+${upper}_INLINE void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${name}_real q[4], ${name}_real w[3])
+{
+  ${name}_real s, c;
+
+  ${name}_circle(about, &s, &c);
+  ${name}_attitude(o, c, s, q);
+  w[0] = o->along[0];
+  w[1] = o->along[1];
+  w[2] = o->along[2];
+}
+%% end
+
+%% if damped then
+/* the phase after a time of twice the working precision */
+static ${name}_real ${name}_phase_of(const ${name}_orbit *o, const ${name}_real rate[4], ${name}_pair time)
+{
+  const ${name}_real turns = ${name}_phase(o, rate, time.hi) + rate[0]*time.lo;
+
+  return turns - ${name}_nearest(turns);
+}
+
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
-  ${name}_real s, c, n;
-%% if symmetric then
-  ${name}_real sk, ck, sine, cosine;
+  const ${name}_pair time = ${name}_clock(o->decay, t);
+  const ${name}_real fade = ${name}_fading(o->decay, t);
+%% if rod then
+  const ${name}_real spin = ${name}_phase(o, o->spin, t); /* a rod's rate along itself carries no L and is not damped */
+%% elseif symmetric then
+  const ${name}_real spin = ${name}_phase_of(o, o->spin, time);
 %% end
-  ${name}_real *q = x + ${upper}_QW, *w = x + ${upper}_WX;
+  ${name}_real *w = x + ${upper}_WX;
   int i;
 
-  ${name}_turn(o->precession, t, &s, &c);
 %% if symmetric then
-  ${name}_turn(o->spin, t, &sk, &ck);
-  sine = ${two}*(sk*ck);
-  cosine = (ck - sk)*(ck + sk);
-  for (i = 0; i < 4; i++) {
-    q[i] = ck*(c*o->q[0][i] + s*o->q[1][i]) + sk*(c*o->q[2][i] + s*o->q[3][i]);
-  }
-  for (i = 0; i < 3; i++) w[i] = o->along[i] + (cosine*o->across[i] + sine*o->turned[i]);
+  ${name}_state(o, ${name}_phase_of(o, o->about, time), spin, x + ${upper}_QW, w);
 %% else
-  for (i = 0; i < 4; i++) q[i] = c*o->q[0][i] + s*o->q[1][i];
+  ${name}_state(o, ${name}_phase_of(o, o->about, time), x + ${upper}_QW, w);
+%% end
+%% if rod then
+  for (i = 0; i < 3; i++) w[i] = o->along[i] + fade*(w[i] - o->along[i]);
+%% else
+  for (i = 0; i < 3; i++) w[i] *= fade;
+%% end
+}
+%% else
+void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
+{
+%% if symmetric then
+  ${name}_state(o, ${name}_phase(o, o->about, t), ${name}_phase(o, o->spin, t), x + ${upper}_QW, x + ${upper}_WX);
+%% else
+  ${name}_state(o, ${name}_phase(o, o->about, t), x + ${upper}_QW, x + ${upper}_WX);
+%% end
+}
+
+void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[])
+{
+%% if symmetric then
+  ${name}_real sk, ck;
+
+  ${name}_circle(${name}_phase(o, o->spin, t), &sk, &ck);
+  ${name}_rates(o, ck, sk, w);
+%% else
+  int i;
+
+  (void)t; /* they are constant */
   for (i = 0; i < 3; i++) w[i] = o->along[i];
 %% end
-
-  /* rounding only: one Newton step for 1/|q| */
-  n = ${threehalves} - ${half}*(q[0]*q[0] + q[1]*q[1] + q[2]*q[2] + q[3]*q[3]);
-  for (i = 0; i < 4; i++) q[i] *= n;
 }
+
+void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[])
+{
+  ${name}_real s, c;
+%% if symmetric then
+  ${name}_real sk, ck;
+
+  ${name}_circle(${name}_phase(o, o->about, t), &s, &c);
+  ${name}_circle(${name}_phase(o, o->spin, t), &sk, &ck);
+  ${name}_attitude(o, c, s, ck, sk, q);
+%% else
+
+  ${name}_circle(${name}_phase(o, o->about, t), &s, &c);
+  ${name}_attitude(o, c, s, q);
+%% end
+}
+
+void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${name}_real x[])
+{
+  const ${name}_orbit orbit = *o;
+  ${name}_real time[16], block[${upper}_NX][16], *row;
+  int first, i, k;
+
+  for (first = 0; first < n; first += 16) { /* sixteen at a time, into arrays of their own: nothing can overlap */
+    const int count = n - first < 16 ? n - first : 16;
+
+    for (k = 0; k < 16; k++) time[k] = t[first + (k < count ? k : 0)];
+    for (k = 0; k < 16; k++) {
+      ${name}_real q[4], w[3];
+
+%% if symmetric then
+      ${name}_state(&orbit, ${name}_phase(&orbit, orbit.about, time[k]), ${name}_phase(&orbit, orbit.spin, time[k]), q, w);
+%% else
+      ${name}_state(&orbit, ${name}_phase(&orbit, orbit.about, time[k]), q, w);
+%% end
+      block[${upper}_QW][k] = q[0];
+      block[${upper}_QX][k] = q[1];
+      block[${upper}_QY][k] = q[2];
+      block[${upper}_QZ][k] = q[3];
+      block[${upper}_WX][k] = w[0];
+      block[${upper}_WY][k] = w[1];
+      block[${upper}_WZ][k] = w[2];
+    }
+    for (i = 0, row = x;; row += n) {
+      for (k = 0; k < count; k++) row[first + k] = block[i][k];
+      if (++i == ${upper}_NX) break;
+    }
+  }
+}
+
+int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
+{
+  const ${name}_pair step = ${name}_pair_of(h), rate = {o->about[0], o->about[1]};
+  const ${name}_pair about = ${name}_pair_multiply(step, rate);
+%% if symmetric then
+  const ${name}_pair own = {o->spin[0], o->spin[1]}, spin = ${name}_pair_multiply(step, own);
+
+  if (!(spin.hi - spin.hi == ${zero})) return 1;
+%% end
+  if (!(about.hi - about.hi == ${zero})) return 1;
+  ${name}_fraction(about, o->about_tick);
+%% if symmetric then
+  ${name}_fraction(spin, o->spin_tick);
+%% end
+  return 0;
+}
+
+void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[])
+{
+  const uint64_t start[2] = {0, 0};
+  const ${name}_real about = ${name}_turns(${name}_counted(start, o->about_tick, n));
+%% if symmetric then
+  const ${name}_real spin = ${name}_turns(${name}_counted(start, o->spin_tick, n));
+
+  ${name}_state(o, about, spin, x + ${upper}_QW, x + ${upper}_WX);
+%% else
+
+  ${name}_state(o, about, x + ${upper}_QW, x + ${upper}_WX);
+%% end
+}
+
+/* the rates turn by twice the half angle */
+${name}_real ${name}_polhode_period(const ${name}_orbit *o)
+{
+%% if symmetric then
+  const ${name}_real across = ${fabs}(o->across[0]) + ${fabs}(o->across[1]) + ${fabs}(o->across[2]);
+
+  return across > ${zero} && ${fabs}(o->spin[0]) > ${zero} ? ${half}/${fabs}(o->spin[0]) : ${zero};
+%% else
+  (void)o;
+  return ${zero};
+%% end
+}
+
+${name}_real ${name}_precession_rate(const ${name}_orbit *o)
+{
+  return o->mean;
+}
+
+${name}_real ${name}_precession_period(const ${name}_orbit *o)
+{
+  return ${fabs}(o->mean) > ${zero} ? ${two}*${pi_high}/${fabs}(o->mean) : ${huge};
+}
+
+${name}_real ${name}_rotation_number(const ${name}_orbit *o)
+{
+%% if symmetric then
+  return ${name}_polhode_period(o) > ${zero} ? o->about[0]/${fabs}(o->spin[0]) : ${zero};
+%% else
+  (void)o;
+  return ${zero};
+%% end
+}
+
+${name}_real ${name}_next_flip(const ${name}_orbit *o, ${name}_real t)
+{
+  (void)o;
+  (void)t;
+  return ${huge};
+}
+%% end

@@ -1,6 +1,27 @@
 %% -- double.c -- functions of pairs, for the set-up of the closed form: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- functions of pairs, to about twice the working precision ---- */
 
+static ${name}_pair ${name}_pair_subtract(${name}_pair a, ${name}_pair b)
+{
+  return ${name}_pair_add(a, ${name}_pair_minus(b));
+}
+
+static ${name}_pair ${name}_pair_times(${name}_real a, ${name}_pair b)
+{
+  const ${name}_pair p = ${name}_pair_product(a, b.hi);
+
+  return ${name}_pair_tidy(p.hi, p.lo + a*b.lo);
+}
+
+/* a power of two times b: exact */
+static ${name}_pair ${name}_pair_shift(${name}_real power, ${name}_pair b)
+{
+  b.hi *= power;
+  b.lo *= power;
+  return b;
+}
+
+/* the same for any exponent */
 static ${name}_pair ${name}_pair_scale(${name}_pair a, int e)
 {
   a.hi = ${ldexp}(a.hi, e);
@@ -8,23 +29,13 @@ static ${name}_pair ${name}_pair_scale(${name}_pair a, int e)
   return a;
 }
 
-static ${name}_pair ${name}_pair_subtract(${name}_pair a, ${name}_pair b)
-{
-  return ${name}_pair_add(a, ${name}_pair_minus(b));
-}
-
-/* two quotients: the remainder of the first is formed in pairs */
+/* the leading quotient, and that of its remainder */
 static ${name}_pair ${name}_pair_divide(${name}_pair a, ${name}_pair b)
 {
   const ${name}_real q = a.hi/b.hi;
-  const ${name}_pair r = ${name}_pair_subtract(a, ${name}_pair_multiply(${name}_pair_of(q), b));
+  const ${name}_pair p = ${name}_pair_product(q, b.hi);
 
-  return ${name}_pair_sum(q, r.hi/b.hi);
-}
-
-static ${name}_pair ${name}_pair_times(${name}_real a, ${name}_pair b)
-{
-  return ${name}_pair_multiply(${name}_pair_of(a), b);
+  return ${name}_pair_tidy(q, (((a.hi - p.hi) - p.lo) + (a.lo - q*b.lo))/b.hi);
 }
 
 /* one Newton step: sqrt(a) = r + (a - r^2)/(2 r) */
@@ -34,93 +45,105 @@ static ${name}_pair ${name}_pair_root(${name}_pair a)
   const ${name}_pair p = ${name}_pair_product(r, r);
 
   if (!(r > ${zero})) return ${name}_pair_of(${zero});
-  return ${name}_pair_sum(r, ((a.hi - p.hi) - p.lo + a.lo)/(${two}*r));
+  return ${name}_pair_tidy(r, (((a.hi - p.hi) - p.lo) + a.lo)*(${half}/r));
 }
 
-/* 2^e exp(x): x less a multiple of log 2, divided by 64, the series of exp - 1, and six doublings of exp(x) - 1 */
-static ${name}_pair ${name}_pair_exp(${name}_pair x, int e)
+/* Artanh (sign = 1) or arctan (sign = -1) of x, |x| <= 1/16: x + sign x^3/3 + x^5/5 + ... (DLMF 4.38.2, 4.24.3).  From
+ * x^13 on, 2^-48 of the whole, the working precision will do; what is left out is 2^-100. */
+static ${name}_pair ${name}_pair_arc(${name}_pair x, ${name}_real sign)
+{
+  const ${name}_pair odd[6] = {
+%% for _, c in ipairs(odd_reciprocals) do
+    {${c.high}, ${c.low}},
+%% end
+  };
+  const ${name}_pair square = ${name}_pair_multiply(x, x), z = ${name}_pair_shift(sign, square);
+  const ${name}_real t = z.hi, seven = ${one}/(${name}_real)13 + t*(${one}/(${name}_real)15 + t*(${one}/(${name}_real)17
+    + t*(${one}/(${name}_real)19 + t*(${one}/(${name}_real)21
+        + t*(${one}/(${name}_real)23 + t*(${one}/(${name}_real)25))))));
+  ${name}_pair s = ${name}_pair_of(seven);
+  int i;
+
+  for (i = 5; i >= 0; i--) s = ${name}_pair_add(odd[i], ${name}_pair_multiply(z, s));
+  return ${name}_pair_multiply(x, s);
+}
+
+static ${name}_pair ${name}_pi(void)
+{
+  const ${name}_pair pi = {${pi_high}, ${pi_low}};
+
+  return pi;
+}
+
+%% if not lagrange then
+static ${name}_pair ${name}_inverse_pi(void)
+{
+  const ${name}_pair inverse = {${inverse_pi_high}, ${inverse_pi_low}};
+
+  return inverse;
+}
+
+%% end
+static ${name}_pair ${name}_log2(void)
 {
   const ${name}_pair log2 = {${log2_high}, ${log2_low}};
-  const ${name}_real n = ${floor}(x.hi/log2.hi + ${half});
-  ${name}_pair y = ${name}_pair_scale(${name}_pair_subtract(x, ${name}_pair_times(n, log2)), -6), s = ${name}_pair_of(${zero});
-  int i;
 
-  for (i = 12; i > 0; i--) { /* s = y/i (1 + s) */
-    s = ${name}_pair_multiply(y, ${name}_pair_add(${name}_pair_of(${one}), s));
-    s = ${name}_pair_divide(s, ${name}_pair_of((${name}_real)i));
-  }
-  for (i = 0; i < 6; i++) s = ${name}_pair_add(${name}_pair_scale(s, 1), ${name}_pair_multiply(s, s));
-  return ${name}_pair_scale(${name}_pair_add(${name}_pair_of(${one}), s), (int)n + e);
+  return log2;
 }
 
-/* log a = l + log(1 + r), r = a exp(-l) - 1, where l is good to the working precision */
-static ${name}_pair ${name}_pair_log(${name}_pair a)
+%% if not lagrange then
+/* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 + arctan of a rest below
+ * 1/16 (DLMF 4.24.15). */
+static ${name}_pair ${name}_pair_angle(${name}_pair x, ${name}_pair y)
 {
-  const ${name}_pair l = ${name}_pair_of(${log}(a.hi));
-  const ${name}_pair r = ${name}_pair_subtract(${name}_pair_multiply(a, ${name}_pair_exp(${name}_pair_minus(l), 0)), ${name}_pair_of(${one}));
+  const ${name}_pair arctan[9] = {
+%% for _, c in ipairs(arctan_eighths) do
+    {${c.high}, ${c.low}},
+%% end
+  };
+  const ${name}_pair pi = ${name}_pi();
+  const int left = x.hi < ${zero}, below = y.hi < ${zero};
+  const ${name}_pair u = left ? ${name}_pair_minus(x) : x, v = below ? ${name}_pair_minus(y) : y;
+  const int steep = v.hi > u.hi;
+  const ${name}_pair far = steep ? v : u, near = steep ? u : v;
+  ${name}_pair angle;
+  ${name}_real eighths;
 
-  return ${name}_pair_add(l, ${name}_pair_subtract(r, ${name}_pair_scale(${name}_pair_multiply(r, r), -1)));
+  if (!(far.hi > ${zero})) return ${name}_pair_of(${zero});
+  eighths = ${floor}((${name}_real)8*(near.hi/far.hi) + ${half});
+  angle = ${name}_pair_divide(${name}_pair_subtract(near, ${name}_pair_times(eighths/(${name}_real)8, far)),
+               ${name}_pair_add(far, ${name}_pair_times(eighths/(${name}_real)8, near)));
+  angle = ${name}_pair_add(arctan[(int)eighths], ${name}_pair_arc(angle, -${one}));
+  if (steep) angle = ${name}_pair_subtract(${name}_pair_shift(${half}, pi), angle);
+  if (left) angle = ${name}_pair_subtract(pi, angle);
+  return below ? ${name}_pair_minus(angle) : angle;
 }
 
-/* cos x - 1 and sin x, |x| <= pi: the series at x/64 and six doublings */
-static void ${name}_pair_circle(${name}_pair x, ${name}_pair *c1, ${name}_pair *s)
+%% end
+/* log(2^e a), a > 0: of 2^e, of 1 + j/8, and 2 artanh of a rest below 1/16 */
+static ${name}_pair ${name}_pair_log(${name}_pair a, int e)
 {
-  const ${name}_pair y = ${name}_pair_scale(x, -6), y2 = ${name}_pair_multiply(y, y);
-  ${name}_pair c = ${name}_pair_of(${zero}), d = ${name}_pair_of(${zero});
-  int i;
+  const ${name}_pair log[9] = {
+%% for _, c in ipairs(log_eighths) do
+    {${c.high}, ${c.low}},
+%% end
+  };
+  ${name}_pair near;
+  ${name}_real eighths;
+  int own;
 
-  for (i = 16; i > 0; i -= 2) {
-    c = ${name}_pair_minus(${name}_pair_multiply(y2, ${name}_pair_add(${name}_pair_of(${one}), c)));
-    c = ${name}_pair_divide(c, ${name}_pair_of((${name}_real)(i*(i - 1))));
-    d = ${name}_pair_minus(${name}_pair_multiply(y2, ${name}_pair_add(${name}_pair_of(${one}), d)));
-    d = ${name}_pair_divide(d, ${name}_pair_of((${name}_real)(i*(i + 1))));
-  }
-  d = ${name}_pair_multiply(y, ${name}_pair_add(${name}_pair_of(${one}), d));
-  for (i = 0; i < 6; i++) { /* cos 2x - 1 = -2 sin^2 x, sin 2x = 2 sin x (1 + (cos x - 1)) */
-    const ${name}_pair square = ${name}_pair_multiply(d, d);
-
-    d = ${name}_pair_scale(${name}_pair_multiply(d, ${name}_pair_add(${name}_pair_of(${one}), c)), 1);
-    c = ${name}_pair_minus(${name}_pair_scale(square, 1));
-  }
-  *c1 = c;
-  *s = d;
+  (void)${frexp}(a.hi, &own);
+  a = ${name}_pair_scale(a, 1 - own);
+  eighths = ${floor}((${name}_real)8*(a.hi - ${one}) + ${half});
+  near = ${name}_pair_of(${one} + eighths/(${name}_real)8);
+  near = ${name}_pair_shift(${two}, ${name}_pair_arc(${name}_pair_divide(${name}_pair_subtract(a, near),
+      ${name}_pair_add(a, near)), ${one}));
+  near = ${name}_pair_add(log[(int)eighths], near);
+  return ${name}_pair_add(${name}_pair_times((${name}_real)(e + own - 1), ${name}_log2()), near);
 }
 
-/* Carlson's R_F(x^2, y^2, z^2), at most one of x, y, z = 0: duplication (DLMF 19.26.18) until the three agree to 13 bits
- * (seven steps and some more if one is small: 40 cover every number), then the series of order 7 (DLMF 19.36.1). */
-static ${name}_pair ${name}_carlson(${name}_pair x, ${name}_pair y, ${name}_pair z)
+static void ${name}_store(${name}_real out[2], ${name}_pair a)
 {
-  ${name}_pair sum = ${name}_pair_of(${zero}), X, Y, Z, E2, E3, s;
-  int i;
-
-  for (i = 0; i < 40; i++) {
-    const ${name}_pair xy = ${name}_pair_multiply(x, y);
-    const ${name}_pair l = ${name}_pair_add(xy, ${name}_pair_multiply(z, ${name}_pair_add(x, y)));
-    const ${name}_pair x2 = ${name}_pair_scale(${name}_pair_add(${name}_pair_multiply(x, x), l), -2);
-    const ${name}_pair y2 = ${name}_pair_scale(${name}_pair_add(${name}_pair_multiply(y, y), l), -2);
-    const ${name}_pair z2 = ${name}_pair_scale(${name}_pair_add(${name}_pair_multiply(z, z), l), -2);
-
-    sum = ${name}_pair_add(${name}_pair_add(x2, y2), z2);
-    X = ${name}_pair_subtract(sum, ${name}_pair_times((${name}_real)3, x2));
-    Y = ${name}_pair_subtract(sum, ${name}_pair_times((${name}_real)3, y2));
-    Z = ${name}_pair_subtract(sum, ${name}_pair_times((${name}_real)3, z2));
-    if (${fabs}(X.hi) + ${fabs}(Y.hi) + ${fabs}(Z.hi) <= ${carlson_close}*sum.hi) break;
-    x = ${name}_pair_root(x2);
-    y = ${name}_pair_root(y2);
-    z = ${name}_pair_root(z2);
-  }
-  X = ${name}_pair_divide(X, sum);
-  Y = ${name}_pair_divide(Y, sum);
-  Z = ${name}_pair_divide(Z, sum);
-  E2 = ${name}_pair_multiply(X, Y);
-  E3 = ${name}_pair_multiply(E2, Z);
-  E2 = ${name}_pair_subtract(E2, ${name}_pair_multiply(Z, Z));
-  /* 1 - E2/10 + E3/14 + E2^2/24 - 3 E2 E3/44 - 5 E2^3/208 + 3 E3^2/104 + E2^2 E3/16; only the first two corrections
-   * need more than the working precision */
-  s = ${name}_pair_of(E2.hi*E2.hi/(${name}_real)24 - (${name}_real)3*E2.hi*E3.hi/(${name}_real)44
-               + E2.hi*E2.hi*(E3.hi/(${name}_real)16 - (${name}_real)5*E2.hi/(${name}_real)208) + (${name}_real)3*E3.hi*E3.hi/(${name}_real)104);
-  s = ${name}_pair_add(s, ${name}_pair_divide(E3, ${name}_pair_of((${name}_real)14)));
-  s = ${name}_pair_subtract(s, ${name}_pair_divide(E2, ${name}_pair_of((${name}_real)10)));
-  s = ${name}_pair_add(${name}_pair_of(${one}), s);
-  return ${name}_pair_divide(s, ${name}_pair_root(${name}_pair_divide(sum, ${name}_pair_of((${name}_real)3))));
+  out[0] = a.hi;
+  out[1] = a.lo;
 }

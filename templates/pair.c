@@ -61,16 +61,32 @@ static ${name}_pair ${name}_pair_minus(${name}_pair a)
   return a;
 }
 
+%% if pairs_add or pairs_multiply then
+/* hi + lo = the same, |lo| <= |hi| or hi a multiple of the last place of lo (Dekker's fast two-sum) */
+static ${name}_pair ${name}_pair_tidy(${name}_real hi, ${name}_real lo)
+{
+  ${name}_pair s;
+
+  s.hi = hi + lo;
+  s.lo = lo - (s.hi - hi);
+  return s;
+}
+
+%% end
+%% if pairs_add then
 static ${name}_pair ${name}_pair_add(${name}_pair a, ${name}_pair b)
 {
   ${name}_pair s = ${name}_pair_sum(a.hi, b.hi);
 
-  return ${name}_pair_sum(s.hi, s.lo + (a.lo + b.lo));
+  return ${name}_pair_tidy(s.hi, s.lo + (a.lo + b.lo));
 }
 
+%% end
+%% if pairs_multiply then
 static ${name}_pair ${name}_pair_multiply(${name}_pair a, ${name}_pair b)
 {
   ${name}_pair p = ${name}_pair_product(a.hi, b.hi);
 
-  return ${name}_pair_sum(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
+  return ${name}_pair_tidy(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
 }
+%% end

@@ -68,16 +68,32 @@ static void plugin_rhs(const void *m, double t, const double *x, const double *u
   widen(${upper}_NX, d, dx);
 }
 
-static void plugin_step(const void *m, double t, double *x, const double *u, double h)
+%% for _, s in ipairs(steppers) do
+static void plugin_${s.name}(const void *m, double t, double *x, const double *u, double h)
 {
   real y[${upper}_NX], v[${upper}_NU + 1] = {0};
 
   narrow(${upper}_NX, x, y);
   if (u) narrow(${upper}_NU, u, v);
-  ${name}_step((const ${name}_model *)m, (real)t, y, v, (real)h);
+  ${name}_${s.step}((const ${name}_model *)m, (real)t, y, v, (real)h);
   widen(${upper}_NX, y, x);
 }
 
+%%   if s.run then
+static int plugin_${s.name}_run(const void *m, double t0, double *x, const double *u, double t1, double tolerance, int most)
+{
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0};
+  int steps;
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  steps = ${name}_${s.name}_run((const ${name}_model *)m, (real)t0, y, v, (real)t1, (real)tolerance, most);
+  widen(${upper}_NX, y, x);
+  return steps;
+}
+
+%%   end
+%% end
 static void plugin_jacobian(const void *m, double t, const double *x, const double *u, double *J)
 {
   real y[${upper}_NX], v[${upper}_NU + 1] = {0}, j[${upper}_NX*${upper}_NX];
@@ -106,7 +122,7 @@ static void plugin_momentum(const void *m, const double *x, double *L)
   widen(3, v, L);
 }
 %% end
-%% if has_full then
+%% if has_closed then
 
 static int plugin_solve(void *o, const void *m, const double *x0)
 {
@@ -118,9 +134,15 @@ static int plugin_solve(void *o, const void *m, const double *x0)
 
 static void plugin_at(const void *o, double t, double *x)
 {
+%% if has_full then
   real y[${upper}_NX];
 
   ${name}_at((const ${name}_orbit *)o, (real)t, y);
+%% else
+  real y[${upper}_NX] = {0}; /* the closed form gives the rates only */
+
+  ${name}_at_rates((const ${name}_orbit *)o, (real)t, y + ${upper}_WX);
+%% end
   widen(${upper}_NX, y, x);
 }
 %% end
@@ -129,10 +151,20 @@ const struct polhode_plugin *polhode_plugin(void);
 
 const struct polhode_plugin *polhode_plugin(void)
 {
+  static const struct polhode_stepper steppers[] = {
+%% for _, s in ipairs(steppers) do
+%%   if s.run then
+    {"${s.name}", plugin_${s.name}, plugin_${s.name}_run},
+%%   else
+    {"${s.name}", plugin_${s.name}, NULL},
+%%   end
+%% end
+    {NULL, NULL, NULL},
+  };
   static const struct polhode_plugin table = {
     POLHODE_PLUGIN_ABI, "${name}", "${real}", (double)${epsilon}, ${upper}_NX, ${upper}_NU, ${upper}_NP,
     (unsigned long)sizeof(${name}_model),
-%% if has_full then
+%% if has_closed then
     (unsigned long)sizeof(${name}_orbit),
 %% else
     0,
@@ -143,13 +175,13 @@ const struct polhode_plugin *polhode_plugin(void)
 %% else
     NULL, NULL,
 %% end
-    plugin_rhs, plugin_step, plugin_jacobian, plugin_energy,
+    plugin_rhs, steppers, plugin_jacobian, plugin_energy,
 %% if has_attitude then
     plugin_momentum,
 %% else
     NULL,
 %% end
-%% if has_full then
+%% if has_closed then
     plugin_solve, plugin_at
 %% else
     NULL, NULL

@@ -12,7 +12,15 @@
 #ifndef POLHODE_PLUGIN_H
 #define POLHODE_PLUGIN_H
 
-#define POLHODE_PLUGIN_ABI 2
+#define POLHODE_PLUGIN_ABI 3
+
+/* One stepper: a step of a given size, and, if it chooses its own, a run from t0 to t1 of at most `most` steps, which
+ * returns their number or -1. */
+struct polhode_stepper {
+  const char *name;
+  void (*step)(const void *m, double t, double *x, const double *u, double h);
+  int (*run)(const void *m, double t0, double *x, const double *u, double t1, double tolerance, int most);
+};
 
 struct polhode_plugin {
   int abi; /* POLHODE_PLUGIN_ABI */
@@ -31,7 +39,7 @@ struct polhode_plugin {
   int (*principal)(const void *m, double moments[3], double axes[9]);
 
   void (*rhs)(const void *m, double t, const double *x, const double *u, double *dx);
-  void (*step)(const void *m, double t, double *x, const double *u, double h);
+  const struct polhode_stepper *steppers; /* the scene's own first; ended by one without a name */
   void (*jacobian)(const void *m, double t, const double *x, const double *u, double *J);
   double (*energy)(const void *m, const double *x);              /* J */
   void (*momentum)(const void *m, const double *x, double L[3]); /* inertial axes, N m s */

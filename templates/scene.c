@@ -93,6 +93,9 @@ ${principal_source}
 %% if has_closed then
 ${closed_source}
 %% end
+%% if stepper_source ~= "" then
+${stepper_source}
+%% end
 %% if has_rates then
 ${analysis_source}
 ${stability_source}

@@ -11,7 +11,8 @@
 #ifndef POLHODE_${upper}_HEADER
 #define POLHODE_${upper}_HEADER
 
-%% if has_ticks then
+%% if has_integers then
+#include <stddef.h>
 #include <stdint.h>
 
 %% end
@@ -84,6 +85,9 @@ ${f.declaration}
 
 %% if has_closed then
 ${closed_header}
+%% end
+%% if stepper_header ~= "" then
+${stepper_header}
 %% end
 %% if has_rates then
 ${principal_header}

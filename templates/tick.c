@@ -1,120 +1,34 @@
 %% -- tick.c -- the free top at equal steps, its phases counted in integers: part of scene.c.  SPDX-License-Identifier: MIT-0
-/* ---- time in ticks: phases as fractions of a turn, 128 bits, in which whole turns vanish by overflow ---- */
-
-/* a less whole turns, in units of 2^-128: {high, low}; sixteen bits at a time, each step exact */
-static void ${name}_fraction(${name}_pair a, uint64_t out[2])
-{
-  int i;
-
-  a = ${name}_pair_add(${name}_pair_sum(a.hi, -${floor}(a.hi)), ${name}_pair_of(a.lo));
-  if (a.hi < ${zero}) a = ${name}_pair_add(a, ${name}_pair_of(${one}));
-  out[0] = out[1] = 0;
-  for (i = 0; i < 8; i++) {
-    ${name}_real whole;
-
-    a = ${name}_pair_scale(a, 16);
-    whole = ${floor}(a.hi);
-    if (!(a.hi > whole) && a.lo < ${zero}) whole -= ${one};
-    a = ${name}_pair_sum(a.hi - whole, a.lo);
-    out[i/4] = out[i/4] << 16 | ((uint64_t)(int64_t)whole & 0xFFFFU);
-  }
-}
-
-/* the upper half of start + n rate, modulo a turn */
-static uint64_t ${name}_counted(const uint64_t start[2], const uint64_t rate[2], int64_t n)
-{
-  const uint64_t m = n < 0 ? 0 - (uint64_t)n : (uint64_t)n, a = m >> 32, b = m & 0xFFFFFFFFU;
-  const uint64_t c = rate[1] >> 32, d = rate[1] & 0xFFFFFFFFU;
-  const uint64_t middle = a*d + (b*d >> 32), cross = b*c + (middle & 0xFFFFFFFFU); /* m rate[1], its upper half */
-  uint64_t high = m*rate[0] + a*c + (middle >> 32) + (cross >> 32), low = m*rate[1], sum;
-
-  if (n < 0) {
-    high = 0 - high - (low > 0 ? 1U : 0U);
-    low = 0 - low;
-  }
-  sum = start[1] + low;
-  return start[0] + high + (sum < low ? 1U : 0U);
-}
-
-/* a fraction as a signed number of turns, |turns| <= 1/2 */
-static ${name}_real ${name}_turns(uint64_t f)
-{
-  return f >> 63 ? -((${name}_real)(0 - f)*${two64}) : (${name}_real)f*${two64};
-}
-
 int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
 {
-  const ${name}_pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]};
-  const ${name}_pair turn = {o->turn[0], o->turn[1]}, jump = {o->jump[0], o->jump[1]};
-  const ${name}_pair period = {o->period[0], o->period[1]};
-  ${name}_pair per = ${name}_pair_of(${zero}), first = ${name}_pair_of(${zero}), mean;
+  const ${name}_pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]}, turn = {o->turn[0], o->turn[1]};
+  const ${name}_pair per = ${name}_pair_times(h, rate), mean = ${name}_pair_times(h, turn);
 
-  if (o->inverse > ${zero}) {
-    per = ${name}_pair_divide(rate, period);
-    first = ${name}_pair_divide(start, period);
-  }
-  mean = ${name}_pair_times(h, ${name}_pair_subtract(turn, ${name}_pair_multiply(jump, per)));
-  per = ${name}_pair_times(h, per);
   if (!(per.hi - per.hi == ${zero}) || !(mean.hi - mean.hi == ${zero})) return 1;
   o->tick = h;
-  ${name}_fraction(${name}_pair_scale(per, -1), o->rate_tick); /* of two periods: the last bit is the sign */
-  ${name}_fraction(${name}_pair_scale(first, -1), o->rate_start);
+  ${name}_fraction(per, o->rate_tick);
+  ${name}_fraction(start, o->rate_start);
   ${name}_fraction(mean, o->turn_tick);
-  ${name}_fraction(${name}_pair_minus(${name}_pair_multiply(jump, first)), o->turn_start);
+  o->turn_start[0] = o->turn_start[1] = 0;
   return 0;
 }
 
 void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[])
 {
-  const uint64_t two = ${name}_counted(o->rate_start, o->rate_tick, n);
-  ${name}_real r = ${name}_turns(two << 1), turn = ${name}_turns(${name}_counted(o->turn_start, o->turn_tick, n));
-  const int odd = (int)((two + ((uint64_t)1 << 62)) >> 63);
+  const uint64_t phase = ${name}_counted(o->rate_start, o->rate_tick, n);
+  const uint64_t turn = ${name}_counted(o->turn_start, o->turn_tick, n), last = 0xFFFFFFFFFFFFU; /* 48 bits */
+  const ${name}_real low = ${half}*${name}_turns(phase << 1); /* without the half period that is nearest */
+  ${name}_phases p;
 
-  if (o->hyperbolic) {
-    turn += o->jump[0]*r;
-    turn -= ${name}_nearest(turn);
-    r *= o->period[0];
-    if (!(o->inverse > ${zero})) { /* the separatrix has no period */
-      ${name}_pair t = ${name}_pair_product((${name}_real)n, o->tick), p = ${name}_pair_of(o->start[0]);
+  p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > ${zero} ? -${half} : ${half}) : ${zero};
+  p.low = low;
+  if (!(o->half < ${no_period})) { /* the separatrix has no period */
+    const ${name}_pair t = ${name}_pair_product((${name}_real)n, o->tick);
 
-      p.lo = o->start[1] + o->rate[0]*t.lo;
-      p = ${name}_phase(p, o->rate, t.hi);
-      r = p.hi + p.lo;
-    }
+    p = ${name}_reduce(o, t.hi);
+    p.low += o->rate[0]*t.lo;
   }
-  ${name}_state(o, r, odd ? -${one} : ${one}, turn, x);
-}
-
-void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[])
-{
-  ${name}_real r, turn, flip, y[4], f[3], n;
-  int i;
-
-  ${name}_reduce(o, t, &r, &turn, &flip);
-  ${name}_functions(o, r, flip, ${zero}, y, f);
-  n = ${one}/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
-  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
-}
-
-void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[])
-{
-  ${name}_real r, turn, flip, y[4], f[3];
-
-  ${name}_reduce(o, t, &r, &turn, &flip);
-  ${name}_functions(o, r, flip, turn, y, f);
-  ${name}_attitude(o, y, q);
-}
-
-${name}_real ${name}_polhode_period(const ${name}_orbit *o)
-{
-  if (!(o->rate[0] > ${zero})) return ${zero};
-  return o->inverse > ${zero} ? ${two}*o->period[0]/o->rate[0] : ${huge};
-}
-
-/* 2 mu + s z': b winds once more than a in each period of z */
-${name}_real ${name}_precession_rate(const ${name}_orbit *o)
-{
-  const ${name}_real per = o->rate[0]*o->inverse;
-
-  return ${pi_high}*(${two}*${two}*(o->turn[0] - o->jump[0]*per) + o->s*per);
+  p.turn = ${name}_turns(turn & ~last);
+  p.turn_low = ${name}_turns(turn & last);
+  ${name}_state(o, p, x);
 }

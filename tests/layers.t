@@ -20,7 +20,7 @@ local ARROWS = {
   dynamics = { "algebra", "mass" }, -- mass: principal axes and validity of the tensor that moves
   methods = { "algebra", "dynamics" },
   ir = { "algebra", "polhode_rational" },
-  emit = { "algebra", "ir" },
+  emit = { "algebra", "ir", "dynamics" }, -- dynamics: the free top with many digits, for constants and expected states
   plan = { "algebra", "dynamics", "methods", "ir" },
   report = { "algebra", "mass", "emit", "geometry", "draw" },
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report" },
@@ -51,7 +51,10 @@ local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/
   ["generator/ir/show.lua"] = true, ["generator/report/json.lua"] = true, ["generator/report/facts.lua"] = true,
   ["generator/report/explain.lua"] = true, ["generator/commands/run.lua"] = true,
   ["generator/report/stability.lua"] = true, ["generator/report/chart.lua"] = true,
+  ["generator/report/linearised.lua"] = true,
   ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true,
+  ["generator/commands/motion_checks.lua"] = true,
+  ["generator/commands/forced.lua"] = true,
   ["generator/commands/mesh.lua"] = true }
 
 local METHODS = { "gsub", "match", "format", "sub", "rep", "find", "gmatch", "byte", "lower", "upper", "len",

@@ -1,16 +1,19 @@
--- chart.lua -- polhode chart: where in the plane of two parameters a spin persists, as SVG.
+-- chart.lua -- polhode chart: where in the plane of two parameters a spin persists, as SVG; with --linearised the
+-- error of the linearised top against the exact motion.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local options = require "generator.commands.options"
 local driver = require "generator.driver"
 local stability = require "generator.mass.stability"
+local numeric = require "generator.dynamics.numeric"
 local report = require "generator.report.chart"
+local linearised = require "generator.report.linearised_chart"
 
 local chart = {}
 
 chart.options = { ["--over"] = "words", ["--axis"] = { "x", "y", "z", "0", "1", "2" }, ["--dissipation"] = false,
-  ["--set"] = "pair", ["-o"] = "text" }
+  ["--linearised"] = false, ["--set"] = "pair", ["-o"] = "text" }
 chart.operands = { 1, 1 }
 
 -- "a=0.05:0.4" as {name, low, high}, or nil and what is wrong.
@@ -68,22 +71,48 @@ local function axes(job, s, asked)
   return list
 end
 
+-- The stability chart's text, or nil and what is wrong.
+local function stability_text(job, given)
+  local over, wrong = plane(job, given.over)
+  if not over then return nil, wrong end
+  local s = stability.of(job.model)
+  if not s.axes then return nil, "the principal axes of this body have no simple closed form" end
+  local list
+  list, wrong = axes(job, s, given.axis)
+  if not list then return nil, wrong end
+  return report.text(job, over, list, given.dissipation)
+end
+
+-- The chart of the linearised top, or nil and what is wrong; the exact motion is the general library's.
+local function linearised_text(host, job, given)
+  if given.over or given.axis or given.dissipation then
+    return nil, "--linearised excludes --over, --axis and --dissipation"
+  end
+  local scene = numeric.scene(job)
+  scene.effects, scene.q = {}, { 1.0, 0.0, 0.0, 0.0 }
+  return linearised.text(job, function(w, times)
+    scene.w = w
+    local rows, why = host.run(scene, { method = "exact", times = times })
+    if not rows then return nil, why end
+    for i, row in ipairs(rows) do rows[i] = { row[6], row[7], row[8] } end
+    return rows
+  end)
+end
+
 function chart.run(host, given)
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, given[1], d, why) end
   options.warn(host, job.diag)
-  local over, wrong = plane(job, given.over)
-  local s = over and stability.of(job.model)
-  if s and not s.axes then wrong = "the principal axes of this body have no simple closed form" end
-  local list
-  if s and s.axes then
-    list, wrong = axes(job, s, given.axis)
+  local text, wrong
+  if given.linearised then
+    text, wrong = linearised_text(host, job, given)
+  else
+    text, wrong = stability_text(job, given)
   end
-  if not list then
+  if not text then
     host.err("polhode chart: " .. wrong .. "\n")
     return 2
   end
-  local text = report.text(job, over, list, given.dissipation)
   if not given.o then
     host.out(text)
     return 0

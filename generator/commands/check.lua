@@ -7,7 +7,7 @@
 --   energy, momentum   8 ulp of the largest term
 --   Jacobian    against central differences of the emitted rates, whose own error is eps^(2/3) of the scale
 --   stepper     order 4, by halving h against the library's motion
---   closed form against the library's motion at the emitted tensor
+--   closed form against the library's exact solver at the emitted tensor: what both promise
 -- Exit status 3 when a number fails.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

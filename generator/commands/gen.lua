@@ -4,10 +4,12 @@
 
 local options = require "generator.commands.options"
 local driver = require "generator.driver"
+local methods = require "generator.methods.list"
 
 local gen = {}
 
 gen.options = { ["-o"] = "text", ["--real"] = { "double", "float" }, ["--bake"] = false, ["--method"] = "words",
+  ["--order"] = "number",
   ["--set"] = "pair", ["--show"] = { "lower", "power", "fold", "cse", "dce", "order" } }
 gen.operands = { 1, 1 }
 
@@ -16,6 +18,7 @@ function gen.command(given)
   local parts = { "polhode gen", string.match(given[1], "[^/]*$") }
   if given.real == "float" then parts[#parts + 1] = "--real float" end
   if given.bake then parts[#parts + 1] = "--bake" end
+  if given.order then parts[#parts + 1] = string.format("--order %d", given.order) end
   if given.method then parts[#parts + 1] = "--method " .. table.concat(given.method, ",") end
   local names = {}
   for k in pairs(given.set or {}) do names[#names + 1] = k end
@@ -24,32 +27,56 @@ function gen.command(given)
   return table.concat(parts, " ")
 end
 
--- {rk4 = true, exact = true} from --method; nil and a message for one that cannot be emitted.
-local function methods(given)
-  if not given.method then return nil end
-  local set = {}
-  for _, name in ipairs(given.method) do
-    if name ~= "rk4" and name ~= "exact" then return nil, "--method: gen emits rk4 and exact, got " .. name end
-    set[name] = true
+-- The list of --method; nil and a message for one that cannot be emitted.  NAME_linearised, like the rest of the
+-- analysis, is always emitted: the name is allowed and changes nothing.
+local function chosen_methods(given)
+  local names, known = { "exact" }, { exact = true, linearised = true }
+  for _, m in ipairs(methods) do
+    names[#names + 1] = m.name
+    known[m.name] = true
   end
-  return set
+  local seen = {}
+  for _, name in ipairs(given.method or {}) do
+    if not known[name] then
+      return nil, "--method: gen emits " .. table.concat(names, ", ") .. " and linearised, got " .. name
+    end
+    if seen[name] then return nil, "--method: " .. name .. " stands there twice" end
+    seen[name] = true
+  end
+  return given.method
+end
+
+-- The order of --order, or a message.
+function gen.order(given)
+  local least, most = table.unpack(methods.by_name.taylor.orders)
+  local n = given.order
+  if n and (n < least or n > most or n % 1 ~= 0) then
+    return nil, string.format("--order must be a whole number from %d to %d, got %s", least, most, given.order)
+  end
+  return n and math.tointeger(n)
 end
 
 function gen.run(host, given)
-  local chosen, wrong = methods(given)
+  local chosen, wrong = chosen_methods(given)
+  local order, bad = gen.order(given)
+  wrong = wrong or bad
   if wrong then
     host.err("polhode gen: " .. wrong .. "\n")
     return 2
   end
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, given[1], d, why) end
-  if chosen and chosen.exact and not job.closed.kind then
+  local exact = false
+  for _, name in ipairs(chosen or {}) do exact = exact or name == "exact" end
+  if exact and not job.closed.kind then
     d = job.diag
     d:error(job.record.line, "method exact", "this scene has no closed form: " .. job.closed.refused)
     return options.refuse(host, given[1], d)
   end
   options.warn(host, job.diag)
-  driver.plan(job, { real = given.real, command = gen.command(given), methods = chosen })
+  if not driver.plan(job, { real = given.real, command = gen.command(given), methods = chosen, order = order }) then
+    return options.refuse(host, given[1], job.diag)
+  end
   if given.show then
     host.out(driver.show(host, job, given.show))
     return 0

@@ -4,6 +4,7 @@
 
 local catalogue = require "generator.mass.catalogue"
 local effects = require "generator.effects.list"
+local methods = require "generator.methods.list"
 local conserved = require "generator.dynamics.conserved"
 local units = require "generator.dsl.units"
 
@@ -40,10 +41,14 @@ function what.effects()
 end
 
 function what.methods()
-  return { { "exact", "closed form at any time: every torque-free top" },
-    { "rk4", "classical Runge-Kutta of order 4, fixed step, unrolled" },
-    { "linearised", "small oscillations of the free top about a principal axis, closed form" },
-    { "adaptive", "general library only (run): Taylor series, step and order chosen" } }
+  local rows = { { "exact", "closed form at any time: every torque-free top" } }
+  for _, m in ipairs(methods) do rows[#rows + 1] = { m.name, m.about } end
+  for _, row in ipairs {
+    { "linearised", "small oscillations of the free top about a principal axis; run: general library" },
+  } do
+    rows[#rows + 1] = row
+  end
+  return rows
 end
 
 function what.constants()

@@ -7,6 +7,8 @@
 local options = require "generator.commands.options"
 local build = require "generator.commands.build"
 local driver = require "generator.driver"
+local gen = require "generator.commands.gen"
+local methods = require "generator.methods.list"
 local numeric = require "generator.dynamics.numeric"
 local json = require "generator.report.json"
 
@@ -15,7 +17,7 @@ local run = {}
 run.options = { ["--engine"] = { "general", "generated" }, ["--method"] = "text", ["--step"] = "number",
   ["--until"] = "number", ["--every"] = "number", ["--at"] = "numbers", ["--format"] = { "csv", "json" },
   ["-o"] = "text",
-  ["--real"] = { "double", "float" }, ["--set"] = "pair", ["--tolerance"] = "number" }
+  ["--real"] = { "double", "float" }, ["--set"] = "pair", ["--tolerance"] = "number", ["--order"] = "number" }
 run.operands = { 1, 1 }
 
 -- The names of the columns, and a row of them from t, the scene's state, energy and L (nil without attitude).
@@ -39,7 +41,7 @@ local function columns(job)
 end
 
 local general = { adaptive = true, taylor = true, rk4 = true, rkf45 = true, rk8pd = true, ["gsl-rk4"] = true,
-  exact = true }
+  exact = true, linearised = true }
 
 -- Most rows that one call prints; more is a slip of --every.
 local most = 1000000
@@ -63,14 +65,24 @@ end
 
 local function generated(host, job, given, list)
   local method = given.method or (job.closed.full and "exact" or "rk4")
-  if method ~= "rk4" and method ~= "exact" then
-    return nil, "--engine generated has the methods rk4 and exact, got " .. method
+  if method ~= "exact" and not methods.by_name[method] then
+    local names = { "exact" }
+    for _, m in ipairs(methods) do names[#names + 1] = m.name end
+    return nil, "--engine generated has the methods " .. table.concat(names, ", ") .. ", got " .. method ..
+      (method == "linearised" and " (--engine general has it; in C it is the function NAME_linearised)" or "")
   end
   if method == "exact" and not job.closed.full then
     return nil, "method exact: " .. (job.closed.kind and "the closed form of this scene gives the rates only" or
       "this scene has no closed form: " .. job.closed.refused)
   end
-  driver.plan(job, { real = given.real, command = "" })
+  local order, wrong = gen.order(given)
+  if wrong then return nil, wrong end
+  if given.tolerance and not (methods.by_name[method] or {}).adaptive then
+    return nil, "--tolerance: the method " .. method .. " has a fixed step"
+  end
+  if not driver.plan(job, { real = given.real, command = "", methods = { method }, order = order }) then
+    return nil, job.diag:report()
+  end
   local plugin, why = build.plugin(host, job)
   if not plugin then return nil, why end
   if plugin:init() ~= 0 then return nil, "the emitted code refuses the scene's own parameters" end
@@ -79,7 +91,10 @@ local function generated(host, job, given, list)
     if plugin:solve(x0) ~= 0 then return nil, "the closed form refuses the initial state" end
     for i, t in ipairs(list) do rows[i] = { t, table.unpack(plugin:at(t)) } end
   else
-    rows = plugin:integrate(x0, nil, given.step or job.model:double(job.model.step), list)
+    local adaptive = methods.by_name[method].adaptive and not given.step
+    local step = adaptive and { given.tolerance or 1e-12 } or given.step or job.model:double(job.model.step)
+    rows = plugin:integrate(x0, nil, step, list, 0, method)
+    if not rows then return nil, "method " .. method .. ": no steps lead to the end; is there a singularity?" end
   end
   local _, row_of = columns(job)
   for i, row in ipairs(rows) do
@@ -92,11 +107,12 @@ end
 local function library(host, job, given, list)
   local method = given.method or "adaptive"
   if not general[method] then
-    return nil, "--engine general has the methods adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, exact, got " .. method
+    return nil, "--engine general has the methods adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, exact, linearised, " ..
+      "got " .. method
   end
   local scene = numeric.scene(job)
-  if method == "exact" and #scene.effects > 0 then
-    return nil, "--engine general --method exact solves free tops, and this scene has effects"
+  if (method == "exact" or method == "linearised") and #scene.effects > 0 then
+    return nil, "--engine general --method " .. method .. " solves free tops, and this scene has effects"
   end
   local fixed = given.step or (method == "rk4" or method == "gsl-rk4") and job.model:double(job.model.step) or nil
   local rows, why = host.run(scene, { method = method, step = fixed, tol = given.tolerance, times = list })

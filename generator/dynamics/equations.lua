@@ -140,7 +140,7 @@ function builders.symmetric(m, N, groups, d)
   local k, w = s.k, state.w
   local axis = coordinate(k)
   local across = axis and axis % 3 + 1
-  local c = m:constant("c", (s.axial - s.alpha) / (s.alpha * s.k2), "(I3 - I1)/I1" ..
+  local c = m:constant("cs", (s.axial - s.alpha) / (s.alpha * s.k2), "(I3 - I1)/I1" ..
     (s.k2 == expr.one and "" or " / k^2"), false, axis and quotient(m, axis, across, across))
   local kk = axis and k or vec.map(k, function(x, i)
     return m:constant("k" .. axis_name[i], x, "direction of the symmetry axis")

@@ -196,15 +196,16 @@ function quantities.rhs(eq)
     doc = { "Equations of motion: dx = dx/dt at time t, state x, input u.  dx must not overlap x." }, groups = groups }
 end
 
-function quantities.step(m, eq, method)
+-- One step by a method that is written as equation groups, as the function `name`.
+function quantities.step(m, eq, method, name)
   local groups = {}
   local steps, divides = method.groups(eq, function(e, words) return m:derived(e, words) end)
   for i, g in ipairs(steps) do
     local list = vec.map(g.outs, function(o) return { array = "x", state = o.state, expr = o.expr } end)
     groups[i] = { why = g.why, where = g.where, defs = g.defs, outs = list }
   end
-  return { name = "step", args = { "m", "t", "x!", "u", "h" },
-    doc = { "One step of the classical Runge-Kutta method of order 4: x goes from time t to t + h, the input u",
+  return { name = name, args = { "m", "t", "x!", "u", "h" },
+    doc = { "One step of the " .. method.title .. ": x goes from time t to t + h, the input u",
       "held.  q must be a unit quaternion (to a few per cent: it is brought back to |q| = 1)." }, groups = groups,
     -- 4/(3 h) must stay finite; a step shorter than the smallest normal number moves nothing that could be seen
     guard = divides and "h" or nil }

@@ -68,7 +68,7 @@ local function own_states(e, taken)
     local name, n = s.name, 1
     while taken[name] do
       n = n + 1
-      name = s.name .. "_" .. n -- "wheel2" is the name of the second stage of "wheel"
+      name = s.name .. "_" .. n -- speed2 would be the speed at stage 2
     end
     taken[name] = true
     e.own[s.name] = state.sym(name)

@@ -32,6 +32,7 @@ return {
   require "generator.effects.damping",
   require "generator.effects.torque",
   require "generator.effects.control",
+  require "generator.effects.rotor",
   require "generator.effects.translation",
   require "generator.effects.drag",
   require "generator.effects.friction",

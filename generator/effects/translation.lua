@@ -56,6 +56,8 @@ local function strengths(a, c)
   return g, k
 end
 
+translation.strengths = strengths
+
 function translation.force(a, c)
   local g, k = strengths(a, c)
   local drag = c.per_mass("drag", a.drag, "drag, N s^2/m^2")

@@ -6,12 +6,15 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local economy = require "generator.emit.economy"
 local init = require "generator.emit.init"
 local number = require "generator.emit.number"
+local orbit = require "generator.emit.orbit"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
 local stability = require "generator.emit.stability"
+local steppers = require "generator.emit.steppers"
 local selftest = require "generator.emit.selftest"
 local vectors = require "generator.emit.vectors"
 
@@ -33,21 +36,42 @@ end
 local function literals(real)
   local function n(q) return number.text(R.lift(q), real) end
   local bits = real == "float" and 24 or 53
-  return { zero = n(0), one = n(1), two = n(2), half = n "1/2", threehalves = n "3/2", twelve = n(12),
+  return { zero = n(0), one = n(1), two = n(2), three = n(3), four = n(4), half = n "1/2",
+    quarter = n "1/4", eighth = n "1/8", threehalves = n "3/2", twelve = n(12), sixteen = n(16),
     epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
-    two64 = n(R.new(2) ^ -64),
+    two64 = n(R.new(2) ^ -64), two32 = n(R.new(2) ^ -32),
+    last_turn = n(R.new(2) ^ (bits == 24 and 46 or 50)), last_time = n(R.new(2) ^ (bits == 24 and 97 or 990)),
+    bits_type = bits == 24 and "uint32_t" or "uint64_t", binary_shift = bits == 24 and "23" or "52",
+    binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
+    block = bits == 24 and "16" or "8", no_period = n(R.new(2) ^ (bits == 24 and 40 or 100)),
+    binary_limit = n(bits == 24 and 60 or 500),
     carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
 end
 
--- pi and log 2 as pairs high + low, into a table: order is lost
+-- Constants as pairs high + low: pi, 1/pi, log 2, and the tables of templates/double.c.
 local function constants(real, v)
-  for name, x in pairs { -- order is lost in a table
-    pi = R.apply("pi", 200), log2 = R.apply("log", 200, R.lift(2)) } do
+  local function pair(x)
     local high = R.fromdouble(real == "float" and R.tofloat(x) or R.todouble(x))
-    v[name .. "_high"], v[name .. "_low"] = number.text(high, real), number.text(x - high, real)
+    return { high = number.text(high, real), low = number.text(x - high, real) }
   end
+  local function named(name, x)
+    local p = pair(x)
+    v[name .. "_high"], v[name .. "_low"] = p.high, p.low
+  end
+  local function table_of(n, f)
+    local list = {}
+    for j = 0, n do list[j + 1] = pair(f(R.lift(j))) end
+    return list
+  end
+  local pi = R.apply("pi", 200)
+  named("pi", pi)
+  named("inverse_pi", R.one / pi)
+  named("log2", R.apply("log", 200, R.lift(2)))
+  v.odd_reciprocals = table_of(5, function(j) return R.one / (R.lift(2) * j + R.one) end)
+  v.arctan_eighths = table_of(8, function(j) return R.apply("atan", 200, j / R.lift(8)) end)
+  v.log_eighths = table_of(8, function(j) return R.apply("log", 200, R.one + j / R.lift(8)) end)
 end
 
 -- Enumerators with their meaning; names that share one meaning (about = "" after the first) share a line.
@@ -131,7 +155,7 @@ local function common(job)
     input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
     members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil,
-    has_full = job.closed.full or false, has_ticks = job.closed.ticks or false, free = eq.free and m.has.attitude,
+    has_full = job.closed.full or false, free = eq.free and m.has.attitude,
     bits = string.format("%d", selftest.bits) }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
@@ -152,6 +176,8 @@ local function common(job)
   special.fill(v, ctx)
   v.has_rates, v.has_attitude = m.has.rates, m.has.attitude
   v.conservative = job.conserved.is["T+V"] and not (eq.free and m.has.attitude)
+  v.has_ticks = job.closed.ticks or false
+  v.has_integers = v.has_ticks or job.closed.integers or false
   v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
@@ -174,19 +200,25 @@ end
 
 -- The closed form's part of header and source.
 local function closed_values(job, v, ctx)
-  v.closed_header, v.closed_source = "", ""
-  v.oblique = job.oblique ~= nil
+  v.closed_header, v.closed_source, v.pairs_add, v.pairs_multiply = "", "", true, true
+  v.oblique, v.has_own = job.oblique ~= nil, false
   put_constants(job.oblique or {}, v, ctx.real)
   if not v.has_closed then return end
   local form = job.closed
   v.theorem, v.closed_text, v.single = form.theorem, form.text, ctx.real == "float"
   v.uses_model = put_constants(job.closed_constants, v, ctx.real)
-  v.symmetric = false
+  v.symmetric, v.rod, v.rotor, v.damped, v.axial, v.lagrange = false, false, false, false, false, false
+  v.pairs_add, v.pairs_multiply = form.pairs ~= "few" or v.has_special, form.pairs == nil or v.has_special
+  economy.fill(v, ctx.real)
   for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end
-  v.closed_header = render(form.header)
+  orbit.fill(job, v)
+  local headers = {}
+  for i, name in ipairs(form.headers or { form.header }) do headers[i] = render(name) end
+  v.closed_header = table.concat(headers, "\n")
   local parts = {}
   for i, name in ipairs(form.sources) do parts[i] = render(name) end
+  if v.has_own then parts[#parts + 1] = render "templates/own.c" end
   v.closed_source = table.concat(parts, "\n")
 end
 
@@ -196,6 +228,7 @@ local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
 function project.files(job, plugin)
   local v, ctx = common(job)
   closed_values(job, v, ctx)
+  steppers.render(job, v, ctx)
   special.render(job, v)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   if v.has_rates then

@@ -53,7 +53,7 @@ local function sources(ctx, f)
     elseif a == "t" or a == "h" then
       put(a, a)
     elseif type(a) == "table" and not a.out then
-      local names = a.count == 6 and six or three
+      local names = a.names or a.count == 6 and six or three
       for i = 1, a.count do put(a.name .. names[i], a.name .. "[" .. (i - 1) .. "]") end
     end
   end
@@ -171,6 +171,20 @@ end
 
 local function printed(ctx)
   return { type = ctx.name .. "_real", indent = 2, scene = ctx.name, helpers = ctx.helpers }
+end
+
+-- Runs of states of one kind, attitude, rates and so on: {first, last (one beyond), about} as text.
+function source.kinds(states)
+  local list = {}
+  for i, s in ipairs(states) do
+    local kind = list[#list]
+    if not kind or s.about ~= "" then
+      kind = { first = string.format("%d", i - 1), about = s.about ~= "" and s.about or s.name }
+      list[#list + 1] = kind
+    end
+    kind.last = string.format("%d", i)
+  end
+  return list
 end
 
 -- Everything a template needs of one function: doc lines, prototype, body lines, operation counts, IR.

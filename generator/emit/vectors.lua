@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local motion = require "generator.emit.motion"
 local number = require "generator.emit.number"
 local selftest = require "generator.emit.selftest"
 
@@ -149,6 +150,16 @@ function vectors.fill(job, v, ctx)
     return list
   end
 
+  local function printed(n, want, tolerance, call, what)
+    for i = 1, n do
+      want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero
+      -- below the smallest normal number relative rounding ends
+      if R.sign(tolerance[i]) > 0 and tolerance[i] < least then tolerance[i] = least end
+      if R.abs(want[i]) < least then want[i] = round(want[i]) end
+    end
+    return { n = string.format("%d", n), want = lines(want, real), tolerance = lines(tolerance, real), call = call,
+      what = what }
+  end
   local nx = #job.states
   v.got_size = nx < 4 and "16" or ctx.upper .. "_NX*" .. ctx.upper .. "_NX"
   v.cases = {}
@@ -156,14 +167,7 @@ function vectors.fill(job, v, ctx)
     local f = description(job, name)
     if not f then return end
     local want, tolerance = selftest.expect(f, env, inputs(state), index, epsilon)
-    for i = 1, n do
-      want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero
-      -- below the smallest normal number relative rounding ends
-      if R.sign(tolerance[i]) > 0 and tolerance[i] < least then tolerance[i] = least end
-      if R.abs(want[i]) < least then want[i] = round(want[i]) end
-    end
-    v.cases[#v.cases + 1] = { n = string.format("%d", n), want = lines(want, real), tolerance = lines(tolerance, real),
-      call = call, what = what }
+    v.cases[#v.cases + 1] = printed(n, want, tolerance, call, what)
   end
   local p = m.name .. "_"
   local function of_state(o) return o.state and position[o.state] or by_index(o) end
@@ -190,6 +194,13 @@ function vectors.fill(job, v, ctx)
     "acceleration: Coriolis, Euler, centrifugal, total", function(o) return term[o.array] + o.index + 1 end)
   case("jacobian", nx * nx, xs[2].values, p .. "jacobian(&m, " .. v.zero .. ", x2, u, got)",
     "Jacobian of the equations at state 2", by_index)
+
+  v.motion_cases = {}
+  for i, c in ipairs(motion.cases { job = job, x0 = xs[1].values, power = R.new(1, 2) / (time or R.half), env = env,
+    params = params, epsilon = epsilon, real = real, name = m.name, has_own = v.has_own, has_ticks = v.has_ticks,
+    number = function(q) return number.text(q, real) end }) do
+    v.motion_cases[i] = printed(7, c.want, c.tolerance, c.call, c.what)
+  end
 
   v.spin_cases = {}
   for i, c in ipairs(selftest.spins(job, params)) do

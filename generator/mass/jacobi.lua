@@ -12,15 +12,10 @@ local R = require "generator.algebra.rational"
 
 local jacobi = {}
 
-local bits = 128
-local most = 2 * bits
-local negligible = R.new(2) ^ (-2 * bits) -- of the product of the diagonal entries, for the square of an entry
-
-local function round(q) return R.round(q, bits) end
-
 -- Turn the axes p and q of the diagonal d, the products of inertia o (o[r] = I_pq) and the frame v so that o[r] becomes
 -- zero but for the rounding of the tangent, of which nothing is neglected.
-local function turn(d, o, v, r)
+local function turn(d, o, v, r, bits)
+  local function round(q) return R.round(q, bits) end
   local p, q = r % 3 + 1, (r + 1) % 3 + 1
   local ratio = (d[q] - d[p]) / (o[r] + o[r])
   local root = R.apply("sqrt", bits, R.one + ratio * ratio)
@@ -34,23 +29,30 @@ local function turn(d, o, v, r)
   for k = 1, 3 do v[p][k], v[q][k] = round(c * v[p][k] - s * v[q][k]), round(s * v[p][k] + c * v[q][k]) end
 end
 
--- I: {xx, yy, zz, xy, xz, yz}, rationals or finite doubles.  Returns {m1, m2, m3} and {axis1, axis2, axis3}, doubles.
-function jacobi.run(I)
-  local e = {}
-  for n = 1, 6 do e[n] = round(R.is(I[n]) and I[n] or R.fromdouble(I[n])) end
+-- e: {xx, yy, zz, xy, xz, yz}, rationals.  The moments and their axes, in no order, the frame right-handed: rationals.
+function jacobi.precise(e, bits)
   local d, o, v = { e[1], e[2], e[3] }, { e[6], e[5], e[4] }, {}
+  local negligible = R.new(2) ^ (-2 * bits) -- of the product of the diagonal entries, for the square of an entry
   for k = 1, 3 do v[k] = { R.new(k == 1 and 1 or 0), R.new(k == 2 and 1 or 0), R.new(k == 3 and 1 or 0) } end
   local settled = 0
-  for n = 0, most do
+  for n = 0, 2 * bits do
     local r = 3 - n % 3
     if o[r] * o[r] <= negligible * R.abs(d[r % 3 + 1] * d[(r + 1) % 3 + 1]) then
       settled, o[r] = settled + 1, R.zero
     else
       settled = 0
-      turn(d, o, v, r)
+      turn(d, o, v, r, bits)
     end
     if settled == 3 then break end
   end
+  return d, v
+end
+
+-- I: {xx, yy, zz, xy, xz, yz}, rationals or finite doubles.  Returns {m1, m2, m3} and {axis1, axis2, axis3}, doubles.
+function jacobi.run(I)
+  local e = {}
+  for n = 1, 6 do e[n] = R.round(R.is(I[n]) and I[n] or R.fromdouble(I[n]), 128) end
+  local d, v = jacobi.precise(e, 128)
   local moments, order, even = {}, { 1, 2, 3 }, true
   for k = 1, 3 do moments[k] = R.todouble(d[k]) end
   for i = 2, 3 do -- insertion sort: equal moments keep their order

@@ -11,13 +11,15 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
 local vec = require "generator.algebra.vec"
 local moving = require "generator.dynamics.moving"
 local state = require "generator.dynamics.state"
 local attitude = require "generator.methods.attitude"
 local stages = require "generator.methods.stages"
 
-local rk4 = { name = "rk4", order = 4, about = "classical Runge-Kutta, fixed step, unrolled" }
+local rk4 = { name = "rk4", order = 4, title = "classical Runge-Kutta method of order 4",
+  about = "classical Runge-Kutta, fixed step, unrolled" }
 
 local h, q, w = state.h, state.q, state.w
 local comp, named = attitude.comp, attitude.named
@@ -87,7 +89,7 @@ local function angles(eq, g, s, h4, at, renamed)
   local m = eq.model
   local v = named(g, m.has.position and "a" or "v", tostring(s), vec.scale(h4, at), comp)
   if not m.frame then return v end
-  local turn = vec.map(moving.rate(m), function(e) return renamed[e] or e end)
+  local turn = vec.map(moving.rate(m), function(e) return calculus.substitute(e, renamed) end)
   return v, named(g, "b", tostring(s), vec.scale(h4, turn), comp)
 end
 

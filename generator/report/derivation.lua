@@ -12,7 +12,9 @@ local words = {
   full = "asymmetric top, oblique axes",
 }
 
-function derivation.kind(m) return m.structure.rod and "rod" or words[m.structure.kind] end
+function derivation.kind(m)
+  return not m.has.rates and "point" or m.structure.rod and "rod" or words[m.structure.kind]
+end
 
 function derivation.title(job)
   local m = job.model
@@ -41,6 +43,7 @@ local most = 60 -- steps that are spelled out
 -- The tensor about the origin of rotation as lines; of a composite body in its named parts, which come first.
 local function named_tensor(m, style)
   local lines = {}
+  if not m.has.rates then return lines end
   local steps = m.parts and m.parts:needed(m.parts.entries) or {}
   for i, s in ipairs(steps) do
     if i > most then
@@ -56,7 +59,10 @@ end
 -- Lines for the header's banner: what the body is, its tensor, what was chosen.
 function derivation.banner(job)
   local m = job.model
-  local lines = { "Tensor of inertia about the origin of rotation, kg m^2 (off-diagonals are tensor entries):" }
+  local lines = {}
+  if m.has.rates then
+    lines[1] = "Tensor of inertia about the origin of rotation, kg m^2 (off-diagonals are tensor entries):"
+  end
   for _, l in ipairs(named_tensor(m, "plain")) do
     while #l > 110 do -- a long formula goes on, at a blank
       local cut = 110
@@ -77,9 +83,12 @@ end
 
 function derivation.markdown(job)
   local m = job.model
-  local lines = { "Tensor of inertia about the origin of rotation (entries; kg m²):", "" }
-  for _, l in ipairs(named_tensor(m, "unicode")) do lines[#lines + 1] = l end
-  lines[#lines + 1] = ""
+  local lines = {}
+  if m.has.rates then
+    lines = { "Tensor of inertia about the origin of rotation (entries; kg m²):", "" }
+    for _, l in ipairs(named_tensor(m, "unicode")) do lines[#lines + 1] = l end
+    lines[#lines + 1] = ""
+  end
   lines[#lines + 1] = "Structure: " .. derivation.kind(m) .. ".  Equations of motion:"
   lines[#lines + 1] = ""
   for _, g in ipairs(job.equations.groups) do

@@ -11,6 +11,7 @@ local init = require "generator.emit.init"
 local source = require "generator.emit.source"
 local facts = require "generator.report.facts"
 local json = require "generator.report.json"
+local linearised = require "generator.report.linearised"
 local pieces = require "generator.report.pieces"
 local design = require "generator.report.stability"
 
@@ -194,11 +195,14 @@ local function document(f)
     tensor_lines(f.inertia, f.inertia_number, parts and parts.entries))
   section("Tensor of inertia about the centre of mass", f.is_central and { "the same" } or
     tensor_lines(f.centroidal, f.centroidal_number, parts and shifted_back(f, parts)))
-  section("Principal moments and axes", principal_section(f))
+  if f.job.model.has.rates then section("Principal moments and axes", principal_section(f)) end
   section("Equations of motion", equation_section(f))
   section("Motion", motion_section(f))
   section("Stability", stability_section(f))
-  if f.job.model.has.rates then section("Stability by design", design.lines(f)) end
+  if f.job.model.has.rates then
+    section("Linearised motion", linearised.lines(f))
+    section("Stability by design", design.lines(f))
+  end
   local costs = {}
   for i, c in ipairs(cost_section(f.job)) do
     costs[i] = string.format("%-16s %4d + -  %4d *  %3d /  %2d sqrt  %2d calls", c.fn, c.add, c.mul, c.div, c.sqrt,
@@ -314,15 +318,16 @@ function writers.json(f)
       { "call", c.call } }
   end
   for i, w in ipairs(f.warnings) do warnings[i] = w.text end
-  local methods = { "rk4", "linearised" }
+  local methods = { "rk4", f.job.model.has.rates and "linearised" or nil }
   if f.closed.kind then methods[#methods + 1] = "exact" end
   return json.text(object { { "name", f.name }, { "parameters", params }, { "mass", f.mass_number },
     { "mass_symbolic", text.of(f.mass, "plain") }, { "com", f.com_number }, { "com_symbolic", symbolic(f.com) },
     { "origin", f.origin_number },    { "com_from_origin", f.arm_number },
     { "inertia", entries(f.inertia, f.inertia_number) }, { "centroidal", entries(f.centroidal, f.centroidal_number) },
     { "principal", object { { "moments", f.moments }, { "axes", f.axes } } }, { "symmetry", f.symmetry },
-    { "closed_form", closed }, { "stability", stability }, { "effects", effects }, { "methods", methods },
-    { "cost", cost }, { "warnings", warnings } })
+    { "closed_form", closed }, { "stability", stability },
+    { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
+    { "warnings", warnings } })
 end
 
 -- The explanation of a planned job in the format.

@@ -11,6 +11,7 @@ local principal = require "generator.mass.principal"
 local jacobi = require "generator.mass.jacobi"
 
 local design = require "generator.report.stability"
+local linearised = require "generator.report.linearised"
 
 local facts = {}
 
@@ -79,6 +80,7 @@ function facts.of(job)
     end
   end
   design.extend(f)
+  linearised.extend(f)
   return f
 end
 

@@ -9,9 +9,9 @@
  * - tree {op="at", of=tree, r={3}} {op="turned", of=tree, q={4}} {op="scaled", of=tree, k={3}}
  *   {op="affine", of=tree, A={9}} {op="sum", tree, tree, ...} {op="minus", tree, hole}
  * - effect {kind="gravity", g=, direction={3}} {kind="damping", C={9}} or {kind="damping", rate=}
- *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="control"}
- *   {kind="translation", gravity={3}, linear=, drag=, stiffness={3}}
- *   {kind="frame", rate={3}, rate_dot={3}, centrifugal=}, moves= true if a translation is meant
+ *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="rotor", momentum={3}}
+ * {kind="control"} {kind="translation", gravity={3}, linear=, drag=, stiffness={3}} {kind="frame",
+ * rate={3}, rate_dot={3}, centrifugal=}, moves= true if a translation is meant
  *   {kind="drag", c=} {kind="friction", torque=, smoothing=} {kind="spring", stiffness={3},
  * rest={4}, axis={3} or nil} {kind="magnetic", moment={3}, field={3}, rotating=, rate=}
  * {kind="varying", parts={3 of varying}, inertial=} {kind="wheel", axis={3}, inertia=,

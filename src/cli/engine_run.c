@@ -101,7 +101,8 @@ static int fail_at(lua_State *L, double t, int status) {
 
 /* run(scene, {method=, step=, tol=, order=, times={...}, t0=, u={3}}) -> {{t, q4, w3, energy, L3},
    ...} (with r3, v3 after w3 where the body moves) | nil, message.  Method: adaptive (default) and
-   taylor (long double Taylor series), rk4, gsl-rk4, rkf45, rk8pd, exact (a free top only). */
+   taylor (long double Taylor series), rk4, gsl-rk4, rkf45, rk8pd, exact and linearised (a free top
+   only). */
 int host_run(lua_State *L) {
   struct engine_scene s;
   ph_options options;
@@ -118,10 +119,16 @@ int host_run(lua_State *L) {
   engine_read_own(L, 1, &s.top, x);
   engine_get(L, 2, "u", 3, u, no_control);
   option(L, 2, "t0", &t);
-  status = read_options(L, 2, &options);
+  const double t0 = t, x0[7] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6]};
+  lua_getfield(L, 2, "method");
+  const int linearised = strcmp(luaL_optstring(L, -1, ""), "linearised") == 0; /* from x0 */
+  lua_pop(L, 1);
   ph_run **run = new_run_holder(L);
-  if (status == PH_OK)
-    status = ph_run_new(run, &s.top, &options, t, x);
+  if (!linearised) {
+    status = read_options(L, 2, &options);
+    if (status == PH_OK)
+      status = ph_run_new(run, &s.top, &options, t, x);
+  }
   if (status != PH_OK)
     return fail_at(L, t, status);
   lua_getfield(L, 2, "times");
@@ -132,7 +139,7 @@ int host_run(lua_State *L) {
     lua_rawgeti(L, times, i);
     t = luaL_checknumber(L, -1);
     lua_pop(L, 1);
-    status = ph_run_to(*run, t, u, x);
+    status = linearised ? ph_top_linearised(&s.top, x0, t - t0, x) : ph_run_to(*run, t, u, x);
     if (status == PH_OK)
       status = push_row(L, &s.top, t, x);
     if (status != PH_OK)
@@ -233,6 +240,8 @@ static void torque_terms(const struct rates *r, double t0, const double x[], con
       t = largest(t, norm(top->torque_inertial) * q2);
     if (top->effects & PH_TORQUE_BODY)
       t = largest(t, fabs(top->torque_body[j]));
+    if (top->effects & PH_ROTOR)
+      t = largest(t, largest(fabs(w[a] * top->rotor[b]), fabs(w[b] * top->rotor[a])));
     if (top->effects & PH_CONTROL)
       t = largest(t, fabs(u[j]));
     term[j] = t;
@@ -320,6 +329,8 @@ static int rates_momentum(lua_State *L) {
   for (int i = 0; i < 9; i++)
     scale = largest(scale, r->spread[i] * fabs(x[4 + i % 3]));
   scale = largest(scale, engine_acts_momentum(&r->top, x));
+  if (r->top.effects & PH_ROTOR)
+    scale = largest(scale, norm(r->top.rotor));
   engine_push(L, 3, momentum);
   lua_pushnumber(L, scale);
   return 2;

@@ -10,10 +10,10 @@
 
 /* What the effects of a scene sum to. */
 struct effects {
-  int gravities, dampings, decays, torques_body, torques_inertial, controls;
+  int gravities, dampings, decays, torques_body, torques_inertial, rotors, controls;
   double g, direction[3]; /* of the only gravity, as given */
   double field[3];        /* their sum, m/s^2 */
-  double damping[9], decay, torque_body[3], torque_inertial[3];
+  double damping[9], decay, torque_body[3], torque_inertial[3], rotor[3];
 };
 
 static void add(int n, double sum[], const double v[], double factor) {
@@ -61,9 +61,16 @@ static void read_torque(lua_State *L, struct effects *e) {
   e->torques_inertial += v[0] != 0 || v[1] != 0 || v[2] != 0;
 }
 
+static void read_rotor(lua_State *L, struct effects *e) {
+  double h[3];
+  engine_get(L, -1, "momentum", 3, h, NULL);
+  add(3, e->rotor, h, 1);
+  e->rotors++;
+}
+
 static int read_effects(struct engine_scene *s, int index, struct effects *e) {
-  static const char *const kinds[] = {"gravity",     "damping", "torque", "control",
-                                      "translation", "frame",   NULL};
+  static const char *const kinds[] = {"gravity", "damping",     "torque", "rotor",
+                                      "control", "translation", "frame",  NULL};
   lua_State *L = s->L;
   int status = PH_OK;
   if (lua_getfield(L, index, "effects") == LUA_TNIL) {
@@ -94,10 +101,13 @@ static int read_effects(struct engine_scene *s, int index, struct effects *e) {
     case 2:
       read_torque(L, e);
       break;
-    case 4:
-      status = engine_read_translation(s);
+    case 3:
+      read_rotor(L, e);
       break;
     case 5:
+      status = engine_read_translation(s);
+      break;
+    case 6:
       status = engine_read_frame(s);
       break;
     default:
@@ -134,6 +144,10 @@ static int switch_on(struct engine_scene *s, const struct effects *e) {
   if (status == PH_OK && e->torques_inertial > 0) {
     s->where = "torque";
     status = ph_top_torque_inertial(&s->top, e->torque_inertial);
+  }
+  if (status == PH_OK && e->rotors > 0) {
+    s->where = "rotor";
+    status = ph_top_rotor(&s->top, e->rotor);
   }
   if (status == PH_OK && e->controls > 0) {
     s->where = "control";

@@ -59,7 +59,7 @@ static int info(lua_State *L) {
     int there;
   } functions[] = {
       {"inertia", c->inertia != NULL},   {"principal", c->principal != NULL},
-      {"rhs", c->rhs != NULL},           {"step", c->step != NULL},
+      {"rhs", c->rhs != NULL},           {"step", c->steppers != NULL},
       {"jacobian", c->jacobian != NULL}, {"energy", c->energy != NULL},
       {"momentum", c->momentum != NULL}, {"solve", c->solve != NULL && c->at != NULL},
   };
@@ -154,51 +154,83 @@ static int jacobian(lua_State *L) {
   return 1;
 }
 
-/* step(t, x, u, h) -> x at t + h */
+/* The stepper called so at index i of the stack, or the scene's own. */
+static const struct polhode_stepper *stepper(lua_State *L, const struct plugin *p, int i) {
+  const char *name = luaL_optstring(L, i, NULL);
+  const struct polhode_stepper *s = p->code->steppers;
+  while (name != NULL && s->name != NULL && strcmp(s->name, name) != 0)
+    s++;
+  if (s->name == NULL)
+    luaL_error(L, "plugin: there is no stepper %s in it", name != NULL ? name : "at all");
+  return s;
+}
+
+/* step(t, x, u, h[, method]) -> x at t + h */
 static int step(lua_State *L) {
   const struct plugin *p = ready(L);
   double x[MAX_STATES], u[MAX_STATES];
-  if (p->code->step == NULL)
-    return absent(L, "stepper");
   engine_list(L, 3, p->code->nx, x);
   optional(L, 4, p->code->nu, u);
-  p->code->step(p->model, luaL_checknumber(L, 2), x, u, luaL_checknumber(L, 5));
+  stepper(L, p, 6)->step(p->model, luaL_checknumber(L, 2), x, u, luaL_checknumber(L, 5));
   engine_push(L, p->code->nx, x);
   return 1;
 }
 
 /* From *t to `end` in equal steps no longer than h; both directions. */
-static void advance(const struct plugin *p, double *t, double end, double h, double x[],
-                    const double u[]) {
+static void advance(const struct plugin *p, const struct polhode_stepper *s, double *t, double end,
+                    double h, double x[], const double u[]) {
   const double span = end - *t, start = *t;
   /* a quotient that rounding has lifted just above a whole number is that number */
   const double n = ceil(fabs(span) / h * (1 - 1e-12));
   for (double i = 0; i < n && !interrupt_pending(); i++)
-    p->code->step(p->model, start + span * (i / n), x, u, span / n);
+    s->step(p->model, start + span * (i / n), x, u, span / n);
   *t = end;
 }
 
-/* integrate(x0, u, h, times[, t0]) -> {{t, x...}, ...}, by steps of h or a little less so that
- * times are hit */
+/* From *t to `end` in steps of the tolerance's choice; false if the state became infinite or the
+ * steps vanish. */
+static int adapt(const struct plugin *p, const struct polhode_stepper *s, double *t, double end,
+                 double tolerance, double x[], const double u[]) {
+  const int steps = s->run(p->model, *t, x, u, end, tolerance, 100000000);
+  *t = end;
+  return steps >= 0;
+}
+
+/* integrate(x0, u, h, times[, t0, method]) -> {{t, x...}, ...}, by steps of h or a little less so
+ * that times are hit; h = {tolerance}: by steps that the method chooses; nil if it cannot */
 static int integrate(lua_State *L) {
   const struct plugin *p = ready(L);
   const int nx = p->code->nx;
-  double row[1 + MAX_STATES], u[MAX_STATES], *x = row + 1;
-  if (p->code->step == NULL)
-    return absent(L, "stepper");
+  double row[1 + MAX_STATES], u[MAX_STATES], *x = row + 1, h;
+  const struct polhode_stepper *s = stepper(L, p, 7);
   engine_list(L, 2, nx, x);
   optional(L, 3, p->code->nu, u);
-  const double h = luaL_checknumber(L, 4);
-  luaL_argcheck(L, h > 0, 4, "step must be positive");
+  const int adaptive = lua_istable(L, 4);
+  if (adaptive)
+    lua_rawgeti(L, 4, 1);
+  else
+    lua_pushvalue(L, 4);
+  h = luaL_checknumber(L, -1);
+  lua_pop(L, 1);
+  luaL_argcheck(L, h > 0, 4, "step or tolerance must be positive");
+  luaL_argcheck(L, !adaptive || s->run != NULL, 4, "this stepper has a fixed step");
   luaL_checktype(L, 5, LUA_TTABLE);
   row[0] = luaL_optnumber(L, 6, 0);
   const int n = (int)lua_rawlen(L, 5);
   lua_createtable(L, n, 0);
   for (int i = 1; i <= n; i++) {
+    int fine = 1;
     lua_rawgeti(L, 5, i);
-    advance(p, &row[0], luaL_checknumber(L, -1), h, x, u);
+    if (adaptive)
+      fine = adapt(p, s, &row[0], luaL_checknumber(L, -1), h, x, u);
+    else
+      advance(p, s, &row[0], luaL_checknumber(L, -1), h, x, u);
     lua_pop(L, 1);
     interrupt_check(L);
+    if (!fine) {
+      lua_pushnil(L);
+      return 1;
+    }
     engine_push(L, 1 + nx, row);
     lua_rawseti(L, -2, i);
   }

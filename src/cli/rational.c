@@ -242,6 +242,15 @@ static int toint(lua_State *L) {
   return 1;
 }
 
+static int whole(lua_State *L) {
+  struct rational_view a;
+  struct rational_scratch *s = rational_scratch(L);
+  rational_arg(L, 1, &a);
+  mpz_fdiv_q(s->a, mpq_numref(a.q), mpq_denref(a.q));
+  mpq_set_z(s->q, s->a);
+  return rational_push(L, s->q);
+}
+
 static int absolute(lua_State *L) {
   struct rational_view a;
   struct rational_scratch *s = rational_scratch(L);
@@ -314,6 +323,7 @@ static const luaL_Reg functions[] = {
     {"sign", sign},
     {"isint", isint},
     {"toint", toint},
+    {"floor", whole},
     {"abs", absolute},
     {"root", root},
     {"gcd", gcd},

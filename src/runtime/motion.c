@@ -6,7 +6,8 @@
    through the principal system that ph_top_init found. With the second moments S, I = tr(S) 1 - S,
    the gyroscopic term is -w x I w = w x S w: what all moments have in common is not there to
    cancel, so a needle of 1e-30 keeps its digits. q' = q (0, w)/2 for the attitude. Vectors fixed in
-   inertial axes come to body axes by the polynomial q* v q. */
+   inertial axes come to body axes by the polynomial q* v q. A rotor of constant relative momentum h
+   (gyrostat; Volterra 1899) adds -w x h to N and h to L. */
 #include "motion.h"
 
 #include "acts.h"
@@ -24,6 +25,8 @@ void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
     if ((top->effects & PH_CONTROL) && u)
       loads->body[i] += (ph_wide)u[i];
   }
+  if (top->effects & PH_ROTOR)
+    wide_load(3, top->rotor, loads->rotor);
   if (top->effects & PH_DAMPING)
     wide_load(9, top->damping, loads->damping);
   if (top->effects & PH_DECAY)
@@ -31,22 +34,26 @@ void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
 }
 
 /* N, and a size against which a torque along a rod is rounding: it bounds the terms of I w' = N - w
-   x I w, so that a weight which turns the rod hard, but not about itself, leaves no residue that
-   counts. */
+   x I w, product by product, so that a weight which turns the rod hard, but not about itself, or a
+   rate along it, leaves no residue that counts. */
 void motion_torque(const ph_top *top, const motion_loads *loads, ph_wide t, const ph_wide x[],
                    ph_wide N[3], ph_wide *size) {
   const ph_wide *q = x, *w = x + 4;
-  ph_wide weight[3], inertial[3], L[3], gravity[3], sum = 0;
+  ph_wide weight[3], inertial[3], L[3], gravity[3], turning[3], sum = 0;
   wide_sandwich(q, loads->weight, 0, weight);
   wide_sandwich(q, loads->inertial, 0, inertial);
   wide_apply(top->wide_inertia, w, L);
   wide_cross(top->wide_com, weight, gravity);
+  wide_cross(loads->rotor, w, turning);
   for (int i = 0; i < 3; i++) {
     const ph_wide drag = wide_dot(loads->damping + 3 * i, w);
-    N[i] = gravity[i] + inertial[i] + loads->body[i] - drag - loads->decay * L[i];
-    sum += fabsl(inertial[i]) + fabsl(loads->body[i]) + fabsl(drag) + fabsl(loads->decay * L[i]);
+    N[i] = gravity[i] + inertial[i] + loads->body[i] + turning[i] - drag - loads->decay * L[i];
+    sum += fabsl(inertial[i]) + fabsl(loads->body[i]);
+    for (int k = 0; k < 3; k++)
+      sum += fabsl(loads->damping[3 * i + k] * w[k]);
   }
-  *size = sum + wide_norm(top->wide_com) * wide_norm(weight) + wide_norm(w) * wide_norm(L);
+  *size = sum + wide_norm(top->wide_com) * wide_norm(weight) + wide_norm(w) * wide_norm(L) +
+          (wide_norm(loads->rotor) + fabsl(loads->decay) * top->wide_moment[2]) * wide_norm(w);
   acts_torque(top, t, x, N, size);
 }
 
@@ -186,6 +193,8 @@ static int momentum(const ph_top *top, const double x[], int to_inertial, double
   wide_load(ph_top_states(top), x, state);
   wide_apply(top->wide_inertia, state + 4, v);
   acts_momentum(top, state, v);
+  for (int i = 0; i < 3 && (top->effects & PH_ROTOR); i++)
+    v[i] += (ph_wide)top->rotor[i];
   if (to_inertial)
     wide_sandwich(state, v, 1, v);
   return wide_store(3, v, L);

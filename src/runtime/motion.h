@@ -8,9 +8,10 @@
 
 #include "wide.h"
 
-/* Force of gravity M g d and constant torques, as long doubles: zero when the effect is off. */
+/* Force of gravity M g d, constant torques, what rotors hold, as long doubles: zero when the effect
+ * is off. */
 typedef struct motion_loads {
-  ph_wide weight[3], inertial[3], body[3], damping[9], decay;
+  ph_wide weight[3], inertial[3], body[3], damping[9], decay, rotor[3];
 } motion_loads;
 
 void motion_load(const ph_top *top, const double u[3], motion_loads *loads);

@@ -364,7 +364,8 @@ enum ph_effect {
   PH_DECAY = 4,            /* -rate L */
   PH_TORQUE_BODY = 8,      /* constant in body axes */
   PH_TORQUE_INERTIAL = 16, /* constant in inertial axes */
-  PH_CONTROL = 32          /* input u, body axes */
+  PH_CONTROL = 32,         /* input u, body axes */
+  PH_ROTOR = 1024          /* -w x h: a rotor of constant relative momentum h, body axes */
 };
 
 /* The model; constant while it is used. Read the first part, change it only through the functions
@@ -376,7 +377,7 @@ typedef struct ph_top {
   unsigned effects;                          /* PH_GRAVITY | ... */
   double gravity[3];                         /* g d, m/s2, inertial axes */
   double damping[9];                         /* C, N m s, row major, body axes */
-  double decay;                              /* 1/s */
+  double decay, rotor[3];                    /* 1/s; N m s, body axes */
   double torque_body[3], torque_inertial[3]; /* N m */
   ph_move move;                              /* translation and frame, polhode_move.h */
   ph_acts acts;                              /* polhode_acts.h */
@@ -389,14 +390,14 @@ int ph_top_init(ph_top *top, const ph_body *b, const double origin[3]);
 /* The same from mass, centre of mass from the origin (NULL: 0), and tensor about the origin. */
 int ph_top_init_tensor(ph_top *top, double mass, const double com[3], const double tensor[6]);
 
-/* Effects: each call sets its parameters and switches it on; ph_top_without switches some (PH_... |
- * ...) off. */
+/* Each call sets an effect's parameters and switches it on; ph_top_without switches some off. */
 int ph_top_gravity(ph_top *top, double g,
                    const double direction[3]); /* direction: inertial, any length but 0 */
 int ph_top_damping(ph_top *top, const double C[9]);
 int ph_top_decay(ph_top *top, double rate);
 int ph_top_torque_body(ph_top *top, const double torque[3]);
 int ph_top_torque_inertial(ph_top *top, const double torque[3]);
+int ph_top_rotor(ph_top *top, const double momentum[3]);
 int ph_top_control(ph_top *top);
 void ph_top_without(ph_top *top, unsigned effects);
 
@@ -409,8 +410,8 @@ int ph_top_torque(const ph_top *top, double t, const double x[], const double u[
 int ph_top_rates(const ph_top *top, double t, const double x[], const double u[3], double dx[]);
 /* The torque equation read backwards: N = dL/dt|body + w x L with dL/dt|body = I w', body axes. */
 int ph_top_inverse(const ph_top *top, const double w[3], const double w_rate[3], double N[3]);
-/* T = w.I.w / 2, V = -M g d.com (0 without gravity), E = T + V; L = I w in body and q L q* in
- * inertial axes. */
+/* T = w.I.w / 2, V = -M g d.com (0 without gravity), E = T + V; L = I w + h (h: of rotors, whose
+ * own energy T leaves out) in body and q L q* in inertial axes. */
 int ph_top_kinetic(const ph_top *top, const double x[], double *T);
 int ph_top_potential(const ph_top *top, const double x[], double *V);
 int ph_top_energy(const ph_top *top, const double x[], double *E);

@@ -33,14 +33,16 @@ static void turned(const series *c, int n, const ph_wide v[3], ph_wide out[3]) {
 /* Coefficients n + 1 of q and w from those up to n, in units of H. */
 static int extend(const stepper *s, series *c, int n, ph_wide H) {
   const ph_wide scale = H / (n + 1);
-  ph_wide weight[3], inertial[3], b[3], L[3], term[4], dq[4] = {0}, rate[3];
+  ph_wide weight[3], inertial[3], b[3], L[3], term[4], dq[4] = {0}, rate[3], gyro[3];
   wide_apply(s->top->wide_second, c->w[n], c->S[n]);
   wide_apply(s->top->wide_inertia, c->w[n], L);
   turned(c, n, s->loads.weight, weight);
   turned(c, n, s->loads.inertial, inertial);
   wide_cross(s->top->wide_com, weight, b);
+  wide_cross(s->loads.rotor, c->w[n], gyro);
   for (int i = 0; i < 3; i++) {
-    b[i] += inertial[i] - wide_dot(s->loads.damping + 3 * i, c->w[n]) - s->loads.decay * L[i];
+    b[i] +=
+        inertial[i] + gyro[i] - wide_dot(s->loads.damping + 3 * i, c->w[n]) - s->loads.decay * L[i];
     if (n == 0)
       b[i] += s->loads.body[i];
   }

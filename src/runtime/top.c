@@ -118,6 +118,10 @@ int ph_top_torque_inertial(ph_top *top, const double torque[3]) {
   return set(top, PH_TORQUE_INERTIAL, 3, torque, top->torque_inertial);
 }
 
+int ph_top_rotor(ph_top *top, const double momentum[3]) {
+  return set(top, PH_ROTOR, 3, momentum, top->rotor);
+}
+
 int ph_top_control(ph_top *top) {
   top->effects |= PH_CONTROL;
   return PH_OK;

@@ -3,18 +3,20 @@
 
    Prints, for each point of a sweep, tensor, w0, q0, t and the emitted code's rates and attitude,
    all in hexadecimal, as tests/oracle/free_top -e reads them. The file named first gets the point's
-   place in the sweep: body (column, row), motion, time. Inputs are numbers of the emitted type.
+   place in the sweep: body (column, row), motion (side, depth), time, and 0 for a state by
+   errormap_at, 1 for one by errormap_at_tick. Inputs are numbers of the emitted type.
    Moments: C = 1, B in (1/2, 1), A in (1 - B, B), on a grid; the ends are a lamina's edge and a
    symmetric top, approached to 1e-6. Motion: G^2/2T between A and C, at distances from B of 10^0 to
    10^-14 of what is possible, either side. Phase: the golden angle's multiples. Time: 1, 10^2,
-   10^4, 10^6 periods of the rates. */
+   10^4, 10^6 periods of the rates, 16.18 ticks each: the tick has 24 bits, so that n h is a double;
+   errormap_at gets that rounded to its type. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "errormap.h"
 
-enum { GRID = 7, SIDES = 2, DEPTHS = 8, TIMES = 4 };
+enum { GRID = 9, SIDES = 2, DEPTHS = 8, TIMES = 4 };
 
 static const double depth[DEPTHS] = {0.999999, 0.9, 0.5, 0.1, 1e-3, 1e-6, 1e-10, 1e-14};
 static const double revolutions[TIMES] = {1, 1e2, 1e4, 1e6};
@@ -41,6 +43,18 @@ static double motion(const double I[3], int side, double part, double psi, doubl
   w[1] = L2 / I[1];
   w[c] = sqrt(fmax(0, h - L1 * L1 - L2 * L2)) / I[c];
   return 4 * quarter(kc) / lambda;
+}
+
+/* One state as the oracle reads it. */
+static void print_state(const double I[3], const errormap_real x0[7], double t,
+                        const errormap_real x[7]) {
+  printf("%a %a %a 0 0 0", I[0], I[1], I[2]);
+  for (int i = 0; i < 7; i++)
+    printf(" %a", (double)x0[i < 3 ? 4 + i : i - 3]);
+  printf(" %a", t);
+  for (int i = 0; i < 7; i++)
+    printf(" %a", (double)x[i < 3 ? 4 + i : i - 3]);
+  printf("\n");
 }
 
 int main(int argc, char **argv) {
@@ -82,17 +96,18 @@ int main(int argc, char **argv) {
                     w[2]);
             continue;
           }
+          const float h = (float)(period / 16.18);
+          if (errormap_set_tick(&o, (errormap_real)h))
+            fprintf(stderr, "errormap: no tick: %a\n", (double)h);
           for (int k = 0; k < TIMES; k++) {
-            const errormap_real t = (errormap_real)(period * revolutions[k]);
-            errormap_at(&o, t, x);
-            fprintf(places, "%d %d %d %d %d\n", column, row, side, d, k);
-            printf("%a %a %a 0 0 0", I[0], I[1], I[2]);
-            for (int i = 0; i < 7; i++)
-              printf(" %a", (double)x0[i < 3 ? 4 + i : i - 3]);
-            printf(" %a", (double)t);
-            for (int i = 0; i < 7; i++)
-              printf(" %a", (double)x[i < 3 ? 4 + i : i - 3]);
-            printf("\n");
+            const int64_t n = (int64_t)floor(16.18 * revolutions[k]);
+            const double t = (double)h * (double)n;
+            fprintf(places, "%d %d %d %d %d 0\n%d %d %d %d %d 1\n", column, row, side, d, k, column,
+                    row, side, d, k);
+            errormap_at(&o, (errormap_real)t, x);
+            print_state(I, x0, (double)(errormap_real)t, x);
+            errormap_at_tick(&o, n, x);
+            print_state(I, x0, t, x);
           }
         }
     }

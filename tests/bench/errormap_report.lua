@@ -1,91 +1,313 @@
--- errormap_report.lua -- the error map as a table and a picture.
+-- errormap_report.lua -- the error map as a page and a picture.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     lua5.4 tests/bench/errormap_report.lua DIRECTORY PICTURE.svg
+--     lua5.4 tests/bench/errormap_report.lua DIRECTORY PAGE.md PICTURE.svg
 --
--- DIRECTORY/double and DIRECTORY/float hold `places` and `errors`, line by line of one sweep (tests/bench/errormap.c,
--- tests/oracle/free_top.c). An error is the larger of that of the rates, relative to the largest rate, and the angle
--- between the attitudes, 2 |q - q'|. The table has its largest value over all bodies, in units of the last place of the
--- type (2^-53, 2^-24); the picture its largest value over all motions and times.
+-- DIRECTORY/double and DIRECTORY/float hold `places`, `lines` and `errors`, line by line of one sweep
+-- (tests/bench/errormap.c, tests/oracle/free_top.c).  Errors are counted in units u of the type's rounding, 2^-53 and
+-- 2^-24: of the rates relative to the largest rate, of the attitude the angle 2 |q - q'|.  Beyond 0.1 it is "lost".
 
-local from, picture = arg[1], arg[2]
-local depth = { "1", "0.9", "0.5", "0.1", "1e-3", "1e-6", "1e-10", "1e-14" }
-local times = { "1", "1e2", "1e4", "1e6" }
+package.path = "./?.lua;" .. package.path
+
+local svg = require "generator.draw.svg"
+
+local from, page, picture = arg[1], arg[2], arg[3]
+local depths = { "1", "0.9", "0.5", "0.1", "1e-3", "1e-6", "1e-10", "1e-14" }
+local times = { "1", "100", "10⁴", "10⁶" }
 local unit = { double = 2 ^ -53, float = 2 ^ -24 }
-local GRID, CELL = 7, 34
+local reals, ways = { "double", "float" }, { "NAME_at", "NAME_at_tick" }
+local GRID, LOST = 9, 0.1
 
+-- The larger error; what is no number has been read as infinite.
 local function worse(map, key, e)
   if not (map[key] and map[key] >= e) then map[key] = e end
 end
 
+local function number(word) return tonumber(word) or math.huge end
+
+local function words(line)
+  local list = {}
+  for word in string.gmatch(line, "%S+") do list[#list + 1] = word end
+  return list
+end
+
+-- All samples of a type, in their order: body (column, row), motion (side, depth), time k, way, the four errors in
+-- units, and turns about L, estimated by the largest rate.
 local function read(real)
-  local by_motion, by_body, count = {}, {}, 0
-  local places = io.lines(from .. "/" .. real .. "/places")
-  local worst = { rates = 0, attitude = 0 }
+  local list, u = {}, unit[real]
+  local places, states = io.lines(from .. "/" .. real .. "/places"), io.lines(from .. "/" .. real .. "/lines")
   for line in io.lines(from .. "/" .. real .. "/errors") do
-    local column, row, side, d, k = string.match(places(), "(%d+) (%d+) (%d+) (%d+) (%d+)")
-    local rates, attitude = string.match(line, "(%S+) (%S+)")
-    rates, attitude = tonumber(rates) or math.huge, 2 * (tonumber(attitude) or math.huge) -- "nan" is no number
-    local e = math.max(rates, attitude) / unit[real]
-    worse(worst, "rates", rates)
-    worse(worst, "attitude", attitude)
-    worse(by_motion, side .. d .. k, e)
-    worse(by_body, column .. "," .. row, e)
-    count = count + 1
+    local p, e, s = words(places()), words(line), words(states())
+    local w = 0
+    for i = 7, 9 do w = math.max(w, math.abs(tonumber(s[i]))) end
+    list[#list + 1] = { column = tonumber(p[1]), row = tonumber(p[2]), side = tonumber(p[3]), depth = tonumber(p[4]),
+      time = tonumber(p[5]), way = tonumber(p[6]) + 1, rates = number(e[1]) / u, attitude = 2 * number(e[2]) / u,
+      each_rate = number(e[3]) / u, each_q = number(e[4]) / u, turns = w * tonumber(s[14]) / (2 * math.pi),
+      moments = { tonumber(s[1]), tonumber(s[2]) } }
   end
-  return { motion = by_motion, body = by_body, count = count, worst = worst }
+  return list
 end
 
-local maps = { double = read "double", float = read "float" }
-for _, real in ipairs { "double", "float" } do
-  local map = maps[real]
-  print(string.format("\n%s: %d states; largest error of the rates %.2g, of the attitude %.2g rad\n", real, map.count,
-    map.worst.rates, map.worst.attitude))
-  print("| circulation about | distance from the separatrix | " .. table.concat(times, " | ") .. " periods |")
-  print("|---|---|" .. string.rep("---|", #times))
-  for side, axis in ipairs { "the smallest moment", "the largest" } do
-    for d, name in ipairs(depth) do
-      local cells = {}
-      for k = 1, #times do
-        local e = map.motion[(side - 1) .. (d - 1) .. (k - 1)]
-        cells[k] = e and string.format("%.1f", e) or "-"
+local samples = {}
+for _, real in ipairs(reals) do samples[real] = read(real) end
+
+local function lost(e, real) return e * unit[real] > LOST end
+
+-- Two digits, or a power of ten; "lost".
+local function label(e, real)
+  if not e then return "" end
+  if lost(e, real) then return "lost" end
+  if e < 99.5 then return string.format(e < 9.95 and "%.1f" or "%.0f", e) end
+  return (string.gsub(string.format("%.0e", e), "e%+0*", "e"))
+end
+
+-- ---- the page ----
+
+local out = {}
+local function put(format, ...) out[#out + 1] = select("#", ...) > 0 and string.format(format, ...) or format end
+
+-- Median, the largest of 99 of 100, largest: of one error of the samples that `take` takes, and their number.
+local function spread(real, what, take)
+  local list = {}
+  for _, s in ipairs(samples[real]) do
+    if take(s) then list[#list + 1] = s[what] end
+  end
+  table.sort(list)
+  local n = #list
+  return list[(n + 1) // 2], list[math.ceil(0.99 * n)], list[n], n
+end
+
+local function summary()
+  put "| type | by | samples | rates | attitude | each rate | each of q |"
+  put "|---|---|---|---|---|---|---|"
+  for _, real in ipairs(reals) do
+    for way, name in ipairs(ways) do
+      local cells, n = {}, 0
+      for i, what in ipairs { "rates", "attitude", "each_rate", "each_q" } do
+        local middle, most, all, count = spread(real, what, function(s) return s.way == way end)
+        cells[i], n = label(middle, real) .. ", " .. label(most, real) .. ", " .. label(all, real), count
       end
-      print("| " .. axis .. " | " .. name .. " | " .. table.concat(cells, " | ") .. " |")
+      put("| %s | `%s` | %d | %s |", real, name, n, table.concat(cells, " | "))
     end
   end
 end
 
--- White at 0, dark at 16 units of the last place.
-local function shade(e)
-  local v = 255 - math.floor(200 * math.min(1, e / 16) + 0.5)
-  return string.format("#%02x%02xff", v, v)
-end
-
-local function label(e)
-  return e and (e < 100 and string.format("%.1f", e) or (string.gsub(string.format("%.0e", e), "e%+0*", "e"))) or ""
-end
-
-local out = { string.format('<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" ' ..
-  'font-family="sans-serif" font-size="11">', 2 * (GRID * CELL + 60), GRID * CELL + 70) }
-for i, real in ipairs { "double", "float" } do
-  local x0, y0 = (i - 1) * (GRID * CELL + 60) + 40, 24
-  out[#out + 1] = string.format('<text x="%d" y="16">%s: largest error, units of the last place</text>', x0, real)
-  for row = 0, GRID - 1 do
-    for column = 0, GRID - 1 do
-      local e = maps[real].body[column .. "," .. row]
-      local x, y = x0 + column * CELL, y0 + (GRID - 1 - row) * CELL
-      out[#out + 1] = string.format('<rect x="%d" y="%d" width="%d" height="%d" fill="%s" stroke="#888"/>', x, y,
-        CELL, CELL, e and shade(e) or "#ddd")
-      out[#out + 1] = string.format('<text x="%d" y="%d" text-anchor="middle">%s</text>', x + CELL // 2,
-        y + CELL // 2 + 4, label(e))
+local function by_time()
+  put("| type | by | error of | %s periods |", table.concat(times, " | "))
+  put("|---|---|---|%s", string.rep("---|", #times))
+  for _, real in ipairs(reals) do
+    for way, name in ipairs(ways) do
+      for _, what in ipairs { "rates", "attitude" } do
+        local cells = {}
+        for k = 1, #times do
+          local _, _, all = spread(real, what, function(s) return s.way == way and s.time == k - 1 end)
+          cells[k] = label(all, real)
+        end
+        put("| %s | `%s` | %s | %s |", real, name, what, table.concat(cells, " | "))
+      end
     end
   end
-  out[#out + 1] = string.format('<text x="%d" y="%d">A from C - B (lamina) to B (symmetric)</text>', x0,
-    y0 + GRID * CELL + 16)
-  out[#out + 1] = string.format('<text x="%d" y="%d" transform="rotate(-90 %d %d)">B/C from 1/2 to 1</text>', x0 - 8,
-    y0 + GRID * CELL, x0 - 8, y0 + GRID * CELL)
 end
-out[#out + 1] = "</svg>"
-local file = assert(io.open(picture, "w"))
+
+-- By how many turns about L a sample has made: decades of 10^2.
+local function by_turns()
+  local steps = { 1e2, 1e4, 1e6, 1e8, 1e10, math.huge }
+  put "| type | by | error of | below 10² turns | 10⁴ | 10⁶ | 10⁸ | 10¹⁰ | more |"
+  put "|---|---|---|---|---|---|---|---|---|"
+  for _, real in ipairs(reals) do
+    for way, name in ipairs(ways) do
+      for _, what in ipairs { "rates", "attitude" } do
+        local cells, low = {}, 0
+        for i, high in ipairs(steps) do
+          local from_here = low
+          local _, _, all = spread(real, what, function(s)
+            return s.way == way and s.turns >= from_here and s.turns < high
+          end)
+          cells[i], low = label(all, real), high
+        end
+        put("| %s | `%s` | %s | %s |", real, name, what, table.concat(cells, " | "))
+      end
+    end
+  end
+end
+
+-- The first samples in an order, with where they are.
+local function places(real, count, take, before)
+  local list = {}
+  for i, s in ipairs(samples[real]) do
+    local e = math.max(s.rates, s.attitude)
+    if take(e) then list[#list + 1] = { s = s, e = e, i = i } end
+  end
+  table.sort(list, function(a, b)
+    if before(a) ~= before(b) then return before(a) < before(b) end
+    return a.i < b.i
+  end)
+  put "| error | by | A, B (C = 1) | L about the axis of | distance from the separatrix | periods | turns |"
+  put "|---|---|---|---|---|---|---|"
+  for i = 1, math.min(count, #list) do
+    local s = list[i].s
+    put("| %s u | `%s` | %.7g, %.7g | %s moment | %s | %s | %.1g |", label(list[i].e, real), ways[s.way], s.moments[1],
+      s.moments[2], s.side == 0 and "the smallest" or "the largest", depths[s.depth + 1], times[s.time + 1], s.turns)
+  end
+  return #list
+end
+
+local function prose(text)
+  for line in string.gmatch(text, "([^\n]*)\n") do put("%s", line) end
+end
+
+prose [[
+# How exact the closed form of the free top is
+
+Made by `make errormap`, which compiles the emitted code in double and in float, follows it through a sweep of bodies,
+motions and times, and compares every state with 512 bits of MPFR by the textbook's formulas (`tests/oracle/free_top.c`,
+which itself reproduces the 32 digits of the reference set). Some minutes; the same bytes each time.
+
+- **Bodies**: moments A ≤ B ≤ C = 1, B from 1/2 to 1 in nine steps, A from C − B (a lamina) to B (two equal
+  moments) in nine; the ends are approached to 10⁻⁶, so that the corners are nearly a rod, a sphere and a disc.
+- **Motions**: G² between 2T A and 2T C; L circulates about the axis of the smallest or of the largest moment, at
+  0.999999, 0.9, ... 10⁻¹⁴ of the way from the separatrix to that axis (in float that is what rounding leaves of it).
+  Phases are multiples of the golden angle.
+- **Times**: 1, 100, 10⁴, 10⁶ periods of the rates, by `NAME_at` and by `NAME_at_tick`. Near a symmetric body or the
+  axis a period of the rates may be 10⁶ turns of the body, so 10⁶ periods are up to 10¹² turns about L.
+- **Inputs are exact**: moments, state and time are numbers of the type, and the oracle gets the same numbers.
+
+Errors are in units **u** of the type's rounding: 2⁻⁵³ = 1.1e-16 in double, 2⁻²⁴ = 6.0e-8 in float. *Rates* is the
+largest error of a rate relative to the largest rate, *attitude* the angle between the two attitudes in rad (both
+norm-wise); *each rate* and *each of q* are relative to that very component, however small (component-wise). "lost":
+off by more than 0.1.
+
+![largest errors over bodies, motions and times](errormap.svg)
+
+## Over everything
+
+Three numbers each: half of the samples are better than the first, 99 of 100 than the second, all than the third.
+
+]]
+summary()
+prose [[
+
+The requirement is 4e-15 in double, 36 u, and 4e-6 in float, 67 u. A component that passes through 0 has an error of the
+size of the others': component-wise errors have no bound, and half of them are those of the norm.
+
+## With time
+
+]]
+by_time()
+prose [[
+
+and with turns about L:
+
+]]
+by_turns()
+prose [[
+
+## Where the largest errors sit
+
+In double nowhere in particular: they are the roundings of some dozens of operations, and neither body, motion nor
+time changes their number. The five largest:
+
+]]
+places("double", 5, function() return true end, function(a) return -a.e end)
+prose [[
+
+In float the phases are pairs of 48 bits, so a unit of the last place is reached after some 2²⁰ turns, however they
+are counted. Of the samples beyond 67 u those with the fewest turns:
+
+]]
+local over = places("float", 5, function(e) return e > 4e-6 / unit.float end, function(a) return a.s.turns end)
+put("")
+put("(%d of %d are beyond.)", over, #samples.float)
+prose [[
+
+- The **rates** need only the phase of the polhode, which in 10⁶ periods makes 2·10⁶ half-turns: within the pair.
+- The **attitude** needs the turns about L. Where a period of the rates is 10⁴ turns and more (A = B, B = C to 10⁻⁶,
+  a spin near an axis) 10⁶ periods are 10¹⁰ turns, and what the set-up has rounded at 2⁻⁴⁸ of a rate has grown to 10⁻⁴
+  of a turn.
+- **Ticks** are integers: they add nothing, and they reach times that a float cannot hold. (t itself has 24 bits, so
+  that after 10⁷ steps a float t is half a step out. That is no error of the code and not in this map: the oracle gets
+  the float.) They cannot know a rate better than the set-up did, which is a pair of floats. Who needs 10⁸ turns and
+  more in float sets up in double.
+]]
+
+local file = assert(io.open(page, "w"))
 file:write(table.concat(out, "\n"), "\n")
+file:close()
+
+-- ---- the picture ----
+
+-- Fill and text of a cell by its error: up to 8, 16, 32, 128, 10^4, more, lost.
+local levels = { { 8, "#edf4fb", "#222" }, { 16, "#d3e4f3", "#222" }, { 32, "#a6c9e6", "#222" },
+  { 128, "#6fa8d6", "#111" }, { 1e4, "#3a7ebd", "#fff" }, { math.huge, "#1c4f8c", "#fff" } }
+local palette = { { "gone", "fill:#7a2a16;stroke:#fff;stroke-width:1", "stroke:#15181d" }, { "on-gone", "fill:#fff" },
+  { "none", "fill:none;stroke:#bbb;stroke-width:1" }, { "cell", "font:10px sans-serif" } }
+for i, l in ipairs(levels) do
+  palette[#palette + 1] = { "e" .. i, "fill:" .. l[2] .. ";stroke:#fff;stroke-width:1", "stroke:#15181d" }
+  palette[#palette + 1] = { "on-e" .. i, "fill:" .. l[3] }
+end
+
+local CELL_W, CELL_H, LEFT, WIDE = 34, 20, 64, 9 * 34
+local width = 2 * (LEFT + WIDE) + 24
+local doc = svg.new(width, 930, { title = "Errors of the emitted free top", palette = palette,
+  about = "Largest error of attitude and rates by body and by motion and time, double and float, in roundings." })
+
+local function cell(x, y, e, real)
+  local class = "none"
+  if e and lost(e, real) then class = "gone" end
+  for i = #levels, 1, -1 do
+    if e and class ~= "gone" and e <= levels[i][1] then class = "e" .. i end
+  end
+  -- the smallest level that holds e: the loop runs downwards and overwrites
+  doc:rect(x, y, CELL_W, CELL_H, class)
+  if e then doc:text(x + CELL_W / 2, y + 14, label(e, real), "cell on-" .. class, "middle") end
+end
+
+-- The largest of both errors of the samples, by key(s).
+local function map(real, key)
+  local m = {}
+  for _, s in ipairs(samples[real]) do worse(m, key(s), math.max(s.rates, s.attitude)) end
+  return m
+end
+
+for r, real in ipairs(reals) do
+  local x0, y0 = (r - 1) * (LEFT + WIDE + 12) + LEFT, 60
+  doc:text(x0, 24, real .. (r == 1 and ", u = 2⁻⁵³" or ", u = 2⁻²⁴"), "title")
+  for way, name in ipairs(ways) do
+    local m = map(real, function(s) return s.way .. "," .. s.column .. "," .. s.row end)
+    doc:text(x0, y0 - 12, "by " .. name .. ": bodies, worst of motions and times", "small")
+    for row = 0, GRID - 1 do
+      for column = 0, GRID - 1 do
+        cell(x0 + column * CELL_W, y0 + (GRID - 1 - row) * CELL_H, m[way .. "," .. column .. "," .. row], real)
+      end
+    end
+    local bottom = y0 + GRID * CELL_H
+    doc:text(x0 - 6, bottom - 6, "B = C/2", "tick", "end")
+    doc:text(x0 - 6, y0 + 14, "B = C", "tick", "end")
+    doc:text(x0, bottom + 14, "A = C − B, lamina", "tick")
+    doc:text(x0 + WIDE, bottom + 14, "A = B", "tick", "end")
+    y0 = bottom + 58
+  end
+  y0 = y0 + 14
+  local m = map(real, function(s) return s.way .. "," .. s.side .. "," .. s.depth .. "," .. s.time end)
+  doc:text(x0, y0 - 24, "motions, worst of bodies: distance from the separatrix", "small")
+  for way, name in ipairs(ways) do
+    local left = x0 + (way - 1) * (4 * CELL_W + CELL_W / 2)
+    doc:text(left, y0 - 6, name .. ", periods:", "tick")
+    for k = 0, 3 do doc:text(left + (k + 0.5) * CELL_W, y0 + 10, times[k + 1], "tick", "middle") end
+    local y = y0 + 16
+    for line = 0, 15 do
+      local side, depth = line // 8, line < 8 and line or 15 - line
+      cell(left, y, m[way .. "," .. side .. "," .. depth .. ",0"], real)
+      for k = 1, 3 do
+        cell(left + k * CELL_W, y, m[way .. "," .. side .. "," .. depth .. "," .. k], real)
+      end
+      if way == 1 then doc:text(x0 - 6, y + 14, depths[depth + 1], "tick", "end") end
+      y = y + CELL_H
+    end
+  end
+  doc:text(x0, y0 + 16 * CELL_H + 34, "upper half: L about the axis of the smallest moment", "tick")
+end
+
+file = assert(io.open(picture, "w"))
+file:write(svg.text(doc))
 file:close()

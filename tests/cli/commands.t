@@ -8,6 +8,7 @@
 
 local tap = require "tests.tap"
 local program = require "tests.cli.program"
+local json = require("tests.json").read
 
 local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
@@ -21,72 +22,6 @@ local function lines_of(text)
   local list = {}
   for line in text:gmatch "([^\n]*)\n" do list[#list + 1] = line end
   return list
-end
-
--- A small reader of JSON; raises an error where the text is none.  null is never used and is refused.
-local function json(text)
-  local at = 1
-  local value
-  local function skip() at = text:match("^[ \n]*()", at) end
-  local function take(what)
-    skip()
-    assert(text:sub(at, at + #what - 1) == what, "no '" .. what .. "' at " .. at)
-    at = at + #what
-  end
-  local function next_is(what)
-    skip()
-    return text:sub(at, at) == what
-  end
-  local function string_()
-    take '"'
-    local s, to = text:match('^([^"\\%c]*)"()', at)
-    assert(s, "a string at " .. at)
-    at = to
-    return s
-  end
-  local function list(close, item)
-    if next_is(close) then return take(close) end
-    repeat
-      item()
-      local more = next_is ","
-      if more then take "," end
-    until not more
-    take(close)
-  end
-  function value()
-    skip()
-    local c, out = text:sub(at, at), {}
-    if c == "{" then
-      take "{"
-      list("}", function()
-        local k = string_()
-        take ":"
-        assert(out[k] == nil, "key twice: " .. k)
-        out[k] = value()
-      end)
-      return out
-    elseif c == "[" then
-      take "["
-      list("]", function() out[#out + 1] = value() end)
-      return out
-    elseif c == '"' then
-      return string_()
-    end
-    local word, to = text:match("^(%a+)()", at)
-    if word == "true" or word == "false" then
-      at = to
-      return word == "true"
-    end
-    local n
-    n, to = text:match("^(%-?%d[%d.eE+-]*)()", at)
-    assert(tonumber(n), "a value at " .. at)
-    at = to
-    return tonumber(n)
-  end
-  local v = value()
-  skip()
-  assert(at == #text + 1, "more after the end, at " .. at)
-  return v
 end
 
 -- ---- help and lists ----
@@ -190,6 +125,12 @@ do
   end
   tap.ok(again and cells == 60, "every cell is a number")
   tap.like(lines[2], "0.0,1.0,0.0,0.0,0.0,1.0,0.5,20.0,", "the first row is the initial state")
+  local _, stone = run("run bodies/dropped_stone.lua --at 0,1")
+  tap.is(lines_of(stone)[1], "t,energy,rx,ry,rz,vx,vy,vz", "a point has no columns of turning")
+  local _, book = run("run bodies/thrown_book.lua --at 0 --engine generated")
+  tap.is(lines_of(book)[1], "t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz,rx,ry,rz,vx,vy,vz",
+    "position and velocity follow the angular momentum")
+  tap.like(lines_of(book)[2], "0.0,1.0,0.0,0.0,0.0,0.05,9.0,0.05,", "and the first row is the initial state again")
   local _, at = run("run " .. TOP .. " --at 0,0.25,0.5,0.75,1")
   tap.is(at, out, "--at with the same times gives the same table")
   local _, set = run("run " .. TOP .. " --until 1 --every 0.25 --set r=30")

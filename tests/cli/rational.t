@@ -91,6 +91,8 @@ tap.is(R.toint(R.new(math.mininteger)), math.mininteger, "toint gives the least 
 tap.is(R.toint(-R.new(math.mininteger)), nil, "toint of 2^63 is nil, not a wrapped number")
 tap.is(R.toint(R.new(math.maxinteger)), math.maxinteger, "toint gives the greatest Lua integer back")
 tap.is(R.toint(R.new(1, 2)), nil, "toint of 1/2 is nil")
+tap.ok(R.floor(R.new(7, 2)) == R.new(3) and R.floor(R.new(-7, 2)) == R.new(-4) and R.floor(R.new(-4)) == R.new(-4) and
+  R.floor(R.new(10) ^ 30 + R.new(1, 3)) == R.new(10) ^ 30, "floor is the integer at or below, of any size")
 tap.is(str(R.new(0) ^ 0), "1", "0^0 is 1, as for an empty product")
 tap.is(str(R.new(-1) ^ math.mininteger), "1", "(-1) to the least integer is 1 at once")
 tap.is(str(3 - R.new(1, 3)), "8/3", "a Lua integer on the left is lifted")
@@ -344,4 +346,8 @@ end
 collectgarbage()
 tap.ok(collectgarbage("count") - before < 20, "and gives them back")
 
+-- Gauss's constant 1/agm(1, sqrt 2), OEIS A014549, and log(1 + sqrt 2), A091648
+tap.is(string.format("%.15f", R.todouble(R.new(1) / R.apply("agm", 200, R.new(1), R.apply("sqrt", 200, R.new(2))))),
+  "0.834626841674073", "agm")
+tap.is(string.format("%.15f", R.todouble(R.apply("asinh", 60, R.new(1)))), "0.881373587019543", "asinh")
 tap.done()

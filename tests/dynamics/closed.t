@@ -210,10 +210,53 @@ do
   local c = detected("solid.box { x = a, y = b, z = b, mass = M }", { "M", "a", "b" }, "effects = {effect.control{}}")
   tap.is(c.kind, nil, "a driven body has none")
   tap.like(c.refused, "control acts on the body", "and says why")
+  tap.like(c.others[4].name .. ": " .. c.others[4].reason, "axial gyrostat: control acts", "each of them why")
   c = detected("solid.box { x = a, y = b, z = c, mass = M }", { "M", "a", "b", "c" })
   tap.is(c.kind, "asymmetric", "a free body of three moments: the asymmetric top")
   c = detected("solid.box { x = a, y = b, z = c, mass = M }", { "M", "a", "b = 5", "c = 5" })
   tap.is(c.kind, "asymmetric", "moments equal for the defaults alone make no symmetric top: the structure decides")
+end
+
+-- body, parameters, effects; the kind, whether the attitude is in it; or no kind, and the reason of one form
+local box, disc, ball = "solid.box { x = a, y = b, z = c, mass = M }", "plate.disc { r = a, mass = M }",
+  "solid.sphere { r = a, mass = M }"
+local chosen = {
+  { disc, "effect.rotor { axis = {0, 0, 1}, momentum = rho }", "gyrostat", true },
+  { ball, "effect.rotor { axis = {1, 2, 3}, momentum = rho }", "gyrostat", true },
+  { disc, "effect.rotor { axis = {0, 0, 1}, momentum = rho }, effect.rotor { axis = {0, 0, -2}, momentum = 3 }",
+    "gyrostat", true },
+  { disc, "effect.rotor { axis = {0, 1, 1}, momentum = rho }", nil, "axial gyrostat: the rotor is not along" },
+  { box, "effect.rotor { axis = {0, 0, 1}, momentum = rho }", nil, "axial gyrostat: no two moments" },
+  { disc, "effect.rotor { axis = {0, 0, 1}, momentum = rho }, effect.control {}", nil, "axial gyrostat: control acts" },
+  { box, "effect.damping { rate = rho }", "damped asymmetric", true },
+  { box, "effect.damping { rate = rho }, effect.damping { rate = 2*rho }", "damped asymmetric", true },
+  { box .. '\nlocal k = param("k", 2, "1/s")', "effect.damping { c = {k*M*(b^2 + c^2)/12, k*M*(a^2 + c^2)/12, " ..
+    "k*M*(a^2 + b^2)/12} }", "damped asymmetric", true },
+  { box, "effect.damping { c = rho }", nil, "damping proportional to L: the damping is not proportional" },
+  { box, "effect.damping { rate = rho }, effect.torque { body = {0, 0, 1} }", nil,
+    "proportional to L: beside the damping" },
+  { ball, "effect.damping { c = rho }", "damped sphere", true },
+  { disc, "effect.damping { c = {rho, rho, 2*rho} }", "damped symmetric", true },
+  { disc, "effect.damping { c = {rho, rho, 3*rho} }", "axial", false },
+  { disc, "effect.damping { c = {rho, 2*rho, 3*rho} }", nil, "rates: the damping is not symmetric about" },
+  { disc, "effect.torque { body = {0, 0, rho} }", "axial", false },
+  { disc, "effect.torque { body = {0, rho, 1} }", nil, "rates: the torque is not along the symmetry axis" },
+  { disc, "effect.torque { inertial = {0, 0, rho} }", nil, "rates: a torque that is constant in inertial axes" },
+  { ball, "effect.torque { body = {1, rho, 3} }", "axial", false },
+  { ball, "effect.damping { c = {rho, 1, 1} }", "axial", false },
+  { "rod.straight { length = a, mass = M }", "effect.damping { rate = rho }", "damped symmetric", true },
+}
+for _, row in ipairs(chosen) do
+  local c = detected(row[1], { "M", "a", "b", "c", "rho" }, "effects = {" .. row[2] .. "}")
+  local what = string.match(row[1], "^[%w.]+") .. ", " .. row[2]
+  tap.is(c.kind, row[3], what .. ": " .. (row[3] or "none"))
+  if row[3] then
+    tap.is(c.full, row[4], what .. (row[4] and ": the whole state" or ": the rates"))
+  else
+    local told = {}
+    for i, o in ipairs(c.others) do told[i] = o.name .. ": " .. o.reason end
+    tap.like(table.concat(told, "\n"), row[4], what .. ": says why not")
+  end
 end
 
 tap.done()

@@ -48,7 +48,8 @@ for _, path in ipairs { "brick", "symmetric_top", "gyroscope", "dumbbell", "wate
       for what in files[name]:gmatch "\n#include%s+(%S+)" do includes[#includes + 1] = name .. " " .. what end
     end
     local q = '"' .. path .. '.h"'
-    local ticks = files[path .. ".h"]:find("_at_tick(", 1, true) and path .. ".h <stdint.h>, " or ""
+    local ticks = files[path .. ".h"]:find("_at_tick(", 1, true) and
+      string.format("%s.h <stddef.h>, %s.h <stdint.h>, ", path, path) or ""
     local want = ticks .. string.format("%s.c %s, %s.c <math.h>, ", path, q, path) ..
       string.format("%s_test.c %s, %s_test.c <math.h>, %s_test.c <stdio.h>", path, q, path, path)
     tap.is(table.concat(includes, ", "), want, tag .. ": the code needs math.h, the test also stdio.h")
@@ -58,7 +59,8 @@ for _, path in ipairs { "brick", "symmetric_top", "gyroscope", "dumbbell", "wate
       if word == "static" then -- static functions are fine, static data is not
         found = code:find "\n[ \t]+static " ~= nil or code:find "\nstatic [^(\n]*[;=]" ~= nil
       elseif word == "extern" then
-        found = code:find 'extern [^"]' ~= nil
+        local rest = code:gsub("extern const [%w_]+_orbit [%w_]+_own_orbit;", "") -- a constant
+        found = rest:find 'extern [^"]' ~= nil
       end
       tap.ok(not found, tag .. ": no " .. word .. (word == "static" and " data" or ""))
     end
@@ -113,7 +115,7 @@ do
     "free symmetric top, regular precession" } do
     says(h, line, "symmetric_top.h: " .. line)
   end
-  tap.ok(not emitted("symmetric_top", nil, { methods = { rk4 = true } })["symmetric_top.h"]:find("orbit", 1, true),
+  tap.ok(not emitted("symmetric_top", nil, { methods = { "rk4" } })["symmetric_top.h"]:find("orbit", 1, true),
     "--method rk4: no closed form is emitted")
   h = emitted("brick")["brick.h"]
   says(h, "free asymmetric top, theta functions", "brick.h: the theorem of its closed form")

@@ -4,8 +4,9 @@
    Prints "row ID TIME dw dq norm": error of the rates over the largest rate, of the attitude as an
    angle, |q| - 1, for every sample of the table; "float ID TIME dw dq norm": the float code against
    the double one at inputs that both hold; "random STATES refused start norm L T": worst of random
-   states that are hard. The emitted code is two compiled scenes, top (double) and small (float), of
-   a tensor whose six entries are parameters. */
+   states that are hard; "many SCENE STATE hyperbolic n differ far": NAME_at_many. The emitted code
+   is two compiled scenes, top (double) and small (float), of a tensor whose six entries are
+   parameters. */
 #include "free_top_all.h"
 #include "small.h"
 #include "top.h"
@@ -14,6 +15,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static double larger(double a, double b) {
   return b <= a ? a : b;
@@ -242,8 +244,69 @@ static void random_states(long count) {
   printf("random %ld %ld %.3e %.3e %.3e %.3e\n", count, refused, start, norm, momentum, energy);
 }
 
+enum { MOST = 67 };
+
+/* NAME_at_many against NAME_at: elements that differ in any bit, and the largest difference;
+ * elements touched that are not its own count as differing. */
+#define MANY(NAME, REAL, KIND, ORBIT)                                                              \
+  do {                                                                                             \
+    REAL t[MOST], x[7 * MOST + 1], y[7];                                                           \
+    for (int n = 0; n <= MOST; n++) {                                                              \
+      int differ = 0;                                                                              \
+      double far_away = 0;                                                                         \
+      for (int k = 0; k < n; k++)                                                                  \
+        t[k] = (REAL)((2 * uniform() - 1) * pow(10, 4 * uniform()));                               \
+      for (int k = 0; k <= 7 * MOST; k++)                                                          \
+        x[k] = 77;                                                                                 \
+      NAME##_at_many(&ORBIT, n, t, x);                                                             \
+      for (int k = 0; k < n; k++) {                                                                \
+        NAME##_at(&ORBIT, t[k], y);                                                                \
+        for (int i = 0; i < 7; i++) {                                                              \
+          differ += memcmp(&y[i], &x[i * n + k], sizeof y[i]) != 0;                                \
+          far_away =                                                                               \
+              larger(far_away, fabs((double)y[i] - (double)x[i * n + k]) / (i < 4 ? 1 : 3));       \
+        }                                                                                          \
+      }                                                                                            \
+      for (int k = 7 * n; k <= 7 * MOST; k++)                                                      \
+        differ += !(x[k] > 76 && x[k] < 78);                                                       \
+      printf("many " #NAME " %s %d %d %d %.3e\n", KIND, ORBIT.hyperbolic, n, differ, far_away);    \
+    }                                                                                              \
+  } while (0)
+
+static void many(void) {
+  static const struct {
+    const char *name;
+    double w[3];
+  } states[] = {
+      {"circular", {1, 0.5, 2}},   {"other", {3, 0.5, 0.25}}, {"near", {3, 0.5, 1.0009765625}},
+      {"separatrix", {3, 0.5, 1}}, {"constant", {0, 0, 2}},   {"rest", {0, 0, 0}},
+  };
+  for (size_t s = 0; s < sizeof states / sizeof states[0]; s++) {
+    const double p[6] = {4, 5, 9, 0, 0, 0};
+    const float ps[6] = {4, 5, 9, 0, 0, 0};
+    double x0[7] = {0.5, 0.5, 0.5, 0.5};
+    float s0[7] = {0.5F, 0.5F, 0.5F, 0.5F};
+    top_model m;
+    top_orbit o;
+    small_model ms;
+    small_orbit os;
+    for (int i = 0; i < 3; i++) {
+      x0[4 + i] = states[s].w[i];
+      s0[4 + i] = (float)states[s].w[i];
+    }
+    if (top_init(&m, p) != 0 || top_solve(&o, &m, x0) != 0 || small_init(&ms, ps) != 0 ||
+        small_solve(&os, &ms, s0) != 0) {
+      printf("many top %s refused\n", states[s].name);
+      continue;
+    }
+    MANY(top, double, states[s].name, o);
+    MANY(small, float, states[s].name, os);
+  }
+}
+
 int main(int argc, char **argv) {
   rows();
+  many();
   random_states(argc > 1 ? atol(argv[1]) : 100000);
   return 0;
 }

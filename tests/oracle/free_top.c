@@ -1,13 +1,15 @@
 /* free_top.c - the free top to 50 digits and more: the oracle for measurements.
    SPDX-License-Identifier: GPL-3.0-or-later
 
-     free_top [-b BITS] [-e]
+     free_top [-b BITS] [-e | -p]
 
    Reads lines of numbers (decimal or hexadecimal, taken exactly as doubles): the tensor xx yy zz xy
    xz yz, the rates w0, the attitude q0, the time t. Prints the rates and the attitude with 40
    digits. With -e each line goes on with seven numbers, the rates and attitude of somebody else,
    and what is printed is how far they are off: rates relative to the largest of them, attitude as
-   |q - q'| (signs count).
+   |q - q'| (signs count); then the largest error of a component relative to itself, of the rates
+   and of q. With -p it prints the period of the rates (inf: none, 0: constant) and the mean rate of
+   the precession about L.
 
    The formulas are the textbook's (Landau and Lifshitz, Mechanics, 37; Whittaker, Analytical
    Dynamics, 69), written as they stand: amplitude by the descending Landen transformation (DLMF
@@ -278,10 +280,14 @@ static void at(const motion *f, num t, num w[3], num q[4]) {
     w[i] = over(L[i], f->I[i]);
 }
 
+/* What -p prints. */
+static num period, precession;
+
 /* x[0..2] rates, x[3..6] attitude of the body whose rates stay. */
 static void constant(num w[3], num q[4], num t, num x[7]) {
   num rate = root(add(add(square(w[0]), square(w[1])), square(w[2])));
   num half = over(mul(rate, t), real(2)), turn[4] = {cosine(half)};
+  period = real(0), precession = rate;
   for (int i = 0; i < 3; i++) {
     turn[1 + i] = sign(rate) ? mul(sine(half), over(w[i], rate)) : real(0);
     x[i] = w[i];
@@ -331,9 +337,13 @@ static void general(num I[3], num axis[3][3], num w[3], num q0[4], num t, num x[
   num cn = over(L[0], f.B[0]), sn = times(f.s, over(L[1], f.B[1])), any;
   if (f.separatrix) {
     f.u0 = areasine(over(sn, cn));
+    period = over(real(1), real(0)), precession = over(f.G, f.I[1]);
   } else {
     f.K = legendre(real(1), real(0), f.mc, f.nu, &f.Pi);
     f.u0 = legendre(sn, cn, f.mc, f.nu, &any);
+    period = over(times(4, f.K), f.lambda);
+    precession = over(mul(f.G, sub(f.I[2], f.I[0])), mul(f.K, mul(f.I[0], f.I[2])));
+    precession = add(over(f.G, f.I[2]), mul(precession, f.Pi));
   }
   num p0[4], p[4], back[4], frame[4], body[4], none[3], rates[3];
   at(&f, real(0), none, p0);
@@ -382,9 +392,14 @@ static void solve(const double in[14], num x[7]) {
     general(I, axis, w, q, real(in[13]), x);
 }
 
-/* How far the seven numbers in text are from x. */
-static int compare(num x[7], char *text, double *rates, double *attitude) {
-  num d[2] = {real(0), real(0)}, scale = real(0);
+/* The larger; what is no number is the largest of all. */
+static num larger(num a, num b) {
+  return mpfr_nan_p(a) || mpfr_cmp(a, b) > 0 ? a : b;
+}
+
+/* How far the seven numbers in text are from x: off[] as -e prints them. */
+static int compare(num x[7], char *text, double off[4]) {
+  num d[4] = {real(0), real(0), real(0), real(0)}, scale = real(0);
   for (int i = 0; i < 7; i++) {
     num v = fresh();
     char *end;
@@ -392,28 +407,32 @@ static int compare(num x[7], char *text, double *rates, double *attitude) {
       return 0;
     text = end;
     num e = size(sub(v, x[i]));
-    if (i < 3) {
-      d[0] = mpfr_cmp(e, d[0]) > 0 ? e : d[0];
-      scale = mpfr_cmp(size(x[i]), scale) > 0 ? size(x[i]) : scale;
-    } else {
-      d[1] = add(d[1], square(e));
-    }
+    const int k = i < 3 ? 0 : 1;
+    if (k == 0)
+      scale = larger(size(x[i]), scale);
+    d[k] = k == 0 ? larger(e, d[k]) : add(d[k], square(e));
+    if (!mpfr_zero_p(e)) /* a component that ought to be 0 is infinitely wrong */
+      d[2 + k] = larger(over(e, size(x[i])), d[2 + k]);
   }
-  *rates = mpfr_get_d(sign(scale) ? over(d[0], scale) : d[0], MPFR_RNDN);
-  *attitude = mpfr_get_d(root(d[1]), MPFR_RNDN);
+  d[0] = sign(scale) ? over(d[0], scale) : d[0];
+  d[1] = root(d[1]);
+  for (int k = 0; k < 4; k++)
+    off[k] = mpfr_get_d(d[k], MPFR_RNDN);
   return 1;
 }
 
 int main(int argc, char **argv) {
   static char line[4096];
-  int errors = 0;
+  int errors = 0, periods = 0;
   for (int i = 1; i < argc; i++) {
     if (strcmp(argv[i], "-e") == 0) {
       errors = 1;
+    } else if (strcmp(argv[i], "-p") == 0) {
+      periods = 1;
     } else if (strcmp(argv[i], "-b") == 0 && i + 1 < argc && atoi(argv[i + 1]) >= 128) {
       bits = atoi(argv[++i]);
     } else {
-      fprintf(stderr, "usage: free_top [-b BITS] [-e] < lines\n");
+      fprintf(stderr, "usage: free_top [-b BITS] [-e | -p] < lines\n");
       return 2;
     }
   }
@@ -421,7 +440,7 @@ int main(int argc, char **argv) {
   if (!pool)
     return 2;
   while (fgets(line, sizeof line, stdin)) {
-    double in[14], rates, attitude;
+    double in[14], off[4];
     char *p = line, *end;
     for (int i = 0; i < 14; i++, p = end) {
       in[i] = strtod(p, &end);
@@ -433,11 +452,13 @@ int main(int argc, char **argv) {
     num x[7];
     used = 0;
     solve(in, x);
-    if (!errors) {
+    if (periods) {
+      mpfr_printf("%.40Re %.40Re\n", period, precession);
+    } else if (!errors) {
       for (int i = 0; i < 7; i++)
         mpfr_printf(i < 6 ? "%.40Re " : "%.40Re\n", x[i]);
-    } else if (compare(x, p, &rates, &attitude)) {
-      printf("%.3g %.3g\n", rates, attitude);
+    } else if (compare(x, p, off)) {
+      printf("%.3g %.3g %.3g %.3g\n", off[0], off[1], off[2], off[3]);
     } else {
       fprintf(stderr, "free_top: -e wants seven numbers after the time\n");
       return 2;

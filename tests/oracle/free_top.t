@@ -37,7 +37,7 @@ for _, name in ipairs { "free_top", "free_top_long" } do
     for word in line:gmatch "%S+" do
       i = i + 1
       local e = tonumber(word) or math.huge -- "nan" is no number
-      if e > worst[i] then worst[i], at[i] = e, ids[n] end
+      if i <= 2 and e > worst[i] then worst[i], at[i] = e, ids[n] end
     end
   end
   os.remove(input)

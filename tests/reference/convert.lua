@@ -220,15 +220,16 @@ end
 
 -- ---- forced_top.json: the models that the library has ----
 do
-  local out = head("forced_top.h", "heavy tops, linear damping, constant torques, 32 digits",
-    "enum { FORCED_HEAVY, FORCED_DAMPING, FORCED_BODY, FORCED_INERTIAL };\n" ..
+  local out = head("forced_top.h", "heavy tops, linear damping, constant torques, a gyrostat, 32 digits",
+    "enum { FORCED_HEAVY, FORCED_DAMPING, FORCED_BODY, FORCED_INERTIAL, FORCED_ROTOR };\n" ..
     "static const struct {\n  const char *id;\n  int model;\n  double moment[3];\n" ..
-    "  double load[3]; /* m g r, diagonal of C, or torque */\n" ..
+    "  double load[3]; /* m g r, diagonal of C, torque, or momentum of the rotor */\n" ..
     "  double x0[7], t; /* state: w, then q */\n  long double x[7];\n} forced_top_rows[] = {")
   local models = {
     ["heavy top"] = { "FORCED_HEAVY", "mgr" }, ["linear damping"] = { "FORCED_DAMPING", "c" },
     ["constant body torque"] = { "FORCED_BODY", "tau_body" },
     ["constant inertial torque"] = { "FORCED_INERTIAL", "tau_inertial" },
+    ["gyrostat (constant relative rotor momentum)"] = { "FORCED_ROTOR", "h" },
   }
   for _, case in ipairs(json("forced_top.json").cases) do
     local model = models[case.model]

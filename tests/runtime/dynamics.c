@@ -47,14 +47,15 @@ static int odd_body(ph_body *b) {
 static const double ORIGIN[3] = {0.05, -0.1, 0.02}, DIRECTION[3] = {1, -2, -5},
                     C[9] = {0.3, 0.1, 0, -0.1, 0.2, 0.05, 0, 0, 0.4};
 static const double RATE = 0.7, BODY[3] = {0.1, -0.2, 0.3}, INERTIAL[3] = {-0.2, 0.4, 0.1},
-                    U[3] = {0.5, 0.25, -1};
+                    U[3] = {0.5, 0.25, -1}, HELD[3] = {0.4, -0.7, 0.2};
 static const double G = 9.80665;
+static const unsigned ALL = 63 | PH_ROTOR;
 
 static int all_effects(ph_top *top) {
   ph_body b;
   return odd_body(&b) || ph_top_init(top, &b, ORIGIN) || ph_top_gravity(top, G, DIRECTION) ||
          ph_top_damping(top, C) || ph_top_decay(top, RATE) || ph_top_torque_body(top, BODY) ||
-         ph_top_torque_inertial(top, INERTIAL) || ph_top_control(top);
+         ph_top_torque_inertial(top, INERTIAL) || ph_top_control(top) || ph_top_rotor(top, HELD);
 }
 
 static void cross(const double a[3], const double b[3], double out[3]) {
@@ -73,7 +74,7 @@ static void apply(const double I[6], const double w[3], double L[3]) {
 /* Torque in body axes by rotation matrices, and the size of its terms. */
 static double torque_by_matrix(const ph_top *top, unsigned effects, const double x[7],
                                double N[3]) {
-  double R[9], L[3], weight[3], size = 0;
+  double R[9], L[3], weight[3], gyro[3], size = 0;
   ph_quat_to_matrix(x, R);
   apply(top->inertia, x + 4, L);
   const double n = sqrt(30);
@@ -81,31 +82,37 @@ static double torque_by_matrix(const ph_top *top, unsigned effects, const double
     weight[i] = top->mass * G / n *
                 (R[i] * DIRECTION[0] + R[3 + i] * DIRECTION[1] + R[6 + i] * DIRECTION[2]);
   cross(top->com, weight, N);
+  cross(HELD, x + 4, gyro);
   for (int i = 0; i < 3; i++) {
-    const double part[6] = {
+    const double part[7] = {
         N[i],    -(C[3 * i] * x[4] + C[3 * i + 1] * x[5] + C[3 * i + 2] * x[6]),       -RATE * L[i],
-        BODY[i], R[i] * INERTIAL[0] + R[3 + i] * INERTIAL[1] + R[6 + i] * INERTIAL[2], U[i]};
+        BODY[i], R[i] * INERTIAL[0] + R[3 + i] * INERTIAL[1] + R[6 + i] * INERTIAL[2], U[i],
+        gyro[i]};
     N[i] = 0;
-    for (int k = 0; k < 6; k++)
-      if (effects >> k & 1) {
+    for (int k = 0; k < 7; k++)
+      if (effects & (k < 6 ? 1U << k : PH_ROTOR)) {
         N[i] += part[k];
         size = fmax(size, fabs(part[k]));
+        for (int j = 0; j < 9 && k == 6; j++) /* whose products may cancel */
+          size = fmax(size, fabs(HELD[j / 3] * x[4 + j % 3]));
       }
   }
   return size;
 }
 
 static void effects_one_by_one(void) {
-  static const char *const name[8] = {"gravity",         "damping", "decay",       "body torque",
-                                      "inertial torque", "control", "all effects", "no effect"};
-  static const unsigned mask[8] = {PH_GRAVITY,         PH_DAMPING, PH_DECAY, PH_TORQUE_BODY,
-                                   PH_TORQUE_INERTIAL, PH_CONTROL, 63,       0};
+  static const char *const name[9] = {"gravity",     "damping",         "decay",
+                                      "body torque", "inertial torque", "control",
+                                      "rotor",       "all effects",     "no effect"};
+  static const unsigned mask[9] = {
+      PH_GRAVITY, PH_DAMPING, PH_DECAY, PH_TORQUE_BODY, PH_TORQUE_INERTIAL, PH_CONTROL,
+      PH_ROTOR,   ALL,        0};
   ph_top top;
-  if (!ok(all_effects(&top) == 0 && top.effects == 63, "an odd body with all effects is set up"))
+  if (!ok(all_effects(&top) == 0 && top.effects == ALL, "an odd body with all effects is set up"))
     return;
-  for (int k = 0; k < 8; k++) {
+  for (int k = 0; k < 9; k++) {
     ph_top some = top;
-    ph_top_without(&some, 63 & ~mask[k]);
+    ph_top_without(&some, ALL & ~mask[k]);
     double worst_torque = 0, worst_balance = 0, worst_attitude = 0;
     for (int n = 0; n < 1000; n++) {
       double x[7], N[3], want[3], dx[7], L[3], turning[3], change[3], inverse[3];
@@ -151,7 +158,7 @@ static void power(void) {
     double x[7], dx[7], N[3], wN = 0, x1[7], x2[7], E1, E2, L1[3], L2[3], want[3], gravity[3];
     ph_top weight = top;
     uniform_state(x);
-    ph_top_without(&weight, 63 & ~(unsigned)PH_GRAVITY);
+    ph_top_without(&weight, ALL & ~(unsigned)PH_GRAVITY);
     ph_top_rates(&top, 0, x, U, dx);
     ph_top_torque(&top, 0, x, U, N);
     ph_top_torque(&weight, 0, x, NULL, gravity);
@@ -163,13 +170,16 @@ static void power(void) {
       x1[i] = x[i] - h * dx[i], x2[i] = x[i] + h * dx[i];
     ph_top_energy(&top, x1, &E1), ph_top_energy(&top, x2, &E2);
     ph_top_momentum(&top, x1, L1), ph_top_momentum(&top, x2, L2);
-    ph_quat_rotate(x, N, want);
+    cross(x + 4, HELD, gravity); /* on the rotor, whose h turns along */
+    for (int i = 0; i < 3; i++)
+      want[i] = N[i] + gravity[i];
+    ph_quat_rotate(x, want, want);
     worst_energy = fmax(worst_energy, fabs((E2 - E1) / (2 * h) - wN));
     for (int i = 0; i < 3; i++)
       worst_momentum = fmax(worst_momentum, fabs((L2[i] - L1[i]) / (2 * h) - want[i]));
   }
   near(worst_energy, 0, 1e-7, "dE/dt is the power of the torques other than gravity");
-  near(worst_momentum, 0, 1e-7, "dL/dt in the inertial frame is the torque");
+  near(worst_momentum, 0, 1e-7, "dL/dt in the inertial frame is the torque on body and rotor");
 }
 
 static void gravity_by_hand(void) {

@@ -88,6 +88,8 @@ static int forced_setup(size_t r, ph_top *top) {
     return ph_top_init_tensor(top, 1, NULL, I) || ph_top_damping(top, C);
   case FORCED_BODY:
     return ph_top_init_tensor(top, 1, NULL, I) || ph_top_torque_body(top, p);
+  case FORCED_ROTOR:
+    return ph_top_init_tensor(top, 1, NULL, I) || ph_top_rotor(top, p);
   default:
     return ph_top_init_tensor(top, 1, NULL, I) || ph_top_torque_inertial(top, p);
   }

@@ -269,6 +269,7 @@ static void tops(void) {
   refused(ph_top_damping(&out.top, BAD), PH_EFINITE, "NaN damping");
   refused(ph_top_decay(&out.top, ENDLESS), PH_EFINITE, "infinite decay");
   refused(ph_top_torque_body(&out.top, BAD), PH_EFINITE, "NaN torque");
+  refused(ph_top_rotor(&out.top, BAD), PH_EFINITE, "NaN rotor");
   refused(ph_top_torque_inertial(&out.top, BAD), PH_EFINITE, "NaN inertial torque");
   refused(ph_top_torque(&top, 0, BAD, NULL, out.number), PH_EFINITE, "torque at NaN");
   refused(ph_top_rates(&top, 0, BAD, NULL, out.number), PH_EFINITE, "rates at NaN");

@@ -13,8 +13,10 @@ function asymmetric.detect(m, eq)
       "attitude is exp(i mu t) times theta4 and theta1 of pi u/(2 K) - i eta, a complex pair (Jacobi 1849; Whittaker,",
       "Analytical Dynamics, section 69).  Set up in twice the working precision; any moments and any state: symmetric,",
       "spherical, a rod, spin about an axis and the separatrix are limits that the same formulas pass through." },
-    header = "templates/top.h", sources = { "templates/double.c", "templates/top.c", "templates/theta.c",
-      "templates/tick.c" }, flags = {}, full = true, ticks = true, exact = true }
+    header = "templates/top.h", sources = { "templates/circle.c", "templates/double.c", "templates/theta_at.c",
+      "templates/top.c", "templates/circular.c", "templates/hyperbolic.c", "templates/setup.c", "templates/many.c",
+      "templates/count.c", "templates/tick.c", "templates/query.c" }, flags = {}, full = true, ticks = true,
+    integers = true, exact = true }
 end
 
 return asymmetric

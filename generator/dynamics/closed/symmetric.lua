@@ -5,14 +5,24 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
 local equations = require "generator.dynamics.equations"
 local free = require "generator.dynamics.closed.free"
 
 local symmetric = { name = "free symmetric top" }
 
--- Axis and moments of a symmetric top as derived constants: kx, ky, kz, k2 = k^2, I1 across and I3 about the axis.
-function symmetric.constants(m)
+-- The body as symmetric about k: its own structure, or of a sphere one about the given axis; nil for other bodies.
+function symmetric.about(m, axis)
   local s = m.structure
+  if s.kind == "symmetric" then return s end
+  if s.kind ~= "sphere" then return nil end
+  return { k = axis, k2 = ratio.tidy(vec.dot(axis, axis)), alpha = s.alpha, axial = s.alpha }
+end
+
+-- Axis and moments of a symmetric top as derived constants: kx, ky, kz, k2 = k^2, I1 across and I3 about the axis.
+function symmetric.constants(m, about)
+  local s = about or m.structure
   local k = s.k
   if not equations.coordinate(k) then
     k = {}
@@ -35,8 +45,9 @@ function symmetric.detect(m, eq)
       "goes round L at |L|/I1; in the body w goes round k at Omega = (I3 - I1)/I1 k.w; hence",
       "q(t) = (cos, L/|L| sin)(|L|t/2 I1) q(0) (cos, k/|k| sin)((1 - I3/I1) k.w t/2).",
       "Landau, Lifshitz, Mechanics, sections 33 and 36." },
-    header = "templates/closed.h", sources = { "templates/closed.c" }, flags = { symmetric = true },
-    constants = symmetric.constants, full = true }
+    header = "templates/closed.h", sources = { "templates/circle.c", "templates/count.c",
+      "templates/quotient.c", "templates/closed.c" }, flags = { symmetric = true },
+    constants = function(model) return symmetric.constants(model) end, full = true, ticks = true }
 end
 
 return symmetric

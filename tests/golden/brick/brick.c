@@ -642,18 +642,28 @@ static brick_pair brick_pair_minus(brick_pair a)
   return a;
 }
 
+/* hi + lo = the same, |lo| <= |hi| or hi a multiple of the last place of lo (Dekker's fast two-sum) */
+static brick_pair brick_pair_tidy(brick_real hi, brick_real lo)
+{
+  brick_pair s;
+
+  s.hi = hi + lo;
+  s.lo = lo - (s.hi - hi);
+  return s;
+}
+
 static brick_pair brick_pair_add(brick_pair a, brick_pair b)
 {
   brick_pair s = brick_pair_sum(a.hi, b.hi);
 
-  return brick_pair_sum(s.hi, s.lo + (a.lo + b.lo));
+  return brick_pair_tidy(s.hi, s.lo + (a.lo + b.lo));
 }
 
 static brick_pair brick_pair_multiply(brick_pair a, brick_pair b)
 {
   brick_pair p = brick_pair_product(a.hi, b.hi);
 
-  return brick_pair_sum(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
+  return brick_pair_tidy(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
 }
 
 /* ---- principal axes: Jacobi's method in pairs ----
@@ -811,8 +821,80 @@ int brick_principal(const brick_model *m, brick_real moments[3], brick_real axes
   return brick_principal_of(I, moments, axes);
 }
 
+/* ---- phases in turns: no call and no branch, so that loops over times are vectorised ---- */
+
+#if defined __GNUC__
+#define BRICK_INLINE static inline __attribute__((always_inline)) /* GCC and Clang vectorise what they inline */
+#else
+#define BRICK_INLINE static inline
+#endif
+
+/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
+BRICK_INLINE brick_real brick_nearest(brick_real x)
+{
+  return (x + 6755399441055744.0) - 6755399441055744.0;
+}
+
+/* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well: Dekker's product */
+BRICK_INLINE brick_pair brick_advance(const brick_real b[4], brick_real t, brick_real head, brick_real tail)
+{
+  brick_pair p;
+
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || defined __ARM_FEATURE_FMA
+  (void)head;
+  (void)tail;
+  p.hi = fma(b[0], t, 0.0); /* no compiler may fuse this one */
+  p.lo = fma(b[0], t, -p.hi) + b[1]*t;
+#else
+  p.hi = b[0]*t;
+  p.lo = (((b[2]*head - p.hi) + b[2]*tail + b[3]*head) + b[3]*tail) + b[1]*t;
+#endif
+  return p;
+}
+
+/* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one doubling */
+BRICK_INLINE void brick_circle(brick_real x, brick_real *sine, brick_real *cosine)
+{
+  const brick_real u = x*x, u2 = u*u, u4 = u2*u2;
+  const double s0 = 3.141592653589793 - 5.167712780049969*u;
+  const double s2 = 2.5501640398773007 - 0.599264529318946*u;
+  const double s4 = 0.08214588657312355 - 0.007370430506093225*u;
+  const double s6 = 0.00046629981702308817 - 2.1903499125519212e-5*u;
+  const double s = (s0 + u2*s2) + u4*(s4 + u2*s6 + u4*7.697847275590284e-7);
+  const double c0 = 1.0 - 4.934802200544676*u;
+  const double c2 = 4.058712126416498 - 1.335262768843456*u;
+  const double c4 = 0.23533063012967062 - 0.02580688873817758*u;
+  const double c6 = 0.001929556278037417 - 0.00010456656706174584*u;
+  const double c = (c0 + u2*c2) + u4*(c4 + u2*c6 + u4*4.149578027057121e-6);
+  const brick_real half = x*s;
+
+  *sine = 2.0*(half*c);
+  *cosine = (c - half)*(c + half);
+}
+
 /* ---- functions of pairs, to about twice the working precision ---- */
 
+static brick_pair brick_pair_subtract(brick_pair a, brick_pair b)
+{
+  return brick_pair_add(a, brick_pair_minus(b));
+}
+
+static brick_pair brick_pair_times(brick_real a, brick_pair b)
+{
+  const brick_pair p = brick_pair_product(a, b.hi);
+
+  return brick_pair_tidy(p.hi, p.lo + a*b.lo);
+}
+
+/* a power of two times b: exact */
+static brick_pair brick_pair_shift(brick_real power, brick_pair b)
+{
+  b.hi *= power;
+  b.lo *= power;
+  return b;
+}
+
+/* the same for any exponent */
 static brick_pair brick_pair_scale(brick_pair a, int e)
 {
   a.hi = ldexp(a.hi, e);
@@ -820,23 +902,13 @@ static brick_pair brick_pair_scale(brick_pair a, int e)
   return a;
 }
 
-static brick_pair brick_pair_subtract(brick_pair a, brick_pair b)
-{
-  return brick_pair_add(a, brick_pair_minus(b));
-}
-
-/* two quotients: the remainder of the first is formed in pairs */
+/* the leading quotient, and that of its remainder */
 static brick_pair brick_pair_divide(brick_pair a, brick_pair b)
 {
   const brick_real q = a.hi/b.hi;
-  const brick_pair r = brick_pair_subtract(a, brick_pair_multiply(brick_pair_of(q), b));
+  const brick_pair p = brick_pair_product(q, b.hi);
 
-  return brick_pair_sum(q, r.hi/b.hi);
-}
-
-static brick_pair brick_pair_times(brick_real a, brick_pair b)
-{
-  return brick_pair_multiply(brick_pair_of(a), b);
+  return brick_pair_tidy(q, (((a.hi - p.hi) - p.lo) + (a.lo - q*b.lo))/b.hi);
 }
 
 /* one Newton step: sqrt(a) = r + (a - r^2)/(2 r) */
@@ -846,95 +918,319 @@ static brick_pair brick_pair_root(brick_pair a)
   const brick_pair p = brick_pair_product(r, r);
 
   if (!(r > 0.0)) return brick_pair_of(0.0);
-  return brick_pair_sum(r, ((a.hi - p.hi) - p.lo + a.lo)/(2.0*r));
+  return brick_pair_tidy(r, (((a.hi - p.hi) - p.lo) + a.lo)*(0.5/r));
 }
 
-/* 2^e exp(x): x less a multiple of log 2, divided by 64, the series of exp - 1, and six doublings of exp(x) - 1 */
-static brick_pair brick_pair_exp(brick_pair x, int e)
+/* Artanh (sign = 1) or arctan (sign = -1) of x, |x| <= 1/16: x + sign x^3/3 + x^5/5 + ... (DLMF 4.38.2, 4.24.3).  From
+ * x^13 on, 2^-48 of the whole, the working precision will do; what is left out is 2^-100. */
+static brick_pair brick_pair_arc(brick_pair x, brick_real sign)
+{
+  const brick_pair odd[6] = {
+    {1.0, 0.0},
+    {0.3333333333333333, 1.850371707708594e-17},
+    {0.2, -1.1102230246251566e-17},
+    {0.14285714285714285, 7.93016446160826e-18},
+    {0.1111111111111111, 6.1679056923619804e-18},
+    {0.09090909090909091, -2.523234146875356e-18},
+  };
+  const brick_pair square = brick_pair_multiply(x, x), z = brick_pair_shift(sign, square);
+  const brick_real t = z.hi, seven = 1.0/(brick_real)13 + t*(1.0/(brick_real)15 + t*(1.0/(brick_real)17
+    + t*(1.0/(brick_real)19 + t*(1.0/(brick_real)21
+        + t*(1.0/(brick_real)23 + t*(1.0/(brick_real)25))))));
+  brick_pair s = brick_pair_of(seven);
+  int i;
+
+  for (i = 5; i >= 0; i--) s = brick_pair_add(odd[i], brick_pair_multiply(z, s));
+  return brick_pair_multiply(x, s);
+}
+
+static brick_pair brick_pi(void)
+{
+  const brick_pair pi = {3.141592653589793, 1.2246467991473532e-16};
+
+  return pi;
+}
+
+static brick_pair brick_inverse_pi(void)
+{
+  const brick_pair inverse = {0.3183098861837907, -1.9678676675182486e-17};
+
+  return inverse;
+}
+
+static brick_pair brick_log2(void)
 {
   const brick_pair log2 = {0.6931471805599453, 2.3190468138462996e-17};
-  const brick_real n = floor(x.hi/log2.hi + 0.5);
-  brick_pair y = brick_pair_scale(brick_pair_subtract(x, brick_pair_times(n, log2)), -6), s = brick_pair_of(0.0);
-  int i;
 
-  for (i = 12; i > 0; i--) { /* s = y/i (1 + s) */
-    s = brick_pair_multiply(y, brick_pair_add(brick_pair_of(1.0), s));
-    s = brick_pair_divide(s, brick_pair_of((brick_real)i));
-  }
-  for (i = 0; i < 6; i++) s = brick_pair_add(brick_pair_scale(s, 1), brick_pair_multiply(s, s));
-  return brick_pair_scale(brick_pair_add(brick_pair_of(1.0), s), (int)n + e);
+  return log2;
 }
 
-/* log a = l + log(1 + r), r = a exp(-l) - 1, where l is good to the working precision */
-static brick_pair brick_pair_log(brick_pair a)
+/* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 + arctan of a rest below
+ * 1/16 (DLMF 4.24.15). */
+static brick_pair brick_pair_angle(brick_pair x, brick_pair y)
 {
-  const brick_pair l = brick_pair_of(log(a.hi));
-  const brick_pair r = brick_pair_subtract(brick_pair_multiply(a, brick_pair_exp(brick_pair_minus(l), 0)), brick_pair_of(1.0));
+  const brick_pair arctan[9] = {
+    {0.0, 0.0},
+    {0.12435499454676144, -3.1253241424539383e-18},
+    {0.24497866312686414, 1.0698755618734451e-17},
+    {0.35877067027057225, -2.4623815582638635e-17},
+    {0.4636476090008061, 2.2698777452961687e-17},
+    {0.5585993153435624, -5.4556305485916264e-18},
+    {0.6435011087932844, 1.5834785051444286e-17},
+    {0.7188299996216245, -2.1478388444456983e-17},
+    {0.7853981633974483, 3.061616997868383e-17},
+  };
+  const brick_pair pi = brick_pi();
+  const int left = x.hi < 0.0, below = y.hi < 0.0;
+  const brick_pair u = left ? brick_pair_minus(x) : x, v = below ? brick_pair_minus(y) : y;
+  const int steep = v.hi > u.hi;
+  const brick_pair far = steep ? v : u, near = steep ? u : v;
+  brick_pair angle;
+  brick_real eighths;
 
-  return brick_pair_add(l, brick_pair_subtract(r, brick_pair_scale(brick_pair_multiply(r, r), -1)));
+  if (!(far.hi > 0.0)) return brick_pair_of(0.0);
+  eighths = floor((brick_real)8*(near.hi/far.hi) + 0.5);
+  angle = brick_pair_divide(brick_pair_subtract(near, brick_pair_times(eighths/(brick_real)8, far)),
+               brick_pair_add(far, brick_pair_times(eighths/(brick_real)8, near)));
+  angle = brick_pair_add(arctan[(int)eighths], brick_pair_arc(angle, -1.0));
+  if (steep) angle = brick_pair_subtract(brick_pair_shift(0.5, pi), angle);
+  if (left) angle = brick_pair_subtract(pi, angle);
+  return below ? brick_pair_minus(angle) : angle;
 }
 
-/* cos x - 1 and sin x, |x| <= pi: the series at x/64 and six doublings */
-static void brick_pair_circle(brick_pair x, brick_pair *c1, brick_pair *s)
+/* log(2^e a), a > 0: of 2^e, of 1 + j/8, and 2 artanh of a rest below 1/16 */
+static brick_pair brick_pair_log(brick_pair a, int e)
 {
-  const brick_pair y = brick_pair_scale(x, -6), y2 = brick_pair_multiply(y, y);
-  brick_pair c = brick_pair_of(0.0), d = brick_pair_of(0.0);
-  int i;
+  const brick_pair log[9] = {
+    {0.0, 0.0},
+    {0.11778303565638346, -1.1971685747593677e-18},
+    {0.22314355131420976, -9.091270597324799e-18},
+    {0.3184537311185346, 2.7114779367326236e-17},
+    {0.4054651081081644, -2.8811380259626426e-18},
+    {0.4855078157817008, -1.6618350693852048e-17},
+    {0.5596157879354227, 2.685492580212308e-17},
+    {0.6286086594223741, 4.3538742607970387e-17},
+    {0.6931471805599453, 2.3190468138462996e-17},
+  };
+  brick_pair near;
+  brick_real eighths;
+  int own;
 
-  for (i = 16; i > 0; i -= 2) {
-    c = brick_pair_minus(brick_pair_multiply(y2, brick_pair_add(brick_pair_of(1.0), c)));
-    c = brick_pair_divide(c, brick_pair_of((brick_real)(i*(i - 1))));
-    d = brick_pair_minus(brick_pair_multiply(y2, brick_pair_add(brick_pair_of(1.0), d)));
-    d = brick_pair_divide(d, brick_pair_of((brick_real)(i*(i + 1))));
-  }
-  d = brick_pair_multiply(y, brick_pair_add(brick_pair_of(1.0), d));
-  for (i = 0; i < 6; i++) { /* cos 2x - 1 = -2 sin^2 x, sin 2x = 2 sin x (1 + (cos x - 1)) */
-    const brick_pair square = brick_pair_multiply(d, d);
-
-    d = brick_pair_scale(brick_pair_multiply(d, brick_pair_add(brick_pair_of(1.0), c)), 1);
-    c = brick_pair_minus(brick_pair_scale(square, 1));
-  }
-  *c1 = c;
-  *s = d;
+  (void)frexp(a.hi, &own);
+  a = brick_pair_scale(a, 1 - own);
+  eighths = floor((brick_real)8*(a.hi - 1.0) + 0.5);
+  near = brick_pair_of(1.0 + eighths/(brick_real)8);
+  near = brick_pair_shift(2.0, brick_pair_arc(brick_pair_divide(brick_pair_subtract(a, near),
+      brick_pair_add(a, near)), 1.0));
+  near = brick_pair_add(log[(int)eighths], near);
+  return brick_pair_add(brick_pair_times((brick_real)(e + own - 1), brick_log2()), near);
 }
 
-/* Carlson's R_F(x^2, y^2, z^2), at most one of x, y, z = 0: duplication (DLMF 19.26.18) until the three agree to 13 bits
- * (seven steps and some more if one is small: 40 cover every number), then the series of order 7 (DLMF 19.36.1). */
-static brick_pair brick_carlson(brick_pair x, brick_pair y, brick_pair z)
+static void brick_store(brick_real out[2], brick_pair a)
 {
-  brick_pair sum = brick_pair_of(0.0), X, Y, Z, E2, E3, s;
+  out[0] = a.hi;
+  out[1] = a.lo;
+}
+
+/* ---- evaluation: no call and no branch on data but for `hyperbolic`, so that loops over times are vectorised ---- */
+
+/* high + low: the phase of the rates in their periods, less whole ones; the turns about L */
+typedef struct brick_phases {
+  brick_real high, low, turn, turn_low;
+} brick_phases;
+
+/* The pair e^(-i mu t) (a + i b, c + i d) of quaternion components w + i z, x + i y, and cn, sn, dn, all but for constant
+ * factors and for their norms; and the turns that mu t makes. */
+typedef struct brick_terms {
+  brick_real a, b, c, d, cn, sn, dn, turn;
+} brick_terms;
+
+BRICK_INLINE brick_phases brick_reduce(const brick_orbit *o, brick_real at)
+{
+  const brick_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
+  const brick_real c = 134217729.0*t, head = c - (c - t), tail = t - head;
+  const brick_pair p = brick_advance(o->rate, t, head, tail), turn = brick_advance(o->turn, t, head, tail);
+  const brick_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
+  const brick_real rest = (p.hi - (sum - part)) + (o->start[0] - part);
+  brick_phases phases;
+
+  phases.high = sum - brick_nearest(sum);
+  phases.low = rest + (p.lo + o->start[1]);
+  phases.turn = turn.hi;
+  phases.turn_low = turn.lo;
+  return phases;
+}
+
+/* 2^x and 2^-x, |x| <= 500.0: the even and the odd part of 2^f, f = x less the nearest integer n, which the sum with
+ * a large number leaves in the last bits of its representation (IEEE 754), next to where an exponent is wanted */
+BRICK_INLINE void brick_exponentials(brick_real x, brick_real *up, brick_real *down)
+{
+  union {
+    brick_real number;
+    uint64_t bits;
+  } a, b;
+  const brick_real n = brick_nearest(x), f = x - n, u = f*f, u2 = u*u;
+  const double u4 = u2*u2;
+  const double e0 = 1.0 + 0.24022650695910158*u;
+  const double e2 = 0.009618129107587253 + 0.00015403530463727982*u;
+  const double e4 = 1.3215432534254118e-6 + 7.074194562613105e-9*u;
+  const double e = (e0 + u2*e2) + u4*e4;
+  const double o0 = 0.6931471805599453 + 0.055504108664821625*u;
+  const double o2 = 0.0013333558146406469 + 1.5252733841558449e-5*u;
+  const double o4 = 1.0178057086967843e-7 + 4.4558180309131894e-10*u;
+  const double o = (o0 + u2*o2) + u4*o4;
+  const brick_real odd = f*o;
+
+  a.number = 6755399441056767.0 + n;
+  b.number = 6755399441056767.0 - n;
+  a.bits <<= 52;
+  b.bits <<= 52;
+  *up = a.number*(e + odd);
+  *down = b.number*(e - odd);
+}
+
+/* away from the separatrix: the series as polynomials in X = cos 2z */
+BRICK_INLINE brick_terms brick_circular_terms(const brick_orbit *o, brick_phases p)
+{
+  brick_terms y;
+  brick_real s, c, X, X2, even, odd;
+
+  brick_circle(p.high + p.low, &s, &c);
+  X = (c - s)*(c + s);
+  X2 = X*X;
+  y.a = (o->a[0] + X*o->a[1]) + X2*(o->a[2] + X*o->a[3]);
+  y.b = (s*c)*((o->b[0] + X*o->b[1]) + X2*o->b[2]);
+  y.c = s*((o->c[0] + X*o->c[1]) + X2*(o->c[2] + X*o->c[3]));
+  y.d = c*((o->d[0] + X*o->d[1]) + X2*(o->d[2] + X*o->d[3]));
+  even = o->f[0] + X2*(o->f[2] + X2*o->f[4]); /* theta2(z) = theta1(z + pi/2) */
+  odd = X*(o->f[1] + X2*o->f[3]);
+  y.cn = c*(even + odd);
+  y.sn = s*(even - odd);
+  y.dn = (o->f[5] + X2*(o->f[7] + X2*o->f[9])) + X*(o->f[6] + X2*o->f[8]);
+  y.turn = (p.turn - brick_nearest(p.turn)) + p.turn_low;
+  return y;
+}
+
+/* near it: in U = p' X, X = cosh 2V, which stays below 1; where 2^|x| would exceed the range all but 1/cosh is 1, and x is
+ * cut if it can come there */
+BRICK_INLINE brick_terms brick_hyperbolic_terms(const brick_orbit *o, brick_phases p, int cut)
+{
+  const brick_real n = brick_nearest(2.0*p.high); /* -1, 0, 1: V has two periods in one of the rates */
+  const brick_real flip = 1.0 - 2.0*fabs(n), r = (2.0*p.high - n) + 2.0*p.low, ahead = o->jump*r;
+  brick_terms y;
+  brick_real x = r*o->half, up, down, c, s, U, U2, even, odd;
+
+  if (cut) {
+    x = x < 500.0 ? x : 500.0;
+    x = x > -500.0 ? x : -500.0;
+  }
+  brick_exponentials(x, &up, &down);
+  c = up + down; /* 2 cosh V, 2 sinh V */
+  s = up - down;
+  U = o->nome*(c*c) - 2.0*o->nome;
+  U2 = U*U;
+  even = o->a[0] + U2*o->a[2];
+  odd = U*(o->a[1] + U2*o->a[3]);
+  y.a = c*(even + odd);
+  y.c = flip*s*(even - odd);
+  even = o->b[0] + U2*o->b[2];
+  odd = U*(o->b[1] + U2*o->b[3]);
+  y.b = s*(even - odd);
+  y.d = flip*c*(even + odd);
+  even = o->f[0] + U2*(o->f[1] + U2*o->f[2]);
+  odd = o->f[3] + U2*o->f[4];
+  y.cn = flip*(even - odd);
+  y.dn = even + odd;
+  y.sn = c*(flip*s)*(o->f[5] + U2*(o->f[6] + U2*o->f[7]));
+  y.turn = (p.turn - brick_nearest(p.turn + ahead)) + (ahead + p.turn_low);
+  return y;
+}
+
+/* the attitude q[4] times a length, whose square is brick_square */
+BRICK_INLINE void brick_attitude_of(const brick_orbit *o, const brick_terms *y, brick_real q[])
+{
+  brick_real s, c, w, x_, y_, z;
+
+  brick_circle(y->turn, &s, &c);
+  w = c*y->a - s*y->b;
+  z = s*y->a + c*y->b;
+  x_ = c*y->c - s*y->d;
+  y_ = s*y->c + c*y->d;
+  q[0] = (w*o->q[0][0] + x_*o->q[1][0]) + (y_*o->q[2][0] + z*o->q[3][0]);
+  q[1] = (w*o->q[0][1] + x_*o->q[1][1]) + (y_*o->q[2][1] + z*o->q[3][1]);
+  q[2] = (w*o->q[0][2] + x_*o->q[1][2]) + (y_*o->q[2][2] + z*o->q[3][2]);
+  q[3] = (w*o->q[0][3] + x_*o->q[1][3]) + (y_*o->q[2][3] + z*o->q[3][3]);
+}
+
+BRICK_INLINE brick_real brick_square(const brick_terms *y)
+{
+  return (y->a*y->a + y->b*y->b) + (y->c*y->c + y->d*y->d);
+}
+
+/* the rates times that square */
+BRICK_INLINE void brick_rates_of(const brick_orbit *o, const brick_terms *y, brick_real w[])
+{
+  w[0] = y->cn*o->w[0][0] + y->sn*o->w[1][0] + y->dn*o->w[2][0];
+  w[1] = y->cn*o->w[0][1] + y->sn*o->w[1][1] + y->dn*o->w[2][1];
+  w[2] = y->cn*o->w[0][2] + y->sn*o->w[1][2] + y->dn*o->w[2][2];
+}
+
+BRICK_INLINE brick_terms brick_terms_of(const brick_orbit *o, brick_phases p, int hyperbolic)
+{
+  return hyperbolic > 0 ? brick_hyperbolic_terms(o, p, hyperbolic > 1) : brick_circular_terms(o, p);
+}
+
+/* 1/|q| from n, the inverse of brick_square, to which |q|^2 is equal but for rounding, and its root */
+BRICK_INLINE brick_real brick_inverse_length(const brick_real q[4], brick_real n, brick_real root)
+{
+  return root*(1.5 - (0.5*n)*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])));
+}
+
+/* attitude and rates */
+BRICK_INLINE void brick_state(const brick_orbit *o, brick_phases p, brick_real x[])
+{
+  const brick_terms y = brick_terms_of(o, p, o->hyperbolic);
+  const brick_real n = 1.0/brick_square(&y);
+  brick_real q[4], w[3], root;
+
+  brick_rates_of(o, &y, w);
+  brick_attitude_of(o, &y, q);
+  root = brick_inverse_length(q, n, sqrt(n));
+  x[BRICK_QW] = root*q[0];
+  x[BRICK_QX] = root*q[1];
+  x[BRICK_QY] = root*q[2];
+  x[BRICK_QZ] = root*q[3];
+  x[BRICK_WX] = n*w[0];
+  x[BRICK_WY] = n*w[1];
+  x[BRICK_WZ] = n*w[2];
+}
+
+void brick_at(const brick_orbit *o, brick_real t, brick_real x[])
+{
+  brick_state(o, brick_reduce(o, t), x);
+}
+
+void brick_at_rates(const brick_orbit *o, brick_real t, brick_real w[])
+{
+  const brick_terms y = brick_terms_of(o, brick_reduce(o, t), o->hyperbolic);
+  const brick_real n = 1.0/brick_square(&y);
+  brick_real v[3];
   int i;
 
-  for (i = 0; i < 40; i++) {
-    const brick_pair xy = brick_pair_multiply(x, y);
-    const brick_pair l = brick_pair_add(xy, brick_pair_multiply(z, brick_pair_add(x, y)));
-    const brick_pair x2 = brick_pair_scale(brick_pair_add(brick_pair_multiply(x, x), l), -2);
-    const brick_pair y2 = brick_pair_scale(brick_pair_add(brick_pair_multiply(y, y), l), -2);
-    const brick_pair z2 = brick_pair_scale(brick_pair_add(brick_pair_multiply(z, z), l), -2);
+  brick_rates_of(o, &y, v);
+  for (i = 0; i < 3; i++) w[i] = n*v[i];
+}
 
-    sum = brick_pair_add(brick_pair_add(x2, y2), z2);
-    X = brick_pair_subtract(sum, brick_pair_times((brick_real)3, x2));
-    Y = brick_pair_subtract(sum, brick_pair_times((brick_real)3, y2));
-    Z = brick_pair_subtract(sum, brick_pair_times((brick_real)3, z2));
-    if (fabs(X.hi) + fabs(Y.hi) + fabs(Z.hi) <= 0.000244140625*sum.hi) break;
-    x = brick_pair_root(x2);
-    y = brick_pair_root(y2);
-    z = brick_pair_root(z2);
-  }
-  X = brick_pair_divide(X, sum);
-  Y = brick_pair_divide(Y, sum);
-  Z = brick_pair_divide(Z, sum);
-  E2 = brick_pair_multiply(X, Y);
-  E3 = brick_pair_multiply(E2, Z);
-  E2 = brick_pair_subtract(E2, brick_pair_multiply(Z, Z));
-  /* 1 - E2/10 + E3/14 + E2^2/24 - 3 E2 E3/44 - 5 E2^3/208 + 3 E3^2/104 + E2^2 E3/16; only the first two corrections
-   * need more than the working precision */
-  s = brick_pair_of(E2.hi*E2.hi/(brick_real)24 - (brick_real)3*E2.hi*E3.hi/(brick_real)44
-               + E2.hi*E2.hi*(E3.hi/(brick_real)16 - (brick_real)5*E2.hi/(brick_real)208) + (brick_real)3*E3.hi*E3.hi/(brick_real)104);
-  s = brick_pair_add(s, brick_pair_divide(E3, brick_pair_of((brick_real)14)));
-  s = brick_pair_subtract(s, brick_pair_divide(E2, brick_pair_of((brick_real)10)));
-  s = brick_pair_add(brick_pair_of(1.0), s);
-  return brick_pair_divide(s, brick_pair_root(brick_pair_divide(sum, brick_pair_of((brick_real)3))));
+void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
+{
+  const brick_terms y = brick_terms_of(o, brick_reduce(o, t), o->hyperbolic);
+  const brick_real n = 1.0/brick_square(&y);
+  brick_real v[4], root;
+  int i;
+
+  brick_attitude_of(o, &y, v);
+  root = brick_inverse_length(v, n, sqrt(n));
+  for (i = 0; i < 4; i++) q[i] = root*v[i];
 }
 
 /* ---- closed form: free asymmetric top, theta functions ----
@@ -947,32 +1243,37 @@ static brick_pair brick_carlson(brick_pair x, brick_pair y, brick_pair z)
  * (DLMF 20.7.30-33) replaces z by V = kappa z, kappa = K/(2 K'), and circular functions by hyperbolic ones. */
 
 /* What is known of the motion in principal axes.  [i] is axis i + 1 of the above.  Moments and rates are scaled by powers
- * of two, the largest to about 1; w1 and w2, which may be tiny together, once more by 2^-small12, so w1 and w3 by
- * 2^-small13: nothing underflows that matters. */
+ * of two, the largest to about 1.  What may be tiny together is scaled once more, so that nothing underflows that matters:
+ * w1 and w2 by up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the difference of the other two,
+ * which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.  They come as J1, J3, d32 and
+ * d21; of a rod about axis 3 it is 1 and 0. */
 typedef struct brick_top {
-  brick_pair I[3], w[3];          /* moments and rates at t = 0 */
-  brick_pair d21, d31, d32;       /* |I2 - I1|, |I3 - I1|, |I3 - I2| */
-  brick_pair b[3];                /* amplitudes of the rates, B/I; b[0], b[1] scaled like w1, w2 */
-  brick_pair G;                   /* |L| */
-  brick_pair Lambda1;             /* |G^2 - 2 T I1|/I3 */
-  brick_pair rho;                 /* |I2 - I1|/I3, 0 for a rod about axis 3 */
-  brick_pair lambda;              /* rate of u */
-  brick_pair k2, kc2;             /* k^2 2^(-2 small12), (1 - k^2) 2^(-2 small13) */
-  brick_pair K, Kc;               /* K(k^2), K(1 - k^2) */
-  brick_pair q, qc;               /* nomes exp(-pi Kc/K) 2^(-2 small12), exp(-pi K/Kc) */
-  brick_pair log_qc;              /* log of the second; not set if that is 0, on the separatrix */
-  brick_real axis[3][3];          /* unit vectors, body axes */
-  brick_real s;                   /* sign of I3 - I1 */
-  int small12, small13, hyperbolic;
+  brick_pair I[3], J[3];              /* moments: as they are, scaled */
+  brick_pair w[3];                    /* rates at t = 0 */
+  brick_pair d21, d31, d32;           /* |I2 - I1|, |I3 - I1|, |I3 - I2| */
+  /* |G^2 - 2 T I2| over the scale of w1, w3 squared and that of the least moment */
+  brick_pair D;
+  brick_pair G;                       /* |L| */
+  brick_pair cross;                   /* sqrt(J1 I2 d31 d32) */
+  brick_pair part1, part2, Delta3;    /* J1 d31 w1^2, I2 d32 w2^2 of the scaled w1, w2, and their sum */
+  brick_pair Lambda1;                 /* J3 d31 w3^2 + I1 d21 w2^2 */
+  brick_pair k2, kc2;                 /* k^2 up12^2, (1 - k^2) up13^2 */
+  brick_pair b3, lambda;              /* amplitude of w3; rate of u */
+  brick_pair T, climb;                /* at u = 0: tan(angle(L, axis 3)/2) up12; twice the rate of the phase of a */
+  brick_real b[3];                    /* amplitudes of the rates, b[0], b[1] up12 */
+  brick_real axis[3][3];              /* unit vectors, body axes */
+  brick_real s;                       /* sign of I3 - I1 */
+  brick_real up12, down12, up13, down13, small;
+  int small12, small13;             /* exponents of down12, down13 */
 } brick_top;
 
-/* the exponent of the larger of two numbers */
+/* the exponent of the larger of two numbers, if its power of two is one */
 static int brick_exponent(brick_real a, brick_real b)
 {
   int e;
 
   (void)frexp(fabs(a) > fabs(b) ? a : b, &e);
-  return e;
+  return e < -990 ? -990 : e;
 }
 
 /* e[0..n) += I w^2 (d.hi + d.lo), without rounding; the new n */
@@ -990,196 +1291,124 @@ static int brick_exact_term(brick_real e[], int n, brick_real I, brick_real w, b
   return n;
 }
 
-/* I3 w3^2 (I3 - I2) - I1 w1^2 (I2 - I1) = G^2 - 2 T I2: its sign says about which axis L circulates.  Exact before one
- * rounding, if the moments and rates are single numbers. */
-static brick_pair brick_circulation(const brick_pair I[3], brick_pair w1, brick_pair w3, brick_pair d21, brick_pair d32)
+/* I w^2 d */
+static brick_pair brick_term(brick_pair I, brick_pair w, brick_pair d)
 {
-  brick_pair sum = brick_pair_of(0.0);
+  return brick_pair_multiply(brick_pair_multiply(I, d), brick_pair_multiply(w, w));
+}
 
-  if (!(fabs(I[0].lo) + fabs(I[2].lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) {
+/* I3 w3^2 (I3 - I2) - I1 w1^2 (I2 - I1) = G^2 - 2 T I2: its sign says about which axis L circulates.  Where the terms
+ * cancel by more than three bits, without rounding if the moments and rates are single numbers. */
+static brick_pair brick_circulation(brick_pair I1, brick_pair I3, brick_pair w1, brick_pair w3,
+    brick_pair d21, brick_pair d32)
+{
+  const brick_pair last = brick_term(I3, w3, d32), first = brick_term(I1, w1, d21);
+  brick_pair sum = brick_pair_subtract(last, first);
+
+  if (!(8.0*fabs(sum.hi) < first.hi + last.hi)) return sum;
+  if (!(fabs(I1.lo) + fabs(I3.lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) {
     brick_real e[32];
     int n;
 
-    n = brick_exact_term(e, 0, I[2].hi, w3.hi, d32);
-    for (n = brick_exact_term(e, n, I[0].hi, w1.hi, brick_pair_minus(d21)); n > 0; n--) sum = brick_pair_add(sum, brick_pair_of(e[n - 1]));
-    return sum;
+    n = brick_exact_term(e, 0, I3.hi, w3.hi, d32);
+    sum = brick_pair_of(0.0);
+    for (n = brick_exact_term(e, n, I1.hi, w1.hi, brick_pair_minus(d21)); n > 0; n--) sum =
+        brick_pair_add(sum, brick_pair_of(e[n - 1]));
   }
-  sum = brick_pair_multiply(brick_pair_multiply(I[2], d32), brick_pair_multiply(w3, w3));
-  return brick_pair_subtract(sum, brick_pair_multiply(brick_pair_multiply(I[0], d21), brick_pair_multiply(w1, w1)));
-}
-
-/* a quotient's root */
-static brick_pair brick_root_of(brick_pair a, brick_pair b)
-{
-  return brick_pair_root(brick_pair_divide(a, b));
+  return sum;
 }
 
 /* Labels and signs of the axes; `order` sorts moments of I, ascending. */
-static void brick_label(brick_top *p, const brick_pair I[3], const brick_pair w[3], const brick_pair axis[3][3], const int order[3])
+static void brick_label(brick_top *p, const brick_pair I[3], const brick_pair w[3],
+    const brick_pair axis[3][3], const int order[3])
 {
-  const int small = order[0], middle = order[1], large = order[2];
+  const int small = order[0], middle = order[1], large = order[2], rod = !(I[small].hi > 0.0);
   const int e = brick_exponent(w[small].hi, w[large].hi);
-  const brick_pair sorted[3] = {I[small], I[middle], I[large]};
-  const brick_pair low = brick_pair_subtract(I[middle], I[small]), high = brick_pair_subtract(I[large], I[middle]);
-  brick_pair D = brick_circulation(sorted, brick_pair_scale(w[small], -e), brick_pair_scale(w[large], -e), low, high);
-  const int rod = !(I[small].hi > 0.0), reverse = rod || D.hi < 0.0;
-  const int own[3] = {reverse ? large : small, middle, reverse ? small : large};
+  const brick_real down = ldexp(1.0, brick_exponent(I[small].hi, 0.0)), up = 1.0/down;
+  const brick_pair low = brick_pair_subtract(I[middle], I[small]);
+  const brick_pair high = rod ? brick_pair_of(0.0) : brick_pair_shift(up,
+      brick_pair_subtract(I[large], I[middle]));
+  const brick_pair least = rod ? brick_pair_of(1.0) : brick_pair_shift(up, I[small]);
+  int own[3], reverse, i, j;
   brick_real sign[3];
-  int i, j;
 
   p->small13 = e;
+  p->down13 = ldexp(1.0, e);
+  p->up13 = 1.0/p->down13;
+  p->D = brick_circulation(least, I[large], brick_pair_shift(p->up13, w[small]),
+      brick_pair_shift(p->up13, w[large]), low, high);
+  reverse = rod || p->D.hi < 0.0;
+  own[0] = reverse ? large : small;
+  own[1] = middle;
+  own[2] = reverse ? small : large;
   p->s = reverse ? -1.0 : 1.0;
+  p->D = reverse ? brick_pair_minus(p->D) : p->D;
   p->d21 = reverse ? high : low;
   p->d32 = reverse ? low : high;
   p->d31 = brick_pair_subtract(I[large], I[small]);
+  p->small = down;
   sign[0] = w[own[0]].hi < 0.0 ? -1.0 : 1.0;
   sign[2] = w[own[2]].hi < 0.0 ? -1.0 : 1.0;
   sign[1] = own[1] == (own[0] + 1) % 3 ? sign[0]*sign[2] : -sign[0]*sign[2]; /* right-handed */
   for (i = 0; i < 3; i++) {
     p->I[i] = I[own[i]];
-    p->w[i] = brick_pair_times(sign[i], w[own[i]]);
+    p->J[i] = own[i] == small ? least : I[own[i]];
+    p->w[i] = brick_pair_shift(sign[i], w[own[i]]);
     for (j = 0; j < 3; j++) p->axis[i][j] = sign[i]*axis[own[i]][j].hi;
   }
-  p->rho = rod ? brick_pair_of(0.0) : brick_pair_divide(p->d21, p->I[2]);
-  D = reverse ? brick_pair_minus(D) : D;
-  if (rod) {
-    D = brick_pair_scale(p->w[2], -e);
-    D = brick_pair_multiply(brick_pair_multiply(D, D), p->d32);
-  } else {
-    D = brick_pair_divide(D, p->I[2]);
-  }
-  p->kc2 = brick_pair_multiply(D, p->d31); /* over |I3 - I2| Lambda1, which brick_invariants knows */
 }
 
 /* amplitudes, rate and modulus: sums of terms of one sign */
 static void brick_invariants(brick_top *p)
 {
-  brick_pair w[3], square[3], Delta3, g, wide;
+  const brick_real unit = p->s > 0.0 ? p->small : 1.0; /* what J1 and d32 are over */
+  brick_pair w1, w2, first, second, wide, g, B3;
   int i;
 
   p->small12 = brick_exponent(p->w[0].hi, p->w[1].hi);
-  for (i = 0; i < 3; i++) {
-    w[i] = i < 2 ? brick_pair_scale(p->w[i], -p->small12) : p->w[i];
-    square[i] = brick_pair_multiply(p->w[i], p->w[i]);
-  }
-  p->Lambda1 = brick_pair_multiply(p->rho, brick_pair_multiply(p->I[1], square[1]));
-  p->Lambda1 = brick_pair_add(p->Lambda1, brick_pair_multiply(square[2], p->d31));
-  Delta3 = brick_pair_multiply(brick_pair_multiply(p->I[0], p->d31), brick_pair_multiply(w[0], w[0]));
-  Delta3 = brick_pair_add(Delta3, brick_pair_multiply(brick_pair_multiply(p->I[1], p->d32), brick_pair_multiply(w[1], w[1])));
-  p->b[0] = brick_root_of(Delta3, brick_pair_multiply(p->I[0], p->d31));
-  p->b[1] = brick_root_of(Delta3, brick_pair_multiply(p->I[1], p->d32));
-  p->b[2] = brick_root_of(p->Lambda1, p->d31);
+  p->down12 = ldexp(1.0, p->small12);
+  p->up12 = 1.0/p->down12;
+  w1 = brick_pair_shift(p->up12, p->w[0]);
+  w2 = brick_pair_shift(p->up12, p->w[1]);
+  first = brick_pair_multiply(p->J[0], p->d31);
+  second = brick_pair_multiply(p->I[1], p->d32);
+  p->cross = brick_pair_root(brick_pair_multiply(first, second));
+  p->part1 = brick_pair_multiply(first, brick_pair_multiply(w1, w1));
+  p->part2 = brick_pair_multiply(second, brick_pair_multiply(w2, w2));
+  p->Delta3 = brick_pair_add(p->part1, p->part2);
+  wide = brick_pair_multiply(p->J[2], p->d31);
+  p->Lambda1 = brick_pair_add(brick_term(p->I[1], p->w[1], p->d21),
+      brick_pair_multiply(wide, brick_pair_multiply(p->w[2], p->w[2])));
+  p->b3 = brick_pair_root(brick_pair_divide(p->Lambda1, wide));
+  p->lambda = brick_pair_divide(brick_pair_multiply(p->b3, p->cross), brick_pair_multiply(p->J[0], p->I[1]));
   wide = brick_pair_multiply(p->d32, p->Lambda1);
-  p->lambda = brick_root_of(wide, brick_pair_multiply(p->I[0], p->I[1]));
-  p->k2 = brick_pair_divide(brick_pair_multiply(p->rho, Delta3), wide);
-  p->kc2 = brick_pair_divide(p->kc2, wide);
+  p->k2 = brick_pair_divide(brick_pair_multiply(p->d21, p->Delta3), wide);
+  p->kc2 = brick_pair_divide(brick_pair_multiply(p->d31, p->D), wide);
   p->G = brick_pair_of(0.0);
   for (i = 0; i < 3; i++) {
     g = brick_pair_multiply(p->I[i], p->w[i]);
     p->G = brick_pair_add(p->G, brick_pair_multiply(g, g));
   }
   p->G = brick_pair_root(p->G);
+
+  /* at u = 0, where L = (B1, 0, B3): tan = B1/(G + B3), and the phase of a turns at half of w3 + w1 tan */
+  B3 = brick_pair_multiply(p->I[2], p->b3);
+  g = brick_pair_add(p->G, B3);
+  first = brick_pair_divide(p->Delta3, p->d31);                              /* B1^2/I1 */
+  p->T = brick_pair_divide(brick_pair_root(brick_pair_shift(unit, brick_pair_multiply(p->I[0], first))), g);
+  p->climb = brick_pair_add(p->b3, brick_pair_shift(unit,
+      brick_pair_shift(p->down12, brick_pair_shift(p->down12, brick_pair_divide(first, g)))));
+  p->b[0] = sqrt(first.hi/p->J[0].hi);
+  p->b[1] = sqrt(p->Delta3.hi/second.hi);
+  p->b[2] = p->b3.hi;
 }
 
-/* The nome of modulus k from k^2 = m 2^power <= 0.51, k'^2 = mc: eps = (1 - sqrt k')/(2 (1 + sqrt k')),
- * q = eps + 2 eps^5 + 15 eps^9 + ... (DLMF 19.5.6, 22.20; integers: OEIS A002103), with 1 - sqrt k' = k^2 over two
- * factors.  Comes as a mantissa of the same power. */
-static brick_pair brick_nome(brick_pair m, brick_pair mc, int power)
-{
-  const brick_real series[9] = {1.0, (brick_real)2, (brick_real)15, (brick_real)150, (brick_real)1707, (brick_real)20910, (brick_real)268616,
-                                  (brick_real)3567400, (brick_real)48555069};
-  const brick_pair k = brick_pair_root(mc), root = brick_pair_root(k), first = brick_pair_add(brick_pair_of(1.0), k);
-  const brick_pair second = brick_pair_add(brick_pair_of(1.0), root);
-  const brick_pair eps = brick_pair_divide(brick_pair_scale(m, -1), brick_pair_multiply(first, brick_pair_multiply(second, second)));
-  const brick_pair e2 = brick_pair_scale(brick_pair_multiply(eps, eps), 2*power), e4 = brick_pair_multiply(e2, e2);
-  brick_pair sum = brick_pair_of(series[8]);
-  int i;
-
-  for (i = 7; i >= 0; i--) sum = brick_pair_add(brick_pair_of(series[i]), brick_pair_multiply(sum, e4));
-  return brick_pair_multiply(eps, sum);
-}
-
-static brick_pair brick_pi(void)
-{
-  const brick_pair pi = {3.141592653589793, 1.2246467991473532e-16};
-
-  return pi;
-}
-
-static brick_pair brick_log2(void)
-{
-  const brick_pair log2 = {0.6931471805599453, 2.3190468138462996e-17};
-
-  return log2;
-}
-
-static void brick_store(brick_real out[2], brick_pair a)
-{
-  out[0] = a.hi;
-  out[1] = a.lo;
-}
-
-/* pi/2 theta3(0; q)^2 = K (DLMF 22.2.2), q <= 0.044 */
-static brick_pair brick_complete(brick_pair q)
-{
-  const brick_pair q2 = brick_pair_multiply(q, q), q3 = brick_pair_multiply(q2, q), q5 = brick_pair_multiply(q3, q2);
-  brick_pair t = brick_pair_multiply(q5, brick_pair_add(brick_pair_of(1.0), brick_pair_multiply(brick_pair_multiply(q5, q2),
-      brick_pair_add(brick_pair_of(1.0), brick_pair_multiply(brick_pair_multiply(q5, q3), q)))));
-
-  t = brick_pair_multiply(q, brick_pair_add(brick_pair_of(1.0), brick_pair_multiply(q3, brick_pair_add(brick_pair_of(1.0), t))));
-  t = brick_pair_add(brick_pair_of(1.0), brick_pair_scale(t, 1));
-  return brick_pair_scale(brick_pair_multiply(brick_pi(), brick_pair_multiply(t, t)), -1);
-}
-
-/* Both nomes from the smaller one, log q log q' = pi^2; hyperbolic from kappa = 1 on, where the two series converge alike */
-static void brick_nomes(brick_top *p)
-{
-  const brick_pair m = brick_pair_scale(p->k2, 2*p->small12), mc = brick_pair_scale(p->kc2, 2*p->small13);
-  const brick_pair pi = brick_pi();
-
-  p->hyperbolic = 0;
-  if (m.hi <= 0.5) {
-    p->q = brick_nome(p->k2, mc, 2*p->small12);
-    p->K = brick_complete(brick_pair_scale(p->q, 2*p->small12));
-    return;
-  }
-  p->qc = brick_nome(p->kc2, m, 2*p->small13);
-  p->hyperbolic = 1;
-  p->log_qc = brick_pair_of(0.0);
-  if (p->qc.hi > 0.0) { /* else on the separatrix, to the last bit */
-    p->log_qc = brick_pair_log(p->qc);
-    p->log_qc = brick_pair_add(p->log_qc, brick_pair_times((brick_real)(2*p->small13), brick_log2()));
-    p->hyperbolic = p->log_qc.hi < -2.0*pi.hi;
-  }
-  p->qc = brick_pair_scale(p->qc, 2*p->small13);
-  p->Kc = brick_complete(p->qc);
-  if (!p->hyperbolic) {
-    p->q = brick_pair_exp(brick_pair_divide(brick_pair_multiply(pi, pi), p->log_qc), -2*p->small12);
-    p->K = brick_pair_divide(brick_pair_multiply(p->Kc, p->log_qc), brick_pair_minus(pi));
-  }
-}
-
-/* u0 from sn, cn, dn: F(phi, k^2) = sn R_F(cn^2, dn^2, 1) for |phi| <= pi/2 (DLMF 19.25.5) */
-static brick_pair brick_argument(const brick_top *p)
-{
-  const brick_pair sn = brick_pair_times(p->s, brick_pair_divide(brick_pair_scale(p->w[1], -p->small12), p->b[1]));
-  const brick_pair cn = brick_pair_divide(brick_pair_scale(p->w[0], -p->small12), p->b[0]);
-  const brick_pair dn = brick_pair_divide(p->w[2], p->b[2]);
-
-  return brick_pair_multiply(sn, brick_carlson(cn, dn, brick_pair_of(1.0)));
-}
-
-static void brick_quaternion_product(const brick_real a[4], const brick_real b[4], brick_real out[4])
-{
-  out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
-  out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
-  out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
-  out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
-}
+/* ---- set-up away from the separatrix ---- */
 
 /* c[0] + c[1] y[1] + ...: a series in multiple angles, y[n+1] = 2 X y[n] - y[n-1], as a polynomial in X; y[0] = 1 and
  * y[1] = first + slope X */
-static void brick_polynomial(int n, const brick_real c[], brick_real first, brick_real slope, brick_real out[])
+static void brick_polynomial(int n, const brick_real c[], brick_real first, brick_real slope,
+    brick_real out[])
 {
   brick_real before[5] = {1.0, 0.0, 0.0, 0.0, 0.0};
   brick_real now[5] = {first, slope, 0.0, 0.0, 0.0}, next[5];
@@ -1195,66 +1424,110 @@ static void brick_polynomial(int n, const brick_real c[], brick_real first, bric
     }
   }
 }
+/* The means a, g of 1 and k' (DLMF 19.8.2), as far as they are needed: after four steps they agree to 2^-35, and what is
+ * left is added as a series. */
+typedef struct brick_agm {
+  brick_pair k, a1, g1, a2, g2, a3, g3; /* k' first */
+  brick_pair M;                         /* their limit, pi/(2 K) */
+  brick_pair q;                         /* nome, up12^2 */
+} brick_agm;
 
-/* Away from the separatrix.  q^(1/2) e^eta = E = exp(-pi F/(2 K)), F = B3 R_F(B1^2, B2^2, G^2), e^(-2 eta) = r = q/E^2;
- * mu = G/(2 I2) - s z'/2 d log theta2(i eta; q)/d eta, whose terms are of the size of the rates. */
-static void brick_circular(brick_orbit *o, const brick_top *p)
+/* The nome: q^(2^n) = e + 2 e^5 + 15 e^9 + ... with e = (a_n - g_n)/(8 a_(n+2)) (DLMF 19.5.6 at the n-th modulus).  From
+ * n to n + 1 e becomes e^2 a_(n+2)/a_(n+3), which gives q as a product that ends quickly,
+ *     q = k^2/(8 a_1 (1 + g_1) sqrt a_3) (a_3/a_4)^(1/4) (a_4/a_5)^(1/8) ... */
+static void brick_nome(brick_agm *f, const brick_top *p)
 {
-  const brick_pair one = brick_pair_of(1.0), pi = brick_pi(), K2 = brick_pair_scale(p->K, 1);
-  const brick_pair rate = brick_pair_divide(p->lambda, K2), start = brick_pair_divide(brick_argument(p), K2);
-  const brick_pair q = brick_pair_scale(p->q, 2*p->small12);
-  brick_pair F, E, E2, r, r2, up, down, odd, power, D, total;
+  const brick_pair one = brick_pair_of(1.0);
+  brick_pair a4, a5, d, rest, u;
+  brick_real t;
+
+  f->k = brick_pair_root(brick_pair_shift(p->down13, brick_pair_shift(p->down13, p->kc2)));
+  f->a1 = brick_pair_shift(0.5, brick_pair_add(one, f->k));
+  f->g1 = brick_pair_root(f->k);
+  f->a2 = brick_pair_shift(0.5, brick_pair_add(f->a1, f->g1));
+  f->g2 = brick_pair_root(brick_pair_multiply(f->a1, f->g1));
+  f->a3 = brick_pair_shift(0.5, brick_pair_add(f->a2, f->g2));
+  f->g3 = brick_pair_root(brick_pair_multiply(f->a2, f->g2));
+  d = brick_pair_subtract(f->a3, f->g3);
+  a4 = brick_pair_subtract(f->a3, brick_pair_shift(0.5, d));
+  u = brick_pair_multiply(d, d);
+  t = u.hi/((brick_real)16*a4.hi);
+  /* a_4 - a_5 = (a_3 - g_3)^2/(16 a_5) */
+  rest = brick_pair_divide(u, brick_pair_shift((brick_real)16, brick_pair_subtract(a4, brick_pair_of(t))));
+  a5 = brick_pair_subtract(a4, rest);
+  f->M = brick_pair_subtract(a5, brick_pair_of(t*t/(4.0*a5.hi)));
+
+  /* (1 + 4 u)^(1/4) = 1 + u - 3/2 u^2 + 7/2 u^3 - 77/8 u^4 + 231/8 u^5, u < 2^-18 */
+  u = brick_pair_divide(brick_pair_shift(0.125, d), a4);
+  t = u.hi;
+  u = brick_pair_add(u, brick_pair_subtract(brick_pair_of((t*t*t)*((brick_real)7/2.0
+      - t*((brick_real)77/8.0 - t*((brick_real)231/8.0)))),
+      brick_pair_times(1.5, brick_pair_multiply(u, u))));
+  /* (1 + 8 r)^(1/8) = 1 + r - 7/2 r^2, and a_5/a_6 = 1 + 16 r^2 */
+  rest = brick_pair_divide(brick_pair_shift(0.125, rest), a5);
+  t = rest.hi;
+  u = brick_pair_add(u, brick_pair_add(rest, brick_pair_of(t*(u.hi - (brick_real)5/2.0*t*(1.0 + u.hi)))));
+  f->q = brick_pair_divide(p->k2, brick_pair_shift(8.0,
+      brick_pair_multiply(f->a1, brick_pair_multiply(brick_pair_add(one, f->g1), brick_pair_root(f->a3)))));
+  f->q = brick_pair_add(f->q, brick_pair_multiply(f->q, u));
+}
+
+/* z at t = 0, in units of pi.  Two of Gauss's transformations, in which z is doubled (DLMF 22.7.2 and its companions), lead
+ * to functions of nome q^4, where sc = tan up to q^8 (DLMF 20.2.1-2, 22.2). */
+static brick_pair brick_start(const brick_top *p, const brick_agm *f, brick_real q8)
+{
+  const brick_real size = ldexp(1.0, -brick_exponent(p->Delta3.hi, 0.0)), q24 = q8*q8*q8;
+  const brick_pair w12 = brick_pair_multiply(brick_pair_shift(p->up12, p->w[0]),
+      brick_pair_shift(p->up12, p->w[1]));
+  const brick_pair c = brick_pair_shift(size, brick_pair_subtract(p->part1,
+      brick_pair_multiply(f->k, p->part2)));
+  const brick_pair s = brick_pair_shift(p->s*size*2.0,
+      brick_pair_multiply(f->a1, brick_pair_multiply(w12, p->cross)));
+  brick_pair x = brick_pair_multiply(f->a2, brick_pair_subtract(brick_pair_multiply(f->a1,
+      brick_pair_multiply(c, c)), brick_pair_multiply(f->g1, brick_pair_multiply(s, s))));
+  brick_pair y = brick_pair_multiply(f->g3, brick_pair_shift(2.0,
+      brick_pair_multiply(f->a2, brick_pair_multiply(c, s))));
+  brick_real more_x = 0.0, more_y = 0.0, cosine, X, Y;
+  int i;
+
+  for (i = 0; i < 3; i++) { /* the series know cos 8 z to 2^-15, 2^-30, 2^-45 */
+    X = x.hi + more_x;
+    Y = y.hi + more_y;
+    cosine = (X - Y)*(X + Y)/(X*X + Y*Y);
+    X = 2.0*cosine;
+    more_x = x.hi*(q24*(X*X + X - 1.0) - q8*(1.0 + X));
+    more_y = y.hi*(q24*(X*X - X - 1.0) - q8*(1.0 - X));
+  }
+  /* 4 z, or less by a turn if |2 z| > pi/2 */
+  x = brick_pair_angle(brick_pair_add(x, brick_pair_of(more_x)), brick_pair_add(y, brick_pair_of(more_y)));
+  if (c.hi < 0.0) x = brick_pair_add(x, brick_pair_shift(p->s*p->w[1].hi < 0.0 ? -2.0 : 2.0,
+      brick_pi()));
+  return brick_pair_shift(0.25, brick_pair_multiply(x, brick_inverse_pi()));
+}
+
+/* The coefficients away from the separatrix: E = q^(1/2) e^eta, r = e^(-2 eta) */
+static void brick_circular_series(brick_orbit *o, brick_real s, brick_real q, brick_real E, brick_real r)
+{
   brick_real e[8], g[8], c[5], Q[26], sign;
   int n;
-
-  F = brick_carlson(brick_pair_scale(brick_pair_multiply(p->I[0], p->b[0]), p->small12),
-               brick_pair_scale(brick_pair_multiply(p->I[1], p->b[1]), p->small12), p->G);
-  F = brick_pair_multiply(brick_pair_multiply(p->I[2], p->b[2]), F);
-  E = brick_pair_exp(brick_pair_divide(brick_pair_multiply(pi, F), brick_pair_minus(K2)), -p->small12);
-  r = brick_pair_divide(p->q, brick_pair_multiply(E, E));
-  E = brick_pair_scale(E, p->small12);
-  E2 = brick_pair_multiply(E, E);
-
-  /* sum (2n+1) q^(n^2) E^(2n) (1 - r^(2n+1)) over the same without 2n+1 and with a plus */
-  r2 = brick_pair_multiply(r, r);
-  up = down = brick_pair_of(0.0);
-  power = one; /* q^(n^2) E^(2n) */
-  odd = r;     /* r^(2n+1) */
-  D = brick_pair_multiply(q, E2);
-  total = brick_pair_multiply(q, q);
-  for (n = 0; n < 8; n++) {
-    up = brick_pair_add(up, brick_pair_times((brick_real)(2*n + 1), brick_pair_multiply(power, brick_pair_subtract(one, odd))));
-    down = brick_pair_add(down, brick_pair_multiply(power, brick_pair_add(one, odd)));
-    odd = brick_pair_multiply(odd, r2);
-    power = brick_pair_multiply(power, D);
-    D = brick_pair_multiply(D, total);
-  }
-  D = brick_pair_multiply(brick_pair_divide(up, down), rate);
-  total = brick_pair_divide(p->G, brick_pair_multiply(pi, p->I[1]));
-  total = brick_pair_scale(brick_pair_subtract(total, brick_pair_times(p->s, D)), -2);
-  o->hyperbolic = 0;
-  brick_store(o->start, start);
-  brick_store(o->rate, rate);
-  brick_store(o->turn, total);
-  brick_store(o->period, one);
-  o->inverse = 1.0;
 
   /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin z - ... */
   e[0] = g[0] = 1.0;
   for (n = 1; n < 8; n++) {
-    e[n] = e[n - 1]*E.hi;
-    g[n] = g[n - 1]*(E.hi*r.hi);
+    e[n] = e[n - 1]*E;
+    g[n] = g[n - 1]*(E*r);
   }
   Q[0] = 1.0; /* powers of q */
-  for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q.hi;
+  for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q;
+  /* what q <= exp(-pi/2) leaves above 2^-54 */
   for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = n == 0 ? 1.0 : sign*Q[n*(2*n - 1)]*(e[2*n] + g[2*n]);
-  brick_polynomial(4, c, 0.0, 1.0, o->a_re);
-  for (n = 1, sign = -1.0; n < 4; n++, sign = -sign) c[n - 1] = p->s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
-  brick_polynomial(3, c, 0.0, 2.0, o->a_im);
-  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = p->s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
-  brick_polynomial(4, c, 1.0, 2.0, o->b_re);
+  brick_polynomial(4, c, 0.0, 1.0, o->a);
+  for (n = 1, sign = -2.0; n < 4; n++, sign = -sign) c[n - 1] = s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
+  brick_polynomial(3, c, 0.0, 2.0, o->b);
+  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
+  brick_polynomial(4, c, 1.0, 2.0, o->c);
   for (n = 0, sign = -1.0; n < 4; n++, sign = -sign) c[n] = sign*Q[n*(2*n + 1)]*(e[2*n + 1] - g[2*n + 1]);
-  brick_polynomial(4, c, -1.0, 2.0, o->b_im);
+  brick_polynomial(4, c, -1.0, 2.0, o->d);
 
   /* theta2(z; q), theta1(z; q) without 2 q^(1/4), theta3(z; q), each over what makes it cn, sn, dn times theta4/theta4(0) */
   {
@@ -1266,219 +1539,289 @@ static void brick_circular(brick_orbit *o, const brick_top *p)
       four_ += (n % 2 ? -2.0 : 2.0)*Q[n*n];
     }
     for (n = 0; n < 5; n++) c[n] = Q[n*(n + 1)];
-    brick_polynomial(5, c, -1.0, 2.0, o->f[0]);
-    for (n = 0; n < 5; n++) c[n] = p->s*(n % 2 ? -1.0 : 1.0)*Q[n*(n + 1)];
-    brick_polynomial(5, c, 1.0, 2.0, o->f[1]);
+    brick_polynomial(5, c, -1.0, 2.0, o->f);
     for (n = 0; n < 5; n++) c[n] = (n ? 2.0 : 1.0)*Q[n*n];
-    brick_polynomial(5, c, 0.0, 1.0, o->f[2]);
+    brick_polynomial(5, c, 0.0, 1.0, o->f + 5);
     o->scale[0] = 1.0/two_;
-    o->scale[1] = three_/(two_*four_);
+    o->scale[1] = s*three_/(two_*four_);
     o->scale[2] = 1.0/three_;
   }
 }
 
-/* Near the separatrix.  h = kappa eta = pi v/(4 K'), sc(v, k') = sqrt(I1 (I3 - I2)/(I3 (I2 - I1))); V has the period
- * pi kappa = -log(q')/2 (none on the separatrix), at which the phase about L jumps by -2 s h; between,
- * mu = G/(2 I2) - s V' theta4'(2h; q')/theta4(2h; q'). */
-static void brick_hyperbolic(brick_orbit *o, const brick_top *p)
+/* At u = 0 b/a = T.  With v = E - q/E, S = q (E^2 + (q/E)^2) = q (v^2 + 2 q) the two series are
+ *     b = v (1 - q^2 (S + q^2) + q^8 (S^2 + q^2 S - q^4) - ...),
+ *     a = 1 - S + q^4 (S^2 - 2 q^4) - q^12 (S^3 - 3 q^4 S) + ...:
+ * one equation for v, solved by Newton's method, the last step in pairs.  There the phase of a(t) turns at half of
+ * `climb`, theta4 has its part in it, and the rest is mu: with d = q (E^2 - (q/E)^2)
+ *     mu = climb/2 + s z' (2 d - 4 q^4 d S + 6 q^12 d (S^2 - q^4) - ...)/a. */
+static void brick_circular(brick_orbit *o, const brick_top *p)
 {
-  const brick_pair one = brick_pair_of(1.0), pi = brick_pi(), K4 = brick_pair_scale(p->Kc, 2);
-  const brick_pair scale = brick_pair_divide(pi, K4);
-  const brick_pair rate = brick_pair_multiply(p->lambda, scale), start = brick_pair_multiply(brick_argument(p), scale);
-  const brick_pair sum = brick_pair_multiply(p->I[1], p->d31);
-  const brick_pair sn = brick_root_of(brick_pair_multiply(p->I[0], p->d32), sum), cn = brick_root_of(brick_pair_multiply(p->I[2], p->d21), sum);
-  const brick_pair dn = brick_pair_multiply(p->G, brick_root_of(p->rho, brick_pair_multiply(p->I[1], p->Lambda1)));
-  const brick_pair v = brick_pair_multiply(sn, brick_carlson(cn, dn, one)), turn = brick_pair_divide(v, K4);
-  brick_pair c1, s1, c, s, up, down, power, odd, ratio;
-  brick_real cosine[4], sine[4]; const brick_real h = brick_pair_multiply(pi, turn).hi; brick_real P, Q, two_, three_, four_;
-  int n;
+  const brick_pair one = brick_pair_of(1.0);
+  brick_pair q, q2, q4, q8, S, S2, a, b, v, d, rate, start, turn;
+  brick_agm f;
+  brick_real q24, T = p->T.hi, square = p->down12*p->down12, x, da, db, dS, E, r;
+  int i;
 
-  brick_pair_circle(brick_pair_scale(brick_pair_multiply(pi, turn), 2), &c1, &s1); /* 4h: cos - 1, sin */
-  up = brick_pair_of(0.0);
-  down = one;
-  c = brick_pair_add(one, c1);
-  s = s1;
-  power = p->qc;
-  odd = brick_pair_multiply(p->qc, brick_pair_multiply(p->qc, p->qc));
-  for (n = 1; n < 5; n++) { /* theta4(x) = 1 - 2 q' cos 2x + 2 q'^4 cos 4x - ... */
-    ratio = c;
-    up = brick_pair_add(up, brick_pair_times((brick_real)(n % 2 ? 4*n : -4*n), brick_pair_multiply(power, s)));
-    down = brick_pair_add(down, brick_pair_times((brick_real)(n % 2 ? -2 : 2), brick_pair_multiply(power, c)));
-    c = brick_pair_subtract(brick_pair_add(ratio, brick_pair_multiply(ratio, c1)), brick_pair_multiply(s, s1));
-    s = brick_pair_add(brick_pair_add(s, brick_pair_multiply(s, c1)), brick_pair_multiply(ratio, s1));
-    power = brick_pair_multiply(power, odd);
-    odd = brick_pair_multiply(odd, brick_pair_multiply(p->qc, p->qc));
+  brick_nome(&f, p);
+  q = brick_pair_shift(square, f.q);
+  q2 = brick_pair_multiply(q, q);
+  q4 = brick_pair_multiply(q2, q2);
+  q8 = brick_pair_multiply(q4, q4);
+  q24 = q8.hi*q8.hi*q8.hi;
+  start = brick_start(p, &f, q8.hi);
+  rate = brick_pair_multiply(brick_pair_multiply(p->lambda, f.M), brick_inverse_pi());
+
+  x = T/(1.0 + q.hi*(T*T*square));
+  dS = S.hi = da = db = 0.0;
+  for (i = 0; i < 4; i++) { /* errors 2^-4, 2^-11, 2^-24, 2^-49, rounding; v, T and E are all up12 */
+    const brick_real s = q.hi*(square*(x*x + 2.0*f.q.hi)), Q = q4.hi, Q2 = q2.hi, Q8 = q8.hi;
+    const brick_real up = 1.0 - s + Q*(s*s - 2.0*Q - Q8*s*(s*s - 3.0*Q));
+    const brick_real down = 1.0 - Q2*(s + Q2) + Q8*((s*s + Q2*s - Q) - Q8*Q2*(s*(s*(s + Q2) - 2.0*Q) - Q*Q2));
+
+    da = Q*(2.0*s - 3.0*Q8*(s*s - Q)) - 1.0;
+    db = Q8*(2.0*s + Q2) - Q2;
+    dS = 2.0*q.hi*(square*x);
+    x += (T*up - x*down)/(down - (T*da - x*db)*dS);
   }
-  up = brick_pair_multiply(rate, brick_pair_divide(up, down));
-  up = brick_pair_subtract(brick_pair_divide(p->G, brick_pair_scale(p->I[1], 1)), brick_pair_times(p->s, up));
-  brick_store(o->turn, brick_pair_divide(up, brick_pair_scale(pi, 1)));
-  brick_store(o->start, start);
-  brick_store(o->rate, rate);
-  brick_store(o->period, brick_pair_scale(brick_pair_minus(p->log_qc), -1));
-  brick_store(o->jump, brick_pair_times(p->s, turn));
-  o->hyperbolic = 1;
-  o->inverse = p->qc.hi > 0.0 || p->log_qc.hi < 0.0 ? -2.0/p->log_qc.hi : 0.0;
+  S = brick_pair_multiply(brick_pair_shift(square, q),
+      brick_pair_add(brick_pair_product(x, x), brick_pair_shift(2.0, f.q)));
+  S2 = brick_pair_multiply(S, S);
+  a = brick_pair_subtract(brick_pair_subtract(S2, brick_pair_shift(2.0, q4)),
+      brick_pair_multiply(brick_pair_multiply(q8, S), brick_pair_subtract(S2, brick_pair_times(3.0, q4))));
+  a = brick_pair_add(brick_pair_subtract(one, S), brick_pair_multiply(q4, a));
+  a = brick_pair_add(a, brick_pair_of(q24*(S2.hi*(S2.hi - 4.0*q4.hi) + 2.0*q8.hi)));
+  b = brick_pair_multiply(q2, brick_pair_add(S, q2));
+  d = brick_pair_multiply(q8, brick_pair_subtract(brick_pair_add(S2, b), brick_pair_shift(2.0, q4)));
+  r = q2.hi*(S.hi*(S2.hi + q2.hi*S.hi - 2.0*q4.hi) - q2.hi*q4.hi);
+  r = q8.hi*q8.hi*(r - q8.hi*q8.hi*(S.hi*(S.hi*(S.hi*(S.hi + q2.hi) - 3.0*q4.hi) - 2.0*q2.hi*q4.hi) + q8.hi));
+  b = brick_pair_add(brick_pair_subtract(one, b), brick_pair_subtract(d, brick_pair_of(r)));
+  r = brick_pair_subtract(brick_pair_multiply(p->T, a), brick_pair_times(x, b)).hi/(b.hi - (T*da - x*db)*dS);
+  v = brick_pair_sum(x, r);
+  S.lo += dS*r;
+  S2.lo += 2.0*S.hi*(dS*r);
+  a.lo += da*dS*r;
 
-  P = sqrt(p->qc.hi);
-  Q = p->qc.hi;
-  o->nome = P;
-  for (n = 0; n < 4; n++) {
-    const brick_real to = n == 0 ? 1.0 : n == 1 ? P : n == 2 ? Q*Q : Q*Q*Q*Q*P;                     /* p'^(n^2) */
-    const brick_real from = n == 0 ? 1.0 : n == 1 ? Q : n == 2 ? Q*Q*Q : Q*Q*Q*Q*Q*Q;               /* p'^(n(n+1)) */
+  d = brick_pair_root(brick_pair_add(brick_pair_multiply(v, v), brick_pair_shift(4.0, f.q)));
+  E = 0.5*(v.hi + d.hi);
+  r = f.q.hi/(E*E);
+  E *= p->down12;
+  d = brick_pair_multiply(brick_pair_multiply(brick_pair_shift(square, q), v), d);
+  turn = brick_pair_subtract(brick_pair_shift(2.0, S),
+      brick_pair_multiply(brick_pair_times(3.0, q8), brick_pair_subtract(S2, q4)));
+  turn = brick_pair_add(brick_pair_subtract(one, brick_pair_multiply(q4, turn)),
+      brick_pair_of(-4.0*q24*(S.hi*(S2.hi - 2.0*q4.hi)
+      - ((brick_real)5/4.0)*(q8.hi*q8.hi)*(S2.hi*S2.hi))));
+  turn = brick_pair_multiply(brick_pair_multiply(rate, brick_pair_divide(d, a)), turn);
+  turn = brick_pair_add(brick_pair_shift(0.25, brick_pair_multiply(p->climb, brick_inverse_pi())),
+      brick_pair_shift(p->s, turn));
+  o->hyperbolic = 0;
+  brick_store(o->start, brick_pair_shift(0.5, start)); /* the rates have two periods of theta functions */
+  brick_store(o->rate, brick_pair_shift(0.5, rate));
+  brick_store(o->turn, turn);
+  brick_circular_series(o, p->s, q.hi, E, r);
+}
 
-    cosine[n] = cos((brick_real)(2*n + 1)*h);
-    sine[n] = p->s*sin((brick_real)(2*n + 1)*h);
-    o->a_re[n] = cosine[n]*to;
-    o->a_im[n] = sine[n]*to;
-    o->b_re[n] = cosine[n]*from;
-    o->b_im[n] = sine[n]*from;
-  }
+/* ---- set-up near the separatrix ---- */
+
+/* c[n] p^(n(n + 1)) cosh((2n + 1)V)/cosh V, n < 4, summed, as a polynomial in U = p cosh 2V */
+static void brick_multiples(const brick_real c[4], brick_real p, brick_real out[4])
+{
+  const brick_real p2 = p*p, p4 = p2*p2, p8 = p4*p4;
+
+  out[0] = c[0] - p2*(c[1] + p4*(c[2] - p4*p2*c[3]));
+  out[1] = 2.0*p*(c[1] - p4*(c[2] + 2.0*p4*p2*c[3]));
+  out[2] = 2.0*2.0*p4*(c[2] - p4*p2*c[3]);
+  out[3] = 8.0*p8*p*c[3];
+}
+
+/* The coefficients near the separatrix, Q the nome of k': cosine[n] = cos((2n + 1)h), sine[n] = -+s sin((2n + 1)h), or a
+ * multiple of both */
+static void brick_hyperbolic_series(brick_orbit *o, brick_real s, brick_real Q, const brick_real cosine[4],
+    const brick_real sine[4])
+{
+  const brick_real P = sqrt(Q), Q2 = Q*Q;
+  brick_real two_, three_, four_;
+
+  o->nome = 0.5*P;
+  brick_multiples(cosine, P, o->a);
+  brick_multiples(sine, P, o->b);
+  o->f[0] = 1.0 + 2.0*Q2*Q2; /* with (n + 1/2)^2 = 2 (n(n + 1)/2) + 1/4 ... */
+  o->f[1] = -8.0*2.0*Q2*Q;
+  o->f[2] = 8.0*2.0*Q2;
+  o->f[3] = -2.0*Q;
+  o->f[4] = 2.0*2.0;
+  o->f[5] = 1.0 + Q2;
+  o->f[6] = -2.0*2.0*(Q + 1.5*2.0*Q2*Q2*Q);
+  o->f[7] = 8.0*2.0*Q2*Q2;
   /* cn, sn, dn times theta2/theta2(0), nome q', scaled */
   two_ = 1.0 + Q*Q + Q*Q*Q*Q*Q*Q;
   three_ = 1.0 + 2.0*(Q + Q*Q*Q*Q);
   four_ = 1.0 - 2.0*(Q - Q*Q*Q*Q);
   o->scale[0] = 1.0/four_;
-  o->scale[1] = p->s*three_/(2.0*two_*four_);
+  o->scale[1] = s*three_/(2.0*two_*four_);
   o->scale[2] = 1.0/three_;
 }
 
-/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
-static brick_real brick_nearest(brick_real x)
+/* V at t = 0 for k' <= 0.172, by the imaginary transformation: functions of 2 i V of nome Q (DLMF 22.6.ix, 22.2), from
+ * cd = dn of that, which is 1 - w + ... over 1 + w + ..., w = 2 Q cosh 4V, and sc = tanh of it, which gives sinh 2V.
+ * Where dn u < sqrt k' the same for K - u, half a period less V: so w <= sqrt Q. */
+static brick_pair brick_hyperbolic_start(const brick_top *p, brick_pair k, brick_pair Q, brick_pair period)
 {
-  return (x + 6755399441055744.0) - 6755399441055744.0;
-}
+  const brick_pair one = brick_pair_of(1.0), w1 = brick_pair_shift(p->up13, p->w[0]),
+      w3 = brick_pair_shift(p->up13, p->w[2]);
+  const brick_pair kc = brick_pair_root(p->kc2), Q2 = brick_pair_multiply(Q, Q);
+  const brick_pair two_ = brick_pair_add(one, brick_pair_add(Q2, brick_pair_of(Q2.hi*Q2.hi*Q2.hi))),
+      three_ = brick_pair_add(one, brick_pair_shift(2.0, brick_pair_add(Q, brick_pair_multiply(Q2, Q2))));
+  const brick_real q = Q.hi, sign = (p->w[1].hi < 0.0) == (p->s < 0.0) ? 1.0 : -1.0;
+  brick_real dn = w3.hi/p->b3.hi, more;
+  const int far = dn*dn*p->down13 < kc.hi;
+  int e = p->small12 - p->small13;
+  brick_pair up, down, y, w, V;
 
-/* sin and cos of pi x, |x| <= 1/2: their series at half of it, and one doubling; no call, so that loops are vectorised */
-static void brick_sincos(brick_real x, brick_real *s, brick_real *c)
-{
-  const brick_real y = 0.5*3.141592653589793*x, u = y*y;
-  const double u2 = u*u, u4 = u2*u2; /* Horner's rule in two halves, which run side by side */
-  const double a0 = 1.0 - u*(1.0/6.0) + u2*(1.0/120.0 - u*(1.0/5040.0));
-  const double a1 = 1.0/362880.0 - u*(1.0/39916800.0) + u2*(1.0/6227020800.0 - u*(1.0/1307674368000.0) + u2*(1.0/355687428096000.0));
-  const double b0 = 1.0 - u*0.5 + u2*(1.0/24.0 - u*(1.0/720.0));
-  const double b1 = 1.0/40320.0 - u*(1.0/3628800.0) + u2*(1.0/479001600.0 - u*(1.0/87178291200.0) + u2*(1.0/20922789888000.0));
-  const double a = y*(a0 + u4*a1), b = b0 + u4*b1;
-
-  *s = 2.0*(a*b);
-  *c = (b - a)*(b + a);
-}
-
-/* w, x, y, z of the quaternion and cn, sn, dn, all but for one factor each, at the phase r, whose period is passed an
- * even (flip = 1) or an odd number of times (-1), after a turn about L */
-static void brick_functions(const brick_orbit *o, brick_real r, brick_real flip, brick_real turn,
-                              brick_real y[4], brick_real f[3])
-{
-  brick_real st, ct;
-  brick_real a, b, c, d;
-
-  if (!o->hyperbolic) {
-    brick_real sz, cz, X, s2;
-
-    brick_sincos(r, &sz, &cz);
-    X = (cz - sz)*(cz + sz);
-    s2 = 2.0*(sz*cz);
-    sz *= flip;
-    cz *= flip;
-    a = o->a_re[0] + X*(o->a_re[1] + X*(o->a_re[2] + X*o->a_re[3]));
-    b = s2*(o->a_im[0] + X*(o->a_im[1] + X*o->a_im[2]));
-    c = sz*(o->b_re[0] + X*(o->b_re[1] + X*(o->b_re[2] + X*o->b_re[3])));
-    d = cz*(o->b_im[0] + X*(o->b_im[1] + X*(o->b_im[2] + X*o->b_im[3])));
-    f[0] = cz*(o->f[0][0] + X*(o->f[0][1] + X*(o->f[0][2] + X*(o->f[0][3] + X*o->f[0][4]))));
-    f[1] = sz*(o->f[1][0] + X*(o->f[1][1] + X*(o->f[1][2] + X*(o->f[1][3] + X*o->f[1][4]))));
-    f[2] = o->f[2][0] + X*(o->f[2][1] + X*(o->f[2][2] + X*(o->f[2][3] + X*o->f[2][4])));
+  up = brick_pair_multiply(brick_pair_shift(p->w[1].hi < 0.0 ? -p->up12 : p->up12, p->w[1]), p->cross);
+  down = brick_pair_multiply(w1, brick_pair_multiply(p->J[0], p->d31)); /* sc = up/down 2^e */
+  if (far) {
+    y = brick_pair_root(brick_pair_divide(brick_pair_multiply(k, p->part2), p->Delta3));
+    w = brick_pair_multiply(up, kc);
+    up = down;
+    down = w;
+    e = -p->small12;
   } else {
-    const brick_real e = exp(-2.0*fabs(r)) + 2.2250738585072014e-308, g = o->nome/e, sign = r < 0.0 ? -1.0 : 1.0;
-    const brick_real Q = o->nome*o->nome, Q4 = (Q*Q)*(Q*Q), e2 = e*e, g2 = g*g;
-    const brick_real re = o->a_re[0] + g2*o->a_re[2], ro = g*(o->a_re[1] + g2*o->a_re[3]);
-    const brick_real ie = o->a_im[0] + g2*o->a_im[2], io = g*(o->a_im[1] + g2*o->a_im[3]);
-    const brick_real se = e*(o->b_re[0] + e2*o->b_re[2]), so = e2*(o->b_re[1] + e2*o->b_re[3]);
-    const brick_real te = e*(o->b_im[0] + e2*o->b_im[2]), to = e2*(o->b_im[1] + e2*o->b_im[3]);
-
-    a = (re + ro) + (se + so);
-    b = -sign*((ie + io) - (te + to));
-    c = flip*sign*o->s*((re - ro) - (se - so));
-    d = -flip*o->s*((ie - io) + (te - to));
-    f[0] = flip*e*(1.0 - (g2 + Q*e2) + (Q*Q*g2*g2 + Q4*e2*e2));
-    f[1] = flip*sign*(1.0 - Q*g2 + Q4*g2*g2 - e2*(1.0 - Q*Q*e2 + Q4*Q*Q*e2*e2));
-    f[2] = e*(1.0 + (g2 + Q*e2) + (Q*Q*g2*g2 + Q4*e2*e2));
+    y = brick_pair_divide(brick_pair_multiply(p->J[0], brick_pair_multiply(p->Lambda1, k)),
+        brick_pair_multiply(p->J[2], p->Delta3));
+    y = brick_pair_divide(brick_pair_shift(p->up12, brick_pair_multiply(w1, brick_pair_root(y))), w3);
   }
-  brick_sincos(turn, &st, &ct); /* half of it */
-  r = ct;
-  ct = (ct - st)*(ct + st);
-  st = 2.0*(st*r);
-  y[0] = ct*a - st*b;
-  y[3] = st*a + ct*b;
-  y[1] = ct*c - st*d;
-  y[2] = st*c + ct*d;
+  w = brick_pair_divide(brick_pair_subtract(one, y), brick_pair_add(one, y));
+  more = Q2.hi*(w.hi*w.hi - 2.0*Q2.hi); /* 2 Q^4 cosh 8V = Q^2 (w^2 - 2 Q^2) */
+  dn = w.hi*(1.0 + more);
+  more = Q2.hi*(dn*dn - 2.0*Q2.hi);
+  w = brick_pair_add(w, brick_pair_of(w.hi*more));
+  up = brick_pair_multiply(brick_pair_multiply(up, two_),
+      brick_pair_add(brick_pair_subtract(one, w), brick_pair_of(more)));
+  V = brick_pair_subtract(one, brick_pair_multiply(Q, brick_pair_add(w, Q)));
+  V = brick_pair_add(V, brick_pair_of(Q2.hi*Q2.hi*(w.hi*w.hi + q*w.hi - Q2.hi)));
+  V = brick_pair_divide(up, brick_pair_multiply(brick_pair_multiply(down, three_), V)); /* sinh 2V 2^-e */
+  if (ldexp(V.hi, e) > 1.0) {
+    y = brick_pair_scale(brick_pair_divide(one, V), -e);
+    V = brick_pair_log(brick_pair_multiply(V, brick_pair_add(one,
+        brick_pair_root(brick_pair_add(one, brick_pair_multiply(y, y))))), e);
+  } else {
+    V = brick_pair_scale(V, e);
+    V = brick_pair_log(brick_pair_add(V, brick_pair_root(brick_pair_add(one, brick_pair_multiply(V, V)))), 0);
+  }
+  V = brick_pair_shift(0.5, V);
+  if (far) V = brick_pair_subtract(brick_pair_shift(0.5, period), V);
+  return brick_pair_shift(sign, V);
 }
 
-/* the quaternion from y, normalised */
-static void brick_attitude(const brick_orbit *o, const brick_real y[4], brick_real q[])
+/* Near the separatrix, Q the nome of k'.  Its period is pi kappa = -log(Q)/2 (none on the separatrix), at which the phase
+ * about L jumps by -2 s h, h = kappa eta.  At u = 0 b/a = T is
+ *     (sin h - Q sin 3h + Q^3 sin 5h - ...)/(cos h + Q cos 3h + Q^3 cos 5h + ...),
+ * an equation for x = tan h; c = cos 2h.  Half of `climb` there is mu - s V' d log theta2/dh. */
+static void brick_hyperbolic(brick_orbit *o, const brick_top *p)
 {
-  brick_real n = 1.0/sqrt(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
+  const brick_pair one = brick_pair_of(1.0);
+  const brick_pair k = brick_pair_root(brick_pair_shift(p->down12, brick_pair_shift(p->down12, p->k2))),
+      more = brick_pair_add(one, brick_pair_root(k));
+  const brick_real T = brick_pair_shift(p->down12, p->T).hi, square = p->down13*p->down13;
+  brick_pair Q, Q2, Q3, c, first, second, up, down, rise, rate, start, turn, period, tangent;
+  brick_real sine[5], cosine[5], q, q3, q6, x, C, dc, slope, r;
   int i;
 
-  for (i = 0; i < 4; i++) q[i] = n*(y[0]*o->q[0][i] + y[1]*o->q[1][i] + y[2]*o->q[2][i] + y[3]*o->q[3][i]);
-  /* rounding only: one Newton step for 1/|q| */
-  n = 1.5 - 0.5*(q[0]*q[0] + q[1]*q[1] + q[2]*q[2] + q[3]*q[3]);
-  for (i = 0; i < 4; i++) q[i] *= n;
-}
+  /* nome (DLMF 19.5.6) up13^2; theta3(0; Q)^2 = 2 K'/pi */
+  Q = brick_pair_divide(brick_pair_shift(0.5, p->kc2),
+      brick_pair_multiply(brick_pair_add(one, k), brick_pair_multiply(more, more)));
+  Q2 = brick_pair_shift(square, brick_pair_shift(square, brick_pair_multiply(Q, Q)));
+  Q2 = brick_pair_multiply(Q2, Q2);
+  Q = brick_pair_add(Q, brick_pair_multiply(Q, brick_pair_add(brick_pair_shift(2.0, Q2),
+      brick_pair_of((brick_real)15*(Q2.hi*Q2.hi)))));
+  period = brick_pair_of(0.0);
+  /* else on the separatrix, to the last bit */
+  if (Q.hi > 0.0) period = brick_pair_shift(-0.5, brick_pair_log(Q, 2*p->small13));
+  Q = brick_pair_shift(square, Q);
+  Q2 = brick_pair_multiply(Q, Q);
+  Q3 = brick_pair_multiply(Q2, Q);
+  q = Q.hi;
+  q3 = Q3.hi;
+  q6 = q3*q3;
+  c = brick_pair_add(Q, brick_pair_add(brick_pair_multiply(Q2, Q2), brick_pair_of(q6*q3)));
+  c = brick_pair_add(one, brick_pair_shift(2.0, c));
+  rate = brick_pair_divide(brick_pair_shift(0.5, p->lambda), brick_pair_multiply(c, c));
 
-/* attitude and rates */
-static void brick_state(const brick_orbit *o, brick_real r, brick_real flip, brick_real turn, brick_real x[])
-{
-  brick_real y[4], f[3], n;
-  brick_real *w = x + BRICK_WX;
-  int i;
+  x = T;
+  slope = C = dc = 0.0;
+  for (i = 0; i < 3; i++) { /* errors 2^-8, 2^-25, 2^-59 */
+    const brick_real u = 1.0/(1.0 + x*x);
 
-  brick_functions(o, r, flip, turn, y, f);
-  brick_attitude(o, y, x + BRICK_QW);
-  n = 1.0/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
-  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
-}
-
-/* a + b t in pairs */
-static brick_pair brick_phase(brick_pair a, const brick_real b[2], brick_real t)
-{
-  const brick_pair p = brick_pair_product(b[0], t), s = brick_pair_sum(p.hi, a.hi);
-  brick_pair phase;
-
-  phase.hi = s.hi;
-  phase.lo = s.lo + (p.lo + b[1]*t + a.lo);
-  return phase;
-}
-
-/* phases: of the rates, less the nearest multiple of its period; about L, less whole turns; and (-1) to the multiple */
-static void brick_reduce(const brick_orbit *o, brick_real t, brick_real *r, brick_real *turn, brick_real *flip)
-{
-  brick_pair p, jump;
-  brick_real n;
-
-  p.hi = o->start[0];
-  p.lo = o->start[1];
-  p = brick_phase(p, o->rate, t);
-  n = brick_nearest(p.hi*o->inverse);
-  *flip = 1.0 - 2.0*fabs(n - 2.0*brick_nearest(0.5*n));
-  jump = brick_pair_of(0.0);
-  if (o->hyperbolic) {
-    const brick_pair whole = brick_pair_product(n, o->period[0]);
-
-    jump = brick_pair_product(-n, o->jump[0]);
-    jump.lo -= n*o->jump[1];
-    *r = (p.hi - whole.hi) + (p.lo - whole.lo - n*o->period[1]);
-  } else {
-    *r = (p.hi - n) + p.lo;
+    C = (1.0 - x*x)*u;
+    dc = -4.0*x*(u*u);
+    slope = 1.0 - q*(1.0 + 2.0*C) + q3*(4.0*C*C + 2.0*C - 1.0);
+    r = T*(1.0 + q*(2.0*C - 1.0) + q3*(4.0*C*C - 2.0*C - 1.0)) - x*slope;
+    slope += dc*(x*(q3*(8.0*C + 2.0) - 2.0*q) - T*(2.0*q + q3*(8.0*C - 2.0)));
+    x += r/slope;
   }
-  p = brick_phase(jump, o->turn, t);
-  *turn = (p.hi - brick_nearest(p.hi)) + p.lo;
+  sine[0] = cosine[0] = 1.0; /* over sin h, cos h: of h, 3 h, ... 9 h */
+  sine[1] = 2.0*C + 1.0;
+  cosine[1] = 2.0*C - 1.0;
+  for (i = 2; i < 5; i++) {
+    sine[i] = 2.0*C*sine[i - 1] - sine[i - 2];
+    cosine[i] = 2.0*C*cosine[i - 1] - cosine[i - 2];
+  }
+
+  c = brick_pair_product(x, x);
+  c = brick_pair_divide(brick_pair_subtract(one, c), brick_pair_add(one, c));
+  first = brick_pair_multiply(Q, brick_pair_add(one, brick_pair_shift(2.0, c)));
+  second = brick_pair_multiply(Q3, brick_pair_subtract(brick_pair_shift(2.0,
+      brick_pair_add(c, brick_pair_shift(2.0, brick_pair_multiply(c, c)))), one));
+  up = brick_pair_add(brick_pair_subtract(one, first),
+      brick_pair_subtract(second, brick_pair_of(q6*(sine[3] - q3*q*sine[4]))));
+  down = brick_pair_subtract(brick_pair_add(first, second),
+      brick_pair_shift(2.0, brick_pair_add(Q, brick_pair_shift(2.0, brick_pair_multiply(Q3, c)))));
+  down = brick_pair_add(brick_pair_add(one, down), brick_pair_of(q6*(cosine[3] + q3*q*cosine[4])));
+  rise = brick_pair_add(brick_pair_add(one, brick_pair_times(3.0, first)),
+      brick_pair_add(brick_pair_times(4.0 + 1.0, second),
+      brick_pair_of(q6*((brick_real)7*sine[3] + (brick_real)9*q3*q*sine[4]))));
+  r = brick_pair_subtract(brick_pair_multiply(brick_pair_shift(p->down12, p->T), down),
+      brick_pair_times(x, up)).hi/slope;
+  tangent = brick_pair_sum(x, r);
+  rise.lo += dc*r*((brick_real)6*q + (brick_real)5*q3*(8.0*C + 2.0));
+  down.lo += dc*r*(2.0*q + q3*(8.0*C - 2.0));
+  rise = brick_pair_multiply(rate, brick_pair_divide(brick_pair_multiply(tangent, rise), down));
+  turn = brick_pair_add(brick_pair_shift(0.5, p->climb), brick_pair_shift(p->s, rise));
+
+  start = brick_hyperbolic_start(p, k, Q, period);
+  turn = brick_pair_shift(0.5, brick_pair_multiply(turn, brick_inverse_pi()));
+  if (period.hi > 0.0) {
+    const brick_pair twice = brick_pair_shift(2.0, period),
+        jump = brick_pair_shift(p->s, brick_pair_multiply(brick_pair_angle(one, tangent), brick_inverse_pi()));
+
+    rate = brick_pair_divide(rate, twice);
+    brick_store(o->rate, rate);
+    brick_store(o->start, brick_pair_divide(start, twice));
+    brick_store(o->turn, brick_pair_subtract(turn, brick_pair_shift(2.0, brick_pair_multiply(jump, rate))));
+    o->jump = jump.hi;
+    o->half = brick_pair_divide(period, brick_log2()).hi;
+  } else { /* none: that of 1.2676506002282294e30, beyond which V never comes */
+    const brick_pair twice = brick_pair_shift(2.0, brick_pair_times(1.2676506002282294e30, brick_log2()));
+
+    brick_store(o->rate, brick_pair_divide(rate, twice));
+    brick_store(o->start, brick_pair_divide(start, twice));
+    brick_store(o->turn, turn);
+    o->half = 1.2676506002282294e30;
+  }
+  o->hyperbolic = o->half < 2.0*500.0 ? 1 : 2;
+  for (i = 0; i < 4; i++) sine[i] *= (i % 2 ? p->s : -p->s)*tangent.hi; /* all over cos h */
+  brick_hyperbolic_series(o, p->s, q, cosine, sine);
 }
 
-void brick_at(const brick_orbit *o, brick_real t, brick_real x[])
-{
-  brick_real r, turn, flip;
+/* ---- set-up from a state ---- */
 
-  brick_reduce(o, t, &r, &turn, &flip);
-  brick_state(o, r, flip, turn, x);
+static void brick_quaternion_product(const brick_real a[4], const brick_real b[4], brick_real out[4])
+{
+  out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
+  out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
+  out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
+  out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
 }
 
 static brick_pair brick_unit_quaternion(const brick_real q[4], brick_real out[4])
@@ -1501,16 +1844,14 @@ static brick_pair brick_unit_quaternion(const brick_real q[4], brick_real out[4]
 /* all numbers 0 */
 static void brick_clear(brick_orbit *o)
 {
-  int i, k;
+  int i;
 
-  for (i = 0; i < 2; i++) o->start[i] = o->rate[i] = o->period[i] = o->turn[i] = o->jump[i] = 0.0;
+  for (i = 0; i < 4; i++) o->rate[i] = o->turn[i] = o->a[i] = o->b[i] = o->c[i] = o->d[i] = 0.0;
+  o->tick = 0.0;
   for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
-  for (i = 0; i < 4; i++) o->a_re[i] = o->a_im[i] = o->b_re[i] = o->b_im[i] = 0.0;
-  for (i = 0; i < 3; i++) {
-    for (k = 0; k < 5; k++) o->f[i][k] = 0.0;
-    o->scale[i] = 0.0;
-  }
-  o->inverse = o->nome = o->tick = 0.0;
+  for (i = 0; i < 10; i++) o->f[i] = 0.0;
+  for (i = 0; i < 3; i++) o->scale[i] = 0.0;
+  o->start[0] = o->start[1] = o->jump = o->half = o->nome = 0.0;
   o->s = 1.0;
   o->hyperbolic = 0;
 }
@@ -1527,11 +1868,11 @@ static void brick_constant(brick_orbit *o, brick_top *p, const brick_real w[3])
     for (j = 0; j < 2; j++) p->axis[j][i] = 0.0;
     p->axis[2][i] = length.hi > 0.0 ? brick_pair_divide(brick_pair_of(w[i]), length).hi : 0.0;
   }
-  p->b[0] = p->b[1] = brick_pair_of(0.0);
-  p->b[2] = length;
-  o->a_re[0] = o->f[2][0] = 1.0;
+  p->b[0] = p->b[1] = 0.0;
+  p->b[2] = length.hi;
+  o->a[0] = o->f[5] = 1.0;
   brick_store(o->turn, brick_pair_divide(length, brick_pair_scale(brick_pi(), 2)));
-  o->scale[2] = o->inverse = o->period[0] = 1.0;
+  o->scale[2] = 1.0;
 }
 
 int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
@@ -1539,10 +1880,13 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   brick_orbit made;
   brick_top p;
   brick_pair I[3], axis[3][3], w[3];
-  brick_real tensor[6], rate[3], y[4], f[3], q0[4], n, size, largest = 0.0;
-  int order[3], scale, e, i, j, k;
+  brick_real tensor[6], rate[3], y[4], q0[4], n, size, turned, largest = 0.0;
+  const brick_phases phases = {0.0, 0.0, 0.0, 0.0};
+  brick_terms terms;
+  int order[3], scale, oblique, e, i, j, k;
 
   brick_inertia(m, tensor);
+  oblique = fabs(tensor[3]) + fabs(tensor[4]) + fabs(tensor[5]) > 0.0;
   for (i = 0; i < BRICK_NX; i++) {
     if (!(x0[i] - x0[i] == 0.0)) return 1;
   }
@@ -1562,6 +1906,8 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   (void)frexp(largest, &e);
   for (i = 0; i < 3; i++) rate[i] = ldexp(x0[BRICK_WX + i], -e);
   for (i = 0; i < 3; i++) {
+    w[i] = brick_pair_of(rate[i]);
+    if (!oblique) continue; /* axis i is the body's */
     w[i] = brick_pair_times(rate[0], axis[i][0]);
     for (j = 1; j < 3; j++) w[i] = brick_pair_add(w[i], brick_pair_times(rate[j], axis[i][j]));
   }
@@ -1577,37 +1923,44 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   } else {
     brick_label(&p, I, w, (const brick_pair(*)[3])axis, order);
     brick_invariants(&p);
-    brick_nomes(&p);
     made.s = p.s;
-    if (p.hyperbolic) brick_hyperbolic(&made, &p);
+    /* from kappa = 1, k'^2 = 17 - 12 sqrt 2, on, where the two series converge alike */
+    if (p.kc2.hi*p.down13*p.down13 < 1.0/(brick_real)34) brick_hyperbolic(&made, &p);
     else brick_circular(&made, &p);
   }
-  for (i = 0; i < 2; i++) { /* per second again */
-    made.rate[i] = ldexp(made.rate[i], e);
-    made.turn[i] = ldexp(made.turn[i], e);
+  for (i = 0; i < 2; i++) { /* high parts in halves, for Dekker's product */
+    brick_real *b = i == 0 ? made.rate : made.turn, c = 134217729.0*b[0];
+
+    b[2] = c - (c - b[0]);
+    b[3] = b[0] - b[2];
+    for (j = 0; j < 4; j++) b[j] = ldexp(b[j], e); /* per second again */
   }
+  n = fabs(made.turn[0]) > made.rate[0] ? fabs(made.turn[0]) : made.rate[0];
+  made.last = n*1.0463951242053392e298 > 1125899906842624.0 ? 1125899906842624.0/n : 1.0463951242053392e298;
   if (!(made.rate[0] - made.rate[0] == 0.0) || !(made.turn[0] - made.turn[0] == 0.0)) return 1;
 
   /* the rates are over N^2, which is this at u = 0 */
-  brick_functions(&made, 0.0, 1.0, 0.0, y, f);
-  n = y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3];
+  terms = brick_terms_of(&made, phases, made.hyperbolic);
+  n = brick_square(&terms);
   for (i = 0; i < 3; i++) {
     for (j = 0; j < 3; j++) {
-      made.w[i][j] = ldexp(n*made.scale[i]*p.b[i].hi*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
+      made.w[i][j] = ldexp(n*made.scale[i]*p.b[i]*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
     }
   }
   /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */
-  {
-    brick_real r, turn, flip;
-
-    brick_reduce(&made, 0.0, &r, &turn, &flip);
-    brick_functions(&made, r, flip, turn, y, f);
-    (void)brick_unit_quaternion(y, y);
+  for (i = 0; i < 4; i++) {
+    for (j = 0; j < 4; j++) made.q[i][j] = i == j ? 1.0 : 0.0;
   }
+  terms = brick_terms_of(&made, brick_reduce(&made, 0.0), made.hyperbolic);
+  brick_attitude_of(&made, &terms, y);
+  turned = made.hyperbolic ? p.s : 1.0; /* of x and y */
+  y[1] *= turned;
+  y[2] *= turned;
+  (void)brick_unit_quaternion(y, y);
   for (k = 0; k < 4; k++) {
     brick_real unit[4] = {0.0, 0.0, 0.0, 0.0}, d[4], v[4];
 
-    unit[k] = 1.0;
+    unit[k] = k == 1 || k == 2 ? turned : 1.0;
     for (i = 1; i < 4; i++) y[i] = k == 0 ? -y[i] : y[i];
     brick_quaternion_product(y, unit, d);
     v[0] = d[0];
@@ -1616,6 +1969,72 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   }
   *o = made;
   return 0;
+}
+
+/* ---- many times at once, in blocks of one vector of 512 bits ----
+ * Loops of a fixed count over local arrays, without calls or branches: GCC and Clang vectorise them as they are, GCC at -O2
+ * too.  The roots have a loop of their own, the only one that stays scalar where a root may set errno.  (One comparison is
+ * left nearest to the separatrix, `hyperbolic` = 2, for which GCC wants -O3.) */
+enum { BRICK_BLOCK = 8 };
+
+BRICK_INLINE void brick_block(const brick_orbit *o, int hyperbolic, const brick_real t[], size_t n, brick_real x[])
+{
+  brick_real q[4][BRICK_BLOCK], w[3][BRICK_BLOCK], inverse[BRICK_BLOCK], root[BRICK_BLOCK];
+  size_t i, k;
+
+  for (k = 0; k < BRICK_BLOCK; k++) {
+    const brick_terms y = brick_terms_of(o, brick_reduce(o, t[k]), hyperbolic);
+    brick_real v[4], r[3];
+
+    brick_rates_of(o, &y, r);
+    w[0][k] = r[0];
+    w[1][k] = r[1];
+    w[2][k] = r[2];
+    brick_attitude_of(o, &y, v);
+    q[0][k] = v[0];
+    q[1][k] = v[1];
+    q[2][k] = v[2];
+    q[3][k] = v[3];
+    inverse[k] = 1.0/brick_square(&y);
+  }
+  for (k = 0; k < BRICK_BLOCK; k++) root[k] = sqrt(inverse[k]);
+  for (k = 0; k < BRICK_BLOCK; k++) {
+    const brick_real v[4] = {q[0][k], q[1][k], q[2][k], q[3][k]};
+
+    root[k] = brick_inverse_length(v, inverse[k], root[k]);
+  }
+  for (i = 0; i < 4; i++) {
+    for (k = 0; k < BRICK_BLOCK; k++) x[(BRICK_QW + i)*n + k] = root[k]*q[i][k];
+  }
+  for (i = 0; i < 3; i++) {
+    for (k = 0; k < BRICK_BLOCK; k++) x[(BRICK_WX + i)*n + k] = inverse[k]*w[i][k];
+  }
+}
+
+/* all of at least one block; the last two may overlap */
+BRICK_INLINE void brick_blocks(const brick_orbit *o, int hyperbolic, size_t n, const brick_real t[], brick_real x[])
+{
+  size_t k;
+
+  for (k = 0; k + BRICK_BLOCK <= n; k += BRICK_BLOCK) brick_block(o, hyperbolic, t + k, n, x + k);
+  if (k < n) brick_block(o, hyperbolic, t + n - BRICK_BLOCK, n, x + n - BRICK_BLOCK);
+}
+
+void brick_at_many(const brick_orbit *o, int n, const brick_real t[], brick_real x[])
+{
+  brick_real y[BRICK_NX];
+  int k, i;
+
+  if (n >= BRICK_BLOCK) {
+    if (o->hyperbolic == 0) brick_blocks(o, 0, (size_t)n, t, x);
+    else if (o->hyperbolic == 1) brick_blocks(o, 1, (size_t)n, t, x);
+    else brick_blocks(o, 2, (size_t)n, t, x);
+    return;
+  }
+  for (k = 0; k < n; k++) {
+    brick_at(o, t[k], y);
+    for (i = 0; i < BRICK_NX; i++) x[i*n + k] = y[i];
+  }
 }
 
 /* ---- time in ticks: phases as fractions of a turn, 128 bits, in which whole turns vanish by overflow ---- */
@@ -1631,11 +2050,12 @@ static void brick_fraction(brick_pair a, uint64_t out[2])
   for (i = 0; i < 8; i++) {
     brick_real whole;
 
-    a = brick_pair_scale(a, 16);
+    a.hi *= (brick_real)65536;
+    a.lo *= (brick_real)65536;
     whole = floor(a.hi);
     if (!(a.hi > whole) && a.lo < 0.0) whole -= 1.0;
     a = brick_pair_sum(a.hi - whole, a.lo);
-    out[i/4] = out[i/4] << 16 | ((uint64_t)(int64_t)whole & 0xFFFFU);
+    out[i/4] = out[i/4] << 16 | ((uint32_t)(int32_t)whole & 0xFFFFU);
   }
 }
 
@@ -1663,79 +2083,114 @@ static brick_real brick_turns(uint64_t f)
 
 int brick_set_tick(brick_orbit *o, brick_real h)
 {
-  const brick_pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]};
-  const brick_pair turn = {o->turn[0], o->turn[1]}, jump = {o->jump[0], o->jump[1]};
-  const brick_pair period = {o->period[0], o->period[1]};
-  brick_pair per = brick_pair_of(0.0), first = brick_pair_of(0.0), mean;
+  const brick_pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]}, turn = {o->turn[0], o->turn[1]};
+  const brick_pair per = brick_pair_times(h, rate), mean = brick_pair_times(h, turn);
 
-  if (o->inverse > 0.0) {
-    per = brick_pair_divide(rate, period);
-    first = brick_pair_divide(start, period);
-  }
-  mean = brick_pair_times(h, brick_pair_subtract(turn, brick_pair_multiply(jump, per)));
-  per = brick_pair_times(h, per);
   if (!(per.hi - per.hi == 0.0) || !(mean.hi - mean.hi == 0.0)) return 1;
   o->tick = h;
-  brick_fraction(brick_pair_scale(per, -1), o->rate_tick); /* of two periods: the last bit is the sign */
-  brick_fraction(brick_pair_scale(first, -1), o->rate_start);
+  brick_fraction(per, o->rate_tick);
+  brick_fraction(start, o->rate_start);
   brick_fraction(mean, o->turn_tick);
-  brick_fraction(brick_pair_minus(brick_pair_multiply(jump, first)), o->turn_start);
+  o->turn_start[0] = o->turn_start[1] = 0;
   return 0;
 }
 
 void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[])
 {
-  const uint64_t two = brick_counted(o->rate_start, o->rate_tick, n);
-  brick_real r = brick_turns(two << 1), turn = brick_turns(brick_counted(o->turn_start, o->turn_tick, n));
-  const int odd = (int)((two + ((uint64_t)1 << 62)) >> 63);
+  const uint64_t phase = brick_counted(o->rate_start, o->rate_tick, n);
+  const uint64_t turn = brick_counted(o->turn_start, o->turn_tick, n), last = 0xFFFFFFFFFFFFU; /* 48 bits */
+  const brick_real low = 0.5*brick_turns(phase << 1); /* without the half period that is nearest */
+  brick_phases p;
 
-  if (o->hyperbolic) {
-    turn += o->jump[0]*r;
-    turn -= brick_nearest(turn);
-    r *= o->period[0];
-    if (!(o->inverse > 0.0)) { /* the separatrix has no period */
-      brick_pair t = brick_pair_product((brick_real)n, o->tick), p = brick_pair_of(o->start[0]);
+  p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > 0.0 ? -0.5 : 0.5) : 0.0;
+  p.low = low;
+  if (!(o->half < 1.2676506002282294e30)) { /* the separatrix has no period */
+    const brick_pair t = brick_pair_product((brick_real)n, o->tick);
 
-      p.lo = o->start[1] + o->rate[0]*t.lo;
-      p = brick_phase(p, o->rate, t.hi);
-      r = p.hi + p.lo;
-    }
+    p = brick_reduce(o, t.hi);
+    p.low += o->rate[0]*t.lo;
   }
-  brick_state(o, r, odd ? -1.0 : 1.0, turn, x);
+  p.turn = brick_turns(turn & ~last);
+  p.turn_low = brick_turns(turn & last);
+  brick_state(o, p, x);
 }
 
-void brick_at_rates(const brick_orbit *o, brick_real t, brick_real w[])
-{
-  brick_real r, turn, flip, y[4], f[3], n;
-  int i;
+/* ---- inverse questions ---- */
 
-  brick_reduce(o, t, &r, &turn, &flip);
-  brick_functions(o, r, flip, 0.0, y, f);
-  n = 1.0/(y[0]*y[0] + y[1]*y[1] + y[2]*y[2] + y[3]*y[3]);
-  for (i = 0; i < 3; i++) w[i] = n*(f[0]*o->w[0][i] + f[1]*o->w[1][i] + f[2]*o->w[2][i]);
+/* are the rates periodic? */
+static int brick_periodic(const brick_orbit *o)
+{
+  return o->half < 1.2676506002282294e30;
 }
 
-void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
+/* Periods of the rates (0 if they have none) and turns about L in a second, both times 2^-e; the result is e.  b winds
+ * once more than a in each period of z, of which the rates' has two: the phase of a is 2 mu, of both 2 mu + s z'. */
+static int brick_means(const brick_orbit *o, brick_pair *periods, brick_pair *turns)
 {
-  brick_real r, turn, flip, y[4], f[3];
+  const brick_pair rate = {o->rate[0], o->rate[1]}, turn = {o->turn[0], o->turn[1]};
+  int e;
 
-  brick_reduce(o, t, &r, &turn, &flip);
-  brick_functions(o, r, flip, turn, y, f);
-  brick_attitude(o, y, q);
+  (void)frexp(fabs(turn.hi) > rate.hi ? turn.hi : rate.hi, &e);
+  *periods = brick_periodic(o) ? brick_pair_scale(rate, -e) : brick_pair_of(0.0);
+  *turns = brick_pair_add(brick_pair_scale(turn, 1 - e), brick_pair_times(o->s, *periods));
+  return e;
 }
 
 brick_real brick_polhode_period(const brick_orbit *o)
 {
   if (!(o->rate[0] > 0.0)) return 0.0;
-  return o->inverse > 0.0 ? 2.0*o->period[0]/o->rate[0] : HUGE_VAL;
+  return brick_periodic(o) ? 1.0/o->rate[0] : HUGE_VAL;
 }
 
-/* 2 mu + s z': b winds once more than a in each period of z */
 brick_real brick_precession_rate(const brick_orbit *o)
 {
-  const brick_real per = o->rate[0]*o->inverse;
+  brick_pair periods, turns;
+  const int e = brick_means(o, &periods, &turns);
 
-  return 3.141592653589793*(2.0*2.0*(o->turn[0] - o->jump[0]*per) + o->s*per);
+  return ldexp(brick_pair_multiply(brick_pi(), turns).hi, e + 1);
+}
+
+brick_real brick_precession_period(const brick_orbit *o)
+{
+  brick_pair periods, turns;
+  const int e = brick_means(o, &periods, &turns);
+
+  return turns.hi > 0.0 ? ldexp(brick_pair_divide(brick_pair_of(1.0), turns).hi, -e) : HUGE_VAL;
+}
+
+brick_real brick_rotation_number(const brick_orbit *o)
+{
+  brick_pair periods, turns;
+
+  if (!(o->rate[0] > 0.0)) return 0.0;
+  (void)brick_means(o, &periods, &turns);
+  return brick_periodic(o) ? brick_pair_divide(turns, periods).hi : HUGE_VAL;
+}
+
+/* start + rate t = n/2, n the first integer whose t is later after rounding; on the separatrix n = 0 alone */
+brick_real brick_next_flip(const brick_orbit *o, brick_real t)
+{
+  const brick_pair start = {o->start[0], o->start[1]};
+  brick_pair rate = {o->rate[0], o->rate[1]}, n = brick_pair_of(0.0);
+  brick_real next;
+  int e, i;
+
+  if (!(rate.hi > 0.0)) return HUGE_VAL;
+  (void)frexp(rate.hi, &e); /* time in units of 2^-e, so that nothing leaves the range before t has no digits left */
+  rate = brick_pair_scale(rate, -e);
+  if (!brick_periodic(o)) {
+    next = ldexp(brick_pair_divide(brick_pair_minus(start), rate).hi, -e);
+    return next > t ? next : HUGE_VAL;
+  }
+  n = brick_pair_scale(brick_pair_add(start, brick_pair_times(ldexp(t, e), rate)), 1);
+  next = floor(n.hi);
+  n = brick_pair_sum(next, next < n.hi ? 0.0 : floor(n.lo));
+  for (i = 0; i < 2; i++) {
+    n = brick_pair_add(n, brick_pair_of(1.0));
+    next = ldexp(brick_pair_divide(brick_pair_subtract(brick_pair_scale(n, -1), start), rate).hi, -e);
+    if (next > t) return next;
+  }
+  return t + fabs(t)*2.220446049250313e-16; /* a period is less than t's last place: every t is near a flip */
 }
 
 /* ---- stability, small oscillations ---- */

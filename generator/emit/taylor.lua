@@ -1,0 +1,265 @@
+-- taylor.lua -- the Taylor stepper as C: the statements of templates/taylor.c.
+--
+-- Straight code goes through the IR as everywhere: one block for term 0, one for term n, whose groups are the levels;
+-- between them the template sums the lanes.  BELOW the line where it makes C.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local source = require "generator.emit.source"
+
+local function text(n) return string.format("%d", n) end
+
+local taylor = {}
+
+local function symbol(name) return expr.sym(name, 8) end
+local function zeroth(x) return symbol(x.name .. "0") end
+
+-- Lines of the groups by the number that stands in `where`, loads first.
+local function rendered(ctx, inputs, groups)
+  local c = source.statements(ctx, { name = "taylor", args = {}, inputs = inputs, groups = groups })
+  local out = { loads = c.loads }
+  for i in ipairs(groups) do out[i] = {} end
+  for _, g in ipairs(c.groups) do out[g.where] = g.lines end
+  return out
+end
+
+local function put(x, value, outs)
+  if x.place then outs[#outs + 1] = { c = "y[" .. x.place .. "]", expr = value } end
+end
+
+-- Names as inputs: {sym, c}, read as they stand.
+local function plain(list, names)
+  for _, name in ipairs(names) do list[#list + 1] = { sym = name, c = name } end
+end
+
+-- The names that are read once before everything: members of the model, inputs, states that keep their value.
+local function outside(ctx, program)
+  local list = {}
+  local moving = {}
+  for _, s in ipairs(program.states) do moving[s.name] = true end
+  for _, m in ipairs(ctx.members) do list[#list + 1] = { name = m.name, from = "m->" .. m.name } end
+  for _, s in ipairs(ctx.states) do
+    if not moving[s.name] then
+      list[#list + 1] = { name = s.name, from = "x[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]" }
+    end
+  end
+  for _, s in ipairs(ctx.inputs) do
+    list[#list + 1] = { name = s.name, from = "u[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]" }
+  end
+  return list
+end
+
+-- The next terms of the states, and of the sums of states: the group's results in y.
+local function advance(program, key, by, map, group)
+  local following = {}
+  for _, x in ipairs(program.variables) do
+    if x.state and x.place then
+      local e = calculus.substitute(program.slopes[x.name][key], map) * by
+      following[x.sym] = symbol("next_" .. x.name)
+      group.defs[#group.defs + 1] = { name = "next_" .. x.name, expr = e }
+      put(x, following[x.sym], group.outs)
+    elseif x.level == 0 and x.place then
+      following[x.sym] = symbol("next_" .. x.name)
+      group.defs[#group.defs + 1] = { name = "next_" .. x.name, expr = calculus.substitute(x.term, following) }
+      put(x, following[x.sym], group.outs)
+    end
+  end
+end
+
+-- Term 0 of everything in y, then term 1 of the states: two groups, between them the lanes are gathered.
+local function start(ctx, program, names)
+  local inputs, map = {}, {}
+  plain(inputs, names)
+  local g, h = { where = 1, defs = {}, outs = {} }, { where = 2, defs = {}, outs = {} }
+  for _, s in ipairs(program.states) do
+    inputs[#inputs + 1] = { sym = s.name .. "0", c = "x[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]" }
+  end
+  inputs[#inputs + 1] = { sym = "t0", c = "t" }
+  for _, x in ipairs(program.variables) do map[x.sym] = zeroth(x) end
+  for _, x in ipairs(program.variables) do
+    if x.start then
+      local value = calculus.substitute(x.start, map)
+      g.defs[#g.defs + 1] = { name = x.name .. "0", expr = value }
+      if x.first then
+        g.outs[#g.outs + 1] = { c = "const " .. ctx.name .. "_real first_" .. x.name, expr = zeroth(x) }
+      end
+    end
+    put(x, zeroth(x), g.outs)
+  end
+  advance(program, "start", expr.one, map, h)
+  return rendered(ctx, inputs, { g, h })
+end
+
+-- Term n: a group for each level, and last the states' term n + 1.
+local function general(ctx, program, names)
+  local inputs, groups = {}, {}
+  plain(inputs, names)
+  plain(inputs, { "order", "after" })
+  for _, x in ipairs(program.read) do
+    if x.level == 0 then inputs[#inputs + 1] = { sym = x.name, c = "y[" .. x.place .. "]" } end
+  end
+  for _, l in ipairs(program.lanes) do plain(inputs, { "p[" .. l.index .. "]" }) end -- read where it is used
+  for _, x in ipairs(program.variables) do
+    if x.first then
+      local name = "first_" .. x.name
+      inputs[#inputs + 1] = { sym = name, c = x.state and "c[0][" .. x.place .. "]" or name }
+    end
+  end
+  for level = 1, #program.levels do
+    local g = { where = level, defs = {}, outs = {} }
+    for _, x in ipairs(program.levels[level].variables) do
+      g.defs[#g.defs + 1] = { name = x.name, expr = x.term }
+      put(x, x.sym, g.outs)
+    end
+    groups[level] = g
+  end
+  -- sums of states that no lane reads
+  for _, x in ipairs(program.levels[0].variables) do
+    if not x.place then table.insert(groups[1].defs, 1, { name = x.name, expr = x.term }) end
+  end
+  local last = { where = #groups + 1, defs = {}, outs = {} }
+  groups[#groups + 1] = last
+  advance(program, "term", symbol "after", {}, last)
+  return rendered(ctx, inputs, groups)
+end
+
+-- Which of the names do the forms of the program use?
+local function used_names(program, list)
+  local seen = {}
+  local function note(e)
+    for _, s in ipairs(e and expr.symbols(e) or {}) do seen[s.name] = true end
+  end
+  for _, d in ipairs(program.constants) do note(d.expr) end
+  for _, x in ipairs(program.variables) do
+    note(x.start)
+    note(x.term)
+    if x.state and x.place then
+      note(program.slopes[x.name].start)
+      note(program.slopes[x.name].term)
+    end
+  end
+  local kept = {}
+  for _, n in ipairs(list) do
+    if seen[n.name] then kept[#kept + 1] = n end
+  end
+  return kept, seen
+end
+
+-- Names of the code around the statements, which those of the model must not take.
+local own = { a = true, b = true, c = true, j = true, l = true, m = true, n = true, order = true, after = true,
+  p = true, t = true, u = true, x = true, y = true }
+
+-- The program with the names of members and inputs that the code around takes made free: a member c becomes c_.
+local function freed(ctx, program)
+  local map, renamed = {}, {}
+  local function free(sym, name)
+    if own[name] then
+      map[sym], renamed[name] = expr.sym(name .. "_", sym.rank), name .. "_"
+    end
+  end
+  for _, m in ipairs(ctx.members) do free(m.sym, m.name) end
+  local function put_in(e) return e and calculus.substitute(e, map) end
+  for _, d in ipairs(program.constants) do d.expr = put_in(d.expr) end
+  for _, x in ipairs(program.variables) do x.start, x.term = put_in(x.start), put_in(x.term) end
+  for _, s in pairs(program.slopes) do -- each alone: order is lost
+    s.start, s.term = put_in(s.start), put_in(s.term)
+  end
+  return renamed
+end
+
+-- The levels for the template: what their lanes read and the statements after them.
+local function levels_of(program, rest, zero)
+  local out = {}
+  for level, l in ipairs(program.levels) do
+    local entry = { number = text(level), lanes = {}, unknown = {}, known = {}, weighted = false, lines = rest[level],
+      has_lanes = l.last >= l.first }
+    local unknown = {}
+    for i = l.first, l.last do
+      local lane = program.lanes[i]
+      local a, b = "y[" .. lane.a.place .. "]", "y[" .. lane.b.place .. "]"
+      entry.lanes[#entry.lanes + 1] = { index = text(lane.index), right = b, first = lane.weighted and zero or a,
+        left = (lane.weighted and "order*" or "") .. a,
+        about = (lane.weighted and "j " or "") .. lane.a.name .. "[j] " .. lane.b.name .. "[n-j]" }
+      entry.weighted = entry.weighted or lane.weighted
+      for side, x in ipairs { lane.a, lane.b } do
+        if x.level == level then -- its newest term is made here: zero until then
+          local left = side == 1
+          if not unknown[x.place] then entry.unknown[#entry.unknown + 1] = text(x.place) end
+          unknown[x.place] = true
+          entry.known[#entry.known + 1] = string.format("%s[n][%d] = %sy[%d];", left and "a" or "b", lane.index,
+            left and lane.weighted and "order*" or "", x.place)
+        end
+      end
+    end
+    out[level] = entry
+  end
+  return out
+end
+
+-- How to come back from the turning frame: pairs of states that the angle mixes, see templates/taylor.c.
+local function turns_of(ctx, program, v)
+  v.taylor_axis, v.taylor_turns = program.axis ~= nil, {}
+  if not program.axis then return end
+  local f = { name = "taylor_spin", args = { "m", "x" }, result = true, doc = {},
+    groups = { { defs = {}, outs = { { result = true, expr = program.spin } } } } }
+  v.taylor_spin = source.make(ctx, f).lines
+  local at, comp = {}, { "x", "y", "z" }
+  for i, s in ipairs(program.states) do at[s.name] = text(i - 1) end
+  local a, b, c = comp[program.axis], comp[program.axis % 3 + 1], comp[(program.axis + 1) % 3 + 1]
+  -- q (cos, k sin) of half the angle; the rates turned by minus the angle
+  v.taylor_turns[1] = { a = at["q" .. a], b = at.qw, one = "D", sine = "S" }
+  v.taylor_turns[2] = { a = at["q" .. b], b = at["q" .. c], one = "D", sine = "S" }
+  v.taylor_turns[3] = { a = at["w" .. b], b = at["w" .. c], one = "W", sine = "V" }
+end
+
+local function mentions(lines, name) return string.find(lines, "%f[%w_]" .. name .. "%f[^%w_]") ~= nil end
+
+-- Fills the template's values for the program of methods/taylor.lua.
+function taylor.fill(ctx, program, v)
+  local renamed = freed(ctx, program)
+  local all = outside(ctx, program)
+  for _, n in ipairs(all) do n.name = renamed[n.name] or n.name end
+  local outer, seen = used_names(program, all)
+  local names, type_name = {}, "const " .. ctx.name .. "_real "
+  v.taylor_outer = {}
+  for i, n in ipairs(outer) do
+    names[i] = n.name
+    v.taylor_outer[i] = type_name .. n.name .. " = " .. n.from .. ";"
+  end
+  for _, d in ipairs(program.constants) do
+    if seen[d.name] then
+      local inputs = {}
+      plain(inputs, names)
+      local g = { where = 1, defs = {}, outs = { { c = type_name .. d.name, expr = d.expr } } }
+      for _, l in ipairs(rendered(ctx, inputs, { g })[1]) do v.taylor_outer[#v.taylor_outer + 1] = l end
+      names[#names + 1] = d.name
+    end
+  end
+  local first, rest = start(ctx, program, names), general(ctx, program, names)
+  v.taylor_start, v.taylor_next = first.loads, first[2]
+  for _, l in ipairs(first[1]) do v.taylor_start[#v.taylor_start + 1] = l end
+  v.taylor_loads, v.taylor_after = rest.loads, rest[#rest]
+  v.taylor_levels = levels_of(program, rest, v.zero)
+  local function joined(list) return table.concat(list, "\n") .. "\n" end
+  local loop = joined(v.taylor_loads) .. joined(v.taylor_after)
+  for _, e in ipairs(v.taylor_levels) do
+    loop = loop .. joined(e.lines) .. joined(e.known) .. (e.weighted and "order\n" or "")
+  end
+  local whole = loop .. joined(v.taylor_start) .. joined(v.taylor_next) .. joined(v.taylor_outer)
+  v.taylor_order, v.taylor_voids = mentions(loop, "order"), {}
+  for _, name in ipairs { "m", "t", "u" } do
+    if not mentions(whole, name) then v.taylor_voids[#v.taylor_voids + 1] = "(void)" .. name .. ";" end
+  end
+  v.taylor_has_lanes, v.taylor_lanes = #program.lanes > 0, text(#program.lanes)
+  v.taylor_places, v.taylor_order_text = text(#program.read), text(program.order)
+  v.taylor_count, v.taylor_states = text(#program.states), {}
+  for i, s in ipairs(program.states) do
+    v.taylor_states[i] = { index = text(i - 1), name = ctx.upper .. "_" .. string.upper(s.name) }
+  end
+  v.taylor_attitude = program.states[1].name == "qw"
+  v.taylor_kinds = source.kinds(program.states)
+  turns_of(ctx, program, v)
+end
+
+return taylor

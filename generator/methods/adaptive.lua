@@ -1,0 +1,105 @@
+-- adaptive.lua -- the embedded Runge-Kutta pair of orders 5 and 4 by Dormand and Prince, unrolled.
+--
+-- The seventh stage is the first of the next step; the difference of the two results is the error of the lower one, and
+-- the higher one is kept.  Source: Dormand, Prince 1980, J. Comput. Appl. Math. 6, 19; Hairer, Norsett, Wanner, Solving
+-- ODEs I (2nd ed.), table II.5.2 and section II.4 (choice of the step).  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local state = require "generator.dynamics.state"
+local stages = require "generator.methods.stages"
+
+local adaptive = { name = "adaptive", order = 5, adaptive = true,
+  about = "embedded pair of Dormand and Prince, orders 5 and 4, step from a tolerance, unrolled" }
+
+local function q(list)
+  local out = {}
+  for i, x in ipairs(list) do out[i] = R.lift(x) end
+  return out
+end
+
+local tableau = {
+  c = q { 0, "1/5", "3/10", "4/5", "8/9", 1, 1 },
+  a = { {}, q { "1/5" }, q { "3/40", "9/40" }, q { "44/45", "-56/15", "32/9" },
+    q { "19372/6561", "-25360/2187", "64448/6561", "-212/729" },
+    q { "9017/3168", "-355/33", "46732/5247", "49/176", "-5103/18656" },
+    q { "35/384", 0, "500/1113", "125/192", "-2187/6784", "11/84" } },
+  low = q { "5179/57600", 0, "7571/16695", "393/640", "-92097/339200", "187/2100", "1/40" },
+}
+adaptive.tableau = tableau
+
+local h = state.h
+
+-- The equations with the states in `map` replaced: definitions named with `suffix`, and the rates by state name.
+local function instance(eq, map, suffix)
+  local defs, out, renamed = {}, {}, {}
+  for k, v in pairs(map) do renamed[k] = v end -- into a table: order is lost anyway
+  for _, g in ipairs(eq.groups) do
+    for _, d in ipairs(g.defs) do
+      local e = calculus.substitute(d.expr, renamed)
+      if e ~= d.expr then
+        renamed[expr.sym(d.name, 7)] = expr.sym(d.name .. suffix, 7)
+        defs[#defs + 1] = { name = d.name .. suffix, expr = e }
+      elseif suffix == "_2" then -- what never changes is computed once
+        defs[#defs + 1] = d
+      end
+    end
+    for _, o in ipairs(g.outs) do out[o.state] = calculus.substitute(o.expr, renamed) end
+  end
+  return defs, out
+end
+
+-- sum of coefficients times k, over the stages so far
+local function combined(coefficients, k, name)
+  local terms = {}
+  for j, a in ipairs(coefficients) do terms[j] = a * k[j][name] end
+  return expr.add(terms)
+end
+
+-- The trial step: from x at t and k1 = f(t, x) the state `out`, its rates k7 and the error of the lower order, as the
+-- groups of a function.
+function adaptive.program(eq)
+  local zero = stages.conserved(eq)
+  local moving, k, groups = {}, { {} }, {}
+  for _, s in ipairs(eq.model.states) do
+    if not zero[s.name] then
+      moving[#moving + 1] = s
+      k[1][s.name] = expr.sym("k1" .. s.name, 8)
+    end
+  end
+  for n = 2, 7 do
+    local suffix = "_" .. n
+    local g = { why = n == 7 and "stage 7: at the end, of order 5; the next step's first" or "stage " .. n, defs = {},
+      outs = {} }
+    local map = {}
+    for i, s in ipairs(moving) do
+      local name = s.name .. suffix
+      g.defs[i] = { name = name, expr = s.sym + h * combined(tableau.a[n], k, s.name) }
+      map[s.sym] = expr.sym(name, 8)
+      if n == 7 then g.outs[i] = { array = "out", index = s.name, expr = map[s.sym] } end
+    end
+    if R.sign(tableau.c[n]) ~= 0 then map[state.t] = state.t + tableau.c[n] * h end
+    local defs, out = instance(eq, map, suffix)
+    for _, d in ipairs(defs) do g.defs[#g.defs + 1] = d end
+    k[n] = {}
+    for _, s in ipairs(moving) do
+      local name = "k" .. n .. s.name
+      g.defs[#g.defs + 1] = { name = name, expr = out[s.name] }
+      k[n][s.name] = expr.sym(name, 8)
+      if n == 7 then g.outs[#g.outs + 1] = { array = "k7", index = s.name, expr = k[n][s.name] } end
+    end
+    groups[#groups + 1] = g
+  end
+  local last = { why = "the error: order 5 less order 4", defs = {}, outs = {} }
+  for i, s in ipairs(moving) do
+    local difference = {}
+    for j = 1, 7 do difference[j] = (tableau.a[7][j] or R.zero) - tableau.low[j] end
+    last.outs[i] = { array = "error", index = s.name, expr = h * combined(difference, k, s.name) }
+  end
+  groups[#groups + 1] = last
+  return { states = moving, groups = groups }
+end
+
+return adaptive

@@ -1,0 +1,169 @@
+-- taylor.lua -- the Taylor series method: the recurrences of series.lua laid out as loops over lanes.
+--
+-- All products of one level are summed in one loop, lane beside lane, so that compilers put them into vector registers;
+-- what is linear is straight code around it.  y holds the newest term of every sequence that a lane reads, the states'
+-- first; a[n][lane] and b[n][lane] are gathered from it.  Source of the method: Jorba, Zou 2005, Experimental
+-- Mathematics 14, 99.
+-- ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+local equations = require "generator.dynamics.equations"
+local state = require "generator.dynamics.state"
+local series = require "generator.methods.series"
+local stages = require "generator.methods.stages"
+
+local taylor = { name = "taylor", adaptive = true, orders = { 4, 30 },
+  about = "Taylor series of order 4 to 30 (--order, 20), automatic recurrences, fixed or adaptive step" }
+
+local rates = state.names.rates
+
+-- Where body and torque look alike from all sides of an axis k and the rate w3 about it is constant, the equations keep
+-- their form in a frame that turns about k at any rate s relative to the body: only Omega = (I3 - I1)/I1 w3 becomes
+-- Omega + s, and w3 in the attitude's equation w3 - s.  With s = (w3 - Omega)/2 the fastest oscillation, w3 of a
+-- direction fixed in space, falls to (w3 + Omega)/2, and longer steps do.  Returns the groups in that frame, the number
+-- of the axis, s; or the groups as they are.
+local function despun(eq, zero)
+  local m = eq.model
+  local turns = m.has.rates and m.has.attitude
+  local axis = turns and m.structure.kind == "symmetric" and equations.coordinate(m.structure.k)
+  if not axis or not zero[rates[axis]] or eq.inputs then return eq.groups end
+  local q, w = state.q, state.w
+  local k = { expr.zero, expr.zero, expr.zero }
+  k[axis] = expr.one
+  local turning = vec.cross(k, w)
+  local turned = vec.qmul(q, { expr.zero, -k[1] / 2, -k[2] / 2, -k[3] / 2 }) -- rate of change of q as the frame turns
+  local slope = {} -- in the body, of the rates
+  for _, g in ipairs(eq.groups) do
+    for _, o in ipairs(g.outs) do slope[o.state] = equations.inline(eq.groups, o.expr) end
+  end
+  local rate = vec.map(rates, function(name) return slope[name] end)
+  local along = vec.cross(k, rate)
+  local function turned_with(e) -- how e changes as the frame turns
+    local change = expr.zero
+    for j = 1, 3 do change = change + calculus.diff(e, w[j]) * turning[j] end
+    for j = 1, 4 do change = change + calculus.diff(e, q[j]) * turned[j] end
+    return change
+  end
+  for i = 1, 3 do
+    if not ratio.iszero(turned_with(rate[i]) - along[i]) then return eq.groups end
+  end
+  for _, s in ipairs(m.states) do -- what moves or turns beside the body must not tell the frames apart
+    if not string.find(s.name, "^[qw][wxyz]$") and not ratio.iszero(turned_with(slope[s.name])) then
+      return eq.groups
+    end
+  end
+  local Omega = expr.zero
+  for i = 1, 3 do
+    for j = 1, 3 do -- w' = Omega k x w + ...: the part of the antisymmetric matrix about k
+      if i ~= axis and j ~= axis and i ~= j then
+        Omega = Omega + calculus.diff(turning[i], w[j]) * calculus.diff(rate[i], w[j]) / 2
+      end
+    end
+  end
+  for _, s in ipairs { w[axis % 3 + 1], w[(axis + 1) % 3 + 1] } do
+    if calculus.diff(Omega, s) ~= expr.zero then return eq.groups end
+  end
+  local groups, s = {}, expr.sym("spin", 7)
+  groups[1] = { defs = { { name = "spin", expr = (w[axis] - Omega) / 2 } }, outs = {} }
+  for _, g in ipairs(eq.groups) do
+    local copy = { defs = g.defs, outs = {} }
+    for i, o in ipairs(g.outs) do
+      local e = o.expr
+      for n, name in ipairs(rates) do
+        if o.state == name then e = e + s * turning[n] end
+      end
+      if string.find(o.state, "^q[wxyz]$") then e = calculus.substitute(e, { [w[axis]] = w[axis] - s }) end
+      copy.outs[i] = { state = o.state, expr = e }
+    end
+    groups[#groups + 1] = copy
+  end
+  return groups, axis, groups[1].defs[1].expr
+end
+
+-- Does any form of the series contain the symbol?
+local function uses(made, sym)
+  local set = { [sym.name] = true }
+  local function has(e) return e and not expr.constant(e, set) end
+  for _, v in ipairs(made.variables) do
+    local s = v.state and v.name ~= sym.name and made.slopes[v.name] or {}
+    if has(v.start) or has(v.term) or has(s.start) or has(s.term) then return true end
+  end
+  return false
+end
+
+-- The series of the equations, or nil and why there is none.  options: {order =}.
+-- {order, states = the moving ones, lanes, levels = {{first, last, variables}}, ...}
+function taylor.program(eq, options)
+  local states = eq.model.states
+  local zero = stages.conserved(eq)
+  local varying, moving = { t = true }, {}
+  for _, s in ipairs(states) do
+    if not zero[s.name] then
+      varying[s.name] = true
+      moving[#moving + 1] = s
+    end
+  end
+  local clock = expr.sym("t", 8)
+  local list = { table.unpack(moving) }
+  list[#list + 1] = { name = "t", sym = clock }
+  local groups, axis, spin = despun(eq, zero)
+  local ok, made = pcall(series.new, list, groups, varying)
+  if not ok then
+    if getmetatable(made) == series.missing then
+      return nil, "no recurrence is known for the function " .. made.fn
+    end
+    error(made, 0)
+  end
+  made.slopes.t = { start = expr.one, term = expr.zero }
+  -- lanes by level, in the order in which they came up
+  local depth = 0
+  for _, l in ipairs(made.lanes) do depth = math.max(depth, l.level) end
+  for _, v in ipairs(made.variables) do depth = math.max(depth, v.level) end
+  local lanes, levels = {}, {}
+  for level = 1, depth do
+    levels[level] = { first = #lanes + 1, variables = {} }
+    for _, l in ipairs(made.lanes) do
+      if l.level == level then lanes[#lanes + 1] = l end
+    end
+    levels[level].last = #lanes
+  end
+  levels[0] = { variables = {} }
+  local rename = {}
+  for i, l in ipairs(lanes) do
+    l.index = i - 1
+    rename[l.sym] = expr.sym("p[" .. l.index .. "]", 8)
+  end
+  for _, v in ipairs(made.variables) do
+    if v.term then
+      v.term = calculus.substitute(v.term, rename)
+      local row = levels[v.level].variables
+      row[#row + 1] = v
+    end
+  end
+  for name, s in pairs(made.slopes) do -- a map of its own: order is lost
+    made.slopes[name] = { start = s.start, term = calculus.substitute(s.term, rename) }
+  end
+  local read, places = {}, 0 -- what lanes read
+  local function place(v)
+    if not v.place then
+      v.place = places
+      places = places + 1
+      read[#read + 1] = v
+    end
+  end
+  for _, s in ipairs(moving) do place(made.by_sym[s.sym]) end
+  for _, l in ipairs(lanes) do
+    place(l.a)
+    place(l.b)
+  end
+  if uses(made, clock) then place(made.by_sym[clock]) end
+  return { order = options.order or 20, states = moving, variables = made.variables, lanes = lanes, levels = levels,
+    slopes = made.slopes, constants = made.constants or {}, read = read,
+    axis = axis, spin = spin }
+end
+
+return taylor

@@ -1,0 +1,132 @@
+%% -- adaptive.c -- the embedded Runge-Kutta pair: part of scene.c.  SPDX-License-Identifier: MIT-0
+/* ---- Dormand, Prince 1980, J. Comput. Appl. Math. 6, 19; control: Hairer, Norsett, Wanner I, sections II.4, IV.2 ---- */
+
+/* States that move: x[moving[k]] is number k of the arrays below. */
+static const int ${name}_adaptive_moving[${adaptive_count}] = {
+%% for _, s in ipairs(adaptive_states) do
+  ${s.name},
+%% end
+};
+
+/* From x at t with its rates k1: the state `out` at t + h, its rates k7, the estimated error. */
+static ${adaptive_head}
+{
+%% for _, line in ipairs(adaptive_lines) do
+%%   if line == "" then
+
+%%   else
+  ${line}
+%%   end
+%% end
+}
+
+/* k1 at the start */
+static void ${name}_adaptive_first(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real k1[])
+{
+  ${name}_real dx[${upper}_NX];
+  int k;
+
+  ${name}_rhs(m, t, x, u, dx);
+  for (k = 0; k < ${adaptive_count}; k++) k1[k] = dx[${name}_adaptive_moving[k]];
+}
+
+/* x takes the state that a step ends in; |q| is brought back to 1 by one Newton step. */
+static void ${name}_adaptive_take(const ${name}_real out[], ${name}_real x[])
+{
+  int k;
+%% if adaptive_attitude then
+  const ${name}_real n = ${threehalves} - ${half}*(out[0]*out[0] + out[1]*out[1] + out[2]*out[2] + out[3]*out[3]);
+%% end
+
+  for (k = 0; k < ${adaptive_count}; k++) x[${name}_adaptive_moving[k]] = out[k];
+%% if adaptive_attitude then
+  for (k = 0; k < 4; k++) x[${name}_adaptive_moving[k]] *= n;
+%% end
+}
+
+void ${name}_adaptive_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
+{
+  ${name}_real k1[${adaptive_count}], k7[${adaptive_count}], error[${adaptive_count}], out[${adaptive_count}];
+
+  ${name}_adaptive_first(m, t, x, u, k1);
+  ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error);
+  ${name}_adaptive_take(out, x);
+}
+
+/* the largest error in units of the size of its kind of state, at the start or at the end of the step */
+static ${name}_real ${name}_adaptive_norm(const ${name}_real x[], const ${name}_real out[], const ${name}_real error[])
+{
+  static const struct {
+    int first, last; /* states of one kind */
+  } kind[] = {
+%% for _, k in ipairs(kinds) do
+    {${k.first}, ${k.last}}, /* ${k.about} */
+%% end
+  };
+  ${name}_real worst = ${zero};
+  unsigned int g;
+  int k;
+
+  for (g = 0; g < sizeof kind/sizeof kind[0]; g++) {
+    ${name}_real size = ${zero}, e = ${zero};
+
+    for (k = kind[g].first; k < kind[g].last; k++) {
+      const ${name}_real a = ${fabs}(x[${name}_adaptive_moving[k]]), b = ${fabs}(out[k]), c = ${fabs}(error[k]);
+
+      size = a > size ? a : size;
+      size = b > size ? b : size;
+      e = c > e ? c : e;
+      if (!(b - b == ${zero}) || !(c - c == ${zero})) return ${huge};
+    }
+    if (e > ${zero} && !(e <= worst*size)) worst = e/size;
+  }
+  return worst;
+}
+
+int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most)
+{
+  const ${name}_real fifth = ${half}*${half}*${half} + ${half}*${half}*${half}*${half}; /* 3/16, a little less than 1/5 */
+  ${name}_real k1[${adaptive_count}], k7[${adaptive_count}], error[${adaptive_count}], out[${adaptive_count}];
+  ${name}_real t = t0, h = t1 - t0, lost = ${zero};
+  int steps, k, fresh = 1;
+
+  for (steps = 0; steps < most; steps++) {
+    const ${name}_real left = (t1 - t) - lost;
+    ${name}_real r, factor, next_t;
+    int last;
+
+    if (!(left > ${zero} || left < ${zero})) return steps;
+    if (fresh) ${name}_adaptive_first(m, t, x, u, k1);
+    last = !(${fabs}(h) < ${fabs}(left));
+    if (last) h = left;
+    ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error);
+    r = ${name}_adaptive_norm(x, out, error)/tolerance;
+    /* the next step is 0.9 r^(-1/5) as long, between a tenth and five times; what is not finite counts as a tenth */
+    factor = r > ${zero} ? ${exp}(-fifth*${log}(r))*(${one} - ${half}*${half}*${half}) : ${eight};
+    if (!(factor > ${half}*${half}*${half})) factor = ${half}*${half}*${half};
+    if (factor > ${two}*${two}) factor = ${two}*${two};
+    if (!(r <= ${one})) { /* tried in vain */
+      next_t = t + h;
+      if (!(next_t > t || next_t < t)) return -1;
+      h *= factor < ${one} ? factor : ${half};
+      fresh = 0;
+      continue;
+    }
+    ${name}_adaptive_take(out, x);
+    for (k = 0; k < ${adaptive_count}; k++) k1[k] = k7[k];
+    fresh = 0;
+    if (last) return steps + 1;
+    next_t = t + (h + lost);
+    lost = (h + lost) - (next_t - t);
+    t = next_t;
+    h *= factor;
+  }
+  return -1;
+}
+%% if first then
+
+void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
+{
+  ${name}_adaptive_step(m, t, x, u, h);
+}
+%% end

@@ -1,0 +1,27 @@
+%% -- taylor.h -- the contract of the Taylor series stepper: part of scene.h.  SPDX-License-Identifier: MIT-0
+/* ---- Taylor series of order ${upper}_ORDER: automatic recurrences, ${taylor_lanes} products an order ---- */
+
+enum { ${upper}_ORDER = ${taylor_order_text}, ${upper}_MOVING = ${taylor_count} }; /* states that move, in the order of x[] */
+
+/* Coefficients c[n][k] of the solution through x at time t: state k is the sum of c[n][k] s^n at time t + s. */
+void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[],
+                  ${name}_real c[][${upper}_MOVING]);
+
+/* The state at time t + s from the coefficients: dense output.  Entries of x that do not move are left alone. */
+void ${name}_taylor_at(const ${name}_model *m, ${name}_real c[][${upper}_MOVING], ${name}_real s, ${name}_real x[]);
+
+/* One step of size h, order ${upper}_ORDER: x goes from time t to t + h, the input u held. */
+void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
+
+/* One step of the size that the tolerance asks for, in the direction of h and not beyond it; returns that size.  The
+ * last two terms are at most the tolerance times the size of their kind of state (Jorba, Zou 2005, section 3.2). */
+${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real tolerance);
+
+/* From time t0 to t1 by such steps, at most `most` of them, their sum compensated; returns how many, or -1 if they did not
+ * suffice or the state became infinite (x is then where it stopped). */
+int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most);
+%% if first then
+
+/* One step of size h by the series: the scene's own stepper. */
+void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
+%% end
