@@ -23,7 +23,8 @@ local effects = {
   { "magnetic", "effect.magnetic { moment = {0.3, 0, 1}, rotating = {0.1, 0, 0.2}, rate = 2 }" },
   { "wheel", "effect.wheel { axis = {1, 0.5, 1}, inertia = 0.15, speed = 6, torque = k*sin(t), included = true }" },
   { "custom", "effect.custom { params = {stiff = k}, " ..
-    "potential = function(s) return s.stiff*(s.q[2]^2 + s.phi^2) end, states = {phi = {initial = 1, unit = \"rad\", rate = function(s) return s.w[1] - s.phi end}} }" },
+    "potential = function(s) return s.stiff*(s.q[2]^2 + s.phi^2) end, " ..
+    "states = {phi = {initial = 1, unit = \"rad\", rate = function(s) return s.w[1] - s.phi end}} }" },
 }
 
 local paths = {}
