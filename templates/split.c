@@ -7,6 +7,8 @@
 static void ${name}_split_half(${name}_real z, ${name}_real *c, ${name}_real *s)
 {
   if (z <= ${quarter}) {
+    const ${name}_real zz = z*z;
+
     *c = ${split_cos};
     *s = ${split_sin};
   } else {

@@ -22,7 +22,8 @@ local function rows(p, real)
   return out
 end
 
--- 1 - z (1/2 - z (1/24 - ...)) or with odd factorials, `terms` of them.
+-- 1 - z/2 + z^2 (1/24 - z/720 + z^2 ( ...)) or with odd factorials, an odd number of terms; pairs, so that processors
+-- work on several at a time.
 local function series(first, terms, real)
   local coefficient, list = R.one, {}
   for n = 0, terms - 1 do
@@ -30,7 +31,7 @@ local function series(first, terms, real)
     coefficient = coefficient / R.lift((2 * n + 1 + first) * (2 * n + 2 + first))
   end
   local s = list[terms]
-  for n = terms - 1, 1, -1 do s = list[n] .. " - z*(" .. s .. ")" end
+  for n = terms - 2, 1, -2 do s = "(" .. list[n] .. " - " .. list[n + 1] .. "*z) + zz*(" .. s .. ")" end
   return s
 end
 

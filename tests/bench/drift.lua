@@ -2,8 +2,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 --     lua5.4 tests/bench/drift.lua PROGRAM DIRECTORY REVOLUTIONS [PAGE]
--- prints the table, and puts it between the two marks of the page.  drift.c measures.  A stepper that a scene refuses is
--- left out of its table; one that is new is in it at 32 steps a revolution.
+-- prints the tables, and puts them between the two marks of the page.  drift.c measures.  A stepper that a scene
+-- refuses is left out of its table; one that is new is in it at 32 steps a revolution.
 
 local program, dir, turns, page = arg[1], arg[2], tonumber(arg[3]), arg[4]
 
@@ -11,7 +11,7 @@ local scenes = {
   { title = "Free brick, 20 x 10 x 5 cm, spun about the middle axis, which flips over and over; momentum: all of L",
     period = "2*math.pi/6", momentum = 0,
     text = [[body = solid.box { x = 0.2, y = 0.1, z = 0.05, mass = 2.4 }, initial = { omega = {0.1, 6, 0.2} }]] },
-  { title = "Heavy top, V/T = 0.1, with nutation; momentum: L along the vertical", period = "2*math.pi/150",
+  { title = "Heavy top, V/T = 0.03, with nutation; momentum: L along the vertical", period = "2*math.pi/150",
     momentum = 1,
     text = [[body = solid.cylinder { r = 0.05, h = 0.02, mass = 0.5 }, origin = {0, 0, -0.05},
       effects = { effect.gravity {} }, initial = { omega = {1, 0, 150}, attitude = { axis = "x", angle = 0.7 } }]] },

@@ -147,12 +147,17 @@ local rows = {
     "omega = {1, 2, 3}, " .. attitude, below), 1, 10 },
   { "brick under control and an inertial torque", scene(brick, "effect.control {}, " ..
     "effect.torque { inertial = {0.01, 0.02, -0.01} }", "omega = {1, 2, 3}"), 1, 12, driven = true },
+  { "dipole in a turning field, torque of time", scene(brick, "effect.magnetic { moment = {0.1, 0.2, 0.3}, " ..
+    "rotating = {0.1, 0, 0.05}, rate = 3 }, effect.torque { body = {0.01*sin(2*t), 0.02, 0.01*t} }",
+    "omega = {1, 2, 3}, " .. attitude), 1, 12, driven = true },
   { "book on a spring", scene(brick, "effect.translation { stiffness = {2, 3, 5} }", "omega = {1, 2, 3}, " ..
     "position = {0.1, 0, 0}, velocity = {0, 1, 2}"), 1, 12 },
   { "point on a spring", scene(brick, "effect.translation { stiffness = {2, 3, 5} }", "position = {0.1, 0, 0}, " ..
     "velocity = {0, 1, 2}"), 1, 12, point = true },
   { "damped brick", scene(brick, "effect.damping { c = {0.001, 0.002, 0.003} }", "omega = {1, 2, 3}"), 1, 12,
     only = true },
+  { "friction and drag", scene(brick, "effect.friction { torque = 0.002, smoothing = 1 }, effect.drag { c = 0.001 }",
+    "omega = {1, 2, 3}"), 1, 12, only = true },
   { "thrown book with drag", scene(brick, "effect.translation { drag = 0.1 }", "omega = {1, 2, 3}, " ..
     "velocity = {0, 1, 20}"), 1, 12, only = true },
 }
@@ -191,8 +196,8 @@ end
 for _, row in ipairs {
   { "free brick", scene(brick, "", "omega = {0.3, 5, 0.2}") },
   { "free cylinder", scene(cylinder, "", "omega = {0.3, 5, 0.2}"), exact = true },
-  { "free cube about its corner", scene("solid.box { x = 0.1, y = 0.1, z = 0.1, mass = 1 }", "", "omega = {0.3, 5, 0.2}",
-    'origin = "corner"'), exact = true },
+  { "free cube about its corner", scene("solid.box { x = 0.1, y = 0.1, z = 0.1, mass = 1 }", "",
+    "omega = {0.3, 5, 0.2}", 'origin = "corner"'), exact = true },
   { "free sphere", scene("solid.sphere { r = 0.1, mass = 1 }", "", "omega = {0.3, 5, 0.2}"), exact = true },
 } do
   local got, why = measured(row[2], "double", false, "-DTURNS", "1 12 2")
@@ -228,6 +233,8 @@ end
 for _, row in ipairs {
   { "damping", scene(brick, "effect.damping { c = 0.001 }", "omega = {1, 2, 3}"),
     "split4: damping depends on the rates" },
+  { "a driven wheel", scene(brick, "effect.wheel { axis = {0, 0, 1}, inertia = 0.001, speed = 1, torque = 0.01, " ..
+    "included = true }", "omega = {1, 2, 3}"), "wheel has a state of its own" },
   { "a turning frame", scene(brick, "effect.rotating_frame { rate = {0, 0, 1} }", "omega = {1, 2, 3}, " ..
     "position = {0, 0, 1}"), "the base frame turns" },
   { "an oblique rotor", scene(cylinder, "effect.rotor { axis = {1, 0, 0}, momentum = 1 }", "omega = {1, 2, 3}"),
