@@ -221,7 +221,9 @@ end
 
 -- C statements for groups without a function around them (NAME_init): loads and groups of lines.
 function source.statements(ctx, f)
-  return cprint.statements(passes.run(lower.run(source.program(ctx, f))), ctx.real, printed(ctx))
+  local opts = printed(ctx)
+  opts.letter = f.letter
+  return cprint.statements(passes.run(lower.run(source.program(ctx, f))), ctx.real, opts)
 end
 
 return source
