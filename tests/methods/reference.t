@@ -37,9 +37,10 @@ local function text(model, I, load, x)
     com = string.format(", com = {%.17g, %.17g, %.17g}, about = 'origin'", load[1] / 1024, load[2] / 1024,
       load[3] / 1024)
   end
-  return string.format("return scene { name = 'top', " ..
-    "body = tensor { mass = 1, xx = %.17g, yy = %.17g, zz = %.17g%s }, origin = {0, 0, 0}, effects = { %s }, initial = { omega = {%.17g, %.17g, %.17g}, attitude = {%.17g, %.17g, " ..
-    "%.17g, %.17g} } }", I[1], I[2], I[3], com, acts, table.unpack(x))
+  local body = string.format("tensor { mass = 1, xx = %.17g, yy = %.17g, zz = %.17g%s }", I[1], I[2], I[3], com)
+  return string.format("return scene { name = 'top', body = %s, origin = {0, 0, 0}, effects = { %s }, " ..
+    "initial = { omega = {%.17g, %.17g, %.17g}, attitude = {%.17g, %.17g, %.17g, %.17g} } }", body, acts,
+    table.unpack(x))
 end
 
 local cases, by_id = {}, {}
