@@ -241,6 +241,9 @@ local function attitude(m)
   return g
 end
 
+-- Euler's equations for a torque of any form (along a rod's line it must be zero): one group, outs the rates of w.
+function equations.euler(m, N) return builders[m.structure.kind](m, N, {}) end
+
 -- Euler's equations with the torques of the effects, appended to list; nil after an error.
 local function turning(d, m, list)
   local N, groups, need_L = torques(m)

@@ -5,7 +5,8 @@ local template = require "generator.emit.template"
 
 local steppers = {}
 
-local fill = { taylor = require("generator.emit.taylor").fill, adaptive = require("generator.emit.adaptive").fill }
+local fill = { taylor = require("generator.emit.taylor").fill, adaptive = require("generator.emit.adaptive").fill,
+  midpoint = require("generator.emit.midpoint").fill }
 
 -- Fills stepper_header, stepper_source and steppers, the list for the program's own use: {name, step (C name), run}.
 function steppers.render(job, v, ctx)
