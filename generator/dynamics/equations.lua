@@ -77,6 +77,8 @@ local function torque_of(m, e, c)
   return vec.sub(vec.sub(N, rate), vec.cross(m.has.rates and state.w or zero, h))
 end
 
+equations.torque_of = torque_of
+
 -- Sum of the torques of all effects in body axes, each effect one group of definitions N1x .. ; and what they use.
 local function torques(m)
   local total, groups = { expr.zero, expr.zero, expr.zero }, {}

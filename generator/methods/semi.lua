@@ -1,11 +1,14 @@
--- semi.lua -- the semi-implicit step: one evaluation of the torque, rates first, then the attitude by the new rates.
+-- semi.lua -- the semi-implicit step: one evaluation of the torque, rates first, then the attitude by a rotation.
 --
---     w1 = w + h f(q, w, t),   q1 = q (1, h w1/2)/|q (1, h w1/2)|       (Cayley's map: |q| = 1 after every step)
--- In principal axes the products of Euler's equations take each new component as soon as it is there,
---     w1' = w1 + h (c1 w2 w3 + ..), w2' = w2 + h (c2 w3 w1' + ..), w3' = w3 + h (c3 w1' w2' + ..)
--- three shears that keep the volume in the space of rates; it costs nothing.  Position follows velocity in the same
--- way.  Order 1.  Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2nd ed.), I.1.2 (symplectic Euler)
--- and VI.3.  ABOVE the line.
+--     L' = L + h N(q, w, t),  w' = I^-1 L'                      the torque, at the start of the step
+--     w* = w' + (1 - (h/2) f'(w'))^-1 (h/2) f(w')               the rate at the middle, f = I^-1 (I w x w): no torque
+--     q1 = q E,  L1 = E^T L'      E the rotation of the unit quaternion along (1, h w*/2): Cayley's map of h w*
+-- so torque-free motion keeps q L, whatever w* is, and the rates stay bounded: |L1| = |L'|.  w* is one Newton iteration
+-- of the midpoint rule (methods/midpoint.lua), which is Kahan's method for the quadratic f; for a symmetric body it is
+-- the rule's solution.  Order 1 with torques (symplectic Euler), 2 without.  Position follows velocity in the same way;
+-- states of effects' own take one step of Euler's method.
+-- Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2nd ed.), I.1.2 (symplectic Euler), VII.5; Hirota,
+-- Kimura 2000, J. Phys. Soc. Japan 69, 627 (Kahan's method for Euler's top).  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -13,70 +16,121 @@ local calculus = require "generator.algebra.calculus"
 local vec = require "generator.algebra.vec"
 local moving = require "generator.dynamics.moving"
 local state = require "generator.dynamics.state"
-local attitude = require "generator.methods.attitude"
+local cayley = require "generator.methods.cayley"
 local stages = require "generator.methods.stages"
 
-local semi = { name = "semi", order = 1, title = "semi-implicit Euler method, of order 1",
-  about = "semi-implicit Euler, one evaluation a step, order 1, fixed step, the cheapest" }
+local semi = { name = "semi", order = 1, title = "semi-implicit method of order 1",
+  about = "semi-implicit, one torque evaluation a step, order 1 (2 without torque), fixed step, for firmware" }
 
 local h, q, w = state.h, state.q, state.w
-local in_turn = { wx = true, wy = true, wz = true, rx = true, ry = true, rz = true }
+
+-- Euler's step of what is not turning: new velocities and own states first, then positions by the new velocities.
+local function carried(m, groups, zero, list, finals)
+  local new = {}
+  for _, kind in ipairs { "other", "position" } do
+    for _, g in ipairs(groups) do
+      local turning = not g.outs[1] or m.states.by_name[g.outs[1].state].kind == "rates"
+      local group = { why = g.why, where = g.where, defs = {}, outs = {} }
+      if kind == "other" and not turning then
+        list[#list + 1] = group
+        for i, d in ipairs(g.defs) do group.defs[i] = d end
+      end
+      for _, o in ipairs(g.outs) do
+        local s = m.states.by_name[o.state]
+        if (s.kind == "position") == (kind == "position") and s.kind ~= "attitude" and s.kind ~= "rates" and
+          not zero[o.state] then
+          local define = cayley.definer(m, group)
+          local e = kind == "position" and calculus.substitute(o.expr, new) or o.expr
+          new[s.sym] = define(o.state .. "1", s.sym + h * e)
+          finals[#finals + 1] = { state = o.state, expr = new[s.sym] }
+          if kind == "position" and list[#list] ~= group then list[#list + 1] = group end
+        end
+      end
+    end
+  end
+end
+
+-- The rates after the torque, w' (definitions of their own where there is a torque), and whether there is one.
+local function kicked(m, N, list)
+  if cayley.none(N) then return w end
+  local g = { why = "w' = w + h I^-1 N", defs = {}, outs = {} }
+  list[#list + 1] = g
+  local new = vec.map(cayley.solved(m, N), function(e, i) return w[i] + h * e end)
+  return cayley.each(cayley.definer(m, g), "wk", new)
+end
 
 -- The step as equation groups with outs {state, expr}.
 function semi.groups(eq)
   local m, zero = eq.model, stages.conserved(eq)
-  local list, new, finals = {}, {}, {}
-  local sequential = m.structure and m.structure.kind ~= "full"
-  local waiting = {} -- position, which takes the new velocity
-  local function step(g, o, why)
-    if zero[o.state] or attitude.is[o.state] then return end
-    local s = m.states.by_name[o.state]
-    local e = calculus.substitute(o.expr, in_turn[o.state] and (sequential or string.find(o.state, "^r")) and new or {})
-    local name = o.state .. "1"
-    while m.by_name[name] do name = name .. "_" end
-    local group = list[#list]
-    if not group or group.source ~= g then
-      group = { why = why, where = g.where, defs = {}, outs = {}, source = g }
-      list[#list + 1] = group
-      for _, d in ipairs(g.defs) do group.defs[#group.defs + 1] = d end
-    end
-    group.defs[#group.defs + 1] = { name = name, expr = s.sym + h * e }
-    local sym = expr.sym(name, 8)
-    if in_turn[o.state] or s.kind == "velocity" then new[s.sym] = sym end
-    finals[#finals + 1] = { state = o.state, expr = sym }
+  local list, finals = {}, {}
+  carried(m, eq.groups, zero, list, finals)
+  for i = #list, 1, -1 do
+    if #list[i].defs == 0 then table.remove(list, i) end
   end
-  for _, g in ipairs(eq.groups) do
-    if #g.outs == 0 and #g.defs > 0 then list[#list + 1] = { why = g.why, where = g.where, defs = g.defs, outs = {} } end
-    for _, o in ipairs(g.outs) do
-      local s = m.states.by_name[o.state]
-      if s.kind == "position" then
-        waiting[#waiting + 1] = { g, o }
-      else
-        step(g, o, g.why .. "; x + h x'")
-      end
-    end
-  end
-  for _, p in ipairs(waiting) do step(p[1], p[2], p[1].why .. ", the new one") end
   local last = { why = "the new state", defs = {}, outs = finals }
+  if not m.has.rates then
+    list[#list + 1] = last
+    return list
+  end
+
+  local N, k = cayley.acting(m)
+  local at = kicked(m, N, list)
+  local map = {}
+  for i = 1, 3 do map[w[i]] = at[i] end
+  local hh
+  local f = vec.map(cayley.rates(m, vec.cross(k, w)), function(e) return calculus.substitute(e, map) end)
+  local middle = at
+  local turns = not cayley.none(f)
+  local g = { why = turns and "the rate at the middle: w* = w' + (1 - (h/2) f')^-1 (h/2) f" or "half of the step",
+    defs = {}, outs = {} }
+  list[#list + 1] = g
+  local define = cayley.definer(m, g)
+  hh = define("hh", h / 2)
+  if turns then
+    local F = cayley.each(define, "F", vec.map(f, function(e) return -hh * e end))
+    local change = cayley.newton(define, F, function(i, j) return hh * calculus.diff(f[i], at[j]) end)
+    middle = cayley.each(define, "wm", vec.sub(at, change))
+  end
+  local b = { why = "half of the rotation, (1, b)", defs = {}, outs = {} }
+  if m.has.attitude or turns then list[#list + 1] = b end
+  define = cayley.definer(m, b)
+  local half = cayley.each(define, "b", vec.scale(hh, middle))
+  local w1 = at
+  local s, short = 2 / (1 + vec.dot(half, half)), nil
+  if m.has.attitude and not m.frame then -- one root for both: n = 1/|(1, b)| and s = 2 n^2
+    short = define("r", expr.lift(1) / expr.sqrt(1 + vec.dot(half, half)))
+    s = 2 * short * short
+  end
+  if turns then
+    b.why = "half of the rotation, (1, b); L turned back by it, w1 = w' + I^-1 (L1 - L')"
+    local L = vec.add(vec.map(vec.apply(cayley.inertia(m), w), function(e) return calculus.substitute(e, map) end), k)
+    local change = cayley.turned(define, half, s, cayley.each(define, "L", L), "L")
+    w1 = vec.add(at, cayley.solved(m, cayley.each(define, "dL", change)))
+  end
+  for i, name in ipairs(state.names.rates) do
+    -- what is along an axis of symmetry turns with it
+    local e = f[i] == expr.zero and at[i] or w1[i]
+    if not zero[name] then finals[#finals + 1] = { state = name, expr = e } end
+  end
   if m.has.attitude then
-    local define = function(name, e)
-      while m.by_name[name] do name = name .. "_" end
-      last.defs[#last.defs + 1] = { name = name, expr = e }
-      return expr.sym(name, 8)
-    end
-    last.why = "q1 = q (1, b)/|q (1, b)|, b = h w1/2"
-    local hh = define("hh", h / 2)
-    local b = vec.map(w, function(s, i) return define("b" .. attitude.comp[i], hh * (new[s] or s)) end)
-    local p = vec.qmul(q, { expr.one, b[1], b[2], b[3] })
+    last.why = "q1 = n q (1, b), n = 1/|q (1, b)| with one Newton step for 1/|q|, so |q| cannot drift"
+    define = cayley.definer(m, last)
+    local p = vec.qmul(q, { expr.one, half[1], half[2], half[3] })
+    local unit
     if m.frame then
       local turn, defs = moving.rate(m)
-      for _, d in ipairs(#list == 0 and defs or {}) do last.defs[#last.defs + 1] = d end
-      local B = vec.scale(hh, turn)
+      for _, d in ipairs(#eq.groups[1].defs == 0 and defs or {}) do last.defs[#last.defs + 1] = d end
+      local B = cayley.each(define, "B", vec.scale(hh, turn))
       p = vec.qmul({ expr.one, -B[1], -B[2], -B[3] }, p)
+      last.why = "q1 = (1, -B) q (1, b)/|..|, B = (h/2) Omega"
+      unit = cayley.unit(define, p)
+    else
+      local length = q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2
+      unit = vec.scale(define("n", short * (expr.lift "3/2" - length / 2)), p)
     end
-    for i, a in ipairs { "w", "x", "y", "z" } do p[i] = define("p" .. a, p[i]) end
-    local n = define("n", expr.lift(1) / expr.sqrt(p[1] ^ 2 + p[2] ^ 2 + p[3] ^ 2 + p[4] ^ 2))
-    for i, name in ipairs(state.names.attitude) do finals[#finals + 1] = { state = name, expr = n * p[i] } end
+    for i, e in ipairs(unit) do
+      finals[#finals + 1] = { state = state.names.attitude[i], expr = e }
+    end
   end
   list[#list + 1] = last
   return list
