@@ -102,13 +102,14 @@ $(BUILD)/tests/%.t: tests/%.c $(LIBRARY) | $(READY)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -Itests -MMD -MP -MF $@.d $(LDFLAGS) -o $@ $< \
 	  $(LIBRARY) $(GSL_LIBS) -lmpfr -lgmp -lm
 
-# The free top with MPFR's digits: the oracle of tests/oracle/free_top.t and of the error map.
+# The free top with MPFR's digits: the oracle of tests/oracle/free_top.t and of the error map; and the heavy top.
 ORACLE := $(BUILD)/oracle/free_top
-$(ORACLE): tests/oracle/free_top.c | $(READY)
+ORACLES := $(ORACLE) $(BUILD)/oracle/heavy_top
+$(BUILD)/oracle/%: tests/oracle/%.c | $(READY)
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(LDFLAGS) -o $@ $< -lmpfr -lgmp -lm
 
-tests: all $(C_TESTS) $(ORACLE)
+tests: all $(C_TESTS) $(ORACLES)
 
 check:
 	@CC="$(CC)" .ci/setup build check
@@ -273,7 +274,8 @@ install: all
 	  $(DESTDIR)$(PREFIX)/share/doc/polhode
 	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/polhode
 	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib/libpolhode.a
-	install -m 644 src/runtime/polhode.h src/runtime/polhode_exact.h src/runtime/polhode_move.h $(DESTDIR)$(PREFIX)/include/
+	install -m 644 src/runtime/polhode.h src/runtime/polhode_exact.h src/runtime/polhode_move.h \
+	  src/runtime/polhode_acts.h $(DESTDIR)$(PREFIX)/include/
 	printf '%s\n' "$$PC_FILE" > $(DESTDIR)$(PREFIX)/lib/pkgconfig/polhode.pc
 	install -m 644 LICENSE $(DESTDIR)$(PREFIX)/share/doc/polhode/LICENSE
 	install -m 644 templates/LICENSE $(DESTDIR)$(PREFIX)/share/doc/polhode/LICENSE.templates

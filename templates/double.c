@@ -75,6 +75,7 @@ static ${name}_pair ${name}_pi(void)
   return pi;
 }
 
+%% if not lagrange then
 static ${name}_pair ${name}_inverse_pi(void)
 {
   const ${name}_pair inverse = {${inverse_pi_high}, ${inverse_pi_low}};
@@ -82,6 +83,7 @@ static ${name}_pair ${name}_inverse_pi(void)
   return inverse;
 }
 
+%% end
 static ${name}_pair ${name}_log2(void)
 {
   const ${name}_pair log2 = {${log2_high}, ${log2_low}};
@@ -89,6 +91,7 @@ static ${name}_pair ${name}_log2(void)
   return log2;
 }
 
+%% if not lagrange then
 /* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 + arctan of a rest below
  * 1/16 (DLMF 4.24.15). */
 static ${name}_pair ${name}_pair_angle(${name}_pair x, ${name}_pair y)
@@ -116,6 +119,7 @@ static ${name}_pair ${name}_pair_angle(${name}_pair x, ${name}_pair y)
   return below ? ${name}_pair_minus(angle) : angle;
 }
 
+%% end
 /* log(2^e a), a > 0: of 2^e, of 1 + j/8, and 2 artanh of a rest below 1/16 */
 static ${name}_pair ${name}_pair_log(${name}_pair a, int e)
 {

@@ -37,7 +37,7 @@ local function literals(real)
   local function n(q) return number.text(R.lift(q), real) end
   local bits = real == "float" and 24 or 53
   return { zero = n(0), one = n(1), two = n(2), three = n(3), four = n(4), half = n "1/2",
-    quarter = n "1/4", eighth = n "1/8", threehalves = n "3/2", twelve = n(12),
+    quarter = n "1/4", eighth = n "1/8", threehalves = n "3/2", twelve = n(12), sixteen = n(16),
     epsilon = n(R.new(2) ^ (1 - bits)), negligible = n(R.new(2) ^ (2 - 2 * bits)), sign_margin = n "15/16",
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
@@ -46,7 +46,8 @@ local function literals(real)
     bits_type = bits == 24 and "uint32_t" or "uint64_t", binary_shift = bits == 24 and "23" or "52",
     binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
     block = bits == 24 and "16" or "8", no_period = n(R.new(2) ^ (bits == 24 and 40 or 100)),
-    binary_limit = n(bits == 24 and 60 or 500) }
+    binary_limit = n(bits == 24 and 60 or 500),
+    carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
 end
 
 -- Constants as pairs high + low: pi, 1/pi, log 2, and the tables of templates/double.c.
@@ -206,7 +207,7 @@ local function closed_values(job, v, ctx)
   local form = job.closed
   v.theorem, v.closed_text, v.single = form.theorem, form.text, ctx.real == "float"
   v.uses_model = put_constants(job.closed_constants, v, ctx.real)
-  v.symmetric, v.rod, v.rotor, v.damped, v.axial = false, false, false, false, false
+  v.symmetric, v.rod, v.rotor, v.damped, v.axial, v.lagrange = false, false, false, false, false, false
   v.pairs_add, v.pairs_multiply = form.pairs ~= "few" or v.has_special, form.pairs == nil or v.has_special
   economy.fill(v, ctx.real)
   for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway

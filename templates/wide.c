@@ -1,0 +1,102 @@
+%% -- wide.c -- pairs with an exponent of their own, for the set-up of the heavy top: part of scene.c.  SPDX-License-Identifier: MIT-0
+/* ---- p 2^e, 1/2 <= |p| < 1 or p = 0: twice the precision, and a range in which nothing over- or underflows ---- */
+
+typedef struct ${name}_wide {
+  ${name}_pair p;
+  int e;
+} ${name}_wide;
+
+/* p 2^e */
+static ${name}_wide ${name}_wide_of(${name}_pair p, int e)
+{
+  ${name}_wide w;
+  int k = 0;
+
+  w.p = ${name}_pair_of(${zero});
+  w.e = 0;
+  if (!(${fabs}(p.hi) > ${zero})) return w;
+  (void)${frexp}(p.hi, &k);
+  w.p = ${name}_pair_scale(p, -k);
+  w.e = e + k;
+  return w;
+}
+
+static ${name}_wide ${name}_wide_real(${name}_real a)
+{
+  int k;
+  const ${name}_real fraction = ${frexp}(a, &k);
+
+  return ${name}_wide_of(${name}_pair_of(fraction), k);
+}
+
+/* a 2^-e as a pair: 0 where that underflows */
+static ${name}_pair ${name}_wide_pair(${name}_wide a, int e)
+{
+  return ${name}_pair_scale(a.p, a.e - e);
+}
+
+static int ${name}_wide_sign(${name}_wide a)
+{
+  return (a.p.hi > ${zero}) - (a.p.hi < ${zero});
+}
+
+/* the exponent; that of 0 is below all others */
+static int ${name}_wide_size(${name}_wide a)
+{
+  return ${name}_wide_sign(a) ? a.e : -1000000;
+}
+
+/* a 2^k */
+static ${name}_wide ${name}_wide_scale(${name}_wide a, int k)
+{
+  if (${name}_wide_sign(a)) a.e += k;
+  return a;
+}
+
+static ${name}_wide ${name}_wide_minus(${name}_wide a)
+{
+  a.p = ${name}_pair_minus(a.p);
+  return a;
+}
+
+static ${name}_wide ${name}_wide_multiply(${name}_wide a, ${name}_wide b)
+{
+  return ${name}_wide_of(${name}_pair_multiply(a.p, b.p), a.e + b.e);
+}
+
+/* b is not 0 */
+static ${name}_wide ${name}_wide_divide(${name}_wide a, ${name}_wide b)
+{
+  return ${name}_wide_of(${name}_pair_divide(a.p, b.p), a.e - b.e);
+}
+
+static ${name}_wide ${name}_wide_add(${name}_wide a, ${name}_wide b)
+{
+  if (${name}_wide_size(a) < ${name}_wide_size(b)) {
+    const ${name}_wide t = a;
+
+    a = b;
+    b = t;
+  }
+  if (${name}_wide_size(b) < a.e - 120) return a; /* below the last digit */
+  return ${name}_wide_of(${name}_pair_add(a.p, ${name}_pair_scale(b.p, b.e - a.e)), a.e);
+}
+
+static ${name}_wide ${name}_wide_subtract(${name}_wide a, ${name}_wide b)
+{
+  return ${name}_wide_add(a, ${name}_wide_minus(b));
+}
+
+/* 0 of what is not positive */
+static ${name}_wide ${name}_wide_root(${name}_wide a)
+{
+  const int odd = a.e & 1;
+
+  if (${name}_wide_sign(a) <= 0) return ${name}_wide_real(${zero});
+  return ${name}_wide_of(${name}_pair_root(${name}_pair_scale(a.p, odd)), (a.e - odd)/2);
+}
+
+static ${name}_wide ${name}_wide_square(${name}_wide a)
+{
+  return ${name}_wide_multiply(a, a);
+}
