@@ -10,7 +10,9 @@ function midpoint.fill(ctx, program, v)
   local groups = {}
   for i, g in ipairs(program.iteration) do
     local outs = {}
-    for k, o in ipairs(g.outs) do outs[k] = { array = o.array, index = string.format("%d", o.index - 1), expr = o.expr } end
+    for k, o in ipairs(g.outs) do
+      outs[k] = { array = o.array, index = string.format("%d", o.index - 1), expr = o.expr }
+    end
     groups[i] = { why = g.why, defs = g.defs, outs = outs }
   end
   local f = source.make(ctx, { name = "midpoint_newton", groups = groups, doc = {},

@@ -12,7 +12,7 @@ local context = require "generator.dynamics.context"
 local equations = require "generator.dynamics.equations"
 local state = require "generator.dynamics.state"
 
-local cayley = { inertia = equations.inertia }
+local cayley = { inertia = context.carried }
 
 local w = state.w
 local axes = { "x", "y", "z" }
@@ -45,7 +45,8 @@ function cayley.acting(m)
   for _, e in ipairs(m.record.effects) do
     local own = context.with(c, e)
     local held = e.spec.momentum and e.spec.momentum(e.a, own) or zero
-    local constant = expr.constant(held[1], names) and expr.constant(held[2], names) and expr.constant(held[3], names)
+    local constant = #e.states == 0
+    for i = 1, 3 do constant = constant and expr.constant(held[i], names) end
     if constant then
       N, k = vec.add(N, e.spec.torque and e.spec.torque(e.a, own) or zero), vec.add(k, held)
     else

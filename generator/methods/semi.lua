@@ -14,6 +14,7 @@
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local vec = require "generator.algebra.vec"
+local equations = require "generator.dynamics.equations"
 local moving = require "generator.dynamics.moving"
 local state = require "generator.dynamics.state"
 local cayley = require "generator.methods.cayley"
@@ -27,25 +28,20 @@ local h, q, w = state.h, state.q, state.w
 -- Euler's step of what is not turning: new velocities and own states first, then positions by the new velocities.
 local function carried(m, groups, zero, list, finals)
   local new = {}
-  for _, kind in ipairs { "other", "position" } do
+  for _, last in ipairs { false, true } do
     for _, g in ipairs(groups) do
-      local turning = not g.outs[1] or m.states.by_name[g.outs[1].state].kind == "rates"
       local group = { why = g.why, where = g.where, defs = {}, outs = {} }
-      if kind == "other" and not turning then
-        list[#list + 1] = group
-        for i, d in ipairs(g.defs) do group.defs[i] = d end
-      end
+      local define = cayley.definer(m, group)
       for _, o in ipairs(g.outs) do
         local s = m.states.by_name[o.state]
-        if (s.kind == "position") == (kind == "position") and s.kind ~= "attitude" and s.kind ~= "rates" and
-          not zero[o.state] then
-          local define = cayley.definer(m, group)
-          local e = kind == "position" and calculus.substitute(o.expr, new) or o.expr
+        if (s.kind == "position") == last and s.kind ~= "attitude" and s.kind ~= "rates" and not zero[o.state] then
+          local e = equations.inline(groups, o.expr)
+          if last then e = calculus.substitute(e, new) end
           new[s.sym] = define(o.state .. "1", s.sym + h * e)
           finals[#finals + 1] = { state = o.state, expr = new[s.sym] }
-          if kind == "position" and list[#list] ~= group then list[#list + 1] = group end
         end
       end
+      if #group.defs > 0 then list[#list + 1] = group end
     end
   end
 end
@@ -64,9 +60,6 @@ function semi.groups(eq)
   local m, zero = eq.model, stages.conserved(eq)
   local list, finals = {}, {}
   carried(m, eq.groups, zero, list, finals)
-  for i = #list, 1, -1 do
-    if #list[i].defs == 0 then table.remove(list, i) end
-  end
   local last = { why = "the new state", defs = {}, outs = finals }
   if not m.has.rates then
     list[#list + 1] = last
@@ -119,7 +112,7 @@ function semi.groups(eq)
     local unit
     if m.frame then
       local turn, defs = moving.rate(m)
-      for _, d in ipairs(#eq.groups[1].defs == 0 and defs or {}) do last.defs[#last.defs + 1] = d end
+      turn = vec.map(turn, function(e) return equations.inline({ { defs = defs } }, e) end)
       local B = cayley.each(define, "B", vec.scale(hh, turn))
       p = vec.qmul({ expr.one, -B[1], -B[2], -B[3] }, p)
       last.why = "q1 = (1, -B) q (1, b)/|..|, B = (h/2) Omega"
