@@ -17,9 +17,9 @@
 -- Integration (2nd ed.), IV.8 and VII.5.  The torque's halves are derived above.
 --
 -- Newton from w = w0, the derivative of N through the attitude to leading order in h.  Without torque f, that is
--- I^-1 (I w x w), is quadratic, in principal axes f_i = c_i w_j w_k, |c_i| <= 1, so |f| <= |w|^2/sqrt(2), |f'| <= sqrt(2) |w|;
--- by Kantorovich's theorem it converges for h |w| <= 1/sqrt(2), whatever the body, and four iterations reach (1/9)^16 of
--- h |w|^2 for h |w| <= 0.35.
+-- I^-1 (I w x w), is quadratic: in principal axes f_i = c_i w_j w_k with |c_i| <= 1, so |f| <= |w|^2/sqrt(2) and
+-- |f'| <= sqrt(2) |w|.  By Kantorovich's theorem it converges for h |w| <= 1/sqrt(2), whatever the body; for h |w| <=
+-- 0.35 four iterations reach (1/9)^16 of h |w|^2.
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
