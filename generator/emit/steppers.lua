@@ -6,7 +6,7 @@ local template = require "generator.emit.template"
 local steppers = {}
 
 local fill = { taylor = require("generator.emit.taylor").fill, adaptive = require("generator.emit.adaptive").fill,
-  split = require("generator.emit.split").fill }
+  split = require("generator.emit.split").fill, midpoint = require("generator.emit.midpoint").fill }
 
 -- Fills stepper_header, stepper_source and steppers, the list for the program's own use: {name, step (C name), run}.
 function steppers.render(job, v, ctx)
