@@ -145,7 +145,7 @@ for i, row in ipairs(rows) do
     program.write(dir .. "/" .. name .. ".h", files[name .. ".h"])
     program.write(dir .. "/" .. name .. ".c", files[name .. ".c"])
     program.write(dir .. "/" .. name .. "_main.c", text)
-    script[#script + 1] = string.gsub("gcc -std=c99 -O1 -Wall -Wextra -Werror -ffp-contract=off -o NAME NAME.c " ..
+    script[#script + 1] = string.gsub("gcc -std=c99 -O0 -Wall -Wextra -Werror -ffp-contract=off -o NAME NAME.c " ..
       "NAME_main.c -lm && ./NAME > NAME.out", "NAME", name)
     jobs[#jobs + 1] = { job = job, what = row[1] .. ", " .. real, body = row[1], name = name, real = real,
       sizes = sizes }
