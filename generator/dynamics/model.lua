@@ -285,6 +285,7 @@ function model:variant(effects)
       v.states.by_name[s.name] = s
     end
   end
+  carry({ error = function() end }, v, {}) -- of what was accepted, so it is
   return v
 end
 
