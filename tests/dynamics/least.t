@@ -17,7 +17,7 @@
 --
 -- Satellite on its principal axes, circular orbit of rate n in the inertial x-y plane; o the vertical in body axes,
 -- K = 3 mu/r^3, and N1 = K (I3 - I2) o2 o3, so w1' = c1 (w2 w3 - K o2 o3), cyclic.
--- With p the attitude seen from the orbiting frame, p = (cos(n t/2) - k sin(n t/2)) q, 8 *, 4 +, the angle 1 *, 2 calls,
+-- With p the attitude seen from the orbit, p = (cos(n t/2) - k sin(n t/2)) q, 8 *, 4 +, the angle 1 *, 2 calls,
 -- o is the first row of R(p): o1 = 1 - 2 b, o2 = 2 a2, o3 = 2 a3 with b = py^2 + pz^2, a2 = px py - pw pz,
 -- a3 = px pz + pw py: 6 *, 3 +.  With A = 4 K a2 and B = 2 K - 4 K b, 2 *, 1 +, the products K o2 o3 = A a3,
 -- K o3 o1 = B a3, K o1 o2 = B a2 are 3 *; w2 w3 and c1 and the difference for each component 6 *, 3 +.
