@@ -47,11 +47,14 @@ local rows = {
   { "bracket on its corner", BRACKET, "effect.gravity {}, effect.damping { rate = 0.25 }", "origin = {0, 0, 0}" },
   { "box in a turning frame, thrown", BOX, 'effect.rotating_frame { rate = {0.25, 0, param("W", 0.5, "rad/s")} }, ' ..
     "effect.translation { gravity = {0, 0, -4}, drag = 0.5 }" },
+  { "box, drag, a turning field and a wheel", BOX, 'effect.drag { c = param("k", 0.25) }, effect.magnetic { moment =' ..
+    ' {1, 0, 0.5}, rotating = { param("B", 0.25), 0, 1 }, rate = 0.5 }, effect.wheel { axis = {0, 3, 4}, inertia = ' ..
+    'param("j", 0.125), torque = 0.5, included = false }' },
   { "point", BOX, 'effect.translation { drag = param("k", 0.5, nil) }', "initial = { position = {0, 0, 1} }" },
 }
 
 local places = { qw = "1/2", qx = "-1/2", qy = "1/2", qz = "1/2", wx = "3/4", wy = "-5/8", wz = "9/8", rx = "1/2",
-  ry = "-1", rz = "1/4", vx = "1/4", vy = "3/4", vz = "-1/2", ux = "1/4", uy = "1/2", uz = "3/4", t = "0" }
+  ry = "-1", rz = "1/4", vx = "1/4", vy = "3/4", vz = "-1/2", ux = "1/4", uy = "1/2", uz = "3/4", t = "0", wheel = "2" }
 
 -- f at a point and its central differences by `names`: a list of {name = difference}.
 local function differences(f, at, names)
