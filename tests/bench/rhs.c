@@ -1,9 +1,9 @@
-/* rhs.c - what one right-hand side costs: emitted for a scene with one effect, and by the general
- * library with every switch present and all but that one off. SPDX-License-Identifier:
- * GPL-3.0-or-later
+/* rhs.c - what one right-hand side costs: emitted, and by the general library.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The same states in turn, in one run; the least of REPEATS rounds each. The library evaluates in
- * long double, which is part of its price. The rates are compared too.
+ * The scene has one effect; the library has every switch and all but that one off. The same states
+ * in turn, in one run; the least of REPEATS rounds each. The library evaluates in long double,
+ * which is part of its price. The rates are compared too.
  */
 #include "heavy_top.h"
 #include "polhode.h"
