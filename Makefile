@@ -168,6 +168,9 @@ TOP_OBJ = $(BUILD)/bench/hand.o $(BUILD)/bench/tumbling_box.o $(BUILD)/bench/tum
 $(BUILD)/bench/top: tests/bench/top.c $(TOP_OBJ) $(LIBRARY)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -Itests/bench -I$(BUILD)/bench -o $@ $^ $(GSL_LIBS) -lm
 
+$(BUILD)/bench/rhs: tests/bench/rhs.c $(BUILD)/bench/heavy_top.o $(LIBRARY)
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -I$(BUILD)/bench -o $@ $^ $(GSL_LIBS) -lm
+
 $(BUILD)/bench/mesh: tests/bench/mesh.c tests/mesh_files.h $(LIBRARY)
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) -Isrc/runtime -Itests -o $@ $< $(LIBRARY) $(GSL_LIBS) -lmpfr -lgmp -lm
@@ -179,8 +182,9 @@ $(BUILD)/bench/gen: tests/bench/gen.c
 BODIES = $(sort $(wildcard bodies/*.lua))
 
 .PRECIOUS: $(BUILD)/bench/%.c
-bench: all $(BUILD)/bench/step $(BUILD)/bench/top $(BUILD)/bench/gen $(BUILD)/bench/mesh
+bench: all $(BUILD)/bench/step $(BUILD)/bench/rhs $(BUILD)/bench/top $(BUILD)/bench/gen $(BUILD)/bench/mesh
 	@$(BUILD)/bench/step
+	@$(BUILD)/bench/rhs
 	@$(BUILD)/bench/top
 	@$(BUILD)/bench/gen $(PROGRAM) $(BUILD)/bench/out $(BODIES)
 	@$(BUILD)/bench/mesh $(BUILD)/bench/mesh.stl

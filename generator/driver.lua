@@ -17,6 +17,7 @@ local breaks = require "generator.dynamics.breaks"
 local conserved = require "generator.dynamics.conserved"
 local symmetric = require "generator.dynamics.closed.symmetric"
 local quantities = require "generator.dynamics.quantities"
+local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
 local methods = require "generator.methods.list"
 local derivation = require "generator.report.derivation"
@@ -64,7 +65,7 @@ local function steppers(job, options)
 end
 
 -- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
--- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor)}
+-- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods
@@ -91,6 +92,11 @@ function driver.plan(job, options)
     if s.method.groups then put(quantities.step(m, eq, s.method, i == 1 and "step" or s.method.name .. "_step")) end
   end
   put(quantities.jacobian(eq))
+  if options.jacobians then
+    local more = sensitivity.list(job)
+    if not more then return nil end
+    for _, f in ipairs(more) do put(f) end
+  end
   put(quantities.rate())
   put(quantities.acceleration())
   if m.has.rates and m.structure.kind == "symmetric" and not equations.coordinate(m.structure.k) then

@@ -8,11 +8,12 @@ local options = require "generator.commands.options"
 
 local usage = [[
 usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method rk4,exact] [--set a=0.3 ...]
-                             [--show lower|power|fold|cse|dce|order]
+                             [--with jacobians] [--show lower|power|fold|cse|dce|order]
        polhode run     SCENE [--engine general|generated] [--method M] [--step H] [--tolerance E]
                              [--until T --every DT | --at T1,T2,...] [--format csv|json] [-o FILE]
                              [--real double|float] [--set a=0.3 ...]
        polhode explain SCENE [--format text|markdown|latex|json|urdf|mjcf|sdf] [--set a=0.3 ...]
+       polhode explain --diff A B [--format text|json]     the terms by which two scenes differ
        polhode check   SCENE... [--real double|float]
        (--set NAME=NUMBER: in the parameter's own unit)
        polhode chart   SCENE --over A=LOW:HIGH,B=LOW:HIGH [--axis x|y|z|0|1|2] [--dissipation] [-o FILE.svg]

@@ -4,16 +4,44 @@
 local options = require "generator.commands.options"
 local driver = require "generator.driver"
 local report = require "generator.report.explain"
+local difference = require "generator.report.difference"
 local inertial = require "generator.report.inertial"
 
 local explain = {}
 
-explain.options = { ["--format"] = { "text", "markdown", "latex", "json", "urdf", "mjcf", "sdf" }, ["--set"] = "pair" }
-explain.operands = { 1, 1 }
+explain.options = { ["--format"] = { "text", "markdown", "latex", "json", "urdf", "mjcf", "sdf" }, ["--set"] = "pair",
+  ["--diff"] = false }
+explain.operands = { 1, 2 }
 
 local xml = { urdf = true, mjcf = true, sdf = true } -- numbers for other programs, not an explanation
 
+-- Two scenes: by what the second differs from the first.
+local function compared(host, given)
+  local format, jobs = given.format or "text", {}
+  if #given < 2 then
+    host.err "polhode explain: --diff needs two scenes\n"
+    return 2
+  end
+  if format ~= "text" and format ~= "json" then
+    host.err("polhode explain: --diff: --format must be text or json, got " .. format .. "\n")
+    return 2
+  end
+  for i = 1, 2 do
+    local job, d, why = driver.read(host, given[i], given)
+    if not job then return options.refuse(host, given[i], d, why) end
+    options.warn(host, job.diag)
+    jobs[i] = driver.plan(job, { command = "" })
+  end
+  host.out(difference.text(jobs[1], jobs[2], format))
+  return 0
+end
+
 function explain.run(host, given)
+  if given.diff then return compared(host, given) end
+  if given[2] then
+    host.err("polhode explain: too many operands: " .. given[2] .. "\n")
+    return 2
+  end
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, given[1], d, why) end
   options.warn(host, job.diag)

@@ -9,7 +9,7 @@ local methods = require "generator.methods.list"
 local gen = {}
 
 gen.options = { ["-o"] = "text", ["--real"] = { "double", "float" }, ["--bake"] = false, ["--method"] = "words",
-  ["--order"] = "number",
+  ["--order"] = "number", ["--with"] = { "jacobians" },
   ["--set"] = "pair", ["--show"] = { "lower", "power", "fold", "cse", "dce", "order" } }
 gen.operands = { 1, 1 }
 
@@ -18,6 +18,7 @@ function gen.command(given)
   local parts = { "polhode gen", string.match(given[1], "[^/]*$") }
   if given.real == "float" then parts[#parts + 1] = "--real float" end
   if given.bake then parts[#parts + 1] = "--bake" end
+  if given.with then parts[#parts + 1] = "--with " .. given.with end
   if given.order then parts[#parts + 1] = string.format("--order %d", given.order) end
   if given.method then parts[#parts + 1] = "--method " .. table.concat(given.method, ",") end
   local names = {}
@@ -74,7 +75,8 @@ function gen.run(host, given)
     return options.refuse(host, given[1], d)
   end
   options.warn(host, job.diag)
-  if not driver.plan(job, { real = given.real, command = gen.command(given), methods = chosen, order = order }) then
+  if not driver.plan(job, { real = given.real, command = gen.command(given), methods = chosen, order = order,
+    jacobians = given.with == "jacobians" }) then
     return options.refuse(host, given[1], job.diag)
   end
   if given.show then

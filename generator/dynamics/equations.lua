@@ -17,6 +17,7 @@ local calculus = require "generator.algebra.calculus"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local context = require "generator.dynamics.context"
+local fold = require "generator.dynamics.fold"
 local moving = require "generator.dynamics.moving"
 local state = require "generator.dynamics.state"
 
@@ -82,7 +83,8 @@ equations.torque_of = torque_of
 local function torques(m)
   local total, groups = { expr.zero, expr.zero, expr.zero }, {}
   local need_L = false
-  local c = context.of(m)
+  local provisional, constant = fold.constants()
+  local c = context.of(m, constant)
   c.L = function()
     if m.carried ~= m.inertia then return vec.apply(equations.inertia(m), state.w) end
     need_L = true
@@ -96,7 +98,7 @@ local function torques(m)
       local n = N[i]
       if n ~= expr.zero and n.kind ~= "num" and n.kind ~= "sym" then
         local name = "N" .. axis_name[i] .. (#m.record.effects > 1 and "_" .. #groups + 1 or "")
-        while m.by_name[name] do name = name .. "_" end -- a constant of the effect may be called so
+        while fold.taken(m, provisional, name) do name = name .. "_" end -- a constant of the effect may be called so
         group.defs[#group.defs + 1] = { name = name, expr = n }
         n = expr.sym(name, 7)
       end
@@ -104,6 +106,7 @@ local function torques(m)
     end
     if #group.defs > 0 then groups[#groups + 1] = group end
   end
+  groups.provisional = provisional
   return total, groups, need_L
 end
 
@@ -118,18 +121,23 @@ end
 
 -- e in the parameters alone: derived constants replaced by what they stand for, so that k.(r x d) = 0 is seen for r
 -- along k.
-local function resolved(m, e)
+local function resolved(m, e, provisional)
   local map = {}
+  for sym, p in pairs(provisional) do map[sym] = p.e end -- into a table: order is lost anyway
   for _, member in ipairs(m.members) do map[member.sym] = member.e end
   return calculus.substitute(e, map)
 end
 
+local function over(m, groups, n, I, axis)
+  return fold.over(m, groups.provisional, groups, n, I, axis_name[axis], equations.inline)
+end
+
 local builders = {}
 
-function builders.sphere(m, N)
+function builders.sphere(m, N, groups)
   local alpha = m:constant("I1", m.carrier.alpha, "moment of inertia about any axis, kg m^2")
   return { why = "Euler: I w' = N, every axis is a principal one", defs = {},
-    outs = vec.map(N, function(n) return n / alpha end) }
+    outs = vec.map(N, function(n, i) return over(m, groups, n, alpha, i) end) }
 end
 
 -- (I_jj - I_kk)/I_ii in the body's parts; nil when it has none.
@@ -161,7 +169,7 @@ function builders.symmetric(m, N, groups, d)
   if plain[1] and plain[2] and plain[3] then return g end
   -- I^-1 N = N/alpha + (1/axial - 1/alpha) k (k.N)/k^2
   local along = vec.dot(k, N)
-  if s.rod and not ratio.iszero(resolved(m, equations.inline(groups, along))) then
+  if s.rod and not ratio.iszero(resolved(m, equations.inline(groups, along), groups.provisional)) then
     d:error(m.line, "body", "is a rod: no torque may act along its line, where it has no moment of inertia")
     return nil
   end
@@ -169,7 +177,7 @@ function builders.symmetric(m, N, groups, d)
   if axis then
     local I3 = s.rod and expr.one or m:constant("I3", s.axial, "moment of inertia about the symmetry axis, kg m^2")
     for i = 1, 3 do
-      if not (s.rod and i == axis) then g.outs[i] = g.outs[i] + N[i] / (i == axis and I3 or alpha) end
+      if not (s.rod and i == axis) then g.outs[i] = g.outs[i] + over(m, groups, N[i], i == axis and I3 or alpha, i) end
     end
     return g
   end
@@ -182,7 +190,7 @@ function builders.symmetric(m, N, groups, d)
   return g
 end
 
-function builders.diagonal(m, N)
+function builders.diagonal(m, N, groups)
   local I, w = m.carried, state.w
   local torque = #m.record.effects > 0 and " + N1" or ""
   local why = "Euler, principal axes: I1 w1' = (I2 - I3) w2 w3" .. torque .. ", and cyclic"
@@ -193,8 +201,8 @@ function builders.diagonal(m, N)
       quotient(m, j, k, i))
     g.outs[i] = c * w[j] * w[k]
     if N[i] ~= expr.zero then
-      g.outs[i] = g.outs[i] + N[i] / m:constant("I" .. vec.entry[i], I[i], "moment of inertia " .. vec.entry[i] ..
-        ", kg m^2")
+      g.outs[i] = g.outs[i] + over(m, groups, N[i], m:constant("I" .. vec.entry[i], I[i], "moment of inertia " ..
+        vec.entry[i] .. ", kg m^2"), i)
     end
   end
   return g
@@ -262,6 +270,8 @@ local function turning(d, m, list)
     for _ = 1, #L_defs do table.remove(euler.defs, 1) end
   end
   groups[#groups + 1] = euler
+  fold.settle(m, groups.provisional, groups)
+  if need_L and not fold.uses(groups, L_defs) then table.remove(groups, 1) end
   for _, g in ipairs(groups) do list[#list + 1] = g end
   return true
 end

@@ -264,4 +264,29 @@ function model.new(d, record, options)
   return m
 end
 
+-- The same body and states with these of its effects alone, and no derived constant yet: for what is compared.
+function model:variant(effects)
+  local v = setmetatable({}, model)
+  for k, x in pairs(self) do v[k] = x end -- into a table: order is lost anyway
+  v.members, v.by_expr, v.by_name, v.rounded, v.record, v.frame = {}, {}, {}, nil, {}, nil
+  for k, x in pairs(self.record) do v.record[k] = x end -- order is lost anyway
+  v.record.effects = effects
+  for _, p in ipairs(v.params) do v.by_name[p.name] = p end
+  for _, s in ipairs(v.parts and v.parts.list or {}) do v.by_name[s.name] = s end
+  local here = {}
+  for _, e in ipairs(effects) do
+    here[e] = true
+    if e == self.frame then v.frame = e end
+  end
+  v.states = { by_name = {} }
+  for _, s in ipairs(self.states) do
+    if not s.effect or here[s.effect] then
+      v.states[#v.states + 1] = s
+      v.states.by_name[s.name] = s
+    end
+  end
+  carry({ error = function() end }, v, {}) -- of what was accepted, so it is
+  return v
+end
+
 return model

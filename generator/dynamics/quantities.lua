@@ -186,9 +186,24 @@ function quantities.torque(m)
       outs("N", vec.add(vec.apply(I, dw), vec.cross(w, Lp)))) } }
 end
 
+-- The attitude's group with halves of the rates, which are three products where halves of the sums are four.
+local function halved(m, g)
+  local map, defs = {}, {}
+  for i, w in ipairs(state.w) do
+    local name = "h" .. w.name
+    while m.by_name[name] do name = name .. "_" end
+    defs[i] = { name = name, expr = w / 2 }
+    map[w] = 2 * expr.sym(name, 8)
+  end
+  return { why = g.why, where = g.where, defs = defs, outs = vec.map(g.outs, function(o)
+    return { state = o.state, expr = calculus.substitute(o.expr, map) }
+  end) }
+end
+
 function quantities.rhs(eq)
   local groups = {}
   for i, g in ipairs(eq.groups) do
+    if i == 1 and eq.model.has.attitude and #g.defs == 0 and g.outs[1].state == "qw" then g = halved(eq.model, g) end
     local list = vec.map(g.outs, function(o) return { array = "dx", state = o.state, expr = o.expr } end)
     groups[i] = { why = g.why, where = g.where, defs = g.defs, outs = list }
   end

@@ -208,4 +208,7 @@ function rk4.groups(eq, constant)
   return forced(eq, prepared), false
 end
 
+-- The same step without the division by h, for what is derived from it (dynamics/sensitivity.lua).
+function rk4.plain(eq) return forced(eq, stages.prepare(eq, true)) end
+
 return rk4

@@ -50,8 +50,8 @@ end
 
 -- All equations but the attitude's prepared for a method: {groups, factor = {by state}, zero = {by state}}.  Each rate
 -- is factor * what the groups give; the factor does not change during a step.  Only rates of turning have one, a
--- quotient of moments: in other sums what is common is a coincidence of their numbers.
-function stages.prepare(eq)
+-- quotient of moments: in other sums what is common is a coincidence of their numbers.  whole: take no factor out.
+function stages.prepare(eq, whole)
   local zero = stages.conserved(eq)
   local set = varying(eq, zero)
   local out = { groups = {}, factor = {}, zero = zero }
@@ -60,7 +60,7 @@ function stages.prepare(eq)
     for _, o in ipairs(g.outs) do
       if not attitude[o.state] then
         local c, rest = expr.one, o.expr
-        if quotient[o.state] then c, rest = split(o.expr, set) end
+        if quotient[o.state] and not whole then c, rest = split(o.expr, set) end
         out.factor[o.state] = c
         copy.outs[#copy.outs + 1] = { state = o.state, expr = rest }
       end

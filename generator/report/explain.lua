@@ -9,6 +9,7 @@ local text = require "generator.algebra.text"
 local vec = require "generator.algebra.vec"
 local init = require "generator.emit.init"
 local source = require "generator.emit.source"
+local attribution = require "generator.report.attribution"
 local facts = require "generator.report.facts"
 local json = require "generator.report.json"
 local linearised = require "generator.report.linearised"
@@ -209,6 +210,7 @@ local function document(f)
       c.call)
   end
   section("Operations of the emitted functions", costs)
+  section("Operations of the right-hand side, by what calls for them", attribution.lines(attribution.of(f.job)))
   local warnings = {}
   for i, w in ipairs(f.warnings) do warnings[i] = w.text end
   if #warnings > 0 then section("Warnings", warnings) end
@@ -327,6 +329,7 @@ function writers.json(f)
     { "principal", object { { "moments", f.moments }, { "axes", f.axes } } }, { "symmetry", f.symmetry },
     { "closed_form", closed }, { "stability", stability },
     { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
+    { "rhs", attribution.json(attribution.of(f.job), object) },
     { "warnings", warnings } })
 end
 

@@ -299,10 +299,13 @@ void brick_rhs(const brick_model *m, brick_real t, const brick_real x[], const b
   const brick_real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
 
   /* attitude: q' = q (0, w)/2 */
-  dx[BRICK_QW] = -0.5*(qx*wx + qy*wy + qz*wz);
-  dx[BRICK_QX] = 0.5*(qw*wx + qy*wz - qz*wy);
-  dx[BRICK_QY] = 0.5*(qw*wy - qx*wz + qz*wx);
-  dx[BRICK_QZ] = 0.5*(qw*wz + qx*wy - qy*wx);
+  const brick_real hwx = 0.5*wx;
+  const brick_real hwy = 0.5*wy;
+  const brick_real hwz = 0.5*wz;
+  dx[BRICK_QW] = -(hwx*qx + hwy*qy + hwz*qz);
+  dx[BRICK_QX] = hwx*qw - hwy*qz + hwz*qy;
+  dx[BRICK_QY] = hwx*qz + hwy*qw - hwz*qx;
+  dx[BRICK_QZ] = hwy*qx - hwx*qy + hwz*qw;
 
   /* Euler: L = I w, n = L x w, w' = I^-1 n [brick.lua:6] */
   const brick_real Lx = Ixx*wx + Ixy*wy + Ixz*wz;

@@ -13,7 +13,7 @@
  *     Iyz = -M*b*c/4
  * No effects: torque-free motion about the origin.
  * Method: rk4; closed form: free asymmetric top, theta functions.
- * Operations of rhs: 23 additions, 40 multiplications.
+ * Operations of rhs: 23 additions, 39 multiplications.
  * Operations of step: 135 additions, 179 multiplications, 1 division.
  */
 #ifndef POLHODE_BRICK_HEADER

@@ -1,0 +1,156 @@
+-- sensitivity.lua -- derivatives that are emitted on request (gen --with jacobians), as function descriptions.
+--
+--     jacobian_u          df/du of the equations of motion x' = f(t, x, u; p)
+--     jacobian_p          df/dp: f depends on the parameters by way of the derived constants c(p) alone, so it is the
+--                         sum of df/dc dc/dp; the dc/dp are derived constants themselves, computed by NAME_init
+--     initial_p           dx(0)/dp, so that S' = (df/dx) S + df/dp can be integrated from the start
+--     STEP_transition     d x(t + h)/d x(t) of a step: every named quantity of the step is followed by its derivatives
+--                         (the tangent of the discrete map itself, exact for any h, not a solution of S' = J S)
+-- ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local equations = require "generator.dynamics.equations"
+
+local sensitivity = {}
+
+local function array(name, count) return { name = name, count = count, out = true } end
+
+-- A matrix of rows by states; entry(e, k, state) is the derivative of that state's rate e.
+local function of_rates(eq, name, columns, entry)
+  local m, groups, row = eq.model, {}, {}
+  for i, s in ipairs(m.states) do
+    row[s.name] = i
+    groups[i] = { why = "derivatives of d" .. s.name .. "/dt", defs = {}, outs = {} }
+  end
+  for _, eg in ipairs(eq.groups) do
+    for _, o in ipairs(eg.outs) do
+      local e, i = equations.inline(eq.groups, o.expr), row[o.state]
+      for k = 1, columns do
+        groups[i].outs[k] = { array = name, index = (i - 1) * columns + k - 1, expr = entry(e, k) }
+      end
+    end
+  end
+  return groups
+end
+
+-- inputs: the list of {name, sym} in the order of u.
+function sensitivity.by_input(eq, inputs)
+  if not eq.inputs then return nil end
+  local n = #inputs
+  return { name = "jacobian_u", args = { "m", "t", "x", "u", array("J", #eq.model.states * n) },
+    doc = { "Derivative of the equations of motion by the input, row major, NX x NU:",
+      "J[i*NU + k] = d(dx[i])/d(u[k])." },
+    groups = of_rates(eq, "J", n, function(e, k) return calculus.diff(e, inputs[k].sym) end) }
+end
+
+-- The derivative of the derived constants by the parameter p: known[symbol] for calculus.diff, made when asked for.
+local function by_parameter(m, p)
+  return setmetatable({}, { __index = function(known, sym)
+    local member = m.by_name[sym.name]
+    local d = expr.zero
+    if member and member.sym == sym and member.e then
+      d = m:constant("d" .. member.name .. "_d" .. p.name, calculus.diff(member.e, p.sym), "d " .. member.name ..
+        "/d " .. p.name, m.parts ~= nil)
+    end
+    known[sym] = d
+    return d
+  end })
+end
+
+function sensitivity.by_parameters(eq)
+  local m, known = eq.model, {}
+  local n = #m.params
+  if n == 0 then return nil end
+  for k, p in ipairs(m.params) do known[k] = by_parameter(m, p) end
+  local rates = of_rates(eq, "J", n, function(e, k) return calculus.diff(e, m.params[k].sym, known[k]) end)
+  local start = {}
+  for i, s in ipairs(m.states) do
+    start[i] = { why = "derivatives of the initial " .. s.name, defs = {}, outs = {} }
+    for k, p in ipairs(m.params) do
+      local d = m:constant("d" .. s.name .. "0_d" .. p.name, calculus.diff(s.initial, p.sym), "d " .. s.name ..
+        "(0)/d " .. p.name)
+      start[i].outs[k] = { array = "S", index = (i - 1) * n + k - 1, expr = d }
+    end
+  end
+  return { name = "jacobian_p", args = { "m", "t", "x", "u", array("J", #m.states * n) },
+    doc = { "Derivative of the equations of motion by the parameters, row major, NX x NP:",
+      "J[i*NP + k] = d(dx[i])/d(p[k])." }, groups = rates },
+    { name = "initial_p", args = { "m", array("S", #m.states * n) },
+      doc = { "Derivative of the initial state by the parameters, row major, NX x NP: where the sensitivities",
+        "S' = (df/dx) S + df/dp start." }, groups = start }
+end
+
+-- Symbols of a definition's name, whatever their rank.
+local function symbols(name)
+  local list = {}
+  for rank = 6, 9 do list[#list + 1] = expr.sym(name, rank) end
+  return list
+end
+
+-- The transition matrix of a step that is written as groups {defs, outs}, as the function `name`.
+function sensitivity.transition(eq, steps, name)
+  local m, groups, known, taken = eq.model, {}, {}, {}
+  local n = #m.states
+  for k = 1, n do known[k] = {} end
+  for _, g in ipairs(steps) do
+    for _, d in ipairs(g.defs) do taken[d.name] = true end
+  end
+  local final = {}
+  for i, g in ipairs(steps) do
+    local defs = {}
+    for _, d in ipairs(g.defs) do
+      defs[#defs + 1] = d
+      for k, s in ipairs(m.states) do
+        local e = calculus.diff(d.expr, s.sym, known[k])
+        if e.kind ~= "num" and e.kind ~= "sym" then
+          local own = d.name .. "_" .. s.name
+          while taken[own] do own = own .. "_" end
+          taken[own] = true
+          defs[#defs + 1] = { name = own, expr = e }
+          e = expr.sym(own, 9)
+        end
+        for _, sym in ipairs(symbols(d.name)) do known[k][sym] = e end
+      end
+    end
+    for _, o in ipairs(g.outs) do final[o.state] = o.expr end
+    groups[i] = { why = g.why .. "; and its derivatives", where = g.where, defs = defs, outs = {} }
+  end
+  for i, s in ipairs(m.states) do
+    local g = { why = "derivatives of " .. s.name .. " at t + h", defs = {}, outs = {} }
+    for k, by in ipairs(m.states) do
+      g.outs[k] = { array = "F", index = (i - 1) * n + k - 1,
+        expr = calculus.diff(final[s.name] or s.sym, by.sym, known[k]) }
+    end
+    groups[#groups + 1] = g
+  end
+  return { name = name .. "_transition", args = { "m", "t", "x", "u", "h", array("F", n * n) },
+    doc = { "The transition matrix of " .. eq.model.name .. "_" .. name .. ", row major, NX x NX:",
+      "F[i*NX + k] = d x[i](t + h)/d x[k](t), exact for the step as it is computed (what keeps |q| = 1 included)." },
+    groups = groups }
+end
+
+-- All of them for a job {equations, model, input_states, steppers, diag, record}; nil after an error: a derivative that
+-- does not exist at the parameters' own values (|p| at p = 0) would be no constant.
+function sensitivity.list(job)
+  local eq, list = job.equations, {}
+  list[1] = sensitivity.by_input(eq, job.input_states)
+  for _, f in ipairs { sensitivity.by_parameters(eq) } do list[#list + 1] = f end
+  for i, s in ipairs(job.steppers) do
+    local groups = s.method.plain or s.method.groups
+    if groups then
+      local steps = groups(eq, function(e, words) return eq.model:derived(e, words) end)
+      list[#list + 1] = sensitivity.transition(eq, steps, i == 1 and "step" or s.method.name .. "_step")
+    end
+  end
+  for _, member in ipairs(eq.model.members) do
+    if not pcall(eq.model.number, eq.model, member.e) then
+      job.diag:error(job.record.line, "jacobians", member.about .. " must exist at the parameters' own values")
+      return nil
+    end
+  end
+  return list
+end
+
+return sensitivity

@@ -1,0 +1,164 @@
+#!/usr/bin/env lua5.4
+-- absent.t - an effect that is absent leaves no trace, and one of zero strength is absent.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- For every effect in effects/list.lua (an effect without a row here fails):
+--   * the files of a scene with it at constant zero strength are those of the scene without it, byte for byte, alone
+--     and beside the two next effects of the list at full strength;
+--   * no state, parameter, input or derived constant that it would bring stands in the header, in the code or among the
+--     symbols of the object of the scene without it.
+-- What has no zero strength (an input, a motion through space) says why, and only the second is asked.
+
+package.path = "./?.lua;" .. package.path
+package.cpath = "build/lua/?.so;" .. package.cpath
+
+local tap = require "tests.tap"
+local scene = require "tests.scene"
+local program = require "tests.cli.program"
+local effects = require "generator.effects.list"
+
+-- full: with its strength; zero: with none; absent: what zero is the same as, if not nothing; why: it has no zero.
+-- place: "corner", the body must turn about its corner; "centroid", about its centroid; "moves": it flies.
+local rows = {
+  gravity = { full = "effect.gravity { g = strength }", zero = "effect.gravity { g = 0 }", place = "corner" },
+  damping = { full = "effect.damping { c = {{strength, 1, 0}, {1, 2, 0}, {0, 0, 3}} }",
+    zero = "effect.damping { c = 0 }" },
+  torque = { full = "effect.torque { inertial = {strength, 2, 3} }", zero = "effect.torque { inertial = {0, 0, 0} }" },
+  control = { full = "effect.control {}", why = "its input is the user's" },
+  rotor = { full = "effect.rotor { axis = {0, 0, 1}, momentum = strength }",
+    zero = "effect.rotor { axis = {0, 0, 1}, momentum = 0 }" },
+  translation = { full = "effect.translation { gravity = {0, strength, -9}, drag = strength }", place = "moves",
+    zero = "effect.translation { gravity = {0, 0, 0}, drag = 0, linear = 0, stiffness = 0 }",
+    absent = "effect.translation { gravity = 0 }" },
+  rotating_frame = { full = "effect.rotating_frame { rate = {0, strength, 1} }", place = "moves",
+    zero = "effect.rotating_frame { rate = {0, 0, 0} }" },
+  drag = { full = "effect.drag { c = strength }", zero = "effect.drag { c = 0 }" },
+  friction = { full = "effect.friction { torque = strength, smoothing = 1 }",
+    zero = "effect.friction { torque = 0, smoothing = 1 }" },
+  spring = { full = "effect.spring { stiffness = strength, axis = {0, 3, 4}, rest = 1 }",
+    zero = "effect.spring { stiffness = 0, axis = {0, 3, 4}, rest = 1 }" },
+  gravity_gradient = { full = "effect.gravity_gradient { mu = strength, orbit = { radius = 7 } }", place = "centroid",
+    zero = "effect.gravity_gradient { mu = 0, orbit = { a = 7, e = 1/2 } }" },
+  magnetic = { full = "effect.magnetic { moment = {strength, 0, 1}, rotating = {1, 0, 2}, rate = 3 }",
+    zero = "effect.magnetic { moment = {0, 0, 0}, rotating = {1, 0, 2}, rate = 3 }" },
+  solar_pressure = { full = "effect.solar_pressure { sun = {1, 2, 3}, plates = { { area = strength, " ..
+    "normal = {0, 3, 4}, centre = {0, 1, 0}, reflectivity = 1/2 } } }",
+    zero = "effect.solar_pressure { sun = {1, 2, 3}, flux = 0, plates = { { area = 1, normal = {0, 3, 4}, " ..
+      "centre = {0, 1, 0} } } }" },
+  wheel = { full = "effect.wheel { axis = {0, 3, 4}, inertia = strength, torque = 1, included = false }",
+    why = "its speed is a state" },
+  dissipation = { full = "effect.dissipation { k = strength }", zero = "effect.dissipation { k = 0 }" },
+  inertia_rate = { full = "effect.inertia_rate { xx = quantity(2, \"kg m^2\")*(2 + cos(quantity(2, \"rad/s\")*t)) }",
+    zero = "effect.inertia_rate { xx = 0 }" },
+  pivot = { full = "effect.pivot { amplitude = strength, rate = 20 }", place = "corner",
+    zero = "effect.pivot { amplitude = 0, rate = 20 }" },
+  custom = { full = "effect.custom { params = { rub = strength }, torque = function(s) return " ..
+    "{ -s.rub*s.w[1], 0, 0 } end }",
+    zero = "effect.custom { torque = function(s) return { 0*s.w[1], 0, 0 } end }" },
+}
+
+local BOX = "solid.box { x = 2, y = 3, z = 5, mass = 7 }"
+
+-- The planned job and the files of a scene with the effects; their strength is a parameter where it is used.
+local function emitted(list, place)
+  local text = table.concat(list, ", ")
+  local strength = string.find(text, "strength", 1, true) and 'local strength = param("strength", 1.5)' or ""
+  local job, why = scene.read(strength .. "\nlocal r = scene {\n  name = \"b\",\n  body = " .. BOX ..
+    ",\n  effects = {" .. text .. "}, initial = { omega = {1, 2, 3} },\n  " ..
+    (place == "corner" and 'origin = "corner"' or "") .. " }\nreturn r\n")
+  if not job then return nil, nil, why end
+  scene.plan(job)
+  return scene.files(job, true), job
+end
+
+local function same(a, b, what)
+  local different = {}
+  for _, name in ipairs(b) do
+    if a[name] ~= b[name] then different[#different + 1] = name end
+  end
+  tap.ok(#a == #b and #different == 0, what .. ": the same bytes", "different: " .. table.concat(different, " "))
+end
+
+-- ---- zero strength ----
+
+local names = {}
+for i, e in ipairs(effects) do names[i] = string.gsub(e.name, "^effect%.", "") end
+
+for i, name in ipairs(names) do
+  local row = rows[name]
+  if tap.ok(row ~= nil, name .. ": has a row in this test") and row.zero then
+    local zero, _, why = emitted({ row.zero }, row.place)
+    if tap.ok(zero ~= nil, name .. ": a scene with it at zero strength", why) then
+      same(zero, emitted({ row.absent }, row.place), name .. " at zero strength")
+    end
+    local beside = 0
+    for k = 1, #names - 1 do
+      local other = rows[names[(i + k - 1) % #names + 1]]
+      if beside < 2 and other and not (row.place and other.place and row.place ~= other.place) and
+        not (row.place == "moves" and other.place == "moves") then
+        beside = beside + 1
+        local place = row.place or other.place
+        local with
+        with, _, why = emitted({ row.zero, other.full }, place)
+        if tap.ok(with ~= nil, name .. " at zero strength beside another effect is a scene", why) then
+          same(with, emitted(row.absent and { row.absent, other.full } or { other.full }, place), name ..
+            " at zero strength beside " .. other.full)
+        end
+      end
+    end
+  end
+end
+
+-- ---- no names ----
+
+local dir = program.directory()
+local plain, nothing = emitted({}, "corner")
+program.write(dir .. "/b.h", plain["b.h"])
+program.write(dir .. "/b.c", plain["b.c"])
+tap.is(program.shell("cd " .. dir .. " && gcc -std=c99 -c b.c && nm b.o > symbols"), 0,
+  "the code without effects compiles")
+local symbols = program.read(dir .. "/symbols")
+program.finish()
+
+-- What a job names: states, parameters, inputs, derived constants.
+local function words(job)
+  local list = {}
+  for _, group in ipairs { job.states, job.model.params, job.equations.inputs and job.input_states or {},
+    job.model.members } do
+    for _, x in ipairs(group) do list[#list + 1] = x.name end
+  end
+  return list
+end
+
+local own = {}
+for _, w in ipairs(words(nothing)) do own[w] = true end
+
+for i, name in ipairs(names) do
+  local row = rows[name]
+  if row then
+    local files, job, why = emitted({ row.full }, row.place)
+    if tap.ok(files ~= nil, name .. ": a scene with it", why) then
+      local missing, found = {}, {}
+      for _, w in ipairs(words(job)) do
+        if not own[w] then
+          local here, there = false, string.find(symbols, "%f[%w]" .. w .. "%f[%W]") ~= nil
+          for k, part in ipairs { " B_" .. string.upper(w) .. ",", "_real " .. w .. ";", "m->" .. w } do
+            local file = k < 3 and "b.h" or "b.c"
+            here = here or string.find(files[file], part, 1, true) ~= nil
+            there = there or string.find(plain[file], part, 1, true) ~= nil
+          end
+          if there then found[#found + 1] = w end
+          if not here then missing[#missing + 1] = w end
+        end
+      end
+      tap.ok(#missing == 0, name .. ": what it brings is found where it is there", table.concat(missing, " "))
+      tap.ok(#found == 0, name .. ": nothing of it in the scene without effects", table.concat(found, " "))
+      tap.ok(not string.find(plain["b.h"], name .. ":", 1, true) and
+        not string.find(plain["b.c"], name .. ":", 1, true),
+        name .. ": no group has its name")
+    end
+  end
+  tap.ok(i > 0 and (row == nil or row.zero ~= nil or row.why ~= nil), name .. ": has a zero strength, or says why not")
+end
+
+tap.done()
