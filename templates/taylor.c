@@ -32,8 +32,9 @@ ${upper}_APART void ${name}_products${level.number}(int n, const ${name}_real a[
 
 %%   end
 %% end
-void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[],
-                  ${name}_real c[][${upper}_MOVING])
+/* the coefficients up to c[top] */
+static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], int top,
+                   ${name}_real c[][${upper}_MOVING])
 {
 %% if taylor_has_lanes then
   ${name}_real a[${upper}_ORDER + 1][${taylor_lanes}], b[${upper}_ORDER + 1][${taylor_lanes}], p[${taylor_lanes}];
@@ -42,7 +43,7 @@ void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}
 %% for _, line in ipairs(taylor_outer) do
   ${line}
 %% end
-  int n, l;
+  int n;
 
 %% for _, line in ipairs(taylor_voids) do
   ${line}
@@ -50,7 +51,9 @@ void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}
 %% for _, line in ipairs(taylor_start) do
   ${line}
 %% end
-  for (l = 0; l < ${upper}_MOVING; l++) c[0][l] = y[l];
+%% for _, s in ipairs(taylor_states) do
+  c[0][${s.index}] = y[${s.index}];
+%% end
 %% for _, level in ipairs(taylor_levels) do
 %%   for _, lane in ipairs(level.lanes) do
   a[0][${lane.index}] = ${lane.first};
@@ -62,9 +65,11 @@ void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}
     ${line}
 %% end
   }
-  for (l = 0; l < ${upper}_MOVING; l++) c[1][l] = y[l];
+%% for _, s in ipairs(taylor_states) do
+  c[1][${s.index}] = y[${s.index}];
+%% end
 
-  for (n = 1; n < ${upper}_ORDER; n++) {
+  for (n = 1; n < top; n++) {
     const ${name}_real after = ${one}/(${name}_real)(n + 1);
 %% if taylor_order then
     const ${name}_real order = (${name}_real)n;
@@ -97,8 +102,16 @@ void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}
 %% for _, line in ipairs(taylor_after) do
     ${line}
 %% end
-    for (l = 0; l < ${upper}_MOVING; l++) c[n + 1][l] = y[l];
+%% for _, s in ipairs(taylor_states) do
+    c[n + 1][${s.index}] = y[${s.index}];
+%% end
   }
+}
+
+void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[],
+                  ${name}_real c[][${upper}_MOVING])
+{
+  ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c);
 }
 
 %% if taylor_axis then
@@ -127,16 +140,44 @@ static void ${name}_taylor_back(${name}_real c[][${upper}_MOVING], ${name}_real 
 }
 
 %% end
+%% if taylor_shift then
+/* The series give q in a frame that turns in space with g = L/I2, constant; q itself is exp(g s/2) times that.  What c[0] + d
+ * moves by: the exponential less 1 is (cos - 1, sin g/|g|). */
+static void ${name}_taylor_back(const ${name}_model *m, const ${name}_real x[], ${name}_real c[][${upper}_MOVING], ${name}_real s, ${name}_real d[${upper}_MOVING])
+{
+%% for _, line in ipairs(taylor_frame.loads) do
+  ${line}
+%% end
+%% for _, line in ipairs(taylor_frame.lines) do
+  ${line}
+%% end
+  const ${name}_real *q = c[0];
+  /* q g, then times the conjugate of q: g in space */
+  const ${name}_real aw = -q[1]*gx - q[2]*gy - q[3]*gz, ax = q[0]*gx + q[2]*gz - q[3]*gy;
+  const ${name}_real ay = q[0]*gy - q[1]*gz + q[3]*gx, az = q[0]*gz + q[1]*gy - q[2]*gx;
+  const ${name}_real hx = ax*q[0] - aw*q[1] - ay*q[3] + az*q[2], hy = ay*q[0] - aw*q[2] + ax*q[3] - az*q[1];
+  const ${name}_real hz = az*q[0] - aw*q[3] - ax*q[2] + ay*q[1];
+  const ${name}_real size = ${sqrt}(gx*gx + gy*gy + gz*gz), angle = ${quarter}*s*size; /* a quarter of the turn */
+  const ${name}_real S = ${sin}(angle), C = ${cos}(angle), D = -${two}*S*S, k = size > ${zero} ? ${two}*S*C/size : ${zero};
+  const ${name}_real w = q[0] + d[0], i = q[1] + d[1], j = q[2] + d[2], l = q[3] + d[3];
+
+  d[0] += D*w - k*(hx*i + hy*j + hz*l);
+  d[1] += D*i + k*(hx*w + hy*l - hz*j);
+  d[2] += D*j + k*(hy*w + hz*i - hx*l);
+  d[3] += D*l + k*(hz*w + hx*j - hy*i);
+}
+
+%% end
 /* what the states move by in the time s: s (c[1] + s (c[2] + ...)) */
-static void ${name}_taylor_move(const ${name}_model *m, ${name}_real c[][${upper}_MOVING], ${name}_real s, const ${name}_real x[],
+static void ${name}_taylor_move(const ${name}_model *m, ${name}_real c[][${upper}_MOVING], int top, ${name}_real s, const ${name}_real x[],
                        ${name}_real d[${upper}_MOVING])
 {
 %% for _, s in ipairs(taylor_states) do
-  ${name}_real s${s.index} = c[${upper}_ORDER][${s.index}];
+  ${name}_real s${s.index} = c[top][${s.index}];
 %% end
   int n;
 
-  for (n = ${upper}_ORDER - 1; n > 0; n--) {
+  for (n = top - 1; n > 0; n--) {
 %% for _, s in ipairs(taylor_states) do
     s${s.index} = c[n][${s.index}] + s*s${s.index};
 %% end
@@ -147,8 +188,12 @@ static void ${name}_taylor_move(const ${name}_model *m, ${name}_real c[][${upper
 %% if taylor_axis then
   ${name}_taylor_back(c, ${name}_taylor_spin(m, x)*s, d);
 %% else
+%%   if taylor_shift then
+  ${name}_taylor_back(m, x, c, s, d);
+%%   else
   (void)m;
   (void)x;
+%%   end
 %% end
 }
 
@@ -156,14 +201,14 @@ void ${name}_taylor_at(const ${name}_model *m, ${name}_real c[][${upper}_MOVING]
 {
   ${name}_real d[${upper}_MOVING];
 
-  ${name}_taylor_move(m, c, s, x, d);
+  ${name}_taylor_move(m, c, ${upper}_ORDER, s, x, d);
 %% for _, s in ipairs(taylor_states) do
   x[${s.name}] = c[0][${s.index}] + d[${s.index}];
 %% end
 }
 
 /* The move over the step h; one Newton step for 1/|q| from the q that comes in, so that |q| cannot drift. */
-static void ${name}_taylor_step_by(const ${name}_model *m, ${name}_real c[][${upper}_MOVING], ${name}_real h, const ${name}_real x[],
+static void ${name}_taylor_step_by(const ${name}_model *m, ${name}_real c[][${upper}_MOVING], int top, ${name}_real h, const ${name}_real x[],
                           ${name}_real d[${upper}_MOVING])
 {
 %% if taylor_attitude then
@@ -171,7 +216,7 @@ static void ${name}_taylor_step_by(const ${name}_model *m, ${name}_real c[][${up
   int i;
 
 %% end
-  ${name}_taylor_move(m, c, h, x, d);
+  ${name}_taylor_move(m, c, top, h, x, d);
 %% if taylor_attitude then
   for (i = 0; i < 4; i++) d[i] += n*(c[0][i] + d[i]);
 %% end
@@ -182,60 +227,63 @@ void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[
   ${name}_real c[${upper}_ORDER + 1][${upper}_MOVING], d[${upper}_MOVING];
 
   ${name}_taylor_series(m, t, x, u, c);
-  ${name}_taylor_step_by(m, c, h, x, d);
+  ${name}_taylor_step_by(m, c, ${upper}_ORDER, h, x, d);
 %% for _, s in ipairs(taylor_states) do
   x[${s.name}] += d[${s.index}];
 %% end
 }
 
-/* log2 |x| to 0.09, as cheap as the step's size needs it; very small for 0 */
-static ${name}_real ${name}_size(${name}_real x)
-{
-  int e;
-  const ${name}_real f = ${frexp}(${fabs}(x), &e);
+/* An IEEE 754 number's bits, read as an integer, are its logarithm but for a straight line between powers of two: log2 |x|
+ * to 0.09, and the inverse function. */
+typedef union ${name}_bits {
+  ${name}_real x;
+  ${taylor_int} n;
+} ${name}_bits;
 
-  return f > ${zero} ? (${name}_real)(e - 2) + ${two}*f : -${eight}*${eight}*${eight}*${eight};
+static ${name}_real ${name}_log2(${name}_real x)
+{
+  ${name}_bits b;
+
+  b.x = ${fabs}(x);
+  return (${name}_real)b.n*${taylor_bit} - ${taylor_bias};
+}
+
+static ${name}_real ${name}_exp2(${name}_real x) /* x within the range of exponents */
+{
+  ${name}_bits b;
+
+  b.n = (${taylor_int})((x + ${taylor_bias})*${taylor_scale});
+  return b.x;
 }
 
 /* The largest step at which the last two terms are below the tolerance times the first ones of their kind of state:
  * |c[n]| h^n <= tolerance |c[i]| h^i for some i < 3. */
-static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_MOVING], ${name}_real tolerance)
+static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_MOVING], int top, ${name}_real tolerance)
 {
-  static const struct {
-    int first, last; /* states of one kind */
-  } kind[] = {
-%% for _, k in ipairs(taylor_kinds) do
-    {${k.first}, ${k.last}}, /* ${k.about} */
-%% end
-  };
-  const ${name}_real log_tolerance = ${name}_size(tolerance);
-  ${name}_real log_h = ${eight}*${eight};
-  unsigned int g;
+  const ${name}_real log_tolerance = ${name}_log2(tolerance);
+  ${name}_real log_h = ${eight}*${eight}, head[3], tail[2], at, best;
   int i, k, n;
 
-  for (g = 0; g < sizeof kind/sizeof kind[0]; g++) {
-    ${name}_real head[3], tail;
-
-    for (i = 0; i < 3; i++) {
-      head[i] = ${zero};
-      for (k = kind[g].first; k < kind[g].last; k++) head[i] = ${fabs}(c[i][k]) > head[i] ? ${fabs}(c[i][k]) : head[i];
-      head[i] = ${name}_size(head[i]);
-    }
-    for (n = ${upper}_ORDER - 1; n <= ${upper}_ORDER; n++) {
-      ${name}_real best = -${eight}*${eight};
-
-      tail = ${zero};
-      for (k = kind[g].first; k < kind[g].last; k++) tail = ${fabs}(c[n][k]) > tail ? ${fabs}(c[n][k]) : tail;
-      tail = ${name}_size(tail);
-      for (i = 0; i < 3 && i < n; i++) {
-        const ${name}_real at = (log_tolerance + head[i] - tail)/(${name}_real)(n - i);
-
-        best = at > best ? at : best;
-      }
-      log_h = best < log_h ? best : log_h;
-    }
+%% for _, k in ipairs(taylor_kinds) do
+  /* ${k.about} */
+  for (i = 0; i < 3; i++) {
+    head[i] = ${zero};
+    for (k = ${k.first}; k < ${k.last}; k++) head[i] = ${fabs}(c[i][k]) > head[i] ? ${fabs}(c[i][k]) : head[i];
+    head[i] = ${name}_log2(head[i]);
   }
-  return ${exp}(log_h*${log2_high});
+  for (n = 0; n < 2; n++) {
+    tail[n] = ${zero};
+    for (k = ${k.first}; k < ${k.last}; k++) tail[n] = ${fabs}(c[top - n][k]) > tail[n] ? ${fabs}(c[top - n][k]) : tail[n];
+    tail[n] = log_tolerance - ${name}_log2(tail[n]);
+    best = (tail[n] + head[0])/(${name}_real)(top - n);
+    for (i = 1; i < 3; i++) {
+      at = (tail[n] + head[i])/(${name}_real)(top - n - i);
+      best = at > best ? at : best;
+    }
+    log_h = best < log_h ? best : log_h;
+  }
+%% end
+  return ${name}_exp2(log_h > -${eight}*${eight} ? log_h : -${eight}*${eight});
 }
 
 static ${name}_real ${name}_taylor_limit(${name}_real size, ${name}_real h)
@@ -243,13 +291,22 @@ static ${name}_real ${name}_taylor_limit(${name}_real size, ${name}_real h)
   return size < ${fabs}(h) ? h < ${zero} ? -size : size : h;
 }
 
+/* The order for a tolerance: -log(tolerance)/2 + 1 makes the fewest products (Jorba, Zou 2005, section 3.1); what a step
+ * costs beside them asks for a few more. */
+static int ${name}_taylor_top(${name}_real tolerance)
+{
+  const ${name}_real top = ${taylor_least} - ${taylor_slope}*${name}_log2(tolerance);
+
+  return top < ${upper}_ORDER ? top > ${four} ? (int)top : 4 : ${upper}_ORDER;
+}
+
 ${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real tolerance)
 {
   ${name}_real c[${upper}_ORDER + 1][${upper}_MOVING], d[${upper}_MOVING];
 
   ${name}_taylor_series(m, t, x, u, c);
-  h = ${name}_taylor_limit(${name}_taylor_size(c, tolerance), h);
-  ${name}_taylor_step_by(m, c, h, x, d);
+  h = ${name}_taylor_limit(${name}_taylor_size(c, ${upper}_ORDER, tolerance), h);
+  ${name}_taylor_step_by(m, c, ${upper}_ORDER, h, x, d);
 %% for _, s in ipairs(taylor_states) do
   x[${s.name}] += d[${s.index}];
 %% end
@@ -263,19 +320,23 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
     ${s.name},
 %% end
   };
+  const ${name}_real way = t1 - t0, finest = ${taylor_finest};
+  const int top = ${name}_taylor_top(tolerance);
   ${name}_real c[${upper}_ORDER + 1][${upper}_MOVING], d[${upper}_MOVING], lost[${upper}_MOVING + 1] = {${zero}};
-  ${name}_real t = t0;
+  ${name}_real t = t0, part = ${one};
   int steps, k;
 
   for (steps = 0; steps < most; steps++) {
     const ${name}_real left = (t1 - t) - lost[${upper}_MOVING];
-    ${name}_real h, next_t;
+    ${name}_real h, next_t, share = part*tolerance;
 
     if (!(left > ${zero} || left < ${zero})) return steps;
-    ${name}_taylor_series(m, t, x, u, c);
-    h = ${name}_taylor_limit(${name}_taylor_size(c, tolerance), left);
+    ${name}_taylor_terms(m, t, x, u, top, c);
+    if (share < finest) share = tolerance < finest ? tolerance : finest;
+    h = ${name}_taylor_limit(${name}_taylor_size(c, top, share), left);
     if (!(h > ${zero} || h < ${zero})) return -1;
-    ${name}_taylor_step_by(m, c, h, x, d);
+    ${name}_taylor_step_by(m, c, top, h, x, d);
+    part = h/way;
     for (k = 0; k < ${upper}_MOVING; k++) { /* Kahan: what rounding took from the last sum is in the next one */
       const ${name}_real add = d[k] + lost[k], sum = c[0][k] + add;
 

@@ -7,6 +7,8 @@
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local source = require "generator.emit.source"
+local number = require "generator.emit.number"
+local R = require "generator.algebra.rational"
 
 local function text(n) return string.format("%d", n) end
 
@@ -199,7 +201,18 @@ end
 
 -- How to come back from the turning frame: pairs of states that the angle mixes, see templates/taylor.c.
 local function turns_of(ctx, program, v)
-  v.taylor_axis, v.taylor_turns = program.axis ~= nil, {}
+  v.taylor_axis, v.taylor_turns, v.taylor_shift = program.axis ~= nil, {}, program.shift ~= nil
+  if program.shift then
+    local g, w = { defs = {}, outs = {} }, {}
+    for i, name in ipairs { "wx", "wy", "wz" } do
+      w[i] = expr.sym(name, 5)
+      g.outs[i] = { c = "const " .. ctx.name .. "_real g" .. string.sub(name, 2),
+        expr = w[i] - (program.shift[i] or expr.zero) * w[i] }
+    end
+    local f = { name = "taylor_back", args = { "m", "x" }, groups = { g } }
+    v.taylor_frame = source.statements(ctx, f)
+    v.taylor_frame = { loads = v.taylor_frame.loads, lines = v.taylor_frame.groups[1].lines }
+  end
   if not program.axis then return end
   local f = { name = "taylor_spin", args = { "m", "x" }, result = true, doc = {},
     groups = { { defs = {}, outs = { { result = true, expr = program.spin } } } } }
@@ -260,6 +273,14 @@ function taylor.fill(ctx, program, v)
   v.taylor_attitude = program.states[1].name == "qw"
   v.taylor_kinds = source.kinds(program.states)
   turns_of(ctx, program, v)
+  local double = ctx.real ~= "float"
+  local function literal(q) return number.text(R.lift(q), ctx.real) end
+  local fraction, bias = double and 52 or 23, double and 1023 or 127
+  v.taylor_int = double and "int64_t" or "int32_t"
+  v.taylor_bit, v.taylor_scale = literal(R.new(2) ^ -fraction), literal(R.new(2) ^ fraction)
+  v.taylor_bias = literal(bias)
+  v.taylor_finest = literal(R.new(2) ^ (-fraction - 2))
+  v.taylor_least, v.taylor_slope = literal(R.new(8)), literal(R.new(2, 5))
 end
 
 return taylor
