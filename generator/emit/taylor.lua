@@ -6,6 +6,7 @@
 
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
+local packed = require "generator.emit.packed"
 local source = require "generator.emit.source"
 local number = require "generator.emit.number"
 local R = require "generator.algebra.rational"
@@ -273,14 +274,20 @@ function taylor.fill(ctx, program, v)
   v.taylor_attitude = program.states[1].name == "qw"
   v.taylor_kinds = source.kinds(program.states)
   turns_of(ctx, program, v)
+  packed.fill(ctx, program, v, function(groups)
+    local inputs = {}
+    plain(inputs, names)
+    return rendered(ctx, inputs, groups)[1]
+  end)
   local double = ctx.real ~= "float"
   local function literal(q) return number.text(R.lift(q), ctx.real) end
   local fraction, bias = double and 52 or 23, double and 1023 or 127
+  v.taylor_float = double and "0" or "1"
   v.taylor_int = double and "int64_t" or "int32_t"
   v.taylor_bit, v.taylor_scale = literal(R.new(2) ^ -fraction), literal(R.new(2) ^ fraction)
   v.taylor_bias = literal(bias)
   v.taylor_finest = literal(R.new(2) ^ (-fraction - 2))
-  v.taylor_least, v.taylor_slope = literal(R.new(8)), literal(R.new(2, 5))
+  v.taylor_least, v.taylor_slope = literal(R.new(100)), literal(R.new(2, 5))
 end
 
 return taylor
