@@ -102,7 +102,7 @@ do
     local name = "s" .. i
     local c, made = printed(s, name)
     text[#text + 1] = assert(c, made)
-    main[#main + 1] = string.format("{ %s_model m = {%s}; double x[2] = {%s, %s}, c[%s_ORDER + 1][%s_MOVING]; int n;",
+    main[#main + 1] = string.format("{ %s_model m = {%s}; double x[2] = {%s, %s}, c[%s_ORDER + 1][%s_ROW]; int n;",
       name, literal(kk), literal(s[4]), literal(s[5]), string.upper(name), string.upper(name))
     main[#main + 1] = string.format("%s_taylor_series(&m, 0.25, x, 0, c); for (n = 0; n <= %s_ORDER; n++) {", name,
       string.upper(name))
@@ -183,7 +183,7 @@ static double far(const top_real a[], const top_real b[])
 int main(void)
 {
   top_model m;
-  top_real x0[TOP_NX], x[TOP_NX], y[TOP_NX], c[TOP_ORDER + 1][TOP_MOVING], t;
+  top_real x0[TOP_NX], x[TOP_NX], y[TOP_NX], c[TOP_ORDER + 1][TOP_ROW], t;
   int i, n;
 
   top_init(&m, 0);
