@@ -3,7 +3,7 @@
 
 %% if taylor_packed then
 /* Rows of vectors for a host: compile with -D${upper}_VECTOR and -march=native; the same recurrences, summed in another order. */
-#if defined ${upper}_VECTOR && (defined __clang__ || defined __GNUC__) && \
+#if defined ${upper}_VECTOR && (defined __clang__ || (defined __GNUC__ && __GNUC__ >= 12)) && \
   (defined __AVX512F__ || (defined __AVX__ && (defined __clang__ || ${taylor_float})))
 #define ${upper}_PACKED
 #endif
@@ -227,7 +227,7 @@ static void ${name}_taylor_back(${name}_real c[][${upper}_ROW], ${name}_real f, 
 %% end
 %% if taylor_shift then
 /* The series give q in a frame that turns in space with g = L/I2, constant; q itself is exp(g s/2) times that.  What c[0] + d
- * moves by: the exponential less 1 is (cos - 1, sin g/|g|). */
+ * moves by: the exponential less 1 is (cos - 1, sin h/|h|), h = g in space, of modulus 1 also when |q| is not quite. */
 static void ${name}_taylor_back(const ${name}_model *m, const ${name}_real x[], ${name}_real c[][${upper}_ROW], ${name}_real s, ${name}_real d[${upper}_ROW])
 {
 %% for _, line in ipairs(taylor_frame.loads) do
@@ -242,7 +242,7 @@ static void ${name}_taylor_back(const ${name}_model *m, const ${name}_real x[], 
   const ${name}_real ay = q[0]*gy - q[1]*gz + q[3]*gx, az = q[0]*gz + q[1]*gy - q[2]*gx;
   const ${name}_real hx = ax*q[0] - aw*q[1] - ay*q[3] + az*q[2], hy = ay*q[0] - aw*q[2] + ax*q[3] - az*q[1];
   const ${name}_real hz = az*q[0] - aw*q[3] - ax*q[2] + ay*q[1];
-  const ${name}_real size = ${sqrt}(gx*gx + gy*gy + gz*gz), angle = ${quarter}*s*size; /* a quarter of the turn */
+  const ${name}_real size = ${sqrt}(hx*hx + hy*hy + hz*hz), angle = ${quarter}*s*size; /* a quarter of the turn */
   const ${name}_real S = ${sin}(angle), C = ${cos}(angle), D = -${two}*S*S, k = size > ${zero} ? ${two}*S*C/size : ${zero};
   const ${name}_real w = q[0] + d[0], i = q[1] + d[1], j = q[2] + d[2], l = q[3] + d[3];
 
@@ -343,22 +343,22 @@ void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[
 
 /* An IEEE 754 number's bits, read as an integer, are its logarithm but for a straight line between powers of two: log2 |x|
  * to 0.09, and the inverse function. */
-typedef union ${name}_bits {
+typedef union ${name}_taylor_bits {
   ${name}_real x;
   ${taylor_int} n;
-} ${name}_bits;
+} ${name}_taylor_bits;
 
-static ${name}_real ${name}_log2(${name}_real x)
+static ${name}_real ${name}_taylor_log2(${name}_real x)
 {
-  ${name}_bits b;
+  ${name}_taylor_bits b;
 
   b.x = ${fabs}(x);
   return (${name}_real)b.n*${taylor_bit} - ${taylor_bias};
 }
 
-static ${name}_real ${name}_exp2(${name}_real x) /* x within the range of exponents */
+static ${name}_real ${name}_taylor_exp2(${name}_real x) /* x within the range of exponents */
 {
-  ${name}_bits b;
+  ${name}_taylor_bits b;
 
   b.n = (${taylor_int})((x + ${taylor_bias})*${taylor_scale});
   return b.x;
@@ -368,7 +368,7 @@ static ${name}_real ${name}_exp2(${name}_real x) /* x within the range of expone
  * part |c[i]| h^i for some i < 3; the part is `local`, or `rate` h if that is larger. */
 static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top, ${name}_real local, ${name}_real rate)
 {
-  const ${name}_real log_local = ${name}_log2(local), log_rate = ${name}_log2(rate);
+  const ${name}_real log_local = ${name}_taylor_log2(local), log_rate = ${name}_taylor_log2(rate);
   ${name}_real log_h = ${eight}*${eight}, head[3], tail, at, best;
   int i, k, n;
 
@@ -377,12 +377,13 @@ static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top,
   for (i = 0; i < 3; i++) {
     head[i] = ${zero};
     for (k = ${k.first}; k < ${k.last}; k++) head[i] = ${fabs}(c[i][k]) > head[i] ? ${fabs}(c[i][k]) : head[i];
-    head[i] = ${name}_log2(head[i]);
+    head[i] = ${name}_taylor_log2(head[i]);
   }
   for (n = top - 1; n <= top; n++) {
     tail = ${zero};
     for (k = ${k.first}; k < ${k.last}; k++) tail = ${fabs}(c[n][k]) > tail ? ${fabs}(c[n][k]) : tail;
-    tail = ${name}_log2(tail);
+    if (!(tail > ${zero})) continue; /* nothing moves */
+    tail = ${name}_taylor_log2(tail);
     best = -${eight}*${eight};
     for (i = 0; i < 3 && i + 1 < n; i++) {
       at = (log_local + head[i] - tail)/(${name}_real)(n - i);
@@ -393,7 +394,7 @@ static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top,
     log_h = best < log_h ? best : log_h;
   }
 %% end
-  return ${name}_exp2(log_h);
+  return ${name}_taylor_exp2(log_h);
 }
 
 static ${name}_real ${name}_taylor_limit(${name}_real size, ${name}_real h)
@@ -401,11 +402,11 @@ static ${name}_real ${name}_taylor_limit(${name}_real size, ${name}_real h)
   return size < ${fabs}(h) ? h < ${zero} ? -size : size : h;
 }
 
-/* The order for a tolerance: -log(tolerance)/2 + 1 makes the fewest products (Jorba, Zou 2005, section 3.1); what a step
- * costs beside them asks for a few more. */
+/* The order for a tolerance.  Steps grow as tolerance^(1/n) and cost some a + b n + c n^2: the least time to a given end is
+ * at n = const - const log(tolerance), const - log(tolerance)/2 with products alone (Jorba, Zou 2005, section 3.1). */
 static int ${name}_taylor_top(${name}_real tolerance)
 {
-  const ${name}_real top = ${taylor_least} - ${taylor_slope}*${name}_log2(tolerance);
+  const ${name}_real top = ${taylor_least} - ${taylor_slope}*${name}_taylor_log2(tolerance);
 
   return top < ${upper}_ORDER ? top > ${four} ? (int)top : 4 : ${upper}_ORDER;
 }

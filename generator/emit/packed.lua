@@ -1,8 +1,8 @@
 -- packed.lua -- the Taylor recurrences of one level as rows of eight: the vector text of templates/taylor.c.
 --
--- Next terms are sums of products and of multiples, place by place: after*(C0 p0 + C1 p1 + ... + D y).  Product k of every
--- place makes plane k, its factors are the newest terms in another order; so a whole order needs shuffles of one row and
--- no gathering.  BELOW the line where it makes C.
+-- Next terms are sums of products and of multiples, place by place: after*(C0 p0 + C1 p1 + ... + D y).  Product k of
+-- every place makes plane k, its factors are the newest terms in another order; so a whole order needs shuffles of one
+-- row and no gathering.  BELOW the line where it makes C.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -14,7 +14,7 @@ local WIDTH, PLANES = 8, 4
 
 local function text(n) return string.format("%d", n) end
 
--- The next term of each place as an expression in lanes and places, and what its term 1 has beside; nil if there is more.
+-- The next term of each place as an expression in lanes and places, and what its term 1 has beside; or nil.
 local function forms(program)
   local whole, at_start, at_zero = {}, {}, {}
   for _, x in ipairs(program.variables) do

@@ -287,7 +287,7 @@ function taylor.fill(ctx, program, v)
   v.taylor_bit, v.taylor_scale = literal(R.new(2) ^ -fraction), literal(R.new(2) ^ fraction)
   v.taylor_bias = literal(bias)
   v.taylor_finest = literal(R.new(2) ^ (-fraction - 2))
-  v.taylor_least, v.taylor_slope = literal(R.new(100)), literal(R.new(2, 5))
+  v.taylor_least, v.taylor_slope = literal(R.new(19, 2)), literal(R.new(3, 8))
 end
 
 return taylor

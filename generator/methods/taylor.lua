@@ -84,7 +84,7 @@ local function despun(eq, zero)
   return groups, axis, groups[1].defs[1].expr
 end
 
--- Free motion with a diagonal tensor: L is constant in space, so q' = q (0, w - lambda L)/2 for the attitude seen from a
+-- Free motion, a diagonal tensor: L is constant in space, so q' = q (0, w - lambda L)/2 for the attitude seen from a
 -- frame that turns in space with lambda L, and lambda = 1/I2 leaves two components of the rate, 8 products of 12.
 -- Returns the groups in that frame and d: lambda L = w - d w, component by component (d of the second axis is 0).
 local function shifted(eq, groups)
