@@ -384,7 +384,7 @@ static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top,
     for (k = ${k.first}; k < ${k.last}; k++) tail = ${fabs}(c[n][k]) > tail ? ${fabs}(c[n][k]) : tail;
     if (!(tail > ${zero})) continue; /* nothing moves */
     tail = ${name}_taylor_log2(tail);
-    best = -${eight}*${eight};
+    best = ${one} - ${taylor_bias};
     for (i = 0; i < 3 && i + 1 < n; i++) {
       at = (log_local + head[i] - tail)/(${name}_real)(n - i);
       best = at > best ? at : best;

@@ -117,12 +117,12 @@ local function general(ctx, program, names)
     end
     groups[level] = g
   end
+  local last = { where = #groups + 1, defs = {}, outs = {} }
+  groups[#groups + 1] = last
   -- sums of states that no lane reads
   for _, x in ipairs(program.levels[0].variables) do
     if not x.place then table.insert(groups[1].defs, 1, { name = x.name, expr = x.term }) end
   end
-  local last = { where = #groups + 1, defs = {}, outs = {} }
-  groups[#groups + 1] = last
   advance(program, "term", symbol "after", {}, last)
   return rendered(ctx, inputs, groups)
 end
