@@ -406,7 +406,16 @@ static ${name}_real ${name}_taylor_limit(${name}_real size, ${name}_real h)
  * at n = const - const log(tolerance), const - log(tolerance)/2 with products alone (Jorba, Zou 2005, section 3.1). */
 static int ${name}_taylor_top(${name}_real tolerance)
 {
-  const ${name}_real top = ${taylor_least} - ${taylor_slope}*${name}_taylor_log2(tolerance);
+%% if taylor_packed then
+#if defined ${upper}_PACKED
+  const ${name}_real least = ${taylor_least_packed};
+#else
+  const ${name}_real least = ${taylor_least};
+#endif
+%% else
+  const ${name}_real least = ${taylor_least};
+%% end
+  const ${name}_real top = least - ${taylor_slope}*${name}_taylor_log2(tolerance);
 
   return top < ${upper}_ORDER ? top > ${four} ? (int)top : 4 : ${upper}_ORDER;
 }

@@ -287,6 +287,7 @@ function taylor.fill(ctx, program, v)
   v.taylor_bit, v.taylor_scale = literal(R.new(2) ^ -fraction), literal(R.new(2) ^ fraction)
   v.taylor_bias = literal(bias)
   v.taylor_finest = literal(R.new(2) ^ (-fraction - 2))
+  v.taylor_least_packed = literal(R.new(13)) -- where a product costs less beside the rest of a step
   v.taylor_least, v.taylor_slope = literal(R.new(19, 2)), literal(R.new(3, 8))
 end
 
