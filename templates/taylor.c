@@ -28,7 +28,7 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 %%   for _, line in ipairs(taylor_voids) do
   ${line}
 %%   end
-%%   for _, line in ipairs(taylor_start) do
+%%   for _, line in ipairs(taylor_start_packed) do
   ${line}
 %%   end
 %%   for _, line in ipairs(taylor_factors) do

@@ -91,7 +91,8 @@ local function start(ctx, program, names)
     put(x, zeroth(x), g.outs)
   end
   advance(program, "start", expr.one, map, h)
-  return rendered(ctx, inputs, { g, h })
+  local alone = rendered(ctx, inputs, { g })
+  return rendered(ctx, inputs, { g, h }), alone
 end
 
 -- Term n: a group for each level, and last the states' term n + 1.
@@ -250,7 +251,10 @@ function taylor.fill(ctx, program, v)
       names[#names + 1] = d.name
     end
   end
-  local first, rest = start(ctx, program, names), general(ctx, program, names)
+  local first, alone = start(ctx, program, names)
+  local rest = general(ctx, program, names)
+  v.taylor_start_packed = alone.loads
+  for _, l in ipairs(alone[1]) do v.taylor_start_packed[#v.taylor_start_packed + 1] = l end
   v.taylor_start, v.taylor_next = first.loads, first[2]
   for _, l in ipairs(first[1]) do v.taylor_start[#v.taylor_start + 1] = l end
   v.taylor_loads, v.taylor_after = rest.loads, rest[#rest]

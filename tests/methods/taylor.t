@@ -295,9 +295,10 @@ int main(void)
   return 0;
 }
 ]])
-tap.is(program.shell(string.format("POLHODE_SOURCE=. %s gen --method taylor,exact --order 24 -o %s/free %s/free.lua", binary,
+tap.is(program.shell(string.format(
+  "POLHODE_SOURCE=. %s gen --method taylor,exact --order 24 -o %s/free %s/free.lua", binary,
   dir, dir)), 0, "gen of a free body")
-for _, build in ipairs { WARN, "-O2 -march=native -w -DFREE_VECTOR" } do
+for _, build in ipairs { WARN, "-O2 -march=native -DFREE_VECTOR -Wall -Werror" } do
   local status = program.shell(string.format("gcc %s -I%s/free -o %s/free/main %s/free.c %s/free/free.c -lm 2>&1" ..
     " && %s/free/main > %s/free/log", build, dir, dir, dir, dir, dir, dir))
   local v = {}
