@@ -1,6 +1,87 @@
 %% -- taylor.c -- the Taylor series stepper: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- Taylor series: Jorba, Zou 2005, Experimental Mathematics 14, 99; Knuth, TAOCP 2, 4.7 ---- */
 
+%% if taylor_packed then
+/* Rows of vectors for a host: compile with -D${upper}_VECTOR and -march=native; the same recurrences, summed in another order. */
+#if defined ${upper}_VECTOR && (defined __clang__ || (defined __GNUC__ && __GNUC__ >= 12)) && \
+  (defined __AVX512F__ || (defined __AVX__ && (defined __clang__ || ${taylor_float})))
+#define ${upper}_PACKED
+#endif
+
+#if defined ${upper}_PACKED
+typedef ${name}_real ${name}_pack __attribute__((vector_size(${upper}_ROW*sizeof(${name}_real))));
+typedef ${name}_real ${name}_row __attribute__((vector_size(${upper}_ROW*sizeof(${name}_real)), aligned(sizeof(${name}_real)), may_alias));
+
+/* the coefficients up to c[top]; a and b are the factors of the products, plane by plane */
+static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], int top,
+                   ${name}_real c[][${upper}_ROW])
+{
+%%   for _, p in ipairs(taylor_planes) do
+  ${name}_pack a${p.index}[${upper}_ORDER + 1], b${p.index}[${upper}_ORDER + 1];
+%%   end
+  ${name}_real y[${upper}_ROW] = {${zero}};
+  ${name}_pack Y;
+  int n, j;
+%%   for _, line in ipairs(taylor_outer) do
+  ${line}
+%%   end
+%%   for _, line in ipairs(taylor_voids) do
+  ${line}
+%%   end
+%%   for _, line in ipairs(taylor_start_packed) do
+  ${line}
+%%   end
+%%   for _, line in ipairs(taylor_factors) do
+  ${line}
+%%   end
+%%   for _, p in ipairs(taylor_planes) do
+  const ${name}_pack C${p.index} = {${p.factors}};
+%%   end
+%%   for _, p in ipairs(taylor_linear) do
+  const ${name}_pack D${p.index} = {${p.factors}};
+%%   end
+%%   for _, p in ipairs(taylor_rest) do
+  const ${name}_pack E = {${p.factors}};
+%%   end
+
+  Y = (${name}_pack){y[0], y[1], y[2], y[3], y[4], y[5], y[6], y[7]};
+  *(${name}_row *)c[0] = Y;
+%%   for _, p in ipairs(taylor_planes) do
+  a${p.index}[0] = __builtin_shufflevector(Y, Y, ${p.a});
+  b${p.index}[0] = __builtin_shufflevector(Y, Y, ${p.b});
+  const ${name}_pack A${p.index} = C${p.index}*a${p.index}[0], B${p.index} = C${p.index}*b${p.index}[0];
+%%   end
+  Y = ${taylor_first_row};
+  *(${name}_row *)c[1] = Y;
+  for (n = 1; n < top; n++) {
+    const ${name}_real after = ${one}/(${name}_real)(n + 1);
+%%   for _, p in ipairs(taylor_planes) do
+    ${name}_pack p${p.index} = {${zero}}, r${p.index} = {${zero}};
+%%   end
+
+%%   for _, p in ipairs(taylor_planes) do
+    a${p.index}[n] = __builtin_shufflevector(Y, Y, ${p.a});
+    b${p.index}[n] = __builtin_shufflevector(Y, Y, ${p.b});
+%%   end
+    j = n/2; /* outwards from the middle: the newest rows last */
+    if (n - j == j) {
+%%   for _, p in ipairs(taylor_planes) do
+      p${p.index} = a${p.index}[j]*b${p.index}[j];
+%%   end
+      j--;
+    }
+    for (; j > 0; j--) {
+%%   for _, p in ipairs(taylor_planes) do
+      p${p.index} += a${p.index}[j]*b${p.index}[n - j];
+      r${p.index} += a${p.index}[n - j]*b${p.index}[j];
+%%   end
+    }
+    Y = ${taylor_next_row};
+    *(${name}_row *)c[n + 1] = Y;
+  }
+}
+#else
+%% end
 /* Not inlined, the loops of products are put into vector registers as a whole. */
 #if defined __GNUC__
 #define ${upper}_APART static __attribute__((noinline))
@@ -32,8 +113,9 @@ ${upper}_APART void ${name}_products${level.number}(int n, const ${name}_real a[
 
 %%   end
 %% end
-void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[],
-                  ${name}_real c[][${upper}_MOVING])
+/* the coefficients up to c[top] */
+static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], int top,
+                   ${name}_real c[][${upper}_ROW])
 {
 %% if taylor_has_lanes then
   ${name}_real a[${upper}_ORDER + 1][${taylor_lanes}], b[${upper}_ORDER + 1][${taylor_lanes}], p[${taylor_lanes}];
@@ -42,7 +124,7 @@ void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}
 %% for _, line in ipairs(taylor_outer) do
   ${line}
 %% end
-  int n, l;
+  int n;
 
 %% for _, line in ipairs(taylor_voids) do
   ${line}
@@ -50,7 +132,9 @@ void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}
 %% for _, line in ipairs(taylor_start) do
   ${line}
 %% end
-  for (l = 0; l < ${upper}_MOVING; l++) c[0][l] = y[l];
+%% for _, s in ipairs(taylor_states) do
+  c[0][${s.index}] = y[${s.index}];
+%% end
 %% for _, level in ipairs(taylor_levels) do
 %%   for _, lane in ipairs(level.lanes) do
   a[0][${lane.index}] = ${lane.first};
@@ -62,9 +146,11 @@ void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}
     ${line}
 %% end
   }
-  for (l = 0; l < ${upper}_MOVING; l++) c[1][l] = y[l];
+%% for _, s in ipairs(taylor_states) do
+  c[1][${s.index}] = y[${s.index}];
+%% end
 
-  for (n = 1; n < ${upper}_ORDER; n++) {
+  for (n = 1; n < top; n++) {
     const ${name}_real after = ${one}/(${name}_real)(n + 1);
 %% if taylor_order then
     const ${name}_real order = (${name}_real)n;
@@ -97,8 +183,20 @@ void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}
 %% for _, line in ipairs(taylor_after) do
     ${line}
 %% end
-    for (l = 0; l < ${upper}_MOVING; l++) c[n + 1][l] = y[l];
+%% for _, s in ipairs(taylor_states) do
+    c[n + 1][${s.index}] = y[${s.index}];
+%% end
   }
+}
+
+%% if taylor_packed then
+#endif
+
+%% end
+void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[],
+                  ${name}_real c[][${upper}_ROW])
+{
+  ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c);
 }
 
 %% if taylor_axis then
@@ -112,11 +210,11 @@ static ${name}_real ${name}_taylor_spin(const ${name}_model *m, const ${name}_re
 }
 
 /* From that frame after the angle f back to the body: what c[0] + d moves by then. */
-static void ${name}_taylor_back(${name}_real c[][${upper}_MOVING], ${name}_real f, ${name}_real d[${upper}_MOVING])
+static void ${name}_taylor_back(${name}_real c[][${upper}_ROW], ${name}_real f, ${name}_real d[${upper}_ROW])
 {
-  const ${name}_real S = ${sin}(${half}*f), C = ${cos}(${half}*f), V = ${two}*S*C; /* sin f */
-  ${name}_real r, s;                                        /* cos of an angle less 1 is -2 sin^2 of its half */
-  const ${name}_real half = ${sin}(${half}*${half}*f), D = -${two}*half*half, W = -${two}*S*S;
+  const ${name}_real a = ${sin}(${quarter}*f), b = ${cos}(${quarter}*f);
+  const ${name}_real S = ${two}*a*b, D = -${two}*a*a, V = ${two}*S*(${one} + D), W = -${two}*S*S; /* sin, cos - 1 of f/2, f */
+  ${name}_real r, s;
 
 %% for _, r in ipairs(taylor_turns) do
   r = c[0][${r.a}] + d[${r.a}];
@@ -127,51 +225,106 @@ static void ${name}_taylor_back(${name}_real c[][${upper}_MOVING], ${name}_real 
 }
 
 %% end
-/* what the states move by in the time s: s (c[1] + s (c[2] + ...)) */
-static void ${name}_taylor_move(const ${name}_model *m, ${name}_real c[][${upper}_MOVING], ${name}_real s, const ${name}_real x[],
-                       ${name}_real d[${upper}_MOVING])
+%% if taylor_shift then
+/* The series give q in a frame that turns in space with g = L/I2, constant; q itself is exp(g s/2) times that.  What c[0] + d
+ * moves by: the exponential less 1 is (cos - 1, sin h/|h|), h = g in space, of modulus 1 also when |q| is not quite. */
+static void ${name}_taylor_back(const ${name}_model *m, const ${name}_real x[], ${name}_real c[][${upper}_ROW], ${name}_real s, ${name}_real d[${upper}_ROW])
 {
-%% for _, s in ipairs(taylor_states) do
-  ${name}_real s${s.index} = c[${upper}_ORDER][${s.index}];
+%% for _, line in ipairs(taylor_frame.loads) do
+  ${line}
 %% end
-  int n;
+%% for _, line in ipairs(taylor_frame.lines) do
+  ${line}
+%% end
+  const ${name}_real *q = c[0];
+  /* q g, then times the conjugate of q: g in space */
+  const ${name}_real aw = -q[1]*gx - q[2]*gy - q[3]*gz, ax = q[0]*gx + q[2]*gz - q[3]*gy;
+  const ${name}_real ay = q[0]*gy - q[1]*gz + q[3]*gx, az = q[0]*gz + q[1]*gy - q[2]*gx;
+  const ${name}_real hx = ax*q[0] - aw*q[1] - ay*q[3] + az*q[2], hy = ay*q[0] - aw*q[2] + ax*q[3] - az*q[1];
+  const ${name}_real hz = az*q[0] - aw*q[3] - ax*q[2] + ay*q[1];
+  const ${name}_real size = ${sqrt}(hx*hx + hy*hy + hz*hz), angle = ${quarter}*s*size; /* a quarter of the turn */
+  const ${name}_real S = ${sin}(angle), C = ${cos}(angle), D = -${two}*S*S, k = size > ${zero} ? ${two}*S*C/size : ${zero};
+  const ${name}_real w = q[0] + d[0], i = q[1] + d[1], j = q[2] + d[2], l = q[3] + d[3];
 
-  for (n = ${upper}_ORDER - 1; n > 0; n--) {
+  d[0] += D*w - k*(hx*i + hy*j + hz*l);
+  d[1] += D*i + k*(hx*w + hy*l - hz*j);
+  d[2] += D*j + k*(hy*w + hz*i - hx*l);
+  d[3] += D*l + k*(hz*w + hx*j - hy*i);
+}
+
+%% end
+/* what the states move by in the time s: s (c[1] + s (c[2] + ...)), the even and the odd terms apart */
+static void ${name}_taylor_move(const ${name}_model *m, ${name}_real c[][${upper}_ROW], int top, ${name}_real s, const ${name}_real x[],
+                       ${name}_real d[${upper}_ROW])
+{
+  const ${name}_real square = s*s;
+  int n = top - 2;
+%% if taylor_packed then
+#if defined ${upper}_PACKED
+  ${name}_pack a = *(const ${name}_row *)c[top], b = *(const ${name}_row *)c[top - 1];
+
+  for (; n > 1; n -= 2) {
+    a = *(const ${name}_row *)c[n] + square*a;
+    b = *(const ${name}_row *)c[n - 1] + square*b;
+  }
+  if (n == 1) a = *(const ${name}_row *)c[1] + square*a;
+  *(${name}_row *)d = n == 1 ? s*a + square*b : s*b + square*a;
+#else
+%% end
 %% for _, s in ipairs(taylor_states) do
-    s${s.index} = c[n][${s.index}] + s*s${s.index};
+  ${name}_real a${s.index} = c[top][${s.index}], b${s.index} = c[top - 1][${s.index}];
+%% end
+
+  for (; n > 1; n -= 2) {
+%% for _, s in ipairs(taylor_states) do
+    a${s.index} = c[n][${s.index}] + square*a${s.index};
+    b${s.index} = c[n - 1][${s.index}] + square*b${s.index};
 %% end
   }
+  if (n == 1) {
 %% for _, s in ipairs(taylor_states) do
-  d[${s.index}] = s*s${s.index};
+    d[${s.index}] = s*(c[1][${s.index}] + square*a${s.index}) + square*b${s.index};
+%% end
+  } else {
+%% for _, s in ipairs(taylor_states) do
+    d[${s.index}] = s*b${s.index} + square*a${s.index};
+%% end
+  }
+%% if taylor_packed then
+#endif
 %% end
 %% if taylor_axis then
   ${name}_taylor_back(c, ${name}_taylor_spin(m, x)*s, d);
 %% else
+%%   if taylor_shift then
+  ${name}_taylor_back(m, x, c, s, d);
+%%   else
   (void)m;
   (void)x;
+%%   end
 %% end
 }
 
-void ${name}_taylor_at(const ${name}_model *m, ${name}_real c[][${upper}_MOVING], ${name}_real s, ${name}_real x[])
+void ${name}_taylor_at(const ${name}_model *m, ${name}_real c[][${upper}_ROW], ${name}_real s, ${name}_real x[])
 {
-  ${name}_real d[${upper}_MOVING];
+  ${name}_real d[${upper}_ROW];
 
-  ${name}_taylor_move(m, c, s, x, d);
+  ${name}_taylor_move(m, c, ${upper}_ORDER, s, x, d);
 %% for _, s in ipairs(taylor_states) do
   x[${s.name}] = c[0][${s.index}] + d[${s.index}];
 %% end
 }
 
 /* The move over the step h; one Newton step for 1/|q| from the q that comes in, so that |q| cannot drift. */
-static void ${name}_taylor_step_by(const ${name}_model *m, ${name}_real c[][${upper}_MOVING], ${name}_real h, const ${name}_real x[],
-                          ${name}_real d[${upper}_MOVING])
+static void ${name}_taylor_step_by(const ${name}_model *m, ${name}_real c[][${upper}_ROW], int top, ${name}_real h, const ${name}_real x[],
+                          ${name}_real d[${upper}_ROW])
 {
 %% if taylor_attitude then
   const ${name}_real n = ${half} - ${half}*(c[0][0]*c[0][0] + c[0][1]*c[0][1] + c[0][2]*c[0][2] + c[0][3]*c[0][3]);
   int i;
 
 %% end
-  ${name}_taylor_move(m, c, h, x, d);
+  ${name}_taylor_move(m, c, top, h, x, d);
 %% if taylor_attitude then
   for (i = 0; i < 4; i++) d[i] += n*(c[0][i] + d[i]);
 %% end
@@ -179,63 +332,69 @@ static void ${name}_taylor_step_by(const ${name}_model *m, ${name}_real c[][${up
 
 void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
 {
-  ${name}_real c[${upper}_ORDER + 1][${upper}_MOVING], d[${upper}_MOVING];
+  ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW];
 
   ${name}_taylor_series(m, t, x, u, c);
-  ${name}_taylor_step_by(m, c, h, x, d);
+  ${name}_taylor_step_by(m, c, ${upper}_ORDER, h, x, d);
 %% for _, s in ipairs(taylor_states) do
   x[${s.name}] += d[${s.index}];
 %% end
 }
 
-/* log2 |x| to 0.09, as cheap as the step's size needs it; very small for 0 */
-static ${name}_real ${name}_size(${name}_real x)
-{
-  int e;
-  const ${name}_real f = ${frexp}(${fabs}(x), &e);
+/* An IEEE 754 number's bits, read as an integer, are its logarithm but for a straight line between powers of two: log2 |x|
+ * to 0.09, and the inverse function. */
+typedef union ${name}_taylor_bits {
+  ${name}_real x;
+  ${taylor_int} n;
+} ${name}_taylor_bits;
 
-  return f > ${zero} ? (${name}_real)(e - 2) + ${two}*f : -${eight}*${eight}*${eight}*${eight};
+static ${name}_real ${name}_taylor_log2(${name}_real x)
+{
+  ${name}_taylor_bits b;
+
+  b.x = ${fabs}(x);
+  return (${name}_real)b.n*${taylor_bit} - ${taylor_bias};
 }
 
-/* The largest step at which the last two terms are below the tolerance times the first ones of their kind of state:
- * |c[n]| h^n <= tolerance |c[i]| h^i for some i < 3. */
-static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_MOVING], ${name}_real tolerance)
+static ${name}_real ${name}_taylor_exp2(${name}_real x) /* x within the range of exponents */
 {
-  static const struct {
-    int first, last; /* states of one kind */
-  } kind[] = {
-%% for _, k in ipairs(taylor_kinds) do
-    {${k.first}, ${k.last}}, /* ${k.about} */
-%% end
-  };
-  const ${name}_real log_tolerance = ${name}_size(tolerance);
-  ${name}_real log_h = ${eight}*${eight};
-  unsigned int g;
+  ${name}_taylor_bits b;
+
+  b.n = (${taylor_int})((x + ${taylor_bias})*${taylor_scale});
+  return b.x;
+}
+
+/* The largest step h at which the last two terms are below a part of the first ones of their kind of state, |c[n]| h^n <=
+ * part |c[i]| h^i for some i < 3; the part is `local`, or `rate` h if that is larger. */
+static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top, ${name}_real local, ${name}_real rate)
+{
+  const ${name}_real log_local = ${name}_taylor_log2(local), log_rate = ${name}_taylor_log2(rate);
+  ${name}_real log_h = ${eight}*${eight}, head[3], tail, at, best;
   int i, k, n;
 
-  for (g = 0; g < sizeof kind/sizeof kind[0]; g++) {
-    ${name}_real head[3], tail;
-
-    for (i = 0; i < 3; i++) {
-      head[i] = ${zero};
-      for (k = kind[g].first; k < kind[g].last; k++) head[i] = ${fabs}(c[i][k]) > head[i] ? ${fabs}(c[i][k]) : head[i];
-      head[i] = ${name}_size(head[i]);
-    }
-    for (n = ${upper}_ORDER - 1; n <= ${upper}_ORDER; n++) {
-      ${name}_real best = -${eight}*${eight};
-
-      tail = ${zero};
-      for (k = kind[g].first; k < kind[g].last; k++) tail = ${fabs}(c[n][k]) > tail ? ${fabs}(c[n][k]) : tail;
-      tail = ${name}_size(tail);
-      for (i = 0; i < 3 && i < n; i++) {
-        const ${name}_real at = (log_tolerance + head[i] - tail)/(${name}_real)(n - i);
-
-        best = at > best ? at : best;
-      }
-      log_h = best < log_h ? best : log_h;
-    }
+%% for _, k in ipairs(taylor_kinds) do
+  /* ${k.about} */
+  for (i = 0; i < 3; i++) {
+    head[i] = ${zero};
+    for (k = ${k.first}; k < ${k.last}; k++) head[i] = ${fabs}(c[i][k]) > head[i] ? ${fabs}(c[i][k]) : head[i];
+    head[i] = ${name}_taylor_log2(head[i]);
   }
-  return ${exp}(log_h*${log2_high});
+  for (n = top - 1; n <= top; n++) {
+    tail = ${zero};
+    for (k = ${k.first}; k < ${k.last}; k++) tail = ${fabs}(c[n][k]) > tail ? ${fabs}(c[n][k]) : tail;
+    if (!(tail > ${zero})) continue; /* nothing moves */
+    tail = ${name}_taylor_log2(tail);
+    best = ${one} - ${taylor_bias};
+    for (i = 0; i < 3 && i + 1 < n; i++) {
+      at = (log_local + head[i] - tail)/(${name}_real)(n - i);
+      best = at > best ? at : best;
+      at = (log_rate + head[i] - tail)/(${name}_real)(n - i - 1);
+      best = at > best ? at : best;
+    }
+    log_h = best < log_h ? best : log_h;
+  }
+%% end
+  return ${name}_taylor_exp2(log_h);
 }
 
 static ${name}_real ${name}_taylor_limit(${name}_real size, ${name}_real h)
@@ -243,13 +402,31 @@ static ${name}_real ${name}_taylor_limit(${name}_real size, ${name}_real h)
   return size < ${fabs}(h) ? h < ${zero} ? -size : size : h;
 }
 
+/* The order for a tolerance.  Steps grow as tolerance^(1/n) and cost some a + b n + c n^2: the least time to a given end is
+ * at n = const - const log(tolerance), const - log(tolerance)/2 with products alone (Jorba, Zou 2005, section 3.1). */
+static int ${name}_taylor_top(${name}_real tolerance)
+{
+%% if taylor_packed then
+#if defined ${upper}_PACKED
+  const ${name}_real least = ${taylor_least_packed};
+#else
+  const ${name}_real least = ${taylor_least};
+#endif
+%% else
+  const ${name}_real least = ${taylor_least};
+%% end
+  const ${name}_real top = least - ${taylor_slope}*${name}_taylor_log2(tolerance);
+
+  return top < ${upper}_ORDER ? top > ${four} ? (int)top : 4 : ${upper}_ORDER;
+}
+
 ${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real tolerance)
 {
-  ${name}_real c[${upper}_ORDER + 1][${upper}_MOVING], d[${upper}_MOVING];
+  ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW];
 
   ${name}_taylor_series(m, t, x, u, c);
-  h = ${name}_taylor_limit(${name}_taylor_size(c, tolerance), h);
-  ${name}_taylor_step_by(m, c, h, x, d);
+  h = ${name}_taylor_limit(${name}_taylor_size(c, ${upper}_ORDER, tolerance, ${zero}), h);
+  ${name}_taylor_step_by(m, c, ${upper}_ORDER, h, x, d);
 %% for _, s in ipairs(taylor_states) do
   x[${s.name}] += d[${s.index}];
 %% end
@@ -263,7 +440,9 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
     ${s.name},
 %% end
   };
-  ${name}_real c[${upper}_ORDER + 1][${upper}_MOVING], d[${upper}_MOVING], lost[${upper}_MOVING + 1] = {${zero}};
+  const ${name}_real finest = ${taylor_finest}, local = tolerance < finest ? tolerance : finest;
+  const int top = ${name}_taylor_top(tolerance);
+  ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW], lost[${upper}_MOVING + 1] = {${zero}};
   ${name}_real t = t0;
   int steps, k;
 
@@ -272,10 +451,10 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
     ${name}_real h, next_t;
 
     if (!(left > ${zero} || left < ${zero})) return steps;
-    ${name}_taylor_series(m, t, x, u, c);
-    h = ${name}_taylor_limit(${name}_taylor_size(c, tolerance), left);
+    ${name}_taylor_terms(m, t, x, u, top, c);
+    h = ${name}_taylor_limit(${name}_taylor_size(c, top, local, tolerance/(t1 - t0)), left);
     if (!(h > ${zero} || h < ${zero})) return -1;
-    ${name}_taylor_step_by(m, c, h, x, d);
+    ${name}_taylor_step_by(m, c, top, h, x, d);
     for (k = 0; k < ${upper}_MOVING; k++) { /* Kahan: what rounding took from the last sum is in the next one */
       const ${name}_real add = d[k] + lost[k], sum = c[0][k] + add;
 

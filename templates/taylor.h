@@ -1,14 +1,15 @@
 %% -- taylor.h -- the contract of the Taylor series stepper: part of scene.h.  SPDX-License-Identifier: MIT-0
 /* ---- Taylor series of order ${upper}_ORDER: automatic recurrences, ${taylor_lanes} products an order ---- */
 
-enum { ${upper}_ORDER = ${taylor_order_text}, ${upper}_MOVING = ${taylor_count} }; /* states that move, in the order of x[] */
+/* states that move, in the order of x[]; numbers of a row of coefficients, those beyond the states for its own use */
+enum { ${upper}_ORDER = ${taylor_order_text}, ${upper}_MOVING = ${taylor_count}, ${upper}_ROW = ${taylor_row} };
 
 /* Coefficients c[n][k] of the solution through x at time t: state k is the sum of c[n][k] s^n at time t + s. */
 void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[],
-                  ${name}_real c[][${upper}_MOVING]);
+                  ${name}_real c[][${upper}_ROW]);
 
 /* The state at time t + s from the coefficients: dense output.  Entries of x that do not move are left alone. */
-void ${name}_taylor_at(const ${name}_model *m, ${name}_real c[][${upper}_MOVING], ${name}_real s, ${name}_real x[]);
+void ${name}_taylor_at(const ${name}_model *m, ${name}_real c[][${upper}_ROW], ${name}_real s, ${name}_real x[]);
 
 /* One step of size h, order ${upper}_ORDER: x goes from time t to t + h, the input u held. */
 void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);

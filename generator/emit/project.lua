@@ -178,6 +178,9 @@ local function common(job)
   v.conservative = job.conserved.is["T+V"] and not (eq.free and m.has.attitude)
   v.has_ticks = job.closed.ticks or false
   v.has_integers = v.has_ticks or job.closed.integers or false
+  for _, s in ipairs(job.steppers) do
+    v.has_integers = v.has_integers or s.method.name == "taylor"
+  end
   v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end

@@ -6,7 +6,10 @@
 
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
+local packed = require "generator.emit.packed"
 local source = require "generator.emit.source"
+local number = require "generator.emit.number"
+local R = require "generator.algebra.rational"
 
 local function text(n) return string.format("%d", n) end
 
@@ -88,7 +91,8 @@ local function start(ctx, program, names)
     put(x, zeroth(x), g.outs)
   end
   advance(program, "start", expr.one, map, h)
-  return rendered(ctx, inputs, { g, h }, "s") -- in the scope of the loop's temporaries
+  local alone = rendered(ctx, inputs, { g }, "s") -- temporaries apart from those of the loop
+  return rendered(ctx, inputs, { g, h }, "s"), alone
 end
 
 -- Term n: a group for each level, and last the states' term n + 1.
@@ -114,12 +118,12 @@ local function general(ctx, program, names)
     end
     groups[level] = g
   end
+  local last = { where = #groups + 1, defs = {}, outs = {} }
+  groups[#groups + 1] = last
   -- sums of states that no lane reads
   for _, x in ipairs(program.levels[0].variables) do
     if not x.place then table.insert(groups[1].defs, 1, { name = x.name, expr = x.term }) end
   end
-  local last = { where = #groups + 1, defs = {}, outs = {} }
-  groups[#groups + 1] = last
   advance(program, "term", symbol "after", {}, last)
   return rendered(ctx, inputs, groups)
 end
@@ -199,7 +203,18 @@ end
 
 -- How to come back from the turning frame: pairs of states that the angle mixes, see templates/taylor.c.
 local function turns_of(ctx, program, v)
-  v.taylor_axis, v.taylor_turns = program.axis ~= nil, {}
+  v.taylor_axis, v.taylor_turns, v.taylor_shift = program.axis ~= nil, {}, program.shift ~= nil
+  if program.shift then
+    local g, w = { defs = {}, outs = {} }, {}
+    for i, name in ipairs { "wx", "wy", "wz" } do
+      w[i] = expr.sym(name, 5)
+      g.outs[i] = { c = "const " .. ctx.name .. "_real g" .. string.sub(name, 2),
+        expr = w[i] - (program.shift[i] or expr.zero) * w[i] }
+    end
+    local f = { name = "taylor_back", args = { "m", "x" }, groups = { g } }
+    v.taylor_frame = source.statements(ctx, f)
+    v.taylor_frame = { loads = v.taylor_frame.loads, lines = v.taylor_frame.groups[1].lines }
+  end
   if not program.axis then return end
   local f = { name = "taylor_spin", args = { "m", "x" }, result = true, doc = {},
     groups = { { defs = {}, outs = { { result = true, expr = program.spin } } } } }
@@ -236,7 +251,10 @@ function taylor.fill(ctx, program, v)
       names[#names + 1] = d.name
     end
   end
-  local first, rest = start(ctx, program, names), general(ctx, program, names)
+  local first, alone = start(ctx, program, names)
+  local rest = general(ctx, program, names)
+  v.taylor_start_packed = alone.loads
+  for _, l in ipairs(alone[1]) do v.taylor_start_packed[#v.taylor_start_packed + 1] = l end
   v.taylor_start, v.taylor_next = first.loads, first[2]
   for _, l in ipairs(first[1]) do v.taylor_start[#v.taylor_start + 1] = l end
   v.taylor_loads, v.taylor_after = rest.loads, rest[#rest]
@@ -260,6 +278,21 @@ function taylor.fill(ctx, program, v)
   v.taylor_attitude = program.states[1].name == "qw"
   v.taylor_kinds = source.kinds(program.states)
   turns_of(ctx, program, v)
+  packed.fill(ctx, program, v, function(groups)
+    local inputs = {}
+    plain(inputs, names)
+    return rendered(ctx, inputs, groups)[1]
+  end)
+  local double = ctx.real ~= "float"
+  local function literal(q) return number.text(R.lift(q), ctx.real) end
+  local fraction, bias = double and 52 or 23, double and 1023 or 127
+  v.taylor_float = double and "0" or "1"
+  v.taylor_int = double and "int64_t" or "int32_t"
+  v.taylor_bit, v.taylor_scale = literal(R.new(2) ^ -fraction), literal(R.new(2) ^ fraction)
+  v.taylor_bias = literal(bias)
+  v.taylor_finest = literal(R.new(2) ^ (-fraction - 2))
+  v.taylor_least_packed = literal(R.new(13)) -- where a product costs less beside the rest of a step
+  v.taylor_least, v.taylor_slope = literal(R.new(19, 2)), literal(R.new(3, 8))
 end
 
 return taylor

@@ -84,6 +84,38 @@ local function despun(eq, zero)
   return groups, axis, groups[1].defs[1].expr
 end
 
+-- Free motion, a diagonal tensor: L is constant in space, so q' = q (0, w - lambda L)/2 for the attitude seen from a
+-- frame that turns in space with lambda L, and lambda = 1/I2 leaves two components of the rate, 8 products of 12.
+-- Returns the groups in that frame and d: lambda L = w - d w, component by component (d of the second axis is 0).
+local function shifted(eq, groups)
+  local m = eq.model
+  if not (m.has.rates and m.has.attitude) or m.structure.kind ~= "diagonal" or eq.inputs then return groups end
+  local I, w, rate, map = m.inertia, state.w, {}, {}
+  for _, member in ipairs(m.members) do map[member.sym] = member.e end
+  for _, g in ipairs(eq.groups) do
+    for _, o in ipairs(g.outs) do rate[o.state] = equations.inline(eq.groups, o.expr) end
+  end
+  local torque = vec.cross(w, vec.apply(I, w)) -- I w' + w x L
+  for i = 1, 3 do
+    if not ratio.iszero(I[i] * calculus.substitute(rate[rates[i]], map) + torque[i]) then return groups end
+  end
+  local d = {}
+  for _, i in ipairs { 1, 3 } do
+    d[i] = m:constant("shift" .. i, expr.one - I[i] / I[2], "1 - I" .. i .. "/I2")
+  end
+  map = { [w[1]] = d[1] * w[1], [w[2]] = expr.zero, [w[3]] = d[3] * w[3] }
+  local out = {}
+  for n, g in ipairs(groups) do
+    out[n] = { defs = g.defs, outs = {} }
+    for i, o in ipairs(g.outs) do
+      local e = o.expr
+      if string.find(o.state, "^q[wxyz]$") then e = calculus.substitute(e, map) end
+      out[n].outs[i] = { state = o.state, expr = e }
+    end
+  end
+  return out, d
+end
+
 -- Does any form of the series contain the symbol?
 local function uses(made, sym)
   local set = { [sym.name] = true }
@@ -111,6 +143,8 @@ function taylor.program(eq, options)
   local list = { table.unpack(moving) }
   list[#list + 1] = { name = "t", sym = clock }
   local groups, axis, spin = despun(eq, zero)
+  local shift
+  if not axis then groups, shift = shifted(eq, groups) end
   local ok, made = pcall(series.new, list, groups, varying)
   if not ok then
     if getmetatable(made) == series.missing then
@@ -163,7 +197,7 @@ function taylor.program(eq, options)
   if uses(made, clock) then place(made.by_sym[clock]) end
   return { order = options.order or 20, states = moving, variables = made.variables, lanes = lanes, levels = levels,
     slopes = made.slopes, constants = made.constants or {}, read = read,
-    axis = axis, spin = spin }
+    axis = axis, spin = spin, shift = shift }
 end
 
 return taylor
