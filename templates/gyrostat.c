@@ -64,21 +64,17 @@ static ${name}_wide ${name}_parabola(${name}_wide c, ${name}_wide b, ${name}_wid
   return ${name}_wide_add(c, ${name}_wide_multiply(n, ${name}_wide_add(b, ${name}_wide_multiply(d, n))));
 }
 
-/* The ends of the band and what R is there; 0 if nothing moves.  u1, u2 = M1/G, M2/G; w3. */
-static int ${name}_band(${name}_quartic *p, ${name}_wide u1, ${name}_wide u2, ${name}_wide w3)
+/* The ends of the band and what R is there; 0 if nothing moves.  u1, u2 = M1/G, M2/G; kappa = A1 - A2. */
+static int ${name}_band(${name}_quartic *p, ${name}_wide u1, ${name}_wide u2, ${name}_wide kappa)
 {
-  const ${name}_wide zero = ${name}_wide_real(${zero}), kappa = ${name}_wide_subtract(p->A[0], p->A[1]);
+  const ${name}_wide zero = ${name}_wide_real(${zero});
   ${name}_wide r[3], disc, R[2], speed;
   int i, j, k;
 
-  p->b[0] = ${name}_wide_scale(${name}_wide_subtract(${name}_wide_multiply(p->A[1], p->u), w3), 1);
-  p->b[1] = ${name}_wide_scale(${name}_wide_subtract(w3, ${name}_wide_multiply(p->A[0], p->u)), 1);
   speed = ${name}_wide_minus(${name}_wide_multiply(kappa, ${name}_wide_multiply(u1, u2)));
   if (!${name}_wide_sign(speed) && !${name}_wide_sign(${name}_wide_multiply(u2, p->b[0])) && !${name}_wide_sign(${name}_wide_multiply(u1, p->b[1]))) return 0;
   p->c[0] = ${name}_wide_multiply(kappa, ${name}_wide_square(u1));
   p->c[1] = ${name}_wide_multiply(kappa, ${name}_wide_square(u2));
-  p->d[0] = ${name}_wide_subtract(p->A[1], p->A[2]);
-  p->d[1] = ${name}_wide_subtract(p->A[2], p->A[0]);
   for (i = 0; i < 2 && ${name}_wide_sign(kappa) < 0; i++) {
     p->c[i] = ${name}_wide_minus(p->c[i]);
     p->b[i] = ${name}_wide_minus(p->b[i]);
@@ -109,9 +105,18 @@ static int ${name}_band(${name}_quartic *p, ${name}_wide u1, ${name}_wide u2, ${
     r[1] = ${name}_wide_minus(${name}_wide_dot(p->d[i], f, p->d[j], e));
     r[2] = ${name}_wide_minus(${name}_wide_multiply(p->d[i], p->d[j]));
     disc = ${name}_wide_square(${name}_wide_subtract(${name}_wide_multiply(p->d[i], f), ${name}_wide_multiply(p->d[j], e)));
-    for (k = 0; k < 2; k++) {
-      R[k] = ${name}_wide_multiply(${name}_positive(${name}_wide_add(e, ${name}_wide_multiply(p->d[i], p->end[k]))),
-                  ${name}_positive(${name}_wide_minus(${name}_wide_add(f, ${name}_wide_multiply(p->d[j], p->end[k])))));
+    for (k = 0; k < 2; k++) { /* at its own end a factor is the slope; at the other the value over the width */
+      const int own = p->of[k], other = p->of[1 - k];
+      const ${name}_wide n = p->end[k], slope = ${name}_wide_add(p->b[own], ${name}_wide_scale(${name}_wide_multiply(p->d[own], n), 1));
+
+      R[k] = ${name}_positive(k == 0 ? slope : ${name}_wide_minus(slope));
+      if (${name}_wide_sign(p->width)) {
+        const ${name}_wide value = ${name}_parabola(p->c[other], p->b[other], p->d[other], n);
+
+        R[k] = ${name}_wide_multiply(R[k], ${name}_wide_divide(${name}_positive(value), p->width));
+      } else {
+        R[k] = ${name}_wide_square(R[k]);
+      }
     }
   }
   p->origin = ${name}_wide_sign(${name}_wide_subtract(R[0], R[1])) >= 0 ? 0 : 1;

@@ -22,7 +22,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   static const int axis[3] = {${first}, ${second}, ${third}}; /* the axes here, in the body; the inertial ones go with them */
   ${name}_orbit made;
   ${name}_quartic p;
-  ${name}_wide I[3], w[3], M[4], q[4], frame[4], back[4], t[4], G, zero = ${name}_wide_real(${zero});
+  ${name}_wide I[3], w[3], M[4], q[4], frame[4], back[4], t[4], G, h, zero = ${name}_wide_real(${zero});
   ${name}_real c[2][2], value[2][2], n;
   ${name}_values v;
   int i, k, e, sign[2], moves = 0;
@@ -45,8 +45,8 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     M[i + 1] = ${name}_wide_multiply(I[i], w[i]);
   }
   if (!${name}_wide_sign(${name}_wide_unit(4, q))) return 1;
-  p.g = ${name}_wide_real(${hr});
-  M[3] = ${name}_wide_add(M[3], p.g);
+  h = ${name}_wide_real(${hr});
+  M[3] = ${name}_wide_add(M[3], h);
 
   /* z along M */
   for (i = 0; i < 4; i++) back[i] = i > 0 ? ${name}_wide_minus(q[i]) : q[i];
@@ -67,17 +67,25 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   }
   if (e == -100000) e = 0;
   if (${name}_wide_sign(G)) {
-    const ${name}_wide other = ${name}_wide_divide(p.g, I[2]); /* h/I3 */
+    const ${name}_wide other = ${name}_wide_divide(h, I[2]);
     const ${name}_wide across = ${name}_wide_dot(p.A[0], ${name}_wide_square(M[1]), p.A[1], ${name}_wide_square(M[2]));
 
-    p.g = ${name}_wide_divide(p.g, G);
+    p.g = ${name}_wide_divide(h, G);
     p.v[0] = ${name}_wide_scale(${name}_wide_dot(t[0], t[0], t[3], t[3]), 1);
     p.v[1] = ${name}_wide_scale(${name}_wide_dot(t[1], t[1], t[2], t[2]), 1);
     p.u = ${name}_wide_scale(${name}_wide_subtract(p.v[0], p.v[1]), -1);
     /* e - A3 (1 +- g)^2 */
     p.E[0] = ${name}_wide_subtract(across, ${name}_wide_multiply(p.v[0], ${name}_wide_add(${name}_wide_multiply(p.A[2], p.v[1]), ${name}_wide_scale(other, 1))));
     p.E[1] = ${name}_wide_subtract(across, ${name}_wide_multiply(p.v[1], ${name}_wide_subtract(${name}_wide_multiply(p.A[2], p.v[0]), ${name}_wide_scale(other, 1))));
-    moves = ${name}_band(&p, M[1], M[2], w[2]);
+    /* A2 u - w3 and w3 - A1 u, A2 - A3 and A3 - A1, A1 - A2 from differences of moments */
+    for (i = 0; i < 2; i++) {
+      const ${name}_wide less = ${name}_wide_subtract(I[2], I[1 - i]), b = ${name}_wide_add(${name}_wide_multiply(less, w[2]), h);
+      const ${name}_wide d = ${name}_wide_divide(${name}_wide_multiply(less, G), ${name}_wide_multiply(I[2], I[1 - i]));
+
+      p.b[i] = ${name}_wide_scale(${name}_wide_divide(i == 0 ? b : ${name}_wide_minus(b), I[1 - i]), 1);
+      p.d[i] = i == 0 ? d : ${name}_wide_minus(d);
+    }
+    moves = ${name}_band(&p, M[1], M[2], ${name}_wide_divide(${name}_wide_multiply(${name}_wide_subtract(I[1], I[0]), G), ${name}_wide_multiply(I[0], I[1])));
   }
   if (moves) {
     ${name}_series(&made, &p, e, sign);

@@ -10,10 +10,11 @@ static ${name}_pair ${name}_eta(const ${name}_quartic *p, int i, ${name}_wide ra
 {
   const ${name}_wide vO = ${name}_at_end(p, i, p->origin), vF = ${name}_at_end(p, i, 1 - p->origin);
   const ${name}_wide product = ${name}_wide_multiply(vO, vF), near = ${name}_wide_multiply(p->lambda, vO), less = ${name}_wide_subtract(vF, near);
+  const int natural = 1 + (i != p->origin); /* u = -1 lies beyond the lower end */
   ${name}_wide first;
 
-  *kind = ${name}_wide_sign(less) > 0 ? 1 : 2;
-  *sign = (${name}_wide_sign(p->E[i]) < 0) == (*kind == 1 + (i != p->origin)) ? -1 : 1;
+  *kind = ${name}_wide_sign(p->m) >= 0 ? natural : ${name}_wide_sign(less) > 0 ? 1 : 2;
+  *sign = (${name}_wide_sign(p->E[i]) < 0) == (*kind == natural) ? -1 : 1;
   *infinite = 0;
   if (!${name}_wide_sign(product)) return ${name}_pair_of(${zero});
   first = ${name}_wide_divide(${name}_wide_square(${name}_wide_multiply(p->E[i], p->width)), ${name}_wide_multiply(p->RO, product));
