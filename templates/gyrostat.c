@@ -19,6 +19,7 @@
 typedef struct ${name}_quartic {
   ${name}_wide A[3], u, g, v[2];           /* v: 1 + u, 1 - u */
   ${name}_wide c[2], b[2], d[2];           /* P1, P2 = c + b n + d n^2 at u + n, times the sign of A1 - A2 */
+  ${name}_wide edge[2][2];                 /* 1 + u, 1 - u at the roots */
   ${name}_wide end[2];                     /* the roots n <= 0 <= n on either side */
   ${name}_wide E[2];                       /* P1 at u = -1, 1 */
   ${name}_wide width, RO, B, gamma, lambda, sum, m; /* sum = B + Gamma */
@@ -86,6 +87,16 @@ static int ${name}_band(${name}_quartic *p, ${name}_wide u1, ${name}_wide u2, ${
   ${name}_nearest_roots(p, 1);
   if (p->of[0] < 0 || p->of[1] < 0) return 0;
   p->width = ${name}_wide_subtract(p->end[1], p->end[0]);
+  for (k = 0; k < 2; k++) { /* the smaller one from P1 + P2, so that it is 0 with the other P */
+    ${name}_wide *v = p->edge[k], value;
+
+    j = 1 - p->of[k];
+    v[0] = ${name}_positive(${name}_wide_add(p->v[0], p->end[k]));
+    v[1] = ${name}_positive(${name}_wide_subtract(p->v[1], p->end[k]));
+    i = ${name}_wide_sign(${name}_wide_subtract(v[1], v[0])) < 0;
+    value = ${name}_positive(${name}_parabola(p->c[j], p->b[j], p->d[j], p->end[k]));
+    if (${name}_wide_sign(kappa)) v[i] = ${name}_wide_divide(value, ${name}_wide_multiply(${name}_wide_sign(kappa) < 0 ? ${name}_wide_minus(kappa) : kappa, v[1 - i]));
+  }
   i = p->of[0];
   j = p->of[1];
   if (i == j) { /* R = -d times the other parabola */

@@ -1,19 +1,13 @@
 %% -- gyrostat_theta.c -- the asymmetric gyrostat's theta functions, set up: part of scene.c.  SPDX-License-Identifier: MIT-0
-/* v = 1 + u (i = 0) or 1 - u at an end */
-static ${name}_wide ${name}_at_end(const ${name}_quartic *p, int i, int end)
-{
-  return ${name}_positive(i == 0 ? ${name}_wide_add(p->v[0], p->end[end]) : ${name}_wide_subtract(p->v[1], p->end[end]));
-}
-
 /* eta times what z has of a second: 2 sqrt(vO vF/RO) R_F(E^2 w^2/(RO vO vF), (vF - lambda vO)^2, (vF + lambda vO)^2) */
 static ${name}_pair ${name}_eta(const ${name}_quartic *p, int i, ${name}_wide rate, int *kind, int *sign, int *infinite)
 {
-  const ${name}_wide vO = ${name}_at_end(p, i, p->origin), vF = ${name}_at_end(p, i, 1 - p->origin);
+  const ${name}_wide vO = p->edge[p->origin][i], vF = p->edge[1 - p->origin][i];
   const ${name}_wide product = ${name}_wide_multiply(vO, vF), near = ${name}_wide_multiply(p->lambda, vO), less = ${name}_wide_subtract(vF, near);
-  const int natural = 1 + (i != p->origin); /* u = -1 lies beyond the lower end */
+  const int natural = 1 + (i != p->origin); /* u = -1 is below the lower end, but may be in the other gap, too */
   ${name}_wide first;
 
-  *kind = ${name}_wide_sign(p->m) >= 0 ? natural : ${name}_wide_sign(less) > 0 ? 1 : 2;
+  *kind = ${name}_wide_sign(less) > 0 ? 1 : 2;
   *sign = (${name}_wide_sign(p->E[i]) < 0) == (*kind == natural) ? -1 : 1;
   *infinite = 0;
   if (!${name}_wide_sign(product)) return ${name}_pair_of(${zero});
@@ -25,7 +19,7 @@ static ${name}_pair ${name}_eta(const ${name}_quartic *p, int i, ${name}_wide ra
 static ${name}_pair ${name}_end_rate(const ${name}_quartic *p, int i, int end, int e)
 {
   const ${name}_wide w3 = ${name}_wide_multiply(p->A[2], ${name}_wide_subtract(${name}_wide_add(p->u, p->end[end]), p->g));
-  const ${name}_wide turned = ${name}_wide_multiply(p->A[1 - p->of[end]], ${name}_at_end(p, 1 - i, end));
+  const ${name}_wide turned = ${name}_wide_multiply(p->A[1 - p->of[end]], p->edge[end][1 - i]);
 
   return ${name}_wide_pair(${name}_wide_scale(i == 0 ? ${name}_wide_add(turned, w3) : ${name}_wide_subtract(turned, w3), -1), e);
 }
@@ -190,7 +184,7 @@ static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, in
 
     v = ${name}_untwisted(o, none); /* at O |a|^2 = (1 + u)/2 and |b|^2 = (1 - u)/2 */
     size = i == 0 ? ${sqrt}(v.w*v.w + v.z*v.z) : ${sqrt}(v.x*v.x + v.y*v.y);
-    size = ${name}_wide_pair(${name}_wide_root(${name}_wide_scale(${name}_at_end(p, i, p->origin), -1)), 0).hi/(size + ${least});
+    size = ${name}_wide_pair(${name}_wide_root(${name}_wide_scale(p->edge[p->origin][i], -1)), 0).hi/(size + ${least});
     for (k = 0; k < 6; k++) {
       o->re[i][k] *= size;
       o->im[i][k] *= size;
