@@ -112,7 +112,8 @@ static int ${name}_band(${name}_quartic *p, ${name}_wide u1, ${name}_wide u2, ${
     const ${name}_wide e = ${name}_wide_add(p->b[i], ${name}_wide_multiply(p->d[i], p->end[0]));
     const ${name}_wide f = ${name}_wide_add(p->b[j], ${name}_wide_multiply(p->d[j], p->end[1]));
 
-    r[0] = ${name}_wide_minus(${name}_wide_multiply(e, f));
+    r[0] = ${name}_wide_sign(p->end[0]) ? ${name}_wide_minus(${name}_wide_divide(p->c[i], p->end[0])) : e; /* c = -n (b + d n) */
+    r[0] = ${name}_wide_multiply(r[0], ${name}_wide_sign(p->end[1]) ? ${name}_wide_divide(p->c[j], p->end[1]) : ${name}_wide_minus(f));
     r[1] = ${name}_wide_minus(${name}_wide_dot(p->d[i], f, p->d[j], e));
     r[2] = ${name}_wide_minus(${name}_wide_multiply(p->d[i], p->d[j]));
     disc = ${name}_wide_square(${name}_wide_subtract(${name}_wide_multiply(p->d[i], f), ${name}_wide_multiply(p->d[j], e)));
