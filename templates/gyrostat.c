@@ -3,7 +3,7 @@
  *
  * Axes here: 3 the rotor's, moments I1, I2, I3; inertial z along M = I w + h e3, |M| = G; a = w + i z and b = x + i y of the
  * quaternion from these to those.  u = M3/G = |a|^2 - |b|^2, (M1 + i M2)/G = 2 i conj(a) b, A = G/I, g = h/G (Volterra
- * 1899, Acta Math. 22, 201; Wittenburg, Dynamics of Multibody Systems, section 4.6):
+ * 1899, Acta Math. 22, 201; Wittenburg, Dynamics of Multibody Systems):
  *     u'^2 = P1(u) P2(u),  Pi = (A1 - A2) (Mi/G)^2,  P1 + P2 = (A1 - A2)(1 - u^2),
  *     P1 = e - A3 (u - g)^2 - A2 (1 - u^2),  e constant,
  * so that P1 P2 <= 0 at u = -1 and 1, where a and b vanish.  Between adjacent roots of P1 P2 = X Y R(u), X and Y the distances
@@ -73,7 +73,8 @@ static int ${name}_band(${name}_quartic *p, ${name}_wide u1, ${name}_wide u2, ${
   int i, j, k;
 
   speed = ${name}_wide_minus(${name}_wide_multiply(kappa, ${name}_wide_multiply(u1, u2)));
-  if (!${name}_wide_sign(speed) && !${name}_wide_sign(${name}_wide_multiply(u2, p->b[0])) && !${name}_wide_sign(${name}_wide_multiply(u1, p->b[1]))) return 0;
+  if (!${name}_wide_sign(speed) && !${name}_wide_sign(${name}_wide_multiply(u2, p->b[0]))
+      && !${name}_wide_sign(${name}_wide_multiply(u1, p->b[1]))) return 0;
   p->c[0] = ${name}_wide_multiply(kappa, ${name}_wide_square(u1));
   p->c[1] = ${name}_wide_multiply(kappa, ${name}_wide_square(u2));
   for (i = 0; i < 2 && ${name}_wide_sign(kappa) < 0; i++) {
@@ -95,7 +96,11 @@ static int ${name}_band(${name}_quartic *p, ${name}_wide u1, ${name}_wide u2, ${
     v[1] = ${name}_positive(${name}_wide_subtract(p->v[1], p->end[k]));
     i = ${name}_wide_sign(${name}_wide_subtract(v[1], v[0])) < 0;
     value = ${name}_positive(${name}_parabola(p->c[j], p->b[j], p->d[j], p->end[k]));
-    if (${name}_wide_sign(kappa)) v[i] = ${name}_wide_divide(value, ${name}_wide_multiply(${name}_wide_sign(kappa) < 0 ? ${name}_wide_minus(kappa) : kappa, v[1 - i]));
+    if (${name}_wide_sign(kappa)) {
+      const ${name}_wide size = ${name}_wide_sign(kappa) < 0 ? ${name}_wide_minus(kappa) : kappa;
+
+      v[i] = ${name}_wide_divide(value, ${name}_wide_multiply(size, v[1 - i]));
+    }
   }
   i = p->of[0];
   j = p->of[1];
@@ -106,14 +111,19 @@ static int ${name}_band(${name}_quartic *p, ${name}_wide u1, ${name}_wide u2, ${
     r[0] = ${name}_wide_multiply(f, p->c[j]);
     r[1] = ${name}_wide_multiply(f, p->b[j]);
     r[2] = ${name}_wide_multiply(f, p->d[j]);
-    disc = ${name}_wide_multiply(${name}_wide_square(f), ${name}_wide_subtract(${name}_wide_square(p->b[j]), ${name}_wide_scale(${name}_wide_multiply(p->c[j], p->d[j]), 2)));
-    for (k = 0; k < 2; k++) R[k] = ${name}_wide_multiply(f, ${name}_positive(${name}_parabola(p->c[j], p->b[j], p->d[j], p->end[k])));
+    disc = ${name}_wide_subtract(${name}_wide_square(p->b[j]), ${name}_wide_scale(${name}_wide_multiply(p->c[j], p->d[j]), 2));
+    disc = ${name}_wide_multiply(${name}_wide_square(f), disc);
+    for (k = 0; k < 2; k++) {
+      R[k] = ${name}_wide_multiply(f, ${name}_positive(${name}_parabola(p->c[j], p->b[j], p->d[j], p->end[k])));
+    }
   } else { /* of each one factor is left */
     const ${name}_wide e = ${name}_wide_add(p->b[i], ${name}_wide_multiply(p->d[i], p->end[0]));
     const ${name}_wide f = ${name}_wide_add(p->b[j], ${name}_wide_multiply(p->d[j], p->end[1]));
 
-    r[0] = ${name}_wide_sign(p->end[0]) ? ${name}_wide_minus(${name}_wide_divide(p->c[i], p->end[0])) : e; /* c = -n (b + d n) */
-    r[0] = ${name}_wide_multiply(r[0], ${name}_wide_sign(p->end[1]) ? ${name}_wide_divide(p->c[j], p->end[1]) : ${name}_wide_minus(f));
+    /* c = -n (b + d n) */
+    r[0] = ${name}_wide_sign(p->end[0]) ? ${name}_wide_minus(${name}_wide_divide(p->c[i], p->end[0])) : e;
+    r[1] = ${name}_wide_sign(p->end[1]) ? ${name}_wide_divide(p->c[j], p->end[1]) : ${name}_wide_minus(f);
+    r[0] = ${name}_wide_multiply(r[0], r[1]);
     r[1] = ${name}_wide_minus(${name}_wide_dot(p->d[i], f, p->d[j], e));
     r[2] = ${name}_wide_minus(${name}_wide_multiply(p->d[i], p->d[j]));
     disc = ${name}_wide_square(${name}_wide_subtract(${name}_wide_multiply(p->d[i], f), ${name}_wide_multiply(p->d[j], e)));

@@ -22,7 +22,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   static const int axis[3] = {${first}, ${second}, ${third}}; /* the axes here, in the body; the inertial ones go with them */
   ${name}_orbit made;
   ${name}_quartic p;
-  ${name}_wide I[3], w[3], M[4], q[4], frame[4], back[4], t[4], G, h, zero = ${name}_wide_real(${zero});
+  ${name}_wide I[3], w[3], M[4], q[4], frame[4], back[4], t[4], G, h, kappa, zero = ${name}_wide_real(${zero});
   ${name}_real c[2][2], value[2][2], n;
   ${name}_values v;
   int i, k, e, sign[2], moves = 0;
@@ -85,7 +85,8 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
       p.b[i] = ${name}_wide_scale(${name}_wide_divide(i == 0 ? b : ${name}_wide_minus(b), I[1 - i]), 1);
       p.d[i] = i == 0 ? d : ${name}_wide_minus(d);
     }
-    moves = ${name}_band(&p, M[1], M[2], ${name}_wide_divide(${name}_wide_multiply(${name}_wide_subtract(I[1], I[0]), G), ${name}_wide_multiply(I[0], I[1])));
+    kappa = ${name}_wide_divide(${name}_wide_multiply(${name}_wide_subtract(I[1], I[0]), G), ${name}_wide_multiply(I[0], I[1]));
+    moves = ${name}_band(&p, M[1], M[2], kappa);
   }
   if (moves) {
     ${name}_series(&made, &p, e, sign);

@@ -12,7 +12,9 @@ static ${name}_pair ${name}_eta(const ${name}_quartic *p, int i, ${name}_wide ra
   *infinite = 0;
   if (!${name}_wide_sign(product)) return ${name}_pair_of(${zero});
   first = ${name}_wide_divide(${name}_wide_square(${name}_wide_multiply(p->E[i], p->width)), ${name}_wide_multiply(p->RO, product));
-  return ${name}_argument(${name}_wide_scale(${name}_wide_divide(${name}_wide_multiply(${name}_wide_square(rate), product), p->RO), 2), first, ${name}_wide_square(less), ${name}_wide_square(${name}_wide_add(vF, near)), infinite);
+  return ${name}_argument(
+    ${name}_wide_scale(${name}_wide_divide(${name}_wide_multiply(${name}_wide_square(rate), product), p->RO), 2), first,
+    ${name}_wide_square(less), ${name}_wide_square(${name}_wide_add(vF, near)), infinite);
 }
 
 /* half the rate of the phase of a (i = 0) or b at an end but for the factor 1/2: +-w3 + A (1 -+ u) */
@@ -27,7 +29,8 @@ static ${name}_pair ${name}_end_rate(const ${name}_quartic *p, int i, int end, i
 /* Away from separatrices.  r = exp(-2 eta), D = Q exp(2 eta), Q the squared nome, S_n = Q^(n(n-1)/2) D^n:
  *     theta2(z - i eta) ~ sum of S_n (exp(-i (2n+1) z) + r^(2n+1) exp(i (2n+1) z)), theta1 with (-1)^n
  * Returns the rate of the phase at the end that is farther from the zero, over that of z. */
-static ${name}_pair ${name}_circular(${name}_orbit *o, int i, int sign, ${name}_pair eta, int infinite, ${name}_pair mantissa, int power)
+static ${name}_pair ${name}_circular(${name}_orbit *o, int i, int sign, ${name}_pair eta, int infinite,
+                                     ${name}_pair mantissa, int power)
 {
   const ${name}_pair one = ${name}_pair_of(${one}), q = ${name}_pair_scale(mantissa, power), x = ${name}_pair_scale(eta, 1);
   const int kind = o->odd[i] > ${half} ? 1 : 2;
@@ -94,7 +97,7 @@ static ${name}_pair ${name}_hyperbolic(${name}_orbit *o, int i, int sign, ${name
   c = single ? ${name}_pair_add(one, c1) : one;
   s = single ? s1 : ${name}_pair_of(${zero});
   weight = one;
-  fn = single ? q : q;
+  fn = q;
   for (n = 0; n < 8; n++) { /* weight = q^(n(n+1)/2) or q^(n^2) */
     negative = single ? ((n + 1)/2) % 2 : n % 2;
     next = negative ? ${name}_pair_minus(weight) : weight;
@@ -136,7 +139,8 @@ static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, in
   power = m.e;
   q = ${name}_nome(${name}_wide_pair(m, power), ${name}_wide_pair(mc, 0), power);
   K = ${name}_complete(${name}_pair_scale(q, power));
-  rate = o->hyperbolic == 2 ? ${name}_wide_scale(${name}_wide_root(p->gamma), -2) : ${name}_wide_scale(${name}_wide_root(${name}_wide_scale(p->sum, -1)), o->hyperbolic ? -1 : -2);
+  rate = ${name}_wide_root(o->hyperbolic == 2 ? p->gamma : ${name}_wide_scale(p->sum, -1));
+  rate = ${name}_wide_scale(rate, o->hyperbolic == 1 ? -1 : -2);
   rate = ${name}_wide_multiply(rate, ${name}_wide_of(${name}_pair_divide(pi, K), 0));
   if (o->hyperbolic) {
     P = ${name}_pair_of(${zero});
@@ -155,9 +159,11 @@ static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, in
   {
     const ${name}_wide X = ${name}_wide_multiply(p->lambda, p->X), less = ${name}_wide_subtract(p->Y, X);
 
-    start = ${name}_argument(${name}_wide_scale(${name}_wide_multiply(${name}_wide_square(rate), ${name}_wide_multiply(p->X, p->Y)), 2), ${name}_wide_multiply(${name}_wide_square(less), p->RO),
-                             ${name}_wide_multiply(${name}_wide_square(${name}_wide_add(p->Y, X)), p->RO), ${name}_wide_multiply(p->R, ${name}_wide_square(p->width)), &infinite);
-    if (${name}_wide_sign(less) < 0) start = ${name}_pair_subtract(o->hyperbolic ? ${name}_pair_scale(P, -1) : ${name}_pair_scale(pi, -1), start);
+    m = ${name}_wide_scale(${name}_wide_multiply(${name}_wide_square(rate), ${name}_wide_multiply(p->X, p->Y)), 2);
+    mc = ${name}_wide_multiply(${name}_wide_square(${name}_wide_add(p->Y, X)), p->RO);
+    start = ${name}_argument(m, ${name}_wide_multiply(${name}_wide_square(less), p->RO), mc,
+                             ${name}_wide_multiply(p->R, ${name}_wide_square(p->width)), &infinite);
+    if (${name}_wide_sign(less) < 0) start = ${name}_pair_subtract(${name}_pair_scale(o->hyperbolic ? P : pi, -1), start);
     if (!p->away) start = ${name}_pair_minus(start);
   }
   mu = ${name}_wide_pair(rate, e);
@@ -174,7 +180,8 @@ static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, in
     o->odd[i] = kind == 1 ? ${one} : ${zero};
     if (o->hyperbolic) {
       slope = ${name}_hyperbolic(o, i, sign[i], eta, q);
-      ${name}_store(o->jump[i], ${name}_pair_divide(${name}_pair_scale(sign[i] < 0 ? eta : ${name}_pair_minus(eta), o->hyperbolic - 1), pi));
+      if (sign[i] > 0) eta = ${name}_pair_minus(eta);
+      ${name}_store(o->jump[i], ${name}_pair_divide(${name}_pair_scale(eta, o->hyperbolic - 1), pi));
     } else {
       slope = ${name}_circular(o, i, sign[i], eta, infinite, q, power);
     }

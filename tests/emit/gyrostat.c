@@ -1,16 +1,15 @@
 /* gyrostat.c - measures the emitted closed form of the asymmetric gyrostat: part of gyrostat.t,
    which judges. SPDX-License-Identifier: GPL-3.0-or-later
 
-     measure cases STATES   lines for tests/oracle/heavy_top -r -e, each after its name and |q| - 1:
-   hard motions and random states
-     measure rows           "row ID TIME dw dq norm" against the table
-     measure random STATES  "random STATES refused nan start norm T M many rates ticks": the worst
-     measure float STATES   "float STATES dw dq": the float code against the double one at inputs
-   that both hold
+     measure cases STATES   lines for tests/oracle/heavy_top -r -e, each after its name, |q| - 1 and
+   what the pace is over the rates: hard motions and random states measure rows           "row ID
+   TIME dw dq norm" against the table measure random STATES  "random STATES refused nan start norm T
+   M many rates ticks": the worst measure float STATES   "float STATES dw dq": the float code
+   against the double one at inputs that both hold, kinds without exponential growth
 
-   Errors of rates are over the largest rate of the motion, M/I with I the smallest moment where that
-   is larger. The emitted code is two compiled scenes, dual (double) and small (float), of any moments
-   and a rotor along z. */
+   Errors of rates are over the largest rate of the motion, M/I with I the smallest moment where
+   that is larger. The emitted code is two compiled scenes, dual (double) and small (float), of any
+   moments and a rotor along z. */
 #include "dual.h"
 #include "forced_top.h"
 #include "small.h"
@@ -58,7 +57,7 @@ static double bell(void) {
   return uniform() + uniform() + uniform() - 1.5;
 }
 
-enum { KINDS = 16, WILD = 14 };
+enum { KINDS = 17 };
 
 /* moments, momentum and x0 of one kind */
 static void draw(double b[4], double x[7], int kind) {
@@ -87,13 +86,15 @@ static void draw(double b[4], double x[7], int kind) {
   case 5: /* whole numbers */
     for (int i = 0; i < 7; i++)
       x[i] = floor(3 * bell());
-    b[0] = 2 + floor(2 * uniform()), b[1] = 2 + floor(2 * uniform()), b[2] = 2 + floor(3 * uniform());
+    b[0] = 2 + floor(2 * uniform()), b[1] = 2 + floor(2 * uniform()),
+    b[2] = 2 + floor(3 * uniform());
     b[3] = floor(4 * bell());
     break;
   case 6: /* about the rotor's axis */
     x[4] = small * bell(), x[5] = small * bell();
     break;
-  case 7: /* permanent rotations, and almost, about axes between 1 and 3: w3 = h/(I1 - I3), w1 any */
+  case 7: /* permanent rotations, and almost, about axes between 1 and 3: w3 = h/(I1 - I3), w1 any
+           */
     x[5] = small * bell();
     x[6] = b[3] / (b[0] - b[2]) * (1 + small * bell());
     break;
@@ -132,6 +133,10 @@ static void draw(double b[4], double x[7], int kind) {
       x[i] *= spread(8);
     b[3] *= spread(8);
     break;
+  case 16: /* none at all: h + I3 w3 = 0 exactly, or no rates */
+    b[2] = 2, b[0] = 1.5 + uniform(), b[1] = 1.5 + uniform();
+    x[4] = x[5] = 0, x[6] = floor(8 * bell()), b[3] = uniform() < 0.7 ? -2 * x[6] : 0;
+    break;
   default:
     break;
   }
@@ -158,8 +163,10 @@ static void print_cases(long count) {
       continue;
     const double t = (uniform() - 0.3) * 60 / pace(b, x0);
     dual_at(&o, t, x);
-    printf("kind %d, %d, m h: %g; %.3e; %a %a %a 0 0 %a", kind, o.hyperbolic, o.nome, norm_error(x), b[0], b[1],
-           b[2], b[3]);
+    const double most =
+        larger(larger(fabs(x[4]), fabs(x[5])), fabs(x[6])); /* what the oracle divides by */
+    printf("kind %d, %d, q = %g; %.3e %.3e; %a %a %a 0 0 %a", kind, o.hyperbolic, o.nome,
+           norm_error(x), most > 0 ? pace(b, x0) / most : 1, b[0], b[1], b[2], b[3]);
     for (int i = 0; i < 7; i++)
       printf(" %a", i < 3 ? x0[4 + i] : x0[i - 3]);
     printf(" %a", t);
@@ -211,11 +218,14 @@ static void invariants(const double b[4], const double x[7], long double *T, lon
   *T = (long double)b[0] * x[4] * x[4] + (long double)b[1] * x[5] * x[5] +
        (long double)b[2] * x[6] * x[6];
   M[0] = ((w * w + i * i - j * j - k * k) * L[0] + 2 * (i * j - w * k) * L[1] +
-          2 * (i * k + w * j) * L[2]) / n;
+          2 * (i * k + w * j) * L[2]) /
+         n;
   M[1] = (2 * (i * j + w * k) * L[0] + (w * w - i * i + j * j - k * k) * L[1] +
-          2 * (j * k - w * i) * L[2]) / n;
+          2 * (j * k - w * i) * L[2]) /
+         n;
   M[2] = (2 * (i * k - w * j) * L[0] + 2 * (j * k + w * i) * L[1] +
-          (w * w - i * i - j * j + k * k) * L[2]) / n;
+          (w * w - i * i - j * j + k * k) * L[2]) /
+         n;
 }
 
 static void random_states(long count) {

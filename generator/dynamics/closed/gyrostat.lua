@@ -37,15 +37,16 @@ function gyrostat.detect(m)
   end
   local third = axis_of(l.rotor)
   if not third then
-    return nil, "the rotors are along no principal axis: u'^2 is no polynomial in a component u of the momentum", true
+    return nil, "the rotors are along no principal axis: of no component u of the momentum is u'^2 a polynomial in u",
+      true
   end
   local first, second = third % 3 + 1, (third + 1) % 3 + 1
   return { kind = "asymmetric gyrostat", theorem = "asymmetric gyrostat, theta functions",
-    text = { "The rotors hold h along the principal axis 3.  M = I w + h e3 is constant in inertial axes, and so is 2T, so that",
+    text = { "The rotors hold h along the principal axis 3.  M = I w + h e3 is constant in inertial axes, and w.I w:",
       "u = M3/|M| has u'^2 = a quartic in u (Volterra 1899, Acta Math. 22, 201; Wittenburg, Dynamics of Multibody",
-      "Systems, section 4.6).  The attitude is a pair a, b with |a|^2 = (1 + u)/2, |b|^2 = (1 - u)/2, each exp(i mu t)",
-      "theta1 or theta2 of z - i eta, with mu and eta of its own; the rates are products of two of these.  Set up in",
-      "twice the working precision; four real roots or two, permanent rotations, separatrices and h = 0 are limits." },
+      "Systems).  The attitude is a pair a, b with |a|^2 = (1 + u)/2, |b|^2 = (1 - u)/2, each exp(i mu t) theta1 or",
+      "theta2 of z - i eta, with mu and eta of its own; the rates are products of two of these.  Set up in twice the",
+      "working precision; four real roots or two, permanent rotations, separatrices and h = 0 are limits." },
     header = "templates/gyrostat.h", full = true, ticks = true,
     flags = { lagrange = true, first = index[first], second = index[second], third = index[third] },
     sources = { "templates/circle.c", "templates/double.c", "templates/integral.c", "templates/wide.c",
@@ -54,7 +55,8 @@ function gyrostat.detect(m)
       "templates/count.c", "templates/lagrange_tick.c" },
     constants = function(model)
       local function moment(name, i)
-        return model:constant(name, model.inertia[i], "moment of inertia about " .. string.sub("xyz", i, i) .. ", kg m^2")
+        local about = "moment of inertia about " .. string.sub("xyz", i, i) .. ", kg m^2"
+        return model:constant(name, model.inertia[i], about)
       end
       return { I1 = moment("I1", first), I2 = moment("I2", second), I3 = moment("I3", third),
         hr = model:constant("hr", l.rotor[third], "momentum of the rotors, N m s") }
