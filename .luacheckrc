@@ -7,5 +7,6 @@ files["bodies/*.lua"] = {
     "extrude", "revolve", "region", "mesh", "inertial",
     "quantity", "exact", "pi", "sqrt", "sin", "cos", "tan", "asin", "acos",
     "atan", "atan2", "exp", "log", "sinh", "cosh", "tanh", "abs",
+    "t", "qw", "qx", "qy", "qz", "wx", "wy", "wz", "rx", "ry", "rz", "vx", "vy", "vz",
   },
 }

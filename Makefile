@@ -274,7 +274,8 @@ install: all
 	  $(DESTDIR)$(PREFIX)/share/doc/polhode
 	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/polhode
 	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib/libpolhode.a
-	install -m 644 src/runtime/polhode.h src/runtime/polhode_exact.h src/runtime/polhode_move.h $(DESTDIR)$(PREFIX)/include/
+	install -m 644 src/runtime/polhode.h src/runtime/polhode_exact.h src/runtime/polhode_move.h \
+	  src/runtime/polhode_acts.h $(DESTDIR)$(PREFIX)/include/
 	printf '%s\n' "$$PC_FILE" > $(DESTDIR)$(PREFIX)/lib/pkgconfig/polhode.pc
 	install -m 644 LICENSE $(DESTDIR)$(PREFIX)/share/doc/polhode/LICENSE
 	install -m 644 templates/LICENSE $(DESTDIR)$(PREFIX)/share/doc/polhode/LICENSE.templates

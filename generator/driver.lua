@@ -13,6 +13,7 @@ local stability = require "generator.mass.stability"
 local model = require "generator.dynamics.model"
 local equations = require "generator.dynamics.equations"
 local closed = require "generator.dynamics.closed.list"
+local breaks = require "generator.dynamics.breaks"
 local conserved = require "generator.dynamics.conserved"
 local symmetric = require "generator.dynamics.closed.symmetric"
 local quantities = require "generator.dynamics.quantities"
@@ -97,6 +98,7 @@ function driver.plan(job, options)
   end
   local form = job.closed
   job.closed_constants = form.constants and form.constants(m) or {}
+  job.smooth_until = breaks.first(eq)
   job.stability = m.has.rates and stability.of(m) or nil
   job.functions = list
   job.real, job.command = options.real or "double", options.command

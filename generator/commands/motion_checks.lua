@@ -1,6 +1,8 @@
 -- motion_checks.lua -- checks of `polhode check` along a motion: what is conserved, and the closed form of a point.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
+local breaks = require "generator.dynamics.breaks"
 local numeric = require "generator.dynamics.numeric"
 
 local motion_checks = {}
@@ -23,11 +25,12 @@ local function rate_of(plugin, x0)
 end
 
 -- A span of some four radians of the fastest rate, of w and, with effects, of the Jacobian; not beyond the scene's own
--- horizon where something moves away.
+-- horizon where something moves away, nor beyond a corner of a table.
 function motion_checks.span(job, plugin, scale, x0)
   local rate = job.model.has.rates and scale.rates or 0.0
   if not job.equations.free then rate = math.max(rate, rate_of(plugin, x0)) end
-  local horizon = job.model:double(job.model.horizon)
+  local horizon, first = job.model:double(job.model.horizon), breaks.first(job.equations)
+  if first and rate * R.todouble(first) < 4 then return R.todouble(first) end
   if job.model.has.position and rate * horizon < 4 then return horizon end
   return 4.0 / rate
 end

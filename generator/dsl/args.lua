@@ -8,6 +8,7 @@
 local R = require "generator.algebra.rational"
 local coordinate = require "generator.algebra.coordinate"
 local expr = require "generator.algebra.expr"
+local motion = require "generator.algebra.motion"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
 local diag = require "generator.diag"
@@ -101,20 +102,28 @@ function args.flag(ctx, line, what, name, _, given)
   return nil
 end
 
--- One scalar of dimension `spec.dim`, as an expression; nil after an error.
+-- One scalar of dimension `spec.dim` (its name in units, or itself), as an expression; nil after an error.
+-- spec.motion: it may depend on time and states, which, like plain numbers, take any dimension unless a value that has
+-- one is beside them.
 function args.scalar(ctx, line, what, name, spec, given)
   local r, why = value.of(given)
   if not r then
     ctx.diag:error(line, what, name .. " " .. why, diag.show(given))
     return nil
   end
-  local dim = units[spec.dim or "none"]
-  if r.dim and not units.equal(r.dim, dim) then
+  local dim = type(spec.dim) == "table" and spec.dim or units[spec.dim or "none"]
+  local moves = not motion.free(r.e)
+  if moves and not spec.motion then
+    ctx.diag:error(line, what, name .. " must not depend on time or states", value.show(given))
+    return nil
+  end
+  if r.dim and not units.equal(r.dim, dim) and not (spec.motion and r.plain) then
     local pure = units.equal(dim, units.none)
     ctx.diag:error(line, what, name .. (pure and " must be a pure number" or " must be in " .. units.name(dim)),
       value.show(given, true))
     return nil
   end
+  if moves then return r.e end
   local number = value.number(r.e)
   if not number then
     ctx.diag:error(line, what, name .. (coordinate.inside(r.e) and
@@ -175,6 +184,13 @@ function args.keys(t)
     if x == 3 then return diag.show(a) < diag.show(b) end
     return a < b
   end)
+  return list
+end
+
+-- The keys of a user's table as a list of specs.
+function args.specs(given)
+  local list = {}
+  for i, k in ipairs(args.keys(given or {})) do list[i] = { name = tostring(k) } end
   return list
 end
 

@@ -17,6 +17,7 @@ local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
 local inertial = require "generator.dsl.inertial"
 local mesh = require "generator.dsl.mesh"
+local moving = require "generator.dsl.moving"
 local diag = require "generator.diag"
 
 local env = {}
@@ -134,14 +135,20 @@ local function effect_constructor(ctx, record)
       local a, ok
       if given ~= nil and not args.plain(given) then
         ctx.diag:error(line, what, "takes a table of named arguments", diag.show(given))
-      elseif spec.read then
-        a = spec.read(ctx, line, what, given or {}, args)
+      elseif spec.read or spec.reader then
+        a = (spec.read or moving[spec.reader])(ctx, line, what, given or {}, args)
         ok = a ~= nil
       else
         a, ok = args.read(ctx, line, what, spec.args, given or {})
       end
+      local refused = ok and a and spec.refuse and spec.refuse(a, given or {})
+      if refused then
+        ctx.diag:error(line, what, refused)
+        ok = false
+      end
       for _, c in ipairs(ok and a and spec.check and spec.check(a) or {}) do
-        ok = args.condition(ctx, line, what, c[2], c[1], args.named(spec.args, c[2], given or {})) and ok
+        local got = args.named(spec.args or args.specs(given), c[2], given or {})
+        ok = args.condition(ctx, line, what, c[2], c[1], got) and ok
       end
       local h = setmetatable({}, effect_object)
       record[h] = { kind = spec.name, spec = spec, a = a or {}, line = line, broken = not ok or a == nil }
@@ -183,6 +190,7 @@ function env.record(host, d, text, tables, set)
     return value.new(expr.num(number(ctx, "exact", "the number", s)), nil)
   end
   for i, s in ipairs(coordinate.symbols) do e[coordinate.names[i]] = value.new(s, units.length, true) end
+  for _, s in ipairs(moving.words) do e[s[1]] = moving.value(s) end
   e.pi, e.sqrt = value.new(expr.pi, nil), value.sqrt
   for _, f in ipairs(value.functions) do e[f[1]] = value.func(table.unpack(f)) end
   local calls, scene_handle = 0, nil

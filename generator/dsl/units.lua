@@ -18,9 +18,12 @@ local function dim(m, kg, s, A, K) return { R.new(m), R.new(kg or 0), R.new(s or
 units.none = dim(0)
 units.length, units.mass, units.time = dim(1), dim(0, 1), dim(0, 0, 1)
 units.inertia, units.torque = dim(2, 1), dim(2, 1, -2)
+units.force = dim(1, 1, -2)
 units.velocity, units.acceleration = dim(1, 0, -1), dim(1, 0, -2)
 units.rate, units.rate_dot = dim(0, 0, -1), dim(0, 0, -2)
 units.friction, units.drag, units.stiffness = dim(0, 1, -1), dim(-1, 1), dim(0, 1, -2) -- N s/m, N s^2/m^2, N/m
+units.magnetic_moment, units.field = dim(2, 0, 0, 1), dim(0, 1, -2, -1) -- A m^2, T
+units.energy = units.torque
 units.angular_momentum, units.damping = dim(2, 1, -1), dim(2, 1, -1)
 units.density_volume, units.density_area, units.density_length = dim(-3, 1), dim(-2, 1), dim(-1, 1)
 

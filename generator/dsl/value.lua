@@ -12,6 +12,7 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
+local motion = require "generator.algebra.motion"
 local text = require "generator.algebra.text"
 local units = require "generator.dsl.units"
 local diag = require "generator.diag"
@@ -71,6 +72,7 @@ function value.show(x, with_unit)
   end
   local s, coordinates = nil, 0 -- @x: a coordinate, which has no number
   if size(r.e, most_nodes) <= most_nodes then s, coordinates = string.gsub(text.of(r.e), "@", "") end
+  if s and not motion.free(r.e) then coordinates = 1 end -- time and states have no number either
   if s and s ~= number and #s <= most_text then number = coordinates > 0 and s or s .. " = " .. number end
   if not with_unit then return number end
   local pure = not r.dim or units.equal(r.dim, units.none)

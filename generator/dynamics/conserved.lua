@@ -9,6 +9,7 @@
 
 local context = require "generator.dynamics.context"
 local expr = require "generator.algebra.expr"
+local laws = require "generator.dynamics.laws"
 
 local conserved = {}
 
@@ -22,6 +23,7 @@ end
 -- The effect's own list as a set.
 local function kept(m, e)
   local set, list = {}, e.spec.conserves
+  if e.spec.decided then list = laws.of(m, e) end
   if type(list) == "function" then list = list(e.a, context.with(context.dry(m), e)) end
   for _, law in ipairs(list or {}) do set[law] = true end
   if set.L then set["|L|"], set.L_z = true, true end
@@ -30,7 +32,7 @@ end
 
 -- What an effect's module says, in words: for lists of effects.
 function conserved.words(spec)
-  if type(spec.conserves) == "function" then return spec.keeps end
+  if type(spec.conserves) == "function" or spec.decided then return spec.keeps end
   return #(spec.conserves or {}) > 0 and table.concat(spec.conserves, ", ") or "nothing"
 end
 

@@ -7,6 +7,7 @@
 
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
+local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
 local state = require "generator.dynamics.state"
 
@@ -24,11 +25,22 @@ function context.inertia(m)
   end)
 end
 
+-- The entries of the tensor that the rates carry: the body's, without the moments of wheels that turn in it.
+function context.carried(m)
+  if m.carried == m.inertia then return context.inertia(m) end
+  return vec.map(m.carried, function(e, n)
+    return m:constant("I" .. vec.entry[n], e, "tensor without the wheels' own moments, " .. vec.entry[n] .. ", kg m^2")
+  end)
+end
+
+local none = { expr.zero, expr.zero, expr.zero }
+
 -- constant: what keeps a derived constant; nil: the model.
 function context.of(m, constant)
   constant = constant or function(name, e, about) return m:constant(name, e, about) end
   return { mass = m.mass, com = m.com, inertia = m.inertia, structure = m.structure, has = m.has, q = state.q,
-    w = state.w, r = state.r, v = state.v, u = state.u, t = state.t, M = M, constant = constant,
+    w = state.w, r = state.r, v = state.v, u = state.u, t = state.t, M = M, constant = constant, dw = none,
+    lift = function(e, name, about) return motion.lift(e, function(x) return constant(name, x, about) end) end,
     L = function() return vec.apply(m.inertia, state.w) end, -- the equations give names to its entries
     inertia_constants = function() return context.inertia(m) end,
     per_mass = function(name, e, about) return constant(name, e / m.mass, about .. " per kg") * M end }

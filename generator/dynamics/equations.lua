@@ -44,8 +44,7 @@ equations.inertia = context.inertia
 
 -- I w as named definitions, unless an entry is trivial.
 local function momentum(m)
-  local I = equations.inertia(m)
-  local Iw = vec.apply(I, state.w)
+  local Iw = vec.apply(context.carried(m), state.w)
   local defs, L = {}, {}
   for i = 1, 3 do
     if Iw[i] == expr.zero then
@@ -65,8 +64,8 @@ local function torque_of(m, e, c)
   local N = e.spec.torque and e.spec.torque(e.a, c) or zero
   local h = e.spec.momentum and e.spec.momentum(e.a, c)
   if not h then return N end
-  local rate = zero
-  if #e.states > 0 then
+  local rate = e.spec.momentum_rate and e.spec.momentum_rate(e.a, c) or zero
+  if #e.states > 0 and not e.spec.momentum_rate then
     local change = e.spec.derivative(e.a, c)
     rate = vec.map(h, function(x)
       local sum = expr.zero
@@ -83,6 +82,7 @@ local function torques(m)
   local need_L = false
   local c = context.of(m)
   c.L = function()
+    if m.carried ~= m.inertia then return vec.apply(equations.inertia(m), state.w) end
     need_L = true
     return (momentum(m))
   end
@@ -125,18 +125,18 @@ end
 local builders = {}
 
 function builders.sphere(m, N)
-  local alpha = m:constant("I1", m.structure.alpha, "moment of inertia about any axis, kg m^2")
+  local alpha = m:constant("I1", m.carrier.alpha, "moment of inertia about any axis, kg m^2")
   return { why = "Euler: I w' = N, every axis is a principal one", defs = {},
     outs = vec.map(N, function(n) return n / alpha end) }
 end
 
 -- (I_jj - I_kk)/I_ii in the body's parts; nil when it has none.
 local function quotient(m, j, k, i)
-  return m.parts and m.parts:difference(j, k) / equations.inertia(m)[i]
+  return m.parts and m.carried == m.inertia and m.parts:difference(j, k) / equations.inertia(m)[i] or nil
 end
 
 function builders.symmetric(m, N, groups, d)
-  local s = m.structure
+  local s = m.carrier
   local k, w = s.k, state.w
   local axis = coordinate(k)
   local across = axis and axis % 3 + 1
@@ -181,7 +181,7 @@ function builders.symmetric(m, N, groups, d)
 end
 
 function builders.diagonal(m, N)
-  local I, w = m.inertia, state.w
+  local I, w = m.carried, state.w
   local torque = #m.record.effects > 0 and " + N1" or ""
   local why = "Euler, principal axes: I1 w1' = (I2 - I3) w2 w3" .. torque .. ", and cyclic"
   local g = { why = why, defs = {}, outs = {} }
@@ -207,8 +207,8 @@ end
 
 function builders.full(m, N)
   local L, defs = momentum(m)
-  local adj, det = vec.adjugate(m.inertia)
-  local named, whole = vec.adjugate(equations.inertia(m))
+  local adj, det = vec.adjugate(m.carried)
+  local named, whole = vec.adjugate(context.carried(m))
   -- expanded, the determinant of a simple body is a sum of positive terms; of a complicated one it is unreadable
   local small = not m.parts and largest_sum(tidy(det)) <= 24
   local expanded = small and ratio.over(adj, det)
@@ -249,16 +249,24 @@ local function turning(d, m, list)
     L_defs = select(2, momentum(m))
     table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = L_defs, outs = {} })
   end
-  local euler = builders[m.structure.kind](m, N, groups, d)
+  local euler = builders[m.carrier.kind](m, N, groups, d)
   if not euler then return nil end
   euler.where = place(m, m.line)
   for i, n in ipairs(state.names.rates) do euler.outs[i] = { state = n, expr = euler.outs[i] } end
-  if m.structure.kind == "full" then -- which begins with the same definitions
+  if m.carrier.kind == "full" then -- which begins with the same definitions
     for _ = 1, #L_defs do table.remove(euler.defs, 1) end
   end
   groups[#groups + 1] = euler
   for _, g in ipairs(groups) do list[#list + 1] = g end
   return true
+end
+
+-- w' as the groups have it, or nil.
+local function rates_of(groups)
+  for _, g in ipairs(groups) do
+    if g.outs[1] and g.outs[1].state == "wx" then return vec.map(g.outs, function(o) return o.expr end) end
+  end
+  return nil
 end
 
 local of_attitude = { qw = true, qx = true, qy = true, qz = true }
@@ -276,6 +284,7 @@ function equations.of(d, m)
     end
   end
   local c = context.of(m)
+  c.dw = rates_of(groups) or c.dw
   for _, e in ipairs(m.record.effects) do
     inputs = inputs or e.spec.input or false
     local change = #e.states > 0 and e.spec.derivative(e.a, context.with(c, e))

@@ -154,6 +154,33 @@ local function warn_of_condition(d, m)
   end
 end
 
+-- m.carried, the tensor that the rates carry, and its structure m.carrier: the body's without the moments of wheels
+-- that the body's tensor includes.  It must be positive definite: its leading minors are.
+local function carry(d, m, checks)
+  m.carried, m.carrier = m.inertia, m.structure
+  local first
+  for _, e in ipairs(m.record.effects) do
+    local part = e.spec.carries and e.spec.carries(e.a)
+    if part then m.carried, first = vec.map(vec.add(m.carried, part), ratio.tidy), first or e end
+  end
+  if not first then return true end
+  local I = m.carried
+  local minors = { I[1], I[1] * I[2] - I[4] ^ 2, select(2, vec.adjugate(I)) }
+  local rule = "the tensor must stay positive without the wheels that it includes (included = true)"
+  for i, minor in ipairs(minors) do
+    minor = ratio.tidy(minor)
+    if R.sign(m:number(minor)) <= 0 then
+      d:error(first.line, "wheel", rule, "leading minor " .. i .. " = " .. string.format("%.17g", m:double(minor)))
+      return false
+    end
+    if not expr.constant(minor) then
+      checks[#checks + 1] = { e = minor, what = "wheel", rule = rule, line = first.line }
+    end
+  end
+  m.carrier = principal.classify(m.carried)
+  return true
+end
+
 -- Characters of the expressions, and whether a number of nine digits or more is among them.
 local function length(list)
   local n, long = 0, false
@@ -231,6 +258,7 @@ function model.new(d, record, options)
     d:error(m.line, "body", "has no moment of inertia about the origin, so its rotation is undetermined")
     return nil
   end
+  if not carry(d, m, record.checks) then return nil end
   m.conditions = conditions(m, record.checks)
   warn_of_condition(d, m)
   return m

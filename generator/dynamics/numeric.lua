@@ -9,6 +9,8 @@ local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local vec = require "generator.algebra.vec"
 local body = require "generator.mass.body"
+local context = require "generator.dynamics.context"
+local postfix = require "generator.dynamics.postfix"
 local state = require "generator.dynamics.state"
 
 local numeric = {}
@@ -120,26 +122,41 @@ function numeric.scene(job, values)
     error("unknown node in a shape tree: " .. tostring(node.op))
   end
 
-  local effects = {}
-  for i, e in ipairs(record.effects) do effects[i] = e.spec.numeric(e.a, num, record.given) end
   local body_tree = tree(record.body, { volume = expr.one, area = expr.one, length = expr.one })
   -- the origin of rotation becomes that of the coordinates
   body_tree = shifted(body_tree, vec.map(m.origin, function(e) return -e end))
+  if not job.states then return { body = body_tree } end -- asked for while the model is made
+  local effects, dry = {}, context.dry(m)
+  local place = {}
+  for k, s in ipairs(state.known) do place[s.name] = k - 1 end
+  for i, k in ipairs((numeric.positions(job))) do place[job.states[i].name] = k - 1 end
+  local function code(e) return postfix.of(e, exact, place) end
+  for i, e in ipairs(record.effects) do
+    effects[i] = e.spec.numeric(e.a, num, record.given, code, context.with(dry, e))
+  end
+  local own = {}
+  for _, s in ipairs(job.states) do
+    if s.effect then own[#own + 1] = s.initial end
+  end
   return { name = m.name, body = body_tree, origin = { 0.0, 0.0, 0.0 }, effects = effects,
-    q = nums(record.attitude), w = nums(record.omega), r = nums(record.given.position or none),
+    own = nums(own), q = nums(record.attitude), w = nums(record.omega), r = nums(record.given.position or none),
     v = nums(record.given.velocity or none) }
 end
 
--- The library's state is q and w, with r and v where the body moves.  Where each state of the scene is in it, and how
--- long it is.
+-- The library's state is q and w, with r and v where the body moves, and what effects add.  Where each state of the
+-- scene is in it, and how long it is.
 function numeric.positions(job)
-  local list = {}
+  local list, n = {}, job.model.has.position and 13 or 7
   for i, s in ipairs(job.states) do
     for k, known in ipairs(state.known) do
       if known.name == s.name then list[i] = k end
     end
+    if s.effect then
+      n = n + 1
+      list[i] = n
+    end
   end
-  return list, job.model.has.position and 13 or 7
+  return list, n
 end
 
 -- The library's state for the scene's state x: no turning where the scene has none.

@@ -108,7 +108,7 @@ quantities.potential_energy = potential
 
 function quantities.kinetic(m)
   if not m.has.rates then return expr.zero, {}, "" end
-  local w, I = state.w, equations.inertia(m)
+  local w, I = state.w, context.carried(m)
   local diagonal = I[4] == expr.zero and I[5] == expr.zero and I[6] == expr.zero
   if diagonal then
     return vec.dot(I, vec.map(w, function(x) return x ^ 2 end)) / 2, {},
@@ -124,6 +124,13 @@ function quantities.energy(m)
   if m.has.position then
     local v2 = vec.dot(state.v, state.v)
     T, why = T + context.mass(m) * v2 / 2, why .. (why == "" and "T = " or " + ") .. "m v^2/2"
+  end
+  local c = context.of(m)
+  for _, e in ipairs(m.record.effects) do
+    if e.spec.kinetic then
+      T = T + e.spec.kinetic(e.a, context.with(c, e))
+      why = why .. " + T of " .. string.gsub(e.kind, "^effect%.", "")
+    end
   end
   if m.has.position or m.frame then
     doc = m.frame and { "Kinetic energy relative to the frame, the effects' potential and the frame's own, J: Jacobi's",
@@ -146,7 +153,7 @@ local function held(m)
 end
 
 function quantities.momentum_body(m)
-  local L = vec.add(vec.apply(equations.inertia(m), state.w), held(m))
+  local L = vec.add(vec.apply(context.carried(m), state.w), held(m))
   return { name = "momentum_body", args = { "m", "x", array("L", 3, true) },
     doc = { "Angular momentum about the origin of rotation, body axes, kg m^2/s." },
     groups = { group("L = I w", {}, outs("L", L)) } }

@@ -7,13 +7,11 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local motion = require "generator.algebra.motion"
 
 local state = {}
 
-local rank = 8 -- states after all constants in a product
-
--- The symbol of a state of that name.
-function state.sym(name) return expr.sym(name, rank) end
+state.sym = motion.sym -- the symbol of a state of that name
 
 local function list(rows)
   local out = { by_name = {} }
@@ -33,7 +31,7 @@ state.known = list {
 state.inputs = list {
   { "ux", "torque, body axes", "N m" }, { "uy", "", "N m" }, { "uz", "", "N m" },
 }
-state.t = expr.sym("t", rank)
+state.t = motion.sym "t"
 state.h = expr.sym("h", 6)
 
 -- The four kinds of known states, by the names that `outputs` of a scene and the reports use.

@@ -200,6 +200,7 @@ function states.decide(d, m)
   for _, s in ipairs(list) do m.states[#m.states + 1] = s end
   for _, s in ipairs(m.states) do
     m.states.by_name[s.name] = s
+    m.by_name[s.name] = m.by_name[s.name] or s -- no constant may be called so
     for _, p in ipairs(m.params) do
       if string.upper(p.name) == string.upper(s.name) then
         d:error(p.line, "param", "name is taken by a state of the scene", string.format("%q", p.name))

@@ -1,32 +1,28 @@
--- torque.lua -- a constant torque, given in body axes or in inertial axes.
+-- torque.lua -- a torque given in body axes or in inertial axes, constant or varying.
 --
 -- N_body = N, or N_body = R(q)^T N.  The torque equation in the body frame, dL/dt|body + w x L = N, is where it
--- enters (Goldstein 5.39).
+-- enters (Goldstein 5.39).  A component is a number, an expression of time and states, or a table over time
+-- (dsl/moving.lua), linear between its rows and constant beyond them.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
 
 local torque = {
   name = "effect.torque",
-  about = "constant torque, body = {x, y, z} or inertial = {x, y, z}",
+  about = "torque, body or inertial = {x, y, z}: numbers, expressions of t and states, tables {{t, v}, ...}",
+  reader = "torque",
   keeps = "w3 (body torque across z) or L_z (inertial torque across z)",
+  formula = "N = body, or N = R(q)^T inertial",
+  signs = "N is what acts on the body; body axes turn with it, inertial axes stand still (or are those of a frame)",
+  source = "Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 5.39",
+  example = "thruster",
 }
-
-function torque.read(ctx, line, what, given, args)
-  args.unknown(ctx, line, what, { { name = "body" }, { name = "inertial" } }, given)
-  if (given.body == nil) == (given.inertial == nil) then
-    ctx.diag:error(line, what, "give body or inertial, one of them")
-    return nil
-  end
-  local key = given.body ~= nil and "body" or "inertial"
-  local v = args.vector(ctx, ctx.diag:locate(line, key), what, key, { dim = "torque", size = 3 }, given[key])
-  return v and { [key] = v }
-end
 
 function torque.torque(a, c)
   local N = vec.map(a.body or a.inertial, function(x, i)
-    return c.constant("N" .. string.sub("xyz", i, i), x, "torque, N m")
+    return c.lift(x, "N" .. string.sub("xyz", i, i), "torque, N m")
   end)
   if a.body then return N end
   return vec.matvec(vec.transpose(vec.rotation(c.q)), N)
@@ -38,9 +34,23 @@ function torque.conserves(a)
   return a.inertial[3] == expr.zero and { "L_z" } or {}
 end
 
-function torque.numeric(a, num)
+-- What is constant as numbers, what varies as a table or as code.
+function torque.numeric(a, num, _, code)
   local key = a.body and "body" or "inertial"
-  return { kind = "torque", [key] = vec.map(a[key], num) }
+  if not motion.any(a[key]) then return { kind = "torque", [key] = vec.map(a[key], num) } end
+  local parts = vec.map(a[key], function(e, i)
+    if motion.free(e) then return num(e) end
+    return torque.varying(e, a.rows[i], num, code)
+  end)
+  return { kind = "varying", inertial = key == "inertial", parts = parts }
+end
+
+-- A component for the library: {rows = {t1, v1, t2, ...}} or {code = ...}.
+function torque.varying(e, rows, num, code)
+  if not rows then return { code = code(e) } end
+  local list = {}
+  for _, row in ipairs(rows) do list[#list + 1], list[#list + 2] = num(row[1]), num(row[2]) end
+  return { rows = list }
 end
 
 return torque

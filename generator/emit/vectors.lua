@@ -109,11 +109,15 @@ local function states(job, round, env)
   for _, k in ipairs { "rates", "position", "velocity" } do
     if m.has[k] and scale[k] > size then size = scale[k] end
   end
+  for i, s in ipairs(job.states) do -- an effect's own
+    if s.effect and R.abs(own[i]) > size then size = R.abs(own[i]) end
+  end
   local x2 = made "x2"
   if m.has.position then -- drag may be faster than at rest
     local rate = rate_of(job, env, x2.values)
     if rate and rate * time > R.new(1, 2) then time = R.new(1, 2) / rate end
   end
+  if job.smooth_until and (not time or time > job.smooth_until) then time = job.smooth_until end
   return { { name = "x1", values = own }, x2, made "x3" }, R.round(time or R.new(1, 2), 24), size
 end
 

@@ -227,6 +227,7 @@ function share.sums(forms, B)
       local made
       if not whole then
         local c = R.gcd(x.c, y.c) -- 2*x - 6*y is shared as x - 3*y
+        if R.log2(R.num(c)) > 64 or R.log2(R.den(c)) > 64 then c = R.abs(x.c) end -- rounded ones keep their size
         if R.sign(x.c) < 0 then c = -c end
         B.count = B.count + 1
         whole = { kind = "sum", id = B.count,

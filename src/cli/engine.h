@@ -3,7 +3,7 @@
  *
  * A scene arrives as plain tables of numbers, every parameter and default filled in:
  * - scene {name=, body=tree, origin={x,y,z}, effects={...}, q={w,x,y,z}, w={x,y,z},
- *   r={x,y,z}, v={x,y,z}}, the last two where the body moves
+ *   r={x,y,z}, v={x,y,z}, own={...}}, r and v where the body moves, own the effects' own states
  * - tree {shape="solid.box", mass= or density=, x=, y=, z=} and so on, arguments as the library
  *   names them, those that are points, outlines or polynomials as engine_shape.c says
  * - tree {op="at", of=tree, r={3}} {op="turned", of=tree, q={4}} {op="scaled", of=tree, k={3}}
@@ -12,6 +12,12 @@
  *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="rotor", momentum={3}}
  * {kind="control"} {kind="translation", gravity={3}, linear=, drag=, stiffness={3}} {kind="frame",
  * rate={3}, rate_dot={3}, centrifugal=}, moves= true if a translation is meant
+ *   {kind="drag", c=} {kind="friction", torque=, smoothing=} {kind="spring", stiffness={3},
+ * rest={4}, axis={3} or nil} {kind="magnetic", moment={3}, field={3}, rotating=, rate=}
+ * {kind="varying", parts={3 of varying}, inertial=} {kind="wheel", axis={3}, inertia=,
+ * torque=varying, included=} {kind="custom", torque={3}, force={3}, potential=, states={..}}, each
+ * of them a program
+ * - varying: a number, {rows={t, v, ...}} or {code=program}; program: dynamics/postfix.lua's list
  *
  * Tables of the wrong form are a bug of the caller and raise; numbers that no body can have are the
  * library's to refuse, and come back as nil and a message that names the shape.
@@ -26,6 +32,7 @@
  */
 struct engine_scene {
   lua_State *L;
+  int index; /* of the scene's table on the stack */
   const char *where;
   ph_body body;
   ph_top top;
@@ -54,6 +61,25 @@ int engine_read_frame(struct engine_scene *s);
 void engine_move_scale(const ph_top *top, double t, const double x[], double scale[]);
 /* The largest term that they bring to the energy; spread: moduli of the tensor. */
 double engine_move_energy(const ph_top *top, const double x[], const double spread[9]);
+/* The act of that kind from the table at the stack's top, which stays; 0: no such kind. */
+int engine_read_act(struct engine_scene *s, const char *kind, int *status);
+/* The initial values of the acts' own states, from the field "own" of the table at `index`. */
+void engine_read_own(lua_State *L, int index, const ph_top *top, double x[]);
+/* The program at the stack's top, which is popped. */
+void engine_read_program(struct engine_scene *s, ph_varying *out);
+/* Keeps the object at the stack's top, which is popped, as long as the scene's table. */
+void engine_keep(struct engine_scene *s);
+/* ph_varying.f of a program, and the size of its largest terms; x: n states. */
+long double engine_program_value(void *program, long double t, const long double x[]);
+double engine_program_size(const ph_varying *v, double t, const double x[], int n);
+/* Where the own states of an act begin. */
+int engine_own_place(const ph_top *top, int act);
+/* Largest terms that acts bring: to the torque, to all rates when those of w are known, to the
+ * energy and to the momentum. */
+void engine_acts_torque(const ph_top *top, double t, const double x[], double term[3]);
+void engine_acts_scale(const ph_top *top, double t, const double x[], double scale[]);
+double engine_acts_energy(const ph_top *top, const double x[]);
+double engine_acts_momentum(const ph_top *top, const double x[]);
 /* n numbers from the list at `index` itself. */
 void engine_list(lua_State *L, int index, int n, double out[]);
 /* Push {v[0], ..., v[n-1]}. */

@@ -116,6 +116,7 @@ int host_run(lua_State *L) {
   engine_get(L, 1, "w", 3, x + 4, NULL);
   engine_get(L, 1, "r", 3, x + 7, no_control);
   engine_get(L, 1, "v", 3, x + 10, no_control);
+  engine_read_own(L, 1, &s.top, x);
   engine_get(L, 2, "u", 3, u, no_control);
   option(L, 2, "t0", &t);
   const double t0 = t, x0[7] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6]};
@@ -182,7 +183,15 @@ static double bound(double component, double mi, double mj) {
 static int prepare(struct rates *r) {
   static const int at[9] = {0, 3, 4, 3, 1, 5, 4, 5, 2};
   ph_axes p;
-  const int status = ph_principal(r->top.inertia, &p);
+  double carried[6]; /* by the rates: without the wheels that the tensor includes */
+  memcpy(carried, r->top.inertia, sizeof carried);
+  for (int k = 0; k < r->top.acts.n; k++) {
+    const ph_act *a = &r->top.acts.list[k];
+    for (int i = 0; i < 9 && a->kind == PH_WHEEL && a->flag; i++)
+      if (i / 3 <= i % 3)
+        carried[at[i]] -= a->v[3] * a->v[i / 3] * a->v[i % 3];
+  }
+  const int status = ph_principal(carried, &p);
   if (status != PH_OK)
     return status;
   double inverse[9];
@@ -206,7 +215,7 @@ static int prepare(struct rates *r) {
 }
 
 /* term[j] = largest term of component j of N - w x I w: every product of the formula on its own. */
-static void torque_terms(const struct rates *r, const double x[], const double u[3],
+static void torque_terms(const struct rates *r, double t0, const double x[], const double u[3],
                          double term[3]) {
   const ph_top *top = &r->top;
   const double *w = x + 4;
@@ -237,6 +246,7 @@ static void torque_terms(const struct rates *r, const double x[], const double u
       t = largest(t, fabs(u[j]));
     term[j] = t;
   }
+  engine_acts_torque(top, t0, x, term);
 }
 
 static void scales(const struct rates *r, double t, const double x[], const double u[3],
@@ -244,7 +254,7 @@ static void scales(const struct rates *r, double t, const double x[], const doub
   /* which q multiplies wx, wy, wz in row i of q' = q (0, w) / 2 */
   static const int row[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
   double term[3];
-  torque_terms(r, x, u, term);
+  torque_terms(r, t, x, u, term);
   for (int i = 0; i < 4; i++) {
     scale[i] = 0;
     for (int k = 0; k < 3; k++)
@@ -256,6 +266,7 @@ static void scales(const struct rates *r, double t, const double x[], const doub
       scale[4 + i] = largest(scale[4 + i], r->inverse[3 * i + j] * term[j]);
   }
   engine_move_scale(&r->top, t, x, scale);
+  engine_acts_scale(&r->top, t, x, scale);
 }
 
 static struct rates *self(lua_State *L) {
@@ -301,6 +312,7 @@ static int rates_energy(lua_State *L) {
   if (r->top.effects & PH_GRAVITY)
     scale = largest(scale, r->top.mass * norm(r->top.com) * norm(r->top.gravity));
   scale = largest(scale, engine_move_energy(&r->top, x, r->spread));
+  scale = largest(scale, engine_acts_energy(&r->top, x));
   lua_pushnumber(L, energy);
   lua_pushnumber(L, scale);
   return 2;
@@ -316,6 +328,7 @@ static int rates_momentum(lua_State *L) {
     return fail(L, status);
   for (int i = 0; i < 9; i++)
     scale = largest(scale, r->spread[i] * fabs(x[4 + i % 3]));
+  scale = largest(scale, engine_acts_momentum(&r->top, x));
   if (r->top.effects & PH_ROTOR)
     scale = largest(scale, norm(r->top.rotor));
   engine_push(L, 3, momentum);
@@ -331,7 +344,9 @@ int host_rates(lua_State *L) {
   int status = engine_read(&s, L, 1);
   if (status != PH_OK)
     return engine_fail(&s, status);
-  struct rates *r = lua_newuserdatauv(L, sizeof *r, 0);
+  struct rates *r = lua_newuserdatauv(L, sizeof *r, 1);
+  lua_pushvalue(L, 1); /* which keeps tables and programs */
+  lua_setiuservalue(L, -2, 1);
   r->top = s.top;
   status = prepare(r);
   if (status != PH_OK)

@@ -81,6 +81,13 @@ static int read_effects(struct engine_scene *s, int index, struct effects *e) {
   for (int i = 1; i <= n && status == PH_OK; i++) {
     lua_rawgeti(L, -1, i);
     lua_getfield(L, -1, "kind");
+    const char *name = luaL_checkstring(L, -1);
+    lua_pop(L, 1); /* it lives in the effect's table */
+    if (engine_read_act(s, name, &status)) {
+      lua_pop(L, 1);
+      continue;
+    }
+    lua_getfield(L, -1, "kind");
     const int kind = luaL_checkoption(L, -1, NULL, kinds);
     lua_pop(L, 1);
     s->where = kinds[kind];
@@ -155,6 +162,7 @@ int engine_read(struct engine_scene *s, lua_State *L, int index) {
   double origin[3];
   luaL_checktype(L, index, LUA_TTABLE);
   s->L = L;
+  s->index = lua_absindex(L, index);
   s->where = "body";
   lua_getfield(L, index, "body");
   int status = engine_read_body(s, &s->body);

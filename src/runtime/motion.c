@@ -10,6 +10,7 @@
    (gyrostat; Volterra 1899) adds -w x h to N and h to L. */
 #include "motion.h"
 
+#include "acts.h"
 #include "move.h"
 
 void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
@@ -35,8 +36,8 @@ void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
 /* N, and a size against which a torque along a rod is rounding: it bounds the terms of I w' = N - w
    x I w, product by product, so that a weight which turns the rod hard, but not about itself, or a
    rate along it, leaves no residue that counts. */
-void motion_torque(const ph_top *top, const motion_loads *loads, const ph_wide x[], ph_wide N[3],
-                   ph_wide *size) {
+void motion_torque(const ph_top *top, const motion_loads *loads, ph_wide t, const ph_wide x[],
+                   ph_wide N[3], ph_wide *size) {
   const ph_wide *q = x, *w = x + 4;
   ph_wide weight[3], inertial[3], L[3], gravity[3], turning[3], sum = 0;
   wide_sandwich(q, loads->weight, 0, weight);
@@ -53,6 +54,7 @@ void motion_torque(const ph_top *top, const motion_loads *loads, const ph_wide x
   }
   *size = sum + wide_norm(top->wide_com) * wide_norm(weight) + wide_norm(w) * wide_norm(L) +
           (wide_norm(loads->rotor) + fabsl(loads->decay) * top->wide_moment[2]) * wide_norm(w);
+  acts_torque(top, t, x, N, size);
 }
 
 /* w' = sum over principal axes of e (e.b)/I: for a rod the pseudo-inverse, since an axis without
@@ -77,15 +79,17 @@ int motion_rates(const ph_top *top, const motion_loads *loads, ph_wide t, const 
                  ph_wide dx[]) {
   const ph_wide *w = x + 4, pure[4] = {0, w[0], w[1], w[2]};
   ph_wide b[3], S[3], size;
-  motion_torque(top, loads, x, b, &size);
+  motion_torque(top, loads, t, x, b, &size);
   wide_apply(top->wide_second, w, S);
   wide_cross(w, S, S);
   for (int i = 0; i < 3; i++)
     b[i] += S[i];
   ph_wide rate[PH_STATES];
-  const int status = motion_solve(top, b, size, rate + 4);
+  const int status = top->effects & PH_WHEEL ? acts_solve(top, t, x, b, rate)
+                                             : motion_solve(top, b, size, rate + 4);
   if (status)
     return status;
+  acts_rates(top, t, x, rate);
   wide_quat_multiply(x, pure, rate);
   for (int i = 0; i < 4; i++)
     rate[i] /= 2;
@@ -104,14 +108,13 @@ static int inputs_finite(const ph_top *top, const double x[], const double u[3])
 }
 
 int ph_top_torque(const ph_top *top, double t, const double x[], const double u[3], double N[3]) {
-  (void)t; /* no torque of today depends on time */
-  if (!inputs_finite(top, x, u))
+  if (!isfinite(t) || !inputs_finite(top, x, u))
     return PH_EFINITE;
   motion_loads loads;
   ph_wide state[PH_STATES], torque[3], size;
   wide_load(ph_top_states(top), x, state);
   motion_load(top, u, &loads);
-  motion_torque(top, &loads, state, torque, &size);
+  motion_torque(top, &loads, (ph_wide)t, state, torque, &size);
   return wide_store(3, torque, N);
 }
 
@@ -143,7 +146,7 @@ int ph_top_inverse(const ph_top *top, const double w[3], const double w_rate[3],
 static ph_wide kinetic(const ph_top *top, const ph_wide x[]) {
   ph_wide L[3];
   wide_apply(top->wide_inertia, x + 4, L);
-  return wide_dot(x + 4, L) / 2 + move_kinetic(top, x);
+  return wide_dot(x + 4, L) / 2 + move_kinetic(top, x) + acts_kinetic(top, x);
 }
 
 /* V = -F.r for the constant force F = M g d at the centre of mass, zero when that is level with the
@@ -153,7 +156,7 @@ static ph_wide potential(const ph_top *top, const ph_wide x[]) {
   ph_wide com[3];
   motion_load(top, NULL, &loads);
   wide_sandwich(x, top->wide_com, 1, com);
-  return move_potential(top, x) - wide_dot(loads.weight, com);
+  return move_potential(top, x) + acts_potential(top, x) - wide_dot(loads.weight, com);
 }
 
 int ph_top_kinetic(const ph_top *top, const double x[], double *T) {
@@ -189,6 +192,7 @@ static int momentum(const ph_top *top, const double x[], int to_inertial, double
     return PH_EFINITE;
   wide_load(ph_top_states(top), x, state);
   wide_apply(top->wide_inertia, state + 4, v);
+  acts_momentum(top, state, v);
   for (int i = 0; i < 3 && (top->effects & PH_ROTOR); i++)
     v[i] += (ph_wide)top->rotor[i];
   if (to_inertial)

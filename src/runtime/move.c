@@ -4,10 +4,12 @@
    Term by term as polhode_move.h writes them, each cross product formed on its own. */
 #include "move.h"
 
+#include "acts.h"
+
 #include <string.h>
 
 int ph_top_states(const ph_top *top) {
-  return top->effects & PH_TRANSLATION ? PH_STATES : 7;
+  return (top->effects & PH_TRANSLATION ? 13 : 7) + acts_states(top);
 }
 
 /* The centre of mass must be the origin, up to the rounding of where it was said to be: against the
@@ -93,6 +95,10 @@ void move_rates(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide dx[]) {
   for (int i = 0; i < 3; i++)
     a[i] =
         loads.gravity[i] - loads.stiffness[i] * r[i] - (loads.linear + loads.drag * speed) * v[i];
+  ph_wide F[3] = {0, 0, 0};
+  acts_force(top, t, x, F);
+  for (int i = 0; i < 3; i++)
+    a[i] += F[i] / (ph_wide)top->mass;
   wide_cross(Omega, v, u);
   for (int i = 0; i < 3; i++)
     a[i] -= 2 * u[i];

@@ -368,9 +368,8 @@ enum ph_effect {
   PH_ROTOR = 1024          /* -w x h: a rotor of constant relative momentum h, body axes */
 };
 
-/* The model; constant while it is used. Read the first part, change it only through the functions
-   below. A moment that the data do not distinguish from zero (a rod's own axis) is taken as zero:
-   see ph_top_rates. */
+/* The model; constant while it is used. Read the first part, change it only by the functions below.
+   A moment that the data do not tell from zero (a rod's own axis) is taken as zero, ph_top_rates. */
 typedef struct ph_top {
   double mass, com[3];                       /* centre of mass from the origin, body axes */
   double inertia[6];                         /* about the origin, body axes */
@@ -380,6 +379,7 @@ typedef struct ph_top {
   double decay, rotor[3];                    /* 1/s; N m s, body axes */
   double torque_body[3], torque_inertial[3]; /* N m */
   ph_move move;                              /* translation and frame, polhode_move.h */
+  ph_acts acts;                              /* polhode_acts.h */
   /* prepared, private: the tensor and its principal system in full precision */
   long double wide_com[3], wide_inertia[6], wide_second[6], wide_moment[3], wide_axis[3][3];
 } ph_top;

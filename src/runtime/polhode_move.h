@@ -12,11 +12,11 @@
 #ifndef POLHODE_MOVE_H
 #define POLHODE_MOVE_H
 
+#include "polhode_acts.h" /* effects that there may be many of; PH_STATES */
+
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-enum { PH_STATES = 13 }; /* of the longest state */
 
 enum ph_move_effect { /* further bits of ph_top.effects */
                       PH_TRANSLATION = 64,
@@ -43,7 +43,7 @@ int ph_top_drag(struct ph_top *top, double linear, double drag);
 int ph_top_restoring(struct ph_top *top, const double stiffness[3]);
 int ph_top_frame(struct ph_top *top, const double rate[3], const double rate_dot[3],
                  int centrifugal);
-/* Length of the state: 7, or 13 with PH_TRANSLATION. */
+/* Length of the state: 7, or 13 with PH_TRANSLATION, and what polhode_acts.h adds. */
 int ph_top_states(const struct ph_top *top);
 
 #ifdef __cplusplus

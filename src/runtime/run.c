@@ -8,6 +8,7 @@
    of the state; a failure leaves the run where it was. */
 #include <stdlib.h>
 
+#include "acts.h"
 #include "free_top.h"
 #include "step.h"
 
@@ -126,6 +127,8 @@ static int go_fixed(ph_run *run, ph_wide span, ph_wide x[], long *steps) {
     run->stepper.t = (ph_wide)run->t + (ph_wide)k * h;
     if (run->options.method == PH_RK4)
       status = step_rk4(&run->stepper, x, h, x);
+    else if (run->options.method == PH_TAYLOR && acts_any(&run->top))
+      status = step_extrapolate(&run->stepper, x, 0, &h, &error, x);
     else if (run->options.method == PH_TAYLOR)
       status = step_taylor(&run->stepper, x, taylor_order(&run->options), 0, &h, x);
     else
@@ -152,7 +155,8 @@ static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[], ph_wide *suggesti
   const int n = ph_top_states(&run->top);
   ph_wide done = 0, longest = *suggestion;
   run->stepper.t = start;
-  if (run->stepper.gsl &&
+  const int extrapolates = !run->stepper.gsl && acts_any(&run->top);
+  if ((run->stepper.gsl || extrapolates) &&
       !(longest > 0)) { /* a hundredth of a radian: the control finds its own within a few */
     ph_wide rate;
     const int status = step_rate(&run->stepper, x, &rate);
@@ -165,11 +169,17 @@ static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[], ph_wide *suggesti
     const ph_wide left = span - done;
     ph_wide y[PH_STATES], error = 0, h = left;
     run->stepper.t = start + done;
-    if (run->stepper.gsl && fabsl(left) > longest) /* no crumb is left for the last step */
+    if ((run->stepper.gsl || extrapolates) &&
+        fabsl(left) > longest) /* no crumb is left for the last step */
       h = fabsl(left) > 2 * longest ? copysignl(longest, left) : left / 2;
     int status;
+    ph_wide after = 0;
+    if (run->stepper.gsl || extrapolates) /* no step crosses a corner of a table */
+      h = acts_until(&run->top, run->stepper.t, h);
     if (run->stepper.gsl)
       status = step_gsl(&run->stepper, x, h, y, &error);
+    else if (extrapolates)
+      status = step_extrapolate(&run->stepper, x, tolerance, &h, &after, y);
     else
       status = step_taylor(&run->stepper, x, taylor_order(&run->options), tolerance, &h, y);
     /* a trial step of GSL that is far too long may overflow: a shorter one is tried, until time
@@ -186,7 +196,7 @@ static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[], ph_wide *suggesti
       return PH_ESTEP;
     const ph_wide next = run->stepper.gsl ? rescale(fabsl(h), error / tolerance,
                                                     gsl_odeiv2_step_order(run->stepper.gsl))
-                                          : 0;
+                                          : after;
     if (error > tolerance) {
       longest = next;
       continue;

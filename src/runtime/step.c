@@ -10,6 +10,7 @@
    allocation would, when memory is out). */
 #include <gsl/gsl_errno.h>
 
+#include "acts.h"
 #include "move.h"
 #include "step.h"
 
@@ -64,9 +65,11 @@ int step_gsl(stepper *s, const ph_wide x[], ph_wide h, ph_wide out[], ph_wide *e
     out[i] = x[i] + (ph_wide)z[i];
   wide_load(n, bound, wide_bound);
   *error = step_size(4, wide_bound);
-  for (int i = 4; i < n; i += 3) { /* w, r, v, each relative to its size */
-    const ph_wide size = fmaxl(step_size(3, x + i), step_size(3, out + i));
-    const ph_wide e = step_size(3, wide_bound + i);
+  const int shared = n - acts_states(s->top);
+  for (int i = 4, width = 3; i < n; i += width) { /* w, r, v, own, each relative to its size */
+    width = i < shared ? 3 : 1;
+    const ph_wide size = fmaxl(step_size(width, x + i), step_size(width, out + i));
+    const ph_wide e = step_size(width, wide_bound + i);
     *error = fmaxl(*error, size > 0 ? e / size : e);
   }
   return wide_fits(n, out) && wide_fits(n, wide_bound) ? PH_OK : PH_ERANGE;

@@ -32,6 +32,11 @@ int step_gsl(stepper *s, const ph_wide x[], ph_wide h, ph_wide out[], ph_wide *e
 int step_taylor(stepper *s, const ph_wide x[], int order, ph_wide tolerance, ph_wide *h,
                 ph_wide out[]);
 
+/* The midpoint rule with extrapolation. *h comes in as the longest step wanted and goes out as the
+   one taken; *next: what to try then. tolerance 0: a step of *h with all columns. PH_ESTEP. */
+int step_extrapolate(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, ph_wide *next,
+                     ph_wide out[]);
+
 /* A rate (1/s) at which the state changes: the larger of |w| and sqrt |w'|. PH_EROD. */
 int step_rate(stepper *s, const ph_wide x[], ph_wide *rate);
 

@@ -172,7 +172,7 @@ local effects = { about = "effects",
     "effect.damping: rate must be in 1/s, got 1 s" },
   { with "effects = { effect.torque{} }", 3, "effect.torque: give body or inertial, one of them" },
   { with "effects = { effect.torque { body = {1, 2} } }", 3,
-    "effect.torque: body must be a list of 3 numbers, got {1, 2}" },
+    "effect.torque: body must be a list of 3 numbers, expressions or tables, got {1, 2}" },
   { with "effects = { effect.torque { body = {1, 2, 3}, inertial = {1, 2, 3} } }", 3,
     "effect.torque: give body or inertial, one of them", name = "both body and inertial" },
   { with "effects = { effect.control { max = 0 } }", 3, "effect.control: max must be positive, got 0" },
@@ -263,7 +263,7 @@ local places = { about = "place",
     '    effect.torque {\n      body = {1, 2}\n    },\n  },\n  initial = {\n' ..
     '    omega = {1, 2, 3},\n    attitude = {axis = "x"},\n  },\n' ..
     '  time = {\n    horizon = 0,\n  },\n}\n',
-    { 7, "effect.torque: body must be a list of 3 numbers, got {1, 2}" },
+    { 7, "effect.torque: body must be a list of 3 numbers, expressions or tables, got {1, 2}" },
     { 12, "attitude: needs axis (\"x\", \"y\", \"z\" or a vector) and angle, or quaternion" },
     { 15, "time: horizon must be positive, got 0" }, name = "every part of a long scene has its own line" },
   { 'local a = param("a", 1, "m")\nlocal b = a + param("k", 1, "kg")\n' ..

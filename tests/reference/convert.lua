@@ -258,6 +258,43 @@ do
   write("moving.h", out)
 end
 
+-- ---- forced_top.json: effects, for tests/effects/reference.t ----
+do
+  local models = { ["quadratic damping"] = true, ["constant body torque"] = true, ["constant inertial torque"] = true,
+    ["gyrostat (torque-free rotor on axis 3)"] = true,
+    ["three reaction wheels on the principal axes, constant motor torque"] = true }
+  local out = { "-- effects.lua - drag, constant torques, wheels: states at times, 32 digits",
+    "-- SPDX-License-Identifier: GPL-3.0-or-later", "--",
+    "-- Made by convert.lua; provenance in README.md beside this file.  x: w, then q, then the wheels' speeds.", "",
+    "return {" }
+  local function words(list) return "{ \"" .. table.concat(each(list, tostring), "\", \"") .. "\" }" end
+  for _, case in ipairs(json("forced_top.json").cases) do
+    if models[case.model] then
+      local p = case.params
+      out[#out + 1] = string.format("  { id = %q, model = %q,", case.id, case.model)
+      out[#out + 1] = "    I = " .. words(p.I) .. ","
+      for _, k in ipairs { "c", "J", "Js" } do
+        if p[k] then out[#out + 1] = string.format("    %s = %q,", k, tostring(p[k])) end
+      end
+      for _, k in ipairs { "tau_body", "tau_inertial", "u" } do
+        if p[k] then out[#out + 1] = "    " .. k .. " = " .. words(p[k]) .. "," end
+      end
+      out[#out + 1] = "    x0 = " .. words(case.x0) .. ","
+      for _, s in ipairs(case.samples) do
+        out[#out + 1] = "    { t = \"" .. tostring(s.t) .. "\","
+        for i = 1, #s.x, 2 do
+          local row = {}
+          for k = i, math.min(i + 1, #s.x) do row[#row + 1] = "\"" .. tostring(s.x[k]) .. "\"" end
+          out[#out + 1] = "      " .. table.concat(row, ", ") .. (i + 2 > #s.x and " }," or ",")
+        end
+      end
+      out[#out + 1] = "  },"
+    end
+  end
+  out[#out + 1] = "}"
+  write("effects.lua", out)
+end
+
 -- ---- nesc_brick_case2.csv: simulator 04, every half second ----
 do
   local out = head("nesc_case2.h", "NASA check case 2, simulator 04",

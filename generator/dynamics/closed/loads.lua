@@ -3,6 +3,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local motion = require "generator.algebra.motion"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 
@@ -25,6 +26,8 @@ function loads.of(m, attitude)
       local C = e.a.C or vec.map(matrix(m.inertia), function(row) return vec.scale(e.a.rate, row) end)
       l.damping = l.damping or { zeros(), zeros(), zeros() }
       for i = 1, 3 do l.damping[i] = vec.add(l.damping[i], C[i]) end
+    elseif e.kind == "effect.torque" and motion.any(e.a.body or e.a.inertial) then
+      return nil, "the torque varies with the motion"
     elseif e.kind == "effect.torque" and e.a.body then
       l.torque = vec.add(l.torque or zeros(), e.a.body)
     elseif e.kind == "effect.rotor" then

@@ -1,0 +1,87 @@
+-- custom.lua -- an effect that the scene writes itself, with the rights of those here.
+--
+--     effect.custom { params = {..}, torque = function(s) return {..} end, force = .., potential = .., states = {..} }
+-- Each function receives s: lists s.w, s.q, s.r, s.v, s.L (I w, body axes), the time s.t, and the effect's own
+-- parameters and states by name; torque is in body axes, force (on the centre of mass) in inertial ones.  With a
+-- potential and no torque, N_i = -dV along a turn about body axis i, by q' = q (0, w)/2; with a potential and no force,
+-- F = -dV/dr.  A torque or force that is given is all of it.  states = {name = {initial =, unit =, rate = function}}.
+-- Which laws it keeps is decided from its expressions (dynamics/laws.lua).
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local motion = require "generator.algebra.motion"
+local vec = require "generator.algebra.vec"
+
+local custom = {
+  name = "effect.custom",
+  about = "the scene's own: torque, force, potential, states as functions of the motion",
+  reader = "custom", decided = true, keeps = "what its expressions show",
+  formula = "as the scene writes it; from a potential N_i = -dV along a turn about body axis i, F = -dV/dr",
+  signs = "torque in body axes, force on the centre of mass in inertial axes, potential in J",
+  source = "the scene",
+  example = "magnet_pendulum",
+}
+
+-- e with what is constant lifted out, and then the effect's own names and L filled in.
+local function filled(a, c, e, name)
+  local map, L = {}, nil
+  e = c.lift(e, name, "constant of effect.custom")
+  for _, p in ipairs(a.params) do
+    map[expr.sym("@" .. p.name, 6)] = c.constant(p.name, p.e, "parameter of effect.custom, " .. p.unit)
+  end
+  for _, s in ipairs(a.states) do map[motion.sym("@" .. s.name)] = c.own[s.name] end
+  for i, n in ipairs { "@Lx", "@Ly", "@Lz" } do
+    if not expr.constant(e, { [n] = true }) then
+      L = L or c.L()
+      map[motion.sym(n)] = L[i]
+    end
+  end
+  return calculus.substitute(e, map)
+end
+
+local function all(a, c, v, name) return vec.map(v, function(e) return filled(a, c, e, name) end) end
+
+function custom.states(a)
+  return vec.map(a.states, function(s)
+    return { name = s.name, initial = s.initial, unit = s.unit, about = "state of effect.custom" }
+  end)
+end
+
+function custom.derivative(a, c)
+  local rates = {}
+  for _, s in ipairs(a.states) do rates[s.name] = filled(a, c, s.rate, "rate") end
+  return rates
+end
+
+function custom.potential(a, c) return a.potential and filled(a, c, a.potential, "V") or expr.zero end
+
+function custom.torque(a, c)
+  if a.torque then return all(a, c, a.torque, "custom") end
+  local V, zero = custom.potential(a, c), expr.zero
+  local slope = vec.map(c.q, function(x) return calculus.diff(V, x) end)
+  local N = {}
+  for i = 1, 3 do
+    local turn = vec.qmul(c.q, { zero, i == 1 and expr.one or zero, i == 2 and expr.one or zero,
+      i == 3 and expr.one or zero })
+    N[i] = zero
+    for k = 1, 4 do N[i] = N[i] - slope[k] * turn[k] / 2 end
+  end
+  return N
+end
+
+function custom.force(a, c)
+  if a.force then return all(a, c, a.force, "custom") end
+  local V = custom.potential(a, c)
+  return vec.map(c.r, function(x) return -calculus.diff(V, x) end)
+end
+
+-- Everything as code: the library is told what the scene says, and nothing of what follows from it here but the
+-- gradient of a potential.
+function custom.numeric(a, _, _, code, c)
+  return { kind = "custom", torque = vec.map(custom.torque(a, c), code), force = vec.map(custom.force(a, c), code),
+    potential = code(custom.potential(a, c)),
+    states = vec.map(a.states, function(s) return code(filled(a, c, s.rate, "rate")) end) }
+end
+
+return custom

@@ -1,0 +1,30 @@
+-- drag.lua -- quadratic drag on the turning: a torque -c |w| w.
+--
+-- |w| is written sqrt(w.w + 2^-126 rad^2/s^2), so that its derivatives exist at rest; above 1e-11 rad/s the difference
+-- is below rounding in double.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local vec = require "generator.algebra.vec"
+
+local drag = {
+  name = "effect.drag",
+  about = "quadratic drag on the turning: torque -c |w| w",
+  args = { { name = "c", dim = "inertia", sign = "nonnegative" } }, -- N m s^2
+  conserves = {},
+  formula = "N = -c |w| w",
+  signs = "c >= 0 in N m s^2 takes energy out: N.w = -c |w|^3",
+  source = "Landau, Lifshitz, Fluid Mechanics, section 45: resistance at high Reynolds numbers, here isotropic",
+  example = "paddle",
+}
+
+function drag.torque(a, c)
+  local k = c.constant("drag_c", a.c, "quadratic drag, N m s^2")
+  local speed = expr.sqrt(vec.dot(c.w, c.w) + expr.num(R.new(2) ^ -126))
+  return vec.map(c.w, function(x) return -k * speed * x end)
+end
+
+function drag.numeric(a, num) return { kind = "drag", c = num(a.c) } end
+
+return drag

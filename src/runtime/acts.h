@@ -1,0 +1,42 @@
+/* acts.h - the effects of polhode_acts.h in long double, for the library's own use.
+   SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ACTS_H
+#define ACTS_H
+
+#include "wide.h"
+
+/* Is any act switched on? */
+static inline int acts_any(const ph_top *top) {
+  return (top->effects & PH_ANY_ACT) != 0;
+}
+
+/* States of their own; of act number i the place of the first in the whole state. */
+int acts_states(const ph_top *top);
+int acts_place(const ph_top *top, int i);
+
+ph_wide acts_value(const ph_varying *v, ph_wide t, const ph_wide x[]);
+
+/* Adds their torques to N, body axes, but the motors' of wheels, and a bound of their terms to
+ * *size. */
+void acts_torque(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide N[3], ph_wide *size);
+/* Adds the forces of custom acts to F. */
+void acts_force(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide F[3]);
+/* Rates of own states of custom acts into dx. */
+void acts_rates(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide dx[]);
+/* With wheels: w' and the wheels' rates from the b of I w' = b (motion.h), which knows nothing of
+   them. PH_EROD. */
+int acts_solve(const ph_top *top, ph_wide t, const ph_wide x[], const ph_wide b[3], ph_wide dx[]);
+
+/* What they add to T, V and to the angular momentum in body axes. */
+ph_wide acts_kinetic(const ph_top *top, const ph_wide x[]);
+ph_wide acts_potential(const ph_top *top, const ph_wide x[]);
+void acts_momentum(const ph_top *top, const ph_wide x[], ph_wide L[3]);
+
+/* A new act, not yet switched on, if there is room and the n values that vary can be. */
+int acts_new(ph_top *top, enum ph_act_kind kind, int states, int n, const ph_varying v[],
+             ph_act **act);
+
+/* The part of the step h from t up to the next row of a table. */
+ph_wide acts_until(const ph_top *top, ph_wide t, ph_wide h);
+
+#endif

@@ -1,0 +1,94 @@
+/* polhode_acts.h - further effects, as many of each as are wanted: part of polhode.h, which
+   includes it. SPDX-License-Identifier: GPL-3.0-or-later
+
+   Each call adds one act to a top and switches its kind on; ph_top_without switches kinds off.
+   N is in body axes, q the attitude, w the rates:
+     PH_QUADRATIC  N = -c |w| w
+     PH_FRICTION   N = -T w/sqrt(w.w + s^2)
+     PH_SPRING     V = 2 u.K u with (p0, u) = rest* q, N = -grad V
+     PH_MAGNETIC   N = m x q* B q, V = -m.(q* B q) for a field that stands still
+     PH_VARYING    N given component by component as ph_varying
+     PH_WHEEL      J (a.w + W)' = u, and the wheel takes -u a from the body (Hughes, Spacecraft
+                   Attitude Dynamics, 3.5)
+     PH_CUSTOM     torque, force, potential and rates of own states as ph_varying
+   Wheels (one state W, rad/s) and custom acts have states of their own, which follow q, w (, r, v)
+   in the order of the calls. The methods of polhode.h take these effects as they are; PH_TAYLOR,
+   which forms no series of them, integrates by Gragg's midpoint rule with extrapolation instead. */
+#ifndef POLHODE_ACTS_H
+#define POLHODE_ACTS_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+  PH_ACTS = 16,       /* most acts of one top */
+  PH_OWN_STATES = 16, /* most states of their own */
+  PH_STATES = 13 + PH_OWN_STATES
+};
+
+enum ph_act_kind { /* further bits of ph_top.effects */
+                   PH_QUADRATIC = 1 << 16,
+                   PH_FRICTION = 1 << 17,
+                   PH_SPRING = 1 << 18,
+                   PH_MAGNETIC = 1 << 19,
+                   PH_VARYING = 1 << 20,
+                   PH_WHEEL = 1 << 21,
+                   PH_CUSTOM = 1 << 22,
+                   PH_ANY_ACT = 127 << 16
+};
+
+/* A number that may vary: f(context, t, x) if f is not NULL, x the whole state; else, with rows >
+   0, a table of rows t, v: linear between them, constant beyond, t ascending; else value. Table and
+   context stay the caller's and must live as long as the top is used. */
+typedef struct ph_varying {
+  double value;
+  int rows;
+  const double *table;
+  long double (*f)(void *context, long double t, const long double x[]);
+  void *context;
+} ph_varying;
+
+typedef struct ph_act {
+  enum ph_act_kind kind;
+  double v[10]; /* numbers of the kind, acts.c */
+  int flag;     /* varying: inertial axes; wheel: included; magnetic: turns; spring: one axis */
+  int states;   /* of its own */
+  ph_varying torque[3], force[3], potential, rate[PH_OWN_STATES];
+} ph_act;
+
+typedef struct ph_acts {
+  int n;
+  ph_act list[PH_ACTS];
+} ph_acts;
+
+struct ph_top;
+
+/* PH_ECOUNT: too many acts or states, or a table whose times do not ascend. */
+/* c >= 0, N m s^2: PH_EBOUND. */
+int ph_top_quadratic(struct ph_top *top, double c);
+/* T >= 0, N m; s > 0, rad/s: PH_EBOUND. At rest the torque is zero: nothing sticks. */
+int ph_top_friction(struct ph_top *top, double T, double s);
+/* Stiffnesses k[i] about the coordinate axes, N m, and the attitude of rest (any length but 0). */
+int ph_top_spring(struct ph_top *top, const double k[3], const double rest[4]);
+/* The same about one axis (any length but 0): V = 2 k (a.u)^2. */
+int ph_top_spring_axis(struct ph_top *top, double k, const double axis[3], const double rest[4]);
+/* Moment in body axes, A m^2; field in inertial axes, T, turning about inertial z at rate, rad/s,
+   if turns is not 0, from what it is at t = 0. */
+int ph_top_magnetic(struct ph_top *top, const double moment[3], const double field[3], int turns,
+                    double rate);
+int ph_top_varying(struct ph_top *top, int inertial, const ph_varying torque[3]);
+/* Axis of any length but 0; J > 0, kg m^2; torque of the motor on the wheel, N m. included: the
+   body's tensor has the locked wheel's J in it, else the body's tensor is without J. PH_EPOSITIVE:
+   the tensor would not be positive without the included wheels. */
+int ph_top_wheel(struct ph_top *top, const double axis[3], double J, ph_varying torque,
+                 int included);
+/* torque: body axes; force: on the centre of mass, inertial axes, used with PH_TRANSLATION; n rates
+   of own states. NULL: none. */
+int ph_top_custom(struct ph_top *top, const ph_varying torque[3], const ph_varying force[3],
+                  const ph_varying *potential, int n, const ph_varying rate[]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
