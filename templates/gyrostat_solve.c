@@ -75,8 +75,12 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     p.v[1] = ${name}_wide_scale(${name}_wide_dot(t[1], t[1], t[2], t[2]), 1);
     p.u = ${name}_wide_scale(${name}_wide_subtract(p.v[0], p.v[1]), -1);
     /* e - A3 (1 +- g)^2 */
-    p.E[0] = ${name}_wide_subtract(across, ${name}_wide_multiply(p.v[0], ${name}_wide_add(${name}_wide_multiply(p.A[2], p.v[1]), ${name}_wide_scale(other, 1))));
-    p.E[1] = ${name}_wide_subtract(across, ${name}_wide_multiply(p.v[1], ${name}_wide_subtract(${name}_wide_multiply(p.A[2], p.v[0]), ${name}_wide_scale(other, 1))));
+    for (i = 0; i < 2; i++) {
+      const ${name}_wide twice = ${name}_wide_scale(i == 0 ? other : ${name}_wide_minus(other), 1);
+      const ${name}_wide less = ${name}_wide_add(${name}_wide_multiply(p.A[2], p.v[1 - i]), twice);
+
+      p.E[i] = ${name}_wide_subtract(across, ${name}_wide_multiply(p.v[i], less));
+    }
     /* A2 u - w3 and w3 - A1 u, A2 - A3 and A3 - A1, A1 - A2 from differences of moments */
     for (i = 0; i < 2; i++) {
       const ${name}_wide less = ${name}_wide_subtract(I[2], I[1 - i]), b = ${name}_wide_add(${name}_wide_multiply(less, w[2]), h);
@@ -91,14 +95,15 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   if (moves) {
     ${name}_series(&made, &p, e, sign);
   } else { /* w is constant: about M, or without M about the rotor's axis */
-    const ${name}_wide omega = ${name}_wide_sign(G) ? ${name}_wide_add(${name}_wide_dot(w[0], M[1], w[1], M[2]), ${name}_wide_multiply(w[2], M[3])) : w[2];
+    const ${name}_wide along = ${name}_wide_add(${name}_wide_dot(w[0], M[1], w[1], M[2]), ${name}_wide_multiply(w[2], M[3]));
+    const ${name}_wide omega = ${name}_wide_sign(G) ? along : w[2];
     ${name}_pair turn = ${name}_pair_divide(${name}_wide_pair(${name}_wide_scale(omega, -1), e), ${name}_pair_scale(${name}_pi(), 1));
 
     ${name}_store(made.turn[0], turn);
     ${name}_store(made.turn[1], ${name}_wide_sign(G) ? turn : ${name}_pair_minus(turn));
     made.period[0] = made.inverse = ${one};
     for (i = 0; i < 2; i++) {
-      const ${name}_wide size = ${name}_wide_root(i == 0 ? ${name}_wide_dot(t[0], t[0], t[3], t[3]) : ${name}_wide_dot(t[1], t[1], t[2], t[2]));
+      const ${name}_wide re = t[i], im = t[3 - i], size = ${name}_wide_root(${name}_wide_dot(re, re, im, im));
 
       made.re[i][0] = ${name}_wide_pair(size, 0).hi;
     }
@@ -121,7 +126,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   value[1][0] = v.x;
   value[1][1] = v.y;
   for (i = 0; i < 2; i++) {
-    const ${name}_wide re = i == 0 ? t[0] : t[1], im = i == 0 ? t[3] : t[2];
+    const ${name}_wide re = t[i], im = t[3 - i];
     const int top = ${name}_wide_size(re) > ${name}_wide_size(im) ? ${name}_wide_size(re) : ${name}_wide_size(im);
     const ${name}_real s[2] = {${name}_wide_pair(re, top).hi, ${name}_wide_pair(im, top).hi};
 
@@ -150,8 +155,10 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     made.across[1][axis[1]] = -A2*im;
     made.along[0][axis[2]] = made.along[1][axis[2]] = ${name}_wide_round(w[2]);
     if (${name}_wide_sign(G)) {
-      made.along[0][axis[2]] = ${name}_wide_round(${name}_wide_multiply(p.A[2], ${name}_wide_subtract(${name}_wide_real(${one}), p.g)));
-      made.along[1][axis[2]] = ${name}_wide_round(${name}_wide_minus(${name}_wide_multiply(p.A[2], ${name}_wide_add(${name}_wide_real(${one}), p.g))));
+      const ${name}_wide one = ${name}_wide_real(${one}), less = ${name}_wide_subtract(one, p.g), more = ${name}_wide_add(one, p.g);
+
+      made.along[0][axis[2]] = ${name}_wide_round(${name}_wide_multiply(p.A[2], less));
+      made.along[1][axis[2]] = -${name}_wide_round(${name}_wide_multiply(p.A[2], more));
     }
   }
   *o = made;

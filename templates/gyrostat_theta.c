@@ -3,7 +3,8 @@
 static ${name}_pair ${name}_eta(const ${name}_quartic *p, int i, ${name}_wide rate, int *kind, int *sign, int *infinite)
 {
   const ${name}_wide vO = p->edge[p->origin][i], vF = p->edge[1 - p->origin][i];
-  const ${name}_wide product = ${name}_wide_multiply(vO, vF), near = ${name}_wide_multiply(p->lambda, vO), less = ${name}_wide_subtract(vF, near);
+  const ${name}_wide product = ${name}_wide_multiply(vO, vF), near = ${name}_wide_multiply(p->lambda, vO);
+  const ${name}_wide less = ${name}_wide_subtract(vF, near);
   const int natural = 1 + (i != p->origin); /* u = -1 is below the lower end, but may be in the other gap, too */
   ${name}_wide first;
 
