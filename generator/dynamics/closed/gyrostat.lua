@@ -42,7 +42,7 @@ function gyrostat.detect(m)
   end
   local first, second = third % 3 + 1, (third + 1) % 3 + 1
   return { kind = "asymmetric gyrostat", theorem = "asymmetric gyrostat, theta functions",
-    text = { "The rotors hold h along the principal axis 3.  M = I w + h e3 is constant in inertial axes, and w.I w:",
+    text = { "The rotors hold h along the principal axis 3.  M = I w + h e3 (inertial axes) and w.I w are constant;",
       "u = M3/|M| has u'^2 = a quartic in u (Volterra 1899, Acta Math. 22, 201; Wittenburg, Dynamics of Multibody",
       "Systems).  The attitude is a pair a, b with |a|^2 = (1 + u)/2, |b|^2 = (1 - u)/2, each exp(i mu t) theta1 or",
       "theta2 of z - i eta, with mu and eta of its own; the rates are products of two of these.  Set up in twice the",
