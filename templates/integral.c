@@ -107,3 +107,15 @@ static ${name}_pair ${name}_complete(${name}_pair q)
   t = ${name}_pair_add(${name}_pair_of(${one}), ${name}_pair_scale(t, 1));
   return ${name}_pair_scale(${name}_pair_multiply(${name}_pi(), ${name}_pair_multiply(t, t)), -1);
 }
+
+/* exp(x) - 1, 0 <= x <= 1: the series at x/64 and six doublings */
+static ${name}_pair ${name}_pair_expm1(${name}_pair x)
+{
+  const ${name}_pair y = ${name}_pair_scale(x, -6), one = ${name}_pair_of(${one});
+  ${name}_pair s = ${name}_pair_of(${zero});
+  int i;
+
+  for (i = 12; i > 0; i--) s = ${name}_pair_divide(${name}_pair_multiply(y, ${name}_pair_add(one, s)), ${name}_pair_of((${name}_real)i));
+  for (i = 0; i < 6; i++) s = ${name}_pair_add(${name}_pair_scale(s, 1), ${name}_pair_multiply(s, s));
+  return s;
+}

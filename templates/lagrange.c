@@ -79,12 +79,6 @@ static ${name}_wide ${name}_descent(${name}_wide p0, ${name}_wide p1, ${name}_wi
   return n.hi > ${zero} ? ${name}_wide_of(n, j) : ${name}_wide_real(${zero});
 }
 
-/* a b + c d */
-static ${name}_wide ${name}_wide_dot(${name}_wide a, ${name}_wide b, ${name}_wide c, ${name}_wide d)
-{
-  return ${name}_wide_add(${name}_wide_multiply(a, b), ${name}_wide_multiply(c, d));
-}
-
 /* The roots from the state.  P(u0 + y) = p0 + p1 y + p2 y^2 + 2 c y^3 has the roots -n <= 0 <= y2 <= y3, and
  * P(1 - x) = -d^2 + c1 x + .. - 2 c x^3 the roots x3 <= 0 <= x2 <= x1 = 1 - u1 = 1 - u0 + n; d = l - s. */
 static void ${name}_roots(${name}_cubic *p)

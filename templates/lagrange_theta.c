@@ -1,20 +1,4 @@
 %% -- lagrange_theta.c -- the heavy top's theta functions, set up: part of scene.c.  SPDX-License-Identifier: MIT-0
-/* sqrt(f) R_F(x, y, z), homogeneous of degree 0: an argument tau of the above.  `infinite` if two of x, y, z are 0. */
-static ${name}_pair ${name}_argument(${name}_wide f, ${name}_wide x, ${name}_wide y, ${name}_wide z, int *infinite)
-{
-  const ${name}_wide r[3] = {${name}_wide_root(x), ${name}_wide_root(y), ${name}_wide_root(z)}, root = ${name}_wide_root(f);
-  int i, top = -1000000, zeros = 0;
-
-  for (i = 0; i < 3; i++) {
-    zeros += !${name}_wide_sign(r[i]);
-    if (${name}_wide_size(r[i]) > top) top = ${name}_wide_size(r[i]);
-  }
-  *infinite = zeros >= 2;
-  if (zeros >= 2) return ${name}_pair_of(${zero});
-  return ${name}_pair_multiply(${name}_wide_pair(root, top),
-               ${name}_carlson(${name}_wide_pair(r[0], top), ${name}_wide_pair(r[1], top), ${name}_wide_pair(r[2], top)));
-}
-
 /* tau of function i = a, b, W, and what it lacks of K': from the zero to the end of its gap (DLMF 19.29.4) */
 static ${name}_pair ${name}_tau(const ${name}_cubic *p, int i, int rest, int *infinite)
 {
@@ -38,18 +22,6 @@ static ${name}_pair ${name}_tau(const ${name}_cubic *p, int i, int rest, int *in
     return ${name}_argument(${name}_wide_multiply(near, g1), ${name}_wide_multiply(far, span), ${name}_wide_multiply(span, g2),
                  ${name}_wide_multiply(wide, g2), infinite);
   }
-}
-
-/* exp(x) - 1, 0 <= x <= 1: the series at x/64 and six doublings */
-static ${name}_pair ${name}_pair_expm1(${name}_pair x)
-{
-  const ${name}_pair y = ${name}_pair_scale(x, -6), one = ${name}_pair_of(${one});
-  ${name}_pair s = ${name}_pair_of(${zero});
-  int i;
-
-  for (i = 12; i > 0; i--) s = ${name}_pair_divide(${name}_pair_multiply(y, ${name}_pair_add(one, s)), ${name}_pair_of((${name}_real)i));
-  for (i = 0; i < 6; i++) s = ${name}_pair_add(${name}_pair_scale(s, 1), ${name}_pair_multiply(s, s));
-  return s;
 }
 
 /* x/(1 - s x) */

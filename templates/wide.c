@@ -100,3 +100,25 @@ static ${name}_wide ${name}_wide_square(${name}_wide a)
 {
   return ${name}_wide_multiply(a, a);
 }
+
+/* a b + c d */
+static ${name}_wide ${name}_wide_dot(${name}_wide a, ${name}_wide b, ${name}_wide c, ${name}_wide d)
+{
+  return ${name}_wide_add(${name}_wide_multiply(a, b), ${name}_wide_multiply(c, d));
+}
+
+/* sqrt(f) R_F(x, y, z), homogeneous of degree 0: an argument tau of the above.  `infinite` if two of x, y, z are 0. */
+static ${name}_pair ${name}_argument(${name}_wide f, ${name}_wide x, ${name}_wide y, ${name}_wide z, int *infinite)
+{
+  const ${name}_wide r[3] = {${name}_wide_root(x), ${name}_wide_root(y), ${name}_wide_root(z)}, root = ${name}_wide_root(f);
+  int i, top = -1000000, zeros = 0;
+
+  for (i = 0; i < 3; i++) {
+    zeros += !${name}_wide_sign(r[i]);
+    if (${name}_wide_size(r[i]) > top) top = ${name}_wide_size(r[i]);
+  }
+  *infinite = zeros >= 2;
+  if (zeros >= 2) return ${name}_pair_of(${zero});
+  return ${name}_pair_multiply(${name}_wide_pair(root, top),
+               ${name}_carlson(${name}_wide_pair(r[0], top), ${name}_wide_pair(r[1], top), ${name}_wide_pair(r[2], top)));
+}

@@ -1,13 +1,16 @@
 /* heavy_top.c - the heavy top with many digits: a Taylor series of high order with MPFR.
    SPDX-License-Identifier: GPL-3.0-or-later
 
-     heavy_top [-b BITS] [-p] [-e] < lines
+     heavy_top [-b BITS] [-p] [-r] [-e] < lines
 
    A line is I1 I2 I3 (principal moments about the fixed point), m g r (3 numbers, body axes), w0
    (3), q0 (4, any length but 0), t, in any notation of strtod, taken as the exact doubles; gravity
    points along -z. A line of the result: rates and attitude, 7 numbers of 40 digits. With -e seven
    more numbers follow t in a line, and the result is: largest error of their rates over the largest
    rate, and of their attitude, |q - q'|.
+
+     With -r the three numbers m g r are instead the momentum h of a rotor, relative to the body,
+   and nothing else acts: I w' = (I w + h) x w.
 
      With -p an approximation of the period of gamma_z follows t: the body is symmetric about z, and
    t may be long.
@@ -33,6 +36,7 @@ static int order = 80;
 
 static mpfr_t x[STATES][ORDER_MOST + 1]; /* w, gamma, q: coefficients of (t - t0)^n */
 static mpfr_t I[3], load[3], sum, term, h, left, largest, power;
+static int rotor;    /* load is the momentum of a rotor */
 static int still[3]; /* w of this axis is constant */
 
 /* sum += s sum over k of a_k b_(n-k) */
@@ -55,14 +59,16 @@ static void next_order(int n) {
   for (int i = 0; i < 3; i++) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     mpfr_set_zero(x[i][n + 1], 1);
-    if (!still[i]) { /* I_i w_i' = (I_j - I_k) w_j w_k + gamma_j r_k - gamma_k r_j */
+    if (!still[i]) { /* I_i w_i' = (I_j - I_k) w_j w_k + gamma_j r_k - gamma_k r_j, -w_j h_k + w_k
+                        h_j */
       mpfr_set_zero(part, 1);
       convolve(1, x[j], x[k], n, part);
       mpfr_sub(term, I[j], I[k], MPFR_RNDN);
       mpfr_mul(part, part, term, MPFR_RNDN);
-      mpfr_mul(term, x[3 + j][n], load[k], MPFR_RNDN);
+      const int v = rotor ? 0 : 3;
+      mpfr_mul(term, x[v + (rotor ? k : j)][n], load[rotor ? j : k], MPFR_RNDN);
       mpfr_add(part, part, term, MPFR_RNDN);
-      mpfr_mul(term, x[3 + k][n], load[j], MPFR_RNDN);
+      mpfr_mul(term, x[v + (rotor ? j : k)][n], load[rotor ? k : j], MPFR_RNDN);
       mpfr_sub(part, part, term, MPFR_RNDN);
       mpfr_div(part, part, I[i], MPFR_RNDN);
       mpfr_div_si(x[i][n + 1], part, n + 1, MPFR_RNDN);
@@ -250,7 +256,7 @@ static int compare(char *text, double *rates, double *attitude) {
   for (int i = 0; i < 3; i++) { /* a pendulum at its turn has the rate sqrt(m g r/I) all the same */
     mpfr_max(sum, sum, I[i], MPFR_RNDN);
   }
-  for (int i = 0; i < 3 && mpfr_sgn(sum) > 0; i++) {
+  for (int i = 0; i < 3 && mpfr_sgn(sum) > 0 && !rotor; i++) {
     mpfr_div(term, load[i], sum, MPFR_RNDN);
     mpfr_abs(term, term, MPFR_RNDN);
     mpfr_sqrt(term, term, MPFR_RNDN);
@@ -274,10 +280,12 @@ int main(int argc, char **argv) {
       errors = 1;
     } else if (strcmp(argv[i], "-p") == 0) {
       longer = 1;
+    } else if (strcmp(argv[i], "-r") == 0) {
+      rotor = 1;
     } else if (strcmp(argv[i], "-b") == 0 && i + 1 < argc && atoi(argv[i + 1]) >= 64) {
       bits = atoi(argv[++i]);
     } else {
-      fprintf(stderr, "usage: heavy_top [-b BITS] [-p] [-e] < lines\n");
+      fprintf(stderr, "usage: heavy_top [-b BITS] [-p] [-r] [-e] < lines\n");
       return 2;
     }
   }

@@ -20,7 +20,7 @@
 local closed = { require "generator.dynamics.closed.sphere", require "generator.dynamics.closed.symmetric",
   require "generator.dynamics.closed.asymmetric", require "generator.dynamics.closed.rotor",
   require "generator.dynamics.closed.damped", require "generator.dynamics.closed.axial",
-  require "generator.dynamics.closed.lagrange",
+  require "generator.dynamics.closed.lagrange", require "generator.dynamics.closed.gyrostat",
   (require "generator.dynamics.closed.point") } -- one value: require also returns where it found it
 
 -- The form that applies, with `others`, the list {name, reason} of those refused; without one {refused = text, others}.

@@ -1,0 +1,68 @@
+%% -- phases.c -- phases of theta functions at a time: part of scene.c.  SPDX-License-Identifier: MIT-0
+/* w, x, y, z of a = w + i z, b = x + i y, and the rates across the axis, all but for one factor */
+typedef struct ${name}_values {
+  ${name}_real w, x, y, z, f, g;
+} ${name}_values;
+
+/* high + low: the phase of the nutation, less whole periods, and the sign of their number; the turns of a and b, less
+ * whole ones */
+typedef struct ${name}_phases {
+  ${name}_real high, low, flip, a, b;
+} ${name}_phases;
+
+/* p less whole turns; where nothing is left of a phase, beyond some 2^50 of them, it is put to 0 */
+${upper}_INLINE ${name}_real ${name}_fraction_of(${name}_pair p)
+{
+  const ${name}_real x = (p.hi - ${name}_nearest(p.hi)) + p.lo;
+
+  return ${fabs}(x) <= ${one} ? x : ${zero};
+}
+
+/* (-1)^n */
+${upper}_INLINE ${name}_real ${name}_parity(${name}_real n)
+{
+  return ${one} - ${two}*${fabs}(n - ${two}*${name}_nearest(${half}*n));
+}
+
+/* away from the separatrix: in half turns of z */
+${upper}_INLINE ${name}_phases ${name}_circular_phases(const ${name}_orbit *o, ${name}_real t)
+{
+  const ${name}_pair start = {o->start[0], o->start[1]}, none = {${zero}, ${zero}};
+  const ${name}_pair p = ${name}_phase(start, o->rate, t);
+  ${name}_phases f;
+
+  f.flip = ${name}_parity(${name}_nearest(p.hi));
+  f.high = ${name}_fraction_of(p);
+  f.low = ${zero};
+  f.a = ${name}_fraction_of(${name}_phase(none, o->turn[0], t));
+  f.b = ${name}_fraction_of(${name}_phase(none, o->turn[1], t));
+  return f;
+}
+
+/* near it: the phase has the period P, or none, and the turns jump with each */
+static ${name}_phases ${name}_hyperbolic_phases(const ${name}_orbit *o, ${name}_real t)
+{
+  ${name}_pair p = {o->start[0], o->start[1]}, whole, jump;
+  ${name}_phases f;
+  ${name}_real n;
+
+  p = ${name}_phase(p, o->rate, t);
+  n = ${name}_nearest(p.hi*o->inverse);
+  f.flip = ${name}_parity(n);
+  whole = ${name}_pair_product(n, o->period[0]);
+  p = ${name}_pair_sum(p.hi - whole.hi, p.lo - whole.lo - n*o->period[1]);
+  f.high = ${fabs}(p.hi)*o->inverse <= ${one} ? p.hi : ${zero};
+  f.low = p.lo;
+  jump = ${name}_pair_product(n, o->jump[0][0]);
+  jump.lo += n*o->jump[0][1];
+  f.a = ${name}_fraction_of(${name}_phase(jump, o->turn[0], t));
+  jump = ${name}_pair_product(n, o->jump[1][0]);
+  jump.lo += n*o->jump[1][1];
+  f.b = ${name}_fraction_of(${name}_phase(jump, o->turn[1], t));
+  return f;
+}
+
+${upper}_INLINE ${name}_real ${name}_square(const ${name}_values *v)
+{
+  return (v->w*v->w + v->z*v->z) + (v->x*v->x + v->y*v->y);
+}
