@@ -109,6 +109,47 @@ static int read_custom(struct engine_scene *s) {
   return ph_top_custom(&s->top, torque, force, &potential, n, rate);
 }
 
+/* 8 n numbers, which live as long as the scene's table. */
+static int read_solar(struct engine_scene *s) {
+  lua_State *L = s->L;
+  double sun[3];
+  engine_get(L, -1, "sun", 3, sun, NULL);
+  lua_getfield(L, -1, "plates");
+  const int n = (int)lua_rawlen(L, -1);
+  double *plates = lua_newuserdatauv(L, (size_t)(n > 0 ? n : 1) * sizeof *plates, 0);
+  lua_insert(L, -2);
+  engine_list(L, -1, n, plates);
+  lua_pop(L, 1);
+  engine_keep(s);
+  return ph_top_solar(&s->top, engine_number(L, "flux"), sun, n / 8, plates);
+}
+
+static int read_pivot(struct engine_scene *s) {
+  double axis[3];
+  ph_varying a[3] = {{0}};
+  if (engine_has(s->L, "acceleration")) {
+    read_list(s, "acceleration", 3, 0, a);
+    return ph_top_pivot(&s->top, a);
+  }
+  engine_get(s->L, -1, "axis", 3, axis, NULL);
+  return ph_top_vibration(&s->top, engine_number(s->L, "amplitude"), engine_number(s->L, "rate"),
+                          axis);
+}
+
+static int read_parts(struct engine_scene *s) {
+  ph_varying tensor[6] = {{0}}, rate[6] = {{0}};
+  read_list(s, "tensor", 6, 1, tensor);
+  read_list(s, "rate", 6, 1, rate);
+  return ph_top_parts(&s->top, tensor, rate);
+}
+
+static int read_gradient(struct engine_scene *s) {
+  const double mu = engine_number(s->L, "mu"), radius = engine_number(s->L, "radius");
+  if (flag(s->L, "elliptic"))
+    return ph_top_gravity_gradient_orbit(&s->top, mu, radius, engine_number(s->L, "e"));
+  return ph_top_gravity_gradient(&s->top, mu, radius);
+}
+
 void engine_read_own(lua_State *L, int index, const ph_top *top, double x[]) {
   int n = 0;
   for (int k = 0; k < top->acts.n; k++)
@@ -135,6 +176,16 @@ int engine_read_act(struct engine_scene *s, const char *kind, int *status) {
     *status = ph_top_varying(&s->top, flag(L, "inertial"), torque);
   } else if (strcmp(kind, "custom") == 0) {
     *status = read_custom(s);
+  } else if (strcmp(kind, "gradient") == 0) {
+    *status = read_gradient(s);
+  } else if (strcmp(kind, "solar") == 0) {
+    *status = read_solar(s);
+  } else if (strcmp(kind, "pivot") == 0) {
+    *status = read_pivot(s);
+  } else if (strcmp(kind, "parts") == 0) {
+    *status = read_parts(s);
+  } else if (strcmp(kind, "dissipation") == 0) {
+    *status = ph_top_dissipation(&s->top, engine_number(L, "k"));
   } else {
     return 0;
   }
