@@ -1,11 +1,13 @@
 -- solar_pressure.lua -- the pressure of sunlight on a set of flat plates that are fixed in the body.
 --
 -- For a plate of area A, unit normal n, reflectivity rho (the part that is mirrored; the rest is absorbed), s the unit
--- vector to the sun in body axes and c = n.s, on the lit side only, which (c + |c|)/2 says without a branch:
+-- vector to the sun in body axes and c = n.s, on the lit side only, which (c + |c|)/2 says without a branch; |c| is
+-- sqrt(c^2 + 2^-126), so that its derivative exists where c = 0, and beyond c = 1e-11 differs by less than rounding:
 --     F = -P A c ((1 - rho) s + 2 rho c n),   P = flux/299792458 m/s,    N = sum centre x F
 -- Plates do not shade each other, and each has one side: the other one is a plate with -n.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
@@ -27,6 +29,7 @@ local solar = {
   example = "solar_sail",
 }
 
+local smallest = expr.num(R.new(2) ^ -126)
 local most_plates = 64
 local comp = { "x", "y", "z" }
 
@@ -70,7 +73,7 @@ local function forces(a, c)
     local push = a.flux / 299792458 * p.area / 2
     local n = vec.map(unit(p.normal), function(x, i) return c.constant("n" .. comp[i], x, "normal of a plate") end)
     local cosine = vec.dot(n, s)
-    local lit = cosine + expr.call("abs", cosine) -- twice the cosine, or 0
+    local lit = cosine + expr.sqrt(cosine ^ 2 + smallest) -- twice the cosine, or 0
     local taken = c.constant("absorbed", push * (1 - p.reflectivity), "(1 - rho) P A/2, N")
     local thrown = c.constant("mirrored", push * p.reflectivity, "rho P A/2, N")
     return vec.scale(-lit, vec.add(vec.scale(taken, s), vec.scale(thrown * lit, n)))

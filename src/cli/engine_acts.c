@@ -204,7 +204,7 @@ static double norm(const double v[3]) {
 }
 
 /* Of a value that varies: of a table as a sum of ramps, slope times distance to each row. */
-static double varying_size(const ph_top *top, const ph_varying *v, double t, const double x[]) {
+double engine_varying_size(const ph_top *top, const ph_varying *v, double t, const double x[]) {
   double most = fabs(v->value);
   if (v->f)
     return engine_program_size(v, t, x, ph_top_states(top));
@@ -244,12 +244,19 @@ void engine_acts_torque(const ph_top *top, double t, const double x[], double te
       double speed = fabs(x[engine_own_place(top, k)]);
       for (i = 0; i < 3; i++)
         speed = larger(speed, fabs(a->v[i] * w[i]));
-      all = larger(a->v[3] * speed * norm(w), varying_size(top, &a->torque[0], t, x));
+      all = larger(a->v[3] * speed * norm(w), engine_varying_size(top, &a->torque[0], t, x));
       break;
     }
+    case PH_GRADIENT:
+    case PH_SOLAR:
+    case PH_PIVOT:
+    case PH_PARTS:
+    case PH_DISSIPATION:
+      all = engine_acts_more(top, k, t, x);
+      break;
     default:
       for (i = 0; i < 3; i++)
-        part[i] = varying_size(top, &a->torque[i], t, x);
+        part[i] = engine_varying_size(top, &a->torque[i], t, x);
       if (a->kind == PH_VARYING && a->flag)
         all = norm(part) * q2;
     }
@@ -268,17 +275,18 @@ int engine_own_place(const ph_top *top, int act) {
 
 /* scale has those of w already. */
 void engine_acts_scale(const ph_top *top, double t, const double x[], double scale[]) {
+  engine_acts_more_scale(top, t, x, scale);
   for (int k = 0; k < top->acts.n; k++) {
     const ph_act *a = &top->acts.list[k];
     if (!(top->effects & a->kind))
       continue;
     for (int i = 0; i < 3 && a->kind == PH_CUSTOM && top->effects & PH_TRANSLATION; i++)
-      scale[10 + i] = larger(scale[10 + i], varying_size(top, &a->force[i], t, x) / top->mass);
+      scale[10 + i] = larger(scale[10 + i], engine_varying_size(top, &a->force[i], t, x) / top->mass);
     double *own = scale + engine_own_place(top, k);
     for (int i = 0; i < a->states && a->kind == PH_CUSTOM; i++)
-      own[i] = varying_size(top, &a->rate[i], t, x);
+      own[i] = engine_varying_size(top, &a->rate[i], t, x);
     if (a->kind == PH_WHEEL) {
-      own[0] = varying_size(top, &a->torque[0], t, x) / a->v[3];
+      own[0] = engine_varying_size(top, &a->torque[0], t, x) / a->v[3];
       for (int i = 0; i < 3; i++)
         own[0] = larger(own[0], fabs(a->v[i]) * scale[4 + i]);
     }
@@ -300,7 +308,10 @@ double engine_acts_energy(const ph_top *top, const double x[]) {
     else if (a->kind == PH_WHEEL)
       term = a->v[3] * pow(larger(fabs(x[engine_own_place(top, k)]), norm(w)), 2) / 2;
     else if (a->kind == PH_CUSTOM)
-      term = varying_size(top, &a->potential, 0, x);
+      term = engine_varying_size(top, &a->potential, 0, x);
+    else if (a->kind == PH_PARTS)
+      for (int i = 0; i < 6; i++)
+        term = larger(term, engine_varying_size(top, &a->rate[i], 0, x) * pow(norm(w), 2) / 2);
     scale = larger(scale, term);
   }
   return scale;
@@ -308,6 +319,10 @@ double engine_acts_energy(const ph_top *top, const double x[]) {
 
 double engine_acts_momentum(const ph_top *top, const double x[]) {
   double scale = 0;
+  for (int k = 0; k < top->acts.n && top->effects & PH_PARTS; k++)
+    for (int i = 0; i < 6 && top->acts.list[k].kind == PH_PARTS; i++)
+      scale = larger(scale, engine_varying_size(top, &top->acts.list[k].rate[i], 0, x) *
+                                norm(x + 4));
   for (int k = 0; k < top->acts.n; k++)
     if (top->effects & PH_WHEEL && top->acts.list[k].kind == PH_WHEEL)
       scale = larger(scale, top->acts.list[k].v[3] *
