@@ -158,6 +158,8 @@ static int jacobian(lua_State *L) {
 static const struct polhode_stepper *stepper(lua_State *L, const struct plugin *p, int i) {
   const char *name = luaL_optstring(L, i, NULL);
   const struct polhode_stepper *s = p->code->steppers;
+  if (s == NULL)
+    luaL_error(L, "plugin: there is no stepper in it");
   while (name != NULL && s->name != NULL && strcmp(s->name, name) != 0)
     s++;
   if (s->name == NULL)

@@ -368,9 +368,8 @@ enum ph_effect {
   PH_ROTOR = 1024          /* -w x h: a rotor of constant relative momentum h, body axes */
 };
 
-/* The model; constant while it is used. Read the first part, change it only through the functions
-   below. A moment that the data do not distinguish from zero (a rod's own axis) is taken as zero:
-   see ph_top_rates. */
+/* The model; constant while it is used. Read the first part, change it only by the functions below.
+   A moment that the data do not tell from zero (a rod's own axis) is taken as zero, ph_top_rates. */
 typedef struct ph_top {
   double mass, com[3];                       /* centre of mass from the origin, body axes */
   double inertia[6];                         /* about the origin, body axes */

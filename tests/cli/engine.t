@@ -148,9 +148,16 @@ static void at(const void *o, double t, double *x) {
 #ifndef ABI
 #define ABI POLHODE_PLUGIN_ABI
 #endif
+static int run(const void *m, double t0, double *x, const double *u, double t1, double tolerance, int most) {
+  (void)u; (void)tolerance;
+  x[0] *= exp(-((const struct model *)m)->rate*(t1 - t0));
+  x[1] += 1;
+  return most > 0 && t1 < 100 ? 1 : -1;
+}
+static const struct polhode_stepper steppers[] = {{"euler", step, NULL}, {"exact", step, run}, {NULL, NULL, NULL}};
 const struct polhode_plugin *polhode_plugin(void) {
   static const struct polhode_plugin table = {ABI, "decay", "double", 2.220446049250313e-16, 2, 1, 1,
-    sizeof(struct model), sizeof(struct orbit), init, params, inertia, principal, rhs, step, FEW};
+    sizeof(struct model), sizeof(struct orbit), init, params, inertia, principal, rhs, steppers, FEW};
   return &table;
 }
 ]])
@@ -190,6 +197,16 @@ says("integrate takes whole steps that hit the times", BUILD .. [[
   p:init()
   for _, r in ipairs(p:integrate({ 1, 0 }, { 0 }, 0.1, { 0, 0.1, 0.35, 1, 0.5 })) do say(r[1], r[3]) end]],
   "0.0 0.0\n0.1 1.0\n0.35 4.0\n1.0 11.0\n0.5 16.0\n")
+says("a stepper is found by its name, and one with a tolerance chooses its steps", BUILD .. [[
+  local p = build(all)
+  p:init { 1 }
+  say(p:step(0, { 1, 0 }, { 0 }, 0.5, "exact")[1], pcall(p.step, p, 0, { 1, 0 }, { 0 }, 0.5, "heun"))
+  local rows = p:integrate({ 1, 0 }, { 0 }, { 1e-9 }, { 1, 2 }, 0, "exact")
+  say(rows[2][2] == math.exp(-1) * math.exp(-1), rows[2][3])
+  say(p:integrate({ 1, 0 }, { 0 }, { 1e-9 }, { 1, 200 }, 0, "exact"))
+  say(pcall(p.integrate, p, { 1, 0 }, { 0 }, { 1e-9 }, { 1 }))]],
+  "0.5 false plugin: there is no stepper heun in it\ntrue 2.0\nnil\n" ..
+  "false bad argument #4 to '?' (this stepper has a fixed step)\n")
 says("solve says whether there is an orbit, at follows it", BUILD .. [[
   local p = build(all)
   p:init()

@@ -25,8 +25,8 @@ local BOX = "solid.box { x = 2, y = 3, z = 5, mass = 7 }"
 local TOP = "solid.cone { r = 1, h = 3, mass = 7 }"
 
 local function read(body, effect, more)
-  return scene.read("local s = scene {\n  name = \"b\",\n  body = " .. body .. ",\n  effects = {" .. effect .. "},\n  " ..
-    (more or "") .. "\n}\nreturn s\n")
+  local text = "local s = scene {\n  name = \"b\",\n  body = %s,\n  effects = {%s},\n  %s\n}\nreturn s\n"
+  return scene.read(string.format(text, body, effect, more or ""))
 end
 
 local function names(job)

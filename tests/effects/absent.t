@@ -13,8 +13,8 @@ local scene = require "tests.scene"
 
 local function files(effects)
   local text = table.concat({ "local k = param(\"k\", 2, \"N m\")", "return scene { name = \"s\",",
-    "  body = solid.box { x = 1, y = 2, z = 3, mass = 4 }, origin = { 1/8, 0, 0 },", "  effects = { " .. effects .. " },",
-    "  initial = { omega = { 1, 2, 3 } } }", "" }, "\n")
+    "  body = solid.box { x = 1, y = 2, z = 3, mass = 4 }, origin = { 1/8, 0, 0 },",
+    "  effects = { " .. effects .. " },", "  initial = { omega = { 1, 2, 3 } } }", "" }, "\n")
   local job = assert(scene.read(text))
   scene.plan(job)
   return scene.files(job)

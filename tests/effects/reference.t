@@ -4,8 +4,9 @@
 --
 -- Emitted: rk4 with steps of 2e-3 rad of the fastest rate; its error is about (h w/2)^4 w t/240, below 1e-12, and what
 -- rounding adds stays below 1e-11 of the state's size: a constant torque adds the same increment, rounded the same way,
--- in each of up to 1e5 steps, so that shorter steps would be worse.  Library: 1e-12, as its numbers are doubles at the end and all steps are in long
--- double.  Published: Basilisk's test of balanced wheels, sigma = q_v/(1 + q_w) after a phase without torque, 9 digits.
+-- in each of up to 1e5 steps, so that shorter steps would be worse.
+-- Library: 1e-12, as its numbers are doubles at the end and all steps are in long double.
+-- Published: Basilisk's test of balanced wheels, sigma = q_v/(1 + q_w) after a phase without torque, 9 digits.
 
 package.path = "./?.lua;" .. package.path
 
