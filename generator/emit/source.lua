@@ -220,8 +220,10 @@ function source.show(ctx, f, stop)
 end
 
 -- C statements for groups without a function around them (NAME_init): loads and groups of lines.
-function source.statements(ctx, f)
-  return cprint.statements(passes.run(lower.run(source.program(ctx, f))), ctx.real, printed(ctx))
+function source.statements(ctx, f, temporary)
+  local options = printed(ctx)
+  options.temporary = temporary
+  return cprint.statements(passes.run(lower.run(source.program(ctx, f))), ctx.real, options)
 end
 
 return source

@@ -16,8 +16,8 @@ local function symbol(name) return expr.sym(name, 8) end
 local function zeroth(x) return symbol(x.name .. "0") end
 
 -- Lines of the groups by the number that stands in `where`, loads first.
-local function rendered(ctx, inputs, groups)
-  local c = source.statements(ctx, { name = "taylor", args = {}, inputs = inputs, groups = groups })
+local function rendered(ctx, inputs, groups, temporary)
+  local c = source.statements(ctx, { name = "taylor", args = {}, inputs = inputs, groups = groups }, temporary)
   local out = { loads = c.loads }
   for i in ipairs(groups) do out[i] = {} end
   for _, g in ipairs(c.groups) do out[g.where] = g.lines end
@@ -121,7 +121,7 @@ local function general(ctx, program, names)
   local last = { where = #groups + 1, defs = {}, outs = {} }
   groups[#groups + 1] = last
   advance(program, "term", symbol "after", {}, last)
-  return rendered(ctx, inputs, groups)
+  return rendered(ctx, inputs, groups, "term") -- t1, .. would shadow those of the start
 end
 
 -- Which of the names do the forms of the program use?
