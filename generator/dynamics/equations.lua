@@ -344,7 +344,8 @@ function equations.of(d, m)
       end
     end
   end
-  return { groups = groups, coupled = coupled, turn = m.has.attitude and groups[1].turn, inputs = inputs, free = #m.record.effects == 0, model = m }
+  return { groups = groups, coupled = coupled, turn = m.has.attitude and groups[1].turn,
+    inputs = inputs, free = #m.record.effects == 0, model = m }
 end
 
 -- The same equations with twice the bits in their numbers; nil where no number was rounded, so that all are exact.

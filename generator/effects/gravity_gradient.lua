@@ -47,7 +47,7 @@ function gradient.read(ctx, line, what, given, args)
   end
   local o, good = args.read(ctx, at, what .. ", orbit", specs, orbit)
   if not ok or not good then return nil end
-  if o.e and not args.condition(ctx, at, what, "e must be less than 1", 1 - o.e, tostring(orbit.e)) then return nil end
+  if o.e and not args.condition(ctx, at, what .. ", orbit", "e must be less than 1", 1 - o.e, tostring(orbit.e)) then return nil end
   a.radius, a.a, a.e, a.anomaly = o.radius, o.a, o.e, o.anomaly
   return a
 end

@@ -21,7 +21,7 @@ local rate = {
   takes = { { "xx, yy, zz, xy, xz, yz", "kg m^2", "0", "entry of D(t): a number or an expression of t" } },
   formula = "(I + D) w' = L x w - D' w + N, L = (I + D) w",
   signs = "D is added to the body's tensor (off-diagonals are tensor entries); D' w > 0 slows the body down",
-  source = "Hughes, Spacecraft Attitude Dynamics, section 3.1: dL/dt = N with L = I(t) w",
+  source = "dL/dt = N with L = (I + D) w: Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 5.37, before I is taken constant",
   example = "skater",
 }
 

@@ -3,7 +3,8 @@
 -- One file an effect.  A table with: name; about (one line); args (checked by the scene language) or read (its own
 -- reading) or reader (its reading in dsl/moving.lua), check(a), refuse(a, given); numeric(a, num, given, code, c), what
 -- the library is told, code(e) being an expression of the motion as dynamics/postfix.lua writes it; formula, signs,
--- source, example (a scene of bodies/) for docs/effects.md; and what it does, each optional:
+-- source, example (a scene of bodies/), and where there is no args takes (rows {argument, unit, default, about}) for
+-- docs/effects.md (report/effects.lua); and what it does, each optional:
 --     torque(a, c)      about the origin of rotation, body axes, N m
 --     force(a, c)       on the centre of mass, inertial axes (those of the base frame, if one turns), N
 --     states(a)         states of its own: a list of {name =, initial = expr, unit =, about =}
@@ -19,6 +20,8 @@
 --     moves(given)      true if the centre of mass moves freely (given: what `initial` gives)
 --     conserves(a, c)   a list out of "T+V", "|L|", "L", "L_z", "w3", see dynamics/conserved.lua; absent: nothing
 --                       keeps: the same in words, where it is a function;   decided = true: dynamics/laws.lua finds it
+--     quadratic = true  its terms are polynomials of degree 2 at most in the state
+--     kinks = true      its equations have corners at times that dynamics/breaks.lua cannot tell
 --     input = true      it uses the input u;   single = true: once in a scene
 --     central = true    it acts about the centre of mass, which must be the origin
 --     fixed = advice    it acts about a fixed point, so a body that moves cannot have it

@@ -26,7 +26,7 @@ local solar = {
   signs = "n outward, s to the sun: light pushes the lit side away from the sun; the dark side feels nothing",
   source = "Wertz, Spacecraft Attitude Determination and Control, 17.2.2 (without diffuse reflection); flux: Kopp, " ..
     "Lean, Geophys. Res. Lett. 38 (2011) L01706",
-  example = "solar_sail",
+  example = "solar_sail", kinks = true,
 }
 
 local smallest = expr.num(R.new(2) ^ -126)

@@ -17,8 +17,8 @@
  * {kind="varying", parts={3 of varying}, inertial=} {kind="wheel", axis={3}, inertia=,
  * torque=varying, included=} {kind="gradient", mu=, radius=, e=, elliptic=} {kind="solar", flux=,
  * sun={3}, plates={8 n}} {kind="pivot", acceleration={3 of varying}} or {.., amplitude=, rate=,
- * axis={3}} {kind="parts", tensor={6}, rate={6}} {kind="dissipation", k=} {kind="custom", torque={3}, force={3}, potential=, states={..}}, each
- * of them a program
+ * axis={3}} {kind="parts", tensor={6}, rate={6}} {kind="dissipation", k=} {kind="custom",
+ * torque={3}, force={3}, potential=, states={..}}, each of them a program
  * - varying: a number, {rows={t, v, ...}} or {code=program}; program: dynamics/postfix.lua's list
  *
  * Tables of the wrong form are a bug of the caller and raise; numbers that no body can have are the

@@ -281,7 +281,8 @@ void engine_acts_scale(const ph_top *top, double t, const double x[], double sca
     if (!(top->effects & a->kind))
       continue;
     for (int i = 0; i < 3 && a->kind == PH_CUSTOM && top->effects & PH_TRANSLATION; i++)
-      scale[10 + i] = larger(scale[10 + i], engine_varying_size(top, &a->force[i], t, x) / top->mass);
+      scale[10 + i] =
+          larger(scale[10 + i], engine_varying_size(top, &a->force[i], t, x) / top->mass);
     double *own = scale + engine_own_place(top, k);
     for (int i = 0; i < a->states && a->kind == PH_CUSTOM; i++)
       own[i] = engine_varying_size(top, &a->rate[i], t, x);
@@ -321,8 +322,8 @@ double engine_acts_momentum(const ph_top *top, const double x[]) {
   double scale = 0;
   for (int k = 0; k < top->acts.n && top->effects & PH_PARTS; k++)
     for (int i = 0; i < 6 && top->acts.list[k].kind == PH_PARTS; i++)
-      scale = larger(scale, engine_varying_size(top, &top->acts.list[k].rate[i], 0, x) *
-                                norm(x + 4));
+      scale =
+          larger(scale, engine_varying_size(top, &top->acts.list[k].rate[i], 0, x) * norm(x + 4));
   for (int k = 0; k < top->acts.n; k++)
     if (top->effects & PH_WHEEL && top->acts.list[k].kind == PH_WHEEL)
       scale = larger(scale, top->acts.list[k].v[3] *

@@ -32,7 +32,8 @@ static double orbit(const ph_act *a, double t, double *rate) {
 }
 
 static double angular_momentum(const ph_top *top, double t, const double x[]) {
-  return largest_moment(top, t, x) * norm(x + 4) + engine_acts_momentum(top, x);
+  return largest_moment(top, t, x) * norm(x + 4) + engine_acts_momentum(top, x) +
+         (top->effects & PH_ROTOR ? norm(top->rotor) : 0);
 }
 
 double engine_acts_more(const ph_top *top, int k, double t, const double x[]) {

@@ -3,8 +3,8 @@
 
    What v[] of an act holds: PH_GRADIENT mu, radius or half axis, eccentricity (flag: elliptic, the
    true anomaly is its state); PH_SOLAR pressure, unit vector to the sun; PH_PIVOT amplitude, rate,
-   unit axis (flag), or torque[] holds the acceleration; PH_PARTS nothing: rate[0..5] are the entries
-   D, rate[6..11] their rates, its state is the time; PH_DISSIPATION k. */
+   unit axis (flag), or torque[] holds the acceleration; PH_PARTS nothing: rate[0..5] are the
+   entries D, rate[6..11] their rates, its state is the time; PH_DISSIPATION k. */
 #include "acts.h"
 
 #include <string.h>
@@ -188,6 +188,8 @@ int acts_tensor(const ph_top *top, const ph_wide x[], ph_wide D[6]) {
 void acts_whole_momentum(const ph_top *top, const ph_wide x[], ph_wide L[3]) {
   wide_apply(top->wide_inertia, x + 4, L);
   acts_momentum(top, x, L);
+  for (int i = 0; i < 3 && top->effects & PH_ROTOR; i++)
+    L[i] += (ph_wide)top->rotor[i];
 }
 
 /* ---- the calls ---- */

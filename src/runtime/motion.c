@@ -87,7 +87,7 @@ int motion_rates(const ph_top *top, const motion_loads *loads, ph_wide t, const 
     b[i] += S[i];
   ph_wide rate[PH_STATES];
   const int status = top->effects & (PH_WHEEL | PH_PARTS) ? acts_solve(top, t, x, b, rate)
-                                             : motion_solve(top, b, size, rate + 4);
+                                                          : motion_solve(top, b, size, rate + 4);
   if (status)
     return status;
   acts_rates(top, t, x, rate);

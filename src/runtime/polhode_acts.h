@@ -67,7 +67,7 @@ typedef struct ph_act {
                    gravity gradient: elliptic; support: vibrates */
   int rows;     /* of table: plates, 8 numbers each */
   const double *table;
-  int states;   /* of its own */
+  int states; /* of its own */
   ph_varying torque[3], force[3], potential, rate[PH_OWN_STATES];
 } ph_act;
 
@@ -102,9 +102,9 @@ int ph_top_wheel(struct ph_top *top, const double axis[3], double J, ph_varying 
 int ph_top_custom(struct ph_top *top, const ph_varying torque[3], const ph_varying force[3],
                   const ph_varying *potential, int n, const ph_varying rate[]);
 
-/* Gravity gradient on a circular orbit in the inertial x-y plane that starts on x (mu >= 0, m^3/s^2;
-   radius > 0, m: PH_EBOUND); or on an elliptic one with the perigee on x and the true anomaly as its
-   state (half axis a > 0, 0 <= e < 1). The origin is to be the centre of mass. */
+/* Gravity gradient on a circular orbit in the inertial x-y plane that starts on x (mu >= 0,
+   m^3/s^2; radius > 0, m: PH_EBOUND); or on an elliptic one with the perigee on x and the true
+   anomaly as its state (half axis a > 0, 0 <= e < 1). The origin is to be the centre of mass. */
 int ph_top_gravity_gradient(struct ph_top *top, double mu, double radius);
 int ph_top_gravity_gradient_orbit(struct ph_top *top, double mu, double a, double e);
 /* Sunlight of the flux, W/m^2, from the inertial direction sun on n plates of 8 numbers: area >= 0,

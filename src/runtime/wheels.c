@@ -66,7 +66,8 @@ int acts_solve(const ph_top *top, ph_wide t, const ph_wide x[], const ph_wide b[
     y[n++] = acts_value(&a->torque[0], t, x);
   }
   ph_wide D[6], Dw[3];
-  if (acts_tensor(top, x, D)) { /* moving parts: their D w turns with the body like what wheels hold */
+  if (acts_tensor(top, x,
+                  D)) { /* moving parts: their D w turns with the body like what wheels hold */
     wide_apply(D, x + 4, Dw);
     for (int i = 0; i < 3; i++)
       h[i] += Dw[i];

@@ -40,6 +40,17 @@ local cases = {
     "effect.magnetic { moment = {0, 1, 0}, rotating = {0, 0, 1}, rate = 3 }" },
   { "torque", "effect.torque { body = {0, 0*t, {{0, 0}, {1, 0}}} }",
     "effect.torque { body = {0, 0, {{0, 0}, {1, 1}}} }" },
+  { "solar_pressure", "effect.solar_pressure { flux = 0, sun = {1, 0, 0}, plates = { { area = 1, normal = {1, 0, 0}, " ..
+    "centre = {0, 1, 0} } } }", "effect.solar_pressure { sun = {1, 0, 0}, plates = { { area = 1, normal = {1, 0, 0}, " ..
+    "centre = {0, 1, 0} } } }" },
+  { "solar_pressure", "effect.solar_pressure { sun = {1, 0, 0}, plates = { { area = 0, normal = {1, 0, 0}, " ..
+    "centre = {0, 1, 0} } } }", "effect.solar_pressure { sun = {1, 0, 0}, plates = { { area = 1, normal = {1, 0, 0}, " ..
+    "centre = {0, 1, 0}, reflectivity = 1/2 } } }" },
+  { "pivot", "effect.pivot { amplitude = 0, rate = 5 }", "effect.pivot { amplitude = 0.1, rate = 5 }" },
+  { "pivot", "effect.pivot { acceleration = { 0*t, 0, 0 } }", "effect.pivot { acceleration = { t, 0, 0 } }" },
+  { "inertia_rate", "effect.inertia_rate { xx = 0, yz = 0*t }", "effect.inertia_rate { xx = t, yz = 0*t }" },
+  { "inertia_rate", "effect.inertia_rate {}", "effect.inertia_rate { yz = sin(t) }" },
+  { "dissipation", "effect.dissipation { k = 0 }", "effect.dissipation { k = 0.1 }" },
   { "custom", "effect.custom { params = {stiff = 0}, potential = function(s) return s.stiff*s.q[2]^2 end }",
     "effect.custom { params = {stiff = k}, potential = function(s) return s.stiff*s.q[2]^2 end }" },
   { "custom", "effect.custom { torque = function(s) return { 0*s.w[1], 0, s.t - s.t } end }",
