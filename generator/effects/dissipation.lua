@@ -5,8 +5,8 @@
 -- The first equation is Bloch's, Krishnaprasad's, Marsden's and Ratiu's: L is always normal to L', so |L| stays, and
 --     T' = w.L' = -k |L x w|^2,
 -- so that T falls until w is along L; only the turn about the axis of the largest moment is then stable.
--- The second equation is what makes L stay in inertial axes too: (R L)' = R (L' + W x L) = 0 wants the body axes to turn
--- at any rate W with L' = L x W, and W = w + k L x w is that one which the inner motion vanishes with, as L x w does.
+-- The second equation is what makes L stay in inertial axes too: (R L)' = R (L' + W x L) = 0 wants the body axes to
+-- turn at any rate W with L' = L x W, and W = w + k L x w is that one whose inner motion vanishes with L x w.
 -- Read as physics: L = I W + h, and h = I (w - W) = -k I (L x w) is the angular momentum of small inner parts that run
 -- behind, without inertia of their own; w = I^-1 L is the mean rate of the whole.  A plain torque k L x (L x w) with
 -- q' = q (0, w)/2 would keep |L| too, but turn L in space.

@@ -23,9 +23,10 @@ local gradient = {
     { "orbit.anomaly", "rad", "0", "true anomaly at t = 0, from the perigee on x" } },
   formula = "N = 3 mu/r^3 o x I o, o = R(q)^T (cos f, sin f, 0); circular: f = sqrt(mu/r^3) t; elliptic: " ..
     "f' = sqrt(mu/p^3) (1 + e cos f)^2, r = p/(1 + e cos f), p = a (1 - e^2)",
-  signs = "o points from the central body to the satellite; the orbit turns from inertial x to y; the axis of the least " ..
-    "moment is drawn to the vertical.  Constant on a circular orbit: T + 3/2 n^2 o.I o - n L_z, n = sqrt(mu/r^3)",
-  source = "Hughes, Spacecraft Attitude Dynamics, section 8.1; Wertz, Spacecraft Attitude Determination and Control, 17.2",
+  signs = "o points from the central body to the satellite; the orbit turns from inertial x to y; the axis of the " ..
+    "least moment is drawn to the vertical. Constant on a circular orbit: T + 3/2 n^2 o.I o - n L_z, n = sqrt(mu/r^3)",
+  source = "Hughes, Spacecraft Attitude Dynamics, section 8.1; Wertz, Spacecraft Attitude Determination and " ..
+    "Control, 17.2",
   example = "gravity_gradient",
 }
 
@@ -47,7 +48,8 @@ function gradient.read(ctx, line, what, given, args)
   end
   local o, good = args.read(ctx, at, what .. ", orbit", specs, orbit)
   if not ok or not good then return nil end
-  if o.e and not args.condition(ctx, at, what .. ", orbit", "e must be less than 1", 1 - o.e, tostring(orbit.e)) then return nil end
+  if o.e and
+    not args.condition(ctx, at, what .. ", orbit", "e must be less than 1", 1 - o.e, tostring(orbit.e)) then return nil end
   a.radius, a.a, a.e, a.anomaly = o.radius, o.a, o.e, o.anomaly
   return a
 end
@@ -63,7 +65,9 @@ function gradient.states(a)
   return { { name = "anomaly", initial = a.anomaly, unit = "rad", about = "true anomaly of the orbit" } }
 end
 
-local function opening(a, c) return 1 + c.constant("ecc", a.e, "eccentricity of the orbit") * expr.call("cos", c.own.anomaly) end
+local function opening(a, c)
+  return 1 + c.constant("ecc", a.e, "eccentricity of the orbit") * expr.call("cos", c.own.anomaly)
+end
 
 function gradient.derivative(a, c)
   return { anomaly = c.constant("nu", expr.sqrt(strength(a)), "sqrt(mu/p^3), rad/s") * opening(a, c) ^ 2 }

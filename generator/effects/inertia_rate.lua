@@ -21,7 +21,8 @@ local rate = {
   takes = { { "xx, yy, zz, xy, xz, yz", "kg m^2", "0", "entry of D(t): a number or an expression of t" } },
   formula = "(I + D) w' = L x w - D' w + N, L = (I + D) w",
   signs = "D is added to the body's tensor (off-diagonals are tensor entries); D' w > 0 slows the body down",
-  source = "dL/dt = N with L = (I + D) w: Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 5.37, before I is taken constant",
+  source = "dL/dt = N with L = (I + D) w: Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 5.37, before I " ..
+    "is taken constant",
   example = "skater",
 }
 
@@ -59,28 +60,29 @@ end
 function rate.derivative() return { clock = expr.one } end
 
 -- D as a function of the clock, constants kept; and D'.
-local function entries(a, c, D)
+local function entries(c, D)
   return vec.map(D, function(e, n)
-    return calculus.substitute(c.lift(e, "D" .. vec.entry[n], "of the moving parts"), { [motion.sym "t"] = c.own.clock })
+    e = c.lift(e, "D" .. vec.entry[n], "of the moving parts")
+    return calculus.substitute(e, { [motion.sym "t"] = c.own.clock })
   end)
 end
 
 function rate.varies(a, c)
   if nothing(a) then return nil end
-  return entries(a, c, a.D)
+  return entries(c, a.D)
 end
 
 local function slopes(a) return vec.map(a.D, function(e) return calculus.diff(e, motion.sym "t") end) end
 
 function rate.torque(a, c)
   if nothing(a) then return { expr.zero, expr.zero, expr.zero } end
-  return vec.scale(-expr.one, vec.apply(entries(a, c, slopes(a)), c.w))
+  return vec.scale(-expr.one, vec.apply(entries(c, slopes(a)), c.w))
 end
 
 function rate.conserves() return { "L" } end
 
 function rate.numeric(a, _, _, code, c)
-  local function coded(D) return vec.map(entries(a, c, D), code) end
+  local function coded(D) return vec.map(entries(c, D), code) end
   return { kind = "parts", tensor = coded(a.D), rate = coded(slopes(a)) }
 end
 

@@ -83,7 +83,9 @@ end
 function solar.torque(a, c)
   local N = { expr.zero, expr.zero, expr.zero }
   for i, F in ipairs(forces(a, c)) do
-    local r = vec.map(a.plates[i].centre, function(x, k) return c.constant("centre" .. comp[k], x, "centre of a plate, m") end)
+    local r = vec.map(a.plates[i].centre, function(x, k)
+      return c.constant("centre" .. comp[k], x, "centre of a plate, m")
+    end)
     N = vec.add(N, vec.cross(r, F))
   end
   return N

@@ -24,8 +24,8 @@ local tensors = { -- I(t) of the table: the body's at t = 0 and what is added, a
 }
 
 local function scene(I, effects, w, q, head)
-  return string.format("%s\nreturn scene { name = \"row\", body = tensor { mass = 1, com = {0, 0, 0}, xx = %s, yy = %s, " ..
-    "zz = %s },\n  effects = { %s },\n  initial = { omega = { %s }, attitude = { %s } } }\n", head or "", I[1], I[2],
+  return string.format("%s\nreturn scene { name = \"row\", body = tensor { mass = 1, com = {0, 0, 0}, xx = %s, " ..
+    "yy = %s, zz = %s },\n  effects = { %s },\n  initial = { omega = { %s }, attitude = { %s } } }\n", head or "", I[1], I[2],
     I[3], effects, table.concat(w, ", "), table.concat(q, ", "))
 end
 
@@ -75,7 +75,8 @@ end
 local rates, attitude = { "wx", "wy", "wz" }, { "qw", "qx", "qy", "qz" }
 
 for _, row in ipairs(rows) do
-  local times, fastest, w, text = {}, row.n and tonumber(row.n) or 1.0, { table.unpack(row.x0, 1, 3) }, nil
+  local times, fastest, w = {}, row.n and tonumber(row.n) or 1.0, { table.unpack(row.x0, 1, 3) }
+  local text
   local q = { table.unpack(row.x0, 4, 7) }
   local changing = tensors[row.I_of_t]
   if changing then
@@ -177,7 +178,7 @@ do
     local L2 = last.Lx ^ 2 + last.Ly ^ 2 + last.Lz ^ 2
     tap.near(last.energy, L2 / 5, 10 * road[3], 0, road[1] .. ": at last L^2/(2 I3)")
   end
-  -- dT/dt = -k |L x w|^2 at the start, by a difference over 1e-4 s whose error is T'' 1e-4/2, T'' being below 10 (as T' is about 1)
+  -- dT/dt = -k |L x w|^2 at the start, by a difference over 1e-4 s whose error is T'' 1e-4/2, T'' being below 10
   local g = run(text, { "0", "0.0001" }, "")
   local L, w = { 0.7, -0.6, 2.25 }, { 0.7, -0.3, 0.9 }
   local c = { L[2] * w[3] - L[3] * w[2], L[3] * w[1] - L[1] * w[3], L[1] * w[2] - L[2] * w[1] }
