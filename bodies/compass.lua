@@ -1,4 +1,4 @@
--- compass.lua -- a satellite with a permanent magnet in a field that turns about z, as along a polar orbit.
+-- A satellite with a permanent magnet in a field that turns about z, as along a polar orbit.
 -- The moment m turns towards the field; drag on the turning keeps it from swinging for ever.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

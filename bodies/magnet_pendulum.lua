@@ -1,4 +1,4 @@
--- magnet_pendulum.lua -- effects of the scene's own: a pendulum over a magnet, and the heat of its bearing as a state.
+-- Effects of the scene's own: a pendulum over a magnet, and the heat of its bearing as a state.
 -- The magnet's pull falls off with the height.
 -- The potential is written, the torque follows from it; the bearing's torque is a second effect with a state.
 -- SPDX-License-Identifier: GPL-3.0-or-later

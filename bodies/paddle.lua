@@ -1,4 +1,4 @@
--- paddle.lua -- a flat paddle spun in still air: quadratic drag takes the spin away like 1/t, never quite.
+-- A flat paddle spun in still air: quadratic drag takes the spin away like 1/t, never quite.
 -- About a principal axis w' = -(c/I) w|w|, so w = w0/(1 + c w0 t/I).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

@@ -1,4 +1,4 @@
--- spun_coin.lua -- a coin that spins on a point below its rim, with dry friction there and gravity.
+-- A coin that spins on a point below its rim, with dry friction there and gravity.
 -- Well above the smoothing rate the torque has the constant size `rub`; see docs of effect.friction for what happens
 -- near rest.
 -- SPDX-License-Identifier: GPL-3.0-or-later

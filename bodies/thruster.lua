@@ -1,4 +1,4 @@
--- thruster.lua -- a box-shaped satellite that two thrusters turn: a pulse about x, a dithered torque about z.
+-- A box-shaped satellite that two thrusters turn: a pulse about x, a dithered torque about z.
 -- The table is linear between its rows and constant beyond them; rates in rad/s, times in s, torques in N m.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

@@ -1,4 +1,4 @@
--- torsion_pendulum.lua -- a bar that hangs on a wire and turns about it, as in Cavendish's balance.
+-- A bar that hangs on a wire and turns about it, as in Cavendish's balance.
 -- The spring's torque about the wire is -k sin(angle - rest): for small angles the period is 2 pi sqrt(I/k).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

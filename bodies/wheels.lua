@@ -1,4 +1,4 @@
--- wheels.lua -- a satellite with two driven reaction wheels across each other and a free one on a slanted axis.
+-- A satellite with two driven reaction wheels across each other and a free one on a slanted axis.
 -- The locked wheels are in the tensor (included = true), so only their own moments J are taken out of what the rates
 -- carry.  The motors' torques are inner ones: the angular momentum in inertial axes stays, whatever they do.
 -- SPDX-License-Identifier: GPL-3.0-or-later

@@ -58,7 +58,7 @@ static int ${name}_exact_term(${name}_real e[], int n, ${name}_real I, ${name}_r
 }
 
 /* I w^2 d */
-static ${name}_pair ${name}_term(${name}_pair I, ${name}_pair w, ${name}_pair d)
+static ${name}_pair ${name}_square_term(${name}_pair I, ${name}_pair w, ${name}_pair d)
 {
   return ${name}_pair_multiply(${name}_pair_multiply(I, d), ${name}_pair_multiply(w, w));
 }
@@ -68,7 +68,7 @@ static ${name}_pair ${name}_term(${name}_pair I, ${name}_pair w, ${name}_pair d)
 static ${name}_pair ${name}_circulation(${name}_pair I1, ${name}_pair I3, ${name}_pair w1, ${name}_pair w3,
     ${name}_pair d21, ${name}_pair d32)
 {
-  const ${name}_pair last = ${name}_term(I3, w3, d32), first = ${name}_term(I1, w1, d21);
+  const ${name}_pair last = ${name}_square_term(I3, w3, d32), first = ${name}_square_term(I1, w1, d21);
   ${name}_pair sum = ${name}_pair_subtract(last, first);
 
   if (!(${eight}*${fabs}(sum.hi) < first.hi + last.hi)) return sum;
@@ -143,7 +143,7 @@ static void ${name}_invariants(${name}_top *p)
   p->part2 = ${name}_pair_multiply(second, ${name}_pair_multiply(w2, w2));
   p->Delta3 = ${name}_pair_add(p->part1, p->part2);
   wide = ${name}_pair_multiply(p->J[2], p->d31);
-  p->Lambda1 = ${name}_pair_add(${name}_term(p->I[1], p->w[1], p->d21),
+  p->Lambda1 = ${name}_pair_add(${name}_square_term(p->I[1], p->w[1], p->d21),
       ${name}_pair_multiply(wide, ${name}_pair_multiply(p->w[2], p->w[2])));
   p->b3 = ${name}_pair_root(${name}_pair_divide(p->Lambda1, wide));
   p->lambda = ${name}_pair_divide(${name}_pair_multiply(p->b3, p->cross), ${name}_pair_multiply(p->J[0], p->I[1]));

@@ -42,7 +42,7 @@ function what.effects()
 end
 
 function what.methods()
-  local rows = { { "exact", "closed form at any time: every torque-free top" } }
+  local rows = { { "exact", "closed form at any time, where the scene has one (explain says which, or why not)" } }
   for _, m in ipairs(methods) do rows[#rows + 1] = { m.name, m.about } end
   for _, row in ipairs {
     { "linearised", "small oscillations of the free top about a principal axis; run: general library" },

@@ -41,13 +41,15 @@ do
     tap.ok(text:find "^%-%- %u[^\n]+%.\n", name .. ": opens with one sentence of what it shows")
     tap.ok(text:find('name%s+= "' .. name .. '"'), name .. ": the scene has the file's name")
     local rows, head = run(name, "--until 1e-12 --every 5e-13")
-    tap.is(head, "t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz", name .. ": run prints the columns")
+    local turning, flying = "t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz", "t,energy,rx,ry,rz,vx,vy,vz"
+    tap.ok(head:sub(1, #turning) == turning or head == flying, name .. ": run prints the columns", head)
+    local columns = select(2, head:gsub(",", ",")) + 1
     local finite = #rows == 3
     for _, row in ipairs(rows) do
-      finite = finite and #row == 12
+      finite = finite and #row == columns
       for _, x in ipairs(row) do finite = finite and x == x and math.abs(x) < math.huge end
     end
-    tap.ok(finite, name .. ": and three rows of twelve finite numbers")
+    tap.ok(finite, name .. ": and three rows of as many finite numbers")
   end
   pipe:close()
 end
@@ -106,13 +108,12 @@ do
   earth_init(&m, 0);
   earth_initial(&m, x);
   if (earth_solve(&o, &m, x) != 0) return 1;
-  printf("%.17e\n", o.spin[0]);
+  printf("%.17e\n", 6.283185307179586/earth_polhode_period(&o));
 ]])[1]
-  -- the pole goes round the figure's axis at (C - A)/A w3 = 10/3043 w3; the orbit holds half of it, with the sign that
-  -- the attitude needs
-  tap.near(math.abs(2 * rate), 10 / 3043 * w3, 2 * 305 * EPSILON, 0.0, "Earth: Euler's rate is (C - A)/A w3",
+  -- the pole goes round the figure's axis at (C - A)/A w3 = 10/3043 w3
+  tap.near(rate, 10 / 3043 * w3, 2 * 305 * EPSILON, 0.0, "Earth: Euler's rate is (C - A)/A w3",
     "A and C are rounded to double, and C - A loses a factor C/(C - A) of that")
-  local period = 2 * math.pi / math.abs(2 * rate)
+  local period = 2 * math.pi / rate
   local sidereal = 2 * math.pi / w3
   tap.near(period / sidereal, A / (C - A), 4 * 305 * EPSILON, 0.0, "Earth: the period is A/(C - A) turns",
     "the same loss on both sides")

@@ -1292,7 +1292,7 @@ static int brick_exact_term(brick_real e[], int n, brick_real I, brick_real w, b
 }
 
 /* I w^2 d */
-static brick_pair brick_term(brick_pair I, brick_pair w, brick_pair d)
+static brick_pair brick_square_term(brick_pair I, brick_pair w, brick_pair d)
 {
   return brick_pair_multiply(brick_pair_multiply(I, d), brick_pair_multiply(w, w));
 }
@@ -1302,7 +1302,7 @@ static brick_pair brick_term(brick_pair I, brick_pair w, brick_pair d)
 static brick_pair brick_circulation(brick_pair I1, brick_pair I3, brick_pair w1, brick_pair w3,
     brick_pair d21, brick_pair d32)
 {
-  const brick_pair last = brick_term(I3, w3, d32), first = brick_term(I1, w1, d21);
+  const brick_pair last = brick_square_term(I3, w3, d32), first = brick_square_term(I1, w1, d21);
   brick_pair sum = brick_pair_subtract(last, first);
 
   if (!(8.0*fabs(sum.hi) < first.hi + last.hi)) return sum;
@@ -1377,7 +1377,7 @@ static void brick_invariants(brick_top *p)
   p->part2 = brick_pair_multiply(second, brick_pair_multiply(w2, w2));
   p->Delta3 = brick_pair_add(p->part1, p->part2);
   wide = brick_pair_multiply(p->J[2], p->d31);
-  p->Lambda1 = brick_pair_add(brick_term(p->I[1], p->w[1], p->d21),
+  p->Lambda1 = brick_pair_add(brick_square_term(p->I[1], p->w[1], p->d21),
       brick_pair_multiply(wide, brick_pair_multiply(p->w[2], p->w[2])));
   p->b3 = brick_pair_root(brick_pair_divide(p->Lambda1, wide));
   p->lambda = brick_pair_divide(brick_pair_multiply(p->b3, p->cross), brick_pair_multiply(p->J[0], p->I[1]));
