@@ -8,6 +8,7 @@ local effects = require "generator.effects.list"
 local methods = require "generator.methods.list"
 local conserved = require "generator.dynamics.conserved"
 local units = require "generator.dsl.units"
+local value = require "generator.dsl.value"
 
 local list = {}
 
@@ -94,7 +95,8 @@ local function page(host, given)
   if given[1] == "shapes" then
     files = require("generator.report.shapes").files(catalogue.list)
   else
-    files = require("generator.report.effects").files(effects, titles(host))
+    files = require("generator.report.effects").files(effects, titles(host), { keeps = conserved.words,
+      unit = function(dim) return units.si(units[dim or "none"]) end, show = value.show })
   end
   local ok, why = host.write_files(given.o, files)
   if not ok then

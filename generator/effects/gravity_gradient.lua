@@ -48,8 +48,8 @@ function gradient.read(ctx, line, what, given, args)
   end
   local o, good = args.read(ctx, at, what .. ", orbit", specs, orbit)
   if not ok or not good then return nil end
-  if o.e and
-    not args.condition(ctx, at, what .. ", orbit", "e must be less than 1", 1 - o.e, tostring(orbit.e)) then return nil end
+  local rule = "e must be less than 1"
+  if o.e and not args.condition(ctx, at, what .. ", orbit", rule, 1 - o.e, tostring(orbit.e)) then return nil end
   a.radius, a.a, a.e, a.anomaly = o.radius, o.a, o.e, o.anomaly
   return a
 end

@@ -1,4 +1,5 @@
 -- list.lua -- the effects a scene can name, in the order they are listed.
+-- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- One file an effect.  A table with: name; about (one line); args (checked by the scene language) or read (its own
 -- reading) or reader (its reading in dsl/moving.lua), check(a), refuse(a, given); numeric(a, num, given, code, c), what
@@ -33,7 +34,6 @@
 -- per_mass(name, expr, text), which is M times the constant expr/mass; lift(e, name, text): e of the motion with its
 -- constant parts kept so; in derivative also dw, the three w'.  What an effect depends on is read from its
 -- expressions.  ABOVE the line.
--- SPDX-License-Identifier: GPL-3.0-or-later
 
 return {
   require "generator.effects.gravity",

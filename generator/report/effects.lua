@@ -1,10 +1,6 @@
 -- effects.lua -- docs/effects.md: every effect with formula, frame, signs, source and example, from the modules.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local conserved = require "generator.dynamics.conserved"
-local units = require "generator.dsl.units"
-local value = require "generator.dsl.value"
-
 local effects = {}
 
 local head = [[
@@ -20,19 +16,19 @@ axis z of a body symmetric about it; a scene conserves what each of its effects 
 
 ]]
 
-local function default(spec)
+local function default(spec, tell)
   if spec.optional then return "none" end
   if spec.default == nil then return "" end
   if type(spec.default) ~= "table" then return "`" .. tostring(spec.default) .. "`" end
   local list = {}
-  for i, x in ipairs(spec.default) do list[i] = value.show(x) end
+  for i, x in ipairs(spec.default) do list[i] = tell.show(x) end
   return "`{" .. table.concat(list, ", ") .. "}`"
 end
 
 local signs = { positive = "positive", nonnegative = "not negative" }
 
 -- Rows {argument, unit, default, about} of a module.
-local function arguments(e)
+local function arguments(e, tell)
   local rows = {}
   for i, t in ipairs(e.takes or {}) do
     rows[i] = { t[1], t[2], t[3] and "`" .. t[3] .. "`" or "", t[4] }
@@ -41,21 +37,22 @@ local function arguments(e)
     local words = { a.about, a.size and a.size .. " components", signs[a.sign] }
     local list = {}
     for k = 1, 3 do list[#list + 1] = words[k] end
-    rows[#rows + 1] = { a.name, a.flag and "true or false" or units.si(units[a.dim or "none"]), default(a),
+    rows[#rows + 1] = { a.name, a.flag and "true or false" or tell.unit(a.dim), default(a, tell),
       table.concat(list, ", ") }
   end
   return rows
 end
 
 -- list: generator/effects/list.lua; examples: name of a scene -> its text.  Returns files {{name =, text =}}.
-function effects.files(list, examples)
+-- tell: what other layers know: keeps(effect), unit(name of a dimension), show(value), each a text.
+function effects.files(list, examples, tell)
   local out = { head }
   for _, e in ipairs(list) do
     out[#out + 1] = "[" .. e.name .. "](#" .. string.gsub(e.name, "[^%w_]", "") .. ")\n"
   end
   for _, e in ipairs(list) do
     out[#out + 1] = "\n## " .. e.name .. "\n\n" .. e.about .. ".\n\n`" .. e.formula .. "`\n\n"
-    local rows = arguments(e)
+    local rows = arguments(e, tell)
     if #rows > 0 then
       out[#out + 1] = "| argument | unit | default | |\n|---|---|---|---|\n"
       for _, r in ipairs(rows) do
@@ -64,7 +61,7 @@ function effects.files(list, examples)
       end
       out[#out + 1] = "\n"
     end
-    out[#out + 1] = "- Frame and signs: " .. e.signs .. ".\n- Conserves: " .. conserved.words(e) .. ".\n- Source: " ..
+    out[#out + 1] = "- Frame and signs: " .. e.signs .. ".\n- Conserves: " .. tell.keeps(e) .. ".\n- Source: " ..
       e.source .. ".\n- Example: [" .. e.example .. ".lua](../bodies/" .. e.example .. ".lua): " ..
       (examples[e.example] or error("no scene " .. e.example)) .. "\n"
   end

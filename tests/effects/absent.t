@@ -71,8 +71,8 @@ end
 
 -- Gravity gradient is about the centroid only.
 for _, orbit in ipairs { "{ radius = 2 }", "{ a = 2, e = 0.5 }" } do
-  local text = 'return scene { name = "s", body = solid.box { x = 1, y = 2, z = 3, mass = 4 },\n  effects = { %s },\n' ..
-    "  initial = { omega = { 1, 2, 3 } } }\n"
+  local text = 'return scene { name = "s", body = solid.box { x = 1, y = 2, z = 3, mass = 4 },\n' ..
+    "  effects = { %s },\n  initial = { omega = { 1, 2, 3 } } }\n"
   local made = {}
   for i, effect in ipairs { "", "effect.gravity_gradient { mu = 0, orbit = " .. orbit .. " }",
     "effect.gravity_gradient { mu = 1, orbit = " .. orbit .. " }" } do

@@ -25,8 +25,8 @@ local tensors = { -- I(t) of the table: the body's at t = 0 and what is added, a
 
 local function scene(I, effects, w, q, head)
   return string.format("%s\nreturn scene { name = \"row\", body = tensor { mass = 1, com = {0, 0, 0}, xx = %s, " ..
-    "yy = %s, zz = %s },\n  effects = { %s },\n  initial = { omega = { %s }, attitude = { %s } } }\n", head or "", I[1], I[2],
-    I[3], effects, table.concat(w, ", "), table.concat(q, ", "))
+    "yy = %s, zz = %s },\n  effects = { %s },\n  initial = { omega = { %s }, attitude = { %s } } }\n", head or "",
+    I[1], I[2], I[3], effects, table.concat(w, ", "), table.concat(q, ", "))
 end
 
 -- The rows of the run as tables by column.
@@ -202,9 +202,9 @@ do
 end
 
 -- Kapitza: the rod upside down stands when amplitude^2 rate^2 > 2 g l, and falls when it does not.
-local shaken = "local rate = param(\"rate\", 200, \"rad/s\")\nreturn scene { name = \"row\", body = tensor { mass = 0.1, " ..
-  "com = {0, 0, 0.15}, xx = 75e-5, yy = 75e-5, zz = 1e-5 }, origin = {0, 0, 0},\n  effects = { effect.gravity {}, %s },\n" ..
-  "  initial = { attitude = { axis = \"y\", angle = 0.1 } } }\n"
+local shaken = "local rate = param(\"rate\", 200, \"rad/s\")\nreturn scene { name = \"row\",\n" ..
+  "  body = tensor { mass = 0.1, com = {0, 0, 0.15}, xx = 75e-5, yy = 75e-5, zz = 1e-5 }, origin = {0, 0, 0},\n" ..
+  "  effects = { effect.gravity {}, %s },\n  initial = { attitude = { axis = \"y\", angle = 0.1 } } }\n"
 local function height(amplitude, at, options)
   local effect = string.format("effect.pivot { amplitude = %s, rate = rate }", amplitude)
   if not amplitude then effect = "effect.pivot { acceleration = { 0, 0, quantity(-0.02, \"m\")*rate^2*cos(rate*t) } }" end
