@@ -1,5 +1,5 @@
--- energy_sink.lua -- Explorer 1 in short: a rod that spins about its long axis, with whip antennas that take energy,
--- ends in a flat spin about an axis of the largest moment, while its angular momentum in space stays as it was.
+-- energy_sink.lua -- Explorer 1 in short: a spinning rod that loses energy inside ends in a flat spin.
+-- Its whip antennas took the energy; the angular momentum in space stays as it was.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local k = param("k", 0.4, "1/N/m/s")

@@ -1,5 +1,5 @@
--- gravity_gradient.lua -- a satellite with a boom on an eccentric orbit about the Earth: the gravity gradient holds the
--- boom near the vertical, and the uneven motion of the orbit makes it librate.
+-- gravity_gradient.lua -- a satellite whose boom the gravity gradient holds near the vertical of an eccentric orbit.
+-- The uneven motion on the orbit makes it librate.
 -- Pitch about z swings with the period 2 pi/(n sqrt(3 (Iy - Ix)/Iz)); rates are in body axes, the orbit in x-y.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

@@ -207,7 +207,9 @@ local shaken = "local rate = param(\"rate\", 200, \"rad/s\")\nreturn scene { nam
   "  effects = { effect.gravity {}, %s },\n  initial = { attitude = { axis = \"y\", angle = 0.1 } } }\n"
 local function height(amplitude, at, options)
   local effect = string.format("effect.pivot { amplitude = %s, rate = rate }", amplitude)
-  if not amplitude then effect = "effect.pivot { acceleration = { 0, 0, quantity(-0.02, \"m\")*rate^2*cos(rate*t) } }" end
+  if not amplitude then
+    effect = "effect.pivot { acceleration = { 0, 0, quantity(-0.02, \"m\")*rate^2*cos(rate*t) } }"
+  end
   local low, list = 1.0, run(string.format(shaken, effect), at, options)
   for _, g in ipairs(list) do low = math.min(low, 1 - 2 * (g.qx ^ 2 + g.qy ^ 2)) end
   return low, list[#list]
