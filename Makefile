@@ -7,6 +7,7 @@
 #   make bench      build and run the measurements
 #   make install    PREFIX (default /usr/local), DESTDIR
 #   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/linearised.svg
+#   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
 #   make lint | format | sanitize | golden | clean
 
 CC      = cc
@@ -206,6 +207,11 @@ $(MAP)/%/errors: $(MAP)/%/sweep $(ORACLE)
 errormap: $(MAP)/double/errors $(MAP)/float/errors
 	@$(LUA) tests/bench/errormap_report.lua $(MAP) docs/errormap.md docs/errormap.svg
 
+# Energy and momentum of every stepper in a long run: the table in docs/methods.md.
+TURNS = 100000
+drift: $(PROGRAM)
+	@$(LUA) tests/bench/drift.lua $(PROGRAM) $(BUILD)/drift $(TURNS) docs/methods.md
+
 # What the emitted free top costs on a Cortex-M4F: bytes, and instructions counted under QEMU.
 target-cost: $(PROGRAM)
 	@$(LUA) tests/target/cost.lua $(PROGRAM) $(BUILD)/target
@@ -286,7 +292,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check test sanitize sanitized golden docs bench errormap target-cost demo install clean FORCE \
+.PHONY: all tests check test sanitize sanitized golden docs bench drift errormap target-cost demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

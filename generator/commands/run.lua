@@ -1,9 +1,12 @@
 -- run.lua -- polhode run: the motion as a table, by the general library or by the emitted code.
 --
+-- Events of the scene follow: a second table after an empty line (CSV), or the member `events` (JSON); an event with
+-- stop = true ends the table with its row.
 -- Columns t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz,rx,ry,rz,vx,vy,vz and further states, those that the scene has; every
 -- number reads back to the same double.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local events = require "generator.commands.events"
 local options = require "generator.commands.options"
 local build = require "generator.commands.build"
 local driver = require "generator.driver"
@@ -63,7 +66,8 @@ local function times(job, given)
   return list
 end
 
-local function generated(host, job, given, list)
+-- Both engines give a function of a list of times: the rows, or nil and what went wrong.
+local function generated(host, job, given)
   local method = given.method or (job.closed.full and "exact" or "rk4")
   if method ~= "exact" and not methods.by_name[method] then
     local names = { "exact" }
@@ -86,25 +90,28 @@ local function generated(host, job, given, list)
   local plugin, why = build.plugin(host, job)
   if not plugin then return nil, why end
   if plugin:init() ~= 0 then return nil, "the emitted code refuses the scene's own parameters" end
-  local x0, rows = numeric.initial(job), {}
-  if method == "exact" then
-    if plugin:solve(x0) ~= 0 then return nil, "the closed form refuses the initial state" end
-    for i, t in ipairs(list) do rows[i] = { t, table.unpack(plugin:at(t)) } end
-  else
-    local adaptive = methods.by_name[method].adaptive and not given.step
-    local step = adaptive and { given.tolerance or 1e-12 } or given.step or job.model:double(job.model.step)
-    rows = plugin:integrate(x0, nil, step, list, 0, method)
-    if not rows then return nil, "method " .. method .. ": no steps lead to the end; is there a singularity?" end
-  end
+  local x0 = numeric.initial(job)
+  if method == "exact" and plugin:solve(x0) ~= 0 then return nil, "the closed form refuses the initial state" end
   local _, row_of = columns(job)
-  for i, row in ipairs(rows) do
-    local x = { table.unpack(row, 2) }
-    rows[i] = row_of(row[1], x, plugin:energy(x), job.model.has.attitude and plugin:momentum(x) or nil)
+  return function(list)
+    local rows = {}
+    if method == "exact" then
+      for i, t in ipairs(list) do rows[i] = { t, table.unpack(plugin:at(t)) } end
+    else
+      local adaptive = methods.by_name[method].adaptive and not given.step
+      local step = adaptive and { given.tolerance or 1e-12 } or given.step or job.model:double(job.model.step)
+      rows = plugin:integrate(x0, nil, step, list, 0, method)
+      if not rows then return nil, "method " .. method .. ": no steps lead to the end; is there a singularity?" end
+    end
+    for i, row in ipairs(rows) do
+      local x = { table.unpack(row, 2) }
+      rows[i] = row_of(row[1], x, plugin:energy(x), job.model.has.attitude and plugin:momentum(x) or nil)
+    end
+    return rows
   end
-  return rows
 end
 
-local function library(host, job, given, list)
+local function library(host, job, given)
   local method = given.method or "adaptive"
   if not general[method] then
     return nil, "--engine general has the methods adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, exact, linearised, " ..
@@ -115,48 +122,90 @@ local function library(host, job, given, list)
     return nil, "--engine general --method " .. method .. " solves free tops, and this scene has effects"
   end
   local fixed = given.step or (method == "rk4" or method == "gsl-rk4") and job.model:double(job.model.step) or nil
-  local rows, why = host.run(scene, { method = method, step = fixed, tol = given.tolerance, times = list })
-  if not rows then return nil, why end
   local _, row_of = columns(job)
-  for i, row in ipairs(rows) do
-    local n = #row - 4
-    rows[i] = row_of(row[1], numeric.part(job, row, 1), row[n + 1], { table.unpack(row, n + 2) })
+  return function(list)
+    local rows, why = host.run(scene, { method = method, step = fixed, tol = given.tolerance, times = list })
+    if not rows then return nil, why end
+    for i, row in ipairs(rows) do
+      local n = #row - 4
+      rows[i] = row_of(row[1], numeric.part(job, row, 1), row[n + 1], { table.unpack(row, n + 2) })
+    end
+    return rows
   end
-  return rows
+end
+
+-- The events of the scene up to the last of the times, and the rows up to one that stops: found, rows.
+local function with_events(job, given, solve, list, rows)
+  if #job.record.events == 0 then return {}, rows end
+  local wrong = events.missing(job)
+  if wrong then return nil, wrong end
+  local finish = 0
+  for _, t in ipairs(list) do finish = math.max(finish, t) end
+  if finish == 0 then return {}, rows end
+  local found
+  found, wrong = events.find(job, solve, (columns(job)), finish, given.step or job.model:double(job.model.step))
+  if not found then return nil, wrong end
+  local last = found[#found]
+  if not last or not last.event.stop then return found, rows end
+  local kept = {}
+  for _, row in ipairs(rows) do
+    if row[1] < last.row[1] then kept[#kept + 1] = row end
+  end
+  kept[#kept + 1] = last.row
+  return found, kept
 end
 
 local writers = {}
 
-function writers.csv(rows, names)
+function writers.csv(rows, names, found)
   local out = { table.concat(names, ",") }
   for i, row in ipairs(rows) do
     local cells = {}
     for k = 1, #names do cells[k] = json.number(row[k]) end
     out[i + 1] = table.concat(cells, ",")
   end
-  return table.concat(out, "\n") .. "\n"
+  local text = table.concat(out, "\n") .. "\n"
+  if not found then return text end
+  out = { "event," .. table.concat(names, ",") }
+  for i, f in ipairs(found) do
+    local cells = { f.event.name }
+    for k = 1, #names do cells[k + 1] = json.number(f.row[k]) end
+    out[i + 1] = table.concat(cells, ",")
+  end
+  return text .. "\n" .. table.concat(out, "\n") .. "\n"
 end
 
-function writers.json(rows, names)
+function writers.json(rows, names, found)
   local out = {}
   for i, row in ipairs(rows) do out[i] = row end
-  return json.text(json.object { { "columns", names }, { "rows", out } })
+  local members = { { "columns", names }, { "rows", out } }
+  if found then
+    local list = {}
+    for i, f in ipairs(found) do list[i] = json.object { { "name", f.event.name }, { "row", f.row } } end
+    members[3] = { "events", list }
+  end
+  return json.text(json.object(members))
 end
 
 function run.run(host, given)
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, given[1], d, why) end
   local list, wrong = times(job, given)
-  local rows
+  local solve, rows, found
   if list then
     options.warn(host, job.diag)
-    rows, wrong = (given.engine == "generated" and generated or library)(host, job, given, list)
+    solve, wrong = (given.engine == "generated" and generated or library)(host, job, given)
   end
-  if not rows then
+  if solve then rows, wrong = solve(list) end
+  if rows then
+    found, wrong = with_events(job, given, solve, list, rows)
+    if found then rows = wrong end
+  end
+  if not found then
     host.err("polhode run: " .. wrong .. "\n")
     return 2
   end
-  local text = writers[given.format or "csv"](rows, (columns(job)))
+  local text = writers[given.format or "csv"](rows, (columns(job)), #job.record.events > 0 and found or nil)
   if given.o then
     local ok, failure = host.write_file(given.o, text)
     if not ok then

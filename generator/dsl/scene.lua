@@ -1,8 +1,8 @@
 -- scene.lua -- the scene{} call: reads and checks the whole description, and only that.
 --
 -- The result is a plain record (expressions, no numbers yet):
---     {name, line, body = shape tree, origin = {kind, ...}, effects = {...}, omega, attitude, given, outputs, horizon,
---     step}
+--     {name, line, body = shape tree, origin = {kind, ...}, effects = {...}, omega, attitude, given, outputs, events,
+--     horizon, step}
 -- given tells what `initial` says: {omega = bool, attitude = bool, position = vector or nil, velocity = so, line}.
 -- Defaults: origin at the centroid, attitude 1, all else 0, horizon 10 s, step 1 ms.  What the record means is decided
 -- in mass/ and dynamics/.
@@ -10,6 +10,7 @@
 
 local expr = require "generator.algebra.expr"
 local args = require "generator.dsl.args"
+local events = require "generator.dsl.events"
 local names = require "generator.dsl.names"
 local shapes = require "generator.dsl.shapes"
 local diag = require "generator.diag"
@@ -19,7 +20,7 @@ local scene = {}
 local keys = { "name", "body", "origin", "effects", "initial", "time", "accuracy", "budget", "ranges", "outputs",
   "events" }
 -- in the contract of scenes, recorded, and not acted upon by this version: a warning says so
-local later = { "accuracy", "budget", "ranges", "events" }
+local later = { "accuracy", "budget", "ranges" }
 
 local function list(strings)
   local out = {}
@@ -134,6 +135,7 @@ function scene.constructor(ctx, effect_of, put)
     s.effects = effects(ctx, line, given.effects, effect_of)
     initial(ctx, line, given.initial, s)
     s.outputs = outputs(ctx, line, given.outputs)
+    s.events = events.read(ctx, line, given.events)
     time(ctx, line, given.time, s)
     return put(s)
   end

@@ -76,6 +76,8 @@ local function torque_of(m, e, c)
   return vec.sub(vec.sub(N, rate), vec.cross(m.has.rates and state.w or zero, h))
 end
 
+equations.torque_of = torque_of
+
 -- Sum of the torques of all effects in body axes, each effect one group of definitions N1x .. ; and what they use.
 local function torques(m)
   local total, groups = { expr.zero, expr.zero, expr.zero }, {}
@@ -280,6 +282,9 @@ local function attitude(m)
   for i, n in ipairs(state.names.attitude) do g.outs[i] = { state = n, expr = rate[i] / 2 } end
   return g
 end
+
+-- Euler's equations for a torque of any form (along a rod's line it must be zero): one group, outs the rates of w.
+function equations.euler(m, N) return builders[m.structure.kind](m, N, {}) end
 
 -- Euler's equations with the torques of the effects, appended to list; nil after an error.
 local function turning(d, m, list)

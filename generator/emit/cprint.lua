@@ -144,14 +144,14 @@ end
 
 -- { loads = { lines }, groups = { { why, where, lines } } }; groups that compute nothing are left out.
 -- real: "double" or "float".  opts: type (the C name of the real, default real itself), indent (2), scene (the prefix
--- of helpers), helpers (a set that the stems of the helpers called go to), temporary (how names begin, "t").
+-- of helpers), helpers (a set that the stems of the helpers called go to), letter (of temporaries, "t").
 function cprint.statements(ir, real, opts)
   opts = opts or {}
   local type_name, indent = opts.type or real, opts.indent or 2
   local define, uses = instr.definitions(ir), instr.uses(ir)
   local declared = {} -- value number -> its C name
   local taken = {}
-  local lines, temporaries, letter = nil, 0, opts.temporary or "t"
+  local lines, temporaries, letter = nil, 0, opts.letter or "t"
 
   instr.each(ir, function(i)
     if i.sym then taken[i.sym] = true end

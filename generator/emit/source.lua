@@ -220,10 +220,10 @@ function source.show(ctx, f, stop)
 end
 
 -- C statements for groups without a function around them (NAME_init): loads and groups of lines.
-function source.statements(ctx, f, temporary)
-  local options = printed(ctx)
-  options.temporary = temporary
-  return cprint.statements(passes.run(lower.run(source.program(ctx, f))), ctx.real, options)
+function source.statements(ctx, f)
+  local opts = printed(ctx)
+  opts.letter = f.letter
+  return cprint.statements(passes.run(lower.run(source.program(ctx, f))), ctx.real, opts)
 end
 
 return source

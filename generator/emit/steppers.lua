@@ -5,7 +5,8 @@ local template = require "generator.emit.template"
 
 local steppers = {}
 
-local fill = { taylor = require("generator.emit.taylor").fill, adaptive = require("generator.emit.adaptive").fill }
+local fill = { taylor = require("generator.emit.taylor").fill, adaptive = require("generator.emit.adaptive").fill,
+  split = require("generator.emit.split").fill, midpoint = require("generator.emit.midpoint").fill }
 
 -- Fills stepper_header, stepper_source and steppers, the list for the program's own use: {name, step (C name), run}.
 function steppers.render(job, v, ctx)
@@ -16,9 +17,10 @@ function steppers.render(job, v, ctx)
       run = s.method.adaptive or false }
     v.steppers[i] = own
     if s.program then
-      fill[own.name](ctx, s.program, v)
+      local kind = s.method.template or own.name
+      fill[kind](ctx, s.program, v)
       v.first = i == 1
-      local path = "templates/" .. own.name
+      local path = "templates/" .. kind
       headers[#headers + 1] = template.render(path .. ".h", job.templates[path .. ".h"], v)
       sources[#sources + 1] = template.render(path .. ".c", job.templates[path .. ".c"], v)
     end

@@ -15,9 +15,9 @@ local taylor = {}
 local function symbol(name) return expr.sym(name, 8) end
 local function zeroth(x) return symbol(x.name .. "0") end
 
--- Lines of the groups by the number that stands in `where`, loads first.
-local function rendered(ctx, inputs, groups, temporary)
-  local c = source.statements(ctx, { name = "taylor", args = {}, inputs = inputs, groups = groups }, temporary)
+-- Lines of the groups by the number that stands in `where`, loads first; letter: of their temporaries.
+local function rendered(ctx, inputs, groups, letter)
+  local c = source.statements(ctx, { name = "taylor", args = {}, inputs = inputs, groups = groups, letter = letter })
   local out = { loads = c.loads }
   for i in ipairs(groups) do out[i] = {} end
   for _, g in ipairs(c.groups) do out[g.where] = g.lines end
@@ -88,7 +88,7 @@ local function start(ctx, program, names)
     put(x, zeroth(x), g.outs)
   end
   advance(program, "start", expr.one, map, h)
-  return rendered(ctx, inputs, { g, h })
+  return rendered(ctx, inputs, { g, h }, "s") -- in the scope of the loop's temporaries
 end
 
 -- Term n: a group for each level, and last the states' term n + 1.
@@ -121,7 +121,7 @@ local function general(ctx, program, names)
   local last = { where = #groups + 1, defs = {}, outs = {} }
   groups[#groups + 1] = last
   advance(program, "term", symbol "after", {}, last)
-  return rendered(ctx, inputs, groups, "term") -- t1, .. would shadow those of the start
+  return rendered(ctx, inputs, groups)
 end
 
 -- Which of the names do the forms of the program use?

@@ -9,8 +9,12 @@
 local list = {
   require "generator.methods.rk4",
   require "generator.methods.adaptive",
-  (require "generator.methods.taylor"), -- one value: require also returns where it found it
+  require "generator.methods.taylor",
+  require "generator.methods.midpoint",
+  (require "generator.methods.semi"), -- one value: require also returns where it found it
 }
+
+for _, m in ipairs(require("generator.methods.split").methods) do list[#list + 1] = m end
 
 list.by_name = {}
 for _, m in ipairs(list) do list.by_name[m.name] = m end

@@ -279,11 +279,11 @@ return scene { name = "s", body = b + c }]]
   same(m.inertia[2], 2 * (q "2/5" + "1/4"), "placing makes a new shape and leaves the old one where it was")
 end
 do
-  local _, job = body(BOX, "accuracy = 1e-9, events = {}")
+  local _, job = body(BOX, "accuracy = 1e-9, budget = {}")
   local said = {}
   for i, w in ipairs(job.diag.warnings) do said[i] = w.message end
   tap.is(table.concat(said, "; "), "scene: accuracy is recorded but not used by this version; " ..
-    "scene: events is recorded but not used by this version", "keys for later versions are accepted with a warning")
+    "scene: budget is recorded but not used by this version", "keys for later versions are accepted with a warning")
 end
 -- an angle beyond a full turn, without a unit and without pi, was probably meant in degrees
 for _, case in ipairs { { "90", true }, { "-45", true }, { "6.3", true }, { "6.2832", false }, { "2*pi", false },

@@ -1,0 +1,78 @@
+-- split.lua -- the splitting steppers as C: the kick's rates printed, the rest in templates/split.c.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local number = require "generator.emit.number"
+local source = require "generator.emit.source"
+
+local split = {}
+
+local function text(n) return string.format("%d", n) end
+
+-- A palindrome as rows of C: drifts a, kicks b with the time c of each.
+local function rows(p, real)
+  local out = { n = text(#p.b) }
+  for _, name in ipairs { "a", "b", "c" } do
+    local list = {}
+    for i, x in ipairs(p[name]) do
+      list[i] = number.text(R.fromdouble(real == "float" and R.tofloat(x) or R.todouble(x)), real)
+    end
+    out[name] = list
+  end
+  return out
+end
+
+-- 1 - z/2 + z^2 (1/24 - z/720 + z^2 ( ...)) or with odd factorials, an odd number of terms; pairs, so that processors
+-- work on several at a time.
+local function series(first, terms, real)
+  local coefficient, list = R.one, {}
+  for n = 0, terms - 1 do
+    list[n + 1] = number.text(coefficient, real)
+    coefficient = coefficient / R.lift((2 * n + 1 + first) * (2 * n + 2 + first))
+  end
+  local s = list[terms]
+  for n = terms - 2, 1, -2 do s = "(" .. list[n] .. " - " .. list[n + 1] .. "*z) + zz*(" .. s .. ")" end
+  return s
+end
+
+local function constant(e, real)
+  if e.kind == "num" then return number.text(e.value, real) end
+  return "m->" .. e.name
+end
+
+-- Fills the template's values for the program of methods/split.lua; what the methods share is printed with the first.
+function split.fill(ctx, program, v)
+  local upper = ctx.upper
+  v.split_shared = not v.split_done
+  v.split_done = true
+  v.split_method = "split" .. text(program.order)
+  v.split_order, v.split_about = text(program.order), program.source
+  v.split_outer = rows(program.outer, ctx.real)
+  v.split_inner = rows(program.inner, ctx.real)
+  v.split_kicks, v.split_slowed = #program.kicked > 0, program.slowed
+  local d = program.drift
+  v.split_sphere, v.split_axis = d.kind == "sphere", d.kind == "axis"
+  v.split_oblique, v.split_diagonal = d.kind == "oblique", d.kind == "diagonal"
+  v.split_turns, v.split_attitude, v.split_moves = program.has.rates, program.has.attitude, program.has.position
+  for name, e in pairs(d.constants) do v[name] = constant(e, ctx.real) end -- into a table: order is lost anyway
+  local function numbers(i) return i and text(i - 1) or "", i and text(i % 3) or "", i and text((i + 1) % 3) or "" end
+  v.split_i, v.split_j, v.split_k = numbers(d.axis)
+  v.split_bi, v.split_bj, v.split_bk = numbers(d.b)
+  v.split_ci, v.split_cj, v.split_ck = numbers(d.c)
+  local terms = ctx.real == "float" and 5 or 9 -- z^8/16! of z = 1/4 is 7e-19, z^4/8! below 1e-7
+  v.split_cos, v.split_sin = series(0, terms, ctx.real), series(1, terms, ctx.real)
+  if not v.split_shared then return end
+  local groups = {}
+  for i, g in ipairs(program.groups) do
+    local outs = {}
+    for k, o in ipairs(g.outs) do outs[k] = { array = "dx", state = o.state, expr = o.expr } end
+    groups[i] = { why = g.why, where = g.where, defs = g.defs, outs = outs }
+  end
+  v.split_head, v.split_lines, v.split_states = "", {}, {}
+  if #program.kicked == 0 then return end
+  local f = source.make(ctx, { name = "split_rates", groups = groups, doc = {}, args = { "m", "t", "x", "u", "dx" } })
+  v.split_head, v.split_lines = f.head, f.lines
+  for i, name in ipairs(program.kicked) do v.split_states[i] = upper .. "_" .. string.upper(name) end
+end
+
+return split

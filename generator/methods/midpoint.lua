@@ -1,0 +1,175 @@
+-- midpoint.lua -- the implicit midpoint rule on the rotation group: angular momentum in space is kept by construction.
+--
+-- With w the rate at the middle of the step, b = h w/2, E the rotation of the unit quaternion along (1, b) (Cayley's
+-- map of h w), E' its half, N the torque at the middle, where the attitude is q E', and d = b/(1 + |(1, b)|), which is
+-- to E' what b is to E:
+--     A = L + (h/2)(N + d x N),   B = E^T A,   L1 = B + (h/2)(N - d x N),   q1 = q E,   (A + B)/2 = I w + k
+-- L = I w0 + k, k the momentum of rotors.  So without torque q1 L1 = q L for ANY w.  The impulse, E^T of the first half
+-- and the second one, is h E'^T N: what it gives the momentum in space is h q E' N, so that the component about an axis
+-- across the torque is kept (a heavy top's L_z).  The two halves along a body's axis sum to that of h N, and with I
+-- symmetric about the axis A and B agree along it: a heavy top's w3 is kept, too.  The last equation is, times 1 + b x,
+--     I w = I w0 + (h/2) ((I w + k) x w + N + d x N)
+-- which for N = 0 is the midpoint rule for Euler's equations: energy, a quadratic invariant, is kept.  The rule is
+-- symmetric (h -> -h undoes a step), of order 2.  The halves are the derivatives of h V at the middle, which is how the
+-- middle of a geodesic moves with its ends.  A rod has no momentum along its line: what d x N has there is left out,
+-- and L_z then oscillates by O(h^2).
+-- Source: Austin, Krishnaprasad, Wang 1993, J. Comput. Phys. 107, 105; Hairer, Lubich, Wanner, Geometric Numerical
+-- Integration (2nd ed.), IV.8 and VII.5.  The torque's halves are derived above.
+--
+-- Newton from w = w0, the derivative of N through the attitude to leading order in h.  Without torque f, that is
+-- I^-1 (I w x w), is quadratic: in principal axes f_i = c_i w_j w_k with |c_i| <= 1, so |f| <= |w|^2/sqrt(2) and
+-- |f'| <= sqrt(2) |w|.  By Kantorovich's theorem it converges for h |w| <= 1/sqrt(2), whatever the body; for h |w| <=
+-- 0.35 four iterations reach (1/9)^16 of h |w|^2.
+-- ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local vec = require "generator.algebra.vec"
+local state = require "generator.dynamics.state"
+local cayley = require "generator.methods.cayley"
+local stages = require "generator.methods.stages"
+
+local midpoint = { name = "midpoint", order = 2,
+  about = "implicit midpoint rule on the rotation group, keeps L (and a free body's energy), order 2, fixed step" }
+
+local h, q, w = state.h, state.q, state.w
+local definer, each, none = cayley.definer, cayley.each, cayley.none
+
+-- The unknown: the rate at the middle of the step.
+local middle = vec.map({ "x", "y", "z" }, function(a) return state.sym("mid" .. a) end)
+
+-- Why the method cannot step this scene; nil if it can.
+local function refusal(m)
+  if not m.has.rates then return "the body does not turn" end
+  if m.has.position then return "the body moves through space, and this method turns bodies about a fixed point" end
+  if m.frame then return "the base frame turns" end
+  for _, e in ipairs(m.record.effects) do
+    if #e.states > 0 then return e.kind .. " has states of its own, which this method does not solve for" end
+  end
+  return nil
+end
+
+-- b, c and the attitude at the middle, as a group with what they are called.
+local function turn(m, N, with_attitude)
+  local g = { why = "half of the step's rotation, (1, b) with b = h w/2; c = |(1, b)|", defs = {}, outs = {} }
+  local define = definer(m, g)
+  local b = each(define, "b", vec.scale(define("hh", h / 2), middle))
+  local s = define("bb", 1 + vec.dot(b, b))
+  local c, at = nil, {}
+  if not none(N) then
+    c = define("c", expr.sqrt(s))
+    if with_attitude then
+      local e = define("e", expr.lift(1) / expr.sqrt(2 * (s + c))) -- |(1 + c, b)|^2 = 2 c (1 + c)
+      g.why = g.why .. "; attitude at the middle, q (1 + c, b)/|..|"
+      local part = { define("ew", e * (1 + c)), define("ex", e * b[1]), define("ey", e * b[2]), define("ez", e * b[3]) }
+      at = each(define, "qm", vec.qmul(q, part))
+    end
+  end
+  return g, { b = b, s = s, c = c, q = at }
+end
+
+-- N + d x N, by definitions
+local function half(define, r, N)
+  local turned = vec.cross(r.b, N)
+  if none(turned) then return N end
+  local d = define("d", expr.lift(1) / (1 + r.c))
+  return vec.add(N, vec.scale(d, turned))
+end
+
+-- One Newton iteration, `mid` to `next`.
+local function iteration(m, N, k, zero)
+  local g, r = turn(m, N, m.has.attitude)
+  local hh = expr.sym(g.defs[1].name, 8)
+  if none(N) then g.why = "half of the step" end
+  local define
+  local forced, at = N, {}
+  for i = 1, 3 do at[w[i]] = middle[i] end
+  for i = 1, #r.q do at[q[i]] = r.q[i] end
+  at[state.t] = state.t + hh
+  local torque = vec.map(N, function(e) return calculus.substitute(e, at) end)
+  local list = { g }
+  if not none(N) then
+    local t = { why = "torque at the middle, N + d x N with d = b/(1 + c)", defs = {}, outs = {} }
+    define = definer(m, t)
+    torque = each(define, "N", torque)
+    forced = half(define, r, torque)
+    list[2] = t
+  end
+  local residual = { why = "F = w - w0 - (h/2) f(w)", defs = {}, outs = {} }
+  define = definer(m, residual)
+  local function rates(v) -- at the middle
+    local moved = {}
+    for i = 1, 3 do moved[w[i]] = middle[i] end
+    return vec.map(cayley.rates(m, vec.add(v, vec.cross(k, w))), function(e) return calculus.substitute(e, moved) end)
+  end
+  local f, plain = rates(forced), rates(vec.map(N, function(e) return calculus.substitute(e, at) end))
+  local F = {}
+  for i = 1, 3 do
+    F[i] = none(N) and zero[state.names.rates[i]] and expr.zero or middle[i] - w[i] - hh * f[i]
+  end
+  F = each(define, "F", F)
+  local newton = { why = "Newton: w - D^-1 F, D the derivative of F", defs = {}, outs = {} }
+  if #r.q > 0 then newton.why = newton.why .. "; a torque turns with the attitude, dq = (h/4) q (0, dw)" end
+  local change = cayley.newton(definer(m, newton), F, function(i, j)
+    local one = { expr.zero, expr.zero, expr.zero, expr.zero }
+    one[j + 1] = expr.one
+    local d = calculus.diff(plain[i], middle[j])
+    for a, dq in ipairs(#r.q > 0 and vec.qmul(r.q, one) or {}) do
+      d = d + calculus.diff(plain[i], r.q[a]) * (hh / 2) * dq
+    end
+    return hh * d
+  end)
+  for j = 1, 3 do newton.outs[j] = { array = "next", index = j, expr = middle[j] - change[j] } end
+  list[#list + 1], list[#list + 2] = residual, newton
+  return list
+end
+
+-- The step once the rate at the middle is known.
+local function finish(m, N, k, zero)
+  local g, r = turn(m, N, m.has.attitude)
+  local b, hh, at = r.b, expr.sym(g.defs[1].name, 8), {}
+  for i = 1, 3 do at[w[i]] = middle[i] end
+  for i = 1, #r.q do at[q[i]] = r.q[i] end
+  at[state.t] = state.t + hh
+  local momentum = { why = none(N) and "L1 - L: L turned back by the step's rotation" or
+    "L1 - L: A, the momentum after half of the impulse, turned back by the step's rotation, and the impulse", defs = {},
+    outs = {} }
+  local define = definer(m, momentum)
+  local A, change = vec.add(vec.apply(cayley.inertia(m), w), k), { expr.zero, expr.zero, expr.zero }
+  if not none(N) then
+    local T = each(define, "N", vec.map(N, function(e) return calculus.substitute(e, at) end))
+    A = vec.add(A, vec.scale(hh, cayley.across(m, half(define, r, T))))
+    change = vec.scale(h, T)
+  end
+  A = each(define, none(N) and "L" or "A", A)
+  change = vec.add(change, cayley.turned(define, b, 2 / r.s, A, none(N) and "L" or "A"))
+  change = each(define, "dL", change)
+  local list = { g, momentum, { why = "w1 = w + I^-1 (L1 - L)", defs = {}, outs = {} } }
+  for i, e in ipairs(cayley.solved(m, change)) do
+    local name = state.names.rates[i]
+    if not zero[name] then list[3].outs[#list[3].outs + 1] = { array = "x", state = name, expr = w[i] + e } end
+  end
+  if m.has.attitude then
+    local a = { why = "q1 = q (1, b)/|q (1, b)|", defs = {}, outs = {} }
+    define = definer(m, a)
+    for i, e in ipairs(cayley.unit(define, vec.qmul(q, { expr.one, b[1], b[2], b[3] }))) do
+      a.outs[i] = { array = "x", state = state.names.attitude[i], expr = e }
+    end
+    list[4] = a
+  end
+  return list
+end
+
+-- {iteration = groups, finish = groups, count = iterations}, or nil and why not.
+function midpoint.program(eq)
+  local m = eq.model
+  local why = refusal(m)
+  if why then return nil, why end
+  local N, k, held = cayley.acting(m)
+  if held then return nil, held end
+  local zero = stages.conserved(eq)
+  return { iteration = iteration(m, N, k, zero), finish = finish(m, N, k, zero), count = none(N) and 4 or 6 }
+end
+
+return midpoint

@@ -1,0 +1,132 @@
+-- semi.lua -- the semi-implicit step: one evaluation of the torque, rates first, then the attitude by a rotation.
+--
+--     L' = L + h N(q, w, t),  w' = I^-1 L'                      the torque, at the start of the step
+--     w* = w' + (1 - (h/2) f'(w'))^-1 (h/2) f(w')               the rate at the middle, f = I^-1 (I w x w): no torque
+--     q1 = q E,  L1 = E^T L'      E the rotation of the unit quaternion along (1, h w*/2): Cayley's map of h w*
+-- so torque-free motion keeps q L, whatever w* is, and the rates stay bounded: |L1| = |L'|.  w* is one Newton iteration
+-- of the midpoint rule (methods/midpoint.lua), which is Kahan's method for the quadratic f; for a symmetric body it is
+-- the rule's solution.  Order 1 with torques (symplectic Euler), 2 without.  Position follows velocity in the same way;
+-- states of effects' own take one step of Euler's method.
+-- Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2nd ed.), I.1.2 (symplectic Euler), VII.5; Hirota,
+-- Kimura 2000, J. Phys. Soc. Japan 69, 627 (Kahan's method for Euler's top).  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local vec = require "generator.algebra.vec"
+local equations = require "generator.dynamics.equations"
+local moving = require "generator.dynamics.moving"
+local state = require "generator.dynamics.state"
+local cayley = require "generator.methods.cayley"
+local stages = require "generator.methods.stages"
+
+local semi = { name = "semi", order = 1, title = "semi-implicit method of order 1",
+  about = "semi-implicit, one torque evaluation a step, order 1 (2 without torque), fixed step, for firmware" }
+
+local h, q, w = state.h, state.q, state.w
+
+-- Euler's step of what is not turning: new velocities and own states first, then positions by the new velocities.
+local function carried(m, groups, zero, list, finals)
+  local new = {}
+  for _, last in ipairs { false, true } do
+    for _, g in ipairs(groups) do
+      local group = { why = g.why, where = g.where, defs = {}, outs = {} }
+      local define = cayley.definer(m, group)
+      for _, o in ipairs(g.outs) do
+        local s = m.states.by_name[o.state]
+        if (s.kind == "position") == last and s.kind ~= "attitude" and s.kind ~= "rates" and not zero[o.state] then
+          local e = equations.inline(groups, o.expr)
+          if last then e = calculus.substitute(e, new) end
+          new[s.sym] = define(o.state .. "1", s.sym + h * e)
+          finals[#finals + 1] = { state = o.state, expr = new[s.sym] }
+        end
+      end
+      if #group.defs > 0 then list[#list + 1] = group end
+    end
+  end
+end
+
+-- The rates after the torque, w' (definitions of their own where there is a torque), and whether there is one.
+local function kicked(m, N, list)
+  if cayley.none(N) then return w end
+  local g = { why = "w' = w + h I^-1 N", defs = {}, outs = {} }
+  list[#list + 1] = g
+  local new = vec.map(cayley.solved(m, N), function(e, i) return w[i] + h * e end)
+  return cayley.each(cayley.definer(m, g), "wk", new)
+end
+
+-- The step as equation groups with outs {state, expr}.
+function semi.groups(eq)
+  local m, zero = eq.model, stages.conserved(eq)
+  local list, finals = {}, {}
+  carried(m, eq.groups, zero, list, finals)
+  local last = { why = "the new state", defs = {}, outs = finals }
+  if not m.has.rates then
+    list[#list + 1] = last
+    return list
+  end
+
+  local N, k = cayley.acting(m)
+  local at = kicked(m, N, list)
+  local map = {}
+  for i = 1, 3 do map[w[i]] = at[i] end
+  local hh
+  local f = vec.map(cayley.rates(m, vec.cross(k, w)), function(e) return calculus.substitute(e, map) end)
+  local middle = at
+  local turns = not cayley.none(f)
+  local g = { why = turns and "the rate at the middle: w* = w' + (1 - (h/2) f')^-1 (h/2) f" or "half of the step",
+    defs = {}, outs = {} }
+  list[#list + 1] = g
+  local define = cayley.definer(m, g)
+  hh = define("hh", h / 2)
+  if turns then
+    local F = cayley.each(define, "F", vec.map(f, function(e) return -hh * e end))
+    local change = cayley.newton(define, F, function(i, j) return hh * calculus.diff(f[i], at[j]) end)
+    middle = cayley.each(define, "wm", vec.sub(at, change))
+  end
+  local b = { why = "half of the rotation, (1, b)", defs = {}, outs = {} }
+  if m.has.attitude or turns then list[#list + 1] = b end
+  define = cayley.definer(m, b)
+  local half = cayley.each(define, "b", vec.scale(hh, middle))
+  local w1 = at
+  local s, short = 2 / (1 + vec.dot(half, half)), nil
+  if m.has.attitude and not m.frame then -- one root for both: n = 1/|(1, b)| and s = 2 n^2
+    short = define("r", expr.lift(1) / expr.sqrt(1 + vec.dot(half, half)))
+    s = 2 * short * short
+  end
+  if turns then
+    b.why = "half of the rotation, (1, b); L turned back by it, w1 = w' + I^-1 (L1 - L')"
+    local L = vec.add(vec.map(vec.apply(cayley.inertia(m), w), function(e) return calculus.substitute(e, map) end), k)
+    local change = cayley.turned(define, half, s, cayley.each(define, "L", L), "L")
+    w1 = vec.add(at, cayley.solved(m, cayley.each(define, "dL", change)))
+  end
+  for i, name in ipairs(state.names.rates) do
+    -- what is along an axis of symmetry turns with it
+    local e = f[i] == expr.zero and at[i] or w1[i]
+    if not zero[name] then finals[#finals + 1] = { state = name, expr = e } end
+  end
+  if m.has.attitude then
+    last.why = "q1 = n q (1, b), n = 1/|q (1, b)| with one Newton step for 1/|q|, so |q| cannot drift"
+    define = cayley.definer(m, last)
+    local p = vec.qmul(q, { expr.one, half[1], half[2], half[3] })
+    local unit
+    if m.frame then
+      local turn, defs = moving.rate(m)
+      turn = vec.map(turn, function(e) return equations.inline({ { defs = defs } }, e) end)
+      local B = cayley.each(define, "B", vec.scale(hh, turn))
+      p = vec.qmul({ expr.one, -B[1], -B[2], -B[3] }, p)
+      last.why = "q1 = (1, -B) q (1, b)/|..|, B = (h/2) Omega"
+      unit = cayley.unit(define, p)
+    else
+      local length = q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2
+      unit = vec.scale(define("n", short * (expr.lift "3/2" - length / 2)), p)
+    end
+    for i, e in ipairs(unit) do
+      finals[#finals + 1] = { state = state.names.attitude[i], expr = e }
+    end
+  end
+  list[#list + 1] = last
+  return list
+end
+
+return semi

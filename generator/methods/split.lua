@@ -1,0 +1,221 @@
+-- split.lua -- splitting: the exact flow of the free body alternates with kicks that hold the attitude.
+--
+--     A (drift)  q, L of the free body, r += tau v, t += tau      B (kick)  L += tau N(q, r, t),  v += tau F/m
+-- A step is the palindrome A(a1 h) B(b1 h) A(a2 h) ... A(a1 h); torques of attitude and time alone make B exact.  The
+-- free body is made of rotations, which keep L in inertial axes (Dullweber, Leimkuhler, McLachlan 1997, J. Chem. Phys.
+-- 107, 5840; McLachlan, Quispel 2002, Acta Numerica 11, 341; Fasso 2003, J. Comput. Phys. 189, 527):
+--     sphere      one, about L by |L| tau/I
+--     symmetric   two that commute, about L by |L| tau/I1 and about k by (1 - I3/I1) (k.w) tau: exact
+--     diagonal    T = L^2/(2 Ia) + Lb^2/2 (1/Ib - 1/Ia) + Lc^2/2 (1/Ic - 1/Ia): the first commutes with the others,
+--                 which a palindrome of their own composes (`inner`), so that all is symmetric.  Ia is the moment in
+--                 the middle for the parameters' defaults: then the product of the other two terms is least
+-- A constant rotor along the axis adds its momentum to the body's there.
+-- Coefficients, the first half of each palindrome: Blanes, Moan 2002, J. Comput. Appl. Math. 142, 313: S10 (order 6);
+-- McLachlan 1995, BIT 35, 258: order (8, 4), whose error is h^8 in the first power of the torque, h^4 in the second.
+-- Digits beyond the published ones solve the order conditions (tests/methods/split.t).  Why these: docs/methods.md.
+-- ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+local context = require "generator.dynamics.context"
+local equations = require "generator.dynamics.equations"
+local state = require "generator.dynamics.state"
+
+local split = {}
+
+-- {a = drifts, b = kicks, c = the time of each kick} of a palindrome from its first half; what is left to make the sums
+-- 1 goes into the middle, which belongs to the drifts if middle = "a".
+local function palindrome(middle, a, b)
+  local list, half = { a = {}, b = {} }, { a = a, b = b }
+  for _, name in ipairs { "a", "b" } do
+    local own, left, out = half[name], R.one, list[name]
+    for i, x in ipairs(own) do
+      out[i] = R.lift(x)
+      left = left - R.lift(2) * out[i]
+    end
+    if name == middle then
+      out[#out + 1] = left
+    else
+      out[#out + 1], out[#out + 2] = left / R.lift(2), left / R.lift(2)
+    end
+    for i = #own, 1, -1 do out[#out + 1] = out[i] end
+  end
+  local t = R.zero
+  list.c = {}
+  for i in ipairs(list.b) do
+    t = t + list.a[i]
+    list.c[i] = t
+  end
+  return list
+end
+
+split.coefficients = {
+  strang = palindrome("b", {}, {}),
+  S10 = palindrome("a", { "0.0502627644003922", "0.413514300428348280764209253255138114149686",
+      "0.0450798897943974211608542852757026623955981", "-0.188054853819572834204124900735074375035274",
+      "0.541960678450781754723292263234705650176817" },
+    { "0.148816447901042589908187280537323712859617", "-0.132385865767782209619702251588944972760032",
+      "0.0673076046921852373718361905790506189051134", "0.432666402578172088198748915901779274874621" }),
+  M84 = palindrome("b", { "0.0753469602698928884165278036834744643726527",
+      "0.517916854688256782300773978496315644323847" },
+    { "0.190225939373676619245230762738453897461204", "0.846524070443526257055080544646775834177114" }),
+}
+
+local function short(e) return (string.gsub(e.kind, "^effect%.", "")) end
+
+local of_rates = {}
+for _, kind in ipairs { "rates", "velocity" } do
+  for _, name in ipairs(state.names[kind]) do of_rates[name] = true end
+end
+
+-- What of the scene's effects cannot be a kick, in words, and whether some depend on rates.
+local function refused(m, order)
+  if m.frame then return "the base frame turns: its terms depend on the velocity" end
+  local slowed = false
+  for _, e in ipairs(m.record.effects) do
+    if #e.states > 0 then return short(e) .. " has a state of its own, which no kick changes exactly" end
+    local c = context.with(context.dry(m), e)
+    for _, deed in ipairs { "torque", "force" } do
+      for _, x in ipairs(e.spec[deed] and e.spec[deed](e.a, c) or {}) do
+        if not expr.constant(x, of_rates) then
+          if order > 2 then
+            return short(e) .. " depends on the rates: order " .. order .. " has steps back in time, where what " ..
+              "damps would drive (split2 takes it)"
+          end
+          slowed = true
+        end
+      end
+    end
+  end
+  return nil, slowed
+end
+
+-- The momentum of the constant rotors as c times k; k is theirs if it is not given.  nil if it points elsewhere.
+local function rotor(m, k)
+  local h = { expr.zero, expr.zero, expr.zero }
+  for _, e in ipairs(m.record.effects) do
+    local own = e.spec.momentum and e.spec.momentum(e.a, context.with(context.dry(m), e))
+    if own then h = vec.map(vec.add(h, own), ratio.tidy) end
+  end
+  if h[1] == expr.zero and h[2] == expr.zero and h[3] == expr.zero then return expr.zero, k end
+  if not k then return expr.one, h end
+  for _, x in ipairs(vec.cross(h, k)) do
+    if not ratio.iszero(x) then return nil end
+  end
+  return ratio.tidy(vec.dot(h, k) / vec.dot(k, k)), k
+end
+
+-- The drift: {kind, constants = {name -> expr}, axis = 1..3, or its other two axes b and c}; or nil and why not.
+local function drift(m)
+  local s = m.structure
+  if not m.has.rates then return { kind = "point", constants = {} } end
+  if s.kind == "sphere" or s.kind == "symmetric" then
+    local h, k = rotor(m, s.kind == "symmetric" and s.k or nil)
+    if not h then return nil, "the rotor is not along the symmetry axis: the free flow is then elliptic" end
+    if not k then return { kind = "sphere", constants = {} } end
+    local out = { kind = "oblique", axis = equations.coordinate(k), constants = {} }
+    if s.kind == "sphere" then s = { alpha = s.alpha, axial = s.alpha, k2 = expr.one } end
+    local c = out.constants
+    c.split_c = m:constant("cs", (s.axial - s.alpha) / (s.alpha * s.k2), "(I3 - I1)/I1")
+    c.split_h = m:constant("hs", h * (out.axis and k[out.axis] or expr.one) / s.alpha,
+      "momentum of the rotor along the axis, divided by I1, rad/s")
+    if out.axis then
+      out.kind = "axis"
+    else
+      for i, name in ipairs { "x", "y", "z" } do
+        c["split_k" .. name] = m:constant("k" .. name, k[i], "direction of the symmetry axis")
+      end
+    end
+    return out
+  end
+  if s.kind ~= "diagonal" then
+    return nil, "the tensor is not diagonal in the body's axes: turn the body (s:turned) into its principal axes"
+  end
+  if rotor(m) ~= expr.zero then
+    return nil, "the free flow of an asymmetric body with a rotor is not made of rotations"
+  end
+  local I, order = m.inertia, { 1, 2, 3 }
+  local size = vec.map({ 1, 2, 3 }, function(i) return m:number(I[i]) end)
+  table.sort(order, function(i, j)
+    local d = R.sign(size[i] - size[j])
+    return d < 0 or d == 0 and i < j
+  end)
+  local a = order[2]
+  local out = { kind = "diagonal", axis = a, b = a % 3 + 1, c = (a + 1) % 3 + 1, constants = {} }
+  for _, n in ipairs { "b", "c" } do
+    local i = out[n]
+    local difference = m.parts and m.parts:difference(a, i)
+    out.constants["split_g" .. n] = m:constant("g" .. i, I[i] / I[a], string.format("I%d/I%d", i, a))
+    out.constants["split_f" .. n] = m:constant("f" .. i, (I[a] - I[i]) / I[i],
+      string.format("(I%d - I%d)/I%d", a, i, i), false, difference and difference / equations.inertia(m)[i])
+  end
+  return out
+end
+
+local w_zero = {}
+for _, w in ipairs(state.w) do w_zero[w] = expr.zero end
+
+local function turns(g) return #g.outs > 0 and string.match(g.outs[1].state, "^w[xyz]$") ~= nil end
+
+-- Groups of the kick, outs {state, expr} of the rates of w and v; and the states that have one.  What is left of the
+-- equations of Euler at w = 0 is the torque's part.
+local function kick(eq, slowed)
+  local groups, kicked = {}, {}
+  for _, g in ipairs(eq.groups) do
+    local put = { why = g.why, where = g.where, defs = {}, outs = {} }
+    local function at_rest(e)
+      return (turns(g) or not slowed) and calculus.substitute(e, w_zero) or e
+    end
+    for _, d in ipairs(g.defs) do put.defs[#put.defs + 1] = { name = d.name, expr = at_rest(d.expr) } end
+    for _, o in ipairs(g.outs) do
+      local e = at_rest(o.expr)
+      if of_rates[o.state] and e ~= expr.zero then
+        put.outs[#put.outs + 1] = { state = o.state, expr = e }
+        kicked[#kicked + 1] = o.state
+      end
+    end
+    if turns(g) then put.why = "the torque's part of Euler's equations" end
+    if not (g.outs[1] and g.outs[1].state == "qw") and (#put.outs > 0 or #g.outs == 0) then
+      groups[#groups + 1] = put
+    end
+  end
+  return groups, kicked
+end
+
+-- The program of a method for emit/split.lua, or nil and why there is none.
+local function program(method)
+  return function(eq)
+    local m = eq.model
+    local why, slowed = refused(m, method.order)
+    if why then return nil, why end
+    local free, not_free = drift(m)
+    if not free then return nil, not_free end
+    local groups, kicked = kick(eq, slowed)
+    if slowed and rotor(m) ~= expr.zero then return nil, "a rotor and what depends on the rates, together" end
+    local k = split.coefficients
+    return { order = method.order, drift = free, groups = groups, kicked = kicked, slowed = slowed,
+      outer = k[method.outer], inner = k[method.inner], has = m.has, source = method.source }
+  end
+end
+
+local function method(order, outer, inner, about, source)
+  local m = { name = "split" .. order, order = order, outer = outer, inner = inner, template = "split", about = about,
+    source = source }
+  m.program = program(m)
+  return m
+end
+
+split.methods = {
+  method(2, "strang", "strang", "exact free flow and kicks in turn, order 2 (Strang); no energy drift in long runs",
+    "Strang 1968, SIAM J. Numer. Anal. 5, 506"),
+  method(4, "M84", "S10", "exact free flow and kicks in turn, order 4, and 8 in weak torques (McLachlan)",
+    "McLachlan 1995, BIT 35, 258: order (8, 4)"),
+  method(6, "S10", "S10", "exact free flow and kicks in turn, order 6 (Blanes and Moan)",
+    "Blanes, Moan 2002, J. Comput. Appl. Math. 142, 313: S10"),
+}
+
+return split

@@ -1,0 +1,53 @@
+%% -- midpoint.c -- the midpoint rule on the rotation group: part of scene.c.  SPDX-License-Identifier: MIT-0
+/* ---- Austin, Krishnaprasad, Wang 1993, J. Comput. Phys. 107, 105; Hairer, Lubich, Wanner, Geometric Numerical
+ * Integration, VII.5: w the rate at the middle of the step, Cayley's map of h w the step's rotation ---- */
+
+/* Newton: from w = mid to `next`. */
+static ${midpoint_newton_head}
+{
+%% for _, line in ipairs(midpoint_newton_lines) do
+%%   if line == "" then
+
+%%   else
+  ${line}
+%%   end
+%% end
+}
+
+/* The step that the rate in the middle, w = mid, makes. */
+static ${midpoint_finish_head}
+{
+%% for _, line in ipairs(midpoint_finish_lines) do
+%%   if line == "" then
+
+%%   else
+  ${line}
+%%   end
+%% end
+}
+
+void ${name}_midpoint_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
+{
+  ${name}_real mid[3], next[3];
+  int k;
+
+  mid[0] = x[${upper}_WX];
+  mid[1] = x[${upper}_WY];
+  mid[2] = x[${upper}_WZ];
+  for (k = 0; k < ${midpoint_count}; k++) {
+    ${name}_midpoint_newton(m, t, x, u, h, mid, next);
+    /* a singular Jacobian, h far too large: x - x is not 0 for what is not finite */
+    if (!((next[0] - next[0]) + (next[1] - next[1]) + (next[2] - next[2]) == ${zero})) break;
+    mid[0] = next[0];
+    mid[1] = next[1];
+    mid[2] = next[2];
+  }
+  ${name}_midpoint_finish(m, t, x, u, h, mid);
+}
+%% if first then
+
+void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
+{
+  ${name}_midpoint_step(m, t, x, u, h);
+}
+%% end

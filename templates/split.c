@@ -1,0 +1,293 @@
+%% -- split.c -- splitting into free flow and kicks: part of scene.c.  SPDX-License-Identifier: MIT-0
+%% if split_shared then
+/* ---- Splitting: Dullweber, Leimkuhler, McLachlan 1997, J. Chem. Phys. 107, 5840; McLachlan, Quispel 2002 ---- */
+
+%%   if split_turns then
+/* c = cos(a), s = sin(a)/a of a = sqrt(z): their series up to a = 1/2 */
+static void ${name}_split_half(${name}_real z, ${name}_real *c, ${name}_real *s)
+{
+  if (z <= ${quarter}) {
+    const ${name}_real zz = z*z;
+
+    *c = ${split_cos};
+    *s = ${split_sin};
+  } else {
+    const ${name}_real a = ${sqrt}(z);
+
+    *c = ${cos}(a);
+    *s = ${sin}(a)/a;
+  }
+}
+
+%%     if split_attitude then
+/* q = q (c, e) */
+static void ${name}_split_turn(${name}_real x[], ${name}_real c, const ${name}_real e[3])
+{
+  const ${name}_real w = x[${upper}_QW], a = x[${upper}_QX], b = x[${upper}_QY], d = x[${upper}_QZ];
+
+  x[${upper}_QW] = c*w - e[0]*a - e[1]*b - e[2]*d;
+  x[${upper}_QX] = c*a + e[0]*w + e[2]*b - e[1]*d;
+  x[${upper}_QY] = c*b + e[1]*w + e[0]*d - e[2]*a;
+  x[${upper}_QZ] = c*d + e[2]*w + e[1]*a - e[0]*b;
+}
+
+/* About L by the angle |p| tau, p = L/I: L stays. */
+static void ${name}_split_along(${name}_real x[], const ${name}_real p[3], ${name}_real tau)
+{
+  const ${name}_real half = ${half}*tau;
+  ${name}_real e[3], c, s;
+
+  e[0] = half*p[0];
+  e[1] = half*p[1];
+  e[2] = half*p[2];
+  ${name}_split_half(e[0]*e[0] + e[1]*e[1] + e[2]*e[2], &c, &s);
+  e[0] *= s;
+  e[1] *= s;
+  e[2] *= s;
+  ${name}_split_turn(x, c, e);
+}
+
+%%     end
+%%     if split_axis or split_diagonal then
+/* About the body's axis i by twice the angle a; j and k follow i in cyclic order.  1 - cos is added apart, so that the
+ * length of (w[j], w[k]) does not creep. */
+static void ${name}_split_about(${name}_real x[], int i, int j, int k, ${name}_real a)
+{
+  ${name}_real *w = x + ${upper}_WX;
+  const ${name}_real y = w[j], z = w[k];
+  ${name}_real c, s, v;
+%%       if split_attitude then
+  ${name}_real *q = x + ${upper}_QX;
+  const ${name}_real qw = x[${upper}_QW], qi = q[i], qj = q[j], qk = q[k];
+%%       end
+
+  ${name}_split_half(a*a, &c, &s);
+  s *= a;
+%%       if split_attitude then
+  x[${upper}_QW] = c*qw - s*qi;
+  q[i] = c*qi + s*qw;
+  q[j] = c*qj + s*qk;
+  q[k] = c*qk - s*qj;
+%%       else
+  (void)i;
+%%       end
+  v = ${two}*s*s;
+  s *= ${two}*c;
+  w[j] = y + (s*z - v*y);
+  w[k] = z - (s*y + v*z);
+}
+
+%%     end
+%%   end
+%%   if split_diagonal then
+/* The free body over a time tau, with p = L/Ia in the place of the rates: the rotation about L, and those about two axes
+ * n times in turn */
+%%   else
+/* The free body over a time tau */
+%%   end
+%%   if split_diagonal then
+static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name}_real tau, int n, const ${name}_real a[], const ${name}_real b[])
+%%   else
+static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name}_real tau)
+%%   end
+{
+%%   if split_turns then
+  ${name}_real *w = x + ${upper}_WX;
+%%   end
+%%   if split_diagonal then
+  const ${name}_real half = ${half}*tau;
+  int i;
+
+  (void)m;
+  w[${split_bi}] *= ${split_gb};
+  w[${split_ci}] *= ${split_gc};
+%%     if split_attitude then
+  ${name}_split_along(x, w, tau);
+%%     end
+  for (i = 0; i <= n; i++) {
+    ${name}_split_about(x, ${split_bi}, ${split_bj}, ${split_bk}, a[i]*half*(${split_fb}*w[${split_bi}]));
+    if (i < n) ${name}_split_about(x, ${split_ci}, ${split_cj}, ${split_ck}, b[i]*half*(${split_fc}*w[${split_ci}]));
+  }
+  w[${split_bi}] /= ${split_gb};
+  w[${split_ci}] /= ${split_gc};
+%%   end
+%%   if split_axis then
+  const ${name}_real spin = ${split_c}*w[${split_i}] + ${split_h}; /* |L|/I1 along the axis less the rate */
+%%     if split_attitude then
+  ${name}_real p[3];
+
+  p[0] = w[0];
+  p[1] = w[1];
+  p[2] = w[2];
+  p[${split_i}] += spin;
+  ${name}_split_along(x, p, tau);
+%%     end
+  ${name}_split_about(x, ${split_i}, ${split_j}, ${split_k}, -${half}*tau*spin);
+  (void)m;
+%%   end
+%%   if split_oblique then
+  const ${name}_real k[3] = {${split_kx}, ${split_ky}, ${split_kz}};
+  const ${name}_real spin = ${split_c}*(k[0]*w[0] + k[1]*w[1] + k[2]*w[2]) + ${split_h};
+  ${name}_real e[3], f[3], c, s;
+  int i;
+%%     if split_attitude then
+  ${name}_real p[3];
+
+  for (i = 0; i < 3; i++) p[i] = w[i] + spin*k[i];
+  ${name}_split_along(x, p, tau);
+%%     end
+
+  for (i = 0; i < 3; i++) e[i] = -${half}*tau*(spin*k[i]);
+  ${name}_split_half(e[0]*e[0] + e[1]*e[1] + e[2]*e[2], &c, &s);
+  for (i = 0; i < 3; i++) e[i] *= s;
+%%     if split_attitude then
+  ${name}_split_turn(x, c, e);
+%%     end
+  /* w -= 2 e x (c w - e x w) */
+  f[0] = c*w[0] - (e[1]*w[2] - e[2]*w[1]);
+  f[1] = c*w[1] - (e[2]*w[0] - e[0]*w[2]);
+  f[2] = c*w[2] - (e[0]*w[1] - e[1]*w[0]);
+  w[0] -= ${two}*(e[1]*f[2] - e[2]*f[1]);
+  w[1] -= ${two}*(e[2]*f[0] - e[0]*f[2]);
+  w[2] -= ${two}*(e[0]*f[1] - e[1]*f[0]);
+  (void)m;
+%%   end
+%%   if split_sphere then
+  (void)m;
+%%     if split_attitude then
+  ${name}_split_along(x, w, tau);
+%%     else
+  (void)w; /* the rates stay */
+  (void)tau;
+%%     end
+%%   end
+%%   if split_moves then
+%%     if not split_turns then
+  (void)m;
+%%     end
+  x[${upper}_RX] += tau*x[${upper}_VX];
+  x[${upper}_RY] += tau*x[${upper}_VY];
+  x[${upper}_RZ] += tau*x[${upper}_VZ];
+%%   end
+}
+%%   if split_kicks then
+
+/* What changes the rates and the velocity beside the free motion */
+static ${split_head}
+{
+%%     for _, line in ipairs(split_lines) do
+%%       if line == "" then
+
+%%       else
+  ${line}
+%%       end
+%%     end
+}
+
+%%     if split_slowed then
+/* The rates over a time tau, attitude and place held, by the midpoint rule */
+%%     else
+/* The rates over a time tau, attitude and place held */
+%%     end
+static void ${name}_split_kick(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real tau)
+{
+  ${name}_real dx[${upper}_NX];
+%%     if split_slowed then
+  ${name}_real y[${upper}_NX];
+  int i;
+%%     end
+
+  ${name}_split_rates(m, t, x, u, dx);
+%%     if split_slowed then
+  for (i = 0; i < ${upper}_NX; i++) y[i] = x[i];
+%%       for _, s in ipairs(split_states) do
+  y[${s}] += ${half}*tau*dx[${s}];
+%%       end
+  ${name}_split_rates(m, t, y, u, dx);
+%%     end
+%%     for _, s in ipairs(split_states) do
+  x[${s}] += tau*dx[${s}];
+%%     end
+}
+%%   end
+
+%% end
+/* ${split_about} */
+void ${name}_${split_method}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
+{
+%% if split_kicks then
+  static const ${name}_real drift[] = {
+%%   for _, s in ipairs(split_outer.a) do
+    ${s},
+%%   end
+  };
+  static const ${name}_real kick[] = {
+%%   for _, s in ipairs(split_outer.b) do
+    ${s},
+%%   end
+  };
+  static const ${name}_real at[] = { /* sums of the drifts */
+%%   for _, s in ipairs(split_outer.c) do
+    ${s},
+%%   end
+  };
+%% end
+%% if split_diagonal then
+  static const ${name}_real a[] = { /* the free body's own splitting */
+%%   for _, s in ipairs(split_inner.a) do
+    ${s},
+%%   end
+  };
+  static const ${name}_real b[] = {
+%%   for _, s in ipairs(split_inner.b) do
+    ${s},
+%%   end
+  };
+%% end
+%% if split_kicks then
+  int i;
+%% end
+%% if split_attitude then
+  ${name}_real n;
+%% end
+
+%% if split_kicks then
+%%   if split_diagonal then
+  for (i = 0; i < ${split_outer.n}; i++) {
+    ${name}_split_drift(m, x, drift[i]*h, ${split_inner.n}, a, b);
+    ${name}_split_kick(m, t + at[i]*h, x, u, kick[i]*h);
+  }
+  ${name}_split_drift(m, x, drift[${split_outer.n}]*h, ${split_inner.n}, a, b);
+%%   else
+  for (i = 0; i < ${split_outer.n}; i++) {
+    ${name}_split_drift(m, x, drift[i]*h);
+    ${name}_split_kick(m, t + at[i]*h, x, u, kick[i]*h);
+  }
+  ${name}_split_drift(m, x, drift[${split_outer.n}]*h);
+%%   end
+%% else
+  (void)t;
+  (void)u;
+%%   if split_diagonal then
+  ${name}_split_drift(m, x, h, ${split_inner.n}, a, b);
+%%   else
+  ${name}_split_drift(m, x, h);
+%%   end
+%% end
+%% if split_attitude then
+
+  /* 1/|q| by one Newton step from 1, so |q| cannot drift */
+  n = ${threehalves} - ${half}*(x[${upper}_QW]*x[${upper}_QW] + x[${upper}_QX]*x[${upper}_QX] + x[${upper}_QY]*x[${upper}_QY] + x[${upper}_QZ]*x[${upper}_QZ]);
+  x[${upper}_QW] *= n;
+  x[${upper}_QX] *= n;
+  x[${upper}_QY] *= n;
+  x[${upper}_QZ] *= n;
+%% end
+}
+%% if first then
+
+void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
+{
+  ${name}_${split_method}_step(m, t, x, u, h);
+}
+%% end
