@@ -6,7 +6,7 @@
 #   make check      set up what is missing, build, run every test
 #   make bench      build and run the measurements
 #   make install    PREFIX (default /usr/local), DESTDIR
-#   make docs       docs/shapes.md and its pictures, from the catalogue; docs/linearised.svg
+#   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/linearised.svg
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
 #   make lint | format | sanitize | golden | clean
 
@@ -131,6 +131,7 @@ sanitized: $(PROGRAM) $(C_TESTS)
 # The page of all shapes and its pictures.
 docs: $(PROGRAM)
 	@$(PROGRAM) list shapes --format markdown -o docs
+	@$(PROGRAM) list effects --format markdown -o docs
 	@$(PROGRAM) chart bodies/book.lua --linearised -o docs/linearised.svg
 
 golden: all

@@ -14,6 +14,7 @@ local model = require "generator.dynamics.model"
 local equations = require "generator.dynamics.equations"
 local closed = require "generator.dynamics.closed.list"
 local breaks = require "generator.dynamics.breaks"
+local context = require "generator.dynamics.context"
 local conserved = require "generator.dynamics.conserved"
 local symmetric = require "generator.dynamics.closed.symmetric"
 local quantities = require "generator.dynamics.quantities"
@@ -80,13 +81,14 @@ function driver.plan(job, options)
   if m.has.rates then
     put(quantities.inertia(m))
     put(quantities.inertia_at(m))
+    if context.parts(m) then put(quantities.inertia_now(m)) end
   end
   put(quantities.energy(m))
   local particles = m.has.rates and quantities.particle_energy(m)
   if particles then put(particles) end
   if m.has.rates then put(quantities.momentum_body(m)) end
   if m.has.attitude then put(quantities.momentum(m)) end
-  if m.has.rates then put(quantities.torque(m)) end
+  if m.has.rates and not context.parts(m) then put(quantities.torque(m)) end
   put(quantities.rhs(eq))
   for i, s in ipairs(job.steppers) do
     if s.method.groups then put(quantities.step(m, eq, s.method, i == 1 and "step" or s.method.name .. "_step")) end

@@ -1,5 +1,6 @@
 -- list.lua -- polhode list: shapes, effects, methods, bodies, constants; one line each, the name first.
--- list shapes --format markdown -o DIR writes the page of all shapes with pictures instead.
+-- list shapes --format markdown -o DIR writes the page of all shapes with pictures instead, list effects that of all
+-- effects (run where bodies/ is).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local catalogue = require "generator.mass.catalogue"
@@ -7,6 +8,7 @@ local effects = require "generator.effects.list"
 local methods = require "generator.methods.list"
 local conserved = require "generator.dynamics.conserved"
 local units = require "generator.dsl.units"
+local value = require "generator.dsl.value"
 
 local list = {}
 
@@ -68,13 +70,35 @@ function what.bodies(host)
   return rows
 end
 
--- DIR/shapes.md and DIR/shapes/NAME.svg
+-- What a scene of bodies/ says of itself: the comment that it begins with, without its name.
+local function titles(host)
+  local map = {}
+  for _, e in ipairs(effects) do
+    local words = {}
+    for line in string.gmatch(host.read("bodies/" .. e.example .. ".lua") or "", "([^\n]*)\n") do
+      local comment = string.match(line, "^%-%- (.*)$")
+      if not comment or string.find(comment, "^SPDX") then break end
+      words[#words + 1] = comment
+    end
+    map[e.example] = #words > 0 and (string.gsub(table.concat(words, " "), "^%S+%.lua %-+ ", "")) or nil
+  end
+  return map
+end
+
+-- DIR/shapes.md and DIR/shapes/NAME.svg, or DIR/effects.md
 local function page(host, given)
-  if given[1] ~= "shapes" or not given.o then
-    host.err("polhode list: --format markdown is for shapes and needs -o DIR\n")
+  if given[1] ~= "shapes" and given[1] ~= "effects" or not given.o then
+    host.err("polhode list: --format markdown is for shapes and effects and needs -o DIR\n")
     return 2
   end
-  local ok, why = host.write_files(given.o, require("generator.report.shapes").files(catalogue.list))
+  local files
+  if given[1] == "shapes" then
+    files = require("generator.report.shapes").files(catalogue.list)
+  else
+    files = require("generator.report.effects").files(effects, titles(host), { keeps = conserved.words,
+      unit = function(dim) return units.si(units[dim or "none"]) end, show = value.show })
+  end
+  local ok, why = host.write_files(given.o, files)
   if not ok then
     host.err("polhode list: " .. why .. "\n")
     return 2

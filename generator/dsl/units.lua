@@ -24,6 +24,8 @@ units.rate, units.rate_dot = dim(0, 0, -1), dim(0, 0, -2)
 units.friction, units.drag, units.stiffness = dim(0, 1, -1), dim(-1, 1), dim(0, 1, -2) -- N s/m, N s^2/m^2, N/m
 units.magnetic_moment, units.field = dim(2, 0, 0, 1), dim(0, 1, -2, -1) -- A m^2, T
 units.energy = units.torque
+units.area, units.flux, units.gravitation = dim(2), dim(0, 1, -3), dim(3, 0, -2) -- m^2, W/m^2, m^3/s^2
+units.sink = dim(-2, -1, 1) -- 1/(N m s)
 units.angular_momentum, units.damping = dim(2, 1, -1), dim(2, 1, -1)
 units.density_volume, units.density_area, units.density_length = dim(-3, 1), dim(-2, 1), dim(-1, 1)
 

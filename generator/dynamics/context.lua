@@ -33,16 +33,65 @@ function context.carried(m)
   end)
 end
 
+-- What moving parts add to the tensor as a function of the state (m.record's effects), or nil.
+function context.parts(m, constant)
+  local sum
+  for _, e in ipairs(m.record.effects) do
+    local c = context.of(m, constant)
+    local part = e.spec.varies and e.spec.varies(e.a, context.with(c, e))
+    if part then sum = sum and vec.add(sum, part) or part end
+  end
+  return sum
+end
+
+-- The tensor that the rates carry, of the state; second result: with parts that move.
+function context.now(m)
+  local parts, I = context.parts(m), context.carried(m)
+  if not parts then return I, false end
+  return vec.add(I, parts), true
+end
+
+-- What effects hold beside I w.
+function context.held(m, constant)
+  local h, c = { expr.zero, expr.zero, expr.zero }, context.of(m, constant)
+  for _, e in ipairs(m.record.effects) do
+    if e.spec.momentum then h = vec.add(h, e.spec.momentum(e.a, context.with(c, e))) end
+  end
+  return h
+end
+
+-- The body's tensor and what moving parts add to it; dry: without constants.
+local function tensor(m, dry)
+  local I, parts = dry and m.inertia or context.inertia(m), context.parts(m, dry)
+  return parts and vec.add(I, parts) or I
+end
+
+local function diagonal(m)
+  for i = 4, 6 do
+    if m.inertia[i] ~= expr.zero then return false end
+  end
+  for _, e in ipairs(m.record.effects) do
+    if e.spec.varies and #e.states > 0 then return false end
+  end
+  return true
+end
+
 local none = { expr.zero, expr.zero, expr.zero }
 
 -- constant: what keeps a derived constant; nil: the model.
 function context.of(m, constant)
+  local dry = constant
   constant = constant or function(name, e, about) return m:constant(name, e, about) end
   return { mass = m.mass, com = m.com, inertia = m.inertia, structure = m.structure, has = m.has, q = state.q,
     w = state.w, r = state.r, v = state.v, u = state.u, t = state.t, M = M, constant = constant, dw = none,
     lift = function(e, name, about) return motion.lift(e, function(x) return constant(name, x, about) end) end,
+    diagonal = diagonal(m), tensor = function() return tensor(m, dry) end,
+    momentum = function()
+      local I = dry and vec.add(m.carried or m.inertia, context.parts(m, dry) or vec.outer(none)) or (context.now(m))
+      return vec.add(vec.apply(I, state.w), context.held(m, dry))
+    end,
     L = function() return vec.apply(m.inertia, state.w) end, -- the equations give names to its entries
-    inertia_constants = function() return context.inertia(m) end,
+    inertia_constants = function() return tensor(m) end,
     per_mass = function(name, e, about) return constant(name, e / m.mass, about .. " per kg") * M end }
 end
 

@@ -45,7 +45,7 @@ equations.inertia = context.inertia
 
 -- I w as named definitions, unless an entry is trivial.
 local function momentum(m)
-  local Iw = vec.apply(context.carried(m), state.w)
+  local Iw = vec.apply((context.now(m)), state.w)
   local defs, L = {}, {}
   for i = 1, 3 do
     if Iw[i] == expr.zero then
@@ -86,7 +86,7 @@ local function torques(m)
   local provisional, constant = fold.constants()
   local c = context.of(m, constant)
   c.L = function()
-    if m.carried ~= m.inertia then return vec.apply(equations.inertia(m), state.w) end
+    if m.carried ~= m.inertia then return vec.apply(c.tensor(), state.w) end
     need_L = true
     return (momentum(m))
   end
@@ -215,6 +215,29 @@ local function largest_sum(e)
   return n
 end
 
+-- With parts that move: (I + D) w' = N + L x w, the term -D' w being among the torques.
+function builders.varying(_, N, _, _, I)
+  local g = { why = "Euler, moving parts: L = (I + D) w, (I + D) w' = N + L x w", defs = {} }
+  local function named(prefix, v, letters)
+    return vec.map(v, function(e, i)
+      if e.kind == "num" or e.kind == "sym" then return e end
+      g.defs[#g.defs + 1] = { name = prefix .. letters[i], expr = e }
+      return expr.sym(prefix .. letters[i], 7)
+    end)
+  end
+  local L = named("L", vec.apply(I, state.w), axis_name)
+  local S = named("S", I, vec.entry)
+  local n = vec.add(N, vec.cross(L, state.w))
+  if I[4] == expr.zero and I[5] == expr.zero and I[6] == expr.zero then
+    g.outs = vec.map(n, function(e, i) return e / S[i] end)
+    return g
+  end
+  local adj, det = vec.adjugate(S)
+  local inverse = named("inverse", { 1 / det }, { "" })[1]
+  g.outs = vec.scale(inverse, vec.apply(named("C", adj, vec.entry), named("n", n, axis_name)))
+  return g
+end
+
 function builders.full(m, N)
   local L, defs = momentum(m)
   local adj, det = vec.adjugate(m.carried)
@@ -236,14 +259,31 @@ function builders.full(m, N)
   return { why = "Euler: L = I w, n = " .. torque .. "L x w, w' = I^-1 n", defs = defs, outs = vec.apply(J, names) }
 end
 
+-- The rate W at which the body's axes turn, where effects say that it is not w, named in the group; else nil.
+local function axes_turn(m, g)
+  local W, c = nil, context.of(m)
+  for _, e in ipairs(m.record.effects) do
+    if e.spec.turn then W = vec.add(W or state.w, e.spec.turn(e.a, context.with(c, e))) end
+  end
+  if not W then return nil end
+  g.why, g.turn = "attitude: q' = q (0, W)/2, W the rate at which the axes turn", {}
+  for i = 1, 3 do
+    g.defs[i] = { name = "W" .. axis_name[i], expr = W[i] }
+    g.turn[i] = expr.sym("W" .. axis_name[i], 7)
+  end
+  return g.turn
+end
+
 -- q' = (q (0, w) - (0, Omega) q)/2, Omega the rate of the base frame.
 local function attitude(m)
   local w, q = state.w, state.q
-  local rate = vec.qmul(q, { expr.zero, w[1], w[2], w[3] })
   local g = { why = "attitude: q' = q (0, w)/2", defs = {}, outs = {} }
+  w = axes_turn(m, g) or w
+  local rate = vec.qmul(q, { expr.zero, w[1], w[2], w[3] })
   if m.frame then
     local turn, defs = moving.rate(m)
-    rate, g.defs = vec.sub(rate, vec.qmul({ expr.zero, turn[1], turn[2], turn[3] }, q)), defs
+    rate = vec.sub(rate, vec.qmul({ expr.zero, turn[1], turn[2], turn[3] }, q))
+    for _, def in ipairs(defs) do g.defs[#g.defs + 1] = def end
     g.why = "attitude in the turning frame: q' = (q (0, w) - (0, Omega) q)/2"
     g.where = place(m, m.frame.line)
   end
@@ -262,11 +302,13 @@ local function turning(d, m, list)
     L_defs = select(2, momentum(m))
     table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = L_defs, outs = {} })
   end
-  local euler = builders[m.carrier.kind](m, N, groups, d)
+  local I, moves = context.now(m)
+  local kind = moves and "varying" or m.carrier.kind
+  local euler = builders[kind](m, N, groups, d, I)
   if not euler then return nil end
   euler.where = place(m, m.line)
   for i, n in ipairs(state.names.rates) do euler.outs[i] = { state = n, expr = euler.outs[i] } end
-  if m.carrier.kind == "full" then -- which begins with the same definitions
+  if kind == "full" or kind == "varying" then -- which begins with the same definitions
     for _ = 1, #L_defs do table.remove(euler.defs, 1) end
   end
   groups[#groups + 1] = euler
@@ -317,7 +359,8 @@ function equations.of(d, m)
       end
     end
   end
-  return { groups = groups, coupled = coupled, inputs = inputs, free = #m.record.effects == 0, model = m }
+  return { groups = groups, coupled = coupled, turn = m.has.attitude and groups[1].turn,
+    inputs = inputs, free = #m.record.effects == 0, model = m }
 end
 
 -- The same equations with twice the bits in their numbers; nil where no number was rounded, so that all are exact.

@@ -64,6 +64,14 @@ function quantities.inertia(m)
     groups = { group("I_ij = sum m (r^2 d_ij - r_i r_j)", {}, outs("I", equations.inertia(m))) } }
 end
 
+-- With the parts that move: the tensor of the state.
+function quantities.inertia_now(m)
+  return { name = "inertia_now", args = { "m", "x", array("I", 6, true) },
+    doc = { "The tensor about the origin of rotation with the moving parts as they are at the state's clock, same six",
+      "entries; NAME_inertia and what follows from it are the body's own without them." },
+    groups = { group("I + D of the state", {}, outs("I", context.of(m).tensor())) } }
+end
+
 -- I'_ij = I_ij + M (a^2 d_ij - a_i a_j) - M (2 a.R d_ij - a_i R_j - a_j R_i)
 local function shifted(I, M, Rc, a)
   local entries = {}
@@ -108,7 +116,7 @@ quantities.potential_energy = potential
 
 function quantities.kinetic(m)
   if not m.has.rates then return expr.zero, {}, "" end
-  local w, I = state.w, context.carried(m)
+  local w, I = state.w, (context.now(m))
   local diagonal = I[4] == expr.zero and I[5] == expr.zero and I[6] == expr.zero
   if diagonal then
     return vec.dot(I, vec.map(w, function(x) return x ^ 2 end)) / 2, {},
@@ -143,17 +151,8 @@ function quantities.energy(m)
       { { result = true, expr = T + V } }) } }
 end
 
--- What effects hold beside I w.
-local function held(m)
-  local h, c = { expr.zero, expr.zero, expr.zero }, context.of(m)
-  for _, e in ipairs(m.record.effects) do
-    if e.spec.momentum then h = vec.add(h, e.spec.momentum(e.a, context.with(c, e))) end
-  end
-  return h
-end
-
 function quantities.momentum_body(m)
-  local L = vec.add(vec.apply(context.carried(m), state.w), held(m))
+  local L = vec.add(vec.apply((context.now(m)), state.w), context.held(m))
   return { name = "momentum_body", args = { "m", "x", array("L", 3, true) },
     doc = { "Angular momentum about the origin of rotation, body axes, kg m^2/s." },
     groups = { group("L = I w", {}, outs("L", L)) } }
@@ -161,7 +160,7 @@ end
 
 function quantities.momentum(m)
   local L, defs = equations.momentum(m)
-  L = vec.add(L, held(m))
+  L = vec.add(L, context.held(m))
   return { name = "momentum", args = { "m", "x", array("L", 3, true) },
     doc = { "Angular momentum about the origin of rotation, inertial axes, kg m^2/s; |q| = 1." },
     groups = { group("L = I w in body axes", defs, {}),

@@ -79,6 +79,13 @@ end
 
 local short = function(e) return (string.gsub(e.kind, "^effect%.", "")) end
 
+local function central(m)
+  for i = 1, 3 do
+    if not zero(m.com[i]) then return false end
+  end
+  return true
+end
+
 -- What cannot be together: a second base or translation, a fixed point and a body that moves.
 local function contradictions(d, m, moving)
   local seen = {}
@@ -87,6 +94,10 @@ local function contradictions(d, m, moving)
       d:error(e.line, e.kind, "is given twice (first on line " .. seen[e.kind] .. ")")
     end
     seen[e.kind] = seen[e.kind] or e.line
+    if e.spec.central and not central(m) then
+      d:error(m.record.origin and m.record.origin.line or m.line, "origin", "must be the centroid, about which " ..
+        e.kind .. " (line " .. e.line .. ") acts")
+    end
     if moving and e.spec.fixed then
       d:error(e.line, e.kind, "acts about a fixed point, and " .. moving.kind .. " (line " .. moving.line ..
         ") moves the body: " .. e.spec.fixed)
@@ -96,13 +107,6 @@ local function contradictions(d, m, moving)
     d:error(m.given.line, "initial", "position and velocity need an effect that moves the body: effect.translation " ..
       "or effect.rotating_frame")
   end
-end
-
-local function central(m)
-  for i = 1, 3 do
-    if not zero(m.com[i]) then return false end
-  end
-  return true
 end
 
 -- The names that `outputs` gives, checked; nil without it.

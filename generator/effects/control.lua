@@ -10,6 +10,11 @@ local vec = require "generator.algebra.vec"
 local control = {
   name = "effect.control",
   about = "input u: torque in body axes, max (optional) limits each component",
+  quadratic = true,
+  formula = "N = u, or each component between -max and max: (|u + max| - |u - max|)/2",
+  signs = "u acts on the body, body axes; it is held during a step",
+  source = "the definition",
+  example = "gyroscope",
   args = { { name = "max", dim = "torque", sign = "positive", optional = true } },
   input = true,
 }

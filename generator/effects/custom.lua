@@ -16,6 +16,10 @@ local vec = require "generator.algebra.vec"
 local custom = {
   name = "effect.custom",
   about = "the scene's own: torque, force, potential, states as functions of the motion",
+  takes = { { "params", "any", "{}", "values by name, which the functions receive" },
+    { "torque", "kg m^2/s^2", nil, "function(s) of three components, body axes" },
+    { "force", "kg m/s^2", nil, "function(s), inertial axes" }, { "potential", "kg m^2/s^2", nil, "function(s)" },
+    { "states", "any", "{}", "{name = {initial =, unit =, rate = function(s)}}" } },
   reader = "custom", decided = true, keeps = "what its expressions show",
   formula = "as the scene writes it; from a potential N_i = -dV along a turn about body axis i, F = -dV/dr",
   signs = "torque in body axes, force on the centre of mass in inertial axes, potential in J",

@@ -1,9 +1,11 @@
 -- list.lua -- the effects a scene can name, in the order they are listed.
+-- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- One file an effect.  A table with: name; about (one line); args (checked by the scene language) or read (its own
 -- reading) or reader (its reading in dsl/moving.lua), check(a), refuse(a, given); numeric(a, num, given, code, c), what
 -- the library is told, code(e) being an expression of the motion as dynamics/postfix.lua writes it; formula, signs,
--- source, example (a scene of bodies/) for docs/effects.md; and what it does, each optional:
+-- source, example (a scene of bodies/), and where there is no args takes (rows {argument, unit, default, about}) for
+-- docs/effects.md (report/effects.lua); and what it does, each optional:
 --     torque(a, c)      about the origin of rotation, body axes, N m
 --     force(a, c)       on the centre of mass, inertial axes (those of the base frame, if one turns), N
 --     states(a)         states of its own: a list of {name =, initial = expr, unit =, about =}
@@ -11,21 +13,27 @@
 --     momentum(a, c)    angular momentum that it holds beside the body's (a rotor), body axes: it adds -(h' + w x h)
 --     momentum_rate(a, c)  the part of h' that is not in torque, where momentum depends on more than its own states
 --     kinetic(a, c)     kinetic energy that it holds beside the body's, J
+--     varies(a, c)      tensor that is added to the body's as a function of its own states (moving parts), or nil
+--     turn(a, c)        rate at which the body's axes turn beside w: q' = q (0, w + turn)/2, body axes
 --     carries(a)        tensor (six entries) that is added to the body's for the rates (a wheel that is not locked)
 --     potential(a, c)   energy, J
 --     frame(a, c)       the base frame turns: {rate =, rate_dot =, centrifugal =}
 --     moves(given)      true if the centre of mass moves freely (given: what `initial` gives)
 --     conserves(a, c)   a list out of "T+V", "|L|", "L", "L_z", "w3", see dynamics/conserved.lua; absent: nothing
 --                       keeps: the same in words, where it is a function;   decided = true: dynamics/laws.lua finds it
+--     quadratic = true  its terms are polynomials of degree 2 at most in the state
+--     kinks = true      its equations have corners at times that dynamics/breaks.lua cannot tell
 --     input = true      it uses the input u;   single = true: once in a scene
+--     central = true    it acts about the centre of mass, which must be the origin
 --     fixed = advice    it acts about a fixed point, so a body that moves cannot have it
 -- `c` is the context (dynamics/context.lua): mass, com, inertia, structure of the body about the origin; the symbols
 -- q, w, r, v, u, t and own.NAME of its own states; M, the mass as a symbol that cancels in m r'' = F;
+-- momentum(), the L in body axes of
+-- body, rotors and wheels; tensor(), the body's with moving parts; diagonal, whether that needs no products;
 -- constant(name, expr, text), which keeps an expression of parameters as a derived constant, and
 -- per_mass(name, expr, text), which is M times the constant expr/mass; lift(e, name, text): e of the motion with its
 -- constant parts kept so; in derivative also dw, the three w'.  What an effect depends on is read from its
 -- expressions.  ABOVE the line.
--- SPDX-License-Identifier: GPL-3.0-or-later
 
 return {
   require "generator.effects.gravity",
@@ -39,6 +47,11 @@ return {
   require "generator.effects.spring",
   require "generator.effects.magnetic",
   require "generator.effects.wheel",
+  require "generator.effects.gravity_gradient",
+  require "generator.effects.solar_pressure",
+  require "generator.effects.pivot",
+  require "generator.effects.inertia_rate",
+  require "generator.effects.dissipation",
   require "generator.effects.custom",
   (require "generator.effects.rotating_frame"), -- one value: require also returns where it found it
 }

@@ -14,6 +14,11 @@ local vec = require "generator.algebra.vec"
 local rotor = {
   name = "effect.rotor",
   about = "a rotor in the body: constant angular momentum relative to it, momentum along axis (body)",
+  quadratic = true,
+  formula = "I w' = (I w + h) x w + N, h = momentum axis/|axis|",
+  signs = "h is what the rotor has beyond turning with the body; its mass and moments are in the body's",
+  source = "Volterra, Acta Math. 22 (1899) 201; Hughes, Spacecraft Attitude Dynamics, on gyrostats",
+  example = "gyrostat",
   args = { { name = "axis", size = 3 }, { name = "momentum", dim = "angular_momentum" } },
   keeps = "T+V (T of the body), L and |L| with the rotor's part, w3 if axis is the symmetry axis",
 }

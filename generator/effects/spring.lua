@@ -18,6 +18,9 @@ local vec = require "generator.algebra.vec"
 local spring = {
   name = "effect.spring",
   about = "torsion spring at the pivot: stiffness with axis and rest angle, or {kx, ky, kz} with a rest attitude",
+  takes = { { "stiffness", "kg m^2/s^2", nil, "a number, or three without axis" },
+    { "axis", "1", nil, "for one axis: of any length" },
+    { "rest", "rad or 1", "0 or {1, 0, 0, 0}", "with axis the angle of rest, else the attitude of rest" } },
   reader = "spring", keeps = "T+V",
   formula = "V = 2 u.K u, N = -2 (p0 K u + (K u) x u) with (p0, u) = rest* q, |u| = sin(angle/2)",
   signs = "for small angles N = -K angle, V = K angle^2/2; about an axis N = -k sin(angle), V = k (1 - cos(angle))",

@@ -17,6 +17,14 @@ local vec = require "generator.algebra.vec"
 local translation = {
   name = "effect.translation",
   about = "the centre of mass moves: gravity (number or vector), drag c (-c |v| v), linear c (-c v), stiffness (-k r)",
+  quadratic = true,
+  takes = { { "gravity", "m/s^2", "9.80665", "a number (along -z) or a vector" },
+    { "drag", "kg/m", "0", "c of -c |v| v, not negative" }, { "linear", "kg/s", "0", "c1 of -c1 v" },
+    { "stiffness", "kg/s^2", "0", "a number or three, of -k r" } },
+  formula = "m r'' = m g - drag |v| v - linear v - k r, V = -m g.r + k r^2/2",
+  signs = "r is the centre of mass from the inertial origin (the frame's, if one turns); drag has no torque",
+  source = "Landau, Lifshitz, Fluid Mechanics, 2nd ed., section 45 (drag)",
+  example = "thrown_book",
   single = true, keeps = "T+V without drag, and all that belongs to the turning",
 }
 

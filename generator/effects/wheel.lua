@@ -16,10 +16,15 @@ local wheel = {
   name = "effect.wheel",
   about = "driven wheel: axis (body), inertia, speed relative to the body, motor's torque, included in the tensor?",
   reader = "wheel",
+  takes = { { "axis", "1", nil, "body axes, of any length" },
+    { "inertia", "kg m^2", nil, "J about the axis, positive" },
+    { "speed", "rad/s", "0", "W at t = 0, relative to the body" },
+    { "torque", "kg m^2/s^2", "0", "of the motor on the wheel: a number, an expression, a table over time" },
+    { "included", "true or false", nil, "is J in the body's tensor?" } },
   keeps = "L and |L| with the wheel's part; T+V without torque; w3 if free and along z",
   formula = "J (a.w + W)' = u; (I - J a a^T) w' = ((I - J a a^T) w + J (a.w + W) a) x w - u a",
   signs = "u > 0 speeds the wheel up along its axis and pushes the body the other way; W is relative to the body",
-  source = "Hughes, Spacecraft Attitude Dynamics, section 3.5; Schaub, Junkins, Analytical Mechanics, " ..
+  source = "Hughes, Spacecraft Attitude Dynamics, section 3.5; Schaub, Junkins, Analytical Mechanics " ..
     "of Space Systems, section 4.5",
   example = "wheels",
 }

@@ -191,6 +191,7 @@ function vectors.fill(job, v, ctx)
   case("particle_energy", 1, xs[2].values, "got[0] = " .. p .. "particle_energy(&m, x2)",
     "kinetic energy of the particles", result)
   case("inertia_at", 6, nil, p .. "inertia_at(&m, a, got)", "tensor about another point", by_index)
+  case("inertia_now", 6, xs[2].values, p .. "inertia_now(&m, x2, got)", "tensor with moving parts", by_index)
   case("torque", 3, nil, p .. "torque(&m, w, dw, got)", "torque of a given motion", by_index)
   case("rate", 3, nil, p .. "rate(w, a, da, got)", "rate of change of a vector", by_index)
   local term = { coriolis = 0, euler = 3, centrifugal = 6, total = 9 }

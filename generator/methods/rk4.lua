@@ -87,6 +87,9 @@ local why = { "stage 1: at the start", "stage 2: at h/2 along stage 1", "stage 3
 -- Angles v = w h/4 of the stage, and V = Omega h/4 of a frame that turns; their names keep clear of the velocity's.
 local function angles(eq, g, s, h4, at, renamed)
   local m = eq.model
+  if eq.turn then -- the axes do not turn at w
+    at = vec.map(eq.turn, function(e) return calculus.substitute(e, renamed) end)
+  end
   local v = named(g, m.has.position and "a" or "v", tostring(s), vec.scale(h4, at), comp)
   if not m.frame then return v end
   local turn = vec.map(moving.rate(m), function(e) return calculus.substitute(e, renamed) end)
@@ -120,7 +123,7 @@ local function forced(eq, prepared)
       for _, def in ipairs(defs) do g.defs[#g.defs + 1] = def end
     end
     if has.attitude then
-      local turned = eq.model.frame ~= nil -- then the increment needs Omega of this stage
+      local turned = eq.model.frame ~= nil or eq.turn -- then the increment needs Omega or W of this stage
       local ws = {}
       for i = 1, 3 do ws[i] = at[i] end
       if turned then

@@ -15,8 +15,10 @@
  *   {kind="drag", c=} {kind="friction", torque=, smoothing=} {kind="spring", stiffness={3},
  * rest={4}, axis={3} or nil} {kind="magnetic", moment={3}, field={3}, rotating=, rate=}
  * {kind="varying", parts={3 of varying}, inertial=} {kind="wheel", axis={3}, inertia=,
- * torque=varying, included=} {kind="custom", torque={3}, force={3}, potential=, states={..}}, each
- * of them a program
+ * torque=varying, included=} {kind="gradient", mu=, radius=, e=, elliptic=} {kind="solar", flux=,
+ * sun={3}, plates={8 n}} {kind="pivot", acceleration={3 of varying}} or {.., amplitude=, rate=,
+ * axis={3}} {kind="parts", tensor={6}, rate={6}} {kind="dissipation", k=} {kind="custom",
+ * torque={3}, force={3}, potential=, states={..}}, each of them a program
  * - varying: a number, {rows={t, v, ...}} or {code=program}; program: dynamics/postfix.lua's list
  *
  * Tables of the wrong form are a bug of the caller and raise; numbers that no body can have are the
@@ -80,6 +82,14 @@ void engine_acts_torque(const ph_top *top, double t, const double x[], double te
 void engine_acts_scale(const ph_top *top, double t, const double x[], double scale[]);
 double engine_acts_energy(const ph_top *top, const double x[]);
 double engine_acts_momentum(const ph_top *top, const double x[]);
+/* The size of a value that varies, and the value (of no table). */
+double engine_varying_size(const ph_top *top, const ph_varying *v, double t, const double x[]);
+double engine_varying_value(const ph_top *top, const ph_varying *v, double t, const double x[]);
+/* Of the acts of acts_more.c: the torque's largest term of act k, and those of the rates. */
+double engine_acts_more(const ph_top *top, int k, double t, const double x[]);
+void engine_acts_more_scale(const ph_top *top, double t, const double x[], double scale[]);
+/* What moving parts add to the tensor; 0: none move. */
+int engine_acts_tensor(const ph_top *top, double t, const double x[], double D[6]);
 /* n numbers from the list at `index` itself. */
 void engine_list(lua_State *L, int index, int n, double out[]);
 /* Push {v[0], ..., v[n-1]}. */

@@ -109,6 +109,47 @@ static int read_custom(struct engine_scene *s) {
   return ph_top_custom(&s->top, torque, force, &potential, n, rate);
 }
 
+/* 8 n numbers, which live as long as the scene's table. */
+static int read_solar(struct engine_scene *s) {
+  lua_State *L = s->L;
+  double sun[3];
+  engine_get(L, -1, "sun", 3, sun, NULL);
+  lua_getfield(L, -1, "plates");
+  const int n = (int)lua_rawlen(L, -1);
+  double *plates = lua_newuserdatauv(L, (size_t)(n > 0 ? n : 1) * sizeof *plates, 0);
+  lua_insert(L, -2);
+  engine_list(L, -1, n, plates);
+  lua_pop(L, 1);
+  engine_keep(s);
+  return ph_top_solar(&s->top, engine_number(L, "flux"), sun, n / 8, plates);
+}
+
+static int read_pivot(struct engine_scene *s) {
+  double axis[3];
+  ph_varying a[3] = {{0}};
+  if (engine_has(s->L, "acceleration")) {
+    read_list(s, "acceleration", 3, 0, a);
+    return ph_top_pivot(&s->top, a);
+  }
+  engine_get(s->L, -1, "axis", 3, axis, NULL);
+  return ph_top_vibration(&s->top, engine_number(s->L, "amplitude"), engine_number(s->L, "rate"),
+                          axis);
+}
+
+static int read_parts(struct engine_scene *s) {
+  ph_varying tensor[6] = {{0}}, rate[6] = {{0}};
+  read_list(s, "tensor", 6, 1, tensor);
+  read_list(s, "rate", 6, 1, rate);
+  return ph_top_parts(&s->top, tensor, rate);
+}
+
+static int read_gradient(struct engine_scene *s) {
+  const double mu = engine_number(s->L, "mu"), radius = engine_number(s->L, "radius");
+  if (flag(s->L, "elliptic"))
+    return ph_top_gravity_gradient_orbit(&s->top, mu, radius, engine_number(s->L, "e"));
+  return ph_top_gravity_gradient(&s->top, mu, radius);
+}
+
 void engine_read_own(lua_State *L, int index, const ph_top *top, double x[]) {
   int n = 0;
   for (int k = 0; k < top->acts.n; k++)
@@ -135,6 +176,16 @@ int engine_read_act(struct engine_scene *s, const char *kind, int *status) {
     *status = ph_top_varying(&s->top, flag(L, "inertial"), torque);
   } else if (strcmp(kind, "custom") == 0) {
     *status = read_custom(s);
+  } else if (strcmp(kind, "gradient") == 0) {
+    *status = read_gradient(s);
+  } else if (strcmp(kind, "solar") == 0) {
+    *status = read_solar(s);
+  } else if (strcmp(kind, "pivot") == 0) {
+    *status = read_pivot(s);
+  } else if (strcmp(kind, "parts") == 0) {
+    *status = read_parts(s);
+  } else if (strcmp(kind, "dissipation") == 0) {
+    *status = ph_top_dissipation(&s->top, engine_number(L, "k"));
   } else {
     return 0;
   }
@@ -153,7 +204,7 @@ static double norm(const double v[3]) {
 }
 
 /* Of a value that varies: of a table as a sum of ramps, slope times distance to each row. */
-static double varying_size(const ph_top *top, const ph_varying *v, double t, const double x[]) {
+double engine_varying_size(const ph_top *top, const ph_varying *v, double t, const double x[]) {
   double most = fabs(v->value);
   if (v->f)
     return engine_program_size(v, t, x, ph_top_states(top));
@@ -193,12 +244,19 @@ void engine_acts_torque(const ph_top *top, double t, const double x[], double te
       double speed = fabs(x[engine_own_place(top, k)]);
       for (i = 0; i < 3; i++)
         speed = larger(speed, fabs(a->v[i] * w[i]));
-      all = larger(a->v[3] * speed * norm(w), varying_size(top, &a->torque[0], t, x));
+      all = larger(a->v[3] * speed * norm(w), engine_varying_size(top, &a->torque[0], t, x));
       break;
     }
+    case PH_GRADIENT:
+    case PH_SOLAR:
+    case PH_PIVOT:
+    case PH_PARTS:
+    case PH_DISSIPATION:
+      all = engine_acts_more(top, k, t, x);
+      break;
     default:
       for (i = 0; i < 3; i++)
-        part[i] = varying_size(top, &a->torque[i], t, x);
+        part[i] = engine_varying_size(top, &a->torque[i], t, x);
       if (a->kind == PH_VARYING && a->flag)
         all = norm(part) * q2;
     }
@@ -217,17 +275,19 @@ int engine_own_place(const ph_top *top, int act) {
 
 /* scale has those of w already. */
 void engine_acts_scale(const ph_top *top, double t, const double x[], double scale[]) {
+  engine_acts_more_scale(top, t, x, scale);
   for (int k = 0; k < top->acts.n; k++) {
     const ph_act *a = &top->acts.list[k];
     if (!(top->effects & a->kind))
       continue;
     for (int i = 0; i < 3 && a->kind == PH_CUSTOM && top->effects & PH_TRANSLATION; i++)
-      scale[10 + i] = larger(scale[10 + i], varying_size(top, &a->force[i], t, x) / top->mass);
+      scale[10 + i] =
+          larger(scale[10 + i], engine_varying_size(top, &a->force[i], t, x) / top->mass);
     double *own = scale + engine_own_place(top, k);
     for (int i = 0; i < a->states && a->kind == PH_CUSTOM; i++)
-      own[i] = varying_size(top, &a->rate[i], t, x);
+      own[i] = engine_varying_size(top, &a->rate[i], t, x);
     if (a->kind == PH_WHEEL) {
-      own[0] = varying_size(top, &a->torque[0], t, x) / a->v[3];
+      own[0] = engine_varying_size(top, &a->torque[0], t, x) / a->v[3];
       for (int i = 0; i < 3; i++)
         own[0] = larger(own[0], fabs(a->v[i]) * scale[4 + i]);
     }
@@ -249,7 +309,10 @@ double engine_acts_energy(const ph_top *top, const double x[]) {
     else if (a->kind == PH_WHEEL)
       term = a->v[3] * pow(larger(fabs(x[engine_own_place(top, k)]), norm(w)), 2) / 2;
     else if (a->kind == PH_CUSTOM)
-      term = varying_size(top, &a->potential, 0, x);
+      term = engine_varying_size(top, &a->potential, 0, x);
+    else if (a->kind == PH_PARTS)
+      for (int i = 0; i < 6; i++)
+        term = larger(term, engine_varying_size(top, &a->rate[i], 0, x) * pow(norm(w), 2) / 2);
     scale = larger(scale, term);
   }
   return scale;
@@ -257,6 +320,10 @@ double engine_acts_energy(const ph_top *top, const double x[]) {
 
 double engine_acts_momentum(const ph_top *top, const double x[]) {
   double scale = 0;
+  for (int k = 0; k < top->acts.n && top->effects & PH_PARTS; k++)
+    for (int i = 0; i < 6 && top->acts.list[k].kind == PH_PARTS; i++)
+      scale =
+          larger(scale, engine_varying_size(top, &top->acts.list[k].rate[i], 0, x) * norm(x + 4));
   for (int k = 0; k < top->acts.n; k++)
     if (top->effects & PH_WHEEL && top->acts.list[k].kind == PH_WHEEL)
       scale = larger(scale, top->acts.list[k].v[3] *

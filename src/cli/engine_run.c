@@ -179,12 +179,14 @@ static double bound(double component, double mi, double mj) {
   return largest(fabs(component), sqrt(mi) * sqrt(mj));
 }
 
-/* Sum of a_k a_k^T / I_k over the axes that have a moment, entrywise absolute values. */
-static int prepare(struct rates *r) {
+/* D: what moving parts add to the tensor, or NULL.
+ * Sum of a_k a_k^T / I_k over the axes that have a moment, entrywise absolute values. */
+static int prepare(struct rates *r, const double D[6]) {
   static const int at[9] = {0, 3, 4, 3, 1, 5, 4, 5, 2};
   ph_axes p;
   double carried[6]; /* by the rates: without the wheels that the tensor includes */
-  memcpy(carried, r->top.inertia, sizeof carried);
+  for (int i = 0; i < 6; i++)
+    carried[i] = r->top.inertia[i] + (D ? D[i] : 0);
   for (int k = 0; k < r->top.acts.n; k++) {
     const ph_act *a = &r->top.acts.list[k];
     for (int i = 0; i < 9 && a->kind == PH_WHEEL && a->flag; i++)
@@ -291,7 +293,11 @@ static int rates_rates(lua_State *L) {
   const int status = ph_top_rates(&r->top, t, x, u, dx);
   if (status != PH_OK)
     return fail(L, status);
-  scales(r, t, x, u, scale);
+  struct rates now = *r; /* with moving parts as they are */
+  double D[6];
+  if (engine_acts_tensor(&r->top, t, x, D) && prepare(&now, D) != PH_OK)
+    return fail(L, PH_EPOSITIVE);
+  scales(&now, t, x, u, scale);
   engine_push(L, n, dx);
   engine_push(L, n, scale);
   return 2;
@@ -348,7 +354,7 @@ int host_rates(lua_State *L) {
   lua_pushvalue(L, 1); /* which keeps tables and programs */
   lua_setiuservalue(L, -2, 1);
   r->top = s.top;
-  status = prepare(r);
+  status = prepare(r, NULL);
   if (status != PH_OK)
     return fail(L, status);
   if (luaL_newmetatable(L, RATES_TYPE)) {

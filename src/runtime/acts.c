@@ -126,7 +126,10 @@ void acts_torque(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide N[3], 
     ph_wide part[3];
     if (!(top->effects & a->kind) || a->kind == PH_WHEEL)
       continue;
-    torque_of(a, t, x, part, size);
+    if (a->kind >= PH_GRADIENT)
+      acts_torque_more(top, k, t, x, part, size);
+    else
+      torque_of(a, t, x, part, size);
     for (int i = 0; i < 3; i++)
       N[i] += part[i];
   }
@@ -151,6 +154,7 @@ int acts_place(const ph_top *top, int i) {
 }
 
 void acts_force(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide F[3]) {
+  acts_force_more(top, x, F);
   for (int k = 0; k < top->acts.n && top->effects & PH_CUSTOM; k++) {
     const ph_act *a = &top->acts.list[k];
     for (int i = 0; i < 3 && a->kind == PH_CUSTOM; i++)
@@ -159,6 +163,7 @@ void acts_force(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide F[3]) {
 }
 
 void acts_rates(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide dx[]) {
+  acts_rates_more(top, x, dx);
   for (int k = 0; k < top->acts.n && top->effects & PH_CUSTOM; k++) {
     const ph_act *a = &top->acts.list[k];
     for (int i = 0; i < a->states && a->kind == PH_CUSTOM; i++)

@@ -23,8 +23,20 @@ void acts_torque(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide N[3], 
 void acts_force(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide F[3]);
 /* Rates of own states of custom acts into dx. */
 void acts_rates(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide dx[]);
-/* With wheels: w' and the wheels' rates from the b of I w' = b (motion.h), which knows nothing of
-   them. PH_EROD. */
+/* Of the acts of acts_more.c: the torque of act k, in place of what N had; the forces, added; rates
+   of own states. */
+void acts_torque_more(const ph_top *top, int k, ph_wide t, const ph_wide x[], ph_wide N[3],
+                      ph_wide *size);
+void acts_force_more(const ph_top *top, const ph_wide x[], ph_wide F[3]);
+void acts_rates_more(const ph_top *top, const ph_wide x[], ph_wide dx[]);
+/* What moving parts add to the tensor; 0: none move. */
+int acts_tensor(const ph_top *top, const ph_wide x[], ph_wide D[6]);
+/* The rate at which the body's axes turn, less w. */
+void acts_slip(const ph_top *top, const ph_wide x[], ph_wide slip[3]);
+/* L of all, body axes. */
+void acts_whole_momentum(const ph_top *top, const ph_wide x[], ph_wide L[3]);
+/* With wheels or moving parts: w' and the wheels' rates from the b of I w' = b (motion.h), which
+   knows nothing of them. PH_EROD. */
 int acts_solve(const ph_top *top, ph_wide t, const ph_wide x[], const ph_wide b[3], ph_wide dx[]);
 
 /* What they add to T, V and to the angular momentum in body axes. */

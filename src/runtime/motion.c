@@ -77,7 +77,8 @@ int motion_solve(const ph_top *top, const ph_wide b[3], ph_wide size, ph_wide w_
 
 int motion_rates(const ph_top *top, const motion_loads *loads, ph_wide t, const ph_wide x[],
                  ph_wide dx[]) {
-  const ph_wide *w = x + 4, pure[4] = {0, w[0], w[1], w[2]};
+  const ph_wide *w = x + 4;
+  ph_wide pure[4] = {0, 0, 0, 0}; /* the rate at which the axes turn */
   ph_wide b[3], S[3], size;
   motion_torque(top, loads, t, x, b, &size);
   wide_apply(top->wide_second, w, S);
@@ -85,11 +86,14 @@ int motion_rates(const ph_top *top, const motion_loads *loads, ph_wide t, const 
   for (int i = 0; i < 3; i++)
     b[i] += S[i];
   ph_wide rate[PH_STATES];
-  const int status = top->effects & PH_WHEEL ? acts_solve(top, t, x, b, rate)
-                                             : motion_solve(top, b, size, rate + 4);
+  const int status = top->effects & (PH_WHEEL | PH_PARTS) ? acts_solve(top, t, x, b, rate)
+                                                          : motion_solve(top, b, size, rate + 4);
   if (status)
     return status;
   acts_rates(top, t, x, rate);
+  acts_slip(top, x, pure + 1);
+  for (int i = 0; i < 3; i++)
+    pure[1 + i] += w[i];
   wide_quat_multiply(x, pure, rate);
   for (int i = 0; i < 4; i++)
     rate[i] /= 2;

@@ -11,7 +11,13 @@
      PH_WHEEL      J (a.w + W)' = u, and the wheel takes -u a from the body (Hughes, Spacecraft
                    Attitude Dynamics, 3.5)
      PH_CUSTOM     torque, force, potential and rates of own states as ph_varying
-   Wheels (one state W, rad/s) and custom acts have states of their own, which follow q, w (, r, v)
+     PH_GRADIENT   N = 3 mu/r^3 o x I o, o = q* (cos f, sin f, 0) q
+     PH_SOLAR      F = -P A c ((1 - rho) s + 2 rho c n) for each plate with c = n.s > 0
+     PH_PIVOT      N = R x q* (-m a(t)) q for a support of acceleration a
+     PH_PARTS      (I + D(t)) w' = L x w - D' w + N, L = (I + D) w
+     PH_DISSIPATION  N = k L x (L x w), and q' = q (0, w + k L x w)/2, so that L stays in space
+   Wheels (one state W, rad/s), elliptic orbits (the true anomaly f), moving parts (their time) and
+   custom acts have states of their own, which follow q, w (, r, v)
    in the order of the calls. The methods of polhode.h take these effects as they are; PH_TAYLOR,
    which forms no series of them, integrates by Gragg's midpoint rule with extrapolation instead. */
 #ifndef POLHODE_ACTS_H
@@ -35,7 +41,12 @@ enum ph_act_kind { /* further bits of ph_top.effects */
                    PH_VARYING = 1 << 20,
                    PH_WHEEL = 1 << 21,
                    PH_CUSTOM = 1 << 22,
-                   PH_ANY_ACT = 127 << 16
+                   PH_GRADIENT = 1 << 23,
+                   PH_SOLAR = 1 << 24,
+                   PH_PIVOT = 1 << 25,
+                   PH_PARTS = 1 << 26,
+                   PH_DISSIPATION = 1 << 27,
+                   PH_ANY_ACT = 4095 << 16
 };
 
 /* A number that may vary: f(context, t, x) if f is not NULL, x the whole state; else, with rows >
@@ -52,8 +63,11 @@ typedef struct ph_varying {
 typedef struct ph_act {
   enum ph_act_kind kind;
   double v[10]; /* numbers of the kind, acts.c */
-  int flag;     /* varying: inertial axes; wheel: included; magnetic: turns; spring: one axis */
-  int states;   /* of its own */
+  int flag;     /* varying: inertial axes; wheel: included; magnetic: turns; spring: one axis;
+                   gravity gradient: elliptic; support: vibrates */
+  int rows;     /* of table: plates, 8 numbers each */
+  const double *table;
+  int states; /* of its own */
   ph_varying torque[3], force[3], potential, rate[PH_OWN_STATES];
 } ph_act;
 
@@ -87,6 +101,26 @@ int ph_top_wheel(struct ph_top *top, const double axis[3], double J, ph_varying 
    of own states. NULL: none. */
 int ph_top_custom(struct ph_top *top, const ph_varying torque[3], const ph_varying force[3],
                   const ph_varying *potential, int n, const ph_varying rate[]);
+
+/* Gravity gradient on a circular orbit in the inertial x-y plane that starts on x (mu >= 0,
+   m^3/s^2; radius > 0, m: PH_EBOUND); or on an elliptic one with the perigee on x and the true
+   anomaly as its state (half axis a > 0, 0 <= e < 1). The origin is to be the centre of mass. */
+int ph_top_gravity_gradient(struct ph_top *top, double mu, double radius);
+int ph_top_gravity_gradient_orbit(struct ph_top *top, double mu, double a, double e);
+/* Sunlight of the flux, W/m^2, from the inertial direction sun on n plates of 8 numbers: area >= 0,
+   m^2; reflectivity in [0, 1]; normal and centre (from the origin, m), body axes: PH_EBOUND,
+   PH_EDIRECTION. plates stay the caller's and must live as long as the top is used. */
+int ph_top_solar(struct ph_top *top, double flux, const double sun[3], int n,
+                 const double plates[]);
+/* The support moves: acceleration in inertial axes, m/s^2; or it is at amplitude cos(rate t) along
+   the inertial axis. */
+int ph_top_pivot(struct ph_top *top, const ph_varying acceleration[3]);
+int ph_top_vibration(struct ph_top *top, double amplitude, double rate, const double axis[3]);
+/* What moving parts add to the tensor, six entries, and their rates of change, as functions of the
+   state: their time is the act's own state. */
+int ph_top_parts(struct ph_top *top, const ph_varying tensor[6], const ph_varying rate[6]);
+/* Energy sink of strength k >= 0, 1/(N m s): T' = -k |L x w|^2, L = I w and what wheels hold. */
+int ph_top_dissipation(struct ph_top *top, double k);
 
 #ifdef __cplusplus
 }

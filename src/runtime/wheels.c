@@ -65,6 +65,15 @@ int acts_solve(const ph_top *top, ph_wide t, const ph_wide x[], const ph_wide b[
     A[n][n] = J;
     y[n++] = acts_value(&a->torque[0], t, x);
   }
+  ph_wide D[6], Dw[3];
+  if (acts_tensor(top, x,
+                  D)) { /* moving parts: their D w turns with the body like what wheels hold */
+    wide_apply(D, x + 4, Dw);
+    for (int i = 0; i < 3; i++)
+      h[i] += Dw[i];
+    for (int i = 0; i < 6; i++)
+      locked[i] += D[i];
+  }
   wide_cross(x + 4, h, turning);
   for (int i = 0; i < 3; i++) {
     for (int j = 0; j < 3; j++)
@@ -80,7 +89,11 @@ int acts_solve(const ph_top *top, ph_wide t, const ph_wide x[], const ph_wide b[
 
 /* T of the body's own tensor is in the caller's sum: an included wheel moves in it as if locked. */
 ph_wide acts_kinetic(const ph_top *top, const ph_wide x[]) {
-  ph_wide T = 0;
+  ph_wide T = 0, D[6], Dw[3];
+  if (acts_tensor(top, x, D)) {
+    wide_apply(D, x + 4, Dw);
+    T = wide_dot(x + 4, Dw) / 2;
+  }
   for (int k = 0; k < top->acts.n; k++)
     if (is_wheel(top, k)) {
       const ph_act *a = &top->acts.list[k];
@@ -93,6 +106,12 @@ ph_wide acts_kinetic(const ph_top *top, const ph_wide x[]) {
 }
 
 void acts_momentum(const ph_top *top, const ph_wide x[], ph_wide L[3]) {
+  ph_wide D[6], Dw[3];
+  if (acts_tensor(top, x, D)) {
+    wide_apply(D, x + 4, Dw);
+    for (int i = 0; i < 3; i++)
+      L[i] += Dw[i];
+  }
   for (int k = 0; k < top->acts.n; k++)
     if (is_wheel(top, k)) {
       const ph_act *a = &top->acts.list[k];

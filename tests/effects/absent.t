@@ -27,6 +27,9 @@ local function same(a, b)
   return #a == #b
 end
 
+local light = "effect.solar_pressure { %ssun = {1, 0, 0}, " ..
+  "plates = { { area = %d, normal = {1, 0, 0}, centre = {0, 1, 0}, reflectivity = 1/2 } } }"
+
 -- what it is called; of strength 0; with a strength
 local cases = {
   { "drag", "effect.drag { c = 0 }", "effect.drag { c = 0.5 }" },
@@ -40,6 +43,13 @@ local cases = {
     "effect.magnetic { moment = {0, 1, 0}, rotating = {0, 0, 1}, rate = 3 }" },
   { "torque", "effect.torque { body = {0, 0*t, {{0, 0}, {1, 0}}} }",
     "effect.torque { body = {0, 0, {{0, 0}, {1, 1}}} }" },
+  { "solar_pressure", string.format(light, "flux = 0, ", 1), string.format(light, "", 1) },
+  { "solar_pressure", string.format(light, "", 0), string.format(light, "", 1) },
+  { "pivot", "effect.pivot { amplitude = 0, rate = 5 }", "effect.pivot { amplitude = 0.1, rate = 5 }" },
+  { "pivot", "effect.pivot { acceleration = { 0*t, 0, 0 } }", "effect.pivot { acceleration = { t, 0, 0 } }" },
+  { "inertia_rate", "effect.inertia_rate { xx = 0, yz = 0*t }", "effect.inertia_rate { xx = t, yz = 0*t }" },
+  { "inertia_rate", "effect.inertia_rate {}", "effect.inertia_rate { yz = sin(t) }" },
+  { "dissipation", "effect.dissipation { k = 0 }", "effect.dissipation { k = 0.1 }" },
   { "custom", "effect.custom { params = {stiff = 0}, potential = function(s) return s.stiff*s.q[2]^2 end }",
     "effect.custom { params = {stiff = k}, potential = function(s) return s.stiff*s.q[2]^2 end }" },
   { "custom", "effect.custom { torque = function(s) return { 0*s.w[1], 0, s.t - s.t } end }",
@@ -57,6 +67,23 @@ for _, with in ipairs { "", "effect.gravity {}, effect.damping { c = 0.1 }, " } 
     tap.ok(strong["s.h"]:find("Effect " .. c[1], 1, true) ~= nil, label .. ": and named in the header")
     tap.ok(without["s.h"]:find("Effect " .. c[1], 1, true) == nil, label .. ": without it the header does not")
   end
+end
+
+-- Gravity gradient is about the centroid only.
+for _, orbit in ipairs { "{ radius = 2 }", "{ a = 2, e = 0.5 }" } do
+  local text = 'return scene { name = "s", body = solid.box { x = 1, y = 2, z = 3, mass = 4 },\n' ..
+    "  effects = { %s },\n  initial = { omega = { 1, 2, 3 } } }\n"
+  local made = {}
+  for i, effect in ipairs { "", "effect.gravity_gradient { mu = 0, orbit = " .. orbit .. " }",
+    "effect.gravity_gradient { mu = 1, orbit = " .. orbit .. " }" } do
+    local job = assert(scene.read(string.format(text, effect)))
+    scene.plan(job)
+    made[i] = scene.files(job)
+  end
+  tap.ok(same(made[1], made[2]), "gravity_gradient " .. orbit .. ": of strength 0 the same bytes as without it")
+  tap.ok(not same(made[1], made[3]), "gravity_gradient " .. orbit .. ": with a strength it is there")
+  tap.is(made[3]["s.h"]:find("S_ANOMALY", 1, true) ~= nil, orbit ~= "{ radius = 2 }",
+    "gravity_gradient " .. orbit .. ": a state where the orbit is not a circle, and only there")
 end
 
 -- A wheel is never nothing; without it there is no state of it.

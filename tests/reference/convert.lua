@@ -258,25 +258,24 @@ do
   write("moving.h", out)
 end
 
--- ---- forced_top.json: effects, for tests/effects/reference.t ----
-do
-  local models = { ["quadratic damping"] = true, ["constant body torque"] = true, ["constant inertial torque"] = true,
-    ["gyrostat (torque-free rotor on axis 3)"] = true,
-    ["three reaction wheels on the principal axes, constant motor torque"] = true }
-  local out = { "-- effects.lua - drag, constant torques, wheels: states at times, 32 digits",
+-- ---- forced_top.json: effects, for tests/effects ----
+
+-- The cases of these models; scalars, lists: which parameters are kept.
+local function effects(file, about, names, models, scalars, lists)
+  local out = { "-- " .. file .. " - " .. about .. ": states at times, 32 digits",
     "-- SPDX-License-Identifier: GPL-3.0-or-later", "--",
-    "-- Made by convert.lua; provenance in README.md beside this file.  x: w, then q, then the wheels' speeds.", "",
+    "-- Made by convert.lua; provenance in README.md beside this file.  x: " .. names .. ".", "",
     "return {" }
   local function words(list) return "{ \"" .. table.concat(each(list, tostring), "\", \"") .. "\" }" end
   for _, case in ipairs(json("forced_top.json").cases) do
     if models[case.model] then
       local p = case.params
       out[#out + 1] = string.format("  { id = %q, model = %q,", case.id, case.model)
-      out[#out + 1] = "    I = " .. words(p.I) .. ","
-      for _, k in ipairs { "c", "J", "Js" } do
+      if p.I then out[#out + 1] = "    I = " .. words(p.I) .. "," end
+      for _, k in ipairs(scalars) do
         if p[k] then out[#out + 1] = string.format("    %s = %q,", k, tostring(p[k])) end
       end
-      for _, k in ipairs { "tau_body", "tau_inertial", "u" } do
+      for _, k in ipairs(lists) do
         if p[k] then out[#out + 1] = "    " .. k .. " = " .. words(p[k]) .. "," end
       end
       out[#out + 1] = "    x0 = " .. words(case.x0) .. ","
@@ -292,8 +291,17 @@ do
     end
   end
   out[#out + 1] = "}"
-  write("effects.lua", out)
+  write(file, out)
 end
+
+effects("effects.lua", "drag, constant torques, wheels", "w, then q, then the wheels' speeds",
+  { ["quadratic damping"] = true, ["constant body torque"] = true, ["constant inertial torque"] = true,
+    ["gyrostat (torque-free rotor on axis 3)"] = true,
+    ["three reaction wheels on the principal axes, constant motor torque"] = true },
+  { "c", "J", "Js" }, { "tau_body", "tau_inertial", "u" })
+effects("effects_time.lua", "gravity gradient, a tensor that changes", "w, or L in body axes with I_of_t, then q",
+  { ["gravity gradient"] = true, ["time-varying principal inertia (no internal momentum)"] = true },
+  { "n", "I_of_t" }, {})
 
 -- ---- nesc_brick_case2.csv: simulator 04, every half second ----
 do

@@ -1,0 +1,71 @@
+-- effects.lua -- docs/effects.md: every effect with formula, frame, signs, source and example, from the modules.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local effects = {}
+
+local head = [[
+# Effects
+
+What can act on a body, made by `polhode list effects --format markdown -o docs` from the modules of
+`generator/effects`. A scene names those that it wants in `effects = {...}`; the equations of motion are made of these
+alone, and an effect that is left out, or whose strength is the constant 0, leaves no byte in the emitted code. Units
+are SI, torques N are in body axes, q is the attitude from body to inertial axes, R(q) its matrix, w the body rates, r
+and v position and velocity of the centre of mass where it moves. An argument without a default must be given, unless
+another one takes its place. T+V is the total energy, L the angular momentum in inertial axes, w3 the rate about the
+axis z of a body symmetric about it; a scene conserves what each of its effects does, see `polhode explain`.
+
+]]
+
+local function default(spec, tell)
+  if spec.optional then return "none" end
+  if spec.default == nil then return "" end
+  if type(spec.default) ~= "table" then return "`" .. tostring(spec.default) .. "`" end
+  local list = {}
+  for i, x in ipairs(spec.default) do list[i] = tell.show(x) end
+  return "`{" .. table.concat(list, ", ") .. "}`"
+end
+
+local signs = { positive = "positive", nonnegative = "not negative" }
+
+-- Rows {argument, unit, default, about} of a module.
+local function arguments(e, tell)
+  local rows = {}
+  for i, t in ipairs(e.takes or {}) do
+    rows[i] = { t[1], t[2], t[3] and "`" .. t[3] .. "`" or "", t[4] }
+  end
+  for _, a in ipairs(not e.takes and e.args or {}) do
+    local words = { a.about, a.size and a.size .. " components", signs[a.sign] }
+    local list = {}
+    for k = 1, 3 do list[#list + 1] = words[k] end
+    rows[#rows + 1] = { a.name, a.flag and "true or false" or tell.unit(a.dim), default(a, tell),
+      table.concat(list, ", ") }
+  end
+  return rows
+end
+
+-- list: generator/effects/list.lua; examples: name of a scene -> its text.  Returns files {{name =, text =}}.
+-- tell: what other layers know: keeps(effect), unit(name of a dimension), show(value), each a text.
+function effects.files(list, examples, tell)
+  local out = { head }
+  for _, e in ipairs(list) do
+    out[#out + 1] = "[" .. e.name .. "](#" .. string.gsub(e.name, "[^%w_]", "") .. ")\n"
+  end
+  for _, e in ipairs(list) do
+    out[#out + 1] = "\n## " .. e.name .. "\n\n" .. e.about .. ".\n\n`" .. e.formula .. "`\n\n"
+    local rows = arguments(e, tell)
+    if #rows > 0 then
+      out[#out + 1] = "| argument | unit | default | |\n|---|---|---|---|\n"
+      for _, r in ipairs(rows) do
+        for k = 1, 4 do r[k] = string.gsub(r[k], "|", "\\|") end
+        out[#out + 1] = "| `" .. r[1] .. "` | " .. table.concat(r, " | ", 2) .. " |\n"
+      end
+      out[#out + 1] = "\n"
+    end
+    out[#out + 1] = "- Frame and signs: " .. e.signs .. ".\n- Conserves: " .. tell.keeps(e) .. ".\n- Source: " ..
+      e.source .. ".\n- Example: [" .. e.example .. ".lua](../bodies/" .. e.example .. ".lua): " ..
+      (examples[e.example] or error("no scene " .. e.example)) .. "\n"
+  end
+  return { { name = "effects.md", text = table.concat(out) } }
+end
+
+return effects
