@@ -18,8 +18,9 @@ void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[
  * last two terms are at most the tolerance times the size of their kind of state (Jorba, Zou 2005, section 3.2). */
 ${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real tolerance);
 
-/* From time t0 to t1 by such steps, at most `most` of them, their sum compensated; returns how many, or -1 if they did not
- * suffice or the state became infinite (x is then where it stopped). */
+/* From time t0 to t1, the tolerance for the whole way: each step gets its share of it by its length, the order (at most
+ * ${upper}_ORDER) follows it.  At most `most` steps, their sum compensated; returns how many, or -1 if they did not suffice or
+ * the state became infinite (x is then where it stopped). */
 int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most);
 %% if first then
 
