@@ -223,13 +223,6 @@ end
 self_square("tan", "tangent", 1)
 self_square("tanh", "tangent_h", -1)
 
--- |u| is u or -u from the point of expansion on; its corner is no matter of series.
-function functions.abs(self, u)
-  return defined(self, "abs " .. u.name, "size", u.level, expr.call("abs", u.sym), function()
-    return u.sym * self:first(u) / expr.call("abs", self:first(u))
-  end)
-end
-
 -- Factors of a product or a power as {variable, exponent}; numbers and constants into the coefficient.
 local function product(self, e)
   local coefficient, rest = expr.one, {}

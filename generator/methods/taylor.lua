@@ -148,7 +148,8 @@ function taylor.program(eq, options)
   local ok, made = pcall(series.new, list, groups, varying)
   if not ok then
     if getmetatable(made) == series.missing then
-      return nil, "no recurrence is known for the function " .. made.fn
+      local corner = "|x| of what moves has a corner, which a series does not see: use adaptive or rk4"
+      return nil, made.fn == "abs" and corner or "no recurrence is known for the function " .. made.fn
     end
     error(made, 0)
   end

@@ -36,7 +36,8 @@ for _, c in ipairs { { brick, "" }, { "rod.straight { length = 3, mass = 1 }", "
     if c.exact then
       tap.ok(a <= 2 * bar and got.second[2] - got.second[1] <= 2 * bar, what .. ": energy to rounding", got.text)
     elseif not c.drifts then -- a rotor's term is not Kahan's case: energy drifts with h^4
-      tap.ok(got.second[1] >= 1.5 * got.first[1] - 0.5 * a - bar and got.second[2] <= 1.5 * got.first[2] + 0.5 * a + bar,
+      tap.ok(got.second[1] >= 1.5 * got.first[1] - 0.5 * a - bar and
+        got.second[2] <= 1.5 * got.first[2] + 0.5 * a + bar,
         what .. ": the energy of the second half stays where that of the first was", got.text)
     end
   end
