@@ -14,12 +14,13 @@
 
 #define POLHODE_PLUGIN_ABI 3
 
-/* One stepper: a step of a given size, and, if it chooses its own, a run from t0 to t1 of at most `most` steps, which
- * returns their number or -1. */
+/* One stepper: a step of a given size, and, if it chooses its own, a run from t0 to t1 of at most
+ * `most` steps, which returns their number or -1. */
 struct polhode_stepper {
   const char *name;
   void (*step)(const void *m, double t, double *x, const double *u, double h);
-  int (*run)(const void *m, double t0, double *x, const double *u, double t1, double tolerance, int most);
+  int (*run)(const void *m, double t0, double *x, const double *u, double t1, double tolerance,
+             int most);
 };
 
 struct polhode_plugin {

@@ -102,6 +102,7 @@ static sized call(enum op op, sized a, sized b) {
 
 static sized run(const struct engine_program *p, long double t, const long double x[]) {
   sized stack[MAX_DEPTH];
+  stack[0] = (sized){0, 0}; /* an empty program has the value 0 */
   int top = 0;
   for (int i = 0; i < p->length; i++) {
     const struct instruction *c = &p->code[i];

@@ -85,7 +85,7 @@ int ph_top_linearised(const ph_top *top, const double x0[7], double t, double x[
   if (top->effects)
     return PH_EMETHOD;
   wide_load(3, x0 + 4, w0);
-  spin s;
+  spin s = {0};
   frame(top, w0, &s);
   const ph_wide Ii = s.moment[0], Ij = s.moment[1], Ik = s.moment[2], T = (ph_wide)t;
   const ph_wide wi = s.w[0], wj = s.w[1], w = s.w[2];
