@@ -1,4 +1,4 @@
--- energy_sink.lua -- Explorer 1 in short: a spinning rod that loses energy inside ends in a flat spin.
+-- Explorer 1 in short: a spinning rod that loses energy inside ends in a flat spin.
 -- Its whip antennas took the energy; the angular momentum in space stays as it was.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

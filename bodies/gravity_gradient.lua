@@ -1,4 +1,4 @@
--- gravity_gradient.lua -- a satellite whose boom the gravity gradient holds near the vertical of an eccentric orbit.
+-- A satellite whose boom the gravity gradient holds near the vertical of an eccentric orbit.
 -- The uneven motion on the orbit makes it librate.
 -- Pitch about z swings with the period 2 pi/(n sqrt(3 (Iy - Ix)/Iz)); rates are in body axes, the orbit in x-y.
 -- SPDX-License-Identifier: GPL-3.0-or-later

@@ -1,4 +1,4 @@
--- skater.lua -- a pirouette: the arms come in and go out again, and the turn about z goes faster and slower.
+-- A pirouette: the arms come in and go out again, and the turn about z goes faster and slower.
 -- What the arms add to the tensor is given over time; L in inertial axes stays, the energy is the arms' work.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

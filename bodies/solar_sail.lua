@@ -1,4 +1,4 @@
--- solar_sail.lua -- a square sail behind its centre of mass: like a weathercock it swings about the sun's direction.
+-- A square sail behind its centre of mass: like a weathercock it swings about the sun's direction.
 -- The bright side mirrors, the back is black.  The sun stands in inertial x, the bright side looks along body x.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

@@ -369,8 +369,7 @@ enum ph_effect {
 };
 
 /* The model; constant while it is used. Read the first part, change it only by the functions below.
-   A moment that the data do not tell from zero (a rod's own axis) is taken as zero, ph_top_rates.
- */
+   A moment that the data do not tell from zero (a rod's own axis) is zero, see ph_top_rates. */
 typedef struct ph_top {
   double mass, com[3];                       /* centre of mass from the origin, body axes */
   double inertia[6];                         /* about the origin, body axes */

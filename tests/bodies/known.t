@@ -143,7 +143,7 @@ do
   coin_init(&m, 0);
   coin_initial(&m, x);
   if (coin_solve(&o, &m, x) != 0) return 1;
-  printf("%.17e\n", 2*o.precession[0]);
+  printf("%.17e\n", coin_precession_rate(&o));
 ]])[1]
   tap.near(precession, math.sqrt(1.5 ^ 2 + (I3 / I1 * 30) ^ 2), 8 * EPSILON, 0.0,
     "coin: the axis goes round L at |L|/I1", "a handful of roundings")
