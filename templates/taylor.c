@@ -237,6 +237,9 @@ static void ${name}_taylor_back(const ${name}_model *m, const ${name}_real x[], 
   ${line}
 %% end
   const ${name}_real *q = c[0];
+
+  (void)m; /* constants may be in the code */
+  (void)x;
   /* q g, then times the conjugate of q: g in space */
   const ${name}_real aw = -q[1]*gx - q[2]*gy - q[3]*gz, ax = q[0]*gx + q[2]*gz - q[3]*gy;
   const ${name}_real ay = q[0]*gy - q[1]*gz + q[3]*gx, az = q[0]*gz + q[1]*gy - q[2]*gx;

@@ -159,6 +159,8 @@ function vectors.fill(job, v, ctx)
       want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero
       -- below the smallest normal number relative rounding ends
       if R.sign(tolerance[i]) > 0 and tolerance[i] < least then tolerance[i] = least end
+      -- nothing is known of a derivative next to a corner, but the bound must be a number of the type
+      if tolerance[i] > R.one / least then tolerance[i] = R.one / least end
       if R.abs(want[i]) < least then want[i] = round(want[i]) end
     end
     return { n = string.format("%d", n), want = lines(want, real), tolerance = lines(tolerance, real), call = call,

@@ -117,7 +117,8 @@ for _, case in ipairs {
     "polhode explain: --format must be text or markdown or latex or json or urdf or mjcf or sdf, got pdf\n" },
   { "gen --bake=yes s.lua", 2, "polhode gen: --bake takes no value\n" },
   { "gen --method euler s.lua", 2,
-    "polhode gen: --method: gen emits exact, rk4, adaptive, taylor, midpoint, semi and linearised, got euler\n" },
+    "polhode gen: --method: gen emits exact, rk4, adaptive, taylor, midpoint, semi, split2, split4, split6 and " ..
+      "linearised, got euler\n" },
   { "gen --set x s.lua", 2, "polhode gen: --set must be NAME=NUMBER, got x\n" },
   { "gen --set r=abc s.lua", 2, "polhode gen: --set must be NAME=NUMBER, got r=abc\n" },
   { "gen --set r=nan s.lua", 2, "polhode gen: --set must be NAME=NUMBER, got r=nan\n" },
