@@ -27,6 +27,8 @@
 #ifndef POLHODE_ENGINE_H
 #define POLHODE_ENGINE_H
 
+#include <stdint.h>
+
 #include "../runtime/polhode.h"
 #include "host.h"
 
@@ -94,5 +96,12 @@ int engine_acts_tensor(const ph_top *top, double t, const double x[], double D[6
 void engine_list(lua_State *L, int index, int n, double out[]);
 /* Push {v[0], ..., v[n-1]}. */
 void engine_push(lua_State *L, int n, const double v[]);
+
+/* Lua aligns its blocks for a double, a long double may want more: a userdata is made larger by
+   this much, and what is kept there begins where engine_aligned says. */
+enum { ENGINE_ALIGNMENT = 16 };
+static inline void *engine_aligned(void *block) {
+  return (char *)block + (ENGINE_ALIGNMENT - (uintptr_t)block % ENGINE_ALIGNMENT);
+}
 
 #endif

@@ -168,7 +168,8 @@ void engine_read_program(struct engine_scene *s, ph_varying *out) {
   const int n = (int)lua_rawlen(L, -1);
   if (n < 1 || n > MAX_CODE)
     luaL_error(L, "program: from 1 to %d items", MAX_CODE);
-  struct engine_program *p = lua_newuserdatauv(L, sizeof *p + (size_t)n * sizeof p->code[0], 0);
+  struct engine_program *p = engine_aligned(
+      lua_newuserdatauv(L, sizeof *p + (size_t)n * sizeof p->code[0] + ENGINE_ALIGNMENT, 0));
   lua_insert(L, -2);
   p->length = 0;
   int depth = 0;

@@ -272,7 +272,7 @@ static void scales(const struct rates *r, double t, const double x[], const doub
 }
 
 static struct rates *self(lua_State *L) {
-  return luaL_checkudata(L, 1, RATES_TYPE);
+  return engine_aligned(luaL_checkudata(L, 1, RATES_TYPE));
 }
 
 static int fail(lua_State *L, int status) {
@@ -350,7 +350,7 @@ int host_rates(lua_State *L) {
   int status = engine_read(&s, L, 1);
   if (status != PH_OK)
     return engine_fail(&s, status);
-  struct rates *r = lua_newuserdatauv(L, sizeof *r, 1);
+  struct rates *r = engine_aligned(lua_newuserdatauv(L, sizeof *r + ENGINE_ALIGNMENT, 1));
   lua_pushvalue(L, 1); /* which keeps tables and programs */
   lua_setiuservalue(L, -2, 1);
   r->top = s.top;
