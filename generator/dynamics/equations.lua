@@ -292,7 +292,7 @@ local function attitude(m)
 end
 
 -- Euler's equations for a torque of any form (along a rod's line it must be zero): one group, outs the rates of w.
-function equations.euler(m, N) return builders[m.structure.kind](m, N, {}) end
+function equations.euler(m, N) return builders[m.structure.kind](m, N, { provisional = {} }) end
 
 -- Euler's equations with the torques of the effects, appended to list; nil after an error.
 local function turning(d, m, list)

@@ -115,8 +115,8 @@ do
   tap.ok(ok and #differ == 0, "polhode list shapes --format markdown -o DIR writes them", table.concat(differ, " "))
   os.execute("rm -rf " .. dir)
   tap.ok(not os.execute(binary .. " list shapes --format markdown 2>/dev/null"), "without -o it is refused")
-  tap.ok(not os.execute(binary .. " list effects --format markdown -o " .. dir .. " 2>/dev/null"),
-    "of effects it is refused")
+  tap.ok(not os.execute(binary .. " list methods --format markdown -o " .. dir .. " 2>/dev/null"),
+    "of methods it is refused")
 end
 
 -- ---- example scenes are read by the program ----
