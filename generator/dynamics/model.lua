@@ -45,10 +45,16 @@ end
 
 function model:double(e) return R.todouble(self:number(e)) end
 
+-- Components of the vectors that emitted functions take (dynamics/quantities.lua): no constant is called so.
+local arguments = {}
+for _, v in ipairs { "w", "dw", "a", "da", "r", "v" } do
+  for _, c in ipairs { "x", "y", "z" } do arguments[v .. c] = true end
+end
+
 -- The name, or the name with a number after it, whichever is free; taken: a set of further names that are not.
 function model:unique(name, taken)
   local unique, n = name, 1
-  while self.by_name[unique] or taken and taken[unique] do
+  while self.by_name[unique] or arguments[unique] or taken and taken[unique] do
     n = n + 1
     unique = name .. n
   end

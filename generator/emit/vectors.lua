@@ -139,17 +139,21 @@ function vectors.fill(job, v, ctx)
   local position, names = {}, { "x", "y", "z" }
   for i, s in ipairs(job.states) do position[s.name] = i end
 
-  local params, base = {}, { t = R.zero }
+  local params, base, arguments = {}, { t = R.zero }, {}
   for _, p in ipairs(m.params) do params[p.name] = round(p.default) end
   for i, s in ipairs(job.input_states) do base[s.name] = R.new(i, 4) end
   for name, list in pairs(rest) do -- into a table: order is lost anyway
-    for i = 1, 3 do base[name .. names[i]] = R.lift(list[i]) end
+    arguments[name] = {}
+    for i = 1, 3 do arguments[name][name .. names[i]] = R.lift(list[i]) end
   end
   local env = selftest.environment(m, params)
   local xs, time, size = states(job, round, env)
-  local function inputs(x) -- the state x, or without one the arguments that are vectors
-    local list = {}
+  local function inputs(f, x) -- what f is given: the state x, and those of the vectors that it takes, and no others,
+    local list = {}           -- for a constant of the model may be called like one
     for k, q in pairs(base) do list[k] = q end -- into a table: order is lost anyway
+    for _, a in ipairs(f.args) do
+      for k, q in pairs(type(a) == "table" and arguments[a.name] or {}) do list[k] = q end -- as before
+    end
     for i, s in ipairs(x and job.states or {}) do list[s.name] = x[i] end
     return list
   end
@@ -172,7 +176,7 @@ function vectors.fill(job, v, ctx)
   local function case(name, n, state, call, what, index)
     local f = description(job, name)
     if not f then return end
-    local want, tolerance = selftest.expect(f, env, inputs(state), index, epsilon)
+    local want, tolerance = selftest.expect(f, env, inputs(f, state), index, epsilon)
     v.cases[#v.cases + 1] = printed(n, want, tolerance, call, what)
   end
   local p = m.name .. "_"
@@ -245,7 +249,8 @@ function vectors.fill(job, v, ctx)
   if v.conservative then -- relative to the terms of the energy at the largest of the three states
     local most = least
     for _, x in ipairs(xs) do
-      local _, tolerance = selftest.expect(description(job, "energy"), env, inputs(x.values), result, epsilon)
+      local f = description(job, "energy")
+      local _, tolerance = selftest.expect(f, env, inputs(f, x.values), result, epsilon)
       if tolerance[1] > most then most = tolerance[1] end
     end
     v.energy_drift = number.text(R.round(most * R.new(4096 // selftest.roundings), 24), real)

@@ -76,7 +76,10 @@ function derivation.banner(job)
     lines[#lines + 1] = "Effect " .. string.gsub(e.kind, "effect%.", "") .. ": " .. e.spec.about .. "."
   end
   if #m.record.effects == 0 then lines[#lines + 1] = "No effects: torque-free motion about the origin." end
-  lines[#lines + 1] = "Method: rk4" .. (job.closed.kind and "; closed form: " .. job.closed.theorem or "") .. "."
+  local names = {}
+  for i, s in ipairs(job.steppers) do names[i] = s.method.name end
+  lines[#lines + 1] = "Method: " .. table.concat(names, ", ") .. (job.closed.kind and "; closed form: " ..
+    job.closed.theorem or "") .. "."
   if m.baked then lines[#lines + 1] = "Parameters are folded into the constants (--bake)." end
   return lines
 end

@@ -163,4 +163,16 @@ do
   tap.ok(type(passes) == "table", "passes are a module")
 end
 
+-- ---- names of constants against names of arguments ----
+
+do -- a wheel's axis of parameters: its constants would be ax, ay, az, and NAME_acceleration_at has arguments so called
+  local job = scene.read [[
+return scene { name = "slanted", body = tensor { mass = 750, com = {0, 0, 0}, xx = 900, yy = 800, zz = 600 },
+  effects = { effect.wheel { axis = { param("p1", 0.6), 0, param("p2", 0.8) }, inertia = 0.1, speed = 3,
+    included = true } }, initial = { omega = {1, 2, 3} } }
+]]
+  local files = scene.files(scene.plan(job), true)
+  says(files["slanted.h"], " ax2;", "a constant is not called like a component of an argument")
+end
+
 tap.done()
