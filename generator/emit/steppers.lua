@@ -20,6 +20,10 @@ function steppers.render(job, v, ctx)
       local kind = s.method.template or own.name
       fill[kind](ctx, s.program, v)
       v.first = i == 1
+      if v.taylor_top then
+        local own_text = "templates/taylor_top.c"
+        v.taylor_top_text = template.render(own_text, job.templates[own_text], v)
+      end
       local path = "templates/" .. kind
       headers[#headers + 1] = template.render(path .. ".h", job.templates[path .. ".h"], v)
       sources[#sources + 1] = template.render(path .. ".c", job.templates[path .. ".c"], v)

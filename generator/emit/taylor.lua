@@ -203,7 +203,15 @@ end
 
 -- How to come back from the turning frame: pairs of states that the angle mixes, see templates/taylor.c.
 local function turns_of(ctx, program, v)
-  v.taylor_axis, v.taylor_turns, v.taylor_shift = program.axis ~= nil, {}, program.shift ~= nil
+  v.taylor_axis, v.taylor_turns, v.taylor_shift = program.axis ~= nil and not program.top, {}, program.shift ~= nil
+  v.taylor_top = program.top ~= nil
+  if program.top then
+    local g = { defs = {}, outs = {} }
+    for i, e in ipairs(program.top) do g.outs[i] = { c = "o[" .. text(i - 1) .. "]", expr = e } end
+    local f = source.statements(ctx, { name = "taylor_constants", args = { "m", "x" }, groups = { g } })
+    v.taylor_lame = { loads = f.loads, lines = f.groups[1].lines }
+    return
+  end
   if program.shift then
     local g, w = { defs = {}, outs = {} }, {}
     for i, name in ipairs { "wx", "wy", "wz" } do
@@ -275,6 +283,7 @@ function taylor.fill(ctx, program, v)
   for i, s in ipairs(program.states) do
     v.taylor_states[i] = { index = text(i - 1), name = ctx.upper .. "_" .. string.upper(s.name) }
   end
+  v.taylor_columns = v.taylor_states
   v.taylor_attitude = program.states[1].name == "qw"
   v.taylor_kinds = source.kinds(program.states)
   turns_of(ctx, program, v)
@@ -283,6 +292,11 @@ function taylor.fill(ctx, program, v)
     plain(inputs, names)
     return rendered(ctx, inputs, groups)[1]
   end)
+  if program.top then -- rows of the attitude and its rates
+    v.taylor_packed, v.taylor_row, v.taylor_lanes, v.taylor_columns = true, "8", "5", {}
+    for i = 1, 8 do v.taylor_columns[i] = { index = text(i - 1) } end
+    v.taylor_kinds[2].last = "8"
+  end
   local double = ctx.real ~= "float"
   local function literal(q) return number.text(R.lift(q), ctx.real) end
   local fraction, bias = double and 52 or 23, double and 1023 or 127

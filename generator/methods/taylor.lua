@@ -81,7 +81,28 @@ local function despun(eq, zero)
     end
     groups[#groups + 1] = copy
   end
-  return groups, axis, groups[1].defs[1].expr
+  return groups, axis, groups[1].defs[1].expr, Omega
+end
+
+-- The heavy symmetric top, its axis k = z and the force along z in space: nothing but attitude and two rates moves, and
+-- W' = i Omega W + K conj(a) b with W = wx + i wy, a = qw + i qz, b = qx + i qy.  Returns the constants of the text in
+-- templates/taylor_top.c, or nil if the torque is another.
+local function heavy(eq, Omega, moving)
+  if #moving ~= 6 then return nil end
+  local slope, q, w = {}, state.q, state.w
+  for _, g in ipairs(eq.groups) do
+    for _, o in ipairs(g.outs) do slope[o.state] = equations.inline(eq.groups, o.expr) end
+  end
+  local K = ratio.tidy(calculus.diff(calculus.diff(slope.wx, q[1]), q[2]))
+  for _, s in ipairs(moving) do
+    if not expr.constant(K, { [s.name] = true, t = true }) then return nil end
+  end
+  if K == expr.zero or not ratio.iszero(slope.wx + Omega * w[2] - K * (q[1] * q[2] + q[3] * q[4])) or
+    not ratio.iszero(slope.wy - Omega * w[1] - K * (q[1] * q[3] - q[2] * q[4])) then
+    return nil
+  end
+  local M = w[3] + Omega
+  return { M, K, M / 4, Omega / 2 - M / 4 }
 end
 
 -- Free motion, a diagonal tensor: L is constant in space, so q' = q (0, w - lambda L)/2 for the attitude seen from a
@@ -142,7 +163,8 @@ function taylor.program(eq, options)
   local clock = expr.sym("t", 8)
   local list = { table.unpack(moving) }
   list[#list + 1] = { name = "t", sym = clock }
-  local groups, axis, spin = despun(eq, zero)
+  local groups, axis, spin, Omega = despun(eq, zero)
+  local top = axis == 3 and heavy(eq, Omega, moving)
   local shift
   if not axis then groups, shift = shifted(eq, groups) end
   local ok, made = pcall(series.new, list, groups, varying)
@@ -198,7 +220,7 @@ function taylor.program(eq, options)
   if uses(made, clock) then place(made.by_sym[clock]) end
   return { order = options.order or 20, states = moving, variables = made.variables, lanes = lanes, levels = levels,
     slopes = made.slopes, constants = made.constants or {}, read = read,
-    axis = axis, spin = spin, shift = shift }
+    axis = axis, spin = spin, shift = shift, top = top or nil }
 end
 
 return taylor
