@@ -430,7 +430,7 @@ static int ${name}_taylor_top(${name}_real tolerance)
 %% end
   const ${name}_real top = least - ${taylor_slope}*${name}_taylor_log2(tolerance);
 
-  return top < ${upper}_ORDER ? top > ${four} ? (int)top : 4 : ${upper}_ORDER;
+  return top < (${name}_real)${upper}_ORDER ? top > ${four} ? (int)top : 4 : ${upper}_ORDER;
 }
 
 ${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real tolerance)

@@ -28,16 +28,9 @@ static void ${name}_taylor_rates(const ${name}_real c[], ${name}_real s, ${name}
 }
 
 #if !defined ${upper}_PACKED
-/* Not inlined, the loop is put into vector registers as a whole. */
-#if defined __GNUC__
-#define ${upper}_APART static __attribute__((noinline))
-#else
-#define ${upper}_APART static
-#endif
-
 /* term n of the products of z with qw qx qy qz, z but for the first and the last; outwards from the middle, so that the sum need
  * not wait for the newest factors */
-${upper}_APART void ${name}_products(int n, const ${name}_real z[], const ${name}_real c[][${upper}_ROW], ${name}_real p[5])
+static void ${name}_products(int n, const ${name}_real z[], const ${name}_real c[][${upper}_ROW], ${name}_real p[5])
 {
   ${name}_real s0 = ${zero}, s1 = ${zero}, s2 = ${zero}, s3 = ${zero}, r0 = ${zero}, r1 = ${zero}, r2 = ${zero}, r3 = ${zero}, t = ${zero};
   int j = n/2;
@@ -145,10 +138,18 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 
       z[n] = zn;
       ${name}_products(n, z, (const ${name}_real(*)[${upper}_ROW])c, p);
-      for (i = 0; i < 4; i++) p[i] = G*(p[i] + (z0*a[i] + last*q[i])) - k4[i]*a[i];
-      for (i = 0; i < 4; i++) next[i] = a[i] = after*b[i];
-      for (i = 0; i < 4; i++) p[i] = after*(p[i] + S4[i]*b[3 - i]);
-      for (i = 0; i < 4; i++) next[4 + i] = b[i] = p[i];
+      p[0] = G*(p[0] + (z0*a[0] + last*q[0])) - k4[0]*a[0] + S4[0]*b[3];
+      p[1] = G*(p[1] + (z0*a[1] + last*q[1])) - k4[1]*a[1] + S4[1]*b[2];
+      p[2] = G*(p[2] + (z0*a[2] + last*q[2])) - k4[2]*a[2] + S4[2]*b[1];
+      p[3] = G*(p[3] + (z0*a[3] + last*q[3])) - k4[3]*a[3] + S4[3]*b[0];
+      next[0] = a[0] = after*b[0];
+      next[1] = a[1] = after*b[1];
+      next[2] = a[2] = after*b[2];
+      next[3] = a[3] = after*b[3];
+      next[4] = b[0] = after*p[0];
+      next[5] = b[1] = after*p[1];
+      next[6] = b[2] = after*p[2];
+      next[7] = b[3] = after*p[3];
       zn = after*dz;
       dz = after*(c2*(p[4] + (z0*z[n] + last*z0)) - c1*z[n] + (n == 0 ? rest : ${zero}));
     }
