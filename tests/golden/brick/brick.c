@@ -1406,8 +1406,6 @@ static void brick_invariants(brick_top *p)
   p->b[2] = p->b3.hi;
 }
 
-/* ---- set-up away from the separatrix ---- */
-
 /* c[0] + c[1] y[1] + ...: a series in multiple angles, y[n+1] = 2 X y[n] - y[n-1], as a polynomial in X; y[0] = 1 and
  * y[1] = first + slope X */
 static void brick_polynomial(int n, const brick_real c[], brick_real first, brick_real slope,
@@ -1427,6 +1425,9 @@ static void brick_polynomial(int n, const brick_real c[], brick_real first, bric
     }
   }
 }
+
+/* ---- set-up away from the separatrix ---- */
+
 /* The means a, g of 1 and k' (DLMF 19.8.2), as far as they are needed: after four steps they agree to 2^-35, and what is
  * left is added as a series. */
 typedef struct brick_agm {
@@ -1817,8 +1818,6 @@ static void brick_hyperbolic(brick_orbit *o, const brick_top *p)
   brick_hyperbolic_series(o, p->s, q, cosine, sine);
 }
 
-/* ---- set-up from a state ---- */
-
 static void brick_quaternion_product(const brick_real a[4], const brick_real b[4], brick_real out[4])
 {
   out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
@@ -1826,6 +1825,8 @@ static void brick_quaternion_product(const brick_real a[4], const brick_real b[4
   out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
   out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
 }
+
+/* ---- set-up from a state ---- */
 
 static brick_pair brick_unit_quaternion(const brick_real q[4], brick_real out[4])
 {
