@@ -16,7 +16,7 @@ function asymmetric.detect(m, eq)
     header = "templates/top.h", sources = { "templates/circle.c", "templates/double.c", "templates/theta_at.c",
       "templates/top.c", "templates/polynomial.c", "templates/circular.c", "templates/hyperbolic.c",
       "templates/quaternion.c", "templates/setup.c", "templates/many.c", "templates/count.c",
-      "templates/tick.c", "templates/query.c" }, flags = {}, full = true, ticks = true, integers = true, exact = true }
+      "templates/tick.c", "templates/query.c" }, flags = {}, full = true, ticks = true, exact = true }
 end
 
 return asymmetric

@@ -8,6 +8,7 @@
 #include "brick.h"
 
 #include <math.h>
+#include <stddef.h>
 
 void brick_defaults(brick_real p[])
 {
