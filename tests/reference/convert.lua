@@ -247,11 +247,20 @@ local function effects(file, about, names, models, scalars, lists)
     "-- SPDX-License-Identifier: GPL-3.0-or-later", "--",
     "-- Made by convert.lua; provenance in README.md beside this file.  x: " .. names .. ".", "",
     "return {" }
-  local function words(list) return "{ \"" .. table.concat(each(list, tostring), "\", \"") .. "\" }" end
+  local function words(list) -- a long list takes a second line
+    local text = table.concat(each(list, tostring), "\", \"")
+    if #list > 7 then
+      text = "\n      \"" .. table.concat(each({ table.unpack(list, 1, 7) }, tostring), "\", \"") .. "\",\n      \"" ..
+        table.concat(each({ table.unpack(list, 8) }, tostring), "\", \"")
+    else
+      text = " \"" .. text
+    end
+    return "{" .. text .. "\" }"
+  end
   for _, case in ipairs(json("forced_top.json").cases) do
     if models[case.model] then
       local p = case.params
-      out[#out + 1] = string.format("  { id = %q, model = %q,", case.id, case.model)
+      out[#out + 1] = string.format("  { id = %q,\n    model = %q,", case.id, case.model)
       if p.I then out[#out + 1] = "    I = " .. words(p.I) .. "," end
       for _, k in ipairs(scalars) do
         if p[k] then out[#out + 1] = string.format("    %s = %q,", k, tostring(p[k])) end
@@ -275,11 +284,10 @@ local function effects(file, about, names, models, scalars, lists)
   write(file, out)
 end
 
-effects("effects.lua", "drag, constant torques, wheels", "w, then q, then the wheels' speeds",
-  { ["quadratic damping"] = true, ["constant body torque"] = true, ["constant inertial torque"] = true,
-    ["gyrostat (torque-free rotor on axis 3)"] = true,
+effects("effects.lua", "drag, wheels", "w, then q, then the wheels' speeds",
+  { ["quadratic damping"] = true, ["gyrostat (torque-free rotor on axis 3)"] = true,
     ["three reaction wheels on the principal axes, constant motor torque"] = true },
-  { "c", "J", "Js" }, { "tau_body", "tau_inertial", "u" })
+  { "c", "J", "Js" }, { "u" })
 effects("effects_time.lua", "gravity gradient, a tensor that changes", "w, or L in body axes with I_of_t, then q",
   { ["gravity gradient"] = true, ["time-varying principal inertia (no internal momentum)"] = true },
   { "n", "I_of_t" }, {})
