@@ -1184,10 +1184,11 @@ BRICK_INLINE brick_terms brick_terms_of(const brick_orbit *o, brick_phases p, in
   return hyperbolic > 0 ? brick_hyperbolic_terms(o, p, hyperbolic > 1) : brick_circular_terms(o, p);
 }
 
-/* 1/|q| from n, the inverse of brick_square, to which |q|^2 is equal but for rounding, and its root */
+/* 1/|q| from n, the inverse of brick_square, to which |q|^2 is equal but for rounding, and its root: a Newton step, added
+ * so that the difference from a half is exact and only the sum is rounded */
 BRICK_INLINE brick_real brick_inverse_length(const brick_real q[4], brick_real n, brick_real root)
 {
-  return root*(1.5 - (0.5*n)*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])));
+  return root + root*(0.5 - (0.5*n)*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])));
 }
 
 /* attitude and rates */
