@@ -241,6 +241,10 @@ function project.files(job, plugin)
   special.render(job, v)
   v.header_includes = includes(v.closed_header .. v.stepper_header)
   v.source_includes = includes(v.closed_source .. v.stepper_source, v.header_includes)
+  v.included = "`<math.h>`"
+  for _, h in ipairs(includes(v.closed_header .. v.closed_source .. v.stepper_header .. v.stepper_source)) do
+    v.included = v.included .. ", `" .. h .. "`"
+  end
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   if v.has_rates then
     v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
