@@ -106,6 +106,32 @@ static int plugin_${s.name}_run(const void *m, double t0, double *x, const doubl
 
 %%   end
 %% end
+%% for _, order in ipairs(plan_orders) do
+void ${name}_taylor_step_of(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int top);
+
+static void plugin_taylor${order}(const void *m, double t, double *x, const double *u, double h)
+{
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0};
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  ${name}_taylor_step_of((const ${name}_model *)m, (real)t, y, v, (real)h, ${order});
+  widen(${upper}_NX, y, x);
+}
+
+static void plugin_taylor${order}_march(const void *m, double t0, double *x, const double *u, double h, long n)
+{
+  const real start = (real)t0, size = (real)h;
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0};
+  long i;
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  for (i = 0; i < n; i++) ${name}_taylor_step_of((const ${name}_model *)m, start + (real)i*size, y, v, size, ${order});
+  widen(${upper}_NX, y, x);
+}
+
+%% end
 static void plugin_jacobian(const void *m, double t, const double *x, const double *u, double *J)
 {
   real y[${upper}_NX], v[${upper}_NU + 1] = {0}, j[${upper}_NX*${upper}_NX];
@@ -204,6 +230,9 @@ const struct polhode_plugin *polhode_plugin(void)
 %%   else
     {"${s.name}", plugin_${s.name}, NULL, plugin_${s.name}_march, ${s.order}},
 %%   end
+%% end
+%% for _, order in ipairs(plan_orders) do
+    {"taylor ${order}", plugin_taylor${order}, NULL, plugin_taylor${order}_march, ${order}},
 %% end
     {NULL, NULL, NULL, NULL, 0},
   };

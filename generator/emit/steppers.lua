@@ -12,6 +12,8 @@ local fill = { taylor = require("generator.emit.taylor").fill, adaptive = requir
 -- order}.
 function steppers.render(job, v, ctx)
   v.stepper_header, v.stepper_source, v.steppers = "", "", {}
+  v.planning, v.plan_orders = job.orders ~= nil, {}
+  for i, n in ipairs(job.orders or {}) do v.plan_orders[i] = string.format("%d", n) end
   local headers, sources = {}, {}
   for i, s in ipairs(job.steppers) do
     local own = { name = s.method.name, step = i == 1 and "step" or s.method.name .. "_step",

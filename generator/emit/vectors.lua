@@ -152,7 +152,7 @@ function vectors.fill(job, v, ctx)
     local list = {}           -- for a constant of the model may be called like one
     for k, q in pairs(base) do list[k] = q end -- into a table: order is lost anyway
     for _, a in ipairs(f.args) do
-      for k, q in pairs(type(a) == "table" and arguments[a.name] or {}) do list[k] = q end -- as before
+      for k, q in pairs(type(a) == "table" and arguments[a.name] or {}) do list[k] = q end -- into a table, as above: no order
     end
     for i, s in ipairs(x and job.states or {}) do list[s.name] = x[i] end
     return list
