@@ -5,8 +5,8 @@
 -- On an elliptic one, with the perigee on x, the true anomaly f is a state: with p = a (1 - e^2)
 --     r = p/(1 + e cos f),   f' = sqrt(mu/p^3) (1 + e cos f)^2,   f(0) = anomaly.
 -- The attitude does not act on the orbit (terms of order (size of the body/r)^2 are left out there, and those of the
--- next order in the torque).  On a circular orbit T + 3/2 n^2 o.I o - n L_z is constant; as o depends on time, it is no
--- function of the state, so NAME_energy is T alone and T+V is not among the laws.
+-- next order in the torque).  NAME_energy is T: the potential 3/2 mu/r^3 o.I o depends on time.  On a circular orbit
+-- that is a turn about z, and NAME_jacobi_integral is T + 3/2 n^2 o.I o - n L_z (Hughes, section 9.1).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -15,7 +15,7 @@ local vec = require "generator.algebra.vec"
 local gradient = {
   name = "effect.gravity_gradient",
   about = "torque of a central field, mu, on a circular orbit {radius} or an elliptic one {a, e, anomaly}",
-  single = true, central = true, keeps = "w3",
+  single = true, central = true, keeps = "w3, T+V-n.L on a circular orbit",
   takes = { { "mu", "m^3/s^2", nil, "gravitational parameter of the central body" },
     { "orbit.radius", "m", nil, "of a circular orbit, which starts on x" },
     { "orbit.a", "m", nil, "half the longer axis of an elliptic orbit" },
@@ -24,7 +24,8 @@ local gradient = {
   formula = "N = 3 mu/r^3 o x I o, o = R(q)^T (cos f, sin f, 0); circular: f = sqrt(mu/r^3) t; elliptic: " ..
     "f' = sqrt(mu/p^3) (1 + e cos f)^2, r = p/(1 + e cos f), p = a (1 - e^2)",
   signs = "o points from the central body to the satellite; the orbit turns from inertial x to y; the axis of the " ..
-    "least moment is drawn to the vertical. Constant on a circular orbit: T + 3/2 n^2 o.I o - n L_z, n = sqrt(mu/r^3)",
+    "least moment is drawn to the vertical. On a circular orbit NAME_jacobi_integral = T + 3/2 n^2 o.I o - n L_z, " ..
+    "n = sqrt(mu/r^3)",
   source = "Hughes, Spacecraft Attitude Dynamics, section 8.1; Wertz, Spacecraft Attitude Determination and " ..
     "Control, 17.2",
   example = "gravity_gradient",
@@ -117,6 +118,15 @@ function gradient.torque(a, c)
     return out
   end
   return vec.scale(c.constant("gg", k, "3 mu/p^3, 1/s^2") * factor(a, c), vec.cross(o, vec.apply(I, o)))
+end
+
+-- A circular orbit turns the field about z.
+function gradient.turning(a, c)
+  if not a.radius or a.mu == expr.zero then return nil end
+  local b, a2, a3 = vertical(a, c)
+  local o = { 1 - 2 * b, 2 * a2, 2 * a3 }
+  local k = c.constant("kV", expr.lift "3/2" * strength(a), "3/2 mu/p^3, 1/s^2")
+  return { rate = expr.sqrt(strength(a)), potential = k * vec.dot(o, vec.apply(c.tensor(), o)) }
 end
 
 function gradient.conserves() return { "w3" } end -- of a body symmetric about z, whose torque along z vanishes

@@ -250,6 +250,17 @@ static int energy(lua_State *L) {
   return 1;
 }
 
+/* integral(t, x) -> Jacobi's */
+static int integral(lua_State *L) {
+  const struct plugin *p = ready(L);
+  double x[MAX_STATES];
+  if (p->code->integral == NULL)
+    return absent(L, "Jacobi's integral");
+  engine_list(L, 3, p->code->nx, x);
+  lua_pushnumber(L, p->code->integral(p->model, luaL_checknumber(L, 2), x));
+  return 1;
+}
+
 /* momentum(x) -> {3} */
 static int momentum(lua_State *L) {
   const struct plugin *p = ready(L);
@@ -329,10 +340,10 @@ static const char *load(struct plugin *p, const char *path) {
 }
 
 static const luaL_Reg methods[] = {
-    {"info", info},     {"init", init},         {"inertia", inertia}, {"principal", principal},
-    {"rhs", rhs},       {"jacobian", jacobian}, {"step", step},       {"integrate", integrate},
-    {"energy", energy}, {"momentum", momentum}, {"solve", solve},     {"at", at},
-    {NULL, NULL},
+    {"info", info},     {"init", init},         {"inertia", inertia},   {"principal", principal},
+    {"rhs", rhs},       {"jacobian", jacobian}, {"step", step},         {"integrate", integrate},
+    {"energy", energy}, {"momentum", momentum}, {"integral", integral}, {"solve", solve},
+    {"at", at},         {NULL, NULL},
 };
 
 /* plugin(path) -> object with the methods above | nil, message. The path needs a slash to be a
