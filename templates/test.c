@@ -229,7 +229,13 @@ int main(void)
   report(${fabs}(${name}_energy(&m, fine) - E0) <= ${drift}*E0, "energy is conserved without torque");
   report(distance(L0, L1, 3) <= ${drift}*d1, "angular momentum is conserved without torque");
 %% end
-%% if conservative then
+%% if has_integral then
+
+  /* fields turn steadily: 1024 short steps lose no more than rounding and the method's error */
+  advance(&m, ${order_time}, 1024, fine);
+  E0 = ${name}_jacobi_integral(&m, ${zero}, x0);
+  report(${fabs}(${name}_jacobi_integral(&m, ${order_time}, fine) - E0) <= ${energy_drift}, "Jacobi's integral is conserved");
+%% elseif conservative then
 
   /* the effects conserve the energy: 1024 short steps lose no more than rounding and the method's error */
   advance(&m, ${order_time}, 1024, fine);

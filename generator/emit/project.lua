@@ -175,7 +175,9 @@ local function common(job)
   init.fill(ctx, m, v)
   special.fill(v, ctx)
   v.has_rates, v.has_attitude = m.has.rates, m.has.attitude
-  v.conservative = job.conserved.is["T+V"] and not (eq.free and m.has.attitude)
+  v.has_integral = job.conserved.rate ~= nil
+  v.conservative = (v.has_integral or job.conserved.is["T+V"]) and not (eq.free and m.has.attitude)
+  v.conserved_name = v.has_integral and "jacobi_integral" or "energy"
   v.has_ticks = job.closed.ticks or false
   v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false

@@ -190,6 +190,8 @@ function vectors.fill(job, v, ctx)
     case("rhs", nx, x.values, p .. "rhs(&m, " .. v.zero .. ", " .. x.name .. ", u, got)",
       "rates of change at state " .. i, of_state)
     case("energy", 1, x.values, "got[0] = " .. p .. "energy(&m, " .. x.name .. ")", "energy at state " .. i, result)
+    case("jacobi_integral", 1, x.values, "got[0] = " .. p .. "jacobi_integral(&m, " .. v.zero .. ", " .. x.name .. ")",
+      "Jacobi's integral at state " .. i, result)
     case("momentum", 3, x.values, p .. "momentum(&m, " .. x.name .. ", got)",
       "angular momentum at state " .. i, by_index)
   end
@@ -249,7 +251,7 @@ function vectors.fill(job, v, ctx)
   if v.conservative then -- relative to the terms of the energy at the largest of the three states
     local most = least
     for _, x in ipairs(xs) do
-      local f = description(job, "energy")
+      local f = description(job, v.conserved_name)
       local _, tolerance = selftest.expect(f, env, inputs(f, x.values), result, epsilon)
       if tolerance[1] > most then most = tolerance[1] end
     end
