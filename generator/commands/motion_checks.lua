@@ -95,6 +95,16 @@ function motion_checks.laws(host, job, plugin, tap, name, x0, finish, epsilon)
     end
     keeps("energy", math.abs(E - E0), job.equations.free and math.abs(E0) or size)
   end
+  if job.conserved.rate then -- its terms: of T + V, n L_z, and the potential of what turns, which is the rest
+    local J0, J, size = plugin:integral(0, x0), plugin:integral(turns, x), 0.0
+    local library, n = host.rates(numeric.scene(job)), job.model:double(job.conserved.rate)
+    for _, y in ipairs { x0, x } do
+      local E, terms = library:energy(numeric.whole(job, y))
+      local turned = n * plugin:momentum(y)[3]
+      size = math.max(size, terms + math.abs(turned) + math.abs(J0 - E + turned))
+    end
+    keeps("Jacobi's integral", math.abs(J - J0), size)
+  end
   if job.model.has.attitude and (law.L or law["|L|"] or law.L_z) then
     local L0, L = plugin:momentum(x0), plugin:momentum(x)
     local function norm(v) return math.sqrt(v[1] ^ 2 + v[2] ^ 2 + v[3] ^ 2) end

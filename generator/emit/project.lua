@@ -175,7 +175,9 @@ local function common(job)
   init.fill(ctx, m, v)
   special.fill(v, ctx)
   v.has_rates, v.has_attitude = m.has.rates, m.has.attitude
-  v.conservative = job.conserved.is["T+V"] and not (eq.free and m.has.attitude)
+  v.has_integral = job.conserved.rate ~= nil
+  v.conservative = (v.has_integral or job.conserved.is["T+V"]) and not (eq.free and m.has.attitude)
+  v.conserved_name = v.has_integral and "jacobi_integral" or "energy"
   v.has_ticks = job.closed.ticks or false
   v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false
@@ -233,8 +235,8 @@ end
 
 local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
 
--- The list of files {name, text}.  With plugin = true also the table that the program polhode loads.
-function project.files(job, plugin)
+-- Header and source, with the values that the templates were filled with.
+local function code(job)
   local v, ctx = common(job)
   closed_values(job, v, ctx)
   steppers.render(job, v, ctx)
@@ -257,16 +259,32 @@ function project.files(job, plugin)
     v.analysis_header = render "templates/analysis.h"
     v.analysis_source = render "templates/analysis.c"
   end
+  return render "templates/scene.h", render "templates/scene.c", v, ctx
+end
+
+-- The texts of header and source alone: what plan/ops.lua counts.
+function project.code(job)
+  local header, text = code(job)
+  return header, text
+end
+
+-- The list of files {name, text}.  plugin: also the table that the program polhode loads; plugin = {peers = true}: with
+-- what other integrators need, if the scene is in double.
+function project.files(job, plugin)
+  local header, text, v, ctx = code(job)
+  local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   vectors.fill(job, v, ctx)
   local n = job.model.name
   local files = {
-    { name = n .. ".h", text = render "templates/scene.h" },
-    { name = n .. ".c", text = render "templates/scene.c" },
+    { name = n .. ".h", text = header },
+    { name = n .. ".c", text = text },
     { name = n .. "_test.c", text = render "templates/test.c" },
     { name = "Makefile", text = render "templates/Makefile" },
     { name = "README.md", text = render "templates/README.md" },
   }
   if plugin then
+    v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false
+    if v.has_peers then files[#files + 1] = { name = "peers.c", text = render "templates/peers.c" } end
     files[#files + 1] = { name = "plugin.c", text = render "templates/plugin.c" }
     files[#files + 1] = { name = "plugin.h", text = job.templates["templates/plugin.h"] }
   end

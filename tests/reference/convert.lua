@@ -319,3 +319,26 @@ do
   out[#out + 1] = "};"
   write("nesc_case2.h", out)
 end
+
+-- ---- nesc_brick_case3.csv: the five simulators, every half second ----
+do
+  local out = { "-- nesc_case3.lua - NASA check case 3, five simulators",
+    "-- SPDX-License-Identifier: GPL-3.0-or-later", "--",
+    "-- Made by convert.lua; provenance in README.md beside this file.  Rows: t, then of simulators 01,",
+    "-- 02, 04, 05, 06 p, q, r (deg/s, inertial), yaw, pitch, roll (deg, against local north-east-down).", "",
+    "return {" }
+  local titles = false
+  for line in slurp("nesc_brick_case3.csv"):gmatch "[^\r\n]+" do
+    local field = {}
+    for f in line:gmatch "[^,]+" do field[#field + 1] = f end
+    if titles and tonumber(field[1]) * 2 % 1 == 0 then
+      out[#out + 1] = "  { " .. field[1] .. ","
+      for i = 2, 31, 6 do
+        out[#out + 1] = "    " .. braces { table.unpack(field, i, i + 5) } .. (i < 26 and "," or " },")
+      end
+    end
+    titles = true
+  end
+  out[#out + 1] = "}"
+  write("nesc_case3.lua", out)
+end

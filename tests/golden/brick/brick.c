@@ -763,7 +763,7 @@ static int brick_principal_pairs(const brick_real I[6], brick_pair diagonal[3], 
    * pairs.  For a positive definite one a rotation with I_pq^2 >= I_pp I_qq/4 takes a quarter or more off the product
    * of the diagonal, which stays above the determinant: the condition alone bounds their number.  Then what is left is
    * squared; some ten rotations are made in all. */
-  for (count = 0; settled < 3 && count < 240; count++) {
+  for (count = 0; settled < 3 && count < 240; count++) { /* some 10 times */
     i = 2 - count % 3;
     j = (i + 1) % 3;
     k = (i + 2) % 3;
@@ -1311,7 +1311,7 @@ static brick_pair brick_circulation(brick_pair I1, brick_pair I3, brick_pair w1,
   brick_pair sum = brick_pair_subtract(last, first);
 
   if (!(8.0*fabs(sum.hi) < first.hi + last.hi)) return sum;
-  if (!(fabs(I1.lo) + fabs(I3.lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) {
+  if (!(fabs(I1.lo) + fabs(I3.lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) { /* rare */
     brick_real e[32];
     int n;
 
