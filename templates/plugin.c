@@ -219,6 +219,10 @@ int plugin_peer_rhs(double t, const double x[], double dx[], void *place); /* pe
 void plugin_hand_rk4(void *place, double t0, double x[], double h, long n);
 %% end
 
+/* the one name that is seen from outside: all others are hidden, so that calls need not go through a table */
+#if defined __GNUC__
+__attribute__((visibility("default")))
+#endif
 const struct polhode_plugin *polhode_plugin(void);
 
 const struct polhode_plugin *polhode_plugin(void)

@@ -153,7 +153,8 @@ for _, at_once in ipairs { 0, 1, 2, 100 } do
     if i == 5 then
       right = right and string.find(message, "five", 1, true) ~= nil
     else
-      right = right and string.find(command, " " .. i .. ".c", 1, true) ~= nil and host.read(dir .. "/" .. i .. ".o") ~= nil
+      right = right and string.find(command, " " .. i .. ".c", 1, true) ~= nil
+        and host.read(dir .. "/" .. i .. ".o") ~= nil
     end
   end
   say(right, "nine files, " .. at_once .. " at once: every result at its place")
