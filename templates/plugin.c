@@ -150,6 +150,16 @@ static double plugin_energy(const void *m, const double *x)
   return (double)${name}_energy((const ${name}_model *)m, y);
 }
 
+%% if has_integral then
+static double plugin_integral(const void *m, double t, const double *x)
+{
+  real y[${upper}_NX];
+
+  narrow(${upper}_NX, x, y);
+  return (double)${name}_jacobi_integral((const ${name}_model *)m, (real)t, y);
+}
+
+%% end
 %% if has_attitude then
 static void plugin_momentum(const void *m, const double *x, double *L)
 {
@@ -257,6 +267,11 @@ const struct polhode_plugin *polhode_plugin(void)
     plugin_rhs, steppers, plugin_jacobian, plugin_energy,
 %% if has_attitude then
     plugin_momentum,
+%% else
+    NULL,
+%% end
+%% if has_integral then
+    plugin_integral,
 %% else
     NULL,
 %% end

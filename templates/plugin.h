@@ -54,6 +54,7 @@ struct polhode_plugin {
   void (*jacobian)(const void *m, double t, const double *x, const double *u, double *J);
   double (*energy)(const void *m, const double *x);              /* J */
   void (*momentum)(const void *m, const double *x, double L[3]); /* inertial axes, N m s */
+  double (*integral)(const void *m, double t, const double *x); /* Jacobi's, J */
 
   /* closed form: 0 and the orbit through x0 at t = 0, or why there is none; then the state at t */
   int (*solve)(void *o, const void *m, const double *x0);

@@ -262,6 +262,17 @@ static int energy(lua_State *L) {
   return 1;
 }
 
+/* integral(t, x) -> Jacobi's */
+static int integral(lua_State *L) {
+  const struct plugin *p = plugin_ready(L);
+  double x[MAX_STATES];
+  if (p->code->integral == NULL)
+    return absent(L, "Jacobi's integral");
+  engine_list(L, 3, p->code->nx, x);
+  lua_pushnumber(L, p->code->integral(p->model, luaL_checknumber(L, 2), x));
+  return 1;
+}
+
 /* momentum(x) -> {3} */
 static int momentum(lua_State *L) {
   const struct plugin *p = plugin_ready(L);
@@ -354,6 +365,7 @@ static const luaL_Reg methods[] = {
     {"integrate", integrate},
     {"energy", energy},
     {"momentum", momentum},
+    {"integral", integral},
     {"solve", solve},
     {"at", at},
     {"march", plugin_march},
