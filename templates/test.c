@@ -146,10 +146,10 @@ int main(void)
 %% if has_closed then
   ${name}_orbit o;
 %% end
-%% if free then
+%% if free_checks then
   ${name}_real L0[3], L1[3], E0;
 %% end
-%% if conservative then
+%% if conservative_checks then
   ${name}_real E0;
 %% end
 %% if uses_index then
@@ -206,19 +206,19 @@ int main(void)
       "which spins persist, without and with dissipation");
 %% end
 
-  /* order: the difference of solutions with steps h and h/2 falls 16-fold when h is halved; the scale of what
+  /* order: the difference of solutions with steps h and h/2 falls ${order_fall}-fold when h is halved; the scale of what
    * rounding leaves is the type's epsilon times the number of steps */
   advance(&m, ${order_time}, 32, coarse);
   advance(&m, ${order_time}, 64, middle);
   advance(&m, ${order_time}, 128, fine);
   d1 = distance(coarse, middle, ${upper}_NX);
   d2 = distance(middle, fine, ${upper}_NX);
-  report(d2 <= d1/${twelve} + ${order_floor}, "halving the step divides the error by about 16");
+  report(d2 <= d1/${order_bound} + ${order_floor}, "halving the step divides the error by about ${order_fall}");
 %% if has_attitude then
   for (i = 0, d1 = ${zero}; i < 4; i++) d1 += fine[i]*fine[i];
   report(${fabs}(d1 - ${one}) <= ${norm_bound} + d2, "the quaternion stays a unit quaternion");
 %% end
-%% if free then
+%% if free_checks then
 
   /* no torque: T and the inertial L are constant; 1024 short steps lose no more than rounding and the method's error */
   advance(&m, ${order_time}, 1024, fine);
@@ -229,7 +229,7 @@ int main(void)
   report(${fabs}(${name}_energy(&m, fine) - E0) <= ${drift}*E0, "energy is conserved without torque");
   report(distance(L0, L1, 3) <= ${drift}*d1, "angular momentum is conserved without torque");
 %% end
-%% if conservative then
+%% if conservative_checks then
 
   /* the effects conserve the energy: 1024 short steps lose no more than rounding and the method's error */
   advance(&m, ${order_time}, 1024, fine);
@@ -238,13 +238,16 @@ int main(void)
 %% end
 %% if has_closed then
 
+%% if fine_stepper then
   /* the closed form against the stepper, whose own error at this step is below the bound */
+%% end
   report(${name}_solve(&o, &m, x0) == 0, "the closed form accepts the initial state");
 %% if has_full then
   ${name}_at(&o, ${order_time}, got);
 %% else
   ${name}_at_rates(&o, ${order_time}, got + ${upper}_WX);
 %% end
+%% if fine_stepper then
 %% if free then
 %% else
   advance(&m, ${order_time}, 1024, fine);
@@ -254,6 +257,7 @@ int main(void)
   report(distance(got, fine, ${upper}_NX) <= ${drift}*d1, "closed form and stepper agree");
 %% else
   report(distance(got + ${upper}_WX, fine + ${upper}_WX, 3) <= ${drift}*d1, "closed form and stepper agree");
+%% end
 %% end
 %% for _, c in ipairs(motion_cases) do
   {
@@ -272,6 +276,42 @@ int main(void)
     near(got, want, tolerance, ${c.n}, "${c.what}");
   }
 %% end
+%% end
+%% if planned then
+
+  /* what was planned: the horizon within the accuracy; the expected state is the general library's */
+  {
+    const ${name}_real want[${upper}_NX] = {
+%%   for _, line in ipairs(plan_want) do
+      ${line}
+%%   end
+    };
+    const ${name}_real tolerance[${upper}_NX] = {
+%%   for _, line in ipairs(plan_tolerance) do
+      ${line}
+%%   end
+    };
+    ${name}_real x[${upper}_NX];
+    int steps, k;
+%%   if has_attitude then
+    ${name}_real side = ${zero};
+%%   end
+%%   if has_inputs then
+    const ${name}_real none[${upper}_NU] = {${zero}};
+%%   else
+    const ${name}_real *none = 0;
+%%   end
+
+    for (k = 0; k < ${upper}_NX; k++) x[k] = x0[k];
+    steps = ${name}_advance(&m, ${zero}, x, none, ${horizon_literal});
+    report(steps > 0, "the planned method covers the horizon");
+%%   if has_attitude then
+    for (k = 0; k < 4; k++) side += x[k]*want[k];
+    for (k = 0; k < 4; k++) x[k] = side < ${zero} ? -x[k] : x[k]; /* q and -q are one attitude */
+%%   end
+    near(x, want, tolerance, ${upper}_NX, "the planned method reaches the horizon within its accuracy");
+    report(${name}_advance(&m, ${one}, x, none, ${one}) == 0, "no time is no step");
+  }
 %% end
 
   printf("1..%d\n", tests);

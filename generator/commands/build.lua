@@ -12,8 +12,8 @@ build.flags = { "-O2", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversio
   "-Werror", "-ffp-contract=off" }
 
 -- Compiles a planned job as a shared object and loads it: plugin | nil, message, and "range" if the real type cannot
--- hold the scene's constants.
-function build.plugin(host, job)
+-- hold the scene's constants.  own: other flags than build.flags.
+function build.plugin(host, job, own)
   local dir, why = host.tempdir()
   if not dir then return nil, why end
   local ok
@@ -22,7 +22,7 @@ function build.plugin(host, job)
   ok, why = host.write_files(dir, files)
   if not ok then return nil, why end
   local flags = { "-shared", "-fPIC" }
-  for _, f in ipairs(build.flags) do flags[#flags + 1] = f end
+  for _, f in ipairs(own or build.flags) do flags[#flags + 1] = f end
   ok, why = host.compile(dir, { job.model.name .. ".c", "plugin.c" }, "plugin.so", { flags = flags, libs = { "-lm" } })
   if not ok then return nil, "the emitted code does not compile:\n" .. why end
   return host.plugin(dir .. "/plugin.so")

@@ -239,6 +239,11 @@ function vectors.fill(job, v, ctx)
   -- stands above rounding (float: the floor of 64 roundings of the state).
   v.order_time = number.text(time, real)
   v.order_floor = number.text(R.round(size * epsilon * R.new(256), 24), real)
+  local method = job.steppers[1].method
+  local order = math.min(method.order or 4, 4)
+  v.order_fall, v.order_bound = string.format("%d", 2 ^ order), number.text(R.new(3, 4) * R.new(2) ^ order, real)
+  v.fine_stepper = order == 4 -- whose error over half a radian is below rounding
+  v.free_checks, v.conservative_checks = v.free and v.fine_stepper, v.conservative and v.fine_stepper
   v.norm_bound = number.text(epsilon * R.new(16), real)
   v.jacobi_bound = number.text(epsilon * R.new(64), real)
   -- float: e^2 must stay above 256 roundings of 1
