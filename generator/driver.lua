@@ -87,6 +87,7 @@ function driver.plan(job, options)
     if context.parts(m) then put(quantities.inertia_now(m)) end
   end
   put(quantities.energy(m))
+  if job.conserved.rate then put(quantities.jacobi_integral(m, job.conserved.rate)) end
   local particles = m.has.rates and quantities.particle_energy(m)
   if particles then put(particles) end
   if m.has.rates then put(quantities.momentum_body(m)) end

@@ -13,8 +13,8 @@ local targets = require "generator.plan.targets"
 
 local planner = {}
 
--- -O1 compiles in half the time; without contraction every level gives the same bits.
-local flags = { "-O1", "-std=c99", "-ffp-contract=off" }
+-- In half the time; without contraction every level gives the same bits.
+local flags = { "-O1" }
 
 -- What is asked of the job: accuracy of the command line or of the scene, and the rest; nil if nobody asks.
 function planner.question(job, given, order)
@@ -55,10 +55,11 @@ local function decided(host, q, given)
   q.host, q.code = host, code
   local job, series = everything(host, q, given)
   job.orders = series and plan.orders or {}
-  local plugin, why = build.plugin(host, job, flags)
-  if not plugin then
+  local plugins, failed = build.plugins(host, { { job = job, flags = flags } })
+  local plugin = plugins[1]
+  if failed then
     clear()
-    return nil, why
+    return nil, failed[1].message
   end
   plugin:init()
   show(0.3)
