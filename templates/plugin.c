@@ -222,6 +222,26 @@ static void plugin_at_loop(const void *o, double t0, double h, double *x, long n
 %% end
   widen(${upper}_NX, y, x);
 }
+%%   if has_full then
+
+static void plugin_many_loop(const void *o, double t0, double h, double *x, long n)
+{
+  enum { MANY = 64 };
+  const real start = (real)t0, size = (real)h;
+  real t[MANY], y[${upper}_NX*MANY];
+  long i;
+
+  for (i = 0; i < n; i += MANY) {
+    const int count = n - i < MANY ? (int)(n - i) : (int)MANY;
+    int k;
+
+    for (k = 0; k < count; k++) t[k] = start + (real)(i + k)*size;
+    ${name}_at_many((const ${name}_orbit *)o, count, t, y);
+    if (i + count < n) continue;
+    for (k = 0; k < ${upper}_NX; k++) x[k] = (double)y[(k + 1)*count - 1];
+  }
+}
+%%   end
 %% end
 %% if has_peers then
 
@@ -277,8 +297,13 @@ const struct polhode_plugin *polhode_plugin(void)
 %% end
 %% if has_closed then
     plugin_solve, plugin_at, plugin_solve_loop, plugin_at_loop,
+%%   if has_full then
+    plugin_many_loop,
+%%   else
+    NULL,
+%%   end
 %% else
-    NULL, NULL, NULL, NULL,
+    NULL, NULL, NULL, NULL, NULL,
 %% end
 %% if has_peers then
     plugin_peer_rhs, plugin_hand_rk4
