@@ -1,6 +1,7 @@
 -- steppers.lua -- the steppers that are no single function: their parts of header and source.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local plan = require "generator.emit.plan"
 local template = require "generator.emit.template"
 
 local steppers = {}
@@ -28,6 +29,7 @@ function steppers.render(job, v, ctx)
       sources[#sources + 1] = template.render(path .. ".c", job.templates[path .. ".c"], v)
     end
   end
+  headers[#headers + 1], sources[#sources + 1] = plan.render(job, v)
   v.stepper_header, v.stepper_source = table.concat(headers, "\n"), table.concat(sources, "\n")
 end
 
