@@ -25,14 +25,6 @@ static void ${name}_half_turns(${name}_pair rate, ${name}_real out[4])
   out[3] = turns.hi - out[2];
 }
 
-static void ${name}_quaternion_product(const ${name}_real a[4], const ${name}_real b[4], ${name}_real out[4])
-{
-  out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
-  out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
-  out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
-  out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
-}
-
 /* v = s u with |u| = 1, s >= 0; u = 0 if v = 0.  Scaled by a power of two, so nothing over- or underflows.
  * The length comes as a pair. */
 static ${name}_pair ${name}_unit_vector(const ${name}_pair v[3], ${name}_real u[3])

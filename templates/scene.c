@@ -8,6 +8,9 @@
 #include "${name}.h"
 
 #include <math.h>
+%% for _, h in ipairs(source_includes) do
+#include ${h}
+%% end
 
 %% if has_special then
 ${pair_source}

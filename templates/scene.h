@@ -11,9 +11,8 @@
 #ifndef POLHODE_${upper}_HEADER
 #define POLHODE_${upper}_HEADER
 
-%% if has_integers then
-#include <stddef.h>
-#include <stdint.h>
+%% for _, h in ipairs(header_includes) do
+#include ${h}
 
 %% end
 #ifdef __cplusplus

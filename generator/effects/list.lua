@@ -26,7 +26,7 @@
 --     conserves(a, c)   a list out of "T+V", "|L|", "L", "L_z", "w3", see dynamics/conserved.lua; absent: nothing
 --                       keeps: the same in words, where it is a function;   decided = true: dynamics/laws.lua finds it
 --     quadratic = true  its terms are polynomials of degree 2 at most in the state
---     kinks = true      its equations have corners at times that dynamics/breaks.lua cannot tell
+--     corners(a, c)     what vanishes where its equations have corners that show no |e| (dynamics/breaks.lua): a list
 --     input = true      it uses the input u;   single = true: once in a scene
 --     central = true    it acts about the centre of mass, which must be the origin
 --     fixed = advice    it acts about a fixed point, so a body that moves cannot have it
