@@ -14,6 +14,7 @@ local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
 local stability = require "generator.emit.stability"
+local split = require "generator.emit.split"
 local steppers = require "generator.emit.steppers"
 local selftest = require "generator.emit.selftest"
 local vectors = require "generator.emit.vectors"
@@ -182,7 +183,8 @@ local function common(job)
   v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
-  v.no_members = #m.members == 0 and not v.has_order
+  split.setup(job, v)
+  v.no_members = #m.members == 0 and not v.has_order and not v.split_setup
   return v, ctx
 end
 
