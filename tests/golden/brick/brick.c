@@ -605,7 +605,7 @@ static brick_pair brick_pair_sum(brick_real a, brick_real b)
  * spoil Dekker's halves: there it is used, and volatile keeps hi what it is. */
 static brick_pair brick_pair_product(brick_real a, brick_real b)
 {
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || defined __ARM_FEATURE_FMA
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & 8))
   const volatile brick_real high = a*b;
   brick_pair p;
 
@@ -762,7 +762,7 @@ static int brick_principal_pairs(const brick_real I[6], brick_pair diagonal[3], 
    * pairs.  For a positive definite one a rotation with I_pq^2 >= I_pp I_qq/4 takes a quarter or more off the product
    * of the diagonal, which stays above the determinant: the condition alone bounds their number.  Then what is left is
    * squared; some ten rotations are made in all. */
-  for (count = 0; settled < 3 && count < 240; count++) {
+  for (count = 0; settled < 3 && count < 240; count++) { /* some 10 times */
     i = 2 - count % 3;
     j = (i + 1) % 3;
     k = (i + 2) % 3;
@@ -843,7 +843,7 @@ BRICK_INLINE brick_pair brick_advance(const brick_real b[4], brick_real t, brick
 {
   brick_pair p;
 
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || defined __ARM_FEATURE_FMA
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & 8))
   (void)head;
   (void)tail;
   p.hi = fma(b[0], t, 0.0); /* no compiler may fuse this one */
@@ -1309,7 +1309,7 @@ static brick_pair brick_circulation(brick_pair I1, brick_pair I3, brick_pair w1,
   brick_pair sum = brick_pair_subtract(last, first);
 
   if (!(8.0*fabs(sum.hi) < first.hi + last.hi)) return sum;
-  if (!(fabs(I1.lo) + fabs(I3.lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) {
+  if (!(fabs(I1.lo) + fabs(I3.lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) { /* rare */
     brick_real e[32];
     int n;
 
