@@ -606,7 +606,7 @@ static brick_pair brick_pair_sum(brick_real a, brick_real b)
  * spoil Dekker's halves: there it is used, and volatile keeps hi what it is. */
 static brick_pair brick_pair_product(brick_real a, brick_real b)
 {
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || defined __ARM_FEATURE_FMA
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & 8))
   const volatile brick_real high = a*b;
   brick_pair p;
 
@@ -844,7 +844,7 @@ BRICK_INLINE brick_pair brick_advance(const brick_real b[4], brick_real t, brick
 {
   brick_pair p;
 
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || defined __ARM_FEATURE_FMA
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & 8))
   (void)head;
   (void)tail;
   p.hi = fma(b[0], t, 0.0); /* no compiler may fuse this one */
