@@ -6,7 +6,9 @@ local template = require "generator.emit.template"
 
 local steppers = {}
 
-local fill = { taylor = require("generator.emit.taylor").fill, adaptive = require("generator.emit.adaptive").fill,
+local taylor = require "generator.emit.taylor"
+
+local fill = { taylor = taylor.fill, adaptive = require("generator.emit.adaptive").fill,
   split = require("generator.emit.split").fill, midpoint = require("generator.emit.midpoint").fill }
 
 -- The function that tells the next corner of a table, printed once, before the first stepper that stops there.
@@ -37,6 +39,10 @@ function steppers.render(job, v, ctx)
       local path = "templates/" .. kind
       headers[#headers + 1] = template.render(path .. ".h", job.templates[path .. ".h"], v)
       sources[#sources + 1] = template.render(path .. ".c", job.templates[path .. ".c"], v)
+      if kind == "taylor" and s.program.transition then
+        local values = taylor.transition(ctx, s.program, v)
+        sources[#sources + 1] = template.render(path .. "_transition.c", job.templates[path .. "_transition.c"], values)
+      end
       if kind == "taylor" and v.has_knots then
         sources[#sources + 1] = template.render(path .. "_knots.c", job.templates[path .. "_knots.c"], v)
       end
