@@ -346,6 +346,22 @@ void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[
 }
 %% end
 
+%% if planning then
+/* One step of size h of any order up to ${upper}_ORDER: for the planner, which compares orders. */
+void ${name}_taylor_step_of(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int top);
+
+void ${name}_taylor_step_of(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int top)
+{
+  ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW];
+
+  ${name}_taylor_terms(m, t, x, u, top, c);
+  ${name}_taylor_step_by(m, c, top, h, x, d);
+%%   for _, s in ipairs(taylor_states) do
+  x[${s.name}] += d[${s.index}];
+%%   end
+}
+
+%% end
 /* An IEEE 754 number's bits, read as an integer, are its logarithm but for a straight line between powers of two: log2 |x|
  * to 0.09, and the inverse function. */
 typedef union ${name}_taylor_bits {

@@ -316,7 +316,13 @@ int main(void)
   report(${fabs}(${name}_energy(&m, fine) - E0) <= ${drift}*E0, "energy is conserved without torque");
   report(distance(L0, L1, 3) <= ${drift}*d1, "angular momentum is conserved without torque");
 %% end
-%% if check_conservative then
+%% if has_integral and check_conservative then
+
+  /* fields turn steadily: 1024 short steps lose no more than rounding and the method's error */
+  advance(&m, ${order_time}, 1024, fine);
+  E0 = ${name}_jacobi_integral(&m, ${zero}, x0);
+  report(${fabs}(${name}_jacobi_integral(&m, ${order_time}, fine) - E0) <= ${energy_drift}, "Jacobi's integral is conserved");
+%% elseif check_conservative then
 
   /* the effects conserve the energy: 1024 short steps lose no more than rounding and the method's error */
   advance(&m, ${order_time}, 1024, fine);
@@ -359,6 +365,42 @@ int main(void)
     near(got, want, tolerance, ${c.n}, "${c.what}");
   }
 %% end
+%% end
+%% if planned then
+
+  /* what was planned: the horizon within the accuracy; the expected state is the general library's */
+  {
+    const ${name}_real want[${upper}_NX] = {
+%%   for _, line in ipairs(plan_want) do
+      ${line}
+%%   end
+    };
+    const ${name}_real tolerance[${upper}_NX] = {
+%%   for _, line in ipairs(plan_tolerance) do
+      ${line}
+%%   end
+    };
+    ${name}_real x[${upper}_NX];
+    int steps, k;
+%%   if has_attitude then
+    ${name}_real side = ${zero};
+%%   end
+%%   if has_inputs then
+    const ${name}_real none[${upper}_NU] = {${zero}};
+%%   else
+    const ${name}_real *none = 0;
+%%   end
+
+    for (k = 0; k < ${upper}_NX; k++) x[k] = x0[k];
+    steps = ${name}_advance(&m, ${zero}, x, none, ${horizon_literal});
+    report(steps > 0, "the planned method covers the horizon");
+%%   if has_attitude then
+    for (k = 0; k < 4; k++) side += x[k]*want[k];
+    for (k = 0; k < 4; k++) x[k] = side < ${zero} ? -x[k] : x[k]; /* q and -q are one attitude */
+%%   end
+    near(x, want, tolerance, ${upper}_NX, "the planned method reaches the horizon within its accuracy");
+    report(${name}_advance(&m, ${one}, x, none, ${one}) == 0, "no time is no step");
+  }
 %% end
 
   printf("1..%d\n", tests);

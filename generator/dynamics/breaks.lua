@@ -1,7 +1,8 @@
 -- breaks.lua -- where the equations of motion are not smooth: at |e| with e = 0.
 --
 -- A table over time is a sum of |t - t_i|: the times are known, steppers with a tolerance stop there (knots).  What
--- else stands between bars may vanish anywhere.  Checks of a stepper's order stay between the breaks.  ABOVE the line.
+-- else stands between bars may vanish anywhere, as may what an effect names itself (`corners`).  Checks of a stepper's
+-- order stay between the breaks.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -9,6 +10,7 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local motion = require "generator.algebra.motion"
 local ratio = require "generator.algebra.ratio"
+local context = require "generator.dynamics.context"
 local equations = require "generator.dynamics.equations"
 
 local breaks = {}
@@ -82,19 +84,32 @@ local function moving(m)
 end
 
 -- The first time after 0 at which the equations are not smooth, for the parameters' defaults (a rational), or nil;
--- second result: true where there are others, at times that nobody knows.
+-- second result: what else stands between bars and vanishes at times that nobody knows, a list of expressions, or nil.
 function breaks.first(eq)
-  local m, first, unknown = eq.model, nil, false
+  local m, first, unknown = eq.model, nil, {}
   for _, e in ipairs(bars(eq)) do
     local _, at = ramp(e)
     if at then
       local time = m:number(at)
       if time > m:number(expr.zero) and (not first or time < first) then first = time end
-    else
-      unknown = unknown or not expr.constant(e, moving(m)) -- inputs are held
+    elseif not expr.constant(e, moving(m)) then -- inputs are held
+      unknown[#unknown + 1] = e
     end
   end
-  return first, unknown
+  return first, #unknown > 0 and unknown or nil
+end
+
+-- All that vanishes where the equations are not smooth, at times that nobody knows: expressions of parameters, states
+-- and time.
+function breaks.corners(eq)
+  local _, unknown = breaks.first(eq)
+  local m, list = eq.model, unknown or {}
+  for _, e in ipairs(m.record.effects) do
+    for _, corner in ipairs(e.spec.corners and e.spec.corners(e.a, context.with(context.dry(m), e)) or {}) do
+      list[#list + 1] = corner
+    end
+  end
+  return list
 end
 
 return breaks

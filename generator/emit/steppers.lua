@@ -2,6 +2,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local number = require "generator.emit.number"
+local plan = require "generator.emit.plan"
 local template = require "generator.emit.template"
 
 local steppers = {}
@@ -22,13 +23,16 @@ local function knots_of(job, v, ctx, knots)
   return template.render("templates/knots.c", job.templates["templates/knots.c"], v)
 end
 
--- Fills stepper_header, stepper_source and steppers, the list for the program's own use: {name, step (C name), run}.
+-- Fills stepper_header, stepper_source and steppers, the list for the program's own use: {name, step (C name), run,
+-- order}.
 function steppers.render(job, v, ctx)
   v.stepper_header, v.stepper_source, v.steppers = "", "", {}
+  v.planning, v.plan_orders = job.orders ~= nil, {}
+  for i, n in ipairs(job.orders or {}) do v.plan_orders[i] = string.format("%d", n) end
   local headers, sources = {}, {}
   for i, s in ipairs(job.steppers) do
     local own = { name = s.method.name, step = i == 1 and "step" or s.method.name .. "_step",
-      run = s.method.adaptive or false }
+      run = s.method.adaptive or false, order = string.format("%d", s.method.order or s.program.order or 0) }
     v.steppers[i] = own
     if s.program then
       local kind = s.method.template or own.name
@@ -48,6 +52,7 @@ function steppers.render(job, v, ctx)
       end
     end
   end
+  headers[#headers + 1], sources[#sources + 1] = plan.render(job, v)
   v.stepper_header, v.stepper_source = table.concat(headers, "\n"), table.concat(sources, "\n")
 end
 

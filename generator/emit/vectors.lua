@@ -212,6 +212,8 @@ function vectors.fill(job, v, ctx)
     case("rhs", nx, x.values, p .. "rhs(&m, " .. v.zero .. ", " .. x.name .. ", u, got)",
       "rates of change at state " .. i, of_state)
     case("energy", 1, x.values, "got[0] = " .. p .. "energy(&m, " .. x.name .. ")", "energy at state " .. i, result)
+    case("jacobi_integral", 1, x.values, "got[0] = " .. p .. "jacobi_integral(&m, " .. v.zero .. ", " .. x.name .. ")",
+      "Jacobi's integral at state " .. i, result)
     case("momentum", 3, x.values, p .. "momentum(&m, " .. x.name .. ", got)",
       "angular momentum at state " .. i, by_index)
   end
@@ -273,7 +275,13 @@ function vectors.fill(job, v, ctx)
   -- The test of order runs over about half a radian: h w = 1/64 and less, where the fourth-order term leads and still
   -- stands above rounding (float: the floor of 64 roundings of the state).
   v.order_time = number.text(time, real)
-  v.order_floor = number.text(R.round(size * epsilon * R.new(256), 24), real)
+  local roundings = 256
+  local program = job.steppers[1].program
+  if program and program.drift and program.drift.kind == "full" then -- of that many rotations a step, walking
+    local rotations = (#program.outer.b + 1) * (2 * #program.inner.b + 1)
+    roundings = roundings * math.ceil(math.sqrt(rotations))
+  end
+  v.order_floor = number.text(R.round(size * epsilon * R.new(roundings), 24), real)
   v.norm_bound = number.text(epsilon * R.new(16), real)
   v.jacobi_bound = number.text(epsilon * R.new(64), real)
   -- float: e^2 must stay above 256 roundings of 1
@@ -284,7 +292,7 @@ function vectors.fill(job, v, ctx)
   if v.conservative then -- relative to the terms of the energy at the largest of the three states
     local most = least
     for _, x in ipairs(xs) do
-      local f = description(job, "energy")
+      local f = description(job, v.conserved_name)
       local _, tolerance = selftest.expect(f, env, inputs(f, x.values), result, epsilon)
       if tolerance[1] > most then most = tolerance[1] end
     end
