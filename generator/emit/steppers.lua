@@ -42,13 +42,14 @@ function steppers.render(job, v, ctx)
       v.first = i == 1
       local path = "templates/" .. kind
       headers[#headers + 1] = template.render(path .. ".h", job.templates[path .. ".h"], v)
-      sources[#sources + 1] = template.render(path .. ".c", job.templates[path .. ".c"], v)
-      if kind == "taylor" and s.program.transition then
-        local values = taylor.transition(ctx, s.program, v)
-        sources[#sources + 1] = template.render(path .. "_transition.c", job.templates[path .. "_transition.c"], values)
+      local function source(part, values)
+        sources[#sources + 1] = template.render(part, job.templates[part], values)
       end
-      if kind == "taylor" and v.has_knots then
-        sources[#sources + 1] = template.render(path .. "_knots.c", job.templates[path .. "_knots.c"], v)
+      source(path .. ".c", v)
+      if kind == "taylor" then
+        source(path .. "_run.c", v)
+        if s.program.transition then source(path .. "_transition.c", taylor.transition(ctx, s.program, v)) end
+        if v.has_knots then source(path .. "_knots.c", v) end
       end
     end
   end

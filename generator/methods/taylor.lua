@@ -252,9 +252,16 @@ local function tangent(eq, groups, moving, order)
   return program, why
 end
 
--- The series of the equations, or nil and why there is none.  options: {order =, jacobians =}.  As laid_out, with knots =
--- {{time, sign}}, axis, spin, shift of the frame, transition = the program of the variational equations.
+-- The series of the equations, or nil and why there is none.  options: {order =, jacobians =}.  As laid_out, with knots
+-- = {{time, sign}}, axis, spin, shift of the frame, transition = the program of the variational equations.
 function taylor.program(eq, options)
+  for _, e in ipairs(eq.model.record and eq.model.record.effects or {}) do
+    if e.spec.corners then -- the series of sqrt(x^2) goes on as x where |x| turns
+      local kind = string.gsub(e.kind, "^effect%.", "")
+      return nil, kind .. " has corners at times that are not known before, which a series does not see: use " ..
+        "adaptive or rk4"
+    end
+  end
   local zero, order = stages.conserved(eq), options.order or 20
   local varying, moving = { t = true }, {}
   for _, s in ipairs(eq.model.states) do
