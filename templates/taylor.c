@@ -135,6 +135,9 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 %% for _, s in ipairs(taylor_states) do
   c[0][${s.index}] = y[${s.index}];
 %% end
+%% for _, r in ipairs(taylor_roots) do
+  c[0][${r.index}] = y[${r.place}];
+%% end
 %% for _, level in ipairs(taylor_levels) do
 %%   for _, lane in ipairs(level.lanes) do
   a[0][${lane.index}] = ${lane.first};
@@ -185,6 +188,10 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 %% end
 %% for _, s in ipairs(taylor_states) do
     c[n + 1][${s.index}] = y[${s.index}];
+%% end
+%% for _, r in ipairs(taylor_roots) do
+    c[n][${r.index}] = y[${r.place}];
+    c[n + 1][${r.index}] = ${zero};
 %% end
   }
 }

@@ -60,6 +60,38 @@ static ${name}_real ${name}_taylor_limit(${name}_real size, ${name}_real h)
   return size < ${fabs}(h) ? h < ${zero} ? -size : size : h;
 }
 
+%% if has_roots then
+/* A square root sqrt(u) is not negative; its series is where u vanishes within the step: a speed comes to rest there, and the
+ * solution has a corner that the series does not see.  Returns the step that ends just beyond the first such time (what
+ * goes wrong in between is the square of ${corner_part} of the step), or h.  Looked for at four points of the step. */
+static ${name}_real ${name}_taylor_corner(${name}_real c[][${upper}_ROW], int top, ${name}_real h)
+{
+  int k, n, i, points;
+
+  for (k = ${upper}_MOVING; k < ${upper}_ROW; k++) {
+    ${name}_real low = ${zero}, high = ${zero}, s;
+
+    for (i = 0, points = 4; i < ${corner_halvings}; i++) {
+      ${name}_real r = c[top][k];
+
+      s = points > 0 ? low + ${quarter}*h : low + ${half}*(high - low);
+      for (n = top - 1; n >= 0; n--) r = c[n][k] + s*r;
+      if (r < ${zero}) {
+        high = s;
+        points = 0;
+      } else {
+        low = s;
+        if (points > 0 && --points == 0) break; /* none */
+      }
+    }
+    if (!(high < ${zero} || high > ${zero})) continue;
+    s = high + ${corner_part}*h;
+    h = ${fabs}(s) < ${fabs}(h) ? s : h;
+  }
+  return h;
+}
+
+%% end
 /* The order for a tolerance.  Steps grow as tolerance^(1/n) and cost some a + b n + c n^2: the least time to a given end is
  * at n = const - const log(tolerance), const - log(tolerance)/2 with products alone (Jorba, Zou 2005, section 3.1). */
 static int ${name}_taylor_top(${name}_real tolerance)
@@ -89,6 +121,9 @@ ${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name
   ${name}_taylor_series(m, t, x, u, c);
 %% end
   h = ${name}_taylor_limit(${name}_taylor_size(c, ${upper}_ORDER, tolerance, ${zero}), h);
+%% if has_roots then
+  h = ${name}_taylor_corner(c, ${upper}_ORDER, h);
+%% end
   ${name}_taylor_step_by(m, c, ${upper}_ORDER, h, x, d);
 %% for _, s in ipairs(taylor_states) do
   x[${s.name}] += d[${s.index}];
@@ -120,6 +155,9 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
     if (!(left > ${zero} || left < ${zero})) return steps;
     ${name}_taylor_terms(m, t, x, u, top, c${taylor_before_end});
     h = ${name}_taylor_limit(${name}_taylor_size(c, top, local, tolerance/(t1 - t0)), left);
+%% if has_roots then
+    h = ${name}_taylor_corner(c, top, h);
+%% end
     if (!(h > ${zero} || h < ${zero})) return -1;
     ${name}_taylor_step_by(m, c, top, h, x, d);
     for (k = 0; k < ${upper}_MOVING; k++) { /* Kahan: what rounding took from the last sum is in the next one */

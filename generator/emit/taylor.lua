@@ -308,11 +308,16 @@ function taylor.fill(ctx, program, v)
   v.taylor_attitude = program.states[1].name == "qw"
   v.taylor_kinds = source.kinds(program.states)
   turns_of(ctx, program, v)
+  v.has_roots, v.taylor_roots = #program.roots > 0, {}
   packed.fill(ctx, program, v, function(groups)
     local inputs = {}
     plain(inputs, names)
     return rendered(ctx, inputs, groups)[1]
   end)
+  for i, x in ipairs(program.roots) do -- their terms stand beyond the states
+    v.taylor_roots[i] = { index = text(#program.states + i - 1), place = text(x.place) }
+  end
+  if v.has_roots then v.taylor_row = text(#program.states + #program.roots) end
   local double = ctx.real ~= "float"
   local function literal(q) return number.text(R.lift(q), ctx.real) end
   local fraction, bias = double and 52 or 23, double and 1023 or 127
@@ -320,6 +325,7 @@ function taylor.fill(ctx, program, v)
   v.taylor_int = double and "int64_t" or "int32_t"
   v.taylor_bit, v.taylor_scale = literal(R.new(2) ^ -fraction), literal(R.new(2) ^ fraction)
   v.taylor_bias = literal(bias)
+  v.corner_part, v.corner_halvings = literal(R.new(2) ^ -(fraction // 2)), text(fraction + 8)
   v.taylor_finest = literal(R.new(2) ^ (-fraction - 2))
   v.taylor_least_packed = literal(R.new(13)) -- where a product costs less beside the rest of a step
   v.taylor_least, v.taylor_slope = literal(R.new(19, 2)), literal(R.new(3, 8))

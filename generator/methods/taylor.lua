@@ -151,7 +151,7 @@ local function straightened(eq, groups)
 end
 
 -- The recurrences of groups, laid out: moving: the states whose terms are wanted, {name, sym}; varying: their names.
--- Returns {order, states, lanes, levels = {{first, last, variables}}, ...}, or nil and why there is none.
+-- Returns {order, states, roots = square roots of what may vanish, lanes, levels = {{first, last, variables}}, ...}, or nil and why there is none.
 local function laid_out(groups, moving, varying, order)
   local clock = expr.sym("t", 8)
   local list = { table.unpack(moving) }
@@ -208,7 +208,11 @@ local function laid_out(groups, moving, varying, order)
     place(l.b)
   end
   if uses(made, clock) then place(made.by_sym[clock]) end
-  return { order = order, states = moving, variables = made.variables, lanes = lanes, levels = levels,
+  local roots = {}
+  for _, v in ipairs(made.variables) do
+    if v.root then roots[#roots + 1] = v end
+  end
+  return { order = order, roots = roots, states = moving, variables = made.variables, lanes = lanes, levels = levels,
     slopes = made.slopes, constants = made.constants or {}, read = read }
 end
 
