@@ -26,7 +26,7 @@ local top = plan.top
 
 local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
 
--- The order that NAME_taylor_run takes for a tolerance (templates/taylor.c, emit/taylor.lua): bits of an IEEE number as
+-- The order that NAME_taylor_run takes for a tolerance (templates/taylor_run.c, emit/taylor.lua): bits of an IEEE number as
 -- an integer are its logarithm.
 function plan.order(tolerance, real)
   local log2
