@@ -6,13 +6,13 @@ ${upper}_INLINE ${name}_real ${name}_phase(const ${name}_orbit *o, const ${name}
 {
   const ${name}_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
   const ${name}_real c = ${split}*t, head = c - (c - t);
-  const ${name}_pair p = ${name}_advance(rate, t, head, t - head);
+  const ${name}_pair p = ${name}_passed(rate, t, head, t - head);
   const ${name}_real turns = (p.hi - ${name}_nearest(p.hi)) + p.lo;
 
   return turns - ${name}_nearest(turns);
 }
 
-/* half the angle of a rate in rad/s, in turns per second; the high part also in halves, see ${name}_advance */
+/* half the angle of a rate in rad/s, in turns per second; the high part also in halves, see ${name}_passed */
 static void ${name}_half_turns(${name}_pair rate, ${name}_real out[4])
 {
   const ${name}_pair inverse = {${quarter}*${inverse_pi_high}, ${quarter}*${inverse_pi_low}};

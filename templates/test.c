@@ -366,6 +366,42 @@ int main(void)
   }
 %% end
 %% end
+%% if planned then
+
+  /* what was planned: the horizon within the accuracy; the expected state is the general library's */
+  {
+    const ${name}_real want[${upper}_NX] = {
+%%   for _, line in ipairs(plan_want) do
+      ${line}
+%%   end
+    };
+    const ${name}_real tolerance[${upper}_NX] = {
+%%   for _, line in ipairs(plan_tolerance) do
+      ${line}
+%%   end
+    };
+    ${name}_real x[${upper}_NX];
+    int steps, k;
+%%   if has_attitude then
+    ${name}_real side = ${zero};
+%%   end
+%%   if has_inputs then
+    const ${name}_real none[${upper}_NU] = {${zero}};
+%%   else
+    const ${name}_real *none = 0;
+%%   end
+
+    for (k = 0; k < ${upper}_NX; k++) x[k] = x0[k];
+    steps = ${name}_advance(&m, ${zero}, x, none, ${horizon_literal});
+    report(steps > 0, "the planned method covers the horizon");
+%%   if has_attitude then
+    for (k = 0; k < 4; k++) side += x[k]*want[k];
+    for (k = 0; k < 4; k++) x[k] = side < ${zero} ? -x[k] : x[k]; /* q and -q are one attitude */
+%%   end
+    near(x, want, tolerance, ${upper}_NX, "the planned method reaches the horizon within its accuracy");
+    report(${name}_advance(&m, ${one}, x, none, ${one}) == 0, "no time is no step");
+  }
+%% end
 
   printf("1..%d\n", tests);
   return failures != 0;

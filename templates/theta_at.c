@@ -27,7 +27,7 @@ ${upper}_INLINE ${name}_phases ${name}_reduce(const ${name}_orbit *o, ${name}_re
 {
   const ${name}_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
   const ${name}_real c = ${split}*t, head = c - (c - t), tail = t - head;
-  const ${name}_pair p = ${name}_advance(o->rate, t, head, tail), turn = ${name}_advance(o->turn, t, head, tail);
+  const ${name}_pair p = ${name}_passed(o->rate, t, head, tail), turn = ${name}_passed(o->turn, t, head, tail);
   const ${name}_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
   const ${name}_real rest = (p.hi - (sum - part)) + (o->start[0] - part);
   ${name}_phases phases;

@@ -31,6 +31,7 @@ local function libm(real)
   end
   v.huge = real == "float" and "HUGE_VALF" or "HUGE_VAL"
   v.fast_fma = real == "float" and "FP_FAST_FMAF" or "FP_FAST_FMA"
+  v.arm_fma = real == "float" and "4" or "8" -- the bit of __ARM_FP: a Cortex-M4F fuses in float only
   return v
 end
 

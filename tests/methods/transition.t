@@ -240,5 +240,5 @@ do
   end
 end
 
-if not os.getenv 'KEEP' then program.finish() end
+program.finish()
 tap.done()
