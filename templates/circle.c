@@ -15,7 +15,7 @@ ${upper}_INLINE ${name}_real ${name}_nearest(${name}_real x)
 
 %% if not axial and not lagrange then
 /* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well: Dekker's product */
-${upper}_INLINE ${name}_pair ${name}_advance(const ${name}_real b[4], ${name}_real t, ${name}_real head, ${name}_real tail)
+${upper}_INLINE ${name}_pair ${name}_passed(const ${name}_real b[4], ${name}_real t, ${name}_real head, ${name}_real tail)
 {
   ${name}_pair p;
 
