@@ -8,10 +8,10 @@
 #include "costs.h"
 #include <math.h>
 
-#define N 16
+#define N           16
 #define JOIN_(a, b) a##b
-#define JOIN(a, b) JOIN_(a, b)
-#define FN(name) JOIN(name, F)
+#define JOIN(a, b)  JOIN_(a, b)
+#define FN(name)    JOIN(name, F)
 
 static volatile REAL given[2][N] = {
     {0.7853981633974483, -3.1, 12.25, -0.031415926, 5.4321, 0.0021, -250.75, 1.0625, -0.333333333,

@@ -4,9 +4,9 @@
 --     lua5.4 tests/target/costs.lua PROGRAM DIRECTORY [generator/plan/measured.lua docs/targets.md]
 --
 -- Counts, under the emulators of cores.lua, each operation and function of the C library on 16 pairs of operands
--- (costs.c), then what emitted steppers and closed forms of three scenes execute (steps.c).  From the second it fits two
+-- (costs.c), then what emitted steppers and closed forms of three scenes execute (steps.c).  From that it fits two
 -- numbers for each core and type: what part of the first an operation takes in emitted code, and how many instructions
--- go with each number in memory.  Writes both as Lua, and the tables between the marks of the document.
+-- go with each number in memory.  Writes both as Lua, and the tables between the document's marks.
 -- Without files it prints the tables.  Says which packages are missing and does nothing if one is.
 
 package.path = "./?.lua;" .. package.path
@@ -30,9 +30,9 @@ local REALS = { "float", "double" }
 -- ---- operations ----
 
 -- In the order of costs.c, after the loop that copies.
-local UNITS = { "add", "mul", "div", "sqrt", "cmp", "conv", "toint", "conv64", "long", "fma", "sin", "cos", "exp", "log",
-  "sinh", "cosh", "floor", "frexp", "ldexp", "tan", "tanh", "asin", "acos", "atan", "atan2", "pow", "fmod", "hypot",
-  "cbrt", "ceil" }
+local UNITS = { "add", "mul", "div", "sqrt", "cmp", "conv", "toint", "conv64", "long", "fma", "sin", "cos", "exp",
+  "log", "sinh", "cosh", "floor", "frexp", "ldexp", "tan", "tanh", "asin", "acos", "atan", "atan2", "pow", "fmod",
+  "hypot", "cbrt", "ceil" }
 
 -- One instruction each where the processor has them; a comparison also moves its flags.
 local HARDWARE = { ["cortex-m4f"] = { float = true }, ["cortex-m7"] = { float = true, double = true },
@@ -47,10 +47,11 @@ for _, core in ipairs(cores.list) do
     cores.build(core, dir, elf, "-I tests/target tests/target/costs.c", "-DREAL=" .. real .. " -DF=" ..
       (real == "float" and "f" or ""))
     local counts, own = cores.counts(core, dir, elf), {}
-    assert(#counts == #UNITS + 1, "the firmware has not run to its end")
+    assert(#counts == #UNITS + 1, core.name .. ": the firmware has not run to its end, but to " .. #counts)
     local hard = HARDWARE[core.name] and HARDWARE[core.name][real]
     for i, name in ipairs(UNITS) do
-      if name == "long" then counts[i + 1] = counts[1] + (counts[i + 1] - counts[1]) / 3 end -- three operations
+      -- a product, a sum, a shift; half of those in emitted code only take one half of a number, which is free
+      if name == "long" then counts[i + 1] = counts[1] + (counts[i + 1] - counts[1]) / 6 end
       own[name] = hard and ONE[name] or math.max(1, math.floor((counts[i + 1] - counts[1]) / 16 + 0.5))
     end
     own.toint = nil -- a cast, hardly ever met
@@ -62,11 +63,12 @@ end
 
 local SCENES = { "brick_centroid", "heavy_top", "symmetric_top" }
 local METHODS = { "rk4", "semi", "midpoint", "taylor", "split4", "exact" }
-local CALLED = { "step", "semi_step", "midpoint_step", "taylor_step", "split4_step", "solve", "set_tick", "at", "at_tick" }
+local CALLED = { "step", "semi_step", "midpoint_step", "taylor_step", "split4_step", "solve", "set_tick", "at",
+  "at_tick" }
 local SHOWN = { "step", "semi_step", "midpoint_step", "taylor_step", "at", "at_tick" } -- fitted and shown
 local TITLE = { step = "rk4", semi_step = "semi", midpoint_step = "midpoint", taylor_step = "taylor 8" }
 
--- rows[core][real]: list of {scene, counted = {name -> n}, ops = {name -> counts}}
+-- rows[core][real]: list of {scene, counted, cycles = {name -> n}, ops = {name -> counts}}
 local rows = {}
 for _, name in ipairs(SCENES) do
   for _, real in ipairs(REALS) do
@@ -77,13 +79,16 @@ for _, name in ipairs(SCENES) do
     driver.code(job)
     for _, core in ipairs(cores.list) do
       if core.name ~= "avr" or real == "float" then -- its double is a float
-        cores.build(core, own, core.name .. ".elf", "-I tests/target tests/target/steps.c " .. own .. "/" .. name .. ".c",
+        cores.build(core, own, core.name .. ".elf",
+          "-I tests/target tests/target/steps.c " .. own .. "/" .. name .. ".c",
           "-DSCENE=" .. name .. " -DSCENE_H='\"" .. name .. ".h\"'")
-        local counts, row = cores.counts(core, own, core.name .. ".elf"), { scene = name, counted = {}, ops = {} }
+        local counts, cycles = cores.counts(core, own, core.name .. ".elf")
+        local row = { scene = name, counted = {}, ops = {}, cycles = {} }
         assert(#counts == #CALLED + 1, "the firmware has not run to its end")
         local fma = HARDWARE[core.name] and HARDWARE[core.name][real]
         for i, f in ipairs(CALLED) do
           row.counted[f] = counts[i + 1] - counts[1]
+          if core.arm then row.cycles[f] = cycles[i + 1] - cycles[1] end
           row.ops[f] = ops.call(job, f, { fma = fma })
         end
         rows[core.name] = rows[core.name] or {}
@@ -123,10 +128,25 @@ local function fit(unit, list)
   unit.part, unit.mem = best.part, best.mem
 end
 
+-- Cycles an instruction, the mean of what is shown, each function alike.
+local function cycles_each(list)
+  local sum, n = 0, 0
+  for _, row in ipairs(list) do
+    for _, f in ipairs(SHOWN) do
+      if not row.cycles[f] then return 1 end
+      sum, n = sum + row.cycles[f] / row.counted[f], n + 1
+    end
+  end
+  return math.floor(100 * sum / n + 0.5) / 100
+end
+
 for _, core in ipairs(cores.list) do
   for _, real in ipairs(REALS) do
     local own = rows[core.name][real]
-    if own then fit(measured[core.name][real], own) end
+    if own then
+      fit(measured[core.name][real], own)
+      measured[core.name][real].cycles = cycles_each(own)
+    end
   end
 end
 measured.avr.double = measured.avr.float
@@ -135,7 +155,7 @@ measured.avr.double = measured.avr.float
 
 local function number(x) return x == math.floor(x) and string.format("%d", x) or string.format("%.2f", x) end
 
-local NAMES = { "part", "mem" }
+local NAMES = { "part", "mem", "cycles" }
 for _, k in ipairs(UNITS) do
   if k ~= "toint" then NAMES[#NAMES + 1] = k end
 end
@@ -143,7 +163,7 @@ end
 local function as_lua()
   local out = { "-- measured.lua -- what operations take on small processors, by `make target-costs`: do not edit.",
     "-- SPDX-License-Identifier: GPL-3.0-or-later", "--",
-    "-- Instructions an operation or function, on AVR cycles; part and mem: see generator/plan/targets.lua.", "",
+    "-- Instructions an operation or function, on AVR cycles; part, mem, cycles: see generator/plan/targets.lua.", "",
     "return {" }
   for _, core in ipairs(cores.list) do
     out[#out + 1] = string.format("  [%q] = {", core.name)
@@ -169,16 +189,18 @@ local function as_markdown()
   local out = {}
   local function put(...) out[#out + 1] = string.format(...) end
   local columns = { "add", "mul", "div", "sqrt", "cmp", "conv", "sin", "cos", "exp", "log", "atan2" }
-  put "Instructions an operation, on AVR cycles; mean of 16 pairs of operands, the load of the second and the call included:"
+  put("Instructions an operation, on AVR cycles; mean of 16 pairs of operands, the load of the second and the call " ..
+    "included:")
   put ""
-  put("| core | type | %s | part | mem |", table.concat(columns, " | "))
-  put("|---|---|%s---|---|", string.rep("---|", #columns))
+  put("| core | type | %s | part | mem | cycles each |", table.concat(columns, " | "))
+  put("|---|---|%s---|---|---|", string.rep("---|", #columns))
   for _, core in ipairs(cores.list) do
     for _, real in ipairs(REALS) do
       local own, cells = measured[core.name][real], {}
       for i, k in ipairs(columns) do cells[i] = number(own[k]) end
       if rows[core.name][real] then
-        put("| %s | %s | %s | %.2f | %.2f |", core.name, real, table.concat(cells, " | "), own.part, own.mem)
+        put("| %s | %s | %s | %.2f | %.2f | %s |", core.name, real, table.concat(cells, " | "), own.part, own.mem,
+          core.arm and string.format("%.2f", own.cycles) or "")
       end
     end
   end

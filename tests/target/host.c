@@ -1,9 +1,10 @@
 /* host.c - what an emitted scene's functions and the C library take on the machine at hand.
    SPDX-License-Identifier: GPL-3.0-or-later
 
-   Prints nanoseconds a call, the least of many short runs: a chain of dependent additions first, whose
-   latency is the unit, then rk4, semi, midpoint, taylor, split4, solve, at, at_tick, then sin, cos,
-   exp, log, sinh, cosh, floor, frexp, ldexp, sqrt, division. SCENE, SCENE_H: as in steps.c. */
+   Prints nanoseconds a call, the least of many short runs: a chain of dependent additions first,
+   whose latency is the unit, then rk4, semi, midpoint, taylor, split4, solve, at, at_tick, then
+   sin, cos, exp, log, sinh, cosh, floor, frexp, ldexp, sqrt, division. SCENE, SCENE_H: as in
+   steps.c. */
 #define _POSIX_C_SOURCE 199309L
 #include SCENE_H
 #include <math.h>
@@ -11,8 +12,8 @@
 #include <time.h>
 
 #define JOIN_(a, b) a##_##b
-#define JOIN(a, b) JOIN_(a, b)
-#define FN(name) JOIN(SCENE, name)
+#define JOIN(a, b)  JOIN_(a, b)
+#define FN(name)    JOIN(SCENE, name)
 typedef FN(real) real;
 
 static volatile real when = (real)1.2345, step = (real)0.001;
