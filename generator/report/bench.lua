@@ -7,7 +7,7 @@
 -- and a row one method at one setting:
 --     { name = "taylor 16", family = "taylor", group = one of `groups`, real = "double"|"float",
 --       kind = "step"|"tolerance"|"none", setting = number or nil, error =, note = "rounding"|"reference"|nil,
---       drift = { ["T+V"] = number, ... }, steps = integer or nil, time = s for the horizon, spread = most/least - 1,
+--       drift = { ["T+V"] = number, ... }, steps = integer or nil, time = s for the horizon, spread = of its medians,
 --       evaluation = s (closed forms: of one evaluation, without the set-up), operations = { add =, mul =, div =,
 --       sqrt =, call = } of one step or nil }
 -- `mark` sets row.front: no row of its group is both faster and more accurate.
