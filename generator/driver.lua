@@ -43,7 +43,8 @@ function driver.read(host, file, options)
   if not eq then return nil, d end
   return { diag = d, record = record, model = m, equations = eq, closed = closed.detect(m, eq), states = m.states,
     conserved = conserved.of(m),
-    input_states = state.inputs, file = file, source = string.match(file, "[^/]*$"), version = driver.version }
+    input_states = state.inputs, templates = host.templates, file = file,
+    source = string.match(file, "[^/]*$"), version = driver.version }
 end
 
 -- The steppers that are asked for, the first one as NAME_step; rk4 if none is: a list of {method, program}.
@@ -113,6 +114,15 @@ function driver.plan(job, options)
   job.title, job.banner = derivation.title(job), derivation.banner(job)
   job.derivation = derivation.markdown(job)
   return job
+end
+
+-- Header and source of a planned job: what generator/plan/ops.lua counts, kept in the job.
+function driver.code(job)
+  if not job.code then
+    local header, source = project.code(job)
+    job.code = { header = header, source = source }
+  end
+  return job.code
 end
 
 -- Do the scene's own parameters and the constants made from them survive in the real type?  Reports the first that

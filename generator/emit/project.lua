@@ -227,8 +227,8 @@ end
 
 local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
 
--- The list of files {name, text}.  With plugin = true also the table that the program polhode loads.
-function project.files(job, plugin)
+-- Header and source, with the values that the templates were filled with.
+local function code(job)
   local v, ctx = common(job)
   closed_values(job, v, ctx)
   steppers.render(job, v, ctx)
@@ -245,11 +245,24 @@ function project.files(job, plugin)
     v.analysis_header = render "templates/analysis.h"
     v.analysis_source = render "templates/analysis.c"
   end
+  return render "templates/scene.h", render "templates/scene.c", v, ctx
+end
+
+-- The texts of header and source alone: what plan/ops.lua counts.
+function project.code(job)
+  local header, text = code(job)
+  return header, text
+end
+
+-- The list of files {name, text}.  With plugin = true also the table that the program polhode loads.
+function project.files(job, plugin)
+  local header, text, v, ctx = code(job)
+  local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   vectors.fill(job, v, ctx)
   local n = job.model.name
   local files = {
-    { name = n .. ".h", text = render "templates/scene.h" },
-    { name = n .. ".c", text = render "templates/scene.c" },
+    { name = n .. ".h", text = header },
+    { name = n .. ".c", text = text },
     { name = n .. "_test.c", text = render "templates/test.c" },
     { name = "Makefile", text = render "templates/Makefile" },
     { name = "README.md", text = render "templates/README.md" },
