@@ -287,6 +287,22 @@ local function measure(g, rows, tick)
   return noise
 end
 
+-- Operations of a step of each entry; code for this machine differs in nothing that is counted.
+local function counts(list, tick)
+  local known = {}
+  for _, e in ipairs(list) do
+    local c = e.c
+    local key = table.concat({ c.method, c.real, c.setting, c.order or "" }, " ")
+    if not known[key] then
+      tick("operations")
+      local job = e.unit.job
+      if not job.code then driver.code(job) end
+      known[key] = ops.of(job, c)
+    end
+    e.operations = known[key] and known[key].step
+  end
+end
+
 -- ---- the whole ----
 
 -- given: the command's options; tick(what): called before each piece of work.  Returns the study, or nil and why.
@@ -313,11 +329,11 @@ function study.of(host, job, given, tick)
     peers[#peers + 1] = { name = p.name, family = p.name, group = "peer", setting = p.setting, order = p.order,
       plugin = carrier.plugin }
   end
+  counts(list, tick)
   local rows = ladders(g, list, peers, tick)
   local noise = measure(g, rows, tick)
   for _, r in ipairs(rows) do
-    if r.entry.c then r.operations = ops.of(r.entry.unit.job, r.entry.c).step end
-    r.entry = nil
+    r.operations, r.entry = r.entry.operations, nil
   end
   local c = g.condition
   return { name = job.model.name, horizon = g.T, own_error = g.own_error, epsilon = epsilon, noise = noise, rows = rows,
