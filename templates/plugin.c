@@ -79,6 +79,18 @@ static void plugin_${s.name}(const void *m, double t, double *x, const double *u
   widen(${upper}_NX, y, x);
 }
 
+static void plugin_${s.name}_march(const void *m, double t0, double *x, const double *u, double h, long n)
+{
+  const real start = (real)t0, size = (real)h;
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0};
+  long i;
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  for (i = 0; i < n; i++) ${name}_${s.step}((const ${name}_model *)m, start + (real)i*size, y, v, size);
+  widen(${upper}_NX, y, x);
+}
+
 %%   if s.run then
 static int plugin_${s.name}_run(const void *m, double t0, double *x, const double *u, double t1, double tolerance, int most)
 {
@@ -145,6 +157,40 @@ static void plugin_at(const void *o, double t, double *x)
 %% end
   widen(${upper}_NX, y, x);
 }
+
+static int plugin_solve_loop(void *o, const void *m, const double *x0, long n)
+{
+  real y[${upper}_NX];
+  int refused = 0;
+  long i;
+
+  narrow(${upper}_NX, x0, y);
+  for (i = 0; i < n; i++) {
+    const int status = ${name}_solve((${name}_orbit *)o, (const ${name}_model *)m, y);
+
+    if (status) refused = status;
+  }
+  return refused;
+}
+
+static void plugin_at_loop(const void *o, double t0, double h, double *x, long n)
+{
+  const real start = (real)t0, size = (real)h;
+  real y[${upper}_NX] = {0};
+  long i;
+
+%% if has_full then
+  for (i = 0; i < n; i++) ${name}_at((const ${name}_orbit *)o, start + (real)i*size, y);
+%% else
+  for (i = 0; i < n; i++) ${name}_at_rates((const ${name}_orbit *)o, start + (real)i*size, y + ${upper}_WX);
+%% end
+  widen(${upper}_NX, y, x);
+}
+%% end
+%% if has_peers then
+
+int plugin_peer_rhs(double t, const double x[], double dx[], void *place); /* peers.c */
+void plugin_hand_rk4(void *place, double t0, double x[], double h, long n);
 %% end
 
 const struct polhode_plugin *polhode_plugin(void);
@@ -154,12 +200,12 @@ const struct polhode_plugin *polhode_plugin(void)
   static const struct polhode_stepper steppers[] = {
 %% for _, s in ipairs(steppers) do
 %%   if s.run then
-    {"${s.name}", plugin_${s.name}, plugin_${s.name}_run},
+    {"${s.name}", plugin_${s.name}, plugin_${s.name}_run, plugin_${s.name}_march, ${s.order}},
 %%   else
-    {"${s.name}", plugin_${s.name}, NULL},
+    {"${s.name}", plugin_${s.name}, NULL, plugin_${s.name}_march, ${s.order}},
 %%   end
 %% end
-    {NULL, NULL, NULL},
+    {NULL, NULL, NULL, NULL, 0},
   };
   static const struct polhode_plugin table = {
     POLHODE_PLUGIN_ABI, "${name}", "${real}", (double)${epsilon}, ${upper}_NX, ${upper}_NU, ${upper}_NP,
@@ -182,7 +228,12 @@ const struct polhode_plugin *polhode_plugin(void)
     NULL,
 %% end
 %% if has_closed then
-    plugin_solve, plugin_at
+    plugin_solve, plugin_at, plugin_solve_loop, plugin_at_loop,
+%% else
+    NULL, NULL, NULL, NULL,
+%% end
+%% if has_peers then
+    plugin_peer_rhs, plugin_hand_rk4
 %% else
     NULL, NULL
 %% end

@@ -37,6 +37,9 @@ local INCLUDES = {
   ["src/runtime"] = { own = { "src/runtime" }, outside = { "^gsl/" } },
   ["src/cli"] = { own = { "src/cli", "src/runtime/polhode.h", "templates/plugin.h" },
     outside = { "^lua%.h$", "^lauxlib%.h$", "^lualib%.h$", "^expat%.h$", "^gmp%.h$", "^mpfr%.h$" } },
+  -- the integrators of others, which the emitted code is timed against
+  ["src/cli/bench"] = { own = { "src/cli", "templates/plugin.h" }, outside = { "^gsl/", "^arkode/", "^cvode/",
+    "^nvector/", "^sundials/", "^sunlinsol/", "^sunmatrix/", "^sunnonlinsol/" } },
   ["templates"] = { own = { "templates" }, outside = {} },
   ["tests"] = { own = { "tests", "src/runtime" }, outside = { "^gsl/", "^gmp%.h$", "^mpfr%.h$" } },
 }
@@ -193,7 +196,7 @@ local function exists(path)
 end
 
 local function unit_of(path)
-  return path:match("^src/[^/]+") or path:match("^[^/]+")
+  return path:match("^src/cli/bench%f[_.]") or path:match("^src/[^/]+") or path:match("^[^/]+")
 end
 
 -- Where a quoted include leads: beside the file, or on the include path of its unit.

@@ -254,7 +254,8 @@ function project.code(job)
   return header, text
 end
 
--- The list of files {name, text}.  With plugin = true also the table that the program polhode loads.
+-- The list of files {name, text}.  plugin: also the table that the program polhode loads; plugin = {peers = true}: with
+-- what other integrators need, if the scene is in double.
 function project.files(job, plugin)
   local header, text, v, ctx = code(job)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
@@ -268,6 +269,8 @@ function project.files(job, plugin)
     { name = "README.md", text = render "templates/README.md" },
   }
   if plugin then
+    v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false
+    if v.has_peers then files[#files + 1] = { name = "peers.c", text = render "templates/peers.c" } end
     files[#files + 1] = { name = "plugin.c", text = render "templates/plugin.c" }
     files[#files + 1] = { name = "plugin.h", text = job.templates["templates/plugin.h"] }
   end

@@ -8,13 +8,14 @@ local steppers = {}
 local fill = { taylor = require("generator.emit.taylor").fill, adaptive = require("generator.emit.adaptive").fill,
   split = require("generator.emit.split").fill, midpoint = require("generator.emit.midpoint").fill }
 
--- Fills stepper_header, stepper_source and steppers, the list for the program's own use: {name, step (C name), run}.
+-- Fills stepper_header, stepper_source and steppers, the list for the program's own use: {name, step (C name), run,
+-- order}.
 function steppers.render(job, v, ctx)
   v.stepper_header, v.stepper_source, v.steppers = "", "", {}
   local headers, sources = {}, {}
   for i, s in ipairs(job.steppers) do
     local own = { name = s.method.name, step = i == 1 and "step" or s.method.name .. "_step",
-      run = s.method.adaptive or false }
+      run = s.method.adaptive or false, order = string.format("%d", s.method.order or s.program.order or 0) }
     v.steppers[i] = own
     if s.program then
       local kind = s.method.template or own.name

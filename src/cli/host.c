@@ -30,6 +30,10 @@ static const luaL_Reg functions[] = {
     {"plugin", host_plugin},
     {"mesh", host_mesh},
     {"visible", sandbox_visible},
+    {"processors", host_processors},
+    {"baseline", host_baseline},
+    {"peers", host_peers},
+    {"compile_many", host_compile_many},
     {NULL, NULL},
 };
 
