@@ -1,4 +1,4 @@
--- study.lua -- measures every method that a scene admits, with peers beside them: the study that report/bench.lua shows.
+-- study.lua -- measures every method that a scene admits, with peers beside them; report/bench.lua shows it.
 --
 -- The order of things: reference and conditioning by the general library; one shared object for each combination of
 -- real type, compiler flags and order of a series; ladders of settings, whose errors are exact and whose times only
@@ -23,7 +23,9 @@ study.orders = { double = { 8, 12, 16, 20, 24 }, float = { 6, 8, 12 } } -- of Ta
 local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
 local near_rounding = 8 -- an error of at most so many ulp of the input, moved to the end, is rounding's
 local near_reference = 4
-local rounds, share, most_repeats = 3, 4e-3, 2001 -- of the timing: s for a row in a round
+local rounds, repeats, limit = 3, 5, 0.05 -- of the timing: samples of a row in a round, and s for them
+local slow = 5e-3 -- s: such rows are timed in one round
+local patience = 2 -- s for a run of a peer
 local noisy = 1.10 -- the baseline's largest time over its least
 local violent = 8 -- growth of the conditioning over the second half of the run
 local levels = { 1e-3, 1e-6, 1e-9, 1e-11 }
@@ -37,7 +39,8 @@ end
 
 local function group_of(c) return (c.method == "exact" and "closed" or c.vector and "host" or "portable") end
 
--- The candidates that the scene admits, each as {c = candidate, name =, group =, order =}, and why others are not there.
+-- The candidates that the scene admits, each as {c = candidate, name =, group =, order =}, and why others are not
+-- there.
 local function chosen(job, given)
   local list, refused, seen = {}, {}, {}
   for _, real in ipairs { "double", "float" } do
@@ -103,8 +106,8 @@ local function units(list)
   return out
 end
 
--- Plans, compiles and loads the units; true, or nil and why.  Each has a job of its own, as planning leaves constants in
--- the model.
+-- Plans, compiles and loads the units; true, or nil and why.  Each has a job of its own, as planning leaves constants
+-- in the model.
 local function load_units(host, given, list)
   local wanted = {}
   for i, u in ipairs(list) do
@@ -115,8 +118,10 @@ local function load_units(host, given, list)
     u.job = job
     wanted[i] = { job = job, flags = u.host and host_flags(job) or {}, peers = u.peers }
   end
-  local plugins, why = build.plugins(host, wanted)
-  if not plugins then return nil, why end
+  local plugins, failed = build.plugins(host, wanted)
+  for i in ipairs(failed and list or {}) do
+    if failed[i] then return nil, failed[i].message end
+  end
   for i, u in ipairs(list) do
     u.plugin = plugins[i]
     if u.plugin:init() ~= 0 then return nil, "the emitted code refuses the scene's own parameters" end
@@ -156,7 +161,7 @@ end
 local function climb(g, e, kind, run, best)
   local out, real = {}, e.c and e.c.real or "double"
   local found = ladder.climb { order = e.order or 4, T = g.T, kind = kind, floor = g.floor[real] / near_rounding * 2,
-    least = epsilon[real], enough = g.enough, best = best,
+    least = epsilon[real], enough = g.enough, best = best, ratio = e.ratio, behind = e.behind,
     run = function(setting)
       local start = g.host.clock()
       local rows = run(setting)
@@ -178,8 +183,8 @@ local function closed_row(g, e)
   if plugin:solve(g.x0) ~= 0 then return nil end
   local states = {}
   for i, t in ipairs(g.times) do states[i] = plugin:at(t) end
-  local row = { name = e.name, family = "exact", group = e.group, real = e.c.real, kind = "none", entry = e, about = 1e-5,
-    error = err.of(g.job, states, g.reference), drift = g.drift(states) }
+  local row = { name = e.name, family = "exact", group = e.group, real = e.c.real, kind = "none", entry = e,
+    about = 1e-5, error = err.of(g.job, states, g.reference), drift = g.drift(states) }
   row.note = note(g, row)
   return row
 end
@@ -221,8 +226,9 @@ local function ladders(g, list, peers, tick)
   end
   for _, e in ipairs(peers) do
     tick(e.name)
-    done(e, climb(g, e, e.setting, function(setting) return e.plugin:peer(e.name, setting, g.x0, g.times) end,
-      best_of(e)))
+    done(e, climb(g, e, e.setting, function(setting)
+      return e.plugin:peer(e.name, setting, g.x0, g.times, nil, patience)
+    end, best_of(e)))
   end
   local rows = {}
   for _, part in ipairs { list, peers } do
@@ -235,22 +241,24 @@ end
 
 -- ---- times ----
 
--- One round's measure of a row: seconds for the horizon, steps, seconds of one evaluation of a closed form.
-local function timed(g, r, repeats)
-  local e, t = r.entry, nil
+-- One round's measure of a row: seconds for the horizon (nil: it cannot), steps, seconds of one evaluation of a closed
+-- form.
+local function timed(g, r)
+  local e = r.entry
+  local what = { x0 = g.x0, to = g.T, repeats = repeats, limit = math.max(limit, 4 * r.about) }
+  local t
   if r.kind == "none" then
-    t = e.unit.plugin:time_closed { x0 = g.x0, to = g.T, repeats = repeats }
+    t = e.unit.plugin:time_closed(what)
+    if not t then return nil end
     return t.setup.median + t.at.median, nil, t.at.median
-  end
-  local what = { x0 = g.x0, to = g.T, repeats = repeats }
-  if e.c then
-    what.method = e.c.method
-    what[r.kind] = r.setting
+  elseif e.c then
+    what.method, what[r.kind] = e.c.method, r.setting
     t = e.unit.plugin:time(what)
   else
     what.name, what.setting = e.name, r.setting
     t = e.plugin:time_peer(what)
   end
+  if not t then return nil end
   return t.median, t.steps
 end
 
@@ -258,30 +266,28 @@ end
 local function measure(g, rows, tick)
   local noise = { least = math.huge, most = 0 }
   local function baseline()
-    local b = g.host.baseline()
-    noise.least, noise.most = math.min(noise.least, b.ns * 1e-9), math.max(noise.most, b.ns * 1e-9)
+    local ns = g.host.baseline().ns
+    noise.least, noise.most = math.min(noise.least, ns * 1e-9), math.max(noise.most, ns * 1e-9)
   end
   for _, r in ipairs(rows) do r.time, r.all = math.huge, {} end
   for round = 1, rounds do
-    baseline()
     for i, r in ipairs(rows) do
-      if round == 1 or r.about < 0.1 then
-        if i % 64 == 0 then baseline() end
-        local repeats = math.max(1, math.min(most_repeats, math.tointeger(share // r.about) or 1)) | 1 -- odd: a median
-        local seconds, steps, evaluation = timed(g, r, repeats)
-        if seconds < r.time then
-          r.time, r.evaluation = seconds, evaluation
+      if i % 64 == 1 then baseline() end
+      if i % 16 == 1 then tick("times, round " .. round) end
+      if round == 1 or r.about < slow then
+        local seconds, steps, evaluation = timed(g, r)
+        if seconds then
+          if seconds < r.time then r.time, r.evaluation = seconds, evaluation end
+          r.steps = steps
+          table.insert(r.all, seconds)
         end
-        r.steps = steps
-        table.insert(r.all, seconds)
       end
-      if i % 16 == 0 then tick("times, round " .. round) end
     end
   end
   baseline()
   for _, r in ipairs(rows) do
     table.sort(r.all)
-    r.spread, r.all = r.all[(#r.all + 1) // 2] / r.time - 1, nil
+    r.spread, r.all = #r.all > 0 and r.all[(#r.all + 1) // 2] / r.time - 1 or 0, nil
   end
   noise.noisy = noise.most > noisy * noise.least
   return noise
@@ -326,14 +332,16 @@ function study.of(host, job, given, tick)
   g.drift = drift.of(job, carrier.plugin, g.x0)
   local peers = {}
   for _, p in ipairs(given.no_peers and {} or host.peers()) do
-    peers[#peers + 1] = { name = p.name, family = p.name, group = "peer", setting = p.setting, order = p.order,
-      plugin = carrier.plugin }
+    peers[#peers + 1] = { name = p.name, family = p.name, group = "peer", setting = p.setting, plugin = carrier.plugin,
+      ratio = math.sqrt(10), behind = 300 } -- with a finer ladder than ours, and to the end
   end
   counts(list, tick)
-  local rows = ladders(g, list, peers, tick)
-  local noise = measure(g, rows, tick)
-  for _, r in ipairs(rows) do
+  local tried = ladders(g, list, peers, tick)
+  local noise = measure(g, tried, tick)
+  local rows = {}
+  for _, r in ipairs(tried) do
     r.operations, r.entry = r.entry.operations, nil
+    if r.time < math.huge then rows[#rows + 1] = r end
   end
   local c = g.condition
   return { name = job.model.name, horizon = g.T, own_error = g.own_error, epsilon = epsilon, noise = noise, rows = rows,

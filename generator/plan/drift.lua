@@ -8,8 +8,8 @@ local drift = {}
 
 local function norm(v) return math.sqrt(v[1] * v[1] + v[2] * v[2] + v[3] * v[3]) end
 
--- plugin: in double, with its parameters set.  Returns a function of rows (states) -> {[law] = largest drift}; laws that
--- the plugin has no function for are left out.
+-- plugin: in double, with its parameters set.  Returns a function of rows (states) -> {[law] = largest drift}; laws
+-- that the plugin has no function for are left out.
 function drift.of(job, plugin, x0)
   local wx
   for i, s in ipairs(job.states) do

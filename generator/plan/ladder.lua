@@ -2,7 +2,7 @@
 -- to the one that rounding ends.
 --
 -- A step goes down by 2, or by as much less as makes the error of a high order fall by some 30 a rung; a tolerance by
--- 10.  Rungs whose error is a tenth or more tell nothing and are passed over, by halves of the step.
+-- 10, or by m.ratio.  Rungs whose error is a tenth or more tell nothing and are passed over, by halves of the step.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local ladder = {}
@@ -11,19 +11,21 @@ local useless = 0.1 -- an error like that
 local coarsest, most_steps = 20, 2 ^ 24 -- steps over the horizon
 local fall = 32.0 -- of the error, from rung to rung
 local slowest = 0.4 -- s: no rung takes longer
-local behind = 20 -- times the time of the best of its group: further rungs are not worth their time
+local behind = 20 -- times the time of the best of its group (or m.behind): further rungs are not worth their time
+local patience = 3 -- rungs that bring nothing
 
 -- m: {order = of a fixed step's method, T = horizon, kind = "step"|"tolerance", least = least tolerance,
---   floor = error that rounding allows, enough = error that need not be improved (or nil),
+--   ratio =, behind = (see above), floor = error that rounding allows, enough = error that need not be improved (or nil),
 --   run = function(setting) -> error (math.huge: no result), seconds, anything,
 --   best = function(error) -> seconds of the best of its group with at most that error, or nil}
 -- Returns a list of {setting =, error =, seconds =, what = run's third}, in the order of falling settings.
 function ladder.climb(m)
   local list = {}
+  local far = m.behind or behind
   local function rung(setting)
     local e, seconds, what = m.run(setting)
     local best = m.best(e)
-    if seconds > slowest / 2 or best and seconds > behind / 2 * best then -- was it the machine, or is it so?
+    if seconds > slowest / 2 or best and seconds > far / 2 * best then -- was it the machine, or is it so?
       local _, again = m.run(setting)
       seconds = math.min(seconds, again)
     end
@@ -31,22 +33,22 @@ function ladder.climb(m)
     if e < 10 * useless then list[#list + 1] = r end
     return r
   end
-  -- Is the rung the last?  at the floor twice, no longer better, too slow, or good enough
+  -- Is the rung the last?  at the floor, no longer better, too slow, or good enough
   local stuck = 0
   local function last(r)
     local before = list[#list - 1]
     local best = m.best(r.error)
     if r.error <= m.floor or before and r.error > before.error / 2 then stuck = stuck + 1 else stuck = 0 end
-    return stuck >= 2 or r.seconds > slowest or best and r.seconds > behind * best
+    return stuck >= patience or r.seconds > slowest or best and r.seconds > far * best
       or m.enough and r.error <= m.enough
   end
   if m.kind == "tolerance" then
-    for k = 1, 18 do
-      local tolerance = 1 / 10.0 ^ k
-      if tolerance < m.least then break end
+    local tolerance = 0.1
+    while tolerance >= m.least do
       local r = rung(tolerance)
       if r.error < useless and last(r) or r.seconds > slowest then break end
       if r.error == math.huge and #list > 0 then break end
+      tolerance = tolerance / (m.ratio or 10.0)
     end
     return list
   end
