@@ -63,6 +63,11 @@ local function controlled(u, run)
   return counts(difference(cost(3), cost(2)))
 end
 
+-- One number of a table of counts, to compare two: divisions and roots count some times as much, functions 30 times.
+function ops.weight(c)
+  return c.add + c.mul + c.fma + 4 * c.div + 6 * c.sqrt + 30 * c.call
+end
+
 function ops.of(job, candidate, options)
   options = options or {}
   local name, method = job.model.name, candidate.method

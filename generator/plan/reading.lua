@@ -102,7 +102,7 @@ function parser:statement()
     self:take ")"
     local yes, no = self:apart(function() self:statement() end), {}
     if self:accept "else" then no = self:apart(function() self:statement() end) end
-    return self:put { kind = "if", cond = cond, yes = yes, no = no }
+    return self:put { kind = "if", cond = cond, yes = yes, no = no, rare = yes.hint == "rare" }
   elseif s == "for" or s == "while" then
     self.at = self.at + 1
     self:take "("
@@ -121,7 +121,8 @@ function parser:statement()
     end
     self:take ")"
     local body = self:apart(function() self:statement() end)
-    return self:put { kind = "loop", cond = cond, before = before, body = body, step = step }
+    return self:put { kind = "loop", cond = cond, before = before, body = body, step = step,
+      turns = body.hint }
   elseif s == "return" then
     self.at = self.at + 1
     local value, _
@@ -139,6 +140,11 @@ end
 
 function parser:block()
   self:take "{"
+  if self:accept "@" then
+    local hint = self.tokens[self.at]
+    self.at = self.at + 1
+    self.code.hint = math.tointeger(tonumber(hint)) or hint
+  end
   while not self:accept "}" do self:statement() end
 end
 

@@ -2,7 +2,9 @@
 --
 -- The text is read by generator/plan/reading.lua, only the functions that are asked for and what they call.  Integers
 -- that do not depend on the numbers (loops, orders, indices) are followed exactly.  Where the numbers decide, the
--- costlier branch is counted; so a count is exact where no branch depends on the numbers, else the largest.
+-- costlier branch is counted; so a count is exact where no branch depends on the numbers, else the largest.  Two
+-- comments in templates say what no bound would tell: after the brace of a loop `some 8 times`, for loops that
+-- converge, and after that of a branch `rare`, which is not counted.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local reading = require "generator.plan.reading"
@@ -61,8 +63,14 @@ local function preprocessed(text, defined)
   return table.concat(out)
 end
 
-local function fields_of(unit, body)
+local fields_of
+function fields_of(unit, body)
   local fields = {}
+  body = string.gsub(body, "struct%s*(%b{})%s*([%w_]+)", function(inner, name) -- a structure without a name
+    local own = "struct_" .. name
+    unit.types[own], unit.fields[own] = own, fields_of(unit, string.sub(inner, 2, -2))
+    return own .. " " .. name
+  end)
   for line in string.gmatch(string.gsub(body, "%b[]", "*"), "[^;]+") do
     local kind
     for word in string.gmatch(line, "[%a_][%w_*]*") do
@@ -90,9 +98,9 @@ local function outside(unit, text)
       end
     end
   end
-  for body, name in string.gmatch(text, "typedef %a+ [%w_]*%s*{(.-)\n%s*} ([%w_]+);") do
+  for body, name in string.gmatch(text, "typedef %a+ [%w_]*%s*(%b{}) ([%w_]+);") do
     unit.types[name] = name
-    unit.fields[name] = fields_of(unit, body)
+    unit.fields[name] = fields_of(unit, string.sub(body, 2, -2))
   end
   for kind, name, size in string.gmatch(text, "static const ([%w_]+) ([%w_]+)(%[[%w%[%]_ +]*%])") do
     unit.globals[name] = (unit.types[kind] or "int") .. string.gsub(string.gsub(size, "%b[]", "*"), "[^*]", "")
@@ -171,6 +179,12 @@ local function items(unit, code, first, env, total)
       local cost, value = run(unit, item.name, args)
       add(total, cost)
       env[item.slot] = value
+    elseif kind == "loop" and item.turns then
+      for _ = 1, item.turns do
+        items(unit, item.before, 1, env, total)
+        if items(unit, item.body, 1, env, total) then break end
+        items(unit, item.step, 1, env, total)
+      end
     elseif kind == "loop" then
       for turn = 1, BOUND do
         if turn == BOUND then error("a loop without a bound in " .. unit.running, 0) end
@@ -184,6 +198,7 @@ local function items(unit, code, first, env, total)
       end
     elseif kind == "if" then
       local cond = tokens.number_of(item.cond, env)
+      if cond == nil and item.rare then cond = 0 end
       if cond ~= nil then
         local status, value = items(unit, cond ~= 0 and item.yes or item.no, 1, env, total)
         if status then return status, value end
@@ -213,10 +228,17 @@ local function items(unit, code, first, env, total)
   return nil
 end
 
+-- The text with two kinds of comments as words of their own: how often a loop runs where the numbers decide, and a
+-- branch that is not counted.
+local function hinted(text)
+  text = string.gsub(string.gsub(text, "/%* some (%d+) times %*/", "@ %1"), "/%* rare %*/", "@ rare")
+  return (string.gsub(text, "/%*.-%*/", " "))
+end
+
 function run(unit, name, args)
   local f = unit.functions[name]
   if not f.code then
-    local read = reading.body(unit, name, f.parameters, (string.gsub(f.text, "/%*.-%*/", " ")))
+    local read = reading.body(unit, name, f.parameters, hinted(f.text))
     f.code, f.order, f.kinds = read.code, read.parameters, read.kinds
   end
   local key, env = name, {}
