@@ -23,6 +23,7 @@ study.orders = { double = { 8, 12, 16, 20, 24 }, float = { 6, 8, 12 } } -- of Ta
 local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
 local near_rounding = 8 -- an error of at most so many ulp of the input, moved to the end, is rounding's
 local near_reference = 4
+local better = 8 -- by so much is a rung better that is not only luckier
 local rounds, repeats, limit = 3, 5, 0.05 -- of the timing: samples of a row in a round, and s for them
 local slow = 5e-3 -- s: such rows are timed in one round
 local patience = 2 -- s for a run of a peer
@@ -142,26 +143,34 @@ local function ground(host, job, given, tick)
   g.own_error = why
   tick("conditioning")
   g.condition = condition.of(host, job, g.x0, g.T)
-  local number = g.condition and g.condition.number or 1
-  g.floor = {}
-  for real, e in pairs(epsilon) do -- order does not matter: a table of named fields
-    g.floor[real] = math.max(near_rounding * math.max(number, 1) * e, near_reference * g.own_error)
-  end
+  local c = g.condition
+  g.number = math.max(c and c.number or 1, c and c.state or 1, 1)
   return g
 end
 
-local function note(g, row)
-  if row.error <= near_rounding * math.max(g.condition and g.condition.number or 1, 1) * epsilon[row.real] then
-    return "rounding"
+-- Names the errors that say nothing of the method: those of the reference's own size, and those that rounding makes.
+-- That is a few ulp at the start, and an ulp in each step, a random walk; where a finer rung is far better it was not
+-- rounding.
+local function explain_floors(g, rows)
+  local least = {} -- of the finer rungs of the same ladder
+  for i = #rows, 1, -1 do
+    local r = rows[i]
+    local ulp = g.number * epsilon[r.real]
+    if r.error <= near_reference * g.own_error then
+      r.note = "reference"
+    elseif r.error <= ulp * math.max(near_rounding, math.sqrt(r.steps or 0)) and
+      r.error <= better * (least[r.entry] or math.huge) then
+      r.note = "rounding"
+    end
+    least[r.entry] = math.min(r.error, least[r.entry] or math.huge)
   end
-  return row.error <= near_reference * g.own_error and "reference" or nil
 end
 
 -- One entry's rows.  run(setting) -> rows of states or nil.
 local function climb(g, e, kind, run, best)
   local out, real = {}, e.c and e.c.real or "double"
-  local found = ladder.climb { order = e.order or 4, T = g.T, kind = kind, floor = g.floor[real] / near_rounding * 2,
-    least = epsilon[real], enough = g.enough, best = best, ratio = e.ratio, behind = e.behind,
+  local found = ladder.climb { order = e.order or 4, T = g.T, kind = kind, least = epsilon[real], enough = g.enough,
+    floor = math.max(2 * g.number * epsilon[real], g.own_error), best = best, behind = e.behind,
     run = function(setting)
       local start = g.host.clock()
       local rows = run(setting)
@@ -173,7 +182,6 @@ local function climb(g, e, kind, run, best)
   for i, r in ipairs(found) do
     out[i] = { name = e.name, family = e.family or e.c.method, group = e.group, real = real, kind = kind,
       setting = r.setting, error = r.error, about = r.seconds, entry = e, drift = g.drift(r.what) }
-    out[i].note = note(g, out[i])
   end
   return out
 end
@@ -183,10 +191,8 @@ local function closed_row(g, e)
   if plugin:solve(g.x0) ~= 0 then return nil end
   local states = {}
   for i, t in ipairs(g.times) do states[i] = plugin:at(t) end
-  local row = { name = e.name, family = "exact", group = e.group, real = e.c.real, kind = "none", entry = e,
+  return { name = e.name, family = "exact", group = e.group, real = e.c.real, kind = "none", entry = e,
     about = 1e-5, error = err.of(g.job, states, g.reference), drift = g.drift(states) }
-  row.note = note(g, row)
-  return row
 end
 
 -- All rows without their times: list, peers -> rows in the order of the list.
@@ -333,21 +339,24 @@ function study.of(host, job, given, tick)
   local peers = {}
   for _, p in ipairs(given.no_peers and {} or host.peers()) do
     peers[#peers + 1] = { name = p.name, family = p.name, group = "peer", setting = p.setting, plugin = carrier.plugin,
-      ratio = math.sqrt(10), behind = 300 } -- with a finer ladder than ours, and to the end
+      behind = 120 } -- their curves are drawn further
   end
   counts(list, tick)
   local tried = ladders(g, list, peers, tick)
   local noise = measure(g, tried, tick)
+  explain_floors(g, tried)
   local rows = {}
   for _, r in ipairs(tried) do
     r.operations, r.entry = r.entry.operations, nil
     if r.time < math.huge then rows[#rows + 1] = r end
   end
-  local c = g.condition
+  local c, growth = g.condition, nil
+  if c and c.growth and c.growth > violent then
+    growth = "what is uncertain at the start grows faster than regular motion has it: unstable or chaotic"
+  end
   return { name = job.model.name, horizon = g.T, own_error = g.own_error, epsilon = epsilon, noise = noise, rows = rows,
     reference = "the general library in long double, by two roads",
-    condition = c and { number = c.number, input = c.input, growth = c.growth and c.growth > violent and
-      "what is uncertain at the start grows faster than by any regular motion: unstable or chaotic" or nil },
+    condition = c and { number = c.number, input = c.input, state = c.state, growth = growth },
     conserved = job.conserved, levels = given.accuracy and { given.accuracy } or levels, remarks = refused }
 end
 

@@ -143,6 +143,12 @@ local function decades(lo, hi)
   return { 10.0 ^ a, 10.0 ^ math.max(b, a + 1) }
 end
 
+-- Around [lo, hi], at least two decades.
+local function around(lo, hi)
+  local middle, half = math.sqrt(lo * hi), math.max(math.sqrt(hi / lo) * 1.5, 10.0)
+  return { middle / half, middle * half }
+end
+
 -- The ranges of times and errors, over what is drawn.
 local function ranges(curves, floors)
   local t0, t1, e0, e1 = math.huge, 0, math.huge, 0
@@ -153,7 +159,7 @@ local function ranges(curves, floors)
   end
   for _, f in ipairs(floors) do e0, e1 = math.min(e0, f[1]), math.max(e1, f[1]) end
   if t1 == 0 then return nil end
-  return decades(t0 * 0.8, t1 * 1.2), decades(e0 * 0.5, e1)
+  return around(t0, t1), decades(e0 * 0.5, e1)
 end
 
 local function draw(d, curves)

@@ -1,21 +1,21 @@
 -- ladder.lua -- the settings of one method that are worth measuring: from the first that follows the motion at all
 -- to the one that rounding ends.
 --
--- A step goes down by 2, or by as much less as makes the error of a high order fall by some 30 a rung; a tolerance by
--- 10, or by m.ratio.  Rungs whose error is a tenth or more tell nothing and are passed over, by halves of the step.
+-- A step goes down by 2, or by as much less as makes the error of a high order fall by some 10 a rung; a tolerance by
+-- the root of 10.  Rungs whose error is a tenth or more tell nothing and are passed over, by halves of the step.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local ladder = {}
 
 local useless = 0.1 -- an error like that
 local coarsest, most_steps = 20, 2 ^ 24 -- steps over the horizon
-local fall = 32.0 -- of the error, from rung to rung
+local fall = 10.0 -- of the error, from rung to rung
 local slowest = 0.4 -- s: no rung takes longer
 local behind = 20 -- times the time of the best of its group (or m.behind): further rungs are not worth their time
 local patience = 3 -- rungs that bring nothing
 
 -- m: {order = of a fixed step's method, T = horizon, kind = "step"|"tolerance", least = least tolerance,
---   ratio =, behind = (see above), floor = error that rounding allows, enough = error that need not be improved (or nil),
+--   behind = (see above), floor = error that rounding allows, enough = error that is good enough (or nil),
 --   run = function(setting) -> error (math.huge: no result), seconds, anything,
 --   best = function(error) -> seconds of the best of its group with at most that error, or nil}
 -- Returns a list of {setting =, error =, seconds =, what = run's third}, in the order of falling settings.
@@ -43,12 +43,12 @@ function ladder.climb(m)
       or m.enough and r.error <= m.enough
   end
   if m.kind == "tolerance" then
-    local tolerance = 0.1
-    while tolerance >= m.least do
+    for k = 2, 36 do
+      local tolerance = 10.0 ^ (-k / 2)
+      if tolerance < m.least then break end
       local r = rung(tolerance)
       if r.error < useless and last(r) or r.seconds > slowest then break end
       if r.error == math.huge and #list > 0 then break end
-      tolerance = tolerance / (m.ratio or 10.0)
     end
     return list
   end

@@ -1,7 +1,7 @@
 -- bench.lua -- what was measured of a scene's methods: Pareto fronts, the best at each level, tables, CSV, the diagram.
 --
 -- A study is plain data:
---     { name =, horizon = (s), reference = "how", own_error =, condition = { number =, input =, growth = },
+--     { name =, horizon = (s), reference = "how", own_error =, condition = { number =, input =, state =, growth = },
 --       epsilon = { double =, float = }, conserved = { "T+V", ... }, levels = { 1e-3, ... },
 --       noise = { least =, most = (of the baseline, s), noisy = bool }, rows = { ... } }
 -- and a row one method at one setting:
@@ -107,6 +107,8 @@ function bench.time_text(s)
   end
 end
 local time_text = bench.time_text
+
+local function count_text(x) return string.format(x < 9.95 and "%.1f" or x < 1e5 and "%.0f" or "%.1e", x) end
 
 local function ratio_text(x) return string.format(x < 9.95 and "%.2f" or x < 99.5 and "%.1f" or "%.0f", x) end
 bench.ratio_text = ratio_text
@@ -260,9 +262,14 @@ function bench.preface(study)
     "times in the last tenth of it, each kind of state relative to its largest value"
   list[2] = "reference: " .. study.reference .. ", good to " .. error_text(study.own_error)
   if c then
-    list[3] = "condition number " .. string.format("%.2g", c.number) .. " (worst input: " .. c.input ..
-      "): one ulp of it moves the end by " .. error_text(c.number * study.epsilon.double) .. " in double, " ..
-      error_text(c.number * study.epsilon.float) .. " in float; errors near that are named rounding"
+    local function ulp(n)
+      local e = study.epsilon
+      return error_text(n * e.double) .. " in double, " .. error_text(n * e.float) .. " in float"
+    end
+    list[3] = "condition number " .. count_text(c.number) .. " (worst input: " .. c.input ..
+      "): one ulp of it moves the end by " .. ulp(c.number)
+    list[4] = "one ulp of the size of the state, as rounding on the way adds it, moves the end by " .. ulp(c.state) ..
+      "; errors near that are named rounding"
     if c.growth then list[#list + 1] = c.growth end
   end
   for _, s in ipairs(study.remarks or {}) do list[#list + 1] = s end
@@ -364,7 +371,7 @@ end
 function bench.picture(study)
   local floors, c = {}, study.condition
   for i, real in ipairs(c and { "double", "float" } or {}) do
-    floors[i] = { c.number * study.epsilon[real], "one ulp of the input, " .. real }
+    floors[i] = { math.max(c.number, c.state) * study.epsilon[real], "one ulp of the state, " .. real }
   end
   local title = study.name .. ": error against time for " .. string.format("%.6g", study.horizon) .. " s of motion"
   return workprecision.text { title = title, floors = floors, curves = bench.curves(study),
