@@ -13,6 +13,7 @@ local fall = 10.0 -- of the error, from rung to rung
 local slowest = 0.4 -- s: no rung takes longer
 local behind = 20 -- times the time of the best of its group (or m.behind): further rungs are not worth their time
 local patience = 3 -- rungs that bring nothing
+local plateau = 8 -- the same of tolerances: at first the steps may be limited by something else
 local again = 4 -- times that a rung is run once more before it is called slow
 
 -- m: {order = of a fixed step's method, T = horizon, kind = "step"|"tolerance", least = least tolerance,
@@ -35,12 +36,13 @@ function ladder.climb(m)
     return r
   end
   -- Is the rung the last?  at the floor, no longer better, too slow, or good enough
-  local stuck = 0
+  local stuck, flat = 0, 0
   local function last(r)
     local before = list[#list - 1]
     local best = m.best(r.error)
-    if r.error <= m.floor or before and r.error > before.error / 2 then stuck = stuck + 1 else stuck = 0 end
-    return stuck >= patience or r.seconds > slowest or best and r.seconds > far * best
+    stuck = r.error <= m.floor and stuck + 1 or 0
+    flat = before and r.error > before.error / 2 and flat + 1 or 0
+    return stuck >= patience or flat >= (m.kind == "step" and patience or plateau) or r.seconds > slowest or best and r.seconds > far * best
       or m.enough and r.error <= m.enough
   end
   if m.kind == "tolerance" then

@@ -77,6 +77,10 @@ do -- tolerances: the error is theirs, times 1000
   tap.ok(list[1].error <= 1 and list[1].error > 0.09, "rungs without a result are left out")
   tap.ok(list[#list].error < 1e-10 and list[#list].setting >= 1e-14 * (1 - 1e-12),
     "a run that ends in nothing ends the ladder")
+  list = climb { kind = "tolerance", floor = 1e-30, run = function(tolerance)
+    return math.min(1e-3, tolerance), 1e-6
+  end }
+  tap.ok(list[#list].error < 1e-10, "a few tolerances that all do the same do not end it")
   tolerances = {}
   climb { kind = "tolerance", run = run, floor = 1e-30, least = 1e-6 }
   tap.ok(tolerances[#tolerances] >= 1e-6 * (1 - 1e-12), "no tolerance is below what the type can hold")
