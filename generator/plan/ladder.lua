@@ -42,8 +42,8 @@ function ladder.climb(m)
     local best = m.best(r.error)
     stuck = r.error <= m.floor and stuck + 1 or 0
     flat = before and r.error > before.error / 2 and flat + 1 or 0
-    return stuck >= patience or flat >= (m.kind == "step" and patience or plateau) or r.seconds > slowest or best and r.seconds > far * best
-      or m.enough and r.error <= m.enough
+    return stuck >= patience or flat >= (m.kind == "step" and patience or plateau) or r.seconds > slowest
+      or best and r.seconds > far * best or m.enough and r.error <= m.enough
   end
   if m.kind == "tolerance" then
     for k = 2, 36 do
