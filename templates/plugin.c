@@ -106,6 +106,32 @@ static int plugin_${s.name}_run(const void *m, double t0, double *x, const doubl
 
 %%   end
 %% end
+%% for _, order in ipairs(plan_orders) do
+void ${name}_taylor_step_of(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int top);
+
+static void plugin_taylor${order}(const void *m, double t, double *x, const double *u, double h)
+{
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0};
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  ${name}_taylor_step_of((const ${name}_model *)m, (real)t, y, v, (real)h, ${order});
+  widen(${upper}_NX, y, x);
+}
+
+static void plugin_taylor${order}_march(const void *m, double t0, double *x, const double *u, double h, long n)
+{
+  const real start = (real)t0, size = (real)h;
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0};
+  long i;
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  for (i = 0; i < n; i++) ${name}_taylor_step_of((const ${name}_model *)m, start + (real)i*size, y, v, size, ${order});
+  widen(${upper}_NX, y, x);
+}
+
+%% end
 static void plugin_jacobian(const void *m, double t, const double *x, const double *u, double *J)
 {
   real y[${upper}_NX], v[${upper}_NU + 1] = {0}, j[${upper}_NX*${upper}_NX];
@@ -124,6 +150,16 @@ static double plugin_energy(const void *m, const double *x)
   return (double)${name}_energy((const ${name}_model *)m, y);
 }
 
+%% if has_integral then
+static double plugin_integral(const void *m, double t, const double *x)
+{
+  real y[${upper}_NX];
+
+  narrow(${upper}_NX, x, y);
+  return (double)${name}_jacobi_integral((const ${name}_model *)m, (real)t, y);
+}
+
+%% end
 %% if has_attitude then
 static void plugin_momentum(const void *m, const double *x, double *L)
 {
@@ -186,6 +222,26 @@ static void plugin_at_loop(const void *o, double t0, double h, double *x, long n
 %% end
   widen(${upper}_NX, y, x);
 }
+%%   if has_full then
+
+static void plugin_many_loop(const void *o, double t0, double h, double *x, long n)
+{
+  enum { MANY = 64 };
+  const real start = (real)t0, size = (real)h;
+  real t[MANY], y[${upper}_NX*MANY];
+  long i;
+
+  for (i = 0; i < n; i += MANY) {
+    const int count = n - i < MANY ? (int)(n - i) : (int)MANY;
+    int k;
+
+    for (k = 0; k < count; k++) t[k] = start + (real)(i + k)*size;
+    ${name}_at_many((const ${name}_orbit *)o, count, t, y);
+    if (i + count < n) continue;
+    for (k = 0; k < ${upper}_NX; k++) x[k] = (double)y[(k + 1)*count - 1];
+  }
+}
+%%   end
 %% end
 %% if has_peers then
 
@@ -193,6 +249,10 @@ int plugin_peer_rhs(double t, const double x[], double dx[], void *place); /* pe
 void plugin_hand_rk4(void *place, double t0, double x[], double h, long n);
 %% end
 
+/* the one name that is seen from outside: all others are hidden, so that calls need not go through a table */
+#if defined __GNUC__
+__attribute__((visibility("default")))
+#endif
 const struct polhode_plugin *polhode_plugin(void);
 
 const struct polhode_plugin *polhode_plugin(void)
@@ -204,6 +264,9 @@ const struct polhode_plugin *polhode_plugin(void)
 %%   else
     {"${s.name}", plugin_${s.name}, NULL, plugin_${s.name}_march, ${s.order}},
 %%   end
+%% end
+%% for _, order in ipairs(plan_orders) do
+    {"taylor ${order}", plugin_taylor${order}, NULL, plugin_taylor${order}_march, ${order}},
 %% end
     {NULL, NULL, NULL, NULL, 0},
   };
@@ -227,10 +290,20 @@ const struct polhode_plugin *polhode_plugin(void)
 %% else
     NULL,
 %% end
+%% if has_integral then
+    plugin_integral,
+%% else
+    NULL,
+%% end
 %% if has_closed then
     plugin_solve, plugin_at, plugin_solve_loop, plugin_at_loop,
+%%   if has_full then
+    plugin_many_loop,
+%%   else
+    NULL,
+%%   end
 %% else
-    NULL, NULL, NULL, NULL,
+    NULL, NULL, NULL, NULL, NULL,
 %% end
 %% if has_peers then
     plugin_peer_rhs, plugin_hand_rk4

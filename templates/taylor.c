@@ -14,7 +14,7 @@ typedef ${name}_real ${name}_row __attribute__((vector_size(${upper}_ROW*sizeof(
 
 /* the coefficients up to c[top]; a and b are the factors of the products, plane by plane */
 static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], int top,
-                   ${name}_real c[][${upper}_ROW])
+                   ${name}_real c[][${upper}_ROW]${taylor_side})
 {
 %%   for _, p in ipairs(taylor_planes) do
   ${name}_pack a${p.index}[${upper}_ORDER + 1], b${p.index}[${upper}_ORDER + 1];
@@ -113,9 +113,9 @@ ${upper}_APART void ${name}_products${level.number}(int n, const ${name}_real a[
 
 %%   end
 %% end
-/* the coefficients up to c[top] */
+/* the coefficients up to c[top]${taylor_side_about} */
 static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], int top,
-                   ${name}_real c[][${upper}_ROW])
+                   ${name}_real c[][${upper}_ROW]${taylor_side})
 {
 %% if taylor_has_lanes then
   ${name}_real a[${upper}_ORDER + 1][${taylor_lanes}], b[${upper}_ORDER + 1][${taylor_lanes}], p[${taylor_lanes}];
@@ -196,7 +196,7 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[],
                   ${name}_real c[][${upper}_ROW])
 {
-  ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c);
+  ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c${taylor_after_t});
 }
 
 %% if taylor_axis then
@@ -333,6 +333,7 @@ static void ${name}_taylor_step_by(const ${name}_model *m, ${name}_real c[][${up
 %% end
 }
 
+%% if not has_knots then
 void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
 {
   ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW];
@@ -343,7 +344,24 @@ void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[
   x[${s.name}] += d[${s.index}];
 %% end
 }
+%% end
 
+%% if planning then
+/* One step of size h of any order up to ${upper}_ORDER: for the planner, which compares orders. */
+void ${name}_taylor_step_of(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int top);
+
+void ${name}_taylor_step_of(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int top)
+{
+  ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW];
+
+  ${name}_taylor_terms(m, t, x, u, top, c);
+  ${name}_taylor_step_by(m, c, top, h, x, d);
+%%   for _, s in ipairs(taylor_states) do
+  x[${s.name}] += d[${s.index}];
+%%   end
+}
+
+%% end
 /* An IEEE 754 number's bits, read as an integer, are its logarithm but for a straight line between powers of two: log2 |x|
  * to 0.09, and the inverse function. */
 typedef union ${name}_taylor_bits {
@@ -427,7 +445,12 @@ ${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name
 {
   ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW];
 
+%% if has_knots then
+  h = ${name}_knot(m, t, t + h) - t;
+  ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c, t + ${half}*h);
+%% else
   ${name}_taylor_series(m, t, x, u, c);
+%% end
   h = ${name}_taylor_limit(${name}_taylor_size(c, ${upper}_ORDER, tolerance, ${zero}), h);
   ${name}_taylor_step_by(m, c, ${upper}_ORDER, h, x, d);
 %% for _, s in ipairs(taylor_states) do
@@ -450,11 +473,15 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
   int steps, k;
 
   for (steps = 0; steps < most; steps++) {
+%% if has_knots then
+    const ${name}_real end = ${name}_knot(m, t, t1), left = (end - t) - lost[${upper}_MOVING]; /* from corner to corner */
+%% else
     const ${name}_real left = (t1 - t) - lost[${upper}_MOVING];
+%% end
     ${name}_real h, next_t;
 
     if (!(left > ${zero} || left < ${zero})) return steps;
-    ${name}_taylor_terms(m, t, x, u, top, c);
+    ${name}_taylor_terms(m, t, x, u, top, c${taylor_before_end});
     h = ${name}_taylor_limit(${name}_taylor_size(c, top, local, tolerance/(t1 - t0)), left);
     if (!(h > ${zero} || h < ${zero})) return -1;
     ${name}_taylor_step_by(m, c, top, h, x, d);
@@ -465,6 +492,13 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
       lost[k] = add - (sum - c[0][k]);
       x[moving[k]] = sum;
     }
+%% if has_knots then
+    if (!(h < left || h > left)) {
+      t = end;
+      lost[${upper}_MOVING] = ${zero};
+      continue;
+    }
+%% end
     h += lost[${upper}_MOVING];
     next_t = t + h;
     lost[${upper}_MOVING] = h - (next_t - t);

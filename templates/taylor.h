@@ -11,6 +11,11 @@ void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}
 /* The state at time t + s from the coefficients: dense output.  Entries of x that do not move are left alone. */
 void ${name}_taylor_at(const ${name}_model *m, ${name}_real c[][${upper}_ROW], ${name}_real s, ${name}_real x[]);
 
+%% if has_knots then
+/* The tables have corners: the series is that of the time after t, until the next corner; the steps stop at corners, and
+ * ${name}_taylor_step and _run go on from there. */
+
+%% end
 /* One step of size h, order ${upper}_ORDER: x goes from time t to t + h, the input u held. */
 void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
 

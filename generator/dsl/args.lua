@@ -161,7 +161,9 @@ function args.choice(ctx, line, what, name, spec, given)
   for _, c in ipairs(spec.choice) do
     if c == given then return c end
   end
-  ctx.diag:error(line, what, name .. " must be " .. string.gsub(diag.show(spec.choice), "[{}]", ""), diag.show(given))
+  local list = {}
+  for i, c in ipairs(spec.choice) do list[i] = diag.show(c) end
+  ctx.diag:error(line, what, name .. " must be " .. table.concat(list, ", "), diag.show(given))
   return nil
 end
 

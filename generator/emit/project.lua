@@ -14,6 +14,7 @@ local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
 local stability = require "generator.emit.stability"
+local split = require "generator.emit.split"
 local steppers = require "generator.emit.steppers"
 local selftest = require "generator.emit.selftest"
 local vectors = require "generator.emit.vectors"
@@ -30,6 +31,7 @@ local function libm(real)
   end
   v.huge = real == "float" and "HUGE_VALF" or "HUGE_VAL"
   v.fast_fma = real == "float" and "FP_FAST_FMAF" or "FP_FAST_FMA"
+  v.arm_fma = real == "float" and "4" or "8" -- the bit of __ARM_FP: a Cortex-M4F fuses in float only
   return v
 end
 
@@ -175,16 +177,15 @@ local function common(job)
   init.fill(ctx, m, v)
   special.fill(v, ctx)
   v.has_rates, v.has_attitude = m.has.rates, m.has.attitude
-  v.conservative = job.conserved.is["T+V"] and not (eq.free and m.has.attitude)
+  v.has_integral = job.conserved.rate ~= nil
+  v.conservative = (v.has_integral or job.conserved.is["T+V"]) and not (eq.free and m.has.attitude)
+  v.conserved_name = v.has_integral and "jacobi_integral" or "energy"
   v.has_ticks = job.closed.ticks or false
-  v.has_integers = v.has_ticks or job.closed.integers or false
-  for _, s in ipairs(job.steppers) do
-    v.has_integers = v.has_integers or s.method.name == "taylor"
-  end
   v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
-  v.no_members = #m.members == 0 and not v.has_order
+  split.setup(job, v)
+  v.no_members = #m.members == 0 and not v.has_order and not v.split_setup
   return v, ctx
 end
 
@@ -225,6 +226,16 @@ local function closed_values(job, v, ctx)
   v.closed_source = table.concat(parts, "\n")
 end
 
+-- The headers of the C library that a text needs beside <math.h>, less those that it already has.
+local function includes(text, already)
+  local list, has = {}, {}
+  for _, name in ipairs(already or {}) do has[name] = true end
+  for _, h in ipairs { { "<stddef.h>", "%f[%w_]size_t%f[^%w_]" }, { "<stdint.h>", "%f[%w_]u?int%d+_t%f[^%w_]" } } do
+    if string.find(text, h[2]) and not has[h[1]] then list[#list + 1] = h[1] end
+  end
+  return list
+end
+
 local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
 
 -- Header and source, with the values that the templates were filled with.
@@ -233,6 +244,12 @@ local function code(job)
   closed_values(job, v, ctx)
   steppers.render(job, v, ctx)
   special.render(job, v)
+  v.header_includes = includes(v.closed_header .. v.stepper_header)
+  v.source_includes = includes(v.closed_source .. v.stepper_source, v.header_includes)
+  v.included = "`<math.h>`"
+  for _, h in ipairs(includes(v.closed_header .. v.closed_source .. v.stepper_header .. v.stepper_source)) do
+    v.included = v.included .. ", `" .. h .. "`"
+  end
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   if v.has_rates then
     v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"

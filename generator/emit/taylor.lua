@@ -47,6 +47,11 @@ local function outside(ctx, program)
       list[#list + 1] = { name = s.name, from = "x[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]" }
     end
   end
+  for _, k in ipairs(program.knots) do
+    local at = k.time.kind == "num" and number.text(k.time.value, ctx.real) or "m->" .. k.time.name
+    list[#list + 1] = { name = k.sign.name, from = string.format("side < %s ? %s : %s", at, number.text(R.lift(-1),
+      ctx.real), number.text(R.one, ctx.real)) }
+  end
   for _, s in ipairs(ctx.inputs) do
     list[#list + 1] = { name = s.name, from = "u[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]" }
   end
@@ -101,7 +106,7 @@ local function general(ctx, program, names)
   plain(inputs, names)
   plain(inputs, { "order", "after" })
   for _, x in ipairs(program.read) do
-    if x.level == 0 then inputs[#inputs + 1] = { sym = x.name, c = "y[" .. x.place .. "]" } end
+    if x.level == 0 then inputs[#inputs + 1] = { sym = x.sym.name, c = "y[" .. x.place .. "]" } end
   end
   for _, l in ipairs(program.lanes) do plain(inputs, { "p[" .. l.index .. "]" }) end -- read where it is used
   for _, x in ipairs(program.variables) do
@@ -154,18 +159,27 @@ end
 local own = { a = true, b = true, c = true, j = true, l = true, m = true, n = true, order = true, after = true,
   p = true, t = true, u = true, x = true, y = true }
 
--- The program with the names of members and inputs that the code around takes made free: a member c becomes c_.
+-- The program with the names of members and inputs that the code around takes made free: a member c becomes c_, and the
+-- time as a sequence gets a name that is not t.
 local function freed(ctx, program)
-  local map, renamed = {}, {}
+  local map, renamed, taken, clock = {}, {}, {}, "clock"
+  for _, list in ipairs { ctx.members, ctx.states, ctx.inputs, program.variables, program.constants } do
+    for _, x in ipairs(list) do taken[x.name] = true end
+  end
+  while taken[clock] do clock = clock .. "_" end
+  map[symbol "t"] = symbol(clock)
   local function free(sym, name)
-    if own[name] then
+    if own[name] or name == "side" and #program.knots > 0 then
       map[sym], renamed[name] = expr.sym(name .. "_", sym.rank), name .. "_"
     end
   end
   for _, m in ipairs(ctx.members) do free(m.sym, m.name) end
   local function put_in(e) return e and calculus.substitute(e, map) end
   for _, d in ipairs(program.constants) do d.expr = put_in(d.expr) end
-  for _, x in ipairs(program.variables) do x.start, x.term = put_in(x.start), put_in(x.term) end
+  for _, x in ipairs(program.variables) do
+    if x.name == "t" then x.sym = map[x.sym] end
+    x.start, x.term = put_in(x.start), put_in(x.term)
+  end
   for _, s in pairs(program.slopes) do -- each alone: order is lost
     s.start, s.term = put_in(s.start), put_in(s.term)
   end
@@ -269,6 +283,11 @@ function taylor.fill(ctx, program, v)
   for _, name in ipairs { "m", "t", "u" } do
     if not mentions(whole, name) then v.taylor_voids[#v.taylor_voids + 1] = "(void)" .. name .. ";" end
   end
+  local real = ctx.name .. "_real "
+  local function knots(s) return v.has_knots and s or "" end
+  v.taylor_side, v.taylor_after_t = knots(", " .. real .. "side"), knots ", t"
+  v.taylor_before_end = knots(", t + " .. v.half .. "*left")
+  v.taylor_side_about = knots "; side: a time next to t on the side that they are for"
   v.taylor_has_lanes, v.taylor_lanes = #program.lanes > 0, text(#program.lanes)
   v.taylor_places, v.taylor_order_text = text(#program.read), text(program.order)
   v.taylor_count, v.taylor_states = text(#program.states), {}

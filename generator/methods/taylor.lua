@@ -11,6 +11,7 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
+local breaks = require "generator.dynamics.breaks"
 local equations = require "generator.dynamics.equations"
 local state = require "generator.dynamics.state"
 local series = require "generator.methods.series"
@@ -127,8 +128,29 @@ local function uses(made, sym)
   return false
 end
 
+-- Between two corners |t - T| is +-(t - T): the groups with a symbol of that sign for each corner, and the corners,
+-- {time, sign}.
+local function straightened(eq, groups)
+  local knots, map = breaks.knots(eq), {}
+  for i, k in ipairs(knots) do
+    local name = "side" .. i
+    while eq.model.by_name[name] do name = name .. "_" end
+    k.sign = expr.sym(name, 6)
+    for bar, slope in pairs(k.bars) do -- into a table: order is lost anyway
+      map[bar] = slope * k.sign * (state.t - k.time)
+    end
+  end
+  if #knots == 0 then return groups, knots end
+  local function put(list)
+    return vec.map(list, function(d)
+      return { name = d.name, state = d.state, expr = calculus.substitute(d.expr, map) }
+    end)
+  end
+  return vec.map(groups, function(g) return { defs = put(g.defs), outs = put(g.outs) } end), knots
+end
+
 -- The series of the equations, or nil and why there is none.  options: {order =}.
--- {order, states = the moving ones, lanes, levels = {{first, last, variables}}, ...}
+-- {order, states = the moving ones, lanes, levels = {{first, last, variables}}, knots = {{time, sign}}, ...}
 function taylor.program(eq, options)
   local states = eq.model.states
   local zero = stages.conserved(eq)
@@ -145,10 +167,13 @@ function taylor.program(eq, options)
   local groups, axis, spin = despun(eq, zero)
   local shift
   if not axis then groups, shift = shifted(eq, groups) end
+  local knots
+  groups, knots = straightened(eq, groups)
   local ok, made = pcall(series.new, list, groups, varying)
   if not ok then
     if getmetatable(made) == series.missing then
-      local corner = "|x| of what moves has a corner, which a series does not see: use adaptive or rk4"
+      local corner = "|x| of what moves has a corner at a time that is not known before, which a series does not " ..
+        "see: use adaptive or rk4"
       return nil, made.fn == "abs" and corner or "no recurrence is known for the function " .. made.fn
     end
     error(made, 0)
@@ -198,7 +223,7 @@ function taylor.program(eq, options)
   if uses(made, clock) then place(made.by_sym[clock]) end
   return { order = options.order or 20, states = moving, variables = made.variables, lanes = lanes, levels = levels,
     slopes = made.slopes, constants = made.constants or {}, read = read,
-    axis = axis, spin = spin, shift = shift }
+    axis = axis, spin = spin, shift = shift, knots = knots }
 end
 
 return taylor

@@ -123,7 +123,8 @@ function tally.read(name, header, source, options)
     outside(unit, string.sub(text, pos, open or #text))
     if not open then break end
     local close = string.find(text, "\n}\n", open, true)
-    local head = string.match(string.gsub(string.sub(text, pos, open), "/%*.-%*/", ""), "([^;}]*)$")
+    local between = string.gsub(string.sub(text, pos, open), "/%*.-%*/", "")
+    local head = string.match(between, "^.*[;}](.*)$") or between
     local kind, f, parameters = string.match(head, "([%w_]+)%s+%*?([%a_][%w_]*)%s*(%b())%s*$")
     unit.functions[f] = { result = unit.types[kind] or "int", parameters = parameters,
       text = string.sub(text, open + 1, close + 1) }

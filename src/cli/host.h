@@ -68,6 +68,16 @@ int host_write_file(lua_State *L);
 int host_tempdir(lua_State *L);
 void tempdir_remove_all(void);
 
+/* ---- cache.c ---- */
+
+/* cache_read(name) -> text | nil;  cache_write(name, text) -> was it kept?  name: hexadecimal
+ * digits */
+int host_cache_read(lua_State *L);
+int host_cache_write(lua_State *L);
+/* fingerprint() -> a hash of the generator in this program | nil when it comes from a source tree
+ */
+int host_fingerprint(lua_State *L);
+
 /* ---- output ---- */
 
 /* out(text), err(text): write and return true, or nil, message.  A failure of standard output is

@@ -188,27 +188,29 @@ double plugin_steps(double span, double h) {
   return ceil(fabs(span) / h * (1 - 1e-12));
 }
 
-/* From *t to `end` in equal steps no longer than h; both directions. */
-static void advance(const struct plugin *p, const struct polhode_stepper *s, double *t, double end,
-                    double h, double x[], const double u[]) {
+/* From *t to `end` in equal steps no longer than h; both directions; how many. */
+static double advance(const struct plugin *p, const struct polhode_stepper *s, double *t,
+                      double end, double h, double x[], const double u[]) {
   const double span = end - *t, start = *t;
   const double n = plugin_steps(span, h);
   for (double i = 0; i < n && !interrupt_pending(); i++)
     s->step(p->model, start + span * (i / n), x, u, span / n);
   *t = end;
+  return n;
 }
 
-/* From *t to `end` in steps of the tolerance's choice; false if the state became infinite or the
- * steps vanish. */
-static int adapt(const struct plugin *p, const struct polhode_stepper *s, double *t, double end,
-                 double tolerance, double x[], const double u[]) {
+/* From *t to `end` in steps of the tolerance's choice; how many, -1 if the state became infinite or
+ * the steps vanish. */
+static double adapt(const struct plugin *p, const struct polhode_stepper *s, double *t, double end,
+                    double tolerance, double x[], const double u[]) {
   const int steps = s->run(p->model, *t, x, u, end, tolerance, 100000000);
   *t = end;
-  return steps >= 0;
+  return steps;
 }
 
-/* integrate(x0, u, h, times[, t0, method]) -> {{t, x...}, ...}, by steps of h or a little less so
- * that times are hit; h = {tolerance}: by steps that the method chooses; nil if it cannot */
+/* integrate(x0, u, h, times[, t0, method]) -> {{t, x...}, ...}, number of steps; by steps of h or a
+ * little less so that times are hit; h = {tolerance}: by steps that the method chooses; nil if it
+ * cannot */
 static int integrate(lua_State *L) {
   const struct plugin *p = plugin_ready(L);
   const int nx = p->code->nx;
@@ -229,23 +231,24 @@ static int integrate(lua_State *L) {
   row[0] = luaL_optnumber(L, 6, 0);
   const int n = (int)lua_rawlen(L, 5);
   lua_createtable(L, n, 0);
+  double all = 0;
   for (int i = 1; i <= n; i++) {
-    int fine = 1;
     lua_rawgeti(L, 5, i);
-    if (adaptive)
-      fine = adapt(p, s, &row[0], luaL_checknumber(L, -1), h, x, u);
-    else
-      advance(p, s, &row[0], luaL_checknumber(L, -1), h, x, u);
+    const double end = luaL_checknumber(L, -1);
+    const double steps =
+        adaptive ? adapt(p, s, &row[0], end, h, x, u) : advance(p, s, &row[0], end, h, x, u);
     lua_pop(L, 1);
     interrupt_check(L);
-    if (!fine) {
+    all += steps;
+    if (steps < 0) {
       lua_pushnil(L);
       return 1;
     }
     engine_push(L, 1 + nx, row);
     lua_rawseti(L, -2, i);
   }
-  return 1;
+  lua_pushnumber(L, all);
+  return 2;
 }
 
 /* energy(x) -> E */
@@ -256,6 +259,17 @@ static int energy(lua_State *L) {
     return absent(L, "energy");
   engine_list(L, 2, p->code->nx, x);
   lua_pushnumber(L, p->code->energy(p->model, x));
+  return 1;
+}
+
+/* integral(t, x) -> Jacobi's */
+static int integral(lua_State *L) {
+  const struct plugin *p = plugin_ready(L);
+  double x[MAX_STATES];
+  if (p->code->integral == NULL)
+    return absent(L, "Jacobi's integral");
+  engine_list(L, 3, p->code->nx, x);
+  lua_pushnumber(L, p->code->integral(p->model, luaL_checknumber(L, 2), x));
   return 1;
 }
 
@@ -351,6 +365,7 @@ static const luaL_Reg methods[] = {
     {"integrate", integrate},
     {"energy", energy},
     {"momentum", momentum},
+    {"integral", integral},
     {"solve", solve},
     {"at", at},
     {"march", plugin_march},

@@ -178,7 +178,7 @@ local function build(few, flags)
     { flags = { "-std=c99", "-shared", "-fPIC", "-DFEW=" .. few, flags }, libs = { "-lm" } }))
   return host.plugin(args[1] .. "/decay.so")
 end
-local all = "jacobian,energy,momentum,solve,at"
+local all = "jacobian,energy,momentum,NULL,solve,at"
 ]]
 
 says("a plugin tells what it is", BUILD .. [[

@@ -112,7 +112,8 @@ static void show(const char *what, int n, const NAME_real *v) {
 }
 int main(void) {
   static NAME_real J[400];
-  const NAME_real x[] = {STATE}, u[] = {(NAME_real)0.25, (NAME_real)0.5, (NAME_real)0.75};
+  static NAME_real x[] = {STATE};
+  static const NAME_real u[] = {(NAME_real)0.25, (NAME_real)0.5, (NAME_real)0.75};
   NAME_model m;
   if (NAME_init(&m, 0) != 0) return 1;
 CALLS  return 0;
