@@ -33,7 +33,7 @@ local levels = { 1e-3, 1e-6, 1e-9, 1e-11 }
 
 -- What makes the emitted code fast on this machine and nowhere else.
 local function host_flags(job)
-  return { "-march=native", "-ffp-contract=fast", "-D" .. string.upper(job.model.name) .. "_HOST_VECTOR" }
+  return { "-march=native", "-ffp-contract=fast", "-D" .. string.upper(job.model.name) .. "_VECTOR" }
 end
 
 -- ---- what is measured ----
