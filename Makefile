@@ -44,6 +44,16 @@ GSL_LIBS   = $(call once,GSL_LIBS,$(shell pkg-config --libs gsl))
 XML_CFLAGS = $(call once,XML_CFLAGS,$(shell pkg-config --cflags expat))
 XML_LIBS   = $(call once,XML_LIBS,$(shell pkg-config --libs expat))
 
+# Optional, for `polhode bench` alone: SUNDIALS 6 in double; linked statically where that is possible.
+SUNDIALS_HEADERS = arkode/arkode_erkstep cvode/cvode nvector/nvector_serial sunlinsol/sunlinsol_dense \
+                   sunnonlinsol/sunnonlinsol_fixedpoint
+SUNDIALS_FLAGS = $(call once,SUNDIALS_FLAGS,$(shell { printf '\043include <%s.h>\n' $(SUNDIALS_HEADERS); \
+  printf '\043if SUNDIALS_VERSION_MAJOR != 6 || !defined SUNDIALS_DOUBLE_PRECISION\n\043error no\n\043endif\n'; } | \
+  $(CC) -E -x c - >/dev/null 2>&1 && echo -DPOLHODE_SUNDIALS))
+SUNDIALS_STATIC = $(filter /%,$(shell for l in arkode cvode; do $(CC) -print-file-name=libsundials_$$l.a; done))
+SUNDIALS_LIBS = $(if $(SUNDIALS_FLAGS),$(call once,SUNDIALS_FOUND,$(or $(SUNDIALS_STATIC),$(addprefix \
+  -lsundials_,arkode cvode nvecserial sunlinsoldense sunmatrixdense sunnonlinsolfixedpoint generic))))
+
 RUNTIME_SRC := $(sort $(wildcard src/runtime/*.c))
 CLI_SRC     := $(sort $(wildcard src/cli/*.c))
 RATIONAL_SRC := $(sort $(wildcard src/cli/rational*.c))
@@ -73,15 +83,17 @@ $(BUILD)/obj/runtime/%.o: src/runtime/%.c | $(READY)
 
 $(BUILD)/obj/cli/%.o: src/cli/%.c | $(READY)
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(LUA_CFLAGS) $(XML_CFLAGS) -DPOLHODE_VERSION='"$(VERSION)"' \
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(LUA_CFLAGS) $(XML_CFLAGS) $(GSL_CFLAGS) -DPOLHODE_VERSION='"$(VERSION)"' \
 	  -MMD -MP -c -o $@ $<
+
+$(BUILD)/obj/cli/bench_sundials.o: POSIX += $(SUNDIALS_FLAGS)
 
 $(LIBRARY): $(RUNTIME_OBJ)
 	@rm -f $@
 	$(AR) -rcs $@ $^
 
 $(PROGRAM): $(CLI_OBJ) $(LIBRARY)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LUA_LIBS) $(XML_LIBS) $(GSL_LIBS) -lmpfr -lgmp -lm
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LUA_LIBS) $(XML_LIBS) $(SUNDIALS_LIBS) $(GSL_LIBS) -lmpfr -lgmp -lm
 
 # The scripts as C arrays. embed.lua writes only what changed, so an unchanged tree compiles nothing.
 $(BUILD)/embedded.c: FORCE | $(READY)
@@ -250,6 +262,10 @@ drift: $(PROGRAM)
 target-cost: $(PROGRAM)
 	@$(LUA) tests/target/cost.lua $(PROGRAM) $(BUILD)/target
 
+# What operations take on small processors: generator/plan/measured.lua and the tables of docs/targets.md.
+target-costs: $(PROGRAM) $(BUILD)/lua/polhode_rational.so
+	@$(LUA) tests/target/costs.lua $(PROGRAM) $(BUILD)/target generator/plan/measured.lua docs/targets.md
+
 # One body through the whole chain; each step shows the command that makes it.
 DEMO = bodies/brick.lua
 say  = @printf '\n\033[1m%s\033[0m\n' "$(1)"
@@ -326,7 +342,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check test sanitize sanitized golden docs bench drift errormap target-cost demo install clean FORCE \
+.PHONY: all tests check test sanitize sanitized golden docs bench drift errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

@@ -7,6 +7,7 @@
 local R = require "generator.algebra.rational"
 local diag = require "generator.diag"
 local env = require "generator.dsl.env"
+local ranges = require "generator.dsl.ranges"
 local catalogue = require "generator.mass.catalogue"
 local effects = require "generator.effects.list"
 local stability = require "generator.mass.stability"
@@ -21,6 +22,7 @@ local quantities = require "generator.dynamics.quantities"
 local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
 local methods = require "generator.methods.list"
+local costs = require "generator.report.costs"
 local derivation = require "generator.report.derivation"
 local number = require "generator.emit.number"
 local project = require "generator.emit.project"
@@ -28,7 +30,7 @@ local project = require "generator.emit.project"
 local driver = { version = "0.1.0" }
 
 -- Reads and checks a scene.  options: {set =, bake =}.  Returns the job so far {diag, record, model, equations, closed}
--- or nil, the diagnostics, and (a name in --set that is no parameter).
+-- or nil, the diagnostics, and (a name in --set that is no parameter).  job.ranges: see dsl/ranges.lua.
 function driver.read(host, file, options)
   local text, why = host.read(file)
   if not text then return nil, nil, why end
@@ -39,11 +41,13 @@ function driver.read(host, file, options)
   if record.body.broken then return nil, d end
   local m = model.new(d, record, options)
   if not m then return nil, d end
+  local within = ranges.resolve(d, record, m)
   local eq = equations.of(d, m)
-  if not eq then return nil, d end
+  if not eq or within == false then return nil, d end
   return { diag = d, record = record, model = m, equations = eq, closed = closed.detect(m, eq), states = m.states,
-    conserved = conserved.of(m),
-    input_states = state.inputs, file = file, source = string.match(file, "[^/]*$"), version = driver.version }
+    conserved = conserved.of(m), ranges = within,
+    input_states = state.inputs, templates = host.templates, file = file,
+    source = string.match(file, "[^/]*$"), version = driver.version }
 end
 
 -- The steppers that are asked for, the first one as NAME_step; rk4 if none is: a list of {method, program}.
@@ -84,6 +88,7 @@ function driver.plan(job, options)
     if context.parts(m) then put(quantities.inertia_now(m)) end
   end
   put(quantities.energy(m))
+  if job.conserved.rate then put(quantities.jacobi_integral(m, job.conserved.rate)) end
   local particles = m.has.rates and quantities.particle_energy(m)
   if particles then put(particles) end
   if m.has.rates then put(quantities.momentum_body(m)) end
@@ -112,7 +117,20 @@ function driver.plan(job, options)
   job.real, job.command = options.real or "double", options.command
   job.title, job.banner = derivation.title(job), derivation.banner(job)
   job.derivation = derivation.markdown(job)
+  job.sheet = function(set_up)
+    driver.code(job)
+    return costs.rows(job, set_up), costs.targets
+  end
   return job
+end
+
+-- Header and source of a planned job: what generator/plan/ops.lua counts, kept in the job.
+function driver.code(job)
+  if not job.code then
+    local header, source = project.code(job)
+    job.code = { header = header, source = source }
+  end
+  return job.code
 end
 
 -- Do the scene's own parameters and the constants made from them survive in the real type?  Reports the first that

@@ -53,33 +53,33 @@ void ${name}_adaptive_step(const ${name}_model *m, ${name}_real t, ${name}_real 
   ${name}_adaptive_take(out, x);
 }
 
-/* the largest error in units of the size of its kind of state, at the start or at the end of the step */
-static ${name}_real ${name}_adaptive_norm(const ${name}_real x[], const ${name}_real out[], const ${name}_real error[])
+/* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step, or
+ * `worst` if that is larger. */
+static ${name}_real ${name}_adaptive_worse(const ${name}_real x[], const ${name}_real out[], const ${name}_real error[], int first, int last,
+                           ${name}_real worst)
 {
-  static const struct {
-    int first, last; /* states of one kind */
-  } kind[] = {
-%% for _, k in ipairs(kinds) do
-    {${k.first}, ${k.last}}, /* ${k.about} */
-%% end
-  };
-  ${name}_real worst = ${zero};
-  unsigned int g;
+  ${name}_real size = ${zero}, e = ${zero};
   int k;
 
-  for (g = 0; g < sizeof kind/sizeof kind[0]; g++) {
-    ${name}_real size = ${zero}, e = ${zero};
+  for (k = first; k < last; k++) {
+    const ${name}_real a = ${fabs}(x[${name}_adaptive_moving[k]]), b = ${fabs}(out[k]), c = ${fabs}(error[k]);
 
-    for (k = kind[g].first; k < kind[g].last; k++) {
-      const ${name}_real a = ${fabs}(x[${name}_adaptive_moving[k]]), b = ${fabs}(out[k]), c = ${fabs}(error[k]);
-
-      size = a > size ? a : size;
-      size = b > size ? b : size;
-      e = c > e ? c : e;
-      if (!(b - b == ${zero}) || !(c - c == ${zero})) return ${huge};
-    }
-    if (e > ${zero} && !(e <= worst*size)) worst = e/size;
+    size = a > size ? a : size;
+    size = b > size ? b : size;
+    e = c > e ? c : e;
+    if (!(b - b == ${zero}) || !(c - c == ${zero})) return ${huge};
   }
+  return e > ${zero} && !(e <= worst*size) ? e/size : worst;
+}
+
+/* the largest error of all kinds */
+static ${name}_real ${name}_adaptive_norm(const ${name}_real x[], const ${name}_real out[], const ${name}_real error[])
+{
+  ${name}_real worst = ${zero};
+
+%% for _, k in ipairs(kinds) do
+  worst = ${name}_adaptive_worse(x, out, error, ${k.first}, ${k.last}, worst); /* ${k.about} */
+%% end
   return worst;
 }
 
@@ -91,8 +91,15 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
   int steps, k, fresh = 1;
 
   for (steps = 0; steps < most; steps++) {
+%% if has_knots then
+    const ${name}_real end = ${name}_knot(m, t, t1), left = (end - t) - lost; /* from corner to corner */
+%% else
     const ${name}_real left = (t1 - t) - lost;
+%% end
     ${name}_real r, factor, next_t;
+%% if has_knots then
+    ${name}_real whole = h;
+%% end
     int last;
 
     if (!(left > ${zero} || left < ${zero})) return steps;
@@ -115,7 +122,18 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
     ${name}_adaptive_take(out, x);
     for (k = 0; k < ${adaptive_count}; k++) k1[k] = k7[k];
     fresh = 0;
+%% if has_knots then
+    if (last) {
+      if (!(end < t1 || end > t1)) return steps + 1;
+      t = end;
+      lost = ${zero};
+      h *= factor;
+      if (${fabs}(whole) > ${fabs}(h)) h = whole; /* it was cut short */
+      continue;
+    }
+%% else
     if (last) return steps + 1;
+%% end
     next_t = t + (h + lost);
     lost = (h + lost) - (next_t - t);
     t = next_t;

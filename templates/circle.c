@@ -15,11 +15,11 @@ ${upper}_INLINE ${name}_real ${name}_nearest(${name}_real x)
 
 %% if not axial and not lagrange then
 /* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well: Dekker's product */
-${upper}_INLINE ${name}_pair ${name}_advance(const ${name}_real b[4], ${name}_real t, ${name}_real head, ${name}_real tail)
+${upper}_INLINE ${name}_pair ${name}_passed(const ${name}_real b[4], ${name}_real t, ${name}_real head, ${name}_real tail)
 {
   ${name}_pair p;
 
-#if defined ${fast_fma} || defined __${fast_fma} || defined __FMA__ || defined __ARM_FEATURE_FMA
+#if defined ${fast_fma} || defined __${fast_fma} || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & ${arm_fma}))
   (void)head;
   (void)tail;
   p.hi = ${fma}(b[0], t, ${zero}); /* no compiler may fuse this one */

@@ -22,7 +22,7 @@ static ${name}_pair ${name}_mean(${name}_pair y)
   for (; i > 2; i--) s = ${name}_pair_add(one, ${name}_pair_divide(${name}_pair_multiply(z, s), ${name}_pair_of((${name}_real)i)));
   b = ${name}_pair_multiply(half, s);
   a = ${name}_pair_add(one, ${name}_pair_multiply(z, b));
-  for (i = 0; i < n; i++) {
+  for (i = 0; i < n; i++) { /* some 6 times */
     const ${name}_pair h = ${name}_pair_multiply(half, a);
 
 %% if axial then

@@ -6,13 +6,13 @@ ${upper}_INLINE ${name}_real ${name}_phase(const ${name}_orbit *o, const ${name}
 {
   const ${name}_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
   const ${name}_real c = ${split}*t, head = c - (c - t);
-  const ${name}_pair p = ${name}_advance(rate, t, head, t - head);
+  const ${name}_pair p = ${name}_passed(rate, t, head, t - head);
   const ${name}_real turns = (p.hi - ${name}_nearest(p.hi)) + p.lo;
 
   return turns - ${name}_nearest(turns);
 }
 
-/* half the angle of a rate in rad/s, in turns per second; the high part also in halves, see ${name}_advance */
+/* half the angle of a rate in rad/s, in turns per second; the high part also in halves, see ${name}_passed */
 static void ${name}_half_turns(${name}_pair rate, ${name}_real out[4])
 {
   const ${name}_pair inverse = {${quarter}*${inverse_pi_high}, ${quarter}*${inverse_pi_low}};
@@ -23,14 +23,6 @@ static void ${name}_half_turns(${name}_pair rate, ${name}_real out[4])
   out[1] = turns.lo;
   out[2] = c - (c - turns.hi);
   out[3] = turns.hi - out[2];
-}
-
-static void ${name}_quaternion_product(const ${name}_real a[4], const ${name}_real b[4], ${name}_real out[4])
-{
-  out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
-  out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
-  out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
-  out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
 }
 
 /* v = s u with |u| = 1, s >= 0; u = 0 if v = 0.  Scaled by a power of two, so nothing over- or underflows.

@@ -46,7 +46,7 @@ static ${name}_pair ${name}_carlson(${name}_pair x, ${name}_pair y, ${name}_pair
   ${name}_pair sum = ${name}_pair_of(${zero}), X, Y, Z, E2, E3, s;
   int i;
 
-  for (i = 0; i < 40; i++) {
+  for (i = 0; i < 40; i++) { /* some 8 times */
     const ${name}_pair xy = ${name}_pair_multiply(x, y);
     const ${name}_pair l = ${name}_pair_add(xy, ${name}_pair_multiply(z, ${name}_pair_add(x, y)));
     const ${name}_pair x2 = ${name}_pair_scale(${name}_pair_add(${name}_pair_multiply(x, x), l), -2);

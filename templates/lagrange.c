@@ -60,7 +60,7 @@ static ${name}_wide ${name}_descent(${name}_wide p0, ${name}_wide p1, ${name}_wi
   c[1] = ${name}_wide_pair(p1, top - j);
   c[2] = ${name}_wide_pair(p2, top - 2*j);
   c[3] = ${name}_wide_pair(p3, top - 3*j);
-  for (i = 0; i < 100; i++) {
+  for (i = 0; i < 100; i++) { /* some 8 times */
     slope = (${two}*c[2].hi - ${three}*c[3].hi*x)*x - c[1].hi;
     if (!(slope < ${zero})) break;
     next = x - (((c[2].hi - c[3].hi*x)*x - c[1].hi)*x + c[0].hi)/slope;

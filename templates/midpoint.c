@@ -44,10 +44,51 @@ void ${name}_midpoint_step(const ${name}_model *m, ${name}_real t, ${name}_real 
   }
   ${name}_midpoint_finish(m, t, x, u, h, mid);
 }
+%% if midpoint_transition then
+
+/* The transition matrix of the step whose rate in the middle is w = mid, by the theorem on implicit functions. */
+static ${midpoint_tangent_head}
+{
+%%   for _, line in ipairs(midpoint_tangent_lines) do
+%%     if line == "" then
+
+%%     else
+  ${line}
+%%     end
+%%   end
+}
+
+void ${name}_midpoint_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[])
+{
+  ${name}_real mid[3], next[3];
+  int k;
+
+  mid[0] = x[${upper}_WX];
+  mid[1] = x[${upper}_WY];
+  mid[2] = x[${upper}_WZ];
+  for (k = 0; k < ${midpoint_count}; k++) {
+    ${name}_midpoint_newton(m, t, x, u, h, mid, next);
+    /* a singular Jacobian, h far too large: x - x is not 0 for what is not finite */
+    if (!((next[0] - next[0]) + (next[1] - next[1]) + (next[2] - next[2]) == ${zero})) break;
+    mid[0] = next[0];
+    mid[1] = next[1];
+    mid[2] = next[2];
+  }
+  ${name}_midpoint_tangent(m, t, x, u, h, mid, F);
+  ${name}_midpoint_finish(m, t, x, u, h, mid);
+}
+%% end
 %% if first then
 
 void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
 {
   ${name}_midpoint_step(m, t, x, u, h);
 }
+%%   if midpoint_transition then
+
+void ${name}_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[])
+{
+  ${name}_midpoint_step_transition(m, t, x, u, h, F);
+}
+%%   end
 %% end

@@ -16,8 +16,17 @@
  */
 %% end
 void ${name}_midpoint_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
+%% if midpoint_transition then
+
+/* The same step and its transition matrix, row major, NX x NX: F[i*NX + k] = d x[i](t + h)/d x[k](t), by the theorem on
+ * implicit functions, exact where the iteration has converged. */
+void ${name}_midpoint_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[]);
+%% end
 %% if first then
 
 /* The same: the scene's own stepper. */
 void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
+%%   if midpoint_transition then
+void ${name}_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[]);
+%%   end
 %% end

@@ -79,6 +79,18 @@ static void plugin_${s.name}(const void *m, double t, double *x, const double *u
   widen(${upper}_NX, y, x);
 }
 
+static void plugin_${s.name}_march(const void *m, double t0, double *x, const double *u, double h, long n)
+{
+  const real start = (real)t0, size = (real)h;
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0};
+  long i;
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  for (i = 0; i < n; i++) ${name}_${s.step}((const ${name}_model *)m, start + (real)i*size, y, v, size);
+  widen(${upper}_NX, y, x);
+}
+
 %%   if s.run then
 static int plugin_${s.name}_run(const void *m, double t0, double *x, const double *u, double t1, double tolerance, int most)
 {
@@ -93,6 +105,32 @@ static int plugin_${s.name}_run(const void *m, double t0, double *x, const doubl
 }
 
 %%   end
+%% end
+%% for _, order in ipairs(plan_orders) do
+void ${name}_taylor_step_of(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int top);
+
+static void plugin_taylor${order}(const void *m, double t, double *x, const double *u, double h)
+{
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0};
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  ${name}_taylor_step_of((const ${name}_model *)m, (real)t, y, v, (real)h, ${order});
+  widen(${upper}_NX, y, x);
+}
+
+static void plugin_taylor${order}_march(const void *m, double t0, double *x, const double *u, double h, long n)
+{
+  const real start = (real)t0, size = (real)h;
+  real y[${upper}_NX], v[${upper}_NU + 1] = {0};
+  long i;
+
+  narrow(${upper}_NX, x, y);
+  if (u) narrow(${upper}_NU, u, v);
+  for (i = 0; i < n; i++) ${name}_taylor_step_of((const ${name}_model *)m, start + (real)i*size, y, v, size, ${order});
+  widen(${upper}_NX, y, x);
+}
+
 %% end
 static void plugin_jacobian(const void *m, double t, const double *x, const double *u, double *J)
 {
@@ -112,6 +150,16 @@ static double plugin_energy(const void *m, const double *x)
   return (double)${name}_energy((const ${name}_model *)m, y);
 }
 
+%% if has_integral then
+static double plugin_integral(const void *m, double t, const double *x)
+{
+  real y[${upper}_NX];
+
+  narrow(${upper}_NX, x, y);
+  return (double)${name}_jacobi_integral((const ${name}_model *)m, (real)t, y);
+}
+
+%% end
 %% if has_attitude then
 static void plugin_momentum(const void *m, const double *x, double *L)
 {
@@ -145,8 +193,66 @@ static void plugin_at(const void *o, double t, double *x)
 %% end
   widen(${upper}_NX, y, x);
 }
+
+static int plugin_solve_loop(void *o, const void *m, const double *x0, long n)
+{
+  real y[${upper}_NX];
+  int refused = 0;
+  long i;
+
+  narrow(${upper}_NX, x0, y);
+  for (i = 0; i < n; i++) {
+    const int status = ${name}_solve((${name}_orbit *)o, (const ${name}_model *)m, y);
+
+    if (status) refused = status;
+  }
+  return refused;
+}
+
+static void plugin_at_loop(const void *o, double t0, double h, double *x, long n)
+{
+  const real start = (real)t0, size = (real)h;
+  real y[${upper}_NX] = {0};
+  long i;
+
+%% if has_full then
+  for (i = 0; i < n; i++) ${name}_at((const ${name}_orbit *)o, start + (real)i*size, y);
+%% else
+  for (i = 0; i < n; i++) ${name}_at_rates((const ${name}_orbit *)o, start + (real)i*size, y + ${upper}_WX);
+%% end
+  widen(${upper}_NX, y, x);
+}
+%%   if has_full then
+
+static void plugin_many_loop(const void *o, double t0, double h, double *x, long n)
+{
+  enum { MANY = 64 };
+  const real start = (real)t0, size = (real)h;
+  real t[MANY], y[${upper}_NX*MANY];
+  long i;
+
+  for (i = 0; i < n; i += MANY) {
+    const int count = n - i < MANY ? (int)(n - i) : (int)MANY;
+    int k;
+
+    for (k = 0; k < count; k++) t[k] = start + (real)(i + k)*size;
+    ${name}_at_many((const ${name}_orbit *)o, count, t, y);
+    if (i + count < n) continue;
+    for (k = 0; k < ${upper}_NX; k++) x[k] = (double)y[(k + 1)*count - 1];
+  }
+}
+%%   end
+%% end
+%% if has_peers then
+
+int plugin_peer_rhs(double t, const double x[], double dx[], void *place); /* peers.c */
+void plugin_hand_rk4(void *place, double t0, double x[], double h, long n);
 %% end
 
+/* the one name that is seen from outside: all others are hidden, so that calls need not go through a table */
+#if defined __GNUC__
+__attribute__((visibility("default")))
+#endif
 const struct polhode_plugin *polhode_plugin(void);
 
 const struct polhode_plugin *polhode_plugin(void)
@@ -154,12 +260,15 @@ const struct polhode_plugin *polhode_plugin(void)
   static const struct polhode_stepper steppers[] = {
 %% for _, s in ipairs(steppers) do
 %%   if s.run then
-    {"${s.name}", plugin_${s.name}, plugin_${s.name}_run},
+    {"${s.name}", plugin_${s.name}, plugin_${s.name}_run, plugin_${s.name}_march, ${s.order}},
 %%   else
-    {"${s.name}", plugin_${s.name}, NULL},
+    {"${s.name}", plugin_${s.name}, NULL, plugin_${s.name}_march, ${s.order}},
 %%   end
 %% end
-    {NULL, NULL, NULL},
+%% for _, order in ipairs(plan_orders) do
+    {"taylor ${order}", plugin_taylor${order}, NULL, plugin_taylor${order}_march, ${order}},
+%% end
+    {NULL, NULL, NULL, NULL, 0},
   };
   static const struct polhode_plugin table = {
     POLHODE_PLUGIN_ABI, "${name}", "${real}", (double)${epsilon}, ${upper}_NX, ${upper}_NU, ${upper}_NP,
@@ -181,8 +290,23 @@ const struct polhode_plugin *polhode_plugin(void)
 %% else
     NULL,
 %% end
+%% if has_integral then
+    plugin_integral,
+%% else
+    NULL,
+%% end
 %% if has_closed then
-    plugin_solve, plugin_at
+    plugin_solve, plugin_at, plugin_solve_loop, plugin_at_loop,
+%%   if has_full then
+    plugin_many_loop,
+%%   else
+    NULL,
+%%   end
+%% else
+    NULL, NULL, NULL, NULL, NULL,
+%% end
+%% if has_peers then
+    plugin_peer_rhs, plugin_hand_rk4
 %% else
     NULL, NULL
 %% end

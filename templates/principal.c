@@ -92,7 +92,7 @@ static int ${name}_principal_pairs(const ${name}_real I[6], ${name}_pair diagona
    * pairs.  For a positive definite one a rotation with I_pq^2 >= I_pp I_qq/4 takes a quarter or more off the product
    * of the diagonal, which stays above the determinant: the condition alone bounds their number.  Then what is left is
    * squared; some ten rotations are made in all. */
-  for (count = 0; settled < 3 && count < 240; count++) {
+  for (count = 0; settled < 3 && count < 240; count++) { /* some 10 times */
     i = 2 - count % 3;
     j = (i + 1) % 3;
     k = (i + 2) % 3;

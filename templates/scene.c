@@ -8,6 +8,9 @@
 #include "${name}.h"
 
 #include <math.h>
+%% for _, h in ipairs(source_includes) do
+#include ${h}
+%% end
 
 %% if has_special then
 ${pair_source}
@@ -29,6 +32,10 @@ ${exact_source}
 %% end
 %% if has_order then
 ${order_source}
+%% end
+%% if split_setup then
+static int ${name}_split_setup(${name}_model *m);
+
 %% end
 int ${name}_init(${name}_model *m, const ${name}_real p[])
 {
@@ -61,6 +68,9 @@ int ${name}_init(${name}_model *m, const ${name}_real p[])
 %% end
 %% if has_order then
   ${name}_order(p, k.order);
+%% end
+%% if split_setup then
+  if (${name}_split_setup(&k)) return ${split_code};
 %% end
 %% if no_members then
   k.empty = 0;

@@ -62,7 +62,7 @@ static ${name}_pair ${name}_ellipsoid_parts(${name}_real axis[3], ${name}_pair h
     x[i] = ${name}_pair_product(r[i].hi, r[i].hi);
     e[i].hi = e[i].lo = ${zero};
   }
-  while (left > 0) {
+  while (left > 0) { /* some 10 times */
     if (x[2].hi <= ${two}*x[0].hi) left--;
     for (i = 0; i < 3; i++) sum[i] = ${name}_pair_add(s[(i + 1) % 3], s[(i + 2) % 3]);
     for (i = 0; i < 3; i++) {

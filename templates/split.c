@@ -48,6 +48,55 @@ static void ${name}_split_along(${name}_real x[], const ${name}_real p[3], ${nam
 }
 
 %%     end
+%%     if split_full then
+/* About the axis k, a unit vector, by twice the angle a, in the sense of ${name}_split_along; 1 - cos is added apart, so
+ * that the length of w does not creep. */
+static void ${name}_split_about(${name}_real x[], const ${name}_real k[3], ${name}_real a)
+{
+  ${name}_real *w = x + ${upper}_WX;
+  ${name}_real e[3], f[3], c, s;
+  int i;
+
+  for (i = 0; i < 3; i++) e[i] = a*k[i];
+  ${name}_split_half(e[0]*e[0] + e[1]*e[1] + e[2]*e[2], &c, &s);
+  for (i = 0; i < 3; i++) e[i] *= s;
+%%       if split_attitude then
+  ${name}_split_turn(x, c, e);
+%%       end
+  /* w -= 2 e x (c w - e x w) */
+  f[0] = c*w[0] - (e[1]*w[2] - e[2]*w[1]);
+  f[1] = c*w[1] - (e[2]*w[0] - e[0]*w[2]);
+  f[2] = c*w[2] - (e[0]*w[1] - e[1]*w[0]);
+  w[0] -= ${two}*(e[1]*f[2] - e[2]*f[1]);
+  w[1] -= ${two}*(e[2]*f[0] - e[0]*f[2]);
+  w[2] -= ${two}*(e[0]*f[1] - e[1]*f[0]);
+}
+
+/* What the drift needs of the tensor, into the model; 1 if it is not finite. */
+static int ${name}_split_setup(${name}_model *m)
+{
+  ${name}_real I[6], moments[3], axes[9], *u = m->split_u, *d = m->split_d;
+  int i;
+
+  ${name}_inertia(m, I);
+  if (${name}_principal_of(I, moments, axes)) return 1;
+  for (i = 0; i < 3; i++) {
+    m->split_b[i] = axes[i];
+    m->split_c[i] = axes[6 + i];
+  }
+  m->split_fb = (moments[1] - moments[0])/moments[0];
+  m->split_fc = (moments[1] - moments[2])/moments[2];
+  for (i = 0; i < 6; i++) I[i] /= moments[1];
+  d[0] = I[0];
+  u[0] = I[3]/d[0];
+  u[1] = I[4]/d[0];
+  d[1] = I[1] - u[0]*I[3];
+  u[2] = (I[5] - u[0]*I[4])/d[1];
+  d[2] = I[2] - u[1]*I[4] - u[2]*(u[2]*d[1]);
+  return !(m->split_fb - m->split_fb == ${zero}) || !(u[2] - u[2] == ${zero}) || !(d[2] > ${zero});
+}
+
+%%     end
 %%     if split_axis then
 /* About the body's axis i by twice the angle a; j and k follow i in cyclic order.  1 - cos is added apart, so that the
  * length of (w[j], w[k]) does not creep. */
@@ -90,9 +139,15 @@ static void ${name}_split_about(${name}_real x[], int i, int j, int k, ${name}_r
  *     f' = |L| (2T V - b^2 w'.L')/(L^2 V - b^2 L'^2),  V = U - b^2 (m1 + m2 + m3)/3,  integrated term by term.
 %%     end
  * What is left out is of order tau^11.  A long drift is cut into at most 1000 pieces that a real b^2 P(b) stands behind. */
-static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name}_real tau)
+%%   elseif split_full then
+/* The free body over a time tau, with p = L/Ia in the place of the rates: the rotation about L, and those about two axes
+ * n times in turn */
 %%   else
 /* The free body over a time tau */
+%%   end
+%%   if split_full then
+static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name}_real tau, int n, const ${name}_real a[], const ${name}_real b[])
+%%   else
 static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name}_real tau)
 %%   end
 {
@@ -108,20 +163,20 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
 %%     if split_attitude then
   const ${name}_real j1 = ${split_j1}, j3 = ${split_j3}; /* I1/I2, I3/I2 */
   const ${name}_real d1 = a1*y2*y3, d2 = a2*y3*y1, d3 = a3*y1*y2, n1 = j1*d1, n3 = j3*d3;
-  const ${name}_real LL = (j1*y1)*(j1*y1) + y2*y2 + (j3*y3)*(j3*y3), i = LL > ${split_tiny} ? ${one}/LL : ${zero}; /* turns below that are none */
+  const ${name}_real LL = (j1*y1)*(j1*y1) + y2*y2 + (j3*y3)*(j3*y3), i = ${one}/(LL + ${split_tiny}); /* at rest: no turn */
   const ${name}_real f = (j1*y1*y1 + y2*y2 + j3*y3*y3)*i; /* 2T/L^2 */
   ${name}_real LN = (n1*n1 + d2*d2 + n3*n3)*i, wN = (d1*n1 + d2*d2 + d3*n3)*i, s = mean + LN;
   ${name}_real r, rr, ii = i, p[3];
 %%     end
   int pieces = 1;
-
 %%     if split_attitude then
-  if (${eight}*g2 > ${one} || ${four}*s*s > ${one}) {
-    const ${name}_real long1 = ${eight}*g2, long2 = ${four}*s*s, times = ${sqrt}(${sqrt}(long1 > long2 ? long1 : long2));
+  const ${name}_real near = ${eight}*g2, far = ${four}*s*s, reach = near > far ? near : far;
 %%     else
-  if (${eight}*g2 > ${one}) {
-    const ${name}_real times = ${sqrt}(${sqrt}(${eight}*g2));
+  const ${name}_real reach = ${eight}*g2;
 %%     end
+
+  if (reach > ${one}) { /* rare: a drift of more than half a radian or so */
+    const ${name}_real times = ${sqrt}(${sqrt}(reach));
     const ${name}_real shrink = times < ${split_most} ? ${one}/(${name}_real)((int)times + 1) : ${one}/times, square = shrink*shrink;
 
     pieces = times < ${split_most} ? (int)times + 1 : 1000;
@@ -148,7 +203,7 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
   p[0] = j1*w[0];
   p[1] = w[1];
   p[2] = j3*w[2];
-  ${name}_split_along(x, p, (${name}_real)pieces*${two}*b*(f + (f*LN - wN)*r));
+  ${name}_split_along(x, p, ${two}*b*(f + (f*LN - wN)*r)*(${name}_real)pieces);
 %%     end
   for (; pieces > 0; pieces--) {
     const ${name}_real w1 = w[0], w2 = w[1], w3 = w[2];
@@ -173,6 +228,36 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
     w[2] = w3 + v3;
   }
   (void)m; /* constants may be in the code */
+%%   end
+%%   if split_full then
+  const ${name}_real *u = m->split_u, *d = m->split_d, *k = m->split_b, *l = m->split_c;
+  const ${name}_real half = ${half}*tau;
+  ${name}_real w0[3], p0[3];
+  int i;
+
+  /* p = U^T D U w */
+  for (i = 0; i < 3; i++) w0[i] = w[i];
+  w[0] += u[0]*w[1] + u[1]*w[2];
+  w[1] += u[2]*w[2];
+  for (i = 0; i < 3; i++) w[i] *= d[i];
+  w[2] += u[1]*w[0] + u[2]*w[1];
+  w[1] += u[0]*w[0];
+  for (i = 0; i < 3; i++) p0[i] = w[i];
+%%     if split_attitude then
+  ${name}_split_along(x, w, tau);
+%%     end
+  for (i = 0; i <= n; i++) {
+    ${name}_split_about(x, k, a[i]*half*(m->split_fb*(k[0]*w[0] + k[1]*w[1] + k[2]*w[2])));
+    if (i < n) ${name}_split_about(x, l, b[i]*half*(m->split_fc*(l[0]*w[0] + l[1]*w[1] + l[2]*w[2])));
+  }
+  /* the same steps back, for the change */
+  for (i = 0; i < 3; i++) w[i] -= p0[i];
+  w[1] -= u[0]*w[0];
+  w[2] -= u[1]*w[0] + u[2]*w[1];
+  for (i = 0; i < 3; i++) w[i] /= d[i];
+  w[1] -= u[2]*w[2];
+  w[0] -= u[0]*w[1] + u[1]*w[2];
+  for (i = 0; i < 3; i++) w[i] += w0[i];
 %%   end
 %%   if split_axis then
   const ${name}_real spin = ${split_c}*w[${split_i}] + ${split_h}; /* |L|/I1 along the axis less the rate */
@@ -295,6 +380,18 @@ void ${name}_${split_method}_step(const ${name}_model *m, ${name}_real t, ${name
 %%   end
   };
 %% end
+%% if split_full then
+  static const ${name}_real a[] = { /* the free body's own splitting */
+%%   for _, s in ipairs(split_inner.a) do
+    ${s},
+%%   end
+  };
+  static const ${name}_real b[] = {
+%%   for _, s in ipairs(split_inner.b) do
+    ${s},
+%%   end
+  };
+%% end
 %% if split_kicks then
   int i;
 %% end
@@ -303,15 +400,27 @@ void ${name}_${split_method}_step(const ${name}_model *m, ${name}_real t, ${name
 %% end
 
 %% if split_kicks then
+%%   if split_full then
+  for (i = 0; i < ${split_outer.n}; i++) {
+    ${name}_split_drift(m, x, drift[i]*h, ${split_inner.n}, a, b);
+    ${name}_split_kick(m, t + at[i]*h, x, u, kick[i]*h);
+  }
+  ${name}_split_drift(m, x, drift[${split_outer.n}]*h, ${split_inner.n}, a, b);
+%%   else
   for (i = 0; i < ${split_outer.n}; i++) {
     ${name}_split_drift(m, x, drift[i]*h);
     ${name}_split_kick(m, t + at[i]*h, x, u, kick[i]*h);
   }
   ${name}_split_drift(m, x, drift[${split_outer.n}]*h);
+%%   end
 %% else
   (void)t;
   (void)u;
+%%   if split_full then
+  ${name}_split_drift(m, x, h, ${split_inner.n}, a, b);
+%%   else
   ${name}_split_drift(m, x, h);
+%%   end
 %% end
 %% if split_attitude then
 

@@ -27,7 +27,7 @@ static void ${name}_taylor_rates(const ${name}_real c[], ${name}_real s, ${name}
   y[3] = ${half}*(c[1]*c[5] - c[2]*c[4]) + s*c[0];
 }
 
-#if !defined ${upper}_PACKED
+#ifndef ${upper}_PACKED
 /* term n of the products of z with qw qx qy qz, z but for the first and the last; outwards from the middle, so that the sum need
  * not wait for the newest factors */
 static void ${name}_products(int n, const ${name}_real z[], const ${name}_real c[][${upper}_ROW], ${name}_real p[5])

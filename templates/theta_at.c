@@ -27,7 +27,7 @@ ${upper}_INLINE ${name}_phases ${name}_reduce(const ${name}_orbit *o, ${name}_re
 {
   const ${name}_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
   const ${name}_real c = ${split}*t, head = c - (c - t), tail = t - head;
-  const ${name}_pair p = ${name}_advance(o->rate, t, head, tail), turn = ${name}_advance(o->turn, t, head, tail);
+  const ${name}_pair p = ${name}_passed(o->rate, t, head, tail), turn = ${name}_passed(o->turn, t, head, tail);
   const ${name}_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
   const ${name}_real rest = (p.hi - (sum - part)) + (o->start[0] - part);
   ${name}_phases phases;
@@ -165,10 +165,11 @@ ${upper}_INLINE ${name}_terms ${name}_terms_of(const ${name}_orbit *o, ${name}_p
   return hyperbolic > 0 ? ${name}_hyperbolic_terms(o, p, hyperbolic > 1) : ${name}_circular_terms(o, p);
 }
 
-/* 1/|q| from n, the inverse of ${name}_square, to which |q|^2 is equal but for rounding, and its root */
+/* 1/|q| from n, the inverse of ${name}_square, to which |q|^2 is equal but for rounding, and its root: a Newton step, added
+ * so that the difference from a half is exact and only the sum is rounded */
 ${upper}_INLINE ${name}_real ${name}_inverse_length(const ${name}_real q[4], ${name}_real n, ${name}_real root)
 {
-  return root*(${threehalves} - (${half}*n)*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])));
+  return root + root*(${half} - (${half}*n)*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])));
 }
 
 /* attitude and rates */

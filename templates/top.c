@@ -72,7 +72,7 @@ static ${name}_pair ${name}_circulation(${name}_pair I1, ${name}_pair I3, ${name
   ${name}_pair sum = ${name}_pair_subtract(last, first);
 
   if (!(${eight}*${fabs}(sum.hi) < first.hi + last.hi)) return sum;
-  if (!(${fabs}(I1.lo) + ${fabs}(I3.lo) + ${fabs}(w1.lo) + ${fabs}(w3.lo) > ${zero})) {
+  if (!(${fabs}(I1.lo) + ${fabs}(I3.lo) + ${fabs}(w1.lo) + ${fabs}(w3.lo) > ${zero})) { /* rare */
     ${name}_real e[32];
     int n;
 

@@ -22,7 +22,8 @@ local ARROWS = {
   ir = { "algebra", "polhode_rational" },
   emit = { "algebra", "ir", "dynamics" }, -- dynamics: the free top with many digits, for constants and expected states
   plan = { "algebra", "dynamics", "methods", "ir" },
-  report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw" }, -- dynamics: equations with an effect left out
+  -- dynamics: equations with an effect left out; plan: what functions cost
+  report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw", "plan" },
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report",
     "driver", "interchange" },
@@ -37,6 +38,9 @@ local INCLUDES = {
   ["src/runtime"] = { own = { "src/runtime" }, outside = { "^gsl/" } },
   ["src/cli"] = { own = { "src/cli", "src/runtime/polhode.h", "templates/plugin.h" },
     outside = { "^lua%.h$", "^lauxlib%.h$", "^lualib%.h$", "^expat%.h$", "^gmp%.h$", "^mpfr%.h$" } },
+  -- the integrators of others, which the emitted code is timed against
+  ["src/cli/bench"] = { own = { "src/cli", "templates/plugin.h" }, outside = { "^gsl/", "^arkode/", "^cvode/",
+    "^nvector/", "^sundials/", "^sunlinsol/", "^sunmatrix/", "^sunnonlinsol/" } },
   ["templates"] = { own = { "templates" }, outside = {} },
   ["tests"] = { own = { "tests", "src/runtime" }, outside = { "^gsl/", "^gmp%.h$", "^mpfr%.h$" } },
 }
@@ -55,7 +59,7 @@ local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/
   ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true,
   ["generator/commands/motion_checks.lua"] = true,
   ["generator/commands/forced.lua"] = true,
-  ["generator/commands/mesh.lua"] = true }
+  ["generator/commands/mesh.lua"] = true, ["generator/report/bench.lua"] = true }
 
 local METHODS = { "gsub", "match", "format", "sub", "rep", "find", "gmatch", "byte", "lower", "upper", "len",
   "reverse" }
@@ -193,7 +197,7 @@ local function exists(path)
 end
 
 local function unit_of(path)
-  return path:match("^src/[^/]+") or path:match("^[^/]+")
+  return path:match("^src/cli/bench%f[_.]") or path:match("^src/[^/]+") or path:match("^[^/]+")
 end
 
 -- Where a quoted include leads: beside the file, or on the include path of its unit.

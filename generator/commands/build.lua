@@ -1,4 +1,4 @@
--- build.lua -- emits a scene, compiles it, and loads it into this program.
+-- build.lua -- emits scenes, compiles them, and loads them into this program.
 --
 -- The compiler is the user's (CC, else cc, gcc, clang); the flags are the ones the emitted code promises to be clean
 -- under, warnings as errors, so a warning in emitted code is a failure here.
@@ -11,21 +11,58 @@ local build = {}
 build.flags = { "-O2", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wshadow",
   "-Werror", "-ffp-contract=off" }
 
--- Compiles a planned job as a shared object and loads it: plugin | nil, message, and "range" if the real type cannot
--- hold the scene's constants.
-function build.plugin(host, job)
-  local dir, why = host.tempdir()
-  if not dir then return nil, why end
-  local ok
-  local files = driver.files(host, job, true)
+-- What item number i needs to be compiled in its own folder of dir, as host.compile_many has it: {dir, sources, output,
+-- options} | nil, message, and "range" if the real type cannot hold the scene's constants.
+local function prepare(host, item, dir, i)
+  local job = item.job
+  local files = driver.files(host, job, { peers = item.peers })
   if not files then return nil, job.diag:report(), "range" end
-  ok, why = host.write_files(dir, files)
+  dir = dir .. "/" .. string.format("%d", i)
+  local ok, why = host.write_files(dir, files)
   if not ok then return nil, why end
-  local flags = { "-shared", "-fPIC" }
+  -- hidden: compilers may inline and call as in a program that the code is linked into
+  local sources, flags = { job.model.name .. ".c", "plugin.c" }, { "-shared", "-fPIC", "-fvisibility=hidden" }
+  for _, f in ipairs(files) do
+    if f.name == "peers.c" then sources[3] = f.name end
+  end
   for _, f in ipairs(build.flags) do flags[#flags + 1] = f end
-  ok, why = host.compile(dir, { job.model.name .. ".c", "plugin.c" }, "plugin.so", { flags = flags, libs = { "-lm" } })
-  if not ok then return nil, "the emitted code does not compile:\n" .. why end
-  return host.plugin(dir .. "/plugin.so")
+  for _, f in ipairs(item.flags or {}) do flags[#flags + 1] = f end
+  return { dir, sources, "plugin.so", { flags = flags, libs = { "-lm" } } }
+end
+
+-- Compiles planned jobs as shared objects, as many at a time as there are processors, and loads them.  list: of {job =,
+-- flags = {more flags}, peers = true (with what other integrators need)}.  Returns the list of plugins, false for one
+-- that failed, and a table {[its number] = {message =, kind = "range" or nil}}, nil if none did.
+function build.plugins(host, list)
+  local plugins, failed, sources, numbers = {}, {}, {}, {}
+  local dir, why = host.tempdir()
+  for i, item in ipairs(list) do
+    local source, kind
+    if dir then source, why, kind = prepare(host, item, dir, i) end
+    if source then
+      sources[#sources + 1], numbers[#numbers + 1] = source, i
+    else
+      failed[i] = { message = why, kind = kind }
+    end
+    plugins[i] = false
+  end
+  for k, made in ipairs(host.compile_many(sources)) do
+    local i = numbers[k]
+    if made.command then
+      plugins[i], why = host.plugin(sources[k][1] .. "/plugin.so")
+      if not plugins[i] then plugins[i], failed[i] = false, { message = why } end
+    else
+      failed[i] = { message = "the emitted code does not compile:\n" .. made.message }
+    end
+  end
+  return plugins, next(failed) and failed or nil
+end
+
+-- One of them: plugin | nil, message, and "range" if the real type cannot hold the scene's constants.
+function build.plugin(host, job)
+  local plugins, failed = build.plugins(host, { { job = job } })
+  if failed then return nil, failed[1].message, failed[1].kind end
+  return plugins[1]
 end
 
 return build

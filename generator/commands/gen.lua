@@ -1,15 +1,18 @@
 -- gen.lua -- polhode gen: writes the emitted files of a scene.
--- Without -o the directory is the scene's name.  --show PASS prints the functions' IR after a pass instead.
+-- Without -o the directory is the scene's name.  --show PASS prints the functions' IR after a pass instead.  With an
+-- accuracy (of the scene, or --accuracy) commands/planner.lua decides on the method, from those of --method.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local options = require "generator.commands.options"
+local planner = require "generator.commands.planner"
 local driver = require "generator.driver"
 local methods = require "generator.methods.list"
+local shortest = require("generator.plan.decision").shortest
 
 local gen = {}
 
 gen.options = { ["-o"] = "text", ["--real"] = { "double", "float" }, ["--bake"] = false, ["--method"] = "words",
-  ["--order"] = "number", ["--with"] = { "jacobians" },
+  ["--order"] = "number", ["--accuracy"] = "number", ["--with"] = { "jacobians" },
   ["--set"] = "pair", ["--show"] = { "lower", "power", "fold", "cse", "dce", "order" } }
 gen.operands = { 1, 1 }
 
@@ -19,6 +22,7 @@ function gen.command(given)
   if given.real == "float" then parts[#parts + 1] = "--real float" end
   if given.bake then parts[#parts + 1] = "--bake" end
   if given.with then parts[#parts + 1] = "--with " .. given.with end
+  if given.accuracy then parts[#parts + 1] = "--accuracy " .. shortest(given.accuracy) end
   if given.order then parts[#parts + 1] = string.format("--order %d", given.order) end
   if given.method then parts[#parts + 1] = "--method " .. table.concat(given.method, ",") end
   local names = {}
@@ -61,6 +65,9 @@ function gen.run(host, given)
   local chosen, wrong = chosen_methods(given)
   local order, bad = gen.order(given)
   wrong = wrong or bad
+  if given.accuracy and not (given.accuracy > 0 and given.accuracy < 1) then
+    wrong = "--accuracy must be between 0 and 1, got " .. shortest(given.accuracy)
+  end
   if wrong then
     host.err("polhode gen: " .. wrong .. "\n")
     return 2
@@ -75,10 +82,23 @@ function gen.run(host, given)
     return options.refuse(host, given[1], d)
   end
   options.warn(host, job.diag)
-  if not driver.plan(job, { real = given.real, command = gen.command(given), methods = chosen, order = order,
+  local real, decision = given.real, nil
+  local question = not given.show and planner.question(job, given, order)
+  if question then
+    decision, why = planner.decide(host, question, given)
+    if not decision and why then
+      host.err("polhode gen: " .. why .. "\n")
+      return 2
+    elseif not decision then
+      return options.refuse(host, given[1], job.diag)
+    end
+    real, chosen, order = decision.real, { decision.method }, decision.order
+  end
+  if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen, order = order,
     jacobians = given.with == "jacobians" }) then
     return options.refuse(host, given[1], job.diag)
   end
+  job.planned = decision
   if given.show then
     host.out(driver.show(host, job, given.show))
     return 0

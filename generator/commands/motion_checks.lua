@@ -2,6 +2,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local evaluate = require "generator.algebra.evaluate"
 local breaks = require "generator.dynamics.breaks"
 local numeric = require "generator.dynamics.numeric"
 
@@ -24,15 +25,53 @@ local function rate_of(plugin, x0)
   return rate
 end
 
--- A span of some four radians of the fastest rate, of w and, with effects, of the Jacobian; not beyond the scene's own
--- horizon where something moves away, nor beyond a corner of a table.
-function motion_checks.span(job, plugin, scale, x0)
-  local rate = job.model.has.rates and scale.rates or 0.0
+-- A span of some four radians of the fastest rate, of w and, with effects, of the Jacobian (1 where both are 0); not
+-- beyond the scene's own horizon where something moves away, nor beyond a corner of a table.
+function motion_checks.span(job, plugin, x0)
+  local rate = 0.0
+  for i, s in ipairs(job.states) do
+    if s.kind == "rates" then rate = math.max(rate, math.abs(x0[i])) end
+  end
   if not job.equations.free then rate = math.max(rate, rate_of(plugin, x0)) end
+  if rate == 0 then rate = 1.0 end
   local horizon, first = job.model:double(job.model.horizon), breaks.first(job.equations)
   if first and rate * R.todouble(first) < 4 then return R.todouble(first) end
   if job.model.has.position and rate * horizon < 4 then return horizon end
   return 4.0 / rate
+end
+
+-- A motion without corners at unknown times, on which a stepper has its order: its start and span.  draw() gives random
+-- states, which are tried after x0, each also for a sixteenth of its span.  nil if all have corners.
+function motion_checks.smooth(job, plugin, x0, draw)
+  local m, corners = job.model, breaks.corners(job.equations)
+  local env, steps = {}, 256
+  for _, p in ipairs(m.params) do env[p.name] = R.todouble(p.default) end
+  -- no corner lies between samples that stay further from 0 than they move
+  local function clear(rows)
+    local before, move, near = {}, 0.0, math.huge
+    for _, row in ipairs(rows) do
+      env.t = row[1]
+      for i, s in ipairs(job.states) do env[s.name] = row[i + 1] end
+      for k, e in ipairs(corners) do
+        local value = evaluate.double(e, env)
+        move = math.max(move, before[k] and math.abs(value - before[k]) or 0.0)
+        if before[k] and value * before[k] <= 0 then return false end
+        near, before[k] = math.min(near, math.abs(value)), value
+      end
+    end
+    return near > 2 * move
+  end
+  for n = 0, #corners > 0 and 20 or 0 do
+    local x = n == 0 and x0 or draw()
+    local finish = motion_checks.span(job, plugin, x)
+    if #corners == 0 then return x, finish end
+    for _, span in ipairs { finish, finish / 16 } do
+      local times = {}
+      for k = 0, steps do times[k + 1] = span * k / steps end
+      if clear(plugin:integrate(x, nil, span / steps, times)) then return x, span end
+    end
+  end
+  return nil
 end
 
 -- What the scene conserves, along the emitted stepper's own motion.
@@ -55,6 +94,16 @@ function motion_checks.laws(host, job, plugin, tap, name, x0, finish, epsilon)
       size = math.max(size, terms)
     end
     keeps("energy", math.abs(E - E0), job.equations.free and math.abs(E0) or size)
+  end
+  if job.conserved.rate then -- its terms: of T + V, n L_z, and the potential of what turns, which is the rest
+    local J0, J, size = plugin:integral(0, x0), plugin:integral(turns, x), 0.0
+    local library, n = host.rates(numeric.scene(job)), job.model:double(job.conserved.rate)
+    for _, y in ipairs { x0, x } do
+      local E, terms = library:energy(numeric.whole(job, y))
+      local turned = n * plugin:momentum(y)[3]
+      size = math.max(size, terms + math.abs(turned) + math.abs(J0 - E + turned))
+    end
+    keeps("Jacobi's integral", math.abs(J - J0), size)
   end
   if job.model.has.attitude and (law.L or law["|L|"] or law.L_z) then
     local L0, L = plugin:momentum(x0), plugin:momentum(x)

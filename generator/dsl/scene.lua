@@ -2,16 +2,18 @@
 --
 -- The result is a plain record (expressions, no numbers yet):
 --     {name, line, body = shape tree, origin = {kind, ...}, effects = {...}, omega, attitude, given, outputs, events,
---     horizon, step}
+--     horizon, step, accuracy, budget, ranges}
 -- given tells what `initial` says: {omega = bool, attitude = bool, position = vector or nil, velocity = so, line}.
 -- Defaults: origin at the centroid, attitude 1, all else 0, horizon 10 s, step 1 ms.  What the record means is decided
 -- in mass/ and dynamics/.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local accuracy = require "generator.dsl.accuracy"
 local args = require "generator.dsl.args"
 local events = require "generator.dsl.events"
 local names = require "generator.dsl.names"
+local ranges = require "generator.dsl.ranges"
 local shapes = require "generator.dsl.shapes"
 local diag = require "generator.diag"
 
@@ -19,8 +21,6 @@ local scene = {}
 
 local keys = { "name", "body", "origin", "effects", "initial", "time", "accuracy", "budget", "ranges", "outputs",
   "events" }
--- in the contract of scenes, recorded, and not acted upon by this version: a warning says so
-local later = { "accuracy", "budget", "ranges" }
 
 local function list(strings)
   local out = {}
@@ -113,11 +113,6 @@ function scene.constructor(ctx, effect_of, put)
       return nil
     end
     args.unknown(ctx, line, "scene", list(keys), given)
-    for _, k in ipairs(later) do
-      if given[k] ~= nil then
-        ctx.diag:warn(ctx.diag:locate(line, k), "scene", k .. " is recorded but not used by this version")
-      end
-    end
     local s = { line = line, name = given.name }
     local rule = names.identifier(given.name)
     if given.name == nil then
@@ -137,6 +132,9 @@ function scene.constructor(ctx, effect_of, put)
     s.outputs = outputs(ctx, line, given.outputs)
     s.events = events.read(ctx, line, given.events)
     time(ctx, line, given.time, s)
+    s.accuracy = accuracy.read(ctx, line, given.accuracy)
+    s.budget = accuracy.budget(ctx, line, given.budget)
+    s.ranges = ranges.read(ctx, line, given.ranges)
     return put(s)
   end
 end

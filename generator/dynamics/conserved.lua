@@ -2,6 +2,8 @@
 --
 --     T+V   NAME_energy: kinetic energy, the effects' potentials, and those of a frame that turns steadily
 --     |L|   length of the angular momentum           L     the angular momentum, in inertial (the frame's) axes
+--     T+V-n.L   NAME_jacobi_integral, T + V - n L_z: where fields turn about inertial z at one rate n, T+V and L_z
+--           change together.  V of such fields depends on time, so it does.  (Landau, Lifshitz, Mechanics, section 39)
 --     L_z   its component along inertial z           w3    the rate about the axis z of a body symmetric about it
 -- An effect that keeps L keeps |L| and L_z too; a scene without attitude has no L in inertial axes, one without rates
 -- no angular momentum.  ABOVE the line.
@@ -10,10 +12,11 @@
 local context = require "generator.dynamics.context"
 local expr = require "generator.algebra.expr"
 local laws = require "generator.dynamics.laws"
+local ratio = require "generator.algebra.ratio"
 
 local conserved = {}
 
-conserved.laws = { "T+V", "|L|", "L", "L_z", "w3" }
+conserved.laws = { "T+V", "|L|", "L", "L_z", "w3", "T+V-n.L" }
 
 local function about_z(s)
   if s.kind == "sphere" then return true end
@@ -36,16 +39,34 @@ function conserved.words(spec)
   return #(spec.conserves or {}) > 0 and table.concat(spec.conserves, ", ") or "nothing"
 end
 
--- The laws of the scene: a list in the order of conserved.laws; `is`, the same by name; `words` of an effect.
+-- The rate at which the scene's fields turn, or nil where none turns or two turn differently.  In a base frame that
+-- turns they would turn about its z, while the frame's own integral is about its axis.
+local function turning(m)
+  local rate
+  if m.frame or not m.has.attitude then return nil end
+  for _, e in ipairs(m.record.effects) do
+    local field = e.spec.turning and e.spec.turning(e.a, context.with(context.dry(m), e))
+    local own = field and ratio.tidy(field.rate)
+    if own and rate and own ~= rate then return nil end
+    rate = rate or own
+  end
+  return rate
+end
+
+-- The laws of the scene: a list in the order of conserved.laws; `is`, the same by name; `words` of an effect; `rate`,
+-- n of the turning fields where their law holds.
 function conserved.of(m)
-  local has = m.has
+  local has, rate = m.has, turning(m)
   local holds = { ["T+V"] = true, ["|L|"] = has.rates, L = has.attitude, L_z = has.attitude,
-    w3 = has.rates and about_z(m.structure) }
+    w3 = has.rates and about_z(m.structure), ["T+V-n.L"] = rate ~= nil }
   for _, e in ipairs(m.record.effects) do
     local set = kept(m, e)
+    local c = context.with(context.dry(m), e)
+    local turns = e.spec.turning and e.spec.turning(e.a, c) ~= nil
+    set["T+V-n.L"] = turns or set["T+V"] and set.L_z
     for _, law in ipairs(conserved.laws) do holds[law] = holds[law] and set[law] or false end
   end
-  local list = { is = holds, words = conserved.words }
+  local list = { is = holds, words = conserved.words, rate = holds["T+V-n.L"] and rate or nil }
   for _, law in ipairs(conserved.laws) do
     if holds[law] then list[#list + 1] = law end
   end

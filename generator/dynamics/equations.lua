@@ -80,7 +80,8 @@ end
 equations.torque_of = torque_of
 
 -- Sum of the torques of all effects in body axes, each effect one group of definitions N1x .. ; and what they use.
-local function torques(m)
+-- gyric: three principal moments of the body alone, so that what effects say of the rates' products goes there.
+local function torques(m, gyric)
   local total, groups = { expr.zero, expr.zero, expr.zero }, {}
   local need_L = false
   local provisional, constant = fold.constants()
@@ -91,19 +92,27 @@ local function torques(m)
     return (momentum(m))
   end
   for _, e in ipairs(m.record.effects) do
-    local N = torque_of(m, e, context.with(c, e))
+    local own = context.with(c, e)
+    local products = gyric and e.spec.products and e.spec.products(e.a, own)
+    local N = products or torque_of(m, e, own)
     local group = { why = string.gsub(e.kind, "^effect%.", "") .. ": " .. e.spec.about, where = place(m, e.line),
       defs = {}, outs = {} }
     for i = 1, 3 do
       local n = N[i]
       if n ~= expr.zero and n.kind ~= "num" and n.kind ~= "sym" then
-        local name = "N" .. axis_name[i] .. (#m.record.effects > 1 and "_" .. #groups + 1 or "")
+        local name = (products and "P" or "N") .. axis_name[i] .. (#m.record.effects > 1 and "_" .. #groups + 1 or "")
         while fold.taken(m, provisional, name) do name = name .. "_" end -- a constant of the effect may be called so
         group.defs[#group.defs + 1] = { name = name, expr = n }
         n = expr.sym(name, 7)
       end
-      total[i] = total[i] + n
+      if products then
+        groups.products = groups.products or { expr.zero, expr.zero, expr.zero }
+        groups.products[i] = groups.products[i] + n
+      else
+        total[i] = total[i] + n
+      end
     end
+    if products then group.why = group.why .. "; what it adds to the products of the rates" end
     if #group.defs > 0 then groups[#groups + 1] = group end
   end
   groups.provisional = provisional
@@ -192,14 +201,14 @@ end
 
 function builders.diagonal(m, N, groups)
   local I, w = m.carried, state.w
-  local torque = #m.record.effects > 0 and " + N1" or ""
-  local why = "Euler, principal axes: I1 w1' = (I2 - I3) w2 w3" .. torque .. ", and cyclic"
+  local why = "Euler, principal axes: I1 w1' = (I2 - I3) " .. (groups.products and "(w2 w3 + P1)" or "w2 w3") ..
+    (#m.record.effects > (groups.products and 1 or 0) and " + N1" or "") .. ", and cyclic"
   local g = { why = why, defs = {}, outs = {} }
   for i = 1, 3 do
     local j, k = i % 3 + 1, (i + 1) % 3 + 1
     local c = m:constant("c" .. i, (I[j] - I[k]) / I[i], string.format("(I%d - I%d)/I%d", j, k, i), false,
       quotient(m, j, k, i))
-    g.outs[i] = c * w[j] * w[k]
+    g.outs[i] = groups.products and c * (w[j] * w[k] + groups.products[i]) or c * w[j] * w[k]
     if N[i] ~= expr.zero then
       g.outs[i] = g.outs[i] + over(m, groups, N[i], m:constant("I" .. vec.entry[i], I[i], "moment of inertia " ..
         vec.entry[i] .. ", kg m^2"), i)
@@ -296,14 +305,14 @@ function equations.euler(m, N) return builders[m.structure.kind](m, N, { provisi
 
 -- Euler's equations with the torques of the effects, appended to list; nil after an error.
 local function turning(d, m, list)
-  local N, groups, need_L = torques(m)
+  local I, moves = context.now(m)
+  local kind = moves and "varying" or m.carrier.kind
+  local N, groups, need_L = torques(m, kind == "diagonal" and m.carried == m.inertia)
   local L_defs = {}
   if need_L then -- before the torques that use it
     L_defs = select(2, momentum(m))
     table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = L_defs, outs = {} })
   end
-  local I, moves = context.now(m)
-  local kind = moves and "varying" or m.carrier.kind
   local euler = builders[kind](m, N, groups, d, I)
   if not euler then return nil end
   euler.where = place(m, m.line)

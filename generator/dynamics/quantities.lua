@@ -151,6 +151,23 @@ function quantities.energy(m)
       { { result = true, expr = T + V } }) } }
 end
 
+-- T + V - n L_z of fields that turn about inertial z at the rate n (dynamics/conserved.lua).
+function quantities.jacobi_integral(m, n)
+  local f, c, V = quantities.energy(m), context.of(m), expr.zero
+  local energy = f.groups[1]
+  for _, e in ipairs(m.record.effects) do
+    local field = e.spec.turning and e.spec.turning(e.a, context.with(c, e))
+    if field then V = V + field.potential end
+  end
+  local L = vec.add(vec.apply((context.now(m)), state.w), context.held(m))
+  local rate = m:constant("nJ", n, "rate at which the field turns, rad/s")
+  energy.outs[1].expr = energy.outs[1].expr + V - rate * vec.matvec(vec.rotation(state.q), L)[3]
+  energy.why = energy.why .. ";  and of the field, less n L_z"
+  return { name = "jacobi_integral", args = { "m", "t", "x" }, result = true,
+    doc = { "Jacobi's integral T + V - n L_z, J, constant where the field turns about inertial z at the rate n: V is",
+      "the potential of the field at the time t and of what else acts; |q| = 1." }, groups = f.groups }
+end
+
 function quantities.momentum_body(m)
   local L = vec.add(vec.apply((context.now(m)), state.w), context.held(m))
   return { name = "momentum_body", args = { "m", "x", array("L", 3, true) },

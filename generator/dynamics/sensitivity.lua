@@ -4,7 +4,7 @@
 --     jacobian_p          df/dp: f depends on the parameters by way of the derived constants c(p) alone, so it is the
 --                         sum of df/dc dc/dp; the dc/dp are derived constants themselves, computed by NAME_init
 --     initial_p           dx(0)/dp, so that S' = (df/dx) S + df/dp can be integrated from the start
---     STEP_transition     d x(t + h)/d x(t) of a step: every named quantity of the step is followed by its derivatives
+--     STEP_transition     the step and d x(t + h)/d x(t): every named quantity is followed by its derivatives
 --                         (the tangent of the discrete map itself, exact for any h, not a solution of S' = J S)
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -89,33 +89,40 @@ local function symbols(name)
   return list
 end
 
--- The transition matrix of a step that is written as groups {defs, outs}, as the function `name`.
-function sensitivity.transition(eq, steps, name)
-  local m, groups, known, taken = eq.model, {}, {}, {}
-  local n = #m.states
-  for k = 1, n do known[k] = {} end
+-- Definitions followed by their derivatives by `columns` (a list of {name, sym}): known[k], which it fills, has the
+-- derivative by column k of every symbol that is no column; taken: names that new ones must not have.
+function sensitivity.follow(defs, columns, known, taken)
+  local out = {}
+  for _, d in ipairs(defs) do taken[d.name] = true end
+  for _, d in ipairs(defs) do
+    out[#out + 1] = d
+    for k, s in ipairs(columns) do
+      local e = calculus.diff(d.expr, s.sym, known[k])
+      if e.kind ~= "num" and e.kind ~= "sym" then
+        local own = d.name .. "_" .. s.name
+        while taken[own] do own = own .. "_" end
+        taken[own] = true
+        out[#out + 1] = { name = own, expr = e }
+        e = expr.sym(own, 9)
+      end
+      for _, sym in ipairs(symbols(d.name)) do known[k][sym] = e end
+    end
+  end
+  return out
+end
+
+-- Groups {defs, outs = {state, expr}} of a map of the states, its definitions with their derivatives, and last the
+-- derivatives of the outs into the array F.  known, taken: as above.
+function sensitivity.tangent(m, steps, known, taken)
+  local n, groups, final = #m.states, {}, {}
+  for _, member in ipairs(m.members) do taken[member.name] = true end
   for _, g in ipairs(steps) do
     for _, d in ipairs(g.defs) do taken[d.name] = true end
   end
-  local final = {}
   for i, g in ipairs(steps) do
-    local defs = {}
-    for _, d in ipairs(g.defs) do
-      defs[#defs + 1] = d
-      for k, s in ipairs(m.states) do
-        local e = calculus.diff(d.expr, s.sym, known[k])
-        if e.kind ~= "num" and e.kind ~= "sym" then
-          local own = d.name .. "_" .. s.name
-          while taken[own] do own = own .. "_" end
-          taken[own] = true
-          defs[#defs + 1] = { name = own, expr = e }
-          e = expr.sym(own, 9)
-        end
-        for _, sym in ipairs(symbols(d.name)) do known[k][sym] = e end
-      end
-    end
     for _, o in ipairs(g.outs) do final[o.state] = o.expr end
-    groups[i] = { why = g.why .. "; and its derivatives", where = g.where, defs = defs, outs = {} }
+    groups[i] = { why = g.why .. "; and its derivatives", where = g.where, outs = {},
+      defs = sensitivity.follow(g.defs, m.states, known, taken) }
   end
   for i, s in ipairs(m.states) do
     local g = { why = "derivatives of " .. s.name .. " at t + h", defs = {}, outs = {} }
@@ -125,10 +132,35 @@ function sensitivity.transition(eq, steps, name)
     end
     groups[#groups + 1] = g
   end
-  return { name = name .. "_transition", args = { "m", "t", "x", "u", "h", array("F", n * n) },
-    doc = { "The transition matrix of " .. eq.model.name .. "_" .. name .. ", row major, NX x NX:",
-      "F[i*NX + k] = d x[i](t + h)/d x[k](t), exact for the step as it is computed (what keeps |q| = 1 included)." },
-    groups = groups }
+  return groups, final
+end
+
+-- A table for each state: what sensitivity.tangent knows at first.
+function sensitivity.nothing(m)
+  local known = {}
+  for k in ipairs(m.states) do known[k] = {} end
+  return known
+end
+
+-- The contract of NAME_STEP_transition, for header and description.
+function sensitivity.doc(scene, name)
+  return {
+    "The step of " .. scene .. "_" .. name .. ", x from t to t + h, and its transition matrix, row major, NX x NX:",
+    "F[i*NX + k] = d x[i](t + h)/d x[k](t), exact for the step as it is computed (what keeps |q| = 1 included).",
+  }
+end
+
+-- The transition matrix of a step that is written as groups {defs, outs}, as the function `name`.
+function sensitivity.transition(eq, steps, name)
+  local m = eq.model
+  local groups, final = sensitivity.tangent(m, steps, sensitivity.nothing(m), {})
+  local last = { why = "the new state", defs = {}, outs = {} }
+  for _, s in ipairs(m.states) do
+    if final[s.name] then last.outs[#last.outs + 1] = { array = "x", state = s.name, expr = final[s.name] } end
+  end
+  groups[#groups + 1] = last
+  return { name = name .. "_transition", args = { "m", "t", "x!", "u", "h", array("F", #m.states * #m.states) },
+    doc = sensitivity.doc(m.name, name), groups = groups }
 end
 
 -- All of them for a job {equations, model, input_states, steppers, diag, record}; nil after an error: a derivative that
@@ -142,8 +174,13 @@ function sensitivity.list(job)
     if groups then
       local steps = groups(eq, function(e, words) return eq.model:derived(e, words) end)
       list[#list + 1] = sensitivity.transition(eq, steps, i == 1 and "step" or s.method.name .. "_step")
+    elseif not s.program.transition then
+      job.diag:error(job.record.line, "method " .. s.method.name, "its step has no transition matrix here (--with " ..
+        "jacobians): rk4, adaptive, taylor, midpoint and semi have one")
+      return nil
     end
   end
+  job.transition = true -- of the first step, NAME_step
   for _, member in ipairs(eq.model.members) do
     if not pcall(eq.model.number, eq.model, member.e) then
       job.diag:error(job.record.line, "jacobians", member.about .. " must exist at the parameters' own values")

@@ -16,13 +16,17 @@
 --     varies(a, c)      tensor that is added to the body's as a function of its own states (moving parts), or nil
 --     turn(a, c)        rate at which the body's axes turn beside w: q' = q (0, w + turn)/2, body axes
 --     carries(a)        tensor (six entries) that is added to the body's for the rates (a wheel that is not locked)
+--     products(a, c)    its torque on a body of three principal moments as what it adds to the products w2 w3, w3 w1,
+--                       w1 w2 of Euler's equations; used in the place of torque where the tensor is such
 --     potential(a, c)   energy, J
+--     turning(a, c)     its potential, J, depends on time by turning about inertial z: {rate =, potential =}; not in
+--                       potential then, see dynamics/conserved.lua
 --     frame(a, c)       the base frame turns: {rate =, rate_dot =, centrifugal =}
 --     moves(given)      true if the centre of mass moves freely (given: what `initial` gives)
 --     conserves(a, c)   a list out of "T+V", "|L|", "L", "L_z", "w3", see dynamics/conserved.lua; absent: nothing
 --                       keeps: the same in words, where it is a function;   decided = true: dynamics/laws.lua finds it
 --     quadratic = true  its terms are polynomials of degree 2 at most in the state
---     kinks = true      its equations have corners at times that dynamics/breaks.lua cannot tell
+--     corners(a, c)     what vanishes where its equations have corners that show no |e| (dynamics/breaks.lua): a list
 --     input = true      it uses the input u;   single = true: once in a scene
 --     central = true    it acts about the centre of mass, which must be the origin
 --     fixed = advice    it acts about a fixed point, so a body that moves cannot have it

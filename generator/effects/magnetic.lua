@@ -2,7 +2,7 @@
 --
 --     N = m x R(q)^T B,   V = -m . R(q)^T B       m fixed in the body, B fixed in inertial axes, or turning about z:
 --     B(t) = Rz(rate t) B(0)
--- A turning field does work, so it has no potential here.
+-- A turning field does work: NAME_energy has no potential of it, NAME_jacobi_integral is T - m.B(t) - rate L_z.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -15,7 +15,7 @@ local magnetic = {
     { name = "field", dim = "field", size = 3, optional = true },
     { name = "rotating", dim = "field", size = 3, optional = true },
     { name = "rate", dim = "rate", optional = true } },
-  keeps = "T+V (fixed field), L_z (field along z), w3 (moment along z)",
+  keeps = "T+V (fixed field), T+V-n.L (rotating field), L_z (field along z), w3 (moment along z)",
   formula = "N = m x R(q)^T B, V = -m.R(q)^T B; rotating: B = (Bx cos a - By sin a, Bx sin a + By cos a, Bz), " ..
     "a = rate t",
   signs = "the moment turns towards the field; rate > 0 turns the field from x to y",
@@ -48,6 +48,11 @@ function magnetic.torque(a, c) return vec.cross(vectors(a, c)) end
 function magnetic.potential(a, c)
   if a.rotating then return expr.zero end
   return -vec.dot(vectors(a, c))
+end
+
+function magnetic.turning(a, c)
+  if not a.rotating then return nil end
+  return { rate = a.rate, potential = -vec.dot(vectors(a, c)) }
 end
 
 local function along_z(v) return v[1] == expr.zero and v[2] == expr.zero end

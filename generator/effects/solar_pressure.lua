@@ -26,7 +26,7 @@ local solar = {
   signs = "n outward, s to the sun: light pushes the lit side away from the sun; the dark side feels nothing",
   source = "Wertz, Spacecraft Attitude Determination and Control, 17.2.2 (without diffuse reflection); flux: Kopp, " ..
     "Lean, Geophys. Res. Lett. 38 (2011) L01706",
-  example = "solar_sail", kinks = true,
+  example = "solar_sail",
 }
 
 local smallest = expr.num(R.new(2) ^ -126)
@@ -65,13 +65,28 @@ local function unit(v)
   return vec.map(v, function(x) return ratio.tidy(x / n) end)
 end
 
+-- The sun's direction in body axes.
+local function sunward(a, c)
+  local sun = vec.map(unit(a.sun), function(x, i) return c.constant("s" .. comp[i], x, "direction of the sun") end)
+  return vec.matvec(vec.transpose(vec.rotation(c.q)), sun)
+end
+
+local function normal(p, c)
+  return vec.map(unit(p.normal), function(x, i) return c.constant("n" .. comp[i], x, "normal of a plate") end)
+end
+
+-- A plate's edge to the sun.
+function solar.corners(a, c)
+  local s = sunward(a, c)
+  return vec.map(a.plates, function(p) return vec.dot(normal(p, c), s) end)
+end
+
 -- The force on each plate in body axes.
 local function forces(a, c)
-  local sun = vec.map(unit(a.sun), function(x, i) return c.constant("s" .. comp[i], x, "direction of the sun") end)
-  local s = vec.matvec(vec.transpose(vec.rotation(c.q)), sun)
+  local s = sunward(a, c)
   return vec.map(a.plates, function(p)
     local push = a.flux / 299792458 * p.area / 2
-    local n = vec.map(unit(p.normal), function(x, i) return c.constant("n" .. comp[i], x, "normal of a plate") end)
+    local n = normal(p, c)
     local cosine = vec.dot(n, s)
     local lit = cosine + expr.sqrt(cosine ^ 2 + smallest) -- twice the cosine, or 0
     local taken = c.constant("absorbed", push * (1 - p.reflectivity), "(1 - rho) P A/2, N")

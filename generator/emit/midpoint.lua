@@ -21,6 +21,13 @@ function midpoint.fill(ctx, program, v)
   f = source.make(ctx, { name = "midpoint_finish", groups = program.finish, doc = {},
     args = { "m", "t", "x!", "u", "h", { name = "mid", count = 3 } } })
   v.midpoint_finish_head, v.midpoint_finish_lines = f.head, f.lines
+  v.midpoint_transition = program.transition ~= nil
+  if program.transition then
+    local n = #ctx.states
+    f = source.make(ctx, { name = "midpoint_tangent", groups = program.transition, doc = {},
+      args = { "m", "t", "x", "u", "h", { name = "mid", count = 3 }, { name = "F", count = n * n, out = true } } })
+    v.midpoint_tangent_head, v.midpoint_tangent_lines = f.head, f.lines
+  end
   v.midpoint_count = string.format("%d", program.count)
   v.midpoint_free = program.count == 4
 end

@@ -14,6 +14,7 @@ local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
 local stability = require "generator.emit.stability"
+local split = require "generator.emit.split"
 local steppers = require "generator.emit.steppers"
 local selftest = require "generator.emit.selftest"
 local vectors = require "generator.emit.vectors"
@@ -24,12 +25,13 @@ local license = "SPDX-License-Identifier: MIT-0"
 
 local function libm(real)
   local v = {}
-  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor",
-    "fma" } do
+  for _, fn in ipairs { "fabs", "copysign", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log",
+    "floor", "fma" } do
     v[fn] = real == "float" and fn .. "f" or fn
   end
   v.huge = real == "float" and "HUGE_VALF" or "HUGE_VAL"
   v.fast_fma = real == "float" and "FP_FAST_FMAF" or "FP_FAST_FMA"
+  v.arm_fma = real == "float" and "4" or "8" -- the bit of __ARM_FP: a Cortex-M4F fuses in float only
   return v
 end
 
@@ -120,14 +122,29 @@ local function function_values(list)
   return out
 end
 
+local function cost_row(name, c)
+  local row = { name = name }
+  for _, k in ipairs { "add", "mul", "div", "sqrt", "call" } do row[k] = string.format("%d", c[k] or 0) end
+  return row
+end
+
 local function costs(list)
   local out = {}
-  for i, f in ipairs(list) do
-    local c = f.cost
-    local function n(k) return string.format("%d", c[k] or 0) end
-    out[i] = { name = f.name, add = n "add", mul = n "mul", div = n "div", sqrt = n "sqrt", call = n "call" }
-  end
+  for i, f in ipairs(list) do out[i] = cost_row(f.name, f.cost) end
   return out
+end
+
+-- The cost sheet's rows for README.md (report/costs.lua): the table of cycles, and operations of what is a template.
+local function sheet(job, v)
+  local known = {}
+  for _, f in ipairs(v.costs) do known[f.name] = true end
+  v.sheet = {}
+  local list, names = job.sheet()
+  for i, row in ipairs(list) do
+    v.sheet[i] = { name = row.name, cycles = table.concat(row.cycles, " | ") }
+    if not known[row.name] then v.costs[#v.costs + 1] = cost_row(row.name, row.counts) end
+  end
+  v.sheet_head, v.sheet_rule = table.concat(names, " | "), string.rep("---|", #names)
 end
 
 -- "rhs: 12 additions, 24 multiplications": what one call costs, for the banner.
@@ -175,16 +192,15 @@ local function common(job)
   init.fill(ctx, m, v)
   special.fill(v, ctx)
   v.has_rates, v.has_attitude = m.has.rates, m.has.attitude
-  v.conservative = job.conserved.is["T+V"] and not (eq.free and m.has.attitude)
+  v.has_integral = job.conserved.rate ~= nil
+  v.conservative = (v.has_integral or job.conserved.is["T+V"]) and not (eq.free and m.has.attitude)
+  v.conserved_name = v.has_integral and "jacobi_integral" or "energy"
   v.has_ticks = job.closed.ticks or false
-  v.has_integers = v.has_ticks or job.closed.integers or false
-  for _, s in ipairs(job.steppers) do
-    v.has_integers = v.has_integers or s.method.name == "taylor"
-  end
   v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
-  v.no_members = #m.members == 0 and not v.has_order
+  split.setup(job, v)
+  v.no_members = #m.members == 0 and not v.has_order and not v.split_setup
   return v, ctx
 end
 
@@ -225,14 +241,30 @@ local function closed_values(job, v, ctx)
   v.closed_source = table.concat(parts, "\n")
 end
 
+-- The headers of the C library that a text needs beside <math.h>, less those that it already has.
+local function includes(text, already)
+  local list, has = {}, {}
+  for _, name in ipairs(already or {}) do has[name] = true end
+  for _, h in ipairs { { "<stddef.h>", "%f[%w_]size_t%f[^%w_]" }, { "<stdint.h>", "%f[%w_]u?int%d+_t%f[^%w_]" } } do
+    if string.find(text, h[2]) and not has[h[1]] then list[#list + 1] = h[1] end
+  end
+  return list
+end
+
 local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
 
--- The list of files {name, text}.  With plugin = true also the table that the program polhode loads.
-function project.files(job, plugin)
+-- Header and source, with the values that the templates were filled with.
+local function code(job)
   local v, ctx = common(job)
   closed_values(job, v, ctx)
   steppers.render(job, v, ctx)
   special.render(job, v)
+  v.header_includes = includes(v.closed_header .. v.stepper_header)
+  v.source_includes = includes(v.closed_source .. v.stepper_source, v.header_includes)
+  v.included = "`<math.h>`"
+  for _, h in ipairs(includes(v.closed_header .. v.closed_source .. v.stepper_header .. v.stepper_source)) do
+    v.included = v.included .. ", `" .. h .. "`"
+  end
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   if v.has_rates then
     v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
@@ -245,16 +277,34 @@ function project.files(job, plugin)
     v.analysis_header = render "templates/analysis.h"
     v.analysis_source = render "templates/analysis.c"
   end
+  return render "templates/scene.h", render "templates/scene.c", v, ctx
+end
+
+-- The texts of header and source alone: what plan/ops.lua counts.
+function project.code(job)
+  local header, text = code(job)
+  return header, text
+end
+
+-- The list of files {name, text}.  plugin: also the table that the program polhode loads; plugin = {peers = true}: with
+-- what other integrators need, if the scene is in double.
+function project.files(job, plugin)
+  local header, text, v, ctx = code(job)
+  local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   vectors.fill(job, v, ctx)
+  job.code = { header = header, source = text }
+  sheet(job, v)
   local n = job.model.name
   local files = {
-    { name = n .. ".h", text = render "templates/scene.h" },
-    { name = n .. ".c", text = render "templates/scene.c" },
+    { name = n .. ".h", text = header },
+    { name = n .. ".c", text = text },
     { name = n .. "_test.c", text = render "templates/test.c" },
     { name = "Makefile", text = render "templates/Makefile" },
     { name = "README.md", text = render "templates/README.md" },
   }
   if plugin then
+    v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false
+    if v.has_peers then files[#files + 1] = { name = "peers.c", text = render "templates/peers.c" } end
     files[#files + 1] = { name = "plugin.c", text = render "templates/plugin.c" }
     files[#files + 1] = { name = "plugin.h", text = job.templates["templates/plugin.h"] }
   end

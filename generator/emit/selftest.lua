@@ -3,13 +3,14 @@
 -- Every case is computed from the exact expressions, with the parameters and states rounded to the emitted real
 -- type first (so the inputs are the very numbers the C code sees), at `bits` bits.  The tolerance of a number is
 -- `roundings` units of the type's epsilon times its magnitude: the value of the same expression with every term
--- made positive, a bound of what can cancel.  No result of the emitted file is more than 32 operations deep.
+-- made positive, a bound of what can cancel.  No result of the emitted file is more than 32 operations deep, but for
+-- those of a step, which has at most 7 stages as deep as that, one after the other: `stages` times as many.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
 
-local selftest = { bits = 200, roundings = 32 }
+local selftest = { bits = 200, roundings = 32, stages = R.new(8) }
 
 -- An environment holds values and magnitudes of names: {value = {name -> R}, size = {name -> R}}; a name without a
 -- size is an input, whose size is its absolute value.

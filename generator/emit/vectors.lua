@@ -6,9 +6,11 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local breaks = require "generator.dynamics.breaks"
 local motion = require "generator.emit.motion"
 local number = require "generator.emit.number"
 local selftest = require "generator.emit.selftest"
+local source = require "generator.emit.source"
 
 local vectors = {}
 
@@ -130,6 +132,24 @@ local function by_index(o)
   return o.index and o.index + 1
 end
 
+-- What the checks of the transition matrix and of the steps' order need beside the cases.
+local function of_steps(job, v, epsilon, time, real)
+  local order = job.steppers[1].method.order or 4 -- a series has at least 4
+  v.fine_steps, v.low_order, v.low_order_error = order >= 4, string.format("%d", order), order >= 4 and "" or " + d2"
+  v.low_order_falls = string.format("%d", 1 << order)
+  v.low_order_bound = number.text(R.new(3, 4) * R.new(2) ^ order, real)
+  v.check_free, v.check_conservative = v.free and v.fine_steps, v.conservative and v.fine_steps
+  v.has_transition = job.transition or false
+  v.has_transition_case = description(job, "step_transition") ~= nil
+  if not v.has_transition then return end
+  local _, unknown = breaks.first(job.equations)
+  v.has_differences = not unknown -- next to a corner there is no derivative
+  v.state_kinds = source.kinds(job.states)
+  v.displacement = number.text(R.new(2) ^ (real == "float" and -5 or -14), real)
+  v.roundings = number.text(epsilon * R.new(selftest.roundings), real)
+  v.transition_step = number.text(time, real)
+end
+
 -- Cases: which function, with which state, how many numbers, how it is called.
 function vectors.fill(job, v, ctx)
   local m, real = job.model, ctx.real
@@ -152,7 +172,7 @@ function vectors.fill(job, v, ctx)
     local list = {}           -- for a constant of the model may be called like one
     for k, q in pairs(base) do list[k] = q end -- into a table: order is lost anyway
     for _, a in ipairs(f.args) do
-      for k, q in pairs(type(a) == "table" and arguments[a.name] or {}) do list[k] = q end -- as before
+      for k, q in pairs(type(a) == "table" and arguments[a.name] or {}) do list[k] = q end -- order is lost
     end
     for i, s in ipairs(x and job.states or {}) do list[s.name] = x[i] end
     return list
@@ -171,12 +191,14 @@ function vectors.fill(job, v, ctx)
       what = what }
   end
   local nx = #job.states
-  v.got_size = nx < 4 and "16" or ctx.upper .. "_NX*" .. ctx.upper .. "_NX"
+  local wide = description(job, "jacobian_p") and #m.params > nx
+  v.got_size = nx < 4 and not wide and "16" or ctx.upper .. "_NX*" .. ctx.upper .. (wide and "_NP" or "_NX")
+  if nx < 4 and wide then v.got_size = "16 + " .. v.got_size end
   v.cases = {}
-  local function case(name, n, state, call, what, index)
+  local function case(name, n, state, call, what, index, depth)
     local f = description(job, name)
     if not f then return end
-    local want, tolerance = selftest.expect(f, env, inputs(f, state), index, epsilon)
+    local want, tolerance = selftest.expect(f, env, inputs(f, state), index, (depth or R.one) * epsilon)
     v.cases[#v.cases + 1] = printed(n, want, tolerance, call, what)
   end
   local p = m.name .. "_"
@@ -190,6 +212,8 @@ function vectors.fill(job, v, ctx)
     case("rhs", nx, x.values, p .. "rhs(&m, " .. v.zero .. ", " .. x.name .. ", u, got)",
       "rates of change at state " .. i, of_state)
     case("energy", 1, x.values, "got[0] = " .. p .. "energy(&m, " .. x.name .. ")", "energy at state " .. i, result)
+    case("jacobi_integral", 1, x.values, "got[0] = " .. p .. "jacobi_integral(&m, " .. v.zero .. ", " .. x.name .. ")",
+      "Jacobi's integral at state " .. i, result)
     case("momentum", 3, x.values, p .. "momentum(&m, " .. x.name .. ", got)",
       "angular momentum at state " .. i, by_index)
   end
@@ -205,6 +229,19 @@ function vectors.fill(job, v, ctx)
     "acceleration: Coriolis, Euler, centrifugal, total", function(o) return term[o.array] + o.index + 1 end)
   case("jacobian", nx * nx, xs[2].values, p .. "jacobian(&m, " .. v.zero .. ", x2, u, got)",
     "Jacobian of the equations at state 2", by_index)
+  local short = R.round(time / R.new(32), 24)
+  of_steps(job, v, epsilon, short, real)
+  local np = #m.params
+  case("jacobian_u", nx * #job.input_states, xs[2].values, p .. "jacobian_u(&m, " .. v.zero .. ", x2, u, got)",
+    "derivative of the equations by the input at state 2", by_index)
+  case("jacobian_p", nx * np, xs[2].values, p .. "jacobian_p(&m, " .. v.zero .. ", x2, u, got)",
+    "derivative of the equations by the parameters at state 2", by_index)
+  case("initial_p", nx * np, nil, p .. "initial_p(&m, got)", "derivative of the initial state by the parameters",
+    by_index)
+  base.h = short
+  case("step_transition", nx * nx, xs[2].values, "transition(&m, x2, u, " .. number.text(short, real) .. ", got)",
+    "transition matrix of a step from state 2", by_index, selftest.stages)
+  base.h = nil
 
   v.motion_cases = {}
   for i, c in ipairs(motion.cases { job = job, x0 = xs[1].values, power = R.new(1, 2) / (time or R.half), env = env,
@@ -238,7 +275,13 @@ function vectors.fill(job, v, ctx)
   -- The test of order runs over about half a radian: h w = 1/64 and less, where the fourth-order term leads and still
   -- stands above rounding (float: the floor of 64 roundings of the state).
   v.order_time = number.text(time, real)
-  v.order_floor = number.text(R.round(size * epsilon * R.new(256), 24), real)
+  local roundings = 256
+  local program = job.steppers[1].program
+  if program and program.drift and program.drift.kind == "full" then -- of that many rotations a step, walking
+    local rotations = (#program.outer.b + 1) * (2 * #program.inner.b + 1)
+    roundings = roundings * math.ceil(math.sqrt(rotations))
+  end
+  v.order_floor = number.text(R.round(size * epsilon * R.new(roundings), 24), real)
   v.norm_bound = number.text(epsilon * R.new(16), real)
   v.jacobi_bound = number.text(epsilon * R.new(64), real)
   -- float: e^2 must stay above 256 roundings of 1
@@ -249,7 +292,7 @@ function vectors.fill(job, v, ctx)
   if v.conservative then -- relative to the terms of the energy at the largest of the three states
     local most = least
     for _, x in ipairs(xs) do
-      local f = description(job, "energy")
+      local f = description(job, v.conserved_name)
       local _, tolerance = selftest.expect(f, env, inputs(f, x.values), result, epsilon)
       if tolerance[1] > most then most = tolerance[1] end
     end

@@ -8,6 +8,7 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
+local breaks = require "generator.dynamics.breaks"
 local state = require "generator.dynamics.state"
 local stages = require "generator.methods.stages"
 
@@ -32,8 +33,9 @@ adaptive.tableau = tableau
 
 local h = state.h
 
--- The equations with the states in `map` replaced: definitions named with `suffix`, and the rates by state name.
-local function instance(eq, map, suffix)
+-- The equations with the states in `map` replaced: definitions named with `suffix`, and the rates by state name; first:
+-- with those that never change.
+local function instance(eq, map, suffix, first)
   local defs, out, renamed = {}, {}, {}
   for k, v in pairs(map) do renamed[k] = v end -- into a table: order is lost anyway
   for _, g in ipairs(eq.groups) do
@@ -42,7 +44,7 @@ local function instance(eq, map, suffix)
       if e ~= d.expr then
         renamed[expr.sym(d.name, 7)] = expr.sym(d.name .. suffix, 7)
         defs[#defs + 1] = { name = d.name .. suffix, expr = e }
-      elseif suffix == "_2" then -- what never changes is computed once
+      elseif first then
         defs[#defs + 1] = d
       end
     end
@@ -59,7 +61,7 @@ local function combined(coefficients, k, name)
 end
 
 -- The trial step: from x at t and k1 = f(t, x) the state `out`, its rates k7 and the error of the lower order, as the
--- groups of a function.
+-- groups of a function; knots: where the run must stop (dynamics/breaks.lua).
 function adaptive.program(eq)
   local zero = stages.conserved(eq)
   local moving, k, groups = {}, { {} }, {}
@@ -71,6 +73,9 @@ function adaptive.program(eq)
   end
   for n = 2, 7 do
     local suffix = "_" .. n
+    for _, s in ipairs(eq.model.states) do -- the second wheel's speed is wheel_2
+      while eq.model.states.by_name[s.name .. suffix] do suffix = "_" .. suffix end
+    end
     local g = { why = n == 7 and "stage 7: at the end, of order 5; the next step's first" or "stage " .. n, defs = {},
       outs = {} }
     local map = {}
@@ -81,7 +86,7 @@ function adaptive.program(eq)
       if n == 7 then g.outs[i] = { array = "out", index = s.name, expr = map[s.sym] } end
     end
     if R.sign(tableau.c[n]) ~= 0 then map[state.t] = state.t + tableau.c[n] * h end
-    local defs, out = instance(eq, map, suffix)
+    local defs, out = instance(eq, map, suffix, n == 2)
     for _, d in ipairs(defs) do g.defs[#g.defs + 1] = d end
     k[n] = {}
     for _, s in ipairs(moving) do
@@ -99,7 +104,51 @@ function adaptive.program(eq)
     last.outs[i] = { array = "error", index = s.name, expr = h * combined(difference, k, s.name) }
   end
   groups[#groups + 1] = last
-  return { states = moving, groups = groups }
+  return { states = moving, groups = groups, knots = breaks.knots(eq) }
+end
+
+-- The step of a fixed size as equation groups with outs {state, expr}: what is derived from it goes by these
+-- (dynamics/sensitivity.lua).
+function adaptive.plain(eq)
+  local program = adaptive.program(eq)
+  local moving, count = {}, #program.states
+  for _, s in ipairs(program.states) do moving[s.name] = true end
+  local first, rates, known = { why = "stage 1: at the start", defs = {}, outs = {} }, {}, {}
+  for _, g in ipairs(eq.groups) do
+    for _, d in ipairs(g.defs) do
+      first.defs[#first.defs + 1] = d
+      known[d.name] = true -- what never changes is here already
+    end
+    for _, o in ipairs(g.outs) do
+      if moving[o.state] then rates[#rates + 1] = { name = "k1" .. o.state, expr = o.expr } end
+    end
+  end
+  table.move(rates, 1, #rates, #first.defs + 1, first.defs)
+  local groups = { first }
+  for n = 2, 6 do
+    local stage = program.groups[n - 1]
+    local g = { why = stage.why, defs = {}, outs = {} }
+    for _, d in ipairs(stage.defs) do
+      if not known[d.name] then g.defs[#g.defs + 1] = d end
+    end
+    groups[n] = g
+  end
+  local last = { why = "the new state, of order 5; one Newton step for 1/|q|", defs = {}, outs = {} }
+  local square, n = expr.zero, expr.one
+  for i, s in ipairs(program.states) do
+    last.defs[i] = program.groups[6].defs[i]
+    if s.kind == "attitude" then square = square + expr.sym(last.defs[i].name, 8) ^ 2 end
+  end
+  if square ~= expr.zero then
+    last.defs[count + 1] = { name = "n_7", expr = (3 - square) / 2 }
+    n = expr.sym("n_7", 8)
+  end
+  for i, s in ipairs(program.states) do
+    local e = expr.sym(last.defs[i].name, 8)
+    last.outs[i] = { state = s.name, expr = s.kind == "attitude" and n * e or e }
+  end
+  groups[#groups + 1] = last
+  return groups
 end
 
 return adaptive

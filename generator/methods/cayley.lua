@@ -90,9 +90,22 @@ local function cofactor(A, i, j)
   return A[a][c] * A[b][d] - A[a][d] * A[b][c]
 end
 
--- (1 - D)^-1 F by cofactors; D near 0, entries D(i, j).  Rows whose F is zero do not move.
+-- J^-1 by cofactors: returns F -> J^-1 F.
+function cayley.inverse(define, J)
+  local K = {}
+  for i = 1, 3 do
+    K[i] = {}
+    for j = 1, 3 do K[i][j] = define("K" .. axes[i] .. axes[j], cofactor(J, i, j)) end
+  end
+  local over = define("over", expr.lift(1) / (J[1][1] * K[1][1] + J[1][2] * K[1][2] + J[1][3] * K[1][3]))
+  return function(F)
+    return vec.map(F, function(_, j) return over * (K[1][j] * F[1] + K[2][j] * F[2] + K[3][j] * F[3]) end)
+  end
+end
+
+-- (1 - D)^-1 F; D near 0, entries D(i, j).  Rows whose F is zero do not move.
 function cayley.newton(define, F, D)
-  local J, K = {}, {}
+  local J = {}
   for i = 1, 3 do
     J[i] = {}
     for j = 1, 3 do
@@ -100,15 +113,8 @@ function cayley.newton(define, F, D)
       J[i][j] = F[i] == expr.zero and one or define("D" .. axes[i] .. axes[j], one - D(i, j))
     end
   end
-  for i = 1, 3 do
-    K[i] = {}
-    for j = 1, 3 do K[i][j] = define("K" .. axes[i] .. axes[j], cofactor(J, i, j)) end
-  end
-  local over = define("over", expr.lift(1) / (J[1][1] * K[1][1] + J[1][2] * K[1][2] + J[1][3] * K[1][3]))
-  return vec.map(F, function(e, j)
-    if e == expr.zero then return e end
-    return over * (K[1][j] * F[1] + K[2][j] * F[2] + K[3][j] * F[3])
-  end)
+  local change = cayley.inverse(define, J)(F)
+  return vec.map(F, function(e, j) return e == expr.zero and e or change[j] end)
 end
 
 -- What turning L back by the rotation of (1, b) adds to it; s = 2/(1 + b^2), `name` what L is called.

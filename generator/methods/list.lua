@@ -2,7 +2,8 @@
 --
 -- One file a method.  Each gives: name; about (one line); order (of convergence; nil where it is an option); and either
 --     groups(eq, constant)      the step as equation groups, printed as one function (rk4.lua)
---     plain(eq, constant)       the same map without a division by h, if groups divides by it (optional)
+--     plain(eq, constant)       the step as equation groups for what is derived from it (optional; without a division
+--                               by h, and also of a method that is printed by parts: adaptive.lua)
 --     program(eq, options)      what emit/NAME.lua makes C of with templates/NAME.h and .c; nil and why it cannot
 -- adaptive = true: NAME_METHOD_run chooses its steps from a tolerance.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later

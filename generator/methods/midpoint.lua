@@ -26,6 +26,7 @@
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local vec = require "generator.algebra.vec"
+local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
 local cayley = require "generator.methods.cayley"
 local stages = require "generator.methods.stages"
@@ -77,8 +78,8 @@ local function half(define, r, N)
   return vec.add(N, vec.scale(d, turned))
 end
 
--- One Newton iteration, `mid` to `next`.
-local function iteration(m, N, k, zero)
+-- What the rate in the middle solves: groups, F with its definitions, the parts of the turn, the torque at the middle.
+local function equation(m, N, k, zero)
   local g, r = turn(m, N, m.has.attitude)
   local hh = expr.sym(g.defs[1].name, 8)
   if none(N) then g.why = "half of the step" end
@@ -108,7 +109,13 @@ local function iteration(m, N, k, zero)
   for i = 1, 3 do
     F[i] = none(N) and zero[state.names.rates[i]] and expr.zero or middle[i] - w[i] - hh * f[i]
   end
-  F = each(define, "F", F)
+  list[#list + 1] = residual
+  return list, each(define, "F", F), r, plain, hh
+end
+
+-- One Newton iteration, `mid` to `next`.
+local function iteration(m, N, k, zero)
+  local list, F, r, plain, hh = equation(m, N, k, zero)
   local newton = { why = "Newton: w - D^-1 F, D the derivative of F", defs = {}, outs = {} }
   if #r.q > 0 then newton.why = newton.why .. "; a torque turns with the attitude, dq = (h/4) q (0, dw)" end
   local change = cayley.newton(definer(m, newton), F, function(i, j)
@@ -121,7 +128,7 @@ local function iteration(m, N, k, zero)
     return hh * d
   end)
   for j = 1, 3 do newton.outs[j] = { array = "next", index = j, expr = middle[j] - change[j] } end
-  list[#list + 1], list[#list + 2] = residual, newton
+  list[#list + 1] = newton
   return list
 end
 
@@ -161,15 +168,54 @@ local function finish(m, N, k, zero)
   return list
 end
 
--- {iteration = groups, finish = groups, count = iterations}, or nil and why not.
-function midpoint.program(eq)
+-- The step's transition matrix at the solution w = mid of F(mid, x) = 0: by the theorem on implicit functions
+-- d mid/dx = -D^-1 dF/dx with D = dF/d mid, all of it here (Newton may do with less); then the chain rule through the
+-- last part.  Returns groups.
+local function transition(m, N, k, zero)
+  local list, F = equation(m, N, k, zero)
+  local map, columns, known, taken, groups = {}, {}, {}, {}, {}
+  for j, name in ipairs { "midx", "midy", "midz" } do columns[j] = { name = name, sym = middle[j] } end
+  for _, s in ipairs(m.states) do columns[#columns + 1] = s end
+  for i in ipairs(columns) do known[i] = {} end
+  for i, g in ipairs(list) do -- by names of its own, for the last part has some of them again
+    local defs = {}
+    for n, d in ipairs(g.defs) do
+      local name = d.name .. "_0"
+      defs[n] = { name = name, expr = calculus.substitute(d.expr, map) }
+      map[expr.sym(d.name, 8)] = expr.sym(name, 8)
+    end
+    groups[i] = { why = g.why .. "; and its derivatives", defs = sensitivity.follow(defs, columns, known, taken),
+      outs = {} }
+  end
+  local g = { why = "by how much the middle moves with the state: -D^-1 dF/dx, D = dF/dmid", defs = {}, outs = {} }
+  local define, D = definer(m, g), {}
+  for i = 1, 3 do
+    F[i] = F[i] == expr.zero and middle[i] - w[i] or calculus.substitute(F[i], map)
+    D[i] = {}
+    for j = 1, 3 do D[i][j] = define("D" .. i .. j .. "_0", calculus.diff(F[i], middle[j], known[j])) end
+  end
+  local solved, moved = cayley.inverse(define, D), sensitivity.nothing(m)
+  for c, s in ipairs(m.states) do
+    local change = solved(vec.map(F, function(e) return calculus.diff(e, s.sym, known[c + 3]) end))
+    for j, e in ipairs(each(define, "mid_" .. s.name, change)) do moved[c][middle[j]] = -e end
+  end
+  for _, d in ipairs(g.defs) do taken[d.name] = true end
+  groups[#groups + 1] = g
+  for _, more in ipairs((sensitivity.tangent(m, finish(m, N, k, zero), moved, taken))) do groups[#groups + 1] = more end
+  return groups
+end
+
+-- {iteration = groups, finish = groups, count = iterations, transition = groups with options.jacobians}, or nil and why
+-- not.
+function midpoint.program(eq, options)
   local m = eq.model
   local why = refusal(m)
   if why then return nil, why end
   local N, k, held = cayley.acting(m)
   if held then return nil, held end
   local zero = stages.conserved(eq)
-  return { iteration = iteration(m, N, k, zero), finish = finish(m, N, k, zero), count = none(N) and 4 or 6 }
+  return { iteration = iteration(m, N, k, zero), finish = finish(m, N, k, zero), count = none(N) and 4 or 6,
+    transition = options.jacobians and transition(m, N, k, zero) or nil }
 end
 
 return midpoint

@@ -16,6 +16,9 @@ static const luaL_Reg functions[] = {
     {"write_files", host_write_files},
     {"write_file", host_write_file},
     {"tempdir", host_tempdir},
+    {"cache_read", host_cache_read},
+    {"cache_write", host_cache_write},
+    {"fingerprint", host_fingerprint},
     {"out", host_out},
     {"err", host_err},
     {"isatty", host_isatty},
@@ -30,6 +33,10 @@ static const luaL_Reg functions[] = {
     {"plugin", host_plugin},
     {"mesh", host_mesh},
     {"visible", sandbox_visible},
+    {"processors", host_processors},
+    {"baseline", host_baseline},
+    {"peers", host_peers},
+    {"compile_many", host_compile_many},
     {NULL, NULL},
 };
 

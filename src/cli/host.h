@@ -68,6 +68,16 @@ int host_write_file(lua_State *L);
 int host_tempdir(lua_State *L);
 void tempdir_remove_all(void);
 
+/* ---- cache.c ---- */
+
+/* cache_read(name) -> text | nil;  cache_write(name, text) -> was it kept?  name: hexadecimal
+ * digits */
+int host_cache_read(lua_State *L);
+int host_cache_write(lua_State *L);
+/* fingerprint() -> a hash of the generator in this program | nil when it comes from a source tree
+ */
+int host_fingerprint(lua_State *L);
+
 /* ---- output ---- */
 
 /* out(text), err(text): write and return true, or nil, message.  A failure of standard output is
@@ -87,6 +97,9 @@ int host_execute(lua_State *L);
 /* compile(dir, {source, ...}, output[, {cc=, flags={...}, libs={...}}]) -> true, command | nil,
  * compiler's output */
 int host_compile(lua_State *L);
+/* compile_many({{dir, sources, output, options}, ...}[, at_once]) -> {{command =} or {message =},
+   ...} Each as compile; as many at a time as there are processors, if it is not said. */
+int host_compile_many(lua_State *L);
 /* clock() -> seconds from a clock that only goes forward */
 int host_clock(lua_State *L);
 
@@ -115,11 +128,15 @@ int host_xml(lua_State *L);
 
 /* mass(scene) -> table | nil, message;  run(scene, options) -> {rows} | nil, message;
    rates(scene) -> object | nil, message;  plugin(path) -> object | nil, message;
-   mesh(path, kind, options) -> table | nil, message, table: see engine_mesh.c */
+   mesh(path, kind, options) -> table | nil, message, table: see engine_mesh.c
+   processors(), baseline(), peers(): see bench.h */
 int host_mass(lua_State *L);
 int host_run(lua_State *L);
 int host_rates(lua_State *L);
 int host_plugin(lua_State *L);
 int host_mesh(lua_State *L);
+int host_processors(lua_State *L);
+int host_baseline(lua_State *L);
+int host_peers(lua_State *L);
 
 #endif

@@ -6,30 +6,18 @@
  * object owns the model, the orbit and the loaded code, and gives all three back when it is
  * collected.
  */
-#include "../../templates/plugin.h"
-#include "engine.h"
+#include "bench.h"
 
 #include <dlfcn.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define TYPE_NAME  "polhode.plugin"
-#define MAX_STATES 64
-#define MAX_PARAMS 256
-
-struct plugin {
-  void *library, *model, *orbit;
-  const struct polhode_plugin *code;
-  int ready, solved;
-};
-
 static struct plugin *self(lua_State *L) {
-  return luaL_checkudata(L, 1, TYPE_NAME);
+  return luaL_checkudata(L, 1, PLUGIN_TYPE);
 }
 
-/* The plugin with its model filled in. */
-static const struct plugin *ready(lua_State *L) {
+const struct plugin *plugin_ready(lua_State *L) {
   const struct plugin *p = self(L);
   if (!p->ready)
     luaL_error(L, "plugin: init first");
@@ -42,8 +30,7 @@ static int absent(lua_State *L, const char *what) {
   return 2;
 }
 
-/* n numbers from the list at `index`; none or an empty list is zeros. */
-static void optional(lua_State *L, int index, int n, double out[]) {
+void plugin_optional(lua_State *L, int index, int n, double out[]) {
   memset(out, 0, (size_t)n * sizeof out[0]);
   if (n > 0 && !lua_isnoneornil(L, index) && lua_rawlen(L, index) > 0)
     engine_list(L, index, n, out);
@@ -51,7 +38,24 @@ static void optional(lua_State *L, int index, int n, double out[]) {
 
 /* ---- methods ---- */
 
-/* info() -> {name=, real=, epsilon=, nx=, nu=, np=, params={defaults}, has={rhs=true, ...}} */
+/* {{name=, order=, adaptive=}, ...}, the scene's own first; order 0: unknown */
+static void push_steppers(lua_State *L, const struct polhode_stepper *s) {
+  lua_newtable(L);
+  for (int i = 1; s != NULL && s->name != NULL; i++, s++) {
+    lua_createtable(L, 0, 3);
+    lua_pushstring(L, s->name);
+    lua_setfield(L, -2, "name");
+    lua_pushinteger(L, s->order);
+    lua_setfield(L, -2, "order");
+    lua_pushboolean(L, s->run != NULL);
+    lua_setfield(L, -2, "adaptive");
+    lua_rawseti(L, -2, i);
+  }
+}
+
+/* info() -> {name=, real=, epsilon=, nx=, nu=, np=, params={defaults}, steppers={...},
+   has={rhs=true,
+   ...}} */
 static int info(lua_State *L) {
   const struct polhode_plugin *c = self(L)->code;
   const struct {
@@ -62,9 +66,12 @@ static int info(lua_State *L) {
       {"rhs", c->rhs != NULL},           {"step", c->steppers != NULL},
       {"jacobian", c->jacobian != NULL}, {"energy", c->energy != NULL},
       {"momentum", c->momentum != NULL}, {"solve", c->solve != NULL && c->at != NULL},
+      {"peers", c->peer_rhs != NULL},
   };
   double p[MAX_PARAMS] = {0};
   lua_newtable(L);
+  push_steppers(L, c->steppers);
+  lua_setfield(L, -2, "steppers");
   lua_pushstring(L, c->name);
   lua_setfield(L, -2, "name");
   lua_pushstring(L, c->real);
@@ -106,7 +113,7 @@ static int init(lua_State *L) {
 
 /* inertia() -> {6} */
 static int inertia(lua_State *L) {
-  const struct plugin *p = ready(L);
+  const struct plugin *p = plugin_ready(L);
   double I[6];
   if (p->code->inertia == NULL)
     return absent(L, "inertia");
@@ -117,7 +124,7 @@ static int inertia(lua_State *L) {
 
 /* principal() -> {3 moments}, {9 components of axes} */
 static int principal(lua_State *L) {
-  const struct plugin *p = ready(L);
+  const struct plugin *p = plugin_ready(L);
   double moments[3], axes[9];
   if (p->code->principal == NULL)
     return absent(L, "principal axes");
@@ -130,12 +137,12 @@ static int principal(lua_State *L) {
 
 /* rhs(t, x[, u]) -> dx */
 static int rhs(lua_State *L) {
-  const struct plugin *p = ready(L);
+  const struct plugin *p = plugin_ready(L);
   double x[MAX_STATES], u[MAX_STATES], dx[MAX_STATES];
   if (p->code->rhs == NULL)
     return absent(L, "equations of motion");
   engine_list(L, 3, p->code->nx, x);
-  optional(L, 4, p->code->nu, u);
+  plugin_optional(L, 4, p->code->nu, u);
   p->code->rhs(p->model, luaL_checknumber(L, 2), x, u, dx);
   engine_push(L, p->code->nx, dx);
   return 1;
@@ -143,19 +150,18 @@ static int rhs(lua_State *L) {
 
 /* jacobian(t, x[, u]) -> {nx * nx}, row i: derivatives of dx[i] */
 static int jacobian(lua_State *L) {
-  const struct plugin *p = ready(L);
+  const struct plugin *p = plugin_ready(L);
   double x[MAX_STATES], u[MAX_STATES], J[MAX_STATES * MAX_STATES];
   if (p->code->jacobian == NULL)
     return absent(L, "Jacobian");
   engine_list(L, 3, p->code->nx, x);
-  optional(L, 4, p->code->nu, u);
+  plugin_optional(L, 4, p->code->nu, u);
   p->code->jacobian(p->model, luaL_checknumber(L, 2), x, u, J);
   engine_push(L, p->code->nx * p->code->nx, J);
   return 1;
 }
 
-/* The stepper called so at index i of the stack, or the scene's own. */
-static const struct polhode_stepper *stepper(lua_State *L, const struct plugin *p, int i) {
+const struct polhode_stepper *plugin_stepper(lua_State *L, const struct plugin *p, int i) {
   const char *name = luaL_optstring(L, i, NULL);
   const struct polhode_stepper *s = p->code->steppers;
   if (s == NULL)
@@ -169,44 +175,49 @@ static const struct polhode_stepper *stepper(lua_State *L, const struct plugin *
 
 /* step(t, x, u, h[, method]) -> x at t + h */
 static int step(lua_State *L) {
-  const struct plugin *p = ready(L);
+  const struct plugin *p = plugin_ready(L);
   double x[MAX_STATES], u[MAX_STATES];
   engine_list(L, 3, p->code->nx, x);
-  optional(L, 4, p->code->nu, u);
-  stepper(L, p, 6)->step(p->model, luaL_checknumber(L, 2), x, u, luaL_checknumber(L, 5));
+  plugin_optional(L, 4, p->code->nu, u);
+  plugin_stepper(L, p, 6)->step(p->model, luaL_checknumber(L, 2), x, u, luaL_checknumber(L, 5));
   engine_push(L, p->code->nx, x);
   return 1;
 }
 
-/* From *t to `end` in equal steps no longer than h; both directions. */
-static void advance(const struct plugin *p, const struct polhode_stepper *s, double *t, double end,
-                    double h, double x[], const double u[]) {
+double plugin_steps(double span, double h) {
+  return ceil(fabs(span) / h * (1 - 1e-12));
+}
+
+/* From *t to `end` in equal steps no longer than h; both directions; how many. */
+static double advance(const struct plugin *p, const struct polhode_stepper *s, double *t,
+                      double end, double h, double x[], const double u[]) {
   const double span = end - *t, start = *t;
-  /* a quotient that rounding has lifted just above a whole number is that number */
-  const double n = ceil(fabs(span) / h * (1 - 1e-12));
+  const double n = plugin_steps(span, h);
   for (double i = 0; i < n && !interrupt_pending(); i++)
     s->step(p->model, start + span * (i / n), x, u, span / n);
   *t = end;
+  return n;
 }
 
-/* From *t to `end` in steps of the tolerance's choice; false if the state became infinite or the
- * steps vanish. */
-static int adapt(const struct plugin *p, const struct polhode_stepper *s, double *t, double end,
-                 double tolerance, double x[], const double u[]) {
+/* From *t to `end` in steps of the tolerance's choice; how many, -1 if the state became infinite or
+ * the steps vanish. */
+static double adapt(const struct plugin *p, const struct polhode_stepper *s, double *t, double end,
+                    double tolerance, double x[], const double u[]) {
   const int steps = s->run(p->model, *t, x, u, end, tolerance, 100000000);
   *t = end;
-  return steps >= 0;
+  return steps;
 }
 
-/* integrate(x0, u, h, times[, t0, method]) -> {{t, x...}, ...}, by steps of h or a little less so
- * that times are hit; h = {tolerance}: by steps that the method chooses; nil if it cannot */
+/* integrate(x0, u, h, times[, t0, method]) -> {{t, x...}, ...}, number of steps; by steps of h or a
+ * little less so that times are hit; h = {tolerance}: by steps that the method chooses; nil if it
+ * cannot */
 static int integrate(lua_State *L) {
-  const struct plugin *p = ready(L);
+  const struct plugin *p = plugin_ready(L);
   const int nx = p->code->nx;
   double row[1 + MAX_STATES], u[MAX_STATES], *x = row + 1, h;
-  const struct polhode_stepper *s = stepper(L, p, 7);
+  const struct polhode_stepper *s = plugin_stepper(L, p, 7);
   engine_list(L, 2, nx, x);
-  optional(L, 3, p->code->nu, u);
+  plugin_optional(L, 3, p->code->nu, u);
   const int adaptive = lua_istable(L, 4);
   if (adaptive)
     lua_rawgeti(L, 4, 1);
@@ -220,28 +231,29 @@ static int integrate(lua_State *L) {
   row[0] = luaL_optnumber(L, 6, 0);
   const int n = (int)lua_rawlen(L, 5);
   lua_createtable(L, n, 0);
+  double all = 0;
   for (int i = 1; i <= n; i++) {
-    int fine = 1;
     lua_rawgeti(L, 5, i);
-    if (adaptive)
-      fine = adapt(p, s, &row[0], luaL_checknumber(L, -1), h, x, u);
-    else
-      advance(p, s, &row[0], luaL_checknumber(L, -1), h, x, u);
+    const double end = luaL_checknumber(L, -1);
+    const double steps =
+        adaptive ? adapt(p, s, &row[0], end, h, x, u) : advance(p, s, &row[0], end, h, x, u);
     lua_pop(L, 1);
     interrupt_check(L);
-    if (!fine) {
+    all += steps;
+    if (steps < 0) {
       lua_pushnil(L);
       return 1;
     }
     engine_push(L, 1 + nx, row);
     lua_rawseti(L, -2, i);
   }
-  return 1;
+  lua_pushnumber(L, all);
+  return 2;
 }
 
 /* energy(x) -> E */
 static int energy(lua_State *L) {
-  const struct plugin *p = ready(L);
+  const struct plugin *p = plugin_ready(L);
   double x[MAX_STATES];
   if (p->code->energy == NULL)
     return absent(L, "energy");
@@ -250,9 +262,20 @@ static int energy(lua_State *L) {
   return 1;
 }
 
+/* integral(t, x) -> Jacobi's */
+static int integral(lua_State *L) {
+  const struct plugin *p = plugin_ready(L);
+  double x[MAX_STATES];
+  if (p->code->integral == NULL)
+    return absent(L, "Jacobi's integral");
+  engine_list(L, 3, p->code->nx, x);
+  lua_pushnumber(L, p->code->integral(p->model, luaL_checknumber(L, 2), x));
+  return 1;
+}
+
 /* momentum(x) -> {3} */
 static int momentum(lua_State *L) {
-  const struct plugin *p = ready(L);
+  const struct plugin *p = plugin_ready(L);
   double x[MAX_STATES], out[3];
   if (p->code->momentum == NULL)
     return absent(L, "angular momentum");
@@ -266,7 +289,7 @@ static int momentum(lua_State *L) {
 static int solve(lua_State *L) {
   struct plugin *p = self(L);
   double x[MAX_STATES];
-  ready(L);
+  plugin_ready(L);
   if (p->code->solve == NULL)
     return absent(L, "closed form");
   engine_list(L, 2, p->code->nx, x);
@@ -278,7 +301,7 @@ static int solve(lua_State *L) {
 
 /* at(t) -> x, after solve */
 static int at(lua_State *L) {
-  const struct plugin *p = ready(L);
+  const struct plugin *p = plugin_ready(L);
   double x[MAX_STATES];
   if (!p->solved || p->code->at == NULL)
     return luaL_error(L, "plugin: solve first");
@@ -306,6 +329,9 @@ static const char *refuse(const struct polhode_plugin *c) {
   if (c->nx < 1 || c->nx > MAX_STATES || c->nu < 0 || c->nu > MAX_STATES || c->np < 0 ||
       c->np > MAX_PARAMS || c->init == NULL || c->name == NULL || c->real == NULL)
     return "its table is not filled in properly";
+  for (const struct polhode_stepper *s = c->steppers; s != NULL && s->name != NULL; s++)
+    if (s->step == NULL || s->march == NULL)
+      return "one of its steppers is not whole";
   return NULL;
 }
 
@@ -329,9 +355,24 @@ static const char *load(struct plugin *p, const char *path) {
 }
 
 static const luaL_Reg methods[] = {
-    {"info", info},     {"init", init},         {"inertia", inertia}, {"principal", principal},
-    {"rhs", rhs},       {"jacobian", jacobian}, {"step", step},       {"integrate", integrate},
-    {"energy", energy}, {"momentum", momentum}, {"solve", solve},     {"at", at},
+    {"info", info},
+    {"init", init},
+    {"inertia", inertia},
+    {"principal", principal},
+    {"rhs", rhs},
+    {"jacobian", jacobian},
+    {"step", step},
+    {"integrate", integrate},
+    {"energy", energy},
+    {"momentum", momentum},
+    {"integral", integral},
+    {"solve", solve},
+    {"at", at},
+    {"march", plugin_march},
+    {"time", plugin_time},
+    {"time_closed", plugin_time_closed},
+    {"peer", plugin_peer},
+    {"time_peer", plugin_time_peer},
     {NULL, NULL},
 };
 
@@ -341,7 +382,7 @@ int host_plugin(lua_State *L) {
   const char *path = luaL_checkstring(L, 1);
   struct plugin *p = lua_newuserdatauv(L, sizeof *p, 0);
   memset(p, 0, sizeof *p);
-  if (luaL_newmetatable(L, TYPE_NAME)) {
+  if (luaL_newmetatable(L, PLUGIN_TYPE)) {
     lua_pushcfunction(L, collect);
     lua_setfield(L, -2, "__gc");
     luaL_newlib(L, methods);

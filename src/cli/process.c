@@ -21,6 +21,7 @@
 
 #define MAX_ARGUMENTS 256
 #define MAX_OUTPUT    ((size_t)1 << 20)
+#define MAX_RUNNING   64
 
 extern char **environ;
 
@@ -28,10 +29,11 @@ extern char **environ;
 struct child {
   const char *argv[MAX_ARGUMENTS + 1];
   int argc;
-  const char *dir; /* NULL: the current one */
-  double seconds;  /* killed after this long; 0: never */
-  int status;      /* exit status, 128 + signal, or -1: see `error` */
-  int error;       /* errno of what failed before the program ran */
+  const char *const *others; /* names to try when argv[0] is not there; ended by NULL, NULL: none */
+  const char *dir;           /* NULL: the current one */
+  double seconds;            /* killed after this long; 0: never */
+  int status;                /* exit status, 128 + signal, or -1: see `error` */
+  int error;                 /* errno of what failed before the program ran */
   char *output;
   size_t size;
 };
@@ -74,57 +76,116 @@ static int start(const struct child *c, int out, pid_t *pid) {
   return error;
 }
 
-/* Take what the child writes until it closes its end; what exceeds MAX_OUTPUT is read and dropped.
- */
-static void collect(struct child *c, int in, pid_t pid) {
-  const double end = now() + c->seconds;
-  char block[4096];
-  for (;;) {
-    struct pollfd p = {in, POLLIN, 0};
-    const double left = end - now();
-    if (c->seconds > 0 && left <= 0) {
-      kill(pid, SIGKILL);
-      break;
-    }
-    const int ready = poll(&p, 1, c->seconds > 0 ? (int)(left * 1000) + 1 : -1);
-    if (interrupt_pending()) { /* the terminal has told the child too; one that was not told is told
-                                  now */
-      kill(pid, SIGTERM);
-      break;
-    }
-    if (ready <= 0)
-      continue;
-    const ssize_t n = read(in, block, sizeof block);
-    if (n < 0 && errno == EINTR)
-      continue;
-    if (n <= 0)
-      break;
-    const size_t room = MAX_OUTPUT - c->size;
-    const size_t take = (size_t)n < room ? (size_t)n : room;
-    memcpy(c->output + c->size, block, take);
-    c->size += take;
-  }
-}
-
-static void run(struct child *c) {
-  int ends[2];
+/* Children that run at the same time, each with the end of a pipe to read. */
+struct running {
+  struct child *c;
   pid_t pid;
+  int in;
+  double end; /* when it is killed */
+};
+
+/* The program, or the next of the alternatives if there is none of that name. */
+static void launch(struct child *c, struct running *r) {
+  int ends[2];
   c->status = -1;
   c->output = malloc(MAX_OUTPUT);
   if (c->output == NULL || pipe2(ends, O_CLOEXEC) != 0) {
     c->error = errno;
     return;
   }
-  c->error = start(c, ends[1], &pid);
-  close(ends[1]);
-  if (c->error == 0) {
-    int status;
-    collect(c, ends[0], pid);
-    while (waitpid(pid, &status, 0) < 0 && errno == EINTR)
-      ;
-    c->status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  c->error = start(c, ends[1], &r->pid);
+  for (; c->error == ENOENT && c->others != NULL && *c->others != NULL; c->others++) {
+    c->argv[0] = *c->others;
+    c->error = start(c, ends[1], &r->pid);
   }
-  close(ends[0]);
+  close(ends[1]);
+  if (c->error != 0) {
+    close(ends[0]);
+    return;
+  }
+  r->c = c;
+  r->in = ends[0];
+  r->end = now() + c->seconds;
+}
+
+/* One read; what exceeds MAX_OUTPUT is dropped. 0: the child has closed its end. */
+static int take(struct child *c, int in) {
+  char block[4096];
+  const ssize_t n = read(in, block, sizeof block);
+  if (n <= 0)
+    return n < 0 && errno == EINTR;
+  const size_t room = MAX_OUTPUT - c->size;
+  const size_t some = (size_t)n < room ? (size_t)n : room;
+  memcpy(c->output + c->size, block, some);
+  c->size += some;
+  return 1;
+}
+
+static void finish(struct running *r) {
+  int status;
+  while (waitpid(r->pid, &status, 0) < 0 && errno == EINTR)
+    ;
+  r->c->status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  close(r->in);
+  char *fit = realloc(r->c->output, r->c->size + 1); /* a megabyte was set aside */
+  r->c->output = fit != NULL ? fit : r->c->output;
+}
+
+/* How long to wait for the next that may be killed: milliseconds, -1 for ever. */
+static int patience(const struct running r[], int n) {
+  double left = -1;
+  for (int i = 0; i < n; i++) {
+    const double own = r[i].end - now();
+    if (r[i].c->seconds > 0 && (left < 0 || own < left))
+      left = own > 0 ? own : 0;
+  }
+  return left < 0 ? -1 : (int)(left * 1000) + 1;
+}
+
+/* Wait, take what was written, and put an end to those whose time is up; how many still run. */
+static int attend(struct running r[], int n) {
+  struct pollfd p[MAX_RUNNING];
+  for (int i = 0; i < n; i++)
+    p[i] = (struct pollfd){r[i].in, POLLIN, 0};
+  const int ready = poll(p, (nfds_t)n, patience(r, n));
+  int left = 0;
+  for (int i = 0; i < n; i++) {
+    int over = 0;
+    if (r[i].c->seconds > 0 && now() >= r[i].end) {
+      kill(r[i].pid, SIGKILL);
+      over = 1;
+    } else if (interrupt_pending()) { /* the terminal has told the child too; one that was not told
+                                         is told now */
+      kill(r[i].pid, SIGTERM);
+      over = 1;
+    } else if (ready > 0 && p[i].revents != 0) {
+      over = !take(r[i].c, r[i].in);
+    }
+    if (over)
+      finish(&r[i]);
+    else
+      r[left++] = r[i];
+  }
+  return left;
+}
+
+/* All of them, at most `at_once` at a time (1 to MAX_RUNNING). */
+static void run_all(struct child c[], int n, int at_once) {
+  struct running r[MAX_RUNNING];
+  int next = 0, running = 0;
+  while (next < n || running > 0) {
+    while (next < n && running < at_once) {
+      struct child *one = &c[next++];
+      one->status = -1;
+      one->error = EINTR;
+      if (interrupt_pending())
+        continue;
+      launch(one, &r[running]);
+      running += one->error == 0;
+    }
+    if (running > 0)
+      running = attend(r, running);
+  }
 }
 
 /* ---- arguments ---- */
@@ -149,13 +210,14 @@ static void add_list(lua_State *L, struct child *c, int index) {
   }
 }
 
-/* The blank-separated words of text ("ccache gcc"), which may hold no quotes. */
-static void add_words(lua_State *L, struct child *c, const char *text) {
+/* The blank-separated words of text ("ccache gcc"), which may hold no quotes. They must live until
+   the child has run: the table at `keeper` holds them. */
+static void add_words(lua_State *L, struct child *c, const char *text, int keeper) {
   while (*(text += strspn(text, " \t")) != '\0') {
     const size_t n = strcspn(text, " \t");
     lua_pushlstring(L, text, n);
-    add(L, c, lua_tostring(L, -1)); /* left on the stack: it must live until the child has run */
-    luaL_checkstack(L, 1, NULL);
+    add(L, c, lua_tostring(L, -1));
+    lua_rawseti(L, keeper, (lua_Integer)lua_rawlen(L, keeper) + 1);
     text += n;
   }
 }
@@ -171,7 +233,7 @@ int host_execute(lua_State *L) {
     c.dir = luaL_optstring(L, -2, NULL);
     c.seconds = luaL_optnumber(L, -1, 0);
   }
-  run(&c);
+  run_all(&c, 1, 1);
   if (c.status < 0) {
     free(c.output);
     lua_pushnil(L);
@@ -208,33 +270,72 @@ static int push_compiled(lua_State *L, struct child *c) {
   return 2;
 }
 
-int host_compile(lua_State *L) {
-  static const char *const usual[] = {"cc", "gcc", "clang"};
-  lua_settop(L, 4);
-  struct child c = {0};
-  c.dir = luaL_checkstring(L, 1);
-  const char *output = luaL_checkstring(L, 3);
+/* The compiler's command line, from the values at index, index + 1, ...: directory, sources,
+   output, options. Its strings live in those and in the table at `keeper`. */
+static void prepare(lua_State *L, struct child *c, int index, int keeper) {
+  static const char *const usual[] = {"gcc", "clang", NULL};
   const char *cc = getenv("CC");
-  if (lua_isnil(L, 4)) {
-    lua_newtable(L);
-    lua_replace(L, 4);
+  c->dir = luaL_checkstring(L, index);
+  const char *output = luaL_checkstring(L, index + 2);
+  const int top = lua_gettop(L), options = lua_istable(L, index + 3);
+  for (int i = 0; i < 3; i++) {
+    static const char *const key[] = {"cc", "flags", "libs"};
+    if (options)
+      lua_getfield(L, index + 3, key[i]);
+    else
+      lua_pushnil(L);
   }
-  lua_getfield(L, 4, "cc");
-  lua_getfield(L, 4, "flags");
-  lua_getfield(L, 4, "libs");
-  cc = luaL_optstring(L, 5, cc != NULL && *cc != '\0' ? cc : NULL);
-  add_words(L, &c, cc != NULL ? cc : usual[0]);
-  luaL_argcheck(L, c.argc > 0, 4, "empty compiler name");
-  add_list(L, &c, 6);
-  add(L, &c, "-o");
-  add(L, &c, output);
-  add_list(L, &c, 2);
-  add_list(L, &c, 7);
-  run(&c);
-  for (size_t i = 1; cc == NULL && c.status < 0 && c.error == ENOENT && i < 3; i++) {
-    free(c.output);
-    c.argv[0] = usual[i];
-    run(&c);
-  }
+  cc = luaL_optstring(L, top + 1, cc != NULL && *cc != '\0' ? cc : NULL);
+  c->others = cc == NULL ? usual : NULL;
+  add_words(L, c, cc != NULL ? cc : "cc", keeper);
+  luaL_argcheck(L, c->argc > 0, index + 3, "empty compiler name");
+  add_list(L, c, top + 2);
+  add(L, c, "-o");
+  add(L, c, output);
+  add_list(L, c, index + 1);
+  add_list(L, c, top + 3);
+  lua_settop(L, top);
+}
+
+int host_compile(lua_State *L) {
+  struct child c = {0};
+  lua_settop(L, 4);
+  lua_newtable(L);
+  prepare(L, &c, 1, 5);
+  run_all(&c, 1, 1);
   return push_compiled(L, &c);
+}
+
+int host_compile_many(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  const int n = (int)lua_rawlen(L, 1);
+  lua_Integer at_once = luaL_optinteger(L, 2, 0);
+  if (at_once < 1) {
+    host_processors(L);
+    at_once = lua_tointeger(L, -1);
+  }
+  lua_settop(L, 1);
+  lua_newtable(L);
+  struct child *c = lua_newuserdatauv(L, (size_t)n * sizeof *c + 1, 0);
+  memset(c, 0, (size_t)n * sizeof *c);
+  for (int i = 0; i < n; i++) {
+    luaL_checktype(L, (lua_rawgeti(L, 1, i + 1), -1), LUA_TTABLE);
+    for (int k = 1; k <= 4; k++)
+      lua_rawgeti(L, 4, k);
+    prepare(L, &c[i], 5, 2);
+    lua_settop(L, 3);
+  }
+  run_all(c, n, (int)(at_once < MAX_RUNNING ? at_once : MAX_RUNNING));
+  interrupt_check(L);
+  lua_createtable(L, n, 0);
+  for (int i = 0; i < n; i++) {
+    const int good = c[i].status == 0;
+    push_compiled(L, &c[i]);
+    lua_createtable(L, 0, 1);
+    lua_insert(L, -2);
+    lua_setfield(L, -2, good ? "command" : "message");
+    lua_remove(L, -2);
+    lua_rawseti(L, 4, i + 1);
+  }
+  return 1;
 }

@@ -130,6 +130,10 @@ static void step(const void *m, double t, double *x, const double *u, double h) 
   x[0] += h*dx[0];
   x[1] += 1;
 }
+static void march(const void *m, double t, double *x, const double *u, double h, long n) {
+  long i;
+  for (i = 0; i < n; i++) step(m, t + i*h, x, u, h);
+}
 static void jacobian(const void *m, double t, const double *x, const double *u, double *J) {
   (void)t; (void)x; (void)u;
   J[0] = -((const struct model *)m)->rate; J[1] = 0; J[2] = 0; J[3] = 7;
@@ -145,6 +149,9 @@ static void at(const void *o, double t, double *x) {
   x[0] = ((const struct orbit *)o)->x0*exp(-((const struct orbit *)o)->rate*t);
   x[1] = 0;
 }
+#ifndef MARCH
+#define MARCH march
+#endif
 #ifndef ABI
 #define ABI POLHODE_PLUGIN_ABI
 #endif
@@ -154,7 +161,8 @@ static int run(const void *m, double t0, double *x, const double *u, double t1, 
   x[1] += 1;
   return most > 0 && t1 < 100 ? 1 : -1;
 }
-static const struct polhode_stepper steppers[] = {{"euler", step, NULL}, {"exact", step, run}, {NULL, NULL, NULL}};
+static const struct polhode_stepper steppers[] = {{"euler", step, NULL, MARCH, 1}, {"exact", step, run, march, 0},
+  {NULL, NULL, NULL, NULL, 0}};
 const struct polhode_plugin *polhode_plugin(void) {
   static const struct polhode_plugin table = {ABI, "decay", "double", 2.220446049250313e-16, 2, 1, 1,
     sizeof(struct model), sizeof(struct orbit), init, params, inertia, principal, rhs, steppers, FEW};
@@ -170,13 +178,14 @@ local function build(few, flags)
     { flags = { "-std=c99", "-shared", "-fPIC", "-DFEW=" .. few, flags }, libs = { "-lm" } }))
   return host.plugin(args[1] .. "/decay.so")
 end
-local all = "jacobian,energy,momentum,solve,at"
+local all = "jacobian,energy,momentum,NULL,solve,at"
 ]]
 
 says("a plugin tells what it is", BUILD .. [[
   local i = build(all):info()
-  say(i.name, i.real, i.epsilon, i.nx, i.nu, i.np, i.params[1], i.has.solve, i.has.step)]],
-  "decay double 2.2204460492503e-16 2 1 1 0.5 true true\n")
+  say(i.name, i.real, i.epsilon, i.nx, i.nu, i.np, i.params[1], i.has.solve, i.has.step, i.has.peers)
+  for _, s in ipairs(i.steppers) do say(s.name, s.order, s.adaptive) end]],
+  "decay double 2.2204460492503e-16 2 1 1 0.5 true true false\neuler 1 false\nexact 0 true\n")
 says("init with the scene's parameters, others, and wrong ones", BUILD .. [[
   local p = build(all)
   say(p:init(), p:rhs(0, { 2, 0 }, { 0 })[1], p:init { 3 }, p:rhs(0, { 2, 0 }, { 1 })[1], p:init { -1 })
@@ -219,6 +228,8 @@ says("what was not emitted is missing by name", BUILD .. [[
   "nil the emitted code has no Jacobian\nnil the emitted code has no energy\nnil the emitted code has no closed form\n")
 tap.like(lua(BUILD .. "say(build(all, '-DABI=99'))"), "it was made for another version of polhode",
   "another ABI is refused")
+tap.like(lua(BUILD .. "say(build(all, '-DMARCH=NULL'))"), "one of its steppers is not whole",
+  "a stepper without a loop is refused")
 tap.like(lua(BUILD .. "say(host.plugin(args[1] .. '/nothing.so'))"), "nil cannot load ",
   "a file that is not there is refused")
 tap.like(lua(BUILD .. "local p = build(all) p:init() say(pcall(p.rhs, p, 0, { 1 }))"), "false ",

@@ -27,6 +27,29 @@ local function braces(list) return "{" .. table.concat(list, ", ") .. "}" end
 
 local axes = { "{1, 0, 0}", "{0, 1, 0}", "{0, 0, 1}" }
 
+-- The rows of constant torques stand in the table of the C tests.
+local function torques()
+  local last
+  for id, model, I, load, x0, t, x in
+    program.read("tests/reference/forced_top.h"):gmatch(
+      '{"([%w_]+)", FORCED_(%u+), {(.-)}, {(.-)},%s*{(.-)}, (%S+),%s*{(.-)}}') do
+    local function words(text)
+      local list = {}
+      for word in text:gmatch "[^,%sL]+" do list[#list + 1] = word end
+      return list
+    end
+    if model == "BODY" or model == "INERTIAL" then
+      if not last or last.id ~= id then
+        last = { id = id, I = words(I), x0 = words(x0), ["tau_" .. model:lower()] = words(load) }
+        rows[#rows + 1] = last
+      end
+      last[#last + 1] = { t = t, table.unpack(words(x)) }
+    end
+  end
+end
+torques()
+tap.is(#rows, 9, "nine cases of drag, wheels and constant torques")
+
 -- The scene of a row; x: the state to start with, w, q, then speeds; u: torques of the wheels, or nil.
 local function scene(row, x, u)
   local effects, wheels = {}, {}

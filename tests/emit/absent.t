@@ -17,13 +17,15 @@ local scene = require "tests.scene"
 local program = require "tests.cli.program"
 local effects = require "generator.effects.list"
 
--- full: with its strength; zero: with none; absent: what zero is the same as, if not nothing; why: it has no zero.
+-- full: with its strength; zero: with none, also: the other ways to say so; absent: what zero is the same as, if not
+-- nothing; why: it has no zero.
 -- place: "corner", the body must turn about its corner; "centroid", about its centroid; "moves": it flies.
 local rows = {
   gravity = { full = "effect.gravity { g = strength }", zero = "effect.gravity { g = 0 }", place = "corner" },
   damping = { full = "effect.damping { c = {{strength, 1, 0}, {1, 2, 0}, {0, 0, 3}} }",
     zero = "effect.damping { c = 0 }" },
-  torque = { full = "effect.torque { inertial = {strength, 2, 3} }", zero = "effect.torque { inertial = {0, 0, 0} }" },
+  torque = { full = "effect.torque { inertial = {strength, 2, 3} }", zero = "effect.torque { inertial = {0, 0, 0} }",
+    also = { "effect.torque { body = {0, 0*t, {{0, 0}, {1, 0}}} }" } },
   control = { full = "effect.control {}", why = "its input is the user's" },
   rotor = { full = "effect.rotor { axis = {0, 0, 1}, momentum = strength }",
     zero = "effect.rotor { axis = {0, 0, 1}, momentum = 0 }" },
@@ -36,25 +38,34 @@ local rows = {
   friction = { full = "effect.friction { torque = strength, smoothing = 1 }",
     zero = "effect.friction { torque = 0, smoothing = 1 }" },
   spring = { full = "effect.spring { stiffness = strength, axis = {0, 3, 4}, rest = 1 }",
-    zero = "effect.spring { stiffness = 0, axis = {0, 3, 4}, rest = 1 }" },
+    zero = "effect.spring { stiffness = 0, axis = {0, 3, 4}, rest = 1 }",
+    also = { "effect.spring { stiffness = {0, 0, 0} }" } },
   gravity_gradient = { full = "effect.gravity_gradient { mu = strength, orbit = { radius = 7 } }", place = "centroid",
-    zero = "effect.gravity_gradient { mu = 0, orbit = { a = 7, e = 1/2 } }" },
+    zero = "effect.gravity_gradient { mu = 0, orbit = { a = 7, e = 1/2 } }",
+    also = { "effect.gravity_gradient { mu = 0, orbit = { radius = 7 } }" } },
   magnetic = { full = "effect.magnetic { moment = {strength, 0, 1}, rotating = {1, 0, 2}, rate = 3 }",
-    zero = "effect.magnetic { moment = {0, 0, 0}, rotating = {1, 0, 2}, rate = 3 }" },
+    zero = "effect.magnetic { moment = {0, 0, 0}, rotating = {1, 0, 2}, rate = 3 }",
+    also = { "effect.magnetic { moment = {0, 1, 0}, rotating = {0, 0, 0}, rate = 3 }",
+      "effect.magnetic { moment = {0, 0, 0}, field = {0, 0, 1} }" } },
   solar_pressure = { full = "effect.solar_pressure { sun = {1, 2, 3}, plates = { { area = strength, " ..
     "normal = {0, 3, 4}, centre = {0, 1, 0}, reflectivity = 1/2 } } }",
     zero = "effect.solar_pressure { sun = {1, 2, 3}, flux = 0, plates = { { area = 1, normal = {0, 3, 4}, " ..
-      "centre = {0, 1, 0} } } }" },
+      "centre = {0, 1, 0} } } }",
+    also = { "effect.solar_pressure { sun = {1, 2, 3}, plates = { { area = 0, normal = {0, 3, 4}, " ..
+      "centre = {0, 1, 0}, reflectivity = 1/2 } } }" } },
   wheel = { full = "effect.wheel { axis = {0, 3, 4}, inertia = strength, torque = 1, included = false }",
     why = "its speed is a state" },
   dissipation = { full = "effect.dissipation { k = strength }", zero = "effect.dissipation { k = 0 }" },
   inertia_rate = { full = "effect.inertia_rate { xx = quantity(2, \"kg m^2\")*(2 + cos(quantity(2, \"rad/s\")*t)) }",
-    zero = "effect.inertia_rate { xx = 0 }" },
+    zero = "effect.inertia_rate { xx = 0 }",
+    also = { "effect.inertia_rate {}", "effect.inertia_rate { xx = 0, yz = 0*t }" } },
   pivot = { full = "effect.pivot { amplitude = strength, rate = 20 }", place = "corner",
-    zero = "effect.pivot { amplitude = 0, rate = 20 }" },
+    zero = "effect.pivot { amplitude = 0, rate = 20 }",
+    also = { "effect.pivot { acceleration = { 0*t, 0, 0 } }" } },
   custom = { full = "effect.custom { params = { rub = strength }, torque = function(s) return " ..
     "{ -s.rub*s.w[1], 0, 0 } end }",
-    zero = "effect.custom { torque = function(s) return { 0*s.w[1], 0, 0 } end }" },
+    zero = "effect.custom { torque = function(s) return { 0*s.w[1], 0, s.t - s.t } end }",
+    also = { "effect.custom { params = {stiff = 0}, potential = function(s) return s.stiff*s.q[2]^2 end }" } },
 }
 
 local BOX = "solid.box { x = 2, y = 3, z = 5, mass = 7 }"
@@ -84,26 +95,33 @@ end
 local names = {}
 for i, e in ipairs(effects) do names[i] = string.gsub(e.name, "^effect%.", "") end
 
+-- The two next effects of the list that may stand beside the i-th, with their strength.
+local function beside(i)
+  local row, list = rows[names[i]], {}
+  for k = 1, #names - 1 do
+    local other = rows[names[(i + k - 1) % #names + 1]]
+    if #list < 2 and other and not (row.place and other.place and row.place ~= other.place) and
+      not (row.place == "moves" and other.place == "moves") then
+      list[#list + 1] = other
+    end
+  end
+  return list
+end
+
 for i, name in ipairs(names) do
   local row = rows[name]
   if tap.ok(row ~= nil, name .. ": has a row in this test") and row.zero then
-    local zero, _, why = emitted({ row.zero }, row.place)
-    if tap.ok(zero ~= nil, name .. ": a scene with it at zero strength", why) then
-      same(zero, emitted({ row.absent }, row.place), name .. " at zero strength")
+    local without = emitted({ row.absent }, row.place)
+    for _, text in ipairs { row.zero, table.unpack(row.also or {}) } do
+      local zero, _, why = emitted({ text }, row.place)
+      if tap.ok(zero ~= nil, text .. " is a scene", why) then same(zero, without, text .. ", no strength") end
     end
-    local beside = 0
-    for k = 1, #names - 1 do
-      local other = rows[names[(i + k - 1) % #names + 1]]
-      if beside < 2 and other and not (row.place and other.place and row.place ~= other.place) and
-        not (row.place == "moves" and other.place == "moves") then
-        beside = beside + 1
-        local place = row.place or other.place
-        local with
-        with, _, why = emitted({ row.zero, other.full }, place)
-        if tap.ok(with ~= nil, name .. " at zero strength beside another effect is a scene", why) then
-          same(with, emitted(row.absent and { row.absent, other.full } or { other.full }, place), name ..
-            " at zero strength beside " .. other.full)
-        end
+    for _, other in ipairs(beside(i)) do
+      local place = row.place or other.place
+      local with, _, why = emitted({ row.zero, other.full }, place)
+      if tap.ok(with ~= nil, name .. " at zero strength beside another effect is a scene", why) then
+        same(with, emitted(row.absent and { row.absent, other.full } or { other.full }, place), name ..
+          " at zero strength beside " .. other.full)
       end
     end
   end
@@ -151,6 +169,9 @@ for i, name in ipairs(names) do
           if not here then missing[#missing + 1] = w end
         end
       end
+      tap.ok(string.find(files["b.h"], "Effect " .. name, 1, true) ~= nil and
+        string.find(plain["b.h"], "Effect " .. name, 1, true) == nil,
+        name .. ": the header names it where it is there, and only there")
       tap.ok(#missing == 0, name .. ": what it brings is found where it is there", table.concat(missing, " "))
       tap.ok(#found == 0, name .. ": nothing of it in the scene without effects", table.concat(found, " "))
       tap.ok(not string.find(plain["b.h"], name .. ":", 1, true) and
@@ -160,5 +181,18 @@ for i, name in ipairs(names) do
   end
   tap.ok(i > 0 and (row == nil or row.zero ~= nil or row.why ~= nil), name .. ": has a zero strength, or says why not")
 end
+
+-- ---- states as needed ----
+
+local function header(text, place) return assert(emitted({ text }, place))["b.h"] end
+for _, orbit in ipairs { { "{ radius = 2 }", false }, { "{ a = 2, e = 0.5 }", true } } do
+  local text = header("effect.gravity_gradient { mu = 1, orbit = " .. orbit[1] .. " }", "centroid")
+  tap.is(string.find(text, "B_ANOMALY,", 1, true) ~= nil, orbit[2], "orbit " .. orbit[1] ..
+    (orbit[2] and ": no circle, so the anomaly is a state" or ": a circle, no state"))
+end
+local wheel = rows.wheel.full
+tap.ok(string.find(plain["b.h"], "WHEEL", 1, true) == nil, "no wheel, no state of a wheel")
+tap.ok(string.find(header(wheel), "B_WHEEL,", 1, true) ~= nil, "a wheel has a state")
+tap.ok(string.find(header(wheel .. ", " .. wheel), "B_WHEEL_2,", 1, true) ~= nil, "two wheels have two")
 
 tap.done()

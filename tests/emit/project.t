@@ -29,6 +29,10 @@ do
   files = emitted("brick", nil, nil, true)
   tap.is(table.concat(files, " "), "brick.h brick.c brick_test.c Makefile README.md plugin.c plugin.h",
     "the program itself also gets the plugin's table")
+  files = emitted("brick", nil, nil, { peers = true })
+  tap.is(table.concat(files, " ", 6), "peers.c plugin.c plugin.h", "and what other integrators call, if it asks")
+  files = emitted("brick", nil, { real = "float" }, { peers = true })
+  tap.is(table.concat(files, " ", 6), "plugin.c plugin.h", "but those calculate in double")
 end
 
 -- ---- licence, headers, state ----
@@ -48,9 +52,13 @@ for _, path in ipairs { "brick", "symmetric_top", "gyroscope", "dumbbell", "wate
       for what in files[name]:gmatch "\n#include%s+(%S+)" do includes[#includes + 1] = name .. " " .. what end
     end
     local q = '"' .. path .. '.h"'
-    local ticks = files[path .. ".h"]:find("_at_tick(", 1, true) and
-      string.format("%s.h <stddef.h>, %s.h <stdint.h>, ", path, path) or ""
-    local want = ticks .. string.format("%s.c %s, %s.c <math.h>, ", path, q, path) ..
+    local function uses(ext, what) return files[path .. ext]:gsub("/%*.-%*/", ""):find(what) ~= nil end
+    local ticks = uses(".h", "_at_tick%(") -- times are int64_t then; blocks of many times are counted in size_t
+    local integers = not ticks and uses(".c", "[ (]u?int%d+_t ")
+    local want = (ticks and path .. ".h <stdint.h>, " or "") ..
+      string.format("%s.c %s, %s.c <math.h>, ", path, q, path) ..
+      (uses(".c", "[ (]size_t ") and path .. ".c <stddef.h>, " or "") ..
+      (integers and path .. ".c <stdint.h>, " or "") ..
       string.format("%s_test.c %s, %s_test.c <math.h>, %s_test.c <stdio.h>", path, q, path, path)
     tap.is(table.concat(includes, ", "), want, tag .. ": the code needs math.h, the test also stdio.h")
     local code = files[path .. ".c"]:gsub("/%*.-%*/", "") .. files[path .. ".h"]:gsub("/%*.-%*/", "")
@@ -173,6 +181,18 @@ return scene { name = "slanted", body = tensor { mass = 750, com = {0, 0, 0}, xx
 ]]
   local files = scene.files(scene.plan(job), true)
   says(files["slanted.h"], " ax2;", "a constant is not called like a component of an argument")
+end
+
+-- ---- a corner at the start ----
+
+do
+  local job = scene.read [[
+return scene { name = "corner", body = solid.box { x = 0.2, y = 0.1, z = 0.05, mass = 1 }, effects = {
+  effect.custom { params = { rub = quantity(0.1, "kg m^2") }, torque = function(s)
+    return { -s.rub*s.w[1]*abs(s.w[1]), 0, 0 } end } }, initial = { omega = {0, 1, 2} } }
+]]
+  says(scene.files(scene.plan(job), true)["corner.c"], "copysign(1.0, wx)",
+    "the derivative of |wx| is one of its sides at wx = 0 and no quotient")
 end
 
 tap.done()

@@ -9,7 +9,7 @@
    |q| - 1; "same ID TIME d 0 0": rates alone, attitude alone, many times at once and ticks back
    against the state at a time; "period ID TIME d 0 0": periods, rate and number against their
    definitions; "random STATES refused start norm L T". */
-#include "free_top_all.h"
+#include "free_top.h"
 #include "small.h"
 #include "top.h"
 
@@ -91,9 +91,9 @@ static void periods(const char *id, double t, const double p[2], const double x0
 }
 
 static void rows(int shift) {
-  for (size_t k = 0; k < sizeof all_rows / sizeof all_rows[0]; k++) {
-    const char *id = all_rows[k].id;
-    const double t = all_rows[k].t;
+  for (size_t k = 0; k < sizeof free_top_rows / sizeof free_top_rows[0]; k++) {
+    const char *id = free_top_rows[k].id;
+    const double t = free_top_rows[k].t;
     double p[2], x0[7], x[7], y[7], z[7], d = 0;
     float ps[2], s0[7], s[7];
     top_model m;
@@ -102,16 +102,16 @@ static void rows(int shift) {
     small_orbit os;
     long double w[3], q[4];
     long double want_w[3], want_q[4];
-    if (!take(all_rows[k].tensor, shift, p))
+    if (!take(free_top_rows[k].tensor, shift, p))
       continue;
-    x0[0] = all_rows[k].q0[0];
-    want_q[0] = all_rows[k].q[0];
+    x0[0] = free_top_rows[k].q0[0];
+    want_q[0] = free_top_rows[k].q[0];
     for (int i = 0; i < 3; i++) {
       const int to = (i + shift) % 3;
-      x0[1 + to] = all_rows[k].q0[1 + i];
-      x0[4 + to] = all_rows[k].w0[i];
-      want_q[1 + to] = all_rows[k].q[1 + i];
-      want_w[to] = all_rows[k].w[i];
+      x0[1 + to] = free_top_rows[k].q0[1 + i];
+      x0[4 + to] = free_top_rows[k].w0[i];
+      want_q[1 + to] = free_top_rows[k].q[1 + i];
+      want_w[to] = free_top_rows[k].w[i];
     }
     if (top_init(&m, p) != 0 || top_solve(&o, &m, x0) != 0) {
       printf("row %s refused\n", id);

@@ -7,7 +7,7 @@
    states that are hard; "many SCENE STATE hyperbolic n differ far": NAME_at_many. The emitted code
    is two compiled scenes, top (double) and small (float), of a tensor whose six entries are
    parameters. */
-#include "free_top_all.h"
+#include "free_top.h"
 #include "small.h"
 #include "top.h"
 
@@ -53,7 +53,7 @@ static void print_errors(const char *what, const char *id, double t, const doubl
 }
 
 static void rows(void) {
-  for (size_t k = 0; k < sizeof all_rows / sizeof all_rows[0]; k++) {
+  for (size_t k = 0; k < sizeof free_top_rows / sizeof free_top_rows[0]; k++) {
     double p[TOP_NP], x0[7], x[7], y[7];
     float ps[SMALL_NP], s0[7], s[7];
     top_model m;
@@ -62,45 +62,47 @@ static void rows(void) {
     small_orbit os;
     long double w[3], q[4];
     for (int i = 0; i < 6; i++)
-      p[i] = all_rows[k].tensor[i];
+      p[i] = free_top_rows[k].tensor[i];
     for (int i = 0; i < 7; i++)
-      x0[i] = i < 4 ? all_rows[k].q0[i] : all_rows[k].w0[i - 4];
+      x0[i] = i < 4 ? free_top_rows[k].q0[i] : free_top_rows[k].w0[i - 4];
     if (top_init(&m, p) != 0 || top_solve(&o, &m, x0) != 0) {
-      printf("row %s refused\n", all_rows[k].id);
+      printf("row %s refused\n", free_top_rows[k].id);
       continue;
     }
-    top_at(&o, all_rows[k].t, x);
-    print_errors("row", all_rows[k].id, all_rows[k].t, x, all_rows[k].w, all_rows[k].q);
+    top_at(&o, free_top_rows[k].t, x);
+    print_errors("row", free_top_rows[k].id, free_top_rows[k].t, x, free_top_rows[k].w,
+                 free_top_rows[k].q);
 
     /* the same time by ticks, 2^k of them forth and back; rates and attitude alone; the mean rate
      * about L */
     const int64_t count = (int64_t)1 << (k % 40);
     double z[7], far_away = 0;
-    if (top_set_tick(&o, ldexp(all_rows[k].t, -(int)(k % 40))) != 0)
-      printf("row %s refused tick\n", all_rows[k].id);
+    if (top_set_tick(&o, ldexp(free_top_rows[k].t, -(int)(k % 40))) != 0)
+      printf("row %s refused tick\n", free_top_rows[k].id);
     top_at_tick(&o, count, z);
-    print_errors("tick", all_rows[k].id, all_rows[k].t, z, all_rows[k].w, all_rows[k].q);
+    print_errors("tick", free_top_rows[k].id, free_top_rows[k].t, z, free_top_rows[k].w,
+                 free_top_rows[k].q);
     top_at_tick(&o, 0, z);
     top_at(&o, 0, y);
     for (int i = 0; i < 7; i++)
       far_away = larger(far_away, fabs(z[i] - y[i]) / (i < 4 ? 1 : length(y + 4, 3)));
     top_at_tick(&o, -count, z);
-    top_at(&o, -all_rows[k].t, y);
+    top_at(&o, -free_top_rows[k].t, y);
     for (int i = 0; i < 7; i++)
       far_away = larger(far_away, fabs(z[i] - y[i]) / (i < 4 ? 1 : length(y + 4, 3)));
-    top_at_attitude(&o, all_rows[k].t, z);
-    top_at_rates(&o, all_rows[k].t, z + 4);
+    top_at_attitude(&o, free_top_rows[k].t, z);
+    top_at_rates(&o, free_top_rows[k].t, z + 4);
     for (int i = 0; i < 7; i++)
       far_away = larger(far_away, fabs(z[i] - x[i]) / (i < 4 ? 1 : length(y + 4, 3)));
-    printf("same %s %a %.3e 0 0\n", all_rows[k].id, all_rows[k].t, far_away);
+    printf("same %s %a %.3e 0 0\n", free_top_rows[k].id, free_top_rows[k].t, far_away);
 
     /* rounded to float: another motion, which the double code has just been shown to follow */
-    float t = (float)all_rows[k].t;
+    float t = (float)free_top_rows[k].t;
     int held = 1;
     for (int i = 0; i < 6; i++) {
       ps[i] = (float)p[i];
       p[i] = ps[i];
-      held = held && (all_rows[k].tensor[i] == 0 || fabs(p[i]) > 1e-30);
+      held = held && (free_top_rows[k].tensor[i] == 0 || fabs(p[i]) > 1e-30);
     }
     for (int i = 0; i < 7; i++) {
       s0[i] = (float)x0[i];
@@ -111,7 +113,7 @@ static void rows(void) {
       continue;
     if (small_init(&ms, ps) != 0 || small_solve(&os, &ms, s0) != 0 || top_init(&m, p) != 0 ||
         top_solve(&o, &m, x0) != 0) {
-      printf("float %s refused\n", all_rows[k].id);
+      printf("float %s refused\n", free_top_rows[k].id);
       continue;
     }
     small_at(&os, t, s);
@@ -125,7 +127,7 @@ static void rows(void) {
       else
         w[i - 4] = y[i];
     }
-    print_errors("float", all_rows[k].id, t, x, w, q);
+    print_errors("float", free_top_rows[k].id, t, x, w, q);
   }
 }
 

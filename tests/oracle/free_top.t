@@ -23,8 +23,8 @@ local function rows(name)
   return lines, ids
 end
 
-for _, name in ipairs { "free_top", "free_top_long" } do
-  local lines, ids = rows("tests/reference/" .. name .. ".h")
+do
+  local lines, ids = rows "tests/reference/free_top.h"
   local input, output = os.tmpname(), os.tmpname()
   local file = assert(io.open(input, "w"))
   file:write(table.concat(lines, "\n"), "\n")
@@ -42,7 +42,7 @@ for _, name in ipairs { "free_top", "free_top_long" } do
   end
   os.remove(input)
   os.remove(output)
-  tap.ok(ran and n == #lines and n > 90, name .. ": " .. n .. " samples")
+  tap.ok(ran and n == #lines and n >= 275, n .. " samples")
   -- 32 significant digits: half a unit of the last is at most 5e-32 of the largest component
   tap.ok(worst[1] <= 5e-32, string.format("rates agree to the last printed digit: %.3g (%s)", worst[1], at[1]))
   tap.ok(worst[2] <= 1e-31, string.format("attitudes agree, signs too: %.3g (%s)", worst[2], at[2]))

@@ -145,16 +145,10 @@ do
   write("inertia.h", out)
 end
 
--- ---- free_top.json: samples within 20000 rad of the start that move by less than 1e-3 if the inputs do by 2^-53, and
--- the others in a table of their own ----
+-- ---- free_top.json: all samples of physical bodies; first those within 20000 rad of the start that move by less than
+-- 1e-3 if the inputs do by 2^-53 ----
 do
-  local short = head("free_top.h", "torque-free motion, 32 digits",
-    "static const struct {\n  const char *id;\n  double tensor[6], w0[3], q0[4], t;\n  long double w[3], q[4];\n" ..
-    "  double w_sensitivity, q_sensitivity; /* change (of w relative, of q) when the inputs move by 2^-53 */\n" ..
-    "  double period, separation; /* of the rates; (L^2 - 2 T I2)/L^2: distance from the separatrix */\n" ..
-    "} free_top_rows[] = {")
-  local rest = head("free_top_long.h", "torque-free motion, the samples that free_top.h leaves out",
-    (short[#short]:gsub("free_top_rows", "free_top_long_rows")))
+  local near, rest = {}, {}
   for _, case in ipairs(json("free_top.json").cases) do
     local tensor = case.tensor_xx_yy_zz_xy_xz_yz or { case.I[1], case.I[2], case.I[3], "0.0", "0.0", "0.0" }
     local speed = 0
@@ -163,18 +157,24 @@ do
     end
     for _, s in ipairs(case.id ~= "nonphysical_triangle_violation" and case.samples or {}) do
       local ws, qs = s.input_ulp_sensitivity.omega_rel, s.input_ulp_sensitivity.q_abs
-      local near = speed * math.abs(tonumber(s.t)) <= 2e4 and tonumber(ws) < 1e-3 and tonumber(qs) < 1e-3
-      local out = near and short or rest
+      local out = speed * math.abs(tonumber(s.t)) <= 2e4 and tonumber(ws) < 1e-3 and tonumber(qs) < 1e-3 and near or
+        rest
       out[#out + 1] = string.format('  {"%s", %s, %s, %s, %s,\n   %s,\n   %s, %s, %s, %s, %s},', case.id,
         braces(each(tensor, double)), braces(each(case.omega0, double)), braces(each(case.q0, double)), double(s.t),
         braces(each(s.omega, long)), braces(each(s.q, long)), double(ws), double(qs), double(case.period or "0"),
         double(case.sep_rel or "1"))
     end
   end
-  short[#short + 1] = "};"
-  rest[#rest + 1] = "};"
-  write("free_top.h", short)
-  write("free_top_long.h", rest)
+  local out = head("free_top.h", "torque-free motion, 32 digits",
+    "enum { FREE_TOP_NEAR = " .. #near .. " }; /* so many rows first: not far away, not sensitive */\n" ..
+    "static const struct {\n  const char *id;\n  double tensor[6], w0[3], q0[4], t;\n  long double w[3], q[4];\n" ..
+    "  double w_sensitivity, q_sensitivity; /* change (of w relative, of q) when the inputs move by 2^-53 */\n" ..
+    "  double period, separation; /* of the rates; (L^2 - 2 T I2)/L^2: distance from the separatrix */\n" ..
+    "} free_top_rows[] = {")
+  table.move(near, 1, #near, #out + 1, out)
+  table.move(rest, 1, #rest, #out + 1, out)
+  out[#out + 1] = "};"
+  write("free_top.h", out)
 end
 
 -- ---- elliptic.json: all rows; what a row does not have is 0, n HUGE_VAL ----
@@ -197,25 +197,6 @@ do
   end
   out[#out + 1] = "};"
   write("elliptic.h", out)
-end
-
--- ---- free_top.json, every sample of a physical body: the closed form must meet them all ----
-do
-  local out = head("free_top_all.h", "torque-free motion, every sample, 32 digits",
-    "static const struct {\n  const char *id;\n  double tensor[6], w0[3], q0[4], t;\n  long double w[3], q[4];\n" ..
-    "  double w_sensitivity, q_sensitivity; /* change (of w relative, of q) when the inputs move by 2^-53 */\n" ..
-    "} all_rows[] = {")
-  for _, case in ipairs(json("free_top.json").cases) do
-    local tensor = case.tensor_xx_yy_zz_xy_xz_yz or { case.I[1], case.I[2], case.I[3], "0.0", "0.0", "0.0" }
-    for _, s in ipairs(case.id ~= "nonphysical_triangle_violation" and case.samples or {}) do
-      out[#out + 1] = string.format('  {"%s", %s, %s, %s, %s,\n   %s,\n   %s, %s, %s},', case.id,
-        braces(each(tensor, double)), braces(each(case.omega0, double)), braces(each(case.q0, double)), double(s.t),
-        braces(each(s.omega, long)), braces(each(s.q, long)), double(s.input_ulp_sensitivity.omega_rel),
-        double(s.input_ulp_sensitivity.q_abs))
-    end
-  end
-  out[#out + 1] = "};"
-  write("free_top_all.h", out)
 end
 
 -- ---- forced_top.json: the models that the library has ----
@@ -266,11 +247,20 @@ local function effects(file, about, names, models, scalars, lists)
     "-- SPDX-License-Identifier: GPL-3.0-or-later", "--",
     "-- Made by convert.lua; provenance in README.md beside this file.  x: " .. names .. ".", "",
     "return {" }
-  local function words(list) return "{ \"" .. table.concat(each(list, tostring), "\", \"") .. "\" }" end
+  local function words(list) -- a long list takes a second line
+    local text = table.concat(each(list, tostring), "\", \"")
+    if #list > 7 then
+      text = "\n      \"" .. table.concat(each({ table.unpack(list, 1, 7) }, tostring), "\", \"") .. "\",\n      \"" ..
+        table.concat(each({ table.unpack(list, 8) }, tostring), "\", \"")
+    else
+      text = " \"" .. text
+    end
+    return "{" .. text .. "\" }"
+  end
   for _, case in ipairs(json("forced_top.json").cases) do
     if models[case.model] then
       local p = case.params
-      out[#out + 1] = string.format("  { id = %q, model = %q,", case.id, case.model)
+      out[#out + 1] = string.format("  { id = %q,\n    model = %q,", case.id, case.model)
       if p.I then out[#out + 1] = "    I = " .. words(p.I) .. "," end
       for _, k in ipairs(scalars) do
         if p[k] then out[#out + 1] = string.format("    %s = %q,", k, tostring(p[k])) end
@@ -294,11 +284,10 @@ local function effects(file, about, names, models, scalars, lists)
   write(file, out)
 end
 
-effects("effects.lua", "drag, constant torques, wheels", "w, then q, then the wheels' speeds",
-  { ["quadratic damping"] = true, ["constant body torque"] = true, ["constant inertial torque"] = true,
-    ["gyrostat (torque-free rotor on axis 3)"] = true,
+effects("effects.lua", "drag, wheels", "w, then q, then the wheels' speeds",
+  { ["quadratic damping"] = true, ["gyrostat (torque-free rotor on axis 3)"] = true,
     ["three reaction wheels on the principal axes, constant motor torque"] = true },
-  { "c", "J", "Js" }, { "tau_body", "tau_inertial", "u" })
+  { "c", "J", "Js" }, { "u" })
 effects("effects_time.lua", "gravity gradient, a tensor that changes", "w, or L in body axes with I_of_t, then q",
   { ["gravity gradient"] = true, ["time-varying principal inertia (no internal momentum)"] = true },
   { "n", "I_of_t" }, {})
@@ -329,4 +318,27 @@ do
   end
   out[#out + 1] = "};"
   write("nesc_case2.h", out)
+end
+
+-- ---- nesc_brick_case3.csv: the five simulators, every half second ----
+do
+  local out = { "-- nesc_case3.lua - NASA check case 3, five simulators",
+    "-- SPDX-License-Identifier: GPL-3.0-or-later", "--",
+    "-- Made by convert.lua; provenance in README.md beside this file.  Rows: t, then of simulators 01,",
+    "-- 02, 04, 05, 06 p, q, r (deg/s, inertial), yaw, pitch, roll (deg, against local north-east-down).", "",
+    "return {" }
+  local titles = false
+  for line in slurp("nesc_brick_case3.csv"):gmatch "[^\r\n]+" do
+    local field = {}
+    for f in line:gmatch "[^,]+" do field[#field + 1] = f end
+    if titles and tonumber(field[1]) * 2 % 1 == 0 then
+      out[#out + 1] = "  { " .. field[1] .. ","
+      for i = 2, 31, 6 do
+        out[#out + 1] = "    " .. braces { table.unpack(field, i, i + 5) } .. (i < 26 and "," or " },")
+      end
+    end
+    titles = true
+  end
+  out[#out + 1] = "}"
+  write("nesc_case3.lua", out)
 end

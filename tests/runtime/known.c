@@ -27,7 +27,7 @@ static double distance(int n, const double a[], const double b[]) {
 
 static void free_tops(void) {
   double worst = 0, worst_sensitive = 0;
-  for (size_t r = 0; r < COUNT(free_top_rows); r++) {
+  for (size_t r = 0; r < FREE_TOP_NEAR; r++) {
     const char *id = free_top_rows[r].id;
     const ph_options options = ph_options_default();
     double x0[7], x[7] = {0};

@@ -50,7 +50,7 @@ function damped.detect(m)
   for name, flag in pairs(form.flags) do flags[name] = flag end -- into a table: order is lost anyway
   return { kind = "damped " .. form.kind, theorem = "damping proportional to L, a change of time in the " ..
       form.theorem, text = text, headers = { form.header, "templates/damped.h" }, sources = sources(form),
-    flags = flags, full = true, decay = rate, integers = form.integers, exact = form.exact, constants = function(model)
+    flags = flags, full = true, decay = rate, exact = form.exact, constants = function(model)
       local c = form.constants and form.constants(model) or {}
       c.decay = model:constant("decay", rate, "rate of decay of L, 1/s")
       return c

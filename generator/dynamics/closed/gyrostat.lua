@@ -50,7 +50,8 @@ function gyrostat.detect(m)
     header = "templates/gyrostat.h", full = true, ticks = true,
     flags = { lagrange = true, first = index[first], second = index[second], third = index[third] },
     sources = { "templates/circle.c", "templates/double.c", "templates/integral.c", "templates/wide.c",
-      "templates/phase.c", "templates/frame.c", "templates/phases.c", "templates/gyrostat.c",
+      "templates/quaternion.c", "templates/polynomial.c", "templates/phase.c", "templates/frame.c",
+      "templates/phases.c", "templates/gyrostat.c",
       "templates/gyrostat_at.c", "templates/gyrostat_theta.c", "templates/states.c", "templates/gyrostat_solve.c",
       "templates/count.c", "templates/lagrange_tick.c" },
     constants = function(model)

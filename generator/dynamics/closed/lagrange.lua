@@ -76,7 +76,8 @@ function lagrange.detect(m)
       "cusps, loops, steady precession, sleeping tops, pendulums, passages through the vertical are limits." },
     header = "templates/lagrange.h", flags = { lagrange = true }, constants = constants, full = true,
     sources = { "templates/circle.c", "templates/double.c", "templates/integral.c", "templates/wide.c",
-      "templates/phase.c", "templates/frame.c", "templates/phases.c", "templates/lagrange.c",
+      "templates/quaternion.c", "templates/polynomial.c", "templates/phase.c", "templates/frame.c",
+      "templates/phases.c", "templates/lagrange.c",
       "templates/lagrange_theta.c", "templates/lagrange_at.c", "templates/states.c",
       "templates/lagrange_solve.c", "templates/count.c", "templates/lagrange_tick.c" }, ticks = true }
 end

@@ -10,7 +10,6 @@
 --                                                    called when the functions of the scene have made theirs
 --              full,                                 NAME_at gives the whole state (else only the rates)
 --              ticks,                                it counts time in ticks
---              integers,                             its code needs <stdint.h> even without ticks
 --              exact,                                it needs templates/exact.c
 --              pairs }                               of templates/pair.c it needs all (nil), no product of pairs
 --                                                    ("sums"), nor their sum ("few")

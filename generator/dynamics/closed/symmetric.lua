@@ -46,7 +46,7 @@ function symmetric.detect(m, eq)
       "q(t) = (cos, L/|L| sin)(|L|t/2 I1) q(0) (cos, k/|k| sin)((1 - I3/I1) k.w t/2).",
       "Landau, Lifshitz, Mechanics, sections 33 and 36." },
     header = "templates/closed.h", sources = { "templates/circle.c", "templates/count.c",
-      "templates/quotient.c", "templates/closed.c" }, flags = { symmetric = true },
+      "templates/quotient.c", "templates/quaternion.c", "templates/closed.c" }, flags = { symmetric = true },
     constants = function(model) return symmetric.constants(model) end, full = true, ticks = true }
 end
 

@@ -8,6 +8,7 @@
 #include "brick.h"
 
 #include <math.h>
+#include <stddef.h>
 
 void brick_defaults(brick_real p[])
 {
@@ -605,7 +606,7 @@ static brick_pair brick_pair_sum(brick_real a, brick_real b)
  * spoil Dekker's halves: there it is used, and volatile keeps hi what it is. */
 static brick_pair brick_pair_product(brick_real a, brick_real b)
 {
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || defined __ARM_FEATURE_FMA
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & 8))
   const volatile brick_real high = a*b;
   brick_pair p;
 
@@ -762,7 +763,7 @@ static int brick_principal_pairs(const brick_real I[6], brick_pair diagonal[3], 
    * pairs.  For a positive definite one a rotation with I_pq^2 >= I_pp I_qq/4 takes a quarter or more off the product
    * of the diagonal, which stays above the determinant: the condition alone bounds their number.  Then what is left is
    * squared; some ten rotations are made in all. */
-  for (count = 0; settled < 3 && count < 240; count++) {
+  for (count = 0; settled < 3 && count < 240; count++) { /* some 10 times */
     i = 2 - count % 3;
     j = (i + 1) % 3;
     k = (i + 2) % 3;
@@ -839,11 +840,11 @@ BRICK_INLINE brick_real brick_nearest(brick_real x)
 }
 
 /* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well: Dekker's product */
-BRICK_INLINE brick_pair brick_advance(const brick_real b[4], brick_real t, brick_real head, brick_real tail)
+BRICK_INLINE brick_pair brick_passed(const brick_real b[4], brick_real t, brick_real head, brick_real tail)
 {
   brick_pair p;
 
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || defined __ARM_FEATURE_FMA
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & 8))
   (void)head;
   (void)tail;
   p.hi = fma(b[0], t, 0.0); /* no compiler may fuse this one */
@@ -1052,7 +1053,7 @@ BRICK_INLINE brick_phases brick_reduce(const brick_orbit *o, brick_real at)
 {
   const brick_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
   const brick_real c = 134217729.0*t, head = c - (c - t), tail = t - head;
-  const brick_pair p = brick_advance(o->rate, t, head, tail), turn = brick_advance(o->turn, t, head, tail);
+  const brick_pair p = brick_passed(o->rate, t, head, tail), turn = brick_passed(o->turn, t, head, tail);
   const brick_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
   const brick_real rest = (p.hi - (sum - part)) + (o->start[0] - part);
   brick_phases phases;
@@ -1183,10 +1184,11 @@ BRICK_INLINE brick_terms brick_terms_of(const brick_orbit *o, brick_phases p, in
   return hyperbolic > 0 ? brick_hyperbolic_terms(o, p, hyperbolic > 1) : brick_circular_terms(o, p);
 }
 
-/* 1/|q| from n, the inverse of brick_square, to which |q|^2 is equal but for rounding, and its root */
+/* 1/|q| from n, the inverse of brick_square, to which |q|^2 is equal but for rounding, and its root: a Newton step, added
+ * so that the difference from a half is exact and only the sum is rounded */
 BRICK_INLINE brick_real brick_inverse_length(const brick_real q[4], brick_real n, brick_real root)
 {
-  return root*(1.5 - (0.5*n)*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])));
+  return root + root*(0.5 - (0.5*n)*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])));
 }
 
 /* attitude and rates */
@@ -1309,7 +1311,7 @@ static brick_pair brick_circulation(brick_pair I1, brick_pair I3, brick_pair w1,
   brick_pair sum = brick_pair_subtract(last, first);
 
   if (!(8.0*fabs(sum.hi) < first.hi + last.hi)) return sum;
-  if (!(fabs(I1.lo) + fabs(I3.lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) {
+  if (!(fabs(I1.lo) + fabs(I3.lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) { /* rare */
     brick_real e[32];
     int n;
 
@@ -1406,8 +1408,6 @@ static void brick_invariants(brick_top *p)
   p->b[2] = p->b3.hi;
 }
 
-/* ---- set-up away from the separatrix ---- */
-
 /* c[0] + c[1] y[1] + ...: a series in multiple angles, y[n+1] = 2 X y[n] - y[n-1], as a polynomial in X; y[0] = 1 and
  * y[1] = first + slope X */
 static void brick_polynomial(int n, const brick_real c[], brick_real first, brick_real slope,
@@ -1427,6 +1427,9 @@ static void brick_polynomial(int n, const brick_real c[], brick_real first, bric
     }
   }
 }
+
+/* ---- set-up away from the separatrix ---- */
+
 /* The means a, g of 1 and k' (DLMF 19.8.2), as far as they are needed: after four steps they agree to 2^-35, and what is
  * left is added as a series. */
 typedef struct brick_agm {
@@ -1817,8 +1820,6 @@ static void brick_hyperbolic(brick_orbit *o, const brick_top *p)
   brick_hyperbolic_series(o, p->s, q, cosine, sine);
 }
 
-/* ---- set-up from a state ---- */
-
 static void brick_quaternion_product(const brick_real a[4], const brick_real b[4], brick_real out[4])
 {
   out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
@@ -1826,6 +1827,8 @@ static void brick_quaternion_product(const brick_real a[4], const brick_real b[4
   out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
   out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
 }
+
+/* ---- set-up from a state ---- */
 
 static brick_pair brick_unit_quaternion(const brick_real q[4], brick_real out[4])
 {
@@ -2107,7 +2110,7 @@ void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[])
 
   p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > 0.0 ? -0.5 : 0.5) : 0.0;
   p.low = low;
-  if (!(o->half < 1.2676506002282294e30)) { /* the separatrix has no period */
+  if (!(o->half < 1.2676506002282294e30)) { /* rare: the separatrix has no period */
     const brick_pair t = brick_pair_product((brick_real)n, o->tick);
 
     p = brick_reduce(o, t.hi);

@@ -19,7 +19,6 @@
 #ifndef POLHODE_BRICK_HEADER
 #define POLHODE_BRICK_HEADER
 
-#include <stddef.h>
 #include <stdint.h>
 
 #ifdef __cplusplus

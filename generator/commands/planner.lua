@@ -1,0 +1,102 @@
+-- planner.lua -- the plan that an accuracy asks for: compiled candidates, the cache, progress.
+--
+-- A decision is kept under the user's cache folder by what determines it (decision.question); without such a folder, or
+-- with a file that is not whole, it is made again.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local build = require "generator.commands.build"
+local driver = require "generator.driver"
+local candidates = require "generator.plan.candidates"
+local decision = require "generator.plan.decision"
+local plan = require "generator.plan.plan"
+local targets = require "generator.plan.targets"
+
+local planner = {}
+
+-- In half the time; without contraction every level gives the same bits.
+local flags = { "-O1" }
+
+-- What is asked of the job: accuracy of the command line or of the scene, and the rest; nil if nobody asks.
+function planner.question(job, given, order)
+  local budget, methods = job.record.budget or {}, nil
+  local accuracy = given.accuracy or job.record.accuracy
+  if not accuracy then return nil end
+  for _, name in ipairs(given.method or {}) do
+    methods = methods or {}
+    if name ~= "linearised" then methods[#methods + 1] = name end
+  end
+  return { job = job, accuracy = accuracy, real = given.real or budget.real or "double",
+    target = budget.target or targets.default, ops = budget.ops, methods = methods, order = order }
+end
+
+-- A planned job of the same scene with all methods that it admits.
+local function everything(host, q, given)
+  local job = driver.read(host, given[1], given)
+  local names, seen = {}, {}
+  for _, c in ipairs(candidates.of(driver.read(host, given[1], given), { real = q.real, orders = { 8 } })) do
+    if not c.refused and not seen[c.method] then names[#names + 1], seen[c.method] = c.method, true end
+  end
+  assert(driver.plan(job, { real = q.real, methods = names, order = plan.top, command = "" }))
+  return job, seen.taylor
+end
+
+local function progress(host)
+  if not host.isatty "err" then return function() end, function() end end
+  return function(part) host.err(string.format("\rplanning %3d %%", math.floor(100 * math.min(1, part)))) end,
+    function() host.err("\r             \r") end
+end
+
+-- Compiles what the question needs: its `code` to count in and its `plugin`.  True, or nil and what went wrong.
+function planner.prepare(host, q, given)
+  local code, job, series = everything(host, q, given), nil, nil
+  driver.code(code)
+  job, series = everything(host, q, given)
+  job.orders = series and plan.orders or {}
+  local plugins, failed = build.plugins(host, { { job = job, flags = flags } })
+  if failed then return nil, failed[1].message end
+  q.host, q.code, q.plugin = host, code, plugins[1]
+  q.plugin:init()
+  return true
+end
+
+-- Makes the decision; nil and what went wrong outside.
+local function decided(host, q, given)
+  local show, clear = progress(host)
+  show(0)
+  local fine, why = planner.prepare(host, q, given)
+  show(0.3)
+  q.progress = function(part) show(0.3 + 0.7 * part) end
+  local found, instead
+  if fine then found, instead = plan.find(q) end
+  clear()
+  if not fine then return nil, why end
+  return found and decision.made(q, found) or decision.refusal(q, instead)
+end
+
+-- The decision that was kept for the question, or nil; its text and file name.
+function planner.kept(host, q)
+  local print = host.fingerprint()
+  if not print then return nil end
+  local text = decision.question(q, print)
+  local name = decision.key(text)
+  return decision.kept(text, host.cache_read(name), #q.job.states), text, name
+end
+
+-- The decision for the question, or nil after an error in the job's diagnostics (or second result: what went wrong).
+function planner.decide(host, q, given)
+  local d, text, name = planner.kept(host, q)
+  if not d then
+    local why
+    d, why = decided(host, q, given)
+    if not d then return nil, why end
+    if name then host.cache_write(name, decision.text(text, d)) end
+  end
+  if d.refused then
+    local line = q.job.record.line
+    q.job.diag:error(given.accuracy and line or q.job.diag:locate(line, "accuracy"), "accuracy", d.refused, d.got)
+    return nil
+  end
+  return d
+end
+
+return planner

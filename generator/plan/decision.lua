@@ -1,0 +1,305 @@
+-- decision.lua -- a plan as text: what the emitted files say of it, and what is kept for the next time.
+--
+-- A decision is {method, order (of taylor) or nil, setting = "step", "tolerance" or "none", value_text, title,
+-- accuracy_text, real, target, expected = {texts}, bounds = {texts}, report = {lines of the header}} or {refused =
+-- rule, got = text}: that no candidate holds the accuracy.  Numbers are cut to digits that no machine's last bits reach.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local text = require "generator.algebra.text"
+local err = require "generator.plan.error"
+local methods = require "generator.methods.list"
+
+local decision = {}
+
+local function plain(s) -- 1e+02 is 100, 1e-09 is 1e-9
+  local x = tonumber(s)
+  if string.find(s, "e") and x >= 1 and x < 1e6 then return string.format("%.0f", x) end
+  return (string.gsub(string.gsub(s, "e([+-])0+", "e%1"), "e%+", "e"))
+end
+
+local function short(x, digits) return plain(string.format("%." .. (digits or 2) .. "g", x)) end
+
+local function shortest(x)
+  for digits = 1, 17 do
+    local s = string.format("%." .. digits .. "g", x)
+    if tonumber(s) == x then return plain(s) end
+  end
+end
+decision.shortest = shortest
+
+-- An error: two digits; what is far below the accuracy by its decade alone, as its digits are those of roundings.
+local function decade(e) return string.format("1e%d", math.max(-15, math.ceil(math.log(math.max(e, 1e-16), 10) + 0.3))) end
+
+local function measured(e, accuracy)
+  return e > accuracy / 100 and short(e) or "below " .. decade(e)
+end
+
+-- How a candidate is called in a sentence: "taylor, order 14, steps of 0.057 s".
+local function title(c, order, value)
+  local name = c.method .. (order and ", order " .. string.format("%d", order) or "")
+  if c.setting == "none" then return "the closed form" end
+  return name .. (c.setting == "step" and ", steps of " .. value .. " s" or ", tolerance " .. value)
+end
+
+local operations = { { "add", "additions" }, { "mul", "multiplications" }, { "div", "divisions" }, { "sqrt", "roots" },
+  { "call", "function calls" } }
+
+local function counted(counts)
+  local parts, sum = {}, 0
+  for _, o in ipairs(operations) do
+    local n = counts[o[1]] or 0
+    sum = sum + n
+    if n > 0 then parts[#parts + 1] = string.format("%d %s", n, n == 1 and string.sub(o[2], 1, -2) or o[2]) end
+  end
+  return string.format("%d operations (%s)", sum, table.concat(parts, ", "))
+end
+
+-- From where the motions started: the declared ranges, in words.
+local function whence(job)
+  local r = job.ranges
+  local function interval(range)
+    return "from " .. short(R.todouble(range.lo), 6) .. " to " .. short(R.todouble(range.hi), 6)
+  end
+  if not r then
+    local parts, m = {}, job.model
+    if m.has.rates then parts[#parts + 1] = "rates within 10 % of |omega| of the scene's" end
+    if m.has.position then parts[#parts + 1] = "position and velocity within 10 % of theirs" end
+    if m.has.attitude then parts[#parts + 1] = "attitude within 0.1 rad" end
+    return table.concat(parts, ", ")
+  end
+  local parts = {}
+  for i, s in ipairs(job.states) do
+    if r.states[i] then parts[#parts + 1] = s.name .. " " .. interval(r.states[i]) end
+  end
+  if r.attitude then
+    parts[#parts + 1] = r.attitude == "any" and "any attitude" or "attitude within " ..
+      short(R.todouble(r.attitude), 4) .. " rad of the scene's"
+  end
+  for _, p in ipairs(r.params) do parts[#parts + 1] = p.name .. " " .. interval(p) end
+  return #parts > 0 and table.concat(parts, ", ") or "the scene's own"
+end
+
+-- The next best: of each other method or setting the cheapest, as a multiple of the cost of the best.
+local function runners(r)
+  local list, seen = {}, { [r.candidate.method .. r.candidate.setting] = true }
+  for i, f in ipairs(r.found) do
+    local c = f.candidate
+    local ratio, about = math.huge, ""
+    if f.fits then
+      ratio = f.cost / r.cost
+    elseif f.error and f.error < 0.1 and f.cost then -- by the law of its order
+      ratio, about = f.cost * math.max(1, f.error / r.limit) ^ (1 / c.power) / r.cost, "about "
+    end
+    if f.should then ratio, about = f.should / r.cost, "about " end
+    list[i] = { name = c.method .. (c.setting == "tolerance" and " by tolerance" or c.order and " of order " ..
+      string.format("%d", c.order) or ""), key = c.method .. c.setting, ratio = ratio, about = about, place = i }
+  end
+  table.sort(list, function(a, b)
+    if a.ratio ~= b.ratio then return a.ratio < b.ratio end
+    return a.place < b.place
+  end)
+  local out = {}
+  for _, x in ipairs(list) do
+    if not seen[x.key] and #out < 4 and x.ratio < 1e4 then
+      seen[x.key] = true
+      out[#out + 1] = x.name .. " " .. x.about .. string.format("%.1f", math.max(1, x.ratio)) .. " times"
+    end
+  end
+  return out
+end
+
+-- The state at the horizon and its bounds, to a hundredth of the accuracy.
+local function expected(job, r, accuracy, real)
+  local values, bounds = {}, {}
+  local rounding = real == "float" and 2.0 ^ -22 or 2.0 ^ -51
+  for _, g in ipairs(err.groups(job)) do
+    local scale = 0.0
+    for _, i in ipairs(g) do scale = scale + r.expected[i] ^ 2 end
+    for _, row in ipairs(r.rows) do
+      local sum = 0.0
+      for _, i in ipairs(g) do sum = sum + row[i] ^ 2 end
+      scale = math.max(scale, sum)
+    end
+    scale = math.sqrt(scale)
+    if scale == 0 or g.name == "attitude" then scale = 1.0 end
+    local unit = 10.0 ^ math.floor(math.log(accuracy * scale / 100, 10))
+    for _, i in ipairs(g) do
+      local places = math.max(0, math.floor(0.5 - math.log(unit, 10)))
+      values[i] = places < 300 and string.format("%." .. places .. "f", r.expected[i]) or "0"
+      bounds[i] = shortest(tonumber(short((accuracy + rounding) * scale, 3)))
+    end
+  end
+  return values, bounds
+end
+
+local function wrapped(list, first, words, width)
+  local line = first
+  for _, w in ipairs(words) do
+    if #line + 1 + #w > width then
+      list[#list + 1] = line
+      line = "    " .. w
+    else
+      line = line .. (line == "" and "" or " ") .. w
+    end
+  end
+  list[#list + 1] = line
+end
+
+local function paragraph(list, s)
+  local words = {}
+  for w in string.gmatch(s, "%S+") do words[#words + 1] = w end
+  wrapped(list, table.remove(words, 1), words, 112)
+end
+
+-- The decision for the result of plan.find; q: the question.
+function decision.made(q, r)
+  local c, real, target = r.candidate, q.real, q.target
+  local d = { method = c.method, setting = c.setting, accuracy_text = shortest(q.accuracy), real = real,
+    target = target, order = c.method == "taylor" and (c.setting == "tolerance" and r.order or c.order) or nil,
+    value_text = r.setting and shortest(r.setting) or nil }
+  d.title = title(c, d.order, d.value_text)
+  d.expected, d.bounds = expected(q.job, r, q.accuracy, real)
+  local T, upper = q.job.model:double(q.job.model.horizon), string.upper(q.job.model.name)
+  local lines = {}
+  paragraph(lines, "Planned for an accuracy of " .. d.accuracy_text .. " over " .. shortest(T) .. " s: " .. d.title ..
+    (c.setting == "step" and " (" .. upper .. "_PLANNED_STEP)" or c.setting == "tolerance" and " (" .. upper ..
+    "_PLANNED_TOLERANCE)" or "") .. ", by " .. q.job.model.name .. "_advance.")
+  paragraph(lines, "Measured: largest error " .. measured(r.error, q.accuracy) .. (r.error > q.accuracy / 100 and
+    ", a margin of " .. short(r.margin) .. "," or "") .. " from " .. string.format("%d", r.states) .. " states" ..
+    (real == "float" and " in float" or "") .. ": " .. whence(q.job) .. (q.job.equations.inputs and ", input 0" or "") ..
+    "; the true motion is known to " .. decade(r.own) .. ".")
+  local one = counted(r.counts)
+  paragraph(lines, "Cost: " .. (c.setting == "none" and counted(c.setup_counts) .. " once, " .. one .. " for each time" or
+    short(r.steps, 4) .. " step" .. (r.steps == 1 and "" or "s") .. (c.setting == "tolerance" and " on average" or "") ..
+    " of " .. one) .. "; by the table for " .. target .. " " .. short(r.cost) .. " cycles.")
+  local beside = runners(r)
+  if #beside > 0 then paragraph(lines, "At other costs: " .. table.concat(beside, ", ") .. ".") end
+  d.report = lines
+  return d
+end
+
+-- Why nothing holds, from what plan.find found instead.
+function decision.refusal(q, r)
+  local cheapest
+  for _, c in ipairs(r.refused) do
+    if c.over and (not cheapest or c.ops < cheapest.ops) then cheapest = c end
+  end
+  local got = shortest(q.accuracy)
+  if r.why then return { refused = r.why, got = got } end
+  local best = r.closest
+  for _, f in ipairs(best and {} or r.found) do
+    if f.error and f.error < math.huge and (not best or f.error < best.error) then best = f end
+  end
+  if not best and cheapest then
+    return { refused = string.format("budget.ops leaves no method: the least, %s, takes %d operations", cheapest.name,
+      cheapest.ops), got = string.format("%d", q.ops) }
+  end
+  local limits = {}
+  if r.own > q.accuracy / 8 then
+    limits[1] = "the motion magnifies roundings so much that the library itself knows it to " .. short(r.own) .. " only"
+  elseif q.real == "float" then
+    limits[1] = "the rounding of float"
+  else
+    limits[1] = "rounding, as far as the motion magnifies it"
+  end
+  if cheapest then limits[#limits + 1] = "budget.ops" end
+  if not best then return { refused = "cannot be planned: " .. limits[1], got = got } end
+  local c = best.candidate
+  local order = c.method == "taylor" and c.setting == "step" and c.order or nil
+  return { refused = string.format("must be one that a method can hold with a margin of %s: the best is %s, error %s at" ..
+    " %s cycles of %s; what limits it is %s", shortest(r.least_margin), title(c, order, best.setting and
+    short(best.setting)), short(best.error), short(best.cost), q.target, table.concat(limits, " and ")), got = got }
+end
+
+-- ---- kept as text ----
+
+local lists = { "expected", "bounds", "report" }
+local words = { "method", "setting", "accuracy_text", "real", "target", "order", "value_text", "title", "refused", "got" }
+
+-- The question as a text with everything that decides its answer.  print: the generator's fingerprint.
+function decision.question(q, fingerprint)
+  local job, out = q.job, { "polhode plan 1", fingerprint }
+  local m = job.model
+  local function put(...) out[#out + 1] = table.concat({ ... }, " ") end
+  put("accuracy", shortest(q.accuracy), q.real, q.target, tostring(q.ops), tostring(q.order),
+    table.concat(q.methods or { "all" }, ","))
+  put("name", m.name, "closed", job.closed.theorem or "none")
+  put("horizon", tostring(m:number(m.horizon)))
+  for _, s in ipairs(job.states) do put("state", s.name, tostring(m:number(s.initial))) end
+  for _, p in ipairs(m.params) do put("parameter", p.name, tostring(p.default)) end
+  for _, x in ipairs(m.members) do put("constant", x.name, text.of(x.e)) end
+  for i, e in ipairs(m.inertia or {}) do put("inertia", i, text.of(e)) end
+  for _, g in ipairs(job.equations.groups) do
+    for _, x in ipairs(g.defs) do put(x.name, text.of(x.expr)) end
+    for _, x in ipairs(g.outs) do put(x.state, text.of(x.expr)) end
+  end
+  local r = job.ranges
+  if r then
+    put("ranges", tostring(r.attitude))
+    for i in ipairs(job.states) do
+      if r.states[i] then put(i, tostring(r.states[i].lo), tostring(r.states[i].hi)) end
+    end
+    for _, p in ipairs(r.params) do put(p.name, tostring(p.lo), tostring(p.hi)) end
+  end
+  return (string.gsub(table.concat(out, "\n"), "\n\n+", "\n"))
+end
+
+-- 128 bits of Fowler, Noll and Vo's hash (FNV-1a, twice 64 with different starts), as a file's name.
+function decision.key(question)
+  local a, b = 0xcbf29ce484222325, 0x84222325cbf29ce4
+  for i = 1, #question do
+    local c = string.byte(question, i)
+    a, b = (a ~ c) * 0x100000001b3, (b ~ c ~ 0x5a) * 0x100000001b3
+  end
+  return string.format("%016x%016x", a, b)
+end
+
+-- question, empty line, `name value` lines, end: what decision.kept reads back.
+function decision.text(question, d)
+  local out = { question, "" }
+  for _, k in ipairs(words) do
+    if d[k] then out[#out + 1] = k .. " " .. (math.type(d[k]) and string.format("%d", d[k]) or d[k]) end
+  end
+  for _, k in ipairs(lists) do
+    for _, x in ipairs(d[k] or {}) do out[#out + 1] = k .. " " .. x end
+  end
+  out[#out + 1] = "end"
+  return table.concat(out, "\n") .. "\n"
+end
+
+local known = {}
+for _, k in ipairs(words) do known[k] = "word" end
+for _, k in ipairs(lists) do known[k] = "list" end
+
+-- The decision of a text that was kept for just this question, or nil.
+function decision.kept(question, kept, count)
+  local head = question .. "\n\n"
+  if type(kept) ~= "string" or string.sub(kept, 1, #head) ~= head then return nil end
+  local d, ended = { expected = {}, bounds = {}, report = {} }, false
+  for line in string.gmatch(string.sub(kept, #head + 1), "([^\n]*)\n") do
+    if string.find(line, "[^\32-\126]") or string.find(line, "[*]/") then return nil end -- it goes into comments of C
+    local k, x = string.match(line, "^([%a_]+) (.*)$")
+    if ended then return nil end
+    if line == "end" then
+      ended = true
+    elseif known[k] == "word" then
+      d[k] = x
+    elseif known[k] == "list" then
+      d[k][#d[k] + 1] = x
+    else
+      return nil
+    end
+  end
+  if not ended then return nil end
+  if d.refused then return d end
+  d.order = d.order and math.tointeger(tonumber(d.order))
+  local whole = (d.method == "exact" or methods.by_name[d.method]) and d.title and d.accuracy_text and #d.expected == count and #d.bounds == count
+  for _, k in ipairs { "expected", "bounds" } do
+    for _, x in ipairs(d[k]) do whole = whole and R.parse(x) end
+  end
+  if d.setting ~= "none" then whole = whole and d.value_text and R.parse(d.value_text) end
+  return whole and d or nil
+end
+
+return decision

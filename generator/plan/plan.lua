@@ -1,0 +1,263 @@
+-- plan.lua -- from an accuracy to a method: which one, at which step or tolerance, and on what evidence.
+--
+-- Candidates compete at a few states (search.lua); the winner is then run from all of them, and the states where it errs
+-- most join the few until it holds everywhere.  What must hold is: the largest error, times `margin`, is below the
+-- accuracy.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local candidates = require "generator.plan.candidates"
+local ops = require "generator.plan.ops"
+local search = require "generator.plan.search"
+local states = require "generator.plan.states"
+local targets = require "generator.plan.targets"
+local trial = require "generator.plan.trial"
+local methods = require "generator.methods.list"
+
+local plan = {}
+
+-- By how much the error at states that were not tried may be larger; and where rounding leaves no room for that.
+plan.margin, plan.least_margin = 2, 1.25
+
+-- All even orders of the series: they share one compiled plugin.
+plan.orders = {}
+for order = 4, 30, 2 do plan.orders[#plan.orders + 1] = order end
+plan.top = 30
+local top = plan.top
+
+local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
+
+-- The order that NAME_taylor_run takes for a tolerance (templates/taylor_run.c, emit/taylor.lua): bits of an IEEE number as
+-- an integer are its logarithm.
+function plan.order(tolerance, real)
+  local log2
+  if real == "float" then
+    log2 = string.unpack("i4", string.pack("f", tolerance)) * 2.0 ^ -23 - 127
+  else
+    log2 = string.unpack("i8", string.pack("d", tolerance)) * 2.0 ^ -52 - 1023
+  end
+  local n = 9.5 - 0.375 * log2
+  return n < top and (n > 4 and math.floor(n) or 4) or top
+end
+
+local function total(counts)
+  return counts.add + counts.mul + counts.div + counts.sqrt + counts.call
+end
+
+local rank = { exact = 1, taylor = 2, adaptive = 3, split6 = 4, split4 = 5, midpoint = 6, split2 = 7, rk4 = 8, semi = 9 }
+local first_orders = { [16] = 1, [20] = 2, [12] = 3 }
+
+-- The candidates that compete, the promising first, with what search.lua wants to know; and those that were refused.
+-- q: the question (plan.find); code: the planned job whose code is counted.
+local function competitors(q, code)
+  local list, refused = {}, {}
+  local all = candidates.of(q.job, { methods = q.methods, real = q.real,
+    orders = q.order and { q.order } or plan.orders })
+  local seen = {}
+  for _, c in ipairs(all) do
+    local fixed = c.method == "taylor" and c.setting == "tolerance"
+    local twice = fixed and seen.taylor -- one run has all orders
+    if fixed then
+      seen.taylor = true
+      c.name, c.order = "taylor tol", q.order or top
+    end
+    local costs = not c.refused and not twice and
+      assert(ops.of(code, { method = c.method, order = c.order, setting = c.setting }))
+    if c.refused then
+      if not seen[c.method] then refused[#refused + 1] = c end
+      seen[c.method] = true
+    elseif not twice then
+      local function weight(counts) return targets.cost(q.target, q.real, counts) end
+      c.counts, c.setup_counts = costs.step, costs.setup
+      local memo = {}
+      c.counts_at = function(setting)
+        if not fixed or q.order then return costs.step end
+        local n = plan.order(setting, q.real)
+        memo[n] = memo[n] or ops.of(code, { method = "taylor", order = n, setting = "tolerance" }).step
+        return memo[n]
+      end
+      c.weight = function(setting) return weight(c.counts_at(setting)) end
+      c.setup = costs.setup and weight(costs.setup) or 0.0
+      c.power = c.order or (methods.by_name[c.method] or {}).order or 1
+      c.spread = c.power < 8 and 1.3 or 2
+      c.ops = total(costs.step) + (costs.setup and total(costs.setup) or 0)
+      if q.ops and c.ops > q.ops and not fixed then
+        c.over = true
+        refused[#refused + 1] = c
+      else
+        list[#list + 1] = c
+      end
+    end
+  end
+  local place = {}
+  for i, c in ipairs(list) do place[c] = i end
+  local function key(c)
+    return (rank[c.method] or 10) * 1000 + (c.setting == "tolerance" and 0 or first_orders[c.order] or 10) * 50 + place[c]
+  end
+  table.sort(list, function(a, b) return key(a) < key(b) end)
+  return list, refused
+end
+
+-- What serves as truth once the library has confirmed it: the closed form, or the series near rounding.
+local function surrogate(job, real)
+  if real == "float" then return nil end
+  if job.closed.full then return { { method = "exact", setting = "none" } } end
+  for _, c in ipairs(candidates.of(job, { methods = { "taylor" }, orders = { top }, real = real })) do
+    if not c.refused and c.setting == "tolerance" then return { c, 2.0 ^ -51 } end
+  end
+  return nil
+end
+
+-- The states, those first from which the candidate errs most.
+local function by_error(s, c, setting, points)
+  local e, place, sorted = {}, {}, {}
+  for i, p in ipairs(points) do
+    e[p], place[p], sorted[i] = s:worst(c, setting, { p }), i, p
+  end
+  table.sort(sorted, function(a, b)
+    if e[a] ~= e[b] then return e[a] > e[b] end
+    return place[a] < place[b]
+  end)
+  return sorted
+end
+
+-- The states with which the competition starts: the scene's own and those from which a rough run errs most.
+local function first_states(s, list, points, n)
+  local c
+  for _, x in ipairs(list) do
+    if x.setting ~= "none" then c = c or x end
+  end
+  local out = { points[1] }
+  for _, p in ipairs(c and by_error(s, c, c.setting == "tolerance" and 1e-4 or s.T / 64, points) or points) do
+    if #out < n and p ~= points[1] then out[#out + 1] = p end
+  end
+  return out
+end
+
+local many, some, few, confirmed = 128, 64, 5, 8
+
+-- All states: {setting, error, steps, cost, errors by point}.
+local function verify(s, c, setting, points)
+  local out = { candidate = c, setting = setting, error = 0.0, steps = 0.0, errors = {} }
+  for i, p in ipairs(points) do
+    local e, steps = s:worst(c, setting, { p })
+    out.errors[i], out.steps = e, out.steps + steps / #points
+    out.error = math.max(out.error, e)
+  end
+  out.cost = (c.setup or 0.0) + out.steps * c.weight(setting)
+  return out
+end
+
+-- The setting of a candidate that was good enough at few states, made so for all by the law of its order.
+local function corrected(s, r, points, limit)
+  local c, setting = r.candidate, r.setting
+  local out
+  for _ = 1, 6 do
+    if setting then setting = search.rounded(setting, c.setting == "step" and 4 or 2) end
+    out = verify(s, c, setting, points)
+    out.fits = out.error <= limit
+    if out.fits or not setting then break end
+    local ratio = math.max(1e-3, limit / out.error)
+    setting = setting * (c.setting == "step" and 0.99 * ratio ^ (1 / c.power) or 0.7 * ratio)
+  end
+  return out
+end
+
+local function add_worst(list, chosen, points, errors, n)
+  local order = {}
+  for i in ipairs(points) do order[i] = i end
+  table.sort(order, function(a, b)
+    if errors[a] ~= errors[b] then return errors[a] > errors[b] end
+    return a < b
+  end)
+  for _, i in ipairs(order) do
+    if n > 0 and not chosen[points[i]] then
+      list[#list + 1], chosen[points[i]], n = points[i], true, n - 1
+    end
+  end
+end
+
+-- The cheapest plan of the list that stays below the limit at all points, or nil; what the first round found; of what was
+-- run from all points the one that came closest.  What a candidate costs at few states is a lower bound of what it costs at all of them; so once the verified plan costs no
+-- more than `enough` times the best at few, there is nothing to win.
+local enough = 1.1
+local function compete(s, list, points, limit, real, progress)
+  local tried = { trial = s, points = first_states(s, list, points, few), epsilon = epsilon[real] }
+  local chosen, incumbent, first, closest = {}, nil, nil, nil
+  for _, p in ipairs(tried.points) do chosen[p] = true end
+  for round = 1, 6 do
+    local best, found = search.cheapest(tried, list, limit, incumbent)
+    first = first or found
+    progress(round / 6)
+    if not best then break end
+    local r = corrected(s, best, points, limit)
+    if r.fits and (not incumbent or r.cost < incumbent.cost) then incumbent = r end
+    if not closest or r.error < closest.error then closest = r end
+    if incumbent and incumbent.cost <= enough * best.cost then break end
+    add_worst(tried.points, chosen, points, r.errors, 3)
+  end
+  return incumbent, first, closest
+end
+
+-- The true motion from all points; how far it is from that, or nil and why not.
+local function truths(s, points, limit, progress)
+  local own = 0.0
+  for i, p in ipairs(points) do
+    local rows, why, doubt = true, nil, nil
+    if i <= confirmed or not s.sure then
+      doubt, why = s:doubt(p, not s.sure and i <= confirmed or i == 1)
+      rows = doubt
+      own = math.max(own, doubt or 0.0)
+      if s.sure and own > limit / 4 then return own end -- what serves as truth is not good enough
+    else
+      rows, why = s:truth(p)
+    end
+    if not rows then return nil, why end
+    progress(i / #points)
+  end
+  return own
+end
+
+-- The plan for a question q: {host, job (read), code (planned, with its methods), plugin, accuracy, real, target, ops,
+-- methods, order, progress}.  Returns
+--     {candidate, setting, error, steps, cost, counts, setup_counts, order, margin, limit, found = what the competitors
+--      showed, refused, states = number, own = error of the truth, rows = the scene's own true motion, expected = its end}
+-- or nil and {found, closest, refused, own, why}; generator/plan/decision.lua puts both into words.
+function plan.find(q)
+  local T = q.job.model:double(q.job.model.horizon)
+  local say = q.progress or function() end
+  local s = trial.new { host = q.host, job = q.job, plugin = q.plugin, T = T }
+  local list, refused = competitors(q, q.code)
+  s.sure = surrogate(q.job, q.real)
+  local points = states.points(q.job, q.real, s.sure and many or some)
+  local result = { refused = refused, found = {}, own = 0.0, least_margin = plan.least_margin }
+  local function share(from, to) return function(part) say(from + (to - from) * part) end end
+  local limit = q.accuracy / plan.margin
+  local own, why = truths(s, points, limit, share(0, 0.4))
+  if own and s.sure and own > limit / 4 then
+    s.sure, points = nil, states.points(q.job, q.real, some)
+    own, why = truths(s, points, limit, share(0, 0.4))
+  end
+  if not own then
+    result.why = "the library cannot follow the motion from all states of the ranges: " .. why
+    return nil, result
+  end
+  result.own, result.states = own, #points
+  result.rows, result.expected = points[1].truth, points[1].truth[#points[1].truth]
+  local best
+  for turn, margin in ipairs { plan.margin, plan.least_margin } do
+    if best or #list == 0 or q.accuracy / margin <= own then break end
+    limit = q.accuracy / margin - own
+    best, result.found, result.closest = compete(s, list, points, limit, q.real, share(0.2 + 0.2 * turn, 0.6 + 0.2 * turn))
+  end
+  if not best then return nil, result end
+  local c = best.candidate
+  for k, v in pairs(best) do result[k] = v end -- into a table: order is lost anyway
+  result.margin, result.limit = q.accuracy / (best.error + own), limit
+  result.counts, result.setup_counts = c.counts_at(best.setting), c.setup_counts
+  if c.method == "taylor" and c.setting == "tolerance" then
+    result.order = q.order or plan.order(best.setting, q.real)
+  end
+  return result
+end
+
+return plan

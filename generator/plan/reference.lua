@@ -1,0 +1,48 @@
+-- reference.lua -- the true motion from a given state, and how true it is.
+--
+-- The general library computes in long double: by its closed form where the scene is a free top, else by Taylor series,
+-- twice, and the difference of the two runs says how far either can be from the truth.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local numeric = require "generator.dynamics.numeric"
+local err = require "generator.plan.error"
+
+local reference = {}
+
+-- Tolerances of the series a unit of time of the motion, and of the second run.  Of the closed form nothing is smaller
+-- than the doubles that the rows are rounded to.
+local fine, coarse = 1e-18, 1e-16
+local rounding = 2.0 ^ -53
+
+-- The library's scene for the state x0; values: parameters {name -> rational} (nil: the scene's own).
+local function scene(job, x0, values)
+  local s, full = numeric.scene(job, values), numeric.whole(job, x0)
+  local after = job.model.has.position and 13 or 7
+  s.q, s.w = { table.unpack(full, 1, 4) }, { table.unpack(full, 5, 7) }
+  if after > 7 then s.r, s.v = { table.unpack(full, 8, 10) }, { table.unpack(full, 11, 13) } end
+  s.own = { table.unpack(full, after + 1) }
+  return s
+end
+
+-- The states (as the scene has them) at `times` from x0 at t = 0, and their own error in the measure of error.lua;
+-- or nil and why there is none.  quick: one run, no second: the error is then nil.
+function reference.of(host, job, x0, times, values, quick)
+  local s = scene(job, x0, values)
+  local function run(method, tolerance)
+    local rows, why = host.run(s, { method = method, tol = tolerance, times = times })
+    if not rows then return nil, why end
+    local out = {}
+    for i, row in ipairs(rows) do out[i] = numeric.part(job, row, 1) end
+    return out
+  end
+  local free = #s.effects == 0 and job.model.has.rates and not job.model.has.position
+  local rows, why = run(free and "exact" or "taylor", not free and fine or nil)
+  if not rows then return nil, why end
+  if quick then return rows end
+  local other
+  other, why = run("taylor", free and fine or coarse)
+  if not other then return nil, why end
+  return rows, (math.max(rounding, (err.of(job, other, rows))))
+end
+
+return reference

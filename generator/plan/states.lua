@@ -1,0 +1,162 @@
+-- states.lua -- the states and parameters at which a plan is tried: points that fill the scene's ranges.
+--
+-- First the scene's own, then extremes, then an even filling.  Extremes are the rows of a Hadamard matrix: up to 3
+-- quantities all corners, up to 15 such that any two meet in all four ways (Plackett, Burman 1946, Biometrika 33, 305).
+-- The filling is Kronecker's sequence with powers of the root of x^(d+1) = x + 1 (Roberts 2018, "The unreasonable
+-- effectiveness of quasirandom sequences").  No libm function decides a point, so all machines have the same ones.
+-- Without `ranges`: rates, position and velocity within 10 % of their size in each component, attitude within 0.1 rad.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local numeric = require "generator.dynamics.numeric"
+
+local states = {}
+
+local default_part, default_angle = 0.1, R.new(1, 10)
+
+-- A double that the real type holds exactly.
+local function narrow(x, real)
+  if real == "float" then return string.unpack("f", string.pack("f", x)) end
+  return x
+end
+
+-- What varies: {quantities}, each {set = function(point, u), u from 0 to 1} of one number, or of three.
+local function quantities(job, own)
+  local list, given = {}, job.ranges
+  local function put(lo, hi, set)
+    if hi > lo then list[#list + 1] = function(u) set(lo + u * (hi - lo)) end end
+  end
+  local point -- the one that is being made
+  local size = {}
+  for i, s in ipairs(job.states) do size[s.kind] = (size[s.kind] or 0.0) + own[i] ^ 2 end
+  for i, s in ipairs(job.states) do
+    local function set(x) point.x[i] = x end
+    local range = given and given.states[i]
+    if range then
+      put(R.todouble(range.lo), R.todouble(range.hi), set)
+    elseif not given and (s.kind == "rates" or s.kind == "position" or s.kind == "velocity") then
+      local d = default_part * math.sqrt(size[s.kind])
+      put(own[i] - d, own[i] + d, set)
+    end
+  end
+  for _, r in ipairs(given and given.params or {}) do
+    put(R.todouble(r.lo), R.todouble(r.hi), function(x) point.values[r.name] = x end)
+  end
+  local angle = not given and default_angle or given and given.attitude
+  if job.model.has.attitude and angle then
+    local most = angle == "any" and 1.0 or R.todouble(R.apply("sin", 200, angle / R.lift(2)))
+    for k = 1, most > 0 and 3 or 0 do
+      list[#list + 1] = function(u) point.turn[k] = 2 * u - 1 end
+    end
+    point = nil
+    return list, function(p) point = p end, most
+  end
+  return list, function(p) point = p end, 0.0
+end
+
+-- The attitude q turned by a rotation whose axis times sin(half its angle) is a point of the ball of radius `most`,
+-- from a point c of the cube [-1, 1]^3.
+local function turned(q, c, most)
+  local big, sum = 0.0, 0.0
+  for k = 1, 3 do
+    big = math.max(big, math.abs(c[k]))
+    sum = sum + c[k] ^ 2
+  end
+  local f = sum > 0 and most * big / math.sqrt(sum) or 0.0
+  local x, y, z = f * c[1], f * c[2], f * c[3]
+  local w = math.sqrt(math.max(0.0, 1 - (x * x + y * y + z * z)))
+  local r = { q[1] * w - q[2] * x - q[3] * y - q[4] * z, q[1] * x + q[2] * w + q[3] * z - q[4] * y,
+    q[1] * y + q[3] * w + q[4] * x - q[2] * z, q[1] * z + q[4] * w + q[2] * y - q[3] * x }
+  local n = math.sqrt(r[1] ^ 2 + r[2] ^ 2 + r[3] ^ 2 + r[4] ^ 2)
+  return { r[1] / n, r[2] / n, r[3] / n, r[4] / n }
+end
+
+local function odd(n) -- the number of ones in n, modulo 2
+  local p = 0
+  while n > 0 do
+    p, n = p ~ (n & 1), n >> 1
+  end
+  return p
+end
+
+-- The root of x^(d+1) = x + 1 by Newton's method from above, where it converges from one side.
+local function root(d)
+  local x = 2.0
+  for _ = 1, 100 do
+    local p = 1.0
+    for _ = 1, d do p = p * x end -- x^d
+    x = x - (p * x - x - 1) / ((d + 1) * p - 1)
+  end
+  return x
+end
+
+-- Coordinates in [0, 1]^d of the n points after the first: extremes, then the filling from its place `skip` on.
+local function coordinates(d, n, skip)
+  local list = {}
+  if d == 0 then return list end
+  local rows = d <= 3 and 2 ^ d or d <= 7 and 8 or 16
+  for i = 0, math.min(rows, n) - 1 do
+    if skip > 0 then break end
+    local u = {}
+    for k = 1, d do
+      local column = d <= 3 and 1 << (k - 1) or (k - 1) % (rows - 1) + 1
+      u[k] = odd(i // 1 & column) + 0.0
+    end
+    list[#list + 1] = u
+  end
+  local x, step = root(d), {}
+  local p = 1.0
+  for k = 1, d do
+    p = p / x
+    step[k] = p
+  end
+  local i = skip
+  while #list < n do
+    i = i + 1
+    local u = {}
+    for k = 1, d do
+      u[k] = 0.5 + i * step[k]
+      u[k] = u[k] - math.floor(u[k])
+    end
+    list[#list + 1] = u
+  end
+  return list
+end
+
+-- n points {x = state, values = {parameter = rational} or nil, params = doubles for NAME_init or nil}, representable in
+-- the real type; one where nothing varies.  skip: without the first point and the extremes, from there on in the filling.
+function states.points(job, real, n, skip)
+  local own = numeric.initial(job)
+  local list, choose, most = quantities(job, own)
+  local varies = job.ranges and #job.ranges.params > 0
+  local out = {}
+  local function put(u)
+    local point = { x = { table.unpack(own) }, values = {}, turn = { 0.0, 0.0, 0.0 } }
+    choose(point)
+    for k, set in ipairs(list) do
+      if u then set(u[k]) end
+    end
+    if most > 0 and u then
+      local first
+      for i = #job.states, 1, -1 do first = job.states[i].kind == "attitude" and i or first end
+      local q = turned({ table.unpack(own, first, first + 3) }, point.turn, most)
+      for k = 1, 4 do point.x[first + k - 1] = q[k] end
+    end
+    for i, x in ipairs(point.x) do point.x[i] = narrow(x, real) end
+    local values, params
+    if varies then
+      values, params = {}, {}
+      for i, p in ipairs(job.model.params) do
+        local x = point.values[p.name] and narrow(point.values[p.name], real)
+        values[p.name] = x and R.fromdouble(x) or p.default
+        params[i] = x or narrow(R.todouble(p.default), real)
+      end
+    end
+    out[#out + 1] = { x = point.x, values = values, params = params }
+  end
+  if not skip then put(nil) end
+  for _, u in ipairs(coordinates(#list, skip and n or n - 1, skip or 0)) do put(u) end
+  return out
+end
+
+return states

@@ -1,0 +1,110 @@
+-- trial.lua -- runs of compiled candidates against the true motion: errors and numbers of steps.
+--
+-- A run is judged where generator/plan/error.lua looks, and once more at the horizon after one uninterrupted run, which
+-- is also the one whose steps are counted.  As in the emitted NAME_advance, the tolerance of the series is that of the
+-- whole horizon, and a part of it has its share.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local err = require "generator.plan.error"
+local reference = require "generator.plan.reference"
+
+local trial = {}
+trial.__index = trial
+
+-- How the program calls the candidate's stepper: one plugin holds all orders of the series as fixed steps.
+local function called(c)
+  return c.method == "taylor" and c.setting == "step" and "taylor " .. c.order or c.method
+end
+
+-- setup: {host =, job =, plugin =, T = horizon, points =, sure = {candidate, setting} of a method that serves as truth
+-- once it has been shown to, or nil: the library is asked at every point}
+function trial.new(setup)
+  local self = setmetatable(setup, trial)
+  self.times = err.times(self.T)
+  return self
+end
+
+-- Rows of the motion from the point's state: states at the 40 times and last at T in one run, and the steps of that.
+function trial:run(c, setting, point)
+  local plugin, x, T = self.plugin, point.x, self.T
+  if point.params or self.moved then
+    if plugin:init(point.params) ~= 0 then return nil, "NAME_init refuses these parameters" end
+    self.moved = point.params ~= nil
+  end
+  if c.setting == "none" then
+    if plugin:solve(x) ~= 0 then return nil end
+    local rows = {}
+    for i, t in ipairs(self.times) do rows[i] = plugin:at(t) end
+    rows[#rows + 1] = rows[#rows]
+    return rows, 1
+  end
+  local h = c.setting == "tolerance" and { setting } or setting
+  local name = called(c)
+  local whole, steps
+  if c.setting == "tolerance" or h > T / 1600 then -- else the steps between the 40 times are as long as the others
+    whole, steps = plugin:integrate(x, nil, h, { T }, 0, name)
+    if not whole then return nil end
+  end
+  local rows
+  if c.setting == "tolerance" and c.method == "taylor" then
+    local first, later = self.times[1], { table.unpack(self.times, 2) }
+    rows = plugin:integrate(x, nil, { setting * first / T }, { first }, 0, name)
+    local rest = rows and plugin:integrate({ table.unpack(rows[1], 2) }, nil, { setting / #self.times * 0.1 }, later,
+      first, name)
+    if not rest then return nil end
+    table.move(rest, 1, #rest, 2, rows)
+  else
+    rows = plugin:integrate(x, nil, h, self.times, 0, name)
+    if not rows then return nil end
+  end
+  rows = err.states(rows)
+  rows[#rows + 1] = whole and { table.unpack(whole[1], 2) } or rows[#rows]
+  return rows, steps
+end
+
+local function with_last(rows)
+  rows[#rows + 1] = rows[#rows]
+  return rows
+end
+
+-- The true rows of a point, made once; nil and why.
+function trial:truth(point)
+  if point.truth then return point.truth end
+  local rows, why
+  if self.sure and not point.library then
+    rows, why = self:run(self.sure[1], self.sure[2], point)
+    why = why or "its motion ends in a singularity"
+  else
+    rows, why = reference.of(self.host, self.job, point.x, self.times, point.values, true)
+    if rows then rows = with_last(rows) end
+  end
+  point.truth = rows
+  return rows, why
+end
+
+-- How far `sure` is from the library at a point and, if `twice`, the library's two runs from each other: the larger.
+function trial:doubt(point, twice)
+  local rows, own = reference.of(self.host, self.job, point.x, self.times, point.values, not twice)
+  if not rows then return nil, own end
+  point.truth, point.library = with_last(rows), true
+  if not self.sure then return own or 0.0 end
+  local ours = self:run(self.sure[1], self.sure[2], point)
+  return ours and math.max(own or 0.0, (err.of(self.job, ours, point.truth))) or math.huge
+end
+
+-- The largest error of a candidate over the points and the mean of its steps.  limit: stop at the first that is above.
+-- Third result: the point of the largest error.
+function trial:worst(c, setting, points, limit)
+  local most, sum, at = 0.0, 0.0, points[1]
+  for _, p in ipairs(points) do
+    local rows, steps = self:run(c, setting, p)
+    local e = rows and err.of(self.job, rows, assert(self:truth(p))) or math.huge
+    if c.setting == "step" then steps = math.ceil(self.T / setting * (1 - 1e-12)) end
+    sum = sum + (steps or 0)
+    if e > most then most, at = e, p end
+    if limit and e > limit then return most, steps or math.huge, at end
+  end
+  return most, sum / #points, at
+end
+
+return trial
