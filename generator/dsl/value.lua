@@ -124,7 +124,9 @@ local function sum(what, f)
         dim = bare(x) and x.dim or y.dim -- the other one's number is meant so
       end
     end
-    return new(guarded(what, f, x.e, y.e), dim, plain and dim and (bare(x) or bare(y)) and "bare" or plain)
+    local e = guarded(what, f, x.e, y.e)
+    local fixed = dim and e ~= expr.zero and (bare(x) or bare(y)) -- zero is of any unit
+    return new(e, dim, plain and (fixed and "bare" or true))
   end
 end
 
