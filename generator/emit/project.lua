@@ -25,8 +25,8 @@ local license = "SPDX-License-Identifier: MIT-0"
 
 local function libm(real)
   local v = {}
-  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor",
-    "fma" } do
+  for _, fn in ipairs { "fabs", "copysign", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log",
+    "floor", "fma" } do
     v[fn] = real == "float" and fn .. "f" or fn
   end
   v.huge = real == "float" and "HUGE_VALF" or "HUGE_VAL"
@@ -122,14 +122,29 @@ local function function_values(list)
   return out
 end
 
+local function cost_row(name, c)
+  local row = { name = name }
+  for _, k in ipairs { "add", "mul", "div", "sqrt", "call" } do row[k] = string.format("%d", c[k] or 0) end
+  return row
+end
+
 local function costs(list)
   local out = {}
-  for i, f in ipairs(list) do
-    local c = f.cost
-    local function n(k) return string.format("%d", c[k] or 0) end
-    out[i] = { name = f.name, add = n "add", mul = n "mul", div = n "div", sqrt = n "sqrt", call = n "call" }
-  end
+  for i, f in ipairs(list) do out[i] = cost_row(f.name, f.cost) end
   return out
+end
+
+-- The cost sheet's rows for README.md (report/costs.lua): the table of cycles, and operations of what is a template.
+local function sheet(job, v)
+  local known = {}
+  for _, f in ipairs(v.costs) do known[f.name] = true end
+  v.sheet = {}
+  local list, names = job.sheet()
+  for i, row in ipairs(list) do
+    v.sheet[i] = { name = row.name, cycles = table.concat(row.cycles, " | ") }
+    if not known[row.name] then v.costs[#v.costs + 1] = cost_row(row.name, row.counts) end
+  end
+  v.sheet_head, v.sheet_rule = table.concat(names, " | "), string.rep("---|", #names)
 end
 
 -- "rhs: 12 additions, 24 multiplications": what one call costs, for the banner.
@@ -277,6 +292,8 @@ function project.files(job, plugin)
   local header, text, v, ctx = code(job)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   vectors.fill(job, v, ctx)
+  job.code = { header = header, source = text }
+  sheet(job, v)
   local n = job.model.name
   local files = {
     { name = n .. ".h", text = header },

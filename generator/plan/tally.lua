@@ -19,7 +19,8 @@ local library = {}
 for _, name in ipairs(LIBRARY) do library[name], library[name .. "f"] = name, name end
 
 -- Which of two costs is the larger, roughly.
-local WEIGHT = { add = 1, mul = 1, div = 4, sqrt = 6, fma = 1, cmp = 0.5, conv = 0.5 }
+local WEIGHT = { add = 1, mul = 1, div = 4, sqrt = 6, fma = 1, cmp = 0.5, conv = 0.5, conv64 = 0.5, mem = 0,
+  long = 0.5 }
 local function weight(c)
   local sum = 0
   for name, n in pairs(c) do sum = sum + n * (WEIGHT[name] or 30) end -- a sum of few exact terms: in any order
@@ -232,7 +233,7 @@ end
 -- The text with two kinds of comments as words of their own: how often a loop runs where the numbers decide, and a
 -- branch that is not counted.
 local function hinted(text)
-  text = string.gsub(string.gsub(text, "/%* some (%d+) times %*/", "@ %1"), "/%* rare %*/", "@ rare")
+  text = string.gsub(string.gsub(text, "/%* some (%d+) times %*/", "@ %1"), "/%* rare[^*]*%*/", "@ rare")
   return (string.gsub(text, "/%*.-%*/", " "))
 end
 

@@ -2,8 +2,9 @@
 -- fma.t - fused multiplication is used only where the processor has it in the real type.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- A Cortex-M4F says __ARM_FEATURE_FMA and fuses in float alone (__ARM_FP 4); newlib's fma() of doubles is a*b + c, rounded
--- twice, so that the low part of a pair's product would be lost.  The preprocessor is told what such processors say.
+-- A Cortex-M4F says __ARM_FEATURE_FMA and fuses in float alone (__ARM_FP 4); newlib's fma() of doubles is a*b + c,
+-- rounded twice, so that the low part of a pair's product would be lost.  The preprocessor is told what such processors
+-- say.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath

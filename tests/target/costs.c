@@ -8,10 +8,10 @@
 #include "costs.h"
 #include <math.h>
 
-#define N 16
+#define N           16
 #define JOIN_(a, b) a##b
-#define JOIN(a, b) JOIN_(a, b)
-#define FN(name) JOIN(name, F)
+#define JOIN(a, b)  JOIN_(a, b)
+#define FN(name)    JOIN(name, F)
 
 static volatile REAL given[2][N] = {
     {0.7853981633974483, -3.1, 12.25, -0.031415926, 5.4321, 0.0021, -250.75, 1.0625, -0.333333333,
@@ -20,6 +20,7 @@ static volatile REAL given[2][N] = {
      0.0999, -3.3333333, 8.25, 55.5, -0.70710678}};
 REAL a[N], b[N], angle[N], positive[N], part[N], out[N];
 int number[N];
+long long large[N];
 
 #define LOOP(what)                                                                                 \
   begin();                                                                                         \
@@ -37,6 +38,7 @@ int main(void) {
     positive[i] = (a[i] < 0 ? -a[i] : a[i]);
     part[i] = (REAL)0.121 * (REAL)(i - 8) + (REAL)0.0171; /* within (-1, 1) */
     number[i] = 37 * i - 200;
+    large[i] = 1234567890123LL * (i + 1);
   }
   __asm__ volatile("" ::: "memory");
   LOOP(out[i] = a[i]);
@@ -47,6 +49,8 @@ int main(void) {
   LOOP(number[i] += a[i] < b[i]);
   LOOP(out[i] = (REAL)number[i]);
   LOOP(number[i] = (int)a[i]);
+  LOOP(out[i] = (REAL)large[i]);
+  LOOP(large[i] = (large[i] * 12345678901LL + 77) >> 3);
   LOOP(out[i] = FN(fma)(a[i], b[i], angle[i]));
   UNARY(sin, angle);
   UNARY(cos, angle);

@@ -1,15 +1,15 @@
-/* steps.c - firmware that calls each stepper and each function of the closed form of an emitted scene
-   once, for costs.lua to count. SCENE: its name; SCENE_H its header's.
+/* steps.c - firmware that calls each stepper and each function of the closed form of an emitted
+   scene once, for costs.lua to count. SCENE: its name; SCENE_H its header's.
    SPDX-License-Identifier: GPL-3.0-or-later
 
-   The calls, in the order that costs.lua knows: nothing, rk4, semi, midpoint, taylor, split4, solve,
-   set_tick, at, at_tick. The status is 0 if all states are finite. */
+   The calls, in the order that costs.lua knows: nothing, rk4, semi, midpoint, taylor, split4,
+   solve, set_tick, at, at_tick. The status is 0 if all states are finite. */
 #include SCENE_H
 #include "costs.h"
 
 #define JOIN_(a, b) a##_##b
-#define JOIN(a, b) JOIN_(a, b)
-#define FN(name) JOIN(SCENE, name)
+#define JOIN(a, b)  JOIN_(a, b)
+#define FN(name)    JOIN(SCENE, name)
 typedef FN(real) real;
 
 static volatile real when = (real)12.345, step = (real)0.001;
