@@ -209,6 +209,7 @@ local function document(f)
     costs[i] = string.format("%-16s %4d + -  %4d *  %3d /  %2d sqrt  %2d calls", c.fn, c.add, c.mul, c.div, c.sqrt,
       c.call)
   end
+  if f.job.asked then section("Asked for", f.job.asked) end
   section("Operations of the emitted functions", costs)
   section("Operations of the right-hand side, by what calls for them", attribution.lines(attribution.of(f.job)))
   local warnings = {}
@@ -329,7 +330,7 @@ function writers.json(f)
     { "principal", object { { "moments", f.moments }, { "axes", f.axes } } }, { "symmetry", f.symmetry },
     { "closed_form", closed }, { "stability", stability },
     { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
-    { "rhs", attribution.json(attribution.of(f.job), object) },
+    { "rhs", attribution.json(attribution.of(f.job), object) }, { "asked", f.job.asked },
     { "warnings", warnings } })
 end
 
