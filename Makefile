@@ -262,6 +262,10 @@ drift: $(PROGRAM)
 target-cost: $(PROGRAM)
 	@$(LUA) tests/target/cost.lua $(PROGRAM) $(BUILD)/target
 
+# What operations take on small processors: generator/plan/measured.lua and the tables of docs/targets.md.
+target-costs: $(PROGRAM) $(BUILD)/lua/polhode_rational.so
+	@$(LUA) tests/target/costs.lua $(PROGRAM) $(BUILD)/target generator/plan/measured.lua docs/targets.md
+
 # One body through the whole chain; each step shows the command that makes it.
 DEMO = bodies/brick.lua
 say  = @printf '\n\033[1m%s\033[0m\n' "$(1)"
@@ -338,7 +342,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check test sanitize sanitized golden docs bench drift errormap target-cost demo install clean FORCE \
+.PHONY: all tests check test sanitize sanitized golden docs bench drift errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

@@ -22,6 +22,7 @@ local quantities = require "generator.dynamics.quantities"
 local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
 local methods = require "generator.methods.list"
+local costs = require "generator.report.costs"
 local derivation = require "generator.report.derivation"
 local number = require "generator.emit.number"
 local project = require "generator.emit.project"
@@ -116,6 +117,10 @@ function driver.plan(job, options)
   job.real, job.command = options.real or "double", options.command
   job.title, job.banner = derivation.title(job), derivation.banner(job)
   job.derivation = derivation.markdown(job)
+  job.sheet = function(set_up)
+    driver.code(job)
+    return costs.rows(job, set_up), costs.targets
+  end
   return job
 end
 

@@ -91,8 +91,15 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
   int steps, k, fresh = 1;
 
   for (steps = 0; steps < most; steps++) {
+%% if has_knots then
+    const ${name}_real end = ${name}_knot(m, t, t1), left = (end - t) - lost; /* from corner to corner */
+%% else
     const ${name}_real left = (t1 - t) - lost;
+%% end
     ${name}_real r, factor, next_t;
+%% if has_knots then
+    ${name}_real whole = h;
+%% end
     int last;
 
     if (!(left > ${zero} || left < ${zero})) return steps;
@@ -115,7 +122,18 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
     ${name}_adaptive_take(out, x);
     for (k = 0; k < ${adaptive_count}; k++) k1[k] = k7[k];
     fresh = 0;
+%% if has_knots then
+    if (last) {
+      if (!(end < t1 || end > t1)) return steps + 1;
+      t = end;
+      lost = ${zero};
+      h *= factor;
+      if (${fabs}(whole) > ${fabs}(h)) h = whole; /* it was cut short */
+      continue;
+    }
+%% else
     if (last) return steps + 1;
+%% end
     next_t = t + (h + lost);
     lost = (h + lost) - (next_t - t);
     t = next_t;

@@ -19,7 +19,7 @@ ${upper}_INLINE ${name}_pair ${name}_passed(const ${name}_real b[4], ${name}_rea
 {
   ${name}_pair p;
 
-#if defined ${fast_fma} || defined __${fast_fma} || defined __FMA__ || defined __ARM_FEATURE_FMA
+#if defined ${fast_fma} || defined __${fast_fma} || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & ${arm_fma}))
   (void)head;
   (void)tail;
   p.hi = ${fma}(b[0], t, ${zero}); /* no compiler may fuse this one */

@@ -21,7 +21,7 @@ static ${name}_pair ${name}_pair_sum(${name}_real a, ${name}_real b)
  * spoil Dekker's halves: there it is used, and volatile keeps hi what it is. */
 static ${name}_pair ${name}_pair_product(${name}_real a, ${name}_real b)
 {
-#if defined ${fast_fma} || defined __${fast_fma} || defined __FMA__ || defined __ARM_FEATURE_FMA
+#if defined ${fast_fma} || defined __${fast_fma} || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & ${arm_fma}))
   const volatile ${name}_real high = a*b;
   ${name}_pair p;
 

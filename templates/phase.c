@@ -4,7 +4,7 @@ ${upper}_INLINE ${name}_pair ${name}_phase(${name}_pair a, const ${name}_real b[
 {
   ${name}_pair p;
   ${name}_real sum, part;
-#if defined ${fast_fma} || defined __${fast_fma} || defined __FMA__ || defined __ARM_FEATURE_FMA
+#if defined ${fast_fma} || defined __${fast_fma} || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & ${arm_fma}))
 
   p.hi = ${fma}(b[0], t, ${zero}); /* no compiler may fuse this one */
   p.lo = ${fma}(b[0], t, -p.hi);

@@ -222,6 +222,26 @@ static void plugin_at_loop(const void *o, double t0, double h, double *x, long n
 %% end
   widen(${upper}_NX, y, x);
 }
+%%   if has_full then
+
+static void plugin_many_loop(const void *o, double t0, double h, double *x, long n)
+{
+  enum { MANY = 64 };
+  const real start = (real)t0, size = (real)h;
+  real t[MANY], y[${upper}_NX*MANY];
+  long i;
+
+  for (i = 0; i < n; i += MANY) {
+    const int count = n - i < MANY ? (int)(n - i) : (int)MANY;
+    int k;
+
+    for (k = 0; k < count; k++) t[k] = start + (real)(i + k)*size;
+    ${name}_at_many((const ${name}_orbit *)o, count, t, y);
+    if (i + count < n) continue;
+    for (k = 0; k < ${upper}_NX; k++) x[k] = (double)y[(k + 1)*count - 1];
+  }
+}
+%%   end
 %% end
 %% if has_peers then
 
@@ -229,6 +249,10 @@ int plugin_peer_rhs(double t, const double x[], double dx[], void *place); /* pe
 void plugin_hand_rk4(void *place, double t0, double x[], double h, long n);
 %% end
 
+/* the one name that is seen from outside: all others are hidden, so that calls need not go through a table */
+#if defined __GNUC__
+__attribute__((visibility("default")))
+#endif
 const struct polhode_plugin *polhode_plugin(void);
 
 const struct polhode_plugin *polhode_plugin(void)
@@ -273,8 +297,13 @@ const struct polhode_plugin *polhode_plugin(void)
 %% end
 %% if has_closed then
     plugin_solve, plugin_at, plugin_solve_loop, plugin_at_loop,
+%%   if has_full then
+    plugin_many_loop,
+%%   else
+    NULL,
+%%   end
 %% else
-    NULL, NULL, NULL, NULL,
+    NULL, NULL, NULL, NULL, NULL,
 %% end
 %% if has_peers then
     plugin_peer_rhs, plugin_hand_rk4

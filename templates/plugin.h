@@ -54,7 +54,7 @@ struct polhode_plugin {
   void (*jacobian)(const void *m, double t, const double *x, const double *u, double *J);
   double (*energy)(const void *m, const double *x);              /* J */
   void (*momentum)(const void *m, const double *x, double L[3]); /* inertial axes, N m s */
-  double (*integral)(const void *m, double t, const double *x); /* Jacobi's, J */
+  double (*integral)(const void *m, double t, const double *x);  /* Jacobi's, J */
 
   /* closed form: 0 and the orbit through x0 at t = 0, or why there is none; then the state at t */
   int (*solve)(void *o, const void *m, const double *x0);
@@ -63,6 +63,8 @@ struct polhode_plugin {
    * last */
   int (*solve_loop)(void *o, const void *m, const double *x0, long n);
   void (*at_loop)(const void *o, double t0, double h, double *x, long n);
+  /* the same evaluations, many at a time; NULL: the emitted code has one at a time only */
+  void (*many_loop)(const void *o, double t0, double h, double *x, long n);
 
   /* for comparisons, if they were asked for and the scene is in double: the right-hand side as GSL
    * calls it (place: a polhode_place), and n steps of a plain RK4 around it */

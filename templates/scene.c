@@ -33,6 +33,10 @@ ${exact_source}
 %% if has_order then
 ${order_source}
 %% end
+%% if split_setup then
+static int ${name}_split_setup(${name}_model *m);
+
+%% end
 int ${name}_init(${name}_model *m, const ${name}_real p[])
 {
   ${name}_model k;
@@ -64,6 +68,9 @@ int ${name}_init(${name}_model *m, const ${name}_real p[])
 %% end
 %% if has_order then
   ${name}_order(p, k.order);
+%% end
+%% if split_setup then
+  if (${name}_split_setup(&k)) return ${split_code};
 %% end
 %% if no_members then
   k.empty = 0;

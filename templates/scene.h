@@ -59,6 +59,13 @@ typedef struct ${name}_model {
 %% if has_order then
   int order[3]; /* which moments are larger, see ${name}_spin_stable */
 %% end
+%% if split_setup then
+  /* splitting: the axes of the least and of the greatest moment, b and c; Ia the middle one; I/Ia = U^T D U with
+   * U = {{1, u[0], u[1]}, {0, 1, u[2]}, {0, 0, 1}} */
+  ${name}_real split_b[3], split_c[3];
+  ${name}_real split_fb, split_fc; /* (Ia - Ib)/Ib, (Ia - Ic)/Ic */
+  ${name}_real split_u[3], split_d[3];
+%% end
 %% if no_members then
   char empty; /* every constant is in the code */
 %% end

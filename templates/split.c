@@ -48,6 +48,55 @@ static void ${name}_split_along(${name}_real x[], const ${name}_real p[3], ${nam
 }
 
 %%     end
+%%     if split_full then
+/* About the axis k, a unit vector, by twice the angle a, in the sense of ${name}_split_along; 1 - cos is added apart, so
+ * that the length of w does not creep. */
+static void ${name}_split_about(${name}_real x[], const ${name}_real k[3], ${name}_real a)
+{
+  ${name}_real *w = x + ${upper}_WX;
+  ${name}_real e[3], f[3], c, s;
+  int i;
+
+  for (i = 0; i < 3; i++) e[i] = a*k[i];
+  ${name}_split_half(e[0]*e[0] + e[1]*e[1] + e[2]*e[2], &c, &s);
+  for (i = 0; i < 3; i++) e[i] *= s;
+%%       if split_attitude then
+  ${name}_split_turn(x, c, e);
+%%       end
+  /* w -= 2 e x (c w - e x w) */
+  f[0] = c*w[0] - (e[1]*w[2] - e[2]*w[1]);
+  f[1] = c*w[1] - (e[2]*w[0] - e[0]*w[2]);
+  f[2] = c*w[2] - (e[0]*w[1] - e[1]*w[0]);
+  w[0] -= ${two}*(e[1]*f[2] - e[2]*f[1]);
+  w[1] -= ${two}*(e[2]*f[0] - e[0]*f[2]);
+  w[2] -= ${two}*(e[0]*f[1] - e[1]*f[0]);
+}
+
+/* What the drift needs of the tensor, into the model; 1 if it is not finite. */
+static int ${name}_split_setup(${name}_model *m)
+{
+  ${name}_real I[6], moments[3], axes[9], *u = m->split_u, *d = m->split_d;
+  int i;
+
+  ${name}_inertia(m, I);
+  if (${name}_principal_of(I, moments, axes)) return 1;
+  for (i = 0; i < 3; i++) {
+    m->split_b[i] = axes[i];
+    m->split_c[i] = axes[6 + i];
+  }
+  m->split_fb = (moments[1] - moments[0])/moments[0];
+  m->split_fc = (moments[1] - moments[2])/moments[2];
+  for (i = 0; i < 6; i++) I[i] /= moments[1];
+  d[0] = I[0];
+  u[0] = I[3]/d[0];
+  u[1] = I[4]/d[0];
+  d[1] = I[1] - u[0]*I[3];
+  u[2] = (I[5] - u[0]*I[4])/d[1];
+  d[2] = I[2] - u[1]*I[4] - u[2]*(u[2]*d[1]);
+  return !(m->split_fb - m->split_fb == ${zero}) || !(u[2] - u[2] == ${zero}) || !(d[2] > ${zero});
+}
+
+%%     end
 %%     if split_axis or split_diagonal then
 /* About the body's axis i by twice the angle a; j and k follow i in cyclic order.  1 - cos is added apart, so that the
  * length of (w[j], w[k]) does not creep. */
@@ -79,13 +128,13 @@ static void ${name}_split_about(${name}_real x[], int i, int j, int k, ${name}_r
 
 %%     end
 %%   end
-%%   if split_diagonal then
+%%   if split_inner_runs then
 /* The free body over a time tau, with p = L/Ia in the place of the rates: the rotation about L, and those about two axes
  * n times in turn */
 %%   else
 /* The free body over a time tau */
 %%   end
-%%   if split_diagonal then
+%%   if split_inner_runs then
 static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name}_real tau, int n, const ${name}_real a[], const ${name}_real b[])
 %%   else
 static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name}_real tau)
@@ -110,6 +159,36 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
   }
   w[${split_bi}] /= ${split_gb};
   w[${split_ci}] /= ${split_gc};
+%%   end
+%%   if split_full then
+  const ${name}_real *u = m->split_u, *d = m->split_d, *k = m->split_b, *l = m->split_c;
+  const ${name}_real half = ${half}*tau;
+  ${name}_real w0[3], p0[3];
+  int i;
+
+  /* p = U^T D U w */
+  for (i = 0; i < 3; i++) w0[i] = w[i];
+  w[0] += u[0]*w[1] + u[1]*w[2];
+  w[1] += u[2]*w[2];
+  for (i = 0; i < 3; i++) w[i] *= d[i];
+  w[2] += u[1]*w[0] + u[2]*w[1];
+  w[1] += u[0]*w[0];
+  for (i = 0; i < 3; i++) p0[i] = w[i];
+%%     if split_attitude then
+  ${name}_split_along(x, w, tau);
+%%     end
+  for (i = 0; i <= n; i++) {
+    ${name}_split_about(x, k, a[i]*half*(m->split_fb*(k[0]*w[0] + k[1]*w[1] + k[2]*w[2])));
+    if (i < n) ${name}_split_about(x, l, b[i]*half*(m->split_fc*(l[0]*w[0] + l[1]*w[1] + l[2]*w[2])));
+  }
+  /* the same steps back, for the change */
+  for (i = 0; i < 3; i++) w[i] -= p0[i];
+  w[1] -= u[0]*w[0];
+  w[2] -= u[1]*w[0] + u[2]*w[1];
+  for (i = 0; i < 3; i++) w[i] /= d[i];
+  w[1] -= u[2]*w[2];
+  w[0] -= u[0]*w[1] + u[1]*w[2];
+  for (i = 0; i < 3; i++) w[i] += w0[i];
 %%   end
 %%   if split_axis then
   const ${name}_real spin = ${split_c}*w[${split_i}] + ${split_h}; /* |L|/I1 along the axis less the rate */
@@ -232,7 +311,7 @@ void ${name}_${split_method}_step(const ${name}_model *m, ${name}_real t, ${name
 %%   end
   };
 %% end
-%% if split_diagonal then
+%% if split_inner_runs then
   static const ${name}_real a[] = { /* the free body's own splitting */
 %%   for _, s in ipairs(split_inner.a) do
     ${s},
@@ -252,7 +331,7 @@ void ${name}_${split_method}_step(const ${name}_model *m, ${name}_real t, ${name
 %% end
 
 %% if split_kicks then
-%%   if split_diagonal then
+%%   if split_inner_runs then
   for (i = 0; i < ${split_outer.n}; i++) {
     ${name}_split_drift(m, x, drift[i]*h, ${split_inner.n}, a, b);
     ${name}_split_kick(m, t + at[i]*h, x, u, kick[i]*h);
@@ -268,7 +347,7 @@ void ${name}_${split_method}_step(const ${name}_model *m, ${name}_real t, ${name
 %% else
   (void)t;
   (void)u;
-%%   if split_diagonal then
+%%   if split_inner_runs then
   ${name}_split_drift(m, x, h, ${split_inner.n}, a, b);
 %%   else
   ${name}_split_drift(m, x, h);

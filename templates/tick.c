@@ -22,7 +22,7 @@ void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[])
 
   p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > ${zero} ? -${half} : ${half}) : ${zero};
   p.low = low;
-  if (!(o->half < ${no_period})) { /* the separatrix has no period */
+  if (!(o->half < ${no_period})) { /* rare: the separatrix has no period */
     const ${name}_pair t = ${name}_pair_product((${name}_real)n, o->tick);
 
     p = ${name}_reduce(o, t.hi);

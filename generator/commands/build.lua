@@ -20,7 +20,8 @@ local function prepare(host, item, dir, i)
   dir = dir .. "/" .. string.format("%d", i)
   local ok, why = host.write_files(dir, files)
   if not ok then return nil, why end
-  local sources, flags = { job.model.name .. ".c", "plugin.c" }, { "-shared", "-fPIC" }
+  -- hidden: compilers may inline and call as in a program that the code is linked into
+  local sources, flags = { job.model.name .. ".c", "plugin.c" }, { "-shared", "-fPIC", "-fvisibility=hidden" }
   for _, f in ipairs(files) do
     if f.name == "peers.c" then sources[3] = f.name end
   end

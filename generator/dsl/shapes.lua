@@ -161,7 +161,6 @@ local function normalised(q)
   local n = q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2
   return vec.map(q, function(x) return x / expr.sqrt(n) end)
 end
-shapes.normalised = normalised
 
 -- {axis = "x" | {..}, angle =} or {quaternion = {..}} as a unit quaternion; nil after an error.
 function shapes.rotation(c, line, what, given)

@@ -1,21 +1,30 @@
 -- breaks.lua -- where the equations of motion are not smooth: at |e| with e = 0.
 --
--- A table over time is a sum of |t - t_i|: the times are known.  What else stands between bars may vanish anywhere, as
--- may what an effect names itself (`corners`).  Checks of a stepper's order stay between the breaks.  ABOVE the line.
+-- A table over time is a sum of |t - t_i|: the times are known, steppers with a tolerance stop there (knots).  What
+-- else stands between bars may vanish anywhere, as may what an effect names itself (`corners`).  Checks of a stepper's
+-- order stay between the breaks.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local motion = require "generator.algebra.motion"
+local ratio = require "generator.algebra.ratio"
 local context = require "generator.dynamics.context"
 local equations = require "generator.dynamics.equations"
 
 local breaks = {}
 
+-- The derived constants by parameters.
+local function constants(m)
+  local map = {}
+  for _, member in ipairs(m.members) do map[member.sym] = member.e end
+  return map
+end
+
 -- All |e| in the equations, with parameters put in: a list of e.
 local function bars(eq)
-  local list, seen, map = {}, {}, {}
-  for _, member in ipairs(eq.model.members) do map[member.sym] = member.e end
+  local list, seen, map = {}, {}, constants(eq.model)
   local function walk(e)
     if seen[e] then return end
     seen[e] = true
@@ -28,6 +37,45 @@ local function bars(eq)
   return list
 end
 
+local t = motion.sym "t"
+
+-- |e| with e linear in time and constant beside: its slope and its zero as expressions of constants, or nil.
+local function ramp(e)
+  local slope, rest = calculus.diff(e, t), calculus.substitute(e, { [t] = expr.zero })
+  if motion.free(slope) and motion.free(rest) then return slope, ratio.tidy(-rest / slope) end
+end
+
+-- The corners at times that are known, in their order for the parameters' defaults: a list of {time, bars = {|e| ->
+-- the positive factor of |t - time| in it}}; the times are numbers or derived constants.
+function breaks.knots(eq)
+  local m, list, at, seen = eq.model, {}, {}, {}
+  local function walk(e)
+    if seen[e] then return end
+    seen[e] = true
+    local slope, time
+    if e.kind == "call" and e.fn == "abs" and not motion.free(e) then slope, time = ramp(e[1]) end
+    if time then
+      if time.kind ~= "num" and time.kind ~= "sym" then time = m:derived(time, "corner of ") end
+      if not at[time] then
+        at[time] = { time = time, bars = {}, value = m:number(calculus.substitute(time, constants(m))) }
+        list[#list + 1] = at[time]
+      end
+      at[time].bars[e] = expr.call("abs", slope)
+    end
+    for _, c in ipairs(expr.children(e)) do walk(c) end
+  end
+  for _, g in ipairs(eq.groups) do
+    for _, d in ipairs(g.defs) do walk(d.expr) end
+    for _, o in ipairs(g.outs) do walk(o.expr) end
+  end
+  for i, k in ipairs(list) do k.place = i end
+  table.sort(list, function(a, b)
+    local d = R.sign(a.value - b.value)
+    return d < 0 or d == 0 and a.place < b.place
+  end)
+  return list
+end
+
 -- The names of states and time.
 local function moving(m)
   local set = { t = true }
@@ -35,21 +83,14 @@ local function moving(m)
   return set
 end
 
--- The time at which e vanishes for the parameters' defaults (a rational) if it depends on time alone, and is known.
-local function known(m, e)
-  local t = motion.sym "t"
-  local slope, rest = calculus.diff(e, t), calculus.substitute(e, { [t] = expr.zero })
-  if motion.free(slope) and motion.free(rest) then return m:number(-rest / slope) end
-  return nil
-end
-
--- The first time after 0 at which the equations are not smooth, for the parameters' defaults, or nil; second result:
--- what else stands between bars and vanishes at times that nobody knows, a list of expressions.
+-- The first time after 0 at which the equations are not smooth, for the parameters' defaults (a rational), or nil;
+-- second result: what else stands between bars and vanishes at times that nobody knows, a list of expressions, or nil.
 function breaks.first(eq)
   local m, first, unknown = eq.model, nil, {}
   for _, e in ipairs(bars(eq)) do
-    local time = known(m, e)
-    if time then
+    local _, at = ramp(e)
+    if at then
+      local time = m:number(at)
       if time > m:number(expr.zero) and (not first or time < first) then first = time end
     elseif not expr.constant(e, moving(m)) then -- inputs are held
       unknown[#unknown + 1] = e

@@ -14,6 +14,7 @@ local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
 local stability = require "generator.emit.stability"
+local split = require "generator.emit.split"
 local steppers = require "generator.emit.steppers"
 local selftest = require "generator.emit.selftest"
 local vectors = require "generator.emit.vectors"
@@ -24,12 +25,13 @@ local license = "SPDX-License-Identifier: MIT-0"
 
 local function libm(real)
   local v = {}
-  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor",
-    "fma" } do
+  for _, fn in ipairs { "fabs", "copysign", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log",
+    "floor", "fma" } do
     v[fn] = real == "float" and fn .. "f" or fn
   end
   v.huge = real == "float" and "HUGE_VALF" or "HUGE_VAL"
   v.fast_fma = real == "float" and "FP_FAST_FMAF" or "FP_FAST_FMA"
+  v.arm_fma = real == "float" and "4" or "8" -- the bit of __ARM_FP: a Cortex-M4F fuses in float only
   return v
 end
 
@@ -120,14 +122,29 @@ local function function_values(list)
   return out
 end
 
+local function cost_row(name, c)
+  local row = { name = name }
+  for _, k in ipairs { "add", "mul", "div", "sqrt", "call" } do row[k] = string.format("%d", c[k] or 0) end
+  return row
+end
+
 local function costs(list)
   local out = {}
-  for i, f in ipairs(list) do
-    local c = f.cost
-    local function n(k) return string.format("%d", c[k] or 0) end
-    out[i] = { name = f.name, add = n "add", mul = n "mul", div = n "div", sqrt = n "sqrt", call = n "call" }
-  end
+  for i, f in ipairs(list) do out[i] = cost_row(f.name, f.cost) end
   return out
+end
+
+-- The cost sheet's rows for README.md (report/costs.lua): the table of cycles, and operations of what is a template.
+local function sheet(job, v)
+  local known = {}
+  for _, f in ipairs(v.costs) do known[f.name] = true end
+  v.sheet = {}
+  local list, names = job.sheet()
+  for i, row in ipairs(list) do
+    v.sheet[i] = { name = row.name, cycles = table.concat(row.cycles, " | ") }
+    if not known[row.name] then v.costs[#v.costs + 1] = cost_row(row.name, row.counts) end
+  end
+  v.sheet_head, v.sheet_rule = table.concat(names, " | "), string.rep("---|", #names)
 end
 
 -- "rhs: 12 additions, 24 multiplications": what one call costs, for the banner.
@@ -182,7 +199,8 @@ local function common(job)
   v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
-  v.no_members = #m.members == 0 and not v.has_order
+  split.setup(job, v)
+  v.no_members = #m.members == 0 and not v.has_order and not v.split_setup
   return v, ctx
 end
 
@@ -274,6 +292,8 @@ function project.files(job, plugin)
   local header, text, v, ctx = code(job)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   vectors.fill(job, v, ctx)
+  job.code = { header = header, source = text }
+  sheet(job, v)
   local n = job.model.name
   local files = {
     { name = n .. ".h", text = header },

@@ -40,6 +40,21 @@ local function constant(e, real)
   return "m->" .. e.name
 end
 
+-- Does a method of the job need the axes that NAME_init finds?  Its check then has a number.
+function split.setup(job, v)
+  v.split_setup = false
+  for _, s in ipairs(job.steppers) do
+    v.split_setup = v.split_setup or s.method.template == "split" and s.program.drift.kind == "full"
+  end
+  if not v.split_setup then return end
+  local list, text_of_it = v.checks, "every derived constant must be finite"
+  if list[#list].text ~= text_of_it then
+    list[list[#list].number == "-" and #list or #list + 1] = { text = text_of_it }
+    list[#list].number = text(#list)
+  end
+  v.split_code = list[#list].number
+end
+
 -- Fills the template's values for the program of methods/split.lua; what the methods share is printed with the first.
 function split.fill(ctx, program, v)
   local upper = ctx.upper
@@ -52,7 +67,8 @@ function split.fill(ctx, program, v)
   v.split_kicks, v.split_slowed = #program.kicked > 0, program.slowed
   local d = program.drift
   v.split_sphere, v.split_axis = d.kind == "sphere", d.kind == "axis"
-  v.split_oblique, v.split_diagonal = d.kind == "oblique", d.kind == "diagonal"
+  v.split_oblique, v.split_diagonal, v.split_full = d.kind == "oblique", d.kind == "diagonal", d.kind == "full"
+  v.split_inner_runs = v.split_diagonal or v.split_full
   v.split_turns, v.split_attitude, v.split_moves = program.has.rates, program.has.attitude, program.has.position
   for name, e in pairs(d.constants) do v[name] = constant(e, ctx.real) end -- into a table: order is lost anyway
   local function numbers(i) return i and text(i - 1) or "", i and text(i % 3) or "", i and text((i + 1) % 3) or "" end

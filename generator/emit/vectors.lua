@@ -229,7 +229,7 @@ function vectors.fill(job, v, ctx)
     "acceleration: Coriolis, Euler, centrifugal, total", function(o) return term[o.array] + o.index + 1 end)
   case("jacobian", nx * nx, xs[2].values, p .. "jacobian(&m, " .. v.zero .. ", x2, u, got)",
     "Jacobian of the equations at state 2", by_index)
-  local short = R.fromdouble(R.tofloat(time / R.new(32)))
+  local short = R.round(time / R.new(32), 24)
   of_steps(job, v, epsilon, short, real)
   local np = #m.params
   case("jacobian_u", nx * #job.input_states, xs[2].values, p .. "jacobian_u(&m, " .. v.zero .. ", x2, u, got)",
@@ -275,7 +275,13 @@ function vectors.fill(job, v, ctx)
   -- The test of order runs over about half a radian: h w = 1/64 and less, where the fourth-order term leads and still
   -- stands above rounding (float: the floor of 64 roundings of the state).
   v.order_time = number.text(time, real)
-  v.order_floor = number.text(R.round(size * epsilon * R.new(256), 24), real)
+  local roundings = 256
+  local program = job.steppers[1].program
+  if program and program.drift and program.drift.kind == "full" then -- of that many rotations a step, walking
+    local rotations = (#program.outer.b + 1) * (2 * #program.inner.b + 1)
+    roundings = roundings * math.ceil(math.sqrt(rotations))
+  end
+  v.order_floor = number.text(R.round(size * epsilon * R.new(roundings), 24), real)
   v.norm_bound = number.text(epsilon * R.new(16), real)
   v.jacobi_bound = number.text(epsilon * R.new(64), real)
   -- float: e^2 must stay above 256 roundings of 1

@@ -8,6 +8,7 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
+local breaks = require "generator.dynamics.breaks"
 local state = require "generator.dynamics.state"
 local stages = require "generator.methods.stages"
 
@@ -60,7 +61,7 @@ local function combined(coefficients, k, name)
 end
 
 -- The trial step: from x at t and k1 = f(t, x) the state `out`, its rates k7 and the error of the lower order, as the
--- groups of a function.
+-- groups of a function; knots: where the run must stop (dynamics/breaks.lua).
 function adaptive.program(eq)
   local zero = stages.conserved(eq)
   local moving, k, groups = {}, { {} }, {}
@@ -103,7 +104,7 @@ function adaptive.program(eq)
     last.outs[i] = { array = "error", index = s.name, expr = h * combined(difference, k, s.name) }
   end
   groups[#groups + 1] = last
-  return { states = moving, groups = groups }
+  return { states = moving, groups = groups, knots = breaks.knots(eq) }
 end
 
 -- The step of a fixed size as equation groups with outs {state, expr}: what is derived from it goes by these

@@ -9,6 +9,9 @@
 --     diagonal    T = L^2/(2 Ia) + Lb^2/2 (1/Ib - 1/Ia) + Lc^2/2 (1/Ic - 1/Ia): the first commutes with the others,
 --                 which a palindrome of their own composes (`inner`), so that all is symmetric.  Ia is the moment in
 --                 the middle for the parameters' defaults: then the product of the other two terms is least
+--     full        the same about the principal axes b and c in body axes, which NAME_init finds.  p = L/Ia is made of w
+--                 and w of p by the steps of I/Ia = U^T D U forwards and backwards: each undoes the other but for its
+--                 roundings, where a rounded inverse would shrink or swell the rates a little at every step
 -- A constant rotor along the axis adds its momentum to the body's there.
 -- Coefficients, the first half of each palindrome: Blanes, Moan 2002, J. Comput. Appl. Math. 142, 313: S10 (order 6);
 -- McLachlan 1995, BIT 35, 258: order (8, 4), whose error is h^8 in the first power of the torque, h^4 in the second.
@@ -132,12 +135,10 @@ local function drift(m)
     end
     return out
   end
-  if s.kind ~= "diagonal" then
-    return nil, "the tensor is not diagonal in the body's axes: turn the body (s:turned) into its principal axes"
-  end
   if rotor(m) ~= expr.zero then
     return nil, "the free flow of an asymmetric body with a rotor is not made of rotations"
   end
+  if s.kind ~= "diagonal" then return { kind = "full", constants = {} } end
   local I, order = m.inertia, { 1, 2, 3 }
   local size = vec.map({ 1, 2, 3 }, function(i) return m:number(I[i]) end)
   table.sort(order, function(i, j)

@@ -63,6 +63,7 @@ function parser:type_name()
   local at, t = self.at, self.tokens
   while QUALIFIER[t[at]] do at = at + 1 end
   local name = t[at]
+  self.long = name == "int64_t" or name == "uint64_t"
   if INT[name] then
     while INT[t[at]] or QUALIFIER[t[at]] do at = at + 1 end
     self.at = at
@@ -88,7 +89,10 @@ function parser:binary(op, ta, a, tb, b)
   if op == "&&" or op == "||" then return "int", combine(op, a, b) end
   if pointer(ta) or pointer(tb) then return CLASS[op] and (pointer(ta) and ta or tb) or "int" end
   local both = join(ta, tb)
-  if both == "int" then return "int", combine(op, a, b) end
+  if both == "int" then
+    if self.wide then self:count "long" end
+    return "int", combine(op, a, b)
+  end
   if CLASS[op] then
     if both == "real" then self:count(CLASS[op]) end
     return both
@@ -100,22 +104,24 @@ end
 -- What follows a primary expression: [..], .field, ->field, ++, --.
 function parser:postfix(kind, value, name)
   local t = self.tokens
+  local far = false
   while true do
     local s = t[self.at]
     if s == "[" then
       self.at = self.at + 1
       self:expression()
       self:take "]"
-      kind, value, name = element(kind), nil, nil
+      kind, value, name, far = element(kind), nil, nil, true
     elseif s == "." or s == "->" then
       local fields = self.unit.fields[string.match(kind, "^[^*]*")]
       kind = fields and fields[t[self.at + 1]] or self:fail("no field " .. tostring(t[self.at + 1]) .. " in " .. kind)
-      value, name = nil, nil
+      value, name, far = nil, nil, far or s == "->"
       self.at = self.at + 2
     elseif s == "++" or s == "--" then
       self.at = self.at + 1
       if name then self:put { kind = "set", name = name, value = combine(s == "++" and "+" or "-", value, 1) } end
     else
+      if far and kind == "real" then self:count "mem" end
       return kind, value, name
     end
   end
@@ -161,10 +167,13 @@ function parser:primary()
       depth = depth + (t[self.at] == "(" and 1 or t[self.at] == ")" and -1 or 0)
       self.at = self.at + 1
     end
+    local first = self.at
     local kind, value = self:unary()
     if star or to == "void" then return kind end
     if (to == "real") ~= (kind == "real") and not (to == "real" and (kind == "lit" or type(value) == "number")) then
-      self:count "conv"
+      local class = "conv"
+      for i = first, self.at - 1 do class = self.longs[t[i]] and "conv64" or class end
+      self:count(class)
     end
     return to, to == "int" and kind == "int" and value or nil
   end
@@ -211,6 +220,7 @@ function parser:unary()
     self.at = self.at + 1
     local kind, _, name = self:unary()
     if s == "&" and name then self:put { kind = "set", name = name } end -- someone may write to it
+    if s == "*" and kind == "real*" then self:count "mem" end
     return s == "&" and kind .. "*" or s == "*" and element(kind) or kind
   elseif s == "++" or s == "--" then
     self.at = self.at + 1

@@ -5,17 +5,19 @@
 -- {method, order (of taylor; any up to 30, the emitted one by default), setting = "step" | "tolerance"}.  A step with
 -- a tolerance is one that is accepted, its share of the control included.  A closed form ("exact") has NAME_solve as
 -- set-up and NAME_at as its step.
--- counts: {add, mul, div, sqrt, call} of the whole, and besides: fma, cmp (comparisons), conv (conversions from and to
--- integers), calls (name -> how many of `call`).  Exact where no branch depends on the numbers, else the largest (see
--- generator/plan/tally.lua); options.least: the cheapest instead.  For a processor without fused multiplication and
--- addition, as portable C is; options.fma: with it.
+-- counts: {add, mul, div, sqrt, call} of the whole, and besides, for what a processor takes: fma, cmp (comparisons),
+-- conv and conv64 (conversions from and to integers), long (operations on integers of 64 bits), mem (numbers in
+-- memory), calls (name -> how many of `call`).  Exact where no branch depends on the numbers, else the largest but for
+-- what the code calls rare (generator/plan/tally.lua); options.least: the cheapest instead.  For a processor without
+-- fused multiplication and addition, as portable C is; options.fma: with it.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local tally = require "generator.plan.tally"
 
 local ops = {}
 
-local OPERATION = { add = true, mul = true, div = true, sqrt = true, fma = true, cmp = true, conv = true }
+local OPERATION = { add = true, mul = true, div = true, sqrt = true, fma = true, cmp = true, conv = true,
+  conv64 = true, mem = true, long = true }
 
 -- The list of functions of the C library that counts may name, for loops in a fixed order.
 ops.functions = { "sin", "cos", "exp", "log", "sinh", "cosh", "floor", "frexp", "ldexp", "tan", "tanh", "asin", "acos",

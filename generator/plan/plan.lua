@@ -26,8 +26,8 @@ local top = plan.top
 
 local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
 
--- The order that NAME_taylor_run takes for a tolerance (templates/taylor.c, emit/taylor.lua): bits of an IEEE number
--- as an integer are its logarithm.
+-- The order that NAME_taylor_run takes for a tolerance (templates/taylor_run.c, emit/taylor.lua): bits of an IEEE
+-- number as an integer are its logarithm.
 function plan.order(tolerance, real)
   local log2
   if real == "float" then
@@ -50,7 +50,7 @@ local first_orders = { [16] = 1, [20] = 2, [12] = 3 }
 -- The candidates that compete, the promising first, with what search.lua wants to know; and those that were refused.
 -- q: the question (plan.find); code: the planned job whose code is counted.
 local function competitors(q, code)
-  local list, refused = {}, {}
+  local list, refused, fused = {}, {}, { fma = targets.fma(q.target, q.real) }
   local all = candidates.of(q.job, { methods = q.methods, real = q.real,
     orders = q.order and { q.order } or plan.orders })
   local seen = {}
@@ -62,7 +62,7 @@ local function competitors(q, code)
       c.name, c.order = "taylor tol", q.order or top
     end
     local costs = not c.refused and not twice and
-      assert(ops.of(code, { method = c.method, order = c.order, setting = c.setting }))
+      assert(ops.of(code, { method = c.method, order = c.order, setting = c.setting }, fused))
     if c.refused then
       if not seen[c.method] then refused[#refused + 1] = c end
       seen[c.method] = true
@@ -73,7 +73,7 @@ local function competitors(q, code)
       c.counts_at = function(setting)
         if not fixed or q.order then return costs.step end
         local n = plan.order(setting, q.real)
-        memo[n] = memo[n] or ops.of(code, { method = "taylor", order = n, setting = "tolerance" }).step
+        memo[n] = memo[n] or ops.of(code, { method = "taylor", order = n, setting = "tolerance" }, fused).step
         return memo[n]
       end
       c.weight = function(setting) return weight(c.counts_at(setting)) end

@@ -9,7 +9,9 @@
 --     {kind = "set", name, value}              an integer variable;  {kind = "return" | "break" | "continue"}
 -- A value is an integer that is known (a number), one that is computed (function of the integer variables), or nil:
 -- it depends on the numbers.  Operations on two constants are free, as compilers fold them; negation and fabs are a
--- sign bit.  cmp: comparisons, conv: conversions to or from an integer.
+-- sign bit.  Besides add, mul, div, sqrt and names of the C library there are cmp: comparisons; conv: conversions to or
+-- from an integer, conv64 one of 64 bits; long: operations on integers in a function that has some of 64 bits;
+-- mem: numbers read from or written to arrays and structures behind a pointer.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local parser = require "generator.plan.expressions"
@@ -30,7 +32,7 @@ end
 
 -- Declarators after a type: name, *name, name[n] = ...; the values of integers
 function parser:declarators(kind, fixed)
-  local t = self.tokens
+  local t, long = self.tokens, self.long
   repeat
     local stars = ""
     while t[self.at] == "*" or QUALIFIER[t[self.at]] do
@@ -45,7 +47,7 @@ function parser:declarators(kind, fixed)
       self:take "]"
     end
     local value
-    self.locals[name] = kind .. stars
+    self.locals[name], self.longs[name] = kind .. stars, long
     if self:accept "=" then
       local function read()
         if t[self.at] == "{" then return self:braces() end
@@ -150,7 +152,8 @@ end
 
 -- The items of a function; unit: {types, fields, functions, library, constants, globals}, parameters: their text.
 function reading.body(unit, name, parameters, text)
-  local p = setmetatable({ unit = unit, name = name, locals = {}, at = 1, code = {}, results = 0 }, parser)
+  local p = setmetatable({ unit = unit, name = name, locals = {}, longs = {}, at = 1, code = {}, results = 0,
+    wide = string.find(text, "int64_t", 1, true) }, parser)
   local order = {}
   p.tokens = tokens.of(parameters)
   for piece in string.gmatch(string.gsub(string.sub(parameters, 2, -2), "%b[]", "*"), "[^,]+") do
@@ -158,6 +161,7 @@ function reading.body(unit, name, parameters, text)
     local kind = p:type_name()
     local own = p.tokens[p.at]
     if own then
+      p.longs[own] = p.long
       p.locals[own] = kind .. string.gsub(piece, "[^*]", "")
       order[#order + 1] = own
     end

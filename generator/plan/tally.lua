@@ -19,7 +19,8 @@ local library = {}
 for _, name in ipairs(LIBRARY) do library[name], library[name .. "f"] = name, name end
 
 -- Which of two costs is the larger, roughly.
-local WEIGHT = { add = 1, mul = 1, div = 4, sqrt = 6, fma = 1, cmp = 0.5, conv = 0.5 }
+local WEIGHT = { add = 1, mul = 1, div = 4, sqrt = 6, fma = 1, cmp = 0.5, conv = 0.5, conv64 = 0.5, mem = 0,
+  long = 0.5 }
 local function weight(c)
   local sum = 0
   for name, n in pairs(c) do sum = sum + n * (WEIGHT[name] or 30) end -- a sum of few exact terms: in any order
@@ -123,7 +124,8 @@ function tally.read(name, header, source, options)
     outside(unit, string.sub(text, pos, open or #text))
     if not open then break end
     local close = string.find(text, "\n}\n", open, true)
-    local head = string.match(string.gsub(string.sub(text, pos, open), "/%*.-%*/", ""), "([^;}]*)$")
+    local between = string.gsub(string.sub(text, pos, open), "/%*.-%*/", "")
+    local head = string.match(between, "^.*[;}](.*)$") or between
     local kind, f, parameters = string.match(head, "([%w_]+)%s+%*?([%a_][%w_]*)%s*(%b())%s*$")
     unit.functions[f] = { result = unit.types[kind] or "int", parameters = parameters,
       text = string.sub(text, open + 1, close + 1) }
@@ -231,7 +233,7 @@ end
 -- The text with two kinds of comments as words of their own: how often a loop runs where the numbers decide, and a
 -- branch that is not counted.
 local function hinted(text)
-  text = string.gsub(string.gsub(text, "/%* some (%d+) times %*/", "@ %1"), "/%* rare %*/", "@ rare")
+  text = string.gsub(string.gsub(text, "/%* some (%d+) times %*/", "@ %1"), "/%* rare[^*]*%*/", "@ rare")
   return (string.gsub(text, "/%*.-%*/", " "))
 end
 

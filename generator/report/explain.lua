@@ -211,6 +211,13 @@ local function document(f)
   end
   if f.job.asked then section("Asked for", f.job.asked) end
   section("Operations of the emitted functions", costs)
+  local sheet, names = f.job.sheet(true)
+  local table_of = { string.format("%-12s %s", "", string.format(string.rep("%11s", #names), table.unpack(names))) }
+  for _, row in ipairs(sheet) do
+    table_of[#table_of + 1] = string.format("%-12s %s", row.name,
+      string.format(string.rep("%11s", #row.cycles), table.unpack(row.cycles)))
+  end
+  section("Estimated cycles of one call, in " .. f.job.real, table_of)
   section("Operations of the right-hand side, by what calls for them", attribution.lines(attribution.of(f.job)))
   local warnings = {}
   for i, w in ipairs(f.warnings) do warnings[i] = w.text end
@@ -302,7 +309,7 @@ function writers.json(f)
   local closed = f.closed.kind and object { { "kind", f.closed.kind }, { "theorem", f.closed.theorem },
       { "rates_only", not f.closed.full }, { "others", others } } or
     object { { "kind", json.null }, { "refused", f.closed.refused }, { "others", others } }
-  local params, stability, effects, cost, warnings = {}, {}, {}, {}, {}
+  local params, stability, effects, cost, warnings, estimated = {}, {}, {}, {}, {}, {}
   for i, p in ipairs(f.params) do
     params[i] = object { { "name", p.name }, { "default", f.job.model:double(p.sym) }, { "unit", p.unit } }
   end
@@ -320,6 +327,13 @@ function writers.json(f)
     cost[i] = object { { "function", c.fn }, { "add", c.add }, { "mul", c.mul }, { "div", c.div }, { "sqrt", c.sqrt },
       { "call", c.call } }
   end
+  local sheet, names = f.job.sheet(true)
+  for i, row in ipairs(sheet) do
+    local c, cycles = row.counts, {}
+    for k, name in ipairs(names) do cycles[k] = { name, tonumber(row.cycles[k]) } end
+    estimated[i] = object { { "function", row.name }, { "add", c.add }, { "mul", c.mul }, { "div", c.div },
+      { "sqrt", c.sqrt }, { "call", c.call }, { "cycles", object(cycles) } }
+  end
   for i, w in ipairs(f.warnings) do warnings[i] = w.text end
   local methods = { "rk4", f.job.model.has.rates and "linearised" or nil }
   if f.closed.kind then methods[#methods + 1] = "exact" end
@@ -330,6 +344,7 @@ function writers.json(f)
     { "principal", object { { "moments", f.moments }, { "axes", f.axes } } }, { "symmetry", f.symmetry },
     { "closed_form", closed }, { "stability", stability },
     { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
+    { "cycles", object { { "real", f.job.real }, { "functions", estimated } } },
     { "rhs", attribution.json(attribution.of(f.job), object) }, { "asked", f.job.asked },
     { "warnings", warnings } })
 end

@@ -59,7 +59,7 @@ static const char *probe(struct motion *m) {
     const double now = bench_now(), rate = most / fmax(now - begin, 1e-9);
     if (most >= MOST_STEPS)
       return "no steps lead to the end";
-    if (interrupt_pending() || now - start > m->r.limit / 2)
+    if (interrupt_pending() || now - start > m->r.limit / 3)
       return "not done within the limit";
     most = fmin(fmin(most * 100, most + rate * (m->r.limit - (now - start))), MOST_STEPS);
   }
@@ -141,6 +141,7 @@ int plugin_time(lua_State *L) {
 /* An orbit of its own: the plugin's stays what solve() made it. */
 struct orbit {
   const struct plugin *p;
+  void (*loop)(const void *o, double t0, double h, double *x, long n);
   void *place;
   double x0[MAX_STATES], x[MAX_STATES], to;
 };
@@ -150,33 +151,37 @@ static int solve_often(void *what, long n) {
   return o->p->code->solve_loop(o->place, o->p->model, o->x0, n);
 }
 
-/* 101 times evenly over the horizon, again and again: no branch is always taken alike. */
+/* The same times evenly over the horizon, again and again: no branch is always taken alike. */
 static int at_often(void *what, long n) {
-  enum { TIMES = 101 };
+  enum { TIMES = 640 };
   struct orbit *o = what;
   for (long i = 0; i < n; i += TIMES)
-    o->p->code->at_loop(o->place, 0, o->to / TIMES, o->x, n - i < TIMES ? n - i : TIMES);
+    o->loop(o->place, 0, o->to / TIMES, o->x, n - i < TIMES ? n - i : TIMES);
   return 0;
 }
 
 /* time_closed{x0 =, to =[, repeats = 9, limit = 1]} -> {setup = {median =, least =, most =}:
-   seconds to make the orbit, at = {...}: for one state on it} | nil, message */
+   seconds to make the orbit, at = {...}: for one state on it, many = {...}: for one of many at a
+   time, nil if the emitted code has no such function} | nil, message */
 int plugin_time_closed(lua_State *L) {
   const struct plugin *p = plugin_ready(L);
   struct bench_request r;
-  struct bench_result setup, at;
+  struct bench_result setup, at, many;
   bench_read(L, p, &r);
   if (p->code->solve_loop == NULL || p->code->at_loop == NULL) {
     lua_pushnil(L);
     lua_pushliteral(L, "the emitted code has no closed form");
     return 2;
   }
-  struct orbit o = {.p = p, .to = r.to};
+  struct orbit o = {.p = p, .to = r.to, .loop = p->code->at_loop};
   memcpy(o.x0, r.x0, sizeof o.x0);
   o.place = engine_aligned(lua_newuserdatauv(L, p->code->orbit_size + ENGINE_ALIGNMENT, 0));
-  int status = bench_measure(solve_often, &o, r.repeats, r.limit / 2, &setup);
+  int status = bench_measure(solve_often, &o, r.repeats, r.limit / 3, &setup);
   if (status == 0)
-    status = bench_measure(at_often, &o, r.repeats, r.limit / 2, &at);
+    status = bench_measure(at_often, &o, r.repeats, r.limit / 3, &at);
+  o.loop = p->code->many_loop;
+  if (status == 0 && o.loop != NULL)
+    status = bench_measure(at_often, &o, r.repeats, r.limit / 3, &many);
   interrupt_check(L);
   if (status != 0) {
     lua_pushnil(L);
@@ -188,5 +193,9 @@ int plugin_time_closed(lua_State *L) {
   lua_setfield(L, -2, "setup");
   bench_push(L, &at, 1);
   lua_setfield(L, -2, "at");
+  if (o.loop != NULL) {
+    bench_push(L, &many, 1);
+    lua_setfield(L, -2, "many");
+  }
   return 1;
 }

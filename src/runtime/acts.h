@@ -33,8 +33,6 @@ void acts_rates_more(const ph_top *top, const ph_wide x[], ph_wide dx[]);
 int acts_tensor(const ph_top *top, const ph_wide x[], ph_wide D[6]);
 /* The rate at which the body's axes turn, less w. */
 void acts_slip(const ph_top *top, const ph_wide x[], ph_wide slip[3]);
-/* L of all, body axes. */
-void acts_whole_momentum(const ph_top *top, const ph_wide x[], ph_wide L[3]);
 /* With wheels or moving parts: w' and the wheels' rates from the b of I w' = b (motion.h), which
    knows nothing of them. PH_EROD. */
 int acts_solve(const ph_top *top, ph_wide t, const ph_wide x[], const ph_wide b[3], ph_wide dx[]);

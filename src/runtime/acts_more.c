@@ -100,13 +100,21 @@ static void parts(const ph_act *a, const ph_wide x[], ph_wide N[3], ph_wide *siz
   *size += wide_norm(N);
 }
 
+/* L of all, body axes. */
+static void whole_momentum(const ph_top *top, const ph_wide x[], ph_wide L[3]) {
+  wide_apply(top->wide_inertia, x + 4, L);
+  acts_momentum(top, x, L);
+  for (int i = 0; i < 3 && top->effects & PH_ROTOR; i++)
+    L[i] += (ph_wide)top->rotor[i];
+}
+
 void acts_slip(const ph_top *top, const ph_wide x[], ph_wide slip[3]) {
   for (int i = 0; i < 3; i++)
     slip[i] = 0;
   for (int k = 0; k < top->acts.n && top->effects & PH_DISSIPATION; k++)
     if (top->acts.list[k].kind == PH_DISSIPATION) {
       ph_wide L[3], part[3];
-      acts_whole_momentum(top, x, L);
+      whole_momentum(top, x, L);
       wide_cross(L, x + 4, part);
       for (int i = 0; i < 3; i++)
         slip[i] += (ph_wide)top->acts.list[k].v[0] * part[i];
@@ -133,7 +141,7 @@ void acts_torque_more(const ph_top *top, int k, ph_wide t, const ph_wide x[], ph
     parts(a, x, N, size);
     break;
   default: /* the double bracket as (L.w) L - L^2 w, but for its cancellation */
-    acts_whole_momentum(top, x, L);
+    whole_momentum(top, x, L);
     wide_cross(L, x + 4, F);
     wide_cross(L, F, N);
     for (int i = 0; i < 3; i++)
@@ -183,13 +191,6 @@ int acts_tensor(const ph_top *top, const ph_wide x[], ph_wide D[6]) {
         D[i] += acts_value(&top->acts.list[k].rate[i], 0, x);
     }
   return any;
-}
-
-void acts_whole_momentum(const ph_top *top, const ph_wide x[], ph_wide L[3]) {
-  wide_apply(top->wide_inertia, x + 4, L);
-  acts_momentum(top, x, L);
-  for (int i = 0; i < 3 && top->effects & PH_ROTOR; i++)
-    L[i] += (ph_wide)top->rotor[i];
 }
 
 /* ---- the calls ---- */

@@ -36,8 +36,8 @@ void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
 /* N, and a size against which a torque along a rod is rounding: it bounds the terms of I w' = N - w
    x I w, product by product, so that a weight which turns the rod hard, but not about itself, or a
    rate along it, leaves no residue that counts. */
-void motion_torque(const ph_top *top, const motion_loads *loads, ph_wide t, const ph_wide x[],
-                   ph_wide N[3], ph_wide *size) {
+static void torque_of(const ph_top *top, const motion_loads *loads, ph_wide t, const ph_wide x[],
+                      ph_wide N[3], ph_wide *size) {
   const ph_wide *q = x, *w = x + 4;
   ph_wide weight[3], inertial[3], L[3], gravity[3], turning[3], sum = 0;
   wide_sandwich(q, loads->weight, 0, weight);
@@ -80,7 +80,7 @@ int motion_rates(const ph_top *top, const motion_loads *loads, ph_wide t, const 
   const ph_wide *w = x + 4;
   ph_wide pure[4] = {0, 0, 0, 0}; /* the rate at which the axes turn */
   ph_wide b[3], S[3], size;
-  motion_torque(top, loads, t, x, b, &size);
+  torque_of(top, loads, t, x, b, &size);
   wide_apply(top->wide_second, w, S);
   wide_cross(w, S, S);
   for (int i = 0; i < 3; i++)
@@ -118,7 +118,7 @@ int ph_top_torque(const ph_top *top, double t, const double x[], const double u[
   ph_wide state[PH_STATES], torque[3], size;
   wide_load(ph_top_states(top), x, state);
   motion_load(top, u, &loads);
-  motion_torque(top, &loads, (ph_wide)t, state, torque, &size);
+  torque_of(top, &loads, (ph_wide)t, state, torque, &size);
   return wide_store(3, torque, N);
 }
 

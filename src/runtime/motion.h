@@ -16,12 +16,9 @@ typedef struct motion_loads {
 
 void motion_load(const ph_top *top, const double u[3], motion_loads *loads);
 
-/* The vector b of I w' = b, that is N - w x I w, and a bound of its terms' size. */
-void motion_torque(const ph_top *top, const motion_loads *loads, ph_wide t, const ph_wide x[],
-                   ph_wide N[3], ph_wide *size);
-
-/* w' from b; about axes without moment w' = 0. size < 0: take it for granted that no torque acts
-   there, else PH_EROD when a torque above 32 ulp of size does. */
+/* w' from the b of I w' = b, that is N - w x I w; about axes without moment w' = 0. size < 0: take
+   it for granted that no torque acts there, else PH_EROD when a torque above 32 ulp of size does.
+ */
 int motion_solve(const ph_top *top, const ph_wide b[3], ph_wide size, ph_wide w_rate[3]);
 
 /* x' = f(t, x), ph_top_states(top) numbers; PH_OK or PH_EROD. */

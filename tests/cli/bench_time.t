@@ -111,7 +111,8 @@ refused(p, { x0 = x0, to = 1, tolerance = 0.1, method = "rk4" }, "the stepper rk
 p:solve(x0)
 local there = p:at(0.7)
 r = p:time_closed { x0 = { 1, 0, 0, 0, 3, 2, 1 }, to = 5, repeats = 3 }
-say(sound(r.setup) and sound(r.at) and r.setup.repeats == 3, "closed form: set-up and evaluation, each in order")
+say(sound(r.setup) and sound(r.at) and sound(r.many) and r.setup.repeats == 3,
+  "closed form: set-up, evaluation, many evaluations, each in order")
 say(same(p:at(0.7), there), "the plugin's orbit is what it was")
 p = assert(build.plugin(host, plan("driven", { methods = { "rk4" } })))
 p:init()
@@ -153,7 +154,8 @@ for _, at_once in ipairs { 0, 1, 2, 100 } do
     if i == 5 then
       right = right and string.find(message, "five", 1, true) ~= nil
     else
-      right = right and string.find(command, " " .. i .. ".c", 1, true) ~= nil and host.read(dir .. "/" .. i .. ".o") ~= nil
+      right = right and string.find(command, " " .. i .. ".c", 1, true) ~= nil
+        and host.read(dir .. "/" .. i .. ".o") ~= nil
     end
   end
   say(right, "nine files, " .. at_once .. " at once: every result at its place")

@@ -136,6 +136,13 @@ local rows = {
     1, 12 },
   { "symmetric about an oblique axis", scene("solid.box { x = 0.1, y = 0.1, z = 0.1, mass = 1 }",
     "effect.gravity { g = 2 }", "omega = {2, -1, 3}, " .. attitude, 'origin = "corner"'), 1, 12 },
+  { "heavy top on no principal axis", scene(brick .. ":turned { axis = {1, 2, 3}, angle = 0.8 }",
+    "effect.gravity { g = 0.5 }", "omega = {0.3, 5, 0.2}, " .. attitude, below), 1, 12 },
+  { "full tensor, nearly symmetric, turned", scene("tensor { mass = 1, com = {0, 0, 0}, xx = 2, yy = 2.000001, " ..
+    "zz = 3, xy = 0.0000001, xz = 0.5, yz = -0.25 }", "effect.magnetic { moment = {1, 2, 3}, field = {1, 0, 1} }",
+    "omega = {1, 2, 3}, " .. attitude), 1, 12 },
+  { "damped brick, turned", scene(brick .. ":turned { axis = {1, 2, 3}, angle = 0.8 }",
+    "effect.damping { c = {0.001, 0.002, 0.003} }", "omega = {1, 2, 3}"), 1, 12, only = true },
   { "sphere under an inertial torque", scene("solid.sphere { r = 0.1, mass = 1 }",
     "effect.torque { inertial = {0.01, 0.02, -0.01} }", "omega = {1, 2, -3}, " .. attitude), 1, 8, driven = true },
   { "heavy gyrostat", scene(cylinder, "effect.gravity { g = 1 }, effect.rotor { axis = {0, 0, 2}, momentum = 0.02 }",
@@ -195,6 +202,7 @@ end
 -- free motion: |L| to rounding, whatever the step; exact for a symmetric body
 for _, row in ipairs {
   { "free brick", scene(brick, "", "omega = {0.3, 5, 0.2}") },
+  { "free brick about a corner", scene(brick, "", "omega = {0.3, 5, 0.2}", 'origin = "corner"') },
   { "free cylinder", scene(cylinder, "", "omega = {0.3, 5, 0.2}"), exact = true },
   { "free cube about its corner", scene("solid.box { x = 0.1, y = 0.1, z = 0.1, mass = 1 }", "",
     "omega = {0.3, 5, 0.2}", 'origin = "corner"'), exact = true },

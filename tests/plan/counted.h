@@ -1,5 +1,5 @@
-/* counted.h - a number that counts what is done with it; in the place of NAME_real in emitted code, read as C++.
-   SPDX-License-Identifier: GPL-3.0-or-later
+/* counted.h - a number that counts what is done with it; in the place of NAME_real in emitted code,
+   read as C++. SPDX-License-Identifier: GPL-3.0-or-later
 
    NATIVE is double or float. Operations of two constants never meet this type, so they are free. */
 #ifndef COUNTED_H

@@ -77,6 +77,7 @@ local STEP = "(&model, 0, x, u, 1e-3)"
 local rows = {
   { "brick_centroid", { "rk4", "adaptive", "taylor", "midpoint", "semi", "split2", "split4", "split6" } },
   { "heavy_top", { "taylor", "rk4", "adaptive", "midpoint", "semi", "split2", "split4", "split6" } },
+  { "brick", { "rk4", "split2", "split4" } },
   { "gyrostat", { "rk4", "adaptive", "taylor", "midpoint", "semi" } },
   { "damped_brick", { "adaptive", "rk4", "taylor", "midpoint", "semi", "split2" } },
   { "gravity_gradient", { "rk4", "adaptive", "taylor", "semi" } },

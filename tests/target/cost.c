@@ -5,17 +5,7 @@
    at_tick, step; nearly all paths of solve do the same work, and a state near the separatrix, the
    other half of the code, follows: solve, at, at_tick. The result is 0 if all states are finite. */
 #include "brick_centroid.h"
-
-void begin(void);
-void end(void);
-
-/* not inlined, and alive: count.c finds them by their addresses */
-__attribute__((noinline)) void begin(void) {
-  __asm__ volatile("nop");
-}
-__attribute__((noinline)) void end(void) {
-  __asm__ volatile("nop");
-}
+#include "costs.h"
 
 static volatile brick_centroid_real when = 12.345F;
 static brick_centroid_model model;

@@ -8,38 +8,20 @@
 -- counted by a plugin (count.c), the call itself included.  Instructions, not cycles; the same numbers each time.  Says
 -- which package is missing and does nothing if a tool is.
 
+package.path = "./?.lua;" .. package.path
+
+local cores = require "tests.target.cores"
+local core, must = cores.by_name["cortex-m4f"], cores.must
 local program, dir = arg[1], arg[2]
 
-local function run(format, ...)
-  local pipe = assert(io.popen(string.format(format, ...) .. " 2>&1"))
-  local text = pipe:read "a"
-  local ok = pipe:close()
-  return ok, text
-end
-
-local function must(format, ...)
-  local ok, text = run(format, ...)
-  if not ok then
-    io.stderr:write(string.format(format, ...), "\n", text)
-    os.exit(1)
-  end
-  return text
-end
-
-local missing = {}
-for _, tool in ipairs { { "arm-none-eabi-gcc", "gcc-arm-none-eabi" }, { "qemu-system-arm", "qemu-system-arm" } } do
-  if not run("command -v %s", tool[1]) then missing[#missing + 1] = tool[2] end
-end
-if #missing == 0 and not run("echo '#include <math.h>' | arm-none-eabi-gcc -E -x c -") then
-  missing[1] = "libnewlib-arm-none-eabi"
-end
+local missing = cores.missing { core }
 if #missing > 0 then
   print("target-cost: skipped; missing: apt-get install --no-install-recommends " .. table.concat(missing, " "))
   os.exit(0)
 end
 
-local gcc = "arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -O2 -ffp-contract=off " ..
-  "-fno-math-errno -ffunction-sections -fdata-sections"
+local gcc = core.prefix .. "gcc " .. core.flags .. " -O2 -ffp-contract=off -fno-math-errno -ffunction-sections " ..
+  "-fdata-sections"
 local link = gcc .. " -nostartfiles --specs=nosys.specs -Wl,--gc-sections"
 local name = "brick_centroid"
 
@@ -75,21 +57,8 @@ end
 
 -- ---- instructions ----
 
-must("cc -std=c11 -O2 -shared -fPIC tests/target/count.c -o %s/count.so", dir)
-must("%s -std=c11 -I%s -T tests/target/m4.ld tests/target/startup.c tests/target/cost.c %s/%s.o -lm -o %s/cost.elf",
-  link, dir, dir, name, dir)
-
-local function address(symbol)
-  local text = must("arm-none-eabi-nm %s/cost.elf", dir)
-  return string.match(text, "(%x+) T " .. symbol .. "\n")
-end
-
-must("timeout 60 qemu-system-arm -M mps2-an386 -nographic -monitor none -serial none -semihosting-config " ..
-  "enable=on,target=native -plugin %s/count.so,begin=0x%s,end=0x%s -d plugin -D %s/counts -kernel %s/cost.elf", dir,
-  address "begin", address "end", dir, dir)
-
-local counts = {}
-for line in io.lines(dir .. "/counts") do counts[#counts + 1] = tonumber(line) end
+cores.build(core, dir, "cost.elf", string.format("-I tests/target tests/target/cost.c %s/%s.o", dir, name))
+local counts = cores.counts(core, dir, "cost.elf")
 assert(#counts == 11, "the firmware has not run to its end")
 
 print ""

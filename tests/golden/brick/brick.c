@@ -606,7 +606,7 @@ static brick_pair brick_pair_sum(brick_real a, brick_real b)
  * spoil Dekker's halves: there it is used, and volatile keeps hi what it is. */
 static brick_pair brick_pair_product(brick_real a, brick_real b)
 {
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || defined __ARM_FEATURE_FMA
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & 8))
   const volatile brick_real high = a*b;
   brick_pair p;
 
@@ -840,11 +840,11 @@ BRICK_INLINE brick_real brick_nearest(brick_real x)
 }
 
 /* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well: Dekker's product */
-BRICK_INLINE brick_pair brick_advance(const brick_real b[4], brick_real t, brick_real head, brick_real tail)
+BRICK_INLINE brick_pair brick_passed(const brick_real b[4], brick_real t, brick_real head, brick_real tail)
 {
   brick_pair p;
 
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || defined __ARM_FEATURE_FMA
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & 8))
   (void)head;
   (void)tail;
   p.hi = fma(b[0], t, 0.0); /* no compiler may fuse this one */
@@ -1053,7 +1053,7 @@ BRICK_INLINE brick_phases brick_reduce(const brick_orbit *o, brick_real at)
 {
   const brick_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
   const brick_real c = 134217729.0*t, head = c - (c - t), tail = t - head;
-  const brick_pair p = brick_advance(o->rate, t, head, tail), turn = brick_advance(o->turn, t, head, tail);
+  const brick_pair p = brick_passed(o->rate, t, head, tail), turn = brick_passed(o->turn, t, head, tail);
   const brick_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
   const brick_real rest = (p.hi - (sum - part)) + (o->start[0] - part);
   brick_phases phases;
@@ -2110,7 +2110,7 @@ void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[])
 
   p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > 0.0 ? -0.5 : 0.5) : 0.0;
   p.low = low;
-  if (!(o->half < 1.2676506002282294e30)) { /* the separatrix has no period */
+  if (!(o->half < 1.2676506002282294e30)) { /* rare: the separatrix has no period */
     const brick_pair t = brick_pair_product((brick_real)n, o->tick);
 
     p = brick_reduce(o, t.hi);

@@ -1,0 +1,77 @@
+-- measured.lua -- what operations take on small processors, by `make target-costs`: do not edit.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- Instructions an operation or function, on AVR cycles; part and mem: see generator/plan/targets.lua.
+
+return {
+  ["cortex-m0"] = {
+    float = { part = 0.90, mem = 0, add = 74, mul = 121, div = 378, sqrt = 317, cmp = 41, conv = 45, conv64 = 570,
+      long = 18, fma = 556, sin = 2104, cos = 2222, exp = 2454, log = 2612, sinh = 4132, cosh = 3095, floor = 121,
+      frexp = 27, ldexp = 118, tan = 4194, tanh = 4085, asin = 3409, acos = 3153, atan = 2845, atan2 = 3397,
+      pow = 8957, fmod = 77, hypot = 1109, cbrt = 1949, ceil = 122 },
+    double = { part = 0.93, mem = 0, add = 131, mul = 289, div = 613, sqrt = 996, cmp = 57, conv = 41, conv64 = 501,
+      long = 16, fma = 436, sin = 4633, cos = 4875, exp = 5144, log = 5589, sinh = 8646, cosh = 6343, floor = 205,
+      frexp = 27, ldexp = 148, tan = 9168, tanh = 8515, asin = 7363, acos = 6884, atan = 6272, atan2 = 7340,
+      pow = 18893, fmod = 139, hypot = 2719, cbrt = 5920, ceil = 206 },
+  },
+  ["cortex-m3"] = {
+    float = { part = 0.83, mem = 0, add = 56, mul = 37, div = 144, sqrt = 322, cmp = 43, conv = 30, conv64 = 33,
+      long = 5, fma = 185, sin = 986, cos = 1041, exp = 1149, log = 1147, sinh = 1945, cosh = 1417, floor = 83,
+      frexp = 25, ldexp = 126, tan = 1928, tanh = 1925, asin = 1605, acos = 1473, atan = 1204, atan2 = 1410,
+      pow = 4353, fmod = 63, hypot = 741, cbrt = 784, ceil = 84 },
+    double = { part = 0.95, mem = 0, add = 65, mul = 48, div = 541, sqrt = 823, cmp = 45, conv = 34, conv64 = 44,
+      long = 3, fma = 121, sin = 1366, cos = 1435, exp = 1939, log = 1951, sinh = 3406, cosh = 2668, floor = 104,
+      frexp = 31, ldexp = 141, tan = 2944, tanh = 3381, asin = 3001, acos = 2725, atan = 2028, atan2 = 2732,
+      pow = 6830, fmod = 89, hypot = 1415, cbrt = 3676, ceil = 105 },
+  },
+  ["cortex-m4f"] = {
+    float = { part = 0.94, mem = 0.80, add = 1, mul = 1, div = 1, sqrt = 1, cmp = 2, conv = 1, conv64 = 34,
+      long = 5, fma = 1, sin = 75, cos = 77, exp = 75, log = 78, sinh = 122, cosh = 99, floor = 27, frexp = 27,
+      ldexp = 62, tan = 106, tanh = 110, asin = 71, acos = 64, atan = 62, atan2 = 111, pow = 256, fmod = 68,
+      hypot = 55, cbrt = 41, ceil = 28 },
+    double = { part = 0.95, mem = 0, add = 65, mul = 48, div = 541, sqrt = 824, cmp = 45, conv = 34, conv64 = 44,
+      long = 3, fma = 126, sin = 1366, cos = 1435, exp = 1943, log = 1951, sinh = 3413, cosh = 2672, floor = 105,
+      frexp = 28, ldexp = 148, tan = 2940, tanh = 3391, asin = 3006, acos = 2727, atan = 2030, atan2 = 2736,
+      pow = 6826, fmod = 92, hypot = 1420, cbrt = 3675, ceil = 105 },
+  },
+  ["cortex-m7"] = {
+    float = { part = 0.93, mem = 0.85, add = 1, mul = 1, div = 1, sqrt = 1, cmp = 2, conv = 1, conv64 = 34,
+      long = 5, fma = 1, sin = 42, cos = 41, exp = 40, log = 41, sinh = 119, cosh = 77, floor = 5, frexp = 27,
+      ldexp = 62, tan = 106, tanh = 109, asin = 71, acos = 64, atan = 62, atan2 = 111, pow = 88, fmod = 67,
+      hypot = 55, cbrt = 40, ceil = 5 },
+    double = { part = 1, mem = 0.60, add = 1, mul = 1, div = 1, sqrt = 1, cmp = 2, conv = 1, conv64 = 45, long = 3,
+      fma = 1, sin = 71, cos = 73, exp = 47, log = 56, sinh = 124, cosh = 89, floor = 1, frexp = 32, ldexp = 59,
+      tan = 102, tanh = 112, asin = 68, acos = 64, atan = 61, atan2 = 124, pow = 126, fmod = 88, hypot = 59,
+      cbrt = 60, ceil = 1 },
+  },
+  ["rv32imac"] = {
+    float = { part = 0.89, mem = 0, add = 79, mul = 112, div = 107, sqrt = 264, cmp = 28, conv = 48, conv64 = 102,
+      long = 5, fma = 203, sin = 2046, cos = 2167, exp = 2091, log = 2264, sinh = 3467, cosh = 2454, floor = 21,
+      frexp = 42, ldexp = 41, tan = 3895, tanh = 3476, asin = 2859, acos = 2698, atan = 2548, atan2 = 2796,
+      pow = 8043, fmod = 102, hypot = 1036, cbrt = 947, ceil = 23 },
+    double = { part = 0.90, mem = 0, add = 105, mul = 203, div = 210, sqrt = 736, cmp = 30, conv = 48, conv64 = 69,
+      long = 4, fma = 324, sin = 3280, cos = 3455, exp = 3361, log = 3720, sinh = 5604, cosh = 3986, floor = 26,
+      frexp = 45, ldexp = 43, tan = 6374, tanh = 5607, asin = 4833, acos = 4556, atan = 4236, atan2 = 4734,
+      pow = 12838, fmod = 142, hypot = 1953, cbrt = 2875, ceil = 25 },
+  },
+  ["rv32imafc"] = {
+    float = { part = 1.06, mem = 0.80, add = 1, mul = 1, div = 1, sqrt = 1, cmp = 2, conv = 1, conv64 = 480,
+      long = 5, fma = 1, sin = 113, cos = 116, exp = 91, log = 105, sinh = 137, cosh = 126, floor = 21, frexp = 28,
+      ldexp = 42, tan = 155, tanh = 133, asin = 76, acos = 68, atan = 77, atan2 = 132, pow = 300, fmod = 75,
+      hypot = 66, cbrt = 45, ceil = 21 },
+    double = { part = 0.90, mem = 0, add = 120, mul = 219, div = 228, sqrt = 740, cmp = 31, conv = 48, conv64 = 78,
+      long = 4, fma = 357, sin = 3626, cos = 3814, exp = 3728, log = 4102, sinh = 6183, cosh = 4408, floor = 26,
+      frexp = 45, ldexp = 43, tan = 7070, tanh = 6187, asin = 5309, acos = 5010, atan = 4705, atan2 = 5244,
+      pow = 14166, fmod = 142, hypot = 2075, cbrt = 3164, ceil = 25 },
+  },
+  ["avr"] = {
+    float = { part = 0.91, mem = 3, add = 133, mul = 156, div = 499, sqrt = 488, cmp = 74, conv = 53, conv64 = 102,
+      long = 152, fma = 275, sin = 1805, cos = 1819, exp = 2671, log = 2455, sinh = 3036, cosh = 3133, floor = 126,
+      frexp = 62, ldexp = 67, tan = 2247, tanh = 3205, asin = 2274, acos = 2599, atan = 2807, atan2 = 3111,
+      pow = 5274, fmod = 121, hypot = 850, cbrt = 2596, ceil = 129 },
+    double = { part = 0.91, mem = 3, add = 133, mul = 156, div = 499, sqrt = 488, cmp = 74, conv = 53, conv64 = 102,
+      long = 152, fma = 275, sin = 1805, cos = 1819, exp = 2671, log = 2455, sinh = 3036, cosh = 3133, floor = 126,
+      frexp = 62, ldexp = 67, tan = 2247, tanh = 3205, asin = 2274, acos = 2599, atan = 2807, atan2 = 3111,
+      pow = 5274, fmod = 121, hypot = 850, cbrt = 2596, ceil = 129 },
+  },
+}

@@ -1,0 +1,18 @@
+%% -- taylor_knots.c -- a Taylor step over the corners of tables: part of scene.c.  SPDX-License-Identifier: MIT-0
+void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
+{
+  const ${name}_real end = t + h;
+  ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW], stop, part;
+
+  do { /* from corner to corner */
+    stop = ${name}_knot(m, t, end);
+    part = stop < end || stop > end ? stop - t : h;
+    ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c, t + ${half}*part);
+    ${name}_taylor_step_by(m, c, ${upper}_ORDER, part, x, d);
+%% for _, s in ipairs(taylor_states) do
+    x[${s.name}] += d[${s.index}];
+%% end
+    t = stop;
+    h -= part;
+  } while (stop < end || stop > end);
+}
