@@ -15,6 +15,8 @@ usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method r
        polhode explain SCENE [--format text|markdown|latex|json|urdf|mjcf|sdf] [--set a=0.3 ...]
        polhode explain --diff A B [--format text|json]     the terms by which two scenes differ
        polhode check   SCENE... [--real double|float]
+       polhode bench   SCENE [--method M,...] [--accuracy E] [--until T] [--no-closed] [--no-peers] [--all]
+                             [--format text|csv|markdown] [-o DIR] [--set a=0.3 ...]
        (--set NAME=NUMBER: in the parameter's own unit)
        polhode chart   SCENE --over A=LOW:HIGH,B=LOW:HIGH [--axis x|y|z|0|1|2] [--dissipation] [-o FILE.svg]
        polhode chart   SCENE --linearised [-o FILE.svg]
@@ -31,6 +33,7 @@ local commands = {
   run = function() return require "generator.commands.run" end,
   explain = function() return require "generator.commands.explain" end,
   check = function() return require "generator.commands.check" end,
+  bench = function() return require "generator.commands.bench" end,
   links = function() return require "generator.commands.links" end,
   chart = function() return require "generator.commands.chart" end,
   mesh = function() return require "generator.commands.mesh" end,

@@ -22,8 +22,8 @@ local ARROWS = {
   ir = { "algebra", "polhode_rational" },
   emit = { "algebra", "ir", "dynamics" }, -- dynamics: the free top with many digits, for constants and expected states
   plan = { "algebra", "dynamics", "methods", "ir" },
-  report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw", "plan" }, -- dynamics: equations with an effect
-  -- left out; plan: the cost sheet
+  -- dynamics: equations with an effect left out; plan: what functions cost
+  report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw", "plan" },
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report",
     "driver", "interchange" },
@@ -59,7 +59,7 @@ local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/
   ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true,
   ["generator/commands/motion_checks.lua"] = true,
   ["generator/commands/forced.lua"] = true,
-  ["generator/commands/mesh.lua"] = true }
+  ["generator/commands/mesh.lua"] = true, ["generator/report/bench.lua"] = true }
 
 local METHODS = { "gsub", "match", "format", "sub", "rep", "find", "gmatch", "byte", "lower", "upper", "len",
   "reverse" }

@@ -187,8 +187,8 @@ function decision.refusal(q, r)
   end
   local got = shortest(q.accuracy)
   if r.why then return { refused = r.why, got = got } end
-  local best
-  for _, f in ipairs(r.found) do
+  local best = r.closest
+  for _, f in ipairs(best and {} or r.found) do
     if f.error and f.error < math.huge and (not best or f.error < best.error) then best = f end
   end
   if not best and cheapest then

@@ -26,7 +26,7 @@ local top = plan.top
 
 local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
 
--- The order that NAME_taylor_run takes for a tolerance (templates/taylor.c, emit/taylor.lua): bits of an IEEE number as
+-- The order that NAME_taylor_run takes for a tolerance (templates/taylor_run.c, emit/taylor.lua): bits of an IEEE number as
 -- an integer are its logarithm.
 function plan.order(tolerance, real)
   local log2
@@ -133,7 +133,7 @@ local function first_states(s, list, points, n)
   return out
 end
 
-local many, some, few, confirmed = 128, 64, 5, 10
+local many, some, few, confirmed = 128, 64, 5, 8
 
 -- All states: {setting, error, steps, cost, errors by point}.
 local function verify(s, c, setting, points)
@@ -176,13 +176,13 @@ local function add_worst(list, chosen, points, errors, n)
   end
 end
 
--- The cheapest plan of the list that stays below the limit at all points, or nil; and what the first round found.  What a
--- candidate costs at few states is a lower bound of what it costs at all of them; so once the verified plan costs no
+-- The cheapest plan of the list that stays below the limit at all points, or nil; what the first round found; of what was
+-- run from all points the one that came closest.  What a candidate costs at few states is a lower bound of what it costs at all of them; so once the verified plan costs no
 -- more than `enough` times the best at few, there is nothing to win.
 local enough = 1.1
 local function compete(s, list, points, limit, real, progress)
   local tried = { trial = s, points = first_states(s, list, points, few), epsilon = epsilon[real] }
-  local chosen, incumbent, first = {}, nil, nil
+  local chosen, incumbent, first, closest = {}, nil, nil, nil
   for _, p in ipairs(tried.points) do chosen[p] = true end
   for round = 1, 6 do
     local best, found = search.cheapest(tried, list, limit, incumbent)
@@ -191,10 +191,11 @@ local function compete(s, list, points, limit, real, progress)
     if not best then break end
     local r = corrected(s, best, points, limit)
     if r.fits and (not incumbent or r.cost < incumbent.cost) then incumbent = r end
+    if not closest or r.error < closest.error then closest = r end
     if incumbent and incumbent.cost <= enough * best.cost then break end
     add_worst(tried.points, chosen, points, r.errors, 3)
   end
-  return incumbent, first, #tried.points
+  return incumbent, first, closest
 end
 
 -- The true motion from all points; how far it is from that, or nil and why not.
@@ -203,7 +204,7 @@ local function truths(s, points, limit, progress)
   for i, p in ipairs(points) do
     local rows, why, doubt = true, nil, nil
     if i <= confirmed or not s.sure then
-      doubt, why = s:doubt(p)
+      doubt, why = s:doubt(p, not s.sure and i <= confirmed or i == 1)
       rows = doubt
       own = math.max(own, doubt or 0.0)
       if s.sure and own > limit / 4 then return own end -- what serves as truth is not good enough
@@ -220,7 +221,7 @@ end
 -- methods, order, progress}.  Returns
 --     {candidate, setting, error, steps, cost, counts, setup_counts, order, margin, limit, found = what the competitors
 --      showed, refused, states = number, own = error of the truth, rows = the scene's own true motion, expected = its end}
--- or nil and {found, refused, own, why}; generator/plan/decision.lua puts both into words.
+-- or nil and {found, closest, refused, own, why}; generator/plan/decision.lua puts both into words.
 function plan.find(q)
   local T = q.job.model:double(q.job.model.horizon)
   local say = q.progress or function() end
@@ -246,7 +247,7 @@ function plan.find(q)
   for turn, margin in ipairs { plan.margin, plan.least_margin } do
     if best or #list == 0 or q.accuracy / margin <= own then break end
     limit = q.accuracy / margin - own
-    best, result.found, result.few = compete(s, list, points, limit, q.real, share(0.2 + 0.2 * turn, 0.6 + 0.2 * turn))
+    best, result.found, result.closest = compete(s, list, points, limit, q.real, share(0.2 + 0.2 * turn, 0.6 + 0.2 * turn))
   end
   if not best then return nil, result end
   local c = best.candidate

@@ -1,0 +1,76 @@
+-- ladder.lua -- the settings of one method that are worth measuring: from the first that follows the motion at all
+-- to the one that rounding ends.
+--
+-- A step goes down by 2, or by as much less as makes the error of a high order fall by some 10 a rung; a tolerance by
+-- the root of 10.  Rungs whose error is a tenth or more tell nothing and are passed over, by halves of the step.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local ladder = {}
+
+local useless = 0.1 -- an error like that
+local coarsest, most_steps = 20, 2 ^ 24 -- steps over the horizon
+local fall = 10.0 -- of the error, from rung to rung
+local slowest = 0.4 -- s: no rung takes longer
+local behind = 20 -- times the time of the best of its group (or m.behind): further rungs are not worth their time
+local patience = 3 -- rungs that bring nothing
+local plateau = 8 -- the same of tolerances: at first the steps may be limited by something else
+local again = 4 -- times that a rung is run once more before it is called slow
+
+-- m: {order = of a fixed step's method, T = horizon, kind = "step"|"tolerance", least = least tolerance,
+--   behind = (see above), floor = error that rounding allows, enough = error that is good enough (or nil),
+--   run = function(setting) -> error (math.huge: no result), seconds, anything,
+--   best = function(error) -> seconds of the best of its group with at most that error, or nil}
+-- Returns a list of {setting =, error =, seconds =, what = run's third}, in the order of falling settings.
+function ladder.climb(m)
+  local list = {}
+  local far = m.behind or behind
+  local function rung(setting)
+    local e, seconds, what = m.run(setting)
+    local best = m.best(e)
+    for _ = 1, again do -- was it the machine, or is it so?
+      if seconds <= slowest / 2 and not (best and seconds > far / 2 * best) then break end
+      seconds = math.min(seconds, (select(2, m.run(setting))))
+    end
+    local r = { setting = setting, error = e, seconds = seconds, what = what }
+    if e < 10 * useless then list[#list + 1] = r end
+    return r
+  end
+  -- Is the rung the last?  at the floor, no longer better, too slow, or good enough
+  local stuck, flat = 0, 0
+  local function last(r)
+    local before = list[#list - 1]
+    local best = m.best(r.error)
+    stuck = r.error <= m.floor and stuck + 1 or 0
+    flat = before and r.error > before.error / 2 and flat + 1 or 0
+    return stuck >= patience or flat >= (m.kind == "step" and patience or plateau) or r.seconds > slowest
+      or best and r.seconds > far * best or m.enough and r.error <= m.enough
+  end
+  if m.kind == "tolerance" then
+    for k = 2, 36 do
+      local tolerance = 10.0 ^ (-k / 2)
+      if tolerance < m.least then break end
+      local r = rung(tolerance)
+      if r.error < useless and last(r) or r.seconds > slowest then break end
+      if r.error == math.huge and #list > 0 then break end
+    end
+    return list
+  end
+  local n = coarsest
+  while n < most_steps do
+    local r = rung(m.T / n)
+    if r.error < useless or r.seconds > slowest then break end
+    n = n * 2
+  end
+  -- from the last that told nothing
+  list = {}
+  local factor = math.min(2, fall ^ (1 / m.order))
+  n = math.max(n / 2, coarsest)
+  while n < most_steps * 2 do
+    local r = rung(m.T / n)
+    if r.error < useless and last(r) or r.seconds > slowest then break end
+    n = n * factor
+  end
+  return list
+end
+
+return ladder
