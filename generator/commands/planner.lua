@@ -48,9 +48,9 @@ end
 
 -- Compiles what the question needs: its `code` to count in and its `plugin`.  True, or nil and what went wrong.
 function planner.prepare(host, q, given)
-  local code, job, series = everything(host, q, given), nil, nil
+  local code = everything(host, q, given)
   driver.code(code)
-  job, series = everything(host, q, given)
+  local job, series = everything(host, q, given)
   job.orders = series and plan.orders or {}
   local plugins, failed = build.plugins(host, { { job = job, flags = flags } })
   if failed then return nil, failed[1].message end
@@ -80,6 +80,22 @@ function planner.kept(host, q)
   local text = decision.question(q, print)
   local name = decision.key(text)
   return decision.kept(text, host.cache_read(name), #q.job.states), text, name
+end
+
+-- Accuracy, budget and ranges of the scene as lines of a report, with the plan where one was kept; nil without any.
+function planner.asked(host, job, given)
+  local record, q = job.record, planner.question(job, given)
+  if not (q or record.budget or job.ranges) then return nil end
+  local lines = decision.asked(job, q)
+  local d = q and planner.kept(host, q)
+  if d and d.refused then
+    lines[#lines + 1] = "cannot be held: " .. d.refused
+  elseif d then
+    lines[#lines + 1] = "planned: " .. d.title
+  elseif q then
+    lines[#lines + 1] = "not planned yet: polhode gen does it"
+  end
+  return lines
 end
 
 -- The decision for the question, or nil after an error in the job's diagnostics (or second result: what went wrong).
