@@ -103,6 +103,39 @@ local values = { about = "values",
     "box: x must be positive, got -1.0442205502300805", name = "an expression too long to show" },
 }
 
+local asked = { about = "accuracy, budget, ranges",
+  { with "accuracy = 2", 3, "scene: accuracy must be between 0 and 1, got 2" },
+  { with "accuracy = 0", 3, "scene: accuracy must be between 0 and 1, got 0" },
+  { with 'accuracy = "high"', 3, "scene: accuracy " .. number .. ", got \"high\"" },
+  { with 'accuracy = quantity(1, "mm")', 3, "scene: accuracy must be a pure number, got 1/1000 = 0.001 m" },
+  { with "budget = 3", 3, "budget: takes a table of named arguments (ops, real, target), got 3" },
+  { with "budget = { cost = 3 }", 3, "budget: unknown argument \"cost\" (it has ops, real, target)" },
+  { with "budget = { ops = 1/2 }", 3, "budget: ops must be a whole number, at least 1, got 0.5" },
+  { with 'budget = { real = "half" }', 3, "budget: real must be \"double\", \"float\", got \"half\"" },
+  { with 'budget = { target = "z80" }', 3, "budget: target must be \"x86-64\", \"cortex-m0\", \"cortex-m3\", " ..
+    "\"cortex-m4f\", \"cortex-m7\", \"rv32imac\", \"rv32imafc\", \"avr\", got \"z80\"" },
+  { with "ranges = 3", 3,
+    "ranges: must be a table such as {omega = 5, attitude = \"any\", mass = {1, 2}}, got 3" },
+  { with "ranges = { 3 }", 3, "ranges: entry 1 must have the name of what it is a range of, got 3" },
+  { with "ranges = { omega = -1 }", 3, "ranges: omega must not be negative, got -1" },
+  { with "ranges = { omega = {2, 1} }", 3, "ranges: omega must have its lowest value first, got {2, 1}" },
+  { with "ranges = { omega = {1, 2, 3} }", 3, "ranges: omega must be {lowest, highest}, got {1, 2, 3}" },
+  { with "ranges = { omega = {{1, 2}, {1, 2}} }", 3,
+    "ranges: omega must be three pairs {lowest, highest}, got {{1, 2}, {1, 2}}" },
+  { with "ranges = { omega = {{1, 2}, {1, 2}, {3, 2}} }", 3,
+    "ranges: omega[3] must have its lowest value first, got {3, 2}" },
+  { with 'ranges = { omega = quantity(1, "m") }', 3, "ranges: omega must be in 1/s, got m" },
+  { with "ranges = { omega = t }", 3, "ranges: omega must not depend on time or states, got t" },
+  { with "ranges = { attitude = 4 }", 3, "ranges: attitude must be an angle from 0 to pi, got 4" },
+  { with 'ranges = { attitude = "all" }', 3, "ranges: attitude must be \"any\" or an angle, got \"all\"" },
+  { with "ranges = { position = 1 }", 3, "ranges: position: the scene has no such state" },
+  { with "ranges = { qx = {0, 1} }", 3,
+    "ranges: qx is a component of the attitude: give attitude = \"any\" or an angle" },
+  { with "ranges = { omega = 1, wx = {0, 1} }", 3, "ranges: wx is a component of omega, which is given too" },
+  { with "ranges = { size = {0, 1} }", 3,
+    "ranges: unknown name \"size\" (there are omega, attitude, position, velocity and wx, wy, wz)" },
+}
+
 local description = { about = "scene",
   { "return scene { body = " .. BOX .. " }", 1, "scene: name is missing" },
   { 'return scene { name = "s" }', 1, "scene: body is missing" },
@@ -302,4 +335,4 @@ local script = { about = "script",
     { 2, "script: attempt to index a nil value (global 'nothing')" }, name = "errors found before the script stops" },
 }
 
-return { params, values, description, effects, existence, places, script }
+return { params, values, asked, description, effects, existence, places, script }

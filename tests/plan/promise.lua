@@ -7,6 +7,8 @@
 -- over the least that meets the accuracy at those states in a sweep of all methods and of settings that cost down to a
 -- third of the plan's, in steps of 2 %.
 
+local host, args = ...
+
 local driver = require "generator.driver"
 local planner = require "generator.commands.planner"
 local candidates = require "generator.plan.candidates"
@@ -86,8 +88,9 @@ for k = 5, #args do
   if r then
     local got = judge:worst(r.candidate, r.setting, unseen)
     local least, tried = sweep(list, r.cost, q.accuracy)
-    say(args[k], got, r.cost, r.cost / math.min(least, r.cost), tried, r.candidate.name)
+    host.out(string.format("%s %.3g %.4g %.4g %d %s\n", args[k], got, r.cost, r.cost / math.min(least, r.cost), tried,
+      r.candidate.name))
   else
-    say(args[k], "none", bad.why or "")
+    host.out(string.format("%s none %s\n", args[k], bad.why or ""))
   end
 end
