@@ -64,7 +64,7 @@ local function sweep(list, cost, accuracy)
       local last
       for k = 0, 55 do
         local n = math.floor(cost / 3 * 1.02 ^ k / one)
-        if n >= 1 and n ~= last then try(c, judge.T / n) end
+        if n >= 1 and n ~= last and n * one < best then try(c, judge.T / n) end
         last = n
       end
     else
@@ -73,7 +73,7 @@ local function sweep(list, cost, accuracy)
         local setting = high * (low / high) ^ (k / 60)
         local _, steps = judge:worst(c, setting, { unseen[1] }) -- what a state costs, before a hundred are run
         local one = c.weigh(setting)
-        if steps * one > 1.5 * cost then break end
+        if steps * one > 1.5 * math.min(cost, best) then break end
         try(c, setting)
       end
     end
