@@ -81,7 +81,8 @@ static ${name}_real ${name}_taylor_corner(${name}_real c[][${upper}_ROW], int to
         points = 0;
       } else {
         low = s;
-        if (points > 0 && --points == 0) break; /* none */
+        if (points == 1) break; /* none */
+        if (points > 0) points--;
       }
     }
     if (!(high < ${zero} || high > ${zero})) continue;

@@ -151,7 +151,8 @@ local function straightened(eq, groups)
 end
 
 -- The recurrences of groups, laid out: moving: the states whose terms are wanted, {name, sym}; varying: their names.
--- Returns {order, states, roots = square roots of what may vanish, lanes, levels = {{first, last, variables}}, ...}, or nil and why there is none.
+-- Returns {order, states, roots = square roots of what may vanish, lanes, levels = {{first, last, variables}}, ...}, or
+-- nil and why there is none.
 local function laid_out(groups, moving, varying, order)
   local clock = expr.sym("t", 8)
   local list = { table.unpack(moving) }
