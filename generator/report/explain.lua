@@ -345,7 +345,7 @@ function writers.json(f)
     { "closed_form", closed }, { "stability", stability },
     { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
     { "cycles", object { { "real", f.job.real }, { "functions", estimated } } },
-    { "rhs", attribution.json(attribution.of(f.job), object) }, { "asked", f.job.asked },
+    { "rhs", attribution.json(attribution.of(f.job), object) }, { "asked", f.job.asked or json.null },
     { "warnings", warnings } })
 end
 
