@@ -244,7 +244,10 @@ local function turns_of(ctx, program, v)
   if not program.axis then return end
   local f = { name = "taylor_spin", args = { "m", "x" }, result = true, doc = {},
     groups = { { defs = {}, outs = { { result = true, expr = program.spin } } } } }
-  v.taylor_spin = source.make(ctx, f).lines
+  v.taylor_spin = {}
+  for _, line in ipairs(source.make(ctx, f).lines) do
+    if line ~= "" then v.taylor_spin[#v.taylor_spin + 1] = line end
+  end
   local at, comp = {}, { "x", "y", "z" }
   for i, s in ipairs(program.states) do at[s.name] = text(i - 1) end
   local a, b, c = comp[program.axis], comp[program.axis % 3 + 1], comp[(program.axis + 1) % 3 + 1]
