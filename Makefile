@@ -5,6 +5,7 @@
 #   make demo       set up what is missing, build, and walk one body through the whole chain
 #   make check      set up what is missing, build, run every test
 #   make bench      build and run the measurements
+#   make accuracy   docs/accuracy.md and its diagrams, measured anew (some minutes)
 #   make install    PREFIX (default /usr/local), DESTDIR
 #   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/linearised.svg
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
@@ -198,7 +199,7 @@ $(TAYLOR)/top%.lua: bodies/nodding_top.lua
 	@sed 's/"nodding_top"/"top$*"/' $< > $@
 
 $(TAYLOR)/%.c: $(TAYLOR)/%.lua $(PROGRAM)
-	@$(PROGRAM) gen --method taylor,rk4,adaptive --order $(patsubst box%,%,$(patsubst top%,%,$(*:_host=))) $< -o $(@D) > $@.log
+	@$(PROGRAM) gen --method taylor,rk4,adaptive,split4,split6 --order $(patsubst box%,%,$(patsubst top%,%,$(*:_host=))) $< -o $(@D) > $@.log
 
 $(TAYLOR)/%_host.o: $(TAYLOR)/%_host.c
 	$(CC) -std=c99 $(TAYLOR_HOST) -D$(shell echo $* | tr a-z A-Z)_HOST_VECTOR -c -o $@ $<
@@ -231,6 +232,7 @@ bench: all $(BUILD)/bench/step $(BUILD)/bench/rhs $(BUILD)/bench/top $(TAYLOR)/b
 	@$(TAYLOR)/bench
 	@$(BUILD)/bench/gen $(PROGRAM) $(BUILD)/bench/out $(BODIES)
 	@$(BUILD)/bench/mesh $(BUILD)/bench/mesh.stl
+	@$(MAKE) --no-print-directory accuracy
 	@echo "emitted code against the general library, all bodies, 1000 random states each"
 	@$(PROGRAM) check --real double $(BODIES) > $(BUILD)/bench/check.tap; status=$$?; \
 	  grep -e 'to 8 ulp' -e 'closed form is' -e '^not ok' $(BUILD)/bench/check.tap | sed 's/^\(.*ok\) [0-9]* - /  \1 /'; \
@@ -257,6 +259,10 @@ errormap: $(MAP)/double/errors $(MAP)/float/errors
 TURNS = 100000
 drift: $(PROGRAM)
 	@$(LUA) tests/bench/drift.lua $(PROGRAM) $(BUILD)/drift $(TURNS) docs/methods.md
+
+# Work and precision of every method on six scenes: tables and diagrams of docs/accuracy.md.  One at a time, please.
+accuracy: $(PROGRAM)
+	@$(LUA) tests/bench/accuracy.lua $(PROGRAM) $(BUILD)/accuracy docs/accuracy.md
 
 # What the emitted free top costs on a Cortex-M4F: bytes, and instructions counted under QEMU.
 target-cost: $(PROGRAM)
@@ -342,7 +348,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check test sanitize sanitized golden docs bench drift errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check test sanitize sanitized golden docs bench accuracy drift errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

@@ -124,6 +124,7 @@ void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${na
 %% if has_knots then
   const ${name}_real end = t + h;
   ${name}_real stop, part;
+  int n;
 %% end
 %% if taylor_shift then
   const ${name}_real q[4] = {x[${upper}_QW], x[${upper}_QX], x[${upper}_QY], x[${upper}_QZ]};
@@ -132,7 +133,7 @@ void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${na
 
   for (i = 0; i < ${upper}_NX*${upper}_NX; i++) F[i] = i % (${upper}_NX + 1) == 0 ? ${one} : ${zero};
 %% if has_knots then
-  do { /* from corner to corner */
+  for (n = 0; n <= ${knots_count}; n++) { /* from corner to corner */
     stop = ${name}_knot(m, t, end);
     part = stop < end || stop > end ? stop - t : h;
     for (k = 0; k < ${upper}_NX; k++) {
@@ -144,7 +145,8 @@ void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${na
     ${name}_taylor_step(m, t, x, u, part);
     t = stop;
     h -= part;
-  } while (stop < end || stop > end);
+    if (!(stop < end || stop > end)) break;
+  }
 %% else
   for (k = 0; k < ${upper}_NX; k++) {
     for (i = 0; i < ${upper}_NX; i++) v[i] = F[i*${upper}_NX + k];

@@ -36,7 +36,7 @@ local function everything(host, q, given)
   for _, c in ipairs(candidates.of(driver.read(host, given[1], given), { real = q.real, orders = { 8 } })) do
     if not c.refused and not seen[c.method] then names[#names + 1], seen[c.method] = c.method, true end
   end
-  assert(driver.plan(job, { real = q.real, methods = names, order = plan.top, command = "" }))
+  assert(driver.plan(job, { real = q.real, methods = names, order = q.order or plan.top, command = "" }))
   return job, seen.taylor
 end
 
@@ -48,10 +48,10 @@ end
 
 -- Compiles what the question needs: its `code` to count in and its `plugin`.  True, or nil and what went wrong.
 function planner.prepare(host, q, given)
-  local code, job, series = everything(host, q, given), nil, nil
+  local code = everything(host, q, given)
   driver.code(code)
-  job, series = everything(host, q, given)
-  job.orders = series and plan.orders or {}
+  local job, series = everything(host, q, given)
+  job.orders = series and (q.order and { q.order } or plan.orders) or {}
   local plugins, failed = build.plugins(host, { { job = job, flags = flags } })
   if failed then return nil, failed[1].message end
   q.host, q.code, q.plugin = host, code, plugins[1]
@@ -80,6 +80,22 @@ function planner.kept(host, q)
   local text = decision.question(q, print)
   local name = decision.key(text)
   return decision.kept(text, host.cache_read(name), #q.job.states), text, name
+end
+
+-- Accuracy, budget and ranges of the scene as lines of a report, with the plan where one was kept; nil without any.
+function planner.asked(host, job, given)
+  local record, q = job.record, planner.question(job, given)
+  if not (q or record.budget or job.ranges) then return nil end
+  local lines = decision.asked(job, q)
+  local d = q and planner.kept(host, q)
+  if d and d.refused then
+    lines[#lines + 1] = "cannot be held: " .. d.refused
+  elseif d then
+    lines[#lines + 1] = "planned: " .. d.title
+  elseif q then
+    lines[#lines + 1] = "not planned yet: polhode gen does it"
+  end
+  return lines
 end
 
 -- The decision for the question, or nil after an error in the job's diagnostics (or second result: what went wrong).

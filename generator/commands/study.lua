@@ -25,8 +25,8 @@ local near_rounding = 8 -- an error of at most so many ulp of the input, moved t
 local near_reference = 4
 local better = 8 -- by so much is a rung better that is not only luckier
 local rounds, repeats, limit = 3, 5, 0.05 -- of the timing: samples of a row in a round, and s for them
-local slow = 5e-3 -- s: such rows are timed in one round
-local patience = 2 -- s for a run of a peer
+local slow, far = 5e-3, 4 -- s, and times the time of the best: such rows are timed in one round
+local patience = 0.6 -- s for a run of a peer
 local noisy = 1.10 -- the baseline's largest time over its least
 local violent = 8 -- growth of the conditioning over the second half of the run
 local levels = { 1e-3, 1e-6, 1e-9, 1e-11 }
@@ -268,6 +268,21 @@ local function timed(g, r)
   return t.median, t.steps
 end
 
+-- Rows that the first times of the ladders put far from the front of their kind.
+local function hopeless(rows)
+  local list, kinds = {}, {}
+  for _, r in ipairs(rows) do
+    kinds[r.group] = kinds[r.group] or {}
+    table.insert(kinds[r.group], r)
+  end
+  for _, r in ipairs(rows) do
+    for _, o in ipairs(kinds[r.group]) do
+      if o.error <= r.error and far * o.about < r.about then list[r] = true end
+    end
+  end
+  return list
+end
+
 -- Times of all rows, and the baseline: {least =, most =, noisy =}.
 local function measure(g, rows, tick)
   local noise = { least = math.huge, most = 0 }
@@ -275,12 +290,13 @@ local function measure(g, rows, tick)
     local ns = g.host.baseline().ns
     noise.least, noise.most = math.min(noise.least, ns * 1e-9), math.max(noise.most, ns * 1e-9)
   end
+  local once = hopeless(rows)
   for _, r in ipairs(rows) do r.time, r.all = math.huge, {} end
   for round = 1, rounds do
     for i, r in ipairs(rows) do
       if i % 64 == 1 then baseline() end
       if i % 16 == 1 then tick("times, round " .. round) end
-      if round == 1 or r.about < slow then
+      if round == 1 or r.about < slow and not once[r] then
         local seconds, steps, evaluation = timed(g, r)
         if seconds then
           if seconds < r.time then r.time, r.evaluation = seconds, evaluation end

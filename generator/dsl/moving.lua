@@ -2,7 +2,8 @@
 --
 -- `t` and the states qw .. vz are words of the language; an argument that may depend on them says so.  Every
 -- expression's dimension is checked (dsl/value.lua).  A plain number may be meant in any unit, so 0.1*sin(2*t) is a
--- torque, and so is N*sin(rate*t) with N in N m and rate in rad/s, while N*t, wx and wx + qx are refused.
+-- torque, and so is N*sin(rate*t) with N in N m and rate in rad/s, while N*t, wx and wx + qx are refused.  t without a
+-- value that has a dimension beside it counts as such a number, that of the seconds.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -20,7 +21,7 @@ moving.words = { { "t", "time" }, { "qw", "none" }, { "qx", "none" }, { "qy", "n
   { "wx", "rate" }, { "wy", "rate" }, { "wz", "rate" }, { "rx", "length" }, { "ry", "length" }, { "rz", "length" },
   { "vx", "velocity" }, { "vy", "velocity" }, { "vz", "velocity" } }
 
-function moving.value(word) return value.new(motion.sym(word[1]), units[word[2]], "bare") end
+function moving.value(word) return value.new(motion.sym(word[1]), units[word[2]], word[1] == "t" or "bare") end
 
 local most_rows = 100 -- of a table: each costs a product and two sums at every evaluation
 

@@ -4,10 +4,10 @@
 -- cannot alter it.  A plain Lua number is exact (the decimal that was typed) and takes any dimension, and so does
 -- what is computed from plain numbers only; beside a value with a dimension it counts as a pure number in a product.
 -- `plain` marks what is computed from plain numbers and coordinates of a region only: a region takes it, as it takes
--- plain numbers, for any dimension; beside a value with a dimension it has that of its powers.  Time and the states of
--- a motion are plain, too, but "bare" until a plain number multiplies or divides them, which may then be meant in any
--- unit: 0.1*wx can be a torque, wx and wx*t cannot, and wx + qx is wrong by itself.  A function of a plain value is
--- plain.
+-- plain numbers, for any dimension; beside a value with a dimension it has that of its powers.  So is time,
+-- the number of seconds; the states of a motion are, too, but "bare" until a plain number multiplies or divides them,
+-- which may then be meant in any unit: 0.1*wx can be a torque, wx cannot, and wx + qx is wrong by itself.  A function
+-- of a plain value is plain.
 -- A wrong combination is reported on the user's line and goes on as a value without dimension, so that one slip gives
 -- one message.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -124,7 +124,9 @@ local function sum(what, f)
         dim = bare(x) and x.dim or y.dim -- the other one's number is meant so
       end
     end
-    return new(guarded(what, f, x.e, y.e), dim, plain and dim and (bare(x) or bare(y)) and "bare" or plain)
+    local e = guarded(what, f, x.e, y.e)
+    local fixed = dim and e ~= expr.zero and (bare(x) or bare(y)) -- zero is of any unit
+    return new(e, dim, plain and (fixed and "bare" or true))
   end
 end
 

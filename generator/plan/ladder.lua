@@ -27,7 +27,7 @@ function ladder.climb(m)
   local function rung(setting)
     local e, seconds, what = m.run(setting)
     local best = m.best(e)
-    for _ = 1, again do -- was it the machine, or is it so?
+    for _ = 1, e < math.huge and again or 0 do -- was it the machine, or is it so?
       if seconds <= slowest / 2 and not (best and seconds > far / 2 * best) then break end
       seconds = math.min(seconds, (select(2, m.run(setting))))
     end
@@ -46,12 +46,17 @@ function ladder.climb(m)
       or best and r.seconds > far * best or m.enough and r.error <= m.enough
   end
   if m.kind == "tolerance" then
+    local failures = 0 -- some find no way with a tolerance that is too loose
     for k = 2, 36 do
       local tolerance = 10.0 ^ (-k / 2)
       if tolerance < m.least then break end
       local r = rung(tolerance)
-      if r.error < useless and last(r) or r.seconds > slowest then break end
-      if r.error == math.huge and #list > 0 then break end
+      if r.error == math.huge then
+        failures = failures + 1
+        if failures == patience or #list > 0 then break end
+      elseif r.error < useless and last(r) or r.seconds > slowest then
+        break
+      end
     end
     return list
   end

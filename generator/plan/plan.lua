@@ -1,7 +1,7 @@
 -- plan.lua -- from an accuracy to a method: which one, at which step or tolerance, and on what evidence.
 --
--- Candidates compete at a few states (search.lua); the winner is then run from all of them, and the states where it errs
--- most join the few until it holds everywhere.  What must hold is: the largest error, times `margin`, is below the
+-- Candidates compete at a few states (search.lua); the winner is then run from all of them, and the states where it
+-- errs most join the few until it holds everywhere.  What must hold is: the largest error, times `margin`, is below the
 -- accuracy.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -26,9 +26,9 @@ local top = plan.top
 
 local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
 
--- The order that NAME_taylor_run takes for a tolerance (templates/taylor_run.c, emit/taylor.lua): bits of an IEEE number as
--- an integer are its logarithm.
-function plan.order(tolerance, real)
+-- The order that NAME_taylor_run takes for a tolerance (templates/taylor_run.c, emit/taylor.lua): bits of an IEEE
+-- number as an integer are its logarithm.  most: the order of the emitted series.
+function plan.order(tolerance, real, most)
   local log2
   if real == "float" then
     log2 = string.unpack("i4", string.pack("f", tolerance)) * 2.0 ^ -23 - 127
@@ -36,20 +36,22 @@ function plan.order(tolerance, real)
     log2 = string.unpack("i8", string.pack("d", tolerance)) * 2.0 ^ -52 - 1023
   end
   local n = 9.5 - 0.375 * log2
-  return n < top and (n > 4 and math.floor(n) or 4) or top
+  most = most or top
+  return n < most and (n > 4 and math.floor(n) or 4) or most
 end
 
 local function total(counts)
   return counts.add + counts.mul + counts.div + counts.sqrt + counts.call
 end
 
-local rank = { exact = 1, taylor = 2, adaptive = 3, split6 = 4, split4 = 5, midpoint = 6, split2 = 7, rk4 = 8, semi = 9 }
+local rank = { exact = 1, taylor = 2, adaptive = 3, split6 = 4, split4 = 5, midpoint = 6, split2 = 7, rk4 = 8,
+  semi = 9 }
 local first_orders = { [16] = 1, [20] = 2, [12] = 3 }
 
 -- The candidates that compete, the promising first, with what search.lua wants to know; and those that were refused.
 -- q: the question (plan.find); code: the planned job whose code is counted.
 local function competitors(q, code)
-  local list, refused = {}, {}
+  local list, refused, fused = {}, {}, { fma = targets.fma(q.target, q.real) }
   local all = candidates.of(q.job, { methods = q.methods, real = q.real,
     orders = q.order and { q.order } or plan.orders })
   local seen = {}
@@ -61,7 +63,7 @@ local function competitors(q, code)
       c.name, c.order = "taylor tol", q.order or top
     end
     local costs = not c.refused and not twice and
-      assert(ops.of(code, { method = c.method, order = c.order, setting = c.setting }))
+      assert(ops.of(code, { method = c.method, order = c.order, setting = c.setting }, fused))
     if c.refused then
       if not seen[c.method] then refused[#refused + 1] = c end
       seen[c.method] = true
@@ -70,9 +72,9 @@ local function competitors(q, code)
       c.counts, c.setup_counts = costs.step, costs.setup
       local memo = {}
       c.counts_at = function(setting)
-        if not fixed or q.order then return costs.step end
-        local n = plan.order(setting, q.real)
-        memo[n] = memo[n] or ops.of(code, { method = "taylor", order = n, setting = "tolerance" }).step
+        if not fixed then return costs.step end
+        local n = plan.order(setting, q.real, q.order)
+        memo[n] = memo[n] or ops.of(code, { method = "taylor", order = n, setting = "tolerance" }, fused).step
         return memo[n]
       end
       c.weight = function(setting) return weight(c.counts_at(setting)) end
@@ -80,7 +82,9 @@ local function competitors(q, code)
       c.power = c.order or (methods.by_name[c.method] or {}).order or 1
       c.spread = c.power < 8 and 1.3 or 2
       c.ops = total(costs.step) + (costs.setup and total(costs.setup) or 0)
-      if q.ops and c.ops > q.ops and not fixed then
+      if fixed then c.ops = total(c.counts_at(0.5)) end -- its order, and so its operations, follow the tolerance
+      c.allowed = function(setting) return not q.ops or not fixed or total(c.counts_at(setting)) <= q.ops end
+      if q.ops and c.ops > q.ops then
         c.over = true
         refused[#refused + 1] = c
       else
@@ -91,7 +95,8 @@ local function competitors(q, code)
   local place = {}
   for i, c in ipairs(list) do place[c] = i end
   local function key(c)
-    return (rank[c.method] or 10) * 1000 + (c.setting == "tolerance" and 0 or first_orders[c.order] or 10) * 50 + place[c]
+    local inner = c.setting == "tolerance" and 0 or first_orders[c.order] or 10
+    return (rank[c.method] or 10) * 1000 + inner * 50 + place[c]
   end
   table.sort(list, function(a, b) return key(a) < key(b) end)
   return list, refused
@@ -154,7 +159,7 @@ local function corrected(s, r, points, limit)
   for _ = 1, 6 do
     if setting then setting = search.rounded(setting, c.setting == "step" and 4 or 2) end
     out = verify(s, c, setting, points)
-    out.fits = out.error <= limit
+    out.fits = out.error <= limit and c.allowed(setting)
     if out.fits or not setting then break end
     local ratio = math.max(1e-3, limit / out.error)
     setting = setting * (c.setting == "step" and 0.99 * ratio ^ (1 / c.power) or 0.7 * ratio)
@@ -176,9 +181,10 @@ local function add_worst(list, chosen, points, errors, n)
   end
 end
 
--- The cheapest plan of the list that stays below the limit at all points, or nil; what the first round found; of what was
--- run from all points the one that came closest.  What a candidate costs at few states is a lower bound of what it costs at all of them; so once the verified plan costs no
--- more than `enough` times the best at few, there is nothing to win.
+-- The cheapest plan of the list that stays below the limit at all points, or nil; what the first round found; of what
+-- was run from all points the one that came closest.  What a candidate costs at few states is a lower bound of what it
+-- costs at all of them; so once the verified plan costs no more than `enough` times the best at few, there is nothing
+-- to win.
 local enough = 1.1
 local function compete(s, list, points, limit, real, progress)
   local tried = { trial = s, points = first_states(s, list, points, few), epsilon = epsilon[real] }
@@ -202,7 +208,7 @@ end
 local function truths(s, points, limit, progress)
   local own = 0.0
   for i, p in ipairs(points) do
-    local rows, why, doubt = true, nil, nil
+    local rows, why, doubt
     if i <= confirmed or not s.sure then
       doubt, why = s:doubt(p, not s.sure and i <= confirmed or i == 1)
       rows = doubt
@@ -220,7 +226,8 @@ end
 -- The plan for a question q: {host, job (read), code (planned, with its methods), plugin, accuracy, real, target, ops,
 -- methods, order, progress}.  Returns
 --     {candidate, setting, error, steps, cost, counts, setup_counts, order, margin, limit, found = what the competitors
---      showed, refused, states = number, own = error of the truth, rows = the scene's own true motion, expected = its end}
+--      showed, refused, states = number, own = error of the truth, rows = the scene's own true motion, expected = its
+--      end}
 -- or nil and {found, closest, refused, own, why}; generator/plan/decision.lua puts both into words.
 function plan.find(q)
   local T = q.job.model:double(q.job.model.horizon)
@@ -247,7 +254,8 @@ function plan.find(q)
   for turn, margin in ipairs { plan.margin, plan.least_margin } do
     if best or #list == 0 or q.accuracy / margin <= own then break end
     limit = q.accuracy / margin - own
-    best, result.found, result.closest = compete(s, list, points, limit, q.real, share(0.2 + 0.2 * turn, 0.6 + 0.2 * turn))
+    local step = share(0.2 + 0.2 * turn, 0.6 + 0.2 * turn)
+    best, result.found, result.closest = compete(s, list, points, limit, q.real, step)
   end
   if not best then return nil, result end
   local c = best.candidate
@@ -255,7 +263,7 @@ function plan.find(q)
   result.margin, result.limit = q.accuracy / (best.error + own), limit
   result.counts, result.setup_counts = c.counts_at(best.setting), c.setup_counts
   if c.method == "taylor" and c.setting == "tolerance" then
-    result.order = q.order or plan.order(best.setting, q.real)
+    result.order = plan.order(best.setting, q.real, q.order)
   end
   return result
 end

@@ -17,8 +17,8 @@ T+V-n.L is `NAME_jacobi_integral`, T + V - n L_z, where fields turn about inerti
 
 The dimension of every expression is checked, and what does not fit is refused with its line: each argument, both sides
 of each sum, arguments of functions (pure numbers or angles), torques, forces and rates of states that a scene writes.
-A plain number may be meant in any unit, so `0.1*sin(2*t)` is a torque where `N*t`, N in N m, `wx`, `t` and `wx + qx`
-are not; `sin(t)` and `cos(t)` take t in s as an angle in rad.
+A plain number may be meant in any unit, so `0.1*sin(2*t)` is a torque where `N*t`, N in N m, `wx` and `wx + qx` are
+not; `t` among plain numbers is one, that of the seconds.
 
 ]]
 

@@ -18,10 +18,11 @@ local WARN = "-std=c99 -O0 -ffp-contract=off -pedantic -Wall -Wextra -Wconversio
 local function run(command) return program.shell(command .. " >" .. dir .. "/log 2>&1") end
 local function log() return program.read(dir .. "/log") end
 
--- a scene that uses everything: inputs, more parameters than states, a corner, every kind of state
+-- inputs, more parameters than states; a point in a turning frame
 program.write(dir .. "/many.lua", [[
 return scene { name = "many", origin = "corner",
-  body = solid.box { x = param("a", 1, "m"), y = param("b", 2, "m"), z = param("c", 3, "m"), mass = param("M", 4, "kg") },
+  body = solid.box { x = param("a", 1, "m"), y = param("b", 2, "m"), z = param("c", 3, "m"),
+    mass = param("M", 4, "kg") },
   effects = { effect.control { max = param("limit", 2, "N m") }, effect.damping { rate = param("k", 0.1, "1/s") },
     effect.gravity { g = param("g", 9.8, "m/s^2") }, effect.torque { inertial = { param("n", 1, "N m"), 0, 2 } } },
   initial = { omega = { param("p", 1, "rad/s"), 2, 3 } } }]])
@@ -37,8 +38,8 @@ for _, name in ipairs { "many", "point", "bodies/heavy_top", "bodies/thruster", 
   for _, method in ipairs { "rk4", "adaptive", "taylor", "semi", "midpoint" } do
     local real = method == "semi" and "float" or "double"
     local out = dir .. "/" .. short .. method
-    local status = run(string.format("POLHODE_SOURCE=. %s gen %s.lua --with jacobians --method %s --real %s -o %s", binary,
-      path, method, real, out))
+    local status = run(string.format("POLHODE_SOURCE=. %s gen %s.lua --with jacobians --method %s --real %s -o %s",
+      binary, path, method, real, out))
     if method == "midpoint" and (short == "point" or short == "wheels") then
       tap.is(status, 1, short .. ", midpoint: refused")
     else

@@ -195,9 +195,9 @@ do
   local vt = math.sqrt(2 * 9.5 / 0.25)
   local apex = math.atan(20 / vt) * vt / 9.5
   for _, tolerance in ipairs { "1e-13", "1e-9", "1e-6" } do
-    local got, text = run("--engine generated --method taylor --tolerance " .. tolerance)
+    local _, text = run("--engine generated --method taylor --tolerance " .. tolerance)
     local _, last = string.match(text, "([^\n]*)\n([^\n]*)\n?$")
-    got = {}
+    local got = {}
     for word in string.gmatch(last or "", "[^,]+") do got[#got + 1] = tonumber(word) end
     local e = math.exp(-2 * 9.5 * (2 - apex) / vt)
     local d = math.abs((got[8] or math.huge) + vt * (1 - e) / (1 + e))

@@ -37,7 +37,8 @@ local rows = {
   { "a full tensor, damped", FULL, GRAVITY .. ", effect.damping { c = {0.1, 0.2, 0.3} }" },
   { "a damped and driven brick with a rotor", BRICK, "effect.damping { c = {0.1, 0.2, 0.3} }, effect.control {}, " ..
     "effect.torque { body = {0.5, -0.25, 0.125} }, effect.rotor { axis = {3, 0, 4}, momentum = 5 }" },
-  { "torque over time", BRICK, "effect.torque { body = { cos(2*t), t, 0 } }, " .. GRAVITY },
+  { "torque over time", BRICK, "effect.torque { body = { cos(2*t), t*quantity(1, \"N m/s\"), 0 } }, " ..
+    GRAVITY },
   { "a table", ROUND, "effect.torque { body = { { {0, 0}, {0.03125, 8}, {0.046875, -8}, {0.5, 0} }, 0, 0 } }, " ..
     GRAVITY },
   { "two wheels", BRICK, "effect.wheel { axis = {1, 0, 0}, inertia = 0.5, speed = 2, torque = 0.5, included = true }" ..

@@ -65,7 +65,7 @@ do -- tolerances: the error is theirs, times 1000
   local tolerances = {}
   local function run(tolerance)
     tolerances[#tolerances + 1] = tolerance
-    return tolerance < 1e-14 and math.huge or 1000 * tolerance, 1e-6
+    return (tolerance < 1e-14 or tolerance > 0.05) and math.huge or 1000 * tolerance, tolerance > 0.05 and 9 or 1e-6
   end
   local list = climb { kind = "tolerance", run = run, floor = 1e-30 }
   tap.is(tolerances[1], 0.1, "tolerances begin at a tenth")
@@ -75,6 +75,7 @@ do -- tolerances: the error is theirs, times 1000
   end
   tap.ok(good, "two of them in a decade")
   tap.ok(list[1].error <= 1 and list[1].error > 0.09, "rungs without a result are left out")
+  tap.ok(#list > 10, "a tolerance that is too loose to come to an end does not end the ladder")
   tap.ok(list[#list].error < 1e-10 and list[#list].setting >= 1e-14 * (1 - 1e-12),
     "a run that ends in nothing ends the ladder")
   list = climb { kind = "tolerance", floor = 1e-30, run = function(tolerance)
