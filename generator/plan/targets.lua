@@ -15,8 +15,8 @@ local measured = require "generator.plan.measured"
 local targets = { default = "x86-64",
   list = { "x86-64", "cortex-m0", "cortex-m3", "cortex-m4f", "cortex-m7", "rv32imac", "rv32imafc", "avr" } }
 
--- x86-64: cycles of a core of the 2020s at -O2 without vectors, between reciprocal throughput and latency as emitted
--- steppers have them: fitted to nine steppers of three scenes (tests/target/host.c).
+-- x86-64: cycles at -O2 without vectors, between reciprocal throughput and latency as emitted steppers have them:
+-- chosen by hand from three scenes on one server processor (tests/target/host.c, docs/targets.md).
 local x86 = { part = 1, mem = 0, add = 0.39, mul = 0.39, fma = 0.39, cmp = 1, conv = 2, conv64 = 2, long = 0.5,
   frexp = 8, ldexp = 12, floor = 7 }
 local function host(own)
