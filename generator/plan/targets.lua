@@ -5,9 +5,9 @@
 --     targets.instructions(target, real, counts)   instructions; nil where none were counted (x86-64, avr)
 --     targets.fma(target, real)                has it fused multiplication and addition in the type?  (for ops.of)
 -- Instructions: the sum over the operations of what each was counted to take, times `part`, and `mem` for each number
--- in memory; both are fitted to emitted code (plan/measured.lua; `make target-costs` remakes it).  Cycles: by the makers'
--- tables below, memory without wait states; so they are near what a small core takes, and below what it takes from
--- slow flash.  docs/targets.md shows predicted against counted.
+-- in memory; both are fitted to emitted code (plan/measured.lua; `make target-costs` remakes it).  Cycles: by the
+-- makers' tables below, memory without wait states; so they are near what a small core takes, and below what it takes
+-- from slow flash.  docs/targets.md shows predicted against counted.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local measured = require "generator.plan.measured"
