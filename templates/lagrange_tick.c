@@ -45,7 +45,7 @@ void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[])
   f.b = b - o->jump[1][0]*r;
   f.a -= ${name}_nearest(f.a);
   f.b -= ${name}_nearest(f.b);
-  if (!(o->inverse > ${zero})) { /* the separatrix has no period */
+  if (!(o->inverse > ${zero})) { /* rare: the separatrix has no period */
     const ${name}_pair t = ${name}_pair_product((${name}_real)n, o->tick);
     ${name}_pair q = {o->start[0], o->start[1]};
 

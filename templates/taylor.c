@@ -135,6 +135,9 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 %% for _, s in ipairs(taylor_states) do
   c[0][${s.index}] = y[${s.index}];
 %% end
+%% for _, r in ipairs(taylor_roots) do
+  c[0][${r.index}] = y[${r.place}];
+%% end
 %% for _, level in ipairs(taylor_levels) do
 %%   for _, lane in ipairs(level.lanes) do
   a[0][${lane.index}] = ${lane.first};
@@ -185,6 +188,10 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 %% end
 %% for _, s in ipairs(taylor_states) do
     c[n + 1][${s.index}] = y[${s.index}];
+%% end
+%% for _, r in ipairs(taylor_roots) do
+    c[n][${r.index}] = y[${r.place}];
+    c[n + 1][${r.index}] = ${zero};
 %% end
   }
 }
@@ -345,8 +352,8 @@ void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[
 %% end
 }
 %% end
-
 %% if planning then
+
 /* One step of size h of any order up to ${upper}_ORDER: for the planner, which compares orders. */
 void ${name}_taylor_step_of(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int top);
 
@@ -354,162 +361,10 @@ void ${name}_taylor_step_of(const ${name}_model *m, ${name}_real t, ${name}_real
 {
   ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW];
 
-  ${name}_taylor_terms(m, t, x, u, top, c);
+  ${name}_taylor_terms(m, t, x, u, top, c${taylor_after_t});
   ${name}_taylor_step_by(m, c, top, h, x, d);
 %%   for _, s in ipairs(taylor_states) do
   x[${s.name}] += d[${s.index}];
 %%   end
-}
-
-%% end
-/* An IEEE 754 number's bits, read as an integer, are its logarithm but for a straight line between powers of two: log2 |x|
- * to 0.09, and the inverse function. */
-typedef union ${name}_taylor_bits {
-  ${name}_real x;
-  ${taylor_int} n;
-} ${name}_taylor_bits;
-
-static ${name}_real ${name}_taylor_log2(${name}_real x)
-{
-  ${name}_taylor_bits b;
-
-  b.x = ${fabs}(x);
-  return (${name}_real)b.n*${taylor_bit} - ${taylor_bias};
-}
-
-static ${name}_real ${name}_taylor_exp2(${name}_real x) /* x within the range of exponents */
-{
-  ${name}_taylor_bits b;
-
-  b.n = (${taylor_int})((x + ${taylor_bias})*${taylor_scale});
-  return b.x;
-}
-
-/* The largest step h at which the last two terms are below a part of the first ones of their kind of state, |c[n]| h^n <=
- * part |c[i]| h^i for some i < 3; the part is `local`, or `rate` h if that is larger. */
-static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top, ${name}_real local, ${name}_real rate)
-{
-  const ${name}_real log_local = ${name}_taylor_log2(local), log_rate = ${name}_taylor_log2(rate);
-  ${name}_real log_h = ${eight}*${eight}, head[3], tail, at, best;
-  int i, k, n;
-
-%% for _, k in ipairs(taylor_kinds) do
-  /* ${k.about} */
-  for (i = 0; i < 3; i++) {
-    head[i] = ${zero};
-    for (k = ${k.first}; k < ${k.last}; k++) head[i] = ${fabs}(c[i][k]) > head[i] ? ${fabs}(c[i][k]) : head[i];
-    head[i] = ${name}_taylor_log2(head[i]);
-  }
-  for (n = top - 1; n <= top; n++) {
-    tail = ${zero};
-    for (k = ${k.first}; k < ${k.last}; k++) tail = ${fabs}(c[n][k]) > tail ? ${fabs}(c[n][k]) : tail;
-    if (!(tail > ${zero})) continue; /* nothing moves */
-    tail = ${name}_taylor_log2(tail);
-    best = ${one} - ${taylor_bias};
-    for (i = 0; i < 3 && i + 1 < n; i++) {
-      at = (log_local + head[i] - tail)/(${name}_real)(n - i);
-      best = at > best ? at : best;
-      at = (log_rate + head[i] - tail)/(${name}_real)(n - i - 1);
-      best = at > best ? at : best;
-    }
-    log_h = best < log_h ? best : log_h;
-  }
-%% end
-  return ${name}_taylor_exp2(log_h);
-}
-
-static ${name}_real ${name}_taylor_limit(${name}_real size, ${name}_real h)
-{
-  return size < ${fabs}(h) ? h < ${zero} ? -size : size : h;
-}
-
-/* The order for a tolerance.  Steps grow as tolerance^(1/n) and cost some a + b n + c n^2: the least time to a given end is
- * at n = const - const log(tolerance), const - log(tolerance)/2 with products alone (Jorba, Zou 2005, section 3.1). */
-static int ${name}_taylor_top(${name}_real tolerance)
-{
-%% if taylor_packed then
-#if defined ${upper}_PACKED
-  const ${name}_real least = ${taylor_least_packed};
-#else
-  const ${name}_real least = ${taylor_least};
-#endif
-%% else
-  const ${name}_real least = ${taylor_least};
-%% end
-  const ${name}_real top = least - ${taylor_slope}*${name}_taylor_log2(tolerance);
-
-  return top < ${upper}_ORDER ? top > ${four} ? (int)top : 4 : ${upper}_ORDER;
-}
-
-${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real tolerance)
-{
-  ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW];
-
-%% if has_knots then
-  h = ${name}_knot(m, t, t + h) - t;
-  ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c, t + ${half}*h);
-%% else
-  ${name}_taylor_series(m, t, x, u, c);
-%% end
-  h = ${name}_taylor_limit(${name}_taylor_size(c, ${upper}_ORDER, tolerance, ${zero}), h);
-  ${name}_taylor_step_by(m, c, ${upper}_ORDER, h, x, d);
-%% for _, s in ipairs(taylor_states) do
-  x[${s.name}] += d[${s.index}];
-%% end
-  return h;
-}
-
-int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most)
-{
-  static const int moving[${upper}_MOVING] = {
-%% for _, s in ipairs(taylor_states) do
-    ${s.name},
-%% end
-  };
-  const ${name}_real finest = ${taylor_finest}, local = tolerance < finest ? tolerance : finest;
-  const int top = ${name}_taylor_top(tolerance);
-  ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW], lost[${upper}_MOVING + 1] = {${zero}};
-  ${name}_real t = t0;
-  int steps, k;
-
-  for (steps = 0; steps < most; steps++) {
-%% if has_knots then
-    const ${name}_real end = ${name}_knot(m, t, t1), left = (end - t) - lost[${upper}_MOVING]; /* from corner to corner */
-%% else
-    const ${name}_real left = (t1 - t) - lost[${upper}_MOVING];
-%% end
-    ${name}_real h, next_t;
-
-    if (!(left > ${zero} || left < ${zero})) return steps;
-    ${name}_taylor_terms(m, t, x, u, top, c${taylor_before_end});
-    h = ${name}_taylor_limit(${name}_taylor_size(c, top, local, tolerance/(t1 - t0)), left);
-    if (!(h > ${zero} || h < ${zero})) return -1;
-    ${name}_taylor_step_by(m, c, top, h, x, d);
-    for (k = 0; k < ${upper}_MOVING; k++) { /* Kahan: what rounding took from the last sum is in the next one */
-      const ${name}_real add = d[k] + lost[k], sum = c[0][k] + add;
-
-      if (!(sum - sum == ${zero})) return -1;
-      lost[k] = add - (sum - c[0][k]);
-      x[moving[k]] = sum;
-    }
-%% if has_knots then
-    if (!(h < left || h > left)) {
-      t = end;
-      lost[${upper}_MOVING] = ${zero};
-      continue;
-    }
-%% end
-    h += lost[${upper}_MOVING];
-    next_t = t + h;
-    lost[${upper}_MOVING] = h - (next_t - t);
-    t = next_t;
-  }
-  return -1;
-}
-%% if first then
-
-void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
-{
-  ${name}_taylor_step(m, t, x, u, h);
 }
 %% end

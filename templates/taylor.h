@@ -19,6 +19,12 @@ void ${name}_taylor_at(const ${name}_model *m, ${name}_real c[][${upper}_ROW], $
 /* One step of size h, order ${upper}_ORDER: x goes from time t to t + h, the input u held. */
 void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
 
+%% if taylor_transition then
+/* The same step and its transition matrix, row major, NX x NX: F[i*NX + k] = d x[i](t + h)/d x[k](t), by the series of the
+ * variational equations of the same order; what keeps |q| = 1 is included.  It takes about 3 NX times as long as the step. */
+void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[]);
+
+%% end
 /* One step of the size that the tolerance asks for, in the direction of h and not beyond it; returns that size.  The
  * last two terms are at most the tolerance times the size of their kind of state (Jorba, Zou 2005, section 3.2). */
 ${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real tolerance);
@@ -31,4 +37,7 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
 
 /* One step of size h by the series: the scene's own stepper. */
 void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
+%%   if taylor_transition then
+void ${name}_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[]);
+%%   end
 %% end

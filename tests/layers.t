@@ -22,7 +22,8 @@ local ARROWS = {
   ir = { "algebra", "polhode_rational" },
   emit = { "algebra", "ir", "dynamics" }, -- dynamics: the free top with many digits, for constants and expected states
   plan = { "algebra", "dynamics", "methods", "ir" },
-  report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw" }, -- dynamics: equations with an effect left out
+  -- dynamics: equations with an effect left out; plan: what functions cost
+  report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw", "plan" },
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report",
     "driver", "interchange" },

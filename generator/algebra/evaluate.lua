@@ -78,6 +78,7 @@ function evaluate.exact(e, env)
     end,
     call = function(fn, args)
       if fn == "abs" then return R.abs(args[1]) end
+      if fn == "sign" then return R.sign(args[1]) < 0 and -R.one or R.one end
       error("evaluate: " .. fn .. " has no exact value", 0)
     end,
   })
@@ -113,6 +114,7 @@ function evaluate.precise(e, env, bits)
     end,
     call = function(fn, args)
       if fn == "abs" then return R.abs(args[1]) end
+      if fn == "sign" then return R.sign(args[1]) < 0 and -R.one or R.one end
       return apply(fn, table.unpack(args))
     end,
   })
@@ -139,7 +141,7 @@ local functions = {
   atan2 = function(y, x) return math.atan(y, x) end,
   exp = math.exp, log = function(x) return math.log(x) end,
   sinh = by_mpfr "sinh", cosh = by_mpfr "cosh", tanh = by_mpfr "tanh",
-  abs = math.abs,
+  abs = math.abs, sign = function(x) return x < 0 and -1.0 or 1.0 end,
   pi = function() return math.pi end,
 }
 for _, fn in ipairs { "ellipsoid_area", "ellipsoid_normal", "arc_across", "arc_along", "arc_lever", "catenary_rise",

@@ -27,7 +27,7 @@
 local R = require "generator.algebra.rational"
 local radical = require "generator.algebra.radical"
 
-local odd = { sin = true, tan = true, asin = true, atan = true, sinh = true, tanh = true, catenary_rise = true }
+local odd = { sin = true, tan = true, asin = true, atan = true, sinh = true, tanh = true, catenary_rise = true, sign = true }
 local even = { cos = true, cosh = true, abs = true, arc_across = true, arc_along = true, arc_lever = true,
   catenary_width = true, catenary_height = true }
 local at_zero = { sin = 0, tan = 0, asin = 0, atan = 0, sinh = 0, tanh = 0, cos = 1, cosh = 1, exp = 1, abs = 0,
@@ -82,6 +82,10 @@ return function(expr)
     if fn == "pi" then return expr.pi end
     if string.match(fn, "^ellipsoid_") then return ellipsoid(fn, args) end
     local a = args[1]
+    if fn == "sign" then -- 1 at zero
+      if a.kind == "num" then return R.sign(a.value) < 0 and expr.lift(-1) or expr.one end
+      if expr.nonnegative(a) then return expr.one end
+    end
     if fn == "abs" then
       if a.kind == "num" then return expr.lift(R.abs(a.value)) end
       if expr.nonnegative(a) then return a end

@@ -14,7 +14,7 @@
 --                                                numbers keep their size)
 --                         mul   [1..n]           n >= 2 factors, sorted; a rational coefficient is [1]
 --                         pow   base, exp        exp an exact rational, not 0 or 1
---                         call  fn, [1..n]       sin cos tan asin acos atan atan2 exp log sinh cosh tanh abs pi;
+--                         call  fn, [1..n]       sin cos tan asin acos atan atan2 exp log sinh cosh tanh abs sign pi;
 --                                                ellipsoid_area ellipsoid_normal, arc_* and catenary_* (exact.lua)
 -- Not here: derivatives and substitution (calculus.lua), polynomial normal forms (poly.lua), text (text.lua).
 -- SPDX-License-Identifier: GPL-3.0-or-later

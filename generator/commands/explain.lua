@@ -2,6 +2,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local options = require "generator.commands.options"
+local planner = require "generator.commands.planner"
 local driver = require "generator.driver"
 local report = require "generator.report.explain"
 local difference = require "generator.report.difference"
@@ -49,6 +50,7 @@ function explain.run(host, given)
     host.out(inertial.text(job, given.format))
     return 0
   end
+  job.asked = planner.asked(host, job, given)
   driver.plan(job, { command = "" })
   host.out(report.text(job, given.format or "text"))
   return 0

@@ -46,27 +46,30 @@ local function progress(host)
     function() host.err("\r             \r") end
 end
 
+-- Compiles what the question needs: its `code` to count in and its `plugin`.  True, or nil and what went wrong.
+function planner.prepare(host, q, given)
+  local code = everything(host, q, given)
+  driver.code(code)
+  local job, series = everything(host, q, given)
+  job.orders = series and plan.orders or {}
+  local plugins, failed = build.plugins(host, { { job = job, flags = flags } })
+  if failed then return nil, failed[1].message end
+  q.host, q.code, q.plugin = host, code, plugins[1]
+  q.plugin:init()
+  return true
+end
+
 -- Makes the decision; nil and what went wrong outside.
 local function decided(host, q, given)
   local show, clear = progress(host)
   show(0)
-  local code = everything(host, q, given)
-  driver.code(code)
-  q.host, q.code = host, code
-  local job, series = everything(host, q, given)
-  job.orders = series and plan.orders or {}
-  local plugins, failed = build.plugins(host, { { job = job, flags = flags } })
-  local plugin = plugins[1]
-  if failed then
-    clear()
-    return nil, failed[1].message
-  end
-  plugin:init()
+  local fine, why = planner.prepare(host, q, given)
   show(0.3)
   q.progress = function(part) show(0.3 + 0.7 * part) end
-  q.plugin = plugin
-  local found, instead = plan.find(q)
+  local found, instead
+  if fine then found, instead = plan.find(q) end
   clear()
+  if not fine then return nil, why end
   return found and decision.made(q, found) or decision.refusal(q, instead)
 end
 
@@ -77,6 +80,22 @@ function planner.kept(host, q)
   local text = decision.question(q, print)
   local name = decision.key(text)
   return decision.kept(text, host.cache_read(name), #q.job.states), text, name
+end
+
+-- Accuracy, budget and ranges of the scene as lines of a report, with the plan where one was kept; nil without any.
+function planner.asked(host, job, given)
+  local record, q = job.record, planner.question(job, given)
+  if not (q or record.budget or job.ranges) then return nil end
+  local lines = decision.asked(job, q)
+  local d = q and planner.kept(host, q)
+  if d and d.refused then
+    lines[#lines + 1] = "cannot be held: " .. d.refused
+  elseif d then
+    lines[#lines + 1] = "planned: " .. d.title
+  elseif q then
+    lines[#lines + 1] = "not planned yet: polhode gen does it"
+  end
+  return lines
 end
 
 -- The decision for the question, or nil after an error in the job's diagnostics (or second result: what went wrong).

@@ -103,8 +103,8 @@ function args.flag(ctx, line, what, name, _, given)
 end
 
 -- One scalar of dimension `spec.dim` (its name in units, or itself), as an expression; nil after an error.
--- spec.motion: it may depend on time and states, which, like plain numbers, take any dimension unless a value that has
--- one is beside them.
+-- spec.motion: it may depend on time and states, which, multiplied by plain numbers, take any dimension unless a value
+-- that has one is beside them.
 function args.scalar(ctx, line, what, name, spec, given)
   local r, why = value.of(given)
   if not r then
@@ -117,7 +117,7 @@ function args.scalar(ctx, line, what, name, spec, given)
     ctx.diag:error(line, what, name .. " must not depend on time or states", value.show(given))
     return nil
   end
-  if r.dim and not units.equal(r.dim, dim) and not (spec.motion and r.plain) then
+  if r.dim and not units.equal(r.dim, dim) and not (spec.motion and r.plain == true) then
     local pure = units.equal(dim, units.none)
     ctx.diag:error(line, what, name .. (pure and " must be a pure number" or " must be in " .. units.name(dim)),
       value.show(given, true))

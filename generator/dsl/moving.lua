@@ -1,8 +1,9 @@
 -- moving.lua -- what a scene may say about the motion: time, states, tables over time, and effects of its own.
 --
--- `t` and the states qw .. vz are words of the language; an argument that may depend on them says so.  Like plain
--- numbers they take any dimension as long as no value with a dimension is beside them: 0.1*sin(2*t) is a torque, and
--- so is N*sin(rate*t) with N in N m and rate in rad/s, while N*t is refused.
+-- `t` and the states qw .. vz are words of the language; an argument that may depend on them says so.  Every
+-- expression's dimension is checked (dsl/value.lua).  A plain number may be meant in any unit, so 0.1*sin(2*t) is a
+-- torque, and so is N*sin(rate*t) with N in N m and rate in rad/s, while N*t, wx and wx + qx are refused.  t without a
+-- value that has a dimension beside it counts as such a number, that of the seconds.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -20,7 +21,7 @@ moving.words = { { "t", "time" }, { "qw", "none" }, { "qx", "none" }, { "qy", "n
   { "wx", "rate" }, { "wy", "rate" }, { "wz", "rate" }, { "rx", "length" }, { "ry", "length" }, { "rz", "length" },
   { "vx", "velocity" }, { "vy", "velocity" }, { "vz", "velocity" } }
 
-function moving.value(word) return value.new(motion.sym(word[1]), units[word[2]], true) end
+function moving.value(word) return value.new(motion.sym(word[1]), units[word[2]], word[1] == "t" or "bare") end
 
 local most_rows = 100 -- of a table: each costs a product and two sums at every evaluation
 
@@ -151,7 +152,7 @@ local function received(ctx, what, own)
   local s = { t = moving.value { "t", "time" } }
   local function list(name, components, dim)
     local v = {}
-    for i, n in ipairs(components) do v[i] = value.new(motion.sym(n), units[dim], true) end
+    for i, n in ipairs(components) do v[i] = value.new(motion.sym(n), units[dim], "bare") end
     s[name] = v
   end
   list("w", { "wx", "wy", "wz" }, "rate")
@@ -266,7 +267,7 @@ function moving.custom(ctx, line, what, given)
     end
   end
   local list = own_states(ctx, at "states", what, given.states, taken, put)
-  for _, s in ipairs(list) do own[#own + 1] = { s.name, value.new(motion.sym("@" .. s.name), s.dim, true) } end
+  for _, s in ipairs(list) do own[#own + 1] = { s.name, value.new(motion.sym("@" .. s.name), s.dim, "bare") } end
   local s = received(ctx, what, own)
   if given.torque ~= nil then
     a.torque = call(ctx, at "torque", what, "torque", given.torque, s, { dim = "torque", size = 3 })

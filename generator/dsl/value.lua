@@ -4,7 +4,10 @@
 -- cannot alter it.  A plain Lua number is exact (the decimal that was typed) and takes any dimension, and so does
 -- what is computed from plain numbers only; beside a value with a dimension it counts as a pure number in a product.
 -- `plain` marks what is computed from plain numbers and coordinates of a region only: a region takes it, as it takes
--- plain numbers, for any dimension; beside a value with a dimension it has that of its powers.
+-- plain numbers, for any dimension; beside a value with a dimension it has that of its powers.  So is time,
+-- the number of seconds; the states of a motion are, too, but "bare" until a plain number multiplies or divides them,
+-- which may then be meant in any unit: 0.1*wx can be a torque, wx cannot, and wx + qx is wrong by itself.  A function
+-- of a plain value is plain.
 -- A wrong combination is reported on the user's line and goes on as a value without dimension, so that one slip gives
 -- one message.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -106,18 +109,24 @@ end
 -- Has neither operand a dimension but for that of coordinates?
 local function both_plain(x, y) return (x.plain or not x.dim) and (y.plain or not y.dim) and (x.plain or y.plain) end
 
+local function bare(x) return x.plain == "bare" end
+
 local function sum(what, f)
   return function(a, b)
     local x, y = operand(a, what), operand(b, what)
     local dim, plain = x.dim or y.dim, both_plain(x, y)
     if x.dim and y.dim and not units.equal(x.dim, y.dim) then
-      if not plain then
+      dim = nil
+      if not plain or bare(x) and bare(y) then
         complain(what, "both sides must have one dimension",
           units.name(x.dim) .. " and " .. units.name(y.dim))
+      elseif bare(x) or bare(y) then
+        dim = bare(x) and x.dim or y.dim -- the other one's number is meant so
       end
-      dim = nil
     end
-    return new(guarded(what, f, x.e, y.e), dim, plain)
+    local e = guarded(what, f, x.e, y.e)
+    local fixed = dim and e ~= expr.zero and (bare(x) or bare(y)) -- zero is of any unit
+    return new(e, dim, plain and (fixed and "bare" or true))
   end
 end
 
@@ -131,16 +140,19 @@ local function combined(x, y, n)
   return units.times(x.dim or units.none, units.power(y.dim or units.none, R.new(n)))
 end
 
+local function product_plain(x, y)
+  if bare(x) and bare(y) then return "bare" end
+  return both_plain(x, y) and true
+end
+
 function handle.__mul(a, b)
   local x, y = operand(a, "product"), operand(b, "product")
-  return new(guarded("product", function() return x.e * y.e end), combined(x, y, 1),
-    both_plain(x, y))
+  return new(guarded("product", function() return x.e * y.e end), combined(x, y, 1), product_plain(x, y))
 end
 
 function handle.__div(a, b)
   local x, y = operand(a, "quotient"), operand(b, "quotient")
-  return new(guarded("quotient", function() return x.e / y.e end), combined(x, y, -1),
-    both_plain(x, y))
+  return new(guarded("quotient", function() return x.e / y.e end), combined(x, y, -1), product_plain(x, y))
 end
 
 function handle.__pow(a, n)
@@ -187,7 +199,7 @@ function value.func(fn, n, kind)
       elseif r.dim and dim and not units.equal(r.dim, dim) then
         complain(fn, "both arguments must have one dimension", units.name(dim) .. " and " .. units.name(r.dim))
       end
-      dim, plain = dim or r.dim, plain or r.plain
+      dim, plain = dim or r.dim, plain or r.plain and true
     end
     return new(guarded(fn, expr.call, fn, table.unpack(es)), dim and (kind == "any" and dim or units.none), plain)
   end

@@ -19,8 +19,8 @@ local function notes(p, v)
   elseif p.setting == "tolerance" then
     return { "The tolerance is that of each step." }
   end
-  return { "The closed form through x, once; for many times from one state call " .. v.name .. "_solve and " .. v.name ..
-    "_at." }
+  return { "The closed form through x, once; for many times from one state call " .. v.name .. "_solve and " ..
+    v.name .. "_at." }
 end
 
 -- Numbers two to a line.

@@ -25,8 +25,8 @@ local license = "SPDX-License-Identifier: MIT-0"
 
 local function libm(real)
   local v = {}
-  for _, fn in ipairs { "fabs", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor",
-    "fma" } do
+  for _, fn in ipairs { "fabs", "copysign", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log",
+    "floor", "fma" } do
     v[fn] = real == "float" and fn .. "f" or fn
   end
   v.huge = real == "float" and "HUGE_VALF" or "HUGE_VAL"

@@ -7,7 +7,9 @@ local template = require "generator.emit.template"
 
 local steppers = {}
 
-local fill = { taylor = require("generator.emit.taylor").fill, adaptive = require("generator.emit.adaptive").fill,
+local taylor = require "generator.emit.taylor"
+
+local fill = { taylor = taylor.fill, adaptive = require("generator.emit.adaptive").fill,
   split = require("generator.emit.split").fill, midpoint = require("generator.emit.midpoint").fill }
 
 -- The function that tells the next corner of a table, printed once, before the first stepper that stops there.
@@ -40,9 +42,14 @@ function steppers.render(job, v, ctx)
       v.first = i == 1
       local path = "templates/" .. kind
       headers[#headers + 1] = template.render(path .. ".h", job.templates[path .. ".h"], v)
-      sources[#sources + 1] = template.render(path .. ".c", job.templates[path .. ".c"], v)
-      if kind == "taylor" and v.has_knots then
-        sources[#sources + 1] = template.render(path .. "_knots.c", job.templates[path .. "_knots.c"], v)
+      local function source(part, values)
+        sources[#sources + 1] = template.render(part, job.templates[part], values)
+      end
+      source(path .. ".c", v)
+      if kind == "taylor" then
+        source(path .. "_run.c", v)
+        if s.program.transition then source(path .. "_transition.c", taylor.transition(ctx, s.program, v)) end
+        if v.has_knots then source(path .. "_knots.c", v) end
       end
     end
   end

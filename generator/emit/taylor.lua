@@ -18,6 +18,11 @@ local taylor = {}
 local function symbol(name) return expr.sym(name, 8) end
 local function zeroth(x) return symbol(x.name .. "0") end
 
+-- Where a state's value is read: those of the variational equations are components of v.
+local function origin(ctx, s)
+  return (s.along and "v[" or "x[") .. ctx.upper .. "_" .. string.upper(s.along or s.name) .. "]"
+end
+
 -- Lines of the groups by the number that stands in `where`, loads first; letter: of their temporaries.
 local function rendered(ctx, inputs, groups, letter)
   local c = source.statements(ctx, { name = "taylor", args = {}, inputs = inputs, groups = groups, letter = letter })
@@ -43,10 +48,9 @@ local function outside(ctx, program)
   for _, s in ipairs(program.states) do moving[s.name] = true end
   for _, m in ipairs(ctx.members) do list[#list + 1] = { name = m.name, from = "m->" .. m.name } end
   for _, s in ipairs(ctx.states) do
-    if not moving[s.name] then
-      list[#list + 1] = { name = s.name, from = "x[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]" }
-    end
+    if not moving[s.name] then list[#list + 1] = { name = s.name, from = origin(ctx, s) } end
   end
+  for _, s in ipairs(program.more or {}) do list[#list + 1] = { name = s.name, from = origin(ctx, s) } end
   for _, k in ipairs(program.knots) do
     local at = k.time.kind == "num" and number.text(k.time.value, ctx.real) or "m->" .. k.time.name
     list[#list + 1] = { name = k.sign.name, from = string.format("side < %s ? %s : %s", at, number.text(R.lift(-1),
@@ -81,7 +85,7 @@ local function start(ctx, program, names)
   plain(inputs, names)
   local g, h = { where = 1, defs = {}, outs = {} }, { where = 2, defs = {}, outs = {} }
   for _, s in ipairs(program.states) do
-    inputs[#inputs + 1] = { sym = s.name .. "0", c = "x[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]" }
+    inputs[#inputs + 1] = { sym = s.name .. "0", c = origin(ctx, s) }
   end
   inputs[#inputs + 1] = { sym = "t0", c = "t" }
   for _, x in ipairs(program.variables) do map[x.sym] = zeroth(x) end
@@ -169,7 +173,7 @@ local function freed(ctx, program)
   while taken[clock] do clock = clock .. "_" end
   map[symbol "t"] = symbol(clock)
   local function free(sym, name)
-    if own[name] or name == "side" and #program.knots > 0 then
+    if own[name] or name == "side" and #program.knots > 0 or name == "v" and program.more then
       map[sym], renamed[name] = expr.sym(name .. "_", sym.rank), name .. "_"
     end
   end
@@ -244,8 +248,8 @@ end
 
 local function mentions(lines, name) return string.find(lines, "%f[%w_]" .. name .. "%f[^%w_]") ~= nil end
 
--- Fills the template's values for the program of methods/taylor.lua.
-function taylor.fill(ctx, program, v)
+-- Fills what stands in the recurrences; returns the names that are read before them.
+local function recurrences(ctx, program, v)
   local renamed = freed(ctx, program)
   local all = outside(ctx, program)
   for _, n in ipairs(all) do n.name = renamed[n.name] or n.name end
@@ -294,14 +298,26 @@ function taylor.fill(ctx, program, v)
   for i, s in ipairs(program.states) do
     v.taylor_states[i] = { index = text(i - 1), name = ctx.upper .. "_" .. string.upper(s.name) }
   end
+  return names
+end
+
+-- Fills the template's values for the program of methods/taylor.lua.
+function taylor.fill(ctx, program, v)
+  local names = recurrences(ctx, program, v)
+  v.taylor_transition = program.transition ~= nil
   v.taylor_attitude = program.states[1].name == "qw"
   v.taylor_kinds = source.kinds(program.states)
   turns_of(ctx, program, v)
+  v.has_roots, v.taylor_roots = #program.roots > 0, {}
   packed.fill(ctx, program, v, function(groups)
     local inputs = {}
     plain(inputs, names)
     return rendered(ctx, inputs, groups)[1]
   end)
+  for i, x in ipairs(program.roots) do -- their terms stand beyond the states
+    v.taylor_roots[i] = { index = text(#program.states + i - 1), place = text(x.place) }
+  end
+  if v.has_roots then v.taylor_row = text(#program.states + #program.roots) end
   local double = ctx.real ~= "float"
   local function literal(q) return number.text(R.lift(q), ctx.real) end
   local fraction, bias = double and 52 or 23, double and 1023 or 127
@@ -309,9 +325,25 @@ function taylor.fill(ctx, program, v)
   v.taylor_int = double and "int64_t" or "int32_t"
   v.taylor_bit, v.taylor_scale = literal(R.new(2) ^ -fraction), literal(R.new(2) ^ fraction)
   v.taylor_bias = literal(bias)
+  v.corner_part, v.corner_halvings = literal(R.new(2) ^ -(fraction // 2)), text(fraction + 8)
   v.taylor_finest = literal(R.new(2) ^ (-fraction - 2))
   v.taylor_least_packed = literal(R.new(13)) -- where a product costs less beside the rest of a step
   v.taylor_least, v.taylor_slope = literal(R.new(19, 2)), literal(R.new(3, 8))
+end
+
+-- The values for templates/taylor_transition.c: those of the scene with the recurrences of the variational equations.
+function taylor.transition(ctx, program, v)
+  local own_values = setmetatable({}, { __index = v })
+  recurrences(ctx, program.transition, own_values)
+  for i, l in ipairs(program.transition.levels) do
+    own_values.taylor_levels[i].first, own_values.taylor_levels[i].last = text(l.first - 1), text(l.last)
+  end
+  own_values.tangent_states = {}
+  for i, s in ipairs(program.states) do
+    own_values.tangent_states[i] = { name = ctx.upper .. "_" .. string.upper(s.name), index = text(i - 1),
+      along = text(#program.states + i - 1) }
+  end
+  return own_values
 end
 
 return taylor

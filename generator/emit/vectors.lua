@@ -229,7 +229,7 @@ function vectors.fill(job, v, ctx)
     "acceleration: Coriolis, Euler, centrifugal, total", function(o) return term[o.array] + o.index + 1 end)
   case("jacobian", nx * nx, xs[2].values, p .. "jacobian(&m, " .. v.zero .. ", x2, u, got)",
     "Jacobian of the equations at state 2", by_index)
-  local short = R.fromdouble(R.tofloat(time / R.new(32)))
+  local short = R.round(time / R.new(32), 24)
   of_steps(job, v, epsilon, short, real)
   local np = #m.params
   case("jacobian_u", nx * #job.input_states, xs[2].values, p .. "jacobian_u(&m, " .. v.zero .. ", x2, u, got)",

@@ -92,6 +92,7 @@ declare("powi", { fields = { "dst", "src1", "n" }, cost = "mul",
 for _, row in ipairs {
   { "sqrt", 1, "sqrt", math.sqrt },
   { "fabs", 1, "free", math.abs },
+  { "copysign", 2, "free", function(x, y) return y < 0 and -math.abs(x) or math.abs(x) end },
   { "sin", 1, "call", math.sin },
   { "cos", 1, "call", math.cos },
   { "tan", 1, "call", math.tan },

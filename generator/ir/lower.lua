@@ -33,6 +33,8 @@ local function shaper(B, bound)
     local result
     if fn == "abs" then
       result = R.abs(values[1])
+    elseif fn == "sign" then
+      result = R.sign(values[1]) < 0 and -R.one or R.one
     else
       result = R.apply(fn, form.BITS, table.unpack(values))
     end
@@ -69,6 +71,7 @@ local function shaper(B, bound)
         constant = constant and args[k].f == B.one
       end
       if constant then return constant_call(e.fn, args) end
+      if e.fn == "sign" then return { c = R.one, f = B.call("copysign", { B.number(R.one), args[1] }) } end
       return { c = R.one, f = B.call(e.fn == "abs" and "fabs" or e.fn, args) }
     end,
   }

@@ -116,7 +116,9 @@ end
 
 local function power(self, u, a)
   local level = u.level + 1
+  local root = R.sign(a) > 0 and not R.isint(a) and R.isint(a * R.new(2)) -- not negative, whatever u does
   return defined(self, "power " .. tostring(a) .. " " .. u.name, "power", level, u.sym ^ a, function(y)
+    y.root = root
     local up, down = lane(self, u, y, level, true), lane(self, y, u, level, true)
     return (a * up - down) / (order * self:first(u))
   end)

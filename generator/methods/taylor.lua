@@ -91,6 +91,7 @@ end
 local function shifted(eq, groups)
   local m = eq.model
   if not (m.has.rates and m.has.attitude) or m.structure.kind ~= "diagonal" or eq.inputs then return groups end
+  if m.frame or eq.turn then return groups end -- seen from axes that turn, L is not constant
   local I, w, rate, map = m.inertia, state.w, {}, {}
   for _, member in ipairs(m.members) do map[member.sym] = member.e end
   for _, g in ipairs(eq.groups) do
@@ -149,26 +150,13 @@ local function straightened(eq, groups)
   return vec.map(groups, function(g) return { defs = put(g.defs), outs = put(g.outs) } end), knots
 end
 
--- The series of the equations, or nil and why there is none.  options: {order =}.
--- {order, states = the moving ones, lanes, levels = {{first, last, variables}}, knots = {{time, sign}}, ...}
-function taylor.program(eq, options)
-  local states = eq.model.states
-  local zero = stages.conserved(eq)
-  local varying, moving = { t = true }, {}
-  for _, s in ipairs(states) do
-    if not zero[s.name] then
-      varying[s.name] = true
-      moving[#moving + 1] = s
-    end
-  end
+-- The recurrences of groups, laid out: moving: the states whose terms are wanted, {name, sym}; varying: their names.
+-- Returns {order, states, roots = square roots of what may vanish, lanes, levels = {{first, last, variables}}, ...}, or
+-- nil and why there is none.
+local function laid_out(groups, moving, varying, order)
   local clock = expr.sym("t", 8)
   local list = { table.unpack(moving) }
   list[#list + 1] = { name = "t", sym = clock }
-  local groups, axis, spin = despun(eq, zero)
-  local shift
-  if not axis then groups, shift = shifted(eq, groups) end
-  local knots
-  groups, knots = straightened(eq, groups)
   local ok, made = pcall(series.new, list, groups, varying)
   if not ok then
     if getmetatable(made) == series.missing then
@@ -221,9 +209,85 @@ function taylor.program(eq, options)
     place(l.b)
   end
   if uses(made, clock) then place(made.by_sym[clock]) end
-  return { order = options.order or 20, states = moving, variables = made.variables, lanes = lanes, levels = levels,
-    slopes = made.slopes, constants = made.constants or {}, read = read,
-    axis = axis, spin = spin, shift = shift, knots = knots }
+  local roots = {}
+  for _, v in ipairs(made.variables) do
+    if v.root then roots[#roots + 1] = v end
+  end
+  return { order = order, roots = roots, states = moving, variables = made.variables, lanes = lanes, levels = levels,
+    slopes = made.slopes, constants = made.constants or {}, read = read }
+end
+
+-- The same of the equations together with what neighbours along v depart by, the variational equations v' = f'(x) v:
+-- state s has s_v beside it.  `from`: where the state's initial value is read; of those that keep it, in `more`.
+local function tangent(eq, groups, moving, order)
+  local m, known, states, varying, more = eq.model, {}, { table.unpack(moving) }, { t = true }, {}
+  local none = expr.sym("nothing", 8) -- no symbol of the equations: all derivatives are those that are known
+  local moves = {}
+  for _, s in ipairs(moving) do moves[s.name] = true end
+  for _, s in ipairs(m.states) do
+    local name = s.name .. "_v"
+    while m.by_name[name] do name = name .. "_" end
+    local v = { name = name, sym = expr.sym(name, 8), along = s.name }
+    known[s.sym] = v.sym
+    local list = moves[s.name] and states or more
+    list[#list + 1] = v
+  end
+  for _, s in ipairs(states) do varying[s.name] = true end
+  local out = {}
+  for i, g in ipairs(groups) do
+    local copy = { defs = {}, outs = {} }
+    for _, d in ipairs(g.defs) do
+      copy.defs[#copy.defs + 1] = d
+      local e = calculus.diff(d.expr, none, known)
+      if e.kind ~= "num" and e.kind ~= "sym" then
+        copy.defs[#copy.defs + 1] = { name = d.name .. "_v", expr = e }
+        e = expr.sym(d.name .. "_v", 7)
+      end
+      known[expr.sym(d.name, 7)] = e
+    end
+    for _, o in ipairs(g.outs) do
+      copy.outs[#copy.outs + 1] = o
+      local v = moves[o.state] and known[m.states.by_name[o.state].sym]
+      if v then copy.outs[#copy.outs + 1] = { state = v.name, expr = calculus.diff(o.expr, none, known) } end
+    end
+    out[i] = copy
+  end
+  local program, why = laid_out(out, states, varying, order)
+  if program then program.more = more end
+  return program, why
+end
+
+-- The series of the equations, or nil and why there is none.  options: {order =, jacobians =}.  As laid_out, with knots
+-- = {{time, sign}}, axis, spin, shift of the frame, transition = the program of the variational equations.
+function taylor.program(eq, options)
+  for _, e in ipairs(eq.model.record and eq.model.record.effects or {}) do
+    if e.spec.corners then -- the series of sqrt(x^2) goes on as x where |x| turns
+      local kind = string.gsub(e.kind, "^effect%.", "")
+      return nil, kind .. " has corners at times that are not known before, which a series does not see: use " ..
+        "adaptive or rk4"
+    end
+  end
+  local zero, order = stages.conserved(eq), options.order or 20
+  local varying, moving = { t = true }, {}
+  for _, s in ipairs(eq.model.states) do
+    if not zero[s.name] then
+      varying[s.name] = true
+      moving[#moving + 1] = s
+    end
+  end
+  local groups, axis, spin = despun(eq, zero)
+  local shift, knots
+  if not axis then groups, shift = shifted(eq, groups) end
+  groups, knots = straightened(eq, groups)
+  local program, why = laid_out(groups, moving, varying, order)
+  if not program then return nil, why end
+  program.knots, program.axis, program.spin, program.shift = knots, axis, spin, shift
+  if options.jacobians then
+    program.transition, why = tangent(eq, straightened(eq, eq.groups), moving, order)
+    if not program.transition then return nil, why end
+    program.transition.knots = knots
+  end
+  return program
 end
 
 return taylor

@@ -1,8 +1,8 @@
 -- decision.lua -- a plan as text: what the emitted files say of it, and what is kept for the next time.
 --
 -- A decision is {method, order (of taylor) or nil, setting = "step", "tolerance" or "none", value_text, title,
--- accuracy_text, real, target, expected = {texts}, bounds = {texts}, report = {lines of the header}} or {refused =
--- rule, got = text}: that no candidate holds the accuracy.  Numbers are cut to digits that no machine's last bits reach.
+-- accuracy_text, real, target, expected = {texts}, bounds = {texts}, report = {lines of the header}}, or {refused =
+-- rule, got = text}: no candidate holds the accuracy.  Numbers are cut to digits that no machine's last bits reach.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -29,7 +29,9 @@ end
 decision.shortest = shortest
 
 -- An error: two digits; what is far below the accuracy by its decade alone, as its digits are those of roundings.
-local function decade(e) return string.format("1e%d", math.max(-15, math.ceil(math.log(math.max(e, 1e-16), 10) + 0.3))) end
+local function decade(e)
+  return string.format("1e%d", math.max(-15, math.ceil(math.log(math.max(e, 1e-16), 10) + 0.3)))
+end
 
 local function measured(e, accuracy)
   return e > accuracy / 100 and short(e) or "below " .. decade(e)
@@ -37,8 +39,8 @@ end
 
 -- How a candidate is called in a sentence: "taylor, order 14, steps of 0.057 s".
 local function title(c, order, value)
-  local name = c.method .. (order and ", order " .. string.format("%d", order) or "")
   if c.setting == "none" then return "the closed form" end
+  local name = c.method .. (order and ", order " .. string.format("%d", order) or "")
   return name .. (c.setting == "step" and ", steps of " .. value .. " s" or ", tolerance " .. value)
 end
 
@@ -78,6 +80,22 @@ local function whence(job)
   end
   for _, p in ipairs(r.params) do parts[#parts + 1] = p.name .. " " .. interval(p) end
   return #parts > 0 and table.concat(parts, ", ") or "the scene's own"
+end
+
+-- What a scene asks for, line by line: `explain` shows it.
+function decision.asked(job, q)
+  local lines, budget = {}, job.record.budget
+  local horizon = shortest(job.model:double(job.model.horizon))
+  if q then lines[1] = "accuracy: " .. shortest(q.accuracy) .. " over the horizon of " .. horizon .. " s" end
+  if budget then
+    local parts = {}
+    if budget.ops then parts[#parts + 1] = "at most " .. string.format("%d", budget.ops) .. " operations a step" end
+    if budget.real then parts[#parts + 1] = budget.real end
+    if budget.target then parts[#parts + 1] = "by the costs of " .. budget.target end
+    lines[#lines + 1] = "budget: " .. table.concat(parts, ", ")
+  end
+  lines[#lines + 1] = (job.ranges and "ranges: " or "no ranges; a plan is tried with ") .. whence(job)
+  return lines
 end
 
 -- The next best: of each other method or setting the cheapest, as a multiple of the cost of the best.
@@ -165,14 +183,18 @@ function decision.made(q, r)
   paragraph(lines, "Planned for an accuracy of " .. d.accuracy_text .. " over " .. shortest(T) .. " s: " .. d.title ..
     (c.setting == "step" and " (" .. upper .. "_PLANNED_STEP)" or c.setting == "tolerance" and " (" .. upper ..
     "_PLANNED_TOLERANCE)" or "") .. ", by " .. q.job.model.name .. "_advance.")
-  paragraph(lines, "Measured: largest error " .. measured(r.error, q.accuracy) .. (r.error > q.accuracy / 100 and
-    ", a margin of " .. short(r.margin) .. "," or "") .. " from " .. string.format("%d", r.states) .. " states" ..
-    (real == "float" and " in float" or "") .. ": " .. whence(q.job) .. (q.job.equations.inputs and ", input 0" or "") ..
-    "; the true motion is known to " .. decade(r.own) .. ".")
-  local one = counted(r.counts)
-  paragraph(lines, "Cost: " .. (c.setting == "none" and counted(c.setup_counts) .. " once, " .. one .. " for each time" or
-    short(r.steps, 4) .. " step" .. (r.steps == 1 and "" or "s") .. (c.setting == "tolerance" and " on average" or "") ..
-    " of " .. one) .. "; by the table for " .. target .. " " .. short(r.cost) .. " cycles.")
+  local margin = r.error > q.accuracy / 100 and ", a margin of " .. short(r.margin) .. "," or ""
+  paragraph(lines, "Measured: largest error " .. measured(r.error, q.accuracy) .. margin .. " from " ..
+    string.format("%d", r.states) .. " states" .. (real == "float" and " in float" or "") .. ": " .. whence(q.job) ..
+    (q.job.equations.inputs and ", input 0" or "") .. "; the true motion is known to " .. decade(r.own) .. ".")
+  local one, work = counted(r.counts), nil
+  if c.setting == "none" then
+    work = counted(r.setup_counts) .. " once, " .. one .. " for each time"
+  else
+    work = short(r.steps, 4) .. " step" .. (r.steps == 1 and "" or "s") ..
+      (c.setting == "tolerance" and " on average" or "") .. " of " .. one
+  end
+  paragraph(lines, "Cost: " .. work .. "; by the table for " .. target .. " " .. short(r.cost) .. " cycles.")
   local beside = runners(r)
   if #beside > 0 then paragraph(lines, "At other costs: " .. table.concat(beside, ", ") .. ".") end
   d.report = lines
@@ -187,8 +209,8 @@ function decision.refusal(q, r)
   end
   local got = shortest(q.accuracy)
   if r.why then return { refused = r.why, got = got } end
-  local best
-  for _, f in ipairs(r.found) do
+  local best = r.closest
+  for _, f in ipairs(best and {} or r.found) do
     if f.error and f.error < math.huge and (not best or f.error < best.error) then best = f end
   end
   if not best and cheapest then
@@ -207,15 +229,17 @@ function decision.refusal(q, r)
   if not best then return { refused = "cannot be planned: " .. limits[1], got = got } end
   local c = best.candidate
   local order = c.method == "taylor" and c.setting == "step" and c.order or nil
-  return { refused = string.format("must be one that a method can hold with a margin of %s: the best is %s, error %s at" ..
-    " %s cycles of %s; what limits it is %s", shortest(r.least_margin), title(c, order, best.setting and
-    short(best.setting)), short(best.error), short(best.cost), q.target, table.concat(limits, " and ")), got = got }
+  local name = title(c, order, best.setting and short(best.setting))
+  return { refused = string.format("must be one that a method can hold with a margin of %s: the best is %s, " ..
+    "error %s at %s cycles of %s; what limits it is %s", shortest(r.least_margin), name, short(best.error), short(best.cost),
+    q.target, table.concat(limits, " and ")), got = got }
 end
 
 -- ---- kept as text ----
 
 local lists = { "expected", "bounds", "report" }
-local words = { "method", "setting", "accuracy_text", "real", "target", "order", "value_text", "title", "refused", "got" }
+local words = { "method", "setting", "accuracy_text", "real", "target", "order", "value_text", "title", "refused",
+  "got" }
 
 -- The question as a text with everything that decides its answer.  print: the generator's fingerprint.
 function decision.question(q, fingerprint)
@@ -294,7 +318,8 @@ function decision.kept(question, kept, count)
   if not ended then return nil end
   if d.refused then return d end
   d.order = d.order and math.tointeger(tonumber(d.order))
-  local whole = (d.method == "exact" or methods.by_name[d.method]) and d.title and d.accuracy_text and #d.expected == count and #d.bounds == count
+  local whole = (d.method == "exact" or methods.by_name[d.method]) and d.title and d.accuracy_text and
+    #d.expected == count and #d.bounds == count
   for _, k in ipairs { "expected", "bounds" } do
     for _, x in ipairs(d[k]) do whole = whole and R.parse(x) end
   end

@@ -1,7 +1,7 @@
 -- plan.lua -- from an accuracy to a method: which one, at which step or tolerance, and on what evidence.
 --
--- Candidates compete at a few states (search.lua); the winner is then run from all of them, and the states where it errs
--- most join the few until it holds everywhere.  What must hold is: the largest error, times `margin`, is below the
+-- Candidates compete at a few states (search.lua); the winner is then run from all of them, and the states where it
+-- errs most join the few until it holds everywhere.  What must hold is: the largest error, times `margin`, is below the
 -- accuracy.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -26,8 +26,8 @@ local top = plan.top
 
 local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
 
--- The order that NAME_taylor_run takes for a tolerance (templates/taylor.c, emit/taylor.lua): bits of an IEEE number as
--- an integer are its logarithm.
+-- The order that NAME_taylor_run takes for a tolerance (templates/taylor_run.c, emit/taylor.lua): bits of an IEEE
+-- number as an integer are its logarithm.
 function plan.order(tolerance, real)
   local log2
   if real == "float" then
@@ -43,13 +43,14 @@ local function total(counts)
   return counts.add + counts.mul + counts.div + counts.sqrt + counts.call
 end
 
-local rank = { exact = 1, taylor = 2, adaptive = 3, split6 = 4, split4 = 5, midpoint = 6, split2 = 7, rk4 = 8, semi = 9 }
+local rank = { exact = 1, taylor = 2, adaptive = 3, split6 = 4, split4 = 5, midpoint = 6, split2 = 7, rk4 = 8,
+  semi = 9 }
 local first_orders = { [16] = 1, [20] = 2, [12] = 3 }
 
 -- The candidates that compete, the promising first, with what search.lua wants to know; and those that were refused.
 -- q: the question (plan.find); code: the planned job whose code is counted.
 local function competitors(q, code)
-  local list, refused = {}, {}
+  local list, refused, fused = {}, {}, { fma = targets.fma(q.target, q.real) }
   local all = candidates.of(q.job, { methods = q.methods, real = q.real,
     orders = q.order and { q.order } or plan.orders })
   local seen = {}
@@ -61,7 +62,7 @@ local function competitors(q, code)
       c.name, c.order = "taylor tol", q.order or top
     end
     local costs = not c.refused and not twice and
-      assert(ops.of(code, { method = c.method, order = c.order, setting = c.setting }))
+      assert(ops.of(code, { method = c.method, order = c.order, setting = c.setting }, fused))
     if c.refused then
       if not seen[c.method] then refused[#refused + 1] = c end
       seen[c.method] = true
@@ -72,7 +73,7 @@ local function competitors(q, code)
       c.counts_at = function(setting)
         if not fixed or q.order then return costs.step end
         local n = plan.order(setting, q.real)
-        memo[n] = memo[n] or ops.of(code, { method = "taylor", order = n, setting = "tolerance" }).step
+        memo[n] = memo[n] or ops.of(code, { method = "taylor", order = n, setting = "tolerance" }, fused).step
         return memo[n]
       end
       c.weight = function(setting) return weight(c.counts_at(setting)) end
@@ -91,7 +92,8 @@ local function competitors(q, code)
   local place = {}
   for i, c in ipairs(list) do place[c] = i end
   local function key(c)
-    return (rank[c.method] or 10) * 1000 + (c.setting == "tolerance" and 0 or first_orders[c.order] or 10) * 50 + place[c]
+    local inner = c.setting == "tolerance" and 0 or first_orders[c.order] or 10
+    return (rank[c.method] or 10) * 1000 + inner * 50 + place[c]
   end
   table.sort(list, function(a, b) return key(a) < key(b) end)
   return list, refused
@@ -133,7 +135,7 @@ local function first_states(s, list, points, n)
   return out
 end
 
-local many, some, few, confirmed = 128, 64, 5, 10
+local many, some, few, confirmed = 128, 64, 5, 8
 
 -- All states: {setting, error, steps, cost, errors by point}.
 local function verify(s, c, setting, points)
@@ -176,13 +178,14 @@ local function add_worst(list, chosen, points, errors, n)
   end
 end
 
--- The cheapest plan of the list that stays below the limit at all points, or nil; and what the first round found.  What a
--- candidate costs at few states is a lower bound of what it costs at all of them; so once the verified plan costs no
--- more than `enough` times the best at few, there is nothing to win.
+-- The cheapest plan of the list that stays below the limit at all points, or nil; what the first round found; of what
+-- was run from all points the one that came closest.  What a candidate costs at few states is a lower bound of what it
+-- costs at all of them; so once the verified plan costs no more than `enough` times the best at few, there is nothing
+-- to win.
 local enough = 1.1
 local function compete(s, list, points, limit, real, progress)
   local tried = { trial = s, points = first_states(s, list, points, few), epsilon = epsilon[real] }
-  local chosen, incumbent, first = {}, nil, nil
+  local chosen, incumbent, first, closest = {}, nil, nil, nil
   for _, p in ipairs(tried.points) do chosen[p] = true end
   for round = 1, 6 do
     local best, found = search.cheapest(tried, list, limit, incumbent)
@@ -191,19 +194,20 @@ local function compete(s, list, points, limit, real, progress)
     if not best then break end
     local r = corrected(s, best, points, limit)
     if r.fits and (not incumbent or r.cost < incumbent.cost) then incumbent = r end
+    if not closest or r.error < closest.error then closest = r end
     if incumbent and incumbent.cost <= enough * best.cost then break end
     add_worst(tried.points, chosen, points, r.errors, 3)
   end
-  return incumbent, first, #tried.points
+  return incumbent, first, closest
 end
 
 -- The true motion from all points; how far it is from that, or nil and why not.
 local function truths(s, points, limit, progress)
   local own = 0.0
   for i, p in ipairs(points) do
-    local rows, why, doubt = true, nil, nil
+    local rows, why, doubt
     if i <= confirmed or not s.sure then
-      doubt, why = s:doubt(p)
+      doubt, why = s:doubt(p, not s.sure and i <= confirmed or i == 1)
       rows = doubt
       own = math.max(own, doubt or 0.0)
       if s.sure and own > limit / 4 then return own end -- what serves as truth is not good enough
@@ -219,8 +223,9 @@ end
 -- The plan for a question q: {host, job (read), code (planned, with its methods), plugin, accuracy, real, target, ops,
 -- methods, order, progress}.  Returns
 --     {candidate, setting, error, steps, cost, counts, setup_counts, order, margin, limit, found = what the competitors
---      showed, refused, states = number, own = error of the truth, rows = the scene's own true motion, expected = its end}
--- or nil and {found, refused, own, why}; generator/plan/decision.lua puts both into words.
+--      showed, refused, states = number, own = error of the truth, rows = the scene's own true motion, expected = its
+--      end}
+-- or nil and {found, closest, refused, own, why}; generator/plan/decision.lua puts both into words.
 function plan.find(q)
   local T = q.job.model:double(q.job.model.horizon)
   local say = q.progress or function() end
@@ -246,7 +251,8 @@ function plan.find(q)
   for turn, margin in ipairs { plan.margin, plan.least_margin } do
     if best or #list == 0 or q.accuracy / margin <= own then break end
     limit = q.accuracy / margin - own
-    best, result.found, result.few = compete(s, list, points, limit, q.real, share(0.2 + 0.2 * turn, 0.6 + 0.2 * turn))
+    local step = share(0.2 + 0.2 * turn, 0.6 + 0.2 * turn)
+    best, result.found, result.closest = compete(s, list, points, limit, q.real, step)
   end
   if not best then return nil, result end
   local c = best.candidate

@@ -9,9 +9,11 @@ local err = require "generator.plan.error"
 
 local reference = {}
 
--- Tolerances of the series a unit of time of the motion, and of the second run.  Of the closed form nothing is smaller
--- than the doubles that the rows are rounded to.
-local fine, coarse = 1e-18, 1e-16
+-- Tolerances of the series a unit of time of the motion, and of the second run.  Some effects the library integrates by
+-- extrapolation, which may not get there: `most` steps between two times, then the next tolerances.  Of the closed form
+-- nothing is smaller than the doubles that the rows are rounded to.
+local tolerances = { { 1e-18, 1e-16 }, { 1e-15, 1e-14 }, { 1e-12, 1e-11 } }
+local most = 5000
 local rounding = 2.0 ^ -53
 
 -- The library's scene for the state x0; values: parameters {name -> rational} (nil: the scene's own).
@@ -29,20 +31,24 @@ end
 function reference.of(host, job, x0, times, values, quick)
   local s = scene(job, x0, values)
   local function run(method, tolerance)
-    local rows, why = host.run(s, { method = method, tol = tolerance, times = times })
+    local rows, why = host.run(s, { method = method, tol = tolerance, times = times, most = most })
     if not rows then return nil, why end
     local out = {}
     for i, row in ipairs(rows) do out[i] = numeric.part(job, row, 1) end
     return out
   end
   local free = #s.effects == 0 and job.model.has.rates and not job.model.has.position
-  local rows, why = run(free and "exact" or "taylor", not free and fine or nil)
-  if not rows then return nil, why end
-  if quick then return rows end
-  local other
-  other, why = run("taylor", free and fine or coarse)
-  if not other then return nil, why end
-  return rows, (math.max(rounding, (err.of(job, other, rows))))
+  local rows, other, why
+  for level = job.followed or 1, #tolerances do -- what failed once is not tried again
+    local t = tolerances[level]
+    job.followed = level
+    rows, why = run(free and "exact" or "taylor", not free and t[1] or nil)
+    if rows and quick then return rows end
+    if rows then other, why = run("taylor", t[free and 1 or 2]) end
+    if other then return rows, (math.max(rounding, (err.of(job, other, rows)))) end
+  end
+  job.followed = nil
+  return nil, why
 end
 
 return reference

@@ -1,8 +1,9 @@
 -- search.lua -- the cheapest candidate, and its step or tolerance, that stays below an error at given states.
 --
 -- Candidates are tried one after the other.  Once one is good enough, each further one is first run at the step that
--- costs as much as the best so far: if its error is too large there, it is dearer, and done with.  So few runs are made,
--- and none is long.  Cost: operations of a step by a target's table, times the mean number of steps; never a time.
+-- costs as much as the best so far: if its error is too large there, it is dearer, and done with.  So few runs are
+-- made, and none is long.  Cost: operations of a step by a target's table, times the mean number of
+-- steps; never a time.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local search = {}
@@ -24,7 +25,9 @@ function search.rounded(x, n)
     local mantissa, exponent = string.match(text, "^([%d.]+)e([+-]%d+)$")
     local unit = tonumber("1e" .. exponent - (digits - 1))
     local y = tonumber(text)
-    if y > x then y = tonumber(string.format("%." .. digits - 1 .. "e", tonumber(mantissa .. "e" .. exponent) - unit)) end
+    if y > x then
+      y = tonumber(string.format("%." .. digits - 1 .. "e", tonumber(mantissa .. "e" .. exponent) - unit))
+    end
     if y <= x and y > 0 then return y end
   end
   return x
@@ -39,7 +42,7 @@ local function refine(s, c, limit, bad, good)
   for turn = 1, 16 do
     if high <= low + 1 or high <= low * close then break end
     local guess = high * (good.error / limit) ^ (1 / p) -- the law of its order
-    if turn % 2 == 0 or not (guess > low) then guess = math.sqrt(math.max(low, 1) * high) end
+    if turn % 2 == 0 or guess ~= guess or guess <= low then guess = math.sqrt(math.max(low, 1) * high) end
     guess = math.floor(math.max(low + 1, math.min(high - 1, guess * 1.002 + 1)))
     local r = tried(s, c, n / guess, limit)
     r.n = guess
@@ -53,22 +56,22 @@ local function refine(s, c, limit, bad, good)
 end
 
 local function by_step(s, c, limit, best)
-  local T, r, bad = s.trial.T, nil, nil
+  local T = s.trial.T
   if best then
     local n = math.floor(best.cost / c.weight() * 0.999)
     if n < 1 then return { fits = false, dearer = true } end
-    r = tried(s, c, T / math.min(n, most_steps), limit)
+    local r = tried(s, c, T / math.min(n, most_steps), limit)
     r.n, r.dearer = math.min(n, most_steps), true
     if not r.fits then return r end
     return refine(s, c, limit, nil, r)
   end
-  local n, least, idle = 16, nil, 0
+  local n, least, idle, bad = 16, nil, 0, nil
   while true do
-    r = tried(s, c, T / n, s.thorough and math.huge or limit)
+    local r = tried(s, c, T / n, limit)
     r.n, r.fits = n, r.error <= limit
     if r.fits then return refine(s, c, limit, bad, r) end
     bad = r
-    idle = least and not (r.error < least.error / 2) and r.error < 0.1 and idle + 1 or 0
+    idle = least and r.error >= least.error / 2 and r.error < 0.1 and idle + 1 or 0
     if not least or r.error < least.error then least = r end
     if idle >= 2 or n >= most_steps then return least end
     local factor = r.error < 0.1 and 1.1 * (r.error / limit) ^ (1 / c.power) or 4
@@ -104,13 +107,14 @@ local function by_tolerance(s, c, limit, best)
     if good and following <= good.setting * 1.02 then following = math.sqrt(good.setting * (bad or 1e-2)) end
     if bad and following >= bad * 0.98 then following = math.sqrt(bad * (good and good.setting or bad / 100)) end
     following = math.max(finest, math.min(1e-1, following))
-    if good and bad and bad < good.setting * 1.1 or search.rounded(following, digits.tolerance) == tolerance then break end
+    if good and bad and bad < good.setting * 1.1 then break end
+    if search.rounded(following, digits.tolerance) == tolerance then break end
     tolerance = following
   end
   return good or least
 end
 
--- One candidate at the points: {setting, error, steps, cost, fits}; dearer = it was given up, as it costs more than best.
+-- One candidate at the points: {setting, error, steps, cost, fits}; dearer = given up, as it costs more than best.
 local function solve(s, c, limit, best)
   if c.setting == "none" then return tried(s, c, nil, math.huge) end
   return (c.setting == "step" and by_step or by_tolerance)(s, c, limit, best)
@@ -118,8 +122,8 @@ end
 
 -- s: {trial, points, epsilon (of the type), progress = function(part)}; candidates: with weight(setting), setup, power
 -- (the order of the method), spread (how near the limit a tolerance's error should come).  Returns the best {candidate,
--- ...} or nil, and for every candidate what was found: {candidate, error, setting, cost, dearer}.  bound: a plan that is
--- known to hold, to be beaten.
+-- ...} or nil, and for every candidate what was found: {candidate, error, setting, cost, dearer}.  bound: a plan that
+-- is known to hold, to be beaten.
 function search.cheapest(s, candidates, limit, bound)
   local best, found = bound, {}
   for i, c in ipairs(candidates) do

@@ -48,7 +48,6 @@ local function quantities(job, own)
     for k = 1, most > 0 and 3 or 0 do
       list[#list + 1] = function(u) point.turn[k] = 2 * u - 1 end
     end
-    point = nil
     return list, function(p) point = p end, most
   end
   return list, function(p) point = p end, 0.0
@@ -124,7 +123,8 @@ local function coordinates(d, n, skip)
 end
 
 -- n points {x = state, values = {parameter = rational} or nil, params = doubles for NAME_init or nil}, representable in
--- the real type; one where nothing varies.  skip: without the first point and the extremes, from there on in the filling.
+-- the real type; one where nothing varies.  skip: without the first point and the extremes, from there on in the
+-- filling.
 function states.points(job, real, n, skip)
   local own = numeric.initial(job)
   local list, choose, most = quantities(job, own)

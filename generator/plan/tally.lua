@@ -213,7 +213,11 @@ local function items(unit, code, first, env, total)
           add(total, a)
           return sa, va
         elseif sa or sb then -- one way ends here, the other, a from now on, goes on
-          if sa then a, b, env, sb, vb = b, a, other, sa, va end
+          if sa then
+            a, b, sb, vb = b, a, sa, va
+            for name in pairs(env) do env[name] = nil end -- all of them: in any order
+            for name, v in pairs(other) do env[name] = v end -- a copy: order is lost anyway
+          end
           local status, value = items(unit, code, i + 1, env, a)
           local ends = not unit.least and sb == "return" and second(unit, a, b)
           add(total, ends and b or a)

@@ -4,10 +4,10 @@
 --     targets.cost(target, real, counts)       cycles of what plan/ops.lua counted
 --     targets.instructions(target, real, counts)   instructions; nil where none were counted (x86-64, avr)
 --     targets.fma(target, real)                has it fused multiplication and addition in the type?  (for ops.of)
--- Instructions: the sum over the operations of what each was counted to take, times `part`, and `mem` for each number in
--- memory; both are fitted to emitted code (plan/measured.lua; `make target-costs` remakes it).  Cycles: one an
--- instruction, memory without wait states, and besides what the makers' tables below say; so they are near what a
--- small core takes, and below what it takes from slow flash.  docs/targets.md shows predicted against counted.
+-- Instructions: the sum over the operations of what each was counted to take, times `part`, and `mem` for each number
+-- in memory; both are fitted to emitted code (plan/measured.lua; `make target-costs` remakes it).  Cycles: by the makers'
+-- tables below, memory without wait states; so they are near what a small core takes, and below what it takes from
+-- slow flash.  docs/targets.md shows predicted against counted.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local measured = require "generator.plan.measured"
@@ -17,33 +17,30 @@ local targets = { default = "x86-64",
 
 -- x86-64: cycles of a core of the 2020s at -O2 without vectors, between reciprocal throughput and latency as emitted
 -- steppers have them: fitted to nine steppers of three scenes (tests/target/host.c).
-local x86 = { part = 1, mem = 0, cmp = 1, conv = 2, conv64 = 2, long = 0.5, frexp = 8, ldexp = 12, floor = 7 }
+local x86 = { part = 1, mem = 0, add = 0.39, mul = 0.39, fma = 0.39, cmp = 1, conv = 2, conv64 = 2, long = 0.5,
+  frexp = 8, ldexp = 12, floor = 7 }
 local function host(own)
   for k, v in pairs(x86) do own[k] = v end -- into a table: order is lost anyway
   return own
 end
 measured["x86-64"] = {
-  float = host { add = 0.43, mul = 0.43, fma = 0.43, div = 8, sqrt = 10, sin = 13, cos = 13, exp = 10, log = 11,
-    sinh = 37, cosh = 17, other = 40 },
-  double = host { add = 0.43, mul = 0.43, fma = 0.43, div = 10, sqrt = 14, sin = 20, cos = 21, exp = 14, log = 14,
-    sinh = 35, cosh = 18, other = 50 },
+  float = host { div = 8, sqrt = 10, sin = 13, cos = 13, exp = 10, log = 11, sinh = 35, cosh = 16, other = 40 },
+  double = host { div = 10, sqrt = 14, sin = 19, cos = 20, exp = 13, log = 14, sinh = 34, cosh = 17, other = 50 },
 }
 
--- What is done by the processor itself, in one instruction each, and which of it takes how many cycles more than one.
---   cortex-m4f  Arm DDI 0439B, table 7-1: VADD, VMUL, VCVT, VCMP 1; VFMA 3; VDIV, VSQRT 14; VLDR, VSTR 2
+-- Cycles beyond: `cycles` an instruction as counted by Arm's tables (tests/target/count.c), and what hardware takes
+-- more than one for.
+--   cortex-m0, -m3, -m4f  Arm DDI 0432C, DDI 0337I, DDI 0439B, table 3-1 each: loads and stores 2, taken branches 3;
+--                         M4F, table 7-1: VFMA 3, VDIV and VSQRT 14
 --   cortex-m7   Arm publishes no timings; VDIV and VSQRT as on the M4F, twice as long in double: an assumption
 --   rv32imafc   depends on the core; one cycle each but for division and root, 15 more: an assumption
---   cortex-m0, cortex-m3 (loads): Arm DDI 0432C, table 3-1 and DDI 0337I, table 3-1: LDR, STR 2 cycles, other data
---               processing 1, taken branches 3 (M0), 2 to 4 (M3); in software floating point about a quarter of the
---               instructions are one or the other (`cycles` an instruction)
 --   avr         simavr counts cycles, by Atmel 0856L (AVR instruction set manual)
 local extra = {
-  ["cortex-m0"] = { float = { cycles = 1.4 }, double = { cycles = 1.4 } },
-  ["cortex-m3"] = { float = { cycles = 1.3 }, double = { cycles = 1.3 } },
-  ["cortex-m4f"] = { float = { fma = 2, div = 13, sqrt = 13, mem = 1 }, double = { cycles = 1.3 } },
+  ["cortex-m4f"] = { float = { fma = 2, div = 13, sqrt = 13 } },
   ["cortex-m7"] = { float = { div = 13, sqrt = 13 }, double = { div = 27, sqrt = 27 } },
-  rv32imafc = { float = { div = 15, sqrt = 15 }, double = {} },
+  rv32imafc = { float = { div = 15, sqrt = 15 } },
 }
+local TIMED = { ["cortex-m0"] = true, ["cortex-m3"] = true, ["cortex-m4f"] = true }
 
 local FUSED = { ["cortex-m4f"] = { float = true }, ["cortex-m7"] = { float = true, double = true },
   rv32imafc = { float = true } }
@@ -75,9 +72,9 @@ function targets.instructions(target, real, counts)
 end
 
 function targets.cost(target, real, counts)
+  local cycles = sum(target, real, counts) * (TIMED[target] and measured[target][real].cycles or 1)
   local more = extra[target] and extra[target][real] or {}
-  local cycles = sum(target, real, counts) * (more.cycles or 1)
-  for _, name in ipairs { "fma", "div", "sqrt", "mem" } do cycles = cycles + (counts[name] or 0) * (more[name] or 0) end
+  for _, name in ipairs { "fma", "div", "sqrt" } do cycles = cycles + (counts[name] or 0) * (more[name] or 0) end
   return cycles
 end
 

@@ -82,14 +82,14 @@ function trial:truth(point)
   return rows, why
 end
 
--- How far `sure` is from the library at a point, and the library's own error: the larger of both.
-function trial:doubt(point)
-  local rows, own = reference.of(self.host, self.job, point.x, self.times, point.values)
+-- How far `sure` is from the library at a point and, if `twice`, the library's two runs from each other: the larger.
+function trial:doubt(point, twice)
+  local rows, own = reference.of(self.host, self.job, point.x, self.times, point.values, not twice)
   if not rows then return nil, own end
   point.truth, point.library = with_last(rows), true
-  if not self.sure then return own end
+  if not self.sure then return own or 0.0 end
   local ours = self:run(self.sure[1], self.sure[2], point)
-  return ours and math.max(own, (err.of(self.job, ours, point.truth))) or math.huge
+  return ours and math.max(own or 0.0, (err.of(self.job, ours, point.truth))) or math.huge
 end
 
 -- The largest error of a candidate over the points and the mean of its steps.  limit: stop at the first that is above.

@@ -13,6 +13,12 @@ are SI, torques N are in body axes, q is the attitude from body to inertial axes
 and v position and velocity of the centre of mass where it moves. An argument without a default must be given, unless
 another one takes its place. T+V is the total energy, L the angular momentum in inertial axes, w3 the rate about the
 axis z of a body symmetric about it; a scene conserves what each of its effects does, see `polhode explain`.
+T+V-n.L is `NAME_jacobi_integral`, T + V - n L_z, where fields turn about inertial z at a rate n.
+
+The dimension of every expression is checked, and what does not fit is refused with its line: each argument, both sides
+of each sum, arguments of functions (pure numbers or angles), torques, forces and rates of states that a scene writes.
+A plain number may be meant in any unit, so `0.1*sin(2*t)` is a torque where `N*t`, N in N m, `wx` and `wx + qx` are
+not; `t` among plain numbers is one, that of the seconds.
 
 ]]
 

@@ -209,6 +209,7 @@ local function document(f)
     costs[i] = string.format("%-16s %4d + -  %4d *  %3d /  %2d sqrt  %2d calls", c.fn, c.add, c.mul, c.div, c.sqrt,
       c.call)
   end
+  if f.job.asked then section("Asked for", f.job.asked) end
   section("Operations of the emitted functions", costs)
   local sheet, names = f.job.sheet(true)
   local table_of = { string.format("%-12s %s", "", string.format(string.rep("%11s", #names), table.unpack(names))) }
@@ -344,7 +345,7 @@ function writers.json(f)
     { "closed_form", closed }, { "stability", stability },
     { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
     { "cycles", object { { "real", f.job.real }, { "functions", estimated } } },
-    { "rhs", attribution.json(attribution.of(f.job), object) },
+    { "rhs", attribution.json(attribution.of(f.job), object) }, { "asked", f.job.asked or json.null },
     { "warnings", warnings } })
 end
 

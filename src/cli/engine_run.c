@@ -59,6 +59,8 @@ static int read_options(lua_State *L, int index, ph_options *o) {
     o->tolerance = value;
   if (option(L, index, "order", &value))
     o->order = (int)value;
+  if (option(L, index, "most", &value) && value < MAX_STEPS)
+    o->max_steps = (long)value;
   return PH_OK;
 }
 
@@ -99,7 +101,8 @@ static int fail_at(lua_State *L, double t, int status) {
   return 2;
 }
 
-/* run(scene, {method=, step=, tol=, order=, times={...}, t0=, u={3}}) -> {{t, q4, w3, energy, L3},
+/* run(scene, {method=, step=, tol=, order=, most=, times={...}, t0=, u={3}}) -> {{t, q4, w3,
+   energy, L3},
    ...} (with r3, v3 after w3 where the body moves) | nil, message.  Method: adaptive (default) and
    taylor (long double Taylor series), rk4, gsl-rk4, rkf45, rk8pd, exact and linearised (a free top
    only). */

@@ -17,7 +17,7 @@ local scenes = {
       effects = { effect.gravity {} }, initial = { omega = {1, 0, 150}, attitude = { axis = "x", angle = 0.7 } }]] },
 }
 
-local steps = { rk4 = 64, split2 = 32, split4 = 8, split6 = 8 }
+local steps = { rk4 = 64, split2 = 32, split4 = 8, split6 = 8, midpoint = 64, semi = 64 }
 
 local function read(path)
   local file = assert(io.open(path, "rb"))

@@ -29,7 +29,8 @@ local effects = {
   { "sink", "effect.dissipation { k = 0.02 }" },
   { "custom", "effect.custom { params = {stiff = k}, " ..
     "potential = function(s) return s.stiff*(s.q[2]^2 + s.phi^2) end, " ..
-    "states = {phi = {initial = 1, unit = \"rad\", rate = function(s) return s.w[1] - s.phi end}} }" },
+    "states = {phi = {initial = 1, unit = \"rad\", " ..
+    "rate = function(s) return s.w[1] - quantity(1, \"1/s\")*s.phi end}} }" },
 }
 
 local paths = {}

@@ -183,4 +183,16 @@ return scene { name = "slanted", body = tensor { mass = 750, com = {0, 0, 0}, xx
   says(files["slanted.h"], " ax2;", "a constant is not called like a component of an argument")
 end
 
+-- ---- a corner at the start ----
+
+do
+  local job = scene.read [[
+return scene { name = "corner", body = solid.box { x = 0.2, y = 0.1, z = 0.05, mass = 1 }, effects = {
+  effect.custom { params = { rub = quantity(0.1, "kg m^2") }, torque = function(s)
+    return { -s.rub*s.w[1]*abs(s.w[1]), 0, 0 } end } }, initial = { omega = {0, 1, 2} } }
+]]
+  says(scene.files(scene.plan(job), true)["corner.c"], "copysign(1.0, wx)",
+    "the derivative of |wx| is one of its sides at wx = 0 and no quotient")
+end
+
 tap.done()

@@ -103,6 +103,9 @@ local function measured(text, real, only, flags, arguments)
   local status = program.shell(string.format("cd %s && rm -rf top && POLHODE_SOURCE=$OLDPWD $OLDPWD/%s gen top.lua " ..
     "--real %s --order 20 --method %s -o top > log 2>&1", dir, binary, real, methods))
   if status ~= 0 then return nil, program.read(dir .. "/log") end
+  status = program.shell(string.format("cc -std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion " ..
+    "-Wshadow -Werror -c %s/top/top.c -o %s/split > %s/log 2>&1", dir, dir, dir))
+  if status ~= 0 then return nil, program.read(dir .. "/log") end
   status = program.shell(string.format("cc -std=c11 -O2 -ffp-contract=off -I%s/top %s %s tests/methods/split.c " ..
     "%s/top/top.c -o %s/split -lm > %s/log 2>&1 && %s/split %s > %s/out", dir, only and "-DONLY_2" or "", flags, dir,
     dir, dir, dir, arguments, dir))

@@ -37,7 +37,10 @@ local rows = {
   { "a full tensor, damped", FULL, GRAVITY .. ", effect.damping { c = {0.1, 0.2, 0.3} }" },
   { "a damped and driven brick with a rotor", BRICK, "effect.damping { c = {0.1, 0.2, 0.3} }, effect.control {}, " ..
     "effect.torque { body = {0.5, -0.25, 0.125} }, effect.rotor { axis = {3, 0, 4}, momentum = 5 }" },
-  { "torque over time", BRICK, "effect.torque { body = { cos(2*t), t, 0 } }, " .. GRAVITY },
+  { "torque over time", BRICK, "effect.torque { body = { cos(2*t), t*quantity(1, \"N m/s\"), 0 } }, " ..
+    GRAVITY },
+  { "a table", ROUND, "effect.torque { body = { { {0, 0}, {0.03125, 8}, {0.046875, -8}, {0.5, 0} }, 0, 0 } }, " ..
+    GRAVITY },
   { "two wheels", BRICK, "effect.wheel { axis = {1, 0, 0}, inertia = 0.5, speed = 2, torque = 0.5, included = true }" ..
     ", effect.wheel { axis = {0, 3, 4}, inertia = 0.25, speed = 3, included = true }", except = { midpoint = true } },
   { "thrown, with drag", BRICK, "effect.translation { gravity = {0, 0, -4}, drag = 0.5 }",
@@ -45,7 +48,7 @@ local rows = {
   { "in a turning frame", BRICK, "effect.rotating_frame { rate = {0.25, 0, 0.5} }, effect.translation {}",
     except = { midpoint = true } },
 }
-local methods = { "rk4", "adaptive", "semi", "midpoint" }
+local methods = { "rk4", "adaptive", "taylor", "semi", "midpoint" }
 local conserving = { midpoint = true, semi = true }
 local places = { qw = 0.5, qx = -0.5, qy = 0.5, qz = 0.5, wx = 0.75, wy = -0.625, wz = 1.125, rx = 0.5, ry = -1,
   rz = 0.25, vx = 0.25, vy = 0.75, vz = -0.5, wheel = 2, wheel_2 = 3, turn = 0.5 }

@@ -23,6 +23,10 @@ struct counted {
   counted(const volatile counted &x) : v(x.v) {
   }
   counted &operator=(const counted &) = default;
+  counted &operator=(const volatile counted &x) {
+    v = x.v;
+    return *this;
+  }
   explicit operator int() const {
     return (int)v;
   }

@@ -77,6 +77,7 @@ local STEP = "(&model, 0, x, u, 1e-3)"
 local rows = {
   { "brick_centroid", { "rk4", "adaptive", "taylor", "midpoint", "semi", "split2", "split4", "split6" } },
   { "heavy_top", { "taylor", "rk4", "adaptive", "midpoint", "semi", "split2", "split4", "split6" } },
+  { "brick", { "rk4", "split2", "split4" } },
   { "gyrostat", { "rk4", "adaptive", "taylor", "midpoint", "semi" } },
   { "damped_brick", { "adaptive", "rk4", "taylor", "midpoint", "semi", "split2" } },
   { "gravity_gradient", { "rk4", "adaptive", "taylor", "semi" } },
@@ -101,6 +102,45 @@ for _, row in ipairs(rows) do
       end
     end
   end
+end
+
+-- ---- a step with a tolerance: what one more of them takes ----
+
+for _, path in ipairs { "brick_centroid", "heavy_top" } do
+  for _, m in ipairs { "taylor", "adaptive" } do
+    local job = planned(path, "double", { m })
+    local run_to = "NAME_" .. m .. "_run(&model, 0, x, u, 1e3, 1e-13, "
+    local did = run(job, path .. "_run_" .. m, { { "some", run_to .. "60)" }, { "more", run_to .. "61)" } })
+    local got = {}
+    for _, k in ipairs(KINDS) do got[k] = did.more[k] - did.some[k] end
+    local wanted = { method = m, order = m == "taylor" and 20 or nil, setting = "tolerance" } -- 1e-13 asks for all 20
+    local most = ops.of(job, wanted).step
+    tap.ok(within(got, ops.of(job, wanted, { least = true }).step, most), path .. ", " .. m .. "_run: one more step",
+      shown(got) .. "\n" .. shown(most))
+    tap.ok(ops.weight(most) < 1.05 * ops.weight(got), path .. ", " .. m .. "_run: the largest is near",
+      shown(got) .. "\n" .. shown(most))
+  end
+end
+
+-- ---- another order than the emitted one ----
+
+for _, order in ipairs { 4, 9, 30 } do
+  local job = scene.plan(scene.file "bodies/heavy_top.lua", { methods = { "taylor" }, order = order })
+  driver.code(job)
+  tap.is(shown(ops.of(planned("heavy_top", "double", { "taylor" }), { method = "taylor", order = order }).step),
+    shown(ops.of(job, { method = "taylor" }).step), "taylor of order " .. order .. " counted in code of order 20")
+end
+
+-- ---- fused operations ----
+
+for _, real in ipairs { "double", "float" } do
+  local job, path = planned("brick_centroid", real, { "exact" }), "brick_centroid_fma_" .. real
+  job.code.header = "#define SOLVES\n" .. job.code.header
+  local did = run(job, path, { { "solve", "NAME_solve(&orbit, &model, x)" }, { "at", "NAME_at(&orbit, 1.25, y)" } },
+    true)
+  local most, least = ops.call(job, "at", { fma = true }), ops.call(job, "at", { fma = true, least = true })
+  tap.ok(did.at.fma > 0 and (same(did.at, most) or same(did.at, least)), real .. ": at with fused operations",
+    shown(did.at) .. "\n" .. shown(most))
 end
 
 -- ---- closed forms: between the cheapest and the costliest way ----

@@ -2110,7 +2110,7 @@ void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[])
 
   p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > 0.0 ? -0.5 : 0.5) : 0.0;
   p.low = low;
-  if (!(o->half < 1.2676506002282294e30)) { /* the separatrix has no period */
+  if (!(o->half < 1.2676506002282294e30)) { /* rare: the separatrix has no period */
     const brick_pair t = brick_pair_product((brick_real)n, o->tick);
 
     p = brick_reduce(o, t.hi);
