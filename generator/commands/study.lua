@@ -19,7 +19,7 @@ local reference = require "generator.plan.reference"
 
 local study = {}
 
-study.orders = { double = { 8, 12, 16, 20, 24 }, float = { 6, 8, 12 } } -- of Taylor series
+study.orders = { double = { 8, 12, 16, 20, 24 }, float = { 8, 12 } } -- of Taylor series
 local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
 local near_rounding = 8 -- an error of at most so many ulp of the input, moved to the end, is rounding's
 local near_reference = 4
@@ -141,7 +141,7 @@ local function ground(host, job, given, tick)
   g.reference, why = reference.of(host, job, g.x0, g.times)
   if not g.reference then return nil, "no reference: " .. why end
   g.own_error = why
-  tick("conditioning")
+  tick("conditioning", 0.01)
   g.condition = condition.of(host, job, g.x0, g.T)
   local c = g.condition
   g.number = math.max(c and c.number or 1, c and c.state or 1, 1)
@@ -218,11 +218,16 @@ local function ladders(g, list, peers, tick)
       return e.unit.plugin:integrate(g.x0, nil, kind == "step" and setting or { setting }, g.times, 0, e.c.method)
     end
   end
+  local count = 0
+  local function passed(e)
+    count = count + 1
+    tick(e.name, 0.45 + 0.1 * count / (#list + #peers))
+  end
   local turns = { {}, {} } -- series first: what falls far behind them is cut short
   for _, e in ipairs(list) do table.insert(turns[e.c.order and 1 or 2], e) end
   for _, turn in ipairs(turns) do
     for _, e in ipairs(turn) do
-      tick(e.name)
+      passed(e)
       if e.c.setting == "none" then
         done(e, { closed_row(g, e) })
       else
@@ -231,7 +236,7 @@ local function ladders(g, list, peers, tick)
     end
   end
   for _, e in ipairs(peers) do
-    tick(e.name)
+    passed(e)
     done(e, climb(g, e, e.setting, function(setting)
       return e.plugin:peer(e.name, setting, g.x0, g.times, nil, patience)
     end, best_of(e)))
@@ -295,7 +300,7 @@ local function measure(g, rows, tick)
   for round = 1, rounds do
     for i, r in ipairs(rows) do
       if i % 64 == 1 then baseline() end
-      if i % 16 == 1 then tick("times, round " .. round) end
+      if i % 16 == 1 then tick("times, round " .. round, 0.55 + 0.45 * (round - 1 + i / #rows) / rounds) end
       if round == 1 or r.about < slow and not once[r] then
         local seconds, steps, evaluation = timed(g, r)
         if seconds then
@@ -322,7 +327,7 @@ local function counts(list, tick)
     local c = e.c
     local key = table.concat({ c.method, c.real, c.setting, c.order or "" }, " ")
     if not known[key] then
-      tick("operations")
+      tick("operations", 0.4)
       local job = e.unit.job
       if not job.code then driver.code(job) end
       known[key] = ops.of(job, c)
@@ -333,9 +338,10 @@ end
 
 -- ---- the whole ----
 
--- given: the command's options; tick(what): called before each piece of work.  Returns the study, or nil and why.
+-- given: the command's options; tick(what, part): called before each piece of work, part: of the
+-- whole, as far as can be said.  Returns the study, or nil and why.
 function study.of(host, job, given, tick)
-  tick("reference")
+  tick("reference", 0)
   local g, why = ground(host, job, given, tick)
   if not g then return nil, why end
   g.enough = given.accuracy and given.accuracy / 10
@@ -347,7 +353,7 @@ function study.of(host, job, given, tick)
     if u.real == "double" and not u.host then carrier = carrier or u end
   end
   carrier.peers = not given.no_peers
-  tick("compiling")
+  tick("compiling", 0.02)
   local ok
   ok, why = load_units(host, given, wanted)
   if not ok then return nil, why end
