@@ -18,11 +18,15 @@ int ${name}_advance(const ${name}_model *m, ${name}_real t0, ${name}_real x[], c
   return steps;
 %% end
 %% if plan_kind_run then
+  const ${name}_real span = t1 - t0;
 %%   if plan_share then
-  const ${name}_real part = ${fabs}(t1 - t0)/${horizon_literal}; /* of the span for which the tolerance was found */
+  const ${name}_real part = ${fabs}(span)/${horizon_literal}; /* of the span for which the tolerance was found */
 
+  if (!(span - span == ${zero})) return -1;
   return ${name}_${plan_run}_run(m, t0, x, u, t1, ${upper}_PLANNED_TOLERANCE*part, (int)(~0U >> 1));
 %%   else
+
+  if (!(span - span == ${zero})) return -1;
   return ${name}_${plan_run}_run(m, t0, x, u, t1, ${upper}_PLANNED_TOLERANCE, (int)(~0U >> 1));
 %%   end
 %% end

@@ -59,6 +59,7 @@ local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/
   ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true,
   ["generator/commands/motion_checks.lua"] = true,
   ["generator/commands/forced.lua"] = true,
+  ["generator/plan/decision.lua"] = true, ["generator/plan/search.lua"] = true,
   ["generator/commands/mesh.lua"] = true, ["generator/report/bench.lua"] = true }
 
 local METHODS = { "gsub", "match", "format", "sub", "rep", "find", "gmatch", "byte", "lower", "upper", "len",

@@ -36,7 +36,7 @@ local function everything(host, q, given)
   for _, c in ipairs(candidates.of(driver.read(host, given[1], given), { real = q.real, orders = { 8 } })) do
     if not c.refused and not seen[c.method] then names[#names + 1], seen[c.method] = c.method, true end
   end
-  assert(driver.plan(job, { real = q.real, methods = names, order = plan.top, command = "" }))
+  assert(driver.plan(job, { real = q.real, methods = names, order = q.order or plan.top, command = "" }))
   return job, seen.taylor
 end
 
@@ -51,7 +51,7 @@ function planner.prepare(host, q, given)
   local code = everything(host, q, given)
   driver.code(code)
   local job, series = everything(host, q, given)
-  job.orders = series and plan.orders or {}
+  job.orders = series and (q.order and { q.order } or plan.orders) or {}
   local plugins, failed = build.plugins(host, { { job = job, flags = flags } })
   if failed then return nil, failed[1].message end
   q.host, q.code, q.plugin = host, code, plugins[1]

@@ -21,7 +21,9 @@ for word in string.gmatch([[
 end
 
 local taken = {} -- enumerators of the emitted header, without the scene's prefix
-for word in string.gmatch("PI QW QX QY QZ WX WY WZ UX UY UZ NX NU NP", "%S+") do taken[word] = true end
+for word in string.gmatch("PI QW QX QY QZ WX WY WZ UX UY UZ NX NU NP PLANNED_STEP PLANNED_TOLERANCE", "%S+") do
+  taken[word] = true
+end
 
 -- nil if `s` can be a name in C, else the rule it breaks.
 function names.identifier(s)

@@ -110,8 +110,13 @@ local function runners(r)
       ratio, about = f.cost * math.max(1, f.error / r.limit) ^ (1 / c.power) / r.cost, "about "
     end
     if f.should then ratio, about = f.should / r.cost, "about " end
-    list[i] = { name = c.method .. (c.setting == "tolerance" and " by tolerance" or c.order and " of order " ..
-      string.format("%d", c.order) or ""), key = c.method .. c.setting, ratio = ratio, about = about, place = i }
+    local name = c.setting == "none" and "the closed form" or c.method
+    if c.setting == "tolerance" then
+      name = name .. " by tolerance"
+    elseif c.order then
+      name = name .. " of order " .. string.format("%d", c.order)
+    end
+    list[i] = { name = name, key = c.method .. c.setting, ratio = ratio, about = about, place = i }
   end
   table.sort(list, function(a, b)
     if a.ratio ~= b.ratio then return a.ratio < b.ratio end
@@ -187,10 +192,9 @@ function decision.made(q, r)
   paragraph(lines, "Measured: largest error " .. measured(r.error, q.accuracy) .. margin .. " from " ..
     string.format("%d", r.states) .. " states" .. (real == "float" and " in float" or "") .. ": " .. whence(q.job) ..
     (q.job.equations.inputs and ", input 0" or "") .. "; the true motion is known to " .. decade(r.own) .. ".")
-  local one, work = counted(r.counts), nil
-  if c.setting == "none" then
-    work = counted(r.setup_counts) .. " once, " .. one .. " for each time"
-  else
+  local one = counted(r.counts)
+  local work = r.setup_counts and counted(r.setup_counts) .. " once, " .. one .. " for each time"
+  if not work then
     work = short(r.steps, 4) .. " step" .. (r.steps == 1 and "" or "s") ..
       (c.setting == "tolerance" and " on average" or "") .. " of " .. one
   end
@@ -231,8 +235,8 @@ function decision.refusal(q, r)
   local order = c.method == "taylor" and c.setting == "step" and c.order or nil
   local name = title(c, order, best.setting and short(best.setting))
   return { refused = string.format("must be one that a method can hold with a margin of %s: the best is %s, " ..
-    "error %s at %s cycles of %s; what limits it is %s", shortest(r.least_margin), name, short(best.error), short(best.cost),
-    q.target, table.concat(limits, " and ")), got = got }
+    "error %s at %s cycles of %s; what limits it is %s", shortest(r.least_margin), name, short(best.error),
+    short(best.cost), q.target, table.concat(limits, " and ")), got = got }
 end
 
 -- ---- kept as text ----

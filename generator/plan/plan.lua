@@ -27,8 +27,8 @@ local top = plan.top
 local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
 
 -- The order that NAME_taylor_run takes for a tolerance (templates/taylor_run.c, emit/taylor.lua): bits of an IEEE
--- number as an integer are its logarithm.
-function plan.order(tolerance, real)
+-- number as an integer are its logarithm.  most: the order of the emitted series.
+function plan.order(tolerance, real, most)
   local log2
   if real == "float" then
     log2 = string.unpack("i4", string.pack("f", tolerance)) * 2.0 ^ -23 - 127
@@ -36,7 +36,8 @@ function plan.order(tolerance, real)
     log2 = string.unpack("i8", string.pack("d", tolerance)) * 2.0 ^ -52 - 1023
   end
   local n = 9.5 - 0.375 * log2
-  return n < top and (n > 4 and math.floor(n) or 4) or top
+  most = most or top
+  return n < most and (n > 4 and math.floor(n) or 4) or most
 end
 
 local function total(counts)
@@ -71,8 +72,8 @@ local function competitors(q, code)
       c.counts, c.setup_counts = costs.step, costs.setup
       local memo = {}
       c.counts_at = function(setting)
-        if not fixed or q.order then return costs.step end
-        local n = plan.order(setting, q.real)
+        if not fixed then return costs.step end
+        local n = plan.order(setting, q.real, q.order)
         memo[n] = memo[n] or ops.of(code, { method = "taylor", order = n, setting = "tolerance" }, fused).step
         return memo[n]
       end
@@ -81,7 +82,9 @@ local function competitors(q, code)
       c.power = c.order or (methods.by_name[c.method] or {}).order or 1
       c.spread = c.power < 8 and 1.3 or 2
       c.ops = total(costs.step) + (costs.setup and total(costs.setup) or 0)
-      if q.ops and c.ops > q.ops and not fixed then
+      if fixed then c.ops = total(c.counts_at(0.5)) end -- its order, and so its operations, follow the tolerance
+      c.allowed = function(setting) return not q.ops or not fixed or total(c.counts_at(setting)) <= q.ops end
+      if q.ops and c.ops > q.ops then
         c.over = true
         refused[#refused + 1] = c
       else
@@ -156,7 +159,7 @@ local function corrected(s, r, points, limit)
   for _ = 1, 6 do
     if setting then setting = search.rounded(setting, c.setting == "step" and 4 or 2) end
     out = verify(s, c, setting, points)
-    out.fits = out.error <= limit
+    out.fits = out.error <= limit and c.allowed(setting)
     if out.fits or not setting then break end
     local ratio = math.max(1e-3, limit / out.error)
     setting = setting * (c.setting == "step" and 0.99 * ratio ^ (1 / c.power) or 0.7 * ratio)
@@ -260,7 +263,7 @@ function plan.find(q)
   result.margin, result.limit = q.accuracy / (best.error + own), limit
   result.counts, result.setup_counts = c.counts_at(best.setting), c.setup_counts
   if c.method == "taylor" and c.setting == "tolerance" then
-    result.order = q.order or plan.order(best.setting, q.real)
+    result.order = plan.order(best.setting, q.real, q.order)
   end
   return result
 end

@@ -18,19 +18,10 @@ local function tried(s, c, setting, limit)
     cost = (c.setup or 0.0) + steps * c.weight(setting) }
 end
 
--- A number with n significant digits, not above x > 0.
+-- The first n digits of x > 0, which are all 16 of a double but for what no run can tell apart.
 function search.rounded(x, n)
-  for digits = n, n + 1 do
-    local text = string.format("%." .. digits - 1 .. "e", x)
-    local mantissa, exponent = string.match(text, "^([%d.]+)e([+-]%d+)$")
-    local unit = tonumber("1e" .. exponent - (digits - 1))
-    local y = tonumber(text)
-    if y > x then
-      y = tonumber(string.format("%." .. digits - 1 .. "e", tonumber(mantissa .. "e" .. exponent) - unit))
-    end
-    if y <= x and y > 0 then return y end
-  end
-  return x
+  local mantissa, exponent = string.match(string.format("%.15e", x), "^([%d.]+)e([+-]%d+)$")
+  return tonumber(string.sub(mantissa, 1, n + 1) .. "e" .. exponent)
 end
 
 local digits = { step = 4, tolerance = 2 }
@@ -88,7 +79,7 @@ local function by_tolerance(s, c, limit, best)
   for _ = 1, 10 do
     tolerance = search.rounded(tolerance, digits.tolerance)
     local r = tried(s, c, tolerance, math.huge)
-    r.fits = r.error <= limit
+    r.fits = r.error <= limit and (not c.allowed or c.allowed(tolerance))
     if not least or r.error < least.error then least = r end
     local should = r.cost * (r.error / limit) ^ (1 / c.power)
     if best and r.error < 0.1 and should > 1.5 * best.cost then
@@ -121,7 +112,8 @@ local function solve(s, c, limit, best)
 end
 
 -- s: {trial, points, epsilon (of the type), progress = function(part)}; candidates: with weight(setting), setup, power
--- (the order of the method), spread (how near the limit a tolerance's error should come).  Returns the best {candidate,
+-- (the order of the method), spread (how near the limit a tolerance's error should come), and allowed(tolerance): is it
+-- within the budget?  Returns the best {candidate,
 -- ...} or nil, and for every candidate what was found: {candidate, error, setting, cost, dearer}.  bound: a plan that
 -- is known to hold, to be beaten.
 function search.cheapest(s, candidates, limit, bound)

@@ -7,6 +7,8 @@
 -- over the least that meets the accuracy at those states in a sweep of all methods and of settings that cost down to a
 -- third of the plan's, in steps of 2 %.
 
+local host, args = ...
+
 local driver = require "generator.driver"
 local planner = require "generator.commands.planner"
 local candidates = require "generator.plan.candidates"
@@ -62,7 +64,7 @@ local function sweep(list, cost, accuracy)
       local last
       for k = 0, 55 do
         local n = math.floor(cost / 3 * 1.02 ^ k / one)
-        if n >= 1 and n ~= last then try(c, judge.T / n) end
+        if n >= 1 and n ~= last and n * one < best then try(c, judge.T / n) end
         last = n
       end
     else
@@ -71,7 +73,7 @@ local function sweep(list, cost, accuracy)
         local setting = high * (low / high) ^ (k / 60)
         local _, steps = judge:worst(c, setting, { unseen[1] }) -- what a state costs, before a hundred are run
         local one = c.weigh(setting)
-        if steps * one > 1.5 * cost then break end
+        if steps * one > 1.5 * math.min(cost, best) then break end
         try(c, setting)
       end
     end
@@ -86,8 +88,9 @@ for k = 5, #args do
   if r then
     local got = judge:worst(r.candidate, r.setting, unseen)
     local least, tried = sweep(list, r.cost, q.accuracy)
-    say(args[k], got, r.cost, r.cost / math.min(least, r.cost), tried, r.candidate.name)
+    host.out(string.format("%s %.3g %.4g %.4g %d %s\n", args[k], got, r.cost, r.cost / math.min(least, r.cost), tried,
+      r.candidate.name))
   else
-    say(args[k], "none", bad.why or "")
+    host.out(string.format("%s none %s\n", args[k], bad.why or ""))
   end
 end

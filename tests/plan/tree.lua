@@ -8,7 +8,7 @@
 local program = require "tests.cli.program"
 
 local binary = os.getenv("POLHODE") or "build/polhode"
-local LIMIT = 120 -- s; far above what any test may take
+local LIMIT = tonumber(os.getenv "POLHODE_TEST_LIMIT" or 120) -- s; far above what any test may take
 
 local base
 
