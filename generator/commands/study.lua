@@ -144,22 +144,25 @@ local function ground(host, job, given, tick)
   tick("conditioning", 0.01)
   g.condition = condition.of(host, job, g.x0, g.T)
   local c = g.condition
-  g.number = math.max(c and c.number or 1, c and c.state or 1, 1)
+  g.number = math.max(c and c.number or 1, 1)
+  g.state = math.max(c and c.state or 1, g.number)
   return g
 end
 
 -- Names the errors that say nothing of the method: those of the reference's own size, and those that rounding makes.
--- That is a few ulp at the start, and an ulp in each step, a random walk; where a finer rung is far better it was not
--- rounding.
+-- That is a few ulp of the input; and where the ladder no longer goes down, up to an ulp of the state in each step, a
+-- random walk.
 local function explain_floors(g, rows)
   local least = {} -- of the finer rungs of the same ladder
   for i = #rows, 1, -1 do
-    local r = rows[i]
-    local ulp = g.number * epsilon[r.real]
+    local r, before, after = rows[i], rows[i - 1], rows[i + 1]
+    local flat = before and before.entry == r.entry and r.error > before.error / 2
+      or after and after.entry == r.entry and after.error > r.error / 2
+    local walk = g.state * epsilon[r.real] * math.max(near_rounding, math.sqrt(r.steps or 0))
     if r.error <= near_reference * g.own_error then
       r.note = "reference"
-    elseif r.error <= ulp * math.max(near_rounding, math.sqrt(r.steps or 0)) and
-      r.error <= better * (least[r.entry] or math.huge) then
+    elseif r.error <= near_rounding * g.number * epsilon[r.real]
+      or flat and r.error <= walk and r.error <= better * (least[r.entry] or math.huge) then
       r.note = "rounding"
     end
     least[r.entry] = math.min(r.error, least[r.entry] or math.huge)
