@@ -107,25 +107,31 @@ local function units(list)
   return out
 end
 
--- Plans, compiles and loads the units; true, or nil and why.  Each has a job of its own, as planning leaves constants
--- in the model.
-local function load_units(host, given, list)
+-- Plans, compiles and loads the units; each has a job of its own, as planning leaves constants in the model.  Where one
+-- cannot be had (a type too small for the constants, a compiler without these flags), u.plugin stays nil and the reason
+-- joins the remarks.
+local function load_units(host, given, list, remarks)
   local wanted = {}
   for i, u in ipairs(list) do
-    local job = assert(driver.read(host, given[1], given))
-    if not driver.plan(job, { real = u.real, methods = u.methods, order = u.order, command = "" }) then
-      return nil, job.diag:report()
-    end
-    u.job = job
-    wanted[i] = { job = job, flags = u.host and host_flags(job) or {}, peers = u.peers }
+    u.job = assert(driver.read(host, given[1], given))
+    local planned = driver.plan(u.job, { real = u.real, methods = u.methods, order = u.order, command = "" })
+    if not planned then return nil, u.job.diag:report() end
+    wanted[i] = { job = u.job, flags = u.host and host_flags(u.job) or {}, peers = u.peers }
   end
   local plugins, failed = build.plugins(host, wanted)
-  for i in ipairs(failed and list or {}) do
-    if failed[i] then return nil, failed[i].message end
-  end
+  local said = {}
   for i, u in ipairs(list) do
-    u.plugin = plugins[i]
-    if u.plugin:init() ~= 0 then return nil, "the emitted code refuses the scene's own parameters" end
+    local why = failed and failed[i] and failed[i].message
+    why = why or plugins[i]:init() ~= 0 and "the emitted code refuses the scene's own parameters" or nil
+    if not why then
+      u.plugin = plugins[i]
+    elseif u.carrier then
+      return nil, why
+    elseif not said[u.real .. tostring(u.host)] then
+      said[u.real .. tostring(u.host)] = true
+      remarks[#remarks + 1] = u.real .. (u.host and ", for this machine" or "") .. ": " ..
+        string.gsub(string.match(why, "^[^\n]*\n?[^\n]*"), "%s+", " ")
+    end
   end
   return true
 end
@@ -355,11 +361,16 @@ function study.of(host, job, given, tick)
   for _, u in ipairs(wanted) do
     if u.real == "double" and not u.host then carrier = carrier or u end
   end
-  carrier.peers = not given.no_peers
+  carrier.carrier, carrier.peers = true, not given.no_peers
   tick("compiling", 0.02)
   local ok
-  ok, why = load_units(host, given, wanted)
+  ok, why = load_units(host, given, wanted, refused)
   if not ok then return nil, why end
+  local there = {}
+  for _, e in ipairs(list) do
+    if e.unit.plugin then there[#there + 1] = e end
+  end
+  list = there
   g.drift = drift.of(job, carrier.plugin, g.x0)
   local peers = {}
   for _, p in ipairs(given.no_peers and {} or host.peers()) do
