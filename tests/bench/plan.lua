@@ -31,7 +31,7 @@ for _, set in ipairs(sets) do
         out[#out + 1] = string.format("| %s | %s | %s%s | %s | %s | %.2f |", scene, asked, got,
           tonumber(got) <= tonumber(asked) and "" or " **missed**", name, cost, tonumber(ratio))
       else
-        out[#out + 1] = string.format("| %s | %s | %s | | | |", scene, asked, line:match "^%S+ (.*)$")
+        out[#out + 1] = string.format("| %s | %s | refused | | | |", scene, line:match "^%S+")
       end
     end
   end
