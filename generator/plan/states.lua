@@ -129,23 +129,21 @@ local function coordinates(d, n, skip)
   return list
 end
 
--- n points {x = state, values = {parameter = rational} or nil, params = doubles for NAME_init or nil}, representable in
--- the real type; one where nothing varies.  skip: without the first point and the extremes, from there on in the
--- filling.
-function states.points(job, real, n, skip)
+-- The function that makes a point {x = state, values = {parameter = rational} or nil, params = doubles for NAME_init or
+-- nil} of coordinates u in the unit cube (nil: the scene's own), and their number.
+local function maker(job, real)
   local own = numeric.initial(job)
   local list, choose, most = quantities(job, own)
   local varies = job.ranges and #job.ranges.params > 0
-  local out = {}
-  local function put(u)
+  local first
+  for i = #job.states, 1, -1 do first = job.states[i].kind == "attitude" and i or first end
+  return function(u)
     local point = { x = { table.unpack(own) }, values = {}, turn = { 0.0, 0.0, 0.0 } }
     choose(point)
     for k, set in ipairs(list) do
       if u then set(u[k]) end
     end
     if most > 0 and u then
-      local first
-      for i = #job.states, 1, -1 do first = job.states[i].kind == "attitude" and i or first end
       local q = turned({ table.unpack(own, first, first + 3) }, point.turn, most)
       for k = 1, 4 do point.x[first + k - 1] = q[k] end
     end
@@ -159,10 +157,17 @@ function states.points(job, real, n, skip)
         params[i] = x or narrow(R.todouble(p.default), real)
       end
     end
-    out[#out + 1] = { x = point.x, values = values, params = params }
-  end
-  if not skip then put(nil) end
-  for _, u in ipairs(coordinates(#list, skip and n or n - 1, skip or 0)) do put(u) end
+    return { x = point.x, values = values, params = params }
+  end, #list
+end
+
+-- n points, representable in the real type; one where nothing varies.  skip: without the first point and the extremes,
+-- from there on in the filling.
+function states.points(job, real, n, skip)
+  local make, d = maker(job, real)
+  local out = {}
+  if not skip then out[1] = make(nil) end
+  for _, u in ipairs(coordinates(d, skip and n or n - 1, skip or 0)) do out[#out + 1] = make(u) end
   return out
 end
 
