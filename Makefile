@@ -199,7 +199,7 @@ $(TAYLOR)/top%.lua: bodies/nodding_top.lua
 	@sed 's/"nodding_top"/"top$*"/' $< > $@
 
 $(TAYLOR)/%.c: $(TAYLOR)/%.lua $(PROGRAM)
-	@$(PROGRAM) gen --method taylor,rk4,adaptive --order $(patsubst box%,%,$(patsubst top%,%,$(*:_host=))) $< -o $(@D) > $@.log
+	@$(PROGRAM) gen --method taylor,rk4,adaptive,split4,split6 --order $(patsubst box%,%,$(patsubst top%,%,$(*:_host=))) $< -o $(@D) > $@.log
 
 $(TAYLOR)/%_host.o: $(TAYLOR)/%_host.c
 	$(CC) -std=c99 $(TAYLOR_HOST) -D$(shell echo $* | tr a-z A-Z)_HOST_VECTOR -c -o $@ $<

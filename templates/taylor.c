@@ -12,6 +12,11 @@
 typedef ${name}_real ${name}_pack __attribute__((vector_size(${upper}_ROW*sizeof(${name}_real))));
 typedef ${name}_real ${name}_row __attribute__((vector_size(${upper}_ROW*sizeof(${name}_real)), aligned(sizeof(${name}_real)), may_alias));
 
+%%   if taylor_top then
+#endif
+
+${taylor_top_text}
+%%   else
 /* the coefficients up to c[top]; a and b are the factors of the products, plane by plane */
 static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], int top,
                    ${name}_real c[][${upper}_ROW]${taylor_side})
@@ -81,7 +86,9 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
   }
 }
 #else
+%%   end
 %% end
+%% if not taylor_top then
 /* Not inlined, the loops of products are put into vector registers as a whole. */
 #if defined __GNUC__
 #define ${upper}_APART static __attribute__((noinline))
@@ -196,9 +203,10 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
   }
 }
 
-%% if taylor_packed then
+%%   if taylor_packed then
 #endif
 
+%%   end
 %% end
 void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[],
                   ${name}_real c[][${upper}_ROW])
@@ -281,22 +289,22 @@ static void ${name}_taylor_move(const ${name}_model *m, ${name}_real c[][${upper
   *(${name}_row *)d = n == 1 ? s*a + square*b : s*b + square*a;
 #else
 %% end
-%% for _, s in ipairs(taylor_states) do
+%% for _, s in ipairs(taylor_columns) do
   ${name}_real a${s.index} = c[top][${s.index}], b${s.index} = c[top - 1][${s.index}];
 %% end
 
   for (; n > 1; n -= 2) {
-%% for _, s in ipairs(taylor_states) do
+%% for _, s in ipairs(taylor_columns) do
     a${s.index} = c[n][${s.index}] + square*a${s.index};
     b${s.index} = c[n - 1][${s.index}] + square*b${s.index};
 %% end
   }
   if (n == 1) {
-%% for _, s in ipairs(taylor_states) do
+%% for _, s in ipairs(taylor_columns) do
     d[${s.index}] = s*(c[1][${s.index}] + square*a${s.index}) + square*b${s.index};
 %% end
   } else {
-%% for _, s in ipairs(taylor_states) do
+%% for _, s in ipairs(taylor_columns) do
     d[${s.index}] = s*b${s.index} + square*a${s.index};
 %% end
   }
@@ -306,7 +314,7 @@ static void ${name}_taylor_move(const ${name}_model *m, ${name}_real c[][${upper
 %% if taylor_axis then
   ${name}_taylor_back(c, ${name}_taylor_spin(m, x)*s, d);
 %% else
-%%   if taylor_shift then
+%%   if taylor_shift or taylor_top then
   ${name}_taylor_back(m, x, c, s, d);
 %%   else
   (void)m;

@@ -4,7 +4,11 @@
 /* states that move, in the order of x[]; numbers of a row of coefficients, those beyond the states for its own use */
 enum { ${upper}_ORDER = ${taylor_order_text}, ${upper}_MOVING = ${taylor_count}, ${upper}_ROW = ${taylor_row} };
 
+%% if taylor_axis or taylor_shift or taylor_top then
+/* Coefficients of the solution through x at time t, in the turning frame of the source; taylor_at makes states of them. */
+%% else
 /* Coefficients c[n][k] of the solution through x at time t: state k is the sum of c[n][k] s^n at time t + s. */
+%% end
 void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[],
                   ${name}_real c[][${upper}_ROW]);
 

@@ -27,8 +27,10 @@ static ${name}_real ${name}_taylor_exp2(${name}_real x) /* x within the range of
 static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top, ${name}_real local, ${name}_real rate)
 {
   const ${name}_real log_local = ${name}_taylor_log2(local), log_rate = ${name}_taylor_log2(rate);
-  ${name}_real log_h = ${eight}*${eight}, head[3], tail, at, best;
+  ${name}_real log_h = ${eight}*${eight}, head[3], tail, at, best, part[5];
   int i, k, n;
+
+  for (i = 0; i < 5; i++) part[i] = ${one}/(${name}_real)(top - i > 0 ? top - i : 1);
 
 %% for _, k in ipairs(taylor_kinds) do
   /* ${k.about} */
@@ -44,9 +46,9 @@ static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top,
     tail = ${name}_taylor_log2(tail);
     best = ${one} - ${taylor_bias};
     for (i = 0; i < 3 && i + 1 < n; i++) {
-      at = (log_local + head[i] - tail)/(${name}_real)(n - i);
+      at = (log_local + head[i] - tail)*part[top - n + i];
       best = at > best ? at : best;
-      at = (log_rate + head[i] - tail)/(${name}_real)(n - i - 1);
+      at = (log_rate + head[i] - tail)*part[top - n + i + 1];
       best = at > best ? at : best;
     }
     log_h = best < log_h ? best : log_h;
@@ -108,7 +110,7 @@ static int ${name}_taylor_top(${name}_real tolerance)
 %% end
   const ${name}_real top = least - ${taylor_slope}*${name}_taylor_log2(tolerance);
 
-  return top < ${upper}_ORDER ? top > ${four} ? (int)top : 4 : ${upper}_ORDER;
+  return top < (${name}_real)${upper}_ORDER ? top > ${four} ? (int)top : 4 : ${upper}_ORDER;
 }
 
 ${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real tolerance)

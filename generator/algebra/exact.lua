@@ -27,7 +27,8 @@
 local R = require "generator.algebra.rational"
 local radical = require "generator.algebra.radical"
 
-local odd = { sin = true, tan = true, asin = true, atan = true, sinh = true, tanh = true, catenary_rise = true, sign = true }
+local odd = { sin = true, tan = true, asin = true, atan = true, sinh = true, tanh = true, catenary_rise = true,
+  sign = true }
 local even = { cos = true, cosh = true, abs = true, arc_across = true, arc_along = true, arc_lever = true,
   catenary_width = true, catenary_height = true }
 local at_zero = { sin = 0, tan = 0, asin = 0, atan = 0, sinh = 0, tanh = 0, cos = 1, cosh = 1, exp = 1, abs = 0,

@@ -62,20 +62,22 @@ function split.fill(ctx, program, v)
   v.split_done = true
   v.split_method = "split" .. text(program.order)
   v.split_order, v.split_about = text(program.order), program.source
-  v.split_outer = rows(program.outer, ctx.real)
-  v.split_inner = rows(program.inner, ctx.real)
+  v.split_outer, v.split_inner = rows(program.outer, ctx.real), rows(program.inner, ctx.real)
   v.split_kicks, v.split_slowed = #program.kicked > 0, program.slowed
-  local d = program.drift
+  local d, float = program.drift, ctx.real == "float"
   v.split_sphere, v.split_axis = d.kind == "sphere", d.kind == "axis"
   v.split_oblique, v.split_diagonal, v.split_full = d.kind == "oblique", d.kind == "diagonal", d.kind == "full"
-  v.split_inner_runs = v.split_diagonal or v.split_full
   v.split_turns, v.split_attitude, v.split_moves = program.has.rates, program.has.attitude, program.has.position
   for name, e in pairs(d.constants) do v[name] = constant(e, ctx.real) end -- into a table: order is lost anyway
   local function numbers(i) return i and text(i - 1) or "", i and text(i % 3) or "", i and text((i + 1) % 3) or "" end
   v.split_i, v.split_j, v.split_k = numbers(d.axis)
-  v.split_bi, v.split_bj, v.split_bk = numbers(d.b)
-  v.split_ci, v.split_cj, v.split_ck = numbers(d.c)
-  local terms = ctx.real == "float" and 5 or 9 -- z^8/16! of z = 1/4 is 7e-19, z^4/8! below 1e-7
+  if v.split_diagonal then -- what the map needs beside them; the tiny: its inverse is no infinity
+    v.third = number.text(R.new(1, 3), ctx.real)
+    for _, n in ipairs { 5, 7, 9, 20 } do v["split_" .. text(n) .. "th"] = number.text(R.new(1, n), ctx.real) end
+    v.split_most = number.text(R.new(1000), ctx.real)
+    v.split_tiny = number.text(R.new(2) ^ (float and -100 or -1000), ctx.real)
+  end
+  local terms = float and 5 or 9 -- z^8/16! of z = 1/4 is 7e-19, z^4/8! below 1e-7
   v.split_cos, v.split_sin = series(0, terms, ctx.real), series(1, terms, ctx.real)
   if not v.split_shared then return end
   local groups = {}

@@ -45,6 +45,10 @@ function steppers.render(job, v, ctx)
       local function source(part, values)
         sources[#sources + 1] = template.render(part, job.templates[part], values)
       end
+      if kind == "taylor" and s.program.top then
+        local own_terms = "templates/taylor_top.c"
+        v.taylor_top_text = template.render(own_terms, job.templates[own_terms], v)
+      end
       source(path .. ".c", v)
       if kind == "taylor" then
         source(path .. "_run.c", v)

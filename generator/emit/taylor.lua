@@ -221,7 +221,15 @@ end
 
 -- How to come back from the turning frame: pairs of states that the angle mixes, see templates/taylor.c.
 local function turns_of(ctx, program, v)
-  v.taylor_axis, v.taylor_turns, v.taylor_shift = program.axis ~= nil, {}, program.shift ~= nil
+  v.taylor_axis, v.taylor_turns, v.taylor_shift = program.axis ~= nil and not program.top, {}, program.shift ~= nil
+  v.taylor_top = program.top ~= nil
+  if program.top then
+    local g = { defs = {}, outs = {} }
+    for i, e in ipairs(program.top) do g.outs[i] = { c = "o[" .. text(i - 1) .. "]", expr = e } end
+    local f = source.statements(ctx, { name = "taylor_constants", args = { "m", "x" }, groups = { g } })
+    v.taylor_lame = { loads = f.loads, lines = f.groups[1].lines }
+    return
+  end
   if program.shift then
     local g, w = { defs = {}, outs = {} }, {}
     for i, name in ipairs { "wx", "wy", "wz" } do
@@ -236,7 +244,10 @@ local function turns_of(ctx, program, v)
   if not program.axis then return end
   local f = { name = "taylor_spin", args = { "m", "x" }, result = true, doc = {},
     groups = { { defs = {}, outs = { { result = true, expr = program.spin } } } } }
-  v.taylor_spin = source.make(ctx, f).lines
+  v.taylor_spin = {}
+  for _, line in ipairs(source.make(ctx, f).lines) do
+    if line ~= "" then v.taylor_spin[#v.taylor_spin + 1] = line end
+  end
   local at, comp = {}, { "x", "y", "z" }
   for i, s in ipairs(program.states) do at[s.name] = text(i - 1) end
   local a, b, c = comp[program.axis], comp[program.axis % 3 + 1], comp[(program.axis + 1) % 3 + 1]
@@ -304,6 +315,7 @@ end
 -- Fills the template's values for the program of methods/taylor.lua.
 function taylor.fill(ctx, program, v)
   local names = recurrences(ctx, program, v)
+  v.taylor_columns = v.taylor_states
   v.taylor_transition = program.transition ~= nil
   v.taylor_attitude = program.states[1].name == "qw"
   v.taylor_kinds = source.kinds(program.states)
@@ -314,6 +326,11 @@ function taylor.fill(ctx, program, v)
     plain(inputs, names)
     return rendered(ctx, inputs, groups)[1]
   end)
+  if program.top then -- rows of the attitude and its rates
+    v.taylor_packed, v.taylor_row, v.taylor_lanes, v.taylor_columns = true, "8", "5", {}
+    for i = 1, 8 do v.taylor_columns[i] = { index = text(i - 1) } end
+    v.taylor_kinds[2].last = "8"
+  end
   for i, x in ipairs(program.roots) do -- their terms stand beyond the states
     v.taylor_roots[i] = { index = text(#program.states + i - 1), place = text(x.place) }
   end

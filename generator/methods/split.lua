@@ -6,12 +6,13 @@
 -- 107, 5840; McLachlan, Quispel 2002, Acta Numerica 11, 341; Fasso 2003, J. Comput. Phys. 189, 527):
 --     sphere      one, about L by |L| tau/I
 --     symmetric   two that commute, about L by |L| tau/I1 and about k by (1 - I3/I1) (k.w) tau: exact
---     diagonal    T = L^2/(2 Ia) + Lb^2/2 (1/Ib - 1/Ia) + Lc^2/2 (1/Ic - 1/Ia): the first commutes with the others,
---                 which a palindrome of their own composes (`inner`), so that all is symmetric.  Ia is the moment in
---                 the middle for the parameters' defaults: then the product of the other two terms is least
---     full        the same about the principal axes b and c in body axes, which NAME_init finds.  p = L/Ia is made of w
---                 and w of p by the steps of I/Ia = U^T D U forwards and backwards: each undoes the other but for its
---                 roundings, where a rounded inverse would shrink or swell the rates a little at every step
+--     diagonal    Kahan's map with coefficients that depend on step, energy and |L|, then two rotations: order 10,
+--                 energy and L to rounding (templates/split.c; Hairer, Vilmart 2006, J. Phys. A 39, 13225)
+--     full        T = L^2/(2 Ia) + Lb^2/2 (1/Ib - 1/Ia) + Lc^2/2 (1/Ic - 1/Ia), Ia the middle one: the first commutes
+--                 with the others, rotations about the principal axes b and c in body axes, which NAME_init finds and a
+--                 palindrome of their own composes (`inner`).  p = L/Ia is made of w and w of p by the steps of I/Ia =
+--                 U^T D U forwards and backwards: each undoes the other but for its roundings, where a rounded inverse
+--                 would shrink or swell the rates a little at every step
 -- A constant rotor along the axis adds its momentum to the body's there.
 -- Coefficients, the first half of each palindrome: Blanes, Moan 2002, J. Comput. Appl. Math. 142, 313: S10 (order 6);
 -- McLachlan 1995, BIT 35, 258: order (8, 4), whose error is h^8 in the first power of the torque, h^4 in the second.
@@ -112,7 +113,7 @@ local function rotor(m, k)
   return ratio.tidy(vec.dot(h, k) / vec.dot(k, k)), k
 end
 
--- The drift: {kind, constants = {name -> expr}, axis = 1..3, or its other two axes b and c}; or nil and why not.
+-- The drift: {kind, constants = {name -> expr}, axis = 1..3}; or nil and why not.
 local function drift(m)
   local s = m.structure
   if not m.has.rates then return { kind = "point", constants = {} } end
@@ -139,20 +140,16 @@ local function drift(m)
     return nil, "the free flow of an asymmetric body with a rotor is not made of rotations"
   end
   if s.kind ~= "diagonal" then return { kind = "full", constants = {} } end
-  local I, order = m.inertia, { 1, 2, 3 }
-  local size = vec.map({ 1, 2, 3 }, function(i) return m:number(I[i]) end)
-  table.sort(order, function(i, j)
-    local d = R.sign(size[i] - size[j])
-    return d < 0 or d == 0 and i < j
-  end)
-  local a = order[2]
-  local out = { kind = "diagonal", axis = a, b = a % 3 + 1, c = (a + 1) % 3 + 1, constants = {} }
-  for _, n in ipairs { "b", "c" } do
-    local i = out[n]
-    local difference = m.parts and m.parts:difference(a, i)
-    out.constants["split_g" .. n] = m:constant("g" .. i, I[i] / I[a], string.format("I%d/I%d", i, a))
-    out.constants["split_f" .. n] = m:constant("f" .. i, (I[a] - I[i]) / I[i],
-      string.format("(I%d - I%d)/I%d", a, i, i), false, difference and difference / equations.inertia(m)[i])
+  local I = m.inertia
+  local out = { kind = "diagonal", constants = {} }
+  for i = 1, 3 do
+    local j, k = i % 3 + 1, (i + 1) % 3 + 1
+    local difference = m.parts and m.parts:difference(j, k)
+    out.constants["split_a" .. i] = m:constant("c" .. i, (I[j] - I[k]) / I[i],
+      string.format("(I%d - I%d)/I%d", j, k, i), false, difference and difference / equations.inertia(m)[i])
+  end
+  for _, i in ipairs { 1, 3 } do
+    out.constants["split_j" .. i] = m:constant("g" .. i, I[i] / I[2], string.format("I%d/I2", i))
   end
   return out
 end

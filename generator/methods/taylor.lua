@@ -82,7 +82,28 @@ local function despun(eq, zero)
     end
     groups[#groups + 1] = copy
   end
-  return groups, axis, groups[1].defs[1].expr
+  return groups, axis, groups[1].defs[1].expr, Omega
+end
+
+-- The heavy symmetric top, its axis k = z and the force along z in space: nothing but attitude and two rates moves, and
+-- W' = i Omega W + K conj(a) b with W = wx + i wy, a = qw + i qz, b = qx + i qy.  Returns the constants of the text in
+-- templates/taylor_top.c, or nil if the torque is another.
+local function heavy(eq, Omega, moving)
+  if #moving ~= 6 then return nil end
+  local slope, q, w = {}, state.q, state.w
+  for _, g in ipairs(eq.groups) do
+    for _, o in ipairs(g.outs) do slope[o.state] = equations.inline(eq.groups, o.expr) end
+  end
+  local K = ratio.tidy(calculus.diff(calculus.diff(slope.wx, q[1]), q[2]))
+  for _, s in ipairs(moving) do
+    if not expr.constant(K, { [s.name] = true, t = true }) then return nil end
+  end
+  if K == expr.zero or not ratio.iszero(slope.wx + Omega * w[2] - K * (q[1] * q[2] + q[3] * q[4])) or
+    not ratio.iszero(slope.wy - Omega * w[1] - K * (q[1] * q[3] - q[2] * q[4])) then
+    return nil
+  end
+  local M = w[3] + Omega
+  return { M, K, M / 4, Omega / 2 - M / 4 }
 end
 
 -- Free motion, a diagonal tensor: L is constant in space, so q' = q (0, w - lambda L)/2 for the attitude seen from a
@@ -275,13 +296,14 @@ function taylor.program(eq, options)
       moving[#moving + 1] = s
     end
   end
-  local groups, axis, spin = despun(eq, zero)
+  local groups, axis, spin, Omega = despun(eq, zero)
   local shift, knots
   if not axis then groups, shift = shifted(eq, groups) end
   groups, knots = straightened(eq, groups)
   local program, why = laid_out(groups, moving, varying, order)
   if not program then return nil, why end
   program.knots, program.axis, program.spin, program.shift = knots, axis, spin, shift
+  program.top = axis == 3 and #knots == 0 and heavy(eq, Omega, moving) or nil
   if options.jacobians then
     program.transition, why = tangent(eq, straightened(eq, eq.groups), moving, order)
     if not program.transition then return nil, why end

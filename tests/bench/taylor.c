@@ -32,7 +32,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { ENDS = 40, STATES = 7, REPEATS = 9, LEVELS = 4, MOST_STEPS = 4000000, START_STEPS = 400 };
+enum { ENDS = 40, STATES = 7, REPEATS = 9, LEVELS = 4, MOST_STEPS = 4000000 };
 
 static const double level[LEVELS] = {1e-3, 1e-6, 1e-9, 1e-11};
 
@@ -66,23 +66,45 @@ TAYLOR(top16_host)
 TAYLOR(top20_host)
 TAYLOR(top24_host)
 
-/* setting: steps in the last end time, a multiple of START_STEPS so that every end is one of them
- */
-#define FIXED(NAME, LAST, STEP)                                                                    \
-  const double h = LAST / setting;                                                                 \
-  double x[STATES];                                                                                \
-  long step = 0;                                                                                   \
+/* setting: steps in the last end time; the way from one end time to the next is cut into whole
+ * steps no longer than those */
+#define FIXED(LAST, STEP)                                                                          \
+  const double longest = LAST / setting;                                                           \
+  double x[STATES], t = 0;                                                                         \
   memcpy(x, x0, sizeof x);                                                                         \
   for (int k = 0; k < count; k++) {                                                                \
-    for (const long until = lround(ends[k] / h); step < until; step++)                             \
+    const double steps = ceil((ends[k] - t) / longest * (1 - 1e-12)), h = (ends[k] - t) / steps;   \
+    for (long left = (long)steps; left > 0; left--)                                                \
       STEP;                                                                                        \
+    t = ends[k];                                                                                   \
     memcpy(out[k], x, sizeof x);                                                                   \
   }
+#define FIXED_STEP(NAME, METHOD)                                                                   \
+  static void NAME##_##METHOD##_fixed(const double x0[], const double ends[], int count,           \
+                                      double setting, double out[][STATES]) {                      \
+    FIXED(ends[count - 1], NAME##_##METHOD##_step(&NAME##_it, 0, x, NULL, h))                      \
+  }
+#define ALL_FIXED(NAME)                                                                            \
+  FIXED_STEP(NAME, rk4)                                                                            \
+  FIXED_STEP(NAME, split4)                                                                         \
+  FIXED_STEP(NAME, split6)
+#define ALL_ORDERS(NAME)                                                                           \
+  FIXED_STEP(NAME##12, taylor)                                                                     \
+  FIXED_STEP(NAME##16, taylor)                                                                     \
+  FIXED_STEP(NAME##20, taylor)                                                                     \
+  FIXED_STEP(NAME##24, taylor)                                                                     \
+  FIXED_STEP(NAME##12_host, taylor)                                                                \
+  FIXED_STEP(NAME##16_host, taylor)                                                                \
+  FIXED_STEP(NAME##20_host, taylor)                                                                \
+  FIXED_STEP(NAME##24_host, taylor)
+ALL_FIXED(box20)
+ALL_FIXED(top20)
+ALL_FIXED(box20_host)
+ALL_FIXED(top20_host)
+ALL_ORDERS(box)
+ALL_ORDERS(top)
+
 #define EMITTED(NAME)                                                                              \
-  static void NAME##_fixed(const double x0[], const double ends[], int count, double setting,      \
-                           double out[][STATES]) {                                                 \
-    FIXED(NAME, ends[count - 1], NAME##_rk4_step(&NAME##_it, 0, x, NULL, h))                       \
-  }                                                                                                \
   static void NAME##_pair(const double x0[], const double ends[], int count, double setting,       \
                           double out[][STATES]) {                                                  \
     double x[STATES], t = 0;                                                                       \
@@ -108,20 +130,19 @@ static gsl_rates *rates; /* of the scene that is measured */
 static void gsl(const gsl_odeiv2_step_type *type, int fixed, const double x0[], const double ends[],
                 int count, double setting, double out[][STATES]) {
   const gsl_odeiv2_system system = {rates, NULL, STATES, NULL};
-  const double tolerance = fixed ? 1 : setting, h = ends[count - 1] / setting;
+  const double tolerance = fixed ? 1 : setting, longest = ends[count - 1] / setting;
   gsl_odeiv2_driver *driver =
       gsl_odeiv2_driver_alloc_y_new(&system, type, 1e-4, tolerance, tolerance);
   double x[STATES], t = 0;
-  long step = 0;
   memcpy(x, x0, sizeof x);
   for (int k = 0; k < count; k++) {
-    const long until = fixed ? lround(ends[k] / h) : 0;
-    const int status =
-        fixed ? gsl_odeiv2_driver_apply_fixed_step(driver, &t, h, (unsigned long)(until - step), x)
-              : gsl_odeiv2_driver_apply(driver, &t, ends[k], x);
+    const double steps = fixed ? ceil((ends[k] - t) / longest * (1 - 1e-12)) : 1;
+    const int status = fixed ? gsl_odeiv2_driver_apply_fixed_step(driver, &t, (ends[k] - t) / steps,
+                                                                  (unsigned long)steps, x)
+                             : gsl_odeiv2_driver_apply(driver, &t, ends[k], x);
     if (status != GSL_SUCCESS)
       x[0] = HUGE_VAL;
-    step = until;
+    t = ends[k];
     memcpy(out[k], x, sizeof x);
   }
   gsl_odeiv2_driver_free(driver);
@@ -140,7 +161,7 @@ GSL(gsl_msadams, gsl_odeiv2_step_msadams, 0)
 typedef struct row {
   const char *name;
   runner *run;
-  enum { PORTABLE, HOST, OWN, PEER } kind;
+  enum { PORTABLE, HOST, PEER } kind;
   int fixed; /* a number of steps, not a tolerance */
 } row;
 
@@ -154,7 +175,21 @@ typedef struct row {
         {"order 16, for this machine", S##16_host_series, HOST, 0},                                \
         {"order 20, for this machine", S##20_host_series, HOST, 0},                                \
         {"order 24, for this machine", S##24_host_series, HOST, 0},                                \
-        {"emitted adaptive", S##20_pair, OWN, 0}, {"emitted RK4", S##20_fixed, OWN, 1},            \
+        {"emitted Taylor, order 12, fixed steps", S##12_taylor_fixed, PORTABLE, 1},                \
+        {"emitted Taylor, order 16, fixed steps", S##16_taylor_fixed, PORTABLE, 1},                \
+        {"emitted Taylor, order 20, fixed steps", S##20_taylor_fixed, PORTABLE, 1},                \
+        {"emitted Taylor, order 24, fixed steps", S##24_taylor_fixed, PORTABLE, 1},                \
+        {"order 12, fixed steps, for this machine", S##12_host_taylor_fixed, HOST, 1},             \
+        {"order 16, fixed steps, for this machine", S##16_host_taylor_fixed, HOST, 1},             \
+        {"order 20, fixed steps, for this machine", S##20_host_taylor_fixed, HOST, 1},             \
+        {"order 24, fixed steps, for this machine", S##24_host_taylor_fixed, HOST, 1},             \
+        {"emitted adaptive", S##20_pair, PORTABLE, 0},                                             \
+        {"emitted RK4", S##20_rk4_fixed, PORTABLE, 1},                                             \
+        {"RK4, for this machine", S##20_host_rk4_fixed, HOST, 1},                                  \
+        {"emitted split4", S##20_split4_fixed, PORTABLE, 1},                                       \
+        {"split4, for this machine", S##20_host_split4_fixed, HOST, 1},                            \
+        {"emitted split6", S##20_split6_fixed, PORTABLE, 1},                                       \
+        {"split6, for this machine", S##20_host_split6_fixed, HOST, 1},                            \
         {"GSL rk4, fixed steps", gsl_rk4, PEER, 1}, {"GSL rkf45", gsl_rkf45, PEER, 0},             \
         {"GSL rk8pd", gsl_rk8pd, PEER, 0}, {"GSL rk8pd, fixed steps", gsl_rk8pd_fixed, PEER, 1}, { \
       "GSL msadams", gsl_msadams, PEER, 0                                                          \
@@ -206,13 +241,13 @@ static double cost(const row *r, const double x0[], double setting) {
   return best;
 }
 
-/* Steps that a fixed step needs to be a step at all: as many as the horizon has radians. */
+/* radians: of the horizon; no fixed step is below a thousandth of one */
 static void measure(const char *title, const row rows[], const double x0[], double radians) {
-  double least[4][LEVELS];
-  for (int k = 0; k < 4; k++)
+  double least[3][LEVELS];
+  for (int k = 0; k < 3; k++)
     for (int l = 0; l < LEVELS; l++)
       least[k][l] = HUGE_VAL;
-  printf("%s\n  %-36s", title, "us to the horizon at error <=");
+  printf("%s\n  %-40s", title, "us to the horizon at error <=");
   for (int l = 0; l < LEVELS; l++)
     printf(" %9.0e", level[l]);
   printf("   best error\n");
@@ -220,10 +255,9 @@ static void measure(const char *title, const row rows[], const double x0[], doub
     double best[LEVELS], finest = HUGE_VAL;
     for (int l = 0; l < LEVELS; l++)
       best[l] = HUGE_VAL;
-    for (int k = 0; k < 64; k++) {
-      const double setting = rows[r].fixed
-                                 ? START_STEPS * ceil(radians / START_STEPS * pow(2, 0.25 * k))
-                                 : pow(10, -1 - 0.25 * k);
+    for (int k = 0; k < (rows[r].fixed ? 80 : 64); k++) {
+      const double setting =
+          rows[r].fixed ? ceil(radians / 8 * pow(2, k / 6.0)) : pow(10, -1 - 0.25 * k);
       if (rows[r].fixed && setting > 1000 * radians)
         break;
       const double e = worst_error(&rows[r], x0, setting);
@@ -236,7 +270,7 @@ static void measure(const char *title, const row rows[], const double x0[], doub
       if (e <= level[LEVELS - 1])
         break; /* what is finer costs more */
     }
-    printf("  %-36s", rows[r].name);
+    printf("  %-40s", rows[r].name);
     for (int l = 0; l < LEVELS; l++) {
       least[rows[r].kind][l] = fmin(least[rows[r].kind][l], best[l]);
       if (best[l] < HUGE_VAL)
@@ -247,8 +281,8 @@ static void measure(const char *title, const row rows[], const double x0[], doub
     printf("   %.1e\n", finest);
   }
   for (int k = PORTABLE; k <= HOST; k++) {
-    printf("  %-36s",
-           k == PORTABLE ? "the best of GSL over Taylor, portable" : "  for this machine");
+    printf("  %-40s",
+           k == PORTABLE ? "best of GSL over best emitted, portable" : "  for this machine");
     for (int l = 0; l < LEVELS; l++)
       printf(" %9.1f", least[PEER][l] / least[k][l]);
     printf("\n");

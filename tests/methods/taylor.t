@@ -153,6 +153,8 @@ do
   local top = lanes "bodies/symmetric_top.lua"
   tap.is(#top.lanes, 8, "free symmetric top: its rates are linear, 8 products of the attitude are left")
   tap.ok(top.axis == 3, "and the series run in a frame that turns about its axis")
+  tap.ok(lanes("bodies/nodding_top.lua").top ~= nil, "a heavy symmetric top has Lame's equation")
+  tap.ok(lanes("bodies/damped_brick.lua").top == nil and top.top == nil, "what is no heavy symmetric top has not")
 end
 
 -- The emitted stepper as a whole: order, reversal, dense output, adaptive run, events of failure.
