@@ -139,22 +139,23 @@ local function first_states(s, list, points, n)
 end
 
 local many, some, few, confirmed = 128, 64, 5, 8
-local most, work = 1024, 5e8 -- states at last: as many as take so many cycles at the plan's cost
+local most, work = 1024, 4e8 -- states at last: as many as take so many cycles at the plan's cost
 
--- All states: {setting, error, steps, cost, errors by point}.
-local function verify(s, c, setting, points)
+-- All states: {setting, error, steps, cost, errors by point}.  limit: stop where the error is above, if given.
+local function verify(s, c, setting, points, limit)
   local out = { candidate = c, setting = setting, error = 0.0, steps = 0.0, errors = {} }
   for i, p in ipairs(points) do
     local e, steps = s:worst(c, setting, { p })
     out.errors[i], out.steps = e, out.steps + steps / #points
     out.error = math.max(out.error, e)
+    if limit and e > limit then break end
   end
   out.cost = (c.setup or 0.0) + out.steps * c.weight(setting)
   return out
 end
 
 -- The setting of a candidate that was good enough at few states, made so for all by the law of its order.
-local function corrected(s, r, points, limit)
+local function corrected(s, r, points, limit, stop)
   local c, setting = r.candidate, r.setting
   local out
   if r.errors and r.fits and setting then -- at all points before: what was added asks for more
@@ -162,7 +163,7 @@ local function corrected(s, r, points, limit)
   end
   for _ = 1, 6 do
     if setting then setting = search.rounded(setting, c.setting == "step" and 4 or 2) end
-    out = verify(s, c, setting, points)
+    out = verify(s, c, setting, points, stop)
     out.fits = out.error <= limit and c.allowed(setting)
     if out.fits or not setting then break end
     local ratio = math.max(1e-3, limit / out.error)
@@ -225,9 +226,11 @@ local function widened(s, job, r, points, limit, real)
   table.move(added.errors, 1, #added.errors, before + 1, r.errors)
   r.error = math.max(r.error, added.error)
   if r.error <= limit then return r end
-  local bad, good = r.setting, corrected(s, r, points, limit)
+  local order, sorted = by_size(r.errors), {} -- where it fails it fails at once
+  for i, k in ipairs(order) do sorted[i] = points[k] end
+  local bad, good = r.setting, corrected(s, r, sorted, limit, limit)
   for _ = 1, good.fits and 2 or 0 do -- the law of a peak takes too much
-    local middle = verify(s, r.candidate, search.rounded(math.sqrt(bad * good.setting), 4), points)
+    local middle = verify(s, r.candidate, search.rounded(math.sqrt(bad * good.setting), 4), sorted, limit)
     middle.fits = middle.error <= limit and r.candidate.allowed(middle.setting)
     if middle.fits then good = middle else bad = middle.setting end
   end
