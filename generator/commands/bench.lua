@@ -32,17 +32,15 @@ local function wrong(given)
   if T and not (T > 0 and T < math.huge) then return "--until must be positive" end
 end
 
--- A function that shows on a terminal how far the work is; the number of pieces is a guess that it outgrows slowly.
+-- A function that shows on a terminal what is done and how far the work is, and one that clears the line.
 local function progress(host)
   if not host.isatty("err") then return function() end, function() end end
-  local done, guess, wide = 0, 160, 24
-  return function(what)
-    done = done + 1
-    local part = done / (done + guess * math.exp(-done / guess))
+  local wide, words = 24, 30
+  return function(what, part)
     local full = math.floor(wide * part)
     host.err("\r[" .. string.rep("#", full) .. string.rep(".", wide - full) .. "] " ..
-      string.sub(what .. string.rep(" ", 30), 1, 30))
-  end, function() host.err("\r" .. string.rep(" ", wide + 34) .. "\r") end
+      string.sub(what .. string.rep(" ", words), 1, words))
+  end, function() host.err("\r" .. string.rep(" ", wide + words + 3) .. "\r") end
 end
 
 function bench.run(host, given)

@@ -19,7 +19,7 @@ local reference = require "generator.plan.reference"
 
 local study = {}
 
-study.orders = { double = { 8, 12, 16, 20, 24 }, float = { 6, 8, 12 } } -- of Taylor series
+study.orders = { double = { 8, 12, 16, 20, 24 }, float = { 8, 12 } } -- of Taylor series
 local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
 local near_rounding = 8 -- an error of at most so many ulp of the input, moved to the end, is rounding's
 local near_reference = 4
@@ -107,25 +107,31 @@ local function units(list)
   return out
 end
 
--- Plans, compiles and loads the units; true, or nil and why.  Each has a job of its own, as planning leaves constants
--- in the model.
-local function load_units(host, given, list)
+-- Plans, compiles and loads the units; each has a job of its own, as planning leaves constants in the model.  Where one
+-- cannot be had (a type too small for the constants, a compiler without these flags), u.plugin stays nil and the reason
+-- joins the remarks.
+local function load_units(host, given, list, remarks)
   local wanted = {}
   for i, u in ipairs(list) do
-    local job = assert(driver.read(host, given[1], given))
-    if not driver.plan(job, { real = u.real, methods = u.methods, order = u.order, command = "" }) then
-      return nil, job.diag:report()
-    end
-    u.job = job
-    wanted[i] = { job = job, flags = u.host and host_flags(job) or {}, peers = u.peers }
+    u.job = assert(driver.read(host, given[1], given))
+    local planned = driver.plan(u.job, { real = u.real, methods = u.methods, order = u.order, command = "" })
+    if not planned then return nil, u.job.diag:report() end
+    wanted[i] = { job = u.job, flags = u.host and host_flags(u.job) or {}, peers = u.peers }
   end
   local plugins, failed = build.plugins(host, wanted)
-  for i in ipairs(failed and list or {}) do
-    if failed[i] then return nil, failed[i].message end
-  end
+  local said = {}
   for i, u in ipairs(list) do
-    u.plugin = plugins[i]
-    if u.plugin:init() ~= 0 then return nil, "the emitted code refuses the scene's own parameters" end
+    local why = failed and failed[i] and failed[i].message
+    why = why or plugins[i]:init() ~= 0 and "the emitted code refuses the scene's own parameters" or nil
+    if not why then
+      u.plugin = plugins[i]
+    elseif u.carrier then
+      return nil, why
+    elseif not said[u.real .. tostring(u.host)] then
+      said[u.real .. tostring(u.host)] = true
+      remarks[#remarks + 1] = u.real .. (u.host and ", for this machine" or "") .. ": " ..
+        string.gsub(string.match(why, "^[^\n]*\n?[^\n]*"), "%s+", " ")
+    end
   end
   return true
 end
@@ -141,25 +147,28 @@ local function ground(host, job, given, tick)
   g.reference, why = reference.of(host, job, g.x0, g.times)
   if not g.reference then return nil, "no reference: " .. why end
   g.own_error = why
-  tick("conditioning")
+  tick("conditioning", 0.01)
   g.condition = condition.of(host, job, g.x0, g.T)
   local c = g.condition
-  g.number = math.max(c and c.number or 1, c and c.state or 1, 1)
+  g.number = math.max(c and c.number or 1, 1)
+  g.state = math.max(c and c.state or 1, g.number)
   return g
 end
 
 -- Names the errors that say nothing of the method: those of the reference's own size, and those that rounding makes.
--- That is a few ulp at the start, and an ulp in each step, a random walk; where a finer rung is far better it was not
--- rounding.
+-- That is a few ulp of the input; and where the ladder no longer goes down, up to an ulp of the state in each step, a
+-- random walk.
 local function explain_floors(g, rows)
   local least = {} -- of the finer rungs of the same ladder
   for i = #rows, 1, -1 do
-    local r = rows[i]
-    local ulp = g.number * epsilon[r.real]
+    local r, before, after = rows[i], rows[i - 1], rows[i + 1]
+    local flat = before and before.entry == r.entry and r.error > before.error / 2
+      or after and after.entry == r.entry and after.error > r.error / 2
+    local walk = g.state * epsilon[r.real] * math.max(near_rounding, math.sqrt(r.steps or 0))
     if r.error <= near_reference * g.own_error then
       r.note = "reference"
-    elseif r.error <= ulp * math.max(near_rounding, math.sqrt(r.steps or 0)) and
-      r.error <= better * (least[r.entry] or math.huge) then
+    elseif r.error <= near_rounding * g.number * epsilon[r.real]
+      or flat and r.error <= walk and r.error <= better * (least[r.entry] or math.huge) then
       r.note = "rounding"
     end
     least[r.entry] = math.min(r.error, least[r.entry] or math.huge)
@@ -218,11 +227,16 @@ local function ladders(g, list, peers, tick)
       return e.unit.plugin:integrate(g.x0, nil, kind == "step" and setting or { setting }, g.times, 0, e.c.method)
     end
   end
+  local count = 0
+  local function passed(e)
+    count = count + 1
+    tick(e.name, 0.45 + 0.1 * count / (#list + #peers))
+  end
   local turns = { {}, {} } -- series first: what falls far behind them is cut short
   for _, e in ipairs(list) do table.insert(turns[e.c.order and 1 or 2], e) end
   for _, turn in ipairs(turns) do
     for _, e in ipairs(turn) do
-      tick(e.name)
+      passed(e)
       if e.c.setting == "none" then
         done(e, { closed_row(g, e) })
       else
@@ -231,7 +245,7 @@ local function ladders(g, list, peers, tick)
     end
   end
   for _, e in ipairs(peers) do
-    tick(e.name)
+    passed(e)
     done(e, climb(g, e, e.setting, function(setting)
       return e.plugin:peer(e.name, setting, g.x0, g.times, nil, patience)
     end, best_of(e)))
@@ -295,7 +309,7 @@ local function measure(g, rows, tick)
   for round = 1, rounds do
     for i, r in ipairs(rows) do
       if i % 64 == 1 then baseline() end
-      if i % 16 == 1 then tick("times, round " .. round) end
+      if i % 16 == 1 then tick("times, round " .. round, 0.55 + 0.45 * (round - 1 + i / #rows) / rounds) end
       if round == 1 or r.about < slow and not once[r] then
         local seconds, steps, evaluation = timed(g, r)
         if seconds then
@@ -322,7 +336,7 @@ local function counts(list, tick)
     local c = e.c
     local key = table.concat({ c.method, c.real, c.setting, c.order or "" }, " ")
     if not known[key] then
-      tick("operations")
+      tick("operations", 0.4)
       local job = e.unit.job
       if not job.code then driver.code(job) end
       known[key] = ops.of(job, c)
@@ -333,9 +347,10 @@ end
 
 -- ---- the whole ----
 
--- given: the command's options; tick(what): called before each piece of work.  Returns the study, or nil and why.
+-- given: the command's options; tick(what, part): called before each piece of work, part: of the
+-- whole, as far as can be said.  Returns the study, or nil and why.
 function study.of(host, job, given, tick)
-  tick("reference")
+  tick("reference", 0)
   local g, why = ground(host, job, given, tick)
   if not g then return nil, why end
   g.enough = given.accuracy and given.accuracy / 10
@@ -346,16 +361,21 @@ function study.of(host, job, given, tick)
   for _, u in ipairs(wanted) do
     if u.real == "double" and not u.host then carrier = carrier or u end
   end
-  carrier.peers = not given.no_peers
-  tick("compiling")
+  carrier.carrier, carrier.peers = true, not given.no_peers
+  tick("compiling", 0.02)
   local ok
-  ok, why = load_units(host, given, wanted)
+  ok, why = load_units(host, given, wanted, refused)
   if not ok then return nil, why end
+  local there = {}
+  for _, e in ipairs(list) do
+    if e.unit.plugin then there[#there + 1] = e end
+  end
+  list = there
   g.drift = drift.of(job, carrier.plugin, g.x0)
   local peers = {}
   for _, p in ipairs(given.no_peers and {} or host.peers()) do
     peers[#peers + 1] = { name = p.name, family = p.name, group = "peer", setting = p.setting, plugin = carrier.plugin,
-      behind = 120 } -- their curves are drawn further
+      behind = 400 } -- their curves are drawn further
   end
   counts(list, tick)
   local tried = ladders(g, list, peers, tick)

@@ -264,12 +264,13 @@ function bench.preface(study)
   if c then
     local function ulp(n)
       local e = study.epsilon
-      return error_text(n * e.double) .. " in double, " .. error_text(n * e.float) .. " in float"
+      local function by(x) return x < 1 and error_text(x) or "all of it" end
+      return by(n * e.double) .. " in double, " .. by(n * e.float) .. " in float"
     end
     list[3] = "condition number " .. count_text(c.number) .. " (worst input: " .. c.input ..
       "): one ulp of it moves the end by " .. ulp(c.number)
-    list[4] = "one ulp of the size of the state, as rounding on the way adds it, moves the end by " .. ulp(c.state) ..
-      "; errors near that are named rounding"
+    list[4] = "one ulp of the size of the state, as rounding on the way adds it, moves the end by up to " ..
+      ulp(c.state) .. "; errors near these are named rounding"
     if c.growth then list[#list + 1] = c.growth end
   end
   for _, s in ipairs(study.remarks or {}) do list[#list + 1] = s end
@@ -371,7 +372,7 @@ end
 function bench.picture(study)
   local floors, c = {}, study.condition
   for i, real in ipairs(c and { "double", "float" } or {}) do
-    floors[i] = { math.max(c.number, c.state) * study.epsilon[real], "one ulp of the state, " .. real }
+    floors[i] = { c.number * study.epsilon[real], "one ulp of the input, " .. real }
   end
   local title = study.name .. ": error against time for " .. string.format("%.6g", study.horizon) .. " s of motion"
   return workprecision.text { title = title, floors = floors, curves = bench.curves(study),

@@ -138,13 +138,13 @@ end
 -- ---- options ----
 
 do
-  status, out = run(dir .. "/box.lua --method midpoint,split2 --accuracy 0.0001 --no-peers --until 2 --format csv -o "
+  status, out = run(dir .. "/box.lua --method midpoint,semi --accuracy 0.0001 --no-peers --until 2 --format csv -o "
     .. dir .. "/two")
   local few = parse(out)
   tap.ok(status == 0 and #few > 0, "--format csv prints the rows")
   tap.is(out, program.read(dir .. "/two/box.csv"), "the same as in the file")
   tap.is(#select_rows(few, { group = "peer" }), 0, "--no-peers leaves peers out")
-  for _, name in ipairs { "midpoint", "split2" } do
+  for _, name in ipairs { "midpoint", "semi" } do
     local list = select_rows(few, { method = name, group = "portable" })
     slopes(list, 2, name)
     local least = 1
@@ -156,6 +156,24 @@ do
   status, out = run(dir .. "/box.lua --method exact --no-closed -o " .. dir .. "/three")
   tap.is(status, 2, "nothing left to measure is refused")
   tap.is(out, "", "and prints nothing")
+end
+
+do -- what cannot be had is left out and said
+  program.write(dir .. "/huge.lua", [[
+return scene { name = "huge", body = tensor { mass = 1e37, xx = 1e41, yy = 1.1e41, zz = 1.3e41 },
+  initial = { omega = {1, 6, 2} }, time = { horizon = 1 } }
+]])
+  program.write(dir .. "/cc", '#!/bin/sh\ncase "$*" in *march=native*) echo no such thing; exit 1;; esac\n' ..
+    'exec cc "$@"\n')
+  program.shell("chmod +x " .. dir .. "/cc")
+  local plain
+  binary, plain = "env CC=" .. dir .. "/cc " .. binary, binary
+  status, out = run(dir .. "/huge.lua --method rk4 --accuracy 0.01 --no-peers -o " .. dir .. "/four")
+  binary = plain
+  tap.is(status, 0, "a scene beyond float, and a compiler without a flag")
+  tap.like(out, "float: .*within its range", "float is left out, and it is said why", true)
+  tap.like(out, "double, for this machine: .*no such thing", "so is what does not compile", true)
+  tap.like(out, "\nrk4 +%d", "the rest is measured", true)
 end
 
 for arguments, want in pairs { -- any order
