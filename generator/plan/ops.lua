@@ -79,7 +79,9 @@ function ops.of(job, candidate, options)
     if not tally.has(u, name .. at) then return nil, "the scene has no closed form" end
     return { step = counts(tally.run(u, name .. at)), setup = counts(tally.run(u, name .. "_solve")) }
   end
-  local u = unit(job, options, method == "taylor" and candidate.order or nil)
+  local order = method == "taylor" and (candidate.order or
+    math.tointeger(tonumber(string.match(job.code.header, "_ORDER = (%d+)")))) or nil
+  local u = unit(job, options, order)
   local step = name .. "_" .. method .. "_step"
   if not tally.has(u, step) and job.steppers[1].method.name == method then step = name .. "_step" end
   if not tally.has(u, step) then return nil, "the job was not planned with the method " .. method end

@@ -139,26 +139,31 @@ local function first_states(s, list, points, n)
 end
 
 local many, some, few, confirmed = 128, 64, 5, 8
+local most, work = 1024, 4e8 -- states at last: as many as take so many cycles at the plan's cost
 
--- All states: {setting, error, steps, cost, errors by point}.
-local function verify(s, c, setting, points)
+-- All states: {setting, error, steps, cost, errors by point}.  limit: stop where the error is above, if given.
+local function verify(s, c, setting, points, limit)
   local out = { candidate = c, setting = setting, error = 0.0, steps = 0.0, errors = {} }
   for i, p in ipairs(points) do
     local e, steps = s:worst(c, setting, { p })
     out.errors[i], out.steps = e, out.steps + steps / #points
     out.error = math.max(out.error, e)
+    if limit and e > limit then break end
   end
   out.cost = (c.setup or 0.0) + out.steps * c.weight(setting)
   return out
 end
 
 -- The setting of a candidate that was good enough at few states, made so for all by the law of its order.
-local function corrected(s, r, points, limit)
+local function corrected(s, r, points, limit, stop)
   local c, setting = r.candidate, r.setting
   local out
+  if r.errors and r.fits and setting then -- at all points before: what was added asks for more
+    setting = setting * (c.setting == "step" and 0.99 * (limit / r.error) ^ (1 / c.power) or 0.7 * limit / r.error)
+  end
   for _ = 1, 6 do
     if setting then setting = search.rounded(setting, c.setting == "step" and 4 or 2) end
-    out = verify(s, c, setting, points)
+    out = verify(s, c, setting, points, stop)
     out.fits = out.error <= limit and c.allowed(setting)
     if out.fits or not setting then break end
     local ratio = math.max(1e-3, limit / out.error)
@@ -167,14 +172,18 @@ local function corrected(s, r, points, limit)
   return out
 end
 
-local function add_worst(list, chosen, points, errors, n)
+local function by_size(errors)
   local order = {}
-  for i in ipairs(points) do order[i] = i end
+  for i in ipairs(errors) do order[i] = i end
   table.sort(order, function(a, b)
     if errors[a] ~= errors[b] then return errors[a] > errors[b] end
     return a < b
   end)
-  for _, i in ipairs(order) do
+  return order
+end
+
+local function add_worst(list, chosen, points, errors, n)
+  for _, i in ipairs(by_size(errors)) do
     if n > 0 and not chosen[points[i]] then
       list[#list + 1], chosen[points[i]], n = points[i], true, n - 1
     end
@@ -202,6 +211,30 @@ local function compete(s, list, points, limit, real, progress)
     add_worst(tried.points, chosen, points, r.errors, 3)
   end
   return incumbent, first, closest
+end
+
+-- The winner alone at more states of the filling, as long steps resonate with the motion in narrow parts of the ranges.
+-- They join the points, for all of which the plan is made to hold.
+local function widened(s, job, r, points, limit, real)
+  local n = math.min(most, math.floor(work / r.cost)) - #points
+  if n <= 0 or #points == 1 then return r end
+  local before = #points
+  for _, p in ipairs(states.points(job, real, n, before)) do
+    if s:truth(p) then points[#points + 1] = p end
+  end
+  local added = verify(s, r.candidate, r.setting, { table.unpack(points, before + 1) })
+  table.move(added.errors, 1, #added.errors, before + 1, r.errors)
+  r.error = math.max(r.error, added.error)
+  if r.error <= limit then return r end
+  local order, sorted = by_size(r.errors), {} -- where it fails it fails at once
+  for i, k in ipairs(order) do sorted[i] = points[k] end
+  local bad, good = r.setting, corrected(s, r, sorted, limit, limit)
+  for _ = 1, good.fits and 2 or 0 do -- the law of a peak takes too much
+    local middle = verify(s, r.candidate, search.rounded(math.sqrt(bad * good.setting), 4), sorted, limit)
+    middle.fits = middle.error <= limit and r.candidate.allowed(middle.setting)
+    if middle.fits then good = middle else bad = middle.setting end
+  end
+  return good
 end
 
 -- The true motion from all points; how far it is from that, or nil and why not.
@@ -256,6 +289,11 @@ function plan.find(q)
     limit = q.accuracy / margin - own
     local step = share(0.2 + 0.2 * turn, 0.6 + 0.2 * turn)
     best, result.found, result.closest = compete(s, list, points, limit, q.real, step)
+    if best and s.sure and best.setting then
+      best = widened(s, q.job, best, points, limit, q.real)
+      if not best.fits then best, result.closest = nil, best end
+    end
+    result.states = #points
   end
   if not best then return nil, result end
   local c = best.candidate

@@ -5,7 +5,7 @@
 --     {add =, mul =, ...}                      operations on the real type, of a stretch without branches
 --     {kind = "call", name, args}              another emitted function, args values (below)
 --     {kind = "if", cond, yes, no}             cond a value, yes and no lists
---     {kind = "loop", cond, before, body, step}  before: what the condition costs
+--     {kind = "loop", cond, before, body, step, after}  before: what the condition costs; after: it comes last
 --     {kind = "set", name, value}              an integer variable;  {kind = "return" | "break" | "continue"}
 -- A value is an integer that is known (a number), one that is computed (function of the integer variables), or nil:
 -- it depends on the numbers.  Operations on two constants are free, as compilers fold them; negation and fabs are a
@@ -125,6 +125,14 @@ function parser:statement()
     local body = self:apart(function() self:statement() end)
     return self:put { kind = "loop", cond = cond, before = before, body = body, step = step,
       turns = body.hint }
+  elseif s == "do" then
+    self.at = self.at + 1
+    local body, cond, _ = self:apart(function() self:statement() end), nil, nil
+    self:take "while"
+    local before = self:apart(function() _, cond = self:expression() end)
+    self:take ";"
+    return self:put { kind = "loop", cond = cond, before = before, body = body, step = {}, turns = body.hint,
+      after = true }
   elseif s == "return" then
     self.at = self.at + 1
     local value, _

@@ -1,7 +1,8 @@
 -- states.lua -- the states and parameters at which a plan is tried: points that fill the scene's ranges.
 --
--- First the scene's own, then extremes, then an even filling.  Extremes are the rows of a Hadamard matrix: up to 3
--- quantities all corners, up to 15 such that any two meet in all four ways (Plackett, Burman 1946, Biometrika 33, 305).
+-- First the scene's own, then extremes (up to half of the points), then an even filling.  Extremes: all corners of the
+-- first quantities, rates before others; ends of further ones are products of these signs, so that any two meet in all
+-- four ways (a fractional factorial design: Box, Hunter 1961, Technometrics 3, 311).
 -- The filling is Kronecker's sequence with powers of the root of x^(d+1) = x + 1 (Roberts 2018, "The unreasonable
 -- effectiveness of quasirandom sequences").  No libm function decides a point, so all machines have the same ones.
 -- Without `ranges`: rates, position and velocity within 10 % of their size in each component, attitude within 0.1 rad.
@@ -70,12 +71,12 @@ local function turned(q, c, most)
   return { r[1] / n, r[2] / n, r[3] / n, r[4] / n }
 end
 
-local function odd(n) -- the number of ones in n, modulo 2
-  local p = 0
+local function ones(n) -- of its binary digits
+  local count = 0
   while n > 0 do
-    p, n = p ~ (n & 1), n >> 1
+    count, n = count + (n & 1), n >> 1
   end
-  return p
+  return count
 end
 
 -- The root of x^(d+1) = x + 1 by Newton's method from above, where it converges from one side.
@@ -93,14 +94,20 @@ end
 local function coordinates(d, n, skip)
   local list = {}
   if d == 0 then return list end
-  local rows = d <= 3 and 2 ^ d or d <= 7 and 8 or 16
+  local rows, signs = 1, {}
+  while rows < 2 ^ d and 4 * rows <= n + 1 or rows < 8 and rows < 2 ^ d do rows = 2 * rows end
+  for k = 0, 62 do -- single signs, then products of three, of five, ..
+    if 1 << k < rows then signs[#signs + 1] = 1 << k end
+  end
+  for more = 3, 1, -2 do
+    for column = 1, rows - 1 do
+      if ones(column) > 1 and (ones(column) % 2 == 1) == (more == 3) then signs[#signs + 1] = column end
+    end
+  end
   for i = 0, math.min(rows, n) - 1 do
     if skip > 0 then break end
     local u = {}
-    for k = 1, d do
-      local column = d <= 3 and 1 << (k - 1) or (k - 1) % (rows - 1) + 1
-      u[k] = odd(i // 1 & column) + 0.0
-    end
+    for k = 1, d do u[k] = ones(i & signs[(k - 1) % #signs + 1]) % 2 + 0.0 end
     list[#list + 1] = u
   end
   local x, step = root(d), {}
@@ -122,23 +129,21 @@ local function coordinates(d, n, skip)
   return list
 end
 
--- n points {x = state, values = {parameter = rational} or nil, params = doubles for NAME_init or nil}, representable in
--- the real type; one where nothing varies.  skip: without the first point and the extremes, from there on in the
--- filling.
-function states.points(job, real, n, skip)
+-- The function that makes a point {x = state, values = {parameter = rational} or nil, params = doubles for NAME_init or
+-- nil} of coordinates u in the unit cube (nil: the scene's own), and their number.
+local function maker(job, real)
   local own = numeric.initial(job)
   local list, choose, most = quantities(job, own)
   local varies = job.ranges and #job.ranges.params > 0
-  local out = {}
-  local function put(u)
+  local first
+  for i = #job.states, 1, -1 do first = job.states[i].kind == "attitude" and i or first end
+  return function(u)
     local point = { x = { table.unpack(own) }, values = {}, turn = { 0.0, 0.0, 0.0 } }
     choose(point)
     for k, set in ipairs(list) do
       if u then set(u[k]) end
     end
     if most > 0 and u then
-      local first
-      for i = #job.states, 1, -1 do first = job.states[i].kind == "attitude" and i or first end
       local q = turned({ table.unpack(own, first, first + 3) }, point.turn, most)
       for k = 1, 4 do point.x[first + k - 1] = q[k] end
     end
@@ -152,10 +157,17 @@ function states.points(job, real, n, skip)
         params[i] = x or narrow(R.todouble(p.default), real)
       end
     end
-    out[#out + 1] = { x = point.x, values = values, params = params }
-  end
-  if not skip then put(nil) end
-  for _, u in ipairs(coordinates(#list, skip and n or n - 1, skip or 0)) do put(u) end
+    return { x = point.x, values = values, params = params }
+  end, #list
+end
+
+-- n points, representable in the real type; one where nothing varies.  skip: without the first point and the extremes,
+-- from there on in the filling.
+function states.points(job, real, n, skip)
+  local make, d = maker(job, real)
+  local out = {}
+  if not skip then out[1] = make(nil) end
+  for _, u in ipairs(coordinates(d, skip and n or n - 1, skip or 0)) do out[#out + 1] = make(u) end
   return out
 end
 

@@ -136,9 +136,9 @@ end
 
 -- ---- the machine ----
 
-local run
+local run, items
 
-local BOUND = 100000 -- no loop of emitted code is as long
+local BOUND = 300 -- no loop of emitted code is as long
 
 local function copy(t)
   local c = {}
@@ -166,8 +166,16 @@ local function meet(unit, env, other)
   end
 end
 
+-- Is a loop's condition known to fail?  One that the numbers decide holds as long as something else bounds the loop;
+-- where it comes last it fails, so that the body is counted once.
+local function ends(unit, item, env, total)
+  items(unit, item.before, 1, env, total)
+  local cond = tokens.number_of(item.cond, env)
+  return cond == 0 or cond == nil and (unit.least or item.after)
+end
+
 -- Adds what the items cost from number `first` on; returns "return", "break", "continue" or nil, and the value.
-local function items(unit, code, first, env, total)
+function items(unit, code, first, env, total)
   for i = first, #code do
     local item = code[i]
     local kind = item.kind
@@ -190,13 +198,12 @@ local function items(unit, code, first, env, total)
     elseif kind == "loop" then
       for turn = 1, BOUND do
         if turn == BOUND then error("a loop without a bound in " .. unit.running, 0) end
-        items(unit, item.before, 1, env, total)
-        local cond = tokens.number_of(item.cond, env)
-        if cond == 0 or cond == nil and unit.least then break end
+        if not item.after and ends(unit, item, env, total) then break end
         local status, value = items(unit, item.body, 1, env, total)
         if status == "return" then return status, value end
         if status == "break" then break end
         items(unit, item.step, 1, env, total)
+        if item.after and ends(unit, item, env, total) then break end
       end
     elseif kind == "if" then
       local cond = tokens.number_of(item.cond, env)
@@ -219,8 +226,8 @@ local function items(unit, code, first, env, total)
             for name, v in pairs(other) do env[name] = v end -- a copy: order is lost anyway
           end
           local status, value = items(unit, code, i + 1, env, a)
-          local ends = not unit.least and sb == "return" and second(unit, a, b)
-          add(total, ends and b or a)
+          local last = not unit.least and sb == "return" and second(unit, a, b)
+          add(total, last and b or a)
           if value and vb then value = math.max(value, vb) end
           return status, value
         end

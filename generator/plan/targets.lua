@@ -5,9 +5,9 @@
 --     targets.instructions(target, real, counts)   instructions; nil where none were counted (x86-64, avr)
 --     targets.fma(target, real)                has it fused multiplication and addition in the type?  (for ops.of)
 -- Instructions: the sum over the operations of what each was counted to take, times `part`, and `mem` for each number
--- in memory; both are fitted to emitted code (plan/measured.lua; `make target-costs` remakes it).  Cycles: by the makers'
--- tables below, memory without wait states; so they are near what a small core takes, and below what it takes from
--- slow flash.  docs/targets.md shows predicted against counted.
+-- in memory; both are fitted to emitted code (plan/measured.lua; `make target-costs` remakes it).  Cycles: by the
+-- makers' tables below, memory without wait states; so they are near what a small core takes, and below what it takes
+-- from slow flash.  docs/targets.md shows predicted against counted.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local measured = require "generator.plan.measured"
@@ -15,8 +15,8 @@ local measured = require "generator.plan.measured"
 local targets = { default = "x86-64",
   list = { "x86-64", "cortex-m0", "cortex-m3", "cortex-m4f", "cortex-m7", "rv32imac", "rv32imafc", "avr" } }
 
--- x86-64: cycles of a core of the 2020s at -O2 without vectors, between reciprocal throughput and latency as emitted
--- steppers have them: fitted to nine steppers of three scenes (tests/target/host.c).
+-- x86-64: cycles at -O2 without vectors, between reciprocal throughput and latency as emitted steppers have them:
+-- chosen by hand from three scenes on one server processor (tests/target/host.c, docs/targets.md).
 local x86 = { part = 1, mem = 0, add = 0.39, mul = 0.39, fma = 0.39, cmp = 1, conv = 2, conv64 = 2, long = 0.5,
   frexp = 8, ldexp = 12, floor = 7 }
 local function host(own)

@@ -14,6 +14,7 @@ local scene = require "tests.scene"
 local program = require "tests.cli.program"
 local driver = require "generator.driver"
 local ops = require "generator.plan.ops"
+local methods = require "generator.methods.list"
 
 local dir = program.directory()
 local KINDS = { "add", "mul", "div", "sqrt", "fma", "call" }
@@ -65,8 +66,8 @@ local function within(c, least, most)
   return ops.weight(least) <= ops.weight(c) and ops.weight(c) <= ops.weight(most)
 end
 
-local function planned(path, real, methods)
-  local job = scene.plan(scene.file("bodies/" .. path .. ".lua"), { real = real, methods = methods })
+local function planned(path, real, names)
+  local job = scene.plan(scene.file("bodies/" .. path .. ".lua"), { real = real, methods = names })
   driver.code(job)
   return job
 end
@@ -171,6 +172,35 @@ for _, path in ipairs { "brick_centroid", "symmetric_top", "gyroscope", "gyrosta
       end
     end
   end
+end
+
+-- ---- the text of whatever is emitted can be read ----
+
+do
+  local read, refused = 0, {}
+  for _, path in ipairs { "wheels", "thruster", "magnet_pendulum", "solar_sail", "earth", "kapitza", "dual_spin",
+    "spun_coin", "dropped_stone", "dumbbell", "cube_corner" } do
+    local job, admitted = scene.file("bodies/" .. path .. ".lua"), { "exact" }
+    for _, m in ipairs(methods) do
+      if m.name ~= "exact" and (not m.program or m.program(job.equations, {})) then admitted[#admitted + 1] = m.name end
+    end
+    scene.plan(job, { methods = admitted })
+    driver.code(job)
+    for _, m in ipairs(admitted) do
+      for _, setting in ipairs { "step", "tolerance" } do
+        local ok, cost, why = pcall(ops.of, job, { method = m, setting = setting })
+        if not ok then
+          refused[#refused + 1] = path .. ", " .. m .. ": " .. tostring(cost)
+        elseif cost then
+          read = read + 1
+        elseif m ~= "exact" then
+          refused[#refused + 1] = path .. ", " .. m .. ": " .. why
+        end
+      end
+    end
+  end
+  tap.is(table.concat(refused, "\n"), "", "every stepper of many bodies can be counted")
+  tap.ok(read > 100, "and there are many", read)
 end
 
 program.finish()

@@ -57,11 +57,11 @@ points = states.points(job, "double", 512)
 local function bins(get, lo, hi)
   local count, worst = {}, 0
   for b = 0, 15 do count[b] = 0 end
-  for i = 18, #points do -- behind the extremes
+  for i = 130, #points do -- behind the extremes
     local b = math.min(15, math.floor((get(points[i]) - lo) / (hi - lo) * 16))
     count[b] = count[b] + 1
   end
-  for b = 0, 15 do worst = math.max(worst, math.abs(count[b] - (#points - 17) / 16)) end
+  for b = 0, 15 do worst = math.max(worst, math.abs(count[b] - (#points - 129) / 16)) end
   return worst
 end
 for _, c in ipairs { { "wx", function(p) return p.x[5] end, 1, 2 }, { "wy", function(p) return p.x[6] end, -1, 0 },
@@ -81,16 +81,37 @@ tap.is(require("generator.algebra.rational").todouble(points[3].values.a), point
 -- ---- extremes meet ----
 
 job = read [[ranges = { omega = 1 }]]
-points = states.points(job, "double", 9)
+points = states.points(job, "double", 17)
 local seen = {}
 for i = 2, 9 do seen[table.concat(points[i].x, " ", 5, 7)] = true end
 local corners = 0
 for _ in pairs(seen) do corners = corners + 1 end -- a count: order does not matter
 tap.is(corners, 8, "three quantities: all 8 corners")
 
+-- six quantities: every pair of ends of every two
+job = read [[ranges = { omega = {{1, 2}, {1, 2}, {1, 2}}, attitude = 1, a = {10, 30}, M = {1, 2} }]]
+points = states.points(job, "double", 33)
+local get = {}
+for k = 1, 3 do get[k] = function(p) return p.x[4 + k] end end
+for k = 1, 2 do get[3 + k] = function(p) return p.params and p.params[k] or 0 end end
+local meetings = true
+for i = 1, #get do
+  for k = i + 1, #get do
+    local met, count = {}, 0
+    for n = 2, 17 do
+      local key = get[i](points[n]) .. " " .. get[k](points[n])
+      if not met[key] then met[key], count = true, count + 1 end
+    end
+    meetings = meetings and count == 4
+  end
+end
+tap.ok(meetings, "more quantities: the ends of any two meet in all four ways")
+job = read [[ranges = { omega = 1 }]]
+points = states.points(job, "double", 17)
+
 -- ---- the same again, and others ----
 
-local again = states.points(job, "double", 9)
+local again = states.points(job, "double", 17)
 local same = true
 for i, p in ipairs(points) do
   for k, x in ipairs(p.x) do same = same and x == again[i].x[k] end
