@@ -23,6 +23,7 @@ study.orders = { double = { 8, 12, 16, 20, 24 }, float = { 8, 12 } } -- of Taylo
 local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
 local near_rounding = 8 -- an error of at most so many ulp of the input, moved to the end, is rounding's
 local near_reference = 4
+local many = 1e3 -- the root of a large number of steps
 local better = 8 -- by so much is a rung better that is not only luckier
 local rounds, repeats, limit = 3, 5, 0.05 -- of the timing: samples of a row in a round, and s for them
 local slow, far = 5e-3, 4 -- s, and times the time of the best: such rows are timed in one round
@@ -179,7 +180,8 @@ end
 local function climb(g, e, kind, run, best)
   local out, real = {}, e.c and e.c.real or "double"
   local found = ladder.climb { order = e.order or 4, T = g.T, kind = kind, least = epsilon[real], enough = g.enough,
-    floor = math.max(2 * g.number * epsilon[real], g.own_error), best = best, behind = e.behind,
+    floor = math.max(2 * g.number * epsilon[real], g.own_error), noise = many * g.state * epsilon[real], best = best,
+    behind = e.behind,
     run = function(setting)
       local start = g.host.clock()
       local rows = run(setting)
@@ -366,11 +368,9 @@ function study.of(host, job, given, tick)
   local ok
   ok, why = load_units(host, given, wanted, refused)
   if not ok then return nil, why end
-  local there = {}
-  for _, e in ipairs(list) do
-    if e.unit.plugin then there[#there + 1] = e end
+  for i = #list, 1, -1 do
+    if not list[i].unit.plugin then table.remove(list, i) end
   end
-  list = there
   g.drift = drift.of(job, carrier.plugin, g.x0)
   local peers = {}
   for _, p in ipairs(given.no_peers and {} or host.peers()) do

@@ -13,11 +13,12 @@ local fall = 10.0 -- of the error, from rung to rung
 local slowest = 0.4 -- s: no rung takes longer
 local behind = 20 -- times the time of the best of its group (or m.behind): further rungs are not worth their time
 local patience = 3 -- rungs that bring nothing
-local plateau = 8 -- the same of tolerances: at first the steps may be limited by something else
+local plateau = 8 -- the same far above rounding: long steps may be cut into pieces, or limited by something else
 local again = 4 -- times that a rung is run once more before it is called slow
 
 -- m: {order = of a fixed step's method, T = horizon, kind = "step"|"tolerance", least = least tolerance,
---   behind = (see above), floor = error that rounding allows, enough = error that is good enough (or nil),
+--   behind = (see above), floor = error that rounding allows at best, noise = what it may make in many steps,
+--   enough = error that is good enough (or nil),
 --   run = function(setting) -> error (math.huge: no result), seconds, anything,
 --   best = function(error) -> seconds of the best of its group with at most that error, or nil}
 -- Returns a list of {setting =, error =, seconds =, what = run's third}, in the order of falling settings.
@@ -42,7 +43,7 @@ function ladder.climb(m)
     local best = m.best(r.error)
     stuck = r.error <= m.floor and stuck + 1 or 0
     flat = before and r.error > before.error / 2 and flat + 1 or 0
-    return stuck >= patience or flat >= (m.kind == "step" and patience or plateau) or r.seconds > slowest
+    return stuck >= patience or flat >= (r.error <= m.noise and patience or plateau) or r.seconds > slowest
       or best and r.seconds > far * best or m.enough and r.error <= m.enough
   end
   if m.kind == "tolerance" then

@@ -144,13 +144,13 @@ end
 
 -- ---- the page ----
 
-local text = read(page)
-
+-- The page is read and written anew each time: what was measured stays, whatever happens to the next scene.
 local function fill(mark, what)
+  local text = read(page)
   local a, b = string.format("<!-- %s -->\n", mark), string.format("<!-- end of %s -->", mark)
   local from, to = string.find(text, a, 1, true), string.find(text, b, 1, true)
   assert(from and to, page .. " must have the marks of " .. mark)
-  text = string.sub(text, 1, from + #a - 1) .. "\n" .. what .. "\n" .. string.sub(text, to)
+  write(page, string.sub(text, 1, from + #a - 1) .. "\n" .. what .. "\n" .. string.sub(text, to))
 end
 
 local function bars_table(by_name)
@@ -206,4 +206,3 @@ for _, s in ipairs(scenes) do
 end
 if #arg < 4 then fill("machine", machine()) end
 if by_name.tumbling_box.rows and by_name.nodding_top.rows then fill("bars", bars_table(by_name)) end
-write(page, text)

@@ -23,7 +23,7 @@ local function method(p, h0, floor, cost)
 end
 
 local function climb(fields)
-  local m = { T = T, kind = "step", floor = 1e-12, least = 2 ^ -52, best = never, order = 4 }
+  local m = { T = T, kind = "step", floor = 1e-12, noise = 1e-9, least = 2 ^ -52, best = never, order = 4 }
   for k, v in pairs(fields) do m[k] = v end -- any order
   return ladder.climb(m)
 end
@@ -54,6 +54,13 @@ do
   tap.ok(list[#list].error <= 1e-5 and list[#list - 1].error > 1e-5, "so does the first that is good enough")
   list = climb { run = run, best = function() return 1e-9 * T / 0.5 / 4 end }
   tap.ok(list[#list].seconds <= 2 * 20 * 1e-9 * T / 0.5 / 4, "so does one that is 20 times slower than another method")
+  local function cut(limit) -- long steps are cut into pieces, and say nothing of the order
+    return function(h) return h > limit and 1e-5 or 1e-5 * (h / limit) ^ 4, 1e-6 end
+  end
+  list = climb { run = cut(0.4) }
+  tap.ok(list[1].error == 1e-5 and list[#list].error <= 1e-12, "a plateau far above rounding does not end it")
+  list = climb { run = cut(0), noise = 1e-4 }
+  tap.is(#list, 4, "one within rounding does: three rungs that are no better than the first")
   local calls
   calls, run = method(4, 0.5, 0.5, 1e-3)
   list = climb { run = run }
