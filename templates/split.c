@@ -138,7 +138,8 @@ static void ${name}_split_about(${name}_real x[], int i, int j, int k, ${name}_r
  * The body turns about L by the angle f, then such that L in the body comes by the least turn to where w' has it:
  *     f' = |L| (2T V - b^2 w'.L')/(L^2 V - b^2 L'^2),  V = U - b^2 (m1 + m2 + m3)/3,  integrated term by term.
 %%     end
- * What is left out is of order tau^11.  A long drift is cut into at most 1000 pieces that a real b^2 P(b) stands behind. */
+ * What is left out is of order tau^11.  Beyond b^4 g2 = 1/8 or b^2 (mean of m + L'^2/L^2) = 1/2, a turn of about 1.5 rad, nothing
+ * would be left of that: a longer drift goes that far only, so that all stays finite. */
 %%   elseif split_full then
 /* The free body over a time tau, with p = L/Ia in the place of the rates: the rotation about L, and those about two axes
  * n times in turn */
@@ -168,18 +169,15 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
   ${name}_real LN = (n1*n1 + d2*d2 + n3*n3)*i, wN = (d1*n1 + d2*d2 + d3*n3)*i, s = mean + LN;
   ${name}_real r, rr, ii = i, p[3];
 %%     end
-  int pieces = 1;
 %%     if split_attitude then
   const ${name}_real near = ${eight}*g2, far = ${four}*s*s, reach = near > far ? near : far;
 %%     else
   const ${name}_real reach = ${eight}*g2;
 %%     end
 
-  if (reach > ${one}) { /* rare: a drift of more than half a radian or so */
-    const ${name}_real times = ${sqrt}(${sqrt}(reach));
-    const ${name}_real shrink = times < ${split_most} ? ${one}/(${name}_real)((int)times + 1) : ${one}/times, square = shrink*shrink;
+  if (reach > ${one}) { /* too long a drift: as far as the real function goes */
+    const ${name}_real square = ${one}/${sqrt}(reach), shrink = ${sqrt}(square);
 
-    pieces = times < ${split_most} ? (int)times + 1 : 1000;
     b *= shrink;
     e1 *= square;
     e2 *= square;
@@ -203,30 +201,28 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
   p[0] = j1*w[0];
   p[1] = w[1];
   p[2] = j3*w[2];
-  ${name}_split_along(x, p, ${two}*b*(f + (f*LN - wN)*r)*(${name}_real)pieces);
+  ${name}_split_along(x, p, ${two}*b*(f + (f*LN - wN)*r));
 %%     end
-  for (; pieces > 0; pieces--) {
-    const ${name}_real w1 = w[0], w2 = w[1], w3 = w[2];
-    /* the matrix of w' less 1: (0 A B; C 0 D; E F 0); for the difference w' - w the right side is 2 Ki wj wk */
-    const ${name}_real A = K1*w3, B = K1*w2, C = K2*w3, D = K2*w1, E = K3*w2, F = K3*w1;
-    const ${name}_real h1 = ${two}*A*w2, h2 = ${two}*C*w1, h3 = ${two}*E*w1;
-    const ${name}_real t1 = ${one} - D*F, t2 = C + D*E, t3 = E + C*F, t = ${one}/(t1 - A*t2 - B*t3);
-    const ${name}_real v1 = (t1*h1 + (A + B*F)*h2 + (B + A*D)*h3)*t;
-    const ${name}_real v2 = (t2*h1 + (${one} - B*E)*h2 + (D + B*C)*h3)*t;
-    const ${name}_real v3 = (t3*h1 + (F + A*E)*h2 + (${one} - A*C)*h3)*t;
+  const ${name}_real w1 = w[0], w2 = w[1], w3 = w[2];
+  /* the matrix of w' less 1: (0 A B; C 0 D; E F 0); for the difference w' - w the right side is 2 Ki wj wk */
+  const ${name}_real A = K1*w3, B = K1*w2, C = K2*w3, D = K2*w1, E = K3*w2, F = K3*w1;
+  const ${name}_real h1 = ${two}*A*w2, h2 = ${two}*C*w1, h3 = ${two}*E*w1;
+  const ${name}_real t1 = ${one} - D*F, t2 = C + D*E, t3 = E + C*F, t = ${one}/(t1 - A*t2 - B*t3);
+  const ${name}_real v1 = (t1*h1 + (A + B*F)*h2 + (B + A*D)*h3)*t;
+  const ${name}_real v2 = (t2*h1 + (${one} - B*E)*h2 + (D + B*C)*h3)*t;
+  const ${name}_real v3 = (t3*h1 + (F + A*E)*h2 + (${one} - A*C)*h3)*t;
 %%     if split_attitude then
-    const ${name}_real L1 = b*j1*w1, L2 = b*w2, L3 = b*j3*w3, N1 = b*j1*v1, N2 = b*v2, N3 = b*j3*v3;
-    const ${name}_real c = ${sqrt}(${one} - ${quarter}*ii*(N1*N1 + N2*N2 + N3*N3)), k = ${half}*ii/c;
+  const ${name}_real L1 = b*j1*w1, L2 = b*w2, L3 = b*j3*w3, N1 = b*j1*v1, N2 = b*v2, N3 = b*j3*v3;
+  const ${name}_real c = ${sqrt}(${one} - ${quarter}*ii*(N1*N1 + N2*N2 + N3*N3)), k = ${half}*ii/c;
 
-    p[0] = k*(N2*L3 - N3*L2);
-    p[1] = k*(N3*L1 - N1*L3);
-    p[2] = k*(N1*L2 - N2*L1);
-    ${name}_split_turn(x, c, p);
+  p[0] = k*(N2*L3 - N3*L2);
+  p[1] = k*(N3*L1 - N1*L3);
+  p[2] = k*(N1*L2 - N2*L1);
+  ${name}_split_turn(x, c, p);
 %%     end
-    w[0] = w1 + v1;
-    w[1] = w2 + v2;
-    w[2] = w3 + v3;
-  }
+  w[0] = w1 + v1;
+  w[1] = w2 + v2;
+  w[2] = w3 + v3;
   (void)m; /* constants may be in the code */
 %%   end
 %%   if split_full then

@@ -74,7 +74,6 @@ function split.fill(ctx, program, v)
   if v.split_diagonal then -- what the map needs beside them; the tiny: its inverse is no infinity
     v.third = number.text(R.new(1, 3), ctx.real)
     for _, n in ipairs { 5, 7, 9, 20 } do v["split_" .. text(n) .. "th"] = number.text(R.new(1, n), ctx.real) end
-    v.split_most = number.text(R.new(1000), ctx.real)
     v.split_tiny = number.text(R.new(2) ^ (float and -100 or -1000), ctx.real)
   end
   local terms = float and 5 or 9 -- z^8/16! of z = 1/4 is 7e-19, z^4/8! below 1e-7

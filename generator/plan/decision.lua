@@ -8,6 +8,7 @@
 local R = require "generator.algebra.rational"
 local text = require "generator.algebra.text"
 local err = require "generator.plan.error"
+local states = require "generator.plan.states"
 local methods = require "generator.methods.list"
 
 local decision = {}
@@ -96,6 +97,11 @@ function decision.asked(job, q)
   end
   lines[#lines + 1] = (job.ranges and "ranges: " or "no ranges; a plan is tried with ") .. whence(job)
   return lines
+end
+
+local function held(job)
+  local most = states.input(job)
+  return most and ", an input held at up to " .. short(most, 4) .. " N m" or ""
 end
 
 -- The next best: of each other method or setting the cheapest, as a multiple of the cost of the best.
@@ -191,7 +197,7 @@ function decision.made(q, r)
   local margin = r.error > q.accuracy / 100 and ", a margin of " .. short(r.margin) .. "," or ""
   paragraph(lines, "Measured: largest error " .. measured(r.error, q.accuracy) .. margin .. " from " ..
     string.format("%d", r.states) .. " states" .. (real == "float" and " in float" or "") .. ": " .. whence(q.job) ..
-    (q.job.equations.inputs and ", input 0" or "") .. "; the true motion is known to " .. decade(r.own) .. ".")
+    held(q.job) .. "; the true motion is known to " .. decade(r.own) .. ".")
   local one = counted(r.counts)
   local work = r.setup_counts and counted(r.setup_counts) .. " once, " .. one .. " for each time"
   if not work then
@@ -262,6 +268,7 @@ function decision.question(q, fingerprint)
     for _, x in ipairs(g.defs) do put(x.name, text.of(x.expr)) end
     for _, x in ipairs(g.outs) do put(x.state, text.of(x.expr)) end
   end
+  put("input", tostring(states.input(job)))
   local r = job.ranges
   if r then
     put("ranges", tostring(r.attitude))

@@ -256,6 +256,23 @@ local function truths(s, points, limit, progress)
   return own
 end
 
+-- The exact drift of a free asymmetric body cuts a step of more than a radian or so into pieces (templates/split.c),
+-- which are counted as one: such steps are no candidates.  The least number of steps; 1 elsewhere.
+function plan.least_steps(job, c, points, T)
+  if not string.find(c.method, "^split") or job.model.structure.kind ~= "diagonal" then return 1 end
+  local fastest = 0.0
+  for _, p in ipairs(points) do
+    for _, row in ipairs(p.truth) do
+      local square = 0.0
+      for i, s in ipairs(job.states) do
+        if s.kind == "rates" then square = square + row[i] ^ 2 end
+      end
+      fastest = math.max(fastest, square)
+    end
+  end
+  return math.max(1, math.ceil(T * math.sqrt(fastest)))
+end
+
 -- The plan for a question q: {host, job (read), code (planned, with its methods), plugin, accuracy, real, target, ops,
 -- methods, order, progress}.  Returns
 --     {candidate, setting, error, steps, cost, counts, setup_counts, order, margin, limit, found = what the competitors
@@ -266,6 +283,9 @@ function plan.find(q)
   local T = q.job.model:double(q.job.model.horizon)
   local say = q.progress or function() end
   local s = trial.new { host = q.host, job = q.job, plugin = q.plugin, T = T }
+  if q.job.equations.inputs and not states.input(q.job) then
+    return nil, { why = "needs the largest input, which effect.control{ max = } gives", refused = {}, found = {} }
+  end
   local list, refused = competitors(q, q.code)
   s.sure = surrogate(q.job, q.real)
   local points = states.points(q.job, q.real, s.sure and many or some)
@@ -283,6 +303,7 @@ function plan.find(q)
   end
   result.own, result.states = own, #points
   result.rows, result.expected = points[1].truth, points[1].truth[#points[1].truth]
+  for _, c in ipairs(list) do c.least_steps = plan.least_steps(q.job, c, points, T) end
   local best
   for turn, margin in ipairs { plan.margin, plan.least_margin } do
     if best or #list == 0 or q.accuracy / margin <= own then break end

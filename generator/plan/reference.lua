@@ -28,10 +28,11 @@ end
 
 -- The states (as the scene has them) at `times` from x0 at t = 0, and their own error in the measure of error.lua;
 -- or nil and why there is none.  quick: one run, no second: the error is then nil.
-function reference.of(host, job, x0, times, values, quick)
+-- input: torques that are held, in body axes (nil: none).
+function reference.of(host, job, x0, times, values, quick, input)
   local s = scene(job, x0, values)
   local function run(method, tolerance)
-    local rows, why = host.run(s, { method = method, tol = tolerance, times = times, most = most })
+    local rows, why = host.run(s, { method = method, tol = tolerance, times = times, most = most, u = input })
     if not rows then return nil, why end
     local out = {}
     for i, row in ipairs(rows) do out[i] = numeric.part(job, row, 1) end

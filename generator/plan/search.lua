@@ -29,7 +29,7 @@ local digits = { step = 4, tolerance = 2 }
 -- The largest step h = T/n, by whole numbers n: from a bracket of one that is too large and one that is not.
 local function refine(s, c, limit, bad, good)
   local p, n = c.power, s.trial.T
-  local low, high = bad and bad.n or 0, good.n
+  local low, high = math.max(bad and bad.n or 0, (c.least_steps or 1) - 1), good.n
   for turn = 1, 16 do
     if high <= low + 1 or high <= low * close then break end
     local guess = high * (good.error / limit) ^ (1 / p) -- the law of its order
@@ -49,14 +49,23 @@ end
 local function by_step(s, c, limit, best)
   local T = s.trial.T
   if best then
-    local n = math.floor(best.cost / c.weight() * 0.999)
-    if n < 1 then return { fits = false, dearer = true } end
-    local r = tried(s, c, T / math.min(n, most_steps), limit)
-    r.n, r.dearer = math.min(n, most_steps), true
-    if not r.fits then return r end
-    return refine(s, c, limit, nil, r)
+    local n = math.tointeger(math.floor(math.min(most_steps, best.cost / c.weight() * 0.999)))
+    if n < (c.least_steps or 1) then return { fits = false, dearer = true } end
+    local r = tried(s, c, T / n, limit)
+    r.n, r.dearer = n, true
+    for part = 1, 4 do -- where roundings add up, fewer steps may be better
+      if r.fits then return refine(s, c, limit, nil, r) end
+      local fewer = n >> part
+      if r.error > 1000 * limit or fewer < (c.least_steps or 1) then break end
+      local other = tried(s, c, T / fewer, limit)
+      if other.fits then
+        other.n = fewer
+        return refine(s, c, limit, nil, other)
+      end
+    end
+    return r
   end
-  local n, least, idle, bad = 16, nil, 0, nil
+  local n, least, idle, bad = math.max(16, c.least_steps or 1), nil, 0, nil
   while true do
     local r = tried(s, c, T / n, limit)
     r.n, r.fits = n, r.error <= limit
@@ -112,8 +121,8 @@ local function solve(s, c, limit, best)
 end
 
 -- s: {trial, points, epsilon (of the type), progress = function(part)}; candidates: with weight(setting), setup, power
--- (the order of the method), spread (how near the limit a tolerance's error should come), and allowed(tolerance): is it
--- within the budget?  Returns the best {candidate,
+-- (the order of the method), spread (how near the limit a tolerance's error should come), allowed(tolerance): is it
+-- within the budget?, and least_steps that a run must have.  Returns the best {candidate,
 -- ...} or nil, and for every candidate what was found: {candidate, error, setting, cost, dearer}.  bound: a plan that
 -- is known to hold, to be beaten.
 function search.cheapest(s, candidates, limit, bound)

@@ -6,6 +6,7 @@
 -- The filling is Kronecker's sequence with powers of the root of x^(d+1) = x + 1 (Roberts 2018, "The unreasonable
 -- effectiveness of quasirandom sequences").  No libm function decides a point, so all machines have the same ones.
 -- Without `ranges`: rates, position and velocity within 10 % of their size in each component, attitude within 0.1 rad.
+-- An input is held at a value up to its max.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -19,6 +20,14 @@ local default_part, default_angle = 0.1, R.new(1, 10)
 local function narrow(x, real)
   if real == "float" then return string.unpack("f", string.pack("f", x)) end
   return x
+end
+
+-- The largest input of a scene that says so (effect.control{ max = }), or nil.
+function states.input(job)
+  for _, e in ipairs(job.equations.inputs and job.record.effects or {}) do
+    if e.spec.input and e.a.max then return job.model:double(e.a.max) end
+  end
+  return nil
 end
 
 -- What varies: {quantities}, each {set = function(point, u), u from 0 to 1} of one number, or of three.
@@ -42,6 +51,10 @@ local function quantities(job, own)
   end
   for _, r in ipairs(given and given.params or {}) do
     put(R.todouble(r.lo), R.todouble(r.hi), function(x) point.values[r.name] = x end)
+  end
+  local limit = states.input(job)
+  for k = 1, limit and 3 or 0 do
+    put(-limit, limit, function(x) point.input[k] = x end)
   end
   local angle = not given and default_angle or given and given.attitude
   if job.model.has.attitude and angle then
@@ -130,7 +143,8 @@ local function coordinates(d, n, skip)
 end
 
 -- The function that makes a point {x = state, values = {parameter = rational} or nil, params = doubles for NAME_init or
--- nil} of coordinates u in the unit cube (nil: the scene's own), and their number.
+-- nil, input = torques that are held, or nil} of coordinates u in the unit cube (nil: the scene's own), and their
+-- number.
 local function maker(job, real)
   local own = numeric.initial(job)
   local list, choose, most = quantities(job, own)
@@ -138,7 +152,7 @@ local function maker(job, real)
   local first
   for i = #job.states, 1, -1 do first = job.states[i].kind == "attitude" and i or first end
   return function(u)
-    local point = { x = { table.unpack(own) }, values = {}, turn = { 0.0, 0.0, 0.0 } }
+    local point = { x = { table.unpack(own) }, values = {}, turn = { 0.0, 0.0, 0.0 }, input = { 0.0, 0.0, 0.0 } }
     choose(point)
     for k, set in ipairs(list) do
       if u then set(u[k]) end
@@ -157,7 +171,8 @@ local function maker(job, real)
         params[i] = x or narrow(R.todouble(p.default), real)
       end
     end
-    return { x = point.x, values = values, params = params }
+    for k = 1, 3 do point.input[k] = narrow(point.input[k], real) end
+    return { x = point.x, values = values, params = params, input = job.equations.inputs and point.input or nil }
   end, #list
 end
 

@@ -42,19 +42,19 @@ function trial:run(c, setting, point)
   local name = called(c)
   local whole, steps
   if c.setting == "tolerance" or h > T / 1600 then -- else the steps between the 40 times are as long as the others
-    whole, steps = plugin:integrate(x, nil, h, { T }, 0, name)
+    whole, steps = plugin:integrate(x, point.input, h, { T }, 0, name)
     if not whole then return nil end
   end
   local rows
   if c.setting == "tolerance" and c.method == "taylor" then
     local first, later = self.times[1], { table.unpack(self.times, 2) }
-    rows = plugin:integrate(x, nil, { setting * first / T }, { first }, 0, name)
-    local rest = rows and plugin:integrate({ table.unpack(rows[1], 2) }, nil, { setting / #self.times * 0.1 }, later,
-      first, name)
+    rows = plugin:integrate(x, point.input, { setting * first / T }, { first }, 0, name)
+    local rest = rows and plugin:integrate({ table.unpack(rows[1], 2) }, point.input,
+      { setting / #self.times * 0.1 }, later, first, name)
     if not rest then return nil end
     table.move(rest, 1, #rest, 2, rows)
   else
-    rows = plugin:integrate(x, nil, h, self.times, 0, name)
+    rows = plugin:integrate(x, point.input, h, self.times, 0, name)
     if not rows then return nil end
   end
   rows = err.states(rows)
@@ -75,7 +75,7 @@ function trial:truth(point)
     rows, why = self:run(self.sure[1], self.sure[2], point)
     why = why or "its motion ends in a singularity"
   else
-    rows, why = reference.of(self.host, self.job, point.x, self.times, point.values, true)
+    rows, why = reference.of(self.host, self.job, point.x, self.times, point.values, true, point.input)
     if rows then rows = with_last(rows) end
   end
   point.truth = rows
@@ -84,7 +84,7 @@ end
 
 -- How far `sure` is from the library at a point and, if `twice`, the library's two runs from each other: the larger.
 function trial:doubt(point, twice)
-  local rows, own = reference.of(self.host, self.job, point.x, self.times, point.values, not twice)
+  local rows, own = reference.of(self.host, self.job, point.x, self.times, point.values, not twice, point.input)
   if not rows then return nil, own end
   point.truth, point.library = with_last(rows), true
   if not self.sure then return own or 0.0 end

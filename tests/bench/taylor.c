@@ -255,9 +255,9 @@ static void measure(const char *title, const row rows[], const double x0[], doub
     double best[LEVELS], finest = HUGE_VAL;
     for (int l = 0; l < LEVELS; l++)
       best[l] = HUGE_VAL;
-    for (int k = 0; k < (rows[r].fixed ? 80 : 64); k++) {
+    for (int k = 0; k < (rows[r].fixed ? 160 : 64); k++) {
       const double setting =
-          rows[r].fixed ? ceil(radians / 8 * pow(2, k / 6.0)) : pow(10, -1 - 0.25 * k);
+          rows[r].fixed ? ceil(radians / 8 * pow(2, k / 12.0)) : pow(10, -1 - 0.25 * k);
       if (rows[r].fixed && setting > 1000 * radians)
         break;
       const double e = worst_error(&rows[r], x0, setting);

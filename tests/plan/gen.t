@@ -168,6 +168,11 @@ refused("gen top.lua --accuracy 2 -o out", "polhode gen: --accuracy must be betw
 refused("gen top.lua --accuracy 1e-9 --real float -o out", "what limits it is the rounding of float, got 1e-9",
   "float cannot hold 1e-9, and the best that can be is told")
 refused("gen top.lua --accuracy 1e-18 -o out", "top.lua:1: accuracy: ", "nor double 1e-18; the scene's line is blamed")
+program.write(dir .. "/ctl.lua", [[return scene { name = "ctl", body = solid.box { x = 0.3, y = 0.2, z = 0.1, mass = 3 },
+  effects = { effect.control {} }, accuracy = 1e-3 }
+]])
+refused("gen ctl.lua -o out", "accuracy: needs the largest input, which effect.control{ max = } gives, got 0.001",
+  "an input of any size cannot be planned for")
 program.write(dir .. "/top.lua", (program.read(dir .. "/top.lua"):gsub("time =", "accuracy = 1e-3,\n  budget = { ops = 20 }, time =")))
 refused("gen top.lua -o out", "budget.ops leaves no method: the least, ", "no step has 20 operations")
 

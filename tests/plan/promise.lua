@@ -60,11 +60,12 @@ local function sweep(list, cost, accuracy)
     if c.setting == "none" then
       try(c)
     elseif c.setting == "step" then
-      local one = c.weigh()
-      local last
+      local one, last = c.weigh(), nil
+      for _, p in ipairs(unseen) do judge:truth(p) end
+      local least = plan.least_steps(job, c, unseen, judge.T)
       for k = 0, 55 do
         local n = math.floor(cost / 3 * 1.02 ^ k / one)
-        if n >= 1 and n ~= last and n * one < best then try(c, judge.T / n) end
+        if n >= least and n ~= last and n * one < best then try(c, judge.T / n) end
         last = n
       end
     else
