@@ -65,7 +65,8 @@ local function rows_of(path)
     else
       local c = {}
       for i, name in ipairs(head) do c[name] = cells[i] end
-      rows[#rows + 1] = { name = c.method, group = c.group, real = c.real, kind = c.kind, error = tonumber(c.error) or math.huge,
+      rows[#rows + 1] = { name = c.method, group = c.group, real = c.real, kind = c.kind,
+        error = tonumber(c.error) or math.huge,
         time = tonumber(c.seconds), family = string.match(c.method, "^%l+%d*") or c.method }
     end
   end
