@@ -206,5 +206,5 @@ for _, s in ipairs(scenes) do
   by_name[s.name] = s
   if #arg < 4 or wanted[s.name] then fill(s.name, measured(s)) end
 end
-if #arg < 4 then fill("machine", machine()) end
+fill("machine", machine())
 if by_name.tumbling_box.rows and by_name.nodding_top.rows then fill("bars", bars_table(by_name)) end
