@@ -375,7 +375,7 @@ function study.of(host, job, given, tick)
   local peers = {}
   for _, p in ipairs(given.no_peers and {} or host.peers()) do
     peers[#peers + 1] = { name = p.name, family = p.name, group = "peer", setting = p.setting, plugin = carrier.plugin,
-      behind = 400 } -- their curves are drawn further
+      order = string.find(p.name, "rk8") and 8 or nil, behind = 400 } -- their curves are drawn further
   end
   counts(list, tick)
   local tried = ladders(g, list, peers, tick)

@@ -1,19 +1,20 @@
 -- ladder.lua -- the settings of one method that are worth measuring: from the first that follows the motion at all
 -- to the one that rounding ends.
 --
--- A step goes down by 2, or by as much less as makes the error of a high order fall by some 10 a rung; a tolerance by
--- the root of 10.  Rungs whose error is a tenth or more tell nothing and are passed over, by halves of the step.
+-- A step goes down by 2, or by as much less as makes the error fall by some root of 10 a rung; a tolerance by that
+-- root.  Rungs whose error is a tenth or more tell nothing and are passed over, by halves of the step.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local ladder = {}
 
 local useless = 0.1 -- an error like that
 local coarsest, most_steps = 20, 2 ^ 24 -- steps over the horizon
-local fall = 10.0 -- of the error, from rung to rung
+local fall = math.sqrt(10) -- of the error, from rung to rung
 local slowest = 0.4 -- s: no rung takes longer
 local behind = 20 -- times the time of the best of its group (or m.behind): further rungs are not worth their time
 local patience = 3 -- rungs that bring nothing
-local plateau = 8 -- the same far above rounding: long steps may be cut into pieces, or limited by something else
+local plateau = { step = 32, tolerance = 1e4 } -- far above rounding the setting falls so far without gain: long steps
+-- may be cut into pieces, or limited by something else
 local again = 4 -- times that a rung is run once more before it is called slow
 
 -- m: {order = of a fixed step's method, T = horizon, kind = "step"|"tolerance", least = least tolerance,
@@ -37,13 +38,15 @@ function ladder.climb(m)
     return r
   end
   -- Is the rung the last?  at the floor, no longer better, too slow, or good enough
-  local stuck, flat = 0, 0
+  local stuck, flat, top = 0, 0, nil -- top: the setting where the flat part begins
   local function last(r)
     local before = list[#list - 1]
     local best = m.best(r.error)
     stuck = r.error <= m.floor and stuck + 1 or 0
     flat = before and r.error > before.error / 2 and flat + 1 or 0
-    return stuck >= patience or flat >= (r.error <= m.noise and patience or plateau) or r.seconds > slowest
+    if flat <= 1 then top = (flat == 1 and before or r).setting end
+    local vain = flat > 0 and (r.error <= m.noise and flat >= patience or top / r.setting >= plateau[m.kind])
+    return stuck >= patience or vain or r.seconds > slowest
       or best and r.seconds > far * best or m.enough and r.error <= m.enough
   end
   if m.kind == "tolerance" then

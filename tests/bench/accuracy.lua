@@ -65,7 +65,8 @@ local function rows_of(path)
     else
       local c = {}
       for i, name in ipairs(head) do c[name] = cells[i] end
-      rows[#rows + 1] = { name = c.method, group = c.group, real = c.real, error = tonumber(c.error) or math.huge,
+      rows[#rows + 1] = { name = c.method, group = c.group, real = c.real, kind = c.kind,
+        error = tonumber(c.error) or math.huge,
         time = tonumber(c.seconds), family = string.match(c.method, "^%l+%d*") or c.method }
     end
   end
@@ -176,9 +177,10 @@ local function bars_table(by_name)
         return (s.ratio[group] >= bar.want[i] and "**" .. ratio .. "**" or ratio) .. ": " .. what
       end)
     end
-    line("best peer", function(s)
-      return s.peer and report.time_text(s.peer.time) .. " (" .. s.peer.name .. ")" or "-"
-    end)
+    local function named(r) return r and report.time_text(r.time) .. " (" .. r.name .. ")" or "-" end
+    line("best peer", function(s) return named(s.peer) end)
+    local choosing = filter(study.rows, function(r) return r.group == "peer" and r.kind == "tolerance" end)
+    line("best peer that chooses its steps", function(s) return named(report.best(choosing, s.level)) end)
   end
   return table.concat(out, "\n") .. "\n"
 end
@@ -204,5 +206,5 @@ for _, s in ipairs(scenes) do
   by_name[s.name] = s
   if #arg < 4 or wanted[s.name] then fill(s.name, measured(s)) end
 end
-if #arg < 4 then fill("machine", machine()) end
+fill("machine", machine())
 if by_name.tumbling_box.rows and by_name.nodding_top.rows then fill("bars", bars_table(by_name)) end
