@@ -285,23 +285,25 @@ do
   local b = job.record.budget
   tap.is(table.concat({ job.record.accuracy, b.ops, b.real, b.target }, " "), "1e-09 500.0 float avr", "as given")
   local r = job.ranges
-  tap.ok(r.attitude == R.parse "1/4" and r.states[5].lo == R.parse "1" and r.states[7].hi == R.parse "2" and not r.states[1],
-    "ranges by the place of the state")
+  tap.ok(r.attitude == R.parse "1/4" and r.states[5].lo == R.parse "1" and r.states[7].hi == R.parse "2" and
+    not r.states[1], "ranges by the place of the state")
 end
 do -- the forms of ranges
   local function of(ranges, more)
-    local text = 'local a = param("a", 20, "cm") local M = param("M", 1, "kg")\nreturn scene { name = "s", ' ..
+    local lines = 'local a = param("a", 20, "cm") local M = param("M", 1, "kg")\nreturn scene { name = "s", ' ..
       "body = solid.box { x = a, y = 1, z = 1, mass = M }, ranges = " .. ranges .. (more or "") .. " }"
-    return assert(scene.read(text)).ranges
+    return assert(scene.read(lines)).ranges
   end
   local r = of "{ omega = 3 }"
-  tap.ok(r.states[5].lo == R.parse "-3" and r.states[5].hi == R.parse "3" and r.states[7].lo == R.parse "-3", "r is from -r to r")
+  tap.ok(r.states[5].lo == R.parse "-3" and r.states[5].hi == R.parse "3" and r.states[7].lo == R.parse "-3",
+    "r is from -r to r")
   r = of "{ omega = { {0, 1}, {quantity(60, \"deg/s\")/60, 2}, {-1, 0} } }"
-  tap.ok(r.states[5].hi == R.parse "1" and r.states[7].lo == R.parse "-1" and math.abs(R.todouble(r.states[6].lo) - math.pi / 180)
-    < 1e-17, "three pairs, in any unit")
+  tap.ok(r.states[5].hi == R.parse "1" and r.states[7].lo == R.parse "-1" and
+    math.abs(R.todouble(r.states[6].lo) - math.pi / 180) < 1e-17, "three pairs, in any unit")
   r = of "{ a = {10, 30}, M = {quantity(500, \"g\"), 2} }"
-  tap.ok(r.params[1].name == "M" and r.params[1].lo == R.parse "1/2" and r.params[1].hi == R.parse "2" and r.params[2].name == "a"
-    and r.params[2].lo == R.parse "1/10" and r.params[2].hi == R.parse "3/10", "parameters: plain numbers in their own unit")
+  tap.ok(r.params[1].name == "M" and r.params[1].lo == R.parse "1/2" and r.params[1].hi == R.parse "2" and
+    r.params[2].name == "a" and r.params[2].lo == R.parse "1/10" and r.params[2].hi == R.parse "3/10",
+    "parameters: plain numbers in their own unit")
   r = of("{ wheel = {0, 40}, attitude = \"any\" }",
     ", effects = { effect.wheel { axis = {0, 0, 1}, inertia = 1e-6, included = true } }")
   tap.ok(r.states[8].hi == R.parse "40" and r.attitude == "any", "a state of an effect by its name; any attitude")

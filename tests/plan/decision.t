@@ -12,7 +12,8 @@ local plan = require "generator.plan.plan"
 
 local function question(text, more)
   local job = assert(scene.read(text or [[local a = param("a", 0.2, "m")
-return scene { name = "s", body = solid.box { x = a, y = 0.1, z = 0.05, mass = 1 }, initial = { omega = {1, 2, 3} } }]]))
+return scene { name = "s", body = solid.box { x = a, y = 0.1, z = 0.05, mass = 1 },
+  initial = { omega = {1, 2, 3} } }]]))
   local q = { job = job, accuracy = 1e-9, real = "double", target = "x86-64" }
   for k, v in pairs(more or {}) do q[k] = v end -- into a table: order is lost anyway
   return decision.question(q, "0123")
@@ -63,10 +64,12 @@ tap.is(decision.kept(asked, text .. "more\n", 2), nil, "more after the end")
 
 tap.is(question(), asked, "the same question, the same text")
 local box = [[local a = param("a", 0.2, "m")
-return scene { name = "s", body = solid.box { x = a, y = 0.1, z = %s, mass = 1 }, initial = { omega = {1, 2, %s} }, %s }]]
+return scene { name = "s", body = solid.box { x = a, y = 0.1, z = %s, mass = 1 },
+  initial = { omega = {1, 2, %s} }, %s }]]
 local base = string.format(box, "0.05", "3", "")
 local keys = { [decision.key(asked)] = "the first" }
-for _, c in ipairs { { "a size", string.format(box, "0.06", "3", "") }, { "a rate", string.format(box, "0.05", "4", "") },
+for _, c in ipairs { { "a size", string.format(box, "0.06", "3", "") },
+  { "a rate", string.format(box, "0.05", "4", "") },
   { "an effect", string.format(box, "0.05", "3", "effects = { effect.damping { c = 0.1 } }") },
   { "the horizon", string.format(box, "0.05", "3", "time = { horizon = 11 }") },
   { "a range", string.format(box, "0.05", "3", "ranges = { omega = 4 }") },

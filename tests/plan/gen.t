@@ -53,15 +53,16 @@ for _, part in ipairs { "Planned for an accuracy of 1e%-6 over 4 s: %w+", "by ba
 end
 local planned = header:match "\n#define BALL_PLANNED_(%w+) %("
 tap.ok(planned == "STEP" or planned == "TOLERANCE", "and has the planned step or tolerance as a constant")
-tap.like(header, "int ball_advance(const ball_model *m, ball_real t0, ball_real x[], const ball_real u[], ball_real t1);",
+tap.like(header,
+  "int ball_advance(const ball_model *m, ball_real t0, ball_real x[], const ball_real u[], ball_real t1);",
   "and the function")
 local steppers = 0
 for _ in header:gmatch "\nvoid ball_step%(" do steppers = steppers + 1 end
 tap.is(steppers, 1, "one stepper, not several")
 
 local function self_test(name, more)
-  return program.shell(string.format("cd %s/out && %s %s %s %s.c %s_test.c -o test -lm 2>log && ./test >result 2>&1", dir,
-    cc, flags, more or "", name, name)), program.read(dir .. "/out/result") or "", program.read(dir .. "/out/log")
+  return program.shell(string.format("cd %s/out && %s %s %s %s.c %s_test.c -o test -lm 2>log && ./test >result 2>&1",
+    dir, cc, flags, more or "", name, name)), program.read(dir .. "/out/result") or "", program.read(dir .. "/out/log")
 end
 local code, result, log = self_test "ball"
 tap.ok(code == 0 and log == "", "compiles without a warning, and passes its own test", (log or "") .. result)
@@ -139,13 +140,14 @@ tap.ok(status == 0 and err == "" and files "ball" == first and program.shell("te
 
 -- ---- a closed form; float; the command line ----
 
-program.write(dir .. "/top.lua", [[return scene { name = "top", body = solid.box { x = 0.3, y = 0.2, z = 0.1, mass = 3 },
+program.write(dir .. "/top.lua", [[return scene { name = "top",
+  body = solid.box { x = 0.3, y = 0.2, z = 0.1, mass = 3 },
   initial = { omega = {1, 2, 3} }, time = { horizon = 20 } }
 ]])
 status, err = run("gen top.lua --accuracy 1e-9 -o out", cache)
 header = program.read(dir .. "/out/top.h") or ""
-tap.ok(status == 0 and header:find("Planned for an accuracy of 1e-9 over 20 s: the closed form, by top_advance", 1, true)
-  and not header:find("#define TOP_PLANNED", 1, true), "many digits of a free body: its closed form", err)
+tap.ok(status == 0 and header:find("Planned for an accuracy of 1e-9 over 20 s: the closed form, by top_advance", 1,
+  true) and not header:find("#define TOP_PLANNED", 1, true), "many digits of a free body: its closed form", err)
 tap.like(header, "polhode gen top.lua --accuracy 1e-9\n", "the header repeats the command")
 code, result, log = self_test "top"
 tap.ok(code == 0, "which passes its test", (log or "") .. result)
@@ -162,18 +164,22 @@ tap.ok(code == 0, "and the test passes in float", (log or "") .. result)
 local function refused(args, part, name, want)
   program.shell("rm -rf " .. dir .. "/out")
   status, err = run(args, cache)
-  tap.ok(status == (want or 1) and err:find(part, 1, true) and program.shell("test -e " .. dir .. "/out") ~= 0, name, err)
+  tap.ok(status == (want or 1) and err:find(part, 1, true) and program.shell("test -e " .. dir .. "/out") ~= 0,
+    name, err)
 end
-refused("gen top.lua --accuracy 2 -o out", "polhode gen: --accuracy must be between 0 and 1, got 2", "no accuracy at all", 2)
+refused("gen top.lua --accuracy 2 -o out", "polhode gen: --accuracy must be between 0 and 1, got 2",
+  "no accuracy at all", 2)
 refused("gen top.lua --accuracy 1e-9 --real float -o out", "what limits it is the rounding of float, got 1e-9",
   "float cannot hold 1e-9, and the best that can be is told")
 refused("gen top.lua --accuracy 1e-18 -o out", "top.lua:1: accuracy: ", "nor double 1e-18; the scene's line is blamed")
-program.write(dir .. "/ctl.lua", [[return scene { name = "ctl", body = solid.box { x = 0.3, y = 0.2, z = 0.1, mass = 3 },
+program.write(dir .. "/ctl.lua", [[return scene { name = "ctl",
+  body = solid.box { x = 0.3, y = 0.2, z = 0.1, mass = 3 },
   effects = { effect.control {} }, accuracy = 1e-3 }
 ]])
 refused("gen ctl.lua -o out", "accuracy: needs the largest input, which effect.control{ max = } gives, got 0.001",
   "an input of any size cannot be planned for")
-program.write(dir .. "/top.lua", (program.read(dir .. "/top.lua"):gsub("time =", "accuracy = 1e-3,\n  budget = { ops = 20 }, time =")))
+program.write(dir .. "/top.lua", (program.read(dir .. "/top.lua"):gsub("time =",
+  "accuracy = 1e-3,\n  budget = { ops = 20 }, time =")))
 refused("gen top.lua -o out", "budget.ops leaves no method: the least, ", "no step has 20 operations")
 
 program.finish()

@@ -2,8 +2,8 @@
 -- promise.t - accuracy asked for is accuracy got, at a cost near the least.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- A small part of what tests/bench/plan.lua measures for docs/planner.md: states that the planner did not see, judged by
--- the general library, and a sweep of all methods and settings for the least cost (tests/plan/promise.lua).
+-- A small part of what tests/bench/plan.lua measures for docs/planner.md: states that the planner did not see, judged
+-- by the general library, and a sweep of all methods and settings for the least cost (tests/plan/promise.lua).
 
 package.path = "./?.lua;" .. package.path
 
