@@ -268,9 +268,9 @@ accuracy: $(PROGRAM)
 target-cost: $(PROGRAM)
 	@$(LUA) tests/target/cost.lua $(PROGRAM) $(BUILD)/target
 
-# What operations take on small processors: generator/plan/measured.lua and the tables of docs/targets.md.
+# What operations take on small processors: generator/cost/measured.lua and the tables of docs/targets.md.
 target-costs: $(PROGRAM) $(BUILD)/lua/polhode_rational.so
-	@$(LUA) tests/target/costs.lua $(PROGRAM) $(BUILD)/target generator/plan/measured.lua docs/targets.md
+	@$(LUA) tests/target/costs.lua $(PROGRAM) $(BUILD)/target generator/cost/measured.lua docs/targets.md
 
 # One body through the whole chain; each step shows the command that makes it.
 DEMO = bodies/brick.lua

@@ -124,7 +124,7 @@ function driver.plan(job, options)
   return job
 end
 
--- Header and source of a planned job: what generator/plan/ops.lua counts, kept in the job.
+-- Header and source of a planned job: what generator/cost/ops.lua counts, kept in the job.
 function driver.code(job)
   if not job.code then
     local header, source = project.code(job)

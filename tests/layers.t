@@ -21,11 +21,12 @@ local ARROWS = {
   methods = { "algebra", "dynamics" },
   ir = { "algebra", "polhode_rational" },
   emit = { "algebra", "ir", "dynamics" }, -- dynamics: the free top with many digits, for constants and expected states
-  plan = { "algebra", "dynamics", "methods", "ir" },
-  -- dynamics: equations with an effect left out; plan: what functions cost
-  report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw", "plan" },
-  driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report" },
-  commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "plan", "report",
+  plan = { "algebra", "dynamics", "methods", "ir", "cost" },
+  cost = {}, -- operations counted in text that was made, and what they take
+  -- dynamics: equations with an effect left out; cost: of functions
+  report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw", "cost" },
+  driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report" },
+  commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan", "report",
     "driver", "interchange" },
   main = { "commands", "driver", "diag" },
 }

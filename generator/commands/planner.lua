@@ -9,7 +9,7 @@ local driver = require "generator.driver"
 local candidates = require "generator.plan.candidates"
 local decision = require "generator.plan.decision"
 local plan = require "generator.plan.plan"
-local targets = require "generator.plan.targets"
+local targets = require "generator.cost.targets"
 
 local planner = {}
 

@@ -14,7 +14,7 @@ local err = require "generator.plan.error"
 local ladder = require "generator.plan.ladder"
 local methods = require "generator.methods.list"
 local numeric = require "generator.dynamics.numeric"
-local ops = require "generator.plan.ops"
+local ops = require "generator.cost.ops"
 local reference = require "generator.plan.reference"
 
 local study = {}

@@ -280,7 +280,7 @@ local function code(job)
   return render "templates/scene.h", render "templates/scene.c", v, ctx
 end
 
--- The texts of header and source alone: what plan/ops.lua counts.
+-- The texts of header and source alone: what cost/ops.lua counts.
 function project.code(job)
   local header, text = code(job)
   return header, text

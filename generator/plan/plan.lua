@@ -6,10 +6,10 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local candidates = require "generator.plan.candidates"
-local ops = require "generator.plan.ops"
+local ops = require "generator.cost.ops"
 local search = require "generator.plan.search"
 local states = require "generator.plan.states"
-local targets = require "generator.plan.targets"
+local targets = require "generator.cost.targets"
 local trial = require "generator.plan.trial"
 local methods = require "generator.methods.list"
 

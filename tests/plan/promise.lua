@@ -12,10 +12,10 @@ local host, args = ...
 local driver = require "generator.driver"
 local planner = require "generator.commands.planner"
 local candidates = require "generator.plan.candidates"
-local ops = require "generator.plan.ops"
+local ops = require "generator.cost.ops"
 local plan = require "generator.plan.plan"
 local states = require "generator.plan.states"
-local targets = require "generator.plan.targets"
+local targets = require "generator.cost.targets"
 local trial = require "generator.plan.trial"
 
 local file, real, methods, count = args[1], args[2], args[3], math.tointeger(args[4])

@@ -10,8 +10,8 @@ local json = require "tests.json"
 local scene = require "tests.scene"
 local costs = require "generator.report.costs"
 local explain = require "generator.report.explain"
-local ops = require "generator.plan.ops"
-local targets = require "generator.plan.targets"
+local ops = require "generator.cost.ops"
+local targets = require "generator.cost.targets"
 
 local function planned(real)
   return scene.plan(scene.file "bodies/brick_centroid.lua", { real = real, methods = { "rk4", "semi", "exact" } })

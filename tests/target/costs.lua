@@ -1,7 +1,7 @@
 -- costs.lua -- what floating point costs on small processors: counted, fitted, written down.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     lua5.4 tests/target/costs.lua PROGRAM DIRECTORY [generator/plan/measured.lua docs/targets.md]
+--     lua5.4 tests/target/costs.lua PROGRAM DIRECTORY [generator/cost/measured.lua docs/targets.md]
 --
 -- Counts, under the emulators of cores.lua, each operation and function of the C library on 16 pairs of operands
 -- (costs.c), then what emitted steppers and closed forms of three scenes execute (steps.c).  From that it fits two
@@ -16,7 +16,7 @@ local program, dir, lua_file, doc_file = arg[1], arg[2], arg[3], arg[4]
 local cores = require "tests.target.cores"
 local scene = require "tests.scene"
 local driver = require "generator.driver"
-local ops = require "generator.plan.ops"
+local ops = require "generator.cost.ops"
 
 local missing = cores.missing(cores.list)
 if #missing > 0 then
@@ -166,7 +166,7 @@ end
 local function as_lua()
   local out = { "-- measured.lua -- what operations take on small processors, by `make target-costs`: do not edit.",
     "-- SPDX-License-Identifier: GPL-3.0-or-later", "--",
-    "-- Instructions an operation or function, on AVR cycles; part, mem, cycles: see generator/plan/targets.lua.", "",
+    "-- Instructions an operation or function, on AVR cycles; part, mem, cycles: see generator/cost/targets.lua.", "",
     "return {" }
   for _, core in ipairs(cores.list) do
     out[#out + 1] = string.format("  [%q] = {", core.name)

@@ -8,11 +8,11 @@
 -- counts: {add, mul, div, sqrt, call} of the whole, and besides, for what a processor takes: fma, cmp (comparisons),
 -- conv and conv64 (conversions from and to integers), long (operations on integers of 64 bits), mem (numbers in
 -- memory), calls (name -> how many of `call`).  Exact where no branch depends on the numbers, else the largest but for
--- what the code calls rare (generator/plan/tally.lua); options.least: the cheapest instead.  For a processor without
+-- what the code calls rare (generator/cost/tally.lua); options.least: the cheapest instead.  For a processor without
 -- fused multiplication and addition, as portable C is; options.fma: with it.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local tally = require "generator.plan.tally"
+local tally = require "generator.cost.tally"
 
 local ops = {}
 

@@ -1,16 +1,16 @@
 -- targets.lua -- what operations cost on the processors that emitted code is made for: estimates, said to be such.
 --
 --     targets.list                             names, in order; targets.default
---     targets.cost(target, real, counts)       cycles of what plan/ops.lua counted
+--     targets.cost(target, real, counts)       cycles of what cost/ops.lua counted
 --     targets.instructions(target, real, counts)   instructions; nil where none were counted (x86-64, avr)
 --     targets.fma(target, real)                has it fused multiplication and addition in the type?  (for ops.of)
 -- Instructions: the sum over the operations of what each was counted to take, times `part`, and `mem` for each number
--- in memory; both are fitted to emitted code (plan/measured.lua; `make target-costs` remakes it).  Cycles: by the
+-- in memory; both are fitted to emitted code (cost/measured.lua; `make target-costs` remakes it).  Cycles: by the
 -- makers' tables below, memory without wait states; so they are near what a small core takes, and below what it takes
 -- from slow flash.  docs/targets.md shows predicted against counted.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local measured = require "generator.plan.measured"
+local measured = require "generator.cost.measured"
 
 local targets = { default = "x86-64",
   list = { "x86-64", "cortex-m0", "cortex-m3", "cortex-m4f", "cortex-m7", "rv32imac", "rv32imafc", "avr" } }

@@ -1,14 +1,14 @@
 -- tally.lua -- how many operations a function of the emitted C does, counted on its text.
 --
--- The text is read by generator/plan/reading.lua, only the functions that are asked for and what they call.  Integers
+-- The text is read by generator/cost/reading.lua, only the functions that are asked for and what they call.  Integers
 -- that do not depend on the numbers (loops, orders, indices) are followed exactly.  Where the numbers decide, the
 -- costlier branch is counted; so a count is exact where no branch depends on the numbers, else the largest.  Two
 -- comments in templates say what no bound would tell: after the brace of a loop `some 8 times`, for loops that
 -- converge, and after that of a branch `rare`, which is not counted.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local reading = require "generator.plan.reading"
-local tokens = require "generator.plan.tokens"
+local reading = require "generator.cost.reading"
+local tokens = require "generator.cost.tokens"
 
 local tally = {}
 

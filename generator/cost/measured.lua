@@ -1,7 +1,7 @@
 -- measured.lua -- what operations take on small processors, by `make target-costs`: do not edit.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- Instructions an operation or function, on AVR cycles; part, mem, cycles: see generator/plan/targets.lua.
+-- Instructions an operation or function, on AVR cycles; part, mem, cycles: see generator/cost/targets.lua.
 
 return {
   ["cortex-m0"] = {

@@ -1,5 +1,5 @@
 #!/usr/bin/env lua5.4
--- ops.t - the operations that generator/plan/ops.lua counts are those that the emitted code does.
+-- ops.t - the operations that generator/cost/ops.lua counts are those that the emitted code does.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- The oracle: the emitted C, read as C++ with a number that counts (counted.h) in the place of NAME_real, is compiled,
@@ -13,7 +13,7 @@ local tap = require "tests.tap"
 local scene = require "tests.scene"
 local program = require "tests.cli.program"
 local driver = require "generator.driver"
-local ops = require "generator.plan.ops"
+local ops = require "generator.cost.ops"
 local methods = require "generator.methods.list"
 
 local dir = program.directory()
@@ -44,7 +44,7 @@ local function run(job, tag, calls, fma)
   program.write(dir .. "/" .. name .. ".h", changed(job.code.header))
   program.write(dir .. "/" .. tag .. ".c", changed(job.code.source))
   program.write(dir .. "/" .. tag .. ".main.cc", table.concat(text, "\n"))
-  local pipe = assert(io.popen(string.format("cd %s && g++ -std=c++11 -w -O0 -I%s/tests/plan %s %s.main.cc " ..
+  local pipe = assert(io.popen(string.format("cd %s && g++ -std=c++11 -w -O0 -I%s/tests/cost %s %s.main.cc " ..
     "-o %s.run -lm 2>&1 && ./%s.run", dir, os.getenv "PWD", fma and "-DFP_FAST_FMA -DFP_FAST_FMAF" or "", tag, tag,
     tag)))
   local out, text_out = {}, {}

@@ -10,8 +10,8 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local tap = require "tests.tap"
 local scene = require "tests.scene"
 local driver = require "generator.driver"
-local ops = require "generator.plan.ops"
-local targets = require "generator.plan.targets"
+local ops = require "generator.cost.ops"
+local targets = require "generator.cost.targets"
 
 local REALS = { "float", "double" }
 local PLAIN = { "add", "mul", "div", "sqrt", "fma", "cmp", "conv", "conv64", "long" }

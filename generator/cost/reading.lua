@@ -14,8 +14,8 @@
 -- mem: numbers read from or written to arrays and structures behind a pointer.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local parser = require "generator.plan.expressions"
-local tokens = require "generator.plan.tokens"
+local parser = require "generator.cost.expressions"
+local tokens = require "generator.cost.tokens"
 
 local reading = { integer = parser.INT }
 

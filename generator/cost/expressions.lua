@@ -1,7 +1,7 @@
--- expressions.lua -- the expressions of emitted C, for generator/plan/reading.lua, whose head says what they become.
+-- expressions.lua -- the expressions of emitted C, for generator/cost/reading.lua, whose head says what they become.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local tokens = require "generator.plan.tokens"
+local tokens = require "generator.cost.tokens"
 
 local combine, number_of = tokens.combine, tokens.number_of
 

@@ -1,4 +1,4 @@
--- tokens.lua -- what generator/plan/reading.lua reads C with: its tokens, and integers that may be known.
+-- tokens.lua -- what generator/cost/reading.lua reads C with: its tokens, and integers that may be known.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local tokens = {}
