@@ -17,10 +17,9 @@ usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method r
        polhode check   SCENE... [--real double|float]
        polhode bench   SCENE [--method M,...] [--accuracy E] [--until T] [--no-closed] [--no-peers] [--all]
                              [--format text|csv|markdown] [-o DIR] [--set a=0.3 ...]
-       (--set NAME=NUMBER: in the parameter's own unit)
        polhode chart   SCENE --over A=LOW:HIGH,B=LOW:HIGH [--axis x|y|z|0|1|2] [--dissipation] [-o FILE.svg]
+                             [--set a=0.3 ...]   (NAME=NUMBER, in the parameter's own unit)
        polhode chart   SCENE --linearised [-o FILE.svg]
-                             [--set a=0.3 ...]
        polhode mesh    FILE [--kind volume|surface|wires] [--units mm] [--mass "2 kg" | --density "2.7 g/cm^3"]
                              [--format text|json]
        polhode links   FILE             (URDF, MJCF, SDF: can each link's inertial exist?)
