@@ -303,7 +303,8 @@ function taylor.program(eq, options)
   local program, why = laid_out(groups, moving, varying, order)
   if not program then return nil, why end
   program.knots, program.axis, program.spin, program.shift = knots, axis, spin, shift
-  program.top = axis == 3 and #knots == 0 and heavy(eq, Omega, moving) or nil
+  -- Lame's equation has the motion of unit quaternions; the derivatives by q are also those across |q| = 1
+  program.top = axis == 3 and #knots == 0 and not options.jacobians and heavy(eq, Omega, moving) or nil
   if options.jacobians then
     program.transition, why = tangent(eq, straightened(eq, eq.groups), moving, order)
     if not program.transition then return nil, why end
