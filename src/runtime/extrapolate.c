@@ -36,6 +36,15 @@ static int midpoint(stepper *s, const ph_wide x[], ph_wide H, int n, ph_wide out
   return wide_fits(states, now) ? PH_OK : PH_ERANGE;
 }
 
+/* What own state i is a part of: a wheel's speed counts from the body's, so at rest beside it the
+   speed is known to the rounding of w and no better. */
+static ph_wide beside(const ph_top *top, const ph_wide x[], int i) {
+  for (int k = 0; k < top->acts.n && top->effects & PH_WHEEL; k++)
+    if (top->acts.list[k].kind == PH_WHEEL && acts_place(top, k) == i)
+      return step_size(3, x + 4);
+  return 0;
+}
+
 /* Largest component of e relative to the state's: |q| = 1, w, r and v by their size, own states
    each by its own. */
 static ph_wide relative(const ph_top *top, const ph_wide x[], const ph_wide d[],
@@ -45,6 +54,8 @@ static ph_wide relative(const ph_top *top, const ph_wide x[], const ph_wide d[],
   for (int i = 4; i < n; i += i < shared ? 3 : 1) {
     const int width = i < shared ? 3 : 1;
     size = step_size(width, x + i) + step_size(width, d + i);
+    if (i >= shared)
+      size += beside(top, x, i);
     if (size > 0)
       worst = fmaxl(worst, step_size(width, e + i) / size);
   }

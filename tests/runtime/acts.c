@@ -244,6 +244,15 @@ static void wheels(void) {
   near(E1 / E0 - 1, 0, 16 * DBL_EPSILON, "and the energy");
   ph_top_without(&top, PH_WHEEL);
   ok(ph_top_states(&top) == 7, "switched off, their states are gone");
+  /* A wheel along the axis of a symmetric body: its rate is a sum that vanishes but for rounding.
+   */
+  ph_top even = body(0.3, 0.3, 0.1);
+  const double z[3] = {0, 0, 1};
+  double rest[8] = {1, 0, 0, 0, 1, 0.3, 2, 0};
+  CHECK(ph_top_wheel(&even, z, 0.01, free_wheel, 1) == PH_OK);
+  CHECK(go(&even, 10, rest) == PH_OK);
+  near(rest[6] - 2, 0, 8 * DBL_EPSILON, "a wheel at rest stays beside the body: w3");
+  near(rest[7], 0, 8 * DBL_EPSILON, "and its speed");
 }
 
 /* ---- the user's own ---- */
