@@ -185,35 +185,6 @@ $(BUILD)/bench/top: tests/bench/top.c $(TOP_OBJ) $(LIBRARY)
 $(BUILD)/bench/rhs: tests/bench/rhs.c $(BUILD)/bench/heavy_top.o $(LIBRARY)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -I$(BUILD)/bench -o $@ $^ $(GSL_LIBS) -lm
 
-# Taylor series of several orders, as emitted and for this machine
-TAYLOR := $(BUILD)/bench/taylor
-TAYLOR_HOST = -O2 -march=native -ffp-contract=fast
-TAYLOR_CASES := $(foreach o,12 16 20 24,$(foreach s,box top,$(s)$(o) $(s)$(o)_host))
-
-$(TAYLOR)/box%.lua: bodies/tumbling_box.lua
-	@mkdir -p $(@D)
-	@sed 's/"tumbling_box"/"box$*"/' $< > $@
-
-$(TAYLOR)/top%.lua: bodies/nodding_top.lua
-	@mkdir -p $(@D)
-	@sed 's/"nodding_top"/"top$*"/' $< > $@
-
-$(TAYLOR)/%.c: $(TAYLOR)/%.lua $(PROGRAM)
-	@$(PROGRAM) gen --method taylor,rk4,adaptive,split4,split6 --order $(patsubst box%,%,$(patsubst top%,%,$(*:_host=))) $< -o $(@D) > $@.log
-
-$(TAYLOR)/%_host.o: $(TAYLOR)/%_host.c
-	$(CC) -std=c99 $(TAYLOR_HOST) -D$(shell echo $* | tr a-z A-Z)_HOST_VECTOR -c -o $@ $<
-
-$(TAYLOR)/%.o: $(TAYLOR)/%.c
-	$(CC) -std=c99 -O2 -ffp-contract=off -c -o $@ $<
-
-$(TAYLOR)/bench: tests/bench/taylor.c $(TAYLOR_CASES:%=$(TAYLOR)/%.o) $(LIBRARY)
-	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -I$(TAYLOR) -o $@ $^ $(GSL_LIBS) -lm
-
-.PHONY: bench-taylor
-bench-taylor: $(TAYLOR)/bench
-	@$<
-
 $(BUILD)/bench/mesh: tests/bench/mesh.c tests/mesh_files.h $(LIBRARY)
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) -Isrc/runtime -Itests -o $@ $< $(LIBRARY) $(GSL_LIBS) -lmpfr -lgmp -lm
@@ -224,12 +195,11 @@ $(BUILD)/bench/gen: tests/bench/gen.c
 
 BODIES = $(sort $(wildcard bodies/*.lua))
 
-.PRECIOUS: $(BUILD)/bench/%.c $(TAYLOR)/%.lua $(TAYLOR)/%.c
-bench: all $(BUILD)/bench/step $(BUILD)/bench/rhs $(BUILD)/bench/top $(TAYLOR)/bench $(BUILD)/bench/gen $(BUILD)/bench/mesh
+.PRECIOUS: $(BUILD)/bench/%.c
+bench: all $(BUILD)/bench/step $(BUILD)/bench/rhs $(BUILD)/bench/top $(BUILD)/bench/gen $(BUILD)/bench/mesh
 	@$(BUILD)/bench/step
 	@$(BUILD)/bench/rhs
 	@$(BUILD)/bench/top
-	@$(TAYLOR)/bench
 	@$(BUILD)/bench/gen $(PROGRAM) $(BUILD)/bench/out $(BODIES)
 	@$(BUILD)/bench/mesh $(BUILD)/bench/mesh.stl
 	@$(MAKE) --no-print-directory accuracy

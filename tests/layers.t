@@ -26,8 +26,8 @@ local ARROWS = {
   -- dynamics: equations with an effect left out; cost: of functions
   report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw", "cost" },
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report" },
-  commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan", "report",
-    "driver", "interchange" },
+  commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan",
+    "report", "driver", "interchange" },
   main = { "commands", "driver", "diag" },
 }
 
