@@ -26,9 +26,10 @@ static ${midpoint_finish_head}
 %% end
 }
 
-void ${name}_midpoint_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
+/* The rate in the middle of the step, by Newton's method from that at its start. */
+static void ${name}_midpoint_solve(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real mid[3])
 {
-  ${name}_real mid[3], next[3];
+  ${name}_real next[3];
   int k;
 
   mid[0] = x[${upper}_WX];
@@ -42,6 +43,13 @@ void ${name}_midpoint_step(const ${name}_model *m, ${name}_real t, ${name}_real 
     mid[1] = next[1];
     mid[2] = next[2];
   }
+}
+
+void ${name}_midpoint_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
+{
+  ${name}_real mid[3];
+
+  ${name}_midpoint_solve(m, t, x, u, h, mid);
   ${name}_midpoint_finish(m, t, x, u, h, mid);
 }
 %% if midpoint_transition then
@@ -60,20 +68,9 @@ static ${midpoint_tangent_head}
 
 void ${name}_midpoint_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[])
 {
-  ${name}_real mid[3], next[3];
-  int k;
+  ${name}_real mid[3];
 
-  mid[0] = x[${upper}_WX];
-  mid[1] = x[${upper}_WY];
-  mid[2] = x[${upper}_WZ];
-  for (k = 0; k < ${midpoint_count}; k++) {
-    ${name}_midpoint_newton(m, t, x, u, h, mid, next);
-    /* a singular Jacobian, h far too large: x - x is not 0 for what is not finite */
-    if (!((next[0] - next[0]) + (next[1] - next[1]) + (next[2] - next[2]) == ${zero})) break;
-    mid[0] = next[0];
-    mid[1] = next[1];
-    mid[2] = next[2];
-  }
+  ${name}_midpoint_solve(m, t, x, u, h, mid);
   ${name}_midpoint_tangent(m, t, x, u, h, mid, F);
   ${name}_midpoint_finish(m, t, x, u, h, mid);
 }

@@ -9,6 +9,7 @@
 package.path = "./?.lua;" .. package.path
 
 local report = require "generator.report.bench"
+local files = require "tests.cli.program"
 
 local program, dir, page = arg[1], arg[2], arg[3]
 
@@ -31,19 +32,6 @@ local bars = {
   { scene = "nodding_top", title = "B, closed form forbidden", want = { 3.5, 5, 9, 12 },
     groups = { "portable", "host" } },
 }
-
-local function read(path)
-  local file = assert(io.open(path, "rb"))
-  local text = file:read("a")
-  file:close()
-  return text
-end
-
-local function write(path, text)
-  local file = assert(io.open(path, "wb"))
-  assert(file:write(text))
-  file:close()
-end
 
 local function shell(...) return os.execute(string.format(...)) end
 
@@ -135,11 +123,11 @@ local function measured(s)
     if string.sub(line, 1, 2) ~= "- " then break end
     preface[#preface + 1] = line
   end
-  s.noise = string.match(read(file .. ".err"), "warning: (the machine[^\n]*)")
+  s.noise = string.match(files.read(file .. ".err"), "warning: (the machine[^\n]*)")
   s.rows = rows_of(file .. ".csv")
   local folder = string.gsub(page, "%.md$", "")
   assert(shell("mkdir -p %s", folder))
-  write(folder .. "/" .. s.name .. ".svg", read(file .. ".svg"))
+  files.write(folder .. "/" .. s.name .. ".svg", files.read(file .. ".svg"))
   return table.concat(preface, "\n") .. (s.noise and "\n- " .. s.noise or "") .. "\n\n" .. table_of(s.rows)
 end
 
@@ -147,11 +135,11 @@ end
 
 -- The page is read and written anew each time: what was measured stays, whatever happens to the next scene.
 local function fill(mark, what)
-  local text = read(page)
+  local text = files.read(page)
   local a, b = string.format("<!-- %s -->\n", mark), string.format("<!-- end of %s -->", mark)
   local from, to = string.find(text, a, 1, true), string.find(text, b, 1, true)
   assert(from and to, page .. " must have the marks of " .. mark)
-  write(page, string.sub(text, 1, from + #a - 1) .. "\n" .. what .. "\n" .. string.sub(text, to))
+  files.write(page, string.sub(text, 1, from + #a - 1) .. "\n" .. what .. "\n" .. string.sub(text, to))
 end
 
 local function bars_table(by_name)

@@ -5,6 +5,10 @@
 -- prints the tables, and puts them between the two marks of the page.  drift.c measures.  A stepper that a scene
 -- refuses is left out of its table; one that is new is in it at 32 steps a revolution.
 
+package.path = "./?.lua;" .. package.path
+
+local files = require "tests.cli.program"
+
 local program, dir, turns, page = arg[1], arg[2], tonumber(arg[3]), arg[4]
 
 local scenes = {
@@ -18,19 +22,6 @@ local scenes = {
 }
 
 local steps = { rk4 = 64, split2 = 32, split4 = 8, split6 = 8, midpoint = 64, semi = 64 }
-
-local function read(path)
-  local file = assert(io.open(path, "rb"))
-  local text = file:read("a")
-  file:close()
-  return text
-end
-
-local function write(path, text)
-  local file = assert(io.open(path, "wb"))
-  assert(file:write(text))
-  file:close()
-end
 
 local function shell(...) return os.execute(string.format(...)) end
 
@@ -51,17 +42,17 @@ end
 
 local function measured(s)
   local path = dir .. "/top.lua"
-  write(path, 'return scene { name = "top", ' .. s.text .. " }\n")
+  files.write(path, 'return scene { name = "top", ' .. s.text .. " }\n")
   local names, rows = taken(path), {}
   assert(shell("%s gen %s --method %s -o %s > %s/log", program, path, table.concat(names, ","), dir, dir))
-  local header = read(dir .. "/top.h")
+  local header = files.read(dir .. "/top.h")
   for i, name in ipairs(names) do
     local runs = string.find(header, "top_" .. name .. "_run(", 1, true)
     local step = string.find(header, "top_" .. name .. "_step(", 1, true) and "top_" .. name .. "_step" or "top_step"
     rows[i] = string.format('{"%s", %d, %s, %s},\n', name, runs and 0 or steps[name] or 32, step,
       runs and "top_" .. name .. "_run" or "NULL")
   end
-  write(dir .. "/steppers.h", table.concat(rows))
+  files.write(dir .. "/steppers.h", table.concat(rows))
   assert(shell("cc -std=c11 -O2 -DMOMENTUM=%d -I%s tests/bench/drift.c %s/top.c -o %s/drift -lm", s.momentum, dir, dir,
     dir))
   local out = {}
@@ -86,8 +77,8 @@ end
 text = table.concat(text, "\n")
 io.stdout:write(text)
 if page then
-  local old = read(page)
+  local old = files.read(page)
   local a, b = string.find(old, "<!-- drift -->\n", 1, true), string.find(old, "<!-- end of drift -->", 1, true)
   assert(a and b, page .. " must have both marks")
-  write(page, string.sub(old, 1, a - 1) .. "<!-- drift -->\n\n" .. text .. "\n" .. string.sub(old, b))
+  files.write(page, string.sub(old, 1, a - 1) .. "<!-- drift -->\n\n" .. text .. "\n" .. string.sub(old, b))
 end
