@@ -48,7 +48,7 @@ static void ${name}_split_along(${name}_real x[], const ${name}_real p[3], ${nam
 }
 
 %%     end
-%%     if split_full then
+%%     if split_full or split_oblique then
 /* About the axis k, a unit vector, by twice the angle a, in the sense of ${name}_split_along; 1 - cos is added apart, so
  * that the length of w does not creep. */
 static void ${name}_split_about(${name}_real x[], const ${name}_real k[3], ${name}_real a)
@@ -72,6 +72,8 @@ static void ${name}_split_about(${name}_real x[], const ${name}_real k[3], ${nam
   w[2] -= ${two}*(e[0]*f[1] - e[1]*f[0]);
 }
 
+%%     end
+%%     if split_full then
 /* What the drift needs of the tensor, into the model; 1 if it is not finite. */
 static int ${name}_split_setup(${name}_model *m)
 {
@@ -272,28 +274,14 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
 %%   if split_oblique then
   const ${name}_real k[3] = {${split_kx}, ${split_ky}, ${split_kz}};
   const ${name}_real spin = ${split_c}*(k[0]*w[0] + k[1]*w[1] + k[2]*w[2]) + ${split_h};
-  ${name}_real e[3], f[3], c, s;
-  int i;
 %%     if split_attitude then
   ${name}_real p[3];
+  int i;
 
   for (i = 0; i < 3; i++) p[i] = w[i] + spin*k[i];
   ${name}_split_along(x, p, tau);
 %%     end
-
-  for (i = 0; i < 3; i++) e[i] = -${half}*tau*(spin*k[i]);
-  ${name}_split_half(e[0]*e[0] + e[1]*e[1] + e[2]*e[2], &c, &s);
-  for (i = 0; i < 3; i++) e[i] *= s;
-%%     if split_attitude then
-  ${name}_split_turn(x, c, e);
-%%     end
-  /* w -= 2 e x (c w - e x w) */
-  f[0] = c*w[0] - (e[1]*w[2] - e[2]*w[1]);
-  f[1] = c*w[1] - (e[2]*w[0] - e[0]*w[2]);
-  f[2] = c*w[2] - (e[0]*w[1] - e[1]*w[0]);
-  w[0] -= ${two}*(e[1]*f[2] - e[2]*f[1]);
-  w[1] -= ${two}*(e[2]*f[0] - e[0]*f[2]);
-  w[2] -= ${two}*(e[0]*f[1] - e[1]*f[0]);
+  ${name}_split_about(x, k, -${half}*tau*spin);
   (void)m;
 %%   end
 %%   if split_sphere then
