@@ -48,7 +48,8 @@ function jacobi.precise(e, bits)
   return d, v
 end
 
--- I: {xx, yy, zz, xy, xz, yz}, rationals or finite doubles.  Returns {m1, m2, m3} and {axis1, axis2, axis3}, doubles.
+-- I: {xx, yy, zz, xy, xz, yz}, rationals or finite doubles.  Returns {m1, m2, m3} and {axis1, axis2, axis3}, doubles,
+-- and the moments before they are rounded to doubles.
 function jacobi.run(I)
   local e = {}
   for n = 1, 6 do e[n] = R.round(R.is(I[n]) and I[n] or R.fromdouble(I[n]), 128) end
@@ -62,7 +63,7 @@ function jacobi.run(I)
       end
     end
   end
-  local sorted, axes = {}, {}
+  local sorted, axes, precise = {}, {}, {}
   for n, i in ipairs(order) do
     local a = {}
     for k = 1, 3 do a[k] = R.todouble(v[i][k]) end
@@ -76,9 +77,9 @@ function jacobi.run(I)
       even = not even
       for k = 1, 3 do a[k] = 0.0 - a[k] end -- no negative zero
     end
-    sorted[n], axes[n] = moments[i], a
+    sorted[n], axes[n], precise[n] = moments[i], a, d[i]
   end
-  return sorted, axes
+  return sorted, axes, precise
 end
 
 return jacobi

@@ -4,6 +4,7 @@
 -- principal axes are Jacobi's on the tensor's values; closed forms stand beside them where they exist.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
@@ -22,17 +23,18 @@ local words = {
   full = "asymmetric top, axes oblique to the body's",
 }
 
--- Omega1, Omega2 per unit spin about principal axis k (Landau, Lifshitz, section 37), and the verdict.
+-- Omega1, Omega2 per unit spin about principal axis k (Landau, Lifshitz, section 37), and the verdict; I: rationals,
+-- for differences of rounded moments have lost digits.
 local function stability(I)
   local list = {}
+  local function number(q) return R.todouble(R.round(q, 128)) end
   for k = 1, 3 do
     local i, j = k % 3 + 1, (k + 1) % 3 + 1
-    local o1, o2 = (I[k] - I[j]) / I[i], (I[k] - I[i]) / I[j]
-    local square = o1 * o2
-    local entry = { axis = k, moment = I[k], omega1 = o1, omega2 = o2, square = square }
-    if I[i] == 0 or I[j] == 0 then
-      entry.verdict, entry.omega1, entry.omega2, entry.square = "neutral", 0.0, 0.0, 0.0
-    else
+    local entry = { axis = k, moment = number(I[k]), verdict = "neutral", omega1 = 0.0, omega2 = 0.0, square = 0.0 }
+    if R.sign(I[i]) ~= 0 and R.sign(I[j]) ~= 0 then
+      local o1, o2 = (I[k] - I[j]) / I[i], (I[k] - I[i]) / I[j]
+      local square = number(o1 * o2)
+      entry.omega1, entry.omega2, entry.square = number(o1), number(o2), square
       entry.verdict = square > 0 and "stable" or square < 0 and "unstable" or "neutral"
       if square > 0 then entry.period = 2 * math.pi / math.sqrt(square) end
       if square < 0 then entry.growth = math.sqrt(-square) end
@@ -53,11 +55,13 @@ function facts.of(job)
   f.origin, f.origin_number = m.origin, doubles(m.origin)
   f.inertia, f.inertia_number = m.inertia, doubles(m.inertia)
   f.centroidal, f.centroidal_number = m.centroidal, doubles(m.centroidal)
-  f.moments, f.axes = jacobi.run(vec.map(m.inertia, function(e) return m:number(e) end))
+  local precise
+  f.moments, f.axes, precise = jacobi.run(vec.map(m.inertia, function(e) return m:number(e) end))
   local s = m.structure
   if s.kind == "symmetric" then -- equal moments are equal, whatever rounding made of them
-    local alpha, axial = m:double(s.alpha), m:double(s.axial)
-    f.moments = axial < alpha and { axial, alpha, alpha } or { alpha, alpha, axial }
+    local alpha, axial = m:number(s.alpha), m:number(s.axial)
+    precise = axial < alpha and { axial, alpha, alpha } or { alpha, alpha, axial }
+    f.moments = vec.map(precise, R.todouble)
   end
   f.closed_moments = principal.closed(m.inertia, m.structure)
   -- a root of a quadratic is written in the entries of the tensor, which are listed above it
@@ -67,7 +71,7 @@ function facts.of(job)
   f.is_central = m.com[1] == expr.zero and m.com[2] == expr.zero and m.com[3] == expr.zero
   f.structure = m.structure
   f.symmetry = m.structure.rod and "rod: no moment about its line" or words[m.structure.kind]
-  f.stability = stability(f.moments)
+  f.stability = stability(precise)
   f.closed = job.closed
   f.warnings = job.diag.warnings
   -- the same with symbols, for bodies whose principal axes are coordinate axes and whose moments all differ

@@ -192,4 +192,14 @@ for _, path in ipairs(bodies) do
   end
 end
 
+do -- the brick about its corner; roots of its characteristic cubic, by bisection with 60 digits
+  local pipe = assert(io.popen((os.getenv "POLHODE" or "build/polhode") .. " explain bodies/brick.lua"))
+  local text = pipe:read "a"
+  pipe:close()
+  for _, digits in ipairs { "Omega1 = -0.9654980288189445 w, Omega2 = -0.8489238103818718 w",
+    "Omega2 = -0.6463213136732373 w, growth rate 0.7407277180816859 w" } do
+    tap.ok(string.find(text, digits, 1, true), "differences of moments to the last digit: " .. digits)
+  end
+end
+
 tap.done()
