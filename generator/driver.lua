@@ -25,6 +25,7 @@ local methods = require "generator.methods.list"
 local costs = require "generator.report.costs"
 local derivation = require "generator.report.derivation"
 local number = require "generator.emit.number"
+local packages = require "generator.emit.packages.list"
 local project = require "generator.emit.project"
 
 local driver = { version = "0.1.0" }
@@ -70,7 +71,8 @@ local function steppers(job, options)
 end
 
 -- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
--- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool}
+-- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool,
+-- libm = "own" | "system" (the default: own in float)}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods
@@ -115,6 +117,7 @@ function driver.plan(job, options)
   job.stability = m.has.rates and stability.of(m) or nil
   job.functions = list
   job.real, job.command = options.real or "double", options.command
+  job.libm = options.libm or (job.real == "float" and "own" or "system")
   job.title, job.banner = derivation.title(job), derivation.banner(job)
   job.derivation = derivation.markdown(job)
   job.sheet = function(set_up)
@@ -161,6 +164,7 @@ end
 -- hold); plugin: also what the program itself loads.
 function driver.files(host, job, plugin)
   job.templates = host.templates
+  job.package = job.package or packages.by_name(packages.default)
   if not representable(job) then return nil end
   local ok, files = xpcall(project.files, function(e)
     return getmetatable(e) == number.out_of_range and e or debug.traceback(tostring(e), 2)

@@ -4,6 +4,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local options = require "generator.commands.options"
+local packages = require "generator.emit.packages.list"
 local planner = require "generator.commands.planner"
 local driver = require "generator.driver"
 local methods = require "generator.methods.list"
@@ -12,7 +13,8 @@ local shortest = require("generator.plan.decision").shortest
 local gen = {}
 
 gen.options = { ["-o"] = "text", ["--real"] = { "double", "float" }, ["--bake"] = false, ["--method"] = "words",
-  ["--order"] = "number", ["--accuracy"] = "number", ["--with"] = { "jacobians" },
+  ["--order"] = "number", ["--accuracy"] = "number", ["--with"] = { "jacobians", several = true },
+  ["--libm"] = { "own", "system" }, ["--project"] = packages.names,
   ["--set"] = "pair", ["--show"] = { "lower", "power", "fold", "cse", "dce", "order" } }
 gen.operands = { 1, 1 }
 
@@ -21,7 +23,13 @@ function gen.command(given)
   local parts = { "polhode gen", string.match(given[1], "[^/]*$") }
   if given.real == "float" then parts[#parts + 1] = "--real float" end
   if given.bake then parts[#parts + 1] = "--bake" end
-  if given.with then parts[#parts + 1] = "--with " .. given.with end
+  if given.libm then parts[#parts + 1] = "--libm " .. given.libm end
+  if given.with then
+    local list = {}
+    for _, word in ipairs(gen.options["--with"]) do list[#list + 1] = given.with[word] and word or nil end
+    parts[#parts + 1] = "--with " .. table.concat(list, ",")
+  end
+  if given.project then parts[#parts + 1] = "--project " .. given.project end
   if given.accuracy then parts[#parts + 1] = "--accuracy " .. shortest(given.accuracy) end
   if given.order then parts[#parts + 1] = string.format("--order %d", given.order) end
   if given.method then parts[#parts + 1] = "--method " .. table.concat(given.method, ",") end
@@ -95,7 +103,7 @@ function gen.run(host, given)
     real, chosen, order = decision.real, { decision.method }, decision.order
   end
   if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen, order = order,
-    jacobians = given.with == "jacobians" }) then
+    jacobians = given.with ~= nil and given.with.jacobians, libm = given.libm }) then
     return options.refuse(host, given[1], job.diag)
   end
   job.planned = decision
@@ -103,8 +111,18 @@ function gen.run(host, given)
     host.out(driver.show(host, job, given.show))
     return 0
   end
+  local package = packages.by_name(given.project or packages.default)
+  if package.check and not package.check(job) then return options.refuse(host, given[1], job.diag) end
+  job.package = package
   local files = driver.files(host, job)
   if not files then return options.refuse(host, given[1], job.diag) end
+  if package.finish then
+    files, why = package.finish(host, job, files)
+    if not files then
+      host.err("polhode gen: " .. why .. "\n")
+      return 2
+    end
+  end
   local dir = given.o or job.model.name
   local ok, written = host.write_files(dir, files)
   if not ok then

@@ -1,8 +1,9 @@
 -- options.lua -- reads a command's options and operands against its declaration.
 --
 -- A declaration is {["--real"] = {"double", "float"}, ["--bake"] = false, ["--step"] = "number", ["--set"] = "pair"}:
--- a list of words, a flag, or the kind of value: text, number, numbers (comma list), words (comma list), pair
--- (name=value, repeatable).  -o DIR and --name=value are understood.  The result maps names without dashes.
+-- a list of words (with several = true: any of them, commas between; the result is also a set), a flag, or the kind of
+-- value: text, number, numbers (comma list), words (comma list), pair (name=value, repeatable).  -o DIR and
+-- --name=value are understood.  The result maps names without dashes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -58,10 +59,14 @@ function options.parse(declared, operands, args)
           if not value then return nil, name .. " needs a value" end
         end
         if type(kind) == "table" then
-          local known = false
-          for _, w in ipairs(kind) do known = known or w == value end
-          if not known then return nil, name .. " must be " .. table.concat(kind, " or ") .. ", got " .. value end
-          out[key] = value
+          local chosen = kind.several and split(value) or { value }
+          for _, word in ipairs(chosen) do
+            local known = false
+            for _, w in ipairs(kind) do known = known or w == word end
+            if not known then return nil, name .. " must be " .. table.concat(kind, " or ") .. ", got " .. word end
+            chosen[word] = true
+          end
+          out[key] = kind.several and chosen or value
         elseif kind == "pair" then
           local k, v = string.match(value, "^(%a[%w_]*)=(.+)$")
           if not k or not R.parse(v) then return nil, name .. " must be NAME=NUMBER, got " .. value end

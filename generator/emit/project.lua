@@ -286,8 +286,8 @@ function project.code(job)
   return header, text
 end
 
--- The list of files {name, text}.  plugin: also the table that the program polhode loads; plugin = {peers = true}: with
--- what other integrators need, if the scene is in double.
+-- The list of files {name, text} of the package in job.package.  plugin: also the table that the program polhode
+-- loads; plugin = {peers = true}: with what other integrators need, if the scene is in double.
 function project.files(job, plugin)
   local header, text, v, ctx = code(job)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
@@ -299,15 +299,15 @@ function project.files(job, plugin)
     { name = n .. ".h", text = header },
     { name = n .. ".c", text = text },
     { name = n .. "_test.c", text = render "templates/test.c" },
-    { name = "Makefile", text = render "templates/Makefile" },
-    { name = "README.md", text = render "templates/README.md" },
   }
+  for _, f in ipairs(job.package.files(job, v, render)) do files[#files + 1] = f end
   if plugin then
     v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false
     if v.has_peers then files[#files + 1] = { name = "peers.c", text = render "templates/peers.c" } end
     files[#files + 1] = { name = "plugin.c", text = render "templates/plugin.c" }
     files[#files + 1] = { name = "plugin.h", text = job.templates["templates/plugin.h"] }
   end
+  if job.package.arrange then return job.package.arrange(files) end
   return files
 end
 

@@ -181,7 +181,7 @@ static int perform(struct job *job, const char *dir) {
   int good = make_directories(job, dir);
   for (int i = 0; good && i < job->items; i++) {
     struct item *item = &job->item[i];
-    const char *slash = strchr(item->name, '/');
+    const char *slash = strrchr(item->name, '/');
     if (slash != NULL) {
       char sub[PATH_MAX];
       snprintf(sub, sizeof sub, "%.*s", (int)(strlen(item->path) - strlen(slash)), item->path);
@@ -213,12 +213,16 @@ static int perform_undisturbed(struct job *job, const char *dir) {
   return good;
 }
 
-/* "a.c" or "sub/a.c": relative, one level at most, nothing hidden, no "..". */
+/* "a.c" or "sub/further/a.c": relative, nothing hidden, no "..". */
 static int good_name(const char *name) {
-  const char *slash = strchr(name, '/');
-  if (name[0] == '.' || name[0] == '\0' || name[0] == '/')
-    return 0;
-  return slash == NULL || (slash[1] != '.' && slash[1] != '\0' && strchr(slash + 1, '/') == NULL);
+  for (;;) {
+    if (name[0] == '.' || name[0] == '\0' || name[0] == '/')
+      return 0;
+    name = strchr(name, '/');
+    if (name == NULL)
+      return 1;
+    name++;
+  }
 }
 
 static struct job *new_job(lua_State *L, int items) {

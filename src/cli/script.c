@@ -105,22 +105,31 @@ static void add_embedded(lua_State *L) {
   }
 }
 
-void script_push_templates(lua_State *L) {
-  const char *dir = source_tree("templates/");
-  lua_newtable(L);
+/* The files of a folder of the source tree, those of folders in it left out; 0 if there is none.
+   The table is on top. */
+static int add_folder(lua_State *L, const char *dir, const char *folder) {
   const int top = lua_gettop(L);
-  if (dir == NULL || host_list_directory(L, lua_pushfstring(L, "%s/templates", dir), "") != 1) {
+  if (host_list_directory(L, lua_pushfstring(L, "%s/%s", dir, folder), "") != 1) {
     lua_settop(L, top);
-    add_embedded(L); /* also when the tree has none of its own */
-    return;
+    return 0;
   }
   const int list = lua_gettop(L);
   for (lua_Integer i = 1; lua_rawgeti(L, list, i) != LUA_TNIL; i++) {
-    const char *name = lua_pushfstring(L, "templates/%s", lua_tostring(L, -1));
+    const char *name = lua_pushfstring(L, "%s/%s", folder, lua_tostring(L, -1));
     lua_pushvalue(L, top);
     if (push_text(L, name))
       add_template(L, name);
     lua_settop(L, list);
   }
   lua_settop(L, top);
+  return 1;
+}
+
+void script_push_templates(lua_State *L) {
+  const char *dir = source_tree("templates/");
+  lua_newtable(L);
+  if (dir == NULL || !add_folder(L, dir, "templates"))
+    add_embedded(L); /* also when the tree has none of its own */
+  else
+    add_folder(L, dir, "templates/projects");
 }

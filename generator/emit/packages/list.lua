@@ -1,0 +1,15 @@
+-- list.lua -- the kinds of project that scenes are emitted as (gen --project), one file each.
+--
+-- A package is a table
+--     files(job, v, render) -> list   what stands beside NAME.h, NAME.c and NAME_test.c: {name =, text =}; v: the
+--                                     values that the templates were filled with; render(template) -> text
+--     arrange(files) -> files         optional: all files of the project, put where the kind wants them
+--     check(job) -> bool              optional: can the scene be such a project?  If not, with an error in job.diag
+--     finish(host, job, files)        optional: what needs the host (compiling); files | nil, what went wrong
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local list = { names = { "make" }, default = "make" }
+
+function list.by_name(name) return require("generator.emit.packages." .. name) end
+
+return list

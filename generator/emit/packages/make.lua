@@ -1,0 +1,11 @@
+-- make.lua -- the plain project: a Makefile and a README.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local make = {}
+
+function make.files(_, _, render)
+  return { { name = "Makefile", text = render "templates/Makefile" },
+    { name = "README.md", text = render "templates/README.md" } }
+end
+
+return make
