@@ -4,6 +4,7 @@
 #   make            the program build/polhode and the library build/libpolhode.a
 #   make demo       set up what is missing, build, and walk one body through the whole chain
 #   make check      set up what is missing, build, run every test
+#   make check-target   the emitted code on small processors under emulators, and proofs; `.ci/setup target` installs them
 #   make bench      build and run the measurements
 #   make accuracy   docs/accuracy.md and its diagrams, measured anew (some minutes)
 #   make install    PREFIX (default /usr/local), DESTDIR
@@ -59,7 +60,8 @@ RUNTIME_SRC := $(sort $(wildcard src/runtime/*.c))
 CLI_SRC     := $(sort $(wildcard src/cli/*.c))
 RATIONAL_SRC := $(sort $(wildcard src/cli/rational*.c))
 TEST_SRC    := $(sort $(wildcard tests/runtime/*.c))
-LUA_TESTS   := $(sort $(shell find tests -name '*.t'))
+TARGET_TESTS := $(sort $(wildcard tests/target/*.t))
+LUA_TESTS   := $(filter-out $(TARGET_TESTS),$(sort $(shell find tests -name '*.t')))
 
 RUNTIME_OBJ := $(RUNTIME_SRC:src/%.c=$(BUILD)/obj/%.o)
 CLI_OBJ     := $(CLI_SRC:src/%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/embedded.o
@@ -131,6 +133,10 @@ check:
 
 test: tests
 	@$(PROVE) $(C_TESTS) $(LUA_TESTS)
+
+# What runs on other processors, under emulators, and what is proven by Frama-C; a test says which package it lacks.
+check-target: all
+	@$(PROVE) $(TARGET_TESTS)
 
 sanitize:
 	@CC="$(CC)" .ci/setup build check
@@ -266,7 +272,7 @@ demo:
 # ---- lint ----
 
 C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(wildcard templates/plugin.h)
-LUA_FILES := $(sort $(shell find generator tests bodies src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS)
+LUA_FILES := $(sort $(shell find generator tests bodies src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS) $(TARGET_TESTS)
 
 lint: lint-lua lint-c lint-format
 
@@ -318,7 +324,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check test sanitize sanitized golden docs bench accuracy drift errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check check-target test sanitize sanitized golden docs bench accuracy drift errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

@@ -126,10 +126,12 @@ static int add_folder(lua_State *L, const char *dir, const char *folder) {
 }
 
 void script_push_templates(lua_State *L) {
+  static const char *const folders[] = {"templates/projects", "templates/target"};
   const char *dir = source_tree("templates/");
   lua_newtable(L);
   if (dir == NULL || !add_folder(L, dir, "templates"))
     add_embedded(L); /* also when the tree has none of its own */
   else
-    add_folder(L, dir, "templates/projects");
+    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++)
+      add_folder(L, dir, folders[i]);
 }
