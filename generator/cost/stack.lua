@@ -5,7 +5,7 @@
 --     stack.read(ci2, g)                  one more into the same graph
 --     stack.disassembly(text, nm, g)      what has no .ci: `objdump -d` and `nm` of a Thumb program, for C libraries
 --     for _, f in ipairs(stack.worst(g, known)) do ... end
--- A graph is {order = titles, nodes = title -> {name, public, place, bytes, kind, calls = titles}}.  gcc's frame has the
+-- A graph is {order = titles, nodes = title -> {name, public, place, bytes, kind, calls = titles}}.  The frame has the
 -- saved registers, and on x86 the return address; kind is gcc's word: static, dynamic (unbounded) or dynamic,bounded.
 -- worst: a list in the order of the text, each
 --     {name, public, place, bytes, path = names from it down to the deepest,

@@ -52,7 +52,7 @@ do
     "public or not, and its place")
   tap.is(joined(f.b_step.cycle) .. joined(f.b_step.dynamic) .. joined(f.b_step.indirect), "",
     "and nothing is against it")
-  tap.is(by_name(stack.worst(stack.read(CI), { sqrt = 30 })).b_step.bytes, 170, "with known bytes the deepest is another")
+  tap.is(by_name(stack.worst(stack.read(CI), { sqrt = 30 })).b_step.bytes, 170, "with known bytes another is deepest")
   tap.is(joined(f.b_twice.cycle), "b_twice", "a function that calls itself is a cycle")
   tap.is(joined(f.b_odd.cycle), "b_odd b_even", "so are two that call each other")
   tap.is(joined(f.b_uses.cycle), "b_odd b_even", "and who calls them inherits it")
