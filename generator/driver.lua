@@ -71,7 +71,8 @@ local function steppers(job, options)
 end
 
 -- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
--- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool,
+-- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool or
+-- "transition" (of the step alone),
 -- libm = "own" | "system" (the default: own in float)}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
@@ -102,7 +103,7 @@ function driver.plan(job, options)
   end
   put(quantities.jacobian(eq))
   if options.jacobians then
-    local more = sensitivity.list(job)
+    local more = sensitivity.list(job, options.jacobians)
     if not more then return nil end
     for _, f in ipairs(more) do put(f) end
   end

@@ -300,7 +300,9 @@ function project.files(job, plugin)
     { name = n .. ".c", text = text },
     { name = n .. "_test.c", text = render "templates/test.c" },
   }
-  for _, f in ipairs(job.package.files(job, v, render)) do files[#files + 1] = f end
+  local more = job.package.files(job, v, render)
+  if not more then return nil end -- with an error in job.diag
+  for _, f in ipairs(more) do files[#files + 1] = f end
   if plugin then
     v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false
     if v.has_peers then files[#files + 1] = { name = "peers.c", text = render "templates/peers.c" } end
