@@ -1,8 +1,8 @@
 -- samples.lua -- what a gyro of 16 bits would have read of the scene's own motion: the table of the firmware project.
 --
--- The motion is that of the emitted equations with many digits, integrated by the classical Runge-Kutta method: each
--- interval between two samples once in n steps and once in 2 n, and n is doubled until both agree to a 64th of the
--- gyro's last bit.  To each reading noise is added before it is rounded, the sum of twelve uniform numbers of a
+-- The motion is that of the emitted equations with many digits, integrated by the classical Runge-Kutta method: an
+-- interval between two samples in n steps, which is doubled until n/2 steps agree to an eighth of the gyro's last bit
+-- (the error of n steps is then a 128th).  To each reading noise is added before it is rounded, the sum of twelve uniform numbers of a
 -- fixed generator, so that the table is the same wherever it is made.  It also finds by how much one step of the
 -- scene's method changes what the motion conserves: what the firmware's watchdog must let pass.
 -- ABOVE the line: rationals, rounded to `bits`.
@@ -76,25 +76,26 @@ local function noise()
 end
 
 -- The states after every interval T: a list with the initial state at 0; nil if that takes too many steps.  Without lsb
--- with two steps each, unchecked.
+-- with two steps each, unchecked; else the first eight intervals and then every eighth are checked.
 local function motion(job, env, x, T, lsb)
-  local rhs, n, list, where = description(job, "rhs"), 1, { [0] = x }, {}
+  local rhs, n, list, where = description(job, "rhs"), 2, { [0] = x }, {}
   for i, s in ipairs(job.states) do where[s.name] = i end
   for k = 1, samples.count do
     local t = T * R.new(k - 1)
-    local coarse = integrate(job, rhs, env, t, x, T, lsb and n or 2)
-    while lsb do
-      local fine, agree = integrate(job, rhs, env, t, x, T, 2 * n), true
+    local fine = integrate(job, rhs, env, t, x, T, n)
+    local coarse = lsb and (k <= 8 or k % 8 == 0) and integrate(job, rhs, env, t, x, T, n // 2)
+    while coarse do
+      local agree = true
       for _, name in ipairs { "wx", "wy", "wz" } do
         local i = where[name]
-        agree = agree and R.abs(fine[i] - coarse[i]) * R.new(64) <= lsb
+        agree = agree and R.abs(fine[i] - coarse[i]) * R.new(8) <= lsb
       end
-      coarse = fine
       if agree then break end
       n = 2 * n
-      if n > 64 then return nil end
+      if n > 128 then return nil end
+      coarse, fine = fine, integrate(job, rhs, env, t, x, T, n)
     end
-    x = coarse
+    x = fine
     list[k] = x
   end
   return list, where

@@ -107,6 +107,7 @@ local function fill(job, v)
   v.start_sigma, v.norm_limit = text(s.full / R.new(64)), text(s.norm)
   v.run_cycles = whole(s.every * samples.count)
   v.telemetry, v.fault_limit = v.samples_every, "8"
+  v.single = real == "float"
   v.digits_blank = real == "float" and "9" or "17"
   v.nan_bits = real == "float" and "0x7FC00000U" or "0x7FF8000000000000U"
   v.states_count = whole(#job.states)

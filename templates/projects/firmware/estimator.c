@@ -7,6 +7,10 @@
  */
 #include "estimator.h"
 
+#if APP_GYRO
+#include <math.h>
+#endif
+
 #define N ${upper}_NX
 
 %% if has_inputs then
@@ -123,9 +127,10 @@ void estimator_correct(estimator *e, const ${name}_real w[3])
       }
     }
   }
-  /* back to |q| = 1: q (3 - |q|^2)/2, one step of Newton's method for the root */
+  /* back to |q| = 1 */
   n = ${zero};
   for (i = ${upper}_QW; i <= ${upper}_QZ; i++) n += e->x[i]*e->x[i];
-  for (i = ${upper}_QW; i <= ${upper}_QZ; i++) e->x[i] *= ${threehalves} - ${half}*n;
+  n = ${one}/${sqrt}(n);
+  for (i = ${upper}_QW; i <= ${upper}_QZ; i++) e->x[i] *= n;
 }
 #endif

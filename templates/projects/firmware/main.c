@@ -52,8 +52,10 @@ static int checked(void)
   telemetry_event(state.cycle, (uint32_t)found);
   if (guard.total >= APP_FAULT_LIMIT || state.cycle == 0) return 0;
   estimator_restore(&state, guard.good);
-#endif
+  return watchdog_check(&guard, &state) == WATCHDOG_FINE; /* if it fails again, it was no accident */
+#else
   return 1;
+#endif
 }
 
 int main(void)
