@@ -14,7 +14,8 @@ local firmware = {}
 local binary = os.getenv "POLHODE" or "build/polhode"
 
 function firmware.run(folder, command)
-  local pipe = assert(io.popen(string.format("cd '%s' && timeout -s KILL 120 %s 2>&1", folder, command)))
+  local quoted = string.gsub(command, "'", "'\\''")
+  local pipe = assert(io.popen(string.format("cd '%s' && timeout -s KILL 120 sh -c '%s' 2>&1", folder, quoted)))
   local text = pipe:read "a"
   return text, pipe:close() == true
 end

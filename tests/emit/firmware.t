@@ -106,7 +106,7 @@ do
   local clean = firmware.run(folder, "make -s host-predict EVERY=2048")
   local want = { { 2, "a flipped bit in q" }, { 1, "a NaN" } }
   for kind, w in ipairs(want) do
-    local text = firmware.run(folder, string.format("make -s -B build/host-predict-4096-2048 CYCLES=4096 EVERY=2048 "
+    local text = firmware.run(folder, string.format("rm -f build/host-predict-4096-2048; make -s build/host-predict-4096-2048 CYCLES=4096 EVERY=2048 "
       .. "DEFS=-DAPP_INJECT=%d && ./build/host-predict-4096-2048", kind))
     local lines = firmware.read(text)
     tap.ok(#lines.E == 1 and lines.E[1][1] == 100 and lines.E[1][2] == w[1], w[2] .. ": reported once, in its cycle, as what "
