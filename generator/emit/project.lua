@@ -297,6 +297,7 @@ function project.files(job, plugin)
     { name = n .. ".c", text = text },
     { name = n .. "_test.c", text = render "templates/test.c" },
   }
+  v.project_files, v.project_use, v.dollar = {}, {}, "$" -- of the package, for README.md; for CMake's own ${}
   local more = job.package.files(job, v, render)
   if not more then return nil end -- with an error in job.diag
   for _, f in ipairs(more) do files[#files + 1] = f end
