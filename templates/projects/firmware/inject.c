@@ -6,7 +6,9 @@
 
 #include <string.h>
 
+#if APP_INJECT != 0
 #define WHEN 100 /* the cycle */
+#endif
 
 void inject(estimator *e)
 {
