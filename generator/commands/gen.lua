@@ -105,7 +105,7 @@ function gen.run(host, given)
     end
     real, chosen, order = decision.real, { decision.method }, decision.order
   end
-  if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen, order = order,
+  if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen or package.methods, order = order,
     jacobians = given.with and given.with.jacobians or package.jacobians, libm = given.libm }) then
     return options.refuse(host, given[1], job.diag)
   end

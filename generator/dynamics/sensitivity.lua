@@ -164,7 +164,8 @@ function sensitivity.transition(eq, steps, name)
 end
 
 -- All of them for a job {equations, model, input_states, steppers, diag, record}; nil after an error: a derivative that
--- does not exist at the parameters' own values (|p| at p = 0) would be no constant.  which = "transition": only the last.
+-- does not exist at the parameters' own values (|p| at p = 0) would be no constant.
+-- which = "transition": the transition matrices alone.
 function sensitivity.list(job, which)
   local eq, list = job.equations, {}
   if which ~= "transition" then

@@ -2,9 +2,9 @@
 --
 -- The motion is that of the emitted equations with many digits, integrated by the classical Runge-Kutta method: an
 -- interval between two samples in n steps, which is doubled until n/2 steps agree to an eighth of the gyro's last bit
--- (the error of n steps is then a 128th).  To each reading noise is added before it is rounded, the sum of twelve uniform numbers of a
--- fixed generator, so that the table is the same wherever it is made.  It also finds by how much one step of the
--- scene's method changes what the motion conserves: what the firmware's watchdog must let pass.
+-- (the error of n steps is then a 128th).  To each reading noise is added before it is rounded, the sum of twelve
+-- uniform numbers of a fixed generator, so that the table is the same wherever it is made.  It also finds by how much
+-- one step of the scene's method changes what the motion conserves: what the firmware's watchdog must let pass.
 -- ABOVE the line: rationals, rounded to `bits`.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

@@ -45,16 +45,29 @@ for _, c in ipairs { { firmware.probe, "/probe.lua", 1 / 4096 }, { "bodies/noddi
   if lines then
     local name, n = folder:match "[^/]*$", #truth
     tap.is(n, 256, name .. ": a line for each of the 256 readings")
+    -- The table: readings less the true rates are noise of 4 bits, rounded to a bit: over their variance, chi-square
+    -- with 768 degrees of freedom, variance 2 768; their mean has a standard deviation of 4/sqrt(768) bits.
+    local bit = tonumber((program.read(folder .. "/config.h"):match "#define APP_GYRO_LSB ([%d.e-]+)"))
+    local k, chi, mean = 0, 0, 0
+    for x, y, z in program.read(folder .. "/gyro.c"):gmatch "{(%-?%d+), (%-?%d+), (%-?%d+)}" do
+      k = k + 1
+      for i, raw in ipairs { x, y, z } do
+        local d = tonumber(raw) - truth[k][4 + i] / bit
+        chi, mean = chi + d * d / (16 + 1 / 12), mean + d / 768
+      end
+    end
+    tap.ok(k == 256 and math.abs(chi - 768) < 4 * math.sqrt(2 * 768) and math.abs(mean) < 4 * 4 / math.sqrt(768),
+      name .. ": the gyro's table is the library's rates with noise of 4 bits", chi .. " " .. mean)
     local last = lines.R[1]
     tap.ok(last[2] == 0, name .. ": the watchdog found nothing", "faults " .. last[2])
 
     -- The sum over K readings of three innovations, each squared over its variance, is chi-square with 3 K degrees of
-    -- freedom: mean 3 K, variance 6 K.  Four standard deviations; the sequence is fixed, so this passes always or never.
+    -- freedom: mean 3 K, variance 6 K.  Four standard deviations; the sequence is fixed: it passes always or never.
     for _, span in ipairs { { 1, 256 }, { 1, 128 }, { 129, 256 } } do
       local K = span[2] - span[1] + 1
       local sum = innovations(lines, span[1], span[2])
-      tap.near(sum, 3 * K, 0, 4 * math.sqrt(6 * K), string.format("%s: innovations %d to %d are as large as the filter says",
-        name, span[1], span[2]), "4 sigma of chi-square")
+      tap.near(sum, 3 * K, 0, 4 * math.sqrt(6 * K), string.format("%s: innovations %d to %d are as large as the filter "
+        .. "says", name, span[1], span[2]), "4 sigma of chi-square")
     end
     -- neighbours of a white sequence of K: correlation 0 with standard deviation 1/sqrt(K)
     local _, lag = innovations(lines, 1, 256)
@@ -70,16 +83,17 @@ for _, c in ipairs { { firmware.probe, "/probe.lua", 1 / 4096 }, { "bodies/noddi
         all, inside, worst = all + 1, inside + (d <= 3 and 1 or 0), math.max(worst, d)
       end
     end
-    tap.diag(string.format("%s: rates within 3 sigma in %d of %d, worst %.2f sigma; sigma %.3g -> %.3g rad/s", name, inside,
-      all, worst, math.sqrt(var0[6]), math.sqrt(math.max(var1[6], var1[7], var1[8]))))
+    tap.diag(string.format("%s: rates within 3 sigma in %d of %d, worst %.2f sigma; sigma %.3g -> %.3g rad/s", name,
+      inside, all, worst, math.sqrt(var0[6]), math.sqrt(math.max(var1[6], var1[7], var1[8]))))
     tap.ok(inside >= 0.98 * all and worst < 4.5, name .. ": in the second half the rates' errors are within 3 sigma")
     for k = 5, 7 do
       local s = math.sqrt(var1[k + 1])
-      tap.near(final[k + 1], truth[n][k], 0, 3 * s, string.format("%s: rate %d ends within 3 sigma", name, k - 4), "3 sigma")
+      tap.near(final[k + 1], truth[n][k], 0, 3 * s, string.format("%s: rate %d ends within 3 sigma", name, k - 4),
+        "3 sigma")
       tap.ok(s < math.sqrt(var0[k + 1]) / 15 and math.abs(start[k + 1] - truth[1][k]) > 10 * s,
         name .. ": which is less than a 15th of what it was, and of the first error a tenth")
     end
-    -- attitude: known at the start, then as good as the rates let it be; float rounds each component 4096 times by 2^-25
+    -- attitude: known at the start, then as good as the rates let it be; float rounds each component 4096 times
     for k = 1, 4 do
       tap.near(final[k + 1], truth[n][k], 0, 3 * math.sqrt(var1[k + 1]) + 64 * 2.0 ^ -25 * 4,
         string.format("%s: attitude component %d ends within 3 sigma", name, k), "3 sigma and roundings of 4096 steps")
@@ -106,18 +120,19 @@ do
   local clean = firmware.run(folder, "make -s host-predict EVERY=2048")
   local want = { { 2, "a flipped bit in q" }, { 1, "a NaN" } }
   for kind, w in ipairs(want) do
-    local text = firmware.run(folder, string.format("rm -f build/host-predict-4096-2048; make -s build/host-predict-4096-2048 CYCLES=4096 EVERY=2048 "
-      .. "DEFS=-DAPP_INJECT=%d && ./build/host-predict-4096-2048", kind))
+    local text = firmware.run(folder, string.format("rm -f build/host-predict-4096-2048; "
+      .. "make -s build/host-predict-4096-2048 CYCLES=4096 EVERY=2048 DEFS=-DAPP_INJECT=%d "
+      .. "&& ./build/host-predict-4096-2048", kind))
     local lines = firmware.read(text)
-    tap.ok(#lines.E == 1 and lines.E[1][1] == 100 and lines.E[1][2] == w[1], w[2] .. ": reported once, in its cycle, as what "
-      .. "it is", text)
+    tap.ok(#lines.E == 1 and lines.E[1][1] == 100 and lines.E[1][2] == w[1],
+      w[2] .. ": reported once, in its cycle, as what it is", text)
     tap.is(text:gsub("E [^\n]*\n", ""):gsub("R [^\n]*\n", ""), (clean:gsub("R [^\n]*\n", "")),
       w[2] .. ": after it the state is what it would have been")
   end
   local text, ok = firmware.run(folder, "make -s faults")
   local codes = {}
   for code in text:gmatch "\nE %x+ (%x+)" do codes[#codes + 1] = tonumber(code, 16) end
-  tap.is(table.concat(codes, " "), "2 1 5", "make faults: a flipped bit, a NaN and a stuck gyro, each reported as what it is")
+  tap.is(table.concat(codes, " "), "2 1 5", "make faults: a flipped bit, a NaN and a stuck gyro, each as what it is")
   tap.ok(ok, "and the program goes on")
   local lines = firmware.read(text:match "APP_INJECT=3\n(.*)")
   tap.is(lines.E[1][1], (128 + 3) * 16, "the stuck gyro is found with the fourth equal reading")

@@ -34,8 +34,8 @@ local function build(prefix, flags, out)
   -- as the IDE does it: the library's C as gnu11, the sketch as gnu++11 with Arduino.h before it
   local words = string.format("%s -Os -ffunction-sections -fdata-sections %s -I%s/src", flags, WARN, folder)
   return cores.run("%sgcc %s -std=gnu11 -c %s/src/probe.c -o %s/probe.o && %sg++ %s -std=gnu++11 -DSHIM_LOOPS=25 -I%s "
-    .. "-include Arduino.h -x c++ %s %s/shim.cpp -x none %s/probe.o -Wl,--gc-sections -o %s/%s", prefix, words, folder, dir,
-    prefix, words, SHIM, sketch, SHIM, dir, dir, out)
+    .. "-include Arduino.h -x c++ %s %s/shim.cpp -x none %s/probe.o -Wl,--gc-sections -o %s/%s", prefix, words,
+    folder, dir, prefix, words, SHIM, sketch, SHIM, dir, dir, out)
 end
 
 local ok, text = build("", "-ffp-contract=off", "native")

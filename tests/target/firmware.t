@@ -79,8 +79,9 @@ tap.is(same_lines(target), same_lines(host), "state, variances and innovations a
 
 -- 1 ns an instruction in QEMU's own time: a cycle of 1/4096 s is long, and while it waits that time jumps ahead.
 local function paced(more, shift, cycles)
-  return firmware.run(folder, string.format("rm -f build/firmware.elf; make -s build/firmware.elf DEFS='-DAPP_CYCLES=%d %s' && %s -icount "
-    .. "shift=%d,sleep=off -kernel build/firmware.elf", cycles, more, QEMU, shift))
+  return firmware.run(folder, string.format("rm -f build/firmware.elf; make -s build/firmware.elf "
+    .. "DEFS='-DAPP_CYCLES=%d %s' && %s -icount shift=%d,sleep=off -kernel build/firmware.elf", cycles, more, QEMU,
+    shift))
 end
 target, fine = paced("", 0, 256)
 lines = firmware.read(target)
@@ -94,8 +95,11 @@ tap.ok(not fine and #lines.E == 8 and lines.E[8][2] == 6 and lines.R[1][2] == 8,
 
 -- ---- faults ----
 
-target = firmware.run(folder, "rm -f build/run-128-64.elf; make -s build/run-128-64.elf CYCLES=128 EVERY=64 DEFS=-DAPP_INJECT=4 && " .. QEMU ..
-  "-kernel build/run-128-64.elf; echo status $?")
+local function injected(kind)
+  return firmware.run(folder, "rm -f build/run-128-64.elf; make -s build/run-128-64.elf CYCLES=128 EVERY=64 "
+    .. "DEFS=-DAPP_INJECT=" .. kind .. " && " .. QEMU .. "-kernel build/run-128-64.elf; echo status $?")
+end
+target = injected "4"
 lines = firmware.read(target)
 local list = firmware.run(folder, "arm-none-eabi-nm build/run-128-64.elf")
 local at = tonumber(list:match "(%x+) T inject\n", 16)
@@ -104,10 +108,10 @@ tap.ok(found[1] >= at and found[1] < at + 64, "an undefined instruction: the rep
 -- CFSR bit 16 UNDEFINSTR, HFSR bit 30 FORCED: ARMv7-M Architecture Reference Manual, B3.2.15 and B3.2.16
 tap.ok(found[3] == 1 << 16 and found[4] == 1 << 30, "and what it was: UNDEFINSTR, escalated", target)
 tap.like(target, "status 99", "and the exit status is 99")
-target = firmware.run(folder, "rm -f build/run-128-64.elf; make -s build/run-128-64.elf CYCLES=128 EVERY=64 DEFS=-DAPP_INJECT=2 && " .. QEMU ..
-  "-kernel build/run-128-64.elf")
+target = injected "2"
 lines = firmware.read(target)
-tap.ok(#lines.E == 1 and lines.E[1][1] == 100 and lines.E[1][2] == 1, "a NaN on the target is reported in its cycle", target)
+tap.ok(#lines.E == 1 and lines.E[1][1] == 100 and lines.E[1][2] == 1, "a NaN on the target is reported in its cycle",
+  target)
 
 -- ---- how large ----
 
@@ -115,8 +119,8 @@ tap.ok(#lines.E == 1 and lines.E[1][1] == 100 and lines.E[1][2] == 1, "a NaN on 
 local function cycle_cost(elf)
   cores.must("cc -std=c11 -O2 -shared -fPIC templates/target/count.c -o %s/count.so", dir)
   local names = firmware.run(folder, "arm-none-eabi-nm " .. elf)
-  firmware.run(folder, string.format("%s -plugin %s/count.so,begin=0x%s,end=0x%s -d plugin -D counts -kernel %s", QEMU, dir,
-    names:match "(%x+) T estimator_predict\n", names:match "(%x+) T port_wait\n", elf))
+  firmware.run(folder, string.format("%s -plugin %s/count.so,begin=0x%s,end=0x%s -d plugin -D counts -kernel %s", QEMU,
+    dir, names:match "(%x+) T estimator_predict\n", names:match "(%x+) T port_wait\n", elf))
   local common, of = nil, {}
   for line in io.lines(folder .. "/counts") do
     local n = tonumber(line:match "^%d+")
@@ -134,7 +138,8 @@ local function built(make, elf, what)
   local flash, ram = bytes(folder, elf)
   stack = stack and stack[4] or 1 << 20
   local cost = cycle_cost(elf)
-  tap.diag(string.format("%s: flash %d, RAM %d and stack %d bytes, %d instructions a cycle", what, flash, ram, stack, cost))
+  tap.diag(string.format("%s: flash %d, RAM %d and stack %d bytes, %d instructions a cycle", what, flash, ram, stack,
+    cost))
   return flash, ram, stack, cost
 end
 local flash, _, stack, cost = built("build/predict-64-64.elf CYCLES=64 EVERY=64 DEFS=-DAPP_WATCHDOG=0",

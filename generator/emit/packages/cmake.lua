@@ -12,7 +12,8 @@ return library.package {
     "    (cd build && ctest)                              # the self-test",
     "    cmake --install build --prefix /usr/local        # CMake 3.15; before: cmake --build build --target install",
     "",
-    "In a project: `find_package(NAME)` or `add_subdirectory(NAME)`, then `target_link_libraries(app PRIVATE NAME::NAME)`.",
+    "In a project: `find_package(NAME)` or `add_subdirectory(NAME)`, then",
+    "`target_link_libraries(app PRIVATE NAME::NAME)`.",
     "Options: `BUILD_SHARED_LIBS`, `UPPER_TESTS` (on when this is the whole project).",
   },
 }

@@ -1,5 +1,6 @@
 -- firmware.lua -- a small application around the scene: a fixed-rate loop with gyro, filter and watchdog for a
--- Cortex-M4F, and the same natively.  Single precision is the default, because it is all that this processor has.
+-- Cortex-M4F, and the same natively.  Single precision is the default, because it is all that this processor has; and
+-- rk4 alone, because a closed form would never be called.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -7,7 +8,7 @@ local number = require "generator.emit.number"
 local orbit = require "generator.emit.orbit"
 local samples = require "generator.emit.samples"
 
-local firmware = { real = "float", jacobians = "transition" }
+local firmware = { real = "float", methods = { "rk4" }, jacobians = "transition" }
 
 local FOLDER = "templates/projects/firmware/"
 local FILES = { "config.h", "main.c", "estimator.h", "estimator.c", "gyro.h", "gyro.c", "watchdog.h", "watchdog.c",
@@ -65,7 +66,9 @@ local function law_values(v, list, text)
       unit = law.name == "momentum" and "kg m^2/s" or "J",
       call = law.count == 1 and "c[" .. at .. "] = " .. f .. ");" or f .. ", c + " .. at .. ");" }
     names[i] = word
-    for _ = 1, law.count do jump[#jump + 1], band[#band + 1] = "APP_" .. upper .. "_JUMP", "APP_" .. upper .. "_BAND" end
+    for _ = 1, law.count do
+      jump[#jump + 1], band[#band + 1] = "APP_" .. upper .. "_JUMP", "APP_" .. upper .. "_BAND"
+    end
     place = place + law.count
   end
   v.laws_count, v.laws_text = string.format("%d", place), table.concat(names, ", ")
@@ -112,10 +115,13 @@ local function fill(job, v)
   v.nan_bits = real == "float" and "0x7FC00000U" or "0x7FF8000000000000U"
   v.states_count = whole(#job.states)
   v.step_name = v.name .. "_step"
-  v.samples_span, v.app_rate = number.text(R.round(step * R.new(s.every * samples.count), 24), "double"),
-    number.text(R.round(R.one / step, 24), "double")
+  local function short(q) -- four decimals
+    return number.text(R.floor(q * R.new(10000) + R.half) / R.new(10000), "double")
+  end
+  v.samples_span, v.app_rate = short(step * R.new(s.every * samples.count)), short(R.one / step)
+  v.exact_cycles = real == "float" and "2^24" or "2^32"
   v.start_sigma_text, v.lsb_text = number.text(s.full / R.new(64), "double"), number.text(s.lsb, "double")
-  v.libm_words = job.libm == "own" and "" or " and, if the scene needs them, functions of <math.h>"
+  v.libm_words = job.libm == "own" and "" or " and what the scene needs of <math.h>"
   law_values(v, s.laws, text)
   return true
 end

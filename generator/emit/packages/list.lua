@@ -4,7 +4,8 @@
 --     files(job, v, render) -> list   what stands beside NAME.h, NAME.c and NAME_test.c: {name =, text =}; v: the
 --                                     values that the templates were filled with; render(template) -> text
 --     arrange(files) -> files         optional: all files of the project, put where the kind wants them
---     real, jacobians                 optional: its own default of --real; "transition": it calls NAME_step_transition
+--     real, methods, jacobians        optional: its own defaults of --real and --method; "transition": it calls
+--                                     NAME_step_transition
 --     check(job) -> bool              optional: can the scene be such a project?  If not, with an error in job.diag
 --     finish(host, job, files)        optional: what needs the host (compiling); files | nil, what went wrong
 -- SPDX-License-Identifier: GPL-3.0-or-later

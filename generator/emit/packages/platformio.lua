@@ -10,7 +10,7 @@ return library.package {
   about = { { "library.json", "PlatformIO's manifest: any framework, any platform" },
     { "examples/motion", "prints the motion; `pio run -t exec` in it (platform native)" } },
   use = {
-    "In a project's platformio.ini: `lib_deps = symlink:///path/to/this/folder`, or put the folder into its `lib`; then",
-    "`#include <NAME.h>`.",
+    "In a project's platformio.ini: `lib_deps = symlink:///path/to/this/folder`, or put the folder into its `lib`;",
+    "then `#include <NAME.h>`.",
   },
 }

@@ -12,7 +12,7 @@ return library.package {
   about = { { "zephyr", "the module: module.yml, Kconfig (CONFIG_POLHODE_UPPER), CMakeLists.txt" },
     { "samples/motion", "an application that prints the motion in millionths" } },
   use = {
-    "In a workspace of Zephyr: `west build -b BOARD /path/to/this/folder/samples/motion`. In an application of your own: this",
-    "folder in `ZEPHYR_EXTRA_MODULES`, `CONFIG_POLHODE_UPPER=y` in prj.conf, `#include <NAME.h>`.",
+    "In a workspace of Zephyr: `west build -b BOARD /path/to/this/folder/samples/motion`. In an application of your",
+    "own: this folder in `ZEPHYR_EXTRA_MODULES`, `CONFIG_POLHODE_UPPER=y` in prj.conf, `#include <NAME.h>`.",
   },
 }

@@ -50,7 +50,12 @@ int port_wait(void)
     due = ticks;
     return 0;
   }
-  while (due - ticks - 1U < 0x80000000U) __asm__ volatile("wfi");
+  for (;;) { /* no tick may come between the look and the sleep; one that waits ends the sleep all the same */
+    __asm__ volatile("cpsid i" : : : "memory");
+    if (due - ticks - 1U >= 0x80000000U) break;
+    __asm__ volatile("wfi\n\tcpsie i\n\tisb" : : : "memory");
+  }
+  __asm__ volatile("cpsie i" : : : "memory");
 #endif
   return 1;
 }
