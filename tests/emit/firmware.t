@@ -48,15 +48,15 @@ for _, c in ipairs { { firmware.probe, "/probe.lua", 1 / 4096 }, { "bodies/noddi
     -- The table: readings less the true rates are noise of 4 bits, rounded to a bit: over their variance, chi-square
     -- with 768 degrees of freedom, variance 2 768; their mean has a standard deviation of 4/sqrt(768) bits.
     local bit = tonumber((program.read(folder .. "/config.h"):match "#define APP_GYRO_LSB ([%d.e-]+)"))
-    local k, chi, mean = 0, 0, 0
+    local count, chi, mean = 0, 0, 0
     for x, y, z in program.read(folder .. "/gyro.c"):gmatch "{(%-?%d+), (%-?%d+), (%-?%d+)}" do
-      k = k + 1
+      count = count + 1
       for i, raw in ipairs { x, y, z } do
-        local d = tonumber(raw) - truth[k][4 + i] / bit
+        local d = tonumber(raw) - truth[count][4 + i] / bit
         chi, mean = chi + d * d / (16 + 1 / 12), mean + d / 768
       end
     end
-    tap.ok(k == 256 and math.abs(chi - 768) < 4 * math.sqrt(2 * 768) and math.abs(mean) < 4 * 4 / math.sqrt(768),
+    tap.ok(count == 256 and math.abs(chi - 768) < 4 * math.sqrt(2 * 768) and math.abs(mean) < 4 * 4 / math.sqrt(768),
       name .. ": the gyro's table is the library's rates with noise of 4 bits", chi .. " " .. mean)
     local last = lines.R[1]
     tap.ok(last[2] == 0, name .. ": the watchdog found nothing", "faults " .. last[2])
