@@ -83,7 +83,7 @@ int ${name}_unit_get(${name}_unit *unit, unsigned vr, double *value)
 {
   const ${name}_unit_state *s = &unit->s;
 
-  if (vr >= ${upper}_UNIT_END) return refuse(unit, vr, "there is no variable with this value reference");
+  if (vr >= ${upper}_UNIT_END) return refuse(unit, vr, "there is none with this number");
   if (vr == ${upper}_UNIT_TIME) {
     *value = ${name}_unit_time(unit);
     return 0;
@@ -140,7 +140,7 @@ int ${name}_unit_set(${name}_unit *unit, unsigned vr, double value)
   const double most = ${unit_most}; /* beyond it no number of the scene's type is finite */
   ${name}_unit_state *s = &unit->s;
 
-  if (vr >= ${upper}_UNIT_END) return refuse(unit, vr, "there is no variable with this value reference");
+  if (vr >= ${upper}_UNIT_END) return refuse(unit, vr, "there is none with this number");
   if (!(fabs(value) <= most)) return refuse(unit, vr, "must be a finite number");
 %% if has_inputs then
   if (vr >= ${upper}_UNIT_U && vr < ${upper}_UNIT_X) {

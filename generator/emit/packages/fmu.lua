@@ -1,7 +1,7 @@
 -- fmu.lua -- units for co-simulation: NAME_fmi2.fmu and NAME_fmi3.fmu, zip archives with sources and a binary.
 --
--- FMI 2.0.4 and FMI 3.0 (fmi-standard.org).  What both have in common is NAME_unit.c; NAME_fmi2.c and NAME_fmi3.c are the
--- standard's functions.  Their token (guid) is a hash of all files, so it changes with any of them and with nothing else.
+-- FMI 2.0.4 and FMI 3.0 (fmi-standard.org).  What both have in common is NAME_unit.c; NAME_fmi2.c and NAME_fmi3.c are
+-- the standard's functions.  The token (guid) is a hash of all files: it changes with any of them and nothing else.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local hash = require "generator.hash"
@@ -20,7 +20,8 @@ end
 
 function fmu.check(job)
   if job.methods and job.methods[1] == "exact" and not job.closed.full then
-    job.diag:error(job.record.line, "project fmu", "method exact must have a closed form of the whole state", "rates only")
+    job.diag:error(job.record.line, "project fmu", "method exact must have a closed form of the whole state",
+      "rates only")
     return false
   end
   for _, p in ipairs(job.model.params) do
@@ -89,7 +90,8 @@ local function fill(job, v)
 end
 
 local own = { "_unit.h", "_unit.c", "_fmi2.h", "_fmi2.c", "_fmi3.h", "_fmi3.c" }
-local others = { { "modelDescription2.xml", "fmu_description2.xml" }, { "modelDescription3.xml", "fmu_description3.xml" },
+local others = { { "modelDescription2.xml", "fmu_description2.xml" },
+  { "modelDescription3.xml", "fmu_description3.xml" },
   { "buildDescription.xml", "fmu_build.xml" }, { "README.md", "fmu_README.md" } }
 
 function fmu.files(job, v, render)
@@ -107,32 +109,56 @@ function fmu.files(job, v, render)
   v.unit_token = ""
   local texts = { job.code.header, job.code.source }
   for _, f in ipairs(made()) do texts[#texts + 1] = f.text end
-  v.unit_token = "{" .. string.gsub(hash.of(table.concat(texts, "\0")), "^(%x%x%x%x%x%x%x%x)(%x%x%x%x)(%x%x%x%x)(%x%x%x%x)",
+  local four = "(%x%x%x%x)" -- written as a GUID is: 8-4-4-4-12
+  v.unit_token = "{" .. string.gsub(hash.of(table.concat(texts, "\0")), "^(%x%x%x%x%x%x%x%x)" .. four .. four .. four,
     "%1-%2-%3-%4-") .. "}"
   return made()
 end
 
--- What kind of binary the compiler has made: words 0x04 and 0x12 of an ELF header (class, machine) and the names that
--- the standards give its platform (FMI 2.0.4, 2.3; FMI 3.0, 2.5.1.4.1).
+-- What kind of binary the compiler has made: bytes 0x04 and 0x12 of an ELF header (class, machine) and the names that
+-- the standards give its platform (FMI 2.0.4, 2.3; FMI 3.0, Platform Tuple Definition).
 local platforms = { ["\2\62\0"] = { "linux64", "x86_64-linux" }, ["\1\3\0"] = { "linux32", "x86-linux" },
   ["\2\183\0"] = { nil, "aarch64-linux" } }
 
-local flags = { "-shared", "-fPIC", "-O2", "-std=c99", "-ffp-contract=off", "-fvisibility=hidden", "-fno-ident",
-  "-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections", "-Wl,--build-id=none", "-Wl,--no-undefined", "-Wl,--as-needed", "-s" }
+local compiling = { "-c", "-fPIC", "-O2", "-std=c99", "-ffp-contract=off", "-fvisibility=hidden", "-fno-ident",
+  "-ffunction-sections", "-fdata-sections", "-DFMI2_OVERRIDE_FUNCTION_PREFIX", "-DFMI3_OVERRIDE_FUNCTION_PREFIX" }
+-- no identifier of this build, no symbols but those that are exported: same sources, same compiler, same bytes
+local linking = { "-shared", "-Wl,--gc-sections", "-Wl,--build-id=none", "-Wl,--no-undefined", "-Wl,--as-needed", "-s" }
 
-local function binary(host, dir, name, version)
-  local list = {}
-  for i, f in ipairs(flags) do list[i] = f end
-  list[#list + 1] = "-DFMI" .. version .. "_OVERRIDE_FUNCTION_PREFIX"
-  local out = name .. version .. ".so"
-  local ok, why = host.compile(dir, { name .. ".c", name .. "_unit.c", name .. "_fmi" .. version .. ".c" }, out,
-    { flags = list, libs = { "-lm" } })
-  if not ok then return nil, "the unit's binary does not compile:\n" .. why end
-  local text
-  text, why = host.read(dir .. "/" .. out)
-  if not text then return nil, why end
-  local kind = string.sub(text, 1, 4) == "\127ELF" and platforms[string.sub(text, 5, 5) .. string.sub(text, 19, 20)]
-  return text, kind and kind[version - 1]
+-- Runs the compiler for each of the list {sources, output, options}; an error's text, or nil.
+local function compile(host, dir, list)
+  local items = {}
+  for i, x in ipairs(list) do items[i] = { dir, x[1], x[2], x[3] } end
+  for _, made in ipairs(host.compile_many(items)) do
+    if not made.command then return "the unit's binary does not compile:\n" .. made.message end
+  end
+end
+
+-- The binaries of both versions from the sources in dir: {[2] = text, [3] = text} | nil, what went wrong.
+local function binaries(host, dir, name)
+  local objects, links, out = {}, {}, {}
+  for i, tail in ipairs { "", "_unit", "_fmi2", "_fmi3" } do
+    objects[i] = { { name .. tail .. ".c" }, name .. tail .. ".o", { flags = compiling } }
+  end
+  for version = 2, 3 do
+    local d = string.format("%d", version)
+    links[version - 1] = { { name .. ".o", name .. "_unit.o", name .. "_fmi" .. d .. ".o" }, name .. d .. ".so",
+      { flags = linking, libs = { "-lm" } } }
+  end
+  local why = compile(host, dir, objects) or compile(host, dir, links)
+  if why then return nil, why end
+  for version = 2, 3 do
+    out[version], why = host.read(dir .. "/" .. links[version - 1][2])
+    if not out[version] then return nil, why end
+  end
+  return out
+end
+
+-- The name of its platform in the standard of the version, or nil.
+local function platform_of(binary, version)
+  local kind = string.sub(binary, 1, 4) == "\127ELF" and
+    platforms[string.sub(binary, 5, 5) .. string.sub(binary, 19, 20)]
+  return kind and kind[version - 1]
 end
 
 -- Compiles and packs.  Where the standard has no name for the machine, the unit has sources only.
@@ -144,10 +170,11 @@ function fmu.finish(host, job, files)
   local ok
   ok, why = host.write_files(dir, files)
   if not ok then return nil, why end
+  local made, failed = binaries(host, dir, name)
+  if not made then return nil, failed end
   local out = {}
   for version = 2, 3 do
-    local so, platform = binary(host, dir, name, version)
-    if not so then return nil, platform end
+    local so, platform = made[version], platform_of(made[version], version)
     local d = string.format("%d", version)
     local list = { { name = "modelDescription.xml", text = text["modelDescription" .. d .. ".xml"] } }
     if platform then list[2] = { name = "binaries/" .. platform .. "/" .. name .. ".so", text = so } end

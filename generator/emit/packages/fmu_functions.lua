@@ -1,8 +1,8 @@
--- fmu_functions.lua -- the C functions of FMI 2.0 and 3.0: their arguments, and why a unit for co-simulation refuses some.
+-- fmu_functions.lua -- the C functions of FMI 2.0 and 3.0: their arguments, and why a unit refuses some.
 --
--- A row is {name, arguments, reason, result =, given =}.  Without a reason the function is written out in the template;
--- with given = NAME it is if the set that functions.of is asked with has NAME.  A refused function returns an error with
--- the reason in the log, or nothing to do when it is asked about n = 0 variables.
+-- A row is {name =, args =, reason =, result =, given =}.  Without a reason the function is written out in the
+-- template; with given = NAME it is if the set that functions.of is asked with has NAME.  A refused function returns an
+-- error with the reason in the log, or nothing to do when it is asked about n = 0 variables.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local functions = {}
@@ -28,7 +28,9 @@ do -- FMI 2.0.4: 44 functions
   row("FreeInstance", c, nil, { result = "void " })
   row("SetupExperiment", c .. ", fmi2Boolean toleranceDefined, fmi2Real tolerance, fmi2Real startTime, " ..
     "fmi2Boolean stopTimeDefined, fmi2Real stopTime")
-  for _, name in ipairs { "EnterInitializationMode", "ExitInitializationMode", "Terminate", "Reset" } do row(name, c) end
+  for _, name in ipairs { "EnterInitializationMode", "ExitInitializationMode", "Terminate", "Reset" } do
+    row(name, c)
+  end
   for _, kind in ipairs { "Real", "Integer", "Boolean", "String" } do
     local why = kind ~= "Real" and "every variable of the unit is a Real" or nil
     row("Get" .. kind, many .. ", fmi2" .. kind .. " value[]", why)
@@ -83,7 +85,8 @@ do -- FMI 3.0: 75 functions
   local made = { result = "fmi3Instance " }
   row("InstantiateModelExchange", create .. back, nil, made)
   row("InstantiateCoSimulation", create .. "fmi3Boolean eventModeUsed, fmi3Boolean earlyReturnAllowed, " ..
-    "const fmi3ValueReference intermediate[], size_t n, " .. back .. ", fmi3IntermediateUpdateCallback update", nil, made)
+    "const fmi3ValueReference intermediate[], size_t n, " .. back ..
+    ", fmi3IntermediateUpdateCallback update", nil, made)
   row("InstantiateScheduledExecution", create .. back .. ", fmi3ClockUpdateCallback clock, " ..
     "fmi3LockPreemptionCallback lock, fmi3UnlockPreemptionCallback unlock", nil, made)
   row("FreeInstance", c, nil, { result = "void " })
@@ -93,8 +96,8 @@ do -- FMI 3.0: 75 functions
   row("EnterEventMode", c, "the unit has no Event Mode")
   row("Terminate", c)
   row("Reset", c)
-  for _, kind in ipairs { "Float32", "Float64", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64",
-    "Boolean", "String", "Binary" } do
+  for _, kind in ipairs { "Float32", "Float64", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64",
+    "UInt64", "Boolean", "String", "Binary" } do
     local why = kind ~= "Float64" and "every variable of the unit is a Float64" or nil
     local sizes = kind == "Binary" and "size_t sizes[], " or ""
     row("Get" .. kind, many .. ", " .. sizes .. "fmi3" .. kind .. " values[], size_t nValues", why)

@@ -1,7 +1,7 @@
 -- fmu_units.lua -- units of measurement as modelDescription.xml wants them: names, exponents of the SI base units.
 --
--- FMI 2.0.4, 2.2.2 and FMI 3.0, 2.4.3: a unit has integer exponents of kg, m, s, A, K and rad and a factor to them.
--- Names are written as Modelica does, "kg.m2/s".
+-- FMI 2.0.4, 2.2.2 (Definition of Units; the same in 3.0): a unit has integer exponents of kg, m, s, A, K and rad and a
+-- factor to them.  Names are written as Modelica does, "kg.m2/s".
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local units = {}

@@ -144,7 +144,8 @@ function variables.fill(job, v)
       numbers2 = numbers .. limits .. attribute("derivative", state and string.format("%d", state.vr + 1)),
       numbers3 = numbers .. limits .. attribute("derivative", state and string.format("%d", state.vr)) }
     v.fmu_table[i] = { vr = vr, name = x.name, about = x.about, unit = x.unit,
-      kind = x.causality .. (x.initial == "exact" and ", can be set before the start" or ""), start = x.start_text or "" }
+      kind = x.causality .. (x.initial == "exact" and ", can be set before the start" or ""),
+      start = x.start_text or "" }
   end
   v.fmu_structure2, v.fmu_structure3 = variables.structure(list, 1, job), variables.structure(list, 0, job)
   return list
