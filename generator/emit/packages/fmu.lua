@@ -5,6 +5,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local hash = require "generator.hash"
+local expr = require "generator.algebra.expr"
+local state = require "generator.dynamics.state"
 local number = require "generator.emit.number"
 local functions = require "generator.emit.packages.fmu_functions"
 local variables = require "generator.emit.packages.fmu_variables"
@@ -53,6 +55,20 @@ local function wrapped(words)
   return out
 end
 
+-- Does the time stand in the equations of motion?
+local function timed(eq)
+  for _, g in ipairs(eq.groups) do
+    for _, list in ipairs { g.defs, g.outs } do
+      for _, x in ipairs(list) do
+        for _, s in ipairs(expr.symbols(x.expr)) do
+          if s == state.t then return true end
+        end
+      end
+    end
+  end
+  return false
+end
+
 local ways = {
   stepper = { method = " by whole inner steps of h and a shorter last one",
     tolerance = "the inner step is fixed" },
@@ -63,6 +79,7 @@ local ways = {
 local function fill(job, v)
   local way = exact(job) and "exact" or job.planned and "planned" or "stepper"
   v.unit_exact, v.unit_planned, v.unit_stepper = way == "exact", way == "planned", way == "stepper"
+  v.unit_timed = timed(job.equations)
   v.unit_method, v.unit_tolerance = ways[way].method, ways[way].tolerance
   v.unit_derivatives = job.jacobians or false
   v.unit_rates_text = v.unit_derivatives and ", their rates of change" or ""
