@@ -21,7 +21,8 @@ local ARROWS = {
   dynamics = { "algebra", "mass" }, -- mass: principal axes and validity of the tensor that moves
   methods = { "algebra", "dynamics" },
   ir = { "algebra", "polhode_rational" },
-  emit = { "algebra", "ir", "dynamics", "hash" }, -- dynamics: the free top with many digits, for constants and expected states
+  -- dynamics: the free top with many digits, for constants and expected states
+  emit = { "algebra", "ir", "dynamics", "hash" },
   plan = { "algebra", "dynamics", "methods", "ir", "cost", "hash" },
   cost = {}, -- operations counted in text that was made, and what they take
   -- dynamics: equations with an effect left out; cost: of functions
