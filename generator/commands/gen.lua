@@ -105,8 +105,9 @@ function gen.run(host, given)
     end
     real, chosen, order = decision.real, { decision.method }, decision.order
   end
-  if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen or package.methods, order = order,
-    jacobians = given.with and given.with.jacobians or package.jacobians, libm = given.libm }) then
+  if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen or package.methods,
+    order = order, jacobians = given.with and given.with.jacobians or package.jacobians, libm = given.libm,
+    outputs = given.project == "fmu" }) then
     return options.refuse(host, given[1], job.diag)
   end
   job.planned = decision
