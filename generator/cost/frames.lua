@@ -1,7 +1,7 @@
 -- frames.lua -- frames and calls of RISC-V functions from their disassembly, for what has no .ci: C libraries.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     frames.riscv(text, graph)     `objdump -d` into a graph of cost/stack.lua; what has a node there keeps it
+--     frames.riscv(text, nm, graph)     `objdump -d` and `nm` into a graph of cost/stack.lua; what has a node keeps it
 -- A frame is the sum of all that a function takes from sp anywhere; __riscv_save_N, which leaves the registers on the
 -- stack of its caller, counts as part of that: 64 bytes for four registers or more, of which some are given back, and
 -- 16 (libgcc, config/riscv/save-restore.S, RV32).
@@ -41,7 +41,20 @@ local function instruct(n, name, line)
   end
 end
 
-function frames.riscv(text, graph)
+-- Second names of one address, which objdump does not show, call the first.
+local function aliases(nm, graph)
+  local first = {}
+  for address, title in string.gmatch(nm, "(%x+) T ([^\n]+)") do
+    local n = graph.nodes[title]
+    if n and n.name then first[address] = title end
+  end
+  for address, title in string.gmatch(nm, "(%x+) T ([^\n]+)") do
+    local n = first[address] and first[address] ~= title and define(graph, title)
+    if n then n.calls[1] = first[address] end
+  end
+end
+
+function frames.riscv(text, nm, graph)
   local current, name
   for line in string.gmatch(text, "[^\n]+") do
     local start = string.match(line, "^%x+ <([^>]+)>:$")
@@ -51,6 +64,7 @@ function frames.riscv(text, graph)
       instruct(current, name, line)
     end
   end
+  aliases(nm, graph)
   return graph
 end
 

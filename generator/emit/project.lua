@@ -145,6 +145,8 @@ local function sheet(job, v)
     if not known[row.name] then v.costs[#v.costs + 1] = cost_row(row.name, row.counts) end
   end
   v.sheet_head, v.sheet_rule = table.concat(names, " | "), string.rep("---|", #names)
+  v.counted = job.counted_lines()
+  v.is_counted = #v.counted > 0
 end
 
 -- "rhs: 12 additions, 24 multiplications": what one call costs, for the banner.

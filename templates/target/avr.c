@@ -5,9 +5,11 @@
 
    One line a time that `end` was entered: cycles since `begin` was, and the bytes of stack that were
    in use at most, below those at the call of `begin` (a return address has 3). Ends where `finish`
-   is entered; the status is 0 if its argument (r24) is. The pointer's halves are set one after the
-   other, from `out SPH` to `out SPL`: what stands there between does not count. */
+   is entered; the status is its argument (r24). Before them the version of simavr. The halves of
+   the stack pointer are set one after the other, from `out SPH` to `out SPL`: what stands there
+   between does not count. */
 #include <simavr/sim_avr.h>
+#include <simavr/sim_core_config.h>
 #include <simavr/sim_elf.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,6 +29,7 @@ int main(int argc, char **argv) {
   avr_cycle_count_t start = 0;
   unsigned top = 0, lowest = 0;
   int whole = 1;
+  printf("simavr %s\n", CONFIG_SIMAVR_VERSION);
   avr_init(avr);
   avr->frequency = 16000000;
   avr_load_firmware(avr, &firmware);
@@ -48,5 +51,5 @@ int main(int argc, char **argv) {
     if (state == cpu_Done || state == cpu_Crashed)
       return 3;
   }
-  return avr->data[24] != 0;
+  return avr->data[24];
 }
