@@ -74,7 +74,7 @@ end
 function gen.run(host, given)
   local chosen, wrong = chosen_methods(given)
   local order, bad = gen.order(given)
-  local cores, unknown = measure.cores(given.target)
+  local cores, unknown = measure.cores(given.target, given.real)
   wrong = wrong or bad or unknown
   if given.accuracy and not (given.accuracy > 0 and given.accuracy < 1) then
     wrong = "--accuracy must be between 0 and 1, got " .. shortest(given.accuracy)

@@ -1,13 +1,14 @@
 -- measure.lua -- what an emitted scene's functions take on small processors, counted: gen and explain --target.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     measure.cores(names)               the cores of --target (nil: of none), or nil and what is wrong
+--     measure.cores(names, real)         the cores of --target (nil: of none), or nil and what is wrong; all: all that
+--                                        have the type
 --     measure.run(host, job, cores)      the sheet, or nil and a message
 -- The emitted source is compiled by each core's cross compiler, a program that calls all functions (emit/calls.lua) runs
 -- in its emulator, every function is linked alone, and stacks are summed along the graph of calls.  All are numbers of
 -- the tools, none of a clock; the tools' versions stand beside them.  A sheet is
 --     {real =, when =, step = (text), targets = {{name =, cycles = bool, bound = bool, compiler =, emulator =, flags =,
---       model =, state =, orbit = (bytes; nil: none), flash =, ram = (all functions linked),
+--       model =, state =, orbit = (bytes; nil: none), flash = (all functions linked), ram =, library = (variables),
 --       functions = {{name =, count =, flash =, stack =, least = bool}, ...}}, ...}}
 -- cycles: the counts are of cycles; bound: stack is that of the deepest chain of calls, else of the counted run alone;
 -- least: part of the stack is not known; count nil: not called.
@@ -27,15 +28,21 @@ local LIMIT = 60           -- s for an emulator: thousands of times what one nee
 
 -- ---- what is asked for, what is there ----
 
-function measure.cores(names)
+function measure.cores(names, real)
   if not names then return nil end
   local list, known, seen = {}, {}, {}
   for i, core in ipairs(data.list) do known[i], known[core.name] = core.name, core end
-  if #names == 1 and names[1] == "all" then names = known end
-  for i, name in ipairs(names) do
-    if not known[name] then return nil, "--target must be all or some of " .. table.concat(known, ", ") .. ", got " .. name end
+  local all = #names == 1 and names[1] == "all"
+  for _, name in ipairs(all and known or names) do
+    local core = known[name]
+    if not core then return nil, "--target must be all or some of " .. table.concat(known, ", ") .. ", got " .. name end
     if seen[name] then return nil, "--target: " .. name .. " stands there twice" end
-    list[i], seen[name] = known[name], true
+    if real == "float" or not core.single then
+      list[#list + 1] = core
+    elseif not all then
+      return nil, "--target " .. name .. " must have --real float: its compiler's double is a float"
+    end
+    seen[name] = true
   end
   return list
 end
@@ -119,7 +126,7 @@ local function build(host, dir, name, cores, list)
       native[kind] = true
     end
     first[#first + 1] = item(dir, core, { name .. ".c" }, n .. ".o",
-      joined(data.options, { "-std=c99", "-c", core.run and "-fcallgraph-info=su" or nil }))
+      joined(data.options, { "-std=c99", "-w", "-c", core.run and "-fcallgraph-info=su" or nil }))
     local start = core.script and { "-T", core.script, core.start } or {}
     second[#second + 1] = item(dir, core, { "calls.c", n .. ".o" }, n .. ".elf",
       joined(data.options, { "-std=gnu11", "-Wl,--gc-sections" }, core.link, start), { "-lm" })
@@ -196,7 +203,7 @@ local function bytes_of(elf, name) return elf.symbols[name] and elf.symbols[name
 
 local function one(host, dir, core, list, found)
   local function read(suffix) return object.read(host.read(dir .. "/" .. core.name .. "." .. suffix)) end
-  local elf, all = read "elf", read "all"
+  local own, elf, all = read "o", read "elf", read "all"
   local counts, others = count(host, dir, core, elf)
   if not counts then return nil, others end
   local worst, why = {}, nil
@@ -207,7 +214,7 @@ local function one(host, dir, core, list, found)
     compiler = gcc .. " " .. found[gcc],
     emulator = (emulator and emulator .. " " .. found[emulator] or others.version) .. ", " .. core.machine,
     model = bytes_of(elf, "model"), state = bytes_of(elf, "start"), orbit = bytes_of(elf, "orbit"), flash = all.flash,
-    ram = all.ram, functions = {} }
+    ram = own.ram, library = all.ram - own.ram, functions = {} }
   local called = 1
   for _, f in ipairs(list) do called = called + (f.text and 1 or 0) end
   if #counts ~= 2 * called then

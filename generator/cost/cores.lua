@@ -7,6 +7,7 @@
 --     start, script     startup code and linker script in templates/target; none: the compiler's own
 --     link              further options for the linker
 --     run               the emulator without its plugin and the program; none: simavr as a library (avr.c)
+--     single            its double is a float
 --     packages          {command, Debian package} of what is run
 --     header            {header, package}: what the compiler, and cc where host is set, must find
 -- Cortex-M and RV32 run under QEMU, which counts instructions by a plugin (count.c), of Cortex-M also cycles by Arm's
@@ -42,7 +43,7 @@ cores.list = {
   arm("cortex-m7", "cortex-m7", "mps2-an500", { "-mfloat-abi=hard", "-mfpu=fpv5-d16" }),
   riscv("rv32imac", "rv32imac", "ilp32"),
   riscv("rv32imafc", "rv32imafc", "ilp32f"),
-  { name = "avr", machine = "atmega2560", prefix = "avr-",
+  { name = "avr", machine = "atmega2560", single = true, prefix = "avr-",
     flags = { "-mmcu=atmega2560", "-DHUGE_VALF=__builtin_inff()" }, link = {},
     packages = { { "avr-gcc", "gcc-avr" } },
     header = { { "math.h", "avr-libc" }, { "simavr/sim_avr.h", "libsimavr-dev", host = true } } },

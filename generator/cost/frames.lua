@@ -29,6 +29,7 @@ local function instruct(n, name, line)
   elseif string.find(operands, "^sp,") and string.find(instruction, "^sub") then
     n.kind = "dynamic"
   end
+  if not string.find(instruction, "^[jb]") then return end
   local target = string.match(operands, "<([^>+]+)>")
   local saved = target and string.match(target, "^__riscv_save_(%d+)$")
   if saved then

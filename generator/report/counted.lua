@@ -34,8 +34,9 @@ local function notes(sheet, target)
   else
     put("Stack: of this run; other numbers may take more.")
   end
-  put("RAM: model %d bytes, state %d%s, variables of its own %d.", target.model, target.state,
-    target.orbit and string.format(", orbit %d", target.orbit) or "", target.ram)
+  put("RAM: model %d bytes, state %d%s; static: %d%s.", target.model, target.state,
+    target.orbit and string.format(", orbit %d", target.orbit) or "", target.ram,
+    target.library > 0 and string.format(", and of the C library %d", target.library) or "")
   put("All functions together: %d bytes of flash.", target.flash)
   return list
 end
@@ -79,7 +80,7 @@ function counted.json(sheet, object, null)
         { "stack", row.stack or null }, { "stack_is_bound", t.bound and row.stack ~= nil and not row.least } }
     end
     targets[i] = object { { "name", t.name }, { "compiler", t.compiler }, { "flags", t.flags .. " " .. sheet.options },
-      { "emulator", t.emulator }, { "flash", t.flash }, { "ram", t.ram }, { "model", t.model }, { "state", t.state },
+      { "emulator", t.emulator }, { "flash", t.flash }, { "ram", t.ram }, { "ram_of_library", t.library }, { "model", t.model }, { "state", t.state },
       { "orbit", t.orbit or null }, { "functions", functions } }
   end
   return object { { "real", sheet.real }, { "t", sheet.when }, { "h", sheet.step }, { "targets", targets } }
