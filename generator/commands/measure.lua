@@ -4,9 +4,9 @@
 --     measure.cores(names, real)         the cores of --target (nil: of none), or nil and what is wrong; all: all that
 --                                        have the type
 --     measure.run(host, job, cores)      the sheet, or nil and a message
--- The emitted source is compiled by each core's cross compiler, a program that calls all functions (emit/calls.lua) runs
--- in its emulator, every function is linked alone, and stacks are summed along the graph of calls.  All are numbers of
--- the tools, none of a clock; the tools' versions stand beside them.  A sheet is
+-- The emitted source is compiled by each core's cross compiler, a program that calls all functions (emit/calls.lua)
+-- runs in its emulator, every function is linked alone, and stacks are summed along the graph of calls.  All are numbers
+-- of the tools, none of a clock; the tools' versions stand beside them.  A sheet is
 --     {real =, when =, step = (text), targets = {{name =, cycles = bool, bound = bool, compiler =, emulator =, flags =,
 --       model =, state =, orbit = (bytes; nil: none), flash = (all functions linked), ram =, library = (variables),
 --       functions = {{name =, count =, flash =, stack =, least = bool}, ...}}, ...}}
@@ -89,10 +89,10 @@ local function joined(...)
   return list
 end
 
--- As host.compile_many has it.  list: of {sources, output, flags, libs}; compiler nil: the host's own.
+-- As host.compile_many has it; core nil: for the host itself.
 local function item(dir, core, sources, output, flags, libs)
-  return { dir, sources, output, { cc = core and core.prefix .. "gcc", flags = core and joined(core.flags, flags) or flags,
-    libs = libs } }
+  local own = core and { cc = core.prefix .. "gcc", flags = joined(core.flags, flags), libs = libs }
+  return { dir, sources, output, own or { flags = flags, libs = libs } }
 end
 
 local function compile(host, list)
@@ -106,7 +106,8 @@ end
 local function alone(dir, core, sources, output, names)
   local flags = { "-nostartfiles", "-Wl,--gc-sections", "-Wl,-e," .. names[1] }
   for i, name in ipairs(names) do flags[i + 3] = "-Wl,-u," .. name end
-  return item(dir, core, sources, output, joined(core.link, flags, core.script and { "-T", core.script } or {}), { "-lm" })
+  local script = core.script and { "-T", core.script } or {}
+  return item(dir, core, sources, output, joined(core.link, flags, script), { "-lm" })
 end
 
 local function symbols_of(list)
@@ -158,9 +159,10 @@ local function count(host, dir, core, elf)
   end
   local status, text = host.execute(command, { dir = dir, seconds = LIMIT })
   if status == REFUSED then return nil, "init, solve or set_tick refuses the scene's initial state" end
-  if status ~= 0 then return nil, "the emulator ended with " .. (status and "status " .. status or "") .. " " .. text end
+  if status ~= 0 then return nil, "the emulator: " .. (status and "exit status " .. status .. ": " or "") .. text end
+  if core.run then text = host.read(dir .. "/" .. log) end
   local counts, others = {}, { version = string.match(text, "simavr [%d.]+") }
-  for n, other in string.gmatch("\n" .. (core.run and host.read(dir .. "/" .. log) or text), "\n(%d+) ?(%d*)%f[\n\0]") do
+  for n, other in string.gmatch(text, "%f[^\n\0](%d+) ?(%d*)\n") do
     counts[#counts + 1], others[#others + 1] = math.tointeger(tonumber(n)), math.tointeger(tonumber(other))
   end
   return counts, others
@@ -210,8 +212,8 @@ local function one(host, dir, core, list, found)
   if core.run then worst, why = stacks(host, dir, core) end
   if not worst then return nil, why end
   local gcc, emulator = core.packages[1][1], core.run and core.packages[2][1]
-  local target = { name = core.name, cycles = not core.run, bound = core.run ~= nil, flags = table.concat(core.flags, " "),
-    compiler = gcc .. " " .. found[gcc],
+  local target = { name = core.name, cycles = not core.run, bound = core.run ~= nil,
+    flags = table.concat(core.flags, " "), compiler = gcc .. " " .. found[gcc],
     emulator = (emulator and emulator .. " " .. found[emulator] or others.version) .. ", " .. core.machine,
     model = bytes_of(elf, "model"), state = bytes_of(elf, "start"), orbit = bytes_of(elf, "orbit"), flash = all.flash,
     ram = own.ram, library = all.ram - own.ram, functions = {} }

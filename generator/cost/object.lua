@@ -14,19 +14,22 @@ local WRITE, ALLOC = 1, 2
 
 local function name_at(bytes, at) return (string.match(bytes, "^[^\0]*", at)) end
 
--- The section headers: {type =, flags =, at = (offset, from 1), bytes =, link =, entry =}.
+-- Some of the fields that string.unpack finds: chosen by their numbers.
+local function fields(format, bytes, at, ...)
+  local all, some = { string.unpack(format, bytes, at) }, {}
+  for i, n in ipairs { ... } do some[i] = all[n] end
+  return table.unpack(some)
+end
+
+-- The section headers: {type =, flags =, at = (offset, from 1), bytes =, link =, each =}.
 local function sections(bytes, wide)
-  local shoff, _, _, _, _, entsize, count
-  if wide then
-    shoff, _, _, _, _, entsize, count = string.unpack("<I8 I4 I2 I2 I2 I2 I2", bytes, 41)
-  else
-    shoff, _, _, _, _, entsize, count = string.unpack("<I4 I4 I2 I2 I2 I2 I2", bytes, 33)
-  end
+  local shoff, size, count = fields(wide and "<I8 I4 I2 I2 I2 I2 I2" or "<I4 I4 I2 I2 I2 I2 I2", bytes, wide and 41 or 33,
+    1, 6, 7)
   local list = {}
   local format = wide and "<I4 I4 I8 I8 I8 I8 I4 I4 I8 I8" or "<I4 I4 I4 I4 I4 I4 I4 I4 I4 I4"
   for i = 0, count - 1 do
-    local _, kind, flags, _, offset, size, link, _, _, each = string.unpack(format, bytes, shoff + i * entsize + 1)
-    list[i] = { type = kind, flags = flags, at = offset + 1, bytes = size, link = link, each = each }
+    local kind, flags, offset, length, link, each = fields(format, bytes, shoff + i * size + 1, 2, 3, 5, 6, 7, 10)
+    list[i] = { type = kind, flags = flags, at = offset + 1, bytes = length, link = link, each = each }
   end
   return list, count
 end
@@ -36,9 +39,9 @@ local function symbols(bytes, wide, table_of, names)
   for at = table_of.at, table_of.at + table_of.bytes - 1, table_of.each do
     local name, value, size, section
     if wide then
-      name, _, _, section, value, size = string.unpack("<I4 B B I2 I8 I8", bytes, at)
+      name, section, value, size = fields("<I4 B B I2 I8 I8", bytes, at, 1, 4, 5, 6)
     else
-      name, value, size, _, _, section = string.unpack("<I4 I4 I4 B B I2", bytes, at)
+      name, value, size, section = fields("<I4 I4 I4 B B I2", bytes, at, 1, 2, 3, 6)
     end
     local text = name_at(bytes, names.at + name)
     if section ~= 0 and text ~= "" and not found[text] then found[text] = { value = value, bytes = size } end

@@ -3,9 +3,9 @@
 --
 --     calls.of(job, header)      {list = {{name =, text = (of the call) or nil, why = (it is not called)}, ...},
 --                                 when =, step = (text), program = (C)}
--- The functions are read from the emitted header's prototypes, so none is forgotten; what an argument is given is decided by
--- its type and name.  State: the scene's initial one; t: a time within its horizon; h: its step.  The program
--- (templates/target/calls.c) is not emitted.
+-- The functions are read from the emitted header's prototypes, so none is forgotten; what an argument is given is decided
+-- by its type and name.  State: the scene's initial one; t: a time within its horizon; h: its step.  What goes from one
+-- time to another goes one step, with a tolerance of 1e-6.  The program (templates/target/calls.c) is not emitted.
 
 local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
@@ -40,7 +40,8 @@ end
 -- What is given for the argument a of the call; nil for one of no known type.  The call's `out` counts the numbers that
 -- it writes, `vectors` the given ones.
 local function value(job, call, a)
-  local const, base, pointer, name, brackets = string.match(a, "^(c?o?n?s?t?) ?([%w_]+) ?(%*?)([%w_]+) ?([%[%]%w_]*)$")
+  local const, rest = string.match(a, "^(const) (.*)$")
+  local base, pointer, name, brackets = string.match(rest or a, "^([%w_]+) ?(%*?)([%w_]+) ?([%[%]%w_]*)$")
   if not base then return nil end
   local kind = string.match(base, "^" .. job.model.name .. "_(%w+)$") or base
   if pointer == "*" and (kind == "model" or kind == "orbit") and brackets == "" then return "&" .. kind end
@@ -59,7 +60,7 @@ local function value(job, call, a)
     return #job.model.params > 0 and "parameters" or "0"
   elseif name == "x" or name == "x0" then
     return "state"
-  elseif const ~= "" then
+  elseif const then
     if brackets == "[]" then return name == "t" and "times" or nil end
     if brackets == "[6]" then return "tensor" end
     if brackets == "[3]" and name == "I" then return "moments" end
@@ -91,7 +92,8 @@ end
 function calls.of(job, header)
   local m, list, has = job.model, {}, {}
   local v = { name = m.name, upper = string.upper(m.name), calls = {}, has_params = #m.params > 0,
-    has_inputs = job.equations.inputs, has_series = false, has_orbit = string.find(header, m.name .. "_orbit", 1, true) ~= nil }
+    has_inputs = job.equations.inputs, has_series = false,
+    has_orbit = string.find(header, m.name .. "_orbit", 1, true) ~= nil }
   local out, vectors = 1, 1
   for i, f in ipairs(prototypes(header, m.name)) do
     local call = prepare(job, f)

@@ -22,17 +22,18 @@ local function notes(sheet, target)
   local function put(...) list[#list + 1] = string.format(...) end
   put("Compiled by %s %s %s.", target.compiler, target.flags, sheet.options)
   if target.cycles then
-    put("Cycles as %s counts them: processor and emulator of one call, its arguments included.", target.emulator)
+    put("Cycles, not instructions, of one call with its arguments, by %s.", target.emulator)
   else
     put("Instructions, not cycles, of one call with its arguments, counted under %s.", target.emulator)
   end
-  put("Called from the scene's initial state at t = %s s, h = %s s.", sheet.when, sheet.step)
-  put("Flash: code and constants that a linker keeps for that function alone, with what it needs of the C library.")
+  put("Called with the scene's initial state, t = %s s, h = %s s; runs and `advance` over one h, to 1e-6.", sheet.when,
+    sheet.step)
+  put("Flash: bytes of code and constants that a linker keeps for that function alone, the C library's included.")
   if target.bound then
-    put("Stack: of the deepest chain of calls, whichever way the numbers go%s.",
-      any(target, "least") and "; +: and what is not known of it" or "")
+    put("Stack: bytes of the deepest chain of calls, whichever way the numbers go%s.",
+      any(target, "least") and "; +: at least, for part of it is not known" or "")
   else
-    put("Stack: of this run; other numbers may take more.")
+    put("Stack: bytes used in this run; other numbers may take more.")
   end
   put("RAM: model %d bytes, state %d%s; static: %d%s.", target.model, target.state,
     target.orbit and string.format(", orbit %d", target.orbit) or "", target.ram,
@@ -80,7 +81,8 @@ function counted.json(sheet, object, null)
         { "stack", row.stack or null }, { "stack_is_bound", t.bound and row.stack ~= nil and not row.least } }
     end
     targets[i] = object { { "name", t.name }, { "compiler", t.compiler }, { "flags", t.flags .. " " .. sheet.options },
-      { "emulator", t.emulator }, { "flash", t.flash }, { "ram", t.ram }, { "ram_of_library", t.library }, { "model", t.model }, { "state", t.state },
+      { "emulator", t.emulator }, { "flash", t.flash }, { "ram", t.ram }, { "ram_of_library", t.library },
+      { "model", t.model }, { "state", t.state },
       { "orbit", t.orbit or null }, { "functions", functions } }
   end
   return object { { "real", sheet.real }, { "t", sheet.when }, { "h", sheet.step }, { "targets", targets } }

@@ -3,11 +3,11 @@
 
      avr FILE.elf BEGIN END FINISH      addresses of functions in bytes
 
-   One line a time that `end` was entered: cycles since `begin` was, and the bytes of stack that were
-   in use at most, below those at the call of `begin` (a return address has 3). Ends where `finish`
-   is entered; the status is its argument (r24). Before them the version of simavr. The halves of
-   the stack pointer are set one after the other, from `out SPH` to `out SPL`: what stands there
-   between does not count. */
+   One line a time that `end` was entered: cycles since `begin` was, and the bytes of stack that
+   were in use at most, below those at the call of `begin` (a return address has 3). Ends where
+   `finish` is entered; the status is its argument (r24). Before them the version of simavr. The
+   halves of the stack pointer are set one after the other, from `out SPH` to `out SPL`: what stands
+   there between does not count. */
 #include <simavr/sim_avr.h>
 #include <simavr/sim_core_config.h>
 #include <simavr/sim_elf.h>
@@ -35,8 +35,8 @@ int main(int argc, char **argv) {
   avr_load_firmware(avr, &firmware);
   while (avr->pc != finish) {
     const unsigned stack = (unsigned)avr->data[R_SPL] | (unsigned)avr->data[R_SPH] << 8;
-    const unsigned instruction =
-        (unsigned)avr->flash[avr->pc] | (unsigned)avr->flash[avr->pc + 1] << 8;
+    const unsigned instruction = (unsigned)avr->flash[avr->pc] | (unsigned)avr->flash[avr->pc + 1]
+                                                                     << 8;
     if (avr->pc == begin) {
       start = avr->cycle;
       top = lowest = stack + 3;
