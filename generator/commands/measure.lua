@@ -5,8 +5,8 @@
 --                                        have the type
 --     measure.run(host, job, cores)      the sheet, or nil and a message
 -- The emitted source is compiled by each core's cross compiler, a program that calls all functions (emit/calls.lua)
--- runs in its emulator, every function is linked alone, and stacks are summed along the graph of calls.  All are numbers
--- of the tools, none of a clock; the tools' versions stand beside them.  A sheet is
+-- runs in its emulator, every function is linked alone, stacks are summed along the graph of calls.  All are numbers of
+-- the tools, none of a clock; the tools' versions stand beside them.  A sheet is
 --     {real =, when =, step = (text), targets = {{name =, cycles = bool, bound = bool, compiler =, emulator =, flags =,
 --       model =, state =, orbit = (bytes; nil: none), flash = (all functions linked), ram =, library = (variables),
 --       functions = {{name =, count =, flash =, stack =, least = bool}, ...}}, ...}}
@@ -148,7 +148,8 @@ local function hex(o, name) return string.format("0x%x", o.symbols[name].value &
 
 -- The counts of a program's calls, the first of which is none, and the second number of each line.
 local function count(host, dir, core, elf)
-  local command, log = nil, core.name .. ".counts"
+  local command
+  local log = core.name .. ".counts"
   if core.run then
     local plugin = "./count.so,begin=" .. hex(elf, "begin") .. ",end=" .. hex(elf, "end") ..
       (data.plugin[core.name] or "")

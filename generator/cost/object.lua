@@ -23,8 +23,8 @@ end
 
 -- The section headers: {type =, flags =, at = (offset, from 1), bytes =, link =, each =}.
 local function sections(bytes, wide)
-  local shoff, size, count = fields(wide and "<I8 I4 I2 I2 I2 I2 I2" or "<I4 I4 I2 I2 I2 I2 I2", bytes, wide and 41 or 33,
-    1, 6, 7)
+  local header = wide and "<I8 I4 I2 I2 I2 I2 I2" or "<I4 I4 I2 I2 I2 I2 I2"
+  local shoff, size, count = fields(header, bytes, wide and 41 or 33, 1, 6, 7)
   local list = {}
   local format = wide and "<I4 I4 I8 I8 I8 I8 I4 I4 I8 I8" or "<I4 I4 I4 I4 I4 I4 I4 I4 I4 I4"
   for i = 0, count - 1 do

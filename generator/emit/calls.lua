@@ -1,10 +1,10 @@
 -- calls.lua -- a program that calls each function of an emitted scene, for an emulator to count.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     calls.of(job, header)      {list = {{name =, text = (of the call) or nil, why = (it is not called)}, ...},
---                                 when =, step = (text), program = (C)}
--- The functions are read from the emitted header's prototypes, so none is forgotten; what an argument is given is decided
--- by its type and name.  State: the scene's initial one; t: a time within its horizon; h: its step.  What goes from one
+--     calls.of(job, header)      {list =, when =, step = (text), program = (C)}, the list of
+--                                {name =, symbol =, text = (of the call) or nil, why = (it is not called)}
+-- The functions are read from the emitted header's prototypes, so none is forgotten; what an argument is given is
+-- decided by its type and name.  State: the scene's initial one; t: a time within its horizon; h: its step.  What goes from one
 -- time to another goes one step, with a tolerance of 1e-6.  The program (templates/target/calls.c) is not emitted.
 
 local R = require "generator.algebra.rational"
