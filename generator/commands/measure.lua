@@ -7,11 +7,13 @@
 -- The emitted source is compiled by each core's cross compiler, a program that calls all functions (emit/calls.lua)
 -- runs in its emulator, every function is linked alone, stacks are summed along the graph of calls.  All are numbers of
 -- the tools, none of a clock; the tools' versions stand beside them.  A sheet is
---     {real =, when =, step = (text), targets = {{name =, cycles = bool, bound = bool, compiler =, emulator =, flags =,
---       model =, state =, orbit = (bytes; nil: none), flash = (all functions linked), ram =, library = (variables),
---       functions = {{name =, count =, flash =, stack =, least = bool}, ...}}, ...}}
--- cycles: the counts are of cycles; bound: stack is that of the deepest chain of calls, else of the counted run alone;
--- least: part of the stack is not known; count nil: not called.
+--     {real =, when =, step = (text), options = (of all compilers), targets = {target, ...}}
+-- a target
+--     {name =, compiler =, flags =, emulator =, cycles = (does it count those?),
+--      bound = (stack is that of the deepest chain of calls, else of the counted run alone),
+--      model =, state =, orbit = (bytes; nil: none), flash = (all functions linked),
+--      ram =, library = (bytes of variables; copies: constants too, and all in ram),
+--      functions = {{name =, count = (nil: not called), flash =, stack =, least = (part of it is not known)}, ...}}
 
 local calls = require "generator.emit.calls"
 local data = require "generator.cost.cores"
@@ -217,7 +219,8 @@ local function one(host, dir, core, list, found)
     flags = table.concat(core.flags, " "), compiler = gcc .. " " .. found[gcc],
     emulator = (emulator and emulator .. " " .. found[emulator] or others.version) .. ", " .. core.machine,
     model = bytes_of(elf, "model"), state = bytes_of(elf, "start"), orbit = bytes_of(elf, "orbit"), flash = all.flash,
-    ram = own.ram, library = all.ram - own.ram, functions = {} }
+    ram = core.copies and all.ram or own.ram, library = core.copies and 0 or all.ram - own.ram, copies = core.copies,
+    functions = {} }
   local called = 1
   for _, f in ipairs(list) do called = called + (f.text and 1 or 0) end
   if #counts ~= 2 * called then

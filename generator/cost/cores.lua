@@ -8,6 +8,7 @@
 --     link              further options for the linker
 --     run               the emulator without its plugin and the program; none: simavr as a library (avr.c)
 --     single            its double is a float
+--     copies            constants are copied to RAM before the program begins
 --     packages          {command, Debian package} of what is run
 --     header            {header, package}: what the compiler, and cc where host is set, must find
 -- Cortex-M and RV32 run under QEMU, which counts instructions by a plugin (count.c), of Cortex-M also cycles by Arm's
@@ -43,7 +44,7 @@ cores.list = {
   arm("cortex-m7", "cortex-m7", "mps2-an500", { "-mfloat-abi=hard", "-mfpu=fpv5-d16" }),
   riscv("rv32imac", "rv32imac", "ilp32"),
   riscv("rv32imafc", "rv32imafc", "ilp32f"),
-  { name = "avr", machine = "atmega2560", single = true, prefix = "avr-",
+  { name = "avr", machine = "atmega2560", single = true, copies = true, prefix = "avr-",
     flags = { "-mmcu=atmega2560", "-DHUGE_VALF=__builtin_inff()" }, link = {},
     packages = { { "avr-gcc", "gcc-avr" } },
     header = { { "math.h", "avr-libc" }, { "simavr/sim_avr.h", "libsimavr-dev", host = true } } },

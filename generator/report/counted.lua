@@ -35,9 +35,10 @@ local function notes(sheet, target)
   else
     put("Stack: bytes used in this run; other numbers may take more.")
   end
-  put("RAM: model %d bytes, state %d%s; static: %d%s.", target.model, target.state,
-    target.orbit and string.format(", orbit %d", target.orbit) or "", target.ram,
-    target.library > 0 and string.format(", and of the C library %d", target.library) or "")
+  local orbit = target.orbit and string.format(", orbit %d", target.orbit) or ""
+  local more = target.library > 0 and string.format(", and of the C library %d", target.library) or ""
+  put("RAM: model %d bytes, state %d%s; static: %d%s%s.", target.model, target.state, orbit, target.ram, more,
+    target.copies and ", the C library's and the constants included" or "")
   put("All functions together: %d bytes of flash.", target.flash)
   return list
 end
