@@ -74,7 +74,7 @@ end
 function gen.run(host, given)
   local chosen, wrong = chosen_methods(given)
   local order, bad = gen.order(given)
-  local cores, unknown = measure.cores(given.target, given.real)
+  local _, unknown = measure.cores(given.target, given.real or "float") -- the type may be the budget's
   wrong = wrong or bad or unknown
   if given.accuracy and not (given.accuracy > 0 and given.accuracy < 1) then
     wrong = "--accuracy must be between 0 and 1, got " .. shortest(given.accuracy)
@@ -113,6 +113,11 @@ function gen.run(host, given)
   if given.show then
     host.out(driver.show(host, job, given.show))
     return 0
+  end
+  local cores, short = measure.cores(given.target, job.real)
+  if short then
+    host.err("polhode gen: " .. short .. "\n")
+    return 2
   end
   local package = packages.by_name(given.project or packages.default)
   if package.check and not package.check(job) then return options.refuse(host, given[1], job.diag) end

@@ -4,8 +4,8 @@
 --     calls.of(job, header)      {list =, when =, step = (text), program = (C)}, the list of
 --                                {name =, symbol =, text = (of the call) or nil, why = (it is not called)}
 -- The functions are read from the emitted header's prototypes, so none is forgotten; what an argument is given is
--- decided by its type and name.  State: the scene's initial one; t: a time within its horizon; h: its step.  What goes from one
--- time to another goes one step, with a tolerance of 1e-6.  The program (templates/target/calls.c) is not emitted.
+-- decided by its type and name.  State: the scene's initial one; t: a time within its horizon; h: its step.  What goes
+-- from one time to another goes one step, with a tolerance of 1e-6.  templates/target/calls.c is not emitted.
 
 local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
