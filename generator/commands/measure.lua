@@ -8,7 +8,7 @@
 -- runs in its emulator, every function is linked alone, stacks are summed along the graph of calls.  All are numbers of
 -- the tools, none of a clock; the tools' versions stand beside them.  A sheet is
 --     {real =, when =, step = (text), options = (of all compilers), targets = {target, ...}}
--- a target
+-- a target, or {name =, failed = (why it was not counted)},
 --     {name =, compiler =, flags =, emulator =, cycles = (does it count those?),
 --      bound = (stack is that of the deepest chain of calls, else of the counted run alone),
 --      model =, state =, orbit = (bytes; nil: none), flash = (all functions linked),
@@ -25,6 +25,7 @@ local stack = require "generator.cost.stack"
 local measure = {}
 
 local MOST = (1 << 20) - 1 -- of what a program prints, that much is kept
+local SPARE = 128          -- bytes of stack of who calls
 local REFUSED = 9          -- exit status of calls.c
 local LIMIT = 60           -- s for an emulator: thousands of times what one needs
 
@@ -226,7 +227,7 @@ local function one(host, dir, core, list, found)
   if #counts ~= 2 * called then
     return nil, string.format("the program has come to call %d of %d", #counts, 2 * called)
   end
-  local k = called + 1 -- of the second time
+  local k, deepest = called + 1, 0 -- of the second time
   for i, f in ipairs(list) do
     local row, deep = { name = f.name, flash = read(f.name).flash }, worst[f.symbol]
     if f.text then
@@ -238,6 +239,12 @@ local function one(host, dir, core, list, found)
       row.stack, row.least = deep.bytes, (#deep.missing > 0 or deep.cycle or deep.dynamic or deep.indirect) and true
     end
     target.functions[i] = row
+    deepest = math.max(deepest, row.stack or 0)
+  end
+  local needs = elf.ram + deepest + SPARE
+  if core.memory and needs > core.memory then
+    return nil, string.format("%s has %d bytes of RAM, the program that calls all functions needs %d", core.machine,
+      core.memory, needs)
   end
   return target
 end
@@ -263,8 +270,10 @@ function measure.run(host, job, cores)
   local sheet = { real = job.real, when = plan.when, step = plan.step, options = table.concat(data.options, " "),
     targets = {} }
   for i, core in ipairs(cores) do
-    sheet.targets[i], why = one(host, dir, core, plan.list, found)
-    if not sheet.targets[i] then return nil, "--target " .. core.name .. ": " .. why end
+    local target
+    target, why = one(host, dir, core, plan.list, found)
+    if not target and #cores == 1 then return nil, "--target " .. core.name .. ": " .. why end
+    sheet.targets[i] = target or { name = core.name, failed = why }
   end
   return sheet
 end

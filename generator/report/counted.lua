@@ -18,6 +18,7 @@ end
 
 -- What the numbers are: sentences.
 local function notes(sheet, target)
+  if target.failed then return { "Not counted: " .. target.failed .. "." } end
   local list = {}
   local function put(...) list[#list + 1] = string.format(...) end
   put("Compiled by %s %s %s.", target.compiler, target.flags, sheet.options)
@@ -52,10 +53,12 @@ function counted.markdown(sheet)
     put("**%s**, %s.", target.name, sheet.real)
     for _, note in ipairs(notes(sheet, target)) do put("%s", note) end
     put ""
-    put("| function | %s | flash | stack |", unit(target))
-    put "|---|---|---|---|"
-    for _, row in ipairs(target.functions) do put("| %s | %s | %s | %s |", row.name, cells(row)) end
-    put ""
+    if target.functions then
+      put("| function | %s | flash | stack |", unit(target))
+      put "|---|---|---|---|"
+      for _, row in ipairs(target.functions) do put("| %s | %s | %s | %s |", row.name, cells(row)) end
+      put ""
+    end
   end
   return lines
 end
@@ -64,8 +67,10 @@ function counted.text(sheet)
   local list = {}
   for i, target in ipairs(sheet.targets) do
     local lines = notes(sheet, target)
-    lines[#lines + 1] = string.format("%-24s %12s %8s %8s", "", unit(target), "flash", "stack")
-    for _, row in ipairs(target.functions) do
+    if target.functions then
+      lines[#lines + 1] = string.format("%-24s %12s %8s %8s", "", unit(target), "flash", "stack")
+    end
+    for _, row in ipairs(target.functions or {}) do
       lines[#lines + 1] = string.format("%-24s %12s %8s %8s", row.name, cells(row))
     end
     list[i] = { title = "Counted on " .. target.name .. ", in " .. sheet.real, lines = lines }
@@ -77,11 +82,12 @@ function counted.json(sheet, object, null)
   local targets = {}
   for i, t in ipairs(sheet.targets) do
     local functions = {}
-    for k, row in ipairs(t.functions) do
+    for k, row in ipairs(t.functions or {}) do
       functions[k] = object { { "function", row.name }, { unit(t), row.count or null }, { "flash", row.flash },
         { "stack", row.stack or null }, { "stack_is_bound", t.bound and row.stack ~= nil and not row.least } }
     end
-    targets[i] = object { { "name", t.name }, { "compiler", t.compiler }, { "flags", t.flags .. " " .. sheet.options },
+    targets[i] = t.failed and object { { "name", t.name }, { "failed", t.failed } } or object { { "name", t.name },
+      { "compiler", t.compiler }, { "flags", t.flags .. " " .. sheet.options },
       { "emulator", t.emulator }, { "flash", t.flash }, { "ram", t.ram }, { "ram_of_library", t.library },
       { "model", t.model }, { "state", t.state },
       { "orbit", t.orbit or null }, { "functions", functions } }
