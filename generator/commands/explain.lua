@@ -62,8 +62,9 @@ function explain.run(host, given)
   job.asked = planner.asked(host, job, given)
   driver.plan(job, { command = "", real = given.real })
   if cores then
-    if not driver.files(host, job) then return options.refuse(host, given[1], job.diag) end
-    job.counted, why = measure.run(host, job, cores)
+    local files = driver.files(host, job)
+    if not files then return options.refuse(host, given[1], job.diag) end
+    job.counted, why = measure.run(host, job, cores, files)
     if not job.counted then
       host.err("polhode explain: " .. why .. "\n")
       return 2

@@ -125,7 +125,7 @@ function gen.run(host, given)
   local files = driver.files(host, job)
   if not files then return options.refuse(host, given[1], job.diag) end
   if cores then -- the code is made; once more for the README with its numbers
-    job.counted, why = measure.run(host, job, cores)
+    job.counted, why = measure.run(host, job, cores, files)
     files = job.counted and driver.files(host, job)
     if not files then
       host.err("polhode gen: " .. why .. "\n")

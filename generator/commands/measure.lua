@@ -3,7 +3,7 @@
 --
 --     measure.cores(names, real)         the cores of --target (nil: of none), or nil and what is wrong; all: all that
 --                                        have the type
---     measure.run(host, job, cores)      the sheet, or nil and a message
+--     measure.run(host, job, cores, files)   the sheet of the emitted files, or nil and a message
 -- The emitted source is compiled by each core's cross compiler, a program that calls all functions (emit/calls.lua)
 -- runs in its emulator, every function is linked alone, stacks are summed along the graph of calls.  All are numbers of
 -- the tools, none of a clock; the tools' versions stand beside them.  A sheet is
@@ -17,7 +17,6 @@
 
 local calls = require "generator.emit.calls"
 local data = require "generator.cost.cores"
-local driver = require "generator.driver"
 local frames = require "generator.cost.frames"
 local object = require "generator.cost.object"
 local stack = require "generator.cost.stack"
@@ -119,7 +118,14 @@ local function symbols_of(list)
   return names
 end
 
-local function build(host, dir, name, cores, list)
+-- The objects of a core, by the modules' stems.
+local function objects(core, modules)
+  local names = {}
+  for i, m in ipairs(modules) do names[i] = core.name .. "." .. m.stem .. ".o" end
+  return names
+end
+
+local function build(host, dir, modules, cores, list)
   local first, second, native = {}, {}, {}
   local all = symbols_of(list)
   for _, core in ipairs(cores) do
@@ -129,14 +135,17 @@ local function build(host, dir, name, cores, list)
         item(dir, nil, { "avr.c" }, "avr", { "-O2" }, { "-lsimavr", "-l:libelf.so.1" })
       native[kind] = true
     end
-    first[#first + 1] = item(dir, core, { name .. ".c" }, n .. ".o",
-      joined(data.options, { "-std=c99", "-w", "-c", core.run and "-fcallgraph-info=su" or nil }))
+    local made = objects(core, modules)
+    for i, m in ipairs(modules) do
+      first[#first + 1] = item(dir, core, { m.stem .. ".c" }, made[i],
+        joined(data.options, { "-std=c99", "-w", "-c", core.run and "-fcallgraph-info=su" or nil }))
+    end
     local start = core.script and { "-T", core.script, core.start } or {}
-    second[#second + 1] = item(dir, core, { "calls.c", n .. ".o" }, n .. ".elf",
+    second[#second + 1] = item(dir, core, joined({ "calls.c" }, made), n .. ".elf",
       joined(data.options, { "-std=gnu11", "-Wl,--gc-sections" }, core.link, start), { "-lm" })
-    second[#second + 1] = alone(dir, core, { n .. ".o" }, n .. ".all", all)
+    second[#second + 1] = alone(dir, core, made, n .. ".all", all)
     for _, f in ipairs(list) do
-      second[#second + 1] = alone(dir, core, { n .. ".o" }, n .. "." .. f.name, { f.symbol })
+      second[#second + 1] = alone(dir, core, made, n .. "." .. f.name, { f.symbol })
     end
   end
   local ok, why = compile(host, first)
@@ -175,8 +184,11 @@ end
 -- ---- stacks ----
 
 -- Worst stacks by name from the compiler's graph; the C library's functions from their machine code.
-local function stacks(host, dir, core)
-  local graph = stack.read(host.read(dir .. "/" .. core.name .. ".ci"))
+local function stacks(host, dir, core, modules)
+  local graph
+  for _, name in ipairs(objects(core, modules)) do
+    graph = stack.read(host.read(dir .. "/" .. string.gsub(name, "o$", "ci")), graph)
+  end
   local names, seen = {}, {}
   for _, f in ipairs(stack.worst(graph)) do
     for _, name in ipairs(f.missing) do
@@ -207,20 +219,21 @@ end
 
 local function bytes_of(elf, name) return elf.symbols[name] and elf.symbols[name].bytes end
 
-local function one(host, dir, core, list, found)
+local function one(host, dir, core, modules, list, found)
   local function read(suffix) return object.read(host.read(dir .. "/" .. core.name .. "." .. suffix)) end
-  local own, elf, all = read "o", read "elf", read "all"
+  local elf, all, own = read "elf", read "all", 0
+  for _, m in ipairs(modules) do own = own + read(m.stem .. ".o").ram end
   local counts, others = count(host, dir, core, elf)
   if not counts then return nil, others end
   local worst, why = {}, nil
-  if core.run then worst, why = stacks(host, dir, core) end
+  if core.run then worst, why = stacks(host, dir, core, modules) end
   if not worst then return nil, why end
   local gcc, emulator = core.packages[1][1], core.run and core.packages[2][1]
   local target = { name = core.name, cycles = not core.run, bound = core.run ~= nil,
     flags = table.concat(core.flags, " "), compiler = gcc .. " " .. found[gcc],
     emulator = (emulator and emulator .. " " .. found[emulator] or others.version) .. ", " .. core.machine,
     model = bytes_of(elf, "model"), state = bytes_of(elf, "start"), orbit = bytes_of(elf, "orbit"), flash = all.flash,
-    ram = core.copies and all.ram or own.ram, library = core.copies and 0 or all.ram - own.ram, copies = core.copies,
+    ram = core.copies and all.ram or own, library = core.copies and 0 or all.ram - own, copies = core.copies,
     functions = {} }
   local called = 1
   for _, f in ipairs(list) do called = called + (f.text and 1 or 0) end
@@ -249,29 +262,32 @@ local function one(host, dir, core, list, found)
   return target
 end
 
-function measure.run(host, job, cores)
+function measure.run(host, job, cores, emitted)
   local dir, why = host.tempdir()
   if not dir then return nil, why end
   local found
   found, why = tools(host, cores, dir)
   if not found then return nil, why end
   job.templates = host.templates
-  local code, name = driver.code(job), job.model.name
-  local plan = calls.of(job, code.header)
-  local files = { { name = name .. ".h", text = code.header }, { name = name .. ".c", text = code.source },
-    { name = "calls.c", text = plan.program } }
+  local modules = calls.modules(job, emitted)
+  local plan = calls.of(job, modules)
+  local files = { { name = "calls.c", text = plan.program } }
+  for _, m in ipairs(modules) do
+    files[#files + 1] = { name = m.stem .. ".h", text = m.header }
+    files[#files + 1] = { name = m.stem .. ".c", text = m.source }
+  end
   for _, file in ipairs { "marks.h", "count.c", "avr.c", "startup.c", "riscv.c", "cortex.ld", "riscv.ld" } do
     files[#files + 1] = { name = file, text = host.templates[data.folder .. file] }
   end
   local ok
   ok, why = host.write_files(dir, files)
-  if ok then ok, why = build(host, dir, name, cores, plan.list) end
+  if ok then ok, why = build(host, dir, modules, cores, plan.list) end
   if not ok then return nil, "--target: " .. why end
   local sheet = { real = job.real, when = plan.when, step = plan.step, options = table.concat(data.options, " "),
     targets = {} }
   for i, core in ipairs(cores) do
     local target
-    target, why = one(host, dir, core, plan.list, found)
+    target, why = one(host, dir, core, modules, plan.list, found)
     if not target and #cores == 1 then return nil, "--target " .. core.name .. ": " .. why end
     sheet.targets[i] = target or { name = core.name, failed = why }
   end

@@ -1,9 +1,10 @@
 -- calls.lua -- a program that calls each function of an emitted scene, for an emulator to count.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     calls.of(job, header)      {list =, when =, step = (text), program = (C)}, the list of
+--     calls.modules(job, files)  the emitted files with functions of the scene: {stem =, header =, source =}
+--     calls.of(job, modules)     {list =, when =, step = (text), program = (C)}, the list of
 --                                {name =, symbol =, text = (of the call) or nil, why = (it is not called)}
--- The functions are read from the emitted header's prototypes, so none is forgotten; what an argument is given is
+-- The functions are read from the emitted headers' prototypes, so none is forgotten; what an argument is given is
 -- decided by its type and name.  State: the scene's initial one; t: a time within its horizon; h: its step.  What goes
 -- from one time to another goes one step, with a tolerance of 1e-6.  templates/target/calls.c is not emitted.
 
@@ -19,16 +20,28 @@ local WITHIN = "309/500" -- of the horizon: the golden section, at no special po
 local reals = { t = "when", t0 = "when", t1 = "when + step", h = "step", tolerance = "tolerance" }
 local integers = { n = "2", most = "1000", axis = "2", k = "2" }
 
--- {result, name, {arguments as text}} of the header's functions, in its order.
-local function prototypes(header, name)
-  local list = {}
-  local text = string.gsub(string.gsub(header, "/%*.-%*/", " "), "%s+", " ")
-  for result, f, arguments in string.gmatch(text, "([%w_]+) %*?(" .. name .. "_[%w_]+) ?%(([^()]*)%) ?;") do
-    local own = {}
-    for a in string.gmatch(arguments .. ",", " *(.-) *,") do own[#own + 1] = a end
-    list[#list + 1] = { result = result, symbol = f, name = string.sub(f, #name + 2), arguments = own }
+-- In steps of real numbers, and of integers (gen --with q31); what is made of them for a host alone is left out.
+function calls.modules(job, files)
+  local list, by_name = {}, {}
+  for _, f in ipairs(files) do by_name[string.match(f.name, "[^/]*$")] = f.text end
+  for _, stem in ipairs { job.model.name, job.model.name .. "_q31" } do
+    if by_name[stem .. ".c"] then
+      list[#list + 1] = { stem = stem, header = by_name[stem .. ".h"], source = by_name[stem .. ".c"] }
+    end
   end
   return list
+end
+
+-- Adds {symbol, name, {arguments as text}} of the functions that the module declares and defines, in its order.
+local function prototypes(module, name, list)
+  local text = string.gsub(string.gsub(module.header, "/%*.-%*/", " "), "%s+", " ")
+  for f, arguments in string.gmatch(text, "[%w_]+ %*?(" .. name .. "_[%w_]+) ?%(([^()]*)%) ?;") do
+    local own = {}
+    for a in string.gmatch(arguments .. ",", " *(.-) *,") do own[#own + 1] = a end
+    if string.find(module.source, f .. "%([^;{]*%)%s*{") then
+      list[#list + 1] = { symbol = f, name = string.sub(f, #name + 2), arguments = own }
+    end
+  end
 end
 
 -- Numbers that an array takes: of [n] or [] alone.
@@ -50,6 +63,8 @@ local function value(job, call, a)
     if kind == "int64_t" then return "1234567" end
     return kind == "int" and (integers[name] or "1") or nil
   end
+  if kind == "int32_t" and name == "x" then return "whole" end
+  if kind == "int32_t" and name == "u" then return job.equations.inputs and "whole_input" or "0" end
   if kind ~= "real" then return nil end
   if string.find(brackets, "%]%[") then
     call.series = true
@@ -89,13 +104,14 @@ local function prepare(job, f)
   return call
 end
 
-function calls.of(job, header)
-  local m, list, has = job.model, {}, {}
+function calls.of(job, modules)
+  local m, list, has, declared = job.model, {}, {}, {}
   local v = { name = m.name, upper = string.upper(m.name), calls = {}, has_params = #m.params > 0,
     has_inputs = job.equations.inputs, has_series = false,
-    has_orbit = string.find(header, m.name .. "_orbit", 1, true) ~= nil }
+    has_whole = #modules > 1, has_orbit = string.find(modules[1].header, m.name .. "_orbit", 1, true) ~= nil }
+  for _, module in ipairs(modules) do prototypes(module, m.name, declared) end
   local out, vectors = 1, 1
-  for i, f in ipairs(prototypes(header, m.name)) do
+  for i, f in ipairs(declared) do
     local call = prepare(job, f)
     list[i], has[f.name] = call, true
     if call.text then

@@ -2,6 +2,9 @@
 %% -- SPDX-License-Identifier: GPL-3.0-or-later
 %% -- All are called twice, so that each finds what an earlier one has made; the second time counts. First nothing.
 #include "${name}.h"
+%% if has_whole then
+#include "${name}_q31.h"
+%% end
 #include "marks.h"
 
 typedef ${name}_real real;
@@ -18,6 +21,9 @@ static real parameters[${upper}_NP];
 %% if has_inputs then
 static real input[${upper}_NU];
 %% end
+%% if has_whole then
+static int32_t whole_start[${upper}_Q31_NX], whole[${upper}_Q31_NX], whole_input[3] = {123456, -234567, 345678};
+%% end
 %% if has_series then
 static real series[${upper}_ORDER + 1][${upper}_ROW];
 %% end
@@ -32,6 +38,9 @@ static int all(void)
   begin(), end();
 %% for _, c in ipairs(calls) do
   for (int i = 0; i < NX; i++) state[i] = start[i];
+%%   if has_whole then
+  for (int i = 0; i < ${upper}_Q31_NX; i++) whole[i] = whole_start[i];
+%%   end
   begin(), ${c.text}, end();
 %% end
   (void)tolerance, (void)spin;
@@ -53,6 +62,9 @@ int main(void)
   bad = ${name}_init(&model, 0);
 %% end
   ${name}_initial(&model, start);
+%% if has_whole then
+  ${name}_q31_initial(whole_start);
+%% end
 %% if has_inertia then
   ${name}_inertia(&model, tensor);
 %% end

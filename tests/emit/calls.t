@@ -35,11 +35,9 @@ local dir = program.directory()
 for _, case in ipairs(SCENES) do
   local name, options = case[1], case[2]
   local job = scene.plan(scene.file("bodies/" .. name .. ".lua"), options)
-  for _, file in ipairs { "calls.c" } do
-    job.templates["templates/target/" .. file] = program.read("templates/target/" .. file)
-  end
+  job.templates["templates/target/calls.c"] = program.read "templates/target/calls.c"
   local code = driver.code(job)
-  local plan = calls.of(job, code.header)
+  local plan = calls.of(job, { { header = code.header, source = code.source } })
   local listed, idle = {}, {}
   for _, f in ipairs(plan.list) do
     listed[f.symbol] = true

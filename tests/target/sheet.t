@@ -54,7 +54,7 @@ end
 -- The emitted code, and the sheet's own program with other marks.
 local job = scene.plan(scene.file("bodies/" .. SCENE .. ".lua"), { real = "float" })
 job.templates["templates/target/calls.c"] = program.read "templates/target/calls.c"
-local plan = calls.of(job, driver.code(job).header)
+local plan = calls.of(job, { driver.code(job) })
 program.shell("mkdir -p " .. dir .. "/own " .. dir .. "/other")
 program.write(dir .. "/own/" .. SCENE .. ".h", job.code.header)
 program.write(dir .. "/own/" .. SCENE .. ".c", job.code.source)
