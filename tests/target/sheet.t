@@ -144,17 +144,17 @@ end
 do
   local same = {}
   for i = 1, 2 do
-    tap.is(polhode("gen bodies/thruster.lua --target cortex-m4f -o %s/g%d", dir, i, dir, dir), 0,
+    tap.is(polhode("gen bodies/dropped_stone.lua --target cortex-m4f -o %s/g%d", dir, i, dir, dir), 0,
       "gen --target writes files")
     same[i] = program.read(dir .. "/g" .. i .. "/README.md")
   end
   tap.is(same[1], same[2], "the README is the same twice")
   tap.like(same[1], "| step | ", "it has the step")
-  tap.like(same[1], "polhode gen thruster.lua --target cortex-m4f", "it has the command that makes it again")
+  tap.like(same[1], "polhode gen dropped_stone.lua --target cortex-m4f", "it has the command that makes it again")
   local counted = string.match(same[1], "Counted:.*")
   tap.like(counted or "", "arm%-none%-eabi%-gcc %d+%.%d+%.%d+ %-mcpu=cortex%-m4", "it says which compiler", true)
   tap.like(counted or "", "Instructions, not cycles", "it says that instructions are no cycles")
-  for name in string.gmatch(program.read(dir .. "/g1/thruster.h"), "%f[%w_]thruster_([%w_]+)%([^()]*%);") do
+  for name in string.gmatch(program.read(dir .. "/g1/dropped_stone.h"), "%f[%w_]dropped_stone_([%w_]+)%([^()]*%);") do
     if not string.find(counted or "", "\n| " .. name .. " | %d+ | %d+ | %d+ |") then
       tap.ok(false, "the README has a whole row for " .. name)
     end
