@@ -8,7 +8,7 @@ local options = require "generator.commands.options"
 
 local usage = [[
 usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method rk4,exact] [--set a=0.3 ...]
-                             [--accuracy E] [--order N] [--with jacobians] [--libm own|system] [--project make]
+                             [--accuracy E] [--order N] [--with jacobians] [--libm own|system] [--project make|fmu]
                              [--target all|cortex-m4f,...]   (instructions, flash, stack, counted under emulators)
                              [--show lower|power|fold|cse|dce|order]
        polhode run     SCENE [--engine general|generated] [--method M] [--step H] [--tolerance E]
