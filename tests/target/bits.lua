@@ -1,0 +1,77 @@
+-- bits.lua -- programs of tests/target/bits.c: which scenes, how they are built, and what they print.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+--     local bits = require "tests.target.bits"
+--     bits.scenes                                  list of {scene, step, methods, more}
+--     local file = bits.program(s, real, m, compiler, level, options)     leaves rules in jobs.lua
+--     bits.read(file) -> {item -> hash}, or nil and what was printed      also: the items' order, a list
+--
+-- The golden file is read and written here too: bits.golden(), bits.write(table).
+
+local jobs = require "tests.target.jobs"
+local scenes = require "tests.target.scenes"
+
+local bits = { path = "tests/target/bits.txt" }
+
+local ALL = "rk4,adaptive,taylor,midpoint,semi,split2,split4"
+
+bits.scenes = {
+  { scene = "brick_centroid", step = "0.01", methods = ALL .. ",exact" },
+  { scene = "symmetric_top", step = "0.01", methods = ALL .. ",exact" },
+  { scene = "heavy_top", step = "0.001", methods = ALL .. ",exact" },
+  { scene = "gyrostat", step = "0.01", methods = "rk4,semi,midpoint,exact" },
+  { scene = "dual_spin", step = "0.01", methods = "rk4,semi,exact" },
+  { scene = "thruster", step = "0.01", methods = "rk4,adaptive,taylor,midpoint,semi", more = " --with jacobians" },
+  { scene = "kapitza", step = "0.0005", methods = "rk4,adaptive,taylor,midpoint,semi,split2" },
+  { scene = "foucault", step = "0.05", methods = "rk4,exact" },
+  { scene = "damped_brick", step = "0.01", methods = "rk4,exact" },
+}
+
+-- What the header declares, as options of the compiler; read when make runs.
+local function declared(name, header)
+  return string.format([[$(grep -o '\b%s_[a-z0-9_]*[(;]' %s | sed 's/^%s_\(.*\)[(;]$/-DHAS_\1=1/')]], name, header, name)
+end
+
+function bits.program(s, real, m, compiler, level, options, tag)
+  local source = scenes.source(s.scene, real, s.methods, (s.more or "") .. " --libm own")
+  local own, name = string.match(source, "^(.*)/(.*)%.c$")
+  local flags = string.format("-I %s -DSCENE=%s -DUPPER=%s -DSCENE_H='\"%s.h\"' -DH=%s %s %s", own, name,
+    string.upper(name), name, s.step, declared(name, own .. "/" .. name .. ".h"), options or "")
+  local driver = jobs.rule(own .. "/bits.c", { "tests/target/bits.c", source }, "cp tests/target/bits.c " .. own)
+  local objects = { scenes.object(m, compiler, level, source, options, nil, tag),
+    scenes.object(m, compiler, level, driver, flags, nil, tag) }
+  return scenes.output(m, scenes.program(m, (string.gsub(objects[2], "%.o$", ".elf")), objects))
+end
+
+function bits.read(file)
+  local text = jobs.slurp(file)
+  if not text then return nil, "not built: " .. (jobs.slurp((string.gsub(file, "%.out$", "")) .. ".log") or "") end
+  local items, order = {}, {}
+  for line in string.gmatch(text, "[^\n]+") do
+    local name, hash = string.match(line, "^([%w_]+) (%x+)$")
+    if name and #hash == 16 then
+      items[name] = hash
+      order[#order + 1] = name
+    elseif not string.find(line, "^#") and line ~= "status 0" then
+      return nil, line
+    end
+  end
+  if not string.find(text, "\nstatus 0\n$") then return nil, text end
+  return items, order
+end
+
+-- {"scene real" -> {item -> hash}}, {"scene real" -> list of items}
+function bits.golden()
+  local all, order = {}, {}
+  for line in string.gmatch(jobs.slurp(bits.path) or "", "[^\n]+") do
+    local key, item, hash = string.match(line, "^([%w_]+ %a+) ([%w_]+) (%x+)$")
+    if key then
+      all[key], order[key] = all[key] or {}, order[key] or {}
+      all[key][item] = hash
+      table.insert(order[key], item)
+    end
+  end
+  return all, order
+end
+
+return bits
