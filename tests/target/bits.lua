@@ -16,7 +16,8 @@ local bits = { path = "tests/target/bits.txt" }
 local ALL = "rk4,adaptive,taylor,midpoint,semi,split2,split4"
 
 bits.scenes = {
-  { scene = "brick_centroid", step = "0.01", methods = ALL .. ",exact" },
+  { scene = "brick_centroid", step = "0.01", methods = ALL }, -- in two: together they are too large for an AVR
+  { scene = "brick_centroid", step = "0.01", methods = "rk4,exact" },
   { scene = "symmetric_top", step = "0.01", methods = ALL .. ",exact" },
   { scene = "heavy_top", step = "0.001", methods = ALL .. ",exact" },
   { scene = "gyrostat", step = "0.01", methods = "rk4,semi,midpoint,exact" },
