@@ -1,64 +1,16 @@
 /* bits.c - runs what an emitted scene has and prints a hash of the bits of each function's results.
    SPDX-License-Identifier: GPL-3.0-or-later
 
-   SCENE: its name, UPPER the same in capitals, SCENE_H its header's, H a step in s; HAS_function for
-   each function of the header (bits.lua reads it). One line an item: its name and FNV-1a of 64 bits
-   over the numbers in their order, each from its highest byte to its lowest, whatever the machine's
-   own order is. All NaNs count as one: which of them an operation gives is the machine's affair.
-   Zeros have their sign. Only integers are printed. A build that evaluates in another precision
-   than the type's says so and compares nothing (status 3). */
-#include SCENE_H
+   SCENE: its name, UPPER the same in capitals, SCENE_H its header's, H a step in s, FIRST the
+   method of SCENE_step; HAS_function for each function of the header (bits.lua reads it). One line
+   an item: its name and FNV-1a of 64 bits over the numbers in their order, each from its highest
+   byte to its lowest, whatever the machine's own order is (hash.h). Only integers are printed. A
+   build that evaluates in another precision than the type's says so and compares nothing (status
+   3). */
+#include "hash.h"
 #include <float.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
 
-#define JOIN_(a, b) a##_##b
-#define JOIN(a, b)  JOIN_(a, b)
-#define FN(name)    JOIN(SCENE, name)
-typedef FN(real) real;
-enum { NX = JOIN(UPPER, NX), NU = JOIN(UPPER, NU), STEPS = 100, TIMES = 17 };
-
-static uint64_t hash;
-
-static void byte(unsigned int b) {
-  hash = (hash ^ (b & 0xFF)) * UINT64_C(0x100000001B3);
-}
-
-static void number(real v) {
-  if (v != v)
-    v = 0, byte('N');
-  if (sizeof v == 4) {
-    uint32_t w;
-    memcpy(&w, &v, 4);
-    for (int i = 24; i >= 0; i -= 8)
-      byte((unsigned int)(w >> i & 0xFF));
-  } else {
-    uint64_t w;
-    memcpy(&w, &v, sizeof v);
-    for (int i = 56; i >= 0; i -= 8)
-      byte((unsigned int)(w >> i & 0xFF));
-  }
-}
-
-static void numbers(const real v[], int n) {
-  for (int i = 0; i < n; i++)
-    number(v[i]);
-}
-
-static void whole(int v) {
-  byte((unsigned int)v >> 8);
-  byte((unsigned int)v);
-}
-
-static void start(void) {
-  hash = UINT64_C(0xCBF29CE484222325);
-}
-
-static void item(const char *name) {
-  printf("%s %08lx%08lx\n", name, (unsigned long)(hash >> 32), (unsigned long)(hash & 0xFFFFFFFF));
-  start();
-}
+enum { STEPS = 100, TIMES = 17 };
 
 static volatile real one = 1, step = (real)H; /* nothing is known when compiling */
 static FN(model) model;
@@ -175,7 +127,7 @@ static void principal(void) {
 #endif
 
 #if HAS_at_tick
-static void ticks(const FN(orbit) *o, const char *name) {
+static void ticks(const FN(orbit) * o, const char *name) {
   static const int64_t n[5] = {0, 1, -77777, 1000000, INT64_C(123456789012345)};
   for (int i = 0; i < 5; i++) {
     FN(at_tick)(o, n[i], x);
@@ -260,7 +212,13 @@ int main(void) {
   item("initial");
   for (int i = 0; i < NU; i++)
     u[i] = one / (real)(i + 3);
-  run(FN(step), "step");
+  run(FN(step), FIRST "_step");
+#if HAS_rk4_step
+  run(FN(rk4_step), "rk4_step");
+#endif
+#if HAS_adaptive_step
+  run(FN(adaptive_step), "adaptive_step");
+#endif
 #if HAS_taylor_step
   run(FN(taylor_step), "taylor_step");
 #endif

@@ -93,7 +93,7 @@ static void open_console(void) {
 #endif
 
 #define PAINT 0xA5
-#define MOST 0x8000 /* bytes that are painted */
+#define MOST  0x8000 /* bytes that are painted */
 
 /* below this function's own frame, whose size is not known here */
 #define MARGIN 256

@@ -23,7 +23,7 @@ end
 
 function scenes.source(scene, real, methods, more)
   local name = string.match(scene, "[^/]*$")
-  local own = scenes.dir .. "/" .. name .. "." .. real .. (methods and "." .. string.gsub(methods, ",", ".") or "")
+  local own = scenes.dir .. "/" .. name .. "." .. real .. string.gsub((methods and "," .. methods or "") .. (more or ""), "[ ,]+%-*", ".")
   return jobs.rule(own .. "/" .. name .. ".c", { scenes.program_path, "bodies/" .. scene .. ".lua" },
     string.format("%s gen bodies/%s.lua --real %s%s%s -o %s && touch %s/%s.c", scenes.program_path, scene, real,
       methods and " --method " .. methods or "", more or "", own, own, name))
@@ -43,7 +43,8 @@ end
 function scenes.program(m, elf, objects, options)
   local all = table.move(objects, 1, #objects, 1, {})
   for _, file in ipairs(m.start) do
-    all[#all + 1] = scenes.object(m, "gcc", "-Os", file, "-std=gnu11 -I templates/target")
+    -- loops that clear and copy stay loops: no memset, no memcpy of the C library in firmware
+    all[#all + 1] = scenes.object(m, "gcc", "-Os", file, "-std=gnu11 -fno-tree-loop-distribute-patterns")
   end
   return jobs.rule(elf, all, string.format("%s %s %s -lm -o %s", m.link, options or "", table.concat(all, " "), elf))
 end

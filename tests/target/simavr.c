@@ -4,8 +4,8 @@
      simavr FILE.elf
 
    The part's external memory interface is filled: data memory reaches to 0xFFFF. What the program
-   writes to GPIOR0 (data address 0x3E) is printed; a byte written to GPIOR1 (0x4A) ends it with that
-   status. Status 97: the processor stopped or crashed. */
+   writes to GPIOR0 (data address 0x3E) is printed; a byte written to GPIOR1 (0x4A) ends it with
+   that status. Status 97: the processor stopped or crashed. */
 #include <simavr/sim_avr.h>
 #include <simavr/sim_elf.h>
 #include <simavr/sim_io.h>
