@@ -13,8 +13,8 @@ local scenes = require "tests.target.scenes"
 
 local bits = { path = "tests/target/bits.txt" }
 
--- One of each kind of emitted code.  The first method is NAME_step, which the self-test runs too.  The free top stands in
--- two scenes, because with all steppers it is too large for an AVR.
+-- One of each kind of emitted code.  The first method is NAME_step, which the self-test runs too.  The free top stands
+-- in two scenes, because with all steppers it is too large for an AVR.
 bits.scenes = {
   { scene = "brick_centroid", step = "0.01", methods = "taylor,rk4,adaptive,midpoint,semi,split2,split4" },
   { scene = "brick_centroid", step = "0.01", methods = "rk4,exact" }, -- free, three moments: theta functions
@@ -28,9 +28,28 @@ bits.scenes = {
   { scene = "damped_brick", step = "0.01", methods = "rk4,exact" }, -- exponentials
 }
 
+-- What CI builds with gcc, the self-tests too, and with clang: the level on each machine.  Every level stands there
+-- for each compiler; POLHODE_BITS=all takes the whole product.
+bits.levels = { "-O0", "-O1", "-O2", "-O3", "-Os" }
+bits.level = {
+  host = { gcc = "-O0", clang = "-O2" },
+  ["cortex-m0"] = { gcc = "-Os", clang = "-O2" },
+  ["cortex-m3"] = { gcc = "-O1", clang = "-O0" },
+  ["cortex-m4f"] = { gcc = "-O2", clang = "-O3" },
+  ["cortex-m7"] = { gcc = "-O3", clang = "-O1" },
+  rv32imac = { gcc = "-O1", clang = "-Os" },
+  rv32imafc = { gcc = "-O2", clang = "-O3" },
+  avr = { gcc = "-Os", clang = "-Os" },
+  aarch64 = { gcc = "-O3", clang = "-O2" },
+  mips = { gcc = "-O0", clang = "-O1" },
+}
+-- Double is emulated or of the processor's own; of how many scenes, counted through the list.
+bits.doubles = { host = 1, ["cortex-m7"] = 3, rv32imac = 4, aarch64 = 3, mips = 3 }
+
 -- What the header declares, as options of the compiler; read when make runs.
 local function declared(name, header)
-  return string.format([[$(grep -o '\b%s_[a-z0-9_]*[(;]' %s | sed 's/^%s_\(.*\)[(;]$/-DHAS_\1=1/')]], name, header, name)
+  return string.format([[$(grep -o '\b%s_[a-z0-9_]*[(;]' %s | sed 's/^%s_\(.*\)[(;]$/-DHAS_\1=1/')]], name, header,
+    name)
 end
 
 function bits.source(s, real) return scenes.source(s.scene, real, s.methods, (s.more or "") .. " --libm own") end
@@ -39,8 +58,8 @@ function bits.source(s, real) return scenes.source(s.scene, real, s.methods, (s.
 function bits.program(s, real, m, compiler, level, options, tag, driver)
   local source = bits.source(s, real)
   local own, name = string.match(source, "^(.*)/(.*)%.c$")
-  local flags = string.format("-I %s -I tests/target -DSCENE=%s -DUPPER=%s -DSCENE_H='\"%s.h\"' -DH=%s -DFIRST='\"%s\"' " ..
-    "%s %s", own, name, string.upper(name), name, s.step, string.match(s.methods, "%w+"),
+  local flags = string.format("-I %s -I tests/target -DSCENE=%s -DUPPER=%s -DSCENE_H='\"%s.h\"' -DH=%s " ..
+    "-DFIRST='\"%s\"' %s %s", own, name, string.upper(name), name, s.step, string.match(s.methods, "%w+"),
     declared(name, own .. "/" .. name .. ".h"), options or "")
   local path = "tests/target/" .. (driver or "bits.c")
   local copy = jobs.rule(own .. "/" .. (driver or "bits.c"), { path, "tests/target/hash.h", source },
@@ -57,8 +76,9 @@ function bits.read(file)
   for line in string.gmatch(text, "[^\n]+") do
     local name, hash = string.match(line, "^([%w_]+) (%x+)$")
     if name and #hash == 16 then
+      if items[name] and items[name] ~= hash then return nil, name .. " twice, with different bits" end
+      if not items[name] then order[#order + 1] = name end
       items[name] = hash
-      order[#order + 1] = name
     elseif not string.find(line, "^#") and line ~= "status 0" then
       return nil, line
     end
@@ -67,18 +87,35 @@ function bits.read(file)
   return items, order
 end
 
--- {"scene real" -> {item -> hash}}, {"scene real" -> list of items}
+-- {"scene real" -> {item -> hash}}
 function bits.golden()
-  local all, order = {}, {}
+  local all = {}
   for line in string.gmatch(jobs.slurp(bits.path) or "", "[^\n]+") do
-    local key, item, hash = string.match(line, "^([%w_]+ %a+) ([%w_]+) (%x+)$")
-    if key then
-      all[key], order[key] = all[key] or {}, order[key] or {}
+    local scene, real, item, hash = string.match(line, "^([%w_]+) (%a+) ([%w_]+) (%x+)$")
+    if scene then
+      local key = scene .. " " .. real
+      all[key] = all[key] or {}
       all[key][item] = hash
-      table.insert(order[key], item)
     end
   end
-  return all, order
+  return all
+end
+
+-- list: {key = "scene real", items, order}; one scene may stand there twice, with other items or the same bits
+function bits.write(list)
+  local out, seen = { "# bits.txt -- hashes of what emitted code computes: scene, type, result, hash; bits.c says how.",
+    "# One file for all machines, compilers and levels.  Written by POLHODE_BITS=refresh lua5.4 tests/target/bits.t" }, {}
+  for _, r in ipairs(list) do
+    for _, item in ipairs(r.order) do
+      local key = r.key .. " " .. item
+      assert(not seen[key] or seen[key] == r.items[item], key .. ": two hashes")
+      if not seen[key] then out[#out + 1] = key .. " " .. r.items[item] end
+      seen[key] = r.items[item]
+    end
+  end
+  local file = assert(io.open(bits.path, "w"))
+  file:write(table.concat(out, "\n"), "\n")
+  file:close()
 end
 
 return bits

@@ -25,6 +25,14 @@ local function slurp(path)
 end
 jobs.slurp = slurp
 
+-- What a command prints.
+function jobs.output(command)
+  local pipe = assert(io.popen(command))
+  local text = pipe:read "a"
+  pipe:close()
+  return text
+end
+
 function jobs.run(dir, name, files)
   local out, done = { ".DELETE_ON_ERROR:", "all: " .. table.concat(files, " ") }, {}
   local function put(file)

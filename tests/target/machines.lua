@@ -37,7 +37,10 @@ local function small(core, board)
   if kind == "avr" then
     -- the part's external memory interface filled with RAM, 64 kB in all (runner: simavr.c); printf with %g
     m.link = m.link .. " -Wl,--defsym=__stack=0xffff -Wl,-u,vfprintf -lprintf_flt"
-    m.compile.clang = "clang --target=avr -mmcu=" .. core.machine .. " -isystem /usr/lib/avr/include"
+    -- clang calls sqrtf and the like, which avr-libc has without the f: its double is a float
+    m.compile.clang = "clang --target=avr -mmcu=" .. core.machine .. " -isystem /usr/lib/avr/include " ..
+      "'-DHUGE_VALF=__builtin_inff()'"
+    m.link = m.link .. " -Wl,-u,sqrt,--defsym=sqrtf=sqrt"
     m.run, m.runner = "timeout 120 ", "simavr.c"
   else
     m.start[2] = "templates/target/" .. core.start
@@ -48,8 +51,8 @@ local function small(core, board)
 end
 
 local function hosted(name, board, prefix, run, packages, clang)
-  return { name = name, board = board, compile = { gcc = prefix .. "gcc", clang = clang }, link = prefix .. "gcc -static",
-    start = {}, run = run, packages = packages, doubles = true }
+  return { name = name, board = board, compile = { gcc = prefix .. "gcc", clang = clang },
+    link = prefix .. "gcc -static", start = {}, run = run, packages = packages, doubles = true }
 end
 
 for _, core in ipairs(cores.list) do machines.list[#machines.list + 1] = small(core) end

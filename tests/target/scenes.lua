@@ -10,7 +10,7 @@
 
 local jobs = require "tests.target.jobs"
 
-local scenes = { dir = (os.getenv "BUILD" or "build") .. "/target", program_path = os.getenv "POLHODE" or "build/polhode" }
+local scenes = { dir = "build/target", program_path = os.getenv "POLHODE" or "build/polhode" }
 
 scenes.flags = "-std=c99 -ffp-contract=off -fno-math-errno -ffunction-sections -fdata-sections"
 -- every object waits for these: a change of flags makes all anew
@@ -23,7 +23,8 @@ end
 
 function scenes.source(scene, real, methods, more)
   local name = string.match(scene, "[^/]*$")
-  local own = scenes.dir .. "/" .. name .. "." .. real .. string.gsub((methods and "," .. methods or "") .. (more or ""), "[ ,]+%-*", ".")
+  local options = string.gsub((methods and "," .. methods or "") .. (more or ""), "[ ,]+%-*", ".")
+  local own = scenes.dir .. "/" .. name .. "." .. real .. options
   return jobs.rule(own .. "/" .. name .. ".c", { scenes.program_path, "bodies/" .. scene .. ".lua" },
     string.format("%s gen bodies/%s.lua --real %s%s%s -o %s && touch %s/%s.c", scenes.program_path, scene, real,
       methods and " --method " .. methods or "", more or "", own, own, name))

@@ -1,27 +1,18 @@
 #!/usr/bin/env lua5.4
 -- selftest.t -- the emitted self-tests, unchanged, on every machine: each line ok, the plan complete, status 0.
 -- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- The scenes and levels are those of bits.lua, and the objects too: each is compiled once.  A Cortex-M0 has the 16 kB of
+-- RAM and 256 kB of flash of its board, an AVR the 256 kB and the 64 kB that its external memory interface allows.
 
 package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
+local cores = require "tests.target.cores"
 local machines = require "tests.target.machines"
 local scenes = require "tests.target.scenes"
+local bits = require "tests.target.bits"
 local jobs = require "tests.target.jobs"
-
--- One of each kind of emitted code; method: the stepper that becomes NAME_step and is tested as such.
-local CASES = {
-  { scene = "brick_centroid" }, -- free, three moments: theta functions
-  { scene = "symmetric_top" }, -- free, two equal moments: sines
-  { scene = "heavy_top" }, -- gravity about a fixed point: Lagrange's top
-  { scene = "gyrostat" }, -- a rotor inside
-  { scene = "thruster" }, -- parameters, a table, a function of time
-  { scene = "foucault" }, -- position, a turning frame, an own closed form
-  { scene = "kapitza", method = "semi" }, -- a shaken pivot
-  { scene = "brick_centroid", method = "taylor" },
-  { scene = "heavy_top", method = "midpoint" },
-  { scene = "symmetric_top", method = "split4" },
-}
 
 local missing = machines.missing(machines.list)
 if #missing > 0 then
@@ -30,22 +21,20 @@ if #missing > 0 then
   tap.done()
 end
 
--- Double where the machine has it in hardware, or where it is another one altogether.
-local DOUBLE = { ["cortex-m7"] = true, aarch64 = true, mips = true, rv32imac = true }
-
 local runs, files = {}, {}
-for _, case in ipairs(CASES) do
-  for _, real in ipairs { "float", "double" } do
-    for _, m in ipairs(machines.list) do
-      if m.name ~= "host" and (real == "float" or DOUBLE[m.name]) then
-        local source = scenes.source(case.scene, real, case.method)
-        local test = string.gsub(source, "%.c$", "_test.c")
-        jobs.rule(test, { source }, "touch " .. test)
-        local objects = { scenes.object(m, "gcc", "-O1", source), scenes.object(m, "gcc", "-O1", test) }
-        local elf = scenes.program(m, string.gsub(objects[2], "%.o$", ".elf"), objects)
+for k, m in ipairs(machines.list) do
+  for i, s in ipairs(bits.scenes) do
+    for _, real in ipairs { "float", "double" } do
+      local some = bits.doubles[m.name]
+      if m.name ~= "host" and (real == "float" or some and (i + k) % some == 0) then
+        local source = bits.source(s, real)
+        local test = jobs.rule(string.gsub(source, "%.c$", "_test.c"), { source }, ":")
+        local level = bits.level[m.name].gcc
+        local objects = { scenes.object(m, "gcc", level, source), scenes.object(m, "gcc", level, test) }
+        local elf = scenes.program(m, (string.gsub(objects[2], "%.o$", ".elf")), objects)
         local out = scenes.output(m, elf)
         files[#files + 1] = out
-        runs[#runs + 1] = { m = m, case = case, real = real, out = out, elf = elf }
+        runs[#runs + 1] = { m = m, s = s, real = real, out = out, elf = elf }
       end
     end
   end
@@ -71,19 +60,30 @@ local function defect(text)
   return nil, n, tonumber(string.match(text, "\n# stack: (%d+) bytes"))
 end
 
-tap.ok(defect "TAP version 13\nok 1 - a\nnot ok 2 - b\n1..2\nstatus 1\n", "a failed line is noticed")
+local whole = "TAP version 13\n" .. string.gsub("ok 1 - a\nok 2 - b\nok 3 - c\nok 4 - d\nok 5 - e\n", "", "")
+tap.is(defect(whole .. "1..5\nstatus 0\n"), nil, "a whole self-test is accepted")
+tap.ok(defect(string.gsub(whole, "\nok 3", "\nnot ok 3") .. "1..5\nstatus 0\n"), "a failed line is noticed")
+tap.ok(defect(whole .. "status 0\n"), "so is a missing plan")
+tap.ok(defect(whole .. "1..6\nstatus 0\n"), "and a wrong one")
+tap.ok(defect(whole .. "1..5\nstatus 1\n"), "and a status")
 
+local of = {}
 for _, run in ipairs(runs) do
   local text = jobs.slurp(run.out)
   local why, n, stack = "not built or not run: " .. (jobs.slurp(run.elf .. ".log") or ""), nil, nil
   if text then why, n, stack = defect(text) end
-  local title = string.format("%s, %s, %s%s", run.m.name, run.case.scene, run.real,
-    run.case.method and ", " .. run.case.method or "")
+  local title = string.format("%s, %s, %s, %s", run.m.name, run.s.scene, run.real, string.match(run.s.methods, "%w+"))
   if why then
     tap.ok(false, title, why .. "\n" .. (text or ""))
   else
     tap.ok(true, string.format("%s: %d tests%s", title, n, stack and ", stack " .. stack .. " bytes" or ""))
   end
+  if run.m.name == "cortex-m0" and text then
+    local code, data = string.match(cores.must("arm-none-eabi-size %s", run.elf), "\n%s*(%d+)%s+(%d+)")
+    of[#of + 1] = code + data
+  end
 end
+tap.ok(#of > 0 and math.max(table.unpack(of)) <= 256 * 1024, "on the Cortex-M0 each fits in 256 kB of flash",
+  table.concat(of, " "))
 
 tap.done()
