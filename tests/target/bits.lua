@@ -103,8 +103,9 @@ end
 
 -- list: {key = "scene real", items, order}; one scene may stand there twice, with other items or the same bits
 function bits.write(list)
-  local out, seen = { "# bits.txt -- hashes of what emitted code computes: scene, type, result, hash; bits.c says how.",
-    "# One file for all machines, compilers and levels.  Written by POLHODE_BITS=refresh lua5.4 tests/target/bits.t" }, {}
+  local out = { "# bits.txt -- hashes of what emitted code computes: scene, type, result, hash; bits.c says how.",
+    "# One file for all machines, compilers and levels.  Written by POLHODE_BITS=refresh lua5.4 tests/target/bits.t" }
+  local seen = {}
   for _, r in ipairs(list) do
     for _, item in ipairs(r.order) do
       local key = r.key .. " " .. item

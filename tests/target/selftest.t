@@ -2,8 +2,9 @@
 -- selftest.t -- the emitted self-tests, unchanged, on every machine: each line ok, the plan complete, status 0.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- The scenes and levels are those of bits.lua, and the objects too: each is compiled once.  A Cortex-M0 has the 16 kB of
--- RAM and 256 kB of flash of its board, an AVR the 256 kB and the 64 kB that its external memory interface allows.
+-- The scenes and levels are those of bits.lua, and the objects too: each is compiled once.  A Cortex-M0 has the 16 kB
+-- of RAM and 256 kB of flash of its board, an AVR 256 kB of flash and the 64 kB that its external memory interface
+-- allows.
 
 package.path = "./?.lua;" .. package.path
 
