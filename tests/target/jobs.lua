@@ -2,7 +2,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 --     local jobs = require "tests.target.jobs"
---     jobs.rule(file, needs, command)    command makes the file; needs: a list of files.  Asked for twice is one rule
+--     jobs.rule(file, needs, command)    command makes the file; needs: a list of files.  Asked for twice is one rule.
+--                                        Without a command it is made with what it needs, and as old as it is
 --     jobs.run(dir, name, files)         makes the files; what fails leaves FILE.log and no FILE
 --
 -- Tests that run at one time share what they build: make is behind a lock.
@@ -40,9 +41,9 @@ function jobs.run(dir, name, files)
     if done[file] or not r then return end
     done[file] = true
     for _, need in ipairs(r.needs) do put(need) end
-    local command = string.gsub(r.command, "%$", "$$")
-    out[#out + 1] = string.format("%s: %s\n\t@mkdir -p $(@D); { %s; } > $@.log 2>&1", file, table.concat(r.needs, " "),
-      command)
+    local command = r.command and string.gsub(r.command, "%$", "$$")
+    out[#out + 1] = file .. ": " .. table.concat(r.needs, " ") .. (command and
+      "\n\t@mkdir -p $(@D); { " .. command .. "; } > $@.log 2>&1" or " ;")
   end
   for _, file in ipairs(files) do put(file) end
   local path = dir .. "/" .. name .. ".mk"
@@ -50,7 +51,12 @@ function jobs.run(dir, name, files)
   local file = assert(io.open(path, "w"))
   file:write(table.concat(out, "\n"), "\n")
   file:close()
-  os.execute(string.format("MAKEFLAGS= flock %s/lock make -s -k -r -j2 -f %s all > %s.log 2>&1", dir, path, path))
+  local lock = "MAKEFLAGS= flock " .. dir .. "/lock make -r -f " .. path
+  if not os.execute(string.format("%s -s -k -j2 all > %s.log 2>&1", lock, path)) then
+    for _, wanted in ipairs(files) do -- nothing old may pass for new
+      if not os.execute(string.format("%s -q %s > %s.log 2>&1", lock, wanted, path)) then os.remove(wanted) end
+    end
+  end
 end
 
 return jobs

@@ -28,24 +28,20 @@ local CLANG = {
 local QEMU = " -nographic -monitor none -serial %s -kernel"
 local RUN = { arm = string.format(QEMU, "none"), riscv = string.format(QEMU, "stdio") }
 
--- parameters of boards: m0 and others have memory beyond the stack, which console.c paints
-local function small(core, board)
+local function small(core)
   local kind = core.arm and "arm" or core.start and "riscv" or "avr"
-  local m = { name = core.name, board = board or core.machine, core = core, compile = { gcc = core.prefix .. "gcc " ..
+  local m = { name = core.name, board = core.machine, core = core, compile = { gcc = core.prefix .. "gcc " ..
     core.flags }, start = { "tests/target/console.c" }, doubles = kind ~= "avr" }
   m.link = m.compile.gcc .. " -Wl,--gc-sections -Wl,--wrap=main " .. core.link
   if kind == "avr" then
     -- the part's external memory interface filled with RAM, 64 kB in all (runner: simavr.c); printf with %g
     m.link = m.link .. " -Wl,--defsym=__stack=0xffff -Wl,-u,vfprintf -lprintf_flt"
-    -- clang calls sqrtf and the like, which avr-libc has without the f: its double is a float
-    m.compile.clang = "clang --target=avr -mmcu=" .. core.machine .. " -isystem /usr/lib/avr/include " ..
-      "'-DHUGE_VALF=__builtin_inff()'"
-    m.link = m.link .. " -Wl,-u,sqrt,--defsym=sqrtf=sqrt"
+    m.compile.clang = "clang --target=avr -mmcu=" .. core.machine .. " -isystem /usr/lib/avr/include"
     m.run, m.runner = "timeout 120 ", "simavr.c"
   else
     m.start[2] = "templates/target/" .. core.start
     m.compile.clang = CLANG[kind](core)
-    m.run = "timeout 120 " .. string.gsub(core.run, core.machine, m.board) .. RUN[kind]
+    m.run = "timeout 120 " .. core.run .. RUN[kind]
   end
   return m
 end
@@ -64,10 +60,6 @@ machines.list[#machines.list + 1] = hosted("mips", "qemu-user, big-endian", "mip
   "clang --target=mips-linux-gnu")
 machines.list[#machines.list + 1] = hosted("host", "this machine", "", "timeout 120", { { "gcc", "gcc" } }, "clang")
 for _, m in ipairs(machines.list) do machines.by_name[m.name] = m end
-
--- Code of a Cortex-M0 on a board with more memory: what it executes is the same.
-machines.m0_large = small(setmetatable({ name = "cortex-m0", link = string.gsub(cores.by_name["cortex-m0"].link,
-  "%S*ram_size%S*", "") }, { __index = cores.by_name["cortex-m0"] }), "mps2-an385")
 
 function machines.missing(list)
   local missing, seen, small_ones = {}, {}, {}

@@ -25,9 +25,13 @@ function scenes.source(scene, real, methods, more)
   local name = string.match(scene, "[^/]*$")
   local options = string.gsub((methods and "," .. methods or "") .. (more or ""), "[ ,]+%-*", ".")
   local own = scenes.dir .. "/" .. name .. "." .. real .. options
-  return jobs.rule(own .. "/" .. name .. ".c", { scenes.program_path, "bodies/" .. scene .. ".lua" },
-    string.format("%s gen bodies/%s.lua --real %s%s%s -o %s && touch %s/%s.c", scenes.program_path, scene, real,
-      methods and " --method " .. methods or "", more or "", own, own, name))
+  -- what comes out as it was before keeps its time, and what was built from it stays
+  local stamp = jobs.rule(own .. "/stamp", { scenes.program_path, "bodies/" .. scene .. ".lua" },
+    string.format("%s gen bodies/%s.lua --real %s%s%s -o %s/new && for f in %s/new/*; do cmp -s $f %s/${f##*/} || " ..
+      "cp $f %s; done && touch %s/stamp", scenes.program_path, scene, real, methods and " --method " .. methods or "",
+      more or "", own, own, own, own, own))
+  for _, file in ipairs { ".h", "_test.c" } do jobs.rule(own .. "/" .. name .. file, { stamp }) end
+  return jobs.rule(own .. "/" .. name .. ".c", { stamp })
 end
 
 local function folder(path) return string.match(path, "^(.*)/") end

@@ -29,7 +29,7 @@ for k, m in ipairs(machines.list) do
       local some = bits.doubles[m.name]
       if m.name ~= "host" and (real == "float" or some and (i + k) % some == 0) then
         local source = bits.source(s, real)
-        local test = jobs.rule(string.gsub(source, "%.c$", "_test.c"), { source }, ":")
+        local test = string.gsub(source, "%.c$", "_test.c")
         local level = bits.level[m.name].gcc
         local objects = { scenes.object(m, "gcc", level, source), scenes.object(m, "gcc", level, test) }
         local elf = scenes.program(m, (string.gsub(objects[2], "%.o$", ".elf")), objects)
