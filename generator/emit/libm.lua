@@ -13,18 +13,20 @@ local template = require "generator.emit.template"
 
 local libm = {}
 
--- What each function and helper calls itself; in the order of the templates.
-local NEEDS = {
-  { "huge", "bits" }, { "fabs", "bits" }, { "copysign", "bits" }, { "sqrt", "bits" }, { "floor", "bits" },
-  { "frexp", "bits" }, { "ldexp", "bits" },
-  { "near", "bits", "reduce" }, { "reduce", "bits" }, { "sin", "near" }, { "cos", "near" },
-  { "tan", "near", "product" },
-  { "exp", "parts", "ldexp" }, { "sinh", "halves", "fabs" }, { "cosh", "halves", "fabs" },
-  { "tanh", "parts", "ldexp", "fabs" }, { "halves", "parts", "ldexp" },
-  { "log", "mantissa" }, { "mantissa", "bits" }, { "pow", "mantissa", "product", "parts", "ldexp", "floor", "fabs" },
-  { "cbrt", "bits" }, { "angle", "product" }, { "supplement" }, { "beside", "product", "sqrt" },
-  { "atan", "angle", "fabs" }, { "atan2", "angle", "supplement", "fabs", "frexp", "ldexp" },
-  { "asin", "angle", "beside", "fabs" }, { "acos", "angle", "beside", "supplement", "fabs" },
+-- What each function calls itself.
+local FUNCTIONS = {
+  huge = { "bits" }, fabs = { "bits" }, copysign = { "bits" }, sqrt = { "bits" }, cbrt = { "bits" }, floor = { "bits" },
+  frexp = { "bits" }, ldexp = { "bits" }, sin = { "near" }, cos = { "near" }, tan = { "near", "product" },
+  exp = { "parts", "ldexp" }, sinh = { "halves", "fabs" }, cosh = { "halves", "fabs" },
+  tanh = { "parts", "ldexp", "fabs" }, log = { "mantissa" },
+  pow = { "mantissa", "product", "parts", "ldexp", "floor", "fabs" },
+  atan = { "angle", "fabs" }, atan2 = { "angle", "supplement", "fabs", "frexp", "ldexp" },
+  asin = { "angle", "beside", "fabs" }, acos = { "angle", "beside", "supplement", "fabs" },
+}
+-- The same of what only they call.
+local HELPERS = {
+  near = { "bits", "reduce" }, reduce = { "bits" }, halves = { "parts", "ldexp" }, mantissa = { "bits" },
+  angle = { "product" }, beside = { "product", "sqrt" },
 }
 local ALSO = { double = { reduce = { "product", "fabs" } }, float = {} }
 local TEMPLATES = { "bits", "root", "product", "circular", "exp", "log", "arc" }
@@ -214,21 +216,17 @@ local function fill_constants(L, real)
   L.tanh_far = n(log2*R.new(d + 2)/R.new(2))
 end
 
-local known = {}
-for _, row in ipairs(NEEDS) do known[row[1]] = row end
-
 -- C text of what `text` calls, "" if that is nothing; v: the values of all templates (project.lua)
 function libm.source(v, ctx, templates, text)
   local need, called = {}, false
   local function want(name)
     if need[name] then return end
     need[name], called = true, true
-    local row = known[name] or {}
-    for i = 2, #row do want(row[i]) end
+    for _, other in ipairs(FUNCTIONS[name] or HELPERS[name] or {}) do want(other) end
     for _, other in ipairs(ALSO[ctx.real][name] or {}) do want(other) end
   end
   for name in string.gmatch(text, "%f[%w_]" .. ctx.name .. "_(%l[%l%d]*)%(") do
-    if known[name] then want(name) end
+    if FUNCTIONS[name] then want(name) end
   end
   if not called then return "" end
   local L = setmetatable({ need = setmetatable(need, { __index = function() return false end }),

@@ -272,7 +272,8 @@ local function code(job)
   end
   v.source_includes = includes(text, v.header_includes)
   if not ctx.own then table.insert(v.source_includes, 1, "<math.h>") end
-  local all = table.move(v.header_includes, 1, #v.header_includes, #v.source_includes + 1, { table.unpack(v.source_includes) })
+  local all = { table.unpack(v.source_includes) }
+  table.move(v.header_includes, 1, #v.header_includes, #all + 1, all)
   v.included = #all > 0 and "`" .. table.concat(all, "`, `") .. "`" or "C itself"
   local header, full = render "templates/scene.h", render "templates/scene.c"
   for k, name in pairs(libm.names(ctx, false)) do v[k] = name end -- for other files; into a table: order is lost anyway
