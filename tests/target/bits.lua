@@ -39,7 +39,7 @@ bits.level = {
   ["cortex-m7"] = { gcc = "-O3", clang = "-O1" },
   rv32imac = { gcc = "-O1", clang = "-Os" },
   rv32imafc = { gcc = "-O2", clang = "-O3" },
-  avr = { gcc = "-Os", clang = "-Os" },
+  avr = { gcc = "-Os" },
   aarch64 = { gcc = "-O3", clang = "-O2" },
   mips = { gcc = "-O0", clang = "-O1" },
 }
