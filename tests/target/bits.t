@@ -50,20 +50,24 @@ elseif mode == "all" or mode == "wide" then
       for _, level in ipairs(bits.levels) do
         k = k + 1
         for i, s in ipairs(bits.scenes) do
-          if mode == "all" or (i + 3 * k) % 5 == 0 then comparison(s, "float", m, compiler, level) end
-          if m.doubles and (mode == "all" or (i + 3 * k) % 10 == 1) then comparison(s, "double", m, compiler, level) end
+          local at = (i + 3 * k) % #bits.scenes
+          if mode == "all" or at == 0 then comparison(s, "float", m, compiler, level) end
+          if m.doubles and (mode == "all" or at == 5 and k % 3 == 0) then
+            comparison(s, "double", m, compiler, level)
+          end
         end
       end
     end
   end
 else
   for k, m in ipairs(machines.list) do
-    local level, some = bits.level[m.name], bits.doubles[m.name]
     for i, s in ipairs(bits.scenes) do
-      comparison(s, "float", m, "gcc", level.gcc)
-      -- clang and double: three scenes a machine, others on each
-      if (i + k) % 4 == 0 then comparison(s, "float", m, "clang", level.clang) end
-      if some and (i + k) % some == 0 then comparison(s, "double", m, "gcc", level.gcc) end
+      for _, real in ipairs(REALS) do
+        for _, compiler in ipairs { "gcc", "clang" } do
+          local level = bits.level[m.name][compiler]
+          if bits.chosen(m, k, i, real, compiler) then comparison(s, real, m, compiler, level) end
+        end
+      end
     end
   end
 end

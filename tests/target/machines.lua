@@ -5,6 +5,7 @@
 --     machine.name, .board, .doubles           doubles: the type is of 64 bits there (not on AVR) and worth the time
 --     machine.compile[compiler]                command and options, to which -O, -c and files are added
 --     machine.link, machine.start              command that links, with its options; C files linked to every program
+--     machine.large                            options of the linker for more memory than the part has, where it can
 --     machine.run                              what stands before the program's path on a command line
 --     machines.missing(list)                   packages to install, a list
 --
@@ -34,8 +35,9 @@ local function small(core)
     core.flags }, start = { "tests/target/console.c" }, doubles = kind ~= "avr" }
   m.link = m.compile.gcc .. " -Wl,--gc-sections -Wl,--wrap=main " .. core.link
   if kind == "avr" then
-    -- the part's external memory interface filled with RAM, 64 kB in all (runner: simavr.c); printf with %g
-    m.link = m.link .. " -Wl,--defsym=__stack=0xffff -Wl,-u,vfprintf -lprintf_flt"
+    m.compile.gcc = m.compile.gcc .. " -Werror=overflow" -- an int has 16 bits
+    m.link = m.link .. " -Wl,-u,vfprintf -lprintf_flt" -- printf with %g
+    m.large = "-Wl,--defsym=__stack=0xffff" -- the part's external memory interface filled with RAM, 64 kB in all
     -- no clang: version 14's AVR code, which is called experimental, is wrong beyond rounding (principal axes)
     m.run, m.runner = "timeout 120 ", "simavr.c"
   else
