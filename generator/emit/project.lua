@@ -38,6 +38,9 @@ local function literals(real)
     binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
     block = bits == 24 and "16" or "8", no_period = n(R.new(2) ^ (bits == 24 and 40 or 100)),
     binary_limit = n(bits == 24 and 60 or 500),
+    -- exponents (templates/wide.c): below all others, that of 0; below all that matter.  In float an int has 16 bits
+    -- on some processors, and three times an exponent must fit
+    no_exponent = bits == 24 and "-6000" or "-1000000", least_exponent = bits == 24 and "-3000" or "-100000",
     carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
 end
 
