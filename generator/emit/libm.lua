@@ -15,18 +15,18 @@ local libm = {}
 
 -- What each function calls itself.
 local FUNCTIONS = {
-  huge = { "bits" }, fabs = { "bits" }, copysign = { "bits" }, sqrt = { "bits" }, cbrt = { "bits" }, floor = { "bits" },
-  frexp = { "bits" }, ldexp = { "bits" }, sin = { "near" }, cos = { "near" }, tan = { "near", "product" },
-  exp = { "parts", "ldexp" }, sinh = { "halves", "fabs" }, cosh = { "halves", "fabs" },
-  tanh = { "parts", "ldexp", "fabs" }, log = { "mantissa" },
+  huge = { "real" }, fabs = { "number" }, copysign = { "bits", "real" }, sqrt = { "number" }, cbrt = { "bits", "real" },
+  floor = { "bits", "real" }, frexp = { "bits", "real" }, ldexp = { "bits", "real" }, sin = { "circular" },
+  cos = { "circular" }, tan = { "near", "product" }, exp = { "parts", "ldexp" }, sinh = { "halves", "fabs" },
+  cosh = { "halves", "fabs" }, tanh = { "parts", "ldexp", "fabs" }, log = { "mantissa" },
   pow = { "mantissa", "product", "parts", "ldexp", "floor", "fabs" },
   atan = { "angle", "fabs" }, atan2 = { "angle", "supplement", "fabs", "frexp", "ldexp" },
   asin = { "angle", "beside", "fabs" }, acos = { "angle", "beside", "supplement", "fabs" },
 }
 -- The same of what only they call.
 local HELPERS = {
-  near = { "bits", "reduce" }, reduce = { "bits" }, halves = { "parts", "ldexp" }, mantissa = { "bits" },
-  angle = { "product" }, beside = { "product", "sqrt" },
+  bits = { "number" }, real = { "number" }, circular = { "near" }, near = { "reduce" }, reduce = { "bits", "real" },
+  halves = { "parts", "ldexp" }, mantissa = { "bits", "real" }, angle = { "product" }, beside = { "product", "sqrt" },
 }
 local ALSO = { double = { reduce = { "product", "fabs" } }, float = {} }
 local TEMPLATES = { "bits", "root", "product", "circular", "exp", "log", "arc" }
