@@ -134,7 +134,7 @@ local function fill_series(L, real, type_name)
     L[name .. "_lines"] = polynomial(variable, c, "z", real, type_name)
   end
   local quarter_pi2 = "0.61685028" -- (pi/4)^2, rounded up
-  put("sine", "s", series(function(k) return R.new(-1) ^ (k + 1)/factorial(2*k + 3) end, quarter_pi2, bits + 2))
+  put("sine", "s", series(function(k) return R.new(-1) ^ (k + 1)/factorial(2*k + 3) end, quarter_pi2, bits + 1))
   put("cosine", "c", series(function(k) return R.new(-1) ^ k/factorial(2*k + 4) end, quarter_pi2, bits + 3))
   local half_log2 = "0.1202" -- (log(2)/2)^2 and a little
   put("even", "e", series(function(k) return R.one/factorial(2*k + 2) end, half_log2, bits + 1))

@@ -39,6 +39,8 @@ local function literals(real)
     binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
     block = bits == 24 and "16" or "8", no_period = n(R.new(2) ^ (bits == 24 and 40 or 100)),
     binary_limit = n(bits == 24 and 60 or 500),
+    -- exponents below all others, and below all bounds on roots: of float they fit in 16 bits
+    absent = bits == 24 and "-16000" or "-1000000", no_bound = bits == 24 and "-4000" or "-100000",
     carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
 end
 

@@ -111,7 +111,7 @@ static real argument(int i) {
 }
 
 static void told(const char *name) {
-  tap_diag("%-6s %s: %.3f ulp at %a, %a", name, sizeof(real) == 4 ? "float" : "double", worst, (double)worst_at[0],
+  printf("# %-6s %s: %.3f ulp at %a, %a\n", name, sizeof(real) == 4 ? "float" : "double", worst, (double)worst_at[0],
     (double)worst_at[1]);
   ok(worst <= LIMIT, "%s in %s is within %.1f ulp", name, sizeof(real) == 4 ? "float" : "double", LIMIT);
 }
@@ -216,7 +216,7 @@ static void special(void) {
     for (i = 0; i < 2*NUMBERS; i++) {
       const real x = i%2 ? -list[i/2] : list[i/2];
       if (!alike(unary[k].own(x), unary[k].system(x))) {
-        tap_diag("%s(%a) = %a, want %a", unary[k].name, (double)x, (double)unary[k].own(x), (double)unary[k].system(x));
+        printf("# %s(%a) = %a, want %a\n", unary[k].name, (double)x, (double)unary[k].own(x), (double)unary[k].system(x));
         fine = 0;
       }
     }
@@ -229,7 +229,7 @@ static void special(void) {
         const real x = i%2 ? -list[i/2] : list[i/2], y = j%2 ? -list[j/2] : list[j/2];
         const real got = k ? own_atan2(x, y) : own_pow(x, y), want = k ? F(atan2)(x, y) : F(pow)(x, y);
         if (!alike(got, want)) {
-          tap_diag("(%a, %a): %a, want %a", (double)x, (double)y, (double)got, (double)want);
+          printf("# (%a, %a): %a, want %a\n", (double)x, (double)y, (double)got, (double)want);
           fine = 0;
         }
       }

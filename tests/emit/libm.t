@@ -81,9 +81,11 @@ for _, real in ipairs { "float", "double" } do
   end
   local hashes = {}
   local function hashed(compiler, flags, source)
-    local ok, why = built(compiler, flags, "hash", source)
-    local _, hash = output("%s/hash bits", dir)
-    hashes[#hashes + 1] = { compiler .. " " .. flags .. (source and ", root by integers" or ""), ok and hash or why }
+    local compiles, why = built(compiler, flags, "hash", source)
+    local runs, hash = output("%s/hash bits", dir)
+    local tag = compiler .. " " .. flags .. (source and ", root by integers" or "")
+    if not (compiles and runs) then tap.ok(false, real .. ": " .. tag .. " compiles and runs", why .. hash) end
+    hashes[#hashes + 1] = { tag, hash }
   end
   hashed("gcc", "-O0")
   hashed("gcc", "-O3")
