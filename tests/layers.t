@@ -49,8 +49,9 @@ local INCLUDES = {
   ["templates/target"] = { own = { "templates/target" }, outside = { "^simavr/" } },
   ["tests"] = { own = { "tests", "src/runtime", "templates/target" }, outside = { "^gsl/", "^gmp%.h$", "^mpfr%.h$" } },
 }
--- Emitted code needs these of the C library and no more; stdio only for its self-test.
-local EMITTED = { ["math.h"] = true, ["stddef.h"] = true, ["stdio.h"] = true, ["stdint.h"] = true }
+-- Emitted code needs these of the C library and no more; stdio and float only for its self-test.
+local EMITTED = { ["math.h"] = true, ["stddef.h"] = true, ["stdio.h"] = true, ["stdint.h"] = true,
+  ["float.h"] = true }
 
 -- What stands between a scene and FMI keeps instances and messages, and FMI 3.0 has the type bool.
 local GLUE = { ["stdbool.h"] = true, ["stdlib.h"] = true, ["string.h"] = true }
