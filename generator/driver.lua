@@ -23,6 +23,7 @@ local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
 local methods = require "generator.methods.list"
 local costs = require "generator.report.costs"
+local counted = require "generator.report.counted"
 local derivation = require "generator.report.derivation"
 local number = require "generator.emit.number"
 local packages = require "generator.emit.packages.list"
@@ -146,6 +147,7 @@ function driver.plan(job, options)
     driver.code(job)
     return costs.rows(job, set_up), costs.targets
   end
+  job.counted_lines = function() return job.counted and counted.markdown(job.counted) or {} end
   return job
 end
 
