@@ -137,6 +137,8 @@ local function sheet(job, v)
     if not known[row.name] then v.costs[#v.costs + 1] = cost_row(row.name, row.counts) end
   end
   v.sheet_head, v.sheet_rule = table.concat(names, " | "), string.rep("---|", #names)
+  v.counted = job.counted_lines()
+  v.is_counted = #v.counted > 0
 end
 
 -- "rhs: 12 additions, 24 multiplications": what one call costs, for the banner.
@@ -171,7 +173,9 @@ local function common(job)
   end
   local list, params = {}, {}
   for i, p in ipairs(m.params) do
-    list[i] = { name = p.name, about = "default " .. p.given, unit = p.unit }
+    local tail = " " .. p.unit -- said once if the default is given in the unit that p[] has
+    local given = string.sub(p.given, -#tail) == tail and string.sub(p.given, 1, -#tail - 1) or p.given
+    list[i] = { name = p.name, about = "default " .. given, unit = p.unit }
     params[i] = { upper = string.upper(p.name), value = number.text(p.default, real) }
   end
   v.param_enum, v.params = enumeration(ctx.upper, list, "NP"), params
