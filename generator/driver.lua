@@ -22,6 +22,7 @@ local quantities = require "generator.dynamics.quantities"
 local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
 local methods = require "generator.methods.list"
+local fixed_point = require "generator.methods.q31_run"
 local costs = require "generator.report.costs"
 local derivation = require "generator.report.derivation"
 local number = require "generator.emit.number"
@@ -71,7 +72,7 @@ local function steppers(job, options)
 end
 
 -- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
--- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool,
+-- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool, q31 = bool,
 -- libm = "own" | "system" (the default: own in float)}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
@@ -105,6 +106,10 @@ function driver.plan(job, options)
     local more = sensitivity.list(job)
     if not more then return nil end
     for _, f in ipairs(more) do put(f) end
+  end
+  if options.q31 then
+    job.q31 = fixed_point.plan(job)
+    if not job.q31 then return nil end
   end
   put(quantities.rate())
   put(quantities.acceleration())

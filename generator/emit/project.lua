@@ -10,6 +10,7 @@ local economy = require "generator.emit.economy"
 local init = require "generator.emit.init"
 local number = require "generator.emit.number"
 local orbit = require "generator.emit.orbit"
+local q31 = require "generator.emit.q31"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
@@ -300,6 +301,7 @@ function project.files(job, plugin)
     { name = n .. ".c", text = text },
     { name = n .. "_test.c", text = render "templates/test.c" },
   }
+  for _, f in ipairs(job.q31 and q31.files(job, v) or {}) do files[#files + 1] = f end
   for _, f in ipairs(job.package.files(job, v, render)) do files[#files + 1] = f end
   if plugin then
     v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false
