@@ -52,7 +52,7 @@ function fixed:input(name, e, hi, err)
   return op
 end
 
--- The whole number nearest to q 2^e, and the error that it has, in real units.
+-- The whole number nearest to q 2^e, nil if it has more than 64 bits, and the error that it has, in real units.
 function fixed.nearest(q, e)
   local scaled = q * R.new(2) ^ e
   local n = R.floor(scaled + R.half)
@@ -62,6 +62,7 @@ end
 -- The constant q with exponent e.
 function fixed:constant(q, e, about, blame)
   local n, err = fixed.nearest(q, e)
+  if not n then fixed.unfit(blame) end
   check(math.abs(n), blame)
   return { kind = "constant", value = n, q = q, e = e, hi = math.abs(n), err = err, about = about }
 end
