@@ -271,7 +271,7 @@ demo:
 
 # ---- lint ----
 
-C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(wildcard templates/plugin.h)
+C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(wildcard templates/plugin.h templates/target/*.[ch])
 LUA_FILES := $(sort $(shell find generator tests bodies src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS) $(TARGET_TESTS)
 
 lint: lint-lua lint-c lint-format

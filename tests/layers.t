@@ -43,7 +43,9 @@ local INCLUDES = {
   ["src/cli/bench"] = { own = { "src/cli", "templates/plugin.h" }, outside = { "^gsl/", "^arkode/", "^cvode/",
     "^nvector/", "^sundials/", "^sunlinsol/", "^sunmatrix/", "^sunnonlinsol/" } },
   ["templates"] = { own = { "templates" }, outside = {} },
-  ["tests"] = { own = { "tests", "src/runtime" }, outside = { "^gsl/", "^gmp%.h$", "^mpfr%.h$" } },
+  -- not emitted: what is compiled to count instructions, for an emulator and for what it runs
+  ["templates/target"] = { own = { "templates/target" }, outside = { "^simavr/" } },
+  ["tests"] = { own = { "tests", "src/runtime", "templates/target" }, outside = { "^gsl/", "^gmp%.h$", "^mpfr%.h$" } },
 }
 -- Emitted code needs these of the C library and no more; stdio only for its self-test.
 local EMITTED = { ["math.h"] = true, ["stddef.h"] = true, ["stdio.h"] = true, ["stdint.h"] = true }
@@ -199,13 +201,14 @@ local function exists(path)
 end
 
 local function unit_of(path)
-  return path:match("^src/cli/bench%f[_.]") or path:match("^src/[^/]+") or path:match("^[^/]+")
+  return path:match("^src/cli/bench%f[_.]") or path:match("^src/[^/]+") or path:match("^templates/target%f[/]")
+    or path:match("^[^/]+")
 end
 
 -- Where a quoted include leads: beside the file, or on the include path of its unit.
 local function resolve(path, name)
   local folder = path:match("^(.*)/")
-  for _, base in ipairs { folder, "tests", "src/runtime" } do
+  for _, base in ipairs { folder, "tests", "src/runtime", "templates/target" } do
     if exists(join(base, name)) then
       return join(base, name)
     end

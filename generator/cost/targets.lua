@@ -28,7 +28,7 @@ measured["x86-64"] = {
   double = host { div = 10, sqrt = 14, sin = 19, cos = 20, exp = 13, log = 14, sinh = 34, cosh = 17, other = 50 },
 }
 
--- Cycles beyond: `cycles` an instruction as counted by Arm's tables (tests/target/count.c), and what hardware takes
+-- Cycles beyond: `cycles` an instruction as counted by Arm's tables (templates/target/count.c), and what hardware takes
 -- more than one for.
 --   cortex-m0, -m3, -m4f  Arm DDI 0432C, DDI 0337I, DDI 0439B, table 3-1 each: loads and stores 2, taken branches 3;
 --                         M4F, table 7-1: VFMA 3, VDIV and VSQRT 14

@@ -6,43 +6,28 @@
 --     cores.build(core, dir, elf, sources, flags)
 --     cores.counts(core, dir, elf)            what was executed between each begin() and end(), a list; and cycles
 --
--- Cortex-M and RV32 run under QEMU, which counts instructions by a plugin, of Cortex-M also cycles by Arm's tables
--- (count.c); the AVR runs in simavr, which knows its cycles (avr.c).  The same numbers each time.
+-- The processors, their compilers and emulators: generator/cost/cores.lua, which the program itself uses too (gen
+-- --target); here their options become words of a shell (core.flags, core.link, core.run).  The same numbers each time.
 
-local cores = {}
+local data = require "generator.cost.cores"
 
-local OPTIONS = "-O2 -ffp-contract=off -fno-math-errno -ffunction-sections -fdata-sections -Wl,--gc-sections "
+local cores = { list = {}, by_name = {} }
 
-local function arm(name, cpu, board, flags, memory)
-  return { name = name, arm = true, prefix = "arm-none-eabi-", start = "startup.c",
-    flags = "-mcpu=" .. cpu .. " -mthumb " .. flags,
-    link = "-nostartfiles --specs=nosys.specs -T tests/target/m4.ld" .. (memory or ""),
-    run = "qemu-system-arm -M " .. board .. " -semihosting-config enable=on,target=native",
-    packages = { ["arm-none-eabi-gcc"] = "gcc-arm-none-eabi", ["qemu-system-arm"] = "qemu-system-arm" },
-    library = "libnewlib-arm-none-eabi" }
+-- Words for a shell.
+local function words(list)
+  local quoted = {}
+  for i, word in ipairs(list) do
+    quoted[i] = string.find(word, "[^%w%-=+.,_/:]") and "'" .. word .. "'" or word
+  end
+  return table.concat(quoted, " ")
 end
 
-local function riscv(name, isa, abi)
-  return { name = name, prefix = "riscv64-unknown-elf-", start = "riscv.c",
-    flags = "-march=" .. isa .. " -mabi=" .. abi .. " --specs=picolibc.specs",
-    link = "-nostartfiles -T tests/target/riscv.ld", run = "qemu-system-riscv32 -M virt -bios none",
-    packages = { ["riscv64-unknown-elf-gcc"] = "gcc-riscv64-unknown-elf",
-      ["qemu-system-riscv32"] = "qemu-system-misc" },
-    library = "picolibc-riscv64-unknown-elf" }
+for i, core in ipairs(data.list) do
+  local own = setmetatable({ flags = words(core.flags), link = words(core.link), run = words(core.run or {}) },
+    { __index = core })
+  if core.script then own.link = own.link .. " -L " .. data.folder .. " -T " .. core.script end
+  cores.list[i], cores.by_name[core.name] = own, own
 end
-
-cores.list = {
-  arm("cortex-m0", "cortex-m0", "microbit", "-mfloat-abi=soft", " -Wl,--defsym=ram_size=16K"),
-  arm("cortex-m3", "cortex-m3", "mps2-an385", "-mfloat-abi=soft"),
-  arm("cortex-m4f", "cortex-m4", "mps2-an386", "-mfloat-abi=hard -mfpu=fpv4-sp-d16"),
-  arm("cortex-m7", "cortex-m7", "mps2-an500", "-mfloat-abi=hard -mfpu=fpv5-d16"),
-  riscv("rv32imac", "rv32imac", "ilp32"),
-  riscv("rv32imafc", "rv32imafc", "ilp32f"),
-  { name = "avr", prefix = "avr-", flags = "-mmcu=atmega2560 '-DHUGE_VALF=__builtin_inff()'", link = "",
-    packages = { ["avr-gcc"] = "gcc-avr", simavr = "simavr" }, library = "avr-libc", header = "simavr/sim_avr.h" },
-}
-cores.by_name = {}
-for _, core in ipairs(cores.list) do cores.by_name[core.name] = core end
 
 function cores.run(format, ...)
   local pipe = assert(io.popen(string.format(format, ...) .. " 2>&1"))
@@ -66,13 +51,15 @@ function cores.missing(list)
     seen[package] = true
   end
   for _, core in ipairs(list) do
-    for tool, package in pairs(core.packages) do -- sorted below: order is lost
-      if not cores.run("command -v %s", tool) then put(package) end
+    local gcc = core.prefix .. "gcc"
+    for _, p in ipairs(core.packages) do
+      if not cores.run("command -v %s", p[1]) then put(p[2]) end
     end
-    local tool = core.prefix .. "gcc"
-    if cores.run("command -v %s", tool) and
-        not cores.run("echo '#include <math.h>' | %s %s -E -x c -", tool, core.flags) then put(core.library) end
-    if core.header and not cores.run("echo '#include <%s>' | cc -E -x c -", core.header) then put "libsimavr-dev" end
+    for _, h in ipairs(core.header) do
+      local compiler = h.host and "cc" or gcc .. " " .. core.flags
+      if cores.run("command -v %s", h.host and "cc" or gcc) and
+          not cores.run("echo '#include <%s>' | %s -E -x c -", h[1], compiler) then put(h[2]) end
+    end
   end
   table.sort(missing)
   return missing
@@ -80,8 +67,9 @@ end
 
 -- sources: C files; flags: more options of the compiler
 function cores.build(core, dir, elf, sources, flags)
-  cores.must("%sgcc %s %s -std=gnu11 -I%s %s %s %s %s -lm -o %s/%s", core.prefix, core.flags, OPTIONS, dir, flags or "",
-    core.link, core.start and "tests/target/" .. core.start or "", sources, dir, elf)
+  cores.must("%sgcc %s %s -Wl,--gc-sections -std=gnu11 -I%s -I%s %s %s %s %s -lm -o %s/%s", core.prefix, core.flags,
+    words(data.options), dir, data.folder, flags or "", core.link, core.start and data.folder .. core.start or "",
+    sources, dir, elf)
 end
 
 local function address(core, path, symbol)
@@ -92,14 +80,13 @@ function cores.counts(core, dir, elf)
   local path = dir .. "/" .. elf
   local from, to = address(core, path, "begin"), address(core, path, "end")
   if core.name == "avr" then
-    cores.must("cc -std=gnu11 -O2 tests/target/avr.c -o %s/avr -lsimavr -l:libelf.so.1", dir)
+    cores.must("cc -std=gnu11 -O2 %savr.c -o %s/avr -lsimavr -l:libelf.so.1", data.folder, dir)
     cores.must("timeout 60 %s/avr %s 0x%s 0x%s 0x%s > %s.counts", dir, path, from, to, address(core, path, "finish"),
       path)
   else
-    cores.must("cc -std=c11 -O2 -shared -fPIC tests/target/count.c -o %s/count.so", dir)
+    cores.must("cc -std=c11 -O2 -shared -fPIC %scount.c -o %s/count.so", data.folder, dir)
     cores.must("timeout 60 %s -nographic -monitor none -serial none -plugin %s/count.so,begin=0x%s,end=0x%s%s " ..
-      "-d plugin -D %s.counts -kernel %s", core.run, dir, from, to, core.name == "cortex-m3" and ",product=3" or "",
-      path, path)
+      "-d plugin -D %s.counts -kernel %s", core.run, dir, from, to, data.plugin[core.name] or "", path, path)
   end
   local counts, cycles = {}, {}
   for line in io.lines(path .. ".counts") do

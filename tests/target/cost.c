@@ -5,7 +5,7 @@
    at_tick, step; nearly all paths of solve do the same work, and a state near the separatrix, the
    other half of the code, follows: solve, at, at_tick. The result is 0 if all states are finite. */
 #include "brick_centroid.h"
-#include "costs.h"
+#include "marks.h"
 
 static volatile brick_centroid_real when = 12.345F;
 static brick_centroid_model model;

@@ -5,7 +5,7 @@
    The operands are those of mechanics: both signs, a few decades about 1, nothing special. Angles
    within a turn, for functions that are defined on a part of the line their values there. The first
    line is the loop that copies one operand. */
-#include "costs.h"
+#include "marks.h"
 #include <math.h>
 
 #define N           16

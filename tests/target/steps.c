@@ -5,7 +5,7 @@
    The calls, in the order that costs.lua knows: nothing, rk4, semi, midpoint, taylor, split4,
    solve, set_tick, at, at_tick. The status is 0 if all states are finite. */
 #include SCENE_H
-#include "costs.h"
+#include "marks.h"
 
 #define JOIN_(a, b) a##_##b
 #define JOIN(a, b)  JOIN_(a, b)

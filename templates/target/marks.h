@@ -1,7 +1,7 @@
-/* costs.h - marks for counting, the same on all processors: what runs between begin() and end().
+/* marks.h - marks for counting, the same on all processors: what runs between begin() and end().
    SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef COSTS_H
-#define COSTS_H
+#ifndef MARKS_H
+#define MARKS_H
 
 void begin(void);
 void end(void);
