@@ -174,7 +174,7 @@ local function common(job)
     members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil,
     has_full = job.closed.full or false, free = eq.free and m.has.attitude,
-    bits = string.format("%d", selftest.bits) }
+    bits = string.format("%d", selftest.bits), has_q31 = job.q31 ~= nil }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
   end

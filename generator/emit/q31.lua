@@ -211,14 +211,14 @@ function q31.files(job, v)
   w.norm_limit = few(step.norm_limit * 2.0 ^ -28)
   w.step_seconds = number.text(step.h, "double")
   w.start = array(s.start)
-  w.start_lines = wrapped(w.start, 7)
+  w.start_lines = wrapped(w.start, 5)
   w.cases = {}
   for i, c in ipairs(s.cases) do
-    local case = { n = whole(i), start = wrapped(array(c.start), 7), u = table.concat(array(c.u or { 0, 0, 0 }), ", "),
+    local case = { n = whole(i), start = wrapped(array(c.start), 5), u = table.concat(array(c.u or { 0, 0, 0 }), ", "),
       runs = {}, what = c.what }
     local last = 0
     for k, r in ipairs(c.runs) do
-      case.runs[k] = { steps = whole(r.steps), more = whole(r.steps - last), want = wrapped(array(r.x), 7),
+      case.runs[k] = { steps = whole(r.steps), more = whole(r.steps - last), want = wrapped(array(r.x), 5),
         bits = whole(r.bits) .. "u" }
       last = r.steps
     end
