@@ -6,7 +6,7 @@
  */
 #include "${name}_q31.h"
 
-/* A right shift of a negative number must keep its sign: C leaves that to the compiler (C99 6.5.7), all do. */
+/* A right shift of a negative number must keep its sign; C leaves that to the compiler (C99 6.5.7). */
 typedef char ${name}_q31_shift_keeps_the_sign[(INT32_C(-3) >> 1) == INT32_C(-2) ? 1 : -1];
 
 /* Constants: what, value = number 2^-e, rounding error. */
@@ -15,8 +15,8 @@ typedef char ${name}_q31_shift_keeps_the_sign[(INT32_C(-3) >> 1) == INT32_C(-2) 
 static const int32_t ${c.name} = ${c.value};
 %% end
 
-/* mul32, mul31, mul30: a b / 2^n, rounded to nearest; high: a b / 2^32, rounded down.  Without a long product it is put
- * together from halves, a = 2^16 ah + al; the same bits come out. */
+/* mul32, mul31, mul30: a b / 2^n, rounded to nearest; high: a b / 2^32, rounded down.  Where there is no long
+ * product it is put together from halves, a = 2^16 ah + al; the same bits come out. */
 #if defined __ARM_ARCH_6M__ || defined __ARM_ARCH_8M_BASE__ || defined __AVR__
 #define HALVES(round) \
   const uint16_t al = (uint16_t)((uint32_t)a & 0xffffu), bl = (uint16_t)((uint32_t)b & 0xffffu); \

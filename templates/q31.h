@@ -4,25 +4,26 @@
  *     ${command}
  * template: templates/q31.h.  ${license}
  *
- * The step h = ${step_seconds} s, the parameters' values and the scaling are in the constants.  Each word of the state
- * stands for word times its unit; what is below the last place stays in a word of its own, the remainder (word R..), in
- * fractions of that unit.  "off by" is the largest error of one step by rounding (arithmetic, constants, and the state's
- * own remainders, which the rates of change do not see) in that component, the attitude's but for |q|:
+ * The step h = ${step_seconds} s, the parameters' values and the scaling are in the constants.
  *
- *     word unit          remainder   limit          off by, a step
+ * Scaling: a word of the state stands for word times its unit.  What is below the last place stays in a
+ * word of its own, the remainder, in the given fraction of that unit.  The error is the largest one that
+ * rounding makes in one step (of products, of constants, of the remainders that the rates of change do
+ * not see), of the attitude without |q|.
+ *
+ *     word  unit           remainder  limit           error of a step
 %% for _, row in ipairs(rows) do
  *     ${row}
 %% end
  *
- * The rates: limits from
- *     ${why}.
+ * The limits of the rates: ${why}.
 %% if has_input then
- * Input: ux uy uz, unit ${input_exponent} N m, limited to +-${input_most} N m as the scene's effect.control says.
+ * The input ux uy uz: unit ${input_exponent} N m, limited to +-${input_most} N m as the scene's effect.control says.
 %% end
  *
- * Method: Kutta's 3/8 rule for the rates, Magnus' series of order 4 for the attitude; both have local errors of order h^5.
- * Every intermediate number has a bound below 2^31 (found with the scaling), so nothing overflows for any state within
- * the limits; a state outside is brought to its limit first, and reported.
+ * Method: Kutta's 3/8 rule for the rates, Magnus' series of order 4 for the attitude; local errors h^5.
+ * Every number on the way has a bound below 2^31, found with the scaling: within the limits nothing
+ * overflows.  A state outside of them is brought to them first, and that is reported.
  */
 #ifndef POLHODE_${upper}_Q31_HEADER
 #define POLHODE_${upper}_Q31_HEADER
@@ -33,7 +34,8 @@
 extern "C" {
 #endif
 
-enum { /* state x[${upper}_Q31_NX]: attitude and rates, then their remainders, 0 when a word is set by hand */
+/* The state x[${upper}_Q31_NX]: attitude, rates, and their remainders (0 where a word is set by hand). */
+enum {
   ${upper}_Q31_QW, ${upper}_Q31_QX, ${upper}_Q31_QY, ${upper}_Q31_QZ,
   ${upper}_Q31_WX, ${upper}_Q31_WY, ${upper}_Q31_WZ,
   ${upper}_Q31_RQW, ${upper}_Q31_RQX, ${upper}_Q31_RQY, ${upper}_Q31_RQZ,
@@ -41,12 +43,12 @@ enum { /* state x[${upper}_Q31_NX]: attitude and rates, then their remainders, 0
   ${upper}_Q31_NX
 };
 
-/* What is returned: 0, or bits.  Bit i: component i of the state was beyond its limit and stands at it now. */
+/* What is returned: 0, or bits.  Bit i: component i of the state was beyond its limit, and is at it now. */
 #define ${upper}_Q31_STATE 127u /* these seven */
 %% if has_input then
 #define ${upper}_Q31_INPUT 896u /* bits 7, 8, 9: ux, uy, uz was beyond the limit of the scene */
 %% end
-#define ${upper}_Q31_NORM 1024u /* |q|^2 was off by more than ${norm_limit}: brought nearer by half of that only */
+#define ${upper}_Q31_NORM 1024u /* |q|^2 was off by more than ${norm_limit}; a step takes half of that away */
 
 /* The scene's initial state. */
 void ${name}_q31_initial(int32_t x[${upper}_Q31_NX]);
@@ -58,11 +60,11 @@ void ${name}_q31_initial(int32_t x[${upper}_Q31_NX]);
 %% end
 unsigned ${name}_q31_step(int32_t x[${upper}_Q31_NX], const int32_t u[]);
 
-/* Kinetic energy of the body in units of ${energy_unit} J, for a watchdog. */
+/* Kinetic energy of the body in units of ${energy_unit} J; the rates must be within their limits. */
 int32_t ${name}_q31_energy(const int32_t x[${upper}_Q31_NX]);
 
-/* ${name}_q31_real.c, the only file with floating point.  Real numbers: the state qw qx qy qz wx wy wz in SI units.
- * from_real brings q to |q| = 1; beyond a limit, or not a number (0 then): bits as above. */
+/* In ${name}_q31_real.c, the only file with floating point.  Real: qw qx qy qz wx wy wz in SI units; q is
+ * brought to |q| = 1.  Returns bits as above for what is beyond a limit, or not a number (which gives 0). */
 unsigned ${name}_q31_from_real(const double real[7], int32_t x[${upper}_Q31_NX]);
 void ${name}_q31_to_real(const int32_t x[${upper}_Q31_NX], double real[7]);
 %% if has_input then

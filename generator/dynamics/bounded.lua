@@ -2,8 +2,8 @@
 --
 --     w' = b + A w + I^-1 (I w x w) + I^-1 u,   |u_i| <= max
 -- for effects that do not depend on the attitude: control, a constant torque in body axes, linear damping, a rotor.
--- b and A are read from the scene's own equations, which are polynomials of degree two in w: differences of their values
--- at whole numbers are exact.  About principal axes E (rows), moments I_k, the rest is c_k w_j w_l with
+-- b and A are read from the scene's own equations, which are polynomials of degree two in w: differences of their
+-- values at whole numbers are exact.  About principal axes E (rows), moments I_k, the rest is c_k w_j w_l with
 -- c_k = (I_j - I_l)/I_k.  A scene that is none of these is refused by the name of what makes it so.
 --
 -- The bound: where no torque feeds the motion (b = 0, no input, w.I A w <= 0 for every w), 2 T = w.I w never grows, so

@@ -158,7 +158,7 @@ local function rows(step, layout, source)
   for i, s in ipairs(layout) do
     local unit = i > 4 and " rad/s" or ""
     local err = s.node and few(s.node.err) or "0"
-    out[i] = string.format("%-3s %-14s %-10s %-14s %s", s.name, power(s.e) .. unit,
+    out[i] = string.format("%-5s %-14s %-10s %-15s %s", s.name, power(s.e) .. unit,
       s.k > 0 and power(s.k) or "-", "+-" .. few(s.limit * 2.0 ^ -s.e) .. unit, err .. unit)
   end
   local why = step.rates.why
@@ -195,8 +195,8 @@ function q31.files(job, v)
   w.rows, w.why = rows(step, layout, job.source)
   w.words = {}
   for i, l in ipairs(layout) do
-    w.words[i] = { name = l.name, upper = string.upper(l.name), limit = word(l.limit), rate = i > 4, tail = i < 7 and " &&" or ";",
-      scale = number.text(R.new(2) ^ l.e, "double"), unit = number.text(R.new(2) ^ -l.e, "double"),
+    w.words[i] = { name = l.name, upper = string.upper(l.name), limit = word(l.limit), rate = i > 4,
+      tail = i < 7 and " &&" or ";", scale = number.text(R.new(2) ^ l.e, "double"), unit = number.text(R.new(2) ^ -l.e, "double"),
       norm = i <= 4 and "*n" or "", one = whole(1 << l.k), place = whole(i - 1), bit = whole(1 << i - 1) }
   end
   w.has_input = #step.u > 0
@@ -214,8 +214,8 @@ function q31.files(job, v)
   w.start_lines = wrapped(w.start, 5)
   w.cases = {}
   for i, c in ipairs(s.cases) do
-    local case = { n = whole(i), start = wrapped(array(c.start), 5), u = table.concat(array(c.u or { 0, 0, 0 }), ", "),
-      runs = {}, what = c.what }
+    local case = { n = whole(i), start = wrapped(array(c.start), 5), runs = {}, what = c.what,
+      u = table.concat(array(c.u or { 0, 0, 0 }), ", ") }
     local last = 0
     for k, r in ipairs(c.runs) do
       case.runs[k] = { steps = whole(r.steps), more = whole(r.steps - last), want = wrapped(array(r.x), 5),

@@ -1,8 +1,8 @@
 -- fixed.lua -- programs of whole numbers: every node with its binary point, its bound and its error.
 --
--- A node stands for the real number n 2^-e, n a whole number of 32 bits, e its exponent.  It knows `hi`, the largest |n|
--- that can be (so that no overflow is a matter of proof, not of trust), and `err`, how far n 2^-e is at most from what
--- exact arithmetic would make of the exact inputs: rounding and the rounding of constants, in real units.  The error is
+-- A node stands for the real number n 2^-e, n a whole number of 32 bits, e its exponent.  It knows `hi`, the largest
+-- |n| that can be (so that no overflow is a matter of proof, not of trust), and `err`, how far n 2^-e is at most from
+-- what exact arithmetic would make of the exact inputs: rounding and the rounding of constants, in real units.  The error is
 -- a sum of positive doubles, enlarged at each node by more than their rounding.
 --
 --     mul      the product of two words without its last n bits, n at least 30, rounded once: exponent ea + eb - n
@@ -60,7 +60,7 @@ function fixed.nearest(q, e)
 end
 
 -- The constant q with exponent e.
-function fixed:constant(q, e, about, blame)
+function fixed.constant(q, e, about, blame)
   local n, err = fixed.nearest(q, e)
   if not n then fixed.unfit(blame) end
   check(math.abs(n), blame)
@@ -90,12 +90,12 @@ function fixed:scale(name, a, q, e, about, blame)
   local full = fixed.finest(q)
   local n = a.e + full - e
   if n < 30 or n > 62 then fixed.unfit(blame) end
-  return self:mul(name, a, self:constant(q, full, about, blame), n, blame)
+  return self:mul(name, a, fixed.constant(q, full, about, blame), n, blame)
 end
 
 -- The node times q with exponent e by a constant of as many bits as that takes; nil where it is less than half a unit.
 function fixed:coarse(name, a, q, e, about, blame)
-  local c = self:constant(q, e + 32 - a.e, about, blame)
+  local c = fixed.constant(q, e + 32 - a.e, about, blame)
   if c.value == 0 then return nil end
   return self:mul(name, a, c)
 end

@@ -3,13 +3,13 @@
 -- The rates do not need the attitude (dynamics/bounded.lua), so they go first, by Kutta's 3/8 rule.  With k = h f/3,
 --     k1 = k(w), k2 = k(w + k1), k3 = k(w - k1 + 3 k2), k4 = k(w + 3 (k1 - k2 + k3))
 --     w(t + h) - w = 3/8 (k1 + 3 k2 + 3 k3 + k4),      integral of w = h (w + 3/8 (k1 + 2 k2 + k3))
--- whose weights are powers of two and threes: nothing is divided.  The stages run on y_k = g_k (e_k.w), e_k the principal
--- axes, with g chosen so that the products of the rates have no factor left:
+-- whose weights are powers of two and threes: nothing is divided.  The stages run on y_k = g_k (e_k.w), e_k the
+-- principal axes, with g chosen so that the products of the rates have no factor left:
 --     h/3 c_k w_j w_l = +- y_j y_l/g_k,   g_k = h/3 sqrt(|c_j c_l|)
--- (where one |c_k| is much less than the others, its own product keeps a factor).  The attitude follows by Magnus' series
--- of order four, a = (half of the integral of w) + h^2/24 w x dw, q(t + h) = q (cos a, sin a a/|a|).
--- Sources: Kutta 1901 (the 3/8 rule: Hairer, Norsett, Wanner, Solving ODEs I, 2nd ed., table II.1.2); Magnus 1954, Comm.
--- Pure Appl. Math. 7, 649; Blanes, Casas, Oteo, Ros 2009, Phys. Rep. 470, 151.
+-- (where one |c_k| is much less than the others, its own product keeps a factor).  The attitude follows by Magnus'
+-- series of order four, a = (half of the integral of w) + h^2/24 w x dw, q(t + h) = q (cos a, sin a a/|a|).
+-- Sources: Kutta 1901 (the 3/8 rule: Hairer, Norsett, Wanner, Solving ODEs I, 2nd ed., table II.1.2); Magnus 1954,
+-- Comm. Pure Appl. Math. 7, 649; Blanes, Casas, Oteo, Ros 2009, Phys. Rep. 470, 151.
 --
 -- Increments have finer units than the state; what is left of them below its last place stays in words of its own (the
 -- remainders), so adding them up loses nothing.  ABOVE the line but for the whole numbers that it decides on.
@@ -132,7 +132,7 @@ local function build(r, h, x)
   local constant = {}
   for k = 1, 3 do
     if not negligible(B[k]) then
-      constant[k] = p:constant(B[k], x.k, "torque that is constant, in the units of k", "k")
+      constant[k] = fixed.constant(B[k], x.k, "torque that is constant, in the units of k", "k")
     end
   end
 
@@ -244,7 +244,7 @@ function q31.commutator(p, h, x, a, dw)
       local q = h / R.new(12)
       local e = 14 - R.log2(q)
       while math.abs((fixed.nearest(q, e))) > 32767 do e = e - 1 end
-      t[i] = to16("t" .. axis[i], p:product("h" .. axis[i], d16, p:constant(q, e, "h/12, 16 bits", "d"), "d"))
+      t[i] = to16("t" .. axis[i], p:product("h" .. axis[i], d16, fixed.constant(q, e, "h/12, 16 bits", "d"), "d"))
     end
   end
   -- one exponent for the three
@@ -290,7 +290,7 @@ function q31.turn(p, x, out, a)
   local s = { a[1], a[2], a[3] }
   if fixed.most(A) / 6 * 2.0 ^ 32 >= 0.5 then
     local e = 64 - A.e
-    local sixth = p:constant(R.new(1, 6), e, "1/6", "a")
+    local sixth = fixed.constant(R.new(1, 6), e, "1/6", "a")
     local small = p:coarse("z1", A, R.new(1, 120), e, "1/120", "a")
     local z = p:mul("z", A, small and p:sum("z2", { { 1, sixth }, { -1, small } }, "a") or sixth)
     for i = 1, 3 do
@@ -311,7 +311,7 @@ function q31.turn(p, x, out, a)
   if fixed.most(A) / 2 * 2.0 ^ x.a >= 0.5 then
     local lost = x.a > 32 and 32 or 31 -- 1/2 must be a word
     local e = x.a + lost - A.e
-    local one_half = p:constant(R.half, e, "1/2", "a")
+    local one_half = fixed.constant(R.half, e, "1/2", "a")
     local small = p:coarse("C1", A, R.new(1, 24), e, "1/24", "a")
     C[2] = { 1, p:mul("C2", A, small and p:sum("C3", { { 1, one_half }, { -1, small } }, "a") or one_half, lost) }
   end
