@@ -15,56 +15,26 @@ typedef char ${name}_q31_shift_keeps_the_sign[(INT32_C(-3) >> 1) == INT32_C(-2) 
 static const int32_t ${c.name} = ${c.value};
 %% end
 
-/* mul32, mul31, mul30: a b / 2^n, rounded to nearest; high: a b / 2^32, rounded down.  Where there is no long
- * product it is put together from halves, a = 2^16 ah + al; the same bits come out. */
+/* mulN: a b / 2^N, rounded to nearest; downN: rounded down, for sums, where two of them are made up for by 1.  Where
+ * there is no long product it is put together from halves, a = 2^16 ah + al; the same bits come out. */
 #if defined __ARM_ARCH_6M__ || defined __ARM_ARCH_8M_BASE__ || defined __AVR__
 #define HALVES(round) \
   const uint16_t al = (uint16_t)((uint32_t)a & 0xffffu), bl = (uint16_t)((uint32_t)b & 0xffffu); \
   const int16_t ah = (int16_t)(a >> 16), bh = (int16_t)(b >> 16); \
   /* in units of 2^16, at most (2^15 - 1)(2^16 - 1) + 65534 + 2^15 = 2^31 - 1 */ \
-  const int32_t t = (int32_t)ah*bl + (int32_t)(((uint32_t)al*bl) >> 16) + (round); \
+  const int32_t t = (int32_t)ah*bl + (int32_t)(((uint32_t)al*bl) >> 16) + INT32_C(round); \
   const int32_t s = (int32_t)al*bh + (t & INT32_C(0xffff)), upper = (int32_t)ah*bh + (t >> 16)
-%% if uses32 then
-static int32_t mul32(int32_t a, int32_t b)
+%% for _, p in ipairs(products) do
+static int32_t ${p.name}(int32_t a, int32_t b)
 {
-  HALVES(INT32_C(0x8000));
-  return upper + (s >> 16);
-}
-%% end
-%% if uses31 then
-static int32_t mul31(int32_t a, int32_t b)
-{
-  HALVES(INT32_C(0x4000));
-  return upper*2 + (s >> 15);
-}
-%% end
-%% if uses30 then
-static int32_t mul30(int32_t a, int32_t b)
-{
-  HALVES(INT32_C(0x2000));
-  return upper*4 + (s >> 14);
-}
-%% end
-%% if uses33 then
-static int32_t high(int32_t a, int32_t b)
-{
-  HALVES(0);
-  return upper + (s >> 16);
+  HALVES(${p.round});
+  return upper${p.times} + (s >> ${p.rest});
 }
 %% end
 #undef HALVES
 #else
-%% if uses32 then
-static int32_t mul32(int32_t a, int32_t b) { return (int32_t)(((int64_t)a*b + INT64_C(0x80000000)) >> 32); }
-%% end
-%% if uses31 then
-static int32_t mul31(int32_t a, int32_t b) { return (int32_t)(((int64_t)a*b + INT64_C(0x40000000)) >> 31); }
-%% end
-%% if uses30 then
-static int32_t mul30(int32_t a, int32_t b) { return (int32_t)(((int64_t)a*b + INT64_C(0x20000000)) >> 30); }
-%% end
-%% if uses33 then
-static int32_t high(int32_t a, int32_t b) { return (int32_t)(((int64_t)a*b) >> 32); }
+%% for _, p in ipairs(products) do
+static int32_t ${p.name}(int32_t a, int32_t b) { return (int32_t)(((int64_t)a*b${p.long_round}) >> ${p.n}); }
 %% end
 #endif
 

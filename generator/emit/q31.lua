@@ -41,40 +41,41 @@ local WIDTH = 92 -- of an expression
 
 -- An operand: a node that is used once and whose text is short stands where it is used.
 local function operand(p, node, inside)
-  if p.once[node] and text[node.kind] and inside[node.kind] then
-    local s = text[node.kind](p, node)
-    p.inline[node] = true
-    return node.kind == "right" and "(" .. s .. ")" or s
-  end
-  return p:of(node)
+  if not (p.once[node] and inside[node.kind]) then return p:of(node) end
+  p.inline[node] = true
+  local s = text[node.kind](p, node)
+  return (node.kind == "right" or node.kind == "mul" and node.n > 32) and "(" .. s .. ")" or s
 end
 
+-- mul32(a, b), down31(a, b), (down32(a, b) + 2) >> 2
 function text.mul(p, o)
-  local a, b = p:of(o.a), p:of(o.b)
-  local n = math.min(o.n, 33)
-  p.products[n] = true
-  if n < 33 then return "mul" .. whole(n) .. "(" .. a .. ", " .. b .. ")" end
-  return string.format("(high(%s, %s) + %s) >> %s", a, b, whole(1 << o.n - 33), whole(o.n - 32))
+  local n = math.min(o.n, 32)
+  local name = ((o.down or o.n > 32) and "down" or "mul") .. whole(n)
+  p.products[name] = true
+  local call = name .. "(" .. p:of(o.a) .. ", " .. p:of(o.b) .. ")"
+  if o.n == n then return call end
+  return (o.down and call or "(" .. call .. " + " .. whole(1 << o.n - 33) .. ")") .. " >> " .. whole(o.n - 32)
 end
 
 function text.product(p, o) return p:of(o.a) .. "*" .. p:of(o.b) end
 
+local once = { right = true, mul = true, product = true, left = true }
+local multiplied = { right = true, mul = true }
+
 function text.sum(p, o)
   local out = {}
   for i, t in ipairs(o.terms) do
-    local m, node = math.abs(t[1]), t[2]
+    local m = math.abs(t[1])
     local sign = t[1] < 0 and (i == 1 and "-" or " - ") or i > 1 and " + " or ""
-    local inside = { right = true, product = m == 1, left = m == 1, mul = node.kind == "mul" and node.n < 33 }
-    out[i] = sign .. (m ~= 1 and whole(m) .. "*" or "") .. operand(p, node, inside)
+    out[i] = sign .. (m ~= 1 and whole(m) .. "*" or "") .. operand(p, t[2], m == 1 and once or multiplied)
   end
+  if o.more ~= 0 then out[#out + 1] = (o.more < 0 and " - " or " + ") .. whole(math.abs(o.more)) end
   return table.concat(out)
 end
 
-local within_right = { sum = true, product = true, mul = true }
+local within_right = { sum = true, product = true }
 
 function text.right(p, o)
-  if o.a.kind == "mul" and o.a.n >= 33 then return string.format("(%s + %s) >> %s", p:of(o.a), whole(1 << o.n - 1),
-    whole(o.n)) end
   return string.format("(%s + %s) >> %s", operand(p, o.a, within_right), whole(1 << o.n - 1), whole(o.n))
 end
 
@@ -190,7 +191,17 @@ function q31.files(job, v)
   w.energy_start = word(s.energy.start)
   w.energy_node, w.energy_unit = p:of(s.energy.node), power(s.energy.node.e)
   w.constants = p.constants
-  for n = 30, 33 do w["uses" .. whole(n)] = p.products[n] or false end
+  w.products = {}
+  for _, down in ipairs { false, true } do
+    for n = 30, 32 do
+      local name = (down and "down" or "mul") .. whole(n)
+      if p.products[name] then
+        w.products[#w.products + 1] = { name = name, n = whole(n), times = n < 32 and "*" .. whole(1 << 32 - n) or "",
+          rest = whole(n - 16), round = down and "0" or string.format("0x%x", 1 << n - 17),
+          long_round = down and "" or string.format(" + INT64_C(0x%x)", 1 << n - 1) }
+      end
+    end
+  end
   w.updates = indent(updates(layout, upper))
   w.rows, w.why = rows(step, layout, job.source)
   w.words = {}

@@ -6,6 +6,8 @@
 -- a sum of positive doubles, enlarged at each node by more than their rounding.
 --
 --     mul      the product of two words without its last n bits, n at least 30, rounded once: exponent ea + eb - n
+--     down     the same, rounded down, which is cheaper: low by half a unit more or less; only for sums, which make up for
+--              two of them by a unit, so that nothing is lost
 --     product  of two numbers of 16 bits, exact: exponent ea + eb
 --     sum      small multiples of nodes of one exponent
 --     right    rounded to nearest, by so many bits: exponent e - n;     left   exact: e + n
@@ -75,29 +77,29 @@ function fixed.finest(q)
   return e
 end
 
-function fixed:mul(name, a, b, n, blame)
+function fixed:mul(name, a, b, n, blame, down)
   local ma, mb = fixed.most(a), fixed.most(b)
   n = n or 32
   local e = a.e + b.e - n
   if n < 32 then check(((a.hi * b.hi + (1 << n - 1)) >> n) + (1 << 18), blame) end -- emitted in halves: 2^18 is theirs
   return self:add { kind = "mul", name = name, a = a, b = b, n = n, e = e,
-    hi = (a.hi * b.hi + (1 << n - 1)) >> n,
+    down = down or nil, hi = (a.hi * b.hi + (1 << n) - 1) >> n,
     err = ma * b.err + mb * a.err + a.err * b.err + 2.0 ^ (-e - 1) }
 end
 
 -- The node times q with exponent e: the constant has all its bits.
-function fixed:scale(name, a, q, e, about, blame)
+function fixed:scale(name, a, q, e, about, blame, down)
   local full = fixed.finest(q)
   local n = a.e + full - e
   if n < 30 or n > 62 then fixed.unfit(blame) end
-  return self:mul(name, a, fixed.constant(q, full, about, blame), n, blame)
+  return self:mul(name, a, fixed.constant(q, full, about, blame), n, blame, down)
 end
 
 -- The node times q with exponent e by a constant of as many bits as that takes; nil where it is less than half a unit.
 function fixed:coarse(name, a, q, e, about, blame)
   local c = fixed.constant(q, e + 32 - a.e, about, blame)
   if c.value == 0 then return nil end
-  return self:mul(name, a, c)
+  return self:mul(name, a, c, 32, blame, true)
 end
 
 function fixed:product(name, a, b, blame)
@@ -107,13 +109,17 @@ end
 
 -- terms: a list of {multiple, node}, all of one exponent
 function fixed:sum(name, terms, blame)
-  local hi, err = 0, 0.0
+  local hi, err, halves, e = 0, 0.0, 0, terms[1][2].e
   for _, t in ipairs(terms) do
-    assert(t[2].e == terms[1][2].e, name)
+    assert(t[2].e == e, name)
     hi, err = hi + math.abs(t[1]) * t[2].hi, err + math.abs(t[1]) * t[2].err
+    if t[2].down then halves = halves + t[1] end
   end
-  if #terms == 1 and terms[1][1] == 1 then return terms[1][2] end
-  return self:add { kind = "sum", name = name, terms = terms, e = terms[1][2].e, hi = check(hi, blame), err = err }
+  if #terms == 1 and terms[1][1] == 1 and halves == 0 then return terms[1][2] end
+  local more = halves < 0 and -(-halves // 2) or halves // 2
+  if halves % 2 == 1 then err = err + 2.0 ^ (-e - 1) end
+  return self:add { kind = "sum", name = name, terms = terms, more = more, e = e, hi = check(hi + math.abs(more), blame),
+    err = err }
 end
 
 function fixed:right(name, a, n)
@@ -146,10 +152,10 @@ local function floor_shift(x, n) return (x >> n) | (x < 0 and ~(-1 >> n) or 0) e
 fixed.floor_shift = floor_shift
 
 local run = {
-  mul = function(o, v) return floor_shift(v(o.a) * v(o.b) + (1 << o.n - 1), o.n) end,
+  mul = function(o, v) return floor_shift(v(o.a) * v(o.b) + (o.down and 0 or 1 << o.n - 1), o.n) end,
   product = function(o, v) return v(o.a) * v(o.b) end,
   sum = function(o, v)
-    local s = 0
+    local s = o.more
     for _, t in ipairs(o.terms) do s = s + t[1] * v(t[2]) end
     return s
   end,

@@ -82,13 +82,13 @@ local function negligible(x) return R.abs(x) < R.new(2) ^ -100 end
 
 -- sum over j of row[j] v[j] as one node of exponent e; nil where the row is zero or v[j] are.
 local function dot(p, name, v, row, s, e, about, blame)
-  local terms = {}
+  local which, terms = {}, {}
   for j = 1, 3 do
-    if v[j] and not negligible(row[j]) then
-      local q = row[j] * s
-      local one = p:scale(name .. (terms[1] and part[j + 1] or ""), v[j], q, e, about, blame)
-      terms[#terms + 1] = { 1, one }
-    end
+    if v[j] and not negligible(row[j]) then which[#which + 1] = j end
+  end
+  for n, j in ipairs(which) do
+    local down = n < #which or #which % 2 == 0 -- an even number of them
+    terms[n] = { 1, p:scale(name .. (n > 1 and axis[j] or ""), v[j], row[j] * s, e, about, blame, down) }
   end
   if #terms == 0 then return nil end
   return p:sum(name .. "s", terms, blame)
@@ -222,58 +222,41 @@ local function build(r, h, x)
   return out
 end
 
+-- The nodes as words of 16 bits of one exponent.
+local function halved(p, prefix, list)
+  local most, names = 0, { "x", "y", "z" }
+  for i = 1, 3 do most = math.max(most, list[i] and list[i].hi or 0) end
+  local s = 0
+  while (most + (s > 0 and 1 << s - 1 or 0)) >> s > 32767 do s = s + 1 end
+  local out = {}
+  for i = 1, 3 do out[i] = list[i] and p:right(prefix .. names[i], list[i], s) or nil end
+  return out
+end
+
 -- a + h^2/24 w x dw = a + a x (h/12 dw): small, so that words of 16 bits do.
 function q31.commutator(p, h, x, a, dw)
-  local function to16(name, n)
-    local s = 0
-    while (n.hi + (s > 0 and 1 << s - 1 or 0)) >> s > 32767 do s = s + 1 end
-    return p:right(name, n, s)
-  end
-  local most = 0.0
+  local q, most = h / R.new(12), 0.0
   for i = 1, 3 do
     local j, l = cyclic(i)
     most = math.max(most, fixed.most(a[j]) * (dw[l] and fixed.most(dw[l]) or 0.0))
   end
-  if most * R.todouble(h) / 12 * 2.0 ^ x.a < 0.25 then return end
+  if most * R.todouble(q) * 2.0 ^ x.a < 0.25 then return end
   p:block("a += a x (h/12) dw, h^2/24 w x dw: the turn of the axis of rotation (Magnus), in words of 16 bits")
-  local a16, t = {}, {}
-  for i = 1, 3 do
-    a16[i] = to16("a" .. axis[i] .. "16", a[i])
-    if dw[i] and dw[i].hi > 0 then
-      local d16 = to16("d" .. axis[i] .. "16", dw[i])
-      local q = h / R.new(12)
-      local e = 14 - R.log2(q)
-      while math.abs((fixed.nearest(q, e))) > 32767 do e = e - 1 end
-      t[i] = to16("t" .. axis[i], p:product("h" .. axis[i], d16, fixed.constant(q, e, "h/12, 16 bits", "d"), "d"))
-    end
-  end
-  -- one exponent for the three
-  local e
-  for i = 1, 3 do
-    e = math.min(e or a16[i].e, a16[i].e)
-  end
-  local et
-  for i = 1, 3 do
-    if t[i] then et = math.min(et or t[i].e, t[i].e) end
-  end
-  for i = 1, 3 do
-    a16[i] = p:to("a" .. axis[i] .. "c", a16[i], e, "a")
-    if t[i] then t[i] = p:to("t" .. axis[i] .. "c", t[i], et, "a") end
-  end
-  local whole = { a[1], a[2], a[3] }
+  local e = 15 - R.log2(q)
+  while math.abs((fixed.nearest(q, e))) > 32767 do e = e - 1 end
+  local twelfth, short, t = fixed.constant(q, e, "h/12, 16 bits", "d"), halved(p, "A", a), halved(p, "D", dw)
+  for i = 1, 3 do t[i] = t[i] and p:product("H" .. axis[i], t[i], twelfth, "d") end
+  t = halved(p, "T", t)
+  local whole = {}
   for i = 1, 3 do
     local j, l = cyclic(i)
     local terms = {}
-    for n, pair in ipairs { { a16[j], t[l] }, { a16[l], t[j] } } do
-      if pair[1] and pair[2] then
-        local name = "c" .. axis[i] .. n
-        local one = p:product(name, pair[1], pair[2], "a")
-        terms[#terms + 1] = { n == 1 and 1 or -1, one }
-      end
-    end
+    if t[l] then terms[1] = { 1, p:product("C" .. axis[i] .. 1, short[j], t[l], "a") } end
+    if t[j] then terms[#terms + 1] = { -1, p:product("C" .. axis[i] .. 2, short[l], t[j], "a") } end
+    whole[i] = a[i]
     if #terms > 0 then
-      local cross = p:sum("c" .. axis[i], terms, "a")
-      whole[i] = p:sum("A" .. axis[i], { { 1, a[i] }, { 1, p:to("C" .. axis[i], cross, x.a, "a") } }, "a")
+      local c = p:to("E" .. axis[i], p:sum("C" .. axis[i], terms, "a"), x.a, "a")
+      whole[i] = p:sum("a" .. axis[i] .. "t", { { 1, a[i] }, { 1, c } }, "a")
     end
   end
   for i = 1, 3 do a[i] = whole[i] end
@@ -283,7 +266,7 @@ end
 function q31.turn(p, x, out, a)
   p:block("A = |a|^2; sin(|a|)/|a| = 1 - z, z = A (1/6 - A/120); cos a = 1 - A (1/2 - A/24)")
   local terms = {}
-  for i = 1, 3 do terms[i] = { 1, p:mul("A" .. i, a[i], a[i]) } end
+  for i = 1, 3 do terms[i] = { 1, p:mul("A" .. i, a[i], a[i], 32, "a", true) } end
   local A = p:sum("A", terms, "a")
   if fixed.most(A) > 0.0675 then fixed.unfit "step" end -- |a| <= 1/4, and roundings
 
@@ -300,7 +283,7 @@ function q31.turn(p, x, out, a)
 
   p:block("n = |q|^2 - 1; C = 1 - cos a + n/2 brings |q| back to 1 with the next step")
   local squares = {}
-  for i = 1, 4 do squares[i] = { 1, p:mul("n" .. i, out.q[i], out.q[i]) } end
+  for i = 1, 4 do squares[i] = { 1, p:mul("n" .. i, out.q[i], out.q[i], 32, "a", true) } end
   local whole = { kind = "constant", value = 1 << 28, q = R.one, e = 28, hi = 1 << 28, err = 0.0, about = "1" }
   squares[5] = { -1, whole }
   local n = p:sum("n", squares, "a")
@@ -313,7 +296,7 @@ function q31.turn(p, x, out, a)
     local e = x.a + lost - A.e
     local one_half = fixed.constant(R.half, e, "1/2", "a")
     local small = p:coarse("C1", A, R.new(1, 24), e, "1/24", "a")
-    C[2] = { 1, p:mul("C2", A, small and p:sum("C3", { { 1, one_half }, { -1, small } }, "a") or one_half, lost) }
+    C[2] = { 1, p:mul("C2", A, small and p:sum("C3", { { 1, one_half }, { -1, small } }, "a") or one_half, lost, "a", true) }
   end
   local c = p:sum("C", C, "a")
 
@@ -325,7 +308,7 @@ function q31.turn(p, x, out, a)
   for i = 1, 4 do
     local sum = {}
     for k, from in ipairs(table_of[i]) do
-      sum[k] = { from < 0 and -1 or 1, p:mul("q" .. part[i] .. k, q[math.abs(from)], by[k]) }
+      sum[k] = { from < 0 and -1 or 1, p:mul("q" .. part[i] .. k, q[math.abs(from)], by[k], 32, "a", true) }
     end
     out.dq[i] = p:sum("dq" .. part[i], sum, "a")
   end
