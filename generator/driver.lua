@@ -72,8 +72,8 @@ local function steppers(job, options)
 end
 
 -- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
--- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool, q31 = bool,
--- libm = "own" | "system" (the default: own in float)}
+-- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool,
+-- q31 = bool, libm = "own" | "system" (the default: own in float)}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods

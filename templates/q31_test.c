@@ -69,6 +69,7 @@ int main(void)
 {
   int32_t x[${upper}_Q31_NX];
 
+  printf("TAP version 13\n");
   ${name}_q31_initial(x);
   {
     static const int32_t want[${upper}_Q31_NX] = {

@@ -207,7 +207,8 @@ function q31.files(job, v)
   w.words = {}
   for i, l in ipairs(layout) do
     w.words[i] = { name = l.name, upper = string.upper(l.name), limit = word(l.limit), rate = i > 4,
-      tail = i < 7 and " &&" or ";", scale = number.text(R.new(2) ^ l.e, "double"), unit = number.text(R.new(2) ^ -l.e, "double"),
+      tail = i < 7 and " &&" or ";", scale = number.text(R.new(2) ^ l.e, "double"),
+      unit = number.text(R.new(2) ^ -l.e, "double"),
       norm = i <= 4 and "*n" or "", one = whole(1 << l.k), place = whole(i - 1), bit = whole(1 << i - 1) }
   end
   w.has_input = #step.u > 0

@@ -2,12 +2,12 @@
 --
 -- A node stands for the real number n 2^-e, n a whole number of 32 bits, e its exponent.  It knows `hi`, the largest
 -- |n| that can be (so that no overflow is a matter of proof, not of trust), and `err`, how far n 2^-e is at most from
--- what exact arithmetic would make of the exact inputs: rounding and the rounding of constants, in real units.  The error is
--- a sum of positive doubles, enlarged at each node by more than their rounding.
+-- what exact arithmetic would make of the exact inputs: rounding and the rounding of constants, in real units.  The
+-- error is a sum of positive doubles, enlarged at each node by more than their rounding.
 --
 --     mul      the product of two words without its last n bits, n at least 30, rounded once: exponent ea + eb - n
---     down     the same, rounded down, which is cheaper: low by half a unit more or less; only for sums, which make up for
---              two of them by a unit, so that nothing is lost
+--     down     the same, rounded down, which is cheaper: half a unit too low on average; only for sums, which make up
+--              for two of them by one unit, so that nothing is lost
 --     product  of two numbers of 16 bits, exact: exponent ea + eb
 --     sum      small multiples of nodes of one exponent
 --     right    rounded to nearest, by so many bits: exponent e - n;     left   exact: e + n
@@ -118,8 +118,8 @@ function fixed:sum(name, terms, blame)
   if #terms == 1 and terms[1][1] == 1 and halves == 0 then return terms[1][2] end
   local more = halves < 0 and -(-halves // 2) or halves // 2
   if halves % 2 == 1 then err = err + 2.0 ^ (-e - 1) end
-  return self:add { kind = "sum", name = name, terms = terms, more = more, e = e, hi = check(hi + math.abs(more), blame),
-    err = err }
+  return self:add { kind = "sum", name = name, terms = terms, more = more, e = e, err = err,
+    hi = check(hi + math.abs(more), blame) }
 end
 
 function fixed:right(name, a, n)

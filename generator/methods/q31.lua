@@ -296,7 +296,8 @@ function q31.turn(p, x, out, a)
     local e = x.a + lost - A.e
     local one_half = fixed.constant(R.half, e, "1/2", "a")
     local small = p:coarse("C1", A, R.new(1, 24), e, "1/24", "a")
-    C[2] = { 1, p:mul("C2", A, small and p:sum("C3", { { 1, one_half }, { -1, small } }, "a") or one_half, lost, "a", true) }
+    local less = small and p:sum("C3", { { 1, one_half }, { -1, small } }, "a") or one_half
+    C[2] = { 1, p:mul("C2", A, less, lost, "a", true) }
   end
   local c = p:sum("C", C, "a")
 

@@ -32,8 +32,8 @@ local scenes = { -- the most instructions on a Cortex-M0
   { "control", box, "effects = { effect.control { max = 0.01 } }, ranges = { omega = 8 }", 2500 },
   { "oblique", tensor, "ranges = { omega = 8 }", 2500 },
   -- a rotor and damping about other axes are nine products more in each of the four stages
-  { "everything", tensor, "effects = { effect.control { max = 2 }, effect.rotor { axis = { 1, 0, 1 }, momentum = 60 }, " ..
-    "effect.damping { c = 2 } }, ranges = { omega = 8 }", 4500 },
+  { "everything", tensor, "effects = { effect.control { max = 2 }, " ..
+    "effect.rotor { axis = { 1, 0, 1 }, momentum = 60 }, effect.damping { c = 2 } }, ranges = { omega = 8 }", 4500 },
 }
 
 for _, s in ipairs(scenes) do
