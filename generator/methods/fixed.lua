@@ -95,11 +95,15 @@ function fixed:scale(name, a, q, e, about, blame, down)
   return self:mul(name, a, fixed.constant(q, full, about, blame), n, blame, down)
 end
 
--- The node times q with exponent e by a constant of as many bits as that takes; nil where it is less than half a unit.
-function fixed:coarse(name, a, q, e, about, blame)
-  local c = fixed.constant(q, e + 32 - a.e, about, blame)
-  if c.value == 0 then return nil end
-  return self:mul(name, a, c, 32, blame, true)
+-- whole - q a, rounded down, all of the exponent of the constant `whole`; where q a is less than a unit it is left out,
+-- and counted as an error.
+function fixed:less(name, whole, a, q, about, blame)
+  local c = fixed.constant(q, whole.e + 32 - a.e, about, blame)
+  if a.hi * c.hi < 1 << 32 then
+    whole.err = whole.err + fixed.most(a) * R.todouble(q) * SLACK
+    return whole
+  end
+  return self:sum(name, { { 1, whole }, { -1, self:mul(name .. "1", a, c, 32, blame, true) } }, blame)
 end
 
 function fixed:product(name, a, b, blame)

@@ -274,8 +274,7 @@ function q31.turn(p, x, out, a)
   if fixed.most(A) / 6 * 2.0 ^ 32 >= 0.5 then
     local e = 64 - A.e
     local sixth = fixed.constant(R.new(1, 6), e, "1/6", "a")
-    local small = p:coarse("z1", A, R.new(1, 120), e, "1/120", "a")
-    local z = p:mul("z", A, small and p:sum("z2", { { 1, sixth }, { -1, small } }, "a") or sixth)
+    local z = p:mul("z", A, p:less("Z", sixth, A, R.new(1, 120), "1/120", "a"))
     for i = 1, 3 do
       s[i] = p:sum("s" .. axis[i], { { 1, a[i] }, { -1, p:mul("z" .. axis[i], a[i], z) } }, "a")
     end
@@ -295,9 +294,7 @@ function q31.turn(p, x, out, a)
     local lost = x.a > 32 and 32 or 31 -- 1/2 must be a word
     local e = x.a + lost - A.e
     local one_half = fixed.constant(R.half, e, "1/2", "a")
-    local small = p:coarse("C1", A, R.new(1, 24), e, "1/24", "a")
-    local less = small and p:sum("C3", { { 1, one_half }, { -1, small } }, "a") or one_half
-    C[2] = { 1, p:mul("C2", A, less, lost, "a", true) }
+    C[2] = { 1, p:mul("C2", A, p:less("B", one_half, A, R.new(1, 24), "1/24", "a"), lost, "a", true) }
   end
   local c = p:sum("C", C, "a")
 

@@ -119,6 +119,7 @@ local function uniform() return (R.todouble(R.new(require("tests.ir.random").int
 for _, c in ipairs(cases) do
   local made = plan(c[3])
   local s, worst, radial, quiet = made.step, 0, 0, 0
+  local energy, e_worst = made.energy, 0
   for n = 1, 60 do
     -- over the whole range: bounds and errors are for all of it, not only for what free motion reaches
     local real = { uniform(), uniform(), uniform(), uniform() }
@@ -129,6 +130,9 @@ for _, c in ipairs(cases) do
     end
     local x = run.from_real(s, map(R.fromdouble, real))
     local exact = map(R.todouble, run.to_real(s, x))
+    local rates_now = { exact[5], exact[6], exact[7] }
+    local T = energy.program:run({ wx = x[5], wy = x[6], wz = x[7] })(energy.node) * 2.0 ^ -energy.node.e
+    e_worst = math.max(e_worst, math.abs(T - dot(rates_now, apply(c[2].I, rates_now)) / 2) / energy.node.err)
     local words, torque
     if c.max then
       words, torque = {}, {}
@@ -152,6 +156,7 @@ for _, c in ipairs(cases) do
       end
     end
   end
+  tap.ok(e_worst <= 1, c[1] .. ": the energy within its error", e_worst)
   tap.ok(quiet >= 30, c[1] .. ": most steps from within the range stay in it", quiet)
   -- an average error of a third of the bound would be remarkable, a thousandth would make the bound worthless
   tap.ok(worst <= 1, c[1] .. ": every step is within the error that is stated", worst)
