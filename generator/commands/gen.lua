@@ -104,7 +104,7 @@ function gen.run(host, given)
   end
   if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen, order = order,
     jacobians = given.with ~= nil and given.with.jacobians, q31 = given.with ~= nil and given.with.q31,
-    libm = given.libm }) then
+    libm = given.libm, outputs = given.project == "fmu" }) then
     return options.refuse(host, given[1], job.diag)
   end
   job.planned = decision
