@@ -24,6 +24,7 @@ local state = require "generator.dynamics.state"
 local methods = require "generator.methods.list"
 local fixed_point = require "generator.methods.q31_run"
 local costs = require "generator.report.costs"
+local counted = require "generator.report.counted"
 local derivation = require "generator.report.derivation"
 local number = require "generator.emit.number"
 local packages = require "generator.emit.packages.list"
@@ -152,6 +153,7 @@ function driver.plan(job, options)
     driver.code(job)
     return costs.rows(job, set_up), costs.targets
   end
+  job.counted_lines = function() return job.counted and counted.markdown(job.counted) or {} end
   return job
 end
 

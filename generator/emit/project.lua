@@ -39,6 +39,9 @@ local function literals(real)
     binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
     block = bits == 24 and "16" or "8", no_period = n(R.new(2) ^ (bits == 24 and 40 or 100)),
     binary_limit = n(bits == 24 and 60 or 500),
+    -- exponents (templates/wide.c): below all others, that of 0; below all that matter.  In float an int has 16 bits
+    -- on some processors, and three times an exponent must fit
+    no_exponent = bits == 24 and "-6000" or "-1000000", least_exponent = bits == 24 and "-3000" or "-100000",
     carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
 end
 
@@ -135,6 +138,8 @@ local function sheet(job, v)
     if not known[row.name] then v.costs[#v.costs + 1] = cost_row(row.name, row.counts) end
   end
   v.sheet_head, v.sheet_rule = table.concat(names, " | "), string.rep("---|", #names)
+  v.counted = job.counted_lines()
+  v.is_counted = #v.counted > 0
 end
 
 -- "rhs: 12 additions, 24 multiplications": what one call costs, for the banner.
@@ -169,7 +174,9 @@ local function common(job)
   end
   local list, params = {}, {}
   for i, p in ipairs(m.params) do
-    list[i] = { name = p.name, about = "default " .. p.given, unit = p.unit }
+    local tail = " " .. p.unit -- said once if the default is given in the unit that p[] has
+    local given = string.sub(p.given, -#tail) == tail and string.sub(p.given, 1, -#tail - 1) or p.given
+    list[i] = { name = p.name, about = "default " .. given, unit = p.unit }
     params[i] = { upper = string.upper(p.name), value = number.text(p.default, real) }
   end
   v.param_enum, v.params = enumeration(ctx.upper, list, "NP"), params
