@@ -14,7 +14,7 @@ local shortest = require("generator.plan.decision").shortest
 local gen = {}
 
 gen.options = { ["-o"] = "text", ["--real"] = { "double", "float" }, ["--bake"] = false, ["--method"] = "words",
-  ["--order"] = "number", ["--accuracy"] = "number", ["--with"] = { "jacobians", several = true },
+  ["--order"] = "number", ["--accuracy"] = "number", ["--with"] = { "jacobians", "q31", several = true },
   ["--libm"] = { "own", "system" }, ["--project"] = packages.names, ["--target"] = "words",
   ["--set"] = "pair", ["--show"] = { "lower", "power", "fold", "cse", "dce", "order" } }
 gen.operands = { 1, 1 }
@@ -106,7 +106,8 @@ function gen.run(host, given)
     real, chosen, order = decision.real, { decision.method }, decision.order
   end
   if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen, order = order,
-    jacobians = given.with ~= nil and given.with.jacobians, libm = given.libm, outputs = given.project == "fmu" }) then
+    jacobians = given.with ~= nil and given.with.jacobians, q31 = given.with ~= nil and given.with.q31,
+    libm = given.libm, outputs = given.project == "fmu" }) then
     return options.refuse(host, given[1], job.diag)
   end
   job.planned = decision

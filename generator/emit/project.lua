@@ -11,6 +11,7 @@ local init = require "generator.emit.init"
 local libm = require "generator.emit.libm"
 local number = require "generator.emit.number"
 local orbit = require "generator.emit.orbit"
+local q31 = require "generator.emit.q31"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
@@ -188,7 +189,7 @@ local function common(job)
     members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil,
     has_full = job.closed.full or false, free = eq.free and m.has.attitude,
-    bits = string.format("%d", selftest.bits) }
+    bits = string.format("%d", selftest.bits), has_q31 = job.q31 ~= nil }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
   end
@@ -330,6 +331,7 @@ function project.files(job, plugin)
     { name = n .. ".c", text = text },
     { name = n .. "_test.c", text = render "templates/test.c" },
   }
+  for _, f in ipairs(job.q31 and q31.files(job, v) or {}) do files[#files + 1] = f end
   for _, f in ipairs(job.package.files(job, v, render)) do files[#files + 1] = f end
   if plugin then
     v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false

@@ -40,17 +40,17 @@ bits.level = {
   rv32imac = { gcc = "-O1", clang = "-Os" },
   rv32imafc = { gcc = "-O2", clang = "-O3" },
   avr = { gcc = "-Os" },
-  aarch64 = { gcc = "-O3", clang = "-O2" },
+  aarch64 = { gcc = "-O1", clang = "-O2" },
   mips = { gcc = "-O0", clang = "-O1" },
 }
 -- Of every how many scenes one is in double too: where the processor has it, where it is another one altogether, and
 -- once where all is software.
-bits.doubles = { host = 1, ["cortex-m7"] = 5, rv32imac = 5, aarch64 = 4, mips = 4 }
+bits.doubles = { host = 1, ["cortex-m7"] = 10, rv32imac = 10, aarch64 = 5, mips = 5 }
 
 -- Is the i-th scene for the k-th machine in what CI runs?  gcc in float: six bodies a machine or seven, others on each.
 function bits.chosen(machine, k, i, real, compiler)
   local host = machine.name == "host"
-  if compiler == "clang" then return machine.compile.clang and (real == "float" or host) and (i + k) % 5 == 0 end
+  if compiler == "clang" then return machine.compile.clang and (real == "float" or host) and (i + k) % 10 == 5 end
   if real == "float" then return host or (i + k) % 3 ~= 0 end
   local some = bits.doubles[machine.name]
   return some and (i + k) % some == 0
@@ -76,7 +76,9 @@ function bits.program(s, real, m, compiler, level, options, tag, driver)
     "cp " .. path .. " " .. own)
   local objects = { scenes.object(m, compiler, level, source, options, nil, tag),
     scenes.object(m, compiler, level, copy, flags, nil, tag) }
-  return scenes.output(m, scenes.program(m, (string.gsub(objects[2], "%.o$", ".elf")), objects, m.large))
+  local large = m.large and (not m.doubles or real == "double" or level == "-O0") and m.large or {}
+  local elf = scenes.program(m, (string.gsub(objects[2], "%.o$", ".elf")), objects, large.link)
+  return scenes.output(m, elf, large.run)
 end
 
 function bits.read(file)

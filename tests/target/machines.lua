@@ -5,7 +5,7 @@
 --     machine.name, .board, .doubles           doubles: the type is of 64 bits there (not on AVR) and worth the time
 --     machine.compile[compiler]                command and options, to which -O, -c and files are added
 --     machine.link, machine.start              command that links, with its options; C files linked to every program
---     machine.large                            options of the linker for more memory than the part has, where it can
+--     machine.large                            {link =, run =}: with more memory than the part has, where there is need
 --     machine.run                              what stands before the program's path on a command line
 --     machines.missing(list)                   packages to install, a list
 --
@@ -37,13 +37,17 @@ local function small(core)
   if kind == "avr" then
     m.compile.gcc = m.compile.gcc .. " -Werror=overflow" -- an int has 16 bits
     m.link = m.link .. " -Wl,-u,vfprintf -lprintf_flt" -- printf with %g
-    m.large = "-Wl,--defsym=__stack=0xffff" -- the part's external memory interface filled with RAM, 64 kB in all
+    m.large = { link = "-Wl,--defsym=__stack=0xffff" } -- the external memory interface filled with RAM: 64 kB in all
     -- no clang: version 14's AVR code, which is called experimental, is wrong beyond rounding (principal axes)
     m.run, m.runner = "timeout 120 ", "simavr.c"
   else
     m.start[2] = "templates/target/" .. core.start
     m.compile.clang = CLANG[kind](core)
     m.run = "timeout 120 " .. core.run .. RUN[kind]
+    if core.name == "cortex-m0" then -- its code on the board of the M3, whose instructions contain its own
+      m.large = { link = "-Wl,--defsym=ram_size=4M",
+        run = "timeout 120 " .. string.gsub(core.run, core.machine, "mps2-an385") .. RUN[kind] }
+    end
   end
   return m
 end

@@ -4,7 +4,8 @@
 --     scenes.source(scene, real, methods)            the emitted NAME.c; beside it NAME.h and NAME_test.c
 --     scenes.object(m, compiler, level, source, flags, needs)
 --     scenes.program(m, elf, objects)                links
---     scenes.output(m, elf)                          runs; the file holds what was printed and `status N`
+--     scenes.output(m, elf, run)                     runs; the file holds what was printed and `status N`; run: by
+--                                                    something else than m.run
 --
 -- Each returns the file's path and leaves a rule in jobs.lua.
 
@@ -54,8 +55,8 @@ function scenes.program(m, elf, objects, options)
   return jobs.rule(elf, all, string.format("%s %s %s -lm -o %s", m.link, options or "", table.concat(all, " "), elf))
 end
 
-function scenes.output(m, elf)
-  local needs, run = { elf }, m.run .. " "
+function scenes.output(m, elf, runner)
+  local needs, run = { elf }, (runner or m.run) .. " "
   if m.runner then
     local program = scenes.dir .. "/" .. base(m.runner)
     needs[2] = jobs.rule(program, { "tests/target/" .. m.runner },
