@@ -22,6 +22,7 @@ local quantities = require "generator.dynamics.quantities"
 local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
 local methods = require "generator.methods.list"
+local fixed_point = require "generator.methods.q31_run"
 local costs = require "generator.report.costs"
 local counted = require "generator.report.counted"
 local derivation = require "generator.report.derivation"
@@ -90,8 +91,9 @@ local function gradients(job)
 end
 
 -- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
--- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool,
--- libm = "own" | "system" (the default: own in float), outputs = bool: also derivatives of energy and momentum}
+-- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool or
+-- "transition" (of the step alone), q31 = bool, libm = "own" | "system" (the default: own in float), outputs = bool:
+-- also derivatives of energy and momentum}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods
@@ -122,12 +124,16 @@ function driver.plan(job, options)
   end
   put(quantities.jacobian(eq))
   if options.jacobians then
-    local more = sensitivity.list(job)
+    local more = sensitivity.list(job, options.jacobians)
     if not more then return nil end
     for _, f in ipairs(more) do put(f) end
     if options.outputs then
       for _, f in ipairs(gradients(job)) do put(f) end
     end
+  end
+  if options.q31 then
+    job.q31 = fixed_point.plan(job)
+    if not job.q31 then return nil end
   end
   put(quantities.rate())
   put(quantities.acceleration())

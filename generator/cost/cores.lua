@@ -46,7 +46,7 @@ cores.list = {
   riscv("rv32imac", "rv32imac", "ilp32"),
   riscv("rv32imafc", "rv32imafc", "ilp32f"),
   { name = "avr", machine = "atmega2560", single = true, copies = true, memory = 8192, prefix = "avr-",
-    flags = { "-mmcu=atmega2560", "-DHUGE_VALF=__builtin_inff()" }, link = {},
+    flags = { "-mmcu=atmega2560" }, link = {},
     packages = { { "avr-gcc", "gcc-avr" } },
     header = { { "math.h", "avr-libc" }, { "simavr/sim_avr.h", "libsimavr-dev", host = true } } },
 }

@@ -11,6 +11,7 @@ local init = require "generator.emit.init"
 local libm = require "generator.emit.libm"
 local number = require "generator.emit.number"
 local orbit = require "generator.emit.orbit"
+local q31 = require "generator.emit.q31"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
@@ -33,6 +34,7 @@ local function literals(real)
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
     two64 = n(R.new(2) ^ -64), two32 = n(R.new(2) ^ -32),
+    two32_up = n(R.new(2) ^ 32),
     last_turn = n(R.new(2) ^ (bits == 24 and 46 or 50)), last_time = n(R.new(2) ^ (bits == 24 and 97 or 990)),
     bits_type = bits == 24 and "uint32_t" or "uint64_t", binary_shift = bits == 24 and "23" or "52",
     binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
@@ -102,6 +104,26 @@ local function members(m, real_name)
   return list
 end
 
+-- Statements *m = k, member by member: of the whole some compilers make a call of memcpy.
+local function copies(m, v)
+  local names, lines = {}, { "" }
+  for i, member in ipairs(m.members) do names[i] = member.name end
+  local function array(name) for k = 0, 2 do names[#names + 1] = string.format("%s[%d]", name, k) end end
+  if v.has_order then array "order" end
+  if v.split_setup then
+    for _, name in ipairs { "split_b", "split_c", "split_u", "split_d" } do array(name) end
+    names[#names + 1], names[#names + 2] = "split_fb", "split_fc"
+  end
+  for _, name in ipairs(names) do
+    local s = "m->" .. name .. " = k." .. name .. ";"
+    local last = lines[#lines]
+    if last == "" then lines[1] = s
+    elseif #last + #s < 96 then lines[#lines] = last .. " " .. s
+    else lines[#lines + 1] = s end
+  end
+  return lines
+end
+
 local function function_values(list)
   local out = {}
   for i, f in ipairs(list) do
@@ -167,7 +189,7 @@ local function common(job)
     members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil,
     has_full = job.closed.full or false, free = eq.free and m.has.attitude,
-    bits = string.format("%d", selftest.bits) }
+    bits = string.format("%d", selftest.bits), has_q31 = job.q31 ~= nil }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
   end
@@ -196,6 +218,7 @@ local function common(job)
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
   split.setup(job, v)
+  v.init_copies = copies(m, v)
   v.no_members = #m.members == 0 and not v.has_order and not v.split_setup
   return v, ctx
 end
@@ -235,6 +258,8 @@ local function closed_values(job, v, ctx)
   for i, name in ipairs(form.sources) do parts[i] = render(name) end
   if v.has_own then parts[#parts + 1] = render "templates/own.c" end
   v.closed_source = table.concat(parts, "\n")
+  v.clears = string.find(v.closed_source, v.name .. "_zero(", 1, true) ~= nil
+  v.closed_source = render "templates/copy.c" .. "\n" .. v.closed_source
 end
 
 -- The headers of the C library that a text needs, less those that it already has.
@@ -278,6 +303,8 @@ local function code(job)
   if not ctx.own then table.insert(v.source_includes, 1, "<math.h>") end
   local all = { table.unpack(v.source_includes) }
   table.move(v.header_includes, 1, #v.header_includes, #all + 1, all)
+  v.own_libm, v.no_errno = ctx.own, ctx.own and " -fno-math-errno" or ""
+  v.libm_text = ctx.own and "mathematical functions of its own" or "the C library's mathematical functions"
   v.included = #all > 0 and "`" .. table.concat(all, "`, `") .. "`" or "C itself"
   local header, full = render "templates/scene.h", render "templates/scene.c"
   for k, name in pairs(libm.names(ctx, false)) do v[k] = name end -- for other files; into a table: order is lost anyway
@@ -304,7 +331,11 @@ function project.files(job, plugin)
     { name = n .. ".c", text = text },
     { name = n .. "_test.c", text = render "templates/test.c" },
   }
-  for _, f in ipairs(job.package.files(job, v, render)) do files[#files + 1] = f end
+  for _, f in ipairs(job.q31 and q31.files(job, v) or {}) do files[#files + 1] = f end
+  v.project_files, v.project_use, v.dollar = {}, {}, "$" -- of the package, for README.md; for CMake's own ${}
+  local more = job.package.files(job, v, render)
+  if not more then return nil end -- with an error in job.diag
+  for _, f in ipairs(more) do files[#files + 1] = f end
   if plugin then
     v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false
     if v.has_peers then files[#files + 1] = { name = "peers.c", text = render "templates/peers.c" } end
