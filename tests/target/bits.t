@@ -152,6 +152,13 @@ for _, key in ipairs(agreed) do
 end
 
 if mode == "refresh" then tap.done() end
+for _, compiler in ipairs { "gcc", "clang" } do
+  local seen = {}
+  for _, r in ipairs(runs) do seen[r.compiler == compiler and r.kind == "bits" and r.level or ""] = true end
+  local absent = {}
+  for _, level in ipairs(bits.levels) do absent[#absent + 1] = not seen[level] and level or nil end
+  tap.is(table.concat(absent, " "), "", compiler .. " stands there at every level")
+end
 
 local want = bits.read(first_long.out) or {}
 tap.ok(want.step and want.semi_step, "a million steps of rk4 and semi on the host", jobs.slurp(first_long.out))
