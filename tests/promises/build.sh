@@ -10,6 +10,7 @@
 # -O0: the calls are those of the source, none inlined, none made a jump.
 
 cd "$1" || exit 1
+export LC_ALL=C
 name=$2 level=$3 c=$4 cxx=$5
 warn="-pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -ffp-contract=off"
 more="-Wcast-align -Wcast-qual -Wundef -Wvla -Wunused-macros -Wredundant-decls -Wformat=2 -Wsign-conversion

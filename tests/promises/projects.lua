@@ -73,6 +73,7 @@ end
 function projects.one(dir, path, real, options)
   local name = string.match(path, "([%w_]+)%.lua$")
   options = options or ""
+  program.shell("mkdir -p " .. dir)
   local p = { name = name, real = real, title = name .. ", " .. real .. " " .. options,
     where = string.format("%s/%s-%s", dir, name, real), own = string.find(options, "libm own", 1, true) ~= nil }
   p.own = p.own or real == "float" and not string.find(options, "libm system", 1, true)
