@@ -2,8 +2,8 @@
 -- controls.t - each check of judge.lua fails when its promise is broken: an emitted project, doctored.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- As it is emitted the project has no fault, with its own mathematical functions and with the system's; then one thing is
--- added to the source or taken from the header, and that very fault must be reported.
+-- As it is emitted the project has no fault, with its own mathematical functions and with the system's; then one thing
+-- is added to the source or taken from the header, and that very fault must be reported.
 
 package.path = "./?.lua;" .. package.path
 
@@ -64,7 +64,7 @@ int NAME_sum(int n)
   a[n - 1] = n;
   return a[n - 1];
 }]], "a frame that is not static: NAME_sum", "Wvla" },
-  { "alloca", "char NAME_top(unsigned n)\n{\n  char *a = (char *)__builtin_alloca(n);\n\n  a[0] = 1;\n  return a[0];\n}",
+  { "alloca", "char NAME_top(unsigned n)\n{\n  char *a = __builtin_alloca(n);\n\n  a[0] = 1;\n  return a[0];\n}",
     "a frame that is not static: NAME_top", "Walloca" },
   { "the heap", "#include <stdlib.h>\nvoid *NAME_new(void)\n{\n  return malloc(8);\n}", "undefined symbol malloc",
     "malloc: a word of the heap", "includes <stdlib.h>" },
@@ -75,7 +75,8 @@ int NAME_sum(int n)
   { "a function of double", "float NAME_sine(float x)\n{\n  return (float)sin(x);\n}", "sin: a function of double",
     "undefined symbol sin" },
   { "a foreign function", "float NAME_sine(float x)\n{\n  return sinf(x);\n}", "undefined symbol sinf" },
-  { "a name without the scene's", "int helper(void)\n{\n  return 1;\n}", "helper does not begin with the scene's name" },
+  { "a name without the scene's", "int helper(void)\n{\n  return 1;\n}",
+    "helper does not begin with the scene's name" },
   { "a warning", "int NAME_wider(long n)\n{\n  return n;\n}", "Wconversion" },
   { "what is no C++", "int NAME_class(int class)\n{\n  return class;\n}", "a compiler says" },
 }
@@ -110,8 +111,8 @@ local function header(what, pattern, by, ...)
   tap.ok(n > 0, what .. ": there is something to take away")
   control(what, setmetatable({ header = text }, { __index = stone }), ...)
 end
-header("a header without a guard", "#ifndef POLHODE[^\n]*\n#define[^\n]*\n(.*)#endif[^\n]*\n$", "%1", "no include guard",
-  "re%w+ of")
+header("a header without a guard", "#ifndef POLHODE[^\n]*\n#define[^\n]*\n(.*)#endif[^\n]*\n$", "%1",
+  "no include guard", "re%w+ of")
 header("a header that C++ cannot link", 'extern "C" {', "", 'no extern "C"', "a compiler says")
 
 -- Nothing built is no fault found: it must not look like a promise kept.

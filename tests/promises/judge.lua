@@ -103,7 +103,8 @@ function judge.text(p)
     for i, token in ipairs(list) do
       if HEAP[token] and list[i + 1] == "(" then fault("%s: a word of the heap", token) end
       if p.real == "float" then
-        local decimal = string.find(token, "^%.?%d") and not string.find(token, "^0[xX]") and string.find(token, "[.eE]")
+        local decimal = string.find(token, "^%.?%d") and not string.find(token, "^0[xX]") and
+          string.find(token, "[.eE]")
         local hexadecimal = string.find(token, "^0[xX]") and string.find(token, "[pP.]")
         if (decimal or hexadecimal) and not string.find(token, "[fF]$") then fault("%s: a literal of double", token) end
         if token == "double" then fault "the word double" end

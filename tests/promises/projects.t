@@ -5,7 +5,7 @@
 -- Each project is compiled once by build.sh, without optimisation, so that calls are those of the source, and judged by
 -- judge.lua: no warning from gcc, clang, g++ and clang++, their standards by turns; no heap, recursion, call through a
 -- pointer, frame of unknown size, data that may change, foreign symbol; names begin with the scene's; float is float.
--- That each of these can fail is controls.t.  Objects with optimisation, of the default functions: tests/emit/compile.t.
+-- That each of these can fail is controls.t.  Objects with optimisation, default functions: tests/emit/compile.t.
 
 package.path = "./?.lua;" .. package.path
 
