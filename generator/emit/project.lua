@@ -33,6 +33,7 @@ local function literals(real)
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
     two64 = n(R.new(2) ^ -64), two32 = n(R.new(2) ^ -32),
+    two32_up = n(R.new(2) ^ 32),
     last_turn = n(R.new(2) ^ (bits == 24 and 46 or 50)), last_time = n(R.new(2) ^ (bits == 24 and 97 or 990)),
     bits_type = bits == 24 and "uint32_t" or "uint64_t", binary_shift = bits == 24 and "23" or "52",
     binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
@@ -97,6 +98,26 @@ local function members(m, real_name)
     list[i] = { lines = { line .. "/* " .. member.about .. " */" } }
   end
   return list
+end
+
+-- Statements *m = k, member by member: of the whole some compilers make a call of memcpy.
+local function copies(m, v)
+  local names, lines = {}, { "" }
+  for i, member in ipairs(m.members) do names[i] = member.name end
+  local function array(name) for k = 0, 2 do names[#names + 1] = string.format("%s[%d]", name, k) end end
+  if v.has_order then array "order" end
+  if v.split_setup then
+    for _, name in ipairs { "split_b", "split_c", "split_u", "split_d" } do array(name) end
+    names[#names + 1], names[#names + 2] = "split_fb", "split_fc"
+  end
+  for _, name in ipairs(names) do
+    local s = "m->" .. name .. " = k." .. name .. ";"
+    local last = lines[#lines]
+    if last == "" then lines[1] = s
+    elseif #last + #s < 96 then lines[#lines] = last .. " " .. s
+    else lines[#lines + 1] = s end
+  end
+  return lines
 end
 
 local function function_values(list)
@@ -189,6 +210,7 @@ local function common(job)
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
   split.setup(job, v)
+  v.init_copies = copies(m, v)
   v.no_members = #m.members == 0 and not v.has_order and not v.split_setup
   return v, ctx
 end
@@ -228,6 +250,8 @@ local function closed_values(job, v, ctx)
   for i, name in ipairs(form.sources) do parts[i] = render(name) end
   if v.has_own then parts[#parts + 1] = render "templates/own.c" end
   v.closed_source = table.concat(parts, "\n")
+  v.clears = string.find(v.closed_source, v.name .. "_zero(", 1, true) ~= nil
+  v.closed_source = render "templates/copy.c" .. "\n" .. v.closed_source
 end
 
 -- The headers of the C library that a text needs, less those that it already has.
