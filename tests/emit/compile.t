@@ -172,6 +172,10 @@ do
   local code = program.shell("cd " .. where .. " && make check CC=gcc >log 2>&1 && grep -q '^ok 1' log && " ..
     "make clean >>log 2>&1 && test ! -e brick_test -a ! -e brick.o")
   tap.is(code, 0, "the emitted Makefile builds, checks and cleans")
+  code = program.shell("cd " .. where .. " && make promises CC=gcc >log 2>&1 && test ! -e promises.o")
+  tap.is(code, 0, "and shows what the object needs and keeps")
+  program.write(where .. "/brick.c", program.read(where .. "/brick.c") .. "int brick_mode = 3;\n")
+  tap.ok(program.shell("cd " .. where .. " && make promises CC=gcc >log 2>&1") ~= 0, "which fails with data that may change")
 end
 
 program.finish()
