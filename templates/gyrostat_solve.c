@@ -41,13 +41,13 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   (void)${name}_wide_unit(4, t);
   G = ${name}_wide_unit(3, M + 1);
   ${name}_zero(&made, (unsigned int)sizeof(made));
-  e = -100000; /* seconds of a power of two */
+  e = ${least_exponent}; /* seconds of a power of two */
   for (i = 0; i < 3; i++) {
     p.A[i] = ${name}_wide_divide(G, I[i]);
     if (${name}_wide_size(p.A[i]) > e) e = p.A[i].e;
     if (${name}_wide_size(w[i]) > e) e = w[i].e;
   }
-  if (e == -100000) e = 0;
+  if (e == ${least_exponent}) e = 0;
   if (${name}_wide_sign(G)) {
     const ${name}_wide other = ${name}_wide_divide(h, I[2]);
     const ${name}_wide across = ${name}_wide_dot(p.A[0], ${name}_wide_square(M[1]), p.A[1], ${name}_wide_square(M[2]));
