@@ -132,6 +132,17 @@ for n, row in ipairs(rows) do
   end
 end
 
+-- ---- and that it can fail: a literal of double in a float project ----
+
+do
+  local p = projects.one(dir .. "/control", "bodies/dropped_stone.lua", "float")
+  program.write(p.where .. "/dropped_stone.c", p.source ..
+    "\nfloat dropped_stone_tenth(float x)\n{\n  return (float)(0.1*x);\n}\n")
+  cores.must("cd %s && %sgcc -std=c99 %s -O2 -c dropped_stone.c", p.where, m4.prefix, m4.flags)
+  local faults = symbols(p, m4, cores.must("%snm %s/dropped_stone.o", m4.prefix, p.where))
+  tap.like(table.concat(faults, "\n"), "undefined symbol __aeabi_dmul", "arithmetic of double in float is seen")
+end
+
 for _, line in ipairs(table_rows) do tap.diag(line) end
 program.finish()
 tap.done()
