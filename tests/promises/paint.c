@@ -1,5 +1,5 @@
-/* paint.c - how deep the stack of each function goes on a Cortex-M: painted before, looked at after.
-   SPDX-License-Identifier: GPL-3.0-or-later
+/* paint.c - how deep the stack of each function goes on a Cortex-M: painted before, looked at
+   after. SPDX-License-Identifier: GPL-3.0-or-later
 
    calls.h is made by tests/promises/calls.lua: functions call_0 .., each of which calls one emitted
    function on the scene's state, and their table. Printed by semihosting, one line each: number,
@@ -46,7 +46,8 @@ __attribute__((noinline)) static uint32_t used(void (*call)(void)) {
 int main(void) {
   unsigned k;
 
-  if (!prepare()) return 1;
+  if (!prepare())
+    return 1;
   for (k = 0; k < sizeof calls / sizeof calls[0]; k++) {
     uint32_t bytes;
 

@@ -77,7 +77,7 @@ tap.ok(#list > 10 and #gone == 0, "all " .. #list .. " that it lists are reporte
 
 program.write(stone.where .. "/dropped_stone.c", stone.source ..
   "\nint dropped_stone_planted(int n)\n{\n  int *p = 0;\n\n  if (n == 3) goto end;\n  return *p;\n" ..
-  "end:\n  return n;\n}\n")
+  "end:\n  return n;\n}\nint dropped_stone_null(void)\n{\n  int *p = 0;\n\n  return *p;\n}\n")
 for _, a in ipairs(analysers) do
   tap.like(says(stone, a[2]), a[3], a[1] .. " sees a planted null pointer", true)
 end
