@@ -89,6 +89,7 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 %%   end
 %% end
 %% if not taylor_top then
+%%   if taylor_has_lanes then
 /* Not inlined, the loops of products are put into vector registers as a whole. */
 #if defined __GNUC__
 #define ${upper}_APART static __attribute__((noinline))
@@ -96,6 +97,7 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 #define ${upper}_APART static
 #endif
 
+%%   end
 %% for k, level in ipairs(taylor_levels) do
 %%   if level.has_lanes then
 /* term n of the products of level ${level.number}; the newest factors come last, so that the sum need not wait for them */

@@ -29,7 +29,9 @@ static void own_bits(void)
   const volatile ${name}_real one = ${one}, e = ${epsilon};
   const ${name}_real a = one + e, b = one - e, c = -one, fused = a*b + c;
 
+#if defined FLT_EVAL_METHOD /* not in C++98 */
   if (FLT_EVAL_METHOD != 0) printf("# other bits than elsewhere: FLT_EVAL_METHOD is %d, not 0\n", (int)FLT_EVAL_METHOD);
+#endif
   if (fused < ${zero}) printf("# other bits than elsewhere: products are fused into sums, see -ffp-contract=off\n");
 }
 

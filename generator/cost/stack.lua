@@ -3,7 +3,7 @@
 --
 --     local g = stack.read(ci)            text of gcc's -fcallgraph-info=su (gcc 10 or later), one file a source
 --     stack.read(ci2, g)                  one more into the same graph
---     stack.disassembly(text, nm, g)      what has no .ci: `objdump -d` and `nm` of a Thumb program, for C libraries
+--     stack.disassembly(text, nm, g)      `objdump -d` and `nm` of a Thumb program: what has no .ci, what gcc forgot
 --     for _, f in ipairs(stack.worst(g, known)) do ... end
 -- A graph is {order = titles, nodes = title -> {name, public, place, bytes, kind, calls = titles}}.  The frame has the
 -- saved registers, and on x86 the return address; kind is gcc's word: static, dynamic (unbounded) or dynamic,bounded.
@@ -13,6 +13,7 @@
 --      cycle = names, dynamic = names, indirect = names   (nil where there are none, as there should be)}
 -- known: bytes by name (a table) of functions without a frame; the others count as 0 and stand in `missing`.  So
 -- `bytes` is a bound if missing, cycle, dynamic and indirect are empty.  A call in the tail counts like any other.
+-- On ARM gcc's frames lack up to 16 bytes where a structure comes half in registers: there both together are a bound.
 
 local stack = {}
 
@@ -124,25 +125,35 @@ local function instruct(n, name, line, constants, value)
 end
 
 -- A function's frame is here the sum of all that it takes anywhere; one that runs on into the next calls it.
+-- What has a .ci keeps its calls, and its frame unless this one is larger.
 function stack.disassembly(text, nm, graph)
   graph = graph or { order = {}, nodes = {} }
-  local constants, current, name, value = words(text), nil, nil, nil
+  local constants, current, name, value, known = words(text), nil, nil, nil, {}
+  for _, title in ipairs(graph.order) do
+    local n = graph.nodes[title]
+    if n.name then known[n.name] = n end
+  end
   local function define(title)
     local n = graph.nodes[title]
-    if n and n.name then return nil end -- what has a .ci keeps it
-    n = node(graph, title)
+    if n and n.name and not known[title] then return nil end
+    n = known[title] and { ci = known[title], calls = {}, seen = {} } or node(graph, title)
     n.name, n.public, n.place, n.bytes, n.kind = title, false, "", 0, "static"
     return n
+  end
+  local function finish()
+    if current and current.ci then current.ci.bytes = math.max(current.ci.bytes, current.bytes) end
   end
   for line in string.gmatch(text, "[^\n]+") do
     local start = string.match(line, "^%x+ <([^>]+)>:$")
     if start then
       if current and not current.ends then edge(current, start) end
+      finish()
       current, name, value = define(start), start, {}
     elseif current then
       instruct(current, name, line, constants, value)
     end
   end
+  finish()
   -- second names of the same address, which objdump does not show
   local first = {}
   for address, title in string.gmatch(nm, "(%x+) [TtWw] ([^\n]+)") do

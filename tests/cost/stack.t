@@ -118,6 +118,9 @@ do
     "\n00000410 <b_step>:\n     410:\tb082      \tsub\tsp, #8\n     412:\t4770      \tbx\tlr\n", "", graph)
   local f = by_name(stack.worst(graph))
   tap.is(f.b_step.bytes, 204, "both in one graph: 100 + 40 + 64; what gcc has said stays")
+  stack.disassembly("\n00000410 <wide>:\n     410:\tb082      \tsub\tsp, #16\n     412:\tb082      \tsub\tsp, #40\n" ..
+    "     414:\t4770      \tbx\tlr\n", "", graph)
+  tap.is(by_name(stack.worst(graph)).b_step.bytes, 220, "unless the code takes more than gcc says: 100 + 56 + 64")
   tap.is(#f.b_step.missing, 0, "and nothing is missing")
 end
 

@@ -4,7 +4,8 @@
 local make = {}
 
 function make.files(_, v, render)
-  v.project_files = { { name = "Makefile", about = "`make check` builds and runs the self-test" } }
+  v.project_files = { { name = "Makefile",
+    about = "`make check` builds and runs the self-test, `make promises` shows what the object needs" } }
   return { { name = "Makefile", text = render "templates/Makefile" },
     { name = "README.md", text = render "templates/README.md" } }
 end

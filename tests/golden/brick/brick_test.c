@@ -29,7 +29,9 @@ static void own_bits(void)
   const volatile brick_real one = 1.0, e = 2.220446049250313e-16;
   const brick_real a = one + e, b = one - e, c = -one, fused = a*b + c;
 
+#if defined FLT_EVAL_METHOD /* not in C++98 */
   if (FLT_EVAL_METHOD != 0) printf("# other bits than elsewhere: FLT_EVAL_METHOD is %d, not 0\n", (int)FLT_EVAL_METHOD);
+#endif
   if (fused < 0.0) printf("# other bits than elsewhere: products are fused into sums, see -ffp-contract=off\n");
 }
 
