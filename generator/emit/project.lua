@@ -7,6 +7,7 @@
 
 local R = require "generator.algebra.rational"
 local economy = require "generator.emit.economy"
+local guard = require "generator.emit.guard"
 local init = require "generator.emit.init"
 local number = require "generator.emit.number"
 local orbit = require "generator.emit.orbit"
@@ -259,6 +260,7 @@ local function code(job)
   closed_values(job, v, ctx)
   steppers.render(job, v, ctx)
   special.render(job, v)
+  guard.fill(job, v)
   v.header_includes = includes(v.closed_header .. v.stepper_header)
   v.source_includes = includes(v.closed_source .. v.stepper_source, v.header_includes)
   v.included = "`<math.h>`"
