@@ -8,7 +8,7 @@ local options = require "generator.commands.options"
 
 local usage = [[
 usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method rk4,exact] [--set a=0.3 ...]
-                             [--accuracy E] [--order N] [--with jacobians] [--libm own|system] [--project make]
+                             [--accuracy E] [--order N] [--with jacobians,proof] [--libm own|system] [--project make]
                              [--show lower|power|fold|cse|dce|order]
        polhode run     SCENE [--engine general|generated] [--method M] [--step H] [--tolerance E]
                              [--until T --every DT | --at T1,T2,...] [--format csv|json] [-o FILE]

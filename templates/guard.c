@@ -4,15 +4,14 @@
 int ${name}_within(const ${name}_real x[])
 {
 %% if guard_norm then
-  const ${name}_real qw = x[${upper}_QW], qx = x[${upper}_QX], qy = x[${upper}_QY], qz = x[${upper}_QZ];
   ${name}_real norm;
 
   /* each component first, so that no square overflows */
-  if (!(qw >= -${guard_component} && qw <= ${guard_component})) return 1 + ${upper}_QW;
-  if (!(qx >= -${guard_component} && qx <= ${guard_component})) return 1 + ${upper}_QW;
-  if (!(qy >= -${guard_component} && qy <= ${guard_component})) return 1 + ${upper}_QW;
-  if (!(qz >= -${guard_component} && qz <= ${guard_component})) return 1 + ${upper}_QW;
-  norm = qw*qw + qx*qx + qy*qy + qz*qz;
+  if (!(x[${upper}_QW] >= -${guard_component} && x[${upper}_QW] <= ${guard_component})) return 1 + ${upper}_QW;
+  if (!(x[${upper}_QX] >= -${guard_component} && x[${upper}_QX] <= ${guard_component})) return 1 + ${upper}_QW;
+  if (!(x[${upper}_QY] >= -${guard_component} && x[${upper}_QY] <= ${guard_component})) return 1 + ${upper}_QW;
+  if (!(x[${upper}_QZ] >= -${guard_component} && x[${upper}_QZ] <= ${guard_component})) return 1 + ${upper}_QW;
+  norm = x[${upper}_QW]*x[${upper}_QW] + x[${upper}_QX]*x[${upper}_QX] + x[${upper}_QY]*x[${upper}_QY] + x[${upper}_QZ]*x[${upper}_QZ];
   if (!(norm >= ${guard_least} && norm <= ${guard_most})) return 1 + ${upper}_QW;
 
 %% end

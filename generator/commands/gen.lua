@@ -8,12 +8,13 @@ local packages = require "generator.emit.packages.list"
 local planner = require "generator.commands.planner"
 local driver = require "generator.driver"
 local methods = require "generator.methods.list"
+local proof = require "generator.emit.proof"
 local shortest = require("generator.plan.decision").shortest
 
 local gen = {}
 
 gen.options = { ["-o"] = "text", ["--real"] = { "double", "float" }, ["--bake"] = false, ["--method"] = "words",
-  ["--order"] = "number", ["--accuracy"] = "number", ["--with"] = { "jacobians", several = true },
+  ["--order"] = "number", ["--accuracy"] = "number", ["--with"] = { "jacobians", "proof", several = true },
   ["--libm"] = { "own", "system" }, ["--project"] = packages.names,
   ["--set"] = "pair", ["--show"] = { "lower", "power", "fold", "cse", "dce", "order" } }
 gen.operands = { 1, 1 }
@@ -107,6 +108,8 @@ function gen.run(host, given)
     return options.refuse(host, given[1], job.diag)
   end
   job.planned = decision
+  job.proof = given.with ~= nil and given.with.proof
+  if job.proof and not proof.check(job) then return options.refuse(host, given[1], job.diag) end
   if given.show then
     host.out(driver.show(host, job, given.show))
     return 0

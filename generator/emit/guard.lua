@@ -10,7 +10,8 @@ local template = require "generator.emit.template"
 local guard = {}
 
 -- |q|^2 of what is taken for an attitude: from 1/4 to 4, so each component is within -2 and 2.
-guard.least, guard.most, guard.component = R.new(1, 4), R.lift(4), R.lift(2)
+-- `part`: what the largest component at least is then, a little less than 1/4 for the sake of rounding.
+guard.least, guard.most, guard.component, guard.part = R.new(1, 4), R.lift(4), R.lift(2), R.new(15, 64)
 
 -- The two ends of a range, as the real type has them: texts.
 function guard.ends(range, real)

@@ -9,6 +9,7 @@ local R = require "generator.algebra.rational"
 local economy = require "generator.emit.economy"
 local guard = require "generator.emit.guard"
 local init = require "generator.emit.init"
+local proof = require "generator.emit.proof"
 local number = require "generator.emit.number"
 local orbit = require "generator.emit.orbit"
 local source = require "generator.emit.source"
@@ -261,6 +262,7 @@ local function code(job)
   steppers.render(job, v, ctx)
   special.render(job, v)
   guard.fill(job, v)
+  proof.fill(job, v)
   v.header_includes = includes(v.closed_header .. v.stepper_header)
   v.source_includes = includes(v.closed_source .. v.stepper_source, v.header_includes)
   v.included = "`<math.h>`"
@@ -302,6 +304,7 @@ function project.files(job, plugin)
     { name = n .. ".c", text = text },
     { name = n .. "_test.c", text = render "templates/test.c" },
   }
+  if v.has_proof then files[#files + 1] = { name = n .. "_proof.c", text = render "templates/proof.c" } end
   for _, f in ipairs(job.package.files(job, v, render)) do files[#files + 1] = f end
   if plugin then
     v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false
