@@ -7,11 +7,15 @@
  */
 #include "${name}.h"
 
-#include <math.h>
-%% for _, h in ipairs(source_includes) do
+%% for i, h in ipairs(source_includes) do
 #include ${h}
-%% end
+%%   if i == #source_includes then
 
+%%   end
+%% end
+%% if libm_source ~= "" then
+${libm_source}
+%% end
 %% if has_special then
 ${pair_source}
 ${special_source}

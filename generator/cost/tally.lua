@@ -15,8 +15,15 @@ local tally = {}
 -- The C library's functions that emitted code may call (emit/project.lua).
 local LIBRARY = { "fabs", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor", "fma", "tan",
   "asin", "acos", "atan", "atan2", "tanh", "pow", "fmod", "hypot", "cbrt", "ceil" }
-local library = {}
-for _, name in ipairs(LIBRARY) do library[name], library[name .. "f"] = name, name end
+
+-- Their names in a scene's code: the C library's, or its own, which count as the same calls (--libm own)
+local function library(scene)
+  local known = { __builtin_fma = "fma", __builtin_fmaf = "fma" }
+  for _, name in ipairs(LIBRARY) do
+    known[name], known[name .. "f"], known[scene .. "_" .. name] = name, name, name
+  end
+  return known
+end
 
 -- Which of two costs is the larger, roughly.
 local WEIGHT = { add = 1, mul = 1, div = 4, sqrt = 6, fma = 1, cmp = 0.5, conv = 0.5, conv64 = 0.5, mem = 0,
@@ -113,7 +120,7 @@ end
 -- values than the text's, values = of functions whose result is known though the numbers decide it}
 function tally.read(name, header, source, options)
   local defined = { FP_FAST_FMA = options.fma, FP_FAST_FMAF = options.fma }
-  local unit = { real = name .. "_real", fields = {}, functions = {}, constants = {}, library = library,
+  local unit = { real = name .. "_real", fields = {}, functions = {}, constants = {}, library = library(name),
     types = { [name .. "_real"] = "real", double = "real", float = "real", void = "void" },
     globals = { HUGE_VAL = "lit", HUGE_VALF = "lit" }, integer = reading.integer, memo = {},
     least = options.least, fixed = options.constants or {}, values = options.values or {} }
@@ -127,8 +134,8 @@ function tally.read(name, header, source, options)
     local between = string.gsub(string.sub(text, pos, open), "/%*.-%*/", "")
     local head = string.match(between, "^.*[;}](.*)$") or between
     local kind, f, parameters = string.match(head, "([%w_]+)%s+%*?([%a_][%w_]*)%s*(%b())%s*$")
-    unit.functions[f] = { result = unit.types[kind] or "int", parameters = parameters,
-      text = string.sub(text, open + 1, close + 1) }
+    unit.functions[f] = not unit.library[f] and { result = unit.types[kind] or "int", parameters = parameters,
+      text = string.sub(text, open + 1, close + 1) } or nil
     pos = close + 2
   end
   return unit

@@ -71,8 +71,8 @@ local joined = {
     local a = right(args[1], entry.level)
     return { text = entry.symbol .. a.text, level = entry.level, depth = a.depth }
   end,
-  call = function(entry, real, args)
-    return call(entry.stem .. (real == "float" and "f" or ""), args)
+  call = function(entry, real, args, scene, own)
+    return call(own and scene .. "_" .. entry.stem or entry.stem .. (real == "float" and "f" or ""), args)
   end,
   helper = function(entry, _, args, scene) return call(scene .. "_" .. entry.stem, args) end,
 }
@@ -144,7 +144,8 @@ end
 
 -- { loads = { lines }, groups = { { why, where, lines } } }; groups that compute nothing are left out.
 -- real: "double" or "float".  opts: type (the C name of the real, default real itself), indent (2), scene (the prefix
--- of helpers), helpers (a set that the stems of the helpers called go to), letter (of temporaries, "t").
+-- of helpers), helpers (a set that the stems of the helpers called go to), letter (of temporaries, "t"), own (functions
+-- of the C library are the scene's own: NAME_sin).
 function cprint.statements(ir, real, opts)
   opts = opts or {}
   local type_name, indent = opts.type or real, opts.indent or 2
@@ -182,7 +183,7 @@ function cprint.statements(ir, real, opts)
     local args = {}
     for k, field in ipairs(entry.srcs) do args[k] = piece(i[field], width) end
     while true do
-      local whole = join(entry, real, args, opts.scene)
+      local whole = join(entry, real, args, opts.scene, opts.own)
       if #whole.text <= width and whole.depth <= NESTING then return whole end
       local longest
       for k, p in ipairs(args) do

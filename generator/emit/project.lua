@@ -9,9 +9,10 @@ local R = require "generator.algebra.rational"
 local economy = require "generator.emit.economy"
 local guard = require "generator.emit.guard"
 local init = require "generator.emit.init"
-local proof = require "generator.emit.proof"
+local libm = require "generator.emit.libm"
 local number = require "generator.emit.number"
 local orbit = require "generator.emit.orbit"
+local proof = require "generator.emit.proof"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
@@ -24,18 +25,6 @@ local vectors = require "generator.emit.vectors"
 local project = {}
 
 local license = "SPDX-License-Identifier: MIT-0"
-
-local function libm(real)
-  local v = {}
-  for _, fn in ipairs { "fabs", "copysign", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log",
-    "floor", "fma" } do
-    v[fn] = real == "float" and fn .. "f" or fn
-  end
-  v.huge = real == "float" and "HUGE_VALF" or "HUGE_VAL"
-  v.fast_fma = real == "float" and "FP_FAST_FMAF" or "FP_FAST_FMA"
-  v.arm_fma = real == "float" and "4" or "8" -- the bit of __ARM_FP: a Cortex-M4F fuses in float only
-  return v
-end
 
 local function literals(real)
   local function n(q) return number.text(R.lift(q), real) end
@@ -165,7 +154,7 @@ end
 local function common(job)
   local m, eq, real = job.model, job.equations, job.real
   local ctx = { name = m.name, upper = string.upper(m.name), real = real, members = m.members, states = job.states,
-    inputs = eq.inputs and job.input_states or {}, helpers = {} }
+    inputs = eq.inputs and job.input_states or {}, helpers = {}, own = job.libm == "own" }
   local made = {}
   for i, f in ipairs(job.functions) do made[i] = source.make(ctx, f) end
   local v = { name = m.name, upper = ctx.upper, real = real, version = job.version, source = job.source,
@@ -185,7 +174,7 @@ local function common(job)
     params[i] = { upper = string.upper(p.name), value = number.text(p.default, real) }
   end
   v.param_enum, v.params = enumeration(ctx.upper, list, "NP"), params
-  for _, t in ipairs { libm(real), literals(real), promises(real) } do
+  for _, t in ipairs { libm.names(ctx, ctx.own), literals(real), promises(real) } do
     for k, x in pairs(t) do v[k] = x end -- into a table: order is lost anyway
   end
   v.step_literal, v.horizon_literal = number.text(m:number(m.step), real), number.text(m:number(m.horizon), real)
@@ -243,7 +232,7 @@ local function closed_values(job, v, ctx)
   v.closed_source = table.concat(parts, "\n")
 end
 
--- The headers of the C library that a text needs beside <math.h>, less those that it already has.
+-- The headers of the C library that a text needs, less those that it already has.
 local function includes(text, already)
   local list, has = {}, {}
   for _, name in ipairs(already or {}) do has[name] = true end
@@ -263,12 +252,6 @@ local function code(job)
   special.render(job, v)
   guard.fill(job, v)
   proof.fill(job, v)
-  v.header_includes = includes(v.closed_header .. v.stepper_header)
-  v.source_includes = includes(v.closed_source .. v.stepper_source, v.header_includes)
-  v.included = "`<math.h>`"
-  for _, h in ipairs(includes(v.closed_header .. v.closed_source .. v.stepper_header .. v.stepper_source)) do
-    v.included = v.included .. ", `" .. h .. "`"
-  end
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   if v.has_rates then
     v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
@@ -281,7 +264,21 @@ local function code(job)
     v.analysis_header = render "templates/analysis.h"
     v.analysis_source = render "templates/analysis.c"
   end
-  return render "templates/scene.h", render "templates/scene.c", v, ctx
+  v.header_includes, v.source_includes, v.libm_source = {}, {}, ""
+  v.header_includes = includes(render "templates/scene.h")
+  local text = render "templates/scene.c"
+  if ctx.own then
+    v.libm_source = libm.source(v, ctx, job.templates, text)
+    text = v.libm_source .. text
+  end
+  v.source_includes = includes(text, v.header_includes)
+  if not ctx.own then table.insert(v.source_includes, 1, "<math.h>") end
+  local all = { table.unpack(v.source_includes) }
+  table.move(v.header_includes, 1, #v.header_includes, #all + 1, all)
+  v.included = #all > 0 and "`" .. table.concat(all, "`, `") .. "`" or "C itself"
+  local header, full = render "templates/scene.h", render "templates/scene.c"
+  for k, name in pairs(libm.names(ctx, false)) do v[k] = name end -- for other files; into a table: order is lost anyway
+  return header, full, v, ctx
 end
 
 -- The texts of header and source alone: what cost/ops.lua counts.

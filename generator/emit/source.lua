@@ -19,7 +19,7 @@ local cprint = require "generator.emit.cprint"
 local source = {}
 
 -- ctx: {name, upper, real ("double"|"float"), members (set name -> true), states, inputs (lists of {name}), helpers
--- (set of the functions that libm lacks and the code calls; filled here)}
+-- (set of the functions that libm lacks and the code calls; filled here), own (bool: --libm own)}
 local function declarations(ctx, f)
   local real = ctx.name .. "_real "
   local word = {
@@ -170,7 +170,7 @@ local function prototype(head, args, tail)
 end
 
 local function printed(ctx)
-  return { type = ctx.name .. "_real", indent = 2, scene = ctx.name, helpers = ctx.helpers }
+  return { type = ctx.name .. "_real", indent = 2, scene = ctx.name, helpers = ctx.helpers, own = ctx.own }
 end
 
 -- Runs of states of one kind, attitude, rates and so on: {first, last (one beyond), about} as text.

@@ -67,7 +67,7 @@ local function within(c, least, most)
 end
 
 local function planned(path, real, names)
-  local job = scene.plan(scene.file("bodies/" .. path .. ".lua"), { real = real, methods = names })
+  local job = scene.plan(scene.file("bodies/" .. path .. ".lua"), { real = real, methods = names, libm = "system" })
   driver.code(job)
   return job
 end
