@@ -5,7 +5,7 @@
  * template: templates/proof.c.  ${license}
  * `make proof`, or
  *     frama-c ${proof_options} \
- *       -cpp-extra-args="-I." ${name}_proof.c ${name}.c
+ *       -cpp-extra-args="${proof_cpp}" ${name}_proof.c ${name}.c
  * No alarm, and each of the lines Frama_C_show_each_... below in its output: then no step that begins within the ranges
  * overflows, makes a NaN or an infinity, divides by zero or touches memory that is not its own, for any parameters of the
  * ranges, however many steps went before.  Arithmetic is IEEE 754, rounded to nearest.  Never linked, never run.

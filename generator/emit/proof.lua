@@ -84,6 +84,10 @@ function proof.fill(job, v)
     local step = i == 1 and "step" or s.method.name .. "_step"
     v.proof_steps[i], v.proof_reached = step, v.proof_reached .. " " .. step .. "_done"
   end
+  v.proof_own = job.libm == "own"
+  local f = real == "float" and "f" or ""
+  v.proof_cpp = "-I." .. (v.proof_own and string.format(" -include math.h -D__builtin_sqrt%s=sqrt%s" ..
+    " -D__builtin_fabs%s=fabs%s", f, f, f, f) or "")
   v.proof_options = "-eva -eva-precision 3 -eva-split-return auto -warn-special-float non-finite" ..
     " -kernel-warn-key parser:decimal-float=inactive" ..
     (v.proof_cases and " -eva-split-return-function part:full" or "") ..
