@@ -50,7 +50,8 @@ function guard.fill(job, v)
       local row = { name = name, range = range ~= nil }
       if range then
         row.low, row.high = guard.ends(range, real)
-        row.below, row.above = number.text(beyond(range.lo, -1, real), real), number.text(beyond(range.hi, 1, real), real)
+        row.below = number.text(beyond(range.lo, -1, real), real)
+        row.above = number.text(beyond(range.hi, 1, real), real)
         v.guard_about[#v.guard_about + 1] = s.name .. " from " .. plain(range.lo) .. " to " .. plain(range.hi) ..
           (s.unit == "1" and "" or " " .. s.unit)
       else

@@ -8,7 +8,6 @@
 local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
 local guard = require "generator.emit.guard"
-local states = require "generator.plan.states"
 
 local proof = {}
 
@@ -19,6 +18,14 @@ local function beyond(s)
     return "the splitting of a body with three different moments divides by L^2, which intervals let be 0"
   elseif s.program and s.program.shift then
     return "the series of a free body with three different moments divides by |L|, which intervals let be 0"
+  end
+  return nil
+end
+
+-- The largest input of a scene that says so (effect.control{ max = }), for the default parameters, or nil.
+local function input(job)
+  for _, e in ipairs(job.record.effects) do
+    if e.spec.input and e.a.max then return job.model:number(e.a.max) end
   end
   return nil
 end
@@ -49,7 +56,7 @@ function proof.check(job)
   if #missing > 0 then
     return refuse("ranges must have every state but the attitude", "none of " .. table.concat(missing, ", "))
   end
-  if job.equations.inputs and not states.input(job) then
+  if job.equations.inputs and not input(job) then
     return refuse("the input must be bounded: effect.control{ max = }", "no max")
   end
   if job.planned and job.planned.setting ~= "step" then
@@ -63,7 +70,8 @@ function proof.check(job)
   return true
 end
 
-local largest = { float = (R.new(2) - R.new(2) ^ -23) * R.new(2) ^ 127, double = (R.new(2) - R.new(2) ^ -52) * R.new(2) ^ 1023 }
+local two = R.new(2)
+local largest = { float = (two - two ^ -23) * two ^ 127, double = (two - two ^ -52) * two ^ 1023 }
 
 function proof.fill(job, v)
   v.has_proof = job.proof or false
@@ -78,7 +86,7 @@ function proof.fill(job, v)
     local low, high = guard.ends(p, real)
     v.proof_params[i] = { name = v.upper .. "_" .. string.upper(p.name), low = low, high = high }
   end
-  v.proof_input = v.has_inputs and text(R.fromdouble(states.input(job))) or ""
+  v.proof_input = v.has_inputs and text(input(job)) or ""
   v.proof_steps, v.proof_reached = {}, ""
   for i, s in ipairs(job.steppers) do
     local step = i == 1 and "step" or s.method.name .. "_step"
