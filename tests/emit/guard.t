@@ -2,8 +2,8 @@
 -- guard.t - NAME_within and the files of --with proof: they compile, the emitted self-test of the guard passes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- The self-test asks the guard at both ends of each range, a few units of the last place beyond, and at infinities and
--- NaN; here it is compiled for scenes whose ranges take each form.  What Frama-C says of the proof: tests/target/proof.t.
+-- The self-test asks the guard at both ends of each range, a few units of the last place beyond, and at infinities
+-- and NaN; here it is compiled for scenes whose ranges take each form.  What Frama-C says of the proof: tests/target/proof.t.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
@@ -54,7 +54,8 @@ for _, real in ipairs { "float", "double" } do
     for _, f in ipairs { "b.h", "b.c", "b_test.c", "b_proof.c" } do program.write(dir .. "/" .. f, files[f] or "") end
     for _, part in ipairs(row[4]) do tap.like(files["b.h"], part, what .. ": the header says " .. part, true) end
     tap.is(program.shell("cd " .. dir .. " && gcc -std=c99 " .. flags .. " b.c b_test.c -lm -o t && g++ -x c++ " ..
-      flags .. " -c b.c -o x.o && gcc -std=c99 " .. flags .. " -c b_proof.c -o p.o"), 0, what .. ": compiles, the proof too")
+      flags .. " -c b.c -o x.o && gcc -std=c99 " .. flags .. " -c b_proof.c -o p.o"), 0,
+      what .. ": compiles, the proof too")
     tap.is(program.shell("timeout 20 " .. dir .. "/t >" .. dir .. "/tap"), 0, what .. ": the self-test passes")
     tap.like(program.read(dir .. "/tap"), "the guard lets the declared ranges pass and nothing else",
       what .. ": and tests the guard")
@@ -69,7 +70,8 @@ local plain = [[return scene { name = "b", body = solid.box { x = 0.3, y = 0.2, 
   initial = { omega = {0.1, 2, 0.3} } %s}]]
 local files = emitted(plain:format "", "double")
 local text = files["b.h"] .. files["b.c"] .. files["b_test.c"] .. files["Makefile"]
-tap.ok(not text:find "b_within" and not text:find "guard" and not text:find "frama", "without ranges no trace of either")
+tap.ok(not text:find "b_within" and not text:find "guard" and not text:find "frama",
+  "without ranges no trace of either")
 tap.is(files["b_proof.c"], nil, "and no proof")
 
 local some, job = emitted(plain:format ", ranges = { attitude = \"any\" } ", "double")
