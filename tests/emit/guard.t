@@ -3,7 +3,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- The self-test asks the guard at both ends of each range, a few units of the last place beyond, and at infinities
--- and NaN; here it is compiled for scenes whose ranges take each form.  What Frama-C says of the proof: tests/target/proof.t.
+-- and NaN; here it is compiled for scenes whose ranges take each form.  What Frama-C says of the proof:
+-- tests/target/proof.t.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath

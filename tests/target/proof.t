@@ -5,8 +5,8 @@
 -- Three bodies in float and double: a free brick, a gyroscope with a control torque, NASA's brick that falls through
 -- air (drag, density as a state of its own, position).  Parameters and states are anywhere within their ranges, the
 -- number of steps is not bounded.  0 alarms alone may mean that nothing was looked at, so also: the ends of set-up,
--- step and fault branch are reached (make proof fails else), and every statement of the step and of the guard is analysed,
--- but for the return of a step of no time, of which the scene's step is none.
+-- step and fault branch are reached (make proof fails else), and every statement of the step and of the guard is
+-- analysed, but for the return of a step of no time, of which the scene's step is none.
 -- Negative controls break one thing each; each must raise the alarm that belongs to it.
 
 package.path = "./?.lua;" .. package.path
