@@ -70,14 +70,33 @@ local function steppers(job, options)
   return list
 end
 
+-- The gradients of energy and momentum.
+local function gradients(job)
+  local m, list = job.model, {}
+  local function put(f, name, what)
+    list[#list + 1] = sensitivity.of_made(m, f, name, { "Derivative of " .. what .. " by the states, row major: G[" ..
+      (name == "momentum_gradient" and "i*NX + " or "") .. "k] = d/dx[k]." })
+  end
+  put(quantities.energy(m), "energy_gradient", "the energy")
+  if job.conserved.rate then
+    put(quantities.jacobi_integral(m, job.conserved.rate), "integral_gradient", "Jacobi's integral")
+  end
+  if m.has.rates then
+    put(m.has.attitude and quantities.momentum(m) or quantities.momentum_body(m), "momentum_gradient",
+      "the angular momentum")
+  end
+  return list
+end
+
 -- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
 -- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool,
--- libm = "own" | "system" (the default: own in float)}
+-- libm = "own" | "system" (the default: own in float), outputs = bool: also derivatives of energy and momentum}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods
   for _, name in ipairs(options.methods or {}) do exact = exact or name == "exact" end
   if not exact then job.closed = { refused = "not asked for (--method)", others = {} } end
+  job.methods, job.jacobians = options.methods, options.jacobians
   job.steppers = steppers(job, options)
   if not job.steppers then return nil end
   local list = {}
@@ -105,6 +124,9 @@ function driver.plan(job, options)
     local more = sensitivity.list(job)
     if not more then return nil end
     for _, f in ipairs(more) do put(f) end
+    if options.outputs then
+      for _, f in ipairs(gradients(job)) do put(f) end
+    end
   end
   put(quantities.rate())
   put(quantities.acceleration())

@@ -8,8 +8,8 @@ local options = require "generator.commands.options"
 
 local usage = [[
 usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method rk4,exact] [--set a=0.3 ...]
-                             [--accuracy E] [--order N] [--with jacobians,proof] [--libm own|system] [--project make]
-                             [--show lower|power|fold|cse|dce|order]
+                             [--accuracy E] [--order N] [--with jacobians,proof] [--libm own|system]
+                             [--project make|fmu] [--show lower|power|fold|cse|dce|order]
        polhode run     SCENE [--engine general|generated] [--method M] [--step H] [--tolerance E]
                              [--until T --every DT | --at T1,T2,...] [--format csv|json] [-o FILE]
                              [--real double|float] [--set a=0.3 ...]

@@ -104,7 +104,7 @@ function gen.run(host, given)
     real, chosen, order = decision.real, { decision.method }, decision.order
   end
   if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen, order = order,
-    jacobians = given.with ~= nil and given.with.jacobians, libm = given.libm }) then
+    jacobians = given.with ~= nil and given.with.jacobians, libm = given.libm, outputs = given.project == "fmu" }) then
     return options.refuse(host, given[1], job.diag)
   end
   job.planned = decision

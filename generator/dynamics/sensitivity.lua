@@ -4,6 +4,7 @@
 --     jacobian_p          df/dp: f depends on the parameters by way of the derived constants c(p) alone, so it is the
 --                         sum of df/dc dc/dp; the dc/dp are derived constants themselves, computed by NAME_init
 --     initial_p           dx(0)/dp, so that S' = (df/dx) S + df/dp can be integrated from the start
+--     energy_gradient     and the like: derivatives of what is made of the state, for what is linearised as a whole
 --     STEP_transition     the step and d x(t + h)/d x(t): every named quantity is followed by its derivatives
 --                         (the tangent of the discrete map itself, exact for any h, not a solution of S' = J S)
 -- ABOVE the line.
@@ -80,6 +81,25 @@ function sensitivity.by_parameters(eq)
     { name = "initial_p", args = { "m", array("S", #m.states * n) },
       doc = { "Derivative of the initial state by the parameters, row major, NX x NP: where the sensitivities",
         "S' = (df/dx) S + df/dp start." }, groups = start }
+end
+
+-- The derivative by the states of a function that is made of them (a description with one result, or the array L of
+-- three), as the function `name`.
+function sensitivity.of_made(m, f, name, doc)
+  local n, rows, groups = #m.states, {}, {}
+  for _, g in ipairs(f.groups) do
+    for _, o in ipairs(g.outs) do rows[(o.index or 0) + 1] = equations.inline(f.groups, o.expr) end
+  end
+  for i, e in ipairs(rows) do
+    groups[i] = { why = #rows == 1 and "derivatives by the states" or "row " .. i, defs = {}, outs = {} }
+    for k, s in ipairs(m.states) do
+      groups[i].outs[k] = { array = "G", index = (i - 1) * n + k - 1, expr = calculus.diff(e, s.sym) }
+    end
+  end
+  local args = {}
+  for _, a in ipairs(f.args) do args[#args + 1] = type(a) == "string" and a or nil end
+  args[#args + 1] = array("G", #rows * n)
+  return { name = name, args = args, doc = doc, groups = groups }
 end
 
 -- Symbols of a definition's name, whatever their rank.

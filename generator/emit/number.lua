@@ -94,4 +94,13 @@ function number.text(q, real)
   return sign .. decimal(math.abs(x), f)
 end
 
+-- The rational q as one decimal that reads back to its nearest double (float: with as many digits as that needs): for
+-- formats without quotients.
+function number.decimal(q, real)
+  local f = format_of(real)
+  local x = f.round(q)
+  return (x < 0 and "-" or "") .. decimal(math.abs(x), { safe = f.safe, digits = f.digits, round = f.round,
+    smallest_safe = f.smallest_safe, suffix = "" })
+end
+
 return number

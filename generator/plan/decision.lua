@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local hash = require "generator.hash"
 local text = require "generator.algebra.text"
 local err = require "generator.plan.error"
 local states = require "generator.plan.states"
@@ -280,15 +281,8 @@ function decision.question(q, fingerprint)
   return (string.gsub(table.concat(out, "\n"), "\n\n+", "\n"))
 end
 
--- 128 bits of Fowler, Noll and Vo's hash (FNV-1a, twice 64 with different starts), as a file's name.
-function decision.key(question)
-  local a, b = 0xcbf29ce484222325, 0x84222325cbf29ce4
-  for i = 1, #question do
-    local c = string.byte(question, i)
-    a, b = (a ~ c) * 0x100000001b3, (b ~ c ~ 0x5a) * 0x100000001b3
-  end
-  return string.format("%016x%016x", a, b)
-end
+-- The question as a file's name.
+function decision.key(question) return hash.of(question) end
 
 -- question, empty line, `name value` lines, end: what decision.kept reads back.
 function decision.text(question, d)

@@ -9,7 +9,9 @@ package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
 
-local binary = os.getenv "POLHODE" or "build/polhode"
+local program = require "tests.cli.program"
+
+local binary = program.compiler "-O1" .. " " .. (os.getenv "POLHODE" or "build/polhode")
 
 local function lines(command)
   local list = {}
@@ -61,4 +63,4 @@ for _, path in ipairs((lines "ls bodies/*.lua")) do
   tap.ok(not skipped or name == "water", name .. ": both real types are checked; float cannot hold a molecule")
 end
 
-tap.done()
+tap.done(program.finish())

@@ -61,8 +61,8 @@ do
   for i, s in ipairs(scenes) do list[i] = s.id .. "\n" end
   program.write(dir .. "/list", table.concat(list))
   local path = binary:sub(1, 1) == "/" and binary or '"$PWD"/' .. binary
-  program.shell(string.format("p=%s; cd %s && xargs -P 2 -I N sh -c '%s check --real double --states 20 N.lua " ..
-    ">N.out 2>&1; echo status $? >>N.out' <list", path, dir, "'$p'"))
+  program.shell(string.format("p=%s; cd %s && %s xargs -P 2 -I N sh -c '%s check --real double --states 20 N.lua " ..
+    ">N.out 2>&1; echo status $? >>N.out' <list", path, dir, program.compiler "-O0", "'$p'"))
 end
 
 local WANT = { "compiles without a warning", "tensor as the library's", "principal moments",

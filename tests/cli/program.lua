@@ -48,6 +48,15 @@ function program.shell(command)
   return why == "signal" and 128 + code or code
 end
 
+-- "CC=..." for the program's environment: the same compiler at another level, which gives the same bits
+-- (tests/target/bits.t) sooner; -O0 has fewer warnings, which other tests see.
+function program.compiler(level)
+  local path = program.directory() .. "/cc" .. level
+  program.write(path, "#!/bin/sh\nexec " .. (os.getenv "CC" or "cc") .. " \"$@\" " .. level .. "\n")
+  program.shell("chmod +x " .. quote(path))
+  return "CC=" .. quote(path)
+end
+
 -- Run the Lua text as the program's generator. Environment variables and redirections go before and after.
 function program.run_with(before, after, text, ...)
   local base = program.directory()

@@ -12,6 +12,7 @@ local program = require "tests.cli.program"
 
 local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
+local quick = program.compiler "-O0" -- these scenes are all equations: little to run, much to compile
 
 local effects = {
   { "gravity", "effect.gravity {}" },
@@ -73,8 +74,8 @@ put("rotor_sink", "\"centroid\"", rotor .. ", effect.dissipation { k = 0.02 }")
 
 for first = 1, #paths, 30 do -- a run of the program has room for some dozens
   local some = { table.unpack(paths, first, math.min(first + 29, #paths)) }
-  local command = string.format("timeout 900 %s check --real double --states 200 %s >%s/stdout 2>%s/stderr", binary,
-    table.concat(some, " "), dir, dir)
+  local command = string.format("%s timeout 900 %s check --real double --states 200 %s >%s/stdout 2>%s/stderr", quick,
+    binary, table.concat(some, " "), dir, dir)
   tap.is(program.shell(command), 0, #some .. " scenes of one and two effects pass")
   for line in program.read(dir .. "/stdout"):gmatch "[^\n]+" do
     local verdict, what = line:match "^(n?o?t? ?ok) %d+ %- (.*)$"

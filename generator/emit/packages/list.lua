@@ -8,7 +8,7 @@
 --     finish(host, job, files)        optional: what needs the host (compiling); files | nil, what went wrong
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local list = { names = { "make" }, default = "make" }
+local list = { names = { "make", "fmu" }, default = "make" }
 
 function list.by_name(name) return require("generator.emit.packages." .. name) end
 
