@@ -77,6 +77,9 @@ function gen.run(host, given)
   if given.accuracy and not (given.accuracy > 0 and given.accuracy < 1) then
     wrong = "--accuracy must be between 0 and 1, got " .. shortest(given.accuracy)
   end
+  if given.with and given.with.proof and (given.project or packages.default) ~= "make" then
+    wrong = "--with proof: the proof is a rule of --project make, got --project " .. given.project
+  end
   if wrong then
     host.err("polhode gen: " .. wrong .. "\n")
     return 2

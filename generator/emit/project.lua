@@ -301,7 +301,6 @@ function project.files(job, plugin)
     { name = n .. ".c", text = text },
     { name = n .. "_test.c", text = render "templates/test.c" },
   }
-  if v.has_proof then files[#files + 1] = { name = n .. "_proof.c", text = render "templates/proof.c" } end
   for _, f in ipairs(job.package.files(job, v, render)) do files[#files + 1] = f end
   if plugin then
     v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false

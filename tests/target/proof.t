@@ -96,10 +96,10 @@ tap.like(vain and vain.said, "nothing is shown, never reached: step_done",
 
 -- ---- what is refused ----
 
-local function refused(what, body, options, ranges, part)
+local function refused(what, body, options, ranges, part, exit)
   local dir = base .. "/" .. what:gsub("[^%w]", "_")
   local status, said = proof.emit(dir, body, options, ranges)
-  tap.is(status, 1, what .. ": refused")
+  tap.is(status, exit or 1, what .. ": refused")
   tap.like(said, part, what .. ": and says why")
 end
 
@@ -107,6 +107,7 @@ refused("a state without a range", "nasa_brick_damped", "", 'omega = 3, attitude
   "ranges must have every state but the attitude, got none of rx, ry, rz, vx, vy, vz, rho")
 refused("three moments, splitting", "tumbling_box", "--method split4", nil, "divides by L^2")
 refused("three moments, series", "tumbling_box", "--method taylor", nil, "divides by |L|")
+refused("another kind of project", "brick", "--project fmu", nil, "a rule of --project make", 2)
 
 program.finish()
 tap.done()

@@ -19,11 +19,11 @@ local rows = { -- a body, what acts, steppers
   { "gyroscope", "control torque, symmetric", "rk4 semi adaptive midpoint taylor split2 split4 split6" },
   { "thruster", "pulses, sine of time", "rk4 semi adaptive midpoint taylor" },
   { "damped_brick", "damping", "rk4 semi adaptive midpoint taylor" },
-  { "gravity_gradient", "orbit of some eccentricity", "rk4 semi adaptive" },
-  { "wheels", "three wheels", "rk4 semi adaptive" },
-  { "thrown_book", "flight with drag", "rk4 semi adaptive" },
-  { "solar_sail", "pressure of light", "rk4 semi adaptive" },
-  { "nasa_brick_damped", "fall through air", "rk4 semi adaptive" },
+  { "gravity_gradient", "orbit of some eccentricity", "rk4 semi" },
+  { "wheels", "three wheels", "rk4" },
+  { "thrown_book", "flight with drag", "rk4" },
+  { "solar_sail", "pressure of light", "rk4" },
+  { "nasa_brick_damped", "fall through air", "rk4" },
 }
 
 local base = program.directory()
