@@ -5,6 +5,7 @@
 #   make demo       set up what is missing, build, and walk one body through the whole chain
 #   make check      set up what is missing, build, run every test
 #   make check-target   the emitted code on small processors under emulators, and proofs; `.ci/setup target` installs them
+#   make bits-all   the same bits on every machine, by both compilers, at every level (an hour); check-target has a part
 #   make bench      build and run the measurements
 #   make accuracy   docs/accuracy.md and its diagrams, measured anew (some minutes)
 #   make install    PREFIX (default /usr/local), DESTDIR
@@ -137,6 +138,9 @@ test: tests
 # What runs on other processors, under emulators, and what is proven by Frama-C; a test says which package it lacks.
 check-target: all
 	@$(PROVE) $(TARGET_TESTS)
+
+bits-all: all
+	@POLHODE_BITS=all $(LUA) tests/target/bits.t
 
 sanitize:
 	@CC="$(CC)" .ci/setup build check
@@ -271,7 +275,7 @@ demo:
 
 # ---- lint ----
 
-C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(wildcard templates/plugin.h templates/target/*.[ch])
+C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(filter-out templates/target/calls.c,$(wildcard templates/plugin.h templates/target/*.[ch]))
 LUA_FILES := $(sort $(shell find generator tests bodies src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS) $(TARGET_TESTS)
 
 lint: lint-lua lint-c lint-format
@@ -324,7 +328,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-target test sanitize sanitized golden docs bench accuracy drift errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check check-target bits-all test sanitize sanitized golden docs bench accuracy drift errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

@@ -22,7 +22,9 @@ local quantities = require "generator.dynamics.quantities"
 local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
 local methods = require "generator.methods.list"
+local fixed_point = require "generator.methods.q31_run"
 local costs = require "generator.report.costs"
+local counted = require "generator.report.counted"
 local derivation = require "generator.report.derivation"
 local number = require "generator.emit.number"
 local packages = require "generator.emit.packages.list"
@@ -90,7 +92,8 @@ end
 
 -- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
 -- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool,
--- libm = "own" | "system" (the default: own in float), outputs = bool: also derivatives of energy and momentum}
+-- q31 = bool, libm = "own" | "system" (the default: own in float), outputs = bool: also derivatives of energy and
+-- momentum}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods
@@ -128,6 +131,10 @@ function driver.plan(job, options)
       for _, f in ipairs(gradients(job)) do put(f) end
     end
   end
+  if options.q31 then
+    job.q31 = fixed_point.plan(job)
+    if not job.q31 then return nil end
+  end
   put(quantities.rate())
   put(quantities.acceleration())
   if m.has.rates and m.structure.kind == "symmetric" and not equations.coordinate(m.structure.k) then
@@ -146,6 +153,7 @@ function driver.plan(job, options)
     driver.code(job)
     return costs.rows(job, set_up), costs.targets
   end
+  job.counted_lines = function() return job.counted and counted.markdown(job.counted) or {} end
   return job
 end
 

@@ -8,12 +8,14 @@ local options = require "generator.commands.options"
 
 local usage = [[
 usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method rk4,exact] [--set a=0.3 ...]
-                             [--accuracy E] [--order N] [--with jacobians,proof] [--libm own|system]
+                             [--accuracy E] [--order N] [--with jacobians,proof,q31] [--libm own|system]
                              [--project make|fmu] [--show lower|power|fold|cse|dce|order]
+                             [--target all|cortex-m4f,...]   (instructions, flash, stack, counted under emulators)
        polhode run     SCENE [--engine general|generated] [--method M] [--step H] [--tolerance E]
                              [--until T --every DT | --at T1,T2,...] [--format csv|json] [-o FILE]
                              [--real double|float] [--set a=0.3 ...]
        polhode explain SCENE [--format text|markdown|latex|json|urdf|mjcf|sdf] [--set a=0.3 ...]
+                             [--target all|cortex-m4f,...] [--real double|float]
        polhode explain --diff A B [--format text|json]     the terms by which two scenes differ
        polhode check   SCENE... [--real double|float]
        polhode bench   SCENE [--method M,...] [--accuracy E] [--until T] [--no-closed] [--no-peers] [--all]

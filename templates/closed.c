@@ -157,7 +157,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   p.spin_tick[0] = p.spin_tick[1] = 0;
 %% end
 %% end
-  *o = p;
+  ${name}_copy(o, &p, (unsigned int)sizeof(p));
   return 0;
 }
 
@@ -326,9 +326,11 @@ void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${na
       block[${upper}_WY][k] = w[1];
       block[${upper}_WZ][k] = w[2];
     }
-    for (i = 0, row = x;; row += n) {
-      for (k = 0; k < count; k++) row[first + k] = block[i][k];
-      if (++i == ${upper}_NX) break;
+    for (k = 0; k < count; k++) {
+      for (i = 0, row = x + (first + k);; row += n) {
+        *row = block[i][k];
+        if (++i == ${upper}_NX) break;
+      }
     }
   }
 }

@@ -52,7 +52,7 @@ static ${name}_pair ${name}_pair_root(${name}_pair a)
  * x^13 on, 2^-48 of the whole, the working precision will do; what is left out is 2^-100. */
 static ${name}_pair ${name}_pair_arc(${name}_pair x, ${name}_real sign)
 {
-  const ${name}_pair odd[6] = {
+  static const ${name}_pair odd[6] = {
 %% for _, c in ipairs(odd_reciprocals) do
     {${c.high}, ${c.low}},
 %% end
@@ -96,7 +96,7 @@ static ${name}_pair ${name}_log2(void)
  * 1/16 (DLMF 4.24.15). */
 static ${name}_pair ${name}_pair_angle(${name}_pair x, ${name}_pair y)
 {
-  const ${name}_pair arctan[9] = {
+  static const ${name}_pair arctan[9] = {
 %% for _, c in ipairs(arctan_eighths) do
     {${c.high}, ${c.low}},
 %% end
@@ -123,7 +123,7 @@ static ${name}_pair ${name}_pair_angle(${name}_pair x, ${name}_pair y)
 /* log(2^e a), a > 0: of 2^e, of 1 + j/8, and 2 artanh of a rest below 1/16 */
 static ${name}_pair ${name}_pair_log(${name}_pair a, int e)
 {
-  const ${name}_pair log[9] = {
+  static const ${name}_pair log[9] = {
 %% for _, c in ipairs(log_eighths) do
     {${c.high}, ${c.low}},
 %% end

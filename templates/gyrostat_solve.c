@@ -1,22 +1,4 @@
 %% -- gyrostat_solve.c -- the asymmetric gyrostat from its state at t = 0: part of scene.c.  SPDX-License-Identifier: MIT-0
-/* all numbers 0 */
-static void ${name}_clear(${name}_orbit *o)
-{
-  int i, k;
-
-  for (i = 0; i < 2; i++) {
-    o->start[i] = o->rate[i] = o->period[i] = o->odd[i] = ${zero};
-    for (k = 0; k < 2; k++) o->turn[i][k] = o->jump[i][k] = ${zero};
-    for (k = 0; k < 3; k++) o->along[i][k] = o->across[i][k] = ${zero};
-    for (k = 0; k < 6; k++) o->re[i][k] = o->im[i][k] = ${zero};
-  }
-  for (i = 0; i < 3; i++) {
-    for (k = 0; k < 2; k++) o->counts[i].start[k] = o->counts[i].tick[k] = 0;
-  }
-  o->inverse = o->nome = o->mean = o->tick = ${zero};
-  o->hyperbolic = 0;
-}
-
 int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[])
 {
   static const int axis[3] = {${first}, ${second}, ${third}}; /* the axes here, in the body; the inertial ones go with them */
@@ -58,14 +40,14 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_wide_product(back, q, t);
   (void)${name}_wide_unit(4, t);
   G = ${name}_wide_unit(3, M + 1);
-  ${name}_clear(&made);
-  e = -100000; /* seconds of a power of two */
+  ${name}_zero(&made, (unsigned int)sizeof(made));
+  e = ${least_exponent}; /* seconds of a power of two */
   for (i = 0; i < 3; i++) {
     p.A[i] = ${name}_wide_divide(G, I[i]);
     if (${name}_wide_size(p.A[i]) > e) e = p.A[i].e;
     if (${name}_wide_size(w[i]) > e) e = w[i].e;
   }
-  if (e == -100000) e = 0;
+  if (e == ${least_exponent}) e = 0;
   if (${name}_wide_sign(G)) {
     const ${name}_wide other = ${name}_wide_divide(h, I[2]);
     const ${name}_wide across = ${name}_wide_dot(p.A[0], ${name}_wide_square(M[1]), p.A[1], ${name}_wide_square(M[2]));
@@ -161,6 +143,6 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
       made.along[1][axis[2]] = -${name}_wide_round(${name}_wide_multiply(p.A[2], more));
     }
   }
-  *o = made;
+  ${name}_copy(o, &made, (unsigned int)sizeof(made));
   return 0;
 }

@@ -35,7 +35,7 @@ static int ${name}_half(int e)
 static ${name}_wide ${name}_descent(${name}_wide p0, ${name}_wide p1, ${name}_wide p2, ${name}_wide p3)
 {
   const int e0 = ${name}_wide_size(p0), e1 = ${name}_wide_size(p1), e2 = ${name}_wide_size(p2), e3 = ${name}_wide_size(p3);
-  const int down = ${name}_wide_sign(p1) < 0 ? e1 : -1000000, none = -100000;
+  const int down = ${name}_wide_sign(p1) < 0 ? e1 : ${no_exponent}, none = ${least_exponent};
   ${name}_pair c[4], n, f;
   ${name}_real x = ${sixteen}, slope, next;
   int j, k, top, i;

@@ -44,27 +44,6 @@ static void ${name}_series(${name}_orbit *o, const ${name}_cubic *p, ${name}_pai
     ${name}_hyperbolic(o, p, amplitude, q, logq, ${name}_complete(q), nu, v, mu);
   }
 }
-
-/* all numbers 0 */
-static void ${name}_clear(${name}_orbit *o)
-{
-  int i, k;
-
-  for (i = 0; i < 2; i++) {
-    o->start[i] = o->rate[i] = o->period[i] = o->tilt[i] = ${zero};
-    for (k = 0; k < 2; k++) o->turn[i][k] = o->jump[i][k] = ${zero};
-    for (k = 0; k < 3; k++) o->across[i][k] = ${zero};
-  }
-  for (i = 0; i < 3; i++) {
-    for (k = 0; k < 4; k++) o->re[i][k] = o->im[i][k] = ${zero};
-  }
-  for (i = 0; i < 3; i++) {
-    for (k = 0; k < 2; k++) o->counts[i].start[k] = o->counts[i].tick[k] = 0;
-  }
-  o->inverse = o->nome = o->winding = o->mean = o->tick = ${zero};
-  o->hyperbolic = 0;
-}
-
 /* p q, of complex numbers */
 static void ${name}_complex(const ${name}_real p[2], const ${name}_real q[2], ${name}_real out[2])
 {
@@ -130,7 +109,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   p.w3 = w[3];
   p.s = ${name}_wide_divide(${name}_wide_multiply(I3, p.w3), I1);
 
-  ${name}_clear(&made);
+  ${name}_zero(&made, (unsigned int)sizeof(made));
   rest = !${name}_wide_sign(p.W[0]) && !${name}_wide_sign(p.W[1])
       && (!${name}_wide_sign(p.c) || (!${name}_wide_sign(p.a[0]) && !${name}_wide_sign(p.a[1])) || (!${name}_wide_sign(p.b[0]) && !${name}_wide_sign(p.b[1])));
   e = 0;
@@ -250,6 +229,6 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
       }
     }
   }
-  *o = made;
+  ${name}_copy(o, &made, (unsigned int)sizeof(made));
   return 0;
 }

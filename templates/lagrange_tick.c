@@ -46,7 +46,9 @@ void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[])
   f.a -= ${name}_nearest(f.a);
   f.b -= ${name}_nearest(f.b);
   if (!(o->inverse > ${zero})) { /* rare: the separatrix has no period */
-    const ${name}_pair t = ${name}_pair_product((${name}_real)n, o->tick);
+    const uint64_t size = n < 0 ? 0 - (uint64_t)n : (uint64_t)n; /* in halves: small processors convert no more */
+    const ${name}_real ticks = (${name}_real)(uint32_t)(size >> 32)*${two32_up} + (${name}_real)(uint32_t)size;
+    const ${name}_pair t = ${name}_pair_product(n < 0 ? -ticks : ticks, o->tick);
     ${name}_pair q = {o->start[0], o->start[1]};
 
     q = ${name}_phase(q, o->rate, t.hi);

@@ -2,12 +2,14 @@
 /* ---- mathematical functions of its own: plain arithmetic, so the same bits everywhere ----
  * IEEE 754 ${format}: sign, ${exponent_bits} bits of exponent + ${bias}, ${fraction_bits} of fraction. */
 
-%% if need.bits then
+%% if need.number then
 typedef union ${name}_libm_number {
   ${name}_real x;
   ${uint} bits;
 } ${name}_libm_number;
 
+%% end
+%% if need.bits then
 static ${uint} ${name}_libm_bits(${name}_real x)
 {
   ${name}_libm_number n;
@@ -16,6 +18,8 @@ static ${uint} ${name}_libm_bits(${name}_real x)
   return n.bits;
 }
 
+%% end
+%% if need.real then
 static ${name}_real ${name}_libm_real(${uint} bits)
 {
   ${name}_libm_number n;
@@ -38,7 +42,11 @@ static ${name}_real ${name}_fabs(${name}_real x)
 #if defined __GNUC__
   return __builtin_fabs${f}(x); /* never a call */
 #else
-  return ${name}_libm_real(${name}_libm_bits(x) & ${magnitude});
+  ${name}_libm_number n;
+
+  n.x = x;
+  n.bits &= ${magnitude};
+  return n.x;
 #endif
 }
 

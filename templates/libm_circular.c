@@ -106,6 +106,8 @@ static ${name}_real ${name}_libm_cosine(${name}_real y, ${name}_real low, ${name
   return most;
 }
 
+%% end
+%% if need.circular then
 /* sine of x + k pi/2 */
 static ${name}_real ${name}_libm_circular(${name}_real x, ${uint} k)
 {

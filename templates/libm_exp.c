@@ -89,6 +89,7 @@ static ${name}_real ${name}_tanh(${name}_real x)
   ${name}_real t, d, q, rest, sum;
   int k;
 
+  if (size < ${tiny}) return x; /* also keeps -0 */
   if (size < ${tanh_near}) {
     const ${name}_real z = x*x;
 %% for _, line in ipairs(tanh_lines) do

@@ -7,9 +7,13 @@ static ${name}_real ${name}_sqrt(${name}_real x)
   (defined __riscv_flen && __riscv_flen >= ${width}))
   return __builtin_sqrt${f}(x); /* one instruction, with -fno-math-errno */
 #else
-  ${uint} m = ${name}_libm_bits(x), root = 0, twice = 0, bit;
-  int e = (int)(m >> ${fraction_bits});
+  ${name}_libm_number n;
+  ${uint} m, root = 0, twice = 0, bit;
+  int e;
 
+  n.x = x;
+  m = n.bits;
+  e = (int)(m >> ${fraction_bits});
   if (!(x > ${zero}) || m >= ${infinity}) return x < ${zero} ? (x - x)/(x - x) : x + x; /* no root; 0, infinity, no number */
   m &= ${fraction};
   if (e > 0) {
@@ -35,7 +39,8 @@ static ${name}_real ${name}_sqrt(${name}_real x)
     m <<= 1;
   }
   if (m != 0) root += root & 1U; /* what is left breaks the tie */
-  return ${name}_libm_real((root >> 1) + ((${uint})(e - 1) << ${fraction_bits}));
+  n.bits = (root >> 1) + ((${uint})(e - 1) << ${fraction_bits});
+  return n.x;
 #endif
 }
 

@@ -4,8 +4,8 @@
  * the largest does not overflow; what is smaller by 2^-${order_range} times is lost. */
 static int ${name}_sign_of_sum(int rows, int columns, const ${name}_real f[])
 {
-  ${name}_real sum[${order_terms}], p[${order_factors}], q[${order_factors}];
-  int n = 0, most = 0, first = 1, r, c, i, k, np, nq, power;
+  ${name}_real sum[${order_terms}], space[2][${order_factors}], *p = space[0], *q = space[1];
+  int n = 0, most = 0, first = 1, r, c, i, np, nq, power;
 
   for (r = 0; r < rows; r++) { /* the largest row's exponent */
     int total = 0, zero = 0;
@@ -31,9 +31,12 @@ static int ${name}_sign_of_sum(int rows, int columns, const ${name}_real f[])
     np = 1;
     for (c = 0; c < columns; c++) {
       const ${name}_real factor = ${frexp}(f[r*columns + c], &power);
+      ${name}_real *const before = p;
 
       for (nq = 0, i = 0; i < np; i++) nq = ${name}_exact_product(q, nq, p[i], factor);
-      for (np = nq, k = 0; k < np; k++) p[k] = q[k];
+      p = q;
+      q = before;
+      np = nq;
     }
     for (i = 0; i < np; i++) n = ${name}_exact_add(sum, n, p[i]);
   }
@@ -44,6 +47,7 @@ static int ${name}_sign_of_sum(int rows, int columns, const ${name}_real f[])
 /* Which principal moments are larger: the signs of differences of moments, see ${name}_spin_stable. */
 %% if has_proof then
 /*@ assigns order[0 .. 2] \from p[0 .. ${upper}_NP - 1];
+    ensures \initialized(order + (0 .. 2));
     ensures \forall int i; 0 <= i < 3 ==> -1 <= order[i] <= 1; */
 %% end
 static void ${name}_order(const ${name}_real p[], int order[3])

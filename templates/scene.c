@@ -43,7 +43,10 @@ static int ${name}_split_setup(${name}_model *m);
 %% end
 int ${name}_init(${name}_model *m, const ${name}_real p[])
 {
+%% if no_members then
+%% else
   ${name}_model k;
+%% end
 %% if has_params then
   ${name}_real own[${upper}_NP];
 
@@ -77,9 +80,12 @@ int ${name}_init(${name}_model *m, const ${name}_real p[])
   if (${name}_split_setup(&k)) return ${split_code};
 %% end
 %% if no_members then
-  k.empty = 0;
+  m->empty = 0;
+%% else
+%%   for _, line in ipairs(init_copies) do
+  ${line}
+%%   end
 %% end
-  *m = k;
   return 0;
 }
 %% for _, f in ipairs(functions) do

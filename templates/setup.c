@@ -18,25 +18,6 @@ static ${name}_pair ${name}_unit_quaternion(const ${name}_real q[4], ${name}_rea
   return length;
 }
 
-/* all numbers 0 */
-static void ${name}_clear(${name}_orbit *o)
-{
-  int i;
-
-  for (i = 0; i < 4; i++) o->rate[i] = o->turn[i] = o->a[i] = o->b[i] = o->c[i] = o->d[i] = ${zero};
-%% if damped then
-  o->decay = ${zero};
-%% else
-  o->tick = ${zero};
-  for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
-%% end
-  for (i = 0; i < 10; i++) o->f[i] = ${zero};
-  for (i = 0; i < 3; i++) o->scale[i] = ${zero};
-  o->start[0] = o->start[1] = o->jump = o->half = o->nome = ${zero};
-  o->s = ${one};
-  o->hyperbolic = 0;
-}
-
 /* Constant rotation: w and L are parallel; axis 3 is theirs, and p = 0, E = 0. */
 static void ${name}_constant(${name}_orbit *o, ${name}_top *p, const ${name}_real w[3])
 {
@@ -97,7 +78,8 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     n = ${name}_pair_subtract(I[i], I[j]).hi;
     if (${fabs}(w[i].hi) > ${zero} && ${fabs}(w[j].hi) > ${zero} && ${fabs}(n) > ${zero}) k = 1;
   }
-  ${name}_clear(&made);
+  ${name}_zero(&made, (unsigned int)sizeof(made));
+  made.s = ${one};
   if (!k) {
     p.small12 = 0;
     ${name}_constant(&made, &p, rate);
@@ -151,6 +133,6 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
 %% if damped then
   made.decay = ${decay};
 %% end
-  *o = made;
+  ${name}_copy(o, &made, (unsigned int)sizeof(made));
   return 0;
 }

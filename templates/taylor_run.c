@@ -143,10 +143,11 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
   };
   const ${name}_real finest = ${taylor_finest}, local = tolerance < finest ? tolerance : finest;
   const int top = ${name}_taylor_top(tolerance);
-  ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW], lost[${upper}_MOVING + 1] = {${zero}};
+  ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW], lost[${upper}_MOVING + 1];
   ${name}_real t = t0;
   int steps, k;
 
+  for (k = 0; k <= ${upper}_MOVING; k++) lost[k] = ${zero}*(${name}_real)k; /* 0, and no call of memset */
   for (steps = 0; steps < most; steps++) {
 %% if has_knots then
     const ${name}_real end = ${name}_knot(m, t, t1), left = (end - t) - lost[${upper}_MOVING]; /* from corner to corner */

@@ -53,8 +53,8 @@ static void ${name}_taylor_tangent(const ${name}_model *m, ${name}_real t, const
     a[n][${lane.index}] = ${lane.left}; /* ${lane.about} */
     b[n][${lane.index}] = ${lane.right};
 %%     end
-    for (l = ${level.first}; l < ${level.last}; l++) p[l] = ${zero};
-    for (j = 0; j <= n; j++) {
+    for (l = ${level.first}; l < ${level.last}; l++) p[l] = a[0][l]*b[n][l];
+    for (j = 1; j <= n; j++) {
       for (l = ${level.first}; l < ${level.last}; l++) p[l] += a[j][l]*b[n - j][l];
     }
 %%   end

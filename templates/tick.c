@@ -23,7 +23,9 @@ void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[])
   p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > ${zero} ? -${half} : ${half}) : ${zero};
   p.low = low;
   if (!(o->half < ${no_period})) { /* rare: the separatrix has no period */
-    const ${name}_pair t = ${name}_pair_product((${name}_real)n, o->tick);
+    const uint64_t size = n < 0 ? 0 - (uint64_t)n : (uint64_t)n; /* in halves: small processors convert no more */
+    const ${name}_real ticks = (${name}_real)(uint32_t)(size >> 32)*${two32_up} + (${name}_real)(uint32_t)size;
+    const ${name}_pair t = ${name}_pair_product(n < 0 ? -ticks : ticks, o->tick);
 
     p = ${name}_reduce(o, t.hi);
     p.low += o->rate[0]*t.lo;

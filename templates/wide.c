@@ -43,7 +43,7 @@ static int ${name}_wide_sign(${name}_wide a)
 /* the exponent; that of 0 is below all others */
 static int ${name}_wide_size(${name}_wide a)
 {
-  return ${name}_wide_sign(a) ? a.e : -1000000;
+  return ${name}_wide_sign(a) ? a.e : ${no_exponent};
 }
 
 /* a 2^k */
@@ -111,7 +111,7 @@ static ${name}_wide ${name}_wide_dot(${name}_wide a, ${name}_wide b, ${name}_wid
 static ${name}_pair ${name}_argument(${name}_wide f, ${name}_wide x, ${name}_wide y, ${name}_wide z, int *infinite)
 {
   const ${name}_wide r[3] = {${name}_wide_root(x), ${name}_wide_root(y), ${name}_wide_root(z)}, root = ${name}_wide_root(f);
-  int i, top = -1000000, zeros = 0;
+  int i, top = ${no_exponent}, zeros = 0;
 
   for (i = 0; i < 3; i++) {
     zeros += !${name}_wide_sign(r[i]);

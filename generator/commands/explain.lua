@@ -1,6 +1,7 @@
 -- explain.lua -- polhode explain: what was derived from a scene and why.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local measure = require "generator.commands.measure"
 local options = require "generator.commands.options"
 local planner = require "generator.commands.planner"
 local driver = require "generator.driver"
@@ -11,7 +12,7 @@ local inertial = require "generator.report.inertial"
 local explain = {}
 
 explain.options = { ["--format"] = { "text", "markdown", "latex", "json", "urdf", "mjcf", "sdf" }, ["--set"] = "pair",
-  ["--diff"] = false }
+  ["--diff"] = false, ["--real"] = { "double", "float" }, ["--target"] = "words" }
 explain.operands = { 1, 2 }
 
 local xml = { urdf = true, mjcf = true, sdf = true } -- numbers for other programs, not an explanation
@@ -43,6 +44,14 @@ function explain.run(host, given)
     host.err("polhode explain: too many operands: " .. given[2] .. "\n")
     return 2
   end
+  local cores, wrong = measure.cores(given.target, given.real)
+  if given.target and xml[given.format] then
+    cores, wrong = nil, "--target: --format must be text, markdown, latex or json, got " .. given.format
+  end
+  if wrong then
+    host.err("polhode explain: " .. wrong .. "\n")
+    return 2
+  end
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, given[1], d, why) end
   options.warn(host, job.diag)
@@ -51,7 +60,16 @@ function explain.run(host, given)
     return 0
   end
   job.asked = planner.asked(host, job, given)
-  driver.plan(job, { command = "" })
+  driver.plan(job, { command = "", real = given.real })
+  if cores then
+    local files = driver.files(host, job)
+    if not files then return options.refuse(host, given[1], job.diag) end
+    job.counted, why = measure.run(host, job, cores, files)
+    if not job.counted then
+      host.err("polhode explain: " .. why .. "\n")
+      return 2
+    end
+  end
   host.out(report.text(job, given.format or "text"))
   return 0
 end

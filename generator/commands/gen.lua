@@ -4,6 +4,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local options = require "generator.commands.options"
+local measure = require "generator.commands.measure"
 local packages = require "generator.emit.packages.list"
 local planner = require "generator.commands.planner"
 local driver = require "generator.driver"
@@ -14,8 +15,8 @@ local shortest = require("generator.plan.decision").shortest
 local gen = {}
 
 gen.options = { ["-o"] = "text", ["--real"] = { "double", "float" }, ["--bake"] = false, ["--method"] = "words",
-  ["--order"] = "number", ["--accuracy"] = "number", ["--with"] = { "jacobians", "proof", several = true },
-  ["--libm"] = { "own", "system" }, ["--project"] = packages.names,
+  ["--order"] = "number", ["--accuracy"] = "number", ["--with"] = { "jacobians", "proof", "q31", several = true },
+  ["--libm"] = { "own", "system" }, ["--project"] = packages.names, ["--target"] = "words",
   ["--set"] = "pair", ["--show"] = { "lower", "power", "fold", "cse", "dce", "order" } }
 gen.operands = { 1, 1 }
 
@@ -31,6 +32,7 @@ function gen.command(given)
     parts[#parts + 1] = "--with " .. table.concat(list, ",")
   end
   if given.project then parts[#parts + 1] = "--project " .. given.project end
+  if given.target then parts[#parts + 1] = "--target " .. table.concat(given.target, ",") end
   if given.accuracy then parts[#parts + 1] = "--accuracy " .. shortest(given.accuracy) end
   if given.order then parts[#parts + 1] = string.format("--order %d", given.order) end
   if given.method then parts[#parts + 1] = "--method " .. table.concat(given.method, ",") end
@@ -73,7 +75,8 @@ end
 function gen.run(host, given)
   local chosen, wrong = chosen_methods(given)
   local order, bad = gen.order(given)
-  wrong = wrong or bad
+  local _, unknown = measure.cores(given.target, given.real or "float") -- the type may be the budget's
+  wrong = wrong or bad or unknown
   if given.accuracy and not (given.accuracy > 0 and given.accuracy < 1) then
     wrong = "--accuracy must be between 0 and 1, got " .. shortest(given.accuracy)
   end
@@ -107,7 +110,8 @@ function gen.run(host, given)
     real, chosen, order = decision.real, { decision.method }, decision.order
   end
   if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen, order = order,
-    jacobians = given.with ~= nil and given.with.jacobians, libm = given.libm, outputs = given.project == "fmu" }) then
+    jacobians = given.with ~= nil and given.with.jacobians, q31 = given.with ~= nil and given.with.q31,
+    libm = given.libm, outputs = given.project == "fmu" }) then
     return options.refuse(host, given[1], job.diag)
   end
   job.planned = decision
@@ -117,11 +121,24 @@ function gen.run(host, given)
     host.out(driver.show(host, job, given.show))
     return 0
   end
+  local cores, short = measure.cores(given.target, job.real)
+  if short then
+    host.err("polhode gen: " .. short .. "\n")
+    return 2
+  end
   local package = packages.by_name(given.project or packages.default)
   if package.check and not package.check(job) then return options.refuse(host, given[1], job.diag) end
   job.package = package
   local files = driver.files(host, job)
   if not files then return options.refuse(host, given[1], job.diag) end
+  if cores then -- the code is made; once more for the README with its numbers
+    job.counted, why = measure.run(host, job, cores, files)
+    files = job.counted and driver.files(host, job)
+    if not files then
+      host.err("polhode gen: " .. why .. "\n")
+      return 2
+    end
+  end
   if package.finish then
     files, why = package.finish(host, job, files)
     if not files then

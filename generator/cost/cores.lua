@@ -7,6 +7,9 @@
 --     start, script     startup code and linker script in templates/target; none: the compiler's own
 --     link              further options for the linker
 --     run               the emulator without its plugin and the program; none: simavr as a library (avr.c)
+--     single            its double is a float
+--     memory            bytes of RAM that the machine has, where a program may want more
+--     copies            constants are copied to RAM before the program begins
 --     packages          {command, Debian package} of what is run
 --     header            {header, package}: what the compiler, and cc where host is set, must find
 -- Cortex-M and RV32 run under QEMU, which counts instructions by a plugin (count.c), of Cortex-M also cycles by Arm's
@@ -18,9 +21,9 @@ local cores = { folder = "templates/target/" }
 cores.options = { "-O2", "-ffp-contract=off", "-fno-math-errno", "-ffunction-sections", "-fdata-sections" }
 
 local function arm(name, cpu, board, float, memory)
-  return { name = name, arm = true, machine = board, prefix = "arm-none-eabi-", start = "startup.c",
+  return { memory = memory, name = name, arm = true, machine = board, prefix = "arm-none-eabi-", start = "startup.c",
     script = "cortex.ld", flags = { "-mcpu=" .. cpu, "-mthumb", table.unpack(float) },
-    link = { "-nostartfiles", "--specs=nosys.specs", memory },
+    link = { "-nostartfiles", "--specs=nosys.specs", memory and "-Wl,--defsym=ram_size=" .. memory },
     run = { "qemu-system-arm", "-M", board, "-semihosting-config", "enable=on,target=native" },
     packages = { { "arm-none-eabi-gcc", "gcc-arm-none-eabi" }, { "qemu-system-arm", "qemu-system-arm" } },
     header = { { "math.h", "libnewlib-arm-none-eabi" } } }
@@ -36,14 +39,14 @@ local function riscv(name, isa, abi)
 end
 
 cores.list = {
-  arm("cortex-m0", "cortex-m0", "microbit", { "-mfloat-abi=soft" }, "-Wl,--defsym=ram_size=16K"),
+  arm("cortex-m0", "cortex-m0", "microbit", { "-mfloat-abi=soft" }, 16384),
   arm("cortex-m3", "cortex-m3", "mps2-an385", { "-mfloat-abi=soft" }),
   arm("cortex-m4f", "cortex-m4", "mps2-an386", { "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16" }),
   arm("cortex-m7", "cortex-m7", "mps2-an500", { "-mfloat-abi=hard", "-mfpu=fpv5-d16" }),
   riscv("rv32imac", "rv32imac", "ilp32"),
   riscv("rv32imafc", "rv32imafc", "ilp32f"),
-  { name = "avr", machine = "atmega2560", prefix = "avr-",
-    flags = { "-mmcu=atmega2560", "-DHUGE_VALF=__builtin_inff()" }, link = {},
+  { name = "avr", machine = "atmega2560", single = true, copies = true, memory = 8192, prefix = "avr-",
+    flags = { "-mmcu=atmega2560" }, link = {},
     packages = { { "avr-gcc", "gcc-avr" } },
     header = { { "math.h", "avr-libc" }, { "simavr/sim_avr.h", "libsimavr-dev", host = true } } },
 }

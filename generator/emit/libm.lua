@@ -15,18 +15,18 @@ local libm = {}
 
 -- What each function calls itself.
 local FUNCTIONS = {
-  huge = { "bits" }, fabs = { "bits" }, copysign = { "bits" }, sqrt = { "bits" }, cbrt = { "bits" }, floor = { "bits" },
-  frexp = { "bits" }, ldexp = { "bits" }, sin = { "near" }, cos = { "near" }, tan = { "near", "product" },
-  exp = { "parts", "ldexp" }, sinh = { "halves", "fabs" }, cosh = { "halves", "fabs" },
-  tanh = { "parts", "ldexp", "fabs" }, log = { "mantissa" },
+  huge = { "real" }, fabs = { "number" }, copysign = { "bits", "real" }, sqrt = { "number" }, cbrt = { "bits", "real" },
+  floor = { "bits", "real" }, frexp = { "bits", "real" }, ldexp = { "bits", "real" }, sin = { "circular" },
+  cos = { "circular" }, tan = { "near", "product" }, exp = { "parts", "ldexp" }, sinh = { "halves", "fabs" },
+  cosh = { "halves", "fabs" }, tanh = { "parts", "ldexp", "fabs" }, log = { "mantissa" },
   pow = { "mantissa", "product", "parts", "ldexp", "floor", "fabs" },
   atan = { "angle", "fabs" }, atan2 = { "angle", "supplement", "fabs", "frexp", "ldexp" },
   asin = { "angle", "beside", "fabs" }, acos = { "angle", "beside", "supplement", "fabs" },
 }
 -- The same of what only they call.
 local HELPERS = {
-  near = { "bits", "reduce" }, reduce = { "bits" }, halves = { "parts", "ldexp" }, mantissa = { "bits" },
-  angle = { "product" }, beside = { "product", "sqrt" },
+  bits = { "number" }, real = { "number" }, circular = { "near" }, near = { "reduce" }, reduce = { "bits", "real" },
+  halves = { "parts", "ldexp" }, mantissa = { "bits", "real" }, angle = { "product" }, beside = { "product", "sqrt" },
 }
 local ALSO = { double = { reduce = { "product", "fabs" } }, float = {} }
 local TEMPLATES = { "bits", "root", "product", "circular", "exp", "log", "arc" }
@@ -134,7 +134,7 @@ local function fill_series(L, real, type_name)
     L[name .. "_lines"] = polynomial(variable, c, "z", real, type_name)
   end
   local quarter_pi2 = "0.61685028" -- (pi/4)^2, rounded up
-  put("sine", "s", series(function(k) return R.new(-1) ^ (k + 1)/factorial(2*k + 3) end, quarter_pi2, bits + 2))
+  put("sine", "s", series(function(k) return R.new(-1) ^ (k + 1)/factorial(2*k + 3) end, quarter_pi2, bits + 1))
   put("cosine", "c", series(function(k) return R.new(-1) ^ k/factorial(2*k + 4) end, quarter_pi2, bits + 3))
   local half_log2 = "0.1202" -- (log(2)/2)^2 and a little
   put("even", "e", series(function(k) return R.one/factorial(2*k + 2) end, half_log2, bits + 1))

@@ -13,6 +13,7 @@ local libm = require "generator.emit.libm"
 local number = require "generator.emit.number"
 local orbit = require "generator.emit.orbit"
 local proof = require "generator.emit.proof"
+local q31 = require "generator.emit.q31"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local template = require "generator.emit.template"
@@ -35,11 +36,15 @@ local function literals(real)
     split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), eight = n(8),
     least = n(R.new(2) ^ (bits == 24 and -126 or -1022)), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)),
     two64 = n(R.new(2) ^ -64), two32 = n(R.new(2) ^ -32),
+    two32_up = n(R.new(2) ^ 32),
     last_turn = n(R.new(2) ^ (bits == 24 and 46 or 50)), last_time = n(R.new(2) ^ (bits == 24 and 97 or 990)),
     bits_type = bits == 24 and "uint32_t" or "uint64_t", binary_shift = bits == 24 and "23" or "52",
     binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
     block = bits == 24 and "16" or "8", no_period = n(R.new(2) ^ (bits == 24 and 40 or 100)),
     binary_limit = n(bits == 24 and 60 or 500),
+    -- exponents (templates/wide.c): below all others, that of 0; below all that matter.  In float an int has 16 bits
+    -- on some processors, and three times an exponent must fit
+    no_exponent = bits == 24 and "-6000" or "-1000000", least_exponent = bits == 24 and "-3000" or "-100000",
     carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
 end
 
@@ -101,6 +106,26 @@ local function members(m, real_name)
   return list
 end
 
+-- Statements *m = k, member by member: of the whole some compilers make a call of memcpy.
+local function copies(m, v)
+  local names, lines = {}, { "" }
+  for i, member in ipairs(m.members) do names[i] = member.name end
+  local function array(name) for k = 0, 2 do names[#names + 1] = string.format("%s[%d]", name, k) end end
+  if v.has_order then array "order" end
+  if v.split_setup then
+    for _, name in ipairs { "split_b", "split_c", "split_u", "split_d" } do array(name) end
+    names[#names + 1], names[#names + 2] = "split_fb", "split_fc"
+  end
+  for _, name in ipairs(names) do
+    local s = "m->" .. name .. " = k." .. name .. ";"
+    local last = lines[#lines]
+    if last == "" then lines[1] = s
+    elseif #last + #s < 96 then lines[#lines] = last .. " " .. s
+    else lines[#lines + 1] = s end
+  end
+  return lines
+end
+
 local function function_values(list)
   local out = {}
   for i, f in ipairs(list) do
@@ -136,6 +161,8 @@ local function sheet(job, v)
     if not known[row.name] then v.costs[#v.costs + 1] = cost_row(row.name, row.counts) end
   end
   v.sheet_head, v.sheet_rule = table.concat(names, " | "), string.rep("---|", #names)
+  v.counted = job.counted_lines()
+  v.is_counted = #v.counted > 0
 end
 
 -- "rhs: 12 additions, 24 multiplications": what one call costs, for the banner.
@@ -164,13 +191,15 @@ local function common(job)
     members = members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil,
     has_full = job.closed.full or false, free = eq.free and m.has.attitude,
-    bits = string.format("%d", selftest.bits) }
+    bits = string.format("%d", selftest.bits), has_q31 = job.q31 ~= nil }
   for _, f in ipairs(made) do
     if f.name == "rhs" or f.name == "step" then v.banner[#v.banner + 1] = "Operations of " .. cost_line(f) .. "." end
   end
   local list, params = {}, {}
   for i, p in ipairs(m.params) do
-    list[i] = { name = p.name, about = "default " .. p.given, unit = p.unit }
+    local tail = " " .. p.unit -- said once if the default is given in the unit that p[] has
+    local given = string.sub(p.given, -#tail) == tail and string.sub(p.given, 1, -#tail - 1) or p.given
+    list[i] = { name = p.name, about = "default " .. given, unit = p.unit }
     params[i] = { upper = string.upper(p.name), value = number.text(p.default, real) }
   end
   v.param_enum, v.params = enumeration(ctx.upper, list, "NP"), params
@@ -191,6 +220,7 @@ local function common(job)
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
   split.setup(job, v)
+  v.init_copies = copies(m, v)
   v.no_members = #m.members == 0 and not v.has_order and not v.split_setup
   return v, ctx
 end
@@ -230,6 +260,8 @@ local function closed_values(job, v, ctx)
   for i, name in ipairs(form.sources) do parts[i] = render(name) end
   if v.has_own then parts[#parts + 1] = render "templates/own.c" end
   v.closed_source = table.concat(parts, "\n")
+  v.clears = string.find(v.closed_source, v.name .. "_zero(", 1, true) ~= nil
+  v.closed_source = render "templates/copy.c" .. "\n" .. v.closed_source
 end
 
 -- The headers of the C library that a text needs, less those that it already has.
@@ -275,6 +307,8 @@ local function code(job)
   if not ctx.own then table.insert(v.source_includes, 1, "<math.h>") end
   local all = { table.unpack(v.source_includes) }
   table.move(v.header_includes, 1, #v.header_includes, #all + 1, all)
+  v.own_libm, v.no_errno = ctx.own, ctx.own and " -fno-math-errno" or ""
+  v.libm_text = ctx.own and "mathematical functions of its own" or "the C library's mathematical functions"
   v.included = #all > 0 and "`" .. table.concat(all, "`, `") .. "`" or "C itself"
   local header, full = render "templates/scene.h", render "templates/scene.c"
   for k, name in pairs(libm.names(ctx, false)) do v[k] = name end -- for other files; into a table: order is lost anyway
@@ -301,6 +335,7 @@ function project.files(job, plugin)
     { name = n .. ".c", text = text },
     { name = n .. "_test.c", text = render "templates/test.c" },
   }
+  for _, f in ipairs(job.q31 and q31.files(job, v) or {}) do files[#files + 1] = f end
   for _, f in ipairs(job.package.files(job, v, render)) do files[#files + 1] = f end
   if plugin then
     v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false

@@ -10,6 +10,7 @@ local vec = require "generator.algebra.vec"
 local init = require "generator.emit.init"
 local source = require "generator.emit.source"
 local attribution = require "generator.report.attribution"
+local counted = require "generator.report.counted"
 local facts = require "generator.report.facts"
 local json = require "generator.report.json"
 local linearised = require "generator.report.linearised"
@@ -217,7 +218,8 @@ local function document(f)
     table_of[#table_of + 1] = string.format("%-12s %s", row.name,
       string.format(string.rep("%11s", #row.cycles), table.unpack(row.cycles)))
   end
-  section("Estimated cycles of one call, in " .. f.job.real, table_of)
+  section("Estimated cycles of one call, in " .. f.job.real .. " (--target counts instead)", table_of)
+  for _, s in ipairs(f.job.counted and counted.text(f.job.counted) or {}) do section(s.title, s.lines) end
   section("Operations of the right-hand side, by what calls for them", attribution.lines(attribution.of(f.job)))
   local warnings = {}
   for i, w in ipairs(f.warnings) do warnings[i] = w.text end
@@ -337,7 +339,7 @@ function writers.json(f)
   for i, w in ipairs(f.warnings) do warnings[i] = w.text end
   local methods = { "rk4", f.job.model.has.rates and "linearised" or nil }
   if f.closed.kind then methods[#methods + 1] = "exact" end
-  return json.text(object { { "name", f.name }, { "parameters", params }, { "mass", f.mass_number },
+  local doc = object { { "name", f.name }, { "parameters", params }, { "mass", f.mass_number },
     { "mass_symbolic", text.of(f.mass, "plain") }, { "com", f.com_number }, { "com_symbolic", symbolic(f.com) },
     { "origin", f.origin_number },    { "com_from_origin", f.arm_number },
     { "inertia", entries(f.inertia, f.inertia_number) }, { "centroidal", entries(f.centroidal, f.centroidal_number) },
@@ -346,7 +348,9 @@ function writers.json(f)
     { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
     { "cycles", object { { "real", f.job.real }, { "functions", estimated } } },
     { "rhs", attribution.json(attribution.of(f.job), object) }, { "asked", f.job.asked or json.null },
-    { "warnings", warnings } })
+    { "warnings", warnings } }
+  if f.job.counted then doc[#doc + 1] = { "counted", counted.json(f.job.counted, object, json.null) } end
+  return json.text(doc)
 end
 
 -- The explanation of a planned job in the format.

@@ -152,7 +152,9 @@ int brick_init(brick_model *m, const brick_real p[])
   if (!(k.Ry - k.Ry == 0.0)) return 5;
   if (!(k.Rz - k.Rz == 0.0)) return 5;
   if (!(k.mass - k.mass == 0.0)) return 5;
-  *m = k;
+  m->Ixx = k.Ixx; m->Iyy = k.Iyy; m->Izz = k.Izz; m->Ixy = k.Ixy; m->Ixz = k.Ixz; m->Iyz = k.Iyz;
+  m->Jxx = k.Jxx; m->Jyy = k.Jyy; m->Jzz = k.Jzz; m->Jxy = k.Jxy; m->Jxz = k.Jxz; m->Jyz = k.Jyz;
+  m->Rx = k.Rx; m->Ry = k.Ry; m->Rz = k.Rz; m->mass = k.mass;
   return 0;
 }
 
@@ -825,6 +827,31 @@ int brick_principal(const brick_model *m, brick_real moments[3], brick_real axes
   return brick_principal_of(I, moments, axes);
 }
 
+/* ---- whole structures, byte by byte ----
+ * Compilers make calls of memcpy and memset of anything simpler, and firmware need not have them. */
+
+static void brick_copy(void *to, const void *from, unsigned int size)
+{
+  unsigned char *a = (unsigned char *)to;
+  const volatile unsigned char *b = (const volatile unsigned char *)from;
+  unsigned int i;
+
+  for (i = 0; i < size; i++) { /* some 200 times */
+    a[i] = b[i];
+  }
+}
+
+/* integers and IEEE 754 numbers of which all bits are 0 are 0 */
+static void brick_zero(void *to, unsigned int size)
+{
+  volatile unsigned char *a = (volatile unsigned char *)to;
+  unsigned int i;
+
+  for (i = 0; i < size; i++) { /* some 200 times */
+    a[i] = 0;
+  }
+}
+
 /* ---- phases in turns: no call and no branch, so that loops over times are vectorised ---- */
 
 #if defined __GNUC__
@@ -929,7 +956,7 @@ static brick_pair brick_pair_root(brick_pair a)
  * x^13 on, 2^-48 of the whole, the working precision will do; what is left out is 2^-100. */
 static brick_pair brick_pair_arc(brick_pair x, brick_real sign)
 {
-  const brick_pair odd[6] = {
+  static const brick_pair odd[6] = {
     {1.0, 0.0},
     {0.3333333333333333, 1.850371707708594e-17},
     {0.2, -1.1102230246251566e-17},
@@ -973,7 +1000,7 @@ static brick_pair brick_log2(void)
  * 1/16 (DLMF 4.24.15). */
 static brick_pair brick_pair_angle(brick_pair x, brick_pair y)
 {
-  const brick_pair arctan[9] = {
+  static const brick_pair arctan[9] = {
     {0.0, 0.0},
     {0.12435499454676144, -3.1253241424539383e-18},
     {0.24497866312686414, 1.0698755618734451e-17},
@@ -1005,7 +1032,7 @@ static brick_pair brick_pair_angle(brick_pair x, brick_pair y)
 /* log(2^e a), a > 0: of 2^e, of 1 + j/8, and 2 artanh of a rest below 1/16 */
 static brick_pair brick_pair_log(brick_pair a, int e)
 {
-  const brick_pair log[9] = {
+  static const brick_pair log[9] = {
     {0.0, 0.0},
     {0.11778303565638346, -1.1971685747593677e-18},
     {0.22314355131420976, -9.091270597324799e-18},
@@ -1847,21 +1874,6 @@ static brick_pair brick_unit_quaternion(const brick_real q[4], brick_real out[4]
   return length;
 }
 
-/* all numbers 0 */
-static void brick_clear(brick_orbit *o)
-{
-  int i;
-
-  for (i = 0; i < 4; i++) o->rate[i] = o->turn[i] = o->a[i] = o->b[i] = o->c[i] = o->d[i] = 0.0;
-  o->tick = 0.0;
-  for (i = 0; i < 2; i++) o->rate_tick[i] = o->rate_start[i] = o->turn_tick[i] = o->turn_start[i] = 0;
-  for (i = 0; i < 10; i++) o->f[i] = 0.0;
-  for (i = 0; i < 3; i++) o->scale[i] = 0.0;
-  o->start[0] = o->start[1] = o->jump = o->half = o->nome = 0.0;
-  o->s = 1.0;
-  o->hyperbolic = 0;
-}
-
 /* Constant rotation: w and L are parallel; axis 3 is theirs, and p = 0, E = 0. */
 static void brick_constant(brick_orbit *o, brick_top *p, const brick_real w[3])
 {
@@ -1922,7 +1934,8 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
     n = brick_pair_subtract(I[i], I[j]).hi;
     if (fabs(w[i].hi) > 0.0 && fabs(w[j].hi) > 0.0 && fabs(n) > 0.0) k = 1;
   }
-  brick_clear(&made);
+  brick_zero(&made, (unsigned int)sizeof(made));
+  made.s = 1.0;
   if (!k) {
     p.small12 = 0;
     brick_constant(&made, &p, rate);
@@ -1973,7 +1986,7 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
     for (j = 0; j < 3; j++) v[j + 1] = d[1]*p.axis[0][j] + d[2]*p.axis[1][j] + d[3]*p.axis[2][j];
     brick_quaternion_product(q0, v, made.q[k]);
   }
-  *o = made;
+  brick_copy(o, &made, (unsigned int)sizeof(made));
   return 0;
 }
 
@@ -2111,7 +2124,9 @@ void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[])
   p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > 0.0 ? -0.5 : 0.5) : 0.0;
   p.low = low;
   if (!(o->half < 1.2676506002282294e30)) { /* rare: the separatrix has no period */
-    const brick_pair t = brick_pair_product((brick_real)n, o->tick);
+    const uint64_t size = n < 0 ? 0 - (uint64_t)n : (uint64_t)n; /* in halves: small processors convert no more */
+    const brick_real ticks = (brick_real)(uint32_t)(size >> 32)*4294967296.0 + (brick_real)(uint32_t)size;
+    const brick_pair t = brick_pair_product(n < 0 ? -ticks : ticks, o->tick);
 
     p = brick_reduce(o, t.hi);
     p.low += o->rate[0]*t.lo;

@@ -36,10 +36,10 @@ enum { /* state x[BRICK_NX] */
 enum { BRICK_NU = 0 }; /* no input: u may be NULL */
 
 enum { /* parameters p[BRICK_NP] */
-  BRICK_A, /* default 0.2 m [m] */
-  BRICK_B, /* default 0.1 m [m] */
-  BRICK_C, /* default 0.05 m [m] */
-  BRICK_M, /* default 2.4 kg [kg] */
+  BRICK_A, /* default 0.2 [m] */
+  BRICK_B, /* default 0.1 [m] */
+  BRICK_C, /* default 0.05 [m] */
+  BRICK_M, /* default 2.4 [kg] */
   BRICK_NP
 };
 

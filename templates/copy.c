@@ -1,0 +1,27 @@
+%% -- copy.c -- structures as bytes: part of scene.c.  SPDX-License-Identifier: MIT-0
+/* ---- whole structures, byte by byte ----
+ * Compilers make calls of memcpy and memset of anything simpler, and firmware need not have them. */
+
+static void ${name}_copy(void *to, const void *from, unsigned int size)
+{
+  unsigned char *a = (unsigned char *)to;
+  const volatile unsigned char *b = (const volatile unsigned char *)from;
+  unsigned int i;
+
+  for (i = 0; i < size; i++) { /* some 200 times */
+    a[i] = b[i];
+  }
+}
+%% if clears then
+
+/* integers and IEEE 754 numbers of which all bits are 0 are 0 */
+static void ${name}_zero(void *to, unsigned int size)
+{
+  volatile unsigned char *a = (volatile unsigned char *)to;
+  unsigned int i;
+
+  for (i = 0; i < size; i++) { /* some 200 times */
+    a[i] = 0;
+  }
+}
+%% end
