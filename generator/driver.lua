@@ -91,9 +91,9 @@ local function gradients(job)
 end
 
 -- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
--- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool,
--- q31 = bool, libm = "own" | "system" (the default: own in float), outputs = bool: also derivatives of energy and
--- momentum}
+-- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool or
+-- "transition" (of the step alone), q31 = bool, libm = "own" | "system" (the default: own in float), outputs = bool:
+-- also derivatives of energy and momentum}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods
@@ -124,7 +124,7 @@ function driver.plan(job, options)
   end
   put(quantities.jacobian(eq))
   if options.jacobians then
-    local more = sensitivity.list(job)
+    local more = sensitivity.list(job, options.jacobians)
     if not more then return nil end
     for _, f in ipairs(more) do put(f) end
     if options.outputs then

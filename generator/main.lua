@@ -9,7 +9,8 @@ local options = require "generator.commands.options"
 local usage = [[
 usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method rk4,exact] [--set a=0.3 ...]
                              [--accuracy E] [--order N] [--with jacobians,proof,q31] [--libm own|system]
-                             [--project make|fmu] [--show lower|power|fold|cse|dce|order]
+                             [--project make|cmake|arduino|platformio|zephyr|firmware|fmu]
+                             [--show lower|power|fold|cse|dce|order]
                              [--target all|cortex-m4f,...]   (instructions, flash, stack, counted under emulators)
        polhode run     SCENE [--engine general|generated] [--method M] [--step H] [--tolerance E]
                              [--until T --every DT | --at T1,T2,...] [--format csv|json] [-o FILE]

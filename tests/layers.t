@@ -54,6 +54,9 @@ local INCLUDES = {
 local EMITTED = { ["math.h"] = true, ["stddef.h"] = true, ["stdio.h"] = true, ["stdint.h"] = true,
   ["float.h"] = true }
 
+-- Whole applications and examples, which have a machine under them.
+local APPLICATIONS = { ["string.h"] = true, ["stdlib.h"] = true, ["zephyr/kernel.h"] = true,
+  ["zephyr/sys/printk.h"] = true }
 -- What stands between a scene and FMI keeps instances and messages, and FMI 3.0 has the type bool.
 local GLUE = { ["stdbool.h"] = true, ["stdlib.h"] = true, ["string.h"] = true }
 
@@ -239,7 +242,8 @@ do
           own[#own + 1] = string.format("%s:%d: includes %s", path, n, target)
         end
       end
-      local glue = path:find("^templates/projects/fmu_") and GLUE[system]
+      local glue = path:find("^templates/projects/") and APPLICATIONS[system] or
+          path:find("^templates/projects/fmu_") and GLUE[system] or system and system:find("${", 1, true)
       if system and unit_of(path) == "templates" and not EMITTED[system] and not glue then
         outside[#outside + 1] = string.format("%s:%d: emitted code includes <%s>", path, n, system)
       end

@@ -23,7 +23,8 @@ gen.operands = { 1, 1 }
 -- The command line as it goes into the banner: base name of the scene, options that change the output, in one order.
 function gen.command(given)
   local parts = { "polhode gen", string.match(given[1], "[^/]*$") }
-  if given.real == "float" then parts[#parts + 1] = "--real float" end
+  local usual = packages.by_name(given.project or packages.default).real or "double"
+  if given.real and given.real ~= usual then parts[#parts + 1] = "--real " .. given.real end
   if given.bake then parts[#parts + 1] = "--bake" end
   if given.libm then parts[#parts + 1] = "--libm " .. given.libm end
   if given.with then
@@ -97,6 +98,8 @@ function gen.run(host, given)
     return options.refuse(host, given[1], d)
   end
   options.warn(host, job.diag)
+  local package = packages.by_name(given.project or packages.default)
+  given.real = given.real or package.real
   local real, decision = given.real, nil
   local question = not given.show and planner.question(job, given, order)
   if question then
@@ -109,9 +112,9 @@ function gen.run(host, given)
     end
     real, chosen, order = decision.real, { decision.method }, decision.order
   end
-  if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen, order = order,
-    jacobians = given.with ~= nil and given.with.jacobians, q31 = given.with ~= nil and given.with.q31,
-    libm = given.libm, outputs = given.project == "fmu" }) then
+  if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen or package.methods,
+    order = order, jacobians = given.with and given.with.jacobians or package.jacobians,
+    q31 = given.with ~= nil and given.with.q31, libm = given.libm, outputs = given.project == "fmu" }) then
     return options.refuse(host, given[1], job.diag)
   end
   job.planned = decision
@@ -126,7 +129,6 @@ function gen.run(host, given)
     host.err("polhode gen: " .. short .. "\n")
     return 2
   end
-  local package = packages.by_name(given.project or packages.default)
   if package.check and not package.check(job) then return options.refuse(host, given[1], job.diag) end
   job.package = package
   local files = driver.files(host, job)

@@ -185,10 +185,13 @@ end
 
 -- All of them for a job {equations, model, input_states, steppers, diag, record}; nil after an error: a derivative that
 -- does not exist at the parameters' own values (|p| at p = 0) would be no constant.
-function sensitivity.list(job)
+-- which = "transition": the transition matrices alone.
+function sensitivity.list(job, which)
   local eq, list = job.equations, {}
-  list[1] = sensitivity.by_input(eq, job.input_states)
-  for _, f in ipairs { sensitivity.by_parameters(eq) } do list[#list + 1] = f end
+  if which ~= "transition" then
+    list[1] = sensitivity.by_input(eq, job.input_states)
+    for _, f in ipairs { sensitivity.by_parameters(eq) } do list[#list + 1] = f end
+  end
   for i, s in ipairs(job.steppers) do
     local groups = s.method.plain or s.method.groups
     if groups then

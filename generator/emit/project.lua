@@ -336,7 +336,10 @@ function project.files(job, plugin)
     { name = n .. "_test.c", text = render "templates/test.c" },
   }
   for _, f in ipairs(job.q31 and q31.files(job, v) or {}) do files[#files + 1] = f end
-  for _, f in ipairs(job.package.files(job, v, render)) do files[#files + 1] = f end
+  v.project_files, v.project_use, v.dollar = {}, {}, "$" -- of the package, for README.md; for CMake's own ${}
+  local more = job.package.files(job, v, render)
+  if not more then return nil end -- with an error in job.diag
+  for _, f in ipairs(more) do files[#files + 1] = f end
   if plugin then
     v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false
     if v.has_peers then files[#files + 1] = { name = "peers.c", text = render "templates/peers.c" } end

@@ -126,7 +126,8 @@ static int add_folder(lua_State *L, const char *dir, const char *folder) {
 }
 
 void script_push_templates(lua_State *L) {
-  static const char *const folders[] = {"templates/projects", "templates/target"};
+  static const char *const folders[] = {"templates/projects", "templates/projects/firmware",
+                                        "templates/target"};
   const char *dir = source_tree("templates/");
   lua_newtable(L);
   if (dir == NULL || !add_folder(L, dir, "templates"))

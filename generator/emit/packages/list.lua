@@ -4,11 +4,13 @@
 --     files(job, v, render) -> list   what stands beside NAME.h, NAME.c and NAME_test.c: {name =, text =}; v: the
 --                                     values that the templates were filled with; render(template) -> text
 --     arrange(files) -> files         optional: all files of the project, put where the kind wants them
+--     real, methods, jacobians        optional: its own defaults of --real and --method; "transition": it calls
+--                                     NAME_step_transition
 --     check(job) -> bool              optional: can the scene be such a project?  If not, with an error in job.diag
 --     finish(host, job, files)        optional: what needs the host (compiling); files | nil, what went wrong
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local list = { names = { "make", "fmu" }, default = "make" }
+local list = { names = { "make", "cmake", "arduino", "platformio", "zephyr", "firmware", "fmu" }, default = "make" }
 
 function list.by_name(name) return require("generator.emit.packages." .. name) end
 

@@ -4,10 +4,15 @@
 local make = {}
 
 function make.files(job, v, render)
-  local files = { { name = "Makefile", text = render "templates/Makefile" },
-    { name = "README.md", text = render "templates/README.md" } }
-  if v.has_proof then files[3] = { name = job.model.name .. "_proof.c", text = render "templates/proof.c" } end
-  return files
+  v.project_files = { { name = "Makefile", about = "`make check` builds and runs the self-test" } }
+  local proof
+  if v.has_proof then
+    proof = { name = job.model.name .. "_proof.c", text = render "templates/proof.c" }
+    v.project_files[2] = { name = proof.name,
+      about = "`make proof`: Frama-C shows that no step from within the ranges overflows or divides by zero" }
+  end
+  return { { name = "Makefile", text = render "templates/Makefile" },
+    { name = "README.md", text = render "templates/README.md" }, proof }
 end
 
 return make
