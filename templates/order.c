@@ -45,6 +45,11 @@ static int ${name}_sign_of_sum(int rows, int columns, const ${name}_real f[])
 
 %% end
 /* Which principal moments are larger: the signs of differences of moments, see ${name}_spin_stable. */
+%% if has_proof then
+/*@ assigns order[0 .. 2] \from p[0 .. ${upper}_NP - 1];
+    ensures \initialized(order + (0 .. 2));
+    ensures \forall int i; 0 <= i < 3 ==> -1 <= order[i] <= 1; */
+%% end
 static void ${name}_order(const ${name}_real p[], int order[3])
 {
 %% for _, line in ipairs(order_lines) do

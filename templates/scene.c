@@ -116,6 +116,9 @@ ${closed_source}
 %% if stepper_source ~= "" then
 ${stepper_source}
 %% end
+%% if has_guard then
+${guard_source}
+%% end
 %% if has_rates then
 ${analysis_source}
 ${stability_source}

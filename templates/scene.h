@@ -95,6 +95,9 @@ ${closed_header}
 %% if stepper_header ~= "" then
 ${stepper_header}
 %% end
+%% if has_guard then
+${guard_header}
+%% end
 %% if has_rates then
 ${principal_header}
 ${analysis_header}

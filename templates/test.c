@@ -212,6 +212,39 @@ static void principal(const ${name}_model *m)
 }
 
 %% end
+%% if has_guard then
+/* The ends of each range are within it; a few units of the last place beyond, infinity and NaN are not. */
+static void guard(void)
+{
+  const ${name}_real infinite = ${huge};
+  const struct {
+    ${name}_real low, high, below, above;
+    int state; /* that is named */
+  } range[${upper}_NX] = {
+%%   for _, r in ipairs(guard_rows) do
+    {${r.low}, ${r.high}, ${r.below}, ${r.above}, ${r.answer}}${r.tail}
+%%   end
+  };
+  ${name}_real x[${upper}_NX];
+  int i, k, ok = 1;
+
+  for (i = 0; i < ${upper}_NX; i++) x[i] = range[i].high;
+  ok = ok && ${name}_within(x) == 0;
+  for (i = 0; i < ${upper}_NX; i++) x[i] = range[i].low;
+  ok = ok && ${name}_within(x) == 0;
+  for (i = 0; i < ${upper}_NX; i++) {
+    const ${name}_real outside[5] = {range[i].below, range[i].above, infinite, -infinite, infinite - infinite};
+
+    for (k = 0; k < 5; k++) {
+      x[i] = outside[k];
+      ok = ok && ${name}_within(x) == 1 + range[i].state;
+    }
+    x[i] = range[i].low;
+  }
+  report(ok, "the guard lets the declared ranges pass and nothing else");
+}
+
+%% end
 %% if stability_numeric then
 /* the predicate without dissipation against the product of the linearised rates of the same moments */
 static void spins(const ${name}_model *m)
@@ -284,6 +317,9 @@ int main(void)
 
 %% if has_transition then
   tangent(&m, x2, u, ${transition_step});
+%% end
+%% if has_guard then
+  guard();
 %% end
 %% if has_rates then
   principal(&m);

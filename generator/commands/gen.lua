@@ -9,12 +9,13 @@ local packages = require "generator.emit.packages.list"
 local planner = require "generator.commands.planner"
 local driver = require "generator.driver"
 local methods = require "generator.methods.list"
+local proof = require "generator.emit.proof"
 local shortest = require("generator.plan.decision").shortest
 
 local gen = {}
 
 gen.options = { ["-o"] = "text", ["--real"] = { "double", "float" }, ["--bake"] = false, ["--method"] = "words",
-  ["--order"] = "number", ["--accuracy"] = "number", ["--with"] = { "jacobians", "q31", several = true },
+  ["--order"] = "number", ["--accuracy"] = "number", ["--with"] = { "jacobians", "proof", "q31", several = true },
   ["--libm"] = { "own", "system" }, ["--project"] = packages.names, ["--target"] = "words",
   ["--set"] = "pair", ["--show"] = { "lower", "power", "fold", "cse", "dce", "order" } }
 gen.operands = { 1, 1 }
@@ -80,6 +81,9 @@ function gen.run(host, given)
   if given.accuracy and not (given.accuracy > 0 and given.accuracy < 1) then
     wrong = "--accuracy must be between 0 and 1, got " .. shortest(given.accuracy)
   end
+  if given.with and given.with.proof and (given.project or packages.default) ~= "make" then
+    wrong = "--with proof: the proof is a rule of --project make, got --project " .. given.project
+  end
   if wrong then
     host.err("polhode gen: " .. wrong .. "\n")
     return 2
@@ -114,6 +118,8 @@ function gen.run(host, given)
     return options.refuse(host, given[1], job.diag)
   end
   job.planned = decision
+  job.proof = given.with ~= nil and given.with.proof
+  if job.proof and not proof.check(job) then return options.refuse(host, given[1], job.diag) end
   if given.show then
     host.out(driver.show(host, job, given.show))
     return 0

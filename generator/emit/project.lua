@@ -7,10 +7,12 @@
 
 local R = require "generator.algebra.rational"
 local economy = require "generator.emit.economy"
+local guard = require "generator.emit.guard"
 local init = require "generator.emit.init"
 local libm = require "generator.emit.libm"
 local number = require "generator.emit.number"
 local orbit = require "generator.emit.orbit"
+local proof = require "generator.emit.proof"
 local q31 = require "generator.emit.q31"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
@@ -280,6 +282,8 @@ local function code(job)
   closed_values(job, v, ctx)
   steppers.render(job, v, ctx)
   special.render(job, v)
+  guard.fill(job, v)
+  proof.fill(job, v)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   if v.has_rates then
     v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"

@@ -273,10 +273,10 @@ local function recurrences(ctx, program, v)
   end
   for _, d in ipairs(program.constants) do
     if seen[d.name] then
-      local inputs = {}
+      local inputs, letter = {}, d.name .. "_t" -- all are in one scope, around that of the recurrences
       plain(inputs, names)
       local g = { where = 1, defs = {}, outs = { { c = type_name .. d.name, expr = d.expr } } }
-      for _, l in ipairs(rendered(ctx, inputs, { g })[1]) do v.taylor_outer[#v.taylor_outer + 1] = l end
+      for _, l in ipairs(rendered(ctx, inputs, { g }, letter)[1]) do v.taylor_outer[#v.taylor_outer + 1] = l end
       names[#names + 1] = d.name
     end
   end

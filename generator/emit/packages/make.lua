@@ -1,13 +1,19 @@
--- make.lua -- the plain project: a Makefile and a README.
+-- make.lua -- the plain project: a Makefile and a README; with its proof (emit/proof.lua) where that is asked for.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local make = {}
 
-function make.files(_, v, render)
+function make.files(job, v, render)
   v.project_files = { { name = "Makefile",
     about = "`make check` builds and runs the self-test, `make promises` shows what the object needs" } }
+  local proof
+  if v.has_proof then
+    proof = { name = job.model.name .. "_proof.c", text = render "templates/proof.c" }
+    v.project_files[2] = { name = proof.name,
+      about = "`make proof`: Frama-C shows that no step from within the ranges overflows or divides by zero" }
+  end
   return { { name = "Makefile", text = render "templates/Makefile" },
-    { name = "README.md", text = render "templates/README.md" } }
+    { name = "README.md", text = render "templates/README.md" }, proof }
 end
 
 return make
