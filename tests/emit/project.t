@@ -102,7 +102,7 @@ do
   says(h, "typedef double brick_real;", "the real type is named once")
   for _, line in ipairs { "BRICK_QW, BRICK_QX, BRICK_QY, BRICK_QZ, /* attitude, body to inertial [1] */",
     "BRICK_WX, BRICK_WY, BRICK_WZ, /* rates, body axes [rad/s] */", "BRICK_NX\n",
-    "BRICK_A, /* default 0.2 m", "BRICK_M, /* default 2.4 kg", "BRICK_NP\n",
+    "BRICK_A, /* default 0.2 [m] */", "BRICK_M, /* default 2.4 [kg] */", "BRICK_NP\n",
     "enum { BRICK_NU = 0 }; /* no input: u may be NULL */", "Ixx = M*(b^2 + c^2)/3", "Ixy = -M*a*b/4",
     "No effects: torque-free motion", "polhode gen test.lua", "param: M must be positive (brick.lua:3)",
     "box: x must be positive (brick.lua:6)", "every derived constant must be finite", 'extern "C"' } do

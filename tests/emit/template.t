@@ -70,11 +70,11 @@ fails("no newline at the end", {}, "templates/x.c:1", "a last line without a new
 do
   local scene = require "tests.scene"
   local names = {}
-  local pipe = assert(io.popen "ls templates")
+  local pipe = assert(io.popen "find templates -type f | LC_ALL=C sort")
   for name in pipe:lines() do names[#names + 1] = name end
   pipe:close()
   for _, name in ipairs(names) do
-    local text = scene.slurp("templates/" .. name)
+    local text = scene.slurp(name)
     tap.ok(text:find "\n$" and not text:find "\r" and not text:find "\t%S*%%%%", name .. ": ends in a newline, no \\r")
     for logic in text:gmatch "\n%s*%%%%%s*([^\n]*)" do
       if not (logic:find "^for [%w_, ]+ in ipairs%([%w_.]+%) do$" or logic:find "^if .+ then$" or logic == "else"
