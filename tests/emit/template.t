@@ -78,7 +78,7 @@ do
     tap.ok(text:find "\n$" and not text:find "\r" and not text:find "\t%S*%%%%", name .. ": ends in a newline, no \\r")
     for logic in text:gmatch "\n%s*%%%%%s*([^\n]*)" do
       if not (logic:find "^for [%w_, ]+ in ipairs%([%w_.]+%) do$" or logic:find "^if .+ then$" or logic == "else"
-        or logic:find "^elseif .+ then$" or logic == "end") then
+        or logic:find "^%-%- " or logic:find "^elseif .+ then$" or logic == "end") then
         tap.ok(false, name .. ": logic is for over a list, if, else and end", logic)
       end
     end
