@@ -183,32 +183,60 @@ end
 
 -- ---- stacks ----
 
--- Worst stacks by name from the compiler's graph; the C library's functions from their machine code.
+local PIECE = 0x2000 -- bytes of code whose listing is surely shorter than MOST
+
+-- The listing of all functions of a linked file, and their addresses as nm(1) writes them.
+local function listing(host, dir, core, elf)
+  local places, nm, text = {}, {}, {}
+  for name, s in pairs(object.read(host.read(dir .. "/" .. elf)).symbols) do -- sorted below: order is lost
+    places[#places + 1] = s.value & ~1
+    nm[#nm + 1] = string.format("%x T %s", s.value, name)
+  end
+  table.sort(places)
+  table.sort(nm)
+  local from = places[1]
+  for i, place in ipairs(places) do -- cut where a symbol is, so no function is cut
+    local next_one = places[i + 1]
+    if not next_one or next_one - from > PIECE then
+      local stop = next_one and place > from and place or next_one
+      local command = { core.prefix .. "objdump", "-d", string.format("--start-address=0x%x", from) }
+      if stop then command[#command + 1] = string.format("--stop-address=0x%x", stop) end
+      command[#command + 1] = elf
+      local _, piece = host.execute(command, { dir = dir })
+      if #piece >= MOST then return nil, "a function is too large to be read" end
+      text[#text + 1] = piece
+      from = stop
+    end
+  end
+  return table.concat(text), table.concat(nm, "\n")
+end
+
+-- Worst stacks by name from the compiler's graph; the C library's functions, and on ARM all, from their machine code.
 local function stacks(host, dir, core, modules)
   local graph
   for _, name in ipairs(objects(core, modules)) do
     graph = stack.read(host.read(dir .. "/" .. string.gsub(name, "o$", "ci")), graph)
   end
-  local names, seen = {}, {}
-  for _, f in ipairs(stack.worst(graph)) do
-    for _, name in ipairs(f.missing) do
-      if not seen[name] then names[#names + 1] = name end
-      seen[name] = true
+  if core.arm then -- all of it: gcc's graph forgets a part of some frames
+    local text, nm = listing(host, dir, core, core.name .. ".all")
+    if not text then return nil, nm end
+    stack.disassembly(text, nm, graph)
+  else
+    local names, seen = {}, {}
+    for _, f in ipairs(stack.worst(graph)) do
+      for _, name in ipairs(f.missing) do
+        if not seen[name] then names[#names + 1] = name end
+        seen[name] = true
+      end
     end
-  end
-  if #names > 0 then
-    local elf = core.name .. ".lib"
-    local ok, why = compile(host, { alone(dir, core, {}, elf, names) })
-    if not ok then return nil, why end
-    local _, text = host.execute({ core.prefix .. "objdump", "-d", elf }, { dir = dir })
-    if #text >= MOST then return nil, "the C library's part is too large to be read" end
-    local nm = {}
-    for name, s in pairs(object.read(host.read(dir .. "/" .. elf)).symbols) do -- sorted below
-      nm[#nm + 1] = string.format("%x T %s", s.value, name)
+    if #names > 0 then
+      local elf = core.name .. ".lib"
+      local ok, why = compile(host, { alone(dir, core, {}, elf, names) })
+      if not ok then return nil, why end
+      local text, nm = listing(host, dir, core, elf)
+      if not text then return nil, nm end
+      frames.riscv(text, nm, graph)
     end
-    table.sort(nm)
-    nm = table.concat(nm, "\n")
-    if core.arm then stack.disassembly(text, nm, graph) else frames.riscv(text, nm, graph) end
   end
   local worst = {}
   for _, f in ipairs(stack.worst(graph)) do worst[f.name] = worst[f.name] or f end
