@@ -55,7 +55,7 @@ function stages.prepare(eq, whole)
   local zero = stages.conserved(eq)
   local set = varying(eq, zero)
   local out = { groups = {}, factor = {}, zero = zero }
-  for _, g in ipairs(eq.groups) do -- a factor stands before all definitions
+  for _, g in ipairs(eq.free and {} or eq.groups) do -- where something acts the factor stands before all definitions
     for _, d in ipairs(g.defs) do set[d.name] = true end
   end
   for _, g in ipairs(eq.groups) do
