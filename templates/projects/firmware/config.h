@@ -29,6 +29,9 @@
 #ifndef APP_INJECT
 #define APP_INJECT 0 /* negative controls, inject.c: 1 a bit of q, 2 a NaN, 3 a gyro that is stuck, 4 a trap */
 #endif
+#ifndef APP_INJECT_AT
+#define APP_INJECT_AT 100 /* the cycle of 1, 2 and 4 */
+#endif
 
 /* ---- the scene's ---- */
 
