@@ -146,6 +146,13 @@ do
   tap.is(lines.E[1][1], (128 + 3) * 16, "the stuck gyro is found with the fourth equal reading")
 end
 
+-- A clock too fast for the 24 bits of SysTick (steps of 1/4096 s, so beyond 2^36 Hz) is refused, with more ticks not.
+for ticks, want in ipairs { false, true } do
+  local text, ok = firmware.run(dir .. "/probeprojectfirmware", "gcc -std=c99 -fsyntax-only -DAPP_CLOCK=70000000000 "
+    .. "-DAPP_TICKS=" .. ticks .. " main.c")
+  tap.ok(ok == want and (ok or text:find("24 bits", 1, true)), "a period of SysTick in 24 bits, " .. ticks, text)
+end
+
 -- What cannot be firmware is refused in words.
 for _, c in ipairs {
   { "bodies/dropped_stone.lua", "", "project firmware: the scene must have an attitude to estimate" },
