@@ -26,7 +26,7 @@ local function instruct(n, name, line)
   local down = string.match(operands, "^sp,sp,%-(%d+)")
   if down then
     n.bytes = n.bytes + math.tointeger(tonumber(down))
-  elseif string.find(operands, "^sp,") and string.find(instruction, "^sub") then
+  elseif string.find(operands, "^sp,%w+,%a") then -- by a register: add is how frames beyond 2 kB are made
     n.kind = "dynamic"
   end
   if not string.find(instruction, "^[jb]") then return end

@@ -72,11 +72,17 @@ local TEXT = [[
 80000030 <__eqsf2>:
 80000030:	4f2022ef          	jal	t0,80000050 <__riscv_save_5>
 80000034:	8082                	ret
+
+80000060 <_large>:
+80000060:	72fd                	lui	t0,0xfffff
+80000062:	9116                	add	sp,sp,t0
+80000064:	8082                	ret
 ]]
 local graph = frames.riscv(TEXT, "80000030 T __eqsf2\n80000030 T __nesf2\n", { order = {}, nodes = {} })
 local worst = {}
 for _, f in ipairs(stack.worst(graph)) do
   worst[f.name] = f.bytes
+  tap.is(f.dynamic ~= nil, f.name == "_large", f.name .. ": a frame from a register is said to be no bound")
   tap.is(#f.missing, 0, f.name .. ": all that it calls is known")
 end
 tap.is(worst.__clzsi2, 0, "a leaf without a frame")

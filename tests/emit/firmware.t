@@ -129,6 +129,14 @@ do
     tap.is(text:gsub("E [^\n]*\n", ""):gsub("R [^\n]*\n", ""), (clean:gsub("R [^\n]*\n", "")),
       w[2] .. ": after it the state is what it would have been")
   end
+  -- with the gyro: also in cycles with a reading, whose correction is lost with the state that it corrected
+  for _, at in ipairs { 15, 16, 64, 100, 160 } do
+    local text = firmware.run(folder, string.format("rm -f build/host-1024-1024; make -s build/host-1024-1024 "
+      .. "CYCLES=1024 EVERY=1024 DEFS='-DAPP_INJECT=1 -DAPP_INJECT_AT=%d' && ./build/host-1024-1024", at))
+    local lines = firmware.read(text)
+    tap.ok(#lines.E == 1 and lines.E[1][1] == at and #lines.R == 1 and lines.R[1][1] == 1024,
+      "a flipped bit in cycle " .. at .. " of the filter: reported once, and the program goes on", text)
+  end
   local text, ok = firmware.run(folder, "make -s faults")
   local codes = {}
   for code in text:gmatch "\nE %x+ (%x+)" do codes[#codes + 1] = tonumber(code, 16) end
@@ -136,6 +144,13 @@ do
   tap.ok(ok, "and the program goes on")
   local lines = firmware.read(text:match "APP_INJECT=3\n(.*)")
   tap.is(lines.E[1][1], (128 + 3) * 16, "the stuck gyro is found with the fourth equal reading")
+end
+
+-- A clock too fast for the 24 bits of SysTick (steps of 1/4096 s, so beyond 2^36 Hz) is refused, with more ticks not.
+for ticks, want in ipairs { false, true } do
+  local text, ok = firmware.run(dir .. "/probeprojectfirmware", "gcc -std=c99 -fsyntax-only -DAPP_CLOCK=70000000000 "
+    .. "-DAPP_TICKS=" .. ticks .. " main.c")
+  tap.ok(ok == want and (ok or text:find("24 bits", 1, true)), "a period of SysTick in 24 bits, " .. ticks, text)
 end
 
 -- What cannot be firmware is refused in words.

@@ -24,7 +24,8 @@ local brick = projects.one(dir, "bodies/damped_brick.lua", "float")
 local wheels = projects.one(dir, "bodies/wheels.lua", "double", "--method rk4,adaptive,semi")
 
 local function says(p, format)
-  program.shell(string.format("cd %s && { timeout 100 " .. format .. "; } >said 2>&1", p.where, p.name .. ".c"))
+  program.shell(string.format("cd %s && { timeout 100 " .. format .. " || echo status $?; } >said 2>&1", p.where,
+    p.name .. ".c"))
   return program.read(p.where .. "/said")
 end
 

@@ -25,5 +25,8 @@ return library.package {
   use = {
     "Put this folder into the sketchbook's `libraries`, then `#include <NAME.h>`. The example is under File, Examples.",
     "Everything is in float. Before you publish it fill in `author`, `maintainer` and `url` of library.properties.",
+    "A library cannot give options to the compiler. On boards that fuse products into sums (not AVR, not Cortex-M0)",
+    "`compiler.c.extra_flags=-ffp-contract=off` in the board's platform.local.txt does, else last bits differ and some",
+    "functions lose digits.",
   },
 }

@@ -102,7 +102,8 @@ local function fill(job, v)
   local function whole(n) return string.format("%d", n) end
   local step = m:number(m.step)
   local ticks = R.toint(R.floor(step * R.new(clock) / R.new(most_ticks))) + 1
-  v.app_step, v.app_ticks, v.app_tick = text(step), whole(ticks), text(step / R.new(ticks))
+  v.app_step, v.app_ticks = text(step), whole(ticks)
+  v.app_clock_most = whole(R.toint(R.floor(R.new(most_ticks) / step))) -- Hz, with one tick a cycle
   v.samples_count, v.samples_every, v.noise = whole(samples.count), whole(s.every), whole(samples.noise)
   v.sample_lines, v.gyro_range, v.gyro_lsb = sample_lines(s.table), text(s.full), text(s.lsb)
   v.gyro_variance = text(s.lsb * s.lsb * (R.new(samples.noise) ^ 2 + R.new(1, 12)))

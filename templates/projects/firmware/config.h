@@ -29,13 +29,21 @@
 #ifndef APP_INJECT
 #define APP_INJECT 0 /* negative controls, inject.c: 1 a bit of q, 2 a NaN, 3 a gyro that is stuck, 4 a trap */
 #endif
+#ifndef APP_INJECT_AT
+#define APP_INJECT_AT 100 /* the cycle of 1, 2 and 4 */
+#endif
 
 /* ---- the scene's ---- */
 
 #define APP_STEP ${app_step} /* s, one cycle: time.step of the scene */
-/* A cycle is APP_TICKS periods of SysTick, whose counter has 24 bits. */
+/* A cycle is APP_TICKS periods of SysTick, whose counter has 24 bits: a faster clock may need more of them. */
+#ifndef APP_TICKS
 #define APP_TICKS ${app_ticks}
-#define APP_TICK ${app_tick} /* s */
+#endif
+#if APP_CLOCK > ${app_clock_most}*APP_TICKS
+#error "a period of SysTick has more than 24 bits: more APP_TICKS"
+#endif
+#define APP_TICK (APP_STEP/APP_TICKS) /* s */
 
 /* ---- gyro: samples ${samples_count}, one every ${samples_every} cycles ---- */
 

@@ -86,7 +86,7 @@ void estimator_predict(estimator *e)
   e->cycle++;
 }
 
-void estimator_restore(estimator *e, const ${name}_real good[])
+void estimator_restore(estimator *e, const ${name}_real good[], uint32_t cycle)
 {
   int i;
 
@@ -94,8 +94,7 @@ void estimator_restore(estimator *e, const ${name}_real good[])
 #if APP_GYRO
   covariance_start(e);
 #endif
-  e->cycle--;
-  estimator_predict(e);
+  e->cycle = cycle;
 }
 
 #if APP_GYRO

@@ -30,8 +30,8 @@ int estimator_start(estimator *e);
 /* One cycle on. */
 void estimator_predict(estimator *e);
 
-/* A state that is known to be good, of the cycle before this one: brought to this one, its covariance started anew. */
-void estimator_restore(estimator *e, const ${name}_real good[]);
+/* Back to a state that is known to be good, of that cycle, its covariance started anew. */
+void estimator_restore(estimator *e, const ${name}_real good[], uint32_t cycle);
 #if APP_GYRO
 
 /* The measured rates into state and covariance. */

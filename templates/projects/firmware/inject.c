@@ -6,17 +6,13 @@
 
 #include <string.h>
 
-#if APP_INJECT != 0
-#define WHEN 100 /* the cycle */
-#endif
-
 void inject(estimator *e)
 {
 #if APP_INJECT == 1 || APP_INJECT == 2
   ${bits_type} bits;
   int i = ${upper}_WX;
 
-  if (e->cycle != WHEN) return;
+  if (e->cycle != APP_INJECT_AT) return;
 #if APP_INJECT == 1
   { /* a bit of the largest component of q: it changes by 1/256 to 1/128 of itself */
     int k;
@@ -34,7 +30,7 @@ void inject(estimator *e)
 #endif
   memcpy(&e->x[i], &bits, sizeof bits);
 #elif APP_INJECT == 4
-  if (e->cycle == WHEN) __builtin_trap();
+  if (e->cycle == APP_INJECT_AT) __builtin_trap();
 #else
   (void)e;
 #endif

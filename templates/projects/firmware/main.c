@@ -22,16 +22,39 @@ int main(void);
 static estimator state;
 static watchdog guard;
 
+/* Returns 0 if the faults are too many to go on. */
+static int checked(void)
+{
+#if APP_WATCHDOG
+  const uint32_t now = state.cycle;
+  const int found = watchdog_check(&guard, &state);
+
+  if (found == WATCHDOG_FINE) return 1;
+  telemetry_event(state.cycle, (uint32_t)found);
+  if (guard.total >= APP_FAULT_LIMIT || state.cycle == 0) return 0;
+  estimator_restore(&state, guard.good, guard.cycle);
 #if APP_GYRO
-static void take_reading(void)
+  watchdog_corrected(&guard, &state); /* corrections that are lost no longer count */
+#endif
+  if (state.cycle != now) estimator_predict(&state);
+  return watchdog_check(&guard, &state) == WATCHDOG_FINE; /* if it fails again, it was no accident */
+#else
+  return 1;
+#endif
+}
+
+#if APP_GYRO
+/* The same. */
+static int take_reading(void)
 {
   int16_t raw[3];
   ${name}_real w[3];
   int found;
 
-  if (!gyro_read(state.cycle, raw)) return;
+  if (!gyro_read(state.cycle, raw)) return 1;
   found = watchdog_gyro(&guard, raw);
   if (found == WATCHDOG_FINE) {
+    if (!checked()) return 0; /* what a fault left is not made plausible by a reading */
     gyro_rates(raw, w);
     estimator_correct(&state, w);
 #if APP_WATCHDOG
@@ -40,24 +63,9 @@ static void take_reading(void)
   } else if (found == WATCHDOG_GYRO) {
     telemetry_event(state.cycle, WATCHDOG_GYRO);
   }
-}
-#endif
-
-/* Returns 0 if the faults are too many to go on. */
-static int checked(void)
-{
-#if APP_WATCHDOG
-  const int found = watchdog_check(&guard, &state);
-
-  if (found == WATCHDOG_FINE) return 1;
-  telemetry_event(state.cycle, (uint32_t)found);
-  if (guard.total >= APP_FAULT_LIMIT || state.cycle == 0) return 0;
-  estimator_restore(&state, guard.good);
-  return watchdog_check(&guard, &state) == WATCHDOG_FINE; /* if it fails again, it was no accident */
-#else
   return 1;
-#endif
 }
+#endif
 
 int main(void)
 {
@@ -77,7 +85,7 @@ int main(void)
     }
     estimator_predict(&state);
 #if APP_GYRO
-    take_reading();
+    ok = take_reading() && ok;
 #endif
   }
   if (!ok) port_safe();

@@ -39,6 +39,7 @@ void watchdog_start(watchdog *w, const estimator *e)
   int i;
 
   for (i = 0; i < ${upper}_NX; i++) w->good[i] = e->x[i];
+  w->cycle = e->cycle;
 %% if has_laws then
 #if APP_WATCHDOG
   conserved(e, w->last);
@@ -84,6 +85,7 @@ static int examine(watchdog *w, const estimator *e)
   for (i = 0; i < LAWS; i++) w->last[i] = c[i];
 %% end
   for (i = 0; i < ${upper}_NX; i++) w->good[i] = e->x[i];
+  w->cycle = e->cycle;
   return WATCHDOG_FINE;
 }
 

@@ -21,7 +21,8 @@ enum { /* what was found, as telemetry has it */
 };
 
 typedef struct watchdog {
-  ${name}_real good[${upper}_NX]; /* the last state that passed */
+  ${name}_real good[${upper}_NX]; /* the last state that passed, */
+  uint32_t cycle;                 /* and its cycle: this one or the one before */
 %% if has_laws then
   ${name}_real last[${laws_count}], first[${laws_count}]; /* ${laws_text}: of the last check, and since when it must hold */
 %% end
