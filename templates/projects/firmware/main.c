@@ -6,8 +6,8 @@
  * template: templates/projects/firmware/main.c.  ${license}
  *
  * A cycle: check the state as memory gives it back, put it out if it is due, wait for the clock, go one step on, take
- * the gyro's reading if there is one.  So nothing is used or put out that has not been checked, and a fault costs one
- * cycle: the last good state is taken again and brought to the present.
+ * the gyro's reading if there is one.  No state is used or put out that has not been checked (of the variances only
+ * that they are finite), and a fault costs one cycle: the last good state is taken again and brought to the present.
  */
 #include "config.h"
 #include "estimator.h"

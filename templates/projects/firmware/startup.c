@@ -35,8 +35,8 @@ void fault_report(const uint32_t *frame)
   words[1] = frame[5];
   words[2] = CFSR;
   words[3] = HFSR;
+  port_safe(); /* first: without a debugger what follows is one more fault */
   telemetry_trap(words, 4);
-  port_safe();
   port_exit(99);
 }
 
