@@ -73,6 +73,18 @@ function gen.order(given)
   return n and math.tointeger(n)
 end
 
+-- What a kind of project other than the plain one has no place for, or nil.
+local function refused_by_project(given)
+  local kind, with = given.project or packages.default, given.with or {}
+  if kind == "make" then return nil end
+  if with.proof then return "--with proof: the proof is a rule of --project make, got --project " .. kind end
+  if with.q31 then return "--with q31: its files come with --project make, got --project " .. kind end
+  if given.target and (kind == "fmu" or kind == "firmware") then
+    return "--target: its README has no sheet of costs (explain --target prints one), got --project " .. kind
+  end
+  return nil
+end
+
 function gen.run(host, given)
   local chosen, wrong = chosen_methods(given)
   local order, bad = gen.order(given)
@@ -81,9 +93,8 @@ function gen.run(host, given)
   if given.accuracy and not (given.accuracy > 0 and given.accuracy < 1) then
     wrong = "--accuracy must be between 0 and 1, got " .. shortest(given.accuracy)
   end
-  if given.with and given.with.proof and (given.project or packages.default) ~= "make" then
-    wrong = "--with proof: the proof is a rule of --project make, got --project " .. given.project
-  end
+  wrong = wrong or refused_by_project(given)
+  if given.o == "" then wrong = "-o needs the name of a directory" end
   if wrong then
     host.err("polhode gen: " .. wrong .. "\n")
     return 2

@@ -39,6 +39,23 @@ do
   tap.like(err, "--format must be text, markdown, latex or json, got urdf", "the message names the formats")
 end
 
+-- What a kind of project has no place for.
+for _, case in ipairs {
+  { "--real float --target cortex-m4f --project fmu -o " .. dir .. "/none",
+    "--target: its README has no sheet of costs (explain --target prints one), got --project fmu" },
+  { "--real float --target cortex-m4f --project firmware -o " .. dir .. "/none",
+    "--target: its README has no sheet of costs (explain --target prints one), got --project firmware" },
+  { "--with q31 --project fmu -o " .. dir .. "/none",
+    "--with q31: its files come with --project make, got --project fmu" },
+  { "--with q31 --project cmake -o " .. dir .. "/none",
+    "--with q31: its files come with --project make, got --project cmake" },
+  { "-o ''", "-o needs the name of a directory" },
+} do
+  local status, out, err = run("", "gen " .. BODY .. " " .. case[1])
+  tap.is(status, 2, case[2])
+  tap.is(out .. err, "polhode gen: " .. case[2] .. "\n", "the message is one line")
+end
+
 -- A PATH where nothing is: every tool is missing, and each package is named once.
 for _, command in ipairs { "gen", "explain" } do
   local where = command == "gen" and " -o " .. dir .. "/none" or ""

@@ -149,6 +149,23 @@ tap.ok(count == 3 and kinds.KEYWORD1 and kinds.KEYWORD2 and kinds.LITERAL1,
 local none, why = firmware.make(dir, "bodies/brick.lua", "--project arduino --real double")
 tap.like(not none and why, "project arduino: must be in float", "arduino: double is refused")
 
+-- ---- names that a kind of project has taken ----
+
+for _, case in ipairs {
+  { "cmake", "test", "a target of CMake's own" }, { "cmake", "install", "a target of CMake's own" },
+  { "make", "Makefile", "a file of the project" },
+} do
+  local kind, name, what = table.unpack(case)
+  local path = dir .. "/" .. name .. ".lua"
+  local f = assert(io.open(path, "w"))
+  f:write(string.format("return scene { name = %q, body = solid.sphere { r = 1, mass = 1 }, effects = {},\n", name),
+    "  initial = { omega = { 0, 0, 1 } } }\n")
+  f:close()
+  local made, refusal = firmware.make(dir, path, "--project " .. kind)
+  tap.like(not made and refusal, "project " .. kind .. ": the scene must not be named like " .. what,
+    kind .. ": a scene is not named " .. name)
+end
+
 -- ---- platformio: library.json by its schema ----
 
 local manifest = json.read(read(at.platformio .. "/library.json"))

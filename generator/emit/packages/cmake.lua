@@ -3,7 +3,23 @@
 
 local library = require "generator.emit.packages.library"
 
+local reserved = {} -- CMake's own targets (policy CMP0037)
+for word in string.gmatch([[all ALL_BUILD help install INSTALL preinstall clean edit_cache rebuild_cache ZERO_CHECK
+  test RUN_TESTS package PACKAGE package_source]], "%S+") do
+  reserved[word] = true
+end
+
+local function check(job)
+  if reserved[job.model.name] then
+    job.diag:error(job.record.line, "project cmake", "the scene must not be named like a target of CMake's own",
+      job.model.name)
+    return false
+  end
+  return true
+end
+
 return library.package {
+  check = check,
   where = { header = "include", source = "src", test = "tests" },
   files = { { "cmake.txt", "CMakeLists.txt" } },
   about = { { "CMakeLists.txt", "library NAME::NAME, self-test, installation; C99, CMake 3.13 or later" } },

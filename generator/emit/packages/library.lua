@@ -23,15 +23,7 @@ end
 -- A package from a description {where = {header =, source =, test =} folders, files = {{template, name}, ..},
 -- about = rows of the README's table, use = lines of its section}; names and lines may have NAME and UPPER in them.
 function library.package(d)
-  local package = { real = d.real }
-
-  function package.check(job)
-    if job.q31 then
-      job.diag:error(job.record.line, "with q31", "comes as a plain project, --project make", "a library's")
-      return false
-    end
-    return not d.check or d.check(job)
-  end
+  local package = { real = d.real, check = d.check }
 
   local function named(s, v) return (string.gsub(string.gsub(s, "NAME", v.name), "UPPER", v.upper)) end
 

@@ -3,6 +3,13 @@
 
 local make = {}
 
+-- make would build its own Makefile from Makefile.c.
+function make.check(job)
+  if job.model.name ~= "Makefile" then return true end
+  job.diag:error(job.record.line, "project make", "the scene must not be named like a file of the project", "Makefile")
+  return false
+end
+
 function make.files(job, v, render)
   v.project_files = { { name = "Makefile",
     about = "`make check` builds and runs the self-test, `make promises` shows what the object needs" } }
