@@ -38,6 +38,7 @@ for i, row in ipairs(series.list) do
 end
 local body = [[
 #include "all.c"
+#include <math.h>
 #include <stdio.h>
 
 int main(void)
