@@ -15,7 +15,7 @@
 
 local catalogue = {}
 
-catalogue.files = { "separatrix" }
+catalogue.files = { "separatrix", "rest", "inputs" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
 
