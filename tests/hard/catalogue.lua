@@ -15,7 +15,7 @@
 
 local catalogue = {}
 
-catalogue.files = { "separatrix", "rest", "inputs" }
+catalogue.files = { "separatrix", "rest", "inputs", "fields", "moving" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
 
