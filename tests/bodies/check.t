@@ -11,7 +11,7 @@ local tap = require "tests.tap"
 
 local program = require "tests.cli.program"
 
-local binary = program.compiler "-O1" .. " " .. (os.getenv "POLHODE" or "build/polhode")
+local binary = program.quick()
 
 local function lines(command)
   local list = {}

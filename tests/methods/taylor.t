@@ -165,7 +165,7 @@ return scene { name = "top", origin = {0, 0, 0},
   body = tensor { mass = 0.4, com = {0, 0, c}, xx = I1, yy = I1, zz = I3, about = "origin" },
   effects = { effect.gravity { g = 9.81 } },
   initial = { omega = {0.4, -0.3, 60}, attitude = {0.9689124217106447, 0.24740395925452294, 0, 0} } }]])
-local binary = os.getenv "POLHODE" or "build/polhode"
+local binary = program.quick()
 local WARN = "-std=c99 -O2 -ffp-contract=off -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
 
 for _, case in ipairs { { "--order 12", "double" }, { "--order 8 --real float", "float" } } do
@@ -346,4 +346,4 @@ return scene { name = "frame", body = tensor { mass = 1, xx = 2, yy = 3, zz = 4 
   tap.ok(status == 2 and string.find(text, "fixed step", 1, true), "a tolerance for a fixed step is refused")
 end
 
-tap.done()
+tap.done(program.finish())
