@@ -84,7 +84,8 @@ end
 
 program.write(dir .. "/one.sh", [[
 #!/bin/sh
-# one.sh DIRECTORY NAME LEVEL SANITIZE C++ COMPILER...   LEVEL: gcc's; clang's warnings do not depend on it
+# one.sh DIRECTORY NAME LEVEL SANITIZE C++ COMPILER...   LEVEL: gcc's; clang's warnings do not depend on it, what it
+# makes of loops is seen where it is alone
 cd "$1" || exit 1
 name=$2 gcc=$3 sanitize=$4 plus=$5
 shift 5
@@ -92,7 +93,7 @@ warn="-pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror -
 failed() { echo "$1" >>failed; [ -f log ] && head -n 12 log >>failed; }
 for cc in "$@"; do
   level=$gcc
-  [ $cc = clang ] && level=-O1
+  [ $cc = clang ] && level=-O1 && [ $# = 2 ] && level=-O0
   $cc -std=c99 $level $warn -c $name.c -o $name-$cc.o 2>log || failed "$cc compiles the code"
   $cc -std=c99 -O0 $warn -c ${name}_test.c -o test-$cc.o 2>log || failed "$cc compiles the self-test"
   $cc test-$cc.o $name-$cc.o -lm -o test-$cc 2>log || failed "$cc links"
