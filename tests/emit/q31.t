@@ -90,9 +90,10 @@ ok, log = shell("cd %s && gcc -std=c99 -O2 -mgeneral-regs-only -c b_q31.c -o n.o
 tap.ok(ok == 0 and not string.find(log, "U [^_]"), "the step has no floating point and calls nothing", log)
 
 -- the library, installed, has the step in whole numbers too
-ok, log = shell("cd %s && make CC=gcc DESTDIR=%s/root PREFIX=/usr install && printf '%%s' '%s' >use.c && gcc -std=c99 " ..
-  "-I%s/root/usr/include use.c -L%s/root/usr/lib -lb -lm -o use && ./use", scenes[1].at, dir,
-  '#include "b_q31.h"\n' .. "int main(void) { int32_t x[B_Q31_NX]; b_q31_initial(x); return (int)b_q31_step(x, 0); }", dir, dir)
+program.write(scenes[1].at .. "/use.c", '#include "b_q31.h"\n' ..
+  "int main(void) { int32_t x[B_Q31_NX]; b_q31_initial(x); return (int)b_q31_step(x, 0); }\n")
+ok, log = shell("cd %s && make install CC=gcc DESTDIR=%s/root PREFIX=/usr && gcc -std=c99 -I%s/root/usr/include " ..
+  "use.c -L%s/root/usr/lib -lb -lm -o use && ./use", scenes[1].at, dir, dir, dir)
 tap.ok(ok == 0, "make install: header and library of the step in whole numbers", log)
 
 -- Remainders are less than a unit: whatever stands there, one step is that of some remainder, at most a unit away, and
