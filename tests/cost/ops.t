@@ -47,8 +47,8 @@ local function run(job, tag, calls, fma)
   program.write(dir .. "/" .. tag .. ".c", changed(job.code.source))
   program.write(dir .. "/" .. tag .. ".main.cc", table.concat(text, "\n"))
   local pipe = assert(io.popen(string.format("cd %s && %s -std=c++11 -w -O0 -I%s/tests/cost %s %s.main.cc " ..
-    "-o %s.run -lm 2>&1 && ./%s.run", dir, compiler, os.getenv "PWD", fma and "-DFP_FAST_FMA -DFP_FAST_FMAF" or "", tag, tag,
-    tag)))
+    "-o %s.run -lm 2>&1 && ./%s.run", dir, compiler, os.getenv "PWD",
+    fma and "-DFP_FAST_FMA -DFP_FAST_FMAF" or "", tag, tag, tag)))
   local out, text_out = {}, {}
   for line in pipe:lines() do
     local words = {}
