@@ -25,3 +25,25 @@ static void ${name}_zero(void *to, unsigned int size)
   }
 }
 %% end
+
+/* Is the state at time 0 made of numbers?  Rates next to the end of the type's range overflow on the way to it. */
+static int ${name}_starts(const ${name}_orbit *o)
+{
+%% if has_full then
+  enum { n = ${upper}_NX };
+  ${name}_real x[n];
+  int i;
+
+  ${name}_at(o, ${zero}, x);
+%% else
+  enum { n = 3 };
+  ${name}_real x[n];
+  int i;
+
+  ${name}_at_rates(o, ${zero}, x);
+%% end
+  for (i = 0; i < n; i++) {
+    if (!(x[i] - x[i] == ${zero})) return 0;
+  }
+  return 1;
+}

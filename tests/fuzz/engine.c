@@ -6,8 +6,9 @@
  * command) and what of the outcome is a finding.  A finding is printed and ends in abort(), as do
  * an error nobody caught (the program's status 70) and a case of more than CPU seconds.
  *
- * Lua's own code is not instrumented, so the lines that the generator executes are counted by a
- * hook into libFuzzer's extra counters (-DFUZZ_COVERAGE): inputs that reach new lines are kept.
+ * Lua's own code is not instrumented, so a hook counts into libFuzzer's extra counters
+ * (-DFUZZ_COVERAGE) what the generator executes: lines while a scene is read, in the sandbox, and
+ * functions in the algebra that follows, which is most of the time.
  */
 #include "../../src/cli/host.h"
 #include "../../src/cli/rational.h"
@@ -37,21 +38,22 @@ static lua_Hook inner;
 #ifdef FUZZ_COVERAGE
 __attribute__((section("__libfuzzer_extra_counters"))) static uint8_t lines[1 << 15];
 
-static void count_line(lua_State *L, lua_Debug *ar) {
+static void count_place(lua_State *L, lua_Debug *ar) {
   uint32_t hash = 2166136261u;
   lua_getinfo(L, "S", ar);
   if (strncmp(ar->short_src, "generator/", 10) != 0)
     return;
   for (const char *s = ar->short_src + 10; *s != '\0'; s++)
     hash = (hash ^ (unsigned char)*s) * 16777619u;
-  hash = (hash + (uint32_t)ar->currentline) * 2654435761u;
+  const int line = ar->event == LUA_HOOKLINE ? ar->currentline : ar->linedefined;
+  hash = (hash + (uint32_t)line) * 2654435761u;
   uint8_t *c = &lines[hash >> 17];
   *c = (uint8_t)(*c + (*c < 255));
 }
 
 static void outer(lua_State *L, lua_Debug *ar) {
-  if (ar->event == LUA_HOOKLINE)
-    count_line(L, ar);
+  if (ar->event != LUA_HOOKCOUNT)
+    count_place(L, ar);
   else if (inner != NULL)
     inner(L, ar);
 }
@@ -60,7 +62,7 @@ static void outer(lua_State *L, lua_Debug *ar) {
 void fuzz_sethook(lua_State *L, lua_Hook hook, int mask, int count) {
   inner = hook;
 #ifdef FUZZ_COVERAGE
-  lua_sethook(L, outer, mask | LUA_MASKLINE, count);
+  lua_sethook(L, outer, mask | (hook != NULL ? LUA_MASKLINE : LUA_MASKCALL), count);
 #else
   lua_sethook(L, hook, mask, count);
 #endif

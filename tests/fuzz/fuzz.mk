@@ -57,21 +57,19 @@ $(ENGINES:%=$(OUT)/%): $(OUT)/%: $(OUT)/engine_%.o $(OUT)/engine_sandbox.o $(DRI
 # ---- mesh readers: their faces and their file pass through the harness ----
 
 MESHES = mesh_stl mesh_obj mesh_ply
+READER = $(patsubst src/runtime/%.c,$(OUT)/reader/%.o,$(wildcard src/runtime/mesh*.c))
 
-$(MESHES:%=$(OUT)/%_reader.o): $(OUT)/%_reader.o: src/runtime/%.c src/runtime/mesh.h
+$(OUT)/reader/%.o: src/runtime/%.c src/runtime/mesh.h
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) -Dmesh_add_triangle=fuzz_add_triangle -Dmesh_add_polygon=fuzz_add_polygon -c -o $@ $<
-
-$(OUT)/mesh_file.o: src/runtime/mesh.c src/runtime/mesh.h
-	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) -Dfopen=fuzz_fopen -c -o $@ $<
+	$(CC) $(STD) $(CFLAGS) -DMESH_BYTES=2048 $(if $(filter $*,$(MESHES)),-Dmesh_add_triangle=fuzz_add_triangle \
+	  -Dmesh_add_polygon=fuzz_add_polygon) $(if $(filter $*,mesh),-Dfopen=fuzz_fopen) -c -o $@ $<
 
 $(MESHES:%=$(OUT)/%.o): $(OUT)/%.o: $(FUZZ)/mesh.c $(FUZZ)/fuzz.h
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(CFLAGS) -DFUZZ_SUFFIX='".$(*:mesh_%=%)"' -c -o $@ $<
 
-$(MESHES:%=$(OUT)/%): $(OUT)/%: $(OUT)/%.o $(OUT)/mesh_file.o $(MESHES:%=$(OUT)/%_reader.o) $(DRIVER) $(OBJ)/libpolhode.a
-	$(CC) $(CFLAGS) $(LINK) -o $@ $^ $(SUNDIALS_LIBS) $(LIBS)
+$(MESHES:%=$(OUT)/%): $(OUT)/%: $(OUT)/%.o $(READER) $(DRIVER) $(OBJ)/libpolhode.a
+	$(CC) $(CFLAGS) $(LINK) -o $@ $^ $(LIBS)
 
 # ---- emitted code: each scene in double and, renamed, in float; what it has is read off its header ----
 
@@ -91,10 +89,10 @@ $(OUT)/emit/%.lua: bodies/%.lua
 	@cp $< $@
 $(OUT)/emit/%_f.lua: $(OUT)/emit/%.lua
 	@sed 's/"$*"/"$*_f"/' $< > $@
-$(OUT)/emit/%_f.h: $(OUT)/emit/%_f.lua $(PROGRAM)
-	@$(PROGRAM) gen $< --real float -o $(@D)
-$(OUT)/emit/%.h: $(OUT)/emit/%.lua $(PROGRAM)
-	@$(PROGRAM) gen $< -o $(@D)
+$(OUT)/emit/%_f.h $(OUT)/emit/%_f.c: $(OUT)/emit/%_f.lua $(PROGRAM)
+	@$(PROGRAM) gen $< --real float -o $(@D) && touch $(OUT)/emit/$*_f.[ch] # gen leaves what is the same
+$(OUT)/emit/%.h $(OUT)/emit/%.c: $(OUT)/emit/%.lua $(PROGRAM)
+	@$(PROGRAM) gen $< -o $(@D) && touch $(OUT)/emit/$*.[ch]
 
 # The scene's own step is in its self-test alone: `h = ` of the first step.
 $(OUT)/init_%.o: $(OUT)/emit/%.h $(FUZZ)/init_scene.c $(FUZZ)/init.h $(FUZZ)/fuzz.h
@@ -104,7 +102,7 @@ $(OUT)/init_%.o: $(OUT)/emit/%.h $(FUZZ)/init_scene.c $(FUZZ)/init.h $(FUZZ)/fuz
 	  $(call has,int order,ORDER) $(call has,_solve.,SOLVE) $(call has,_set_tick.,TICK) $(call has,_nutation_range.,NUTATION) \
 	  $(call has,_energy.,ENERGY) $(call has,_principal_of.,PRINCIPAL) $(call has,_spin_stable.,STABLE) \
 	  -c -o $@ $(FUZZ)/init_scene.c
-$(OUT)/emit_%.o: $(OUT)/emit/%.h
+$(OUT)/emit_%.o: $(OUT)/emit/%.c
 	$(CC) -std=c99 -ffp-contract=off $(CFLAGS) $(EMITTED_CFLAGS) -c -o $@ $(OUT)/emit/$*.c
 
 $(OUT)/init.o: $(FUZZ)/init.c $(FUZZ)/init.h $(FUZZ)/fuzz.h
@@ -114,7 +112,7 @@ $(OUT)/init.o: $(FUZZ)/init.c $(FUZZ)/init.h $(FUZZ)/fuzz.h
 $(OUT)/init: $(OUT)/init.o $(DRIVER) $(CASES:%=$(OUT)/init_%.o) $(CASES:%=$(OUT)/emit_%.o)
 	$(CC) $(CFLAGS) $(LINK) -o $@ $^ -lm
 
-.PRECIOUS: $(OUT)/emit/%.lua $(OUT)/emit/%.h $(OUT)/init_%.o $(OUT)/emit_%.o
+.PRECIOUS: $(OUT)/emit/%.lua $(OUT)/emit/%.h $(OUT)/emit/%.c $(OUT)/init_%.o $(OUT)/emit_%.o
 .SECONDARY:
 
 # ---- running, libFuzzer ----
@@ -135,7 +133,7 @@ run: $(ALL:%=run-%)
 $(ALL:%=run-%): run-%: $(OUT)/%
 	@mkdir -p $(WORK)/$*
 	@echo "fuzz: $* for $(SECONDS) s, seed $(SEED), at most $(RSS) MB"
-	@cd $(FUZZ)/files && FUZZ_DIR=.. $(abspath $(OUT)/$*) -seed=$(SEED) -max_total_time=$(SECONDS) \
+	@cd $(FUZZ)/files && FUZZ_DIR=.. ASAN_OPTIONS=quarantine_size_mb=16:malloc_context_size=2 $(abspath $(OUT)/$*) -seed=$(SEED) -max_total_time=$(SECONDS) \
 	  -rss_limit_mb=$(RSS) -max_len=$(LONG_$*) -timeout=300 -print_final_stats=1 -verbosity=1 \
 	  $(if $(filter $(ENGINES),$*),-detect_leaks=0) -dict=../dict/$(firstword $(subst _, ,$*)).dict \
 	  -artifact_prefix=$(abspath $(WORK))/$*- $(abspath $(WORK)/$*) ../corpus/$* ../regressions/$* \
@@ -149,7 +147,7 @@ merge: $(ALL:%=merge-%)
 # The least of the corpus that covers as much.
 $(ALL:%=merge-%): merge-%: $(OUT)/%
 	@rm -rf $(WORK)/$*.least && mkdir -p $(WORK)/$*.least
-	@cd $(FUZZ)/files && FUZZ_DIR=.. $(abspath $(OUT)/$*) -merge=1 -detect_leaks=0 -rss_limit_mb=$(RSS) \
+	@cd $(FUZZ)/files && FUZZ_DIR=.. ASAN_OPTIONS=quarantine_size_mb=16:malloc_context_size=2 $(abspath $(OUT)/$*) -merge=1 -detect_leaks=0 -rss_limit_mb=$(RSS) \
 	  -max_len=$(LONG_$*) $(abspath $(WORK)/$*.least) ../corpus/$* $(abspath $(WORK)/$*) \
 	  > $(abspath $(WORK))/$*.merge.log 2>&1
 	@ls $(WORK)/$*.least | wc -l
