@@ -30,20 +30,21 @@ static void ${name}_zero(void *to, unsigned int size)
 static int ${name}_starts(const ${name}_orbit *o)
 {
 %% if has_full then
-  enum { n = ${upper}_NX };
-  ${name}_real x[n];
+  ${name}_real x[${upper}_NX];
   int i;
 
   ${name}_at(o, ${zero}, x);
-%% else
-  enum { n = 3 };
-  ${name}_real x[n];
-  int i;
-
-  ${name}_at_rates(o, ${zero}, x);
-%% end
-  for (i = 0; i < n; i++) {
+  for (i = 0; i < ${upper}_NX; i++) {
     if (!(x[i] - x[i] == ${zero})) return 0;
   }
+%% else
+  ${name}_real w[3];
+  int i;
+
+  ${name}_at_rates(o, ${zero}, w);
+  for (i = 0; i < 3; i++) {
+    if (!(w[i] - w[i] == ${zero})) return 0;
+  }
+%% end
   return 1;
 }

@@ -64,7 +64,7 @@ end
 
 -- ---- what is a finding ----
 
-local TRACES = { "internal error", "traceback", "generator/", "function:", "table:", "0x", "-nan", "templates/",
+local TRACES = { "internal error", "traceback", "generator/", "function:", "table:", "-nan", "templates/",
   "userdata:", "error object" }
 
 -- The words of `text` that no message may have, unless the case has them.
@@ -72,6 +72,7 @@ local function trace(text, data)
   for _, t in ipairs(TRACES) do
     if string.find(text, t, 1, true) and not string.find(data, t, 1, true) then return t end
   end
+  if string.find(text, "0x%x%x%x%x%x") and not string.find(data, "0x", 1, true) then return "an address" end
   if string.find(text, "[%z\1-\8\11-\31\127]") then return "a control character" end
 end
 

@@ -73,7 +73,7 @@ $(MESHES:%=$(OUT)/%): $(OUT)/%: $(OUT)/%.o $(READER) $(DRIVER) $(OBJ)/libpolhode
 
 # ---- emitted code: each scene in double and, renamed, in float; what it has is read off its header ----
 
-BODIES  = bracket tumbling_box heavy_top gyrostat wheels skater solar_sail magnet_pendulum dropped_stone
+BODIES  = bracket heavy_top gyrostat wheels dropped_stone
 OWN     = hollow tensor6 busy
 EMITTED = $(sort $(BODIES) $(OWN))
 CASES   = $(EMITTED) $(EMITTED:%=%_f)
