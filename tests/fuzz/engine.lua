@@ -73,7 +73,8 @@ local function trace(text, data)
     if string.find(text, t, 1, true) and not string.find(data, t, 1, true) then return t end
   end
   if string.find(text, "0x%x%x%x%x%x") and not string.find(data, "0x", 1, true) then return "an address" end
-  if string.find(text, "[%z\1-\8\11-\31\127]") then return "a control character" end
+  -- a scene must not steer the terminal; who types a command line has it already
+  if mode ~= "command" and string.find(text, "[%z\1-\8\11-\31\127]") then return "a control character" end
 end
 
 -- Numbers that no emitted line may have.

@@ -105,7 +105,7 @@ $(OUT)/init_%.o: $(OUT)/emit/%.h $(FUZZ)/init_scene.c $(FUZZ)/init.h $(FUZZ)/fuz
 $(OUT)/emit_%.o: $(OUT)/emit/%.c
 	$(CC) -std=c99 -ffp-contract=off $(CFLAGS) $(EMITTED_CFLAGS) -c -o $@ $(OUT)/emit/$*.c
 
-$(OUT)/init.o: $(FUZZ)/init.c $(FUZZ)/init.h $(FUZZ)/fuzz.h
+$(OUT)/init.o: $(FUZZ)/init.c $(FUZZ)/init.h $(FUZZ)/fuzz.h $(FUZZ)/fuzz.mk
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(CFLAGS) -DFUZZ_SCENES='$(XMACRO)' -c -o $@ $<
 
