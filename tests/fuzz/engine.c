@@ -23,9 +23,9 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-#define CASES 500                   /* then a new Lua state: what one case leaves shall not pile up */
-#define LIVE  ((size_t)200 << 20)   /* or earlier, with so much alive */
-#define CPU   20                    /* s of processor time for one case, sanitizers included */
+#define CASES 500                 /* then a new Lua state: what one case leaves shall not pile up */
+#define LIVE  ((size_t)200 << 20) /* or earlier, with so much alive */
+#define CPU   20                  /* s of processor time for one case, sanitizers included */
 
 static struct account account;
 static lua_State *state;

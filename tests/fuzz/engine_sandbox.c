@@ -17,8 +17,8 @@ void fuzz_sethook(lua_State *L, lua_Hook hook, int mask, int count);
 #undef SIGALRM
 #define SIGALRM SIGVTALRM
 #undef ITIMER_REAL
-#define ITIMER_REAL          ITIMER_VIRTUAL
-#define _exit(status)        abort()
+#define ITIMER_REAL             ITIMER_VIRTUAL
+#define _exit(status)           abort()
 #define lua_sethook(L, h, m, c) fuzz_sethook(L, h, m, c)
 
 #include "../../src/cli/sandbox.c" /* NOLINT */

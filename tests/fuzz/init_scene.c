@@ -73,7 +73,8 @@ static int finite(int n, const real x[]) {
   return 1;
 }
 
-static const real *seen; /* the state that NAME_solve was given, and a time, for a finding's message */
+static const real
+    *seen; /* the state that NAME_solve was given, and a time, for a finding's message */
 static real seen_t;
 
 static void expect(int n, const real x[], const char *what, const real p[]) {

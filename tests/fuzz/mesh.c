@@ -73,8 +73,10 @@ static void note_tetrahedron(const double a[3], const double b[3], const double 
     volume += (u - v) / 6;
     terms += (fabsl(u) + fabsl(v)) / 6;
     /* the library multiplies a corner by the normal, a product of edges */
-    terms += fabsl(p[0][i]) * (fabsl(p[1][j] - p[0][j]) * fabsl(p[2][k] - p[0][k]) +
-                               fabsl(p[1][k] - p[0][k]) * fabsl(p[2][j] - p[0][j])) / 6;
+    terms += fabsl(p[0][i]) *
+             (fabsl(p[1][j] - p[0][j]) * fabsl(p[2][k] - p[0][k]) +
+              fabsl(p[1][k] - p[0][k]) * fabsl(p[2][j] - p[0][j])) /
+             6;
   }
 }
 
