@@ -124,4 +124,16 @@ function init.fill(ctx, m, values)
   values.checks = listed
 end
 
+-- The last check: parameters of which every constant is finite may still overflow in a step.  Only such a step can
+-- tell, so NAME_init makes one: the scene's own first.  Without parameters there is nothing that it could find.
+function init.first_step(m, v)
+  v.has_first_step = #m.params > 0 and #m.members > 0
+  if not v.has_first_step then return end
+  local list = v.checks
+  local text = "the state after the first step of " .. v.step_text .. " s must be finite"
+  list[list[#list].number == "-" and #list or #list + 1] = { text = text }
+  list[#list].number = string.format("%d", #list)
+  v.first_step_code = list[#list].number
+end
+
 return init
