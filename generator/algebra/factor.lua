@@ -1,9 +1,9 @@
 -- factor.lua -- polynomials as products, the way a person writes them.
 --
 -- ABOVE the line.  No complete factorisation, but the factors that matter to an eye and to rounding: monomials,
--- contents in each variable, repeated factors (Yun: gcd(p, p')), and the sums that stood in the expression before it
--- was multiplied out (`hints`: the r_out - r_in of a tube), so that a thin wall is a factor and not a difference of
--- powers.
+-- contents in each variable, repeated factors (Yun: gcd(p, p')), x - y of x^n - y^n, and the sums that stood in the
+-- expression before it was multiplied out (`hints`: the r_out - r_in of a tube), so that a thin wall is a factor and
+-- not a difference of powers.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -67,11 +67,30 @@ local function without(p, v)
   return false
 end
 
+-- The x - y in x^n - y^n, n > 2, or nil: what is left of a body when a hole of the same kind nearly fills it.
+local function root_of_binomial(p)
+  if p.n ~= 2 then return nil end
+  local one, two = table.unpack(poly.sorted(p))
+  local v, n = nil, nil
+  for i, k in ipairs(one.e) do
+    if k > 0 then
+      if v or two.e[i] > 0 then return nil end
+      v, n = i, k
+    end
+  end
+  if not v or n < 3 or one.c ~= -two.c then return nil end
+  for i, k in ipairs(two.e) do
+    if k == n then return poly.sub(poly.generator(p.ring, v, 1), poly.generator(p.ring, i, 1)) end
+  end
+end
+
 -- A proper divisor of p with more than one term, or nil.
 local function divisor(p, hints)
   for _, h in ipairs(hints) do
     if h.n <= p.n and not poly.iszero(poly.sub(h, p)) and poly.divide(p, h) then return h end
   end
+  local root = root_of_binomial(p)
+  if root and poly.divide(p, root) then return root end
   for v = 1, p.n <= readable and #p.ring.gens or 0 do
     if gcd.degree(p, v) > 0 then
       local c = without(p, v) and gcd.content_in(p, v)
