@@ -7,6 +7,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local calculus = require "generator.algebra.calculus"
 local expr = require "generator.algebra.expr"
 local gcd = require "generator.algebra.gcd"
 local poly = require "generator.algebra.poly"
@@ -29,7 +30,50 @@ function factor.hints(ring, e)
     for _, c in ipairs(expr.children(u)) do walk(c) end
   end
   walk(e)
+  list.classes = factor.classes(ring, e)
   return list
+end
+
+-- Generators between which e takes differences (sums of them whose coefficients add up to 0), as a partition of these:
+-- lists of places in the ring, each beginning with the generator that most of its class have one with.
+function factor.classes(ring, e)
+  local class, count, seen, order = {}, {}, {}, {}
+  local function join(i, j)
+    local one, other = class[i] or { i }, class[j] or { j }
+    class[i], class[j] = one, other
+    count[i], count[j] = (count[i] or 0) + 1, (count[j] or 0) + 1
+    if one == other then return end
+    for _, k in ipairs(other) do
+      one[#one + 1] = k
+      class[k] = one
+    end
+  end
+  local function walk(u)
+    if seen[u] then return end
+    seen[u] = true
+    if u.kind == "add" then
+      local places, sum = {}, R.zero
+      for k, term in ipairs(u) do
+        local c, one = expr.split(term)
+        places[k], sum = ring.index[one], sum + c
+      end
+      for k = 2, #places == #u and R.sign(sum) == 0 and #u or 0 do join(places[1], places[k]) end
+    end
+    for _, c in ipairs(expr.children(u)) do walk(c) end
+  end
+  walk(e)
+  for i = 1, #ring.gens do
+    local list = class[i]
+    if list and not seen[list] then
+      seen[list] = true
+      table.sort(list, function(a, b)
+        if count[a] ~= count[b] then return count[a] > count[b] end
+        return a < b
+      end)
+      order[#order + 1] = list
+    end
+  end
+  return order
 end
 
 -- Derivative with respect to generator v.
@@ -103,6 +147,25 @@ local function divisor(p, hints)
   end
 end
 
+-- p as an expression, in differences x - x1 where it is the same for all x of a class moved together (the places of a
+-- body's points): then x1 may be put at 0.  Multiplied out, such a sum loses all digits far from the origin.
+local function in_differences(p, classes)
+  local map = {}
+  for _, class in ipairs(p.n > 1 and classes or {}) do
+    local moved = poly.constant(p.ring, R.zero)
+    for _, v in ipairs(class) do moved = poly.add(moved, derivative(p, v)) end
+    if gcd.degree(p, class[1]) > 0 and poly.iszero(moved) then
+      local rest = poly.constant(p.ring, R.zero)
+      for _, t in ipairs(poly.sorted(p)) do
+        if t.e[class[1]] == 0 then rest = poly.add(rest, poly.term(p.ring, t)) end
+      end
+      p = rest
+      for k = 2, #class do map[p.ring.gens[class[k]]] = p.ring.gens[class[k]] - p.ring.gens[class[1]] end
+    end
+  end
+  return calculus.substitute(poly.expr(p), map)
+end
+
 -- The polynomial as an expression, a product of what is found.  What was found for a ring is kept in it.
 function factor.product(p, hints)
   local ring, list = p.ring, {}
@@ -125,7 +188,7 @@ function factor.product(p, hints)
       take(known)
       take(rest)
     else
-      list[#list + 1] = e
+      list[#list + 1] = in_differences(q, hints.classes or {})
     end
   end
   take(p)

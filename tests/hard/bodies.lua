@@ -53,9 +53,9 @@ return function(kit)
   end
 
   -- The input torque keeps closed forms away: less to compile.
-  function bodies.scene(parameters, body, origin)
-    return string.format("%s\nreturn scene { name = \"body\", body = %s, effects = { effect.control{} }, " ..
-      "origin = %s }\n", parameters, body, origin or "{0, 0, 0}")
+  function bodies.scene(parameters, body, origin, effects)
+    return string.format("%s\nreturn scene { name = \"body\", body = %s, effects = { %s }, origin = %s }\n", parameters,
+      body, effects or "effect.control{}", origin or "{0, 0, 0}")
   end
 
   -- ---- errors ----
@@ -110,9 +110,12 @@ return function(kit)
   end
 
   -- count: roundings along the longest path to a number, for double and float alike: the bound is count u.
+  -- condition: of {"init", value...}, what an error of u grows to in the formula that is promised; library_condition:
+  -- of the values, what the library's bodies lose by being doubles between two steps.
   function bodies.compare(row, o)
-    local text = bodies.scene(o.parameters, o.body, o.origin)
-    local job = assert(kit.read(text))
+    local text = bodies.scene(o.parameters, o.body, o.origin, o.effects)
+    local job, why = kit.read(text)
+    if not job then error(why, 0) end
     local list = names(job)
     local library, algebra = 0.0, 0.0
     for _, real in ipairs(o.reals or kit.reals) do
@@ -129,8 +132,9 @@ return function(kit)
           for k, x in ipairs(p) do named[list[k]] = x end
           local got, why = kit.mass(job, named)
           if not got then error("library: " .. tostring(why), 0) end
-          library = kit.worst(library, whole({ got.mass, got.com[1], got.com[2], got.com[3],
-            table.unpack(got.inertia) }, o.oracle(exact[i]), o))
+          local e = whole({ got.mass, got.com[1], got.com[2], got.com[3], table.unpack(got.inertia) },
+            o.oracle(exact[i]), o)
+          library = kit.worst(library, e / (o.library_condition and o.library_condition(p) or 1))
         end
         if real == "double" then algebra = kit.worst(algebra, bodies.algebra(job, list, exact[i], o)) end
       end
@@ -138,12 +142,13 @@ return function(kit)
       for i, p in ipairs(exact) do
         local status, mass, I = rows[3 * i - 2], rows[3 * i - 1], rows[3 * i]
         if status[1] ~= 0 then error(string.format("init answers %g", status[1]), 0) end
-        worst = kit.worst(worst, whole({ mass[1], mass[2], mass[3], mass[4], table.unpack(I) }, o.oracle(p), o))
+        local e = whole({ mass[1], mass[2], mass[3], mass[4], table.unpack(I) }, o.oracle(p), o)
+        worst = kit.worst(worst, e / (o.condition and o.condition(commands[3 * i - 2]) or 1))
       end
       row("init", real, worst, o.count * kit.u[real])
     end
     if not o.no_library then row("library", "long double", library, (o.library_count or o.count) * kit.u.double) end
-    row("algebra", "exact", algebra, kit.u.double ^ 2)
+    if not o.no_algebra then row("algebra", "exact", algebra, kit.u.double ^ 2) end
   end
 
   -- The model's own expressions: what explain prints and what is baked.

@@ -15,7 +15,7 @@
 
 local catalogue = {}
 
-catalogue.files = { "separatrix", "mass_walls" }
+catalogue.files = { "separatrix", "mass_walls", "mass_limits", "mass_far" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
 

@@ -82,6 +82,9 @@ return function(host)
 
   local texts, dir = {}, assert(host.tempdir())
 
+  -- A file beside the scenes (a mesh).
+  function kit.beside(name, text) assert(host.write_file(dir .. "/" .. name, text)) end
+
   -- The scene's text as a job; job.diag:report() has what was refused: nil, message.
   function kit.read(text, set)
     local n = texts[text]
