@@ -15,7 +15,7 @@
 
 local catalogue = {}
 
-catalogue.files = { "separatrix", "mass_walls", "mass_limits", "mass_far" }
+catalogue.files = { "separatrix", "mass_walls", "mass_limits", "mass_far", "axes_near" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
 
