@@ -6,7 +6,7 @@
 -- rationals and returns a body of moments.lua; the numbers compared are mass, centre and tensor about the origin of
 -- rotation.  What is measured, in all of them: |error|/scale, where the scale is
 --     mass      the mass
---     centre    its largest component, or what `size` says where it lies near 0
+--     centre    its largest component, or what `size` says (a number, or a function of the parameters) near 0
 --     tensor    each entry of the diagonal itself (they are sums of positive terms), for products the root of the
 --               product of their two diagonal entries; with entries = "largest" the largest entry.
 -- Rows: "init" (NAME_init, NAME_mass, NAME_inertia), the library, and "algebra": the generator's exact expressions at
@@ -92,14 +92,18 @@ return function(kit)
   end
 
   -- got: {mass, com1, com2, com3, I...}
-  local function whole(got, want, o)
+  local function extent(o, com, p)
+    local size = o.size
+    if type(size) == "function" then size = size(p) end
+    return size and bodies.q(size) or largest(com)
+  end
+  local function whole(got, want, o, p)
     local com, I = moments.com(want), moments.tensor(want)
-    local size = o.size and bodies.q(o.size) or largest(com)
+    local size = extent(o, com, p)
     local worst = bodies.error(got[1], want.m, want.m)
     for i = 1, 3 do worst = kit.worst(worst, bodies.error(got[1 + i], com[i], size)) end
     return kit.worst(worst, bodies.tensor_error({ table.unpack(got, 5, 10) }, I, o.entries))
   end
-  bodies.whole = whole
 
   -- ---- comparisons ----
 
@@ -133,7 +137,7 @@ return function(kit)
           local got, why = kit.mass(job, named)
           if not got then error("library: " .. tostring(why), 0) end
           local e = whole({ got.mass, got.com[1], got.com[2], got.com[3], table.unpack(got.inertia) },
-            o.oracle(exact[i]), o)
+            o.oracle(exact[i]), o, exact[i])
           library = kit.worst(library, e / (o.library_condition and o.library_condition(p) or 1))
         end
         if real == "double" then algebra = kit.worst(algebra, bodies.algebra(job, list, exact[i], o)) end
@@ -142,7 +146,7 @@ return function(kit)
       for i, p in ipairs(exact) do
         local status, mass, I = rows[3 * i - 2], rows[3 * i - 1], rows[3 * i]
         if status[1] ~= 0 then error(string.format("init answers %g", status[1]), 0) end
-        local e = whole({ mass[1], mass[2], mass[3], mass[4], table.unpack(I) }, o.oracle(p), o)
+        local e = whole({ mass[1], mass[2], mass[3], mass[4], table.unpack(I) }, o.oracle(p), o, p)
         worst = kit.worst(worst, e / (o.condition and o.condition(commands[3 * i - 2]) or 1))
       end
       row("init", real, worst, o.count * kit.u[real])
@@ -157,7 +161,7 @@ return function(kit)
     for k, name in ipairs(list) do env[name] = p[k] end
     local want = o.oracle(p)
     local com, I = moments.com(want), moments.tensor(want)
-    local size = o.size and bodies.q(o.size) or largest(com)
+    local size = extent(o, com, p)
     local function compare(e, x, scale)
       local d = R.abs(evaluate.precise(e, env, 240) - x)
       worst = kit.worst(worst, R.todouble(R.sign(scale) == 0 and d or d / R.abs(scale)))

@@ -12,7 +12,10 @@ local moments = {}
 
 local zero, one = R.new(0), R.new(1)
 local place = { { 1, 1 }, { 2, 2 }, { 3, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } }
-local function q(x) return R.is(x) and x or math.type(x) == "integer" and R.new(x) or R.fromdouble(x) end
+local function q(x)
+  if type(x) == "string" then return R.parse(x) end
+  return R.is(x) and x or math.type(x) == "integer" and R.new(x) or R.fromdouble(x)
+end
 moments.q = q
 moments.bits = 600
 function moments.pi() return R.apply("pi", moments.bits) end
