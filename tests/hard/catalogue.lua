@@ -15,7 +15,7 @@
 
 local catalogue = {}
 
-catalogue.files = { "separatrix", "mass_walls", "mass_limits", "mass_far", "axes_near", "frames", "mass_sums" }
+catalogue.files = { "separatrix", "mass_walls", "mass_limits", "mass_far", "axes_near", "frames", "mass_sums", "mass_scale" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
 
