@@ -1,6 +1,7 @@
 -- bodies.lua -- mass properties by the emitted code, by the generator's algebra and by the library, against an oracle.
 --
---     bodies.compare(row, { parameters = "...", body = "...", origin =, values = {{...}, ...}, oracle = fn, count = 9 })
+--     bodies.compare(row, { parameters = "...", body = "...", origin =, values = {{...}, ...}, oracle = fn, count = 9
+--     })
 --
 -- The scene is called "body"; its parameters take each list of values, rounded to the type.  The oracle gets them as
 -- rationals and returns a body of moments.lua; the numbers compared are mass, centre and tensor about the origin of
@@ -134,8 +135,8 @@ return function(kit)
         if real == "double" and not o.no_library then
           local named = {}
           for k, x in ipairs(p) do named[list[k]] = x end
-          local got, why = kit.mass(job, named)
-          if not got then error("library: " .. tostring(why), 0) end
+          local got, reason = kit.mass(job, named)
+          if not got then error("library: " .. tostring(reason), 0) end
           local e = whole({ got.mass, got.com[1], got.com[2], got.com[3], table.unpack(got.inertia) },
             o.oracle(exact[i]), o, exact[i])
           library = kit.worst(library, e / (o.library_condition and o.library_condition(p) or 1))

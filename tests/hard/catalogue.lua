@@ -15,7 +15,8 @@
 
 local catalogue = {}
 
-catalogue.files = { "separatrix", "mass_walls", "mass_limits", "mass_far", "axes_near", "frames", "mass_sums", "mass_scale" }
+catalogue.files = { "separatrix", "mass_walls", "mass_limits", "mass_far", "mass_sums", "mass_scale",
+  "axes_near", "frames" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
 

@@ -1,8 +1,8 @@
 -- spectrum.lua -- principal moments and axes of the exact tensor whose entries are given doubles.
 --
 -- The number of eigenvalues above x is the number of sign changes in the characteristic polynomial of A - x 1 (all its
--- roots are real: Descartes' rule is exact), so bisection in exact rationals finds each moment to any precision,
--- however close they are.  An axis of a simple moment is the largest column of the adjugate of A - moment 1.
+-- roots are real: Descartes' rule is exact), so each moment is found in exact rationals to any precision, however close
+-- they are.  An axis of a simple moment is the largest column of the adjugate of A - moment 1.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -30,8 +30,37 @@ local function adjugate(A)
     { f * h - b * g, f * g - a * h, a * b - f * f } }
 end
 
--- I: six doubles.  {moment = {3 rationals, ascending}, axis = {3 unit vectors, or false where another moment is nearer than
--- 2^-300}}
+-- The k-th eigenvalue: bisection until it is alone in an interval, then Newton's method on the characteristic
+-- polynomial, which the count proves; else bisection to the end (equal moments).
+local function root(A, k, size)
+  local trace, minors, det = A[1] + A[2] + A[3], R.zero, adjugate(A)
+  for i = 1, 3 do minors = minors + det[i][i] end
+  det = A[1] * det[1][1] + A[4] * det[1][2] + A[5] * det[1][3]
+  local low, high, last = -two * size, two * size, size * two ^ (2 - BITS)
+  local function halve(times) -- the k-th is where fewer than 4 - k are above
+    for _ = 1, times do
+      local middle = (low + high) * half
+      if above(A, middle) >= 4 - k then low = middle else high = middle end
+    end
+  end
+  for _, times in ipairs { 60, 60, 190 } do
+    halve(times)
+    if above(A, low) - above(A, high) == 1 then
+      local x = (low + high) * half
+      for _ = 1, 12 do
+        local slope = (two + R.one) * x ^ 2 - two * trace * x + minors
+        if R.sign(slope) == 0 then break end
+        x = x - (((x - trace) * x + minors) * x - det) / slope
+        x = R.floor(x / last) * last
+      end
+      if above(A, x - last) >= 4 - k and above(A, x + last) < 4 - k then return x end
+    end
+  end
+  return high
+end
+
+-- I: six doubles.  {moment = {3 rationals, ascending}, axis = {3 unit vectors, or false where another moment is nearer
+-- than 2^-300 of the largest entry}}
 function spectrum.of(I)
   local A, size = {}, R.zero
   for n = 1, 6 do
@@ -41,14 +70,7 @@ function spectrum.of(I)
   local out = { moment = {}, axis = {} }
   if R.sign(size) == 0 then return { moment = { R.zero, R.zero, R.zero }, axis = { false, false, false } } end
   size = two ^ (R.log2(size) + 1)
-  for k = 1, 3 do
-    local low, high = -two * size, two * size -- the k-th is where fewer than 4 - k are above
-    for _ = 1, BITS do
-      local middle = (low + high) * half
-      if above(A, middle) >= 4 - k then low = middle else high = middle end
-    end
-    out.moment[k] = high
-  end
+  for k = 1, 3 do out.moment[k] = root(A, k, size) end
   for k = 1, 3 do
     local apart = true
     for j = 1, 3 do
@@ -141,7 +163,8 @@ function spectrum.naive(I)
     local n = math.sqrt(x[1] ^ 2 + x[2] ^ 2 + x[3] ^ 2)
     for i = 1, 3 do vectors[3 * k - 3 + i] = x[i] / n end
   end
-  if vectors[1] * (vectors[5] * vectors[9] - vectors[6] * vectors[8]) + vectors[2] * (vectors[6] * vectors[7] - vectors[4] *
+  if vectors[1] * (vectors[5] * vectors[9] - vectors[6] * vectors[8]) + vectors[2] * (vectors[6] * vectors[7] -
+    vectors[4] *
     vectors[9]) + vectors[3] * (vectors[4] * vectors[8] - vectors[5] * vectors[7]) < 0 then
     for i = 7, 9 do vectors[i] = -vectors[i] end
   end

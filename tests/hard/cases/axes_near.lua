@@ -8,9 +8,11 @@ return function(kit)
   local scene = bodies.scene("", "solid.box { x = 1, y = 2, z = 3, mass = 1 }")
   -- bits of the method: pairs of the type less their own roundings, long double (tests/emit/principal.t)
   local BITS = { double = 100, float = 42, library = 63 }
-  local BOUND = "1, in units of what rounding once leaves: moments u of the largest, axes u + 16 (largest/gap) 2^-100 " ..
+  local BOUND = "1, in units of what rounding once leaves: moments u of the largest, axes u + 16 (largest/gap) " ..
+    "2^-100 " ..
     "(float 2^-42, library 2^-63), their products 2 u, I a - m a 2 u of the largest; the library's moments twice that"
-  local ORACLE = "moments by bisection with exact counts of eigenvalues, axes from the adjugate, in rationals (tests/hard/spectrum.lua)"
+  local ORACLE = "moments by bisection with exact counts of eigenvalues, axes from the adjugate, in rationals " ..
+    "(tests/hard/spectrum.lua)"
   local NAIVE = "Smith's trigonometric formula (1961) and cross products of two rows"
 
   local function judge(row, tensors, graded)
@@ -53,11 +55,13 @@ return function(kit)
     return I
   end
 
-  return { title = "Principal axes", about = "Equal and nearly equal moments in oblique axes, graded tensors, rods, needles; " ..
+  return { title = "Principal axes", about = "Equal and nearly equal moments in oblique axes, graded tensors, rods, " ..
+    "needles; " ..
       "what is judged is the tensor as it is rounded.",
     cases = {
       { name = "moments_nearly_equal_1e4_to_1e16", fast = true,
-        why = "moments 1 and 1 + 10^-k for k = 4 .. 16 in oblique axes: an ulp of an entry turns the axes by 2^-53 10^k",
+        why = "moments 1 and 1 + 10^-k for k = 4 .. 16 in oblique axes: an ulp of an entry turns the axes by 2^-53 " ..
+          "10^k",
         naive = NAIVE, oracle = ORACLE, bound = BOUND,
         run = function(row)
           judge(row, function(real)
@@ -101,7 +105,8 @@ return function(kit)
       { name = "graded_1_1e8_1e16", fast = true,
         why = "moments 1 : 1e-8 : 1e-16 with products of inertia to match: each is determined to its own last place",
         naive = NAIVE, oracle = ORACLE,
-        bound = "1, as for the others but each moment to u of ITSELF (Demmel, Veselic 1992: scaled to unit diagonal the " ..
+        bound = "1, as for the others but each moment to u of ITSELF (Demmel, Veselic 1992: scaled to unit diagonal " ..
+          "the " ..
           "tensor's condition is below 20)",
         run = function(row)
           judge(row, function(real)
@@ -109,7 +114,8 @@ return function(kit)
             local step = real == "double" and 1e-4 or 1e-2
             for _, b in ipairs { { 0.45, -0.3, 0.2 }, { -0.1, 0.4, 0.45 }, { 0.3, 0.3, 0.3 } } do
               for _, d in ipairs { { 1, step, step * step }, { step, 1, step * step }, { step * step, step, 1 } } do
-                list[#list + 1] = { d[1] ^ 2, d[2] ^ 2, d[3] ^ 2, b[1] * d[1] * d[2], b[2] * d[1] * d[3], b[3] * d[2] * d[3] }
+                list[#list + 1] = { d[1] ^ 2, d[2] ^ 2, d[3] ^ 2, b[1] * d[1] * d[2], b[2] * d[1] * d[3], b[3] *
+                  d[2] * d[3] }
               end
             end
             return list
@@ -122,7 +128,8 @@ return function(kit)
           judge(row, function()
             local list = {}
             for _, k in ipairs { { 1, 2, 3 }, { 1, 1, 1 }, { 0.1, 0.7, -0.3 }, { 1e-3, 1, 1 }, { 1e-9, 1, 1e-4 } } do
-              list[#list + 1] = { k[2] ^ 2 + k[3] ^ 2, k[1] ^ 2 + k[3] ^ 2, k[1] ^ 2 + k[2] ^ 2, -k[1] * k[2], -k[1] * k[3],
+              list[#list + 1] = { k[2] ^ 2 + k[3] ^ 2, k[1] ^ 2 + k[3] ^ 2, k[1] ^ 2 + k[2] ^ 2, -k[1] * k[2],
+                -k[1] * k[3],
                 -k[2] * k[3] }
             end
             return list
@@ -144,7 +151,8 @@ return function(kit)
         bound = BOUND .. "; below the normal numbers half their spacing",
         run = function(row)
           judge(row, function(real)
-            local list, ends = {}, real == "double" and { -1060, -1020, -100, 100, 1020 } or { -140, -124, -40, 40, 124 }
+            local list, ends = {}, real == "double" and { -1060, -1020, -100, 100, 1020 } or { -140, -124, -40, 40,
+              124 }
             for _, p in ipairs(ends) do
               local I = turned(frame, { 1, 2, 2.5 })
               for n = 1, 6 do I[n] = I[n] * 2.0 ^ p end
@@ -154,7 +162,8 @@ return function(kit)
           end)
         end },
       { name = "almost_diagonal", fast = true,
-        why = "a product of 1e-9 to 1e-200 beside moments that differ by as little, or by 1: the axis' small component counts",
+        why = "a product of 1e-9 to 1e-200 beside moments that differ by as little, or by 1: the axis' small " ..
+          "component counts",
         naive = NAIVE, oracle = ORACLE, bound = BOUND,
         run = function(row)
           judge(row, function(real)

@@ -54,7 +54,8 @@ return scene { name = "body", effects = { effect.control{} }, origin = {0, 0, 0}
   -- Attitudes half a turn and almost half a turn from 1, and where the matrix' trace is nearly 0.
   local function attitudes(real)
     local e, list = real == "double" and 1e-12 or 1e-5, {}
-    for _, s in ipairs { { 0, 1, 0, 0 }, { 0, 1, 2, -2 }, { e, 0, 0, 1 }, { e * e, 3, -1, 2 }, { -e, 1, e, 1 }, { 0.5, 0.5, 0.5, 0.5 },
+    for _, s in ipairs { { 0, 1, 0, 0 }, { 0, 1, 2, -2 }, { e, 0, 0, 1 }, { e * e, 3, -1, 2 }, { -e, 1, e, 1 }, {
+      0.5, 0.5, 0.5, 0.5 },
       { 0.5, 0.5 + e, 0.5, 0.5 }, { 0.5, 0.5, -0.5, 0.5 - e }, { 1, e, 0, -e } } do
       list[#list + 1] = kit.rounded(real, unit(s))
     end
@@ -69,7 +70,8 @@ return scene { name = "body", effects = { effect.control{} }, origin = {0, 0, 0}
       for i, x in ipairs(inputs) do commands[i + 1] = { o.word, table.unpack(x) } end
       local worst = 0.0
       local rows = bodies.ask(text, real, commands)
-      for i, x in ipairs(inputs) do worst = kit.worst(worst, rows[1][1] == 0 and o.error(rows[i + 1], x) or math.huge) end
+      for i, x in ipairs(inputs) do worst = kit.worst(worst, rows[1][1] == 0 and o.error(rows[i + 1], x) or
+        math.huge) end
       row(o.word, real, worst, o.count * kit.u[real])
       if real == "double" then
         worst = 0.0
@@ -83,7 +85,8 @@ return scene { name = "body", effects = { effect.control{} }, origin = {0, 0, 0}
     end
   end
 
-  return { title = "Frames and kinematics", about = "Half turns, gimbal lock, turning frames, energy and momentum of far bodies.",
+  return { title = "Frames and kinematics", about = "Half turns, gimbal lock, turning frames, energy and momentum " ..
+    "of far bodies.",
     cases = {
       { name = "momentum_turned_by_almost_half_a_turn", fast = true,
         why = "q L q* with w = 0 and 1e-12, and where the matrix' trace is 0",
@@ -121,7 +124,8 @@ return scene { name = "body", effects = { effect.control{} }, origin = {0, 0, 0}
         why = "|q| = 1.03: what a stepper may hand over within a step; q L q* is then |q|^2 times as long",
         naive = "2 w (v x L) and its kin with 1 - 2 (y^2 + z^2) on the diagonal: no rotation when |q| is not 1",
         oracle = "q L q* in exact rationals",
-        bound = "12 u of |L|: both take the polynomial q L q*, which is |q|^2 times the rotation (NAME_momentum says |q| = 1)",
+        bound = "12 u of |L|: both take the polynomial q L q*, which is |q|^2 times the rotation (NAME_momentum " ..
+          "says |q| = 1)",
         run = function(row)
           local s, k = unit { 1, 2, -1, 3 }, 1.03
           for i = 1, 4 do s[i] = k * s[i] end
@@ -142,7 +146,8 @@ return scene { name = "body", effects = { effect.control{} }, origin = {0, 0, 0}
         why = "trace -1, where 1 + trace vanishes, and trace 0, where a switch of cases would lie",
         naive = "w = sqrt(1 + trace)/2 and the differences over 4 w",
         oracle = "the quaternion that the matrix was made of, rounded entries: there and back",
-        bound = "16 u: rounding nine entries moves the rotation by at most 3 u in angle, the largest of four sums has no " ..
+        bound = "16 u: rounding nine entries moves the rotation by at most 3 u in angle, the largest of four sums " ..
+          "has no " ..
           "condition above 4, and one rounding of each component",
         run = function(row)
           local list, worst = attitudes "double", 0.0
@@ -187,7 +192,8 @@ return scene { name = "body", effects = { effect.control{} }, origin = {0, 0, 0}
           for _, s in ipairs(list) do
             local w, x, y, z = table.unpack(s)
             local ypr = { "from_ypr", math.atan(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)),
-              math.asin(math.max(-1, math.min(1, 2 * (w * y - x * z)))), math.atan(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)) }
+              math.asin(math.max(-1, math.min(1, 2 * (w * y - x * z)))), math.atan(2 * (w * x + y * z), 1 - 2 *
+                (x * x + y * y)) }
             naive = kit.worst(naive, kit.angle({ table.unpack(bodies.library { ypr }[1], 2, 5) }, s))
           end
           row.naive(naive)
@@ -203,7 +209,8 @@ return scene { name = "body", effects = { effect.control{} }, origin = {0, 0, 0}
           row.naive(math.abs((math.sin(w * h) - 0) / h - w) / w + math.abs((math.cos(w * h) - 1) / h) / w)
           both(row, scene, { word = "rate", count = 3, init = { 1, 2, 3 }, inputs = function(real)
               local list = {}
-              for _, x in ipairs { { 1e8, 2, -3, 1e8, 2, -3.00000001, 1e-8, 2e-8, -1 }, { 1, 2, 3, 1, 2, 3, 1e-9, -1e9, 1 },
+              for _, x in ipairs { { 1e8, 2, -3, 1e8, 2, -3.00000001, 1e-8, 2e-8, -1 }, { 1, 2, 3, 1, 2, 3, 1e-9,
+                -1e9, 1 },
                 { 1e-12, 1e12, 1, 1e12, 1e-12, 1, 1, 1, 1 }, { 1e9, 1e9, -1e9, 1e9, 1e9 + 64, -1e9, 0, 0, 1 } } do
                 list[#list + 1] = kit.rounded(real, x)
               end
@@ -220,15 +227,15 @@ return scene { name = "body", effects = { effect.control{} }, origin = {0, 0, 0}
         why = "w x (w x r) for r along w to 1e-8, 2 w x v and w' x r of other sizes: each term is asked for",
         naive = "w (w . r) - r w^2: two terms that cancel where r lies along w",
         oracle = "the definition in exact rationals",
-        bound = "9 u of |a| + 2|w||v| + |w'||r| + |w|^2|r|: the inner product w x r is off by 2 u |w||r|, the outer one by as much",
+        bound = "9 u of |a| + 2|w||v| + |w'||r| + |w|^2|r|: the inner product w x r is off by 2 u |w||r|, the outer " ..
+          "one by as much",
         run = function(row)
           local w, r = { 1, 2, 3 }, { 1, 2, 3.00000001 }
           local wr, ww = 0.0, 0.0
           for i = 1, 3 do wr, ww = wr + w[i] * r[i], ww + w[i] * w[i] end
-          local want = cross(exact(w), cross(exact(w), exact(r)))
-          local got = {}
-          for i = 1, 3 do got[i] = w[i] * wr - r[i] * ww end
-          row.naive(off(got, want, length(want)))
+          local terms, double = cross(exact(w), cross(exact(w), exact(r))), {}
+          for i = 1, 3 do double[i] = w[i] * wr - r[i] * ww end
+          row.naive(off(double, terms, length(terms)))
           both(row, scene, { word = "acceleration", count = 9, init = { 1, 2, 3 }, inputs = function(real)
               local list = {}
               for _, x in ipairs { { 1, 2, 3, 1e-3, 0, 1, 1, 2, 3.00000001, 1e-6, 1, 0, 1, 1, 1 },
@@ -248,7 +255,8 @@ return scene { name = "body", effects = { effect.control{} }, origin = {0, 0, 0}
                 want[i], want[3 + i], want[6 + i] = q(2) * coriolis[i], euler[i], central[i]
                 want[9 + i] = a[i] + want[i] + want[3 + i] + want[6 + i]
               end
-              local size = length(a) + q(2) * length(w_) * length(dr) + length(dw) * length(r_) + dot(w_, w_) * length(r_)
+              local size = length(a) + q(2) * length(w_) * length(dr) + length(dw) * length(r_) + dot(w_, w_) *
+                length(r_)
               return off(got, want, size)
             end })
         end },
@@ -278,9 +286,11 @@ return scene { name = "body", effects = { effect.control{} }, origin = {0, 0, 0}
             local w = kit.rounded(real, { 1, 2 + 1 / d, -1 })
             local x = { 1, 0, 0, 0, w[1], w[2], w[3] }
             local T, size = energy(exact(p), exact(w))
-            local rows = bodies.ask(particles, real, { { "init", table.unpack(p) }, { "particles", table.unpack(x) }, { "inertia" } },
+            local rows = bodies.ask(particles, real, { { "init", table.unpack(p) }, { "particles",
+              table.unpack(x) }, { "inertia" } },
               "#define PARTICLES\n")
-            row("particle_energy", real, rows[1][1] == 0 and bodies.error(rows[2][1], T, size) or math.huge, 8 * kit.u[real])
+            row("particle_energy", real, rows[1][1] == 0 and bodies.error(rows[2][1], T, size) or math.huge, 8 *
+              kit.u[real])
             if real == "double" then
               local I = rows[3]
               local L = { I[1] * w[1] + I[4] * w[2] + I[5] * w[3], I[4] * w[1] + I[2] * w[2] + I[6] * w[3],
@@ -309,13 +319,15 @@ return scene { name = "body", effects = { effect.control{} }, origin = {0, 0, 0}
             return out
           end
           for _, real in ipairs(kit.reals) do
-            local p = kit.rounded(real, real == "double" and { 1.5, 1e6 + 0.1, 5e5, 0.3 - 1e6 } or { 1.5, 256.1, 128.3, -255.7 })
+            local p = kit.rounded(real, real == "double" and { 1.5, 1e6 + 0.1, 5e5, 0.3 - 1e6 } or { 1.5, 256.1,
+              128.3, -255.7 })
             local w = kit.rounded(real, { 0.3, -0.7, 0.2 })
             local I, e = M.tensor(body(exact(p))), exact(w)
             local want = { I[1] * e[1] + I[4] * e[2] + I[5] * e[3], I[4] * e[1] + I[2] * e[2] + I[6] * e[3],
               I[5] * e[1] + I[6] * e[2] + I[3] * e[3] }
             local size = bodies.largest(I) * length(e)
-            local rows = bodies.ask(particles, real, { { "init", table.unpack(p) }, { "momentum_body", 1, 0, 0, 0, w[1], w[2], w[3] } },
+            local rows = bodies.ask(particles, real, { { "init", table.unpack(p) }, { "momentum_body", 1, 0, 0, 0,
+              w[1], w[2], w[3] } },
               "#define PARTICLES\n")
             row("momentum_body", real, rows[1][1] == 0 and off(rows[2], want, size) or math.huge, 10 * kit.u[real])
             if real == "double" then
@@ -324,7 +336,8 @@ return scene { name = "body", effects = { effect.control{} }, origin = {0, 0, 0}
               for k = 1, 3 do command[7 + k] = w[k] end
               local a = bodies.library { command }[1]
               local T = dot(want, e) / q(2)
-              row("library (energy)", "long double", a[1] == 0 and bodies.error(a[2], T, size * length(e)) or math.huge, 10 * kit.u.double)
+              row("library (energy)", "long double", a[1] == 0 and bodies.error(a[2], T, size * length(e)) or
+                math.huge, 10 * kit.u.double)
               local r = { heavy[2] + 0.25, heavy[3] + 0.25, heavy[4] + 0.5 }
               local rr, wr = r[1] ^ 2 + r[2] ^ 2 + r[3] ^ 2, r[1] * w[1] + r[2] * w[2] + r[3] * w[3]
               local L = {}

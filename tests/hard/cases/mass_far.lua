@@ -45,13 +45,15 @@ return function(kit)
     return (sum ^ 2 + own) / 20 - (sum / 4) ^ 2
   end
 
-  return { title = "Far, flat and fine", about = "Far origins, almost flat solids, slivers and meshes of tiny triangles.",
+  return { title = "Far, flat and fine", about = "Far origins, almost flat solids, slivers and meshes of tiny " ..
+    "triangles.",
     cases = {
       { name = "tetrahedron_1e9_away", fast = true,
         why = "corners at 2^30 m, a body of 1 m: the second moments about the origin are 1e18 times its own",
         naive = "((sum x)^2 + sum x^2)/20 - (mean x)^2",
         oracle = "the simplex's moments, exact rationals",
-        bound = "20 u of the largest entry about the centre: differences of corners are exact, squares, ten sums, one product",
+        bound = "20 u of the largest entry about the centre: differences of corners are exact, squares, ten sums, " ..
+          "one product",
         run = function(row)
           local v = {}
           for i, p in ipairs(shape) do v[i] = { p[1] + 2 ^ 30 } end
@@ -59,12 +61,14 @@ return function(kit)
           row.naive(bodies.error(naive_tetrahedron(v), b.s[1] / b.m, b.s[1] / b.m))
           local text, list = places(shape)
           bodies.compare(row, { parameters = 'local m = param("m", 1, "kg")\n' .. text,
-            body = "solid.tetrahedron { vertices = " .. list .. ", mass = m }", origin = '"centroid"', count = 20, size = 1,
-            entries = "largest", values = { double = { values({ 1 }, shape, FAR.double), values({ 3 }, shape, -FAR.double / 4) },
+            body = "solid.tetrahedron { vertices = " .. list .. ", mass = m }", origin = '"centroid"', count = 20,
+              size = 1,
+            entries = "largest", values = { double = { values({ 1 }, shape, FAR.double), values({ 3 }, shape,
+              -FAR.double / 4) },
               float = { values({ 1 }, shape, FAR.float), values({ 3 }, shape, -FAR.float / 4) } },
             oracle = function(p) return about_com(M.of_mass(corners(p), p[1])) end })
         end },
-      { name = "tetrahedron_almost_flat", fast = true,
+      { name = "tetrahedron_almost_flat",
         why = "four corners 1e-12 m off a plane: the volume is a determinant that nearly vanishes, the body a plate",
         naive = "the moment about the normal's line, less the other two: 2 m (mean z^2) = Ixx + Iyy - Izz",
         oracle = "the simplex's moments, exact rationals",
@@ -84,8 +88,9 @@ return function(kit)
             size = 1, entries = "largest", values = { flat(1e-3), flat(1e-8), flat(1e-12) },
             oracle = function(p) return about_com(M.times(p[1], corners(p))) end })
         end },
-      { name = "polygon_sliver_1e9_away", fast = true,
-        why = "a triangle 1 m by 2^-8 m whose coordinates are 2^30 m: Gauss's area formula is a sum of products of 1e18",
+      { name = "polygon_sliver_1e9_away",
+        why = "a triangle 1 m by 2^-8 m whose coordinates are 2^30 m: Gauss's area formula is a sum of products of " ..
+          "1e18",
         naive = "the shoelace formula as it stands",
         oracle = "triangles from the origin, exact rationals",
         bound = "24 u of the largest entry about the centre, area included: every coordinate enters as a difference",
@@ -110,7 +115,8 @@ return function(kit)
         why = "a box of 1 m at 2^30 m, one side cut into slivers of 2^-20 m",
         naive = "the sum of signed tetrahedra from the origin, in double",
         oracle = "the same sum in exact rationals",
-        bound = "4 u of the largest entry about the centre: the library sums about a corner and rounds once, the code once more",
+        bound = "4 u of the largest entry about the centre: the library sums about a corner and rounds once, the " ..
+          "code once more",
         run = function(row)
           local d = 2.0 ^ 30
           local v, faces = {}, {}
@@ -126,7 +132,8 @@ return function(kit)
             faces[#faces + 1] = { row_of[k], row_of[k + 1], 5 } -- the side y = 0
             faces[#faces + 1] = { row_of[k + 1], row_of[k], 3 } -- the bottom z = 0
           end
-          for _, f in ipairs { { 2, 6, 5 }, { 2, 3, 4 }, { 5, 6, 8 }, { 5, 8, 7 }, { 3, 7, 8 }, { 3, 8, 4 }, { 1, 5, 7 },
+          for _, f in ipairs { { 2, 6, 5 }, { 2, 3, 4 }, { 5, 6, 8 }, { 5, 8, 7 }, { 3, 7, 8 }, { 3, 8, 4 }, { 1,
+            5, 7 },
             { 1, 7, 3 }, { 2, 4, 8 }, { 2, 8, 6 } } do faces[#faces + 1] = f end
           local text, triangles, sum = {}, {}, 0.0
           for i, p in ipairs(v) do text[i] = string.format("v %.17g %.17g %.17g\n", p[1], p[2], p[3]) end
@@ -140,28 +147,33 @@ return function(kit)
           kit.beside("far.obj", table.concat(text))
           local want = M.mesh(triangles)
           row.naive(bodies.error(sum, want.m, want.m))
-          bodies.compare(row, { parameters = 'local rho = param("rho", 1, "kg/m^3")', count = 4, size = 1, entries = "largest",
-            body = 'mesh { file = "far.obj", units = "m", density = rho }', origin = '"centroid"', values = { { 2700 } },
+          bodies.compare(row, { parameters = 'local rho = param("rho", 1, "kg/m^3")', count = 4, size = 1,
+            entries = "largest",
+            body = 'mesh { file = "far.obj", units = "m", density = rho }', origin = '"centroid"', values = { {
+              2700 } },
             no_algebra = true, oracle = function(p) return about_com(M.times(p[1], want)) end })
         end },
       { name = "parallelepiped_nearly_degenerate",
         why = "three edges that are 2^-k off a plane: the volume is a determinant of nearly equal products",
         naive = "a . (b x c) as it stands, in double",
         oracle = "the cube's image, exact rationals",
-        bound = "24 u |a||b||c|/volume for the mass and with it all entries: the condition of a determinant; the library, " ..
+        bound = "24 u |a||b||c|/volume for the mass and with it all entries: the condition of a determinant; the " ..
+          "library, " ..
           "which has 11 bits more, 24 u",
         run = function(row)
           local function edges(e) return { { 1, 0.5, 0.25 }, { 0.3, 1, 0.7 }, { 1.3, 1.5, 0.95 + e } } end
           local function body(p)
             local A = { { p[2], p[5], p[8] }, { p[3], p[6], p[9] }, { p[4], p[7], p[10] } }
             local b = M.affine(M.box(0, 1, 0, 1, 0, 1), A, { 0, 0, 0 })
-            local det = A[1][1] * (A[2][2] * A[3][3] - A[2][3] * A[3][2]) - A[1][2] * (A[2][1] * A[3][3] - A[2][3] * A[3][1]) +
+            local det = A[1][1] * (A[2][2] * A[3][3] - A[2][3] * A[3][2]) - A[1][2] * (A[2][1] * A[3][3] -
+              A[2][3] * A[3][1]) +
               A[1][3] * (A[2][1] * A[3][2] - A[2][2] * A[3][1])
             return M.times(p[1] * R.abs(det), b)
           end
           local function values_of(e) return values({ 2 }, edges(e), 0) end
           local v = edges(2 ^ -30)
-          local det = v[1][1] * (v[2][2] * v[3][3] - v[2][3] * v[3][2]) - v[1][2] * (v[2][1] * v[3][3] - v[2][3] * v[3][1]) +
+          local det = v[1][1] * (v[2][2] * v[3][3] - v[2][3] * v[3][2]) - v[1][2] * (v[2][1] * v[3][3] - v[2][3] *
+            v[3][1]) +
             v[1][3] * (v[2][1] * v[3][2] - v[2][2] * v[3][1])
           local exact = {}
           for i, x in ipairs(values_of(2 ^ -30)) do exact[i] = q(x) end

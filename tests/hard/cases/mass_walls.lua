@@ -33,13 +33,15 @@ local rho = param("rho", 1000, "kg/m^3")]], body = "solid.zone { r = r, z1 = z1,
       end }
   end
 
-  return { title = "Walls and limits", about = "Thin walls, holes that leave almost nothing, and shapes on the way to another.",
+  return { title = "Walls and limits", about = "Thin walls, holes that leave almost nothing, and shapes on the way " ..
+    "to another.",
     cases = {
       { name = "hollow_sphere_wall_1e12", fast = true,
         why = "r_out - r_in is 1e-12 of r_out and 4 ulp of it: the wall is a difference of nearly equal numbers",
         naive = "2/5 m (r_out^5 - r_in^5)/(r_out^3 - r_in^3): both differences keep 4 digits",
         oracle = "ball minus ball as integrals of polynomials in exact rationals (tests/hard/moments.lua)",
-        bound = "30 u: r_out - r_in is exact (Sterbenz), 4 powers and 5 sums of positive terms, a quotient, density and volume",
+        bound = "30 u: r_out - r_in is exact (Sterbenz), 4 powers and 5 sums of positive terms, a quotient, density " ..
+          "and volume",
         run = function(row)
           local a, b = 1 - 1e-12, 1.0
           local want = M.of_mass(M.minus(M.ball(b), M.ball(a)), 1)
@@ -54,7 +56,8 @@ local rho = param("rho", 1000, "kg/m^3")]], body = "solid.hollow_sphere { r_in =
         why = "as before, in two dimensions; its mass is a difference of squares",
         naive = "the outer cylinder minus the inner one, masses and moments each multiplied out",
         oracle = "cylinder minus cylinder in exact rationals",
-        bound = "14 u: wall (exact), sum of radii, two squares, sum, sum with h^2, density, pi, h, mass: 12, and 2 of constants",
+        bound = "14 u: wall (exact), sum of radii, two squares, sum, sum with h^2, density, pi, h, mass: 12, and 2 " ..
+          "of constants",
         run = function(row)
           local a, b = 1 - 1e-12, 1.0
           local function tube(p)
@@ -87,22 +90,25 @@ local rho = param("rho", 1000, "kg/m^3")]],
             size = 1, count = 30, library_condition = function(p) return p[2] / (p[2] - p[1]) end,
             oracle = function(p) return M.times(p[3], M.minus(M.ball(p[2]), M.ball(p[1]))) end })
         end },
-      { name = "box_minus_box_1e12", fast = true,
+      { name = "box_minus_box_1e12",
         why = "the wall's thickness t is a parameter, and x - 2 t rounds to x: in float 1e-12 is nothing beside 1",
         naive = "box minus box with the inner edge computed first",
         oracle = "box minus box in exact rationals",
         bound = "40 u: a polynomial of degree 5 with positive terms once t is a factor, its powers and sums",
         run = function(row)
           local t = 1e-12
-          local function box(x, y, z) return M.box(-q(x) / q(2), q(x) / q(2), -q(y) / q(2), q(y) / q(2), -q(z) / q(2), q(z) / q(2)) end
+          local function box(x, y, z) return M.box(-q(x) / q(2), q(x) / q(2), -q(y) / q(2), q(y) / q(2), -q(z) /
+            q(2), q(z) / q(2)) end
           local function walled(p)
             local two = q(2)
             return M.minus(box(p[1], p[2], p[3]), box(p[1] - two * p[4], p[2] - two * p[4], p[3] - two * p[4]))
           end
           local want = M.tensor(walled { q(1), q(2), q(3), q(t) })[1]
-          row.naive(bodies.error((6 * 13 - (1 - 2 * t) * (2 - 2 * t) * (3 - 2 * t) * ((2 - 2 * t) ^ 2 + (3 - 2 * t) ^ 2)) / 12, want,
+          row.naive(bodies.error((6 * 13 - (1 - 2 * t) * (2 - 2 * t) * (3 - 2 * t) * ((2 - 2 * t) ^ 2 + (3 - 2 *
+            t) ^ 2)) / 12, want,
             want))
-          bodies.compare(row, { parameters = [[local x, y, z = param("x", 1, "m"), param("y", 2, "m"), param("z", 3, "m")
+          bodies.compare(row, { parameters =
+            [[local x, y, z = param("x", 1, "m"), param("y", 2, "m"), param("z", 3, "m")
 local t, rho = param("t", 0.1, "m"), param("rho", 1000, "kg/m^3")]],
             body = "solid.box { x = x, y = y, z = z, density = rho } - " ..
               "solid.box { x = x - 2*t, y = y - 2*t, z = z - 2*t, density = rho }",
@@ -110,7 +116,7 @@ local t, rho = param("t", 0.1, "m"), param("rho", 1000, "kg/m^3")]],
             size = 1, count = 40, no_library = true,
             oracle = function(p) return M.times(p[5], walled(p)) end })
         end },
-      { name = "frustum_to_cylinder", fast = true,
+      { name = "frustum_to_cylinder",
         why = "r_top -> r_base: the textbook's difference of two cones divides 0 by 0",
         naive = "Izz = 3/10 m (R^5 - r^5)/(R^3 - r^3)",
         oracle = "turned polynomial, exact rationals",
@@ -144,22 +150,25 @@ local h, rho = param("h", 2, "m"), param("rho", 1000, "kg/m^3")]],
           local z = 1 - h
           local m = math.pi * (2 / 3 - z + z ^ 3 / 3)
           local f = math.pi * (1 / 4 - z ^ 2 / 2 + z ^ 4 / 4)
-          local zz, rr = math.pi * (2 / 15 - z ^ 3 / 3 + z ^ 5 / 5), math.pi / 4 * (8 / 15 - z + 2 * z ^ 3 / 3 - z ^ 5 / 5)
+          local zz, rr = math.pi * (2 / 15 - z ^ 3 / 3 + z ^ 5 / 5), math.pi / 4 * (8 / 15 - z + 2 * z ^ 3 / 3 -
+            z ^ 5 / 5)
           local w = M.at(cap { q(1), q(h) }, { 0, 0, -M.com(cap { q(1), q(h) })[3] })
           row.naive(bodies.error(zz + rr - f * f / m, M.tensor(w)[1], M.tensor(w)[1]))
           bodies.compare(row, { parameters = [[local r, h = param("r", 1, "m"), param("h", 0.5, "m")
 local rho = param("rho", 1000, "kg/m^3")]], body = "solid.cap { r = r, h = h, density = rho }", origin = '"centroid"',
-            values = { { 1, 1e-12, 2700 }, { 1, 1e-3, 1 }, { 1, 1, 1 }, { 1, 1.9, 1 }, { 1, 1.999999, 1 }, { 1, 2, 1000 } },
+            values = { { 1, 1e-12, 2700 }, { 1, 1e-3, 1 }, { 1, 1, 1 }, { 1, 1.9, 1 }, { 1, 1.999999, 1 }, { 1, 2,
+              1000 } },
             count = 40, size = 1, oracle = function(p)
               local b = M.times(p[3], cap(p))
               return M.at(b, { 0, 0, -M.com(b)[3] })
             end })
         end },
-      { name = "zone_thin_at_the_equator", fast = true,
+      { name = "zone_thin_at_the_equator",
         why = "between two planes that are 1e-9 apart, symmetric and not, and the whole ball as a zone",
         naive = "pi (r^2 (z2 - z1) - (z2^3 - z1^3)/3) for the mass",
         oracle = "turned polynomial, exact rationals",
-        bound = "40 u: z2 - z1 is exact or rounded once and a factor; a polynomial of degree 6 whose terms are 10 times its value",
+        bound = "40 u: z2 - z1 is exact or rounded once and a factor; a polynomial of degree 6 whose terms are 10 " ..
+          "times its value",
         run = function(row)
           local a, b = 0.5, 0.5 + 1e-9
           local want = M.revolved({ 1, 0, -1 }, a, b).m
@@ -171,7 +180,8 @@ local rho = param("rho", 1000, "kg/m^3")]], body = "solid.cap { r = r, h = h, de
         why = "the zone from r - e to r: what it weighs is e^2 of the ball, its moments e^3",
         naive = "pi (r^2 (z2 - z1) - (z2^3 - z1^3)/3) for the mass",
         oracle = "turned polynomial, exact rationals",
-        bound = "60 u (r/e)^3: multiplied out, the coefficients of Ixx's numerator add up to 1440 where it is 240 e^3, " ..
+        bound = "60 u (r/e)^3: multiplied out, the coefficients of Ixx's numerator add up to 1440 where it is 240 " ..
+          "e^3, " ..
           "and ten roundings are made; this is the formula's law (solid.cap, which is given e itself, loses nothing)",
         run = function(row)
           local e = 2 ^ -26
