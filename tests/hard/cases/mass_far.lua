@@ -105,7 +105,7 @@ return function(kit)
           row.naive(bodies.error(area / 2, want, want))
           local text, list = places(v)
           bodies.compare(row, { parameters = 'local rho = param("rho", 1, "kg/m^2")\n' .. text, effects = "",
-            body = "plate.triangle { vertices = " .. string.gsub(list, "(y%d)}", "%1, 0}") .. ", density = rho }",
+            body = "plate.polygon { profile = " .. list .. ", density = rho }",
             origin = '"centroid"', count = 24, size = 1, entries = "largest",
             values = { double = { values({ 3 }, v, FAR.double), values({ 3 }, v, 0) },
               float = { values({ 3 }, v, FAR.float), values({ 3 }, v, 0) } },

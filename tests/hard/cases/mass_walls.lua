@@ -52,6 +52,40 @@ local rho = param("rho", 1000, "kg/m^3")]], body = "solid.hollow_sphere { r_in =
             size = 1, count = 30, library_condition = function(p) return p[2] / (p[2] - p[1]) end,
             oracle = function(p) return M.times(p[3], M.minus(M.ball(p[2]), M.ball(p[1]))) end })
         end },
+      { name = "hollow_sphere_by_mass_to_the_shell", fast = true,
+        why = "a wall of t = 1e-8 .. 1e-12 r: by mass the moment must become that of the shell, 2/3 m r^2",
+        naive = "2/5 m (r^5 - (r - t)^5)/(r^3 - (r - t)^3)",
+        oracle = "the shell's formula; the wall's own share of its moment is t/r to first order (derivative of the " ..
+          "quotient)",
+        bound = "14 u + t/r, in units of which both are given: quartic and quadratic of positive terms, quotient, " ..
+          "product",
+        run = function(row)
+          local t = 2.3e-15
+          local naive = math.abs(naive_sphere(1 - t, 1) * 1.5 - 1) / (14 * kit.u.double + t)
+          row.naive(naive)
+          local text = bodies.scene([[local r, t = param("r", 1, "m"), param("t", 0.1, "m")
+local m = param("m", 1, "kg")]], "solid.hollow_sphere { r_in = r - t, r_out = r, mass = m }")
+          local job = kit.read(text)
+          for _, real in ipairs(kit.reals) do
+            local worst, library, commands, bounds = 0.0, 0.0, {}, {}
+            for _, wall in ipairs { 1e-4, 1e-8, 1e-12, 1e-14 } do
+              local p = kit.rounded(real, { 1.25, math.max(wall, real == "float" and 1e-6 or wall), 3 })
+              local bound = 14 * kit.u[real] + p[2] / p[1]
+              commands[#commands + 1] = { "init", table.unpack(p) }
+              commands[#commands + 1] = { "inertia" }
+              bounds[#commands] = bound
+              if real == "double" then
+                local got = kit.mass(job, { r = p[1], t = p[2], m = p[3] })
+                library = kit.worst(library, math.abs(got.inertia[1] / (2 / 3 * p[3] * p[1] ^ 2) - 1) / bound)
+              end
+            end
+            for i, a in ipairs(bodies.ask(text, real, commands)) do
+              if #a == 6 then worst = kit.worst(worst, math.abs(a[3] / (2 / 3 * 3 * 1.25 ^ 2) - 1) / bounds[i]) end
+            end
+            row("init", real, worst, 1)
+            if real == "double" then row("library", "long double", library, 1) end
+          end
+        end },
       { name = "tube_wall_1e12", fast = true,
         why = "as before, in two dimensions; its mass is a difference of squares",
         naive = "the outer cylinder minus the inner one, masses and moments each multiplied out",
