@@ -1,7 +1,6 @@
 -- control.lua -- the input u: three torque components in body axes, optionally limited.
 --
--- With `max` each component is clamped to [-max, max]: with s = sign(max - |u|) it is u (1 + s)/2 within the limits and
--- sign(u) max (1 - s)/2 beyond.  One of the two is 0 and the other one exact, however large u is, which the well-known
+-- With `max` each component is clamped to [-max, max] by comparing: exact, however large u is, which the well-known
 -- (|u + max| - |u - max|)/2 is not: of u = 1e17 max nothing is left there.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -24,8 +23,7 @@ function control.torque(a, c)
   if not a.max then return c.u end
   local limit = c.constant("umax", a.max, "limit of each input, N m")
   return vec.map(c.u, function(u)
-    local within = expr.call("sign", limit - expr.call("abs", u))
-    return u * ((1 + within) / 2) + expr.call("sign", u) * limit * ((1 - within) / 2)
+    return expr.call("clamp", u, limit)
   end)
 end
 

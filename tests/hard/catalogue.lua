@@ -15,7 +15,7 @@
 
 local catalogue = {}
 
-catalogue.files = { "separatrix", "mass_walls", "mass_limits", "mass_far", "mass_sums", "mass_scale",
+catalogue.files = { "separatrix", "rest", "inputs", "mass_walls", "mass_limits", "mass_far", "mass_sums", "mass_scale",
   "axes_near", "frames" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
