@@ -78,6 +78,13 @@ static int torque(void) {
   body_torque(&model, in, in + 3, out);
   return 3;
 }
+/* The rates' change: state, input torque. */
+static int accelerated(void) {
+  body_real dx[BODY_NX];
+  body_rhs(&model, 0, in, in + BODY_NX, dx);
+  memcpy(out, dx + BODY_WX, 3 * sizeof out[0]);
+  return 3;
+}
 #ifdef PARTICLES
 static int particles(void) {
   out[0] = body_particle_energy(&model, in);
@@ -101,6 +108,7 @@ static const struct {
     {"momentum", BODY_NX, momentum},
     {"momentum_body", BODY_NX, momentum_body},
     {"torque", 6, torque},
+    {"accelerated", BODY_NX + 3, accelerated},
 #ifdef PARTICLES
     {"particles", BODY_NX, particles},
 #endif

@@ -90,6 +90,51 @@ local x, y, z = param("x", 1, "m"), param("y", 2, "m"), param("z", 3, "m")]], si
               return M.at(b, { -c[1], -c[2], -c[3] })
             end })
         end },
+      { name = "inverse_of_an_oblique_tensor_beyond_the_type", fast = true,
+        why = "the determinant is the cube of a moment: with 1e13 kg m^2 in float it is infinite, and " ..
+          "adjugate/determinant 0",
+        naive = "adjugate over determinant in float at 1e13 kg m^2: an inverse of 0",
+        oracle = "the two boxes' tensor and its inverse in exact rationals",
+        bound = "200 u of |w'|: 20 roundings and a condition below 10; a refusal by NAME_init is an answer, too, " ..
+          "where the cube of the trace is beyond 1e38 (1e308)",
+        run = function(row)
+          local function f(x) return kit.round("float", x) end
+          local cube = f(f(1e13 * 1e13) * 1e13)
+          row.naive(math.abs(f(1e26) / cube * 1e13 - 1))
+          local text = bodies.scene([[local m1, m2 = param("m1", 1, "kg"), param("m2", 2, "kg")]],
+            "solid.box { x = 1, y = 2, z = 3, mass = m1 } + solid.box { x = 2, y = 1, z = 3, mass = m2 }:at{1, 2, 3}",
+            '"centroid"')
+          for _, real in ipairs(kit.reals) do
+            local worst = 0.0
+            for _, s in ipairs(real == "double" and { 1, 1e-80, 1e80, 1e101, 1e102, 1e103, 1e110 } or
+              { 1, 1e-11, 1e6, 1e11, 1e12, 3e12, 1e13, 1e16 }) do
+              local p, torque = kit.rounded(real, { s, 3 * s }), kit.rounded(real, { s, -2 * s, 0.5 * s })
+              local rows = bodies.ask(text, real, { { "init", p[1], p[2] },
+                { "accelerated", 1, 0, 0, 0, 0, 0, 0, table.unpack(torque) } })
+              local b = M.add(M.of_mass(box(q(1), q(2), q(3)), p[1]), M.at(M.of_mass(box(q(2), q(1), q(3)), p[2]),
+                { 1, 2, 3 }))
+              local c = M.com(b)
+              local I = M.tensor(b, c)
+              if rows[1][1] ~= 0 then
+                local cubed = 3 * R.log2(I[1] + I[2] + I[3])
+                if cubed < (real == "double" and 1022 or 126) then worst = math.huge end
+              else
+                local N = { q(torque[1]), q(torque[2]), q(torque[3]) }
+                local xx, yy, zz, xy, xz, yz = table.unpack(I)
+                local adj = { { yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy },
+                  { xz * yz - xy * zz, xx * zz - xz * xz, xy * xz - xx * yz },
+                  { xy * yz - xz * yy, xy * xz - xx * yz, xx * yy - xy * xy } }
+                local det, want, size = xx * adj[1][1] + xy * adj[1][2] + xz * adj[1][3], {}, q(0)
+                for i = 1, 3 do
+                  want[i] = (adj[i][1] * N[1] + adj[i][2] * N[2] + adj[i][3] * N[3]) / det
+                  size = size + R.abs(want[i])
+                end
+                for i = 1, 3 do worst = kit.worst(worst, bodies.error(rows[2][i], want[i], size)) end
+              end
+            end
+            row("init, rhs", real, worst, 200 * kit.u[real])
+          end
+        end },
       { name = "results_below_the_normal_numbers", fast = true,
         why = "moments that are subnormal: m r^2 of 1e-310 (float 1e-42) has what digits are left, and no more",
         naive = "r^2 first: it underflows to 0, and with it the moment",
