@@ -15,8 +15,8 @@
 
 local catalogue = {}
 
-catalogue.files = { "separatrix", "rest", "inputs", "mass_walls", "mass_limits", "mass_far", "mass_sums", "mass_scale",
-  "axes_near", "frames" }
+catalogue.files = { "separatrix", "rest", "inputs", "fields", "moving",
+  "mass_walls", "mass_limits", "mass_far", "mass_sums", "mass_scale", "axes_near", "frames" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
 

@@ -83,8 +83,7 @@ return scene { name = "drum", body = tensor { mass = 1, xx = 1, yy = 1.5, zz = 1
     naive = "body and wheel by Euler's steps: each step adds h^2/2 of the torque's change",
     oracle = "conservation of I w + J W a in inertial axes",
     bound = "rk4: at most one rounding of the wheel's momentum each step, n u of it, and its truncation, (h " ..
-      "w)^4/120 of " ..
-      "|L| a revolution; adaptive: 1e-11 per step natural (300 of them), float 1e-5",
+      "w)^4/120 of |L| a revolution; adaptive: 1e-11 per step natural (300 of them), float 1e-5",
     run = function(row)
       local L, w, h = 1.0, 0.0, 1e-3
       for i = 1, 10000 do
@@ -116,9 +115,8 @@ return scene { name = "spool", body = tensor { mass = 1, xx = 3, yy = 4, zz = 5 
       "misses it",
     naive = "rk4 with h = 1 s asks at t = 0, 0.5, 1: the pulse at 0.3 s does not exist",
     oracle = "its area: a trapezium of 1e3 N m over 1e-6 s and two flanks of 1e-6 s, so 2e-3 N m s",
-    bound = "adaptive, taylor (which stop at the table's rows): 20 times their tolerance or 40 u, and the clock's " ..
-      "u t " ..
-      "times the torque: t = 0.3 is rounded, 4 rows",
+    bound = "adaptive, taylor (which stop at the table's rows): 20 times their tolerance or 40 u, and the clock's u " ..
+      "t times the torque: t = 0.3 is rounded, 4 rows",
     run = function(row)
       row.naive(1)
       local text = [[
@@ -173,8 +171,8 @@ return scene { name = "hum", body = tensor { mass = 1, xx = 1, yy = 2, zz = 2 },
     naive = "q + h q' without a norm, h = 10",
     oracle = "|q| = 1; for h = 0 the state itself; for tiny h the state to rounding",
     bound = "8 u for h |w| up to 0.003, where the polynomials' own defect of |q|, (h |w|/2)^6/144 of rk4, is below " ..
-      "u; " ..
-      "longer steps, to h |w| = 9, must be finite (error 0 or infinite): semi, midpoint and split keep |q| there, too",
+      "u; longer steps, to h |w| = 9, must be finite (error 0 or infinite): semi, midpoint and split keep |q| " ..
+      "there, too",
     run = function(row)
       row.naive(math.sqrt(1 + (10 * 3 / 2) ^ 2) - 1)
       local text = [[

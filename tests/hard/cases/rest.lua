@@ -80,8 +80,7 @@ return scene { name = "paddle", body = tensor { mass = 2, xx = 1, yy = 2, zz = 2
 
   case { name = "zero_everything", fast = true,
     why = "rates, torques, spring and input are all 0: |w| has no derivative, errors to be divided by are 0, and " ..
-      "step " ..
-      "control divides by the error",
+      "step control divides by the error",
     naive = "w/|w| for the direction of friction and drag: 0/0",
     oracle = "a state of rest stays",
     bound = "none: the smallest number there is, so every component is exact",
@@ -161,8 +160,7 @@ return scene { name = "paddle", body = tensor { mass = 2, xx = 1, yy = 2, zz = 2
     naive = "T sign(w) by rk4 with the same step: it jumps about rest for ever",
     oracle = "separation of variables, T t/I = g(w0) - g(w), solved by bisection",
     bound = "adaptive: 30 times its tolerance for 3 decades of stiffness. rk4: (h T/(I s))^4 s/w0 at the kink, " ..
-      "where " ..
-      "h T/(I s) = 0.1, or 1000 roundings of w0; library 1e-13",
+      "where h T/(I s) = 0.1, or 1000 roundings of w0; library 1e-13",
     run = function(row)
       local w, h, most = 1.0, 1e-3, 0.0
       for i = 1, 20000 do
@@ -200,11 +198,9 @@ return scene { name = "paddle", body = tensor { mass = 2, xx = 1, yy = 2, zz = 2
     naive = "Euler's steps of 0.2/(c w0/I), as one would choose them at the start: after 1e6 of them only t = 1e3 " ..
       "is done",
     oracle = "the formula, in doubles (no cancellation)",
-    bound = "relative to w itself. adaptive: 30 tolerances (some 25 natural steps, whose errors fade); rk4 with " ..
-      "1e6 steps " ..
-      "of h c w0/I = 0.2, where its error is below (0.2)^4/120 of the first steps' change, and 1e6 u at worst of " ..
-      "roundings; " ..
-      "library 1e-15",
+    bound = "relative to w itself. adaptive: 30 tolerances (some 25 natural steps, whose errors fade); rk4 with 1e6 " ..
+      "steps of h c w0/I = 0.2, where its error is below (0.2)^4/120 of the first steps' change, and 1e6 u at worst " ..
+      "of roundings; library 1e-15",
     run = function(row)
       local w, h = 1000.0, 1e-3
       for _ = 1, 1000 do w = w - h * 0.2 * w * w end
