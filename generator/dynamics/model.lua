@@ -199,7 +199,7 @@ local function length(list)
 end
 
 -- The body in named steps, unless its tensor multiplied out is less work and less to read; its names are then taken.
--- A body with holes always: its steps are those that do not cancel.
+-- A body with a hole of its own kind always: its steps are those that do not cancel.
 local function in_parts(m, b, r)
   local taken = {}
   local p = parts.of(b, r, function(name)

@@ -8,9 +8,10 @@
 -- Multiplied out, the entries of such a sum are polynomials that nobody can read, cost more and cancel more.  So each
 -- step is an expression of the parameters and of the names before it; its `pure` is the same in the parameters alone,
 -- for what must be decided exactly.
---     A hole that nearly fills its body is the other way round: m1 - m2 cancels, while multiplied out and factored the
--- thickness of the wall stands in front.  So with holes the mass and the sums over the pieces' own moments are taken in
--- the parameters, and about any point two pieces take the reduced mass and the centre c1 + m2 D/mass.  ABOVE the line.
+--     A hole of the body's own kind may nearly fill it: m1 - m2 cancels then, while multiplied out and factored the
+-- thickness of the wall stands in front.  So with such holes the mass and the sums over the pieces' own moments are
+-- taken in the parameters, and about any point two pieces take the reduced mass and the centre c1 + m2 D/mass.
+-- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -78,7 +79,7 @@ local function distances(self, name, v, about)
   end)
 end
 
--- The sum of mass*f(piece) over the pieces, cancelled and factored; nil without holes, or if that is too large.
+-- The sum of mass*f(piece) over the pieces, cancelled and factored; nil without such holes, or if it is too large.
 function parts:gathered(f)
   if not self.hole then return nil end
   local sum = expr.zero
@@ -91,9 +92,12 @@ end
 -- is not taken yet.  The result has list (the steps), mass, com, pieces {piece, m}, shifts {m, d}, and the methods
 -- below.
 function parts.of(b, P, unique)
-  local self = setmetatable({ list = {}, pure = {}, unique = unique, pieces = {}, shifts = {} }, parts)
+  local self = setmetatable({ list = {}, pure = {}, unique = unique, pieces = {}, shifts = {}, own = {} },
+    parts)
   local mass, first = expr.zero, zero3
-  for _, p in ipairs(b.pieces) do self.hole = self.hole or p.hole end
+  local solid = {}
+  for _, p in ipairs(b.pieces) do solid[p.name] = solid[p.name] or not p.hole end
+  for _, p in ipairs(b.pieces) do self.hole = self.hole or p.hole and solid[p.name] end
   for i, p in ipairs(b.pieces) do
     local m = self:step("m" .. i, p.mass, "mass of piece " .. i .. ", " .. p.name, "kg")
     local s = { m = m, piece = p }
@@ -146,17 +150,24 @@ end
 
 -- Entry n of the tensor, in names.
 function parts:entry(n)
-  local sum = self:gathered(function(p) return own(p, n) end)
-  for _, s in ipairs(sum and {} or self.pieces) do
-    sum = (sum or expr.zero) + (s.piece.given and s.piece.given[n] or times(s, own(s.piece, n)))
-  end
+  local shift = expr.zero
   for _, s in ipairs(self.shifts) do
     local function moment(j, k) return s.u[j] * s.d[k] end
     if n > 3 then
-      sum = sum - moment(vec.pair[n][1], vec.pair[n][2])
+      shift = shift - moment(vec.pair[n][1], vec.pair[n][2])
     else
-      sum = sum + moment(n % 3 + 1, n % 3 + 1) + moment((n + 1) % 3 + 1, (n + 1) % 3 + 1)
+      shift = shift + moment(n % 3 + 1, n % 3 + 1) + moment((n + 1) % 3 + 1, (n + 1) % 3 + 1)
     end
+  end
+  local sum = self:gathered(function(p) return own(p, n) end)
+  if sum then
+    if shift == expr.zero then return sum end
+    self.own[n] = self.own[n] or self:step("O" .. vec.entry[n], sum, "the pieces' own " .. vec.entry[n], "kg m^2")
+    return shift + self.own[n]
+  end
+  sum = shift
+  for _, s in ipairs(self.pieces) do
+    sum = sum + (s.piece.given and s.piece.given[n] or times(s, own(s.piece, n)))
   end
   return sum
 end
