@@ -239,8 +239,8 @@ return function(host)
           string.format('#include "%s.h"\n', job.model.name) }
       end
       assert(host.write_files(at, files))
-      local command = string.format("${CC:-cc} -std=c11 -O1 -ffp-contract=off -I%s -Itests/hard -o %s/run %s %s -lm", at,
-        at, o.source, with)
+      local command = string.format("${CC:-cc} -std=c11 -O1 -ffp-contract=off -I%s -Itests/hard -o %s/run %s %s -lm",
+        at, at, o.source, with)
       local status, out = host.execute { "sh", "-c", command .. " 2>&1" }
       if status ~= 0 then error(o.source .. ": " .. tostring(out), 0) end
       programs[key] = at

@@ -154,7 +154,7 @@ local t, rho = param("t", 0.1, "m"), param("rho", 1000, "kg/m^3")]],
         why = "a box with an open top and walls of 1e-12: the hole is not concentric, its share of the centre is t " ..
           "m2/mass",
         naive = "m1 - m2, (m1 c1 - m2 c2)/mass, I1 - I2 and Steiner's terms about the origin",
-        oracle = "box minus box in exact rationals, about the centre of mass and about a corner (no library, as before)",
+        oracle = "box minus box in exact rationals, about the centre of mass and about a corner (no library, either)",
         bound = "60 u of the largest entry: as for the closed box, the reduced mass and the centre from three steps " ..
           "more",
         run = function(row)
