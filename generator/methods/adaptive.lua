@@ -81,7 +81,8 @@ function adaptive.program(eq)
     local map = {}
     for i, s in ipairs(moving) do
       local name = s.name .. suffix
-      g.defs[i] = { name = name, expr = s.sym + h * combined(tableau.a[n], k, s.name) }
+      local added = h * combined(tableau.a[n], k, s.name)
+      g.defs[i] = { name = name, expr = s.sym + added, added = added }
       map[s.sym] = expr.sym(name, 8)
       if n == 7 then g.outs[i] = { array = "out", index = s.name, expr = map[s.sym] } end
     end
@@ -148,6 +149,28 @@ function adaptive.plain(eq)
     last.outs[i] = { state = s.name, expr = s.kind == "attitude" and n * e or e }
   end
   groups[#groups + 1] = last
+  return groups
+end
+
+-- What the step of a fixed size adds to the states, in the place of the new states (methods/compensated.lua).
+function adaptive.increments(eq)
+  local groups = adaptive.plain(eq)
+  local new = groups[#groups]
+  local last = { why = "what is added, of order 5; n - 1 of one Newton step for n = 1/|q|", defs = {}, outs = {} }
+  local short
+  for i, o in ipairs(new.outs) do
+    local s, sum = eq.model.states.by_name[o.state], new.defs[i]
+    local d = { name = "d" .. s.name, expr = sum.added }
+    last.defs[#last.defs + 1] = d
+    o.sum, o.added = s.sym + expr.sym(d.name, 8), expr.sym(d.name, 8)
+    if s.kind == "attitude" then short = (short or expr.one) - o.sum ^ 2 end
+  end
+  if short then last.defs[#last.defs + 1] = { name = "m1", expr = short / 2 } end
+  for i, o in ipairs(new.outs) do
+    local turned = eq.model.states.by_name[o.state].kind == "attitude"
+    last.outs[i] = { state = o.state, expr = turned and o.added + expr.sym("m1", 8) * o.sum or o.added }
+  end
+  groups[#groups] = last
   return groups
 end
 

@@ -69,8 +69,31 @@ function attitude.increment(g, s, v, at, previous, coupled, V)
   return { d = d, sum = s == 2 and vec.scale(expr.lift(2), d) or d }
 end
 
--- The last group: the new attitude from the four increments.
-function attitude.finish(list, coupled)
+-- The last group: what is added to the attitude.  n - 1 is small and a factor of q: its rounding moves |q| alone.
+local function added(list, coupled)
+  local m = expr.sym("m1", 9)
+  local g = { why = "n - 1, n = 1/|q| by one Newton step from 1, so |q| cannot drift", outs = {},
+    defs = { { name = "m1", expr = (1 - (q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2)) / 2 },
+      { name = "n3", expr = (1 + m) / 3 } } }
+  local weighted = vec.map(list[1].sum, function(x, i)
+    return expr.sym("n3", 9) * (x + list[4].sum[i] + list[3].sum[i] + list[2].sum[i])
+  end)
+  local new
+  if coupled then
+    g.why = g.why .. "; q += (n - 1) q + n (d1 + 2 d2 + d3 + d4)/3"
+    new = vec.map(q, function(x, i) return m * x + weighted[i] end)
+  else
+    g.why = g.why .. "; q += q (n - 1 + n (e1 + 2 e2 + e3 + e4)/3)"
+    weighted[1] = m + weighted[1]
+    new = vec.qmul(q, named(g, "p", "", weighted, axes))
+  end
+  for i, name in ipairs { "qw", "qx", "qy", "qz" } do g.outs[i] = { state = name, expr = new[i] } end
+  return g
+end
+
+-- The last group: the new attitude from the four increments; increments: what is added to the old one.
+function attitude.finish(list, coupled, increments)
+  if increments then return added(list, coupled) end
   local half = expr.lift "1/2"
   local g = { why = "n = 1/|q| by one Newton step from 1, so |q| cannot drift", outs = {},
     defs = { { name = "n", expr = half * 3 - half * (q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2) } } }

@@ -44,17 +44,18 @@ local function in_order(list, out)
   return vec.map(list.names, function(name) return out[name] end)
 end
 
--- The final sum: x + weight (k1 + 2 k2 + 2 k3 + k4); with `whole` = 6 weight, a rate that is the same at all stages is
--- added as it is.
+-- The final sum: x + weight (k1 + 2 k2 + 2 k3 + k4), or what is added to x alone; with `whole` = 6 weight, a rate that
+-- is the same at all stages is added as it is.
 local function finish(list, prepared, rate, weight, why, whole)
   local g = group(why)
   for i, name in ipairs(list.names) do
+    local x = prepared.increments and expr.zero or list.sym[i]
     local same = rate[1][i] == rate[2][i] and rate[2][i] == rate[3][i] and rate[3][i] == rate[4][i]
     if whole and same and not prepared.zero[name] then
-      g.outs[#g.outs + 1] = { state = name, expr = list.sym[i] + whole[i] * rate[1][i] }
+      g.outs[#g.outs + 1] = { state = name, expr = x + whole[i] * rate[1][i] }
     elseif not prepared.zero[name] then
       local middle = named(g, "s", "", { rate[2][i] + rate[3][i] }, { list.id[i] })[1]
-      g.outs[#g.outs + 1] = { state = name, expr = list.sym[i] + weight[i] * (rate[1][i] + 2 * middle + rate[4][i]) }
+      g.outs[#g.outs + 1] = { state = name, expr = x + weight[i] * (rate[1][i] + 2 * middle + rate[4][i]) }
     end
   end
   return g
@@ -141,7 +142,7 @@ local function forced(eq, prepared)
     groups[#groups + 1] = g
   end
   groups[#groups + 1] = finish(list, prepared, rate, part.sixth, "w += h (k1 + 2 k2 + 2 k3 + k4)/6", part.whole)
-  if has.attitude then groups[#groups + 1] = attitude.finish(increment, eq.coupled) end
+  if has.attitude then groups[#groups + 1] = attitude.finish(increment, eq.coupled, prepared.increments) end
   return groups
 end
 
@@ -198,7 +199,7 @@ local function free(eq, prepared, constant)
     groups[#groups + 1] = finish(list, prepared, rate, weight,
       "w += (4/h) (2 k1 + 4 k2 + 4 k3 + 2 k4)/6, back from angles")
   end
-  if eq.model.has.attitude then groups[#groups + 1] = attitude.finish(increment, false) end
+  if eq.model.has.attitude then groups[#groups + 1] = attitude.finish(increment, false, prepared.increments) end
   return groups, changes
 end
 
@@ -207,6 +208,14 @@ end
 -- Second result: the step divides by h.
 function rk4.groups(eq, constant)
   local prepared = stages.prepare(eq)
+  if eq.free then return free(eq, prepared, constant) end
+  return forced(eq, prepared), false
+end
+
+-- What the step adds to the states, in the place of the new states: methods/compensated.lua.
+function rk4.increments(eq, constant)
+  local prepared = stages.prepare(eq)
+  prepared.increments = true
   if eq.free then return free(eq, prepared, constant) end
   return forced(eq, prepared), false
 end

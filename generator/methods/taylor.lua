@@ -17,7 +17,7 @@ local state = require "generator.dynamics.state"
 local series = require "generator.methods.series"
 local stages = require "generator.methods.stages"
 
-local taylor = { name = "taylor", adaptive = true, orders = { 4, 30 },
+local taylor = { name = "taylor", adaptive = true, compensated = true, orders = { 4, 30 },
   about = "Taylor series of order 4 to 30 (--order, 20), automatic recurrences, fixed or adaptive step" }
 
 local rates = state.names.rates
