@@ -81,8 +81,7 @@ function adaptive.program(eq)
     local map = {}
     for i, s in ipairs(moving) do
       local name = s.name .. suffix
-      local added = h * combined(tableau.a[n], k, s.name)
-      g.defs[i] = { name = name, expr = s.sym + added, added = added }
+      g.defs[i] = { name = name, expr = s.sym + h * combined(tableau.a[n], k, s.name) }
       map[s.sym] = expr.sym(name, 8)
       if n == 7 then g.outs[i] = { array = "out", index = s.name, expr = map[s.sym] } end
     end
@@ -152,15 +151,20 @@ function adaptive.plain(eq)
   return groups
 end
 
--- What the step of a fixed size adds to the states, in the place of the new states (methods/compensated.lua).
+-- What the step of a fixed size adds to the states, in the place of the new states (methods/compensated.lua): h k1 + h
+-- times what the others differ from k1 by, for the weights are rounded, and always in the same way.
 function adaptive.increments(eq)
   local groups = adaptive.plain(eq)
   local new = groups[#groups]
   local last = { why = "what is added, of order 5; n - 1 of one Newton step for n = 1/|q|", defs = {}, outs = {} }
   local short
   for i, o in ipairs(new.outs) do
-    local s, sum = eq.model.states.by_name[o.state], new.defs[i]
-    local d = { name = "d" .. s.name, expr = sum.added }
+    local s, k, rest = eq.model.states.by_name[o.state], {}, { expr.zero }
+    for j = 1, 6 do k[j] = expr.sym("k" .. j .. s.name, 8) end
+    for j = 2, 6 do rest[j] = expr.lift(tableau.a[7][j]) * (k[j] - k[1]) end
+    local first = { name = "f" .. s.name, expr = h * k[1] }
+    local d = { name = "d" .. s.name, expr = expr.sym(first.name, 8) + h * expr.add(rest) }
+    last.defs[#last.defs + 1] = first
     last.defs[#last.defs + 1] = d
     o.sum, o.added = s.sym + expr.sym(d.name, 8), expr.sym(d.name, 8)
     if s.kind == "attitude" then short = (short or expr.one) - o.sum ^ 2 end

@@ -69,23 +69,27 @@ function attitude.increment(g, s, v, at, previous, coupled, V)
   return { d = d, sum = s == 2 and vec.scale(expr.lift(2), d) or d }
 end
 
--- The last group: what is added to the attitude.  n - 1 is small and a factor of q: its rounding moves |q| alone.
+-- The last group: what is added to the attitude.  n - 1 is small and a factor of q: its rounding moves |q| alone.  A third
+-- is not exact, so it multiplies what the increments differ by: see rk4.lua.
 local function added(list, coupled)
-  local m = expr.sym("m1", 9)
+  local m, third = expr.sym("m1", 9), expr.lift "1/3"
   local g = { why = "n - 1, n = 1/|q| by one Newton step from 1, so |q| cannot drift", outs = {},
-    defs = { { name = "m1", expr = (1 - (q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2)) / 2 },
-      { name = "n3", expr = (1 + m) / 3 } } }
-  local weighted = vec.map(list[1].sum, function(x, i)
-    return expr.sym("n3", 9) * (x + list[4].sum[i] + list[3].sum[i] + list[2].sum[i])
+    defs = { { name = "m1", expr = (1 - (q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2)) / 2 } } }
+  local mean = vec.map(list[1].sum, function(x, i)
+    if x == expr.zero then return third * (list[4].sum[i] + list[3].sum[i] + list[2].sum[i]) end
+    local first = named(g, "t", "1", { 2 * x }, { axes[i] })[1]
+    return first + third * ((list[4].sum[i] - x) + (list[3].sum[i] - first) + (list[2].sum[i] - first))
   end)
+  mean = named(g, "s", "", mean, axes)
+  local turn = vec.map(mean, function(x) return x + m * x end)
   local new
   if coupled then
     g.why = g.why .. "; q += (n - 1) q + n (d1 + 2 d2 + d3 + d4)/3"
-    new = vec.map(q, function(x, i) return m * x + weighted[i] end)
+    new = vec.map(q, function(x, i) return m * x + turn[i] end)
   else
     g.why = g.why .. "; q += q (n - 1 + n (e1 + 2 e2 + e3 + e4)/3)"
-    weighted[1] = m + weighted[1]
-    new = vec.qmul(q, named(g, "p", "", weighted, axes))
+    turn[1] = m + turn[1]
+    new = vec.qmul(q, named(g, "p", "", turn, axes))
   end
   for i, name in ipairs { "qw", "qx", "qy", "qz" } do g.outs[i] = { state = name, expr = new[i] } end
   return g

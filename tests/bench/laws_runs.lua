@@ -1,0 +1,92 @@
+-- laws_runs.lua -- what is measured: stepper, scene, type, step, number of steps, and the laws that are expected.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- A law is {exponent, from = least n of its window, to = largest}.  Windows of phases begin after some radians, where the
+-- integral of the frequency's error is larger than what the attitude has got by itself.
+
+local runs = {}
+
+local MEMBERS = 32
+
+local function laws(energy, momentum, direction, norm, phase, from)
+  local out = { energy = { energy, from = from }, momentum = { momentum, from = from }, norm = { norm, from = from } }
+  if direction then out.direction = { direction, from = from } end
+  if phase then out.phase = { phase, from = from } end
+  return out
+end
+
+local list
+
+local function run(regime, scene, real, method, h, steps, set)
+  list[#list + 1] = { regime = regime, scene = scene, real = real, method = method, h = h, steps = steps,
+    members = MEMBERS, laws = set }
+end
+
+-- Steps after which the body has turned by that many radians: 1 rad/s free, 3 rad/s heavy.
+local function after(radians, scene, h) return math.max(radians / (scene == "free" and 1 or 3) / h, 100) end
+
+-- Rounding: each step is wrong by a rounding of its own; sums of n of them grow like sqrt(n), and the phase, the integral
+-- of a frequency that walks, like n^(3/2).
+local function rounding(scene, real, method, h, steps, most)
+  local set = laws(0.5, 0.5, scene == "free" and 0.5 or nil, 0, 1.5)
+  set.phase.from = after(30, scene, h)
+  if most then set.phase = nil end
+  run("rounding", scene, real, method, h, steps, set)
+end
+
+-- Truncation, of a method that knows no invariant: energy and |L| drift steadily, the frequency with them.
+local function creeping(scene, method, h, steps)
+  local set = laws(1, 1, scene == "free" and 0 or nil, 0, 2, after(30, scene, h))
+  set.norm, set.phase.from = { 0 }, after(100, scene, h)
+  run("truncation", scene, "double", method, h, steps, set)
+end
+
+-- Truncation, of a geometric method: a free body's energy and L in space, a heavy top's Lz are exact but for rounding; a heavy
+-- top's energy is off by a bounded amount; the frequencies are constant and a little wrong.
+local function geometric(scene, method, h, steps)
+  local set = laws(scene == "free" and 0.5 or 0, 0.5, scene == "free" and 0.5 or nil, 0, 1)
+  set.phase.from = after(10, scene, h)
+  run("truncation", scene, "double", method, h, steps, set)
+end
+
+local function closed(scene, real, method, h, steps)
+  run("closed form", scene, real, method, h, steps, laws(0, 0, scene == "free" and 0 or nil, 0, 0))
+end
+
+function runs.list()
+  list = {}
+  for _, scene in ipairs { "free", "heavy" } do
+    local k = scene == "free" and 1 or 0.5
+    creeping(scene, "rk4", 0.05 * k, 100000)
+    creeping(scene, "library rk4", 0.05 * k, 100000)
+    creeping(scene, "adaptive", 0.1 * k, 100000)
+    creeping(scene, "taylor 8", 0.3 * k, 100000)
+    geometric(scene, "midpoint", 0.05 * k, 300000)
+    geometric(scene, "semi", 0.05 * k, 300000)
+    geometric(scene, "split2", scene == "free" and 0.5 or 0.05, 300000)
+    geometric(scene, "split4", scene == "free" and 0.5 or 0.1, 100000)
+    geometric(scene, "split6", scene == "free" and 0.5 or 0.1, 100000)
+    for _, real in ipairs { "double", "float" } do
+      local double = real == "double"
+      rounding(scene, real, "rk4", double and 1e-4 * k or 0.01 * k, double and 10000000 or 1000000)
+      rounding(scene, real, "rk4, compensated", double and 1e-4 * k or 0.001 * k, double and 10000000 or 1000000)
+      rounding(scene, real, "adaptive", double and 1e-3 * k or 0.02 * k, 1000000)
+      rounding(scene, real, "adaptive, compensated", double and 1e-4 * k or 0.002 * k, 1000000)
+      rounding(scene, real, "taylor 8", double and 0.02 * k or 0.1 * k, 100000)
+      rounding(scene, real, "taylor 8, compensated", double and 0.02 * k or 0.1 * k, 100000)
+      rounding(scene, real, "taylor 20", 1 * k, 30000)
+      rounding(scene, real, "taylor 20, compensated", 1 * k, 30000)
+      if scene == "free" then
+        rounding(scene, real, "split6", double and 0.02 or 0.2, 300000)
+        closed(scene, real, "closed form by ticks", 0.01, 100000000)
+      end
+    end
+    rounding(scene, "float", "semi", 0.01 * k, 1000000, true)
+    rounding(scene, "float", "semi, compensated", 0.001 * k, 1000000, true)
+    closed(scene, "double", "library taylor", 1 * k, 10000)
+  end
+  rounding("free", "float", "q31", 0.0078125, 1000000)
+  return list
+end
+
+return runs
