@@ -16,7 +16,9 @@ local page = require "tests.bench.laws_page"
 local program, library, dir = arg[1], arg[2], arg[3]
 
 assert(os.execute("mkdir -p " .. dir))
-local list = runs.list()
+local list, gains = runs.list(), runs.pairs()
+local count = #list
+table.move(gains, 1, #gains, count + 1, list)
 build.all(program, library, dir, list)
 
 -- Each run's output in a file of its own; those that are there are kept, so that an interrupted measurement goes on.
@@ -29,5 +31,9 @@ end
 jobs:close()
 assert(os.execute(string.format("xargs -P 2 -d '\\n' -n 1 sh -c < %s/jobs", dir)))
 
-for _, r in ipairs(list) do fit.run(r, build.read(r.out)) end
-page.write(list, arg[4], arg[5])
+for i, r in ipairs(list) do
+  r.points = build.read(r.out)
+  fit.run(r, r.points)
+  if i > count then r.operations, list[i] = build.operations(program, r), nil end
+end
+page.write(list, gains, arg[4], arg[5])

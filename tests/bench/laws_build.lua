@@ -31,6 +31,11 @@ local groups = {
     { "taylor 8, compensated", "LOW", nil, "top_taylor_step_compensated" } } },
   taylor20 = { options = "--method taylor --order 20 --with compensated", rows = {
     { "taylor 20", "STEP", "top_step" }, { "taylor 20, compensated", "LOW", nil, "top_step_compensated" } } },
+  -- of tests/methods/laws.t: few functions, for the compiler's sake
+  few = { options = "--method rk4,exact --with compensated", defines = "-DTICKS", rows = {
+    { "few: rk4", "STEP", "top_step" }, { "few: rk4, compensated", "LOW", nil, "top_step_compensated" },
+    { "few: closed form by ticks", "CLOSED" } } },
+  split = { options = "--method split2", rows = { { "few: split2", "STEP", "top_step" } } },
   ticks = { options = "--method exact", defines = "-DTICKS", rows = { { "closed form by ticks", "CLOSED" } } },
   q31 = { options = "--with q31", defines = "-DQ31", more = ", ranges = { omega = 1.1 }, time = { step = 0.0078125 }",
     sources = { "top_q31.c", "top_q31_real.c" }, rows = { { "q31", "WHOLE" } } },
@@ -49,6 +54,7 @@ end
 local function make(program, library, dir, scene, real, group)
   local s, g = scenes[scene], groups[group]
   local folder = string.format("%s/%s_%s_%s", dir, scene, real, group)
+  if files.read(folder .. "/laws") then return folder end -- of an interrupted measurement
   shell("mkdir -p %s", folder)
   local rows = {}
   for i, row in ipairs(g.rows) do
@@ -60,8 +66,8 @@ local function make(program, library, dir, scene, real, group)
       name == "top" and g.more or ""))
   end
   files.write(folder .. "/rows.h", text)
-  shell("%s gen %s/top.lua --real %s %s -o %s > %s/log", program, folder, real, g.options, folder, folder)
-  shell("%s gen %s/ref.lua -o %s > %s/log", program, folder, folder, folder)
+  shell("POLHODE_SOURCE=. %s gen %s/top.lua --real %s %s -o %s > %s/log", program, folder, real, g.options, folder, folder)
+  shell("POLHODE_SOURCE=. %s gen %s/ref.lua --method exact -o %s > %s/log", program, folder, folder, folder)
   local sources = { folder .. "/top.c", folder .. "/ref.c" }
   for _, name in ipairs(g.sources or {}) do sources[#sources + 1] = folder .. "/" .. name end
   shell("cc -std=c11 -O2 -ffp-contract=off -Wno-unused -I%s -Isrc/runtime -DHEAVY=%d %s tests/bench/laws.c %s %s " ..
@@ -79,6 +85,22 @@ function build.all(program, library, dir, list)
     made[key] = made[key] or make(program, library, dir, r.scene, r.real, at.group)
     r.folder, r.row = made[key], at.row
   end
+end
+
+-- Operations of a row's step from the emitted README: additions + multiplications + divisions + roots.
+function build.operations(program, r)
+  local at = place[r.method]
+  local g = groups[at.group]
+  local name = string.gsub(g.rows[at.row + 1][4] or g.rows[at.row + 1][3], "^top_", "")
+  local folder = r.folder .. "/sheet"
+  if not files.read(folder .. "/README.md") then
+    shell("POLHODE_SOURCE=. %s gen %s/top.lua --real %s %s -o %s > %s/log", program, r.folder, r.real, g.options, folder,
+      r.folder)
+  end
+  local sheet = files.read(folder .. "/README.md")
+  local sum = 0
+  for n in string.gmatch(string.match(sheet, "\n| " .. name .. " | ([%d |]-) |\n"), "%d+") do sum = sum + tonumber(n) end
+  return sum
 end
 
 -- The output of laws.c: {time = ns, {n = , mean = {5}, square = {5 of groups}}, ...}

@@ -17,6 +17,7 @@ end
 
 local list
 
+-- A list of its own is what the functions below add to: runs.list, and tests/methods/laws.t by runs.few.
 local function run(regime, scene, real, method, h, steps, set)
   list[#list + 1] = { regime = regime, scene = scene, real = real, method = method, h = h, steps = steps,
     members = MEMBERS, laws = set }
@@ -83,9 +84,37 @@ function runs.list()
     end
     rounding(scene, "float", "semi", 0.01 * k, 1000000, true)
     rounding(scene, "float", "semi, compensated", 0.001 * k, 1000000, true)
-    closed(scene, "double", "library taylor", 1 * k, 10000)
+    closed(scene, "double", "library taylor", 1 * k, 3000)
   end
   rounding("free", "float", "q31", 0.0078125, 1000000)
+  return list
+end
+
+-- Pairs of a plain and a compensated run with the same step, the plain one first: what compensation gains.
+function runs.pairs()
+  list = {}
+  for _, p in ipairs {
+    { "free", "float", "rk4", 0.1, 0.01, 0.001 }, { "heavy", "float", "rk4", 0.01 }, { "free", "double", "rk4", 0.01, 0.001 },
+    { "free", "float", "adaptive", 0.1, 0.01 }, { "free", "float", "semi", 0.01, 0.001 },
+    { "free", "float", "taylor 8", 0.5, 0.1 }, { "free", "float", "taylor 20", 1 },
+  } do
+    for i = 4, #p do
+      local steps = string.find(p[3], "taylor") and 100000 or 1000000
+      run("gain", p[1], p[2], p[3], p[i], steps, {})
+      run("gain", p[1], p[2], p[3] .. ", compensated", p[i], steps, {})
+    end
+  end
+  return list
+end
+
+-- One scene for each law, small numbers of steps: tests/methods/laws.t.
+function runs.few()
+  list = {}
+  creeping("free", "few: rk4", 0.05, 30000)
+  rounding("free", "float", "few: rk4", 0.01, 100000)
+  rounding("free", "float", "few: rk4, compensated", 0.001, 100000, true)
+  closed("free", "float", "few: closed form by ticks", 0.01, 1000000)
+  geometric("heavy", "few: split2", 0.05, 10000)
   return list
 end
 
