@@ -93,8 +93,8 @@ end
 
 -- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
 -- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool or
--- "transition" (of the step alone), compensated = bool, q31 = bool, libm = "own" | "system" (the default: own in float), outputs = bool:
--- also derivatives of energy and momentum}
+-- "transition" (of the step alone), compensated = bool, q31 = bool, libm = "own" | "system" (the default: own in
+-- float), outputs = bool: also derivatives of energy and momentum}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods

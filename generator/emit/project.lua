@@ -330,6 +330,7 @@ function project.files(job, plugin)
   job.code = { header = header, source = text }
   sheet(job, v)
   local n = job.model.name
+  v.compensated_test = v.has_compensated and render "templates/test_compensated.c" or ""
   local files = {
     { name = n .. ".h", text = header },
     { name = n .. ".c", text = text },

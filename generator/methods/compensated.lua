@@ -2,14 +2,14 @@
 --
 -- A state is the unevaluated sum x + low of two numbers of the type.  A step computes what it adds, d, from x, and then
 --     s = d + low,   x' = x + s,   low' = s - (x' - x)
--- Dekker's Fast2Sum: for |s| <= |x| low' is exactly what rounding x' lost, and it enters the next sum.  Where a component
--- of the state is smaller than its increment the difference x' - x is itself rounded; that is at most an ulp of s, no more
--- than s has from its own arithmetic, so no branch and no 2Sum of six operations is needed.  What remains are the
--- roundings of d: h |w| times those of the plain step.  It pays where steps are short.
--- A method takes part by increments(eq, constant), its step as equation groups whose outs are d (rk4, adaptive, semi), or by
--- a template (taylor, whose series is one).  The others multiply rotations: there is no increment.
--- Source: Kahan 1965, Comm. ACM 8, 40; Moller 1965, BIT 5, 37 and 251; Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP 2,
--- section 4.2.2; Hairer, Lubich, Wanner, Geometric Numerical Integration (2nd ed.), VIII.5.  ABOVE the line.
+-- Dekker's Fast2Sum: for |s| <= |x| low' is exactly what rounding x' lost, and it enters the next sum.  Where a
+-- component of the state is smaller than its increment the difference x' - x is itself rounded; that is at most an
+-- ulp of s, no more than s has from its own arithmetic, so no branch and no 2Sum of six operations is needed.  What
+-- remains are the roundings of d: h |w| times those of the plain step.  It pays where steps are short.
+-- A method takes part by increments(eq, constant), its step as equation groups whose outs are d (rk4, adaptive,
+-- semi), or by a template (taylor, whose series is one).  The others multiply rotations: there is no increment.
+-- Source: Kahan 1965, Comm. ACM 8, 40; Moller 1965, BIT 5, 37 and 251; Dekker 1971, Numer. Math. 18, 224; Knuth,
+-- TAOCP 2, section 4.2.2; Hairer, Lubich, Wanner, Geometric Numerical Integration (2nd ed.), VIII.5.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -50,7 +50,7 @@ local function of(eq, method, name)
   groups[#groups + 1] = last
   return { name = name .. "_compensated",
     args = { "m", "t", "x!", "u", "h", { name = "low", count = #m.states, names = names, out = true, held = true } },
-    doc = { "The same step with compensated sums: the state is x + low, low[NX] 0 at the start and afterwards what x[i]",
+    doc = { "The same step with compensated sums: the state is x + low, low[NX] 0 at the start and then what x[i]",
       "lost, so that rounding grows with h |w| times what it is in " .. m.name .. "_" .. name .. "." },
     groups = groups, guard = divides and "h" or nil }
 end
@@ -62,7 +62,8 @@ function compensated.list(job)
     if s.method.increments then
       list[#list + 1] = of(job.equations, s.method, i == 1 and "step" or s.method.name .. "_step")
     elseif not s.method.compensated then
-      job.diag:error(job.record.line, "method " .. s.method.name, "it turns the body by products of rotations and adds " ..
+      job.diag:error(job.record.line, "method " .. s.method.name,
+        "it turns the body by products of rotations and adds " ..
         "no increments that could be compensated (--with compensated): rk4, adaptive, taylor and semi have some")
       return nil
     end

@@ -59,8 +59,8 @@ local function kicked(m, N, list, increments)
   return cayley.each(define, "wk", vec.add(w, added)), added
 end
 
--- What is added to q to make q1 = n q (1, b): n - 1 without cancellation, r - 1 = -b^2 r^2/(1 + r) of r = 1/|(1, b)|; of
--- p that is formed otherwise n - 1 = (1 - |p|^2) n^2/(1 + n).  What rounding does to n moves |q| alone.
+-- What is added to q to make q1 = n q (1, b): n - 1 without cancellation, r - 1 = -b^2 r^2/(1 + r) of r = 1/|(1, b)|;
+-- of p that is formed otherwise n - 1 = (1 - |p|^2) n^2/(1 + n).  What rounding does to n moves |q| alone.
 local function added_turn(define, p, b, short)
   local n1, n
   if short then

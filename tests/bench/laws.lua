@@ -1,4 +1,5 @@
--- laws.lua -- the laws by which errors grow with the number of steps: measured, fitted, and put beside what theory says.
+-- laws.lua -- the laws by which errors grow with the number of steps: measured, fitted, and put beside what theory
+-- says.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 --     lua5.4 tests/bench/laws.lua PROGRAM LIBRARY DIRECTORY [PAGE.md PICTURE.svg]
@@ -25,7 +26,8 @@ build.all(program, library, dir, list)
 local jobs = assert(io.open(dir .. "/jobs", "w"))
 for i, r in ipairs(list) do
   r.out = string.format("%s/%s_%d_%.6g_%d", r.folder, "out", r.row, r.h, r.steps)
-  jobs:write(string.format("test -s %s || { %s/laws %d %.17g %d %d > %s.part && mv %s.part %s; } # %d\n", r.out, r.folder,
+  jobs:write(string.format("test -s %s || { %s/laws %d %.17g %d %d > %s.part && mv %s.part %s; } # %d\n", r.out,
+    r.folder,
     r.row, r.h, r.steps, r.members, r.out, r.out, r.out, i))
 end
 jobs:close()

@@ -21,8 +21,7 @@ local groups = {
     { "rk4", "STEP", "top_step" }, { "adaptive", "STEP", "top_adaptive_step" },
     { "midpoint", "STEP", "top_midpoint_step" }, { "semi", "STEP", "top_semi_step" },
     { "split2", "STEP", "top_split2_step" }, { "split4", "STEP", "top_split4_step" },
-    { "split6", "STEP", "top_split6_step" }, { "library rk4", "LIBRARY_RK4" },
-    { "library taylor", "LIBRARY_TAYLOR" } } },
+    { "split6", "STEP", "top_split6_step" }, { "library rk4", "LIBRARY_RK4" } } },
   low = { options = "--method rk4,adaptive,semi,taylor --order 8 --with compensated", rows = {
     { "rk4, compensated", "LOW", nil, "top_step_compensated" },
     { "adaptive, compensated", "LOW", nil, "top_adaptive_step_compensated" },
@@ -37,7 +36,7 @@ local groups = {
     { "few: closed form by ticks", "CLOSED" } } },
   split = { options = "--method split2", rows = { { "few: split2", "STEP", "top_step" } } },
   ticks = { options = "--method exact", defines = "-DTICKS", rows = { { "closed form by ticks", "CLOSED" } } },
-  q31 = { options = "--with q31", defines = "-DQ31", more = ", ranges = { omega = 1.1 }, time = { step = 0.0078125 }",
+  q31 = { options = "--with q31", defines = "-DQ31", more = ", ranges = { omega = 1.1 }, time = { step = 0.001953125 }",
     sources = { "top_q31.c", "top_q31_real.c" }, rows = { { "q31", "WHOLE" } } },
 }
 
@@ -62,16 +61,19 @@ local function make(program, library, dir, scene, real, group)
   end
   local text = table.concat(rows)
   for _, name in ipairs { "top", "ref" } do
-    files.write(string.format("%s/%s.lua", folder, name), string.format("return scene { name = %q, %s%s }\n", name, s.text,
+    files.write(string.format("%s/%s.lua", folder, name), string.format("return scene { name = %q, %s%s }\n", name,
+      s.text,
       name == "top" and g.more or ""))
   end
   files.write(folder .. "/rows.h", text)
-  shell("POLHODE_SOURCE=. %s gen %s/top.lua --real %s %s -o %s > %s/log", program, folder, real, g.options, folder, folder)
+  shell("POLHODE_SOURCE=. %s gen %s/top.lua --real %s %s -o %s > %s/log", program, folder, real, g.options, folder,
+    folder)
   shell("POLHODE_SOURCE=. %s gen %s/ref.lua --method exact -o %s > %s/log", program, folder, folder, folder)
   local sources = { folder .. "/top.c", folder .. "/ref.c" }
   for _, name in ipairs(g.sources or {}) do sources[#sources + 1] = folder .. "/" .. name end
   shell("cc -std=c11 -O2 -ffp-contract=off -Wno-unused -I%s -Isrc/runtime -DHEAVY=%d %s tests/bench/laws.c %s %s " ..
-    "-o %s/laws -lgsl -lgslcblas -lmpfr -lgmp -lm", folder, s.heavy, g.defines or "", table.concat(sources, " "), library,
+    "-o %s/laws -lgsl -lgslcblas -lmpfr -lgmp -lm", folder, s.heavy, g.defines or "", table.concat(sources, " "),
+      library,
     folder)
   return folder
 end
@@ -94,12 +96,14 @@ function build.operations(program, r)
   local name = string.gsub(g.rows[at.row + 1][4] or g.rows[at.row + 1][3], "^top_", "")
   local folder = r.folder .. "/sheet"
   if not files.read(folder .. "/README.md") then
-    shell("POLHODE_SOURCE=. %s gen %s/top.lua --real %s %s -o %s > %s/log", program, r.folder, r.real, g.options, folder,
+    shell("POLHODE_SOURCE=. %s gen %s/top.lua --real %s %s -o %s > %s/log", program, r.folder, r.real, g.options,
+      folder,
       r.folder)
   end
   local sheet = files.read(folder .. "/README.md")
   local sum = 0
-  for n in string.gmatch(string.match(sheet, "\n| " .. name .. " | ([%d |]-) |\n"), "%d+") do sum = sum + tonumber(n) end
+  for n in string.gmatch(string.match(sheet, "\n| " .. name .. " | ([%d |]-) |\n"), "%d+") do sum = sum
+    + tonumber(n) end
   return sum
 end
 

@@ -2,8 +2,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- The error at n is the root of the mean square over the ensemble.  The members are independent, the points of one
--- member's walk are not, so the standard error is not that of the line: it is the jackknife's over the groups of members
--- (Efron 1982): the fit without each group in turn, sqrt((G - 1)/G sum (p_g - mean)^2).
+-- member's walk are not, so the standard error is not that of the line: it is the jackknife's over the groups of
+-- members (Efron 1982): the fit without each group in turn, sqrt((G - 1)/G sum (p_g - mean)^2).
 
 local fit = {}
 
@@ -26,9 +26,9 @@ local function slope(x, y)
   return sxy / sxx
 end
 
--- The fit of quantity q over the points that lie in window = {least n, largest n}, below 0.1, above 0: {p, error, last =
--- the error at the last of them, points = {{n, error}}, bias = |mean|/(its standard error) at the last}; nil if fewer
--- than four.
+-- The fit of quantity q over the points that lie in window = {least n, largest n}, below 0.1, above 0: {p, error,
+-- last = the error at the last of them, points = {{n, error}}, bias = |mean|/(its standard error) at the last}; nil
+-- if fewer than four.
 function fit.one(points, q, window, members)
   local x, kept = {}, {}
   for _, point in ipairs(points) do

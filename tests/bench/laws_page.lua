@@ -24,7 +24,8 @@ end
 local function sections(list)
   local order, by = {}, {}
   for _, r in ipairs(list) do
-    local key = r.regime == "truncation" and (r.laws.energy[1] == 1 and "creeping" or "geometric " .. r.scene) or r.regime
+    local key = r.regime == "truncation" and (r.laws.energy[1] == 1 and "creeping" or "geometric " .. r.scene) or
+      r.regime
     if not by[key] then
       by[key] = {}
       order[#order + 1] = key
@@ -38,7 +39,7 @@ local titles = {
   creeping = "Truncation leads, methods that know no invariant (double)",
   ["geometric free"] = "Geometric methods, free body (double)",
   ["geometric heavy"] = "Geometric methods, heavy top (double)",
-  rounding = "Rounding leads", ["closed form"] = "No steps: closed form, and the library's series to 1e-16 a step",
+  rounding = "Rounding leads", ["closed form"] = "No steps: the closed form",
 }
 
 local function tables(list)
@@ -64,7 +65,8 @@ local function tables(list)
           right = right + (r.fits[name].agrees and 1 or 0)
         end
       end
-      out[#out + 1] = string.format("| %s | %s%s | %g | %s | %s |", r.method, r.scene, r.real == "float" and ", float" or "",
+      out[#out + 1] = string.format("| %s | %s%s | %g | %s | %s |", r.method, r.scene, r.real == "float" and ", float"
+        or "",
         r.h, short(r.steps), table.concat(cells, " | "))
     end
     out[#out + 1] = ""
@@ -74,14 +76,16 @@ local function tables(list)
 end
 
 local function gained(gains)
-  local out = { "| method | scene | h | steps | operations | ns | energy | ⟶ | phase | ⟶ |", "|---|---|---|---|---|---|---|---|---|---|" }
+  local out = { "| method | scene | h | steps | operations | ns | energy | ⟶ | phase | ⟶ |",
+    "|---|---|---|---|---|---|---|---|---|---|" }
   for i = 1, #gains, 2 do
     local a, b = gains[i], gains[i + 1]
     local function both(q)
       local x, y = fit.rms(a.points[#a.points].square[q]), fit.rms(b.points[#b.points].square[q])
       return string.format("%s | %s (%.3g×)", short(x), short(y), x / y)
     end
-    out[#out + 1] = string.format("| %s | %s, %s | %g | %s | %d ⟶ %d (%+.0f %%) | %.0f ⟶ %.0f | %s | %s |", a.method, a.scene,
+    out[#out + 1] = string.format("| %s | %s, %s | %g | %s | %d ⟶ %d (%+.0f %%) | %.0f ⟶ %.0f | %s | %s |", a.method,
+      a.scene,
       a.real, a.h, short(a.steps), a.operations, b.operations, 100 * (b.operations / a.operations - 1), a.time, b.time,
       both(1), both(5))
   end

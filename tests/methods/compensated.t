@@ -1,15 +1,17 @@
 #!/usr/bin/env lua5.4
--- compensated.t - gen --with compensated: what the steps lose, what they refuse, and that they are the steps they stand for.
+-- compensated.t - gen --with compensated: what the steps lose, what they refuse, and that they are the steps they
+-- stand for.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- N steps of H by the emitted float or double code, and by the same text with the real type made long double (constants
--- stay what the type made of them).  A compensated step's error is that of its increments: rates of change are a sum of at
--- most DEPTH operations deep, half a unit u each, u = 2^-53 or 2^-24, so the whole run is off by at most
--- N H DEPTH u S, S the largest of all states and their rates (at the start; in so short a time they stay within a tenth).
--- The attitude is compared at |q| = 1, for what brings |q| back rounds it, and says so.  H is chosen such that the bound is
--- below a quarter of u S.  The plain step's error is that of N sums: if no component of it were 4 times the bound, the test
--- could not tell the two apart, and fails.  Last, compensated and plain steps in long double are the same method: they
--- differ by N H times the roundings of constants, 4 to a rate, and by N sums in long double, 2^-64 S each.
+-- stay what the type made of them).  A compensated step's error is that of its increments: rates of change are a sum
+-- of at most DEPTH operations deep, half a unit u each, u = 2^-53 or 2^-24, so the whole run is off by at most
+-- N H DEPTH u S, S the largest of all states and their rates (at the start; in so short a time they stay within a
+-- tenth). The attitude is compared at |q| = 1, for what brings |q| back rounds it, and says so.  H is chosen such
+-- that the bound is below a quarter of u S.  The plain step's error is that of N sums: if no component of it were 4
+-- times the bound, the test could not tell the two apart, and fails.  Last, compensated and plain steps in long
+-- double are the same method: they differ by N H times the roundings of constants, 4 to a rate, and by N sums in long
+-- double, 2^-64 S each.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
@@ -31,9 +33,11 @@ local rows = {
   { "a heavy top", LONG, GRAVITY, float = true },
   { "a full tensor, damped", FULL, GRAVITY .. ", effect.damping { c = {0.1, 0.2, 0.3} }", "adaptive" },
   { "a table, a wheel", BRICK, "effect.torque { body = { { {0, 0}, {0.03125, 8}, {0.5, 0} }, 0, 0 } }, " ..
-    "effect.control {}, effect.wheel { axis = {0, 3, 4}, inertia = 0.25, speed = 3, torque = 0.5, included = true }", "taylor" },
+    "effect.control {}, effect.wheel { axis = {0, 3, 4}, inertia = 0.25, speed = 3, torque = 0.5, included = true }",
+      "taylor" },
   { "thrown, with drag, in a turning frame", BRICK,
-    "effect.rotating_frame { rate = {0.25, 0, 0.5} }, effect.translation { gravity = {0, 0, -4}, drag = 0.5 }", "semi" },
+    "effect.rotating_frame { rate = {0.25, 0, 0.5} }, effect.translation { gravity = {0, 0, -4}, drag = 0.5 }",
+      "semi" },
 }
 local methods = { "rk4", "adaptive", "taylor", "semi" }
 
@@ -55,7 +59,8 @@ int main(void) {
   for (i = 0; i < COUNT; i++) NAME_step(&m, (NAME_real)i*h, y, u, h);
   for (i = 0; i < COUNT; i++) NAME_step_compensated(&m, (NAME_real)i*h, x, u, h, low);
   for (i = 0; i < UPPER_NX; i++)
-    printf("%.21Lg %.21Lg %.21Lg %.21Lg\n", (long double)y[i], (long double)x[i], (long double)low[i], (long double)dx[i]);
+    printf("%.21Lg %.21Lg %.21Lg %.21Lg\n", (long double)y[i], (long double)x[i], (long double)low[i],
+      (long double)dx[i]);
   return 0;
 }
 ]]
@@ -126,12 +131,15 @@ for i, row in ipairs(rows) do
         write(name .. "_own.c", text)
         write("long/" .. name .. "_own.c", text)
         -- what the emitted code promises of warnings, and of C++, in one scene each
-        local strict = i == 2 and (method == "rk4" or method == "taylor") and "for cc in 'gcc -std=c99' 'clang -std=c99' 'g++ -x c++'; do $cc -pedantic -Wall -Wextra " ..
+        local strict = i == 2 and (method == "rk4" or method == "taylor") and
+          "for cc in 'gcc -std=c99' 'clang -std=c99' 'g++ -x c++'; do $cc -pedantic -Wall -Wextra " ..
           "-Wconversion -Wdouble-promotion -Wshadow -Werror -c -o any.o NAME.c || exit 1; done; " or ""
-        script[#script + 1] = (string.gsub(strict .. "gcc -std=c99 -O0 -Wall -Wextra -Werror -ffp-contract=off -o own " ..
-          "NAME.c NAME_own.c -lm && ./own > NAME.own && gcc -std=c99 -O0 -o exact -Ilong long/NAME.c long/NAME_own.c -lm && " ..
+        script[#script + 1] = (string.gsub(strict .. "gcc -std=c99 -O0 -Wall -Wextra -Werror -ffp-contract=off " ..
+          "-o own NAME.c NAME_own.c -lm && ./own > NAME.own && gcc -std=c99 -O0 -o exact -Ilong long/NAME.c " ..
+          "long/NAME_own.c -lm && " ..
           "./exact > NAME.exact && ./judge NAME.own NAME.exact " .. #job.states .. " > NAME.result", "NAME", name))
-        jobs[#jobs + 1] = { what = row[1] .. ", " .. method .. ", " .. real, name = name, u = 2 ^ (real == "float" and -24 or -53) }
+        jobs[#jobs + 1] = { what = row[1] .. ", " .. method .. ", " .. real, name = name, u = 2 ^ (real == "float" and
+          -24 or -53) }
       end
     end
   end
@@ -143,7 +151,8 @@ for _, line in ipairs(script) do
 end
 for _, j in ipairs(jobs) do
   local v = {}
-  for word in string.gmatch(program.read(dir .. "/" .. j.name .. ".result") or "", "%S+") do v[#v + 1] = tonumber(word) end
+  for word in string.gmatch(program.read(dir .. "/" .. j.name .. ".result") or "", "%S+") do v[#v + 1] =
+    tonumber(word) end
   local plain, sum, same, size = v[1] or 1, v[2] or 1, v[3] or 1, v[4] or 0
   local bound = N * H * DEPTH * j.u * size
   tap.ok(sum <= bound, j.what .. ": the increments' roundings and no others",
@@ -156,13 +165,14 @@ end
 
 local path = dir .. "/brick.lua"
 local function brick(more)
-  program.write(path, 'return scene { name = "brick", body = ' .. BRICK .. more .. ", initial = { omega = {1, 2, 3} } }\n")
+  program.write(path, 'return scene { name = "brick", body = ' .. BRICK .. more ..
+    ", initial = { omega = {1, 2, 3} } }\n")
 end
 brick ""
 local binary = os.getenv "POLHODE" or "build/polhode"
 local function gen(options)
   program.shell(string.format("rm -rf %s/out", dir))
-  return program.shell(string.format("POLHODE_SOURCE=. timeout 60 %s gen %s --with compensated %s -o %s/out > %s/log 2>&1",
+  return program.shell(string.format("POLHODE_SOURCE=. timeout 60 %s gen %s --with compensated %s -o %s/out >%s/log 2>&1",
     binary, path, options, dir, dir)), program.read(dir .. "/log")
 end
 for _, method in ipairs { "split4", "midpoint" } do
@@ -175,7 +185,8 @@ end
 
 -- ---- the whole chain: the emitted self-test, and what fast arithmetic does ----
 
-for _, options in ipairs { "--method rk4,semi", "--real float --method semi,rk4", "--method taylor --order 4 --bake" } do
+for _, options in ipairs { "--method rk4,semi", "--real float --method semi,rk4",
+  "--method taylor --order 4 --bake" } do
   local code, err = gen(options)
   tap.ok(code == 0, "gen --with compensated " .. options, err)
   code = program.shell(string.format("make -s -C %s/out CFLAGS='-O0 -ffp-contract=off' check > %s/log 2>&1", dir, dir))
@@ -186,7 +197,8 @@ end
 local readme = program.read(dir .. "/out/README.md") or ""
 tap.ok(string.find(readme, "| step_compensated |", 1, true) ~= nil, "the cost sheet has the step")
 for _, flag in ipairs { "-ffast-math", "-fassociative-math -fno-signed-zeros -fno-trapping-math" } do
-  local code = program.shell(string.format("gcc -O2 %s -c -o %s/any.o %s/out/brick.c > %s/log 2>&1", flag, dir, dir, dir))
+  local code = program.shell(string.format("gcc -O2 %s -c -o %s/any.o %s/out/brick.c > %s/log 2>&1", flag, dir, dir,
+    dir))
   tap.ok(code ~= 0 and string.find(program.read(dir .. "/log"), "compensated sums vanish", 1, true),
     "gcc " .. flag .. " is refused", program.read(dir .. "/log"))
 end
