@@ -37,12 +37,18 @@ static void ${name}_adaptive_first(const ${name}_model *m, ${name}_real t, const
 %% if adaptive_attitude then
 /* x takes the state that a step ends in; |q| is brought back to 1 by one Newton step.  The factor is 1 but for a unit or two
  * of the last place; times q it would be rounded to whole units, more of a small mantissa than of a large one: a turn, always
- * the same way.  So its difference from 1 goes into what is added. */
+ * the same way.  So its difference n from 1 goes into what is added; and n is formed of x and `turn`, for `out` has a
+ * rounding of its own, after which n would follow the very digits that it decides. */
 static void ${name}_adaptive_take(const ${name}_real out[], const ${name}_real turn[], ${name}_real x[])
 {
-  const ${name}_real n = ${half} - ${half}*(out[0]*out[0] + out[1]*out[1] + out[2]*out[2] + out[3]*out[3]);
+  ${name}_real n = ${half};
   int k;
 
+  for (k = 0; k < 4; k++) {
+    const ${name}_real q = x[${name}_adaptive_moving[k]];
+
+    n -= q*(${half}*q + turn[k]) + ${half}*turn[k]*turn[k];
+  }
   for (k = 0; k < 4; k++) x[${name}_adaptive_moving[k]] += turn[k] + n*out[k];
   for (k = 4; k < ${adaptive_count}; k++) x[${name}_adaptive_moving[k]] = out[k];
 }

@@ -50,31 +50,40 @@ local function shell(...)
   assert(os.execute(command), command)
 end
 
+local function scene_file(path, name, s, more)
+  files.write(path, string.format("return scene { name = %q, %s%s }\n", name, s.text, more or ""))
+end
+
+-- The scene in double with its closed form, compiled once for all that is compared with it.
+local function reference(program, dir, scene)
+  local folder = string.format("%s/%s", dir, scene)
+  if files.read(folder .. "/ref.o") then return folder end
+  shell("mkdir -p %s", folder)
+  scene_file(folder .. "/ref.lua", "ref", scenes[scene])
+  shell("POLHODE_SOURCE=. %s gen %s/ref.lua --method exact -o %s > %s/log", program, folder, folder, folder)
+  shell("cc -std=c11 -O1 -ffp-contract=off -c -o %s/ref.part %s/ref.c && mv %s/ref.part %s/ref.o", folder, folder, folder,
+    folder)
+  return folder
+end
+
 local function make(program, library, dir, scene, real, group)
   local s, g = scenes[scene], groups[group]
   local folder = string.format("%s/%s_%s_%s", dir, scene, real, group)
   if files.read(folder .. "/laws") then return folder end -- of an interrupted measurement
+  local ref = reference(program, dir, scene)
   shell("mkdir -p %s", folder)
-  local rows = {}
+  local rows, sources = {}, { folder .. "/top.c" }
   for i, row in ipairs(g.rows) do
     rows[i] = string.format("{%s, %s, %s},\n", row[2], row[3] or "NULL", row[4] or "NULL")
   end
-  local text = table.concat(rows)
-  for _, name in ipairs { "top", "ref" } do
-    files.write(string.format("%s/%s.lua", folder, name), string.format("return scene { name = %q, %s%s }\n", name,
-      s.text,
-      name == "top" and g.more or ""))
-  end
-  files.write(folder .. "/rows.h", text)
+  files.write(folder .. "/rows.h", table.concat(rows))
+  scene_file(folder .. "/top.lua", "top", s, g.more)
   shell("POLHODE_SOURCE=. %s gen %s/top.lua --real %s %s -o %s > %s/log", program, folder, real, g.options, folder,
     folder)
-  shell("POLHODE_SOURCE=. %s gen %s/ref.lua --method exact -o %s > %s/log", program, folder, folder, folder)
-  local sources = { folder .. "/top.c", folder .. "/ref.c" }
   for _, name in ipairs(g.sources or {}) do sources[#sources + 1] = folder .. "/" .. name end
-  shell("cc -std=c11 -O2 -ffp-contract=off -Wno-unused -I%s -Isrc/runtime -DHEAVY=%d %s tests/bench/laws.c %s %s " ..
-    "-o %s/laws -lgsl -lgslcblas -lmpfr -lgmp -lm", folder, s.heavy, g.defines or "", table.concat(sources, " "),
-      library,
-    folder)
+  shell("cc -std=c11 -O2 -ffp-contract=off -Wno-unused -I%s -I%s -Isrc/runtime -DHEAVY=%d %s tests/bench/laws.c %s " ..
+    "%s/ref.o %s -o %s/laws -lgsl -lgslcblas -lmpfr -lgmp -lm", folder, ref, s.heavy, g.defines or "",
+    table.concat(sources, " "), ref, library, folder)
   return folder
 end
 
