@@ -91,7 +91,6 @@ function runs.list()
       rounding(scene, "float", "semi, compensated", 0.001 * k, 1000000, true)
     end
   end
-  rounding("free", "double", "rk4", 1e-4, 100000000)
   rounding("free", "float", "q31", 0.001953125, 1000000)
   return list
 end
