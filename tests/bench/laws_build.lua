@@ -61,8 +61,8 @@ local function reference(program, dir, scene)
   shell("mkdir -p %s", folder)
   scene_file(folder .. "/ref.lua", "ref", scenes[scene])
   shell("POLHODE_SOURCE=. %s gen %s/ref.lua --method exact -o %s > %s/log", program, folder, folder, folder)
-  shell("cc -std=c11 -O1 -ffp-contract=off -c -o %s/ref.part %s/ref.c && mv %s/ref.part %s/ref.o", folder, folder, folder,
-    folder)
+  shell("cc -std=c11 -O1 -ffp-contract=off -c -o %s/ref.part %s/ref.c && mv %s/ref.part %s/ref.o", folder, folder,
+    folder, folder)
   return folder
 end
 

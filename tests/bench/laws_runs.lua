@@ -116,8 +116,8 @@ end
 -- One scene for each law, small numbers of steps: tests/methods/laws.t.
 function runs.few()
   list = {}
-  creeping("free", "few: rk4", 0.05, 30000)
-  rounding("free", "float", "few: rk4", 0.01, 100000)
+  creeping("free", "few: rk4", 0.05, 300000)
+  rounding("free", "float", "few: rk4", 0.01, 300000)
   rounding("free", "float", "few: rk4, compensated", 0.001, 100000, true)
   closed("free", "float", "few: closed form by ticks", 0.01, 1000000)
   geometric("heavy", "few: split2", 0.05, 10000)

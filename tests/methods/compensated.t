@@ -172,7 +172,8 @@ brick ""
 local binary = os.getenv "POLHODE" or "build/polhode"
 local function gen(options)
   program.shell(string.format("rm -rf %s/out", dir))
-  return program.shell(string.format("POLHODE_SOURCE=. timeout 60 %s gen %s --with compensated %s -o %s/out >%s/log 2>&1",
+  return program.shell(string.format("POLHODE_SOURCE=. timeout 90 " ..
+    "%s gen %s --with compensated %s -o %s/out >%s/log 2>&1",
     binary, path, options, dir, dir)), program.read(dir .. "/log")
 end
 for _, method in ipairs { "split4", "midpoint" } do
