@@ -9,9 +9,11 @@ local page = {}
 
 local power = { [0] = "1", [0.5] = "n^½", [1] = "n", [1.5] = "n^3/2", [2] = "n²" }
 
-local function short(x) return (string.gsub(string.format("%.0e", x), "e([+-])0*", function(s)
-  return "e" .. (s == "-" and "-" or "")
-end)) end
+local function short(x)
+  local s = string.gsub(string.format("%.0e", x), "e([+-])0*", function(sign) return "e" .. (sign == "-" and "-" or
+    "") end)
+  return (string.gsub(s, "e$", ""))
+end
 
 -- "0.52 ± 0.03, 2e-6": the exponent, its standard error, the error at the window's end; bold where it is not the law.
 local function cell(r, name)

@@ -72,10 +72,11 @@ function runs.list()
     geometric(scene, "split6", free and 0.5 or 0.1, 100000)
     for _, real in ipairs { "double", "float" } do
       local double = real == "double"
-      local long = double and 10000000 or 1000000
-      rounding(scene, real, "rk4", double and 1e-4 * k or 0.01 * k, long)
-      rounding(scene, real, "rk4, compensated", double and 1e-4 * k or 0.001 * k, long, false, double and 100000)
-      rounding(scene, real, "adaptive", double and 1e-3 * k or 0.02 * k, 1000000)
+      local long = free and 1000000 or 300000
+      rounding(scene, real, "rk4", double and 1e-4 * k or 0.01 * k, free and double and 10000000 or long,
+        double and not free)
+      rounding(scene, real, "rk4, compensated", double and 1e-4 * k or 0.001 * k, long, double, double and 30000)
+      rounding(scene, real, "adaptive", double and 1e-3 * k or 0.02 * k, long)
       rounding(scene, real, "adaptive, compensated", double and 3e-4 * k or 0.002 * k, 1000000, double, double and
         30000)
       rounding(scene, real, "taylor 8", double and 0.02 * k or 0.05 * k, 100000)
