@@ -12,6 +12,7 @@
 #   make install    PREFIX (default /usr/local), DESTDIR
 #   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/linearised.svg
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
+#   make drift-laws   docs/drift.md: how errors grow with the number of steps, fitted (ten minutes)
 #   make fuzz SECONDS=600 TARGETS='scene init'   libFuzzer (clang) on each target of tests/fuzz, see docs/fuzzing.md
 #   make lint | format | sanitize | golden | clean
 
@@ -266,6 +267,11 @@ TURNS = 100000
 drift: $(PROGRAM)
 	@$(LUA) tests/bench/drift.lua $(PROGRAM) $(BUILD)/drift $(TURNS) docs/methods.md
 
+# How errors grow with the number of steps: exponents, fitted over ensembles of states; docs/drift.md and its diagram.
+drift-laws: $(PROGRAM) $(LIBRARY)
+	@rm -rf $(BUILD)/laws
+	@$(LUA) tests/bench/laws.lua $(PROGRAM) $(LIBRARY) $(BUILD)/laws docs/drift.md docs/drift.svg
+
 # Work and precision of every method on six scenes: tables and diagrams of docs/accuracy.md.  One at a time, please.
 accuracy: $(PROGRAM)
 	@$(LUA) tests/bench/accuracy.lua $(PROGRAM) $(BUILD)/accuracy docs/accuracy.md
@@ -354,7 +360,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check fuzz fuzz-replay check-target bits-all test sanitize sanitized golden docs bench accuracy drift errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check fuzz fuzz-replay check-target bits-all test sanitize sanitized golden docs bench accuracy drift drift-laws errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

@@ -21,6 +21,7 @@ local symmetric = require "generator.dynamics.closed.symmetric"
 local quantities = require "generator.dynamics.quantities"
 local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
+local compensated = require "generator.methods.compensated"
 local methods = require "generator.methods.list"
 local fixed_point = require "generator.methods.q31_run"
 local costs = require "generator.report.costs"
@@ -92,8 +93,8 @@ end
 
 -- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
 -- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool or
--- "transition" (of the step alone), q31 = bool, libm = "own" | "system" (the default: own in float), outputs = bool:
--- also derivatives of energy and momentum}
+-- "transition" (of the step alone), compensated = bool, q31 = bool, libm = "own" | "system" (the default: own in
+-- float), outputs = bool: also derivatives of energy and momentum}
 function driver.plan(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods
@@ -130,6 +131,11 @@ function driver.plan(job, options)
     if options.outputs then
       for _, f in ipairs(gradients(job)) do put(f) end
     end
+  end
+  if options.compensated then
+    local more = compensated.list(job)
+    if not more then return nil end
+    for _, f in ipairs(more) do put(f) end
   end
   if options.q31 then
     job.q31 = fixed_point.plan(job)

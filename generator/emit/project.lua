@@ -215,7 +215,7 @@ local function common(job)
   v.has_integral = job.conserved.rate ~= nil
   v.conservative = (v.has_integral or job.conserved.is["T+V"]) and not (eq.free and m.has.attitude)
   v.conserved_name = v.has_integral and "jacobi_integral" or "energy"
-  v.has_ticks = job.closed.ticks or false
+  v.has_ticks, v.has_compensated = job.closed.ticks or false, job.compensated or false
   v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
@@ -331,6 +331,7 @@ function project.files(job, plugin)
   job.code = { header = header, source = text }
   sheet(job, v)
   local n = job.model.name
+  v.compensated_test = v.has_compensated and render "templates/test_compensated.c" or ""
   local files = {
     { name = n .. ".h", text = header },
     { name = n .. ".c", text = text },
