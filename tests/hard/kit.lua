@@ -239,5 +239,8 @@ return function(host)
     return lines
   end
 
+  -- tests/hard/NAME.lua, a function of the kit; nil for the catalogue, which only reads what the cases say.
+  function kit.tool(name) return require("generator.hard." .. name)(kit) end
+
   return kit
 end
