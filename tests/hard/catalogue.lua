@@ -15,7 +15,7 @@
 
 local catalogue = {}
 
-catalogue.files = { "separatrix" }
+catalogue.files = { "separatrix", "free_moments", "free_axis", "time_free", "scale_free", "symmetric" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
 

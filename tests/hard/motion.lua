@@ -2,6 +2,8 @@
 --
 --     local m = kit.tool "motion"      nil while the catalogue only reads what a case says
 --     m.closed(row, o)                 rows "at" (double, float) and "library" (long double)
+--     m.free(row, o)                   the same of the free asymmetric top m.text against MPFR
+--     m.ask(o)                         what else the emitted code of a free body knows (tests/hard/free.c)
 --     m.step(row, o)                   a row for each stepper, in double and in float
 --     m.state(x, y, pace)              the worse of the attitudes' angle, rad, and the rates' error over the pace
 --
@@ -16,7 +18,15 @@ local R = require "generator.algebra.rational"
 return function(kit)
   local m = { BAR = 36 }
 
-  -- The larger of two lists' entries, of either sign; 0 for none.
+  m.steppers = { "rk4", "adaptive", "taylor", "split2", "split4", "split6", "midpoint", "semi" }
+
+  m.text = [[
+local A, B, C = param("A", 1, "kg m^2"), param("B", 2, "kg m^2"), param("C", 3, "kg m^2")
+return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C },
+  initial = { omega = {0.1, 1, 0.1} } }
+]]
+
+  -- The largest entry of a list, of either sign; 0 for none.
   function m.size(list, from, to)
     local most = 0.0
     for i = from or 1, to or #list do most = math.max(most, math.abs(list[i])) end
@@ -32,61 +42,140 @@ return function(kit)
     return kit.worst(kit.angle(x, want), scale > 0 and most / scale or most)
   end
 
+  -- The bar of a closed form over long times, units u: a phase's rate is known to 2^-100 of a turn for each turn, in
+  -- float to 2^-42 (what the emitted header promises), and the fastest turns with `rate`, rad/s.
+  function m.long(rate)
+    return function(_, _, t, u) return m.BAR + math.abs(t) * rate * 2.0 ^ (u > 1e-10 and -42 or -100) / u end
+  end
+
+  local function of(value, real)
+    if type(value) == "function" then return value(real) end
+    return value
+  end
+
   -- ---- the closed form ----
 
-  -- o.text; o.p parameters in the scene's order; o.x0; o.times; o.truth(p, x0, times) -> states; o.bar(p, x0, t, u), the
-  -- bound in units u (36); o.pace(p, x0); o.library = false where it cannot; o.options of kit.emitted; o.reals.
+  -- o.text; o.p parameters in the scene's order, o.x0, o.times: lists or functions of the real type; o.truth(p, x0,
+  -- times) -> states; o.bar(p, x0, t, u), the bound in units u (36); o.pace(p, x0); o.library = false where it cannot;
+  -- o.reals; o.who, instead of "at"; o.measure, instead of m.state.
   function m.closed(row, o)
     kit.each({ text = o.text, reals = o.reals }, function(b, real)
-      local p, x0, times = kit.rounded(real, o.p), kit.rounded(real, o.x0), kit.rounded(real, o.times)
+      local p, x0, times = kit.rounded(real, of(o.p, real)), kit.rounded(real, of(o.x0, real)),
+        kit.rounded(real, of(o.times, real))
       local truth = o.truth(p, x0, times)
       local pace = o.pace and o.pace(p, x0)
-      local function judge(who, name, states)
+      local function judge(who, name, u, states)
         local at, bound, worst = 0.0, 1.0, -1.0
         for i, t in ipairs(times) do
-          local u = who == "library" and kit.u.double or b.u
           local bar = (o.bar and o.bar(p, x0, t, u) or m.BAR) * u
-          local e = states and m.state(states[i], truth[i], pace) or math.huge
+          local e = states and (o.measure or m.state)(states[i], truth[i], pace, real) or math.huge
           if e / bar > worst then worst, at, bound = e / bar, e, bar end
         end
-        row(o.who and who == "at" and o.who or who, name, at, bound)
+        row(who, name, at, bound)
       end
       local states
       if b.plugin:init(p) == 0 and b.plugin:solve(x0) == 0 then
         states = {}
         for i, t in ipairs(times) do states[i] = b.plugin:at(t) end
       end
-      judge("at", real, states)
-      if real == "double" and o.library ~= false then judge("library", "long double", m.library(b.job, p, x0, times)) end
+      judge(o.who or "at", real, b.u, states)
+      if real == "double" and o.library ~= false then
+        judge(o.who and "library, " .. o.who or "library", "long double", kit.u.double, m.library(b.job, p, x0, times))
+      end
     end)
   end
 
-  -- States by the general library, or nil; one run.
+  -- States by the general library, one run for each sign of the times; raises where it cannot.
   function m.library(job, p, x0, times)
-    local values
-    if #p > 0 then
-      values = {}
-      for i, q in ipairs(job.model.params) do values[q.name] = R.fromdouble(p[i]) end
-    end
-    local sorted = {}
-    for i, t in ipairs(times) do sorted[i] = { t, i } end
-    table.sort(sorted, function(a, b) return a[1] < b[1] end)
-    -- the library's times go one way from 0
-    local out = {}
+    local values, out = {}, {}
+    for i, q in ipairs(job.model.params) do values[q.name] = R.fromdouble(p[i]) end
     for _, way in ipairs { 1, -1 } do
-      local list, index = {}, {}
-      for k = 1, #sorted do
-        local s = sorted[way == 1 and k or #sorted + 1 - k]
-        if s[1] * way > 0 or way == 1 and s[1] == 0 then list[#list + 1], index[#index + 1] = s[1], s[2] end
+      local order, list = {}, {}
+      for i, t in ipairs(times) do
+        if t * way > 0 or way == 1 and t == 0 then order[#order + 1] = i end
       end
-      local rows, why = nil, nil
+      table.sort(order, function(a, b) return math.abs(times[a]) < math.abs(times[b]) end)
+      for k, i in ipairs(order) do list[k] = times[i] end
       if #list > 0 then
-        rows, why = reference.of(kit.host, job, x0, list, values, true)
+        local rows, why = reference.of(kit.host, job, x0, list, values, true)
         if not rows then error("library: " .. tostring(why), 0) end
-        for k, i in ipairs(index) do out[i] = rows[k] end
+        for k, i in ipairs(order) do out[i] = rows[k] end
       end
     end
     return out
+  end
+
+  -- ---- the free asymmetric top ----
+
+  function m.truth(p, x0, times) return kit.free_top({ p[1], p[2], p[3], 0, 0, 0 }, x0, times) end
+
+  function m.free(row, o)
+    o.text, o.truth = m.text, o.truth or m.truth
+    m.closed(row, o)
+  end
+
+  -- Period of the rates, s (inf, or 0), and the mean rate of precession: many digits.
+  function m.periods(p, x0)
+    local line = { p[1], p[2], p[3], 0, 0, 0, x0[5], x0[6], x0[7], x0[1], x0[2], x0[3], x0[4], 0 }
+    return table.unpack(kit.oracle("free_top", "-p", { line })[1])
+  end
+
+  -- o.text (a scene named free), o.real, o.p, o.x0, o.t, o.h, o.n (an integer): {period, precession, rotation, flip},
+  -- state after n ticks; or nil.
+  function m.ask(o)
+    local words = {}
+    for _, list in ipairs { o.p, o.x0, { o.t or 0.0, o.h or 1.0 } } do
+      for _, x in ipairs(list) do words[#words + 1] = string.format("%a", x) end
+    end
+    words[#words + 1] = string.format("%d", o.n or 0)
+    local lines, out = kit.program { text = o.text or m.text, real = o.real, source = "tests/hard/free.c",
+      arguments = words }, {}
+    if #lines < 2 then return nil end
+    for i, line in ipairs(lines) do
+      out[i] = {}
+      for word in string.gmatch(line, "%S+") do out[i][#out[i] + 1] = tonumber(word) or string.find(word, "inf") and
+        math.huge or 0 / 0 end
+    end
+    return out[1], out[2]
+  end
+
+  -- ---- steppers ----
+
+  -- What a step of angle a = h |w| leaves, rad and relative rates, for each rad: {order, factor, double's a, float's a}.
+  -- Runge and Kutta: Lotkin's bound (1951, Math. Tables 5, 128), 73/720 M L^4 h^4 with L = 2 |w|, for the free body's
+  -- equations have the derivative |w| times a factor below 2; adaptive's 5th order with L^5 likewise.  taylor: a majorant
+  -- of w' = K w w, K <= 1, has the coefficients |w|^(n+1), so that a^20/(1 - a) is left.  split: b^10 of a series in
+  -- b = a/2 whose next pole is at b = pi or farther, and 4 for its coefficient.  midpoint, semi: a^2/12 for the angle by
+  -- Cayley's map and for the rates, a^2/24 and a^2/12 of third derivatives below 4 |w|^3; 1 is above their sum.
+  local law = { rk4 = { 4, 2, 2.0 ^ -10, 2.0 ^ -5 }, adaptive = { 5, 4, 2.0 ^ -8, 2.0 ^ -4 },
+    taylor = { 20, 1.5, 2.0 ^ -2, 2.0 ^ -2 }, midpoint = { 2, 1, 2.0 ^ -10, 2.0 ^ -8 },
+    semi = { 2, 1, 2.0 ^ -10, 2.0 ^ -8 } }
+  for _, name in ipairs { "split2", "split4", "split6" } do law[name] = { 10, 4 / 2.0 ^ 10, 2.0 ^ -3, 2.0 ^ -2 } end
+
+  -- Each stepper from x0 over about o.radians, h a power of two by its law.  o.text (m.text), o.p, o.x0, o.pace (the
+  -- fastest rate, rad/s), o.growth(t): how an error at the start has grown (1); o.truth; o.exact = {name = true}: no
+  -- truncation; o.steppers.  The bound is growth times (truncation + rounding): n steps of at most 16 roundings of q and of
+  -- w, independent, three standard deviations of their sum, and those of w turn the attitude: 3 sqrt(n) u (16 + 2 rad).
+  function m.step(row, o)
+    local text = o.text or m.text
+    kit.each({ text = text, methods = m.steppers }, function(b, real)
+      local p, x0 = kit.rounded(real, of(o.p, real)), kit.rounded(real, of(o.x0, real))
+      if b.plugin:init(p) ~= 0 then
+        row("init", real, math.huge, 1)
+        return
+      end
+      for _, name in ipairs(o.steppers or m.steppers) do
+        local l = law[name]
+        local h = 2.0 ^ math.floor(math.log(l[real == "float" and 4 or 3] / o.pace, 2))
+        local n = math.max(1, math.floor(o.radians / (o.pace * h)))
+        local t = h * n
+        local x = b.plugin:march(0, x0, nil, h, n, name)
+        local cut = o.exact and o.exact[name] and 0 or l[2] * (h * o.pace) ^ l[1] * o.radians
+        local rounding = 3 * math.sqrt(n) * b.u * (16 + 2 * o.radians)
+        row(name, real, m.state(x, (o.truth or m.truth)(p, x0, { t })[1], o.rates),
+          (o.growth and o.growth(t) or 1) * (cut + rounding))
+      end
+    end)
   end
 
   return m
