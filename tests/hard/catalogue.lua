@@ -15,7 +15,8 @@
 
 local catalogue = {}
 
-catalogue.files = { "separatrix", "free_moments", "free_axis", "time_free", "scale_free", "symmetric" }
+catalogue.files = { "separatrix", "free_moments", "free_axis", "time_free", "scale_free", "symmetric",
+  "heavy_sleeping", "heavy_motion", "steppers_free" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
 

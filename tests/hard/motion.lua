@@ -57,7 +57,7 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
 
   -- o.text; o.p parameters in the scene's order, o.x0, o.times: lists or functions of the real type; o.truth(p, x0,
   -- times) -> states; o.bar(p, x0, t, u), the bound in units u (36); o.pace(p, x0); o.library = false where it cannot;
-  -- o.reals; o.who, instead of "at"; o.measure, instead of m.state.
+  -- o.library_bar, its own bound; o.reals; o.who, added to "at"; o.measure, instead of m.state.
   function m.closed(row, o)
     kit.each({ text = o.text, reals = o.reals }, function(b, real)
       local p, x0, times = kit.rounded(real, of(o.p, real)), kit.rounded(real, of(o.x0, real)),
@@ -67,20 +67,21 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
       local function judge(who, name, u, states)
         local at, bound, worst = 0.0, 1.0, -1.0
         for i, t in ipairs(times) do
-          local bar = (o.bar and o.bar(p, x0, t, u) or m.BAR) * u
+          local law = who == "library" and o.library_bar or o.bar
+          local bar = (law and law(p, x0, t, u) or m.BAR) * u
           local e = states and (o.measure or m.state)(states[i], truth[i], pace, real) or math.huge
           if e / bar > worst then worst, at, bound = e / bar, e, bar end
         end
-        row(who, name, at, bound)
+        row(o.who and who .. ", " .. o.who or who, name, at, bound)
       end
       local states
       if b.plugin:init(p) == 0 and b.plugin:solve(x0) == 0 then
         states = {}
         for i, t in ipairs(times) do states[i] = b.plugin:at(t) end
       end
-      judge(o.who or "at", real, b.u, states)
+      judge("at", real, b.u, states)
       if real == "double" and o.library ~= false then
-        judge(o.who and "library, " .. o.who or "library", "long double", kit.u.double, m.library(b.job, p, x0, times))
+        judge("library", "long double", kit.u.double, m.library(b.job, p, x0, times))
       end
     end)
   end
@@ -152,28 +153,51 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
     semi = { 2, 1, 2.0 ^ -10, 2.0 ^ -8 } }
   for _, name in ipairs { "split2", "split4", "split6" } do law[name] = { 10, 4 / 2.0 ^ 10, 2.0 ^ -3, 2.0 ^ -2 } end
 
-  -- Each stepper from x0 over about o.radians, h a power of two by its law.  o.text (m.text), o.p, o.x0, o.pace (the
-  -- fastest rate, rad/s), o.growth(t): how an error at the start has grown (1); o.truth; o.exact = {name = true}: no
-  -- truncation; o.steppers.  The bound is growth times (truncation + rounding): n steps of at most 16 roundings of q and of
-  -- w, independent, three standard deviations of their sum, and those of w turn the attitude: 3 sqrt(n) u (16 + 2 rad).
-  function m.step(row, o)
-    local text = o.text or m.text
-    kit.each({ text = text, methods = m.steppers }, function(b, real)
+  -- What keeps T and |L| to rounding whatever the step is.
+  m.keeps = { split2 = true, split4 = true, split6 = true, midpoint = true }
+
+  -- fn(b, real, p, x0, name) for each stepper and type; o.text (m.text), o.p, o.x0, o.steppers.
+  function m.each(row, o, fn)
+    kit.each({ text = o.text or m.text, methods = m.steppers }, function(b, real)
       local p, x0 = kit.rounded(real, of(o.p, real)), kit.rounded(real, of(o.x0, real))
       if b.plugin:init(p) ~= 0 then
         row("init", real, math.huge, 1)
         return
       end
-      for _, name in ipairs(o.steppers or m.steppers) do
-        local l = law[name]
-        local h = 2.0 ^ math.floor(math.log(l[real == "float" and 4 or 3] / o.pace, 2))
-        local n = math.max(1, math.floor(o.radians / (o.pace * h)))
-        local t = h * n
-        local x = b.plugin:march(0, x0, nil, h, n, name)
-        local cut = o.exact and o.exact[name] and 0 or l[2] * (h * o.pace) ^ l[1] * o.radians
-        local rounding = 3 * math.sqrt(n) * b.u * (16 + 2 * o.radians)
-        row(name, real, m.state(x, (o.truth or m.truth)(p, x0, { t })[1], o.rates),
-          (o.growth and o.growth(t) or 1) * (cut + rounding))
+      for _, name in ipairs(o.steppers or m.steppers) do fn(b, real, p, x0, name) end
+    end)
+  end
+
+  -- The step by the law, a power of two, for the fastest rate; how many make about so many radians; truncation for them.
+  function m.plan(name, real, pace, radians)
+    local l = law[name]
+    local h = 2.0 ^ math.floor(math.log(l[real == "float" and 4 or 3] / pace, 2))
+    return h, math.max(1, math.floor(radians / (pace * h))), l[2] * (h * pace) ^ l[1] * radians
+  end
+
+  -- Three standard deviations of n independent steps of 16 roundings each, of q and w; those of w turn the attitude.
+  function m.walk(n, radians, u) return 3 * math.sqrt(n) * u * (16 + 2 * radians) end
+
+  -- How far energy and |L| have gone, relatively.
+  function m.drift(b, x0, x)
+    local function length(v) return math.sqrt(v[1] ^ 2 + v[2] ^ 2 + v[3] ^ 2) end
+    local function off(a, c) return c ~= 0 and kit.number(math.abs(a / c - 1)) or kit.number(math.abs(a)) end
+    return kit.worst(off(b.plugin:energy(x), b.plugin:energy(x0)),
+      off(length(b.plugin:momentum(x)), length(b.plugin:momentum(x0))))
+  end
+
+  -- Each stepper from x0 over about o.radians.  o.pace(real), the fastest rate, rad/s; o.growth(t): how an error at the
+  -- start has grown (1); o.truth; o.laws: rows of energy and |L|, too.  The bound is growth times truncation and rounding;
+  -- what keeps T and |L| has no truncation in them, and no growth: they are integrals.
+  function m.step(row, o)
+    m.each(row, o, function(b, real, p, x0, name)
+      local pace = of(o.pace, real)
+      local h, n, cut = m.plan(name, real, pace, o.radians)
+      local x = b.plugin:march(0, x0, nil, h, n, name)
+      local want = (o.truth or m.truth)(p, x0, { h * n })[1]
+      row(name, real, m.state(x, want, o.rates), (o.growth and o.growth(h * n) or 1) * (cut + m.walk(n, o.radians, b.u)))
+      if o.laws then
+        row(name .. ", laws", real, m.drift(b, x0, x), 2 * ((m.keeps[name] and 0 or cut) + m.walk(n, 0, b.u)))
       end
     end)
   end

@@ -46,7 +46,7 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = A, zz = C }
           local function p(real) return type(s[1]) == "function" and s[1](real) or s[1] end
           local function x0(real) return state(type(s[2]) == "function" and s[2](real) or s[2]) end
           m.closed(row, { text = text, truth = o.truth or truth, measure = o.measure, p = p, x0 = x0, times = s[3], bar = o.bar and m.long(o.bar),
-            who = #o > 1 and string.format("at %d", i) or nil, library = o.library })
+            who = #o > 1 and string.format("%d", i) or nil, library = o.library })
           local times = type(s[3]) == "function" and s[3] "double" or s[3]
           local t = times[#times]
           local got, want = textbook(p "double", x0 "double", t), (o.truth or truth)(p "double", x0 "double", { t })[1]
