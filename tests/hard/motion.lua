@@ -156,6 +156,11 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
   -- What keeps T and |L| to rounding whatever the step is.
   m.keeps = { split2 = true, split4 = true, split6 = true, midpoint = true }
 
+  -- Taylor's coefficients are not scaled: |w|^20 and its inverse must be numbers of the type (docs/methods.md).
+  function m.fits(name, real, pace)
+    return name ~= "taylor" or 20 * math.abs(math.log(pace, 2)) < (real == "float" and 120 or 1000)
+  end
+
   -- fn(b, real, p, x0, name) for each stepper and type; o.text (m.text), o.p, o.x0, o.steppers.
   function m.each(row, o, fn)
     kit.each({ text = o.text or m.text, methods = m.steppers }, function(b, real)
@@ -178,24 +183,26 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
   -- Three standard deviations of n independent steps of 16 roundings each, of q and w; those of w turn the attitude.
   function m.walk(n, radians, u) return 3 * math.sqrt(n) * u * (16 + 2 * radians) end
 
-  -- How far energy and |L| have gone, relatively.
+  -- How far energy and |L| have gone, relatively: the worse, and that of |L| alone.
   function m.drift(b, x0, x)
     local function length(v) return math.sqrt(v[1] ^ 2 + v[2] ^ 2 + v[3] ^ 2) end
     local function off(a, c) return c ~= 0 and kit.number(math.abs(a / c - 1)) or kit.number(math.abs(a)) end
-    return kit.worst(off(b.plugin:energy(x), b.plugin:energy(x0)),
-      off(length(b.plugin:momentum(x)), length(b.plugin:momentum(x0))))
+    local L = off(length(b.plugin:momentum(x)), length(b.plugin:momentum(x0)))
+    return kit.worst(off(b.plugin:energy(x), b.plugin:energy(x0)), L), L
   end
 
   -- Each stepper from x0 over about o.radians.  o.pace(real), the fastest rate, rad/s; o.growth(t): how an error at the
-  -- start has grown (1); o.truth; o.laws: rows of energy and |L|, too.  The bound is growth times truncation and rounding;
+  -- start has grown (1); o.condition: what a rounding is multiplied by (1); o.truth; o.laws: rows of energy and |L|, too.  The bound is growth times truncation and rounding;
   -- what keeps T and |L| has no truncation in them, and no growth: they are integrals.
   function m.step(row, o)
     m.each(row, o, function(b, real, p, x0, name)
       local pace = of(o.pace, real)
+      if not m.fits(name, real, pace) then return end
       local h, n, cut = m.plan(name, real, pace, o.radians)
       local x = b.plugin:march(0, x0, nil, h, n, name)
       local want = (o.truth or m.truth)(p, x0, { h * n })[1]
-      row(name, real, m.state(x, want, o.rates), (o.growth and o.growth(h * n) or 1) * (cut + m.walk(n, o.radians, b.u)))
+      local more = (o.growth and o.growth(h * n) or 1) * (o.condition or 1)
+      row(name, real, m.state(x, want), more * (cut + m.walk(n, o.radians, b.u)))
       if o.laws then
         row(name .. ", laws", real, m.drift(b, x0, x), 2 * ((m.keeps[name] and 0 or cut) + m.walk(n, 0, b.u)))
       end
