@@ -124,11 +124,14 @@ end
 
 -- ---- steps as one writes them ----
 
--- Euler's rates by n steps of Runge and Kutta, the attitude by q + h q (0, w)/2 without a norm.
-function naive.march(p, x0, h, n)
+-- Euler's rates by n steps of Runge and Kutta, the attitude by q + h q (0, w)/2 without a norm; a rotor's momentum
+-- about axis 3, if there is one.
+function naive.march(p, x0, h, n, rotor)
+  local r = rotor or 0.0
   local q, w = { table.unpack(x0, 1, 4) }, { table.unpack(x0, 5, 7) }
   local function f(v)
-    return { (p[2] - p[3]) / p[1] * v[2] * v[3], (p[3] - p[1]) / p[2] * v[3] * v[1], (p[1] - p[2]) / p[3] * v[1] * v[2] }
+    return { ((p[2] - p[3]) * v[3] - r) * v[2] / p[1], ((p[3] - p[1]) * v[3] + r) * v[1] / p[2],
+      (p[1] - p[2]) / p[3] * v[1] * v[2] }
   end
   local function moved(k, by) return { w[1] + by * k[1], w[2] + by * k[2], w[3] + by * k[3] } end
   for _ = 1, n do
