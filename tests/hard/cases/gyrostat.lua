@@ -11,8 +11,8 @@ local H = param("H", 20, "kg m^2/s")
 return scene { name = "dual", body = tensor { mass = 1, xx = A, yy = B, zz = C },
   effects = { effect.rotor { axis = {0, 0, 1}, momentum = H } } }
 ]]
-  local function truth(p, x0, times)
-    return kit.heavy_top({ p[1], p[2], p[3] }, { 0, 0, p[4] }, x0, times, "-b 224 -r")
+  local function truth(p, x0, times, bits)
+    return kit.heavy_top({ p[1], p[2], p[3] }, { 0, 0, p[4] }, x0, times, string.format("-b %d -r", bits or 224))
   end
   local function pace(p, x0)
     local M = math.sqrt((p[1] * x0[5]) ^ 2 + (p[2] * x0[6]) ^ 2 + (p[3] * x0[7] + p[4]) ^ 2)
@@ -37,14 +37,15 @@ return scene { name = "dual", body = tensor { mass = 1, xx = A, yy = B, zz = C }
             local w = of(2, real)
             return { 0.5, -0.5, 0.1, 0.7, w[1], w[2], w[3] }
           end
-          m.closed(row, { text = text, p = s[1], x0 = x0, times = s[3], truth = truth, pace = pace, library = o.library,
+          m.closed(row, { text = text, p = s[1], x0 = x0, times = s[3], pace = pace, library = o.library,
+            truth = function(q, y, times) return truth(q, y, times, o.bits) end,
             who = #o > 1 and string.format("%d", i) or nil,
             library_bar = o.growth and function(_, _, t, u) return m.BAR + 4e-18 * math.exp(o.growth * math.abs(t)) / u end })
           local p, x, t = of(1, "double"), x0 "double", s[3][#s[3]]
           local fast = pace(p, x)
           local n = math.ceil(math.abs(t) * fast * 256)
           local got = naive.march(p, x, t / n, n, p[4])
-          worst = kit.worst(worst, m.state(got, truth(p, x, { t })[1], fast))
+          worst = kit.worst(worst, m.state(got, truth(p, x, { t }, o.bits)[1], fast))
         end
         row.naive(worst)
       end }
@@ -60,14 +61,21 @@ return scene { name = "dual", body = tensor { mass = 1, xx = A, yy = B, zz = C }
     cases = {
       case("gyrostat_critical_rotor", { near(-0.5, 1e-4, { 1, 20, -50 }), near(-1.5, 1e-4, { 1, 20 }),
         near(-0.5, 0, { 1, 20 }), fast = true,
-        why = "h = -(C - B) s exactly: the spin about the rotor's axis is neither stable nor unstable; and with nothing across" }),
+        why = "h = -(C - B) s exactly: the spin about the rotor's axis is neither stable nor unstable; also " ..
+          "with the smallest number across, whose square is 0" }),
+      case("gyrostat_stable_axis", { fast = true, why = "the spin is stable, and what is across it is 1e-300 and the smallest " ..
+        "number (float: 1e-40): two bands whose width is a square of that", near(1, 1e-300, { 1, 20, -50 }),
+        near(1, 0, { 1, 20 }), { { 1, 2, 2.5, 1 }, function(real)
+          local e = real == "float" and 1e-40 or 1e-300
+          return { 1, e, -e }
+        end, { 1, 20 } } }),
       case("gyrostat_critical_sides", { fast = true, why = "h one unit of the last place and 1e-8 on either side of it",
         near(function(real) return -0.5 * (1 + 2 * kit.u[real]) end, 1e-6, { 1, 50 }),
         near(function(real) return -0.5 * (1 - kit.u[real]) end, 1e-6, { 1, 50 }), near(-0.5 * (1 + 1e-8), 1e-6, { 1, 50 }),
         near(-0.5 * (1 - 1e-8), 1e-6, { 1, 50 }) }),
-      case("gyrostat_unstable_axis", { library = false,
-        near(-1, 1e-8, { 10, 60, 100 }), near(-1, 1e-150, { 300 }),
-        why = "h makes the rotor's axis unstable: from 1e-8 and 1e-150 across it the body falls away in time. (The library " ..
+      case("gyrostat_unstable_axis", { library = false, bits = 384,
+        near(-1, 1e-8, { 10, 60, 100 }), near(-1, 1e-40, { 100, 300 }),
+        why = "h makes the rotor's axis unstable: from 1e-8 and 1e-40 across it (a subnormal float) it falls away in time. (The library " ..
           "integrates, and loses exp(t/tau) u: no row)" }),
       case("gyrostat_rotor_off", { { { 1, 2, 2.5, 0 }, { 1, 1, 0.5 }, { 1, 20, -7 } }, fast = true, growth = 0.4,
         { { 1, 2, 2.5, -0.0 }, { 1, 1, 0.5 }, { 1, 20 } }, { { 3, 4, 6, 0 }, { 0.5, 1, 0.25 }, { 1, 20 } },
