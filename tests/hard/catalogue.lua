@@ -16,7 +16,7 @@
 local catalogue = {}
 
 catalogue.files = { "separatrix", "free_moments", "free_axis", "time_free", "scale_free", "symmetric",
-  "heavy_sleeping", "heavy_motion", "steppers_free" }
+  "heavy_sleeping", "heavy_motion", "gyrostat", "steppers_free", "steppers_heavy" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
 

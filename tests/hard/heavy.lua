@@ -2,7 +2,8 @@
 --
 --     local m = kit.tool "heavy"
 --     m.run(row, list, o)      list of {q, w, mgl, times, A, C}: closed form and library against MPFR's Taylor series,
---                              and the naive road; o.bar(p, x0, t, u), o.library_bar, o.options of the oracle, o.library = false
+--                              and the naive road; o.bar(p, x0, t, u), o.library_bar, o.options of the oracle,
+-- o.library = false
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 return function(kit)

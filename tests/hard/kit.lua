@@ -227,7 +227,8 @@ return function(host)
       local files = assert(driver.files(host, job, {}))
       files[#files + 1] = { name = "scene.h", text = string.format('#include "%s.h"\n', job.model.name) }
       assert(host.write_files(at, files))
-      local status, out = host.execute { "sh", "-c", string.format("%s -std=c11 -O1 -ffp-contract=off -I%s -Itests/hard " ..
+      local status, out = host.execute { "sh", "-c", string.format("%s -std=c11 -O1 -ffp-contract=off -I%s " ..
+        "-Itests/hard " ..
         "-o %s/run %s %s/%s.c -lm 2>&1", "${CC:-cc}", at, at, o.source, at, job.model.name) }
       if status ~= 0 then error(o.source .. ": " .. tostring(out), 0) end
       programs[key] = at

@@ -7,7 +7,8 @@
 --     m.step(row, o)                   a row for each stepper, in double and in float
 --     m.state(x, y, pace)              the worse of the attitudes' angle, rad, and the rates' error over the pace
 --
--- BAR, units u of the type's rounding, for every closed form: 36.  Attitude is a sum of products of two phases' sines and
+-- BAR, units u of the type's rounding, for every closed form: 36.  Attitude is a sum of products of two phases'
+-- sines and
 -- cosines and of series' constants; each phase is reduced in pairs and rounded once (pi u), its sine and cosine once
 -- more, some dozen operations on numbers below 2 follow; the angle is twice the quaternion's error.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -142,11 +143,14 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
 
   -- ---- steppers ----
 
-  -- What a step of angle a = h |w| leaves, rad and relative rates, for each rad: {order, factor, double's a, float's a}.
+  -- What a step of angle a = h |w| leaves, rad and relative rates, for each rad: {order, factor, double's a, float's
+  -- a}.
   -- Runge and Kutta: Lotkin's bound (1951, Math. Tables 5, 128), 73/720 M L^4 h^4 with L = 2 |w|, for the free body's
-  -- equations have the derivative |w| times a factor below 2; adaptive's 5th order with L^5 likewise.  taylor: a majorant
+  -- equations have the derivative |w| times a factor below 2; adaptive's 5th order with L^5 likewise.  taylor: a
+  -- majorant
   -- of w' = K w w, K <= 1, has the coefficients |w|^(n+1), so that a^20/(1 - a) is left.  split: b^10 of a series in
-  -- b = a/2 whose next pole is at b = pi or farther, and 4 for its coefficient.  midpoint, semi: a^2/12 for the angle by
+  -- b = a/2 whose next pole is at b = pi or farther, and 4 for its coefficient.  midpoint, semi: a^2/12 for the
+  -- angle by
   -- Cayley's map and for the rates, a^2/24 and a^2/12 of third derivatives below 4 |w|^3; 1 is above their sum.
   local law = { rk4 = { 4, 2, 2.0 ^ -10, 2.0 ^ -5 }, adaptive = { 5, 4, 2.0 ^ -8, 2.0 ^ -4 },
     taylor = { 20, 1.5, 2.0 ^ -2, 2.0 ^ -2 }, midpoint = { 2, 1, 2.0 ^ -10, 2.0 ^ -8 },
@@ -173,7 +177,8 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
     end)
   end
 
-  -- The step by the law, a power of two, for the fastest rate; how many make about so many radians; truncation for them.
+  -- The step by the law, a power of two, for the fastest rate; how many make about so many radians; truncation for
+  -- them.
   function m.plan(name, real, pace, radians)
     local l = law[name]
     local h = 2.0 ^ math.floor(math.log(l[real == "float" and 4 or 3] / pace, 2))
@@ -192,7 +197,8 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
   end
 
   -- Each stepper from x0 over about o.radians.  o.pace(real), the fastest rate, rad/s; o.growth(t): how an error at the
-  -- start has grown (1); o.condition: what a rounding is multiplied by (1); o.truth; o.laws: rows of energy and |L|, too.  The bound is growth times truncation and rounding;
+  -- start has grown (1); o.condition: what a rounding is multiplied by (1); o.truth; o.laws: rows of energy and |L|,
+  -- too.  The bound is growth times truncation and rounding;
   -- what keeps T and |L| has no truncation in them, and no growth: they are integrals.
   function m.step(row, o)
     m.each(row, o, function(b, real, p, x0, name)

@@ -95,7 +95,8 @@ local function angle_rates(I, mgl, y)
   local precession = (a * s + b * k) / math.sin(theta)
   local up = mgl * math.sin(theta)
   return { precession, a * k - b * s, c - precession * math.cos(theta),
-    ((I[2] - I[3]) * b * c + up * k) / I[1], ((I[3] - I[1]) * c * a - up * s) / I[2], (I[1] - I[2]) * a * b / I[3], phi }
+    ((I[2] - I[3]) * b * c + up * k) / I[1], ((I[3] - I[1]) * c * a - up * s) / I[2], (I[1] - I[2]) * a * b / I[3],
+      phi }
 end
 
 -- A state by Runge and Kutta's steps of h in Euler's angles, weight mgl at the end of axis 3; NaN where theta is 0.

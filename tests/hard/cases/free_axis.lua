@@ -6,7 +6,8 @@ return function(kit)
   local p = { 1, 2, 2.5 }
 
   local MPFR = "MPFR, 1280 bits, textbook formulas (tests/oracle/free_top.c)"
-  local BAR = "36 u: two phases reduced in pairs, rounded once, and some dozen operations. The growth of 1e-300 next to the " ..
+  local BAR = "36 u: two phases reduced in pairs, rounded once, and some dozen operations. The growth of 1e-300 " ..
+    "next to the " ..
     "middle axis is in the closed form, the inputs are exact: no condition number"
 
   -- A state with w = 1 about the axis, e about the others.
@@ -33,11 +34,14 @@ return function(kit)
 
   local function within(name, e, fast)
     return { name = name, fast = fast,
-      why = string.format("the rates across are %s of the spin: about the middle axis they grow to 1 in %d s; about the " ..
-        "others they must stay", e and string.format("%g", e) or "subnormal", e and math.floor(2.59 * math.log(1 / e)) or
+      why = string.format("the rates across are %s of the spin: about the middle axis they grow to 1 in %d s; about " ..
+        "the " ..
+        "others they must stay", e and string.format("%g", e) or "subnormal",
+          e and math.floor(2.59 * math.log(1 / e)) or
         1925),
       naive = "the textbook's formulas, whose k^2 is 1 +- 1e-16 as soon as e^2 is below 1e-16; rates after the flip",
-      oracle = MPFR .. "; about the outer axes below 1e-150 a constant rotation, from which it is e t away", bound = BAR,
+      oracle = MPFR .. "; about the outer axes below 1e-150 a constant rotation, from which it is e t away",
+        bound = BAR,
       run = function(row)
         for axis = 1, 3 do
           local function x0(real) return state(axis, e and math.max(e, kit.tiny[real]) or kit.tiny[real]) end
@@ -89,7 +93,8 @@ return function(kit)
       within("spin_within_subnormal", nil, true),
       still("spin_exactly_about_an_axis", "about the middle axis nothing may start: there is no rate to grow",
         { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, -1, 0 } }, true),
-      still("zero_spin", "no rate at all, with zeros of either sign: nothing to divide by", { { 0, 0, 0 }, { -0.0, 0, -0.0 } },
+      still("zero_spin", "no rate at all, with zeros of either sign: nothing to divide by", { { 0, 0, 0 }, { -0.0,
+        0, -0.0 } },
         true),
       { name = "rate_of_negative_zero", fast = true,
         why = "a zero's sign decides a branch or a quadrant (atan2): the motion must be that of +0",

@@ -8,15 +8,18 @@ return function(kit)
   local MPFR = "MPFR, 1280 bits, textbook formulas (tests/oracle/free_top.c)"
   local TEXTBOOK = "rates by the textbook's amplitudes and Jacobi's functions from T and L^2 (Landau and Lifshitz, " ..
     "Mechanics, 37), whose differences cancel; error at the last time"
-  local BAR = "36 u: two phases reduced in pairs, rounded once, and some dozen operations; the differences of moments are " ..
+  local BAR = "36 u: two phases reduced in pairs, rounded once, and some dozen operations; the differences of " ..
+    "moments are " ..
     "formed before any product"
   local LONG = BAR .. "; and 2^-100 of a turn for each turn, in float 2^-42"
 
   local function equal(name, e, fast)
     -- the drift of the polhode is visible after 1/e; a float's phases end after 10^6 turns
-    local function times(real) return { 1, -100, math.min(10 / (e or kit.u[real]), real == "float" and 1e5 or 1e13) } end
+    local function times(real) return { 1, -100, math.min(10 / (e or kit.u[real]),
+      real == "float" and 1e5 or 1e13) } end
     return { name = name, fast = fast,
-      why = string.format("the polhode goes round in 1/(B - A): with moments %s apart after that many turns of the body",
+      why = string.format("the polhode goes round in 1/(B - A): with moments %s apart after that many turns of the " ..
+        "body",
         e and string.format("%g", e) or "one unit of the last place"),
       naive = TEXTBOOK, oracle = MPFR, bound = LONG,
       run = function(row)
@@ -45,7 +48,8 @@ return function(kit)
       end }
   end
 
-  return { title = "Moments", about = "The free asymmetric top near the sphere, the symmetric top, the rod, the lamina.",
+  return { title = "Moments", about = "The free asymmetric top near the sphere, the symmetric top, the rod, the " ..
+    "lamina.",
     cases = {
       equal("moments_equal_1e4", 1e-4, true),
       equal("moments_equal_1e8", 1e-8, false),
@@ -59,7 +63,8 @@ return function(kit)
         why = "A = 1e-300 (float: 1e-36): A^2 is 0 in the type, and I^-1 does not come back" }),
       plain("rod_subnormal", { p = function(real) return { kit.tiny[real], 1, 1 } end, fast = true,
         why = "A is the smallest number that there is: no scaling by its reciprocal, which is infinite" }),
-      plain("lamina", { p = function() return { 1, 2, 3 } end, why = "A + B = C exactly: the end of what a body can have" }),
+      plain("lamina", { p = function() return { 1, 2, 3 } end, why = "A + B = C exactly: the end of what a body can " ..
+        "have" }),
       plain("lamina_rounded", { fast = true, p = function() return { 0.1, 0.2, 0.1 + 0.2 } end,
         why = "A + B = C in rounded numbers: C is larger than A + B in exact ones, and must not be refused" }),
       plain("moments_1e30", { p = function(real)

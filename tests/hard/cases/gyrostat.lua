@@ -1,7 +1,8 @@
 -- gyrostat.lua -- hard cases: a body of three moments with a rotor along its third axis.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- Moments 1, 2, 5/2.  The spin s about the third axis is unstable for h between -(C - A) s and -(C - B) s: -3/2 and -1/2.
+-- Moments 1, 2, 5/2.  The spin s about the third axis is unstable for h between -(C - A) s and -(C - B) s: -3/2 and
+-- -1/2.
 
 return function(kit)
   local m, naive = kit.tool "motion", kit.tool "naive"
@@ -20,9 +21,11 @@ return scene { name = "dual", body = tensor { mass = 1, xx = A, yy = B, zz = C }
   end
 
   local SERIES = "Taylor series of MPFR, 224 bits, of a body with a rotor (tests/oracle/heavy_top.c -r)"
-  local PLAIN = "Euler's equations with h by Runge and Kutta's steps, 2^-8 of the pace, q += h q (0, w)/2 without a norm; state " ..
+  local PLAIN = "Euler's equations with h by Runge and Kutta's steps, 2^-8 of the pace, q += h q (0, w)/2 without a " ..
+    "norm; state " ..
     "at the last time"
-  local BAR = "36 u of the pace, the larger of |w| and |M| over the least moment: three phases reduced in pairs, rounded once, " ..
+  local BAR = "36 u of the pace, the larger of |w| and |M| over the least moment: three phases reduced in pairs, " ..
+    "rounded once, " ..
     "five terms of theta series, a dozen operations"
 
   -- list of {moments and h, rates, times}; o.growth, 1/s: the library integrates, and loses with it
@@ -40,7 +43,8 @@ return scene { name = "dual", body = tensor { mass = 1, xx = A, yy = B, zz = C }
           m.closed(row, { text = text, p = s[1], x0 = x0, times = s[3], pace = pace, library = o.library,
             truth = function(q, y, times) return truth(q, y, times, o.bits) end,
             who = #o > 1 and string.format("%d", i) or nil,
-            library_bar = o.growth and function(_, _, t, u) return m.BAR + 4e-18 * math.exp(o.growth * math.abs(t)) / u end })
+            library_bar = o.growth and function(_, _, t,
+              u) return m.BAR + 4e-18 * math.exp(o.growth * math.abs(t)) / u end })
           local p, x, t = of(1, "double"), x0 "double", s[3][#s[3]]
           local fast = pace(p, x)
           local n = math.ceil(math.abs(t) * fast * 256)
@@ -63,7 +67,8 @@ return scene { name = "dual", body = tensor { mass = 1, xx = A, yy = B, zz = C }
         near(-0.5, 0, { 1, 20 }), fast = true,
         why = "h = -(C - B) s exactly: the spin about the rotor's axis is neither stable nor unstable; also " ..
           "with the smallest number across, whose square is 0" }),
-      case("gyrostat_stable_axis", { fast = true, why = "the spin is stable, and what is across it is 1e-300 and the smallest " ..
+      case("gyrostat_stable_axis", { fast = true, why = "the spin is stable, and what is across it is 1e-300 and " ..
+        "the smallest " ..
         "number (float: 1e-40): two bands whose width is a square of that", near(1, 1e-300, { 1, 20, -50 }),
         near(1, 0, { 1, 20 }), { { 1, 2, 2.5, 1 }, function(real)
           local e = real == "float" and 1e-40 or 1e-300
@@ -71,22 +76,27 @@ return scene { name = "dual", body = tensor { mass = 1, xx = A, yy = B, zz = C }
         end, { 1, 20 } } }),
       case("gyrostat_critical_sides", { fast = true, why = "h one unit of the last place and 1e-8 on either side of it",
         near(function(real) return -0.5 * (1 + 2 * kit.u[real]) end, 1e-6, { 1, 50 }),
-        near(function(real) return -0.5 * (1 - kit.u[real]) end, 1e-6, { 1, 50 }), near(-0.5 * (1 + 1e-8), 1e-6, { 1, 50 }),
+        near(function(real) return -0.5 * (1 - kit.u[real]) end, 1e-6, { 1, 50 }), near(-0.5 * (1 + 1e-8), 1e-6,
+          { 1, 50 }),
         near(-0.5 * (1 - 1e-8), 1e-6, { 1, 50 }) }),
       case("gyrostat_unstable_axis", { library = false, bits = 384,
         near(-1, 1e-8, { 10, 60, 100 }), near(-1, 1e-40, { 100, 300 }),
-        why = "h makes the rotor's axis unstable: from 1e-8 and 1e-40 across it (a subnormal float) it falls away in time. (The library " ..
+        why = "h makes the rotor's axis unstable: from 1e-8 and 1e-40 across it (a subnormal float) it falls away " ..
+          "in time. (The library " ..
           "integrates, and loses exp(t/tau) u: no row)" }),
       case("gyrostat_rotor_off", { { { 1, 2, 2.5, 0 }, { 1, 1, 0.5 }, { 1, 20, -7 } }, fast = true, growth = 0.4,
         { { 1, 2, 2.5, -0.0 }, { 1, 1, 0.5 }, { 1, 20 } }, { { 3, 4, 6, 0 }, { 0.5, 1, 0.25 }, { 1, 20 } },
         { { 2, 2, 2.5, 0 }, { 1, 1, 0.5 }, { 1, 20 } }, { { 2, 2, 2, 0 }, { 1, 1, 0.5 }, { 1, 20 } },
-        why = "h = 0, +0 and -0: the free top, its separatrix, the symmetric top and the sphere in a gyrostat's code" }),
+        why = "h = 0, +0 and -0: the free top, its separatrix, the symmetric top and the sphere in a gyrostat's " ..
+          "code" }),
       case("gyrostat_rotor_fast", { { { 1, 2, 2.5, 1e8 }, { 1e-3, 1e-3, 1e-3 }, { 1e-8, 1e-6 } }, fast = true,
         { { 1, 2, 2.5, 1e4 }, { 0.05, -0.02, 0.01 }, { 1e-3, 1e-2 } },
-        why = "the rotor has all the momentum: the platform's slow rates are differences of what is 1e11 times as large" }),
+        why = "the rotor has all the momentum: the platform's slow rates are differences of what is 1e11 times as " ..
+          "large" }),
       case("gyrostat_no_momentum", { { { 1, 2, 2.5, -2.5 }, { 0, 0, 1 }, { 1, 20 } }, fast = true,
         { { 1, 2, 2.5, -2.5 }, function(real) return { real == "float" and 1e-30 or 1e-200, 0, 1 } end, { 1, 20 } },
         { { 1, 2, 2.5, -2.5 }, { 1e-7, 1e-7, 1 }, { 1, 20 } }, { { 1, 2, 2.5, 0 }, { 0, 0, 0 }, { 1, 20 } },
-        why = "I w + h = 0: there is no direction of M to turn about, and 1e-200 beside it (float: 1e-30) there is one" }),
+        why = "I w + h = 0: there is no direction of M to turn about, and 1e-200 beside it (float: 1e-30) there is " ..
+          "one" }),
     } }
 end

@@ -9,7 +9,8 @@ return function(kit)
   local SERIES = "Taylor series of MPFR, 192 bits, which knows of no symmetry (tests/oracle/heavy_top.c)"
   local EULER = "Runge and Kutta's steps, 1/256 of the pace, in Euler's angles, with 1/sin(tilt): infinite at the " ..
     "vertical, large near it; state at the last time"
-  local BAR = "36 u of the pace, the larger of |w| and sqrt(m g l/A): three phases reduced in pairs, rounded once, four " ..
+  local BAR = "36 u of the pace, the larger of |w| and sqrt(m g l/A): three phases reduced in pairs, rounded once, " ..
+    "four " ..
     "terms of theta series, a dozen operations"
 
   local function case(name, o)
@@ -32,22 +33,28 @@ return function(kit)
 
   return { title = "Heavy symmetric top", about = "Kinds of nutation, pendulums, tiny and huge weights, long times.",
     cases = {
-      case("nutation_cusps", { fast = true, why = "the axis is released from rest: at each cusp it stands still exactly, " ..
-        "and its azimuth's rate is 0/0 in form", { half, { 0, 0, 8 }, 2, { 1, 20, -7 } }, { half, { 0, 0, 0.5 }, 2, { 20 } } }),
+      case("nutation_cusps", { fast = true, why = "the axis is released from rest: at each cusp it stands still " ..
+        "exactly, " ..
+        "and its azimuth's rate is 0/0 in form", { half, { 0, 0, 8 }, 2, { 1, 20, -7 } }, { half, { 0, 0, 0.5 }, 2,
+          { 20 } } }),
       case("nutation_loops", { why = "the precession turns back in every loop", { { 0.9, 0.4, 0.1, 0 }, { -2, 1, 9 }, 2,
         { 1, 10, -3 } } }),
-      case("nutation_none", { fast = true, why = "regular precession: a double root of the cubic, exactly in double and " ..
+      case("nutation_none", { fast = true, why = "regular precession: a double root of the cubic, exactly in double " ..
+        "and " ..
         "nearly (1e-9 beside it); the square of the modulus is 0 or 1e-18",
         { half, { 0, 0.96, 4.56 }, 2, { 1, 20 } }, { half, { 1e-9, 0.96, 4.56 }, 2, { 1, 20 } },
         { { 0.6, 0.8, 0, 0 }, { 0, 2, 0 }, 1, { 1, 20 } } }),
-      case("nutation_through_the_vertical", { fast = true, why = "L_z = C w3: the axis passes exactly through the upright, " ..
+      case("nutation_through_the_vertical", { fast = true, why = "L_z = C w3: the axis passes exactly through the " ..
+        "upright, " ..
         "where Euler's angles have no value; and 1e-10 past it",
         { { 1, 0, 0, 0 }, { 1, 0, 3 }, 2, { 1, 20, -7 } }, { { 1, 1e-10, 0, 0 }, { 1, 0, 3 }, 2, { 1, 20 } } }),
       case("nutation_through_the_bottom", { why = "and through the hanging point, which is the vertical too",
         { { 0, 0.8, 0.6, 0 }, { 1, 0, 3 }, 2, { 1, 20 } }, { { 0, 0.8, 0.6, 1e-10 }, { 1, 0, 3 }, 2, { 1, 20 } } }),
-      case("fast_top", { fast = true, why = "spin 1e4 times the precession: phases of very different speeds, a tiny cusp",
+      case("fast_top", { fast = true, why = "spin 1e4 times the precession: phases of very different speeds, a tiny " ..
+        "cusp",
         { half, { 0, 0, 1e4 }, 2, { 1e-3, 0.1 } }, { half, { 0, 2e-4, 1e4 }, 2, { 1e-3, 0.1 } } }),
-      case("pendulum_spherical", { fast = true, why = "no spin: a spherical, a plane and a turning pendulum; L_3 is 0 and the " ..
+      case("pendulum_spherical", { fast = true, why = "no spin: a spherical, a plane and a turning pendulum; L_3 is " ..
+        "0 and the " ..
         "cubic is the pendulum's", { { 0.3, 0.9, 0.2, 0.1 }, { 1, 0.5, 0 }, 2, { 1, 20 } },
         { { 0.6, 0.8, 0, 0 }, { 0.5, 0, 0 }, 2, { 1, 20 } }, { { 0.6, 0.8, 0, 0 }, { 5, 0, 0 }, 2, { 1, 10 } } }),
       case("pendulum_separatrix", { fast = true, library_bar = grows, law = GROWS,
@@ -55,19 +62,27 @@ return function(kit)
         { { 0, 1, 0, 0 }, { 2, 0, 0 }, 1, { 1, 5, 15, -10 } } }),
       case("pendulum_separatrix_60_tau", { library = false,
         why = "60 time constants on it: what is off by u at the start is off by exp(60) u = 1e10 at the end",
-        law = "The orbit keeps that it has no period; so float stays there, too. (The library integrates, and falls: no row)",
+        law = "The orbit keeps that it has no period; so float stays there, too. (The library integrates, and " ..
+          "falls: no row)",
         { { 0, 1, 0, 0 }, { 2, 0, 0 }, 1, { 30, 60, -60 } } }),
       case("pendulum_separatrix_sides", { library = false,
         why = "the rate at the bottom one unit of the last place less and more: it comes back, it goes over",
         { { 0, 1, 0, 0 }, function(real) return { 2 - 2 * kit.u[real], 0, 0 } end, 1, { 10, 50 } },
         { { 0, 1, 0, 0 }, function(real) return { 2 + 4 * kit.u[real], 0, 0 } end, 1, { 10, 50 } } }),
-      case("weight_tiny", { fast = true, why = "m g l = 1e-20 and 1e-300 (float: 1e-30): the free top's limit; and no weight",
+      case("weight_tiny", { fast = true, why = "m g l = 1e-20 and 1e-300 (float: 1e-30): the free top's limit; and " ..
+        "no weight",
         { loose, { 1, 0.5, 5 }, 1e-20, { 1, 10 } }, { loose, { 1, 0.5, 5 }, by(1e-280, 1e-30), { 1, 10 } },
         { loose, { 1, 0.5, 5 }, 0, { 1, 10 } } }),
-      case("weight_huge", { why = "m g l = 1e20 against rates of 5 rad/s: the pendulum's limit, 1e10 times faster than the spin",
+      case("weight_huge", { why = "m g l = 1e20 against rates of 5 rad/s: the pendulum's limit, 1e10 times faster " ..
+        "than the spin",
         { loose, { 1, 0.5, 5 }, by(1e20, 1e6), function(real)
           return real == "float" and { 1e-3, 1e-2 } or { 1e-10, 1e-9 } end } }),
-      case("heavy_rod_sphere_disc", { fast = true, why = "C = 0, 1e-6, A, 2 A: no spin momentum, the sphere's (whose axis is " ..
+      case("heavy_rod_sphere_disc", { fast = true,
+        library_bar = function(p, x0, t, u)
+          return motion.BAR + (p[2] > 0 and p[1] / p[2] or 0) * 2.0 ^ -64 * math.abs(t) * m.pace(p, x0) / u
+        end,
+        law = "The library keeps a tensor as second moments, whose sum has C to 2^-64 of A: times A/C and the " ..
+          "radians", why = "C = 0, 1e-6, A, 2 A: no spin momentum, the sphere's (whose axis is " ..
         "that of its weight), the triangle's limit",
         { loose, { 1, 0.5, 3 }, 1, { 1, 10 }, 1, 0 }, { loose, { 1, 0.5, 300 }, 1, { 1, 5 }, 1, 1e-6 },
         { loose, { 1, 0.5, 3 }, 1, { 1, 10 }, 1, 1 }, { loose, { 1, 0.5, 3 }, 1, { 1, 10 }, 1, 2 } }),
@@ -77,7 +92,8 @@ return function(kit)
       { name = "time_1e6_nutations",
         why = "a million nutations: three phases, none of them commensurable, whose rates come from integrals",
         naive = "the same state after the time less N periods, the period rounded to a double: N u T times the pace",
-        oracle = "MPFR's Taylor series over one period, found by Newton's method, and powers of its turn (heavy_top -p)",
+        oracle = "MPFR's Taylor series over one period, found by Newton's method, and powers of its turn (heavy_top " ..
+          "-p)",
         bound = BAR .. "; and 2^-100 of a turn for each turn, in float 2^-42",
         run = function(row)
           local x0 = { 0.9, 0.3, 0.1, -0.2, 1, 0.5, 5 }

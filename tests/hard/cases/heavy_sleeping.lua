@@ -8,9 +8,11 @@ return function(kit)
   local up = { 1, 0, 0, 0 }
 
   local SERIES = "Taylor series of MPFR, 192 bits, which knows of no symmetry (tests/oracle/heavy_top.c)"
-  local EULER = "Runge and Kutta's steps, 1/256 of the pace, in Euler's angles: 1/sin(tilt) is infinite at the vertical, " ..
+  local EULER = "Runge and Kutta's steps, 1/256 of the pace, in Euler's angles: 1/sin(tilt) is infinite at the " ..
+    "vertical, " ..
     "and acos knows a tilt of 1e-8 to no digit; state at the last time"
-  local BAR = "36 u of the pace, the larger of |w| and sqrt(m g l/A): three phases reduced in pairs, rounded once, four " ..
+  local BAR = "36 u of the pace, the larger of |w| and sqrt(m g l/A): three phases reduced in pairs, rounded once, " ..
+    "four " ..
     "terms of theta series, a dozen operations; 1 - cos(tilt) comes from the state without a difference"
 
   local function case(name, o)
@@ -22,15 +24,19 @@ return function(kit)
   -- w3 times 1 -+ e (nil: a unit of the last place), tilted by about 2e-4, the axis at rest and carried along.
   local function critical(name, e, fast)
     local function w3(side) return function(real) return { 0, 1e-4, 4 * (1 + side * (e or 2 * kit.u[real])) } end end
-    return case(name, { fast = fast, { { 1, 1e-4, 0, 0 }, w3(-1), 1, { 20, 60 } }, { { 1, 1e-4, 0, 0 }, w3(1), 1, { 20, 60 } },
-      why = string.format("%s below and above the critical spin: three roots of the cubic within 1e-8 of 1, and whether " ..
-        "the top wakes up is decided by their last digits", e and string.format("%g", e) or "one unit of the last place") })
+    return case(name, { fast = fast, { { 1, 1e-4, 0, 0 }, w3(-1), 1, { 20, 60 } }, { { 1, 1e-4, 0, 0 }, w3(1), 1,
+      { 20, 60 } },
+      why = string.format("%s below and above the critical spin: three roots of the cubic within 1e-8 of 1, and " ..
+        "whether " ..
+        "the top wakes up is decided by their last digits", e and string.format("%g", e) or "one unit of the last " ..
+          "place") })
   end
 
   -- Upright but for e, spin half of the critical: the tilt grows with exp(t/tau), 1/tau^2 = m g l/A - (C w3/2 A)^2.
   local function wakes(name, e, times, fast)
     return case(name, { fast = fast,
-      why = string.format("the axis leaves the upright from a tilt of %g: 1 - cos(tilt) is 0 in the type, the top must " ..
+      why = string.format("the axis leaves the upright from a tilt of %g: 1 - cos(tilt) is 0 in the type, the top " ..
+        "must " ..
         "wake up all the same, and in time", e),
       { { 1, 0, 0, 1 }, { e, 0, 2 }, 2, times }, { { 1, e, 0, 0 }, { 0, 0, 2 }, 2, times }, library = false,
       law = "(The library integrates, and loses exp(t/tau) u: no row)" })
@@ -51,14 +57,16 @@ return function(kit)
       critical("critical_spin_one_ulp", nil, true),
       wakes("wakes_from_1e8", 1e-8, { 1, 10, 20 }, true),
       wakes("wakes_from_1e30", 1e-30, { 10, 50, 70 }, false),
-      { name = "wakes_from_1e200", only = "double", because = "1e-200 is 0 in float: it sleeps (sleeping_below_critical_spin)",
+      { name = "wakes_from_1e200", only = "double", because = "1e-200 is 0 in float: it sleeps " ..
+        "(sleeping_below_critical_spin)",
         why = "a tilt of 1e-200, whose square is 0 in any type: it falls after 347 time constants",
         naive = EULER, oracle = SERIES .. "; 320 steps of the first time it falls lose 2^500, so 700 bits", bound = BAR,
         run = function(row)
           m.run(row, { { up, { 1e-200, 0, 2 }, 2, { 300, 360 } } },
             { options = "-b 700", library = false, reals = { "double" } })
         end },
-      case("hanging", { fast = true, why = "the axis exactly down, at rest and spinning; 1e-7 and 1e-120 (float: 1e-30) beside",
+      case("hanging", { fast = true, why = "the axis exactly down, at rest and spinning; 1e-7 and 1e-120 (float: " ..
+        "1e-30) beside",
         { { 0, 1, 0, 0 }, { 0, 0, 5 }, 2, { 1, 20 } }, { { 0, 1, 0, 0 }, { 0, 0, 0 }, 2, { 1, 20 } },
         { { 1e-7, 1, 0, 0 }, { 0, 1e-7, 5 }, 2, { 1, 20 } },
         { function(real) return { real == "float" and 1e-30 or 1e-120, 1, 0, 0 } end, { 0, 0, 5 }, 2, { 1, 20 } } }),

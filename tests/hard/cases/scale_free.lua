@@ -14,14 +14,16 @@ return function(kit)
   local function scaled(name, why, s, k, fast, o)
     o = o or {}
     return { name = name, fast = fast, why = why, oracle = MPFR, bound = BAR,
-      naive = "the textbook's formulas from T and L^2 (Landau and Lifshitz, Mechanics, 37): which overflow or vanish; " ..
+      naive = "the textbook's formulas from T and L^2 (Landau and Lifshitz, Mechanics, 37): which overflow or " ..
+        "vanish; " ..
         "rates after 10 radians",
       run = function(row)
         local function moments(real) return { p[1] * k(real), p[2] * k(real), p[3] * k(real) } end
         local x0, t = state(unit, s "double"), o.times and 1e290 or 10 / s "double"
         row.naive(naive.rates_error(moments "double", x0, t, m.truth(moments "double", x0, { t })[1]))
         m.free(row, { p = moments, x0 = function(real) return state(unit, s(real)) end,
-          times = o.times or function(real) return { 1 / s(real), 10 / s(real), -20 / s(real) } end, library = o.library })
+          times = o.times or function(real) return { 1 / s(real), 10 / s(real), -20 / s(real) } end,
+            library = o.library })
       end }
   end
   local function one() return 1.0 end
@@ -48,11 +50,14 @@ return function(kit)
   return { title = "Units", about = "Scales of rates, moments and quaternions.",
     cases = {
       scaled("rates_1e30", "spins of 1e30 rad/s (float: 1e12): w^4 overflows", by(1e30, 1e12), one, true),
-      scaled("rates_1e_30", "spins of 1e-30 rad/s (float: 1e-12) over 1e31 s: squares of squares vanish", by(1e-30, 1e-12),
+      scaled("rates_1e_30", "spins of 1e-30 rad/s (float: 1e-12) over 1e31 s: squares of squares vanish", by(1e-30,
+        1e-12),
         one, true),
-      scaled("rates_1e160", "rates 1e160 (float: 1e20): w^2 is beyond the type's range; the library refuses, for its energy " ..
+      scaled("rates_1e160", "rates 1e160 (float: 1e20): w^2 is beyond the type's range; the library refuses, for " ..
+        "its energy " ..
         "is no double", by(1e160, 1e20), one, true, { library = false }),
-      scaled("rates_subnormal", "the spin itself is subnormal, and hardly turns the body in the longest time that there is",
+      scaled("rates_subnormal", "the spin itself is subnormal, and hardly turns the body in the longest time that " ..
+        "there is",
         by(1e-310, 1e-43), one, false,
         { times = function(real) return real == "float" and { 1, 1e28 } or { 1, 1e290 } end }),
       scaled("rates_and_moments_1e30", "moments 1e30 and rates 1e30 (float: 1e12): the energy is 1e90, 1e36",
@@ -60,7 +65,8 @@ return function(kit)
       scaled("rates_against_moments", "moments 1e30 with rates 1e-30 (float: 1e12, 1e-12)", by(1e-30, 1e-12),
         by(1e30, 1e12), false),
 
-      quaternion("quaternion_not_unit", "q = (1, 2, 0, -1): |q| is irrational, an attitude all the same", one, NORM, true),
+      quaternion("quaternion_not_unit", "q = (1, 2, 0, -1): |q| is irrational, an attitude all the same", one,
+        NORM, true),
       quaternion("quaternion_1e150", "q of length 1e200 (float: 1e30): q.q is infinite", by(1e200, 1e30), NORM, true),
       quaternion("quaternion_1e_150", "q of length 1e-200 (float: 1e-30): q.q is 0", by(1e-200, 1e-30), NORM, true),
       quaternion("quaternion_subnormal", "all of q is subnormal, -2^-1074 its smallest component (float: 2^-149)",
@@ -69,7 +75,8 @@ return function(kit)
       { name = "quaternion_sign", fast = true,
         why = "q and -q are one attitude: the motion from -q is the other's with the sign, to the last bit",
         naive = "the angle between two attitudes as 2 acos(q.q') of q and -q: 2 pi instead of 0",
-        oracle = "the motion from q: exact symmetry", bound = "u: no difference at all is allowed, so half a unit is too much",
+        oracle = "the motion from q: exact symmetry", bound = "u: no difference at all is allowed, so half a unit " ..
+          "is too much",
         run = function(row)
           local minus = { -0.5, 0.5, -0.1, -0.7 }
           local dot = 0.0
@@ -90,7 +97,8 @@ return function(kit)
         end },
 
       { name = "quaternion_continuity", fast = true,
-        why = "a quaternion has two values for each attitude: q(t) must not jump between them, through quadrants, half " ..
+        why = "a quaternion has two values for each attitude: q(t) must not jump between them, through quadrants, " ..
+          "half " ..
           "periods and flips, on either side of the separatrix",
         naive = "q from the rotation matrix, the largest of four squares first, w > 0 (Shepperd): |q' - q| over 0.01 s",
         oracle = "|q'| = |w|/2 is the speed of the quaternion: |q(t + h) - q(t)| < h |w|/2 + 2 u",

@@ -10,9 +10,11 @@ return function(kit)
   local on = state(0.5, 1, 0.25)
 
   local MPFR = "MPFR, 1280 bits, textbook formulas (tests/oracle/free_top.c)"
-  local MODULUS = "k^2, the amplitudes and Jacobi's functions of the textbook (Landau and Lifshitz, Mechanics, 37) from T " ..
+  local MODULUS = "k^2, the amplitudes and Jacobi's functions of the textbook (Landau and Lifshitz, Mechanics, 37) " ..
+    "from T " ..
     "and L^2: the differences 2TC - L^2, L^2 - 2TB cancel; error of the rates at the last time"
-  local BAR = "36 u: two phases, each reduced in pairs and rounded once, their sines and cosines, some dozen operations on " ..
+  local BAR = "36 u: two phases, each reduced in pairs and rounded once, their sines and cosines, some dozen " ..
+    "operations on " ..
     "numbers below 2, twice for the angle. Nothing grows: the distance from the separatrix is formed exactly"
 
   -- Both sides: w1 times 1 - e and 1 + e; e of the type (nil: one unit of the last place).
@@ -41,7 +43,8 @@ return function(kit)
         end },
 
       { name = "separatrix_on_it_1e9_s",
-        why = "10^8 time constants on it: sech underflows, the body turns about its middle axis for ever, and nothing " ..
+        why = "10^8 time constants on it: sech underflows, the body turns about its middle axis for ever, and " ..
+          "nothing " ..
           "may push it off",
         naive = MODULUS, oracle = MPFR,
         bound = BAR .. "; and what the header promises of phases after N turns, 2^-100 N turns, in float 2^-42 N",
@@ -55,10 +58,12 @@ return function(kit)
       near("separatrix_sides_one_ulp", nil, true),
 
       { name = "separatrix_period", fast = true,
-        why = "the period grows with the logarithm of the distance: which sign of the last bit is on which side decides",
+        why = "the period grows with the logarithm of the distance: which sign of the last bit is on which side " ..
+          "decides",
         naive = "4 K/lambda with K by its power series, 1000 terms, of the textbook's k^2",
         oracle = "MPFR (free_top -p)",
-        bound = "8 u relative: K/lambda is formed in pairs and rounded once; of the rotation number (the quotient) the " ..
+        bound = "8 u relative: K/lambda is formed in pairs and rounded once; of the rotation number (the quotient) " ..
+          "the " ..
           "precession's rate has one more; on the separatrix it is infinite exactly",
         run = function(row)
           for _, real in ipairs(kit.reals) do

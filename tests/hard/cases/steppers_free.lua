@@ -9,7 +9,8 @@ return function(kit)
 
   local MPFR = "MPFR, 1280 bits, textbook formulas (tests/oracle/free_top.c)"
   local PLAIN = "q += h q (0, w)/2 without a norm, rates by Runge and Kutta's method, 2^-7 rad a step; state at the end"
-  local LAW = "truncation h^p by each method's law (tests/hard/motion.lua: Lotkin's bound, majorants, Cayley's map) plus " ..
+  local LAW = "truncation h^p by each method's law (tests/hard/motion.lua: Lotkin's bound, majorants, Cayley's map) " ..
+    "plus " ..
     "three standard deviations of n independent steps of 16 roundings, 3 sqrt(n) u (16 + 2 w t)"
 
   local function plainly(row, moments, x0, pace, radians, want, h)
@@ -26,7 +27,8 @@ return function(kit)
           local function of(v) return type(v) == "function" and v or function() return v end end
           local moments, w = of(s[1]), of(s[2])
           local function pace(real) return math.max(m.size(w(real)), 1e-300) * (o.faster or 1.5) end
-          m.step(row, { p = moments, x0 = function(real) return state(w(real)) end, pace = pace, radians = o.radians or 20,
+          m.step(row, { p = moments, x0 = function(real) return state(w(real)) end, pace = pace,
+            radians = o.radians or 20,
             growth = o.growth, condition = o.condition, laws = o.laws, steppers = o.steppers })
           if s == o[1] then
             plainly(row, moments "double", state(w "double"), pace "double", o.radians or 20)
@@ -69,18 +71,23 @@ return function(kit)
           "midpoint and semi have the next case" }),
       case("steppers_rod_by_momentum", { { { 0.01, 1, 1 - 0.005 }, { 0.5, 1, 0.25 } }, fast = true, condition = 108,
         steppers = { "midpoint", "semi" },
-        why = "midpoint and semi keep L, and take the rates from it: about an axis of a small moment a rounding of L is " ..
+        why = "midpoint and semi keep L, and take the rates from it: about an axis of a small moment a rounding of " ..
+          "L is " ..
           "|L|/(A |w|) times as large. At A = 1e-8 float has no digit left, double 8: docs/methods.md",
         law = LAW .. ", times |L|/(A |w|) = 108" }),
       case("steppers_equal_moments", { { { 2, 2, 2 }, { 0.3, 0.4, 1.2 } },
         { function(real) return { 2, 2, 2 * (1 + 2 * kit.u[real]) } end, { 0.3, 0.4, 1.2 } }, fast = true,
-        why = "a sphere in the code of an asymmetric body, and one unit of the last place from it: differences are 0 or noise" }),
-      case("steppers_lamina", { { { 1, 2, 3 }, some }, why = "A + B = C, the ratios (C - B)/A = (C - A)/B = 1 are as large as " ..
+        why = "a sphere in the code of an asymmetric body, and one unit of the last place from it: differences are " ..
+          "0 or noise" }),
+      case("steppers_lamina", { { { 1, 2, 3 }, some }, why = "A + B = C, the ratios (C - B)/A = (C - A)/B = 1 are " ..
+        "as large as " ..
         "they can be" }),
-      case("steppers_1e6_rad_s", { { p, { 1e6, 1e6, 0.5e6 } }, fast = true, why = "a million rad/s, steps of nanoseconds (taylor's w^20 is " ..
+      case("steppers_1e6_rad_s", { { p, { 1e6, 1e6, 0.5e6 } }, fast = true, why = "a million rad/s, steps of " ..
+        "nanoseconds (taylor's w^20 is " ..
           "no float: double only)" }),
       case("steppers_scales_of_rates", { { p, times(by(1e30, 1e12), some) }, { p, times(by(1e-30, 1e-12), some) },
-        why = "rates 1e30 and 1e-30 (float: 1e12 and 1e-12), steps accordingly: w^2 h^2 is fine, w^4 is not; taylor, whose " ..
+        why = "rates 1e30 and 1e-30 (float: 1e12 and 1e-12), steps accordingly: w^2 h^2 is fine, w^4 is not; " ..
+          "taylor, whose " ..
           "coefficients have w^20, is no row where that is no number" }),
       case("steppers_scales_of_moments", { { times(by(1e30, 1e12), p), some }, { times(by(1e-30, 1e-12), p), some },
         why = "moments 1e30 and 1e-30 (float: 1e12 and 1e-12): T and L^2 of them, their products and quotients" }),
@@ -93,9 +100,11 @@ return function(kit)
         bound = "u: the rates may not change at all" }),
 
       { name = "steppers_back_and_forth", fast = true,
-        why = "as many steps of -h as of h: a reversible method must undo itself, the others come back to their truncation",
+        why = "as many steps of -h as of h: a reversible method must undo itself, the others come back to their " ..
+          "truncation",
         naive = PLAIN .. ", there and back",
-        oracle = "the state at the start", bound = "twice the truncation, none for split and midpoint (symmetric methods " ..
+        oracle = "the state at the start", bound = "twice the truncation, none for split and midpoint (symmetric " ..
+          "methods " ..
           "undo each step), and 3 sqrt(2 n) u (16 + 2 w t)",
         run = function(row)
           local x0 = state(some)
@@ -110,10 +119,12 @@ return function(kit)
         end },
 
       { name = "steppers_tiny_step", fast = true,
-        why = "h = 1e-12 s: an increment of 1e-12 keeps 4 digits in double, and none in float, where the state stands still",
+        why = "h = 1e-12 s: an increment of 1e-12 keeps 4 digits in double, and none in float, where the state " ..
+          "stands still",
         naive = string.gsub(PLAIN, "2^%-7 rad", "1e-12 s") .. ", in doubles",
         oracle = MPFR,
-        bound = "n u 16, n = 1e5: each step rounds x + h x' once, the same way again and again, so errors add up in full; " ..
+        bound = "n u 16, n = 1e5: each step rounds x + h x' once, the same way again and again, so errors add up in " ..
+          "full; " ..
           "in float this is more than all that happens",
         run = function(row)
           local x0, n, h = state(some), 100000, 1e-12
@@ -129,7 +140,8 @@ return function(kit)
         why = "steps of one revolution, of 100, and of 1e10 s: beyond every stepper's range",
         naive = string.gsub(PLAIN, "2^%-7 rad", "one revolution") .. "; |q| - 1 and the energy's change",
         oracle = "conservation: |q| = 1 and |L| of split, midpoint and semi, T of split",
-        bound = "split, midpoint, semi: 3 sqrt(n) u 16 after 1000 steps of any length; rk4, adaptive, taylor: polynomials of h, " ..
+        bound = "split, midpoint, semi: 3 sqrt(n) u 16 after 1000 steps of any length; rk4, adaptive, taylor: " ..
+          "polynomials of h, " ..
           "so that one revolution stays finite (0), and farther steps are not promised",
         run = function(row)
           local x0 = state(some)
@@ -152,7 +164,8 @@ return function(kit)
       { name = "steppers_tolerances", fast = true,
         why = "steps that a tolerance chooses, from 1e-2 to below rounding: the first step knows nothing of the motion",
         naive = PLAIN, oracle = MPFR,
-        bound = "the tolerance and 16 u for each step taken, turned by w t: (tol + 16 u) steps (1 + w t); asked for less " ..
+        bound = "the tolerance and 16 u for each step taken, turned by w t: (tol + 16 u) steps (1 + w t); asked for " ..
+          "less " ..
           "than u the run may refuse (then 0)",
         run = function(row)
           local x0, t = state(some), 20.0
@@ -169,10 +182,12 @@ return function(kit)
         end },
 
       { name = "steps_1e8",
-        why = "the quaternion's length and sign over 10^8 steps: what a step leaves of |q| must not add up, q(t) not jump",
+        why = "the quaternion's length and sign over 10^8 steps: what a step leaves of |q| must not add up, q(t) " ..
+          "not jump",
         naive = "q += h q (0, w)/2 without a norm, 10^6 steps: | |q| - 1 |",
         oracle = "|q| = 1; the state by " .. MPFR .. ", in double, with the sign of q",
-        bound = "|q|: 4 u, a Newton step and the roundings of one product; the state as other steppers' rows; in float " ..
+        bound = "|q|: 4 u, a Newton step and the roundings of one product; the state as other steppers' rows; in " ..
+          "float " ..
           "10^4 u w t is more than a turn, so |q| only",
         run = function(row)
           local x0, n, h = state(some), 100000000, 2.0 ^ -10
@@ -183,7 +198,8 @@ return function(kit)
               local want, minus, plus = m.truth(pr, start, { n * h })[1], 0.0, 0.0
               for i = 1, 4 do minus, plus = minus + (x[i] - want[i]) ^ 2, plus + (x[i] + want[i]) ^ 2 end
               local cut = 2 * (1.5 * h) ^ 4 * 1.5 * n * h
-              row(name .. ", state", real, minus < plus and m.state(x, want) or math.huge, cut + m.walk(n, 1.5 * n * h, b.u))
+              row(name .. ", state", real, minus < plus and m.state(x, want) or math.huge, cut + m.walk(n,
+                1.5 * n * h, b.u))
             end
           end)
           row.naive(kit.norm(naive.march(p, x0, h, 1000000)))

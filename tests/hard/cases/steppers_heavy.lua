@@ -12,7 +12,8 @@ return function(kit)
     row.naive(m.state(naive.euler({ p[1], p[1], p[2] }, heavy.weight(p), x0, t, 2.0 ^ -8 / pace), want, pace))
   end
 
-  -- Steps of a = h pace, pace the sum of |w| and 2 sqrt(m g l/A), which bounds the derivatives; truncation factor a^order a
+  -- Steps of a = h pace, pace the sum of |w| and 2 sqrt(m g l/A), which bounds the derivatives; truncation factor
+  -- a^order a
   -- radian.
   local law = { rk4 = { 4, 2.0 ^ -9, 2.0 ^ -5 }, adaptive = { 5, 2.0 ^ -8, 2.0 ^ -4 }, taylor = { 20, 0.25, 0.25 },
     split2 = { 2, 2.0 ^ -10, 2.0 ^ -7 }, split4 = { 4, 2.0 ^ -9, 2.0 ^ -5 }, split6 = { 6, 2.0 ^ -5, 2.0 ^ -3 },
@@ -20,7 +21,8 @@ return function(kit)
 
   local function follow(name, o)
     return { name = name, fast = o.fast, why = o.why, naive = EULER, oracle = SERIES,
-      bound = "2 a^p for each radian, a = h (|w| + 2 sqrt(m g l/A)) and p the order: derivatives of the state and of the " ..
+      bound = "2 a^p for each radian, a = h (|w| + 2 sqrt(m g l/A)) and p the order: derivatives of the state and " ..
+        "of the " ..
         "torque are below its powers; plus 3 sqrt(n) u (16 + 2 radians), n independent steps of 16 roundings" ..
         (o.growth and "; times exp(t/tau)" or ""),
       run = function(row)
@@ -54,9 +56,11 @@ return function(kit)
           euler(row, heavy.parameters(2), x0, 10, x0)
         end },
       { name = "steppers_hanging_vertical_spin", fast = true,
-        why = "upright, faster than critical, w3 and |q| over 2000 steps of 1.25 rad: what turns with the axis must keep w3",
+        why = "upright, faster than critical, w3 and |q| over 2000 steps of 1.25 rad: what turns with the axis must " ..
+          "keep w3",
         naive = EULER, oracle = "w3 = 20 is an integral, |q| = 1",
-        bound = "rk4, adaptive, taylor: w3 exactly, its torque is 0; split, midpoint, semi: 3 sqrt(n) u 16; |q| 4 u, after a " ..
+        bound = "rk4, adaptive, taylor: w3 exactly, its torque is 0; split, midpoint, semi: 3 sqrt(n) u 16; |q| 4 " ..
+          "u, after a " ..
           "step of rk4 and adaptive their truncation, (h w/2)^6 and (h w/2)^8",
         run = function(row)
           local x0 = { 1, 0, 0, 0, 0, 0, 20 }

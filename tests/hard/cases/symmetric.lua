@@ -2,7 +2,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 return function(kit)
-  local m, naive = kit.tool "motion", kit.tool "naive"
+  local m = kit.tool "motion"
   local text = [[
 local A, C = param("A", 2, "kg m^2"), param("C", 1, "kg m^2")
 return scene { name = "free", body = tensor { mass = 1, xx = A, yy = A, zz = C },
@@ -34,18 +34,22 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = A, zz = C }
     local psi = math.atan(L[1], L[2]) + spin * t
     return { G / A * math.sin(tilt) * math.sin(psi), G / A * math.sin(tilt) * math.cos(psi), G / C * math.cos(tilt) }
   end
-  local NAIVE = "tilt = acos(L3/|L|), rates from |L| and the tilt, w3 = |L| cos(tilt)/C (Goldstein, 5.6): rates at the last time"
+  local NAIVE = "tilt = acos(L3/|L|), rates from |L| and the tilt, w3 = |L| cos(tilt)/C (Goldstein, 5.6): rates at " ..
+    "the last time"
 
   -- cases of {p, w, times}, p and w functions of the type or lists
   local function case(name, o)
-    return { name = name, fast = o.fast, why = o.why, naive = o.naive or NAIVE, oracle = o.truth and "Taylor series of MPFR, 256 bits (tests/oracle/heavy_top.c)" or MPFR,
-      bound = o.bar and BAR .. "; 2^-100 of a turn for each turn, in float 2^-42" or BAR, only = o.only, because = o.because,
+    return { name = name, fast = o.fast, why = o.why, naive = o.naive or NAIVE, oracle = o.truth and "Taylor series " ..
+      "of MPFR, 256 bits (tests/oracle/heavy_top.c)" or MPFR,
+      bound = o.bar and BAR .. "; 2^-100 of a turn for each turn, in float 2^-42" or BAR, only = o.only,
+        because = o.because,
       run = function(row)
         local worst = 0.0
         for i, s in ipairs(o) do
           local function p(real) return type(s[1]) == "function" and s[1](real) or s[1] end
           local function x0(real) return state(type(s[2]) == "function" and s[2](real) or s[2]) end
-          m.closed(row, { text = text, truth = o.truth or truth, measure = o.measure, p = p, x0 = x0, times = s[3], bar = o.bar and m.long(o.bar),
+          m.closed(row, { text = text, truth = o.truth or truth, measure = o.measure, p = p, x0 = x0, times = s[3],
+            bar = o.bar and m.long(o.bar),
             who = #o > 1 and string.format("%d", i) or nil, library = o.library })
           local times = type(s[3]) == "function" and s[3] "double" or s[3]
           local t = times[#times]
@@ -62,32 +66,39 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = A, zz = C }
   return { title = "Symmetric top", about = "Regular precession at the ends of what it can be.",
     cases = {
       case("symmetric_nearly_sphere", { fast = true, bar = 1.3,
-        why = "C/A = 1 + 1e-4, 1e-8, one unit of the last place: precession and spin are almost opposite, their sum counts",
+        why = "C/A = 1 + 1e-4, 1e-8, one unit of the last place: precession and spin are almost opposite, their sum " ..
+          "counts",
         { { 1, 1 + 1e-4 }, { 0.3, 0.4, 1 }, { 1, 1e6 } }, { { 1, 1 - 1e-8 }, { 0.3, 0.4, 1 }, { 1, 1e6 } },
         { function(real) return { 1, 1 - kit.u[real] } end, { 0.3, 0.4, 1 }, { 1, 1e6 } } }),
       case("symmetric_disc", { fast = true, why = "C = 2 A, the triangle's limit, and C rounded from twice a decimal",
         { { 0.1, 0.2 }, { 0.3, 0.4, 1 }, times }, { { 0.7, 1.4 }, { 0.3, 0.4, -1 }, times } }),
-      case("symmetric_rod", { fast = true, truth = series, why = "C = 0 exactly, and 1e-300: the rate along the line has neither energy nor " ..
+      case("symmetric_rod", { fast = true, truth = series, why = "C = 0 exactly, and 1e-300: the rate along the " ..
+        "line has neither energy nor " ..
           "momentum, and is kept; w3 = L3/C is 0/0",
         { { 1, 0 }, { 0.3, 0.4, 1 }, times }, { { 1, 0 }, { 0, 0, 1 }, times },
         { function(real) return { 1, real == "float" and 1e-36 or 1e-300 } end, { 0.3, 0.4, 1 }, times } }),
-      case("symmetric_tilt_0", { fast = true, why = "spin about the axis exactly: the precession's axis and the spin's are " ..
-          "one, their angles are not told apart", { { 2, 1 }, { 0, 0, 1 }, times }, { { 1, 1.5 }, { 0, -0.0, 3 }, times } }),
+      case("symmetric_tilt_0", { fast = true, why = "spin about the axis exactly: the precession's axis and the " ..
+        "spin's are " ..
+          "one, their angles are not told apart", { { 2, 1 }, { 0, 0, 1 }, times }, { { 1, 1.5 }, { 0, -0.0, 3 },
+            times } }),
       case("symmetric_tilt_pi", { fast = true, why = "spin the other way about the axis: the tilt is pi",
         { { 2, 1 }, { 0, 0, -1 }, times }, { { 1, 1.5 }, { -0.0, 0, -3 }, times },
         { { 2, 1 }, { 1e-12, 0, -1 }, times } }),
-      case("symmetric_tilt_1e300", { fast = true, truth = series, measure = apart, why = "a tilt of 1e-300 and of the smallest number: its direction turns all " ..
+      case("symmetric_tilt_1e300", { fast = true, truth = series, measure = apart, why = "a tilt of 1e-300 and of " ..
+        "the smallest number: its direction turns all " ..
           "the same, its square is 0 (the rates across are judged over their own size)",
         { { 2, 1 }, function(real) return { real == "float" and 1e-38 or 1e-300, 0, 1 } end, times },
         { { 2, 1 }, function(real) return { 0, kit.tiny[real], 1 } end, times },
         { { 2, 1 }, function(real) return { 0, kit.tiny[real], -1e6 } end, { 1e-6, 2e-5 } } }),
-      case("symmetric_spin_ratio", { fast = true, bar = 1e8, why = "the spin is 1e8 times the precession, and the precession " ..
+      case("symmetric_spin_ratio", { fast = true, bar = 1e8, why = "the spin is 1e8 times the precession, and the " ..
+        "precession " ..
           "1e8 times the spin (a needle): two phases of so different a speed",
         { { 1, 2 }, { 0, 1e-8, 1 }, { 1, 1e3 } }, { { 1, 1e-8 }, { 1e-8, 0, 1e8 }, { 1e-7, 1 } },
         { { 1, 1.5 }, { 1, 0, 1e8 }, { 1e-8, 1e-2 } } }),
       case("symmetric_time_1e9", { bar = 1.3, fast = true, why = "10^9 s: 2e8 turns of precession and of spin",
         { { 2, 1 }, { 0.3, 0.4, 1 }, { 1e9, -1e9 } } }),
-      case("symmetric_equatorial", { fast = true, why = "no spin about the axis, with a zero of either sign: the rates stay",
+      case("symmetric_equatorial", { fast = true, why = "no spin about the axis, with a zero of either sign: the " ..
+        "rates stay",
         { { 2, 1 }, { 0.3, 0.4, 0 }, times }, { { 2, 1 }, { 0.3, 0.4, -0.0 }, times } }),
       case("symmetric_at_rest", { fast = true, why = "no rate at all: L/|L| is 0/0",
         { { 2, 1 }, { 0, 0, 0 }, times }, { { 1, 0 }, { -0.0, 0, 0 }, times } }),

@@ -8,7 +8,8 @@ return function(kit)
   local RATE = 1.5
 
   local MPFR = "MPFR, 1280 bits, textbook formulas (tests/oracle/free_top.c), at the time that the type holds"
-  local BAR = "36 u for the state at a phase; its rates are pairs, good to 2^-100 of a turn for each turn, in float to " ..
+  local BAR = "36 u for the state at a phase; its rates are pairs, good to 2^-100 of a turn for each turn, in float " ..
+    "to " ..
     "2^-42 (the emitted header)"
   local PHASE = "cos and sin of lambda t in doubles from the textbook: lambda t has u lambda t of error; rates"
 
@@ -40,16 +41,19 @@ return function(kit)
 
   return { title = "Time", about = "The free asymmetric top after long times.",
     cases = {
-      long("time_1e9_s", { 1e9, 1e9 + 1 }, { fast = true, why = "1.4e8 turns: a phase in one double is off by 1e-7 rad" }),
+      long("time_1e9_s", { 1e9, 1e9 + 1 }, { fast = true, why = "1.4e8 turns: a phase in one double is off by 1e-7 " ..
+        "rad" }),
       long("time_1e6_turns", { 4.2e6, -4.2e6, 4194304.5 }, { fast = true,
         why = "a million turns: a phase in one float has no digit left, a pair of floats has 2^-28 of a turn" }),
       long("time_1e15_s", { 1e15, -0.9e15 }, { only = "double", fast = true,
         why = "2e14 turns: the spacing of doubles there is 0.125 s, the phase must be right to 1e-16 all the same",
-        because = "a pair of floats has 46 bits, which 2^47 turns use up: the header says that nobody knows the phase then" }),
+        because = "a pair of floats has 46 bits, which 2^47 turns use up: the header says that nobody knows the " ..
+          "phase then" }),
       long("time_negative", { -1, -10, -1e6 }, { fast = true, why = "whole turns are taken off towards which side?" }),
 
       { name = "ticks_2_62", fast = true,
-        why = "n = 2^62 ticks of a step: n h is beyond what any phase in floating point can reduce, and half of what n holds",
+        why = "n = 2^62 ticks of a step: n h is beyond what any phase in floating point can reduce, and half of " ..
+          "what n holds",
         naive = "t = n h in doubles and the textbook's rates there; h = 2^-32 s",
         oracle = MPFR .. "; n h = 2^30 s is a double, although n h in float loses all digits of a phase",
         bound = BAR .. ". The tick's phases are integers of 128 bits, of rates known no better",
@@ -74,7 +78,8 @@ return function(kit)
         end },
 
       { name = "rotation_number", fast = true,
-        why = "turns about L while w goes round once: nearly symmetric bodies have millions, next to the axis it is a limit",
+        why = "turns about L while w goes round once: nearly symmetric bodies have millions, next to the axis it is " ..
+          "a limit",
         naive = "L/I3 t + Legendre's integral by its first term: G/I of the mean moment times the textbook's period",
         oracle = "MPFR (free_top -p): period times mean rate over 2 pi",
         bound = "4 u relative: the rate and the period are right to the last place, then a product",
