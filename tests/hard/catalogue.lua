@@ -16,7 +16,8 @@
 local catalogue = {}
 
 catalogue.files = { "separatrix", "free_moments", "free_axis", "time_free", "scale_free", "symmetric",
-  "heavy_sleeping", "heavy_motion", "gyrostat", "steppers_free", "steppers_heavy" }
+  "heavy_sleeping", "heavy_motion", "gyrostat", "steppers_free", "steppers_heavy",
+  "rest", "inputs", "fields", "moving" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
 

@@ -3,7 +3,8 @@
 --     judge.read(results, line)            results[name] = {file =, rows = {...}, naive =, broken =}
 --     judge.case(case, result)             {fine =, worst = {double = row, float = row, all = row}, faults = {...}}
 --
--- An error holds when it is a number not above its bound; NaN was read as infinite.  A case without a row in double or in float must say why.
+-- An error holds when it is a number not above its bound; NaN was read as infinite.  A case without a row in
+-- double or in float must say why.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local judge = {}

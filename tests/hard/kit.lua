@@ -227,9 +227,9 @@ return function(host)
       local files = assert(driver.files(host, job, {}))
       files[#files + 1] = { name = "scene.h", text = string.format('#include "%s.h"\n', job.model.name) }
       assert(host.write_files(at, files))
-      local status, out = host.execute { "sh", "-c", string.format("%s -std=c11 -O1 -ffp-contract=off -I%s " ..
-        "-Itests/hard " ..
-        "-o %s/run %s %s/%s.c -lm 2>&1", "${CC:-cc}", at, at, o.source, at, job.model.name) }
+      local command = string.format("${CC:-cc} -std=c11 -O1 -ffp-contract=off -I%s -Itests/hard -o %s/run %s " ..
+        "%s/%s.c -lm", at, at, o.source, at, job.model.name)
+      local status, out = host.execute { "sh", "-c", command .. " 2>&1" }
       if status ~= 0 then error(o.source .. ": " .. tostring(out), 0) end
       programs[key] = at
     end

@@ -153,16 +153,17 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
   -- angle by
   -- Cayley's map and for the rates, a^2/24 and a^2/12 of third derivatives below 4 |w|^3; 1 is above their sum.
   local law = { rk4 = { 4, 2, 2.0 ^ -10, 2.0 ^ -5 }, adaptive = { 5, 4, 2.0 ^ -8, 2.0 ^ -4 },
-    taylor = { 20, 1.5, 2.0 ^ -2, 2.0 ^ -2 }, midpoint = { 2, 1, 2.0 ^ -10, 2.0 ^ -8 },
+    taylor = { 20, 1.5, 2.0 ^ -2, 2.0 ^ -4, 10 }, midpoint = { 2, 1, 2.0 ^ -10, 2.0 ^ -8 },
     semi = { 2, 1, 2.0 ^ -10, 2.0 ^ -8 } }
   for _, name in ipairs { "split2", "split4", "split6" } do law[name] = { 10, 4 / 2.0 ^ 10, 2.0 ^ -3, 2.0 ^ -2 } end
 
   -- What keeps T and |L| to rounding whatever the step is.
   m.keeps = { split2 = true, split4 = true, split6 = true, midpoint = true }
 
-  -- Taylor's coefficients are not scaled: |w|^20 and its inverse must be numbers of the type (docs/methods.md).
+  -- Taylor's coefficients are those of seconds: |w|^order and its inverse must be numbers of the type (docs/methods.md).
   function m.fits(name, real, pace)
-    return name ~= "taylor" or 20 * math.abs(math.log(pace, 2)) < (real == "float" and 120 or 1000)
+    local turns = math.abs(math.log(pace, 2))
+    return name ~= "taylor" or (real == "float" and 10 * turns < 120 or real ~= "float" and 20 * turns < 1000)
   end
 
   -- fn(b, real, p, x0, name) for each stepper and type; o.text (m.text), o.p, o.x0, o.steppers.
@@ -182,7 +183,7 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
   function m.plan(name, real, pace, radians)
     local l = law[name]
     local h = 2.0 ^ math.floor(math.log(l[real == "float" and 4 or 3] / pace, 2))
-    return h, math.max(1, math.floor(radians / (pace * h))), l[2] * (h * pace) ^ l[1] * radians
+    return h, math.max(1, math.floor(radians / (pace * h))), l[2] * (h * pace) ^ (real == "float" and l[5] or l[1]) * radians
   end
 
   -- Three standard deviations of n independent steps of 16 roundings each, of q and w; those of w turn the attitude.

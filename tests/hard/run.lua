@@ -2,6 +2,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 --     lua5.4 tests/hard/run.lua PROGRAM DIRECTORY [PATTERN] [PAGE.md MAP.svg]
+--     POLHODE_HARD=FILE lua5.4 ...      only that file of cases
 --
 -- The cases run inside the program, two files at a time, each file in a process of its own.  Exit status 1 when a bound
 -- is exceeded.  Needs build/oracle/* (make tests).
@@ -44,8 +45,10 @@ function run.cases(program, directory, speed, pattern, files)
 end
 
 local function main(program, directory, pattern, page, map)
-  local hard = catalogue.load()
-  local results = run.cases(program, directory, "all", pattern, catalogue.files)
+  local only = os.getenv "POLHODE_HARD"
+  local files = only and { only } or catalogue.files
+  local hard = catalogue.load(files)
+  local results = run.cases(program, directory, "all", pattern, files)
   local faults, count, worst = {}, 0, { ratio = 0 }
   print(string.format("%-44s %8s %8s %9s  %s", "case, errors over their bounds", "double", "float", "naive", "worst"))
   for _, file in ipairs(hard) do

@@ -83,12 +83,12 @@ return function(kit)
         "as large as " ..
         "they can be" }),
       case("steppers_1e6_rad_s", { { p, { 1e6, 1e6, 0.5e6 } }, fast = true, why = "a million rad/s, steps of " ..
-        "nanoseconds (taylor's w^20 is " ..
+        "nanoseconds (taylor's w^order is " ..
           "no float: double only)" }),
       case("steppers_scales_of_rates", { { p, times(by(1e30, 1e12), some) }, { p, times(by(1e-30, 1e-12), some) },
         why = "rates 1e30 and 1e-30 (float: 1e12 and 1e-12), steps accordingly: w^2 h^2 is fine, w^4 is not; " ..
           "taylor, whose " ..
-          "coefficients have w^20, is no row where that is no number" }),
+          "coefficients have w^order, is no row where that is no number" }),
       case("steppers_scales_of_moments", { { times(by(1e30, 1e12), p), some }, { times(by(1e-30, 1e-12), p), some },
         why = "moments 1e30 and 1e-30 (float: 1e12 and 1e-12): T and L^2 of them, their products and quotients" }),
 

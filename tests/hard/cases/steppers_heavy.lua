@@ -15,7 +15,7 @@ return function(kit)
   -- Steps of a = h pace, pace the sum of |w| and 2 sqrt(m g l/A), which bounds the derivatives; truncation factor
   -- a^order a
   -- radian.
-  local law = { rk4 = { 4, 2.0 ^ -9, 2.0 ^ -5 }, adaptive = { 5, 2.0 ^ -8, 2.0 ^ -4 }, taylor = { 20, 0.25, 0.25 },
+  local law = { rk4 = { 4, 2.0 ^ -9, 2.0 ^ -5 }, adaptive = { 5, 2.0 ^ -8, 2.0 ^ -4 }, taylor = { 20, 0.25, 0.0625, 10 },
     split2 = { 2, 2.0 ^ -10, 2.0 ^ -7 }, split4 = { 4, 2.0 ^ -9, 2.0 ^ -5 }, split6 = { 6, 2.0 ^ -5, 2.0 ^ -3 },
     midpoint = { 2, 2.0 ^ -10, 2.0 ^ -7 }, semi = { 1, 2.0 ^ -12, 2.0 ^ -9 } }
 
@@ -34,7 +34,7 @@ return function(kit)
           local x = b.plugin:march(0, x0, nil, h, n, name_)
           local radians = pace * o.t
           row(name_, real, m.state(x, heavy.truth(p, x0, { n * h })[1], heavy.pace(p, x0)), (o.growth or 1) *
-            (2 * (pace * h) ^ l[1] * radians + m.walk(n, radians, b.u)))
+            (2 * (pace * h) ^ (real == "float" and l[4] or l[1]) * radians + m.walk(n, radians, b.u)))
         end)
         local p = heavy.parameters(o.mgl)
         euler(row, p, o.x0, o.t, heavy.truth(p, o.x0, { o.t })[1])
