@@ -148,7 +148,7 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
   -- Runge and Kutta: Lotkin's bound (1951, Math. Tables 5, 128), 73/720 M L^4 h^4 with L = 2 |w|, for the free body's
   -- equations have the derivative |w| times a factor below 2; adaptive's 5th order with L^5 likewise.  taylor: a
   -- majorant
-  -- of w' = K w w, K <= 1, has the coefficients |w|^(n+1), so that a^20/(1 - a) is left.  split: b^10 of a series in
+  -- of w' = K w w, K <= 1, has the coefficients |w|^(n+1), so that a^order/(1 - a) is left.  split: b^10 of a series in
   -- b = a/2 whose next pole is at b = pi or farther, and 4 for its coefficient.  midpoint, semi: a^2/12 for the
   -- angle by
   -- Cayley's map and for the rates, a^2/24 and a^2/12 of third derivatives below 4 |w|^3; 1 is above their sum.
@@ -160,7 +160,8 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
   -- What keeps T and |L| to rounding whatever the step is.
   m.keeps = { split2 = true, split4 = true, split6 = true, midpoint = true }
 
-  -- Taylor's coefficients are those of seconds: |w|^order and its inverse must be numbers of the type (docs/methods.md).
+  -- Taylor's coefficients are those of seconds: |w|^order and its inverse must be numbers of the type
+  -- (docs/methods.md).
   function m.fits(name, real, pace)
     local turns = math.abs(math.log(pace, 2))
     return name ~= "taylor" or (real == "float" and 10 * turns < 120 or real ~= "float" and 20 * turns < 1000)
@@ -183,7 +184,8 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
   function m.plan(name, real, pace, radians)
     local l = law[name]
     local h = 2.0 ^ math.floor(math.log(l[real == "float" and 4 or 3] / pace, 2))
-    return h, math.max(1, math.floor(radians / (pace * h))), l[2] * (h * pace) ^ (real == "float" and l[5] or l[1]) * radians
+    return h, math.max(1, math.floor(radians / (pace * h))),
+      l[2] * (h * pace) ^ (real == "float" and l[5] or l[1]) * radians
   end
 
   -- Three standard deviations of n independent steps of 16 roundings each, of q and w; those of w turn the attitude.

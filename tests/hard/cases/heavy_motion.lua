@@ -33,31 +33,31 @@ return function(kit)
 
   return { title = "Heavy symmetric top", about = "Kinds of nutation, pendulums, tiny and huge weights, long times.",
     cases = {
-      case("nutation_cusps", { fast = true, why = "the axis is released from rest: at each cusp it stands still " ..
+      case("nutation_cusps", { why = "the axis is released from rest: at each cusp it stands still " ..
         "exactly, " ..
         "and its azimuth's rate is 0/0 in form", { half, { 0, 0, 8 }, 2, { 1, 20, -7 } }, { half, { 0, 0, 0.5 }, 2,
           { 20 } } }),
       case("nutation_loops", { why = "the precession turns back in every loop", { { 0.9, 0.4, 0.1, 0 }, { -2, 1, 9 }, 2,
         { 1, 10, -3 } } }),
-      case("nutation_none", { fast = true, why = "regular precession: a double root of the cubic, exactly in double " ..
+      case("nutation_none", { why = "regular precession: a double root of the cubic, exactly in double " ..
         "and " ..
         "nearly (1e-9 beside it); the square of the modulus is 0 or 1e-18",
         { half, { 0, 0.96, 4.56 }, 2, { 1, 20 } }, { half, { 1e-9, 0.96, 4.56 }, 2, { 1, 20 } },
         { { 0.6, 0.8, 0, 0 }, { 0, 2, 0 }, 1, { 1, 20 } } }),
-      case("nutation_through_the_vertical", { fast = true, why = "L_z = C w3: the axis passes exactly through the " ..
+      case("nutation_through_the_vertical", { why = "L_z = C w3: the axis passes exactly through the " ..
         "upright, " ..
         "where Euler's angles have no value; and 1e-10 past it",
         { { 1, 0, 0, 0 }, { 1, 0, 3 }, 2, { 1, 20, -7 } }, { { 1, 1e-10, 0, 0 }, { 1, 0, 3 }, 2, { 1, 20 } } }),
       case("nutation_through_the_bottom", { why = "and through the hanging point, which is the vertical too",
         { { 0, 0.8, 0.6, 0 }, { 1, 0, 3 }, 2, { 1, 20 } }, { { 0, 0.8, 0.6, 1e-10 }, { 1, 0, 3 }, 2, { 1, 20 } } }),
-      case("fast_top", { fast = true, why = "spin 1e4 times the precession: phases of very different speeds, a tiny " ..
+      case("fast_top", { why = "spin 1e4 times the precession: phases of very different speeds, a tiny " ..
         "cusp",
         { half, { 0, 0, 1e4 }, 2, { 1e-3, 0.1 } }, { half, { 0, 2e-4, 1e4 }, 2, { 1e-3, 0.1 } } }),
-      case("pendulum_spherical", { fast = true, why = "no spin: a spherical, a plane and a turning pendulum; L_3 is " ..
+      case("pendulum_spherical", { why = "no spin: a spherical, a plane and a turning pendulum; L_3 is " ..
         "0 and the " ..
         "cubic is the pendulum's", { { 0.3, 0.9, 0.2, 0.1 }, { 1, 0.5, 0 }, 2, { 1, 20 } },
         { { 0.6, 0.8, 0, 0 }, { 0.5, 0, 0 }, 2, { 1, 20 } }, { { 0.6, 0.8, 0, 0 }, { 5, 0, 0 }, 2, { 1, 10 } } }),
-      case("pendulum_separatrix", { fast = true, library_bar = grows, law = GROWS,
+      case("pendulum_separatrix", { library_bar = grows, law = GROWS,
         why = "from the bottom with just the rate that ends upright, at no finite time",
         { { 0, 1, 0, 0 }, { 2, 0, 0 }, 1, { 1, 5, 15, -10 } } }),
       case("pendulum_separatrix_60_tau", { library = false,
@@ -69,7 +69,7 @@ return function(kit)
         why = "the rate at the bottom one unit of the last place less and more: it comes back, it goes over",
         { { 0, 1, 0, 0 }, function(real) return { 2 - 2 * kit.u[real], 0, 0 } end, 1, { 10, 50 } },
         { { 0, 1, 0, 0 }, function(real) return { 2 + 4 * kit.u[real], 0, 0 } end, 1, { 10, 50 } } }),
-      case("weight_tiny", { fast = true, why = "m g l = 1e-20 and 1e-300 (float: 1e-30): the free top's limit; and " ..
+      case("weight_tiny", { why = "m g l = 1e-20 and 1e-300 (float: 1e-30): the free top's limit; and " ..
         "no weight",
         { loose, { 1, 0.5, 5 }, 1e-20, { 1, 10 } }, { loose, { 1, 0.5, 5 }, by(1e-280, 1e-30), { 1, 10 } },
         { loose, { 1, 0.5, 5 }, 0, { 1, 10 } } }),
@@ -77,7 +77,7 @@ return function(kit)
         "than the spin",
         { loose, { 1, 0.5, 5 }, by(1e20, 1e6), function(real)
           return real == "float" and { 1e-3, 1e-2 } or { 1e-10, 1e-9 } end } }),
-      case("heavy_rod_sphere_disc", { fast = true,
+      case("heavy_rod_sphere_disc", {
         library_bar = function(p, x0, t, u)
           return motion.BAR + (p[2] > 0 and p[1] / p[2] or 0) * 2.0 ^ -64 * math.abs(t) * m.pace(p, x0) / u
         end,

@@ -65,7 +65,7 @@ return function(kit)
         growth = function(t) return math.exp(0.38 * math.abs(t)) end,
         why = "no stepper can stay on it: what a step loses grows with exp(t/tau); energy and |L| must not" }),
       case("steppers_rod", { { { 1e-8, 1, 1 - 5e-9 }, { 0.5, 1, 0.25 } },
-        { by({ 1e-300, 1, 1 }, { 1e-36, 1, 1 }), { 0.5, 1, 0.25 } }, fast = true,
+        { by({ 1e-300, 1, 1 }, { 1e-36, 1, 1 }), { 0.5, 1, 0.25 } },
         steppers = { "rk4", "adaptive", "taylor", "split2", "split4", "split6" },
         why = "a needle: 1/A is 1e8 and 1e300 (float: 1e36), times a difference of moments that is small, or none. " ..
           "midpoint and semi have the next case" }),
@@ -76,13 +76,13 @@ return function(kit)
           "|L|/(A |w|) times as large. At A = 1e-8 float has no digit left, double 8: docs/methods.md",
         law = LAW .. ", times |L|/(A |w|) = 108" }),
       case("steppers_equal_moments", { { { 2, 2, 2 }, { 0.3, 0.4, 1.2 } },
-        { function(real) return { 2, 2, 2 * (1 + 2 * kit.u[real]) } end, { 0.3, 0.4, 1.2 } }, fast = true,
+        { function(real) return { 2, 2, 2 * (1 + 2 * kit.u[real]) } end, { 0.3, 0.4, 1.2 } },
         why = "a sphere in the code of an asymmetric body, and one unit of the last place from it: differences are " ..
           "0 or noise" }),
       case("steppers_lamina", { { { 1, 2, 3 }, some }, why = "A + B = C, the ratios (C - B)/A = (C - A)/B = 1 are " ..
         "as large as " ..
         "they can be" }),
-      case("steppers_1e6_rad_s", { { p, { 1e6, 1e6, 0.5e6 } }, fast = true, why = "a million rad/s, steps of " ..
+      case("steppers_1e6_rad_s", { { p, { 1e6, 1e6, 0.5e6 } }, why = "a million rad/s, steps of " ..
         "nanoseconds (taylor's w^order is " ..
           "no float: double only)" }),
       case("steppers_scales_of_rates", { { p, times(by(1e30, 1e12), some) }, { p, times(by(1e-30, 1e-12), some) },

@@ -15,7 +15,8 @@ return function(kit)
   -- Steps of a = h pace, pace the sum of |w| and 2 sqrt(m g l/A), which bounds the derivatives; truncation factor
   -- a^order a
   -- radian.
-  local law = { rk4 = { 4, 2.0 ^ -9, 2.0 ^ -5 }, adaptive = { 5, 2.0 ^ -8, 2.0 ^ -4 }, taylor = { 20, 0.25, 0.0625, 10 },
+  local law = { rk4 = { 4, 2.0 ^ -9, 2.0 ^ -5 }, adaptive = { 5, 2.0 ^ -8, 2.0 ^ -4 }, taylor = { 20, 0.25, 0.0625,
+    10 },
     split2 = { 2, 2.0 ^ -10, 2.0 ^ -7 }, split4 = { 4, 2.0 ^ -9, 2.0 ^ -5 }, split6 = { 6, 2.0 ^ -5, 2.0 ^ -3 },
     midpoint = { 2, 2.0 ^ -10, 2.0 ^ -7 }, semi = { 1, 2.0 ^ -12, 2.0 ^ -9 } }
 
@@ -43,7 +44,7 @@ return function(kit)
 
   return { title = "Steppers, heavy", about = "The heavy top by rk4, adaptive, taylor, split2, 4, 6, midpoint, semi.",
     cases = {
-      { name = "steppers_sleeping", fast = true,
+      { name = "steppers_sleeping",
         why = "exactly upright with half the critical spin, a position that nothing but a rounding can leave",
         naive = EULER, oracle = "the axis stays upright: qx = qy = 0, w1 = w2 = 0",
         bound = "u: no difference at all is allowed, so a unit is too much",
@@ -55,7 +56,7 @@ return function(kit)
           end)
           euler(row, heavy.parameters(2), x0, 10, x0)
         end },
-      { name = "steppers_hanging_vertical_spin", fast = true,
+      { name = "steppers_hanging_vertical_spin",
         why = "upright, faster than critical, w3 and |q| over 2000 steps of 1.25 rad: what turns with the axis must " ..
           "keep w3",
         naive = EULER, oracle = "w3 = 20 is an integral, |q| = 1",
@@ -73,9 +74,9 @@ return function(kit)
           end)
           euler(row, heavy.parameters(2), x0, 10, x0)
         end },
-      follow("steppers_cusps", { fast = true, mgl = 2, x0 = { 0.8, 0.6, 0, 0, 0, 0, 8 }, t = 4,
+      follow("steppers_cusps", { mgl = 2, x0 = { 0.8, 0.6, 0, 0, 0, 0, 8 }, t = 4,
         why = "at a cusp the axis stands still: what divides by its speed, or chooses steps by it, stumbles" }),
-      follow("steppers_through_the_vertical", { fast = true, mgl = 2, x0 = { 1, 0, 0, 0, 1, 0, 3 }, t = 4,
+      follow("steppers_through_the_vertical", { mgl = 2, x0 = { 1, 0, 0, 0, 1, 0, 3 }, t = 4,
         why = "the axis goes through the upright, where Euler's angles have no value" }),
       follow("steppers_pendulum_separatrix", { mgl = 1, x0 = { 0, 1, 0, 0, 2, 0, 0 }, t = 8, growth = math.exp(8),
         why = "a pendulum that just reaches the upright: truncation grows with exp(t/tau), exp(8) here" }),

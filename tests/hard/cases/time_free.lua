@@ -41,17 +41,17 @@ return function(kit)
 
   return { title = "Time", about = "The free asymmetric top after long times.",
     cases = {
-      long("time_1e9_s", { 1e9, 1e9 + 1 }, { fast = true, why = "1.4e8 turns: a phase in one double is off by 1e-7 " ..
+      long("time_1e9_s", { 1e9, 1e9 + 1 }, { why = "1.4e8 turns: a phase in one double is off by 1e-7 " ..
         "rad" }),
-      long("time_1e6_turns", { 4.2e6, -4.2e6, 4194304.5 }, { fast = true,
+      long("time_1e6_turns", { 4.2e6, -4.2e6, 4194304.5 }, {
         why = "a million turns: a phase in one float has no digit left, a pair of floats has 2^-28 of a turn" }),
-      long("time_1e15_s", { 1e15, -0.9e15 }, { only = "double", fast = true,
+      long("time_1e15_s", { 1e15, -0.9e15 }, { only = "double",
         why = "2e14 turns: the spacing of doubles there is 0.125 s, the phase must be right to 1e-16 all the same",
         because = "a pair of floats has 46 bits, which 2^47 turns use up: the header says that nobody knows the " ..
           "phase then" }),
-      long("time_negative", { -1, -10, -1e6 }, { fast = true, why = "whole turns are taken off towards which side?" }),
+      long("time_negative", { -1, -10, -1e6 }, { why = "whole turns are taken off towards which side?" }),
 
-      { name = "ticks_2_62", fast = true,
+      { name = "ticks_2_62",
         why = "n = 2^62 ticks of a step: n h is beyond what any phase in floating point can reduce, and half of " ..
           "what n holds",
         naive = "t = n h in doubles and the textbook's rates there; h = 2^-32 s",
@@ -64,7 +64,7 @@ return function(kit)
             function(span, u) return m.long(RATE)(nil, nil, span, u) end)
         end },
 
-      { name = "ticks_are_times", fast = true,
+      { name = "ticks_are_times",
         why = "steps that are no power of two, over 10^6 steps of both signs: t += h in float would be 1e-3 off",
         naive = "t += h in single precision, 10^6 times: |t - n h| |w|, rad",
         oracle = MPFR .. " at n h, exactly a double",
@@ -77,7 +77,7 @@ return function(kit)
             function(span, u) return m.long(RATE)(nil, nil, span, u) end)
         end },
 
-      { name = "rotation_number", fast = true,
+      { name = "rotation_number",
         why = "turns about L while w goes round once: nearly symmetric bodies have millions, next to the axis it is " ..
           "a limit",
         naive = "L/I3 t + Legendre's integral by its first term: G/I of the mean moment times the textbook's period",
