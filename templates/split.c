@@ -163,6 +163,16 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
 %%   if split_diagonal then
   const ${name}_real a1 = ${split_a1}, a2 = ${split_a2}, a3 = ${split_a3};
   ${name}_real b = ${half}*tau, y1 = b*w[0], y2 = b*w[1], y3 = b*w[2];
+  const ${name}_real size = ${fabs}(y1) + ${fabs}(y2) + ${fabs}(y3);
+
+  if (size > ${sixteen}) { /* far too long: fourth powers must not overflow */
+    const ${name}_real part = ${sixteen}/size;
+
+    b *= part;
+    y1 *= part;
+    y2 *= part;
+    y3 *= part;
+  }
   const ${name}_real m1 = a2*a3*y1*y1, m2 = a3*a1*y2*y2, m3 = a1*a2*y3*y3, mean = ${third}*(m1 + m2 + m3);
   ${name}_real e1 = mean - m1, e2 = mean - m2, e3 = mean - m3;
   ${name}_real g2 = ${two}*(e1*e1 + e2*e2 + e3*e3), c2, c3, U;

@@ -9,10 +9,10 @@
  * (DLMF 20.7.30-33) replaces z by V = kappa z, kappa = K/(2 K'), and circular functions by hyperbolic ones. */
 
 /* What is known of the motion in principal axes.  [i] is axis i + 1 of the above.  Moments and rates are scaled by powers
- * of two, the largest to about 1.  What may be tiny together is scaled once more, so that nothing underflows that matters:
- * w1 and w2 by up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the difference of the other two,
- * which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.  They come as J1, J3, d32 and
- * d21; of a rod about axis 3 it is 1 and 0. */
+ * of two, the largest to about 1, rates to 2^${rate_spare} at most.  What may be tiny together is scaled once more, so that
+ * nothing underflows that matters: w1 and w2 by up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the
+ * difference of the other two, which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.
+ * They come as J1, J3, d32 and d21; of a rod about axis 3 it is 1 and 0. */
 typedef struct ${name}_top {
   ${name}_pair I[3], J[3];              /* moments: as they are, scaled */
   ${name}_pair w[3];                    /* rates at t = 0 */

@@ -38,6 +38,7 @@ local function literals(real)
     two64 = n(R.new(2) ^ -64), two32 = n(R.new(2) ^ -32),
     two32_up = n(R.new(2) ^ 32),
     last_turn = n(R.new(2) ^ (bits == 24 and 46 or 50)), last_time = n(R.new(2) ^ (bits == 24 and 97 or 990)),
+    rate_spare = bits == 24 and "12" or "26",
     bits_type = bits == 24 and "uint32_t" or "uint64_t", binary_shift = bits == 24 and "23" or "52",
     binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
     block = bits == 24 and "16" or "8", no_period = n(R.new(2) ^ (bits == 24 and 40 or 100)),

@@ -1304,10 +1304,10 @@ void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
  * (DLMF 20.7.30-33) replaces z by V = kappa z, kappa = K/(2 K'), and circular functions by hyperbolic ones. */
 
 /* What is known of the motion in principal axes.  [i] is axis i + 1 of the above.  Moments and rates are scaled by powers
- * of two, the largest to about 1.  What may be tiny together is scaled once more, so that nothing underflows that matters:
- * w1 and w2 by up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the difference of the other two,
- * which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.  They come as J1, J3, d32 and
- * d21; of a rod about axis 3 it is 1 and 0. */
+ * of two, the largest to about 1, rates to 2^26 at most.  What may be tiny together is scaled once more, so that
+ * nothing underflows that matters: w1 and w2 by up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the
+ * difference of the other two, which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.
+ * They come as J1, J3, d32 and d21; of a rod about axis 3 it is 1 and 0. */
 typedef struct brick_top {
   brick_pair I[3], J[3];              /* moments: as they are, scaled */
   brick_pair w[3];                    /* rates at t = 0 */
@@ -1952,6 +1952,7 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   }
   for (i = 0; i < 3; i++) largest = fabs(x0[BRICK_WX + i]) > largest ? fabs(x0[BRICK_WX + i]) : largest;
   (void)frexp(largest, &e);
+  if (e > 0) e = e > 26 ? e - 26 : 0; /* subnormal rates beside it keep their bits */
   for (i = 0; i < 3; i++) rate[i] = ldexp(x0[BRICK_WX + i], -e);
   for (i = 0; i < 3; i++) {
     w[i] = brick_pair_of(rate[i]);
