@@ -1,8 +1,8 @@
-/* free.c - the hunt's target: the emitted closed form of the free asymmetric top.
+/* free.c - the hunt's target: the emitted closed form of the free top.
    SPDX-License-Identifier: GPL-3.0-or-later
 
-   FULL: a tensor of six entries (scene top), else three moments (scene errormap); SINGLE: the code
-   is float. The fast oracle is the library before its last rounding, the slow one the textbook's
+   FULL: a tensor of six entries; SYMMETRIC: the elementary form of moments A, A, C; else three
+   moments; SINGLE: the code is float. The fast oracle is the library before its last rounding, the slow one the textbook's
    formulas with MPFR. Errors in units u = 2^-53 or 2^-24: rates over the largest rate, attitude as
    an angle (rad), |q| - 1; "library" and "library_rates" are those of ph_free_top_at, in 2^-53.
    The time is t by NAME_at, or n h by NAME_at_tick, h of 24 bits and n below 2^29, so that n h is
@@ -16,9 +16,14 @@
 
 #include <math.h>
 
-#ifdef FULL
-#include "top.h"
-#define SCENE(name) top_##name
+#if defined SYMMETRIC
+#include "symmetric.h"
+#define SCENE(name) symmetric_##name
+enum { BODY = 2 };
+#define TARGET "symmetric_top"
+#elif defined FULL
+#include "tensor.h"
+#define SCENE(name) tensor_##name
 enum { BODY = 6 };
 #define TARGET "free_tensor"
 #else
@@ -31,7 +36,7 @@ typedef SCENE(real) real_type;
 
 #ifdef SINGLE
 /* The oracle loses twice the bits of SLOW and those of GRADED. Phases are pairs of 48 bits: beyond 2^20 turns a unit is reached (docs/errormap.md). */
-enum { DIGITS = 24, GRADED = 25, SLOW = 50, SCALE = 15, TURNS = 17, BITS = 320 };
+enum { DIGITS = 24, GRADED = 25, SLOW = 100, SCALE = 15, TURNS = 17, BITS = 448 };
 #else
 enum { DIGITS = 53, GRADED = 80, SLOW = 200, SCALE = 80, TURNS = 40, BITS = 640 };
 #endif
@@ -40,7 +45,9 @@ enum { W = BODY, Q = BODY + 3, H = BODY + 7, T, N, TICK, GENES };
 enum { RATES, ATTITUDE, NORM, LIBRARY_RATES, LIBRARY, ERRORS };
 
 static const hunt_gene genes[] = {
-#ifdef FULL
+#if defined SYMMETRIC
+    {"A", HUNT_POSITIVE, 0},  {"C", HUNT_POSITIVE, 0},
+#elif defined FULL
     {"xx", HUNT_POSITIVE, 0}, {"yy", HUNT_POSITIVE, 0}, {"zz", HUNT_POSITIVE, 0},
     {"xy", HUNT_SIGNED, 0},   {"xz", HUNT_SIGNED, 0},   {"yz", HUNT_SIGNED, 0},
 #else
@@ -56,7 +63,7 @@ static const hunt_gene genes[] = {
    3.6 units: of q from one Newton step, the last rounding and that of the step.
    The library promises 1e-15 of both, 9 units. */
 static const hunt_error errors[] = {
-    {"rates", 36, 0},         {"attitude", 36, 0}, {"norm", 3.6, 0},
+    {"rates", 36, 0},         {"attitude", 36, 0}, {"norm", 5, 0},
     {"library_rates", 9, 1}, {"library", 9, 1},
 };
 
@@ -111,8 +118,17 @@ static void draw_separatrix(hunt_random *r, const double m[3], double w[3]) {
 
 static void draw(hunt_random *r, double *g) {
   const int single = DIGITS == 24;
-  double most = 0;
-  draw_moments(r, g);
+  double most = 0, m[3];
+  draw_moments(r, m);
+#ifdef SYMMETRIC
+  memcpy(g, m, 2 * sizeof *m);
+  if (hunt_chance(r, 0.2))
+    g[1] = g[0] * hunt_near_one(r, single);
+  else if (hunt_chance(r, 0.2))
+    g[1] = 2 * g[0];
+#else
+  memcpy(g, m, sizeof m);
+#endif
   const double rate = hunt_size(r, -SCALE, SCALE);
   for (int i = 0; i < 3; i++) {
     double w = hunt_sign(r) * hunt_mantissa(r, single);
@@ -123,7 +139,7 @@ static void draw(hunt_random *r, double *g) {
     g[W + i] = rate * w;
   }
   if (hunt_chance(r, 0.2))
-    draw_separatrix(r, g, g + W);
+    draw_separatrix(r, m, g + W);
   for (int i = 0; i < 3; i++)
     most = fmax(most, fabs(g[W + i]));
   for (int i = 0; i < 4; i++)
@@ -166,6 +182,15 @@ static int possible(const long double m[3]) {
   return m[0] > 0 && m[2] - m[1] <= 2 * m[0];
 }
 
+static void tensor_of(const double *g, double I[6]) {
+  memset(I, 0, 6 * sizeof *I);
+#ifdef SYMMETRIC
+  I[0] = I[1] = g[0], I[2] = g[1];
+#else
+  memcpy(I, g, BODY * sizeof *I);
+#endif
+}
+
 static double short_h(const double *g) { /* 24 bits */
   int e;
   const double m = frexp(g[H], &e);
@@ -174,14 +199,15 @@ static double short_h(const double *g) { /* 24 bits */
 
 static int prepare(const double *g) {
   real_type p[BODY], x0[7];
-  double w[3], tensor[6] = {0}, start[7];
+  double w[3], tensor[6], start[7];
   for (int i = 0; i < 3; i++)
     w[i] = g[W + i];
-  if (!within(g, 3, SCALE + 4, GRADED + 2) || !within(w, 3, SCALE + 4, SLOW + 2) ||
+  if (!within(g, BODY < 3 ? BODY : 3, SCALE + 4, GRADED + 2) || !within(w, 3, SCALE + 4, SLOW + 2) ||
       !within(g + Q, 4, 4, 40))
     return 0;
   for (int i = 0; i < BODY; i++)
-    p[i] = (real_type)g[i], tensor[i] = g[i];
+    p[i] = (real_type)g[i];
+  tensor_of(g, tensor);
   for (int i = 0; i < 7; i++)
     start[i] = i < 4 ? g[Q + i] : g[W + i - 4], x0[i] = (real_type)start[i];
   const double h = short_h(g);
@@ -271,8 +297,7 @@ static int judge(const double *g, double *error) {
   double in[14] = {0}, x[7];
   if (!prepare(g) || !when(g, &t))
     return 0;
-  for (int i = 0; i < BODY; i++)
-    in[i] = g[i];
+  tensor_of(g, in);
   for (int i = 0; i < 7; i++)
     in[6 + i] = g[W + i];
   in[13] = (double)t.hi;

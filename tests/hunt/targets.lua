@@ -1,0 +1,65 @@
+-- targets.lua - what the hunt searches: each target's program, and how it is built.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- A target: name; source (tests/hunt/); scene, emitted with `real` as `code`.c, or none; defines; `share`: the part of
+-- the states asked for that it searches, as some are slow; `judge`: what judges, for the page.
+
+local targets = {}
+
+local FREE = "tests/oracle/free_top.c: the textbook's formulas in MPFR"
+-- kinds of free.c: the scene, its name, what is defined, the share
+local FREES = { free_top = { "tests/bench/errormap.lua", "errormap", {}, 1 },
+  free_tensor = { "tests/hunt/tensor.lua", "tensor", { "FULL" }, 0.1 },
+  symmetric_top = { "tests/hunt/symmetric.lua", "symmetric", { "SYMMETRIC" }, 0.1 } }
+
+local function free(name, real)
+  local scene, code, defines, share = table.unpack(FREES[name])
+  return { name = name, real = real, source = "free.c", judge = FREE, scene = scene, code = code, defines = defines,
+    share = share }
+end
+
+targets.list = { free("free_top", "double"), free("free_top", "float"), free("free_tensor", "double"),
+  free("free_tensor", "float"), free("symmetric_top", "double"), free("symmetric_top", "float") }
+
+-- The objective's name in files and tests: hunt_TARGET[_float]_ERROR.
+function targets.label(t, error)
+  return "hunt_" .. t.name .. (t.real == "float" and "_float_" or "_") .. error
+end
+
+-- Those whose name, with or without _float, is in `words` (nil: all).
+function targets.chosen(words)
+  if not words or words == "" then return targets.list end
+  local list = {}
+  for word in string.gmatch(words, "%S+") do
+    for _, t in ipairs(targets.list) do
+      if word == t.name or word == t.name .. "_" .. t.real then list[#list + 1] = t end
+    end
+  end
+  return list
+end
+
+local WARN = "-Wall -Wextra -pedantic -Wconversion -Wdouble-promotion -Wshadow -Wno-unused-function"
+
+-- Builds the program in `directory`; its path, or nil and what was said.
+function targets.build(t, directory, polhode, define)
+  local defines = { table.unpack(t.defines) }
+  if t.real == "float" then defines[#defines + 1] = "SINGLE" end
+  if define then defines[#defines + 1] = define end
+  local flags = #defines > 0 and "-D" .. table.concat(defines, " -D") or ""
+  local program = string.format("%s/%s_%s%s", directory, t.name, t.real, define and "_" .. define or "")
+  local from, code = string.format("%s/%s_%s.code", directory, t.name, t.real), ""
+  local script = { "set -e; mkdir -p " .. from }
+  if t.scene then
+    code = string.format("%s/%s.o", from, t.code)
+    script[#script + 1] = string.format("%s gen %s --real %s -o %s", polhode, t.scene, t.real, from)
+    script[#script + 1] = string.format("cc -std=c99 -O2 -ffp-contract=off -c -o %s %s/%s.c", code, from, t.code)
+  end
+  script[#script + 1] = string.format("cc -std=c11 -O2 -ffp-contract=off -D_XOPEN_SOURCE=700 %s %s -I%s -Isrc/runtime " ..
+    "-Itests/hunt -o %s tests/hunt/%s tests/hunt/search.c tests/hunt/mutate.c %s build/libpolhode.a -lmpfr -lgmp -lm",
+    WARN, flags, from, program, t.source, code)
+  local pipe = assert(io.popen("{ " .. table.concat(script, "\n") .. "; } 2>&1"))
+  local said = pipe:read "a"
+  return pipe:close() and program or nil, said
+end
+
+return targets
