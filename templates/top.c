@@ -111,7 +111,7 @@ static void ${name}_label(${name}_top *p, const ${name}_pair I[3], const ${name}
   p->D = reverse ? ${name}_pair_minus(p->D) : p->D;
   p->d21 = reverse ? high : low;
   p->d32 = reverse ? low : high;
-  p->d31 = ${name}_pair_subtract(I[large], I[small]);
+  p->d31 = ${name}_pair_add(low, ${name}_pair_shift(down, high)); /* of nearly equal pairs two differences have digits */
   p->small = down;
   sign[0] = w[own[0]].hi < ${zero} ? -${one} : ${one};
   sign[2] = w[own[2]].hi < ${zero} ? -${one} : ${one};
