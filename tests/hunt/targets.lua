@@ -18,8 +18,16 @@ local function free(name, real)
     share = share }
 end
 
+local function heavy(real)
+  return { name = "heavy_top", real = real, source = "heavy.c", scene = "tests/hunt/lagrange.lua", code = "lagrange",
+    defines = {}, share = 0.01, judge = "tests/oracle/heavy_top.c: a Taylor series in MPFR" }
+end
+
 targets.list = { free("free_top", "double"), free("free_top", "float"), free("free_tensor", "double"),
-  free("free_tensor", "float"), free("symmetric_top", "double"), free("symmetric_top", "float") }
+  free("free_tensor", "float"), free("symmetric_top", "double"), free("symmetric_top", "float"),
+  heavy "double", heavy "float",
+  { name = "elliptic", real = "double", source = "elliptic.c", defines = {}, share = 0.001,
+    judge = "tests/oracle/free_top.c: Carlson's duplication and Landen's transformation in MPFR" } }
 
 -- The objective's name in files and tests: hunt_TARGET[_float]_ERROR.
 function targets.label(t, error)
@@ -55,7 +63,8 @@ function targets.build(t, directory, polhode, define)
     script[#script + 1] = string.format("cc -std=c99 -O2 -ffp-contract=off -c -o %s %s/%s.c", code, from, t.code)
   end
   script[#script + 1] = string.format("cc -std=c11 -O2 -ffp-contract=off -D_XOPEN_SOURCE=700 %s %s -I%s -Isrc/runtime " ..
-    "-Itests/hunt -o %s tests/hunt/%s tests/hunt/search.c tests/hunt/mutate.c %s build/libpolhode.a -lmpfr -lgmp -lm",
+    "-Itests/hunt -o %s tests/hunt/%s tests/hunt/search.c tests/hunt/mutate.c %s build/libpolhode.a " ..
+    "$(pkg-config --libs gsl) -lmpfr -lgmp -lm",
     WARN, flags, from, program, t.source, code)
   local pipe = assert(io.popen("{ " .. table.concat(script, "\n") .. "; } 2>&1"))
   local said = pipe:read "a"
