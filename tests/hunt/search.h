@@ -11,7 +11,7 @@
 
 #include <stdint.h>
 
-enum { HUNT_GENES = 24, HUNT_ERRORS = 12 };
+enum { HUNT_GENES = 24, HUNT_ERRORS = 16 };
 
 /* What mutations may do with a gene. */
 enum hunt_kind {

@@ -23,9 +23,20 @@ local function heavy(real)
     defines = {}, share = 0.01, judge = "tests/oracle/heavy_top.c: a Taylor series in MPFR" }
 end
 
+local function principal(real)
+  return { name = "principal", real = real, source = "principal.c", scene = "tests/hunt/tensor.lua", code = "tensor",
+    defines = {}, share = 0.1, judge = "Jacobi's method in MPFR" }
+end
+
+local function own(real)
+  return { name = "libm", real = real, source = "libm.c", header = "tests/hunt/own.lua", defines = {}, share = 0.1,
+    judge = "MPFR" }
+end
+
 targets.list = { free("free_top", "double"), free("free_top", "float"), free("free_tensor", "double"),
   free("free_tensor", "float"), free("symmetric_top", "double"), free("symmetric_top", "float"),
   heavy "double", heavy "float",
+  principal "double", principal "float", own "double", own "float",
   { name = "elliptic", real = "double", source = "elliptic.c", defines = {}, share = 0.001,
     judge = "tests/oracle/free_top.c: Carlson's duplication and Landen's transformation in MPFR" } }
 
@@ -62,6 +73,7 @@ function targets.build(t, directory, polhode, define)
     script[#script + 1] = string.format("%s gen %s --real %s -o %s", polhode, t.scene, t.real, from)
     script[#script + 1] = string.format("cc -std=c99 -O2 -ffp-contract=off -c -o %s %s/%s.c", code, from, t.code)
   end
+  if t.header then script[#script + 1] = string.format("lua5.4 %s %s > %s/own.h", t.header, t.real, from) end
   script[#script + 1] = string.format("cc -std=c11 -O2 -ffp-contract=off -D_XOPEN_SOURCE=700 %s %s -I%s -Isrc/runtime " ..
     "-Itests/hunt -o %s tests/hunt/%s tests/hunt/search.c tests/hunt/mutate.c %s build/libpolhode.a " ..
     "$(pkg-config --libs gsl) -lmpfr -lgmp -lm",
