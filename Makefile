@@ -11,6 +11,7 @@
 #   make install    PREFIX (default /usr/local), DESTDIR
 #   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/linearised.svg
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
+#   make hunt       COUNT, SEED, TARGETS: a random search for the worst states, docs/hunt.md (COUNT=1e8: an hour)
 #   make lint | format | sanitize | golden | clean
 
 CC      = cc
@@ -242,6 +243,13 @@ TURNS = 100000
 drift: $(PROGRAM)
 	@$(LUA) tests/bench/drift.lua $(PROGRAM) $(BUILD)/drift $(TURNS) docs/methods.md
 
+# A random search for the states that are computed worst: tests/hunt/worst.lua and docs/hunt.md.
+COUNT = 1e6
+SEED  = 1
+TARGETS =
+hunt: $(PROGRAM) $(LIBRARY) $(MODULE)
+	@$(LUA) tests/hunt/hunt.lua $(PROGRAM) $(BUILD)/hunt $(COUNT) $(SEED) "$(TARGETS)"
+
 # Work and precision of every method on six scenes: tables and diagrams of docs/accuracy.md.  One at a time, please.
 accuracy: $(PROGRAM)
 	@$(LUA) tests/bench/accuracy.lua $(PROGRAM) $(BUILD)/accuracy docs/accuracy.md
@@ -330,7 +338,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-target bits-all test sanitize sanitized golden docs bench accuracy drift errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check check-target bits-all test sanitize sanitized golden docs bench accuracy drift errormap hunt target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

@@ -243,11 +243,15 @@ static double turned_digits(void) {
 #endif
 }
 
-/* The time as a sum of two doubles; 0: too many turns. */
-static int when(const double *g, pair *t) {
-  const double h = short_h(g);
-  *t = g[TICK] != 0 ? pair_product(h, g[N]) : pair_of(g[T]);
-  const double turns = 1 + fabs((double)t->hi) * fmax(fabs(exact.precession), 4 / exact.period) / 6.283;
+/* The time as a sum of two doubles. */
+static pair when(const double *g) {
+  return g[TICK] != 0 ? pair_product(short_h(g), g[N]) : pair_of(g[T]);
+}
+
+/* Not too many turns, which only the search bounds: a state of found.lua may have more. */
+static int soon(const double *g, pair t) {
+  const double rate = fmax(fabs(exact.precession), 4 / exact.period);
+  const double turns = 1 + fabs((double)t.hi) * rate / 6.283;
   return fabs(g[N]) < 0x1p29 && turns * turned_digits() < exp2(TURNS) &&
          (DIGITS == 53 || fabs(g[T]) < 0x1p100);
 }
@@ -272,10 +276,10 @@ static double norm_error(const double *q) {
 }
 
 static int measure(const double *g, double *error) {
-  pair t;
+  const pair t = when(g);
   ph_wide v[7], most = 0, dw = 0, plus = 0, minus = 0;
   double x[7];
-  if (!when(g, &t))
+  if (!soon(g, t))
     return 0;
   free_top_at_wide(&exact, t, v);
   evaluate(g, x);
@@ -312,10 +316,10 @@ static void against(num v[7], const double x[7], double u, double *rates, double
 }
 
 static int judge(const double *g, double *error) {
-  pair t;
+  const pair t = when(g);
   num v[7];
   double in[14] = {0}, x[7];
-  if (!prepare(g) || !when(g, &t))
+  if (!prepare(g))
     return 0;
   tensor_of(g, in);
   for (int i = 0; i < 7; i++)

@@ -40,10 +40,22 @@ targets.list = { free("free_top", "double"), free("free_top", "float"), free("fr
   { name = "elliptic", real = "double", source = "elliptic.c", defines = {}, share = 0.001,
     judge = "tests/oracle/free_top.c: Carlson's duplication and Landen's transformation in MPFR" } }
 
+local ERRORS = {
+  ["free.c"] = { "rates", "attitude", "norm", "library_rates", "library" },
+  ["heavy.c"] = { "rates", "attitude", "norm" },
+  ["principal.c"] = { "moments", "skew", "residue", "library_moments", "library_skew", "library_residue" },
+  ["elliptic.c"] = { "K", "E", "Pi", "F_phi", "E_phi", "Pi_phi", "sn", "cn", "dn", "am" },
+  ["libm.c"] = { "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh", "cbrt", "atan2",
+    "pow" },
+}
+
 -- The objective's name in files and tests: hunt_TARGET[_float]_ERROR.
 function targets.label(t, error)
   return "hunt_" .. t.name .. (t.real == "float" and "_float_" or "_") .. error
 end
+
+-- The errors of a target, in the order in which its program prints them.
+function targets.errors(t) return ERRORS[t.source] end
 
 -- Those whose name, with or without _float, is in `words` (nil: all).
 function targets.chosen(words)
