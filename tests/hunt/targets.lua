@@ -71,25 +71,42 @@ end
 
 local WARN = "-Wall -Wextra -pedantic -Wconversion -Wdouble-promotion -Wshadow -Wno-unused-function"
 
--- Builds the program in `directory`; its path, or nil and what was said.
-function targets.build(t, directory, polhode, define)
+-- Builds the program in `directory`; its path, or nil and what was said.  What programs share is made once a run.
+-- option: { define = .., level = "-O1" }; the same bits at every level.
+local made = {}
+
+function targets.build(t, directory, polhode, option)
+  option = option or {}
+  local cc, level = os.getenv "CC" or "cc", option.level or "-O2"
   local defines = { table.unpack(t.defines) }
   if t.real == "float" then defines[#defines + 1] = "SINGLE" end
-  if define then defines[#defines + 1] = define end
+  defines[#defines + 1] = option.define
   local flags = #defines > 0 and "-D" .. table.concat(defines, " -D") or ""
-  local program = string.format("%s/%s_%s%s", directory, t.name, t.real, define and "_" .. define or "")
-  local from, code = string.format("%s/%s_%s.code", directory, t.name, t.real), ""
-  local script = { "set -e; mkdir -p " .. from }
-  if t.scene then
-    code = string.format("%s/%s.o", from, t.code)
-    script[#script + 1] = string.format("%s gen %s --real %s -o %s", polhode, t.scene, t.real, from)
-    script[#script + 1] = string.format("cc -std=c99 -O2 -ffp-contract=off -c -o %s %s/%s.c", code, from, t.code)
+  local program = string.format("%s/%s_%s%s", directory, t.name, t.real, option.define and "_" .. option.define or "")
+  local script = { "set -e" }
+  -- a file that others use too
+  local function once(path, format, ...)
+    if not made[path] then script[#script + 1] = string.format(format, ...) end
+    made[path] = true
+    return path
   end
-  if t.header then script[#script + 1] = string.format("lua5.4 %s %s > %s/own.h", t.header, t.real, from) end
-  script[#script + 1] = string.format("cc -std=c11 -O2 -ffp-contract=off -D_XOPEN_SOURCE=700 %s %s -I%s -Isrc/runtime " ..
-    "-Itests/hunt -o %s tests/hunt/%s tests/hunt/search.c tests/hunt/mutate.c %s build/libpolhode.a " ..
-    "$(pkg-config --libs gsl) -lmpfr -lgmp -lm",
-    WARN, flags, from, program, t.source, code)
+  local compile = string.format("%s -std=c11 %s -ffp-contract=off -D_XOPEN_SOURCE=700 %s -Isrc/runtime -Itests/hunt", cc,
+    level, WARN)
+  local from = string.format("%s/%s_%s.code", directory, t.code or t.name, t.real)
+  once(from, "mkdir -p %s", from)
+  local objects = ""
+  for _, name in ipairs { "search", "mutate" } do
+    local object = string.format("%s/%s.o", directory, name)
+    objects = objects .. " " .. once(object, "%s -c -o %s tests/hunt/%s.c", compile, object, name)
+  end
+  if t.scene then
+    local object = string.format("%s/%s.o", from, t.code)
+    objects = objects .. " " .. once(object, "%s gen %s --real %s -o %s\n%s -std=c99 %s -ffp-contract=off -c -o %s %s/%s.c",
+      polhode, t.scene, t.real, from, cc, level, object, from, t.code)
+  end
+  if t.header then once(from .. "/own.h", "lua5.4 %s %s > %s/own.h", t.header, t.real, from) end
+  script[#script + 1] = string.format("%s %s -I%s -o %s tests/hunt/%s%s build/libpolhode.a $(pkg-config --libs gsl) " ..
+    "-lmpfr -lgmp -lm", compile, flags, from, program, t.source, objects)
   local pipe = assert(io.popen("{ " .. table.concat(script, "\n") .. "; } 2>&1"))
   local said = pipe:read "a"
   return pipe:close() and program or nil, said

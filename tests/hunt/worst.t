@@ -51,7 +51,7 @@ local function of(t, list)
 end
 
 for _, t in ipairs(targets.list) do
-  local path, said = targets.build(t, dir, polhode)
+  local path, said = targets.build(t, dir, polhode, { level = "-O1" })
   if tap.ok(path and said == "", t.name .. ", " .. t.real .. ": the program compiles", said) then
     local states, rows = {}, {}
     for _, w in ipairs(of(t, worst)) do
@@ -89,7 +89,7 @@ tap.ok(count >= 100, count .. " states judged")
 -- 1e5 states each; an error of at least so many u: a hill of 1e4 must be climbed, its foot is not enough
 for defect, least in ipairs { [0] = 0, 36, 36, 5000 } do
   local t = targets.chosen("free_top_double")[1]
-  local path = targets.build(t, dir, polhode, "DEFECT=" .. defect)
+  local path = targets.build(t, dir, polhode, { define = "DEFECT=" .. defect, level = "-O1" })
   program.shell(string.format("timeout 120 %s --seed 1 --count 1e5 > %s/out 2> %s/err", path, dir, dir))
   local _, states = records.parse(program.read(dir .. "/out"), t)
   local most = 0
