@@ -33,16 +33,22 @@ local function own(real)
     judge = "MPFR" }
 end
 
+local function step(real)
+  return { name = "step", real = real, source = "step.c", scene = "tests/hunt/steps.lua", code = "steps",
+    method = "rk4,taylor", defines = {}, share = 0.1, judge = FREE }
+end
+
 targets.list = { free("free_top", "double"), free("free_top", "float"), free("free_tensor", "double"),
   free("free_tensor", "float"), free("symmetric_top", "double"), free("symmetric_top", "float"),
   heavy "double", heavy "float",
-  principal "double", principal "float", own "double", own "float",
+  principal "double", principal "float", own "double", own "float", step "double", step "float",
   { name = "elliptic", real = "double", source = "elliptic.c", defines = {}, share = 0.001,
     judge = "tests/oracle/free_top.c: Carlson's duplication and Landen's transformation in MPFR" } }
 
 local ERRORS = {
   ["free.c"] = { "rates", "attitude", "norm", "library_rates", "library" },
   ["heavy.c"] = { "rates", "attitude", "norm" },
+  ["step.c"] = { "rk4_rates", "rk4_attitude", "taylor_rates", "taylor_attitude" },
   ["principal.c"] = { "moments", "skew", "residue", "library_moments", "library_skew", "library_residue" },
   ["elliptic.c"] = { "K", "E", "Pi", "F_phi", "E_phi", "Pi_phi", "sn", "cn", "dn", "am" },
   ["libm.c"] = { "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh", "cbrt", "atan2",
@@ -101,8 +107,8 @@ function targets.build(t, directory, polhode, option)
   end
   if t.scene then
     local object = string.format("%s/%s.o", from, t.code)
-    objects = objects .. " " .. once(object, "%s gen %s --real %s -o %s\n%s -std=c99 %s -ffp-contract=off -c -o %s %s/%s.c",
-      polhode, t.scene, t.real, from, cc, level, object, from, t.code)
+    objects = objects .. " " .. once(object, "%s gen %s --real %s%s -o %s\n%s -std=c99 %s -ffp-contract=off -c -o %s %s/%s.c",
+      polhode, t.scene, t.real, t.method and " --method " .. t.method or "", from, cc, level, object, from, t.code)
   end
   if t.header then once(from .. "/own.h", "lua5.4 %s %s > %s/own.h", t.header, t.real, from) end
   script[#script + 1] = string.format("%s %s -I%s -o %s tests/hunt/%s%s build/libpolhode.a $(pkg-config --libs gsl) " ..
