@@ -23,8 +23,8 @@ static void planted(const double *g, double x[7]) {
   }
   const double a = g[o[0]], b = g[o[1]], c = g[o[2]], w = x[4 + o[1]];
   if (c > a)
-    x[4 + o[2]] = copysign(sqrt(fmax(0, (G2 - T2 * a - b * (b - a) * w * w) / (c * (c - a)))),
-                           x[4 + o[2]]);
+    x[4 + o[2]] =
+        copysign(sqrt(fmax(0, (G2 - T2 * a - b * (b - a) * w * w) / (c * (c - a)))), x[4 + o[2]]);
 }
 
 #elif defined DEFECT && DEFECT == 2

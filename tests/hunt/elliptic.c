@@ -25,33 +25,34 @@ static const hunt_gene genes[] = {{"m", HUNT_POSITIVE, 0},
 
 /* polhode_exact.h promises 1 ulp of the integrals; of the functions tests/runtime/elliptic.c
    requires 2. */
-static const hunt_error errors[] = {{"K", 1, 0},      {"E", 1, 0},      {"Pi", 1, 0},
-                                    {"F_phi", 1, 0},  {"E_phi", 1, 0},  {"Pi_phi", 1, 0},
-                                    {"sn", 2, 0},     {"cn", 2, 0},     {"dn", 2, 0},
-                                    {"am", 2, 0}};
+static const hunt_error errors[] = {
+    {"K", 1, 0},      {"E", 1, 0},  {"Pi", 1, 0}, {"F_phi", 1, 0}, {"E_phi", 1, 0},
+    {"Pi_phi", 1, 0}, {"sn", 2, 0}, {"cn", 2, 0}, {"dn", 2, 0},    {"am", 2, 0}};
 
 static void draw(hunt_random *r, double *g) {
   g[VALUE] = hunt_chance(r, 0.5) ? hunt_mantissa(r, 0) * hunt_size(r, -60, -1) : hunt_uniform(r);
   if (hunt_chance(r, 0.1))
     g[VALUE] *= hunt_size(r, -600, 0);
   g[COMPLEMENT] = (double)hunt_below(r, 2);
-  g[CHARACTERISTIC] = hunt_chance(r, 0.5) ? 1 - hunt_mantissa(r, 0) * hunt_size(r, -50, 60)
-                                          : hunt_sign(r) * hunt_mantissa(r, 0) * hunt_size(r, -60, -1);
+  g[CHARACTERISTIC] = hunt_chance(r, 0.5)
+                          ? 1 - hunt_mantissa(r, 0) * hunt_size(r, -50, 60)
+                          : hunt_sign(r) * hunt_mantissa(r, 0) * hunt_size(r, -60, -1);
   for (int i = PHI; i <= U; i++) {
     g[i] = hunt_sign(r) * hunt_mantissa(r, 0) * hunt_size(r, -20, 5);
     if (hunt_chance(r, 0.3)) /* next to a multiple of pi/2, or of K below */
       g[i] = nearbyint(hunt_size(r, 0, 40)) * 1.5707963267948966 * hunt_near_one(r, 0);
   }
   double K;
-  if (hunt_chance(r, 0.5) && ph_elliptic_complete_k(g[COMPLEMENT] != 0 ? ph_modulus_mc(g[VALUE])
-                                                                      : ph_modulus_m(g[VALUE]),
-                                                    &K) == 0)
+  if (hunt_chance(r, 0.5) &&
+      ph_elliptic_complete_k(g[COMPLEMENT] != 0 ? ph_modulus_mc(g[VALUE]) : ph_modulus_m(g[VALUE]),
+                             &K) == 0)
     g[U] = hunt_sign(r) * nearbyint(hunt_size(r, 0, 30)) * K * hunt_near_one(r, 0);
 }
 
 static int prepare(const double *g) {
-  return g[VALUE] > (g[COMPLEMENT] != 0 ? 0x1p-120 : 0x1p-900) && g[VALUE] < 1 && g[CHARACTERISTIC] < 1 &&
-         fabs(g[CHARACTERISTIC]) < 0x1p100 && fabs(g[PHI]) <= 1e15 && fabs(g[U]) <= 1e15;
+  return g[VALUE] > (g[COMPLEMENT] != 0 ? 0x1p-120 : 0x1p-900) && g[VALUE] < 1 &&
+         g[CHARACTERISTIC] < 1 && fabs(g[CHARACTERISTIC]) < 0x1p100 && fabs(g[PHI]) <= 1e15 &&
+         fabs(g[U]) <= 1e15;
 }
 
 static double ulps(double have, num want) {
@@ -103,7 +104,7 @@ static int judge(const double *g, double *error) {
 }
 
 int main(int argc, char **argv) {
-  static const hunt_target target = {"elliptic", 0, GENES, 1,       genes,   ERRORS,
+  static const hunt_target target = {"elliptic", 0, GENES, 1,       genes, ERRORS,
                                      errors,     1, draw,  prepare, judge, judge};
   bits = 320; /* of u = 1e15 in multiples of K 50 are lost, of cn next to its zero another 60 */
   pool = malloc(POOL * sizeof *pool);

@@ -2,11 +2,12 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 
    FULL: a tensor of six entries; SYMMETRIC: the elementary form of moments A, A, C; else three
-   moments; SINGLE: the code is float. The fast oracle is the library before its last rounding, the slow one the textbook's
-   formulas with MPFR. Errors in units u = 2^-53 or 2^-24: rates over the largest rate, attitude as
-   an angle (rad), |q| - 1; "library" and "library_rates" are those of ph_free_top_at, in 2^-53.
-   The time is t by NAME_at, or n h by NAME_at_tick, h of 24 bits and n below 2^29, so that n h is
-   a double. DEFECT: something planted, which the search must find (worst.t). */
+   moments; SINGLE: the code is float. The fast oracle is the library before its last rounding, the
+   slow one the textbook's formulas with MPFR. Errors in units u = 2^-53 or 2^-24: rates over the
+   largest rate, attitude as an angle (rad), |q| - 1; "library" and "library_rates" are those of
+   ph_free_top_at, in 2^-53. The time is t by NAME_at, or n h by NAME_at_tick, h of 24 bits and n
+   below 2^29, so that n h is a double. DEFECT: something planted, which the search must find
+   (worst.t). */
 #include "free_top.h"
 #include "search.h"
 
@@ -25,17 +26,18 @@ enum { BODY = 2 };
 #include "tensor.h"
 #define SCENE(name) tensor_##name
 enum { BODY = 6 };
-#define TARGET "free_tensor"
+#define TARGET      "free_tensor"
 #else
 #include "errormap.h"
 #define SCENE(name) errormap_##name
 enum { BODY = 3 };
-#define TARGET "free_top"
+#define TARGET      "free_top"
 #endif
 typedef SCENE(real) real_type;
 
 #ifdef SINGLE
-/* The oracle loses twice the bits of SLOW and those of GRADED. Phases are pairs of 48 bits: beyond 2^20 turns a unit is reached (docs/errormap.md). */
+/* The oracle loses twice the bits of SLOW and those of GRADED. Phases are pairs of 48 bits: beyond
+ * 2^20 turns a unit is reached (docs/errormap.md). */
 enum { DIGITS = 24, GRADED = 25, SLOW = 100, SCALE = 15, TURNS = 17, BITS = 448 };
 #else
 enum { DIGITS = 53, GRADED = 80, SLOW = 200, SCALE = 80, TURNS = 40, BITS = 640 };
@@ -46,24 +48,24 @@ enum { RATES, ATTITUDE, NORM, LIBRARY_RATES, LIBRARY, ERRORS };
 
 static const hunt_gene genes[] = {
 #if defined SYMMETRIC
-    {"A", HUNT_POSITIVE, 0},  {"C", HUNT_POSITIVE, 0},
+    {"A", HUNT_POSITIVE, 0}, {"C", HUNT_POSITIVE, 0},
 #elif defined FULL
     {"xx", HUNT_POSITIVE, 0}, {"yy", HUNT_POSITIVE, 0}, {"zz", HUNT_POSITIVE, 0},
     {"xy", HUNT_SIGNED, 0},   {"xz", HUNT_SIGNED, 0},   {"yz", HUNT_SIGNED, 0},
 #else
-    {"A", HUNT_POSITIVE, 0},  {"B", HUNT_POSITIVE, 0},  {"C", HUNT_POSITIVE, 0},
+    {"A", HUNT_POSITIVE, 0}, {"B", HUNT_POSITIVE, 0},  {"C", HUNT_POSITIVE, 0},
 #endif
-    {"wx", HUNT_SIGNED, 1},   {"wy", HUNT_SIGNED, 1},   {"wz", HUNT_SIGNED, 1},
-    {"qw", HUNT_SIGNED, 2},   {"qx", HUNT_SIGNED, 2},   {"qy", HUNT_SIGNED, 2},
-    {"qz", HUNT_SIGNED, 2},   {"h", HUNT_POSITIVE, 3},  {"t", HUNT_SIGNED, 3},
-    {"n", HUNT_WHOLE, 4},     {"tick", HUNT_CHOICE, 5},
+    {"wx", HUNT_SIGNED, 1},  {"wy", HUNT_SIGNED, 1},   {"wz", HUNT_SIGNED, 1},
+    {"qw", HUNT_SIGNED, 2},  {"qx", HUNT_SIGNED, 2},   {"qy", HUNT_SIGNED, 2},
+    {"qz", HUNT_SIGNED, 2},  {"h", HUNT_POSITIVE, 3},  {"t", HUNT_SIGNED, 3},
+    {"n", HUNT_WHOLE, 4},    {"tick", HUNT_CHOICE, 5},
 };
 
 /* 36 and 67 units: the requirement (docs/errormap.md), 4e-15 and 4e-6; |q| - 1 likewise 4e-16 is
    3.6 units: of q from one Newton step, the last rounding and that of the step.
    The library promises 1e-15 of both, 9 units. */
 static const hunt_error errors[] = {
-    {"rates", 36, 0},         {"attitude", 36, 0}, {"norm", 5, 0},
+    {"rates", 36, 0},        {"attitude", 36, 0}, {"norm", 5, 0},
     {"library_rates", 9, 1}, {"library", 9, 1},
 };
 
@@ -143,8 +145,9 @@ static void draw(hunt_random *r, double *g) {
   for (int i = 0; i < 3; i++)
     most = fmax(most, fabs(g[W + i]));
   for (int i = 0; i < 4; i++)
-    g[Q + i] = hunt_chance(r, 0.1) ? 0 : hunt_sign(r) * hunt_mantissa(r, single) *
-                                             (hunt_chance(r, 0.2) ? hunt_size(r, -30, 0) : 1);
+    g[Q + i] = hunt_chance(r, 0.1) ? 0
+                                   : hunt_sign(r) * hunt_mantissa(r, single) *
+                                         (hunt_chance(r, 0.2) ? hunt_size(r, -30, 0) : 1);
 #ifdef FULL
   if (hunt_chance(r, 0.9))
     for (int i = 0; i < 3; i++)
@@ -202,8 +205,8 @@ static int prepare(const double *g) {
   double w[3], tensor[6], start[7];
   for (int i = 0; i < 3; i++)
     w[i] = g[W + i];
-  if (!within(g, BODY < 3 ? BODY : 3, SCALE + 4, GRADED + 2) || !within(w, 3, SCALE + 4, SLOW + 2) ||
-      !within(g + Q, 4, 4, 40))
+  if (!within(g, BODY < 3 ? BODY : 3, SCALE + 4, GRADED + 2) ||
+      !within(w, 3, SCALE + 4, SLOW + 2) || !within(g + Q, 4, 4, 40))
     return 0;
   for (int i = 0; i < BODY; i++)
     p[i] = (real_type)g[i];
@@ -338,7 +341,7 @@ static int judge(const double *g, double *error) {
 }
 
 int main(int argc, char **argv) {
-  static const hunt_target target = {TARGET, DIGITS == 24, GENES, 3, genes, ERRORS, errors,
+  static const hunt_target target = {TARGET, DIGITS == 24, GENES,   3,       genes, ERRORS, errors,
                                      8,      draw,         prepare, measure, judge};
   unit = ldexp(1, -DIGITS);
   bits = BITS;

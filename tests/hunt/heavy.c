@@ -3,9 +3,9 @@
 
    SINGLE: the code is float. The fast oracle is the library's Taylor series in long double, over
    short times, since what a motion near its separatrix multiplies it multiplies too; the slow one
-   is the series with MPFR (tests/oracle/heavy_top.c). Errors in units u = 2^-53 or 2^-24: rates over
-   the pace, which is the largest of |w| at both ends and sqrt(m g l/A); attitude as an angle (rad);
-   |q| - 1. */
+   is the series with MPFR (tests/oracle/heavy_top.c). Errors in units u = 2^-53 or 2^-24: rates
+   over the pace, which is the largest of |w| at both ends and sqrt(m g l/A); attitude as an angle
+   (rad); |q| - 1. */
 #include "lagrange.h"
 #include "polhode.h"
 #include "search.h"
@@ -51,7 +51,8 @@ static double pace_of(const double *g) {
 
 static void draw(hunt_random *r, double *g) {
   const int single = DIGITS == 24;
-  const double size = hunt_size(r, -SCALE / 2, SCALE / 2), rate = hunt_size(r, -SCALE / 4, SCALE / 4);
+  const double size = hunt_size(r, -SCALE / 2, SCALE / 2),
+               rate = hunt_size(r, -SCALE / 4, SCALE / 4);
   const double small = hunt_chance(r, 0.5) ? hunt_size(r, -SLOW, 0) : 1;
   g[A] = size * hunt_mantissa(r, single);
   g[C] = g[A] * (hunt_chance(r, 0.2) ? hunt_near_one(r, single) : 2 * hunt_uniform(r));
@@ -174,7 +175,8 @@ static int measure(const double *g, double *error) {
 }
 
 static int judge(const double *g, double *error) {
-  double in[14] = {g[A], g[A], g[C], 0, 0, g[G]}, have[7], pace = pace_of(g), dw = 0, plus = 0, minus = 0;
+  double in[14] = {g[A], g[A], g[C], 0, 0, g[G]}, have[7], pace = pace_of(g), dw = 0, plus = 0,
+         minus = 0;
   if (!prepare(g) || !(fabs(g[T]) * pace < 100))
     return 0;
   for (int i = 0; i < 8; i++)
@@ -201,8 +203,8 @@ static int judge(const double *g, double *error) {
 }
 
 int main(int argc, char **argv) {
-  static const hunt_target target = {"heavy_top", DIGITS == 24, GENES, 1,       genes,   ERRORS,
-                                     errors,      4,            draw,  prepare, measure, judge};
+  static const hunt_target target = {
+      "heavy_top", DIGITS == 24, GENES, 1, genes, ERRORS, errors, 4, draw, prepare, measure, judge};
   unit = ldexp(1, -DIGITS);
   bits = BITS;
   order = (int)(bits / 4 + 16);

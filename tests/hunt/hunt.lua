@@ -12,7 +12,7 @@ local targets = require "tests.hunt.targets"
 local records = require "tests.hunt.records"
 local page = require "tests.hunt.page"
 
-local WORST, HISTORY, PAGE = "tests/hunt/worst.lua", "tests/hunt/history.lua", "docs/hunt.md"
+local WORST, HISTORY, PAGE = "tests/hunt/worst.tsv", "tests/hunt/history.tsv", "docs/hunt.md"
 local polhode, directory, count, seed, names = table.unpack(arg)
 count, seed = tonumber(count), math.tointeger(tonumber(seed))
 if not (count and count >= 1 and seed) then
@@ -20,7 +20,18 @@ if not (count and count >= 1 and seed) then
   os.exit(2)
 end
 
-local worst, history = records.load(WORST), records.load(HISTORY)
+local worst, history = records.load_worst(WORST), records.load_history(HISTORY)
+
+-- In the order of the list of targets, then as they came.
+local function sorted(list)
+  local out = {}
+  for _, t in ipairs(targets.list) do
+    for _, entry in ipairs(list) do
+      if entry.target == t.name and entry.real == t.real then out[#out + 1] = entry end
+    end
+  end
+  return out
+end
 local failed = false
 for _, t in ipairs(names == "page" and {} or targets.chosen(names)) do
   local program, said = targets.build(t, directory, polhode)
@@ -45,8 +56,8 @@ for _, t in ipairs(names == "page" and {} or targets.chosen(names)) do
       print(string.format("%s: %s is beyond its bound %s", targets.label(t, f.error), f.value, f.bound))
     end
   end
-  records.save_worst(WORST, worst)
-  records.save_history(HISTORY, history)
+  records.save_worst(WORST, sorted(worst), targets.label)
+  records.save_history(HISTORY, sorted(history))
 end
 page.write(PAGE, worst, history)
 print("the worst states are in " .. WORST .. ", their history is in " .. PAGE)

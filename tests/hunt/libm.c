@@ -30,7 +30,8 @@ enum { DIGITS = 53, LEAST = -1074, HIGH = 1023 };
 
 enum { SIN, COS, TAN, ASIN, ACOS, ATAN, EXP, LOG, SINH, COSH, TANH, CBRT, ATAN2, POW, ERRORS };
 
-#define ONE(f) {#f, own_##f, WIDE(f), mpfr_##f}
+#define ONE(f)                                                                                     \
+  { #f, own_##f, WIDE(f), mpfr_##f }
 static const struct {
   const char *name;
   own_real (*own)(own_real);
@@ -148,8 +149,8 @@ static void sweep(uint64_t stride) {
 #endif
 
 int main(int argc, char **argv) {
-  static const hunt_target target = {"libm", DIGITS == 24, 2, 1,       genes,   ERRORS,
-                                     errors, 1,            draw, prepare, measure, judge};
+  static const hunt_target target = {"libm", DIGITS == 24, 2,       1,       genes, ERRORS, errors,
+                                     1,      draw,         prepare, measure, judge};
 #ifdef SINGLE
   if (argc == 3 && strcmp(argv[1], "--sweep") == 0) {
     sweep(strtoull(argv[2], NULL, 10));

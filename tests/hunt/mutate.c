@@ -89,7 +89,8 @@ static int fellow(hunt_random *r, const hunt_target *t, int i, int first) {
 
 static void change(hunt_random *r, const hunt_target *t, double *g, int first, const double *a,
                    const double *b) {
-  const int i = first + (int)hunt_below(r, (uint64_t)(t->genes - first)), k = fellow(r, t, i, first);
+  const int i = first + (int)hunt_below(r, (uint64_t)(t->genes - first)),
+            k = fellow(r, t, i, first);
   const int digits = t->single ? 24 : 53;
   const double keep = g[i];
   if (t->gene[i].kind == HUNT_CHOICE) {
@@ -104,8 +105,9 @@ static void change(hunt_random *r, const hunt_target *t, double *g, int first, c
   case 2: /* at any digit */
   case 3:
   case 4:
-    g[i] = step(g[i], hunt_sign(r) * ldexp(hunt_mantissa(r, t->single),
-                                           (int)hunt_below(r, (uint64_t)digits)),
+    g[i] = step(g[i],
+                hunt_sign(r) *
+                    ldexp(hunt_mantissa(r, t->single), (int)hunt_below(r, (uint64_t)digits)),
                 t->single);
     break;
   case 5:
@@ -124,8 +126,8 @@ static void change(hunt_random *r, const hunt_target *t, double *g, int first, c
     g[i] = hunt_chance(r, 0.3) ? 0 : g[i] * hunt_near_one(r, t->single);
     break;
   case 10: { /* the whole group */
-    const double factor = hunt_chance(r, 0.5) ? ldexp(1, (int)hunt_below(r, 9) - 4)
-                                              : hunt_mantissa(r, t->single);
+    const double factor =
+        hunt_chance(r, 0.5) ? ldexp(1, (int)hunt_below(r, 9) - 4) : hunt_mantissa(r, t->single);
     for (int n = first; n < t->genes; n++)
       if (t->gene[n].group == t->gene[i].group)
         g[n] *= factor;

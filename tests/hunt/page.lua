@@ -2,16 +2,9 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local targets = require "tests.hunt.targets"
-local records = require "tests.hunt.records"
 local words = require "tests.hunt.words"
 
 local page = {}
-
-local function find(list, t, error)
-  for _, w in ipairs(list) do
-    if w.target == t.name and w.real == t.real and (not error or w.error == error) then return w end
-  end
-end
 
 -- Three digits; a power of ten where there are more before the point.
 local function short(value)
@@ -82,8 +75,8 @@ local function states(out, worst)
       if w.target == t.name and w.real == t.real then
         local genes = {}
         for i, g in ipairs(w.states[1].genes) do genes[i] = decimal(g) end
-        out[#out + 1] = string.format("| `%s_1` | %s | %s |\n", targets.label(t, w.error), short(w.states[1].value),
-          table.concat(genes, " "))
+        out[#out + 1] = string.format("| `%s_1` | %s | %s |\n", targets.label(t, w.error),
+          short(w.states[1].value), table.concat(genes, " "))
       end
     end
   end
@@ -93,10 +86,10 @@ function page.write(path, worst, history)
   local out = { words.head }
   summary(out, worst, history)
   out[#out + 1] = words.found
-  for _, f in ipairs(records.load "tests/hunt/found.lua") do
-    local t = find(targets.list, { name = f.target, real = f.real }) or targets.named(f.target, f.real)
-    out[#out + 1] = string.format("- **%s** (%s): %s It was off by %s units, and is by %s.\n", f.name, names_of(t),
-      f.what, f.was, f.is)
+  for _, f in ipairs(dofile "tests/hunt/found.lua") do
+    local was = f.was == "no number" and "the states were no numbers" or "off by " .. f.was .. " u"
+    out[#out + 1] = string.format("- `%s` (%s): %s (%s; %s)\n", f.name, names_of { name = f.target, real = f.real },
+      f.what, f.error, was)
   end
   out[#out + 1] = words.states
   states(out, worst)

@@ -163,8 +163,8 @@ static int judge(const double *g, double *error) {
 }
 
 int main(int argc, char **argv) {
-  static const hunt_target target = {"principal", DIGITS == 24, 6, 1,       genes,   ERRORS,
-                                     errors,      1,            draw, prepare, measure, judge};
+  static const hunt_target target = {
+      "principal", DIGITS == 24, 6, 1, genes, ERRORS, errors, 1, draw, prepare, measure, judge};
   bits = 320;
   pool = malloc(POOL * sizeof *pool);
   return pool ? hunt_main(&target, argc, argv) : 2;

@@ -1,62 +1,86 @@
--- records.lua - the hunt's results as files: tests/hunt/worst.lua and history.lua, read and written.
+-- records.lua - the hunt's results as files: tests/hunt/worst.tsv and history.tsv, read and written.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- worst: a list of {target, real, error, bound, states = {{value, genes}, ...}}, the worst first, at most three;
--- history: a list of {target, real, seed, tried, refused, judged, doubted, errors = {name, ...}, marks = {{tried, value,
--- ...}, ...}}.  Genes are hexadecimal numbers as text, so nothing is rounded; values have four digits.
+-- worst: a list of {target, real, error, bound, states = {{value, genes}, ...}}, the worst first, at most KEPT;
+-- history: a list of {target, real, seed, tried, refused, judged, doubted, errors = {name, ...}, marks = {{tried,
+-- value, ...}, ...}}.  Genes are hexadecimal numbers as text, so nothing is rounded; values have four digits.
 
 local records = {}
 
 records.KEPT = 3
 
-function records.load(path)
-  local chunk = loadfile(path, "t", {})
-  return chunk and chunk() or {}
+local function split(text, separator)
+  local list = {}
+  for word in string.gmatch(text .. separator, "(.-)" .. separator) do list[#list + 1] = word end
+  return list
 end
 
-local function quoted(list)
-  local out = {}
-  for i, word in ipairs(list) do out[i] = string.format("%q", word) end
-  return table.concat(out, ", ")
+-- The rows of a file of tabs, without its head; none if there is no file.
+local function rows(path)
+  local list, file = {}, io.open(path)
+  if not file then return list end
+  for line in file:lines() do
+    if not string.find(line, "^#") then list[#list + 1] = split(line, "\t") end
+  end
+  file:close()
+  return list
 end
 
-local function save(path, what, lines)
+local function save(path, head, lines)
   local file = assert(io.open(path, "w"))
-  file:write("-- ", string.match(path, "[^/]*$"), " - ", what, ", written by `make hunt`; see tests/hunt/records.lua.\n",
-    "-- SPDX-License-Identifier: GPL-3.0-or-later\nreturn {\n", table.concat(lines), "}\n")
+  file:write("# Written by `make hunt` (tests/hunt/records.lua).  SPDX-License-Identifier: GPL-3.0-or-later\n# ", head,
+    "\n")
+  for _, line in ipairs(lines) do file:write(table.concat(line, "\t"), "\n") end
   assert(file:close())
 end
 
-function records.save_worst(path, worst)
+function records.load_worst(path)
+  local worst, own = {}, nil
+  for _, r in ipairs(rows(path)) do
+    if not (own and own.target == r[2] and own.real == r[3] and own.error == r[4]) then
+      own = { target = r[2], real = r[3], error = r[4], bound = r[6], states = {} }
+      worst[#worst + 1] = own
+    end
+    own.states[#own.states + 1] = { name = r[1], value = r[5], genes = split(r[7], " ") }
+  end
+  return worst
+end
+
+-- label(target, error): the name of a list of states, which its rank completes.
+function records.save_worst(path, worst, label)
   local lines = {}
   for _, w in ipairs(worst) do
-    lines[#lines + 1] = string.format("  { target = %q, real = %q, error = %q, bound = %s, states = {\n", w.target,
-      w.real, w.error, w.bound)
-    for _, s in ipairs(w.states) do
-      local genes, row = {}, "     "
-      for i, g in ipairs(s.genes) do
-        local word = string.format(" %q%s", g, i < #s.genes and "," or "")
-        if #row + #word > 112 then genes[#genes + 1], row = row, "     " end
-        row = row .. word
-      end
-      genes[#genes + 1] = row
-      lines[#lines + 1] = string.format("    { value = %s, genes = {\n%s } },\n", s.value, table.concat(genes, "\n"))
+    for rank, s in ipairs(w.states) do
+      lines[#lines + 1] = { label(w, w.error) .. "_" .. rank, w.target, w.real, w.error, s.value, w.bound,
+        table.concat(s.genes, " ") }
     end
-    lines[#lines + 1] = "  } },\n"
   end
-  save(path, "the worst states found", lines)
+  save(path, "name\ttarget\treal\terror\tvalue\tbound\tgenes", lines)
+end
+
+function records.load_history(path)
+  local history = {}
+  for _, r in ipairs(rows(path)) do
+    if r[1] == "run" then
+      local function whole(i) return math.tointeger(tonumber(r[i])) end
+      history[#history + 1] = { target = r[2], real = r[3], seed = whole(4), tried = whole(5), refused = whole(6),
+        judged = whole(7), doubted = whole(8), errors = table.move(r, 9, #r, 1, {}), marks = {} }
+    else
+      local marks = history[#history].marks
+      marks[#marks + 1] = table.move(r, 2, #r, 1, {})
+    end
+  end
+  return history
 end
 
 function records.save_history(path, history)
   local lines = {}
   for _, h in ipairs(history) do
-    lines[#lines + 1] = string.format("  { target = %q, real = %q, seed = %d, tried = %d, refused = %d, judged = %d, " ..
-      "doubted = %d,\n    errors = { %s }, marks = {\n", h.target, h.real, h.seed, h.tried, h.refused, h.judged,
-      h.doubted, quoted(h.errors))
-    for _, m in ipairs(h.marks) do lines[#lines + 1] = "      { " .. table.concat(m, ", ") .. " },\n" end
-    lines[#lines + 1] = "    } },\n"
+    lines[#lines + 1] = { "run", h.target, h.real, h.seed, h.tried, h.refused, h.judged, h.doubted,
+      table.unpack(h.errors) }
+    for _, m in ipairs(h.marks) do lines[#lines + 1] = { "after", table.unpack(m) } end
   end
-  save(path, "worst errors against states tried", lines)
+  save(path, "run\ttarget\treal\tseed\ttried\trefused\tjudged\tdoubted\terrors...; after\ttried\tvalues...", lines)
 end
 
 -- The lines that a search printed: its history, and {error, value, bound, genes} of each state kept.

@@ -6,11 +6,11 @@
 
    Truncation by majorants. |I_j - I_k| <= I_i, so with W = max |w_i| every coefficient of a rate's
    series is at most that of y' = y^2, y(0) = W, and of a component of q that of Q' = 3/2 y Q, Q(0)
-   = 1. All weights of both methods are positive, so the method's own series is bounded by the method
-   on (y, Q); orders that agree fall out. With z = h W <= 1/4 rates are off by W times and q by
-        [method(z) - the terms kept] + [1/(1 - z) or (1 - z)^(-3/2), less the terms kept].
-   Rounding: 12 units of W and of 1: of the result 1, of |q| = 1 restored from a q that is itself
-   rounded 5, of increments of z <= 1/4 some twenty operations. */
+   = 1. All weights of both methods are positive, so the method's own series is bounded by the
+   method on (y, Q); orders that agree fall out. With z = h W <= 1/4 rates are off by W times and q
+   by [method(z) - the terms kept] + [1/(1 - z) or (1 - z)^(-3/2), less the terms kept]. Rounding:
+   12 units of W and of 1: of the result 1, of |q| = 1 restored from a q that is itself rounded 5,
+   of increments of z <= 1/4 some twenty operations. */
 #include "free_top.h"
 #include "search.h"
 #include "steps.h"
@@ -78,7 +78,8 @@ static double start[7];
 static int prepare(const double *g) {
   real_type p[BODY];
   const double tensor[6] = {g[0], g[1], g[2], 0, 0, 0}, w = largest(g + W, 3), i = largest(g, 3);
-  const double n = sqrt(g[Q] * g[Q] + g[Q + 1] * g[Q + 1] + g[Q + 2] * g[Q + 2] + g[Q + 3] * g[Q + 3]);
+  const double n =
+      sqrt(g[Q] * g[Q] + g[Q + 1] * g[Q + 1] + g[Q + 2] * g[Q + 2] + g[Q + 3] * g[Q + 3]);
   if (!(w > exp2(-FAST - 1) && w < exp2(FAST + 1) && i > exp2(-SCALE - 8) && i < exp2(SCALE + 8)) ||
       !(n > 0x1p-3 && n < 8) || !(fabs(g[H]) * w <= 0.25) || !(fabs(g[H]) * w > 0x1p-20))
     return 0;
@@ -128,7 +129,8 @@ static void slopes(const long double v[2], long double d[2]) {
 
 /* Truncation of rates over W, of a component of q, by either method. */
 static void truncation(long double z, double off[2][2]) {
-  static const long double at[4] = {0, 0.5L, 0.5L, 1}, weight[4] = {1 / 6.0L, 1 / 3.0L, 1 / 3.0L, 1 / 6.0L};
+  static const long double at[4] = {0, 0.5L, 0.5L, 1},
+                           weight[4] = {1 / 6.0L, 1 / 3.0L, 1 / 3.0L, 1 / 6.0L};
   const long double all[2] = {1 / (1 - z), powl(1 - z, -1.5L)};
   long double sum[2], end[2] = {1, 1}, d[2] = {0, 0};
   for (int s = 0; s < 4; s++) {
@@ -204,8 +206,8 @@ static int judge(const double *g, double *error) {
 }
 
 int main(int argc, char **argv) {
-  static const hunt_target target = {"step", DIGITS == 24, GENES, 1,       genes,   ERRORS,
-                                     errors, 1,            draw,  prepare, measure, judge};
+  static const hunt_target target = {"step", DIGITS == 24, GENES,   1,       genes, ERRORS, errors,
+                                     1,      draw,         prepare, measure, judge};
   unit = ldexp(1, -DIGITS);
   bits = 400;
   pool = malloc(POOL * sizeof *pool);

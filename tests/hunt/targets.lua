@@ -55,9 +55,9 @@ local ERRORS = {
     "pow" },
 }
 
--- The objective's name in files and tests: hunt_TARGET[_float]_ERROR.
+-- The objective's name in files and tests: hunt_TARGET[_float]_ERROR; t: a target, or a row of records.lua.
 function targets.label(t, error)
-  return "hunt_" .. t.name .. (t.real == "float" and "_float_" or "_") .. error
+  return "hunt_" .. (t.target or t.name) .. (t.real == "float" and "_float_" or "_") .. error
 end
 
 -- The errors of a target, in the order in which its program prints them.
@@ -96,8 +96,8 @@ function targets.build(t, directory, polhode, option)
     made[path] = true
     return path
   end
-  local compile = string.format("%s -std=c11 %s -ffp-contract=off -D_XOPEN_SOURCE=700 %s -Isrc/runtime -Itests/hunt", cc,
-    level, WARN)
+  local compile = string.format("%s -std=c11 %s -ffp-contract=off -D_XOPEN_SOURCE=700 %s -Isrc/runtime -Itests/hunt",
+    cc, level, WARN)
   local from = string.format("%s/%s_%s.code", directory, t.code or t.name, t.real)
   once(from, "mkdir -p %s", from)
   local objects = ""
@@ -107,8 +107,10 @@ function targets.build(t, directory, polhode, option)
   end
   if t.scene then
     local object = string.format("%s/%s.o", from, t.code)
-    objects = objects .. " " .. once(object, "%s gen %s --real %s%s -o %s\n%s -std=c99 %s -ffp-contract=off -c -o %s %s/%s.c",
-      polhode, t.scene, t.real, t.method and " --method " .. t.method or "", from, cc, level, object, from, t.code)
+    once(from .. "/source", "%s gen %s --real %s%s -o %s", polhode, t.scene, t.real,
+      t.method and " --method " .. t.method or "", from)
+    objects = objects .. " " .. once(object, "%s -std=c99 %s -ffp-contract=off -c -o %s %s/%s.c", cc, level, object,
+      from, t.code)
   end
   if t.header then once(from .. "/own.h", "lua5.4 %s %s > %s/own.h", t.header, t.real, from) end
   script[#script + 1] = string.format("%s %s -I%s -o %s tests/hunt/%s%s build/libpolhode.a $(pkg-config --libs gsl) " ..
