@@ -12,7 +12,7 @@
 #   make install    PREFIX (default /usr/local), DESTDIR
 #   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/linearised.svg
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
-#   make hunt       COUNT, SEED, TARGETS: a random search for the worst states, docs/hunt.md (COUNT=1e8: an hour)
+#   make hunt       COUNT, SEED, TARGETS: a random search for the worst states, docs/hunt.md
 #   make lint | format | sanitize | golden | clean
 
 CC      = cc

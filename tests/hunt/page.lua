@@ -14,12 +14,10 @@ local function short(value)
 end
 
 local function power(n)
-  local digits = string.format("%d", n)
-  local zeros = #string.match(digits, "0*$")
-  return zeros >= 3 and string.format("%se%d", string.sub(digits, 1, #digits - zeros), zeros) or digits
+  return n < 1000 and string.format("%d", n) or (string.gsub(string.format("%.2g", n), "e%+0*", "e"))
 end
 
--- The last number of states of a target's runs, all seeds.
+-- The states of all runs of a target.
 local function tried(history, t)
   local n = 0
   for _, h in ipairs(history) do

@@ -73,7 +73,7 @@ words.history = [[
 
 ## History
 
-Worst judged error after so many states.
+Worst judged error after so many states. A run whose count is no round number was cut off there.
 ]]
 
 function words.unit(t, error)
