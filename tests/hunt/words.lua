@@ -9,7 +9,7 @@ words.head = [[
 Made by `make hunt`, from `tests/hunt/worst.tsv` and `tests/hunt/history.tsv`, which it writes: no date, the same
 bytes each time.
 
-`make hunt COUNT=1e6 SEED=1 TARGETS="free_top"` looks for states that the code computes worst. A target is a piece of
+`make hunt COUNT=1e6 SEED=1 HUNTED="free_top"` looks for states that the code computes worst. A target is a piece of
 code with a fast oracle that measures and a slow one that judges; each of its errors is an objective with climbers of
 its own. A quarter of the states is drawn: sizes evenly over exponents, digits at random or few or next to a power of
 two, numbers equal or apart by units of the last place or by 2^-k, zeros, needles, plates, states next to a
