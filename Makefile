@@ -269,8 +269,8 @@ drift: $(PROGRAM)
 
 # A random search for the states that are computed worst: tests/hunt/worst.lua and docs/hunt.md.
 COUNT  = 1e6
-SEED   = 1
 HUNTED =
+hunt: SEED = 1
 hunt: $(PROGRAM) $(LIBRARY) $(MODULE)
 	@$(LUA) tests/hunt/hunt.lua $(PROGRAM) $(BUILD)/hunt $(COUNT) $(SEED) "$(HUNTED)"
 
