@@ -7,14 +7,11 @@ static void ${name}_fraction(${name}_pair a, uint64_t out[2])
   const int negative = a.hi < ${zero}; /* its size keeps the digits that 1 - |a| has not */
   int i;
 
-<<<<<<< HEAD
   if (negative) {
     a.hi = -a.hi;
     a.lo = -a.lo;
   }
-=======
   if (!(${fabs}(a.lo) < ${one})) a.lo -= ${floor}(a.lo); /* so many turns that the rest has whole ones, too */
->>>>>>> main
   a = ${name}_pair_add(${name}_pair_sum(a.hi, -${floor}(a.hi)), ${name}_pair_of(a.lo));
   if (a.hi < ${zero}) a = ${name}_pair_add(a, ${name}_pair_of(${one}));
   out[0] = out[1] = 0;

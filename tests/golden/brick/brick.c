@@ -2108,14 +2108,11 @@ static void brick_fraction(brick_pair a, uint64_t out[2])
   const int negative = a.hi < 0.0; /* its size keeps the digits that 1 - |a| has not */
   int i;
 
-<<<<<<< HEAD
   if (negative) {
     a.hi = -a.hi;
     a.lo = -a.lo;
   }
-=======
   if (!(fabs(a.lo) < 1.0)) a.lo -= floor(a.lo); /* so many turns that the rest has whole ones, too */
->>>>>>> main
   a = brick_pair_add(brick_pair_sum(a.hi, -floor(a.hi)), brick_pair_of(a.lo));
   if (a.hi < 0.0) a = brick_pair_add(a, brick_pair_of(1.0));
   out[0] = out[1] = 0;
