@@ -13,6 +13,8 @@
 #   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/linearised.svg
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
 #   make drift-laws   docs/drift.md: how errors grow with the number of steps, fitted (ten minutes)
+
+#   make hunt       COUNT, SEED, HUNTED: a random search for the worst states, docs/hunt.md
 #   make fuzz SECONDS=600 TARGETS='scene init'   libFuzzer (clang) on each target of tests/fuzz, see docs/fuzzing.md
 #   make lint | format | sanitize | golden | clean
 
@@ -272,6 +274,13 @@ drift-laws: $(PROGRAM) $(LIBRARY)
 	@rm -rf $(BUILD)/laws
 	@$(LUA) tests/bench/laws.lua $(PROGRAM) $(LIBRARY) $(BUILD)/laws docs/drift.md docs/drift.svg
 
+# A random search for the states that are computed worst: tests/hunt/worst.lua and docs/hunt.md.
+COUNT  = 1e6
+HUNTED =
+hunt: SEED = 1
+hunt: $(PROGRAM) $(LIBRARY) $(MODULE)
+	@$(LUA) tests/hunt/hunt.lua $(PROGRAM) $(BUILD)/hunt $(COUNT) $(SEED) "$(HUNTED)"
+
 # Work and precision of every method on six scenes: tables and diagrams of docs/accuracy.md.  One at a time, please.
 accuracy: $(PROGRAM)
 	@$(LUA) tests/bench/accuracy.lua $(PROGRAM) $(BUILD)/accuracy docs/accuracy.md
@@ -360,7 +369,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check fuzz fuzz-replay check-target bits-all test sanitize sanitized golden docs bench accuracy drift drift-laws errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check fuzz fuzz-replay check-target bits-all test sanitize sanitized golden docs bench accuracy drift drift-laws hunt hard errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

@@ -103,7 +103,7 @@ static void ${name}_label(${name}_top *p, const ${name}_pair I[3], const ${name}
   p->up13 = ${one}/p->down13;
   p->D = ${name}_circulation(least, I[large], ${name}_pair_shift(p->up13, w[small]),
       ${name}_pair_shift(p->up13, w[large]), low, high);
-  reverse = rod || p->D.hi < ${zero};
+  reverse = rod || p->D.hi < ${zero} || !(high.hi > ${zero}); /* D may have underflowed: w1 of an axis of symmetry */
   own[0] = reverse ? large : small;
   own[1] = middle;
   own[2] = reverse ? small : large;
@@ -111,7 +111,7 @@ static void ${name}_label(${name}_top *p, const ${name}_pair I[3], const ${name}
   p->D = reverse ? ${name}_pair_minus(p->D) : p->D;
   p->d21 = reverse ? high : low;
   p->d32 = reverse ? low : high;
-  p->d31 = ${name}_pair_subtract(I[large], I[small]);
+  p->d31 = ${name}_pair_add(low, ${name}_pair_shift(down, high)); /* of nearly equal pairs two differences have digits */
   p->small = down;
   sign[0] = w[own[0]].hi < ${zero} ? -${one} : ${one};
   sign[2] = w[own[2]].hi < ${zero} ? -${one} : ${one};
@@ -142,14 +142,22 @@ static void ${name}_invariants(${name}_top *p)
   p->part1 = ${name}_pair_multiply(first, ${name}_pair_multiply(w1, w1));
   p->part2 = ${name}_pair_multiply(second, ${name}_pair_multiply(w2, w2));
   p->Delta3 = ${name}_pair_add(p->part1, p->part2);
-  wide = ${name}_pair_multiply(p->J[2], p->d31);
-  p->Lambda1 = ${name}_pair_add(${name}_square_term(p->I[1], p->w[1], p->d21),
-      ${name}_pair_multiply(wide, ${name}_pair_multiply(p->w[2], p->w[2])));
-  p->b3 = ${name}_pair_root(${name}_pair_divide(p->Lambda1, wide));
+  if (p->d21.hi > ${zero}) {
+    wide = ${name}_pair_multiply(p->J[2], p->d31);
+    p->Lambda1 = ${name}_pair_add(${name}_square_term(p->I[1], p->w[1], p->d21),
+        ${name}_pair_multiply(wide, ${name}_pair_multiply(p->w[2], p->w[2])));
+    p->b3 = ${name}_pair_root(${name}_pair_divide(p->Lambda1, wide));
+    wide = ${name}_pair_multiply(p->d32, p->Lambda1);
+    p->k2 = ${name}_pair_divide(${name}_pair_multiply(p->d21, p->Delta3), wide);
+    p->kc2 = ${name}_pair_divide(${name}_pair_multiply(p->d31, p->D), wide);
+  } else { /* symmetric about axis 3: w3 is constant, however small, and k = 0 */
+    p->b3 = p->w[2];
+    p->k2 = ${name}_pair_of(${zero});
+    p->kc2 = ${name}_pair_of(${one});
+    p->small13 = 0;
+    p->down13 = p->up13 = ${one};
+  }
   p->lambda = ${name}_pair_divide(${name}_pair_multiply(p->b3, p->cross), ${name}_pair_multiply(p->J[0], p->I[1]));
-  wide = ${name}_pair_multiply(p->d32, p->Lambda1);
-  p->k2 = ${name}_pair_divide(${name}_pair_multiply(p->d21, p->Delta3), wide);
-  p->kc2 = ${name}_pair_divide(${name}_pair_multiply(p->d31, p->D), wide);
   p->G = ${name}_pair_of(${zero});
   for (i = 0; i < 3; i++) {
     g = ${name}_pair_multiply(p->I[i], p->w[i]);

@@ -146,8 +146,7 @@ static void turned_at(const ph_free_top *f, pair t, ph_wide x[7]) {
   wide_sandwich(inner, f->w, 0, x + 4);
 }
 
-int free_top_at(const ph_free_top *f, pair t, double x[7]) {
-  ph_wide v[7];
+void free_top_at_wide(const ph_free_top *f, pair t, ph_wide v[7]) {
   if (f->kind == PH_FREE_CONSTANT || f->kind == PH_FREE_ROD) {
     turned_at(f, t, v);
   } else {
@@ -164,6 +163,11 @@ int free_top_at(const ph_free_top *f, pair t, double x[7]) {
   const ph_wide n = wide_quat_norm(v);
   for (int i = 0; i < 4; i++)
     v[i] /= n;
+}
+
+int free_top_at(const ph_free_top *f, pair t, double x[7]) {
+  ph_wide v[7];
+  free_top_at_wide(f, t, v);
   return wide_store(7, v, x);
 }
 
