@@ -11,6 +11,7 @@
 #   make install    PREFIX (default /usr/local), DESTDIR
 #   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/linearised.svg
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
+#   make coverage   which lines of generator and src a part of the tests runs: docs/coverage.md; fails below 95 %
 #   make lint | format | sanitize | golden | clean
 
 CC      = cc
@@ -159,6 +160,22 @@ UNSANITIZED = tests/cli/rational.t tests/cli/bench.t tests/cli/bench_peers.t tes
 sanitized: $(PROGRAM) $(C_TESTS)
 	@POLHODE=$(PROGRAM) POLHODE_SANITIZED=1 $(PROVE) $(C_TESTS) \
 	  $(filter-out $(UNSANITIZED),$(filter tests/cli/%,$(LUA_TESTS)))
+
+# The lines that ran: of C by gcov, of the generator by a hook (tests/coverage/hook.c), in a build of their own.
+# What a process saw survives its end by a signal; processes at the same time do not disturb each other.
+FLOOR = 95
+coverage: tests
+	@CC="$(CC)" .ci/setup build check
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/cov COVERED=tests/coverage/hook.h CFLAGS="-O0 -g --coverage" covered
+
+COVERING = package.loadlib("$(abspath $(BUILD))/lua/polhode_coverage.so", "luaopen_polhode_coverage")() \
+  package.preload.polhode_rational = \
+  package.loadlib("$(abspath $(MODULE))", "luaopen_polhode_rational")
+covered: all $(C_TESTS) $(BUILD)/lua/polhode_coverage.so
+	@rm -rf $(BUILD)/lines && mkdir $(BUILD)/lines && find $(BUILD) -name '*.gcda' -delete
+	@POLHODE=$(PROGRAM) POLHODE_COVERAGE=$(abspath $(BUILD))/lines POLHODE_COVERED=$(CURDIR) LUA_INIT='$(COVERING)' \
+	  $(PROVE) $(C_TESTS) $$(sed 's/ *#.*//' tests/coverage/tests.txt)
+	@$(LUA) tests/coverage/report.lua $(BUILD) docs/coverage.md $(FLOOR)
 
 # The page of all shapes and its pictures.
 docs: $(PROGRAM)
@@ -362,7 +379,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-target bits-all test sanitize sanitized golden docs bench accuracy drift errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check check-target bits-all test sanitize sanitized coverage covered golden docs bench accuracy drift errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 

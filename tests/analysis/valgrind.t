@@ -2,10 +2,10 @@
 -- valgrind.t - no command of the program, and no emitted code, reads what was never written, or beyond its memory.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- Memcheck sees what the sanitizers of `make sanitize` do not: values that were never set, down to the single bit, also
--- inside Lua, MPFR and expat.  The scenes are small: everything takes fifty times as long.  Valgrind has long doubles of
--- 64 bits, so numbers of the general library are off here, and a status 1 of `check` says nothing; errors of memory end
--- with 99.  Nothing is suppressed.
+-- Memcheck sees what the sanitizers of `make sanitize` do not: values that were never set, down to the single bit,
+-- also inside Lua, MPFR and expat.  The scenes are small: everything takes fifty times as long.  Valgrind has long
+-- doubles of 64 bits, so numbers of the general library are off here, and a status 1 of `check` says nothing; errors
+-- of memory end with 99.  Nothing is suppressed.
 
 package.path = "./?.lua;" .. package.path
 
@@ -28,9 +28,11 @@ end
 
 write("rod.lua", [[return scene { name = "rod", body = solid.cylinder { r = param("r", 1, "m"), h = 3, mass = 2 },
   effects = { effect.damping { rate = 0.1 } }, initial = { omega = {1, 0.5, 3} } }]])
-write("box.lua", [[return scene { name = "box", body = solid.box { x = param("a", 1, "m"), y = param("b", 2, "m"), z = 3, mass = 2 },
+write("box.lua", [[return scene { name = "box",
+  body = solid.box { x = param("a", 1, "m"), y = param("b", 2, "m"), z = 3, mass = 2 },
   initial = { omega = {1, 2, 3} } }]])
-write("faces.lua", [[return scene { name = "faces", body = mesh { file = "corner.stl", density = 2 }, initial = { omega = {1, 2, 3} } }]])
+write("faces.lua", [[return scene { name = "faces", body = mesh { file = "corner.stl", density = 2 },
+  initial = { omega = {1, 2, 3} } }]])
 write("wrong.lua", "return scene { name = \"wrong\",\n  body = solid.box { x = -1, y = 2, z = 3, mass = 2 } }")
 write("broken.lua", "return scene { name = ")
 write("link.urdf", [[<robot name="r"><link name="l"><inertial><mass value="2"/>
@@ -48,8 +50,8 @@ write("corner.stl", table.concat(out, "\n"))
 
 -- Status, what was printed, and what memcheck and the program said.
 local function memcheck(command)
-  local code = program.shell(string.format("p=$PWD/%s; cd %s && CC=%s/cc-O0 %s %s >out 2>err", binary, dir, dir, MEMCHECK,
-    (command:gsub("^polhode", "\"$p\""))))
+  local code = program.shell(string.format("p=$PWD/%s; cd %s && CC=%s/cc-O0 %s %s >out 2>err", binary, dir, dir,
+    MEMCHECK, (command:gsub("^polhode", "\"$p\""))))
   return code, program.read(dir .. "/out"), program.read(dir .. "/err")
 end
 program.compiler "-O0" -- writes cc-O0
@@ -82,18 +84,20 @@ for _, c in ipairs(commands) do
 end
 
 -- What would be found: a sum of a value that was never set decides.
-write("unset.c", "int main(int n, char **v) { double x[2]; (void)v; x[n > 0] = 1; if (x[0] > 0) return 2; return 0; }\n")
-tap.is(program.shell(string.format("cd %s && cc -O0 -g -w unset.c -o unset && %s ./unset >out 2>err", dir, MEMCHECK)), 99,
-  "memcheck ends with 99 where a value was never set")
+write("unset.c", "int main(int n, char **v) {\n  double x[2];\n  (void)v, x[n > 0] = 1;\n" ..
+  "  return x[0] > 0 ? 2 : 0;\n}\n")
+tap.is(program.shell(string.format("cd %s && cc -O0 -g -w unset.c -o unset && %s ./unset >out 2>err", dir,
+  MEMCHECK)), 99, "memcheck ends with 99 where a value was never set")
 
 -- The emitted code, with its own self-test as a user builds it for a debugger.
 for _, name in ipairs { "rod", "box" } do
-  local code = program.shell(string.format("cd %s/%s && cc -std=c99 -O1 -g -ffp-contract=off %s.c %s_test.c -lm -o test >log 2>&1",
-    dir, name, name, name))
+  local code = program.shell(string.format("cd %s/%s && cc -std=c99 -O1 -g -ffp-contract=off %s.c %s_test.c " ..
+    "-lm -o test >log 2>&1", dir, name, name, name))
   tap.is(code, 0, name .. ": the emitted code builds")
   local text, said
   code, text, said = memcheck("./" .. name .. "/test")
-  tap.ok(code == 0 and text:find "\n1%.%.%d+" and not said:find "==%d+== ", name .. ": the self-test passes, memcheck finds nothing",
+  tap.ok(code == 0 and text:find "\n1%.%.%d+" and not said:find "==%d+== ",
+    name .. ": the self-test passes, memcheck finds nothing",
     "status " .. code .. "\n" .. said:sub(1, 3000))
 end
 

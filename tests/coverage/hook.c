@@ -2,10 +2,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Linked into the program (see hook.h), and a module of its own for tests under plain lua5.4.
- * POLHODE_COVERAGE names a folder; without it nothing is recorded.  For each script there is one
- * file of MAX_LINES bytes, byte n is 1 once line n has run.  Every process maps these files shared
- * and stores nothing but ones: so processes side by side cannot spoil each other's, nothing is to
- * be merged, and what a process saw before it was killed is kept.
+ * POLHODE_COVERAGE names a folder; without it nothing is recorded.  POLHODE_COVERED is the tree
+ * whose scripts count; both are absolute, because tests work elsewhere.  For each script there is
+ * one file of MAX_LINES bytes, byte n is 1 once line n has run.  Every process maps these files
+ * shared and stores nothing but ones: so processes side by side cannot spoil each other's, nothing
+ * is to be merged, and what a process saw before it was killed is kept.
  */
 #define POLHODE_COVERAGE_ITSELF
 #include "hook.h"
@@ -29,6 +30,7 @@ static struct script_lines {
 } table[MAX_FILES];
 
 static const char *folder; /* where to record; NULL: nowhere */
+static const char *root;   /* the tree */
 static lua_Hook inner;
 static int inner_mask;
 
@@ -62,17 +64,23 @@ static int is_ours(const char *name) {
   char there[PATH_MAX], path[PATH_MAX], here[PATH_MAX];
   if (tree == NULL || *tree == '\0' || strncmp(name, "generator/", 10) != 0)
     return 1;
-  const int n = snprintf(path, sizeof path, "%s/%s", tree, name);
-  return n > 0 && n < (int)sizeof path && realpath(path, there) != NULL &&
-         realpath(name, here) != NULL && strcmp(here, there) == 0;
+  int n = snprintf(path, sizeof path, "%s/%s", tree, name);
+  if (n < 0 || n >= (int)sizeof path || realpath(path, there) == NULL)
+    return 0;
+  n = snprintf(path, sizeof path, "%s/%s", root, name);
+  return n > 0 && n < (int)sizeof path && realpath(path, here) != NULL && strcmp(here, there) == 0;
 }
 
-/* "@generator/x.lua", "@./generator/x.lua" -> "generator/x.lua"; NULL for what is not ours. */
+/* "@generator/x.lua", "@./generator/x.lua" and what has the tree's path before it ->
+   "generator/x.lua"; NULL for what is not ours. */
 static const char *script_name(const char *source) {
+  const size_t n = strlen(root);
   if (*source++ != '@')
     return NULL;
   if (strncmp(source, "./", 2) == 0)
     source += 2;
+  else if (strncmp(source, root, n) == 0 && source[n] == '/')
+    source += n + 1;
   const int ours = strncmp(source, "generator/", 10) == 0 || strncmp(source, "src/cli/", 8) == 0;
   return ours ? source : NULL;
 }
@@ -122,6 +130,9 @@ void coverage_sethook(lua_State *L, lua_Hook wanted, int mask, int count) {
 
 lua_State *coverage_state(lua_State *L) {
   folder = getenv("POLHODE_COVERAGE");
+  root = getenv("POLHODE_COVERED");
+  if (folder != NULL && root == NULL)
+    stop("do without the variable", "POLHODE_COVERED");
   if (L != NULL)
     coverage_sethook(L, NULL, 0, 0);
   return L;

@@ -19,16 +19,16 @@ end
 
 -- The instructions' lines in one listing of luac.
 local function executable(listing)
-  local seen, of, last = {}, nil, nil
+  local seen, of, last = {}, "", nil
   for line in listing:gmatch "[^\n]+" do
     local path = line:match "^%a+ <([^:>]+):%d+,%d+>"
     local number, name = line:match "^\t%d+\t%[(%-?%d+)%]\t([%u%d_]+)"
     if path then
       seen[path] = seen[path] or {}
-      of, last = seen[path], nil -- the last one of the function before goes
+      of, last = path, nil -- the last one of the function before goes
     elseif number then
       if last then
-        of[last] = false
+        seen[of][last] = false
       end
       last = name ~= "VARARGPREP" and tonumber(number) or nil
     end

@@ -73,27 +73,29 @@ table.sort(names)
 local out = { [[
 # Coverage
 
-Written by `make coverage`, which runs the tests of `tests/coverage/tests.txt` on a program built for it, and fails when less
-than ]] .. arg[3] .. [[ % of the lines of `generator` or of `src` ran. The whole suite runs more than these tests do.
+Written by `make coverage`, which runs the tests of `tests/coverage/tests.txt` and those of `tests/runtime` on a
+program built for it, and fails when less than ]] .. arg[3] .. [[ % of the lines of `generator` or of `src` ran. The
+whole suite runs more than these tests do.
 
-Counted are all lines of all files of both folders that can run. C: by gcov, built without optimisation. Lua: a line with
-an instruction of `luac`'s in any function, called or not, that a line hook in the program (or, of tests under plain
-`lua5.4`, in a module) saw; but for the return that Lua puts on the line of every function's `end`. A line ran or not: how
-often, and both ways of a condition on one line, are not looked at. Nothing else is left out. What has no line here: the
-emitted C, which has its own tests, and, where SUNDIALS is not installed, what calls it.
+Counted are all lines of all files of both folders that can run. C: by gcov, built without optimisation. Lua: a line
+with an instruction of `luac`'s in any function, called or not; it ran if a line hook saw it, in the program or, of
+tests under plain `lua5.4`, in a module. The return that Lua itself puts on the line of every function's `end` is no
+line. Nothing else is left out. How often a line ran, and both ways of a condition on one line, are not looked at. What
+has no line here: the emitted C, which has its own tests, and, where SUNDIALS is not installed, what calls it.
 
 | folder | files | lines | ran | % |
 |---|---:|---:|---:|---:|]] }
 local screen = {}
 for _, name in ipairs(names) do
   local sum = sums[name]
-  local root = not name:find "/"
-  out[#out + 1] = string.format(root and "| **%s**, with its folders | %d | %d | %d | **%s** |" or "| %s | %d | %d | %d | %s |",
-    name, sum.files, sum.all, sum.ran, percent(sum))
-  screen[#screen + 1] = string.format("%-28s %4d files %6d lines %6d ran %6s %%", name, sum.files, sum.all, sum.ran, percent(sum))
+  local row = name:find "/" and "| %s | %d | %d | %d | %s |" or "| **%s**, with its folders | %d | %d | %d | **%s** |"
+  out[#out + 1] = string.format(row, name, sum.files, sum.all, sum.ran, percent(sum))
+  screen[#screen + 1] = string.format("%-28s %4d files %6d lines %6d ran %6s %%", name, sum.files, sum.all, sum.ran,
+    percent(sum))
 end
 
-out[#out + 1] = "\nFiles below the floor, and their lines that no test of the list runs:\n\n| file | % | lines |\n|---|---:|---|"
+out[#out + 1] = "\nFiles below the floor, and their lines that no test of the list runs:\n\n" ..
+  "| file | % | lines |\n|---|---:|---|"
 for _, file in ipairs(files) do
   if file.ran * 100 < floor * file.all then
     local what = missing(file.of)
