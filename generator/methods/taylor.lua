@@ -150,8 +150,8 @@ local function uses(made, sym)
   return false
 end
 
--- Between two corners |t - T| is +-(t - T): the groups with a symbol of that sign for each corner, and the corners,
--- {time, sign}.
+-- Between two corners |t - T| is +-(t - T), sign(t - T) is +-1: the groups with a symbol of that sign for each corner,
+-- and the corners, {time, sign}.
 local function straightened(eq, groups)
   local knots, map = breaks.knots(eq), {}
   for i, k in ipairs(knots) do
@@ -161,6 +161,7 @@ local function straightened(eq, groups)
     for bar, slope in pairs(k.bars) do -- into a table: order is lost anyway
       map[bar] = slope * k.sign * (state.t - k.time)
     end
+    for sign, after in pairs(k.signs) do map[sign] = after * k.sign end -- into a table: order is lost anyway
   end
   if #knots == 0 then return groups, knots end
   local function put(list)
@@ -183,7 +184,8 @@ local function laid_out(groups, moving, varying, order)
     if getmetatable(made) == series.missing then
       local corner = "|x| of what moves has a corner at a time that is not known before, which a series does not " ..
         "see: use adaptive or rk4"
-      return nil, made.fn == "abs" and corner or "no recurrence is known for the function " .. made.fn
+      return nil, (made.fn == "abs" or made.fn == "sign") and corner or
+        "no recurrence is known for the function " .. made.fn
     end
     error(made, 0)
   end
