@@ -169,7 +169,8 @@ sanitized: $(PROGRAM) $(C_TESTS)
 	  $(filter-out $(UNSANITIZED),$(filter tests/cli/%,$(LUA_TESTS)))
 
 # The lines that ran: of C by gcov, of the generator by a hook (tests/coverage/hook.c), in a build of their own.
-# What a process saw survives its end by a signal; processes at the same time do not disturb each other.
+# What a process saw survives its end by a signal; processes at the same time do not disturb each other.  known.t is
+# a sweep of many seconds that runs one line of its own.
 FLOOR = 95
 coverage: tests
 	@CC="$(CC)" .ci/setup build check
@@ -181,7 +182,8 @@ COVERING = package.loadlib("$(abspath $(BUILD))/lua/polhode_coverage.so", "luaop
 covered: all $(C_TESTS) $(BUILD)/lua/polhode_coverage.so
 	@rm -rf $(BUILD)/lines && mkdir $(BUILD)/lines && find $(BUILD) -name '*.gcda' -delete
 	@POLHODE=$(PROGRAM) POLHODE_COVERAGE=$(abspath $(BUILD))/lines POLHODE_COVERED=$(CURDIR) LUA_INIT='$(COVERING)' \
-	  $(PROVE) $(C_TESTS) $$(sed 's/ *#.*//' tests/coverage/tests.txt)
+	  $(PROVE) $(filter-out %/known.t,$(C_TESTS)) $$(sed 's/ *#.*//' tests/coverage/tests.txt) || \
+	  echo "coverage: a test failed in this slow build; make check is its judge, here lines count"
 	@$(LUA) tests/coverage/report.lua $(BUILD) docs/coverage.md $(FLOOR)
 
 # The page of all shapes and its pictures.

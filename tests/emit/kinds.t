@@ -19,7 +19,8 @@ pipe:close()
 if not binary:find "^/" then binary = here .. "/" .. binary end
 
 -- one that declares ranges, which proof and q31 ask for
-program.write(dir .. "/spinner.lua", [[return scene { name = "spinner", body = solid.box { x = 1, y = 2, z = 3, mass = 1 },
+program.write(dir .. "/spinner.lua", [[return scene { name = "spinner",
+  body = solid.box { x = 1, y = 2, z = 3, mass = 1 },
   ranges = { omega = 5 }, initial = { omega = {1, 2, 3} }, time = { horizon = 1, step = exact("1/1024") } }]])
 
 -- body, options
