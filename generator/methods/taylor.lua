@@ -17,8 +17,10 @@ local state = require "generator.dynamics.state"
 local series = require "generator.methods.series"
 local stages = require "generator.methods.stages"
 
-local taylor = { name = "taylor", adaptive = true, orders = { 4, 30 },
-  about = "Taylor series of order 4 to 30 (--order, 20), automatic recurrences, fixed or adaptive step" }
+-- In float the seventh digit is the last one: an order above 10 costs more than its longer steps save, and coefficients
+-- of seconds grow like w^n, in a type that ends at 3e38.
+local taylor = { name = "taylor", adaptive = true, orders = { 4, 30 }, own_order = { double = 20, float = 10 },
+  about = "Taylor series of order 4 to 30 (--order; 20, in float 10), automatic recurrences, fixed or adaptive step" }
 
 local rates = state.names.rates
 
@@ -290,7 +292,7 @@ function taylor.program(eq, options)
         "adaptive or rk4"
     end
   end
-  local zero, order = stages.conserved(eq), options.order or 20
+  local zero, order = stages.conserved(eq), options.order or taylor.own_order[options.real or "double"]
   local varying, moving = { t = true }, {}
   for _, s in ipairs(eq.model.states) do
     if not zero[s.name] then
