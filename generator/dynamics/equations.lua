@@ -258,8 +258,7 @@ function builders.full(m, N)
     local entry = m:constant("J" .. vec.entry[n], expanded and expanded[n] or e / det,
       "inverse of the tensor, " .. vec.entry[n] .. ", 1/(kg m^2)", true, not expanded and tidy(named[n] / whole) or nil)
     -- where the determinant is beyond the type the quotient is 0: a body that would never accelerate
-    local member = n <= 3 and entry.kind == "sym" and m.by_name[entry.name]
-    if member then member.positive = true end
+    if n <= 3 then m:positive(entry) end
     return entry
   end)
   local n = vec.add(N, vec.cross(L, state.w))

@@ -83,6 +83,12 @@ function model:constant(name, e, about, raw, form)
   return member.sym
 end
 
+-- Is e a derived constant, NAME_init refuses parameters for which it is not above 0.
+function model:positive(e)
+  local member = e.kind == "sym" and self.by_name[e.name]
+  if member then member.positive = true end
+end
+
 -- A constant made of other derived constants (a multiple, say); nil if e depends on anything else.
 function model:derived(e, about)
   local map, source = {}, nil

@@ -120,12 +120,13 @@ function init.fill(ctx, m, values)
   local listed = {}
   for i, check in ipairs(checks) do listed[i] = { number = check.number, text = check.text } end
   if #m.members > 0 then
-    local inverse = ""
+    local nonzero, names = "", {}
     for _, member in ipairs(m.members) do
-      if member.positive then inverse = ", the inverse of the tensor not 0" end
+      if member.positive then names[#names + 1] = member.name end
     end
+    if #names > 0 then nonzero = ", and " .. table.concat(names, ", ") .. " above 0" end
     listed[#listed + 1] = { number = string.format("%d", code), text = "every derived constant must be finite" ..
-      inverse }
+      nonzero }
   end
   if #listed == 0 then listed[1] = { number = "-", text = "there is nothing to check" } end
   values.checks = listed
