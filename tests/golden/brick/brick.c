@@ -157,9 +157,9 @@ int brick_init(brick_model *m, const brick_real p[])
   if (!(k.Ixy - k.Ixy == 0.0)) return 5;
   if (!(k.Ixz - k.Ixz == 0.0)) return 5;
   if (!(k.Iyz - k.Iyz == 0.0)) return 5;
-  if (!(k.Jxx - k.Jxx == 0.0)) return 5;
-  if (!(k.Jyy - k.Jyy == 0.0)) return 5;
-  if (!(k.Jzz - k.Jzz == 0.0)) return 5;
+  if (!(k.Jxx > 0.0 && k.Jxx - k.Jxx == 0.0)) return 5;
+  if (!(k.Jyy > 0.0 && k.Jyy - k.Jyy == 0.0)) return 5;
+  if (!(k.Jzz > 0.0 && k.Jzz - k.Jzz == 0.0)) return 5;
   if (!(k.Jxy - k.Jxy == 0.0)) return 5;
   if (!(k.Jxz - k.Jxz == 0.0)) return 5;
   if (!(k.Jyz - k.Jyz == 0.0)) return 5;
