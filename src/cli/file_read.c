@@ -80,6 +80,22 @@ int host_read(lua_State *L) {
   return host_read_file(L, luaL_checkstring(L, 1));
 }
 
+/* Does the real path begin with that of the folder?  What does not exist leads nowhere. */
+int host_within(lua_State *L) {
+  char *folder = realpath(luaL_checkstring(L, 1), NULL), *path = NULL;
+  int inside = 1;
+  if (folder != NULL)
+    path = realpath(luaL_checkstring(L, 2), NULL);
+  if (path != NULL) {
+    const size_t n = strlen(folder);
+    inside = strncmp(path, folder, n) == 0 && (path[n] == '/' || path[n] == '\0' || n == 1);
+  }
+  free(folder);
+  free(path);
+  lua_pushboolean(L, inside);
+  return 1;
+}
+
 static int chosen(const char *name, const char *suffix) {
   const size_t n = strlen(name), s = strlen(suffix);
   return name[0] != '.' && n >= s && strcmp(name + n - s, suffix) == 0;

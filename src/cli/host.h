@@ -31,6 +31,8 @@ void host_push(lua_State *L);
 
 struct account {
   size_t used, limit;
+  int asked;             /* the last request failed */
+  void (*refused)(void); /* a request failed for good */
 };
 /* lua_Alloc with a struct account as user data. */
 void *account_allocate(void *account, void *block, size_t old_size, size_t new_size);
@@ -56,6 +58,8 @@ int host_list_directory(lua_State *L, const char *path, const char *suffix);
 
 /* read(path) -> text | nil, message.  Regular files only. */
 int host_read(lua_State *L);
+/* within(folder, path) -> is it below the folder, all links followed? */
+int host_within(lua_State *L);
 /* list_dir(path, suffix) -> {names} | nil, message.  Sorted by byte; names that begin with a dot
  * are left out. */
 int host_list_dir(lua_State *L);
@@ -112,6 +116,9 @@ int host_clock(lua_State *L);
    error as it was raised; source: the file that raised it.  Lua functions in env are replaced by
    visible(f). */
 int host_sandbox(lua_State *L);
+/* bounded(f, {bytes=, steps=, seconds=}, ...) -> true, f's results | false, message: which bound
+   was passed. What f raises for another reason is raised again, a text with its traceback. */
+int host_bounded(lua_State *L);
 /* visible(f) -> a C function that calls f.  In `return f(x)` Lua drops the caller's frame before f
    runs, but keeps it for a C function, so that f can still find the line of the scene that called
    it. */

@@ -81,7 +81,7 @@ static int run(lua_State *L) {
 }
 
 int main(int argc, char **argv) {
-  struct account account = {0, ACCOUNT_LIMIT};
+  struct account account = {.limit = ACCOUNT_LIMIT};
   lua_State *L = lua_newstate(account_allocate, &account);
   if (L == NULL) {
     fputs("polhode: not enough memory\n", stderr);
