@@ -64,6 +64,7 @@ static void tidy(lua_State *L) {
   const struct account *a = account_of(L);
   if (a->used <= box.soft)
     return;
+  box.steps_left -= (lua_Integer)(a->used / 32); /* what it takes to visit all of it */
   lua_gc(L, LUA_GCCOLLECT);
   if (box.soft < 2 * a->used)
     box.soft = 2 * a->used;

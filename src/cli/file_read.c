@@ -29,7 +29,7 @@ static const char *refuse(int fd, struct stat *info) {
   if (!S_ISREG(info->st_mode))
     return "it is not a regular file";
   if (info->st_size < 0 || (size_t)info->st_size > HOST_MAX_FILE)
-    return "it is larger than 64 MiB";
+    return "it is larger than 4 MiB";
   return NULL;
 }
 

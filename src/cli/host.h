@@ -13,8 +13,8 @@
 #include <lua.h>
 #include <stddef.h>
 
-/* Files beyond this size are refused: nothing here is meant to be that large. */
-#define HOST_MAX_FILE ((size_t)64 << 20)
+/* Scenes, XML: files beyond this size are refused. (Meshes are read elsewhere.) */
+#define HOST_MAX_FILE ((size_t)4 << 20)
 
 /* Exit status for "cannot write standard output"; 0 1 2 3 70 are the generator's. EX_IOERR of
  * sysexits. */

@@ -1,0 +1,52 @@
+-- words.lua - attempts to get out: what is not there, and what is there bent.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- A row is {name, scene, part of the one message}; true instead of a message: the scene is accepted.  BOX stands for
+-- the end of a right scene.
+
+return {
+  about = "ways out",
+  { "io", "io.open('/etc/passwd')", "global 'io'" },
+  { "os", "os.execute('touch INJECTED')", "global 'os'" },
+  { "load", "load('return 1')()", "global 'load'" },
+  { "loadstring", "loadstring('return 1')()", "global 'loadstring'" },
+  { "loadfile", "loadfile('/etc/passwd')", "global 'loadfile'" },
+  { "dofile", "dofile('/etc/passwd')", "global 'dofile'" },
+  { "require", "require 'generator.driver'", "global 'require'" },
+  { "package", "package.loadlib('libc.so.6', 'system')", "global 'package'" },
+  { "debug", "debug.getregistry()", "global 'debug'" },
+  { "debug, by a function's upvalues", "debug.setupvalue(scene, 1, 1)", "global 'debug'" },
+  { "collectgarbage", "collectgarbage('stop')", "global 'collectgarbage'" },
+  { "coroutine.wrap, whose hook is another", "coroutine.wrap(function() while true do end end)()", "global 'coroutine'" },
+  { "coroutine, an error inside", "coroutine.resume(coroutine.create(error))", "global 'coroutine'" },
+  { "pcall, to swallow a limit", "while true do pcall(function() while true do end end) end", "global 'pcall'" },
+  { "xpcall, with a handler", "xpcall(error, function() while true do end end)", "global 'xpcall'" },
+  { "the host's table", "host.write_file('INJECTED', 'x')", "global 'host'" },
+  { "the command line", "return args[1]", "global 'args'" },
+  { "_G", "_G.io = 1", "global '_G'" },
+  { "_ENV replaced", "local _ENV = {} return scene {}", "global 'scene'" },
+  { "_ENV searched for a way", "return _ENV._ENV.io", "index a nil value" },
+  { "bytecode", "\27Lua\84\0\25\147\r\n\26\n\4\8\8", "attempt to load a binary chunk" },
+  { "string.dump", "return string.dump(function() end)", "field 'dump'" },
+  { "string.dump as a method", "return (''):dump()", "method 'dump'" },
+  { "getmetatable of strings", "getmetatable('').__index = nil", "global 'getmetatable'" },
+  { "setmetatable with __gc", "setmetatable({}, { __gc = function() while true do end end })", "global 'setmetatable'" },
+  { "a variable with __close", "local x <close> = { __close = function() end }", "got a non-closable value" },
+  { "__index of a string", "return ('').__index.rep", "index a nil value" },
+  { "rawset on the environment", "rawset(_ENV, 'scene', nil)", "global 'rawset'" },
+  { "rawget on a family", "rawget(solid, 'box')", "global 'rawget'" },
+  { "next over a family", "next(solid)", "global 'next'" },
+  { "pairs over a family", "for k in pairs(solid) do error(k) end", "the script must end with: return scene" },
+  { "writing into a family", "solid.box = function() end", "cannot be changed" },
+  { "writing into a value", "local a = param('a', 1) a.e = 1", "a value cannot be changed" },
+  { "writing into a shape", "local b = solid.box { x = 1, y = 1, z = 1, mass = 1 } b.kind = 'evil' BOX", "cannot be changed" },
+  { "a function hidden in an argument", "return scene { name = 's', body = function() end }", "body must be a shape" },
+  { "a table that says it is a shape", "return scene { name = 's', body = { kind = 'box' } }", "body must be a shape" },
+  { "writing into string changes nobody else's", "string.format = function() return 'INJECTED' end " ..
+    "string.rep = nil math.floor = error BOX", true },
+  { "scene called twice", "scene { name = 'a', body = solid.sphere { r = 1, mass = 1 } } BOX", "must be called once" },
+  { "a scene in a sort", "table.sort({ 1, 2 }, function() return scene {} end)", "name is missing" },
+  { "an error object with a place of its own", "error('/etc/passwd:1: x', 0)", "/etc/passwd:1: x" },
+  { "an error that is a value", "error(param('a', 1))", "error object is a" },
+  { "escapes for the terminal in a message", "error('\\27[2J\\27]0;INJECTED\\7')", "script: " },
+}
