@@ -147,8 +147,9 @@ sanitize:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/san \
 	  CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all" sanitized
 
-# rational.t loads the module into another program; the others mostly run what is not ours: compilers, integrators.
-UNSANITIZED = tests/cli/rational.t tests/cli/bench.t tests/cli/bench_peers.t tests/cli/bench_time.t tests/cli/sheet.t
+# rational.t and faults.t load libraries into programs, hostile.t measures memory; the others mostly run what is not ours: compilers, integrators.
+UNSANITIZED = tests/cli/rational.t tests/cli/bench.t tests/cli/bench_peers.t tests/cli/bench_time.t tests/cli/sheet.t \
+  tests/cli/hostile.t tests/cli/faults.t
 sanitized: $(PROGRAM) $(C_TESTS)
 	@POLHODE=$(PROGRAM) POLHODE_SANITIZED=1 $(PROVE) $(C_TESTS) \
 	  $(filter-out $(UNSANITIZED),$(filter tests/cli/%,$(LUA_TESTS)))

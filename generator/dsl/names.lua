@@ -55,10 +55,12 @@ function names.identifier(s)
   return nil
 end
 
--- NAME.h in a folder that a compiler searches would stand before the header of C; some names no file can have on Windows.
+-- NAME.h in a folder that a compiler searches would stand before the header of C; some names no file can have on
+-- Windows.
 local headers = {}
-for word in string.gmatch([[assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign
-  stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
+for word in string.gmatch([[
+  assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg stdatomic
+  stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
   aux con nul prn]], "%S+") do
   headers[word] = true
 end

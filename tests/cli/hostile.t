@@ -20,7 +20,8 @@ if binary:sub(1, 1) ~= "/" then binary = io.popen("pwd"):read("l") .. "/" .. bin
 local sanitized = os.getenv "POLHODE_SANITIZED" ~= nil
 local MOST, MIB = 2, 64
 local BOX = "return scene { name = 's', body = solid.box { x = 1, y = 2, z = 3, mass = 1 } }"
-local STRICT = (os.getenv "CC" or "cc") .. " -std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow" ..
+local STRICT = (os.getenv "CC" or "cc") .. " -std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion " ..
+  "-Wshadow" ..
   " -Werror -fsyntax-only"
 
 local function quote(s) return "'" .. s:gsub("'", "'\\''") .. "'" end
@@ -37,15 +38,18 @@ local function run(row)
   program.shell("mkdir " .. place)
   if row.first then program.shell("cd " .. place .. " && " .. row.first) end
   local text = row[2]
-  if row.scene then text = string.format("return scene { name = %q, body = solid.sphere { r = 1, mass = 1 } }", row.scene) end
+  if row.scene then text = string.format("return scene { name = %q, body = solid.sphere { r = 1, mass = 1 } }",
+    row.scene) end
   if row.param then
-    text = string.format("local a = param(%q, 1, 'm') return scene { name = 's', body = solid.box { x = a, y = 2, z = 3, " ..
+    text = string.format("local a = param(%q, 1, 'm') return scene { name = 's', body = solid.box { x = a, y = " ..
+      "2, z = 3, " ..
       "mass = 1 } }", row.param)
   end
   if not row.file then program.write(place .. "/s.lua", (text:gsub("BOX$", BOX))) end
   local before = program.shell("ls -A " .. place .. " > " .. dir .. "/before")
   local limit = sanitized and 60 or 8
-  local pipe = io.popen(string.format("cd %s && %s %d %s/out %s/err %s gen %s -o made </dev/null", place, confine, limit, dir,
+  local pipe = io.popen(string.format("cd %s && %s %d %s/out %s/err %s gen %s -o made </dev/null", place,
+    confine, limit, dir,
     dir, quote(binary), row.file or "s.lua"))
   local how, status, seconds, mib = pipe:read("a"):match("(%a+) (%d+) (%S+) (%S+)")
   pipe:close()
@@ -90,11 +94,13 @@ local function attempt(about, row)
     ended = r.how == "exit" and r.status == (row.status or 1) and r.out == "" and r.kept and
       clear(r.err, row.file or "s.lua") and r.err:find(want, 1, true) ~= nil
   end
-  tap.ok(within and ended, about .. ": " .. row[1], string.format("%s %s, %s s, %s MiB, files %s\nwant %s\n%s%s", r.how, r.status,
+  tap.ok(within and ended, about .. ": " .. row[1], string.format("%s %s, %s s, %s MiB, files %s\nwant " ..
+    "%s\n%s%s", r.how, r.status,
     r.seconds, r.mib, r.kept and "as before" or "made", want, r.out:sub(1, 300), r.err:sub(1, 600)))
   worst.seconds, worst.mib = math.max(worst.seconds, r.seconds), math.max(worst.mib, r.mib)
-  local verdict = r.status == 0 and "accepted, compiles" or r.err:match("^[^\n]*"):gsub("^.-: ?", "", 1)
-  rows[#rows + 1] = string.format("| %s | %s | %.2f | %.0f |", row[1]:gsub("|", "\\|"):gsub("%c", "?"), verdict, r.seconds, r.mib)
+  local verdict = r.status == 0 and "accepted, compiles" or r.err:match("^[^\n]*"):gsub("^%S+: ", "", 1):gsub("|", "\\|"):sub(1, 110)
+  rows[#rows + 1] = string.format("| %s | %s | %.2f | %.0f |", (row[1]:gsub("|", "\\|"):gsub("%c", "?")), verdict,
+    r.seconds, r.mib)
   program.shell("rm -rf " .. r.place)
   return r
 end
@@ -108,5 +114,14 @@ for _, name in ipairs { "words", "bombs", "algebra", "names", "files" } do
 end
 tap.ok(program.shell("test ! -e INJECTED") == 0 and #rows >= 60, #rows .. " attempts, none of which made a file")
 tap.diag(string.format("worst: %.2f s, %.1f MiB", worst.seconds, worst.mib))
+
+local page = os.getenv "POLHODE_HOSTILE"
+if page then
+  local text = program.read(page)
+  local mark = "<!-- attempts -->\n"
+  local head = text:sub(1, (select(2, text:find(mark, 1, true))))
+  program.write(page, head .. string.format("%d attempts; worst %.2f s and %.1f MiB.\n\n| attempt | what came of it | s | MiB " ..
+    "|\n|---|---|---|---|\n", #rows, worst.seconds, worst.mib) .. table.concat(rows, "\n") .. "\n")
+end
 
 tap.done(program.finish())

@@ -37,7 +37,8 @@ list[#list + 1] = { "a scene called math", scene = "math", "a header of C" }
 list[#list + 1] = { "a scene called con", scene = "con", "a device" }
 list[#list + 1] = { "a scene called Makefile", scene = "Makefile", "must not be named like a file of the project" }
 list[#list + 1] = { "a parameter called qw", param = "qw", "is taken by the emitted code" }
-list[#list + 1] = { "parameters that differ in capitals", "param('a', 1) param('A', 1) BOX", "differs only in capitals" }
+list[#list + 1] = { "parameters that differ in capitals", "param('a', 1) param('A', 1) BOX",
+  "differs only in capitals" }
 
 -- Accepted, and must compile: names that the emitted code has inside.
 for _, name in ipairs { "x", "h", "I1", "sin" } do
@@ -46,18 +47,26 @@ end
 list[#list + 1] = { "a scene called test", scene = "test", true }
 
 local box = "return scene { name = 's', body = solid.box { x = param('a', 1, %q), y = 2, z = 3, mass = 1 } }"
-for _, unit in ipairs { "m*/ INJECTED(); /*", "m\nINJECTED", "m \\", "m ??/", "m //", "m${x}", "m%n", "m" .. (" "):rep(100000),
+for _, unit in ipairs { "m*/ INJECTED(); /*", "m\nINJECTED", "m \\", "m ??/", "m //", "m${x}", "m%n", "m" ..
+  (" "):rep(100000),
   "m^999999999999", "m\0", '"', "\195\169" } do
-  list[#list + 1] = { "the unit " .. string.gsub(string.format("%q", unit:sub(1, 30)), "\n", "n"), box:format(unit), "unit" }
+  list[#list + 1] = { "the unit " .. string.gsub(string.format("%q", unit:sub(1, 30)), "\n", "n"),
+    box:format(unit), "unit" }
 end
-list[#list + 1] = { "an output called a comment's end", "return scene { name = 's', body = solid.box { x = 1, y = 2, z = 3, " ..
+list[#list + 1] = { "an output called a comment's end", "return scene { name = 's', body = solid.box { x = 1, y " ..
+  "= 2, z = 3, " ..
   "mass = 1 }, outputs = { '*/ INJECTED' } }", "outputs" }
-list[#list + 1] = { "an event called a comment's end", "return scene { name = 's', body = solid.box { x = 1, y = 2, z = 3, " ..
+list[#list + 1] = { "an event called a comment's end", "return scene { name = 's', body = solid.box { x = 1, y = " ..
+  "2, z = 3, " ..
   "mass = 1 }, events = { { name = '*/ INJECTED', when = wx } } }", identifier }
-list[#list + 1] = { "a state called a comment's end", "return scene { name = 's', body = solid.box { x = 1, y = 2, z = 3, " ..
-  "mass = 1 }, effects = { effect.custom { states = { ['*/ INJECTED'] = { initial = 0, rate = function(s) return 1 end } } } } }",
+list[#list + 1] = { "a state called a comment's end", "return scene { name = 's', body = solid.box { x = 1, y = " ..
+  "2, z = 3, " ..
+  "mass = 1 }, effects = { effect.custom { states = { ['*/ INJECTED'] = { initial = 0, rate = function(s) return " ..
+    "1 end } } } } }",
   "three or more small letters" }
-list[#list + 1] = { "a custom parameter called while", "return scene { name = 's', body = solid.box { x = 1, y = 2, z = 3, " ..
-  "mass = 1 }, effects = { effect.custom { params = { ['while'] = 1 }, torque = function(s) return { s['while'], 0, 0 } end } } }",
+list[#list + 1] = { "a custom parameter called while", "return scene { name = 's', body = solid.box { x = 1, y = " ..
+  "2, z = 3, " ..
+  "mass = 1 }, effects = { effect.custom { params = { ['while'] = 1 }, torque = function(s) return { s['while'], " ..
+    "0, 0 } end } } }",
   word }
 return list
