@@ -238,6 +238,21 @@ $(MAP)/%/errors: $(MAP)/%/sweep $(ORACLE)
 errormap: $(MAP)/double/errors $(MAP)/float/errors
 	@$(LUA) tests/bench/errormap_report.lua $(MAP) docs/errormap.md docs/errormap.svg
 
+# Other people's integrators on the hard cases: the tables of docs/hard_peers.md.
+HARD_SRC = $(addprefix tests/bench/hard_,peers.c cases.c gsl.c sundials.c numbers.c)
+HARD_MADE = $(BUILD)/hard/hardtop.c $(BUILD)/hard/harddamped.c
+$(BUILD)/hard/%.c: tests/bench/%.lua $(PROGRAM)
+	@mkdir -p $(@D)
+	@$(PROGRAM) gen $< -o $(@D)
+
+$(BUILD)/hard/peers: $(HARD_SRC) tests/bench/hard_peers.h $(HARD_MADE) $(MAP)/double/errormap.c $(LIBRARY)
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) -D_DEFAULT_SOURCE $(SUNDIALS_FLAGS) $(GSL_CFLAGS) -Isrc/runtime -I$(BUILD)/hard \
+	  -I$(MAP)/double -o $@ $(filter %.c,$^) $(LIBRARY) $(SUNDIALS_LIBS) $(GSL_LIBS) -lmpfr -lgmp -lm
+
+hard-peers: $(BUILD)/hard/peers $(ORACLES)
+	@$< $(BUILD)/oracle $(BUILD)/hard/lines > $(BUILD)/hard/tables
+	@sed -i '/^<!-- tables -->$$/q' docs/hard_peers.md && cat $(BUILD)/hard/tables >> docs/hard_peers.md
+
 # Energy and momentum of every stepper in a long run: the table in docs/methods.md.
 TURNS = 100000
 drift: $(PROGRAM)
@@ -331,7 +346,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-target bits-all test sanitize sanitized golden docs bench accuracy drift errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check check-target bits-all test sanitize sanitized golden docs bench accuracy drift errormap hard-peers target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 
