@@ -5,6 +5,7 @@
 #   make demo       set up what is missing, build, and walk one body through the whole chain
 #   make check      set up what is missing, build, run every test
 #   make check-target   the emitted code on small processors under emulators, and proofs; `.ci/setup target` installs them
+#   make hard       every hard case, against its bound: docs/hard.md and its map (some minutes); make check has half of them
 #   make bits-all   the same bits on every machine, by both compilers, at every level (an hour); check-target has a part
 #   make bench      build and run the measurements
 #   make accuracy   docs/accuracy.md and its diagrams, measured anew (some minutes)
@@ -134,6 +135,12 @@ check:
 
 test: tests
 	@$(PROVE) $(C_TESTS) $(LUA_TESTS)
+
+# The catalogue of hard cases, all of it; PATTERN picks by name (then the page is left as it is).
+PATTERN =
+hard: tests
+	@mkdir -p $(BUILD)/hard
+	@$(LUA) tests/hard/run.lua $(PROGRAM) $(BUILD)/hard "$(PATTERN)" $(if $(PATTERN),,docs/hard.md docs/hard.svg)
 
 # What runs on other processors, under emulators, and what is proven by Frama-C; a test says which package it lacks.
 check-target: all

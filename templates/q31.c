@@ -106,7 +106,8 @@ unsigned ${name}_q31_step(int32_t x[${upper}_Q31_NX], const int32_t u[])
 ${line}
 %% end
 
-  /* x += d, what is below the last place stays in the remainder */
+  /* x += d, what is below the last place stays in the remainder, whose low bits alone count: disturbed, it is wrong by
+   * less than a unit and nothing overflows; t is the sum plus half a unit */
 %% for _, line in ipairs(updates) do
 ${line}
 %% end

@@ -23,8 +23,8 @@
  *
  * Method: Kutta's 3/8 rule for the rates, Magnus' series of order 4 for the attitude; local errors h^5.
  * Every number on the way has a bound below 2^31, found with the scaling: within the limits nothing
- * overflows.  A state outside of them is brought to them first, and that is reported; its remainders are
- * not looked at, and must be those of a step, or 0.
+ * overflows.  A state outside of them is brought to them first, and that is reported.  Remainders are
+ * those of a step, or 0; of any others the low bits alone count, which is less than a unit of the word.
  */
 #ifndef POLHODE_${upper}_Q31_HEADER
 #define POLHODE_${upper}_Q31_HEADER

@@ -1,5 +1,13 @@
 %% -- special.c -- functions that libm lacks, each only where it is used: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- functions that libm lacks ---- */
+%% if has_clamp then
+
+/* x within -limit .. limit, else the limit that is nearer */
+static ${name}_real ${name}_clamp(${name}_real x, ${name}_real limit)
+{
+  return x < -limit ? -limit : x > limit ? limit : x;
+}
+%% end
 %% if has_ellipsoid or has_sums then
 
 static ${name}_pair ${name}_pair_quotient(${name}_pair a, ${name}_pair b)

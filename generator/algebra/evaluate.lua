@@ -19,6 +19,9 @@ local function lookup(env, name)
   return x
 end
 
+-- x within -limit .. limit, of numbers of any kind.
+local function clamp(x, limit) return x < -limit and -limit or x > limit and limit or x end
+
 -- Evaluates e by the arithmetic A: number, symbol, sum and product of two, power, call.
 local function walk(e, A)
   local memo = {}
@@ -79,6 +82,7 @@ function evaluate.exact(e, env)
     call = function(fn, args)
       if fn == "abs" then return R.abs(args[1]) end
       if fn == "sign" then return R.sign(args[1]) < 0 and -R.one or R.one end
+      if fn == "clamp" then return clamp(args[1], args[2]) end
       error("evaluate: " .. fn .. " has no exact value", 0)
     end,
   })
@@ -115,6 +119,7 @@ function evaluate.precise(e, env, bits)
     call = function(fn, args)
       if fn == "abs" then return R.abs(args[1]) end
       if fn == "sign" then return R.sign(args[1]) < 0 and -R.one or R.one end
+      if fn == "clamp" then return clamp(args[1], args[2]) end
       return apply(fn, table.unpack(args))
     end,
   })
@@ -141,7 +146,7 @@ local functions = {
   atan2 = function(y, x) return math.atan(y, x) end,
   exp = math.exp, log = function(x) return math.log(x) end,
   sinh = by_mpfr "sinh", cosh = by_mpfr "cosh", tanh = by_mpfr "tanh",
-  abs = math.abs, sign = function(x) return x < 0 and -1.0 or 1.0 end,
+  abs = math.abs, sign = function(x) return x < 0 and -1.0 or 1.0 end, clamp = clamp,
   pi = function() return math.pi end,
 }
 for _, fn in ipairs { "ellipsoid_area", "ellipsoid_normal", "arc_across", "arc_along", "arc_lever", "catenary_rise",

@@ -74,12 +74,14 @@ function poly.ring(list)
   return ring
 end
 
-local function key(e) return table.concat(e, ",") end
+-- Exponents are whole and not negative, and each code says its own length: no two lists have the same bytes.
+local function key(e) return utf8.char(table.unpack(e)) end
 
 local function new(ring) return { ring = ring, terms = {}, n = 0 } end
 
-local function put(p, e, c)
-  local k = key(e)
+-- k: the key of e, where it is known
+local function put(p, e, c, k)
+  k = k or key(e)
   local t = p.terms[k]
   if t then
     c = t.c + c
@@ -126,20 +128,20 @@ end
 
 ---- arithmetic ------------------------------------------------------------------------------------
 
-local function combine(a, b, sign)
+local function combine(a, b, negative)
   local p = new(a.ring)
   for k, t in pairs(a.terms) do p.terms[k] = t end
   p.n = a.n
-  for _, t in pairs(b.terms) do put(p, t.e, sign * t.c) end
+  for k, t in pairs(b.terms) do put(p, t.e, negative and -t.c or t.c, k) end
   return p
 end
 
-function poly.add(a, b) return combine(a, b, R.one) end
-function poly.sub(a, b) return combine(a, b, -R.one) end
+function poly.add(a, b) return combine(a, b, false) end
+function poly.sub(a, b) return combine(a, b, true) end
 
 function poly.scale(a, c)
   local p = new(a.ring)
-  for _, t in pairs(a.terms) do put(p, t.e, c * t.c) end
+  for k, t in pairs(a.terms) do put(p, t.e, c * t.c, k) end
   return p
 end
 
@@ -185,11 +187,13 @@ function poly.mul(a, b)
     poly.budget = poly.budget - a.n * b.n
     if poly.budget < 0 then error(poly.exhausted, 0) end
   end
+  local n = #a.ring.gens
   for _, s in pairs(a.terms) do
+    local f, c = s.e, s.c
     for _, t in pairs(b.terms) do
-      local e = {}
-      for i = 1, #s.e do e[i] = s.e[i] + t.e[i] end
-      put(p, e, s.c * t.c)
+      local e, g = {}, t.e
+      for i = 1, n do e[i] = f[i] + g[i] end
+      put(p, e, c * t.c)
     end
   end
   if next(a.ring.relation) then return reduce(p) end

@@ -73,6 +73,15 @@ function gen.order(given)
   return n and math.tointeger(n)
 end
 
+-- An order that nothing has: a message, else nil.  names: the methods that are there.
+function gen.orderless(given, names)
+  for _, name in ipairs(names) do
+    if name == "taylor" then return nil end
+  end
+  return given.order and "--order: of the methods taylor alone has one, got " ..
+    (#names > 0 and "--method " .. table.concat(names, ",") or "no --method")
+end
+
 -- What a kind of project other than the plain one has no place for, or nil.
 local function refused_by_project(given)
   local kind, with = given.project or packages.default, given.with or {}
@@ -113,6 +122,11 @@ function gen.run(host, given)
   given.real = given.real or package.real
   local real, decision = given.real, nil
   local question = not given.show and planner.question(job, given, order)
+  wrong = gen.orderless(given, chosen or question and { "taylor" } or {})
+  if wrong then
+    host.err("polhode gen: " .. wrong .. "\n")
+    return 2
+  end
   if question then
     decision, why = planner.decide(host, question, given)
     if not decision and why then

@@ -13,9 +13,6 @@ local targets = require "generator.cost.targets"
 
 local planner = {}
 
--- In half the time; without contraction every level gives the same bits.
-local flags = { "-O1" }
-
 -- What is asked of the job: accuracy of the command line or of the scene, and the rest; nil if nobody asks.
 function planner.question(job, given, order)
   local budget, methods = job.record.budget or {}, nil
@@ -52,7 +49,7 @@ function planner.prepare(host, q, given)
   driver.code(code)
   local job, series = everything(host, q, given)
   job.orders = series and (q.order and { q.order } or plan.orders) or {}
-  local plugins, failed = build.plugins(host, { { job = job, flags = flags } })
+  local plugins, failed = build.plugins(host, { { job = job } })
   if failed then return nil, failed[1].message end
   q.host, q.code, q.plugin = host, code, plugins[1]
   q.plugin:init()

@@ -80,6 +80,7 @@ local function generated(host, job, given)
       "this scene has no closed form: " .. job.closed.refused)
   end
   local order, wrong = gen.order(given)
+  wrong = wrong or gen.orderless(given, { method })
   if wrong then return nil, wrong end
   if given.tolerance and not (methods.by_name[method] or {}).adaptive then
     return nil, "--tolerance: the method " .. method .. " has a fixed step"
@@ -117,6 +118,7 @@ local function library(host, job, given)
     return nil, "--engine general has the methods adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, exact, linearised, " ..
       "got " .. method
   end
+  if given.order then return nil, "--order: it is that of the emitted taylor, got --engine general" end
   local scene = numeric.scene(job)
   if (method == "exact" or method == "linearised") and #scene.effects > 0 then
     return nil, "--engine general --method " .. method .. " solves free tops, and this scene has effects"

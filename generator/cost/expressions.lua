@@ -143,7 +143,7 @@ function parser:call(name)
     return known.result, known.result == "int" and function(env) return env[slot] end or nil
   end
   local plain = self.unit.library[name] or self:fail("unknown function " .. name)
-  if plain ~= "fabs" then
+  if plain ~= "fabs" and plain ~= "copysign" then
     local real = false
     for _, k in ipairs(kinds) do real = real or k == "real" end
     if real then self:count(plain) end

@@ -13,8 +13,8 @@ local tokens = require "generator.cost.tokens"
 local tally = {}
 
 -- The C library's functions that emitted code may call (emit/project.lua).
-local LIBRARY = { "fabs", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor", "fma", "tan",
-  "asin", "acos", "atan", "atan2", "tanh", "pow", "fmod", "hypot", "cbrt", "ceil" }
+local LIBRARY = { "fabs", "copysign", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor",
+  "fma", "tan", "asin", "acos", "atan", "atan2", "tanh", "pow", "fmod", "hypot", "cbrt", "ceil" }
 
 -- Their names in a scene's code: the C library's, or its own, which count as the same calls (--libm own)
 local function library(scene)

@@ -51,16 +51,17 @@ local function rows_of(ctx, line, what, name, spec, given)
   return ok and rows or nil
 end
 
--- Linear between the rows, constant beyond them, as a sum of ramps
---     (v1 + vn)/2 + sum k_i |t - t_i|,   k_i half the change of slope at t_i
--- whose error is what rounding t by a few units does: a few units of |t| times the slopes' moduli.
-local function ramps(rows)
-  local t, n = motion.sym "t", #rows
-  local sum, before = (rows[1][2] + rows[n][2]) / 2, expr.zero
-  for i = 1, n do
-    local slope = i < n and (rows[i + 1][2] - rows[i][2]) / (rows[i + 1][1] - rows[i][1]) or expr.zero
-    sum = sum + (slope - before) / 2 * expr.call("abs", t - rows[i][1])
-    before = slope
+-- Linear between the rows, constant beyond them: the first value and a rise for each line between two rows,
+--     v1 + sum (v_k+1 - v_k) r_k,   r_k = x (1 + s_k)(1 - s_k+1)/4 + (1 + s_k+1)/2,   s_k = sign(t - t_k)
+-- x = (t - t_k)/(t_k+1 - t_k).  r_k is 0 before the line, 1 behind it, exactly, so that a steep line leaves nothing
+-- behind; a sum of ramps k_i |t - t_i|, the shorter way to write it, leaves u |t| times its slope for ever.
+local function lines(rows)
+  local t, sum, one = motion.sym "t", rows[1][2], expr.one
+  local function side(k) return expr.call("sign", t - rows[k][1]) end
+  for k = 1, #rows - 1 do
+    local rise, first, last = rows[k + 1][2] - rows[k][2], side(k), side(k + 1)
+    local slope = rise / (rows[k + 1][1] - rows[k][1])
+    sum = sum + slope * (t - rows[k][1]) * ((one + first) * (one - last) / 4) + rise * ((one + last) / 2)
   end
   return sum
 end
@@ -69,7 +70,7 @@ end
 local function varying(ctx, line, what, name, spec, given)
   if args.plain(given) then
     local rows = rows_of(ctx, line, what, name, spec, given)
-    return rows and { e = ramps(rows), rows = rows }
+    return rows and { e = lines(rows), rows = rows }
   end
   local e = args.scalar(ctx, line, what, name, { dim = spec.dim, motion = true }, given)
   return e and { e = e }

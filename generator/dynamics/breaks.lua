@@ -1,6 +1,6 @@
--- breaks.lua -- where the equations of motion are not smooth: at |e| with e = 0.
+-- breaks.lua -- where the equations of motion are not smooth: at |e| and sign(e) with e = 0.
 --
--- A table over time is a sum of |t - t_i|: the times are known, steppers with a tolerance stop there (knots).  What
+-- A table over time has sign(t - t_i): the times are known, steppers with a tolerance stop there (knots).  What
 -- else stands between bars may vanish anywhere, as may what an effect names itself (`corners`).  Checks of a stepper's
 -- order stay between the breaks.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -22,13 +22,15 @@ local function constants(m)
   return map
 end
 
--- All |e| in the equations, with parameters put in: a list of e.
+local function cornered(e) return e.kind == "call" and (e.fn == "abs" or e.fn == "sign") and not motion.free(e) end
+
+-- All |e| and sign(e) in the equations, with parameters put in: a list of e.
 local function bars(eq)
   local list, seen, map = {}, {}, constants(eq.model)
   local function walk(e)
     if seen[e] then return end
     seen[e] = true
-    if e.kind == "call" and e.fn == "abs" and not motion.free(e) then list[#list + 1] = e[1] end
+    if cornered(e) then list[#list + 1] = e[1] end
     for _, c in ipairs(expr.children(e)) do walk(c) end
   end
   for _, g in ipairs(eq.groups) do
@@ -46,21 +48,23 @@ local function ramp(e)
 end
 
 -- The corners at times that are known, in their order for the parameters' defaults: a list of {time, bars = {|e| ->
--- the positive factor of |t - time| in it}}; the times are numbers or derived constants.
+-- the positive factor of |t - time| in it}, signs = {sign(e) -> its sign after time}}; the times are numbers or derived
+-- constants.
 function breaks.knots(eq)
   local m, list, at, seen = eq.model, {}, {}, {}
   local function walk(e)
     if seen[e] then return end
     seen[e] = true
     local slope, time
-    if e.kind == "call" and e.fn == "abs" and not motion.free(e) then slope, time = ramp(e[1]) end
+    if cornered(e) then slope, time = ramp(e[1]) end
     if time then
       if time.kind ~= "num" and time.kind ~= "sym" then time = m:derived(time, "corner of ") end
       if not at[time] then
-        at[time] = { time = time, bars = {}, value = m:number(calculus.substitute(time, constants(m))) }
+        at[time] = { time = time, bars = {}, signs = {}, value = m:number(calculus.substitute(time, constants(m))) }
         list[#list + 1] = at[time]
       end
-      at[time].bars[e] = expr.call("abs", slope)
+      if e.fn == "abs" then at[time].bars[e] = expr.call("abs", slope) end
+      if e.fn == "sign" then at[time].signs[e] = expr.call("sign", slope) end
     end
     for _, c in ipairs(expr.children(e)) do walk(c) end
   end

@@ -1,7 +1,7 @@
 -- control.lua -- the input u: three torque components in body axes, optionally limited.
 --
--- With `max` each component is clamped to [-max, max] as (|u + max| - |u - max|)/2, an identity that needs no
--- branch and is exact outside the limits.
+-- With `max` each component is clamped to [-max, max] by comparing: exact, however large u is, which the well-known
+-- (|u + max| - |u - max|)/2 is not: of u = 1e17 max nothing is left there.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -11,7 +11,7 @@ local control = {
   name = "effect.control",
   about = "input u: torque in body axes, max (optional) limits each component",
   quadratic = true,
-  formula = "N = u, or each component between -max and max: (|u + max| - |u - max|)/2",
+  formula = "N = u, or with max each component between -max and max",
   signs = "u acts on the body, body axes; it is held during a step",
   source = "the definition",
   example = "gyroscope",
@@ -23,7 +23,7 @@ function control.torque(a, c)
   if not a.max then return c.u end
   local limit = c.constant("umax", a.max, "limit of each input, N m")
   return vec.map(c.u, function(u)
-    return (expr.call("abs", u + limit) - expr.call("abs", u - limit)) / 2
+    return expr.call("clamp", u, limit)
   end)
 end
 

@@ -134,16 +134,19 @@ local function indent(lines)
   return out
 end
 
--- x += d with what is below the last place kept in the remainder.
+-- x += d with what is below the last place kept in the remainder, from -2^(k-1) to 2^(k-1) - 1.  Of one that was
+-- disturbed only the low k bits count, so nothing overflows; t is the sum plus half a unit.
 local function updates(layout, upper)
   local lines = {}
   for i, s in ipairs(layout) do
     local place = upper .. "_Q31_" .. string.upper(s.name)
     if s.node and s.k > 0 then
       local rest = upper .. "_Q31_R" .. string.upper(s.name)
-      lines[#lines + 1] = string.format("t = x[%s] + %s;", rest, s.node.name)
-      lines[#lines + 1] = string.format("d = (t + %s) >> %s;", whole(1 << s.k - 1), whole(s.k))
-      lines[#lines + 1] = string.format("x[%s] = t - d*%s;", rest, whole(1 << s.k))
+      local half, unit = whole(1 << s.k - 1), whole(1 << s.k)
+      lines[#lines + 1] = string.format("t = (int32_t)(((uint32_t)x[%s] + %su) & %su) + %s;", rest, half,
+        whole((1 << s.k) - 1), s.node.name)
+      lines[#lines + 1] = string.format("d = t >> %s;", whole(s.k))
+      lines[#lines + 1] = string.format("x[%s] = t - d*%s - %s;", rest, unit, half)
       lines[#lines + 1] = string.format("x[%s] = %s + d;", place, s.name)
     elseif s.node then
       lines[#lines + 1] = string.format("x[%s] = %s + %s;", place, s.name, s.node.name)

@@ -17,8 +17,10 @@ local state = require "generator.dynamics.state"
 local series = require "generator.methods.series"
 local stages = require "generator.methods.stages"
 
-local taylor = { name = "taylor", adaptive = true, orders = { 4, 30 },
-  about = "Taylor series of order 4 to 30 (--order, 20), automatic recurrences, fixed or adaptive step" }
+-- In float the seventh digit is the last one: an order above 10 costs more than its longer steps save, and coefficients
+-- of seconds grow like w^n, in a type that ends at 3e38.
+local taylor = { name = "taylor", adaptive = true, orders = { 4, 30 }, own_order = { double = 20, float = 10 },
+  about = "Taylor series of order 4 to 30 (--order; 20, in float 10), automatic recurrences, fixed or adaptive step" }
 
 local rates = state.names.rates
 
@@ -150,8 +152,8 @@ local function uses(made, sym)
   return false
 end
 
--- Between two corners |t - T| is +-(t - T): the groups with a symbol of that sign for each corner, and the corners,
--- {time, sign}.
+-- Between two corners |t - T| is +-(t - T), sign(t - T) is +-1: the groups with a symbol of that sign for each corner,
+-- and the corners, {time, sign}.
 local function straightened(eq, groups)
   local knots, map = breaks.knots(eq), {}
   for i, k in ipairs(knots) do
@@ -161,6 +163,7 @@ local function straightened(eq, groups)
     for bar, slope in pairs(k.bars) do -- into a table: order is lost anyway
       map[bar] = slope * k.sign * (state.t - k.time)
     end
+    for sign, after in pairs(k.signs) do map[sign] = after * k.sign end -- into a table: order is lost anyway
   end
   if #knots == 0 then return groups, knots end
   local function put(list)
@@ -183,7 +186,8 @@ local function laid_out(groups, moving, varying, order)
     if getmetatable(made) == series.missing then
       local corner = "|x| of what moves has a corner at a time that is not known before, which a series does not " ..
         "see: use adaptive or rk4"
-      return nil, made.fn == "abs" and corner or "no recurrence is known for the function " .. made.fn
+      return nil, (made.fn == "abs" or made.fn == "sign") and corner or
+        "no recurrence is known for the function " .. made.fn
     end
     error(made, 0)
   end
@@ -288,7 +292,7 @@ function taylor.program(eq, options)
         "adaptive or rk4"
     end
   end
-  local zero, order = stages.conserved(eq), options.order or 20
+  local zero, order = stages.conserved(eq), options.order or taylor.own_order[options.real or "double"]
   local varying, moving = { t = true }, {}
   for _, s in ipairs(eq.model.states) do
     if not zero[s.name] then

@@ -29,10 +29,14 @@ void host_push(lua_State *L);
 /* All that the program may use for Lua: a scene whose algebra explodes ends in an error. */
 #define ACCOUNT_LIMIT ((size_t)1 << 30)
 
+enum { ACCOUNT_LARGEST = 512, ACCOUNT_GRAIN = 16 }; /* bytes: pooled blocks, their steps */
 struct account {
   size_t used, limit;
-  int asked;             /* the last request failed */
-  void (*refused)(void); /* a request failed for good */
+  int asked;                                       /* the last request failed */
+  void (*refused)(void);                           /* a request failed for good */
+  void *free[ACCOUNT_LARGEST / ACCOUNT_GRAIN + 1]; /* lists of blocks by size in grains */
+  char *next;                                      /* of the last chunk: what is not cut yet */
+  size_t left;
 };
 /* lua_Alloc with a struct account as user data. */
 void *account_allocate(void *account, void *block, size_t old_size, size_t new_size);

@@ -10,12 +10,13 @@ package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
+local program = require "tests.cli.program"
 local scene = require "tests.scene"
 local compiled = require "tests.ir.compiled"
 
 local EPSILON = 2.0 ^ -52
 
-local binary = os.getenv "POLHODE" or "build/polhode"
+local binary = program.quick()
 
 -- Rows of polhode run, as numbers: t, q (4), w (3), energy, L (3).
 local function run(body, options)
@@ -192,4 +193,4 @@ do
     "4 roundings")
 end
 
-tap.done()
+tap.done(program.finish())

@@ -16,7 +16,7 @@ local tap = require "tests.tap"
 local program = require "tests.cli.program"
 local rows = require "tests.reference.nesc_case3"
 
-local binary = os.getenv "POLHODE" or "build/polhode"
+local binary = program.quick()
 local names = { "p", "q", "r", "yaw", "pitch", "roll" }
 local MARGIN = 0.01
 

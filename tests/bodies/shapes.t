@@ -62,7 +62,7 @@ do
   program.write(dir .. "/list", table.concat(list))
   local path = binary:sub(1, 1) == "/" and binary or '"$PWD"/' .. binary
   program.shell(string.format("p=%s; cd %s && %s xargs -P 2 -I N sh -c '%s check --real double --states 20 N.lua " ..
-    ">N.out 2>&1; echo status $? >>N.out' <list", path, dir, program.compiler "-O0", "'$p'"))
+    ">N.out 2>&1; echo status $? >>N.out' <list", path, dir, program.quick_compiler(), "'$p'"))
 end
 
 local WANT = { "compiles without a warning", "tensor as the library's", "principal moments",

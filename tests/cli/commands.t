@@ -11,7 +11,7 @@ local program = require "tests.cli.program"
 local json = require("tests.json").read
 
 local dir = program.directory()
-local binary = os.getenv "POLHODE" or "build/polhode"
+local binary = program.quick()
 
 local function run(arguments)
   local status = program.shell(string.format("timeout 120 %s %s >%s/stdout 2>%s/stderr", binary, arguments, dir, dir))
@@ -246,7 +246,8 @@ do
   status, _, err = run("explain " .. dir .. "/empty.lua")
   tap.ok(status == 1 and err:find("the script must end with: return scene", 1, true), "an empty scene: status 1", err)
   program.write(dir .. "/-dash.lua", program.read(FREE))
-  status = program.shell("cd " .. dir .. " && " .. (binary:sub(1, 1) == "/" and binary or "$OLDPWD/" .. binary) ..
+  local plain = os.getenv "POLHODE" or "build/polhode"
+  status = program.shell("cd " .. dir .. " && " .. (plain:sub(1, 1) == "/" and plain or "$OLDPWD/" .. plain) ..
     " explain ./-dash.lua >/dev/null 2>&1")
   tap.is(status, 0, "a file whose name begins with a dash is given as ./-dash.lua")
 end

@@ -10,7 +10,7 @@ package.path = "./?.lua;" .. package.path
 local tap = require "tests.tap"
 local program = require "tests.cli.program"
 
-local binary = os.getenv "POLHODE" or "build/polhode"
+local binary = program.quick()
 local dir = program.directory()
 
 local function run(text, more)

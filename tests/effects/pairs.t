@@ -12,7 +12,7 @@ local program = require "tests.cli.program"
 
 local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
-local quick = program.compiler "-O0" -- these scenes are all equations: little to run, much to compile
+local quick = program.quick_compiler() -- these scenes are all equations: little to run, much to compile
 
 local effects = {
   { "gravity", "effect.gravity {}" },

@@ -15,7 +15,7 @@ local program = require "tests.cli.program"
 local rows = require "tests.reference.effects"
 
 local dir = program.directory()
-local binary = os.getenv "POLHODE" or "build/polhode"
+local binary = program.quick()
 
 local function numbers(list)
   local out = {}

@@ -22,7 +22,7 @@ local program = require "tests.cli.program"
 local rows = require "tests.reference.effects_time"
 
 local dir = program.directory()
-local binary = os.getenv "POLHODE" or "build/polhode"
+local binary = program.quick()
 
 local tensors = { -- I(t) of the table: the body's at t = 0 and what is added, as a scene and as numbers
   ["(1+t/8, 2-t/32, 2.5+t/16)"] = { { "1", "2", "2.5" }, "xx = t/8, yy = -t/32, zz = t/16",

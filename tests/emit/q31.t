@@ -89,6 +89,44 @@ end
 ok, log = shell("cd %s && gcc -std=c99 -O2 -mgeneral-regs-only -c b_q31.c -o n.o && nm -u n.o", most.at)
 tap.ok(ok == 0 and not string.find(log, "U [^_]"), "the step has no floating point and calls nothing", log)
 
+-- the library, installed, has the step in whole numbers too
+program.write(scenes[1].at .. "/use.c", '#include "b_q31.h"\n' ..
+  "int main(void) { int32_t x[B_Q31_NX]; b_q31_initial(x); return (int)b_q31_step(x, 0); }\n")
+ok, log = shell("cd %s && make install CC=gcc DESTDIR=%s/root PREFIX=/usr && gcc -std=c99 -I%s/root/usr/include " ..
+  "use.c -L%s/root/usr/lib -lb -lm -o use && ./use", scenes[1].at, dir, dir, dir)
+tap.ok(ok == 0, "make install: header and library of the step in whole numbers", log)
+
+-- Remainders are less than a unit: whatever stands there, one step is that of some remainder, at most a unit away, and
+-- leaves a valid one; gcc's sanitizer sees no overflow.
+for _, s in ipairs { scenes[1], scenes[3] } do
+  program.write(s.at .. "/disturbed.c", [[
+#include "b_q31.h"
+#include <stdio.h>
+int main(void)
+{
+  static const int32_t bad[] = {INT32_MAX, INT32_MIN, -1, 1 << 30, 0x55555555, 12345};
+  int32_t x[B_Q31_NX], y[B_Q31_NX], u[3] = {0, 0, 0};
+  unsigned i, k, n = 0, bits = 0, wrong = 0;
+  b_q31_initial(x);
+  for (k = 0; k < 6; k++) {
+    for (i = 0; i < B_Q31_NX; i++) y[i] = i < B_Q31_RQW ? x[i] : bad[(k + i) % 6];
+    bits |= b_q31_step(y, u) | b_q31_step(x, u);
+    for (i = 0; i < B_Q31_RQW; i++) {
+      const int32_t d = x[i] - y[i];
+      n++;
+      wrong += d < -1 || d > 1;
+    }
+    for (i = 0; i < 10; i++) bits |= b_q31_step(y, u);
+  }
+  printf("%u %u %u\n", n, bits, wrong);
+  return 0;
+}
+]])
+  ok, log = shell("cd %s && gcc -std=c99 -Wall -Wextra -Werror -fsanitize=undefined -fno-sanitize-recover=all " ..
+    "disturbed.c b_q31.c -o disturbed && ./disturbed", s.at)
+  tap.ok(ok == 0 and log == "42 0 0\n", s[1] .. ": disturbed remainders move the state by at most a unit", log)
+end
+
 -- the self-test notices a constant that is off by one unit
 local source = program.read(scenes[1].at .. "/b_q31.c")
 local broken, changes = string.gsub(source, "(static const int32_t K3 = INT32_C%()(%d+)", function(a, n)

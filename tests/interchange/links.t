@@ -7,7 +7,7 @@ local tap = require "tests.tap"
 local program = require "tests.cli.program"
 local run = require "tests.interchange.program"
 
-local binary = os.getenv "POLHODE" or "build/polhode"
+local binary = program.quick()
 
 local function polhode(words)
   local status = program.shell(string.format("timeout 60 %s %s >%s/out 2>%s/err", binary, words, run.dir, run.dir))

@@ -108,7 +108,7 @@ do
   end
 end
 
-local binary = os.getenv "POLHODE" or "build/polhode"
+local binary = program.quick()
 local dir = program.directory()
 
 -- The scene's motion by the emitted pair at a tolerance, by the library beside it: largest difference of the state.
@@ -138,4 +138,4 @@ for _, name in ipairs { "brick", "gyroscope", "symmetric_top" } do
   tap.ok(single <= 1e-2, name .. ": float", string.format("%.2g", single))
 end
 
-tap.done()
+tap.done(program.finish())

@@ -14,7 +14,7 @@ local tap = require "tests.tap"
 local scene = require "tests.scene"
 local program = require "tests.cli.program"
 
-local binary = os.getenv "POLHODE" or "build/polhode"
+local binary = program.quick()
 local dir = program.directory()
 local WARN = "-std=c99 -O1 -ffp-contract=off -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
 

@@ -12,7 +12,7 @@ local tap = require "tests.tap"
 local program = require "tests.cli.program"
 local scene = require "tests.scene"
 
-local binary = os.getenv "POLHODE" or "build/polhode"
+local binary = program.quick()
 local dir = program.directory()
 
 local function numbers(s)
@@ -91,4 +91,4 @@ for _, c in ipairs(cases) do
   end
 end
 
-tap.done()
+tap.done(program.finish())

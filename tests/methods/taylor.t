@@ -165,7 +165,7 @@ return scene { name = "top", origin = {0, 0, 0},
   body = tensor { mass = 0.4, com = {0, 0, c}, xx = I1, yy = I1, zz = I3, about = "origin" },
   effects = { effect.gravity { g = 9.81 } },
   initial = { omega = {0.4, -0.3, 60}, attitude = {0.9689124217106447, 0.24740395925452294, 0, 0} } }]])
-local binary = os.getenv "POLHODE" or "build/polhode"
+local binary = program.quick()
 local WARN = "-std=c99 -O2 -ffp-contract=off -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
 
 for _, case in ipairs { { "--order 12", "double" }, { "--order 8 --real float", "float" } } do
@@ -342,8 +342,19 @@ return scene { name = "frame", body = tensor { mass = 1, xx = 2, yy = 3, zz = 4 
   local _, status, text = run "--engine generated --method taylor --order 3"
   tap.ok(status == 2 and string.find(text, "--order must be a whole number from 4 to 30, got 3", 1, true),
     "an order out of range is refused")
+  for _, how in ipairs { "--engine generated --method rk4", "--engine generated", "" } do
+    _, status, text = run(how .. " --order 8")
+    tap.ok(status == 2 and string.find(text, "--order: ", 1, true), "so is one that nothing has: run " .. how, text)
+  end
+  for _, how in ipairs { "", "--method rk4,semi" } do
+    status = program.shell(string.format("%s gen --order 8 %s -o %s/none %s/top.lua 2>%s/err", binary, how, dir, dir,
+      dir))
+    text = program.read(dir .. "/err")
+    tap.ok(status == 2 and string.find(text, "gen: --order: of the methods taylor alone", 1, true), "and gen " .. how,
+      text)
+  end
   _, status, text = run "--engine generated --method rk4 --tolerance 1e-9"
   tap.ok(status == 2 and string.find(text, "fixed step", 1, true), "a tolerance for a fixed step is refused")
 end
 
-tap.done()
+tap.done(program.finish())
