@@ -5,7 +5,7 @@
 
    All integrators get the same equations (hard_cases.c), the relative tolerance 1e-12, absolute
    ones of 1e-12 of the largest rate and of |q| = 1, a first step that changes the state by a
-   thousandth, and 1e7 calls or 10 s. Errors are those that the oracles in MPFR find (tests/oracle),
+   thousandth, and 3e6 calls or 3 s. Errors are those that the oracles in MPFR find (tests/oracle),
    or follow from a formula; of q and -q the nearer counts. */
 #include "hard_peers.h"
 
@@ -23,7 +23,7 @@
 #include "hardtop.h"
 #include "polhode.h"
 
-enum { FINE, GIVES_UP, SPENT, SECONDS = 10 };
+enum { FINE, GIVES_UP, SPENT, SECONDS = 3 };
 
 static const char *oracles, *scratch;
 
@@ -225,7 +225,7 @@ static double asked(const struct motion *m, const double x[NX]) {
   line(f, m, x, -1);
   fclose(f);
   snprintf(command, sizeof command, "%s/%s %s -e < %s", oracles,
-           m->oracle == HEAVY ? "heavy_top" : "free_top", m->oracle == HEAVY ? "-b 400" : "-b 4096",
+           m->oracle == HEAVY ? "heavy_top" : "free_top", m->oracle == HEAVY ? "-b 400" : "-b 2560",
            scratch);
   f = popen(command, "r");
   char text[1024];

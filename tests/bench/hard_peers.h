@@ -3,7 +3,7 @@
 #ifndef HARD_PEERS_H
 #define HARD_PEERS_H
 
-enum { NX = 7, BUDGET = 10000000 };
+enum { NX = 7, BUDGET = 3000000 };
 
 /* I w' = (I w) x w + R(q)^T ez x load - c w - T w/sqrt(|w|^2 + s^2) + torque (until `off`), q' = q
    (0, w)/2; with burn > 0 the moments are I (1 - t/burn), and I' w joins the left side. */

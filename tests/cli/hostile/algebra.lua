@@ -41,7 +41,7 @@ return {
     "return scene { name = 's', body = solid.box { x = s, y = 1, z = 1, mass = 1 } }", "ran longer" },
   { "functions of functions", "local x = t for i = 1, 60 do x = sin(x) * cos(x) + x end " .. WITH ..
     "{ effect.torque { body = { x, 0, 0 } } } }", long },
-  { "a hundred thousand functions", "local x = t for i = 1, 100000 do x = sin(x) end BOX", "ran longer" },
+  { "a hundred thousand functions", "local x = t for i = 1, 100000 do x = sin(x) end BOX", "" },
   { "2000 parts", LUMP .. "for i = 1, 2000 do s = s + b:at { i, 0, 0 } end return scene { name = 's', body = s }",
     "a body must have at most 1000 parts" },
   { "60 parts with parameters, turned", "local s for i = 1, 60 do local a = param('a' .. i, 1, 'm') local b = " ..
