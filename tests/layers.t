@@ -49,6 +49,8 @@ local INCLUDES = {
   ["templates/target"] = { own = { "templates/target" }, outside = { "^simavr/" } },
   ["tests"] = { own = { "tests", "src/runtime", "templates/target" }, outside = { "^gsl/", "^gmp%.h$", "^mpfr%.h$",
     "^simavr/" } },
+  ["tests/bench"] = { own = { "tests", "src/runtime" }, outside = { "^gsl/", "^gmp%.h$", "^mpfr%.h$", "^arkode/",
+    "^cvode/", "^nvector/", "^sundials/", "^sunlinsol/", "^sunmatrix/", "^sunnonlinsol/" } },
 }
 -- Emitted code needs these of the C library and no more; stdio and float only for its self-test.
 local EMITTED = { ["math.h"] = true, ["stddef.h"] = true, ["stdio.h"] = true, ["stdint.h"] = true,
@@ -213,7 +215,7 @@ end
 
 local function unit_of(path)
   return path:match("^src/cli/bench%f[_.]") or path:match("^src/[^/]+") or path:match("^templates/target%f[/]")
-    or path:match("^[^/]+")
+    or path:match("^tests/bench%f[/]") or path:match("^[^/]+")
 end
 
 -- Where a quoted include leads: beside the file, or on the include path of its unit.

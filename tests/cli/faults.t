@@ -2,8 +2,8 @@
 -- faults.t - when the file system fails, or a signal comes: no file is half written, earlier ones are kept.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- tests/cli/faults/shim.c lets the n-th call fail, or raises a signal before it; it works for root, too, whom a read-only
--- folder does not stop.  First a small set of files under every fault at every call; then the commands that write.
+-- tests/cli/faults/shim.c lets the n-th call fail, or raises a signal before it; it works for root, too, whom a
+-- read-only folder does not stop.  First a small set of files under every fault at every call; then the commands that write.
 
 package.path = "./?.lua;" .. package.path
 

@@ -98,7 +98,8 @@ local function attempt(about, row)
     "%s\n%s%s", r.how, r.status,
     r.seconds, r.mib, r.kept and "as before" or "made", want, r.out:sub(1, 300), r.err:sub(1, 600)))
   worst.seconds, worst.mib = math.max(worst.seconds, r.seconds), math.max(worst.mib, r.mib)
-  local verdict = r.status == 0 and "accepted, compiles" or r.err:match("^[^\n]*"):gsub("^%S+: ", "", 1):gsub("|", "\\|"):sub(1, 110)
+  local verdict = "accepted, compiles"
+  if r.status ~= 0 then verdict = r.err:match("^[^\n]*"):gsub("^%S+: ", "", 1):gsub("|", "\\|"):sub(1, 110) end
   rows[#rows + 1] = string.format("| %s | %s | %.2f | %.0f |", (row[1]:gsub("|", "\\|"):gsub("%c", "?")), verdict,
     r.seconds, r.mib)
   program.shell("rm -rf " .. r.place)
@@ -120,8 +121,8 @@ if page then
   local text = program.read(page)
   local mark = "<!-- attempts -->\n"
   local head = text:sub(1, (select(2, text:find(mark, 1, true))))
-  program.write(page, head .. string.format("%d attempts; worst %.2f s and %.1f MiB.\n\n| attempt | what came of it | s | MiB " ..
-    "|\n|---|---|---|---|\n", #rows, worst.seconds, worst.mib) .. table.concat(rows, "\n") .. "\n")
+  program.write(page, head .. string.format("%d attempts; worst %.2f s and %.1f MiB.\n\n| attempt | what came of it " ..
+    "| s | MiB |\n|---|---|---|---|\n", #rows, worst.seconds, worst.mib) .. table.concat(rows, "\n") .. "\n")
 end
 
 tap.done(program.finish())
