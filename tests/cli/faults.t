@@ -3,7 +3,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- tests/cli/faults/shim.c lets the n-th call fail, or raises a signal before it; it works for root, too, whom a
--- read-only folder does not stop.  First a small set of files under every fault at every call; then the commands that write.
+-- read-only folder does not stop.  First a small set of files under every fault at every call; then the commands
+-- that write.
 
 package.path = "./?.lua;" .. package.path
 
