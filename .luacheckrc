@@ -10,3 +10,4 @@ files["bodies/*.lua"] = {
     "t", "qw", "qx", "qy", "qz", "wx", "wy", "wz", "rx", "ry", "rz", "vx", "vy", "vz",
   },
 }
+files["tests/fuzz/scenes/*.lua"] = files["bodies/*.lua"]

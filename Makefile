@@ -12,6 +12,7 @@
 #   make install    PREFIX (default /usr/local), DESTDIR
 #   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/linearised.svg
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
+#   make fuzz SECONDS=600 TARGETS='scene init'   libFuzzer (clang) on each target of tests/fuzz, see docs/fuzzing.md
 #   make lint | format | sanitize | golden | clean
 
 CC      = cc
@@ -145,6 +146,22 @@ hard: tests
 # What runs on other processors, under emulators, and what is proven by Frama-C; a test says which package it lacks.
 check-target: all
 	@$(PROVE) $(TARGET_TESTS)
+
+# Fuzzing with libFuzzer, docs/fuzzing.md; `fuzz-replay` builds the same targets for tests/fuzz/replay.t.
+FUZZ_TARGETS = $(if $(TARGETS),$(TARGETS:%=run-%),run)
+SECONDS = 600
+SEED = 1758
+FUZZ_FLAGS = -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all
+fuzz: all
+	@$(MAKE) --no-print-directory -s BUILD=$(BUILD)/fuzz CC=clang \
+	  CFLAGS="$(FUZZ_FLAGS) -fsanitize=fuzzer-no-link,address,undefined" $(BUILD)/fuzz/libpolhode.a $(BUILD)/fuzz/polhode
+	@$(MAKE) --no-print-directory -s -k -f tests/fuzz/fuzz.mk ENGINE=fuzzer CC=clang OBJ=$(BUILD)/fuzz \
+	  OUT=$(BUILD)/fuzz/bin PROGRAM=$(PROGRAM) SECONDS=$(SECONDS) SEED=$(SEED) SUNDIALS_LIBS="$(SUNDIALS_LIBS)" \
+	  CFLAGS="$(FUZZ_FLAGS) -fsanitize=fuzzer-no-link,address,undefined" TARGETS="$(TARGETS)" $(FUZZ_TARGETS)
+
+fuzz-replay:
+	@$(MAKE) --no-print-directory -s -f tests/fuzz/fuzz.mk CC="$(CC)" OBJ=$(BUILD) OUT=$(BUILD)/fuzz/replay \
+	  PROGRAM=$(PROGRAM) CFLAGS="$(CFLAGS)" SUNDIALS_LIBS="$(SUNDIALS_LIBS)" all
 
 bits-all: all
 	@POLHODE_BITS=all $(LUA) tests/target/bits.t
@@ -353,7 +370,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-target bits-all test sanitize sanitized golden docs bench accuracy drift errormap hard-peers target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check fuzz fuzz-replay check-target bits-all test sanitize sanitized golden docs bench accuracy drift errormap hard-peers target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format
 .DELETE_ON_ERROR:
 

@@ -44,13 +44,17 @@ function diag:called(line, name)
   return tokens.method(self.tokens, line, name) or line
 end
 
+-- A scene shall not steer the terminal: Lua's own messages quote it as it is.
+local function plain(message) return (string.gsub(message, "[\0-\8\11-\31\127]", "?")) end
+
 local function entry(self, line, message)
+  message = plain(message)
   local text = self.file .. (line > 0 and ":" .. line or "") .. ": " .. message -- 0: nobody knows where
   if self.said[text] then return nil end
   self.said[text] = true
   local source = self.lines[line]
   if source and string.find(source, "%S") then
-    source = string.gsub(string.gsub(source, "^%s+", ""), "%c", " ") -- a scene shall not steer the terminal
+    source = string.gsub(string.gsub(source, "^%s+", ""), "%c", " ")
     text = text .. "\n    " .. diag.cut(source, 160)
   end
   return { line = line, message = message, text = text }

@@ -69,6 +69,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_keep(${name}_pair_multiply(length, push), p.pushed);
   if (!${name}_is_finite(p.free) || !${name}_is_finite(p.pushed) || !${name}_is_finite(p.steady)
       || !${name}_is_finite(p.decay1) || !${name}_is_finite(p.decay3) || !(p.push - p.push == ${zero})) return 1;
+  if (!${name}_starts(&p)) return 1;
   ${name}_copy(o, &p, (unsigned int)sizeof(p));
   return 0;
 }

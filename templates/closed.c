@@ -157,6 +157,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   p.spin_tick[0] = p.spin_tick[1] = 0;
 %% end
 %% end
+  if (!${name}_starts(&p)) return 1;
   ${name}_copy(o, &p, (unsigned int)sizeof(p));
   return 0;
 }

@@ -25,3 +25,26 @@ static void ${name}_zero(void *to, unsigned int size)
   }
 }
 %% end
+
+/* Is the state at time 0 made of numbers?  Rates next to the end of the type's range overflow on the way to it. */
+static int ${name}_starts(const ${name}_orbit *o)
+{
+%% if has_full then
+  ${name}_real x[${upper}_NX];
+  int i;
+
+  ${name}_at(o, ${zero}, x);
+  for (i = 0; i < ${upper}_NX; i++) {
+    if (!(x[i] - x[i] == ${zero})) return 0;
+  }
+%% else
+  ${name}_real w[3];
+  int i;
+
+  ${name}_at_rates(o, ${zero}, w);
+  for (i = 0; i < 3; i++) {
+    if (!(w[i] - w[i] == ${zero})) return 0;
+  }
+%% end
+  return 1;
+}

@@ -6,6 +6,7 @@ static void ${name}_fraction(${name}_pair a, uint64_t out[2])
 {
   int i;
 
+  if (!(${fabs}(a.lo) < ${one})) a.lo -= ${floor}(a.lo); /* so many turns that the rest has whole ones, too */
   a = ${name}_pair_add(${name}_pair_sum(a.hi, -${floor}(a.hi)), ${name}_pair_of(a.lo));
   if (a.hi < ${zero}) a = ${name}_pair_add(a, ${name}_pair_of(${one}));
   out[0] = out[1] = 0;

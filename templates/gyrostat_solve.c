@@ -143,6 +143,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
       made.along[1][axis[2]] = -${name}_wide_round(${name}_wide_multiply(p.A[2], more));
     }
   }
+  if (!${name}_starts(&made)) return 1;
   ${name}_copy(o, &made, (unsigned int)sizeof(made));
   return 0;
 }

@@ -7,6 +7,7 @@ static ${name}_pair ${name}_pair_exp(${name}_pair x, int e)
   ${name}_pair y = ${name}_pair_scale(${name}_pair_subtract(x, ${name}_pair_times(n, log2)), -6), s = ${name}_pair_of(${zero});
   int i;
 
+  if (!(n > -(${name}_real)1048576)) return ${name}_pair_of(${zero}); /* below whatever e can make of it */
   for (i = 12; i > 0; i--) { /* s = y/i (1 + s) */
     s = ${name}_pair_multiply(y, ${name}_pair_add(${name}_pair_of(${one}), s));
     s = ${name}_pair_divide(s, ${name}_pair_of((${name}_real)i));

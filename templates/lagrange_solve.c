@@ -229,6 +229,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
       }
     }
   }
+  if (!${name}_starts(&made)) return 1;
   ${name}_copy(o, &made, (unsigned int)sizeof(made));
   return 0;
 }

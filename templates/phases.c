@@ -18,10 +18,10 @@ ${upper}_INLINE ${name}_real ${name}_fraction_of(${name}_pair p)
   return ${fabs}(x) <= ${one} ? x : ${zero};
 }
 
-/* (-1)^n */
+/* (-1)^n; where the nearest whole number is none any more, beyond 2^51 (float: 2^22) and below 0, any sign will do */
 ${upper}_INLINE ${name}_real ${name}_parity(${name}_real n)
 {
-  return ${one} - ${two}*${fabs}(n - ${two}*${name}_nearest(${half}*n));
+  return ${fabs}(n - ${two}*${name}_nearest(${half}*n)) > ${half} ? -${one} : ${one};
 }
 
 /* away from the separatrix: in half turns of z */
@@ -44,14 +44,20 @@ static ${name}_phases ${name}_hyperbolic_phases(const ${name}_orbit *o, ${name}_
 {
   ${name}_pair p = {o->start[0], o->start[1]}, whole, jump;
   ${name}_phases f;
-  ${name}_real n;
+  ${name}_real n = ${zero};
+  int i;
 
   p = ${name}_phase(p, o->rate, t);
-  n = ${name}_nearest(p.hi*o->inverse);
+  for (i = 0; i < 2; i++) { /* of very many periods the first count may be off by one */
+    const ${name}_real more = ${name}_nearest(p.hi*o->inverse);
+
+    whole = ${name}_pair_product(more, o->period[0]);
+    p = ${name}_pair_sum(p.hi - whole.hi, p.lo - whole.lo - more*o->period[1]);
+    n += more;
+  }
+  if (!(${fabs}(p.hi)*o->inverse <= (${name}_real)513/1024)) p = ${name}_pair_of(${zero}); /* nothing is left of it */
   f.flip = ${name}_parity(n);
-  whole = ${name}_pair_product(n, o->period[0]);
-  p = ${name}_pair_sum(p.hi - whole.hi, p.lo - whole.lo - n*o->period[1]);
-  f.high = ${fabs}(p.hi)*o->inverse <= ${one} ? p.hi : ${zero};
+  f.high = p.hi;
   f.low = p.lo;
   jump = ${name}_pair_product(n, o->jump[0][0]);
   jump.lo += n*o->jump[0][1];

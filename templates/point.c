@@ -230,6 +230,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     if (!(p.s[i][1] - p.s[i][1] == ${zero} && p.s[i][2] - p.s[i][2] == ${zero})) return 1;
   }
 %% end
+  if (!${name}_starts(&p)) return 1;
   ${name}_copy(o, &p, (unsigned int)sizeof(p));
   return 0;
 }

@@ -41,6 +41,23 @@ ${order_source}
 static int ${name}_split_setup(${name}_model *m);
 
 %% end
+%% if has_first_step then
+/* Does the first step of ${step_text} s lead from the initial state to what is no number? */
+static int ${name}_overflows(const ${name}_model *m)
+{
+  ${name}_real x[${upper}_NX];
+  const ${name}_real u[${upper}_NU + 1] = {${zero}}; /* no input */
+  int i;
+
+  ${name}_initial(m, x);
+  ${name}_step(m, ${zero}, x, u, ${step_literal});
+  for (i = 0; i < ${upper}_NX; i++) {
+    if (!(x[i] - x[i] == ${zero})) return 1;
+  }
+  return 0;
+}
+
+%% end
 int ${name}_init(${name}_model *m, const ${name}_real p[])
 {
 %% if no_members then
@@ -78,6 +95,9 @@ int ${name}_init(${name}_model *m, const ${name}_real p[])
 %% end
 %% if split_setup then
   if (${name}_split_setup(&k)) return ${split_code};
+%% end
+%% if has_first_step then
+  if (${name}_overflows(&k)) return ${first_step_code};
 %% end
 %% if no_members then
   m->empty = 0;

@@ -43,7 +43,8 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_top p;
   ${name}_pair I[3], axis[3][3], w[3];
   ${name}_real tensor[6], rate[3], y[4], q0[4], n, size, turned, largest = ${zero};
-  const ${name}_phases phases = {${zero}, ${zero}, ${zero}, ${zero}};
+  ${name}_real x[${upper}_NX];
+  const ${name}_phases phases = {${zero}, ${zero}, ${zero}, ${zero}}, farthest = {(${name}_real)1/4, ${zero}, ${zero}, ${zero}};
   ${name}_terms terms;
   int order[3], scale, oblique, e, i, j, k;
 
@@ -133,6 +134,11 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
 %% if damped then
   made.decay = ${decay};
 %% end
+  if (!${name}_starts(&made)) return 1;
+  ${name}_state(&made, farthest, x); /* near the separatrix the terms of the rates are largest half a flip away */
+  for (i = 0; i < ${upper}_NX; i++) {
+    if (!(x[i] - x[i] == ${zero})) return 1;
+  }
   ${name}_copy(o, &made, (unsigned int)sizeof(made));
   return 0;
 }

@@ -47,6 +47,9 @@ local INCLUDES = {
   ["templates"] = { own = { "templates" }, outside = {} },
   -- not emitted: what is compiled to count instructions, for an emulator and for what it runs
   ["templates/target"] = { own = { "templates/target" }, outside = { "^simavr/" } },
+  -- the program in the process of a fuzzer
+  ["tests/fuzz"] = { own = { "tests/fuzz", "src/cli", "src/runtime" },
+    outside = { "^lua%.h$", "^lauxlib%.h$", "^lualib%.h$" } },
   ["tests"] = { own = { "tests", "src/runtime", "templates/target" }, outside = { "^gsl/", "^gmp%.h$", "^mpfr%.h$",
     "^simavr/" } },
   ["tests/bench"] = { own = { "tests", "src/runtime" }, outside = { "^gsl/", "^gmp%.h$", "^mpfr%.h$", "^arkode/",
@@ -215,7 +218,7 @@ end
 
 local function unit_of(path)
   return path:match("^src/cli/bench%f[_.]") or path:match("^src/[^/]+") or path:match("^templates/target%f[/]")
-    or path:match("^tests/bench%f[/]") or path:match("^[^/]+")
+    or path:match("^tests/bench%f[/]") or path:match("^tests/fuzz%f[/]") or path:match("^[^/]+")
 end
 
 -- Where a quoted include leads: beside the file, or on the include path of its unit.

@@ -1,12 +1,13 @@
 -- factor.lua -- polynomials as products, the way a person writes them.
 --
 -- ABOVE the line.  No complete factorisation, but the factors that matter to an eye and to rounding: monomials,
--- contents in each variable, repeated factors (Yun: gcd(p, p')), and the sums that stood in the expression before it
--- was multiplied out (`hints`: the r_out - r_in of a tube), so that a thin wall is a factor and not a difference of
--- powers.
+-- contents in each variable, repeated factors (Yun: gcd(p, p')), x - y of x^n - y^n, and the sums that stood in the
+-- expression before it was multiplied out (`hints`: the r_out - r_in of a tube), so that a thin wall is a factor and
+-- not a difference of powers.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local calculus = require "generator.algebra.calculus"
 local expr = require "generator.algebra.expr"
 local gcd = require "generator.algebra.gcd"
 local poly = require "generator.algebra.poly"
@@ -29,7 +30,50 @@ function factor.hints(ring, e)
     for _, c in ipairs(expr.children(u)) do walk(c) end
   end
   walk(e)
+  list.classes = factor.classes(ring, e)
   return list
+end
+
+-- Generators between which e takes differences (sums of them whose coefficients add up to 0), as a partition of these:
+-- lists of places in the ring, each beginning with the generator that most of its class have one with.
+function factor.classes(ring, e)
+  local class, count, seen, order = {}, {}, {}, {}
+  local function join(i, j)
+    local one, other = class[i] or { i }, class[j] or { j }
+    class[i], class[j] = one, other
+    count[i], count[j] = (count[i] or 0) + 1, (count[j] or 0) + 1
+    if one == other then return end
+    for _, k in ipairs(other) do
+      one[#one + 1] = k
+      class[k] = one
+    end
+  end
+  local function walk(u)
+    if seen[u] then return end
+    seen[u] = true
+    if u.kind == "add" then
+      local places, sum = {}, R.zero
+      for k, term in ipairs(u) do
+        local c, one = expr.split(term)
+        places[k], sum = ring.index[one], sum + c
+      end
+      for k = 2, #places == #u and R.sign(sum) == 0 and #u or 0 do join(places[1], places[k]) end
+    end
+    for _, c in ipairs(expr.children(u)) do walk(c) end
+  end
+  walk(e)
+  for i = 1, #ring.gens do
+    local list = class[i]
+    if list and not seen[list] then
+      seen[list] = true
+      table.sort(list, function(a, b)
+        if count[a] ~= count[b] then return count[a] > count[b] end
+        return a < b
+      end)
+      order[#order + 1] = list
+    end
+  end
+  return order
 end
 
 -- Derivative with respect to generator v.
@@ -67,11 +111,30 @@ local function without(p, v)
   return false
 end
 
+-- The x - y in x^n - y^n, n > 2, or nil: what is left of a body when a hole of the same kind nearly fills it.
+local function root_of_binomial(p)
+  if p.n ~= 2 then return nil end
+  local one, two = table.unpack(poly.sorted(p))
+  local v, n = nil, nil
+  for i, k in ipairs(one.e) do
+    if k > 0 then
+      if v or two.e[i] > 0 then return nil end
+      v, n = i, k
+    end
+  end
+  if not v or n < 3 or one.c ~= -two.c then return nil end
+  for i, k in ipairs(two.e) do
+    if k == n then return poly.sub(poly.generator(p.ring, v, 1), poly.generator(p.ring, i, 1)) end
+  end
+end
+
 -- A proper divisor of p with more than one term, or nil.
 local function divisor(p, hints)
   for _, h in ipairs(hints) do
     if h.n <= p.n and not poly.iszero(poly.sub(h, p)) and poly.divide(p, h) then return h end
   end
+  local root = root_of_binomial(p)
+  if root and poly.divide(p, root) then return root end
   for v = 1, p.n <= readable and #p.ring.gens or 0 do
     if gcd.degree(p, v) > 0 then
       local c = without(p, v) and gcd.content_in(p, v)
@@ -82,6 +145,25 @@ local function divisor(p, hints)
       end
     end
   end
+end
+
+-- p as an expression, in differences x - x1 where it is the same for all x of a class moved together (the places of a
+-- body's points): then x1 may be put at 0.  Multiplied out, such a sum loses all digits far from the origin.
+local function in_differences(p, classes)
+  local map = {}
+  for _, class in ipairs(p.n > 1 and classes or {}) do
+    local moved = poly.constant(p.ring, R.zero)
+    for _, v in ipairs(class) do moved = poly.add(moved, derivative(p, v)) end
+    if gcd.degree(p, class[1]) > 0 and poly.iszero(moved) then
+      local rest = poly.constant(p.ring, R.zero)
+      for _, t in ipairs(poly.sorted(p)) do
+        if t.e[class[1]] == 0 then rest = poly.add(rest, poly.term(p.ring, t)) end
+      end
+      p = rest
+      for k = 2, #class do map[p.ring.gens[class[k]]] = p.ring.gens[class[k]] - p.ring.gens[class[1]] end
+    end
+  end
+  return calculus.substitute(poly.expr(p), map)
 end
 
 -- The polynomial as an expression, a product of what is found.  What was found for a ring is kept in it.
@@ -106,7 +188,7 @@ function factor.product(p, hints)
       take(known)
       take(rest)
     else
-      list[#list + 1] = e
+      list[#list + 1] = in_differences(q, hints.classes or {})
     end
   end
   take(p)

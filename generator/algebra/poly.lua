@@ -111,6 +111,13 @@ function poly.generator(ring, i, power)
   return p
 end
 
+-- One term of another polynomial of the ring.
+function poly.term(ring, t)
+  local p = new(ring)
+  put(p, t.e, t.c)
+  return p
+end
+
 function poly.iszero(p) return p.n == 0 end
 
 -- Terms as a list, leading one first (lexicographic in the ring's order).

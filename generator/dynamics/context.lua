@@ -81,7 +81,11 @@ local none = { expr.zero, expr.zero, expr.zero }
 -- constant: what keeps a derived constant; nil: the model.
 function context.of(m, constant)
   local dry = constant
-  constant = constant or function(name, e, about) return m:constant(name, e, about) end
+  constant = constant or function(name, e, about, positive)
+    e = m:constant(name, e, about)
+    if positive then m:positive(e) end
+    return e
+  end
   return { mass = m.mass, com = m.com, inertia = m.inertia, structure = m.structure, has = m.has, q = state.q,
     w = state.w, r = state.r, v = state.v, u = state.u, t = state.t, M = M, constant = constant, dw = none,
     lift = function(e, name, about) return motion.lift(e, function(x) return constant(name, x, about) end) end,

@@ -257,8 +257,11 @@ function builders.full(m, N)
   local small = not m.parts and largest_sum(tidy(det)) <= 24
   local expanded = small and ratio.over(adj, det)
   local J = vec.map(adj, function(e, n)
-    return m:constant("J" .. vec.entry[n], expanded and expanded[n] or e / det,
+    local entry = m:constant("J" .. vec.entry[n], expanded and expanded[n] or e / det,
       "inverse of the tensor, " .. vec.entry[n] .. ", 1/(kg m^2)", true, not expanded and tidy(named[n] / whole) or nil)
+    -- where the determinant is beyond the type the quotient is 0: a body that would never accelerate
+    if n <= 3 then m:positive(entry) end
+    return entry
   end)
   local n = vec.add(N, vec.cross(L, state.w))
   local names = {}

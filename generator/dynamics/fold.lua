@@ -12,10 +12,11 @@ local ratio = require "generator.algebra.ratio"
 
 local fold = {}
 
--- Provisional constants: {[symbol] = {name, e, about}} and the function that effects call for them.
+-- Provisional constants: {[symbol] = {name, e, about, positive}} and the function that effects call for them;
+-- positive: it must not round to 0 either.
 function fold.constants()
   local by_sym, by_expr = {}, {}
-  return by_sym, function(name, e, about)
+  return by_sym, function(name, e, about, positive)
     e = ratio.tidy(e)
     if e.kind == "num" then return e end
     local sym = by_expr[e]
@@ -26,7 +27,7 @@ function fold.constants()
         unique = "'" .. name .. n
       end
       sym = expr.sym(unique, 3)
-      by_expr[e], by_sym[sym] = sym, { name = name, e = e, about = about }
+      by_expr[e], by_sym[sym] = sym, { name = name, e = e, about = about, positive = positive }
     end
     return sym
   end
@@ -132,7 +133,10 @@ function fold.settle(m, provisional, groups)
   local function settled(e)
     for _, s in ipairs(expr.symbols(e)) do
       local p = provisional[s]
-      if p and not map[s] then map[s] = m:constant(p.name, p.e, p.about) end
+      if p and not map[s] then
+        map[s] = m:constant(p.name, p.e, p.about)
+        if p.positive then m:positive(map[s]) end
+      end
     end
     return calculus.substitute(e, map)
   end

@@ -74,12 +74,19 @@ function model:constant(name, e, about, raw, form)
   if not member then
     local step = form and form.kind == "sym" -- it has its name already
     local unique = step and form.name or self:unique(name)
-    if form and not step and cost { e } <= cost { form } then form = nil end
+    local careful = self.parts and self.parts.hole -- its forms do not cancel
+    if form and not step and not careful and cost { e } <= cost { form } then form = nil end
     member = { name = unique, e = e, form = form or e, about = about, sym = expr.sym(unique, 3) }
     self.by_expr[e], self.by_name[unique] = member, member
     self.members[#self.members + 1] = member
   end
   return member.sym
+end
+
+-- Is e a derived constant, NAME_init refuses parameters for which it is not above 0.
+function model:positive(e)
+  local member = e.kind == "sym" and self.by_name[e.name]
+  if member then member.positive = true end
 end
 
 -- A constant made of other derived constants (a multiple, say); nil if e depends on anything else.
@@ -198,6 +205,7 @@ local function length(list)
 end
 
 -- The body in named steps, unless its tensor multiplied out is less work and less to read; its names are then taken.
+-- A body with a hole of its own kind always: its steps are those that do not cancel.
 local function in_parts(m, b, r)
   local taken = {}
   local p = parts.of(b, r, function(name)
@@ -211,7 +219,7 @@ local function in_parts(m, b, r)
   local known = {}
   local cheaper = cost(m.inertia) <= cost(steps, known) + cost(entries, known)
   local whole, long = length(m.inertia)
-  if cheaper and not long and whole <= 2 * ((length(steps)) + (length(entries))) then return nil end
+  if not p.hole and cheaper and not long and whole <= 2 * ((length(steps)) + (length(entries))) then return nil end
   for _, s in ipairs(p.list) do m.by_name[s.name] = s end
   p.entries, p.central = entries, r == nil
   return p

@@ -24,7 +24,8 @@ local friction = {
 
 function friction.torque(a, c)
   local T = c.constant("friction", a.torque, "dry friction, N m")
-  local s2 = c.constant("smooth", a.smoothing ^ 2, "its smoothing rate squared, rad^2/s^2")
+  -- positive: rounded to 0, friction at rest would be 0/0
+  local s2 = c.constant("smooth", a.smoothing ^ 2, "its smoothing rate squared, rad^2/s^2", true)
   local size = expr.sqrt(vec.dot(c.w, c.w) + s2)
   return vec.map(c.w, function(x) return -T * x / size end)
 end

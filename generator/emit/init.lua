@@ -111,17 +111,37 @@ function init.fill(ctx, m, values)
   values.finite_lines = {}
   local code = #checks + 1
   for _, member in ipairs(m.members) do
-    values.finite_lines[#values.finite_lines + 1] = string.format("if (!(k.%s - k.%s == %s)) return %d;", member.name,
-      member.name, number.text(R.zero, ctx.real), code)
+    local zero = number.text(R.zero, ctx.real)
+    local positive = member.positive and string.format("k.%s > %s && ", member.name, zero) or ""
+    values.finite_lines[#values.finite_lines + 1] = string.format("if (!(%sk.%s - k.%s == %s)) return %d;", positive,
+      member.name, member.name, zero, code)
   end
   values.has_finite = #m.members > 0
   local listed = {}
   for i, check in ipairs(checks) do listed[i] = { number = check.number, text = check.text } end
   if #m.members > 0 then
-    listed[#listed + 1] = { number = string.format("%d", code), text = "every derived constant must be finite" }
+    local nonzero, names = "", {}
+    for _, member in ipairs(m.members) do
+      if member.positive then names[#names + 1] = member.name end
+    end
+    if #names > 0 then nonzero = ", and " .. table.concat(names, ", ") .. " above 0" end
+    listed[#listed + 1] = { number = string.format("%d", code), text = "every derived constant must be finite" ..
+      nonzero }
   end
   if #listed == 0 then listed[1] = { number = "-", text = "there is nothing to check" } end
   values.checks = listed
+end
+
+-- The last check: parameters of which every constant is finite may still overflow in a step.  Only such a step can
+-- tell, so NAME_init makes one: the scene's own first.  Without parameters there is nothing that it could find.
+function init.first_step(m, v)
+  v.has_first_step = #m.params > 0 and #m.members > 0
+  if not v.has_first_step then return end
+  local list = v.checks
+  local text = "the state after the first step of " .. v.step_text .. " s must be finite"
+  list[list[#list].number == "-" and #list or #list + 1] = { text = text }
+  list[#list].number = string.format("%d", #list)
+  v.first_step_code = list[#list].number
 end
 
 return init

@@ -220,6 +220,7 @@ local function common(job)
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
   split.setup(job, v)
+  init.first_step(m, v)
   v.init_copies = copies(m, v)
   v.no_members = #m.members == 0 and not v.has_order and not v.split_setup
   return v, ctx

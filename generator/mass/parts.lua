@@ -7,7 +7,11 @@
 --     I = I1 + I2 + mu (D^2 1 - D D^T).
 -- Multiplied out, the entries of such a sum are polynomials that nobody can read, cost more and cancel more.  So each
 -- step is an expression of the parameters and of the names before it; its `pure` is the same in the parameters alone,
--- for what must be decided exactly.  ABOVE the line.
+-- for what must be decided exactly.
+--     A hole of the body's own kind may nearly fill it: m1 - m2 cancels then, while multiplied out and factored the
+-- thickness of the wall stands in front.  So with such holes the mass and the sums over the pieces' own moments are
+-- taken in the parameters, and about any point two pieces take the reduced mass and the centre c1 + m2 D/mass.
+-- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -75,12 +79,25 @@ local function distances(self, name, v, about)
   end)
 end
 
+-- The sum of mass*f(piece) over the pieces, cancelled and factored; nil without such holes, or if it is too large.
+function parts:gathered(f)
+  if not self.hole then return nil end
+  local sum = expr.zero
+  for _, s in ipairs(self.pieces) do sum = sum + s.piece.mass * f(s.piece) end
+  local e, small = ratio.tidy(sum)
+  return small and e or nil
+end
+
 -- b: a body (mass/body.lua); P: the point the tensor is about, nil for its centre of mass; unique: name -> a name that
 -- is not taken yet.  The result has list (the steps), mass, com, pieces {piece, m}, shifts {m, d}, and the methods
 -- below.
 function parts.of(b, P, unique)
-  local self = setmetatable({ list = {}, pure = {}, unique = unique, pieces = {}, shifts = {} }, parts)
+  local self = setmetatable({ list = {}, pure = {}, unique = unique, pieces = {}, shifts = {}, own = {} },
+    parts)
   local mass, first = expr.zero, zero3
+  local solid = {}
+  for _, p in ipairs(b.pieces) do solid[p.name] = solid[p.name] or not p.hole end
+  for _, p in ipairs(b.pieces) do self.hole = self.hole or p.hole and solid[p.name] end
   for i, p in ipairs(b.pieces) do
     local m = self:step("m" .. i, p.mass, "mass of piece " .. i .. ", " .. p.name, "kg")
     local s = { m = m, piece = p }
@@ -89,17 +106,22 @@ function parts.of(b, P, unique)
     mass = mass + m
     first = vec.add(first, vec.map(p.com, function(c) return m * c end))
   end
-  self.mass = self:step("mass", mass, "mass", "kg")
+  self.mass = self:step("mass", self:gathered(function() return expr.one end) or mass, "mass", "kg")
+  local two, D = #b.pieces == 2 and (self.hole or not P), nil
+  if two then D = vec.map(vec.sub(b.pieces[2].com, b.pieces[1].com), ratio.tidy) end
   self.com = vec.map(b.com, function(pure, k)
     if pure.kind == "num" or pure.kind == "sym" then return pure end
-    return self:step("com_" .. comp[k], first[k] / self.mass, "centre of mass " .. comp[k] ..
+    local e = self.hole and two and b.pieces[1].com[k] + self.pieces[2].m * D[k] / self.mass or first[k] / self.mass
+    return self:step("com_" .. comp[k], e, "centre of mass " .. comp[k] ..
       " in the coordinates of the shape", "m")
   end)
-  if not P and #b.pieces == 2 then
-    local one, two = self.pieces[1], self.pieces[2]
-    local D = vec.map(vec.sub(two.piece.com, one.piece.com), ratio.tidy)
-    local mu = self:step("mu", one.m * two.m / self.mass, "reduced mass m1 m2/mass", "kg")
-    self.shifts[1] = { m = mu, d = distances(self, "D", D, "centroid # of piece 2 from that of piece 1") }
+  if two then
+    local mu = self:step("mu", self.pieces[1].m * self.pieces[2].m / self.mass, "reduced mass m1 m2/mass", "kg")
+    self.shifts[1] = { m = mu, d = distances(self, "D", D, "centroid # of piece 2 from that of piece 1"), mu = true }
+    if P then
+      self.shifts[2] = { m = self.mass, d = distances(self, "d", vec.sub(self.com, P),
+        "centre of mass, # from the origin of rotation"), whole = true }
+    end
   else
     local about = P and "the origin of rotation" or "the centre of mass"
     for i, s in ipairs(self.pieces) do
@@ -109,7 +131,8 @@ function parts.of(b, P, unique)
   end
   for i, s in ipairs(self.shifts) do
     local name, of = "u" .. i, " of piece " .. i
-    if #self.shifts == 1 then name, of = "u", ", mu D" end
+    if s.mu then name, of = #self.shifts == 1 and "u" or "U", ", mu D" end
+    if s.whole then name, of = "u", " of the whole" end
     s.u = vec.map(s.d, function(d, k)
       if d == expr.zero then return d end
       return self:step(name .. comp[k], s.m * d, "first moment " .. comp[k] .. of, "kg m")
@@ -127,26 +150,33 @@ end
 
 -- Entry n of the tensor, in names.
 function parts:entry(n)
-  local sum = expr.zero
-  for _, s in ipairs(self.pieces) do
-    sum = sum + (s.piece.given and s.piece.given[n] or times(s, own(s.piece, n)))
-  end
+  local shift = expr.zero
   for _, s in ipairs(self.shifts) do
     local function moment(j, k) return s.u[j] * s.d[k] end
     if n > 3 then
-      sum = sum - moment(vec.pair[n][1], vec.pair[n][2])
+      shift = shift - moment(vec.pair[n][1], vec.pair[n][2])
     else
-      sum = sum + moment(n % 3 + 1, n % 3 + 1) + moment((n + 1) % 3 + 1, (n + 1) % 3 + 1)
+      shift = shift + moment(n % 3 + 1, n % 3 + 1) + moment((n + 1) % 3 + 1, (n + 1) % 3 + 1)
     end
+  end
+  local sum = self:gathered(function(p) return own(p, n) end)
+  if sum then
+    if shift == expr.zero then return sum end
+    self.own[n] = self.own[n] or self:step("O" .. vec.entry[n], sum, "the pieces' own " .. vec.entry[n], "kg m^2")
+    return shift + self.own[n]
+  end
+  sum = shift
+  for _, s in ipairs(self.pieces) do
+    sum = sum + (s.piece.given and s.piece.given[n] or times(s, own(s.piece, n)))
   end
   return sum
 end
 
 -- Second moment n (of x x for n = 1, of x y for n = 4) in names: the part of the mass matrix that must be positive.
 function parts:second(n)
-  local sum, p = expr.zero, vec.pair[n]
-  for _, s in ipairs(self.pieces) do
-    if s.piece.sigma then sum = sum + times(s, s.piece.sigma[n]) end
+  local sum, p = self:gathered(function(piece) return piece.sigma and piece.sigma[n] or expr.zero end), vec.pair[n]
+  for _, s in ipairs(sum and {} or self.pieces) do
+    sum = (sum or expr.zero) + (s.piece.sigma and times(s, s.piece.sigma[n]) or expr.zero)
   end
   for _, s in ipairs(self.shifts) do sum = sum + s.u[p[1]] * s.d[p[2]] end
   return sum
@@ -154,9 +184,10 @@ end
 
 -- I_jj - I_kk, piece by piece: the common part of two moments is never formed.
 function parts:difference(j, k)
-  local sum = expr.zero
-  for _, s in ipairs(self.pieces) do
+  local sum = self:gathered(function(p) return p.sigma and p.sigma[k] - p.sigma[j] or expr.zero end)
+  for _, s in ipairs(sum and {} or self.pieces) do
     local p = s.piece
+    sum = sum or expr.zero
     if p.given then
       sum = sum + ratio.tidy(p.given[j] - p.given[k])
     elseif p.sigma then
@@ -178,7 +209,7 @@ function parts:size(signs)
     if sigma then sum = sum + 2 * signs[i] * s.m * (sigma[1] + sigma[2] + sigma[3]) end
   end
   for i, s in ipairs(self.shifts) do
-    local sign = #self.shifts == 1 and signs[1] * signs[2] or signs[i] -- mu = m1 m2/mass
+    local sign = s.whole and 1 or s.mu and signs[1] * signs[2] or signs[i] -- mu = m1 m2/mass
     sum = sum + 2 * sign * s.m * vec.dot(s.d, s.d)
   end
   return sum

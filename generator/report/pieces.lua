@@ -75,8 +75,10 @@ function pieces.lines(m, formula)
     end
   end
   if #b.pieces > 1 then
-    local reduced = m.parts and #m.parts.shifts < #b.pieces
-    lines[#lines + 1] = reduced and "I = I_1 + I_2 + mu (D^2 1 - D D^T), D from centroid 1 to 2 (Huygens, Steiner)"
+    local first, second = table.unpack(m.parts and m.parts.shifts or {})
+    local whole = second and second.whole and " + mass (d^2 1 - d d^T)" or ""
+    lines[#lines + 1] = first and first.mu and "I = I_1 + I_2 + mu (D^2 1 - D D^T)" .. whole ..
+      (whole == "" and ", D from centroid 1 to 2" or ", D = c_2 - c_1, d = com - origin") .. " (Huygens, Steiner)"
       or "I = sum of I_i + m_i (d_i^2 1 - d_i d_i^T), d_i from the common point to centroid i (Huygens, Steiner)"
     for _, s in ipairs(m.parts and m.parts:needed(m.parts.entries) or {}) do
       lines[#lines + 1] = formula(s.name, s.e, s.unit, m:double(s.pure))

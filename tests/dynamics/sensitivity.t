@@ -122,7 +122,8 @@ CALLS  return 0;
 
 local jobs, script = {}, {}
 for i, row in ipairs(rows) do
-  for _, real in ipairs { "double", "float" } do
+  -- every other scene in float, too: there only constants and tolerances are others
+  for _, real in ipairs { "double", i % 2 == 0 and "float" or nil } do
     local name = string.format("s%d%s", i, real:sub(1, 1))
     local job = assert(scene.read("return scene { name = \"" .. name .. "\", body = " .. row[2] .. ", effects = {" ..
       row[3] .. "}, " .. (row[4] or 'initial = { omega = { param("p", 0.5, "rad/s"), 1, 2 } }') .. " }\n"))

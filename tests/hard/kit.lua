@@ -82,6 +82,9 @@ return function(host)
 
   local texts, dir = {}, assert(host.tempdir())
 
+  -- A file beside the scenes (a mesh).
+  function kit.beside(name, text) assert(host.write_file(dir .. "/" .. name, text)) end
+
   -- The scene's text as a job; job.diag:report() has what was refused: nil, message.
   function kit.read(text, set)
     local n = texts[text]
@@ -210,25 +213,34 @@ return function(host)
     return out
   end
 
+  -- A toolbox beside this one: tests/hard/NAME.lua, a function of the kit.
+  function kit.use(name) return require("generator.hard." .. name)(kit) end
+
   -- Compiles the emitted C of o.text (name: that of the scene; o.real, o.methods ...) with o.source, a C file that
-  -- includes "scene.h", and runs it with o.arguments; its lines.
+  -- includes "scene.h" (o.define: lines of it), and runs it with o.arguments; its lines.  Without o.text the library
+  -- alone.
   local programs = {}
   function kit.program(o)
-    local key = table.concat({ o.text, o.real or "double", o.source, table.concat(o.methods or {}, ",") }, "\0")
+    local key = table.concat({ o.text or "", o.real or "double", o.source, table.concat(o.methods or {}, ",") }, "\0")
     local at = programs[key]
     if not at then
       count = count + 1
       at = string.format("%s/program%d", dir, count)
-      local job, why = kit.read(o.text)
-      if not job then error(why, 0) end
-      if not driver.plan(job, { real = o.real, command = "", methods = o.methods, order = o.order, libm = o.libm }) then
-        error(job.diag:report(), 0)
+      local files, with = { { name = "scene.h", text = "" } }, "-Isrc/runtime build/libpolhode.a"
+      if o.text then
+        local job, why = kit.read(o.text)
+        if not job then error(why, 0) end
+        if not driver.plan(job, { real = o.real, command = "", methods = o.methods, order = o.order, libm = o.libm })
+        then
+          error(job.diag:report(), 0)
+        end
+        files, with = assert(driver.files(host, job, {})), string.format("%s/%s.c", at, job.model.name)
+        files[#files + 1] = { name = "scene.h", text = (o.define or "") ..
+          string.format('#include "%s.h"\n', job.model.name) }
       end
-      local files = assert(driver.files(host, job, {}))
-      files[#files + 1] = { name = "scene.h", text = string.format('#include "%s.h"\n', job.model.name) }
       assert(host.write_files(at, files))
-      local command = string.format("${CC:-cc} -std=c11 -O1 -ffp-contract=off -I%s -Itests/hard -o %s/run %s " ..
-        "%s/%s.c -lm", at, at, o.source, at, job.model.name)
+      local command = string.format("${CC:-cc} -std=c11 -O1 -ffp-contract=off -I%s -Itests/hard -o %s/run %s %s -lm",
+        at, at, o.source, with)
       local status, out = host.execute { "sh", "-c", command .. " 2>&1" }
       if status ~= 0 then error(o.source .. ": " .. tostring(out), 0) end
       programs[key] = at

@@ -50,6 +50,21 @@ static int brick_exact_product(brick_real e[], int n, brick_real a, brick_real b
   return brick_exact_add(e, n, high);
 }
 
+/* Does the first step of 0.001 s lead from the initial state to what is no number? */
+static int brick_overflows(const brick_model *m)
+{
+  brick_real x[BRICK_NX];
+  const brick_real u[BRICK_NU + 1] = {0.0}; /* no input */
+  int i;
+
+  brick_initial(m, x);
+  brick_step(m, 0.0, x, u, 0.001);
+  for (i = 0; i < BRICK_NX; i++) {
+    if (!(x[i] - x[i] == 0.0)) return 1;
+  }
+  return 0;
+}
+
 int brick_init(brick_model *m, const brick_real p[])
 {
   brick_model k;
@@ -142,9 +157,9 @@ int brick_init(brick_model *m, const brick_real p[])
   if (!(k.Ixy - k.Ixy == 0.0)) return 5;
   if (!(k.Ixz - k.Ixz == 0.0)) return 5;
   if (!(k.Iyz - k.Iyz == 0.0)) return 5;
-  if (!(k.Jxx - k.Jxx == 0.0)) return 5;
-  if (!(k.Jyy - k.Jyy == 0.0)) return 5;
-  if (!(k.Jzz - k.Jzz == 0.0)) return 5;
+  if (!(k.Jxx > 0.0 && k.Jxx - k.Jxx == 0.0)) return 5;
+  if (!(k.Jyy > 0.0 && k.Jyy - k.Jyy == 0.0)) return 5;
+  if (!(k.Jzz > 0.0 && k.Jzz - k.Jzz == 0.0)) return 5;
   if (!(k.Jxy - k.Jxy == 0.0)) return 5;
   if (!(k.Jxz - k.Jxz == 0.0)) return 5;
   if (!(k.Jyz - k.Jyz == 0.0)) return 5;
@@ -152,6 +167,7 @@ int brick_init(brick_model *m, const brick_real p[])
   if (!(k.Ry - k.Ry == 0.0)) return 5;
   if (!(k.Rz - k.Rz == 0.0)) return 5;
   if (!(k.mass - k.mass == 0.0)) return 5;
+  if (brick_overflows(&k)) return 6;
   m->Ixx = k.Ixx; m->Iyy = k.Iyy; m->Izz = k.Izz; m->Ixy = k.Ixy; m->Ixz = k.Ixz; m->Iyz = k.Iyz;
   m->Jxx = k.Jxx; m->Jyy = k.Jyy; m->Jzz = k.Jzz; m->Jxy = k.Jxy; m->Jxz = k.Jxz; m->Jyz = k.Jyz;
   m->Rx = k.Rx; m->Ry = k.Ry; m->Rz = k.Rz; m->mass = k.mass;
@@ -850,6 +866,19 @@ static void brick_zero(void *to, unsigned int size)
   for (i = 0; i < size; i++) { /* some 200 times */
     a[i] = 0;
   }
+}
+
+/* Is the state at time 0 made of numbers?  Rates next to the end of the type's range overflow on the way to it. */
+static int brick_starts(const brick_orbit *o)
+{
+  brick_real x[BRICK_NX];
+  int i;
+
+  brick_at(o, 0.0, x);
+  for (i = 0; i < BRICK_NX; i++) {
+    if (!(x[i] - x[i] == 0.0)) return 0;
+  }
+  return 1;
 }
 
 /* ---- phases in turns: no call and no branch, so that loops over times are vectorised ---- */
@@ -1899,7 +1928,8 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   brick_top p;
   brick_pair I[3], axis[3][3], w[3];
   brick_real tensor[6], rate[3], y[4], q0[4], n, size, turned, largest = 0.0;
-  const brick_phases phases = {0.0, 0.0, 0.0, 0.0};
+  brick_real x[BRICK_NX];
+  const brick_phases phases = {0.0, 0.0, 0.0, 0.0}, farthest = {(brick_real)1/4, 0.0, 0.0, 0.0};
   brick_terms terms;
   int order[3], scale, oblique, e, i, j, k;
 
@@ -1986,6 +2016,11 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
     for (j = 0; j < 3; j++) v[j + 1] = d[1]*p.axis[0][j] + d[2]*p.axis[1][j] + d[3]*p.axis[2][j];
     brick_quaternion_product(q0, v, made.q[k]);
   }
+  if (!brick_starts(&made)) return 1;
+  brick_state(&made, farthest, x); /* near the separatrix the terms of the rates are largest half a flip away */
+  for (i = 0; i < BRICK_NX; i++) {
+    if (!(x[i] - x[i] == 0.0)) return 1;
+  }
   brick_copy(o, &made, (unsigned int)sizeof(made));
   return 0;
 }
@@ -2063,6 +2098,7 @@ static void brick_fraction(brick_pair a, uint64_t out[2])
 {
   int i;
 
+  if (!(fabs(a.lo) < 1.0)) a.lo -= floor(a.lo); /* so many turns that the rest has whole ones, too */
   a = brick_pair_add(brick_pair_sum(a.hi, -floor(a.hi)), brick_pair_of(a.lo));
   if (a.hi < 0.0) a = brick_pair_add(a, brick_pair_of(1.0));
   out[0] = out[1] = 0;

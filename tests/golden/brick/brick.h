@@ -69,7 +69,8 @@ typedef struct brick_model {
  *   2  box: x must be positive (brick.lua:6)
  *   3  box: y must be positive (brick.lua:6)
  *   4  box: z must be positive (brick.lua:6)
- *   5  every derived constant must be finite
+ *   5  every derived constant must be finite, and Jxx, Jyy, Jzz above 0
+ *   6  the state after the first step of 0.001 s must be finite
  */
 int brick_init(brick_model *m, const brick_real p[]);
 
