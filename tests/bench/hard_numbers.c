@@ -95,11 +95,11 @@ static void shapes(void) {
   const double r = 1, thin = 1 - 0x1p-40;
   /* 2/5 m (R^5 - r^5)/(R^3 - r^3): the quotient by R - r */
   ph_solid_hollow_sphere(&b, ph_amount_density(1000), thin, r);
-  ph_tensor_about(&b, NULL, t);
+  ph_tensor_about(&b, (double[3]){0, 0, 0}, t);
   const long double x = thin, five = 1 + x * (1 + x * (1 + x * (1 + x)));
   const double want = (double)(8.0L / 15 * 3.14159265358979323846264L * 1000 * 0x1p-40L * five);
   const double naive = 8.0 / 15 * M_PI * 1000 * (pow(r, 5) - pow(thin, 5));
-  row("a shell of 1e-12 of its radius", "r^5 - r_in^5", fabs(naive - want) / want,
+  row("a shell of 2^-40 of its radius", "r^5 - r_in^5", fabs(naive - want) / want,
       fabs(t[0] - want) / want);
   /* a unit cube 1e9 m away, about its own centre again */
   const double d[3] = {1e9, -1e9, 1e9}, com[3] = {1e9, -1e9, 1e9};

@@ -333,6 +333,10 @@ static void cell(const struct peer *p, const struct motion *m, int *survived) {
 
 int main(int argc, char **argv) {
   int count = 0, survived[32] = {0};
+  if (argc == 1) { /* the short part */
+    hard_numbers();
+    return 0;
+  }
   if (argc != 3)
     return 2;
   oracles = argv[1];
