@@ -181,8 +181,9 @@ sanitize:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/san \
 	  CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=$(SANITIZERS) -fno-sanitize-recover=all" sanitized
 
-# rational.t loads the module into another program; the others mostly run what is not ours: compilers, integrators.
-UNSANITIZED = tests/cli/rational.t tests/cli/bench.t tests/cli/bench_peers.t tests/cli/bench_time.t tests/cli/sheet.t
+# rational.t and faults.t load libraries into programs, hostile.t measures memory; the others mostly run what is not ours: compilers, integrators.
+UNSANITIZED = tests/cli/rational.t tests/cli/bench.t tests/cli/bench_peers.t tests/cli/bench_time.t tests/cli/sheet.t \
+  tests/cli/hostile.t tests/cli/faults.t
 sanitized: $(PROGRAM) $(C_TESTS)
 	@POLHODE=$(PROGRAM) POLHODE_SANITIZED=1 $(PROVE) $(C_TESTS) \
 	  $(filter-out $(UNSANITIZED),$(filter tests/cli/%,$(LUA_TESTS)))
@@ -288,6 +289,21 @@ $(MAP)/%/errors: $(MAP)/%/sweep $(ORACLE)
 .SECONDARY:
 errormap: $(MAP)/double/errors $(MAP)/float/errors
 	@$(LUA) tests/bench/errormap_report.lua $(MAP) docs/errormap.md docs/errormap.svg
+
+# Other people's integrators on the hard cases: the tables of docs/hard_peers.md.
+HARD_SRC = $(addprefix tests/bench/hard_,peers.c cases.c gsl.c sundials.c numbers.c)
+HARD_MADE = $(BUILD)/hard/hardtop.c $(BUILD)/hard/harddamped.c
+$(BUILD)/hard/%.c: tests/bench/%.lua $(PROGRAM)
+	@mkdir -p $(@D)
+	@$(PROGRAM) gen $< -o $(@D)
+
+$(BUILD)/hard/peers: $(HARD_SRC) tests/bench/hard_peers.h $(HARD_MADE) $(MAP)/double/errormap.c $(LIBRARY)
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) -D_DEFAULT_SOURCE $(SUNDIALS_FLAGS) $(GSL_CFLAGS) -Isrc/runtime -I$(BUILD)/hard \
+	  -I$(MAP)/double -o $@ $(filter %.c,$^) $(LIBRARY) $(SUNDIALS_LIBS) $(GSL_LIBS) -lmpfr -lgmp -lm
+
+hard-peers: $(BUILD)/hard/peers $(ORACLES)
+	@$< $(BUILD)/oracle $(BUILD)/hard/lines > $(BUILD)/hard/tables
+	@sed -i '/^<!-- tables -->$$/q' docs/hard_peers.md && cat $(BUILD)/hard/tables >> docs/hard_peers.md
 
 # Energy and momentum of every stepper in a long run: the table in docs/methods.md.
 TURNS = 100000
@@ -419,7 +435,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs bench accuracy drift drift-laws hunt hard errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs bench accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 

@@ -33,6 +33,37 @@ local project = require "generator.emit.project"
 
 local driver = { version = "0.1.0" }
 
+-- What follows from a scene is bounded as the scene itself is: gen of the largest of bodies/ takes less than half of
+-- that.  What the user asks for beyond the plain code is allowed for.
+local function budget(options)
+  local more = math.max(0, #(options.methods or options.method or {}) - 1) + (options.accuracy and 8 or 0)
+  local with = options.with or {}
+  if options.jacobians or with.jacobians then more = more + 3 end
+  if options.q31 or with.q31 then more = more + 3 end
+  return { steps = 32000000 * (1 + more), bytes = (40 << 20) * (1 + more), seconds = 10.0 * (1 + more) }
+end
+
+-- f(...), or nil and an error in the job's diagnostics.  Hosts of tests have no bounds.
+local function bounded(job, f, ...)
+  if not job.host.bounded then return f(...) end
+  local r = table.pack(job.host.bounded(f, job.budget, ...))
+  if r[1] then return table.unpack(r, 2, r.n) end
+  job.diag:error(job.record.line, "scene", r[2] .. " (POLHODE_PATIENCE=10 allows ten times as much)")
+  return nil
+end
+
+local function model_of(job, options)
+  local d, record = job.diag, job.record
+  local m = model.new(d, record, options)
+  if not m then return nil end
+  local within = ranges.resolve(d, record, m)
+  local eq = equations.of(d, m)
+  if not eq or within == false then return nil end
+  job.model, job.equations, job.closed, job.states = m, eq, closed.detect(m, eq), m.states
+  job.conserved, job.ranges = conserved.of(m), within
+  return job
+end
+
 -- Reads and checks a scene.  options: {set =, bake =}.  Returns the job so far {diag, record, model, equations, closed}
 -- or nil, the diagnostics, and (a name in --set that is no parameter).  job.ranges: see dsl/ranges.lua.
 function driver.read(host, file, options)
@@ -43,15 +74,10 @@ function driver.read(host, file, options)
   if not record then return nil, d end
   if unused then return nil, d, "--set " .. unused .. ": the scene has no such parameter" end
   if record.body.broken then return nil, d end
-  local m = model.new(d, record, options)
-  if not m then return nil, d end
-  local within = ranges.resolve(d, record, m)
-  local eq = equations.of(d, m)
-  if not eq or within == false then return nil, d end
-  return { diag = d, record = record, model = m, equations = eq, closed = closed.detect(m, eq), states = m.states,
-    conserved = conserved.of(m), ranges = within,
-    input_states = state.inputs, templates = host.templates, file = file,
-    source = string.match(file, "[^/]*$"), version = driver.version }
+  local job = { diag = d, record = record, input_states = state.inputs, templates = host.templates, file = file,
+    source = string.match(file, "[^/]*$"), version = driver.version, host = host, budget = budget(options) }
+  if not bounded(job, model_of, job, options) then return nil, d end
+  return job
 end
 
 -- The steppers that are asked for, the first one as NAME_step; rk4 if none is: a list of {method, program}.
@@ -95,7 +121,7 @@ end
 -- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool or
 -- "transition" (of the step alone), compensated = bool, q31 = bool, libm = "own" | "system" (the default: own in
 -- float), outputs = bool: also derivatives of energy and momentum}
-function driver.plan(job, options)
+local function plan(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods
   for _, name in ipairs(options.methods or {}) do exact = exact or name == "exact" end
@@ -163,6 +189,12 @@ function driver.plan(job, options)
   return job
 end
 
+function driver.plan(job, options)
+  local own = budget(options)
+  if job.budget.bytes < own.bytes then job.budget = own end
+  return bounded(job, plan, job, options)
+end
+
 -- Header and source of a planned job: what generator/cost/ops.lua counts, kept in the job.
 function driver.code(job)
   if not job.code then
@@ -196,12 +228,7 @@ local function representable(job)
   return true
 end
 
--- The emitted files of a planned job, or nil after an error in its diagnostics (a constant that the real type cannot
--- hold); plugin: also what the program itself loads.
-function driver.files(host, job, plugin)
-  job.templates = host.templates
-  job.package = job.package or packages.by_name(packages.default)
-  if not representable(job) then return nil end
+local function emit(job, plugin)
   local ok, files = xpcall(project.files, function(e)
     return getmetatable(e) == number.out_of_range and e or debug.traceback(tostring(e), 2)
   end, job, plugin)
@@ -211,9 +238,18 @@ function driver.files(host, job, plugin)
   return nil
 end
 
+-- The emitted files of a planned job, or nil after an error in its diagnostics (a constant that the real type cannot
+-- hold); plugin: also what the program itself loads.
+function driver.files(host, job, plugin)
+  job.templates = host.templates
+  job.package = job.package or packages.by_name(packages.default)
+  if not representable(job) then return nil end
+  return bounded(job, emit, job, plugin)
+end
+
 function driver.show(host, job, pass)
   job.templates = host.templates
-  return project.show(job, pass)
+  return bounded(job, project.show, job, pass)
 end
 
 return driver

@@ -39,9 +39,12 @@ function check.run(host, given)
         tap.ok(false, given[i] .. " is a scene")
         break
       end
-      driver.plan(job, { real = real, command = "" })
-      local plugin, kind
-      plugin, why, kind = build.plugin(host, job)
+      local planned, plugin, kind = driver.plan(job, { real = real, command = "" }), nil, nil
+      if planned then
+        plugin, why, kind = build.plugin(host, job)
+      else
+        worst = math.max(worst, options.refuse(host, given[i], job.diag))
+      end
       local refused = kind == "range" and real == "float"
       local what = job.model.name .. ", " .. real .. ": the emitted code compiles without a warning"
       if refused then what = what .. " # SKIP its constants are outside the range of float" end

@@ -33,6 +33,7 @@ local function compared(host, given)
     if not job then return options.refuse(host, given[i], d, why) end
     options.warn(host, job.diag)
     jobs[i] = driver.plan(job, { command = "" })
+    if not jobs[i] then return options.refuse(host, given[i], job.diag) end
   end
   host.out(difference.text(jobs[1], jobs[2], format))
   return 0
@@ -60,7 +61,9 @@ function explain.run(host, given)
     return 0
   end
   job.asked = planner.asked(host, job, given)
-  driver.plan(job, { command = "", real = given.real })
+  if not driver.plan(job, { command = "", real = given.real }) then
+    return options.refuse(host, given[1], job.diag)
+  end
   if cores then
     local files = driver.files(host, job)
     if not files then return options.refuse(host, given[1], job.diag) end

@@ -148,7 +148,9 @@ function gen.run(host, given)
   job.proof = given.with ~= nil and given.with.proof
   if job.proof and not proof.check(job) then return options.refuse(host, given[1], job.diag) end
   if given.show then
-    host.out(driver.show(host, job, given.show))
+    local shown = driver.show(host, job, given.show)
+    if not shown then return options.refuse(host, given[1], job.diag) end
+    host.out(shown)
     return 0
   end
   local cores, short = measure.cores(given.target, job.real)

@@ -95,7 +95,12 @@ local function page(host, given)
   if given[1] == "shapes" then
     files = require("generator.report.shapes").files(catalogue.list)
   else
-    files = require("generator.report.effects").files(effects, titles(host), { keeps = conserved.words,
+    local scenes = titles(host)
+    if not next(scenes) then
+      host.err("polhode list: --format markdown of effects needs the scenes of the sources, the folder bodies here\n")
+      return 2
+    end
+    files = require("generator.report.effects").files(effects, scenes, { keeps = conserved.words,
       unit = function(dim) return units.si(units[dim or "none"]) end, show = value.show })
   end
   local ok, why = host.write_files(given.o, files)

@@ -29,7 +29,8 @@ local function unit(ctx, what, given)
     ctx.diag:error(ctx.diag:here(), what, "unit must be a string such as \"kg m^2\"", diag.show(given))
     return expr.one, nil
   end
-  local factor, dim = units.parse(given)
+  local factor, dim = nil, "must have at most 60 characters"
+  if #given <= 60 then factor, dim = units.parse(given) end
   if not factor then
     ctx.diag:error(ctx.diag:here(), what, "unit: " .. dim, diag.show(given))
     return expr.one, nil
@@ -203,10 +204,12 @@ function env.record(host, d, text, tables, set)
   local ok, first = host.sandbox(text, "@" .. d.file, e)
   if not ok then
     local source = first.source or ""
-    if first.kind == "runtime" and source ~= d.file and string.find(source, "^generator/") then
+    local excess = string.find(first.message or "", "stack overflow", 1, true) or
+      string.find(first.message or "", "number too large", 1, true)
+    if first.kind == "runtime" and not excess and source ~= d.file and string.find(source, "^generator/") then
       error(first.message .. "\n" .. first.traceback, 0) -- a bug of ours, not an error of the scene
     end
-    local message = string.gsub(first.message or "", "^.-:%d+: ", "")
+    local message = string.gsub(string.gsub(first.message or "", "^.-:%d+: ", ""), "%c", " ") -- may steer a terminal
     d:error(first.line or 0, first.kind == "syntax" and "syntax" or "script", message)
     return nil
   end

@@ -1,7 +1,7 @@
 -- files.lua -- which files a scene may name: those in its own folder and below.
 --
--- A scene is data that someone may have sent: it names files relative to itself, and nothing above.  Reading is the
--- host's, which takes regular files of bounded size only.
+-- A scene is data that someone may have sent: it names files relative to itself, and nothing above, nor what a link
+-- that came with it points to elsewhere.  Reading is the host's, which takes regular files of bounded size only.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local diag = require "generator.diag"
@@ -25,7 +25,13 @@ function files.resolve(ctx, line, what, given)
     ctx.diag:error(line, what, rule, diag.show(given))
     return nil
   end
-  return (string.match(ctx.diag.file, "^.*/") or "") .. given
+  local folder = string.match(ctx.diag.file, "^.*/") or ""
+  if ctx.host.within and not ctx.host.within(folder == "" and "." or folder, folder .. given) then
+    ctx.diag:error(line, what, "file must be in the scene's folder or below it, also where links lead",
+      diag.show(given))
+    return nil
+  end
+  return folder .. given
 end
 
 -- The text of that file and its path, or nil after an error on the line.  ctx: {diag =, host =}.

@@ -20,6 +20,23 @@ for word in string.gmatch([[
   keywords[word] = true
 end
 
+-- Macros that a header of the standard library may put before the emitted one (C11: 5.2.4.2, 7.3 to 7.27, 7.31).
+for word in string.gmatch([[BUFSIZ EOF FILENAME_MAX FOPEN_MAX L_tmpnam TMP_MAX SEEK_CUR SEEK_END SEEK_SET stdin stdout
+  stderr EXIT_FAILURE EXIT_SUCCESS MB_CUR_MAX MB_LEN_MAX RAND_MAX CLOCKS_PER_SEC CHAR_BIT DECIMAL_DIG EDOM EILSEQ ERANGE
+  SIZE_MAX PTRDIFF_MAX PTRDIFF_MIN WCHAR_MAX WCHAR_MIN math_errhandling MATH_ERRNO MATH_ERREXCEPT SNAN]], "%S+") do
+  keywords[word] = true
+end
+-- Whole families of them; M_PI and its kin are of POSIX.
+local families = { "^M_[%u%d]", "^FP_%u", "^HUGE", "^FLT_", "^DBL_", "^LDBL_", "^U?INT[%w_]*_M[AI][XN]$",
+  "^[SU]?CHAR_M[AI][XN]$", "^U?SHRT_M[AI][XN]$", "^U?L?LONG_M[AI][XN]$", "^SIG%u", "^SIG_%u", "^FE_%u" }
+
+local function is_macro(s)
+  for _, pattern in ipairs(families) do
+    if string.find(s, pattern) then return true end
+  end
+  return false
+end
+
 local taken = {} -- enumerators of the emitted header, without the scene's prefix
 for word in string.gmatch("PI QW QX QY QZ WX WY WZ UX UY UZ NX NU NP PLANNED_STEP PLANNED_TOLERANCE", "%S+") do
   taken[word] = true
@@ -31,11 +48,28 @@ function names.identifier(s)
     return "must be a C identifier (a letter, then letters, digits, _)"
   end
   if #s > 31 then return "must have at most 31 characters" end
-  -- M_PI, FP_NAN, HUGE_VAL and their kin are macros of <math.h>; linux is one of gcc's, outside its standard modes
-  if keywords[s] or string.find(s, "^M_%u") or string.find(s, "^FP_%u") or string.find(s, "^HUGE") then
+  if keywords[s] or is_macro(s) then -- linux is a macro of gcc's, outside its standard modes
     return "must not be a word of C or C++"
   end
   if string.find(s, "__", 1, true) then return "must not contain __ (reserved in C++)" end
+  return nil
+end
+
+-- NAME.h in a folder that a compiler searches would stand before the header of C; some names no file can have on
+-- Windows.
+local headers = {}
+for word in string.gmatch([[
+  assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg stdatomic
+  stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
+  aux con nul prn]], "%S+") do
+  headers[word] = true
+end
+
+-- The same for a scene, which is also the name of files.
+function names.scene(s)
+  local rule = names.identifier(s)
+  if rule then return rule end
+  if headers[string.lower(s)] then return "must not be that of a header of C or of a device" end
   return nil
 end
 

@@ -114,7 +114,7 @@ function scene.constructor(ctx, effect_of, put)
     end
     args.unknown(ctx, line, "scene", list(keys), given)
     local s = { line = line, name = given.name }
-    local rule = names.identifier(given.name)
+    local rule = names.scene(given.name)
     if given.name == nil then
       ctx.diag:error(line, "scene", "name is missing")
     elseif rule then

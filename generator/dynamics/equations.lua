@@ -100,7 +100,9 @@ local function torques(m, gyric)
     for i = 1, 3 do
       local n = N[i]
       if n ~= expr.zero and n.kind ~= "num" and n.kind ~= "sym" then
-        local name = (products and "P" or "N") .. axis_name[i] .. (#m.record.effects > 1 and "_" .. #groups + 1 or "")
+        local number = #m.record.effects > 1 and "_" .. #groups + 1 or ""
+        if #groups >= 9 then number = number .. "_" end -- Nx_12 would be Nx_1 at stage 2
+        local name = (products and "P" or "N") .. axis_name[i] .. number
         while fold.taken(m, provisional, name) do name = name .. "_" end -- a constant of the effect may be called so
         group.defs[#group.defs + 1] = { name = name, expr = n }
         n = expr.sym(name, 7)

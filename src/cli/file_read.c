@@ -29,7 +29,7 @@ static const char *refuse(int fd, struct stat *info) {
   if (!S_ISREG(info->st_mode))
     return "it is not a regular file";
   if (info->st_size < 0 || (size_t)info->st_size > HOST_MAX_FILE)
-    return "it is larger than 64 MiB";
+    return "it is larger than 4 MiB";
   return NULL;
 }
 
@@ -78,6 +78,22 @@ int host_read_file(lua_State *L, const char *path) {
 
 int host_read(lua_State *L) {
   return host_read_file(L, luaL_checkstring(L, 1));
+}
+
+/* Does the real path begin with that of the folder?  What does not exist leads nowhere. */
+int host_within(lua_State *L) {
+  char *folder = realpath(luaL_checkstring(L, 1), NULL), *path = NULL;
+  int inside = 1;
+  if (folder != NULL)
+    path = realpath(luaL_checkstring(L, 2), NULL);
+  if (path != NULL) {
+    const size_t n = strlen(folder);
+    inside = strncmp(path, folder, n) == 0 && (path[n] == '/' || path[n] == '\0' || n == 1);
+  }
+  free(folder);
+  free(path);
+  lua_pushboolean(L, inside);
+  return 1;
 }
 
 static int chosen(const char *name, const char *suffix) {

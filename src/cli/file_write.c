@@ -117,9 +117,24 @@ static mode_t mode_for(const char *path) {
   return 0666 & ~mask;
 }
 
+/* A link's target is replaced, not the link: item->path becomes its real path. */
+static int follow(struct job *job, struct item *item) {
+  struct stat info;
+  if (lstat(item->path, &info) != 0 || !S_ISLNK(info.st_mode))
+    return 1;
+  char *real = realpath(item->path, NULL);
+  if (real == NULL)
+    return fail(job, item->path, errno == ENOENT ? "it is a link to nothing" : strerror(errno));
+  const int fits = snprintf(item->path, PATH_MAX, "%s", real) < PATH_MAX;
+  free(real);
+  return fits || fail(job, item->path, strerror(ENAMETOOLONG));
+}
+
 static int prepare(struct job *job, struct item *item) {
   struct stat info;
-  if (lstat(item->path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode))
+  if (!follow(job, item))
+    return 0;
+  if (lstat(item->path, &info) == 0 && !S_ISREG(info.st_mode))
     return fail(job, item->path,
                 S_ISDIR(info.st_mode) ? "it is a directory" : "it is not a regular file");
   item->changed = !same(item->path, item->text, item->size);
@@ -277,9 +292,9 @@ int host_write_files(lua_State *L) {
   return 2;
 }
 
-/* A device, a fifo or a link is written through, as `> path` would: /dev/stdout, /dev/null. */
+/* A device or a fifo is written to, as `> path` would: /dev/stdout, /dev/null. */
 static int write_through(struct job *job, const char *path) {
-  const int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int fd = open(path, O_WRONLY | O_CLOEXEC);
   if (fd < 0)
     return fail(job, path, strerror(errno));
   const int good = write_all(fd, job->item[0].text, job->item[0].size);
@@ -299,7 +314,7 @@ int host_write_file(lua_State *L) {
   int good = strlen(path) < PATH_MAX && *path != '\0';
   if (!good) {
     fail(job, path, strerror(*path == '\0' ? ENOENT : ENAMETOOLONG));
-  } else if (lstat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode)) {
+  } else if (stat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode)) {
     good = write_through(job, path);
   } else {
     strcpy(item->path, path);

@@ -12,6 +12,7 @@
 
 static const luaL_Reg functions[] = {
     {"read", host_read},
+    {"within", host_within},
     {"list_dir", host_list_dir},
     {"write_files", host_write_files},
     {"write_file", host_write_file},
@@ -32,7 +33,7 @@ static const luaL_Reg functions[] = {
     {"xml", host_xml},
     {"plugin", host_plugin},
     {"mesh", host_mesh},
-    {"visible", sandbox_visible},
+    {"bounded", host_bounded},
     {"processors", host_processors},
     {"baseline", host_baseline},
     {"peers", host_peers},

@@ -13,8 +13,8 @@
 #include <lua.h>
 #include <stddef.h>
 
-/* Files beyond this size are refused: nothing here is meant to be that large. */
-#define HOST_MAX_FILE ((size_t)64 << 20)
+/* Scenes, XML: files beyond this size are refused. (Meshes are read elsewhere.) */
+#define HOST_MAX_FILE ((size_t)4 << 20)
 
 /* Exit status for "cannot write standard output"; 0 1 2 3 70 are the generator's. EX_IOERR of
  * sysexits. */
@@ -32,6 +32,8 @@ void host_push(lua_State *L);
 enum { ACCOUNT_LARGEST = 512, ACCOUNT_GRAIN = 16 }; /* bytes: pooled blocks, their steps */
 struct account {
   size_t used, limit;
+  int asked;                                       /* the last request failed */
+  void (*refused)(void);                           /* a request failed for good */
   void *free[ACCOUNT_LARGEST / ACCOUNT_GRAIN + 1]; /* lists of blocks by size in grains */
   char *next;                                      /* of the last chunk: what is not cut yet */
   size_t left;
@@ -60,6 +62,8 @@ int host_list_directory(lua_State *L, const char *path, const char *suffix);
 
 /* read(path) -> text | nil, message.  Regular files only. */
 int host_read(lua_State *L);
+/* within(folder, path) -> is it below the folder, all links followed? */
+int host_within(lua_State *L);
 /* list_dir(path, suffix) -> {names} | nil, message.  Sorted by byte; names that begin with a dot
  * are left out. */
 int host_list_dir(lua_State *L);
@@ -116,6 +120,9 @@ int host_clock(lua_State *L);
    error as it was raised; source: the file that raised it.  Lua functions in env are replaced by
    visible(f). */
 int host_sandbox(lua_State *L);
+/* bounded(f, {bytes=, steps=, seconds=}, ...) -> true, f's results | false, message: which bound
+   was passed. What f raises for another reason is raised again, a text with its traceback. */
+int host_bounded(lua_State *L);
 /* visible(f) -> a C function that calls f.  In `return f(x)` Lua drops the caller's frame before f
    runs, but keeps it for a C function, so that f can still find the line of the scene that called
    it. */

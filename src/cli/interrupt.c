@@ -38,6 +38,7 @@ void interrupt_watch(lua_State *L) {
     sigaction(signals[i], &action, NULL);
   }
   signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, with a message */
+  signal(SIGXFSZ, SIG_IGN); /* and so is a file that may not be as large */
 }
 
 int interrupt_pending(void) {

@@ -10,9 +10,11 @@
 #include "rational.h"
 #include "script.h"
 
+#include <fcntl.h>
 #include <lualib.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 static void open_libraries(lua_State *L) {
   static const luaL_Reg libraries[] = {
@@ -80,7 +82,16 @@ static int run(lua_State *L) {
   return 1;
 }
 
+/* A descriptor that the caller has closed must not become that of a file: what is meant for the
+   terminal would be written there. Nothing can be written to what stands in its place. */
+static void fill_descriptors(void) {
+  for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
+    if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != fd)
+      _exit(HOST_EXIT_OUTPUT);
+}
+
 int main(int argc, char **argv) {
+  fill_descriptors();
   struct account account = {.limit = ACCOUNT_LIMIT};
   lua_State *L = lua_newstate(account_allocate, &account);
   if (L == NULL) {

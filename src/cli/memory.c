@@ -75,6 +75,15 @@ static void *move(struct account *a, void *block, size_t old, size_t size) {
   return fresh;
 }
 
+/* May `more` bytes be added? */
+static int admit(struct account *a, size_t more) {
+  const int fits = a->used <= a->limit && more <= a->limit - a->used;
+  if (!fits && a->asked && a->refused != NULL)
+    a->refused(); /* the same request after a collection */
+  a->asked = !fits;
+  return fits;
+}
+
 void *account_allocate(void *ud, void *block, size_t old_size, size_t new_size) {
   struct account *a = ud;
   const size_t old = block != NULL ? old_size : 0; /* else old_size is a type tag */
@@ -86,7 +95,7 @@ void *account_allocate(void *ud, void *block, size_t old_size, size_t new_size) 
     a->used -= old;
     return NULL;
   }
-  if (new_size > old && (a->used > a->limit || new_size - old > a->limit - a->used))
+  if (new_size > old && !admit(a, new_size - old))
     return NULL;
   void *fresh = move(a, block, old, new_size);
   if (fresh != NULL)

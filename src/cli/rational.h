@@ -13,6 +13,7 @@
 
 #include <gmp.h>
 #include <lua.h>
+#include <stddef.h>
 
 /* No numerator or denominator is larger: a scene such as 2^2^2^2^2^2 ends in an error, not in a
  * swap storm. */
@@ -29,6 +30,12 @@ struct rational_view {
   mpq_t q;
   mp_limb_t limb;
 };
+
+/* Where set, told of work beyond what an instruction of Lua usually takes, in such instructions: an
+   estimate from sizes, the same on every machine. */
+extern void (*rational_charge)(double instructions);
+/* One more use of `limbs` limbs, `times` products of them. */
+void rational_work(size_t limbs, double times);
 
 struct rational_scratch *rational_scratch(lua_State *L);
 

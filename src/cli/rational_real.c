@@ -238,6 +238,9 @@ int rational_lua_apply(lua_State *L) {
   const mpfr_prec_t bits = (mpfr_prec_t)check_precision(L, 2);
   for (int i = 0; i < f->arity; i++)
     arg[i] = rational_arg(L, 3 + i, &view[i]);
+  for (int i = 0; i < f->arity; i++) /* a series, after a reduction by as many digits */
+    rational_work((size_t)bits / 32 + mpz_size(mpq_numref(arg[i])) + mpz_size(mpq_denref(arg[i])),
+                  20);
   mpfr_t y;
   mpfr_init2(y, bits);
   mpfr_clear_underflow();

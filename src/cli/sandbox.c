@@ -1,94 +1,25 @@
 /* sandbox.c - running a scene, which is data that someone may have sent.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A scene sees the environment that it is given and nothing else; it is bounded in three ways:
- *   memory   the allocator refuses beyond a limit above what is in use at the start;
- *   steps    a count hook every PERIOD virtual instructions, and
- *   seconds  an alarm, whose handler arms that hook.
- * Once a bound is passed the hook fires at every instruction and raises each time, so that no
- * protected call on the way (the DSL's own) can swallow it.  Code stuck inside one C function runs
- * no hook: GRACE seconds later the alarm comes again and ends the process with a message.  The
- * environment (safe.lua) holds no C function that could be stuck, so that is a second lock, not the
- * first.
+ * A scene sees the environment that it is given and nothing else, and runs within bounds
+ * (bounds.c). The environment (safe.lua) holds no C function that could be stuck, so that the
+ * watchdog there is a second lock, not the first.
  */
-#include "host.h"
+#include "bounds.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/time.h>
-#include <unistd.h>
 
-#define PERIOD          1000
-#define GRACE           1 /* s */
-#define DEFAULT_BYTES   ((lua_Integer)64 << 20)
-#define DEFAULT_STEPS   100000000
-#define DEFAULT_SECONDS 10.0
+/* Honest scenes run for some milliseconds. */
+static const struct bounds usual = {(lua_Integer)24 << 20, 50000000, 1.0, "the scene"};
 
-enum bound { NONE, MEMORY, STEPS, TIME };
-
-/* The one sandbox that runs; the signal handler must find it. */
-static struct sandbox {
-  lua_State *L;
-  lua_Integer bytes, steps, steps_left;
-  double seconds;
-  volatile sig_atomic_t passed; /* enum bound */
-  volatile sig_atomic_t active, unwinding;
+/* The scene that runs. */
+static struct {
   int loading;
-  char last_words[512]; /* what the second alarm says */
-  size_t last_length;
+  char last_words[512];    /* what is said when nothing else can be */
   const char *chunk;       /* the scene's chunk name, and */
   char source[LUA_IDSIZE]; /* how messages show it */
 } box;
-
-/* What a passed bound is called. */
-static void push_bound(lua_State *L) {
-  char text[96];
-  if (box.passed == STEPS)
-    snprintf(text, sizeof text, "the scene ran longer than %lld instructions",
-             (long long)box.steps);
-  else
-    snprintf(text, sizeof text, "the scene ran longer than %g s", box.seconds);
-  lua_pushstring(L, text);
-}
-
-static void hook(lua_State *L, lua_Debug *ar) {
-  (void)ar;
-  if (box.unwinding)
-    return;
-  interrupt_check(L);
-  if (box.passed == NONE) {
-    box.steps_left -= PERIOD;
-    if (box.steps_left > 0)
-      return;
-    box.passed = STEPS;
-  }
-  lua_sethook(L, hook, LUA_MASKCOUNT, 1);
-  push_bound(L);
-  lua_error(L);
-}
-
-static void on_alarm(int number) {
-  (void)number;
-  if (box.passed != TIME) {
-    box.passed = TIME;
-    lua_sethook(box.L, hook, LUA_MASKCOUNT, 1);
-    return;
-  }
-  ssize_t ignored = write(STDERR_FILENO, box.last_words, box.last_length);
-  (void)ignored;
-  _exit(1);
-}
-
-static void set_alarm(double seconds, long again) {
-  struct itimerval timer = {0};
-  timer.it_value.tv_sec = (time_t)seconds;
-  timer.it_value.tv_usec = (suseconds_t)((seconds - (double)timer.it_value.tv_sec) * 1e6);
-  if (seconds > 0 && timer.it_value.tv_sec == 0 && timer.it_value.tv_usec == 0)
-    timer.it_value.tv_usec = 1; /* 0 would switch it off */
-  timer.it_interval.tv_sec = again;
-  setitimer(ITIMER_REAL, &timer, NULL);
-}
 
 /* ---- describing what went wrong ---- */
 
@@ -158,36 +89,24 @@ static void describe(lua_State *L, int index, const char *kind) {
   }
 }
 
+/* By enum bound. */
+static const char *const kinds[] = {"runtime", "memory", "steps", "time"};
+
 /* Message handler: the error's value -> its table. Nothing of the scene runs any more from here on.
  */
 static int handler(lua_State *L) {
-  if (box.unwinding) /* the parser's error on its way through load_and_call: it has its table */
+  if (bounds_unwinding()) /* the parser's error on its way through load_and_call: it has its table
+                           */
     return 1;
-  box.unwinding = 1;
-  account_of(L)->limit = ACCOUNT_LIMIT;
-  describe(L, 1,
-           box.passed == STEPS  ? "steps"
-           : box.passed == TIME ? "time"
-           : box.loading        ? "syntax"
-                                : "runtime");
+  bounds_unwind(L);
+  const enum bound passed = bounds_passed();
+  describe(L, 1, passed == BOUND_NONE && box.loading ? "syntax" : kinds[passed]);
   luaL_traceback(L, L, NULL, 1);
   lua_setfield(L, -2, "traceback");
   return 1;
 }
 
 /* ---- running ---- */
-
-static double field(lua_State *L, int index, const char *name, double standard) {
-  double value = standard;
-  if (lua_istable(L, index)) {
-    if (lua_getfield(L, index, name) != LUA_TNIL)
-      value = luaL_checknumber(L, -1);
-    lua_pop(L, 1);
-  }
-  if (!(value > 0 && value < 1e15))
-    luaL_error(L, "sandbox: limit '%s' out of range", name);
-  return value;
-}
 
 /* box.source = how messages show a chunk of this name. */
 static void name_chunk(lua_State *L, const char *chunk) {
@@ -198,20 +117,12 @@ static void name_chunk(lua_State *L, const char *chunk) {
   memcpy(box.source, ar.short_src, sizeof box.source);
 }
 
-static void prepare(lua_State *L, const char *chunk, int limits) {
-  box.L = L;
-  box.bytes = (lua_Integer)field(L, limits, "bytes", (double)DEFAULT_BYTES);
-  box.steps = (lua_Integer)field(L, limits, "steps", DEFAULT_STEPS);
-  box.seconds = field(L, limits, "seconds", DEFAULT_SECONDS);
-  box.steps_left = box.steps;
+static void prepare(lua_State *L, const char *chunk, const struct bounds *b) {
   box.chunk = chunk;
-  name_chunk(L, chunk);
-  const int n = snprintf(box.last_words, sizeof box.last_words,
-                         "polhode: %s: the scene ran longer than %g s\n", box.source, box.seconds);
-  box.last_length = n < (int)sizeof box.last_words ? (size_t)n : sizeof box.last_words - 1;
-  box.passed = NONE;
-  box.unwinding = 0;
   box.loading = 0;
+  name_chunk(L, chunk);
+  snprintf(box.last_words, sizeof box.last_words, "polhode: %s: the scene ran longer than %g s\n",
+           box.source, b->seconds);
 }
 
 /* A scene may write into string, math, table: give it copies of those of `safe` (upvalue 1). */
@@ -281,29 +192,14 @@ static int load_and_call(lua_State *L) {
 
 /* Load and call under the bounds; the stack holds (text, chunk name, env, limits). Afterwards the
    results, or the error's table, are above them. A status of Lua's. */
-static int run_bounded(lua_State *L) {
-  struct account *account = account_of(L);
-  struct sigaction action = {0}, old_action;
-  action.sa_handler = on_alarm;
-  action.sa_flags = SA_RESTART;
-  sigemptyset(&action.sa_mask);
+static int run_bounded(lua_State *L, const struct bounds *b) {
   lua_pushcfunction(L, handler);
   lua_pushcfunction(L, load_and_call);
   for (int i = 1; i <= 3; i++)
     lua_pushvalue(L, i);
-  box.active = 1;
-  account->limit = account->used + (size_t)box.bytes;
-  if (account->limit > ACCOUNT_LIMIT)
-    account->limit = ACCOUNT_LIMIT;
-  sigaction(SIGALRM, &action, &old_action);
-  lua_sethook(L, hook, LUA_MASKCOUNT, PERIOD);
-  set_alarm(box.seconds, GRACE);
+  bounds_begin(L, b, box.last_words);
   const int status = lua_pcall(L, 3, LUA_MULTRET, 5);
-  set_alarm(0, 0);
-  lua_sethook(L, NULL, 0, 0);
-  sigaction(SIGALRM, &old_action, NULL);
-  account->limit = ACCOUNT_LIMIT;
-  box.active = 0;
+  bounds_end(L);
   lua_remove(L, 5);
   return status;
 }
@@ -311,15 +207,12 @@ static int run_bounded(lua_State *L) {
 /* The table for a failure that the handler has not described: what it is instead of. */
 static void describe_late(lua_State *L, int status) {
   const int value = lua_gettop(L);
-  if (status == LUA_ERRMEM) {
+  const enum bound passed = status == LUA_ERRMEM ? BOUND_MEMORY : bounds_passed();
+  if (passed == BOUND_MEMORY)
     lua_gc(L, LUA_GCCOLLECT);
-    describe(L, value, "memory");
-    lua_pushfstring(L, "the scene needs more than %I MiB of memory",
-                    (LUAI_UACINT)(box.bytes >> 20));
-    lua_setfield(L, -2, "message");
-  } else if (box.passed != NONE) {
-    push_bound(L);
-    describe(L, lua_gettop(L), box.passed == STEPS ? "steps" : "time");
+  if (passed != BOUND_NONE) {
+    bounds_push(L, passed);
+    describe(L, lua_gettop(L), kinds[passed]);
   } else {
     describe(L, value, box.loading ? "syntax" : "runtime");
   }
@@ -328,23 +221,24 @@ static void describe_late(lua_State *L, int status) {
 }
 
 int host_sandbox(lua_State *L) {
+  struct bounds b = usual;
   luaL_checktype(L, 1, LUA_TSTRING);
   const char *chunk = luaL_checkstring(L, 2);
   luaL_checktype(L, 3, LUA_TTABLE);
   lua_settop(L, 4);
-  if (box.active)
+  if (bounds_active())
     return luaL_error(L, "sandbox: one scene at a time");
-  prepare(L, chunk, 4);
+  bounds_read(L, 4, &b);
+  prepare(L, chunk, &b);
   copy_libraries(L, 3);
   make_visible(L, 3);
-  const int status = run_bounded(L);
-  interrupt_check(L);
-  if (status == LUA_OK && box.passed == NONE) {
+  const int status = run_bounded(L, &b);
+  if (status == LUA_OK && bounds_passed() == BOUND_NONE) {
     lua_pushboolean(L, 1);
     lua_insert(L, 5);
     return lua_gettop(L) - 4;
   }
-  if (status == LUA_OK || !lua_istable(L, -1) || !box.unwinding)
+  if (status == LUA_OK || !lua_istable(L, -1) || !bounds_unwinding())
     describe_late(L, status);
   lua_pushboolean(L, 0);
   lua_insert(L, -2);

@@ -60,7 +60,7 @@ shell("mkfifo fifo")
 prints("read of a fifo does not hang", "local t, why = host.read(args[1] .. '/fifo') say(t, #why > 0)", "nil true\n")
 shell("truncate -s 80M big")
 prints("read of a huge file is refused", "say(host.read(args[1] .. '/big'))",
-  "nil cannot read " .. dir .. "/big: it is larger than 64 MiB\n")
+  "nil cannot read " .. dir .. "/big: it is larger than 4 MiB\n")
 shell("mkdir list && touch list/b.lua list/a.lua list/B.lua list/.c.lua list/c.txt")
 prints("list_dir sorts by byte, keeps the suffix, hides dots",
   "say(table.concat(host.list_dir(args[1] .. '/list', '.lua'), ' '))", "B.lua a.lua b.lua\n")

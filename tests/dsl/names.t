@@ -35,7 +35,8 @@ for word in words:gmatch "%S+" do
 end
 tap.is(table.concat(missing, " "), "", "every keyword of C11 and C++20 is refused")
 for _, word in ipairs { "main", "NULL", "errno", "INFINITY", "NAN", "I", "complex", "assert", "M_PI", "FP_NAN",
-  "HUGE_VAL", "linux", "unix", "typeof" } do
+  "HUGE_VAL", "linux", "unix", "typeof", "FLT_MAX", "DBL_EPSILON", "INT_MAX", "UINT64_MAX", "INT_LEAST8_MIN", "EOF",
+  "M_1_PI", "EDOM", "math_errhandling", "SIGINT", "SNAN" } do
   tap.is(names.identifier(word), "must not be a word of C or C++", "'" .. word .. "', a macro or more, is refused")
 end
 
@@ -43,6 +44,14 @@ for _, word in ipairs { "qw", "QX", "qy", "qz", "wx", "Wy", "wz", "ux", "uy", "u
   tap.is(names.parameter(word), "is taken by the emitted code", "parameter '" .. word ..
     "' would be the enumerator of a state")
   tap.ok(names.identifier(word) == nil, "a scene may be called '" .. word .. "'")
+end
+for _, word in ipairs { "math", "Math", "stdint", "time", "con", "NUL" } do
+  tap.is(names.scene(word), "must not be that of a header of C or of a device", "no scene is called '" .. word .. "'")
+end
+tap.ok(names.scene "maths" == nil and names.parameter "time" == nil, "maths can be a scene, time a parameter")
+tap.is(names.scene "while", "must not be a word of C or C++", "a scene's name is an identifier first")
+for _, word in ipairs { "EI", "EA", "FL", "INT", "R_MAX", "SIG", "sigma", "LONG" } do
+  tap.ok(names.identifier(word) == nil, "'" .. word .. "' is no macro")
 end
 tap.ok(names.identifier "M_p" == nil and names.identifier "M" == nil, "M_p and M are no macros")
 tap.is(names.parameter "while", "must not be a word of C or C++", "a parameter's name is an identifier first")

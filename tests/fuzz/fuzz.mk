@@ -36,14 +36,14 @@ endif
 # ---- targets that go through Lua: the program without its main and with the harness' sandbox; nothing that times ----
 
 ENGINES = scene table command robot
-CLI := $(filter-out %/main.o %/sandbox.o,$(patsubst src/cli/%.c,$(OBJ)/obj/cli/%.o,$(wildcard src/cli/*.c))) \
+CLI := $(filter-out %/main.o %/bounds.o,$(patsubst src/cli/%.c,$(OBJ)/obj/cli/%.o,$(wildcard src/cli/*.c))) \
        $(OBJ)/obj/embedded.o
 
 $(OUT)/replay.o: $(FUZZ)/replay.c $(FUZZ)/fuzz.h
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(CFLAGS) -c -o $@ $<
 
-$(OUT)/engine_sandbox.o: $(FUZZ)/engine_sandbox.c src/cli/sandbox.c
+$(OUT)/engine_sandbox.o: $(FUZZ)/engine_sandbox.c src/cli/bounds.c
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(CFLAGS) $(LUA_CFLAGS) -Isrc/cli -c -o $@ $<
 
