@@ -110,7 +110,9 @@ static ${name}_pair ${name}_pair_angle(${name}_pair x, ${name}_pair y)
   ${name}_real eighths;
 
   if (!(far.hi > ${zero})) return ${name}_pair_of(${zero});
-  eighths = ${floor}((${name}_real)8*(near.hi/far.hi) + ${half});
+  eighths = near.hi/far.hi;
+  if (!(eighths <= ${one})) return ${name}_pair_of(eighths); /* no number */
+  eighths = ${floor}((${name}_real)8*eighths + ${half});
   angle = ${name}_pair_divide(${name}_pair_subtract(near, ${name}_pair_times(eighths/(${name}_real)8, far)),
                ${name}_pair_add(far, ${name}_pair_times(eighths/(${name}_real)8, near)));
   angle = ${name}_pair_add(arctan[(int)eighths], ${name}_pair_arc(angle, -${one}));
@@ -132,6 +134,7 @@ static ${name}_pair ${name}_pair_log(${name}_pair a, int e)
   ${name}_real eighths;
   int own;
 
+  if (!(a.hi > ${zero} && a.hi - a.hi == ${zero})) return ${name}_pair_of(${sqrt}(-${one})); /* no number */
   (void)${frexp}(a.hi, &own);
   a = ${name}_pair_scale(a, 1 - own);
   eighths = ${floor}((${name}_real)8*(a.hi - ${one}) + ${half});

@@ -1049,7 +1049,9 @@ static brick_pair brick_pair_angle(brick_pair x, brick_pair y)
   brick_real eighths;
 
   if (!(far.hi > 0.0)) return brick_pair_of(0.0);
-  eighths = floor((brick_real)8*(near.hi/far.hi) + 0.5);
+  eighths = near.hi/far.hi;
+  if (!(eighths <= 1.0)) return brick_pair_of(eighths); /* no number */
+  eighths = floor((brick_real)8*eighths + 0.5);
   angle = brick_pair_divide(brick_pair_subtract(near, brick_pair_times(eighths/(brick_real)8, far)),
                brick_pair_add(far, brick_pair_times(eighths/(brick_real)8, near)));
   angle = brick_pair_add(arctan[(int)eighths], brick_pair_arc(angle, -1.0));
@@ -1076,6 +1078,7 @@ static brick_pair brick_pair_log(brick_pair a, int e)
   brick_real eighths;
   int own;
 
+  if (!(a.hi > 0.0 && a.hi - a.hi == 0.0)) return brick_pair_of(sqrt(-1.0)); /* no number */
   (void)frexp(a.hi, &own);
   a = brick_pair_scale(a, 1 - own);
   eighths = floor((brick_real)8*(a.hi - 1.0) + 0.5);
