@@ -12,6 +12,9 @@
 #   make install    PREFIX (default /usr/local), DESTDIR
 #   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/linearised.svg
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
+#   make drift-laws   docs/drift.md: how errors grow with the number of steps, fitted (ten minutes)
+#   make hunt       COUNT, SEED, HUNTED: a random search for the worst states, docs/hunt.md
+#   make coverage   which lines of generator and src a part of the tests runs: docs/coverage.md; fails below 95 %
 #   make fuzz SECONDS=600 TARGETS='scene init'   libFuzzer (clang) on each target of tests/fuzz, see docs/fuzzing.md
 #   make lint | format | sanitize | golden | clean
 
@@ -67,7 +70,7 @@ TARGET_TESTS := $(sort $(wildcard tests/target/*.t))
 LUA_TESTS   := $(filter-out $(TARGET_TESTS),$(sort $(shell find tests -name '*.t')))
 
 RUNTIME_OBJ := $(RUNTIME_SRC:src/%.c=$(BUILD)/obj/%.o)
-CLI_OBJ     := $(CLI_SRC:src/%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/embedded.o
+CLI_OBJ     := $(CLI_SRC:src/%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/embedded.o $(if $(COVERED),$(BUILD)/obj/hook.o)
 C_TESTS     := $(TEST_SRC:tests/%.c=$(BUILD)/tests/%.t)
 
 LIBRARY := $(BUILD)/libpolhode.a
@@ -90,7 +93,7 @@ $(BUILD)/obj/runtime/%.o: src/runtime/%.c | $(READY)
 $(BUILD)/obj/cli/%.o: src/cli/%.c | $(READY)
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(LUA_CFLAGS) $(XML_CFLAGS) $(GSL_CFLAGS) -DPOLHODE_VERSION='"$(VERSION)"' \
-	  -MMD -MP -c -o $@ $<
+	  $(if $(filter main sandbox interrupt,$(*F)),$(COVERED:%=-include %)) -MMD -MP -c -o $@ $<
 
 $(BUILD)/obj/cli/bench_sundials.o: POSIX += $(SUNDIALS_FLAGS)
 
@@ -115,6 +118,11 @@ $(MODULE): $(RATIONAL_SRC) src/cli/rational.h | $(READY)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(LUA_CFLAGS) -fPIC -shared $(LDFLAGS) -o $@ $(RATIONAL_SRC) -lmpfr -lgmp -lm
 
 # ---- tests ----
+
+# In the program that is covered, and a module for tests under plain lua5.4.
+$(BUILD)/obj/hook.o $(BUILD)/lua/polhode_coverage.so: tests/coverage/hook.c tests/coverage/hook.h | $(READY)
+	@mkdir -p $(@D)
+	$(CC) $(STD) -O2 $(WARN) $(POSIX) $(LUA_CFLAGS) -fPIC $(if $(filter %.so,$@),-shared,-c) -o $@ $<
 
 $(BUILD)/tests/%.t: tests/%.c $(LIBRARY) | $(READY)
 	@mkdir -p $(@D)
@@ -166,10 +174,12 @@ fuzz-replay:
 bits-all: all
 	@POLHODE_BITS=all $(LUA) tests/target/bits.t
 
+# Also what the C standard leaves to IEEE 754, which is a slip here more often than meant: x/0, and (int)1e99.
+SANITIZERS = address,undefined,float-divide-by-zero,float-cast-overflow
 sanitize:
 	@CC="$(CC)" .ci/setup build check
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/san \
-	  CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all" sanitized
+	  CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=$(SANITIZERS) -fno-sanitize-recover=all" sanitized
 
 # rational.t and faults.t load libraries into programs, hostile.t measures memory; the others mostly run what is not ours: compilers, integrators.
 UNSANITIZED = tests/cli/rational.t tests/cli/bench.t tests/cli/bench_peers.t tests/cli/bench_time.t tests/cli/sheet.t \
@@ -177,6 +187,24 @@ UNSANITIZED = tests/cli/rational.t tests/cli/bench.t tests/cli/bench_peers.t tes
 sanitized: $(PROGRAM) $(C_TESTS)
 	@POLHODE=$(PROGRAM) POLHODE_SANITIZED=1 $(PROVE) $(C_TESTS) \
 	  $(filter-out $(UNSANITIZED),$(filter tests/cli/%,$(LUA_TESTS)))
+
+# The lines that ran: of C by gcov, of the generator by a hook (tests/coverage/hook.c), in a build of their own.
+# What a process saw survives its end by a signal; processes at the same time do not disturb each other.  known.t is
+# a sweep of many seconds that runs one line of its own.
+FLOOR = 95
+coverage: tests
+	@CC="$(CC)" .ci/setup build check
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/cov COVERED=tests/coverage/hook.h CFLAGS="-O0 -g --coverage" covered
+
+COVERING = package.loadlib("$(abspath $(BUILD))/lua/polhode_coverage.so", "luaopen_polhode_coverage")() \
+  package.preload.polhode_rational = \
+  package.loadlib("$(abspath $(MODULE))", "luaopen_polhode_rational")
+covered: all $(C_TESTS) $(BUILD)/lua/polhode_coverage.so
+	@rm -rf $(BUILD)/lines && mkdir $(BUILD)/lines && find $(BUILD) -name '*.gcda' -delete
+	@POLHODE=$(PROGRAM) POLHODE_COVERAGE=$(abspath $(BUILD))/lines POLHODE_COVERED=$(CURDIR) LUA_INIT='$(COVERING)' \
+	  $(PROVE) $(filter-out %/known.t,$(C_TESTS)) $$(sed 's/ *#.*//' tests/coverage/tests.txt) || \
+	  echo "coverage: a test failed in this slow build; make check is its judge, here lines count"
+	@$(LUA) tests/coverage/report.lua $(BUILD) docs/coverage.md $(FLOOR)
 
 # The page of all shapes and its pictures.
 docs: $(PROGRAM)
@@ -282,6 +310,18 @@ TURNS = 100000
 drift: $(PROGRAM)
 	@$(LUA) tests/bench/drift.lua $(PROGRAM) $(BUILD)/drift $(TURNS) docs/methods.md
 
+# How errors grow with the number of steps: exponents, fitted over ensembles of states; docs/drift.md and its diagram.
+drift-laws: $(PROGRAM) $(LIBRARY)
+	@rm -rf $(BUILD)/laws
+	@$(LUA) tests/bench/laws.lua $(PROGRAM) $(LIBRARY) $(BUILD)/laws docs/drift.md docs/drift.svg
+
+# A random search for the states that are computed worst: tests/hunt/worst.lua and docs/hunt.md.
+COUNT  = 1e6
+HUNTED =
+hunt: SEED = 1
+hunt: $(PROGRAM) $(LIBRARY) $(MODULE)
+	@$(LUA) tests/hunt/hunt.lua $(PROGRAM) $(BUILD)/hunt $(COUNT) $(SEED) "$(HUNTED)"
+
 # Work and precision of every method on six scenes: tables and diagrams of docs/accuracy.md.  One at a time, please.
 accuracy: $(PROGRAM)
 	@$(LUA) tests/bench/accuracy.lua $(PROGRAM) $(BUILD)/accuracy docs/accuracy.md
@@ -320,7 +360,7 @@ demo:
 C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(filter-out templates/target/calls.c,$(wildcard templates/plugin.h templates/target/*.[ch]))
 LUA_FILES := $(sort $(shell find generator tests bodies src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS) $(TARGET_TESTS)
 
-lint: lint-lua lint-c lint-format
+lint: lint-lua lint-c lint-format lint-analyzer
 
 lint-setup:
 	@CC="$(CC)" .ci/setup build lint
@@ -331,6 +371,31 @@ lint-lua: lint-setup
 lint-c: lint-setup
 	@cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 \
 	  --enable=warning,performance,portability --suppress=missingIncludeSystem -Isrc/cli -Isrc/runtime src
+
+# gcc's analyzer on our C and on emitted steppers; the emitted closed forms take it minutes each and are left out.
+lint-analyzer: lint-setup $(patsubst src/%.c,$(BUILD)/analyzed/%,$(RUNTIME_SRC) $(CLI_SRC)) \
+               $(addprefix $(BUILD)/analyzed/emitted/,heavy_top wheels foucault gyrostat)
+
+ANALYZE = gcc -O0 -fanalyzer -Werror -S -o /dev/null
+$(BUILD)/analyzed/%: src/%.c | $(READY)
+	@mkdir -p $(@D)
+	$(ANALYZE) $(STD) $(POSIX) $(LUA_CFLAGS) $(XML_CFLAGS) $(GSL_CFLAGS) -DPOLHODE_VERSION='""' -MMD -MP -MT $@ -MF $@.d $<
+	@touch $@
+
+# Arrays that a loop or a function called fills are unset to gcc 12; memcheck knows better (tests/analysis/valgrind.t).
+$(addprefix $(BUILD)/analyzed/,cli/engine_expr $(addprefix runtime/,geometry geometry_arcs linearised mesh_topology)): \
+  ANALYZE += -Wno-analyzer-use-of-uninitialized-value
+# `output` is NULL before it is set: struct child comes zeroed, which gcc 12 does not follow through the array of them.
+$(BUILD)/analyzed/cli/process: ANALYZE += -Wno-analyzer-malloc-leak
+
+$(BUILD)/analyzed/emitted/heavy_top: EMITTED_METHODS = rk4,semi,midpoint,adaptive
+$(BUILD)/analyzed/emitted/gyrostat:  EMITTED_METHODS = split4,semi
+EMITTED_METHODS = rk4
+$(BUILD)/analyzed/emitted/%: bodies/%.lua $(PROGRAM)
+	@mkdir -p $(@D)
+	@$(PROGRAM) gen $< --method $(EMITTED_METHODS) -o $@.c > $@.log
+	$(ANALYZE) -std=c99 $@.c/$(*F).c
+	@touch $@
 
 lint-format: lint-setup
 	@clang-format --dry-run -Werror $(C_FILES)
@@ -370,8 +435,8 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check fuzz fuzz-replay check-target bits-all test sanitize sanitized golden docs bench accuracy drift errormap hard-peers target-cost target-costs demo install clean FORCE \
-        lint format lint-setup lint-lua lint-c lint-format
+.PHONY: all tests check fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs bench accuracy drift drift-laws hunt hard errormap hard-peers target-cost target-costs demo install clean FORCE \
+        lint format lint-setup lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 
--include $(RUNTIME_OBJ:.o=.d) $(CLI_OBJ:.o=.d) $(C_TESTS:=.d)
+-include $(RUNTIME_OBJ:.o=.d) $(CLI_OBJ:.o=.d) $(C_TESTS:=.d) $(wildcard $(BUILD)/analyzed/*/*.d)

@@ -21,6 +21,7 @@ local symmetric = require "generator.dynamics.closed.symmetric"
 local quantities = require "generator.dynamics.quantities"
 local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
+local compensated = require "generator.methods.compensated"
 local methods = require "generator.methods.list"
 local fixed_point = require "generator.methods.q31_run"
 local costs = require "generator.report.costs"
@@ -38,7 +39,7 @@ local function budget(options)
   local more = math.max(0, #(options.methods or options.method or {}) - 1) + (options.accuracy and 8 or 0)
   local with = options.with or {}
   if options.jacobians or with.jacobians then more = more + 3 end
-  if options.q31 or with.q31 then more = more + 3 end
+  if options.q31 or with.q31 or options.compensated or with.compensated then more = more + 3 end
   return { steps = 32000000 * (1 + more), bytes = (40 << 20) * (1 + more), seconds = 10.0 * (1 + more) }
 end
 
@@ -118,8 +119,8 @@ end
 
 -- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
 -- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool or
--- "transition" (of the step alone), q31 = bool, libm = "own" | "system" (the default: own in float), outputs = bool:
--- also derivatives of energy and momentum}
+-- "transition" (of the step alone), compensated = bool, q31 = bool, libm = "own" | "system" (the default: own in
+-- float), outputs = bool: also derivatives of energy and momentum}
 local function plan(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods
@@ -156,6 +157,11 @@ local function plan(job, options)
     if options.outputs then
       for _, f in ipairs(gradients(job)) do put(f) end
     end
+  end
+  if options.compensated then
+    local more = compensated.list(job)
+    if not more then return nil end
+    for _, f in ipairs(more) do put(f) end
   end
   if options.q31 then
     job.q31 = fixed_point.plan(job)

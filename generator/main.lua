@@ -8,7 +8,7 @@ local options = require "generator.commands.options"
 
 local usage = [[
 usage: polhode gen     SCENE [-o DIR] [--real double|float] [--bake] [--method rk4,exact] [--set a=0.3 ...]
-                             [--accuracy E] [--order N] [--with jacobians,proof,q31] [--libm own|system]
+                             [--accuracy E] [--order N] [--with jacobians,compensated,proof,q31] [--libm own|system]
                              [--project make|cmake|arduino|platformio|zephyr|firmware|fmu]
                              [--show lower|power|fold|cse|dce|order]
                              [--target all|cortex-m4f,...]   (instructions, flash, stack, counted under emulators)

@@ -8,7 +8,11 @@ static const int ${name}_adaptive_moving[${adaptive_count}] = {
 %% end
 };
 
+%% if adaptive_attitude then
+/* From x at t with its rates k1: the state `out` at t + h, its rates k7, the estimated error, what q turned by. */
+%% else
 /* From x at t with its rates k1: the state `out` at t + h, its rates k7, the estimated error. */
+%% end
 static ${adaptive_head}
 {
 %% for _, line in ipairs(adaptive_lines) do
@@ -30,27 +34,41 @@ static void ${name}_adaptive_first(const ${name}_model *m, ${name}_real t, const
   for (k = 0; k < ${adaptive_count}; k++) k1[k] = dx[${name}_adaptive_moving[k]];
 }
 
-/* x takes the state that a step ends in; |q| is brought back to 1 by one Newton step. */
+%% if adaptive_attitude then
+/* x takes the state that a step ends in; |q| is brought back to 1 by one Newton step.  The factor is 1 but for a unit or two
+ * of the last place; times q it would be rounded to whole units, more of a small mantissa than of a large one: a turn, always
+ * the same way.  So its difference n from 1 goes into what is added; and n is formed of x and `turn`, for `out` has a
+ * rounding of its own, after which n would follow the very digits that it decides. */
+static void ${name}_adaptive_take(const ${name}_real out[], const ${name}_real turn[], ${name}_real x[])
+{
+  ${name}_real n = ${half};
+  int k;
+
+  for (k = 0; k < 4; k++) {
+    const ${name}_real q = x[${name}_adaptive_moving[k]];
+
+    n -= q*(${half}*q + turn[k]) + ${half}*turn[k]*turn[k];
+  }
+  for (k = 0; k < 4; k++) x[${name}_adaptive_moving[k]] += turn[k] + n*out[k];
+  for (k = 4; k < ${adaptive_count}; k++) x[${name}_adaptive_moving[k]] = out[k];
+}
+%% else
+/* x takes the state that a step ends in. */
 static void ${name}_adaptive_take(const ${name}_real out[], ${name}_real x[])
 {
   int k;
-%% if adaptive_attitude then
-  const ${name}_real n = ${threehalves} - ${half}*(out[0]*out[0] + out[1]*out[1] + out[2]*out[2] + out[3]*out[3]);
-%% end
 
   for (k = 0; k < ${adaptive_count}; k++) x[${name}_adaptive_moving[k]] = out[k];
-%% if adaptive_attitude then
-  for (k = 0; k < 4; k++) x[${name}_adaptive_moving[k]] *= n;
-%% end
 }
+%% end
 
 void ${name}_adaptive_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
 {
-  ${name}_real k1[${adaptive_count}], k7[${adaptive_count}], error[${adaptive_count}], out[${adaptive_count}];
+  ${name}_real k1[${adaptive_count}], k7[${adaptive_count}], error[${adaptive_count}], out[${adaptive_count}]${adaptive_room};
 
   ${name}_adaptive_first(m, t, x, u, k1);
-  ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error);
-  ${name}_adaptive_take(out, x);
+  ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error${adaptive_turn});
+  ${name}_adaptive_take(out${adaptive_turn}, x);
 }
 
 /* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step, or
@@ -86,7 +104,7 @@ static ${name}_real ${name}_adaptive_norm(const ${name}_real x[], const ${name}_
 int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most)
 {
   const ${name}_real fifth = ${half}*${half}*${half} + ${half}*${half}*${half}*${half}; /* 3/16, a little less than 1/5 */
-  ${name}_real k1[${adaptive_count}], k7[${adaptive_count}], error[${adaptive_count}], out[${adaptive_count}];
+  ${name}_real k1[${adaptive_count}], k7[${adaptive_count}], error[${adaptive_count}], out[${adaptive_count}]${adaptive_room};
   ${name}_real t = t0, h = t1 - t0, lost = ${zero};
   int steps, k, fresh = 1;
 
@@ -106,7 +124,7 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
     if (fresh) ${name}_adaptive_first(m, t, x, u, k1);
     last = !(${fabs}(h) < ${fabs}(left));
     if (last) h = left;
-    ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error);
+    ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error${adaptive_turn});
     r = ${name}_adaptive_norm(x, out, error)/tolerance;
     /* the next step is 0.9 r^(-1/5) as long, between a tenth and five times; what is not finite counts as a tenth */
     factor = r > ${zero} ? ${exp}(-fifth*${log}(r))*(${one} - ${half}*${half}*${half}) : ${eight};
@@ -119,7 +137,7 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
       fresh = 0;
       continue;
     }
-    ${name}_adaptive_take(out, x);
+    ${name}_adaptive_take(out${adaptive_turn}, x);
     for (k = 0; k < ${adaptive_count}; k++) k1[k] = k7[k];
     fresh = 0;
 %% if has_knots then

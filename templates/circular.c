@@ -75,10 +75,11 @@ static ${name}_pair ${name}_start(const ${name}_top *p, const ${name}_agm *f, ${
     more_x = x.hi*(q24*(X*X + X - ${one}) - q8*(${one} + X));
     more_y = y.hi*(q24*(X*X - X - ${one}) - q8*(${one} - X));
   }
-  /* 4 z, or less by a turn if |2 z| > pi/2 */
+  /* 4 z, or less by a turn if |2 z| > pi/2 (c < 0) */
   x = ${name}_pair_angle(${name}_pair_add(x, ${name}_pair_of(more_x)), ${name}_pair_add(y, ${name}_pair_of(more_y)));
-  if (c.hi < ${zero}) x = ${name}_pair_add(x, ${name}_pair_shift(p->s*p->w[1].hi < ${zero} ? -${two} : ${two},
-      ${name}_pi()));
+  X = p->s*p->w[1].hi; /* sin 2 z has its sign; where c is 0, x is pi */
+  if (c.hi < ${zero} || (!(c.hi > ${zero}) && X < ${zero})) x = ${name}_pair_add(x,
+      ${name}_pair_shift(X < ${zero} ? -${two} : ${two}, ${name}_pi()));
   return ${name}_pair_shift(${quarter}, ${name}_pair_multiply(x, ${name}_inverse_pi()));
 }
 

@@ -4,8 +4,13 @@
 /* a less whole turns, in units of 2^-128: {high, low}; sixteen bits at a time, each step exact */
 static void ${name}_fraction(${name}_pair a, uint64_t out[2])
 {
+  const int negative = a.hi < ${zero}; /* its size keeps the digits that 1 - |a| has not */
   int i;
 
+  if (negative) {
+    a.hi = -a.hi;
+    a.lo = -a.lo;
+  }
   if (!(${fabs}(a.lo) < ${one})) a.lo -= ${floor}(a.lo); /* so many turns that the rest has whole ones, too */
   a = ${name}_pair_add(${name}_pair_sum(a.hi, -${floor}(a.hi)), ${name}_pair_of(a.lo));
   if (a.hi < ${zero}) a = ${name}_pair_add(a, ${name}_pair_of(${one}));
@@ -19,6 +24,10 @@ static void ${name}_fraction(${name}_pair a, uint64_t out[2])
     if (!(a.hi > whole) && a.lo < ${zero}) whole -= ${one};
     a = ${name}_pair_sum(a.hi - whole, a.lo);
     out[i/4] = out[i/4] << 16 | ((uint32_t)(int32_t)whole & 0xFFFFU);
+  }
+  if (negative) {
+    out[0] = 0 - out[0] - (out[1] > 0 ? 1U : 0U);
+    out[1] = 0 - out[1];
   }
 }
 

@@ -30,15 +30,11 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   h = ${name}_wide_real(${hr});
   M[3] = ${name}_wide_add(M[3], h);
 
-  /* z along M */
-  for (i = 0; i < 4; i++) back[i] = i > 0 ? ${name}_wide_minus(q[i]) : q[i];
-  ${name}_wide_product(q, M, t);
-  ${name}_wide_product(t, back, frame);
-  for (i = 0; i < 3; i++) t[i] = frame[i + 1];
-  ${name}_upright(t, frame);
-  for (i = 0; i < 4; i++) back[i] = i > 0 ? ${name}_wide_minus(frame[i]) : frame[i];
-  ${name}_wide_product(back, q, t);
-  (void)${name}_wide_unit(4, t);
+  /* q = frame t, t from the body's axes to z along M: with all digits of M across the axis */
+  ${name}_upright(M + 1, back);
+  ${name}_wide_product(q, back, frame);
+  (void)${name}_wide_unit(4, frame);
+  for (i = 0; i < 4; i++) t[i] = i > 0 ? ${name}_wide_minus(back[i]) : back[i];
   G = ${name}_wide_unit(3, M + 1);
   ${name}_zero(&made, (unsigned int)sizeof(made));
   e = ${least_exponent}; /* seconds of a power of two */

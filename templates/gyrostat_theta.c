@@ -122,6 +122,7 @@ static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, in
   const ${name}_wide four = ${name}_wide_scale(p->gamma, 2);
   ${name}_pair q, K, start, mu, eta, P = one;
   ${name}_wide rate, m, mc;
+  ${name}_real largest = ${zero};
   int i, power, infinite, kind;
 
   if (${name}_wide_sign(${name}_wide_subtract(p->sum, p->gamma)) >= 0 && ${name}_wide_sign(${name}_wide_subtract(p->sum, four)) <= 0) {
@@ -174,7 +175,7 @@ static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, in
     ${name}_values v;
     ${name}_pair slope;
     ${name}_phases none = {${zero}, ${zero}, ${one}, ${zero}, ${zero}};
-    ${name}_real size;
+    ${name}_real size, big, small[2];
     int k;
 
     eta = ${name}_eta(p, i, rate, &kind, &sign[i], &infinite);
@@ -191,11 +192,27 @@ static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, in
     ${name}_store(o->turn[i], ${name}_pair_divide(mu, ${name}_pair_scale(pi, 1)));
 
     v = ${name}_untwisted(o, none); /* at O |a|^2 = (1 + u)/2 and |b|^2 = (1 - u)/2 */
-    size = i == 0 ? ${sqrt}(v.w*v.w + v.z*v.z) : ${sqrt}(v.x*v.x + v.y*v.y);
-    size = ${name}_wide_pair(${name}_wide_root(${name}_wide_scale(p->edge[p->origin][i], -1)), 0).hi/(size + ${least});
+    big = i == 0 ? ${fabs}(v.w) + ${fabs}(v.z) : ${fabs}(v.x) + ${fabs}(v.y); /* next to a zero squares may vanish */
+    (void)${frexp}(big, &k);
+    small[0] = ${ldexp}(i == 0 ? v.w : v.x, -k);
+    small[1] = ${ldexp}(i == 0 ? v.z : v.y, -k);
+    size = ${name}_wide_pair(${name}_wide_root(${name}_wide_scale(p->edge[p->origin][i], -1)), k).hi/
+           (${sqrt}(small[0]*small[0] + small[1]*small[1]) + ${least});
     for (k = 0; k < 6; k++) {
       o->re[i][k] *= size;
       o->im[i][k] *= size;
+      if (${fabs}(o->re[i][k]) > largest) largest = ${fabs}(o->re[i][k]);
+      if (${fabs}(o->im[i][k]) > largest) largest = ${fabs}(o->im[i][k]);
+    }
+  }
+  /* One factor is free.  a and b are about 1 at O and may be large at F: then as far from 1 at both, so that squares fit. */
+  (void)${frexp}(largest, &power);
+  for (i = 0; i < 2; i++) {
+    int k;
+
+    for (k = 0; k < 6; k++) {
+      o->re[i][k] = ${ldexp}(o->re[i][k], -(power/2));
+      o->im[i][k] = ${ldexp}(o->im[i][k], -(power/2));
     }
   }
 }

@@ -7,6 +7,12 @@
  */
 #include "${name}.h"
 
+%% if has_compensated then
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined _M_FP_FAST
+#error "compensated sums vanish where a compiler may reorder them: no -ffast-math, no -fassociative-math"
+#endif
+
+%% end
 %% for i, h in ipairs(source_includes) do
 #include ${h}
 %%   if i == #source_includes then

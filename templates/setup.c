@@ -67,6 +67,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   }
   for (i = 0; i < 3; i++) largest = ${fabs}(x0[${upper}_WX + i]) > largest ? ${fabs}(x0[${upper}_WX + i]) : largest;
   (void)${frexp}(largest, &e);
+  if (e > 0) e = e > ${rate_spare} ? e - ${rate_spare} : 0; /* subnormal rates beside it keep their bits */
   for (i = 0; i < 3; i++) rate[i] = ${ldexp}(x0[${upper}_WX + i], -e);
   for (i = 0; i < 3; i++) {
     w[i] = ${name}_pair_of(rate[i]);

@@ -20,19 +20,21 @@ static void ${name}_split_half(${name}_real z, ${name}_real *c, ${name}_real *s)
 }
 
 %%     if split_attitude then
-/* q = q (c, e) */
-static void ${name}_split_turn(${name}_real x[], ${name}_real c, const ${name}_real e[3])
+/* q = q (c, e), of which c is c1 less than 1: what is added to q is rounded once, with it.  c q by itself would be rounded to
+ * a whole step of the last place where c is next to 1, more of a small mantissa than of a large one: a turn, always the
+ * same way. */
+static void ${name}_split_turn(${name}_real x[], ${name}_real c1, const ${name}_real e[3])
 {
   const ${name}_real w = x[${upper}_QW], a = x[${upper}_QX], b = x[${upper}_QY], d = x[${upper}_QZ];
 
-  x[${upper}_QW] = c*w - e[0]*a - e[1]*b - e[2]*d;
-  x[${upper}_QX] = c*a + e[0]*w + e[2]*b - e[1]*d;
-  x[${upper}_QY] = c*b + e[1]*w + e[0]*d - e[2]*a;
-  x[${upper}_QZ] = c*d + e[2]*w + e[1]*a - e[0]*b;
+  x[${upper}_QW] = w - (c1*w + e[0]*a + e[1]*b + e[2]*d);
+  x[${upper}_QX] = a - (c1*a - e[0]*w - e[2]*b + e[1]*d);
+  x[${upper}_QY] = b - (c1*b - e[1]*w - e[0]*d + e[2]*a);
+  x[${upper}_QZ] = d - (c1*d - e[2]*w - e[1]*a + e[0]*b);
 }
 
-/* About L by the angle |p| tau, p = L/I: L stays. */
-static void ${name}_split_along(${name}_real x[], const ${name}_real p[3], ${name}_real tau)
+/* About L by the angle |p| tau, p = L/I: L stays.  over: what |q| is over 1, and is less by afterwards. */
+static void ${name}_split_along(${name}_real x[], const ${name}_real p[3], ${name}_real tau, ${name}_real over)
 {
   const ${name}_real half = ${half}*tau;
   ${name}_real e[3], c, s;
@@ -41,10 +43,11 @@ static void ${name}_split_along(${name}_real x[], const ${name}_real p[3], ${nam
   e[1] = half*p[1];
   e[2] = half*p[2];
   ${name}_split_half(e[0]*e[0] + e[1]*e[1] + e[2]*e[2], &c, &s);
+  s *= ${one} - over;
   e[0] *= s;
   e[1] *= s;
   e[2] *= s;
-  ${name}_split_turn(x, c, e);
+  ${name}_split_turn(x, (${one} - c) + over*c, e);
 }
 
 %%     end
@@ -61,7 +64,7 @@ static void ${name}_split_about(${name}_real x[], const ${name}_real k[3], ${nam
   ${name}_split_half(e[0]*e[0] + e[1]*e[1] + e[2]*e[2], &c, &s);
   for (i = 0; i < 3; i++) e[i] *= s;
 %%       if split_attitude then
-  ${name}_split_turn(x, c, e);
+  ${name}_split_turn(x, ${one} - c, e);
 %%       end
   /* w -= 2 e x (c w - e x w) */
   f[0] = c*w[0] - (e[1]*w[2] - e[2]*w[1]);
@@ -151,7 +154,7 @@ static void ${name}_split_about(${name}_real x[], int i, int j, int k, ${name}_r
 %%   if split_full then
 static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name}_real tau, int n, const ${name}_real a[], const ${name}_real b[])
 %%   else
-static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name}_real tau)
+static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name}_real tau, ${name}_real over)
 %%   end
 {
 %%   if split_turns then
@@ -160,6 +163,16 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
 %%   if split_diagonal then
   const ${name}_real a1 = ${split_a1}, a2 = ${split_a2}, a3 = ${split_a3};
   ${name}_real b = ${half}*tau, y1 = b*w[0], y2 = b*w[1], y3 = b*w[2];
+  const ${name}_real size = ${fabs}(y1) + ${fabs}(y2) + ${fabs}(y3);
+
+  if (size > ${sixteen}) { /* far too long: fourth powers must not overflow */
+    const ${name}_real part = ${sixteen}/size;
+
+    b *= part;
+    y1 *= part;
+    y2 *= part;
+    y3 *= part;
+  }
   const ${name}_real m1 = a2*a3*y1*y1, m2 = a3*a1*y2*y2, m3 = a1*a2*y3*y3, mean = ${third}*(m1 + m2 + m3);
   ${name}_real e1 = mean - m1, e2 = mean - m2, e3 = mean - m3;
   ${name}_real g2 = ${two}*(e1*e1 + e2*e2 + e3*e3), c2, c3, U;
@@ -203,7 +216,7 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
   p[0] = j1*w[0];
   p[1] = w[1];
   p[2] = j3*w[2];
-  ${name}_split_along(x, p, ${two}*b*(f + (f*LN - wN)*r));
+  ${name}_split_along(x, p, ${two}*b*(f + (f*LN - wN)*r), over);
 %%     end
   const ${name}_real w1 = w[0], w2 = w[1], w3 = w[2];
   /* the matrix of w' less 1: (0 A B; C 0 D; E F 0); for the difference w' - w the right side is 2 Ki wj wk */
@@ -220,7 +233,7 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
   p[0] = k*(N2*L3 - N3*L2);
   p[1] = k*(N3*L1 - N1*L3);
   p[2] = k*(N1*L2 - N2*L1);
-  ${name}_split_turn(x, c, p);
+  ${name}_split_turn(x, ${one} - c, p);
 %%     end
   w[0] = w1 + v1;
   w[1] = w2 + v2;
@@ -230,6 +243,10 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
 %%   if split_full then
   const ${name}_real *u = m->split_u, *d = m->split_d, *k = m->split_b, *l = m->split_c;
   const ${name}_real half = ${half}*tau;
+%%     if split_attitude then
+  /* one Newton step for 1/|q|, from the q that comes in, so |q| cannot drift */
+  const ${name}_real over = ${half}*(x[${upper}_QW]*x[${upper}_QW] + x[${upper}_QX]*x[${upper}_QX] + x[${upper}_QY]*x[${upper}_QY] + x[${upper}_QZ]*x[${upper}_QZ]) - ${half};
+%%     end
   ${name}_real w0[3], p0[3];
   int i;
 
@@ -242,7 +259,7 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
   w[1] += u[0]*w[0];
   for (i = 0; i < 3; i++) p0[i] = w[i];
 %%     if split_attitude then
-  ${name}_split_along(x, w, tau);
+  ${name}_split_along(x, w, tau, over);
 %%     end
   for (i = 0; i <= n; i++) {
     ${name}_split_about(x, k, a[i]*half*(m->split_fb*(k[0]*w[0] + k[1]*w[1] + k[2]*w[2])));
@@ -266,7 +283,7 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
   p[1] = w[1];
   p[2] = w[2];
   p[${split_i}] += spin;
-  ${name}_split_along(x, p, tau);
+  ${name}_split_along(x, p, tau, over);
 %%     end
   ${name}_split_about(x, ${split_i}, ${split_j}, ${split_k}, -${half}*tau*spin);
   (void)m;
@@ -279,15 +296,18 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
   int i;
 
   for (i = 0; i < 3; i++) p[i] = w[i] + spin*k[i];
-  ${name}_split_along(x, p, tau);
+  ${name}_split_along(x, p, tau, over);
 %%     end
   ${name}_split_about(x, k, -${half}*tau*spin);
   (void)m;
 %%   end
+%%   if not split_attitude and not split_full then
+  (void)over;
+%%   end
 %%   if split_sphere then
   (void)m;
 %%     if split_attitude then
-  ${name}_split_along(x, w, tau);
+  ${name}_split_along(x, w, tau, over);
 %%     else
   (void)w; /* the rates stay */
   (void)tau;
@@ -379,8 +399,13 @@ void ${name}_${split_method}_step(const ${name}_model *m, ${name}_real t, ${name
 %% if split_kicks then
   int i;
 %% end
-%% if split_attitude then
-  ${name}_real n;
+%% if not split_full then
+%%   if split_attitude then
+  /* one Newton step for 1/|q|, from the q that comes in, so |q| cannot drift */
+  const ${name}_real over = ${half}*(x[${upper}_QW]*x[${upper}_QW] + x[${upper}_QX]*x[${upper}_QX] + x[${upper}_QY]*x[${upper}_QY] + x[${upper}_QZ]*x[${upper}_QZ]) - ${half};
+%%   else
+  const ${name}_real over = ${zero}; /* there is no q */
+%%   end
 %% end
 
 %% if split_kicks then
@@ -392,10 +417,10 @@ void ${name}_${split_method}_step(const ${name}_model *m, ${name}_real t, ${name
   ${name}_split_drift(m, x, drift[${split_outer.n}]*h, ${split_inner.n}, a, b);
 %%   else
   for (i = 0; i < ${split_outer.n}; i++) {
-    ${name}_split_drift(m, x, drift[i]*h);
+    ${name}_split_drift(m, x, drift[i]*h, i > 0 ? ${zero} : over);
     ${name}_split_kick(m, t + at[i]*h, x, u, kick[i]*h);
   }
-  ${name}_split_drift(m, x, drift[${split_outer.n}]*h);
+  ${name}_split_drift(m, x, drift[${split_outer.n}]*h, ${zero});
 %%   end
 %% else
   (void)t;
@@ -403,17 +428,8 @@ void ${name}_${split_method}_step(const ${name}_model *m, ${name}_real t, ${name
 %%   if split_full then
   ${name}_split_drift(m, x, h, ${split_inner.n}, a, b);
 %%   else
-  ${name}_split_drift(m, x, h);
+  ${name}_split_drift(m, x, h, over);
 %%   end
-%% end
-%% if split_attitude then
-
-  /* 1/|q| by one Newton step from 1, so |q| cannot drift */
-  n = ${threehalves} - ${half}*(x[${upper}_QW]*x[${upper}_QW] + x[${upper}_QX]*x[${upper}_QX] + x[${upper}_QY]*x[${upper}_QY] + x[${upper}_QZ]*x[${upper}_QZ]);
-  x[${upper}_QW] *= n;
-  x[${upper}_QX] *= n;
-  x[${upper}_QY] *= n;
-  x[${upper}_QZ] *= n;
 %% end
 }
 %% if first then

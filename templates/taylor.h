@@ -29,6 +29,11 @@ void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[
 void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[]);
 
 %% end
+%% if has_compensated then
+/* The same step with compensated sums: the state is x + low, low[NX] 0 at the start and afterwards what x[i] lost. */
+void ${name}_taylor_step_compensated(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real low[${upper}_NX]);
+
+%% end
 /* One step of the size that the tolerance asks for, in the direction of h and not beyond it; returns that size.  The
  * last two terms are at most the tolerance times the size of their kind of state (Jorba, Zou 2005, section 3.2). */
 ${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real tolerance);
@@ -41,6 +46,9 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
 
 /* One step of size h by the series: the scene's own stepper. */
 void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
+%%   if has_compensated then
+void ${name}_step_compensated(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real low[${upper}_NX]);
+%%   end
 %%   if taylor_transition then
 void ${name}_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[]);
 %%   end

@@ -164,6 +164,9 @@ static void tangent(const ${name}_model *m, const ${name}_real x[], const ${name
 }
 
 %% end
+%% if has_compensated then
+${compensated_test}
+%% end
 %% if has_rates then
 /* Principal axes by their definition, and small oscillations by Euler's equations. */
 static void principal(const ${name}_model *m)
@@ -317,6 +320,9 @@ int main(void)
 
 %% if has_transition then
   tangent(&m, x2, u, ${transition_step});
+%% end
+%% if has_compensated then
+  compensated(&m, x2, u, ${transition_step});
 %% end
 %% if has_guard then
   guard();

@@ -9,10 +9,10 @@
  * (DLMF 20.7.30-33) replaces z by V = kappa z, kappa = K/(2 K'), and circular functions by hyperbolic ones. */
 
 /* What is known of the motion in principal axes.  [i] is axis i + 1 of the above.  Moments and rates are scaled by powers
- * of two, the largest to about 1.  What may be tiny together is scaled once more, so that nothing underflows that matters:
- * w1 and w2 by up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the difference of the other two,
- * which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.  They come as J1, J3, d32 and
- * d21; of a rod about axis 3 it is 1 and 0. */
+ * of two, the largest to about 1, rates to 2^${rate_spare} at most.  What may be tiny together is scaled once more, so that
+ * nothing underflows that matters: w1 and w2 by up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the
+ * difference of the other two, which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.
+ * They come as J1, J3, d32 and d21; of a rod about axis 3 it is 1 and 0. */
 typedef struct ${name}_top {
   ${name}_pair I[3], J[3];              /* moments: as they are, scaled */
   ${name}_pair w[3];                    /* rates at t = 0 */
@@ -103,7 +103,7 @@ static void ${name}_label(${name}_top *p, const ${name}_pair I[3], const ${name}
   p->up13 = ${one}/p->down13;
   p->D = ${name}_circulation(least, I[large], ${name}_pair_shift(p->up13, w[small]),
       ${name}_pair_shift(p->up13, w[large]), low, high);
-  reverse = rod || p->D.hi < ${zero};
+  reverse = rod || p->D.hi < ${zero} || !(high.hi > ${zero}); /* D may have underflowed: w1 of an axis of symmetry */
   own[0] = reverse ? large : small;
   own[1] = middle;
   own[2] = reverse ? small : large;
@@ -111,7 +111,7 @@ static void ${name}_label(${name}_top *p, const ${name}_pair I[3], const ${name}
   p->D = reverse ? ${name}_pair_minus(p->D) : p->D;
   p->d21 = reverse ? high : low;
   p->d32 = reverse ? low : high;
-  p->d31 = ${name}_pair_subtract(I[large], I[small]);
+  p->d31 = ${name}_pair_add(low, ${name}_pair_shift(down, high)); /* of nearly equal pairs two differences have digits */
   p->small = down;
   sign[0] = w[own[0]].hi < ${zero} ? -${one} : ${one};
   sign[2] = w[own[2]].hi < ${zero} ? -${one} : ${one};
@@ -142,14 +142,22 @@ static void ${name}_invariants(${name}_top *p)
   p->part1 = ${name}_pair_multiply(first, ${name}_pair_multiply(w1, w1));
   p->part2 = ${name}_pair_multiply(second, ${name}_pair_multiply(w2, w2));
   p->Delta3 = ${name}_pair_add(p->part1, p->part2);
-  wide = ${name}_pair_multiply(p->J[2], p->d31);
-  p->Lambda1 = ${name}_pair_add(${name}_square_term(p->I[1], p->w[1], p->d21),
-      ${name}_pair_multiply(wide, ${name}_pair_multiply(p->w[2], p->w[2])));
-  p->b3 = ${name}_pair_root(${name}_pair_divide(p->Lambda1, wide));
+  if (p->d21.hi > ${zero}) {
+    wide = ${name}_pair_multiply(p->J[2], p->d31);
+    p->Lambda1 = ${name}_pair_add(${name}_square_term(p->I[1], p->w[1], p->d21),
+        ${name}_pair_multiply(wide, ${name}_pair_multiply(p->w[2], p->w[2])));
+    p->b3 = ${name}_pair_root(${name}_pair_divide(p->Lambda1, wide));
+    wide = ${name}_pair_multiply(p->d32, p->Lambda1);
+    p->k2 = ${name}_pair_divide(${name}_pair_multiply(p->d21, p->Delta3), wide);
+    p->kc2 = ${name}_pair_divide(${name}_pair_multiply(p->d31, p->D), wide);
+  } else { /* symmetric about axis 3: w3 is constant, however small, and k = 0 */
+    p->b3 = p->w[2];
+    p->k2 = ${name}_pair_of(${zero});
+    p->kc2 = ${name}_pair_of(${one});
+    p->small13 = 0;
+    p->down13 = p->up13 = ${one};
+  }
   p->lambda = ${name}_pair_divide(${name}_pair_multiply(p->b3, p->cross), ${name}_pair_multiply(p->J[0], p->I[1]));
-  wide = ${name}_pair_multiply(p->d32, p->Lambda1);
-  p->k2 = ${name}_pair_divide(${name}_pair_multiply(p->d21, p->Delta3), wide);
-  p->kc2 = ${name}_pair_divide(${name}_pair_multiply(p->d31, p->D), wide);
   p->G = ${name}_pair_of(${zero});
   for (i = 0; i < 3; i++) {
     g = ${name}_pair_multiply(p->I[i], p->w[i]);

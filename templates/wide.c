@@ -107,18 +107,29 @@ static ${name}_wide ${name}_wide_dot(${name}_wide a, ${name}_wide b, ${name}_wid
   return ${name}_wide_add(${name}_wide_multiply(a, b), ${name}_wide_multiply(c, d));
 }
 
-/* sqrt(f) R_F(x, y, z), homogeneous of degree 0: an argument tau of the above.  `infinite` if two of x, y, z are 0. */
+/* sqrt(f) R_F(x, y, z), homogeneous of degree 0: an argument tau of the above.  `infinite` if two of x, y, z are 0.  Where
+ * two are small, R_F(x^2, y^2, 1) = log(4/(x + y)) to their square (DLMF 19.27.2): in pairs one of them could be 0. */
 static ${name}_pair ${name}_argument(${name}_wide f, ${name}_wide x, ${name}_wide y, ${name}_wide z, int *infinite)
 {
   const ${name}_wide r[3] = {${name}_wide_root(x), ${name}_wide_root(y), ${name}_wide_root(z)}, root = ${name}_wide_root(f);
-  int i, top = ${no_exponent}, zeros = 0;
+  ${name}_wide small;
+  int i, top = ${no_exponent}, zeros = 0, at = 0;
 
   for (i = 0; i < 3; i++) {
     zeros += !${name}_wide_sign(r[i]);
-    if (${name}_wide_size(r[i]) > top) top = ${name}_wide_size(r[i]);
+    if (${name}_wide_size(r[i]) > top) {
+      top = ${name}_wide_size(r[i]);
+      at = i;
+    }
   }
   *infinite = zeros >= 2;
   if (zeros >= 2) return ${name}_pair_of(${zero});
+  small = ${name}_wide_add(r[(at + 1) % 3], r[(at + 2) % 3]);
+  if (${name}_wide_size(small) < top - 60) {
+    const ${name}_wide over = ${name}_wide_divide(r[at], small);
+
+    return ${name}_pair_multiply(${name}_wide_pair(${name}_wide_divide(root, r[at]), 0), ${name}_pair_log(over.p, over.e + 2));
+  }
   return ${name}_pair_multiply(${name}_wide_pair(root, top),
                ${name}_carlson(${name}_wide_pair(r[0], top), ${name}_wide_pair(r[1], top), ${name}_wide_pair(r[2], top)));
 }

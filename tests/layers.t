@@ -54,6 +54,8 @@ local INCLUDES = {
     "^simavr/" } },
   ["tests/bench"] = { own = { "tests", "src/runtime" }, outside = { "^gsl/", "^gmp%.h$", "^mpfr%.h$", "^arkode/",
     "^cvode/", "^nvector/", "^sundials/", "^sunlinsol/", "^sunmatrix/", "^sunnonlinsol/" } },
+  -- the hook that sees which lines of the generator run
+  ["tests/coverage"] = { own = { "tests/coverage" }, outside = { "^lua%.h$" } },
 }
 -- Emitted code needs these of the C library and no more; stdio and float only for its self-test.
 local EMITTED = { ["math.h"] = true, ["stddef.h"] = true, ["stdio.h"] = true, ["stdint.h"] = true,
@@ -218,7 +220,8 @@ end
 
 local function unit_of(path)
   return path:match("^src/cli/bench%f[_.]") or path:match("^src/[^/]+") or path:match("^templates/target%f[/]")
-    or path:match("^tests/bench%f[/]") or path:match("^tests/fuzz%f[/]") or path:match("^[^/]+")
+    or path:match("^tests/bench%f[/]") or path:match("^tests/coverage%f[/]") or path:match("^tests/fuzz%f[/]")
+    or path:match("^[^/]+")
 end
 
 -- Where a quoted include leads: beside the file, or on the include path of its unit.

@@ -15,7 +15,8 @@ local shortest = require("generator.plan.decision").shortest
 local gen = {}
 
 gen.options = { ["-o"] = "text", ["--real"] = { "double", "float" }, ["--bake"] = false, ["--method"] = "words",
-  ["--order"] = "number", ["--accuracy"] = "number", ["--with"] = { "jacobians", "proof", "q31", several = true },
+  ["--order"] = "number", ["--accuracy"] = "number",
+  ["--with"] = { "jacobians", "compensated", "proof", "q31", several = true },
   ["--libm"] = { "own", "system" }, ["--project"] = packages.names, ["--target"] = "words",
   ["--set"] = "pair", ["--show"] = { "lower", "power", "fold", "cse", "dce", "order" } }
 gen.operands = { 1, 1 }
@@ -139,7 +140,8 @@ function gen.run(host, given)
   end
   if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen or package.methods,
     order = order, jacobians = given.with and given.with.jacobians or package.jacobians,
-    q31 = given.with ~= nil and given.with.q31, libm = given.libm, outputs = given.project == "fmu" }) then
+    compensated = given.with ~= nil and given.with.compensated, q31 = given.with ~= nil and given.with.q31,
+    libm = given.libm, outputs = given.project == "fmu" }) then
     return options.refuse(host, given[1], job.diag)
   end
   job.planned = decision

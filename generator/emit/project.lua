@@ -38,6 +38,7 @@ local function literals(real)
     two64 = n(R.new(2) ^ -64), two32 = n(R.new(2) ^ -32),
     two32_up = n(R.new(2) ^ 32),
     last_turn = n(R.new(2) ^ (bits == 24 and 46 or 50)), last_time = n(R.new(2) ^ (bits == 24 and 97 or 990)),
+    rate_spare = bits == 24 and "12" or "26",
     bits_type = bits == 24 and "uint32_t" or "uint64_t", binary_shift = bits == 24 and "23" or "52",
     binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
     block = bits == 24 and "16" or "8", no_period = n(R.new(2) ^ (bits == 24 and 40 or 100)),
@@ -215,7 +216,7 @@ local function common(job)
   v.has_integral = job.conserved.rate ~= nil
   v.conservative = (v.has_integral or job.conserved.is["T+V"]) and not (eq.free and m.has.attitude)
   v.conserved_name = v.has_integral and "jacobi_integral" or "energy"
-  v.has_ticks = job.closed.ticks or false
+  v.has_ticks, v.has_compensated = job.closed.ticks or false, job.compensated or false
   v.uses_index = v.has_attitude or v.has_full
   v.stability_numeric, v.has_order = false, false
   if m.has.rates then stability.fill(ctx, job.stability, v) end
@@ -331,6 +332,7 @@ function project.files(job, plugin)
   job.code = { header = header, source = text }
   sheet(job, v)
   local n = job.model.name
+  v.compensated_test = v.has_compensated and render "templates/test_compensated.c" or ""
   local files = {
     { name = n .. ".h", text = header },
     { name = n .. ".c", text = text },

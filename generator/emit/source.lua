@@ -52,6 +52,9 @@ local function sources(ctx, f)
       for _, s in ipairs(ctx.inputs) do put(s.name, "u[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]") end
     elseif a == "t" or a == "h" then
       put(a, a)
+    elseif type(a) == "table" and a.held then -- read and written, one number a state
+      for i, s in ipairs(ctx.states) do put(a.names[i], a.name .. "[" .. ctx.upper .. "_" .. string.upper(s.name) ..
+        "]") end
     elseif type(a) == "table" and not a.out then
       local names = a.names or a.count == 6 and six or three
       for i = 1, a.count do put(a.name .. names[i], a.name .. "[" .. (i - 1) .. "]") end

@@ -54,6 +54,7 @@ function steppers.render(job, v, ctx)
         source(path .. "_run.c", v)
         if s.program.transition then source(path .. "_transition.c", taylor.transition(ctx, s.program, v)) end
         if v.has_knots then source(path .. "_knots.c", v) end
+        if v.has_compensated then source(path .. "_compensated.c", v) end
       end
     end
   end

@@ -141,7 +141,7 @@ local function of_steps(job, v, epsilon, time, real)
   v.check_free, v.check_conservative = v.free and v.fine_steps, v.conservative and v.fine_steps
   v.has_transition = job.transition or false
   v.has_transition_case = description(job, "step_transition") ~= nil
-  if not v.has_transition then return end
+  if not (v.has_transition or v.has_compensated) then return end
   local _, unknown = breaks.first(job.equations)
   v.has_differences = not unknown -- next to a corner there is no derivative
   v.state_kinds = source.kinds(job.states)

@@ -60,8 +60,8 @@ local function combined(coefficients, k, name)
   return expr.add(terms)
 end
 
--- The trial step: from x at t and k1 = f(t, x) the state `out`, its rates k7 and the error of the lower order, as the
--- groups of a function; knots: where the run must stop (dynamics/breaks.lua).
+-- The trial step: from x at t and k1 = f(t, x) the state `out`, what is `turn`ed to get its q, its rates k7 and the
+-- error of the lower order, as the groups of a function; knots: where the run must stop (dynamics/breaks.lua).
 function adaptive.program(eq)
   local zero = stages.conserved(eq)
   local moving, k, groups = {}, { {} }, {}
@@ -81,9 +81,13 @@ function adaptive.program(eq)
     local map = {}
     for i, s in ipairs(moving) do
       local name = s.name .. suffix
-      g.defs[i] = { name = name, expr = s.sym + h * combined(tableau.a[n], k, s.name) }
+      local added = h * combined(tableau.a[n], k, s.name)
+      g.defs[i] = { name = name, expr = s.sym + added }
       map[s.sym] = expr.sym(name, 8)
-      if n == 7 then g.outs[i] = { array = "out", index = s.name, expr = map[s.sym] } end
+      if n == 7 then
+        g.outs[#g.outs + 1] = { array = "out", index = s.name, expr = map[s.sym] }
+        if s.kind == "attitude" then g.outs[#g.outs + 1] = { array = "turn", index = s.name, expr = added } end
+      end
     end
     if R.sign(tableau.c[n]) ~= 0 then map[state.t] = state.t + tableau.c[n] * h end
     local defs, out = instance(eq, map, suffix, n == 2)
@@ -148,6 +152,33 @@ function adaptive.plain(eq)
     last.outs[i] = { state = s.name, expr = s.kind == "attitude" and n * e or e }
   end
   groups[#groups + 1] = last
+  return groups
+end
+
+-- What the step of a fixed size adds to the states, in the place of the new states (methods/compensated.lua): h k1 + h
+-- times what the others differ from k1 by, for the weights are rounded, and always in the same way.
+function adaptive.increments(eq)
+  local groups = adaptive.plain(eq)
+  local new = groups[#groups]
+  local last = { why = "what is added, of order 5; n - 1 of one Newton step for n = 1/|q|", defs = {}, outs = {} }
+  local short
+  for _, o in ipairs(new.outs) do
+    local s, k, rest = eq.model.states.by_name[o.state], {}, { expr.zero }
+    for j = 1, 6 do k[j] = expr.sym("k" .. j .. s.name, 8) end
+    for j = 2, 6 do rest[j] = expr.lift(tableau.a[7][j]) * (k[j] - k[1]) end
+    local first = { name = "f" .. s.name, expr = h * k[1] }
+    local d = { name = "d" .. s.name, expr = expr.sym(first.name, 8) + h * expr.add(rest) }
+    last.defs[#last.defs + 1] = first
+    last.defs[#last.defs + 1] = d
+    o.sum, o.added = s.sym + expr.sym(d.name, 8), expr.sym(d.name, 8)
+    if s.kind == "attitude" then short = (short or expr.one) - o.sum ^ 2 end
+  end
+  if short then last.defs[#last.defs + 1] = { name = "m1", expr = short / 2 } end
+  for i, o in ipairs(new.outs) do
+    local turned = eq.model.states.by_name[o.state].kind == "attitude"
+    last.outs[i] = { state = o.state, expr = turned and o.added + expr.sym("m1", 8) * o.sum or o.added }
+  end
+  groups[#groups] = last
   return groups
 end
 

@@ -69,9 +69,55 @@ function attitude.increment(g, s, v, at, previous, coupled, V)
   return { d = d, sum = s == 2 and vec.scale(expr.lift(2), d) or d }
 end
 
--- The last group: the new attitude from the four increments.
-function attitude.finish(list, coupled)
+-- The last group: what is added to the attitude.  n - 1 is small and a factor of q: its rounding moves |q| alone.  A
+-- third is not exact, so it multiplies what the increments differ by: see rk4.lua.
+local function added(list, coupled)
+  local m, third = expr.sym("m1", 9), expr.lift "1/3"
+  local g = { why = "n - 1, n = 1/|q| by one Newton step from 1, so |q| cannot drift", outs = {},
+    defs = { { name = "m1", expr = (1 - (q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2)) / 2 } } }
+  local mean = vec.map(list[1].sum, function(x, i)
+    if x == expr.zero then return third * (list[4].sum[i] + list[3].sum[i] + list[2].sum[i]) end
+    local rest = list[4].sum[i] + list[3].sum[i] + list[2].sum[i] - 5 * x
+    return 2 * x + third * named(g, "e", "5", { rest }, { axes[i] })[1]
+  end)
+  mean = named(g, "s", "", mean, axes)
+  local turn = vec.map(mean, function(x) return x + m * x end)
+  local new
+  if coupled then
+    g.why = g.why .. "; q += (n - 1) q + n (d1 + 2 d2 + d3 + d4)/3"
+    new = vec.map(q, function(x, i) return m * x + turn[i] end)
+  else
+    g.why = g.why .. "; q += q (n - 1 + n (e1 + 2 e2 + e3 + e4)/3)"
+    turn[1] = m + turn[1]
+    new = vec.qmul(q, named(g, "p", "", turn, axes))
+  end
+  for i, name in ipairs { "qw", "qx", "qy", "qz" } do g.outs[i] = { state = name, expr = new[i] } end
+  return g
+end
+
+-- The last group, coupled.  n is 1 but for a unit or two of the last place, and n q would be q but for as many:
+-- rounded, a step of the last place is more of a small mantissa than of a large one, which turns q, always the same
+-- way.  So the difference (n - 1) q is added to the increment, which has digits to spare, and rounded with it.
+local function joined(list)
+  local g = { why = "n - 1, n = 1/|q| by one Newton step from 1, so |q| cannot drift; q += (n - 1) q + n (d1 + " ..
+    "2 d2 + d3 + d4)/3", outs = {},
+    defs = { { name = "m1", expr = (1 - (q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2)) / 2 } } }
+  local m = expr.sym("m1", 9)
+  g.defs[2] = { name = "n3", expr = (1 + m) / 3 }
+  local new = vec.map(q, function(x, i)
+    local sum = list[1].sum[i] + list[4].sum[i] + list[3].sum[i] + list[2].sum[i]
+    return m * x + expr.sym("n3", 9) * sum
+  end)
+  new = named(g, "p", "", new, axes)
+  for i, name in ipairs { "qw", "qx", "qy", "qz" } do g.outs[i] = { state = name, expr = q[i] + new[i] } end
+  return g
+end
+
+-- The last group: the new attitude from the four increments; increments: what is added to the old one.
+function attitude.finish(list, coupled, increments)
+  if increments then return added(list, coupled) end
   local half = expr.lift "1/2"
+  if coupled then return joined(list) end
   local g = { why = "n = 1/|q| by one Newton step from 1, so |q| cannot drift", outs = {},
     defs = { { name = "n", expr = half * 3 - half * (q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2) } } }
   local n = expr.sym("n", 9)
@@ -79,15 +125,9 @@ function attitude.finish(list, coupled)
   local weighted = vec.map(list[1].sum, function(x, i)
     return expr.sym("n3", 9) * (x + list[4].sum[i] + list[3].sum[i] + list[2].sum[i])
   end)
-  local new
-  if coupled then
-    g.why = g.why .. "; q = n (q + (d1 + 2 d2 + d3 + d4)/3)"
-    new = vec.map(q, function(x, i) return n * x + weighted[i] end)
-  else
-    g.why = g.why .. "; q = n q (1 + (e1 + 2 e2 + e3 + e4)/3)"
-    weighted[1] = n + weighted[1]
-    new = vec.qmul(q, named(g, "p", "", weighted, axes))
-  end
+  g.why = g.why .. "; q = n q (1 + (e1 + 2 e2 + e3 + e4)/3)"
+  weighted[1] = n + weighted[1]
+  local new = vec.qmul(q, named(g, "p", "", weighted, axes))
   for i, name in ipairs { "qw", "qx", "qy", "qz" } do g.outs[i] = { state = name, expr = new[i] } end
   return g
 end

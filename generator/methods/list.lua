@@ -4,6 +4,7 @@
 --     groups(eq, constant)      the step as equation groups, printed as one function (rk4.lua)
 --     plain(eq, constant)       the step as equation groups for what is derived from it (optional; without a division
 --                               by h, and also of a method that is printed by parts: adaptive.lua)
+--     increments(eq, constant)  what the step adds, as equation groups (optional: compensated.lua)
 --     program(eq, options)      what emit/NAME.lua makes C of with templates/NAME.h and .c; nil and why it cannot
 -- adaptive = true: NAME_METHOD_run chooses its steps from a tolerance.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later

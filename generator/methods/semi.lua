@@ -26,7 +26,8 @@ local semi = { name = "semi", order = 1, title = "semi-implicit method of order 
 local h, q, w = state.h, state.q, state.w
 
 -- Euler's step of what is not turning: new velocities and own states first, then positions by the new velocities.
-local function carried(m, groups, zero, list, finals)
+-- increments, here and below: what is added to the state stands in the place of the new state.
+local function carried(m, groups, zero, list, finals, increments)
   local new = {}
   for _, last in ipairs { false, true } do
     for _, g in ipairs(groups) do
@@ -37,8 +38,9 @@ local function carried(m, groups, zero, list, finals)
         if (s.kind == "position") == last and s.kind ~= "attitude" and s.kind ~= "rates" and not zero[o.state] then
           local e = equations.inline(groups, o.expr)
           if last then e = calculus.substitute(e, new) end
-          new[s.sym] = define(o.state .. "1", s.sym + h * e)
-          finals[#finals + 1] = { state = o.state, expr = new[s.sym] }
+          local added = increments and define("d" .. o.state, h * e) or h * e
+          new[s.sym] = define(o.state .. "1", s.sym + added)
+          finals[#finals + 1] = { state = o.state, expr = increments and added or new[s.sym] }
         end
       end
       if #group.defs > 0 then list[#list + 1] = group end
@@ -46,20 +48,39 @@ local function carried(m, groups, zero, list, finals)
   end
 end
 
--- The rates after the torque, w' (definitions of their own where there is a torque), and whether there is one.
-local function kicked(m, N, list)
-  if cayley.none(N) then return w end
+-- The rates after the torque, w' (definitions of their own where there is a torque), and w' - w.
+local function kicked(m, N, list, increments)
+  if cayley.none(N) then return w, { expr.zero, expr.zero, expr.zero } end
   local g = { why = "w' = w + h I^-1 N", defs = {}, outs = {} }
   list[#list + 1] = g
-  local new = vec.map(cayley.solved(m, N), function(e, i) return w[i] + h * e end)
-  return cayley.each(cayley.definer(m, g), "wk", new)
+  local define = cayley.definer(m, g)
+  local added = vec.scale(h, cayley.solved(m, N))
+  if increments then added = cayley.each(define, "dw", added) end
+  return cayley.each(define, "wk", vec.add(w, added)), added
+end
+
+-- What is added to q to make q1 = n q (1, b): n - 1 without cancellation, r - 1 = -b^2 r^2/(1 + r) of r = 1/|(1, b)|;
+-- of p that is formed otherwise n - 1 = (1 - |p|^2) n^2/(1 + n).  What rounding does to n moves |q| alone.
+local function added_turn(define, p, b, short)
+  local n1, n
+  if short then
+    local length = q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2
+    local r1 = define("r1", -vec.dot(b, b) * short * short / (1 + short))
+    n1 = define("n1", r1 + short * (1 - length) / 2)
+    n = define("n", 1 + n1)
+  else
+    local length = define("pp", p[1] ^ 2 + p[2] ^ 2 + p[3] ^ 2 + p[4] ^ 2)
+    n = define("n", expr.lift(1) / expr.sqrt(length))
+    n1 = define("n1", (1 - length) * n * n / (1 + n))
+  end
+  return n, n1
 end
 
 -- The step as equation groups with outs {state, expr}.
-function semi.groups(eq)
+local function step(eq, increments)
   local m, zero = eq.model, stages.conserved(eq)
   local list, finals = {}, {}
-  carried(m, eq.groups, zero, list, finals)
+  carried(m, eq.groups, zero, list, finals, increments)
   local last = { why = "the new state", defs = {}, outs = finals }
   if not m.has.rates then
     list[#list + 1] = last
@@ -67,7 +88,7 @@ function semi.groups(eq)
   end
 
   local N, k = cayley.acting(m)
-  local at = kicked(m, N, list)
+  local at, added = kicked(m, N, list, increments)
   local map = {}
   for i = 1, 3 do map[w[i]] = at[i] end
   local hh
@@ -88,7 +109,7 @@ function semi.groups(eq)
   if m.has.attitude or turns then list[#list + 1] = b end
   define = cayley.definer(m, b)
   local half = cayley.each(define, "b", vec.scale(hh, middle))
-  local w1 = at
+  local w1 = increments and added or at
   local s, short = 2 / (1 + vec.dot(half, half)), nil
   if m.has.attitude and not m.frame then -- one root for both: n = 1/|(1, b)| and s = 2 n^2
     short = define("r", expr.lift(1) / expr.sqrt(1 + vec.dot(half, half)))
@@ -98,28 +119,33 @@ function semi.groups(eq)
     b.why = "half of the rotation, (1, b); L turned back by it, w1 = w' + I^-1 (L1 - L')"
     local L = vec.add(vec.map(vec.apply(cayley.inertia(m), w), function(e) return calculus.substitute(e, map) end), k)
     local change = cayley.turned(define, half, s, cayley.each(define, "L", L), "L")
-    w1 = vec.add(at, cayley.solved(m, cayley.each(define, "dL", change)))
+    w1 = vec.add(w1, cayley.solved(m, cayley.each(define, "dL", change)))
   end
   for i, name in ipairs(state.names.rates) do
     -- what is along an axis of symmetry turns with it
-    local e = f[i] == expr.zero and at[i] or w1[i]
+    local e = f[i] == expr.zero and (increments and added or at)[i] or w1[i]
     if not zero[name] then finals[#finals + 1] = { state = name, expr = e } end
   end
   if m.has.attitude then
     last.why = "q1 = n q (1, b), n = 1/|q (1, b)| with one Newton step for 1/|q|, so |q| cannot drift"
     define = cayley.definer(m, last)
     local p = vec.qmul(q, { expr.one, half[1], half[2], half[3] })
-    local unit
+    local unit, n, n1
     if m.frame then
       local turn, defs = moving.rate(m)
       turn = vec.map(turn, function(e) return equations.inline({ { defs = defs } }, e) end)
       local B = cayley.each(define, "B", vec.scale(hh, turn))
       p = vec.qmul({ expr.one, -B[1], -B[2], -B[3] }, p)
       last.why = "q1 = (1, -B) q (1, b)/|..|, B = (h/2) Omega"
-      unit = cayley.unit(define, p)
-    else
+      if not increments then unit = cayley.unit(define, p) end
+    elseif not increments then
       local length = q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2
       unit = vec.scale(define("n", short * (expr.lift "3/2" - length / 2)), p)
+    end
+    if increments then
+      n, n1 = added_turn(define, p, half, short)
+      last.why = last.why .. "; q1 - q = (n - 1) q + n (p - q)"
+      unit = vec.add(vec.scale(n1, q), vec.scale(n, vec.sub(p, q)))
     end
     for i, e in ipairs(unit) do
       finals[#finals + 1] = { state = state.names.attitude[i], expr = e }
@@ -128,5 +154,10 @@ function semi.groups(eq)
   list[#list + 1] = last
   return list
 end
+
+function semi.groups(eq) return step(eq, false) end
+
+-- What the step adds to the states, in the place of the new states: methods/compensated.lua.
+function semi.increments(eq) return step(eq, true) end
 
 return semi

@@ -19,7 +19,8 @@ local stages = require "generator.methods.stages"
 
 -- In float the seventh digit is the last one: an order above 10 costs more than its longer steps save, and coefficients
 -- of seconds grow like w^n, in a type that ends at 3e38.
-local taylor = { name = "taylor", adaptive = true, orders = { 4, 30 }, own_order = { double = 20, float = 10 },
+local taylor = { name = "taylor", adaptive = true, compensated = true, orders = { 4, 30 },
+  own_order = { double = 20, float = 10 },
   about = "Taylor series of order 4 to 30 (--order; 20, in float 10), automatic recurrences, fixed or adaptive step" }
 
 local rates = state.names.rates

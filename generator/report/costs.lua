@@ -21,6 +21,7 @@ function costs.rows(job, set_up)
   for i, s in ipairs(job.steppers) do
     names[i] = i == 1 and "step" or s.method.name .. "_step"
   end
+  for i = 1, job.compensated and #names or 0 do names[#names + 1] = names[i] .. "_compensated" end
   if set_up then names[#names + 1] = "solve" end
   for _, name in ipairs { "at", "at_rates", "at_attitude", "at_tick" } do names[#names + 1] = name end
   for _, name in ipairs(names) do

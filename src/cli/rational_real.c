@@ -233,7 +233,8 @@ int rational_lua_apply(lua_State *L) {
   struct rational_view view[3];
   mpq_srcptr arg[3] = {NULL, NULL, NULL};
   const struct function *f = find_function(luaL_checkstring(L, 1));
-  luaL_argcheck(L, f != NULL, 1, "unknown function");
+  if (f == NULL)
+    return luaL_argerror(L, 1, "unknown function");
   const mpfr_prec_t bits = (mpfr_prec_t)check_precision(L, 2);
   for (int i = 0; i < f->arity; i++)
     arg[i] = rational_arg(L, 3 + i, &view[i]);

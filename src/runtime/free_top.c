@@ -72,10 +72,12 @@ static void conjugate_of(const ph_wide q[4], ph_wide out[4]) {
 /* Y(u) of the head of this file, for the functions of u. */
 static ph_wide precession(const ph_free_top *f, ph_wide sn, ph_wide cn, ph_wide dn) {
   const ph_wide s2 = sn * sn, c2 = cn * cn, d2 = dn * dn, mc = f->kc * f->kc;
+  /* R_C(dn^2, ...) = R_C(1, ...)/dn: cn = dn on the separatrix, where both vanish in the end */
+  const ph_wide r = f->kc > 0 ? cn / dn : 1;
   const ph_wide d = f->nu * (f->nu + f->m_wide) / (1 + f->nu), q = mc / (1 + f->nu);
   if (f->kappa == 0)
     return 0;
-  ph_wide y = d2 > 0 ? sn * cn * carlson_rc(d2, d2 + d * s2 * c2) : 0;
+  ph_wide y = sn * r * carlson_rc(1, 1 + d * s2 * r * r);
   if (f->kc > 0)
     y += q / 3 * sn * s2 * carlson_rj(c2, d2, 1, c2 + q * s2);
   return f->kappa * y;
@@ -144,8 +146,7 @@ static void turned_at(const ph_free_top *f, pair t, ph_wide x[7]) {
   wide_sandwich(inner, f->w, 0, x + 4);
 }
 
-int free_top_at(const ph_free_top *f, pair t, double x[7]) {
-  ph_wide v[7];
+void free_top_at_wide(const ph_free_top *f, pair t, ph_wide v[7]) {
   if (f->kind == PH_FREE_CONSTANT || f->kind == PH_FREE_ROD) {
     turned_at(f, t, v);
   } else {
@@ -162,6 +163,11 @@ int free_top_at(const ph_free_top *f, pair t, double x[7]) {
   const ph_wide n = wide_quat_norm(v);
   for (int i = 0; i < 4; i++)
     v[i] /= n;
+}
+
+int free_top_at(const ph_free_top *f, pair t, double x[7]) {
+  ph_wide v[7];
+  free_top_at_wide(f, t, v);
   return wide_store(7, v, x);
 }
 

@@ -14,7 +14,8 @@ void free_top_axes(const ph_wide tensor[6], pair moment[3], pair axis[3][3]);
    side of the separatrix the motion is, and 0 is on it. */
 pair free_top_side(const pair moment[3], const pair w[3]);
 
-/* ph_free_top_at for a difference of two times. */
+/* ph_free_top_at for a difference of two times; wide: before it is rounded, range unchecked. */
 int free_top_at(const ph_free_top *f, pair t, double x[7]);
+void free_top_at_wide(const ph_free_top *f, pair t, ph_wide v[7]);
 
 #endif

@@ -121,7 +121,7 @@ tidies((1 - call("cos", x) ^ 2) / call("sin", x), call("sin", x), "(1 - cos^2)/s
 tidies(u * x ^ 5 - u * y ^ 5, u * (x - y) * (x ^ 4 + x ^ 3 * y + x ^ 2 * y ^ 2 + x * y ^ 3 + y ^ 4),
   "u x^5 - u y^5 ==> u (x - y) (x^4 + x^3 y + x^2 y^2 + x y^3 + y^4)")
 tidies(((x - y) ^ 2 + (z - u) ^ 2) / 12, ((x - y) ^ 2 + (z - u) ^ 2) / 12, "squares of differences stay such")
-tidies((x - y) ^ 2 + (x + y) ^ 2, 2 * (x ^ 2 + y ^ 2), "but a sum in which x and y do not move together is multiplied out")
+tidies((x - y) ^ 2 + (x + y) ^ 2, 2 * (x ^ 2 + y ^ 2), "what changes when x and y move together is multiplied out")
 tap.ok(tidy(x) == x and tidy(expr.lift(3)) == expr.lift(3), "symbols and numbers are tidy")
 
 -- The value is exactly the same, tidying twice is tidying once, and factors that were multiplied in are gone.

@@ -15,7 +15,9 @@
 
 local catalogue = {}
 
-catalogue.files = { "separatrix", "rest", "inputs", "fields", "moving",
+catalogue.files = { "separatrix", "free_moments", "free_axis", "time_free", "scale_free", "symmetric",
+  "heavy_sleeping", "heavy_motion", "gyrostat", "steppers_free", "steppers_heavy",
+  "rest", "inputs", "fields", "moving",
   "mass_walls", "mass_limits", "mass_far", "mass_sums", "mass_scale", "axes_near", "frames" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }

@@ -252,5 +252,11 @@ return function(host)
     return lines
   end
 
+  -- tests/hard/NAME.lua, a table or a function of the kit; nil for the catalogue, which only reads what the cases say.
+  function kit.tool(name)
+    local tool = require("generator.hard." .. name)
+    return type(tool) == "function" and tool(kit) or tool
+  end
+
   return kit
 end

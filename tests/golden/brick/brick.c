@@ -1304,10 +1304,10 @@ void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
  * (DLMF 20.7.30-33) replaces z by V = kappa z, kappa = K/(2 K'), and circular functions by hyperbolic ones. */
 
 /* What is known of the motion in principal axes.  [i] is axis i + 1 of the above.  Moments and rates are scaled by powers
- * of two, the largest to about 1.  What may be tiny together is scaled once more, so that nothing underflows that matters:
- * w1 and w2 by up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the difference of the other two,
- * which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.  They come as J1, J3, d32 and
- * d21; of a rod about axis 3 it is 1 and 0. */
+ * of two, the largest to about 1, rates to 2^26 at most.  What may be tiny together is scaled once more, so that
+ * nothing underflows that matters: w1 and w2 by up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the
+ * difference of the other two, which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.
+ * They come as J1, J3, d32 and d21; of a rod about axis 3 it is 1 and 0. */
 typedef struct brick_top {
   brick_pair I[3], J[3];              /* moments: as they are, scaled */
   brick_pair w[3];                    /* rates at t = 0 */
@@ -1398,7 +1398,7 @@ static void brick_label(brick_top *p, const brick_pair I[3], const brick_pair w[
   p->up13 = 1.0/p->down13;
   p->D = brick_circulation(least, I[large], brick_pair_shift(p->up13, w[small]),
       brick_pair_shift(p->up13, w[large]), low, high);
-  reverse = rod || p->D.hi < 0.0;
+  reverse = rod || p->D.hi < 0.0 || !(high.hi > 0.0); /* D may have underflowed: w1 of an axis of symmetry */
   own[0] = reverse ? large : small;
   own[1] = middle;
   own[2] = reverse ? small : large;
@@ -1406,7 +1406,7 @@ static void brick_label(brick_top *p, const brick_pair I[3], const brick_pair w[
   p->D = reverse ? brick_pair_minus(p->D) : p->D;
   p->d21 = reverse ? high : low;
   p->d32 = reverse ? low : high;
-  p->d31 = brick_pair_subtract(I[large], I[small]);
+  p->d31 = brick_pair_add(low, brick_pair_shift(down, high)); /* of nearly equal pairs two differences have digits */
   p->small = down;
   sign[0] = w[own[0]].hi < 0.0 ? -1.0 : 1.0;
   sign[2] = w[own[2]].hi < 0.0 ? -1.0 : 1.0;
@@ -1437,14 +1437,22 @@ static void brick_invariants(brick_top *p)
   p->part1 = brick_pair_multiply(first, brick_pair_multiply(w1, w1));
   p->part2 = brick_pair_multiply(second, brick_pair_multiply(w2, w2));
   p->Delta3 = brick_pair_add(p->part1, p->part2);
-  wide = brick_pair_multiply(p->J[2], p->d31);
-  p->Lambda1 = brick_pair_add(brick_square_term(p->I[1], p->w[1], p->d21),
-      brick_pair_multiply(wide, brick_pair_multiply(p->w[2], p->w[2])));
-  p->b3 = brick_pair_root(brick_pair_divide(p->Lambda1, wide));
+  if (p->d21.hi > 0.0) {
+    wide = brick_pair_multiply(p->J[2], p->d31);
+    p->Lambda1 = brick_pair_add(brick_square_term(p->I[1], p->w[1], p->d21),
+        brick_pair_multiply(wide, brick_pair_multiply(p->w[2], p->w[2])));
+    p->b3 = brick_pair_root(brick_pair_divide(p->Lambda1, wide));
+    wide = brick_pair_multiply(p->d32, p->Lambda1);
+    p->k2 = brick_pair_divide(brick_pair_multiply(p->d21, p->Delta3), wide);
+    p->kc2 = brick_pair_divide(brick_pair_multiply(p->d31, p->D), wide);
+  } else { /* symmetric about axis 3: w3 is constant, however small, and k = 0 */
+    p->b3 = p->w[2];
+    p->k2 = brick_pair_of(0.0);
+    p->kc2 = brick_pair_of(1.0);
+    p->small13 = 0;
+    p->down13 = p->up13 = 1.0;
+  }
   p->lambda = brick_pair_divide(brick_pair_multiply(p->b3, p->cross), brick_pair_multiply(p->J[0], p->I[1]));
-  wide = brick_pair_multiply(p->d32, p->Lambda1);
-  p->k2 = brick_pair_divide(brick_pair_multiply(p->d21, p->Delta3), wide);
-  p->kc2 = brick_pair_divide(brick_pair_multiply(p->d31, p->D), wide);
   p->G = brick_pair_of(0.0);
   for (i = 0; i < 3; i++) {
     g = brick_pair_multiply(p->I[i], p->w[i]);
@@ -1560,10 +1568,11 @@ static brick_pair brick_start(const brick_top *p, const brick_agm *f, brick_real
     more_x = x.hi*(q24*(X*X + X - 1.0) - q8*(1.0 + X));
     more_y = y.hi*(q24*(X*X - X - 1.0) - q8*(1.0 - X));
   }
-  /* 4 z, or less by a turn if |2 z| > pi/2 */
+  /* 4 z, or less by a turn if |2 z| > pi/2 (c < 0) */
   x = brick_pair_angle(brick_pair_add(x, brick_pair_of(more_x)), brick_pair_add(y, brick_pair_of(more_y)));
-  if (c.hi < 0.0) x = brick_pair_add(x, brick_pair_shift(p->s*p->w[1].hi < 0.0 ? -2.0 : 2.0,
-      brick_pi()));
+  X = p->s*p->w[1].hi; /* sin 2 z has its sign; where c is 0, x is pi */
+  if (c.hi < 0.0 || (!(c.hi > 0.0) && X < 0.0)) x = brick_pair_add(x,
+      brick_pair_shift(X < 0.0 ? -2.0 : 2.0, brick_pi()));
   return brick_pair_shift(0.25, brick_pair_multiply(x, brick_inverse_pi()));
 }
 
@@ -1952,6 +1961,7 @@ int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
   }
   for (i = 0; i < 3; i++) largest = fabs(x0[BRICK_WX + i]) > largest ? fabs(x0[BRICK_WX + i]) : largest;
   (void)frexp(largest, &e);
+  if (e > 0) e = e > 26 ? e - 26 : 0; /* subnormal rates beside it keep their bits */
   for (i = 0; i < 3; i++) rate[i] = ldexp(x0[BRICK_WX + i], -e);
   for (i = 0; i < 3; i++) {
     w[i] = brick_pair_of(rate[i]);
@@ -2096,8 +2106,13 @@ void brick_at_many(const brick_orbit *o, int n, const brick_real t[], brick_real
 /* a less whole turns, in units of 2^-128: {high, low}; sixteen bits at a time, each step exact */
 static void brick_fraction(brick_pair a, uint64_t out[2])
 {
+  const int negative = a.hi < 0.0; /* its size keeps the digits that 1 - |a| has not */
   int i;
 
+  if (negative) {
+    a.hi = -a.hi;
+    a.lo = -a.lo;
+  }
   if (!(fabs(a.lo) < 1.0)) a.lo -= floor(a.lo); /* so many turns that the rest has whole ones, too */
   a = brick_pair_add(brick_pair_sum(a.hi, -floor(a.hi)), brick_pair_of(a.lo));
   if (a.hi < 0.0) a = brick_pair_add(a, brick_pair_of(1.0));
@@ -2111,6 +2126,10 @@ static void brick_fraction(brick_pair a, uint64_t out[2])
     if (!(a.hi > whole) && a.lo < 0.0) whole -= 1.0;
     a = brick_pair_sum(a.hi - whole, a.lo);
     out[i/4] = out[i/4] << 16 | ((uint32_t)(int32_t)whole & 0xFFFFU);
+  }
+  if (negative) {
+    out[0] = 0 - out[0] - (out[1] > 0 ? 1U : 0U);
+    out[1] = 0 - out[1];
   }
 }
 
