@@ -39,7 +39,7 @@ local function budget(options)
   local more = math.max(0, #(options.methods or options.method or {}) - 1) + (options.accuracy and 8 or 0)
   local with = options.with or {}
   if options.jacobians or with.jacobians then more = more + 3 end
-  if options.q31 or with.q31 then more = more + 3 end
+  if options.q31 or with.q31 or options.compensated or with.compensated then more = more + 3 end
   return { steps = 32000000 * (1 + more), bytes = (40 << 20) * (1 + more), seconds = 10.0 * (1 + more) }
 end
 
