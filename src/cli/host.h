@@ -37,7 +37,10 @@ struct account {
   void *free[ACCOUNT_LARGEST / ACCOUNT_GRAIN + 1]; /* lists of blocks by size in grains */
   char *next;                                      /* of the last chunk: what is not cut yet */
   size_t left;
+  size_t pooled; /* blocks of at most so many bytes come from the pool */
 };
+/* Zero but for the limit; sets `pooled`. */
+void account_open(struct account *a);
 /* lua_Alloc with a struct account as user data. */
 void *account_allocate(void *account, void *block, size_t old_size, size_t new_size);
 struct account *account_of(lua_State *L);

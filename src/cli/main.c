@@ -93,6 +93,7 @@ static void fill_descriptors(void) {
 int main(int argc, char **argv) {
   fill_descriptors();
   struct account account = {.limit = ACCOUNT_LIMIT};
+  account_open(&account);
   lua_State *L = lua_newstate(account_allocate, &account);
   if (L == NULL) {
     fputs("polhode: not enough memory\n", stderr);

@@ -9,7 +9,8 @@
  * A third of a run went to malloc and free.  The pool: blocks of at most ACCOUNT_LARGEST bytes,
  * rounded up to a multiple of GRAIN, are cut from chunks and go back to the list of their size; Lua
  * says how large a block was, so nothing is kept beside it.  Chunks stay to the end of the run, as
- * what was kept does.  With an address sanitizer all is malloc's, so that it sees each block.
+ * what was kept does.  With an address sanitizer, or with POLHODE_MALLOC in the environment (for
+ * valgrind), all is malloc's, so that each block is seen.
  */
 #include "host.h"
 
@@ -19,15 +20,23 @@
 enum { GRAIN = ACCOUNT_GRAIN, CHUNK = 1 << 18 };
 
 #if defined __SANITIZE_ADDRESS__
-#define POOLED(size) 0
+#define POOL 0
 #elif defined __has_feature
 #if __has_feature(address_sanitizer)
-#define POOLED(size) 0
+#define POOL 0
 #endif
 #endif
-#ifndef POOLED
-#define POOLED(size) ((size) <= ACCOUNT_LARGEST)
+#ifndef POOL
+#define POOL 1
 #endif
+
+void account_open(struct account *a) {
+  a->pooled = POOL && getenv("POLHODE_MALLOC") == NULL ? ACCOUNT_LARGEST : 0;
+}
+
+static int pooled(const struct account *a, size_t size) {
+  return size <= a->pooled;
+}
 
 /* Of a size that is pooled: a block of its class. */
 static void *take(struct account *a, size_t size) {
@@ -57,7 +66,7 @@ static void give(struct account *a, void *block, size_t size) {
 
 /* As realloc, of a block of `old` bytes. */
 static void *move(struct account *a, void *block, size_t old, size_t size) {
-  const int from = block != NULL && POOLED(old), to = POOLED(size);
+  const int from = block != NULL && pooled(a, old), to = pooled(a, size);
   if (!from && !to)
     return realloc(block, size);
   if (from && to && (old + GRAIN - 1) / GRAIN == (size + GRAIN - 1) / GRAIN)
@@ -88,7 +97,7 @@ void *account_allocate(void *ud, void *block, size_t old_size, size_t new_size) 
   struct account *a = ud;
   const size_t old = block != NULL ? old_size : 0; /* else old_size is a type tag */
   if (new_size == 0) {
-    if (block != NULL && POOLED(old))
+    if (block != NULL && pooled(a, old))
       give(a, block, old);
     else
       free(block);

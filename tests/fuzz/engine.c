@@ -108,6 +108,7 @@ static void renew(void) {
   if (state != NULL)
     lua_close(state);
   account = (struct account){0, ACCOUNT_LIMIT};
+  account_open(&account);
   state = lua_newstate(account_allocate, &account);
   if (state == NULL)
     fuzz_finding("no Lua state");
