@@ -29,6 +29,7 @@ local counted = require "generator.report.counted"
 local derivation = require "generator.report.derivation"
 local number = require "generator.emit.number"
 local packages = require "generator.emit.packages.list"
+local poly = require "generator.algebra.poly"
 local project = require "generator.emit.project"
 
 local driver = { version = "0.1.0" }
@@ -40,7 +41,7 @@ local function budget(options)
   local with = options.with or {}
   if options.jacobians or with.jacobians then more = more + 3 end
   if options.q31 or with.q31 or options.compensated or with.compensated then more = more + 3 end
-  return { steps = 32000000 * (1 + more), bytes = (40 << 20) * (1 + more), seconds = 10.0 * (1 + more) }
+  return { steps = 52000000 * (1 + more), bytes = (40 << 20) * (1 + more), seconds = 10.0 * (1 + more) }
 end
 
 -- f(...), or nil and an error in the job's diagnostics.  Hosts of tests have no bounds.
@@ -48,6 +49,7 @@ local function bounded(job, f, ...)
   if not job.host.bounded then return f(...) end
   local r = table.pack(job.host.bounded(f, job.budget, ...))
   if r[1] then return table.unpack(r, 2, r.n) end
+  poly.budget = nil -- it was raised at whatever instruction came next
   job.diag:error(job.record.line, "scene", r[2] .. " (POLHODE_PATIENCE=10 allows ten times as much)")
   return nil
 end
