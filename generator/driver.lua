@@ -41,7 +41,7 @@ local function budget(options)
   local with = options.with or {}
   if options.jacobians or with.jacobians then more = more + 3 end
   if options.q31 or with.q31 or options.compensated or with.compensated then more = more + 3 end
-  return { steps = 52000000 * (1 + more), bytes = (40 << 20) * (1 + more), seconds = 10.0 * (1 + more) }
+  return { steps = 64000000 * (1 + more), bytes = (40 << 20) * (1 + more), seconds = 10.0 * (1 + more) }
 end
 
 -- f(...), or nil and an error in the job's diagnostics.  Hosts of tests have no bounds.

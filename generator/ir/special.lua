@@ -69,12 +69,12 @@ special.list = {
     local axis, _, sum = parts(rounded, a, b, c)
     return axis[1] * rounded(axis[2] * sum[1])
   end },
-  { "clamp", 2, function(_, x, limit) return x < -limit and -limit or x > limit and limit or x end },
   { "ellipsoid_normal", 3, function(rounded, a, b, c)
     if not valid(a, b, c) then return 0.0 / 0.0 end
     local _, h, sum = parts(rounded, a, b, c)
     return h[1 + (b > a and 1 or 0) + (c > a and 1 or 0)][1] / sum[1]
   end },
+  { "clamp", 2, function(_, x, limit) return x < -limit and -limit or x > limit and limit or x end },
 }
 
 table.move(series.list, 1, #series.list, #special.list + 1, special.list)
