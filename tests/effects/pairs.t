@@ -45,9 +45,9 @@ end
 for i, a in ipairs(effects) do
   for j = i, #effects do
     local b = effects[j]
-    -- each alone, and every other pair
+    -- each alone, and every third pair
     local both = i == j and a[2] or a[2] .. ", " .. b[2]
-    if i == j or (i + j) % 2 == 1 then put(a[1] .. "_" .. b[1], "{ 0, 0.1, 0.2 }", both) end
+    if i == j or (i + j) % 3 == 1 then put(a[1] .. "_" .. b[1], "{ 0, 0.1, 0.2 }", both) end
   end
 end
 

@@ -131,7 +131,7 @@ for i, s in ipairs(scenes) do
       if not s.body then
         wanted = not bake and not (real == "float" and double_only[s.name])
       elseif wide then
-        wanted = not (bake and real == "double")
+        wanted = bake == (real == "float")
       else
         wanted = bake == (real == "float") and bake == (i % 2 == 0)
       end

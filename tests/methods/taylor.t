@@ -85,7 +85,8 @@ local function printed(s, name)
     members = { { name = "kk", sym = k } } }
   local made, why = taylor.program(equations(s), { order = ORDER })
   if not made then return nil, why end
-  local v = { name = name, upper = ctx.upper, first = false, has_knots = false, planning = false, zero = "0.0",
+  local v = { name = name, upper = ctx.upper, first = false, has_knots = false, planning = false,
+    has_compensated = false, zero = "0.0",
     one = "1.0", half = "0.5", two = "2.0", four = "4.0", quarter = "0.25", eight = "8.0", fabs = "fabs",
     sqrt = "sqrt", sin = "sin", cos = "cos" }
   emit.fill(ctx, made, v)

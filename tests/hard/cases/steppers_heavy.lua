@@ -60,8 +60,9 @@ return function(kit)
         why = "upright, faster than critical, w3 and |q| over 2000 steps of 1.25 rad: what turns with the axis must " ..
           "keep w3",
         naive = EULER, oracle = "w3 = 20 is an integral, |q| = 1",
-        bound = "rk4, adaptive, taylor: w3 exactly, its torque is 0; split, midpoint, semi: 3 sqrt(n) u 16; |q| 4 u, " ..
-          "after a step of rk4 and adaptive their truncation, (h w/2)^6; of the splittings, which correct what they " ..
+        bound = "rk4, adaptive, taylor: w3 exactly, its torque is 0; split, midpoint, semi: 3 sqrt(n) u 16; |q| " ..
+          "4 u, after a step of rk4 and adaptive their truncation, (h w/2)^6; of the splittings, which correct " ..
+          "what they " ..
           "are given, the roundings of their 4 to 22 rotations, at random: 1.5 u each",
         run = function(row)
           local x0 = { 1, 0, 0, 0, 0, 0, 20 }
