@@ -51,16 +51,20 @@ static int ${name}_split_setup(${name}_model *m);
 /* Does the first step of ${step_text} s lead from the initial state to what is no number? */
 static int ${name}_overflows(const ${name}_model *m)
 {
-  ${name}_real x[${upper}_NX];
-  const ${name}_real u[${upper}_NU + 1] = {${zero}}; /* no input */
+  ${name}_real x[${upper}_NX], sum = ${zero};
+%%   if has_inputs then
+  const ${name}_real u[${upper}_NU] = {${zero}}; /* no input */
+%%   end
   int i;
 
   ${name}_initial(m, x);
+%%   if has_inputs then
   ${name}_step(m, ${zero}, x, u, ${step_literal});
-  for (i = 0; i < ${upper}_NX; i++) {
-    if (!(x[i] - x[i] == ${zero})) return 1;
-  }
-  return 0;
+%%   else
+  ${name}_step(m, ${zero}, x, 0, ${step_literal});
+%%   end
+  for (i = 0; i < ${upper}_NX; i++) sum += x[i] - x[i]; /* each 0, or no number */
+  return !(sum == ${zero});
 }
 
 %% end

@@ -109,12 +109,16 @@ function init.fill(ctx, m, values)
     values.init_groups[i] = { lines = lines }
   end
   values.finite_lines = {}
-  local code = #checks + 1
+  local code, lines, zero = #checks + 1, values.finite_lines, number.text(R.zero, ctx.real)
+  for i, member in ipairs(m.members) do
+    lines[i] = string.format("%srest %s k.%s - k.%s;", i == 1 and ctx.name .. "_real " or "", i == 1 and "=" or "+=",
+      member.name, member.name)
+  end
+  if #lines > 0 then lines[#lines + 1] = string.format("if (!(rest == %s)) return %d;", zero, code) end
   for _, member in ipairs(m.members) do
-    local zero = number.text(R.zero, ctx.real)
-    local positive = member.positive and string.format("k.%s > %s && ", member.name, zero) or ""
-    values.finite_lines[#values.finite_lines + 1] = string.format("if (!(%sk.%s - k.%s == %s)) return %d;", positive,
-      member.name, member.name, zero, code)
+    if member.positive then
+      lines[#lines + 1] = string.format("if (!(k.%s > %s)) return %d;", member.name, zero, code)
+    end
   end
   values.has_finite = #m.members > 0
   local listed = {}

@@ -5,8 +5,8 @@
 --     POLHODE_HARD=FILE lua5.4 ...      only that file of cases
 --
 -- The cases run inside the program, two files at a time, each file in a process of its own; the bounds on a scene's
--- time (docs/sandbox.md) are not what is tested here.  Exit status 1 when a bound is exceeded.  Needs build/oracle/* (make
--- tests).
+-- time (docs/sandbox.md) are not what is tested here.  Exit status 1 when a bound is exceeded.  Needs build/oracle/*
+-- (make tests).
 
 package.path = "./?.lua;" .. package.path
 

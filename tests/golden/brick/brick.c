@@ -53,16 +53,13 @@ static int brick_exact_product(brick_real e[], int n, brick_real a, brick_real b
 /* Does the first step of 0.001 s lead from the initial state to what is no number? */
 static int brick_overflows(const brick_model *m)
 {
-  brick_real x[BRICK_NX];
-  const brick_real u[BRICK_NU + 1] = {0.0}; /* no input */
+  brick_real x[BRICK_NX], sum = 0.0;
   int i;
 
   brick_initial(m, x);
-  brick_step(m, 0.0, x, u, 0.001);
-  for (i = 0; i < BRICK_NX; i++) {
-    if (!(x[i] - x[i] == 0.0)) return 1;
-  }
-  return 0;
+  brick_step(m, 0.0, x, 0, 0.001);
+  for (i = 0; i < BRICK_NX; i++) sum += x[i] - x[i]; /* each 0, or no number */
+  return !(sum == 0.0);
 }
 
 int brick_init(brick_model *m, const brick_real p[])
@@ -151,22 +148,26 @@ int brick_init(brick_model *m, const brick_real p[])
   k.mass = M;
 
   /* x - x is 0 unless x is infinite or not a number */
-  if (!(k.Ixx - k.Ixx == 0.0)) return 5;
-  if (!(k.Iyy - k.Iyy == 0.0)) return 5;
-  if (!(k.Izz - k.Izz == 0.0)) return 5;
-  if (!(k.Ixy - k.Ixy == 0.0)) return 5;
-  if (!(k.Ixz - k.Ixz == 0.0)) return 5;
-  if (!(k.Iyz - k.Iyz == 0.0)) return 5;
-  if (!(k.Jxx > 0.0 && k.Jxx - k.Jxx == 0.0)) return 5;
-  if (!(k.Jyy > 0.0 && k.Jyy - k.Jyy == 0.0)) return 5;
-  if (!(k.Jzz > 0.0 && k.Jzz - k.Jzz == 0.0)) return 5;
-  if (!(k.Jxy - k.Jxy == 0.0)) return 5;
-  if (!(k.Jxz - k.Jxz == 0.0)) return 5;
-  if (!(k.Jyz - k.Jyz == 0.0)) return 5;
-  if (!(k.Rx - k.Rx == 0.0)) return 5;
-  if (!(k.Ry - k.Ry == 0.0)) return 5;
-  if (!(k.Rz - k.Rz == 0.0)) return 5;
-  if (!(k.mass - k.mass == 0.0)) return 5;
+  brick_real rest = k.Ixx - k.Ixx;
+  rest += k.Iyy - k.Iyy;
+  rest += k.Izz - k.Izz;
+  rest += k.Ixy - k.Ixy;
+  rest += k.Ixz - k.Ixz;
+  rest += k.Iyz - k.Iyz;
+  rest += k.Jxx - k.Jxx;
+  rest += k.Jyy - k.Jyy;
+  rest += k.Jzz - k.Jzz;
+  rest += k.Jxy - k.Jxy;
+  rest += k.Jxz - k.Jxz;
+  rest += k.Jyz - k.Jyz;
+  rest += k.Rx - k.Rx;
+  rest += k.Ry - k.Ry;
+  rest += k.Rz - k.Rz;
+  rest += k.mass - k.mass;
+  if (!(rest == 0.0)) return 5;
+  if (!(k.Jxx > 0.0)) return 5;
+  if (!(k.Jyy > 0.0)) return 5;
+  if (!(k.Jzz > 0.0)) return 5;
   if (brick_overflows(&k)) return 6;
   m->Ixx = k.Ixx; m->Iyy = k.Iyy; m->Izz = k.Izz; m->Ixy = k.Ixy; m->Ixz = k.Ixz; m->Iyz = k.Iyz;
   m->Jxx = k.Jxx; m->Jyy = k.Jyy; m->Jzz = k.Jzz; m->Jxy = k.Jxy; m->Jxz = k.Jxz; m->Jyz = k.Jyz;
