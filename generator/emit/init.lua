@@ -15,7 +15,7 @@ local source = require "generator.emit.source"
 
 local init = {}
 
-local words = { m = true, p = true, k = true, own = true, roundoff = true }
+local words = { rest = true, m = true, p = true, k = true, own = true, roundoff = true }
 
 -- Does NAME_init itself call something so?
 local function taken(name) return words[name] or string.match(name, "^check%d+$") end
