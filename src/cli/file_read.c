@@ -9,6 +9,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -82,16 +83,13 @@ int host_read(lua_State *L) {
 
 /* Does the real path begin with that of the folder?  What does not exist leads nowhere. */
 int host_within(lua_State *L) {
-  char *folder = realpath(luaL_checkstring(L, 1), NULL), *path = NULL;
+  const char *folder_name = luaL_checkstring(L, 1), *name = luaL_checkstring(L, 2);
+  char folder[PATH_MAX], path[PATH_MAX];
   int inside = 1;
-  if (folder != NULL)
-    path = realpath(luaL_checkstring(L, 2), NULL);
-  if (path != NULL) {
+  if (realpath(folder_name, folder) != NULL && realpath(name, path) != NULL) {
     const size_t n = strlen(folder);
     inside = strncmp(path, folder, n) == 0 && (path[n] == '/' || path[n] == '\0' || n == 1);
   }
-  free(folder);
-  free(path);
   lua_pushboolean(L, inside);
   return 1;
 }
