@@ -202,7 +202,7 @@ COVERING = package.loadlib("$(abspath $(BUILD))/lua/polhode_coverage.so", "luaop
   package.loadlib("$(abspath $(MODULE))", "luaopen_polhode_rational")
 covered: all $(C_TESTS) $(BUILD)/lua/polhode_coverage.so
 	@rm -rf $(BUILD)/lines && mkdir $(BUILD)/lines && find $(BUILD) -name '*.gcda' -delete
-	@POLHODE_PATIENCE=1000 POLHODE=$(PROGRAM) POLHODE_COVERAGE=$(abspath $(BUILD))/lines POLHODE_COVERED=$(CURDIR) LUA_INIT='$(COVERING)' \
+	@POLHODE=$(PROGRAM) POLHODE_COVERAGE=$(abspath $(BUILD))/lines POLHODE_COVERED=$(CURDIR) LUA_INIT='$(COVERING)' \
 	  $(PROVE) $(filter-out %/known.t,$(C_TESTS)) $$(sed 's/ *#.*//' tests/coverage/tests.txt) || \
 	  echo "coverage: a test failed in this slow build; make check is its judge, here lines count"
 	@$(LUA) tests/coverage/report.lua $(BUILD) docs/coverage.md $(FLOOR)
