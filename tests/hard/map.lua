@@ -34,8 +34,10 @@ local function class(ratio)
   end
 end
 
--- Where a row of somebody belongs: his own column, else the model's.
-local function column(row) return row.real == "long double" and place.library or place[row.who] or place.model end
+-- Where a row of somebody belongs, "rk4" or "rk4, energy": his own column, else the model's.
+local function column(row)
+  return row.real == "long double" and place.library or place[string.match(row.who, "^[%w_]+")] or place.model
+end
 
 -- {column -> {double = ratio, float = ratio, all = ratio}} of a case, the worst of each.
 local function cells(case)
