@@ -119,11 +119,13 @@ return scene { name = "coil", body = tensor { mass = 1, xx = 1, yy = 2, zz = 2.5
 
   case { name = "sail_edge_on", fast = true,
     why = "the sun in the plane of a plate: light and shadow change at the last place of the attitude",
-    naive = "the cosine as 1 - angle^2/2 from acos of a dot product: 1e-8 of light where there is none",
+    naive = "c as the sine of an angle that comes from acos: 1e-9 rad from the edge there is no light",
     oracle = "F = flux/c0 A c (2 c n) of a mirror, c the cosine of the rounded quaternion, exactly",
     bound = "8 u of c^2 A flux/c0: what c itself is off by, absolutely, is u, so 8 u (c + u)",
     run = function(row)
-      row.naive(math.acos(math.cos(1e-9)) ^ 2 > 0 and 0 or (1e-9) ^ 2 / 1e-18)
+      local true_c = 1e-9
+      local c = math.sin(math.acos(math.cos(true_c)))
+      row.naive(math.abs(2 * c * c - 2 * true_c * true_c) / (true_c + kit.u.double))
       local text = [[
 return scene { name = "edge", body = tensor { mass = 1, xx = 1, yy = 2, zz = 2.5 },
   effects = { effect.solar_pressure { flux = 299792458, sun = { 1, 0, 0 },
