@@ -70,7 +70,7 @@ local CALLS = { "step", "semi_step", "midpoint_step", "taylor_step", "split4_ste
   "at_tick" }
 local n = {}
 for _, m in ipairs { m4, m0 } do
-  local counts = cores.counts(m.core, dir, m.name .. ".steps.elf") -- its plugin is built there, too
+  local counts = cores.counts(m.core, dir, m.name .. ".steps.elf")
   if not tap.is(#counts, #CALLS + 1, m.name .. ": the firmware has run to its end") then
     tap.diag(jobs.slurp(counted[m.name] .. ".log") or "")
     tap.done()
