@@ -124,8 +124,8 @@ return scene { name = "coil", body = tensor { mass = 1, xx = 1, yy = 2, zz = 2.5
     bound = "8 u of c^2 A flux/c0: what c itself is off by, absolutely, is u, so 8 u (c + u)",
     run = function(row)
       local true_c = 1e-9
-      local c = math.sin(math.acos(math.cos(true_c)))
-      row.naive(math.abs(2 * c * c - 2 * true_c * true_c) / (true_c + kit.u.double))
+      local lit = math.sin(math.acos(math.cos(true_c)))
+      row.naive(math.abs(2 * lit * lit - 2 * true_c * true_c) / (true_c + kit.u.double))
       local text = [[
 return scene { name = "edge", body = tensor { mass = 1, xx = 1, yy = 2, zz = 2.5 },
   effects = { effect.solar_pressure { flux = 299792458, sun = { 1, 0, 0 },
