@@ -3,7 +3,7 @@ max_line_length = 120
 -- Unused `self`-like arguments are written `_`; shadowing is refused.
 files["bodies/*.lua"] = {
   read_globals = {
-    "param", "scene", "solid", "shell", "plate", "rod", "wire", "points", "tensor", "effect",
+    "param", "input", "scene", "solid", "shell", "plate", "rod", "wire", "points", "tensor", "effect",
     "extrude", "revolve", "region", "mesh", "inertial",
     "quantity", "exact", "pi", "sqrt", "sin", "cos", "tan", "asin", "acos",
     "atan", "atan2", "exp", "log", "sinh", "cosh", "tanh", "abs",

@@ -3,17 +3,20 @@
 #
 #   make            the program build/polhode and the library build/libpolhode.a
 #   make demo       set up what is missing, build, and walk one body through the whole chain
-#   make check      set up what is missing, build, run every test
+#   make check      set up what is missing, build, run the quick tests: five minutes on two cores
+#   make check-all  the same with every test, half an hour; tests/tiers.txt says which test is in which
 #   make check-target   the emitted code on small processors under emulators, and proofs; `.ci/setup target` installs them
-#   make hard       every hard case, against its bound: docs/hard.md and its map (some minutes); make check has half of them
+#   make hard       every hard case, against its bound: docs/hard.md and its map (some minutes); make check-all has half of them
 #   make bits-all   the same bits on every machine, by both compilers, at every level (an hour); check-target has a part
 #   make bench      build and run the measurements
 #   make accuracy   docs/accuracy.md and its diagrams, measured anew (some minutes)
-#   make install    PREFIX (default /usr/local), DESTDIR
-#   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/linearised.svg
+#   make install    program, library, scenes, documents: PREFIX (default /usr/local), DESTDIR
+#   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/commands.md, docs/linearised.svg
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
 #   make drift-laws   docs/drift.md: how errors grow with the number of steps, fitted (ten minutes)
 #   make hunt       COUNT, SEED, HUNTED: a random search for the worst states, docs/hunt.md
+#   make mutants COUNT=40 SEED=1   plants defects and looks which tests find them: docs/mutants.md (hours)
+#   make tiers      the seconds that the last make check or check-all took, into tests/tiers.txt
 #   make coverage   which lines of generator and src a part of the tests runs: docs/coverage.md; fails below 95 %
 #   make fuzz SECONDS=600 TARGETS='scene init'   libFuzzer (clang) on each target of tests/fuzz, see docs/fuzzing.md
 #   make lint | format | sanitize | golden | clean
@@ -24,7 +27,8 @@ LDFLAGS =
 PREFIX  = /usr/local
 DESTDIR =
 BUILD   = build
-PROVE   = prove -e '' -j2
+JOBS    = 2
+PROVE   = prove -e '' -j$(JOBS)
 LUA     = lua5.4
 
 # ---- no need to change anything below ----
@@ -66,8 +70,7 @@ RUNTIME_SRC := $(sort $(wildcard src/runtime/*.c))
 CLI_SRC     := $(sort $(wildcard src/cli/*.c))
 RATIONAL_SRC := $(sort $(wildcard src/cli/rational*.c))
 TEST_SRC    := $(sort $(wildcard tests/runtime/*.c))
-TARGET_TESTS := $(sort $(wildcard tests/target/*.t))
-LUA_TESTS   := $(filter-out $(TARGET_TESTS),$(sort $(shell find tests -name '*.t')))
+LUA_TESTS   := $(sort $(shell find tests -name '*.t'))
 
 RUNTIME_OBJ := $(RUNTIME_SRC:src/%.c=$(BUILD)/obj/%.o)
 CLI_OBJ     := $(CLI_SRC:src/%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/embedded.o $(if $(COVERED),$(BUILD)/obj/hook.o)
@@ -92,8 +95,22 @@ $(BUILD)/obj/runtime/%.o: src/runtime/%.c | $(READY)
 
 $(BUILD)/obj/cli/%.o: src/cli/%.c | $(READY)
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(LUA_CFLAGS) $(XML_CFLAGS) $(GSL_CFLAGS) -DPOLHODE_VERSION='"$(VERSION)"' \
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(LUA_CFLAGS) $(XML_CFLAGS) $(GSL_CFLAGS) \
 	  $(if $(filter main sandbox bounds interrupt,$(*F)),$(COVERED:%=-include %)) -MMD -MP -c -o $@ $<
+
+# What the program says of itself: the version, and the commit where this folder is the top of a git tree.  Written
+# only when it changed.
+COMMIT = $(call once,COMMIT,$(shell git -c safe.directory='*' rev-parse --show-prefix 2>/dev/null | grep -qx '' && \
+  git -c safe.directory='*' describe --always --dirty --abbrev=12 2>/dev/null))
+$(BUILD)/version.h: FORCE
+	@mkdir -p $(@D)
+	@{ echo '#define POLHODE_VERSION "$(VERSION)"'; \
+	  echo '#define POLHODE_BUILD "$(VERSION)$(if $(COMMIT),+$(COMMIT))"'; } > $@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
+$(BUILD)/obj/cli/host.o: $(BUILD)/version.h
+$(BUILD)/obj/cli/host.o: POSIX += -I$(BUILD)
+$(BUILD)/analyzed/cli/host: $(BUILD)/version.h
 
 $(BUILD)/obj/cli/bench_sundials.o: POSIX += $(SUNDIALS_FLAGS)
 
@@ -138,12 +155,23 @@ $(BUILD)/oracle/%: tests/oracle/%.c | $(READY)
 
 tests: all $(C_TESTS) $(ORACLES)
 
-check:
-	@CC="$(CC)" .ci/setup build check
-	@$(MAKE) --no-print-directory test
+# Tests together, by the list of tests/tiers.txt; one at a time by hand: `prove -e '' tests/cli/commands.t`.
+tier = @files=$$($(LUA) tests/tiers.lua files $(1) $(BUILD) $(JOBS)) && \
+  prove -Q -j$(JOBS) -e '$(LUA) tests/tiers.lua one $(BUILD)' $$files 3>&2
 
+check: TIER = quick
+check-all: TIER = all
+check check-all:
+	@CC="$(CC)" .ci/setup build check
+	@$(MAKE) --no-print-directory test TIER=$(TIER)
+
+TIER = quick
 test: tests
-	@$(PROVE) $(C_TESTS) $(LUA_TESTS)
+	$(call tier,$(TIER))
+
+# The seconds that the last run of a tier took, into the list.
+tiers:
+	@$(LUA) tests/tiers.lua take $(BUILD)
 
 # The catalogue of hard cases, all of it; PATTERN picks by name (then the page is left as it is).
 PATTERN =
@@ -153,7 +181,7 @@ hard: tests
 
 # What runs on other processors, under emulators, and what is proven by Frama-C; a test says which package it lacks.
 check-target: all
-	@$(PROVE) $(TARGET_TESTS)
+	$(call tier,target)
 
 # Fuzzing with libFuzzer, docs/fuzzing.md; `fuzz-replay` builds the same targets for tests/fuzz/replay.t.
 FUZZ_TARGETS = $(if $(TARGETS),$(TARGETS:%=run-%),run)
@@ -161,6 +189,7 @@ SECONDS = 600
 SEED = 1758
 FUZZ_FLAGS = -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all
 fuzz: all
+	@CC="$(CC)" .ci/setup build fuzz
 	@$(MAKE) --no-print-directory -s BUILD=$(BUILD)/fuzz CC=clang \
 	  CFLAGS="$(FUZZ_FLAGS) -fsanitize=fuzzer-no-link,address,undefined" $(BUILD)/fuzz/libpolhode.a $(BUILD)/fuzz/polhode
 	@$(MAKE) --no-print-directory -s -k -f tests/fuzz/fuzz.mk ENGINE=fuzzer CC=clang OBJ=$(BUILD)/fuzz \
@@ -186,7 +215,7 @@ sanitize:
 UNSANITIZED = tests/cli/rational.t tests/cli/bench.t tests/cli/bench_peers.t tests/cli/bench_time.t tests/cli/sheet.t \
   tests/cli/hostile.t tests/cli/faults.t
 sanitized: $(PROGRAM) $(C_TESTS)
-	@POLHODE=$(PROGRAM) POLHODE_SANITIZED=1 $(PROVE) $(filter-out %/runtime/known.t,$(C_TESTS)) \
+	@POLHODE=$(PROGRAM) POLHODE_SANITIZED=1 POLHODE_BODIES=$(CURDIR)/bodies $(PROVE) $(filter-out %/runtime/known.t,$(C_TESTS)) \
 	  $(filter-out $(UNSANITIZED),$(filter tests/cli/%,$(LUA_TESTS)))
 
 # The lines that ran: of C by gcov, of the generator by a hook (tests/coverage/hook.c), in a build of their own.
@@ -202,15 +231,16 @@ COVERING = package.loadlib("$(abspath $(BUILD))/lua/polhode_coverage.so", "luaop
   package.loadlib("$(abspath $(MODULE))", "luaopen_polhode_rational")
 covered: all $(C_TESTS) $(BUILD)/lua/polhode_coverage.so
 	@rm -rf $(BUILD)/lines && mkdir $(BUILD)/lines && find $(BUILD) -name '*.gcda' -delete
-	@POLHODE=$(PROGRAM) POLHODE_COVERAGE=$(abspath $(BUILD))/lines POLHODE_COVERED=$(CURDIR) LUA_INIT='$(COVERING)' \
+	@POLHODE=$(PROGRAM) POLHODE_BODIES=$(CURDIR)/bodies POLHODE_COVERAGE=$(abspath $(BUILD))/lines POLHODE_COVERED=$(CURDIR) LUA_INIT='$(COVERING)' \
 	  $(PROVE) $(filter-out %/known.t,$(C_TESTS)) $$(sed 's/ *#.*//' tests/coverage/tests.txt) || \
-	  echo "coverage: a test failed in this slow build; make check is its judge, here lines count"
+	  echo "coverage: a test failed in this slow build; make check-all is its judge, here lines count"
 	@$(LUA) tests/coverage/report.lua $(BUILD) docs/coverage.md $(FLOOR)
 
-# The page of all shapes and its pictures.
+# The pages of all shapes with their pictures, of all effects, of all commands.
 docs: $(PROGRAM)
 	@$(PROGRAM) list shapes --format markdown -o docs
 	@$(PROGRAM) list effects --format markdown -o docs
+	@$(PROGRAM) list commands --format markdown -o docs
 	@$(PROGRAM) chart bodies/book.lua --linearised -o docs/linearised.svg
 
 golden: all
@@ -311,6 +341,12 @@ TURNS = 100000
 drift: $(PROGRAM)
 	@$(LUA) tests/bench/drift.lua $(PROGRAM) $(BUILD)/drift $(TURNS) docs/methods.md
 
+# Planted defects, and which tests find them: tests/mutants/mutants.lua and docs/mutants.md.
+mutants: COUNT = 40
+mutants: SEED = 1
+mutants: tests
+	@$(LUA) tests/mutants/mutants.lua $(BUILD) $(COUNT) $(SEED) docs/mutants.md
+
 # How errors grow with the number of steps: exponents, fitted over ensembles of states; docs/drift.md and its diagram.
 drift-laws: $(PROGRAM) $(LIBRARY)
 	@rm -rf $(BUILD)/laws
@@ -359,7 +395,7 @@ demo:
 # ---- lint ----
 
 C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(filter-out templates/target/calls.c,$(wildcard templates/plugin.h templates/target/*.[ch]))
-LUA_FILES := $(sort $(shell find generator tests bodies src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS) $(TARGET_TESTS)
+LUA_FILES := $(sort $(shell find generator tests bodies src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS)
 
 lint: lint-lua lint-c lint-format lint-analyzer
 
@@ -380,7 +416,7 @@ lint-analyzer: lint-setup $(patsubst src/%.c,$(BUILD)/analyzed/%,$(RUNTIME_SRC) 
 ANALYZE = gcc -O0 -fanalyzer -Werror -S -o /dev/null
 $(BUILD)/analyzed/%: src/%.c | $(READY)
 	@mkdir -p $(@D)
-	$(ANALYZE) $(STD) $(POSIX) $(LUA_CFLAGS) $(XML_CFLAGS) $(GSL_CFLAGS) -DPOLHODE_VERSION='""' -MMD -MP -MT $@ -MF $@.d $<
+	$(ANALYZE) $(STD) $(POSIX) $(LUA_CFLAGS) $(XML_CFLAGS) $(GSL_CFLAGS) -I$(BUILD) -MMD -MP -MT $@ -MF $@.d $<
 	@touch $@
 
 # Arrays that a loop or a function called fills are unset to gcc 12; memcheck knows better (tests/analysis/valgrind.t).
@@ -420,23 +456,28 @@ Libs: -L$${libdir} -lpolhode -lm
 endef
 export PC_FILE
 
+# The program finds its scenes by its own place (src/cli/file_read.c), so the whole may be moved.
+SHARE = $(DESTDIR)$(PREFIX)/share
 install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/include \
-	  $(DESTDIR)$(PREFIX)/share/doc/polhode
+	  $(SHARE)/polhode/bodies $(SHARE)/doc/polhode
 	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/polhode
 	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib/libpolhode.a
 	install -m 644 src/runtime/polhode.h src/runtime/polhode_exact.h src/runtime/polhode_move.h \
 	  src/runtime/polhode_acts.h $(DESTDIR)$(PREFIX)/include/
 	printf '%s\n' "$$PC_FILE" > $(DESTDIR)$(PREFIX)/lib/pkgconfig/polhode.pc
-	install -m 644 LICENSE $(DESTDIR)$(PREFIX)/share/doc/polhode/LICENSE
-	install -m 644 templates/LICENSE $(DESTDIR)$(PREFIX)/share/doc/polhode/LICENSE.templates
+	install -m 644 bodies/* $(SHARE)/polhode/bodies/
+	@echo 'README.md and docs into $(SHARE)/doc/polhode'
+	@for f in README.md $$(find docs -type f); do install -D -m 644 $$f $(SHARE)/doc/polhode/$$f || exit 1; done
+	install -m 644 LICENSE $(SHARE)/doc/polhode/LICENSE
+	install -m 644 templates/LICENSE $(SHARE)/doc/polhode/LICENSE.templates
 
 clean:
 	rm -rf $(BUILD)
 
 FORCE:
 
-.PHONY: all tests check fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs bench accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs bench accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 

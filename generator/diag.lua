@@ -2,9 +2,10 @@
 --
 -- An error is `file:line: what: rule, got value`, followed by the source line it blames.  Errors are collected,
 -- not thrown: a scene's author sees all of them at once (the first `cap`, then how many more).  Whoever finds an
--- error goes on with a harmless value.  A leaf: everybody may use it, it uses only diag/tokens.lua.
+-- error goes on with a harmless value.  A leaf: everybody may use it, it uses only diag/.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local broken = require "generator.diag.broken"
 local tokens = require "generator.diag.tokens"
 
 local diag = {}
@@ -44,6 +45,34 @@ function diag:called(line, name)
   return tokens.method(self.tokens, line, name) or line
 end
 
+-- Names of the locals that the scene can see where it is being executed, each once per function that has it.
+function diag:locals()
+  local list, level = {}, 2
+  while true do
+    local info = debug.getinfo(level, "Sf")
+    if not info then return list end
+    local n = 1
+    while info.source == "@" .. self.file do
+      local name = debug.getlocal(level, n)
+      if not name then break end
+      if string.find(name, "^[%a_]") then list[#list + 1] = name end -- not "(temporary)"
+      n = n + 1
+    end
+    for i = 1, info.source == "@" .. self.file and 255 or 0 do -- Lua's own limit of upvalues
+      local name = debug.getupvalue(info.func, i)
+      if not name then break end
+      if name ~= "_ENV" then list[#list + 1] = name end
+    end
+    level = level + 1
+  end
+end
+
+-- The line that declares a local of this name, wherever; nil if none does.
+function diag:declared(name)
+  self.tokens = self.tokens or tokens.of(self.text)
+  return tokens.declaration(self.tokens, name)
+end
+
 -- A scene shall not steer the terminal: Lua's own messages quote it as it is.
 local function plain(message) return (string.gsub(message, "[\0-\8\11-\31\127]", "?")) end
 
@@ -61,9 +90,13 @@ local function entry(self, line, message)
 end
 
 -- what: the construct ("box"); rule: what must hold ("x must be positive"); got: the offending value as text.
+-- A message that quotes what an unknown name stands for follows from the error that reported the name: it counts as an
+-- error and is not shown.
 function diag:error(line, what, rule, got)
   local message = what .. ": " .. rule .. (got and ", got " .. got or "")
-  self.errors[#self.errors + 1] = entry(self, line, message)
+  local e = entry(self, line, message)
+  if e then e.follows = self:failed() and string.find(message, broken.mark, 1, true) ~= nil end
+  self.errors[#self.errors + 1] = e
 end
 
 function diag:warn(line, what, text)
@@ -75,7 +108,9 @@ function diag:failed() return #self.errors > 0 end
 -- All errors in source order, as one text.
 function diag:report()
   local order = {}
-  for i, e in ipairs(self.errors) do order[i] = { e = e, i = i } end
+  for i, e in ipairs(self.errors) do
+    if not e.follows then order[#order + 1] = { e = e, i = i } end
+  end
   table.sort(order, function(a, b)
     if a.e.line ~= b.e.line then return a.e.line < b.e.line end
     return a.i < b.i

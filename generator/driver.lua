@@ -8,6 +8,7 @@ local R = require "generator.algebra.rational"
 local diag = require "generator.diag"
 local env = require "generator.dsl.env"
 local ranges = require "generator.dsl.ranges"
+local unused_params = require "generator.dsl.unused"
 local catalogue = require "generator.mass.catalogue"
 local effects = require "generator.effects.list"
 local stability = require "generator.mass.stability"
@@ -20,17 +21,18 @@ local conserved = require "generator.dynamics.conserved"
 local symmetric = require "generator.dynamics.closed.symmetric"
 local quantities = require "generator.dynamics.quantities"
 local sensitivity = require "generator.dynamics.sensitivity"
-local state = require "generator.dynamics.state"
 local compensated = require "generator.methods.compensated"
 local methods = require "generator.methods.list"
 local fixed_point = require "generator.methods.q31_run"
 local costs = require "generator.report.costs"
 local counted = require "generator.report.counted"
 local derivation = require "generator.report.derivation"
+local baked = require "generator.emit.baked"
 local number = require "generator.emit.number"
 local packages = require "generator.emit.packages.list"
 local poly = require "generator.algebra.poly"
 local project = require "generator.emit.project"
+local nearest = require "generator.nearest"
 
 local driver = { version = "0.1.0" }
 
@@ -56,6 +58,7 @@ end
 
 local function model_of(job, options)
   local d, record = job.diag, job.record
+  unused_params.warn(d, record)
   local m = model.new(d, record, options)
   if not m then return nil end
   local within = ranges.resolve(d, record, m)
@@ -66,20 +69,47 @@ local function model_of(job, options)
   return job
 end
 
--- Reads and checks a scene.  options: {set =, bake =}.  Returns the job so far {diag, record, model, equations, closed}
--- or nil, the diagnostics, and (a name in --set that is no parameter).  job.ranges: see dsl/ranges.lua.
+-- Which parameters there are instead of the one that is not.
+local function instead(name, record)
+  local names = {}
+  for i, p in ipairs(record.params) do names[i] = p.name end
+  local best = nearest.one(name, names)
+  return (#names > 0 and " (it has " .. table.concat(names, ", ") .. ")" or "") ..
+    (best and "; did you mean " .. best .. "?" or "")
+end
+
+-- Reads and checks the scene of a file, - for standard input.  options: {set =, bake =, name = (in place of the scene's
+-- own)}.  Returns the job so far {diag, record, model, equations, closed} or nil, the diagnostics, and (a name in --set
+-- that is no parameter).  job.ranges: see dsl/ranges.lua.
 function driver.read(host, file, options)
   local text, why = host.read(file)
   if not text then return nil, nil, why end
+  if file == "-" then file = "stdin" end
   local d = diag.new(file, text)
-  local record, unused = env.record(host, d, text, { shapes = catalogue.list, effects = effects }, options.set)
+  local record, unused = env.record(host, d, text, { shapes = catalogue.list, effects = effects }, options.set,
+    options.name)
   if not record then return nil, d end
-  if unused then return nil, d, "--set " .. unused .. ": the scene has no such parameter" end
+  if unused then return nil, d, "--set " .. unused .. ": the scene has no such parameter" .. instead(unused, record) end
   if record.body.broken then return nil, d end
-  local job = { diag = d, record = record, input_states = state.inputs, templates = host.templates, file = file,
-    source = string.match(file, "[^/]*$"), version = driver.version, host = host, budget = budget(options) }
+  local job = { diag = d, record = record, templates = host.templates, file = file,
+    source = string.match(file, "[^/]*$"), version = driver.version, build = host.build or driver.version, host = host,
+    text = text, budget = budget(options) }
   if not bounded(job, model_of, job, options) then return nil, d end
   return job
+end
+
+-- What the emitted header says of its sources: job.hash, the SHA-256 of the scene's text and of all files that it
+-- names, one after the other, and job.hashes, of each: {name =, hash =}.  nil and a message if one cannot be read.
+function driver.trace(host, job)
+  local list, paths = { { name = job.source, hash = host.sha256(job.text) } }, {}
+  for i, f in ipairs(job.record.files) do
+    local digest, why = host.sha256("", f.path)
+    if not digest then return nil, why end
+    list[#list + 1], paths[i] = { name = f.name, hash = digest }, f.path
+  end
+  local whole, why = host.sha256(job.text, table.unpack(paths))
+  job.hash, job.hashes = whole, list
+  return whole, why
 end
 
 -- The steppers that are asked for, the first one as NAME_step; rk4 if none is: a list of {method, program}.
@@ -87,7 +117,9 @@ local function steppers(job, options)
   local list = {}
   for _, name in ipairs(options.methods or {}) do
     local method, program = methods.by_name[name], nil
-    if method and method.program then
+    if method and method.program and job.plain then
+      program = { transition = true } -- its name is all that counts
+    elseif method and method.program then
       local why
       program, why = method.program(job.equations, options)
       if not program then
@@ -119,11 +151,8 @@ local function gradients(job)
   return list
 end
 
--- Completes the job for emission: the list of functions in the order they are emitted; nil after an error in its
--- diagnostics.  options: {real =, command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool or
--- "transition" (of the step alone), compensated = bool, q31 = bool, libm = "own" | "system" (the default: own in
--- float), outputs = bool: also derivatives of energy and momentum}
-local function plan(job, options)
+-- The list of functions in the order they are emitted, into the job; nil after an error in its diagnostics.
+local function functions(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods
   for _, name in ipairs(options.methods or {}) do exact = exact or name == "exact" end
@@ -165,12 +194,35 @@ local function plan(job, options)
     if not more then return nil end
     for _, f in ipairs(more) do put(f) end
   end
+  put(quantities.rate())
+  put(quantities.acceleration())
+  job.functions = list
+  return list
+end
+
+-- With --bake: each function as cheap as it is without.
+local function bake(job, options)
+  local plain = { diag = diag.new(job.file, job.text), record = job.record, host = job.host, plain = true }
+  if not (model_of(plain, {}) and functions(plain, options)) or #plain.states ~= #job.states then return end
+  for i, s in ipairs(plain.states) do
+    if s.name ~= job.states[i].name then return end
+  end
+  baked.choose(job, plain)
+end
+
+-- Completes the job for emission; nil after an error in its diagnostics.  options: {real =, command =, methods =
+-- {"rk4", "exact", ...}, order = (of taylor), jacobians = bool or "transition" (of the step alone), compensated =
+-- bool, q31 =
+-- bool, libm = "own" | "system" (the default: own in float), outputs = bool: also derivatives of energy and momentum}
+local function plan(job, options)
+  local m, eq = job.model, job.equations
+  job.real, job.command = options.real or "double", options.command
+  job.libm = options.libm or (job.real == "float" and "own" or "system")
+  if not functions(job, options) then return nil end
   if options.q31 then
     job.q31 = fixed_point.plan(job)
     if not job.q31 then return nil end
   end
-  put(quantities.rate())
-  put(quantities.acceleration())
   if m.has.rates and m.structure.kind == "symmetric" and not equations.coordinate(m.structure.k) then
     job.oblique = symmetric.constants(m)
   end
@@ -178,9 +230,7 @@ local function plan(job, options)
   job.closed_constants = form.constants and form.constants(m) or {}
   job.smooth_until = breaks.first(eq)
   job.stability = m.has.rates and stability.of(m) or nil
-  job.functions = list
-  job.real, job.command = options.real or "double", options.command
-  job.libm = options.libm or (job.real == "float" and "own" or "system")
+  if m.baked then bake(job, options) end
   job.title, job.banner = derivation.title(job), derivation.banner(job)
   job.derivation = derivation.markdown(job)
   job.sheet = function(set_up)

@@ -75,6 +75,28 @@ void ${name}_midpoint_step_transition(const ${name}_model *m, ${name}_real t, ${
   ${name}_midpoint_finish(m, t, x, u, h, mid);
 }
 %% end
+%% if midpoint_transition_u then
+
+/* How the step depends on the input, its rate in the middle w = mid. */
+static ${midpoint_tangent_u_head}
+{
+%%   for _, line in ipairs(midpoint_tangent_u_lines) do
+%%     if line == "" then
+
+%%     else
+  ${line}
+%%     end
+%%   end
+}
+
+void ${name}_midpoint_step_transition_u(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real G[])
+{
+  ${name}_real mid[3];
+
+  ${name}_midpoint_solve(m, t, x, u, h, mid);
+  ${name}_midpoint_tangent_u(m, t, x, u, h, mid, G);
+}
+%% end
 %% if first then
 
 void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
@@ -86,6 +108,13 @@ void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], cons
 void ${name}_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[])
 {
   ${name}_midpoint_step_transition(m, t, x, u, h, F);
+}
+%%   end
+%%   if midpoint_transition_u then
+
+void ${name}_step_transition_u(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real G[])
+{
+  ${name}_midpoint_step_transition_u(m, t, x, u, h, G);
 }
 %%   end
 %% end

@@ -22,11 +22,20 @@ void ${name}_midpoint_step(const ${name}_model *m, ${name}_real t, ${name}_real 
  * implicit functions, exact where the iteration has converged. */
 void ${name}_midpoint_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[]);
 %% end
+%% if midpoint_transition_u then
+
+/* How the same step depends on the input, row major, NX x NU: G[i*NU + k] = d x[i](t + h)/d u[k], u held during the step; 0
+ * where u[k] is beyond its limits.  x stays as it is. */
+void ${name}_midpoint_step_transition_u(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real G[]);
+%% end
 %% if first then
 
 /* The same: the scene's own stepper. */
 void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
 %%   if midpoint_transition then
 void ${name}_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[]);
+%%   end
+%%   if midpoint_transition_u then
+void ${name}_step_transition_u(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real G[]);
 %%   end
 %% end

@@ -2,10 +2,10 @@
 /* ---- functions that libm lacks ---- */
 %% if has_clamp then
 
-/* x within -limit .. limit, else the limit that is nearer */
-static ${name}_real ${name}_clamp(${name}_real x, ${name}_real limit)
+/* x within low .. high, else the limit that is nearer */
+static ${name}_real ${name}_clamp(${name}_real x, ${name}_real low, ${name}_real high)
 {
-  return x < -limit ? -limit : x > limit ? limit : x;
+  return x < low ? low : x > high ? high : x;
 }
 %% end
 %% if has_ellipsoid or has_sums then

@@ -27,6 +27,12 @@ void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[
 /* The same step and its transition matrix, row major, NX x NX: F[i*NX + k] = d x[i](t + h)/d x[k](t), by the series of the
  * variational equations of the same order; what keeps |q| = 1 is included.  It takes about 3 NX times as long as the step. */
 void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[]);
+%%   if has_inputs then
+
+/* How the same step depends on the input, row major, NX x NU: G[i*NU + k] = d x[i](t + h)/d u[k], u held during the step; 0
+ * where u[k] is beyond its limits.  x stays as it is. */
+void ${name}_taylor_step_transition_u(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real G[]);
+%%   end
 
 %% end
 %% if has_compensated then
@@ -51,5 +57,8 @@ void ${name}_step_compensated(const ${name}_model *m, ${name}_real t, ${name}_re
 %%   end
 %%   if taylor_transition then
 void ${name}_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[]);
+%%     if has_inputs then
+void ${name}_step_transition_u(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real G[]);
+%%     end
 %%   end
 %% end

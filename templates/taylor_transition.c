@@ -1,6 +1,10 @@
 %% -- taylor_transition.c -- the transition matrix of the Taylor step: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* The coefficients of the states that move and, after them, of what neighbours along v depart by: v' = f'(x) v, the
- * variational equations, whose series is the derivative of the series (Hairer, Norsett, Wanner I, section I.14). */
+ * variational equations, whose series is the derivative of the series (Hairer, Norsett, Wanner I, section I.14).
+%% if has_inputs then
+ * v has NX numbers of the states and then NU of the inputs.
+%% end
+ */
 static void ${name}_taylor_tangent(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real v[],
                        const ${name}_real u[], ${name}_real c[][${taylor_count}]${taylor_side})
 {
@@ -120,7 +124,11 @@ static void ${name}_taylor_longer(const ${name}_model *m, const ${name}_real x[]
 %% end
 void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[])
 {
+%% if has_inputs then
+  ${name}_real c[${upper}_ORDER + 1][${taylor_count}], v[${upper}_NX + ${upper}_NU] = {${zero}};
+%% else
   ${name}_real c[${upper}_ORDER + 1][${taylor_count}], v[${upper}_NX];
+%% end
 %% if has_knots then
   const ${name}_real end = t + h;
   ${name}_real stop, part;
@@ -160,10 +168,52 @@ void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${na
   ${name}_taylor_longer(m, x, q, h, F);
 %% end
 }
+%% if has_inputs then
+
+void ${name}_taylor_step_transition_u(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real G[])
+{
+  ${name}_real c[${upper}_ORDER + 1][${taylor_count}], v[${upper}_NX + ${upper}_NU];
+  int i, k;
+
+  for (k = 0; k < ${upper}_NU; k++) {
+%%   if has_knots then
+    const ${name}_real end = t + h;
+    ${name}_real y[${upper}_NX], now = t, left = h, stop, part;
+    int n;
+
+    for (i = 0; i < ${upper}_NX; i++) y[i] = x[i];
+%%   end
+    for (i = 0; i < ${upper}_NX + ${upper}_NU; i++) v[i] = i == ${upper}_NX + k ? ${one} : ${zero};
+%%   if has_knots then
+    for (n = 0; n <= ${knots_count}; n++) { /* from corner to corner */
+      stop = ${name}_knot(m, now, end);
+      part = stop < end || stop > end ? stop - now : left;
+      ${name}_taylor_tangent(m, now, y, v, u, c, now + ${half}*part);
+      ${name}_taylor_along(c, part, v);
+      ${name}_taylor_step(m, now, y, u, part);
+      now = stop;
+      left -= part;
+      if (!(stop < end || stop > end)) break;
+    }
+%%   else
+    ${name}_taylor_tangent(m, t, x, v, u, c);
+    ${name}_taylor_along(c, h, v);
+%%   end
+    for (i = 0; i < ${upper}_NX; i++) G[i*${upper}_NU + k] = v[i];
+  }
+}
+%% end
 %% if first then
 
 void ${name}_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[])
 {
   ${name}_taylor_step_transition(m, t, x, u, h, F);
 }
+%%   if has_inputs then
+
+void ${name}_step_transition_u(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real G[])
+{
+  ${name}_taylor_step_transition_u(m, t, x, u, h, G);
+}
+%%   end
 %% end

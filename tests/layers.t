@@ -12,7 +12,8 @@ local ARROWS = {
   algebra = { "polhode_rational" },
   diag = {},
   hash = {},
-  dsl = { "algebra", "diag", "interchange" }, -- interchange: shapes whose numbers another program wrote
+  nearest = {},
+  dsl = { "algebra", "diag", "interchange", "nearest" }, -- interchange: shapes whose numbers another program wrote
   interchange = { "algebra", "diag" },
   mass = { "algebra", "diag", "geometry" }, -- geometry: does a hole lie inside its body?
   effects = { "algebra" },
@@ -27,10 +28,10 @@ local ARROWS = {
   cost = {}, -- operations counted in text that was made, and what they take
   -- dynamics: equations with an effect left out; cost: of functions
   report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw", "cost" },
-  driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report" },
+  driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report", "nearest" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan",
-    "report", "driver", "interchange" },
-  main = { "commands", "driver", "diag" },
+    "report", "driver", "interchange", "nearest" },
+  main = { "commands", "driver", "diag", "nearest" },
 }
 
 -- Inside ir/, a pass knows the instruction table and nothing of its neighbours.
@@ -75,6 +76,7 @@ local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/
   ["generator/emit/q31.lua"] = true, -- three digits in comments
   ["generator/ir/show.lua"] = true, ["generator/report/json.lua"] = true, ["generator/report/facts.lua"] = true,
   ["generator/report/explain.lua"] = true, ["generator/commands/run.lua"] = true,
+  ["generator/commands/run/accuracy.lua"] = true, ["generator/commands/run/limits.lua"] = true,
   ["generator/report/stability.lua"] = true, ["generator/report/chart.lua"] = true,
   ["generator/report/linearised.lua"] = true,
   ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true,

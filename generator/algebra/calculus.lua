@@ -25,9 +25,9 @@ local rules = {
   tanh = function(a) return { 1 - expr.call("tanh", a) ^ 2 } end,
   abs = function(a) return { expr.call("sign", a) } end, -- at a = 0 the derivative from the right
   sign = function() return { expr.zero } end,
-  clamp = function(x, limit)
-    local within = expr.call("sign", limit - expr.call("abs", x))
-    return { (1 + within) / 2, expr.call("sign", x) * ((1 - within) / 2) }
+  clamp = function(x, low, high) -- low <= high; at a limit the derivative from within
+    local above, below = expr.call("sign", x - low), expr.call("sign", high - x)
+    return { (1 + above) * (1 + below) / 4, (1 - above) / 2, (1 - below) / 2 }
   end,
   -- R_G's partial derivatives are the means H_i (exact.lua): a d/da (a b c G) = a b c (G - H_a) = a b c (H_b + H_c)
   ellipsoid_area = function(a, b, c)

@@ -19,8 +19,8 @@ local function lookup(env, name)
   return x
 end
 
--- x within -limit .. limit, of numbers of any kind.
-local function clamp(x, limit) return x < -limit and -limit or x > limit and limit or x end
+-- x within low .. high, of numbers of any kind.
+local function clamp(x, low, high) return x < low and low or x > high and high or x end
 
 -- Evaluates e by the arithmetic A: number, symbol, sum and product of two, power, call.
 local function walk(e, A)
@@ -82,7 +82,7 @@ function evaluate.exact(e, env)
     call = function(fn, args)
       if fn == "abs" then return R.abs(args[1]) end
       if fn == "sign" then return R.sign(args[1]) < 0 and -R.one or R.one end
-      if fn == "clamp" then return clamp(args[1], args[2]) end
+      if fn == "clamp" then return clamp(args[1], args[2], args[3]) end
       error("evaluate: " .. fn .. " has no exact value", 0)
     end,
   })
@@ -119,7 +119,7 @@ function evaluate.precise(e, env, bits)
     call = function(fn, args)
       if fn == "abs" then return R.abs(args[1]) end
       if fn == "sign" then return R.sign(args[1]) < 0 and -R.one or R.one end
-      if fn == "clamp" then return clamp(args[1], args[2]) end
+      if fn == "clamp" then return clamp(args[1], args[2], args[3]) end
       return apply(fn, table.unpack(args))
     end,
   })

@@ -32,7 +32,7 @@ local odd = { sin = true, tan = true, asin = true, atan = true, sinh = true, tan
 local even = { cos = true, cosh = true, abs = true, arc_across = true, arc_along = true, arc_lever = true,
   catenary_width = true, catenary_height = true }
 local at_zero = { sin = 0, tan = 0, asin = 0, atan = 0, sinh = 0, tanh = 0, cos = 1, cosh = 1, exp = 1, abs = 0,
-  clamp = 0, arc_across = 0, arc_along = 0, arc_lever = 0, catenary_rise = 0,
+  arc_across = 0, arc_along = 0, arc_lever = 0, catenary_rise = 0,
   catenary_width = "1/3", catenary_height = 0 }
 
 return function(expr)
@@ -101,6 +101,11 @@ return function(expr)
         out[#out + 1] = expr.call("abs", expr.mul(inside))
         return expr.mul(out)
       end
+    end
+    if fn == "clamp" then -- x within low .. high
+      local low, high = args[2], args[3]
+      if a.kind ~= "num" or low.kind ~= "num" or high.kind ~= "num" then return nil end
+      return a.value < low.value and low or a.value > high.value and high or a
     end
     if expr.iszero(a) and at_zero[fn] then return expr.lift(at_zero[fn]) end
     if fn == "log" and a == expr.one then return expr.zero end

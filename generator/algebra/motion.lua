@@ -50,7 +50,10 @@ function motion.lift(e, constant)
       v = expr.pow(lift(u.base), u.exp)
     elseif u.kind == "call" then
       local args = {}
-      for i = 1, #u do args[i] = lift(u[i]) end
+      for i = #u, 1, -1 do
+        local opposite = u.fn == "clamp" and i == 2 and u[2] == -u[3] -- one constant for both limits
+        args[i] = opposite and -args[3] or lift(u[i])
+      end
       v = expr.call(u.fn, table.unpack(args))
     else
       v = u

@@ -6,6 +6,7 @@
 -- timed asks for another level.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local compiler = require "generator.commands.compiler"
 local driver = require "generator.driver"
 
 local build = {}
@@ -34,10 +35,12 @@ end
 
 -- Compiles planned jobs as shared objects, as many at a time as there are processors, and loads them.  list: of {job =,
 -- flags = {more flags}, peers = true (with what other integrators need)}.  Returns the list of plugins, false for one
--- that failed, and a table {[its number] = {message =, kind = "range" or nil}}, nil if none did.
+-- that failed, and a table {[its number] = {message =, kind =}}, nil if none did.  kind: "range", "compiler" (there is
+-- none that works), or nil.
 function build.plugins(host, list)
   local plugins, failed, sources, numbers = {}, {}, {}, {}
   local dir, why = host.tempdir()
+  local missing -- what is wrong with the compiler, "none" if nothing is; asked once
   for i, item in ipairs(list) do
     local source, kind
     if dir then source, why, kind = prepare(host, item, dir, i) end
@@ -54,13 +57,15 @@ function build.plugins(host, list)
       plugins[i], why = host.plugin(sources[k][1] .. "/plugin.so")
       if not plugins[i] then plugins[i], failed[i] = false, { message = why } end
     else
-      failed[i] = { message = "the emitted code does not compile:\n" .. made.message }
+      missing = missing or compiler.missing(host) or "none"
+      failed[i] = missing ~= "none" and { message = missing, kind = "compiler" } or
+        { message = "the emitted code does not compile:\n" .. made.message }
     end
   end
   return plugins, next(failed) and failed or nil
 end
 
--- One of them: plugin | nil, message, and "range" if the real type cannot hold the scene's constants.
+-- One of them: plugin | nil, message, kind; "range": the real type cannot hold the scene's constants.
 function build.plugin(host, job)
   local plugins, failed = build.plugins(host, { { job = job } })
   if failed then return nil, failed[1].message, failed[1].kind end

@@ -12,9 +12,25 @@ local linearised = require "generator.report.linearised_chart"
 
 local chart = {}
 
-chart.options = { ["--over"] = "words", ["--axis"] = { "x", "y", "z", "0", "1", "2" }, ["--dissipation"] = false,
-  ["--linearised"] = false, ["--set"] = "pair", ["-o"] = "text" }
-chart.operands = { 1, 1 }
+chart.forms = {
+  { "SCENE --over A=..,B=..", "where a spin persists, as SVG" },
+  { "SCENE --linearised", "the error of the linearised top, as SVG" },
+}
+chart.operands = { 1, 1, "SCENE" }
+chart.options = {
+  { "--over", "words", "two parameters and their ranges, each in the parameter's own unit",
+    value = "A=LOW:HIGH,B=LOW:HIGH", default = "none; needed without --linearised" },
+  { "--axis", { "x", "y", "z", "0", "1", "2" }, "the axis of the spin: a coordinate axis, or a principal axis by " ..
+    "its number", default = "each axis that differs from the others" },
+  { "--dissipation", false, "with dissipation inside the body" },
+  { "--linearised", false, "the error of the linearised motion against the exact one instead" },
+  { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
+  { "-o", "text", "the file that is written", value = "FILE.svg", default = "standard output, which is also -" },
+}
+chart.examples = {
+  { "polhode chart brick_centroid --over a=0.05:0.4,b=0.05:0.4 -o brick.svg", "over two edges of a brick" },
+  { "polhode chart book --linearised -o book.svg", "how long the linearised motion is good" },
+}
 
 -- "a=0.05:0.4" as {name, low, high}, or nil and what is wrong.
 local function range(word)
@@ -43,9 +59,13 @@ local function plane(job, words)
     end
     if not over[i] then
       return nil, "--over " .. r.name .. ": the scene has no such parameter" ..
-        (#names > 0 and " (it has " .. table.concat(names, ", ") .. ")" or "")
+        (#names > 0 and " (it has " .. table.concat(names, ", ") .. ")" or "") .. options.meant(r.name, names)
     end
-    if over[i].low >= over[i].high then return nil, "--over " .. r.name .. ": the range is empty in double" end
+    local o = over[i]
+    if o.low >= o.high then return nil, "--over " .. r.name .. ": the range is empty in double" end
+    if not (o.high - o.low < math.huge and o.given_high - o.given_low < math.huge) then
+      return nil, "--over " .. r.name .. ": the range must be within that of double, got " .. word
+    end
   end
   if over[1].name == over[2].name then return nil, "--over must name two different parameters, got " .. over[1].name end
   return over
@@ -101,7 +121,7 @@ end
 
 function chart.run(host, given)
   local job, d, why = driver.read(host, given[1], given)
-  if not job then return options.refuse(host, given[1], d, why) end
+  if not job then return options.refuse(host, d, why) end
   options.warn(host, job.diag)
   local text, wrong
   if given.linearised then
@@ -109,20 +129,8 @@ function chart.run(host, given)
   else
     text, wrong = stability_text(job, given)
   end
-  if not text then
-    host.err("polhode chart: " .. wrong .. "\n")
-    return 2
-  end
-  if not given.o then
-    host.out(text)
-    return 0
-  end
-  local ok, failure = host.write_file(given.o, text)
-  if not ok then
-    host.err("polhode chart: " .. failure .. "\n")
-    return 2
-  end
-  return 0
+  if not text then return options.wrong(host, "chart", wrong) end
+  return options.write(host, "chart", given.o, text)
 end
 
 return chart

@@ -11,6 +11,7 @@
 -- Exit status 3 when a number fails.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local json = require "generator.report.json"
 local options = require "generator.commands.options"
 local build = require "generator.commands.build"
 local driver = require "generator.driver"
@@ -18,10 +19,23 @@ local comparison = require "generator.commands.comparison"
 
 local check = {}
 
-check.options = { ["--real"] = { "double", "float" }, ["--states"] = "number" }
-check.operands = { 1, math.huge }
+local most = 1000000 -- states: minutes for a scene
+
+check.forms = { { "SCENE...", "emitted code against the general library",
+  "The code is compiled and compared over random states and parameters, as TAP; see docs/design.md." } }
+check.operands = { 1, math.huge, "SCENE" }
+check.options = {
+  { "--real", { "double", "float" }, "the type of the emitted code's numbers", default = "both, one after the other" },
+  { "--states", "number", "how many random states, at least 1", value = "N", default = "1000" },
+}
+check.examples = { { "polhode check dropped_stone foucault --real double", "two scenes, in double alone" } }
 
 function check.run(host, given)
+  local states = given.states or 1000
+  if not (states >= 1 and states <= most and states % 1 == 0) then
+    return options.wrong(host, "check", "--states must be a whole number from 1 to " .. string.format("%d", most) ..
+      ", got " .. json.number(states))
+  end
   local tap = { n = 0, failed = 0 }
   function tap.ok(pass, what, detail)
     tap.n = tap.n + 1
@@ -35,22 +49,27 @@ function check.run(host, given)
     for _, real in ipairs(given.real and { given.real } or { "double", "float" }) do
       local job, d, why = driver.read(host, given[i], {})
       if not job then
-        worst = math.max(worst, options.refuse(host, given[i], d, why))
+        worst = math.max(worst, options.refuse(host, d, why))
         tap.ok(false, given[i] .. " is a scene")
         break
       end
+      if real == "double" or given.real then options.warn(host, job.diag) end
       local planned, plugin, kind = driver.plan(job, { real = real, command = "" }), nil, nil
       if planned then
         plugin, why, kind = build.plugin(host, job)
       else
-        worst = math.max(worst, options.refuse(host, given[i], job.diag))
+        worst = math.max(worst, options.refuse(host, job.diag))
+      end
+      if kind == "compiler" then
+        host.out("Bail out! No C compiler.\n")
+        return options.failed(host, "check", why)
       end
       local refused = kind == "range" and real == "float"
       local what = job.model.name .. ", " .. real .. ": the emitted code compiles without a warning"
       if refused then what = what .. " # SKIP its constants are outside the range of float" end
       tap.ok(plugin ~= nil or refused, what)
       if plugin then
-        comparison.run(host, job, plugin, tap, math.tointeger(given.states or 1000) or 1000)
+        comparison.run(host, job, plugin, tap, math.tointeger(states))
       elseif not refused then
         if kind == "range" then worst = math.max(worst, 1) end
         host.err(why .. "\n")

@@ -11,29 +11,42 @@ local inertial = require "generator.report.inertial"
 
 local explain = {}
 
-explain.options = { ["--format"] = { "text", "markdown", "latex", "json", "urdf", "mjcf", "sdf" }, ["--set"] = "pair",
-  ["--diff"] = false, ["--real"] = { "double", "float" }, ["--target"] = "words" }
-explain.operands = { 1, 2 }
+explain.forms = {
+  { "SCENE", "what was derived from a scene, and why" },
+  { "--diff A B", "the terms by which two scenes differ" },
+}
+explain.operands = { 1, 2, "SCENE" }
+explain.options = {
+  { "--format", { "text", "markdown", "latex", "json", "urdf", "mjcf", "sdf" }, "text, markdown, latex and json are " ..
+    "explanations; urdf, mjcf and sdf the <inertial> of a robot file", value = "FORMAT", default = "text" },
+  { "--diff", false, "compare two scenes; as text or json" },
+  { "--real", { "double", "float" }, "the type for which costs are given", default = "double" },
+  { "--target", "words", "count instructions, flash and stack on small processors under emulators: all, or some of " ..
+    table.concat(measure.names, ", "), value = "CORE,...", default = "costs are estimated" },
+  { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
+}
+explain.examples = {
+  { "polhode explain brick --set a=0.3", "the whole derivation, for another edge" },
+  { "polhode explain brick --format urdf", "mass, centre and tensor for a robot file" },
+  { "polhode explain --diff brick brick_centroid", "what the corner adds" },
+}
 
 local xml = { urdf = true, mjcf = true, sdf = true } -- numbers for other programs, not an explanation
 
 -- Two scenes: by what the second differs from the first.
 local function compared(host, given)
   local format, jobs = given.format or "text", {}
-  if #given < 2 then
-    host.err "polhode explain: --diff needs two scenes\n"
-    return 2
-  end
-  if format ~= "text" and format ~= "json" then
-    host.err("polhode explain: --diff: --format must be text or json, got " .. format .. "\n")
-    return 2
-  end
+  local wrong = #given < 2 and "--diff needs two scenes" or
+    format ~= "text" and format ~= "json" and "--diff: --format must be text or json, got " .. format or
+    given.target and "--target: a difference has no counted costs" or
+    given.real and "--real: a difference is of expressions, before they have a type"
+  if wrong then return options.wrong(host, "explain", wrong) end
   for i = 1, 2 do
     local job, d, why = driver.read(host, given[i], given)
-    if not job then return options.refuse(host, given[i], d, why) end
+    if not job then return options.refuse(host, d, why) end
     options.warn(host, job.diag)
     jobs[i] = driver.plan(job, { command = "" })
-    if not jobs[i] then return options.refuse(host, given[i], job.diag) end
+    if not jobs[i] then return options.refuse(host, job.diag) end
   end
   host.out(difference.text(jobs[1], jobs[2], format))
   return 0
@@ -41,20 +54,15 @@ end
 
 function explain.run(host, given)
   if given.diff then return compared(host, given) end
-  if given[2] then
-    host.err("polhode explain: too many operands: " .. given[2] .. "\n")
-    return 2
-  end
+  if given[2] then return options.wrong(host, "explain", "too many operands: " .. given[2]) end
   local cores, wrong = measure.cores(given.target, given.real)
   if given.target and xml[given.format] then
     cores, wrong = nil, "--target: --format must be text, markdown, latex or json, got " .. given.format
   end
-  if wrong then
-    host.err("polhode explain: " .. wrong .. "\n")
-    return 2
-  end
+  if given.real and xml[given.format] then wrong = "--real: --format " .. given.format .. " has no costs" end
+  if wrong then return options.wrong(host, "explain", wrong) end
   local job, d, why = driver.read(host, given[1], given)
-  if not job then return options.refuse(host, given[1], d, why) end
+  if not job then return options.refuse(host, d, why) end
   options.warn(host, job.diag)
   if xml[given.format] then
     host.out(inertial.text(job, given.format))
@@ -62,16 +70,13 @@ function explain.run(host, given)
   end
   job.asked = planner.asked(host, job, given)
   if not driver.plan(job, { command = "", real = given.real }) then
-    return options.refuse(host, given[1], job.diag)
+    return options.refuse(host, job.diag)
   end
   if cores then
     local files = driver.files(host, job)
-    if not files then return options.refuse(host, given[1], job.diag) end
+    if not files then return options.refuse(host, job.diag) end
     job.counted, why = measure.run(host, job, cores, files)
-    if not job.counted then
-      host.err("polhode explain: " .. why .. "\n")
-      return 2
-    end
+    if not job.counted then return options.failed(host, "explain", why) end
   end
   host.out(report.text(job, given.format or "text"))
   return 0

@@ -23,7 +23,7 @@ function forced.run(host, job, plugin, tap, name, epsilon, scale, s, x0)
   if not job.model.structure.rod and job.closed.kind ~= "lagrange" then
     local I, mass = plugin:inertia(), host.mass(s)
     s.body = { shape = "tensor", mass = mass.mass, com = { 0.0, 0.0, 0.0 }, about = "com", xx = I[1], yy = I[2],
-      zz = I[3], xy = I[4], xz = I[5], yz = I[6] }
+      zz = I[3], xy = I[4], xz = I[5], yz = I[6], formal = job.model.unlawful }
     s.origin = { 0.0, 0.0, 0.0 }
   end
   local w = #x0 - 2 -- where the rates begin

@@ -3,8 +3,11 @@
 -- accuracy (of the scene, or --accuracy) commands/planner.lua decides on the method, from those of --method.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local compiler = require "generator.commands.compiler"
+local identifiers = require "generator.dsl.names"
 local options = require "generator.commands.options"
 local measure = require "generator.commands.measure"
+local outputs = require "generator.commands.outputs"
 local packages = require "generator.emit.packages.list"
 local planner = require "generator.commands.planner"
 local driver = require "generator.driver"
@@ -14,23 +17,61 @@ local shortest = require("generator.plan.decision").shortest
 
 local gen = {}
 
-gen.options = { ["-o"] = "text", ["--real"] = { "double", "float" }, ["--bake"] = false, ["--method"] = "words",
-  ["--order"] = "number", ["--accuracy"] = "number",
-  ["--with"] = { "jacobians", "compensated", "proof", "q31", several = true },
-  ["--libm"] = { "own", "system" }, ["--project"] = packages.names, ["--target"] = "words",
-  ["--set"] = "pair", ["--show"] = { "lower", "power", "fold", "cse", "dce", "order" } }
-gen.operands = { 1, 1 }
+gen.forms = { { "SCENE", "write the C of a scene into a folder",
+  "NAME, below, is the name that the scene gives itself." } }
+gen.operands = { 1, 1, "SCENE" }
+gen.options = {
+  { "-o", "text", "the folder that is written; it is made if it is not there", value = "DIR", default = "NAME" },
+  { "--name", "text", "the name in place of the scene's own: prefix of functions, files and macros, so that float " ..
+    "and double of a scene fit into one program", value = "NAME", default = "the scene's" },
+  { "--real", { "double", "float" }, "the type of the code's numbers",
+    default = "double; float for the projects arduino and firmware, and where a budget asks for it" },
+  { "--bake", false, "parameters become constants of the code" },
+  { "--method", "words", "what is emitted: exact (the closed form) and steppers, of which the first becomes " ..
+    "NAME_step; polhode list methods explains them. With an accuracy: which ones may be chosen from",
+    value = "M,...", default = "exact where the scene has a closed form, and rk4" },
+  { "--order", "number", "order of the Taylor series, 4 to 30", value = "N", default = "20, in float 10" },
+  { "--accuracy", "number", "the largest error of the state over the scene's horizon, relative to its size, between " ..
+    "0 and 1: the cheapest method, order and step that hold it are looked for (docs/planner.md)", value = "E",
+    default = "the scene's accuracy, if it has one" },
+  { "--with", { "jacobians", "compensated", "proof", "q31", several = true }, "what is added, commas between",
+    value = "WHAT,...", default = "nothing", each = {
+      jacobians = "derivatives of steppers and closed form by state and parameters",
+      compensated = "steppers that carry what rounding takes away",
+      proof = "a rule `make proof` for Frama-C",
+      q31 = "the step in whole numbers of 32 bits; the scene needs ranges" } },
+  { "--libm", { "own", "system" }, "sin, exp and the like: emitted with the code (the same bits on every machine), " ..
+    "or the C library's", default = "own in float, system in double" },
+  { "--project", packages.names, "what the code is packed as (docs/projects.md)", value = "KIND", default = "make",
+    each = packages.about },
+  { "--target", "words", "count instructions, flash and stack on small processors under emulators, for the README " ..
+    "of the project: all, or some of " .. table.concat(measure.names, ", "), value = "CORE,...",
+    default = "nothing is counted" },
+  { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
+  { "--show", { "lower", "power", "fold", "cse", "dce", "order" }, "print the instructions of all functions after " ..
+    "this pass, and write nothing", value = "PASS", default = "files are written", each = {
+      lower = "before the first pass", power = "powers as products", fold = "constants and signs folded",
+      cse = "common subexpressions once", dce = "unused values dropped", order = "the order of the C code" } },
+}
+gen.examples = {
+  { "polhode gen brick -o brick", "the C of an installed scene in the folder brick; make -C brick check compiles it " ..
+    "and runs its self-test" },
+  { "polhode gen heavy_top --method taylor,rk4 --order 16 --set h=100", "two steppers, and another height: 100 mm" },
+  { "polhode gen brick --name brick_f --real float -o both", "in float, its functions being brick_f_step and so on" },
+  { "polhode gen brick --real float --project cmake -o brick_f", "in float, as a CMake project" },
+}
 
 -- The command line as it goes into the banner: base name of the scene, options that change the output, in one order.
 function gen.command(given)
   local parts = { "polhode gen", string.match(given[1], "[^/]*$") }
   local usual = packages.by_name(given.project or packages.default).real or "double"
+  if given.name then parts[#parts + 1] = "--name " .. given.name end
   if given.real and given.real ~= usual then parts[#parts + 1] = "--real " .. given.real end
   if given.bake then parts[#parts + 1] = "--bake" end
   if given.libm then parts[#parts + 1] = "--libm " .. given.libm end
   if given.with then
     local list = {}
-    for _, word in ipairs(gen.options["--with"]) do list[#list + 1] = given.with[word] and word or nil end
+    for _, word in ipairs(options.row(gen, "--with")[2]) do list[#list + 1] = given.with[word] and word or nil end
     parts[#parts + 1] = "--with " .. table.concat(list, ",")
   end
   if given.project then parts[#parts + 1] = "--project " .. given.project end
@@ -45,22 +86,17 @@ function gen.command(given)
   return table.concat(parts, " ")
 end
 
+-- What a run is of, for the manifest: scenes side by side in one directory keep to their own files.
+local function source(job, given) return job.source .. (given.name and " as " .. given.name or "") end
+
 -- The list of --method; nil and a message for one that cannot be emitted.  NAME_linearised, like the rest of the
 -- analysis, is always emitted: the name is allowed and changes nothing.
 local function chosen_methods(given)
-  local names, known = { "exact" }, { exact = true, linearised = true }
-  for _, m in ipairs(methods) do
-    names[#names + 1] = m.name
-    known[m.name] = true
-  end
-  local seen = {}
-  for _, name in ipairs(given.method or {}) do
-    if not known[name] then
-      return nil, "--method: gen emits " .. table.concat(names, ", ") .. " and linearised, got " .. name
-    end
-    if seen[name] then return nil, "--method: " .. name .. " stands there twice" end
-    seen[name] = true
-  end
+  local names = { "exact" }
+  for _, m in ipairs(methods) do names[#names + 1] = m.name end
+  names[#names + 1] = "linearised"
+  local wrong = options.unknown("--method", given.method, names)
+  if wrong then return nil, wrong end
   return given.method
 end
 
@@ -95,6 +131,14 @@ local function refused_by_project(given)
   return nil
 end
 
+-- What has no effect beside --show, which writes nothing, or nil.
+local function shown_alone(given)
+  for _, name in ipairs(given.show and { "o", "project", "target" } or {}) do
+    if given[name] then return (#name > 1 and "--" or "-") .. name .. ": --show prints and writes no files" end
+  end
+  return nil
+end
+
 function gen.run(host, given)
   local chosen, wrong = chosen_methods(given)
   local order, bad = gen.order(given)
@@ -104,19 +148,20 @@ function gen.run(host, given)
     wrong = "--accuracy must be between 0 and 1, got " .. shortest(given.accuracy)
   end
   wrong = wrong or refused_by_project(given)
+  local rule = given.name and identifiers.scene(given.name)
+  if rule then wrong = "--name " .. rule .. ", got " .. given.name end
   if given.o == "" then wrong = "-o needs the name of a directory" end
-  if wrong then
-    host.err("polhode gen: " .. wrong .. "\n")
-    return 2
-  end
+  if given.o == "-" then wrong = "-o must be the name of a folder, as gen writes several files, got -" end
+  wrong = wrong or shown_alone(given)
+  if wrong then return options.wrong(host, "gen", wrong) end
   local job, d, why = driver.read(host, given[1], given)
-  if not job then return options.refuse(host, given[1], d, why) end
+  if not job then return options.refuse(host, d, why) end
   local exact = false
   for _, name in ipairs(chosen or {}) do exact = exact or name == "exact" end
   if exact and not job.closed.kind then
     d = job.diag
     d:error(job.record.line, "method exact", "this scene has no closed form: " .. job.closed.refused)
-    return options.refuse(host, given[1], d)
+    return options.refuse(host, d)
   end
   options.warn(host, job.diag)
   local package = packages.by_name(given.project or packages.default)
@@ -124,66 +169,50 @@ function gen.run(host, given)
   local real, decision = given.real, nil
   local question = not given.show and planner.question(job, given, order)
   wrong = gen.orderless(given, chosen or question and { "taylor" } or {})
-  if wrong then
-    host.err("polhode gen: " .. wrong .. "\n")
-    return 2
-  end
+  if wrong then return options.wrong(host, "gen", wrong) end
   if question then
     decision, why = planner.decide(host, question, given)
-    if not decision and why then
-      host.err("polhode gen: " .. why .. "\n")
-      return 2
-    elseif not decision then
-      return options.refuse(host, given[1], job.diag)
-    end
+    if not decision and why then return options.failed(host, "gen", why) end
+    if not decision then return options.refuse(host, job.diag) end
     real, chosen, order = decision.real, { decision.method }, decision.order
   end
   if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen or package.methods,
     order = order, jacobians = given.with and given.with.jacobians or package.jacobians,
     compensated = given.with ~= nil and given.with.compensated, q31 = given.with ~= nil and given.with.q31,
     libm = given.libm, outputs = given.project == "fmu" }) then
-    return options.refuse(host, given[1], job.diag)
+    return options.refuse(host, job.diag)
   end
   job.planned = decision
   job.proof = given.with ~= nil and given.with.proof
-  if job.proof and not proof.check(job) then return options.refuse(host, given[1], job.diag) end
+  if job.proof and not proof.check(job) then return options.refuse(host, job.diag) end
   if given.show then
     local shown = driver.show(host, job, given.show)
-    if not shown then return options.refuse(host, given[1], job.diag) end
+    if not shown then return options.refuse(host, job.diag) end
     host.out(shown)
     return 0
   end
+  local traced
+  traced, why = driver.trace(host, job)
+  if not traced then return options.failed(host, "gen", why) end
   local cores, short = measure.cores(given.target, job.real)
-  if short then
-    host.err("polhode gen: " .. short .. "\n")
-    return 2
-  end
-  if package.check and not package.check(job) then return options.refuse(host, given[1], job.diag) end
+  if short then return options.wrong(host, "gen", short) end
+  if package.check and not package.check(job) then return options.refuse(host, job.diag) end
   job.package = package
   local files = driver.files(host, job)
-  if not files then return options.refuse(host, given[1], job.diag) end
+  if not files then return options.refuse(host, job.diag) end
   if cores then -- the code is made; once more for the README with its numbers
     job.counted, why = measure.run(host, job, cores, files)
     files = job.counted and driver.files(host, job)
-    if not files then
-      host.err("polhode gen: " .. why .. "\n")
-      return 2
-    end
+    if not files then return options.failed(host, "gen", why) end
   end
   if package.finish then
     files, why = package.finish(host, job, files)
-    if not files then
-      host.err("polhode gen: " .. why .. "\n")
-      return 2
-    end
+    if not files then return options.failed(host, "gen", compiler.missing(host) or why) end
   end
-  local dir = given.o or job.model.name
-  local ok, written = host.write_files(dir, files)
-  if not ok then
-    host.err("polhode gen: " .. written .. "\n")
-    return 2
-  end
-  return 0
+  files[#files + 1] = { name = "LICENSE", text = host.templates["templates/LICENSE"], once = true }
+  local ok
+  ok, why = outputs.write(host, given.o or job.model.name, source(job, given), files)
+  return ok and 0 or options.failed(host, "gen", why)
 end
 
 return gen

@@ -11,8 +11,11 @@ local read = require "generator.interchange.read"
 
 local links = {}
 
+links.forms = { { "FILE", "can each link's inertial exist?",
+  "FILE is URDF, MJCF or SDF, or - for standard input. One line a link: ok, warn or no, and why." } }
+links.operands = { 1, 1, "FILE" }
 links.options = {}
-links.operands = { 1, 1 }
+links.examples = { { "polhode links robot.urdf", "every link of a robot" } }
 
 local function numbers(list)
   local out = {}
@@ -45,6 +48,7 @@ function links.run(host, given)
   end
   local text, why = host.read(file)
   if not text then return refuse(why) end
+  if file == "-" then file = "stdin" end
   local root, message, line = host.xml(text)
   if not root then return refuse(file .. ":" .. line .. ": " .. message) end
   local format = read.format(root)

@@ -1,6 +1,6 @@
--- list.lua -- polhode list: shapes, effects, methods, bodies, constants; one line each, the name first.
+-- list.lua -- polhode list: shapes, effects, methods, bodies, constants, commands; one line each, the name first.
 -- list shapes --format markdown -o DIR writes the page of all shapes with pictures instead, list effects that of all
--- effects (run where bodies/ is).
+-- effects, with titles of installed scenes, list commands the help of all commands.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local catalogue = require "generator.mass.catalogue"
@@ -9,11 +9,26 @@ local methods = require "generator.methods.list"
 local conserved = require "generator.dynamics.conserved"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
+local help = require "generator.commands.help"
+local options = require "generator.commands.options"
+local scenes = require "generator.commands.scenes"
 
 local list = {}
 
-list.options = { ["--format"] = { "text", "markdown" }, ["-o"] = "text" }
-list.operands = { 1, 1 }
+local subjects = { "shapes", "effects", "methods", "bodies", "constants", "commands" }
+
+list.forms = { { "WHAT", "shapes, effects, methods, scenes, commands",
+  "WHAT is " .. options.either(subjects) .. "." } }
+list.operands = { 1, 1, "WHAT" }
+list.options = {
+  { "--format", { "text", "markdown" }, "markdown: the page of all shapes with their pictures, of all effects or of " ..
+    "all commands, into a folder", default = "text" },
+  { "-o", "text", "the folder of that page", value = "DIR", default = "none; needed with markdown" },
+}
+list.examples = {
+  { "polhode list bodies", "the installed scenes: polhode explain NAME reads one" },
+  { "polhode list commands --format markdown -o pages", "the help of all commands as a page" },
+}
 
 local function aligned(rows)
   local width = 0
@@ -60,22 +75,27 @@ function what.constants()
 end
 
 function what.bodies(host)
-  local names, why = host.list_dir("bodies", ".lua")
-  if not names then return nil, why end
+  local names, folder = scenes.names(host)
+  if not names then return nil, folder end
   local rows = {}
   for i, n in ipairs(names) do
-    local text = host.read("bodies/" .. n) or ""
-    rows[i] = { (string.gsub(n, "%.lua$", "")), string.match(text, "^%-%-%s*([^\n]*)") or "" }
+    rows[i] = { n, string.match(host.read(folder .. "/" .. n .. ".lua") or "", "^%-%-%s*([^\n]*)") or "" }
   end
+  return rows
+end
+
+function what.commands()
+  local rows = {}
+  for i, name in ipairs(help.names) do rows[i] = { name, help.of(name).forms[1][2] } end
   return rows
 end
 
 -- What a scene of bodies/ says of itself: the comment that it begins with, without its name.
 local function titles(host)
-  local map = {}
+  local map, folder = {}, host.bodies() or "bodies"
   for _, e in ipairs(effects) do
     local words = {}
-    for line in string.gmatch(host.read("bodies/" .. e.example .. ".lua") or "", "([^\n]*)\n") do
+    for line in string.gmatch(host.read(folder .. "/" .. e.example .. ".lua") or "", "([^\n]*)\n") do
       local comment = string.match(line, "^%-%- (.*)$")
       if not comment or string.find(comment, "^SPDX") then break end
       words[#words + 1] = comment
@@ -85,48 +105,38 @@ local function titles(host)
   return map
 end
 
--- DIR/shapes.md and DIR/shapes/NAME.svg, or DIR/effects.md
+-- DIR/shapes.md and DIR/shapes/NAME.svg, DIR/effects.md, or DIR/commands.md
 local function page(host, given)
-  if given[1] ~= "shapes" and given[1] ~= "effects" or not given.o then
-    host.err("polhode list: --format markdown is for shapes and effects and needs -o DIR\n")
-    return 2
-  end
   local files
+  if not given.o or given.o == "-" then
+    return options.wrong(host, "list", "--format markdown needs the folder -o DIR")
+  end
   if given[1] == "shapes" then
     files = require("generator.report.shapes").files(catalogue.list)
+  elseif given[1] == "commands" then
+    files = { { name = "commands.md", text = help.markdown() } }
+  elseif given[1] ~= "effects" then
+    return options.wrong(host, "list", "--format markdown is for shapes, effects and commands, got " .. given[1])
   else
-    local scenes = titles(host)
-    if not next(scenes) then
-      host.err("polhode list: --format markdown of effects needs the scenes of the sources, the folder bodies here\n")
-      return 2
-    end
-    files = require("generator.report.effects").files(effects, scenes, { keeps = conserved.words,
+    local map = titles(host)
+    if not next(map) then return options.failed(host, "list", "the scenes of the effects' page are not installed") end
+    files = require("generator.report.effects").files(effects, map, { keeps = conserved.words,
       unit = function(dim) return units.si(units[dim or "none"]) end, show = value.show })
   end
   local ok, why = host.write_files(given.o, files)
-  if not ok then
-    host.err("polhode list: " .. why .. "\n")
-    return 2
-  end
-  return 0
+  return ok and 0 or options.failed(host, "list", why)
 end
 
 function list.run(host, given)
-  if given.format == "markdown" then return page(host, given) end
-  if given.o then
-    host.err("polhode list: -o goes with --format markdown\n")
-    return 2
-  end
   local f = what[given[1]]
   if not f then
-    host.err("polhode list: must be shapes, effects, methods, bodies or constants, got " .. given[1] .. "\n")
-    return 2
+    return options.wrong(host, "list", "must be " .. options.either(subjects) .. ", got " .. given[1] ..
+      options.meant(given[1], subjects))
   end
+  if given.format == "markdown" then return page(host, given) end
+  if given.o then return options.wrong(host, "list", "-o goes with --format markdown") end
   local rows, why = f(host)
-  if not rows then
-    host.err("polhode list: " .. why .. "\n")
-    return 2
-  end
+  if not rows then return options.failed(host, "list", why) end
   host.out(aligned(rows))
   return 0
 end

@@ -15,13 +15,17 @@
 --      ram =, library = (bytes of variables; copies: constants too, and all in ram),
 --      functions = {{name =, count = (nil: not called), flash =, stack =, least = (part of it is not known)}, ...}}
 
+local compiler = require "generator.commands.compiler"
+local options = require "generator.commands.options"
 local calls = require "generator.emit.calls"
 local data = require "generator.cost.cores"
 local frames = require "generator.cost.frames"
 local object = require "generator.cost.object"
 local stack = require "generator.cost.stack"
 
-local measure = {}
+local measure = { names = {} }
+
+for i, core in ipairs(data.list) do measure.names[i] = core.name end
 
 local MOST = (1 << 20) - 1 -- of what a program prints, that much is kept
 local SPARE = 128          -- bytes of stack of who calls
@@ -32,19 +36,18 @@ local LIMIT = 60           -- s for an emulator: thousands of times what one nee
 
 function measure.cores(names, real)
   if not names then return nil end
-  local list, known, seen = {}, {}, {}
-  for i, core in ipairs(data.list) do known[i], known[core.name] = core.name, core end
+  local list, known = {}, {}
+  for _, core in ipairs(data.list) do known[core.name] = core end
   local all = #names == 1 and names[1] == "all"
-  for _, name in ipairs(all and known or names) do
+  local wrong = not all and options.unknown("--target", names, measure.names, "all")
+  if wrong then return nil, wrong end
+  for _, name in ipairs(all and measure.names or names) do
     local core = known[name]
-    if not core then return nil, "--target must be all or some of " .. table.concat(known, ", ") .. ", got " .. name end
-    if seen[name] then return nil, "--target: " .. name .. " stands there twice" end
     if real == "float" or not core.single then
       list[#list + 1] = core
     elseif not all then
       return nil, "--target " .. name .. " must have --real float: its compiler's double is a float"
     end
-    seen[name] = true
   end
   return list
 end
@@ -78,7 +81,12 @@ local function tools(host, cores, dir)
       if not made then lack("<" .. h[1] .. ">" .. (h.host and "" or " of " .. gcc), h[2]) end
     end
   end
+  local broken = compiler.missing(host) -- what counts inside an emulator is compiled for this machine
+  if broken and #commands == 0 then return nil, "--target: " .. broken end
   if #commands == 0 then return found end
+  for _, package in ipairs(broken and { "gcc", "libc6-dev" } or {}) do
+    lack("a C compiler for this machine", package)
+  end
   return nil, "--target needs " .. table.concat(commands, ", ") ..
     ", not found here; on Debian: apt-get install --no-install-recommends " .. table.concat(packages, " ")
 end

@@ -6,15 +6,29 @@
 
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
+local options = require "generator.commands.options"
 local defects = require "generator.dsl.defects"
 local units = require "generator.dsl.units"
 local json = require "generator.report.json"
 
 local mesh = {}
 
-mesh.options = { ["--kind"] = { "volume", "surface", "wires" }, ["--units"] = "text", ["--mass"] = "text",
-  ["--density"] = "text", ["--format"] = { "text", "json" } }
-mesh.operands = { 1, 1 }
+mesh.forms = { { "FILE", "mass properties of a mesh, and its defects",
+  "FILE is STL, OBJ or PLY, by the end of its name." } }
+mesh.operands = { 1, 1, "FILE" }
+mesh.options = {
+  { "--kind", { "volume", "surface", "wires" }, "what has mass: the inside, the faces, or the edges",
+    default = "volume" },
+  { "--units", "text", "the unit of the coordinates in the file, such as mm or in", value = "UNIT", default = "m" },
+  { "--mass", "text", "of the whole: a number in kg, or with a unit", value = "\"2 kg\"", default = "by the density" },
+  { "--density", "text", "of a volume, surface or length: in SI, or with a unit", value = "\"2.7 g/cm^3\"",
+    default = "1 kg/m^3, kg/m^2 or kg/m" },
+  { "--format", { "text", "json" }, "how the result is written", default = "text" },
+}
+mesh.examples = {
+  { "polhode mesh part.stl --units mm --density \"2.7 g/cm^3\"", "a part of aluminium" },
+  { "polhode mesh part.stl --kind surface --mass \"250 g\"", "the same faces as a shell of known mass" },
+}
 
 local measures = {
   volume = { name = "volume", power = 3, density = units.density_volume },
@@ -104,13 +118,13 @@ local function text(file, m, what, unit)
   return table.concat(out, "\n") .. "\n"
 end
 
-local function tojson(file, m, kind, options)
+local function tojson(file, m, kind, how)
   local b, d = m.body, {}
   for i, p in ipairs(defects.list) do d[i] = { p[1], m.defects[p[1]] } end
   d[#d + 1] = { "unbalanced", m.defects.unbalanced }
   d[#d + 1] = { "inverted", m.defects.inverted }
   return json.text(json.object {
-    { "file", file }, { "kind", kind }, { "unit", options.unit },
+    { "file", file }, { "kind", kind }, { "unit", how.unit },
     { "faces", m.faces }, { "triangles", m.triangles }, { "vertices", m.vertices }, { "edges", m.edges },
     { "segments", m.segments }, { "verdict", verdict(m) }, { "defects", json.object(d) },
     { "box", { m.box.lo, m.box.hi } }, { "measure", m.measure },
@@ -122,12 +136,12 @@ end
 function mesh.run(host, given)
   local kind, file = given.kind or "volume", given[1]
   local what = measures[kind]
-  local options, wrong = read(given, what)
-  if not options then
-    host.err("polhode mesh: " .. wrong .. "\n")
-    return 2
+  local how, wrong = read(given, what)
+  if file == "-" then
+    wrong = "the format of a mesh is told by the end of its file's name, so it cannot come from standard input"
   end
-  local m, why, failed = host.mesh(file, kind, options)
+  if wrong then return options.wrong(host, "mesh", wrong) end
+  local m, why, failed = host.mesh(file, kind, how)
   if not m then
     host.err((failed.reason == "file" and "polhode: cannot read " or "") .. why .. "\n")
     if failed.reason == "mesh" then
@@ -138,7 +152,7 @@ function mesh.run(host, given)
     end
     return failed.reason == "file" and 2 or 1
   end
-  host.out(given.format == "json" and tojson(file, m, kind, options) or text(file, m, what, given.units or "m"))
+  host.out(given.format == "json" and tojson(file, m, kind, how) or text(file, m, what, given.units or "m"))
   return 0
 end
 

@@ -1,12 +1,17 @@
--- options.lua -- reads a command's options and operands against its declaration.
+-- options.lua -- a command's options: one table from which they are read and explained (commands/help.lua).
 --
--- A declaration is {["--real"] = {"double", "float"}, ["--bake"] = false, ["--step"] = "number", ["--set"] = "pair"}:
--- a list of words (with several = true: any of them, commas between; the result is also a set), a flag, or the kind of
--- value: text, number, numbers (comma list), words (comma list), pair (name=value, repeatable).  -o DIR and
--- --name=value are understood.  The result maps names without dashes.
+-- command.options is a list of rows, in the order in which help prints them:
+--     { "--step", "number", "what it does, with its unit", value = "H", default = "the scene's time.step" }
+-- The second field is the kind of value: false (a flag), text, number, numbers, words (with commas between), pair
+-- (NAME=NUMBER, may be given again), or a list of choices (with several = true in it: any of them, commas between; the
+-- result is also a set).  value: what help calls it; default: what holds without it (none for a flag and a pair);
+-- each = {choice = what it means}.
+-- command.operands is {least, most, what they are}: SCENE (a file, -, or the name of an installed scene), FILE or WHAT.
+-- -o DIR and --name=value are understood.  The result of parse maps names without dashes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local nearest = require "generator.nearest"
 
 local options = {}
 
@@ -16,40 +21,131 @@ local function split(s)
   return list
 end
 
+-- The double nearest to what is written, or nil and the rule that it breaks.
 local function number(s)
   local q = R.parse(s)
-  return q and R.todouble(q) or nil
+  if not q then return nil, "must be a number" end
+  local x = R.todouble(q)
+  if x == math.huge or x == -math.huge then return nil, "must be within the range of double" end
+  return x
 end
 
 local kinds = {
-  text = function(s) return s end,
-  number = function(s) return number(s), "must be a number" end,
+  text = function(s)
+    if s == "" then return nil, "must not be empty" end
+    return s
+  end,
+  number = number,
   numbers = function(s)
     local list = {}
     for i, word in ipairs(split(s)) do
-      list[i] = number(word)
-      if not list[i] then return nil, "must be numbers with commas between" end
+      local x, rule = number(word)
+      if not x then return nil, rule == "must be a number" and "must be numbers with commas between" or rule end
+      list[i] = x
     end
     return list
   end,
   words = function(s) return split(s) end,
 }
 
--- Returns {options..., [1..n] = operands} or nil and what is wrong.  operands: {least, most}.
-function options.parse(declared, operands, args)
-  local out = {}
+-- "a, b or c"
+function options.either(list)
+  if #list < 2 then return list[1] end
+  return table.concat(list, ", ", 1, #list - 1) .. " or " .. list[#list]
+end
+
+-- "; did you mean b?" where the list has one word that begins with this one, or a word near to it; else nothing.
+function options.meant(word, list)
+  local begun = {}
+  for _, entry in ipairs(list) do
+    if #word >= 2 and string.sub(entry, 1, #word) == word then begun[#begun + 1] = entry end
+  end
+  local best = #begun == 1 and begun[1] or nearest.one(word, list)
+  return best and best ~= word and "; did you mean " .. best .. "?" or ""
+end
+
+-- What is wrong with a list of words, all of which must be of `known` and none twice, or nil.  alone: a word that may
+-- stand there too, if it is the only one.
+function options.unknown(name, list, known, alone)
+  local seen, all = {}, { table.unpack(known) }
+  all[#all + 1] = alone
+  for _, word in ipairs(known) do seen[word] = 0 end
+  for _, word in ipairs(list or {}) do
+    if not seen[word] then
+      return name .. " must be " .. (alone and alone .. " or " or "") .. "some of " .. table.concat(known, ", ") ..
+        ", got " .. (word == "" and "nothing" or word) .. options.meant(word, all)
+    end
+    if seen[word] > 0 then return name .. ": " .. word .. " stands there twice" end
+    seen[word] = 1
+  end
+  return nil
+end
+
+local function chosen(row, value)
+  local list = row[2].several and split(value) or { value }
+  for _, word in ipairs(list) do
+    local known = false
+    for _, w in ipairs(row[2]) do known = known or w == word end
+    if not known then
+      return nil, row[1] .. " must be " .. options.either(row[2]) .. ", got " .. word .. options.meant(word, row[2])
+    end
+    if list[word] then return nil, row[1] .. ": " .. word .. " stands there twice" end
+    list[word] = true
+  end
+  return row[2].several and list or value
+end
+
+-- One value of an option, put into out; a message if it is wrong.
+local function take(row, key, value, out)
+  local name, kind = row[1], row[2]
+  if kind == "pair" then
+    local k, v = string.match(value, "^(%a[%w_]*)=(.+)$")
+    if not k or not R.parse(v) then return name .. " must be NAME=NUMBER, got " .. value end
+    out[key] = out[key] or {}
+    if out[key][k] then return name .. " " .. k .. " is given twice" end
+    out[key][k] = v
+    return nil
+  end
+  if out[key] ~= nil then return name .. " is given twice" end
+  local v, why
+  if type(kind) == "table" then
+    v, why = chosen(row, value)
+  else
+    v, why = kinds[kind](value)
+    why = why and name .. " " .. why .. ", got " .. (value == "" and "nothing" or value)
+  end
+  if v == nil then return why end
+  out[key] = v
+  return nil
+end
+
+-- The row of an option, or nil and a message.
+local function find(rows, name)
+  local names = {}
+  for i, row in ipairs(rows) do
+    if row[1] == name then return row end
+    names[i] = row[1]
+  end
+  return nil, "no option " .. name .. options.meant(name, names)
+end
+
+-- What a command's declaration makes of the arguments: {options..., [1..n] = operands}, or nil and what is wrong.
+function options.parse(command, args)
+  local out, operands = {}, command.operands
   local i = 2
   while i <= #args do
     local a = args[i]
-    if string.sub(a, 1, 1) ~= "-" or a == "-" then
+    if a == "" then
+      return nil, operands[3] .. " must not be empty"
+    elseif string.sub(a, 1, 1) ~= "-" or a == "-" then
       out[#out + 1] = a
     else
       local name, value = string.match(a, "^(%-%-[%w-]+)=(.*)$")
       name = name or a
-      local kind = declared[name]
-      if kind == nil then return nil, "no option " .. name end
+      local row, why = find(command.options, name)
+      if not row then return nil, why end
       local key = string.gsub(string.gsub(name, "^%-+", ""), "%-", "_")
-      if kind == false then
+      if row[2] == false then
         if value then return nil, name .. " takes no value" end
         out[key] = true
       else
@@ -58,38 +154,47 @@ function options.parse(declared, operands, args)
           value = args[i]
           if not value then return nil, name .. " needs a value" end
         end
-        if type(kind) == "table" then
-          local chosen = kind.several and split(value) or { value }
-          for _, word in ipairs(chosen) do
-            local known = false
-            for _, w in ipairs(kind) do known = known or w == word end
-            if not known then return nil, name .. " must be " .. table.concat(kind, " or ") .. ", got " .. word end
-            chosen[word] = true
-          end
-          out[key] = kind.several and chosen or value
-        elseif kind == "pair" then
-          local k, v = string.match(value, "^(%a[%w_]*)=(.+)$")
-          if not k or not R.parse(v) then return nil, name .. " must be NAME=NUMBER, got " .. value end
-          out[key] = out[key] or {}
-          out[key][k] = v
-        else
-          local v, rule = kinds[kind](value)
-          if v == nil then return nil, name .. " " .. rule .. ", got " .. value end
-          out[key] = v
-        end
+        why = take(row, key, value, out)
+        if why then return nil, why end
       end
     end
     i = i + 1
   end
-  if #out < operands[1] then return nil, "a scene file or name is missing" end
+  if #out < operands[1] then return nil, operands[3] .. " is missing" end
   if #out > operands[2] then return nil, "too many operands: " .. out[operands[2] + 1] end
   return out
 end
 
+-- The row of an option of a command, whose rows other parts of the command use.
+function options.row(command, name) return (find(command.options, name)) end
+
+-- Prints one line about the command line, with where help is, and returns the exit status.
+function options.wrong(host, command, why)
+  host.err("polhode " .. command .. ": " .. why .. " (polhode help " .. command .. ")\n")
+  return 2
+end
+
+-- Prints what went wrong outside of the command line and the scene, and returns the exit status, 2 unless another is
+-- given.
+function options.failed(host, command, why, status)
+  host.err("polhode " .. command .. ": " .. string.gsub(why, "\n$", "") .. "\n")
+  return status or 2
+end
+
+-- A result goes to the file of -o, or to standard output; returns the exit status.
+function options.write(host, command, file, text)
+  if not file or file == "-" then
+    host.out(text)
+    return 0
+  end
+  local ok, why = host.write_file(file, text)
+  return ok and 0 or options.failed(host, command, why)
+end
+
 -- Prints what is wrong with a scene, or why it could not be read, and returns the exit status.
-function options.refuse(host, file, d, why)
+function options.refuse(host, d, why)
   if why then
-    host.err("polhode: " .. (d and "" or file .. ": ") .. why .. "\n")
+    host.err("polhode: " .. why .. "\n")
     return 2
   end
   host.err(d:report())

@@ -3,51 +3,51 @@
 -- Events of the scene follow: a second table after an empty line (CSV), or the member `events` (JSON); an event with
 -- stop = true ends the table with its row.
 -- Columns t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz,rx,ry,rz,vx,vy,vz and further states, those that the scene has; every
--- number reads back to the same double.
+-- number reads back to the same double.  Nothing is printed unless all numbers are finite: if one is not, the status is
+-- 3.  A motion that is off by more than accuracy.limit is printed, with a warning.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local accuracy = require "generator.commands.run.accuracy"
+local engines = require "generator.commands.run.engines"
+local limits = require "generator.commands.run.limits"
+local tables = require "generator.commands.run.table"
 local events = require "generator.commands.events"
+local input_file = require "generator.commands.input_file"
 local options = require "generator.commands.options"
-local build = require "generator.commands.build"
 local driver = require "generator.driver"
-local gen = require "generator.commands.gen"
-local methods = require "generator.methods.list"
-local numeric = require "generator.dynamics.numeric"
-local json = require "generator.report.json"
 
 local run = {}
 
-run.options = { ["--engine"] = { "general", "generated" }, ["--method"] = "text", ["--step"] = "number",
-  ["--until"] = "number", ["--every"] = "number", ["--at"] = "numbers", ["--format"] = { "csv", "json" },
-  ["-o"] = "text",
-  ["--real"] = { "double", "float" }, ["--set"] = "pair", ["--tolerance"] = "number", ["--order"] = "number" }
-run.operands = { 1, 1 }
-
--- The names of the columns, and a row of them from t, the scene's state, energy and L (nil without attitude).
-local function columns(job)
-  local list, first = { "t" }, {}
-  for i, s in ipairs(job.states) do
-    if s.kind == "attitude" or s.kind == "rates" then
-      list[#list + 1], first[#first + 1] = s.name, i
-    end
-  end
-  list[#list + 1] = "energy"
-  for _, name in ipairs(job.model.has.attitude and { "Lx", "Ly", "Lz" } or {}) do list[#list + 1] = name end
-  for i = #first + 1, #job.states do list[#list + 1] = job.states[i].name end
-  return list, function(t, x, energy, L)
-    local row = { t, table.unpack(x, 1, #first) }
-    row[#row + 1] = energy
-    for _, y in ipairs(job.model.has.attitude and L or {}) do row[#row + 1] = y end
-    for i = #first + 1, #x do row[#row + 1] = x[i] end
-    return row
-  end
-end
-
-local general = { adaptive = true, taylor = true, rk4 = true, rkf45 = true, rk8pd = true, ["gsl-rk4"] = true,
-  exact = true, linearised = true }
-
--- Most rows that one call prints; more is a slip of --every.
-local most = 1000000
+run.forms = { { "SCENE", "the motion as a table",
+  "Columns: t in s, the state, energy in J, angular momentum L in N m s; a second table has the scene's events." } }
+run.operands = { 1, 1, "SCENE" }
+run.options = {
+  { "--engine", { "general", "generated" }, "the general library, or the emitted code, compiled by $CC (cc, gcc or " ..
+    "clang without it)", default = "general" },
+  { "--method", "text", "general: adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, exact, linearised; generated: those " ..
+    "of polhode list methods", value = "M", default = "general: adaptive; generated: exact if there is one, else rk4" },
+  { "--step", "number", "a fixed step in s", value = "H", default = "the scene's time.step, for fixed steps" },
+  { "--tolerance", "number", "error allowed in a step, relative to the state, of methods that choose their step",
+    value = "E", default = "general: near rounding; generated: 1e-12, in float 1e-6" },
+  { "--order", "number", "of the emitted Taylor series, 4 to 30", value = "N", default = "20, in float 10" },
+  { "--until", "number", "time of the last row, in s", value = "T", default = "the scene's time.horizon" },
+  { "--every", "number", "time between rows, in s", value = "DT", default = "a hundredth of the whole" },
+  { "--at", "numbers", "the times of the rows in s instead, in any order", value = "T1,T2,...",
+    default = "--until and --every" },
+  { "--real", { "double", "float" }, "the type of the emitted code's numbers", default = "double" },
+  { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
+  { "--input", "text", "the inputs of the scene over time; the first line names t and inputs, each with [unit] or " ..
+    "in SI units", value = "FILE.csv", default = "all 0" },
+  { "--between", { "held", "linear" }, "the inputs between two rows of the file: those of the row before, or on " ..
+    "straight lines", default = "held" },
+  { "--format", { "csv", "json" }, "how the table is written", default = "csv" },
+  { "-o", "text", "the file that is written", value = "FILE", default = "standard output, which is also -" },
+}
+run.examples = {
+  { "polhode run brick --until 2 --every 0.5", "five rows by the general library" },
+  { "polhode run heavy_top --engine generated --method taylor --tolerance 1e-12 --at 1,2 -o top.csv",
+    "two rows by the emitted code" },
+}
 
 -- The output times, or nil and what is wrong.
 local function times(job, given)
@@ -59,165 +59,125 @@ local function times(job, given)
   local every = given.every or finish / 100
   if finish <= 0 then return nil, "--until must be positive" end
   if every <= 0 then return nil, "--every must be positive" end
-  if finish / every > most then return nil, "more than " .. most .. " rows: --every is too small" end
+  if finish / every > limits.rows then return nil, "more than " .. limits.rows .. " rows: --every is too small" end
   local list = {}
   for i = 0, math.floor(finish / every * (1 + 1e-12)) do list[#list + 1] = i * every end
   if list[#list] < finish * (1 - 1e-12) then list[#list + 1] = finish end
   return list
 end
 
--- Both engines give a function of a list of times: the rows, or nil and what went wrong.
-local function generated(host, job, given)
-  local method = given.method or (job.closed.full and "exact" or "rk4")
-  if method ~= "exact" and not methods.by_name[method] then
-    local names = { "exact" }
-    for _, m in ipairs(methods) do names[#names + 1] = m.name end
-    return nil, "--engine generated has the methods " .. table.concat(names, ", ") .. ", got " .. method ..
-      (method == "linearised" and " (--engine general has it; in C it is the function NAME_linearised)" or "")
-  end
-  if method == "exact" and not job.closed.full then
-    return nil, "method exact: " .. (job.closed.kind and "the closed form of this scene gives the rates only" or
-      "this scene has no closed form: " .. job.closed.refused)
-  end
-  local order, wrong = gen.order(given)
-  wrong = wrong or gen.orderless(given, { method })
-  if wrong then return nil, wrong end
-  if given.tolerance and not (methods.by_name[method] or {}).adaptive then
-    return nil, "--tolerance: the method " .. method .. " has a fixed step"
-  end
-  if not driver.plan(job, { real = given.real, command = "", methods = { method }, order = order }) then
-    return nil, job.diag:report()
-  end
-  local plugin, why = build.plugin(host, job)
-  if not plugin then return nil, why end
-  if plugin:init() ~= 0 then return nil, "the emitted code refuses the scene's own parameters" end
-  local x0 = numeric.initial(job)
-  if method == "exact" and plugin:solve(x0) ~= 0 then return nil, "the closed form refuses the initial state" end
-  local _, row_of = columns(job)
-  return function(list)
-    local rows = {}
-    if method == "exact" then
-      for i, t in ipairs(list) do rows[i] = { t, table.unpack(plugin:at(t)) } end
-    else
-      local adaptive = methods.by_name[method].adaptive and not given.step
-      local step = adaptive and { given.tolerance or 1e-12 } or given.step or job.model:double(job.model.step)
-      rows = plugin:integrate(x0, nil, step, list, 0, method)
-      if not rows then return nil, "method " .. method .. ": no steps lead to the end; is there a singularity?" end
-    end
-    for i, row in ipairs(rows) do
-      local x = { table.unpack(row, 2) }
-      rows[i] = row_of(row[1], x, plugin:energy(x), job.model.has.attitude and plugin:momentum(x) or nil)
-    end
-    return rows
-  end
+-- A --step that is longer than all intervals between rows, at which steps end: a warning, or nil.
+local function idle(motion, given, list)
+  local before, longest = 0.0, 0.0
+  for _, t in ipairs(list) do longest, before = math.max(longest, math.abs(t - before)), t end
+  if not (motion.step and given.step and longest > 0 and longest < given.step * (1 - 1e-9)) then return nil end
+  return string.format("--step %.4g has no effect: a step ends at every row, and no two are more than %.4g s apart\n",
+    given.step, longest)
 end
 
-local function library(host, job, given)
-  local method = given.method or "adaptive"
-  if not general[method] then
-    return nil, "--engine general has the methods adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, exact, linearised, " ..
-      "got " .. method
+-- The rows at the times of the list among those of a longer one; both ascend.
+local function chosen(list, longer, rows)
+  if list == longer then return rows end
+  local out, i = {}, 1
+  for k, t in ipairs(longer) do
+    if t == list[i] then out[#out + 1], i = rows[k], i + 1 end
   end
-  if given.order then return nil, "--order: it is that of the emitted taylor, got --engine general" end
-  local scene = numeric.scene(job)
-  if (method == "exact" or method == "linearised") and #scene.effects > 0 then
-    return nil, "--engine general --method " .. method .. " solves free tops, and this scene has effects"
-  end
-  local fixed = given.step or (method == "rk4" or method == "gsl-rk4") and job.model:double(job.model.step) or nil
-  local _, row_of = columns(job)
-  return function(list)
-    local rows, why = host.run(scene, { method = method, step = fixed, tol = given.tolerance, times = list })
-    if not rows then return nil, why end
-    for i, row in ipairs(rows) do
-      local n = #row - 4
-      rows[i] = row_of(row[1], numeric.part(job, row, 1), row[n + 1], { table.unpack(row, n + 2) })
-    end
-    return rows
-  end
+  return out
 end
 
--- The events of the scene up to the last of the times, and the rows up to one that stops: found, rows.
-local function with_events(job, given, solve, list, rows)
-  if #job.record.events == 0 then return {}, rows end
-  local wrong = events.missing(job)
-  if wrong then return nil, wrong end
-  local finish = 0
+-- The events of the scene up to the last of the times, or nil and the failure.  failure: of the rows; then an event
+-- that stops the run before is looked for.
+local function happened(job, given, solve, list, failure)
+  local finish, stops = 0, not failure
+  local step = given.step or job.model:double(job.model.step)
   for _, t in ipairs(list) do finish = math.max(finish, t) end
-  if finish == 0 then return {}, rows end
-  local found
-  found, wrong = events.find(job, solve, (columns(job)), finish, given.step or job.model:double(job.model.step))
+  for _, e in ipairs(job.record.events) do stops = stops or e.stop end
+  if failure then finish = math.min(finish, (failure.t or 0) - step) end
+  if #job.record.events == 0 or finish <= 0 or not stops then return {} end
+  local found, wrong = events.find(job, solve, (tables.columns(job)), finish, step)
+  return found, failure or wrong
+end
+
+local function before(list, stop)
+  local kept = {}
+  for _, t in ipairs(list) do
+    if t < stop then kept[#kept + 1] = t end
+  end
+  kept[#kept + 1] = stop
+  return kept
+end
+
+-- The motion's rows at the times of the list, and the events; or nil and the failure.  Warnings are appended.
+local function computed(host, job, given, motion, list, warnings)
+  local solve = tables.solver(job, motion)
+  local function table_at(wanted)
+    local longer = accuracy.times(motion, wanted)
+    local rows, states = solve(longer)
+    return rows and chosen(wanted, longer, rows), states
+  end
+  local rows, states = table_at(list)
+  local found, wrong = happened(job, given, solve, list, not rows and states)
   if not found then return nil, wrong end
   local last = found[#found]
-  if not last or not last.event.stop then return found, rows end
-  local kept = {}
-  for _, row in ipairs(rows) do
-    if row[1] < last.row[1] then kept[#kept + 1] = row end
+  if last and last.event.stop then
+    list = before(list, last.row[1])
+    rows, states = table_at(list)
+    if rows then rows[#rows] = last.row end
   end
-  kept[#kept + 1] = last.row
-  return found, kept
+  if not rows then return nil, states end
+  warnings[#warnings + 1] = idle(motion, given, list)
+  warnings[#warnings + 1] = accuracy.warning(job, motion, list, states)
+  warnings[#warnings + 1] = motion.closed and accuracy.conditioned(job, motion, states) or nil
+  if motion.method == "linearised" then
+    local exact = engines.general(host, job, { method = "exact" })
+    warnings[#warnings + 1] = accuracy.linearised(job, states, function(t) return exact.solve(t, {}) end)
+  end
+  return rows, found
 end
 
-local writers = {}
-
-function writers.csv(rows, names, found)
-  local out = { table.concat(names, ",") }
-  for i, row in ipairs(rows) do
-    local cells = {}
-    for k = 1, #names do cells[k] = json.number(row[k]) end
-    out[i + 1] = table.concat(cells, ",")
-  end
-  local text = table.concat(out, "\n") .. "\n"
-  if not found then return text end
-  out = { "event," .. table.concat(names, ",") }
-  for i, f in ipairs(found) do
-    local cells = { f.event.name }
-    for k = 1, #names do cells[k + 1] = json.number(f.row[k]) end
-    out[i + 1] = table.concat(cells, ",")
-  end
-  return text .. "\n" .. table.concat(out, "\n") .. "\n"
+-- Prints why there is no table; the exit status.
+local function refuse(host, job, failure, help)
+  if failure.scene then return options.refuse(host, job.diag) end
+  if failure.command then return options.wrong(host, "run", failure.text) end
+  local when = failure.t and string.format("at t = %.6g s: ", failure.t) or ""
+  return options.failed(host, "run", when .. failure.text .. (help and help ~= "" and "\n  what helps: " .. help or ""),
+    failure.status)
 end
 
-function writers.json(rows, names, found)
-  local out = {}
-  for i, row in ipairs(rows) do out[i] = row end
-  local members = { { "columns", names }, { "rows", out } }
-  if found then
-    local list = {}
-    for i, f in ipairs(found) do list[i] = json.object { { "name", f.event.name }, { "row", f.row } } end
-    members[3] = { "events", list }
+-- Reads the inputs over time into the job: warnings, or nil and what is wrong.
+local function inputs_of(host, job, given)
+  if not given.input then
+    return not given.between and {} or nil, "--between: it says how --input FILE.csv is read"
   end
-  return json.text(json.object(members))
+  local text, why = host.read(given.input)
+  if not text then return nil, why end
+  local course, said = input_file.read(job, given.input, text, given.between == "linear")
+  if not course then return nil, said end
+  job.course, job.lines = course, course.linear
+  return said
 end
 
 function run.run(host, given)
   local job, d, why = driver.read(host, given[1], given)
-  if not job then return options.refuse(host, given[1], d, why) end
+  if not job then return options.refuse(host, d, why) end
   local list, wrong = times(job, given)
-  local solve, rows, found
-  if list then
-    options.warn(host, job.diag)
-    solve, wrong = (given.engine == "generated" and generated or library)(host, job, given)
+  wrong = wrong or events.missing(job)
+  local warnings
+  if not wrong then warnings, wrong = inputs_of(host, job, given) end
+  if not warnings then return options.wrong(host, "run", wrong) end
+  local motion, failure = (given.engine == "generated" and engines.generated or engines.general)(host, job, given)
+  wrong = motion and limits.exceeded(motion, list, given) or failure and failure.command and failure.text
+  if wrong then return options.wrong(host, "run", wrong) end
+  options.warn(host, job.diag)
+  if not motion then return refuse(host, job, failure) end
+  local rows, found = computed(host, job, given, motion, list, warnings)
+  if not rows then
+    return refuse(host, job, found, found.status == 3 and accuracy.help(job, motion, list, found.t))
   end
-  if solve then rows, wrong = solve(list) end
-  if rows then
-    found, wrong = with_events(job, given, solve, list, rows)
-    if found then rows = wrong end
-  end
-  if not found then
-    host.err("polhode run: " .. wrong .. "\n")
-    return 2
-  end
-  local text = writers[given.format or "csv"](rows, (columns(job)), #job.record.events > 0 and found or nil)
-  if given.o then
-    local ok, failure = host.write_file(given.o, text)
-    if not ok then
-      host.err("polhode run: " .. failure .. "\n")
-      return 2
-    end
-  else
-    host.out(text)
-  end
-  return 0
+  local status = options.write(host, "run", given.o, tables.writers[given.format or "csv"](rows, (tables.columns(job)),
+    #job.record.events > 0 and found or nil))
+  for _, w in ipairs(status == 0 and warnings or {}) do host.err("warning: " .. w) end
+  return status
 end
 
 return run

@@ -147,7 +147,7 @@ local function ground(host, job, given, tick)
   g.times = err.times(g.T)
   local why
   g.reference, why = reference.of(host, job, g.x0, g.times)
-  if not g.reference then return nil, "no reference: " .. why end
+  if not g.reference then return nil, "no reference: " .. why, true end
   g.own_error = why
   tick("conditioning", 0.01)
   g.condition = condition.of(host, job, g.x0, g.T)
@@ -354,8 +354,8 @@ end
 -- whole, as far as can be said.  Returns the study, or nil and why.
 function study.of(host, job, given, tick)
   tick("reference", 0)
-  local g, why = ground(host, job, given, tick)
-  if not g then return nil, why end
+  local g, why, numbers = ground(host, job, given, tick)
+  if not g then return nil, why, numbers end
   g.enough = given.accuracy and given.accuracy / 10
   local list, refused = chosen(assert(driver.read(host, given[1], given)), given)
   if #list == 0 then return nil, "no method that the scene admits: " .. table.concat(refused, "; ") end

@@ -110,6 +110,7 @@ local function outside(unit, text)
     unit.types[name] = name
     unit.fields[name] = fields_of(unit, string.sub(body, 2, -2))
   end
+  for kind, name in string.gmatch(text, "static const ([%w_]+) ([%w_]+) = [^{;]*;") do unit.globals[name] = kind end
   for kind, name, size in string.gmatch(text, "static const ([%w_]+) ([%w_]+)(%[[%w%[%]_ +]*%])") do
     unit.globals[name] = (unit.types[kind] or "int") .. string.gsub(string.gsub(size, "%b[]", "*"), "[^*]", "")
   end

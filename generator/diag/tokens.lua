@@ -83,6 +83,18 @@ function tokens.argument(list, line, key)
   return nil
 end
 
+-- The line of the first  local NAME, ...  or  local function NAME  that has the name; nil if there is none.
+function tokens.declaration(list, name)
+  for i = 1, #list do
+    if list[i] == "local" then
+      local j = i + (list[i + 1] == "function" and 2 or 1)
+      while list[j] ~= name and list[j + 1] == "," do j = j + 2 end
+      if list[j] == name then return list.line[j] end
+    end
+  end
+  return nil
+end
+
 -- The line of the first  :name  from `line` on; nil if there is none within a page.
 function tokens.method(list, line, name)
   for i = list.first[line] or #list + 1, #list do

@@ -114,7 +114,7 @@ function args.scalar(ctx, line, what, name, spec, given)
   local dim = type(spec.dim) == "table" and spec.dim or units[spec.dim or "none"]
   local moves = not motion.free(r.e)
   if moves and not spec.motion then
-    ctx.diag:error(line, what, name .. " must not depend on time or states", value.show(given))
+    ctx.diag:error(line, what, name .. " must not depend on time, states or inputs", value.show(given))
     return nil
   end
   if r.dim and not units.equal(r.dim, dim) and not (spec.motion and r.plain == true) then
@@ -165,6 +165,17 @@ function args.choice(ctx, line, what, name, spec, given)
   for i, c in ipairs(spec.choice) do list[i] = diag.show(c) end
   ctx.diag:error(line, what, name .. " must be " .. table.concat(list, ", "), diag.show(given))
   return nil
+end
+
+-- Is x made of plain numbers only, so that its unit is nowhere written?
+function args.bare(x)
+  local r = value.of(x)
+  if r then return not r.dim and expr.constant(r.e) end
+  if not args.plain(x) then return false end
+  for _, y in pairs(x) do -- all of them or not: the order does not matter
+    if not args.bare(y) then return false end
+  end
+  return true
 end
 
 local function names(specs, extra)

@@ -2,14 +2,15 @@
 --
 -- The environment holds the scene language and the host's safe subset of the base library: no io, os, require,
 -- load, debug, metatables or coroutines; `pairs` visits keys in sorted order, so that the same scene is the same
--- everywhere.  The host's sandbox bounds memory, steps and time.  `record` returns the checked record of the
--- scene, or nil after errors, which are in the diagnostics.
+-- everywhere.  A name that is not there is an error (dsl/undefined.lua).  The host's sandbox bounds memory, steps and
+-- time.  `record` returns the checked record of the scene, or nil after errors, which are in the diagnostics.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local coordinate = require "generator.algebra.coordinate"
 local expr = require "generator.algebra.expr"
 local args = require "generator.dsl.args"
+local input = require "generator.dsl.input"
 local names = require "generator.dsl.names"
 local scene = require "generator.dsl.scene"
 local shapes = require "generator.dsl.shapes"
@@ -17,8 +18,10 @@ local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
 local inertial = require "generator.dsl.inertial"
 local mesh = require "generator.dsl.mesh"
+local undefined = require "generator.dsl.undefined"
 local moving = require "generator.dsl.moving"
 local diag = require "generator.diag"
+local broken = require "generator.diag.broken"
 
 local env = {}
 
@@ -50,7 +53,7 @@ end
 
 -- param(name, default, unit): a symbol that stays one, down to the emitted code.
 local function param(ctx, params)
-  local seen = {}
+  local seen = ctx.named
   return function(name, default, u)
     local line = ctx.diag:here()
     local rule = names.parameter(name)
@@ -60,11 +63,12 @@ local function param(ctx, params)
     end
     local upper = string.upper(name)
     if seen[upper] then
-      ctx.diag:error(line, "param", seen[upper] == name and "name is already a parameter" or
-        "name differs only in capitals from " .. seen[upper], diag.show(name))
+      local other, kind = table.unpack(seen[upper])
+      ctx.diag:error(line, "param", other == name and "name is already " .. kind or
+        "name differs only in capitals from " .. other, diag.show(name))
       return value.new(expr.one, nil)
     end
-    seen[upper] = name
+    seen[upper] = { name, "a parameter" }
     local factor, dim = unit(ctx, "param", u)
     if ctx.set[name] then
       default = ctx.set[name]
@@ -83,7 +87,7 @@ local function param(ctx, params)
     end
     params[#params + 1] = { name = name, sym = sym, default = q, unit = units.si(dim or units.none), line = line,
       given = given, own = dim and u or nil, factor = factor }
-    return value.new(sym, dim)
+    return value.write(value.new(sym, dim), default, factor)
   end
 end
 
@@ -91,7 +95,7 @@ end
 local function quantity(ctx)
   return function(n, u)
     local factor, dim = unit(ctx, "quantity", u)
-    return value.new(expr.num(number(ctx, "quantity", "the number", n)) * factor, dim)
+    return value.write(value.new(expr.num(number(ctx, "quantity", "the number", n)) * factor, dim), n, factor)
   end
 end
 
@@ -111,13 +115,14 @@ local function tree(host, list, make)
   return out
 end
 
--- Families report an unknown name on the user's line; `otherwise` is what such a constructor makes.
-local function strict(ctx, family, t, otherwise)
+-- Families report an unknown name on the user's line.
+local function strict(ctx, family, t)
+  ctx.families[family] = args.keys(t)
   return setmetatable({}, {
     __index = function(_, k)
       if t[k] then return t[k] end
-      ctx.diag:error(ctx.diag:here(), family, "has no " .. diag.show(k), nil)
-      return otherwise
+      undefined.member(ctx, family, k, ctx.families[family])
+      return broken.object
     end,
     __newindex = function() ctx.diag:error(ctx.diag:here(), family, "cannot be changed") end,
     __tostring = function() return family end,
@@ -167,11 +172,11 @@ local function last_line(d)
 end
 
 -- Runs the script in the host's sandbox.  tables: {shapes =, effects =} (the catalogues); set: {name = "0.3"} replaces
--- parameters' defaults (in their own units).  Returns the scene record with .params and .checks, or nil when d has
--- errors; second result: the first name of `set` that is no parameter.
-function env.record(host, d, text, tables, set)
-  local ctx = { diag = d, host = host, checks = {}, set = set or {}, used = {} }
-  local params, effects = {}, setmetatable({}, { __mode = "k" })
+-- parameters' defaults (in their own units); renamed: in place of the scene's name.  Returns the scene record with
+-- .params and .checks, or nil when d has errors; second result: the first name of `set` that is no parameter.
+function env.record(host, d, text, tables, set, renamed)
+  local ctx = { diag = d, host = host, checks = {}, set = set or {}, used = {}, named = {}, families = {} }
+  local params, inputs, effects = {}, {}, setmetatable({}, { __mode = "k" })
   value.begin(d)
   shapes.begin(ctx, host.visible)
   local result
@@ -181,14 +186,15 @@ function env.record(host, d, text, tables, set)
     return shapes[spec.reader or ""] or shapes.constructor(spec)
   end)
   for _, k in ipairs(args.keys(made)) do
-    e[k] = type(made[k]) == "table" and strict(ctx, k, made[k], shapes.broken) or made[k]
+    e[k] = type(made[k]) == "table" and strict(ctx, k, made[k]) or made[k]
   end
   e.inertial, e.mesh = host.visible(inertial.constructor(ctx)), host.visible(mesh.constructor(ctx))
   local effect = effect_constructor(ctx, effects)
-  e.effect = strict(ctx, "effect", tree(host, tables.effects, effect).effect, function() return nil end)
+  e.effect = strict(ctx, "effect", tree(host, tables.effects, effect).effect)
   e.param, e.quantity = param(ctx, params), quantity(ctx)
+  e.input = input.constructor(ctx, inputs, function(u) return unit(ctx, "input", u) end)
   e.exact = function(s)
-    return value.new(expr.num(number(ctx, "exact", "the number", s)), nil)
+    return value.write(value.new(expr.num(number(ctx, "exact", "the number", s)), nil), s, expr.one)
   end
   for i, s in ipairs(coordinate.symbols) do e[coordinate.names[i]] = value.new(s, units.length, true) end
   for _, s in ipairs(moving.words) do e[s[1]] = moving.value(s) end
@@ -199,6 +205,7 @@ function env.record(host, d, text, tables, set)
     calls, result, scene_handle = calls + 1, s, setmetatable({}, scene_object)
     return scene_handle
   end)
+  undefined.guard(ctx, e, params)
 
   text = string.gsub(text, "^\239\187\191", "") -- a byte order mark, as some editors write it
   local ok, first = host.sandbox(text, "@" .. d.file, e)
@@ -208,6 +215,12 @@ function env.record(host, d, text, tables, set)
       string.find(first.message or "", "number too large", 1, true)
     if first.kind == "runtime" and not excess and source ~= d.file and string.find(source, "^generator/") then
       error(first.message .. "\n" .. first.traceback, 0) -- a bug of ours, not an error of the scene
+    end
+    -- what the scene does after an unknown name may be its consequence: it is not told where Lua itself says so, by
+    -- the mark, nor that the script took too long
+    if d:failed() and (first.kind ~= "syntax" and first.kind ~= "runtime" or
+      string.find(first.message or "", broken.mark, 1, true)) then
+      return nil
     end
     local message = string.gsub(string.gsub(first.message or "", "^.-:%d+: ", ""), "%c", " ") -- may steer a terminal
     d:error(first.line or 0, first.kind == "syntax" and "syntax" or "script", message)
@@ -222,14 +235,16 @@ function env.record(host, d, text, tables, set)
       d:error(result.line, "scene", "the script must return its scene", value.show(first))
     end
   end
-  for _, p in ipairs(not d:failed() and params or {}) do
+  if renamed and result then result.name = renamed end
+  local named = table.move(inputs, 1, #inputs, #params + 1, { table.unpack(params) })
+  for _, p in ipairs(not d:failed() and named or {}) do
     if string.find(p.name, "^" .. result.name .. "_") then
-      d:error(p.line, "param", "name must not begin with " .. result.name .. "_, as the emitted code's own names do",
-        diag.show(p.name))
+      d:error(p.line, p.symbol and "input" or "param", "name must not begin with " .. result.name ..
+        "_, as the emitted code's own names do", diag.show(p.name))
     end
   end
   if d:failed() then return nil end
-  result.params, result.checks = params, ctx.checks
+  result.params, result.inputs, result.checks, result.files = params, inputs, ctx.checks, ctx.files or {}
   for _, name in ipairs(args.keys(ctx.set)) do
     if not ctx.used[name] then return result, name end
   end

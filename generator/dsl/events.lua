@@ -5,6 +5,7 @@
 -- both; stop: the run ends there.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local expr = require "generator.algebra.expr"
 local motion = require "generator.algebra.motion"
 local args = require "generator.dsl.args"
 local names = require "generator.dsl.names"
@@ -34,6 +35,12 @@ local function read(ctx, at, i, e, seen)
     ctx.diag:error(at, what, "when " .. (why or "must depend on t or on states"),
       r and value.show(e.when) or diag.show(e.when))
     return nil
+  end
+  for _, s in ipairs(expr.symbols(r.e)) do
+    if string.find(s.name, "^u_") and s.rank == motion.rank then
+      ctx.diag:error(at, what, "when must not depend on an input", value.show(e.when))
+      return nil
+    end
   end
   out.when = r.e
   if e.direction ~= nil then

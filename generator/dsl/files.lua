@@ -18,7 +18,8 @@ local function rule_for(given)
   return nil
 end
 
--- The path of the file that the scene calls `given`, or nil after an error on the line.
+-- The path of the file that the scene calls `given`, or nil after an error on the line.  ctx.files becomes the list of
+-- all of them, {name =, path =}, in the order of their first mention.
 function files.resolve(ctx, line, what, given)
   local rule = rule_for(given)
   if rule then
@@ -31,6 +32,11 @@ function files.resolve(ctx, line, what, given)
       diag.show(given))
     return nil
   end
+  ctx.files = ctx.files or {}
+  if not ctx.files[given] then
+    ctx.files[given] = true
+    ctx.files[#ctx.files + 1] = { name = given, path = folder .. given }
+  end
   return folder .. given
 end
 
@@ -38,7 +44,7 @@ end
 function files.read(ctx, line, what, given)
   local path = files.resolve(ctx, line, what, given)
   if not path then return nil end
-  local text, why = ctx.host.read(path)
+  local text, why = ctx.host.read(path == "-" and "./-" or path) -- a file: standard input is not the scene's
   if not text then
     ctx.diag:error(line, what, why)
     return nil

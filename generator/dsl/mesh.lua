@@ -25,8 +25,9 @@ local function unit(ctx, line, given)
   local factor, dim
   if type(given) == "string" then factor, dim = units.parse(given) end
   if factor and units.equal(dim, units.length) then return factor end
+  local meant = not factor and dim and string.match(dim, "%(write.*%)")
   ctx.diag:error(ctx.diag:locate(line, "units"), what, "units must be a unit of length such as \"mm\"",
-    diag.show(given))
+    diag.show(given) .. (meant and " " .. meant or ""))
   return nil
 end
 
@@ -60,6 +61,7 @@ function mesh.constructor(ctx)
     local measure, power = table.unpack(measures[kind])
     local node = { shape = what, line = line, measure = measure, curved = kind ~= "volume" }
     node.broken = not shapes.amount({ measure = measure }, what, line, given, node)
+    node.bare = { length = given.units == nil, mass = args.bare(given.mass), density = args.bare(given.density) }
     local m, why, failed = ctx.host.mesh(path, kind, { unit = 1, density = 1 })
     if not m then
       ctx.diag:error(ctx.diag:locate(line, "file"), what, (failed.reason == "file" and "cannot read " or "") .. why)

@@ -261,6 +261,7 @@ function moving.custom(ctx, line, what, given)
       if not r or not motion.free(r.e) or not value.number(r.e) then
         ctx.diag:error(at "params", what, k .. " " .. (why or "must be a real number for the default parameters"),
           value.show(given.params[k]))
+        own[#own + 1] = { k, value.new(expr.one, nil) } -- the slip is told
       else
         a.params[#a.params + 1] = { name = k, e = r.e, unit = units.si(r.dim or units.none) }
         own[#own + 1] = { k, value.new(expr.sym("@" .. k, 6), r.dim, r.dim == nil) }
@@ -278,10 +279,11 @@ function moving.custom(ctx, line, what, given)
   end
   if given.potential ~= nil then
     a.potential = call(ctx, at "potential", what, "potential", given.potential, s, { dim = "energy" })
-    for _, name in ipairs { "t", "wx", "wy", "wz", "vx", "vy", "vz", "@Lx", "@Ly", "@Lz" } do
-      if a.potential and not expr.constant(a.potential, { [name] = true }) then
+    for _, x in ipairs(a.potential and expr.symbols(a.potential) or {}) do
+      local name = string.gsub(x.name, "^@", "")
+      if x.rank == motion.rank and not (string.find(x.name, "^[qr][wxyz]$") or taken[name]) then
         ctx.diag:error(at "potential", what, "potential must depend on attitude, position and own states only",
-          string.gsub(name, "@", ""))
+          (string.gsub(name, "^u_", "the input ")))
       end
     end
   end

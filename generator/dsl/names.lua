@@ -38,7 +38,8 @@ local function is_macro(s)
 end
 
 local taken = {} -- enumerators of the emitted header, without the scene's prefix
-for word in string.gmatch("PI QW QX QY QZ WX WY WZ UX UY UZ NX NU NP PLANNED_STEP PLANNED_TOLERANCE", "%S+") do
+for word in string.gmatch([[PI QW QX QY QZ WX WY WZ UX UY UZ NX NU NP PLANNED_STEP PLANNED_TOLERANCE VERSION
+  SCENE_HASH]], "%S+") do
   taken[word] = true
 end
 

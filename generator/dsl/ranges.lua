@@ -21,7 +21,7 @@ local kinds = { omega = "rates", position = "position", velocity = "velocity" }
 -- A number of the scene as {q = rational, dim = dimension or nil}, or nil after an error.
 local function number(ctx, at, name, given)
   local r, why = value.of(given)
-  if r and not motion.free(r.e) then r, why = nil, "must not depend on time or states" end
+  if r and not motion.free(r.e) then r, why = nil, "must not depend on time, states or inputs" end
   local q = r and value.number(r.e)
   if r and not q then why = "must be a real number for the default parameters" end
   if not q then

@@ -2,6 +2,7 @@
 --
 -- A shape is an opaque handle whose record is a tree of plain data (expressions inside):
 --     {shape=, a={args}, mass= | density=, line=}    {op="at", of=, r=}    {op="turned", of=, q=unit quaternion}
+-- (formal: of a tensor that is asked to be no body's, and of what is made of it)
 --     {op="scaled", of=, k={kx,ky,kz}}    {op="sheared", of=, A={rows}}    {op="sum" | "minus", a, b}
 -- Nothing is integrated here; mass/body.lua turns the tree into mass, centre and tensor.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -10,6 +11,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
 local args = require "generator.dsl.args"
+local digits = require "generator.dsl.digits"
 local polygon = require "generator.dsl.polygon"
 local region = require "generator.dsl.region"
 local value = require "generator.dsl.value"
@@ -70,6 +72,23 @@ function shapes.amount(spec, what, line, given, node)
   return node.mass ~= nil or node.density ~= nil
 end
 
+-- What is written without a unit: {length = all lengths, mass = bool, density = bool}, for mass/plausible.lua.
+local function bare(spec, given)
+  local out = { length = true, mass = args.bare(given.mass), density = args.bare(given.density) }
+  for _, s in ipairs(spec.args) do
+    local x = given[s.name]
+    if s.dim == "length" and x ~= nil then out.length = out.length and args.bare(x) end
+  end
+  return out
+end
+
+-- By how much the entries of a `tensor` may be off, each rounded to the digits that are written.
+local function halves(given)
+  local list = {}
+  for i, name in ipairs(vec.entry) do list[i] = value.digits(given[name]) or false end
+  return digits.halves(list, 6)
+end
+
 -- The constructor of one catalogue entry.
 function shapes.constructor(spec)
   local what = string.gsub(spec.name, "^solid%.", "")
@@ -78,7 +97,10 @@ function shapes.constructor(spec)
     local extra = spec.measure and { "mass", "density" }
     local a, ok = args.read(ctx, line, what, spec.args, given, extra)
     local node = { shape = spec.name, a = a, line = line, measure = spec.measure, curved = spec.curved }
-    if args.plain(given) and spec.measure then ok = shapes.amount(spec, what, line, given, node) and ok end
+    if args.plain(given) and spec.measure then
+      ok = shapes.amount(spec, what, line, given, node) and ok
+      node.bare = bare(spec, given)
+    end
     if ok and spec.requires then
       for _, c in ipairs(spec.requires(a)) do
         ok = args.condition(ctx, line, what, c[2], c[1], args.named(spec.args, c[2], given), c[3]) and ok
@@ -87,7 +109,9 @@ function shapes.constructor(spec)
     if ok and spec.polygons then
       ok = polygon.check(ctx, line, what, a.profile, a.holes or {}, spec.polygons == "x")
     end
-    if spec.name == "tensor" then node.mass = a.mass end
+    if spec.name == "tensor" then
+      node.mass, node.formal, node.halves = a.mass, a.physical == false, halves(args.plain(given) and given or {})
+    end
     node.broken = not ok
     return new(node)
   end
@@ -136,7 +160,7 @@ function shapes.region(given) return new(region.read(ctx, here(), given)) end
 local function derived(self, node)
   node.line = node.line or here()
   node.of = record[self]
-  node.size = node.of.size
+  node.size, node.formal = node.of.size, node.of.formal
   node.broken = node.broken or node.of.broken
   return new(node)
 end
@@ -208,6 +232,7 @@ end
 -- any affine map, a flat plate and a straight rod too, but how much a density per area or length is worth then depends
 -- on how it lies; a curved wire or shell does not stay uniform.
 local function stiff(node)
+  if node.formal then return "a tensor with physical = false can only be scaled by one factor" end
   if node.shape then
     if node.curved then return "a curved wire or shell can only be scaled by one factor" end
     if node.density and node.measure ~= "volume" then
@@ -276,6 +301,11 @@ local function joined(op, word)
     if not x or not y then
       ctx.diag:error(line, word, "both sides must be shapes", value.show(not x and a or b))
       return (x and a) or (y and b) or shapes.broken()
+    end
+    if x.formal or y.formal then
+      ctx.diag:error(line, word, "a tensor with physical = false stands alone (it can be moved, turned, mirrored " ..
+        "and scaled by one factor)")
+      return shapes.broken()
     end
     local node = { op = op, x, y, line = line, broken = x.broken or y.broken, size = (x.size or 1) + (y.size or 1) }
     if node.size > most_parts then

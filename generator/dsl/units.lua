@@ -8,6 +8,7 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local text = require "generator.algebra.text"
+local unitnames = require "generator.dsl.unitnames"
 
 local units = {}
 
@@ -35,6 +36,7 @@ local function e(s) return expr.lift(s) end
 local symbols = {
   m = { one, dim(1) }, km = { e(1000), dim(1) }, cm = { e "1/100", dim(1) }, mm = { e "1/1000", dim(1) },
   um = { e "1e-6", dim(1) }, nm = { e "1e-9", dim(1) }, pm = { e "1e-12", dim(1) },
+  angstrom = { e "1e-10", dim(1) },
   ["in"] = { e "0.0254", dim(1) }, ft = { e "0.3048", dim(1) }, au = { e "149597870700", dim(1) },
   kg = { one, dim(0, 1) }, g = { e "1/1000", dim(0, 1) }, mg = { e "1e-6", dim(0, 1) }, t = { e(1000), dim(0, 1) },
   lb = { e "0.45359237", dim(0, 1) }, oz = { e "0.45359237" / 16, dim(0, 1) },
@@ -44,7 +46,9 @@ local symbols = {
   A = { one, dim(0, 0, 0, 1) }, K = { one, dim(0, 0, 0, 0, 1) },
   rad = { one, units.none }, deg = { expr.pi / 180, units.none }, rev = { expr.pi * 2, units.none },
   Hz = { one, dim(0, 0, -1) }, rpm = { expr.pi / 30, dim(0, 0, -1) },
-  N = { one, dim(1, 1, -2) }, lbf = { e "0.45359237" * e "9.80665", dim(1, 1, -2) },
+  N = { one, dim(1, 1, -2) },
+  mN = { e "1/1000", dim(1, 1, -2) }, kN = { e(1000), dim(1, 1, -2) },
+  lbf = { e "0.45359237" * e "9.80665", dim(1, 1, -2) },
   J = { one, dim(2, 1, -2) }, W = { one, dim(2, 1, -3) }, Pa = { one, dim(-1, 1, -2) },
   T = { one, dim(0, 1, -2, -1) }, ["1"] = { one, units.none },
 }
@@ -119,7 +123,11 @@ function units.parse(s)
     end
     local name, after = string.match(rest, "^%s*([%a1]%a*)(.*)$")
     local unit = name and symbols[name]
-    if not unit then return nil, "unknown unit " .. string.format("%q", name or rest) end
+    if not unit then
+      local meant = name and unitnames.meant(name, symbols)
+      return nil, "unknown unit " .. string.format("%q", name or rest) ..
+        (meant and " (write \"" .. meant .. "\")" or "")
+    end
     local n, more = string.match(after, "^%^(%-?%d+)(.*)$")
     local power = R.parse(n or "1") * sign
     if R.abs(power) > R.new(20) then return nil, "an exponent in " .. string.format("%q", s) .. " is too large" end

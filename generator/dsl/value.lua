@@ -9,7 +9,9 @@
 -- which may then be meant in any unit: 0.1*wx can be a torque, wx cannot, and wx + qx is wrong by itself.  A function
 -- of a plain value is plain.
 -- A wrong combination is reported on the user's line and goes on as a value without dimension, so that one slip gives
--- one message.
+-- one message; what is computed from an unknown name (diag/broken.lua) is as broken as that.
+-- `written` is {number or string, factor} where a value is a decimal that the scene writes, times what is exact: see
+-- dsl/digits.lua.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -17,8 +19,10 @@ local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local motion = require "generator.algebra.motion"
 local text = require "generator.algebra.text"
+local digits = require "generator.dsl.digits"
 local units = require "generator.dsl.units"
 local diag = require "generator.diag"
+local broken = require "generator.diag.broken"
 
 local value = {}
 
@@ -31,6 +35,38 @@ local function new(e, dim, plain)
   return v
 end
 value.new = new
+
+-- The value is what the scene writes as the decimal `given`, times factor; a power of ten is a unit, not a measurement.
+function value.write(v, given, factor)
+  local d = digits.of(given)
+  if d and d.count > 1 then record[v].written = { given, factor } end
+  return v
+end
+
+-- The digits of what a scene gave for a number, with factor = |what it was multiplied by|; nil if it is exact.
+function value.digits(x)
+  local w = record[x] and record[x].written
+  local d = digits.of(w and w[1] or not record[x] and x or nil)
+  if d and w then
+    local factor = value.number(w[2])
+    if not factor then return nil end
+    d.factor = R.abs(factor)
+  end
+  return d
+end
+
+-- Of a product: the digits of one factor, if the other is exact.
+local function written(v, a, b, factor_a, factor_b)
+  local x, y = record[a] and record[a].written, record[b] and record[b].written
+  if record[a] and record[b] then
+    local w, other = x or y, x and factor_b or factor_a
+    if w and not (x and y) then record[v].written = { w[1], w[2] * other } end
+    return v
+  elseif x or y then
+    return v -- 2*0.615: a number and a value with digits of its own
+  end
+  return value.write(v, record[a] and b or a, record[a] and factor_a or factor_b)
+end
 
 function value.is(v) return record[v] ~= nil end
 
@@ -75,7 +111,9 @@ function value.show(x, with_unit)
   end
   local s, coordinates = nil, 0 -- @x: a coordinate, which has no number
   if size(r.e, most_nodes) <= most_nodes then s, coordinates = string.gsub(text.of(r.e), "@", "") end
-  if s and not motion.free(r.e) then coordinates = 1 end -- time and states have no number either
+  if s and not motion.free(r.e) then -- time, states and inputs have no number either
+    s, coordinates = string.gsub(s, "%f[%w_]u_(%a)", "%1"), 1 -- an input by its own name
+  end
   if s and s ~= number and #s <= most_text then number = coordinates > 0 and s or s .. " = " .. number end
   if not with_unit then return number end
   local pure = not r.dim or units.equal(r.dim, units.none)
@@ -130,8 +168,16 @@ local function sum(what, f)
   end
 end
 
-handle.__add = sum("sum", function(a, b) return a + b end)
-handle.__sub = sum("difference", function(a, b) return a - b end)
+-- The operation f, unless an operand is what an unknown name stands for.
+local function sound(f)
+  return function(a, b)
+    if broken.is(a) or broken.is(b) then return broken.object end
+    return f(a, b)
+  end
+end
+
+handle.__add = sound(sum("sum", function(a, b) return a + b end))
+handle.__sub = sound(sum("difference", function(a, b) return a - b end))
 function handle.__unm(a) return new(-record[a].e, record[a].dim, record[a].plain) end
 
 -- Dimension of x * y^n; nil if neither has one.
@@ -145,17 +191,18 @@ local function product_plain(x, y)
   return both_plain(x, y) and true
 end
 
-function handle.__mul(a, b)
+handle.__mul = sound(function(a, b)
   local x, y = operand(a, "product"), operand(b, "product")
-  return new(guarded("product", function() return x.e * y.e end), combined(x, y, 1), product_plain(x, y))
-end
+  local v = new(guarded("product", function() return x.e * y.e end), combined(x, y, 1), product_plain(x, y))
+  return written(v, a, b, x.e, y.e)
+end)
 
-function handle.__div(a, b)
+handle.__div = sound(function(a, b)
   local x, y = operand(a, "quotient"), operand(b, "quotient")
   return new(guarded("quotient", function() return x.e / y.e end), combined(x, y, -1), product_plain(x, y))
-end
+end)
 
-function handle.__pow(a, n)
+handle.__pow = sound(function(a, n)
   local x, y = operand(a, "power"), operand(n, "power")
   if y.e.kind ~= "num" or R.abs(y.e.value) > R.new(64) then
     complain("power", "the exponent must be a plain number between -64 and 64", value.show(n))
@@ -163,9 +210,10 @@ function handle.__pow(a, n)
   end
   return new(guarded("power", function() return x.e ^ y.e end), x.dim and units.power(x.dim, y.e.value),
     x.plain)
-end
+end)
 
-local function unordered()
+local function unordered(a, b)
+  if broken.is(a) or broken.is(b) then return false end
   complain("comparison", "values have no order: a parameter is a symbol, its default only one of its values")
   return false
 end
@@ -192,6 +240,7 @@ function value.func(fn, n, kind)
     counted(fn, n, ...)
     local given, es, dim, plain = { ... }, {}, nil, nil
     for i = 1, n do
+      if broken.is(given[i]) then return broken.object end
       local r = operand(given[i], fn)
       es[i] = r.e
       if r.dim and kind == "pure" and not r.plain and not units.equal(r.dim, units.none) then
@@ -207,6 +256,7 @@ end
 
 function value.sqrt(...)
   counted("sqrt", 1, ...)
+  if broken.is((...)) then return broken.object end
   local r = operand((...), "sqrt")
   return new(guarded("sqrt", expr.sqrt, r.e), r.dim and units.power(r.dim, R.half), r.plain)
 end

@@ -1,10 +1,11 @@
 -- bounded.lua -- the rates' equation of a free or torque-bounded body as numbers, and how large the rates can become.
 --
---     w' = b + A w + I^-1 (I w x w) + I^-1 u,   |u_i| <= max
--- for effects that do not depend on the attitude: control, a constant torque in body axes, linear damping, a rotor.
--- b and A are read from the scene's own equations, which are polynomials of degree two in w: differences of their
--- values at whole numbers are exact.  About principal axes E (rows), moments I_k, the rest is c_k w_j w_l with
--- c_k = (I_j - I_l)/I_k.  A scene that is none of these is refused by the name of what makes it so.
+--     w' = b + A w + I^-1 (I w x w) + B u,   low <= u <= high
+-- for effects that do not depend on the attitude: control, a torque in body axes that is constant or linear in inputs,
+-- linear damping, a rotor.  b, A and B are read from the scene's own equations, which are polynomials of degree two in
+-- w and linear in what the limits leave of u: differences of their values at rational numbers are exact.  About
+-- principal axes E (rows), moments I_k, the rest is c_k w_j w_l with c_k = (I_j - I_l)/I_k.  A scene that is none
+-- of these is refused by the name of what makes it so.
 --
 -- The bound: where no torque feeds the motion (b = 0, no input, w.I A w <= 0 for every w), 2 T = w.I w never grows, so
 -- w_i^2 <= 2 T (I^-1)_ii; with A = 0, |L| is constant too, w_i^2 <= L^2 (I^-2)_ii.  Both are convex, so their largest
@@ -17,6 +18,7 @@ local calculus = require "generator.algebra.calculus"
 local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
 local jacobi = require "generator.mass.jacobi"
+local inputs = require "generator.dynamics.inputs"
 local equations = require "generator.dynamics.equations"
 local state = require "generator.dynamics.state"
 
@@ -29,21 +31,50 @@ local known = { control = true, torque = true, damping = true, rotor = true }
 
 local function short(e) return (string.gsub(e.kind, "^effect%.", "")) end
 
+-- Is the component constant, or linear in what the limits leave of the inputs?
+local function linear(m, e)
+  local map, is = {}, {}
+  for i, s in ipairs(m.inputs) do
+    is[i] = expr.sym("within " .. s.name, motion.rank)
+    map[s.value] = is[i]
+  end
+  e = calculus.substitute(e, map)
+  for _, sym in ipairs(is) do
+    local slope = calculus.diff(e, sym)
+    if not motion.free(slope) then return false end
+    e = calculus.substitute(e, { [sym] = expr.zero })
+  end
+  return motion.free(e)
+end
+
+local most_inputs = 8 -- each has a bit of what a step returns, of 16
+
 -- Why the scene has no such equation: line, rule and what it got; nil if it has.
 local function refusal(m, ranges)
   local control
+  for _, s in ipairs(m.inputs) do
+    if not s.low then
+      return s.line, "takes inputs with limits: effect.control{ max = }, input(name, unit, { min =, max = })",
+        s.label .. " without"
+    end
+  end
+  if #m.inputs > most_inputs then
+    return m.inputs[#m.inputs].line, "takes at most " .. most_inputs .. " inputs", string.format("%d", #m.inputs)
+  end
   for _, e in ipairs(m.record.effects) do
     local name = short(e)
     if not known[name] then
-      return e.line, "takes effect.control, effect.torque in body axes, effect.damping and effect.rotor", e.kind
+      local own = e.states and e.states[1] and " (states of an effect's own, a wheel's speed, have no scaling)" or ""
+      return e.line, "takes effect.control, effect.torque in body axes, effect.damping and effect.rotor" .. own, e.kind
     elseif name == "torque" and not e.a.body then
       return e.line, "takes a torque in body axes: one in inertial axes depends on the attitude", "effect.torque"
-    elseif name == "torque" and motion.any(e.a.body) then
-      return e.line, "takes a constant torque: give what varies by effect.control", "effect.torque"
+    elseif name == "torque" and not (linear(m, e.a.body[1]) and linear(m, e.a.body[2]) and linear(m, e.a.body[3])) then
+      return e.line, "takes a torque that is constant or linear in inputs: what else varies can be an input",
+        "effect.torque"
+    elseif name == "damping" and e.spec.varies_with(e.a) then
+      return e.line, "takes a constant damping", "one that varies"
     elseif name == "control" and control then
       return e.line, "takes one effect.control", "a second one"
-    elseif name == "control" and not e.a.max then
-      return e.line, "takes effect.control with its limit max, so that the torque is bounded", "no max"
     end
     if name == "control" then control = e end
   end
@@ -60,7 +91,7 @@ local function refusal(m, ranges)
         "the largest |w_i| in rad/s", ranges and "no range of " .. s.name or "no ranges"
     end
   end
-  return nil, control
+  return nil
 end
 
 -- f(w, u) -> the three w' of the scene's own equations, rationals.
@@ -76,7 +107,8 @@ local function evaluator(m, eq)
   end
   return function(w, u)
     local map = {}
-    for i = 1, 3 do map[state.w[i]], map[state.u[i]] = expr.num(w[i]), expr.num(u and u[i] or R.zero) end
+    for i = 1, 3 do map[state.w[i]] = expr.num(w[i]) end
+    for i, s in ipairs(m.inputs) do map[s.sym] = expr.num(u[i]) end
     return vec.map(rates, function(e) return m:number(calculus.substitute(e, map)) end)
   end
 end
@@ -171,12 +203,12 @@ local function products(moments)
 end
 
 -- What w' is made of, as rationals, or nil after an error in d:
--- {moments, axes (rows, body axes), diagonal, c, b, A, tensor, inverse (3 x 3), max (or nil), free, fed, limit, why}
+-- {moments, axes (rows, body axes), diagonal, c, b, A, tensor, free, fed, limit, why, inputs}, inputs being a list of
+-- {label, index, unit, low, high, response}, response a column of B.
 -- job: {diag, model, equations, ranges}
 function bounded.of(job)
   local m, d = job.model, job.diag
   local line, rule, got = refusal(m, job.ranges)
-  local control = not line and rule
   if line then
     d:error(line, "--with q31", rule, got)
     return nil
@@ -190,16 +222,28 @@ function bounded.of(job)
   else
     r.moments, r.axes = jacobi.precise(r.tensor, BITS)
   end
-  r.c, r.inverse = products(r.moments), inverse(matrix(r.tensor))
+  r.c = products(r.moments)
 
-  local f = evaluator(m, job.equations)
-  r.b, r.A = f(unit(1, 0)), { {}, {}, {} }
+  local f, within = evaluator(m, job.equations), {} -- within: a value of each input inside its limits
+  r.inputs = {}
+  for i, s in ipairs(m.inputs) do
+    local low, high = inputs.range(m, s)
+    r.inputs[i] = { label = s.label, index = s.index, unit = s.unit, low = low, high = high }
+    within[i] = low + (high - low) / R.new(4)
+  end
+  r.b, r.A = f(unit(1, 0), within), { {}, {}, {} }
   for j = 1, 3 do
-    local up, down = f(unit(j, 1)), f(unit(j, -1))
+    local up, down = f(unit(j, 1), within), f(unit(j, -1), within)
     for i = 1, 3 do r.A[i][j] = (up[i] - down[i]) / R.new(2) end
   end
-  r.max = control and m:number(control.a.max)
-  r.control = control or nil
+  local there = r.b
+  r.b = { table.unpack(r.b) }
+  for k, u in ipairs(r.inputs) do
+    local other, half = { table.unpack(within) }, (u.high - u.low) / R.new(2)
+    other[k] = other[k] + half
+    u.response = vec.map(f(unit(1, 0), other), function(x, i) return (x - there[i]) / half end)
+    for i = 1, 3 do r.b[i] = r.b[i] - u.response[i] * within[k] end
+  end
 
   local I = matrix(r.tensor)
   local S, still = {}, true
@@ -212,7 +256,7 @@ function bounded.of(job)
     end
     still = still and r.b[i] == zero
   end
-  r.fed = not (still and not control and takes_energy(S))
+  r.fed = not (still and #r.inputs == 0 and takes_energy(S))
   local box = {}
   for i, s in ipairs(m.states) do
     if s.kind == "rates" then box[s.place] = job.ranges.states[i] end

@@ -95,7 +95,8 @@ local function torques(m, gyric)
     local own = context.with(c, e)
     local products = gyric and e.spec.products and e.spec.products(e.a, own)
     local N = products or torque_of(m, e, own)
-    local group = { why = string.gsub(e.kind, "^effect%.", "") .. ": " .. e.spec.about, where = place(m, e.line),
+    local group = { why = string.gsub(e.kind, "^effect%.", "") .. ": " .. (e.spec.term or e.spec.formula),
+      where = place(m, e.line),
       defs = {}, outs = {} }
     for i = 1, 3 do
       local n = N[i]
@@ -270,7 +271,9 @@ function builders.full(m, N)
     names[i] = expr.sym("n" .. axis_name[i], 7)
   end
   local torque = #m.record.effects > 0 and "N + " or ""
-  return { why = "Euler: L = I w, n = " .. torque .. "L x w, w' = I^-1 n", defs = defs, outs = vec.apply(J, names) }
+  local which = m.carried ~= m.inertia and "; I without the wheels' own moments" or ""
+  return { why = "Euler: L = I w, n = " .. torque .. "L x w, w' = I^-1 n" .. which, defs = defs, outs = vec.apply(J,
+    names) }
 end
 
 -- The rate W at which the body's axes turn, where effects say that it is not w, named in the group; else nil.
@@ -345,7 +348,7 @@ local of_attitude = { qw = true, qx = true, qy = true, qz = true }
 -- The equations of the model: {groups, coupled}, coupled telling whether the attitude's equation or another one needs
 -- the attitude at every stage.  Reports what cannot be (torque along a rod) and returns nil then.
 function equations.of(d, m)
-  local groups, inputs = {}, false
+  local groups = {}
   if m.has.attitude then groups[1] = attitude(m) end
   if m.has.rates and not turning(d, m, groups) then return nil end
   if m.has.position then
@@ -357,7 +360,6 @@ function equations.of(d, m)
   local c = context.of(m)
   c.dw = rates_of(groups) or c.dw
   for _, e in ipairs(m.record.effects) do
-    inputs = inputs or e.spec.input or false
     local change = #e.states > 0 and e.spec.derivative(e.a, context.with(c, e))
     local g = { why = string.gsub(e.kind, "^effect%.", "") .. ": its own states", where = place(m, e.line), defs = {},
       outs = {} }
@@ -374,7 +376,7 @@ function equations.of(d, m)
     end
   end
   return { groups = groups, coupled = coupled, turn = m.has.attitude and groups[1].turn,
-    inputs = inputs, free = #m.record.effects == 0, model = m }
+    inputs = #m.inputs > 0, free = #m.record.effects == 0, model = m }
 end
 
 -- The same equations with twice the bits in their numbers; nil where no number was rounded, so that all are exact.

@@ -21,6 +21,7 @@ local jacobi = require "generator.mass.jacobi"
 local parts = require "generator.mass.parts"
 local principal = require "generator.mass.principal"
 local validity = require "generator.mass.validity"
+local inputs = require "generator.dynamics.inputs"
 local numeric = require "generator.dynamics.numeric"
 local states = require "generator.dynamics.states"
 
@@ -66,6 +67,8 @@ end
 function model:constant(name, e, about, raw, form)
   if not raw then e = ratio.tidy(e) end
   if e.kind == "num" then return e end
+  local limit = self.limits and self.limits[e]
+  if limit then name, about = limit.name, limit.about end
   if expr.constant(e) then
     self.rounded = true
     return expr.num(evaluate.precise(e, {}, self.finer and 2 * bits or bits))
@@ -141,14 +144,18 @@ local function substituted(record, map)
   return out
 end
 
--- What NAME_init must test again: every condition on parameters once, with the scene's line.
+-- What NAME_init must test again: every condition on parameters once, with the scene's line; of two on one expression
+-- the stricter.
 local function conditions(m, checks)
   local list, seen = {}, {}
   local function put(c)
-    if expr.constant(c.e) or seen[c.e] then return end
-    seen[c.e] = true
-    list[#list + 1] = { e = c.e, form = c.form or c.e, pivot = c.pivot, allow_zero = c.allow_zero,
-      text = c.what .. ": " .. c.rule .. " (" .. string.match(m.file, "[^/]*$") .. ":" .. c.line .. ")" }
+    local before = seen[c.e]
+    if expr.constant(c.e) or before and (c.allow_zero or not before.allow_zero) then return end
+    local entry = before or {}
+    if not before then list[#list + 1] = entry end
+    seen[c.e] = entry
+    entry.e, entry.form, entry.pivot, entry.allow_zero = c.e, c.form or c.e, c.pivot, c.allow_zero
+    entry.text = c.what .. ": " .. c.rule .. " (" .. string.match(m.file, "[^/]*$") .. ":" .. c.line .. ")"
   end
   for _, c in ipairs(checks) do put(c) end
   for _, c in ipairs(validity.conditions(m)) do put(c) end
@@ -230,7 +237,7 @@ end
 function model.new(d, record, options)
   local m = setmetatable({ name = record.name, members = {}, by_expr = {}, by_name = {}, defaults = {},
     params = record.params }, model)
-  local map = {}
+  local map, symbolic = {}, record
   for _, p in ipairs(record.params) do
     m.defaults[p.name] = p.default
     if options.bake then map[p.sym] = expr.num(p.default) end
@@ -240,7 +247,7 @@ function model.new(d, record, options)
     m.params = {}
   end
   for _, p in ipairs(m.params) do m.by_name[p.name] = p end
-  m.record, m.baked = record, options.bake or false
+  m.record, m.symbolic, m.baked = record, symbolic, options.bake or false
   m.file, m.line = d.file, record.body and record.body.line
   m.omega, m.attitude, m.given, m.horizon, m.step = record.omega, record.attitude, record.given, record.horizon,
     record.step
@@ -267,6 +274,8 @@ function model.new(d, record, options)
   local sound = not holes.any(m.record.body) or holes.check(d, m, numeric.scene({ model = m, record = m.record }).body)
   if not sound or not validity.check(d, m) then return nil end
   m.structure = principal.classify(m.inertia)
+  m.inputs = inputs.of(d, m.record)
+  m.limits = inputs.limits(m.inputs)
   if not states.decide(d, m) then return nil end
   if m.structure.nothing and m.has.rates then
     d:error(m.line, "body", "has no moment of inertia about the origin, so its rotation is undetermined")

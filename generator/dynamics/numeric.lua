@@ -9,6 +9,8 @@ local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local vec = require "generator.algebra.vec"
 local body = require "generator.mass.body"
+local slips = require "generator.mass.slips"
+local validity = require "generator.mass.validity"
 local context = require "generator.dynamics.context"
 local postfix = require "generator.dynamics.postfix"
 local state = require "generator.dynamics.state"
@@ -74,6 +76,16 @@ function numeric.scene(job, values)
       density = not node.mass and terms(node.a.density, growth.volume) or nil }
   end
 
+  -- A tensor that no body has was taken as it is: the library is told so, about the centre of mass.
+  local function formal(a)
+    local I = vec.map({ a.xx, a.yy, a.zz, a.xy, a.xz, a.yz }, exact)
+    if a.about == "origin" then I = vec.sub(I, slips.steiner(exact(a.mass), vec.map(a.com, exact))) end
+    if validity.lawful(I) then return nil end
+    local out = { shape = "tensor", formal = true, mass = num(a.mass), com = nums(a.com) }
+    for i, name in ipairs(vec.entry) do out[name] = R.todouble(I[i]) end
+    return out
+  end
+
   -- density is multiplied by the growth of its shape under the scalings around it: the library's scaling keeps mass
   local function tree(node, growth)
     if node.shape == "points" then
@@ -90,6 +102,8 @@ function numeric.scene(job, values)
         com = { 0.0, 0.0, 0.0 }, sigma = nums(a.sigma) }, a.com)
     elseif node.shape == "region" then
       return region(node, growth)
+    elseif node.shape == "tensor" and node.name ~= "inertial" and formal(node.a) then
+      return formal(node.a)
     elseif node.shape then
       local out = { shape = node.shape, mass = node.mass and num(node.mass),
         density = node.density and num(node.density * growth[node.measure]) }
@@ -127,18 +141,22 @@ function numeric.scene(job, values)
   body_tree = shifted(body_tree, vec.map(m.origin, function(e) return -e end))
   if not job.states then return { body = body_tree } end -- asked for while the model is made
   local effects, dry = {}, context.dry(m)
+  dry.lines = job.lines -- inputs run along straight lines
   local place = {}
   for k, s in ipairs(state.known) do place[s.name] = k - 1 end
   for i, k in ipairs((numeric.positions(job))) do place[job.states[i].name] = k - 1 end
+  for i, s in ipairs(m.inputs) do place[s.name] = -i end
   local function code(e) return postfix.of(e, exact, place) end
-  for i, e in ipairs(record.effects) do
-    effects[i] = e.spec.numeric(e.a, num, record.given, code, context.with(dry, e))
+  for _, e in ipairs(record.effects) do
+    local more
+    effects[#effects + 1], more = e.spec.numeric(e.a, num, record.given, code, context.with(dry, e))
+    effects[#effects + 1] = more
   end
   local own = {}
   for _, s in ipairs(job.states) do
     if s.effect then own[#own + 1] = s.initial end
   end
-  return { name = m.name, body = body_tree, origin = { 0.0, 0.0, 0.0 }, effects = effects,
+  return { name = m.name, body = body_tree, origin = { 0.0, 0.0, 0.0 }, effects = effects, inputs = #m.inputs,
     own = nums(own), q = nums(record.attitude), w = nums(record.omega), r = nums(record.given.position or none),
     v = nums(record.given.velocity or none) }
 end

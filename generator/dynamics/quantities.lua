@@ -19,7 +19,8 @@ local quantities = {}
 
 local comp = { "x", "y", "z" }
 
-local function array(name, count, out) return { name = name, count = count, out = out } end
+-- size: the count in the header's own names
+local function array(name, count, out, size) return { name = name, count = count, out = out, size = size } end
 
 -- Symbols of an array argument: {r} -> rx, ry, rz for 3, rxx.. for 6.
 local function symbols(name, count)
@@ -105,6 +106,20 @@ function quantities.inertia_at(m)
       outs("I", list)) } }
 end
 
+-- "L = I w" with what rotors and wheels hold, of which kinds there are; field: of their specs.
+local function said(m, start, field)
+  local seen = {}
+  for _, e in ipairs(m.record.effects) do
+    local own = e.spec[field]
+    if own and not seen[own] then start = start .. " + " .. own end
+    if own then seen[own] = true end
+  end
+  return start
+end
+
+-- The tensor of these equations, where it is not the body's.
+local function which(m) return m.carried ~= m.inertia and "; I without the wheels' own moments" or "" end
+
 local function potential(m)
   local V, c = expr.zero, context.of(m)
   for _, e in ipairs(m.record.effects) do
@@ -123,7 +138,7 @@ function quantities.kinetic(m)
       "T = (I1 w1^2 + I2 w2^2 + I3 w3^2)/2, principal axes"
   end
   local L, defs = equations.momentum(m)
-  return vec.dot(w, L) / 2, defs, "T = w.L/2, L = I w"
+  return vec.dot(w, L) / 2, defs, "T = w.L/2 (L = I w)"
 end
 
 function quantities.energy(m)
@@ -135,16 +150,17 @@ function quantities.energy(m)
   end
   local c = context.of(m)
   for _, e in ipairs(m.record.effects) do
-    if e.spec.kinetic then
-      T = T + e.spec.kinetic(e.a, context.with(c, e))
-      why = why .. " + T of " .. string.gsub(e.kind, "^effect%.", "")
-    end
+    if e.spec.kinetic then T = T + e.spec.kinetic(e.a, context.with(c, e)) end
   end
+  local whole = said(m, why, "has")
+  local wheels = whole ~= why
+  why = whole .. which(m)
   if m.has.position or m.frame then
     doc = m.frame and { "Kinetic energy relative to the frame, the effects' potential and the frame's own, J: Jacobi's",
       "integral where the frame turns at a constant rate." } or { "Energy T + V, J; V = 0 at the origin." }
   end
-  doc = doc or { V == expr.zero and "Kinetic energy T = w.I w/2, J." or "Energy T + V, J; V = 0 with the centre of " ..
+  doc = doc or { V == expr.zero and (wheels and "Kinetic energy of the body and its wheels, J." or
+    "Kinetic energy T = w.I w/2, J.") or "Energy T + V, J; V = 0 with the centre of " ..
     "mass at the height of the origin." }
   return { name = "energy", args = { "m", "x" }, result = true, doc = doc,
     groups = { group(why .. (V ~= expr.zero and ";  V from the effects" or ""), defs,
@@ -172,7 +188,7 @@ function quantities.momentum_body(m)
   local L = vec.add(vec.apply((context.now(m)), state.w), context.held(m))
   return { name = "momentum_body", args = { "m", "x", array("L", 3, true) },
     doc = { "Angular momentum about the origin of rotation, body axes, kg m^2/s." },
-    groups = { group("L = I w", {}, outs("L", L)) } }
+    groups = { group(said(m, "L = I w", "holds") .. which(m), {}, outs("L", L)) } }
 end
 
 function quantities.momentum(m)
@@ -180,8 +196,9 @@ function quantities.momentum(m)
   L = vec.add(L, context.held(m))
   return { name = "momentum", args = { "m", "x", array("L", 3, true) },
     doc = { "Angular momentum about the origin of rotation, inertial axes, kg m^2/s; |q| = 1." },
-    groups = { group("L = I w in body axes", defs, {}),
-      group("turned to inertial axes, L = q L q*", {}, outs("L", vec.matvec(vec.rotation(state.q), L))) } }
+    groups = { group("L = I w in body axes" .. which(m), defs, {}),
+      group(said(m, "turned to inertial axes: q L q*, L = I w", "holds"), {}, outs("L",
+        vec.matvec(vec.rotation(state.q), L))) } }
 end
 
 function quantities.torque(m)
@@ -197,7 +214,9 @@ function quantities.torque(m)
   end
   return { name = "torque", args = { "m", array("w", 3), array("dw", 3), array("N", 3, true) },
     doc = { "The torque that makes the body turn with rates w and accelerations dw, body axes, N m",
-      "(the torque equation read backwards: N = dL/dt + w x L in the body frame)." },
+      "(the torque equation read backwards: N = dL/dt + w x L in the body frame)" ..
+        (said(m, "", "holds") ~= "" and ", of the body alone:" or "."),
+      said(m, "", "holds") ~= "" and "wheels and rotors stand still in it." or nil },
     groups = { group("L = I w", defs, {}), group("N = I w' + w x L", {},
       outs("N", vec.add(vec.apply(I, dw), vec.cross(w, Lp)))) } }
 end
@@ -276,7 +295,7 @@ function quantities.jacobian(eq)
       end
     end
   end
-  return { name = "jacobian", args = { "m", "t", "x", "u", array("J", n * n, true) },
+  return { name = "jacobian", args = { "m", "t", "x", "u", array("J", n * n, true, { "NX", "NX" }) },
     doc = { "Jacobian of the equations of motion, row major, NX x NX: J[i*NX + k] = d(dx[i])/d(x[k])." },
     groups = groups }
 end

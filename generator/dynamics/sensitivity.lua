@@ -7,6 +7,7 @@
 --     energy_gradient     and the like: derivatives of what is made of the state, for what is linearised as a whole
 --     STEP_transition     the step and d x(t + h)/d x(t): every named quantity is followed by its derivatives
 --                         (the tangent of the discrete map itself, exact for any h, not a solution of S' = J S)
+--     STEP_transition_u   d x(t + h)/d u in the same way, the input held during the step
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -16,7 +17,10 @@ local equations = require "generator.dynamics.equations"
 
 local sensitivity = {}
 
-local function array(name, count) return { name = name, count = count, out = true } end
+-- rows and columns in the header's own names
+local function array(name, count, rows, columns)
+  return { name = name, count = count, out = true, size = { rows, columns } }
+end
 
 -- A matrix of rows by states; entry(e, k, state) is the derivative of that state's rate e.
 local function of_rates(eq, name, columns, entry)
@@ -40,7 +44,7 @@ end
 function sensitivity.by_input(eq, inputs)
   if not eq.inputs then return nil end
   local n = #inputs
-  return { name = "jacobian_u", args = { "m", "t", "x", "u", array("J", #eq.model.states * n) },
+  return { name = "jacobian_u", args = { "m", "t", "x", "u", array("J", #eq.model.states * n, "NX", "NU") },
     doc = { "Derivative of the equations of motion by the input, row major, NX x NU:",
       "J[i*NU + k] = d(dx[i])/d(u[k])." },
     groups = of_rates(eq, "J", n, function(e, k) return calculus.diff(e, inputs[k].sym) end) }
@@ -75,10 +79,10 @@ function sensitivity.by_parameters(eq)
       start[i].outs[k] = { array = "S", index = (i - 1) * n + k - 1, expr = d }
     end
   end
-  return { name = "jacobian_p", args = { "m", "t", "x", "u", array("J", #m.states * n) },
+  return { name = "jacobian_p", args = { "m", "t", "x", "u", array("J", #m.states * n, "NX", "NP") },
     doc = { "Derivative of the equations of motion by the parameters, row major, NX x NP:",
       "J[i*NP + k] = d(dx[i])/d(p[k])." }, groups = rates },
-    { name = "initial_p", args = { "m", array("S", #m.states * n) },
+    { name = "initial_p", args = { "m", array("S", #m.states * n, "NX", "NP") },
       doc = { "Derivative of the initial state by the parameters, row major, NX x NP: where the sensitivities",
         "S' = (df/dx) S + df/dp start." }, groups = start }
 end
@@ -98,7 +102,7 @@ function sensitivity.of_made(m, f, name, doc)
   end
   local args = {}
   for _, a in ipairs(f.args) do args[#args + 1] = type(a) == "string" and a or nil end
-  args[#args + 1] = array("G", #rows * n)
+  args[#args + 1] = array("G", #rows * n, #rows > 1 and string.format("%d", #rows) or nil, "NX")
   return { name = name, args = args, doc = doc, groups = groups }
 end
 
@@ -131,10 +135,10 @@ function sensitivity.follow(defs, columns, known, taken)
   return out
 end
 
--- Groups {defs, outs = {state, expr}} of a map of the states, its definitions with their derivatives, and last the
--- derivatives of the outs into the array F.  known, taken: as above.
-function sensitivity.tangent(m, steps, known, taken)
-  local n, groups, final = #m.states, {}, {}
+-- Groups {defs, outs = {state, expr}} of a map of the states, its definitions with their derivatives by the columns
+-- (states or inputs), and last those of the outs into the array.  known, taken: as above.
+function sensitivity.tangent(m, steps, known, taken, columns, name)
+  local n, groups, final = #columns, {}, {}
   for _, member in ipairs(m.members) do taken[member.name] = true end
   for _, g in ipairs(steps) do
     for _, d in ipairs(g.defs) do taken[d.name] = true end
@@ -142,12 +146,12 @@ function sensitivity.tangent(m, steps, known, taken)
   for i, g in ipairs(steps) do
     for _, o in ipairs(g.outs) do final[o.state] = o.expr end
     groups[i] = { why = g.why .. "; and its derivatives", where = g.where, outs = {},
-      defs = sensitivity.follow(g.defs, m.states, known, taken) }
+      defs = sensitivity.follow(g.defs, columns, known, taken) }
   end
   for i, s in ipairs(m.states) do
     local g = { why = "derivatives of " .. s.name .. " at t + h", defs = {}, outs = {} }
-    for k, by in ipairs(m.states) do
-      g.outs[k] = { array = "F", index = (i - 1) * n + k - 1,
+    for k, by in ipairs(columns) do
+      g.outs[k] = { array = name, index = (i - 1) * n + k - 1,
         expr = calculus.diff(final[s.name] or s.sym, by.sym, known[k]) }
     end
     groups[#groups + 1] = g
@@ -155,10 +159,10 @@ function sensitivity.tangent(m, steps, known, taken)
   return groups, final
 end
 
--- A table for each state: what sensitivity.tangent knows at first.
-function sensitivity.nothing(m)
+-- A table for each column: what sensitivity.tangent knows at first.
+function sensitivity.nothing(columns)
   local known = {}
-  for k in ipairs(m.states) do known[k] = {} end
+  for k in ipairs(columns) do known[k] = {} end
   return known
 end
 
@@ -173,30 +177,44 @@ end
 -- The transition matrix of a step that is written as groups {defs, outs}, as the function `name`.
 function sensitivity.transition(eq, steps, name)
   local m = eq.model
-  local groups, final = sensitivity.tangent(m, steps, sensitivity.nothing(m), {})
+  local groups, final = sensitivity.tangent(m, steps, sensitivity.nothing(m.states), {}, m.states, "F")
   local last = { why = "the new state", defs = {}, outs = {} }
   for _, s in ipairs(m.states) do
     if final[s.name] then last.outs[#last.outs + 1] = { array = "x", state = s.name, expr = final[s.name] } end
   end
   groups[#groups + 1] = last
-  return { name = name .. "_transition", args = { "m", "t", "x!", "u", "h", array("F", #m.states * #m.states) },
+  return { name = name .. "_transition", args = { "m", "t", "x!", "u", "h", array("F", #m.states * #m.states, "NX",
+    "NX") },
     doc = sensitivity.doc(m.name, name), groups = groups }
 end
 
--- All of them for a job {equations, model, input_states, steppers, diag, record}; nil after an error: a derivative that
+-- The derivative by the input of the same step.
+function sensitivity.transition_u(eq, steps, name)
+  local m = eq.model
+  local groups = sensitivity.tangent(m, steps, sensitivity.nothing(m.inputs), {}, m.inputs, "G")
+  return { name = name .. "_transition_u", args = { "m", "t", "x", "u", "h", array("G", #m.states * #m.inputs, "NX",
+    "NU") },
+    doc = { "How " .. m.name .. "_" .. name .. " depends on its input, row major, NX x NU: G[i*NU + k] =",
+      "d x[i](t + h)/d u[k], u held during the step; 0 where u[k] is beyond its limits.  x stays as it is." },
+    groups = groups }
+end
+
+-- All of them for a job {equations, model, steppers, diag, record}; nil after an error: a derivative that
 -- does not exist at the parameters' own values (|p| at p = 0) would be no constant.
 -- which = "transition": the transition matrices alone.
 function sensitivity.list(job, which)
   local eq, list = job.equations, {}
   if which ~= "transition" then
-    list[1] = sensitivity.by_input(eq, job.input_states)
+    list[1] = sensitivity.by_input(eq, job.model.inputs)
     for _, f in ipairs { sensitivity.by_parameters(eq) } do list[#list + 1] = f end
   end
   for i, s in ipairs(job.steppers) do
     local groups = s.method.plain or s.method.groups
     if groups then
       local steps = groups(eq, function(e, words) return eq.model:derived(e, words) end)
-      list[#list + 1] = sensitivity.transition(eq, steps, i == 1 and "step" or s.method.name .. "_step")
+      local name = i == 1 and "step" or s.method.name .. "_step"
+      list[#list + 1] = sensitivity.transition(eq, steps, name)
+      if eq.inputs then list[#list + 1] = sensitivity.transition_u(eq, steps, name) end
     elseif not s.program.transition then
       job.diag:error(job.record.line, "method " .. s.method.name, "its step has no transition matrix here (--with " ..
         "jacobians): rk4, adaptive, taylor, midpoint and semi have one")

@@ -1,9 +1,9 @@
 -- state.lua -- the symbols of state, input and time, and how emitted code names them.
 --
--- `known` is every state that dynamics itself knows: name (also the C local), what it is, unit.  Which of them a
--- scene has, and what effects add, is decided in dynamics/states.lua.  Attitude q is the unit quaternion from body to
--- inertial axes, scalar first; w are the body rates; r and v belong to the centre of mass.  In a rotating frame
--- (effects/rotating_frame.lua) the frame's axes take the place of the inertial ones.
+-- `known` is every state that dynamics itself knows: name (also the C local), what it is, unit, what its enumerator
+-- ends in.  Which of them a scene has, and what effects add, is decided in dynamics/states.lua.  Attitude q is the
+-- unit quaternion from body to inertial axes, scalar first; w are the body rates; r and v belong to the centre of mass.
+-- In a rotating frame (effects/rotating_frame.lua) the frame's axes take the place of the inertial ones.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -16,7 +16,7 @@ state.sym = motion.sym -- the symbol of a state of that name
 local function list(rows)
   local out = { by_name = {} }
   for i, r in ipairs(rows) do
-    local s = { name = r[1], sym = state.sym(r[1]), about = r[2], unit = r[3] }
+    local s = { name = r[1], sym = state.sym(r[1]), about = r[2], unit = r[3], index = string.upper(r[1]) }
     out[i], out.by_name[r[1]] = s, s
   end
   return out

@@ -6,12 +6,13 @@
 --     position and velocity   when an effect moves the body
 --     further states          those that effects declare
 -- What an effect depends on is read from its expressions.  An effect that does nothing (zero strength, gravity about
--- the centroid) is taken out here, so that leaving it out gives the same code.  ABOVE the line.
+-- the centroid) is taken out here, so that leaving it out gives the same code; a warning says so.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local context = require "generator.dynamics.context"
+local idle = require "generator.dynamics.idle"
 local state = require "generator.dynamics.state"
 
 local states = {}
@@ -86,6 +87,25 @@ local function central(m)
   return true
 end
 
+-- A second effect that takes the input.
+local function one_input(d, m)
+  local first
+  for _, e in ipairs(m.record.effects) do
+    if e.spec.input and first then
+      d:warn(e.line, e.kind, "takes the same input u as the one of line " .. first.line .. ": u acts once for each")
+    end
+    first = first or e.spec.input and e
+  end
+end
+
+-- With --bake a parameter that is 0 may be all that an effect waits for: as the scene has it, it acts.
+local function only_baked(m, i, e)
+  local symbolic = m.symbolic.effects[i]
+  if not m.baked or symbolic == e then return false end
+  symbolic = setmetatable({ own = e.own, states = e.states }, { __index = symbolic })
+  return (select(2, deeds(m, symbolic)))
+end
+
 -- What cannot be together: a second base or translation, a fixed point and a body that moves.
 local function contradictions(d, m, moving)
   local seen = {}
@@ -135,11 +155,13 @@ function states.decide(d, m)
     if e.spec.moves and e.spec.moves(m.given) and not moving then moving = e end
   end
   contradictions(d, m, moving)
+  one_input(d, m)
   m.has = { attitude = true, rates = true, position = moving ~= nil } -- until we know better
   local acting, turned, by_attitude, by_rates = {}, nil, nil, nil
   m.frame = nil
-  for _, e in ipairs(m.record.effects) do
+  for i, e in ipairs(m.record.effects) do
     local deed, acts = deeds(m, e)
+    if not acts and not only_baked(m, i, e) then d:warn(e.line, e.kind, idle.why(e)) end
     if acts then
       acting[#acting + 1] = e
       if deed.frame then m.frame = e end
@@ -202,12 +224,18 @@ function states.decide(d, m)
     end
   end
   for _, s in ipairs(list) do m.states[#m.states + 1] = s end
+  for _, s in ipairs(m.inputs) do m.by_name[s.name] = m.by_name[s.name] or s end
   for _, s in ipairs(m.states) do
     m.states.by_name[s.name] = s
     m.by_name[s.name] = m.by_name[s.name] or s -- no constant may be called so
     for _, p in ipairs(m.params) do
       if string.upper(p.name) == string.upper(s.name) then
         d:error(p.line, "param", "name is taken by a state of the scene", string.format("%q", p.name))
+      end
+    end
+    for _, u in ipairs(m.inputs) do
+      if u.index == string.upper(s.name) then
+        d:error(u.line, "input", "name is taken by a state of the scene", string.format("%q", u.label))
       end
     end
   end

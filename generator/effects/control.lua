@@ -23,10 +23,16 @@ function control.torque(a, c)
   if not a.max then return c.u end
   local limit = c.constant("umax", a.max, "limit of each input, N m")
   return vec.map(c.u, function(u)
-    return expr.call("clamp", u, limit)
+    return expr.call("clamp", u, -limit, limit)
   end)
 end
 
-function control.numeric() return { kind = "control" } end
+-- Where nothing else than u acts the library takes it as it is; with a limit, or along lines over time, as expressions.
+function control.numeric(a, _, _, code, c)
+  if not a.max and not c.lines then return { kind = "control" } end
+  return { kind = "varying", inertial = false, parts = vec.map(control.torque(a, c), function(e)
+    return { code = code(e) }
+  end) }
+end
 
 return control

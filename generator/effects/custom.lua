@@ -80,6 +80,13 @@ function custom.force(a, c)
   return vec.map(c.r, function(x) return -calculus.diff(V, x) end)
 end
 
+-- For the library: a torque (body axes) and a force of expressions, as an act of its own.
+function custom.told(torque, force, code)
+  local nothing = { expr.zero, expr.zero, expr.zero }
+  return { kind = "custom", torque = vec.map(torque or nothing, code), force = vec.map(force or nothing, code),
+    potential = code(expr.zero), states = {} }
+end
+
 -- Everything as code: the library is told what the scene says, and nothing of what follows from it here but the
 -- gradient of a potential.
 function custom.numeric(a, _, _, code, c)

@@ -5,7 +5,9 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
+local custom = require "generator.effects.custom"
 
 local damping = {
   name = "effect.damping",
@@ -31,22 +33,27 @@ function damping.read(ctx, line, what, given, args)
     local rate = args.scalar(ctx, at, what, "rate", { dim = "rate" }, given.rate)
     return rate and { rate = rate }
   end
-  local c, spec = given.c, { dim = "damping" }
+  local c, spec = given.c, { dim = "damping", motion = true }
   local zero = expr.zero
-  if type(c) == "table" and #c == 3 and type(c[1]) == "table" and #c[1] == 3 then
+  if args.list(c, 3) and type(c[1]) == "table" and #c[1] == 3 then
     local C = {}
     for i = 1, 3 do
-      C[i] = args.vector(ctx, at, what, "c[" .. i .. "]", { dim = "damping", size = 3 }, c[i])
+      C[i] = args.vector(ctx, at, what, "c[" .. i .. "]", { dim = "damping", size = 3, motion = true }, c[i])
       if not C[i] then return nil end
     end
     return { C = C }
   end
-  if type(c) == "table" and #c == 3 then
-    local v = args.vector(ctx, at, what, "c", { dim = "damping", size = 3 }, c)
+  if args.plain(c) and #c == 3 then
+    local v = args.vector(ctx, at, what, "c", { dim = "damping", size = 3, motion = true }, c)
     return v and { C = { { v[1], zero, zero }, { zero, v[2], zero }, { zero, zero, v[3] } } }
   end
   local k = args.scalar(ctx, at, what, "c", spec, c)
   return k and { C = { { k, zero, zero }, { zero, k, zero }, { zero, zero, k } } }
+end
+
+-- Does the coefficient depend on the motion (an input, time, a state)?
+function damping.varies_with(a)
+  return not a.rate and (motion.any(a.C[1]) or motion.any(a.C[2]) or motion.any(a.C[3]))
 end
 
 function damping.torque(a, c)
@@ -57,14 +64,15 @@ function damping.torque(a, c)
   local C = {}
   for i = 1, 3 do
     C[i] = vec.map(a.C[i], function(x, j)
-      return c.constant("C" .. string.sub("xyz", i, i) .. string.sub("xyz", j, j), x, "damping, N m s")
+      return c.lift(x, "C" .. string.sub("xyz", i, i) .. string.sub("xyz", j, j), "damping, N m s")
     end)
   end
   return vec.scale(expr.lift(-1), vec.matvec(C, c.w))
 end
 
-function damping.numeric(a, num)
+function damping.numeric(a, num, _, code, c)
   if a.rate then return { kind = "damping", rate = num(a.rate) } end
+  if damping.varies_with(a) then return custom.told(damping.torque(a, c), nil, code) end
   local C = {}
   for i = 1, 3 do
     for j = 1, 3 do C[#C + 1] = num(a.C[i][j]) end

@@ -6,12 +6,14 @@
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
+local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
+local custom = require "generator.effects.custom"
 
 local drag = {
   name = "effect.drag",
   about = "quadratic drag on the turning: torque -c |w| w",
-  args = { { name = "c", dim = "inertia", sign = "nonnegative" } }, -- N m s^2
+  args = { { name = "c", dim = "inertia", sign = "nonnegative", motion = true } }, -- N m s^2
   conserves = {},
   formula = "N = -c |w| w",
   signs = "c >= 0 in N m s^2 takes energy out: N.w = -c |w|^3",
@@ -20,11 +22,14 @@ local drag = {
 }
 
 function drag.torque(a, c)
-  local k = c.constant("drag_c", a.c, "quadratic drag, N m s^2")
+  local k = c.lift(a.c, "drag_c", "quadratic drag, N m s^2")
   local speed = expr.sqrt(vec.dot(c.w, c.w) + expr.num(R.new(2) ^ -126))
   return vec.map(c.w, function(x) return -k * speed * x end)
 end
 
-function drag.numeric(a, num) return { kind = "drag", c = num(a.c) } end
+function drag.numeric(a, num, _, code, c)
+  if not motion.free(a.c) then return custom.told(drag.torque(a, c), nil, code) end
+  return { kind = "drag", c = num(a.c) }
+end
 
 return drag

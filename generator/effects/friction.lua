@@ -7,12 +7,14 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
+local custom = require "generator.effects.custom"
 
 local friction = {
   name = "effect.friction",
   about = "dry friction at the pivot: torque -T w/sqrt(w^2 + s^2), smoothing s a rate",
-  args = { { name = "torque", dim = "torque", sign = "nonnegative" },
+  args = { { name = "torque", dim = "torque", sign = "nonnegative", motion = true },
     { name = "smoothing", dim = "rate", sign = "positive" } },
   conserves = {},
   formula = "N = -T w/sqrt(w.w + s^2)",
@@ -23,14 +25,15 @@ local friction = {
 }
 
 function friction.torque(a, c)
-  local T = c.constant("friction", a.torque, "dry friction, N m")
+  local T = c.lift(a.torque, "friction", "dry friction, N m")
   -- positive: rounded to 0, friction at rest would be 0/0
   local s2 = c.constant("smooth", a.smoothing ^ 2, "its smoothing rate squared, rad^2/s^2", true)
   local size = expr.sqrt(vec.dot(c.w, c.w) + s2)
   return vec.map(c.w, function(x) return -T * x / size end)
 end
 
-function friction.numeric(a, num)
+function friction.numeric(a, num, _, code, c)
+  if not motion.free(a.torque) then return custom.told(friction.torque(a, c), nil, code) end
   return { kind = "friction", torque = num(a.torque), smoothing = num(a.smoothing) }
 end
 

@@ -2,16 +2,19 @@
 --
 --     N = m x R(q)^T B,   V = -m . R(q)^T B       m fixed in the body, B fixed in inertial axes, or turning about z:
 --     B(t) = Rz(rate t) B(0)
--- A turning field does work: NAME_energy has no potential of it, NAME_jacobi_integral is T - m.B(t) - rate L_z.
+-- A turning field does work: NAME_energy has no potential of it, NAME_jacobi_integral is T - m.B(t) - rate L_z.  A
+-- moment that varies (of magnetorquers: inputs) has no potential, either.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
+local custom = require "generator.effects.custom"
 
 local magnetic = {
   name = "effect.magnetic",
-  about = "magnetic dipole moment (body) in a fixed field, or in one rotating about inertial z at a rate",
-  args = { { name = "moment", dim = "magnetic_moment", size = 3 },
+  about = "magnetic dipole moment (body; it may vary) in a fixed field, or in one rotating about inertial z at a rate",
+  args = { { name = "moment", dim = "magnetic_moment", size = 3, motion = true },
     { name = "field", dim = "field", size = 3, optional = true },
     { name = "rotating", dim = "field", size = 3, optional = true },
     { name = "rate", dim = "rate", optional = true } },
@@ -33,7 +36,7 @@ end
 
 -- Moment and field in body axes; nothing where either is zero.
 local function vectors(a, c)
-  local m = vec.map(a.moment, function(x, i) return c.constant("m" .. comp[i], x, "magnetic moment, A m^2") end)
+  local m = vec.map(a.moment, function(x, i) return c.lift(x, "m" .. comp[i], "magnetic moment, A m^2") end)
   local B = vec.map(a.field or a.rotating, function(x, i) return c.constant("B" .. comp[i], x, "field, T") end)
   if a.rotating then
     local angle = c.constant("turning", a.rate, "rate of the field, rad/s") * c.t
@@ -46,25 +49,26 @@ end
 function magnetic.torque(a, c) return vec.cross(vectors(a, c)) end
 
 function magnetic.potential(a, c)
-  if a.rotating then return expr.zero end
+  if a.rotating or motion.any(a.moment) then return expr.zero end
   return -vec.dot(vectors(a, c))
 end
 
 function magnetic.turning(a, c)
-  if not a.rotating then return nil end
+  if not a.rotating or motion.any(a.moment) then return nil end
   return { rate = a.rate, potential = -vec.dot(vectors(a, c)) }
 end
 
 local function along_z(v) return v[1] == expr.zero and v[2] == expr.zero end
 
 function magnetic.conserves(a)
-  local list = { a.field and "T+V" or nil }
+  local list = { a.field and not motion.any(a.moment) and "T+V" or nil }
   if along_z(a.field or a.rotating) then list[#list + 1] = "L_z" end
   if along_z(a.moment) then list[#list + 1] = "w3" end
   return list
 end
 
-function magnetic.numeric(a, num)
+function magnetic.numeric(a, num, _, code, c)
+  if motion.any(a.moment) then return custom.told(magnetic.torque(a, c), nil, code) end
   return { kind = "magnetic", moment = vec.map(a.moment, num), field = vec.map(a.field or a.rotating, num),
     rate = a.rotating and num(a.rate) or 0.0, rotating = a.rotating ~= nil }
 end

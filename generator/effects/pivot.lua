@@ -14,10 +14,11 @@ local vec = require "generator.algebra.vec"
 
 local pivot = {
   name = "effect.pivot",
-  about = "the support moves: acceleration (inertial, expressions of t), or amplitude, rate and axis of a vibration",
+  about = "the support moves: acceleration (inertial, expressions of t and inputs), or amplitude, rate and axis of " ..
+    "a vibration",
   keeps = "L_z if the support moves along z, w3 if the centre of mass is on the body's z",
   fixed = "its support is the origin of rotation",
-  takes = { { "acceleration", "m/s^2", nil, "of the support, inertial axes: three numbers or expressions of t" },
+  takes = { { "acceleration", "m/s^2", nil, "of the support, inertial axes: numbers, or expressions of t and inputs" },
     { "amplitude", "m", nil, "or: of a vibration amplitude cos(rate t)" }, { "rate", "rad/s", nil, "of the vibration" },
     { "axis", "1", "{0, 0, 1}", "of the vibration, inertial axes, of any length" } },
   formula = "N = r x R(q)^T (-m a(t)); vibration: a = -amplitude rate^2 cos(rate t) axis/|axis|",
@@ -45,8 +46,8 @@ function pivot.read(ctx, line, what, given, args)
   if not v then return nil end
   for i, x in ipairs(v) do
     for _, s in ipairs(expr.symbols(x)) do
-      if s.rank >= motion.rank and s.name ~= "t" then
-        ctx.diag:error(at, what, "acceleration[" .. i .. "] must depend on time only", s.name)
+      if s.rank >= motion.rank and s.name ~= "t" and not string.find(s.name, "^u_") then
+        ctx.diag:error(at, what, "acceleration[" .. i .. "] must depend on time and inputs only", s.name)
         return nil
       end
     end

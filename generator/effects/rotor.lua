@@ -16,6 +16,8 @@ local rotor = {
   about = "a rotor in the body: constant angular momentum relative to it, momentum along axis (body)",
   quadratic = true,
   formula = "I w' = (I w + h) x w + N, h = momentum axis/|axis|",
+  term = "N = h x w, h = momentum axis/|axis|",
+  holds = "h of the rotor",
   signs = "h is what the rotor has beyond turning with the body; its mass and moments are in the body's",
   source = "Volterra, Acta Math. 22 (1899) 201; Hughes, Spacecraft Attitude Dynamics, on gyrostats",
   example = "gyrostat",

@@ -6,6 +6,7 @@
 -- extension.
 -- |v| is written sqrt(v^2 + 2^-126 m^2/s^2), so that its derivatives exist at rest; above 1e-11 m/s the difference is
 -- below rounding in double.  In a rotating frame r and v are relative to it, and gravity is fixed in it.
+-- force (inertial axes, or the frame's) and thrust (body axes) also act at the centre of mass; they may vary.
 -- Drag: Landau, Lifshitz, Fluid Mechanics, section 45.
 -- Conserves T + V without drag, and what belongs to the turning.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -13,25 +14,49 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
+local custom = require "generator.effects.custom"
 
 local translation = {
   name = "effect.translation",
-  about = "the centre of mass moves: gravity (number or vector), drag c (-c |v| v), linear c (-c v), stiffness (-k r)",
+  about = "the centre of mass moves: gravity (number or vector), drag c (-c |v| v), linear c (-c v), stiffness " ..
+    "(-k r), force (inertial), thrust (body)",
   quadratic = true,
   takes = { { "gravity", "m/s^2", "9.80665", "a number (along -z) or a vector" },
     { "drag", "kg/m", "0", "c of -c |v| v, not negative" }, { "linear", "kg/s", "0", "c1 of -c1 v" },
-    { "stiffness", "kg/s^2", "0", "a number or three, of -k r" } },
-  formula = "m r'' = m g - drag |v| v - linear v - k r, V = -m g.r + k r^2/2",
+    { "stiffness", "kg/s^2", "0", "a number or three, of -k r" },
+    { "force", "kg m/s^2", "{0, 0, 0}", "inertial axes: numbers or expressions" },
+    { "thrust", "kg m/s^2", "{0, 0, 0}", "body axes: numbers or expressions" } },
+  formula = "m r'' = m g - drag |v| v - linear v - k r + force + R(q) thrust, V = -m g.r + k r^2/2",
   signs = "r is the centre of mass from the inertial origin (the frame's, if one turns); drag has no torque",
   source = "Landau, Lifshitz, Fluid Mechanics, 2nd ed., section 45 (drag)",
   example = "thrown_book",
-  single = true, keeps = "T+V without drag, and all that belongs to the turning",
+  single = true, keeps = "T+V without drag, force and thrust, and all that belongs to the turning",
 }
 
 local comp = { "x", "y", "z" }
+local none = { expr.zero, expr.zero, expr.zero }
+
+-- Force and thrust in inertial axes; both zero: nothing.
+local function pushes(a, c)
+  local function lifted(v, name, about)
+    return vec.map(v, function(x, i) return c.lift(x, name .. comp[i], about .. " " .. comp[i] .. ", N") end)
+  end
+  local force, thrust = lifted(a.force, "force", "force"), lifted(a.thrust, "thrust", "thrust")
+  if not translation.pushed { force = none, thrust = a.thrust } then return force end
+  return vec.add(force, vec.matvec(vec.rotation(c.q), thrust))
+end
+
+-- Is there a force or a thrust?
+function translation.pushed(a)
+  for i = 1, 3 do
+    if a.force[i] ~= expr.zero or a.thrust[i] ~= expr.zero then return true end
+  end
+  return false
+end
 local specs = { { name = "gravity", dim = "acceleration" }, { name = "drag", dim = "drag", sign = "nonnegative" },
   { name = "linear", dim = "friction", sign = "nonnegative" },
-  { name = "stiffness", dim = "stiffness" } }
+  { name = "stiffness", dim = "stiffness" }, { name = "force", dim = "force", size = 3, motion = true },
+  { name = "thrust", dim = "force", size = 3, motion = true } }
 
 -- Own reading: gravity and stiffness are numbers or vectors.
 function translation.read(ctx, line, what, given, args)
@@ -42,6 +67,8 @@ function translation.read(ctx, line, what, given, args)
     if x == nil and spec.name == "gravity" then x = 9.80665 end
     if x ~= nil and (spec.name == "gravity" or spec.name == "stiffness") and args.plain(x) then
       a[spec.name] = args.vector(ctx, at, what, spec.name, { dim = spec.dim, size = 3, sign = spec.sign }, x)
+    elseif x ~= nil and spec.size then
+      a[spec.name] = args.vector(ctx, at, what, spec.name, spec, x)
     elseif x ~= nil then
       a[spec.name] = args.scalar(ctx, at, what, spec.name, spec, x)
     end
@@ -50,7 +77,8 @@ function translation.read(ctx, line, what, given, args)
   if not ok then return nil end
   local k, g = a.stiffness or expr.zero, a.gravity
   return { gravity = expr.is(g) and { expr.zero, expr.zero, -g } or g, drag = a.drag or expr.zero,
-    linear = a.linear or expr.zero, stiffness = expr.is(k) and { k, k, k } or k, isotropic = expr.is(k) }
+    linear = a.linear or expr.zero, stiffness = expr.is(k) and { k, k, k } or k, isotropic = expr.is(k),
+    force = a.force or none, thrust = a.thrust or none }
 end
 
 function translation.moves() return true end
@@ -71,7 +99,8 @@ function translation.force(a, c)
   local drag = c.per_mass("drag", a.drag, "drag, N s^2/m^2")
   local linear = c.per_mass("linear", a.linear, "linear drag, N s/m")
   local speed = expr.sqrt(vec.dot(c.v, c.v) + expr.num(R.new(2) ^ -126))
-  return vec.map(g, function(x, i) return c.M * x - k[i] * c.r[i] - (linear + drag * speed) * c.v[i] end)
+  local push = pushes(a, c)
+  return vec.map(g, function(x, i) return c.M * x - k[i] * c.r[i] - (linear + drag * speed) * c.v[i] + push[i] end)
 end
 
 function translation.potential(a, c)
@@ -80,13 +109,15 @@ function translation.potential(a, c)
 end
 
 function translation.conserves(a)
-  local quiet = a.drag == expr.zero and a.linear == expr.zero
+  local quiet = a.drag == expr.zero and a.linear == expr.zero and not translation.pushed(a)
   return quiet and { "T+V", "L", "w3" } or { "L", "w3" }
 end
 
-function translation.numeric(a, num)
+-- Force and thrust are an act of their own there.
+function translation.numeric(a, num, _, code, c)
+  local push = translation.pushed(a) and custom.told(nil, pushes(a, c), code) or nil
   return { kind = "translation", gravity = vec.map(a.gravity, num), drag = num(a.drag), linear = num(a.linear),
-    stiffness = vec.map(a.stiffness, num) }
+    stiffness = vec.map(a.stiffness, num) }, push
 end
 
 return translation

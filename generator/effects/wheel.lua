@@ -14,7 +14,7 @@ local torque = require "generator.effects.torque"
 
 local wheel = {
   name = "effect.wheel",
-  about = "driven wheel: axis (body), inertia, speed relative to the body, motor's torque, included in the tensor?",
+  about = "a driven wheel on an axis of the body: its speed relative to the body is a state, a motor turns it",
   reader = "wheel",
   takes = { { "axis", "1", nil, "body axes, of any length" },
     { "inertia", "kg m^2", nil, "J about the axis, positive" },
@@ -23,6 +23,8 @@ local wheel = {
     { "included", "true or false", nil, "is J in the body's tensor?" } },
   keeps = "L and |L| with the wheel's part; T+V without torque; w3 if free and along z",
   formula = "J (a.w + W)' = u; (I - J a a^T) w' = ((I - J a a^T) w + J (a.w + W) a) x w - u a",
+  term = "N = J (a.w + W) a x w - u a, of the wheel on the body", -- what stands in the equations of the body
+  holds = "J (a.w + W) a of each wheel", has = "J (a.w + W)^2/2 of each wheel", -- of L and of T
   signs = "u > 0 speeds the wheel up along its axis and pushes the body the other way; W is relative to the body",
   source = "Hughes, Spacecraft Attitude Dynamics, section 3.5; Schaub, Junkins, Analytical Mechanics " ..
     "of Space Systems, section 4.5",

@@ -44,17 +44,21 @@ local function prototypes(module, name, list)
   end
 end
 
--- Numbers that an array takes: of [n] or [] alone.
+-- Numbers that an array takes: of [n], of [NAME_NX*NAME_NP] or [] alone.
 local function room(brackets, job)
-  local n = math.tointeger(tonumber(string.match(brackets, "^%[(%d+)%]$")))
-  return n or #job.states * #job.states
+  local of = { NX = #job.states, NP = #job.model.params, NU = #job.model.inputs }
+  local n = 1
+  for word in string.gmatch(brackets, "[%w_]+") do
+    n = n * (math.tointeger(tonumber(word)) or of[string.match(word, "_(%u+)$")] or #job.states)
+  end
+  return n > 1 and n or brackets ~= "[1]" and #job.states * #job.states or 1
 end
 
 -- What is given for the argument a of the call; nil for one of no known type.  The call's `out` counts the numbers that
 -- it writes, `vectors` the given ones.
 local function value(job, call, a)
   local const, rest = string.match(a, "^(const) (.*)$")
-  local base, pointer, name, brackets = string.match(rest or a, "^([%w_]+) ?(%*?)([%w_]+) ?([%[%]%w_]*)$")
+  local base, pointer, name, brackets = string.match(rest or a, "^([%w_]+) ?(%*?)([%w_]+) ?([%[%]%w_*]*)$")
   if not base then return nil end
   local kind = string.match(base, "^" .. job.model.name .. "_(%w+)$") or base
   if pointer == "*" and (kind == "model" or kind == "orbit") and brackets == "" then return "&" .. kind end

@@ -2,6 +2,7 @@
 --
 --     libm.names(ctx, own)        the values ${sin}, ${huge} ... that templates call functions by
 --     libm.source(v, ctx, templates, text)   C text of the functions that `text` calls, and of what these call
+--     libm.linked(ctx, text)      must the text be linked with -lm?
 -- Everything is plain arithmetic on the real type and integers, each step rounded once, so the same bits come out on
 -- every machine.  Series are economised in exact rationals (economy.lua), their coefficients rounded once.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -43,6 +44,17 @@ function libm.names(ctx, own)
   v.fast_fma = f == "f" and "FP_FAST_FMAF" or "FP_FAST_FMA"
   v.arm_fma = f == "f" and "4" or "8" -- the bit of __ARM_FP: a Cortex-M4F computes in float only
   return v
+end
+
+-- Must a program with this text be linked with the C library's mathematics, -lm?  What compilers always turn into
+-- instructions needs no library.
+function libm.linked(ctx, text)
+  local f = ctx.real == "float" and "f" or ""
+  for _, fn in ipairs(ctx.own and {} or SYSTEM) do
+    local inline = fn == "fabs" or fn == "copysign"
+    if not inline and string.find(text, "%f[%w_]" .. fn .. f .. "%(") then return true end
+  end
+  return false
 end
 
 -- ---- constants ----

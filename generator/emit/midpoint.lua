@@ -28,6 +28,13 @@ function midpoint.fill(ctx, program, v)
       args = { "m", "t", "x", "u", "h", { name = "mid", count = 3 }, { name = "F", count = n * n, out = true } } })
     v.midpoint_tangent_head, v.midpoint_tangent_lines = f.head, f.lines
   end
+  v.midpoint_transition_u = program.transition_u ~= nil
+  if program.transition_u then
+    f = source.make(ctx, { name = "midpoint_tangent_u", groups = program.transition_u, doc = {},
+      args = { "m", "t", "x", "u", "h", { name = "mid", count = 3 },
+        { name = "G", count = #ctx.states * #ctx.inputs, out = true } } })
+    v.midpoint_tangent_u_head, v.midpoint_tangent_u_lines = f.head, f.lines
+  end
   v.midpoint_count = string.format("%d", program.count)
   v.midpoint_free = program.count == 4
 end

@@ -6,10 +6,12 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local baked = require "generator.emit.baked"
 local economy = require "generator.emit.economy"
 local guard = require "generator.emit.guard"
 local init = require "generator.emit.init"
 local libm = require "generator.emit.libm"
+local listing = require "generator.emit.listing"
 local number = require "generator.emit.number"
 local orbit = require "generator.emit.orbit"
 local proof = require "generator.emit.proof"
@@ -73,22 +75,6 @@ local function constants(real, v)
   v.log_eighths = table_of(8, function(j) return R.apply("log", 200, R.one + j / R.lift(8)) end)
 end
 
--- Enumerators with their meaning; names that share one meaning (about = "" after the first) share a line.
-local function enumeration(upper, list, last)
-  local lines, names = {}, {}
-  for i, s in ipairs(list) do
-    names[#names + 1] = upper .. "_" .. string.upper(s.name) .. ","
-    local next_one = list[i + 1]
-    if not next_one or next_one.about ~= "" then
-      local first = list[i - #names + 1]
-      lines[#lines + 1] = table.concat(names, " ") .. " /* " .. first.about .. " [" .. first.unit .. "] */"
-      names = {}
-    end
-  end
-  lines[#lines + 1] = upper .. "_" .. last
-  return lines
-end
-
 -- What NAME_principal_of promises (templates/principal.c).  pair_top: entries below 2^pair_top may grow by 2^3 and be
 -- split (2^28, 2^13) below the largest number.  A rounding of 2^-104 (2^-46), magnified by the condition, stays below
 -- half an ulp of a moment up to `digits`; the smallest number is 2^-1074 (2^-149), so that a moment 10^-decades of
@@ -96,15 +82,6 @@ end
 local function promises(real)
   if real == "float" then return { pair_top = "110", pair_digits = "5", pair_decades = "65" } end
   return { pair_top = "990", pair_digits = "12", pair_decades = "600" }
-end
-
-local function members(m, real_name)
-  local list = {}
-  for i, member in ipairs(m.members) do
-    local line = real_name .. " " .. member.name .. "; "
-    list[i] = { lines = { line .. "/* " .. member.about .. " */" } }
-  end
-  return list
 end
 
 -- Statements *m = k, member by member: of the whole some compilers make a call of memcpy.
@@ -177,19 +154,31 @@ local function cost_line(f)
   return f.name .. ": " .. table.concat(parts, ", ")
 end
 
+-- The files that the scene came from with their hashes; a name must neither end nor begin a comment.
+local function sources(job)
+  local list = {}
+  for i, f in ipairs(job.hashes or {}) do
+    list[i] = { name = string.gsub(string.gsub(f.name, "%*/", "_/"), "/%*", "/_"), hash = f.hash }
+  end
+  return list
+end
+
 -- Values shared by all templates of the scene.  job: {model, equations, closed, functions (descriptions), real,
 -- command, version, title, banner, derivation}
 local function common(job)
   local m, eq, real = job.model, job.equations, job.real
   local ctx = { name = m.name, upper = string.upper(m.name), real = real, members = m.members, states = job.states,
-    inputs = eq.inputs and job.input_states or {}, helpers = {}, own = job.libm == "own" }
+    inputs = job.model.inputs, helpers = {}, own = job.libm == "own" }
   local made = {}
   for i, f in ipairs(job.functions) do made[i] = source.make(ctx, f) end
-  local v = { name = m.name, upper = ctx.upper, real = real, version = job.version, source = job.source,
+  local v = { name = m.name, upper = ctx.upper, real = real, version = job.version, build = job.build,
+    source = job.source,
+    hashes = sources(job), hash = job.hash or "", has_hash = job.hash ~= nil,
     command = job.command, title = job.title, license = license, banner = job.banner, derivation = job.derivation,
-    state_enum = enumeration(ctx.upper, job.states, "NX"), has_inputs = eq.inputs, has_params = #m.params > 0,
-    input_enum = eq.inputs and enumeration(ctx.upper, job.input_states, "NU") or {},
-    members = members(m, m.name .. "_real"), functions = function_values(made),
+    state_enum = listing.enumeration(ctx.upper, listing.told_apart(m, job.states), "NX"), has_inputs = eq.inputs,
+      has_params = #m.params > 0,
+    input_enum = eq.inputs and listing.enumeration(ctx.upper, listing.described(m), "NU") or {},
+    members = listing.members(m, m.name .. "_real"), functions = function_values(made),
     costs = costs(made), has_closed = job.closed.kind ~= nil,
     has_full = job.closed.full or false, free = eq.free and m.has.attitude,
     bits = string.format("%d", selftest.bits), has_q31 = job.q31 ~= nil }
@@ -203,7 +192,7 @@ local function common(job)
     list[i] = { name = p.name, about = "default " .. given, unit = p.unit }
     params[i] = { upper = string.upper(p.name), value = number.text(p.default, real) }
   end
-  v.param_enum, v.params = enumeration(ctx.upper, list, "NP"), params
+  v.param_enum, v.params = listing.enumeration(ctx.upper, list, "NP"), params
   for _, t in ipairs { libm.names(ctx, ctx.own), literals(real), promises(real) } do
     for k, x in pairs(t) do v[k] = x end -- into a table: order is lost anyway
   end
@@ -287,6 +276,9 @@ local function code(job)
   guard.fill(job, v)
   proof.fill(job, v)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
+  if v.has_attitude then
+    v.normalise_header, v.normalise_source = render "templates/normalise.h", render "templates/normalise.c"
+  end
   if v.has_rates then
     v.principal_header, v.principal_source = render "templates/principal.h", render "templates/principal.c"
   end
@@ -298,9 +290,10 @@ local function code(job)
     v.analysis_header = render "templates/analysis.h"
     v.analysis_source = render "templates/analysis.c"
   end
-  v.header_includes, v.source_includes, v.libm_source = {}, {}, ""
+  v.header_includes, v.source_includes, v.libm_source, v.baked = {}, {}, "", {}
   v.header_includes = includes(render "templates/scene.h")
   local text = render "templates/scene.c"
+  v.baked = baked.lines(job, ctx, text)
   if ctx.own then
     v.libm_source = libm.source(v, ctx, job.templates, text)
     text = v.libm_source .. text
@@ -309,6 +302,8 @@ local function code(job)
   if not ctx.own then table.insert(v.source_includes, 1, "<math.h>") end
   local all = { table.unpack(v.source_includes) }
   table.move(v.header_includes, 1, #v.header_includes, #all + 1, all)
+  v.links_m = libm.linked(ctx, text) and " -lm" or ""
+  v.link_words = v.links_m ~= "" and "sin, exp and their kin are in the library m" or "no library is needed"
   v.own_libm, v.no_errno = ctx.own, ctx.own and " -fno-math-errno" or ""
   v.libm_text = ctx.own and "mathematical functions of its own" or "the C library's mathematical functions"
   v.included = #all > 0 and "`" .. table.concat(all, "`, `") .. "`" or "C itself"
@@ -332,6 +327,7 @@ function project.files(job, plugin)
   job.code = { header = header, source = text }
   sheet(job, v)
   local n = job.model.name
+  v.normalise_test = v.has_attitude and render "templates/test_normalise.c" or ""
   v.compensated_test = v.has_compensated and render "templates/test_compensated.c" or ""
   local files = {
     { name = n .. ".h", text = header },
@@ -339,6 +335,7 @@ function project.files(job, plugin)
     { name = n .. "_test.c", text = render "templates/test.c" },
   }
   for _, f in ipairs(job.q31 and q31.files(job, v) or {}) do files[#files + 1] = f end
+  v.flat = not job.package.arrange -- all files in one folder
   v.project_files, v.project_use, v.dollar = {}, {}, "$" -- of the package, for README.md; for CMake's own ${}
   local more = job.package.files(job, v, render)
   if not more then return nil end -- with an error in job.diag

@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local inputs = require "generator.dynamics.inputs"
 local number = require "generator.emit.number"
 local guard = require "generator.emit.guard"
 
@@ -22,10 +23,10 @@ local function beyond(s)
   return nil
 end
 
--- The largest input of a scene that says so (effect.control{ max = }), for the default parameters, or nil.
-local function input(job)
-  for _, e in ipairs(job.record.effects) do
-    if e.spec.input and e.a.max then return job.model:number(e.a.max) end
+-- The first input without limits, or nil.
+local function unlimited(job)
+  for _, s in ipairs(job.model.inputs) do
+    if not s.low then return s end
   end
   return nil
 end
@@ -56,8 +57,11 @@ function proof.check(job)
   if #missing > 0 then
     return refuse("ranges must have every state but the attitude", "none of " .. table.concat(missing, ", "))
   end
-  if job.equations.inputs and not input(job) then
-    return refuse("the input must be bounded: effect.control{ max = }", "no max")
+  local open = unlimited(job)
+  if open then
+    line = open.line
+    return refuse("every input must have limits: effect.control{ max = }, input(name, unit, { min =, max = })",
+      open.label .. " without")
   end
   if job.planned and job.planned.setting ~= "step" then
     return refuse("NAME_step must have a fixed step", "a plan with " .. (job.planned.setting == "none" and
@@ -86,7 +90,11 @@ function proof.fill(job, v)
     local low, high = guard.ends(p, real)
     v.proof_params[i] = { name = v.upper .. "_" .. string.upper(p.name), low = low, high = high }
   end
-  v.proof_input = v.has_inputs and text(input(job)) or ""
+  v.proof_inputs = {}
+  for i, s in ipairs(job.model.inputs) do
+    local low, high = inputs.range(job.model, s)
+    v.proof_inputs[i] = { name = v.upper .. "_" .. s.index, low = text(low), high = text(high) }
+  end
   v.proof_steps, v.proof_reached = {}, ""
   for i, s in ipairs(job.steppers) do
     local step = i == 1 and "step" or s.method.name .. "_step"

@@ -107,8 +107,8 @@ local function statements(p, program, results)
   local made = {}
   for i, o in ipairs(program.ops) do -- what stands inside another is known when all have been made
     if used[o] and o.kind ~= "block" then
-      made[i] = o.kind == "clip" and string.format("clipped(%s, %s, %s, &bits)", p:of(o.a), word(o.limit),
-        whole(o.flag) .. "u") or text[o.kind](p, o)
+      made[i] = o.kind == "clip" and string.format("clipped(%s, %s, %s, %s, &bits)", p:of(o.a), word(-o.limit),
+        word(o.limit), whole(o.flag) .. "u") or text[o.kind](p, o)
       p.once[o] = used[o] == 1 and #made[i] < WIDTH // 2
     end
   end
@@ -214,15 +214,16 @@ function q31.files(job, v)
       unit = number.text(R.new(2) ^ -l.e, "double"),
       norm = i <= 4 and "*n" or "", one = whole(1 << l.k), place = whole(i - 1), bit = whole(1 << i - 1) }
   end
-  w.has_input = #step.u > 0
-  w.input_limit = w.has_input and word(step.input_limit) or ""
-  w.input_exponent = w.has_input and power(step.input_exponent) or ""
-  w.input_scale = w.has_input and number.text(R.new(2) ^ step.input_exponent, "double") or ""
-  w.input_most = w.has_input and few(step.input_limit * 2.0 ^ -step.input_exponent) or ""
-  w.inputs = {}
-  for i, name in ipairs { "x", "y", "z" } do
-    w.inputs[i] = { axis = name, place = whole(i - 1), bit = whole(1 << i + 6) }
+  w.has_input, w.inputs, w.input_bits = #step.u > 0, {}, 0
+  for i, u in ipairs(step.u) do
+    local unit = u.unit == "1" and "" or " " .. u.unit
+    w.inputs[i] = { name = u.node.name, upper = u.index, bit = whole(1 << u.bit), shift = whole(u.bit),
+      low = word(u.low), high = word(u.high), scale = number.text(R.new(2) ^ u.exponent, "double"),
+      row = string.format("%-10s unit %s%s, limited to %s .. %s%s", u.label, power(u.exponent), unit,
+        few(u.low * 2.0 ^ -u.exponent), few(u.high * 2.0 ^ -u.exponent), unit) }
+    w.input_bits = w.input_bits | 1 << u.bit
   end
+  w.input_bits = whole(w.input_bits)
   w.norm_limit = few(step.norm_limit * 2.0 ^ -28)
   w.step_seconds = number.text(step.h, "double")
   w.start = array(s.start)
@@ -230,7 +231,7 @@ function q31.files(job, v)
   w.cases = {}
   for i, c in ipairs(s.cases) do
     local case = { n = whole(i), start = wrapped(array(c.start), 5), runs = {}, what = c.what,
-      u = table.concat(array(c.u or { 0, 0, 0 }), ", ") }
+      u = table.concat(array(c.u or { 0 }), ", ") }
     local last = 0
     for k, r in ipairs(c.runs) do
       case.runs[k] = { steps = whole(r.steps), more = whole(r.steps - last), want = wrapped(array(r.x), 5),

@@ -27,7 +27,7 @@ end
 local function values(job, f, env, t, x, h)
   local here, place, out = { t = t, h = h }, {}, {}
   for i, s in ipairs(job.states) do here[s.name], place[s.name] = x[i], i end
-  for _, s in ipairs(job.input_states) do here[s.name] = R.zero end
+  for _, s in ipairs(job.model.inputs) do here[s.name] = R.zero end
   setmetatable(here, { __index = env.value })
   for _, g in ipairs(f.groups) do
     for _, d in ipairs(g.defs) do here[d.name] = evaluate.precise(d.expr, here, bits) end

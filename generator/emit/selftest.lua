@@ -53,6 +53,7 @@ function selftest.environment(m, params)
     from.value[name], from.size[name] = value(pure, { value = params }), magnitude(form, from)
   end
   for _, step in ipairs(m.parts and m.parts.list or {}) do put(step.name, step.pure, step.e) end
+  for _, k in ipairs(m.held or {}) do env.value[k.name] = k.value end -- baked: rounded once, like an input
   for _, member in ipairs(m.members) do
     if member.form ~= member.sym then put(member.name, member.e, member.form) end
     env.value[member.name], env.size[member.name] = from.value[member.name], from.size[member.name]

@@ -18,6 +18,16 @@ local cprint = require "generator.emit.cprint"
 
 local source = {}
 
+-- How many numbers an array has: NAME_NX*NAME_NX, or the number alone.
+local function size(ctx, a)
+  local parts = {}
+  for i = 1, 2 do
+    local n = a.size and a.size[i]
+    if n then parts[#parts + 1] = string.find(n, "^N") and ctx.upper .. "_" .. n or n end
+  end
+  return parts[1] and table.concat(parts, "*") or a.count
+end
+
 -- ctx: {name, upper, real ("double"|"float"), members (set name -> true), states, inputs (lists of {name}), helpers
 -- (set of the functions that libm lacks and the code calls; filled here), own (bool: --libm own)}
 local function declarations(ctx, f)
@@ -29,13 +39,16 @@ local function declarations(ctx, f)
   local list = {}
   for i, a in ipairs(f.args) do
     if type(a) == "table" then
-      list[i] = (a.out and "" or "const ") .. real .. a.name .. "[" .. a.count .. "]"
+      list[i] = (a.out and "" or "const ") .. real .. a.name .. "[" .. size(ctx, a) .. "]"
     else
       list[i] = word[a] or error("unknown argument word " .. a)
     end
   end
   return list
 end
+
+-- The C name of a baked constant.
+function source.held(ctx, name) return ctx.name .. "_k_" .. name end
 
 local six, three = { "xx", "yy", "zz", "xy", "xz", "yz" }, { "x", "y", "z" }
 
@@ -46,10 +59,11 @@ local function sources(ctx, f)
   for _, a in ipairs(f.args) do
     if a == "m" then
       for _, m in ipairs(ctx.members) do put(m.name, "m->" .. m.name) end
+      for _, k in ipairs(f.constants or {}) do put(k.name, source.held(ctx, k.name)) end
     elseif a == "x" or a == "x!" then
       for _, s in ipairs(ctx.states) do put(s.name, "x[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]") end
     elseif a == "u" then
-      for _, s in ipairs(ctx.inputs) do put(s.name, "u[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]") end
+      for _, s in ipairs(ctx.inputs) do put(s.name, "u[" .. ctx.upper .. "_" .. s.index .. "]") end
     elseif a == "t" or a == "h" then
       put(a, a)
     elseif type(a) == "table" and a.held then -- read and written, one number a state

@@ -50,14 +50,17 @@ local function outside(ctx, program)
   for _, s in ipairs(ctx.states) do
     if not moving[s.name] then list[#list + 1] = { name = s.name, from = origin(ctx, s) } end
   end
-  for _, s in ipairs(program.more or {}) do list[#list + 1] = { name = s.name, from = origin(ctx, s) } end
+  for _, s in ipairs(program.more or {}) do
+    local from = s.input and "v[" .. ctx.upper .. "_NX + " .. text(s.input - 1) .. "]" or origin(ctx, s)
+    list[#list + 1] = { name = s.name, from = from }
+  end
   for _, k in ipairs(program.knots) do
     local at = k.time.kind == "num" and number.text(k.time.value, ctx.real) or "m->" .. k.time.name
     list[#list + 1] = { name = k.sign.name, from = string.format("side < %s ? %s : %s", at, number.text(R.lift(-1),
       ctx.real), number.text(R.one, ctx.real)) }
   end
   for _, s in ipairs(ctx.inputs) do
-    list[#list + 1] = { name = s.name, from = "u[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]" }
+    list[#list + 1] = { name = s.name, from = "u[" .. ctx.upper .. "_" .. s.index .. "]" }
   end
   return list
 end

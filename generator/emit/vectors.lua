@@ -7,6 +7,7 @@
 
 local R = require "generator.algebra.rational"
 local breaks = require "generator.dynamics.breaks"
+local inputs = require "generator.dynamics.inputs"
 local motion = require "generator.emit.motion"
 local number = require "generator.emit.number"
 local selftest = require "generator.emit.selftest"
@@ -50,7 +51,7 @@ end
 local function rate_of(job, env, own)
   local n, state = #job.states, { t = R.zero }
   for i, s in ipairs(job.states) do state[s.name] = own[i] end
-  for i, s in ipairs(job.input_states) do state[s.name] = R.new(i, 4) end
+  for i, s in ipairs(job.model.inputs) do state[s.name] = inputs.sample(job.model, s, i) end
   local J = selftest.expect(description(job, "jacobian"), env, state, function(o) return o.index + 1 end, R.one)
   local list = {}
   for i = 1, n do
@@ -85,7 +86,7 @@ local function states(job, round, env)
     if not time or time > longest then time = longest end
     local x = { t = R.zero }
     for i, s in ipairs(job.states) do x[s.name] = own[i] end
-    for i, s in ipairs(job.input_states) do x[s.name] = R.new(i, 4) end
+    for i, s in ipairs(m.inputs) do x[s.name] = inputs.sample(m, s, i) end
     local a, tail = {}, {}
     for i, s in ipairs(job.states) do tail[s.name] = i end
     local dx = selftest.expect(description(job, "rhs"), env, x, function(o) return tail[o.state] end, R.one)
@@ -161,14 +162,14 @@ function vectors.fill(job, v, ctx)
 
   local params, base, arguments = {}, { t = R.zero }, {}
   for _, p in ipairs(m.params) do params[p.name] = round(p.default) end
-  for i, s in ipairs(job.input_states) do base[s.name] = R.new(i, 4) end
+  for i, s in ipairs(m.inputs) do base[s.name] = round(inputs.sample(m, s, i)) end
   for name, list in pairs(rest) do -- into a table: order is lost anyway
     arguments[name] = {}
     for i = 1, 3 do arguments[name][name .. names[i]] = R.lift(list[i]) end
   end
   local env = selftest.environment(m, params)
   local xs, time, size = states(job, round, env)
-  local function inputs(f, x) -- what f is given: the state x, and those of the vectors that it takes, and no others,
+  local function given(f, x) -- what f is given: the state x, and those of the vectors that it takes, and no others,
     local list = {}           -- for a constant of the model may be called like one
     for k, q in pairs(base) do list[k] = q end -- into a table: order is lost anyway
     for _, a in ipairs(f.args) do
@@ -191,14 +192,18 @@ function vectors.fill(job, v, ctx)
       what = what }
   end
   local nx = #job.states
-  local wide = description(job, "jacobian_p") and #m.params > nx
-  v.got_size = nx < 4 and not wide and "16" or ctx.upper .. "_NX*" .. ctx.upper .. (wide and "_NP" or "_NX")
-  if nx < 4 and wide then v.got_size = "16 + " .. v.got_size end
+  local columns = "_NX" -- of the widest matrix
+  if description(job, "jacobian_p") and #m.params > nx then columns = "_NP" end
+  if description(job, "jacobian_u") and #m.inputs > math.max(nx, columns == "_NP" and #m.params or 0) then
+    columns = "_NU"
+  end
+  v.got_size = nx < 4 and columns == "_NX" and "16" or ctx.upper .. "_NX*" .. ctx.upper .. columns
+  if nx < 4 and columns ~= "_NX" then v.got_size = "16 + " .. v.got_size end
   v.cases = {}
   local function case(name, n, state, call, what, index, depth)
     local f = description(job, name)
     if not f then return end
-    local want, tolerance = selftest.expect(f, env, inputs(f, state), index, (depth or R.one) * epsilon)
+    local want, tolerance = selftest.expect(f, env, given(f, state), index, (depth or R.one) * epsilon)
     v.cases[#v.cases + 1] = printed(n, want, tolerance, call, what)
   end
   local p = m.name .. "_"
@@ -232,7 +237,7 @@ function vectors.fill(job, v, ctx)
   local short = R.round(time / R.new(32), 24)
   of_steps(job, v, epsilon, short, real)
   local np = #m.params
-  case("jacobian_u", nx * #job.input_states, xs[2].values, p .. "jacobian_u(&m, " .. v.zero .. ", x2, u, got)",
+  case("jacobian_u", nx * #job.model.inputs, xs[2].values, p .. "jacobian_u(&m, " .. v.zero .. ", x2, u, got)",
     "derivative of the equations by the input at state 2", by_index)
   case("jacobian_p", nx * np, xs[2].values, p .. "jacobian_p(&m, " .. v.zero .. ", x2, u, got)",
     "derivative of the equations by the parameters at state 2", by_index)
@@ -241,6 +246,8 @@ function vectors.fill(job, v, ctx)
   base.h = short
   case("step_transition", nx * nx, xs[2].values, "transition(&m, x2, u, " .. number.text(short, real) .. ", got)",
     "transition matrix of a step from state 2", by_index, selftest.stages)
+  case("step_transition_u", nx * #m.inputs, xs[2].values, p .. "step_transition_u(&m, " .. v.zero .. ", x2, u, " ..
+    number.text(short, real) .. ", got)", "derivative of a step from state 2 by the input", by_index, selftest.stages)
   base.h = nil
 
   v.motion_cases = {}
@@ -265,12 +272,12 @@ function vectors.fill(job, v, ctx)
   end
   v.states = {}
   for i, x in ipairs(xs) do v.states[i] = { name = x.name, lines = lines(x.values, real) } end
-  v.input_values = ""
-  if v.has_inputs then
-    local list = {}
-    for i in ipairs(job.input_states) do list[i] = number.text(R.new(i, 4), real) end
-    v.input_values = table.concat(list, ", ")
+  local list, spans = {}, {}
+  for i, s in ipairs(m.inputs) do
+    local low, high = inputs.range(m, s)
+    list[i], spans[i] = number.text(base[s.name], real), number.text(low and high - low or base[s.name], real)
   end
+  v.input_values, v.input_spans = table.concat(list, ", "), table.concat(spans, ", ")
 
   -- The test of order runs over about half a radian: h w = 1/64 and less, where the fourth-order term leads and still
   -- stands above rounding (float: the floor of 64 roundings of the state).
@@ -293,7 +300,7 @@ function vectors.fill(job, v, ctx)
     local most = least
     for _, x in ipairs(xs) do
       local f = description(job, v.conserved_name)
-      local _, tolerance = selftest.expect(f, env, inputs(f, x.values), result, epsilon)
+      local _, tolerance = selftest.expect(f, env, given(f, x.values), result, epsilon)
       if tolerance[1] > most then most = tolerance[1] end
     end
     v.energy_drift = number.text(R.round(most * R.new(4096 // selftest.roundings), 24), real)

@@ -35,6 +35,8 @@ local function shaper(B, bound)
       result = R.abs(values[1])
     elseif fn == "sign" then
       result = R.sign(values[1]) < 0 and -R.one or R.one
+    elseif fn == "clamp" then
+      result = values[1] < values[2] and values[2] or values[1] > values[3] and values[3] or values[1]
     else
       result = R.apply(fn, form.BITS, table.unpack(values))
     end

@@ -74,7 +74,7 @@ special.list = {
     local _, h, sum = parts(rounded, a, b, c)
     return h[1 + (b > a and 1 or 0) + (c > a and 1 or 0)][1] / sum[1]
   end },
-  { "clamp", 2, function(_, x, limit) return x < -limit and -limit or x > limit and limit or x end },
+  { "clamp", 3, function(_, x, low, high) return x < low and low or x > high and high or x end },
 }
 
 table.move(series.list, 1, #series.list, #special.list + 1, special.list)

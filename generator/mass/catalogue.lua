@@ -36,12 +36,14 @@ local others = {
   { name = "points", reader = "points", frame = "as given", about = "particles {{m, x, y, z}, ...}",
     takes = "{{m, x, y, z}, ...}" },
   { name = "tensor", frame = "as given",
-    about = "mass, com, tensor entries xx .. yz about the centre of mass or the origin",
+    about = "mass, com, tensor entries xx .. yz about the centre of mass or the origin; any positive one with " ..
+      "physical = false",
     args = {
       { name = "mass", dim = "mass", sign = "positive" }, kit.vector("com", { 0, 0, 0 }),
       entry(inertia, "xx"), entry(inertia, "yy"), entry(inertia, "zz"),
       entry(product, "xy"), entry(product, "xz"), entry(product, "yz"),
       { name = "about", choice = { "com", "origin" }, default = "com" },
+      { name = "physical", flag = true, default = true },
     } },
 }
 families[#families + 1] = others

@@ -144,23 +144,7 @@ local function units(g, valid)
   return found
 end
 
--- ---- what an entry means ----
-
--- Second moments, integrals of x^2 and x y, where moments of inertia are asked for.  Nearly every broken triangle could
--- be that, so it comes last and says "perhaps".
-local function meaning(g)
-  local I = g.I
-  local t = I[1] + I[2] + I[3]
-  local lawful = g.about == "com"
-  for i = 1, 3 do lawful = lawful and R.sign(I[i]) > 0 end
-  if lawful and g.lawful { t - I[1], t - I[2], t - I[3], -I[4], -I[5], -I[6] } then
-    return { "the entries are second moments (integrals of x^2), whose tensor is their trace minus them" }
-  end
-  return {}
-end
-
-local kinds = { { rounded, "most likely" }, { form, "most likely" }, { beside, "most likely" },
-  { digits, "most likely" }, { units, "most likely" }, { meaning, "perhaps" } }
+local kinds = { rounded, form, beside, digits, units }
 
 -- given: {I =, mass =, com =, about = "com" | "origin", lawful = the test of a central tensor}.  Returns the
 -- most likely explanation as "most likely: ...", or nil.
@@ -175,8 +159,8 @@ function slips.hint(given)
     return given.lawful(J)
   end
   for _, kind in ipairs(kinds) do
-    local found = kind[1](given, valid)
-    if #found > 0 and #found <= most then return kind[2] .. ": " .. table.concat(found, ", or ") end
+    local found = kind(given, valid)
+    if #found > 0 and #found <= most then return "most likely: " .. table.concat(found, ", or ") end
   end
   return nil
 end

@@ -8,7 +8,9 @@
 --     minors of two >= 0           xy^2 <= Sigma_xx Sigma_yy: what the moments leave for a product
 --     determinant >= 0             the triangle inequality of the principal moments
 -- Every `tensor` is tested by itself, in the axes and with the entries its author wrote; then the body as a whole,
--- which a hole may have broken.
+-- which a hole may have broken.  Two kinds of tensors need not pass.  One is asked to be no body's (physical = false);
+-- the other would pass if it were not rounded to the digits that are written.  Both must be positive definite instead,
+-- since the equations of motion divide by the moments.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -16,6 +18,7 @@ local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
 local diag = require "generator.diag"
 local jacobi = require "generator.mass.jacobi"
+local plausible = require "generator.mass.plausible"
 local slips = require "generator.mass.slips"
 
 local validity = {}
@@ -41,6 +44,16 @@ local function negative(S, relative)
 end
 
 local function lawful(I) return next(negative(vec.second(I))) == nil end
+validity.lawful = lawful
+
+-- Sylvester's criterion, exactly.
+local function definite(I)
+  local _, det = vec.adjugate(I)
+  return R.sign(I[1]) > 0 and R.sign(I[1] * I[2] - I[4] ^ 2) > 0 and R.sign(det) > 0
+end
+
+-- Sigma plus k 1, as the tensor that has it: tr(k 1) 1 - k 1 more.
+local function widened(I, k) return { I[1] + 2 * k, I[2] + 2 * k, I[3] + 2 * k, I[4], I[5], I[6] } end
 
 local names = { "xx", "yy", "zz", "xy", "xz", "yz" }
 local pairs_of = { { 1, 2 }, { 1, 3 }, { 2, 3 } }
@@ -101,68 +114,42 @@ local function faults(I, relative)
   return list
 end
 
-local function report(d, line, what, list, hint)
-  for n, f in ipairs(list) do d:error(line, what, f[1], f[2] .. (n == 1 and hint and "; " .. hint or "")) end
+-- How far rounding can move an eigenvalue of Sigma: half the trace of the moments' half units, and no more than all of
+-- the products' (Gershgorin).  So whatever lawful tensor was rounded, Sigma plus this is not negative.
+local function rounding_of(node)
+  local h = node.halves
+  if not h then return R.zero end
+  return (h[1] + h[2] + h[3]) / 2 + h[4] + h[5] + h[6]
+end
+
+-- A tensor that breaks a law: is it taken all the same?  Says so, or what is wrong with it, and returns whether.
+local function taken(d, node, g, list)
+  local positive, slack = definite(g.central), rounding_of(node)
+  if node.formal then
+    if not positive then
+      d:error(node.line, "tensor", "the principal moments about the centre of mass must be positive, also with " ..
+        "physical = false", entries(g.central))
+    end
+    return positive
+  elseif not positive or R.sign(slack) == 0 or not lawful(widened(g.central, slack)) then
+    local advice = positive and "; physical = false takes any positive moments" or ""
+    local hint = slips.hint(g)
+    for n, f in ipairs(list) do
+      d:error(node.line, "tensor", f[1], f[2] .. (n == 1 and (hint and "; " .. hint or "") .. advice or ""))
+    end
+    return false
+  end
+  local moment = jacobi.run(vec.map(g.central, R.todouble))
+  d:warn(node.line, "tensor", list[1][1] .. ", got " .. list[1][2] .. ": too large by " ..
+    diag.rough(moment[3] - moment[1] - moment[2]) .. ", which rounding to the digits that are written explains " ..
+    "(up to " .. diag.rough(2 * R.todouble(slack)) .. "); the numbers are taken as they are")
+  node.rounded = slack / vec.trace(g.central)
+  return true
+end
+
+local function report(d, line, what, list)
+  for _, f in ipairs(list) do d:error(line, what, f[1], f[2]) end
   return #list == 0
-end
-
--- ---- implausible, and possible all the same: warnings ----
-
--- The largest principal moment of a body of volume V is smallest for a ball, where M/k^3 = (5/2)^1.5 M/r^3 = 16.6 times
--- the density (k: the radius of gyration that belongs to the largest moment).  Nothing on Earth is denser than osmium,
--- 22590 kg/m^3: above 16.6*22590 the tensor is too small for its mass.  There is no such bound below; thin structures
--- (booms, sails of 100 m and 10 kg) have some 1e-3 kg/m^3, and 1e-4 leaves them in peace.
-local heaviest, lightest = 3.75e5, 1e-4
-
-local others = { { 1e-6, "kg mm^2" }, { 1e-9, "g mm^2" }, { 1e-4, "kg cm^2" }, { 1e-7, "g cm^2" }, { 1e-3, "g m^2" } }
-
--- mass, centre and central tensor of one `tensor` in doubles.
-local function plausible(d, line, mass, com, I)
-  local moment = jacobi.run(I)[3]
-  if not (moment > 0 and mass > 0) then return end
-  local k = math.sqrt(moment / mass)
-  local density = mass / k / k / k
-  local about = "the radius of gyration sqrt(I/mass) is " .. diag.rough(k) .. " m"
-  if density < lightest then
-    local guess = ""
-    for _, o in ipairs(others) do -- the first unit that gives a body of ordinary density
-      local r = math.sqrt(moment * o[1] / mass)
-      local then_density = mass / r / r / r
-      if guess == "" and then_density > 1 and then_density < heaviest then
-        guess = " (in " .. o[2] .. " it would be " .. diag.rough(r) .. " m)"
-      end
-    end
-    d:warn(line, "tensor", "the moments look too large for the mass: " .. about .. guess)
-  elseif density > heaviest and k > 1e-8 then -- the mass of a molecule is in its nuclei
-    local grams = math.sqrt(moment / mass * 1e3)
-    local fits = mass * 1e-3 / grams ^ 3 < heaviest and mass * 1e-3 / grams ^ 3 > 1
-    d:warn(line, "tensor", "the moments look too small for the mass, denser than any metal: " .. about ..
-      (fits and " (with the mass in g it would be " .. diag.rough(grams) .. " m)" or ""))
-  end
-  local far = math.sqrt(com[1] ^ 2 + com[2] ^ 2 + com[3] ^ 2)
-  if far > 1e3 * k then -- 300 mm typed as 300 m beside a body of 10 cm
-    d:warn(line, "tensor", "com is " .. diag.rough(far) .. " m from the origin, " .. diag.rough(far / k) ..
-      " radii of gyration: is it in metres?")
-  end
-end
-
--- Parts of one body whose sizes differ by more than six orders: one of them is probably in another unit.  A part's size
--- is its largest spread about its own centre, so needles and plates have the size of their length.
-local function sizes(d, m)
-  local least, largest
-  for _, p in ipairs(m.body.pieces) do
-    local s = p.sigma and p.name ~= "tensor" and 0 or nil
-    for i = 1, s and 3 or 0 do s = math.max(s, math.abs(m:double(p.sigma[i]))) end
-    if s and s > 0 then
-      local part = { size = math.sqrt(s), p = p }
-      if not least or part.size < least.size then least = part end
-      if not largest or part.size > largest.size then largest = part end
-    end
-  end
-  if least and largest.size > 1e6 * least.size then
-    d:warn(least.p.line, least.p.name, "is " .. diag.rough(largest.size / least.size) .. " times smaller than the " ..
-      largest.p.name .. " of line " .. largest.p.line .. " in the same body: are both in one unit?")
-  end
 end
 
 -- ---- the checks ----
@@ -201,20 +188,27 @@ function validity.check(d, m)
       return false
     end
   end
-  local good = true
+  local good, slack = true, R.zero
   each_tensor(m.record.body, function(node)
     local g = numbers(m, node)
     local list = faults(g.central, node.name == "inertial" and foreign or nil)
-    good = report(d, node.line, "tensor", list, #list > 0 and slips.hint(g)) and good
-    if #list == 0 then
-      plausible(d, node.line, R.todouble(g.mass), vec.map(g.com, R.todouble), vec.map(g.central, R.todouble))
+    local fine = #list == 0 and not node.formal or taken(d, node, g, list)
+    good = fine and good
+    if node.rounded and node.rounded > slack then slack = node.rounded end
+    if fine and not node.formal then
+      plausible.tensor(d, node.line, R.todouble(g.mass), vec.map(g.com, R.todouble), vec.map(g.central, R.todouble))
     end
   end)
   if not good then return false end
-  sizes(d, m)
+  plausible.sizes(d, m)
+  plausible.densities(d, m)
+  -- m.unlawful: the library must be told of a tensor that is no body's
+  m.formal, m.slack, m.unlawful = m.record.body.formal, slack, m.record.body.formal or R.sign(slack) > 0 or nil
+  if m.formal then return true end
   local relative
   for _, p in ipairs(m.body.pieces) do relative = p.name == "inertial" and foreign or relative end
-  return report(d, m.line, "body", faults(vec.map(J, function(e) return m:number(e) end), relative))
+  local whole = vec.map(J, function(e) return m:number(e) end)
+  return report(d, m.line, "body", faults(widened(whole, slack * vec.trace(whole)), relative))
 end
 
 -- ---- what NAME_init must ask again ----
@@ -222,20 +216,24 @@ end
 -- Half a unit in the last place of the emitted code's real type: a symbol that emit/ knows.
 validity.roundoff = expr.sym("unit roundoff", 1, true)
 
+-- The pivots of elimination of A, which must be positive, and whether A is diagonal.
+local function pivots_of(A)
+  local p = A[1]
+  if expr.iszero(A[4]) and expr.iszero(A[5]) and expr.iszero(A[6]) then return { p, A[2], A[3] }, true end
+  local second = A[2] - A[4] ^ 2 / p
+  return { p, second, A[3] - A[5] ^ 2 / p - (A[6] - A[4] * A[5] / p) ^ 2 / second }, false
+end
+
 -- Conditions under which S is positive semidefinite, as expressions >= 0; size: a bound of the terms it was added from.
 -- Entries that were rounded, and added, are off by some 4 u size; a lamina or a rod (S singular) must pass with these.
 -- So the test is made of S + 16 u size 1, which is then positive definite by 12 u size, more than the rounding of the
 -- elimination itself can eat (Higham, Accuracy and Stability, 2nd ed., theorem 10.7: some 4 u of the largest entry).
 -- The conditions are the pivots of elimination, not minors: each is as large as a moment, so none leaves the range of
 -- float.
-local function semidefinite(S, size)
-  local shift = 16 * validity.roundoff * size
-  local p = S[1] + shift
-  if expr.iszero(S[4]) and expr.iszero(S[5]) and expr.iszero(S[6]) then
-    return { p, S[2] + shift, S[3] + shift }, true -- may be zero
-  end
-  local second = S[2] + shift - S[4] ^ 2 / p
-  return { p, second, S[3] + shift - S[5] ^ 2 / p - (S[6] - S[4] * S[5] / p) ^ 2 / second }
+-- slack: what the rounding of written digits is allowed beside that, in parts of size.
+local function semidefinite(S, size, slack)
+  local shift = (16 * validity.roundoff + expr.num(slack)) * size
+  return pivots_of { S[1] + shift, S[2] + shift, S[3] + shift, S[4], S[5], S[6] } -- may be zero if diagonal
 end
 
 local function constant(list)
@@ -253,9 +251,9 @@ function validity.conditions(m)
       rule = "total mass must be positive" }
   end
   -- S: second moments about the centre of mass; named: S and size are in the names of the body's parts
-  local function lawful_at(S, size, what, line, named)
+  local function lawful_at(S, size, what, line, named, slack)
     if constant(S) then return end
-    local pivots, zero = semidefinite(S, size)
+    local pivots, zero = semidefinite(S, size, slack or R.zero)
     for _, e in ipairs(pivots) do -- the next pivot divides by this one
       list[#list + 1] = { e = named and m.parts:resolve(e) or e, form = named and e or nil, pivot = true, line = line,
         what = what, allow_zero = zero,
@@ -270,7 +268,11 @@ function validity.conditions(m)
       local shift = slips.steiner(a.mass, a.com)
       I, size = vec.sub(I, shift), size + vec.trace(shift)
     end
-    lawful_at(vec.second(I), size, "tensor", node.line)
+    if not node.formal then lawful_at(vec.second(I), size, "tensor", node.line, nil, node.rounded) end
+    for _, e in ipairs((node.formal or node.rounded) and not constant(I) and (pivots_of(I)) or {}) do
+      list[#list + 1] = { e = e, pivot = true, line = node.line, what = "tensor",
+        rule = "the principal moments about the centre of mass must be positive" }
+    end
   end)
   -- a hole may outgrow its body when parameters change: then the central tensor must be tested again
   local hole, size, signs = false, expr.zero, {}
@@ -285,9 +287,9 @@ function validity.conditions(m)
   if hole and m.parts and m.parts.central then
     local S = {}
     for n = 1, 6 do S[n] = m.centroidal[n].kind == "num" and n > 3 and -m.centroidal[n] or m.parts:second(n) end
-    lawful_at(S, m.parts:size(signs), "body", m.line, true)
+    lawful_at(S, m.parts:size(signs), "body", m.line, true, m.slack)
   elseif hole then
-    lawful_at(vec.second(m.centroidal), size, "body", m.line)
+    lawful_at(vec.second(m.centroidal), size, "body", m.line, nil, m.slack)
   end
   return list
 end

@@ -170,12 +170,12 @@ end
 
 -- The step's transition matrix at the solution w = mid of F(mid, x) = 0: by the theorem on implicit functions
 -- d mid/dx = -D^-1 dF/dx with D = dF/d mid, all of it here (Newton may do with less); then the chain rule through the
--- last part.  Returns groups.
-local function transition(m, N, k, zero)
+-- last part.  by, array: the same for the states into F, or for the inputs into G.  Returns groups.
+local function transition(m, N, k, zero, by, array)
   local list, F = equation(m, N, k, zero)
   local map, columns, known, taken, groups = {}, {}, {}, {}, {}
   for j, name in ipairs { "midx", "midy", "midz" } do columns[j] = { name = name, sym = middle[j] } end
-  for _, s in ipairs(m.states) do columns[#columns + 1] = s end
+  for _, s in ipairs(by) do columns[#columns + 1] = s end
   for i in ipairs(columns) do known[i] = {} end
   for i, g in ipairs(list) do -- by names of its own, for the last part has some of them again
     local defs = {}
@@ -187,26 +187,29 @@ local function transition(m, N, k, zero)
     groups[i] = { why = g.why .. "; and its derivatives", defs = sensitivity.follow(defs, columns, known, taken),
       outs = {} }
   end
-  local g = { why = "by how much the middle moves with the state: -D^-1 dF/dx, D = dF/dmid", defs = {}, outs = {} }
+  local g = { why = "by how much the middle moves with the " .. (array == "F" and "state: -D^-1 dF/dx" or
+    "input: -D^-1 dF/du") .. ", D = dF/dmid", defs = {}, outs = {} }
   local define, D = definer(m, g), {}
   for i = 1, 3 do
     F[i] = F[i] == expr.zero and middle[i] - w[i] or calculus.substitute(F[i], map)
     D[i] = {}
     for j = 1, 3 do D[i][j] = define("D" .. i .. j .. "_0", calculus.diff(F[i], middle[j], known[j])) end
   end
-  local solved, moved = cayley.inverse(define, D), sensitivity.nothing(m)
-  for c, s in ipairs(m.states) do
+  local solved, moved = cayley.inverse(define, D), sensitivity.nothing(by)
+  for c, s in ipairs(by) do
     local change = solved(vec.map(F, function(e) return calculus.diff(e, s.sym, known[c + 3]) end))
     for j, e in ipairs(each(define, "mid_" .. s.name, change)) do moved[c][middle[j]] = -e end
   end
   for _, d in ipairs(g.defs) do taken[d.name] = true end
   groups[#groups + 1] = g
-  for _, more in ipairs((sensitivity.tangent(m, finish(m, N, k, zero), moved, taken))) do groups[#groups + 1] = more end
+  for _, more in ipairs((sensitivity.tangent(m, finish(m, N, k, zero), moved, taken, by, array))) do
+    groups[#groups + 1] = more
+  end
   return groups
 end
 
--- {iteration = groups, finish = groups, count = iterations, transition = groups with options.jacobians}, or nil and why
--- not.
+-- {iteration = groups, finish = groups, count = iterations, and with options.jacobians transition = groups, and where
+-- there are inputs transition_u = groups}, or nil and why not.
 function midpoint.program(eq, options)
   local m = eq.model
   local why = refusal(m)
@@ -215,7 +218,8 @@ function midpoint.program(eq, options)
   if held then return nil, held end
   local zero = stages.conserved(eq)
   return { iteration = iteration(m, N, k, zero), finish = finish(m, N, k, zero), count = none(N) and 4 or 6,
-    transition = options.jacobians and transition(m, N, k, zero) or nil }
+    transition = options.jacobians and transition(m, N, k, zero, m.states, "F") or nil,
+    transition_u = options.jacobians and eq.inputs and transition(m, N, k, zero, m.inputs, "G") or nil }
 end
 
 return midpoint

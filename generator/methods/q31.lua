@@ -83,12 +83,13 @@ local function negligible(x) return R.abs(x) < R.new(2) ^ -100 end
 -- sum over j of row[j] v[j] as one node of exponent e; nil where the row is zero or v[j] are.
 local function dot(p, name, v, row, s, e, about, blame)
   local which, terms = {}, {}
-  for j = 1, 3 do
+  for j = 1, #row do
     if v[j] and not negligible(row[j]) then which[#which + 1] = j end
   end
   for n, j in ipairs(which) do
     local down = n < #which or #which % 2 == 0 -- an even number of them
-    terms[n] = { 1, p:scale(name .. (n > 1 and axis[j] or ""), v[j], row[j] * s, e, about, blame, down) }
+    local own = n > 1 and (axis[j] or string.format("%d", j)) or ""
+    terms[n] = { 1, p:scale(name .. own, v[j], row[j] * s, e, about, blame, down) }
   end
   if #terms == 0 then return nil end
   return p:sum(name .. "s", terms, blame)
@@ -118,15 +119,25 @@ local function build(r, h, x)
     B[k] = (to[k][1] * r.b[1] + to[k][2] * r.b[2] + to[k][3] * r.b[3]) * h3
     for j = 1, 3 do M[k][j] = M[k][j] * h3 end
   end
-  local input = {}
-  if r.control then
-    local e = fixed.finest(r.max)
-    out.input_exponent, out.input_limit = e, fixed.nearest(r.max, e)
-    for i = 1, 3 do out.u[i] = p:input("u" .. axis[i], e, out.input_limit, 2.0 ^ (-e - 1)) end
-    p:block("torque in the units of k: h/3 g e.(I^-1 u)")
-    local T = times(to, r.inverse)
+  local input = {} -- bits 7, 8, 9, 11, ..: 10 is that of the norm
+  for i, u in ipairs(r.inputs) do
+    local most = R.abs(u.low) > R.abs(u.high) and R.abs(u.low) or R.abs(u.high)
+    local e = fixed.finest(most)
+    local node = p:input(string.find(u.label, "^u[xyz]$") and u.label or "u_" .. u.label, e, fixed.nearest(most, e),
+      2.0 ^ (-e - 1))
+    out.u[i] = { node = node, label = u.label, index = u.index, unit = u.unit, exponent = e,
+      low = fixed.nearest(u.low, e), high = fixed.nearest(u.high, e), bit = i <= 3 and 6 + i or 7 + i }
+  end
+  if #out.u > 0 then
+    p:block("torque in the units of k: h/3 g e.(B u), B the response of w' to the inputs")
+    local nodes = {}
+    for i, u in ipairs(out.u) do nodes[i] = u.node end
     for k = 1, 3 do
-      input[k] = dot(p, "b" .. k, out.u, T[k], h3, x.k, "h/3 times the response to the input", "k")
+      local row = {}
+      for i, u in ipairs(r.inputs) do
+        row[i] = to[k][1] * u.response[1] + to[k][2] * u.response[2] + to[k][3] * u.response[3]
+      end
+      input[k] = dot(p, "b" .. k, nodes, row, h3, x.k, "h/3 times the response to the input", "k")
     end
   end
   local constant = {}

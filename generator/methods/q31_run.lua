@@ -57,15 +57,15 @@ local function limited(layout, x)
   return bits
 end
 
--- One step of x, in place; u: three whole numbers or nil.  Returns the bits.
+-- One step of x, in place; u: a whole number for each input, or nil.  Returns the bits.
 function run.step(step, x, u)
   local layout, given = run.layout(step), {}
   local bits = limited(layout, x)
   for i, s in ipairs(layout) do given[s.name] = x[i] end
-  for i, node in ipairs(step.u) do
-    local limit = step.input_limit
-    given[node.name] = math.max(-limit, math.min(limit, u[i]))
-    if given[node.name] ~= u[i] then bits = bits | 1 << i + 6 end
+  for i, s in ipairs(step.u) do
+    local x_i = math.max(s.low, math.min(s.high, u[i]))
+    given[s.node.name] = x_i
+    if x_i ~= u[i] then bits = bits | 1 << s.bit end
   end
   local value, flags = step.program:run(given)
   for i, s in ipairs(layout) do
@@ -93,16 +93,17 @@ end
 local function cases(step, start)
   local third, list = R.new(1, 3), {}
   local rest, full
-  if #step.u > 0 then -- the last one is more than the scene allows
-    local limit = step.input_limit
-    rest, full = { 0, 0, 0 }, { limit // 2, -limit // 4 * 3, (1 << 31) - 1 }
+  for i, u in ipairs(step.u) do -- every third one is more than the scene allows
+    rest, full = rest or {}, full or {}
+    rest[i] = math.max(u.low, math.min(u.high, 0))
+    full[i] = i % 3 == 1 and u.high // 2 or i % 3 == 2 and u.low // 4 * 3 or (1 << 31) - 1
   end
   list[1] = states(step, start, rest, { 1, 10, 1000 })
   list[1].what = "the scene's own motion"
   local w = step.rates.limit
   list[2] = states(step, run.from_real(step, { R.one, R.new(-2), R.new(3), R.new(4), w[1] * third, -w[2] * third,
     w[3] * R.half }), full, { 1, 100 })
-  list[2].what = "tumbling" .. (full and ", with torque" or "")
+  list[2].what = "tumbling" .. (full and ", with inputs" or "")
   local top = (1 << 31) - 1
   local beyond = { top, -top, 0, top, top, -top, step.limit[3] }
   for i = 8, 14 do beyond[i] = 0 end

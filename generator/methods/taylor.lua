@@ -244,7 +244,8 @@ local function laid_out(groups, moving, varying, order)
 end
 
 -- The same of the equations together with what neighbours along v depart by, the variational equations v' = f'(x) v:
--- state s has s_v beside it.  `from`: where the state's initial value is read; of those that keep it, in `more`.
+-- state s has s_v beside it.  In `more`: those of states that keep their value and of inputs, which v holds beyond the
+-- states.
 local function tangent(eq, groups, moving, order)
   local m, known, states, varying, more = eq.model, {}, { table.unpack(moving) }, { t = true }, {}
   local none = expr.sym("nothing", 8) -- no symbol of the equations: all derivatives are those that are known
@@ -257,6 +258,11 @@ local function tangent(eq, groups, moving, order)
     known[s.sym] = v.sym
     local list = moves[s.name] and states or more
     list[#list + 1] = v
+  end
+  for i, s in ipairs(m.inputs) do
+    local v = { name = s.name .. "_v", sym = expr.sym(s.name .. "_v", 8), input = i }
+    known[s.sym] = v.sym
+    more[#more + 1] = v
   end
   for _, s in ipairs(states) do varying[s.name] = true end
   local out = {}

@@ -101,8 +101,11 @@ function decision.asked(job, q)
 end
 
 local function held(job)
-  local most = states.input(job)
-  return most and ", an input held at up to " .. short(most, 4) .. " N m" or ""
+  local list = {}
+  for i, s in ipairs(states.limits(job) or {}) do
+    list[i] = string.format("%s held within %s .. %s %s", s.label, short(s.low, 4), short(s.high, 4), s.unit)
+  end
+  return #list > 0 and ", inputs " .. table.concat(list, ", ") or ""
 end
 
 -- The next best: of each other method or setting the cheapest, as a multiple of the cost of the best.
@@ -269,7 +272,7 @@ function decision.question(q, fingerprint)
     for _, x in ipairs(g.defs) do put(x.name, text.of(x.expr)) end
     for _, x in ipairs(g.outs) do put(x.state, text.of(x.expr)) end
   end
-  put("input", tostring(states.input(job)))
+  for _, s in ipairs(states.limits(job) or {}) do put("input", s.label, tostring(s.low), tostring(s.high)) end
   local r = job.ranges
   if r then
     put("ranges", tostring(r.attitude))

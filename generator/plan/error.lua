@@ -56,21 +56,35 @@ local function norm(group, a, b, sign)
   return most * math.sqrt(sum)
 end
 
+-- The size by which differences of each group are divided: the largest norm among the reference's states; 1 for the
+-- attitude, and where that is zero.
+function err.scales(groups, reference)
+  local scales = {}
+  for n, g in ipairs(groups) do
+    local scale = 0.0
+    for _, want in ipairs(reference) do scale = math.max(scale, norm(g, want)) end
+    scales[n] = (g.name == "attitude" or scale == 0) and 1.0 or scale
+  end
+  return scales
+end
+
+-- How far a state of one group is from what it should be, in units of scale.
+function err.distance(group, scale, got, want)
+  local d = norm(group, got, want, 1)
+  if group.name == "attitude" then d = math.min(d, norm(group, got, want, -1)) end
+  d = d / scale
+  return d == d and d or math.huge
+end
+
 -- The error of rows against as many reference rows, each a state as the scene has it: a number (math.huge where
 -- something is not finite), and {[group's name] = number, [1..n] = names}.
 function err.of(job, rows, reference)
   assert(#rows == #reference and #rows > 0)
-  local worst, parts = 0.0, {}
-  for n, g in ipairs(err.groups(job)) do
-    local most, scale = 0.0, 0.0
-    for k, want in ipairs(reference) do
-      local d = norm(g, rows[k], want, 1)
-      if g.name == "attitude" then d = math.min(d, norm(g, rows[k], want, -1)) end
-      most = math.max(most, d)
-      scale = math.max(scale, norm(g, want))
-    end
-    if g.name ~= "attitude" and scale > 0 then most = most / scale end
-    if most ~= most then most = math.huge end
+  local groups, worst, parts = err.groups(job), 0.0, {}
+  local scales = err.scales(groups, reference)
+  for n, g in ipairs(groups) do
+    local most = 0.0
+    for k, want in ipairs(reference) do most = math.max(most, err.distance(g, scales[n], rows[k], want)) end
     parts[n], parts[g.name] = g.name, most
     worst = math.max(worst, most)
   end

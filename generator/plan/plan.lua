@@ -283,8 +283,9 @@ function plan.find(q)
   local T = q.job.model:double(q.job.model.horizon)
   local say = q.progress or function() end
   local s = trial.new { host = q.host, job = q.job, plugin = q.plugin, T = T }
-  if q.job.equations.inputs and not states.input(q.job) then
-    return nil, { why = "needs the largest input, which effect.control{ max = } gives", refused = {}, found = {} }
+  if q.job.equations.inputs and not states.limits(q.job) then
+    return nil, { why = "needs the limits of all inputs: effect.control{ max = }, input(name, unit, { min =, max = })",
+      refused = {}, found = {} }
   end
   local list, refused = competitors(q, q.code)
   s.sure = surrogate(q.job, q.real)

@@ -17,7 +17,7 @@ local most = 5000
 local rounding = 2.0 ^ -53
 
 -- The library's scene for the state x0; values: parameters {name -> rational} (nil: the scene's own).
-local function scene(job, x0, values)
+function reference.scene(job, x0, values)
   local s, full = numeric.scene(job, values), numeric.whole(job, x0)
   local after = job.model.has.position and 13 or 7
   s.q, s.w = { table.unpack(full, 1, 4) }, { table.unpack(full, 5, 7) }
@@ -28,9 +28,9 @@ end
 
 -- The states (as the scene has them) at `times` from x0 at t = 0, and their own error in the measure of error.lua;
 -- or nil and why there is none.  quick: one run, no second: the error is then nil.
--- input: torques that are held, in body axes (nil: none).
+-- input: the values that inputs are held at (nil: none).
 function reference.of(host, job, x0, times, values, quick, input)
-  local s = scene(job, x0, values)
+  local s = reference.scene(job, x0, values)
   local function run(method, tolerance)
     local rows, why = host.run(s, { method = method, tol = tolerance, times = times, most = most, u = input })
     if not rows then return nil, why end

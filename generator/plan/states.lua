@@ -6,10 +6,11 @@
 -- The filling is Kronecker's sequence with powers of the root of x^(d+1) = x + 1 (Roberts 2018, "The unreasonable
 -- effectiveness of quasirandom sequences").  No libm function decides a point, so all machines have the same ones.
 -- Without `ranges`: rates, position and velocity within 10 % of their size in each component, attitude within 0.1 rad.
--- An input is held at a value up to its max.
+-- An input is held at a value within its limits.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local inputs = require "generator.dynamics.inputs"
 local numeric = require "generator.dynamics.numeric"
 
 local states = {}
@@ -22,12 +23,15 @@ local function narrow(x, real)
   return x
 end
 
--- The largest input of a scene that says so (effect.control{ max = }), or nil.
-function states.input(job)
-  for _, e in ipairs(job.equations.inputs and job.record.effects or {}) do
-    if e.spec.input and e.a.max then return job.model:double(e.a.max) end
+-- The limits {label, unit, low, high} of all inputs, doubles; nil where one has none, or there is no input.
+function states.limits(job)
+  local list = {}
+  for i, s in ipairs(job.model.inputs) do
+    local low, high = inputs.range(job.model, s)
+    if not low then return nil end
+    list[i] = { label = s.label, unit = s.unit, low = R.todouble(low), high = R.todouble(high) }
   end
-  return nil
+  return #list > 0 and list or nil
 end
 
 -- What varies: {quantities}, each {set = function(point, u), u from 0 to 1} of one number, or of three.
@@ -52,9 +56,8 @@ local function quantities(job, own)
   for _, r in ipairs(given and given.params or {}) do
     put(R.todouble(r.lo), R.todouble(r.hi), function(x) point.values[r.name] = x end)
   end
-  local limit = states.input(job)
-  for k = 1, limit and 3 or 0 do
-    put(-limit, limit, function(x) point.input[k] = x end)
+  for k, limit in ipairs(states.limits(job) or {}) do
+    put(limit.low, limit.high, function(x) point.input[k] = x end)
   end
   local angle = not given and default_angle or given and given.attitude
   if job.model.has.attitude and angle then
@@ -143,7 +146,7 @@ local function coordinates(d, n, skip)
 end
 
 -- The function that makes a point {x = state, values = {parameter = rational} or nil, params = doubles for NAME_init or
--- nil, input = torques that are held, or nil} of coordinates u in the unit cube (nil: the scene's own), and their
+-- nil, input = what is held, or nil} of coordinates u in the unit cube (nil: the scene's own), and their
 -- number.
 local function maker(job, real)
   local own = numeric.initial(job)
@@ -152,7 +155,8 @@ local function maker(job, real)
   local first
   for i = #job.states, 1, -1 do first = job.states[i].kind == "attitude" and i or first end
   return function(u)
-    local point = { x = { table.unpack(own) }, values = {}, turn = { 0.0, 0.0, 0.0 }, input = { 0.0, 0.0, 0.0 } }
+    local point = { x = { table.unpack(own) }, values = {}, turn = { 0.0, 0.0, 0.0 }, input = {} }
+    for k = 1, #job.model.inputs do point.input[k] = 0.0 end
     choose(point)
     for k, set in ipairs(list) do
       if u then set(u[k]) end
@@ -171,7 +175,7 @@ local function maker(job, real)
         params[i] = x or narrow(R.todouble(p.default), real)
       end
     end
-    for k = 1, 3 do point.input[k] = narrow(point.input[k], real) end
+    for k = 1, #point.input do point.input[k] = narrow(point.input[k], real) end
     return { x = point.x, values = values, params = params, input = job.equations.inputs and point.input or nil }
   end, #list
 end

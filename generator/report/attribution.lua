@@ -15,13 +15,13 @@ local attribution = {}
 local classes = { "add", "mul", "div", "sqrt", "call" }
 attribution.classes = classes
 
-local function context(job, m, eq)
+local function context(job, m)
   return { name = m.name, upper = string.upper(m.name), real = job.real, members = m.members, states = m.states,
-    inputs = eq.inputs and job.input_states or {} }
+    inputs = job.model.inputs }
 end
 
 -- Operations of a function of the job.
-function attribution.cost(job, f) return source.cost(context(job, job.model, job.equations), f) end
+function attribution.cost(job, f) return source.cost(context(job, job.model), f) end
 
 local function combined(a, b, sign)
   local out = {}
@@ -48,7 +48,7 @@ local function with(job, effects)
   local m = job.model:variant(effects)
   local nobody = { error = function() end } -- a part of what was accepted is accepted
   local eq = equations.of(nobody, m)
-  return { model = m, equations = eq, cost = source.cost(context(job, m, eq), quantities.rhs(eq)) }
+  return { model = m, equations = eq, cost = source.cost(context(job, m), quantities.rhs(eq)) }
 end
 
 local of = { qw = "attitude", wx = "Euler's equations", vx = "centre of mass" } -- by the first state of a group
@@ -64,7 +64,7 @@ function attribution.of(job)
       local names = {}
       for i, member in ipairs(constants(none.model, { groups = { g } })) do names[i] = member.name end
       rows[#rows + 1] = { name = name, constants = names,
-        cost = source.cost(context(job, none.model, none.equations), quantities.rhs(alone)) }
+        cost = source.cost(context(job, none.model), quantities.rhs(alone)) }
     end
   end
   for i, e in ipairs(effects) do

@@ -63,7 +63,7 @@ function derivation.banner(job)
   if m.has.rates then
     lines[1] = "Tensor of inertia about the origin of rotation, kg m^2 (off-diagonals are tensor entries):"
   end
-  for _, l in ipairs(named_tensor(m, "plain")) do
+  local function put(l)
     while #l > 110 do -- a long formula goes on, at a blank
       local cut = 110
       while cut > 20 and string.sub(l, cut, cut) ~= " " do cut = cut - 1 end
@@ -72,8 +72,16 @@ function derivation.banner(job)
     end
     lines[#lines + 1] = l
   end
+  for _, l in ipairs(named_tensor(m, "plain")) do put(l) end
+  local file = string.match(m.file, "[^/]*$")
+  local kinds, lines_of = {}, {}
   for _, e in ipairs(m.record.effects) do
-    lines[#lines + 1] = "Effect " .. string.gsub(e.kind, "effect%.", "") .. ": " .. e.spec.about .. "."
+    if not lines_of[e.spec] then kinds[#kinds + 1], lines_of[e.spec] = e.spec, {} end
+    table.insert(lines_of[e.spec], string.format("%d", e.line))
+  end
+  for _, spec in ipairs(kinds) do
+    put(string.format("Effect %s (%s:%s): %s.", string.gsub(spec.name, "^effect%.", ""), file,
+      table.concat(lines_of[spec], ", "), spec.formula))
   end
   if #m.record.effects == 0 then lines[#lines + 1] = "No effects: torque-free motion about the origin." end
   local names = {}

@@ -58,6 +58,9 @@ end
 
 local function principal_section(f)
   local lines = { "structure: " .. f.symmetry }
+  if not f.physical then
+    lines[2] = "no body has these moments (physical = false): the largest is more than the sum of the others"
+  end
   for n, p in ipairs(f.closed_moments or {}) do
     local shown = f.closed_named[n]
     lines[#lines + 1] = formula("I" .. (p.multiplicity > 1 and " (" .. p.multiplicity .. " times)" or ""),
@@ -154,7 +157,7 @@ end
 
 local function cost_section(job)
   local ctx = { name = job.model.name, upper = string.upper(job.model.name), real = job.real,
-    members = job.model.members, states = job.states, inputs = job.equations.inputs and job.input_states or {} }
+    members = job.model.members, states = job.states, inputs = job.model.inputs }
   local lines = {}
   local function put(name, c)
     lines[#lines + 1] = { fn = name, add = c.add or 0, mul = c.mul or 0, div = c.div or 0, sqrt = c.sqrt or 0,
@@ -344,6 +347,7 @@ function writers.json(f)
     { "origin", f.origin_number },    { "com_from_origin", f.arm_number },
     { "inertia", entries(f.inertia, f.inertia_number) }, { "centroidal", entries(f.centroidal, f.centroidal_number) },
     { "principal", object { { "moments", f.moments }, { "axes", f.axes } } }, { "symmetry", f.symmetry },
+    { "physical", f.physical },
     { "closed_form", closed }, { "stability", stability },
     { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
     { "cycles", object { { "real", f.job.real }, { "functions", estimated } } },

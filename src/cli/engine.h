@@ -20,6 +20,8 @@
  * axis={3}} {kind="parts", tensor={6}, rate={6}} {kind="dissipation", k=} {kind="custom",
  * torque={3}, force={3}, potential=, states={..}}, each of them a program
  * - varying: a number, {rows={t, v, ...}} or {code=program}; program: dynamics/postfix.lua's list
+ * - inputs: how many the scene has, those of "control" first; a course of them: {u1, u2, ...}, or
+ *   {rows={t, u1, u2, ..., t, ...}, linear=bool} with times that ascend
  *
  * Tables of the wrong form are a bug of the caller and raise; numbers that no body can have are the
  * library's to refuse, and come back as nil and a message that names the shape.
@@ -32,6 +34,20 @@
 #include "../runtime/polhode.h"
 #include "host.h"
 
+enum { ENGINE_INPUTS = 64 };
+
+/* Inputs between two breaks: number k is base[k] + slope[k] (t - since). Programs read them. */
+struct engine_inputs {
+  double since, base[ENGINE_INPUTS], slope[ENGINE_INPUTS];
+};
+
+/* n inputs over time, engine_input.c; without rows they are constant. */
+struct engine_course {
+  int n, rows, linear;
+  const double *row;
+  double constant[ENGINE_INPUTS];
+};
+
 /* Where the library refused: the shape, operation or effect. The text lives in the scene's table.
  */
 struct engine_scene {
@@ -40,7 +56,20 @@ struct engine_scene {
   const char *where;
   ph_body body;
   ph_top top;
+  int inputs;
+  struct engine_inputs *input; /* what programs read; lives as long as the scene's table */
 };
+
+/* The course of n inputs at `index` (nil: zeros); what holds its rows stays on the stack, one
+ * value.
+ */
+void engine_course_read(lua_State *L, int index, int n, struct engine_course *c);
+/* The next break after t on the way to `end`, or `end`; both directions. */
+double engine_course_next(const struct engine_course *c, double t, double end);
+/* The inputs between two times without a break between them, and at one time. */
+void engine_course_segment(const struct engine_course *c, double from, double to,
+                           struct engine_inputs *in);
+void engine_inputs_at(const struct engine_inputs *in, int n, double t, double u[]);
 
 /* Read body, origin and effects of the scene table at `index`: PH_OK or the library's status. */
 int engine_read(struct engine_scene *s, lua_State *L, int index);

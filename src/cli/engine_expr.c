@@ -16,6 +16,7 @@
 enum op {
   NUMBER,
   VARIABLE,
+  INPUT,
   ADD,
   MUL,
   POW,
@@ -31,12 +32,13 @@ enum op {
   SINH,
   COSH,
   TANH,
-  ABS
+  ABS,
+  CLAMP
 };
 
-static const char *const names[] = {"n",    "v",    "+",    "*",    "^",     "sin", "cos",
-                                    "tan",  "asin", "acos", "atan", "atan2", "exp", "log",
-                                    "sinh", "cosh", "tanh", "abs",  NULL};
+static const char *const names[] = {"n",   "v",    "u",    "+",    "*",    "^",     "sin",
+                                    "cos", "tan",  "asin", "acos", "atan", "atan2", "exp",
+                                    "log", "sinh", "cosh", "tanh", "abs",  "clamp", NULL};
 
 struct instruction {
   enum op op;
@@ -46,6 +48,7 @@ struct instruction {
 
 struct engine_program {
   int length;
+  const struct engine_inputs *input;
   struct instruction code[];
 };
 
@@ -110,6 +113,13 @@ static sized run(const struct engine_program *p, long double t, const long doubl
     if (c->op == NUMBER || c->op == VARIABLE) {
       r.value = c->op == NUMBER ? c->value : c->n == 0 ? t : x[c->n - 1];
       r.size = fabsl(r.value);
+    } else if (c->op == INPUT) {
+      r.value = p->input->base[c->n] + p->input->slope[c->n] * (t - (long double)p->input->since);
+      r.size = fabsl(r.value);
+    } else if (c->op == CLAMP) { /* x, low, high */
+      top -= 3;
+      const sized x0 = stack[top], low = stack[top + 1], high = stack[top + 2];
+      r = x0.value < low.value ? low : x0.value > high.value ? high : x0;
     } else if (c->op == ADD || c->op == MUL) {
       r = stack[top -= c->n];
       for (int k = 1; k < c->n; k++) {
@@ -172,6 +182,7 @@ void engine_read_program(struct engine_scene *s, ph_varying *out) {
       lua_newuserdatauv(L, sizeof *p + (size_t)n * sizeof p->code[0] + ENGINE_ALIGNMENT, 0));
   lua_insert(L, -2);
   p->length = 0;
+  p->input = s->input;
   int depth = 0;
   for (int i = 0; i < n;) {
     struct instruction *c = &p->code[p->length++];
@@ -184,7 +195,7 @@ void engine_read_program(struct engine_scene *s, ph_varying *out) {
       luaL_error(L, "program: the library knows no function '%s'", name);
     lua_pop(L, 1);
     c->op = (enum op)op;
-    c->n = op == ATAN2 ? 2 : op >= POW ? 1 : 0;
+    c->n = op == CLAMP ? 3 : op == ATAN2 ? 2 : op >= POW ? 1 : 0;
     if (op == NUMBER) {
       c->value = item(L, &i);
       c->value += item(L, &i);
@@ -194,9 +205,10 @@ void engine_read_program(struct engine_scene *s, ph_varying *out) {
     } else if (op <= MUL) {
       c->n = (int)item(L, &i);
     }
-    const int takes = op <= VARIABLE ? 0 : c->n;
-    if ((op > VARIABLE && (takes < 1 || takes > depth)) ||
-        (op == VARIABLE && (c->n < 0 || c->n > PH_STATES)) || depth - takes + 1 > MAX_DEPTH)
+    const int takes = op <= INPUT ? 0 : c->n;
+    if ((op > INPUT && (takes < 1 || takes > depth)) ||
+        (op == VARIABLE && (c->n < 0 || c->n > PH_STATES)) ||
+        (op == INPUT && (c->n < 0 || c->n >= s->inputs)) || depth - takes + 1 > MAX_DEPTH)
       luaL_error(L, "program: malformed or too deep at %d", i);
     depth += 1 - takes;
   }

@@ -95,34 +95,99 @@ static ph_run **new_run_holder(lua_State *L) {
   return run;
 }
 
-static int fail_at(lua_State *L, double t, int status) {
+/* nil, message, kind, t: "refused" what was asked for, before the first step, or "numbers". */
+static int fail_at(lua_State *L, double t, int status, int started) {
   lua_pushnil(L);
   lua_pushfstring(L, "at t = %f s: %s", (LUAI_UACNUMBER)t, ph_status_phrase(status));
-  return 2;
+  lua_pushstring(L, started || status == PH_ERANGE ? "numbers" : "refused");
+  lua_pushnumber(L, t);
+  return 4;
 }
 
-/* run(scene, {method=, step=, tol=, order=, most=, times={...}, t0=, u={3}}) -> {{t, q4, w3,
+/* Where rows come from: a run, or x0 and the linearised motion. */
+struct motion {
+  const struct engine_scene *s;
+  ph_run *run;
+  struct engine_course course;
+  double x0[7], t0;
+  double step; /* 0: the method chooses */
+};
+
+/* From where the run is to `end`, from break to break of the inputs' course. */
+static int go(const struct motion *m, double end, double x[]) {
+  const struct engine_scene *s = m->s;
+  if (m->run == NULL)
+    return ph_top_linearised(&s->top, m->x0, end - m->t0, x);
+  double t = ph_run_time(m->run);
+  int status;
+  do {
+    const double next = engine_course_next(&m->course, t, end);
+    double u[ENGINE_INPUTS];
+    engine_course_segment(&m->course, t, next, s->input);
+    engine_inputs_at(s->input, m->course.n, s->input->since, u);
+    status = ph_run_to(m->run, next, u, x);
+    t = next;
+  } while (status == PH_OK && t != end);
+  return status;
+}
+
+static int reach(const struct motion *m, double t, double x[]) {
+  interrupt_check(m->s->L);
+  return go(m, t, x);
+}
+
+/* A time between `from`, which was reached, and `end`, which was not: with steps of their own
+   length the end of the first that fails, else where the motion ends, by halving. */
+static double first_failure(const struct motion *m, double from, double end) {
+  double x[PH_STATES];
+  if (m->run != NULL) /* a failure leaves it where it was: at a break, maybe */
+    from = ph_run_time(m->run);
+  double t = engine_course_next(&m->course, from, end);
+  if (m->step > 0) {
+    const double span = t - from, n = ceil(fabs(span) / m->step * (1 - 8 * DBL_EPSILON));
+    for (double i = 1; i < n; i++)
+      if (reach(m, from + span * (i / n), x) != PH_OK)
+        return from + span * (i / n);
+    return t;
+  }
+  for (int i = 0; i < 50 && t != from; i++) {
+    const double middle = from + (t - from) / 2;
+    if (reach(m, middle, x) == PH_OK)
+      from = middle;
+    else
+      t = middle;
+  }
+  return t;
+}
+
+/* run(scene, {method=, step=, tol=, order=, most=, times={...}, t0=, u=course}) -> {{t, q4, w3,
    energy, L3},
-   ...} (with r3, v3 after w3 where the body moves) | nil, message.  Method: adaptive (default) and
-   taylor (long double Taylor series), rk4, gsl-rk4, rkf45, rk8pd, exact and linearised (a free top
-   only). */
+   ...} (with r3, v3 after w3 where the body moves) | nil, message, "refused" or "numbers", the time
+   at which they failed.  Method: adaptive (default) and taylor (long double Taylor series), rk4,
+   gsl-rk4, rkf45, rk8pd, exact and linearised (a free top only). */
 int host_run(lua_State *L) {
   struct engine_scene s;
-  ph_options options;
-  double x[PH_STATES], u[3], t = 0;
+  ph_options options = {0};
+  double x[PH_STATES], t = 0;
   luaL_checktype(L, 2, LUA_TTABLE);
   lua_settop(L, 2);
   int status = engine_read(&s, L, 1);
-  if (status != PH_OK)
-    return engine_fail(&s, status);
+  if (status != PH_OK) {
+    engine_fail(&s, status);
+    lua_pushstring(L, status == PH_ERANGE ? "numbers" : "refused");
+    return 3;
+  }
+  struct motion m = {.s = &s};
   engine_get(L, 1, "q", 4, x, NULL);
   engine_get(L, 1, "w", 3, x + 4, NULL);
   engine_get(L, 1, "r", 3, x + 7, no_control);
   engine_get(L, 1, "v", 3, x + 10, no_control);
   engine_read_own(L, 1, &s.top, x);
-  engine_get(L, 2, "u", 3, u, no_control);
+  lua_getfield(L, 2, "u");
+  engine_course_read(L, lua_gettop(L), s.inputs, &m.course);
   option(L, 2, "t0", &t);
-  const double t0 = t, x0[7] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6]};
+  m.t0 = t;
+  memcpy(m.x0, x, sizeof m.x0);
   lua_getfield(L, 2, "method");
   const int linearised = strcmp(luaL_optstring(L, -1, ""), "linearised") == 0; /* from x0 */
   lua_pop(L, 1);
@@ -133,22 +198,26 @@ int host_run(lua_State *L) {
       status = ph_run_new(run, &s.top, &options, t, x);
   }
   if (status != PH_OK)
-    return fail_at(L, t, status);
+    return fail_at(L, t, status, 0);
+  m.run = *run;
+  m.step = options.step;
   lua_getfield(L, 2, "times");
   luaL_checktype(L, -1, LUA_TTABLE);
   const int n = (int)lua_rawlen(L, -1), times = lua_gettop(L);
   lua_createtable(L, n, 0);
   for (int i = 1; i <= n; i++) {
     lua_rawgeti(L, times, i);
-    t = luaL_checknumber(L, -1);
+    double end = luaL_checknumber(L, -1);
     lua_pop(L, 1);
-    status = linearised ? ph_top_linearised(&s.top, x0, t - t0, x) : ph_run_to(*run, t, u, x);
+    status = reach(&m, end, x);
+    if (status == PH_ERANGE || status == PH_ESTEP) /* not PH_ESTEPS, which takes its time */
+      end = first_failure(&m, t, end);
+    t = end;
     if (status == PH_OK)
       status = push_row(L, &s.top, t, x);
     if (status != PH_OK)
-      return fail_at(L, t, status);
+      return fail_at(L, t, status, status != PH_EMETHOD);
     lua_rawseti(L, times + 1, i);
-    interrupt_check(L);
   }
   ph_run_free(*run);
   *run = NULL;
@@ -161,6 +230,8 @@ int host_run(lua_State *L) {
 
 struct rates {
   ph_top top;
+  int inputs;
+  struct engine_inputs *input;
   double inverse[9]; /* |components| of the pseudo-inverse of the inertia tensor; see bound() */
   double spread[9];  /* |components| of the tensor, as a matrix; likewise */
 };
@@ -220,7 +291,7 @@ static int prepare(struct rates *r, const double D[6]) {
 }
 
 /* term[j] = largest term of component j of N - w x I w: every product of the formula on its own. */
-static void torque_terms(const struct rates *r, double t0, const double x[], const double u[3],
+static void torque_terms(const struct rates *r, double t0, const double x[], const double u[],
                          double term[3]) {
   const ph_top *top = &r->top;
   const double *w = x + 4;
@@ -254,7 +325,7 @@ static void torque_terms(const struct rates *r, double t0, const double x[], con
   engine_acts_torque(top, t0, x, term);
 }
 
-static void scales(const struct rates *r, double t, const double x[], const double u[3],
+static void scales(const struct rates *r, double t, const double x[], const double u[],
                    double scale[]) {
   /* which q multiplies wx, wy, wz in row i of q' = q (0, w) / 2 */
   static const int row[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
@@ -287,12 +358,14 @@ static int fail(lua_State *L, int status) {
 /* object:rates(t, x[, u]) -> dx, scale | nil, message */
 static int rates_rates(lua_State *L) {
   const struct rates *r = self(L);
-  double x[PH_STATES], u[3] = {0, 0, 0}, dx[PH_STATES], scale[PH_STATES];
+  double x[PH_STATES], dx[PH_STATES], scale[PH_STATES];
+  struct engine_course course;
   const int n = ph_top_states(&r->top);
   const double t = luaL_checknumber(L, 2);
   engine_list(L, 3, n, x);
-  if (!lua_isnoneornil(L, 4) && lua_rawlen(L, 4) > 0)
-    engine_list(L, 4, 3, u);
+  engine_course_read(L, 4, r->inputs, &course);
+  engine_course_segment(&course, t, t, r->input);
+  const double *u = r->input->base;
   const int status = ph_top_rates(&r->top, t, x, u, dx);
   if (status != PH_OK)
     return fail(L, status);
@@ -357,6 +430,8 @@ int host_rates(lua_State *L) {
   lua_pushvalue(L, 1); /* which keeps tables and programs */
   lua_setiuservalue(L, -2, 1);
   r->top = s.top;
+  r->inputs = s.inputs;
+  r->input = s.input;
   status = prepare(r, NULL);
   if (status != PH_OK)
     return fail(L, status);

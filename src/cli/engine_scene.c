@@ -111,6 +111,7 @@ static int read_effects(struct engine_scene *s, int index, struct effects *e) {
       status = engine_read_frame(s);
       break;
     default:
+      s->inputs = s->inputs < 3 ? 3 : s->inputs;
       e->controls++;
     }
     lua_pop(L, 1);
@@ -164,6 +165,15 @@ int engine_read(struct engine_scene *s, lua_State *L, int index) {
   s->L = L;
   s->index = lua_absindex(L, index);
   s->where = "body";
+  s->inputs = 0;
+  if (lua_getfield(L, s->index, "inputs") != LUA_TNIL)
+    s->inputs = (int)luaL_checkinteger(L, -1);
+  lua_pop(L, 1);
+  if (s->inputs > ENGINE_INPUTS)
+    return luaL_error(L, "scene: more than %d inputs", ENGINE_INPUTS);
+  s->input = lua_newuserdatauv(L, sizeof *s->input, 0);
+  *s->input = (struct engine_inputs){0};
+  engine_keep(s);
   lua_getfield(L, index, "body");
   int status = engine_read_body(s, &s->body);
   if (status != PH_OK)

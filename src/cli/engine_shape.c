@@ -3,7 +3,7 @@
  *
  * Beside the shapes with a fixed number of sizes there are
  * - points {list={{m,x,y,z}, ...}}
- * - tensor {mass=, com={3}, xx= ... yz=, about="com" or "origin"}
+ * - tensor {mass=, com={3}, xx= ... yz=, about="com" or "origin"}; formal: of no body, about com
  * - mesh {mass=, com={3}, sigma={6}}
  * - solid.tetrahedron, plate.triangle {vertices={{3}, ...}}, solid.parallelepiped {edges={{3},
  * ...}}
@@ -247,6 +247,8 @@ static int read_tensor(lua_State *L, ph_body *out) {
   lua_getfield(L, -1, "about");
   const int origin = strcmp(luaL_optstring(L, -1, "com"), "origin") == 0;
   lua_pop(L, 1);
+  if (engine_has(L, "formal"))
+    return ph_body_formal(out, mass, com, tensor);
   return origin ? ph_body_tensor_origin(out, mass, com, tensor)
                 : ph_body_tensor(out, mass, com, tensor);
 }

@@ -77,8 +77,73 @@ int host_read_file(lua_State *L, const char *path) {
   return 1;
 }
 
+/* Standard input as it was when it was first asked for: it can be read only once. */
+static int read_input(lua_State *L) {
+  static const char key[] = "polhode.stdin";
+  luaL_Buffer buffer;
+  size_t size = 0;
+  ssize_t n = 1;
+  if (lua_getfield(L, LUA_REGISTRYINDEX, key) == LUA_TSTRING)
+    return 1;
+  luaL_buffinit(L, &buffer);
+  while (n > 0 && size <= HOST_MAX_FILE) {
+    char *room = luaL_prepbuffer(&buffer);
+    do
+      n = read(STDIN_FILENO, room, LUAL_BUFFERSIZE);
+    while (n < 0 && errno == EINTR && interrupt_pending() == 0);
+    if (n < 0)
+      return fail(L, "standard input", strerror(errno));
+    luaL_addsize(&buffer, (size_t)n);
+    size += (size_t)n;
+  }
+  luaL_pushresult(&buffer);
+  if (size > HOST_MAX_FILE)
+    return fail(L, "standard input", "it is larger than 4 MiB");
+  lua_pushvalue(L, -1);
+  lua_setfield(L, LUA_REGISTRYINDEX, key);
+  return 1;
+}
+
 int host_read(lua_State *L) {
-  return host_read_file(L, luaL_checkstring(L, 1));
+  const char *path = luaL_checkstring(L, 1);
+  return strcmp(path, "-") == 0 ? read_input(L) : host_read_file(L, path);
+}
+
+/* The folder of this program's file, with `tail` behind it; 0 where nobody knows it. */
+static int beside_program(char out[PATH_MAX], const char *tail) {
+  const ssize_t n = readlink("/proc/self/exe", out, PATH_MAX - 1);
+  if (n <= 0)
+    return 0;
+  out[n] = '\0';
+  char *slash = strrchr(out, '/');
+  const size_t folder = slash != NULL ? (size_t)(slash - out) : 0;
+  if (slash == NULL || folder + strlen(tail) >= PATH_MAX)
+    return 0;
+  strcpy(slash, tail);
+  return 1;
+}
+
+int host_bodies(lua_State *L) {
+  static const char *const tails[] = {"/../share/polhode/bodies", "/../bodies"};
+  char path[PATH_MAX], real[PATH_MAX];
+  struct stat info;
+  const char *own = getenv("POLHODE_BODIES");
+  if (own != NULL && *own != '\0') {
+    lua_pushstring(L, own);
+    return 1;
+  }
+  for (size_t i = 0; i < sizeof tails / sizeof tails[0]; i++) {
+    if (beside_program(path, tails[i]) && realpath(path, real) != NULL && stat(real, &info) == 0 &&
+        S_ISDIR(info.st_mode)) {
+      lua_pushstring(L, real);
+      return 1;
+    }
+  }
+  if (stat("bodies", &info) == 0 && S_ISDIR(info.st_mode))
+    lua_pushliteral(L, "bodies");
+  else
+    lua_pushnil(L);
+  return 1;
 }
 
 /* Does the real path begin with that of the folder?  What does not exist leads nowhere. */

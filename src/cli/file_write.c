@@ -5,7 +5,8 @@
  * place; only when all are there are they renamed, and the old ones kept under a second name until
  * the last rename has succeeded.  A failure at any point puts everything back, directories that
  * were made included.  Signals wait meanwhile.  Files that did not change are not touched, so make
- * stays quiet. Memory: the job list is one Lua userdata, so nothing leaks when an error is raised.
+ * stays quiet. A file that is to go is renamed with the others and unlinked after the last of them.
+ * Memory: the job list is one Lua userdata, so nothing leaks when an error is raised.
  */
 #include "host.h"
 
@@ -21,7 +22,7 @@
 
 /* One file. Paths are "" until the thing they name exists on disk. */
 struct item {
-  const char *name, *text; /* Lua strings that stay on the caller's table */
+  const char *name, *text; /* Lua strings that stay on the caller's table; text NULL: to go */
   size_t size;
   char path[PATH_MAX], temporary[PATH_MAX], backup[PATH_MAX];
   int changed, renamed;
@@ -132,6 +133,10 @@ static int follow(struct job *job, struct item *item) {
 
 static int prepare(struct job *job, struct item *item) {
   struct stat info;
+  if (item->text == NULL) {
+    item->changed = lstat(item->path, &info) == 0 && S_ISREG(info.st_mode);
+    return 1;
+  }
   if (!follow(job, item))
     return 0;
   if (lstat(item->path, &info) == 0 && !S_ISREG(info.st_mode))
@@ -154,10 +159,31 @@ static int prepare(struct job *job, struct item *item) {
   return good || fail(job, item->path, strerror(error));
 }
 
+/* A file that is to go becomes its own backup. */
+static int retire(struct job *job, struct item *item) {
+  char name[PATH_MAX];
+  if (!beside(item->path, name))
+    return fail(job, item->path, strerror(errno));
+  const int fd = mkstemp(name);
+  if (fd < 0)
+    return fail(job, item->path, strerror(errno));
+  close(fd);
+  if (rename(item->path, name) != 0) {
+    const int error = errno;
+    unlink(name);
+    return fail(job, item->path, strerror(error));
+  }
+  memcpy(item->backup, name, sizeof name);
+  item->renamed = 1;
+  return 1;
+}
+
 static int commit(struct job *job, struct item *item) {
   char name[PATH_MAX];
   if (!item->changed)
     return 1;
+  if (item->text == NULL)
+    return retire(job, item);
   if (access(item->path, F_OK) == 0 && beside(item->path, name)) {
     /* mktemp's race is harmless: link() refuses a name that exists */
     const int fd = mkstemp(name);
@@ -191,13 +217,28 @@ static void undo(struct job *job) {
     rmdir(job->directory[--job->made]);
 }
 
+/* The old file goes, and with one that is gone for good the folders below dir that it leaves empty.
+ */
+static void finish(struct item *item, size_t dir) {
+  if (item->backup[0] != '\0')
+    unlink(item->backup);
+  for (char *slash; item->text == NULL && item->changed;) {
+    slash = strrchr(item->path, '/');
+    if (slash == NULL || (size_t)(slash - item->path) <= dir)
+      break;
+    *slash = '\0';
+    if (rmdir(item->path) != 0)
+      break;
+  }
+}
+
 /* All of it; on failure everything is as before and job->why says why. */
 static int perform(struct job *job, const char *dir) {
   int good = make_directories(job, dir);
   for (int i = 0; good && i < job->items; i++) {
     struct item *item = &job->item[i];
     const char *slash = strrchr(item->name, '/');
-    if (slash != NULL) {
+    if (slash != NULL && item->text != NULL) {
       char sub[PATH_MAX];
       snprintf(sub, sizeof sub, "%.*s", (int)(strlen(item->path) - strlen(slash)), item->path);
       good = make_directories(job, sub);
@@ -209,8 +250,7 @@ static int perform(struct job *job, const char *dir) {
   if (!good)
     undo(job);
   for (int i = 0; good && i < job->items; i++)
-    if (job->item[i].backup[0] != '\0')
-      unlink(job->item[i].backup);
+    finish(&job->item[i], strlen(dir));
   free(job->directory);
   job->directory = NULL;
   return good;
@@ -248,7 +288,8 @@ static struct job *new_job(lua_State *L, int items) {
   return job;
 }
 
-/* item i from {name=, text=} at the stack's top, popped. The strings live on in that table. */
+/* item i from {name=, text=} at the stack's top, popped; text false: it is to go. The strings live
+ * on in that table. */
 static void take_item(lua_State *L, struct job *job, int i, const char *dir) {
   struct item *item = &job->item[i];
   luaL_checktype(L, -1, LUA_TTABLE);
@@ -256,7 +297,9 @@ static void take_item(lua_State *L, struct job *job, int i, const char *dir) {
   lua_getfield(L, -2, "text");
   item->name = lua_tostring(L, -2);
   item->text = lua_tolstring(L, -1, &item->size);
-  if (lua_type(L, -2) != LUA_TSTRING || lua_type(L, -1) != LUA_TSTRING || !good_name(item->name))
+  const int gone = lua_isboolean(L, -1) && !lua_toboolean(L, -1);
+  if (lua_type(L, -2) != LUA_TSTRING || !(gone || lua_type(L, -1) == LUA_TSTRING) ||
+      !good_name(item->name))
     luaL_error(L, "write_files: entry %d is no {name=, text=} with a plain relative name", i + 1);
   for (int j = 0; j < i; j++)
     if (strcmp(job->item[j].name, item->name) == 0)

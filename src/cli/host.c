@@ -3,16 +3,21 @@
  *
  * Beside the functions of host.h it holds
  *     version    "0.1.0"
+ *     build      "0.1.0+1a2b3c4", with the commit that it was built from; the version alone outside
+ *                git
  *     templates  {["templates/body.h"] = text, ..., [1..n] = those names in order}
  *     safe       {assert =, ..., math = {...}, string = {...}, table = {...}}: all that a scene may
  * be given
  */
 #include "host.h"
 #include "script.h"
+#include "version.h"
 
 static const luaL_Reg functions[] = {
     {"read", host_read},
+    {"bodies", host_bodies},
     {"within", host_within},
+    {"sha256", host_sha256},
     {"list_dir", host_list_dir},
     {"write_files", host_write_files},
     {"write_file", host_write_file},
@@ -45,6 +50,8 @@ void host_push(lua_State *L) {
   luaL_newlib(L, functions);
   lua_pushliteral(L, POLHODE_VERSION);
   lua_setfield(L, -2, "version");
+  lua_pushliteral(L, POLHODE_BUILD);
+  lua_setfield(L, -2, "build");
   script_push_templates(L);
   lua_setfield(L, -2, "templates");
   script_load(L, "src/cli/safe.lua");

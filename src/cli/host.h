@@ -63,15 +63,22 @@ int host_read_file(lua_State *L, const char *path);
 /* Push the sorted names in a directory that end in `suffix`, return 1; or nil, message, 2. */
 int host_list_directory(lua_State *L, const char *path, const char *suffix);
 
-/* read(path) -> text | nil, message.  Regular files only. */
+/* read(path) -> text | nil, message.  Regular files only; "-" is standard input. */
 int host_read(lua_State *L);
+/* bodies() -> the folder of the scenes that go by name | nil: POLHODE_BODIES; beside the program
+   ../share/polhode/bodies (installed) or ../bodies (built in its sources); else ./bodies */
+int host_bodies(lua_State *L);
 /* within(folder, path) -> is it below the folder, all links followed? */
 int host_within(lua_State *L);
+/* sha256(text[, path...]) -> hexadecimal digits | nil, message.  Of the text and then of the files'
+ * bytes, as `cat` would join them; regular files of any size. */
+int host_sha256(lua_State *L);
 /* list_dir(path, suffix) -> {names} | nil, message.  Sorted by byte; names that begin with a dot
  * are left out. */
 int host_list_dir(lua_State *L);
 /* write_files(dir, {{name=, text=}, ...}) -> true, {names written} | nil, message.  All or nothing.
- */
+ * text = false: a file that is removed, and the folders that this leaves empty; it is among the
+ * names if it was there. */
 int host_write_files(lua_State *L);
 /* write_file(path, text) -> true | nil, message */
 int host_write_file(lua_State *L);

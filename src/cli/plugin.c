@@ -188,36 +188,69 @@ double plugin_steps(double span, double h) {
   return ceil(fabs(span) / h * (1 - 1e-12));
 }
 
-/* From *t to `end` in equal steps no longer than h; both directions; how many. */
+static int finite(int n, const double x[]) {
+  for (int i = 0; i < n; i++)
+    if (!isfinite(x[i]))
+      return 0;
+  return 1;
+}
+
+/* From *t to `end`, from break to break of the inputs' course, in equal steps no longer than h;
+ * both directions; how many. A step holds its inputs: on a line they are those of its middle.
+ * bad: NULL, or the state is looked at after every step, and the first that is not finite ends
+ * there. */
 static double advance(const struct plugin *p, const struct polhode_stepper *s, double *t,
-                      double end, double h, double x[], const double u[]) {
-  const double span = end - *t, start = *t;
-  const double n = plugin_steps(span, h);
-  for (double i = 0; i < n && !interrupt_pending(); i++)
-    s->step(p->model, start + span * (i / n), x, u, span / n);
-  *t = end;
-  return n;
+                      double end, double h, double x[], const struct engine_course *c,
+                      double *bad) {
+  struct engine_inputs in;
+  double u[ENGINE_INPUTS], all = 0;
+  do {
+    const double start = *t, next = engine_course_next(c, start, end), span = next - start;
+    const double n = plugin_steps(span, h);
+    engine_course_segment(c, start, next, &in);
+    for (double i = 0; i < n && !interrupt_pending(); i++) {
+      engine_inputs_at(&in, c->n, start + span * ((i + 0.5) / n), u);
+      s->step(p->model, start + span * (i / n), x, u, span / n);
+      if (bad != NULL && !finite(p->code->nx, x)) {
+        *bad = i + 1 < n ? start + span * ((i + 1) / n) : next;
+        return all + i + 1;
+      }
+    }
+    *t = next;
+    all += n;
+  } while (*t != end);
+  return all;
 }
 
 /* From *t to `end` in steps of the tolerance's choice; how many, -1 if the state became infinite or
  * the steps vanish. */
 static double adapt(const struct plugin *p, const struct polhode_stepper *s, double *t, double end,
-                    double tolerance, double x[], const double u[]) {
-  const int steps = s->run(p->model, *t, x, u, end, tolerance, 100000000);
-  *t = end;
-  return steps;
+                    double tolerance, double x[], const struct engine_course *c) {
+  struct engine_inputs in;
+  double u[ENGINE_INPUTS], all = 0;
+  do {
+    const double next = engine_course_next(c, *t, end);
+    engine_course_segment(c, *t, next, &in);
+    engine_inputs_at(&in, c->n, in.since, u);
+    const int steps = s->run(p->model, *t, x, u, next, tolerance, 100000000);
+    *t = next;
+    all = steps < 0 ? -1 : all + steps;
+  } while (all >= 0 && *t != end);
+  return all;
 }
 
-/* integrate(x0, u, h, times[, t0, method]) -> {{t, x...}, ...}, number of steps; by steps of h or a
- * little less so that times are hit; h = {tolerance}: by steps that the method chooses; nil if it
- * cannot */
+/* integrate(x0, course, h, times[, t0, method]) -> {{t, x...}, ...}, number of steps; by steps of h
+ * or a little less so that times are hit; h = {tolerance}: by steps that the method chooses; if it
+ * cannot, nil and the last of the times that it reached. Where a state is not finite, there is a
+ * third result, the end of the first step that led to one. */
 static int integrate(lua_State *L) {
   const struct plugin *p = plugin_ready(L);
   const int nx = p->code->nx;
-  double row[1 + MAX_STATES], u[MAX_STATES], *x = row + 1, h;
+  double row[1 + MAX_STATES], before[1 + MAX_STATES], *x = row + 1, h, bad = NAN;
+  struct engine_course course;
   const struct polhode_stepper *s = plugin_stepper(L, p, 7);
   engine_list(L, 2, nx, x);
-  plugin_optional(L, 3, p->code->nu, u);
+  engine_course_read(L, 3, p->code->nu, &course);
   const int adaptive = lua_istable(L, 4);
   if (adaptive)
     lua_rawgeti(L, 4, 1);
@@ -227,6 +260,7 @@ static int integrate(lua_State *L) {
   lua_pop(L, 1);
   luaL_argcheck(L, h > 0, 4, "step or tolerance must be positive");
   luaL_argcheck(L, !adaptive || s->run != NULL, 4, "this stepper has a fixed step");
+  luaL_argcheck(L, !adaptive || !course.linear, 3, "a step of its own choice holds its inputs");
   luaL_checktype(L, 5, LUA_TTABLE);
   row[0] = luaL_optnumber(L, 6, 0);
   const int n = (int)lua_rawlen(L, 5);
@@ -235,20 +269,30 @@ static int integrate(lua_State *L) {
   for (int i = 1; i <= n; i++) {
     lua_rawgeti(L, 5, i);
     const double end = luaL_checknumber(L, -1);
-    const double steps =
-        adaptive ? adapt(p, s, &row[0], end, h, x, u) : advance(p, s, &row[0], end, h, x, u);
+    memcpy(before, row, sizeof row);
+    const double steps = adaptive ? adapt(p, s, &row[0], end, h, x, &course)
+                                  : advance(p, s, &row[0], end, h, x, &course, NULL);
     lua_pop(L, 1);
     interrupt_check(L);
     all += steps;
     if (steps < 0) {
       lua_pushnil(L);
-      return 1;
+      lua_pushnumber(L, before[0]);
+      return 2;
+    }
+    if (isnan(bad) && !finite(nx, x)) {
+      bad = end;
+      if (!adaptive)
+        advance(p, s, &before[0], end, h, before + 1, &course, &bad);
     }
     engine_push(L, 1 + nx, row);
     lua_rawseti(L, -2, i);
   }
   lua_pushnumber(L, all);
-  return 2;
+  if (isnan(bad))
+    return 2;
+  lua_pushnumber(L, bad);
+  return 3;
 }
 
 /* energy(x) -> E */

@@ -262,8 +262,9 @@ static int push_compiled(lua_State *L, struct child *c) {
   } else {
     lua_pushnil(L);
     if (c->status < 0)
-      lua_pushfstring(L, "cannot run the C compiler %s: %s (set CC, or install the package gcc)",
-                      c->argv[0], strerror(c->error));
+      lua_pushfstring(
+          L, "cannot run the C compiler %s: %s (set CC, or install the packages gcc and libc6-dev)",
+          c->argv[0], strerror(c->error));
     else
       lua_pushlstring(L, c->output, c->size);
   }

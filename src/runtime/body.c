@@ -37,7 +37,15 @@ int body_store(ph_body *b, ph_wide mass, const double at[3], const ph_wide off[3
     b->second[i] = (double)second[i];
     b->tensor[i] = (double)tensor[i];
   }
+  b->formal = 0;
   return PH_OK;
+}
+
+/* The status of making out from bodies one of which is formal, or not. */
+static int inherit(ph_body *out, int status, int formal) {
+  if (status == PH_OK)
+    out->formal = formal;
+  return status;
 }
 
 /* Relative to the first particle everything is small: its difference to another one is exact in
@@ -70,6 +78,12 @@ static void clear_negative(ph_wide second[6]) {
   for (int k = 0; k < 3; k++)
     if (moment[k] < 0)
       wide_add_outer(second, -moment[k], axis[k]);
+}
+
+static int definite(const ph_wide tensor[6]) {
+  ph_wide moment[3], axis[3][3];
+  wide_eigen(tensor, moment, axis);
+  return moment[0] > 0;
 }
 
 static int from_tensor(ph_body *b, double mass, const double com[3], const double tensor[6],
@@ -108,6 +122,18 @@ int ph_body_tensor_origin(ph_body *b, double mass, const double com[3], const do
   return from_tensor(b, mass, com, tensor, 1);
 }
 
+int ph_body_formal(ph_body *b, double mass, const double com[3], const double tensor[6]) {
+  if (!wide_finite(1, &mass) || !wide_finite(3, com) || !wide_finite(6, tensor))
+    return PH_EFINITE;
+  const ph_wide zero[3] = {0, 0, 0};
+  ph_wide I[6], second[6];
+  wide_load(6, tensor, I);
+  if (!definite(I))
+    return PH_EPOSITIVE;
+  wide_second(I, second);
+  return inherit(b, body_store(b, (ph_wide)mass, com, zero, second, I), 1);
+}
+
 int ph_body_moments(ph_body *b, double mass, const double com[3], const double sigma[6]) {
   if (!wide_finite(1, &mass) || !wide_finite(3, com) || !wide_finite(6, sigma))
     return PH_EFINITE;
@@ -138,7 +164,7 @@ int ph_body_at(ph_body *out, const ph_body *in, const double d[3]) {
   }
   wide_load(6, in->second, second);
   wide_load(6, in->tensor, tensor);
-  return body_store(out, (ph_wide)in->mass, head, off, second, tensor);
+  return inherit(out, body_store(out, (ph_wide)in->mass, head, off, second, tensor), in->formal);
 }
 
 /* Both tensors are turned, though one follows from the other: see ph_body on which of them is
@@ -157,7 +183,8 @@ int ph_body_turned(ph_body *out, const ph_body *in, const double q[4]) {
   wide_load(6, in->tensor, tensor);
   wide_congruence(R, second, second);
   wide_congruence(R, tensor, tensor);
-  return body_store(out, (ph_wide)in->mass, origin, centre, second, tensor);
+  return inherit(out, body_store(out, (ph_wide)in->mass, origin, centre, second, tensor),
+                 in->formal);
 }
 
 /* A deformation acts on second moments (A S A^T), not on the tensor, which then follows by sums. */
@@ -174,7 +201,7 @@ int ph_body_scaled(ph_body *out, const ph_body *in, const double k[3]) {
   }
   wide_load(6, in->second, second);
   wide_congruence(A, second, second);
-  return body_store(out, (ph_wide)in->mass, origin, centre, second, NULL);
+  return inherit(out, body_store(out, (ph_wide)in->mass, origin, centre, second, NULL), in->formal);
 }
 
 /* The centre's coordinates are products of doubles and may cancel: a shear can bring a far body
@@ -201,7 +228,7 @@ int ph_body_affine(ph_body *out, const ph_body *in, const double A[9]) {
   wide_load(9, A, map);
   wide_load(6, in->second, second);
   wide_congruence(map, second, second);
-  return body_store(out, (ph_wide)in->mass, head, off, second, NULL);
+  return inherit(out, body_store(out, (ph_wide)in->mass, head, off, second, NULL), in->formal);
 }
 
 /* out = a + sign b. */
@@ -225,14 +252,15 @@ static int join(ph_body *out, const ph_body *a, const ph_body *b, int sign) {
   }
   /* A hole within a leaves non-negative second moments, up to the rounding of a's. Those that are
      zero for both (plates, rods) are zero in the difference, exactly. */
-  if (sign < 0) {
+  const int formal = a->formal || b->formal;
+  if (sign < 0 && !formal) {
     ph_wide moment[3], axis[3][3];
     wide_eigen(second, moment, axis);
     const ph_wide size = (ph_wide)a->second[XX] + (ph_wide)a->second[YY] + (ph_wide)a->second[ZZ];
     if (moment[0] < -8 * (ph_wide)DBL_EPSILON * size)
       return PH_EHOLE;
   }
-  return body_store(out, mass, a->com, off, second, tensor);
+  return inherit(out, body_store(out, mass, a->com, off, second, tensor), formal);
 }
 
 int ph_body_add(ph_body *out, const ph_body *a, const ph_body *b) {
@@ -247,5 +275,11 @@ int ph_body_check(const ph_body *b) {
   if (!wide_finite(1, &b->mass) || !wide_finite(3, b->com) || !wide_finite(3, b->com_tail) ||
       !wide_finite(6, b->second) || !wide_finite(6, b->tensor))
     return PH_EFINITE;
-  return b->mass > 0 ? ph_tensor_check(b->tensor) : PH_EMASS;
+  if (!(b->mass > 0))
+    return PH_EMASS;
+  if (!b->formal)
+    return ph_tensor_check(b->tensor);
+  ph_wide I[6];
+  wide_load(6, b->tensor, I);
+  return definite(I) ? PH_OK : PH_EPOSITIVE;
 }

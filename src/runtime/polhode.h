@@ -74,6 +74,7 @@ const char *ph_version(void);
    tensor only adds, tensor -> second cancels: a tensor given by the user comes back unchanged. */
 typedef struct ph_body {
   double mass, com[3], com_tail[3], second[6], tensor[6];
+  int formal; /* the tensor is of ph_body_formal */
 } ph_body;
 
 /* How much matter a shape has: its mass, or its density per volume, area or length. */
@@ -196,15 +197,14 @@ typedef struct ph_polynomial {
 int ph_region(ph_body *b, ph_amount a, const int order[3], const ph_polynomial limit[6],
               const ph_polynomial *density);
 
-/* n particles: masses m[i] > 0 at (r[3i], r[3i+1], r[3i+2]). Sums are taken relative to the first
- * particle. */
+/* n particles: masses m[i] > 0 at (r[3i], r[3i+1], r[3i+2]); sums are relative to the first. */
 int ph_body_points(ph_body *b, int n, const double m[], const double r[]);
-/* A body by its tensor about its centre of mass; it is checked as ph_body_check does. */
+/* A body by its tensor about its centre of mass, or about the origin of coordinates, where second
+   moments about com that its rounding makes negative are taken as zero; both are checked as
+   ph_body_check does. formal: any positive definite one about the centre, also of no body. */
 int ph_body_tensor(ph_body *b, double mass, const double com[3], const double tensor[6]);
-/* The same with the tensor about the origin of coordinates; second moments about com that its
-   rounding makes negative are taken as zero. */
 int ph_body_tensor_origin(ph_body *b, double mass, const double com[3], const double tensor[6]);
-
+int ph_body_formal(ph_body *b, double mass, const double com[3], const double tensor[6]);
 /* A body by its second moments per unit mass about its centre of mass (xx yy zz xy xz yz, m2), as a
    mesh has them: PH_EPOSITIVE if one about some axis is negative by more than rounding. */
 int ph_body_moments(ph_body *b, double mass, const double com[3], const double sigma[6]);
@@ -222,7 +222,7 @@ int ph_body_add(ph_body *out, const ph_body *a, const ph_body *b);
 int ph_body_subtract(ph_body *out, const ph_body *a, const ph_body *hole);
 
 /* Is this a body that can exist? PH_EFINITE; PH_EMASS: mass > 0; PH_EPOSITIVE: principal moments >=
-   0; PH_ETRIANGLE: I3 <= I1 + I2, the last two up to 8 units of rounding of the largest. */
+   0; PH_ETRIANGLE: I3 <= I1 + I2, both up to 8 units of rounding of the largest (formal: > 0). */
 int ph_body_check(const ph_body *b);
 
 /* ---- meshes ---- */

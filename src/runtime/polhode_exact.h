@@ -52,12 +52,12 @@ int ph_free_top_flip(const ph_free_top *f, double t, double *when);
 /* ---- the free top, linearised ---- */
 
 /* The small-oscillation state at time t after x0: the spin w about the nearest principal axis is
-   kept, the transverse rates, e w at first, oscillate or grow (ph_top_stability). The rates are
-   wrong by O(e^2) w and a phase that runs away by O(e^2) of a turn each period; exact for a
-   symmetric top about its axis, a sphere, a pure spin. Attitude: x0's, a turn w t about the axis,
-   and a tilt of first order, found from L being fixed in space; wrong by O(tilt^2) and by
-   O(e^2) w t about the axis; exact for a rod about its line and a pure spin. x may be x0.
-   PH_EMETHOD if an effect is switched on; PH_EFINITE, PH_EQUATERNION, PH_ERANGE. */
+   kept, the transverse rates, e w at first, oscillate or grow (ph_top_stability). Rates and
+   attitude are exact for a symmetric top about its axis, a rod about its line, a sphere, a pure
+   spin, at any amplitude. Else the rates are wrong by O(e^2) w and a phase that runs away by O(e^2)
+   of a turn each period, and so is the attitude, by O(e^2) w t about the axis; L, made of these
+   rates, keeps its direction in space. x may be x0. PH_EMETHOD if an effect is switched on;
+   PH_EFINITE, PH_EQUATERNION, PH_ERANGE. */
 int ph_top_linearised(const ph_top *top, const double x0[7], double t, double x[7]);
 
 /* ---- elliptic integrals and functions ---- */

@@ -176,7 +176,7 @@ return scene { name = "huge", body = tensor { mass = 1e37, xx = 1e41, yy = 1.1e4
 end
 
 for arguments, want in pairs { -- any order
-  ["box.lua --method magic"] = "--method: there are exact, rk4",
+  ["box.lua --method magic"] = "--method must be some of exact, rk4",
   ["box.lua --method rk4,rk4"] = "twice",
   ["box.lua --accuracy 0"] = "between 0 and 1",
   ["box.lua --accuracy 1"] = "between 0 and 1",
@@ -185,7 +185,7 @@ for arguments, want in pairs { -- any order
   ["box.lua --format svg"] = "--format must be",
   ["box.lua --fast"] = "no option --fast",
   ["box.lua bad.lua"] = "too many operands",
-  [""] = "a scene file or name is missing",
+  [""] = "SCENE is missing",
 } do
   status, _, err = run(arguments ~= "" and dir .. "/" .. arguments or "")
   tap.is(status, 2, "refused: bench " .. arguments)

@@ -175,6 +175,7 @@ for _, case in ipairs {
   { "bodies/brick_centroid.lua --over a=2:1,b=1:2", "LOW must be less than HIGH, got a=2:1" },
   { "bodies/brick_centroid.lua --over a=1:1,b=1:2", "LOW must be less than HIGH" },
   { "bodies/brick_centroid.lua --over a=1:x,b=1:2", "--over must be NAME=LOW:HIGH" },
+  { "bodies/brick_centroid.lua --over a=1:1e400,b=1:2", "the range must be within that of double, got a=1:1e400" },
   { "bodies/brick_centroid.lua --over a=1:2,b=1:2 --axis q", "--axis must be" },
   { "bodies/brick.lua --over a=1:2,b=1:2", "no simple closed form" },
   { "bodies/cube_corner.lua --over a=1:2,M=1:2 --axis x", "no principal axis" },

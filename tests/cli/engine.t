@@ -214,7 +214,7 @@ says("a stepper is found by its name, and one with a tolerance chooses its steps
   say(rows[2][2] == math.exp(-1) * math.exp(-1), rows[2][3])
   say(p:integrate({ 1, 0 }, { 0 }, { 1e-9 }, { 1, 200 }, 0, "exact"))
   say(pcall(p.integrate, p, { 1, 0 }, { 0 }, { 1e-9 }, { 1 }))]],
-  "0.5 false plugin: there is no stepper heun in it\ntrue 2.0\nnil\n" ..
+  "0.5 false plugin: there is no stepper heun in it\ntrue 2.0\nnil 1.0\n" ..
   "false bad argument #4 to '?' (this stepper has a fixed step)\n")
 says("solve says whether there is an orbit, at follows it", BUILD .. [[
   local p = build(all)

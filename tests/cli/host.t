@@ -93,6 +93,24 @@ prints("a file that is replaced keeps its mode",
 tap.ok(shell("test -x made/deep/b.c"), "an executable stays one")
 tap.ok(shell("test -z \"$(find . -name '.polhode*')\""), "no temporary is left")
 
+shell("mkdir -p go/ne/far go/on && touch go/a.c go/b.c go/ne/far/c.c go/on/d.c go/on/e.c")
+prints("text = false removes a file, and the folders that it leaves empty", [[
+  local ok, names = host.write_files(args[1] .. "/go", { { name = "a.c", text = false },
+    { name = "no/such.c", text = false }, { name = "ne/far/c.c", text = false }, { name = "on/d.c", text = false } })
+  say(ok, table.concat(names, " "))]], "true a.c ne/far/c.c on/d.c\n")
+tap.ok(shell("test \"$(cd go && find . | LC_ALL=C sort | tr '\\n' ' ')\" = '. ./b.c ./on ./on/e.c '"),
+  "what was not named stays, and its folder; none is made for a file that is not there")
+shell("mkdir -p go/c.c && ln -s b.c go/l.c")
+prints("neither a folder nor a link is removed", [[
+  local ok, names = host.write_files(args[1] .. "/go", { { name = "c.c", text = false }, { name = "l.c",
+    text = false } })
+  say(ok, #names)]], "true 0\n")
+tap.ok(shell("test -d go/c.c && test -h go/l.c && test -f go/b.c"), "they are there")
+prints("when another file cannot be written, none is removed", [[
+  say(host.write_files(args[1] .. "/go", { { name = "b.c", text = false }, { name = "c.c", text = "x" } }))]],
+  "nil cannot write " .. dir .. "/go/c.c: it is a directory\n")
+tap.ok(shell("test -f go/b.c"), "it is there")
+
 shell("mkdir -p bad/c.c && printf old > bad/a.c")
 prints("one target that cannot be written fails the whole set", [[
   say(host.write_files(args[1] .. "/bad", { { name = "a.c", text = "new" }, { name = "b.c", text = "b" },
@@ -175,7 +193,8 @@ prints("what the compiler says comes back", [[
   "nil true\n")
 prints("a compiler that is not there is named, with the way out", [[
   say(host.compile(args[1], { "wrong.c" }, "wrong", { cc = "no-such-cc -x" }))]],
-  "nil cannot run the C compiler no-such-cc: No such file or directory (set CC, or install the package gcc)\n")
+  "nil cannot run the C compiler no-such-cc: No such file or directory (set CC, or install the packages gcc and " ..
+    "libc6-dev)\n")
 do
   local _, out = program.run_with("CC='gcc -DX=1'", "", "say(host.compile(args[1], { 'good file.c' }, 'good'))", dir)
   tap.like(out, "true gcc -DX=1 -o good good file.c", "CC may hold flags, and the command line comes back")

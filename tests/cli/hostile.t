@@ -7,11 +7,13 @@
 -- accepted, and then what was emitted compiles without a warning and no text of the scene is code in it.
 -- The bounds count instructions, so a slow machine is given more seconds: as many times 2 s as it needs longer than
 -- 0.5 s for the endless loop, which is 5e7 instructions (0.2 to 0.4 s where this was written).
+-- The quick tier makes every eighth attempt of a list.
 -- POLHODE_HOSTILE=FILE refreshes the table of that page (docs/sandbox.md).
 
 package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local program = require "tests.cli.program"
 
 local dir = program.directory()
@@ -80,11 +82,19 @@ end
 
 local worst, slowness, rows = { seconds = 0, mib = 0 }, 1, {}
 
-local function attempt(about, row)
+local function measure_slowness()
+  if not sanitized then slowness = math.max(slowness, run({ "", "while true do end" }).seconds / 0.5) end
+end
+
+local function attempt(about, row, again)
   local want = row[3]
   if want == nil then want = row[2] end -- a name or a file is the row's other field
   local r = run(row)
   local within = sanitized or r.seconds <= MOST * slowness and r.mib <= MIB
+  if not within and not again then -- the machine may be busier than it was
+    measure_slowness()
+    return attempt(about, row, true)
+  end
   local ended
   if want == true then
     ended = r.how == "exit" and r.status == 0 and r.out == "" and harmless(r.place)
@@ -106,14 +116,13 @@ local function attempt(about, row)
   return r
 end
 
-if not sanitized then
-  slowness = math.max(1, run({ "", "while true do end" }).seconds / 0.5)
-end
+measure_slowness()
 for _, name in ipairs { "words", "bombs", "algebra", "names", "files" } do
   local list = require("tests.cli.hostile." .. name)
-  for _, row in ipairs(list) do attempt(list.about, row) end
+  for _, row in ipairs(tier.every(8, list)) do attempt(list.about, row) end
 end
-tap.ok(program.shell("test ! -e INJECTED") == 0 and #rows >= 60, #rows .. " attempts, none of which made a file")
+tap.ok(program.shell("test ! -e INJECTED") == 0 and #rows >= (tier.quick and 10 or 60),
+  #rows .. " attempts, none of which made a file")
 tap.diag(string.format("worst: %.2f s, %.1f MiB", worst.seconds, worst.mib))
 
 local page = os.getenv "POLHODE_HOSTILE"

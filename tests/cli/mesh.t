@@ -118,11 +118,11 @@ end
 
 do -- the command line
   for _, case in ipairs {
-    { "", "polhode mesh: a scene file or name is missing" },
+    { "", "polhode mesh: FILE is missing" },
     { "nothere.stl", "polhode: cannot read nothere.stl: No such file or directory" },
     { dir, "polhode: cannot read " .. dir .. ": it is not a regular file" },
     { "/dev/zero", "polhode: cannot read /dev/zero: it is not a regular file" },
-    { brick .. " --kind solid", "polhode mesh: --kind must be volume or surface or wires, got solid" },
+    { brick .. " --kind solid", "polhode mesh: --kind must be volume, surface or wires, got solid" },
     { brick .. " --units kg", 'polhode mesh: --units: must be in m or a unit of its kind, got "kg"' },
     { brick .. " --units ell", 'polhode mesh: --units: unknown unit "ell"' },
     { brick .. " --mass 1 --density 1", "polhode mesh: --mass and --density exclude each other" },
@@ -134,7 +134,8 @@ do -- the command line
       'polhode mesh: --density must be in kg/m or a unit of its kind, got "kg/m^2"' },
   } do
     local status, out, err = run(case[1])
-    tap.ok(status == 2 and out == "" and err:sub(1, #case[2] + 1) == case[2] .. "\n",
+    local hint = case[2]:find "^polhode mesh" and " (polhode help mesh)\n" or "\n"
+    tap.ok(status == 2 and out == "" and err == case[2] .. hint,
       "status 2: " .. case[2]:gsub(dir, "DIR"), err)
   end
 end

@@ -127,7 +127,8 @@ do
     read = function() return BOOK end, visible = function(f) return f end,
     safe = {}, sandbox = function(s, name, env) return pcall(assert(load(s, name, "t", env))) end,
   }, "s.lua", { set = { widht = "1" } })
-  tap.ok(job == nil and why == "--set widht: the scene has no such parameter", "--set of no parameter is refused", why)
+  tap.ok(job == nil and why == "--set widht: the scene has no such parameter (it has width, M, n); did you mean width?",
+    "--set of no parameter is refused", why)
 end
 do
   local _, job = model [[
@@ -318,6 +319,15 @@ for _, case in ipairs { { "90", true }, { "-45", true }, { "6.3", true }, { "6.2
   tap.is(w and w.message or "", case[2] and "turned: angle is in radians and " .. case[1] .. " looks like degrees: " ..
     "write quantity(" .. case[1] .. ", \"deg\") or quantity(" .. case[1] .. ", \"rad\")" or "",
     "an angle of " .. case[1] .. (case[2] and " is questioned" or " is not questioned"))
+end
+-- a scene's own globals are Lua's: made anywhere, read back, also as nil
+do
+  local job = scene.read('a = 0.2\nlocal function f() b = a n = nil end f() if n == nil then a = a + b end\n' ..
+    '_ENV.c = pi == nil and 1 or 3 t = nil local gone = t\n' ..
+    'return scene { name = "s", body = solid.box { x = a, y = b, z = c, mass = 1 } }')
+  local box = job and job.record.body.a
+  tap.ok(box and box.x.value == R.parse "0.4" and box.y.value == R.parse "0.2" and box.z.value == R.parse "3",
+    "globals of the scene's own")
 end
 do
   local _, job = body(BOX, "effects = { effect.gravity{}, effect.damping { rate = 0.1 }, " ..

@@ -18,7 +18,8 @@ local units = require "generator.dsl.units"
 
 for _, case in ipairs {
   { "m", "1" }, { "km", "1000" }, { "cm", "0.01" }, { "mm", "0.001" }, { "um", "1e-6" }, { "nm", "1e-9" },
-  { "pm", "1e-12" }, { "in", "0.0254" }, { "ft", "0.3048" }, { "au", "149597870700" }, { "kg", "1" }, { "g", "0.001" },
+  { "pm", "1e-12" }, { "angstrom", "1e-10" }, { "in", "0.0254" }, { "ft", "0.3048" }, { "au", "149597870700" },
+  { "kg", "1" }, { "g", "0.001" },
   { "mg", "1e-6" }, { "t", "1000" }, { "lb", "0.45359237" }, { "oz", "0.028349523125" }, { "s", "1" },
   { "ms", "0.001" },
   { "min", "60" }, { "h", "3600" }, { "day", "86400" }, { "N", "1" }, { "lbf", "4.4482216152605" }, { "J", "1" },
@@ -86,8 +87,9 @@ tap.is(units.si(units.torque), "kg m^2/s^2", "the SI unit of a torque")
 -- ---- what is no unit ----
 
 for _, case in ipairs {
-  { "furlong", "unknown unit \"furlong\"" }, { "kg parsec", "unknown unit \"parsec\"" }, { "M", "unknown unit \"M\"" },
-  { "KG", "unknown unit \"KG\"" }, { "m^", "unknown unit \"^\"" }, { "m^2.5", "unknown unit \".5\"" },
+  { "furlong", "unknown unit \"furlong\"" }, { "kg parsec", "unknown unit \"parsec\"" },
+  { "M", "unknown unit \"M\" (write \"m\")" }, { "KG", "unknown unit \"KG\" (write \"kg\")" },
+  { "m^", "unknown unit \"^\"" }, { "m^2.5", "unknown unit \".5\"" },
   { "m/", "unknown unit \"\"" }, { "/", "unknown unit \"\"" }, { "m//s", "unknown unit \"/s\"" },
   { "2 m", "unknown unit \"2 m\"" }, { "m-1", "unknown unit \"-1\"" },
   { "m^21", "an exponent in \"m^21\" is too large" },
@@ -96,6 +98,20 @@ for _, case in ipairs {
 } do
   local factor, why = units.parse(case[1])
   tap.ok(factor == nil and why == case[2], "'" .. case[1] .. "': " .. case[2], tostring(why))
+end
+
+-- What was meant.  The right column is itself a unit.
+for _, case in ipairs { { "meter", "m" }, { "metres", "m" }, { "Kilogram", "kg" }, { "kilogrammes", "kg" },
+  { "second", "s" }, { "secs", "s" }, { "Newton", "N" }, { "degrees", "deg" }, { "millimeters", "mm" },
+  { "micrometre", "um" },
+  { "hz", "Hz" },
+  { "RPM", "rpm" }, { "Nm", "N m" }, { "kgm", "kg m" }, { "lbs", "lb" }, { "Ns", "N s" }, { "inches", "in" },
+  { "feet", "ft" },
+  { "Tesla", "T" }, { "hours", "h" }, { "amu", "u" }, { "Angstrom", "angstrom" }, { "rads", "rad" }, { "MM", "mm" },
+  { "kilonewton", "kN" }, { "uN" }, { "sm" } } do
+  local factor, why = units.parse(case[1])
+  local want = "unknown unit \"" .. case[1] .. "\"" .. (case[2] and " (write \"" .. case[2] .. "\")" or "")
+  tap.ok(factor == nil and why == want and (not case[2] or units.parse(case[2])), want, tostring(why))
 end
 
 -- Every listed unit reads back to itself.

@@ -7,11 +7,13 @@
 -- the moments themselves, exact rationals from the body's tensor, or, where a root stands in them, numbers of 600 bits;
 -- conditions, verdicts and texts must agree with it at random parameters.  The emitted predicate is driven with
 -- parameters a few ulp on either side of the boundary; its oracle is the sign of a rational number.
+-- The quick tier takes fewer parameters, in double.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local scene = require "tests.scene"
 local compiled = require "tests.ir.compiled"
 local R = require "generator.algebra.rational"
@@ -133,7 +135,7 @@ for _, b in ipairs(bodies) do
   local job = assert(scene.body(b[1], b[2], b[3]))
   local s = stability.of(job.model)
   local wrong, texts_wrong, met = {}, {}, {}
-  for n = 1, 64 do
+  for n = 1, 64, tier.quick and 7 or 1 do
     local env = {}
     for _, p in ipairs(job.model.params) do env[p.name] = scene.rational() end
     if n % 4 == 0 and env.a and env.b then env.b = env.a end -- equal edges are met too
@@ -266,11 +268,12 @@ end
 
 local random = require "tests.ir.random"
 random.seed(7)
+local STRIDE = tier.quick and 6 or 1
 local function uniform() return random.int(2 ^ 30) / 2.0 ^ 30 + random.int(2 ^ 30) / 2.0 ^ 61 end
 
-for _, real in ipairs { "double", "float" } do
+for _, real in ipairs(tier.every(2, { "double", "float" })) do
   local points = {}
-  for n = 1, 60 do
+  for n = 1, 60, STRIDE do
     local r = rounded((0.1 + uniform()) * (real == "float" and 1 or 10.0 ^ (n - 30)), real)
     local h = rounded(math.sqrt(3) * r, real)
     for k = -2, 2 do points[#points + 1] = { 1.5, r, step(h, k, real) } end
@@ -278,7 +281,7 @@ for _, real in ipairs { "double", "float" } do
   compare("cylinder, h = sqrt(3) r", assert(scene.body("solid.cylinder { r = r, h = h, mass = M }", { "M", "r", "h" })),
     points, real)
   points = {}
-  for _ = 1, 40 do
+  for _ = 1, 40, STRIDE do
     local a, c = rounded(uniform() + 0.1, real), rounded(uniform() + 0.1, real)
     for k = -1, 1 do points[#points + 1] = { 2.5, a, step(a, k, real), c } end
     points[#points + 1] = { 2.5, a, a, a }
@@ -286,8 +289,9 @@ for _, real in ipairs { "double", "float" } do
   compare("box, a = b", assert(scene.body("solid.box { x = a, y = b, z = c, mass = M }", { "M", "a", "b", "c" })),
     points,
     real)
+  if tier.quick then goto continue end
   points = {}
-  for _ = 1, 60 do
+  for _ = 1, 60, STRIDE do
     local r1, dr = rounded(uniform() + 0.1, real), uniform() + 0.1
     local r2 = rounded(r1 + dr, real)
     local h = rounded(math.sqrt(3 * (r1 * r1 + r2 * r2)), real)
@@ -296,7 +300,7 @@ for _, real in ipairs { "double", "float" } do
   compare("tube, h^2 = 3 (r1^2 + r2^2)", assert(scene.body("solid.tube { r_in = ra, r_out = rb, h = h, mass = M }",
     { "M", "ra", "rb", "h" })), points, real)
   points = {}
-  for _ = 1, 60 do -- M h^2 + 13 Mb h^2 = 3 r^2 (M + Mb): degree 3, three columns of factors
+  for _ = 1, 60, STRIDE do -- M h^2 + 13 Mb h^2 = 3 r^2 (M + Mb): degree 3, three columns of factors
     local m1, m2, r = rounded(uniform() + 0.1, real), rounded(uniform() + 0.1, real), rounded(uniform() + 0.1, real)
     local h = rounded(r * math.sqrt(3 * (m1 + m2) / (m1 + 13 * m2)), real)
     for k = -2, 2 do points[#points + 1] = { m1, m2, r, step(h, k, real) } end
@@ -306,20 +310,21 @@ for _, real in ipairs { "double", "float" } do
       "h" })),
     points, real)
   points = {}
-  for _ = 1, 60 do -- numbers of the scene that are not doubles: 0.1 and 1/3 are meant exactly
+  for _ = 1, 60, STRIDE do -- numbers of the scene that are not doubles: 0.1 and 1/3 are meant exactly
     local r = rounded(uniform() / 8 + 0.1, real)
     local h = rounded(math.sqrt(3 * (r * r + 0.01)), real)
     for k = -2, 2 do points[#points + 1] = { r, step(h, k, real) } end
   end
   compare("tube with a bore of 0.1", assert(scene.body("solid.tube { r_in = 0.1, r_out = r, h = h, mass = 1 }",
     { "r", "h" })), points, real)
+  ::continue::
 end
 
 do -- turned about an axis: a block; the third axis and the two of the plane
   local job = assert(scene.body("solid.box { x = a, y = b, z = c, mass = M } + points { {Mb, u, v, 0} }",
     { "M", "Mb", "a", "b", "c", "u", "v" }))
   local points = {}
-  for n = 1, 80 do
+  for n = 1, 80, STRIDE do
     local p = {}
     for i = 1, 7 do p[i] = uniform() + 0.1 end
     if n % 2 == 0 then p[2] = p[2] / 64 end

@@ -12,7 +12,7 @@ local vec = require "generator.algebra.vec"
 local effects = require "generator.effects.list"
 
 -- A driven wheel about z, whose inertia J is not the body's: its angular momentum J s, its speed s' = drive/J.
-table.insert(effects, { name = "effect.flywheel", about = "for this test",
+table.insert(effects, { name = "effect.flywheel", about = "for this test", formula = "J s' = drive",
   args = { { name = "drive", dim = "torque" }, { name = "J", dim = "inertia" } },
   states = function()
     return { { name = "speed", initial = expr.lift(3), unit = "rad/s", about = "speed of the wheel" } }

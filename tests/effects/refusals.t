@@ -22,14 +22,14 @@ local cases = { -- the line, what its message must say after file and line
   { "effect.torque { inertial = { {{k, 0}, {2, 0}}, 0, 0 } }",
     "effect.torque: inertial[1][1], its time, must be in s, got k = 2 kg m^2/s^2" },
   { "effect.torque { inertial = { {{0, t}, {2, 0}}, 0, 0 } }",
-    "effect.torque: inertial[1][1], its value, must not depend on time or states, got t" },
+    "effect.torque: inertial[1][1], its value, must not depend on time, states or inputs, got t" },
   { "effect.torque { inertial = { {{0, k}}, 0, 0 } }", "must be a number, an expression, or a table of 2 to 100 rows" },
   { "effect.torque { inertial = { {{0, 1, 2}, {1, 2}}, 0, 0 } }", "inertial[1][1] must be a row {t, value}" },
   { "effect.torque { body = {1, 2} }", "effect.torque: body must be a list of 3 numbers, expressions or tables" },
   { "effect.torque { body = {0, 0, 0}, inertial = {0, 0, 0} }", "effect.torque: give body or inertial, one of them" },
   { "effect.drag { c = -1 }", "effect.drag: c must not be negative, got -1" },
   { "effect.drag { c = k }", "effect.drag: c must be in kg m^2, got k = 2 kg m^2/s^2" },
-  { "effect.drag { c = t }", "effect.drag: c must not depend on time or states, got t" },
+  { "effect.gravity { g = t }", "effect.gravity: g must not depend on time, states or inputs, got t" },
   { "effect.drag { }", "effect.drag: c is missing" },
   { "effect.friction { torque = 1 }", "effect.friction: smoothing is missing" },
   { "effect.friction { torque = 1, smoothing = 0 }", "effect.friction: smoothing must be positive, got 0" },
@@ -73,7 +73,7 @@ local cases = { -- the line, what its message must say after file and line
   { "effect.pivot { }", "effect.pivot: give acceleration, or amplitude and rate, one of them" },
   { "effect.pivot { amplitude = k, rate = 1 }", "effect.pivot: amplitude must be in m, got k" },
   { "effect.pivot { acceleration = { 2*wx, 0, 0 } }",
-    "effect.pivot: acceleration[1] must depend on time only, got wx" },
+    "effect.pivot: acceleration[1] must depend on time and inputs only, got wx" },
   { "effect.pivot { acceleration = { q, 0, 0 } }", "effect.pivot: acceleration[1] must be in m/s^2, got q = 2 m" },
   { "effect.inertia_rate { xx = k*t }", "effect.inertia_rate: xx must be in kg m^2, got k*t" },
   { "effect.inertia_rate { zz = 2*wz }", "effect.inertia_rate: zz must depend on time only, got wz" },
@@ -151,7 +151,7 @@ end
 local job, why = scene.read(
   "return scene { name = \"s\",\n body = solid.box { x = 1 + t, y = 2, z = 3, mass = 4 } }\n")
 tap.ok(job == nil, "a size that depends on time is refused")
-tap.like(why, "test.lua:2: box: x must not depend on time or states", "with the rule")
+tap.like(why, "test.lua:2: box: x must not depend on time, states or inputs", "with the rule")
 
 -- A parameter of the scene may not have the name of a state that an effect brings.
 job, why = scene.read("local p = param(\"phi\", 1, \"rad\")\nreturn scene { name = \"s\",\n" ..

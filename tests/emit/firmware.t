@@ -47,9 +47,9 @@ for _, c in ipairs { { firmware.probe, "/probe.lua", 1 / 4096 }, { "bodies/noddi
     tap.is(n, 256, name .. ": a line for each of the 256 readings")
     -- The table: readings less the true rates are noise of 4 bits, rounded to a bit: over their variance, chi-square
     -- with 768 degrees of freedom, variance 2 768; their mean has a standard deviation of 4/sqrt(768) bits.
-    local bit = tonumber((program.read(folder .. "/config.h"):match "#define APP_GYRO_LSB ([%d.e-]+)"))
+    local bit = tonumber((program.read(folder .. "/derived.h"):match "#define APP_GYRO_LSB ([%d.e-]+)"))
     local count, chi, mean = 0, 0, 0
-    for x, y, z in program.read(folder .. "/gyro.c"):gmatch "{(%-?%d+), (%-?%d+), (%-?%d+)}" do
+    for x, y, z in program.read(folder .. "/readings.c"):gmatch "{(%-?%d+), (%-?%d+), (%-?%d+)}" do
       count = count + 1
       for i, raw in ipairs { x, y, z } do
         local d = tonumber(raw) - truth[count][4 + i] / bit
@@ -105,9 +105,9 @@ end
 do
   local folder = dir .. "/probeprojectfirmware"
   local config = program.read(folder .. "/config.h")
-  local value = config:match "#define APP_GYRO_VARIANCE (%S+)"
-  program.write(folder .. "/config.h", (config:gsub("#define APP_GYRO_VARIANCE %S+", "#define APP_GYRO_VARIANCE (" ..
-    value .. "/16)")))
+  local value = program.read(folder .. "/derived.h"):match "#define APP_GYRO_VARIANCE (%S+)"
+  program.write(folder .. "/config.h", (config:gsub("#include \"derived.h\"", "#define APP_GYRO_VARIANCE (" ..
+    value .. "/16)\n%0")))
   local lines = firmware.read((firmware.run(folder, "make -s host")))
   tap.ok(innovations(lines, 1, 256) > 3 * 256 + 4 * math.sqrt(6 * 256),
     "with a noise that is four times too small the innovations are too large: the test can fail")
@@ -144,6 +144,24 @@ do
   tap.ok(ok, "and the program goes on")
   local lines = firmware.read(text:match "APP_INJECT=3\n(.*)")
   tap.is(lines.E[1][1], (128 + 3) * 16, "the stuck gyro is found with the fourth equal reading")
+end
+
+-- A control law of the user's: a sphere of 1 kg m^2 under a torque of 1/4 N m about z, from rest.  With the step a
+-- power
+-- of two every rate is exact: w_z = t/4.  Another gen leaves it where it is.
+do
+  local sphere = [[return scene { name = "held", body = solid.sphere { r = 1, mass = exact("5/2") },
+    effects = { effect.control {} }, initial = { omega = { 0, 0, 0 } }, time = { horizon = 1,
+      step = exact("1/256") } }]]
+  local folder = assert(firmware.make(dir, sphere, "--project firmware"))
+  local law = program.read(folder .. "/control.c")
+  program.write(folder .. "/control.c", (law:gsub("u%[i%] = 0;", "u[i] = i == 2 ? 0.25f : 0.0f;")))
+  firmware.make(dir, sphere, "--project firmware")
+  local text, ok = firmware.run(folder, "make -s host-predict CYCLES=256 EVERY=64")
+  local lines = firmware.read(text)
+  local last = ok and lines.S[#lines.S] or {}
+  tap.ok(#lines.S == 5 and last[1] == 256 and last[8] == 0.25 and last[6] == 0 and #lines.E == 0,
+    "a control law in control.c is what turns the body", text)
 end
 
 -- A clock too fast for the 24 bits of SysTick (steps of 1/4096 s, so beyond 2^36 Hz) is refused, with more ticks not.

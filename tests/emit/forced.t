@@ -12,6 +12,7 @@ package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local program = require "tests.cli.program"
 local scene = require "tests.scene"
 local R = require "generator.algebra.rational"
@@ -180,7 +181,7 @@ end
 local compilers = { "gcc -std=c11 -O2 -ffp-contract=off", "gcc -std=c11 -O3 -march=native -ffp-contract=fast",
   "clang -std=c11 -O1" }
 
-for number, c in ipairs(cases) do
+for number, c in ipairs(tier.every(5, cases)) do
   for _, real in ipairs(c.double_only and { "double" } or { "double", "float" }) do
     local folder = string.format("%s/%d%s", dir, number, real)
     local rows, expected = header(c, real)

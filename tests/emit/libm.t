@@ -4,11 +4,13 @@
 --
 -- The oracle is MPFR (tests/emit/libm.c, which prints the worst error found of each function), for exact operations the
 -- C library.
+-- The quick tier takes a part of its cases.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local program = require "tests.cli.program"
 local R = require "generator.algebra.rational"
 local libm = require "generator.emit.libm"
@@ -47,7 +49,7 @@ local STRICT = "-std=c99 -O2 -ffp-contract=off -fno-math-errno -pedantic -Wall -
 local PARAMETERS = { huge = "void", frexp = "own_real x, int *e", ldexp = "own_real x, int n",
   copysign = "own_real x, own_real y", atan2 = "own_real x, own_real y", pow = "own_real x, own_real y" }
 local ARGUMENTS = { huge = "", frexp = "x, e", ldexp = "x, n", copysign = "x, y", atan2 = "x, y", pow = "x, y" }
-for _, real in ipairs { "float", "double" } do
+for _, real in ipairs(tier.every(2, { "float", "double" })) do
   local list = {}
   for _, f in ipairs(ALL) do
     local path = string.format("%s/%s_%s.c", dir, f, real)
@@ -65,7 +67,7 @@ end
 
 local BUILD = "-std=c11 -ffp-contract=off -fno-math-errno -Itests -Wno-unused-function"
 local clang = output "command -v clang"
-for _, real in ipairs { "float", "double" } do
+for _, real in ipairs(tier.every(2, { "float", "double" })) do
   local text = "#include <stdint.h>\ntypedef " .. real .. " own_real;\n" .. own(real, ALL)
   program.write(dir .. "/own.c", text)
   program.write(dir .. "/root.c", (text:gsub("#if defined __GNUC__ && %(", "#if 0 && (")))
@@ -104,12 +106,12 @@ end
 -- ---- nothing else is called ----
 
 -- Every kind of closed form and of stepper; -O2 -fno-math-errno, as docs/emitted.md promises.
-for _, row in ipairs {
+for _, row in ipairs(tier.every(3, {
   { "brick_centroid", "float", "gcc", "exact,adaptive,split2" }, { "symmetric_top", "double", "gcc", "exact,taylor" },
   { "gyrostat", "double", "clang", "exact,rk4" }, { "damped_brick", "double", "gcc", "exact,semi" },
   { "heavy_top", "double", "clang", "exact,rk4" }, { "dual_spin", "float", "clang", "exact,midpoint" },
   { "foucault", "double", "gcc", "exact,rk4" }, { "heavy_top", "float", "clang", "taylor", "--with jacobians" },
-} do
+})) do
   local name, real, compiler, methods, more = table.unpack(row)
   local tag = string.format("%s, %s, %s, %s", name, real, methods, compiler)
   if compiler == "clang" and not clang then
@@ -126,8 +128,8 @@ end
 
 -- ---- the choice ----
 
-for _, row in ipairs { { "", "sin(", "double" }, { "--real float", "heavy_top_sin(", "float" },
-  { "--real float --libm system", "sinf(", "float, system" }, { "--libm own", "heavy_top_sin(", "double, own" } } do
+for _, row in ipairs(tier.every(3, { { "", "sin(", "double" }, { "--real float", "heavy_top_sin(", "float" },
+  { "--real float --libm system", "sinf(", "float, system" }, { "--libm own", "heavy_top_sin(", "double, own" } })) do
   output("%s gen bodies/heavy_top.lua %s -o %s/choice", binary, row[1], dir)
   local text = program.read(dir .. "/choice/heavy_top.c")
   local system = not row[2]:find "_"

@@ -6,6 +6,7 @@
 -- POLHODE_STATES: how many random states; POLHODE_HEAVY_ORACLE: another program than the one `make tests` builds.
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local program = require "tests.cli.program"
 local scene = require "tests.scene"
 
@@ -110,15 +111,15 @@ end
 function motion.run(t, text, kind, most, first)
   t.dir = program.directory()
   emit(t.dir, text, kind)
-  for i, command in ipairs { "gcc -std=c11 -O2 -ffp-contract=off", "gcc -std=c11 -O3 -march=native -ffp-contract=fast",
-    "clang -std=c11 -O1" } do
+  for i, command in ipairs(tier.every(3, { "gcc -std=c11 -O2 -ffp-contract=off",
+    "gcc -std=c11 -O3 -march=native -ffp-contract=fast", "clang -std=c11 -O1" })) do
     local code = program.shell(string.format("(cd %s && %s -c top.c small.c) >%s/log 2>&1 && gcc -std=c11 -O1 " ..
       "-D_DEFAULT_SOURCE -Itests/reference -I%s -o %s/measure tests/emit/%s %s/top.o %s/small.o -lm >>%s/log 2>&1",
       t.dir, command, t.dir, t.dir, t.dir, t.source, t.dir, t.dir, t.dir))
     if tap.ok(code == 0, command .. ": compiles", program.read(t.dir .. "/log")) then
       rows(t)
       if i == 1 then first() end
-      random(t, command, i == 1 and math.max(states, most) or states)
+      random(t, command, i == 1 and math.max(states, tier.quick and most // 10 or most) or states)
       floats(t, command)
     end
   end

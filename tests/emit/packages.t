@@ -25,15 +25,15 @@ local function list(folder)
 end
 
 local layout = {
-  make = "Makefile README.md probe.c probe.h probe_test.c",
-  cmake = "CMakeLists.txt README.md include/probe.h src/probe.c tests/probe_test.c",
-  arduino = "README.md examples/probe_motion/probe_motion.ino extras/probe_test.c keywords.txt library.properties "
-    .. "src/probe.c src/probe.h",
-  platformio = "README.md examples/motion/platformio.ini examples/motion/src/main.c extras/probe_test.c "
-    .. "include/probe.h library.json src/probe.c",
-  zephyr = "README.md extras/probe_test.c include/probe.h samples/motion/CMakeLists.txt samples/motion/prj.conf "
-    .. "samples/motion/sample.yaml samples/motion/src/main.c src/probe.c zephyr/CMakeLists.txt zephyr/Kconfig "
-    .. "zephyr/module.yml",
+  make = "LICENSE Makefile README.md polhode.manifest probe.c probe.h probe_test.c qemu.c qemu.ld",
+  cmake = "CMakeLists.txt LICENSE README.md include/probe.h polhode.manifest src/probe.c tests/probe_test.c",
+  arduino = "LICENSE README.md examples/probe_motion/probe_motion.ino extras/probe_test.c keywords.txt "
+    .. "library.properties polhode.manifest src/probe.c src/probe.h",
+  platformio = "LICENSE README.md examples/motion/platformio.ini examples/motion/src/main.c extras/probe_test.c "
+    .. "include/probe.h library.json polhode.manifest src/probe.c",
+  zephyr = "LICENSE README.md extras/probe_test.c include/probe.h polhode.manifest samples/motion/CMakeLists.txt "
+    .. "samples/motion/prj.conf samples/motion/sample.yaml samples/motion/src/main.c src/probe.c "
+    .. "zephyr/CMakeLists.txt zephyr/Kconfig zephyr/module.yml",
 }
 local scene = (firmware.probe:gsub("horizon = 32", "horizon = exact(\"200/4096\")"))
 local at = {}
@@ -153,7 +153,7 @@ tap.like(not none and why, "project arduino: must be in float", "arduino: double
 
 for _, case in ipairs {
   { "cmake", "test", "a target of CMake's own" }, { "cmake", "install", "a target of CMake's own" },
-  { "make", "Makefile", "a file of the project" },
+  { "make", "Makefile", "a file of the project" }, { "make", "qemu", "a file of the project" },
 } do
   local kind, name, what = table.unpack(case)
   local path = dir .. "/" .. name .. ".lua"

@@ -2,7 +2,7 @@
 --
 -- A file cases/NAME.lua is a function of the kit that returns {title =, about =, cases = {...}}.  A case:
 --     name     unique, in the words of its trouble: "moments_equal_to_1e16"
---     fast     true: it is in `make check`, too
+--     fast     true: it is in make check-all, too
 --     why      why it is hard
 --     naive    the formula that one would write first; row.naive(error) tells what comes of it
 --     oracle   whence the truth

@@ -60,7 +60,7 @@ return function(files, path, picture)
     end
     put("")
   end
-  local summary = string.format("**%d cases**, %d of them in `make check`. The worst error of all is %s of its " ..
+  local summary = string.format("**%d cases**, %d of them in `make check-all`. The worst error of all is %s of its " ..
     "bound " ..
     "in double (%s) and %s in float (%s).", count, quick, short(worst.double.ratio), worst.double.name,
     short(worst.float.ratio), worst.float.name)

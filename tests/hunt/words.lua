@@ -19,7 +19,7 @@ its place to a stranger. What is among the three worst has been judged by the sl
 and count find the same states.
 
 The three worst of each error are kept, named `hunt_TARGET[_float]_ERROR_1` to `_3`, and replaced only by worse ones;
-`tests/hunt/worst.t` judges all of them anew in `make check`, and lets the search find three planted defects: the
+`tests/hunt/worst.t` judges all of them anew in `make check-all`, and lets the search find three planted defects: the
 textbook's rate from the integrals, which cancels; an error in a corner of equal moments and rates; a narrow hill.
 
 ## The worst so far

@@ -7,8 +7,10 @@
 -- error bound of that ir at that point.  Pass against pass and ir against C: to the last bit.
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
+-- The quick tier takes a part of its cases.
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local R = require "polhode_rational"
 local evaluate = require "generator.algebra.evaluate"
 local lower = require "generator.ir.lower"
@@ -20,7 +22,7 @@ local running = require "tests.ir.running"
 local compiled = require "tests.ir.compiled"
 
 local BITS = 400      -- of the reference; the programs have < 2^12 operations of condition < 2^60
-local PROGRAMS, POINTS = 40, 3
+local PROGRAMS, POINTS = tier.quick and 8 or 40, 3
 
 local families = {
   { name = "polynomials and quotients", kinds = {}, size = 9, seed = 11, floats = true },

@@ -56,9 +56,9 @@ told(entries { xz = -140 }, "xz has a slipped decimal point (-14 would satisfy i
 -- 0.0254^2 kg m^2 is 1 kg in^2
 told("mass = 1, xx = 4, yy = 0.5, zz = 6200", "zz is in kg in^2 (3.999992 would satisfy it)",
   "square inches in one entry")
-told("mass = 1, xx = 1.23456, yy = 2.34568, zz = 3.58025",
+told("mass = 1, xx = \"123456/100000\", yy = \"234568/100000\", zz = \"358025/100000\"",
   "most likely: the entries of a flat or thin body were rounded",
-  "a lamina whose entries were rounded to six digits")
+  "a lamina whose entries were rounded to six digits, given as fractions, which are exact")
 told("mass = 1, xx = 1, yy = 2, zz = \"3.00000000000000000000000001\"", "got 3 > 1 + 2 by 1e-26; most likely: the " ..
   "entries of a flat", "an excess that doubles do not show is given by its size")
 
@@ -82,7 +82,7 @@ told(cube(6, 10000, { 1, 601, 601 }), ", or com is in mm", "the centre of mass i
 
 do
   local _, why = scene.body "tensor { mass = 1, xx = 5, yy = 1, zz = 3 }"
-  tap.like(why, "perhaps: the entries are second moments", "where no digit explains it, what is left is only perhaps")
+  tap.like(why, "got 5 > 1 + 3; physical = false takes", "where no digit explains it, nothing is said of slips")
   _, why = scene.body "tensor { mass = 1, xx = 1, yy = 0, zz = 0 }"
   tap.like(why, "got 1 > 0 + 0\n", "and no hint is better than a wild one")
 end

@@ -5,11 +5,13 @@
 -- Invariants are formed by long.c from the tensor in long double, the true motion is the library's.  u = 2^-53 (2^-24):
 -- a step rounds each component of w, q and of the products that turn L a few times; independent roundings of n steps
 -- add to sqrt(n) of them.
+-- The quick tier takes a part of its cases.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local program = require "tests.cli.program"
 local scene = require "tests.scene"
 local driver = require "generator.driver"
@@ -37,8 +39,8 @@ local free = {
   { "points { {1, 0, 0, 0}, {1, 0.6, 0, 0.8} }", "" },
   { brick, "effect.rotor { axis = {3, 0, 4}, momentum = 5 }", rotor = { 3, 0, 4 } },
 }
-for _, c in ipairs(free) do
-  for _, real in ipairs(c.double_only and { "double" } or { "double", "float" }) do
+for _, c in ipairs(tier.every(4, free)) do
+  for _, real in ipairs((c.double_only or tier.quick) and { "double" } or { "double", "float" }) do
     local what = c[1] .. (c.rotor and " with a rotor, " or ", ") .. real
     local build = long.build("midpoint", c[1], c[2], { real = real, rotor = c.rotor })
     local bar = FEW * U[real] * math.sqrt(N)
@@ -61,8 +63,8 @@ end
 -- ---- heavy tops ----
 
 local top = "tensor { mass = 1, xx = 3, yy = %s, zz = 2, com = {0, 0, 0.5} }"
-for _, c in ipairs { { string.format(top, 3), true }, { string.format(top, 4), true },
-  { "rod.between { from = {0, 0, 0}, to = {0, 0, 1}, mass = 1 }", false } } do
+for _, c in ipairs(tier.every(2, { { string.format(top, 3), true }, { string.format(top, 4), true },
+  { "rod.between { from = {0, 0, 0}, to = {0, 0, 1}, mass = 1 }", false } })) do
   for _, real in ipairs { "double", "float" } do
     local what = c[1] .. " and gravity, " .. real
     local build = long.build("midpoint", c[1], "effect.gravity { g = 8 }", { real = real, heavy = 4 })
@@ -103,11 +105,11 @@ end
 
 -- ---- order ----
 
-for _, c in ipairs { { "a brick", brick, "" }, { "a rod", "rod.straight { length = 3, mass = 1 }", "" },
+for _, c in ipairs(tier.every(3, { { "a brick", brick, "" }, { "a rod", "rod.straight { length = 3, mass = 1 }", "" },
   { "a heavy top", string.format(top, 4), "effect.gravity { g = 8 }" },
   { "a heavy rod", "rod.between { from = {0, 0, 0}, to = {0, 0, 1}, mass = 1 }", "effect.gravity { g = 8 }" },
   { "a damped brick with torque and rotor", brick, "effect.damping { c = {0.1, 0.2, 0.3} }, " ..
-    "effect.torque { body = {0.5, -0.25, 0.125} }, effect.rotor { axis = {3, 0, 4}, momentum = 5 }" } } do
+    "effect.torque { body = {0.5, -0.25, 0.125} }, effect.rotor { axis = {3, 0, 4}, momentum = 5 }" } })) do
   local e, why = long.errors("midpoint", long.scene(c[2], c[3]), { 0.02, 0.01, 0.005 }, 3)
   if tap.ok(e, c[1] .. ": runs", why) then
     -- e = a h^2 + b h^4: 4 up to h^2

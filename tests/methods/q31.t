@@ -137,8 +137,8 @@ for _, c in ipairs(cases) do
     if c.max then
       words, torque = {}, {}
       for i = 1, 3 do
-        words[i] = math.floor(uniform() * s.input_limit)
-        torque[i] = words[i] * 2.0 ^ -s.input_exponent
+        words[i] = math.floor(uniform() * s.u[i].high)
+        torque[i] = words[i] * 2.0 ^ -s.u[i].exponent
       end
     end
     local bits = run.step(s, x, words)
@@ -223,8 +223,8 @@ for _, c in ipairs {
   { "inertial torque", text(box, "ranges = { omega = 5 }, effects = { effect.torque { inertial = { 1, 0, 0 } } }"),
     "a torque in body axes" },
   { "torque in time", text(box, "ranges = { omega = 5 }, effects = { effect.torque { body = { sin(t), 0, 0 } } }"),
-    "a constant torque" },
-  { "unlimited control", text(box, "ranges = { omega = 5 }, effects = { effect.control {} }"), "limit max" },
+    "constant or linear in inputs" },
+  { "unlimited control", text(box, "ranges = { omega = 5 }, effects = { effect.control {} }"), "inputs with limits" },
   { "wheel", text(box, "ranges = { omega = 5 }, effects = { effect.wheel { axis = { 1, 0, 0 }, inertia = 0.0001, " ..
     "included = true } }"), "effect.wheel" },
   { "a step too long", text(box, "ranges = { omega = 5 }, time = { step = 0.1 }"), "h |w| stays below 1/2" },

@@ -4,11 +4,13 @@
 --
 -- As in midpoint.t; w* is one Newton iteration, so energy is kept to the order of the method only, L in space still to
 -- rounding.
+-- The quick tier takes a part of its cases.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local program = require "tests.cli.program"
 local scene = require "tests.scene"
 local driver = require "generator.driver"
@@ -20,11 +22,11 @@ local N, FEW, NORM = 100000, 8, 8 -- |q|: the roundings of two steps, as in its 
 local brick = "tensor { mass = 1, xx = 2, yy = 3, zz = 4 }"
 local top = "tensor { mass = 1, xx = 3, yy = %s, zz = 2, com = {0, 0, 0.5} }"
 
-for _, c in ipairs { { brick, "" }, { "rod.straight { length = 3, mass = 1 }", "" },
+for _, c in ipairs(tier.every(4, { { brick, "" }, { "rod.straight { length = 3, mass = 1 }", "" },
   { "solid.sphere { r = 1, mass = 1 }", "" }, { "tensor { mass = 1, xx = 3, yy = 3, zz = 5 }", "", exact = true },
   { "tensor { mass = 1, xx = 3, yy = 3.5, zz = 4, xy = 0.3, xz = -0.5, yz = 0.25 }", "" },
-  { brick, "effect.rotor { axis = {3, 0, 4}, momentum = 5 }", rotor = { 3, 0, 4 }, drifts = true } } do
-  for _, real in ipairs { "double", "float" } do
+  { brick, "effect.rotor { axis = {3, 0, 4}, momentum = 5 }", rotor = { 3, 0, 4 }, drifts = true } })) do
+  for _, real in ipairs(tier.every(2, { "double", "float" })) do
     local what = c[1] .. (c.rotor and " with a rotor, " or ", ") .. real
     local build = long.build("semi", c[1], c[2], { real = real, rotor = c.rotor })
     local bar = FEW * U[real] * math.sqrt(N)
@@ -43,8 +45,8 @@ for _, c in ipairs { { brick, "" }, { "rod.straight { length = 3, mass = 1 }", "
   end
 end
 
-for _, c in ipairs { { string.format(top, 3) }, { string.format(top, 4) },
-  { "rod.between { from = {0, 0, 0}, to = {0, 0, 1}, mass = 1 }" } } do
+for _, c in ipairs(tier.every(2, { { string.format(top, 3) }, { string.format(top, 4) },
+  { "rod.between { from = {0, 0, 0}, to = {0, 0, 1}, mass = 1 }" } })) do
   local what = c[1] .. " and gravity"
   local build, ranges = long.build("semi", c[1], "effect.gravity { g = 8 }", { heavy = 4 }), {}
   for i, h in ipairs { 0.01, 0.005 } do
@@ -65,10 +67,11 @@ do
 end
 
 -- order 2 without torque, 1 with
-for _, c in ipairs { { "a brick", brick, "", 4 }, { "a rod", "rod.straight { length = 3, mass = 1 }", "", 4 },
+for _, c in ipairs(tier.every(3, { { "a brick", brick, "", 4 },
+  { "a rod", "rod.straight { length = 3, mass = 1 }", "", 4 },
   { "a heavy top", string.format(top, 4), "effect.gravity { g = 8 }", 2 },
   { "a damped brick with torque and rotor", brick, "effect.damping { c = {0.1, 0.2, 0.3} }, " ..
-    "effect.torque { body = {0.5, -0.25, 0.125} }, effect.rotor { axis = {3, 0, 4}, momentum = 5 }", 2 } } do
+    "effect.torque { body = {0.5, -0.25, 0.125} }, effect.rotor { axis = {3, 0, 4}, momentum = 5 }", 2 } })) do
   local e, why = long.errors("semi", long.scene(c[2], c[3]), { 0.002, 0.001, 0.0005 }, 1)
   if tap.ok(e, c[1] .. ": runs", why) then
     for i = 1, 2 do
@@ -80,7 +83,7 @@ for _, c in ipairs { { "a brick", brick, "", 4 }, { "a rod", "rod.straight { len
 end
 
 -- position, velocity and a turning frame
-for _, name in ipairs { "thrown_book", "foucault", "dropped_stone", "spun_up_top", "tumbling_box" } do
+for _, name in ipairs(tier.every(3, { "thrown_book", "foucault", "dropped_stone", "spun_up_top", "tumbling_box" })) do
   local text = scene.slurp("bodies/" .. name .. ".lua")
   local e, why = long.errors("semi", text, { 0.002, 0.001, 0.0005 }, 1)
   if tap.ok(e, name .. ": runs", why) then
@@ -91,7 +94,8 @@ for _, name in ipairs { "thrown_book", "foucault", "dropped_stone", "spun_up_top
 end
 
 -- one evaluation: fewer operations than RK4's four, where a torque costs anything
-for _, c in ipairs { { string.format(top, 3), "effect.gravity { g = 8 }" }, { brick, "effect.damping { c = 0.1 }" } } do
+for _, c in ipairs(tier.every(2, { { string.format(top, 3), "effect.gravity { g = 8 }" },
+  { brick, "effect.damping { c = 0.1 }" } })) do
   local cost = {}
   for i, method in ipairs { "semi", "rk4" } do
     local job = assert(scene.read(long.scene(c[1], c[2])))

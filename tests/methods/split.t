@@ -6,11 +6,13 @@
 -- of exp(A + B), one over the factorial of its length (the exponentials as series in letters that do not commute): 126
 -- words for order 6, computed here with rationals.  Order (8, 4): also, in words with one B, sum b c^k = 1/(k + 1) for
 -- k < 8, c the sum of the drifts before (McLachlan 1995, BIT 35, 258).
+-- The quick tier takes a part of its cases.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local program = require "tests.cli.program"
 local R = require "generator.algebra.rational"
 local split = require "generator.methods.split"
@@ -175,7 +177,7 @@ local rows = {
 local HALVINGS = 2
 local ROUNDING = 1e-12 -- below this, errors of some hundred steps are roundings
 
-for _, row in ipairs(rows) do
+for _, row in ipairs(tier.every(9, rows)) do
   local name, text, T, steps = table.unpack(row)
   local got, why = measured(text, "double", row.only, row.point and "" or "-DTURNS",
     string.format("%g %d %d", T, steps, HALVINGS))
@@ -203,14 +205,14 @@ for _, row in ipairs(rows) do
 end
 
 -- free motion: |L| to rounding, whatever the step; exact for a symmetric body
-for _, row in ipairs {
+for _, row in ipairs(tier.every(5, {
   { "free brick", scene(brick, "", "omega = {0.3, 5, 0.2}") },
   { "free brick about a corner", scene(brick, "", "omega = {0.3, 5, 0.2}", 'origin = "corner"') },
   { "free cylinder", scene(cylinder, "", "omega = {0.3, 5, 0.2}"), exact = true },
   { "free cube about its corner", scene("solid.box { x = 0.1, y = 0.1, z = 0.1, mass = 1 }", "",
     "omega = {0.3, 5, 0.2}", 'origin = "corner"'), exact = true },
   { "free sphere", scene("solid.sphere { r = 0.1, mass = 1 }", "", "omega = {0.3, 5, 0.2}"), exact = true },
-} do
+})) do
   local got, why = measured(row[2], "double", false, "-DTURNS", "1 12 2")
   if tap.ok(got ~= nil, row[1] .. ": is emitted and runs", why) then
     for _, order in ipairs { 2, 4, 6 } do
@@ -226,7 +228,7 @@ for _, row in ipairs {
 end
 
 -- free motion with three moments: order 10, energy and |L| to rounding at any step, whatever the scale
-for _, row in ipairs {
+for _, row in ipairs(tier.every(5, {
   { "brick", brick, "{0.3, 5, 0.2}", "4", "12" },
   { "brick, 1e-30 rad/s", brick, "{0.3e-30, 5e-30, 0.2e-30}", "4e30", "12" },
   { "brick, 1e30 rad/s", brick, "{0.3e30, 5e30, 0.2e30}", "4e-30", "12" },
@@ -235,7 +237,7 @@ for _, row in ipairs {
   { "brick at rest", brick, "{0, 0, 0}", "4", "12" },
   { "almost a square plate", "solid.box { x = 0.2, y = 0.2000001, z = 0.05, mass = 2.4 }", "{3, 2, 5}", "2", "12" },
   { "needle", "solid.box { x = 2, y = 1e-4, z = 2e-4, mass = 2.4 }", "{3, 2, 5}", "2", "12" },
-} do
+})) do
   local name, body, omega, T, n = table.unpack(row)
   local got, why = measured(scene(body, "", "omega = " .. omega .. ", " .. attitude), "double", false, "-DTURNS",
     T .. " " .. n .. " 1")
@@ -270,7 +272,7 @@ end
 
 -- ---- what cannot be split is refused by name ----
 
-for _, row in ipairs {
+for _, row in ipairs(tier.every(5, {
   { "damping", scene(brick, "effect.damping { c = 0.001 }", "omega = {1, 2, 3}"),
     "split4: damping depends on the rates" },
   { "a driven wheel", scene(brick, "effect.wheel { axis = {0, 0, 1}, inertia = 0.001, speed = 1, torque = 0.01, " ..
@@ -281,7 +283,7 @@ for _, row in ipairs {
     "the rotor is not along the symmetry axis" },
   { "a rotor in an asymmetric body", scene(brick, "effect.rotor { axis = {1, 0, 0}, momentum = 1 }",
     "omega = {1, 2, 3}"), "an asymmetric body with a rotor" },
-} do
+})) do
   local got, why = measured(row[2], "double", false, "", "1 12 0")
   tap.ok(got == nil and string.find(why, row[3], 1, true), row[1] .. " is refused by name", why)
 end

@@ -6,11 +6,13 @@
 -- and divided by n!; the emitted C (printed, compiled) must agree.  Bound: term n is a sum of at most n products whose
 -- factors carry their own errors, so 8 n units of the last place of the largest coefficient that the same recurrence
 -- makes.
+-- The quick tier takes a part of its cases.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local scene = require "tests.scene"
 local program = require "tests.cli.program"
 local compiled = require "tests.ir.compiled"
@@ -98,6 +100,7 @@ local function printed(s, name)
   return table.concat(lines, "\n"), made
 end
 
+if tier.quick then systems = { systems[1], systems[6], systems[#systems] } end
 do
   local text, main = { "#include <math.h>", "#include <stdint.h>", "#include <stdio.h>" }, {}
   for i, s in ipairs(systems) do
@@ -169,7 +172,7 @@ return scene { name = "top", origin = {0, 0, 0},
 local binary = program.quick()
 local WARN = "-std=c99 -O2 -ffp-contract=off -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
 
-for _, case in ipairs { { "--order 12", "double" }, { "--order 8 --real float", "float" } } do
+for _, case in ipairs(tier.every(2, { { "--order 12", "double" }, { "--order 8 --real float", "float" } })) do
   local out = dir .. "/" .. case[2]
   local status = program.shell(string.format("POLHODE_SOURCE=. %s gen --method taylor,rk4 %s -o %s %s/top.lua", binary,
     case[1], out, dir))
@@ -304,7 +307,7 @@ int main(void)
 tap.is(program.shell(string.format(
   "POLHODE_SOURCE=. %s gen --method taylor,exact --order 24 -o %s/free %s/free.lua", binary,
   dir, dir)), 0, "gen of a free body")
-for _, build in ipairs { WARN, "-O2 -march=native -DFREE_VECTOR -Wall -Werror" } do
+for _, build in ipairs(tier.every(2, { WARN, "-O2 -march=native -DFREE_VECTOR -Wall -Werror" })) do
   local status = program.shell(string.format("gcc %s -I%s/free -o %s/free/main %s/free.c %s/free/free.c -lm 2>&1" ..
     " && %s/free/main > %s/free/log", build, dir, dir, dir, dir, dir, dir))
   local v = {}
@@ -343,7 +346,7 @@ return scene { name = "frame", body = tensor { mass = 1, xx = 2, yy = 3, zz = 4 
   local _, status, text = run "--engine generated --method taylor --order 3"
   tap.ok(status == 2 and string.find(text, "--order must be a whole number from 4 to 30, got 3", 1, true),
     "an order out of range is refused")
-  for _, how in ipairs { "--engine generated --method rk4", "--engine generated", "" } do
+  for _, how in ipairs(tier.every(3, { "--engine generated --method rk4", "--engine generated", "" })) do
     _, status, text = run(how .. " --order 8")
     tap.ok(status == 2 and string.find(text, "--order: ", 1, true), "so is one that nothing has: run " .. how, text)
   end

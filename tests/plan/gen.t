@@ -33,7 +33,6 @@ local function files(name)
 end
 
 program.write(dir .. "/ball.lua", [[
-local k = param("k", 0.1, "N m s")
 return scene { name = "ball", body = solid.box { x = 0.3, y = 0.2, z = 0.1, mass = 3 },
   effects = { effect.drag { c = 0.001 } }, initial = { omega = {1, 2, 3} }, time = { horizon = 4 },
   accuracy = 1e-6, ranges = { omega = {1, 3}, attitude = 0.5 } }
@@ -176,7 +175,8 @@ program.write(dir .. "/ctl.lua", [[return scene { name = "ctl",
   body = solid.box { x = 0.3, y = 0.2, z = 0.1, mass = 3 },
   effects = { effect.control {} }, accuracy = 1e-3 }
 ]])
-refused("gen ctl.lua -o out", "accuracy: needs the largest input, which effect.control{ max = } gives, got 0.001",
+refused("gen ctl.lua -o out", "accuracy: needs the limits of all inputs: effect.control{ max = }, " ..
+  "input(name, unit, { min =, max = }), got 0.001",
   "an input of any size cannot be planned for")
 program.write(dir .. "/top.lua", (program.read(dir .. "/top.lua"):gsub("time =",
   "accuracy = 1e-3,\n  budget = { ops = 20 }, time =")))

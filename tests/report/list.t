@@ -69,6 +69,6 @@ end
 local _, status = lines "nothing"
 tap.is(status, 2, "list of something else: status 2")
 local out = lines("nothing", "2>&1 >/dev/null")
-tap.like(out[1] or "", "must be shapes, effects, methods, bodies or constants", "and says what there is")
+tap.like(out[1] or "", "must be shapes, effects, methods, bodies, constants or commands", "and says what there is")
 
 tap.done()

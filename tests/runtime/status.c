@@ -386,11 +386,36 @@ static void runs(void) {
   ph_run_free(NULL);
 }
 
+/* Tensors that no body has: taken by ph_body_formal alone, and so is what is made of them. */
+static void tensors_formal(void) {
+  ph_body b, c;
+  ph_top top;
+  const double I[6] = {3, 5, 9, 0, 0, 0}, com[3] = {1, 2, 3}, q[4] = {1, 2, 3, 4};
+  ok(ph_body_tensor(&b, 2, com, I) == PH_ETRIANGLE, "(3, 5, 9) is no body's tensor");
+  ok(ph_body_formal(&b, 2, com, I) == PH_OK && ph_body_check(&b) == PH_OK, "and a formal one");
+  ok(memcmp(b.tensor, I, sizeof I) == 0, "which comes back unchanged");
+  int s = ph_body_at(&c, &b, com) || ph_body_turned(&c, &c, q) ||
+          ph_body_scaled(&c, &c, (const double[]){2, 2, 2});
+  ok(s == 0 && ph_body_check(&c) == PH_OK, "also moved, turned and scaled");
+  ok(ph_top_init(&top, &c, com) == PH_OK, "a top is made of it");
+  s = ph_body_add(&c, &b, &b);
+  ok(s == 0 && ph_body_check(&c) == PH_OK && c.tensor[2] == 18, "two of them are added");
+  ok(ph_body_formal(&b, 2, com, (const double[]){3, 0, 9, 0, 0, 0}) == PH_EPOSITIVE &&
+         ph_body_formal(&b, 2, com, (const double[]){1, 1, 9, 2, 0, 0}) == PH_EPOSITIVE,
+     "a moment that is zero or negative is refused");
+  ok(ph_body_formal(&b, 0, com, I) == PH_EMASS &&
+         ph_body_formal(&b, NOT_A_NUMBER, com, I) == PH_EFINITE,
+     "so are mass 0 and what is no number");
+  s = ph_body_tensor(&b, 2, com, (const double[]){1, 1, 1, 0, 0, 0});
+  ok(s == 0 && !b.formal, "other bodies are not formal");
+}
+
 int main(void) {
   fresh();
   bodies();
   shapes();
   tensors();
+  tensors_formal();
   rotations();
   tops();
   runs();

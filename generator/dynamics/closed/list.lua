@@ -34,6 +34,7 @@ function closed.detect(m, eq)
       if near or not told then told = reason end
     end
   end
+  if found and eq.inputs then found, told = nil, "the inputs are decided while it moves" end
   found = found or { refused = told }
   found.others = others
   return found

@@ -22,7 +22,9 @@ function loads.of(m, attitude)
   if not m.has.rates then return nil, "the body does not turn" end
   local l = {}
   for _, e in ipairs(m.record.effects) do
-    if e.kind == "effect.damping" then
+    if e.kind == "effect.damping" and e.spec.varies_with(e.a) then
+      return nil, "the damping varies"
+    elseif e.kind == "effect.damping" then
       local C = e.a.C or vec.map(matrix(m.inertia), function(row) return vec.scale(e.a.rate, row) end)
       l.damping = l.damping or { zeros(), zeros(), zeros() }
       for i = 1, 3 do l.damping[i] = vec.add(l.damping[i], C[i]) end

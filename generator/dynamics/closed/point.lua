@@ -57,6 +57,7 @@ function point.detect(m)
     end
   end
   if t and not (zero(t.a.drag) and zero(t.a.linear)) then return nil, "drag slows the point", true end
+  if t and t.spec.pushed(t.a) then return nil, "a force or thrust of its own acts on the point", true end
   local k = t and t.a.stiffness or { expr.zero, expr.zero, expr.zero }
   local frame = m.frame and m.frame.spec.frame(m.frame.a, context.dry(m))
   local axis = frame and axis_of(frame.rate)

@@ -20,6 +20,7 @@ return library.package {
   where = { header = "src", source = "src", test = "extras" },
   files = { { "arduino.properties", "library.properties" }, { "arduino_keywords.txt", "keywords.txt" },
     { "arduino.ino", "examples/NAME_motion/NAME_motion.ino" } },
+  once = { ["arduino.properties"] = true },
   about = { { "library.properties, keywords.txt", "what the IDE wants to know" },
     { "examples/NAME_motion", "prints the motion over the serial line" } },
   use = {

@@ -30,6 +30,9 @@ return library.package {
     "",
     "In a project: `find_package(NAME)` or `add_subdirectory(NAME)`, then",
     "`target_link_libraries(app PRIVATE NAME::NAME)`.",
-    "Options: `BUILD_SHARED_LIBS`, `UPPER_TESTS` (on when this is the whole project).",
+    "Options: `BUILD_SHARED_LIBS`; `UPPER_TESTS` (on when this is the whole project, and not cross-compiled);",
+    "`UPPER_GC_SECTIONS` (on: a program that links the library drops the functions that it does not call, by",
+    "`-Wl,--gc-sections`; off: the program's own linker options decide).",
+    "For another processor: `-DCMAKE_TOOLCHAIN_FILE=...`, as always.",
   },
 }

@@ -11,9 +11,12 @@ local samples = require "generator.emit.samples"
 local firmware = { real = "float", methods = { "rk4" }, jacobians = "transition" }
 
 local FOLDER = "templates/projects/firmware/"
-local FILES = { "config.h", "main.c", "estimator.h", "estimator.c", "gyro.h", "gyro.c", "watchdog.h", "watchdog.c",
-  "telemetry.h", "telemetry.c", "inject.h", "inject.c", "port.h", "port_m4f.c", "port_host.c", "startup.h", "startup.c",
-  "link.ld", "Makefile", "README.md" }
+local FILES = { "config.h", "derived.h", "main.c", "estimator.h", "estimator.c", "gyro.h", "gyro.c", "readings.c",
+  "control.h", "control.c", "watchdog.h", "watchdog.c", "telemetry.h", "telemetry.c", "inject.h", "inject.c", "port.h",
+  "port_m4f.c", "port_host.c", "startup.h", "startup.c", "link.ld", "Makefile", "README.md" }
+-- What a project edits.  No version, name or number of the scene stands in them, so that they fit what is made later.
+local once = { ["config.h"] = true, ["gyro.c"] = true, ["control.c"] = true, ["port_m4f.c"] = true,
+  ["startup.c"] = true, ["link.ld"] = true }
 
 local most_ticks = 1 << 24 -- of SysTick's counter
 local clock = 25000000     -- Hz, of mps2-an386
@@ -111,6 +114,7 @@ local function fill(job, v)
   v.start_sigma, v.norm_limit = text(s.full / R.new(64)), text(s.norm)
   v.run_cycles = whole(s.every * samples.count)
   v.telemetry, v.fault_limit = v.samples_every, "8"
+  v.control_file, v.control_words = v.has_inputs and " control.c" or "", v.has_inputs and " control.c," or ""
   v.single = real == "float"
   v.digits_blank = real == "float" and "9" or "17"
   v.nan_bits = real == "float" and "0x7FC00000U" or "0x7FF8000000000000U"
@@ -130,7 +134,11 @@ end
 function firmware.files(job, v, render)
   if not fill(job, v) then return nil end
   local out = {}
-  for i, name in ipairs(FILES) do out[i] = { name = name, text = render(FOLDER .. name) } end
+  for _, name in ipairs(FILES) do
+    if v.has_inputs or not string.find(name, "^control") then
+      out[#out + 1] = { name = name, text = render(FOLDER .. name), once = once[name] }
+    end
+  end
   return out
 end
 

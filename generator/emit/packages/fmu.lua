@@ -99,7 +99,7 @@ local function fill(job, v)
   v.fmi3_functions, v.fmi3_refused = functions.of("3", has)
   v.fmu_title = variables.attribute("description", job.title)
   v.fmu_source = string.gsub(variables.escaped(job.source), "%-%-+", "-") -- no -- in a comment of XML
-  v.fmu_tool = variables.attribute("generationTool", "polhode " .. job.version)
+  v.fmu_tool = variables.attribute("generationTool", "polhode " .. job.build)
   local m = job.model
   v.fmu_horizon = number.decimal(m:number(m.horizon), "double")
   v.fmu_step = number.decimal(m:number(m.step), "double")

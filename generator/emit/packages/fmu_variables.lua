@@ -6,6 +6,7 @@
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
+local inputs = require "generator.dynamics.inputs"
 local number = require "generator.emit.number"
 local units = require "generator.emit.packages.fmu_units"
 
@@ -58,9 +59,13 @@ local function list_of(job, v)
       scale = p.own and m:number(p.factor), start = p.default, low = r.lo, high = r.hi, causality = "parameter",
       variability = "fixed" }
   end
-  local inputs = v.has_inputs and job.input_states or {}
-  for i, about in ipairs(abouts(inputs)) do
-    put { name = inputs[i].name, about = "input, " .. about, unit = inputs[i].unit, start = R.zero, causality = "input",
+  for i, about in ipairs(abouts(m.inputs)) do
+    local s = m.inputs[i]
+    local low, high = inputs.range(m, s)
+    local fixed = low and expr.constant(s.low) and expr.constant(s.high) -- else a parameter changes them
+    local start = low and (R.sign(low) > 0 and low or R.sign(high) < 0 and high) or R.zero
+    put { name = s.label, about = "input, " .. about, unit = s.unit, own = s.own, scale = s.own and m:number(s.factor),
+      start = start, low = fixed and low or nil, high = fixed and high or nil, causality = "input",
       variability = "continuous" }
   end
   for i, about in ipairs(abouts(job.states)) do

@@ -21,7 +21,9 @@ local function fill(job, v)
 end
 
 -- A package from a description {where = {header =, source =, test =} folders, files = {{template, name}, ..},
--- about = rows of the README's table, use = lines of its section}; names and lines may have NAME and UPPER in them.
+-- once = {[template] = true} (the user edits it), about = rows of the README's table, use = lines of its section};
+-- names
+-- and lines may have NAME and UPPER in them.
 function library.package(d)
   local package = { real = d.real, check = d.check }
 
@@ -33,7 +35,8 @@ function library.package(d)
     for i, row in ipairs(d.about) do v.project_files[i] = { name = named(row[1], v), about = named(row[2], v) } end
     for i, line in ipairs(d.use) do v.project_use[i] = named(line, v) end
     local out = {}
-    for i, f in ipairs(d.files) do out[i] = { name = named(f[2], v), text = render(FOLDER .. f[1]) } end
+    for i, f in ipairs(d.files) do out[i] = { name = named(f[2], v), text = render(FOLDER .. f[1]),
+      once = d.once and d.once[f[1]] } end
     out[#out + 1] = { name = "README.md", text = render "templates/README.md" }
     return out
   end

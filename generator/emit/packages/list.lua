@@ -1,8 +1,9 @@
 -- list.lua -- the kinds of project that scenes are emitted as (gen --project), one file each.
 --
 -- A package is a table
---     files(job, v, render) -> list   what stands beside NAME.h, NAME.c and NAME_test.c: {name =, text =}; v: the
---                                     values that the templates were filled with; render(template) -> text
+--     files(job, v, render) -> list   what stands beside NAME.h, NAME.c and NAME_test.c: {name =, text =, once = (the
+--                                     user edits it: it is written once)}; v: the values that the templates were
+--                                     filled with; render(template) -> text
 --     arrange(files) -> files         optional: all files of the project, put where the kind wants them
 --     real, methods, jacobians        optional: its own defaults of --real and --method; "transition": it calls
 --                                     NAME_step_transition
@@ -11,6 +12,16 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local list = { names = { "make", "cmake", "arduino", "platformio", "zephyr", "firmware", "fmu" }, default = "make" }
+
+list.about = {
+  make = "a Makefile with self-test, library, install",
+  cmake = "a CMake project with ctest and package",
+  arduino = "an Arduino library with an example",
+  platformio = "a PlatformIO library with an example",
+  zephyr = "a Zephyr module with a sample",
+  firmware = "an attitude filter for a Cortex-M4F",
+  fmu = "a unit for co-simulation, FMI 2.0 and 3.0",
+}
 
 function list.by_name(name) return require("generator.emit.packages." .. name) end
 

@@ -3,24 +3,30 @@
 
 local make = {}
 
--- make would build its own Makefile from Makefile.c.
+-- make would build its own Makefile from Makefile.c; qemu.c is a file of the project.
+local taken = { Makefile = true, qemu = true }
+
 function make.check(job)
-  if job.model.name ~= "Makefile" then return true end
-  job.diag:error(job.record.line, "project make", "the scene must not be named like a file of the project", "Makefile")
+  local name = job.model.name
+  if not taken[name] then return true end
+  job.diag:error(job.record.line, "project make", "the scene must not be named like a file of the project", name)
   return false
 end
 
 function make.files(job, v, render)
   v.project_files = { { name = "Makefile",
     about = "`make check` builds and runs the self-test, `make promises` shows what the object needs" } }
+  v.project_files[2] = { name = "qemu.c, qemu.ld", about = "`make qemu`: the self-test on an emulated Cortex-M4F" }
   local proof
   if v.has_proof then
     proof = { name = job.model.name .. "_proof.c", text = render "templates/proof.c" }
-    v.project_files[2] = { name = proof.name,
+    v.project_files[3] = { name = proof.name,
       about = "`make proof`: Frama-C shows that no step from within the ranges overflows or divides by zero" }
   end
   return { { name = "Makefile", text = render "templates/Makefile" },
-    { name = "README.md", text = render "templates/README.md" }, proof }
+    { name = "README.md", text = render "templates/README.md" },
+    { name = "qemu.c", text = render "templates/qemu.c" },
+    { name = "qemu.ld", text = render "templates/qemu.ld" }, proof }
 end
 
 return make

@@ -83,6 +83,18 @@ static void advance(const brick_model *m, brick_real T, int steps, brick_real x[
   for (i = 0; i < steps; i++) brick_step(m, (brick_real)i*h, x, u, h);
 }
 
+
+static void normalise(void)
+{
+  brick_real x[BRICK_NX] = {3.0, -4.0, 0.0, 12.0}, n = 0.0; /* 3^2 + 4^2 + 12^2 = 13^2 */
+  int i, bad = brick_normalise(x);
+
+  for (i = 0; i < 4; i++) n += x[i]*x[i];
+  report(bad == 0 && fabs(n - 1.0) <= 8.0*2.220446049250313e-16 && x[1] < 0.0, "a quaternion of length 13 is brought back to 1");
+  for (i = 0; i < 4; i++) x[i] = 0.0;
+  report(brick_normalise(x) == 1, "and a zero quaternion is refused");
+}
+
 /* Principal axes by their definition, and small oscillations by Euler's equations. */
 static void principal(const brick_model *m)
 {
@@ -447,6 +459,7 @@ int main(void)
   report(d2 <= d1/12.0 + 2.2737367544323206e-13, "halving the step divides the error by about 16");
   for (i = 0, d1 = 0.0; i < 4; i++) d1 += fine[i]*fine[i];
   report(fabs(d1 - 1.0) <= 3.552713678800501e-15 + d2, "the quaternion stays a unit quaternion");
+  normalise();
 
   /* no torque: T and the inertial L are constant; 1024 short steps lose no more than rounding and the method's error */
   advance(&m, 0.125, 1024, fine);

@@ -175,7 +175,7 @@ return function(kit)
               local rows, steps = b.plugin:integrate(start, nil, { kit.round(real, tolerance) }, { t }, 0, name)
               local e = rows and m.state({ table.unpack(rows[1], 2) }, want) or tolerance < b.u and 0 or math.huge
               row(string.format("%s, %g", name, tolerance), real, e,
-                (math.max(tolerance, 0) + 16 * b.u) * (steps or 1) * (1 + 1.5 * t))
+                (math.max(tolerance, 0) + 16 * b.u) * (rows and steps or 1) * (1 + 1.5 * t))
             end
           end)
           plainly(row, p, x0, 1, t)

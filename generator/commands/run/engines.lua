@@ -1,0 +1,183 @@
+-- engines.lua -- the two ways to a motion, as one kind of object: by the general library or by the emitted code.
+--
+-- A motion has `method`; `step`, the fixed step it goes by, or nil; `order`, the method's; `longest`, the most steps
+-- that it does (`between`: of two rows, else of the whole run); `quick`, steps that take less than a second;
+-- `adaptive`, that it could choose its steps; `closed`, that it takes none; `exact`, that the scene has a closed form;
+-- `epsilon` of its numbers; and
+--     motion.solve(times, o)   a list of {t =, x = state as the scene has it, ...}, all numbers finite; or nil and a
+--                              failure {status =, text =, t = the time at which it went wrong}.  o: {step = another
+--                              step, from = one of these states, to start there}
+--     motion.measured(state)   its energy and L, or nil and a failure
+-- What cannot be run is answered by nil and {status =, text =}, {command = true, text =} where the command line is
+-- wrong, {scene = true} where job.diag says it.  job.course: the inputs over time, or nil.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local options = require "generator.commands.options"
+local build = require "generator.commands.build"
+local driver = require "generator.driver"
+local gen = require "generator.commands.gen"
+local limits = require "generator.commands.run.limits"
+local methods = require "generator.methods.list"
+local numeric = require "generator.dynamics.numeric"
+local reference = require "generator.plan.reference"
+
+local engines = {}
+
+-- The command line is wrong.
+local function refused(text) return nil, { command = true, text = text } end
+
+-- That an engine has no such method: a message.
+local function no_method(engine, method, list)
+  return "--engine " .. engine .. " has the methods " .. table.concat(list, ", ") .. ", got " .. method ..
+    (method == "linearised" and " (--engine general has it; in C it is the function NAME_linearised)" or
+      options.meant(method, list))
+end
+
+local function finite(list)
+  for _, x in ipairs(list) do
+    if x ~= x or x == math.huge or x == -math.huge then return false end
+  end
+  return true
+end
+
+local function failed(t, text) return nil, { status = 3, t = t, text = text } end
+
+-- ---- the emitted code ----
+
+-- Where the steps that follow a tolerance end, between a time that is reached and one that is not.
+local function last_reached(plugin, method, x, from, t, course, tolerance)
+  for _ = 1, 40 do
+    local middle = from + (t - from) / 2
+    if middle == from or middle == t then break end
+    local rows = plugin:integrate(x, course, { tolerance }, { middle }, from, method)
+    if rows then x, from = { table.unpack(rows[1], 2) }, middle else t = middle end
+  end
+  return t
+end
+
+local function stepped(plugin, method, x0, course, tolerance, step)
+  return function(times, o)
+    local h = o.step or step
+    local from = o.from or { t = 0.0, x = x0 }
+    local rows, last, infinite = plugin:integrate(from.x, course, h or { tolerance }, times, from.t, method)
+    if not rows then
+      local reached, next_time = from, nil
+      for i, t in ipairs(times) do
+        if (times[i - 1] or from.t) == last then next_time = next_time or t end
+      end
+      if last ~= from.t then
+        local row = plugin:integrate(from.x, course, { tolerance }, { last }, from.t, method)
+        if row then reached = { t = last, x = { table.unpack(row[1], 2) } } end
+      end
+      local t = last_reached(plugin, method, reached.x, reached.t, next_time or times[#times], course, tolerance)
+      return failed(t, "no steps lead on")
+    end
+    if infinite then return failed(infinite, "the state is not finite") end
+    for i, row in ipairs(rows) do rows[i] = { t = row[1], x = { table.unpack(row, 2) } } end
+    return rows
+  end
+end
+
+local function closed(plugin)
+  return function(times)
+    local rows = {}
+    for i, t in ipairs(times) do
+      rows[i] = { t = t, x = plugin:at(t) }
+      if not finite(rows[i].x) then return failed(t, "the state is not finite") end
+    end
+    return rows
+  end
+end
+
+function engines.generated(host, job, given)
+  local exact = job.closed.full -- before the plan, which leaves out what is not asked for
+  local method = given.method or (exact and "exact" or "rk4")
+  local m = methods.by_name[method]
+  if method ~= "exact" and not m then
+    local names = { "exact" }
+    for _, other in ipairs(methods) do names[#names + 1] = other.name end
+    return refused(no_method("generated", method, names))
+  end
+  if method == "exact" and not job.closed.full then
+    return refused("method exact: " .. (job.closed.kind and "the closed form of this scene gives the rates only" or
+      "this scene has no closed form: " .. job.closed.refused))
+  end
+  local order, wrong = gen.order(given)
+  wrong = wrong or gen.orderless(given, { method }) or limits.refused(job, given,
+    { method = method, closed = method == "exact", adaptive = m and m.adaptive,
+      tolerances = limits.tolerances[given.real or "double"] })
+  if job.lines and m.adaptive and not given.step then
+    wrong = "--between linear: the emitted " .. method .. " holds its inputs for steps of its own choice"
+  end
+  if wrong then return refused(wrong) end
+  if not driver.plan(job, { real = given.real, command = "", methods = { method }, order = order }) then
+    return nil, { scene = true }
+  end
+  local plugin, why, kind = build.plugin(host, job)
+  if not plugin then return nil, { status = kind == "range" and 3 or 2, text = why } end
+  if plugin:init() ~= 0 then
+    return nil, { status = 3, text = "the emitted code refuses the scene's own parameters" }
+  end
+  local x0 = numeric.initial(job)
+  local real = given.real or "double"
+  local motion = { method = method, order = m and (m.order or order or m.own_order[real]), longest = limits.emitted,
+    quick = 300000, epsilon = limits.tolerances[real][1], adaptive = m and m.adaptive or false, exact = exact }
+  if method == "exact" then
+    if plugin:solve(x0) ~= 0 then return nil, { status = 3, text = "the closed form refuses the initial state" } end
+    motion.solve, motion.closed = closed(plugin), true
+  else
+    if not (m.adaptive and not given.step) then motion.step = given.step or job.model:double(job.model.step) end
+    local tolerance = given.tolerance or limits.usual[real]
+    motion.solve = stepped(plugin, method, x0, job.course, tolerance, motion.step)
+  end
+  function motion.measured(state)
+    local energy, L = plugin:energy(state.x), job.model.has.attitude and plugin:momentum(state.x) or {}
+    if not finite { energy } then return failed(state.t, "the energy is not finite") end
+    if not finite(L) then return failed(state.t, "the angular momentum is not finite") end
+    return energy, L
+  end
+  return motion
+end
+
+-- ---- the general library ----
+
+local names = { "adaptive", "taylor", "rk4", "gsl-rk4", "rkf45", "rk8pd", "exact", "linearised" }
+local orders = { adaptive = 24, taylor = 24, rk4 = 4, rkf45 = 5, rk8pd = 8, ["gsl-rk4"] = 4, exact = 0, linearised = 0 }
+
+function engines.general(host, job, given)
+  local method = given.method or "adaptive"
+  if not orders[method] then return refused(no_method("general", method, names)) end
+  if given.order then return refused "--order: it is that of the emitted taylor, got --engine general" end
+  if given.real then
+    return refused "--real: it is the type of the emitted code (--engine generated), got --engine general"
+  end
+  local fixed, closed_form = method == "rk4" or method == "gsl-rk4", orders[method] == 0
+  local adaptive = not fixed and not closed_form
+  local wrong = limits.refused(job, given, { method = method, closed = closed_form, adaptive = adaptive,
+    tolerances = limits.tolerances.general })
+  if wrong then return refused(wrong) end
+  local scene = numeric.scene(job)
+  if closed_form and #scene.effects > 0 then
+    return refused("--engine general --method " .. method .. " solves free tops, and this scene has effects")
+  end
+  local motion = { method = method, order = orders[method], longest = limits.library, between = true,
+    quick = 20000, epsilon = 2.0 ^ -52, closed = closed_form, adaptive = adaptive, exact = job.closed.full }
+  if not closed_form then motion.step = given.step or fixed and job.model:double(job.model.step) or nil end
+  function motion.solve(times, o)
+    local rows, why, kind, t = host.run(o.from and reference.scene(job, o.from.x) or scene, { method = method,
+      step = o.step or motion.step, tol = given.tolerance, times = times, u = job.course,
+      t0 = o.from and o.from.t or 0.0 })
+    if not rows then
+      return nil, { status = kind == "numbers" and 3 or 2, t = t, text = string.gsub(why, "^at t = %S+ s: ", "") }
+    end
+    for i, row in ipairs(rows) do
+      local n = #row - 4
+      rows[i] = { t = row[1], x = numeric.part(job, row, 1), energy = row[n + 1], L = { table.unpack(row, n + 2) } }
+    end
+    return rows
+  end
+  function motion.measured(state) return state.energy, state.L end
+  return motion
+end
+
+return engines

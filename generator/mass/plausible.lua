@@ -1,0 +1,160 @@
+-- plausible.lua -- what is possible and all the same unlikely: warnings about units.
+--
+-- A number without a unit is in SI units.  Where the density that follows from it is no solid's, and another unit makes
+-- it an ordinary one, the number was probably meant so.  The density decides, not the size: planets, dust and molecules
+-- are as good as bricks.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local vec = require "generator.algebra.vec"
+local catalogue = require "generator.mass.catalogue"
+local jacobi = require "generator.mass.jacobi"
+local diag = require "generator.diag"
+
+local plausible = {}
+
+-- The largest principal moment of a body of volume V is smallest for a ball, where M/k^3 = (5/2)^1.5 M/r^3 = 16.6 times
+-- the density (k: the radius of gyration that belongs to the largest moment).  Nothing on Earth is denser than osmium,
+-- 22590 kg/m^3: above 16.6*22590 the tensor is too small for its mass.  There is no such bound below; thin structures
+-- (booms, sails of 100 m and 10 kg) have some 1e-3 kg/m^3, and 1e-4 leaves them in peace.
+local heaviest, lightest = 3.75e5, 1e-4
+
+local others = { { 1e-6, "kg mm^2" }, { 1e-9, "g mm^2" }, { 1e-4, "kg cm^2" }, { 1e-7, "g cm^2" }, { 1e-3, "g m^2" } }
+
+-- One `tensor`: its mass, centre and central tensor in doubles.
+function plausible.tensor(d, line, mass, com, I)
+  local moment = jacobi.run(I)[3]
+  if not (moment > 0 and mass > 0) then return end
+  local k = math.sqrt(moment / mass)
+  local density = mass / k / k / k
+  local about = "the radius of gyration sqrt(I/mass) is " .. diag.rough(k) .. " m"
+  if density < lightest then
+    local guess = ""
+    for _, o in ipairs(others) do -- the first unit that gives a body of ordinary density
+      local r = math.sqrt(moment * o[1] / mass)
+      local then_density = mass / r / r / r
+      if guess == "" and then_density > 1 and then_density < heaviest then
+        guess = " (in " .. o[2] .. " it would be " .. diag.rough(r) .. " m)"
+      end
+    end
+    d:warn(line, "tensor", "the moments look too large for the mass: " .. about .. guess)
+  elseif density > heaviest and k > 1e-8 then -- the mass of a molecule is in its nuclei
+    local grams = math.sqrt(moment / mass * 1e3)
+    local fits = mass * 1e-3 / grams ^ 3 < heaviest and mass * 1e-3 / grams ^ 3 > 1
+    d:warn(line, "tensor", "the moments look too small for the mass, denser than any metal: " .. about ..
+      (fits and " (with the mass in g it would be " .. diag.rough(grams) .. " m)" or ""))
+  end
+  local far = math.sqrt(com[1] ^ 2 + com[2] ^ 2 + com[3] ^ 2)
+  if far > 1e3 * k then -- 300 mm typed as 300 m beside a body of 10 cm
+    d:warn(line, "tensor", "com is " .. diag.rough(far) .. " m from the origin, " .. diag.rough(far / k) ..
+      " radii of gyration: is it in metres?")
+  end
+end
+
+-- Parts of one body whose sizes differ by more than six orders: one of them is probably in another unit.  A part's size
+-- is its largest spread about its own centre, so needles and plates have the size of their length.
+function plausible.sizes(d, m)
+  local least, largest
+  for _, p in ipairs(m.body.pieces) do
+    local s = p.sigma and p.name ~= "tensor" and 0 or nil
+    for i = 1, s and 3 or 0 do s = math.max(s, math.abs(m:double(p.sigma[i]))) end
+    if s and s > 0 then
+      local part = { size = math.sqrt(s), p = p }
+      if not least or part.size < least.size then least = part end
+      if not largest or part.size > largest.size then largest = part end
+    end
+  end
+  if least and largest.size > 1e6 * least.size then
+    d:warn(least.p.line, least.p.name, "is " .. diag.rough(largest.size / least.size) .. " times smaller than the " ..
+      largest.p.name .. " of line " .. largest.p.line .. " in the same body: are both in one unit?")
+  end
+end
+
+-- ---- density, in kg/m^3 ----
+
+-- No solid is lighter than aerographene, 0.16 (Sun, Xu, Gao, Adv. Mater. 25 (2013) 2554), or denser than osmium, 22590
+-- (Arblaster, Platinum Metals Rev. 57 (2013) 177); a shape that stands for something hollow is as light as a foam.
+local thinnest, densest = 0.1, 30000
+-- What another unit must make of it to be worth a word: from balsa and the hulls of satellites to lead.
+local ordinary = { 100, 12000 }
+-- A plain density below this, times 1000, is that of a material (g/cm^3: lithium 0.53 to tungsten 19.3).  As it stands
+-- it would be a gas or the lightest of foams.
+local grams_per_cm3 = { 0.1, 20 }
+local small = 0.3 -- m: who tries formulas with whole numbers has bodies of a metre and more
+
+local slips = { { 1e9, "its lengths in mm", "mm", "length" }, { 1e6, "its lengths in cm", "cm", "length" },
+  { 1e-3, "its mass in g", "g", "mass" },
+  { 1e6, "its lengths in mm and its mass in g", "mm", "both" } }
+
+local function possible(bare, kind)
+  if kind == "both" then return bare.length and bare.mass end
+  return bare[kind]
+end
+
+-- The volume of a shape as it is written, in doubles; nil if it has none that is a number.
+local function volume(m, node)
+  if node.shape == "mesh" then return m:double(node.a.measure) end
+  local spec = catalogue.by_name[node.shape]
+  if not spec or not spec.build then return nil end
+  return m:double(spec.build(node.a).measure)
+end
+
+-- 2400, not 2.4e+03.
+local function plain(x)
+  local rough = diag.rough(x)
+  return x >= 1000 and x < 1e9 and diag.show(math.tointeger(tonumber(rough))) or rough
+end
+
+-- Mass over volume with the lengths as they are.
+local function by_mass(d, m, node, growth, name)
+  local mass = m:double(node.mass)
+  local density = mass / (volume(m, node) * growth)
+  if not (density < thinnest or density > densest) or density == math.huge then return end
+  local guesses, unit = {}, {}
+  for _, s in ipairs(slips) do
+    local guess = density * s[1]
+    if possible(node.bare, s[4]) and not unit[s[4]] and guess > ordinary[1] and guess < ordinary[2] then
+      guesses[#guesses + 1] = "with " .. s[2] .. " it would be " .. plain(guess)
+      unit[s[4]], unit[1] = true, unit[1] or s[3]
+    end
+  end
+  if #guesses == 0 then return end
+  d:warn(node.line, name, "numbers without a unit are in m and kg; its density is then " .. plain(density) ..
+    " kg/m^3, which no solid has; " .. table.concat(guesses, ", or ") .. " (write quantity(number, \"" .. unit[1] ..
+    "\"))")
+end
+
+-- A plain density.
+local function by_density(d, m, node, size, name)
+  local q = m:number(node.density)
+  local density = R.todouble(q)
+  if density < grams_per_cm3[1] or density >= grams_per_cm3[2] or R.isint(q) and size >= small then return end
+  local x = diag.show(density)
+  d:warn(d:locate(node.line, "density"), name, "a density without a unit is in kg/m^3, and " .. x ..
+    " is lighter than any common solid; in g/cm^3 it would be one: write quantity(" .. x ..
+    ", \"g/cm^3\"), or quantity(" .. x .. ", \"kg/m^3\")")
+end
+
+-- Shapes below node whose numbers have no unit (node.bare, see dsl/shapes.lua); growth: of volume by what was scaled.
+-- Holes are not looked at: they are of the body's material.
+function plausible.densities(d, m)
+  local moment = jacobi.run(vec.map(m.centroidal, function(e) return m:double(e) end))[3]
+  local size = math.sqrt(moment / m:double(m.mass))
+  local function look(node, growth)
+    if node.shape then
+      local name = string.gsub(node.shape, "^solid%.", "")
+      if not node.bare or node.measure ~= "volume" then return end
+      if node.density and node.bare.density then by_density(d, m, node, size, name) end
+      if node.mass and (node.bare.length or node.bare.mass) then by_mass(d, m, node, growth, name) end
+      return
+    end
+    if node.op == "scaled" then
+      for i = 1, 3 do growth = growth * math.abs(m:double(node.k[i])) end
+    end
+    look(node.of or node[1], growth)
+    if node.op == "sum" then look(node[2], growth) end
+  end
+  look(m.symbolic.body, 1)
+end
+
+return plausible
