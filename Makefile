@@ -205,7 +205,7 @@ bits-all: all
 
 # Also what the C standard leaves to IEEE 754, which is a slip here more often than meant: x/0, and (int)1e99.
 SANITIZERS = address,undefined,float-divide-by-zero,float-cast-overflow
-sanitize:
+sanitize: all # some tests load the module of rational numbers into a plain lua5.4
 	@CC="$(CC)" .ci/setup build check
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/san \
 	  CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=$(SANITIZERS) -fno-sanitize-recover=all" sanitized

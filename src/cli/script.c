@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A chunk's name is "@" and its path in the source tree, so messages and tracebacks point at true
- * lines. Text only: bytecode is never loaded.  There is no search path: a module is "generator."
- * and names, or it does not exist.
+ * lines.  The program's own scripts are compiled when it is built (embed.lua); a source tree's are
+ * text, and nothing else is ever loaded as bytecode.  There is no search path: a module is
+ * "generator." and names, or it does not exist.
  */
 #include "script.h"
 #include "host.h"
@@ -46,7 +47,7 @@ void script_load(lua_State *L, const char *name) {
     luaL_error(L, "no script '%s'", name);
   const char *text = lua_tolstring(L, -1, &size);
   const char *chunk = lua_pushfstring(L, "@%s", name);
-  if (luaL_loadbufferx(L, text, size, chunk, "t") != LUA_OK)
+  if (luaL_loadbufferx(L, text, size, chunk, source_tree(name) != NULL ? "t" : "b") != LUA_OK)
     lua_error(L);
   lua_replace(L, -3);
   lua_pop(L, 1);
