@@ -4,8 +4,9 @@
 --     lua5.4 src/cli/embed.lua OUTPUT.c FILE-OR-DIRECTORY...
 --
 -- A template is its text, one line of it a line of the array.  A script is compiled here, which takes more than half
--- off the program's start; what names its lines stays in, so that a traceback of the installed program shows them.  Names
--- are sorted and the output is written only when it differs: make stays quiet and two builds give the same program.
+-- off the program's start; what names its lines stays in, so that a traceback of the installed program shows them.
+-- Names are sorted and the output is written only when it differs: make stays quiet and two builds give the same
+-- program.
 
 local output = assert(arg[1], "usage: embed.lua OUTPUT.c FILE-OR-DIRECTORY...")
 
