@@ -1,5 +1,5 @@
 #!/usr/bin/env lua5.4
--- embed.t - scripts become C arrays and come back byte for byte, in one order, written only when changed.
+-- embed.t - templates become C arrays byte for byte, scripts compiled ones; in one order, written only when changed.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local tap = require "tests.tap"
@@ -23,9 +23,10 @@ end
 local binary = table.concat(every)
 
 shell("mkdir -p tree/b tree/.hidden")
-program.write(dir .. "/tree/z.lua", "return 1\n-- no newline at the end")
-program.write(dir .. "/tree/b/a.lua", binary)
-program.write(dir .. "/tree/empty.lua", "")
+local script = "local x = ...\nreturn 1\n-- no newline at the end"
+program.write(dir .. "/tree/z.lua", script)
+program.write(dir .. "/tree/b/a.c", binary)
+program.write(dir .. "/tree/empty.c", "")
 program.write(dir .. "/tree/z.lua~", "an editor's copy")
 program.write(dir .. "/tree/.hidden/x", "hidden")
 tap.is(embed(), 0, "embedding a tree succeeds")
@@ -47,9 +48,13 @@ tap.is(shell("cc -std=c11 -Wall -Wextra -Werror $(pkg-config --cflags lua5.4) -I
   "/src/cli -o show main.c out.c"),
   0, "the result compiles without a warning")
 shell("./show > shown")
+local compiled = string.dump(assert(load(script, "@tree/z.lua", "t"))) -- with the names of lines and locals
 tap.is(program.read(dir .. "/shown"),
-  "[tree/b/a.lua 256 " .. binary .. "]0\n[tree/empty.lua 0 ]0\n[tree/z.lua 33 return 1\n-- no newline at the end]0\n",
+  "[tree/b/a.c 256 " .. binary .. "]0\n[tree/empty.c 0 ]0\n[tree/z.lua " .. #compiled .. " " .. compiled .. "]0\n",
   "names are sorted, every byte is there, a zero follows, hidden files and copies are not")
+program.write(dir .. "/tree/wrong.lua", "return return\n")
+tap.ok(embed() ~= 0, "a script that is no Lua is refused")
+shell("rm tree/wrong.lua")
 
 local first = program.read(dir .. "/out.c")
 shell("touch -d 2001-01-01 out.c")
