@@ -167,13 +167,14 @@ function args.choice(ctx, line, what, name, spec, given)
   return nil
 end
 
--- Is x made of plain numbers only, so that its unit is nowhere written?
-function args.bare(x)
+-- Is x made of plain numbers only, so that its unit is nowhere written?  Lists of rows of points are the deepest.
+function args.bare(x, depth)
   local r = value.of(x)
+  depth = depth or 0
   if r then return not r.dim and expr.constant(r.e) end
-  if not args.plain(x) then return false end
+  if not args.plain(x) or depth > 3 then return false end
   for _, y in pairs(x) do -- all of them or not: the order does not matter
-    if not args.bare(y) then return false end
+    if not args.bare(y, depth + 1) then return false end
   end
   return true
 end
