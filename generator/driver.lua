@@ -65,7 +65,7 @@ local function model_of(job, options)
   local eq = equations.of(d, m)
   if not eq or within == false then return nil end
   job.model, job.equations, job.closed, job.states = m, eq, closed.detect(m, eq), m.states
-  job.conserved, job.ranges = conserved.of(m), within
+  job.conserved, job.ranges = conserved.of(eq), within
   return job
 end
 
@@ -175,7 +175,7 @@ local function functions(job, options)
   if particles then put(particles) end
   if m.has.rates then put(quantities.momentum_body(m)) end
   if m.has.attitude then put(quantities.momentum(m)) end
-  if m.has.rates and not context.parts(m) then put(quantities.torque(m)) end
+  if m.has.rates then put(quantities.torque(m)) end
   put(quantities.rhs(eq))
   for i, s in ipairs(job.steppers) do
     if s.method.groups then put(quantities.step(m, eq, s.method, i == 1 and "step" or s.method.name .. "_step")) end
@@ -258,11 +258,10 @@ end
 
 -- Do the scene's own parameters and the constants made from them survive in the real type?  Reports the first that
 -- becomes zero or infinite.
-local function representable(job)
-  if job.real ~= "float" then return true end
+function driver.representable(job)
   local m = job.model
   local function survives(q) -- zero stays zero; anything else must not become zero or infinite
-    local x = R.tofloat(q)
+    local x = job.real == "float" and R.tofloat(q) or R.todouble(q)
     return (x ~= 0 or R.sign(q) == 0) and x ~= math.huge and x ~= -math.huge
   end
   local list = {}
@@ -273,7 +272,8 @@ local function representable(job)
   end
   for _, c in ipairs(list) do
     if not survives(c[2]) then
-      job.diag:error(c[3], "real float", c[1] .. " must be within the range of float", "about 2^" .. R.log2(c[2]))
+      job.diag:error(c[3], "real " .. job.real, c[1] .. " must be within the range of " .. job.real, "about 2^" ..
+        R.log2(c[2]))
       return false
     end
   end
@@ -295,7 +295,7 @@ end
 function driver.files(host, job, plugin)
   job.templates = host.templates
   job.package = job.package or packages.by_name(packages.default)
-  if not representable(job) then return nil end
+  if not driver.representable(job) then return nil end
   return bounded(job, emit, job, plugin)
 end
 

@@ -350,12 +350,45 @@ static void ${name}_taylor_step_by(const ${name}_model *m, ${name}_real c[][${up
 %% end
 }
 
+%% if has_roots then
+static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top, ${name}_real local, ${name}_real rate);
+
+/* Is the series none, or none over h?  A speed at rest has a root without one, and near rest its series does not reach far. */
+static int ${name}_taylor_lost(${name}_real c[][${upper}_ROW], int top, ${name}_real h)
+{
+  ${name}_real sum = ${zero};
+  int n, k;
+
+  for (n = 0; n <= top; n++)
+    for (k = 0; k < ${upper}_ROW; k++) sum += ${zero}*c[n][k];
+  return !(sum - sum < ${one} && ${name}_taylor_size(c, top, ${taylor_finest}, ${zero}) > ${taylor_reach}*${fabs}(h));
+}
+
+/* Over h, or as much of it as steps of the series' own choice take. */
+static void ${name}_taylor_part(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
+{
+  ${name}_real left = h;
+  int n;
+
+  for (n = 0; n < ${taylor_parts}; n++) {
+    if (!(left > ${zero} || left < ${zero})) break;
+    left -= ${name}_taylor_adapt(m, t + (h - left), x, u, left, ${taylor_finest});
+  }
+}
+
+%% end
 %% if not has_knots then
 void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
 {
   ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW];
 
   ${name}_taylor_series(m, t, x, u, c);
+%% if has_roots then
+  if (${name}_taylor_lost(c, ${upper}_ORDER, h)) {
+    ${name}_taylor_part(m, t, x, u, h);
+    return;
+  }
+%% end
   ${name}_taylor_step_by(m, c, ${upper}_ORDER, h, x, d);
 %% for _, s in ipairs(taylor_states) do
   x[${s.name}] += d[${s.index}];

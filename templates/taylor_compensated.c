@@ -29,6 +29,12 @@ void ${name}_taylor_step_compensated(const ${name}_model *m, ${name}_real t, ${n
 %% else
 
   ${name}_taylor_series(m, t, x, u, c);
+%% if has_roots then
+  if (${name}_taylor_lost(c, ${upper}_ORDER, h)) {
+    ${name}_taylor_part(m, t, x, u, h);
+    return;
+  }
+%% end
   ${name}_taylor_step_by(m, c, ${upper}_ORDER, h, x, d);
 %% for _, s in ipairs(taylor_states) do
   add = d[${s.index}] + low[${s.name}];

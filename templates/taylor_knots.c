@@ -9,6 +9,15 @@ void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[
     stop = ${name}_knot(m, t, end);
     part = stop < end || stop > end ? stop - t : h;
     ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c, t + ${half}*part);
+%% if has_roots then
+    if (${name}_taylor_lost(c, ${upper}_ORDER, part)) {
+      ${name}_taylor_part(m, t, x, u, part);
+      t = stop;
+      h -= part;
+      if (!(stop < end || stop > end)) break;
+      continue;
+    }
+%% end
     ${name}_taylor_step_by(m, c, ${upper}_ORDER, part, x, d);
 %% for _, s in ipairs(taylor_states) do
     x[${s.name}] += d[${s.index}];

@@ -94,6 +94,43 @@ static ${name}_real ${name}_taylor_corner(${name}_real c[][${upper}_ROW], int to
   return h;
 }
 
+/* One step by the classical Runge-Kutta method to y; k1: the rates at its start. */
+static void ${name}_taylor_rk4(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h,
+                               ${name}_real y[])
+{
+  ${name}_real a[${upper}_NX], b[${upper}_NX], c[${upper}_NX], d[${upper}_NX];
+  int i;
+
+  ${name}_rhs(m, t, x, u, a);
+  for (i = 0; i < ${upper}_NX; i++) y[i] = x[i] + ${half}*h*a[i];
+  ${name}_rhs(m, t + ${half}*h, y, u, b);
+  for (i = 0; i < ${upper}_NX; i++) y[i] = x[i] + ${half}*h*b[i];
+  ${name}_rhs(m, t + ${half}*h, y, u, c);
+  for (i = 0; i < ${upper}_NX; i++) y[i] = x[i] + h*c[i];
+  ${name}_rhs(m, t + h, y, u, d);
+  for (i = 0; i < ${upper}_NX; i++) y[i] = x[i] + h*((a[i] + d[i]) + ${two}*(b[i] + c[i]))/${taylor_six};
+}
+
+/* Away from where a root is zero and has no series: behind it the motion is smooth, so the step, h or a quarter of it and so on,
+ * is one over which two steps of Runge and Kutta's agree with one to a few roundings.  Returns it. */
+static ${name}_real ${name}_taylor_leave(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
+{
+  ${name}_real whole[${upper}_NX], first[${upper}_NX], both[${upper}_NX];
+  int i, n, close;
+
+  for (n = 0; n < ${corner_halvings}; n++) {
+    h *= ${quarter};
+    ${name}_taylor_rk4(m, t, x, u, h, whole);
+    ${name}_taylor_rk4(m, t, x, u, ${half}*h, first);
+    ${name}_taylor_rk4(m, t + ${half}*h, first, u, ${half}*h, both);
+    for (i = 0, close = 1; i < ${upper}_NX; i++)
+      close = close && ${fabs}(both[i] - whole[i]) <= ${taylor_leaving}*(${fabs}(both[i]) + ${fabs}(both[i] - x[i]));
+    if (close) break;
+  }
+  for (i = 0; i < ${upper}_NX; i++) x[i] = both[i];
+  return h;
+}
+
 %% end
 /* The order for a tolerance.  Steps grow as tolerance^(1/n) and cost some a + b n + c n^2: the least time to a given end is
  * at n = const - const log(tolerance), const - log(tolerance)/2 with products alone (Jorba, Zou 2005, section 3.1). */
@@ -122,6 +159,9 @@ ${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name
   ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c, t + ${half}*h);
 %% else
   ${name}_taylor_series(m, t, x, u, c);
+%% end
+%% if has_roots then
+  if (${name}_taylor_lost(c, ${upper}_ORDER, ${zero})) return ${name}_taylor_leave(m, t, x, u, h);
 %% end
   h = ${name}_taylor_limit(${name}_taylor_size(c, ${upper}_ORDER, tolerance, ${zero}), h);
 %% if has_roots then
@@ -158,6 +198,15 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
 
     if (!(left > ${zero} || left < ${zero})) return steps;
     ${name}_taylor_terms(m, t, x, u, top, c${taylor_before_end});
+%% if has_roots then
+    if (${name}_taylor_lost(c, top, ${zero})) {
+      h = ${name}_taylor_leave(m, t, x, u, left);
+      if (!(t + h > t || t + h < t)) return -1;
+      t += h;
+      for (k = 0; k <= ${upper}_MOVING; k++) lost[k] = ${zero};
+      continue;
+    }
+%% end
     h = ${name}_taylor_limit(${name}_taylor_size(c, top, local, tolerance/(t1 - t0)), left);
 %% if has_roots then
     h = ${name}_taylor_corner(c, top, h);

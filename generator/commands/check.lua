@@ -6,7 +6,7 @@
 --   rates       1000 random states; 8 ulp of the largest term that was added (host.rates gives it)
 --   energy, momentum   8 ulp of the largest term
 --   Jacobian    against central differences of the emitted rates, whose own error is eps^(2/3) of the scale
---   stepper     order 4, by halving h against the library's motion
+--   steppers    all that take the scene: their order, by halving h, or their tolerance, against the library's motion
 --   closed form against the library's exact solver at the emitted tensor: what both promise
 -- Exit status 3 when a number fails.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -16,6 +16,7 @@ local options = require "generator.commands.options"
 local build = require "generator.commands.build"
 local driver = require "generator.driver"
 local comparison = require "generator.commands.comparison"
+local stepper_checks = require "generator.commands.stepper_checks"
 
 local check = {}
 
@@ -54,7 +55,11 @@ function check.run(host, given)
         break
       end
       if real == "double" or given.real then options.warn(host, job.diag) end
-      local planned, plugin, kind = driver.plan(job, { real = real, command = "" }), nil, nil
+      local names, others = stepper_checks.choice(job)
+      for _, o in ipairs(real == "double" and others or {}) do
+        host.out("# " .. o[1] .. " does not take " .. job.model.name .. ": " .. o[2] .. "\n")
+      end
+      local planned, plugin, kind = driver.plan(job, { real = real, command = "", methods = names }), nil, nil
       if planned then
         plugin, why, kind = build.plugin(host, job)
       else

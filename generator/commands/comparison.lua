@@ -10,6 +10,7 @@ local forced = require "generator.commands.forced"
 local numeric = require "generator.dynamics.numeric"
 local selftest = require "generator.emit.selftest"
 local motion_checks = require "generator.commands.motion_checks"
+local stepper_checks = require "generator.commands.stepper_checks"
 
 local comparison = {}
 
@@ -279,35 +280,32 @@ local function setting(job, plugin, x)
   return s, x
 end
 
--- The order of the stepper, on a motion without corners.
-local function order(host, job, plugin, tap, name, x0, random, epsilon)
-  local scale = scales(job)
-  local start, finish = motion_checks.smooth(job, plugin, x0, function() return state(job, random, scale, job.real) end)
-  local what = name .. ": halving h divides the stepper's error by about 16"
-  if not start then
-    tap.ok(true, what .. " # SKIP every motion that was tried has corners, where the order is 1")
+-- The steppers, on motions without corners: from the scene's own state or one near it, and from another one.
+local function steppers(host, job, plugin, tap, name, x0, random, epsilon)
+  local scale, motions = scales(job), {}
+  local function draw() return state(job, random, scale, job.real) end
+  for n = 1, 2 do
+    local start, finish = motion_checks.smooth(job, plugin, n == 1 and x0 or draw(), draw)
+    if start then
+      local exact, why = host.run((setting(job, plugin, start)), { method = "adaptive", times = { finish } })
+      if not exact then
+        tap.ok(false, name .. ": the library follows the motion", why)
+        return
+      end
+      motions[#motions + 1] = { start = start, finish = finish, want = numeric.part(job, exact[1], 1) }
+    end
+  end
+  if #motions == 0 then
+    tap.ok(true, name .. ": halving h divides the stepper's error by about 16 # SKIP every motion that was " ..
+      "tried has corners, where the order is 1")
     return
   end
-  local exact, why = host.run((setting(job, plugin, start)), { method = "adaptive", times = { finish } })
-  if not exact then
-    tap.ok(false, name .. ": the library follows the motion", why)
-    return
-  end
-  local want = numeric.part(job, exact[1], 1)
-  local errors = {}
-  -- float: longer steps, whose error still stands far above rounding
-  for i, steps in ipairs(job.real == "float" and { 32, 64 } or { 64, 128 }) do
-    local rows = plugin:integrate(start, nil, finish / steps, { finish })
-    errors[i] = distance(job, scale, { table.unpack(rows[1], 2) }, want)
-  end
-  -- of two infinite errors neither is the larger
-  tap.ok(errors[1] < math.huge and errors[2] <= errors[1] / 12 + 256 * epsilon, what,
-    string.format("%.3g, %.3g", errors[1], errors[2]))
+  stepper_checks.run(job, plugin, tap, name, motions, function(a, b) return distance(job, scale, a, b) end, epsilon)
 end
 
 local function motion(host, job, plugin, tap, name, random, epsilon)
   local _, x0 = setting(job, plugin)
-  order(host, job, plugin, tap, name, x0, random, epsilon)
+  steppers(host, job, plugin, tap, name, x0, random, epsilon)
   motion_checks.laws(host, job, plugin, tap, name, x0, motion_checks.span(job, plugin, x0), epsilon)
 end
 
@@ -371,7 +369,11 @@ function comparison.run(host, job, plugin, tap, count)
     local numbers, x0 = setting(job, plugin)
     motion_checks.point(host, job, plugin, tap, name, numbers, x0, scales(job), epsilon)
   elseif job.closed.kind and not job.equations.free then
-    forced.run(host, job, plugin, tap, name, epsilon, scales(job).rates, setting(job, plugin))
+    local starts = { (select(2, setting(job, plugin))) }
+    for n = 2, 5 do starts[n] = state(job, random, scales(job), real) end
+    forced.run(host, job, plugin, tap, name, epsilon, scales(job).rates, starts, function(x)
+      return (setting(job, plugin, x))
+    end)
   elseif job.closed.full then
     closed(host, job, plugin, tap, name, random, epsilon)
   end

@@ -69,7 +69,7 @@ function explain.run(host, given)
     return 0
   end
   job.asked = planner.asked(host, job, given)
-  if not driver.plan(job, { command = "", real = given.real }) then
+  if not driver.plan(job, { command = "", real = given.real }) or not driver.representable(job) then
     return options.refuse(host, job.diag)
   end
   if cores then

@@ -47,7 +47,8 @@ local function unit(job, options, order)
     local name = job.model.name
     local top = name .. "_taylor_top"
     code.units[key] = tally.read(name, code.header, code.source, { fma = options.fma, least = options.least,
-      values = { [top] = order }, constants = order and { [string.upper(name) .. "_ORDER"] = order } })
+      values = { [top] = order, [name .. "_taylor_lost"] = 0 }, -- where a series is lost, its steps do not count
+      constants = order and { [string.upper(name) .. "_ORDER"] = order } })
   end
   return code.units[key]
 end

@@ -123,6 +123,11 @@ function args.scalar(ctx, line, what, name, spec, given)
       value.show(given, true))
     return nil
   end
+  if r.cycles and spec.dim == "rate" and not spec.decay then
+    ctx.diag:error(line, what, name .. " must be an angular rate: a cycle is 2 pi rad, so 1 Hz is 2 pi rad/s or " ..
+      "60 rpm (write 2*pi*.., or the unit rad/s, rev/s or rpm)", value.show(given) .. " Hz")
+    return nil
+  end
   if moves then return r.e end
   local number = value.number(r.e)
   if not number then

@@ -87,7 +87,7 @@ local function param(ctx, params)
     end
     params[#params + 1] = { name = name, sym = sym, default = q, unit = units.si(dim or units.none), line = line,
       given = given, own = dim and u or nil, factor = factor }
-    return value.write(value.new(sym, dim), default, factor)
+    return value.counts(value.write(value.new(sym, dim), default, factor), u)
   end
 end
 
@@ -95,7 +95,8 @@ end
 local function quantity(ctx)
   return function(n, u)
     local factor, dim = unit(ctx, "quantity", u)
-    return value.write(value.new(expr.num(number(ctx, "quantity", "the number", n)) * factor, dim), n, factor)
+    local v = value.write(value.new(expr.num(number(ctx, "quantity", "the number", n)) * factor, dim), n, factor)
+    return value.counts(v, u)
   end
 end
 

@@ -10,6 +10,7 @@
 -- of a plain value is plain.
 -- A wrong combination is reported on the user's line and goes on as a value without dimension, so that one slip gives
 -- one message; what is computed from an unknown name (diag/broken.lua) is as broken as that.
+-- `cycles` marks what is counted in Hz, and its multiples by numbers: as an angular rate it would be 2 pi too small.
 -- `written` is {number or string, factor} where a value is a decimal that the scene writes, times what is exact: see
 -- dsl/digits.lua.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -69,6 +70,12 @@ local function written(v, a, b, factor_a, factor_b)
 end
 
 function value.is(v) return record[v] ~= nil end
+
+-- The value, given in the unit: does it count cycles?
+function value.counts(v, unit)
+  if type(unit) == "string" and string.find(unit, "%f[%a]Hz%f[%A]") then record[v].cycles = true end
+  return v
+end
 
 -- The scene that is being recorded: its diagnostics and the defaults of its parameters (symbol -> rational).
 local current
@@ -194,6 +201,7 @@ end
 handle.__mul = sound(function(a, b)
   local x, y = operand(a, "product"), operand(b, "product")
   local v = new(guarded("product", function() return x.e * y.e end), combined(x, y, 1), product_plain(x, y))
+  record[v].cycles = x.cycles and y.e.kind == "num" or y.cycles and x.e.kind == "num" or nil
   return written(v, a, b, x.e, y.e)
 end)
 

@@ -10,6 +10,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local context = require "generator.dynamics.context"
+local derivative = require "generator.dynamics.derivative"
 local expr = require "generator.algebra.expr"
 local laws = require "generator.dynamics.laws"
 local ratio = require "generator.algebra.ratio"
@@ -54,8 +55,10 @@ local function turning(m)
 end
 
 -- The laws of the scene: a list in the order of conserved.laws; `is`, the same by name; `words` of an effect; `rate`,
--- n of the turning fields where their law holds.
-function conserved.of(m)
+-- n of the turning fields where their law holds.  eq: its equations, along which a law that all effects keep must not
+-- change.
+function conserved.of(eq)
+  local m = eq.model
   local has, rate = m.has, turning(m)
   local holds = { ["T+V"] = true, ["|L|"] = has.rates, L = has.attitude, L_z = has.attitude,
     w3 = has.rates and about_z(m.structure), ["T+V-n.L"] = rate ~= nil }
@@ -66,6 +69,8 @@ function conserved.of(m)
     set["T+V-n.L"] = turns or set["T+V"] and set.L_z
     for _, law in ipairs(conserved.laws) do holds[law] = holds[law] and set[law] or false end
   end
+  local together = #m.record.effects > 0 and derivative.of(eq, rate)
+  for _, law in ipairs(conserved.laws) do holds[law] = holds[law] and (not together or together(law)) end
   local list = { is = holds, words = conserved.words, rate = holds["T+V-n.L"] and rate or nil }
   for _, law in ipairs(conserved.laws) do
     if holds[law] then list[#list + 1] = law end

@@ -25,13 +25,19 @@ function context.inertia(m)
   end)
 end
 
--- The entries of the tensor that the rates carry: the body's, without the moments of wheels that turn in it.
-function context.carried(m)
-  if m.carried == m.inertia then return context.inertia(m) end
-  return vec.map(m.carried, function(e, n)
-    return m:constant("I" .. vec.entry[n], e, "tensor without the wheels' own moments, " .. vec.entry[n] .. ", kg m^2")
+-- The entries of I, a tensor of the model, as derived constants; about: what it is.
+local function entries(m, I, about)
+  if I == m.inertia then return context.inertia(m) end
+  return vec.map(I, function(e, n)
+    return m:constant("I" .. vec.entry[n], e, about .. ", " .. vec.entry[n] .. ", kg m^2")
   end)
 end
+
+-- The entries of the tensor that the rates carry: the body's, without the moments of wheels that turn in it.
+function context.carried(m) return entries(m, m.carried, "tensor without the wheels' own moments") end
+
+-- In what follows `constant` is what keeps the effects' derived constants: nil, the model; a function; false, nothing
+-- does, and the body's own are not kept either.
 
 -- What moving parts add to the tensor as a function of the state (m.record's effects), or nil.
 function context.parts(m, constant)
@@ -45,8 +51,8 @@ function context.parts(m, constant)
 end
 
 -- The tensor that the rates carry, of the state; second result: with parts that move.
-function context.now(m)
-  local parts, I = context.parts(m), context.carried(m)
+function context.now(m, constant)
+  local parts, I = context.parts(m, constant), constant == false and (m.carried or m.inertia) or context.carried(m)
   if not parts then return I, false end
   return vec.add(I, parts), true
 end
@@ -60,15 +66,21 @@ function context.held(m, constant)
   return h
 end
 
--- The body's tensor and what moving parts add to it; dry: without constants.
-local function tensor(m, dry)
-  local I, parts = dry and m.inertia or context.inertia(m), context.parts(m, dry)
+-- I of docs/mechanics.md: the tensor of everything with the wheels held still and the moving parts as they are.
+function context.locked(m, constant)
+  local parts = context.parts(m, constant)
+  local I = constant == false and (m.locked or m.inertia) or entries(m, m.locked, "tensor with all wheels held still")
   return parts and vec.add(I, parts) or I
+end
+
+-- L of docs/mechanics.md, of all that turns, in body axes.
+function context.momentum(m, constant)
+  return vec.add(vec.apply((context.now(m, constant)), state.w), context.held(m, constant))
 end
 
 local function diagonal(m)
   for i = 4, 6 do
-    if m.inertia[i] ~= expr.zero then return false end
+    if (m.locked or m.inertia)[i] ~= expr.zero then return false end
   end
   for _, e in ipairs(m.record.effects) do
     if e.spec.varies and #e.states > 0 then return false end
@@ -78,24 +90,23 @@ end
 
 local none = { expr.zero, expr.zero, expr.zero }
 
--- constant: what keeps a derived constant; nil: the model.
 function context.of(m, constant)
-  local dry = constant
-  constant = constant or function(name, e, about, positive)
-    e = m:constant(name, e, about)
-    if positive then m:positive(e) end
-    return e
+  local keeps = constant
+  if constant == false then
+    constant = function(_, e) return e end
+  elseif constant == nil then
+    constant = function(name, e, about, positive)
+      e = m:constant(name, e, about)
+      if positive then m:positive(e) end
+      return e
+    end
   end
-  return { mass = m.mass, com = m.com, inertia = m.inertia, structure = m.structure, has = m.has, q = state.q,
+  return { mass = m.mass, com = m.com, inertia = m.locked or m.inertia, has = m.has, q = state.q,
     w = state.w, r = state.r, v = state.v, u = state.u, t = state.t, M = M, constant = constant, dw = none,
     lift = function(e, name, about) return motion.lift(e, function(x) return constant(name, x, about) end) end,
-    diagonal = diagonal(m), tensor = function() return tensor(m, dry) end,
-    momentum = function()
-      local I = dry and vec.add(m.carried or m.inertia, context.parts(m, dry) or vec.outer(none)) or (context.now(m))
-      return vec.add(vec.apply(I, state.w), context.held(m, dry))
-    end,
-    L = function() return vec.apply(m.inertia, state.w) end, -- the equations give names to its entries
-    inertia_constants = function() return tensor(m) end,
+    diagonal = diagonal(m), tensor = function() return context.locked(m, keeps) end,
+    momentum = function() return context.momentum(m, keeps) end,
+    L = function() return vec.apply(context.locked(m, keeps), state.w) end, -- the equations give names to its entries
     per_mass = function(name, e, about) return constant(name, e / m.mass, about .. " per kg") * M end }
 end
 
@@ -106,7 +117,7 @@ function context.with(c, e)
 end
 
 -- For looking only: constants are not kept.
-function context.dry(m) return context.of(m, function(_, e) return e end) end
+function context.dry(m) return context.of(m, false) end
 
 -- The mass as a constant of the model.
 function context.mass(m)

@@ -87,7 +87,7 @@ local function torques(m, gyric)
   local provisional, constant = fold.constants()
   local c = context.of(m, constant)
   c.L = function()
-    if m.carried ~= m.inertia then return vec.apply(c.tensor(), state.w) end
+    if m.carried ~= m.inertia or m.locked ~= m.inertia then return vec.apply(c.tensor(), state.w) end
     need_L = true
     return (momentum(m))
   end
@@ -309,13 +309,17 @@ local function attitude(m)
 end
 
 -- Euler's equations for a torque of any form (along a rod's line it must be zero): one group, outs the rates of w.
-function equations.euler(m, N) return builders[m.structure.kind](m, N, { provisional = {} }) end
+-- Moving parts have their tensor here, and their torque -D' w in N.
+function equations.euler(m, N)
+  local I, moves = context.now(m)
+  return builders[moves and "varying" or m.carrier.kind](m, N, { provisional = {} }, nil, I)
+end
 
 -- Euler's equations with the torques of the effects, appended to list; nil after an error.
 local function turning(d, m, list)
   local I, moves = context.now(m)
   local kind = moves and "varying" or m.carrier.kind
-  local N, groups, need_L = torques(m, kind == "diagonal" and m.carried == m.inertia)
+  local N, groups, need_L = torques(m, kind == "diagonal" and m.locked == m.inertia and m.carried == m.inertia)
   local L_defs = {}
   if need_L then -- before the torques that use it
     L_defs = select(2, momentum(m))

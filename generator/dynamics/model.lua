@@ -175,13 +175,15 @@ local function warn_of_condition(d, m)
 end
 
 -- m.carried, the tensor that the rates carry, and its structure m.carrier: the body's without the moments of wheels
--- that the body's tensor includes.  It must be positive definite: its leading minors are.
+-- that the body's tensor includes.  It must be positive definite: its leading minors are.  m.locked is the tensor with
+-- all wheels held still, whether the body's includes them or not.
 local function carry(d, m, checks)
-  m.carried, m.carrier = m.inertia, m.structure
+  m.carried, m.carrier, m.locked = m.inertia, m.structure, m.inertia
   local first
   for _, e in ipairs(m.record.effects) do
-    local part = e.spec.carries and e.spec.carries(e.a)
+    local part, more = e.spec.carries and e.spec.carries(e.a), e.spec.locks and e.spec.locks(e.a)
     if part then m.carried, first = vec.map(vec.add(m.carried, part), ratio.tidy), first or e end
+    if more then m.locked = vec.map(vec.add(m.locked, more), ratio.tidy) end
   end
   if not first then return true end
   local I = m.carried

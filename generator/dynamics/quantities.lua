@@ -175,7 +175,7 @@ function quantities.jacobi_integral(m, n)
     local field = e.spec.turning and e.spec.turning(e.a, context.with(c, e))
     if field then V = V + field.potential end
   end
-  local L = vec.add(vec.apply((context.now(m)), state.w), context.held(m))
+  local L = context.momentum(m)
   local rate = m:constant("nJ", n, "rate at which the field turns, rad/s")
   energy.outs[1].expr = energy.outs[1].expr + V - rate * vec.matvec(vec.rotation(state.q), L)[3]
   energy.why = energy.why .. ";  and of the field, less n L_z"
@@ -185,7 +185,7 @@ function quantities.jacobi_integral(m, n)
 end
 
 function quantities.momentum_body(m)
-  local L = vec.add(vec.apply((context.now(m)), state.w), context.held(m))
+  local L = context.momentum(m)
   return { name = "momentum_body", args = { "m", "x", array("L", 3, true) },
     doc = { "Angular momentum about the origin of rotation, body axes, kg m^2/s." },
     groups = { group(said(m, "L = I w", "holds") .. which(m), {}, outs("L", L)) } }
@@ -201,10 +201,23 @@ function quantities.momentum(m)
         vec.matvec(vec.rotation(state.q), L))) } }
 end
 
+-- What turns in the body and so takes part in its motion from within: wheels and rotors, moving parts, energy sinks.
+local function inner(spec) return spec.momentum or spec.varies or spec.turn end
+
+-- The torque from outside, N = I w' + w x L less what acts from within; of a state where something in the body has
+-- one.
 function quantities.torque(m)
-  local w, dw = symbols("w", 3), symbols("dw", 3)
-  local I = equations.inertia(m)
-  local L, Lp, defs = vec.apply(I, w), {}, {}
+  local stateful = false
+  for _, e in ipairs(m.record.effects) do stateful = stateful or inner(e.spec) and #e.states > 0 end
+  local w, dw = stateful and state.w or symbols("w", 3), symbols("dw", 3)
+  local I = (context.now(m))
+  local L, Lp, defs, within = vec.apply(I, w), {}, {}, { expr.zero, expr.zero, expr.zero }
+  local c, at = context.of(m), {}
+  for i = 1, 3 do at[state.w[i]] = w[i] end
+  for _, e in ipairs(m.record.effects) do
+    if inner(e.spec) then within = vec.add(within, equations.torque_of(m, e, context.with(c, e))) end
+  end
+  within = vec.map(within, function(e) return calculus.substitute(e, at) end)
   for i = 1, 3 do
     Lp[i] = L[i]
     if L[i] ~= expr.zero then
@@ -212,13 +225,17 @@ function quantities.torque(m)
       Lp[i] = expr.sym("L" .. comp[i], 7)
     end
   end
-  return { name = "torque", args = { "m", array("w", 3), array("dw", 3), array("N", 3, true) },
-    doc = { "The torque that makes the body turn with rates w and accelerations dw, body axes, N m",
-      "(the torque equation read backwards: N = dL/dt + w x L in the body frame)" ..
-        (said(m, "", "holds") ~= "" and ", of the body alone:" or "."),
-      said(m, "", "holds") ~= "" and "wheels and rotors stand still in it." or nil },
-    groups = { group("L = I w", defs, {}), group("N = I w' + w x L", {},
-      outs("N", vec.add(vec.apply(I, dw), vec.cross(w, Lp)))) } }
+  local holds = within[1] ~= expr.zero or within[2] ~= expr.zero or within[3] ~= expr.zero
+  local doc = { "The torque from outside that makes the body turn with rates w and accelerations dw, body axes, N m",
+    "(the torque equation read backwards: N = dL/dt + w x L in the body frame)" .. (holds and "," or ".") }
+  if holds then doc[3] = "while what turns or moves in the body does what the scene says." end
+  if stateful then doc[1] = string.gsub(doc[1], "rates w and", "the rates of x and") end
+  local args = { "m", array("w", 3), array("dw", 3), array("N", 3, true) }
+  if stateful then args = { "m", "t", "x", "u", array("dw", 3), array("N", 3, true) } end
+  return { name = "torque", args = args, doc = doc, stateful = stateful,
+    groups = { group("L = I w" .. which(m), defs, {}), group("N = I w' + w x L" ..
+      (holds and ", less the torques from within" or ""), {},
+      outs("N", vec.sub(vec.add(vec.apply(I, dw), vec.cross(w, Lp)), within))) } }
 end
 
 -- The attitude's group with halves of the rates, which are three products where halves of the sums are four.

@@ -30,7 +30,7 @@ function damping.read(ctx, line, what, given, args)
     return nil
   end
   if given.rate ~= nil then
-    local rate = args.scalar(ctx, at, what, "rate", { dim = "rate" }, given.rate)
+    local rate = args.scalar(ctx, at, what, "rate", { dim = "rate", decay = true }, given.rate)
     return rate and { rate = rate }
   end
   local c, spec = given.c, { dim = "damping", motion = true }

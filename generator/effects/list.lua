@@ -14,8 +14,10 @@
 --     momentum_rate(a, c)  the part of h' that is not in torque, where momentum depends on more than its own states
 --     kinetic(a, c)     kinetic energy that it holds beside the body's, J
 --     varies(a, c)      tensor that is added to the body's as a function of its own states (moving parts), or nil
---     turn(a, c)        rate at which the body's axes turn beside w: q' = q (0, w + turn)/2, body axes
+--     turn(a, c)        rate at which the body's axes turn beside w: q' = q (0, w + turn)/2, body axes; its torque is
+--                       momentum() x turn, so that L stays in space
 --     carries(a)        tensor (six entries) that is added to the body's for the rates (a wheel that is not locked)
+--     locks(a)          tensor that is added to the body's with everything in it held still (docs/mechanics.md)
 --     products(a, c)    its torque on a body of three principal moments as what it adds to the products w2 w3, w3 w1,
 --                       w1 w2 of Euler's equations; used in the place of torque where the tensor is such
 --     potential(a, c)   energy, J
@@ -30,16 +32,18 @@
 --     input = true      it uses the input u;   single = true: once in a scene
 --     central = true    it acts about the centre of mass, which must be the origin
 --     fixed = advice    it acts about a fixed point, so a body that moves cannot have it
--- `c` is the context (dynamics/context.lua): mass, com, inertia, structure of the body about the origin; the symbols
--- q, w, r, v, u, t and own.NAME of its own states; M, the mass as a symbol that cancels in m r'' = F;
--- momentum(), the L in body axes of
--- body, rotors and wheels; tensor(), the body's with moving parts; diagonal, whether that needs no products;
+-- `c` is the context (dynamics/context.lua): mass, com, and inertia, the tensor about the origin with all wheels held
+-- still; the symbols q, w, r, v, u, t and own.NAME of its own states; M, the mass as a symbol that cancels in
+-- m r'' = F; and what docs/mechanics.md defines: tensor(), I, which has the moving parts too; L(), I w; momentum(), the
+-- L of all that turns, body axes; diagonal, whether I has no products;
 -- constant(name, expr, text), which keeps an expression of parameters as a derived constant, and
 -- per_mass(name, expr, text), which is M times the constant expr/mass; lift(e, name, text): e of the motion with its
 -- constant parts kept so; in derivative also dw, the three w'.  What an effect depends on is read from its
 -- expressions.  ABOVE the line.
 
-return {
+local lifted = require "generator.effects.lifted"
+
+local list = {
   require "generator.effects.gravity",
   require "generator.effects.damping",
   require "generator.effects.torque",
@@ -59,3 +63,6 @@ return {
   require "generator.effects.custom",
   (require "generator.effects.rotating_frame"), -- one value: require also returns where it found it
 }
+for i, spec in ipairs(list) do list[i] = lifted.spec(spec) end
+
+return list

@@ -8,7 +8,7 @@
 -- centrifugal = false leaves Omega x (Omega x r) out: the usual linearised pendulum of Foucault, where the local
 -- gravity already contains it.
 -- With a constant rate Jacobi's integral is conserved (Landau, Lifshitz, 39.11): with v and w relative to the frame
---     T + V - m (Omega x r)^2/2     and for the turning    w.I w/2 - Omega.L + V.
+--     T + V - m (Omega x r)^2/2     and for the turning    T - Omega.L + V,    L of all that turns, rotors and wheels.
 -- Alone, it moves a body whose initial position or velocity is given.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -56,8 +56,7 @@ function frame.potential(a, c)
     V = -c.M * vec.dot(u, u) / 2
   end
   if c.has.attitude then
-    local L = vec.apply(c.inertia_constants(), c.w)
-    V = V - vec.dot(f.rate, vec.matvec(vec.rotation(c.q), L))
+    V = V - vec.dot(f.rate, vec.matvec(vec.rotation(c.q), c.momentum()))
   end
   return V
 end

@@ -73,11 +73,13 @@ function wheel.kinetic(a, c)
   return J * speed ^ 2 / 2
 end
 
+local function own_tensor(a) return vec.scale(a.inertia / vec.dot(a.axis, a.axis), vec.outer(a.axis)) end
+
 -- What it takes from the tensor that the rates carry.
-function wheel.carries(a)
-  if not a.included then return nil end
-  return vec.scale(-a.inertia / vec.dot(a.axis, a.axis), vec.outer(a.axis))
-end
+function wheel.carries(a) return a.included and vec.scale(expr.lift(-1), own_tensor(a)) or nil end
+
+-- What it adds to the body's tensor when it is held still.
+function wheel.locks(a) return not a.included and own_tensor(a) or nil end
 
 function wheel.conserves(a)
   local list, free = { "L" }, a.torque == expr.zero

@@ -10,6 +10,7 @@
 
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
+local distinct = require "generator.ir.distinct"
 local selftest = require "generator.emit.selftest"
 
 local samples = { count = 256, most_steps = 4096, noise = 4, full = 32768 }
@@ -29,7 +30,10 @@ local function values(job, f, env, t, x, h)
   for i, s in ipairs(job.states) do here[s.name], place[s.name] = x[i], i end
   for _, s in ipairs(job.model.inputs) do here[s.name] = R.zero end
   setmetatable(here, { __index = env.value })
-  for _, g in ipairs(f.groups) do
+  local ranks = setmetatable({}, { __index = function(_, name)
+    return rawget(here, name) and 8 or env.value[name] and 3 or nil
+  end })
+  for _, g in ipairs(distinct.run(f.groups, ranks)) do
     for _, d in ipairs(g.defs) do here[d.name] = evaluate.precise(d.expr, here, bits) end
     for _, o in ipairs(g.outs) do
       local i = o.state and place[o.state] or o.index and o.index + 1 or 1

@@ -10,6 +10,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local number = require "generator.emit.number"
+local distinct = require "generator.ir.distinct"
 local lower = require "generator.ir.lower"
 local passes = require "generator.ir.passes"
 local count = require "generator.ir.count"
@@ -52,20 +53,20 @@ function source.held(ctx, name) return ctx.name .. "_k_" .. name end
 
 local six, three = { "xx", "yy", "zz", "xy", "xz", "yz" }, { "x", "y", "z" }
 
--- Where each symbol is read from, as a list in the order of loading: {sym, c}.
+-- Where each symbol is read from, as a list in the order of loading: {sym, c, rank of its symbol}.
 local function sources(ctx, f)
   local list = {}
-  local function put(sym, c) list[#list + 1] = { sym = sym, c = c } end
+  local function put(sym, c, rank) list[#list + 1] = { sym = sym, c = c, rank = rank or 8 } end
   for _, a in ipairs(f.args) do
     if a == "m" then
-      for _, m in ipairs(ctx.members) do put(m.name, "m->" .. m.name) end
-      for _, k in ipairs(f.constants or {}) do put(k.name, source.held(ctx, k.name)) end
+      for _, m in ipairs(ctx.members) do put(m.name, "m->" .. m.name, 3) end
+      for _, k in ipairs(f.constants or {}) do put(k.name, source.held(ctx, k.name), 3) end
     elseif a == "x" or a == "x!" then
       for _, s in ipairs(ctx.states) do put(s.name, "x[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]") end
     elseif a == "u" then
       for _, s in ipairs(ctx.inputs) do put(s.name, "u[" .. ctx.upper .. "_" .. s.index .. "]") end
     elseif a == "t" or a == "h" then
-      put(a, a)
+      put(a, a, a == "h" and 6 or nil)
     elseif type(a) == "table" and a.held then -- read and written, one number a state
       for i, s in ipairs(ctx.states) do put(a.names[i], a.name .. "[" .. ctx.upper .. "_" .. string.upper(s.name) ..
         "]") end
@@ -122,6 +123,9 @@ function source.program(ctx, f)
     groups[i] = { why = g.why, where = g.where, defs = defs, outs = outs }
   end
   local inputs = f.inputs or sources(ctx, f)
+  local ranks = {}
+  for _, input in ipairs(inputs) do ranks[input.sym] = input.rank end
+  groups = distinct.run(groups, ranks)
   if uses_pi then
     local value = number.text(R.apply("pi", 200), ctx.real)
     inputs = { { sym = "pi", c = value }, table.unpack(inputs) }

@@ -132,9 +132,13 @@ local function general(ctx, program, names)
   end
   local last = { where = #groups + 1, defs = {}, outs = {} }
   groups[#groups + 1] = last
-  -- sums of states that no lane reads
+  -- sums of states that no lane reads, in their order: one may have another in it
+  local sums = 0
   for _, x in ipairs(program.levels[0].variables) do
-    if not x.place then table.insert(groups[1].defs, 1, { name = x.name, expr = x.term }) end
+    if not x.place then
+      sums = sums + 1
+      table.insert(groups[1].defs, sums, { name = x.name, expr = x.term })
+    end
   end
   advance(program, "term", symbol "after", {}, last)
   return rendered(ctx, inputs, groups)
@@ -347,6 +351,8 @@ function taylor.fill(ctx, program, v)
   v.taylor_bias = literal(bias)
   v.corner_part, v.corner_halvings = literal(R.new(2) ^ -(fraction // 2)), text(fraction + 8)
   v.taylor_finest = literal(R.new(2) ^ (-fraction - 2))
+  v.taylor_leaving, v.taylor_reach = literal(R.new(2) ^ (2 - fraction)), literal(R.new(1, 64))
+  v.taylor_parts, v.taylor_six = "1000", literal(R.new(6))
   v.taylor_least_packed = literal(R.new(13)) -- where a product costs less beside the rest of a step
   v.taylor_least, v.taylor_slope = literal(R.new(19, 2)), literal(R.new(3, 8))
 end

@@ -227,7 +227,9 @@ function vectors.fill(job, v, ctx)
     "kinetic energy of the particles", result)
   case("inertia_at", 6, nil, p .. "inertia_at(&m, a, got)", "tensor about another point", by_index)
   case("inertia_now", 6, xs[2].values, p .. "inertia_now(&m, x2, got)", "tensor with moving parts", by_index)
-  case("torque", 3, nil, p .. "torque(&m, w, dw, got)", "torque of a given motion", by_index)
+  local torque = description(job, "torque")
+  case("torque", 3, torque and torque.stateful and xs[2].values or nil, p .. "torque(&m, " ..
+    (torque and torque.stateful and v.zero .. ", x2, u" or "w") .. ", dw, got)", "torque of a given motion", by_index)
   case("rate", 3, nil, p .. "rate(w, a, da, got)", "rate of change of a vector", by_index)
   local term = { coriolis = 0, euler = 3, centrifugal = 6, total = 9 }
   case("acceleration", 12, nil, p .. "acceleration(w, dw, r, v, a, got, got + 3, got + 6, got + 9)",

@@ -12,7 +12,7 @@ local context = require "generator.dynamics.context"
 local equations = require "generator.dynamics.equations"
 local state = require "generator.dynamics.state"
 
-local cayley = { inertia = context.carried }
+local cayley = {}
 
 local w = state.w
 local axes = { "x", "y", "z" }
@@ -34,26 +34,31 @@ end
 
 function cayley.none(v) return v[1] == expr.zero and v[2] == expr.zero and v[3] == expr.zero end
 
--- Torque of all effects; the rotors' momentum k, where it is constant; which effect's is not (the torque then has what
--- it does to the body), or nil.
+-- The tensor that the rates carry, with moving parts; second result: whether there are such.
+function cayley.inertia(m) return context.now(m) end
+
+-- What acts on the body: {N = torque, k = the rotors' momentum where it is constant, changing = which effect's is not
+-- (N then has what it does to the body) or nil, slip = rate at which the axes turn beside w, or nil}.  Not in N: what
+-- turning L with the axes does, which is the slip's torque; what moving parts do, where the step takes their tensor.
 function cayley.acting(m)
   local zero = { expr.zero, expr.zero, expr.zero }
-  local N, k, names, changing = zero, zero, { t = true }, nil
+  local N, k, names, changing, slip = zero, zero, { t = true }, nil, nil
   for _, s in ipairs(m.states) do names[s.name] = true end
   local c = context.of(m)
-  c.L = function() return vec.apply(equations.inertia(m), w) end
   for _, e in ipairs(m.record.effects) do
     local own = context.with(c, e)
     local held = e.spec.momentum and e.spec.momentum(e.a, own) or zero
     local constant = #e.states == 0
     for i = 1, 3 do constant = constant and expr.constant(held[i], names) end
-    if constant then
+    if e.spec.turn then
+      slip = vec.add(slip or zero, e.spec.turn(e.a, own))
+    elseif constant then
       N, k = vec.add(N, e.spec.torque and e.spec.torque(e.a, own) or zero), vec.add(k, held)
-    else
+    elseif not e.spec.varies then
       N, changing = vec.add(N, equations.torque_of(m, e, own)), e.kind .. "'s angular momentum is not constant"
     end
   end
-  return N, k, changing
+  return { N = N, k = k, changing = changing, slip = slip }
 end
 
 -- v without what is along the line of a rod, where it has no momentum.

@@ -9,6 +9,7 @@
 -- across the torque is kept (a heavy top's L_z).  The two halves along a body's axis sum to that of h N, and with I
 -- symmetric about the axis A and B agree along it: a heavy top's w3 is kept, too.  The last equation is, times 1 + b x,
 --     I w = I w0 + (h/2) ((I w + k) x w + N + d x N)
+-- Where inner dissipation turns the axes at W beside w, b = h W/2 and (I w + k) x W stand here instead.
 -- which for N = 0 is the midpoint rule for Euler's equations: energy, a quadratic invariant, is kept.  The rule is
 -- symmetric (h -> -h undoes a step), of order 2.  The halves are the derivatives of h V at the middle, which is how the
 -- middle of a geodesic moves with its ends.  A rod has no momentum along its line: what d x N has there is left out,
@@ -51,11 +52,24 @@ local function refusal(m)
   return nil
 end
 
+-- The slip at the middle.
+local function slipped(acts)
+  local at = {}
+  for i = 1, 3 do at[w[i]] = middle[i] end
+  return vec.map(acts.slip, function(e) return calculus.substitute(e, at) end)
+end
+
 -- b, c and the attitude at the middle, as a group with what they are called.
-local function turn(m, N, with_attitude)
+local function turn(m, acts)
+  local N, with_attitude = acts.N, m.has.attitude
   local g = { why = "half of the step's rotation, (1, b) with b = h w/2; c = |(1, b)|", defs = {}, outs = {} }
   local define = definer(m, g)
-  local b = each(define, "b", vec.scale(define("hh", h / 2), middle))
+  local hh, W = define("hh", h / 2), middle
+  if acts.slip then
+    g.why = "half of the step's rotation, (1, b) with b = h W/2, W the rate at which the axes turn; c = |(1, b)|"
+    W = each(define, "W", vec.add(middle, slipped(acts)))
+  end
+  local b = each(define, "b", vec.scale(hh, W))
   local s = define("bb", 1 + vec.dot(b, b))
   local c, at = nil, {}
   if not none(N) then
@@ -79,8 +93,9 @@ local function half(define, r, N)
 end
 
 -- What the rate in the middle solves: groups, F with its definitions, the parts of the turn, the torque at the middle.
-local function equation(m, N, k, zero)
-  local g, r = turn(m, N, m.has.attitude)
+local function equation(m, acts, zero)
+  local N, k = acts.N, acts.k
+  local g, r = turn(m, acts)
   local hh = expr.sym(g.defs[1].name, 8)
   if none(N) then g.why = "half of the step" end
   local define
@@ -102,20 +117,22 @@ local function equation(m, N, k, zero)
   local function rates(v) -- at the middle
     local moved = {}
     for i = 1, 3 do moved[w[i]] = middle[i] end
-    return vec.map(cayley.rates(m, vec.add(v, vec.cross(k, w))), function(e) return calculus.substitute(e, moved) end)
+    v = vec.add(v, vec.cross(k, w))
+    if acts.slip then v = vec.add(v, vec.cross(vec.add(vec.apply(cayley.inertia(m), w), k), acts.slip)) end
+    return vec.map(cayley.rates(m, v), function(e) return calculus.substitute(e, moved) end)
   end
   local f, plain = rates(forced), rates(vec.map(N, function(e) return calculus.substitute(e, at) end))
   local F = {}
   for i = 1, 3 do
-    F[i] = none(N) and zero[state.names.rates[i]] and expr.zero or middle[i] - w[i] - hh * f[i]
+    F[i] = none(N) and not acts.slip and zero[state.names.rates[i]] and expr.zero or middle[i] - w[i] - hh * f[i]
   end
   list[#list + 1] = residual
   return list, each(define, "F", F), r, plain, hh
 end
 
 -- One Newton iteration, `mid` to `next`.
-local function iteration(m, N, k, zero)
-  local list, F, r, plain, hh = equation(m, N, k, zero)
+local function iteration(m, acts, zero)
+  local list, F, r, plain, hh = equation(m, acts, zero)
   local newton = { why = "Newton: w - D^-1 F, D the derivative of F", defs = {}, outs = {} }
   if #r.q > 0 then newton.why = newton.why .. "; a torque turns with the attitude, dq = (h/4) q (0, dw)" end
   local change = cayley.newton(definer(m, newton), F, function(i, j)
@@ -133,8 +150,9 @@ local function iteration(m, N, k, zero)
 end
 
 -- The step once the rate at the middle is known.
-local function finish(m, N, k, zero)
-  local g, r = turn(m, N, m.has.attitude)
+local function finish(m, acts, zero)
+  local N, k = acts.N, acts.k
+  local g, r = turn(m, acts)
   local b, hh, at = r.b, expr.sym(g.defs[1].name, 8), {}
   for i = 1, 3 do at[w[i]] = middle[i] end
   for i = 1, #r.q do at[q[i]] = r.q[i] end
@@ -171,8 +189,8 @@ end
 -- The step's transition matrix at the solution w = mid of F(mid, x) = 0: by the theorem on implicit functions
 -- d mid/dx = -D^-1 dF/dx with D = dF/d mid, all of it here (Newton may do with less); then the chain rule through the
 -- last part.  by, array: the same for the states into F, or for the inputs into G.  Returns groups.
-local function transition(m, N, k, zero, by, array)
-  local list, F = equation(m, N, k, zero)
+local function transition(m, acts, zero, by, array)
+  local list, F = equation(m, acts, zero)
   local map, columns, known, taken, groups = {}, {}, {}, {}, {}
   for j, name in ipairs { "midx", "midy", "midz" } do columns[j] = { name = name, sym = middle[j] } end
   for _, s in ipairs(by) do columns[#columns + 1] = s end
@@ -202,7 +220,7 @@ local function transition(m, N, k, zero, by, array)
   end
   for _, d in ipairs(g.defs) do taken[d.name] = true end
   groups[#groups + 1] = g
-  for _, more in ipairs((sensitivity.tangent(m, finish(m, N, k, zero), moved, taken, by, array))) do
+  for _, more in ipairs((sensitivity.tangent(m, finish(m, acts, zero), moved, taken, by, array))) do
     groups[#groups + 1] = more
   end
   return groups
@@ -214,12 +232,13 @@ function midpoint.program(eq, options)
   local m = eq.model
   local why = refusal(m)
   if why then return nil, why end
-  local N, k, held = cayley.acting(m)
-  if held then return nil, held end
+  local acts = cayley.acting(m)
+  if acts.changing then return nil, acts.changing end
   local zero = stages.conserved(eq)
-  return { iteration = iteration(m, N, k, zero), finish = finish(m, N, k, zero), count = none(N) and 4 or 6,
-    transition = options.jacobians and transition(m, N, k, zero, m.states, "F") or nil,
-    transition_u = options.jacobians and eq.inputs and transition(m, N, k, zero, m.inputs, "G") or nil }
+  return { iteration = iteration(m, acts, zero), finish = finish(m, acts, zero),
+    count = none(acts.N) and not acts.slip and 4 or 6,
+    transition = options.jacobians and transition(m, acts, zero, m.states, "F") or nil,
+    transition_u = options.jacobians and eq.inputs and transition(m, acts, zero, m.inputs, "G") or nil }
 end
 
 return midpoint

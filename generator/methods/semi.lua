@@ -7,6 +7,8 @@
 -- of the midpoint rule (methods/midpoint.lua), which is Kahan's method for the quadratic f; for a symmetric body it is
 -- the rule's solution.  Order 1 with torques (symplectic Euler), 2 without.  Position follows velocity in the same way;
 -- states of effects' own take one step of Euler's method.
+-- Where inner dissipation turns the axes at W beside w, the rotation is that of W, so that q L stays then, too.  With
+-- moving parts I is the tensor at the start until L1 is known, and w1 = (I + D1)^-1 L1 with the tensor at the end.
 -- Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2nd ed.), I.1.2 (symplectic Euler), VII.5; Hirota,
 -- Kimura 2000, J. Phys. Soc. Japan 69, 627 (Kahan's method for Euler's top).  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -14,6 +16,7 @@
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local vec = require "generator.algebra.vec"
+local context = require "generator.dynamics.context"
 local equations = require "generator.dynamics.equations"
 local moving = require "generator.dynamics.moving"
 local state = require "generator.dynamics.state"
@@ -26,7 +29,7 @@ local semi = { name = "semi", order = 1, title = "semi-implicit method of order 
 local h, q, w = state.h, state.q, state.w
 
 -- Euler's step of what is not turning: new velocities and own states first, then positions by the new velocities.
--- increments, here and below: what is added to the state stands in the place of the new state.
+-- increments, here and below: what is added to the state stands in the place of the new state.  Returns the new states.
 local function carried(m, groups, zero, list, finals, increments)
   local new = {}
   for _, last in ipairs { false, true } do
@@ -46,6 +49,7 @@ local function carried(m, groups, zero, list, finals, increments)
       if #group.defs > 0 then list[#list + 1] = group end
     end
   end
+  return new
 end
 
 -- The rates after the torque, w' (definitions of their own where there is a torque), and w' - w.
@@ -57,6 +61,26 @@ local function kicked(m, N, list, increments)
   local added = vec.scale(h, cayley.solved(m, N))
   if increments then added = cayley.each(define, "dw", added) end
   return cayley.each(define, "wk", vec.add(w, added)), added
+end
+
+-- w1 - w' = S1^-1 ((L1 - L') - (S1 - S) w'), S1 the tensor with the moving parts as they are at the end.
+local function moved(m, change, at, new, list)
+  local g = { why = "w1 = w' + (I + D1)^-1 (L1 - L' - (D1 - D) w'), D1 that of the moving parts at the end", defs = {},
+    outs = {} }
+  list[#list + 1] = g
+  local define = cayley.definer(m, g)
+  local S, D = cayley.inertia(m), context.parts(m)
+  local later = vec.map(D, function(e) return calculus.substitute(e, new) end)
+  local S1 = vec.map(S, function(e) return calculus.substitute(e, new) end)
+  local J = { { S1[1], S1[4], S1[5] }, { S1[4], S1[2], S1[6] }, { S1[5], S1[6], S1[3] } }
+  for i = 1, 3 do
+    for j = i, 3 do
+      J[i][j] = define("S" .. string.sub("xyz", i, i) .. string.sub("xyz", j, j), J[i][j])
+      J[j][i] = J[i][j]
+    end
+  end
+  local rest = vec.sub(change, vec.apply(vec.sub(later, D), at))
+  return cayley.inverse(function(name, e) return define(name .. "1", e) end, J)(rest)
 end
 
 -- What is added to q to make q1 = n q (1, b): n - 1 without cancellation, r - 1 = -b^2 r^2/(1 + r) of r = 1/|(1, b)|;
@@ -80,21 +104,22 @@ end
 local function step(eq, increments)
   local m, zero = eq.model, stages.conserved(eq)
   local list, finals = {}, {}
-  carried(m, eq.groups, zero, list, finals, increments)
+  local new = carried(m, eq.groups, zero, list, finals, increments)
   local last = { why = "the new state", defs = {}, outs = finals }
   if not m.has.rates then
     list[#list + 1] = last
     return list
   end
 
-  local N, k = cayley.acting(m)
-  local at, added = kicked(m, N, list, increments)
+  local acts = cayley.acting(m)
+  local k, slip, varies = acts.k, acts.slip, context.parts(m) ~= nil
+  local at, added = kicked(m, acts.N, list, increments)
   local map = {}
   for i = 1, 3 do map[w[i]] = at[i] end
   local hh
   local f = vec.map(cayley.rates(m, vec.cross(k, w)), function(e) return calculus.substitute(e, map) end)
   local middle = at
-  local turns = not cayley.none(f)
+  local turns = slip or varies or not cayley.none(f)
   local g = { why = turns and "the rate at the middle: w* = w' + (1 - (h/2) f')^-1 (h/2) f" or "half of the step",
     defs = {}, outs = {} }
   list[#list + 1] = g
@@ -104,6 +129,14 @@ local function step(eq, increments)
     local F = cayley.each(define, "F", vec.map(f, function(e) return -hh * e end))
     local change = cayley.newton(define, F, function(i, j) return hh * calculus.diff(f[i], at[j]) end)
     middle = cayley.each(define, "wm", vec.sub(at, change))
+  end
+  if slip then
+    local there = {}
+    for i = 1, 3 do there[w[i]] = middle[i] end
+    g.why = g.why .. "; the axes turn at W"
+    middle = cayley.each(define, "W", vec.add(middle, vec.map(slip, function(e)
+      return calculus.substitute(e, there)
+    end)))
   end
   local b = { why = "half of the rotation, (1, b)", defs = {}, outs = {} }
   if m.has.attitude or turns then list[#list + 1] = b end
@@ -119,11 +152,12 @@ local function step(eq, increments)
     b.why = "half of the rotation, (1, b); L turned back by it, w1 = w' + I^-1 (L1 - L')"
     local L = vec.add(vec.map(vec.apply(cayley.inertia(m), w), function(e) return calculus.substitute(e, map) end), k)
     local change = cayley.turned(define, half, s, cayley.each(define, "L", L), "L")
-    w1 = vec.add(w1, cayley.solved(m, cayley.each(define, "dL", change)))
+    change = cayley.each(define, "dL", change)
+    w1 = vec.add(w1, varies and moved(m, change, at, new, list) or cayley.solved(m, change))
   end
   for i, name in ipairs(state.names.rates) do
     -- what is along an axis of symmetry turns with it
-    local e = f[i] == expr.zero and (increments and added or at)[i] or w1[i]
+    local e = f[i] == expr.zero and not slip and not varies and (increments and added or at)[i] or w1[i]
     if not zero[name] then finals[#finals + 1] = { state = name, expr = e } end
   end
   if m.has.attitude then

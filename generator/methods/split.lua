@@ -82,6 +82,7 @@ local function refused(m, order)
   local slowed = false
   for _, e in ipairs(m.record.effects) do
     if #e.states > 0 then return short(e) .. " has a state of its own, which no kick changes exactly" end
+    if e.spec.turn then return short(e) .. " turns the attitude beside the rates, which no kick of the rates does" end
     local c = context.with(context.dry(m), e)
     for _, deed in ipairs { "torque", "force" } do
       for _, x in ipairs(e.spec[deed] and e.spec[deed](e.a, c) or {}) do

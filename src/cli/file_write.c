@@ -289,8 +289,8 @@ static struct job *new_job(lua_State *L, int items) {
 }
 
 /* item i from {name=, text=} at the stack's top, popped; text false: it is to go. The strings live
- * on in that table. */
-static void take_item(lua_State *L, struct job *job, int i, const char *dir) {
+ * on in that table. 0: its path is too long. */
+static int take_item(lua_State *L, struct job *job, int i, const char *dir) {
   struct item *item = &job->item[i];
   luaL_checktype(L, -1, LUA_TTABLE);
   lua_getfield(L, -1, "name");
@@ -304,9 +304,9 @@ static void take_item(lua_State *L, struct job *job, int i, const char *dir) {
   for (int j = 0; j < i; j++)
     if (strcmp(job->item[j].name, item->name) == 0)
       luaL_error(L, "write_files: '%s' is given twice", item->name);
-  if (snprintf(item->path, PATH_MAX, "%s/%s", dir, item->name) >= PATH_MAX)
-    luaL_error(L, "write_files: the name '%s' is too long", item->name);
+  const int fits = snprintf(item->path, PATH_MAX, "%s/%s", dir, item->name) < PATH_MAX;
   lua_pop(L, 3);
+  return fits;
 }
 
 int host_write_files(lua_State *L) {
@@ -317,7 +317,11 @@ int host_write_files(lua_State *L) {
   struct job *job = new_job(L, n);
   for (int i = 0; i < n; i++) {
     lua_rawgeti(L, 2, i + 1);
-    take_item(L, job, i, dir);
+    if (!take_item(L, job, i, dir)) {
+      lua_pushnil(L);
+      lua_pushfstring(L, "a path of %d bytes: %s", (int)strlen(dir), strerror(ENAMETOOLONG));
+      return 2;
+    }
   }
   if (!perform_undisturbed(job, dir)) {
     lua_pushnil(L);

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MAX_DIRECTORIES 64
+#define MAX_DIRECTORIES 1024
 
 static char *made[MAX_DIRECTORIES];
 static int count;

@@ -32,7 +32,7 @@ static void gradient(const ph_top *top, int k, ph_wide t, const ph_wide x[], ph_
   wide_apply(S, o, part);
   wide_cross(part, o, turn);
   ph_wide D[6], Do[3];
-  if (acts_tensor(top, x, D)) {
+  if (acts_locked(top, x, D)) {
     wide_apply(D, o, Do);
     wide_cross(o, Do, part);
     for (int i = 0; i < 3; i++)
@@ -57,6 +57,24 @@ static int plate(const ph_act *a, int i, const ph_wide sun[3], ph_wide F[3], ph_
   for (int k = 0; k < 3; k++)
     F[k] = -push * ((1 - mirror) * sun[k] + 2 * mirror * c * n[k] / length);
   return 1;
+}
+
+int acts_side(const ph_top *top, const ph_wide x[], int number, ph_wide *side) {
+  for (int k = 0; k < top->acts.n && top->effects & PH_SOLAR; k++) {
+    const ph_act *a = &top->acts.list[k];
+    if (a->kind != PH_SOLAR)
+      continue;
+    if (number < a->rows) {
+      ph_wide sun[3], n[3];
+      wide_load(3, a->v + 1, sun);
+      wide_sandwich(x, sun, 0, sun);
+      wide_load(3, a->table + 8 * number + 2, n);
+      *side = wide_dot(n, sun);
+      return 1;
+    }
+    number -= a->rows;
+  }
+  return 0;
 }
 
 /* Sums over the plates. */
@@ -100,21 +118,13 @@ static void parts(const ph_act *a, const ph_wide x[], ph_wide N[3], ph_wide *siz
   *size += wide_norm(N);
 }
 
-/* L of all, body axes. */
-static void whole_momentum(const ph_top *top, const ph_wide x[], ph_wide L[3]) {
-  wide_apply(top->wide_inertia, x + 4, L);
-  acts_momentum(top, x, L);
-  for (int i = 0; i < 3 && top->effects & PH_ROTOR; i++)
-    L[i] += (ph_wide)top->rotor[i];
-}
-
 void acts_slip(const ph_top *top, const ph_wide x[], ph_wide slip[3]) {
   for (int i = 0; i < 3; i++)
     slip[i] = 0;
   for (int k = 0; k < top->acts.n && top->effects & PH_DISSIPATION; k++)
     if (top->acts.list[k].kind == PH_DISSIPATION) {
       ph_wide L[3], part[3];
-      whole_momentum(top, x, L);
+      acts_whole(top, x, L);
       wide_cross(L, x + 4, part);
       for (int i = 0; i < 3; i++)
         slip[i] += (ph_wide)top->acts.list[k].v[0] * part[i];
@@ -141,7 +151,7 @@ void acts_torque_more(const ph_top *top, int k, ph_wide t, const ph_wide x[], ph
     parts(a, x, N, size);
     break;
   default: /* the double bracket as (L.w) L - L^2 w, but for its cancellation */
-    whole_momentum(top, x, L);
+    acts_whole(top, x, L);
     wide_cross(L, x + 4, F);
     wide_cross(L, F, N);
     for (int i = 0; i < 3; i++)

@@ -62,8 +62,9 @@ static ph_wide relative(const ph_top *top, const ph_wide x[], const ph_wide d[],
   return worst;
 }
 
-int step_extrapolate(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, ph_wide *next,
-                     ph_wide out[]) {
+/* step_extrapolate, whatever turns its edge to the light on the way. */
+static int smooth(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, ph_wide *next,
+                  ph_wide out[]) {
   const int n = ph_top_states(s->top);
   ph_wide T[COLUMNS][PH_STATES], error[PH_STATES];
   const ph_wide enough = fmaxl(tolerance, 32 * LDBL_EPSILON);
@@ -101,4 +102,72 @@ int step_extrapolate(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *
       return PH_ESTEP;
     *h *= status ? 0.1L : 0.4L;
   }
+}
+
+/* The first plate that is lit at one end only; -1 if none. */
+static int turned(const ph_top *top, const ph_wide x[], const ph_wide y[]) {
+  ph_wide before, after;
+  for (int k = 0; acts_side(top, x, k, &before) && acts_side(top, y, k, &after); k++)
+    if ((before > 0) != (after > 0))
+      return k;
+  return -1;
+}
+
+/* Shortens the step h, at whose end `out` plate k has turned its edge, to end where it just has:
+   the zero of its n.s by the false position with halved weights (Illinois: Dowell and Jarratt, BIT
+   11 (1971) 168), to a few roundings of the time. */
+static int to_edge(stepper *s, const ph_wide x[], ph_wide tolerance, int k, ph_wide *h,
+                   ph_wide *next, ph_wide out[]) {
+  enum { MOST = 80 };
+  ph_wide low = 0, high = *h, g_low, g_high, y[PH_STATES];
+  int last = 0;
+  acts_side(s->top, x, k, &g_low);
+  acts_side(s->top, out, k, &g_high);
+  const int lit = g_low > 0;
+  for (int i = 0; i < MOST; i++) {
+    const ph_wide close = 4 * LDBL_EPSILON * fmaxl(fabsl(s->t), fabsl(high));
+    if (fabsl(high - low) <= close)
+      break;
+    ph_wide at = low + (high - low) * (g_low / (g_low - g_high)), g;
+    if (!(fabsl(at - low) >= close / 2 && fabsl(high - at) >= close / 2))
+      at = low + (high - low) / 2;
+    ph_wide part = at;
+    const int status = smooth(s, x, tolerance, &part, next, y);
+    if (status)
+      return status;
+    acts_side(s->top, y, k, &g);
+    if (part != at) { /* a shorter step was wanted: the edge waits for a later one */
+      for (int n = 0; n < ph_top_states(s->top); n++)
+        out[n] = y[n];
+      *h = part;
+      return PH_OK;
+    }
+    if ((g > 0) == lit) {
+      low = at, g_low = g;
+      g_high = last < 0 ? g_high / 2 : g_high;
+      last = -1;
+    } else {
+      high = at, g_high = g;
+      g_low = last > 0 ? g_low / 2 : g_low;
+      last = 1;
+      for (int n = 0; n < ph_top_states(s->top); n++)
+        out[n] = y[n];
+      *h = at;
+    }
+  }
+  return PH_OK;
+}
+
+int step_extrapolate(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, ph_wide *next,
+                     ph_wide out[]) {
+  int status = smooth(s, x, tolerance, h, next, out), k;
+  /* each plate at its own edge, the earliest at last */
+  for (int i = 0, done = -1; !status && tolerance > 0 && i < PH_ACTS; i++) {
+    k = turned(s->top, x, out);
+    if (k < 0 || k == done)
+      break;
+    status = to_edge(s, x, tolerance, k, h, next, out);
+    done = k;
+  }
+  return status;
 }

@@ -39,10 +39,15 @@ void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
 static void torque_of(const ph_top *top, const motion_loads *loads, ph_wide t, const ph_wide x[],
                       ph_wide N[3], ph_wide *size) {
   const ph_wide *q = x, *w = x + 4;
-  ph_wide weight[3], inertial[3], L[3], gravity[3], turning[3], sum = 0;
+  ph_wide weight[3], inertial[3], L[3], gravity[3], turning[3], D[6], Dw[3], sum = 0;
   wide_sandwich(q, loads->weight, 0, weight);
   wide_sandwich(q, loads->inertial, 0, inertial);
   wide_apply(top->wide_inertia, w, L);
+  if (loads->decay != 0 && acts_locked(top, x, D)) {
+    wide_apply(D, w, Dw);
+    for (int i = 0; i < 3; i++)
+      L[i] += Dw[i];
+  }
   wide_cross(top->wide_com, weight, gravity);
   wide_cross(loads->rotor, w, turning);
   for (int i = 0; i < 3; i++) {
@@ -133,6 +138,17 @@ int ph_top_rates(const ph_top *top, double t, const double x[], const double u[3
   return status ? status : wide_store(ph_top_states(top), rate, dx);
 }
 
+int ph_top_inverse_at(const ph_top *top, double t, const double x[], const double w_rate[3],
+                      double N[3]) {
+  ph_wide state[PH_STATES], rate[3], torque[3];
+  if (!isfinite(t) || !wide_finite(ph_top_states(top), x) || !wide_finite(3, w_rate))
+    return PH_EFINITE;
+  wide_load(ph_top_states(top), x, state);
+  wide_load(3, w_rate, rate);
+  acts_inverse(top, (ph_wide)t, state, rate, torque);
+  return wide_store(3, torque, N);
+}
+
 int ph_top_inverse(const ph_top *top, const double w[3], const double w_rate[3], double N[3]) {
   if (!wide_finite(3, w) || !wide_finite(3, w_rate))
     return PH_EFINITE;
@@ -195,10 +211,7 @@ static int momentum(const ph_top *top, const double x[], int to_inertial, double
   if (!wide_finite(ph_top_states(top), x))
     return PH_EFINITE;
   wide_load(ph_top_states(top), x, state);
-  wide_apply(top->wide_inertia, state + 4, v);
-  acts_momentum(top, state, v);
-  for (int i = 0; i < 3 && (top->effects & PH_ROTOR); i++)
-    v[i] += (ph_wide)top->rotor[i];
+  acts_whole(top, state, v);
   if (to_inertial)
     wide_sandwich(state, v, 1, v);
   return wide_store(3, v, L);

@@ -122,7 +122,7 @@ ph_wide move_potential(const ph_top *top, const ph_wide x[]) {
   move_frame(top, 0, Omega, change);
   const int steady = change[0] == 0 && change[1] == 0 && change[2] == 0;
   if (steady) {
-    wide_apply(top->wide_inertia, x + 4, L);
+    acts_whole(top, x, L);
     wide_sandwich(x, L, 1, L);
     V -= wide_dot(Omega, L);
   }

@@ -407,7 +407,7 @@ int ph_top_torque(const ph_top *top, double t, const double x[], const double u[
 /* Equations of motion: q' = q (0, w) / 2, I w' = N - w x I w, each component rounded once from long
    double. About an axis without moment w' = 0, and a torque about it is PH_EROD. */
 int ph_top_rates(const ph_top *top, double t, const double x[], const double u[3], double dx[]);
-/* The torque equation read backwards: N = dL/dt|body + w x L with dL/dt|body = I w', body axes. */
+/* Of the body alone: N = I w' + w x I w, body axes. What turns in it: ph_top_inverse_at. */
 int ph_top_inverse(const ph_top *top, const double w[3], const double w_rate[3], double N[3]);
 /* T = w.I.w / 2, V = -M g d.com (0 without gravity), E = T + V; L = I w + h (h: of rotors, whose
  * own energy T leaves out) in body and q L q* in inertial axes. */

@@ -122,6 +122,11 @@ int ph_top_parts(struct ph_top *top, const ph_varying tensor[6], const ph_varyin
 /* Energy sink of strength k >= 0, 1/(N m s): T' = -k |L x w|^2, L = I w and what wheels hold. */
 int ph_top_dissipation(struct ph_top *top, double k);
 
+/* The torque N from outside, body axes, with which the state x at the time t has the accelerations
+   w_rate: rotors, wheels with their motors, moving parts and energy sinks do what they do. */
+int ph_top_inverse_at(const struct ph_top *top, double t, const double x[], const double w_rate[3],
+                      double N[3]);
+
 #ifdef __cplusplus
 }
 #endif

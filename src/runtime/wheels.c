@@ -123,6 +123,70 @@ void acts_momentum(const ph_top *top, const ph_wide x[], ph_wide L[3]) {
     }
 }
 
+int acts_locked(const ph_top *top, const ph_wide x[], ph_wide D[6]) {
+  int any = acts_tensor(top, x, D);
+  for (int k = 0; k < top->acts.n; k++)
+    if (is_wheel(top, k) && !top->acts.list[k].flag) {
+      ph_wide axis[3];
+      wide_load(3, top->acts.list[k].v, axis);
+      wide_add_outer(D, (ph_wide)top->acts.list[k].v[3], axis);
+      any = 1;
+    }
+  return any;
+}
+
+void acts_whole(const ph_top *top, const ph_wide x[], ph_wide L[3]) {
+  wide_apply(top->wide_inertia, x + 4, L);
+  acts_momentum(top, x, L);
+  for (int i = 0; i < 3 && top->effects & PH_ROTOR; i++)
+    L[i] += (ph_wide)top->rotor[i];
+}
+
+/* I w' + sum J W' a + D' w + W x L with J W' = u - J a.w', I that of acts_locked, W the rate at
+   which the axes turn; w x I w of the body's own tensor as -w x S w. */
+void acts_inverse(const ph_top *top, ph_wide t, const ph_wide x[], const ph_wide rate[3],
+                  ph_wide N[3]) {
+  const ph_wide *w = x + 4;
+  ph_wide held[3] = {0}, L[3], slip[3], D[6], part[3];
+  wide_apply(top->wide_inertia, rate, N);
+  wide_apply(top->wide_second, w, L);
+  wide_cross(w, L, part);
+  for (int i = 0; i < 3; i++)
+    N[i] -= part[i];
+  acts_momentum(top, x, held);
+  for (int i = 0; i < 3 && top->effects & PH_ROTOR; i++)
+    held[i] += (ph_wide)top->rotor[i];
+  wide_cross(w, held, part);
+  for (int i = 0; i < 3; i++)
+    N[i] += part[i];
+  acts_whole(top, x, L);
+  acts_slip(top, x, slip);
+  wide_cross(slip, L, part);
+  for (int i = 0; i < 3; i++)
+    N[i] += part[i];
+  if (acts_locked(top, x, D)) {
+    wide_apply(D, rate, part);
+    for (int i = 0; i < 3; i++)
+      N[i] += part[i];
+  }
+  for (int k = 0; k < top->acts.n; k++) {
+    const ph_act *a = &top->acts.list[k];
+    if (is_wheel(top, k)) {
+      ph_wide axis[3];
+      wide_load(3, a->v, axis);
+      const ph_wide u = acts_value(&a->torque[0], t, x) - (ph_wide)a->v[3] * wide_dot(axis, rate);
+      for (int i = 0; i < 3; i++)
+        N[i] += u * axis[i];
+    } else if (a->kind == PH_PARTS && top->effects & PH_PARTS) {
+      for (int i = 0; i < 6; i++)
+        D[i] = acts_value(&a->rate[6 + i], 0, x);
+      wide_apply(D, w, part);
+      for (int i = 0; i < 3; i++)
+        N[i] += part[i];
+    }
+  }
+}
+
 /* Positive definite by the pivots of the tensor without the included wheels. */
 static int positive(const ph_top *top) {
   ph_wide I[6], A[3][3];

@@ -37,7 +37,7 @@ tap.like(c, "/* wheel: N = J (a.w + W) a x w - u a, of the wheel on the body [wh
 tap.like(c, "/* L = I w + J (a.w + W) a of each wheel; I without the wheels' own moments */", "L has the wheels in it")
 tap.ok(not c:find("/* L = I w */\n  const wheels_real t", 1, true), "and nowhere without")
 tap.like(c, "+ J (a.w + W)^2/2 of each wheel", "T, too")
-tap.like(h, "alone:\n * wheels and rotors stand still in it. */", "NAME_torque says that it is of the body alone")
+tap.like(h, "while what turns or moves in the body does what the scene says. */", "NAME_torque says what the wheels do")
 for name, size in pairs { jacobian = "NX*WHEELS_NX", jacobian_p = "NX*WHEELS_NP", initial_p = "NX*WHEELS_NP",
   step_transition = "NX*WHEELS_NX" } do -- independent of each other: in any order
   local arguments = h:match("void wheels_" .. name .. "(%b())")

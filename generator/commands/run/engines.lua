@@ -12,8 +12,10 @@
 -- wrong, {scene = true} where job.diag says it.  job.course: the inputs over time, or nil.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local options = require "generator.commands.options"
 local build = require "generator.commands.build"
+local breaks = require "generator.dynamics.breaks"
 local driver = require "generator.driver"
 local gen = require "generator.commands.gen"
 local limits = require "generator.commands.run.limits"
@@ -55,10 +57,36 @@ local function last_reached(plugin, method, x, from, t, course, tolerance)
   return t
 end
 
-local function stepped(plugin, method, x0, course, tolerance, step)
-  return function(times, o)
+-- The times and the corners of tables between them, where fixed steps shall end too: over a corner a step has no order.
+-- Second result: which of them were asked for.
+local function with_corners(times, corners, from)
+  local all, asked, c = {}, {}, 1
+  for _, t in ipairs(times) do
+    while corners[c] and corners[c] < t do
+      if corners[c] > from then all[#all + 1] = corners[c] end
+      c = c + 1
+    end
+    all[#all + 1] = t
+    asked[#all] = true
+    while corners[c] and corners[c] <= t do c = c + 1 end
+    from = math.max(from, t)
+  end
+  return all, asked
+end
+
+-- The knots of the scene's tables, for its own parameters, in their order.
+local function corners_of(job)
+  local list = {}
+  for i, k in ipairs(breaks.knots(job.equations)) do list[i] = R.todouble(k.value) end
+  return list
+end
+
+local function stepped(plugin, method, x0, course, tolerance, step, corners)
+  return function(asked, o)
     local h = o.step or step
     local from = o.from or { t = 0.0, x = x0 }
+    local times, wanted = asked, nil
+    if h and #corners > 0 then times, wanted = with_corners(asked, corners, from.t) end
     local rows, last, infinite = plugin:integrate(from.x, course, h or { tolerance }, times, from.t, method)
     if not rows then
       local reached, next_time = from, nil
@@ -73,8 +101,11 @@ local function stepped(plugin, method, x0, course, tolerance, step)
       return failed(t, "no steps lead on")
     end
     if infinite then return failed(infinite, "the state is not finite") end
-    for i, row in ipairs(rows) do rows[i] = { t = row[1], x = { table.unpack(row, 2) } } end
-    return rows
+    local list = {}
+    for i, row in ipairs(rows) do
+      if not wanted or wanted[i] then list[#list + 1] = { t = row[1], x = { table.unpack(row, 2) } } end
+    end
+    return list
   end
 end
 
@@ -128,7 +159,7 @@ function engines.generated(host, job, given)
   else
     if not (m.adaptive and not given.step) then motion.step = given.step or job.model:double(job.model.step) end
     local tolerance = given.tolerance or limits.usual[real]
-    motion.solve = stepped(plugin, method, x0, job.course, tolerance, motion.step)
+    motion.solve = stepped(plugin, method, x0, job.course, tolerance, motion.step, corners_of(job))
   end
   function motion.measured(state)
     local energy, L = plugin:energy(state.x), job.model.has.attitude and plugin:momentum(state.x) or {}

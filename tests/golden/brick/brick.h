@@ -105,7 +105,7 @@ void brick_momentum_body(const brick_model *m, const brick_real x[], brick_real 
 /* Angular momentum about the origin of rotation, inertial axes, kg m^2/s; |q| = 1. */
 void brick_momentum(const brick_model *m, const brick_real x[], brick_real L[3]);
 
-/* The torque that makes the body turn with rates w and accelerations dw, body axes, N m
+/* The torque from outside that makes the body turn with rates w and accelerations dw, body axes, N m
  * (the torque equation read backwards: N = dL/dt + w x L in the body frame). */
 void brick_torque(const brick_model *m, const brick_real w[3], const brick_real dw[3],
                   brick_real N[3]);

@@ -1,0 +1,73 @@
+-- stepper_checks.lua -- every stepper that takes the scene against the general library's motion.
+--
+-- A stepper that converges may converge to another motion; so errors are distances from the library's, which is
+-- integrated by a method and in terms of its own.  Halving h must divide them by 2^order, which a part of them that
+-- does not go away would prevent; a method that chooses its steps must keep its tolerance.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local methods = require "generator.methods.list"
+
+local stepper_checks = {}
+
+-- The names of the methods that take the scene, the first one first, and why others do not: {name, why}.
+function stepper_checks.choice(job)
+  local names, others = {}, {}
+  for _, m in ipairs(methods) do
+    local program, why = true, nil
+    if m.program then program, why = m.program(job.equations, {}) end
+    if program then names[#names + 1] = m.name else others[#others + 1] = { m.name, why } end
+  end
+  if job.closed.kind then names[#names + 1] = "exact" end
+  return names, others
+end
+
+-- Steps over some four radians, so many that the error is far below 1 and far above rounding; twice as many after.
+local base = { 1024, 256, nil, 64, nil, 48 }
+
+-- Half of what the order promises to be left after halving would be another order; that h is not yet small takes some.
+local loss = 0.75
+
+-- What a method that follows a tolerance may miss it by over a span of some four radians: local errors that add up, and
+-- grow as neighbouring motions part.
+local growth = 1e4
+
+-- motion: {start, finish, rows = the library's at finish}; distance(x, y): of two states, against their size.
+function stepper_checks.run(job, plugin, tap, name, motions, distance, epsilon)
+  for _, s in ipairs(job.steppers) do
+    local m = s.method
+    local order = m.order -- of an adaptive method that of its step, which is another function
+    local worst, shown, fine = 0.0, nil, true
+    for _, motion in ipairs(motions) do
+      local function off(h)
+        local rows = plugin:integrate(motion.start, nil, h, { motion.finish }, nil, m.name)
+        return rows and distance({ table.unpack(rows[1], 2) }, motion.want) or math.huge
+      end
+      if not m.adaptive then
+        local n, first, second, good = base[order] // (job.real == "float" and 2 or 1), nil, nil, false
+        for _ = 1, 3 do -- two powers of h may cancel at one step's size, but at no other
+          first, second = second or off(motion.finish / n), off(motion.finish / (2 * n))
+          -- of two infinite errors neither is the larger; a step rounds up to some 16 times
+          good = first < 0.3 and second <= first / (loss * 2 ^ order) + (256 + 16 * n) * epsilon
+          if good then break end
+          n = 2 * n
+        end
+        if not shown or fine and (not good or second > worst) then
+          worst, shown = second, string.format("%.3g, %.3g", first, second)
+        end
+        fine = fine and good
+      else
+        local tolerance = job.real == "float" and 1e-5 or 1e-11
+        local e = math.max(off { tolerance }, m.name == "taylor" and off(motion.finish / 256) or 0.0)
+        worst = math.max(worst, e)
+        fine = fine and e <= growth * tolerance
+        shown = string.format("%.3g at a tolerance of %g", worst, tolerance)
+      end
+    end
+    local what = m.name == "rk4" and ": halving h divides the stepper's error by about 16" or
+      not m.adaptive and string.format(": %s goes to the library's motion, halving h divides its error by about %d",
+        m.name, 2 ^ order) or ": " .. m.name .. " follows the library's motion"
+    tap.ok(fine, name .. what, shown)
+  end
+end
+
+return stepper_checks
