@@ -344,8 +344,9 @@ drift: $(PROGRAM)
 # Planted defects, and which tests find them: tests/mutants/mutants.lua and docs/mutants.md.
 mutants: COUNT = 40
 mutants: SEED = 1
+mutants: TIER = all
 mutants: tests
-	@$(LUA) tests/mutants/mutants.lua $(BUILD) $(COUNT) $(SEED) docs/mutants.md
+	@$(LUA) tests/mutants/mutants.lua $(BUILD) $(COUNT) $(SEED) docs/mutants.md $(filter quick,$(TIER))
 
 # How errors grow with the number of steps: exponents, fitted over ensembles of states; docs/drift.md and its diagram.
 drift-laws: $(PROGRAM) $(LIBRARY)

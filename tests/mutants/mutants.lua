@@ -1,12 +1,12 @@
 -- mutants.lua - plants defects one at a time and looks which tests see them: `make mutants`, docs/mutants.md.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     lua5.4 tests/mutants/mutants.lua BUILD COUNT SEED PAGE
+--     lua5.4 tests/mutants/mutants.lua BUILD COUNT SEED PAGE [quick]
 --
 -- In a copy of the tree, BUILD/mutants/tree, a third of the defects each in generator/, templates/ and src/; the same
 -- SEED plants the same ones in the same tree.  A defect with which the program cannot be built is none: another is
 -- drawn.  Each is met by the quick tests until one fails, and what they let pass by the others of make check-all that
--- can see the file.  What was found is kept in BUILD/mutants/SEED.log: a run that was stopped goes on there.
+-- can see the file (quick: not by these).  What was found is kept in BUILD/mutants/SEED.log: a run that was stopped goes on there.
 
 package.path = "./?.lua;" .. package.path
 
@@ -14,7 +14,8 @@ local sites = require "tests.mutants.sites"
 local order = require "tests.mutants.order"
 local page = require "tests.mutants.page"
 
-local build, count, seed, to = arg[1], tonumber(arg[2]), tonumber(arg[3]), arg[4]
+local build, count, seed, to, alone_quick = arg[1], tonumber(arg[2]), tonumber(arg[3]), arg[4], arg[5] == "quick"
+io.stdout:setvbuf "line"
 
 -- A whole number in [1, n] (Park and Miller's generator with 48271).
 local state = 16807*seed % 2147483647
@@ -192,12 +193,12 @@ for number, defect in ipairs(defects) do
     defect.all = defect.quick
   elseif before.all then
     defect.all = before.all
-  else
+  elseif not alone_quick then
     assert(plant(defect))
     defect.all = caught(defect, order.rest(defect.file), "all")
     note("all", number, defect.all)
   end
-  if defect.quick == "-" then print(number, defect.file .. ":" .. defect.line, "all: " .. defect.all) end
+  if defect.quick == "-" then print(number, defect.file .. ":" .. defect.line, "all: " .. (defect.all or "not asked")) end
 end
 os.execute("rm -rf " .. tree)
 page.write(to, seed, defects)

@@ -35,19 +35,21 @@ local function merged(text, mark, seed, rows)
 end
 
 function page.write(path, seed, defects)
-  local quick, all, areas, missed = 0, 0, {}, {}
+  local quick, all, areas, missed, asked = 0, 0, {}, {}, true
   for _, d in ipairs(defects) do
     local name = d.file:match "^[^/]+"
     areas[name] = areas[name] or { planted = 0, quick = 0 }
     areas[name].planted = areas[name].planted + 1
     if d.quick ~= "-" then quick, areas[name].quick = quick + 1, areas[name].quick + 1 end
     if d.all ~= "-" then all = all + 1 end
+    asked = asked and d.all ~= nil
     if d.quick == "-" then
       missed[#missed + 1] = string.format("| %d | %s:%d | %s | %s | %s |  |", seed, d.file, d.line, code(d.was),
-        code(d.is), d.all == "-" and "no test" or d.all)
+        code(d.is), d.all == "-" and "no test" or d.all or "not asked")
     end
   end
-  local row = string.format("| %d | %d | %d | %d | %.0f %% |", seed, #defects, quick, all, 100*quick/math.max(all, 1))
+  local row = string.format("| %d | %d | %d | %s | %s |", seed, #defects, quick, asked and math.tointeger(all) or "-",
+    asked and string.format("%.0f %%", 100*quick/math.max(all, 1)) or "-")
   local by = {}
   for _, name in ipairs { "generator", "templates", "src" } do
     local a = areas[name] or { planted = 0, quick = 0 }
