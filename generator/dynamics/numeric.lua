@@ -147,7 +147,7 @@ function numeric.scene(job, values)
   for i, k in ipairs((numeric.positions(job))) do place[job.states[i].name] = k - 1 end
   for i, s in ipairs(m.inputs) do place[s.name] = -i end
   local function code(e) return postfix.of(e, exact, place) end
-  for _, e in ipairs(record.effects) do
+  for _, e in ipairs(m.record.effects) do -- those that act
     local more
     effects[#effects + 1], more = e.spec.numeric(e.a, num, record.given, code, context.with(dry, e))
     effects[#effects + 1] = more

@@ -282,14 +282,24 @@ end
 -- bits, it is another one: products of tensor and inverse cancel (a lamina has Izz = Ixx + Iyy), their roundings do
 -- not.
 local function without_roundings(m, e, fine)
-  for _, s in ipairs(e ~= fine and m.states or {}) do
-    local c, d = calculus.diff(e, s.sym), calculus.diff(fine, s.sym)
-    if c.kind == "num" and d.kind == "num" and c ~= d and
-      (d == expr.zero or R.log2(c.value - d.value) > R.log2(d.value) - 64) then
-      e = calculus.substitute(e, { [s.sym] = expr.zero })
+  if e == fine then return e end
+  local function coefficients(x) -- of the states in terms c*x
+    local of, terms = {}, x.kind == "add" and x or { x }
+    for i = 1, #terms do
+      local c, rest = expr.split(terms[i])
+      if rest.kind == "sym" and m.states.by_name[rest.name] then of[rest] = c end
     end
+    return of, terms
   end
-  return e
+  local of, terms = coefficients(e)
+  local exact, kept = coefficients(fine), {}
+  for i = 1, #terms do
+    local c, rest = expr.split(terms[i])
+    local d = exact[rest] or R.zero
+    local rounded = of[rest] and c ~= d and (R.sign(d) == 0 or R.log2(c - d) > R.log2(d) - 64)
+    if not rounded then kept[#kept + 1] = terms[i] end
+  end
+  return #kept == #terms and e or expr.add(kept)
 end
 
 function quantities.jacobian(eq)

@@ -26,7 +26,7 @@ local frame = {
   signs = "Omega = rate + rate_dot t is the frame's rate in its own axes; r, v, q are relative to it, w is inertial",
   source = "Landau, Lifshitz, Mechanics, 3rd ed., section 39",
   example = "foucault",
-  single = true, keeps = "T+V if rate is constant, |L|, w3, L_z if rate is along z",
+  single = true, keeps = "T+V if rate is constant or the body only turns, |L|, w3, L_z if rate is along z",
 }
 
 local comp = { "x", "y", "z" }
@@ -61,9 +61,9 @@ function frame.potential(a, c)
   return V
 end
 
-function frame.conserves(a)
+function frame.conserves(a, c)
   local list = { "|L|", "w3" }
-  if steady(a) then list[#list + 1] = "T+V" end
+  if steady(a) or not c.has.position then list[#list + 1] = "T+V" end -- a rate that changes has no potential, nor work
   local upright = true
   for i = 1, 2 do upright = upright and a.rate[i] == expr.zero and a.rate_dot[i] == expr.zero end
   if upright then list[#list + 1] = "L_z" end

@@ -10,7 +10,7 @@
 
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
-local distinct = require "generator.ir.distinct"
+local distinct = require "generator.dynamics.distinct"
 local selftest = require "generator.emit.selftest"
 
 local samples = { count = 256, most_steps = 4096, noise = 4, full = 32768 }

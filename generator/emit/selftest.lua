@@ -9,7 +9,7 @@
 
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
-local distinct = require "generator.ir.distinct"
+local distinct = require "generator.dynamics.distinct"
 
 local selftest = { bits = 200, roundings = 32, stages = R.new(8) }
 

@@ -144,16 +144,23 @@ local function general(ctx, program, names)
   return rendered(ctx, inputs, groups)
 end
 
--- Which of the names do the forms of the program use?
+-- Which of the names do the forms of the program use?  A sum that nothing needs is not printed, so it does not count.
 local function used_names(program, list)
-  local seen = {}
-  local function note(e)
-    for _, s in ipairs(e and expr.symbols(e) or {}) do seen[s.name] = true end
+  local seen, forms = {}, {}
+  for _, d in ipairs(program.constants) do forms[d.name] = { d.expr } end
+  for _, x in ipairs(program.variables) do forms[x.name] = { x.start or expr.zero, x.term } end
+  local function need(name)
+    if seen[name] then return end
+    seen[name] = true
+    for _, e in ipairs(forms[name] or {}) do
+      for _, s in ipairs(expr.symbols(e)) do need((string.gsub(s.name, "^first_", ""))) end
+    end
   end
-  for _, d in ipairs(program.constants) do note(d.expr) end
+  local function note(e)
+    for _, s in ipairs(expr.symbols(e)) do need((string.gsub(s.name, "^first_", ""))) end
+  end
   for _, x in ipairs(program.variables) do
-    note(x.start)
-    note(x.term)
+    if x.place or x.first or x.root then need(x.name) end
     if x.state and x.place then
       note(program.slopes[x.name].start)
       note(program.slopes[x.name].term)

@@ -42,7 +42,7 @@ function cayley.inertia(m) return context.now(m) end
 -- turning L with the axes does, which is the slip's torque; what moving parts do, where the step takes their tensor.
 function cayley.acting(m)
   local zero = { expr.zero, expr.zero, expr.zero }
-  local N, k, names, changing, slip = zero, zero, { t = true }, nil, nil
+  local N, k, names, changing, slip, turning = zero, zero, { t = true }, nil, nil, zero
   for _, s in ipairs(m.states) do names[s.name] = true end
   local c = context.of(m)
   for _, e in ipairs(m.record.effects) do
@@ -56,8 +56,10 @@ function cayley.acting(m)
       N, k = vec.add(N, e.spec.torque and e.spec.torque(e.a, own) or zero), vec.add(k, held)
     elseif not e.spec.varies then
       N, changing = vec.add(N, equations.torque_of(m, e, own)), e.kind .. "'s angular momentum is not constant"
+      turning = vec.add(turning, held)
     end
   end
+  if slip then N = vec.add(N, vec.cross(turning, slip)) end -- it turns all of L, and N has what turns not with I w
   return { N = N, k = k, changing = changing, slip = slip }
 end
 

@@ -30,7 +30,7 @@ local function new_variable(self, name, level)
     n = n + 1
     unique = name .. "_" .. n
   end
-  taken[unique] = true
+  taken[unique], taken[unique .. "0"] = true, true -- its term 0 is called so
   local v = { name = unique, sym = expr.sym(unique, 8), level = level, weighted = false }
   self.variables[#self.variables + 1] = v
   self.by_sym[v.sym] = v
@@ -340,7 +340,7 @@ function series.new(states, groups, varying)
   for _, s in ipairs(states) do
     if varying[s.name] then
       local v = { name = s.name, sym = s.sym, level = 0, state = true }
-      self.taken[s.name] = true
+      self.taken[s.name], self.taken[s.name .. "0"] = true, true
       self.variables[#self.variables + 1], self.by_sym[s.sym] = v, v
     end
   end

@@ -12,6 +12,7 @@ local calculus = require "generator.algebra.calculus"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local breaks = require "generator.dynamics.breaks"
+local distinct = require "generator.dynamics.distinct"
 local equations = require "generator.dynamics.equations"
 local state = require "generator.dynamics.state"
 local series = require "generator.methods.series"
@@ -24,6 +25,8 @@ local taylor = { name = "taylor", adaptive = true, compensated = true, orders = 
   about = "Taylor series of order 4 to 30 (--order; 20, in float 10), automatic recurrences, fixed or adaptive step" }
 
 local rates = state.names.rates
+local of_attitude = {}
+for _, name in ipairs(state.names.attitude) do of_attitude[name] = true end
 
 -- Where body and torque look alike from all sides of an axis k and the rate w3 about it is constant, the equations keep
 -- their form in a frame that turns about k at any rate s relative to the body: only Omega = (I3 - I1)/I1 w3 becomes
@@ -120,6 +123,9 @@ local function shifted(eq, groups)
   for _, member in ipairs(m.members) do map[member.sym] = member.e end
   for _, g in ipairs(eq.groups) do
     for _, o in ipairs(g.outs) do rate[o.state] = equations.inline(eq.groups, o.expr) end
+  end
+  for _, s in ipairs(m.states) do -- a thrust that turns with the body must not be seen from another frame
+    if s.kind ~= "attitude" and not expr.constant(rate[s.name], of_attitude) then return groups end
   end
   local torque = vec.cross(w, vec.apply(I, w)) -- I w' + w x L
   for i = 1, 3 do
@@ -289,6 +295,15 @@ local function tangent(eq, groups, moving, order)
   return program, why
 end
 
+-- The equations with no definition called like a derived constant: the series are told apart by names.
+local function separate(eq)
+  local ranks, own = {}, {}
+  for _, member in ipairs(eq.model.members or {}) do ranks[member.name] = 3 end
+  for key, v in pairs(eq) do own[key] = v end -- into a table: order is lost anyway
+  own.groups = distinct.run(eq.groups, ranks)
+  return own
+end
+
 -- The series of the equations, or nil and why there is none.  options: {order =, jacobians =}.  As laid_out, with knots
 -- = {{time, sign}}, axis, spin, shift of the frame, transition = the program of the variational equations.
 function taylor.program(eq, options)
@@ -307,6 +322,7 @@ function taylor.program(eq, options)
       moving[#moving + 1] = s
     end
   end
+  eq = separate(eq)
   local groups, axis, spin, Omega = despun(eq, zero)
   local shift, knots
   if not axis then groups, shift = shifted(eq, groups) end

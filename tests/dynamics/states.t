@@ -53,7 +53,7 @@ for _, c in ipairs {
   { "a point in a turning frame", BOX, FRAME, "initial = { position = {1, 0, 0} }", PLACE, "T+V" },
   { "a body in a turning frame", BOX, FRAME, "initial = { omega = {1, 0, 0} }", ROTATION, "T+V |L| L_z" },
   { "a frame whose rate changes", BOX, "effect.rotating_frame { rate = {0, 0, 1}, rate_dot = {1, 0, 0} }",
-    "initial = { omega = {1, 0, 0} }", ROTATION, "|L|" },
+    "initial = { omega = {1, 0, 0} }", ROTATION, "T+V |L|" },
   { "rates alone", BOX, "", "outputs = { \"rates\" }", RATES, "T+V |L|" },
   { "rates with the energy", BOX, "", "outputs = { \"rates\", \"energy\" }", RATES, "T+V |L|" },
   { "the momentum needs the attitude", BOX, "", "outputs = { \"momentum\" }", ROTATION, "T+V |L| L L_z" },

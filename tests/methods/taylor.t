@@ -94,8 +94,9 @@ local function printed(s, name)
   emit.fill(ctx, made, v)
   local lines = { "typedef double " .. name .. "_real; typedef struct { double kk; } " .. name .. "_model;",
     "enum { " .. ctx.upper .. "_ONE, " .. ctx.upper .. "_TWO, " .. ctx.upper .. "_NX };",
-    "static void " .. name .. "_rhs(const " .. name .. "_model *m, double t, const double x[], const double u[], " ..
-      "double dx[]) { (void)m; (void)t; (void)u; dx[0] = x[0]; dx[1] = x[1]; }", -- for what leaves a root's zero
+    -- for what leaves a root's zero
+    (("void RHS; void RHS { (void)m; (void)t; (void)u; dx[0] = x[0]; dx[1] = x[1]; }"):gsub("RHS", name ..
+      "_rhs(const " .. name .. "_model *m, double t, const double x[], const double u[], double dx[])")),
     template.render("taylor.h", scene.slurp "templates/taylor.h", v),
     template.render("taylor.c", scene.slurp "templates/taylor.c", v),
     template.render("taylor_run.c", scene.slurp "templates/taylor_run.c", v) }

@@ -6,7 +6,8 @@
 -- In a copy of the tree, BUILD/mutants/tree, a third of the defects each in generator/, templates/ and src/; the same
 -- SEED plants the same ones in the same tree.  A defect with which the program cannot be built is none: another is
 -- drawn.  Each is met by the quick tests until one fails, and what they let pass by the others of make check-all that
--- can see the file (quick: not by these).  What was found is kept in BUILD/mutants/SEED.log: a run that was stopped goes on there.
+-- can see the file (quick: not by these).  What was found is kept in BUILD/mutants/SEED.log: a run that was stopped
+-- goes on there.
 
 package.path = "./?.lua;" .. package.path
 
@@ -198,7 +199,9 @@ for number, defect in ipairs(defects) do
     defect.all = caught(defect, order.rest(defect.file), "all")
     note("all", number, defect.all)
   end
-  if defect.quick == "-" then print(number, defect.file .. ":" .. defect.line, "all: " .. (defect.all or "not asked")) end
+  if defect.quick == "-" then
+    print(number, defect.file .. ":" .. defect.line, "all: " .. (defect.all or "not asked"))
+  end
 end
 os.execute("rm -rf " .. tree)
 page.write(to, seed, defects)

@@ -1,0 +1,222 @@
+-- scenes.lua -- scenes made at random: bodies, effects with their flags, any number of them a parameter.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+--     scenes.variants              all ways to write each effect: { effect, name, where, text(S) }
+--     scenes.new(seed, share)      S, the source of numbers; share of them that become parameters, 0 to 1
+--     scenes.text(S, name, body, list)   the scene; body: "diagonal", "symmetric", "full"; list: of variants
+--     scenes.parts(S, body, list)        the same in parts, which scenes.joined(name, parts) puts together
+--     scenes.fits(list)            can these variants be in one scene?  Then where the origin is: "point" or "centroid"
+--
+-- where: "point": about a fixed point; "flight": the body moves; "centroid": about the centroid, moving or not; nil:
+-- any of them.
+
+local scenes = {}
+
+local S = {}
+S.__index = S
+
+function scenes.new(seed, share) return setmetatable({ state = seed % 2147483646 + 1, share = share or 0 }, S) end
+
+-- A whole number in [1, n] (Park and Miller's generator with 48271).
+function S:random(n)
+  self.state = self.state * 48271 % 2147483647
+  return self.state * n // 2147483647 + 1
+end
+
+-- A number of two digits with the unit (nil: none), low .. high, as a literal or the name of a parameter.
+function S:num(low, high, unit)
+  local x = string.format("%.3g", low + (high - low) * self:random(1000) / 1000)
+  if self:random(1000) > 1000 * self.share then return x end
+  local name = "p" .. #self.params + 1
+  self.params[#self.params + 1] = string.format("local %s = param(%q, %s%s)\n", name, name, x,
+    unit and ", \"" .. unit .. "\"" or "")
+  return name
+end
+
+-- Three components, renamed with the axes: x is y, y is z, z is x where S.renamed.
+function S:axes(x, y, z)
+  if self.renamed then x, y, z = z, x, y end
+  return "{" .. x .. ", " .. y .. ", " .. z .. "}"
+end
+
+-- Three of them, both signs.
+function S:vec(size, unit)
+  local list = {}
+  for i = 1, 3 do
+    local x = self:num(size / 8, size, unit)
+    list[i] = self:random(2) == 1 and x or "-" .. x
+  end
+  return self:axes(table.unpack(list))
+end
+
+local V = {}
+local function put(effect, name, where, text)
+  V[#V + 1] = { effect = effect, name = name, where = where, text = text }
+end
+
+put("gravity", "gravity", "point", function(s) return "g = " .. s:num(0.5, 2, "m/s^2") end)
+put("gravity", "gravity_direction", "point", function(s)
+  return "g = " .. s:num(0.5, 2, "m/s^2") .. ", direction = " .. s:vec(1)
+end)
+put("damping", "damping", nil, function(s) return "c = " .. s:num(0.05, 0.3, "N m s") end)
+put("damping", "damping_principal", nil, function(s) return "c = " .. s:vec(0.2, "N m s") end)
+put("damping", "damping_matrix", nil, function(s)
+  return "c = {" .. s:vec(0.2, "N m s") .. ", " .. s:vec(0.2, "N m s") .. ", " .. s:vec(0.2, "N m s") .. "}"
+end)
+put("damping", "damping_rate", nil, function(s) return "rate = " .. s:num(0.05, 0.3, "1/s") end)
+put("torque", "torque_body", nil, function(s) return "body = " .. s:vec(0.5, "N m") end)
+put("torque", "torque_inertial", nil, function(s) return "inertial = " .. s:vec(0.5, "N m") end)
+put("torque", "torque_moving", nil, function(s)
+  return "body = {" .. s:num(0.1, 0.5, "N m") .. "*sin(2*t), " .. s:num(0.1, 0.3, "N m") .. "*qx, -0.1*wz}"
+end)
+put("torque", "torque_table", nil, function(s)
+  return "inertial = {0, {{0, 0}, {2, " .. s:num(0.1, 0.5, "N m") .. "}, {6, 0}}, 0.1}"
+end)
+put("control", "control", nil, function() return "" end)
+put("control", "control_limited", nil, function(s) return "max = " .. s:num(0.2, 0.5, "N m") end)
+put("rotor", "rotor", nil, function(s) return "axis = " .. s:vec(1) .. ", momentum = " .. s:num(0.2, 0.6, "N m s") end)
+put("translation", "flight", "flight", function(s) return "gravity = " .. s:vec(2, "m/s^2") end)
+put("translation", "flight_drag", "flight", function(s)
+  return "gravity = " .. s:num(0.5, 2, "m/s^2") .. ", drag = " .. s:num(0.05, 0.2, "kg/m") .. ", linear = " ..
+    s:num(0.05, 0.2, "kg/s") .. ", stiffness = " .. s:num(0.5, 2, "N/m")
+end)
+put("translation", "flight_force", "flight", function(s)
+  return "gravity = 0, force = " .. s:vec(0.5, "N") .. ", thrust = {" .. s:num(0.1, 0.5, "N") .. ", 0, 0.1*cos(t)}"
+end)
+put("drag", "drag", nil, function(s) return "c = " .. s:num(0.05, 0.2, "kg m^2") end)
+put("friction", "friction", nil, function(s)
+  return "torque = " .. s:num(0.1, 0.4, "N m") .. ", smoothing = " .. s:num(0.1, 0.3, "rad/s")
+end)
+put("spring", "spring", nil, function(s) return "stiffness = " .. s:num(0.2, 1, "N m") end)
+put("spring", "spring_rest", nil, function(s)
+  return "stiffness = {" .. s:num(0.1, 0.5, "N m") .. ", " .. s:num(0.1, 0.5, "N m") .. ", 0.2}, rest = {1, 1, 0, " ..
+    s:num(0.2, 0.8) .. "}"
+end)
+put("spring", "spring_axis", nil, function(s)
+  return "stiffness = " .. s:num(0.2, 1, "N m") .. ", axis = " .. s:vec(1) .. ", rest = " .. s:num(0.1, 1)
+end)
+put("magnetic", "magnetic", nil, function(s)
+  return "moment = " .. s:vec(1, "A m^2") .. ", field = " .. s:vec(0.3, "T")
+end)
+put("magnetic", "magnetic_rotating", nil, function(s)
+  return "moment = " .. s:vec(1, "A m^2") .. ", rotating = " .. s:vec(0.3, "T") .. ", rate = " .. s:num(0.5, 2, "rad/s")
+end)
+for _, included in ipairs { "true", "false" } do
+  put("wheel", "wheel_" .. included, nil, function(s)
+    return "axis = " .. s:vec(1) .. ", inertia = " .. s:num(0.02, 0.08, "kg m^2") .. ", speed = " ..
+      s:num(2, 6, "rad/s") .. ", torque = " .. s:num(0.05, 0.2, "N m") .. "*sin(t), included = " .. included
+  end)
+  put("wheel", "wheel_free_" .. included, nil, function(s)
+    return "axis = {0, 0, 1}, inertia = " .. s:num(0.02, 0.08, "kg m^2") .. ", speed = " .. s:num(2, 6, "rad/s") ..
+      ", included = " .. included
+  end)
+end
+put("gravity_gradient", "circular", "centroid", function(s)
+  return "mu = " .. s:num(0.2, 0.4, "m^3/s^2") .. ", orbit = { radius = " .. s:num(0.8, 1, "m") .. " }"
+end)
+put("gravity_gradient", "elliptic", "centroid", function(s)
+  return "mu = " .. s:num(0.2, 0.4, "m^3/s^2") .. ", orbit = { a = " .. s:num(0.8, 1, "m") .. ", e = " ..
+    s:num(0.1, 0.4) .. ", anomaly = 0.5 }"
+end)
+put("solar_pressure", "sunlight", nil, function(s)
+  return "flux = " .. s:num(1e8, 3e8, "W/m^2") .. ", sun = " .. s:vec(1) .. ", plates = { { area = " ..
+    s:num(0.5, 2, "m^2") .. ", normal = " .. s:vec(1) .. ", centre = " .. s:vec(1, "m") ..
+    ", reflectivity = 0.4 }, { area = 1, normal = {0, 1, -1}, centre = {0.3, 0, 0} } }"
+end)
+put("pivot", "pivot", "point", function(s)
+  return "acceleration = {" .. s:num(0.5, 2, "m/s^2") .. "*sin(3*t), t/8, -0.5}"
+end)
+put("pivot", "pivot_vibrates", "point", function(s)
+  return "amplitude = " .. s:num(0.02, 0.1, "m") .. ", rate = " .. s:num(2, 5, "rad/s") .. ", axis = " .. s:vec(1)
+end)
+put("inertia_rate", "parts_diagonal", nil, function(s)
+  return "xx = " .. s:num(0.05, 0.3, "kg m^2") .. "*sin(t)^2, zz = " .. s:num(0.05, 0.2, "kg m^2") .. "*cos(t)"
+end)
+put("inertia_rate", "parts", nil, function(s)
+  return "xx = " .. s:num(0.05, 0.3, "kg m^2") .. "*sin(t)^2, xy = " .. s:num(0.02, 0.1, "kg m^2") .. "*cos(2*t)"
+end)
+put("dissipation", "sink", nil, function(s) return "k = " .. s:num(0.005, 0.03, "s/kg/m^2") end)
+put("custom", "custom_torque", nil, function(s)
+  return "params = { slope = " .. s:num(0.1, 0.3, "N m s") ..
+    " }, torque = function(s) return { -s.slope*s.w[2], s.slope*s.w[1], -0.05*s.L[3] } end"
+end)
+put("custom", "custom_potential", nil, function(s)
+  return "params = { stiff = " .. s:num(0.1, 0.5, "N m") .. " }, potential = function(s) return s.stiff*(s.q[2]^2 + " ..
+    "s.q[1]*s.q[4]) end"
+end)
+put("custom", "custom_state", nil, function(s)
+  return "params = { stiff = " .. s:num(0.1, 0.5, "N m") .. " }, torque = function(s) return " ..
+    "{ s.stiff*s.phi, 0, 0 } end, states = { phi = { initial = 1, unit = \"rad\", " ..
+    "rate = function(s) return s.w[1] - quantity(1, \"1/s\")*s.phi end } }"
+end)
+put("rotating_frame", "frame", "centroid", function(s) return "rate = " .. s:vec(0.5, "rad/s") end)
+put("rotating_frame", "frame_upright", "centroid", function(s)
+  return "rate = {0, 0, " .. s:num(0.1, 0.5, "rad/s") .. "}"
+end)
+put("rotating_frame", "frame_changing", "centroid", function(s)
+  return "rate = " .. s:vec(0.5, "rad/s") .. ", rate_dot = " .. s:vec(0.05, "rad/s^2") .. ", centrifugal = false"
+end)
+scenes.variants = V
+
+local alone = { gravity_gradient = true, inertia_rate = true, dissipation = true, rotating_frame = true,
+  translation = true, control = true }
+
+function scenes.fits(list)
+  local point, centroid, seen = false, false, {}
+  for _, v in ipairs(list) do
+    point = point or v.where == "point"
+    centroid = centroid or v.where == "centroid" or v.where == "flight"
+    if alone[v.effect] and seen[v.effect] then return nil end
+    seen[v.effect] = true
+  end
+  if point and centroid then return nil end
+  return centroid and "centroid" or point and "point" or nil, true
+end
+
+local BODIES = {
+  diagonal = function(s)
+    local x, y, z = s:num(0.8, 1.2, "m"), s:num(1.6, 2.2, "m"), s:num(2.5, 3, "m")
+    if s.renamed then x, y, z = z, x, y end
+    return "solid.box { x = " .. x .. ", y = " .. y .. ", z = " .. z .. ", mass = " .. s:num(2, 4, "kg") .. " }"
+  end,
+  symmetric = function(s)
+    return "solid.cylinder { r = " .. s:num(0.8, 1.2, "m") .. ", h = " .. s:num(2, 3, "m") .. ", mass = " ..
+      s:num(2, 4, "kg") .. " }" .. (s:random(2) == 1 and ":turned { axis = {1, 2, 0}, angle = 0.7 }" or "")
+  end,
+  full = function(s)
+    local x, y, z = "1", s:num(1.6, 2.2, "m"), "3"
+    if s.renamed then x, y, z = z, x, y end
+    local m, at = s:num(0.3, 0.6, "kg"), string.sub(s:axes("1", "0.5", "1"), 2)
+    return "(solid.box { x = " .. x .. ", y = " .. y .. ", z = " .. z .. ", mass = 3 } + points { {" .. m .. ", " ..
+      at .. " })"
+  end,
+}
+
+-- The parts of a scene: { params, body, origin, effects (a list), initial }, all as text.  origin: as scenes.fits says;
+-- nil: the centroid or a point, at random.
+function scenes.parts(s, body, list, origin)
+  s.params = {}
+  local p = { effects = {}, body = BODIES[body](s) }
+  origin = origin or (scenes.fits(list)) or s:random(2) == 1 and "centroid" or "point"
+  local flies = false
+  for i, v in ipairs(list) do
+    p.effects[i] = "effect." .. v.effect .. " { " .. v.text(s) .. " }"
+    flies = flies or v.where == "flight"
+  end
+  p.origin = origin == "point" and s:axes("0.1", "0.2", "-0.3") or "\"centroid\""
+  local q = s:axes("0." .. s:random(9), "-0." .. s:random(9), "0." .. s:random(9))
+  p.initial = "omega = " .. s:axes("0.7", "-0.3", "0.9") .. ", attitude = {1, " .. string.sub(q, 2) ..
+    (flies and ", position = " .. s:axes("0.1", "0", "1") .. ", velocity = " .. s:axes("0.5", "0.2", "-0.1") or "")
+  p.params = table.concat(s.params)
+  return p
+end
+
+function scenes.joined(name, p)
+  return p.params .. "return scene {\n  name = \"" .. name .. "\",\n  body = " .. p.body .. ",\n  origin = " ..
+    p.origin .. ",\n  effects = {\n    " .. table.concat(p.effects, ",\n    ") .. "\n  },\n  initial = { " ..
+    p.initial .. " },\n}\n"
+end
+
+function scenes.text(s, name, body, list, origin) return scenes.joined(name, scenes.parts(s, body, list, origin)) end
+
+return scenes
