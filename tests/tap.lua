@@ -94,12 +94,14 @@ end
 function tap.near(got, want, rel, abs, name, why)
   if math.type(rel) == nil or math.type(abs) == nil then
     error("near: tolerances must be given", 2)
+  elseif type(why) ~= "string" then
+    error("near: the tolerances need a reason", 2)
   end
   local fine = type(got) == "number" and type(want) == "number"
   local passed = fine and (got == want or math.abs(got - want) <= abs + rel * math.abs(want))
   return result(passed, name, "got  " .. text(got), "want " .. text(want),
     fine and "off by " .. text(got - want) .. ", allowed " .. text(abs + rel * math.abs(want)) or "not numbers",
-    "tolerance: " .. (why or "no reason given"))
+    "tolerance: " .. why)
 end
 
 -- `part` occurs in `got` (plain text), or matches as a Lua pattern when `pattern` is true.

@@ -77,7 +77,7 @@ function check.run(host, given)
         comparison.run(host, job, plugin, tap, math.tointeger(states))
       elseif not refused then
         if kind == "range" then worst = math.max(worst, 1) end
-        host.err(why .. "\n")
+        if why then host.err(why .. "\n") end -- else it was said where the plan failed
       end
     end
   end

@@ -45,7 +45,8 @@ do -- rk4: the path with as many points
   end
   local at
   for _, t in ipairs(ticks) do at = t[2] == "10−5" and t[1] or at end
-  tap.near(at or 0, xs[1], 0, 0.011, "the time 1e-5 stands above its tick (two decimals)")
+  tap.near(at or 0, xs[1], 0, 0.011, "the time 1e-5 stands above its tick (two decimals)",
+      "two decimals of a pixel")
 end
 
 do

@@ -37,7 +37,8 @@ local function has(effects, first, values, what)
   tap.is(#got, #values, what .. ": how many corners besides")
   for i, want in ipairs(values) do
     -- of either sign, without its content (1/4): only the zeros are asked for; 16 roundings of numbers below 4
-    tap.near(math.abs(got[i] or 0), math.abs(want), 16 * 4 * 2.0 ^ -53, 0, what .. ": corner " .. i)
+    tap.near(math.abs(got[i] or 0), math.abs(want), 16 * 4 * 2.0 ^ -53, 0, what .. ": corner " .. i,
+      "a quotient of products in 64 bits and its double")
   end
 end
 

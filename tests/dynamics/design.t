@@ -177,9 +177,11 @@ do
   tap.ok(e.stable == 1 and e.stable_dissipative == -1, "symmetric_top: stable until it dissipates")
   tap.is(#e.margins_dissipative, 2, "symmetric_top: r and h may both change the verdict, the density may not")
   -- a root by bisection and a root of 3: a few roundings
-  tap.near(e.margins_dissipative[1].above, 0.12 / math.sqrt(3), 4 * 2.0 ^ -52, 0.0, "r would have to grow to h/sqrt(3)")
+  tap.near(e.margins_dissipative[1].above, 0.12 / math.sqrt(3), 4 * 2.0 ^ -52, 0.0, "r would have to grow to h/sqrt(3)",
+      "a root and two products")
   tap.near(e.margins_dissipative[2].below, 0.03 * math.sqrt(3), 4 * 2.0 ^ -52, 0.0,
-    "h would have to shrink to sqrt(3) r")
+    "h would have to shrink to sqrt(3) r",
+      "a root and two products")
   tap.ok(f.stability[2].stable == 0 and f.stability[2].stable_dissipative == 0, "across: neutral, the greater moments")
   f = facts.of(scene.file "bodies/brick_centroid.lua") -- a > b > c
   for k, want in ipairs { { "a", 1, -1 }, { "b", -1, -1 }, { "c", 1, 1 } } do

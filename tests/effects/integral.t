@@ -124,8 +124,10 @@ for _, row in ipairs(tier.every(3, rows)) do
       local Lz = dot(turned(q, { 0, 0, 1 }), L)
       size = size + T + row[4] * math.sqrt(dot(L, L)) + 8 -- 8: above any sum of moduli of the terms of V
       first = first or J
-      tap.near(J, T + V - row[4] * Lz, 0, 16 * 2.0 ^ -52 * size, row[1] .. ": value at t = " .. t)
-      tap.near(J, first, 0, 1e-13 * size, row[1] .. ": constant at t = " .. t)
+      tap.near(J, T + V - row[4] * Lz, 0, 16 * 2.0 ^ -52 * size, row[1] .. ": value at t = " .. t,
+      "16 roundings of the largest term")
+      tap.near(J, first, 0, 1e-13 * size, row[1] .. ": constant at t = " .. t,
+      "1e-13 of the terms, the tolerance of the run")
     end
   end
 end

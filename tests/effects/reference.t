@@ -120,7 +120,8 @@ for _, row in ipairs(rows) do
     local middle = run(scene(row, row.x0, row.u), { "0.5" }, options)[1]
     local x = numbers(run(scene(row, middle, nil), { "0.5" }, options)[1])
     for k = 1, 3 do
-      tap.near(x[4 + k] / (1 + x[4]), published[k], 5e-9, 0, row.id .. ", published sigma " .. k .. " " .. options)
+      tap.near(x[4 + k] / (1 + x[4]), published[k], 5e-9, 0, row.id .. ", published sigma " .. k .. " " .. options,
+      "nine digits are published")
     end
   end
 end

@@ -163,7 +163,8 @@ do
       local J = g.energy - n * g.Lz
       for i = 1, 3 do J = J + 1.5 * n * n * I[i] * o[i] * o[i] end
       first = first or J
-      tap.near(J, first, 10 * road[3], 0, string.format("%s: Jacobi's integral at t = %g", road[1], g.t))
+      tap.near(J, first, 10 * road[3], 0, string.format("%s: Jacobi's integral at t = %g", road[1], g.t),
+      "ten times the tolerance of the road")
     end
   end
 end
@@ -180,7 +181,8 @@ do
     { "0.1", "0", "0.2" }, { "1", "0", "0", "0" })
   for _, road in ipairs(roads(8.0)) do
     for i, g in ipairs(run(text, times, road[2])) do
-      tap.near(g.anomaly, want[i], 4 * road[3], 0, road[1] .. ": true anomaly at E = " .. E[i])
+      tap.near(g.anomaly, want[i], 4 * road[3], 0, road[1] .. ": true anomaly at E = " .. E[i],
+      "four times the tolerance of the road")
     end
   end
 end
@@ -195,18 +197,21 @@ do
       if i < 5 then tap.ok(g.energy < before, road[1] .. ": the energy falls") end
       before = g.energy
       for _, n in ipairs { "Lx", "Ly", "Lz" } do
-        tap.near(g[n], list[1][n], 2 * road[3], 0, string.format("%s: %s at t = %g", road[1], n, g.t))
+        tap.near(g[n], list[1][n], 2 * road[3], 0, string.format("%s: %s at t = %g", road[1], n, g.t),
+      "twice the tolerance of the road")
       end
     end
     local last = list[#list]
     local L2 = last.Lx ^ 2 + last.Ly ^ 2 + last.Lz ^ 2
-    tap.near(last.energy, L2 / 5, 10 * road[3], 0, road[1] .. ": at last L^2/(2 I3)")
+    tap.near(last.energy, L2 / 5, 10 * road[3], 0, road[1] .. ": at last L^2/(2 I3)",
+      "ten times the tolerance of the road")
   end
   -- dT/dt = -k |L x w|^2 at the start, by a difference over 1e-4 s whose error is T'' 1e-4/2, T'' being below 10
   local g = run(text, { "0", "0.0001" }, "")
   local L, w = { 0.7, -0.6, 2.25 }, { 0.7, -0.3, 0.9 }
   local c = { L[2] * w[3] - L[3] * w[2], L[3] * w[1] - L[1] * w[3], L[1] * w[2] - L[2] * w[1] }
-  tap.near((g[2].energy - g[1].energy) / 1e-4, -0.2 * (c[1] ^ 2 + c[2] ^ 2 + c[3] ^ 2), 0, 5e-4, "T' = -k |L x w|^2")
+  tap.near((g[2].energy - g[1].energy) / 1e-4, -0.2 * (c[1] ^ 2 + c[2] ^ 2 + c[3] ^ 2), 0, 5e-4, "T' = -k |L x w|^2",
+      "a difference over 1e-4 s of a function that bends by 5 1/s")
 end
 
 -- One lit plate in the sun, the other in the dark: N = centre x F by hand, and I w' = N from rest.
@@ -219,9 +224,12 @@ do
   local h = 1e-6 -- w/h is N/I up to changes of the attitude, N/I h^2/2 = 6e-9 of the whole
   for _, road in ipairs { { "library", "" }, { "emitted", "--engine generated --method rk4 --step 1e-7" } } do
     local g = run(text, { "0.000001" }, road[2])[1]
-    tap.near(g.wx / h * 1e-9, -Fy, 2e-8, 0, road[1] .. ": Nx = -Fy")
-    tap.near(g.wy / h * 1e-9, Fx, 2e-8, 0, road[1] .. ": Ny = Fx")
-    tap.near(g.wz, 0, 0, 1e-12, road[1] .. ": no Nz")
+    tap.near(g.wx / h * 1e-9, -Fy, 2e-8, 0, road[1] .. ": Nx = -Fy",
+      "the angle that has turned in 1e-9 s, and the rounding of h")
+    tap.near(g.wy / h * 1e-9, Fx, 2e-8, 0, road[1] .. ": Ny = Fx",
+      "the angle that has turned in 1e-9 s, and the rounding of h")
+    tap.near(g.wz, 0, 0, 1e-12, road[1] .. ": no Nz",
+      "the rounding of h")
   end
 end
 
@@ -245,7 +253,8 @@ for _, options in ipairs { "", "--engine generated --method rk4 --step 0.0001" }
   tap.ok(height("0.005", at, options) < -0.5, "shaken too little it falls " .. options)
   local _, a = height("0.02", { "1.5" }, options)
   local _, b = height(nil, { "1.5" }, options)
-  tap.near(a.wy, b.wy, 1e-9, 1e-11, "the same acceleration as an expression of t " .. options)
+  tap.near(a.wy, b.wy, 1e-9, 1e-11, "the same acceleration as an expression of t " .. options,
+      "the tolerance of both runs")
 end
 
 program.finish()

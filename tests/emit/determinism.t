@@ -43,9 +43,12 @@ for n, name in ipairs(bodies) do
     local second, b = gen("b", "cd / && LC_ALL=C.UTF-8 TZ=Asia/Tokyo HOME=/nowhere")
     local compare = first == 0 and "diff -r %s %s >/dev/null" or "cmp %s.err %s.err"
     local same = program.shell(compare:format(a, b)) == 0
-    tap.ok(first == second and same and (first == 0 or first == 1 and (option:find "float" or option:find "taylor")),
+    local said = first == 0 and "" or program.read(a .. ".err")
+    local meant = option:find "float" and said:find "within the range of float" or option:find "taylor" and
+      said:find "which a series does not see"
+    tap.ok(first == second and same and (first == 0 or first == 1 and meant),
       name .. ": gen " .. option .. " gives the same bytes in two processes",
-      string.format("status %s and %s", first, second))
+      string.format("status %s and %s\n%s", first, second, said))
     ::continue::
   end
 end
@@ -61,7 +64,9 @@ do
     "where the scene lies does not matter: only its name is in the output")
   for _, command_ in ipairs { "explain bodies/brick.lua --format json", "explain bodies/cube_corner.lua",
     "gen bodies/gyroscope.lua --show order", "list shapes", "list constants" } do
-    tap.is(output(binary .. " " .. command_), output(binary .. " " .. command_), command_ .. ": twice the same")
+    local first = output(binary .. " " .. command_)
+    tap.ok(#first > 100 and first == output(binary .. " " .. command_), command_ .. ": twice the same, and not nothing",
+      #first .. " characters")
   end
 end
 

@@ -62,18 +62,24 @@ do
   -- d/d ln k of phi: -(w0/k)(1 - e) + w0 t e
   local by_c = largest(w, function(t) return -k * t * w(t) end,
     function(t) return -w0 / k * (1 - math.exp(-k * t)) + w0 * t * math.exp(-k * t) end)
-  tap.near(got.wz, by_w0, 1e-6, 0, "the number of the spin at the start")
-  tap.near(got["parameter c"], by_c, 1e-6, 0, "the number of a parameter")
-  tap.near(got.number, math.max(by_w0, by_c), 1e-6, 0, "the scene's is the largest")
+  tap.near(got.wz, by_w0, 1e-6, 0, "the number of the spin at the start",
+      "central differences of 2^-30 of doubles' motions")
+  tap.near(got["parameter c"], by_c, 1e-6, 0, "the number of a parameter",
+      "central differences of 2^-30 of doubles' motions")
+  tap.near(got.number, math.max(by_w0, by_c), 1e-6, 0, "the scene's is the largest",
+      "central differences of 2^-30 of doubles' motions")
   tap.is(got.worst, "wz", "and its input is named")
   tap.ok(got.wx == nil and got.qx == nil, "inputs that are zero have no relative change")
-  tap.near(got.state, by_w0, 1e-6, 0, "changes of the size of the state: those of the spin move the end most")
+  tap.near(got.state, by_w0, 1e-6, 0, "changes of the size of the state: those of the spin move the end most",
+      "central differences of 2^-30 of doubles' motions")
 end
 
 do
   local got = numbers "free.lua"
-  tap.near(got.number, 20 * T / 2, 1e-6, 0, "a ball that turns freely: half the angle")
-  tap.near(got.growth, 2, 1e-6, 0, "which grows with time")
+  tap.near(got.number, 20 * T / 2, 1e-6, 0, "a ball that turns freely: half the angle",
+      "central differences of 2^-30 of doubles' motions")
+  tap.near(got.growth, 2, 1e-6, 0, "which grows with time",
+      "central differences of 2^-30 of doubles' motions")
 end
 
 program.finish()
