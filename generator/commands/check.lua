@@ -56,9 +56,6 @@ function check.run(host, given)
       end
       if real == "double" or given.real then options.warn(host, job.diag) end
       local names, others = stepper_checks.choice(job)
-      for _, o in ipairs(real == "double" and others or {}) do
-        host.out("# " .. o[1] .. " does not take " .. job.model.name .. ": " .. o[2] .. "\n")
-      end
       local planned, plugin, kind = driver.plan(job, { real = real, command = "", methods = names }), nil, nil
       if planned then
         plugin, why, kind = build.plugin(host, job)
@@ -74,6 +71,9 @@ function check.run(host, given)
       if refused then what = what .. " # SKIP its constants are outside the range of float" end
       tap.ok(plugin ~= nil or refused, what)
       if plugin then
+        for _, o in ipairs(real == "double" and others or {}) do
+          host.out("# " .. o[1] .. " does not take " .. job.model.name .. ": " .. o[2] .. "\n")
+        end
         comparison.run(host, job, plugin, tap, math.tointeger(states))
       elseif not refused then
         if kind == "range" then worst = math.max(worst, 1) end

@@ -328,6 +328,7 @@ function project.files(job, plugin)
   sheet(job, v)
   local n = job.model.name
   v.normalise_test = v.has_attitude and render "templates/test_normalise.c" or ""
+  v.follows_test = render "templates/test_follows.c"
   v.compensated_test = v.has_compensated and render "templates/test_compensated.c" or ""
   local files = {
     { name = n .. ".h", text = header },

@@ -283,7 +283,10 @@ function vectors.fill(job, v, ctx)
 
   -- The test of order runs over about half a radian: h w = 1/64 and less, where the fourth-order term leads and still
   -- stands above rounding (float: the floor of 64 roundings of the state).
-  v.order_time = number.text(time, real)
+  v.order_time, v.has_corners = number.text(time, real), #breaks.corners(job.equations) > 0
+  for name, n in pairs { order_two = 2, order_four = 4, order_six = 6 } do -- into a table: order is lost anyway
+    v[name] = number.text(R.new(n), real)
+  end
   local roundings = 256
   local program = job.steppers[1].program
   if program and program.drift and program.drift.kind == "full" then -- of that many rotations a step, walking
