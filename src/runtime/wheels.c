@@ -147,7 +147,7 @@ void acts_whole(const ph_top *top, const ph_wide x[], ph_wide L[3]) {
 void acts_inverse(const ph_top *top, ph_wide t, const ph_wide x[], const ph_wide rate[3],
                   ph_wide N[3]) {
   const ph_wide *w = x + 4;
-  ph_wide held[3] = {0}, L[3], slip[3], D[6], part[3];
+  ph_wide held[3] = {0}, L[3] = {0}, slip[3] = {0}, D[6] = {0}, part[3];
   wide_apply(top->wide_inertia, rate, N);
   wide_apply(top->wide_second, w, L);
   wide_cross(w, L, part);
@@ -172,7 +172,7 @@ void acts_inverse(const ph_top *top, ph_wide t, const ph_wide x[], const ph_wide
   for (int k = 0; k < top->acts.n; k++) {
     const ph_act *a = &top->acts.list[k];
     if (is_wheel(top, k)) {
-      ph_wide axis[3];
+      ph_wide axis[3] = {0};
       wide_load(3, a->v, axis);
       const ph_wide u = acts_value(&a->torque[0], t, x) - (ph_wide)a->v[3] * wide_dot(axis, rate);
       for (int i = 0; i < 3; i++)
