@@ -1,9 +1,11 @@
 -- events.lua -- where expressions of the states change sign along a motion that can be had at any times.
 --
 -- Signs are compared at the ends of intervals of the scene's time.step (at most `most` of them): two crossings within
--- one are not seen.  Each interval with a change is cut into `parts` again and again, all intervals in one sweep over
--- the motion, and its last piece, some 1e-8 of the interval, by the chord.  The chord's error is that squared, times
--- g''/(2 g') of the expression g: below the rounding of t unless the crossing is all but tangential.
+-- one are not seen.  All intervals with a change are narrowed together, one sweep over the motion a round: first into
+-- `parts`, then around the chord's zero, whose error is the square of the interval's length, so that a bracket closes
+-- by 32 and then by 512 at a time; where that misses it is cut into `parts` again.  The last piece, some 1e-8 of the
+-- interval, goes by the chord.  The chord's error is that squared, times g''/(2 g') of the expression g: below the
+-- rounding of t unless the crossing is all but tangential.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local evaluate = require "generator.algebra.evaluate"
@@ -12,7 +14,8 @@ local motion = require "generator.algebra.motion"
 
 local events = {}
 
-local most, parts, rounds = 100000, 16, 7 -- 16^7 = 2.7e8
+local most, parts, rounds, narrow = 100000, 16, 14, 2.0 ^ -28
+local piece = 4096 -- of the grid
 
 -- What an event depends on and the scene does not have: a message, or nil.
 function events.missing(job)
@@ -26,85 +29,114 @@ function events.missing(job)
   return nil
 end
 
--- The value of an expression on a row of the table; nil if it is not a number there.
-local function valuer(job, names)
+-- The value of an expression at a state {t =, x =}; nil if it is not a number there.
+local function valuer(job)
   local env = {}
   for name, q in pairs(job.model.defaults) do env[name] = q end -- into a table: order is lost anyway
-  return function(e, row)
-    for i, name in ipairs(names) do env[name] = row[i] end
+  return function(e, at)
+    env.t = at.t
+    for i, s in ipairs(job.states) do env[s.name] = at.x[i] end
     local g = evaluate.double(e, env)
     return g == g and g or nil
   end
 end
 
-local function between(a, b, i) return i == parts and b or a + (b - a) * (i / parts) end
+-- Where to look within the bracket {a, b, ga, gb}: times in ascending order.
+local function points(c)
+  local a, b, list = c.a, c.b, {}
+  if c.share then
+    local zero, d = a + (b - a) * (c.ga / (c.ga - c.gb)), (b - a) * c.share
+    for _, t in ipairs { zero - d, zero, zero + d } do
+      if t > a and t < b and t ~= list[#list] then list[#list + 1] = t end
+    end
+  end
+  for i = 1, #list == 0 and parts - 1 or 0 do
+    local t = a + (b - a) * (i / parts)
+    if t > a and t < b and t ~= list[#list] then list[#list + 1] = t end
+  end
+  return list
+end
 
--- One round: of each interval {a, b, ga, gb, event} the first part with the change of sign.
+-- One round: of each bracket that is not narrow the first part with the change of sign.  Returns whether one was.
 local function narrowed(list, solve, value)
-  local times, wanted = {}, {}
+  local times, wanted, open = {}, {}, {}
   for _, c in ipairs(list) do
-    for i = 1, parts - 1 do
-      local t = between(c.a, c.b, i)
+    local at = c.b - c.a > narrow * c.whole and points(c) or {}
+    if #at > 0 then open[#open + 1] = { c, at } end
+    for _, t in ipairs(at) do
       if not wanted[t] then times[#times + 1], wanted[t] = t, true end
     end
   end
+  if #open == 0 then return false end
   table.sort(times)
-  local rows, why = solve(times)
-  if not rows then return nil, why end
+  local states, why = solve(times, {})
+  if not states then return nil, why end
   local at = {}
-  for i, row in ipairs(rows) do at[times[i]] = row end
-  for _, c in ipairs(list) do
-    local a, ga, b, gb = c.a, c.ga, c.b, c.gb
-    for i = 1, parts - 1 do
-      local t = between(a, b, i)
+  for i, s in ipairs(states) do at[times[i]] = s end
+  for _, o in ipairs(open) do
+    local c, before = o[1], o[1].b - o[1].a
+    for _, t in ipairs(o[2]) do
       local g = value(c.event.when, at[t])
-      if g and g ~= 0 and (g > 0) == (gb > 0) then
+      if g and g ~= 0 and (g > 0) == (c.gb > 0) then
         c.b, c.gb = t, g
         break
       elseif g and g ~= 0 then
         c.a, c.ga = t, g
       end
     end
-    if c.a == a and c.b == b then c.ga, c.gb = ga, gb end
+    local closed = before / math.max(c.b - c.a, 2.0 ^ -1000)
+    c.share = closed >= parts / 2 and (c.share and 2.0 ^ -10 or 2.0 ^ -6) or nil
   end
   return true
 end
 
--- Where signs change between two times of the grid: intervals {a, b, ga, gb, event}.
-local function changes(job, rows, value)
-  local list = {}
+-- Where signs change between two times of the grid: brackets {a, b, ga, gb, event} for the list.  seen: of each event
+-- the last time and value that was not 0, from piece to piece.
+local function changes(job, states, value, seen, list)
   for _, e in ipairs(job.record.events) do
-    local a, ga
-    for _, row in ipairs(rows) do
-      local g = value(e.when, row)
+    local last = seen[e] or {}
+    for _, s in ipairs(states) do
+      local g = value(e.when, s)
       if g and g ~= 0 then
+        local ga = last.g
         if ga and (g > 0) ~= (ga > 0) and e.direction * g >= 0 then
-          list[#list + 1] = { a = a, b = row[1], ga = ga, gb = g, event = e,
+          list[#list + 1] = { a = last.t, b = s.t, ga = ga, gb = g, event = e, whole = s.t - last.t,
             size = math.max(math.abs(ga), math.abs(g)) }
         end
-        a, ga = row[1], g
+        last = { t = s.t, g = g }
       elseif not g then
-        ga = nil
+        last = {}
       end
     end
+    seen[e] = last
+  end
+end
+
+-- The brackets of the whole motion, from piece to piece, so that not all of its states are there at once.
+local function brackets(job, course, value, finish, step)
+  local n, list, seen, last = math.max(1, math.min(most, math.ceil(finish / step))), {}, {}, nil
+  for first = 0, n, piece do
+    local grid = {}
+    for i = first, math.min(first + piece - 1, n) do grid[#grid + 1] = i == n and finish or finish * (i / n) end
+    local states, why = course.solve(grid, { from = last })
+    if not states then return nil, why end
+    last = states[#states]
+    changes(job, states, value, seen, list)
   end
   return list
 end
 
 -- The events from 0 to `finish` in the order of time: a list of {event, row}, cut after the first that stops; or nil
--- and what went wrong.  solve(times) -> rows with the columns `names`, t the first.
-function events.find(job, solve, names, finish, step)
-  local n = math.max(1, math.min(most, math.ceil(finish / step)))
-  local grid = {}
-  for i = 0, n do grid[i + 1] = i == n and finish or finish * (i / n) end
-  local rows, why = solve(grid)
-  if not rows then return nil, why end
-  local value = valuer(job, names)
-  local list = changes(job, rows, value)
+-- and what went wrong.  course: the motion, engines.lua; solve(times) -> rows of the table.
+function events.find(job, course, solve, finish, step)
+  local value = valuer(job)
+  local list, why = brackets(job, course, value, finish, step)
+  if not list then return nil, why end
   if #list == 0 then return {} end
   for _ = 1, rounds do
-    local ok, wrong = narrowed(list, solve, value)
-    if not ok then return nil, wrong end
+    local more, wrong = narrowed(list, course.solve, value)
+    if wrong then return nil, wrong end
+    if not more then break end
   end
   local zeros = {}
   for i, c in ipairs(list) do
@@ -122,8 +154,8 @@ function events.find(job, solve, names, finish, step)
   for i, t in ipairs(times) do
     if t ~= times[i - 1] then single[#single + 1] = t end
   end
-  rows, why = solve(single)
-  if not rows then return nil, why end
+  local rows, wrong = solve(single)
+  if not rows then return nil, wrong end
   local k = 0
   for i, t in ipairs(times) do
     if t ~= times[i - 1] then k = k + 1 end

@@ -87,14 +87,14 @@ end
 
 -- The events of the scene up to the last of the times, or nil and the failure.  failure: of the rows; then an event
 -- that stops the run before is looked for.
-local function happened(job, given, solve, list, failure)
+local function happened(job, given, motion, solve, list, failure)
   local finish, stops = 0, not failure
   local step = given.step or job.model:double(job.model.step)
   for _, t in ipairs(list) do finish = math.max(finish, t) end
   for _, e in ipairs(job.record.events) do stops = stops or e.stop end
   if failure then finish = math.min(finish, (failure.t or 0) - step) end
   if #job.record.events == 0 or finish <= 0 or not stops then return {} end
-  local found, wrong = events.find(job, solve, (tables.columns(job)), finish, step)
+  local found, wrong = events.find(job, motion, solve, finish, step)
   return found, failure or wrong
 end
 
@@ -116,7 +116,7 @@ local function computed(host, job, given, motion, list, warnings)
     return rows and chosen(wanted, longer, rows), states
   end
   local rows, states = table_at(list)
-  local found, wrong = happened(job, given, solve, list, not rows and states)
+  local found, wrong = happened(job, given, motion, solve, list, not rows and states)
   if not found then return nil, wrong end
   local last = found[#found]
   if last and last.event.stop then
