@@ -5,6 +5,7 @@
 --     scenes.new(seed, share)      S, the source of numbers; share of them that become parameters, 0 to 1
 --     scenes.text(S, name, body, list)   the scene; body: "diagonal", "symmetric", "full"; list: of variants
 --     scenes.parts(S, body, list)        the same in parts, which scenes.joined(name, parts) puts together
+--     S.renamed, S.others, S.scale       the same scene with other axes, in other units, larger: see below
 --     scenes.fits(list)            can these variants be in one scene?  Then where the origin is: "point" or "centroid"
 --
 -- where: "point": about a fixed point; "flight": the body moves; "centroid": about the centroid, moving or not; nil:
@@ -23,10 +24,31 @@ function S:random(n)
   return self.state * n // 2147483647 + 1
 end
 
+-- The same in other units: how many of them one is.
+local OTHER = { m = { "mm", 1000 }, kg = { "g", 1000 }, ["m/s^2"] = { "mm/s^2", 1000 }, ["N m"] = { "N mm", 1000 },
+  ["N m s"] = { "N mm s", 1000 }, ["1/s"] = { "1/min", 60 }, ["kg m^2"] = { "kg cm^2", 10000 },
+  ["kg/m"] = { "g/mm", 1 }, ["N/m"] = { "mN/mm", 1 }, ["rad/s"] = { "rad/min", 60 } }
+-- Exponents of length, mass and time.
+local POWERS = { m = { 1, 0, 0 }, kg = { 0, 1, 0 }, ["m/s^2"] = { 1, 0, -2 }, ["N m"] = { 2, 1, -2 },
+  ["N m s"] = { 2, 1, -1 }, ["1/s"] = { 0, 0, -1 }, ["rad/s"] = { 0, 0, -1 }, ["kg m^2"] = { 2, 1, 0 },
+  ["A m^2"] = { 2, 0, 0 }, T = { 0, 1, -2 } }
+
+-- The value x of the unit where lengths, masses and times are so many times as long: scale = {length, mass, time}.
+function scenes.scaled(scale, x, unit)
+  local n = POWERS[unit]
+  return x * scale[1] ^ n[1] * scale[2] ^ n[2] * scale[3] ^ n[3]
+end
+
 -- A number of two digits with the unit (nil: none), low .. high, as a literal or the name of a parameter.
+-- S.others: with other units; S.scale: see scenes.scaled.
 function S:num(low, high, unit)
   local x = string.format("%.3g", low + (high - low) * self:random(1000) / 1000)
-  if self:random(1000) > 1000 * self.share then return x end
+  local literal = self:random(1000) > 1000 * self.share
+  if self.scale and unit then x = string.format("%.17g", scenes.scaled(self.scale, tonumber(x), unit)) end
+  if self.others and OTHER[unit] then
+    return string.format("quantity(%.10g, \"%s\")", tonumber(x) * OTHER[unit][2], OTHER[unit][1])
+  end
+  if literal then return x end
   local name = "p" .. #self.params + 1
   self.params[#self.params + 1] = string.format("local %s = param(%q, %s%s)\n", name, name, x,
     unit and ", \"" .. unit .. "\"" or "")

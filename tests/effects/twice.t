@@ -4,7 +4,7 @@
 --
 -- Random scenes of one to three effects (scenes.lua), each run from its text and from another text of the same motion:
 -- effects in another order, parameters for numbers, the wheel in the body's tensor or not, axes renamed, the body
--- elsewhere with its origin, in two pieces, custom effects for built-in ones, and time reversed.  Both roads integrate
+-- elsewhere with its origin, in two pieces, other units, all quantities scaled by their dimensions, custom effects for built-in ones, and time reversed.  Both roads integrate
 -- to 1e-12; over 2 s, some two radians, neighbouring motions of these scenes part by less than 1e3.
 -- POLHODE_SCENES=50: so many of each kind.  The quick tier takes one of each.
 
@@ -22,10 +22,10 @@ local count = tonumber(os.getenv "POLHODE_SCENES") or tier.quick and 1 or 4
 local TOLERANCE = 1e3 * 1e-11
 
 -- The state at the end, by column: { qw = .., .. }, or nil and the messages.
-local function run(engine, text)
+local function run(engine, text, finish)
   program.write(dir .. "/s.lua", text)
   local status = program.shell(string.format("%s timeout 100 %s run %s/s.lua --engine %s --method adaptive " ..
-    "--tolerance 1e-12 --until 2 >%s/out 2>%s/err", quick, binary, dir, engine, dir, dir))
+    "--tolerance 1e-12 --until %g >%s/out 2>%s/err", quick, binary, dir, engine, finish or 2, dir, dir))
   local head, last = program.read(dir .. "/out"):match "^([^\n]*)\n.-([^\n]*)\n$"
   if status ~= 0 or not last then return nil, status .. "\n" .. program.read(dir .. "/err") end
   local names, state = {}, {}
@@ -56,6 +56,22 @@ local function same(what, first, second, names)
     if a then b, why_b = run(engine, second) end
     local d, where = 0, why or why_b
     if a and b then d, where = apart(a, b, names) end
+    tap.ok(a and b and d <= TOLERANCE, what .. ", " .. engine, string.format("%s: %.3g\n%s%s", where, d, first, second))
+  end
+end
+
+-- The same with all quantities scaled: the second motion is compared in the units of the first.
+local UNIT = { w = "1/s", L = "N m s" } -- of columns; W of a wheel is a rate
+local function grown(what, first, second, scale)
+  for _, engine in ipairs { "general", "generated" } do
+    local a, why = run(engine, first)
+    local b, why_b = run(engine, second, 2*scale[3])
+    for name, x in pairs(b or {}) do
+      local unit = UNIT[name:sub(1, 1)]
+      if unit then b[name] = x/scenes.scaled(scale, 1, unit) end
+    end
+    local d, where = 0, why or why_b
+    if a and b then d, where = apart(a, b) end
     tap.ok(a and b and d <= TOLERANCE, what .. ", " .. engine, string.format("%s: %.3g\n%s%s", where, d, first, second))
   end
 end
@@ -111,6 +127,26 @@ for n = 1, count do
   end
   same("axes renamed " .. n, scenes.text(a, "c", "full", list, placed(list)), scenes.text(b, "c", "full", list,
     placed(list)), to)
+
+  -- other units
+  list = choose()
+  a, b = scenes.new(seed, 0), scenes.new(seed, 0)
+  b.others = true
+  same("other units " .. n, scenes.text(a, "u", "diagonal", list, placed(list)), scenes.text(b, "u", "diagonal", list,
+    placed(list)))
+
+  -- all lengths twice, all masses three times, all times four times as long
+  list = choose(nil, { "gravity_direction", "damping", "damping_principal", "damping_rate", "torque_body",
+    "torque_inertial", "rotor", "friction", "spring", "spring_axis", "magnetic", "magnetic_rotating", "wheel_free_true",
+    "wheel_free_false", "frame" })
+  a, b = scenes.new(seed, 0), scenes.new(seed, 0)
+  b.scale = { 2, 3, 4 }
+  local small, large = scenes.parts(a, "diagonal", list, placed(list)), scenes.parts(b, "diagonal", list, placed(list))
+  large.origin = large.origin:gsub("%d[%d.]*", function(x) return x*b.scale[1] end)
+  large.initial = large.initial:gsub("omega = %b{}", function(t)
+    return (t:gsub("%d[%d.]*", function(x) return string.format("%.17g", x/b.scale[3]) end))
+  end)
+  grown("larger, heavier, slower " .. n, scenes.joined("z", small), scenes.joined("z", large), b.scale)
 
   -- the body elsewhere, its origin with it; and in two pieces
   list = choose(nil, { "gravity", "gravity_direction", "damping_rate", "torque_table", "rotor", "pivot", "drag",
