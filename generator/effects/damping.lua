@@ -15,7 +15,8 @@ local damping = {
   takes = { { "c", "kg m^2/s", nil, "a number (isotropic), {cx, cy, cz} or a 3x3 matrix, body axes" },
     { "rate", "1/s", nil, "or: N = -rate L" } },
   formula = "N = -C w, or N = -rate L",
-  signs = "positive c and rate take energy; a matrix need not be symmetric",
+  signs = "positive c and rate take energy; a matrix need not be symmetric; L is I w, without what wheels and " ..
+    "rotors hold",
   source = "the definition; rate: the free motion with a slower clock, derived in docs/closed.md",
   example = "damped_brick",
   about = "torque -C w (c: number, {cx, cy, cz} or 3x3 matrix), or -rate L",
