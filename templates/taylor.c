@@ -351,17 +351,21 @@ static void ${name}_taylor_step_by(const ${name}_model *m, ${name}_real c[][${up
 }
 
 %% if has_roots then
-static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top, ${name}_real local, ${name}_real rate);
-
-/* Is the series none, or none over h?  A speed at rest has a root without one, and near rest its series does not reach far. */
+/* Is there no series, or none over h?  A speed at rest has a root without one, and near rest its series does not reach far: then
+ * its last term is larger than all that moves. */
 static int ${name}_taylor_lost(${name}_real c[][${upper}_ROW], int top, ${name}_real h)
 {
-  ${name}_real sum = ${zero};
+  ${name}_real sum = ${zero}, head = ${zero}, tail = ${zero}, term;
   int n, k;
 
-  for (n = 0; n <= top; n++)
-    for (k = 0; k < ${upper}_ROW; k++) sum += ${zero}*c[n][k];
-  return !(sum - sum < ${one} && ${name}_taylor_size(c, top, ${taylor_finest}, ${zero}) > ${taylor_reach}*${fabs}(h));
+  for (k = 0; k < ${upper}_ROW; k++) {
+    term = ${fabs}(c[top][k]);
+    for (n = 0; n < top; n++) term *= ${fabs}(h);
+    tail += term;
+    head += ${fabs}(c[0][k]) + ${fabs}(c[1][k]*h);
+    for (n = 0; n <= top; n++) sum += ${zero}*c[n][k];
+  }
+  return !(sum - sum < ${one} && tail <= head);
 }
 
 /* Over h, or as much of it as steps of the series' own choice take. */

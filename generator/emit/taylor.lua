@@ -358,8 +358,7 @@ function taylor.fill(ctx, program, v)
   v.taylor_bias = literal(bias)
   v.corner_part, v.corner_halvings = literal(R.new(2) ^ -(fraction // 2)), text(fraction + 8)
   v.taylor_finest = literal(R.new(2) ^ (-fraction - 2))
-  v.taylor_leaving, v.taylor_reach = literal(R.new(2) ^ (2 - fraction)), literal(R.new(1, 64))
-  v.taylor_parts, v.taylor_six = "1000", literal(R.new(6))
+  v.taylor_leaving, v.taylor_six, v.taylor_parts = literal(R.new(2) ^ (2 - fraction)), literal(R.new(6)), "1000"
   v.taylor_least_packed = literal(R.new(13)) -- where a product costs less beside the rest of a step
   v.taylor_least, v.taylor_slope = literal(R.new(19, 2)), literal(R.new(3, 8))
 end
