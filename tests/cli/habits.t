@@ -125,9 +125,15 @@ for _, case in ipairs { { "run s.lua --engine generated --at 1", "run: " }, { "c
   { "bench s.lua --method rk4 --no-peers", "bench: " }, { "gen s.lua --accuracy 1e-3", "gen: " },
   { "gen s.lua --project fmu", "gen: " }, { "gen s.lua --real float --target cortex-m4f", "gen: --target: " },
   { "explain s.lua --real float --target cortex-m0", "explain: --target: " } } do
+  local crossed = program.shell "command -v arm-none-eabi-gcc qemu-system-arm >/dev/null 2>&1" == 0
+  if case[1]:find "target" and not crossed then -- then these are missed, too
+    tap.skip("polhode " .. case[1] .. " without a compiler", "no cross compiler here (.ci/setup target)")
+    goto continue
+  end
   local status, out, err = run(case[1], "CC=nosuch XDG_CACHE_HOME=" .. dir)
   tap.ok(status == 2 and err == "polhode " .. case[2] .. NOSUCH and not out:find("not ok", 1, true),
     "polhode " .. case[1] .. " without a compiler: status 2 and the packages", status .. "\n" .. out .. err)
+  ::continue::
 end
 do
   local status, out, err = run("check s.lua", "CC=false")
