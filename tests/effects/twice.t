@@ -4,7 +4,8 @@
 --
 -- Random scenes of one to three effects (scenes.lua), each run from its text and from another text of the same motion:
 -- effects in another order, parameters for numbers, the wheel in the body's tensor or not, axes renamed, the body
--- elsewhere with its origin, in two pieces, other units, all quantities scaled by their dimensions, custom effects for built-in ones, and time reversed.  Both roads integrate
+-- elsewhere with its origin, in two pieces, other units, all quantities scaled by their dimensions, custom effects for
+-- built-in ones, and time reversed.  Both roads integrate
 -- to 1e-12; over 2 s, some two radians, neighbouring motions of these scenes part by less than 1e3.
 -- POLHODE_SCENES=50: so many of each kind.  The quick tier takes one of each.
 
