@@ -31,7 +31,7 @@ local loss = 0.75
 -- grow as neighbouring motions part.
 local growth = 1e4
 
--- motion: {start, finish, rows = the library's at finish}; distance(x, y): of two states, against their size.
+-- motions: {start, finish, want = the library's state at finish}; distance(x, y): of two states, against their size.
 function stepper_checks.run(job, plugin, tap, name, motions, distance, epsilon)
   for _, s in ipairs(job.steppers) do
     local m = s.method

@@ -59,7 +59,7 @@ function cayley.acting(m)
       turning = vec.add(turning, held)
     end
   end
-  if slip then N = vec.add(N, vec.cross(turning, slip)) end -- it turns all of L, and N has what turns not with I w
+  if slip then N = vec.add(N, vec.cross(turning, slip)) end -- the slip turns all of L, the step only I w + k
   return { N = N, k = k, changing = changing, slip = slip }
 end
 
