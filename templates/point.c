@@ -67,6 +67,32 @@ static ${name}_real ${name}_wave_back(const ${name}_wave *w, ${name}_real S)
 }
 
 %% if framed then
+/* P, the solution of P'' + 2 i Omega P' - delta P = 1 from rest, and P', as real and imaginary parts, by their power
+ * series for phases below one: what they exceed t^2/2 and t by, x = Omega t, d = delta t^2 */
+static void ${name}_series(${name}_real x, ${name}_real d, ${name}_real t, ${name}_real P[2], ${name}_real dP[2])
+{
+  ${name}_real now[2] = {${half}, ${zero}}, before[2] = {${zero}, ${zero}}, next[2];
+  int i, k;
+
+  for (i = 0; i < 2; i++) P[i] = dP[i] = ${zero};
+  for (k = 1; k < 26; k++) { /* terms k + 1 to k + 2 of the series; the 26th is below 1/26! */
+    const ${name}_real m = ${one}/((${name}_real)(k + 1)*(${name}_real)(k + 2)), y = ${two}*x*(${name}_real)(k + 1);
+
+    next[0] = m*(d*before[0] + y*now[1]);
+    next[1] = m*(d*before[1] - y*now[0]);
+    for (i = 0; i < 2; i++) {
+      before[i] = now[i];
+      now[i] = next[i];
+      P[i] += now[i];
+      dP[i] += (${name}_real)(k + 2)*now[i];
+    }
+  }
+  for (i = 0; i < 2; i++) {
+    P[i] *= t*t;
+    dP[i] *= t;
+  }
+}
+
 /* P = integral over s from 0 to t of exp(-i Omega s) S(s), as real and imaginary part; C, S of the wave across, c and sn
  * the cosine and sine of Omega t.  It solves P'' + 2 i Omega P' - delta P = 1 from rest, whence its power series; away
  * from resonance (delta not small) it is (exp(-i Omega t) (C + i Omega S) - 1)/delta, and at resonance the difference of
@@ -74,26 +100,13 @@ static ${name}_real ${name}_wave_back(const ${name}_wave *w, ${name}_real S)
 static void ${name}_push(const ${name}_orbit *o, ${name}_real t, ${name}_real C, ${name}_real S, ${name}_real c, ${name}_real sn,
                          ${name}_real P[2])
 {
-  const ${name}_real O = o->turn[0], sigma = o->across.rate[0], x = O*t, d = o->delta*t*t;
+  const ${name}_real O = o->turn[0], sigma = o->across.rate[0], x = O*t;
 
   if (${fabs}(x) + sigma*${fabs}(t) < ${one}) {
-    ${name}_real now[2] = {${half}, ${zero}}, before[2] = {${zero}, ${zero}}, next[2];
-    int k;
+    ${name}_real dP[2];
 
-    P[0] = now[0];
-    P[1] = now[1];
-    for (k = 1; k < 26; k++) { /* terms k + 1 to k + 2 of the series; the 26th is below 1/26! */
-      const ${name}_real m = ${one}/((${name}_real)(k + 1)*(${name}_real)(k + 2)), y = ${two}*x*(${name}_real)(k + 1);
-
-      next[0] = m*(d*before[0] + y*now[1]);
-      next[1] = m*(d*before[1] - y*now[0]);
-      before[0] = now[0];
-      before[1] = now[1];
-      P[0] += now[0] = next[0];
-      P[1] += now[1] = next[1];
-    }
-    P[0] *= t*t;
-    P[1] *= t*t;
+    ${name}_series(x, o->delta*t*t, t, P, dP);
+    P[0] += ${half}*t*t;
   } else if (${fabs}(o->delta) >= ${quarter}*(O*O + sigma*sigma)) {
     P[0] = (c*C + sn*O*S - ${one})/o->delta;
     P[1] = (c*O*S - sn*C)/o->delta;
@@ -137,7 +150,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
 %% if framed then
   const ${name}_real O[3] = {${O1}, ${O2}, ${O3}}, k[2] = {${along}, ${across}}; /* stiffness along and across, per kg */
   ${name}_pair square = ${name}_pair_of(${zero}), turn, kappa;
-  ${name}_real v[3], a[3], u[3];
+  ${name}_real u[3];
   int j;
 %% else
   const ${name}_real k[3] = {${k1}, ${k2}, ${k3}}; /* stiffness per kg */
@@ -197,21 +210,14 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   p.slow[0] = square.hi;
   p.slow[1] = square.lo;
 
-  /* along n and across; the velocity across gains Omega x r */
   for (i = 0; i < 3; i++) {
-    v[i] = ${ldexp}(x0[${upper}_VX + i], -e);
-    a[i] = ${ldexp}(g[i], -2*e);
-  }
-  p.s[0] = p.n[0]*r[0] + p.n[1]*r[1] + p.n[2]*r[2];
-  p.s[1] = p.n[0]*v[0] + p.n[1]*v[1] + p.n[2]*v[2];
-  p.s[2] = p.n[0]*a[0] + p.n[1]*a[1] + p.n[2]*a[2];
-  ${name}_cross(p.n, r, u);
-  for (i = 0; i < 3; i++) {
-    p.z[0][i] = r[i] - p.n[i]*p.s[0];
-    p.z[1][i] = (v[i] - p.n[i]*p.s[1]) + turn.hi*u[i];
-    p.z[2][i] = a[i] - p.n[i]*p.s[2];
+    p.y[0][i] = r[i];
+    p.y[1][i] = ${ldexp}(x0[${upper}_VX + i], -e);
+    p.y[2][i] = ${ldexp}(g[i], -2*e);
   }
   for (j = 0; j < 3; j++) {
+    p.s[j] = p.n[0]*p.y[j][0] + p.n[1]*p.y[j][1] + p.n[2]*p.y[j][2];
+    for (i = 0; i < 3; i++) p.z[j][i] = p.y[j][i] - p.n[i]*p.s[j];
     ${name}_cross(p.n, p.z[j], p.nz[j]);
     if (!(p.s[j] - p.s[j] == ${zero})) return 1;
     for (i = 0; i < 3; i++) {
@@ -235,6 +241,33 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   return 0;
 }
 
+%% if framed then
+/* while no phase exceeds one: from r + v t + g t^2/2, so that a small deflection keeps its figures.  With i for n x and
+ * r, v, g for their parts across, z = r (1 + delta P) + v P' + g P; along n the same with Omega = 0, delta = -kappa. */
+static void ${name}_near(const ${name}_orbit *o, ${name}_real T, ${name}_real r[3], ${name}_real v[3])
+{
+  const ${name}_real O = o->turn[0], d = o->delta, half = ${half}*T*T;
+  const ${name}_real k = (${name}_real)o->along.kind*o->along.rate[0]*o->along.rate[0];
+  ${name}_real P[2], dP[2], Q[2], dQ[2], s, ds;
+  int i;
+
+  ${name}_series(${zero}, -k*T*T, T, Q, dQ);
+  s = o->s[1]*dQ[0] + o->s[2]*Q[0] - o->s[0]*k*(half + Q[0]);
+  ds = o->s[2]*dQ[0] - o->s[0]*k*(T + dQ[0]) - o->s[1]*k*(half + Q[0]);
+
+  ${name}_series(O*T, d*T*T, T, P, dP);
+  for (i = 0; i < 3; i++) {
+    const ${name}_real a = d*o->z[0][i], na = d*o->nz[0][i]; /* delta r */
+    const ${name}_real b = a - ${two}*O*o->nz[1][i], nb = na + ${two}*O*o->z[1][i]; /* delta r - 2 i Omega v */
+
+    r[i] = (o->y[0][i] + T*o->y[1][i] + half*o->y[2][i]) +
+           (o->n[i]*s + a*(half + P[0]) + na*P[1] + o->z[1][i]*dP[0] + o->nz[1][i]*dP[1] + o->z[2][i]*P[0] + o->nz[2][i]*P[1]);
+    v[i] = (o->y[1][i] + T*o->y[2][i]) + (o->n[i]*ds + b*(T + dP[0]) + nb*dP[1] + d*(o->z[1][i]*(half + P[0]) + o->nz[1][i]*P[1]) +
+           o->z[2][i]*dP[0] + o->nz[2][i]*dP[1]);
+  }
+}
+
+%% end
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
   const ${name}_real T = ${ldexp}(t, o->e);
@@ -243,6 +276,11 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 %% if framed then
   ${name}_real P[2], s, ds, sh, ch, c, sn, back;
 
+  if ((o->turn[0] + o->across.rate[0] + o->along.rate[0])*${fabs}(T) < ${one}) {
+    ${name}_near(o, T, r, v);
+    for (i = 0; i < 3; i++) v[i] = ${ldexp}(v[i], o->e);
+    return;
+  }
   ${name}_wave_at(&o->along, T, f);
   s = o->s[0]*f[0] + o->s[1]*f[1] + o->s[2]*f[2];
   ds = o->s[1]*f[0] + o->s[2]*f[1] - o->s[0]*${name}_wave_back(&o->along, f[1]);
@@ -254,9 +292,10 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
   c = (ch - sh)*(ch + sh);
   ${name}_push(o, T, f[0], f[1], c, sn, P);
   for (i = 0; i < 3; i++) { /* a turn by -Omega t: u becomes c u - sn n x u */
-    const ${name}_real z = o->z[0][i]*f[0] + o->z[1][i]*f[1], nz = o->nz[0][i]*f[0] + o->nz[1][i]*f[1];
-    const ${name}_real dz = o->z[1][i]*f[0] - o->z[0][i]*back - o->turn[0]*nz;
-    const ${name}_real ndz = o->nz[1][i]*f[0] - o->nz[0][i]*back + o->turn[0]*z;
+    const ${name}_real w = o->z[1][i] + o->turn[0]*o->nz[0][i], nw = o->nz[1][i] - o->turn[0]*o->z[0][i];
+    const ${name}_real z = o->z[0][i]*f[0] + w*f[1], nz = o->nz[0][i]*f[0] + nw*f[1];
+    const ${name}_real dz = w*f[0] - o->z[0][i]*back - o->turn[0]*nz;
+    const ${name}_real ndz = nw*f[0] - o->nz[0][i]*back + o->turn[0]*z;
 
     r[i] = (c*z - sn*nz) + (P[0]*o->z[2][i] + P[1]*o->nz[2][i]) + o->n[i]*s;
     v[i] = ${ldexp}((c*dz - sn*ndz) + f[1]*(c*o->z[2][i] - sn*o->nz[2][i]) + o->n[i]*ds, o->e);

@@ -18,8 +18,9 @@ typedef struct ${name}_orbit { /* in a unit of time 2^-e s, in which the rates a
   ${name}_real fast[2], slow[2]; /* turn + and - the rate across */
   ${name}_real delta;            /* product of those two */
   ${name}_real n[3];             /* axis of the frame */
-  ${name}_real s[3];             /* position, velocity and constant force along it */
-  ${name}_real z[3][3], nz[3][3]; /* the same across, velocity against inertial axes; and n x these */
+  ${name}_real y[3][3];          /* position, velocity and constant force */
+  ${name}_real s[3];             /* these along the axis */
+  ${name}_real z[3][3], nz[3][3]; /* and across it; and n x these */
 %% else
   ${name}_wave wave[3];          /* each coordinate */
   ${name}_real s[3][3];          /* its position, velocity and constant force */

@@ -81,7 +81,8 @@ static const char *script_name(const char *source) {
     source += 2;
   else if (strncmp(source, root, n) == 0 && source[n] == '/')
     source += n + 1;
-  const int ours = strncmp(source, "generator/", 10) == 0 || strncmp(source, "src/cli/", 8) == 0;
+  const int ours = strncmp(source, "generator/", 10) == 0 || strncmp(source, "src/cli/", 8) == 0 ||
+                   strncmp(source, "templates/", 10) == 0;
   return ours ? source : NULL;
 }
 

@@ -5,14 +5,15 @@
 --
 -- In a copy of the tree, BUILD/mutants/tree, a third of the defects each in generator/, templates/ and src/; the same
 -- SEED plants the same ones in the same tree.  A defect with which the program cannot be built is none: another is
--- drawn.  Each is met by the quick tests until one fails, and what they let pass by the others of make check-all that
--- can see the file (quick: not by these).  What was found is kept in BUILD/mutants/SEED.log: a run that was stopped
--- goes on there.
+-- drawn.  Each is met by the quick tests that run its line (seen.lua), until one fails, and what they let pass by the
+-- others of make check-all that can see the file (quick: not by these).  What was found is kept in
+-- BUILD/mutants/SEED.log: a run that was stopped goes on there.
 
 package.path = "./?.lua;" .. package.path
 
 local sites = require "tests.mutants.sites"
 local order = require "tests.mutants.order"
+local seen = require "tests.mutants.seen"
 local page = require "tests.mutants.page"
 
 local build, count, seed, to, alone_quick = arg[1], tonumber(arg[2]), tonumber(arg[3]), arg[4], arg[5] == "quick"
@@ -166,6 +167,8 @@ end
 
 os.execute("mkdir -p " .. work)
 copy()
+seen.record(work, "quick", order.all_quick())
+order.sees = seen.by(work, order.all_quick())
 local known, defects = read_log(), {}
 for number = 1, count do
   local area, before = AREAS[(number - 1) % #AREAS + 1], known[number] or {}
@@ -182,7 +185,7 @@ for number = 1, count do
     order.killed({ file = defect.quick }, defect.file)
   else
     note("site", number, defect.file .. ":" .. defect.from)
-    defect.quick = caught(defect, order.quick(defect.file), "quick")
+    defect.quick = caught(defect, order.quick(defect), "quick")
     note("quick", number, defect.quick)
   end
   print(string.format("%d %s:%d %s\n  - %s\n  + %s\n  quick: %s", number, defect.file, defect.line, defect.kind,
@@ -196,7 +199,7 @@ for number, defect in ipairs(defects) do
     defect.all = before.all
   elseif not alone_quick then
     assert(plant(defect))
-    defect.all = caught(defect, order.rest(defect.file), "all")
+    defect.all = caught(defect, order.rest(defect), "all")
     note("all", number, defect.all)
   end
   if defect.quick == "-" then

@@ -1,8 +1,11 @@
 -- order.lua - in which order tests look for a planted defect: soon caught, little spent.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     order.quick(file)     the quick tests, those first that catch most defects in files like this for their seconds
---     order.rest(file)      what make check-all has beside them and can see the file; also what is longer there
+--     order.quick(defect)   the quick tests that can see it, those first that catch most defects in files like this for
+--                           their seconds
+--     order.rest(defect)    what make check-all has beside them and can see the file; also what is longer there
+--     order.all_quick()     the quick tests
+--     order.sees            a test's, seen.by of them
 --     order.killed(test, file)
 --
 -- A test: { file, seconds, command }, from tests/tiers.txt.
@@ -60,21 +63,31 @@ local function sorted(list, file)
   return list
 end
 
-local function chosen(file, seconds)
+local function chosen(seconds, sees)
   local list = {}
   for _, t in ipairs(tests) do
     local s = seconds(t)
-    if s and not blind(t, file) then
+    if s and sees(t) then
       list[#list + 1] = { file = t.file, seconds = s, command = t.command }
     end
   end
-  return sorted(list, file)
+  return list
 end
 
-function order.quick(file) return chosen(file, function(t) return t.quick end) end
+function order.all_quick()
+  return chosen(function(t) return t.quick end, function() return true end)
+end
 
-function order.rest(file)
-  return chosen(file, function(t) return (not t.quick or t.quick < t.all) and t.all or nil end)
+function order.quick(defect)
+  return sorted(chosen(function(t) return t.quick end, function(t)
+    return order.sees(t, defect.file, defect.line)
+  end), defect.file)
+end
+
+function order.rest(defect)
+  return sorted(chosen(function(t) return (not t.quick or t.quick < t.all) and t.all or nil end, function(t)
+    return not blind(t, defect.file)
+  end), defect.file)
 end
 
 return order
