@@ -27,20 +27,20 @@ function motion.any(list)
   return false
 end
 
--- e with every largest part that depends on constants only replaced by constant(part): in a sum or product its constant
--- members together.
-function motion.lift(e, constant)
-  local memo = {}
+-- e with every largest part that is_fixed(part) replaced by constant(part): in a sum or product its fixed members
+-- together.  is_fixed: motion.free if nil; memo: shared by expressions that share parts.
+function motion.lift(e, constant, is_fixed, memo)
+  is_fixed, memo = is_fixed or motion.free, memo or {}
   local function lift(u)
     if memo[u] then return memo[u] end
     local v
-    if motion.free(u) then
+    if is_fixed(u) then
       v = constant(u)
     elseif u.kind == "add" or u.kind == "mul" then
       local build = u.kind == "add" and expr.add or expr.mul
       local fixed, list = {}, {}
       for i = 1, #u do
-        local to = motion.free(u[i]) and fixed or list
+        local to = is_fixed(u[i]) and fixed or list
         to[#to + 1] = u[i]
       end
       for i, x in ipairs(list) do list[i] = lift(x) end

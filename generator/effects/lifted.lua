@@ -7,6 +7,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local motion = require "generator.algebra.motion"
 
 local lifted = {}
 
@@ -21,44 +22,8 @@ local function pure(e)
   return #symbols > 0
 end
 
-local function open(e)
-  for _, s in ipairs(expr.symbols(e)) do
-    if s.rank <= last and s.name ~= "the mass" then return true end
-  end
-  return false
-end
-
--- e with keep(part) for every largest part of parameters: in a sum or product these together.
-local function lift(e, keep, memo)
-  if memo[e] then return memo[e] end
-  local v = e
-  if not open(e) then
-    v = e
-  elseif pure(e) then
-    v = keep(e)
-  elseif e.kind == "add" or e.kind == "mul" then
-    local build, fixed, list = e.kind == "add" and expr.add or expr.mul, {}, {}
-    for i = 1, #e do
-      if pure(e[i]) then fixed[#fixed + 1] = e[i] else list[#list + 1] = lift(e[i], keep, memo) end
-    end
-    if #fixed > 0 then list[#list + 1] = keep(build(fixed)) end
-    v = build(list)
-  elseif e.kind == "pow" then
-    v = expr.pow(lift(e.base, keep, memo), e.exp)
-  elseif e.kind == "call" then
-    local args = {}
-    for i = #e, 1, -1 do
-      local opposite = e.fn == "clamp" and i == 2 and e[2] == -e[3] -- one constant for both limits
-      args[i] = opposite and -args[3] or lift(e[i], keep, memo)
-    end
-    v = expr.call(e.fn, table.unpack(args))
-  end
-  memo[e] = v
-  return v
-end
-
 local function all(x, keep, memo)
-  if expr.is(x) then return lift(x, keep, memo) end
+  if expr.is(x) then return motion.lift(x, keep, pure, memo) end
   if type(x) ~= "table" then return x end
   local keys, out = {}, {}
   for k in pairs(x) do keys[#keys + 1] = k end -- in hash order, so:

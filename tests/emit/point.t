@@ -198,9 +198,8 @@ local function oracle(case, x0, t)
   return out, big_r, big_v
 end
 
--- {name, rate of the frame, stiffness, gravity, times, rate that the velocities are multiplied with}; start: its own
--- state, with a point that falls nearly straight: each component to its own last digits.  Here it falls from rest and is
--- thrown north and up (the frame's axis lies between), with and without a stiff spring to the axis.
+-- {name, rate of the frame, stiffness, gravity, times, rate that velocities are multiplied with}; start: its own
+-- state, of a point that falls nearly straight: each component to its own last digits.
 local cases = {
   { "an oblique axis", { 0.3, -0.5, 0.8 }, 2.25, { 1, -2, 3 }, { 0, 0.01, 1, -7, 100, 1e7 } },
   { "no stiffness", { 0.3, -0.5, 0.8 }, 0, { 1, -2, 3 }, { 0.5, 1, 1.02, 60, 1e4 } },
@@ -217,9 +216,12 @@ local cases = {
   { "no frame", { 0, 0, 0 }, 4, { 1, 2, 3 }, { 0.1, 10, 1e6 } },
   { "nothing at all", { 0, 0, 0 }, 0, { 0, 0, 0 }, { 3 } },
   { "fast", { 3e29, -5e29, 8e29 }, 2e60, { 1e55, 0, 1e60 }, { 1e-30, 1e-27 }, 1e30 },
-  { "a fall from rest", { 0, 5e-5, 5e-5 }, 0, { 0, 0, -9.81 }, { 1e-3, 0.1, 3, 100 }, start = { 0, 0, 100, 0, 0, 0 } },
-  { "a throw", { 0, 5e-5, 2e-5 }, 0, { 0, 0, -9.81 }, { 1e-3, 0.1, 4.5, 100 }, start = { 0, 3, 0, 0, 7, 20 } },
-  { "a fall in a fast frame", { 0, 0.5, 0.25 }, 0.5, { 0, 0, -9.81 }, { 1e-3, 0.1 }, start = { 0, 0, 0, 0, 0, 0 } },
+  { "a fall from rest", { 0, 5e-5, 5e-5 }, 0, { 0, 0, -9.81 }, { 1e-3, 0.1, 3, 100 },
+    start = { 0, 0, 100, 0, 0, 0 } },
+  { "a throw", { 0, 5e-5, 2e-5 }, 0, { 0, 0, -9.81 }, { 1e-3, 0.1, 4.5, 100 },
+    start = { 0, 3, 0, 0, 7, 20 } },
+  { "a fall in a fast frame", { 0, 0.5, 0.25 }, 0.5, { 0, 0, -9.81 }, { 1e-3, 0.1 },
+    start = { 0, 0, 0, 0, 0, 0 } },
   { "slow", { 3e-31, -5e-31, 8e-31 }, 2e-60, { 1e-60, 0, 1e-61 }, { 1e30, 1e33 }, 1e-30 },
 }
 

@@ -7,9 +7,9 @@
 --                                       a tree that differs from the recorded one is recorded anew
 --     local sees = seen.by(work, tests) -- sees(test, path, line): can the test tell a defect there?
 --
--- The tree is copied and built for `make coverage`: hook.c sees lines of scripts and templates, gcov those of C.  A test
--- that fails in this slow build is taken to see everything.  So is a line that is never a place to stop at, such as the
--- middle of a table of C, by each test that runs any line of its file.
+-- The tree is copied and built as for `make coverage`: hook.c sees lines of scripts and templates, gcov those of C.
+-- A test that fails in this slow build is taken to see everything.  A line on which nothing can stop, such as the
+-- middle of a table of C, counts as seen by each test that runs any line of its file.
 
 package.path = "./?.lua;" .. package.path
 
@@ -29,9 +29,9 @@ local function output(...)
   return text
 end
 
-local function place(work, file) return work .. "/seen/" .. file:gsub("/", "%%") end
+local function place(work, file) return work .. "/seen/" .. file:gsub("/", "__") end
 
----- one test ----------------------------------------------------------------------------------------------------------
+---- one test -------------------------------------------------------------------------------------------
 
 local MAX_LINES = 4096 -- hook.c's
 
@@ -68,9 +68,10 @@ end
 local function record(work, tier, file, command)
   local tree, at = work .. "/seen/tree", place(work, file)
   run("rm -rf %s.d; mkdir -p %s.d/lines %s.d/c", at, at, at)
-  local hook = string.format("package.loadlib('%s/build/lua/polhode_coverage.so', 'luaopen_polhode_coverage')()", tree)
+  local hook = "package.loadlib('" .. tree .. "/build/lua/polhode_coverage.so', 'luaopen_polhode_coverage')()"
   local passed = run('cd %s && LUA_INIT="%s" POLHODE_COVERAGE=%s.d/lines POLHODE_COVERED=%s GCOV_PREFIX=%s.d/c ' ..
-    'TMPDIR=%s.d POLHODE_TIER=%s timeout 900 %s >%s.log 2>&1 </dev/null', tree, hook, at, tree, at, at, tier, command, at)
+    'TMPDIR=%s.d POLHODE_TIER=%s timeout 900 %s >%s.log 2>&1 </dev/null',
+    tree, hook, at, tree, at, at, tier, command, at)
   local out = { passed and "passed" or "failed" }
   if passed then
     for _, of in ipairs { scripts(at .. ".d/lines"), sources(at .. ".d/c") } do
@@ -85,7 +86,7 @@ local function record(work, tier, file, command)
   to:close()
 end
 
----- all of them -------------------------------------------------------------------------------------------------------
+---- all of them ----------------------------------------------------------------------------------------
 
 function seen.record(work, tier, tests)
   local stamp = tier .. output("git ls-files -c generator templates src tests bodies | xargs cat | sha256sum")
@@ -93,10 +94,10 @@ function seen.record(work, tier, tests)
   local before = file and file:read "a"
   if file then file:close() end
   if before ~= stamp then
-    assert(run("rm -rf %s/seen && mkdir -p %s/seen/tree && cp -a .ci $(git ls-files | sed 's|/.*||' | grep -v '^[.]' | " ..
-      "sort -u) %s/seen/tree", work, work, work))
-    assert(run("make -s -j$(nproc) -C %s/seen/tree COVERED=tests/coverage/hook.h CFLAGS='-O0 -g --coverage' all tests " ..
-      "build/lua/polhode_coverage.so >%s/seen/make.log 2>&1", work, work), "see make.log in " .. work .. "/seen")
+    assert(run("rm -rf %s/seen && mkdir -p %s/seen/tree && cp -a .ci $(git ls-files | sed 's|/.*||' | " ..
+      "grep -v '^[.]' | sort -u) %s/seen/tree", work, work, work))
+    assert(run("make -s -j$(nproc) -C %s/seen/tree COVERED=tests/coverage/hook.h CFLAGS='-O0 -g --coverage' " ..
+      "all tests build/lua/polhode_coverage.so >%s/seen/make.log 2>&1", work, work), "see make.log in the folder seen")
     file = assert(io.open(work .. "/seen/stamp", "w"))
     file:write(stamp)
     file:close()
@@ -113,7 +114,6 @@ function seen.record(work, tier, tests)
   pipe:close()
 end
 
--- In blocks of 31 lines a whole number: a test runs some ten thousand lines.
 function seen.by(work, tests)
   local of, any = {}, {}
   for _, t in ipairs(tests) do
