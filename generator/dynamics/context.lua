@@ -119,6 +119,17 @@ end
 -- For looking only: constants are not kept.
 function context.dry(m) return context.of(m, false) end
 
+-- What the effects add to the energy, the mass as context.M.  part: "kinetic", of what turns in the body; "potential",
+-- of what acts; "turning", the potential of fields that turn, which is none in inertial axes.
+function context.energy(m, c, part)
+  local sum = expr.zero
+  for _, e in ipairs(m.record.effects) do
+    local own = e.spec[part] and e.spec[part](e.a, context.with(c, e))
+    if own then sum = sum + (part == "turning" and own.potential or own) end
+  end
+  return sum
+end
+
 -- The mass as a constant of the model.
 function context.mass(m)
   return m:constant("mass", m.mass, "mass, kg", false, m.parts and m.parts.mass)
@@ -135,5 +146,8 @@ function context.massive(m, e)
   if expr.constant(e, { [M.name] = true }) then return e end
   return calculus.substitute(e, { [M] = context.mass(m) })
 end
+
+-- V of what acts, with the model's constants.
+function context.potential(m) return context.massive(m, context.energy(m, context.of(m), "potential")) end
 
 return context

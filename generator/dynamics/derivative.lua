@@ -57,20 +57,15 @@ end
 
 -- What the laws are of: T + V, the momentum in body axes and in those of the base, as expressions without constants.
 local function quantities_of(m)
-  local c, V, T, out = context.dry(m), expr.zero, expr.zero, {}
+  local c = context.dry(m)
+  local T, V = context.energy(m, c, "kinetic"), context.energy(m, c, "potential")
+  local out = { turning = context.energy(m, c, "turning") }
   if m.has.rates then
     out.L = context.momentum(m, false)
-    T = vec.dot(state.w, vec.apply((context.now(m, false)), state.w)) / 2
+    T = T + vec.dot(state.w, vec.apply((context.now(m, false)), state.w)) / 2
     if m.has.attitude then out.inertial = vec.matvec(vec.rotation(state.q), out.L) end
   end
   if m.has.position then T = T + m.mass * vec.dot(state.v, state.v) / 2 end
-  for _, e in ipairs(m.record.effects) do
-    local own = context.with(c, e)
-    if e.spec.kinetic then T = T + e.spec.kinetic(e.a, own) end
-    if e.spec.potential then V = V + e.spec.potential(e.a, own) end
-    local field = e.spec.turning and e.spec.turning(e.a, own)
-    if field then out.turning = (out.turning or expr.zero) + field.potential end
-  end
   out.energy = T + calculus.substitute(V, { [context.M] = m.mass })
   return out
 end
@@ -82,7 +77,7 @@ local function laws(m, rate)
   if f.L then list["|L|"] = { vec.dot(f.L, f.L) } end
   if f.inertial then
     list.L, list.L_z = f.inertial, { f.inertial[3] }
-    if rate then list["T+V-n.L"] = { f.energy + (f.turning or expr.zero) - rate * f.inertial[3] } end
+    if rate then list["T+V-n.L"] = { f.energy + f.turning - rate * f.inertial[3] } end
   end
   list.w3 = { state.w[3] }
   return list

@@ -120,15 +120,6 @@ end
 -- The tensor of these equations, where it is not the body's.
 local function which(m) return m.carried ~= m.inertia and "; I without the wheels' own moments" or "" end
 
-local function potential(m)
-  local V, c = expr.zero, context.of(m)
-  for _, e in ipairs(m.record.effects) do
-    if e.spec.potential then V = V + e.spec.potential(e.a, context.with(c, e)) end
-  end
-  return context.massive(m, V)
-end
-quantities.potential_energy = potential
-
 function quantities.kinetic(m)
   if not m.has.rates then return expr.zero, {}, "" end
   local w, I = state.w, (context.now(m))
@@ -143,15 +134,12 @@ end
 
 function quantities.energy(m)
   local T, defs, why = quantities.kinetic(m)
-  local V, doc = potential(m), nil
+  local V, doc = context.potential(m), nil
   if m.has.position then
     local v2 = vec.dot(state.v, state.v)
     T, why = T + context.mass(m) * v2 / 2, why .. (why == "" and "T = " or " + ") .. "m v^2/2"
   end
-  local c = context.of(m)
-  for _, e in ipairs(m.record.effects) do
-    if e.spec.kinetic then T = T + e.spec.kinetic(e.a, context.with(c, e)) end
-  end
+  T = T + context.energy(m, context.of(m), "kinetic")
   local whole = said(m, why, "has")
   local wheels = whole ~= why
   why = whole .. which(m)
@@ -169,12 +157,8 @@ end
 
 -- T + V - n L_z of fields that turn about inertial z at the rate n (dynamics/conserved.lua).
 function quantities.jacobi_integral(m, n)
-  local f, c, V = quantities.energy(m), context.of(m), expr.zero
-  local energy = f.groups[1]
-  for _, e in ipairs(m.record.effects) do
-    local field = e.spec.turning and e.spec.turning(e.a, context.with(c, e))
-    if field then V = V + field.potential end
-  end
+  local f = quantities.energy(m)
+  local energy, V = f.groups[1], context.energy(m, context.of(m), "turning")
   local L = context.momentum(m)
   local rate = m:constant("nJ", n, "rate at which the field turns, rad/s")
   energy.outs[1].expr = energy.outs[1].expr + V - rate * vec.matvec(vec.rotation(state.q), L)[3]

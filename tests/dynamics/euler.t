@@ -19,7 +19,7 @@ local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local calculus = require "generator.algebra.calculus"
 local text = require "generator.algebra.text"
-local quantities = require "generator.dynamics.quantities"
+local context = require "generator.dynamics.context"
 
 local function symbols(list)
   local v = {}
@@ -143,7 +143,7 @@ local function conserved(job, dw, N, rates, effect, name)
     for _, p in ipairs(along) do dL[i] = dL[i] + calculus.diff(L[i], p[1]) * p[2] end
   end
   vanishes(plus(dL, times(expr.lift(-1), to_inertial(N))), name .. ": dL/dt in inertial axes is the torque there")
-  local V = quantities.potential_energy(m)
+  local V = context.potential(m)
   if effect:find "^gravity along" then
     local dV = expr.zero
     local map_back = {}
@@ -193,7 +193,7 @@ do
   tap.ok(with.wx == without.wx and with.wy == without.wy and with.wz == without.wz,
     "gravity about the centroid: the equations are those of the free body")
   tap.ok(not job.equations.coupled, "gravity about the centroid: the rates do not depend on the attitude")
-  tap.ok(quantities.potential_energy(job.model) == expr.zero, "gravity about the centroid: the potential is constant")
+  tap.ok(context.potential(job.model) == expr.zero, "gravity about the centroid: the potential is constant")
   local code = scene.files(job)["b.c"]
   tap.ok(not code:find("Mgr", 1, true), "gravity about the centroid: nothing of it is emitted")
 end

@@ -137,7 +137,7 @@ local function check(name, job)
     local power = dot(w, outside) + value(inner)
     if m.has.position then power = power + dot(vec.map(state.v, value), vec.map(F, value)) end
     local change = slope(energy, 0)
-    local V = { groups = { { defs = {}, outs = { { expr = quantities.potential_energy(m) } } } } }
+    local V = { groups = { { defs = {}, outs = { { expr = context.potential(m) } } } } }
     tap.ok(close(change - slope(V, 0), power, size), name .. ": dT/dt is the power of all that acts")
   end
 end

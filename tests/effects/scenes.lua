@@ -5,7 +5,7 @@
 --     scenes.new(seed, share)      S, the source of numbers; share of them that become parameters, 0 to 1
 --     scenes.text(S, name, body, list)   the scene; body: "diagonal", "symmetric", "full"; list: of variants
 --     scenes.parts(S, body, list)        the same in parts, which scenes.joined(name, parts) puts together
---     S.renamed, S.others, S.scale       the same scene with other axes, in other units, larger: see below
+--     S.renamed, S.mirrored, S.others, S.scale     the same scene otherwise: see below
 --     scenes.fits(list)            can these variants be in one scene?  Then where the origin is: "point" or "centroid"
 --
 -- where: "point": about a fixed point; "flight": the body moves; "centroid": about the centroid, moving or not; nil:
@@ -55,20 +55,26 @@ function S:num(low, high, unit)
   return name
 end
 
--- Three components, renamed with the axes: x is y, y is z, z is x where S.renamed.
-function S:axes(x, y, z)
+local function negative(x) return x:match "^%-(.*)" or "-" .. x end
+
+-- Three components, renamed with the axes: x is y, y is z, z is x where S.renamed.  S.mirrored: seen in a mirror across
+-- x, in which a polar vector (a place, a velocity, a force) has its x the other way round, and an axial one (a rate, a
+-- torque, a magnetic field) its y and z; kind: "polar", "axial", or nil for what a mirror leaves alone.
+function S:axes(x, y, z, kind)
   if self.renamed then x, y, z = z, x, y end
+  if self.mirrored and kind == "polar" then x = negative(x) end
+  if self.mirrored and kind == "axial" then y, z = negative(y), negative(z) end
   return "{" .. x .. ", " .. y .. ", " .. z .. "}"
 end
 
 -- Three of them, both signs.
-function S:vec(size, unit)
+function S:vec(size, unit, kind)
   local list = {}
   for i = 1, 3 do
     local x = self:num(size / 8, size, unit)
     list[i] = self:random(2) == 1 and x or "-" .. x
   end
-  return self:axes(table.unpack(list))
+  return self:axes(list[1], list[2], list[3], kind)
 end
 
 local V = {}
@@ -78,7 +84,7 @@ end
 
 put("gravity", "gravity", "point", function(s) return "g = " .. s:num(0.5, 2, "m/s^2") end)
 put("gravity", "gravity_direction", "point", function(s)
-  return "g = " .. s:num(0.5, 2, "m/s^2") .. ", direction = " .. s:vec(1)
+  return "g = " .. s:num(0.5, 2, "m/s^2") .. ", direction = " .. s:vec(1, nil, "polar")
 end)
 put("damping", "damping", nil, function(s) return "c = " .. s:num(0.05, 0.3, "N m s") end)
 put("damping", "damping_principal", nil, function(s) return "c = " .. s:vec(0.2, "N m s") end)
@@ -86,8 +92,8 @@ put("damping", "damping_matrix", nil, function(s)
   return "c = {" .. s:vec(0.2, "N m s") .. ", " .. s:vec(0.2, "N m s") .. ", " .. s:vec(0.2, "N m s") .. "}"
 end)
 put("damping", "damping_rate", nil, function(s) return "rate = " .. s:num(0.05, 0.3, "1/s") end)
-put("torque", "torque_body", nil, function(s) return "body = " .. s:vec(0.5, "N m") end)
-put("torque", "torque_inertial", nil, function(s) return "inertial = " .. s:vec(0.5, "N m") end)
+put("torque", "torque_body", nil, function(s) return "body = " .. s:vec(0.5, "N m", "axial") end)
+put("torque", "torque_inertial", nil, function(s) return "inertial = " .. s:vec(0.5, "N m", "axial") end)
 put("torque", "torque_moving", nil, function(s)
   return "body = {" .. s:num(0.1, 0.5, "N m") .. "*sin(2*t), " .. s:num(0.1, 0.3, "N m") .. "*qx, -0.1*wz}"
 end)
@@ -96,14 +102,17 @@ put("torque", "torque_table", nil, function(s)
 end)
 put("control", "control", nil, function() return "" end)
 put("control", "control_limited", nil, function(s) return "max = " .. s:num(0.2, 0.5, "N m") end)
-put("rotor", "rotor", nil, function(s) return "axis = " .. s:vec(1) .. ", momentum = " .. s:num(0.2, 0.6, "N m s") end)
-put("translation", "flight", "flight", function(s) return "gravity = " .. s:vec(2, "m/s^2") end)
+put("rotor", "rotor", nil, function(s)
+  return "axis = " .. s:vec(1, nil, "axial") .. ", momentum = " .. s:num(0.2, 0.6, "N m s")
+end)
+put("translation", "flight", "flight", function(s) return "gravity = " .. s:vec(2, "m/s^2", "polar") end)
 put("translation", "flight_drag", "flight", function(s)
   return "gravity = " .. s:num(0.5, 2, "m/s^2") .. ", drag = " .. s:num(0.05, 0.2, "kg/m") .. ", linear = " ..
     s:num(0.05, 0.2, "kg/s") .. ", stiffness = " .. s:num(0.5, 2, "N/m")
 end)
 put("translation", "flight_force", "flight", function(s)
-  return "gravity = 0, force = " .. s:vec(0.5, "N") .. ", thrust = {" .. s:num(0.1, 0.5, "N") .. ", 0, 0.1*cos(t)}"
+  return "gravity = 0, force = " .. s:vec(0.5, "N", "polar") ..
+    ", thrust = {" .. s:num(0.1, 0.5, "N") .. ", 0, 0.1*cos(t)}"
 end)
 put("drag", "drag", nil, function(s) return "c = " .. s:num(0.05, 0.2, "kg m^2") end)
 put("friction", "friction", nil, function(s)
@@ -115,17 +124,17 @@ put("spring", "spring_rest", nil, function(s)
     s:num(0.2, 0.8) .. "}"
 end)
 put("spring", "spring_axis", nil, function(s)
-  return "stiffness = " .. s:num(0.2, 1, "N m") .. ", axis = " .. s:vec(1) .. ", rest = " .. s:num(0.1, 1)
+  return "stiffness = " .. s:num(0.2, 1, "N m") .. ", axis = " .. s:vec(1, nil, "axial") .. ", rest = " .. s:num(0.1, 1)
 end)
 put("magnetic", "magnetic", nil, function(s)
-  return "moment = " .. s:vec(1, "A m^2") .. ", field = " .. s:vec(0.3, "T")
+  return "moment = " .. s:vec(1, "A m^2", "axial") .. ", field = " .. s:vec(0.3, "T", "axial")
 end)
 put("magnetic", "magnetic_rotating", nil, function(s)
   return "moment = " .. s:vec(1, "A m^2") .. ", rotating = " .. s:vec(0.3, "T") .. ", rate = " .. s:num(0.5, 2, "rad/s")
 end)
 for _, included in ipairs { "true", "false" } do
   put("wheel", "wheel_" .. included, nil, function(s)
-    return "axis = " .. s:vec(1) .. ", inertia = " .. s:num(0.02, 0.08, "kg m^2") .. ", speed = " ..
+    return "axis = " .. s:vec(1, nil, "axial") .. ", inertia = " .. s:num(0.02, 0.08, "kg m^2") .. ", speed = " ..
       s:num(2, 6, "rad/s") .. ", torque = " .. s:num(0.05, 0.2, "N m") .. "*sin(t), included = " .. included
   end)
   put("wheel", "wheel_free_" .. included, nil, function(s)
@@ -149,7 +158,8 @@ put("pivot", "pivot", "point", function(s)
   return "acceleration = {" .. s:num(0.5, 2, "m/s^2") .. "*sin(3*t), t/8, -0.5}"
 end)
 put("pivot", "pivot_vibrates", "point", function(s)
-  return "amplitude = " .. s:num(0.02, 0.1, "m") .. ", rate = " .. s:num(2, 5, "rad/s") .. ", axis = " .. s:vec(1)
+  return "amplitude = " .. s:num(0.02, 0.1, "m") .. ", rate = " .. s:num(2, 5, "rad/s") ..
+    ", axis = " .. s:vec(1, nil, "polar")
 end)
 put("inertia_rate", "parts_diagonal", nil, function(s)
   return "xx = " .. s:num(0.05, 0.3, "kg m^2") .. "*sin(t)^2, zz = " .. s:num(0.05, 0.2, "kg m^2") .. "*cos(t)"
@@ -171,12 +181,13 @@ put("custom", "custom_state", nil, function(s)
     "{ s.stiff*s.phi, 0, 0 } end, states = { phi = { initial = 1, unit = \"rad\", " ..
     "rate = function(s) return s.w[1] - quantity(1, \"1/s\")*s.phi end } }"
 end)
-put("rotating_frame", "frame", "centroid", function(s) return "rate = " .. s:vec(0.5, "rad/s") end)
+put("rotating_frame", "frame", "centroid", function(s) return "rate = " .. s:vec(0.5, "rad/s", "axial") end)
 put("rotating_frame", "frame_upright", "centroid", function(s)
   return "rate = {0, 0, " .. s:num(0.1, 0.5, "rad/s") .. "}"
 end)
 put("rotating_frame", "frame_changing", "centroid", function(s)
-  return "rate = " .. s:vec(0.5, "rad/s") .. ", rate_dot = " .. s:vec(0.05, "rad/s^2") .. ", centrifugal = false"
+  return "rate = " .. s:vec(0.5, "rad/s", "axial") .. ", rate_dot = " .. s:vec(0.05, "rad/s^2", "axial") ..
+    ", centrifugal = false"
 end)
 scenes.variants = V
 
@@ -208,7 +219,7 @@ local BODIES = {
   full = function(s)
     local x, y, z = "1", s:num(1.6, 2.2, "m"), "3"
     if s.renamed then x, y, z = z, x, y end
-    local m, at = s:num(0.3, 0.6, "kg"), string.sub(s:axes("1", "0.5", "1"), 2)
+    local m, at = s:num(0.3, 0.6, "kg"), string.sub(s:axes("1", "0.5", "1", "polar"), 2)
     return "(solid.box { x = " .. x .. ", y = " .. y .. ", z = " .. z .. ", mass = 3 } + points { {" .. m .. ", " ..
       at .. " })"
   end,
@@ -225,10 +236,11 @@ function scenes.parts(s, body, list, origin)
     p.effects[i] = "effect." .. v.effect .. " { " .. v.text(s) .. " }"
     flies = flies or v.where == "flight"
   end
-  p.origin = origin == "point" and s:axes("0.1", "0.2", "-0.3") or "\"centroid\""
-  local q = s:axes("0." .. s:random(9), "-0." .. s:random(9), "0." .. s:random(9))
-  p.initial = "omega = " .. s:axes("0.7", "-0.3", "0.9") .. ", attitude = {1, " .. string.sub(q, 2) ..
-    (flies and ", position = " .. s:axes("0.1", "0", "1") .. ", velocity = " .. s:axes("0.5", "0.2", "-0.1") or "")
+  p.origin = origin == "point" and s:axes("0.1", "0.2", "-0.3", "polar") or "\"centroid\""
+  local q = s:axes("0." .. s:random(9), "-0." .. s:random(9), "0." .. s:random(9), "axial")
+  p.initial = "omega = " .. s:axes("0.7", "-0.3", "0.9", "axial") .. ", attitude = {1, " .. string.sub(q, 2) ..
+    (flies and ", position = " .. s:axes("0.1", "0", "1", "polar") .. ", velocity = " ..
+      s:axes("0.5", "0.2", "-0.1", "polar") or "")
   p.params = table.concat(s.params)
   return p
 end

@@ -3,10 +3,10 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- Random scenes of one to three effects (scenes.lua), each run from its text and from another text of the same motion:
--- effects in another order, parameters for numbers, the wheel in the body's tensor or not, axes renamed, the body
--- elsewhere with its origin, in two pieces, other units, all quantities scaled by their dimensions, custom effects for
--- built-in ones, and time reversed.  Both roads integrate
--- to 1e-12; over 2 s, some two radians, neighbouring motions of these scenes part by less than 1e3.
+-- effects in another order, parameters for numbers, the wheel in the body's tensor or not, axes renamed, the scene in a
+-- mirror, the body elsewhere with its origin, in two pieces, other units, all quantities scaled by their dimensions,
+-- custom effects for built-in ones, and time reversed.  Both roads integrate to 1e-12; over 2 s, some two radians,
+-- neighbouring motions of these scenes part by less than 1e3.
 -- POLHODE_SCENES=50: so many of each kind.  The quick tier takes one of each.
 
 package.path = "./?.lua;" .. package.path
@@ -50,13 +50,16 @@ local function apart(a, b, names)
   return worst, where
 end
 
-local function same(what, first, second, names)
+-- how: names, see `apart`; back, which turns the second state into the first one's; finish, the second one's end.
+local function same(what, first, second, how)
+  how = how or {}
   for _, engine in ipairs { "general", "generated" } do
     local a, why = run(engine, first)
     local b, why_b
-    if a then b, why_b = run(engine, second) end
+    if a then b, why_b = run(engine, second, how.finish) end
+    if b and how.back then how.back(b) end
     local d, where = 0, why or why_b
-    if a and b then d, where = apart(a, b, names) end
+    if a and b then d, where = apart(a, b, how.names) end
     tap.ok(a and b and d <= TOLERANCE, what .. ", " .. engine, string.format("%s: %.3g\n%s%s", where, d, first, second))
   end
 end
@@ -64,17 +67,20 @@ end
 -- The same with all quantities scaled: the second motion is compared in the units of the first.
 local UNIT = { w = "1/s", L = "N m s" } -- of columns; W of a wheel is a rate
 local function grown(what, first, second, scale)
-  for _, engine in ipairs { "general", "generated" } do
-    local a, why = run(engine, first)
-    local b, why_b = run(engine, second, 2*scale[3])
-    for name, x in pairs(b or {}) do
+  same(what, first, second, { finish = 2*scale[3], back = function(b)
+    for name, x in pairs(b) do
       local unit = UNIT[name:sub(1, 1)]
       if unit then b[name] = x/scenes.scaled(scale, 1, unit) end
     end
-    local d, where = 0, why or why_b
-    if a and b then d, where = apart(a, b) end
-    tap.ok(a and b and d <= TOLERANCE, what .. ", " .. engine, string.format("%s: %.3g\n%s%s", where, d, first, second))
-  end
+  end })
+end
+
+-- The second is the first in a mirror across x: what is odd there has the other sign.
+local ODD = { "qy", "qz", "wy", "wz", "Ly", "Lz", "rx", "vx" }
+local function mirrored(what, first, second)
+  same(what, first, second, { back = function(b)
+    for _, name in ipairs(ODD) do b[name] = b[name] and -b[name] end
+  end })
 end
 
 local V = {}
@@ -104,9 +110,9 @@ for n = 1, count do
   local first, turned = scenes.joined("a", p), {}
   for i, e in ipairs(p.effects) do turned[#p.effects + 1 - i] = e end
   p.effects = turned
-  local names = {} -- several wheels change their columns' names with their order
+  -- several wheels change their columns' names with their order
   if not first:find "wheel" and not first:find "custom" then
-    same("effects in another order " .. n, first, scenes.joined("a", p), names)
+    same("effects in another order " .. n, first, scenes.joined("a", p))
   end
 
   -- parameters for numbers
@@ -127,7 +133,14 @@ for n = 1, count do
     to[k .. "x"], to[k .. "y"], to[k .. "z"] = k .. "z", k .. "x", k .. "y"
   end
   same("axes renamed " .. n, scenes.text(a, "c", "full", list, placed(list)), scenes.text(b, "c", "full", list,
-    placed(list)), to)
+    placed(list)), { names = to })
+
+  -- in a mirror across x
+  list = choose(nil, vectors)
+  a, b = scenes.new(seed, 0), scenes.new(seed, 0)
+  b.mirrored = true
+  mirrored("in a mirror " .. n, scenes.text(a, "m", "full", list, placed(list)), scenes.text(b, "m", "full", list,
+    placed(list)))
 
   -- other units
   list = choose()

@@ -1,0 +1,80 @@
+#!/usr/bin/env lua5.4
+-- commands.t - random scenes with parameters everywhere: gen by any method, explain and run do them or say why not.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- Two to five effects, three of four numbers parameters (scenes.lua).  gen writes C that gcc and clang compile without
+-- a warning in either type of numbers, or refuses the method on a line of the scene; explain says what it has to say;
+-- both roads run, to numbers.  No other status, no warning.  POLHODE_SCENES=2000 POLHODE_SEED=7: so many, from that
+-- seed; finds are printed whole.  `polhode check` of such scenes is product.t's.
+
+package.path = "./?.lua;" .. package.path
+
+local tap = require "tests.tap"
+local tier = require "tests.tier"
+local program = require "tests.cli.program"
+local scenes = require "tests.effects.scenes"
+
+local dir = program.directory()
+local binary = os.getenv "POLHODE" or "build/polhode"
+local count = tonumber(os.getenv "POLHODE_SCENES") or tier.quick and 5 or 100
+local seed = tonumber(os.getenv "POLHODE_SEED") or 23
+local STRICT = "-std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
+local METHODS = { "rk4", "adaptive", "taylor", "semi", "midpoint", "split2", "split4", "split6" }
+local MORE = { "", " --with jacobians", " --with compensated", " --bake", " --libm own" }
+
+local function shell(...)
+  local command = string.format(...)
+  local status = program.shell(string.format("(cd %s && %s) >%s/out 2>%s/err", dir, command, dir, dir))
+  return status, program.read(dir .. "/out"), program.read(dir .. "/err")
+end
+
+-- What is wrong with the scene, or nil.
+local refused, written = 0, 0
+local function fault(random)
+  local function any(list) return list[random:random(#list)] end
+  local path = binary:find "^/" and binary or os.getenv "PWD" .. "/" .. binary
+  local method, real = any(METHODS), any { "double", "float" }
+  local gen = string.format("timeout 60 %s gen s.lua -o o --method %s --real %s%s", path, method, real, any(MORE))
+  local status, _, err = shell("rm -rf o; %s", gen)
+  if status == 1 and err:find "^s%.lua:%d+: " then
+    refused = refused + 1
+  elseif status ~= 0 or err ~= "" then
+    return gen .. "\n" .. status .. " " .. err
+  else
+    written = written + 1
+    local all
+    status, all, err = shell("cat o/s.c; gcc %s -O1 -S -o s.s o/s.c && clang %s -fsyntax-only o/s.c", STRICT, STRICT)
+    if status ~= 0 or all == "" then return gen .. "\n" .. err end
+  end
+  local explain = string.format("timeout 60 %s explain s.lua --format %s", path, any { "text", "json", "latex" })
+  local out
+  status, out, err = shell("%s", explain)
+  if status ~= 0 or err ~= "" or #out < 200 then return explain .. "\n" .. status .. " " .. err end
+  local run = string.format("timeout 60 %s run s.lua --until 1 --every 0.5 %s", path, any { "--engine general",
+    "--engine general --method rk4 --step 0.01", "--engine generated", "--engine generated --method adaptive" })
+  status, out, err = shell("%s", run)
+  if status ~= 0 or err ~= "" or select(2, out:gsub("\n", "")) ~= 4 or out:find "nan" or out:find "inf" then
+    return run .. "\n" .. status .. " " .. err .. out
+  end
+end
+
+local random = scenes.new(seed, 0)
+local done, bad = 0, 0
+while done < count do
+  local list, n = {}, 1 + random:random(4)
+  for i = 1, n do list[i] = scenes.variants[random:random(#scenes.variants)] end
+  if select(2, scenes.fits(list)) then
+    done = done + 1
+    local body = ({ "diagonal", "symmetric", "full" })[random:random(3)]
+    local text = scenes.text(scenes.new(seed + 7919*done, 0.75), "s", body, list)
+    program.write(dir .. "/s.lua", text)
+    local why = fault(random)
+    if why then
+      bad = bad + 1
+      tap.ok(false, "scene " .. done, why .. "\n" .. text)
+    end
+  end
+end
+tap.is(bad, 0, done .. " scenes: " .. written .. " written and compiled, " .. refused .. " methods refused")
+tap.ok(written > refused, "most are taken")
+tap.done(program.finish())
