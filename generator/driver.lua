@@ -33,6 +33,7 @@ local packages = require "generator.emit.packages.list"
 local poly = require "generator.algebra.poly"
 local project = require "generator.emit.project"
 local nearest = require "generator.nearest"
+local selection = require "generator.selection"
 
 local driver = { version = "0.1.0" }
 
@@ -156,53 +157,59 @@ local function functions(job, options)
   local m, eq = job.model, job.equations
   local exact = not options.methods
   for _, name in ipairs(options.methods or {}) do exact = exact or name == "exact" end
-  if not exact then job.closed = { refused = "not asked for (--method)", others = {} } end
+  if not job.selection.orbit then
+    job.closed = { refused = "not called for (--only)", others = {} }
+  elseif not exact then job.closed = { refused = "not asked for (--method)", others = {} } end
   job.methods, job.jacobians = options.methods, options.jacobians
   job.steppers = steppers(job, options)
   if not job.steppers then return nil end
-  local list = {}
-  local function put(f) list[#list + 1] = f end
-  put(quantities.initial(m))
-  put((quantities.mass(m)))
+  local list, made = {}, job.selection.made
+  local function put(name, of, ...)
+    if made(name) then list[#list + 1] = of(...) end
+  end
+  put("initial", quantities.initial, m)
+  put("mass", function() return (quantities.mass(m)) end)
   if m.has.rates then
-    put(quantities.inertia(m))
-    put(quantities.inertia_at(m))
-    if context.parts(m) then put(quantities.inertia_now(m)) end
+    put("inertia", quantities.inertia, m)
+    put("inertia_at", quantities.inertia_at, m)
+    if context.parts(m) then put("inertia_now", quantities.inertia_now, m) end
   end
-  put(quantities.energy(m))
-  if job.conserved.rate then put(quantities.jacobi_integral(m, job.conserved.rate)) end
-  local particles = m.has.rates and quantities.particle_energy(m)
-  if particles then put(particles) end
-  if m.has.rates then put(quantities.momentum_body(m)) end
-  if m.has.attitude then put(quantities.momentum(m)) end
-  if m.has.rates then put(quantities.torque(m)) end
-  put(quantities.rhs(eq))
+  put("energy", quantities.energy, m)
+  if job.conserved.rate then put("jacobi_integral", quantities.jacobi_integral, m, job.conserved.rate) end
+  local particles = m.has.rates and made "particle_energy" and quantities.particle_energy(m)
+  if particles then list[#list + 1] = particles end
+  if m.has.rates then put("momentum_body", quantities.momentum_body, m) end
+  if m.has.attitude then put("momentum", quantities.momentum, m) end
+  if m.has.rates then put("torque", quantities.torque, m) end
+  put("rhs", quantities.rhs, eq)
   for i, s in ipairs(job.steppers) do
-    if s.method.groups then put(quantities.step(m, eq, s.method, i == 1 and "step" or s.method.name .. "_step")) end
+    local name = i == 1 and "step" or s.method.name .. "_step"
+    if s.method.groups then put(name, quantities.step, m, eq, s.method, name) end
   end
-  put(quantities.jacobian(eq))
+  put("jacobian", quantities.jacobian, eq)
   if options.jacobians then
     local more = sensitivity.list(job, options.jacobians)
     if not more then return nil end
-    for _, f in ipairs(more) do put(f) end
+    for _, f in ipairs(more) do put(f.name, function() return f end) end
     if options.outputs then
-      for _, f in ipairs(gradients(job)) do put(f) end
+      for _, f in ipairs(gradients(job)) do put(f.name, function() return f end) end
     end
   end
   if options.compensated then
     local more = compensated.list(job)
     if not more then return nil end
-    for _, f in ipairs(more) do put(f) end
+    for _, f in ipairs(more) do put(f.name, function() return f end) end
   end
-  put(quantities.rate())
-  put(quantities.acceleration())
+  put("rate", quantities.rate)
+  put("acceleration", quantities.acceleration)
   job.functions = list
   return list
 end
 
 -- With --bake: each function as cheap as it is without.
 local function bake(job, options)
-  local plain = { diag = diag.new(job.file, job.text), record = job.record, host = job.host, plain = true }
+  local plain = { diag = diag.new(job.file, job.text), record = job.record, host = job.host, plain = true,
+    selection = job.selection }
   if not (model_of(plain, {}) and functions(plain, options)) or #plain.states ~= #job.states then return end
   for i, s in ipairs(plain.states) do
     if s.name ~= job.states[i].name then return end
@@ -218,6 +225,7 @@ local function plan(job, options)
   local m, eq = job.model, job.equations
   job.real, job.command = options.real or "double", options.command
   job.libm = options.libm or (job.real == "float" and "own" or "system")
+  job.selection, job.layout = selection.new(options), options.layout or "single"
   if not functions(job, options) then return nil end
   if options.q31 then
     job.q31 = fixed_point.plan(job)
@@ -229,7 +237,7 @@ local function plan(job, options)
   local form = job.closed
   job.closed_constants = form.constants and form.constants(m) or {}
   job.smooth_until = breaks.first(eq)
-  job.stability = m.has.rates and stability.of(m) or nil
+  job.stability = m.has.rates and job.selection.asked "spin_stable" and stability.of(m) or nil
   if m.baked then bake(job, options) end
   job.title, job.banner = derivation.title(job), derivation.banner(job)
   job.derivation = derivation.markdown(job)

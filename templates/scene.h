@@ -81,43 +81,12 @@ typedef struct ${name}_model {
 %% end
 } ${name}_model;
 
-/* Parameters p[${upper}_NP], SI units; NULL: the scene's own.  Returns 0, or the number of the check that failed,
- * *m untouched then:
-%% for _, c in ipairs(checks) do
- *   ${c.number}  ${c.text}
-%% end
- */
-int ${name}_init(${name}_model *m, const ${name}_real p[]);
-
-/* The scene's own parameters. */
-void ${name}_defaults(${name}_real p[]);
-%% for _, f in ipairs(functions) do
-
-%%   for i, line in ipairs(f.comment) do
-${line}
-%%   end
-${f.declaration}
-%% end
-
-%% if has_attitude then
-${normalise_header}
-%% end
-%% if has_closed then
-${closed_header}
-%% end
-%% if stepper_header ~= "" then
-${stepper_header}
-%% end
-%% if has_guard then
-${guard_header}
-%% end
-%% if has_rates then
-${principal_header}
-${analysis_header}
-${stability_header}
-%% end
+${declarations}
 #ifdef __cplusplus
 }
 #endif
 
 #endif
+%% if header_only then
+${implementation}
+%% end

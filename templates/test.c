@@ -7,7 +7,9 @@
  * A tolerance is a number of roundings (units of the type's epsilon) times the sum of the magnitudes of the terms
  * that make up the result, so it is what the arithmetic can lose and no more.
  */
-#include "${name}.h"
+%% for _, h in ipairs(public_headers) do
+#include "${h}"
+%% end
 
 #include <float.h>
 #include <math.h>
@@ -35,6 +37,7 @@ static void own_bits(void)
   if (fused < ${zero}) printf("# other bits than elsewhere: products are fused into sums, see -ffp-contract=off\n");
 }
 
+%% if has_cases then
 /* |got - want| <= tolerance for n numbers; a NaN fails */
 static void near(const ${name}_real got[], const ${name}_real want[], const ${name}_real tolerance[], int n,
                  const char *what)
@@ -50,6 +53,8 @@ static void near(const ${name}_real got[], const ${name}_real want[], const ${na
   report(ok, what);
 }
 
+%% end
+%% if test_distance then
 /* largest |a - b| over n numbers; a NaN counts as 1 */
 static ${name}_real distance(const ${name}_real a[], const ${name}_real b[], int n)
 {
@@ -64,7 +69,8 @@ static ${name}_real distance(const ${name}_real a[], const ${name}_real b[], int
   return d;
 }
 
-%% if has_rates then
+%% end
+%% if test_principal then
 /* Euler's equations in principal axes, no torque: I1 w1' = (I2 - I3) w2 w3 and cyclic */
 static void euler(const ${name}_real I[3], const ${name}_real w[3], ${name}_real dw[3])
 {
@@ -74,119 +80,14 @@ static void euler(const ${name}_real I[3], const ${name}_real w[3], ${name}_real
 }
 
 %% end
+%% if test_steps then
 ${follows_test}
 
-%% if has_transition_case then
-/* The step's transition matrix alone. */
-static void transition(const ${name}_model *m, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[])
-{
-  ${name}_real y[${upper}_NX];
-  int i;
-
-  for (i = 0; i < ${upper}_NX; i++) y[i] = x[i];
-  ${name}_step_transition(m, ${zero}, y, u, h, F);
-}
-
 %% end
-%% if has_transition then
-/* The step with its transition is that of ${name}_step; where the equations are smooth, entries against central differences
- * of that step, by d and by d/2: their error falls 4-fold, 2-fold where a second derivative jumps, so that of the second
- * is less than twice what the two differ by; rounding adds 32 units of each state, divided by the displacement. */
-static void tangent(const ${name}_model *m, const ${name}_real x[], const ${name}_real u[], ${name}_real h)
-{
-  static const int kind[][2] = { /* states of one kind: first, last + 1 */
-%%   for _, k in ipairs(state_kinds) do
-    {${k.first}, ${k.last}}, /* ${k.about} */
-%%   end
-  };
-  ${name}_real F[${upper}_NX*${upper}_NX], y[${upper}_NX], z[${upper}_NX], size[${upper}_NX];
-%%   if has_differences then
-  ${name}_real low[${upper}_NX], difference[2][${upper}_NX];
-%%     if has_inputs then
-  static const ${name}_real span[${upper}_NU] = {${input_spans}};
-  ${name}_real G[${upper}_NX*${upper}_NU];
-%%     end
-  int s;
-%%   end
-  unsigned int g;
-  int i, k, ok = 1;
-
-  for (i = 0; i < ${upper}_NX; i++) y[i] = z[i] = x[i];
-  ${name}_step(m, ${zero}, y, u, h);
-  ${name}_step_transition(m, ${zero}, z, u, h, F);
-  for (g = 0; g < sizeof kind/sizeof kind[0]; g++) {
-    ${name}_real most = ${zero};
-
-    for (k = kind[g][0]; k < kind[g][1]; k++) {
-      most = ${fabs}(x[k]) > most ? ${fabs}(x[k]) : most;
-      most = ${fabs}(y[k]) > most ? ${fabs}(y[k]) : most;
-    }
-    for (k = kind[g][0]; k < kind[g][1]; k++) size[k] = most;
-  }
-  for (i = 0; i < ${upper}_NX; i++) ok = ok && ${fabs}(y[i] - z[i]) <= ${roundings}*size[i];
-  report(ok, "the step with its transition is the step");
-%%   if has_differences then
-  ok = 1;
-  for (k = 0; k < ${upper}_NX; k++) {
-    for (s = 0; s < 2; s++) {
-      const ${name}_real d = ${displacement}*x[k]/(${name}_real)(s + 1);
-      ${name}_real width;
-
-      for (i = 0; i < ${upper}_NX; i++) y[i] = low[i] = x[i];
-      y[k] += d;
-      low[k] -= d;
-      width = y[k] - low[k]; /* as it was rounded */
-      ${name}_step(m, ${zero}, y, u, h);
-      ${name}_step(m, ${zero}, low, u, h);
-      for (i = 0; i < ${upper}_NX; i++) difference[s][i] = (y[i] - low[i])/width;
-    }
-    for (i = 0; i < ${upper}_NX; i++) {
-      const ${name}_real error = ${fabs}(F[i*${upper}_NX + k] - difference[1][i]);
-
-      if (!(error <= ${two}*${fabs}(difference[0][i] - difference[1][i]) + ${two}*${roundings}*size[i]/(${displacement}*${fabs}(x[k])))) {
-        ok = 0;
-        printf("# d x[%d]/d x[%d]: %.17g, differences %.17g %.17g\n", i, k, (double)F[i*${upper}_NX + k],
-               (double)difference[0][i], (double)difference[1][i]);
-      }
-    }
-  }
-  report(ok, "the transition matrix agrees with differences of the step");
-%%     if has_inputs then
-  ok = 1;
-  ${name}_step_transition_u(m, ${zero}, x, u, h, G);
-  for (k = 0; k < ${upper}_NU; k++) {
-    for (s = 0; s < 2; s++) {
-      const ${name}_real d = ${displacement}*span[k]/(${name}_real)(s + 1);
-      ${name}_real up[${upper}_NU], down[${upper}_NU], width;
-
-      for (i = 0; i < ${upper}_NX; i++) y[i] = low[i] = x[i];
-      for (i = 0; i < ${upper}_NU; i++) up[i] = down[i] = u[i];
-      up[k] += d;
-      down[k] -= d;
-      width = up[k] - down[k];
-      ${name}_step(m, ${zero}, y, up, h);
-      ${name}_step(m, ${zero}, low, down, h);
-      for (i = 0; i < ${upper}_NX; i++) difference[s][i] = (y[i] - low[i])/width;
-    }
-    for (i = 0; i < ${upper}_NX; i++) {
-      const ${name}_real error = ${fabs}(G[i*${upper}_NU + k] - difference[1][i]);
-
-      if (!(error <= ${two}*${fabs}(difference[0][i] - difference[1][i]) + ${two}*${roundings}*size[i]/(${displacement}*span[k]))) {
-        ok = 0;
-        printf("# d x[%d]/d u[%d]: %.17g, differences %.17g %.17g\n", i, k, (double)G[i*${upper}_NU + k],
-               (double)difference[0][i], (double)difference[1][i]);
-      }
-    }
-  }
-  report(ok, "the step's derivative by the input agrees with differences of the step");
-%%     end
-%%   end
-}
-
-%% end
+${tangent_test}
 ${compensated_test}
 ${normalise_test}
-%% if has_rates then
+%% if test_principal then
 /* Principal axes by their definition, and small oscillations by Euler's equations. */
 static void principal(const ${name}_model *m)
 {
@@ -234,7 +135,7 @@ static void principal(const ${name}_model *m)
 }
 
 %% end
-%% if has_guard then
+%% if offers.within then
 /* The ends of each range are within it; a few units of the last place beyond, infinity and NaN are not. */
 static void guard(void)
 {
@@ -267,7 +168,7 @@ static void guard(void)
 }
 
 %% end
-%% if stability_numeric then
+%% if test_spins then
 /* the predicate without dissipation against the product of the linearised rates of the same moments */
 static void spins(const ${name}_model *m)
 {
@@ -285,9 +186,17 @@ static void spins(const ${name}_model *m)
 int main(void)
 {
   ${name}_model m;
-  ${name}_real got[${got_size}], x0[${upper}_NX], coarse[${upper}_NX], middle[${upper}_NX], fine[${upper}_NX];
+%% if has_cases then
+  ${name}_real got[${got_size}];
+%% end
+%% if test_start then
+  ${name}_real x0[${upper}_NX];
+%% end
+%% if test_steps then
+  ${name}_real coarse[${upper}_NX], middle[${upper}_NX], fine[${upper}_NX];
   ${name}_real d1, d2;
-%% if has_closed then
+%% end
+%% if test_orbit then
   ${name}_orbit o;
 %% end
 %% if check_free then
@@ -296,7 +205,7 @@ int main(void)
 %% if check_conservative then
   ${name}_real E0;
 %% end
-%% if uses_index then
+%% if test_index then
   int i;
 %% end
 %% for _, v in ipairs(states) do
@@ -309,16 +218,28 @@ int main(void)
 %% for _, a in ipairs(vectors) do
   const ${name}_real ${a.name}[3] = {${a.values}};
 %% end
-%% if has_inputs then
+%% if uses_inputs then
+%%   if has_inputs then
   const ${name}_real u[${upper}_NU] = {${input_values}};
-%% else
+%%   else
   const ${name}_real *u = 0;
+%%   end
 %% end
 
   printf("TAP version 13\n");
   own_bits();
+%% if offers.init then
   report(${name}_init(&m, 0) == 0, "the scene's own parameters are accepted");
+%% else
+  m.empty = 0;
+%% end
+%% if test_start then
+%%   if offers.initial then
   ${name}_initial(&m, x0);
+%%   else
+  for (i = 0; i < ${upper}_NX; i++) x0[i] = x1[i];
+%%   end
+%% end
 %% for _, c in ipairs(cases) do
   {
     const ${name}_real want[${c.n}] = {
@@ -340,16 +261,16 @@ int main(void)
 %% if has_transition then
   tangent(&m, x2, u, ${transition_step});
 %% end
-%% if has_compensated then
+%% if test_compensated then
   compensated(&m, x2, u, ${transition_step});
 %% end
-%% if has_guard then
+%% if offers.within then
   guard();
 %% end
-%% if has_rates then
+%% if test_principal then
   principal(&m);
 %% end
-%% if stability_numeric then
+%% if test_spins then
   spins(&m);
 %% end
 %% if has_spin_cases then
@@ -360,6 +281,7 @@ int main(void)
       "which spins persist, without and with dissipation");
 %% end
 
+%% if test_steps then
 %% if fine_steps then
   /* order: the difference of solutions with steps h and h/2 falls 16-fold when h is halved; the scale of what
    * rounding leaves is the type's epsilon times the number of steps */
@@ -367,9 +289,9 @@ int main(void)
   /* order ${low_order}: the difference of solutions with steps h and h/2 falls ${low_order_falls}-fold when h is halved, or faster; the
    * scale of what rounding leaves is the type's epsilon times the number of steps */
 %% end
-  advance(&m, ${order_time}, 32, coarse);
-  advance(&m, ${order_time}, 64, middle);
-  advance(&m, ${order_time}, 128, fine);
+  advance(&m, x0, ${order_time}, 32, coarse);
+  advance(&m, x0, ${order_time}, 64, middle);
+  advance(&m, x0, ${order_time}, 128, fine);
   d1 = distance(coarse, middle, ${upper}_NX);
   d2 = distance(middle, fine, ${upper}_NX);
 %% if has_corners then
@@ -379,19 +301,24 @@ int main(void)
 %% else
   report(d2 <= d1/${low_order_bound} + ${order_floor}, "halving the step divides the error by about ${low_order_falls}");
 %% end
-  integrate(&m, ${order_time}, 128, coarse);
-  integrate(&m, ${order_time}, 256, middle);
+%% if test_follows then
+  integrate(&m, x0, ${order_time}, 128, coarse);
+  integrate(&m, x0, ${order_time}, 256, middle);
   report(distance(middle, fine, ${upper}_NX) <= ${order_two}*d2 + distance(coarse, middle, ${upper}_NX) + ${order_four}*${order_floor},
          "the stepper goes where the rates of change lead");
+%% end
 %% if has_attitude then
   for (i = 0, d1 = ${zero}; i < 4; i++) d1 += fine[i]*fine[i];
   report(${fabs}(d1 - ${one}) <= ${norm_bound} + d2, "the quaternion stays a unit quaternion");
+%% end
+%% end
+%% if offers.normalise then
   normalise();
 %% end
 %% if check_free then
 
   /* no torque: T and the inertial L are constant; 1024 short steps lose no more than rounding and the method's error */
-  advance(&m, ${order_time}, 1024, fine);
+  advance(&m, x0, ${order_time}, 1024, fine);
   E0 = ${name}_energy(&m, x0);
   ${name}_momentum(&m, x0, L0);
   ${name}_momentum(&m, fine, L1);
@@ -402,17 +329,17 @@ int main(void)
 %% if has_integral and check_conservative then
 
   /* fields turn steadily: 1024 short steps lose no more than rounding and the method's error */
-  advance(&m, ${order_time}, 1024, fine);
+  advance(&m, x0, ${order_time}, 1024, fine);
   E0 = ${name}_jacobi_integral(&m, ${zero}, x0);
   report(${fabs}(${name}_jacobi_integral(&m, ${order_time}, fine) - E0) <= ${energy_drift}, "Jacobi's integral is conserved");
 %% elseif check_conservative then
 
   /* the effects conserve the energy: 1024 short steps lose no more than rounding and the method's error */
-  advance(&m, ${order_time}, 1024, fine);
+  advance(&m, x0, ${order_time}, 1024, fine);
   E0 = ${name}_energy(&m, x0);
   report(${fabs}(${name}_energy(&m, fine) - E0) <= ${energy_drift}, "the energy is conserved");
 %% end
-%% if has_closed then
+%% if test_closed then
 
   /* the closed form against the stepper, whose own error at this step is below the bound */
   report(${name}_solve(&o, &m, x0) == 0, "the closed form accepts the initial state");
@@ -423,13 +350,17 @@ int main(void)
 %% end
 %% if check_free then
 %% else
-  advance(&m, ${order_time}, 1024, fine);
+  advance(&m, x0, ${order_time}, 1024, fine);
 %% end
   for (i = 0, d1 = ${one}; i < ${upper}_NX; i++) d1 = ${fabs}(x0[i]) > d1 ? ${fabs}(x0[i]) : d1;
 %% if has_full then
   report(distance(got, fine, ${upper}_NX) <= ${drift}*d1${low_order_error}, "closed form and stepper agree");
 %% else
   report(distance(got + ${upper}_WX, fine + ${upper}_WX, 3) <= ${drift}*d1${low_order_error}, "closed form and stepper agree");
+%% end
+%% end
+%% if not test_closed and motion_cases[1] then
+  report(${name}_solve(&o, &m, x0) == 0, "the closed form accepts the initial state");
 %% end
 %% for _, c in ipairs(motion_cases) do
   {
@@ -448,8 +379,7 @@ int main(void)
     near(got, want, tolerance, ${c.n}, "${c.what}");
   }
 %% end
-%% end
-%% if planned then
+%% if planned and offers.advance then
 
   /* what was planned: the horizon within the accuracy; the expected state is the general library's */
   {
@@ -475,14 +405,14 @@ int main(void)
 %%   end
 
     for (k = 0; k < ${upper}_NX; k++) x[k] = x0[k];
-    steps = ${name}_advance(&m, ${zero}, x, none, ${horizon_literal});
+    steps = ${name}_advance(&m, x0, ${zero}, x, none, ${horizon_literal});
     report(steps > 0, "the planned method covers the horizon");
 %%   if has_attitude then
     for (k = 0; k < 4; k++) side += x[k]*want[k];
     for (k = 0; k < 4; k++) x[k] = side < ${zero} ? -x[k] : x[k]; /* q and -q are one attitude */
 %%   end
     near(x, want, tolerance, ${upper}_NX, "the planned method reaches the horizon within its accuracy");
-    report(${name}_advance(&m, ${one}, x, none, ${one}) == 0, "no time is no step");
+    report(${name}_advance(&m, x0, ${one}, x, none, ${one}) == 0, "no time is no step");
   }
 %% end
 

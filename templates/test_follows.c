@@ -1,6 +1,6 @@
 %% -- test_follows.c -- the self-test's two roads to the motion: part of test.c.  SPDX-License-Identifier: MIT-0
-/* the scene's initial state after `steps` steps over the time T */
-static void advance(const ${name}_model *m, ${name}_real T, int steps, ${name}_real x[])
+/* the state x0 after `steps` steps over the time T */
+static void advance(const ${name}_model *m, const ${name}_real x0[], ${name}_real T, int steps, ${name}_real x[])
 {
 %% if has_inputs then
   const ${name}_real u[${upper}_NU] = {${zero}};
@@ -10,12 +10,13 @@ static void advance(const ${name}_model *m, ${name}_real T, int steps, ${name}_r
   const ${name}_real h = T/(${name}_real)steps;
   int i;
 
-  ${name}_initial(m, x);
+  for (i = 0; i < ${upper}_NX; i++) x[i] = x0[i];
   for (i = 0; i < steps; i++) ${name}_step(m, (${name}_real)i*h, x, u, h);
 }
 
+%% if test_follows then
 /* the same by the classical method of Runge and Kutta from the rates of change, which are compared with exact ones above */
-static void integrate(const ${name}_model *m, ${name}_real T, int steps, ${name}_real x[])
+static void integrate(const ${name}_model *m, const ${name}_real x0[], ${name}_real T, int steps, ${name}_real x[])
 {
 %% if has_inputs then
   const ${name}_real u[${upper}_NU] = {${zero}};
@@ -26,7 +27,7 @@ static void integrate(const ${name}_model *m, ${name}_real T, int steps, ${name}
   ${name}_real y[${upper}_NX], k[4][${upper}_NX];
   int i, n;
 
-  ${name}_initial(m, x);
+  for (i = 0; i < ${upper}_NX; i++) x[i] = x0[i];
   for (n = 0; n < steps; n++) {
     const ${name}_real t = (${name}_real)n*h;
 
@@ -40,3 +41,4 @@ static void integrate(const ${name}_model *m, ${name}_real T, int steps, ${name}
     for (i = 0; i < ${upper}_NX; i++) x[i] += h/${order_six}*(k[0][i] + ${order_two}*(k[1][i] + k[2][i]) + k[3][i]);
   }
 }
+%% end

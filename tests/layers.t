@@ -13,6 +13,7 @@ local ARROWS = {
   diag = {},
   hash = {},
   nearest = {},
+  selection = {}, -- names of functions
   dsl = { "algebra", "diag", "interchange", "nearest" }, -- interchange: shapes whose numbers another program wrote
   interchange = { "algebra", "diag" },
   mass = { "algebra", "diag", "geometry" }, -- geometry: does a hole lie inside its body?
@@ -23,14 +24,15 @@ local ARROWS = {
   methods = { "algebra", "dynamics" },
   ir = { "algebra", "polhode_rational" },
   -- dynamics: the free top with many digits, for constants and expected states
-  emit = { "algebra", "ir", "dynamics", "hash" },
+  emit = { "algebra", "ir", "dynamics", "hash", "selection" },
   plan = { "algebra", "dynamics", "methods", "ir", "cost", "hash" },
   cost = {}, -- operations counted in text that was made, and what they take
   -- dynamics: equations with an effect left out; cost: of functions
   report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw", "cost" },
-  driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report", "nearest" },
+  driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report", "nearest",
+    "selection" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan",
-    "report", "driver", "interchange", "nearest" },
+    "report", "driver", "interchange", "nearest", "selection" },
   main = { "commands", "driver", "diag", "nearest" },
 }
 

@@ -11,6 +11,8 @@ local outputs = require "generator.commands.outputs"
 local packages = require "generator.emit.packages.list"
 local planner = require "generator.commands.planner"
 local driver = require "generator.driver"
+local listed = require "generator.commands.listed"
+local nearest = require "generator.nearest"
 local methods = require "generator.methods.list"
 local proof = require "generator.emit.proof"
 local shortest = require("generator.plan.decision").shortest
@@ -34,12 +36,23 @@ gen.options = {
   { "--accuracy", "number", "the largest error of the state over the scene's horizon, relative to its size, between " ..
     "0 and 1: the cheapest method, order and step that hold it are looked for (docs/planner.md)", value = "E",
     default = "the scene's accuracy, if it has one" },
-  { "--with", { "jacobians", "compensated", "proof", "q31", several = true }, "what is added, commas between",
-    value = "WHAT,...", default = "nothing", each = {
+  { "--with", { "analysis", "jacobians", "compensated", "proof", "q31", several = true },
+    "what is added, commas between", value = "WHAT,...", default = "nothing", each = {
+      analysis = "principal axes, stability, small oscillations, the tensor about a point, torques, the Jacobian, " ..
+        "accelerations in a turning frame",
       jacobians = "derivatives of steppers and closed form by state and parameters",
       compensated = "steppers that carry what rounding takes away",
       proof = "a rule `make proof` for Frama-C",
       q31 = "the step in whole numbers of 32 bits; the scene needs ranges" } },
+  { "--only", "words", "these functions and what they need, and no others: step,energy; --list names all",
+    value = "FUNCTION,...", default = "the motion: set-up, steppers, closed form, energy, momentum" },
+  { "--layout", { "split", "single", "header" }, "how the code is cut into files", value = "HOW",
+    default = "split; single for the projects fmu and firmware", each = {
+      split = "NAME the motion, NAME_orbit the closed form, NAME_analysis the rest, each where it has something",
+      single = "NAME.h and NAME.c",
+      header = "NAME.h alone: one file of the program defines NAME_IMPLEMENTATION before it includes it" } },
+  { "--list", false, "name the functions that the scene can have, with the file, lines and operations of each, and " ..
+    "write nothing" },
   { "--libm", { "own", "system" }, "sin, exp and the like: emitted with the code (the same bits on every machine), " ..
     "or the C library's", default = "own in float, system in double" },
   { "--project", packages.names, "what the code is packed as (docs/projects.md)", value = "KIND", default = "make",
@@ -59,6 +72,7 @@ gen.examples = {
   { "polhode gen heavy_top --method taylor,rk4 --order 16 --set h=100", "two steppers, and another height: 100 mm" },
   { "polhode gen brick --name brick_f --real float -o both", "in float, its functions being brick_f_step and so on" },
   { "polhode gen brick --real float --project cmake -o brick_f", "in float, as a CMake project" },
+  { "polhode gen brick --only step,energy --layout header -o small", "two functions, in a header of their own" },
 }
 
 -- The command line as it goes into the banner: base name of the scene, options that change the output, in one order.
@@ -74,6 +88,8 @@ function gen.command(given)
     for _, word in ipairs(options.row(gen, "--with")[2]) do list[#list + 1] = given.with[word] and word or nil end
     parts[#parts + 1] = "--with " .. table.concat(list, ",")
   end
+  if given.only then parts[#parts + 1] = "--only " .. table.concat(given.only, ",") end
+  if given.layout and given.layout ~= "split" then parts[#parts + 1] = "--layout " .. given.layout end
   if given.project then parts[#parts + 1] = "--project " .. given.project end
   if given.target then parts[#parts + 1] = "--target " .. table.concat(given.target, ",") end
   if given.accuracy then parts[#parts + 1] = "--accuracy " .. shortest(given.accuracy) end
@@ -89,8 +105,8 @@ end
 -- What a run is of, for the manifest: scenes side by side in one directory keep to their own files.
 local function source(job, given) return job.source .. (given.name and " as " .. given.name or "") end
 
--- The list of --method; nil and a message for one that cannot be emitted.  NAME_linearised, like the rest of the
--- analysis, is always emitted: the name is allowed and changes nothing.
+-- The list of --method; nil and a message for one that cannot be emitted.  linearised is no stepper: it calls for
+-- NAME_linearised.
 local function chosen_methods(given)
   local names = { "exact" }
   for _, m in ipairs(methods) do names[#names + 1] = m.name end
@@ -122,7 +138,15 @@ end
 -- What a kind of project other than the plain one has no place for, or nil.
 local function refused_by_project(given)
   local kind, with = given.project or packages.default, given.with or {}
+  if with.proof and given.layout and given.layout ~= "single" then
+    return "--layout: the proof is of one file, got --layout " .. given.layout
+  end
   if kind == "make" then return nil end
+  for _, name in ipairs { "only", "layout" } do
+    if given[name] and packages.by_name(kind).whole then
+      return "--" .. name .. ": the project's own files decide what they call, got --project " .. kind
+    end
+  end
   if with.proof then return "--with proof: the proof is a rule of --project make, got --project " .. kind end
   if with.q31 then return "--with q31: its files come with --project make, got --project " .. kind end
   if given.target and (kind == "fmu" or kind == "firmware") then
@@ -133,15 +157,48 @@ end
 
 -- What has no effect beside --show, which writes nothing, or nil.
 local function shown_alone(given)
-  for _, name in ipairs(given.show and { "o", "project", "target" } or {}) do
-    if given[name] then return (#name > 1 and "--" or "-") .. name .. ": --show prints and writes no files" end
+  for _, way in ipairs { "show", "list" } do
+    for _, name in ipairs(given[way] and { "o", "project", "target", "layout" } or {}) do
+      local dashes = #name > 1 and "--" or "-"
+      if given[name] then return dashes .. name .. ": --" .. way .. " prints and writes no files" end
+    end
   end
+  if given.list and given.only then return "--only: --list names all functions" end
+  if given.list and given.show then return "--list: --show prints the instructions" end
   return nil
+end
+
+-- What the code is made of; nothing that is called for may be missing in a package that calls it.
+local function contents(given, package)
+  local with = given.with or {}
+  if package.whole then return nil, nil, package.layout end
+  local everything = given.list or with.analysis or false
+  if with.proof then return given.only, everything, "single" end -- Frama-C is given one file
+  return given.only, everything, given.layout or package.layout or "split"
+end
+
+-- A function of --only that the scene does not have: a message, else nil.
+local function missing_function(host, given, job, chosen)
+  local has = {}
+  for _, f in ipairs(job.emitted) do has[string.sub(f.name, #job.model.name + 2)] = f.asked end
+  for _, name in ipairs(given.only or {}) do
+    if not has[name] then
+      local whole = driver.read(host, given[1], given)
+      local with = given.with or {}
+      driver.plan(whole, { real = job.real, methods = chosen, command = job.command, jacobians = with.jacobians,
+        compensated = with.compensated })
+      local names = listed.names(host, whole)
+      local best = nearest.one(name, names)
+      return "--only: the scene has no function " .. name .. (best and "; did you mean " .. best .. "?" or "") ..
+        " (it has " .. table.concat(names, ", ") .. ")"
+    end
+  end
 end
 
 function gen.run(host, given)
   local chosen, wrong = chosen_methods(given)
   local order, bad = gen.order(given)
+  local package = packages.by_name(given.project or packages.default)
   local _, unknown = measure.cores(given.target, given.real or "float") -- the type may be the budget's
   wrong = wrong or bad or unknown
   if given.accuracy and not (given.accuracy > 0 and given.accuracy < 1) then
@@ -164,7 +221,6 @@ function gen.run(host, given)
     return options.refuse(host, d)
   end
   options.warn(host, job.diag)
-  local package = packages.by_name(given.project or packages.default)
   given.real = given.real or package.real
   local real, decision = given.real, nil
   local question = not given.show and planner.question(job, given, order)
@@ -176,15 +232,24 @@ function gen.run(host, given)
     if not decision then return options.refuse(host, job.diag) end
     real, chosen, order = decision.real, { decision.method }, decision.order
   end
-  if not driver.plan(job, { real = real, command = gen.command(given), methods = chosen or package.methods,
-    order = order, jacobians = given.with and given.with.jacobians or package.jacobians,
-    compensated = given.with ~= nil and given.with.compensated, q31 = given.with ~= nil and given.with.q31,
+  local only, analysis, layout = contents(given, package)
+  local with, also = given.with or {}, nil
+  for _, name in ipairs(chosen or {}) do
+    if name == "linearised" then also = { "linearised", "stability" } end
+  end
+  if not driver.plan(job, { also = also, real = real, only = only, analysis = analysis, layout = layout,
+    command = gen.command(given), methods = chosen or package.methods, order = order,
+    jacobians = with.jacobians or package.jacobians, compensated = with.compensated or false, q31 = with.q31 or false,
     libm = given.libm, outputs = given.project == "fmu" }) then
     return options.refuse(host, job.diag)
   end
   job.planned = decision
   job.proof = given.with ~= nil and given.with.proof
   if job.proof and not proof.check(job) then return options.refuse(host, job.diag) end
+  if given.list then
+    host.out(listed.text(host, job))
+    return 0
+  end
   if given.show then
     local shown = driver.show(host, job, given.show)
     if not shown then return options.refuse(host, job.diag) end
@@ -200,6 +265,8 @@ function gen.run(host, given)
   job.package = package
   local files = driver.files(host, job)
   if not files then return options.refuse(host, job.diag) end
+  wrong = missing_function(host, given, job, chosen or package.methods)
+  if wrong then return options.wrong(host, "gen", wrong) end
   if cores then -- the code is made; once more for the README with its numbers
     job.counted, why = measure.run(host, job, cores, files)
     files = job.counted and driver.files(host, job)

@@ -35,6 +35,10 @@ local TEMPLATES = { "bits", "root", "product", "circular", "exp", "log", "arc" }
 local SYSTEM = { "fabs", "copysign", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor",
   "fma" }
 
+-- All of <math.h> that the code calls.
+local INCLUDED = { "tan", "tanh", "asin", "acos", "atan", "atan2", "pow", "cbrt", "hypot", "fmod", "ceil",
+  table.unpack(SYSTEM) }
+
 -- ctx: {name, real}
 function libm.names(ctx, own)
   local f, v = ctx.real == "float" and "f" or "", {}
@@ -53,6 +57,18 @@ function libm.linked(ctx, text)
   for _, fn in ipairs(ctx.own and {} or SYSTEM) do
     local inline = fn == "fabs" or fn == "copysign"
     if not inline and string.find(text, "%f[%w_]" .. fn .. f .. "%(") then return true end
+  end
+  return false
+end
+
+-- Does the text need <math.h>: a function of it, or one of its macros?
+function libm.included(ctx, text)
+  if string.find(text, "%f[%w_]FP_FAST_FMA") or string.find(text, "%f[%w_]HUGE_VAL") then return true end
+  local f = ctx.real == "float" and "f" or ""
+  for name in string.gmatch(text, "%f[%w_](%l[%l%d]*)%(") do
+    for _, fn in ipairs(INCLUDED) do
+      if name == fn .. f then return true end
+    end
   end
   return false
 end

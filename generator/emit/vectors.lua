@@ -10,6 +10,7 @@ local breaks = require "generator.dynamics.breaks"
 local inputs = require "generator.dynamics.inputs"
 local motion = require "generator.emit.motion"
 local number = require "generator.emit.number"
+local quantities = require "generator.dynamics.quantities"
 local selftest = require "generator.emit.selftest"
 local source = require "generator.emit.source"
 
@@ -30,11 +31,17 @@ local function lines(list, real)
   return out
 end
 
-local function description(job, name)
+-- The function's equations, whether it is emitted or another one only needs it.
+local function equations_of(job, name)
   for _, f in ipairs(job.functions) do
     if f.name == name then return f end
   end
   return nil
+end
+
+-- The same if it is emitted.
+local function description(job, name)
+  return job.selection.asked(name) and equations_of(job, name) or nil
 end
 
 -- 2^n next below the largest of the list; nil if all are 0
@@ -52,7 +59,8 @@ local function rate_of(job, env, own)
   local n, state = #job.states, { t = R.zero }
   for i, s in ipairs(job.states) do state[s.name] = own[i] end
   for i, s in ipairs(job.model.inputs) do state[s.name] = inputs.sample(job.model, s, i) end
-  local J = selftest.expect(description(job, "jacobian"), env, state, function(o) return o.index + 1 end, R.one)
+  local f = equations_of(job, "jacobian") or quantities.jacobian(job.equations)
+  local J = selftest.expect(f, env, state, function(o) return o.index + 1 end, R.one)
   local list = {}
   for i = 1, n do
     for k = 1, n do list[#list + 1] = J[(i - 1) * n + k] * J[(k - 1) * n + i] end
@@ -89,7 +97,8 @@ local function states(job, round, env)
     for i, s in ipairs(m.inputs) do x[s.name] = inputs.sample(m, s, i) end
     local a, tail = {}, {}
     for i, s in ipairs(job.states) do tail[s.name] = i end
-    local dx = selftest.expect(description(job, "rhs"), env, x, function(o) return tail[o.state] end, R.one)
+    local f = equations_of(job, "rhs") or quantities.rhs(job.equations)
+    local dx = selftest.expect(f, env, x, function(o) return tail[o.state] end, R.one)
     for i, s in ipairs(job.states) do
       if s.kind == "velocity" then a[#a + 1] = dx[i] * time end
     end
@@ -139,10 +148,16 @@ local function of_steps(job, v, epsilon, time, real)
   v.fine_steps, v.low_order, v.low_order_error = order >= 4, string.format("%d", order), order >= 4 and "" or " + d2"
   v.low_order_falls = string.format("%d", 1 << order)
   v.low_order_bound = number.text(R.new(3, 4) * R.new(2) ^ order, real)
-  v.check_free, v.check_conservative = v.free and v.fine_steps, v.conservative and v.fine_steps
-  v.has_transition = job.transition or false
+  v.test_steps, v.test_follows = v.offers.step, v.offers.step and v.offers.rhs
+  v.check_free = v.test_steps and v.free and v.fine_steps and v.offers.energy and v.offers.momentum
+  v.check_conservative = v.test_steps and v.conservative and v.fine_steps and v.offers[v.conserved_name]
+  v.test_closed = v.test_steps and v.offers.solve and v.offers[v.has_full and "at" or "at_rates"]
+  v.test_principal = v.offers.principal and v.offers.linearised and v.offers.inertia
+  v.test_spins = v.stability_numeric and v.offers.spin_stable and v.offers.stability and v.offers.principal
+  v.test_compensated = v.test_steps and v.offers.step_compensated
+  v.has_transition = v.test_steps and v.offers.step_transition and job.transition or false
   v.has_transition_case = description(job, "step_transition") ~= nil
-  if not (v.has_transition or v.has_compensated) then return end
+  if not (v.has_transition or v.test_compensated) then return end
   local _, unknown = breaks.first(job.equations)
   v.has_differences = not unknown -- next to a corner there is no derivative
   v.state_kinds = source.kinds(job.states)
@@ -253,27 +268,49 @@ function vectors.fill(job, v, ctx)
   base.h = nil
 
   v.motion_cases = {}
-  for i, c in ipairs(motion.cases { job = job, x0 = xs[1].values, power = R.new(1, 2) / (time or R.half), env = env,
-    params = params, epsilon = epsilon, real = real, name = m.name, has_own = v.has_own, has_ticks = v.has_ticks,
-    number = function(q) return number.text(q, real) end }) do
-    v.motion_cases[i] = printed(7, c.want, c.tolerance, c.call, c.what)
+  for _, c in ipairs(v.offers.solve and motion.cases { job = job, x0 = xs[1].values,
+    power = R.new(1, 2) / (time or R.half), env = env, params = params, epsilon = epsilon, real = real, name = m.name,
+    has_own = v.has_own, has_ticks = v.has_ticks, number = function(q) return number.text(q, real) end } or {}) do
+    local whole = true
+    for f in string.gmatch(c.call, "%f[%w_]" .. p .. "([%w_]+)") do whole = whole and v.offers[f] end
+    if whole then
+      v.motion_cases[#v.motion_cases + 1] = printed(7, c.want, c.tolerance, c.call, c.what)
+    end
   end
 
+  v.has_cases = #v.cases > 0 or #v.motion_cases > 0 or v.test_closed or v.planned or false
+  v.test_orbit = v.test_closed or #v.motion_cases > 0
+  v.test_start = v.test_steps or v.test_closed or #v.motion_cases > 0
+  v.test_index = v.test_steps and v.has_attitude or v.test_closed or v.test_start and not v.offers.initial
+  v.test_distance = v.test_steps or v.test_principal
+
   v.spin_cases = {}
-  for i, c in ipairs(selftest.spins(job, params)) do
+  for i, c in ipairs(v.offers.spin_stable and selftest.spins(job, params) or {}) do
     v.spin_cases[i] = { axis = string.format("%d", c.axis), dissipation = string.format("%d", c.dissipation),
       want = string.format("%d", c.want), tail = c.last and "," or " &&" }
   end
   v.has_spin_cases = #v.spin_cases > 0
 
+  local calls = {}
+  for i, c in ipairs(v.cases) do calls[i] = c.call end
+  local called = table.concat(calls, "\n")
+  local function named(name) return string.find(called, "%f[%w_]" .. name .. "%f[^%w_]") ~= nil end
   v.vectors = {}
-  for i, name in ipairs { "w", "dw", "r", "v", "a", "da" } do
-    local list = {}
-    for k = 1, 3 do list[k] = R.lift(rest[name][k]) end
-    v.vectors[i] = { name = name, values = table.concat(lines(list, real), " ") }
+  for _, name in ipairs { "w", "dw", "r", "v", "a", "da" } do
+    if named(name) then
+      local list = {}
+      for k = 1, 3 do list[k] = R.lift(rest[name][k]) end
+      v.vectors[#v.vectors + 1] = { name = name, values = table.concat(lines(list, real), " ") }
+    end
   end
   v.states = {}
-  for i, x in ipairs(xs) do v.states[i] = { name = x.name, lines = lines(x.values, real) } end
+  local start = v.test_start and not v.offers.initial
+  for _, x in ipairs(xs) do
+    local used = named(x.name) or x.name == "x1" and start or
+      x.name == "x2" and (v.has_transition or v.test_compensated)
+    if used then v.states[#v.states + 1] = { name = x.name, lines = lines(x.values, real) } end
+  end
+  v.uses_inputs = named "u" or (v.has_transition or v.test_compensated)
   local list, spans = {}, {}
   for i, s in ipairs(m.inputs) do
     local low, high = inputs.range(m, s)
@@ -301,10 +338,10 @@ function vectors.fill(job, v, ctx)
   v.disturbance, v.disturbance_step = number.text(R.new(2) ^ small, real), number.text(R.new(1, 256), real)
   v.sixteen = number.text(R.new(16), real)
   v.drift = number.text(epsilon * R.new(4096), real)
-  if v.conservative then -- relative to the terms of the energy at the largest of the three states
+  if v.check_conservative then -- relative to the terms of the energy at the largest of the three states
     local most = least
     for _, x in ipairs(xs) do
-      local f = description(job, v.conserved_name)
+      local f = equations_of(job, v.conserved_name)
       local _, tolerance = selftest.expect(f, env, given(f, x.values), result, epsilon)
       if tolerance[1] > most then most = tolerance[1] end
     end

@@ -32,7 +32,7 @@ local function taken(path)
   for line in pipe:lines() do
     local name = string.match(line, "^%S+")
     if name ~= "exact" and name ~= "linearised" and
-      shell("%s gen %s --method %s -o %s/try > %s/log 2>&1", program, path, name, dir, dir) then
+      shell("%s gen %s --layout single --method %s -o %s/try > %s/log 2>&1", program, path, name, dir, dir) then
       list[#list + 1] = name
     end
   end
@@ -44,7 +44,7 @@ local function measured(s)
   local path = dir .. "/top.lua"
   files.write(path, 'return scene { name = "top", ' .. s.text .. " }\n")
   local names, rows = taken(path), {}
-  assert(shell("%s gen %s --method %s -o %s > %s/log", program, path, table.concat(names, ","), dir, dir))
+  assert(shell("%s gen %s --layout single --method %s -o %s > %s/log", program, path, table.concat(names, ","), dir, dir))
   local header = files.read(dir .. "/top.h")
   for i, name in ipairs(names) do
     local runs = string.find(header, "top_" .. name .. "_run(", 1, true)

@@ -215,7 +215,7 @@ do
     tap.ok(status == 2 and out == "" and err:find(case[2], 1, true), case[1]:gsub(dir, ""), err)
   end
   tap.is(run("gen bodies/brick.lua --method rk4,linearised -o " .. dir .. "/brick"), 0, "gen --method linearised")
-  tap.like(program.read(dir .. "/brick/brick.c"), "brick_linearised(", "gen --method linearised emits it")
+  tap.like(program.read(dir .. "/brick/brick_analysis.c"), "brick_linearised(", "gen --method linearised emits it")
 end
 
 ---- text: no NaN from hard bodies ------------------------------------------------------------------------------------

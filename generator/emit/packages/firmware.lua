@@ -8,7 +8,7 @@ local number = require "generator.emit.number"
 local orbit = require "generator.emit.orbit"
 local samples = require "generator.emit.samples"
 
-local firmware = { real = "float", methods = { "rk4" }, jacobians = "transition" }
+local firmware = { real = "float", methods = { "rk4" }, jacobians = "transition", whole = true, layout = "single" }
 
 local FOLDER = "templates/projects/firmware/"
 local FILES = { "config.h", "derived.h", "main.c", "estimator.h", "estimator.c", "gyro.h", "gyro.c", "readings.c",

@@ -12,7 +12,7 @@ local functions = require "generator.emit.packages.fmu_functions"
 local variables = require "generator.emit.packages.fmu_variables"
 local zip = require "generator.emit.packages.zip"
 
-local fmu = {}
+local fmu = { whole = true, layout = "single" }
 
 -- The closed form drives the unit where it is asked for first, or planned, and gives the whole state.
 local function exact(job)

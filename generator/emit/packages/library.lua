@@ -35,16 +35,20 @@ function library.package(d)
     for i, row in ipairs(d.about) do v.project_files[i] = { name = named(row[1], v), about = named(row[2], v) } end
     for i, line in ipairs(d.use) do v.project_use[i] = named(line, v) end
     local out = {}
-    for i, f in ipairs(d.files) do out[i] = { name = named(f[2], v), text = render(FOLDER .. f[1]),
+    for i, f in ipairs(d.files) do out[i] = { name = named(f[2], v), text = render(FOLDER .. f[1]), package = true,
       once = d.once and d.once[f[1]] } end
     out[#out + 1] = { name = "README.md", text = render "templates/README.md" }
     return out
   end
 
-  -- NAME.h, NAME.c and NAME_test.c are the first three.
+  -- What stands in no folder yet is the scene's: headers, private ones with the sources, the self-test.
   function package.arrange(files)
-    local folders = { d.where.header, d.where.source, d.where.test }
-    for i, folder in ipairs(folders) do files[i].name = folder .. "/" .. files[i].name end
+    for _, f in ipairs(files) do
+      local folder = string.find(f.name, "_test%.c$") and d.where.test or
+        (string.find(f.name, "%.c$") or string.find(f.name, "_private%.h$")) and d.where.source or
+        string.find(f.name, "%.h$") and d.where.header
+      if folder and not f.package then f.name = folder .. "/" .. f.name end
+    end
     return files
   end
 

@@ -7,6 +7,7 @@
 --     arrange(files) -> files         optional: all files of the project, put where the kind wants them
 --     real, methods, jacobians        optional: its own defaults of --real and --method; "transition": it calls
 --                                     NAME_step_transition
+--     whole, layout                   optional: it calls functions of its own choice; the layout if none is asked for
 --     check(job) -> bool              optional: can the scene be such a project?  If not, with an error in job.diag
 --     finish(host, job, files)        optional: what needs the host (compiling); files | nil, what went wrong
 -- SPDX-License-Identifier: GPL-3.0-or-later

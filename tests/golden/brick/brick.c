@@ -9,9 +9,10 @@
 #include "brick.h"
 
 #include <math.h>
-#include <stddef.h>
 
-void brick_defaults(brick_real p[])
+typedef brick_real real;
+
+void brick_defaults(real p[])
 {
   p[BRICK_A] = 0.2;
   p[BRICK_B] = 0.1;
@@ -19,42 +20,10 @@ void brick_defaults(brick_real p[])
   p[BRICK_M] = 2.4;
 }
 
-/* ---- exact sums ----
- * A sum of products of numbers as numbers that do not overlap, ascending: no digit is lost, so near equality the sign is
- * right (Shewchuk 1997, Discrete Comput. Geom. 18, 305; products: Dekker 1971, Numer. Math. 18, 224). */
-
-/* e[0..n) += b; the new n */
-static int brick_exact_add(brick_real e[], int n, brick_real b)
-{
-  int i, k = 0;
-
-  for (i = 0; i < n; i++) {
-    const brick_real s = b + e[i], v = s - b, low = (b - (s - v)) + (e[i] - v);
-
-    if (low < 0.0 || low > 0.0) e[k++] = low;
-    b = s;
-  }
-  if (b < 0.0 || b > 0.0) e[k++] = b;
-  return k;
-}
-
-/* e[0..n) += a*b; volatile keeps compilers from fusing the products into sums */
-static int brick_exact_product(brick_real e[], int n, brick_real a, brick_real b)
-{
-  const brick_real split = 134217729.0;
-  const volatile brick_real ca = split*a, cb = split*b, p = a*b;
-  const brick_real c = ca, ah = c - (c - a), al = a - ah;
-  const brick_real d = cb, bh = d - (d - b), bl = b - bh;
-  const brick_real high = p;
-
-  n = brick_exact_add(e, n, ((ah*bh - high) + ah*bl + al*bh) + al*bl);
-  return brick_exact_add(e, n, high);
-}
-
 /* Does the first step of 0.001 s lead from the initial state to what is no number? */
-static int brick_overflows(const brick_model *m)
+static int overflows(const brick_model *m)
 {
-  brick_real x[BRICK_NX], sum = 0.0;
+  real x[BRICK_NX], sum = 0.0;
   int i;
 
   brick_initial(m, x);
@@ -63,71 +32,71 @@ static int brick_overflows(const brick_model *m)
   return !(sum == 0.0);
 }
 
-int brick_init(brick_model *m, const brick_real p[])
+int brick_init(brick_model *m, const real p[])
 {
   brick_model k;
-  brick_real own[BRICK_NP];
+  real own[BRICK_NP];
 
   if (!p) {
     brick_defaults(own);
     p = own;
   }
-  const brick_real a = p[BRICK_A], b = p[BRICK_B], c = p[BRICK_C], M = p[BRICK_M];
+  const real a = p[BRICK_A], b = p[BRICK_B], c = p[BRICK_C], M = p[BRICK_M];
 
-  const brick_real check1 = M;
+  const real check1 = M;
   if (!(check1 > 0.0)) return 1; /* param: M must be positive (brick.lua:3) */
 
-  const brick_real check2 = a;
+  const real check2 = a;
   if (!(check2 > 0.0)) return 2; /* box: x must be positive (brick.lua:6) */
 
-  const brick_real check3 = b;
+  const real check3 = b;
   if (!(check3 > 0.0)) return 3; /* box: y must be positive (brick.lua:6) */
 
-  const brick_real check4 = c;
+  const real check4 = c;
   if (!(check4 > 0.0)) return 4; /* box: z must be positive (brick.lua:6) */
 
   /* moment of inertia xx, kg m^2 */
-  const brick_real t1 = (1.0/3.0)*M;
-  const brick_real t2 = b*b;
-  const brick_real t3 = c*c;
-  const brick_real t4 = t2 + t3;
+  const real t1 = (1.0/3.0)*M;
+  const real t2 = b*b;
+  const real t3 = c*c;
+  const real t4 = t2 + t3;
   k.Ixx = t1*t4;
 
   /* moment of inertia yy, kg m^2 */
-  const brick_real t5 = a*a;
-  const brick_real t6 = t5 + t3;
+  const real t5 = a*a;
+  const real t6 = t5 + t3;
   k.Iyy = t1*t6;
 
   /* moment of inertia zz, kg m^2 */
-  const brick_real t7 = t5 + t2;
+  const real t7 = t5 + t2;
   k.Izz = t1*t7;
 
   /* tensor entry xy, kg m^2 */
-  const brick_real t8 = -0.25*(M*a);
+  const real t8 = -0.25*(M*a);
   k.Ixy = t8*b;
 
   /* tensor entry xz, kg m^2 */
   k.Ixz = t8*c;
 
   /* tensor entry yz, kg m^2 */
-  const brick_real t9 = b*c;
+  const real t9 = b*c;
   k.Iyz = -0.25*M*t9;
 
   /* inverse of the tensor, xx, 1/(kg m^2) */
-  const brick_real t10 = t5 + t4;
-  const brick_real t11 = t2*t3;
-  const brick_real t12 = M*(t5*(14.0*t6*t3 + t2*(14.0*t7 + 37.0*t3)) + 14.0*t4*t11);
+  const real t10 = t5 + t4;
+  const real t11 = t2*t3;
+  const real t12 = M*(t5*(14.0*t6*t3 + t2*(14.0*t7 + 37.0*t3)) + 14.0*t4*t11);
   k.Jxx = 6.0*(16.0*t5*t10 + 7.0*t11)/t12;
 
   /* inverse of the tensor, yy, 1/(kg m^2) */
-  const brick_real t13 = 7.0*t5;
+  const real t13 = 7.0*t5;
   k.Jyy = 6.0*(t13*t3 + 16.0*t2*t10)/t12;
 
   /* inverse of the tensor, zz, 1/(kg m^2) */
   k.Jzz = 6.0*(t13*t2 + 16.0*t3*t10)/t12;
 
   /* inverse of the tensor, xy, 1/(kg m^2) */
-  const brick_real t14 = 18.0*(a/t12);
+  const real t14 = 18.0*(a/t12);
   k.Jxy = t14*b*(4.0*t7 + 3.0*t3);
 
   /* inverse of the tensor, xz, 1/(kg m^2) */
@@ -149,7 +118,7 @@ int brick_init(brick_model *m, const brick_real p[])
   k.mass = M;
 
   /* x - x is 0 unless x is infinite or not a number */
-  brick_real rest = k.Ixx - k.Ixx;
+  real rest = k.Ixx - k.Ixx;
   rest += k.Iyy - k.Iyy;
   rest += k.Izz - k.Izz;
   rest += k.Ixy - k.Ixy;
@@ -169,14 +138,14 @@ int brick_init(brick_model *m, const brick_real p[])
   if (!(k.Jxx > 0.0)) return 5;
   if (!(k.Jyy > 0.0)) return 5;
   if (!(k.Jzz > 0.0)) return 5;
-  if (brick_overflows(&k)) return 6;
+  if (overflows(&k)) return 6;
   m->Ixx = k.Ixx; m->Iyy = k.Iyy; m->Izz = k.Izz; m->Ixy = k.Ixy; m->Ixz = k.Ixz; m->Iyz = k.Iyz;
   m->Jxx = k.Jxx; m->Jyy = k.Jyy; m->Jzz = k.Jzz; m->Jxy = k.Jxy; m->Jxz = k.Jxz; m->Jyz = k.Jyz;
   m->Rx = k.Rx; m->Ry = k.Ry; m->Rz = k.Rz; m->mass = k.mass;
   return 0;
 }
 
-void brick_initial(const brick_model *m, brick_real x[])
+void brick_initial(const brick_model *m, real x[])
 {
   (void)m;
   /* initial attitude and rates */
@@ -189,9 +158,9 @@ void brick_initial(const brick_model *m, brick_real x[])
   x[BRICK_WZ] = 0.2;
 }
 
-brick_real brick_mass(const brick_model *m, brick_real com[3])
+real brick_mass(const brick_model *m, real com[3])
 {
-  const brick_real Rx = m->Rx, Ry = m->Ry, Rz = m->Rz, mass = m->mass;
+  const real Rx = m->Rx, Ry = m->Ry, Rz = m->Rz, mass = m->mass;
 
   /* mass and centre of mass */
   com[0] = Rx;
@@ -200,10 +169,10 @@ brick_real brick_mass(const brick_model *m, brick_real com[3])
   return mass;
 }
 
-void brick_inertia(const brick_model *m, brick_real I[6])
+void brick_inertia(const brick_model *m, real I[6])
 {
-  const brick_real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz;
-  const brick_real Ixy = m->Ixy, Ixz = m->Ixz, Iyz = m->Iyz;
+  const real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz;
+  const real Ixy = m->Ixy, Ixz = m->Ixz, Iyz = m->Iyz;
 
   /* I_ij = sum m (r^2 d_ij - r_i r_j) */
   I[0] = Ixx;
@@ -214,44 +183,24 @@ void brick_inertia(const brick_model *m, brick_real I[6])
   I[5] = Iyz;
 }
 
-void brick_inertia_at(const brick_model *m, const brick_real a[3], brick_real I[6])
+real brick_energy(const brick_model *m, const real x[])
 {
-  const brick_real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz, Ixy = m->Ixy;
-  const brick_real Ixz = m->Ixz, Iyz = m->Iyz, Rx = m->Rx;
-  const brick_real Ry = m->Ry, Rz = m->Rz, mass = m->mass;
-  const brick_real ax = a[0], ay = a[1], az = a[2];
-
-  /* I'_ij = I_ij + M (a^2 d_ij - a_i a_j) - M (2 a.R d_ij - a_i R_j - a_j R_i) */
-  const brick_real t1 = ay*(2.0*Ry - ay);
-  const brick_real t2 = az*(2.0*Rz - az);
-  I[0] = Ixx - mass*(t1 + t2);
-  const brick_real t3 = ax*(2.0*Rx - ax);
-  I[1] = Iyy - mass*(t3 + t2);
-  I[2] = Izz - mass*(t3 + t1);
-  const brick_real t4 = Rx - ax;
-  I[3] = Ixy + mass*(Ry*ax + ay*t4);
-  I[4] = Ixz + mass*(Rz*ax + az*t4);
-  I[5] = Iyz + mass*(Rz*ay + az*(Ry - ay));
-}
-
-brick_real brick_energy(const brick_model *m, const brick_real x[])
-{
-  const brick_real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz;
-  const brick_real Ixy = m->Ixy, Ixz = m->Ixz, Iyz = m->Iyz;
-  const brick_real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
+  const real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz;
+  const real Ixy = m->Ixy, Ixz = m->Ixz, Iyz = m->Iyz;
+  const real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
 
   /* T = w.L/2 (L = I w) */
-  const brick_real Lx = Ixx*wx + Ixy*wy + Ixz*wz;
-  const brick_real Ly = Ixy*wx + Iyy*wy + Iyz*wz;
-  const brick_real Lz = Ixz*wx + Iyz*wy + Izz*wz;
+  const real Lx = Ixx*wx + Ixy*wy + Ixz*wz;
+  const real Ly = Ixy*wx + Iyy*wy + Iyz*wz;
+  const real Lz = Ixz*wx + Iyz*wy + Izz*wz;
   return 0.5*(Lx*wx + Ly*wy + Lz*wz);
 }
 
-void brick_momentum_body(const brick_model *m, const brick_real x[], brick_real L[3])
+void brick_momentum_body(const brick_model *m, const real x[], real L[3])
 {
-  const brick_real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz;
-  const brick_real Ixy = m->Ixy, Ixz = m->Ixz, Iyz = m->Iyz;
-  const brick_real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
+  const real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz;
+  const real Ixy = m->Ixy, Ixz = m->Ixz, Iyz = m->Iyz;
+  const real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
 
   /* L = I w */
   L[0] = Ixx*wx + Ixy*wy + Ixz*wz;
@@ -259,354 +208,182 @@ void brick_momentum_body(const brick_model *m, const brick_real x[], brick_real 
   L[2] = Ixz*wx + Iyz*wy + Izz*wz;
 }
 
-void brick_momentum(const brick_model *m, const brick_real x[], brick_real L[3])
+void brick_momentum(const brick_model *m, const real x[], real L[3])
 {
-  const brick_real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz;
-  const brick_real Ixy = m->Ixy, Ixz = m->Ixz, Iyz = m->Iyz;
-  const brick_real qw = x[BRICK_QW], qx = x[BRICK_QX], qy = x[BRICK_QY], qz = x[BRICK_QZ];
-  const brick_real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
+  const real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz;
+  const real Ixy = m->Ixy, Ixz = m->Ixz, Iyz = m->Iyz;
+  const real qw = x[BRICK_QW], qx = x[BRICK_QX], qy = x[BRICK_QY], qz = x[BRICK_QZ];
+  const real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
 
   /* L = I w in body axes */
-  const brick_real Lx = Ixx*wx + Ixy*wy + Ixz*wz;
-  const brick_real Ly = Ixy*wx + Iyy*wy + Iyz*wz;
-  const brick_real Lz = Ixz*wx + Iyz*wy + Izz*wz;
+  const real Lx = Ixx*wx + Ixy*wy + Ixz*wz;
+  const real Ly = Ixy*wx + Iyy*wy + Iyz*wz;
+  const real Lz = Ixz*wx + Iyz*wy + Izz*wz;
 
   /* turned to inertial axes: q L q*, L = I w */
-  const brick_real t1 = qw*qw;
-  const brick_real t2 = qy*qy;
-  const brick_real t3 = t1 - t2;
-  const brick_real t4 = qx*qx;
-  const brick_real t5 = qz*qz;
-  const brick_real t6 = t4 - t5;
-  const brick_real t7 = qx*qy;
-  const brick_real t8 = qw*qz;
-  const brick_real t9 = qw*qy;
-  const brick_real t10 = qx*qz;
+  const real t1 = qw*qw;
+  const real t2 = qy*qy;
+  const real t3 = t1 - t2;
+  const real t4 = qx*qx;
+  const real t5 = qz*qz;
+  const real t6 = t4 - t5;
+  const real t7 = qx*qy;
+  const real t8 = qw*qz;
+  const real t9 = qw*qy;
+  const real t10 = qx*qz;
   L[0] = Lx*(t3 + t6) + 2.0*(Ly*(t7 - t8) + Lz*(t9 + t10));
-  const brick_real t11 = qy*qz;
-  const brick_real t12 = qw*qx;
+  const real t11 = qy*qz;
+  const real t12 = qw*qx;
   L[1] = 2.0*(Lx*(t8 + t7) + Lz*(t11 - t12)) + Ly*(t1 - t4 + t2 - t5);
   L[2] = 2.0*(Lx*(t10 - t9) + Ly*(t12 + t11)) + Lz*(t3 - t6);
 }
 
-void brick_torque(const brick_model *m, const brick_real w[3], const brick_real dw[3],
-                  brick_real N[3])
-{
-  const brick_real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz;
-  const brick_real Ixy = m->Ixy, Ixz = m->Ixz, Iyz = m->Iyz;
-  const brick_real wx = w[0], wy = w[1], wz = w[2];
-  const brick_real dwx = dw[0], dwy = dw[1], dwz = dw[2];
-
-  /* L = I w */
-  const brick_real Lx = Ixx*wx + Ixy*wy + Ixz*wz;
-  const brick_real Ly = Ixy*wx + Iyy*wy + Iyz*wz;
-  const brick_real Lz = Ixz*wx + Iyz*wy + Izz*wz;
-
-  /* N = I w' + w x L */
-  N[0] = Ixx*dwx + Ixy*dwy + Ixz*dwz - Ly*wz + Lz*wy;
-  N[1] = Ixy*dwx + Iyy*dwy + Iyz*dwz + Lx*wz - Lz*wx;
-  N[2] = Ixz*dwx + Iyz*dwy + Izz*dwz - Lx*wy + Ly*wx;
-}
-
-void brick_rhs(const brick_model *m, brick_real t, const brick_real x[], const brick_real u[],
-               brick_real dx[])
+void brick_rhs(const brick_model *m, real t, const real x[], const real u[],
+               real dx[])
 {
   (void)t;
   (void)u;
-  const brick_real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz, Ixy = m->Ixy;
-  const brick_real Ixz = m->Ixz, Iyz = m->Iyz, Jxx = m->Jxx, Jyy = m->Jyy;
-  const brick_real Jzz = m->Jzz, Jxy = m->Jxy, Jxz = m->Jxz, Jyz = m->Jyz;
-  const brick_real qw = x[BRICK_QW], qx = x[BRICK_QX], qy = x[BRICK_QY], qz = x[BRICK_QZ];
-  const brick_real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
+  const real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz, Ixy = m->Ixy;
+  const real Ixz = m->Ixz, Iyz = m->Iyz, Jxx = m->Jxx, Jyy = m->Jyy;
+  const real Jzz = m->Jzz, Jxy = m->Jxy, Jxz = m->Jxz, Jyz = m->Jyz;
+  const real qw = x[BRICK_QW], qx = x[BRICK_QX], qy = x[BRICK_QY], qz = x[BRICK_QZ];
+  const real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
 
   /* attitude: q' = q (0, w)/2 */
-  const brick_real hwx = 0.5*wx;
-  const brick_real hwy = 0.5*wy;
-  const brick_real hwz = 0.5*wz;
+  const real hwx = 0.5*wx;
+  const real hwy = 0.5*wy;
+  const real hwz = 0.5*wz;
   dx[BRICK_QW] = -(hwx*qx + hwy*qy + hwz*qz);
   dx[BRICK_QX] = hwx*qw - hwy*qz + hwz*qy;
   dx[BRICK_QY] = hwx*qz + hwy*qw - hwz*qx;
   dx[BRICK_QZ] = hwy*qx - hwx*qy + hwz*qw;
 
   /* Euler: L = I w, n = L x w, w' = I^-1 n [brick.lua:6] */
-  const brick_real Lx = Ixx*wx + Ixy*wy + Ixz*wz;
-  const brick_real Ly = Ixy*wx + Iyy*wy + Iyz*wz;
-  const brick_real Lz = Ixz*wx + Iyz*wy + Izz*wz;
-  const brick_real nx = Ly*wz - Lz*wy;
-  const brick_real ny = Lz*wx - Lx*wz;
-  const brick_real nz = Lx*wy - Ly*wx;
+  const real Lx = Ixx*wx + Ixy*wy + Ixz*wz;
+  const real Ly = Ixy*wx + Iyy*wy + Iyz*wz;
+  const real Lz = Ixz*wx + Iyz*wy + Izz*wz;
+  const real nx = Ly*wz - Lz*wy;
+  const real ny = Lz*wx - Lx*wz;
+  const real nz = Lx*wy - Ly*wx;
   dx[BRICK_WX] = Jxx*nx + Jxy*ny + Jxz*nz;
   dx[BRICK_WY] = Jxy*nx + Jyy*ny + Jyz*nz;
   dx[BRICK_WZ] = Jxz*nx + Jyz*ny + Jzz*nz;
 }
 
-void brick_step(const brick_model *m, brick_real t, brick_real x[], const brick_real u[],
-                brick_real h)
+void brick_step(const brick_model *m, real t, real x[], const real u[],
+                real h)
 {
   (void)t;
   (void)u;
   if (h > -2.2250738585072014e-308 && h < 2.2250738585072014e-308) return; /* no time passes */
-  const brick_real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz, Ixy = m->Ixy;
-  const brick_real Ixz = m->Ixz, Iyz = m->Iyz, Jxx = m->Jxx, Jyy = m->Jyy;
-  const brick_real Jzz = m->Jzz, Jxy = m->Jxy, Jxz = m->Jxz, Jyz = m->Jyz;
-  const brick_real qw = x[BRICK_QW], qx = x[BRICK_QX], qy = x[BRICK_QY], qz = x[BRICK_QZ];
-  const brick_real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
+  const real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz, Ixy = m->Ixy;
+  const real Ixz = m->Ixz, Iyz = m->Iyz, Jxx = m->Jxx, Jyy = m->Jyy;
+  const real Jzz = m->Jzz, Jxy = m->Jxy, Jxz = m->Jxz, Jyz = m->Jyz;
+  const real qw = x[BRICK_QW], qx = x[BRICK_QX], qy = x[BRICK_QY], qz = x[BRICK_QZ];
+  const real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
 
   /* angles v = w h/4: k(v) = (h/4)^2 k(w) is quadratic, so the stages need no h */
-  const brick_real h4 = 0.25*h;
-  const brick_real vx1 = h4*wx;
-  const brick_real vy1 = h4*wy;
-  const brick_real vz1 = h4*wz;
-  const brick_real g = (4.0/3.0)/h;
+  const real h4 = 0.25*h;
+  const real vx1 = h4*wx;
+  const real vy1 = h4*wy;
+  const real vz1 = h4*wz;
+  const real g = (4.0/3.0)/h;
 
   /* stage 1: k1 = k(v1) */
-  const brick_real Lx1 = Ixx*vx1 + Ixy*vy1 + Ixz*vz1;
-  const brick_real Ly1 = Ixy*vx1 + Iyy*vy1 + Iyz*vz1;
-  const brick_real Lz1 = Ixz*vx1 + Iyz*vy1 + Izz*vz1;
-  const brick_real nx1 = vz1*Ly1 - vy1*Lz1;
-  const brick_real ny1 = vx1*Lz1 - vz1*Lx1;
-  const brick_real nz1 = vy1*Lx1 - vx1*Ly1;
-  const brick_real kx1 = Jxx*nx1 + Jxy*ny1 + Jxz*nz1;
-  const brick_real ky1 = Jxy*nx1 + Jyy*ny1 + Jyz*nz1;
-  const brick_real kz1 = Jxz*nx1 + Jyz*ny1 + Jzz*nz1;
+  const real Lx1 = Ixx*vx1 + Ixy*vy1 + Ixz*vz1;
+  const real Ly1 = Ixy*vx1 + Iyy*vy1 + Iyz*vz1;
+  const real Lz1 = Ixz*vx1 + Iyz*vy1 + Izz*vz1;
+  const real nx1 = vz1*Ly1 - vy1*Lz1;
+  const real ny1 = vx1*Lz1 - vz1*Lx1;
+  const real nz1 = vy1*Lx1 - vx1*Ly1;
+  const real kx1 = Jxx*nx1 + Jxy*ny1 + Jxz*nz1;
+  const real ky1 = Jxy*nx1 + Jyy*ny1 + Jyz*nz1;
+  const real kz1 = Jxz*nx1 + Jyz*ny1 + Jzz*nz1;
 
   /* stage 2: v2 = v1 + 2 k1 */
-  const brick_real vx2 = vx1 + 2.0*kx1;
-  const brick_real vy2 = vy1 + 2.0*ky1;
-  const brick_real vz2 = vz1 + 2.0*kz1;
-  const brick_real Lx2 = Ixx*vx2 + Ixy*vy2 + Ixz*vz2;
-  const brick_real Ly2 = Ixy*vx2 + Iyy*vy2 + Iyz*vz2;
-  const brick_real Lz2 = Ixz*vx2 + Iyz*vy2 + Izz*vz2;
-  const brick_real nx2 = Ly2*vz2 - Lz2*vy2;
-  const brick_real ny2 = Lz2*vx2 - Lx2*vz2;
-  const brick_real nz2 = Lx2*vy2 - Ly2*vx2;
-  const brick_real ew2 = -2.0*(vx1*vx2 + vy1*vy2 + vz1*vz2);
-  const brick_real ex2 = vy1*vz2 - vz1*vy2 + vx2;
-  const brick_real ey2 = vz1*vx2 - vx1*vz2 + vy2;
-  const brick_real ez2 = vx1*vy2 - vy1*vx2 + vz2;
-  const brick_real fx2 = 2.0*ex2;
-  const brick_real fy2 = 2.0*ey2;
-  const brick_real fz2 = 2.0*ez2;
-  const brick_real o2 = 2.0 + ew2;
-  const brick_real kx2 = Jxx*nx2 + Jxy*ny2 + Jxz*nz2;
-  const brick_real ky2 = Jxy*nx2 + Jyy*ny2 + Jyz*nz2;
-  const brick_real kz2 = Jxz*nx2 + Jyz*ny2 + Jzz*nz2;
+  const real vx2 = vx1 + 2.0*kx1;
+  const real vy2 = vy1 + 2.0*ky1;
+  const real vz2 = vz1 + 2.0*kz1;
+  const real Lx2 = Ixx*vx2 + Ixy*vy2 + Ixz*vz2;
+  const real Ly2 = Ixy*vx2 + Iyy*vy2 + Iyz*vz2;
+  const real Lz2 = Ixz*vx2 + Iyz*vy2 + Izz*vz2;
+  const real nx2 = Ly2*vz2 - Lz2*vy2;
+  const real ny2 = Lz2*vx2 - Lx2*vz2;
+  const real nz2 = Lx2*vy2 - Ly2*vx2;
+  const real ew2 = -2.0*(vx1*vx2 + vy1*vy2 + vz1*vz2);
+  const real ex2 = vy1*vz2 - vz1*vy2 + vx2;
+  const real ey2 = vz1*vx2 - vx1*vz2 + vy2;
+  const real ez2 = vx1*vy2 - vy1*vx2 + vz2;
+  const real fx2 = 2.0*ex2;
+  const real fy2 = 2.0*ey2;
+  const real fz2 = 2.0*ez2;
+  const real o2 = 2.0 + ew2;
+  const real kx2 = Jxx*nx2 + Jxy*ny2 + Jxz*nz2;
+  const real ky2 = Jxy*nx2 + Jyy*ny2 + Jyz*nz2;
+  const real kz2 = Jxz*nx2 + Jyz*ny2 + Jzz*nz2;
 
   /* stage 3: v3 = v1 + 2 k2 */
-  const brick_real vx3 = vx1 + 2.0*kx2;
-  const brick_real vy3 = vy1 + 2.0*ky2;
-  const brick_real vz3 = vz1 + 2.0*kz2;
-  const brick_real Lx3 = Ixx*vx3 + Ixy*vy3 + Ixz*vz3;
-  const brick_real Ly3 = Ixy*vx3 + Iyy*vy3 + Iyz*vz3;
-  const brick_real Lz3 = Ixz*vx3 + Iyz*vy3 + Izz*vz3;
-  const brick_real nx3 = Ly3*vz3 - Lz3*vy3;
-  const brick_real ny3 = Lz3*vx3 - Lx3*vz3;
-  const brick_real nz3 = Lx3*vy3 - Ly3*vx3;
-  const brick_real ex3 = fy2*vz3 - fz2*vy3 + o2*vx3;
-  const brick_real ey3 = fz2*vx3 - fx2*vz3 + o2*vy3;
-  const brick_real ez3 = fx2*vy3 - fy2*vx3 + o2*vz3;
-  const brick_real t1 = fx2*vx3 + fy2*vy3 + fz2*vz3;
-  const brick_real o3 = 1.0 - t1;
-  const brick_real kx3 = Jxx*nx3 + Jxy*ny3 + Jxz*nz3;
-  const brick_real ky3 = Jxy*nx3 + Jyy*ny3 + Jyz*nz3;
-  const brick_real kz3 = Jxz*nx3 + Jyz*ny3 + Jzz*nz3;
+  const real vx3 = vx1 + 2.0*kx2;
+  const real vy3 = vy1 + 2.0*ky2;
+  const real vz3 = vz1 + 2.0*kz2;
+  const real Lx3 = Ixx*vx3 + Ixy*vy3 + Ixz*vz3;
+  const real Ly3 = Ixy*vx3 + Iyy*vy3 + Iyz*vz3;
+  const real Lz3 = Ixz*vx3 + Iyz*vy3 + Izz*vz3;
+  const real nx3 = Ly3*vz3 - Lz3*vy3;
+  const real ny3 = Lz3*vx3 - Lx3*vz3;
+  const real nz3 = Lx3*vy3 - Ly3*vx3;
+  const real ex3 = fy2*vz3 - fz2*vy3 + o2*vx3;
+  const real ey3 = fz2*vx3 - fx2*vz3 + o2*vy3;
+  const real ez3 = fx2*vy3 - fy2*vx3 + o2*vz3;
+  const real t1 = fx2*vx3 + fy2*vy3 + fz2*vz3;
+  const real o3 = 1.0 - t1;
+  const real kx3 = Jxx*nx3 + Jxy*ny3 + Jxz*nz3;
+  const real ky3 = Jxy*nx3 + Jyy*ny3 + Jyz*nz3;
+  const real kz3 = Jxz*nx3 + Jyz*ny3 + Jzz*nz3;
 
   /* stage 4: v4 = v1 + 4 k3 */
-  const brick_real vx4 = vx1 + 4.0*kx3;
-  const brick_real vy4 = vy1 + 4.0*ky3;
-  const brick_real vz4 = vz1 + 4.0*kz3;
-  const brick_real Lx4 = Ixx*vx4 + Ixy*vy4 + Ixz*vz4;
-  const brick_real Ly4 = Ixy*vx4 + Iyy*vy4 + Iyz*vz4;
-  const brick_real Lz4 = Ixz*vx4 + Iyz*vy4 + Izz*vz4;
-  const brick_real nx4 = Ly4*vz4 - Lz4*vy4;
-  const brick_real ny4 = Lz4*vx4 - Lx4*vz4;
-  const brick_real nz4 = Lx4*vy4 - Ly4*vx4;
-  const brick_real ex4 = ey3*vz4 - ez3*vy4 + o3*vx4;
-  const brick_real ey4 = ez3*vx4 - ex3*vz4 + o3*vy4;
-  const brick_real ez4 = ex3*vy4 - ey3*vx4 + o3*vz4;
-  const brick_real kx4 = Jxx*nx4 + Jxy*ny4 + Jxz*nz4;
-  const brick_real ky4 = Jxy*nx4 + Jyy*ny4 + Jyz*nz4;
-  const brick_real kz4 = Jxz*nx4 + Jyz*ny4 + Jzz*nz4;
+  const real vx4 = vx1 + 4.0*kx3;
+  const real vy4 = vy1 + 4.0*ky3;
+  const real vz4 = vz1 + 4.0*kz3;
+  const real Lx4 = Ixx*vx4 + Ixy*vy4 + Ixz*vz4;
+  const real Ly4 = Ixy*vx4 + Iyy*vy4 + Iyz*vz4;
+  const real Lz4 = Ixz*vx4 + Iyz*vy4 + Izz*vz4;
+  const real nx4 = Ly4*vz4 - Lz4*vy4;
+  const real ny4 = Lz4*vx4 - Lx4*vz4;
+  const real nz4 = Lx4*vy4 - Ly4*vx4;
+  const real ex4 = ey3*vz4 - ez3*vy4 + o3*vx4;
+  const real ey4 = ez3*vx4 - ex3*vz4 + o3*vy4;
+  const real ez4 = ex3*vy4 - ey3*vx4 + o3*vz4;
+  const real kx4 = Jxx*nx4 + Jxy*ny4 + Jxz*nz4;
+  const real ky4 = Jxy*nx4 + Jyy*ny4 + Jyz*nz4;
+  const real kz4 = Jxz*nx4 + Jyz*ny4 + Jzz*nz4;
 
   /* w += (4/h) (2 k1 + 4 k2 + 4 k3 + 2 k4)/6, back from angles */
-  const brick_real sx = kx2 + kx3;
-  const brick_real sy = ky2 + ky3;
-  const brick_real sz = kz2 + kz3;
-  const brick_real t2 = 2.0*g;
+  const real sx = kx2 + kx3;
+  const real sy = ky2 + ky3;
+  const real sz = kz2 + kz3;
+  const real t2 = 2.0*g;
   x[BRICK_WX] = t2*(kx1 + kx4 + 2.0*sx) + wx;
   x[BRICK_WY] = t2*(ky1 + ky4 + 2.0*sy) + wy;
   x[BRICK_WZ] = t2*(kz1 + kz4 + 2.0*sz) + wz;
 
   /* n = 1/|q| by one Newton step from 1, so |q| cannot drift; q = n q (1 + (e1 + 2 e2 + e3 +
      e4)/3) */
-  const brick_real n = 0.5*(3.0 - qw*qw - qx*qx - qy*qy - qz*qz);
-  const brick_real n3 = (1.0/3.0)*n;
-  const brick_real pw = n + n3*(ew2 - t1 - (ex3*vx4 + ey3*vy4 + ez3*vz4));
-  const brick_real px = n3*(vx1 + ex3 + ex4 + fx2);
-  const brick_real py = n3*(vy1 + ey3 + ey4 + fy2);
-  const brick_real pz = n3*(vz1 + ez3 + ez4 + fz2);
+  const real n = 0.5*(3.0 - qw*qw - qx*qx - qy*qy - qz*qz);
+  const real n3 = (1.0/3.0)*n;
+  const real pw = n + n3*(ew2 - t1 - (ex3*vx4 + ey3*vy4 + ez3*vz4));
+  const real px = n3*(vx1 + ex3 + ex4 + fx2);
+  const real py = n3*(vy1 + ey3 + ey4 + fy2);
+  const real pz = n3*(vz1 + ez3 + ez4 + fz2);
   x[BRICK_QW] = qw*pw - qx*px - qy*py - qz*pz;
   x[BRICK_QX] = qw*px + qx*pw + qy*pz - qz*py;
   x[BRICK_QY] = qw*py - qx*pz + qy*pw + qz*px;
   x[BRICK_QZ] = qw*pz + qx*py - qy*px + qz*pw;
 }
 
-void brick_jacobian(const brick_model *m, brick_real t, const brick_real x[],
-                    const brick_real u[], brick_real J[BRICK_NX*BRICK_NX])
+int brick_normalise(real x[])
 {
-  (void)t;
-  (void)u;
-  const brick_real Ixx = m->Ixx, Iyy = m->Iyy, Izz = m->Izz, Ixy = m->Ixy;
-  const brick_real Ixz = m->Ixz, Iyz = m->Iyz, Jxx = m->Jxx, Jyy = m->Jyy;
-  const brick_real Jzz = m->Jzz, Jxy = m->Jxy, Jxz = m->Jxz, Jyz = m->Jyz;
-  const brick_real qw = x[BRICK_QW], qx = x[BRICK_QX], qy = x[BRICK_QY], qz = x[BRICK_QZ];
-  const brick_real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
-
-  /* derivatives of dqw/dt */
-  J[0] = 0.0;
-  const brick_real t1 = 0.5*wx;
-  J[1] = -t1;
-  const brick_real t2 = 0.5*wy;
-  J[2] = -t2;
-  const brick_real t3 = 0.5*wz;
-  J[3] = -t3;
-  const brick_real t4 = 0.5*qx;
-  J[4] = -t4;
-  const brick_real t5 = 0.5*qy;
-  J[5] = -t5;
-  const brick_real t6 = 0.5*qz;
-  J[6] = -t6;
-
-  /* derivatives of dqx/dt */
-  J[7] = t1;
-  J[8] = 0.0;
-  J[9] = t3;
-  J[10] = -t2;
-  const brick_real t7 = 0.5*qw;
-  J[11] = t7;
-  J[12] = -t6;
-  J[13] = t5;
-
-  /* derivatives of dqy/dt */
-  J[14] = t2;
-  J[15] = -t3;
-  J[16] = 0.0;
-  J[17] = t1;
-  J[18] = t6;
-  J[19] = t7;
-  J[20] = -t4;
-
-  /* derivatives of dqz/dt */
-  J[21] = t3;
-  J[22] = t2;
-  J[23] = -t1;
-  J[24] = 0.0;
-  J[25] = -t5;
-  J[26] = t4;
-  J[27] = t7;
-
-  /* derivatives of dwx/dt */
-  J[28] = 0.0;
-  J[29] = 0.0;
-  J[30] = 0.0;
-  J[31] = 0.0;
-  const brick_real t8 = Ixy*wz;
-  const brick_real t9 = Ixz*wy;
-  const brick_real t10 = t8 - t9;
-  const brick_real t11 = Ixz*wx;
-  const brick_real t12 = Iyz*wy;
-  const brick_real t13 = Izz*wz;
-  const brick_real t14 = Ixx*wz - 2.0*t11 - t12 - t13;
-  const brick_real t15 = Ixy*wx;
-  const brick_real t16 = Iyy*wy;
-  const brick_real t17 = Iyz*wz;
-  const brick_real t18 = Ixx*wy - 2.0*t15 - t16 - t17;
-  J[32] = Jxx*t10 - Jxy*t14 + Jxz*t18;
-  const brick_real t19 = Ixx*wx;
-  const brick_real t20 = Ixy*wy;
-  const brick_real t21 = Ixz*wz;
-  const brick_real t22 = t19 + 2.0*t20 + t21 - Iyy*wx;
-  const brick_real t23 = t11 - Iyy*wz + 2.0*t12 + t13;
-  const brick_real t24 = Iyz*wx;
-  const brick_real t25 = t8 - t24;
-  J[33] = Jxz*t22 - Jxx*t23 - Jxy*t25;
-  const brick_real t26 = t15 + t16 + 2.0*t17 - Izz*wy;
-  const brick_real t27 = t19 + t20 + 2.0*t21 - Izz*wx;
-  const brick_real t28 = t9 - t24;
-  J[34] = Jxx*t26 - Jxy*t27 + Jxz*t28;
-
-  /* derivatives of dwy/dt */
-  J[35] = 0.0;
-  J[36] = 0.0;
-  J[37] = 0.0;
-  J[38] = 0.0;
-  J[39] = Jxy*t10 - Jyy*t14 + Jyz*t18;
-  J[40] = Jyz*t22 - Jxy*t23 - Jyy*t25;
-  J[41] = Jxy*t26 - Jyy*t27 + Jyz*t28;
-
-  /* derivatives of dwz/dt */
-  J[42] = 0.0;
-  J[43] = 0.0;
-  J[44] = 0.0;
-  J[45] = 0.0;
-  J[46] = Jxz*t10 - Jyz*t14 + Jzz*t18;
-  J[47] = Jzz*t22 - Jxz*t23 - Jyz*t25;
-  J[48] = Jxz*t26 - Jyz*t27 + Jzz*t28;
-}
-
-void brick_rate(const brick_real w[3], const brick_real a[3], const brick_real da[3],
-                brick_real out[3])
-{
-  const brick_real wx = w[0], wy = w[1], wz = w[2];
-  const brick_real ax = a[0], ay = a[1], az = a[2];
-  const brick_real dax = da[0], day = da[1], daz = da[2];
-
-  /* dA/dt (inertial) = dA/dt (body) + w x A */
-  out[0] = az*wy - ay*wz + dax;
-  out[1] = ax*wz - az*wx + day;
-  out[2] = ay*wx - ax*wy + daz;
-}
-
-void brick_acceleration(const brick_real w[3], const brick_real dw[3], const brick_real r[3],
-                        const brick_real v[3], const brick_real a[3], brick_real coriolis[3],
-                        brick_real euler[3], brick_real centrifugal[3], brick_real total[3])
-{
-  const brick_real wx = w[0], wy = w[1], wz = w[2];
-  const brick_real dwx = dw[0], dwy = dw[1], dwz = dw[2];
-  const brick_real rx = r[0], ry = r[1], rz = r[2];
-  const brick_real vx = v[0], vy = v[1], vz = v[2];
-  const brick_real ax = a[0], ay = a[1], az = a[2];
-
-  /* total = a + 2 w x v + w' x r + w x (w x r) */
-  const brick_real t1 = 2.0*(vz*wy - vy*wz);
-  coriolis[0] = t1;
-  const brick_real t2 = 2.0*(vx*wz - vz*wx);
-  coriolis[1] = t2;
-  const brick_real t3 = 2.0*(vy*wx - vx*wy);
-  coriolis[2] = t3;
-  const brick_real t4 = dwy*rz - dwz*ry;
-  euler[0] = t4;
-  const brick_real t5 = dwz*rx - dwx*rz;
-  euler[1] = t5;
-  const brick_real t6 = dwx*ry - dwy*rx;
-  euler[2] = t6;
-  const brick_real t7 = rx*wy - ry*wx;
-  const brick_real t8 = rx*wz - rz*wx;
-  const brick_real t9 = wy*t7 + wz*t8;
-  centrifugal[0] = -t9;
-  const brick_real t10 = ry*wz - rz*wy;
-  const brick_real t11 = wx*t7 - wz*t10;
-  centrifugal[1] = t11;
-  const brick_real t12 = wx*t8 + wy*t10;
-  centrifugal[2] = t12;
-  total[0] = ax + t4 + t1 - t9;
-  total[1] = ay + t5 + t2 + t11;
-  total[2] = az + t6 + t3 + t12;
-}
-
-int brick_normalise(brick_real x[])
-{
-  brick_real q[4], n, largest = 0.0;
+  real q[4], n, largest = 0.0;
   int i;
 
   for (i = 0; i < 4; i++) {
@@ -620,1727 +397,4 @@ int brick_normalise(brick_real x[])
   n = sqrt(n); /* with its own rounding five quarters of an epsilon */
   for (i = 0; i < 4; i++) x[BRICK_QW + i] = q[i]/n;
   return 0;
-}
-
-/* ---- pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP 2, 4.2.2 ---- */
-
-typedef struct brick_pair {
-  brick_real hi, lo;
-} brick_pair;
-
-/* a + b = hi + lo exactly (Knuth's two-sum) */
-static brick_pair brick_pair_sum(brick_real a, brick_real b)
-{
-  brick_pair s;
-  brick_real bb;
-
-  s.hi = a + b;
-  bb = s.hi - a;
-  s.lo = (a - (s.hi - bb)) + (b - bb);
-  return s;
-}
-
-/* a*b = hi + lo exactly.  Where the machine has a fused operation compilers may fuse products into sums, which would
- * spoil Dekker's halves: there it is used, and volatile keeps hi what it is. */
-static brick_pair brick_pair_product(brick_real a, brick_real b)
-{
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & 8))
-  const volatile brick_real high = a*b;
-  brick_pair p;
-
-  p.hi = high;
-  p.lo = fma(a, b, -p.hi);
-  return p;
-#else
-  const brick_real split = 134217729.0; /* Dekker's product, factors split in halves */
-  brick_real c, ah, al, bh, bl;
-  brick_pair p;
-
-  c = split*a;
-  ah = c - (c - a);
-  al = a - ah;
-  c = split*b;
-  bh = c - (c - b);
-  bl = b - bh;
-  p.hi = a*b;
-  p.lo = ((ah*bh - p.hi) + ah*bl + al*bh) + al*bl;
-  return p;
-#endif
-}
-
-static brick_pair brick_pair_of(brick_real a)
-{
-  brick_pair p;
-
-  p.hi = a;
-  p.lo = 0.0;
-  return p;
-}
-
-static brick_pair brick_pair_minus(brick_pair a)
-{
-  a.hi = -a.hi;
-  a.lo = -a.lo;
-  return a;
-}
-
-/* hi + lo = the same, |lo| <= |hi| or hi a multiple of the last place of lo (Dekker's fast two-sum) */
-static brick_pair brick_pair_tidy(brick_real hi, brick_real lo)
-{
-  brick_pair s;
-
-  s.hi = hi + lo;
-  s.lo = lo - (s.hi - hi);
-  return s;
-}
-
-static brick_pair brick_pair_add(brick_pair a, brick_pair b)
-{
-  brick_pair s = brick_pair_sum(a.hi, b.hi);
-
-  return brick_pair_tidy(s.hi, s.lo + (a.lo + b.lo));
-}
-
-static brick_pair brick_pair_multiply(brick_pair a, brick_pair b)
-{
-  brick_pair p = brick_pair_product(a.hi, b.hi);
-
-  return brick_pair_tidy(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
-}
-
-/* ---- principal axes: Jacobi's method in pairs ----
- * Jacobi's rotations keep small moments beside large ones: Demmel, Veselic 1992, SIAM J. Matrix Anal. Appl. 13, 1204.
- * In pairs the rotations are orthogonal to twice the precision, so rounding their product once is all that the axes
- * suffer. */
-
-/* (x, y) turned: (c x - s y, s x + c y) */
-static void brick_pair_turn(brick_pair c, brick_pair s, brick_pair *x, brick_pair *y)
-{
-  const brick_pair cx = brick_pair_multiply(c, *x), sx = brick_pair_multiply(s, *x);
-  const brick_pair cy = brick_pair_multiply(c, *y), sy = brick_pair_multiply(s, *y);
-
-  *x = brick_pair_add(cx, brick_pair_minus(sy));
-  *y = brick_pair_add(sx, cy);
-}
-
-/* Turn the axes p, q so that the entry I_pq = off[r] vanishes ({p, q, r} = {0, 1, 2}; I_kk = diagonal[k]).
- * The tangent t solves (1 - t^2) I_pq = t (I_qq - I_pp), |t| <= 1 (Golub, Van Loan, 8.5), but only to the type's
- * precision; the rotation by this t is exact, and what is left of I_pq = cos^2 ((1 - t^2) I_pq - t (I_qq - I_pp))
- * stays for the next one. */
-static void brick_jacobi(brick_pair diagonal[3], brick_pair off[3], brick_pair axis[3][3], int r)
-{
-  const int p = (r + 1) % 3, q = (r + 2) % 3;
-  const brick_pair difference = brick_pair_add(diagonal[q], brick_pair_minus(diagonal[p]));
-  const brick_real d = 0.5*difference.hi, b = off[r].hi;
-  brick_pair t, t2, c, s, left, shift;
-  brick_real ratio, root;
-  int k;
-
-  /* the ratio that is at most 1: no overflow, whatever the sizes */
-  if (fabs(b) < fabs(d)) {
-    ratio = b/d;
-    ratio = ratio/(1.0 + sqrt(1.0 + ratio*ratio));
-  } else {
-    ratio = d/b;
-    root = sqrt(1.0 + ratio*ratio);
-    ratio = ratio < 0.0 ? 1.0/(ratio - root) : 1.0/(ratio + root);
-  }
-  t = brick_pair_of(ratio);
-  t2 = brick_pair_product(ratio, ratio);
-
-  /* c = 1/sqrt(1 + t^2), a Newton step from its leading half; s = t c */
-  c = brick_pair_add(brick_pair_of(1.0), t2);
-  root = 1.0/sqrt(c.hi);
-  s = brick_pair_multiply(c, brick_pair_product(root, root));
-  c = brick_pair_sum(root, 0.5*root*((1.0 - s.hi) - s.lo));
-  s = brick_pair_multiply(t, c);
-
-  left = brick_pair_multiply(brick_pair_add(brick_pair_of(1.0), brick_pair_minus(t2)), off[r]);
-  left = brick_pair_add(left, brick_pair_minus(brick_pair_multiply(t, difference)));
-  left = brick_pair_multiply(brick_pair_multiply(c, c), left);
-  shift = brick_pair_multiply(t, brick_pair_add(off[r], left));
-  diagonal[p] = brick_pair_add(diagonal[p], brick_pair_minus(shift));
-  diagonal[q] = brick_pair_add(diagonal[q], shift);
-  off[r] = ratio == 0.0 ? brick_pair_of(0.0) : left; /* too small to turn by: too small to matter */
-  brick_pair_turn(c, s, &off[q], &off[p]); /* I_rp, I_rq */
-  for (k = 0; k < 3; k++) brick_pair_turn(c, s, &axis[p][k], &axis[q][k]);
-}
-
-static int brick_pair_less(brick_pair a, brick_pair b)
-{
-  return a.hi < b.hi || (!(b.hi < a.hi) && a.lo < b.lo);
-}
-
-/* The unrounded result: I_kk 2^scale and the vector of each axis, which come in no order; `order` sorts them, ascending.
- * 1 if an entry is not finite. */
-static int brick_principal_pairs(const brick_real I[6], brick_pair diagonal[3], brick_pair axis[3][3],
-                                   int order[3], int *scale)
-{
-  brick_pair off[3];
-  brick_real largest = 0.0, products = 0.0;
-  int count, settled = 0, i, j, k;
-
-  for (i = 0; i < 6; i++) {
-    if (!(I[i] - I[i] == 0.0)) return 1;
-    if (fabs(I[i]) > largest) largest = fabs(I[i]);
-    if (i > 2) products += fabs(I[i]) > 0.0 ? 1.0 : 0.0;
-  }
-  /* by a power of two to where the halves of the products neither over- nor underflow */
-  (void)frexp(largest, scale);
-  *scale = products > 0.0 ? 990 - *scale : 0;
-  for (i = 0; i < 3; i++) {
-    diagonal[i] = brick_pair_of(ldexp(I[i], *scale));
-    off[i] = brick_pair_of(ldexp(I[5 - i], *scale)); /* yz, xz, xy: the one opposite to axis i */
-    for (k = 0; k < 3; k++) axis[i][k] = brick_pair_of(i == k ? 1.0 : 0.0);
-  }
-
-  /* The planes xy, xz, yz in turn, until each is negligible beside BOTH its diagonal entries.  With I_pq = 0 a
-   * rotation in the plane (r, p) splits I_rq = y into I_rq = y cos, I_pq = y sin; |sin| <= sqrt(1/2), and the next
-   * plane is that of the larger one.  So from the second rotation on the smaller of the two products left shrinks by
-   * sqrt(1/2) or more each time, for ANY tensor: after 240 both are below 2^-118 of the largest entry, beyond the
-   * pairs.  For a positive definite one a rotation with I_pq^2 >= I_pp I_qq/4 takes a quarter or more off the product
-   * of the diagonal, which stays above the determinant: the condition alone bounds their number.  Then what is left is
-   * squared; some ten rotations are made in all. */
-  for (count = 0; settled < 3 && count < 240; count++) { /* some 10 times */
-    i = 2 - count % 3;
-    j = (i + 1) % 3;
-    k = (i + 2) % 3;
-    if (fabs(off[i].hi) <= 4.930380657631324e-32*(sqrt(fabs(diagonal[j].hi))*sqrt(fabs(diagonal[k].hi)))) {
-      off[i] = brick_pair_of(0.0);
-      settled++;
-    } else {
-      brick_jacobi(diagonal, off, axis, i);
-      settled = 0;
-    }
-  }
-
-  for (i = 0; i < 3; i++) order[i] = i;
-  for (i = 1; i < 3; i++) { /* insertion sort: equal moments keep their order */
-    for (j = i; j > 0 && brick_pair_less(diagonal[order[j]], diagonal[order[j - 1]]); j--) {
-      k = order[j];
-      order[j] = order[j - 1];
-      order[j - 1] = k;
-    }
-  }
-  return 0;
-}
-
-int brick_principal_of(const brick_real I[6], brick_real moments[3], brick_real axes[9])
-{
-  brick_pair diagonal[3], axis[3][3];
-  brick_real own[3];
-  int order[3], odd, scale, i, k;
-
-  if (brick_principal_pairs(I, diagonal, axis, order, &scale)) return 1;
-  odd = order[1] != (order[0] + 1) % 3;
-  for (i = 0; i < 3; i++) {
-    own[i] = ldexp(diagonal[order[i]].hi, -scale);
-    if (!(own[i] - own[i] == 0.0)) return 1;
-  }
-  for (i = 0; i < 3; i++) {
-    const brick_pair *v = axis[order[i]];
-    brick_real sign, largest;
-
-    moments[i] = own[i];
-    largest = 0.0;
-    for (k = 0; k < 3; k++) {
-      if (fabs(v[k].hi) > largest) largest = fabs(v[k].hi);
-    }
-    for (k = 0; fabs(v[k].hi) < 0.9375*largest;) k++;
-    /* the rotations have determinant 1: two signs and the order settle the third */
-    sign = (i < 2 ? v[k].hi < 0.0 : odd) ? -1.0 : 1.0;
-    if (sign < 0.0) odd = !odd;
-    for (k = 0; k < 3; k++) axes[3*i + k] = sign*v[k].hi + 0.0; /* no negative zero */
-  }
-  return 0;
-}
-
-int brick_principal(const brick_model *m, brick_real moments[3], brick_real axes[9])
-{
-  brick_real I[6];
-
-  brick_inertia(m, I);
-  return brick_principal_of(I, moments, axes);
-}
-
-/* ---- whole structures, byte by byte ----
- * Compilers make calls of memcpy and memset of anything simpler, and firmware need not have them. */
-
-static void brick_copy(void *to, const void *from, unsigned int size)
-{
-  unsigned char *a = (unsigned char *)to;
-  const volatile unsigned char *b = (const volatile unsigned char *)from;
-  unsigned int i;
-
-  for (i = 0; i < size; i++) { /* some 200 times */
-    a[i] = b[i];
-  }
-}
-
-/* integers and IEEE 754 numbers of which all bits are 0 are 0 */
-static void brick_zero(void *to, unsigned int size)
-{
-  volatile unsigned char *a = (volatile unsigned char *)to;
-  unsigned int i;
-
-  for (i = 0; i < size; i++) { /* some 200 times */
-    a[i] = 0;
-  }
-}
-
-/* Is the state at time 0 made of numbers?  Rates next to the end of the type's range overflow on the way to it. */
-static int brick_starts(const brick_orbit *o)
-{
-  brick_real x[BRICK_NX];
-  int i;
-
-  brick_at(o, 0.0, x);
-  for (i = 0; i < BRICK_NX; i++) {
-    if (!(x[i] - x[i] == 0.0)) return 0;
-  }
-  return 1;
-}
-
-/* ---- phases in turns: no call and no branch, so that loops over times are vectorised ---- */
-
-#if defined __GNUC__
-#define BRICK_INLINE static inline __attribute__((always_inline)) /* GCC and Clang vectorise what they inline */
-#else
-#define BRICK_INLINE static inline
-#endif
-
-/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
-BRICK_INLINE brick_real brick_nearest(brick_real x)
-{
-  return (x + 6755399441055744.0) - 6755399441055744.0;
-}
-
-/* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well: Dekker's product */
-BRICK_INLINE brick_pair brick_passed(const brick_real b[4], brick_real t, brick_real head, brick_real tail)
-{
-  brick_pair p;
-
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & 8))
-  (void)head;
-  (void)tail;
-  p.hi = fma(b[0], t, 0.0); /* no compiler may fuse this one */
-  p.lo = fma(b[0], t, -p.hi) + b[1]*t;
-#else
-  p.hi = b[0]*t;
-  p.lo = (((b[2]*head - p.hi) + b[2]*tail + b[3]*head) + b[3]*tail) + b[1]*t;
-#endif
-  return p;
-}
-
-/* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one doubling */
-BRICK_INLINE void brick_circle(brick_real x, brick_real *sine, brick_real *cosine)
-{
-  const brick_real u = x*x, u2 = u*u, u4 = u2*u2;
-  const double s0 = 3.141592653589793 - 5.167712780049969*u;
-  const double s2 = 2.5501640398773007 - 0.599264529318946*u;
-  const double s4 = 0.08214588657312355 - 0.007370430506093225*u;
-  const double s6 = 0.00046629981702308817 - 2.1903499125519212e-5*u;
-  const double s = (s0 + u2*s2) + u4*(s4 + u2*s6 + u4*7.697847275590284e-7);
-  const double c0 = 1.0 - 4.934802200544676*u;
-  const double c2 = 4.058712126416498 - 1.335262768843456*u;
-  const double c4 = 0.23533063012967062 - 0.02580688873817758*u;
-  const double c6 = 0.001929556278037417 - 0.00010456656706174584*u;
-  const double c = (c0 + u2*c2) + u4*(c4 + u2*c6 + u4*4.149578027057121e-6);
-  const brick_real half = x*s;
-
-  *sine = 2.0*(half*c);
-  *cosine = (c - half)*(c + half);
-}
-
-/* ---- functions of pairs, to about twice the working precision ---- */
-
-static brick_pair brick_pair_subtract(brick_pair a, brick_pair b)
-{
-  return brick_pair_add(a, brick_pair_minus(b));
-}
-
-static brick_pair brick_pair_times(brick_real a, brick_pair b)
-{
-  const brick_pair p = brick_pair_product(a, b.hi);
-
-  return brick_pair_tidy(p.hi, p.lo + a*b.lo);
-}
-
-/* a power of two times b: exact */
-static brick_pair brick_pair_shift(brick_real power, brick_pair b)
-{
-  b.hi *= power;
-  b.lo *= power;
-  return b;
-}
-
-/* the same for any exponent */
-static brick_pair brick_pair_scale(brick_pair a, int e)
-{
-  a.hi = ldexp(a.hi, e);
-  a.lo = ldexp(a.lo, e);
-  return a;
-}
-
-/* the leading quotient, and that of its remainder */
-static brick_pair brick_pair_divide(brick_pair a, brick_pair b)
-{
-  const brick_real q = a.hi/b.hi;
-  const brick_pair p = brick_pair_product(q, b.hi);
-
-  return brick_pair_tidy(q, (((a.hi - p.hi) - p.lo) + (a.lo - q*b.lo))/b.hi);
-}
-
-/* one Newton step: sqrt(a) = r + (a - r^2)/(2 r) */
-static brick_pair brick_pair_root(brick_pair a)
-{
-  const brick_real r = a.hi > 0.0 ? sqrt(a.hi) : 0.0;
-  const brick_pair p = brick_pair_product(r, r);
-
-  if (!(r > 0.0)) return brick_pair_of(0.0);
-  return brick_pair_tidy(r, (((a.hi - p.hi) - p.lo) + a.lo)*(0.5/r));
-}
-
-/* Artanh (sign = 1) or arctan (sign = -1) of x, |x| <= 1/16: x + sign x^3/3 + x^5/5 + ... (DLMF 4.38.2, 4.24.3).  From
- * x^13 on, 2^-48 of the whole, the working precision will do; what is left out is 2^-100. */
-static brick_pair brick_pair_arc(brick_pair x, brick_real sign)
-{
-  static const brick_pair odd[6] = {
-    {1.0, 0.0},
-    {0.3333333333333333, 1.850371707708594e-17},
-    {0.2, -1.1102230246251566e-17},
-    {0.14285714285714285, 7.93016446160826e-18},
-    {0.1111111111111111, 6.1679056923619804e-18},
-    {0.09090909090909091, -2.523234146875356e-18},
-  };
-  const brick_pair square = brick_pair_multiply(x, x), z = brick_pair_shift(sign, square);
-  const brick_real t = z.hi, seven = 1.0/(brick_real)13 + t*(1.0/(brick_real)15 + t*(1.0/(brick_real)17
-    + t*(1.0/(brick_real)19 + t*(1.0/(brick_real)21
-        + t*(1.0/(brick_real)23 + t*(1.0/(brick_real)25))))));
-  brick_pair s = brick_pair_of(seven);
-  int i;
-
-  for (i = 5; i >= 0; i--) s = brick_pair_add(odd[i], brick_pair_multiply(z, s));
-  return brick_pair_multiply(x, s);
-}
-
-static brick_pair brick_pi(void)
-{
-  const brick_pair pi = {3.141592653589793, 1.2246467991473532e-16};
-
-  return pi;
-}
-
-static brick_pair brick_inverse_pi(void)
-{
-  const brick_pair inverse = {0.3183098861837907, -1.9678676675182486e-17};
-
-  return inverse;
-}
-
-static brick_pair brick_log2(void)
-{
-  const brick_pair log2 = {0.6931471805599453, 2.3190468138462996e-17};
-
-  return log2;
-}
-
-/* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 + arctan of a rest below
- * 1/16 (DLMF 4.24.15). */
-static brick_pair brick_pair_angle(brick_pair x, brick_pair y)
-{
-  static const brick_pair arctan[9] = {
-    {0.0, 0.0},
-    {0.12435499454676144, -3.1253241424539383e-18},
-    {0.24497866312686414, 1.0698755618734451e-17},
-    {0.35877067027057225, -2.4623815582638635e-17},
-    {0.4636476090008061, 2.2698777452961687e-17},
-    {0.5585993153435624, -5.4556305485916264e-18},
-    {0.6435011087932844, 1.5834785051444286e-17},
-    {0.7188299996216245, -2.1478388444456983e-17},
-    {0.7853981633974483, 3.061616997868383e-17},
-  };
-  const brick_pair pi = brick_pi();
-  const int left = x.hi < 0.0, below = y.hi < 0.0;
-  const brick_pair u = left ? brick_pair_minus(x) : x, v = below ? brick_pair_minus(y) : y;
-  const int steep = v.hi > u.hi;
-  const brick_pair far = steep ? v : u, near = steep ? u : v;
-  brick_pair angle;
-  brick_real eighths;
-
-  if (!(far.hi > 0.0)) return brick_pair_of(0.0);
-  eighths = near.hi/far.hi;
-  if (!(eighths <= 1.0)) return brick_pair_of(eighths); /* no number */
-  eighths = floor((brick_real)8*eighths + 0.5);
-  angle = brick_pair_divide(brick_pair_subtract(near, brick_pair_times(eighths/(brick_real)8, far)),
-               brick_pair_add(far, brick_pair_times(eighths/(brick_real)8, near)));
-  angle = brick_pair_add(arctan[(int)eighths], brick_pair_arc(angle, -1.0));
-  if (steep) angle = brick_pair_subtract(brick_pair_shift(0.5, pi), angle);
-  if (left) angle = brick_pair_subtract(pi, angle);
-  return below ? brick_pair_minus(angle) : angle;
-}
-
-/* log(2^e a), a > 0: of 2^e, of 1 + j/8, and 2 artanh of a rest below 1/16 */
-static brick_pair brick_pair_log(brick_pair a, int e)
-{
-  static const brick_pair log[9] = {
-    {0.0, 0.0},
-    {0.11778303565638346, -1.1971685747593677e-18},
-    {0.22314355131420976, -9.091270597324799e-18},
-    {0.3184537311185346, 2.7114779367326236e-17},
-    {0.4054651081081644, -2.8811380259626426e-18},
-    {0.4855078157817008, -1.6618350693852048e-17},
-    {0.5596157879354227, 2.685492580212308e-17},
-    {0.6286086594223741, 4.3538742607970387e-17},
-    {0.6931471805599453, 2.3190468138462996e-17},
-  };
-  brick_pair near;
-  brick_real eighths;
-  int own;
-
-  if (!(a.hi > 0.0 && a.hi - a.hi == 0.0)) return brick_pair_of(sqrt(-1.0)); /* no number */
-  (void)frexp(a.hi, &own);
-  a = brick_pair_scale(a, 1 - own);
-  eighths = floor((brick_real)8*(a.hi - 1.0) + 0.5);
-  near = brick_pair_of(1.0 + eighths/(brick_real)8);
-  near = brick_pair_shift(2.0, brick_pair_arc(brick_pair_divide(brick_pair_subtract(a, near),
-      brick_pair_add(a, near)), 1.0));
-  near = brick_pair_add(log[(int)eighths], near);
-  return brick_pair_add(brick_pair_times((brick_real)(e + own - 1), brick_log2()), near);
-}
-
-static void brick_store(brick_real out[2], brick_pair a)
-{
-  out[0] = a.hi;
-  out[1] = a.lo;
-}
-
-/* ---- evaluation: no call and no branch on data but for `hyperbolic`, so that loops over times are vectorised ---- */
-
-/* high + low: the phase of the rates in their periods, less whole ones; the turns about L */
-typedef struct brick_phases {
-  brick_real high, low, turn, turn_low;
-} brick_phases;
-
-/* The pair e^(-i mu t) (a + i b, c + i d) of quaternion components w + i z, x + i y, and cn, sn, dn, all but for constant
- * factors and for their norms; and the turns that mu t makes. */
-typedef struct brick_terms {
-  brick_real a, b, c, d, cn, sn, dn, turn;
-} brick_terms;
-
-BRICK_INLINE brick_phases brick_reduce(const brick_orbit *o, brick_real at)
-{
-  const brick_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
-  const brick_real c = 134217729.0*t, head = c - (c - t), tail = t - head;
-  const brick_pair p = brick_passed(o->rate, t, head, tail), turn = brick_passed(o->turn, t, head, tail);
-  const brick_real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
-  const brick_real rest = (p.hi - (sum - part)) + (o->start[0] - part);
-  brick_phases phases;
-
-  phases.high = sum - brick_nearest(sum);
-  phases.low = rest + (p.lo + o->start[1]);
-  phases.turn = turn.hi;
-  phases.turn_low = turn.lo;
-  return phases;
-}
-
-/* 2^x and 2^-x, |x| <= 500.0: the even and the odd part of 2^f, f = x less the nearest integer n, which the sum with
- * a large number leaves in the last bits of its representation (IEEE 754), next to where an exponent is wanted */
-BRICK_INLINE void brick_exponentials(brick_real x, brick_real *up, brick_real *down)
-{
-  union {
-    brick_real number;
-    uint64_t bits;
-  } a, b;
-  const brick_real n = brick_nearest(x), f = x - n, u = f*f, u2 = u*u;
-  const double u4 = u2*u2;
-  const double e0 = 1.0 + 0.24022650695910158*u;
-  const double e2 = 0.009618129107587253 + 0.00015403530463727982*u;
-  const double e4 = 1.3215432534254118e-6 + 7.074194562613105e-9*u;
-  const double e = (e0 + u2*e2) + u4*e4;
-  const double o0 = 0.6931471805599453 + 0.055504108664821625*u;
-  const double o2 = 0.0013333558146406469 + 1.5252733841558449e-5*u;
-  const double o4 = 1.0178057086967843e-7 + 4.4558180309131894e-10*u;
-  const double o = (o0 + u2*o2) + u4*o4;
-  const brick_real odd = f*o;
-
-  a.number = 6755399441056767.0 + n;
-  b.number = 6755399441056767.0 - n;
-  a.bits <<= 52;
-  b.bits <<= 52;
-  *up = a.number*(e + odd);
-  *down = b.number*(e - odd);
-}
-
-/* away from the separatrix: the series as polynomials in X = cos 2z */
-BRICK_INLINE brick_terms brick_circular_terms(const brick_orbit *o, brick_phases p)
-{
-  brick_terms y;
-  brick_real s, c, X, X2, even, odd;
-
-  brick_circle(p.high + p.low, &s, &c);
-  X = (c - s)*(c + s);
-  X2 = X*X;
-  y.a = (o->a[0] + X*o->a[1]) + X2*(o->a[2] + X*o->a[3]);
-  y.b = (s*c)*((o->b[0] + X*o->b[1]) + X2*o->b[2]);
-  y.c = s*((o->c[0] + X*o->c[1]) + X2*(o->c[2] + X*o->c[3]));
-  y.d = c*((o->d[0] + X*o->d[1]) + X2*(o->d[2] + X*o->d[3]));
-  even = o->f[0] + X2*(o->f[2] + X2*o->f[4]); /* theta2(z) = theta1(z + pi/2) */
-  odd = X*(o->f[1] + X2*o->f[3]);
-  y.cn = c*(even + odd);
-  y.sn = s*(even - odd);
-  y.dn = (o->f[5] + X2*(o->f[7] + X2*o->f[9])) + X*(o->f[6] + X2*o->f[8]);
-  y.turn = (p.turn - brick_nearest(p.turn)) + p.turn_low;
-  return y;
-}
-
-/* near it: in U = p' X, X = cosh 2V, which stays below 1; where 2^|x| would exceed the range all but 1/cosh is 1, and x is
- * cut if it can come there */
-BRICK_INLINE brick_terms brick_hyperbolic_terms(const brick_orbit *o, brick_phases p, int cut)
-{
-  const brick_real n = brick_nearest(2.0*p.high); /* -1, 0, 1: V has two periods in one of the rates */
-  const brick_real flip = 1.0 - 2.0*fabs(n), r = (2.0*p.high - n) + 2.0*p.low, ahead = o->jump*r;
-  brick_terms y;
-  brick_real x = r*o->half, up, down, c, s, U, U2, even, odd;
-
-  if (cut) {
-    x = x < 500.0 ? x : 500.0;
-    x = x > -500.0 ? x : -500.0;
-  }
-  brick_exponentials(x, &up, &down);
-  c = up + down; /* 2 cosh V, 2 sinh V */
-  s = up - down;
-  U = o->nome*(c*c) - 2.0*o->nome;
-  U2 = U*U;
-  even = o->a[0] + U2*o->a[2];
-  odd = U*(o->a[1] + U2*o->a[3]);
-  y.a = c*(even + odd);
-  y.c = flip*s*(even - odd);
-  even = o->b[0] + U2*o->b[2];
-  odd = U*(o->b[1] + U2*o->b[3]);
-  y.b = s*(even - odd);
-  y.d = flip*c*(even + odd);
-  even = o->f[0] + U2*(o->f[1] + U2*o->f[2]);
-  odd = o->f[3] + U2*o->f[4];
-  y.cn = flip*(even - odd);
-  y.dn = even + odd;
-  y.sn = c*(flip*s)*(o->f[5] + U2*(o->f[6] + U2*o->f[7]));
-  y.turn = (p.turn - brick_nearest(p.turn + ahead)) + (ahead + p.turn_low);
-  return y;
-}
-
-/* the attitude q[4] times a length, whose square is brick_square */
-BRICK_INLINE void brick_attitude_of(const brick_orbit *o, const brick_terms *y, brick_real q[])
-{
-  brick_real s, c, w, x_, y_, z;
-
-  brick_circle(y->turn, &s, &c);
-  w = c*y->a - s*y->b;
-  z = s*y->a + c*y->b;
-  x_ = c*y->c - s*y->d;
-  y_ = s*y->c + c*y->d;
-  q[0] = (w*o->q[0][0] + x_*o->q[1][0]) + (y_*o->q[2][0] + z*o->q[3][0]);
-  q[1] = (w*o->q[0][1] + x_*o->q[1][1]) + (y_*o->q[2][1] + z*o->q[3][1]);
-  q[2] = (w*o->q[0][2] + x_*o->q[1][2]) + (y_*o->q[2][2] + z*o->q[3][2]);
-  q[3] = (w*o->q[0][3] + x_*o->q[1][3]) + (y_*o->q[2][3] + z*o->q[3][3]);
-}
-
-BRICK_INLINE brick_real brick_square(const brick_terms *y)
-{
-  return (y->a*y->a + y->b*y->b) + (y->c*y->c + y->d*y->d);
-}
-
-/* the rates times that square */
-BRICK_INLINE void brick_rates_of(const brick_orbit *o, const brick_terms *y, brick_real w[])
-{
-  w[0] = y->cn*o->w[0][0] + y->sn*o->w[1][0] + y->dn*o->w[2][0];
-  w[1] = y->cn*o->w[0][1] + y->sn*o->w[1][1] + y->dn*o->w[2][1];
-  w[2] = y->cn*o->w[0][2] + y->sn*o->w[1][2] + y->dn*o->w[2][2];
-}
-
-BRICK_INLINE brick_terms brick_terms_of(const brick_orbit *o, brick_phases p, int hyperbolic)
-{
-  return hyperbolic > 0 ? brick_hyperbolic_terms(o, p, hyperbolic > 1) : brick_circular_terms(o, p);
-}
-
-/* 1/|q| from n, the inverse of brick_square, to which |q|^2 is equal but for rounding, and its root: a Newton step, added
- * so that the difference from a half is exact and only the sum is rounded */
-BRICK_INLINE brick_real brick_inverse_length(const brick_real q[4], brick_real n, brick_real root)
-{
-  return root + root*(0.5 - (0.5*n)*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])));
-}
-
-/* attitude and rates */
-BRICK_INLINE void brick_state(const brick_orbit *o, brick_phases p, brick_real x[])
-{
-  const brick_terms y = brick_terms_of(o, p, o->hyperbolic);
-  const brick_real n = 1.0/brick_square(&y);
-  brick_real q[4], w[3], root;
-
-  brick_rates_of(o, &y, w);
-  brick_attitude_of(o, &y, q);
-  root = brick_inverse_length(q, n, sqrt(n));
-  x[BRICK_QW] = root*q[0];
-  x[BRICK_QX] = root*q[1];
-  x[BRICK_QY] = root*q[2];
-  x[BRICK_QZ] = root*q[3];
-  x[BRICK_WX] = n*w[0];
-  x[BRICK_WY] = n*w[1];
-  x[BRICK_WZ] = n*w[2];
-}
-
-void brick_at(const brick_orbit *o, brick_real t, brick_real x[])
-{
-  brick_state(o, brick_reduce(o, t), x);
-}
-
-void brick_at_rates(const brick_orbit *o, brick_real t, brick_real w[])
-{
-  const brick_terms y = brick_terms_of(o, brick_reduce(o, t), o->hyperbolic);
-  const brick_real n = 1.0/brick_square(&y);
-  brick_real v[3];
-  int i;
-
-  brick_rates_of(o, &y, v);
-  for (i = 0; i < 3; i++) w[i] = n*v[i];
-}
-
-void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[])
-{
-  const brick_terms y = brick_terms_of(o, brick_reduce(o, t), o->hyperbolic);
-  const brick_real n = 1.0/brick_square(&y);
-  brick_real v[4], root;
-  int i;
-
-  brick_attitude_of(o, &y, v);
-  root = brick_inverse_length(v, n, sqrt(n));
-  for (i = 0; i < 4; i++) q[i] = root*v[i];
-}
-
-/* ---- closed form: free asymmetric top, theta functions ----
- *
- * Axes 1, 2, 3 here are principal axes: 2 that of the middle moment, 3 the one about which L circulates, signed so that
- * L1 >= 0, L3 > 0.  With a = w + i z, b = x + i y of the quaternion from these axes to a frame whose z axis is along L,
- *     a(t) = exp(i mu t) theta4(z - i s eta; p)/N,   b(t) = s exp(i mu t) theta1(z - i s eta; p)/N,   z = pi u/(2 K)
- * where u = lambda t + u0 is the argument of Jacobi's functions, L = (B1 cn u, s B2 sn u, B3 dn u), and p = q^2
- * (Jacobi 1849; Whittaker, Analytical Dynamics, section 69).  Near the separatrix the imaginary transformation
- * (DLMF 20.7.30-33) replaces z by V = kappa z, kappa = K/(2 K'), and circular functions by hyperbolic ones. */
-
-/* What is known of the motion in principal axes.  [i] is axis i + 1 of the above.  Moments and rates are scaled by powers
- * of two, the largest to about 1, rates to 2^26 at most.  What may be tiny together is scaled once more, so that
- * nothing underflows that matters: w1 and w2 by up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the
- * difference of the other two, which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.
- * They come as J1, J3, d32 and d21; of a rod about axis 3 it is 1 and 0. */
-typedef struct brick_top {
-  brick_pair I[3], J[3];              /* moments: as they are, scaled */
-  brick_pair w[3];                    /* rates at t = 0 */
-  brick_pair d21, d31, d32;           /* |I2 - I1|, |I3 - I1|, |I3 - I2| */
-  /* |G^2 - 2 T I2| over the scale of w1, w3 squared and that of the least moment */
-  brick_pair D;
-  brick_pair G;                       /* |L| */
-  brick_pair cross;                   /* sqrt(J1 I2 d31 d32) */
-  brick_pair part1, part2, Delta3;    /* J1 d31 w1^2, I2 d32 w2^2 of the scaled w1, w2, and their sum */
-  brick_pair Lambda1;                 /* J3 d31 w3^2 + I1 d21 w2^2 */
-  brick_pair k2, kc2;                 /* k^2 up12^2, (1 - k^2) up13^2 */
-  brick_pair b3, lambda;              /* amplitude of w3; rate of u */
-  brick_pair T, climb;                /* at u = 0: tan(angle(L, axis 3)/2) up12; twice the rate of the phase of a */
-  brick_real b[3];                    /* amplitudes of the rates, b[0], b[1] up12 */
-  brick_real axis[3][3];              /* unit vectors, body axes */
-  brick_real s;                       /* sign of I3 - I1 */
-  brick_real up12, down12, up13, down13, small;
-  int small12, small13;             /* exponents of down12, down13 */
-} brick_top;
-
-/* the exponent of the larger of two numbers, if its power of two is one */
-static int brick_exponent(brick_real a, brick_real b)
-{
-  int e;
-
-  (void)frexp(fabs(a) > fabs(b) ? a : b, &e);
-  return e < -990 ? -990 : e;
-}
-
-/* e[0..n) += I w^2 (d.hi + d.lo), without rounding; the new n */
-static int brick_exact_term(brick_real e[], int n, brick_real I, brick_real w, brick_pair d)
-{
-  brick_real a[2], b[4];
-  int na, nb = 0, i;
-
-  na = brick_exact_product(a, 0, w, w);
-  for (i = 0; i < na; i++) nb = brick_exact_product(b, nb, a[i], I);
-  for (i = 0; i < nb; i++) {
-    n = brick_exact_product(e, n, b[i], d.hi);
-    n = brick_exact_product(e, n, b[i], d.lo);
-  }
-  return n;
-}
-
-/* I w^2 d */
-static brick_pair brick_square_term(brick_pair I, brick_pair w, brick_pair d)
-{
-  return brick_pair_multiply(brick_pair_multiply(I, d), brick_pair_multiply(w, w));
-}
-
-/* I3 w3^2 (I3 - I2) - I1 w1^2 (I2 - I1) = G^2 - 2 T I2: its sign says about which axis L circulates.  Where the terms
- * cancel by more than three bits, without rounding if the moments and rates are single numbers. */
-static brick_pair brick_circulation(brick_pair I1, brick_pair I3, brick_pair w1, brick_pair w3,
-    brick_pair d21, brick_pair d32)
-{
-  const brick_pair last = brick_square_term(I3, w3, d32), first = brick_square_term(I1, w1, d21);
-  brick_pair sum = brick_pair_subtract(last, first);
-
-  if (!(8.0*fabs(sum.hi) < first.hi + last.hi)) return sum;
-  if (!(fabs(I1.lo) + fabs(I3.lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) { /* rare */
-    brick_real e[32];
-    int n;
-
-    n = brick_exact_term(e, 0, I3.hi, w3.hi, d32);
-    sum = brick_pair_of(0.0);
-    for (n = brick_exact_term(e, n, I1.hi, w1.hi, brick_pair_minus(d21)); n > 0; n--) sum =
-        brick_pair_add(sum, brick_pair_of(e[n - 1]));
-  }
-  return sum;
-}
-
-/* Labels and signs of the axes; `order` sorts moments of I, ascending. */
-static void brick_label(brick_top *p, const brick_pair I[3], const brick_pair w[3],
-    const brick_pair axis[3][3], const int order[3])
-{
-  const int small = order[0], middle = order[1], large = order[2], rod = !(I[small].hi > 0.0);
-  const int e = brick_exponent(w[small].hi, w[large].hi);
-  const brick_real down = ldexp(1.0, brick_exponent(I[small].hi, 0.0)), up = 1.0/down;
-  const brick_pair low = brick_pair_subtract(I[middle], I[small]);
-  const brick_pair high = rod ? brick_pair_of(0.0) : brick_pair_shift(up,
-      brick_pair_subtract(I[large], I[middle]));
-  const brick_pair least = rod ? brick_pair_of(1.0) : brick_pair_shift(up, I[small]);
-  int own[3], reverse, i, j;
-  brick_real sign[3];
-
-  p->small13 = e;
-  p->down13 = ldexp(1.0, e);
-  p->up13 = 1.0/p->down13;
-  p->D = brick_circulation(least, I[large], brick_pair_shift(p->up13, w[small]),
-      brick_pair_shift(p->up13, w[large]), low, high);
-  reverse = rod || p->D.hi < 0.0 || !(high.hi > 0.0); /* D may have underflowed: w1 of an axis of symmetry */
-  own[0] = reverse ? large : small;
-  own[1] = middle;
-  own[2] = reverse ? small : large;
-  p->s = reverse ? -1.0 : 1.0;
-  p->D = reverse ? brick_pair_minus(p->D) : p->D;
-  p->d21 = reverse ? high : low;
-  p->d32 = reverse ? low : high;
-  p->d31 = brick_pair_add(low, brick_pair_shift(down, high)); /* of nearly equal pairs two differences have digits */
-  p->small = down;
-  sign[0] = w[own[0]].hi < 0.0 ? -1.0 : 1.0;
-  sign[2] = w[own[2]].hi < 0.0 ? -1.0 : 1.0;
-  sign[1] = own[1] == (own[0] + 1) % 3 ? sign[0]*sign[2] : -sign[0]*sign[2]; /* right-handed */
-  for (i = 0; i < 3; i++) {
-    p->I[i] = I[own[i]];
-    p->J[i] = own[i] == small ? least : I[own[i]];
-    p->w[i] = brick_pair_shift(sign[i], w[own[i]]);
-    for (j = 0; j < 3; j++) p->axis[i][j] = sign[i]*axis[own[i]][j].hi;
-  }
-}
-
-/* amplitudes, rate and modulus: sums of terms of one sign */
-static void brick_invariants(brick_top *p)
-{
-  const brick_real unit = p->s > 0.0 ? p->small : 1.0; /* what J1 and d32 are over */
-  brick_pair w1, w2, first, second, wide, g, B3;
-  int i;
-
-  p->small12 = brick_exponent(p->w[0].hi, p->w[1].hi);
-  p->down12 = ldexp(1.0, p->small12);
-  p->up12 = 1.0/p->down12;
-  w1 = brick_pair_shift(p->up12, p->w[0]);
-  w2 = brick_pair_shift(p->up12, p->w[1]);
-  first = brick_pair_multiply(p->J[0], p->d31);
-  second = brick_pair_multiply(p->I[1], p->d32);
-  p->cross = brick_pair_root(brick_pair_multiply(first, second));
-  p->part1 = brick_pair_multiply(first, brick_pair_multiply(w1, w1));
-  p->part2 = brick_pair_multiply(second, brick_pair_multiply(w2, w2));
-  p->Delta3 = brick_pair_add(p->part1, p->part2);
-  if (p->d21.hi > 0.0) {
-    wide = brick_pair_multiply(p->J[2], p->d31);
-    p->Lambda1 = brick_pair_add(brick_square_term(p->I[1], p->w[1], p->d21),
-        brick_pair_multiply(wide, brick_pair_multiply(p->w[2], p->w[2])));
-    p->b3 = brick_pair_root(brick_pair_divide(p->Lambda1, wide));
-    wide = brick_pair_multiply(p->d32, p->Lambda1);
-    p->k2 = brick_pair_divide(brick_pair_multiply(p->d21, p->Delta3), wide);
-    p->kc2 = brick_pair_divide(brick_pair_multiply(p->d31, p->D), wide);
-  } else { /* symmetric about axis 3: w3 is constant, however small, and k = 0 */
-    p->b3 = p->w[2];
-    p->k2 = brick_pair_of(0.0);
-    p->kc2 = brick_pair_of(1.0);
-    p->small13 = 0;
-    p->down13 = p->up13 = 1.0;
-  }
-  p->lambda = brick_pair_divide(brick_pair_multiply(p->b3, p->cross), brick_pair_multiply(p->J[0], p->I[1]));
-  p->G = brick_pair_of(0.0);
-  for (i = 0; i < 3; i++) {
-    g = brick_pair_multiply(p->I[i], p->w[i]);
-    p->G = brick_pair_add(p->G, brick_pair_multiply(g, g));
-  }
-  p->G = brick_pair_root(p->G);
-
-  /* at u = 0, where L = (B1, 0, B3): tan = B1/(G + B3), and the phase of a turns at half of w3 + w1 tan */
-  B3 = brick_pair_multiply(p->I[2], p->b3);
-  g = brick_pair_add(p->G, B3);
-  first = brick_pair_divide(p->Delta3, p->d31);                              /* B1^2/I1 */
-  p->T = brick_pair_divide(brick_pair_root(brick_pair_shift(unit, brick_pair_multiply(p->I[0], first))), g);
-  p->climb = brick_pair_add(p->b3, brick_pair_shift(unit,
-      brick_pair_shift(p->down12, brick_pair_shift(p->down12, brick_pair_divide(first, g)))));
-  p->b[0] = sqrt(first.hi/p->J[0].hi);
-  p->b[1] = sqrt(p->Delta3.hi/second.hi);
-  p->b[2] = p->b3.hi;
-}
-
-/* c[0] + c[1] y[1] + ...: a series in multiple angles, y[n+1] = 2 X y[n] - y[n-1], as a polynomial in X; y[0] = 1 and
- * y[1] = first + slope X */
-static void brick_polynomial(int n, const brick_real c[], brick_real first, brick_real slope,
-    brick_real out[])
-{
-  brick_real before[5] = {1.0, 0.0, 0.0, 0.0, 0.0};
-  brick_real now[5] = {first, slope, 0.0, 0.0, 0.0}, next[5];
-  int i, k;
-
-  for (k = 0; k < n; k++) out[k] = k == 0 ? c[0] : 0.0;
-  for (i = 1; i < n; i++) {
-    for (k = 0; k <= i; k++) out[k] += c[i]*now[k];
-    for (k = 0; k < 5; k++) next[k] = (k > 0 ? 2.0*now[k - 1] : 0.0) - before[k];
-    for (k = 0; k < 5; k++) {
-      before[k] = now[k];
-      now[k] = next[k];
-    }
-  }
-}
-
-/* ---- set-up away from the separatrix ---- */
-
-/* The means a, g of 1 and k' (DLMF 19.8.2), as far as they are needed: after four steps they agree to 2^-35, and what is
- * left is added as a series. */
-typedef struct brick_agm {
-  brick_pair k, a1, g1, a2, g2, a3, g3; /* k' first */
-  brick_pair M;                         /* their limit, pi/(2 K) */
-  brick_pair q;                         /* nome, up12^2 */
-} brick_agm;
-
-/* The nome: q^(2^n) = e + 2 e^5 + 15 e^9 + ... with e = (a_n - g_n)/(8 a_(n+2)) (DLMF 19.5.6 at the n-th modulus).  From
- * n to n + 1 e becomes e^2 a_(n+2)/a_(n+3), which gives q as a product that ends quickly,
- *     q = k^2/(8 a_1 (1 + g_1) sqrt a_3) (a_3/a_4)^(1/4) (a_4/a_5)^(1/8) ... */
-static void brick_nome(brick_agm *f, const brick_top *p)
-{
-  const brick_pair one = brick_pair_of(1.0);
-  brick_pair a4, a5, d, rest, u;
-  brick_real t;
-
-  f->k = brick_pair_root(brick_pair_shift(p->down13, brick_pair_shift(p->down13, p->kc2)));
-  f->a1 = brick_pair_shift(0.5, brick_pair_add(one, f->k));
-  f->g1 = brick_pair_root(f->k);
-  f->a2 = brick_pair_shift(0.5, brick_pair_add(f->a1, f->g1));
-  f->g2 = brick_pair_root(brick_pair_multiply(f->a1, f->g1));
-  f->a3 = brick_pair_shift(0.5, brick_pair_add(f->a2, f->g2));
-  f->g3 = brick_pair_root(brick_pair_multiply(f->a2, f->g2));
-  d = brick_pair_subtract(f->a3, f->g3);
-  a4 = brick_pair_subtract(f->a3, brick_pair_shift(0.5, d));
-  u = brick_pair_multiply(d, d);
-  t = u.hi/((brick_real)16*a4.hi);
-  /* a_4 - a_5 = (a_3 - g_3)^2/(16 a_5) */
-  rest = brick_pair_divide(u, brick_pair_shift((brick_real)16, brick_pair_subtract(a4, brick_pair_of(t))));
-  a5 = brick_pair_subtract(a4, rest);
-  f->M = brick_pair_subtract(a5, brick_pair_of(t*t/(4.0*a5.hi)));
-
-  /* (1 + 4 u)^(1/4) = 1 + u - 3/2 u^2 + 7/2 u^3 - 77/8 u^4 + 231/8 u^5, u < 2^-18 */
-  u = brick_pair_divide(brick_pair_shift(0.125, d), a4);
-  t = u.hi;
-  u = brick_pair_add(u, brick_pair_subtract(brick_pair_of((t*t*t)*((brick_real)7/2.0
-      - t*((brick_real)77/8.0 - t*((brick_real)231/8.0)))),
-      brick_pair_times(1.5, brick_pair_multiply(u, u))));
-  /* (1 + 8 r)^(1/8) = 1 + r - 7/2 r^2, and a_5/a_6 = 1 + 16 r^2 */
-  rest = brick_pair_divide(brick_pair_shift(0.125, rest), a5);
-  t = rest.hi;
-  u = brick_pair_add(u, brick_pair_add(rest, brick_pair_of(t*(u.hi - (brick_real)5/2.0*t*(1.0 + u.hi)))));
-  f->q = brick_pair_divide(p->k2, brick_pair_shift(8.0,
-      brick_pair_multiply(f->a1, brick_pair_multiply(brick_pair_add(one, f->g1), brick_pair_root(f->a3)))));
-  f->q = brick_pair_add(f->q, brick_pair_multiply(f->q, u));
-}
-
-/* z at t = 0, in units of pi.  Two of Gauss's transformations, in which z is doubled (DLMF 22.7.2 and its companions), lead
- * to functions of nome q^4, where sc = tan up to q^8 (DLMF 20.2.1-2, 22.2). */
-static brick_pair brick_start(const brick_top *p, const brick_agm *f, brick_real q8)
-{
-  const brick_real size = ldexp(1.0, -brick_exponent(p->Delta3.hi, 0.0)), q24 = q8*q8*q8;
-  const brick_pair w12 = brick_pair_multiply(brick_pair_shift(p->up12, p->w[0]),
-      brick_pair_shift(p->up12, p->w[1]));
-  const brick_pair c = brick_pair_shift(size, brick_pair_subtract(p->part1,
-      brick_pair_multiply(f->k, p->part2)));
-  const brick_pair s = brick_pair_shift(p->s*size*2.0,
-      brick_pair_multiply(f->a1, brick_pair_multiply(w12, p->cross)));
-  brick_pair x = brick_pair_multiply(f->a2, brick_pair_subtract(brick_pair_multiply(f->a1,
-      brick_pair_multiply(c, c)), brick_pair_multiply(f->g1, brick_pair_multiply(s, s))));
-  brick_pair y = brick_pair_multiply(f->g3, brick_pair_shift(2.0,
-      brick_pair_multiply(f->a2, brick_pair_multiply(c, s))));
-  brick_real more_x = 0.0, more_y = 0.0, cosine, X, Y;
-  int i;
-
-  for (i = 0; i < 3; i++) { /* the series know cos 8 z to 2^-15, 2^-30, 2^-45 */
-    X = x.hi + more_x;
-    Y = y.hi + more_y;
-    cosine = (X - Y)*(X + Y)/(X*X + Y*Y);
-    X = 2.0*cosine;
-    more_x = x.hi*(q24*(X*X + X - 1.0) - q8*(1.0 + X));
-    more_y = y.hi*(q24*(X*X - X - 1.0) - q8*(1.0 - X));
-  }
-  /* 4 z, or less by a turn if |2 z| > pi/2 (c < 0) */
-  x = brick_pair_angle(brick_pair_add(x, brick_pair_of(more_x)), brick_pair_add(y, brick_pair_of(more_y)));
-  X = p->s*p->w[1].hi; /* sin 2 z has its sign; where c is 0, x is pi */
-  if (c.hi < 0.0 || (!(c.hi > 0.0) && X < 0.0)) x = brick_pair_add(x,
-      brick_pair_shift(X < 0.0 ? -2.0 : 2.0, brick_pi()));
-  return brick_pair_shift(0.25, brick_pair_multiply(x, brick_inverse_pi()));
-}
-
-/* The coefficients away from the separatrix: E = q^(1/2) e^eta, r = e^(-2 eta) */
-static void brick_circular_series(brick_orbit *o, brick_real s, brick_real q, brick_real E, brick_real r)
-{
-  brick_real e[8], g[8], c[5], Q[26], sign;
-  int n;
-
-  /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin z - ... */
-  e[0] = g[0] = 1.0;
-  for (n = 1; n < 8; n++) {
-    e[n] = e[n - 1]*E;
-    g[n] = g[n - 1]*(E*r);
-  }
-  Q[0] = 1.0; /* powers of q */
-  for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q;
-  /* what q <= exp(-pi/2) leaves above 2^-54 */
-  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = n == 0 ? 1.0 : sign*Q[n*(2*n - 1)]*(e[2*n] + g[2*n]);
-  brick_polynomial(4, c, 0.0, 1.0, o->a);
-  for (n = 1, sign = -2.0; n < 4; n++, sign = -sign) c[n - 1] = s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
-  brick_polynomial(3, c, 0.0, 2.0, o->b);
-  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
-  brick_polynomial(4, c, 1.0, 2.0, o->c);
-  for (n = 0, sign = -1.0; n < 4; n++, sign = -sign) c[n] = sign*Q[n*(2*n + 1)]*(e[2*n + 1] - g[2*n + 1]);
-  brick_polynomial(4, c, -1.0, 2.0, o->d);
-
-  /* theta2(z; q), theta1(z; q) without 2 q^(1/4), theta3(z; q), each over what makes it cn, sn, dn times theta4/theta4(0) */
-  {
-    brick_real two_ = 0.0, three_ = 1.0, four_ = 1.0;
-
-    for (n = 0; n < 5; n++) two_ += Q[n*(n + 1)];
-    for (n = 1; n < 6; n++) {
-      three_ += 2.0*Q[n*n];
-      four_ += (n % 2 ? -2.0 : 2.0)*Q[n*n];
-    }
-    for (n = 0; n < 5; n++) c[n] = Q[n*(n + 1)];
-    brick_polynomial(5, c, -1.0, 2.0, o->f);
-    for (n = 0; n < 5; n++) c[n] = (n ? 2.0 : 1.0)*Q[n*n];
-    brick_polynomial(5, c, 0.0, 1.0, o->f + 5);
-    o->scale[0] = 1.0/two_;
-    o->scale[1] = s*three_/(two_*four_);
-    o->scale[2] = 1.0/three_;
-  }
-}
-
-/* At u = 0 b/a = T.  With v = E - q/E, S = q (E^2 + (q/E)^2) = q (v^2 + 2 q) the two series are
- *     b = v (1 - q^2 (S + q^2) + q^8 (S^2 + q^2 S - q^4) - ...),
- *     a = 1 - S + q^4 (S^2 - 2 q^4) - q^12 (S^3 - 3 q^4 S) + ...:
- * one equation for v, solved by Newton's method, the last step in pairs.  There the phase of a(t) turns at half of
- * `climb`, theta4 has its part in it, and the rest is mu: with d = q (E^2 - (q/E)^2)
- *     mu = climb/2 + s z' (2 d - 4 q^4 d S + 6 q^12 d (S^2 - q^4) - ...)/a. */
-static void brick_circular(brick_orbit *o, const brick_top *p)
-{
-  const brick_pair one = brick_pair_of(1.0);
-  brick_pair q, q2, q4, q8, S, S2, a, b, v, d, rate, start, turn;
-  brick_agm f;
-  brick_real q24, T = p->T.hi, square = p->down12*p->down12, x, da, db, dS, E, r;
-  int i;
-
-  brick_nome(&f, p);
-  q = brick_pair_shift(square, f.q);
-  q2 = brick_pair_multiply(q, q);
-  q4 = brick_pair_multiply(q2, q2);
-  q8 = brick_pair_multiply(q4, q4);
-  q24 = q8.hi*q8.hi*q8.hi;
-  start = brick_start(p, &f, q8.hi);
-  rate = brick_pair_multiply(brick_pair_multiply(p->lambda, f.M), brick_inverse_pi());
-
-  x = T/(1.0 + q.hi*(T*T*square));
-  dS = S.hi = da = db = 0.0;
-  for (i = 0; i < 4; i++) { /* errors 2^-4, 2^-11, 2^-24, 2^-49, rounding; v, T and E are all up12 */
-    const brick_real s = q.hi*(square*(x*x + 2.0*f.q.hi)), Q = q4.hi, Q2 = q2.hi, Q8 = q8.hi;
-    const brick_real up = 1.0 - s + Q*(s*s - 2.0*Q - Q8*s*(s*s - 3.0*Q));
-    const brick_real down = 1.0 - Q2*(s + Q2) + Q8*((s*s + Q2*s - Q) - Q8*Q2*(s*(s*(s + Q2) - 2.0*Q) - Q*Q2));
-
-    da = Q*(2.0*s - 3.0*Q8*(s*s - Q)) - 1.0;
-    db = Q8*(2.0*s + Q2) - Q2;
-    dS = 2.0*q.hi*(square*x);
-    x += (T*up - x*down)/(down - (T*da - x*db)*dS);
-  }
-  S = brick_pair_multiply(brick_pair_shift(square, q),
-      brick_pair_add(brick_pair_product(x, x), brick_pair_shift(2.0, f.q)));
-  S2 = brick_pair_multiply(S, S);
-  a = brick_pair_subtract(brick_pair_subtract(S2, brick_pair_shift(2.0, q4)),
-      brick_pair_multiply(brick_pair_multiply(q8, S), brick_pair_subtract(S2, brick_pair_times(3.0, q4))));
-  a = brick_pair_add(brick_pair_subtract(one, S), brick_pair_multiply(q4, a));
-  a = brick_pair_add(a, brick_pair_of(q24*(S2.hi*(S2.hi - 4.0*q4.hi) + 2.0*q8.hi)));
-  b = brick_pair_multiply(q2, brick_pair_add(S, q2));
-  d = brick_pair_multiply(q8, brick_pair_subtract(brick_pair_add(S2, b), brick_pair_shift(2.0, q4)));
-  r = q2.hi*(S.hi*(S2.hi + q2.hi*S.hi - 2.0*q4.hi) - q2.hi*q4.hi);
-  r = q8.hi*q8.hi*(r - q8.hi*q8.hi*(S.hi*(S.hi*(S.hi*(S.hi + q2.hi) - 3.0*q4.hi) - 2.0*q2.hi*q4.hi) + q8.hi));
-  b = brick_pair_add(brick_pair_subtract(one, b), brick_pair_subtract(d, brick_pair_of(r)));
-  r = brick_pair_subtract(brick_pair_multiply(p->T, a), brick_pair_times(x, b)).hi/(b.hi - (T*da - x*db)*dS);
-  v = brick_pair_sum(x, r);
-  S.lo += dS*r;
-  S2.lo += 2.0*S.hi*(dS*r);
-  a.lo += da*dS*r;
-
-  d = brick_pair_root(brick_pair_add(brick_pair_multiply(v, v), brick_pair_shift(4.0, f.q)));
-  E = 0.5*(v.hi + d.hi);
-  r = f.q.hi/(E*E);
-  E *= p->down12;
-  d = brick_pair_multiply(brick_pair_multiply(brick_pair_shift(square, q), v), d);
-  turn = brick_pair_subtract(brick_pair_shift(2.0, S),
-      brick_pair_multiply(brick_pair_times(3.0, q8), brick_pair_subtract(S2, q4)));
-  turn = brick_pair_add(brick_pair_subtract(one, brick_pair_multiply(q4, turn)),
-      brick_pair_of(-4.0*q24*(S.hi*(S2.hi - 2.0*q4.hi)
-      - ((brick_real)5/4.0)*(q8.hi*q8.hi)*(S2.hi*S2.hi))));
-  turn = brick_pair_multiply(brick_pair_multiply(rate, brick_pair_divide(d, a)), turn);
-  turn = brick_pair_add(brick_pair_shift(0.25, brick_pair_multiply(p->climb, brick_inverse_pi())),
-      brick_pair_shift(p->s, turn));
-  o->hyperbolic = 0;
-  brick_store(o->start, brick_pair_shift(0.5, start)); /* the rates have two periods of theta functions */
-  brick_store(o->rate, brick_pair_shift(0.5, rate));
-  brick_store(o->turn, turn);
-  brick_circular_series(o, p->s, q.hi, E, r);
-}
-
-/* ---- set-up near the separatrix ---- */
-
-/* c[n] p^(n(n + 1)) cosh((2n + 1)V)/cosh V, n < 4, summed, as a polynomial in U = p cosh 2V */
-static void brick_multiples(const brick_real c[4], brick_real p, brick_real out[4])
-{
-  const brick_real p2 = p*p, p4 = p2*p2, p8 = p4*p4;
-
-  out[0] = c[0] - p2*(c[1] + p4*(c[2] - p4*p2*c[3]));
-  out[1] = 2.0*p*(c[1] - p4*(c[2] + 2.0*p4*p2*c[3]));
-  out[2] = 2.0*2.0*p4*(c[2] - p4*p2*c[3]);
-  out[3] = 8.0*p8*p*c[3];
-}
-
-/* The coefficients near the separatrix, Q the nome of k': cosine[n] = cos((2n + 1)h), sine[n] = -+s sin((2n + 1)h), or a
- * multiple of both */
-static void brick_hyperbolic_series(brick_orbit *o, brick_real s, brick_real Q, const brick_real cosine[4],
-    const brick_real sine[4])
-{
-  const brick_real P = sqrt(Q), Q2 = Q*Q;
-  brick_real two_, three_, four_;
-
-  o->nome = 0.5*P;
-  brick_multiples(cosine, P, o->a);
-  brick_multiples(sine, P, o->b);
-  o->f[0] = 1.0 + 2.0*Q2*Q2; /* with (n + 1/2)^2 = 2 (n(n + 1)/2) + 1/4 ... */
-  o->f[1] = -8.0*2.0*Q2*Q;
-  o->f[2] = 8.0*2.0*Q2;
-  o->f[3] = -2.0*Q;
-  o->f[4] = 2.0*2.0;
-  o->f[5] = 1.0 + Q2;
-  o->f[6] = -2.0*2.0*(Q + 1.5*2.0*Q2*Q2*Q);
-  o->f[7] = 8.0*2.0*Q2*Q2;
-  /* cn, sn, dn times theta2/theta2(0), nome q', scaled */
-  two_ = 1.0 + Q*Q + Q*Q*Q*Q*Q*Q;
-  three_ = 1.0 + 2.0*(Q + Q*Q*Q*Q);
-  four_ = 1.0 - 2.0*(Q - Q*Q*Q*Q);
-  o->scale[0] = 1.0/four_;
-  o->scale[1] = s*three_/(2.0*two_*four_);
-  o->scale[2] = 1.0/three_;
-}
-
-/* V at t = 0 for k' <= 0.172, by the imaginary transformation: functions of 2 i V of nome Q (DLMF 22.6.ix, 22.2), from
- * cd = dn of that, which is 1 - w + ... over 1 + w + ..., w = 2 Q cosh 4V, and sc = tanh of it, which gives sinh 2V.
- * Where dn u < sqrt k' the same for K - u, half a period less V: so w <= sqrt Q. */
-static brick_pair brick_hyperbolic_start(const brick_top *p, brick_pair k, brick_pair Q, brick_pair period)
-{
-  const brick_pair one = brick_pair_of(1.0), w1 = brick_pair_shift(p->up13, p->w[0]),
-      w3 = brick_pair_shift(p->up13, p->w[2]);
-  const brick_pair kc = brick_pair_root(p->kc2), Q2 = brick_pair_multiply(Q, Q);
-  const brick_pair two_ = brick_pair_add(one, brick_pair_add(Q2, brick_pair_of(Q2.hi*Q2.hi*Q2.hi))),
-      three_ = brick_pair_add(one, brick_pair_shift(2.0, brick_pair_add(Q, brick_pair_multiply(Q2, Q2))));
-  const brick_real q = Q.hi, sign = (p->w[1].hi < 0.0) == (p->s < 0.0) ? 1.0 : -1.0;
-  brick_real dn = w3.hi/p->b3.hi, more;
-  const int far = dn*dn*p->down13 < kc.hi;
-  int e = p->small12 - p->small13;
-  brick_pair up, down, y, w, V;
-
-  up = brick_pair_multiply(brick_pair_shift(p->w[1].hi < 0.0 ? -p->up12 : p->up12, p->w[1]), p->cross);
-  down = brick_pair_multiply(w1, brick_pair_multiply(p->J[0], p->d31)); /* sc = up/down 2^e */
-  if (far) {
-    y = brick_pair_root(brick_pair_divide(brick_pair_multiply(k, p->part2), p->Delta3));
-    w = brick_pair_multiply(up, kc);
-    up = down;
-    down = w;
-    e = -p->small12;
-  } else {
-    y = brick_pair_divide(brick_pair_multiply(p->J[0], brick_pair_multiply(p->Lambda1, k)),
-        brick_pair_multiply(p->J[2], p->Delta3));
-    y = brick_pair_divide(brick_pair_shift(p->up12, brick_pair_multiply(w1, brick_pair_root(y))), w3);
-  }
-  w = brick_pair_divide(brick_pair_subtract(one, y), brick_pair_add(one, y));
-  more = Q2.hi*(w.hi*w.hi - 2.0*Q2.hi); /* 2 Q^4 cosh 8V = Q^2 (w^2 - 2 Q^2) */
-  dn = w.hi*(1.0 + more);
-  more = Q2.hi*(dn*dn - 2.0*Q2.hi);
-  w = brick_pair_add(w, brick_pair_of(w.hi*more));
-  up = brick_pair_multiply(brick_pair_multiply(up, two_),
-      brick_pair_add(brick_pair_subtract(one, w), brick_pair_of(more)));
-  V = brick_pair_subtract(one, brick_pair_multiply(Q, brick_pair_add(w, Q)));
-  V = brick_pair_add(V, brick_pair_of(Q2.hi*Q2.hi*(w.hi*w.hi + q*w.hi - Q2.hi)));
-  V = brick_pair_divide(up, brick_pair_multiply(brick_pair_multiply(down, three_), V)); /* sinh 2V 2^-e */
-  if (ldexp(V.hi, e) > 1.0) {
-    y = brick_pair_scale(brick_pair_divide(one, V), -e);
-    V = brick_pair_log(brick_pair_multiply(V, brick_pair_add(one,
-        brick_pair_root(brick_pair_add(one, brick_pair_multiply(y, y))))), e);
-  } else {
-    V = brick_pair_scale(V, e);
-    V = brick_pair_log(brick_pair_add(V, brick_pair_root(brick_pair_add(one, brick_pair_multiply(V, V)))), 0);
-  }
-  V = brick_pair_shift(0.5, V);
-  if (far) V = brick_pair_subtract(brick_pair_shift(0.5, period), V);
-  return brick_pair_shift(sign, V);
-}
-
-/* Near the separatrix, Q the nome of k'.  Its period is pi kappa = -log(Q)/2 (none on the separatrix), at which the phase
- * about L jumps by -2 s h, h = kappa eta.  At u = 0 b/a = T is
- *     (sin h - Q sin 3h + Q^3 sin 5h - ...)/(cos h + Q cos 3h + Q^3 cos 5h + ...),
- * an equation for x = tan h; c = cos 2h.  Half of `climb` there is mu - s V' d log theta2/dh. */
-static void brick_hyperbolic(brick_orbit *o, const brick_top *p)
-{
-  const brick_pair one = brick_pair_of(1.0);
-  const brick_pair k = brick_pair_root(brick_pair_shift(p->down12, brick_pair_shift(p->down12, p->k2))),
-      more = brick_pair_add(one, brick_pair_root(k));
-  const brick_real T = brick_pair_shift(p->down12, p->T).hi, square = p->down13*p->down13;
-  brick_pair Q, Q2, Q3, c, first, second, up, down, rise, rate, start, turn, period, tangent;
-  brick_real sine[5], cosine[5], q, q3, q6, x, C, dc, slope, r;
-  int i;
-
-  /* nome (DLMF 19.5.6) up13^2; theta3(0; Q)^2 = 2 K'/pi */
-  Q = brick_pair_divide(brick_pair_shift(0.5, p->kc2),
-      brick_pair_multiply(brick_pair_add(one, k), brick_pair_multiply(more, more)));
-  Q2 = brick_pair_shift(square, brick_pair_shift(square, brick_pair_multiply(Q, Q)));
-  Q2 = brick_pair_multiply(Q2, Q2);
-  Q = brick_pair_add(Q, brick_pair_multiply(Q, brick_pair_add(brick_pair_shift(2.0, Q2),
-      brick_pair_of((brick_real)15*(Q2.hi*Q2.hi)))));
-  period = brick_pair_of(0.0);
-  /* else on the separatrix, to the last bit */
-  if (Q.hi > 0.0) period = brick_pair_shift(-0.5, brick_pair_log(Q, 2*p->small13));
-  Q = brick_pair_shift(square, Q);
-  Q2 = brick_pair_multiply(Q, Q);
-  Q3 = brick_pair_multiply(Q2, Q);
-  q = Q.hi;
-  q3 = Q3.hi;
-  q6 = q3*q3;
-  c = brick_pair_add(Q, brick_pair_add(brick_pair_multiply(Q2, Q2), brick_pair_of(q6*q3)));
-  c = brick_pair_add(one, brick_pair_shift(2.0, c));
-  rate = brick_pair_divide(brick_pair_shift(0.5, p->lambda), brick_pair_multiply(c, c));
-
-  x = T;
-  slope = C = dc = 0.0;
-  for (i = 0; i < 3; i++) { /* errors 2^-8, 2^-25, 2^-59 */
-    const brick_real u = 1.0/(1.0 + x*x);
-
-    C = (1.0 - x*x)*u;
-    dc = -4.0*x*(u*u);
-    slope = 1.0 - q*(1.0 + 2.0*C) + q3*(4.0*C*C + 2.0*C - 1.0);
-    r = T*(1.0 + q*(2.0*C - 1.0) + q3*(4.0*C*C - 2.0*C - 1.0)) - x*slope;
-    slope += dc*(x*(q3*(8.0*C + 2.0) - 2.0*q) - T*(2.0*q + q3*(8.0*C - 2.0)));
-    x += r/slope;
-  }
-  sine[0] = cosine[0] = 1.0; /* over sin h, cos h: of h, 3 h, ... 9 h */
-  sine[1] = 2.0*C + 1.0;
-  cosine[1] = 2.0*C - 1.0;
-  for (i = 2; i < 5; i++) {
-    sine[i] = 2.0*C*sine[i - 1] - sine[i - 2];
-    cosine[i] = 2.0*C*cosine[i - 1] - cosine[i - 2];
-  }
-
-  c = brick_pair_product(x, x);
-  c = brick_pair_divide(brick_pair_subtract(one, c), brick_pair_add(one, c));
-  first = brick_pair_multiply(Q, brick_pair_add(one, brick_pair_shift(2.0, c)));
-  second = brick_pair_multiply(Q3, brick_pair_subtract(brick_pair_shift(2.0,
-      brick_pair_add(c, brick_pair_shift(2.0, brick_pair_multiply(c, c)))), one));
-  up = brick_pair_add(brick_pair_subtract(one, first),
-      brick_pair_subtract(second, brick_pair_of(q6*(sine[3] - q3*q*sine[4]))));
-  down = brick_pair_subtract(brick_pair_add(first, second),
-      brick_pair_shift(2.0, brick_pair_add(Q, brick_pair_shift(2.0, brick_pair_multiply(Q3, c)))));
-  down = brick_pair_add(brick_pair_add(one, down), brick_pair_of(q6*(cosine[3] + q3*q*cosine[4])));
-  rise = brick_pair_add(brick_pair_add(one, brick_pair_times(3.0, first)),
-      brick_pair_add(brick_pair_times(4.0 + 1.0, second),
-      brick_pair_of(q6*((brick_real)7*sine[3] + (brick_real)9*q3*q*sine[4]))));
-  r = brick_pair_subtract(brick_pair_multiply(brick_pair_shift(p->down12, p->T), down),
-      brick_pair_times(x, up)).hi/slope;
-  tangent = brick_pair_sum(x, r);
-  rise.lo += dc*r*((brick_real)6*q + (brick_real)5*q3*(8.0*C + 2.0));
-  down.lo += dc*r*(2.0*q + q3*(8.0*C - 2.0));
-  rise = brick_pair_multiply(rate, brick_pair_divide(brick_pair_multiply(tangent, rise), down));
-  turn = brick_pair_add(brick_pair_shift(0.5, p->climb), brick_pair_shift(p->s, rise));
-
-  start = brick_hyperbolic_start(p, k, Q, period);
-  turn = brick_pair_shift(0.5, brick_pair_multiply(turn, brick_inverse_pi()));
-  if (period.hi > 0.0) {
-    const brick_pair twice = brick_pair_shift(2.0, period),
-        jump = brick_pair_shift(p->s, brick_pair_multiply(brick_pair_angle(one, tangent), brick_inverse_pi()));
-
-    rate = brick_pair_divide(rate, twice);
-    brick_store(o->rate, rate);
-    brick_store(o->start, brick_pair_divide(start, twice));
-    brick_store(o->turn, brick_pair_subtract(turn, brick_pair_shift(2.0, brick_pair_multiply(jump, rate))));
-    o->jump = jump.hi;
-    o->half = brick_pair_divide(period, brick_log2()).hi;
-  } else { /* none: that of 1.2676506002282294e30, beyond which V never comes */
-    const brick_pair twice = brick_pair_shift(2.0, brick_pair_times(1.2676506002282294e30, brick_log2()));
-
-    brick_store(o->rate, brick_pair_divide(rate, twice));
-    brick_store(o->start, brick_pair_divide(start, twice));
-    brick_store(o->turn, turn);
-    o->half = 1.2676506002282294e30;
-  }
-  o->hyperbolic = o->half < 2.0*500.0 ? 1 : 2;
-  for (i = 0; i < 4; i++) sine[i] *= (i % 2 ? p->s : -p->s)*tangent.hi; /* all over cos h */
-  brick_hyperbolic_series(o, p->s, q, cosine, sine);
-}
-
-static void brick_quaternion_product(const brick_real a[4], const brick_real b[4], brick_real out[4])
-{
-  out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
-  out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
-  out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
-  out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
-}
-
-/* ---- set-up from a state ---- */
-
-static brick_pair brick_unit_quaternion(const brick_real q[4], brick_real out[4])
-{
-  brick_pair sum = brick_pair_of(0.0), length;
-  brick_real big = 0.0;
-  int i, e;
-
-  for (i = 0; i < 4; i++) big = fabs(q[i]) > big ? fabs(q[i]) : big;
-  (void)frexp(big, &e);
-  for (i = 0; i < 4; i++) {
-    out[i] = ldexp(q[i], -e);
-    sum = brick_pair_add(sum, brick_pair_product(out[i], out[i]));
-  }
-  length = brick_pair_root(sum);
-  for (i = 0; i < 4 && big > 0.0; i++) out[i] = brick_pair_divide(brick_pair_of(out[i]), length).hi;
-  return length;
-}
-
-/* Constant rotation: w and L are parallel; axis 3 is theirs, and p = 0, E = 0. */
-static void brick_constant(brick_orbit *o, brick_top *p, const brick_real w[3])
-{
-  brick_pair length = brick_pair_of(0.0);
-  int i, j;
-
-  for (i = 0; i < 3; i++) length = brick_pair_add(length, brick_pair_product(w[i], w[i]));
-  length = brick_pair_root(length);
-  for (i = 0; i < 3; i++) {
-    for (j = 0; j < 2; j++) p->axis[j][i] = 0.0;
-    p->axis[2][i] = length.hi > 0.0 ? brick_pair_divide(brick_pair_of(w[i]), length).hi : 0.0;
-  }
-  p->b[0] = p->b[1] = 0.0;
-  p->b[2] = length.hi;
-  o->a[0] = o->f[5] = 1.0;
-  brick_store(o->turn, brick_pair_divide(length, brick_pair_scale(brick_pi(), 2)));
-  o->scale[2] = 1.0;
-}
-
-int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[])
-{
-  brick_orbit made;
-  brick_top p;
-  brick_pair I[3], axis[3][3], w[3];
-  brick_real tensor[6], rate[3], y[4], q0[4], n, size, turned, largest = 0.0;
-  brick_real x[BRICK_NX];
-  const brick_phases phases = {0.0, 0.0, 0.0, 0.0}, farthest = {(brick_real)1/4, 0.0, 0.0, 0.0};
-  brick_terms terms;
-  int order[3], scale, oblique, e, i, j, k;
-
-  brick_inertia(m, tensor);
-  oblique = fabs(tensor[3]) + fabs(tensor[4]) + fabs(tensor[5]) > 0.0;
-  for (i = 0; i < BRICK_NX; i++) {
-    if (!(x0[i] - x0[i] == 0.0)) return 1;
-  }
-  if (!(brick_unit_quaternion(x0 + BRICK_QW, q0).hi > 0.0)) return 1;
-  if (brick_principal_pairs(tensor, I, axis, order, &scale)) return 1;
-  (void)frexp(I[order[2]].hi, &e);
-  for (i = 0; i < 3; i++) I[i] = brick_pair_scale(I[i], -e);
-  size = 8.0*2.220446049250313e-16*I[order[2]].hi;
-  if (!(I[order[0]].hi > 0.0)) { /* a rod */
-    const brick_pair sum = brick_pair_add(I[order[1]], I[order[2]]);
-
-    if (I[order[0]].hi < -size || I[order[2]].hi - I[order[1]].hi > size) return 1;
-    I[order[0]] = brick_pair_of(0.0);
-    I[order[1]] = I[order[2]] = brick_pair_scale(sum, -1);
-  }
-  for (i = 0; i < 3; i++) largest = fabs(x0[BRICK_WX + i]) > largest ? fabs(x0[BRICK_WX + i]) : largest;
-  (void)frexp(largest, &e);
-  if (e > 0) e = e > 26 ? e - 26 : 0; /* subnormal rates beside it keep their bits */
-  for (i = 0; i < 3; i++) rate[i] = ldexp(x0[BRICK_WX + i], -e);
-  for (i = 0; i < 3; i++) {
-    w[i] = brick_pair_of(rate[i]);
-    if (!oblique) continue; /* axis i is the body's */
-    w[i] = brick_pair_times(rate[0], axis[i][0]);
-    for (j = 1; j < 3; j++) w[i] = brick_pair_add(w[i], brick_pair_times(rate[j], axis[i][j]));
-  }
-  for (i = 0, k = 0; i < 3; i++) { /* w x L = 0? */
-    j = (i + 1) % 3;
-    n = brick_pair_subtract(I[i], I[j]).hi;
-    if (fabs(w[i].hi) > 0.0 && fabs(w[j].hi) > 0.0 && fabs(n) > 0.0) k = 1;
-  }
-  brick_zero(&made, (unsigned int)sizeof(made));
-  made.s = 1.0;
-  if (!k) {
-    p.small12 = 0;
-    brick_constant(&made, &p, rate);
-  } else {
-    brick_label(&p, I, w, (const brick_pair(*)[3])axis, order);
-    brick_invariants(&p);
-    made.s = p.s;
-    /* from kappa = 1, k'^2 = 17 - 12 sqrt 2, on, where the two series converge alike */
-    if (p.kc2.hi*p.down13*p.down13 < 1.0/(brick_real)34) brick_hyperbolic(&made, &p);
-    else brick_circular(&made, &p);
-  }
-  for (i = 0; i < 2; i++) { /* high parts in halves, for Dekker's product */
-    brick_real *b = i == 0 ? made.rate : made.turn, c = 134217729.0*b[0];
-
-    b[2] = c - (c - b[0]);
-    b[3] = b[0] - b[2];
-    for (j = 0; j < 4; j++) b[j] = ldexp(b[j], e); /* per second again */
-  }
-  n = fabs(made.turn[0]) > made.rate[0] ? fabs(made.turn[0]) : made.rate[0];
-  made.last = n*1.0463951242053392e298 > 1125899906842624.0 ? 1125899906842624.0/n : 1.0463951242053392e298;
-  if (!(made.rate[0] - made.rate[0] == 0.0) || !(made.turn[0] - made.turn[0] == 0.0)) return 1;
-
-  /* the rates are over N^2, which is this at u = 0 */
-  terms = brick_terms_of(&made, phases, made.hyperbolic);
-  n = brick_square(&terms);
-  for (i = 0; i < 3; i++) {
-    for (j = 0; j < 3; j++) {
-      made.w[i][j] = ldexp(n*made.scale[i]*p.b[i]*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
-    }
-  }
-  /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */
-  for (i = 0; i < 4; i++) {
-    for (j = 0; j < 4; j++) made.q[i][j] = i == j ? 1.0 : 0.0;
-  }
-  terms = brick_terms_of(&made, brick_reduce(&made, 0.0), made.hyperbolic);
-  brick_attitude_of(&made, &terms, y);
-  turned = made.hyperbolic ? p.s : 1.0; /* of x and y */
-  y[1] *= turned;
-  y[2] *= turned;
-  (void)brick_unit_quaternion(y, y);
-  for (k = 0; k < 4; k++) {
-    brick_real unit[4] = {0.0, 0.0, 0.0, 0.0}, d[4], v[4];
-
-    unit[k] = k == 1 || k == 2 ? turned : 1.0;
-    for (i = 1; i < 4; i++) y[i] = k == 0 ? -y[i] : y[i];
-    brick_quaternion_product(y, unit, d);
-    v[0] = d[0];
-    for (j = 0; j < 3; j++) v[j + 1] = d[1]*p.axis[0][j] + d[2]*p.axis[1][j] + d[3]*p.axis[2][j];
-    brick_quaternion_product(q0, v, made.q[k]);
-  }
-  if (!brick_starts(&made)) return 1;
-  brick_state(&made, farthest, x); /* near the separatrix the terms of the rates are largest half a flip away */
-  for (i = 0; i < BRICK_NX; i++) {
-    if (!(x[i] - x[i] == 0.0)) return 1;
-  }
-  brick_copy(o, &made, (unsigned int)sizeof(made));
-  return 0;
-}
-
-/* ---- many times at once, in blocks of one vector of 512 bits ----
- * Loops of a fixed count over local arrays, without calls or branches: GCC and Clang vectorise them as they are, GCC at -O2
- * too.  The roots have a loop of their own, the only one that stays scalar where a root may set errno.  (One comparison is
- * left nearest to the separatrix, `hyperbolic` = 2, for which GCC wants -O3.) */
-enum { BRICK_BLOCK = 8 };
-
-BRICK_INLINE void brick_block(const brick_orbit *o, int hyperbolic, const brick_real t[], size_t n, brick_real x[])
-{
-  brick_real q[4][BRICK_BLOCK], w[3][BRICK_BLOCK], inverse[BRICK_BLOCK], root[BRICK_BLOCK];
-  size_t i, k;
-
-  for (k = 0; k < BRICK_BLOCK; k++) {
-    const brick_terms y = brick_terms_of(o, brick_reduce(o, t[k]), hyperbolic);
-    brick_real v[4], r[3];
-
-    brick_rates_of(o, &y, r);
-    w[0][k] = r[0];
-    w[1][k] = r[1];
-    w[2][k] = r[2];
-    brick_attitude_of(o, &y, v);
-    q[0][k] = v[0];
-    q[1][k] = v[1];
-    q[2][k] = v[2];
-    q[3][k] = v[3];
-    inverse[k] = 1.0/brick_square(&y);
-  }
-  for (k = 0; k < BRICK_BLOCK; k++) root[k] = sqrt(inverse[k]);
-  for (k = 0; k < BRICK_BLOCK; k++) {
-    const brick_real v[4] = {q[0][k], q[1][k], q[2][k], q[3][k]};
-
-    root[k] = brick_inverse_length(v, inverse[k], root[k]);
-  }
-  for (i = 0; i < 4; i++) {
-    for (k = 0; k < BRICK_BLOCK; k++) x[(BRICK_QW + i)*n + k] = root[k]*q[i][k];
-  }
-  for (i = 0; i < 3; i++) {
-    for (k = 0; k < BRICK_BLOCK; k++) x[(BRICK_WX + i)*n + k] = inverse[k]*w[i][k];
-  }
-}
-
-/* all of at least one block; the last two may overlap */
-BRICK_INLINE void brick_blocks(const brick_orbit *o, int hyperbolic, size_t n, const brick_real t[], brick_real x[])
-{
-  size_t k;
-
-  for (k = 0; k + BRICK_BLOCK <= n; k += BRICK_BLOCK) brick_block(o, hyperbolic, t + k, n, x + k);
-  if (k < n) brick_block(o, hyperbolic, t + n - BRICK_BLOCK, n, x + n - BRICK_BLOCK);
-}
-
-void brick_at_many(const brick_orbit *o, int n, const brick_real t[], brick_real x[])
-{
-  brick_real y[BRICK_NX];
-  int k, i;
-
-  if (n >= BRICK_BLOCK) {
-    if (o->hyperbolic == 0) brick_blocks(o, 0, (size_t)n, t, x);
-    else if (o->hyperbolic == 1) brick_blocks(o, 1, (size_t)n, t, x);
-    else brick_blocks(o, 2, (size_t)n, t, x);
-    return;
-  }
-  for (k = 0; k < n; k++) {
-    brick_at(o, t[k], y);
-    for (i = 0; i < BRICK_NX; i++) x[i*n + k] = y[i];
-  }
-}
-
-/* ---- time in ticks: phases as fractions of a turn, 128 bits, in which whole turns vanish by overflow ---- */
-
-/* a less whole turns, in units of 2^-128: {high, low}; sixteen bits at a time, each step exact */
-static void brick_fraction(brick_pair a, uint64_t out[2])
-{
-  const int negative = a.hi < 0.0; /* its size keeps the digits that 1 - |a| has not */
-  int i;
-
-  if (negative) {
-    a.hi = -a.hi;
-    a.lo = -a.lo;
-  }
-  if (!(fabs(a.lo) < 1.0)) a.lo -= floor(a.lo); /* so many turns that the rest has whole ones, too */
-  a = brick_pair_add(brick_pair_sum(a.hi, -floor(a.hi)), brick_pair_of(a.lo));
-  if (a.hi < 0.0) a = brick_pair_add(a, brick_pair_of(1.0));
-  out[0] = out[1] = 0;
-  for (i = 0; i < 8; i++) {
-    brick_real whole;
-
-    a.hi *= (brick_real)65536;
-    a.lo *= (brick_real)65536;
-    whole = floor(a.hi);
-    if (!(a.hi > whole) && a.lo < 0.0) whole -= 1.0;
-    a = brick_pair_sum(a.hi - whole, a.lo);
-    out[i/4] = out[i/4] << 16 | ((uint32_t)(int32_t)whole & 0xFFFFU);
-  }
-  if (negative) {
-    out[0] = 0 - out[0] - (out[1] > 0 ? 1U : 0U);
-    out[1] = 0 - out[1];
-  }
-}
-
-/* the upper half of start + n rate, modulo a turn */
-static uint64_t brick_counted(const uint64_t start[2], const uint64_t rate[2], int64_t n)
-{
-  const uint64_t m = n < 0 ? 0 - (uint64_t)n : (uint64_t)n, a = m >> 32, b = m & 0xFFFFFFFFU;
-  const uint64_t c = rate[1] >> 32, d = rate[1] & 0xFFFFFFFFU;
-  const uint64_t middle = a*d + (b*d >> 32), cross = b*c + (middle & 0xFFFFFFFFU); /* m rate[1], its upper half */
-  uint64_t high = m*rate[0] + a*c + (middle >> 32) + (cross >> 32), low = m*rate[1], sum;
-
-  if (n < 0) {
-    high = 0 - high - (low > 0 ? 1U : 0U);
-    low = 0 - low;
-  }
-  sum = start[1] + low;
-  return start[0] + high + (sum < low ? 1U : 0U);
-}
-
-/* a fraction as a signed number of turns, |turns| <= 1/2 */
-static brick_real brick_turns(uint64_t f)
-{
-  return f >> 63 ? -((brick_real)(0 - f)*5.421010862427522e-20) : (brick_real)f*5.421010862427522e-20;
-}
-
-int brick_set_tick(brick_orbit *o, brick_real h)
-{
-  const brick_pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]}, turn = {o->turn[0], o->turn[1]};
-  const brick_pair per = brick_pair_times(h, rate), mean = brick_pair_times(h, turn);
-
-  if (!(per.hi - per.hi == 0.0) || !(mean.hi - mean.hi == 0.0)) return 1;
-  o->tick = h;
-  brick_fraction(per, o->rate_tick);
-  brick_fraction(start, o->rate_start);
-  brick_fraction(mean, o->turn_tick);
-  o->turn_start[0] = o->turn_start[1] = 0;
-  return 0;
-}
-
-void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[])
-{
-  const uint64_t phase = brick_counted(o->rate_start, o->rate_tick, n);
-  const uint64_t turn = brick_counted(o->turn_start, o->turn_tick, n), last = 0xFFFFFFFFFFFFU; /* 48 bits */
-  const brick_real low = 0.5*brick_turns(phase << 1); /* without the half period that is nearest */
-  brick_phases p;
-
-  p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > 0.0 ? -0.5 : 0.5) : 0.0;
-  p.low = low;
-  if (!(o->half < 1.2676506002282294e30)) { /* rare: the separatrix has no period */
-    const uint64_t size = n < 0 ? 0 - (uint64_t)n : (uint64_t)n; /* in halves: small processors convert no more */
-    const brick_real ticks = (brick_real)(uint32_t)(size >> 32)*4294967296.0 + (brick_real)(uint32_t)size;
-    const brick_pair t = brick_pair_product(n < 0 ? -ticks : ticks, o->tick);
-
-    p = brick_reduce(o, t.hi);
-    p.low += o->rate[0]*t.lo;
-  }
-  p.turn = brick_turns(turn & ~last);
-  p.turn_low = brick_turns(turn & last);
-  brick_state(o, p, x);
-}
-
-/* ---- inverse questions ---- */
-
-/* are the rates periodic? */
-static int brick_periodic(const brick_orbit *o)
-{
-  return o->half < 1.2676506002282294e30;
-}
-
-/* Periods of the rates (0 if they have none) and turns about L in a second, both times 2^-e; the result is e.  b winds
- * once more than a in each period of z, of which the rates' has two: the phase of a is 2 mu, of both 2 mu + s z'. */
-static int brick_means(const brick_orbit *o, brick_pair *periods, brick_pair *turns)
-{
-  const brick_pair rate = {o->rate[0], o->rate[1]}, turn = {o->turn[0], o->turn[1]};
-  int e;
-
-  (void)frexp(fabs(turn.hi) > rate.hi ? turn.hi : rate.hi, &e);
-  *periods = brick_periodic(o) ? brick_pair_scale(rate, -e) : brick_pair_of(0.0);
-  *turns = brick_pair_add(brick_pair_scale(turn, 1 - e), brick_pair_times(o->s, *periods));
-  return e;
-}
-
-brick_real brick_polhode_period(const brick_orbit *o)
-{
-  if (!(o->rate[0] > 0.0)) return 0.0;
-  return brick_periodic(o) ? 1.0/o->rate[0] : HUGE_VAL;
-}
-
-brick_real brick_precession_rate(const brick_orbit *o)
-{
-  brick_pair periods, turns;
-  const int e = brick_means(o, &periods, &turns);
-
-  return ldexp(brick_pair_multiply(brick_pi(), turns).hi, e + 1);
-}
-
-brick_real brick_precession_period(const brick_orbit *o)
-{
-  brick_pair periods, turns;
-  const int e = brick_means(o, &periods, &turns);
-
-  return turns.hi > 0.0 ? ldexp(brick_pair_divide(brick_pair_of(1.0), turns).hi, -e) : HUGE_VAL;
-}
-
-brick_real brick_rotation_number(const brick_orbit *o)
-{
-  brick_pair periods, turns;
-
-  if (!(o->rate[0] > 0.0)) return 0.0;
-  (void)brick_means(o, &periods, &turns);
-  return brick_periodic(o) ? brick_pair_divide(turns, periods).hi : HUGE_VAL;
-}
-
-/* start + rate t = n/2, n the first integer whose t is later after rounding; on the separatrix n = 0 alone */
-brick_real brick_next_flip(const brick_orbit *o, brick_real t)
-{
-  const brick_pair start = {o->start[0], o->start[1]};
-  brick_pair rate = {o->rate[0], o->rate[1]}, n = brick_pair_of(0.0);
-  brick_real next;
-  int e, i;
-
-  if (!(rate.hi > 0.0)) return HUGE_VAL;
-  (void)frexp(rate.hi, &e); /* time in units of 2^-e, so that nothing leaves the range before t has no digits left */
-  rate = brick_pair_scale(rate, -e);
-  if (!brick_periodic(o)) {
-    next = ldexp(brick_pair_divide(brick_pair_minus(start), rate).hi, -e);
-    return next > t ? next : HUGE_VAL;
-  }
-  n = brick_pair_scale(brick_pair_add(start, brick_pair_times(ldexp(t, e), rate)), 1);
-  next = floor(n.hi);
-  n = brick_pair_sum(next, next < n.hi ? 0.0 : floor(n.lo));
-  for (i = 0; i < 2; i++) {
-    n = brick_pair_add(n, brick_pair_of(1.0));
-    next = ldexp(brick_pair_divide(brick_pair_subtract(brick_pair_scale(n, -1), start), rate).hi, -e);
-    if (next > t) return next;
-  }
-  return t + fabs(t)*2.220446049250313e-16; /* a period is less than t's last place: every t is near a flip */
-}
-
-/* ---- stability, small oscillations ---- */
-
-int brick_stability(const brick_real I[3], int k, brick_real s,
-    brick_real Omega[2], brick_real *rate)
-{
-  const int i = (k + 1) % 3, j = (k + 2) % 3;
-
-  /* about the line of a rod, which has no moment, the rate stays what it is */
-  Omega[0] = I[i] > 0.0 ? (I[k] - I[j])/I[i]*s : 0.0;
-  Omega[1] = I[j] > 0.0 ? (I[k] - I[i])/I[j]*s : 0.0;
-  *rate = sqrt(fabs(Omega[0]))*sqrt(fabs(Omega[1]));
-  if (Omega[0] == 0.0 || Omega[1] == 0.0) return 0;
-  return (Omega[0] > 0.0) == (Omega[1] > 0.0) ? 1 : -1;
-}
-
-void brick_linearised(const brick_real I[3], int k, const brick_real w0[3],
-    brick_real t, brick_real w[3])
-{
-  const int i = (k + 1) % 3, j = (k + 2) % 3;
-  const brick_real wi = w0[i], wj = w0[j], wk = w0[k];
-  brick_real Omega[2], rate, c = 1.0, s = t; /* cos(rate t) and sin(rate t)/rate; neutral: 1 and t */
-  const int verdict = brick_stability(I, k, wk, Omega, &rate);
-
-  if (verdict > 0) {
-    c = cos(rate*t);
-    s = sin(rate*t)/rate;
-  } else if (verdict < 0) {
-    c = cosh(rate*t);
-    s = sinh(rate*t)/rate;
-  }
-  w[i] = c*wi - Omega[0]*s*wj;
-  w[j] = c*wj + Omega[1]*s*wi;
-  w[k] = wk;
-}
-
-int brick_spin_stable(const brick_model *m, int axis, int dissipation)
-{
-  brick_real I[3], axes[9];
-  int order[3];
-  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-  int above_i, above_j; /* the signs of I_axis - I_i and I_axis - I_j */
-
-  brick_principal(m, I, axes);
-  order[0] = (I[1] > I[2]) - (I[1] < I[2]);
-  order[1] = (I[2] > I[0]) - (I[2] < I[0]);
-  order[2] = (I[0] > I[1]) - (I[0] < I[1]);
-  above_i = order[j];
-  above_j = -order[i];
-  if (!dissipation) return above_i*above_j;
-  if (above_i < 0 || above_j < 0) return -1;
-  return above_i*above_j;
 }

@@ -20,8 +20,6 @@
 #ifndef POLHODE_BRICK_HEADER
 #define POLHODE_BRICK_HEADER
 
-#include <stdint.h>
-
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -93,9 +91,6 @@ brick_real brick_mass(const brick_model *m, brick_real com[3]);
  * entries are minus the products of inertia), body axes, kg m^2. */
 void brick_inertia(const brick_model *m, brick_real I[6]);
 
-/* The tensor about the point a (from the origin of rotation, body axes, m), same six entries. */
-void brick_inertia_at(const brick_model *m, const brick_real a[3], brick_real I[6]);
-
 /* Kinetic energy T = w.I w/2, J. */
 brick_real brick_energy(const brick_model *m, const brick_real x[]);
 
@@ -104,11 +99,6 @@ void brick_momentum_body(const brick_model *m, const brick_real x[], brick_real 
 
 /* Angular momentum about the origin of rotation, inertial axes, kg m^2/s; |q| = 1. */
 void brick_momentum(const brick_model *m, const brick_real x[], brick_real L[3]);
-
-/* The torque from outside that makes the body turn with rates w and accelerations dw, body axes, N m
- * (the torque equation read backwards: N = dL/dt + w x L in the body frame). */
-void brick_torque(const brick_model *m, const brick_real w[3], const brick_real dw[3],
-                  brick_real N[3]);
 
 /* Equations of motion: dx = dx/dt at time t, state x, input u.  dx must not overlap x. */
 void brick_rhs(const brick_model *m, brick_real t, const brick_real x[], const brick_real u[],
@@ -119,130 +109,11 @@ void brick_rhs(const brick_model *m, brick_real t, const brick_real x[], const b
 void brick_step(const brick_model *m, brick_real t, brick_real x[], const brick_real u[],
                 brick_real h);
 
-/* Jacobian of the equations of motion, row major, NX x NX: J[i*NX + k] = d(dx[i])/d(x[k]). */
-void brick_jacobian(const brick_model *m, brick_real t, const brick_real x[],
-                    const brick_real u[], brick_real J[BRICK_NX*BRICK_NX]);
-
-/* Rate of change of the vector a in the inertial frame, from its rate da in the body frame;
- * all in body axes, w the body's rates. */
-void brick_rate(const brick_real w[3], const brick_real a[3], const brick_real da[3],
-                brick_real out[3]);
-
-/* Inertial acceleration of a point at r that moves with velocity v and acceleration a relative to the
- * body: the terms 2 w x v, w' x r, w x (w x r) apart, and total = a + all three; all in body axes. */
-void brick_acceleration(const brick_real w[3], const brick_real dw[3], const brick_real r[3],
-                        const brick_real v[3], const brick_real a[3], brick_real coriolis[3],
-                        brick_real euler[3], brick_real centrifugal[3], brick_real total[3]);
-
 /* Scales q of x to |q| = 1: for a q that was measured, received or averaged, and after steps of another integrator on
  * brick_rhs, which lets |q| drift.  (The steps emitted here do it themselves.)  | |q| - 1 | is at most 2 epsilon then,
  * and each component has a relative error below 3 epsilon, unless it leaves the type's normal range; nothing overflows.
  * Returns 0; 1 if q is 0, or a component not a finite number: x is untouched then. */
 int brick_normalise(brick_real x[]);
-
-/* ---- closed form: free asymmetric top, theta functions ----
- *
- * With u linear in time L = (B1 cn u, B2 sn u, B3 dn u) along the principal axes, Jacobi's functions; the
- * attitude is exp(i mu t) times theta4 and theta1 of pi u/(2 K) - i eta, a complex pair (Jacobi 1849; Whittaker,
- * Analytical Dynamics, section 69).  Set up in twice the working precision; any moments and any state: symmetric,
- * spherical, a rod, spin about an axis and the separatrix are limits that the same formulas pass through.
- */
-typedef struct brick_orbit {
-  brick_real start[2], rate[4];   /* phase of the rates at t = 0, and per second, in their periods: high, low, halves of high */
-  brick_real turn[4], jump;       /* turns about L per second; how far it runs ahead in half a period, near the separatrix */
-  brick_real half;                /* there: half a period as a power of two, 2^half; on it 1.2676506002282294e30 */
-  brick_real last;                /* s; later times are taken for this one, after 2^50 turns (float: 2^46) */
-  brick_real a[4], b[4], c[4], d[4], f[10], nome, scale[3], s; /* series, see brick_circular_terms */
-  brick_real q[4][4], w[3][3];    /* quaternion and rates are combinations of these */
-  brick_real tick;                /* s; the rest is set by brick_set_tick: fractions of two periods, of a turn */
-  uint64_t rate_tick[2], rate_start[2], turn_tick[2], turn_start[2];
-  int hyperbolic;                   /* 1 near the separatrix, 2 nearest to it */
-} brick_orbit;
-
-/* Prepare the motion through x0 at t = 0, q of x0 normalised: about 6000 operations, a fixed number but for a tensor with
- * products, whose axes take some more.  Phases come to 2^-100 or so of a turn for each (float: 2^-42).  Near the
- * separatrix a tensor without products loses nothing; one with products is turned to its principal axes in pairs, which
- * displaces the state by less than 2^-45 of what a unit of the last place of x0 does (float: 2^-19).  Returns 0, or 1 if
- * q is 0, a number not finite, the body none (a negative moment; no moment about an axis across which two differ), or a
- * rate beyond the range of the type; *o is untouched then. */
-int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[]);
-
-/* The state at time t, of either sign: attitude and rates.  The phases are formed and reduced in twice the working
- * precision: errors stay some units of the last place until that is used up, after 2^40 turns (float: 2^20).  Later the
- * state is one of this motion, but nobody knows which. */
-void brick_at(const brick_orbit *o, brick_real t, brick_real x[]);
-
-/* The same bits at n times (if the compiler fuses nothing: -ffp-contract=off), x[i*n + k] component i at t[k]; x apart from
- * t.  Worth vector instructions: with GCC or Clang -O3 -march=native -fno-math-errno. */
-void brick_at_many(const brick_orbit *o, int n, const brick_real t[], brick_real x[]);
-
-/* The rates w[3], rad/s, body axes, or the attitude q[4] alone. */
-void brick_at_rates(const brick_orbit *o, brick_real t, brick_real w[]);
-void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[]);
-
-/* Time in steps of h s.  Phases are integers, which lose nothing however many ticks have passed.  Returns 1 if a step is
- * beyond the range of the type. */
-int brick_set_tick(brick_orbit *o, brick_real h);
-void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[]);
-
-/* The rates w go round the polhode in polhode_period s: infinite on the separatrix, 0 if w is constant.  The axis about
- * which L goes round in the body goes round L in space at precession_rate, rad/s, on average, once in precession_period s
- * (infinite without rotation).  rotation_number is the quotient of the periods: by so many turns about L is the body
- * further when w has come back (Montgomery's phase, Am. J. Phys. 59, 394, 1991, over 2 pi, counted continuously);
- * infinite on the separatrix, 0 if w is constant.  The rate is right to the type's last place, or to the square of that
- * in units of |w|, whichever is more. */
-brick_real brick_polhode_period(const brick_orbit *o);
-brick_real brick_precession_rate(const brick_orbit *o);
-brick_real brick_precession_period(const brick_orbit *o);
-brick_real brick_rotation_number(const brick_orbit *o);
-
-/* The first time after t, rounded, at which the component of L (and of w) along the axis of the middle moment changes its
- * sign: near the separatrix the top flips there.  Twice in a period, on the separatrix once, never (infinite) if w is
- * constant.  With two equal moments it is some axis across the third.  Always more than t, so that
- * t = brick_next_flip(o, t) lists all flips; where flips follow faster than floating point numbers do, the next number. */
-brick_real brick_next_flip(const brick_orbit *o, brick_real t);
-
-/* ---- principal axes ---- */
-
-/* Moments, ascending, and axes of any symmetric tensor I = xx yy zz xy xz yz (entries of the tensor: no sign is
- * turned).  axes[3*k .. 3*k+2] is the unit vector of moments[k]; the three are right-handed.  In the first two axes
- * the first component within 1/16 of the largest is positive.  Equal moments stay in the order of the coordinate axes,
- * and a diagonal tensor keeps these as its axes.
- * Each moment is right to one unit in the last place of the largest; of a positive definite tensor each to one of its
- * own, down to 10^-600 of the largest, unless the tensor scaled to unit diagonal is singular to
- * 12 digits.  The axes are rounded once: their products differ from 0 and 1 by at most the type's epsilon.
- * At most 240 rotations, some ten in practice.  Returns 0; 1 if an entry, or a moment, is not a finite number:
- * nothing is written then.  moments and axes must not overlap I. */
-int brick_principal_of(const brick_real I[6], brick_real moments[3], brick_real axes[9]);
-
-/* The same of the tensor about the origin of rotation. */
-int brick_principal(const brick_model *m, brick_real moments[3], brick_real axes[9]);
-
-/* ---- stability, small oscillations ---- */
-
-/* Spin s about principal axis k (0, 1, 2) of the three moments I, slightly disturbed (i, j, k cyclic):
- *     w_i' = -Omega1 w_j,  w_j' = Omega2 w_i,  Omega1 = (I_k - I_j)/I_i s,  Omega2 = (I_k - I_i)/I_j s
- * Omega[0], Omega[1] are these; *rate = sqrt |Omega1 Omega2|: the oscillation's angular frequency (period 2 pi/rate)
- * or the growth rate, 1/s.  Returns 1 stable, -1 unstable, 0 neutral (equal moments or no spin). */
-int brick_stability(const brick_real I[3], int k, brick_real s,
-    brick_real Omega[2], brick_real *rate);
-
-/* The small-oscillation solution: rates w (principal axes) at time t after w0, the spin about axis k taken as
- * constant.  Exact for a symmetric top about its axis; else its error is of second order in the disturbance. */
-void brick_linearised(const brick_real I[3], int k, const brick_real w0[3],
-    brick_real t, brick_real w[3]);
-
-/* ---- stability by design ---- */
-
-/* Does a spin of the free body about a principal axis persist?  1 stable, 0 neutral (equal moments), -1 unstable.
- * dissipation 0: a rigid body, stable about the axes of the largest and of the smallest moment; not 0: a body that
- * loses energy inside while it keeps its angular momentum, stable about the axis of the largest moment only.
- * (Landau, Lifshitz, section 37; Hughes, Spacecraft Attitude Dynamics, chapter 7.)  axis, and when it is stable:
- *   0, 1, 2  the axes of brick_principal, ascending moments
- * The moments have no simple closed form: those of brick_principal are compared,
- * and are equal only if they are so to the last bit.
- */
-int brick_spin_stable(const brick_model *m, int axis, int dissipation);
 
 #ifdef __cplusplus
 }

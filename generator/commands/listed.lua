@@ -1,0 +1,63 @@
+-- listed.lua -- the functions that a scene can have: gen --list.
+--
+--     listed.text(host, job) -> table as text: function, file, lines, operations, what it calls
+--     listed.names(host, job) -> list of their names, without the scene's prefix
+-- The job is planned with everything in it.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local code = require "generator.emit.code"
+local selection = require "generator.selection"
+
+local listed = {}
+
+local function made(host, job)
+  job.templates = host.templates
+  return code.of(job)
+end
+
+local function short(job, name) return string.sub(name, #job.model.name + 2) end
+
+function listed.names(host, job)
+  local out = {}
+  for i, f in ipairs(made(host, job).functions) do out[i] = short(job, f.name) end
+  return out
+end
+
+local FILE = { motion = "", orbit = "_orbit", analysis = "_analysis" }
+
+-- "12 + 24 *": what one call takes, where it is made of equations.
+local function operations(row)
+  local parts = {}
+  for _, k in ipairs { { "add", "+" }, { "mul", "*" }, { "div", "/" }, { "sqrt", "sqrt" }, { "call", "calls" } } do
+    if row and row[k[1]] ~= "0" then parts[#parts + 1] = row[k[1]] .. " " .. k[2] end
+  end
+  return table.concat(parts, ", ")
+end
+
+function listed.text(host, job)
+  local all = made(host, job)
+  local cost, public, rows, widths = {}, {}, { { "function", "file", "lines", "operations", "calls" } }, {}
+  for _, row in ipairs(all.v.costs) do cost[row.name] = row end
+  for _, f in ipairs(all.functions) do public[f.name] = true end
+  for _, f in ipairs(all.functions) do
+    local name, calls = short(job, f.name), {}
+    for _, used in ipairs(f.uses) do
+      if public[used] and used ~= f.name then calls[#calls + 1] = short(job, used) end
+    end
+    table.sort(calls)
+    rows[#rows + 1] = { name, job.model.name .. FILE[selection.room(name, f.of == "orbit")] .. ".c",
+      string.format("%d", f.lines), operations(cost[name]), table.concat(calls, " ") }
+  end
+  for _, row in ipairs(rows) do
+    for i, cell in ipairs(row) do widths[i] = math.max(widths[i] or 0, #cell) end
+  end
+  local lines = {}
+  for i, row in ipairs(rows) do
+    local cells = {}
+    for k, cell in ipairs(row) do cells[k] = cell .. string.rep(" ", widths[k] - #cell) end
+    lines[i] = string.gsub(table.concat(cells, "  "), "%s+$", "")
+  end
+  return table.concat(lines, "\n") .. "\n"
+end
+
+return listed

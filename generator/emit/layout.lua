@@ -1,0 +1,216 @@
+-- layout.lua -- what is called for, and nothing else: of all that the templates say, the parts that the asked functions
+-- need, each in the file of its purpose.
+--
+--     layout.sort(name, fragments, asked, room, keeps) -> sorted      keeps: all names keep the prefix
+--     fragments: list of {header =, source =, room =}, texts whose parts are those of units.lua, in the order of the C
+--     asked(function) -> bool: is it called for?  room(function, fragment's room) -> the file that it belongs to
+--     sorted: { functions = list of {name =, room =, asked = bool, lines =} of all public ones, rooms = { [room] =
+--       {header =, source =, calls = {[room] = true}} }, private = text | "" }
+-- A function that is needed but not asked for is static.  What several files share is private, and static inline.
+-- Names of what is static lose the scene's prefix, and NAME_real is `real`, unless the plain name has another use.
+-- BELOW the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local units = require "generator.emit.units"
+
+local layout = {}
+
+-- All parts: of headers and of sources, each with its fragment's room and its heading.
+local function parts(fragments)
+  local declared, defined = {}, {}
+  local function read(text, list, fragment)
+    local heading
+    for _, u in ipairs(units.parse(text or "")) do
+      if u.kind == "heading" then
+        heading = u
+      else
+        u.heading, u.room = heading, fragment.room
+        list[#list + 1] = u
+      end
+    end
+  end
+  for _, f in ipairs(fragments) do
+    read(f.header, declared, f)
+    read(f.source, defined, f)
+  end
+  return declared, defined
+end
+
+-- By name what gives it: definitions, and the types and macros of headers.
+local function givers(declared, defined)
+  local by_name = {}
+  local function put(u)
+    for _, n in ipairs(u.names) do
+      by_name[n] = by_name[n] or {}
+      table.insert(by_name[n], u)
+    end
+  end
+  for _, u in ipairs(declared) do if not u.prototype then put(u) end end
+  for _, u in ipairs(defined) do put(u) end
+  return by_name
+end
+
+-- Marks what `u` reaches for the room; at another public function it goes no further.  reach: list of those functions.
+local function follow(u, room, by_name, public, calls)
+  u.rooms = u.rooms or {}
+  if u.rooms[room] then return end
+  u.rooms[room] = true
+  for _, n in ipairs(u.uses) do
+    if public[n] and public[n].asked then
+      calls[n] = true
+    else
+      for _, giver in ipairs(by_name[n] or {}) do
+        if giver ~= u then follow(giver, room, by_name, public, calls) end
+      end
+    end
+  end
+end
+
+local RESERVED = {}
+for word in string.gmatch([[auto break case char const continue default do double else enum extern float for goto if
+  inline int long register restrict return short signed sizeof static struct switch typedef union unsigned void
+  volatile while bool class delete explicit export false friend mutable namespace new operator private protected public
+  template this throw true try typename using virtual and or not xor asm catch
+  fabs copysign sqrt cbrt floor frexp ldexp sin cos tan exp sinh cosh tanh log pow atan atan2 asin acos fma huge signbit
+  index round trunc ceil fmod hypot gamma nan]], "%S+") do
+  RESERVED[word] = true
+end
+
+-- The plain names of what is static, by the names with the prefix.
+local function plain_names(name, kept, public)
+  local map, taken, prefix = {}, {}, name .. "_"
+  for _, u in ipairs(kept) do
+    for _, n in ipairs(u.uses) do taken[n] = true end
+  end
+  for _, u in ipairs(kept) do
+    for _, n in ipairs(u.names) do
+      local short = string.sub(n, 1, #prefix) == prefix and string.sub(n, #prefix + 1)
+      local own = not u.declared and not (public[n] and public[n].asked)
+      local free = short and not taken[short] and not RESERVED[short] and string.find(short, "^%l")
+      if own and free then map[n] = short end
+    end
+  end
+  if not taken.real then map[prefix .. "real"] = "real" end
+  return map
+end
+
+local function renamed(text, map)
+  return (string.gsub(text, "[%a_][%w_]*", map))
+end
+
+-- The texts of the parts with their headings, blank lines between.
+local function joined(list, change)
+  local out, heading = {}, nil
+  for _, u in ipairs(list) do
+    if u.heading and u.heading ~= heading then out[#out + 1] = u.heading.text end
+    heading = u.heading or heading
+    out[#out + 1] = change and change(u) or u.text
+  end
+  return table.concat(out, "\n\n") .. (#out > 0 and "\n" or "")
+end
+
+local function private_text(u)
+  local text = string.gsub(u.text, "^static ", "static inline ", 1)
+  if text == u.text then text = string.gsub(u.text, "\nstatic ", "\nstatic inline ", 1) end
+  return string.find(units.bare(u.text), "^%s*static[^=]*%(") and text or u.text
+end
+
+-- The head of a function that is now static, as a declaration for those before it.
+local function forward(u, prototypes)
+  local p = prototypes[u.names[1]]
+  local code = string.gsub(string.gsub(p.text, "^%s*/%*.-%*/%s*", ""), "^%s+", "")
+  return "static " .. code
+end
+
+function layout.sort(name, fragments, asked, room, keeps)
+  local declared, defined = parts(fragments)
+  local by_name = givers(declared, defined)
+  local public, prototypes, functions = {}, {}, {}
+  for _, u in ipairs(declared) do
+    u.declared = true
+    if u.prototype then
+      local n = u.names[1]
+      prototypes[n] = u
+      local f = { name = n, asked = asked(n), room = room(n, u.room), of = u.room }
+      public[n], functions[#functions + 1] = f, f
+    end
+  end
+  local rooms, wanted, order = {}, {}, {}
+  local function open(r)
+    if not rooms[r] then
+      rooms[r] = { calls = {}, declared = {}, defined = {} }
+      order[#order + 1] = r
+    end
+    return rooms[r]
+  end
+  for _, f in ipairs(functions) do
+    if f.asked then wanted[#wanted + 1] = f.name end
+  end
+  for _, n in ipairs(wanted) do
+    local f = public[n]
+    for _, u in ipairs(by_name[n] or {}) do
+      local calls = {}
+      follow(u, f.room, by_name, public, calls)
+      for other in pairs(calls) do open(f.room).calls[public[other].room] = true end -- a set: any order
+    end
+    follow(prototypes[n], f.room, by_name, public, {})
+    open(f.room)
+  end
+
+  local kept, private = {}, {}
+  for _, u in ipairs(defined) do
+    if u.rooms then
+      kept[#kept + 1] = u
+      local owner = u.names[1] and public[u.names[1]]
+      local several = next(u.rooms, (next(u.rooms))) ~= nil
+      if several and not (owner and owner.asked) then
+        private[#private + 1] = u
+      else
+        table.insert(rooms[owner and owner.asked and owner.room or next(u.rooms)].defined, u)
+      end
+    end
+  end
+  local headed = {}
+  for _, u in ipairs(declared) do
+    local f = u.prototype and public[u.names[1]]
+    if u.heading and f and f.asked then headed[u.heading] = f.room end
+  end
+  for _, u in ipairs(declared) do
+    local f = u.prototype and public[u.names[1]]
+    local macro = u.heading and headed[u.heading] and string.find(u.text, "#define", 1, true)
+    if f and f.asked then
+      table.insert(rooms[f.room].declared, u)
+    elseif not f and (u.rooms or macro) then
+      local own = rooms[u.room] and u.room or u.rooms and next(u.rooms) or headed[u.heading]
+      table.insert(rooms[own].declared, u)
+    end
+  end
+
+  local map = keeps and {} or plain_names(name, kept, public)
+  local function change(u)
+    local owner = u.names[1] and public[u.names[1]]
+    if not owner or owner.asked or u.static then return u.text end
+    local comment, head = string.match(u.text, "^(/%*.-%*/\n)(.*)$")
+    return (comment or "") .. "static " .. (head or u.text)
+  end
+  for _, r in ipairs(order) do
+    local own, heads = rooms[r], {}
+    for _, u in ipairs(own.defined) do
+      local owner = u.names[1] and public[u.names[1]]
+      if owner and not owner.asked then heads[#heads + 1] = forward(u, prototypes) end
+    end
+    own.plain = joined(own.defined, change)
+    if #heads > 0 then own.plain = table.concat(heads, "\n") .. "\n\n" .. own.plain end
+    own.source, own.header = renamed(own.plain, map), joined(own.declared)
+  end
+  for _, f in ipairs(functions) do
+    local u = (by_name[f.name] or {})[1]
+    f.lines = u and select(2, string.gsub(u.text, "\n", "")) + 1 or 0
+    f.uses = u and u.uses or {}
+  end
+  local inner = joined(private, function(u) return private_text { text = change(u) } end)
+  return { functions = functions, public = public, rooms = rooms, order = order, plain_private = inner,
+    private = renamed(inner, map), real = map[name .. "_real"] or name .. "_real" }
+end
+
+return layout

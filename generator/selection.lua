@@ -1,0 +1,75 @@
+-- selection.lua -- which functions of a scene are called for: gen --only, --with analysis, --with jacobians.
+--
+--     local s = selection.new { only = {names} | nil, analysis = bool | nil, jacobians = bool | "transition" | nil,
+--                               also = {names} | nil }
+--     s.asked(name) -> bool       is the function emitted for the user?  Names without the scene's prefix
+--     s.made(name) -> bool        must its equations be made: it is asked for, or another function may need it
+--     s.orbit                     may a function of the closed form be asked for?
+--     selection.room(name, closed) -> "motion" | "orbit" | "analysis": the file that it belongs to
+-- Nothing given: everything, as the program needs it that compares its own functions.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local selection = {}
+
+local function set(words)
+  local out = {}
+  for word in string.gmatch(words, "%S+") do out[word] = true end
+  return out
+end
+
+-- What studies a body or a state, and moves none.
+local ANALYSIS = set [[inertia_at particle_energy torque rate acceleration jacobian jacobian_p jacobian_u initial_p
+  energy_gradient integral_gradient momentum_gradient principal_of principal stability linearised spin_stable]]
+
+-- The derivatives among them: these are asked for by --with jacobians.
+local DERIVATIVES = set "jacobian jacobian_p jacobian_u initial_p energy_gradient integral_gradient momentum_gradient"
+
+-- What else moves no closed form.
+local MOTION = set [[init defaults initial mass inertia inertia_now energy jacobi_integral momentum_body momentum rhs
+  normalise within advance]]
+
+-- Functions of templates that call functions made of equations.
+local NEEDS = { principal = "inertia", spin_stable = "inertia", solve = "inertia", step = "rhs inertia initial",
+  init = "" }
+
+function selection.room(name, closed)
+  if ANALYSIS[name] then return "analysis" end
+  return closed and "orbit" or "motion"
+end
+
+function selection.new(options)
+  local only = options.only and {}
+  for _, name in ipairs(options.only or {}) do only[name] = true end
+  local also = {}
+  for _, name in ipairs(options.also or {}) do also[name] = true end
+  local whole = not only and options.analysis == nil
+
+  local s = { whole = whole, only = options.only, orbit = not only }
+  for _, name in ipairs(options.only or {}) do
+    local stepper = string.find(name, "step") or string.find(name, "_run$")
+    s.orbit = s.orbit or not (ANALYSIS[name] or MOTION[name] or stepper)
+  end
+
+  function s.asked(name)
+    if whole then return true end
+    if only then return only[name] or false end
+    local derivative = options.jacobians == true and DERIVATIVES[name]
+    return not ANALYSIS[name] or also[name] or options.analysis or derivative or false
+  end
+
+  -- With a list of names a step may need what its template calls.
+  function s.made(name)
+    if s.asked(name) then return true end
+    if not only then return (name == "jacobian" and options.jacobians) and true or false end
+    for _, asked in ipairs(options.only) do
+      local needs = NEEDS[asked] or string.find(asked, "step") and NEEDS.step or string.find(asked, "_run$") and
+        NEEDS.step or string.find(asked, "^at") and NEEDS.solve
+      if needs and string.find(" " .. needs .. " ", " " .. name .. " ", 1, true) then return true end
+    end
+    return false
+  end
+
+  return s
+end
+
+return selection

@@ -1,0 +1,14 @@
+%% -- implementation.c -- the code behind the header of a scene in one file.  SPDX-License-Identifier: MIT-0
+
+/* The code, in the one file of the program that defines ${upper}_IMPLEMENTATION before it includes this. */
+#if defined ${upper}_IMPLEMENTATION && !defined POLHODE_${upper}_IMPLEMENTED
+#define POLHODE_${upper}_IMPLEMENTED
+
+%% for i, h in ipairs(source_includes) do
+#include ${h}
+%%   if i == #source_includes then
+
+%%   end
+%% end
+${definitions}
+#endif

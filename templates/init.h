@@ -1,0 +1,11 @@
+%% -- init.h -- the contract of the set-up: part of scene.h.  SPDX-License-Identifier: MIT-0
+/* Parameters p[${upper}_NP], SI units; NULL: the scene's own.  Returns 0, or the number of the check that failed,
+ * *m untouched then:
+%% for _, c in ipairs(checks) do
+ *   ${c.number}  ${c.text}
+%% end
+ */
+int ${name}_init(${name}_model *m, const ${name}_real p[]);
+
+/* The scene's own parameters. */
+void ${name}_defaults(${name}_real p[]);
