@@ -135,6 +135,13 @@ function layout.sort(name, fragments, asked, room, keeps)
       public[n], functions[#functions + 1] = f, f
     end
   end
+  for _, u in ipairs(defined) do -- what the program itself calls is not static, and no header declares it
+    local n = u.names[1]
+    if u.global and n and not public[n] then
+      local f = { name = n, asked = true, room = room(n, u.room), of = u.room }
+      public[n], functions[#functions + 1] = f, f
+    end
+  end
   local rooms, wanted, order = {}, {}, {}
   local function open(r)
     if not rooms[r] then
@@ -153,7 +160,7 @@ function layout.sort(name, fragments, asked, room, keeps)
       follow(u, f.room, by_name, public, calls)
       for other in pairs(calls) do open(f.room).calls[public[other].room] = true end -- a set: any order
     end
-    follow(prototypes[n], f.room, by_name, public, {})
+    if prototypes[n] then follow(prototypes[n], f.room, by_name, public, {}) end
     open(f.room)
   end
 

@@ -63,6 +63,7 @@ end
 
 -- Does the text need <math.h>: a function of it, or one of its macros?
 function libm.included(ctx, text)
+  if ctx.own then return false end
   if string.find(text, "%f[%w_]FP_FAST_FMA") or string.find(text, "%f[%w_]HUGE_VAL") then return true end
   local f = ctx.real == "float" and "f" or ""
   for name in string.gmatch(text, "%f[%w_](%l[%l%d]*)%(") do

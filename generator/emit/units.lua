@@ -1,7 +1,7 @@
 -- units.lua -- C text in its parts: functions, types, data, macros, and what each of them uses.
 --
 --     units.parse(text) -> list of { text =, names = {..} | kind = "heading", prototype = bool, static = bool,
---                          uses = {identifier, ..} }
+--                          global = bool (a function that is not static), uses = {identifier, ..} }
 -- In the emitted code a part begins in the first column, with its comment, and ends with a } or ; there; blank lines
 -- stand between parts.  A comment of its own is the heading of what follows, up to the next heading.  What an #if at
 -- the first column holds is one part.  BELOW the line.
@@ -98,7 +98,12 @@ end
 local function part(lines, from, to)
   local text = table.concat(lines, "\n", from, to)
   local code = bare(text)
-  return { text = text, names = names_of(code), uses = used(code), static = string.find(code, "^%s*static") ~= nil,
+  local word = string.match(code, "^%s*([%w_]+)") or ""
+  local open = string.find(code, "{", 1, true)
+  local call = string.find(code, "(", 1, true)
+  return { text = text, names = names_of(code), uses = used(code), static = word == "static",
+    global = word ~= "static" and word ~= "typedef" and string.find(word, "%l") ~= nil and open ~= nil and
+      call ~= nil and call < open,
     -- what is declared here and defined elsewhere: a function, or a constant that is extern
     prototype = not string.find(code, "[{=#]") and (string.find(code, "%)%s*;%s*$") ~= nil or
       string.find(code, "^%s*extern ") ~= nil) }

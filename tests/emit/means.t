@@ -27,14 +27,14 @@ local WARN = "-std=c99 -O2 -ffp-contract=off -pedantic -Wall -Wextra -Wconversio
 local function scene(name, of, more)
   local path = dir .. "/" .. name .. ".lua"
   program.write(path, "return scene { name = '" .. name .. "', body = " .. of .. ", origin = {0, 0, 0} }")
-  return program.shell(string.format("POLHODE_SOURCE=. %s gen %s %s -o %s >%s/log 2>&1", binary, more or "", path, dir,
+  return program.shell(string.format("POLHODE_SOURCE=. %s gen --layout single %s %s -o %s >%s/log 2>&1", binary, more or "", path, dir,
     dir)), program.read(dir .. "/" .. name .. ".c") or program.read(dir .. "/log")
 end
 
 -- All six at once; and what was computed before, closed forms alone, which must not pass.
 local names, calls, prints = {}, {}, {}
 for i, row in ipairs(series.list) do
-  names[i], calls[i], prints[i] = row[1], "(double)all_" .. row[1] .. "(x)", "%a"
+  names[i], calls[i], prints[i] = row[1], "(double)" .. row[1] .. "(x)", "%a"
 end
 local body = [[
 #include "all.c"
@@ -156,7 +156,7 @@ do
     local name, of, want = table.unpack(row)
     local _, code = scene(name, of)
     local got = {}
-    for i, fn in ipairs(names) do got[i] = has(code, name .. "_" .. fn) and "1" or "0" end
+    for i, fn in ipairs(names) do got[i] = has(code, " " .. fn) and "1" or "0" end
     if not tap.is(table.concat(got), want, name .. ": the functions that it needs") then tap.diag(code) end
     for _, compiler in ipairs { "gcc", "clang" } do
       tap.is(program.shell(string.format("cd %s && %s %s -c %s.c -o %s.o 2>log", dir, compiler, WARN, name, name)), 0,
@@ -173,7 +173,7 @@ do
 local w = param("w", 1, "rad")
 return scene { name = "thin", body = wire.arc { r = 3, angle = w, mass = 7 }:turned { axis = {0, 0, 1},
   angle = -w/2 } }]])
-  local status = program.shell(string.format("POLHODE_SOURCE=. %s gen %s -o %s >%s/log 2>&1", binary, path, dir, dir))
+  local status = program.shell(string.format("POLHODE_SOURCE=. %s gen --layout single %s -o %s >%s/log 2>&1", binary, path, dir, dir))
   tap.is(status, 0, "the thin arc is emitted")
   program.write(dir .. "/main.c", [[
 #include "thin.c"
