@@ -29,7 +29,8 @@ local all = {
 
 -- The status of the whole, and what the self-test printed.
 local function run(i, body, real, methods)
-  return program.shell(string.format("%s gen bodies/%s.lua --layout single --with analysis --real %s --method %s -o %s/%d >%s/log 2>&1 && " ..
+  return program.shell(string.format("%s gen bodies/%s.lua --layout single --with analysis --real %s --method %s " ..
+    "-o %s/%d >%s/log 2>&1 && " ..
     "cd %s/%d && { gcc -std=c99 -O0 -g %s %s.c %s_test.c -lm -o test && ./test; } >>%s/log 2>&1", binary, body, real,
     methods, dir,
     i, dir, dir, i, SANITIZERS, body, body, dir)), program.read(dir .. "/log")

@@ -44,7 +44,8 @@ local function measured(s)
   local path = dir .. "/top.lua"
   files.write(path, 'return scene { name = "top", ' .. s.text .. " }\n")
   local names, rows = taken(path), {}
-  assert(shell("%s gen %s --layout single --method %s -o %s > %s/log", program, path, table.concat(names, ","), dir, dir))
+  assert(shell("%s gen %s --layout single --method %s -o %s > %s/log", program, path, table.concat(names, ","), dir,
+    dir))
   local header = files.read(dir .. "/top.h")
   for i, name in ipairs(names) do
     local runs = string.find(header, "top_" .. name .. "_run(", 1, true)

@@ -60,7 +60,8 @@ local function reference(program, dir, scene)
   if files.read(folder .. "/ref.o") then return folder end
   shell("mkdir -p %s", folder)
   scene_file(folder .. "/ref.lua", "ref", scenes[scene])
-  shell("POLHODE_SOURCE=. %s gen --layout single %s/ref.lua --method exact -o %s > %s/log", program, folder, folder, folder)
+  shell("POLHODE_SOURCE=. %s gen --layout single %s/ref.lua --method exact -o %s > %s/log", program, folder, folder,
+    folder)
   shell("cc -std=c11 -O1 -ffp-contract=off -c -o %s/ref.part %s/ref.c && mv %s/ref.part %s/ref.o", folder, folder,
     folder, folder)
   return folder
@@ -78,7 +79,8 @@ local function make(program, library, dir, scene, real, group)
   end
   files.write(folder .. "/rows.h", table.concat(rows))
   scene_file(folder .. "/top.lua", "top", s, g.more)
-  shell("POLHODE_SOURCE=. %s gen --layout single %s/top.lua --real %s %s -o %s > %s/log", program, folder, real, g.options, folder,
+  shell("POLHODE_SOURCE=. %s gen --layout single %s/top.lua --real %s %s -o %s > %s/log", program, folder, real,
+    g.options, folder,
     folder)
   for _, name in ipairs(g.sources or {}) do sources[#sources + 1] = folder .. "/" .. name end
   shell("cc -std=c11 -O2 -ffp-contract=off -Wno-unused -I%s -I%s -Isrc/runtime -DHEAVY=%d %s tests/bench/laws.c %s " ..
@@ -105,7 +107,8 @@ function build.operations(program, r)
   local name = string.gsub(g.rows[at.row + 1][4] or g.rows[at.row + 1][3], "^top_", "")
   local folder = r.folder .. "/sheet"
   if not files.read(folder .. "/README.md") then
-    shell("POLHODE_SOURCE=. %s gen --layout single %s/top.lua --real %s %s -o %s > %s/log", program, r.folder, r.real, g.options,
+    shell("POLHODE_SOURCE=. %s gen --layout single %s/top.lua --real %s %s -o %s > %s/log", program, r.folder,
+      r.real, g.options,
       folder,
       r.folder)
   end

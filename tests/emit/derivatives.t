@@ -38,7 +38,8 @@ for _, name in ipairs { "many", "point", "bodies/heavy_top", "bodies/thruster", 
   for _, method in ipairs { "rk4", "adaptive", "taylor", "semi", "midpoint" } do
     local real = method == "semi" and "float" or "double"
     local out = dir .. "/" .. short .. method
-    local status = run(string.format("POLHODE_SOURCE=. %s gen %s.lua --layout single --with jacobians --method %s --real %s -o %s",
+    local status = run(string.format("POLHODE_SOURCE=. %s gen %s.lua --layout single --with jacobians --method %s " ..
+      "--real %s -o %s",
       binary, path, method, real, out))
     if method == "midpoint" and (short == "point" or short == "wheels") then
       tap.is(status, 1, short .. ", midpoint: refused")

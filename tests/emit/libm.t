@@ -118,7 +118,8 @@ for _, row in ipairs(tier.every(3, {
     tap.skip(tag, "no clang: apt-get install clang")
   else
     program.shell(string.format("rm -rf %s/%s", dir, name))
-    local fine, said = output("%s gen bodies/%s.lua --layout single --real %s --libm own --method %s %s -o %s/%s && cd %s/%s && " ..
+    local fine, said = output("%s gen bodies/%s.lua --layout single --real %s --libm own --method %s %s -o %s/%s " ..
+      "&& cd %s/%s && " ..
       "%s -std=c99 -O2 -ffp-contract=off -fno-math-errno -c %s.c -o u.o && nm -u u.o", binary, name, real, methods,
       more or "", dir, name, dir, name, compiler, name)
     tap.ok(fine and said == "", tag .. ": no undefined symbol", said)

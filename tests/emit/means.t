@@ -27,7 +27,8 @@ local WARN = "-std=c99 -O2 -ffp-contract=off -pedantic -Wall -Wextra -Wconversio
 local function scene(name, of, more)
   local path = dir .. "/" .. name .. ".lua"
   program.write(path, "return scene { name = '" .. name .. "', body = " .. of .. ", origin = {0, 0, 0} }")
-  return program.shell(string.format("POLHODE_SOURCE=. %s gen --layout single %s %s -o %s >%s/log 2>&1", binary, more or "", path, dir,
+  return program.shell(string.format("POLHODE_SOURCE=. %s gen --layout single %s %s -o %s >%s/log 2>&1", binary,
+    more or "", path, dir,
     dir)), program.read(dir .. "/" .. name .. ".c") or program.read(dir .. "/log")
 end
 
@@ -173,7 +174,8 @@ do
 local w = param("w", 1, "rad")
 return scene { name = "thin", body = wire.arc { r = 3, angle = w, mass = 7 }:turned { axis = {0, 0, 1},
   angle = -w/2 } }]])
-  local status = program.shell(string.format("POLHODE_SOURCE=. %s gen --layout single %s -o %s >%s/log 2>&1", binary, path, dir, dir))
+  local status = program.shell(string.format("POLHODE_SOURCE=. %s gen --layout single %s -o %s >%s/log 2>&1", binary,
+    path, dir, dir))
   tap.is(status, 0, "the thin arc is emitted")
   program.write(dir .. "/main.c", [[
 #include "thin.c"

@@ -25,14 +25,17 @@ local function list(folder)
 end
 
 local layout = {
-  make = "LICENSE Makefile README.md polhode.manifest probe.c probe.h probe_orbit.c probe_orbit.h probe_test.c qemu.c qemu.ld",
-  cmake = "CMakeLists.txt LICENSE README.md include/probe.h include/probe_orbit.h polhode.manifest src/probe.c src/probe_orbit.c tests/probe_test.c",
+  make = "LICENSE Makefile README.md polhode.manifest probe.c probe.h probe_orbit.c probe_orbit.h probe_test.c " ..
+    "qemu.c qemu.ld",
+  cmake = "CMakeLists.txt LICENSE README.md include/probe.h include/probe_orbit.h polhode.manifest src/probe.c " ..
+    "src/probe_orbit.c tests/probe_test.c",
   arduino = "LICENSE README.md examples/probe_motion/probe_motion.ino extras/probe_test.c keywords.txt "
     .. "library.properties polhode.manifest src/probe.c src/probe.h src/probe_orbit.c "
     .. "src/probe_orbit.h src/probe_private.h",
   platformio = "LICENSE README.md examples/motion/platformio.ini examples/motion/src/main.c extras/probe_test.c "
     .. "include/probe.h include/probe_orbit.h library.json polhode.manifest src/probe.c src/probe_orbit.c",
-  zephyr = "LICENSE README.md extras/probe_test.c include/probe.h include/probe_orbit.h polhode.manifest samples/motion/CMakeLists.txt "
+  zephyr = "LICENSE README.md extras/probe_test.c include/probe.h include/probe_orbit.h polhode.manifest " ..
+    "samples/motion/CMakeLists.txt "
     .. "samples/motion/prj.conf samples/motion/sample.yaml samples/motion/src/main.c src/probe.c src/probe_orbit.c "
     .. "zephyr/CMakeLists.txt zephyr/Kconfig zephyr/module.yml",
 }
@@ -86,7 +89,8 @@ int main(void)
 local want = string.format("%.6f\n", firmware.truth(dir .. "/probe.lua", { 1 / 4096 })[1][7])
 local text, ok = run(at.make, "make -s lib install DESTDIR=" .. dir .. "/stage PREFIX=/usr")
 tap.ok(ok, "make: lib and install", text)
-tap.is(list(dir .. "/stage"), "usr/include/probe.h usr/include/probe_orbit.h usr/lib/libprobe.a usr/lib/pkgconfig/probe.pc",
+tap.is(list(dir .. "/stage"), "usr/include/probe.h usr/include/probe_orbit.h usr/lib/libprobe.a " ..
+  "usr/lib/pkgconfig/probe.pc",
   "make: header, library and pkg-config file under DESTDIR PREFIX")
 text = run(consumer, string.format("PKG_CONFIG_SYSROOT_DIR=%s/stage PKG_CONFIG_PATH=%s/stage/usr/lib/pkgconfig "
   .. "PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1 sh -c "

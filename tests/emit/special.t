@@ -41,7 +41,8 @@ int main(void)
 local function scene(name, of, more)
   local path = dir .. "/" .. name .. ".lua"
   program.write(path, "return scene { name = '" .. name .. "', body = " .. of .. ", initial = { omega = {1, 2, 3} } }")
-  return program.shell(string.format("POLHODE_SOURCE=. %s gen --layout single %s %s -o %s >%s/log 2>&1", binary, more or "", path, dir,
+  return program.shell(string.format("POLHODE_SOURCE=. %s gen --layout single %s %s -o %s >%s/log 2>&1", binary,
+    more or "", path, dir,
     dir)), program.read(dir .. "/" .. name .. ".c") or program.read(dir .. "/log")
 end
 

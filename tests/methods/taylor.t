@@ -177,7 +177,8 @@ local WARN = "-std=c99 -O2 -ffp-contract=off -pedantic -Wall -Wextra -Wconversio
 
 for _, case in ipairs(tier.every(2, { { "--order 12", "double" }, { "--order 8 --real float", "float" } })) do
   local out = dir .. "/" .. case[2]
-  local status = program.shell(string.format("POLHODE_SOURCE=. %s gen --layout single --method taylor,rk4 %s -o %s %s/top.lua", binary,
+  local status = program.shell(string.format("POLHODE_SOURCE=. %s gen --layout single --method taylor,rk4 %s -o " ..
+    "%s %s/top.lua", binary,
     case[1], out, dir))
   tap.is(status, 0, case[2] .. ": gen --method taylor,rk4 " .. case[1])
   program.write(out .. "/main.c", [[

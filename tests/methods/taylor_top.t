@@ -60,7 +60,8 @@ int main(void)
   return 0;
 }
 ]])
-tap.is(program.shell(string.format("POLHODE_SOURCE=. %s gen --layout single --method taylor,exact --order 24 -o %s/heavy %s/heavy.lua",
+tap.is(program.shell(string.format("POLHODE_SOURCE=. %s gen --layout single --method taylor,exact --order 24 -o " ..
+  "%s/heavy %s/heavy.lua",
   binary, dir, dir)), 0, "gen of a heavy top")
 for _, build in ipairs { WARN, "-O2 -march=native -DHEAVY_VECTOR -Wall -Werror" } do
   local status = program.shell(string.format("gcc %s -I%s/heavy -o %s/heavy/main %s/heavy.c %s/heavy/heavy.c -lm " ..

@@ -28,7 +28,8 @@ function scenes.source(scene, real, methods, more)
   local own = scenes.dir .. "/" .. name .. "." .. real .. options
   -- what comes out as it was before keeps its time, and what was built from it stays
   local stamp = jobs.rule(own .. "/stamp", { scenes.program_path, "bodies/" .. scene .. ".lua" },
-    string.format("%s gen bodies/%s.lua --layout single --with analysis --real %s%s%s -o %s/new && for f in %s/new/*; do cmp -s $f %s/${f##*/} || " ..
+    string.format("%s gen bodies/%s.lua --layout single --with analysis --real %s%s%s -o %s/new && for f in " ..
+      "%s/new/*; do cmp -s $f %s/${f##*/} || " ..
       "cp $f %s; done && touch %s/stamp", scenes.program_path, scene, real, methods and " --method " .. methods or "",
       more or "", own, own, own, own, own))
   for _, file in ipairs { ".h", "_test.c" } do jobs.rule(own .. "/" .. name .. file, { stamp }) end
