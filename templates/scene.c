@@ -18,7 +18,7 @@
 
 %% if has_compensated then
 #if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined _M_FP_FAST
-#error "compensated sums vanish where a compiler may reorder them: no -ffast-math, no -fassociative-math"
+#error "compensated sums vanish where a compiler may reorder them: no -ffast-math"
 #endif
 
 %% end

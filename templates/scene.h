@@ -26,7 +26,8 @@ extern "C" {
 #define ${upper}_VERSION "polhode ${build}"
 %% if has_hash then
 /* SHA-256 of all files named above, one after the other: `cat FILES | sha256sum`. */
-#define ${upper}_SCENE_HASH "${hash}"
+#define ${upper}_SCENE_HASH \
+  "${hash}"
 %% end
 
 typedef ${real} ${name}_real;

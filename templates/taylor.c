@@ -3,7 +3,8 @@
 
 %% if taylor_packed then
 /* Rows of vectors for a host: compile with -D${upper}_VECTOR and -march=native; the same recurrences, summed in another order. */
-#if defined ${upper}_VECTOR && (defined __clang__ || (defined __GNUC__ && __GNUC__ >= 12)) && \
+#if defined ${upper}_VECTOR && \
+  (defined __clang__ || (defined __GNUC__ && __GNUC__ >= 12)) && \
   (defined __AVX512F__ || (defined __AVX__ && (defined __clang__ || ${taylor_float})))
 #define ${upper}_PACKED
 #endif

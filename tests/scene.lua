@@ -89,7 +89,8 @@ end
 
 -- Completes a job for emission; its files by name.
 function scene.plan(job, options)
-  return driver.plan(job, { real = (options or {}).real, command = "polhode gen test.lua",
+  return driver.plan(job, { only = (options or {}).only, analysis = (options or {}).analysis, layout = (options or {}).layout,
+    real = (options or {}).real, command = "polhode gen test.lua",
     methods = (options or {}).methods, jacobians = (options or {}).jacobians, order = (options or {}).order,
     libm = (options or {}).libm })
 end

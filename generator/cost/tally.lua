@@ -122,7 +122,7 @@ end
 function tally.read(name, header, source, options)
   local defined = { FP_FAST_FMA = options.fma, FP_FAST_FMAF = options.fma }
   local unit = { real = name .. "_real", fields = {}, functions = {}, constants = {}, library = library(name),
-    types = { [name .. "_real"] = "real", double = "real", float = "real", void = "void" },
+    types = { [name .. "_real"] = "real", real = "real", double = "real", float = "real", void = "void" },
     globals = { HUGE_VAL = "lit", HUGE_VALF = "lit" }, integer = reading.integer, memo = {},
     least = options.least, fixed = options.constants or {}, values = options.values or {} }
   local text = preprocessed("\n" .. header .. "\n" .. source, defined)

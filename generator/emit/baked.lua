@@ -79,7 +79,8 @@ function baked.choose(job, plain)
   local by_name = {}
   for _, f in ipairs(plain.functions) do by_name[f.name] = f end
   local m = job.model
-  local ctx = { name = m.name, upper = string.upper(m.name), real = job.real, members = m.members, states = job.states,
+  local ctx = { name = m.name, upper = string.upper(m.name), real = job.real, type = source.type(m),
+    members = m.members, states = job.states,
     inputs = m.inputs or {}, helpers = {}, own = job.libm == "own" }
   for i, f in ipairs(job.functions) do
     local g = by_name[f.name]

@@ -8,6 +8,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local baked = require "generator.emit.baked"
+local columns = require "generator.emit.columns"
 local guard = require "generator.emit.guard"
 local layout = require "generator.emit.layout"
 local libm = require "generator.emit.libm"
@@ -88,7 +89,7 @@ local function sorted(job, v, ctx)
   end
   local list = fragments(job, v, ctx)
   local keeps = job.layout == "header" or job.proof -- several in one program; Frama-C's options name functions
-  return layout.sort(v.name, list, asked, room, keeps)
+  return layout.sort(v.name, ctx.type, list, asked, room, keeps)
 end
 
 function code.of(job)
@@ -102,7 +103,7 @@ function code.of(job)
   local all = sorted(job, v, ctx)
   local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
   local files, used, sources, headers, texts = {}, {}, {}, {}, { header = {}, source = {} }
-  local function put(name, text) files[#files + 1] = { name = name, text = text } end
+  local function put(name, text) files[#files + 1] = { name = name, text = columns.fit(text) } end
   local function library(text, already)
     local list = includes(text, already)
     if libm.included(ctx, text) then table.insert(list, 1, "<math.h>") end

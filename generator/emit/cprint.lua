@@ -140,6 +140,38 @@ local function loads_of(ir, type_name, width)
   return lines
 end
 
+-- The name that a line declares alone, as a whole statement.
+local function declared_in(line) return string.match(line, "^const ([%w_]+) ([%w_]+) = [^,;]*;$") end
+
+-- Are these components of one vector (kx1, ky1), or temporaries (t1, t2)?
+local function related(a, b)
+  if string.find(a, "^%l%d+$") and string.find(b, "^%l%d+$") then
+    return string.sub(a, 1, 1) == string.sub(b, 1, 1)
+  end
+  if #a ~= #b then return false end
+  local apart = 0
+  for k = 1, #a do
+    local x, y = string.sub(a, k, k), string.sub(b, k, k)
+    if x ~= y then
+      apart = apart + (string.find(x, "[wxyz]") and string.find(y, "[wxyz]") and 1 or 2)
+    end
+  end
+  return apart == 1
+end
+
+-- Declarations side by side: of a vector's components, and of temporaries.
+local function side_by_side(lines, width)
+  local out, last, last_kind = {}, nil, nil
+  for _, line in ipairs(lines) do
+    local kind, name = declared_in(line)
+    local joins = name and last and kind == last_kind and related(last, name)
+    local more = joins and string.sub(out[#out], 1, -2) .. ", " .. string.sub(line, #("const " .. kind .. " ") + 1)
+    if more and #more <= width then out[#out] = more else out[#out + 1] = line end
+    last, last_kind = name, kind
+  end
+  return out
+end
+
 -- ---- statements -------------------------------------------------------------------------------------------
 
 -- { loads = { lines }, groups = { { why, where, lines } } }; groups that compute nothing are left out.
@@ -231,6 +263,7 @@ function cprint.statements(ir, real, opts)
     lines = {}
     for _, i in ipairs(group.code) do statement(i) end
     if #lines > 0 then
+      lines = side_by_side(lines, LINE - indent)
       table.insert(result.groups, { why = group.why, where = group.where, lines = lines })
     end
   end

@@ -74,7 +74,50 @@ local function joined(a, b)
   return list
 end
 
-local widest = 110 -- columns of a test with its comment behind it; a longer comment stands before
+local widest = 98 -- columns of a statement with its comment behind it; a longer comment stands before
+
+-- A group's lines; and are they one statement with its comment?
+local function group_lines(g, check)
+  local lines, note = { table.unpack(g.lines) }, check and check.text or g.why
+  if check then
+    lines[#lines + 1] = string.format("if (!(%s)) return %s;", check.condition, check.number)
+  end
+  local last = lines[#lines]
+  if (check or #lines == 1) and note and #last + #note + 7 <= widest then
+    lines[#lines] = last .. " /* " .. note .. " */"
+  elseif note then
+    lines = joined(source.comment(note), lines)
+  end
+  return lines, #lines == 1
+end
+
+-- The groups as blocks of lines, between which the template leaves a line: statements of one line stand together.
+-- A group's `where` is the number of its test, or between those of the tests that it stands between; a test that
+-- computes nothing is no group.
+local function blocks(groups, checks)
+  local out, short = {}, false
+  local function put(g, check)
+    local lines, alone = group_lines(g, check)
+    if alone and short then
+      table.insert(out[#out].lines, lines[1])
+    else
+      out[#out + 1] = { lines = lines }
+    end
+    short = alone
+  end
+  local done = 0
+  local function tests(upto)
+    for i = done + 1, upto do put({ lines = {} }, checks[i]) end
+    done = math.max(done, upto)
+  end
+  for _, g in ipairs(groups) do
+    tests(math.ceil(g.where) - 1)
+    put(g, checks[g.where])
+    done = math.max(done, math.floor(g.where))
+  end
+  tests(#checks)
+  return out
+end
 
 -- Fills the template's values: init_loads, init_groups, finite_lines, checks.
 function init.fill(ctx, m, values)
@@ -86,34 +129,36 @@ function init.fill(ctx, m, values)
   list[#list + 1] = { sym = "roundoff", c = number.text(R.new(2) ^ (ctx.real == "float" and -24 or -53), ctx.real) }
   for i, c in ipairs(m.conditions) do
     steps(m, { c.form }, map, placed, groups)
-    groups[#groups + 1] = { where = i, defs = {}, outs = { { c = "const " .. ctx.name .. "_real check" .. i,
-      expr = calculus.substitute(c.form, map) } } }
+    for k = #groups, 1, -1 do
+      if groups[k].where then break end
+      groups[k].where = i - 0.5
+    end
+    local e, tested = calculus.substitute(c.form, map), "check" .. i
+    for _, p in ipairs(list) do -- a parameter itself
+      if e.kind == "sym" and e.name == p.sym and p.sym ~= "roundoff" then tested = p.c end
+    end
+    groups[#groups + 1] = { where = i, defs = {}, outs = tested == "check" .. i and
+      { { c = "const " .. ctx.type .. " check" .. i, expr = e } } or {} }
     local relation = c.allow_zero and " >= " or " > "
     checks[i] = { number = string.format("%d", i), text = c.text,
-      condition = "check" .. i .. relation .. number.text(R.zero, ctx.real) }
+      condition = tested .. relation .. number.text(R.zero, ctx.real) }
   end
   constants(m, m.members, map, groups, placed)
+  for _, g in ipairs(groups) do g.where = g.where or #checks + 0.5 end
   local c = source.statements(ctx, { name = "init", args = {}, inputs = list, groups = groups })
-  values.init_loads, values.init_groups = c.loads, {}
-  for i, g in ipairs(c.groups) do
-    local lines = {}
-    if g.why then lines = source.comment(g.why) end
-    for _, l in ipairs(g.lines) do lines[#lines + 1] = l end
-    local check = g.where and checks[g.where]
-    if check then
-      local test = string.format("if (!(%s)) return %s;", check.condition, check.number)
-      local note = " /* " .. check.text .. " */"
-      if #test + #note <= widest then test = test .. note else lines = joined(source.comment(check.text), lines) end
-      lines[#lines + 1] = test
-    end
-    values.init_groups[i] = { lines = lines }
-  end
+  values.init_loads, values.init_groups = c.loads, blocks(c.groups, checks)
   values.finite_lines = {}
   local code, lines, zero = #checks + 1, values.finite_lines, number.text(R.zero, ctx.real)
   for i, member in ipairs(m.members) do
-    lines[i] = string.format("%srest %s k.%s - k.%s;", i == 1 and ctx.name .. "_real " or "", i == 1 and "=" or "+=",
-      member.name, member.name)
+    local term = string.format("(k.%s - k.%s)", member.name, member.name)
+    local line = lines[#lines]
+    if line and #line + #term < 92 then
+      lines[#lines] = string.sub(line, 1, -2) .. " + " .. term .. ";"
+    else
+      lines[#lines + 1] = (i == 1 and "real rest = " or "rest += ") .. term .. ";"
+    end
   end
+  if lines[1] then lines[1] = string.gsub(lines[1], "^real", ctx.type) end
   if #lines > 0 then lines[#lines + 1] = string.format("if (!(rest == %s)) return %d;", zero, code) end
   for _, member in ipairs(m.members) do
     if member.positive then

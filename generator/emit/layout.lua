@@ -1,7 +1,8 @@
 -- layout.lua -- what is called for, and nothing else: of all that the templates say, the parts that the asked functions
 -- need, each in the file of its purpose.
 --
---     layout.sort(name, fragments, asked, room, keeps) -> sorted      keeps: all names keep the prefix
+--     layout.sort(name, real, fragments, asked, room, keeps) -> sorted
+--     real: what the code calls its type; keeps: all names keep the prefix, and the type too
 --     fragments: list of {header =, source =, room =}, texts whose parts are those of units.lua, in the order of the C
 --     asked(function) -> bool: is it called for?  room(function, fragment's room) -> the file that it belongs to
 --     sorted: { functions = list of {name =, room =, asked = bool, lines =} of all public ones, rooms = { [room] =
@@ -90,12 +91,43 @@ local function plain_names(name, kept, public)
       if own and free then map[n] = short end
     end
   end
-  if not taken.real then map[prefix .. "real"] = "real" end
   return map
 end
 
 local function renamed(text, map)
   return (string.gsub(text, "[%a_][%w_]*", map))
+end
+
+local WIDTH = 100
+
+-- The head of a function: on one line, or broken between arguments.
+local function broken_head(text)
+  text = string.gsub(text, "%s*\n%s*", " ")
+  if #text <= WIDTH then return text end
+  local open = string.find(text, "(", 1, true)
+  local lines, line = {}, string.sub(text, 1, open)
+  local wide = false
+  for argument in string.gmatch(string.sub(text, open + 1), "[^,]+") do
+    wide = wide or #line + #argument > WIDTH
+  end
+  local pad = string.rep(" ", wide and 4 or #line)
+  for argument, comma in string.gmatch(string.sub(text, open + 1), "%s*([^,]+)(,?)") do
+    if #line + #argument + #comma + 1 > WIDTH and string.find(line, "%S") then
+      lines[#lines + 1] = string.gsub(line, "%s+$", "")
+      line = pad
+    end
+    line = line .. argument .. comma .. (comma ~= "" and " " or "")
+  end
+  lines[#lines + 1] = line
+  return table.concat(lines, "\n")
+end
+
+-- The text of a file with all heads of functions, defined or declared, so.
+local function with_heads(text)
+  text = string.gsub("\n" .. text, "(\n)([%a][^\n;={}#]*%([^;={}#]-%))(;?\n)", function(before, own, after)
+    return before .. broken_head(own .. string.sub(after, 1, -2)) .. "\n"
+  end)
+  return string.sub(text, 2)
 end
 
 -- The texts of the parts with their headings, blank lines between.
@@ -122,7 +154,7 @@ local function forward(u, prototypes)
   return "static " .. code
 end
 
-function layout.sort(name, fragments, asked, room, keeps)
+function layout.sort(name, real, fragments, asked, room, keeps)
   local declared, defined = parts(fragments)
   local by_name = givers(declared, defined)
   local public, prototypes, functions = {}, {}, {}
@@ -194,6 +226,7 @@ function layout.sort(name, fragments, asked, room, keeps)
   end
 
   local map = keeps and {} or plain_names(name, kept, public)
+  if keeps then map.real = real == "real" and name .. "_real" or nil else map[name .. "_real"] = real end
   local function change(u)
     local owner = u.names[1] and public[u.names[1]]
     if not owner or owner.asked or u.static then return u.text end
@@ -208,7 +241,7 @@ function layout.sort(name, fragments, asked, room, keeps)
     end
     own.plain = joined(own.defined, change)
     if #heads > 0 then own.plain = table.concat(heads, "\n") .. "\n\n" .. own.plain end
-    own.source, own.header = renamed(own.plain, map), joined(own.declared)
+    own.source, own.header = with_heads(renamed(own.plain, map)), with_heads(joined(own.declared))
   end
   for _, f in ipairs(functions) do
     local u = (by_name[f.name] or {})[1]
@@ -217,7 +250,7 @@ function layout.sort(name, fragments, asked, room, keeps)
   end
   local inner = joined(private, function(u) return private_text { text = change(u) } end)
   return { functions = functions, public = public, rooms = rooms, order = order, plain_private = inner,
-    private = renamed(inner, map), real = map[name .. "_real"] or name .. "_real" }
+    private = with_heads(renamed(inner, map)), real = keeps and name .. "_real" or real }
 end
 
 return layout

@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local code = require "generator.emit.code"
+local columns = require "generator.emit.columns"
 local q31 = require "generator.emit.q31"
 local readme = require "generator.emit.readme"
 local source = require "generator.emit.source"
@@ -41,6 +42,7 @@ function project.files(job, plugin)
   v.follows_test = render "templates/test_follows.c"
   v.compensated_test = v.test_compensated and render "templates/test_compensated.c" or ""
   local files = made.files
+  local made_of = #files
   files[#files + 1] = { name = n .. "_test.c", text = render "templates/test.c" }
   for _, f in ipairs(job.q31 and q31.files(job, v) or {}) do files[#files + 1] = f end
   v.flat = not job.package.arrange -- all files in one folder
@@ -48,6 +50,9 @@ function project.files(job, plugin)
   local more = job.package.files(job, v, render)
   if not more then return nil end -- with an error in job.diag
   for _, f in ipairs(more) do files[#files + 1] = f end
+  for i = made_of + 1, #files do
+    if string.find(files[i].name, "%.[ch]$") and not files[i].once then files[i].text = columns.fit(files[i].text) end
+  end
   if plugin then
     v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false
     if v.has_peers then files[#files + 1] = { name = "peers.c", text = render "templates/peers.c" } end

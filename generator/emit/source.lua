@@ -29,7 +29,8 @@ local function size(ctx, a)
   return parts[1] and table.concat(parts, "*") or a.count
 end
 
--- ctx: {name, upper, real ("double"|"float"), members (set name -> true), states, inputs (lists of {name}), helpers
+-- ctx: {name, upper, real ("double"|"float"), type (what the code calls it: real, or NAME_real where the scene has a
+-- quantity of that name), members (set name -> true), states, inputs (lists of {name}), helpers
 -- (set of the functions that libm lacks and the code calls; filled here), own (bool: --libm own)}
 local function declarations(ctx, f)
   local real = ctx.name .. "_real "
@@ -191,7 +192,7 @@ local function prototype(head, args, tail)
 end
 
 local function printed(ctx)
-  return { type = ctx.name .. "_real", indent = 2, scene = ctx.name, helpers = ctx.helpers, own = ctx.own }
+  return { type = ctx.type, indent = 2, scene = ctx.name, helpers = ctx.helpers, own = ctx.own }
 end
 
 -- Runs of states of one kind, attitude, rates and so on: {first, last (one beyond), about} as text.
@@ -206,6 +207,16 @@ function source.kinds(states)
     kind.last = string.format("%d", i)
   end
   return list
+end
+
+-- What the code calls its real type.
+function source.type(m)
+  for _, list in ipairs { m.params, m.members, m.states, m.inputs } do
+    for _, s in ipairs(list) do
+      if s.name == "real" then return m.name .. "_real" end
+    end
+  end
+  return "real"
 end
 
 -- Everything a template needs of one function: doc lines, prototype, body lines, operation counts, IR.

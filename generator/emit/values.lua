@@ -146,7 +146,8 @@ end
 -- command, version, title, banner, derivation}
 function values.common(job)
   local m, eq, real = job.model, job.equations, job.real
-  local ctx = { name = m.name, upper = string.upper(m.name), real = real, members = m.members, states = job.states,
+  local ctx = { name = m.name, upper = string.upper(m.name), real = real, type = source.type(m), members = m.members,
+    states = job.states,
     inputs = job.model.inputs, helpers = {}, own = job.libm == "own" }
   local made = {}
   for i, f in ipairs(job.functions) do made[i] = source.make(ctx, f) end

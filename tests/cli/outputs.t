@@ -180,7 +180,7 @@ tap.is(status .. err, "2polhode: cannot read standard input: it is larger than 4
 local hash = text_of "sha256sum s.lua":match "^%x+"
 local header = read "x/x.h"
 tap.like(header, "SHA-256 of stdin: " .. hash .. "\n", "the banner has the scene's hash")
-tap.like(header, "\n#define X_SCENE_HASH \"" .. hash .. "\"\n", "and so has the macro")
+tap.like(header, "\n#define X_SCENE_HASH \\\n  \"" .. hash .. "\"\n", "and so has the macro")
 local version = text_of(binary .. " --version"):match "^(.*)\n"
 tap.like(header, "\n#define X_VERSION \"" .. version .. "\"\n", "the version is the one that --version prints")
 write("part.stl", [[
@@ -225,7 +225,7 @@ header = read "m/m.h" or ""
 tap.ok(status == 0 and header:find("SHA-256 of part.stl: " .. text_of "sha256sum part.stl":match "^%x+" .. "\n", 1,
   true),
   "a mesh that the scene names is in the banner", err)
-tap.like(header, "\n#define M_SCENE_HASH \"" .. text_of "cat m.lua part.stl | sha256sum":match "^%x+" .. "\"\n",
+tap.like(header, "\n#define M_SCENE_HASH \\\n  \"" .. text_of "cat m.lua part.stl | sha256sum":match "^%x+" .. "\"\n",
   "and in the macro: cat FILES | sha256sum")
 
 program.finish()

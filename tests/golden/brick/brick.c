@@ -4,7 +4,8 @@
  *     polhode gen brick.lua
  * SHA-256 of brick.lua: ee2baa481a17438d2379e21f49061dc44b039decb64f0309cd612deb42e41ca0
  * template: templates/scene.c.  SPDX-License-Identifier: MIT-0
- * Quotients of integers are exact to the last bit; compile with -ffp-contract=off to get the same bits everywhere.
+ * Quotients of integers are exact to the last bit; compile with -ffp-contract=off to get the same
+ * bits everywhere.
  */
 #include "brick.h"
 
@@ -43,28 +44,17 @@ int brick_init(brick_model *m, const real p[])
   }
   const real a = p[BRICK_A], b = p[BRICK_B], c = p[BRICK_C], M = p[BRICK_M];
 
-  const real check1 = M;
-  if (!(check1 > 0.0)) return 1; /* param: M must be positive (brick.lua:3) */
-
-  const real check2 = a;
-  if (!(check2 > 0.0)) return 2; /* box: x must be positive (brick.lua:6) */
-
-  const real check3 = b;
-  if (!(check3 > 0.0)) return 3; /* box: y must be positive (brick.lua:6) */
-
-  const real check4 = c;
-  if (!(check4 > 0.0)) return 4; /* box: z must be positive (brick.lua:6) */
+  if (!(p[BRICK_M] > 0.0)) return 1; /* param: M must be positive (brick.lua:3) */
+  if (!(p[BRICK_A] > 0.0)) return 2; /* box: x must be positive (brick.lua:6) */
+  if (!(p[BRICK_B] > 0.0)) return 3; /* box: y must be positive (brick.lua:6) */
+  if (!(p[BRICK_C] > 0.0)) return 4; /* box: z must be positive (brick.lua:6) */
 
   /* moment of inertia xx, kg m^2 */
-  const real t1 = (1.0/3.0)*M;
-  const real t2 = b*b;
-  const real t3 = c*c;
-  const real t4 = t2 + t3;
+  const real t1 = (1.0/3.0)*M, t2 = b*b, t3 = c*c, t4 = t2 + t3;
   k.Ixx = t1*t4;
 
   /* moment of inertia yy, kg m^2 */
-  const real t5 = a*a;
-  const real t6 = t5 + t3;
+  const real t5 = a*a, t6 = t5 + t3;
   k.Iyy = t1*t6;
 
   /* moment of inertia zz, kg m^2 */
@@ -75,16 +65,14 @@ int brick_init(brick_model *m, const real p[])
   const real t8 = -0.25*(M*a);
   k.Ixy = t8*b;
 
-  /* tensor entry xz, kg m^2 */
-  k.Ixz = t8*c;
+  k.Ixz = t8*c; /* tensor entry xz, kg m^2 */
 
   /* tensor entry yz, kg m^2 */
   const real t9 = b*c;
   k.Iyz = -0.25*M*t9;
 
   /* inverse of the tensor, xx, 1/(kg m^2) */
-  const real t10 = t5 + t4;
-  const real t11 = t2*t3;
+  const real t10 = t5 + t4, t11 = t2*t3;
   const real t12 = M*(t5*(14.0*t6*t3 + t2*(14.0*t7 + 37.0*t3)) + 14.0*t4*t11);
   k.Jxx = 6.0*(16.0*t5*t10 + 7.0*t11)/t12;
 
@@ -92,48 +80,24 @@ int brick_init(brick_model *m, const real p[])
   const real t13 = 7.0*t5;
   k.Jyy = 6.0*(t13*t3 + 16.0*t2*t10)/t12;
 
-  /* inverse of the tensor, zz, 1/(kg m^2) */
-  k.Jzz = 6.0*(t13*t2 + 16.0*t3*t10)/t12;
+  k.Jzz = 6.0*(t13*t2 + 16.0*t3*t10)/t12; /* inverse of the tensor, zz, 1/(kg m^2) */
 
   /* inverse of the tensor, xy, 1/(kg m^2) */
   const real t14 = 18.0*(a/t12);
   k.Jxy = t14*b*(4.0*t7 + 3.0*t3);
 
-  /* inverse of the tensor, xz, 1/(kg m^2) */
-  k.Jxz = t14*c*(4.0*t6 + 3.0*t2);
-
-  /* inverse of the tensor, yz, 1/(kg m^2) */
-  k.Jyz = 18.0*t9*(3.0*t5 + 4.0*t4)/t12;
-
-  /* centre of mass x from the origin of rotation, m */
-  k.Rx = 0.5*a;
-
-  /* centre of mass y from the origin of rotation, m */
-  k.Ry = 0.5*b;
-
-  /* centre of mass z from the origin of rotation, m */
-  k.Rz = 0.5*c;
-
-  /* mass, kg */
-  k.mass = M;
+  k.Jxz = t14*c*(4.0*t6 + 3.0*t2); /* inverse of the tensor, xz, 1/(kg m^2) */
+  k.Jyz = 18.0*t9*(3.0*t5 + 4.0*t4)/t12; /* inverse of the tensor, yz, 1/(kg m^2) */
+  k.Rx = 0.5*a; /* centre of mass x from the origin of rotation, m */
+  k.Ry = 0.5*b; /* centre of mass y from the origin of rotation, m */
+  k.Rz = 0.5*c; /* centre of mass z from the origin of rotation, m */
+  k.mass = M; /* mass, kg */
 
   /* x - x is 0 unless x is infinite or not a number */
-  real rest = k.Ixx - k.Ixx;
-  rest += k.Iyy - k.Iyy;
-  rest += k.Izz - k.Izz;
-  rest += k.Ixy - k.Ixy;
-  rest += k.Ixz - k.Ixz;
-  rest += k.Iyz - k.Iyz;
-  rest += k.Jxx - k.Jxx;
-  rest += k.Jyy - k.Jyy;
-  rest += k.Jzz - k.Jzz;
-  rest += k.Jxy - k.Jxy;
-  rest += k.Jxz - k.Jxz;
-  rest += k.Jyz - k.Jyz;
-  rest += k.Rx - k.Rx;
-  rest += k.Ry - k.Ry;
-  rest += k.Rz - k.Rz;
-  rest += k.mass - k.mass;
+  real rest = (k.Ixx - k.Ixx) + (k.Iyy - k.Iyy) + (k.Izz - k.Izz) + (k.Ixy - k.Ixy);
+  rest += (k.Ixz - k.Ixz) + (k.Iyz - k.Iyz) + (k.Jxx - k.Jxx) + (k.Jyy - k.Jyy);
+  rest += (k.Jzz - k.Jzz) + (k.Jxy - k.Jxy) + (k.Jxz - k.Jxz) + (k.Jyz - k.Jyz) + (k.Rx - k.Rx);
+  rest += (k.Ry - k.Ry) + (k.Rz - k.Rz) + (k.mass - k.mass);
   if (!(rest == 0.0)) return 5;
   if (!(k.Jxx > 0.0)) return 5;
   if (!(k.Jyy > 0.0)) return 5;
@@ -190,8 +154,7 @@ real brick_energy(const brick_model *m, const real x[])
   const real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
 
   /* T = w.L/2 (L = I w) */
-  const real Lx = Ixx*wx + Ixy*wy + Ixz*wz;
-  const real Ly = Ixy*wx + Iyy*wy + Iyz*wz;
+  const real Lx = Ixx*wx + Ixy*wy + Ixz*wz, Ly = Ixy*wx + Iyy*wy + Iyz*wz;
   const real Lz = Ixz*wx + Iyz*wy + Izz*wz;
   return 0.5*(Lx*wx + Ly*wy + Lz*wz);
 }
@@ -216,30 +179,19 @@ void brick_momentum(const brick_model *m, const real x[], real L[3])
   const real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
 
   /* L = I w in body axes */
-  const real Lx = Ixx*wx + Ixy*wy + Ixz*wz;
-  const real Ly = Ixy*wx + Iyy*wy + Iyz*wz;
+  const real Lx = Ixx*wx + Ixy*wy + Ixz*wz, Ly = Ixy*wx + Iyy*wy + Iyz*wz;
   const real Lz = Ixz*wx + Iyz*wy + Izz*wz;
 
   /* turned to inertial axes: q L q*, L = I w */
-  const real t1 = qw*qw;
-  const real t2 = qy*qy;
-  const real t3 = t1 - t2;
-  const real t4 = qx*qx;
-  const real t5 = qz*qz;
-  const real t6 = t4 - t5;
-  const real t7 = qx*qy;
-  const real t8 = qw*qz;
-  const real t9 = qw*qy;
-  const real t10 = qx*qz;
+  const real t1 = qw*qw, t2 = qy*qy, t3 = t1 - t2, t4 = qx*qx, t5 = qz*qz, t6 = t4 - t5;
+  const real t7 = qx*qy, t8 = qw*qz, t9 = qw*qy, t10 = qx*qz;
   L[0] = Lx*(t3 + t6) + 2.0*(Ly*(t7 - t8) + Lz*(t9 + t10));
-  const real t11 = qy*qz;
-  const real t12 = qw*qx;
+  const real t11 = qy*qz, t12 = qw*qx;
   L[1] = 2.0*(Lx*(t8 + t7) + Lz*(t11 - t12)) + Ly*(t1 - t4 + t2 - t5);
   L[2] = 2.0*(Lx*(t10 - t9) + Ly*(t12 + t11)) + Lz*(t3 - t6);
 }
 
-void brick_rhs(const brick_model *m, real t, const real x[], const real u[],
-               real dx[])
+void brick_rhs(const brick_model *m, real t, const real x[], const real u[], real dx[])
 {
   (void)t;
   (void)u;
@@ -250,28 +202,22 @@ void brick_rhs(const brick_model *m, real t, const real x[], const real u[],
   const real wx = x[BRICK_WX], wy = x[BRICK_WY], wz = x[BRICK_WZ];
 
   /* attitude: q' = q (0, w)/2 */
-  const real hwx = 0.5*wx;
-  const real hwy = 0.5*wy;
-  const real hwz = 0.5*wz;
+  const real hwx = 0.5*wx, hwy = 0.5*wy, hwz = 0.5*wz;
   dx[BRICK_QW] = -(hwx*qx + hwy*qy + hwz*qz);
   dx[BRICK_QX] = hwx*qw - hwy*qz + hwz*qy;
   dx[BRICK_QY] = hwx*qz + hwy*qw - hwz*qx;
   dx[BRICK_QZ] = hwy*qx - hwx*qy + hwz*qw;
 
   /* Euler: L = I w, n = L x w, w' = I^-1 n [brick.lua:6] */
-  const real Lx = Ixx*wx + Ixy*wy + Ixz*wz;
-  const real Ly = Ixy*wx + Iyy*wy + Iyz*wz;
+  const real Lx = Ixx*wx + Ixy*wy + Ixz*wz, Ly = Ixy*wx + Iyy*wy + Iyz*wz;
   const real Lz = Ixz*wx + Iyz*wy + Izz*wz;
-  const real nx = Ly*wz - Lz*wy;
-  const real ny = Lz*wx - Lx*wz;
-  const real nz = Lx*wy - Ly*wx;
+  const real nx = Ly*wz - Lz*wy, ny = Lz*wx - Lx*wz, nz = Lx*wy - Ly*wx;
   dx[BRICK_WX] = Jxx*nx + Jxy*ny + Jxz*nz;
   dx[BRICK_WY] = Jxy*nx + Jyy*ny + Jyz*nz;
   dx[BRICK_WZ] = Jxz*nx + Jyz*ny + Jzz*nz;
 }
 
-void brick_step(const brick_model *m, real t, real x[], const real u[],
-                real h)
+void brick_step(const brick_model *m, real t, real x[], const real u[], real h)
 {
   (void)t;
   (void)u;
@@ -284,84 +230,52 @@ void brick_step(const brick_model *m, real t, real x[], const real u[],
 
   /* angles v = w h/4: k(v) = (h/4)^2 k(w) is quadratic, so the stages need no h */
   const real h4 = 0.25*h;
-  const real vx1 = h4*wx;
-  const real vy1 = h4*wy;
-  const real vz1 = h4*wz;
+  const real vx1 = h4*wx, vy1 = h4*wy, vz1 = h4*wz;
   const real g = (4.0/3.0)/h;
 
   /* stage 1: k1 = k(v1) */
-  const real Lx1 = Ixx*vx1 + Ixy*vy1 + Ixz*vz1;
-  const real Ly1 = Ixy*vx1 + Iyy*vy1 + Iyz*vz1;
+  const real Lx1 = Ixx*vx1 + Ixy*vy1 + Ixz*vz1, Ly1 = Ixy*vx1 + Iyy*vy1 + Iyz*vz1;
   const real Lz1 = Ixz*vx1 + Iyz*vy1 + Izz*vz1;
-  const real nx1 = vz1*Ly1 - vy1*Lz1;
-  const real ny1 = vx1*Lz1 - vz1*Lx1;
-  const real nz1 = vy1*Lx1 - vx1*Ly1;
-  const real kx1 = Jxx*nx1 + Jxy*ny1 + Jxz*nz1;
-  const real ky1 = Jxy*nx1 + Jyy*ny1 + Jyz*nz1;
+  const real nx1 = vz1*Ly1 - vy1*Lz1, ny1 = vx1*Lz1 - vz1*Lx1, nz1 = vy1*Lx1 - vx1*Ly1;
+  const real kx1 = Jxx*nx1 + Jxy*ny1 + Jxz*nz1, ky1 = Jxy*nx1 + Jyy*ny1 + Jyz*nz1;
   const real kz1 = Jxz*nx1 + Jyz*ny1 + Jzz*nz1;
 
   /* stage 2: v2 = v1 + 2 k1 */
-  const real vx2 = vx1 + 2.0*kx1;
-  const real vy2 = vy1 + 2.0*ky1;
-  const real vz2 = vz1 + 2.0*kz1;
-  const real Lx2 = Ixx*vx2 + Ixy*vy2 + Ixz*vz2;
-  const real Ly2 = Ixy*vx2 + Iyy*vy2 + Iyz*vz2;
+  const real vx2 = vx1 + 2.0*kx1, vy2 = vy1 + 2.0*ky1, vz2 = vz1 + 2.0*kz1;
+  const real Lx2 = Ixx*vx2 + Ixy*vy2 + Ixz*vz2, Ly2 = Ixy*vx2 + Iyy*vy2 + Iyz*vz2;
   const real Lz2 = Ixz*vx2 + Iyz*vy2 + Izz*vz2;
-  const real nx2 = Ly2*vz2 - Lz2*vy2;
-  const real ny2 = Lz2*vx2 - Lx2*vz2;
-  const real nz2 = Lx2*vy2 - Ly2*vx2;
-  const real ew2 = -2.0*(vx1*vx2 + vy1*vy2 + vz1*vz2);
-  const real ex2 = vy1*vz2 - vz1*vy2 + vx2;
-  const real ey2 = vz1*vx2 - vx1*vz2 + vy2;
-  const real ez2 = vx1*vy2 - vy1*vx2 + vz2;
-  const real fx2 = 2.0*ex2;
-  const real fy2 = 2.0*ey2;
-  const real fz2 = 2.0*ez2;
+  const real nx2 = Ly2*vz2 - Lz2*vy2, ny2 = Lz2*vx2 - Lx2*vz2, nz2 = Lx2*vy2 - Ly2*vx2;
+  const real ew2 = -2.0*(vx1*vx2 + vy1*vy2 + vz1*vz2), ex2 = vy1*vz2 - vz1*vy2 + vx2;
+  const real ey2 = vz1*vx2 - vx1*vz2 + vy2, ez2 = vx1*vy2 - vy1*vx2 + vz2;
+  const real fx2 = 2.0*ex2, fy2 = 2.0*ey2, fz2 = 2.0*ez2;
   const real o2 = 2.0 + ew2;
-  const real kx2 = Jxx*nx2 + Jxy*ny2 + Jxz*nz2;
-  const real ky2 = Jxy*nx2 + Jyy*ny2 + Jyz*nz2;
+  const real kx2 = Jxx*nx2 + Jxy*ny2 + Jxz*nz2, ky2 = Jxy*nx2 + Jyy*ny2 + Jyz*nz2;
   const real kz2 = Jxz*nx2 + Jyz*ny2 + Jzz*nz2;
 
   /* stage 3: v3 = v1 + 2 k2 */
-  const real vx3 = vx1 + 2.0*kx2;
-  const real vy3 = vy1 + 2.0*ky2;
-  const real vz3 = vz1 + 2.0*kz2;
-  const real Lx3 = Ixx*vx3 + Ixy*vy3 + Ixz*vz3;
-  const real Ly3 = Ixy*vx3 + Iyy*vy3 + Iyz*vz3;
+  const real vx3 = vx1 + 2.0*kx2, vy3 = vy1 + 2.0*ky2, vz3 = vz1 + 2.0*kz2;
+  const real Lx3 = Ixx*vx3 + Ixy*vy3 + Ixz*vz3, Ly3 = Ixy*vx3 + Iyy*vy3 + Iyz*vz3;
   const real Lz3 = Ixz*vx3 + Iyz*vy3 + Izz*vz3;
-  const real nx3 = Ly3*vz3 - Lz3*vy3;
-  const real ny3 = Lz3*vx3 - Lx3*vz3;
-  const real nz3 = Lx3*vy3 - Ly3*vx3;
-  const real ex3 = fy2*vz3 - fz2*vy3 + o2*vx3;
-  const real ey3 = fz2*vx3 - fx2*vz3 + o2*vy3;
+  const real nx3 = Ly3*vz3 - Lz3*vy3, ny3 = Lz3*vx3 - Lx3*vz3, nz3 = Lx3*vy3 - Ly3*vx3;
+  const real ex3 = fy2*vz3 - fz2*vy3 + o2*vx3, ey3 = fz2*vx3 - fx2*vz3 + o2*vy3;
   const real ez3 = fx2*vy3 - fy2*vx3 + o2*vz3;
   const real t1 = fx2*vx3 + fy2*vy3 + fz2*vz3;
   const real o3 = 1.0 - t1;
-  const real kx3 = Jxx*nx3 + Jxy*ny3 + Jxz*nz3;
-  const real ky3 = Jxy*nx3 + Jyy*ny3 + Jyz*nz3;
+  const real kx3 = Jxx*nx3 + Jxy*ny3 + Jxz*nz3, ky3 = Jxy*nx3 + Jyy*ny3 + Jyz*nz3;
   const real kz3 = Jxz*nx3 + Jyz*ny3 + Jzz*nz3;
 
   /* stage 4: v4 = v1 + 4 k3 */
-  const real vx4 = vx1 + 4.0*kx3;
-  const real vy4 = vy1 + 4.0*ky3;
-  const real vz4 = vz1 + 4.0*kz3;
-  const real Lx4 = Ixx*vx4 + Ixy*vy4 + Ixz*vz4;
-  const real Ly4 = Ixy*vx4 + Iyy*vy4 + Iyz*vz4;
+  const real vx4 = vx1 + 4.0*kx3, vy4 = vy1 + 4.0*ky3, vz4 = vz1 + 4.0*kz3;
+  const real Lx4 = Ixx*vx4 + Ixy*vy4 + Ixz*vz4, Ly4 = Ixy*vx4 + Iyy*vy4 + Iyz*vz4;
   const real Lz4 = Ixz*vx4 + Iyz*vy4 + Izz*vz4;
-  const real nx4 = Ly4*vz4 - Lz4*vy4;
-  const real ny4 = Lz4*vx4 - Lx4*vz4;
-  const real nz4 = Lx4*vy4 - Ly4*vx4;
-  const real ex4 = ey3*vz4 - ez3*vy4 + o3*vx4;
-  const real ey4 = ez3*vx4 - ex3*vz4 + o3*vy4;
+  const real nx4 = Ly4*vz4 - Lz4*vy4, ny4 = Lz4*vx4 - Lx4*vz4, nz4 = Lx4*vy4 - Ly4*vx4;
+  const real ex4 = ey3*vz4 - ez3*vy4 + o3*vx4, ey4 = ez3*vx4 - ex3*vz4 + o3*vy4;
   const real ez4 = ex3*vy4 - ey3*vx4 + o3*vz4;
-  const real kx4 = Jxx*nx4 + Jxy*ny4 + Jxz*nz4;
-  const real ky4 = Jxy*nx4 + Jyy*ny4 + Jyz*nz4;
+  const real kx4 = Jxx*nx4 + Jxy*ny4 + Jxz*nz4, ky4 = Jxy*nx4 + Jyy*ny4 + Jyz*nz4;
   const real kz4 = Jxz*nx4 + Jyz*ny4 + Jzz*nz4;
 
   /* w += (4/h) (2 k1 + 4 k2 + 4 k3 + 2 k4)/6, back from angles */
-  const real sx = kx2 + kx3;
-  const real sy = ky2 + ky3;
-  const real sz = kz2 + kz3;
+  const real sx = kx2 + kx3, sy = ky2 + ky3, sz = kz2 + kz3;
   const real t2 = 2.0*g;
   x[BRICK_WX] = t2*(kx1 + kx4 + 2.0*sx) + wx;
   x[BRICK_WY] = t2*(ky1 + ky4 + 2.0*sy) + wy;
@@ -372,8 +286,7 @@ void brick_step(const brick_model *m, real t, real x[], const real u[],
   const real n = 0.5*(3.0 - qw*qw - qx*qx - qy*qy - qz*qz);
   const real n3 = (1.0/3.0)*n;
   const real pw = n + n3*(ew2 - t1 - (ex3*vx4 + ey3*vy4 + ez3*vz4));
-  const real px = n3*(vx1 + ex3 + ex4 + fx2);
-  const real py = n3*(vy1 + ey3 + ey4 + fy2);
+  const real px = n3*(vx1 + ex3 + ex4 + fx2), py = n3*(vy1 + ey3 + ey4 + fy2);
   const real pz = n3*(vz1 + ez3 + ez4 + fz2);
   x[BRICK_QW] = qw*pw - qx*px - qy*py - qz*pz;
   x[BRICK_QX] = qw*px + qx*pw + qy*pz - qz*py;
@@ -392,7 +305,8 @@ int brick_normalise(real x[])
   }
   if (!(largest > 0.0)) return 1;
   for (i = 0; i < 4; i++) q[i] = x[BRICK_QW + i]/largest;
-  n = (q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3]); /* 1 to 4; three roundings of half an epsilon */
+  /* 1 to 4; three roundings of half an epsilon */
+  n = (q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3]);
   if (!(n >= 1.0)) return 1; /* an infinity, or not a number */
   n = sqrt(n); /* with its own rounding five quarters of an epsilon */
   for (i = 0; i < 4; i++) x[BRICK_QW + i] = q[i]/n;

@@ -27,7 +27,8 @@ extern "C" {
 /* The program that made this, and the scene it was made from. */
 #define BRICK_VERSION "polhode 0.1.0"
 /* SHA-256 of all files named above, one after the other: `cat FILES | sha256sum`. */
-#define BRICK_SCENE_HASH "ee2baa481a17438d2379e21f49061dc44b039decb64f0309cd612deb42e41ca0"
+#define BRICK_SCENE_HASH \
+  "ee2baa481a17438d2379e21f49061dc44b039decb64f0309cd612deb42e41ca0"
 
 typedef double brick_real;
 
@@ -67,8 +68,8 @@ typedef struct brick_model {
   brick_real mass; /* mass, kg */
 } brick_model;
 
-/* Parameters p[BRICK_NP], SI units; NULL: the scene's own.  Returns 0, or the number of the check that failed,
- * *m untouched then:
+/* Parameters p[BRICK_NP], SI units; NULL: the scene's own.  Returns 0, or the number of the check
+ * that failed, *m untouched then:
  *   1  param: M must be positive (brick.lua:3)
  *   2  box: x must be positive (brick.lua:6)
  *   3  box: y must be positive (brick.lua:6)
@@ -109,10 +110,11 @@ void brick_rhs(const brick_model *m, brick_real t, const brick_real x[], const b
 void brick_step(const brick_model *m, brick_real t, brick_real x[], const brick_real u[],
                 brick_real h);
 
-/* Scales q of x to |q| = 1: for a q that was measured, received or averaged, and after steps of another integrator on
- * brick_rhs, which lets |q| drift.  (The steps emitted here do it themselves.)  | |q| - 1 | is at most 2 epsilon then,
- * and each component has a relative error below 3 epsilon, unless it leaves the type's normal range; nothing overflows.
- * Returns 0; 1 if q is 0, or a component not a finite number: x is untouched then. */
+/* Scales q of x to |q| = 1: for a q that was measured, received or averaged, and after steps of
+ * another integrator on brick_rhs, which lets |q| drift.  (The steps emitted here do it
+ * themselves.)  | |q| - 1 | is at most 2 epsilon then, and each component has a relative error
+ * below 3 epsilon, unless it leaves the type's normal range; nothing overflows. Returns 0; 1 if q
+ * is 0, or a component not a finite number: x is untouched then. */
 int brick_normalise(brick_real x[]);
 
 #ifdef __cplusplus

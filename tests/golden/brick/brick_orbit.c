@@ -11,8 +11,9 @@
 typedef brick_real real;
 
 /* ---- exact sums ----
- * A sum of products of numbers as numbers that do not overlap, ascending: no digit is lost, so near equality the sign is
- * right (Shewchuk 1997, Discrete Comput. Geom. 18, 305; products: Dekker 1971, Numer. Math. 18, 224). */
+ * A sum of products of numbers as numbers that do not overlap, ascending: no digit is lost, so
+ * near equality the sign is right (Shewchuk 1997, Discrete Comput. Geom. 18, 305; products: Dekker
+ * 1971, Numer. Math. 18, 224). */
 
 /* e[0..n) += b; the new n */
 static int exact_add(real e[], int n, real b)
@@ -42,7 +43,8 @@ static int exact_product(real e[], int n, real a, real b)
   return exact_add(e, n, high);
 }
 
-/* ---- pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP 2, 4.2.2 ---- */
+/* ---- pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP
+ * 2, 4.2.2 ---- */
 
 typedef struct pair {
   real hi, lo;
@@ -60,11 +62,12 @@ static pair pair_sum(real a, real b)
   return s;
 }
 
-/* a*b = hi + lo exactly.  Where the machine has a fused operation compilers may fuse products into sums, which would
- * spoil Dekker's halves: there it is used, and volatile keeps hi what it is. */
+/* a*b = hi + lo exactly.  Where the machine has a fused operation compilers may fuse products into
+ * sums, which would spoil Dekker's halves: there it is used, and volatile keeps hi what it is. */
 static pair pair_product(real a, real b)
 {
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & 8))
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA \
+    && (__ARM_FP & 8))
   const volatile real high = a*b;
   pair p;
 
@@ -104,7 +107,8 @@ static pair pair_minus(pair a)
   return a;
 }
 
-/* hi + lo = the same, |lo| <= |hi| or hi a multiple of the last place of lo (Dekker's fast two-sum) */
+/* hi + lo = the same, |lo| <= |hi| or hi a multiple of the last place of lo (Dekker's fast
+ * two-sum) */
 static pair pair_tidy(real hi, real lo)
 {
   pair s;
@@ -129,9 +133,9 @@ static pair pair_multiply(pair a, pair b)
 }
 
 /* ---- principal axes: Jacobi's method in pairs ----
- * Jacobi's rotations keep small moments beside large ones: Demmel, Veselic 1992, SIAM J. Matrix Anal. Appl. 13, 1204.
- * In pairs the rotations are orthogonal to twice the precision, so rounding their product once is all that the axes
- * suffer. */
+ * Jacobi's rotations keep small moments beside large ones: Demmel, Veselic 1992, SIAM J. Matrix
+ * Anal. Appl. 13, 1204. In pairs the rotations are orthogonal to twice the precision, so rounding
+ * their product once is all that the axes suffer. */
 
 /* (x, y) turned: (c x - s y, s x + c y) */
 static void pair_turn(pair c, pair s, pair *x, pair *y)
@@ -143,10 +147,10 @@ static void pair_turn(pair c, pair s, pair *x, pair *y)
   *y = pair_add(sx, cy);
 }
 
-/* Turn the axes p, q so that the entry I_pq = off[r] vanishes ({p, q, r} = {0, 1, 2}; I_kk = diagonal[k]).
- * The tangent t solves (1 - t^2) I_pq = t (I_qq - I_pp), |t| <= 1 (Golub, Van Loan, 8.5), but only to the type's
- * precision; the rotation by this t is exact, and what is left of I_pq = cos^2 ((1 - t^2) I_pq - t (I_qq - I_pp))
- * stays for the next one. */
+/* Turn the axes p, q so that the entry I_pq = off[r] vanishes ({p, q, r} = {0, 1, 2}; I_kk =
+ * diagonal[k]). The tangent t solves (1 - t^2) I_pq = t (I_qq - I_pp), |t| <= 1 (Golub, Van Loan,
+ * 8.5), but only to the type's precision; the rotation by this t is exact, and what is left of
+ * I_pq = cos^2 ((1 - t^2) I_pq - t (I_qq - I_pp)) stays for the next one. */
 static void jacobi(pair diagonal[3], pair off[3], pair axis[3][3], int r)
 {
   const int p = (r + 1) % 3, q = (r + 2) % 3;
@@ -191,10 +195,10 @@ static int pair_less(pair a, pair b)
   return a.hi < b.hi || (!(b.hi < a.hi) && a.lo < b.lo);
 }
 
-/* The unrounded result: I_kk 2^scale and the vector of each axis, which come in no order; `order` sorts them, ascending.
- * 1 if an entry is not finite. */
-static int principal_pairs(const real I[6], pair diagonal[3], pair axis[3][3],
-                                   int order[3], int *scale)
+/* The unrounded result: I_kk 2^scale and the vector of each axis, which come in no order; `order`
+ * sorts them, ascending. 1 if an entry is not finite. */
+static int principal_pairs(const real I[6], pair diagonal[3], pair axis[3][3], int order[3],
+                           int *scale)
 {
   pair off[3];
   real largest = 0.0, products = 0.0;
@@ -214,18 +218,20 @@ static int principal_pairs(const real I[6], pair diagonal[3], pair axis[3][3],
     for (k = 0; k < 3; k++) axis[i][k] = pair_of(i == k ? 1.0 : 0.0);
   }
 
-  /* The planes xy, xz, yz in turn, until each is negligible beside BOTH its diagonal entries.  With I_pq = 0 a
-   * rotation in the plane (r, p) splits I_rq = y into I_rq = y cos, I_pq = y sin; |sin| <= sqrt(1/2), and the next
-   * plane is that of the larger one.  So from the second rotation on the smaller of the two products left shrinks by
-   * sqrt(1/2) or more each time, for ANY tensor: after 240 both are below 2^-118 of the largest entry, beyond the
-   * pairs.  For a positive definite one a rotation with I_pq^2 >= I_pp I_qq/4 takes a quarter or more off the product
-   * of the diagonal, which stays above the determinant: the condition alone bounds their number.  Then what is left is
-   * squared; some ten rotations are made in all. */
+  /* The planes xy, xz, yz in turn, until each is negligible beside BOTH its diagonal entries. 
+   * With I_pq = 0 a rotation in the plane (r, p) splits I_rq = y into I_rq = y cos, I_pq = y sin;
+   * |sin| <= sqrt(1/2), and the next plane is that of the larger one.  So from the second rotation
+   * on the smaller of the two products left shrinks by sqrt(1/2) or more each time, for ANY
+   * tensor: after 240 both are below 2^-118 of the largest entry, beyond the pairs.  For a
+   * positive definite one a rotation with I_pq^2 >= I_pp I_qq/4 takes a quarter or more off the
+   * product of the diagonal, which stays above the determinant: the condition alone bounds their
+   * number.  Then what is left is squared; some ten rotations are made in all. */
   for (count = 0; settled < 3 && count < 240; count++) { /* some 10 times */
     i = 2 - count % 3;
     j = (i + 1) % 3;
     k = (i + 2) % 3;
-    if (fabs(off[i].hi) <= 4.930380657631324e-32*(sqrt(fabs(diagonal[j].hi))*sqrt(fabs(diagonal[k].hi)))) {
+    if (fabs(off[i].hi)
+        <= 4.930380657631324e-32*(sqrt(fabs(diagonal[j].hi))*sqrt(fabs(diagonal[k].hi)))) {
       off[i] = pair_of(0.0);
       settled++;
     } else {
@@ -246,7 +252,8 @@ static int principal_pairs(const real I[6], pair diagonal[3], pair axis[3][3],
 }
 
 /* ---- whole structures, byte by byte ----
- * Compilers make calls of memcpy and memset of anything simpler, and firmware need not have them. */
+ * Compilers make calls of memcpy and memset of anything simpler, and firmware need not have them.
+ * */
 
 static void copy(void *to, const void *from, unsigned int size)
 {
@@ -270,7 +277,8 @@ static void zero(void *to, unsigned int size)
   }
 }
 
-/* Is the state at time 0 made of numbers?  Rates next to the end of the type's range overflow on the way to it. */
+/* Is the state at time 0 made of numbers?  Rates next to the end of the type's range overflow on
+ * the way to it. */
 static int starts(const brick_orbit *o)
 {
   real x[BRICK_NX];
@@ -286,23 +294,27 @@ static int starts(const brick_orbit *o)
 /* ---- phases in turns: no call and no branch, so that loops over times are vectorised ---- */
 
 #if defined __GNUC__
-#define BRICK_INLINE static inline __attribute__((always_inline)) /* GCC and Clang vectorise what they inline */
+/* GCC and Clang vectorise what they inline */
+#define BRICK_INLINE static inline __attribute__((always_inline))
 #else
 #define BRICK_INLINE static inline
 #endif
 
-/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which serves as well */
+/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which
+ * serves as well */
 BRICK_INLINE real nearest(real x)
 {
   return (x + 6755399441055744.0) - 6755399441055744.0;
 }
 
-/* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well: Dekker's product */
+/* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well:
+ * Dekker's product */
 BRICK_INLINE pair passed(const real b[4], real t, real head, real tail)
 {
   pair p;
 
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & 8))
+#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA \
+    && (__ARM_FP & 8))
   (void)head;
   (void)tail;
   p.hi = fma(b[0], t, 0.0); /* no compiler may fuse this one */
@@ -314,7 +326,8 @@ BRICK_INLINE pair passed(const real b[4], real t, real head, real tail)
   return p;
 }
 
-/* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one doubling */
+/* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one
+ * doubling */
 BRICK_INLINE void circle(real x, real *sine, real *cosine)
 {
   const real u = x*x, u2 = u*u, u4 = u2*u2;
@@ -383,8 +396,9 @@ static pair pair_root(pair a)
   return pair_tidy(r, (((a.hi - p.hi) - p.lo) + a.lo)*(0.5/r));
 }
 
-/* Artanh (sign = 1) or arctan (sign = -1) of x, |x| <= 1/16: x + sign x^3/3 + x^5/5 + ... (DLMF 4.38.2, 4.24.3).  From
- * x^13 on, 2^-48 of the whole, the working precision will do; what is left out is 2^-100. */
+/* Artanh (sign = 1) or arctan (sign = -1) of x, |x| <= 1/16: x + sign x^3/3 + x^5/5 + ... (DLMF
+ * 4.38.2, 4.24.3).  From x^13 on, 2^-48 of the whole, the working precision will do; what is left
+ * out is 2^-100. */
 static pair pair_arc(pair x, real sign)
 {
   static const pair odd[6] = {
@@ -427,8 +441,8 @@ static pair brick_log2(void)
   return log2;
 }
 
-/* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 + arctan of a rest below
- * 1/16 (DLMF 4.24.15). */
+/* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 +
+ * arctan of a rest below 1/16 (DLMF 4.24.15). */
 static pair pair_angle(pair x, pair y)
 {
   static const pair arctan[9] = {
@@ -497,22 +511,24 @@ static void store(real out[2], pair a)
   out[1] = a.lo;
 }
 
-/* ---- evaluation: no call and no branch on data but for `hyperbolic`, so that loops over times are vectorised ---- */
+/* ---- evaluation: no call and no branch on data but for `hyperbolic`, so that loops over times
+ * are vectorised ---- */
 
 /* high + low: the phase of the rates in their periods, less whole ones; the turns about L */
 typedef struct brick_phases {
   real high, low, turn, turn_low;
 } brick_phases;
 
-/* The pair e^(-i mu t) (a + i b, c + i d) of quaternion components w + i z, x + i y, and cn, sn, dn, all but for constant
- * factors and for their norms; and the turns that mu t makes. */
+/* The pair e^(-i mu t) (a + i b, c + i d) of quaternion components w + i z, x + i y, and cn, sn,
+ * dn, all but for constant factors and for their norms; and the turns that mu t makes. */
 typedef struct brick_terms {
   real a, b, c, d, cn, sn, dn, turn;
 } brick_terms;
 
 BRICK_INLINE brick_phases reduce(const brick_orbit *o, real at)
 {
-  const real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
+  /* no number stays none */
+  const real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before;
   const real c = 134217729.0*t, head = c - (c - t), tail = t - head;
   const pair p = passed(o->rate, t, head, tail), turn = passed(o->turn, t, head, tail);
   const real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
@@ -526,8 +542,9 @@ BRICK_INLINE brick_phases reduce(const brick_orbit *o, real at)
   return phases;
 }
 
-/* 2^x and 2^-x, |x| <= 500.0: the even and the odd part of 2^f, f = x less the nearest integer n, which the sum with
- * a large number leaves in the last bits of its representation (IEEE 754), next to where an exponent is wanted */
+/* 2^x and 2^-x, |x| <= 500.0: the even and the odd part of 2^f, f = x less the nearest integer n,
+ * which the sum with a large number leaves in the last bits of its representation (IEEE 754), next
+ * to where an exponent is wanted */
 BRICK_INLINE void exponentials(real x, real *up, real *down)
 {
   union {
@@ -576,8 +593,8 @@ BRICK_INLINE brick_terms circular_terms(const brick_orbit *o, brick_phases p)
   return y;
 }
 
-/* near it: in U = p' X, X = cosh 2V, which stays below 1; where 2^|x| would exceed the range all but 1/cosh is 1, and x is
- * cut if it can come there */
+/* near it: in U = p' X, X = cosh 2V, which stays below 1; where 2^|x| would exceed the range all
+ * but 1/cosh is 1, and x is cut if it can come there */
 BRICK_INLINE brick_terms hyperbolic_terms(const brick_orbit *o, brick_phases p, int cut)
 {
   const real n = nearest(2.0*p.high); /* -1, 0, 1: V has two periods in one of the rates */
@@ -645,8 +662,9 @@ BRICK_INLINE brick_terms terms_of(const brick_orbit *o, brick_phases p, int hype
   return hyperbolic > 0 ? hyperbolic_terms(o, p, hyperbolic > 1) : circular_terms(o, p);
 }
 
-/* 1/|q| from n, the inverse of brick_square, to which |q|^2 is equal but for rounding, and its root: a Newton step, added
- * so that the difference from a half is exact and only the sum is rounded */
+/* 1/|q| from n, the inverse of brick_square, to which |q|^2 is equal but for rounding, and its
+ * root: a Newton step, added so that the difference from a half is exact and only the sum is
+ * rounded */
 BRICK_INLINE real inverse_length(const real q[4], real n, real root)
 {
   return root + root*(0.5 - (0.5*n)*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])));
@@ -701,17 +719,20 @@ void brick_at_attitude(const brick_orbit *o, real t, real q[])
 
 /* ---- closed form: free asymmetric top, theta functions ----
  *
- * Axes 1, 2, 3 here are principal axes: 2 that of the middle moment, 3 the one about which L circulates, signed so that
- * L1 >= 0, L3 > 0.  With a = w + i z, b = x + i y of the quaternion from these axes to a frame whose z axis is along L,
- *     a(t) = exp(i mu t) theta4(z - i s eta; p)/N,   b(t) = s exp(i mu t) theta1(z - i s eta; p)/N,   z = pi u/(2 K)
- * where u = lambda t + u0 is the argument of Jacobi's functions, L = (B1 cn u, s B2 sn u, B3 dn u), and p = q^2
- * (Jacobi 1849; Whittaker, Analytical Dynamics, section 69).  Near the separatrix the imaginary transformation
- * (DLMF 20.7.30-33) replaces z by V = kappa z, kappa = K/(2 K'), and circular functions by hyperbolic ones. */
+ * Axes 1, 2, 3 here are principal axes: 2 that of the middle moment, 3 the one about which L
+ * circulates, signed so that L1 >= 0, L3 > 0.  With a = w + i z, b = x + i y of the quaternion
+ * from these axes to a frame whose z axis is along L,     a(t) = exp(i mu t) theta4(z - i s eta;
+ * p)/N,   b(t) = s exp(i mu t) theta1(z - i s eta; p)/N,   z = pi u/(2 K) where u = lambda t + u0
+ * is the argument of Jacobi's functions, L = (B1 cn u, s B2 sn u, B3 dn u), and p = q^2 (Jacobi
+ * 1849; Whittaker, Analytical Dynamics, section 69).  Near the separatrix the imaginary
+ * transformation (DLMF 20.7.30-33) replaces z by V = kappa z, kappa = K/(2 K'), and circular
+ * functions by hyperbolic ones. */
 
-/* What is known of the motion in principal axes.  [i] is axis i + 1 of the above.  Moments and rates are scaled by powers
- * of two, the largest to about 1, rates to 2^26 at most.  What may be tiny together is scaled once more, so that
- * nothing underflows that matters: w1 and w2 by up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the
- * difference of the other two, which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.
+/* What is known of the motion in principal axes.  [i] is axis i + 1 of the above.  Moments and
+ * rates are scaled by powers of two, the largest to about 1, rates to 2^26 at most.  What may be
+ * tiny together is scaled once more, so that nothing underflows that matters: w1 and w2 by up12 =
+ * 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the difference of the other
+ * two, which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.
  * They come as J1, J3, d32 and d21; of a rod about axis 3 it is 1 and 0. */
 typedef struct top {
   pair I[3], J[3];              /* moments: as they are, scaled */
@@ -725,7 +746,8 @@ typedef struct top {
   pair Lambda1;                 /* J3 d31 w3^2 + I1 d21 w2^2 */
   pair k2, kc2;                 /* k^2 up12^2, (1 - k^2) up13^2 */
   pair b3, lambda;              /* amplitude of w3; rate of u */
-  pair T, climb;                /* at u = 0: tan(angle(L, axis 3)/2) up12; twice the rate of the phase of a */
+  /* at u = 0: tan(angle(L, axis 3)/2) up12; twice the rate of the phase of a */
+  pair T, climb;
   real b[3];                    /* amplitudes of the rates, b[0], b[1] up12 */
   real axis[3][3];              /* unit vectors, body axes */
   real s;                       /* sign of I3 - I1 */
@@ -763,10 +785,10 @@ static pair square_term(pair I, pair w, pair d)
   return pair_multiply(pair_multiply(I, d), pair_multiply(w, w));
 }
 
-/* I3 w3^2 (I3 - I2) - I1 w1^2 (I2 - I1) = G^2 - 2 T I2: its sign says about which axis L circulates.  Where the terms
- * cancel by more than three bits, without rounding if the moments and rates are single numbers. */
-static pair circulation(pair I1, pair I3, pair w1, pair w3,
-    pair d21, pair d32)
+/* I3 w3^2 (I3 - I2) - I1 w1^2 (I2 - I1) = G^2 - 2 T I2: its sign says about which axis L
+ * circulates.  Where the terms cancel by more than three bits, without rounding if the moments and
+ * rates are single numbers. */
+static pair circulation(pair I1, pair I3, pair w1, pair w3, pair d21, pair d32)
 {
   const pair last = square_term(I3, w3, d32), first = square_term(I1, w1, d21);
   pair sum = pair_subtract(last, first);
@@ -785,8 +807,8 @@ static pair circulation(pair I1, pair I3, pair w1, pair w3,
 }
 
 /* Labels and signs of the axes; `order` sorts moments of I, ascending. */
-static void label(top *p, const pair I[3], const pair w[3],
-    const pair axis[3][3], const int order[3])
+static void label(top *p, const pair I[3], const pair w[3], const pair axis[3][3],
+                  const int order[3])
 {
   const int small = order[0], middle = order[1], large = order[2], rod = !(I[small].hi > 0.0);
   const int e = exponent(w[small].hi, w[large].hi);
@@ -803,7 +825,8 @@ static void label(top *p, const pair I[3], const pair w[3],
   p->up13 = 1.0/p->down13;
   p->D = circulation(least, I[large], pair_shift(p->up13, w[small]),
       pair_shift(p->up13, w[large]), low, high);
-  reverse = rod || p->D.hi < 0.0 || !(high.hi > 0.0); /* D may have underflowed: w1 of an axis of symmetry */
+  /* D may have underflowed: w1 of an axis of symmetry */
+  reverse = rod || p->D.hi < 0.0 || !(high.hi > 0.0);
   own[0] = reverse ? large : small;
   own[1] = middle;
   own[2] = reverse ? small : large;
@@ -811,7 +834,8 @@ static void label(top *p, const pair I[3], const pair w[3],
   p->D = reverse ? pair_minus(p->D) : p->D;
   p->d21 = reverse ? high : low;
   p->d32 = reverse ? low : high;
-  p->d31 = pair_add(low, pair_shift(down, high)); /* of nearly equal pairs two differences have digits */
+  /* of nearly equal pairs two differences have digits */
+  p->d31 = pair_add(low, pair_shift(down, high));
   p->small = down;
   sign[0] = w[own[0]].hi < 0.0 ? -1.0 : 1.0;
   sign[2] = w[own[2]].hi < 0.0 ? -1.0 : 1.0;
@@ -865,7 +889,8 @@ static void invariants(top *p)
   }
   p->G = pair_root(p->G);
 
-  /* at u = 0, where L = (B1, 0, B3): tan = B1/(G + B3), and the phase of a turns at half of w3 + w1 tan */
+  /* at u = 0, where L = (B1, 0, B3): tan = B1/(G + B3), and the phase of a turns at half of w3 +
+   * w1 tan */
   B3 = pair_multiply(p->I[2], p->b3);
   g = pair_add(p->G, B3);
   first = pair_divide(p->Delta3, p->d31);                              /* B1^2/I1 */
@@ -877,10 +902,9 @@ static void invariants(top *p)
   p->b[2] = p->b3.hi;
 }
 
-/* c[0] + c[1] y[1] + ...: a series in multiple angles, y[n+1] = 2 X y[n] - y[n-1], as a polynomial in X; y[0] = 1 and
- * y[1] = first + slope X */
-static void polynomial(int n, const real c[], real first, real slope,
-    real out[])
+/* c[0] + c[1] y[1] + ...: a series in multiple angles, y[n+1] = 2 X y[n] - y[n-1], as a polynomial
+ * in X; y[0] = 1 and y[1] = first + slope X */
+static void polynomial(int n, const real c[], real first, real slope, real out[])
 {
   real before[5] = {1.0, 0.0, 0.0, 0.0, 0.0};
   real now[5] = {first, slope, 0.0, 0.0, 0.0}, next[5];
@@ -899,17 +923,17 @@ static void polynomial(int n, const real c[], real first, real slope,
 
 /* ---- set-up away from the separatrix ---- */
 
-/* The means a, g of 1 and k' (DLMF 19.8.2), as far as they are needed: after four steps they agree to 2^-35, and what is
- * left is added as a series. */
+/* The means a, g of 1 and k' (DLMF 19.8.2), as far as they are needed: after four steps they agree
+ * to 2^-35, and what is left is added as a series. */
 typedef struct agm {
   pair k, a1, g1, a2, g2, a3, g3; /* k' first */
   pair M;                         /* their limit, pi/(2 K) */
   pair q;                         /* nome, up12^2 */
 } agm;
 
-/* The nome: q^(2^n) = e + 2 e^5 + 15 e^9 + ... with e = (a_n - g_n)/(8 a_(n+2)) (DLMF 19.5.6 at the n-th modulus).  From
- * n to n + 1 e becomes e^2 a_(n+2)/a_(n+3), which gives q as a product that ends quickly,
- *     q = k^2/(8 a_1 (1 + g_1) sqrt a_3) (a_3/a_4)^(1/4) (a_4/a_5)^(1/8) ... */
+/* The nome: q^(2^n) = e + 2 e^5 + 15 e^9 + ... with e = (a_n - g_n)/(8 a_(n+2)) (DLMF 19.5.6 at
+ * the n-th modulus).  From n to n + 1 e becomes e^2 a_(n+2)/a_(n+3), which gives q as a product
+ * that ends quickly,     q = k^2/(8 a_1 (1 + g_1) sqrt a_3) (a_3/a_4)^(1/4) (a_4/a_5)^(1/8) ... */
 static void brick_nome(agm *f, const top *p)
 {
   const pair one = pair_of(1.0);
@@ -947,8 +971,9 @@ static void brick_nome(agm *f, const top *p)
   f->q = pair_add(f->q, pair_multiply(f->q, u));
 }
 
-/* z at t = 0, in units of pi.  Two of Gauss's transformations, in which z is doubled (DLMF 22.7.2 and its companions), lead
- * to functions of nome q^4, where sc = tan up to q^8 (DLMF 20.2.1-2, 22.2). */
+/* z at t = 0, in units of pi.  Two of Gauss's transformations, in which z is doubled (DLMF 22.7.2
+ * and its companions), lead to functions of nome q^4, where sc = tan up to q^8 (DLMF 20.2.1-2,
+ * 22.2). */
 static pair brick_start(const top *p, const agm *f, real q8)
 {
   const real size = ldexp(1.0, -exponent(p->Delta3.hi, 0.0)), q24 = q8*q8*q8;
@@ -987,7 +1012,8 @@ static void circular_series(brick_orbit *o, real s, real q, real E, real r)
   real e[8], g[8], c[5], Q[26], sign;
   int n;
 
-  /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin z - ... */
+  /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin
+   * z - ... */
   e[0] = g[0] = 1.0;
   for (n = 1; n < 8; n++) {
     e[n] = e[n - 1]*E;
@@ -996,16 +1022,21 @@ static void circular_series(brick_orbit *o, real s, real q, real E, real r)
   Q[0] = 1.0; /* powers of q */
   for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q;
   /* what q <= exp(-pi/2) leaves above 2^-54 */
-  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = n == 0 ? 1.0 : sign*Q[n*(2*n - 1)]*(e[2*n] + g[2*n]);
+  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = n == 0 ? 1.0 : sign*Q[n*(2*n
+      - 1)]*(e[2*n] + g[2*n]);
   polynomial(4, c, 0.0, 1.0, o->a);
-  for (n = 1, sign = -2.0; n < 4; n++, sign = -sign) c[n - 1] = s*sign*Q[n*(2*n - 1)]*(e[2*n] - g[2*n]);
+  for (n = 1, sign = -2.0; n < 4; n++, sign = -sign) c[n - 1] = s*sign*Q[n*(2*n - 1)]*(e[2*n]
+      - g[2*n]);
   polynomial(3, c, 0.0, 2.0, o->b);
-  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = s*sign*Q[n*(2*n + 1)]*(e[2*n + 1] + g[2*n + 1]);
+  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = s*sign*Q[n*(2*n + 1)]*(e[2*n + 1]
+      + g[2*n + 1]);
   polynomial(4, c, 1.0, 2.0, o->c);
-  for (n = 0, sign = -1.0; n < 4; n++, sign = -sign) c[n] = sign*Q[n*(2*n + 1)]*(e[2*n + 1] - g[2*n + 1]);
+  for (n = 0, sign = -1.0; n < 4; n++, sign = -sign) c[n] = sign*Q[n*(2*n + 1)]*(e[2*n + 1]
+      - g[2*n + 1]);
   polynomial(4, c, -1.0, 2.0, o->d);
 
-  /* theta2(z; q), theta1(z; q) without 2 q^(1/4), theta3(z; q), each over what makes it cn, sn, dn times theta4/theta4(0) */
+  /* theta2(z; q), theta1(z; q) without 2 q^(1/4), theta3(z; q), each over what makes it cn, sn, dn
+   * times theta4/theta4(0) */
   {
     real two_ = 0.0, three_ = 1.0, four_ = 1.0;
 
@@ -1027,9 +1058,9 @@ static void circular_series(brick_orbit *o, real s, real q, real E, real r)
 /* At u = 0 b/a = T.  With v = E - q/E, S = q (E^2 + (q/E)^2) = q (v^2 + 2 q) the two series are
  *     b = v (1 - q^2 (S + q^2) + q^8 (S^2 + q^2 S - q^4) - ...),
  *     a = 1 - S + q^4 (S^2 - 2 q^4) - q^12 (S^3 - 3 q^4 S) + ...:
- * one equation for v, solved by Newton's method, the last step in pairs.  There the phase of a(t) turns at half of
- * `climb`, theta4 has its part in it, and the rest is mu: with d = q (E^2 - (q/E)^2)
- *     mu = climb/2 + s z' (2 d - 4 q^4 d S + 6 q^12 d (S^2 - q^4) - ...)/a. */
+ * one equation for v, solved by Newton's method, the last step in pairs.  There the phase of a(t)
+ * turns at half of `climb`, theta4 has its part in it, and the rest is mu: with d = q (E^2 -
+ * (q/E)^2)     mu = climb/2 + s z' (2 d - 4 q^4 d S + 6 q^12 d (S^2 - q^4) - ...)/a. */
 static void circular(brick_orbit *o, const top *p)
 {
   const pair one = pair_of(1.0);
@@ -1049,10 +1080,12 @@ static void circular(brick_orbit *o, const top *p)
 
   x = T/(1.0 + q.hi*(T*T*square));
   dS = S.hi = da = db = 0.0;
-  for (i = 0; i < 4; i++) { /* errors 2^-4, 2^-11, 2^-24, 2^-49, rounding; v, T and E are all up12 */
+  /* errors 2^-4, 2^-11, 2^-24, 2^-49, rounding; v, T and E are all up12 */
+  for (i = 0; i < 4; i++) {
     const real s = q.hi*(square*(x*x + 2.0*f.q.hi)), Q = q4.hi, Q2 = q2.hi, Q8 = q8.hi;
     const real up = 1.0 - s + Q*(s*s - 2.0*Q - Q8*s*(s*s - 3.0*Q));
-    const real down = 1.0 - Q2*(s + Q2) + Q8*((s*s + Q2*s - Q) - Q8*Q2*(s*(s*(s + Q2) - 2.0*Q) - Q*Q2));
+    const real down = 1.0 - Q2*(s + Q2) + Q8*((s*s + Q2*s - Q) - Q8*Q2*(s*(s*(s + Q2) - 2.0*Q)
+        - Q*Q2));
 
     da = Q*(2.0*s - 3.0*Q8*(s*s - Q)) - 1.0;
     db = Q8*(2.0*s + Q2) - Q2;
@@ -1069,7 +1102,8 @@ static void circular(brick_orbit *o, const top *p)
   b = pair_multiply(q2, pair_add(S, q2));
   d = pair_multiply(q8, pair_subtract(pair_add(S2, b), pair_shift(2.0, q4)));
   r = q2.hi*(S.hi*(S2.hi + q2.hi*S.hi - 2.0*q4.hi) - q2.hi*q4.hi);
-  r = q8.hi*q8.hi*(r - q8.hi*q8.hi*(S.hi*(S.hi*(S.hi*(S.hi + q2.hi) - 3.0*q4.hi) - 2.0*q2.hi*q4.hi) + q8.hi));
+  r = q8.hi*q8.hi*(r - q8.hi*q8.hi*(S.hi*(S.hi*(S.hi*(S.hi + q2.hi) - 3.0*q4.hi)
+      - 2.0*q2.hi*q4.hi) + q8.hi));
   b = pair_add(pair_subtract(one, b), pair_subtract(d, pair_of(r)));
   r = pair_subtract(pair_multiply(p->T, a), pair_times(x, b)).hi/(b.hi - (T*da - x*db)*dS);
   v = pair_sum(x, r);
@@ -1110,10 +1144,10 @@ static void multiples(const real c[4], real p, real out[4])
   out[3] = 8.0*p8*p*c[3];
 }
 
-/* The coefficients near the separatrix, Q the nome of k': cosine[n] = cos((2n + 1)h), sine[n] = -+s sin((2n + 1)h), or a
- * multiple of both */
+/* The coefficients near the separatrix, Q the nome of k': cosine[n] = cos((2n + 1)h), sine[n] =
+ * -+s sin((2n + 1)h), or a multiple of both */
 static void hyperbolic_series(brick_orbit *o, real s, real Q, const real cosine[4],
-    const real sine[4])
+                              const real sine[4])
 {
   const real P = sqrt(Q), Q2 = Q*Q;
   real two_, three_, four_;
@@ -1138,9 +1172,10 @@ static void hyperbolic_series(brick_orbit *o, real s, real Q, const real cosine[
   o->scale[2] = 1.0/three_;
 }
 
-/* V at t = 0 for k' <= 0.172, by the imaginary transformation: functions of 2 i V of nome Q (DLMF 22.6.ix, 22.2), from
- * cd = dn of that, which is 1 - w + ... over 1 + w + ..., w = 2 Q cosh 4V, and sc = tanh of it, which gives sinh 2V.
- * Where dn u < sqrt k' the same for K - u, half a period less V: so w <= sqrt Q. */
+/* V at t = 0 for k' <= 0.172, by the imaginary transformation: functions of 2 i V of nome Q (DLMF
+ * 22.6.ix, 22.2), from cd = dn of that, which is 1 - w + ... over 1 + w + ..., w = 2 Q cosh 4V,
+ * and sc = tanh of it, which gives sinh 2V. Where dn u < sqrt k' the same for K - u, half a period
+ * less V: so w <= sqrt Q. */
 static pair hyperbolic_start(const top *p, pair k, pair Q, pair period)
 {
   const pair one = pair_of(1.0), w1 = pair_shift(p->up13, p->w[0]),
@@ -1190,8 +1225,8 @@ static pair hyperbolic_start(const top *p, pair k, pair Q, pair period)
   return pair_shift(sign, V);
 }
 
-/* Near the separatrix, Q the nome of k'.  Its period is pi kappa = -log(Q)/2 (none on the separatrix), at which the phase
- * about L jumps by -2 s h, h = kappa eta.  At u = 0 b/a = T is
+/* Near the separatrix, Q the nome of k'.  Its period is pi kappa = -log(Q)/2 (none on the
+ * separatrix), at which the phase about L jumps by -2 s h, h = kappa eta.  At u = 0 b/a = T is
  *     (sin h - Q sin 3h + Q^3 sin 5h - ...)/(cos h + Q cos 3h + Q^3 cos 5h + ...),
  * an equation for x = tan h; c = cos 2h.  Half of `climb` there is mu - s V' d log theta2/dh. */
 static void brick_hyperbolic(brick_orbit *o, const top *p)
@@ -1364,7 +1399,8 @@ int brick_solve(brick_orbit *o, const brick_model *m, const real x0[])
     I[order[0]] = pair_of(0.0);
     I[order[1]] = I[order[2]] = pair_scale(sum, -1);
   }
-  for (i = 0; i < 3; i++) largest = fabs(x0[BRICK_WX + i]) > largest ? fabs(x0[BRICK_WX + i]) : largest;
+  for (i = 0; i < 3; i++) largest = fabs(x0[BRICK_WX + i]) > largest ? fabs(x0[BRICK_WX + i])
+      : largest;
   (void)frexp(largest, &e);
   if (e > 0) e = e > 26 ? e - 26 : 0; /* subnormal rates beside it keep their bits */
   for (i = 0; i < 3; i++) rate[i] = ldexp(x0[BRICK_WX + i], -e);
@@ -1400,7 +1436,8 @@ int brick_solve(brick_orbit *o, const brick_model *m, const real x0[])
     for (j = 0; j < 4; j++) b[j] = ldexp(b[j], e); /* per second again */
   }
   n = fabs(made.turn[0]) > made.rate[0] ? fabs(made.turn[0]) : made.rate[0];
-  made.last = n*1.0463951242053392e298 > 1125899906842624.0 ? 1125899906842624.0/n : 1.0463951242053392e298;
+  made.last = n*1.0463951242053392e298 > 1125899906842624.0 ? 1125899906842624.0/n
+      : 1.0463951242053392e298;
   if (!(made.rate[0] - made.rate[0] == 0.0) || !(made.turn[0] - made.turn[0] == 0.0)) return 1;
 
   /* the rates are over N^2, which is this at u = 0 */
@@ -1432,7 +1469,8 @@ int brick_solve(brick_orbit *o, const brick_model *m, const real x0[])
     quaternion_product(q0, v, made.q[k]);
   }
   if (!starts(&made)) return 1;
-  state(&made, farthest, x); /* near the separatrix the terms of the rates are largest half a flip away */
+  /* near the separatrix the terms of the rates are largest half a flip away */
+  state(&made, farthest, x);
   for (i = 0; i < BRICK_NX; i++) {
     if (!(x[i] - x[i] == 0.0)) return 1;
   }
@@ -1441,9 +1479,10 @@ int brick_solve(brick_orbit *o, const brick_model *m, const real x0[])
 }
 
 /* ---- many times at once, in blocks of one vector of 512 bits ----
- * Loops of a fixed count over local arrays, without calls or branches: GCC and Clang vectorise them as they are, GCC at -O2
- * too.  The roots have a loop of their own, the only one that stays scalar where a root may set errno.  (One comparison is
- * left nearest to the separatrix, `hyperbolic` = 2, for which GCC wants -O3.) */
+ * Loops of a fixed count over local arrays, without calls or branches: GCC and Clang vectorise
+ * them as they are, GCC at -O2 too.  The roots have a loop of their own, the only one that stays
+ * scalar where a root may set errno.  (One comparison is left nearest to the separatrix,
+ * `hyperbolic` = 2, for which GCC wants -O3.) */
 enum { BRICK_BLOCK = 8 };
 
 BRICK_INLINE void block(const brick_orbit *o, int hyperbolic, const real t[], size_t n, real x[])
@@ -1506,7 +1545,8 @@ void brick_at_many(const brick_orbit *o, int n, const real t[], real x[])
   }
 }
 
-/* ---- time in ticks: phases as fractions of a turn, 128 bits, in which whole turns vanish by overflow ---- */
+/* ---- time in ticks: phases as fractions of a turn, 128 bits, in which whole turns vanish by
+ * overflow ---- */
 
 /* a less whole turns, in units of 2^-128: {high, low}; sixteen bits at a time, each step exact */
 static void fraction(pair a, uint64_t out[2])
@@ -1518,7 +1558,8 @@ static void fraction(pair a, uint64_t out[2])
     a.hi = -a.hi;
     a.lo = -a.lo;
   }
-  if (!(fabs(a.lo) < 1.0)) a.lo -= floor(a.lo); /* so many turns that the rest has whole ones, too */
+  /* so many turns that the rest has whole ones, too */
+  if (!(fabs(a.lo) < 1.0)) a.lo -= floor(a.lo);
   a = pair_add(pair_sum(a.hi, -floor(a.hi)), pair_of(a.lo));
   if (a.hi < 0.0) a = pair_add(a, pair_of(1.0));
   out[0] = out[1] = 0;
@@ -1543,7 +1584,8 @@ static uint64_t counted(const uint64_t start[2], const uint64_t rate[2], int64_t
 {
   const uint64_t m = n < 0 ? 0 - (uint64_t)n : (uint64_t)n, a = m >> 32, b = m & 0xFFFFFFFFU;
   const uint64_t c = rate[1] >> 32, d = rate[1] & 0xFFFFFFFFU;
-  const uint64_t middle = a*d + (b*d >> 32), cross = b*c + (middle & 0xFFFFFFFFU); /* m rate[1], its upper half */
+  /* m rate[1], its upper half */
+  const uint64_t middle = a*d + (b*d >> 32), cross = b*c + (middle & 0xFFFFFFFFU);
   uint64_t high = m*rate[0] + a*c + (middle >> 32) + (cross >> 32), low = m*rate[1], sum;
 
   if (n < 0) {
@@ -1562,7 +1604,8 @@ static real brick_turns(uint64_t f)
 
 int brick_set_tick(brick_orbit *o, real h)
 {
-  const pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]}, turn = {o->turn[0], o->turn[1]};
+  const pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]},
+      turn = {o->turn[0], o->turn[1]};
   const pair per = pair_times(h, rate), mean = pair_times(h, turn);
 
   if (!(per.hi - per.hi == 0.0) || !(mean.hi - mean.hi == 0.0)) return 1;
@@ -1577,14 +1620,16 @@ int brick_set_tick(brick_orbit *o, real h)
 void brick_at_tick(const brick_orbit *o, int64_t n, real x[])
 {
   const uint64_t phase = counted(o->rate_start, o->rate_tick, n);
-  const uint64_t turn = counted(o->turn_start, o->turn_tick, n), last = 0xFFFFFFFFFFFFU; /* 48 bits */
+  /* 48 bits */
+  const uint64_t turn = counted(o->turn_start, o->turn_tick, n), last = 0xFFFFFFFFFFFFU;
   const real low = 0.5*brick_turns(phase << 1); /* without the half period that is nearest */
   brick_phases p;
 
   p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > 0.0 ? -0.5 : 0.5) : 0.0;
   p.low = low;
   if (!(o->half < 1.2676506002282294e30)) { /* rare: the separatrix has no period */
-    const uint64_t size = n < 0 ? 0 - (uint64_t)n : (uint64_t)n; /* in halves: small processors convert no more */
+    /* in halves: small processors convert no more */
+    const uint64_t size = n < 0 ? 0 - (uint64_t)n : (uint64_t)n;
     const real ticks = (real)(uint32_t)(size >> 32)*4294967296.0 + (real)(uint32_t)size;
     const pair t = pair_product(n < 0 ? -ticks : ticks, o->tick);
 
@@ -1604,8 +1649,9 @@ static int periodic(const brick_orbit *o)
   return o->half < 1.2676506002282294e30;
 }
 
-/* Periods of the rates (0 if they have none) and turns about L in a second, both times 2^-e; the result is e.  b winds
- * once more than a in each period of z, of which the rates' has two: the phase of a is 2 mu, of both 2 mu + s z'. */
+/* Periods of the rates (0 if they have none) and turns about L in a second, both times 2^-e; the
+ * result is e.  b winds once more than a in each period of z, of which the rates' has two: the
+ * phase of a is 2 mu, of both 2 mu + s z'. */
 static int means(const brick_orbit *o, pair *periods, pair *turns)
 {
   const pair rate = {o->rate[0], o->rate[1]}, turn = {o->turn[0], o->turn[1]};
@@ -1648,7 +1694,8 @@ real brick_rotation_number(const brick_orbit *o)
   return periodic(o) ? pair_divide(turns, periods).hi : HUGE_VAL;
 }
 
-/* start + rate t = n/2, n the first integer whose t is later after rounding; on the separatrix n = 0 alone */
+/* start + rate t = n/2, n the first integer whose t is later after rounding; on the separatrix n =
+ * 0 alone */
 real brick_next_flip(const brick_orbit *o, real t)
 {
   const pair start = {o->start[0], o->start[1]};
@@ -1657,7 +1704,8 @@ real brick_next_flip(const brick_orbit *o, real t)
   int e, i;
 
   if (!(rate.hi > 0.0)) return HUGE_VAL;
-  (void)frexp(rate.hi, &e); /* time in units of 2^-e, so that nothing leaves the range before t has no digits left */
+  /* time in units of 2^-e, so that nothing leaves the range before t has no digits left */
+  (void)frexp(rate.hi, &e);
   rate = pair_scale(rate, -e);
   if (!periodic(o)) {
     next = ldexp(pair_divide(pair_minus(start), rate).hi, -e);
@@ -1671,5 +1719,6 @@ real brick_next_flip(const brick_orbit *o, real t)
     next = ldexp(pair_divide(pair_subtract(pair_scale(n, -1), start), rate).hi, -e);
     if (next > t) return next;
   }
-  return t + fabs(t)*2.220446049250313e-16; /* a period is less than t's last place: every t is near a flip */
+  /* a period is less than t's last place: every t is near a flip */
+  return t + fabs(t)*2.220446049250313e-16;
 }

@@ -16,38 +16,48 @@ extern "C" {
 
 /* ---- closed form: free asymmetric top, theta functions ----
  *
- * With u linear in time L = (B1 cn u, B2 sn u, B3 dn u) along the principal axes, Jacobi's functions; the
- * attitude is exp(i mu t) times theta4 and theta1 of pi u/(2 K) - i eta, a complex pair (Jacobi 1849; Whittaker,
- * Analytical Dynamics, section 69).  Set up in twice the working precision; any moments and any state: symmetric,
- * spherical, a rod, spin about an axis and the separatrix are limits that the same formulas pass through.
+ * With u linear in time L = (B1 cn u, B2 sn u, B3 dn u) along the principal axes, Jacobi's
+ * functions; the attitude is exp(i mu t) times theta4 and theta1 of pi u/(2 K) - i eta, a complex
+ * pair (Jacobi 1849; Whittaker, Analytical Dynamics, section 69).  Set up in twice the working
+ * precision; any moments and any state: symmetric, spherical, a rod, spin about an axis and the
+ * separatrix are limits that the same formulas pass through.
  */
 typedef struct brick_orbit {
-  brick_real start[2], rate[4];   /* phase of the rates at t = 0, and per second, in their periods: high, low, halves of high */
-  brick_real turn[4], jump;       /* turns about L per second; how far it runs ahead in half a period, near the separatrix */
-  brick_real half;                /* there: half a period as a power of two, 2^half; on it 1.2676506002282294e30 */
-  brick_real last;                /* s; later times are taken for this one, after 2^50 turns (float: 2^46) */
-  brick_real a[4], b[4], c[4], d[4], f[10], nome, scale[3], s; /* series, see brick_circular_terms */
+  /* phase of the rates at t = 0, and per second, in their periods: high, low, halves of high */
+  brick_real start[2], rate[4];
+  /* turns about L per second; how far it runs ahead in half a period, near the separatrix */
+  brick_real turn[4], jump;
+  /* there: half a period as a power of two, 2^half; on it 1.2676506002282294e30 */
+  brick_real half;
+  /* s; later times are taken for this one, after 2^50 turns (float: 2^46) */
+  brick_real last;
+  /* series, see brick_circular_terms */
+  brick_real a[4], b[4], c[4], d[4], f[10], nome, scale[3], s;
   brick_real q[4][4], w[3][3];    /* quaternion and rates are combinations of these */
-  brick_real tick;                /* s; the rest is set by brick_set_tick: fractions of two periods, of a turn */
+  /* s; the rest is set by brick_set_tick: fractions of two periods, of a turn */
+  brick_real tick;
   uint64_t rate_tick[2], rate_start[2], turn_tick[2], turn_start[2];
   int hyperbolic;                   /* 1 near the separatrix, 2 nearest to it */
 } brick_orbit;
 
-/* Prepare the motion through x0 at t = 0, q of x0 normalised: about 6000 operations, a fixed number but for a tensor with
- * products, whose axes take some more.  Phases come to 2^-100 or so of a turn for each (float: 2^-42).  Near the
- * separatrix a tensor without products loses nothing; one with products is turned to its principal axes in pairs, which
- * displaces the state by less than 2^-45 of what a unit of the last place of x0 does (float: 2^-19).  Returns 0, or 1 if
- * q is 0, a number not finite, the body none (a negative moment; no moment about an axis across which two differ), or a
- * rate beyond the range of the type; *o is untouched then. */
+/* Prepare the motion through x0 at t = 0, q of x0 normalised: about 6000 operations, a fixed
+ * number but for a tensor with products, whose axes take some more.  Phases come to 2^-100 or so
+ * of a turn for each (float: 2^-42).  Near the separatrix a tensor without products loses nothing;
+ * one with products is turned to its principal axes in pairs, which displaces the state by less
+ * than 2^-45 of what a unit of the last place of x0 does (float: 2^-19).  Returns 0, or 1 if q is
+ * 0, a number not finite, the body none (a negative moment; no moment about an axis across which
+ * two differ), or a rate beyond the range of the type; *o is untouched then. */
 int brick_solve(brick_orbit *o, const brick_model *m, const brick_real x0[]);
 
-/* The state at time t, of either sign: attitude and rates.  The phases are formed and reduced in twice the working
- * precision: errors stay some units of the last place until that is used up, after 2^40 turns (float: 2^20).  Later the
- * state is one of this motion, but nobody knows which. */
+/* The state at time t, of either sign: attitude and rates.  The phases are formed and reduced in
+ * twice the working precision: errors stay some units of the last place until that is used up,
+ * after 2^40 turns (float: 2^20).  Later the state is one of this motion, but nobody knows which.
+ * */
 void brick_at(const brick_orbit *o, brick_real t, brick_real x[]);
 
-/* The same bits at n times (if the compiler fuses nothing: -ffp-contract=off), x[i*n + k] component i at t[k]; x apart from
- * t.  Worth vector instructions: with GCC or Clang -O3 -march=native -fno-math-errno. */
+/* The same bits at n times (if the compiler fuses nothing: -ffp-contract=off), x[i*n + k]
+ * component i at t[k]; x apart from t.  Worth vector instructions: with GCC or Clang -O3
+ * -march=native -fno-math-errno. */
 void brick_at_many(const brick_orbit *o, int n, const brick_real t[], brick_real x[]);
 
 /* The rates w[3], rad/s, body axes, or the attitude q[4] alone. */
@@ -55,18 +65,19 @@ void brick_at_rates(const brick_orbit *o, brick_real t, brick_real w[]);
 
 void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[]);
 
-/* Time in steps of h s.  Phases are integers, which lose nothing however many ticks have passed.  Returns 1 if a step is
- * beyond the range of the type. */
+/* Time in steps of h s.  Phases are integers, which lose nothing however many ticks have passed. 
+ * Returns 1 if a step is beyond the range of the type. */
 int brick_set_tick(brick_orbit *o, brick_real h);
 
 void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[]);
 
-/* The rates w go round the polhode in polhode_period s: infinite on the separatrix, 0 if w is constant.  The axis about
- * which L goes round in the body goes round L in space at precession_rate, rad/s, on average, once in precession_period s
- * (infinite without rotation).  rotation_number is the quotient of the periods: by so many turns about L is the body
- * further when w has come back (Montgomery's phase, Am. J. Phys. 59, 394, 1991, over 2 pi, counted continuously);
- * infinite on the separatrix, 0 if w is constant.  The rate is right to the type's last place, or to the square of that
- * in units of |w|, whichever is more. */
+/* The rates w go round the polhode in polhode_period s: infinite on the separatrix, 0 if w is
+ * constant.  The axis about which L goes round in the body goes round L in space at
+ * precession_rate, rad/s, on average, once in precession_period s (infinite without rotation). 
+ * rotation_number is the quotient of the periods: by so many turns about L is the body further
+ * when w has come back (Montgomery's phase, Am. J. Phys. 59, 394, 1991, over 2 pi, counted
+ * continuously); infinite on the separatrix, 0 if w is constant.  The rate is right to the type's
+ * last place, or to the square of that in units of |w|, whichever is more. */
 brick_real brick_polhode_period(const brick_orbit *o);
 
 brick_real brick_precession_rate(const brick_orbit *o);
@@ -75,10 +86,11 @@ brick_real brick_precession_period(const brick_orbit *o);
 
 brick_real brick_rotation_number(const brick_orbit *o);
 
-/* The first time after t, rounded, at which the component of L (and of w) along the axis of the middle moment changes its
- * sign: near the separatrix the top flips there.  Twice in a period, on the separatrix once, never (infinite) if w is
- * constant.  With two equal moments it is some axis across the third.  Always more than t, so that
- * t = brick_next_flip(o, t) lists all flips; where flips follow faster than floating point numbers do, the next number. */
+/* The first time after t, rounded, at which the component of L (and of w) along the axis of the
+ * middle moment changes its sign: near the separatrix the top flips there.  Twice in a period, on
+ * the separatrix once, never (infinite) if w is constant.  With two equal moments it is some axis
+ * across the third.  Always more than t, so that t = brick_next_flip(o, t) lists all flips; where
+ * flips follow faster than floating point numbers do, the next number. */
 brick_real brick_next_flip(const brick_orbit *o, brick_real t);
 
 #ifdef __cplusplus
