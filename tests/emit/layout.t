@@ -1,0 +1,141 @@
+#!/usr/bin/env lua5.4
+-- layout.t - gen writes what is called for: --only, --layout, --list, --with analysis, and no line beyond 100 columns.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- Each function that --list names is emitted alone: it compiles without a warning, its object defines nothing else that
+-- others could call (but the set-up that fills the model), and its self-test passes.  Whatever the layout, the states
+-- have the same bits.  The quick tier asks for every twelfth function, and for three bodies' lines.
+
+package.path = "./?.lua;" .. package.path
+
+local tap = require "tests.tap"
+local tier = require "tests.tier"
+local program = require "tests.cli.program"
+
+local dir = program.directory()
+local binary = os.getenv "POLHODE" or "build/polhode"
+local STRICT = "-std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror -ffp-contract=off"
+
+local function shell(...)
+  local status = program.shell(string.format("{ %s; } >%s/stdout 2>%s/stderr", string.format(...), dir, dir))
+  return status, program.read(dir .. "/stdout"), program.read(dir .. "/stderr")
+end
+
+local function lines(text)
+  local out = {}
+  for line in text:gmatch "[^\n]+" do out[#out + 1] = line end
+  return out
+end
+
+-- ---- one function alone ----
+
+local function alone(body, real, name)
+  local at = string.format("%s/%s_%s", dir, body, name)
+  local status, _, err = shell("%s gen bodies/%s.lua --real %s --only %s -o %s", binary, body, real, name, at)
+  local why = status ~= 0 and err
+  if not why then
+    status, _, err = shell("cd %s && make -s CC=gcc CFLAGS='-O1 -Werror' check && for f in %s*.c; do case $f in " ..
+      "*_test.c) ;; *) clang %s -c -o $f.o $f || exit 1;; esac; done && nm --defined-only -g *.c.o", at, body, STRICT)
+    why = status ~= 0 and err .. program.read(dir .. "/stdout")
+  end
+  if not why then
+    for symbol in program.read(dir .. "/stdout"):gmatch "%x+ [TDBR] ([%w_]+)" do
+      local own = symbol:sub(#body + 2)
+      if own ~= name and own ~= "init" and own ~= "defaults" then why = "it defines " .. symbol end
+    end
+  end
+  tap.ok(not why, string.format("%s, %s: %s alone", body, real, name), why)
+end
+
+for _, row in ipairs { { "brick_centroid", "double" }, { "heavy_top", "float" }, { "wheels", "double" },
+  { "foucault", "float" } } do
+  local body, real = row[1], row[2]
+  local status, text, err = shell("%s gen bodies/%s.lua --list", binary, body)
+  local list = lines(text)
+  tap.ok(status == 0 and err == "" and #list > 12 and list[1]:find "^function +file +lines +operations +calls$",
+    body .. ": --list names " .. #list - 1 .. " functions", text .. err)
+  local names = {}
+  for i = 2, #list do names[i - 1] = list[i]:match "^[%w_]+" end
+  for _, name in ipairs(tier.every(12, names)) do alone(body, real, name) end
+end
+
+-- ---- the same bits in every layout ----
+
+program.write(dir .. "/main.c", [[
+#include <stdio.h>
+int main(void)
+{
+  brick_centroid_model m;
+  brick_centroid_real x[BRICK_CENTROID_NX], moments[3], axes[9];
+  brick_centroid_orbit o;
+  int i;
+  if (brick_centroid_init(&m, 0)) return 1;
+  brick_centroid_initial(&m, x);
+  for (i = 0; i < 1000; i++) brick_centroid_step(&m, 0, x, 0, 0.01);
+  for (i = 0; i < BRICK_CENTROID_NX; i++) printf("%a ", x[i]);
+  if (brick_centroid_solve(&o, &m, x) || brick_centroid_principal(&m, moments, axes)) return 1;
+  brick_centroid_at(&o, 123.5, x);
+  for (i = 0; i < BRICK_CENTROID_NX; i++) printf("%a ", x[i]);
+  printf("%a %a\n", moments[0], axes[4]);
+  return 0;
+}
+]])
+local first
+for _, way in ipairs { "split", "single", "header" } do
+  local at = dir .. "/" .. way
+  local status, out, err = shell("%s gen bodies/brick_centroid.lua --with analysis --layout %s -o %s && cd %s && " ..
+    "{ %s for h in $(ls *.h | grep -v private); do echo \"#include \\\"$h\\\"\"; done; cat ../main.c; } >main.c && " ..
+    "gcc %s -O2 -o main $(ls *.c | grep -v -e _test -e qemu) -lm && ./main && ls *.c *.h | wc -l", binary, way, at, at,
+    way == "header" and "echo '#define BRICK_CENTROID_IMPLEMENTATION';" or "", STRICT)
+  local state = out:match "^[^\n]*"
+  first = first or state
+  tap.ok(status == 0 and state == first and #state > 200, way .. ": the same bits", out .. err)
+end
+tap.is(select(2, shell("cd %s/header && ls *.h | grep -c . && ls brick_centroid*.c", dir)),
+  "1\nbrick_centroid_test.c\n", "header: one file of code")
+
+-- ---- what it holds ----
+
+local function gen(options)
+  program.shell("rm -rf " .. dir .. "/o")
+  local status, _, err = shell("%s gen %s -o %s/o", binary, options, dir)
+  return status, err
+end
+gen "bodies/brick_centroid.lua --method rk4"
+local source = program.read(dir .. "/o/brick_centroid.c")
+tap.ok(#lines(source) <= 300, "rk4 of a free box: at most 300 lines", tostring(#lines(source)))
+tap.ok(not source:find "_principal%(" and not source:find "pair", "and nothing of the analysis")
+for _, real in ipairs { "double", "float" } do
+  gen("bodies/brick_centroid.lua --only step --bake --real " .. real)
+  local count = select(2, program.read(dir .. "/o/brick_centroid.c"):gsub("\n", ""))
+  tap.ok(count <= (real == "float" and 190 or 150), "--only step --bake, " .. real .. ": " .. count .. " lines")
+end
+for _, row in ipairs {
+  { "bodies/brick.lua --only stp", "--only: the scene has no function stp; did you mean step? (it has init, " },
+  { "bodies/brick.lua --only step --project firmware", "--only: the project's own files decide what they call" },
+  { "bodies/brick.lua --layout header --project fmu", "--layout: the project's own files decide what they call" },
+  { "bodies/spinner.lua --with proof --layout split", "--layout: the proof is of one file, got --layout split" },
+} do
+  local status, err = gen(row[1])
+  tap.ok(status == 2 and err:find("polhode gen: " .. row[2], 1, true) and err:find "^[^\n]*\n$", "gen " .. row[1], err)
+end
+for _, row in ipairs { { "--list --only step", "--only" }, { "--list --show cse", "--list" } } do
+  local status, _, err = shell("%s gen bodies/brick.lua %s", binary, row[1])
+  tap.ok(status == 2 and err:find("polhode gen: " .. row[2] .. ": ", 1, true), "gen " .. row[1] .. " is refused", err)
+end
+
+-- ---- lines ----
+
+local _, bodies = shell "ls bodies/*.lua"
+for _, body in ipairs(tier.every(14, lines(bodies))) do
+  local real = body:find "water" and "double" or "float" -- water's constants leave the range of float
+  local status, err = gen(body .. " --with analysis --real " .. real)
+  local long = {}
+  local _, text = shell("cat %s/o/*.c %s/o/*.h", dir, dir)
+  for _, line in ipairs(lines(text)) do
+    local plain = line:gsub('"[^"]*"', ""):gsub("%d+", "") -- strings and numbers are not broken
+    if #line > 100 and #plain > 100 then long[#long + 1] = line end
+  end
+  tap.ok(status == 0 and #long == 0, body .. ": no line beyond 100 columns", err .. table.concat(long, "\n"))
+end
+tap.done(program.finish())
