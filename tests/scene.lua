@@ -89,10 +89,9 @@ end
 
 -- Completes a job for emission; its files by name.
 function scene.plan(job, options)
-  return driver.plan(job, { only = (options or {}).only, analysis = (options or {}).analysis, layout = (options or {}).layout,
-    real = (options or {}).real, command = "polhode gen test.lua",
-    methods = (options or {}).methods, jacobians = (options or {}).jacobians, order = (options or {}).order,
-    libm = (options or {}).libm })
+  local o = options or {}
+  return driver.plan(job, { only = o.only, analysis = o.analysis, layout = o.layout, real = o.real,
+    command = "polhode gen test.lua", methods = o.methods, jacobians = o.jacobians, order = o.order, libm = o.libm })
 end
 
 function scene.files(job, plugin)
