@@ -119,8 +119,21 @@ local function blocks(groups, checks)
   return out
 end
 
--- Fills the template's values: init_loads, init_groups, finite_lines, checks.
-function init.fill(ctx, m, values)
+-- The members whose being finite must be asked for.  That of a small multiple of another one follows, but for an
+-- overflow, in which the first step ends as well; stepped: is there such a step?
+local function unsure(m, stepped)
+  local list = {}
+  for _, member in ipairs(m.members) do
+    local e = member.form
+    local factor = e.kind == "mul" and #e == 2 and e[1].kind == "num" and e[2].kind == "sym" and m.by_name[e[2].name]
+    local follows = stepped and factor and R.abs(e[1].value) <= R.new(4)
+    if not follows then list[#list + 1] = member end
+  end
+  return list
+end
+
+-- Fills the template's values: init_loads, init_groups, finite_lines, checks.  stepped: does NAME_init make a step?
+function init.fill(ctx, m, values, stepped)
   local list, map = source.parameters(ctx, m.params, taken)
   local groups, checks, placed = {}, {}, {}
   -- a condition may ask for the rounding of the real type, half a unit in the last place of 1: it keeps a name, for
@@ -149,13 +162,13 @@ function init.fill(ctx, m, values)
   values.init_loads, values.init_groups = c.loads, blocks(c.groups, checks)
   values.finite_lines = {}
   local code, lines, zero = #checks + 1, values.finite_lines, number.text(R.zero, ctx.real)
-  for i, member in ipairs(m.members) do
+  for _, member in ipairs(unsure(m, stepped)) do
     local term = string.format("(k.%s - k.%s)", member.name, member.name)
     local line = lines[#lines]
     if line and #line + #term < 92 then
       lines[#lines] = string.sub(line, 1, -2) .. " + " .. term .. ";"
     else
-      lines[#lines + 1] = (i == 1 and "real rest = " or "rest += ") .. term .. ";"
+      lines[#lines + 1] = (line and "rest += " or "real rest = ") .. term .. ";"
     end
   end
   if lines[1] then lines[1] = string.gsub(lines[1], "^real", ctx.type) end

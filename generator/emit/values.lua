@@ -179,7 +179,7 @@ function values.common(job)
   v.step_literal, v.horizon_literal = number.text(m:number(m.step), real), number.text(m:number(m.horizon), real)
   v.step_text, v.horizon_text = number.text(m:number(m.step), "double"), number.text(m:number(m.horizon), "double")
   constants(real, v)
-  init.fill(ctx, m, v)
+  init.fill(ctx, m, v, job.selection.asked "step")
   special.fill(v, ctx)
   v.has_rates, v.has_attitude = m.has.rates, m.has.attitude
   v.has_integral = job.conserved.rate ~= nil
