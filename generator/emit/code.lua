@@ -157,7 +157,7 @@ function code.of(job)
   v.included = #list > 0 and "`" .. table.concat(list, "`, `") .. "`" or "C itself"
   v.declarations, v.definitions, v.header_includes, v.source_includes = table.concat(texts.header, "\n"), text,
     includes(table.concat(texts.header, "\n")), list
-  v.real_type, v.own_includes, v.has_private = v.name .. "_real", {}, false
+  v.real_type, v.own_includes, v.has_private = ctx.type, {}, false
   v.file, v.file_upper, v.implementation = v.name, v.upper, ""
   local header, source = render "templates/scene.h", render "templates/scene.c"
   for k, name in pairs(libm.names(ctx, false)) do v[k] = name end -- for other files; into a table: order is lost

@@ -66,10 +66,8 @@ function libm.included(ctx, text)
   if ctx.own then return false end
   if string.find(text, "%f[%w_]FP_FAST_FMA") or string.find(text, "%f[%w_]HUGE_VAL") then return true end
   local f = ctx.real == "float" and "f" or ""
-  for name in string.gmatch(text, "%f[%w_](%l[%l%d]*)%(") do
-    for _, fn in ipairs(INCLUDED) do
-      if name == fn .. f then return true end
-    end
+  for _, fn in ipairs(INCLUDED) do
+    if string.find(text, "%f[%w_]" .. fn .. f .. "%(") then return true end
   end
   return false
 end

@@ -27,8 +27,8 @@ local function text_line(line, newline)
   return "_put(" .. table.concat(parts, ", ") .. ")"
 end
 
--- The text of template `source` (its name is used in messages) with the values.
-function template.render(name, source, values)
+-- The template as Lua, one line for one of its lines.
+function template.translate(name, source)
   local lines = {}
   if source ~= "" and string.sub(source, -1) ~= "\n" then
     local _, newlines = string.gsub(source, "\n", "")
@@ -38,6 +38,12 @@ function template.render(name, source, values)
     local logic = string.match(line, "^%s*%%%%(.*)$")
     lines[#lines + 1] = logic or text_line(line, true)
   end
+  return table.concat(lines, "\n")
+end
+
+-- The text of template `source` (its name is used in messages) with the values.  source: text, or what string.dump made
+-- of its translation when the program was built.
+function template.render(name, source, values)
   local out = {}
   local env = setmetatable({
     ipairs = ipairs,
@@ -57,7 +63,8 @@ function template.render(name, source, values)
     end,
     __newindex = function(_, k) error("a template must not assign '" .. tostring(k) .. "'", 2) end,
   })
-  local chunk, why = load(table.concat(lines, "\n"), "@" .. name, "t", env)
+  local made = string.sub(source, 1, 4) == "\27Lua"
+  local chunk, why = load(made and source or template.translate(name, source), "@" .. name, made and "b" or "t", env)
   if not chunk then error(why, 0) end
   chunk()
   return table.concat(out)

@@ -70,11 +70,13 @@ local function definition(lines, i)
       line = last and string.sub(line, last + 1) or ""
       inside = not last
     end
-    line = bare(line)
-    local from = string.find(line, "/*", 1, true)
-    if from then line, inside = string.sub(line, 1, from - 1), true end
-    for brace in string.gmatch(line, "[{}]") do
-      depth = depth + (brace == "{" and 1 or -1)
+    if string.find(line, "[/\"']") then -- nothing to take out of most lines
+      line = bare(line)
+      local from = string.find(line, "/*", 1, true)
+      if from then line, inside = string.sub(line, 1, from - 1), true end
+    end
+    if string.find(line, "[{}]") then
+      for brace in string.gmatch(line, "[{}]") do depth = depth + (brace == "{" and 1 or -1) end
       open = true
     end
     if depth == 0 and not inside and (string.find(line, ";%s*$") or open and string.find(line, "^}%s*$")) then
@@ -85,11 +87,11 @@ local function definition(lines, i)
 end
 
 local function used(code)
-  local seen, list = {}, {}
+  local seen, list, n = {}, {}, 0
   for name in string.gmatch(code, "[%a_][%w_]*") do
     if not seen[name] then
-      seen[name] = true
-      list[#list + 1] = name
+      n = n + 1
+      seen[name], list[n] = true, name
     end
   end
   return list

@@ -3,8 +3,9 @@
 --
 --     lua5.4 src/cli/embed.lua OUTPUT.c FILE-OR-DIRECTORY...
 --
--- A template is its text, one line of it a line of the array.  A script is compiled here, which takes more than half
--- off the program's start; what names its lines stays in, so that a traceback of the installed program shows them.
+-- A script is compiled here, which takes more than half off the program's start, and so is a template with names or
+-- logic in it (generator/emit/template.lua); what names their lines stays in, so that a message of the installed
+-- program has them.  Any other file is its text, one line of it a line of the array.
 -- Names are sorted and the output is written only when it differs: make stays quiet and two builds give the same
 -- program.
 
@@ -48,10 +49,14 @@ local function array(text, binary)
   return table.concat(out)
 end
 
+local template = dofile((arg[0]:gsub("src/cli/embed%.lua$", "generator/emit/template.lua")))
+
 local function contents(name)
   local text = assert(read(name))
   if name:find("%.lua$") then
     return array(string.dump(assert(load(text, "@" .. name, "t"))), true)
+  elseif name:find("^templates/") and (text:find("${", 1, true) or text:find("%f[^\n\0]%s*%%%%")) then
+    return array(string.dump(assert(load(template.translate(name, text), "@" .. name, "t"))), true)
   end
   return array(text)
 end

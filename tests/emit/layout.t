@@ -124,6 +124,20 @@ for _, row in ipairs { { "--list --only step", "--only" }, { "--list --show cse"
   tap.ok(status == 2 and err:find("polhode gen: " .. row[2] .. ": ", 1, true), "gen " .. row[1] .. " is refused", err)
 end
 
+-- ---- names of the scene that are names of the code, too ----
+
+program.write(dir .. "/clash.lua", [[
+local real, pair = param("real", 0.3, "m"), param("pair", 0.2, "m")
+local overflows, state = param("overflows", 0.1, "m"), param("state", 2, "kg")
+return scene { name = "clash", body = solid.box { x = real, y = pair, z = overflows, mass = state },
+  initial = { omega = {0.1, 6, 0.2} } }
+]])
+for _, layout in ipairs { "split", "header" } do
+  gen(string.format("%s/clash.lua --with analysis --layout %s", dir, layout))
+  local status, _, err = shell("make -s -C %s/o CC=gcc CFLAGS='-O1 -Werror' check", dir)
+  tap.ok(status == 0, "parameters real, pair, overflows, state: " .. layout, err)
+end
+
 -- ---- lines ----
 
 local _, bodies = shell "ls bodies/*.lua"

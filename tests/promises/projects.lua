@@ -20,8 +20,10 @@ local DERIVED = { "exact", "rk4", "adaptive", "taylor", "midpoint", "semi" }
 
 -- p with its texts, or nil and the refusal.
 local function emit(p, path, options)
-  local code = program.shell(string.format("%s gen %s --real %s %s -o %s >/dev/null 2>%s.err", binary, path, p.real,
-    options, p.where, p.where))
+  local all = string.gsub(options, "%-%-with ", "--with analysis,")
+  if not string.find(all, "--with", 1, true) then all = all .. " --with analysis" end
+  local code = program.shell(string.format("%s gen %s --layout single --real %s %s -o %s >/dev/null 2>%s.err", binary,
+    path, p.real, all, p.where, p.where))
   if code ~= 0 then return nil, program.read(p.where .. ".err") end
   p.header = program.read(p.where .. "/" .. p.name .. ".h")
   p.source = program.read(p.where .. "/" .. p.name .. ".c")

@@ -108,13 +108,12 @@ target_link_options(app PRIVATE -nostartfiles -T %s/templates/target/cortex.ld)
   tap.ok(names:find "probe_step" and not names:find "probe_jacobian" and not names:find "probe_solve" and
     not names:find "probe_principal", real .. ": what it does not call is not there", names)
   local said, bytes = sizes(app, "build/app")
-  local whole = select(2, sizes(folder, "cross/libprobe.a"))
-  tap.ok(bytes < whole / 5, real .. ": it has less than a fifth of the library's code", bytes .. " of " .. whole)
   reports[#reports + 1] = real .. ", MinSizeRel, init, initial, step and start-up: " .. said
   if single then
     firmware.run(app, "rm -rf build && cmake -B build -DCMAKE_TOOLCHAIN_FILE=" .. dir
       .. "/toolchain.cmake -DCMAKE_BUILD_TYPE=MinSizeRel -DPROBE_GC_SECTIONS=OFF && cmake --build build")
-    tap.ok(select(2, sizes(app, "build/app")) > 3 * bytes, real .. ": without PROBE_GC_SECTIONS all of it is",
+    -- the closed form is a file of its own, which no program takes along that does not call it
+    tap.ok(select(2, sizes(app, "build/app")) > bytes, real .. ": without PROBE_GC_SECTIONS all of probe.c is there",
       (sizes(app, "build/app")))
   end
 

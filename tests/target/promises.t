@@ -118,7 +118,7 @@ for n, row in ipairs(rows) do
     painted[f] = tonumber(bytes) - (bound - bounds[f].bytes)
     if tonumber(bytes) > bound then beyond[#beyond + 1] = string.format("%s: %s of %d", f, bytes, bound) end
   end
-  tap.ok(#painted == #names and #names > 8, title .. ": all " .. #names .. " functions are called", said)
+  tap.ok(#painted == #names and #names > 5, title .. ": all " .. #names .. " functions are called", said)
   tap.ok(#beyond == 0, title .. ": none goes deeper than its bound", table.concat(beyond, "\n"))
   local step = p.name .. "_step"
   tap.ok(painted[step] and painted[step] >= bounds[step].bytes - SLACK, title .. ": the bound of a step is reached",

@@ -26,12 +26,14 @@ function scenes.source(scene, real, methods, more)
   local name = string.match(scene, "[^/]*$")
   local options = string.gsub((methods and "," .. methods or "") .. (more or ""), "[ ,]+%-*", ".")
   local own = scenes.dir .. "/" .. name .. "." .. real .. options
+  local all = string.gsub(more or "", "%-%-with ", "--with analysis,")
+  if not string.find(all, "--with", 1, true) then all = all .. " --with analysis" end
   -- what comes out as it was before keeps its time, and what was built from it stays
   local stamp = jobs.rule(own .. "/stamp", { scenes.program_path, "bodies/" .. scene .. ".lua" },
-    string.format("%s gen bodies/%s.lua --layout single --with analysis --real %s%s%s -o %s/new && for f in " ..
+    string.format("%s gen bodies/%s.lua --layout single --real %s%s%s -o %s/new && for f in " ..
       "%s/new/*; do cmp -s $f %s/${f##*/} || " ..
       "cp $f %s; done && touch %s/stamp", scenes.program_path, scene, real, methods and " --method " .. methods or "",
-      more or "", own, own, own, own, own))
+      all, own, own, own, own, own))
   for _, file in ipairs { ".h", "_test.c" } do jobs.rule(own .. "/" .. name .. file, { stamp }) end
   return jobs.rule(own .. "/" .. name .. ".c", { stamp })
 end

@@ -96,8 +96,8 @@ int brick_init(brick_model *m, const real p[])
   /* x - x is 0 unless x is infinite or not a number */
   real rest = (k.Ixx - k.Ixx) + (k.Iyy - k.Iyy) + (k.Izz - k.Izz) + (k.Ixy - k.Ixy);
   rest += (k.Ixz - k.Ixz) + (k.Iyz - k.Iyz) + (k.Jxx - k.Jxx) + (k.Jyy - k.Jyy);
-  rest += (k.Jzz - k.Jzz) + (k.Jxy - k.Jxy) + (k.Jxz - k.Jxz) + (k.Jyz - k.Jyz) + (k.Rx - k.Rx);
-  rest += (k.Ry - k.Ry) + (k.Rz - k.Rz) + (k.mass - k.mass);
+  rest += (k.Jzz - k.Jzz) + (k.Jxy - k.Jxy) + (k.Jxz - k.Jxz) + (k.Jyz - k.Jyz);
+  rest += (k.mass - k.mass);
   if (!(rest == 0.0)) return 5;
   if (!(k.Jxx > 0.0)) return 5;
   if (!(k.Jyy > 0.0)) return 5;
