@@ -75,7 +75,8 @@ for word in string.gmatch([[auto break case char const continue default do doubl
   public template this throw true try typename using virtual and or not xor asm catch
   fabs copysign sqrt cbrt floor frexp ldexp sin cos tan exp sinh cosh tanh log pow atan atan2 asin acos fma huge signbit
   index round trunc ceil fmod hypot gamma nan abs acosh asinh atanh div erf erfc exp2 expm1 fdim fmax fmin ilogb labs
-  lgamma log10 log1p log2 logb lrint lround modf nearbyint nextafter remainder remquo rint scalbln scalbn tgamma j0 j1 jn
+  lgamma log10 log1p log2 logb lrint lround modf nearbyint nextafter remainder remquo rint scalbln scalbn tgamma j0
+  j1 jn
   y0 y1 yn drem finite significand abort abs atexit atof atoi atol bsearch calloc exit free getenv malloc qsort rand
   realloc srand strtod strtol system memchr memcmp memcpy memmove memset strcat strchr strcmp strcpy strlen remove
   rename clock time difftime raise signal printf puts read write open close link pause]], "%S+") do
