@@ -26,7 +26,7 @@ local function merged(text, mark, seed, rows)
   end
   for _, row in ipairs(rows) do
     if row:find "|  |$" then
-      local body = row:sub(1, -5)
+      local body = row:sub(1, -4)
       row = body .. " " .. (verdicts[body] or "") .. " |"
     end
     kept[#kept + 1] = row
