@@ -27,7 +27,7 @@ local function comment(lines)
   local margin = indent_of(lines[1]) .. (string.find(lines[2] or " *", "^ *%*") and " * " or "   ")
   for i, line in ipairs(lines) do
     local words = string.match(line, "^ *%*? ?(.*)$")
-    local prose = i > 1 and string.find(line, "^ *%*? ?%S") and not string.find(line, "^ *%*/")
+    local prose = i > 1 and string.find(words, "^%S") and not string.find(line, "^ *%*/")
     if rest and prose then
       line, rest = margin .. rest .. " " .. words, nil
     elseif rest then
@@ -35,6 +35,7 @@ local function comment(lines)
     end
     while #line > columns.width do
       local at = gap(line, #margin + 1, columns.width)
+      if at and string.sub(line, at + 1) == "*/" then at = gap(line, #margin + 1, at - 1) end -- not alone on a line
       if not at then break end
       out[#out + 1] = string.sub(line, 1, at - 1)
       rest = string.sub(line, at + 1)
