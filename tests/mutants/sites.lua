@@ -138,11 +138,20 @@ local function constants(code, _, add)
   end
 end
 
+-- real a = 1, b[3]: is what stands left of a bracket the further name of a declaration?
+local function declares_more(before)
+  if not before:find "^%s*[%a_][%w_]* %*?[%a_][%w_]*.*, %*?[%a_][%w_]*$" then return false end
+  local open = 0
+  for c in before:gmatch "[%(%){}]" do open = open + ((c == "(" or c == "{") and 1 or -1) end
+  return open == 0 and not before:find "^%s*return "
+end
+
 -- Not the size of an array that is declared; in Lua, not a key that is no number.
 local function indices(code, language, add)
   for from, index, to in code:gmatch "()%[([%w_]+)%]()" do
     local before = left_of(code, from)
-    local declared = language == "c" and before:find "[%a_][%w_]* %*?[%w_]+$" and not before:find "return [%w_]+$"
+    local declared = language == "c" and before:find "[%a_][%w_]* %*?[%w_]+$" and not before:find "return [%w_]+$" or
+      declares_more(before)
     local counted = math.tointeger(index) or language == "c" or #index == 1
     if counted and not declared and before:find "[%w_)%]]$" then
       add("index", from, to - 1, function(s)
