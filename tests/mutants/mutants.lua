@@ -6,8 +6,8 @@
 -- In a copy of the tree, BUILD/mutants/tree, a third of the defects each in generator/, templates/ and src/; the same
 -- SEED plants the same ones in the same tree.  A defect with which the program cannot be built is none: another is
 -- drawn.  Each is met by the quick tests that run its line (seen.lua), until one fails, and what they let pass by the
--- others of make check-all that can see the file (quick: not by these).  What was found is kept in
--- BUILD/mutants/SEED.log: a run that was stopped goes on there.
+-- others of make check-all that run it (quick: not by these).  What was found is kept in BUILD/mutants/SEED.log: a run
+-- that was stopped goes on there.
 
 package.path = "./?.lua;" .. package.path
 
@@ -167,8 +167,11 @@ end
 
 os.execute("mkdir -p " .. work)
 copy()
-seen.record(work, "quick", order.all_quick())
-order.sees = seen.by(work, order.all_quick())
+order.sees = {}
+for _, tier in ipairs { "quick", not alone_quick and "all" or nil } do
+  seen.record(work, tier, order.tests(tier))
+  order.sees[tier] = seen.by(work, tier, order.tests(tier))
+end
 local known, defects = read_log(), {}
 for number = 1, count do
   local area, before = AREAS[(number - 1) % #AREAS + 1], known[number] or {}

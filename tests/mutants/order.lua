@@ -3,9 +3,9 @@
 --
 --     order.quick(defect)   the quick tests that can see it, those first that catch most defects in files like this for
 --                           their seconds
---     order.rest(defect)    what make check-all has beside them and can see the file; also what is longer there
---     order.all_quick()     the quick tests
---     order.sees            a test's, seen.by of them
+--     order.rest(defect)    what make check-all has beside them and can see it; also what is longer there
+--     order.tests(tier)     "quick": those of the first, "all": those of the second
+--     order.sees = { quick =, all = }: seen.by of these
 --     order.killed(test, file)
 --
 -- A test: { file, seconds, command }, from tests/tiers.txt.
@@ -74,20 +74,23 @@ local function chosen(seconds, sees)
   return list
 end
 
-function order.all_quick()
-  return chosen(function(t) return t.quick end, function() return true end)
+local function seconds(tier)
+  return function(t)
+    if tier == "quick" then return t.quick end
+    return (not t.quick or t.quick < t.all) and t.all or nil
+  end
 end
 
-function order.quick(defect)
-  return sorted(chosen(function(t) return t.quick end, function(t)
-    return order.sees(t, defect.file, defect.line)
+function order.tests(tier) return chosen(seconds(tier), function() return true end) end
+
+local function those(tier, defect)
+  local sees = order.sees[tier]
+  return sorted(chosen(seconds(tier), function(t)
+    return not blind(t, defect.file) and sees(t, defect.file, defect.line)
   end), defect.file)
 end
 
-function order.rest(defect)
-  return sorted(chosen(function(t) return (not t.quick or t.quick < t.all) and t.all or nil end, function(t)
-    return not blind(t, defect.file)
-  end), defect.file)
-end
+function order.quick(defect) return those("quick", defect) end
+function order.rest(defect) return those("all", defect) end
 
 return order

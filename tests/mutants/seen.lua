@@ -5,7 +5,7 @@
 --
 --     seen.record(work, tier, tests)    all that are not recorded yet, as many at once as there are processors;
 --                                       a tree that differs from the recorded one is recorded anew
---     local sees = seen.by(work, tests) -- sees(test, path, line): can the test tell a defect there?
+--     local sees = seen.by(work, tier, tests) -- sees(test, path, line): can the test tell a defect there?
 --
 -- The tree is copied and built as for `make coverage`: hook.c sees lines of scripts and templates, gcov those of C.
 -- A test that fails in this slow build is taken to see everything.  A line on which nothing can stop, such as the
@@ -29,7 +29,7 @@ local function output(...)
   return text
 end
 
-local function place(work, file) return work .. "/seen/" .. file:gsub("/", "__") end
+local function place(work, tier, file) return work .. "/seen/" .. tier .. "__" .. file:gsub("/", "__") end
 
 ---- one test -------------------------------------------------------------------------------------------
 
@@ -66,7 +66,7 @@ local function sources(folder)
 end
 
 local function record(work, tier, file, command)
-  local tree, at = work .. "/seen/tree", place(work, file)
+  local tree, at = work .. "/seen/tree", place(work, tier, file)
   run("rm -rf %s.d; mkdir -p %s.d/lines %s.d/c", at, at, at)
   local hook = "package.loadlib('" .. tree .. "/build/lua/polhode_coverage.so', 'luaopen_polhode_coverage')()"
   local passed = run('cd %s && LUA_INIT="%s" POLHODE_COVERAGE=%s.d/lines POLHODE_COVERED=%s GCOV_PREFIX=%s.d/c ' ..
@@ -89,7 +89,7 @@ end
 ---- all of them ----------------------------------------------------------------------------------------
 
 function seen.record(work, tier, tests)
-  local stamp = tier .. output("git ls-files -c generator templates src tests bodies | xargs cat | sha256sum")
+  local stamp = output("git ls-files -c generator templates src tests bodies | xargs cat | sha256sum")
   local file = io.open(work .. "/seen/stamp")
   local before = file and file:read "a"
   if file then file:close() end
@@ -104,7 +104,7 @@ function seen.record(work, tier, tests)
   end
   local pipe = assert(io.popen("xargs -r -P $(nproc) -d '\\n' -n 4 lua5.4 tests/mutants/seen.lua", "w"))
   for _, t in ipairs(tests) do
-    local known = io.open(place(work, t.file))
+    local known = io.open(place(work, tier, t.file))
     if known then
       known:close()
     else
@@ -114,10 +114,10 @@ function seen.record(work, tier, tests)
   pipe:close()
 end
 
-function seen.by(work, tests)
+function seen.by(work, tier, tests)
   local of, any = {}, {}
   for _, t in ipairs(tests) do
-    local file = io.open(place(work, t.file))
+    local file = io.open(place(work, tier, t.file))
     local passed = file and file:read "l" == "passed"
     if passed then
       of[t.file] = {}

@@ -44,7 +44,7 @@ local status, err = run("gen ball.lua -o out")
 tap.ok(status == 0 and err == "", "a scene with an accuracy is emitted, nothing said where no terminal is", err)
 local header = program.read(dir .. "/out/ball.h") or ""
 local banner = header:match "^/%*(.-)%*/" or ""
-banner = banner:gsub("\n %* *", " ")
+banner = banner:gsub("\n %* *", " "):gsub("%s+", " ")
 for _, part in ipairs { "Planned for an accuracy of 1e%-6 over 4 s: %w+", "by ball_advance", "Measured: largest error",
   "from %d+ states: wx from 1 to 3, wy from 1 to 3, wz from 1 to 3, attitude within 0%.5 rad of the scene's",
   "Cost: [%d.]+ steps? .-of %d+ operations %(", "by the table for x86%-64 [%d.e]+ cycles", "At other costs: " } do
@@ -52,7 +52,7 @@ for _, part in ipairs { "Planned for an accuracy of 1e%-6 over 4 s: %w+", "by ba
 end
 local planned = header:match "\n#define BALL_PLANNED_(%w+) %("
 tap.ok(planned == "STEP" or planned == "TOLERANCE", "and has the planned step or tolerance as a constant")
-tap.like(header,
+tap.like(header:gsub("%s+", " "),
   "int ball_advance(const ball_model *m, ball_real t0, ball_real x[], const ball_real u[], ball_real t1);",
   "and the function")
 local steppers = 0
