@@ -37,7 +37,7 @@ local function comment(lines)
       local at = gap(line, #margin + 1, columns.width)
       if at and string.sub(line, at + 1) == "*/" then at = gap(line, #margin + 1, at - 1) end -- not alone on a line
       if not at then break end
-      out[#out + 1] = string.sub(line, 1, at - 1)
+      out[#out + 1] = string.gsub(string.sub(line, 1, at - 1), "%s+$", "")
       rest = string.sub(line, at + 1)
       line = nil
       if #margin + #rest <= columns.width then break end

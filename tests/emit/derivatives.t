@@ -57,7 +57,7 @@ end
 -- wrong by a sign or a factor: found
 for _, c in ipairs { { "manyrk4", "many", "many_jacobian_u" }, { "manyrk4", "many", "many_jacobian_p" },
   { "manyrk4", "many", "many_initial_p" }, { "manyrk4", "many", "many_step_transition" },
-  { "manymidpoint", "many", "many_midpoint_tangent" }, { "heavy_toptaylor", "heavy_top", "heavy_top_taylor_along" } } do
+  { "manymidpoint", "many", "midpoint_tangent" }, { "heavy_toptaylor", "heavy_top", "taylor_along" } } do
   local source = program.read(dir .. "/" .. c[1] .. "/" .. c[2] .. ".c")
   local at = string.find(source, c[3] .. "%([^;]-%)\n{")
   local stop = string.find(source, "\n}\n", at, true)

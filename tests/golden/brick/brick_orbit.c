@@ -218,7 +218,7 @@ static int principal_pairs(const real I[6], pair diagonal[3], pair axis[3][3], i
     for (k = 0; k < 3; k++) axis[i][k] = pair_of(i == k ? 1.0 : 0.0);
   }
 
-  /* The planes xy, xz, yz in turn, until each is negligible beside BOTH its diagonal entries. 
+  /* The planes xy, xz, yz in turn, until each is negligible beside BOTH its diagonal entries.
    * With I_pq = 0 a rotation in the plane (r, p) splits I_rq = y into I_rq = y cos, I_pq = y sin;
    * |sin| <= sqrt(1/2), and the next plane is that of the larger one.  So from the second rotation
    * on the smaller of the two products left shrinks by sqrt(1/2) or more each time, for ANY
@@ -724,7 +724,7 @@ void brick_at_attitude(const brick_orbit *o, real t, real q[])
  * from these axes to a frame whose z axis is along L,
  *     a(t) = exp(i mu t) theta4(z - i s eta; p)/N,   b(t) = s exp(i mu t) theta1(z - i s eta;
  * p)/N,   z = pi u/(2 K) where u = lambda t + u0 is the argument of Jacobi's functions, L = (B1 cn
- * u, s B2 sn u, B3 dn u), and p = q^2 (Jacobi 1849; Whittaker, Analytical Dynamics, section 69). 
+ * u, s B2 sn u, B3 dn u), and p = q^2 (Jacobi 1849; Whittaker, Analytical Dynamics, section 69).
  * Near the separatrix the imaginary transformation (DLMF 20.7.30-33) replaces z by V = kappa z,
  * kappa = K/(2 K'), and circular functions by hyperbolic ones. */
 

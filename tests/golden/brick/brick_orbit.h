@@ -65,7 +65,7 @@ void brick_at_rates(const brick_orbit *o, brick_real t, brick_real w[]);
 
 void brick_at_attitude(const brick_orbit *o, brick_real t, brick_real q[]);
 
-/* Time in steps of h s.  Phases are integers, which lose nothing however many ticks have passed. 
+/* Time in steps of h s.  Phases are integers, which lose nothing however many ticks have passed.
  * Returns 1 if a step is beyond the range of the type. */
 int brick_set_tick(brick_orbit *o, brick_real h);
 
@@ -73,7 +73,7 @@ void brick_at_tick(const brick_orbit *o, int64_t n, brick_real x[]);
 
 /* The rates w go round the polhode in polhode_period s: infinite on the separatrix, 0 if w is
  * constant.  The axis about which L goes round in the body goes round L in space at
- * precession_rate, rad/s, on average, once in precession_period s (infinite without rotation). 
+ * precession_rate, rad/s, on average, once in precession_period s (infinite without rotation).
  * rotation_number is the quotient of the periods: by so many turns about L is the body further
  * when w has come back (Montgomery's phase, Am. J. Phys. 59, 394, 1991, over 2 pi, counted
  * continuously); infinite on the separatrix, 0 if w is constant.  The rate is right to the type's
