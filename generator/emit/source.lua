@@ -192,7 +192,7 @@ local function prototype(head, args, tail)
 end
 
 local function printed(ctx)
-  return { type = ctx.type, indent = 2, scene = ctx.name, helpers = ctx.helpers, own = ctx.own }
+  return { type = ctx.type or ctx.name .. "_real", indent = 2, scene = ctx.name, helpers = ctx.helpers, own = ctx.own }
 end
 
 -- Runs of states of one kind, attitude, rates and so on: {first, last (one beyond), about} as text.

@@ -55,12 +55,12 @@ for _, real in ipairs { "double", "float" } do
   for _, want in ipairs { { "Ixx", "0.01", "moment of inertia xx, kg m^2: M*(b^2 + c^2)/3" },
     { "Iyy", "0.034", "moment of inertia yy, kg m^2: M*(a^2 + c^2)/3" },
     { "Ixy", "-0.012", "tensor entry xy, kg m^2: -M*a*b/4" } } do
-    local line = string.format("static const brick_real brick_k_%s = %s%s; /* %s */\n", want[1], want[2], suffix,
+    local line = string.format("static const real k_%s = %s%s; /* %s */\n", want[1], want[2], suffix,
       want[3])
     tap.like(text, line, real .. ": " .. want[1] .. " with its meaning, its unit and its formula")
   end
   local before = 0
-  for name in text:gmatch "static const brick_real (brick_k_[%w_]+) = " do
+  for name in text:gmatch "static const real (k_[%w_]+) = " do
     local uses = select(2, text:gsub("%f[%w_]" .. name .. "%f[^%w_]", ""))
     tap.ok(uses >= 2, real .. ": " .. name .. " is used")
     before = before + 1
