@@ -141,7 +141,8 @@ function code.of(job)
     add(own.header, texts.header)
     add(own.plain, texts.source)
   end
-  v.sources, v.headers, v.public_headers = sources, headers, {}
+  v.sources, v.headers, v.public_headers, v.stems = sources, headers, {}, {}
+  for i, s in ipairs(sources) do v.stems[i] = string.match(s, "^(.*)%.c$") end
   for _, h in ipairs(headers) do
     if not string.find(h, "_private.h", 1, true) then add(h, v.public_headers) end
   end
