@@ -6,6 +6,7 @@
 --     s.made(name) -> bool        must its equations be made: it is asked for, or another function may need it
 --     s.orbit                     may a function of the closed form be asked for?
 --     selection.room(name, closed) -> "motion" | "orbit" | "analysis": the file that it belongs to
+--     selection.tails             what these files' names end in
 -- Nothing given: everything, as the program needs it that compares its own functions.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -29,8 +30,10 @@ local MOTION = set [[init defaults initial mass inertia inertia_now energy jacob
   normalise within advance]]
 
 -- Functions of templates that call functions made of equations.
-local NEEDS = { principal = "inertia", spin_stable = "inertia", solve = "inertia", step = "rhs inertia initial",
-  init = "" }
+local NEEDS = { principal = "inertia", spin_stable = "inertia", solve = "inertia", step = "rhs inertia initial" }
+
+-- What the names of the files end in.
+selection.tails = { motion = "", orbit = "_orbit", analysis = "_analysis" }
 
 function selection.room(name, closed)
   if ANALYSIS[name] then return "analysis" end
@@ -44,7 +47,7 @@ function selection.new(options)
   for _, name in ipairs(options.also or {}) do also[name] = true end
   local whole = not only and options.analysis == nil
 
-  local s = { whole = whole, only = options.only, orbit = not only }
+  local s = { orbit = not only }
   for _, name in ipairs(options.only or {}) do
     local stepper = string.find(name, "step") or string.find(name, "_run$")
     s.orbit = s.orbit or not (ANALYSIS[name] or MOTION[name] or stepper)

@@ -164,7 +164,28 @@ local function shown_alone(given)
     end
   end
   if given.list and given.only then return "--only: --list names all functions" end
+  if given.list and given.with and given.with.analysis then return "--with analysis: --list names all functions" end
   if given.list and given.show then return "--list: --show prints the instructions" end
+  return nil
+end
+
+-- What --only leaves without effect, or nil.
+local function without_effect(given)
+  local seen, named, with = {}, "", given.with or {}
+  for _, name in ipairs(given.only or {}) do
+    if seen[name] then return "--only: " .. name .. " is given twice" end
+    seen[name], named = true, named .. " " .. name
+  end
+  if given.only and with.analysis then return "--with analysis: --only names the functions" end
+  for _, row in ipairs { { "jacobians", { "_p$", "_p ", "_u$", "_u ", "jacobian", "transition" } },
+    { "compensated", { "compensated" } } } do
+    local calls = not (given.only and with[row[1]])
+    for _, pattern in ipairs(row[2]) do calls = calls or string.find(named, pattern) ~= nil end
+    if not calls then return "--with " .. row[1] .. ": --only names none of its functions" end
+  end
+  if with.analysis and packages.by_name(given.project or packages.default).whole then
+    return "--with analysis: the project's own files decide what they call, got --project " .. given.project
+  end
   return nil
 end
 
@@ -209,7 +230,7 @@ function gen.run(host, given)
   if rule then wrong = "--name " .. rule .. ", got " .. given.name end
   if given.o == "" then wrong = "-o needs the name of a directory" end
   if given.o == "-" then wrong = "-o must be the name of a folder, as gen writes several files, got -" end
-  wrong = wrong or shown_alone(given)
+  wrong = wrong or shown_alone(given) or without_effect(given)
   if wrong then return options.wrong(host, "gen", wrong) end
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, d, why) end

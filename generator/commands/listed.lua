@@ -23,8 +23,6 @@ function listed.names(host, job)
   return out
 end
 
-local FILE = { motion = "", orbit = "_orbit", analysis = "_analysis" }
-
 -- "12 + 24 *": what one call takes, where it is made of equations.
 local function operations(row)
   local parts = {}
@@ -45,7 +43,7 @@ function listed.text(host, job)
       if public[used] and used ~= f.name then calls[#calls + 1] = short(job, used) end
     end
     table.sort(calls)
-    rows[#rows + 1] = { name, job.model.name .. FILE[selection.room(name, f.of == "orbit")] .. ".c",
+    rows[#rows + 1] = { name, job.model.name .. selection.tails[selection.room(name, f.of == "orbit")] .. ".c",
       string.format("%d", f.lines), operations(cost[name]), table.concat(calls, " ") }
   end
   for _, row in ipairs(rows) do

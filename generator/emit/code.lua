@@ -21,8 +21,6 @@ local selection = require "generator.selection"
 
 local code = {}
 
-local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
-
 -- The headers of the C library that a text needs, less those that it already has.
 local function includes(text, already)
   local list, has = {}, {}
@@ -35,7 +33,7 @@ end
 
 -- The texts in the order of the C: what stands first is used by what follows.
 local function fragments(job, v, ctx)
-  local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
+  local function render(name) return template.file(name, job.templates[name], v) end
   local list = {}
   local function put(header, source, room)
     list[#list + 1] = { header = header or "", source = source or "", room = room or "motion" }
@@ -71,7 +69,6 @@ local function fragments(job, v, ctx)
   return list
 end
 
-local PURPOSE = { motion = "", orbit = "_orbit", analysis = "_analysis" }
 local ABOUT = { orbit = "its motion in closed form", analysis = "what can be asked of the body, and derivatives" }
 
 -- header, source: texts with the prefix; rooms: the texts of each file.
@@ -101,7 +98,7 @@ function code.of(job)
   proof.fill(job, v)
   v.has_exact = v.order_sums or job.closed.exact or false
   local all = sorted(job, v, ctx)
-  local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
+  local function render(name) return template.file(name, job.templates[name], v) end
   local files, used, sources, headers, texts = {}, {}, {}, {}, { header = {}, source = {} }
   local function put(name, text) files[#files + 1] = { name = name, text = columns.fit(text) } end
   local function library(text, already)
@@ -120,7 +117,7 @@ function code.of(job)
     add(all.plain_private, texts.source)
   end
   for _, r in ipairs(all.order) do
-    local own, stem = all.rooms[r], v.name .. PURPOSE[r]
+    local own, stem = all.rooms[r], v.name .. selection.tails[r]
     v.file, v.file_upper, v.about_file = stem, string.upper(stem), ABOUT[r] or ""
     v.declarations, v.definitions = own.header, own.source
     v.header_includes = includes(own.header)
@@ -128,7 +125,7 @@ function code.of(job)
     v.source_includes = library(own.source, v.header_includes)
     v.own_includes = {}
     for _, other in ipairs { "orbit", "analysis" } do
-      if own.calls[other] and other ~= r then add(v.name .. PURPOSE[other] .. ".h", v.own_includes) end
+      if own.calls[other] and other ~= r then add(v.name .. selection.tails[other] .. ".h", v.own_includes) end
     end
     local main = r == "motion"
     v.implementation = v.header_only and render "templates/implementation.c" or ""

@@ -1,6 +1,7 @@
 -- columns.lua -- no line of emitted C is longer than 100 columns, whatever the scene is called.
 --
 --     columns.fit(text) -> text
+--     columns.heads(text) -> text      heads of functions, on one line if they fit
 -- Names of scenes make lines longer, so this can only be done at the end.  A comment goes on in its next line; one
 -- behind code goes before it; code breaks behind a comma or before an operator.  Strings are not broken.  BELOW the
 -- line.
@@ -86,6 +87,36 @@ local function code(line, out)
     line = margin .. string.sub(line, (at or open) + 1)
   end
   out[#out + 1] = line .. more
+end
+
+-- The head of a function: on one line, or broken between arguments.
+local function broken_head(text)
+  text = string.gsub(text, "%s*\n%s*", " ")
+  if #text <= columns.width then return text end
+  local open = string.find(text, "(", 1, true)
+  local lines, line = {}, string.sub(text, 1, open)
+  local wide = false
+  for argument in string.gmatch(string.sub(text, open + 1), "[^,]+") do
+    wide = wide or #line + #argument > columns.width
+  end
+  local pad = string.rep(" ", wide and 4 or #line)
+  for argument, comma in string.gmatch(string.sub(text, open + 1), "%s*([^,]+)(,?)") do
+    if #line + #argument + #comma + 1 > columns.width and string.find(line, "%S") then
+      lines[#lines + 1] = string.gsub(line, "%s+$", "")
+      line = pad
+    end
+    line = line .. argument .. comma .. (comma ~= "" and " " or "")
+  end
+  lines[#lines + 1] = line
+  return table.concat(lines, "\n")
+end
+
+-- The text of a file with all heads of functions, defined or declared, so.
+function columns.heads(text)
+  text = string.gsub("\n" .. text, "(\n)([%a][^\n;={}#]*%([^;={}#]-%))(;?\n)", function(before, own, after)
+    return before .. broken_head(own .. string.sub(after, 1, -2)) .. "\n"
+  end)
+  return string.sub(text, 2)
 end
 
 function columns.fit(text)

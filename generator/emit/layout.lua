@@ -12,6 +12,7 @@
 -- BELOW the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local columns = require "generator.emit.columns"
 local units = require "generator.emit.units"
 
 local layout = {}
@@ -51,7 +52,7 @@ local function givers(declared, defined)
   return by_name
 end
 
--- Marks what `u` reaches for the room; at another public function it goes no further.  reach: list of those functions.
+-- Marks what `u` reaches for the room.  At a function that is asked for it goes no further: calls gets its name.
 local function follow(u, room, by_name, public, calls)
   u.rooms = u.rooms or {}
   if u.rooms[room] then return end
@@ -72,14 +73,13 @@ local RESERVED = {}
 for word in string.gmatch([[auto break case char const continue default do double else enum extern float for goto if
   inline int long register restrict return short signed sizeof static struct switch typedef union unsigned void
   volatile while bool class delete explicit export false friend mutable namespace new operator private protected
-  public template this throw true try typename using virtual and or not xor asm catch
-  fabs copysign sqrt cbrt floor frexp ldexp sin cos tan exp sinh cosh tanh log pow atan atan2 asin acos fma huge signbit
-  index round trunc ceil fmod hypot gamma nan abs acosh asinh atanh div erf erfc exp2 expm1 fdim fmax fmin ilogb labs
-  lgamma log10 log1p log2 logb lrint lround modf nearbyint nextafter remainder remquo rint scalbln scalbn tgamma j0
-  j1 jn
-  y0 y1 yn drem finite significand abort abs atexit atof atoi atol bsearch calloc exit free getenv malloc qsort rand
-  realloc srand strtod strtol system memchr memcmp memcpy memmove memset strcat strchr strcmp strcpy strlen remove
-  rename clock time difftime raise signal printf puts read write open close link pause]], "%S+") do
+  public template this throw true try typename using virtual and or not xor asm catch fabs copysign sqrt cbrt floor
+  frexp ldexp sin cos tan exp sinh cosh tanh log pow atan atan2 asin acos fma huge signbit index round trunc ceil
+  fmod hypot gamma nan abs acosh asinh atanh div erf erfc exp2 expm1 fdim fmax fmin ilogb labs lgamma log10 log1p
+  log2 logb lrint lround modf nearbyint nextafter remainder remquo rint scalbln scalbn tgamma j0 j1 jn y0 y1 yn drem
+  finite significand abort abs atexit atof atoi atol bsearch calloc exit free getenv malloc qsort rand realloc srand
+  strtod strtol system memchr memcmp memcpy memmove memset strcat strchr strcmp strcpy strlen remove rename clock
+  time difftime raise signal printf puts read write open close link pause]], "%S+") do
   RESERVED[word] = true
 end
 
@@ -104,38 +104,6 @@ local function renamed(text, map)
   return (string.gsub(text, "[%a_][%w_]*", map))
 end
 
-local WIDTH = 100
-
--- The head of a function: on one line, or broken between arguments.
-local function broken_head(text)
-  text = string.gsub(text, "%s*\n%s*", " ")
-  if #text <= WIDTH then return text end
-  local open = string.find(text, "(", 1, true)
-  local lines, line = {}, string.sub(text, 1, open)
-  local wide = false
-  for argument in string.gmatch(string.sub(text, open + 1), "[^,]+") do
-    wide = wide or #line + #argument > WIDTH
-  end
-  local pad = string.rep(" ", wide and 4 or #line)
-  for argument, comma in string.gmatch(string.sub(text, open + 1), "%s*([^,]+)(,?)") do
-    if #line + #argument + #comma + 1 > WIDTH and string.find(line, "%S") then
-      lines[#lines + 1] = string.gsub(line, "%s+$", "")
-      line = pad
-    end
-    line = line .. argument .. comma .. (comma ~= "" and " " or "")
-  end
-  lines[#lines + 1] = line
-  return table.concat(lines, "\n")
-end
-
--- The text of a file with all heads of functions, defined or declared, so.
-local function with_heads(text)
-  text = string.gsub("\n" .. text, "(\n)([%a][^\n;={}#]*%([^;={}#]-%))(;?\n)", function(before, own, after)
-    return before .. broken_head(own .. string.sub(after, 1, -2)) .. "\n"
-  end)
-  return string.sub(text, 2)
-end
-
 -- The texts of the parts with their headings, blank lines between.
 local function joined(list, change)
   local out, heading = {}, nil
@@ -158,6 +126,18 @@ local function forward(u, prototypes)
   local p = prototypes[u.names[1]]
   local code = string.gsub(string.gsub(p.text, "^%s*/%*.-%*/%s*", ""), "^%s+", "")
   return "static " .. code
+end
+
+-- Nothing that is kept may call for what is not there: a mistake of selection.lua's, not of the scene.
+local function complete(name, kept, by_name, public)
+  local own = { [name .. "_model"] = true, [name .. "_real"] = true }
+  for _, u in ipairs(kept) do
+    for _, n in ipairs(u.uses) do
+      local ours = string.sub(n, 1, #name + 1) == name .. "_" and string.find(n, "^%l", #name + 2)
+      local missing = ours and not (own[n] or by_name[n] or public[n] and public[n].asked)
+      if missing then error(u.names[1] .. " needs " .. n .. ", which is not made") end
+    end
+  end
 end
 
 function layout.sort(name, real, fragments, asked, room, keeps)
@@ -231,6 +211,7 @@ function layout.sort(name, real, fragments, asked, room, keeps)
     end
   end
 
+  complete(name, kept, by_name, public)
   local map = keeps and {} or plain_names(name, kept, public)
   if keeps then map.real = real == "real" and name .. "_real" or nil else map[name .. "_real"] = real end
   local function change(u)
@@ -247,7 +228,7 @@ function layout.sort(name, real, fragments, asked, room, keeps)
     end
     own.plain = joined(own.defined, change)
     if #heads > 0 then own.plain = table.concat(heads, "\n") .. "\n\n" .. own.plain end
-    own.source, own.header = with_heads(renamed(own.plain, map)), with_heads(joined(own.declared))
+    own.source, own.header = columns.heads(renamed(own.plain, map)), columns.heads(joined(own.declared))
   end
   for _, f in ipairs(functions) do
     local u = (by_name[f.name] or {})[1]
@@ -255,8 +236,8 @@ function layout.sort(name, real, fragments, asked, room, keeps)
     f.uses = u and u.uses or {}
   end
   local inner = joined(private, function(u) return private_text { text = change(u) } end)
-  return { functions = functions, public = public, rooms = rooms, order = order, plain_private = inner,
-    private = with_heads(renamed(inner, map)), real = keeps and name .. "_real" or real }
+  return { functions = functions, rooms = rooms, order = order, plain_private = inner,
+    private = columns.heads(renamed(inner, map)), real = keeps and name .. "_real" or real }
 end
 
 return layout

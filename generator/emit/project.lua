@@ -16,8 +16,6 @@ local vectors = require "generator.emit.vectors"
 
 local project = {}
 
-local function trimmed(s) return (string.gsub(s, "\n+$", "\n")) end
-
 -- The texts of header and source alone: what cost/ops.lua counts.
 function project.code(job)
   local made = code.of(job)
@@ -29,7 +27,7 @@ end
 function project.files(job, plugin)
   local made = code.of(job)
   local v, ctx = made.v, made.ctx
-  local function render(name) return trimmed(template.render(name, job.templates[name], v)) end
+  local function render(name) return template.file(name, job.templates[name], v) end
   v.offers = setmetatable({}, { __index = function() return false end })
   for _, f in ipairs(made.functions) do v.offers[string.sub(f.name, #v.name + 2)] = f.asked end
   job.emitted = made.functions

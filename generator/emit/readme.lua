@@ -4,12 +4,13 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local values = require "generator.emit.values"
+local selection = require "generator.selection"
 
 local readme = {}
 
-local PURPOSE = { { "", "the motion: state, parameters, set-up, steps, energy and momentum" },
-  { "_orbit", "the motion in closed form" },
-  { "_analysis", "what can be asked of the body, and derivatives" } }
+local PURPOSE = { { "motion", "the motion: state, parameters, set-up, steps, energy and momentum" },
+  { "orbit", "the motion in closed form" },
+  { "analysis", "what can be asked of the body, and derivatives" } }
 
 local function rows(v)
   local has, out = {}, {}
@@ -24,7 +25,7 @@ local function rows(v)
     return table.concat(list, ", ")
   end
   for _, p in ipairs(PURPOSE) do
-    local list = names(v.name .. p[1])
+    local list = names(v.name .. selection.tails[p[1]])
     if list ~= "" then out[#out + 1] = { names = list, about = p[2] } end
   end
   if has[v.name .. "_private.h"] then

@@ -70,4 +70,9 @@ function template.render(name, source, values)
   return table.concat(out)
 end
 
+-- The same of a file, which ends with one newline.
+function template.file(name, source, values)
+  return (string.gsub(template.render(name, source, values), "\n+$", "\n"))
+end
+
 return template

@@ -115,12 +115,18 @@ for _, row in ipairs {
   { "bodies/brick.lua --only stp", "--only: the scene has no function stp; did you mean step? (it has init, " },
   { "bodies/brick.lua --only step --project firmware", "--only: the project's own files decide what they call" },
   { "bodies/brick.lua --layout header --project fmu", "--layout: the project's own files decide what they call" },
+  { "bodies/brick.lua --only step,energy,step", "--only: step is given twice" },
+  { "bodies/brick.lua --only step --with analysis", "--with analysis: --only names the functions" },
+  { "bodies/brick.lua --only step --with jacobians", "--with jacobians: --only names none of its functions" },
+  { "bodies/brick.lua --only step --with compensated", "--with compensated: --only names none of its functions" },
+  { "bodies/brick.lua --with analysis --project fmu", "--with analysis: the project's own files decide" },
   { "bodies/spinner.lua --with proof --layout split", "--layout: the proof is of one file, got --layout split" },
 } do
   local status, err = gen(row[1])
   tap.ok(status == 2 and err:find("polhode gen: " .. row[2], 1, true) and err:find "^[^\n]*\n$", "gen " .. row[1], err)
 end
-for _, row in ipairs { { "--list --only step", "--only" }, { "--list --show cse", "--list" } } do
+for _, row in ipairs { { "--list --only step", "--only" }, { "--list --show cse", "--list" },
+  { "--list --with analysis", "--with analysis" } } do
   local status, _, err = shell("%s gen bodies/brick.lua %s", binary, row[1])
   tap.ok(status == 2 and err:find("polhode gen: " .. row[2] .. ": ", 1, true), "gen " .. row[1] .. " is refused", err)
 end
