@@ -395,7 +395,7 @@ demo:
 
 # ---- lint ----
 
-C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(filter-out templates/target/calls.c,$(wildcard templates/plugin.h templates/target/*.[ch]))
+C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(filter-out templates/target/calls.c,$(wildcard templates/host/plugin.h templates/target/*.[ch]))
 LUA_FILES := $(sort $(shell find generator tests bodies src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS)
 
 lint: lint-lua lint-c lint-format lint-analyzer

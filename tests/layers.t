@@ -42,10 +42,10 @@ local PASSES = { "power", "fold", "cse", "dce", "order" }
 -- A link unit of C: the folders of ours that it may include, and the outside headers that only it may.
 local INCLUDES = {
   ["src/runtime"] = { own = { "src/runtime" }, outside = { "^gsl/" } },
-  ["src/cli"] = { own = { "src/cli", "src/runtime/polhode.h", "templates/plugin.h" },
+  ["src/cli"] = { own = { "src/cli", "src/runtime/polhode.h", "templates/host/plugin.h" },
     outside = { "^lua%.h$", "^lauxlib%.h$", "^lualib%.h$", "^expat%.h$", "^gmp%.h$", "^mpfr%.h$" } },
   -- the integrators of others, which the emitted code is timed against
-  ["src/cli/bench"] = { own = { "src/cli", "templates/plugin.h" }, outside = { "^gsl/", "^arkode/", "^cvode/",
+  ["src/cli/bench"] = { own = { "src/cli", "templates/host/plugin.h" }, outside = { "^gsl/", "^arkode/", "^cvode/",
     "^nvector/", "^sundials/", "^sunlinsol/", "^sunmatrix/", "^sunnonlinsol/" } },
   ["templates"] = { own = { "templates" }, outside = {} },
   -- not emitted: what is compiled to count instructions, for an emulator and for what it runs
@@ -76,10 +76,10 @@ local MAX_LUA, MAX_C = 400, 500
 local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/svg.lua"] = true,
   ["generator/diag.lua"] = true,
   ["generator/emit/q31.lua"] = true, -- three digits in comments
-  ["generator/ir/show.lua"] = true, ["generator/report/json.lua"] = true, ["generator/report/facts.lua"] = true,
+  ["generator/ir/core/show.lua"] = true, ["generator/report/json.lua"] = true, ["generator/report/facts.lua"] = true,
   ["generator/report/explain.lua"] = true, ["generator/commands/run.lua"] = true,
   ["generator/commands/run/accuracy.lua"] = true, ["generator/commands/run/limits.lua"] = true,
-  ["generator/report/stability.lua"] = true, ["generator/report/chart.lua"] = true,
+  ["generator/report/stability_conditions.lua"] = true, ["generator/report/chart.lua"] = true,
   ["generator/report/linearised.lua"] = true,
   ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true,
   ["generator/commands/stepper_checks.lua"] = true,
@@ -190,8 +190,8 @@ do
         if to ~= part and not contains(ARROWS[part] or {}, to) then
           new[#new + 1] = string.format("%s:%d: %s -> %s", path, n, part, to)
         end
-        local pass = path:match("^generator/ir/(%w+)%.lua$")
-        if pass and contains(PASSES, pass) and to == "ir" and target ~= "generator.ir.instr" then
+        local pass = path:match("^generator/ir/passes/(%w+)%.lua$")
+        if pass and contains(PASSES, pass) and to == "ir" and target ~= "generator.ir.core.instr" then
           passes[#passes + 1] = string.format("%s:%d: a pass requires %s", path, n, target)
         end
       end

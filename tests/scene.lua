@@ -40,8 +40,8 @@ local templates
 local function all_templates()
   if not templates then
     templates = {}
-    local pipe = assert(io.popen "ls templates")
-    for name in pipe:lines() do templates["templates/" .. name] = slurp("templates/" .. name) end
+    local pipe = assert(io.popen "find templates -mindepth 1 -maxdepth 2 -type f")
+    for name in pipe:lines() do templates[name] = slurp(name) end
     pipe:close()
   end
   return templates

@@ -1,7 +1,7 @@
 -- cost.lua -- how many operations an expression takes to evaluate, shared subexpressions once.
 --
 -- ABOVE the line, so an estimate: one for each +, *, root and call, two for a division.  It chooses between two forms
--- of the same thing; what the emitted code costs is counted on its instructions (ir/count.lua).
+-- of the same thing; what the emitted code costs is counted on its instructions (ir/core/count.lua).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

@@ -5,7 +5,7 @@
 
 local options = require "generator.commands.options"
 local driver = require "generator.driver"
-local methods = require "generator.methods.list"
+local methods = require "generator.methods.methods"
 local study = require "generator.commands.study"
 local report = require "generator.report.bench"
 

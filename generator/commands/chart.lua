@@ -5,7 +5,7 @@
 local R = require "generator.algebra.rational"
 local options = require "generator.commands.options"
 local driver = require "generator.driver"
-local stability = require "generator.mass.stability"
+local stability = require "generator.mass.spin_stability"
 local numeric = require "generator.dynamics.numeric"
 local report = require "generator.report.chart"
 local linearised = require "generator.report.linearised_chart"

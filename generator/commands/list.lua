@@ -4,8 +4,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local catalogue = require "generator.mass.catalogue"
-local effects = require "generator.effects.list"
-local methods = require "generator.methods.list"
+local effects = require "generator.effects.effects"
+local methods = require "generator.methods.methods"
 local conserved = require "generator.dynamics.conserved"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"

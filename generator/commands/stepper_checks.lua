@@ -5,7 +5,7 @@
 -- does not go away would prevent; a method that chooses its steps must keep its tolerance.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local methods = require "generator.methods.list"
+local methods = require "generator.methods.methods"
 
 local stepper_checks = {}
 

@@ -1,8 +1,8 @@
 -- context.lua -- what an effect is given when it is asked for its torque, force and so on.
 --
--- The fields are listed in effects/list.lua.  A force and a potential are proportional to constants of the effect; what
--- counts in m r'' = F is each divided by the mass, so per_mass keeps that quotient as the constant and writes M, a
--- symbol that stands for the mass and cancels.  ABOVE the line.
+-- The fields are listed in effects/effects.lua.  A force and a potential are proportional to constants of the effect;
+-- what counts in m r'' = F is each divided by the mass, so per_mass keeps that quotient as the constant and writes M,
+-- a symbol that stands for the mass and cancels.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"

@@ -22,7 +22,7 @@ local a, b, c = expr.sym("a of q", 8), expr.sym("b of q", 8), expr.sym("c of q",
 local s2 = a ^ 2 + b ^ 2 + c ^ 2
 local unit = { (1 - s2) / (1 + s2), 2 * a / (1 + s2), 2 * b / (1 + s2), 2 * c / (1 + s2) }
 
--- The laws that effect e of the model keeps, as effects/list.lua names them.
+-- The laws that effect e of the model keeps, as effects/effects.lua names them.
 function laws.of(m, e)
   local ctx = context.with(context.dry(m), e)
   local N = e.spec.torque and e.spec.torque(e.a, ctx) or nothing

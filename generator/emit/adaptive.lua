@@ -1,4 +1,4 @@
--- adaptive.lua -- the embedded pair as C: the trial step printed, the control of the step in templates/adaptive.c.
+-- adaptive.lua -- the embedded pair as C: the trial step, printed; templates/steppers/adaptive.c controls it.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local source = require "generator.emit.source"

@@ -39,22 +39,24 @@ local function fragments(job, v, ctx)
     list[#list + 1] = { header = header or "", source = source or "", room = room or "motion" }
   end
   if v.has_special then put(nil, v.pair_source .. "\n" .. v.special_source) end
-  if v.has_exact then put(nil, render "templates/exact.c") end
-  if v.has_order then put(nil, render "templates/order.c") end
-  put(render "templates/init.h", render "templates/init.c")
+  if v.has_exact then put(nil, render "templates/numeric/exact.c") end
+  if v.has_order then put(nil, render "templates/numeric/order.c") end
+  put(render "templates/core/init.h", render "templates/core/init.c")
   local declarations = {}
   for i, f in ipairs(v.functions) do declarations[i] = table.concat(f.comment, "\n") .. "\n" .. f.declaration end
-  put(table.concat(declarations, "\n\n") .. "\n", render "templates/functions.c")
-  if v.has_attitude then put(render "templates/normalise.h", render "templates/normalise.c") end
+  put(table.concat(declarations, "\n\n") .. "\n", render "templates/core/functions.c")
+  if v.has_attitude then put(render "templates/core/normalise.h", render "templates/core/normalise.c") end
   if not v.has_special and (v.has_rates or v.has_closed) then put(nil, v.pair_source) end
-  if v.has_rates then put(nil, render "templates/principal.c", "analysis") end
+  if v.has_rates then put(nil, render "templates/analysis/principal.c", "analysis") end
   if v.has_closed then put(v.closed_header, v.closed_source, "orbit") end
   if v.stepper_source ~= "" then put(v.stepper_header, v.stepper_source) end
   if v.has_guard then put(v.guard_header, v.guard_source) end
   if v.has_rates then
-    put(render "templates/principal.h", nil, "analysis")
-    put(render "templates/analysis.h", render "templates/analysis.c", "analysis")
-    if v.has_stability then put(render "templates/stability.h", render "templates/stability.c", "analysis") end
+    put(render "templates/analysis/principal.h", nil, "analysis")
+    put(render "templates/analysis/analysis.h", render "templates/analysis/analysis.c", "analysis")
+    if v.has_stability then
+      put(render "templates/analysis/stability.h", render "templates/analysis/stability.c", "analysis")
+    end
   end
   local all = {}
   for i, f in ipairs(list) do all[i] = f.source end
@@ -112,7 +114,7 @@ function code.of(job)
   v.has_private, v.definitions, v.implementation = all.private ~= "", "", ""
   if v.has_private then
     v.definitions, v.source_includes = all.private, library(all.private)
-    put(v.name .. "_private.h", render "templates/private.h")
+    put(v.name .. "_private.h", render "templates/core/private.h")
     add(v.name .. "_private.h", headers)
     add(all.plain_private, texts.source)
   end
@@ -128,11 +130,11 @@ function code.of(job)
       if own.calls[other] and other ~= r then add(v.name .. selection.tails[other] .. ".h", v.own_includes) end
     end
     local main = r == "motion"
-    v.implementation = v.header_only and render "templates/implementation.c" or ""
-    put(stem .. ".h", render(main and "templates/scene.h" or "templates/part.h"))
+    v.implementation = v.header_only and render "templates/core/implementation.c" or ""
+    put(stem .. ".h", render(main and "templates/core/scene.h" or "templates/core/part.h"))
     add(stem .. ".h", headers)
     if own.source ~= "" and not v.header_only then
-      put(stem .. ".c", render(main and "templates/scene.c" or "templates/part.c"))
+      put(stem .. ".c", render(main and "templates/core/scene.c" or "templates/core/part.c"))
       add(stem .. ".c", sources)
     end
     add(own.header, texts.header)
@@ -157,7 +159,7 @@ function code.of(job)
     includes(table.concat(texts.header, "\n")), list
   v.real_type, v.own_includes, v.has_private = ctx.type, {}, false
   v.file, v.file_upper, v.implementation = v.name, v.upper, ""
-  local header, source = render "templates/scene.h", render "templates/scene.c"
+  local header, source = render "templates/core/scene.h", render "templates/core/scene.c"
   for k, name in pairs(libm.names(ctx, false)) do v[k] = name end -- for other files; into a table: order is lost
   return { files = files, v = v, ctx = ctx, header = header, source = source, functions = all.functions }
 end

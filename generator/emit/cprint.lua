@@ -12,7 +12,7 @@
 -- Comments are not made here: why and where of a group are passed through.  Lines carry no
 -- indentation; `indent` columns are kept free for it.
 
-local instr = require "generator.ir.instr"
+local instr = require "generator.ir.core.instr"
 local number = require "generator.emit.number"
 
 local cprint = {}

@@ -65,7 +65,7 @@ function guard.fill(job, v)
   v.guard_attitude = first or ""
   for i, row in ipairs(v.guard_rows) do row.tail = i < #v.guard_rows and "," or "" end
   local function render(name) return template.render(name, job.templates[name], v) end
-  v.guard_header, v.guard_source = render "templates/guard.h", render "templates/guard.c"
+  v.guard_header, v.guard_source = render "templates/core/guard.h", render "templates/core/guard.c"
 end
 
 return guard

@@ -262,7 +262,7 @@ function libm.source(v, ctx, templates, text)
   fill_series(L, ctx.real, ctx.name .. "_real")
   local parts = {}
   for i, name in ipairs(TEMPLATES) do
-    local path = "templates/libm_" .. name .. ".c"
+    local path = "templates/numeric/libm_" .. name .. ".c"
     parts[i] = template.render(path, templates[path], L)
   end
   return (string.gsub(table.concat(parts), "\n+$", "\n"))

@@ -1,4 +1,4 @@
--- midpoint.lua -- the midpoint rule as C: iteration and last part printed, the loop in templates/midpoint.c.
+-- midpoint.lua -- the midpoint rule as C: iteration and last part printed, the loop in templates/steppers/midpoint.c.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local source = require "generator.emit.source"

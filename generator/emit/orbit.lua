@@ -1,7 +1,7 @@
 -- orbit.lua -- the closed form's NAME_orbit of the scene's own motion, as an initialiser in C.
 --
--- The one place that knows what templates/top.h stores of the quantities of dynamics/free_top.lua.  Every number is
--- rounded once from many bits; phases are pairs, the fractions of a turn for the scene's step exact to 2^-128.
+-- The one place that knows what templates/orbit/top.h stores of the quantities of dynamics/free_top.lua.  Every number
+-- is rounded once from many bits; phases are pairs, the fractions of a turn for the scene's step exact to 2^-128.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -54,7 +54,7 @@ local function constants(q)
   return t2, t3, t4
 end
 
--- The coefficients of templates/theta_at.c: a, b, c, d, f, nome, and scale, which the rates take.
+-- The coefficients of templates/orbit/theta_at.c: a, b, c, d, f, nome, and scale, which the rates take.
 local function circular(top, o)
   local s, q, E = R.new(top.s), R.round(top.q, 128), R.round(top.E, 128)
   local g = R.round(top.E * top.r, 128)
@@ -112,7 +112,7 @@ local function hyperbolic(top, o, real)
   o.nearest = o.half >= R.new(real == "float" and 120 or 1000) -- 2 binary_limit
 end
 
--- What is stored, as rationals, by the names of templates/top.h.  h: the step that ticks count.
+-- What is stored, as rationals, by the names of templates/orbit/top.h.  h: the step that ticks count.
 function orbit.of(top, h, real)
   local o = { start = R.zero, rate = R.zero, turn = top.turn, s = R.new(top.s), tick = h, hyperbolic = top.hyperbolic }
   local r, _, odd = top:phases(R.zero)

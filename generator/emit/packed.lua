@@ -1,4 +1,4 @@
--- packed.lua -- the Taylor recurrences of one level as rows of eight: the vector text of templates/taylor.c.
+-- packed.lua -- the Taylor recurrences of one level as rows of eight: the vector text of templates/steppers/taylor.c.
 --
 -- Next terms are sums of products and of multiples, place by place: after*(C0 p0 + C1 p1 + ... + D y).  Product k of
 -- every place makes plane k, its factors are the newest terms in another order; so a whole order needs shuffles of one

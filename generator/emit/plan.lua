@@ -1,4 +1,4 @@
--- plan.lua -- the planned method as C: values for templates/plan.h, plan.c and the self-test; the header's report.
+-- plan.lua -- the planned method as C: values for templates/steppers/plan.* and the self-test; the header's report.
 --
 -- job.planned is what generator/plan/decision.lua describes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -59,8 +59,8 @@ function plan.render(job, v)
   local banner = { table.unpack(v.banner) }
   for _, line in ipairs(p.report) do banner[#banner + 1] = line end
   v.banner = banner
-  return template.render("templates/plan.h", job.templates["templates/plan.h"], v),
-    template.render("templates/plan.c", job.templates["templates/plan.c"], v)
+  return template.render("templates/steppers/plan.h", job.templates["templates/steppers/plan.h"], v),
+    template.render("templates/steppers/plan.c", job.templates["templates/steppers/plan.c"], v)
 end
 
 return plan

@@ -35,13 +35,13 @@ function project.files(job, plugin)
   job.code = { header = made.header, source = made.source }
   readme.fill(job, v)
   local n = job.model.name
-  v.normalise_test = v.offers.normalise and render "templates/test_normalise.c" or ""
-  v.tangent_test = render "templates/test_tangent.c"
-  v.follows_test = render "templates/test_follows.c"
-  v.compensated_test = v.test_compensated and render "templates/test_compensated.c" or ""
+  v.normalise_test = v.offers.normalise and render "templates/test/test_normalise.c" or ""
+  v.tangent_test = render "templates/test/test_tangent.c"
+  v.follows_test = render "templates/test/test_follows.c"
+  v.compensated_test = v.test_compensated and render "templates/test/test_compensated.c" or ""
   local files = made.files
   local made_of = #files
-  files[#files + 1] = { name = n .. "_test.c", text = render "templates/test.c" }
+  files[#files + 1] = { name = n .. "_test.c", text = render "templates/test/test.c" }
   for _, f in ipairs(job.q31 and q31.files(job, v) or {}) do files[#files + 1] = f end
   v.flat = not job.package.arrange -- all files in one folder
   v.project_files, v.project_use, v.dollar = {}, {}, "$" -- of the package, for README.md; for CMake's own ${}
@@ -53,9 +53,9 @@ function project.files(job, plugin)
   end
   if plugin then
     v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false
-    if v.has_peers then files[#files + 1] = { name = "peers.c", text = render "templates/peers.c" } end
-    files[#files + 1] = { name = "plugin.c", text = render "templates/plugin.c" }
-    files[#files + 1] = { name = "plugin.h", text = job.templates["templates/plugin.h"] }
+    if v.has_peers then files[#files + 1] = { name = "peers.c", text = render "templates/host/peers.c" } end
+    files[#files + 1] = { name = "plugin.c", text = render "templates/host/plugin.c" }
+    files[#files + 1] = { name = "plugin.h", text = job.templates["templates/host/plugin.h"] }
   end
   if job.package.arrange then return job.package.arrange(files) end
   return files

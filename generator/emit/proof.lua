@@ -1,7 +1,7 @@
 -- proof.lua -- NAME_proof.c (gen --with proof): what drives the steppers under Frama-C's Eva.
 --
 --     proof.check(job) -> bool         can it be asked of this scene?  If not, with an error in job.diag
---     proof.fill(job, v)               values for templates/proof.c, order.c and the Makefile
+--     proof.fill(job, v)               values for templates/test/proof.c, order.c and the Makefile
 -- What is shown and under which assumptions: docs/proof.md.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

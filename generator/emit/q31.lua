@@ -1,7 +1,7 @@
 -- q31.lua -- the fixed-point step as C: constants, statements, the header's table, the self-test's bits.
 --
 -- Every node of the program (methods/fixed.lua) is one statement.  What is prepared here are lists of lines for
--- templates/q31*; the program is not changed.  Numbers in comments are for people: three digits.
+-- templates/steppers/q31*; the program is not changed.  Numbers in comments are for people: three digits.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -241,7 +241,7 @@ function q31.files(job, v)
     w.cases[i] = case
   end
   local function render(name)
-    local path = "templates/" .. name
+    local path = "templates/" .. (name == "q31_test.c" and "test/" or "steppers/") .. name
     return (string.gsub(template.render(path, job.templates[path], w), "\n+$", "\n"))
   end
   local n = job.model.name

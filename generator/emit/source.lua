@@ -11,10 +11,10 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local number = require "generator.emit.number"
 local distinct = require "generator.dynamics.distinct"
-local lower = require "generator.ir.lower"
-local passes = require "generator.ir.passes"
-local count = require "generator.ir.count"
-local show = require "generator.ir.show"
+local lower = require "generator.ir.lower.lower"
+local passes = require "generator.ir.passes.passes"
+local count = require "generator.ir.core.count"
+local show = require "generator.ir.core.show"
 local cprint = require "generator.emit.cprint"
 
 local source = {}
@@ -108,7 +108,7 @@ end
 -- pi as a name, so that it is read as pi and rounded once.
 local pi = expr.sym("pi", 1)
 
--- The program of a description (see ir/lower.lua).
+-- The program of a description (see ir/lower/lower.lua).
 function source.program(ctx, f)
   local groups, uses_pi = {}, false
   local function named(e)

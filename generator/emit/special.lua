@@ -1,13 +1,13 @@
 -- special.lua -- the helpers in an emitted file: functions that libm lacks, each only where it is called.
 --
--- Printing the code has gathered their names in ctx.helpers; here are the values that templates/special.c needs.  The
--- arithmetic of pairs (templates/pair.c) stands once, before its first use.
+-- Printing the code has gathered their names in ctx.helpers; here are the values that templates/numeric/special.c
+-- needs.  The arithmetic of pairs (templates/numeric/pair.c) stands once, before its first use.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
-local algorithm = require "generator.ir.special"
-local series = require "generator.ir.series"
+local algorithm = require "generator.ir.special.special"
+local series = require "generator.ir.special.series"
 local template = require "generator.emit.template"
 
 local special = {}
@@ -36,9 +36,9 @@ end
 -- Renders the pairs and the helpers that are used.
 function special.render(job, v)
   local function render(name) return template.render(name, job.templates[name], v) end
-  v.pair_source = render "templates/pair.c"
-  v.series_source = v.has_series and render "templates/series.c" or ""
-  v.special_source = v.has_special and render "templates/special.c" or ""
+  v.pair_source = render "templates/numeric/pair.c"
+  v.series_source = v.has_series and render "templates/numeric/series.c" or ""
+  v.special_source = v.has_special and render "templates/numeric/special.c" or ""
 end
 
 return special

@@ -1,4 +1,4 @@
--- split.lua -- the splitting steppers as C: the kick's rates printed, the rest in templates/split.c.
+-- split.lua -- the splitting steppers as C: the kick's rates printed, the rest in templates/steppers/split.c.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

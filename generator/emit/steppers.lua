@@ -20,7 +20,7 @@ local function knots_of(job, v, ctx, knots)
   end
   v.knots_count, v.knots_static = string.format("%d", #knots), true
   for _, k in ipairs(knots) do v.knots_static = v.knots_static and k.time.kind == "num" end
-  return template.render("templates/knots.c", job.templates["templates/knots.c"], v)
+  return template.render("templates/steppers/knots.c", job.templates["templates/steppers/knots.c"], v)
 end
 
 -- Fills stepper_header, stepper_source and steppers, the list for the program's own use: {name, step (C name), run,
@@ -40,13 +40,13 @@ function steppers.render(job, v, ctx)
       if v.has_knots and not v.knots then sources[#sources + 1] = knots_of(job, v, ctx, s.program.knots) end
       fill[kind](ctx, s.program, v)
       v.first = i == 1
-      local path = "templates/" .. kind
+      local path = "templates/steppers/" .. kind
       headers[#headers + 1] = template.render(path .. ".h", job.templates[path .. ".h"], v)
       local function source(part, values)
         sources[#sources + 1] = template.render(part, job.templates[part], values)
       end
       if kind == "taylor" and s.program.top then
-        local own_terms = "templates/taylor_top.c"
+        local own_terms = "templates/steppers/taylor_top.c"
         v.taylor_top_text = template.render(own_terms, job.templates[own_terms], v)
       end
       source(path .. ".c", v)

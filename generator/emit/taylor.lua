@@ -1,4 +1,4 @@
--- taylor.lua -- the Taylor stepper as C: the statements of templates/taylor.c.
+-- taylor.lua -- the Taylor stepper as C: the statements of templates/steppers/taylor.c.
 --
 -- Straight code goes through the IR as everywhere: one block for term 0, one for term n, whose groups are the levels;
 -- between them the template sums the lanes.  BELOW the line where it makes C.
@@ -233,7 +233,7 @@ local function levels_of(program, rest, zero)
   return out
 end
 
--- How to come back from the turning frame: pairs of states that the angle mixes, see templates/taylor.c.
+-- How to come back from the turning frame: pairs of states that the angle mixes, see templates/steppers/taylor.c.
 local function turns_of(ctx, program, v)
   v.taylor_axis, v.taylor_turns, v.taylor_shift = program.axis ~= nil and not program.top, {}, program.shift ~= nil
   v.taylor_top = program.top ~= nil
@@ -363,7 +363,8 @@ function taylor.fill(ctx, program, v)
   v.taylor_least, v.taylor_slope = literal(R.new(19, 2)), literal(R.new(3, 8))
 end
 
--- The values for templates/taylor_transition.c: those of the scene with the recurrences of the variational equations.
+-- The values for templates/steppers/taylor_transition.c: those of the scene with the recurrences of the variational
+-- equations.
 function taylor.transition(ctx, program, v)
   local own_values = setmetatable({}, { __index = v })
   recurrences(ctx, program.transition, own_values)

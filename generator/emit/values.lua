@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local closed = require "generator.emit.closed"
 local economy = require "generator.emit.economy"
 local init = require "generator.emit.init"
 local libm = require "generator.emit.libm"
@@ -16,7 +17,7 @@ local selftest = require "generator.emit.selftest"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
 local split = require "generator.emit.split"
-local stability = require "generator.emit.stability"
+local stability = require "generator.emit.stability_signs"
 local template = require "generator.emit.template"
 
 local values = {}
@@ -39,13 +40,13 @@ local function literals(real)
     binary_one = n(R.new(3) * R.new(2) ^ (bits - 2) + R.new(bits == 24 and 127 or 1023)),
     block = bits == 24 and "16" or "8", no_period = n(R.new(2) ^ (bits == 24 and 40 or 100)),
     binary_limit = n(bits == 24 and 60 or 500),
-    -- exponents (templates/wide.c): below all others, that of 0; below all that matter.  In float an int has 16 bits
-    -- on some processors, and three times an exponent must fit
+    -- exponents (templates/numeric/wide.c): below all others, that of 0; below all that matter.  In float an int has
+    -- 16 bits on some processors, and three times an exponent must fit
     no_exponent = bits == 24 and "-6000" or "-1000000", least_exponent = bits == 24 and "-3000" or "-100000",
     carlson_close = n(R.new(2) ^ -(bits // 4 - (bits == 24 and 0 or 1))) }
 end
 
--- Constants as pairs high + low: pi, 1/pi, log 2, and the tables of templates/double.c.
+-- Constants as pairs high + low: pi, 1/pi, log 2, and the tables of templates/numeric/double.c.
 local function constants(real, v)
   local function pair(x)
     local high = R.fromdouble(real == "float" and R.tofloat(x) or R.todouble(x))
@@ -69,10 +70,10 @@ local function constants(real, v)
   v.log_eighths = table_of(8, function(j) return R.apply("log", 200, R.one + j / R.lift(8)) end)
 end
 
--- What NAME_principal_of promises (templates/principal.c).  pair_top: entries below 2^pair_top may grow by 2^3 and be
--- split (2^28, 2^13) below the largest number.  A rounding of 2^-104 (2^-46), magnified by the condition, stays below
--- half an ulp of a moment up to `digits`; the smallest number is 2^-1074 (2^-149), so that a moment 10^-decades of
--- the largest still has all its own.
+-- What NAME_principal_of promises (templates/analysis/principal.c).  pair_top: entries below 2^pair_top may grow by
+-- 2^3 and be split (2^28, 2^13) below the largest number.  A rounding of 2^-104 (2^-46), magnified by the condition,
+-- stays below half an ulp of a moment up to `digits`; the smallest number is 2^-1074 (2^-149), so that a moment
+-- 10^-decades of the largest still has all its own.
 local function promises(real)
   if real == "float" then return { pair_top = "110", pair_digits = "5", pair_decades = "65" } end
   return { pair_top = "990", pair_digits = "12", pair_decades = "600" }
@@ -226,15 +227,15 @@ function values.closed(job, v, ctx)
   for name, flag in pairs(form.flags or {}) do v[name] = flag end -- into a table: order is lost anyway
   local function render(name) return template.render(name, job.templates[name], v) end
   orbit.fill(job, v)
-  local headers = {}
-  for i, name in ipairs(form.headers or { form.header }) do headers[i] = render(name) end
+  local contracts, texts = closed.texts(form)
+  local headers, parts = {}, {}
+  for i, name in ipairs(contracts) do headers[i] = render(name) end
   v.closed_header = table.concat(headers, "\n")
-  local parts = {}
-  for i, name in ipairs(form.sources) do parts[i] = render(name) end
-  if v.has_own then parts[#parts + 1] = render "templates/own.c" end
+  for i, name in ipairs(texts) do parts[i] = render(name) end
+  if v.has_own then parts[#parts + 1] = render "templates/orbit/own.c" end
   v.closed_source = table.concat(parts, "\n")
   v.clears = string.find(v.closed_source, v.name .. "_zero(", 1, true) ~= nil
-  v.closed_source = render "templates/copy.c" .. "\n" .. v.closed_source
+  v.closed_source = render "templates/core/copy.c" .. "\n" .. v.closed_source
 end
 
 return values

@@ -1,4 +1,4 @@
--- vectors.lua -- the states, cases and bounds of the emitted self-test, as text for templates/test.c.
+-- vectors.lua -- the states, cases and bounds of the emitted self-test, as text for templates/test/test.c.
 --
 -- Three states: the scene's own and two fixed ones scaled to its rates.  They are rounded to the emitted real type
 -- before anything is computed from them (see selftest.lua), so the expected numbers belong to exactly the inputs that

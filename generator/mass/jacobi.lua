@@ -4,8 +4,8 @@
 -- so that no size over- or underflows and what is returned is rounded once.  Moments ascending, axes right-handed; in
 -- the first two the first component within 1/16 of the largest is positive.  The planes xy, xz, yz in turn: with one
 -- product of inertia zero a rotation multiplies the smaller of the other two by a sine of at most sqrt(1/2), so the
--- bound on the rotations suffices for any tensor.  The emitted code has its own (templates/principal.c), the library
--- another.
+-- bound on the rotations suffices for any tensor.  The emitted code has its own (templates/analysis/principal.c), the
+-- library another.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

@@ -93,7 +93,7 @@ function linearised.worst(A, e)
   return linearised.motion(A, e * x, e * y)
 end
 
--- The linearised rates x, y at the time t, in 1/w (templates/analysis.c has the same formula).
+-- The linearised rates x, y at the time t, in 1/w (templates/analysis/analysis.c has the same formula).
 function linearised.rates(A, x, y, t)
   local c, s = 1.0, t
   if A.kind == "unstable" then

@@ -7,7 +7,7 @@
 --     sphere      one, about L by |L| tau/I
 --     symmetric   two that commute, about L by |L| tau/I1 and about k by (1 - I3/I1) (k.w) tau: exact
 --     diagonal    Kahan's map with coefficients that depend on step, energy and |L|, then two rotations: order 10,
---                 energy and L to rounding (templates/split.c; Hairer, Vilmart 2006, J. Phys. A 39, 13225)
+--                 energy and L to rounding (templates/steppers/split.c; Hairer, Vilmart 2006, J. Phys. A 39, 13225)
 --     full        T = L^2/(2 Ia) + Lb^2/2 (1/Ib - 1/Ia) + Lc^2/2 (1/Ic - 1/Ia), Ia the middle one: the first commutes
 --                 with the others, rotations about the principal axes b and c in body axes, which NAME_init finds and a
 --                 palindrome of their own composes (`inner`).  p = L/Ia is made of w and w of p by the steps of I/Ia =

@@ -93,7 +93,7 @@ end
 
 -- The heavy symmetric top, its axis k = z and the force along z in space: nothing but attitude and two rates moves, and
 -- W' = i Omega W + K conj(a) b with W = wx + i wy, a = qw + i qz, b = qx + i qy.  Returns the constants of the text in
--- templates/taylor_top.c, or nil if the torque is another.
+-- templates/steppers/taylor_top.c, or nil if the torque is another.
 local function heavy(eq, Omega, moving)
   if #moving ~= 6 then return nil end
   local slope, q, w = {}, state.q, state.w

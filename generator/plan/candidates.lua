@@ -7,7 +7,7 @@
 -- all; a lower top makes the array of coefficients smaller.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local methods = require "generator.methods.list"
+local methods = require "generator.methods.methods"
 
 local candidates = {}
 

@@ -10,7 +10,7 @@ local hash = require "generator.hash"
 local text = require "generator.algebra.text"
 local err = require "generator.plan.error"
 local states = require "generator.plan.states"
-local methods = require "generator.methods.list"
+local methods = require "generator.methods.methods"
 
 local decision = {}
 

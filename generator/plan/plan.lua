@@ -11,7 +11,7 @@ local search = require "generator.plan.search"
 local states = require "generator.plan.states"
 local targets = require "generator.cost.targets"
 local trial = require "generator.plan.trial"
-local methods = require "generator.methods.list"
+local methods = require "generator.methods.methods"
 
 local plan = {}
 
@@ -26,8 +26,8 @@ local top = plan.top
 
 local epsilon = { double = 2.0 ^ -52, float = 2.0 ^ -23 }
 
--- The order that NAME_taylor_run takes for a tolerance (templates/taylor_run.c, emit/taylor.lua): bits of an IEEE
--- number as an integer are its logarithm.  most: the order of the emitted series.
+-- The order that NAME_taylor_run takes for a tolerance (templates/steppers/taylor_run.c, emit/taylor.lua): bits of an
+-- IEEE number as an integer are its logarithm.  most: the order of the emitted series.
 function plan.order(tolerance, real, most)
   local log2
   if real == "float" then
@@ -256,8 +256,9 @@ local function truths(s, points, limit, progress)
   return own
 end
 
--- The exact drift of a free asymmetric body cuts a step of more than a radian or so into pieces (templates/split.c),
--- which are counted as one: such steps are no candidates.  The least number of steps; 1 elsewhere.
+-- The exact drift of a free asymmetric body cuts a step of more than a radian or so into pieces
+-- (templates/steppers/split.c), which are counted as one: such steps are no candidates.
+-- The least number of steps; 1 elsewhere.
 function plan.least_steps(job, c, points, T)
   if not string.find(c.method, "^split") or job.model.structure.kind ~= "diagonal" then return 1 end
   local fastest = 0.0

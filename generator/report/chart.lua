@@ -6,7 +6,7 @@
 
 local expr = require "generator.algebra.expr"
 local critical = require "generator.mass.critical"
-local stability = require "generator.mass.stability"
+local stability = require "generator.mass.spin_stability"
 local regions = require "generator.report.regions"
 local svg = require "generator.draw.svg"
 

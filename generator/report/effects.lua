@@ -49,7 +49,7 @@ local function arguments(e, tell)
   return rows
 end
 
--- list: generator/effects/list.lua; examples: name of a scene -> its text.  Returns files {{name =, text =}}.
+-- list: generator/effects/effects.lua; examples: name of a scene -> its text.  Returns files {{name =, text =}}.
 -- tell: what other layers know: keeps(effect), unit(name of a dimension), show(value), each a text.
 function effects.files(list, examples, tell)
   local out = { head }

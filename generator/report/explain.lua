@@ -15,7 +15,7 @@ local facts = require "generator.report.facts"
 local json = require "generator.report.json"
 local linearised = require "generator.report.linearised"
 local pieces = require "generator.report.pieces"
-local design = require "generator.report.stability"
+local design = require "generator.report.stability_conditions"
 
 local explain = {}
 

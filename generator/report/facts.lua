@@ -12,7 +12,7 @@ local principal = require "generator.mass.principal"
 local jacobi = require "generator.mass.jacobi"
 local validity = require "generator.mass.validity"
 
-local design = require "generator.report.stability"
+local design = require "generator.report.stability_conditions"
 local linearised = require "generator.report.linearised"
 
 local facts = {}

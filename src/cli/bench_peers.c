@@ -17,7 +17,7 @@
 /* Between two looks at the clock. */
 #define AT_A_TIME 20000
 
-/* ---- RK4 by hand: templates/peers.c ---- */
+/* ---- RK4 by hand: templates/host/peers.c ---- */
 
 static void *hand_open(const struct peer *self, const struct peer_problem *p) {
   (void)self;

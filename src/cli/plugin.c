@@ -1,8 +1,8 @@
 /* plugin.c - the emitted code of a scene, compiled and loaded, as an object of Lua.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The shared object's table (templates/plugin.h) becomes methods; its sizes are checked once and
- * every list from Lua against them, so that emitted code never reads past an array of ours.  The
+ * The shared object's table (templates/host/plugin.h) becomes methods; its sizes are checked once
+ * and every list from Lua against them, so that emitted code never reads past an array of ours. The
  * object owns the model, the orbit and the loaded code, and gives all three back when it is
  * collected.
  */

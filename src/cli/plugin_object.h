@@ -4,7 +4,7 @@
 #ifndef POLHODE_PLUGIN_OBJECT_H
 #define POLHODE_PLUGIN_OBJECT_H
 
-#include "../../templates/plugin.h"
+#include "../../templates/host/plugin.h"
 #include "engine.h"
 
 #define PLUGIN_TYPE "polhode.plugin"

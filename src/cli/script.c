@@ -127,8 +127,11 @@ static int add_folder(lua_State *L, const char *dir, const char *folder) {
 }
 
 void script_push_templates(lua_State *L) {
-  static const char *const folders[] = {"templates/projects", "templates/projects/firmware",
-                                        "templates/target"};
+  static const char *const folders[] = {
+      "templates/core",     "templates/numeric",  "templates/orbit",
+      "templates/steppers", "templates/analysis", "templates/test",
+      "templates/host",     "templates/projects", "templates/projects/firmware",
+      "templates/target"};
   const char *dir = source_tree("templates/");
   lua_newtable(L);
   if (dir == NULL || !add_folder(L, dir, "templates"))

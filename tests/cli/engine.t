@@ -173,7 +173,7 @@ const struct polhode_plugin *polhode_plugin(void) {
 -- plugin.h out of the program's own templates: what an installed program has
 local BUILD = [[
 local function build(few, flags)
-  assert(host.write_file(args[1] .. "/plugin.h", assert(host.templates["templates/plugin.h"])))
+  assert(host.write_file(args[1] .. "/plugin.h", assert(host.templates["templates/host/plugin.h"])))
   assert(host.compile(args[1], { "decay.c" }, "decay.so",
     { flags = { "-std=c99", "-shared", "-fPIC", "-DFEW=" .. few, flags }, libs = { "-lm" } }))
   return host.plugin(args[1] .. "/decay.so")

@@ -16,7 +16,7 @@ local scene = require "tests.scene"
 local program = require "tests.cli.program"
 local driver = require "generator.driver"
 local ops = require "generator.cost.ops"
-local methods = require "generator.methods.list"
+local methods = require "generator.methods.methods"
 
 local dir = program.directory()
 -- clang takes half of g++'s time

@@ -19,7 +19,7 @@ local compiled = require "tests.ir.compiled"
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
 local facts = require "generator.report.facts"
-local stability = require "generator.mass.stability"
+local stability = require "generator.mass.spin_stability"
 
 ---- the conditions that books and a few lines of algebra give ----------------------------------------
 

@@ -29,7 +29,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
 local scene = require "tests.scene"
-local effects = require "generator.effects.list"
+local effects = require "generator.effects.effects"
 local attribution = require "generator.report.attribution"
 
 local BRICK = 'solid.box { x = param("a", 0.2, "m"), y = param("b", 0.1, "m"), z = param("c", 0.05, "m"), ' ..

@@ -9,7 +9,7 @@ local tap = require "tests.tap"
 local scene = require "tests.scene"
 local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
-local effects = require "generator.effects.list"
+local effects = require "generator.effects.effects"
 
 -- A driven wheel about z, whose inertia J is not the body's: its angular momentum J s, its speed s' = drive/J.
 table.insert(effects, { name = "effect.flywheel", about = "for this test", formula = "J s' = drive",

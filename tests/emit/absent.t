@@ -2,7 +2,7 @@
 -- absent.t - an effect that is absent leaves no trace, and one of zero strength is absent.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- For every effect in effects/list.lua (an effect without a row here fails):
+-- For every effect in effects/effects.lua (an effect without a row here fails):
 --   * the files of a scene with it at constant zero strength are those of the scene without it, byte for byte, alone
 --     and beside the two next effects of the list at full strength;
 --   * no state, parameter, input or derived constant that it would bring stands in the header, in the code or among the
@@ -17,7 +17,7 @@ local tap = require "tests.tap"
 local tier = require "tests.tier"
 local scene = require "tests.scene"
 local program = require "tests.cli.program"
-local effects = require "generator.effects.list"
+local effects = require "generator.effects.effects"
 
 -- full: with its strength; zero: with none, also: the other ways to say so; absent: what zero is the same as, if not
 -- nothing; why: it has no zero.

@@ -5,7 +5,7 @@
 -- Each formula below is written the way one would write it in C by hand, with shared terms named.  It runs twice: over
 -- numbers that count their own operations, which is its cost, and over expressions, which must be the model's tensor.
 -- A constant factor is one multiplication, a quotient of constants is free, a minus sign is free.  The emitted code's
--- operations are counted on its instructions (ir/count.lua), for the entries of the tensor alone.
+-- operations are counted on its instructions (ir/core/count.lua), for the entries of the tensor alone.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath

@@ -9,8 +9,8 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local tap = require "tests.tap"
 local R = require "polhode_rational"
 local expr = require "generator.algebra.expr"
-local lower = require "generator.ir.lower"
-local passes = require "generator.ir.passes"
+local lower = require "generator.ir.lower.lower"
+local passes = require "generator.ir.passes.passes"
 local cprint = require "generator.emit.cprint"
 
 local S = expr.sym

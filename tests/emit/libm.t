@@ -31,7 +31,7 @@ local ALL = { "huge", "fabs", "copysign", "sqrt", "cbrt", "floor", "frexp", "lde
   "acos", "atan", "atan2", "exp", "sinh", "cosh", "tanh", "log", "pow" }
 
 local templates = {}
-for path in io.popen("ls templates/libm_*.c"):lines() do templates[path] = program.read(path) end
+for path in io.popen("ls templates/numeric/libm_*.c"):lines() do templates[path] = program.read(path) end
 
 local function own(real, functions)
   local bits = real == "float" and 24 or 53

@@ -17,8 +17,8 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local tap = require "tests.tap"
 local program = require "tests.cli.program"
 local R = require "generator.algebra.rational"
-local eval = require "generator.ir.eval"
-local series = require "generator.ir.series"
+local eval = require "generator.ir.core.eval"
+local series = require "generator.ir.special.series"
 
 local binary = os.getenv "POLHODE" or "build/polhode"
 local dir = program.directory()

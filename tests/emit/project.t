@@ -161,7 +161,7 @@ end
 
 do
   local driver = require "generator.driver"
-  local passes = require "generator.ir.passes"
+  local passes = require "generator.ir.passes.passes"
   local before
   for _, pass in ipairs { "lower", "power", "fold", "cse", "dce", "order" } do
     local job = scene.plan(scene.file "bodies/brick.lua")

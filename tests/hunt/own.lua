@@ -15,7 +15,7 @@ local ALL = { "huge", "fabs", "copysign", "sqrt", "cbrt", "floor", "frexp", "lde
   "acos", "atan", "atan2", "exp", "sinh", "cosh", "tanh", "log", "pow" }
 
 local templates = {}
-local pipe = assert(io.popen "ls templates/libm_*.c")
+local pipe = assert(io.popen "ls templates/numeric/libm_*.c")
 for path in pipe:lines() do
   local file = assert(io.open(path, "rb"))
   templates[path] = file:read "a"

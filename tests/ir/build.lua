@@ -6,7 +6,7 @@
 -- an element { why =, stores... } of the list opens a group.
 
 local R = require "polhode_rational"
-local instr = require "generator.ir.instr"
+local instr = require "generator.ir.core.instr"
 
 local build = {}
 

@@ -6,10 +6,10 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
 local R = require "polhode_rational"
-local fold = require "generator.ir.fold"
-local dce = require "generator.ir.dce"
-local eval = require "generator.ir.eval"
-local show = require "generator.ir.show"
+local fold = require "generator.ir.passes.fold"
+local dce = require "generator.ir.passes.dce"
+local eval = require "generator.ir.core.eval"
+local show = require "generator.ir.core.show"
 local build = require "tests.ir.build"
 
 local inf, nan = math.huge, 0.0 / 0.0

@@ -11,11 +11,11 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
 local R = require "polhode_rational"
-local count = require "generator.ir.count"
+local count = require "generator.ir.core.count"
 local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
-local lower = require "generator.ir.lower"
-local passes = require "generator.ir.passes"
+local lower = require "generator.ir.lower.lower"
+local passes = require "generator.ir.passes.passes"
 local random = require "tests.ir.random"
 local running = require "tests.ir.running"
 

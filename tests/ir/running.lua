@@ -6,7 +6,7 @@
 -- of the errors of its operands; a libm call is granted 2 ulp.  The bound needs no tolerance chosen by hand
 -- and is a theorem for each point, up to the roundings of e itself, for which a part in 1000 is added.
 
-local instr = require "generator.ir.instr"
+local instr = require "generator.ir.core.instr"
 local R = require "polhode_rational"
 
 local running = {}

@@ -97,9 +97,9 @@ local function printed(s, name)
     -- for what leaves a root's zero
     (("void RHS; void RHS { (void)m; (void)t; (void)u; dx[0] = x[0]; dx[1] = x[1]; }"):gsub("RHS", name ..
       "_rhs(const " .. name .. "_model *m, double t, const double x[], const double u[], double dx[])")),
-    template.render("taylor.h", scene.slurp "templates/taylor.h", v),
-    template.render("taylor.c", scene.slurp "templates/taylor.c", v),
-    template.render("taylor_run.c", scene.slurp "templates/taylor_run.c", v) }
+    template.render("taylor.h", scene.slurp "templates/steppers/taylor.h", v),
+    template.render("taylor.c", scene.slurp "templates/steppers/taylor.c", v),
+    template.render("taylor_run.c", scene.slurp "templates/steppers/taylor_run.c", v) }
   return table.concat(lines, "\n"), made
 end
 

@@ -7,7 +7,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
 local program = require "tests.cli.program"
-local effects = require "generator.effects.list"
+local effects = require "generator.effects.effects"
 
 local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"

@@ -7,7 +7,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
 local catalogue = require "generator.mass.catalogue"
-local effects = require "generator.effects.list"
+local effects = require "generator.effects.effects"
 
 local binary = os.getenv "POLHODE" or "build/polhode"
 

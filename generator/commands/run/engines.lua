@@ -19,7 +19,7 @@ local breaks = require "generator.dynamics.breaks"
 local driver = require "generator.driver"
 local gen = require "generator.commands.gen"
 local limits = require "generator.commands.run.limits"
-local methods = require "generator.methods.list"
+local methods = require "generator.methods.methods"
 local numeric = require "generator.dynamics.numeric"
 local reference = require "generator.plan.reference"
 

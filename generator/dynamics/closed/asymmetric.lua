@@ -1,4 +1,4 @@
--- asymmetric.lua -- the free top of any moments: Jacobi's solution in theta functions (templates/top.c).
+-- asymmetric.lua -- the free top of any moments: Jacobi's solution in theta functions (templates/orbit/top.c).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local free = require "generator.dynamics.closed.free"
@@ -13,10 +13,7 @@ function asymmetric.detect(m, eq)
       "attitude is exp(i mu t) times theta4 and theta1 of pi u/(2 K) - i eta, a complex pair (Jacobi 1849; Whittaker,",
       "Analytical Dynamics, section 69).  Set up in twice the working precision; any moments and any state: symmetric,",
       "spherical, a rod, spin about an axis and the separatrix are limits that the same formulas pass through." },
-    header = "templates/top.h", sources = { "templates/circle.c", "templates/double.c", "templates/theta_at.c",
-      "templates/top.c", "templates/polynomial.c", "templates/circular.c", "templates/hyperbolic.c",
-      "templates/quaternion.c", "templates/setup.c", "templates/many.c", "templates/count.c",
-      "templates/tick.c", "templates/query.c" }, flags = {}, full = true, ticks = true, exact = true }
+    flags = {}, full = true, ticks = true, exact = true }
 end
 
 return asymmetric

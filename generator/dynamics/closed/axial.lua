@@ -48,8 +48,7 @@ function axial.detect(m)
       "a confluent hypergeometric equation," or "Landau and Zener's equation (parabolic cylinder functions),"),
       "but for spin about the axis alone" .. (l.damping and " and damping proportional to L" or "") ..
       ".  Goldstein 5.39; Zener 1932, Proc. R. Soc. A 137, 696." },
-    header = "templates/axial.h", sources = { "templates/circle.c", "templates/quotient.c", "templates/clock.c",
-      "templates/axial.c" }, flags = { symmetric = true, axial = true, rod = s.rod or false }, full = false,
+    flags = { symmetric = true, axial = true, rod = s.rod or false }, full = false,
     constants = function(model)
       local c = symmetric.constants(model, s)
       c.torque = model:constant("Nk", loads.component(l.torque or { expr.zero, expr.zero, expr.zero }, s.k),

@@ -14,23 +14,6 @@ local damped = { name = "damping proportional to L" }
 local free = { require "generator.dynamics.closed.sphere", require "generator.dynamics.closed.symmetric",
   (require "generator.dynamics.closed.asymmetric") } -- one value: require also returns where it found it
 
--- what counts time in ticks or answers for the free motion alone
-local only_free = { ["templates/count.c"] = true, ["templates/tick.c"] = true, ["templates/many.c"] = true,
-  ["templates/query.c"] = true }
-
-local function sources(form)
-  local list = {}
-  for _, name in ipairs(form.sources) do
-    if name == "templates/theta_at.c" or name == "templates/closed.c" then -- which ask for the time
-      if form.kind == "sphere" then list[#list + 1] = "templates/quotient.c" end
-      list[#list + 1] = "templates/clock.c"
-    end
-    if not only_free[name] then list[#list + 1] = name end
-  end
-  list[#list + 1] = "templates/damped.c"
-  return list
-end
-
 function damped.detect(m)
   local l, other = loads.of(m, true)
   if not l then return nil, other end
@@ -49,7 +32,7 @@ function damped.detect(m)
   local flags = { damped = true, rod = m.structure.rod or false }
   for name, flag in pairs(form.flags) do flags[name] = flag end -- into a table: order is lost anyway
   return { kind = "damped " .. form.kind, theorem = "damping proportional to L, a change of time in the " ..
-      form.theorem, text = text, headers = { form.header, "templates/damped.h" }, sources = sources(form),
+      form.theorem, text = text, free = form,
     flags = flags, full = true, decay = rate, exact = form.exact, constants = function(model)
       local c = form.constants and form.constants(model) or {}
       c.decay = model:constant("decay", rate, "rate of decay of L, 1/s")

@@ -1,6 +1,6 @@
 -- gyrostat.lua -- the free gyrostat of any moments, its rotors along one of the axes x, y, z, which are principal.
 --
---     I w' = (I w + h) x w:  u = M3/|M|, M = I w + h, has u'^2 = a quartic in u      (templates/gyrostat.c)
+--     I w' = (I w + h) x w:  u = M3/|M|, M = I w + h, has u'^2 = a quartic in u      (templates/orbit/gyrostat.c)
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -47,13 +47,8 @@ function gyrostat.detect(m)
       "Systems).  The attitude is a pair a, b with |a|^2 = (1 + u)/2, |b|^2 = (1 - u)/2, each exp(i mu t) theta1 or",
       "theta2 of z - i eta, with mu and eta of its own; the rates are products of two of these.  Set up in twice the",
       "working precision; four real roots or two, permanent rotations, separatrices and h = 0 are limits." },
-    header = "templates/gyrostat.h", full = true, ticks = true,
+    full = true, ticks = true,
     flags = { lagrange = true, first = index[first], second = index[second], third = index[third] },
-    sources = { "templates/circle.c", "templates/double.c", "templates/integral.c", "templates/wide.c",
-      "templates/quaternion.c", "templates/polynomial.c", "templates/phase.c", "templates/frame.c",
-      "templates/phases.c", "templates/gyrostat.c",
-      "templates/gyrostat_at.c", "templates/gyrostat_theta.c", "templates/states.c", "templates/gyrostat_solve.c",
-      "templates/count.c", "templates/lagrange_tick.c" },
     constants = function(model)
       local function moment(name, i)
         local about = "moment of inertia about " .. string.sub("xyz", i, i) .. ", kg m^2"

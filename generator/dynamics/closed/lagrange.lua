@@ -74,12 +74,7 @@ function lagrange.detect(m)
       "with mu and eta of its own, as are the rates across the axis (Jacobi; Whittaker, Analytical Dynamics, sections",
       "71-73; Klein and Sommerfeld, Theorie des Kreisels, part 2).  Set up in twice the working precision; any state:",
       "cusps, loops, steady precession, sleeping tops, pendulums, passages through the vertical are limits." },
-    header = "templates/lagrange.h", flags = { lagrange = true }, constants = constants, full = true,
-    sources = { "templates/circle.c", "templates/double.c", "templates/integral.c", "templates/wide.c",
-      "templates/quaternion.c", "templates/polynomial.c", "templates/phase.c", "templates/frame.c",
-      "templates/phases.c", "templates/lagrange.c",
-      "templates/lagrange_theta.c", "templates/lagrange_at.c", "templates/states.c",
-      "templates/lagrange_solve.c", "templates/count.c", "templates/lagrange_tick.c" }, ticks = true }
+    flags = { lagrange = true }, constants = constants, full = true, ticks = true }
 end
 
 return lagrange

@@ -1,4 +1,4 @@
--- point.lua -- a point under constant and linear forces, in axes at rest or turning steadily (templates/point.c).
+-- point.lua -- a point under constant and linear forces, in axes at rest or turning steadily (templates/orbit/point.c).
 --
 -- At rest each coordinate is r'' = g - kappa r.  In a frame that turns at Omega n, across n and as complex numbers
 -- (i: the quarter turn about n),
@@ -82,8 +82,8 @@ function point.detect(m)
     return list
   end
   return { kind = "point", theorem = frame and "point in a steadily turning frame, linear forces" or
-    "point under constant and linear forces", text = frame and framed_text or plain, header = "templates/point.h",
-    sources = { "templates/point.c" }, full = true, pairs = frame and "sums" or "few", constants = constants,
+    "point under constant and linear forces", text = frame and framed_text or plain, full = true,
+    pairs = frame and "sums" or "few", constants = constants,
     flags = { framed = frame ~= nil, centrifugal = frame and frame.centrifugal or false,
       axis_x = axis == 1, axis_y = axis == 2 } }
 end

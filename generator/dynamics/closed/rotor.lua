@@ -24,8 +24,6 @@ function rotor.detect(m)
       "Omega = ((I3 - I1) k.w + h)/I1, |k| = 1; hence",
       "q(t) = (cos, L/|L| sin)(|L|t/2 I1) q(0) (cos, -k sin)(Omega t/2).",
       "Volterra 1899, Acta Math. 22, 201; Landau, Lifshitz, Mechanics, section 33, for h = 0." },
-    header = "templates/closed.h", sources = { "templates/circle.c", "templates/count.c", "templates/quotient.c",
-      "templates/quaternion.c", "templates/closed.c" },
     flags = { symmetric = true, rotor = true }, full = true, ticks = true,
     constants = function(model)
       local c = symmetric.constants(model, s)

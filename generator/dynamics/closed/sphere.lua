@@ -12,8 +12,7 @@ function sphere.detect(m, eq)
   return { kind = "sphere", theorem = "free spherical top, uniform rotation",
     text = { "All moments are equal, so L = I1 w and w are constant in both frames:",
       "q(t) = q(0) (cos |w|t/2, w/|w| sin |w|t/2).  Landau, Lifshitz, Mechanics, section 33." },
-    header = "templates/closed.h", sources = { "templates/circle.c", "templates/count.c",
-      "templates/quaternion.c", "templates/closed.c" }, flags = {}, full = true, ticks = true }
+    flags = {}, full = true, ticks = true }
 end
 
 return sphere

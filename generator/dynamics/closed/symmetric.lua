@@ -45,8 +45,7 @@ function symmetric.detect(m, eq)
       "goes round L at |L|/I1; in the body w goes round k at Omega = (I3 - I1)/I1 k.w; hence",
       "q(t) = (cos, L/|L| sin)(|L|t/2 I1) q(0) (cos, k/|k| sin)((1 - I3/I1) k.w t/2).",
       "Landau, Lifshitz, Mechanics, sections 33 and 36." },
-    header = "templates/closed.h", sources = { "templates/circle.c", "templates/count.c",
-      "templates/quotient.c", "templates/quaternion.c", "templates/closed.c" }, flags = { symmetric = true },
+    flags = { symmetric = true },
     constants = function(model) return symmetric.constants(model) end, full = true, ticks = true }
 end
 

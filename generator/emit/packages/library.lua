@@ -37,7 +37,7 @@ function library.package(d)
     local out = {}
     for i, f in ipairs(d.files) do out[i] = { name = named(f[2], v), text = render(FOLDER .. f[1]), package = true,
       once = d.once and d.once[f[1]] } end
-    out[#out + 1] = { name = "README.md", text = render "templates/README.md" }
+    out[#out + 1] = { name = "README.md", text = render "templates/projects/README.md" }
     return out
   end
 

@@ -19,14 +19,14 @@ function make.files(job, v, render)
   v.project_files[2] = { name = "qemu.c, qemu.ld", about = "`make qemu`: the self-test on an emulated Cortex-M4F" }
   local proof
   if v.has_proof then
-    proof = { name = job.model.name .. "_proof.c", text = render "templates/proof.c" }
+    proof = { name = job.model.name .. "_proof.c", text = render "templates/test/proof.c" }
     v.project_files[3] = { name = proof.name,
       about = "`make proof`: Frama-C shows that no step from within the ranges overflows or divides by zero" }
   end
-  return { { name = "Makefile", text = render "templates/Makefile" },
-    { name = "README.md", text = render "templates/README.md" },
-    { name = "qemu.c", text = render "templates/qemu.c" },
-    { name = "qemu.ld", text = render "templates/qemu.ld" }, proof }
+  return { { name = "Makefile", text = render "templates/projects/Makefile" },
+    { name = "README.md", text = render "templates/projects/README.md" },
+    { name = "qemu.c", text = render "templates/test/qemu.c" },
+    { name = "qemu.ld", text = render "templates/test/qemu.ld" }, proof }
 end
 
 return make

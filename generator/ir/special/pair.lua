@@ -1,0 +1,62 @@
+-- pair.lua: arithmetic of twice the precision, operation for operation that of templates/numeric/pair.c.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- Below the line.  A pair {hi, lo} is the unevaluated sum of two numbers of `real` (Dekker; Knuth's two-sum).
+
+local pair = {}
+
+local splits = { double = 0x1p27 + 1, float = 0x1p12 + 1 } -- Dekker's factor
+
+-- Arithmetic of pairs with that rounding, which tells the real type by what it does to 1 + 2^-30.
+function pair.arithmetic(f)
+  local real = f(1 + 0x1p-30) == 1 and "float" or "double"
+  local split = splits[real]
+  local P = { real = real }
+
+  local function sum(a, b) -- Knuth's two-sum
+    local hi = f(a + b)
+    local bb = f(hi - a)
+    return { hi, f(f(a - f(hi - bb)) + f(b - bb)) }
+  end
+
+  local function halves(a)
+    local c = f(split * a)
+    local high = f(c - f(c - a))
+    return high, f(a - high)
+  end
+
+  function P.product(a, b) -- Dekker's
+    local ah, al = halves(a)
+    local bh, bl = halves(b)
+    local hi = f(a * b)
+    return { hi, f(f(f(f(f(ah * bh) - hi) + f(ah * bl)) + f(al * bh)) + f(al * bl)) }
+  end
+
+  function P.add(a, b)
+    local s = sum(a[1], b[1])
+    return sum(s[1], f(s[2] + f(a[2] + b[2])))
+  end
+
+  function P.multiply(a, b)
+    local p = P.product(a[1], b[1])
+    return sum(p[1], f(p[2] + f(f(a[1] * b[2]) + f(a[2] * b[1]))))
+  end
+
+  function P.quotient(a, b)
+    local q = f(a[1] / b[1])
+    local p = P.product(q, b[1])
+    return sum(q, f(f(f(f(a[1] - p[1]) - p[2]) + f(a[2] - f(q * b[2]))) / b[1]))
+  end
+
+  function P.root(a)
+    local r = f(math.sqrt(a[1]))
+    local p = P.product(r, r)
+    return sum(r, f(f(f(f(a[1] - p[1]) - p[2]) + a[2]) / f(2 * r)))
+  end
+
+  function P.scaled(a, power) return { f(a[1] * power), f(a[2] * power) } end
+
+  return P
+end
+
+return pair

@@ -1,0 +1,25 @@
+-- methods.lua -- the steppers that can be emitted, in the order they are listed.
+--
+-- One file a method.  Each gives: name; about (one line); order (of convergence; nil where it is an option); and either
+--     groups(eq, constant)      the step as equation groups, printed as one function (rk4.lua)
+--     plain(eq, constant)       the step as equation groups for what is derived from it (optional; without a division
+--                               by h, and also of a method that is printed by parts: adaptive.lua)
+--     increments(eq, constant)  what the step adds, as equation groups (optional: compensated.lua)
+--     program(eq, options)      what emit/NAME.lua makes C of with templates/NAME.h and .c; nil and why it cannot
+-- adaptive = true: NAME_METHOD_run chooses its steps from a tolerance.  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local list = {
+  require "generator.methods.rk4",
+  require "generator.methods.adaptive",
+  require "generator.methods.taylor",
+  require "generator.methods.midpoint",
+  (require "generator.methods.semi"), -- one value: require also returns where it found it
+}
+
+for _, m in ipairs(require("generator.methods.split").methods) do list[#list + 1] = m end
+
+list.by_name = {}
+for _, m in ipairs(list) do list.by_name[m.name] = m end
+
+return list
