@@ -134,7 +134,8 @@ local function complete(name, kept, by_name, public)
   for _, u in ipairs(kept) do
     for _, n in ipairs(u.uses) do
       local ours = string.sub(n, 1, #name + 1) == name .. "_" and string.find(n, "^%l", #name + 2)
-      local missing = ours and not (own[n] or by_name[n] or public[n] and public[n].asked)
+      local here = ours and string.find(u.text, "%f[%w_]" .. n .. " = ") -- a local number of that name
+      local missing = ours and not (here or own[n] or by_name[n] or public[n] and public[n].asked)
       if missing then error(u.names[1] .. " needs " .. n .. ", which is not made") end
     end
   end
