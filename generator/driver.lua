@@ -225,7 +225,7 @@ local function plan(job, options)
   local m, eq = job.model, job.equations
   job.real, job.command = options.real or "double", options.command
   job.libm = options.libm or (job.real == "float" and "own" or "system")
-  job.selection, job.layout = selection.new(options), options.layout or "single"
+  job.selection, job.layout, job.batch = selection.new(options), options.layout or "single", options.batch
   if not functions(job, options) then return nil end
   if options.q31 then
     job.q31 = fixed_point.plan(job)

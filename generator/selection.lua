@@ -5,7 +5,8 @@
 --     s.asked(name) -> bool       is the function emitted for the user?  Names without the scene's prefix
 --     s.made(name) -> bool        must its equations be made: it is asked for, or another function may need it
 --     s.orbit                     may a function of the closed form be asked for?
---     selection.room(name, closed) -> "motion" | "orbit" | "analysis": the file that it belongs to
+--     selection.room(name, of) -> "motion" | "batch" | "orbit" | "analysis": the file that it belongs to; of: the room of
+--                                 the text that it stands in
 --     selection.tails             what these files' names end in
 -- Nothing given: everything, as the program needs it that compares its own functions.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -33,11 +34,11 @@ local MOTION = set [[init defaults initial mass inertia inertia_now energy jacob
 local NEEDS = { principal = "inertia", spin_stable = "inertia", solve = "inertia", step = "rhs inertia initial" }
 
 -- What the names of the files end in.
-selection.tails = { motion = "", orbit = "_orbit", analysis = "_analysis" }
+selection.tails = { motion = "", batch = "_batch", orbit = "_orbit", analysis = "_analysis" }
 
-function selection.room(name, closed)
+function selection.room(name, of)
   if ANALYSIS[name] then return "analysis" end
-  return closed and "orbit" or "motion"
+  return (of == "orbit" or of == "batch") and of or "motion"
 end
 
 function selection.new(options)

@@ -36,10 +36,11 @@ gen.options = {
   { "--accuracy", "number", "the largest error of the state over the scene's horizon, relative to its size, between " ..
     "0 and 1: the cheapest method, order and step that hold it are looked for (docs/planner.md)", value = "E",
     default = "the scene's accuracy, if it has one" },
-  { "--with", { "analysis", "jacobians", "compensated", "proof", "q31", several = true },
+  { "--with", { "analysis", "batch", "jacobians", "compensated", "proof", "q31", several = true },
     "what is added, commas between", value = "WHAT,...", default = "nothing", each = {
       analysis = "principal axes, stability, small oscillations, the tensor about a point, torques, the Jacobian, " ..
         "accelerations in a turning frame",
+      batch = "NAME_batch: set-up, steps and rates of many bodies at once, in vector instructions (docs/sweep.md)",
       jacobians = "derivatives of steppers and closed form by state and parameters",
       compensated = "steppers that carry what rounding takes away",
       proof = "a rule `make proof` for Frama-C",
@@ -260,7 +261,7 @@ function gen.run(host, given)
   end
   if not driver.plan(job, { also = also, real = real, only = only, analysis = analysis, layout = layout,
     command = gen.command(given), methods = chosen or package.methods, order = order,
-    jacobians = with.jacobians or package.jacobians, compensated = with.compensated or false, q31 = with.q31 or false,
+    jacobians = with.jacobians or package.jacobians, compensated = with.compensated or false, q31 = with.q31 or false, batch = with.batch or false,
     libm = given.libm, outputs = given.project == "fmu" }) then
     return options.refuse(host, job.diag)
   end

@@ -7,6 +7,7 @@
 -- whose implementation stands behind a macro.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local batch = require "generator.emit.batch"
 local baked = require "generator.emit.baked"
 local columns = require "generator.emit.columns"
 local guard = require "generator.emit.guard"
@@ -50,6 +51,10 @@ local function fragments(job, v, ctx)
   if v.has_rates then put(nil, render "templates/analysis/principal.c", "analysis") end
   if v.has_closed then put(v.closed_header, v.closed_source, "orbit") end
   if v.stepper_source ~= "" then put(v.stepper_header, v.stepper_source) end
+  if job.batch then
+    local header, source = batch.texts(job, ctx, v)
+    if header then put(header, source, "batch") end
+  end
   if v.has_guard then put(v.guard_header, v.guard_source) end
   if v.has_rates then
     put(render "templates/analysis/principal.h", nil, "analysis")
@@ -71,7 +76,7 @@ local function fragments(job, v, ctx)
   return list
 end
 
-local ABOUT = { orbit = "its motion in closed form", analysis = "what can be asked of the body, and derivatives" }
+local ABOUT = { batch = "many bodies at once", orbit = "its motion in closed form", analysis = "what can be asked of the body, and derivatives" }
 
 -- header, source: texts with the prefix; rooms: the texts of each file.
 local function sorted(job, v, ctx)
@@ -84,7 +89,7 @@ local function sorted(job, v, ctx)
     return s.asked(own)
   end
   local function room(name, of)
-    return job.layout == "split" and selection.room(short(name), of == "orbit") or "motion"
+    return job.layout == "split" and selection.room(short(name), of) or "motion"
   end
   local list = fragments(job, v, ctx)
   local keeps = job.layout == "header" or job.proof -- several in one program; Frama-C's options name functions

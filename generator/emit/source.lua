@@ -55,7 +55,7 @@ function source.held(ctx, name) return ctx.name .. "_k_" .. name end
 local six, three = { "xx", "yy", "zz", "xy", "xz", "yz" }, { "x", "y", "z" }
 
 -- Where each symbol is read from, as a list in the order of loading: {sym, c, rank of its symbol}.
-local function sources(ctx, f)
+function source.inputs(ctx, f)
   local list = {}
   local function put(sym, c, rank) list[#list + 1] = { sym = sym, c = c, rank = rank or 8 } end
   for _, a in ipairs(f.args) do
@@ -79,7 +79,8 @@ local function sources(ctx, f)
   return list
 end
 
-local function target(ctx, o)
+-- The place that result o is written to.
+function source.target(ctx, o)
   if o.result then return "const " .. ctx.name .. "_real result" end
   if o.c then return o.c end
   if o.state then return o.array .. "[" .. ctx.upper .. "_" .. string.upper(o.state) .. "]" end
@@ -118,12 +119,12 @@ function source.program(ctx, f)
   end
   for i, g in ipairs(f.groups) do
     local outs = {}
-    for k, o in ipairs(g.outs) do outs[k] = { c = target(ctx, o), expr = named(o.expr) } end
+    for k, o in ipairs(g.outs) do outs[k] = { c = source.target(ctx, o), expr = named(o.expr) } end
     local defs = {}
     for k, d in ipairs(g.defs) do defs[k] = { name = d.name, expr = named(d.expr) } end
     groups[i] = { why = g.why, where = g.where, defs = defs, outs = outs }
   end
-  local inputs = f.inputs or sources(ctx, f)
+  local inputs = f.inputs or source.inputs(ctx, f)
   local ranks = {}
   for _, input in ipairs(inputs) do ranks[input.sym] = input.rank end
   groups = distinct.run(groups, ranks)
@@ -150,7 +151,7 @@ end
 source.comment = comment
 
 -- The statements of groups, each with its equation as a comment, blank lines between.
-local function body(c)
+function source.body(c)
   local lines = {}
   for _, l in ipairs(c.loads) do lines[#lines + 1] = l end
   for i, g in ipairs(c.groups) do
@@ -191,7 +192,8 @@ local function prototype(head, args, tail)
   return table.concat(lines, "\n")
 end
 
-local function printed(ctx)
+-- How cprint writes the scene's functions.
+function source.printed(ctx)
   return { type = ctx.type or ctx.name .. "_real", indent = 2, scene = ctx.name, helpers = ctx.helpers, own = ctx.own }
 end
 
@@ -222,8 +224,8 @@ end
 -- Everything a template needs of one function: doc lines, prototype, body lines, operation counts, IR.
 function source.make(ctx, f)
   local ir = passes.run(lower.run(source.program(ctx, f)))
-  local c = cprint.statements(ir, ctx.real, printed(ctx))
-  local lines = body(c)
+  local c = cprint.statements(ir, ctx.real, source.printed(ctx))
+  local lines = source.body(c)
   local void = unused(f, lines)
   for i = #void, 1, -1 do table.insert(lines, 1, void[i]) end
   if f.guard then
@@ -253,7 +255,7 @@ end
 
 -- C statements for groups without a function around them (NAME_init): loads and groups of lines.
 function source.statements(ctx, f)
-  local opts = printed(ctx)
+  local opts = source.printed(ctx)
   opts.letter = f.letter
   return cprint.statements(passes.run(lower.run(source.program(ctx, f))), ctx.real, opts)
 end
