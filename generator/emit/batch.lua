@@ -24,13 +24,24 @@ local function ways(v)
   return v.has_params and { one, own } or { one }
 end
 
--- The constants that the functions read, and the lines of their enumeration.
-local function constants(m, v, reads)
+-- Enumerators of the model's members, no two alike: two members may differ in case alone.
+local function rows_of(v)
+  local rows, taken = {}, {}
+  for _, member in ipairs(v.real_members) do
+    local name = v.upper .. "_C_" .. string.gsub(string.upper(member), "[^%w_]", "")
+    while taken[name] do name = name .. "_" end
+    rows[member], taken[name] = name, true
+  end
+  return rows
+end
+
+-- The constants that the functions read (all: true), and the lines of their enumeration.
+local function constants(v, rows, reads)
   local list, lines, line = {}, {}, ""
-  for _, member in ipairs(m.members) do
-    local name = v.upper .. "_C_" .. string.upper(member.name)
-    if not reads[name] then goto next end
-    list[#list + 1] = { name = member.name, index = name }
+  for _, member in ipairs(v.real_members) do
+    local name = rows[member]
+    if not (reads == true or reads[name]) then goto next end
+    list[#list + 1] = { name = member, index = name }
     if #line + #name > 92 then lines[#lines + 1], line = line, "" end
     line = line .. (line == "" and "" or " ") .. name .. ","
     ::next::
@@ -43,7 +54,8 @@ end
 function batch.texts(job, ctx, common)
   local least = number.text(R.new(2) ^ (ctx.real == "float" and -126 or -1022), ctx.real)
   local v = setmetatable({ lanes = string.format("%d", LANES[ctx.real]), tiny = least, blocks = {}, steps = {},
-    rates = {}, steppers = {}, rhs = false }, { __index = common })
+    rates = {}, loops = {}, steppers = {}, rhs = false }, { __index = common })
+  ctx.rows = rows_of(common)
   local u_rows = common.has_inputs and common.name .. "_real u[][" .. common.upper .. "_LANES], " or ""
   local list = ways(common)
   v.each = false
@@ -73,8 +85,21 @@ function batch.texts(job, ctx, common)
       end
     end
   end
-  if #v.blocks == 0 then return nil end
-  v.constants, v.constant_enum = constants(job.model, common, reads)
+  for i, s in ipairs(job.steppers) do
+    if s.program then
+      local step = i == 1 and "step" or s.method.name .. "_step"
+      v.steppers[#v.steppers + 1] = { step = step, advance = step_of[step] }
+      for _, way in ipairs(list) do
+        v.each = v.each or way.each
+        table.insert(v.loops, { step = step, advance = step_of[step], way = way.way, each = way.each,
+          owner = way.owner, call = way.call, model = way.each and "&m" or "m",
+          v = common.has_inputs and "v" or "0" })
+      end
+    end
+  end
+  if #v.steppers == 0 and not v.rhs then return nil end
+  v.own_model = v.each and #v.loops > 0
+  v.constants, v.constant_enum = constants(common, ctx.rows, v.own_model or reads)
   local function render(name) return template.render(name, job.templates[name], v) end
   return render "templates/batch/batch.h", render "templates/batch/batch.c"
 end

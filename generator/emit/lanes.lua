@@ -4,7 +4,7 @@
 -- f: a description with the arguments m, t, x (or x!, dx), u, h.  The IR is that of the scalar function, so every lane
 -- has the same operations in the same order, and the same bits.  What depends on t, h and (unless `each`: a model per
 -- body) on the model alone is the same for all lanes and stands before the loop.
--- In C: x, u, dx and c are blocks, rows of NAME_LANES numbers; row i of x is state i of the bodies.
+-- ctx.rows: member of the model -> the enumerator of its row.  In C: x, u, dx and c are blocks, rows of NAME_LANES numbers; row i of x is state i of the bodies.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local cprint = require "generator.emit.cprint"
@@ -21,7 +21,7 @@ local function placed(ctx, input, each)
   if array then return { sym = input.sym, c = input.c .. "[k]", rank = input.rank }, true end
   local member = each and string.match(input.c, "^m%->([%w_]+)$")
   if member then
-    return { sym = input.sym, c = "c[" .. ctx.upper .. "_C_" .. string.upper(member) .. "][k]", rank = input.rank }, true
+    return { sym = input.sym, c = "c[" .. ctx.rows[member] .. "][k]", rank = input.rank }, true
   end
   return input, false
 end

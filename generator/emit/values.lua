@@ -79,16 +79,21 @@ local function promises(real)
   return { pair_top = "990", pair_digits = "12", pair_decades = "600" }
 end
 
--- Statements *m = k, member by member: of the whole some compilers make a call of memcpy.
-local function copies(m, v)
-  local names, lines = {}, { "" }
+-- The real members of the model, elements of arrays each by itself.
+local function real_members(m, v)
+  local names = {}
   for i, member in ipairs(m.members) do names[i] = member.name end
-  local function array(name) for k = 0, 2 do names[#names + 1] = string.format("%s[%d]", name, k) end end
-  if v.has_order then array "order" end
-  if v.split_setup then
-    for _, name in ipairs { "split_b", "split_c", "split_u", "split_d" } do array(name) end
-    names[#names + 1], names[#names + 2] = "split_fb", "split_fc"
+  for _, name in ipairs(v.split_setup and { "split_b", "split_c", "split_u", "split_d" } or {}) do
+    for k = 0, 2 do names[#names + 1] = string.format("%s[%d]", name, k) end
   end
+  if v.split_setup then names[#names + 1], names[#names + 2] = "split_fb", "split_fc" end
+  return names
+end
+
+-- Statements *m = k, member by member: of the whole some compilers make a call of memcpy.
+local function copies(v)
+  local names, lines = table.move(v.real_members, 1, #v.real_members, 1, {}), { "" }
+  for k = 0, v.has_order and 2 or -1 do names[#names + 1] = string.format("order[%d]", k) end
   for _, name in ipairs(names) do
     local s = "m->" .. name .. " = k." .. name .. ";"
     local last = lines[#lines]
@@ -194,7 +199,8 @@ function values.common(job)
   split.setup(job, v)
   v.has_first_step = false
   if job.selection.asked "step" then init.first_step(m, v) end
-  v.init_copies = copies(m, v)
+  v.real_members = real_members(m, v)
+  v.init_copies = copies(v)
   v.no_members = #m.members == 0 and not v.has_order and not v.split_setup
   return v, ctx
 end
