@@ -5,8 +5,8 @@
 --     s.asked(name) -> bool       is the function emitted for the user?  Names without the scene's prefix
 --     s.made(name) -> bool        must its equations be made: it is asked for, or another function may need it
 --     s.orbit                     may a function of the closed form be asked for?
---     selection.room(name, of) -> "motion" | "batch" | "orbit" | "analysis": the file that it belongs to; of: the room of
---                                 the text that it stands in
+--     selection.room(name, of) -> "motion" | "batch" | "orbit" | "analysis": the file that it belongs to
+--                                 of: the room of the text that it stands in
 --     selection.tails             what these files' names end in
 -- Nothing given: everything, as the program needs it that compares its own functions.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -33,6 +33,12 @@ local MOTION = set [[init defaults initial mass inertia inertia_now energy jacob
 -- Functions of templates that call functions made of equations.
 local NEEDS = { principal = "inertia", spin_stable = "inertia", solve = "inertia", step = "rhs inertia initial" }
 
+-- The function of one body that a function of many is made of, or nil.
+local function batched(name)
+  local one = name ~= "at_many" and (string.match(name, "^(.*)_many$") or string.match(name, "^(.*)_each$"))
+  return one and (string.gsub(one, "advance$", "step"))
+end
+
 -- What the names of the files end in.
 selection.tails = { motion = "", batch = "_batch", orbit = "_orbit", analysis = "_analysis" }
 
@@ -51,7 +57,7 @@ function selection.new(options)
   local s = { orbit = not only }
   for _, name in ipairs(options.only or {}) do
     local stepper = string.find(name, "step") or string.find(name, "_run$")
-    s.orbit = s.orbit or not (ANALYSIS[name] or MOTION[name] or stepper)
+    s.orbit = s.orbit or not (ANALYSIS[name] or MOTION[name] or stepper or batched(name))
   end
 
   function s.asked(name)
@@ -66,6 +72,8 @@ function selection.new(options)
     if s.asked(name) then return true end
     if not only then return (name == "jacobian" and options.jacobians) and true or false end
     for _, asked in ipairs(options.only) do
+      asked = batched(asked) or asked
+      if asked == name then return true end
       local needs = NEEDS[asked] or string.find(asked, "step") and NEEDS.step or string.find(asked, "_run$") and
         NEEDS.step or string.find(asked, "^at") and NEEDS.solve
       if needs and string.find(" " .. needs .. " ", " " .. name .. " ", 1, true) then return true end

@@ -208,7 +208,7 @@ local function missing_function(host, given, job, chosen)
       local whole = driver.read(host, given[1], given)
       local with = given.with or {}
       driver.plan(whole, { real = job.real, methods = chosen, command = job.command, jacobians = with.jacobians,
-        compensated = with.compensated })
+        compensated = with.compensated, batch = with.batch })
       local names = listed.names(host, whole)
       local best = nearest.one(name, names)
       return "--only: the scene has no function " .. name .. (best and "; did you mean " .. best .. "?" or "") ..
@@ -261,8 +261,8 @@ function gen.run(host, given)
   end
   if not driver.plan(job, { also = also, real = real, only = only, analysis = analysis, layout = layout,
     command = gen.command(given), methods = chosen or package.methods, order = order,
-    jacobians = with.jacobians or package.jacobians, compensated = with.compensated or false, q31 = with.q31 or false, batch = with.batch or false,
-    libm = given.libm, outputs = given.project == "fmu" }) then
+    jacobians = with.jacobians or package.jacobians, compensated = with.compensated or false, q31 = with.q31 or false,
+    batch = with.batch or false, libm = given.libm, outputs = given.project == "fmu" }) then
     return options.refuse(host, job.diag)
   end
   job.planned = decision

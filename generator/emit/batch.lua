@@ -19,8 +19,9 @@ local LANES = { double = 32, float = 64 }
 local function ways(v)
   local one = { way = "many", tail = "lanes", each = false, owner = "const " .. v.name .. "_model *m", whose = "m",
     call = "m", words = "" }
-  local own = { way = "each", tail = "own_lanes", each = true, whose = "k", call = "c", words = ", with its own constants",
-    owner = "const " .. v.name .. "_real c[]", rows = v.name .. "_real c[][" .. v.upper .. "_LANES]" }
+  local own = { way = "each", tail = "own_lanes", each = true, whose = "k", call = "c",
+    words = ", with its own constants", owner = "const " .. v.name .. "_real c[]",
+    rows = v.name .. "_real c[][" .. v.upper .. "_LANES]" }
   return v.has_params and { one, own } or { one }
 end
 

@@ -76,7 +76,8 @@ local function fragments(job, v, ctx)
   return list
 end
 
-local ABOUT = { batch = "many bodies at once", orbit = "its motion in closed form", analysis = "what can be asked of the body, and derivatives" }
+local ABOUT = { batch = "many bodies at once", orbit = "its motion in closed form",
+  analysis = "what can be asked of the body, and derivatives" }
 
 -- header, source: texts with the prefix; rooms: the texts of each file.
 local function sorted(job, v, ctx)

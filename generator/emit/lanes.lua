@@ -1,10 +1,12 @@
 -- lanes.lua -- a function of one body as a loop over a block of bodies, which compilers turn into vector instructions.
 --
---     lanes.make(ctx, f, each) -> { common = lines before the loop, lines = lines of the loop, reads = set of rows of c }
+--     lanes.make(ctx, f, each) -> { common = lines before the loop, lines = lines of the loop, reads = rows of c that
+--                                   are read, a set }
 -- f: a description with the arguments m, t, x (or x!, dx), u, h.  The IR is that of the scalar function, so every lane
 -- has the same operations in the same order, and the same bits.  What depends on t, h and (unless `each`: a model per
 -- body) on the model alone is the same for all lanes and stands before the loop.
--- ctx.rows: member of the model -> the enumerator of its row.  In C: x, u, dx and c are blocks, rows of NAME_LANES numbers; row i of x is state i of the bodies.
+-- ctx.rows: member of the model -> the enumerator of its row.  In C x, u, dx and c are blocks, rows of NAME_LANES
+-- numbers; row i of x is state i of the bodies.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local cprint = require "generator.emit.cprint"
