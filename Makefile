@@ -43,6 +43,9 @@ WARN = -Wall -Wextra -pedantic -Wconversion -Wdouble-promotion -Wshadow \
 STD = -std=c11 -ffp-contract=off
 POSIX = -D_XOPEN_SOURCE=700
 
+# A header of another folder is included by its path below one of these: "numbers/wide.h", "host/host.h".
+ROOMS = -Isrc/cli -Isrc/runtime
+
 MAKEFLAGS += --no-builtin-rules
 .SUFFIXES:
 
@@ -66,9 +69,9 @@ SUNDIALS_STATIC = $(filter /%,$(shell for l in arkode cvode; do $(CC) -print-fil
 SUNDIALS_LIBS = $(if $(SUNDIALS_FLAGS),$(call once,SUNDIALS_FOUND,$(or $(SUNDIALS_STATIC),$(addprefix \
   -lsundials_,arkode cvode nvecserial sunlinsoldense sunmatrixdense sunnonlinsolfixedpoint generic))))
 
-RUNTIME_SRC := $(sort $(wildcard src/runtime/*.c))
-CLI_SRC     := $(sort $(wildcard src/cli/*.c))
-RATIONAL_SRC := $(sort $(wildcard src/cli/rational*.c))
+RUNTIME_SRC := $(sort $(shell find src/runtime -name '*.c'))
+CLI_SRC     := $(sort $(shell find src/cli -name '*.c'))
+RATIONAL_SRC := $(sort $(wildcard src/cli/rational/*.c))
 TEST_SRC    := $(sort $(wildcard tests/runtime/*.c))
 LUA_TESTS   := $(sort $(shell find tests -name '*.t'))
 
@@ -91,11 +94,11 @@ $(READY): .ci/setup
 
 $(BUILD)/obj/runtime/%.o: src/runtime/%.c | $(READY)
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) $(WARN) $(GSL_CFLAGS) -MMD -MP -c -o $@ $<
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(ROOMS) $(GSL_CFLAGS) -MMD -MP -c -o $@ $<
 
 $(BUILD)/obj/cli/%.o: src/cli/%.c | $(READY)
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(LUA_CFLAGS) $(XML_CFLAGS) $(GSL_CFLAGS) \
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(ROOMS) $(LUA_CFLAGS) $(XML_CFLAGS) $(GSL_CFLAGS) \
 	  $(if $(filter main sandbox bounds interrupt,$(*F)),$(COVERED:%=-include %)) -MMD -MP -c -o $@ $<
 
 # What the program says of itself: the version, and the commit where this folder is the top of a git tree.  Written
@@ -108,31 +111,31 @@ $(BUILD)/version.h: FORCE
 	  echo '#define POLHODE_BUILD "$(VERSION)$(if $(COMMIT),+$(COMMIT))"'; } > $@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
-$(BUILD)/obj/cli/host.o: $(BUILD)/version.h
-$(BUILD)/obj/cli/host.o: POSIX += -I$(BUILD)
-$(BUILD)/analyzed/cli/host: $(BUILD)/version.h
+$(BUILD)/obj/cli/host/host.o: $(BUILD)/version.h
+$(BUILD)/obj/cli/host/host.o: POSIX += -I$(BUILD)
+$(BUILD)/analyzed/cli/host/host: $(BUILD)/version.h
 
-$(BUILD)/obj/cli/bench_sundials.o: POSIX += $(SUNDIALS_FLAGS)
+$(BUILD)/obj/cli/bench/sundials.o: POSIX += $(SUNDIALS_FLAGS)
 
 $(LIBRARY): $(RUNTIME_OBJ)
 	@rm -f $@
-	$(AR) -rcs $@ $^
+	$(AR) -qcs $@ $^
 
 $(PROGRAM): $(CLI_OBJ) $(LIBRARY)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LUA_LIBS) $(XML_LIBS) $(SUNDIALS_LIBS) $(GSL_LIBS) -lmpfr -lgmp -lm
 
 # The scripts as C arrays. embed.lua writes only what changed, so an unchanged tree compiles nothing.
 $(BUILD)/embedded.c: FORCE | $(READY)
-	@$(LUA) src/cli/embed.lua $@ generator templates src/cli/safe.lua
+	@$(LUA) src/cli/embed.lua $@ generator templates src/cli/sandbox/safe.lua
 
 $(BUILD)/obj/embedded.o: $(BUILD)/embedded.c
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(CFLAGS) $(LUA_CFLAGS) -Isrc/cli -MMD -MP -c -o $@ $<
 
 # The rational numbers alone, for tests that run under plain lua5.4.
-$(MODULE): $(RATIONAL_SRC) src/cli/rational.h | $(READY)
+$(MODULE): $(RATIONAL_SRC) src/cli/rational/rational.h | $(READY)
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) $(WARN) $(LUA_CFLAGS) -fPIC -shared $(LDFLAGS) -o $@ $(RATIONAL_SRC) -lmpfr -lgmp -lm
+	$(CC) $(STD) $(CFLAGS) $(WARN) $(ROOMS) $(LUA_CFLAGS) -fPIC -shared $(LDFLAGS) -o $@ $(RATIONAL_SRC) -lmpfr -lgmp -lm
 
 # ---- tests ----
 
@@ -408,7 +411,7 @@ lint-lua: lint-setup
 
 lint-c: lint-setup
 	@cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 \
-	  --enable=warning,performance,portability --suppress=missingIncludeSystem -Isrc/cli -Isrc/runtime src
+	  --enable=warning,performance,portability --suppress=missingIncludeSystem $(ROOMS) src
 
 # gcc's analyzer on our C and on emitted steppers; the emitted closed forms take it minutes each and are left out.
 lint-analyzer: lint-setup $(patsubst src/%.c,$(BUILD)/analyzed/%,$(RUNTIME_SRC) $(CLI_SRC)) \
@@ -417,14 +420,15 @@ lint-analyzer: lint-setup $(patsubst src/%.c,$(BUILD)/analyzed/%,$(RUNTIME_SRC) 
 ANALYZE = gcc -O0 -fanalyzer -Werror -S -o /dev/null
 $(BUILD)/analyzed/%: src/%.c | $(READY)
 	@mkdir -p $(@D)
-	$(ANALYZE) $(STD) $(POSIX) $(LUA_CFLAGS) $(XML_CFLAGS) $(GSL_CFLAGS) -I$(BUILD) -MMD -MP -MT $@ -MF $@.d $<
+	$(ANALYZE) $(STD) $(POSIX) $(ROOMS) $(LUA_CFLAGS) $(XML_CFLAGS) $(GSL_CFLAGS) -I$(BUILD) -MMD -MP -MT $@ -MF $@.d $<
 	@touch $@
 
 # Arrays that a loop or a function called fills are unset to gcc 12; memcheck knows better (tests/analysis/valgrind.t).
-$(addprefix $(BUILD)/analyzed/,cli/engine_expr $(addprefix runtime/,geometry geometry_arcs linearised mesh_topology)): \
+$(addprefix $(BUILD)/analyzed/,cli/engine/program \
+  $(addprefix runtime/,geometry/geometry geometry/arcs motion/linearised mesh/topology)): \
   ANALYZE += -Wno-analyzer-use-of-uninitialized-value
 # `output` is NULL before it is set: struct child comes zeroed, which gcc 12 does not follow through the array of them.
-$(BUILD)/analyzed/cli/process: ANALYZE += -Wno-analyzer-malloc-leak
+$(BUILD)/analyzed/cli/host/process: ANALYZE += -Wno-analyzer-malloc-leak
 
 $(BUILD)/analyzed/emitted/heavy_top: EMITTED_METHODS = rk4,semi,midpoint,adaptive
 $(BUILD)/analyzed/emitted/gyrostat:  EMITTED_METHODS = split4,semi
@@ -457,7 +461,7 @@ Libs: -L$${libdir} -lpolhode -lm
 endef
 export PC_FILE
 
-# The program finds its scenes by its own place (src/cli/file_read.c), so the whole may be moved.
+# The program finds its scenes by its own place (src/cli/host/file_read.c), so the whole may be moved.
 SHARE = $(DESTDIR)$(PREFIX)/share
 install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/include \
@@ -482,4 +486,4 @@ FORCE:
         lint format lint-setup lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 
--include $(RUNTIME_OBJ:.o=.d) $(CLI_OBJ:.o=.d) $(C_TESTS:=.d) $(wildcard $(BUILD)/analyzed/*/*.d)
+-include $(RUNTIME_OBJ:.o=.d) $(CLI_OBJ:.o=.d) $(C_TESTS:=.d) $(wildcard $(BUILD)/analyzed/*/*.d $(BUILD)/analyzed/*/*/*.d)

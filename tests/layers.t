@@ -42,10 +42,10 @@ local PASSES = { "power", "fold", "cse", "dce", "order" }
 -- A link unit of C: the folders of ours that it may include, and the outside headers that only it may.
 local INCLUDES = {
   ["src/runtime"] = { own = { "src/runtime" }, outside = { "^gsl/" } },
-  ["src/cli"] = { own = { "src/cli", "src/runtime/polhode.h", "templates/host/plugin.h" },
+  ["src/cli"] = { own = { "src/cli/", "src/runtime/polhode.h", "templates/host/plugin.h" },
     outside = { "^lua%.h$", "^lauxlib%.h$", "^lualib%.h$", "^expat%.h$", "^gmp%.h$", "^mpfr%.h$" } },
   -- the integrators of others, which the emitted code is timed against
-  ["src/cli/bench"] = { own = { "src/cli", "templates/host/plugin.h" }, outside = { "^gsl/", "^arkode/", "^cvode/",
+  ["src/cli/bench"] = { own = { "src/cli/", "src/runtime/polhode.h", "templates/host/plugin.h" }, outside = { "^gsl/", "^arkode/", "^cvode/",
     "^nvector/", "^sundials/", "^sunlinsol/", "^sunmatrix/", "^sunnonlinsol/" } },
   ["templates"] = { own = { "templates" }, outside = {} },
   -- not emitted: what is compiled to count instructions, for an emulator and for what it runs
@@ -224,7 +224,7 @@ local function exists(path)
 end
 
 local function unit_of(path)
-  return path:match("^src/cli/bench%f[_.]") or path:match("^src/[^/]+") or path:match("^templates/target%f[/]")
+  return path:match("^src/cli/bench%f[/]") or path:match("^src/[^/]+") or path:match("^templates/target%f[/]")
     or path:match("^tests/coverage%f[/]") or path:match("^tests/bench%f[/]") or path:match("^tests/fuzz%f[/]")
     or path:match("^[^/]+")
 end
@@ -232,7 +232,7 @@ end
 -- Where a quoted include leads: beside the file, or on the include path of its unit.
 local function resolve(path, name)
   local folder = path:match("^(.*)/")
-  for _, base in ipairs { folder, "tests", "src/runtime", "templates/target" } do
+  for _, base in ipairs { folder, "tests", "src/cli", "src/runtime", "templates/target" } do
     if exists(join(base, name)) then
       return join(base, name)
     end

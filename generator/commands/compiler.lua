@@ -1,6 +1,6 @@
 -- compiler.lua -- is there a C compiler that works?  Asked after something did not compile, to tell whose fault it is.
 --
--- The compiler is the user's: CC, else cc, gcc, clang (src/cli/process.c).
+-- The compiler is the user's: CC, else cc, gcc, clang (src/cli/host/process.c).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local compiler = {}

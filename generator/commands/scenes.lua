@@ -1,7 +1,7 @@
 -- scenes.lua -- which scene a word of the command line means: a file, standard input, or an installed scene.
 --
 -- A word that is a file, or that has a slash or ends in .lua, is the name of a file; - is standard input; any other is
--- looked up in the folder of installed scenes, which host.bodies finds (src/cli/file_read.c).
+-- looked up in the folder of installed scenes, which host.bodies finds (src/cli/host/file_read.c).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local options = require "generator.commands.options"

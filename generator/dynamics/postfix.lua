@@ -1,4 +1,4 @@
--- postfix.lua -- expressions of the motion as a list that the host's evaluator runs (src/cli/engine_expr.c).
+-- postfix.lua -- expressions of the motion as a list that the host's evaluator runs (src/cli/engine/program.c).
 --
 -- Operands come before what joins them: "n", high, low pushes a number (a pair of doubles), "v", i the i-th of
 -- t, x[0], x[1] ..; "u", i the input number i from 0; "+", n and "*", n join n values; "^", p, q raises to p/q;

@@ -6,9 +6,9 @@
  * no os, no bytecode, no C modules from outside) and the promise that an error nobody caught ends
  * in a traceback and status 70, and that a failed write never ends in status 0.
  */
-#include "host.h"
-#include "rational.h"
-#include "script.h"
+#include "host/host.h"
+#include "rational/rational.h"
+#include "host/script.h"
 
 #include <fcntl.h>
 #include <lualib.h>

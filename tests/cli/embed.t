@@ -34,7 +34,7 @@ tap.is(embed(), 0, "embedding a tree succeeds")
 -- a program that prints what was embedded: name, size, text
 program.write(dir .. "/main.c", [[
 #include <stdio.h>
-#include "script.h"
+#include "host/script.h"
 int main(void) {
   for (const struct script *s = script_embedded; s->name; s++) {
     printf("[%s %u ", s->name, (unsigned)s->size);

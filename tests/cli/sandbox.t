@@ -248,7 +248,7 @@ case("a table that contains itself is the language's to bound", "local t = {} t.
 
 -- ---- the last lock: stuck inside one C function ----
 
-local slowness = os.getenv "POLHODE_SANITIZED" and 10 or 1 -- as src/cli/bounds.c has it
+local slowness = os.getenv "POLHODE_SANITIZED" and 10 or 1 -- as src/cli/sandbox/bounds.c has it
 local function killed(name, scene)
   local got, err, status, seconds = attempt(scene, { seconds = 0.3, steps = 1e14, bytes = 512 * MiB })
   tap.ok(status == 1 and got == "" and err == "polhode: scene.lua: the scene ran longer than 0.3 s\n" and

@@ -10,9 +10,9 @@
  * (-DFUZZ_COVERAGE) what the generator executes: lines while a scene is read, in the sandbox, and
  * functions in the algebra that follows, which is most of the time.
  */
-#include "../../src/cli/host.h"
-#include "../../src/cli/rational.h"
-#include "../../src/cli/script.h"
+#include "../../src/cli/host/host.h"
+#include "../../src/cli/rational/rational.h"
+#include "../../src/cli/host/script.h"
 #include "fuzz.h"
 
 #include <lualib.h>

@@ -22,4 +22,4 @@ void fuzz_sethook(lua_State *L, lua_Hook hook, int mask, int count);
 #define _exit(status)           abort()
 #define lua_sethook(L, h, m, c) fuzz_sethook(L, h, m, c)
 
-#include "../../src/cli/bounds.c" /* NOLINT */
+#include "../../src/cli/sandbox/bounds.c" /* NOLINT */

@@ -22,6 +22,7 @@ ALL     = scene table command robot mesh_stl mesh_obj mesh_ply init
 all: $(ALL:%=$(OUT)/%)
 
 STD = -std=c11 -ffp-contract=off -D_XOPEN_SOURCE=700
+ROOMS = -Isrc/cli -Isrc/runtime
 LUA_CFLAGS := $(shell pkg-config --cflags lua5.4)
 LUA_STATIC := $(wildcard $(shell pkg-config --variable=libdir lua5.4)/liblua5.4.a)
 LIBS       := $(or $(LUA_STATIC),$(shell pkg-config --libs lua5.4)) $(shell pkg-config --libs expat gsl) -lmpfr -lgmp -ldl -lm
@@ -36,20 +37,20 @@ endif
 # ---- targets that go through Lua: the program without its main and with the harness' sandbox; nothing that times ----
 
 ENGINES = scene table command robot
-CLI := $(filter-out %/main.o %/bounds.o,$(patsubst src/cli/%.c,$(OBJ)/obj/cli/%.o,$(wildcard src/cli/*.c))) \
+CLI := $(filter-out %/main.o %/bounds.o,$(patsubst src/cli/%.c,$(OBJ)/obj/cli/%.o,$(shell find src/cli -name '*.c'))) \
        $(OBJ)/obj/embedded.o
 
 $(OUT)/replay.o: $(FUZZ)/replay.c $(FUZZ)/fuzz.h
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(CFLAGS) -c -o $@ $<
 
-$(OUT)/engine_sandbox.o: $(FUZZ)/engine_sandbox.c src/cli/bounds.c
+$(OUT)/engine_sandbox.o: $(FUZZ)/engine_sandbox.c src/cli/sandbox/bounds.c
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) $(LUA_CFLAGS) -Isrc/cli -c -o $@ $<
+	$(CC) $(STD) $(CFLAGS) $(LUA_CFLAGS) $(ROOMS) -c -o $@ $<
 
 $(ENGINES:%=$(OUT)/engine_%.o): $(OUT)/engine_%.o: $(FUZZ)/engine.c $(FUZZ)/fuzz.h
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) $(COVER) $(LUA_CFLAGS) -DFUZZ_MODE='"$*"' -c -o $@ $<
+	$(CC) $(STD) $(CFLAGS) $(COVER) $(LUA_CFLAGS) $(ROOMS) -DFUZZ_MODE='"$*"' -c -o $@ $<
 
 $(ENGINES:%=$(OUT)/%): $(OUT)/%: $(OUT)/engine_%.o $(OUT)/engine_sandbox.o $(DRIVER) $(CLI) $(OBJ)/libpolhode.a
 	$(CC) $(CFLAGS) $(LINK) -o $@ $^ $(SUNDIALS_LIBS) $(LIBS)
@@ -57,16 +58,16 @@ $(ENGINES:%=$(OUT)/%): $(OUT)/%: $(OUT)/engine_%.o $(OUT)/engine_sandbox.o $(DRI
 # ---- mesh readers: their faces and their file pass through the harness ----
 
 MESHES = mesh_stl mesh_obj mesh_ply
-READER = $(patsubst src/runtime/%.c,$(OUT)/reader/%.o,$(wildcard src/runtime/mesh*.c))
+READER = $(patsubst src/runtime/mesh/%.c,$(OUT)/reader/%.o,$(wildcard src/runtime/mesh/*.c))
 
-$(OUT)/reader/%.o: src/runtime/%.c src/runtime/mesh.h
+$(OUT)/reader/%.o: src/runtime/mesh/%.c src/runtime/mesh/mesh.h
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) -DMESH_BYTES=2048 $(if $(filter $*,$(MESHES)),-Dmesh_add_triangle=fuzz_add_triangle \
+	$(CC) $(STD) $(CFLAGS) $(ROOMS) -DMESH_BYTES=2048 $(if $(filter mesh_$*,$(MESHES)),-Dmesh_add_triangle=fuzz_add_triangle \
 	  -Dmesh_add_polygon=fuzz_add_polygon) $(if $(filter $*,mesh),-Dfopen=fuzz_fopen) -c -o $@ $<
 
 $(MESHES:%=$(OUT)/%.o): $(OUT)/%.o: $(FUZZ)/mesh.c $(FUZZ)/fuzz.h
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(CFLAGS) -DFUZZ_SUFFIX='".$(*:mesh_%=%)"' -c -o $@ $<
+	$(CC) $(STD) $(CFLAGS) $(ROOMS) -DFUZZ_SUFFIX='".$(*:mesh_%=%)"' -c -o $@ $<
 
 $(MESHES:%=$(OUT)/%): $(OUT)/%: $(OUT)/%.o $(READER) $(DRIVER) $(OBJ)/libpolhode.a
 	$(CC) $(CFLAGS) $(LINK) -o $@ $^ $(LIBS)

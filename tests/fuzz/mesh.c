@@ -10,7 +10,7 @@
  * an open surface; a closed one refused as open; a volume that is not the sum; a status that is
  * none of the library's; an empty message with a failure to read.
  */
-#include "../../src/runtime/mesh.h"
+#include "../../src/runtime/mesh/mesh.h"
 #include "fuzz.h"
 
 #include <math.h>

@@ -37,6 +37,8 @@ local WHOLE = { ["tests/bodies/check.t"] = true, ["tests/emit/golden.t"] = true,
   ["tests/emit/forced.t"] = true }
 local function near(test, file)
   local folder, name = file:match "([^/]+)/([^/]+)%.%w+$"
+  local part, rest = file:match "^src/(%w+)/(.*)%.%w+$" -- src/runtime/mesh/stl.c: as a file mesh_stl of runtime
+  if part then folder, name = part, (rest:gsub("/", "_")) end
   local tests_in, test_name = test.file:match "tests/(.-)/?([^/]+)%.%w+$"
   local score = 0
   if name:find(test_name, 1, true) == 1 then score = score + 9 end

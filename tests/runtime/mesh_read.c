@@ -9,7 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "mesh.h"
+#include "mesh/mesh.h"
 #include "mesh_files.h"
 #include "tap.h"
 

@@ -8,11 +8,11 @@ local limits = {}
 
 
 limits.rows = 1000000        -- more is a slip of --every
-limits.library = 5000000     -- steps of the library between two rows (src/cli/engine_run.c)
+limits.library = 5000000     -- steps of the library between two rows (src/cli/engine/run.c)
 limits.emitted = 10000000000 -- steps of emitted code in a run: minutes
 
 -- Smallest and largest tolerance: below the first a step asks for more digits than the type has, above the second for
--- nothing.  The library computes in long double (src/runtime/run.c).
+-- nothing.  The library computes in long double (src/runtime/integrate/run.c).
 limits.tolerances = { general = { 1e-19, 0.1 }, double = { 2.0 ^ -52, 0.1 }, float = { 2.0 ^ -23, 0.1 } }
 
 -- What emitted code is run with where no tolerance is asked for.

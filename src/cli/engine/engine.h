@@ -1,0 +1,136 @@
+/* engine.h - the general library seen from Lua: what the engine_*.c files share.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A scene arrives as plain tables of numbers, every parameter and default filled in:
+ * - scene {name=, body=tree, origin={x,y,z}, effects={...}, q={w,x,y,z}, w={x,y,z},
+ *   r={x,y,z}, v={x,y,z}, own={...}}, r and v where the body moves, own the effects' own states
+ * - tree {shape="solid.box", mass= or density=, x=, y=, z=} and so on, arguments as the library
+ *   names them, those that are points, outlines or polynomials as shape.c says
+ * - tree {op="at", of=tree, r={3}} {op="turned", of=tree, q={4}} {op="scaled", of=tree, k={3}}
+ *   {op="affine", of=tree, A={9}} {op="sum", tree, tree, ...} {op="minus", tree, hole}
+ * - effect {kind="gravity", g=, direction={3}} {kind="damping", C={9}} or {kind="damping", rate=}
+ *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="rotor", momentum={3}}
+ * {kind="control"} {kind="translation", gravity={3}, linear=, drag=, stiffness={3}} {kind="frame",
+ * rate={3}, rate_dot={3}, centrifugal=}, moves= true if a translation is meant
+ *   {kind="drag", c=} {kind="friction", torque=, smoothing=} {kind="spring", stiffness={3},
+ * rest={4}, axis={3} or nil} {kind="magnetic", moment={3}, field={3}, rotating=, rate=}
+ * {kind="varying", parts={3 of varying}, inertial=} {kind="wheel", axis={3}, inertia=,
+ * torque=varying, included=} {kind="gradient", mu=, radius=, e=, elliptic=} {kind="solar", flux=,
+ * sun={3}, plates={8 n}} {kind="pivot", acceleration={3 of varying}} or {.., amplitude=, rate=,
+ * axis={3}} {kind="parts", tensor={6}, rate={6}} {kind="dissipation", k=} {kind="custom",
+ * torque={3}, force={3}, potential=, states={..}}, each of them a program
+ * - varying: a number, {rows={t, v, ...}} or {code=program}; program: dynamics/postfix.lua's list
+ * - inputs: how many the scene has, those of "control" first; a course of them: {u1, u2, ...}, or
+ *   {rows={t, u1, u2, ..., t, ...}, linear=bool} with times that ascend
+ *
+ * Tables of the wrong form are a bug of the caller and raise; numbers that no body can have are the
+ * library's to refuse, and come back as nil and a message that names the shape.
+ */
+#ifndef POLHODE_ENGINE_H
+#define POLHODE_ENGINE_H
+
+#include <stdint.h>
+
+#include "polhode.h"
+#include "host/host.h"
+
+enum { ENGINE_INPUTS = 64 };
+
+/* Inputs between two breaks: number k is base[k] + slope[k] (t - since). Programs read them. */
+struct engine_inputs {
+  double since, base[ENGINE_INPUTS], slope[ENGINE_INPUTS];
+};
+
+/* n inputs over time, input.c; without rows they are constant. */
+struct engine_course {
+  int n, rows, linear;
+  const double *row;
+  double constant[ENGINE_INPUTS];
+};
+
+/* Where the library refused: the shape, operation or effect. The text lives in the scene's table.
+ */
+struct engine_scene {
+  lua_State *L;
+  int index; /* of the scene's table on the stack */
+  const char *where;
+  ph_body body;
+  ph_top top;
+  int inputs;
+  struct engine_inputs *input; /* what programs read; lives as long as the scene's table */
+};
+
+/* The course of n inputs at `index` (nil: zeros); what holds its rows stays on the stack, one
+ * value.
+ */
+void engine_course_read(lua_State *L, int index, int n, struct engine_course *c);
+/* The next break after t on the way to `end`, or `end`; both directions. */
+double engine_course_next(const struct engine_course *c, double t, double end);
+/* The inputs between two times without a break between them, and at one time. */
+void engine_course_segment(const struct engine_course *c, double from, double to,
+                           struct engine_inputs *in);
+void engine_inputs_at(const struct engine_inputs *in, int n, double t, double u[]);
+
+/* Read body, origin and effects of the scene table at `index`: PH_OK or the library's status. */
+int engine_read(struct engine_scene *s, lua_State *L, int index);
+/* The tree at the stack's top, which is popped. */
+int engine_read_body(struct engine_scene *s, ph_body *out);
+/* The shape of that name from the table at the stack's top, which stays. */
+int engine_read_shape(struct engine_scene *s, const char *name, ph_body *out);
+/* Push nil and "solid.box: lengths and scale factors must be positive"; returns 2. */
+int engine_fail(const struct engine_scene *s, int status);
+
+/* n numbers from field `key` of the table at `index`: a list, or `standard` when absent (NULL:
+ * required). */
+void engine_get(lua_State *L, int index, const char *key, int n, double out[],
+                const double standard[]);
+/* A number from a field of the table on top; is there such a field? */
+double engine_number(lua_State *L, const char *key);
+int engine_has(lua_State *L, const char *key);
+/* A translation or frame from the table at the stack's top, which stays. */
+int engine_read_translation(struct engine_scene *s);
+int engine_read_frame(struct engine_scene *s);
+/* Adds to scale (as long as the state) the largest terms that translation and frame bring. */
+void engine_move_scale(const ph_top *top, double t, const double x[], double scale[]);
+/* The largest term that they bring to the energy; spread: moduli of the tensor. */
+double engine_move_energy(const ph_top *top, const double x[], const double spread[9]);
+/* The act of that kind from the table at the stack's top, which stays; 0: no such kind. */
+int engine_read_act(struct engine_scene *s, const char *kind, int *status);
+/* The initial values of the acts' own states, from the field "own" of the table at `index`. */
+void engine_read_own(lua_State *L, int index, const ph_top *top, double x[]);
+/* The program at the stack's top, which is popped. */
+void engine_read_program(struct engine_scene *s, ph_varying *out);
+/* Keeps the object at the stack's top, which is popped, as long as the scene's table. */
+void engine_keep(struct engine_scene *s);
+/* ph_varying.f of a program, and the size of its largest terms; x: n states. */
+long double engine_program_value(void *program, long double t, const long double x[]);
+double engine_program_size(const ph_varying *v, double t, const double x[], int n);
+/* Where the own states of an act begin. */
+int engine_own_place(const ph_top *top, int act);
+/* Largest terms that acts bring: to the torque, to all rates when those of w are known, to the
+ * energy and to the momentum. */
+void engine_acts_torque(const ph_top *top, double t, const double x[], double term[3]);
+void engine_acts_scale(const ph_top *top, double t, const double x[], double scale[]);
+double engine_acts_energy(const ph_top *top, const double x[]);
+double engine_acts_momentum(const ph_top *top, const double x[]);
+/* The size of a value that varies, and the value (of no table). */
+double engine_varying_size(const ph_top *top, const ph_varying *v, double t, const double x[]);
+double engine_varying_value(const ph_top *top, const ph_varying *v, double t, const double x[]);
+/* Of the acts of acts_more.c: the torque's largest term of act k, and those of the rates. */
+double engine_acts_more(const ph_top *top, int k, double t, const double x[]);
+void engine_acts_more_scale(const ph_top *top, double t, const double x[], double scale[]);
+/* What moving parts add to the tensor; 0: none move. */
+int engine_acts_tensor(const ph_top *top, double t, const double x[], double D[6]);
+/* n numbers from the list at `index` itself. */
+void engine_list(lua_State *L, int index, int n, double out[]);
+/* Push {v[0], ..., v[n-1]}. */
+void engine_push(lua_State *L, int n, const double v[]);
+
+/* Lua aligns its blocks for a double, a long double may want more: a userdata is made larger by
+   this much, and what is kept there begins where engine_aligned says. */
+enum { ENGINE_ALIGNMENT = 16 };
+static inline void *engine_aligned(void *block) {
+  return (char *)block + (ENGINE_ALIGNMENT - (uintptr_t)block % ENGINE_ALIGNMENT);
+}
+
+#endif

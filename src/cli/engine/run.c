@@ -1,0 +1,444 @@
+/* run.c - motion by the general library: trajectories, and rates of change with their scale.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * run() integrates.  rates() gives what the emitted equations are compared with: beside each number
+ * the largest term that was added to make it, because only relative to that can two honest
+ * roundings agree (a difference that cancels has no correct digits of its own).
+ */
+#include "engine.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* Between two rows: a minute or so of the slowest method; signals are looked at once a row. */
+#define MAX_STEPS 5000000
+
+static const double no_control[3] = {0, 0, 0};
+
+/* ---- run ---- */
+
+static const struct {
+  const char *name;
+  ph_method method;
+  double tolerance; /* where none is asked for */
+} methods[] = {
+    {"adaptive", PH_TAYLOR, 0}, {"taylor", PH_TAYLOR, 0},   {"rk4", PH_RK4, 0},
+    {"gsl-rk4", PH_RK4_GSL, 0}, {"rkf45", PH_RKF45, 1e-10}, {"rk8pd", PH_RK8PD, 1e-13},
+    {"exact", PH_EXACT, 0},
+};
+
+/* Does the table hold this number? Then *out is it. */
+static int option(lua_State *L, int index, const char *key, double *out) {
+  const int given = lua_istable(L, index) && lua_getfield(L, index, key) != LUA_TNIL;
+  if (given)
+    *out = luaL_checknumber(L, -1);
+  if (lua_istable(L, index))
+    lua_pop(L, 1);
+  return given;
+}
+
+static int read_options(lua_State *L, int index, ph_options *o) {
+  *o = ph_options_default();
+  o->max_steps = MAX_STEPS;
+  lua_getfield(L, index, "method");
+  const char *name = luaL_optstring(L, -1, "adaptive");
+  size_t i = 0;
+  while (i < sizeof methods / sizeof methods[0] && strcmp(methods[i].name, name) != 0)
+    i++;
+  lua_pop(L, 1);
+  if (i == sizeof methods / sizeof methods[0])
+    return PH_EMETHOD;
+  o->method = methods[i].method;
+  if (methods[i].tolerance > 0)
+    o->tolerance = methods[i].tolerance;
+  double value;
+  if (option(L, index, "step", &value))
+    o->step = value;
+  if (option(L, index, "tol", &value))
+    o->tolerance = value;
+  if (option(L, index, "order", &value))
+    o->order = (int)value;
+  if (option(L, index, "most", &value) && value < MAX_STEPS)
+    o->max_steps = (long)value;
+  return PH_OK;
+}
+
+static int push_row(lua_State *L, const ph_top *top, double t, const double x[]) {
+  const int n = ph_top_states(top);
+  double row[PH_STATES + 5] = {t};
+  memcpy(row + 1, x, (size_t)n * sizeof x[0]);
+  int status = ph_top_energy(top, x, &row[n + 1]);
+  if (status == PH_OK)
+    status = ph_top_momentum(top, x, &row[n + 2]);
+  if (status == PH_OK)
+    engine_push(L, n + 5, row);
+  return status;
+}
+
+/* Holds the ph_run so that an error in Lua frees it. */
+static int run_free(lua_State *L) {
+  ph_run **run = lua_touserdata(L, 1);
+  ph_run_free(*run);
+  *run = NULL;
+  return 0;
+}
+
+static ph_run **new_run_holder(lua_State *L) {
+  ph_run **run = lua_newuserdatauv(L, sizeof *run, 0);
+  *run = NULL;
+  if (luaL_newmetatable(L, "polhode.run")) {
+    lua_pushcfunction(L, run_free);
+    lua_setfield(L, -2, "__gc");
+  }
+  lua_setmetatable(L, -2);
+  return run;
+}
+
+/* nil, message, kind, t: "refused" what was asked for, before the first step, or "numbers". */
+static int fail_at(lua_State *L, double t, int status, int started) {
+  lua_pushnil(L);
+  lua_pushfstring(L, "at t = %f s: %s", (LUAI_UACNUMBER)t, ph_status_phrase(status));
+  lua_pushstring(L, started || status == PH_ERANGE ? "numbers" : "refused");
+  lua_pushnumber(L, t);
+  return 4;
+}
+
+/* Where rows come from: a run, or x0 and the linearised motion. */
+struct motion {
+  const struct engine_scene *s;
+  ph_run *run;
+  struct engine_course course;
+  double x0[7], t0;
+  double step; /* 0: the method chooses */
+};
+
+/* From where the run is to `end`, from break to break of the inputs' course. */
+static int go(const struct motion *m, double end, double x[]) {
+  const struct engine_scene *s = m->s;
+  if (m->run == NULL)
+    return ph_top_linearised(&s->top, m->x0, end - m->t0, x);
+  double t = ph_run_time(m->run);
+  int status;
+  do {
+    const double next = engine_course_next(&m->course, t, end);
+    double u[ENGINE_INPUTS];
+    engine_course_segment(&m->course, t, next, s->input);
+    engine_inputs_at(s->input, m->course.n, s->input->since, u);
+    status = ph_run_to(m->run, next, u, x);
+    t = next;
+  } while (status == PH_OK && t != end);
+  return status;
+}
+
+static int reach(const struct motion *m, double t, double x[]) {
+  interrupt_check(m->s->L);
+  return go(m, t, x);
+}
+
+/* A time between `from`, which was reached, and `end`, which was not: with steps of their own
+   length the end of the first that fails, else where the motion ends, by halving. */
+static double first_failure(const struct motion *m, double from, double end) {
+  double x[PH_STATES];
+  if (m->run != NULL) /* a failure leaves it where it was: at a break, maybe */
+    from = ph_run_time(m->run);
+  double t = engine_course_next(&m->course, from, end);
+  if (m->step > 0) {
+    const double span = t - from, n = ceil(fabs(span) / m->step * (1 - 8 * DBL_EPSILON));
+    for (double i = 1; i < n; i++)
+      if (reach(m, from + span * (i / n), x) != PH_OK)
+        return from + span * (i / n);
+    return t;
+  }
+  for (int i = 0; i < 50 && t != from; i++) {
+    const double middle = from + (t - from) / 2;
+    if (reach(m, middle, x) == PH_OK)
+      from = middle;
+    else
+      t = middle;
+  }
+  return t;
+}
+
+/* run(scene, {method=, step=, tol=, order=, most=, times={...}, t0=, u=course}) -> {{t, q4, w3,
+   energy, L3},
+   ...} (with r3, v3 after w3 where the body moves) | nil, message, "refused" or "numbers", the time
+   at which they failed.  Method: adaptive (default) and taylor (long double Taylor series), rk4,
+   gsl-rk4, rkf45, rk8pd, exact and linearised (a free top only). */
+int host_run(lua_State *L) {
+  struct engine_scene s;
+  ph_options options = {0};
+  double x[PH_STATES], t = 0;
+  luaL_checktype(L, 2, LUA_TTABLE);
+  lua_settop(L, 2);
+  int status = engine_read(&s, L, 1);
+  if (status != PH_OK) {
+    engine_fail(&s, status);
+    lua_pushstring(L, status == PH_ERANGE ? "numbers" : "refused");
+    return 3;
+  }
+  struct motion m = {.s = &s};
+  engine_get(L, 1, "q", 4, x, NULL);
+  engine_get(L, 1, "w", 3, x + 4, NULL);
+  engine_get(L, 1, "r", 3, x + 7, no_control);
+  engine_get(L, 1, "v", 3, x + 10, no_control);
+  engine_read_own(L, 1, &s.top, x);
+  lua_getfield(L, 2, "u");
+  engine_course_read(L, lua_gettop(L), s.inputs, &m.course);
+  option(L, 2, "t0", &t);
+  m.t0 = t;
+  memcpy(m.x0, x, sizeof m.x0);
+  lua_getfield(L, 2, "method");
+  const int linearised = strcmp(luaL_optstring(L, -1, ""), "linearised") == 0; /* from x0 */
+  lua_pop(L, 1);
+  ph_run **run = new_run_holder(L);
+  if (!linearised) {
+    status = read_options(L, 2, &options);
+    if (status == PH_OK)
+      status = ph_run_new(run, &s.top, &options, t, x);
+  }
+  if (status != PH_OK)
+    return fail_at(L, t, status, 0);
+  m.run = *run;
+  m.step = options.step;
+  lua_getfield(L, 2, "times");
+  luaL_checktype(L, -1, LUA_TTABLE);
+  const int n = (int)lua_rawlen(L, -1), times = lua_gettop(L);
+  lua_createtable(L, n, 0);
+  for (int i = 1; i <= n; i++) {
+    lua_rawgeti(L, times, i);
+    double end = luaL_checknumber(L, -1);
+    lua_pop(L, 1);
+    status = reach(&m, end, x);
+    if (status == PH_ERANGE || status == PH_ESTEP) /* not PH_ESTEPS, which takes its time */
+      end = first_failure(&m, t, end);
+    t = end;
+    if (status == PH_OK)
+      status = push_row(L, &s.top, t, x);
+    if (status != PH_OK)
+      return fail_at(L, t, status, status != PH_EMETHOD);
+    lua_rawseti(L, times + 1, i);
+  }
+  ph_run_free(*run);
+  *run = NULL;
+  return 1;
+}
+
+/* ---- rates ---- */
+
+#define RATES_TYPE "polhode.rates"
+
+struct rates {
+  ph_top top;
+  int inputs;
+  struct engine_inputs *input;
+  double inverse[9]; /* |components| of the pseudo-inverse of the inertia tensor; see bound() */
+  double spread[9];  /* |components| of the tensor, as a matrix; likewise */
+};
+
+static double largest(double a, double b) {
+  return a > b ? a : b; /* NaN in b is passed over: dx itself shows it */
+}
+
+static double norm(const double v[3]) {
+  return hypot(hypot(v[0], v[1]), v[2]);
+}
+
+/* A component off the diagonal that is not 0 by symmetry is a sum of terms of both signs and may
+ * pass through zero.  It is as good as the sum of their moduli, of which this is a bound: sqrt(m_i
+ * m_j), by Cauchy and Schwarz, for the squares m on the diagonal. */
+static double bound(double component, double mi, double mj) {
+  if (component == 0 || !(mi > 0) || !(mj > 0))
+    return fabs(component);
+  return largest(fabs(component), sqrt(mi) * sqrt(mj));
+}
+
+/* D: what moving parts add to the tensor, or NULL.
+ * Sum of a_k a_k^T / I_k over the axes that have a moment, entrywise absolute values. */
+static int prepare(struct rates *r, const double D[6]) {
+  static const int at[9] = {0, 3, 4, 3, 1, 5, 4, 5, 2};
+  ph_axes p;
+  double carried[6]; /* by the rates: without the wheels that the tensor includes */
+  for (int i = 0; i < 6; i++)
+    carried[i] = r->top.inertia[i] + (D ? D[i] : 0);
+  for (int k = 0; k < r->top.acts.n; k++) {
+    const ph_act *a = &r->top.acts.list[k];
+    for (int i = 0; i < 9 && a->kind == PH_WHEEL && a->flag; i++)
+      if (i / 3 <= i % 3)
+        carried[at[i]] -= a->v[3] * a->v[i / 3] * a->v[i % 3];
+  }
+  const int status = ph_principal(carried, &p);
+  if (status != PH_OK)
+    return status;
+  double inverse[9];
+  for (int i = 0; i < 9; i++) {
+    inverse[i] = 0;
+    for (int k = 0; k < 3; k++)
+      if (p.moment[k] > 16 * DBL_EPSILON * p.moment[2]) /* else a rod's own axis */
+        inverse[i] += p.axis[k][i / 3] * p.axis[k][i % 3] / p.moment[k];
+  }
+  const double *I = r->top.inertia, half = (I[0] + I[1] + I[2]) / 2; /* half - I_ii: of x_i^2 */
+  for (int i = 0; i < 9; i++) {
+    const int a = i / 3, b = i % 3;
+    r->inverse[i] = fabs(inverse[i]);
+    r->spread[i] = fabs(I[at[i]]);
+    if (a != b) {
+      r->inverse[i] = bound(inverse[i], inverse[4 * a], inverse[4 * b]);
+      r->spread[i] = bound(I[at[i]], half - I[a], half - I[b]);
+    }
+  }
+  return PH_OK;
+}
+
+/* term[j] = largest term of component j of N - w x I w: every product of the formula on its own. */
+static void torque_terms(const struct rates *r, double t0, const double x[], const double u[],
+                         double term[3]) {
+  const ph_top *top = &r->top;
+  const double *w = x + 4;
+  const double q2 = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
+  for (int j = 0; j < 3; j++) {
+    const int a = (j + 1) % 3, b = (j + 2) % 3;
+    double t = 0;
+    for (int k = 0; k < 3; k++) {
+      t = largest(t, fabs(w[a]) * r->spread[3 * b + k] * fabs(w[k]));
+      t = largest(t, fabs(w[b]) * r->spread[3 * a + k] * fabs(w[k]));
+      if (top->effects & PH_DAMPING)
+        t = largest(t, fabs(top->damping[3 * j + k] * w[k]));
+      if (top->effects & PH_DECAY)
+        t = largest(t, fabs(top->decay) * r->spread[3 * j + k] * fabs(w[k]));
+    }
+    /* a vector turned into body axes: its terms are as large as the vector, whatever is left of
+     * them */
+    if (top->effects & PH_GRAVITY)
+      t = largest(t, largest(fabs(top->com[a]), fabs(top->com[b])) * top->mass *
+                         norm(top->gravity) * q2);
+    if (top->effects & PH_TORQUE_INERTIAL)
+      t = largest(t, norm(top->torque_inertial) * q2);
+    if (top->effects & PH_TORQUE_BODY)
+      t = largest(t, fabs(top->torque_body[j]));
+    if (top->effects & PH_ROTOR)
+      t = largest(t, largest(fabs(w[a] * top->rotor[b]), fabs(w[b] * top->rotor[a])));
+    if (top->effects & PH_CONTROL)
+      t = largest(t, fabs(u[j]));
+    term[j] = t;
+  }
+  engine_acts_torque(top, t0, x, term);
+}
+
+static void scales(const struct rates *r, double t, const double x[], const double u[],
+                   double scale[]) {
+  /* which q multiplies wx, wy, wz in row i of q' = q (0, w) / 2 */
+  static const int row[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
+  double term[3];
+  torque_terms(r, t, x, u, term);
+  for (int i = 0; i < 4; i++) {
+    scale[i] = 0;
+    for (int k = 0; k < 3; k++)
+      scale[i] = largest(scale[i], fabs(0.5 * x[row[i][k]] * x[4 + k]));
+  }
+  for (int i = 0; i < 3; i++) {
+    scale[4 + i] = 0;
+    for (int j = 0; j < 3; j++)
+      scale[4 + i] = largest(scale[4 + i], r->inverse[3 * i + j] * term[j]);
+  }
+  engine_move_scale(&r->top, t, x, scale);
+  engine_acts_scale(&r->top, t, x, scale);
+}
+
+static struct rates *self(lua_State *L) {
+  return engine_aligned(luaL_checkudata(L, 1, RATES_TYPE));
+}
+
+static int fail(lua_State *L, int status) {
+  lua_pushnil(L);
+  lua_pushstring(L, ph_status_phrase(status));
+  return 2;
+}
+
+/* object:rates(t, x[, u]) -> dx, scale | nil, message */
+static int rates_rates(lua_State *L) {
+  const struct rates *r = self(L);
+  double x[PH_STATES], dx[PH_STATES], scale[PH_STATES];
+  struct engine_course course;
+  const int n = ph_top_states(&r->top);
+  const double t = luaL_checknumber(L, 2);
+  engine_list(L, 3, n, x);
+  engine_course_read(L, 4, r->inputs, &course);
+  engine_course_segment(&course, t, t, r->input);
+  const double *u = r->input->base;
+  const int status = ph_top_rates(&r->top, t, x, u, dx);
+  if (status != PH_OK)
+    return fail(L, status);
+  struct rates now = *r; /* with moving parts as they are */
+  double D[6];
+  if (engine_acts_tensor(&r->top, t, x, D) && prepare(&now, D) != PH_OK)
+    return fail(L, PH_EPOSITIVE);
+  scales(&now, t, x, u, scale);
+  engine_push(L, n, dx);
+  engine_push(L, n, scale);
+  return 2;
+}
+
+/* object:energy(x) -> E, largest term | nil, message */
+static int rates_energy(lua_State *L) {
+  const struct rates *r = self(L);
+  double x[PH_STATES], energy, scale = 0;
+  engine_list(L, 2, ph_top_states(&r->top), x);
+  const int status = ph_top_energy(&r->top, x, &energy);
+  if (status != PH_OK)
+    return fail(L, status);
+  /* w.I w/2: off the diagonal two halves make one term */
+  for (int i = 0; i < 9; i++)
+    scale = largest(scale,
+                    (i / 3 == i % 3 ? 0.5 : 1) * fabs(x[4 + i / 3] * x[4 + i % 3]) * r->spread[i]);
+  if (r->top.effects & PH_GRAVITY)
+    scale = largest(scale, r->top.mass * norm(r->top.com) * norm(r->top.gravity));
+  scale = largest(scale, engine_move_energy(&r->top, x, r->spread));
+  scale = largest(scale, engine_acts_energy(&r->top, x));
+  lua_pushnumber(L, energy);
+  lua_pushnumber(L, scale);
+  return 2;
+}
+
+/* object:momentum(x) -> {L3}, largest term of any component | nil, message */
+static int rates_momentum(lua_State *L) {
+  const struct rates *r = self(L);
+  double x[PH_STATES], momentum[3], scale = 0;
+  engine_list(L, 2, ph_top_states(&r->top), x);
+  const int status = ph_top_momentum(&r->top, x, momentum);
+  if (status != PH_OK)
+    return fail(L, status);
+  for (int i = 0; i < 9; i++)
+    scale = largest(scale, r->spread[i] * fabs(x[4 + i % 3]));
+  scale = largest(scale, engine_acts_momentum(&r->top, x));
+  if (r->top.effects & PH_ROTOR)
+    scale = largest(scale, norm(r->top.rotor));
+  engine_push(L, 3, momentum);
+  lua_pushnumber(L, scale);
+  return 2;
+}
+
+/* rates(scene) -> object with the methods above | nil, message */
+int host_rates(lua_State *L) {
+  static const luaL_Reg functions[] = {
+      {"rates", rates_rates}, {"energy", rates_energy}, {"momentum", rates_momentum}, {NULL, NULL}};
+  struct engine_scene s;
+  int status = engine_read(&s, L, 1);
+  if (status != PH_OK)
+    return engine_fail(&s, status);
+  struct rates *r = engine_aligned(lua_newuserdatauv(L, sizeof *r + ENGINE_ALIGNMENT, 1));
+  lua_pushvalue(L, 1); /* which keeps tables and programs */
+  lua_setiuservalue(L, -2, 1);
+  r->top = s.top;
+  r->inputs = s.inputs;
+  r->input = s.input;
+  status = prepare(r, NULL);
+  if (status != PH_OK)
+    return fail(L, status);
+  if (luaL_newmetatable(L, RATES_TYPE)) {
+    luaL_newlib(L, functions);
+    lua_setfield(L, -2, "__index");
+  }
+  lua_setmetatable(L, -2);
+  return 1;
+}

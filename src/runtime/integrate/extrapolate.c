@@ -1,0 +1,173 @@
+/* extrapolate.c - one step by Gragg's midpoint rule, extrapolated, in long double.
+   SPDX-License-Identifier: GPL-3.0-or-later
+
+   For equations whose Taylor series are not formed. With n = 2, 4, 6, .. substeps of H/n the rule
+     z_1 = z_0 + h f(z_0),   z_{m+1} = z_{m-1} + 2 h f(z_m)
+   has, for even n, an error in even powers of h (Gragg, SIAM J. Numer. Anal. 2 (1965) 384), which
+   polynomial extrapolation in h^2 removes power by power (Hairer, Norsett, Wanner, Solving ODEs I,
+   II.9). What is extrapolated is the increment z_n - z_0, so that its rounding is that of the
+   change. A column is one more power; when COLUMNS of them do not reach the tolerance, the step was
+   too long. */
+#include "effects/acts.h"
+#include "step.h"
+
+enum { COLUMNS = 12, BEST = 9 };
+
+/* The increment over H by n substeps. */
+static int midpoint(stepper *s, const ph_wide x[], ph_wide H, int n, ph_wide out[]) {
+  const int states = ph_top_states(s->top);
+  ph_wide z[PH_STATES], before[PH_STATES] = {0}, now[PH_STATES] = {0}, f[PH_STATES];
+  const ph_wide h = H / n;
+  for (int m = 0; m < n; m++) {
+    for (int i = 0; i < states; i++)
+      z[i] = x[i] + now[i];
+    const int status = motion_rates(s->top, &s->loads, s->t + m * h, z, f);
+    s->evaluations++;
+    if (status)
+      return status;
+    for (int i = 0; i < states; i++) {
+      const ph_wide next = m == 0 ? h * f[i] : before[i] + 2 * h * f[i];
+      before[i] = now[i];
+      now[i] = next;
+    }
+  }
+  for (int i = 0; i < states; i++)
+    out[i] = now[i];
+  return wide_fits(states, now) ? PH_OK : PH_ERANGE;
+}
+
+/* What own state i is a part of: a wheel's speed counts from the body's, so at rest beside it the
+   speed is known to the rounding of w and no better. */
+static ph_wide beside(const ph_top *top, const ph_wide x[], int i) {
+  for (int k = 0; k < top->acts.n && top->effects & PH_WHEEL; k++)
+    if (top->acts.list[k].kind == PH_WHEEL && acts_place(top, k) == i)
+      return step_size(3, x + 4);
+  return 0;
+}
+
+/* Largest component of e relative to the state's: |q| = 1, w, r and v by their size, own states
+   each by its own. */
+static ph_wide relative(const ph_top *top, const ph_wide x[], const ph_wide d[],
+                        const ph_wide e[]) {
+  const int n = ph_top_states(top), shared = n - acts_states(top);
+  ph_wide worst = step_size(4, e), size;
+  for (int i = 4; i < n; i += i < shared ? 3 : 1) {
+    const int width = i < shared ? 3 : 1;
+    size = step_size(width, x + i) + step_size(width, d + i);
+    if (i >= shared)
+      size += beside(top, x, i);
+    if (size > 0)
+      worst = fmaxl(worst, step_size(width, e + i) / size);
+  }
+  return worst;
+}
+
+/* step_extrapolate, whatever turns its edge to the light on the way. */
+static int smooth(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, ph_wide *next,
+                  ph_wide out[]) {
+  const int n = ph_top_states(s->top);
+  ph_wide T[COLUMNS][PH_STATES], error[PH_STATES];
+  const ph_wide enough = fmaxl(tolerance, 32 * LDBL_EPSILON);
+  for (;;) {
+    ph_wide e = HUGE_VALL;
+    int k = 0, status = PH_OK;
+    for (; k < COLUMNS && e > enough; k++) {
+      ph_wide row[PH_STATES]; /* becomes column j of row k from column j - 1 of rows k - 1 and k */
+      status = midpoint(s, x, *h, 2 * (k + 1), row);
+      if (status)
+        break;
+      for (int j = 1; j <= k; j++) {
+        const ph_wide ratio = (ph_wide)(k + 1) / (k + 1 - j);
+        for (int i = 0; i < n; i++) {
+          const ph_wide better = row[i] + (row[i] - T[j - 1][i]) / (ratio * ratio - 1);
+          T[j - 1][i] = row[i];
+          error[i] = better - row[i];
+          row[i] = better;
+        }
+      }
+      for (int i = 0; i < n; i++)
+        T[k][i] = row[i];
+      if (k > 0)
+        e = relative(s->top, x, row, error);
+    }
+    if (status && status != PH_ERANGE)
+      return status;
+    if (!status && (e <= enough || tolerance == 0)) {
+      for (int i = 0; i < n; i++)
+        out[i] = x[i] + T[k - 1][i];
+      *next = fabsl(*h) * (k < BEST - 2 ? 2 : k < BEST ? 1.25L : k == BEST ? 1 : 0.8L);
+      return wide_fits(n, out) ? PH_OK : PH_ERANGE;
+    }
+    if (s->t + *h == s->t)
+      return PH_ESTEP;
+    *h *= status ? 0.1L : 0.4L;
+  }
+}
+
+/* The first plate that is lit at one end only; -1 if none. */
+static int turned(const ph_top *top, const ph_wide x[], const ph_wide y[]) {
+  ph_wide before, after;
+  for (int k = 0; acts_side(top, x, k, &before) && acts_side(top, y, k, &after); k++)
+    if ((before > 0) != (after > 0))
+      return k;
+  return -1;
+}
+
+/* Shortens the step h, at whose end `out` plate k has turned its edge, to end where it just has:
+   the zero of its n.s by the false position with halved weights (Illinois: Dowell and Jarratt, BIT
+   11 (1971) 168), to a few roundings of the time. */
+static int to_edge(stepper *s, const ph_wide x[], ph_wide tolerance, int k, ph_wide *h,
+                   ph_wide *next, ph_wide out[]) {
+  enum { MOST = 80 };
+  ph_wide low = 0, high = *h, g_low, g_high, y[PH_STATES];
+  int last = 0;
+  acts_side(s->top, x, k, &g_low);
+  acts_side(s->top, out, k, &g_high);
+  const int lit = g_low > 0;
+  for (int i = 0; i < MOST; i++) {
+    const ph_wide close = 4 * LDBL_EPSILON * fmaxl(fabsl(s->t), fabsl(high));
+    if (fabsl(high - low) <= close)
+      break;
+    ph_wide at = low + (high - low) * (g_low / (g_low - g_high)), g;
+    if (!(fabsl(at - low) >= close / 2 && fabsl(high - at) >= close / 2))
+      at = low + (high - low) / 2;
+    ph_wide part = at;
+    const int status = smooth(s, x, tolerance, &part, next, y);
+    if (status)
+      return status;
+    acts_side(s->top, y, k, &g);
+    if (part != at) { /* a shorter step was wanted: the edge waits for a later one */
+      for (int n = 0; n < ph_top_states(s->top); n++)
+        out[n] = y[n];
+      *h = part;
+      return PH_OK;
+    }
+    if ((g > 0) == lit) {
+      low = at, g_low = g;
+      g_high = last < 0 ? g_high / 2 : g_high;
+      last = -1;
+    } else {
+      high = at, g_high = g;
+      g_low = last > 0 ? g_low / 2 : g_low;
+      last = 1;
+      for (int n = 0; n < ph_top_states(s->top); n++)
+        out[n] = y[n];
+      *h = at;
+    }
+  }
+  return PH_OK;
+}
+
+int step_extrapolate(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, ph_wide *next,
+                     ph_wide out[]) {
+  int status = smooth(s, x, tolerance, h, next, out), k;
+  /* each plate at its own edge, the earliest at last */
+  for (int i = 0, done = -1; !status && tolerance > 0 && i < PH_ACTS; i++) {
+    k = turned(s->top, x, out);
+    if (k < 0 || k == done)
+      break;
+    status = to_edge(s, x, tolerance, k, h, next, out);
+    done = k;
+  }
+  return status;
+}

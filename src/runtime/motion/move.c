@@ -1,0 +1,151 @@
+/* move.c - the centre of mass in space, and base axes that turn.
+   SPDX-License-Identifier: GPL-3.0-or-later
+
+   Term by term as polhode_move.h writes them, each cross product formed on its own. */
+#include "move.h"
+
+#include "effects/acts.h"
+
+#include <string.h>
+
+int ph_top_states(const ph_top *top) {
+  return (top->effects & PH_TRANSLATION ? 13 : 7) + acts_states(top);
+}
+
+/* The centre of mass must be the origin, up to the rounding of where it was said to be: against the
+   radius of gyration. */
+int ph_top_translation(ph_top *top, const double gravity[3]) {
+  if (!wide_finite(3, gravity))
+    return PH_EFINITE;
+  const ph_wide moment = top->wide_inertia[XX] + top->wide_inertia[YY] + top->wide_inertia[ZZ];
+  const ph_wide radius = sqrtl(moment / (ph_wide)top->mass);
+  if (wide_norm(top->wide_com) > 64 * (ph_wide)DBL_EPSILON * radius)
+    return PH_EBOUND;
+  memcpy(top->move.gravity, gravity, sizeof top->move.gravity);
+  top->effects |= PH_TRANSLATION;
+  return PH_OK;
+}
+
+int ph_top_drag(ph_top *top, double linear, double drag) {
+  if (!isfinite(linear) || !isfinite(drag))
+    return PH_EFINITE;
+  if (linear < 0 || drag < 0)
+    return PH_EPOSITIVE;
+  top->move.linear = linear;
+  top->move.drag = drag;
+  top->effects |= PH_DRAG;
+  return PH_OK;
+}
+
+int ph_top_restoring(ph_top *top, const double stiffness[3]) {
+  if (!wide_finite(3, stiffness))
+    return PH_EFINITE;
+  memcpy(top->move.stiffness, stiffness, sizeof top->move.stiffness);
+  top->effects |= PH_RESTORING;
+  return PH_OK;
+}
+
+int ph_top_frame(ph_top *top, const double rate[3], const double rate_dot[3], int centrifugal) {
+  if (!wide_finite(3, rate) || !wide_finite(3, rate_dot))
+    return PH_EFINITE;
+  memcpy(top->move.rate, rate, sizeof top->move.rate);
+  memcpy(top->move.rate_dot, rate_dot, sizeof top->move.rate_dot);
+  top->move.centrifugal = centrifugal != 0;
+  top->effects |= PH_FRAME;
+  return PH_OK;
+}
+
+void move_frame(const ph_top *top, ph_wide t, ph_wide Omega[3], ph_wide change[3]) {
+  for (int i = 0; i < 3; i++) {
+    change[i] = top->effects & PH_FRAME ? (ph_wide)top->move.rate_dot[i] : 0;
+    Omega[i] = top->effects & PH_FRAME ? (ph_wide)top->move.rate[i] + change[i] * t : 0;
+  }
+}
+
+void move_load(const ph_top *top, move_loads *loads) {
+  const ph_wide mass = (ph_wide)top->mass;
+  *loads = (move_loads){0};
+  for (int i = 0; i < 3; i++) {
+    loads->gravity[i] = (ph_wide)top->move.gravity[i];
+    if (top->effects & PH_RESTORING)
+      loads->stiffness[i] = (ph_wide)top->move.stiffness[i] / mass;
+  }
+  if (top->effects & PH_DRAG) {
+    loads->linear = (ph_wide)top->move.linear / mass;
+    loads->drag = (ph_wide)top->move.drag / mass;
+  }
+}
+
+void move_rates(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide dx[]) {
+  ph_wide Omega[3], change[3], u[3], a[3];
+  move_frame(top, t, Omega, change);
+  if (top->effects & PH_FRAME) {
+    const ph_wide pure[4] = {0, Omega[0], Omega[1], Omega[2]};
+    ph_wide turn[4];
+    wide_quat_multiply(pure, x, turn);
+    for (int i = 0; i < 4; i++)
+      dx[i] -= turn[i] / 2;
+  }
+  if (!(top->effects & PH_TRANSLATION))
+    return;
+  const ph_wide *r = x + 7, *v = x + 10;
+  const ph_wide speed = wide_norm(v);
+  move_loads loads;
+  move_load(top, &loads);
+  for (int i = 0; i < 3; i++)
+    a[i] =
+        loads.gravity[i] - loads.stiffness[i] * r[i] - (loads.linear + loads.drag * speed) * v[i];
+  ph_wide F[3] = {0, 0, 0};
+  acts_force(top, t, x, F);
+  for (int i = 0; i < 3; i++)
+    a[i] += F[i] / (ph_wide)top->mass;
+  wide_cross(Omega, v, u);
+  for (int i = 0; i < 3; i++)
+    a[i] -= 2 * u[i];
+  wide_cross(change, r, u);
+  for (int i = 0; i < 3; i++)
+    a[i] -= u[i];
+  wide_cross(Omega, r, u);
+  wide_cross(Omega, u, u);
+  for (int i = 0; i < 3; i++) {
+    dx[7 + i] = v[i];
+    dx[10 + i] = a[i] - (top->move.centrifugal ? u[i] : 0);
+  }
+}
+
+ph_wide move_kinetic(const ph_top *top, const ph_wide x[]) {
+  return top->effects & PH_TRANSLATION ? (ph_wide)top->mass * wide_dot(x + 10, x + 10) / 2 : 0;
+}
+
+ph_wide move_potential(const ph_top *top, const ph_wide x[]) {
+  ph_wide V = 0, Omega[3], change[3], L[3], u[3];
+  move_frame(top, 0, Omega, change);
+  const int steady = change[0] == 0 && change[1] == 0 && change[2] == 0;
+  if (steady) {
+    acts_whole(top, x, L);
+    wide_sandwich(x, L, 1, L);
+    V -= wide_dot(Omega, L);
+  }
+  if (!(top->effects & PH_TRANSLATION))
+    return V;
+  for (int i = 0; i < 3; i++) {
+    V -= (ph_wide)top->mass * (ph_wide)top->move.gravity[i] * x[7 + i];
+    if (top->effects & PH_RESTORING)
+      V += (ph_wide)top->move.stiffness[i] * x[7 + i] * x[7 + i] / 2;
+  }
+  wide_cross(Omega, x + 7, u);
+  return steady && top->move.centrifugal ? V - (ph_wide)top->mass * wide_dot(u, u) / 2 : V;
+}
+
+ph_wide move_rate(const ph_top *top, ph_wide t, const ph_wide x[]) {
+  ph_wide Omega[3], change[3], k = 0, rate = 0;
+  move_frame(top, t, Omega, change);
+  if (top->effects & PH_TRANSLATION) {
+    move_loads loads;
+    move_load(top, &loads);
+    for (int i = 0; i < 3; i++)
+      k = fmaxl(k, fabsl(loads.stiffness[i]));
+    rate = sqrtl(k) + loads.linear + loads.drag * wide_norm(x + 10);
+  }
+  return rate + wide_norm(Omega) + sqrtl(wide_norm(change));
+}
