@@ -9,19 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-void engine_keep(struct engine_scene *s) {
-  lua_State *L = s->L;
-  if (lua_getfield(L, s->index, "memory") == LUA_TNIL) {
-    lua_pop(L, 1);
-    lua_newtable(L);
-    lua_pushvalue(L, -1);
-    lua_setfield(L, s->index, "memory");
-  }
-  lua_insert(L, -2);
-  lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
-  lua_pop(L, 1);
-}
-
 /* A number, {rows = {t, v, ...}} or {code = {...}} at the stack's top, which is popped. */
 static void read_varying(struct engine_scene *s, ph_varying *out) {
   lua_State *L = s->L;

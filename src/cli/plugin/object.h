@@ -18,7 +18,9 @@ struct plugin {
   int ready, solved; /* is the model filled in, the orbit? */
 };
 
-/* The plugin at the stack's bottom, its model filled in; raises an error if it is not. */
+/* The plugin at the stack's bottom. */
+struct plugin *plugin_self(lua_State *L);
+/* The same, its model filled in; raises an error if it is not. */
 const struct plugin *plugin_ready(lua_State *L);
 /* The stepper called so at index i of the stack, or the scene's own. */
 const struct polhode_stepper *plugin_stepper(lua_State *L, const struct plugin *p, int i);

@@ -13,27 +13,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static struct plugin *self(lua_State *L) {
-  return luaL_checkudata(L, 1, PLUGIN_TYPE);
-}
-
-const struct plugin *plugin_ready(lua_State *L) {
-  const struct plugin *p = self(L);
-  if (!p->ready)
-    luaL_error(L, "plugin: init first");
-  return p;
-}
-
 static int absent(lua_State *L, const char *what) {
   lua_pushnil(L);
   lua_pushfstring(L, "the emitted code has no %s", what);
   return 2;
-}
-
-void plugin_optional(lua_State *L, int index, int n, double out[]) {
-  memset(out, 0, (size_t)n * sizeof out[0]);
-  if (n > 0 && !lua_isnoneornil(L, index) && lua_rawlen(L, index) > 0)
-    engine_list(L, index, n, out);
 }
 
 /* ---- methods ---- */
@@ -57,7 +40,7 @@ static void push_steppers(lua_State *L, const struct polhode_stepper *s) {
    has={rhs=true,
    ...}} */
 static int info(lua_State *L) {
-  const struct polhode_plugin *c = self(L)->code;
+  const struct polhode_plugin *c = plugin_self(L)->code;
   const struct {
     const char *name;
     int there;
@@ -99,7 +82,7 @@ static int info(lua_State *L) {
 
 /* init([params]) -> status, 0 when the parameters are good */
 static int init(lua_State *L) {
-  struct plugin *p = self(L);
+  struct plugin *p = plugin_self(L);
   double values[MAX_PARAMS];
   const int own = lua_isnoneornil(L, 2);
   if (!own)
@@ -161,18 +144,6 @@ static int jacobian(lua_State *L) {
   return 1;
 }
 
-const struct polhode_stepper *plugin_stepper(lua_State *L, const struct plugin *p, int i) {
-  const char *name = luaL_optstring(L, i, NULL);
-  const struct polhode_stepper *s = p->code->steppers;
-  if (s == NULL)
-    luaL_error(L, "plugin: there is no stepper in it");
-  while (name != NULL && s->name != NULL && strcmp(s->name, name) != 0)
-    s++;
-  if (s->name == NULL)
-    luaL_error(L, "plugin: there is no stepper %s in it", name != NULL ? name : "at all");
-  return s;
-}
-
 /* step(t, x, u, h[, method]) -> x at t + h */
 static int step(lua_State *L) {
   const struct plugin *p = plugin_ready(L);
@@ -182,10 +153,6 @@ static int step(lua_State *L) {
   plugin_stepper(L, p, 6)->step(p->model, luaL_checknumber(L, 2), x, u, luaL_checknumber(L, 5));
   engine_push(L, p->code->nx, x);
   return 1;
-}
-
-double plugin_steps(double span, double h) {
-  return ceil(fabs(span) / h * (1 - 1e-12));
 }
 
 static int finite(int n, const double x[]) {
@@ -331,7 +298,7 @@ static int momentum(lua_State *L) {
 
 /* solve(x0) -> status, 0 when there is a closed form through x0 */
 static int solve(lua_State *L) {
-  struct plugin *p = self(L);
+  struct plugin *p = plugin_self(L);
   double x[MAX_STATES];
   plugin_ready(L);
   if (p->code->solve == NULL)
@@ -357,7 +324,7 @@ static int at(lua_State *L) {
 /* ---- loading ---- */
 
 static int collect(lua_State *L) {
-  struct plugin *p = self(L);
+  struct plugin *p = plugin_self(L);
   free(p->model);
   free(p->orbit);
   if (p->library != NULL)

@@ -1,89 +1,17 @@
-/* rational.c - exact rational numbers for Lua: storage, arithmetic, and the module's table.
+/* rational.c - exact rational numbers for Lua: arithmetic, and the module's table.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Everything above the line (generator/) computes with these: a literal 0.1 in a scene is 1/10 and
  * stays so.  There is no silent overflow and no rounding here: a result is exact, or an error says
  * "number too large" or "division by zero".  Lua integers mix freely; floats are refused, because a
  * float that slips into exact algebra is a bug of the caller.
- * Not here: text (text.c), roundings to binary and real functions (real.c).
+ * Not here: storage (number.c), text (text.c), roundings to binary and real functions (real.c).
  */
 #include "rational.h"
 
 #include <lauxlib.h>
-#include <math.h>
 #include <mpfr.h>
 #include <stdint.h>
-#include <string.h>
-
-#define TYPE_NAME "rational"
-
-/* |num| and |den| count limbs; the sign of `num` is the number's. Limbs follow: num's, then den's.
- */
-struct rational {
-  int num, den;
-  mp_limb_t limb[];
-};
-
-_Static_assert(sizeof(mp_limb_t) >= sizeof(lua_Integer), "a Lua integer fits one limb");
-
-static const mp_limb_t one_limb[1] = {1};
-
-static int size_of(int signed_size) {
-  return signed_size < 0 ? -signed_size : signed_size;
-}
-
-void (*rational_charge)(double instructions);
-
-/* Products and common divisors of n limbs take about n^1.6 (GMP's manual, Algorithms); fewer than
-   SMALL are lost in what the call takes. */
-void rational_work(size_t limbs, double times) {
-  enum { SMALL = 32 };
-  if (rational_charge != NULL && limbs > SMALL)
-    rational_charge(times * 0.25 * pow((double)limbs, 1.6));
-}
-
-struct rational_scratch *rational_scratch(lua_State *L) {
-  return lua_touserdata(L, lua_upvalueindex(1));
-}
-
-/* The operand at `arg` as a view, or 0 when it is neither a rational nor a Lua integer. */
-static int view_of(lua_State *L, int arg, struct rational_view *view) {
-  if (lua_isinteger(L, arg)) {
-    const lua_Integer n = lua_tointeger(L, arg);
-    view->limb = n < 0 ? (mp_limb_t)0 - (mp_limb_t)n : (mp_limb_t)n;
-    mpz_roinit_n(mpq_numref(view->q), &view->limb, n < 0 ? -1 : n > 0);
-    mpz_roinit_n(mpq_denref(view->q), one_limb, 1);
-    return 1;
-  }
-  const struct rational *x = luaL_testudata(L, arg, TYPE_NAME);
-  if (x == NULL)
-    return 0;
-  mpz_roinit_n(mpq_numref(view->q), x->limb, x->num);
-  mpz_roinit_n(mpq_denref(view->q), x->limb + size_of(x->num), x->den);
-  rational_work((size_t)(size_of(x->num) + x->den), 1);
-  return 1;
-}
-
-mpq_srcptr rational_arg(lua_State *L, int arg, struct rational_view *view) {
-  if (!view_of(L, arg, view))
-    luaL_typeerror(L, arg, "rational or integer");
-  return view->q;
-}
-
-int rational_push(lua_State *L, mpq_srcptr q) {
-  const mpz_srcptr num = mpq_numref(q), den = mpq_denref(q);
-  if (mpz_sizeinbase(num, 2) > RATIONAL_MAX_BITS || mpz_sizeinbase(den, 2) > RATIONAL_MAX_BITS)
-    return luaL_error(L, "number too large");
-  const size_t n = mpz_size(num), d = mpz_size(den);
-  struct rational *x = lua_newuserdatauv(L, sizeof *x + (n + d) * sizeof(mp_limb_t), 0);
-  x->num = mpz_sgn(num) < 0 ? -(int)n : (int)n;
-  x->den = (int)d;
-  if (n > 0)
-    memcpy(x->limb, mpz_limbs_read(num), n * sizeof(mp_limb_t));
-  memcpy(x->limb + n, mpz_limbs_read(den), d * sizeof(mp_limb_t));
-  luaL_setmetatable(L, TYPE_NAME);
-  return 1;
-}
 
 /* ---- arithmetic ---- */
 
@@ -178,7 +106,8 @@ static int power(lua_State *L) {
 
 static int equal(lua_State *L) {
   struct rational_view a, b;
-  lua_pushboolean(L, view_of(L, 1, &a) && view_of(L, 2, &b) && mpq_equal(a.q, b.q));
+  lua_pushboolean(L,
+                  rational_view_of(L, 1, &a) && rational_view_of(L, 2, &b) && mpq_equal(a.q, b.q));
   return 1;
 }
 
@@ -211,14 +140,15 @@ static int new (lua_State *L) {
 }
 
 static int is(lua_State *L) {
-  lua_pushboolean(L, luaL_testudata(L, 1, TYPE_NAME) != NULL);
+  lua_pushboolean(L, luaL_testudata(L, 1, RATIONAL_TYPE) != NULL);
   return 1;
 }
 
 static int numerator(lua_State *L) {
+  static const mp_limb_t one = 1;
   struct rational_view a;
   rational_arg(L, 1, &a);
-  mpz_roinit_n(mpq_denref(a.q), one_limb, 1);
+  mpz_roinit_n(mpq_denref(a.q), &one, 1);
   return rational_push(L, a.q);
 }
 
@@ -353,7 +283,7 @@ static const luaL_Reg functions[] = {
 int luaopen_polhode_rational(lua_State *L) {
   luaL_checkversion(L);
   scratch_new(L);
-  luaL_newmetatable(L, TYPE_NAME);
+  luaL_newmetatable(L, RATIONAL_TYPE);
   lua_pushvalue(L, -2);
   luaL_setfuncs(L, metamethods, 1);
   lua_pop(L, 1);

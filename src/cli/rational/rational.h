@@ -1,4 +1,4 @@
-/* rational.h - exact rational numbers as Lua userdata: what the three rational*.c files share.
+/* rational.h - exact rational numbers as Lua userdata: what the files of this folder share.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A number is one immutable userdata that carries its GMP limbs behind a small head: numerator
@@ -19,6 +19,8 @@
  * swap storm. */
 #define RATIONAL_MAX_BITS 1000000
 
+#define RATIONAL_TYPE "rational"
+
 struct rational_scratch {
   mpq_t q, r;
   mpz_t a, b, c, d;
@@ -38,6 +40,9 @@ extern void (*rational_charge)(double instructions);
 void rational_work(size_t limbs, double times);
 
 struct rational_scratch *rational_scratch(lua_State *L);
+
+/* The operand at `arg` as a view, or 0 when it is neither a rational nor a Lua integer. */
+int rational_view_of(lua_State *L, int arg, struct rational_view *view);
 
 /* Argument `arg` as a rational; a Lua integer is lifted; anything else is an argument error. */
 mpq_srcptr rational_arg(lua_State *L, int arg, struct rational_view *view);
