@@ -111,6 +111,16 @@ $(BUILD)/version.h: FORCE
 	  echo '#define POLHODE_BUILD "$(VERSION)$(if $(COMMIT),+$(COMMIT))"'; } > $@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
+# The effects of the library: each file of src/runtime/effects is one.
+$(BUILD)/effects.h: FORCE
+	@mkdir -p $(@D)
+	@printf 'EFFECT(%s)\n' $(patsubst src/runtime/effects/%.c,%,$(filter src/runtime/effects/%,$(RUNTIME_SRC))) > $@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
+$(BUILD)/obj/runtime/acts/named.o: $(BUILD)/effects.h
+$(BUILD)/obj/runtime/acts/named.o: ROOMS += -I$(BUILD)
+$(BUILD)/analyzed/runtime/acts/named: $(BUILD)/effects.h
+
 $(BUILD)/obj/cli/host/host.o: $(BUILD)/version.h
 $(BUILD)/obj/cli/host/host.o: POSIX += -I$(BUILD)
 $(BUILD)/analyzed/cli/host/host: $(BUILD)/version.h

@@ -6,6 +6,7 @@
 -- arrow that they do not have fails the test, and the way to add one is to add it here and in docs/design.md.
 
 local tap = require "tests.tap"
+local circles = require "tests.circles"
 
 -- A part of the generator is a folder (or a file at the top) and may require itself and what is listed here.
 local ARROWS = {
@@ -42,11 +43,12 @@ local PASSES = { "power", "fold", "cse", "dce", "order" }
 -- A link unit of C: the folders of ours that it may include, and the outside headers that only it may.
 local INCLUDES = {
   ["src/runtime"] = { own = { "src/runtime" }, outside = { "^gsl/" } },
-  ["src/cli"] = { own = { "src/cli/", "src/runtime/polhode.h", "templates/host/plugin.h" },
+  ["src/cli"] = { own = { "src/cli/", "src/runtime/polhode.h",
+      "src/runtime/effects/effect.h", "templates/host/plugin.h" }, -- the fields that an effect reads, and its terms
     outside = { "^lua%.h$", "^lauxlib%.h$", "^lualib%.h$", "^expat%.h$", "^gmp%.h$", "^mpfr%.h$" } },
   -- the integrators of others, which the emitted code is timed against
-  ["src/cli/bench"] = { own = { "src/cli/", "src/runtime/polhode.h", "templates/host/plugin.h" }, outside = { "^gsl/", "^arkode/", "^cvode/",
-    "^nvector/", "^sundials/", "^sunlinsol/", "^sunmatrix/", "^sunnonlinsol/" } },
+  ["src/cli/bench"] = { own = { "src/cli/", "src/runtime/polhode.h", "templates/host/plugin.h" }, outside = { "^gsl/",
+    "^arkode/", "^cvode/", "^nvector/", "^sundials/", "^sunlinsol/", "^sunmatrix/", "^sunnonlinsol/" } },
   ["templates"] = { own = { "templates" }, outside = {} },
   -- not emitted: what is compiled to count instructions, for an emulator and for what it runs
   ["templates/target"] = { own = { "templates/target" }, outside = { "^simavr/" } },
@@ -271,6 +273,23 @@ do
   end
   clean("C units include only their own headers and the library's public one", own)
   clean("Lua, GMP, MPFR and GSL stay in the units that may know them; emitted code needs only the C library", outside)
+end
+
+-- ---- circles, and names that say nothing ----
+
+do
+  local found, home = circles.find(files("src -name '*.c'"))
+  clean("no circle among the files of C: of two that use each other, one is in the wrong place", found)
+  tap.ok(home.ph_top_wheel and home.effect_wheel and home.rational_charge and not home.wheel,
+    "which is read off functions and objects that are not static")
+  local vague = {}
+  for _, path in ipairs(files("generator", "src", "templates", "tests", "docs", "bodies")) do
+    local name = path:match "[^/]*$"
+    for _, word in ipairs { "more", "misc", "util", "stuff" } do
+      if name:find("%f[%a]" .. word .. "s?%f[%A]") then vague[#vague + 1] = path end
+    end
+  end
+  clean("no file is called 'more' or the like", vague)
 end
 
 -- ---- sizes and heads ----

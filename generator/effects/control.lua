@@ -30,7 +30,7 @@ end
 -- Where nothing else than u acts the library takes it as it is; with a limit, or along lines over time, as expressions.
 function control.numeric(a, _, _, code, c)
   if not a.max and not c.lines then return { kind = "control" } end
-  return { kind = "varying", inertial = false, parts = vec.map(control.torque(a, c), function(e)
+  return { kind = "torque", varying = vec.map(control.torque(a, c), function(e)
     return { code = code(e) }
   end) }
 end

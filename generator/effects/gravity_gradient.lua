@@ -132,7 +132,7 @@ end
 function gradient.conserves() return { "w3" } end -- of a body symmetric about z, whose torque along z vanishes
 
 function gradient.numeric(a, num)
-  return { kind = "gradient", mu = num(a.mu), radius = num(a.radius or a.a), e = a.e and num(a.e) or 0.0,
+  return { kind = "gravity_gradient", mu = num(a.mu), radius = num(a.radius or a.a), e = a.e and num(a.e) or 0.0,
     elliptic = a.radius == nil }
 end
 

@@ -83,7 +83,7 @@ function rate.conserves() return { "L" } end
 
 function rate.numeric(a, _, _, code, c)
   local function coded(D) return vec.map(entries(c, D), code) end
-  return { kind = "parts", tensor = coded(a.D), rate = coded(slopes(a)) }
+  return { kind = "inertia_rate", tensor = coded(a.D), rate = coded(slopes(a)) }
 end
 
 return rate

@@ -71,7 +71,7 @@ function frame.conserves(a, c)
 end
 
 function frame.numeric(a, num, given)
-  return { kind = "frame", rate = vec.map(a.rate, num), rate_dot = vec.map(a.rate_dot, num),
+  return { kind = "rotating_frame", rate = vec.map(a.rate, num), rate_dot = vec.map(a.rate_dot, num),
     centrifugal = a.centrifugal, moves = given.position ~= nil or given.velocity ~= nil }
 end
 

@@ -119,7 +119,7 @@ function solar.numeric(a, num)
       for _, x in ipairs(list) do rows[#rows + 1] = num(x) end
     end
   end
-  return { kind = "solar", flux = num(a.flux), sun = vec.map(a.sun, num), plates = rows }
+  return { kind = "solar_pressure", flux = num(a.flux), sun = vec.map(a.sun, num), plates = rows }
 end
 
 return solar

@@ -44,7 +44,7 @@ function torque.numeric(a, num, _, code)
     if motion.free(e) then return num(e) end
     return torque.varying(e, a.rows[i], num, code)
   end)
-  return { kind = "varying", inertial = key == "inertial", parts = parts }
+  return { kind = "torque", varying = parts, turned = key == "inertial" }
 end
 
 -- A component for the library: {rows = {t1, v1, t2, ...}} or {code = ...}.

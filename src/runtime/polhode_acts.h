@@ -46,7 +46,7 @@ enum ph_act_kind { /* further bits of ph_top.effects */
                    PH_PIVOT = 1 << 25,
                    PH_PARTS = 1 << 26,
                    PH_DISSIPATION = 1 << 27,
-                   PH_ANY_ACT = 4095 << 16
+                   PH_ANY_ACT = 0x7fff << 16
 };
 
 /* A number that may vary: f(context, t, x) if f is not NULL, x the whole state; else, with rows >
@@ -60,15 +60,59 @@ typedef struct ph_varying {
   void *context;
 } ph_varying;
 
+/* An act of one of the kinds above, with the numbers of its kind: made by the calls below, private.
+ */
 typedef struct ph_act {
-  enum ph_act_kind kind;
-  double v[10]; /* numbers of the kind, acts.c */
-  int flag;     /* varying: inertial axes; wheel: included; magnetic: turns; spring: one axis;
-                   gravity gradient: elliptic; support: vibrates */
-  int rows;     /* of table: plates, 8 numbers each */
-  const double *table;
-  int states; /* of its own */
-  ph_varying torque[3], force[3], potential, rate[PH_OWN_STATES];
+  const struct ph_effect_table *effect; /* what it does: src/runtime/effects/NAME.c */
+  int states;                           /* of its own */
+  union {
+    struct {
+      double c;
+    } drag;
+    struct {
+      double torque, smoothing;
+    } friction;
+    struct {
+      double k[3], rest[4], axis[3]; /* one: k[0] about the axis */
+      int one;
+    } spring;
+    struct {
+      double moment[3], field[3], rate;
+      int turns;
+    } magnetic;
+    struct {
+      ph_varying component[3];
+      int inertial;
+    } torque;
+    struct {
+      double axis[3], J;
+      ph_varying motor;
+      int included;
+    } wheel;
+    struct {
+      ph_varying torque[3], force[3], potential, rate[PH_OWN_STATES];
+    } custom;
+    struct {
+      double mu, a, e; /* circular: a is the radius */
+      int elliptic;
+    } gravity_gradient;
+    struct {
+      double pressure, sun[3];
+      int n;
+      const double *plates; /* 8 numbers each */
+    } solar_pressure;
+    struct {
+      ph_varying acceleration[3];
+      double amplitude, rate, axis[3];
+      int vibrates;
+    } pivot;
+    struct {
+      ph_varying tensor[6], rate[6];
+    } inertia_rate;
+    struct {
+      double k;
+    } dissipation;
+  } of;
 } ph_act;
 
 typedef struct ph_acts {

@@ -8,17 +8,8 @@
  *   names them, those that are points, outlines or polynomials as shape.c says
  * - tree {op="at", of=tree, r={3}} {op="turned", of=tree, q={4}} {op="scaled", of=tree, k={3}}
  *   {op="affine", of=tree, A={9}} {op="sum", tree, tree, ...} {op="minus", tree, hole}
- * - effect {kind="gravity", g=, direction={3}} {kind="damping", C={9}} or {kind="damping", rate=}
- *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="rotor", momentum={3}}
- * {kind="control"} {kind="translation", gravity={3}, linear=, drag=, stiffness={3}} {kind="frame",
- * rate={3}, rate_dot={3}, centrifugal=}, moves= true if a translation is meant
- *   {kind="drag", c=} {kind="friction", torque=, smoothing=} {kind="spring", stiffness={3},
- * rest={4}, axis={3} or nil} {kind="magnetic", moment={3}, field={3}, rotating=, rate=}
- * {kind="varying", parts={3 of varying}, inertial=} {kind="wheel", axis={3}, inertia=,
- * torque=varying, included=} {kind="gradient", mu=, radius=, e=, elliptic=} {kind="solar", flux=,
- * sun={3}, plates={8 n}} {kind="pivot", acceleration={3 of varying}} or {.., amplitude=, rate=,
- * axis={3}} {kind="parts", tensor={6}, rate={6}} {kind="dissipation", k=} {kind="custom",
- * torque={3}, force={3}, potential=, states={..}}, each of them a program
+ * - effect {kind="gravity", g=, direction={3}} and so on: kind is its name in Lua, and its fields
+ * are those that src/runtime/effects/NAME.c lists
  * - varying: a number, {rows={t, v, ...}} or {code=program}; program: dynamics/postfix.lua's list
  * - inputs: how many the scene has, those of "control" first; a course of them: {u1, u2, ...}, or
  *   {rows={t, u1, u2, ..., t, ...}, linear=bool} with times that ascend
@@ -31,6 +22,7 @@
 
 #include <stdint.h>
 
+#include "effects/effect.h"
 #include "polhode.h"
 #include "host/host.h"
 
@@ -87,15 +79,8 @@ void engine_get(lua_State *L, int index, const char *key, int n, double out[],
 /* A number from a field of the table on top; is there such a field? */
 double engine_number(lua_State *L, const char *key);
 int engine_has(lua_State *L, const char *key);
-/* A translation or frame from the table at the stack's top, which stays. */
-int engine_read_translation(struct engine_scene *s);
-int engine_read_frame(struct engine_scene *s);
-/* Adds to scale (as long as the state) the largest terms that translation and frame bring. */
-void engine_move_scale(const ph_top *top, double t, const double x[], double scale[]);
-/* The largest term that they bring to the energy; spread: moduli of the tensor. */
-double engine_move_energy(const ph_top *top, const double x[], const double spread[9]);
-/* The act of that kind from the table at the stack's top, which stays; 0: no such kind. */
-int engine_read_act(struct engine_scene *s, const char *kind, int *status);
+/* The effects of the scene, into its top: PH_OK or the library's status. */
+int engine_read_effects(struct engine_scene *s);
 /* The initial values of the acts' own states, from the field "own" of the table at `index`. */
 void engine_read_own(lua_State *L, int index, const ph_top *top, double x[]);
 /* The program at the stack's top, which is popped. */
@@ -105,22 +90,6 @@ void engine_keep(struct engine_scene *s);
 /* ph_varying.f of a program, and the size of its largest terms; x: n states. */
 long double engine_program_value(void *program, long double t, const long double x[]);
 double engine_program_size(const ph_varying *v, double t, const double x[], int n);
-/* Where the own states of an act begin. */
-int engine_own_place(const ph_top *top, int act);
-/* Largest terms that acts bring: to the torque, to all rates when those of w are known, to the
- * energy and to the momentum. */
-void engine_acts_torque(const ph_top *top, double t, const double x[], double term[3]);
-void engine_acts_scale(const ph_top *top, double t, const double x[], double scale[]);
-double engine_acts_energy(const ph_top *top, const double x[]);
-double engine_acts_momentum(const ph_top *top, const double x[]);
-/* The size of a value that varies, and the value (of no table). */
-double engine_varying_size(const ph_top *top, const ph_varying *v, double t, const double x[]);
-double engine_varying_value(const ph_top *top, const ph_varying *v, double t, const double x[]);
-/* Of the acts of acts_more.c: the torque's largest term of act k, and those of the rates. */
-double engine_acts_more(const ph_top *top, int k, double t, const double x[]);
-void engine_acts_more_scale(const ph_top *top, double t, const double x[], double scale[]);
-/* What moving parts add to the tensor; 0: none move. */
-int engine_acts_tensor(const ph_top *top, double t, const double x[], double D[6]);
 /* n numbers from the list at `index` itself. */
 void engine_list(lua_State *L, int index, int n, double out[]);
 /* Push {v[0], ..., v[n-1]}. */

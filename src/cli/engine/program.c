@@ -155,15 +155,6 @@ double engine_program_size(const ph_varying *v, double t, const double x[], int 
   return (double)run(v->context, t, y).size;
 }
 
-double engine_varying_value(const ph_top *top, const ph_varying *v, double t, const double x[]) {
-  long double y[PH_STATES];
-  if (!v->f)
-    return v->value;
-  for (int i = 0; i < ph_top_states(top); i++)
-    y[i] = x[i];
-  return (double)v->f(v->context, t, y);
-}
-
 static long double item(lua_State *L, int *i) {
   lua_rawgeti(L, -1, ++*i);
   if (lua_type(L, -1) != LUA_TNUMBER)

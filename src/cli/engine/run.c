@@ -236,21 +236,13 @@ struct rates {
   double spread[9];  /* |components| of the tensor, as a matrix; likewise */
 };
 
-static double largest(double a, double b) {
-  return a > b ? a : b; /* NaN in b is passed over: dx itself shows it */
-}
-
-static double norm(const double v[3]) {
-  return hypot(hypot(v[0], v[1]), v[2]);
-}
-
 /* A component off the diagonal that is not 0 by symmetry is a sum of terms of both signs and may
  * pass through zero.  It is as good as the sum of their moduli, of which this is a bound: sqrt(m_i
  * m_j), by Cauchy and Schwarz, for the squares m on the diagonal. */
 static double bound(double component, double mi, double mj) {
   if (component == 0 || !(mi > 0) || !(mj > 0))
     return fabs(component);
-  return largest(fabs(component), sqrt(mi) * sqrt(mj));
+  return effect_larger(fabs(component), sqrt(mi) * sqrt(mj));
 }
 
 /* D: what moving parts add to the tensor, or NULL.
@@ -261,12 +253,7 @@ static int prepare(struct rates *r, const double D[6]) {
   double carried[6]; /* by the rates: without the wheels that the tensor includes */
   for (int i = 0; i < 6; i++)
     carried[i] = r->top.inertia[i] + (D ? D[i] : 0);
-  for (int k = 0; k < r->top.acts.n; k++) {
-    const ph_act *a = &r->top.acts.list[k];
-    for (int i = 0; i < 9 && a->kind == PH_WHEEL && a->flag; i++)
-      if (i / 3 <= i % 3)
-        carried[at[i]] -= a->v[3] * a->v[i / 3] * a->v[i % 3];
-  }
+  effect_carried(&r->top, carried);
   const int status = ph_principal(carried, &p);
   if (status != PH_OK)
     return status;
@@ -290,59 +277,36 @@ static int prepare(struct rates *r, const double D[6]) {
   return PH_OK;
 }
 
-/* term[j] = largest term of component j of N - w x I w: every product of the formula on its own. */
-static void torque_terms(const struct rates *r, double t0, const double x[], const double u[],
-                         double term[3]) {
-  const ph_top *top = &r->top;
-  const double *w = x + 4;
-  const double q2 = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
-  for (int j = 0; j < 3; j++) {
-    const int a = (j + 1) % 3, b = (j + 2) % 3;
-    double t = 0;
-    for (int k = 0; k < 3; k++) {
-      t = largest(t, fabs(w[a]) * r->spread[3 * b + k] * fabs(w[k]));
-      t = largest(t, fabs(w[b]) * r->spread[3 * a + k] * fabs(w[k]));
-      if (top->effects & PH_DAMPING)
-        t = largest(t, fabs(top->damping[3 * j + k] * w[k]));
-      if (top->effects & PH_DECAY)
-        t = largest(t, fabs(top->decay) * r->spread[3 * j + k] * fabs(w[k]));
-    }
-    /* a vector turned into body axes: its terms are as large as the vector, whatever is left of
-     * them */
-    if (top->effects & PH_GRAVITY)
-      t = largest(t, largest(fabs(top->com[a]), fabs(top->com[b])) * top->mass *
-                         norm(top->gravity) * q2);
-    if (top->effects & PH_TORQUE_INERTIAL)
-      t = largest(t, norm(top->torque_inertial) * q2);
-    if (top->effects & PH_TORQUE_BODY)
-      t = largest(t, fabs(top->torque_body[j]));
-    if (top->effects & PH_ROTOR)
-      t = largest(t, largest(fabs(w[a] * top->rotor[b]), fabs(w[b] * top->rotor[a])));
-    if (top->effects & PH_CONTROL)
-      t = largest(t, fabs(u[j]));
-    term[j] = t;
-  }
-  engine_acts_torque(top, t0, x, term);
+static effect_terms terms_of(const struct rates *r, double t, const double x[], const double u[]) {
+  return (effect_terms){
+      .top = &r->top, .t = t, .x = x, .u = u, .spread = r->spread, .size = engine_program_size};
 }
 
+/* Of all rates of change; of w' by the largest term of each component of N - w x I w, every product
+   of the formula on its own. */
 static void scales(const struct rates *r, double t, const double x[], const double u[],
                    double scale[]) {
   /* which q multiplies wx, wy, wz in row i of q' = q (0, w) / 2 */
   static const int row[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
-  double term[3];
-  torque_terms(r, t, x, u, term);
-  for (int i = 0; i < 4; i++) {
-    scale[i] = 0;
+  const effect_terms terms = terms_of(r, t, x, u);
+  const double *w = x + 4;
+  double term[3] = {0};
+  memset(scale, 0, (size_t)ph_top_states(&r->top) * sizeof scale[0]);
+  for (int j = 0; j < 3; j++) {
+    const int a = (j + 1) % 3, b = (j + 2) % 3;
+    for (int k = 0; k < 3; k++) {
+      effect_raise(&term[j], fabs(w[a]) * r->spread[3 * b + k] * fabs(w[k]));
+      effect_raise(&term[j], fabs(w[b]) * r->spread[3 * a + k] * fabs(w[k]));
+    }
+  }
+  effect_term_torque(&terms, term);
+  for (int i = 0; i < 4; i++)
     for (int k = 0; k < 3; k++)
-      scale[i] = largest(scale[i], fabs(0.5 * x[row[i][k]] * x[4 + k]));
-  }
-  for (int i = 0; i < 3; i++) {
-    scale[4 + i] = 0;
+      effect_raise(&scale[i], fabs(0.5 * x[row[i][k]] * x[4 + k]));
+  for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)
-      scale[4 + i] = largest(scale[4 + i], r->inverse[3 * i + j] * term[j]);
-  }
-  engine_move_scale(&r->top, t, x, scale);
-  engine_acts_scale(&r->top, t, x, scale);
+      effect_raise(&scale[4 + i], r->inverse[3 * i + j] * term[j]);
+  effect_term_rates(&terms, scale);
 }
 
 static struct rates *self(lua_State *L) {
@@ -371,7 +335,8 @@ static int rates_rates(lua_State *L) {
     return fail(L, status);
   struct rates now = *r; /* with moving parts as they are */
   double D[6];
-  if (engine_acts_tensor(&r->top, t, x, D) && prepare(&now, D) != PH_OK)
+  const effect_terms terms = terms_of(r, t, x, u);
+  if (effect_tensor(&terms, D) && prepare(&now, D) != PH_OK)
     return fail(L, PH_EPOSITIVE);
   scales(&now, t, x, u, scale);
   engine_push(L, n, dx);
@@ -389,12 +354,10 @@ static int rates_energy(lua_State *L) {
     return fail(L, status);
   /* w.I w/2: off the diagonal two halves make one term */
   for (int i = 0; i < 9; i++)
-    scale = largest(scale,
-                    (i / 3 == i % 3 ? 0.5 : 1) * fabs(x[4 + i / 3] * x[4 + i % 3]) * r->spread[i]);
-  if (r->top.effects & PH_GRAVITY)
-    scale = largest(scale, r->top.mass * norm(r->top.com) * norm(r->top.gravity));
-  scale = largest(scale, engine_move_energy(&r->top, x, r->spread));
-  scale = largest(scale, engine_acts_energy(&r->top, x));
+    scale = effect_larger(scale, (i / 3 == i % 3 ? 0.5 : 1) * fabs(x[4 + i / 3] * x[4 + i % 3]) *
+                                     r->spread[i]);
+  const effect_terms terms = terms_of(r, 0, x, NULL);
+  effect_term_energy(&terms, &scale);
   lua_pushnumber(L, energy);
   lua_pushnumber(L, scale);
   return 2;
@@ -409,10 +372,9 @@ static int rates_momentum(lua_State *L) {
   if (status != PH_OK)
     return fail(L, status);
   for (int i = 0; i < 9; i++)
-    scale = largest(scale, r->spread[i] * fabs(x[4 + i % 3]));
-  scale = largest(scale, engine_acts_momentum(&r->top, x));
-  if (r->top.effects & PH_ROTOR)
-    scale = largest(scale, norm(r->top.rotor));
+    scale = effect_larger(scale, r->spread[i] * fabs(x[4 + i % 3]));
+  const effect_terms terms = terms_of(r, 0, x, NULL);
+  effect_term_momentum(&terms, &scale);
   engine_push(L, 3, momentum);
   lua_pushnumber(L, scale);
   return 2;

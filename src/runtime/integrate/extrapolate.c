@@ -8,7 +8,7 @@
    II.9). What is extrapolated is the increment z_n - z_0, so that its rounding is that of the
    change. A column is one more power; when COLUMNS of them do not reach the tolerance, the step was
    too long. */
-#include "effects/acts.h"
+#include "acts/acts.h"
 #include "step.h"
 
 enum { COLUMNS = 12, BEST = 9 };
@@ -39,10 +39,7 @@ static int midpoint(stepper *s, const ph_wide x[], ph_wide H, int n, ph_wide out
 /* What own state i is a part of: a wheel's speed counts from the body's, so at rest beside it the
    speed is known to the rounding of w and no better. */
 static ph_wide beside(const ph_top *top, const ph_wide x[], int i) {
-  for (int k = 0; k < top->acts.n && top->effects & PH_WHEEL; k++)
-    if (top->acts.list[k].kind == PH_WHEEL && acts_place(top, k) == i)
-      return step_size(3, x + 4);
-  return 0;
+  return acts_is_wheel(top, i) ? step_size(3, x + 4) : 0;
 }
 
 /* Largest component of e relative to the state's: |q| = 1, w, r and v by their size, own states

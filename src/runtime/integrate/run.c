@@ -8,7 +8,7 @@
    of the state; a failure leaves the run where it was. */
 #include <stdlib.h>
 
-#include "effects/acts.h"
+#include "acts/acts.h"
 #include "free_top/free_top.h"
 #include "step.h"
 

@@ -10,7 +10,7 @@
    allocation would, when memory is out). */
 #include <gsl/gsl_errno.h>
 
-#include "effects/acts.h"
+#include "acts/acts.h"
 #include "motion/move.h"
 #include "step.h"
 

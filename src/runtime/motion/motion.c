@@ -10,27 +10,12 @@
    (gyrostat; Volterra 1899) adds -w x h to N and h to L. */
 #include "motion.h"
 
-#include "effects/acts.h"
+#include "acts/acts.h"
 #include "move.h"
 
 void motion_load(const ph_top *top, const double u[3], motion_loads *loads) {
   *loads = (motion_loads){0};
-  for (int i = 0; i < 3; i++) {
-    if (top->effects & PH_GRAVITY)
-      loads->weight[i] = (ph_wide)top->mass * (ph_wide)top->gravity[i];
-    if (top->effects & PH_TORQUE_INERTIAL)
-      loads->inertial[i] = (ph_wide)top->torque_inertial[i];
-    if (top->effects & PH_TORQUE_BODY)
-      loads->body[i] = (ph_wide)top->torque_body[i];
-    if ((top->effects & PH_CONTROL) && u)
-      loads->body[i] += (ph_wide)u[i];
-  }
-  if (top->effects & PH_ROTOR)
-    wide_load(3, top->rotor, loads->rotor);
-  if (top->effects & PH_DAMPING)
-    wide_load(9, top->damping, loads->damping);
-  if (top->effects & PH_DECAY)
-    loads->decay = (ph_wide)top->decay;
+  acts_load(top, u, loads);
 }
 
 /* N, and a size against which a torque along a rod is rounding: it bounds the terms of I w' = N - w
@@ -91,8 +76,8 @@ int motion_rates(const ph_top *top, const motion_loads *loads, ph_wide t, const 
   for (int i = 0; i < 3; i++)
     b[i] += S[i];
   ph_wide rate[PH_STATES];
-  const int status = top->effects & (PH_WHEEL | PH_PARTS) ? acts_solve(top, t, x, b, rate)
-                                                          : motion_solve(top, b, size, rate + 4);
+  const int status =
+      acts_coupled(top) ? acts_solve(top, t, x, b, rate) : motion_solve(top, b, size, rate + 4);
   if (status)
     return status;
   acts_rates(top, t, x, rate);
@@ -169,14 +154,8 @@ static ph_wide kinetic(const ph_top *top, const ph_wide x[]) {
   return wide_dot(x + 4, L) / 2 + move_kinetic(top, x) + acts_kinetic(top, x);
 }
 
-/* V = -F.r for the constant force F = M g d at the centre of mass, zero when that is level with the
- * origin. */
 static ph_wide potential(const ph_top *top, const ph_wide x[]) {
-  motion_loads loads;
-  ph_wide com[3];
-  motion_load(top, NULL, &loads);
-  wide_sandwich(x, top->wide_com, 1, com);
-  return move_potential(top, x) + acts_potential(top, x) - wide_dot(loads.weight, com);
+  return acts_add_potential(top, x, move_potential(top, x) + acts_potential(top, x));
 }
 
 int ph_top_kinetic(const ph_top *top, const double x[], double *T) {

@@ -4,76 +4,10 @@
    Term by term as polhode_move.h writes them, each cross product formed on its own. */
 #include "move.h"
 
-#include "effects/acts.h"
-
-#include <string.h>
+#include "acts/acts.h"
 
 int ph_top_states(const ph_top *top) {
   return (top->effects & PH_TRANSLATION ? 13 : 7) + acts_states(top);
-}
-
-/* The centre of mass must be the origin, up to the rounding of where it was said to be: against the
-   radius of gyration. */
-int ph_top_translation(ph_top *top, const double gravity[3]) {
-  if (!wide_finite(3, gravity))
-    return PH_EFINITE;
-  const ph_wide moment = top->wide_inertia[XX] + top->wide_inertia[YY] + top->wide_inertia[ZZ];
-  const ph_wide radius = sqrtl(moment / (ph_wide)top->mass);
-  if (wide_norm(top->wide_com) > 64 * (ph_wide)DBL_EPSILON * radius)
-    return PH_EBOUND;
-  memcpy(top->move.gravity, gravity, sizeof top->move.gravity);
-  top->effects |= PH_TRANSLATION;
-  return PH_OK;
-}
-
-int ph_top_drag(ph_top *top, double linear, double drag) {
-  if (!isfinite(linear) || !isfinite(drag))
-    return PH_EFINITE;
-  if (linear < 0 || drag < 0)
-    return PH_EPOSITIVE;
-  top->move.linear = linear;
-  top->move.drag = drag;
-  top->effects |= PH_DRAG;
-  return PH_OK;
-}
-
-int ph_top_restoring(ph_top *top, const double stiffness[3]) {
-  if (!wide_finite(3, stiffness))
-    return PH_EFINITE;
-  memcpy(top->move.stiffness, stiffness, sizeof top->move.stiffness);
-  top->effects |= PH_RESTORING;
-  return PH_OK;
-}
-
-int ph_top_frame(ph_top *top, const double rate[3], const double rate_dot[3], int centrifugal) {
-  if (!wide_finite(3, rate) || !wide_finite(3, rate_dot))
-    return PH_EFINITE;
-  memcpy(top->move.rate, rate, sizeof top->move.rate);
-  memcpy(top->move.rate_dot, rate_dot, sizeof top->move.rate_dot);
-  top->move.centrifugal = centrifugal != 0;
-  top->effects |= PH_FRAME;
-  return PH_OK;
-}
-
-void move_frame(const ph_top *top, ph_wide t, ph_wide Omega[3], ph_wide change[3]) {
-  for (int i = 0; i < 3; i++) {
-    change[i] = top->effects & PH_FRAME ? (ph_wide)top->move.rate_dot[i] : 0;
-    Omega[i] = top->effects & PH_FRAME ? (ph_wide)top->move.rate[i] + change[i] * t : 0;
-  }
-}
-
-void move_load(const ph_top *top, move_loads *loads) {
-  const ph_wide mass = (ph_wide)top->mass;
-  *loads = (move_loads){0};
-  for (int i = 0; i < 3; i++) {
-    loads->gravity[i] = (ph_wide)top->move.gravity[i];
-    if (top->effects & PH_RESTORING)
-      loads->stiffness[i] = (ph_wide)top->move.stiffness[i] / mass;
-  }
-  if (top->effects & PH_DRAG) {
-    loads->linear = (ph_wide)top->move.linear / mass;
-    loads->drag = (ph_wide)top->move.drag / mass;
-  }
 }
 
 void move_rates(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide dx[]) {

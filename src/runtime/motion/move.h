@@ -10,9 +10,10 @@ typedef struct move_loads {
   ph_wide gravity[3], stiffness[3], linear, drag;
 } move_loads;
 
+/* effects/translation.c */
 void move_load(const ph_top *top, move_loads *loads);
 
-/* Omega and Omega' at time t, zero without a frame. */
+/* Omega and Omega' at time t, zero without a frame: effects/rotating_frame.c. */
 void move_frame(const ph_top *top, ph_wide t, ph_wide Omega[3], ph_wide change[3]);
 
 /* dx comes with q' = q (0, w)/2; the frame's part is added, and r', v' where the top moves. */

@@ -78,55 +78,6 @@ int ph_top_init_tensor(ph_top *top, double mass, const double com[3], const doub
   return prepare(top, (ph_wide)mass, R, I, NULL);
 }
 
-/* Kept as one vector g d, so that no later line needs |d| = 1. */
-int ph_top_gravity(ph_top *top, double g, const double direction[3]) {
-  if (!isfinite(g) || !wide_finite(3, direction))
-    return PH_EFINITE;
-  ph_wide d[3];
-  wide_load(3, direction, d);
-  const ph_wide n = wide_norm(d);
-  if (!(n > 0))
-    return PH_EDIRECTION;
-  for (int i = 0; i < 3; i++)
-    top->gravity[i] = (double)((ph_wide)g * d[i] / n);
-  top->effects |= PH_GRAVITY;
-  return PH_OK;
-}
-
-/* Copy n finite numbers and switch the effect on. */
-static int set(ph_top *top, unsigned effect, int n, const double from[], double to[]) {
-  if (!wide_finite(n, from))
-    return PH_EFINITE;
-  memcpy(to, from, (size_t)n * sizeof *to);
-  top->effects |= effect;
-  return PH_OK;
-}
-
-int ph_top_damping(ph_top *top, const double C[9]) {
-  return set(top, PH_DAMPING, 9, C, top->damping);
-}
-
-int ph_top_decay(ph_top *top, double rate) {
-  return set(top, PH_DECAY, 1, &rate, &top->decay);
-}
-
-int ph_top_torque_body(ph_top *top, const double torque[3]) {
-  return set(top, PH_TORQUE_BODY, 3, torque, top->torque_body);
-}
-
-int ph_top_torque_inertial(ph_top *top, const double torque[3]) {
-  return set(top, PH_TORQUE_INERTIAL, 3, torque, top->torque_inertial);
-}
-
-int ph_top_rotor(ph_top *top, const double momentum[3]) {
-  return set(top, PH_ROTOR, 3, momentum, top->rotor);
-}
-
-int ph_top_control(ph_top *top) {
-  top->effects |= PH_CONTROL;
-  return PH_OK;
-}
-
 void ph_top_without(ph_top *top, unsigned effects) {
   top->effects &= ~effects;
 }

@@ -1,4 +1,4 @@
-/* acts_more.c - gravity gradient, sunlight, moving support, moving parts, energy sink against
+/* acts_space.c - gravity gradient, sunlight, moving support, moving parts, energy sink against
    closed forms. SPDX-License-Identifier: GPL-3.0-or-later
 
    gravity gradient  a body along the vertical that turns with a circular orbit stays so; pitch from
