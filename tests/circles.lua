@@ -25,7 +25,9 @@ local function defined(text, call)
   end
   for head, name in text:gmatch "%f[^\n](%a[^\n;{}#=()]-)([%a_][%w_]*)%s*%b()%s*{" do global(head .. " ", name) end
   for head, name in text:gmatch "%f[^\n](%a[^\n;{}#=()]-[ *])([%a_][%w_]*)%s*=%f[^=]" do global(head, name, true) end
-  for head, name in text:gmatch "%f[^\n](%a[^\n;{}#=()]-[ *])([%a_][%w_]*)%b[]%s*=%f[^=]" do global(head, name, true) end
+  for head, name in text:gmatch "%f[^\n](%a[^\n;{}#=()]-[ *])([%a_][%w_]*)%b[]%s*=%f[^=]" do
+    global(head, name, true)
+  end
   for head, name in text:gmatch "%f[^\n](%a[%w_ ]*[ *])%(%*([%a_][%w_]*)%)%b();" do -- a pointer to a function
     global(head, name, true)
   end

@@ -121,7 +121,7 @@ local function page(host, given)
     local map = titles(host)
     if not next(map) then return options.failed(host, "list", "the scenes of the effects' page are not installed") end
     files = require("generator.report.effects").files(effects, map, { keeps = conserved.words,
-      unit = function(dim) return units.si(units[dim or "none"]) end, show = value.show })
+      unit = function(dim) return units.si(units.of(dim or "none")) end, show = value.show })
   end
   local ok, why = host.write_files(given.o, files)
   return ok and 0 or options.failed(host, "list", why)

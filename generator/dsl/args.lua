@@ -102,7 +102,7 @@ function args.flag(ctx, line, what, name, _, given)
   return nil
 end
 
--- One scalar of dimension `spec.dim` (its name in units, or itself), as an expression; nil after an error.
+-- One scalar of dimension `spec.dim` (its name in units, a unit, or itself), as an expression; nil after an error.
 -- spec.motion: it may depend on time and states, which, multiplied by plain numbers, take any dimension unless a value
 -- that has one is beside them.
 function args.scalar(ctx, line, what, name, spec, given)
@@ -111,7 +111,7 @@ function args.scalar(ctx, line, what, name, spec, given)
     ctx.diag:error(line, what, name .. " " .. why, diag.show(given))
     return nil
   end
-  local dim = type(spec.dim) == "table" and spec.dim or units[spec.dim or "none"]
+  local dim = type(spec.dim) == "table" and spec.dim or units.of(spec.dim or "none")
   local moves = not motion.free(r.e)
   if moves and not spec.motion then
     ctx.diag:error(line, what, name .. " must not depend on time, states or inputs", value.show(given))

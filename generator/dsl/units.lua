@@ -138,4 +138,11 @@ function units.parse(s)
   return factor, d
 end
 
+-- The dimension of that name ("torque"), or of a unit ("m^4/ohm").
+function units.of(name)
+  if units[name] then return units[name] end
+  local factor, d = units.parse(name)
+  return factor and d or error(d)
+end
+
 return units

@@ -14,6 +14,7 @@ local damping = {
   quadratic = true,
   takes = { { "c", "kg m^2/s", nil, "a number (isotropic), {cx, cy, cz} or a 3x3 matrix, body axes" },
     { "rate", "1/s", nil, "or: N = -rate L" } },
+  idle = { { "c", "rate", c = "C" } },
   formula = "N = -C w, or N = -rate L",
   signs = "positive c and rate take energy; a matrix need not be symmetric; L is I w, without what wheels and " ..
     "rotors hold",

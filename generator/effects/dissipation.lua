@@ -19,6 +19,7 @@ local dissipation = {
   about = "inner energy sink k (double bracket): T falls, L in inertial axes stays",
   args = { { name = "k", dim = "sink", sign = "nonnegative", about = "strength: T' = -k |L x w|^2" } },
   single = true, conserves = { "L" },
+  idle = { { "k" }, "the three moments of inertia are equal" },
   formula = "I w' = L x w + k L x (L x w) + N, q' = q (0, w + k L x w)/2, L = I w + h",
   signs = "k > 0 takes energy, T' = -k |L x w|^2; w = I^-1 L is the mean rate, the body axes turn at w + k L x w",
   source = "Bloch, Krishnaprasad, Marsden, Ratiu, Commun. Math. Phys. 175 (1996) 1; the attitude: derived here",

@@ -15,6 +15,7 @@ local drag = {
   about = "quadratic drag on the turning: torque -c |w| w",
   args = { { name = "c", dim = "inertia", sign = "nonnegative", motion = true } }, -- N m s^2
   conserves = {},
+  idle = { { "c" } },
   formula = "N = -c |w| w",
   signs = "c >= 0 in N m s^2 takes energy out: N.w = -c |w|^3",
   source = "Landau, Lifshitz, Fluid Mechanics, section 45: resistance at high Reynolds numbers, here isotropic",

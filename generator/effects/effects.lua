@@ -29,6 +29,8 @@
 --                       keeps: the same in words, where it is a function;   decided = true: dynamics/laws.lua finds it
 --     quadratic = true  its terms are polynomials of degree 2 at most in the state
 --     corners(a, c)     what vanishes where its equations have corners that show no |e| (dynamics/breaks.lua): a list
+--     idle              { arguments by which it is multiplied, what else makes it vanish, in words }; where one is kept
+--                       under another name: { "c", c = "C" }
 --     input = true      it uses the input u;   single = true: once in a scene
 --     central = true    it acts about the centre of mass, which must be the origin
 --     fixed = advice    it acts about a fixed point, so a body that moves cannot have it

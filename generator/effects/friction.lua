@@ -17,6 +17,7 @@ local friction = {
   args = { { name = "torque", dim = "torque", sign = "nonnegative", motion = true },
     { name = "smoothing", dim = "rate", sign = "positive" } },
   conserves = {},
+  idle = { { "torque" } },
   formula = "N = -T w/sqrt(w.w + s^2)",
   signs = "T >= 0 takes energy out; at rest N = 0, so that nothing sticks: a steady torque N0 < T makes the body " ..
     "creep at s N0/sqrt(T^2 - N0^2)",

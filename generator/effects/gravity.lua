@@ -12,6 +12,8 @@ local vec = require "generator.algebra.vec"
 local gravity = {
   name = "effect.gravity",
   about = "uniform gravity g along direction (inertial), acting at the centre of mass",
+  idle = { { "g" }, "the origin is the centre of mass, about which the weight exerts no torque (origin = ... is the " ..
+    "fixed point about which the body turns; effect.translation lets it fall)" },
   formula = "N = r x M g R(q)^T d, V = -M g d.R(q) r; r the centre of mass from the origin, d = direction/|direction|",
   signs = "direction is where things fall to; V = 0 with the centre of mass at the height of the origin",
   source = "Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 5.7",

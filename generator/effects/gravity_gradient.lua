@@ -21,6 +21,7 @@ local gradient = {
     { "orbit.a", "m", nil, "half the longer axis of an elliptic orbit" },
     { "orbit.e", "1", nil, "its eccentricity, 0 <= e < 1" },
     { "orbit.anomaly", "rad", "0", "true anomaly at t = 0, from the perigee on x" } },
+  idle = { { "mu" }, "the three moments of inertia are equal" },
   formula = "N = 3 mu/r^3 o x I o, o = R(q)^T (cos f, sin f, 0); circular: f = sqrt(mu/r^3) t; elliptic: " ..
     "f' = sqrt(mu/p^3) (1 + e cos f)^2, r = p/(1 + e cos f), p = a (1 - e^2)",
   signs = "o points from the central body to the satellite; the orbit turns from inertial x to y; the axis of the " ..

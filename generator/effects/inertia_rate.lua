@@ -19,6 +19,7 @@ local rate = {
   about = "moving or burning parts: what they add to the tensor as expressions of t, xx .. yz",
   single = true, keeps = "L and |L|",
   takes = { { "xx, yy, zz, xy, xz, yz", "kg m^2", "0", "entry of D(t): a number or an expression of t" } },
+  idle = { {}, "no entry is given, or all are 0" },
   formula = "(I + D) w' = L x w - D' w + N, L = (I + D) w",
   signs = "D is added to the body's tensor (off-diagonals are tensor entries); D' w > 0 slows the body down",
   source = "dL/dt = N with L = (I + D) w: Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 5.37, before I " ..

@@ -19,6 +19,7 @@ local magnetic = {
     { name = "rotating", dim = "field", size = 3, optional = true },
     { name = "rate", dim = "rate", optional = true } },
   keeps = "T+V (fixed field), T+V-n.L (rotating field), L_z (field along z), w3 (moment along z)",
+  idle = { { "moment", "field", "rotating" } },
   formula = "N = m x R(q)^T B, V = -m.R(q)^T B; rotating: B = (Bx cos a - By sin a, Bx sin a + By cos a, Bz), " ..
     "a = rate t",
   signs = "the moment turns towards the field; rate > 0 turns the field from x to y",

@@ -21,6 +21,8 @@ local pivot = {
   takes = { { "acceleration", "m/s^2", nil, "of the support, inertial axes: numbers, or expressions of t and inputs" },
     { "amplitude", "m", nil, "or: of a vibration amplitude cos(rate t)" }, { "rate", "rad/s", nil, "of the vibration" },
     { "axis", "1", "{0, 0, 1}", "of the vibration, inertial axes, of any length" } },
+  idle = { { "acceleration", "amplitude", "rate" }, "the origin is the centre of mass, about which the support " ..
+    "exerts no torque (origin = ... is the fixed point about which the body turns)" },
   formula = "N = r x R(q)^T (-m a(t)); vibration: a = -amplitude rate^2 cos(rate t) axis/|axis|",
   signs = "a is the support's acceleration in inertial axes; the vibration starts at its turning point on the axis",
   source = "Landau, Lifshitz, Mechanics, sections 30 and 39; Kapitza, Usp. Fiz. Nauk 44 (1951) 7",

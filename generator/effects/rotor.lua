@@ -15,6 +15,7 @@ local rotor = {
   name = "effect.rotor",
   about = "a rotor in the body: constant angular momentum relative to it, momentum along axis (body)",
   quadratic = true,
+  idle = { { "momentum" } },
   formula = "I w' = (I w + h) x w + N, h = momentum axis/|axis|",
   term = "N = h x w, h = momentum axis/|axis|",
   holds = "h of the rotor",

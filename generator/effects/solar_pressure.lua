@@ -21,6 +21,7 @@ local solar = {
     { "plates[i].reflectivity", "1", "0", "part that is mirrored, 0 to 1" },
     { "flux", "W/m^2", "1361", "power of sunlight per area" },
     { "sun", "1", nil, "direction to the sun, inertial axes, of any length" } },
+  idle = { { "flux" }, "no plate has an area" },
   formula = "F = -flux/c0 A c ((1 - rho) s + 2 rho c n), c = (n.s + |n.s|)/2; N = sum of centre x F; " ..
     "c0 = 299792458 m/s",
   signs = "n outward, s to the sun: light pushes the lit side away from the sun; the dark side feels nothing",

@@ -22,6 +22,7 @@ local spring = {
     { "axis", "1", nil, "for one axis: of any length" },
     { "rest", "rad or 1", "0 or {1, 0, 0, 0}", "with axis the angle of rest, else the attitude of rest" } },
   reader = "spring", keeps = "T+V",
+  idle = { { "stiffness", stiffness = "k" } },
   formula = "V = 2 u.K u, N = -2 (p0 K u + (K u) x u) with (p0, u) = rest* q, |u| = sin(angle/2)",
   signs = "for small angles N = -K angle, V = K angle^2/2; about an axis N = -k sin(angle), V = k (1 - cos(angle))",
   source = "derived here; as quaternion feedback: Wie, Weiss, Arapostathis, J. Guidance 12 (1989) 375",

@@ -16,6 +16,7 @@ local torque = {
   takes = { { "body", "kg m^2/s^2", nil, "three components: numbers, expressions of t and states, tables" },
     { "inertial", "kg m^2/s^2", nil, "or: the same in inertial axes" } },
   keeps = "w3 (body torque across z) or L_z (inertial torque across z)",
+  idle = { { "body", "inertial" } },
   formula = "N = body, or N = R(q)^T inertial",
   signs = "N is what acts on the body; body axes turn with it, inertial axes stand still (or are those of a frame)",
   source = "Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 5.39",

@@ -14,6 +14,7 @@ package.path = "./?.lua;" .. package.path
 local tap = require "tests.tap"
 local tier = require "tests.tier"
 local program = require "tests.cli.program"
+local rows = require "tests.effects.rows"
 local scenes = require "tests.effects.scenes"
 
 local dir = program.directory()
@@ -191,16 +192,7 @@ for n = 1, count do
   -- the scene's own effects for those of the language
   p = scenes.parts(scenes.new(seed, 0), "full", choose(nil, { "rotor", "drag", "spring", "damping_rate" }), "centroid")
   local own = #p.effects + 1
-  for i, pair in ipairs {
-    { "effect.damping { c = {0.1, 0.2, 0.3} }",
-      "effect.custom { torque = function(s) return { quantity(-0.1, \"N m s\")*s.w[1], " ..
-        "quantity(-0.2, \"N m s\")*s.w[2], quantity(-0.3, \"N m s\")*s.w[3] } end }" },
-    { "effect.magnetic { moment = {0, 0, 0.5}, field = {0, 0, 0.4} }",
-      "effect.custom { potential = function(s) return quantity(-0.2, \"N m\")*(s.q[1]^2 - s.q[2]^2 - s.q[3]^2 + " ..
-        "s.q[4]^2) end }" },
-    { "effect.damping { rate = 0.2 }",
-      "effect.custom { torque = function(s) return { quantity(-0.2, \"1/s\")*s.L[1], " ..
-        "quantity(-0.2, \"1/s\")*s.L[2], quantity(-0.2, \"1/s\")*s.L[3] } end }" } } do
+  for i, pair in ipairs(rows.customs) do
     p.effects[own] = pair[1]
     first = scenes.joined("f", p)
     p.effects[own] = pair[2]

@@ -2,7 +2,7 @@
 -- absent.t - an effect that is absent leaves no trace, and one of zero strength is absent.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- For every effect in effects/effects.lua (an effect without a row here fails):
+-- For every effect in effects/effects.lua (an effect without a row in tests/effects/rows.lua fails):
 --   * the files of a scene with it at constant zero strength are those of the scene without it, byte for byte, alone
 --     and beside the two next effects of the list at full strength;
 --   * no state, parameter, input or derived constant that it would bring stands in the header, in the code or among the
@@ -18,57 +18,7 @@ local tier = require "tests.tier"
 local scene = require "tests.scene"
 local program = require "tests.cli.program"
 local effects = require "generator.effects.effects"
-
--- full: with its strength; zero: with none, also: the other ways to say so; absent: what zero is the same as, if not
--- nothing; why: it has no zero.
--- place: "corner", the body must turn about its corner; "centroid", about its centroid; "moves": it flies.
-local rows = {
-  gravity = { full = "effect.gravity { g = strength }", zero = "effect.gravity { g = 0 }", place = "corner" },
-  damping = { full = "effect.damping { c = {{strength, 1, 0}, {1, 2, 0}, {0, 0, 3}} }",
-    zero = "effect.damping { c = 0 }" },
-  torque = { full = "effect.torque { inertial = {strength, 2, 3} }", zero = "effect.torque { inertial = {0, 0, 0} }",
-    also = { "effect.torque { body = {0, 0*t, {{0, 0}, {1, 0}}} }" } },
-  control = { full = "effect.control {}", why = "its input is the user's" },
-  rotor = { full = "effect.rotor { axis = {0, 0, 1}, momentum = strength }",
-    zero = "effect.rotor { axis = {0, 0, 1}, momentum = 0 }" },
-  translation = { full = "effect.translation { gravity = {0, strength, -9}, drag = strength }", place = "moves",
-    zero = "effect.translation { gravity = {0, 0, 0}, drag = 0, linear = 0, stiffness = 0 }",
-    absent = "effect.translation { gravity = 0 }" },
-  rotating_frame = { full = "effect.rotating_frame { rate = {0, strength, 1} }", place = "moves",
-    zero = "effect.rotating_frame { rate = {0, 0, 0} }" },
-  drag = { full = "effect.drag { c = strength }", zero = "effect.drag { c = 0 }" },
-  friction = { full = "effect.friction { torque = strength, smoothing = 1 }",
-    zero = "effect.friction { torque = 0, smoothing = 1 }" },
-  spring = { full = "effect.spring { stiffness = strength, axis = {0, 3, 4}, rest = 1 }",
-    zero = "effect.spring { stiffness = 0, axis = {0, 3, 4}, rest = 1 }",
-    also = { "effect.spring { stiffness = {0, 0, 0} }" } },
-  gravity_gradient = { full = "effect.gravity_gradient { mu = strength, orbit = { radius = 7 } }", place = "centroid",
-    zero = "effect.gravity_gradient { mu = 0, orbit = { a = 7, e = 1/2 } }",
-    also = { "effect.gravity_gradient { mu = 0, orbit = { radius = 7 } }" } },
-  magnetic = { full = "effect.magnetic { moment = {strength, 0, 1}, rotating = {1, 0, 2}, rate = 3 }",
-    zero = "effect.magnetic { moment = {0, 0, 0}, rotating = {1, 0, 2}, rate = 3 }",
-    also = { "effect.magnetic { moment = {0, 1, 0}, rotating = {0, 0, 0}, rate = 3 }",
-      "effect.magnetic { moment = {0, 0, 0}, field = {0, 0, 1} }" } },
-  solar_pressure = { full = "effect.solar_pressure { sun = {1, 2, 3}, plates = { { area = strength, " ..
-    "normal = {0, 3, 4}, centre = {0, 1, 0}, reflectivity = 1/2 } } }",
-    zero = "effect.solar_pressure { sun = {1, 2, 3}, flux = 0, plates = { { area = 1, normal = {0, 3, 4}, " ..
-      "centre = {0, 1, 0} } } }",
-    also = { "effect.solar_pressure { sun = {1, 2, 3}, plates = { { area = 0, normal = {0, 3, 4}, " ..
-      "centre = {0, 1, 0}, reflectivity = 1/2 } } }" } },
-  wheel = { full = "effect.wheel { axis = {0, 3, 4}, inertia = strength, torque = 1, included = false }",
-    why = "its speed is a state" },
-  dissipation = { full = "effect.dissipation { k = strength }", zero = "effect.dissipation { k = 0 }" },
-  inertia_rate = { full = "effect.inertia_rate { xx = quantity(2, \"kg m^2\")*(2 + cos(quantity(2, \"rad/s\")*t)) }",
-    zero = "effect.inertia_rate { xx = 0 }",
-    also = { "effect.inertia_rate {}", "effect.inertia_rate { xx = 0, yz = 0*t }" } },
-  pivot = { full = "effect.pivot { amplitude = strength, rate = 20 }", place = "corner",
-    zero = "effect.pivot { amplitude = 0, rate = 20 }",
-    also = { "effect.pivot { acceleration = { 0*t, 0, 0 } }" } },
-  custom = { full = "effect.custom { params = { rub = strength }, torque = function(s) return " ..
-    "{ -s.rub*s.w[1], 0, 0 } end }",
-    zero = "effect.custom { torque = function(s) return { 0*s.w[1], 0, s.t - s.t } end }",
-    also = { "effect.custom { params = {stiff = 0}, potential = function(s) return s.stiff*s.q[2]^2 end }" } },
-}
+local rows = require("tests.effects.rows").strengths
 
 local BOX = "solid.box { x = 2, y = 3, z = 5, mass = 7 }"
 
