@@ -56,6 +56,7 @@ local list = {
   require "generator.effects.friction",
   require "generator.effects.spring",
   require "generator.effects.magnetic",
+  require "generator.effects.eddy_current",
   require "generator.effects.wheel",
   require "generator.effects.gravity_gradient",
   require "generator.effects.solar_pressure",

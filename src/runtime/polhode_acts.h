@@ -15,6 +15,7 @@
      PH_SOLAR      F = -P A c ((1 - rho) s + 2 rho c n) for each plate with c = n.s > 0
      PH_PIVOT      N = R x q* (-m a(t)) q for a support of acceleration a
      PH_PARTS      (I + D(t)) w' = L x w - D' w + N, L = (I + D) w
+     PH_EDDY_CURRENT  N = -k B x (w x B), B = q* field q
      PH_DISSIPATION  N = k L x (L x w), and q' = q (0, w + k L x w)/2, so that L stays in space
    Wheels (one state W, rad/s), elliptic orbits (the true anomaly f), moving parts (their time) and
    custom acts have states of their own, which follow q, w (, r, v)
@@ -46,6 +47,7 @@ enum ph_act_kind { /* further bits of ph_top.effects */
                    PH_PIVOT = 1 << 25,
                    PH_PARTS = 1 << 26,
                    PH_DISSIPATION = 1 << 27,
+                   PH_EDDY_CURRENT = 1 << 28,
                    PH_ANY_ACT = 0x7fff << 16
 };
 
@@ -112,6 +114,9 @@ typedef struct ph_act {
     struct {
       double k;
     } dissipation;
+    struct {
+      double k, field[3];
+    } eddy_current;
   } of;
 } ph_act;
 
@@ -165,6 +170,9 @@ int ph_top_vibration(struct ph_top *top, double amplitude, double rate, const do
 int ph_top_parts(struct ph_top *top, const ph_varying tensor[6], const ph_varying rate[6]);
 /* Energy sink of strength k >= 0, 1/(N m s): T' = -k |L x w|^2, L = I w and what wheels hold. */
 int ph_top_dissipation(struct ph_top *top, double k);
+/* Eddy currents in a conductor that turns: k >= 0, N m s/T^2 (PH_EBOUND; of a thin spherical shell
+   2 pi/3 conductivity thickness radius^4); field in inertial axes, T. */
+int ph_top_eddy_current(struct ph_top *top, double k, const double field[3]);
 
 /* The torque N from outside, body axes, with which the state x at the time t has the accelerations
    w_rate: rotors, wheels with their motors, moving parts and energy sinks do what they do. */

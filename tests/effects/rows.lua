@@ -67,6 +67,12 @@ end)
 put("magnetic", "magnetic_rotating", nil, function(s)
   return "moment = " .. s:vec(1, "A m^2") .. ", rotating = " .. s:vec(0.3, "T") .. ", rate = " .. s:num(0.5, 2, "rad/s")
 end)
+put("eddy_current", "eddy", nil, function(s)
+  return "k = " .. s:num(0.5, 2, "N m s/T^2") .. ", field = " .. s:vec(0.5, "T", "axial")
+end)
+put("eddy_current", "eddy_upright", nil, function(s)
+  return "k = " .. s:num(0.5, 2, "N m s/T^2") .. ", field = {0, 0, " .. s:num(0.2, 0.5, "T") .. "}"
+end)
 for _, included in ipairs { "true", "false" } do
   put("wheel", "wheel_" .. included, nil, function(s)
     return "axis = " .. s:vec(1, nil, "axial") .. ", inertia = " .. s:num(0.02, 0.08, "kg m^2") .. ", speed = " ..
@@ -164,6 +170,9 @@ rows.strengths = {
       "centre = {0, 1, 0}, reflectivity = 1/2 } } }" } },
   wheel = { full = "effect.wheel { axis = {0, 3, 4}, inertia = strength, torque = 1, included = false }",
     why = "its speed is a state" },
+  eddy_current = { full = "effect.eddy_current { k = strength, field = {0, 1, 2} }",
+    zero = "effect.eddy_current { k = 0, field = {0, 1, 2} }",
+    also = { "effect.eddy_current { k = 1, field = {0, 0, 0} }" } },
   dissipation = { full = "effect.dissipation { k = strength }", zero = "effect.dissipation { k = 0 }" },
   inertia_rate = { full = "effect.inertia_rate { xx = quantity(2, \"kg m^2\")*(2 + cos(quantity(2, \"rad/s\")*t)) }",
     zero = "effect.inertia_rate { xx = 0 }",
@@ -184,6 +193,11 @@ rows.customs = {
   { "effect.magnetic { moment = {0, 0, 0.5}, field = {0, 0, 0.4} }",
     "effect.custom { potential = function(s) return quantity(-0.2, \"N m\")*(s.q[1]^2 - s.q[2]^2 - s.q[3]^2 + " ..
       "s.q[4]^2) end }" },
+  { "effect.eddy_current { k = 0.5, field = {0, 0, 0.6} }", -- k B^2 (w - (w.n) n), n = R^T e_z
+    "effect.custom { torque = function(s) local q, c = s.q, quantity(-0.18, \"N m s\") " ..
+      "local n = { 2*(q[2]*q[4] - q[1]*q[3]), 2*(q[3]*q[4] + q[1]*q[2]), q[1]^2 - q[2]^2 - q[3]^2 + q[4]^2 } " ..
+      "local along = s.w[1]*n[1] + s.w[2]*n[2] + s.w[3]*n[3] return { c*(s.w[1] - along*n[1]), " ..
+      "c*(s.w[2] - along*n[2]), c*(s.w[3] - along*n[3]) } end }" },
   { "effect.damping { rate = 0.2 }",
     "effect.custom { torque = function(s) return { quantity(-0.2, \"1/s\")*s.L[1], " ..
       "quantity(-0.2, \"1/s\")*s.L[2], quantity(-0.2, \"1/s\")*s.L[3] } end }" },
@@ -198,6 +212,11 @@ rows.known = {
   -- 2 w' = -w^2/2
   { about = "drag: w = w0/(1 + c w0 t/I)", scene = ball("effect.drag { c = 0.5 }", "{3, 0, 0}"), t = 2,
     want = { wx = 3/(1 + 0.5*3*2/2), wy = 0, Lx = 2*1.2 } },
+  -- I w' = -k B^2 (w - (w.n) n), n = (0.6, 0, 0.8): along n w0 has (1.8, 0, 2.4), across it (-0.8, -2, 0.6)
+  { about = "eddy currents: w across the field falls as exp(-k B^2 t/I)", t = 2,
+    scene = ball("effect.eddy_current { k = 0.5, field = {0.6, 0, 0.8} }", "{1, -2, 3}"),
+    want = { Lx = 2*(1.8 - 0.8*math.exp(-0.5)), Ly = 2*-2*math.exp(-0.5), Lz = 2*(2.4 + 0.6*math.exp(-0.5)),
+      energy = 9 + 5*math.exp(-1) } },
 }
 
 return rows
