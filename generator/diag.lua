@@ -21,6 +21,11 @@ function diag.new(file, text)
   return setmetatable({ file = file, text = text, lines = lines, errors = {}, warnings = {}, said = {} }, diag)
 end
 
+-- The diagnostics of one use of a scene that was accepted: errors of its own.
+function diag:fork()
+  return setmetatable({ errors = {}, said = {} }, { __index = self })
+end
+
 -- The line of the scene that is being executed, seen from inside one of the functions it calls.
 function diag:here()
   local level = 2

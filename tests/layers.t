@@ -15,13 +15,15 @@ local ARROWS = {
   hash = {},
   nearest = {},
   selection = {}, -- names of functions
+  stages = {}, -- fields of what one part hands to the next
+  functions = { "dynamics", "methods" }, -- which ones a plan has
   dsl = { "algebra", "diag", "interchange", "nearest" }, -- interchange: shapes whose numbers another program wrote
   interchange = { "algebra", "diag" },
   mass = { "algebra", "diag", "geometry" }, -- geometry: does a hole lie inside its body?
   effects = { "algebra" },
   geometry = {},
   draw = { "geometry" },
-  dynamics = { "algebra", "mass" }, -- mass: principal axes and validity of the tensor that moves
+  dynamics = { "algebra", "mass", "stages" }, -- mass: principal axes and validity of the tensor that moves
   methods = { "algebra", "dynamics" },
   ir = { "algebra", "polhode_rational" },
   -- dynamics: the free top with many digits, for constants and expected states
@@ -31,7 +33,7 @@ local ARROWS = {
   -- dynamics: equations with an effect left out; cost: of functions
   report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw", "cost" },
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report", "nearest",
-    "selection" },
+    "selection", "stages", "functions" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan",
     "report", "driver", "interchange", "nearest", "selection" },
   main = { "commands", "driver", "diag", "nearest" },

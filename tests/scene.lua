@@ -1,9 +1,9 @@
 -- scene.lua - reads scenes inside a test, without the program: a host of a few lines.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     local job = scene.read [[ local a = param("a", 2, "m") return scene { ... } ]]      -- or nil, the messages
---     local job = scene.body("solid.sphere { r = r, mass = M }", { "M", "r" }, "origin = {0, 0, 0}")
---     scene.plan(job, { real = "float" }); scene.files(job)["b.c"]
+--     local s = scene.read [[ local a = param("a", 2, "m") return scene { ... } ]]        -- or nil, the messages
+--     local s = scene.body("solid.sphere { r = r, mass = M }", { "M", "r" }, "origin = {0, 0, 0}")
+--     local plan = scene.plan(s, { real = "float" }); scene.files(plan)["b.c"]
 --
 -- The sandbox here bounds nothing and hides nothing: scenes of tests are our own.  What the real one does is tested
 -- in tests/cli.  `visible` is the identity, so the line of a shape in tail position is not known.
@@ -56,7 +56,7 @@ local function host(text)
   }
 end
 
--- The job of a scene's text; nil and all its messages if it is refused.
+-- The scene of a text; nil and all its messages if it is refused.
 function scene.read(text, options)
   local job, d, why = driver.read(host(text), (options or {}).file or "test.lua", options or {})
   if job then return job end
@@ -87,32 +87,35 @@ function scene.body(shape, params, more, options)
     "\nreturn scene { name = \"b\", body = body, " .. (more or "") .. " }\n", options)
 end
 
--- Completes a job for emission; its files by name.
-function scene.plan(job, options)
+-- A plan of a scene; nil and its diagnostics.
+function scene.plan(s, options)
   local o = options or {}
-  return driver.plan(job, { only = o.only, analysis = o.analysis, layout = o.layout, real = o.real,
-    command = "polhode gen test.lua", methods = o.methods, jacobians = o.jacobians, order = o.order, libm = o.libm })
+  return driver.plan(s, { only = o.only, analysis = o.analysis, layout = o.layout, real = o.real,
+    command = "polhode gen test.lua", methods = o.methods, jacobians = o.jacobians, order = o.order, libm = o.libm,
+    proof = o.proof })
 end
 
-function scene.files(job, plugin)
-  local list = assert(driver.files(host(""), job, plugin))
+-- The files of a plan by name.
+function scene.files(plan, plugin)
   local by_name = {}
-  for i, f in ipairs(list) do by_name[f.name], by_name[i] = f.text, f.name end
+  for i, f in ipairs(assert(driver.files(plan, { plugin = plugin })).files) do
+    by_name[f.name], by_name[i] = f.text, f.name
+  end
   return by_name
 end
 
--- The emitted function `name` as a description (dynamics/quantities.lua); the job must be planned.
-function scene.description(job, name)
-  for _, f in ipairs(job.functions) do
+-- The emitted function `name` of a plan as a description (dynamics/quantities.lua).
+function scene.description(plan, name)
+  for _, f in ipairs(plan.functions) do
     if f.name == name then return f end
   end
   return nil
 end
 
 -- Results of a description as expressions of parameters and state: [index] or [state name], "result".
-function scene.results(job, f)
+function scene.results(plan, f)
   local map, out = {}, {}
-  for _, member in ipairs(job.model.members) do map[member.sym] = member.e end
+  for _, member in ipairs(plan.model.members) do map[member.sym] = member.e end
   for _, g in ipairs(f.groups) do
     for _, d in ipairs(g.defs) do
       local e = calculus.substitute(d.expr, map)
@@ -127,11 +130,8 @@ function scene.results(job, f)
   return out
 end
 
--- The rates of change of a job as expressions of parameters and state, by name.
-function scene.rates(job)
-  if not job.functions then scene.plan(job) end
-  return scene.results(job, scene.description(job, "rhs")).dx
-end
+-- The rates of change of a plan as expressions of parameters and state, by name.
+function scene.rates(plan) return scene.results(plan, scene.description(plan, "rhs")).dx end
 
 ---- exact numbers at random --------------------------------------------------------------------------
 

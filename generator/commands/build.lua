@@ -18,8 +18,9 @@ build.flags = { "-O1", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversio
 -- options} | nil, message, and "range" if the real type cannot hold the scene's constants.
 local function prepare(host, item, dir, i)
   local job = item.job
-  local files = driver.files(host, job, { peers = item.peers })
-  if not files then return nil, job.diag:report(), "range" end
+  local unit = driver.files(job, { plugin = { peers = item.peers } })
+  if not unit then return nil, job.diag:report(), "range" end
+  local files = unit.files
   dir = dir .. "/" .. string.format("%d", i)
   local ok, why = host.write_files(dir, files)
   if not ok then return nil, why end
@@ -33,7 +34,7 @@ local function prepare(host, item, dir, i)
   return { dir, sources, "plugin.so", { flags = flags, libs = { "-lm" } } }
 end
 
--- Compiles planned jobs as shared objects, as many at a time as there are processors, and loads them.  list: of {job =,
+-- Compiles plans as shared objects, as many at a time as there are processors, and loads them.  list: of {job =,
 -- flags = {more flags}, peers = true (with what other integrators need)}.  Returns the list of plugins, false for one
 -- that failed, and a table {[its number] = {message =, kind =}}, nil if none did.  kind: "range", "compiler" (there is
 -- none that works), or nil.

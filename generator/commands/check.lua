@@ -47,32 +47,34 @@ function check.run(host, given)
   host.out("TAP version 13\n")
   local worst = 0
   for i = 1, #given do
-    for _, real in ipairs(given.real and { given.real } or { "double", "float" }) do
-      local job, d, why = driver.read(host, given[i], {})
-      if not job then
-        worst = math.max(worst, options.refuse(host, d, why))
-        tap.ok(false, given[i] .. " is a scene")
-        break
-      end
-      if real == "double" or given.real then options.warn(host, job.diag) end
-      local names, others = stepper_checks.choice(job)
-      local planned, plugin, kind = driver.plan(job, { real = real, command = "", methods = names }), nil, nil
-      if planned then
+    local scene, d, unread = driver.read(host, given[i], {})
+    local names, others
+    if scene then
+      options.warn(host, scene.diag)
+      names, others = stepper_checks.choice(scene)
+    else
+      worst = math.max(worst, options.refuse(host, d, unread))
+      tap.ok(false, given[i] .. " is a scene")
+    end
+    for _, real in ipairs(not scene and {} or given.real and { given.real } or { "double", "float" }) do
+      local job, plugin, kind, why
+      job, d = driver.plan(scene, { real = real, command = "", methods = names })
+      if job then
         plugin, why, kind = build.plugin(host, job)
       else
-        worst = math.max(worst, options.refuse(host, job.diag))
+        worst = math.max(worst, options.refuse(host, d))
       end
       if kind == "compiler" then
         host.out("Bail out! No C compiler.\n")
         return options.failed(host, "check", why)
       end
       local refused = kind == "range" and real == "float"
-      local what = job.model.name .. ", " .. real .. ": the emitted code compiles without a warning"
+      local what = scene.model.name .. ", " .. real .. ": the emitted code compiles without a warning"
       if refused then what = what .. " # SKIP its constants are outside the range of float" end
       tap.ok(plugin ~= nil or refused, what)
       if plugin then
         for _, o in ipairs(real == "double" and others or {}) do
-          host.out("# " .. o[1] .. " does not take " .. job.model.name .. ": " .. o[2] .. "\n")
+          host.out("# " .. o[1] .. " does not take " .. scene.model.name .. ": " .. o[2] .. "\n")
         end
         comparison.run(host, job, plugin, tap, math.tointeger(states))
       elseif not refused then

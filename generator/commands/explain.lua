@@ -35,20 +35,20 @@ local xml = { urdf = true, mjcf = true, sdf = true } -- numbers for other progra
 
 -- Two scenes: by what the second differs from the first.
 local function compared(host, given)
-  local format, jobs = given.format or "text", {}
+  local format, plans = given.format or "text", {}
   local wrong = #given < 2 and "--diff needs two scenes" or
     format ~= "text" and format ~= "json" and "--diff: --format must be text or json, got " .. format or
     given.target and "--target: a difference has no counted costs" or
     given.real and "--real: a difference is of expressions, before they have a type"
   if wrong then return options.wrong(host, "explain", wrong) end
   for i = 1, 2 do
-    local job, d, why = driver.read(host, given[i], given)
-    if not job then return options.refuse(host, d, why) end
-    options.warn(host, job.diag)
-    jobs[i] = driver.plan(job, { command = "" })
-    if not jobs[i] then return options.refuse(host, job.diag) end
+    local scene, d, why = driver.read(host, given[i], given)
+    if not scene then return options.refuse(host, d, why) end
+    options.warn(host, scene.diag)
+    plans[i], d = driver.plan(scene, { command = "" })
+    if not plans[i] then return options.refuse(host, d) end
   end
-  host.out(difference.text(jobs[1], jobs[2], format))
+  host.out(difference.text(plans[1], plans[2], format))
   return 0
 end
 
@@ -61,24 +61,23 @@ function explain.run(host, given)
   end
   if given.real and xml[given.format] then wrong = "--real: --format " .. given.format .. " has no costs" end
   if wrong then return options.wrong(host, "explain", wrong) end
-  local job, d, why = driver.read(host, given[1], given)
-  if not job then return options.refuse(host, d, why) end
-  options.warn(host, job.diag)
+  local scene, d, why = driver.read(host, given[1], given)
+  if not scene then return options.refuse(host, d, why) end
+  options.warn(host, scene.diag)
   if xml[given.format] then
-    host.out(inertial.text(job, given.format))
+    host.out(inertial.text(scene, given.format))
     return 0
   end
-  job.asked = planner.asked(host, job, given)
-  if not driver.plan(job, { command = "", real = given.real }) or not driver.representable(job) then
-    return options.refuse(host, job.diag)
-  end
+  local asked, counted = planner.asked(host, scene, given), nil
+  local plan, errors = driver.plan(scene, { command = "", real = given.real })
+  if not plan or not driver.representable(plan) then return options.refuse(host, errors or plan.diag) end
   if cores then
-    local files = driver.files(host, job)
-    if not files then return options.refuse(host, job.diag) end
-    job.counted, why = measure.run(host, job, cores, files)
-    if not job.counted then return options.failed(host, "explain", why) end
+    local unit = driver.files(plan)
+    if not unit then return options.refuse(host, plan.diag) end
+    counted, why = measure.run(host, unit, cores, unit.files)
+    if not counted then return options.failed(host, "explain", why) end
   end
-  host.out(report.text(job, given.format or "text"))
+  host.out(report.text(driver.code(plan, { counted = counted }), given.format or "text", asked))
   return 0
 end
 

@@ -200,16 +200,15 @@ local function contents(given, package)
 end
 
 -- A function of --only that the scene does not have: a message, else nil.
-local function missing_function(host, given, job, chosen)
+local function missing_function(given, scene, unit, chosen)
   local has = {}
-  for _, f in ipairs(job.emitted) do has[string.sub(f.name, #job.model.name + 2)] = f.asked end
+  for _, f in ipairs(unit.emitted) do has[string.sub(f.name, #unit.model.name + 2)] = f.asked end
   for _, name in ipairs(given.only or {}) do
     if not has[name] then
-      local whole = driver.read(host, given[1], given)
       local with = given.with or {}
-      driver.plan(whole, { real = job.real, methods = chosen, command = job.command, jacobians = with.jacobians,
-        compensated = with.compensated, batch = with.batch })
-      local names = listed.names(host, whole)
+      local names = listed.names(driver.code(driver.plan(scene, { real = unit.real, methods = chosen,
+        command = unit.command, jacobians = with.jacobians, compensated = with.compensated,
+        batch = with.batch })))
       local best = nearest.one(name, names)
       return "--only: the scene has no function " .. name .. (best and "; did you mean " .. best .. "?" or "") ..
         " (it has " .. table.concat(names, ", ") .. ")"
@@ -233,25 +232,25 @@ function gen.run(host, given)
   if given.o == "-" then wrong = "-o must be the name of a folder, as gen writes several files, got -" end
   wrong = wrong or shown_alone(given) or without_effect(given)
   if wrong then return options.wrong(host, "gen", wrong) end
-  local job, d, why = driver.read(host, given[1], given)
-  if not job then return options.refuse(host, d, why) end
+  local scene, d, why = driver.read(host, given[1], given)
+  if not scene then return options.refuse(host, d, why) end
   local exact = false
   for _, name in ipairs(chosen or {}) do exact = exact or name == "exact" end
-  if exact and not job.closed.kind then
-    d = job.diag
-    d:error(job.record.line, "method exact", "this scene has no closed form: " .. job.closed.refused)
+  if exact and not scene.closed.kind then
+    d = scene.diag
+    d:error(scene.record.line, "method exact", "this scene has no closed form: " .. scene.closed.refused)
     return options.refuse(host, d)
   end
-  options.warn(host, job.diag)
+  options.warn(host, scene.diag)
   given.real = given.real or package.real
   local real, decision = given.real, nil
-  local question = not given.show and planner.question(job, given, order)
+  local question = not given.show and planner.question(scene, given, order)
   wrong = gen.orderless(given, chosen or question and { "taylor" } or {})
   if wrong then return options.wrong(host, "gen", wrong) end
   if question then
-    decision, why = planner.decide(host, question, given)
+    decision, why = planner.decide(host, question, given.accuracy)
     if not decision and why then return options.failed(host, "gen", why) end
-    if not decision then return options.refuse(host, job.diag) end
+    if not decision then return options.refuse(host, scene.diag) end
     real, chosen, order = decision.real, { decision.method }, decision.order
   end
   local only, analysis, layout = contents(given, package)
@@ -259,48 +258,47 @@ function gen.run(host, given)
   for _, name in ipairs(chosen or {}) do
     if name == "linearised" then also = { "linearised", "stability" } end
   end
-  if not driver.plan(job, { also = also, real = real, only = only, analysis = analysis, layout = layout,
+  local plan
+  plan, d = driver.plan(scene, { also = also, real = real, only = only, analysis = analysis, layout = layout,
     command = gen.command(given), methods = chosen or package.methods, order = order,
     jacobians = with.jacobians or package.jacobians, compensated = with.compensated or false, q31 = with.q31 or false,
-    batch = with.batch or false, libm = given.libm, outputs = given.project == "fmu" }) then
-    return options.refuse(host, job.diag)
-  end
-  job.planned = decision
-  job.proof = given.with ~= nil and given.with.proof
-  if job.proof and not proof.check(job) then return options.refuse(host, job.diag) end
+    batch = with.batch or false, libm = given.libm, outputs = given.project == "fmu", package = package,
+    planned = decision, proof = with.proof })
+  if not plan then return options.refuse(host, d) end
+  if plan.proof and not proof.check(plan) then return options.refuse(host, plan.diag) end
   if given.list then
-    host.out(listed.text(host, job))
+    host.out(listed.text(driver.code(plan)))
     return 0
   end
   if given.show then
-    local shown = driver.show(host, job, given.show)
-    if not shown then return options.refuse(host, job.diag) end
+    local shown = driver.show(plan, given.show)
+    if not shown then return options.refuse(host, plan.diag) end
     host.out(shown)
     return 0
   end
-  local traced
-  traced, why = driver.trace(host, job)
-  if not traced then return options.failed(host, "gen", why) end
-  local cores, short = measure.cores(given.target, job.real)
+  local said
+  said, why = driver.trace(scene)
+  if not said then return options.failed(host, "gen", why) end
+  local cores, short = measure.cores(given.target, plan.real)
   if short then return options.wrong(host, "gen", short) end
-  if package.check and not package.check(job) then return options.refuse(host, job.diag) end
-  job.package = package
-  local files = driver.files(host, job)
-  if not files then return options.refuse(host, job.diag) end
-  wrong = missing_function(host, given, job, chosen or package.methods)
+  if package.check and not package.check(plan) then return options.refuse(host, plan.diag) end
+  local unit = driver.files(plan, said)
+  if not unit then return options.refuse(host, plan.diag) end
+  wrong = missing_function(given, scene, unit, chosen or package.methods)
   if wrong then return options.wrong(host, "gen", wrong) end
   if cores then -- the code is made; once more for the README with its numbers
-    job.counted, why = measure.run(host, job, cores, files)
-    files = job.counted and driver.files(host, job)
-    if not files then return options.failed(host, "gen", why) end
+    said.counted, why = measure.run(host, unit, cores, unit.files)
+    unit = said.counted and driver.files(plan, said)
+    if not unit then return options.failed(host, "gen", why) end
   end
+  local files = unit.files
   if package.finish then
-    files, why = package.finish(host, job, files)
+    files, why = package.finish(host, unit, files)
     if not files then return options.failed(host, "gen", compiler.missing(host) or why) end
   end
   files[#files + 1] = { name = "LICENSE", text = host.templates["templates/LICENSE"], once = true }
   local ok
-  ok, why = outputs.write(host, given.o or job.model.name, source(job, given), files)
+  ok, why = outputs.write(host, given.o or plan.model.name, source(plan, given), files)
   return ok and 0 or options.failed(host, "gen", why)
 end
 

@@ -1,25 +1,19 @@
 -- listed.lua -- the functions that a scene can have: gen --list.
 --
---     listed.text(host, job) -> table as text: function, file, lines, operations, what it calls
---     listed.names(host, job) -> list of their names, without the scene's prefix
--- The job is planned with everything in it.
+--     listed.text(unit) -> table as text: function, file, lines, operations, what it calls
+--     listed.names(unit) -> list of their names, without the scene's prefix
+-- unit: driver.code of a plan with everything in it.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local code = require "generator.emit.code"
 local selection = require "generator.selection"
 
 local listed = {}
 
-local function made(host, job)
-  job.templates = host.templates
-  return code.of(job)
-end
+local function short(unit, name) return string.sub(name, #unit.model.name + 2) end
 
-local function short(job, name) return string.sub(name, #job.model.name + 2) end
-
-function listed.names(host, job)
+function listed.names(unit)
   local out = {}
-  for i, f in ipairs(made(host, job).functions) do out[i] = short(job, f.name) end
+  for i, f in ipairs(unit.emitted) do out[i] = short(unit, f.name) end
   return out
 end
 
@@ -32,18 +26,17 @@ local function operations(row)
   return table.concat(parts, ", ")
 end
 
-function listed.text(host, job)
-  local all = made(host, job)
+function listed.text(unit)
   local cost, public, rows, widths = {}, {}, { { "function", "file", "lines", "operations", "calls" } }, {}
-  for _, row in ipairs(all.v.costs) do cost[row.name] = row end
-  for _, f in ipairs(all.functions) do public[f.name] = true end
-  for _, f in ipairs(all.functions) do
-    local name, calls = short(job, f.name), {}
+  for _, row in ipairs(unit.costs) do cost[row.name] = row end
+  for _, f in ipairs(unit.emitted) do public[f.name] = true end
+  for _, f in ipairs(unit.emitted) do
+    local name, calls = short(unit, f.name), {}
     for _, used in ipairs(f.uses) do
-      if public[used] and used ~= f.name then calls[#calls + 1] = short(job, used) end
+      if public[used] and used ~= f.name then calls[#calls + 1] = short(unit, used) end
     end
     table.sort(calls)
-    rows[#rows + 1] = { name, job.model.name .. selection.tails[selection.room(name, f.of == "orbit")] .. ".c",
+    rows[#rows + 1] = { name, unit.model.name .. selection.tails[selection.room(name, f.of == "orbit")] .. ".c",
       string.format("%d", f.lines), operations(cost[name]), table.concat(calls, " ") }
   end
   for _, row in ipairs(rows) do

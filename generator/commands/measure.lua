@@ -304,7 +304,6 @@ function measure.run(host, job, cores, emitted)
   local found
   found, why = tools(host, cores, dir)
   if not found then return nil, why end
-  job.templates = host.templates
   local modules = calls.modules(job, emitted)
   local plan = calls.of(job, modules)
   local files = { { name = "calls.c", text = plan.program } }

@@ -13,28 +13,26 @@ local targets = require "generator.cost.targets"
 
 local planner = {}
 
--- What is asked of the job: accuracy of the command line or of the scene, and the rest; nil if nobody asks.
-function planner.question(job, given, order)
-  local budget, methods = job.record.budget or {}, nil
-  local accuracy = given.accuracy or job.record.accuracy
+-- What is asked of the scene: accuracy of the command line or its own, and the rest; nil if nobody asks.
+function planner.question(scene, given, order)
+  local budget, methods = scene.record.budget or {}, nil
+  local accuracy = given.accuracy or scene.record.accuracy
   if not accuracy then return nil end
   for _, name in ipairs(given.method or {}) do
     methods = methods or {}
     if name ~= "linearised" then methods[#methods + 1] = name end
   end
-  return { job = job, accuracy = accuracy, real = given.real or budget.real or "double",
+  return { job = scene, accuracy = accuracy, real = given.real or budget.real or "double",
     target = budget.target or targets.default, ops = budget.ops, methods = methods, order = order }
 end
 
--- A planned job of the same scene with all methods that it admits.
-local function everything(host, q, given)
-  local job = driver.read(host, given[1], given)
+-- All methods that the scene admits; second result: is the series among them?
+local function admitted(q)
   local names, seen = {}, {}
-  for _, c in ipairs(candidates.of(driver.read(host, given[1], given), { real = q.real, orders = { 8 } })) do
+  for _, c in ipairs(candidates.of(q.job, { real = q.real, orders = { 8 } })) do
     if not c.refused and not seen[c.method] then names[#names + 1], seen[c.method] = c.method, true end
   end
-  assert(driver.plan(job, { real = q.real, methods = names, order = q.order or plan.top, command = "" }))
-  return job, seen.taylor
+  return names, seen.taylor
 end
 
 local function progress(host)
@@ -44,23 +42,25 @@ local function progress(host)
 end
 
 -- Compiles what the question needs: its `code` to count in and its `plugin`.  True, or nil and what went wrong.
-function planner.prepare(host, q, given)
-  local code = everything(host, q, given)
-  driver.code(code)
-  local job, series = everything(host, q, given)
-  job.orders = series and (q.order and { q.order } or plan.orders) or {}
-  local plugins, failed = build.plugins(host, { { job = job } })
+function planner.prepare(host, q)
+  local names, series = admitted(q)
+  local function planned(orders)
+    return assert(driver.plan(q.job, { real = q.real, methods = names, order = q.order or plan.top, command = "",
+      orders = orders }))
+  end
+  local all = planned(series and (q.order and { q.order } or plan.orders) or {})
+  local plugins, failed = build.plugins(host, { { job = all } })
   if failed then return nil, failed[1].message end
-  q.host, q.code, q.plugin = host, code, plugins[1]
+  q.host, q.code, q.plugin = host, driver.code(planned()), plugins[1]
   q.plugin:init()
   return true
 end
 
 -- Makes the decision; nil and what went wrong outside.
-local function decided(host, q, given)
+local function decided(host, q)
   local show, clear = progress(host)
   show(0)
-  local fine, why = planner.prepare(host, q, given)
+  local fine, why = planner.prepare(host, q)
   show(0.3)
   q.progress = function(part) show(0.3 + 0.7 * part) end
   local found, instead
@@ -80,10 +80,10 @@ function planner.kept(host, q)
 end
 
 -- Accuracy, budget and ranges of the scene as lines of a report, with the plan where one was kept; nil without any.
-function planner.asked(host, job, given)
-  local record, q = job.record, planner.question(job, given)
-  if not (q or record.budget or job.ranges) then return nil end
-  local lines = decision.asked(job, q)
+function planner.asked(host, scene, given)
+  local record, q = scene.record, planner.question(scene, given)
+  if not (q or record.budget or scene.ranges) then return nil end
+  local lines = decision.asked(scene, q)
   local d = q and planner.kept(host, q)
   if d and d.refused then
     lines[#lines + 1] = "cannot be held: " .. d.refused
@@ -95,18 +95,19 @@ function planner.asked(host, job, given)
   return lines
 end
 
--- The decision for the question, or nil after an error in the job's diagnostics (or second result: what went wrong).
-function planner.decide(host, q, given)
+-- The decision for the question, or nil after an error in the scene's diagnostics (or second result: what went wrong).
+-- told: the accuracy is the command line's.
+function planner.decide(host, q, told)
   local d, text, name = planner.kept(host, q)
   if not d then
     local why
-    d, why = decided(host, q, given)
+    d, why = decided(host, q)
     if not d then return nil, why end
     if name then host.cache_write(name, decision.text(text, d)) end
   end
   if d.refused then
     local line = q.job.record.line
-    q.job.diag:error(given.accuracy and line or q.job.diag:locate(line, "accuracy"), "accuracy", d.refused, d.got)
+    q.job.diag:error(told and line or q.job.diag:locate(line, "accuracy"), "accuracy", d.refused, d.got)
     return nil
   end
   return d

@@ -136,25 +136,25 @@ local function computed(host, job, given, motion, list, warnings)
 end
 
 -- Prints why there is no table; the exit status.
-local function refuse(host, job, failure, help)
-  if failure.scene then return options.refuse(host, job.diag) end
+local function refuse(host, failure, help)
+  if failure.diag then return options.refuse(host, failure.diag) end
   if failure.command then return options.wrong(host, "run", failure.text) end
   local when = failure.t and string.format("at t = %.6g s: ", failure.t) or ""
   return options.failed(host, "run", when .. failure.text .. (help and help ~= "" and "\n  what helps: " .. help or ""),
     failure.status)
 end
 
--- Reads the inputs over time into the job: warnings, or nil and what is wrong.
+-- Reads the inputs over time: warnings and these, or nil and what is wrong.
 local function inputs_of(host, job, given)
   if not given.input then
-    return not given.between and {} or nil, "--between: it says how --input FILE.csv is read"
+    if given.between then return nil, "--between: it says how --input FILE.csv is read" end
+    return {}
   end
   local text, why = host.read(given.input)
   if not text then return nil, why end
   local course, said = input_file.read(job, given.input, text, given.between == "linear")
   if not course then return nil, said end
-  job.course, job.lines = course, course.linear
-  return said
+  return said, course
 end
 
 function run.run(host, given)
@@ -162,17 +162,21 @@ function run.run(host, given)
   if not job then return options.refuse(host, d, why) end
   local list, wrong = times(job, given)
   wrong = wrong or events.missing(job)
-  local warnings
-  if not wrong then warnings, wrong = inputs_of(host, job, given) end
+  local warnings, course
+  if not wrong then
+    warnings, course = inputs_of(host, job, given)
+    wrong = not warnings and course
+  end
   if not warnings then return options.wrong(host, "run", wrong) end
-  local motion, failure = (given.engine == "generated" and engines.generated or engines.general)(host, job, given)
+  local engine = given.engine == "generated" and engines.generated or engines.general
+  local motion, failure = engine(host, job, given, course)
   wrong = motion and limits.exceeded(motion, list, given) or failure and failure.command and failure.text
   if wrong then return options.wrong(host, "run", wrong) end
   options.warn(host, job.diag)
-  if not motion then return refuse(host, job, failure) end
+  if not motion then return refuse(host, failure) end
   local rows, found = computed(host, job, given, motion, list, warnings)
   if not rows then
-    return refuse(host, job, found, found.status == 3 and accuracy.help(job, motion, list, found.t))
+    return refuse(host, found, found.status == 3 and accuracy.help(job, motion, list, found.t))
   end
   local status = options.write(host, "run", given.o, tables.writers[given.format or "csv"](rows, (tables.columns(job)),
     #job.record.events > 0 and found or nil))

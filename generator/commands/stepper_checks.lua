@@ -5,19 +5,20 @@
 -- does not go away would prevent; a method that chooses its steps must keep its tolerance.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local equations = require "generator.dynamics.equations"
 local methods = require "generator.methods.methods"
 
 local stepper_checks = {}
 
 -- The names of the methods that take the scene, the first one first, and why others do not: {name, why}.
-function stepper_checks.choice(job)
+function stepper_checks.choice(scene)
   local names, others = {}, {}
   for _, m in ipairs(methods) do
     local program, why = true, nil
-    if m.program then program, why = m.program(job.equations, {}) end
+    if m.program then program, why = m.program(equations.fork(scene.equations), {}) end
     if program then names[#names + 1] = m.name else others[#others + 1] = { m.name, why } end
   end
-  if job.closed.kind then names[#names + 1] = "exact" end
+  if scene.closed.kind then names[#names + 1] = "exact" end
   return names, others
 end
 

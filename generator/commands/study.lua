@@ -109,15 +109,14 @@ local function units(list)
   return out
 end
 
--- Plans, compiles and loads the units; each has a job of its own, as planning leaves constants in the model.  Where one
--- cannot be had (a type too small for the constants, a compiler without these flags), u.plugin stays nil and the reason
--- joins the remarks.
-local function load_units(host, given, list, remarks)
+-- Plans, compiles and loads the units.  Where one cannot be had (a type too small for the constants, a compiler without
+-- these flags), u.plugin stays nil and the reason joins the remarks.
+local function load_units(host, scene, list, remarks)
   local wanted = {}
   for i, u in ipairs(list) do
-    u.job = assert(driver.read(host, given[1], given))
-    local planned = driver.plan(u.job, { real = u.real, methods = u.methods, order = u.order, command = "" })
-    if not planned then return nil, u.job.diag:report() end
+    local d
+    u.job, d = driver.plan(scene, { real = u.real, methods = u.methods, order = u.order, command = "" })
+    if not u.job then return nil, d:report() end
     wanted[i] = { job = u.job, flags = level(u), peers = u.peers }
   end
   local plugins, failed = build.plugins(host, wanted)
@@ -146,11 +145,12 @@ local function ground(host, job, given, tick)
     x0 = numeric.initial(job) }
   g.times = err.times(g.T)
   local why
-  g.reference, why = reference.of(host, job, g.x0, g.times)
+  local truth = reference.new(host, job)
+  g.reference, why = truth:motion(g.x0, g.times)
   if not g.reference then return nil, "no reference: " .. why, true end
   g.own_error = why
   tick("conditioning", 0.01)
-  g.condition = condition.of(host, job, g.x0, g.T)
+  g.condition = condition.of(truth, g.x0, g.T)
   local c = g.condition
   g.number = math.max(c and c.number or 1, 1)
   g.state = math.max(c and c.state or 1, g.number)
@@ -340,9 +340,9 @@ local function counts(list, tick)
     local key = table.concat({ c.method, c.real, c.setting, c.order or "" }, " ")
     if not known[key] then
       tick("operations", 0.4)
-      local job = e.unit.job
-      if not job.code then driver.code(job) end
-      known[key] = ops.of(job, c)
+      local u = e.unit
+      u.code = u.code or driver.code(u.job)
+      known[key] = ops.of(u.code, c)
     end
     e.operations = known[key] and known[key].step
   end
@@ -357,7 +357,7 @@ function study.of(host, job, given, tick)
   local g, why, numbers = ground(host, job, given, tick)
   if not g then return nil, why, numbers end
   g.enough = given.accuracy and given.accuracy / 10
-  local list, refused = chosen(assert(driver.read(host, given[1], given)), given)
+  local list, refused = chosen(job, given)
   if #list == 0 then return nil, "no method that the scene admits: " .. table.concat(refused, "; ") end
   local wanted = units(list)
   local carrier
@@ -367,7 +367,7 @@ function study.of(host, job, given, tick)
   carrier.carrier, carrier.peers = true, not given.no_peers
   tick("compiling", 0.02)
   local ok
-  ok, why = load_units(host, given, wanted, refused)
+  ok, why = load_units(host, job, wanted, refused)
   if not ok then return nil, why end
   for i = #list, 1, -1 do
     if not list[i].unit.plugin then table.remove(list, i) end

@@ -1,7 +1,7 @@
 -- ops.lua -- what one step, or one evaluation of a closed form, costs in operations: counted in the emitted code.
 --
 --     ops.of(job, candidate) -> { step = counts, setup = counts or nil }, or nil and why
--- job: planned (driver.plan) with the candidate's method and real type, and its code made (driver.code).  candidate:
+-- job: the unit (driver.code) of a plan with the candidate's method and real type.  candidate:
 -- {method, order (of taylor; any up to 30, the emitted one by default), setting = "step" | "tolerance"}.  A step with
 -- a tolerance is one that is accepted, its share of the control included.  A closed form ("exact") has NAME_solve as
 -- set-up and NAME_at as its step.
@@ -38,24 +38,23 @@ local function difference(a, b)
   return d
 end
 
--- What was read of the job's code, kept with it.
-local function unit(job, options, order)
-  local code = job.code
+-- What was read of the code, kept with it.
+local function read(job, options, order)
+  local code, readings = job.code, job.readings
   local key = (options.fma and "fma " or "") .. (options.least and "least " or "") .. (order or "")
-  code.units = code.units or {}
-  if not code.units[key] then
+  if not readings[key] then
     local name = job.model.name
     local top = name .. "_taylor_top"
-    code.units[key] = tally.read(name, code.header, code.source, { fma = options.fma, least = options.least,
+    readings[key] = tally.read(name, code.header, code.source, { fma = options.fma, least = options.least,
       values = { [top] = order, [name .. "_taylor_lost"] = 0 }, -- where a series is lost, its steps do not count
       constants = order and { [string.upper(name) .. "_ORDER"] = order } })
   end
-  return code.units[key]
+  return readings[key]
 end
 
 -- The operations of one call of an emitted function; nil if there is none.
 function ops.call(job, name, options)
-  local u = unit(job, options or {})
+  local u = read(job, options or {})
   local full = job.model.name .. "_" .. name
   return tally.has(u, full) and counts(tally.run(u, full)) or nil
 end
@@ -75,14 +74,14 @@ function ops.of(job, candidate, options)
   options = options or {}
   local name, method = job.model.name, candidate.method
   if method == "exact" then
-    local u = unit(job, options)
+    local u = read(job, options)
     local at = tally.has(u, name .. "_at") and "_at" or "_at_rates"
     if not tally.has(u, name .. at) then return nil, "the scene has no closed form" end
     return { step = counts(tally.run(u, name .. at)), setup = counts(tally.run(u, name .. "_solve")) }
   end
   local order = method == "taylor" and (candidate.order or
     math.tointeger(tonumber(string.match(job.code.header, "_ORDER = (%d+)")))) or nil
-  local u = unit(job, options, order)
+  local u = read(job, options, order)
   local step = name .. "_" .. method .. "_step"
   if not tally.has(u, step) and job.steppers[1].method.name == method then step = name .. "_step" end
   if not tally.has(u, step) then return nil, "the job was not planned with the method " .. method end

@@ -20,6 +20,7 @@ local context = require "generator.dynamics.context"
 local fold = require "generator.dynamics.fold"
 local moving = require "generator.dynamics.moving"
 local state = require "generator.dynamics.state"
+local stages = require "generator.stages"
 
 local equations = {}
 
@@ -349,8 +350,9 @@ end
 
 local of_attitude = { qw = true, qx = true, qy = true, qz = true }
 
--- The equations of the model: {groups, coupled}, coupled telling whether the attitude's equation or another one needs
--- the attitude at every stage.  Reports what cannot be (torque along a rod) and returns nil then.
+-- The equations of m, a pool of constants on the model: groups, and coupled, which tells whether the attitude's
+-- equation or another one needs the attitude at every stage.  Reports what cannot be (torque along a rod) and returns
+-- nil then.
 function equations.of(d, m)
   local groups = {}
   if m.has.attitude then groups[1] = attitude(m) end
@@ -379,18 +381,20 @@ function equations.of(d, m)
       end
     end
   end
-  return { groups = groups, coupled = coupled, turn = m.has.attitude and groups[1].turn,
-    inputs = #m.inputs > 0, free = #m.record.effects == 0, model = m }
+  return stages.made("equations", { groups = groups, coupled = coupled, turn = m.has.attitude and groups[1].turn,
+    inputs = #m.inputs > 0, free = #m.record.effects == 0, model = m })
+end
+
+-- The same equations with a pool of constants of their own, for who asks for more.
+function equations.fork(eq)
+  local own = stages.copy(eq)
+  own.model = eq.model:fork()
+  return stages.close(own)
 end
 
 -- The same equations with twice the bits in their numbers; nil where no number was rounded, so that all are exact.
 function equations.finer(eq)
-  local m = eq.model
-  if not m.rounded then return nil end
-  m.finer = true
-  local fine = equations.of(nil, m) -- nothing is left to be reported
-  m.finer = nil
-  return fine
+  return eq.model.rounded and equations.of(nil, eq.model:fork(true)) or nil -- nothing is left to be reported
 end
 
 return equations

@@ -1,9 +1,8 @@
--- model.lua -- the validated scene as physics: mass, tensors, structure, and the derived constants.
+-- model.lua -- the validated scene as physics: mass, tensors, structure and states.
 --
--- The model answers "what is this body" once, exactly; equations, closed forms and reports read it.  A derived
--- constant is an expression of parameters that the emitted code computes once (in NAME_init) and keeps: asking
--- twice for the same expression gives the same constant, a number stays a number, and with `bake` every parameter
--- is a number and no constant is left.  ABOVE the line.
+-- The model answers "what is this body" once, exactly; equations, closed forms and reports read it, and nothing is
+-- added to it: what is asked for on the way is kept in a pool of constants (dynamics/constants.lua).  Its fields are
+-- named in generator/stages.lua.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -24,11 +23,11 @@ local validity = require "generator.mass.validity"
 local inputs = require "generator.dynamics.inputs"
 local numeric = require "generator.dynamics.numeric"
 local states = require "generator.dynamics.states"
+local stages = require "generator.stages"
 
 local model = {}
-model.__index = model
 
--- Bits kept of a constant that is no rational number (sqrt(2), pi/3) when it becomes one.
+-- Bits of a value that is no rational number (sqrt(2), pi/3).
 local bits = 240
 
 -- The value of e for the parameters' defaults, as a rational: exact for a rational function, else to `bits` bits.  They
@@ -60,58 +59,6 @@ function model:unique(name, taken)
     unique = name .. n
   end
   return unique
-end
-
--- A derived constant; see the head.  Returns the expression to use in equations.  raw: keep e's form; form: the same
--- in the names of the body's parts and of constants made before, to be computed so when that costs less.
-function model:constant(name, e, about, raw, form)
-  if not raw then e = ratio.tidy(e) end
-  if e.kind == "num" then return e end
-  local limit = self.limits and self.limits[e]
-  if limit then name, about = limit.name, limit.about end
-  if expr.constant(e) then
-    self.rounded = true
-    return expr.num(evaluate.precise(e, {}, self.finer and 2 * bits or bits))
-  end
-  local member = self.by_expr[e]
-  if not member then
-    local step = form and form.kind == "sym" -- it has its name already
-    local unique = step and form.name or self:unique(name)
-    local careful = self.parts and self.parts.hole -- its forms do not cancel
-    if form and not step and not careful and cost { e } <= cost { form } then form = nil end
-    member = { name = unique, e = e, form = form or e, about = about, sym = expr.sym(unique, 3) }
-    self.by_expr[e], self.by_name[unique] = member, member
-    self.members[#self.members + 1] = member
-  end
-  return member.sym
-end
-
--- Is e a derived constant, NAME_init refuses parameters for which it is not above 0.
-function model:positive(e)
-  local member = e.kind == "sym" and self.by_name[e.name]
-  if member then member.positive = true end
-end
-
--- A constant made of other derived constants (a multiple, say); nil if e depends on anything else.
-function model:derived(e, about)
-  local map, source = {}, nil
-  for _, member in ipairs(self.members) do
-    map[member.sym] = member.e
-    if not source and not expr.constant(e, { [member.name] = true }) then source = member end
-  end
-  local inlined = calculus.substitute(e, map)
-  local params = {}
-  for _, p in ipairs(self.params) do params[p.sym] = true end
-  for _, s in ipairs(expr.symbols(inlined)) do
-    if not params[s] then return nil end
-  end
-  local stem = source and source.name or "constant"
-  local multiple = source and select(2, expr.split(e)) == source.sym
-  local raw = multiple or self.parts ~= nil
-  local sym = self:constant(stem .. "_" .. string.gsub(about, "%W", ""), inlined,
-    about .. (source and source.about or ""), raw, raw and e or nil)
-  if self.by_name[sym.name] then self.by_name[sym.name].multiple = true end
-  return sym
 end
 
 -- Origin of rotation in the shape's frame; reports an unknown named point.
@@ -237,8 +184,8 @@ end
 -- d: diagnostics; record: what the scene language made; options: {bake = boolean, set = {name -> rational}}.
 -- Returns nil after errors.
 function model.new(d, record, options)
-  local m = setmetatable({ name = record.name, members = {}, by_expr = {}, by_name = {}, defaults = {},
-    params = record.params }, model)
+  local m = stages.open("model", model)
+  m.name, m.by_name, m.defaults, m.params = record.name, {}, {}, record.params
   local map, symbolic = {}, record
   for _, p in ipairs(record.params) do
     m.defaults[p.name] = p.default
@@ -286,14 +233,13 @@ function model.new(d, record, options)
   if not carry(d, m, record.checks) then return nil end
   m.conditions = conditions(m, record.checks)
   warn_of_condition(d, m)
-  return m
+  return stages.close(m)
 end
 
--- The same body and states with these of its effects alone, and no derived constant yet: for what is compared.
+-- The same body and states with these of its effects alone: for what is compared.
 function model:variant(effects)
-  local v = setmetatable({}, model)
-  for k, x in pairs(self) do v[k] = x end -- into a table: order is lost anyway
-  v.members, v.by_expr, v.by_name, v.rounded, v.record, v.frame = {}, {}, {}, nil, {}, nil
+  local v = stages.copy(self)
+  v.by_name, v.record, v.frame = {}, {}, nil
   for k, x in pairs(self.record) do v.record[k] = x end -- order is lost anyway
   v.record.effects = effects
   for _, p in ipairs(v.params) do v.by_name[p.name] = p end
@@ -311,7 +257,7 @@ function model:variant(effects)
     end
   end
   carry({ error = function() end }, v, {}) -- of what was accepted, so it is
-  return v
+  return stages.close(v)
 end
 
 return model

@@ -19,9 +19,9 @@ local numeric = {}
 
 local none = { expr.zero, expr.zero, expr.zero }
 
--- job: driver.read's result; values: {name -> rational} for all parameters (nil: defaults).
+-- job: a scene; values: {name -> rational} for all parameters (nil: defaults); lines: inputs run along straight lines.
 -- Returns {name, body, origin, effects, q, w, r, v} as the host's engine takes it.
-function numeric.scene(job, values)
+function numeric.scene(job, values, lines)
   local m, record = job.model, job.record
   local env = {}
   for _, p in ipairs(record.params) do env[p.name] = values and values[p.name] or p.default end
@@ -141,7 +141,7 @@ function numeric.scene(job, values)
   body_tree = shifted(body_tree, vec.map(m.origin, function(e) return -e end))
   if not job.states then return { body = body_tree } end -- asked for while the model is made
   local effects, dry = {}, context.dry(m)
-  dry.lines = job.lines -- inputs run along straight lines
+  dry.lines = lines
   local place = {}
   for k, s in ipairs(state.known) do place[s.name] = k - 1 end
   for i, k in ipairs((numeric.positions(job))) do place[job.states[i].name] = k - 1 end

@@ -221,7 +221,6 @@ function sensitivity.list(job, which)
       return nil
     end
   end
-  job.transition = true -- of the first step, NAME_step
   for _, member in ipairs(eq.model.members) do
     if not pcall(eq.model.number, eq.model, member.e) then
       job.diag:error(job.record.line, "jacobians", member.about .. " must exist at the parameters' own values")

@@ -72,28 +72,30 @@ local function named(f, map, list)
   return g
 end
 
--- job: planned with --bake; plain: the same without.  Puts the cheaper of both into job.functions.
+-- job: an open plan with --bake; plain: the same without.  Returns of each function the cheaper one, and the constants
+-- of C that they may need (nil: none).
 function baked.choose(job, plain)
   local list, map = constants(plain.model)
-  if not fit(list, job.real) or #list == 0 then return end
+  if not fit(list, job.real) or #list == 0 then return job.functions end
   local by_name = {}
   for _, f in ipairs(plain.functions) do by_name[f.name] = f end
   local m = job.model
   local ctx = { name = m.name, upper = string.upper(m.name), real = job.real, type = source.type(m),
     members = m.members, states = job.states,
     inputs = m.inputs or {}, helpers = {}, own = job.libm == "own" }
+  local chosen = {}
   for i, f in ipairs(job.functions) do
     local g = by_name[f.name]
     g = g and #g.args == #f.args and named(g, map, list)
-    if g and better(source.cost(ctx, f), source.cost(ctx, g)) then job.functions[i] = g end
+    chosen[i] = g and better(source.cost(ctx, f), source.cost(ctx, g)) and g or f
   end
-  m.held = list
+  return chosen, list
 end
 
 -- The constants that the text names, as C, each with what it is.
 function baked.lines(job, ctx, code)
   local out = {}
-  for _, k in ipairs(job.model.held or {}) do
+  for _, k in ipairs(job.held or {}) do
     local name = source.held(ctx, k.name)
     if string.find(code, "%f[%w_]" .. name .. "%f[^%w_]") then
       local lines = source.comment(k.about)

@@ -16,23 +16,22 @@ local vectors = require "generator.emit.vectors"
 
 local project = {}
 
--- The texts of header and source alone: what cost/ops.lua counts.
-function project.code(job)
-  local made = code.of(job)
-  return made.header, made.source
+-- Header and source of an open unit, all of them in one.
+function project.code(unit)
+  local made = code.of(unit)
+  unit.code, unit.emitted, unit.costs = { header = made.header, source = made.source }, made.functions, made.v.costs
+  return made
 end
 
--- The list of files {name, text} of the package in job.package.  plugin: also the table that the program polhode
+-- The list of files {name, text} of the package in job.package.  job.plugin: also the table that the program polhode
 -- loads; plugin = {peers = true}: with what other integrators need, if the scene is in double.
-function project.files(job, plugin)
-  local made = code.of(job)
+function project.files(job)
+  local made, plugin = project.code(job), job.plugin
   local v, ctx = made.v, made.ctx
   local function render(name) return template.file(name, job.templates[name], v) end
   v.offers = setmetatable({}, { __index = function() return false end })
   for _, f in ipairs(made.functions) do v.offers[string.sub(f.name, #v.name + 2)] = f.asked end
-  job.emitted = made.functions
   vectors.fill(job, v, ctx)
-  job.code = { header = made.header, source = made.source }
   readme.fill(job, v)
   local n = job.model.name
   v.normalise_test = v.offers.normalise and render "templates/test/test_normalise.c" or ""

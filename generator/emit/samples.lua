@@ -174,7 +174,7 @@ end
 -- round: to the real type; epsilon: its unit.
 function samples.of(job, params, round, epsilon)
   local m = job.model
-  local env, h = selftest.environment(m, params), round(m:number(m.step))
+  local env, h = selftest.environment(m, params, job.held), round(m:number(m.step))
   local steps = R.toint(R.floor(m:number(m.horizon) / h))
   local every = math.max(1, math.min(steps, samples.most_steps) // samples.count)
   local T = h * R.new(every)

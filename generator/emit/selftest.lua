@@ -47,14 +47,14 @@ end
 
 -- The environment of the model's derived constants, for these parameters (name -> rational).  The parameters
 -- themselves are not in it: only NAME_init sees them, and their names may be those of states or arguments.
-function selftest.environment(m, params)
+function selftest.environment(m, params, held)
   local from, env = { value = {}, size = {} }, { value = {}, size = {} }
   for k, v in pairs(params) do from.value[k] = v end -- into a table: order is lost anyway
   local function put(name, pure, form)
     from.value[name], from.size[name] = value(pure, { value = params }), magnitude(form, from)
   end
   for _, step in ipairs(m.parts and m.parts.list or {}) do put(step.name, step.pure, step.e) end
-  for _, k in ipairs(m.held or {}) do env.value[k.name] = k.value end -- baked: rounded once, like an input
+  for _, k in ipairs(held or {}) do env.value[k.name] = k.value end -- baked: rounded once, like an input
   for _, member in ipairs(m.members) do
     if member.form ~= member.sym then put(member.name, member.e, member.form) end
     env.value[member.name], env.size[member.name] = from.value[member.name], from.size[member.name]

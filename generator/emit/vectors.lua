@@ -182,7 +182,7 @@ function vectors.fill(job, v, ctx)
     arguments[name] = {}
     for i = 1, 3 do arguments[name][name .. names[i]] = R.lift(list[i]) end
   end
-  local env = selftest.environment(m, params)
+  local env = selftest.environment(m, params, job.held)
   local xs, time, size = states(job, round, env)
   local function given(f, x) -- what f is given: the state x, and those of the vectors that it takes, and no others,
     local list = {}           -- for a constant of the model may be called like one

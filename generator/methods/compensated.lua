@@ -68,7 +68,6 @@ function compensated.list(job)
       return nil
     end
   end
-  job.compensated = true
   return list
 end
 

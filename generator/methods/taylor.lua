@@ -297,11 +297,9 @@ end
 
 -- The equations with no definition called like a derived constant: the series are told apart by names.
 local function separate(eq)
-  local ranks, own = {}, {}
+  local ranks = {}
   for _, member in ipairs(eq.model.members or {}) do ranks[member.name] = 3 end
-  for key, v in pairs(eq) do own[key] = v end -- into a table: order is lost anyway
-  own.groups = distinct.run(eq.groups, ranks)
-  return own
+  return setmetatable({ groups = distinct.run(eq.groups, ranks) }, { __index = eq })
 end
 
 -- The series of the equations, or nil and why there is none.  options: {order =, jacobians =}.  As laid_out, with knots

@@ -7,6 +7,7 @@
 -- all; a lower top makes the array of coefficients smaller.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local equations = require "generator.dynamics.equations"
 local methods = require "generator.methods.methods"
 
 local candidates = {}
@@ -20,22 +21,21 @@ local function set(names)
 end
 
 -- Why the method cannot be had for the scene, or nil; orders of one method stand or fall together.
-local function refusal(job, name)
+local function refusal(scene, name)
   if name == "exact" then
-    local form = job.closed
+    local form = scene.closed
     return not form.kind and "no closed form: " .. form.refused or
       not form.full and "the closed form gives the rates only" or nil
   end
   local m = methods.by_name[name]
   if not m.program then return nil end
-  local program, why = m.program(job.equations, {})
+  local program, why = m.program(equations.fork(scene.equations), {})
   return not program and why or nil
 end
 
 -- The candidates of a scene that was read, not planned.  options: {methods = names (nil: all), orders = Taylor's (nil:
 -- those above), real = "double" or "float" (nil: both), vector = also the variants for this host}.
--- Asking the methods leaves constants of theirs in job.model: read the scene again for what is to be emitted.
-function candidates.of(job, options)
+function candidates.of(scene, options)
   options = options or {}
   local wanted, list = options.methods and set(options.methods), {}
   local function put(c, refused)
@@ -47,7 +47,7 @@ function candidates.of(job, options)
   for _, name in ipairs(names) do
     local m = methods.by_name[name]
     local refused
-    if not wanted or wanted[name] then refused = refusal(job, name) end
+    if not wanted or wanted[name] then refused = refusal(scene, name) end
     for _, real in ipairs(wanted and not wanted[name] and {} or options.real and { options.real } or
       { "double", "float" }) do
       local function both(label, order, vector) -- by a fixed step, and by a tolerance where there is a choice

@@ -13,7 +13,6 @@
 
 local R = require "generator.algebra.rational"
 local err = require "generator.plan.error"
-local reference = require "generator.plan.reference"
 
 local condition = {}
 
@@ -31,11 +30,13 @@ local function unit(x, at)
 end
 
 -- {number =, input = name of the worst, growth =, state =, [1..n] = {name =, number =}}, or nil and why.
-function condition.of(host, job, x0, T)
+-- truth: what computes the scene's true motions (reference.lua).
+function condition.of(truth, x0, T)
+  local job = truth.job
   local times, half = err.times(T / 2), #err.times(T)
   for _, t in ipairs(err.times(T)) do times[#times + 1] = t end
   local function ends(x, values)
-    local rows, why = reference.of(host, job, x, times, values, true)
+    local rows, why = truth:motion(x, times, values, true)
     if not rows then return nil, why end
     return { table.unpack(rows, 1, half) }, { table.unpack(rows, half + 1) }
   end

@@ -266,7 +266,7 @@ function decision.question(q, fingerprint)
   put("horizon", tostring(m:number(m.horizon)))
   for _, s in ipairs(job.states) do put("state", s.name, tostring(m:number(s.initial))) end
   for _, p in ipairs(m.params) do put("parameter", p.name, tostring(p.default)) end
-  for _, x in ipairs(m.members) do put("constant", x.name, text.of(x.e)) end
+  for _, x in ipairs(job.equations.model.members) do put("constant", x.name, text.of(x.e)) end
   for i, e in ipairs(m.inertia or {}) do put("inertia", i, text.of(e)) end
   for _, g in ipairs(job.equations.groups) do
     for _, x in ipairs(g.defs) do put(x.name, text.of(x.expr)) end

@@ -8,6 +8,7 @@ local numeric = require "generator.dynamics.numeric"
 local err = require "generator.plan.error"
 
 local reference = {}
+reference.__index = reference
 
 -- Tolerances of the series a unit of time of the motion, and of the second run.  Some effects the library integrates by
 -- extrapolation, which may not get there: `most` steps between two times, then the next tolerances.  Of the closed form
@@ -16,9 +17,9 @@ local tolerances = { { 1e-18, 1e-16 }, { 1e-15, 1e-14 }, { 1e-12, 1e-11 } }
 local most = 5000
 local rounding = 2.0 ^ -53
 
--- The library's scene for the state x0; values: parameters {name -> rational} (nil: the scene's own).
-function reference.scene(job, x0, values)
-  local s, full = numeric.scene(job, values), numeric.whole(job, x0)
+-- The library's scene for the state x0; values, lines: those of numeric.scene.
+function reference.scene(job, x0, values, lines)
+  local s, full = numeric.scene(job, values, lines), numeric.whole(job, x0)
   local after = job.model.has.position and 13 or 7
   s.q, s.w = { table.unpack(full, 1, 4) }, { table.unpack(full, 5, 7) }
   if after > 7 then s.r, s.v = { table.unpack(full, 8, 10) }, { table.unpack(full, 11, 13) } end
@@ -26,10 +27,14 @@ function reference.scene(job, x0, values)
   return s
 end
 
+-- What computes the true motions of a scene; it remembers at which tolerances the library got there.
+function reference.new(host, job) return setmetatable({ host = host, job = job, level = 1 }, reference) end
+
 -- The states (as the scene has them) at `times` from x0 at t = 0, and their own error in the measure of error.lua;
 -- or nil and why there is none.  quick: one run, no second: the error is then nil.
 -- input: the values that inputs are held at (nil: none).
-function reference.of(host, job, x0, times, values, quick, input)
+function reference:motion(x0, times, values, quick, input)
+  local host, job = self.host, self.job
   local s = reference.scene(job, x0, values)
   local function run(method, tolerance)
     local rows, why = host.run(s, { method = method, tol = tolerance, times = times, most = most, u = input })
@@ -40,15 +45,15 @@ function reference.of(host, job, x0, times, values, quick, input)
   end
   local free = #s.effects == 0 and job.model.has.rates and not job.model.has.position
   local rows, other, why
-  for level = job.followed or 1, #tolerances do -- what failed once is not tried again
+  for level = self.level, #tolerances do -- what failed once is not tried again
     local t = tolerances[level]
-    job.followed = level
+    self.level = level
     rows, why = run(free and "exact" or "taylor", not free and t[1] or nil)
     if rows and quick then return rows end
     if rows then other, why = run("taylor", t[free and 1 or 2]) end
     if other then return rows, (math.max(rounding, (err.of(job, other, rows)))) end
   end
-  job.followed = nil
+  self.level = 1
   return nil, why
 end
 

@@ -20,7 +20,7 @@ end
 -- once it has been shown to, or nil: the library is asked at every point}
 function trial.new(setup)
   local self = setmetatable(setup, trial)
-  self.times = err.times(self.T)
+  self.times, self.true_motions = err.times(self.T), reference.new(self.host, self.job)
   return self
 end
 
@@ -75,7 +75,7 @@ function trial:truth(point)
     rows, why = self:run(self.sure[1], self.sure[2], point)
     why = why or "its motion ends in a singularity"
   else
-    rows, why = reference.of(self.host, self.job, point.x, self.times, point.values, true, point.input)
+    rows, why = self.true_motions:motion(point.x, self.times, point.values, true, point.input)
     if rows then rows = with_last(rows) end
   end
   point.truth = rows
@@ -84,7 +84,7 @@ end
 
 -- How far `sure` is from the library at a point and, if `twice`, the library's two runs from each other: the larger.
 function trial:doubt(point, twice)
-  local rows, own = reference.of(self.host, self.job, point.x, self.times, point.values, not twice, point.input)
+  local rows, own = self.true_motions:motion(point.x, self.times, point.values, not twice, point.input)
   if not rows then return nil, own end
   point.truth, point.library = with_last(rows), true
   if not self.sure then return own or 0.0 end

@@ -1,6 +1,6 @@
 -- costs.lua -- the cost sheet: operations of emitted functions, and what they take on small processors and large.
 --
---     costs.rows(job, set_up)   list of {name, counts (cost/ops.lua), cycles (as targets.list)}; the job's code is made
+--     costs.rows(job, set_up)   list of {name, counts (cost/ops.lua), cycles (as targets.list)}; job: a unit
 -- The functions that one calls again and again: the steppers and the closed form's evaluations; set_up: NAME_solve too.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

@@ -213,7 +213,7 @@ local function document(f)
     costs[i] = string.format("%-16s %4d + -  %4d *  %3d /  %2d sqrt  %2d calls", c.fn, c.add, c.mul, c.div, c.sqrt,
       c.call)
   end
-  if f.job.asked then section("Asked for", f.job.asked) end
+  if f.asked then section("Asked for", f.asked) end
   section("Operations of the emitted functions", costs)
   local sheet, names = f.job.sheet(true)
   local table_of = { string.format("%-12s %s", "", string.format(string.rep("%11s", #names), table.unpack(names))) }
@@ -351,13 +351,17 @@ function writers.json(f)
     { "closed_form", closed }, { "stability", stability },
     { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
     { "cycles", object { { "real", f.job.real }, { "functions", estimated } } },
-    { "rhs", attribution.json(attribution.of(f.job), object) }, { "asked", f.job.asked or json.null },
+    { "rhs", attribution.json(attribution.of(f.job), object) }, { "asked", f.asked or json.null },
     { "warnings", warnings } }
   if f.job.counted then doc[#doc + 1] = { "counted", counted.json(f.job.counted, object, json.null) } end
   return json.text(doc)
 end
 
--- The explanation of a planned job in the format.
-function explain.text(job, format) return writers[format](facts.of(job)) end
+-- The explanation of a unit in the format; asked: lines on the accuracy that is asked for, or nil.
+function explain.text(unit, format, asked)
+  local f = facts.of(unit)
+  f.asked = asked
+  return writers[format](f)
+end
 
 return explain

@@ -111,7 +111,7 @@ end
 -- Extends the entries of f.stability; sets f.design, or f.design_numeric = true when there are only numbers.
 function stability.extend(f)
   local m = f.job.model
-  local s = f.job.stability or mass.of(m)
+  local s = mass.of(m)
   if not s.axes then
     for k, entry in ipairs(f.stability) do
       entry.stable = entry.verdict == "stable" and 1 or entry.verdict == "unstable" and -1 or 0

@@ -13,6 +13,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local tap = require "tests.tap"
 local tier = require "tests.tier"
 local scene = require "tests.scene"
+local equations = require "generator.dynamics.equations"
 local program = require "tests.cli.program"
 local driver = require "generator.driver"
 local ops = require "generator.cost.ops"
@@ -71,9 +72,8 @@ local function within(c, least, most)
 end
 
 local function planned(path, real, names)
-  local job = scene.plan(scene.file("bodies/" .. path .. ".lua"), { real = real, methods = names, libm = "system" })
-  driver.code(job)
-  return job
+  return driver.code(scene.plan(scene.file("bodies/" .. path .. ".lua"), { real = real, methods = names,
+    libm = "system" }))
 end
 
 -- ---- steppers: equal ----
@@ -130,8 +130,7 @@ end
 -- ---- another order than the emitted one ----
 
 for _, order in ipairs { 4, 9, 30 } do
-  local job = scene.plan(scene.file "bodies/heavy_top.lua", { methods = { "taylor" }, order = order })
-  driver.code(job)
+  local job = driver.code(scene.plan(scene.file "bodies/heavy_top.lua", { methods = { "taylor" }, order = order }))
   tap.is(shown(ops.of(planned("heavy_top", "double", { "taylor" }), { method = "taylor", order = order }).step),
     shown(ops.of(job, { method = "taylor" }).step), "taylor of order " .. order .. " counted in code of order 20")
 end
@@ -184,12 +183,13 @@ do
   local read, refused = 0, {}
   for _, path in ipairs(tier.quick and {} or { "wheels", "thruster", "magnet_pendulum", "solar_sail", "earth",
     "kapitza", "dual_spin", "spun_coin", "dropped_stone", "dumbbell", "cube_corner" }) do
-    local job, admitted = scene.file("bodies/" .. path .. ".lua"), { "exact" }
+    local s, admitted = scene.file("bodies/" .. path .. ".lua"), { "exact" }
     for _, m in ipairs(methods) do
-      if m.name ~= "exact" and (not m.program or m.program(job.equations, {})) then admitted[#admitted + 1] = m.name end
+      if m.name ~= "exact" and (not m.program or m.program(equations.fork(s.equations), {})) then
+        admitted[#admitted + 1] = m.name
+      end
     end
-    scene.plan(job, { methods = admitted })
-    driver.code(job)
+    local job = driver.code(scene.plan(s, { methods = admitted }))
     for _, m in ipairs(admitted) do
       for _, setting in ipairs { "step", "tolerance" } do
         local ok, cost, why = pcall(ops.of, job, { method = m, setting = setting })

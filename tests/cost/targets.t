@@ -86,8 +86,7 @@ tap.is(targets.fma("x86-64", "double"), false, "portable code for x86-64 does no
 -- ---- of emitted code ----
 
 do
-  local job = scene.plan(scene.file "bodies/brick_centroid.lua", { methods = { "rk4", "taylor", "semi" } })
-  driver.code(job)
+  local job = driver.code(scene.plan(scene.file "bodies/brick_centroid.lua", { methods = { "rk4", "taylor", "semi" } }))
   for _, target in ipairs(targets.list) do
     local function of(candidate) return targets.cost(target, "double", ops.of(job, candidate).step) end
     local before = 0
@@ -104,8 +103,7 @@ do
   end
   local none, why = ops.of(job, { method = "split4" })
   tap.ok(none == nil and why:find("split4", 1, true) ~= nil, "a method that was not planned is named")
-  local other = scene.plan(scene.file "bodies/brick_centroid.lua", { methods = { "rk4" } })
-  driver.code(other)
+  local other = driver.code(scene.plan(scene.file "bodies/brick_centroid.lua", { methods = { "rk4" } }))
   none, why = ops.of(other, { method = "exact" })
   tap.ok(none == nil and why:find("closed form", 1, true) ~= nil, "so is a closed form that is not there")
   tap.ok(targets.instructions("x86-64", "double", one "add") == nil, "nobody counted instructions on x86-64")

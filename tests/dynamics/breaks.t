@@ -17,7 +17,7 @@ local function equations(effects)
   local job = assert(scene.read("local k = param(\"k\", 2, \"N m\")\nreturn scene { name = \"s\", " ..
     "body = solid.box { x = 1, y = 2, z = 3, mass = 4 },\n  effects = { " .. effects .. " },\n" ..
     "  initial = { omega = { 1, 2, 3 } } }\n"))
-  scene.plan(job)
+  job = scene.plan(job)
   return job.equations
 end
 

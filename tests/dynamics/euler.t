@@ -14,6 +14,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local tap = require "tests.tap"
 local tier = require "tests.tier"
 local scene = require "tests.scene"
+local equations = require "generator.dynamics.equations"
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
@@ -122,7 +123,7 @@ local bodies = {
 
 -- The torque equation read backwards, and what becomes of energy and momentum.
 local function conserved(job, dw, N, rates, effect, name)
-  local m = job.model
+  local m = equations.fork(job.equations).model
   -- the torque equation read backwards: N = I w' + w x L, with these w' it gives N again
   local emitted = scene.results(job, scene.description(job, "torque")).N
   local map = {}
@@ -170,7 +171,8 @@ for _, body in ipairs(tier.every(4, bodies)) do
     elseif tap.ok(job, name .. ": is read", why) then
       local s = m.structure
       tap.is(s.rod and "rod" or s.kind, body[2], name .. ": structure " .. body[2])
-      local rates = scene.rates(job)
+      local plan = scene.plan(job)
+      local rates = scene.rates(plan)
       local dw, N = { rates.wx, rates.wy, rates.wz }, effect[3](m)
       local residue = plus(plus(apply(m.inertia, dw), cross(w, apply(m.inertia, w))), times(expr.lift(-1), N))
       vanishes(residue, name .. ": I w' + w x I w = N identically")
@@ -179,7 +181,7 @@ for _, body in ipairs(tier.every(4, bodies)) do
         rates.qy - (q[1] * w[2] + q[4] * w[1] - q[2] * w[3]) / 2,
         rates.qz - (q[1] * w[3] + q[2] * w[2] - q[3] * w[1]) / 2 }, name .. ": q' = q (0, w)/2")
 
-      if body.whole then conserved(job, dw, N, rates, effect[1], name) end
+      if body.whole then conserved(plan, dw, N, rates, effect[1], name) end
     end
   end
 end
@@ -187,8 +189,9 @@ end
 -- ---- gravity about the centroid vanishes ----
 
 do
-  local job = assert(scene.body("solid.box { x = a, y = b, z = c, mass = M }", abc, "effects = {effect.gravity{}}"))
-  local free = assert(scene.body("solid.box { x = a, y = b, z = c, mass = M }", abc))
+  local job = scene.plan(assert(scene.body("solid.box { x = a, y = b, z = c, mass = M }", abc,
+    "effects = {effect.gravity{}}")))
+  local free = scene.plan(assert(scene.body("solid.box { x = a, y = b, z = c, mass = M }", abc)))
   local with, without = scene.rates(job), scene.rates(free)
   tap.ok(with.wx == without.wx and with.wy == without.wy and with.wz == without.wz,
     "gravity about the centroid: the equations are those of the free body")

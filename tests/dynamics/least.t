@@ -65,7 +65,7 @@ for _, row in ipairs(rows) do
     local job, why = scene.read("local s = scene { name = \"b\", body = " .. row[2] .. ",\n  effects = {" .. row[3] ..
       "}, initial = { omega = {1, 2, 3} },\n  " .. row[4] .. " }\nreturn s\n", { bake = bake })
     if tap.ok(job ~= nil, what .. ": is a scene", why) then
-      scene.plan(job, { real = "double" })
+      job = scene.plan(job, { real = "double" })
       local cost = attribution.cost(job, scene.description(job, "rhs"))
       if bake then -- a number may be 1, so there may be less to do
         local most = row.numbers or row[5]

@@ -104,7 +104,7 @@ for _, s in ipairs(scenes) do
       "}, " .. initial .. " }")
     local name = s[1] .. (turns and ", a body" or ", a point")
     if not tap.ok(job, name .. ": is a scene", why) then break end
-    scene.plan(job)
+    job = scene.plan(job)
     local m, x = job.model, {}
     local env = { t = time, h = R.lift "1/16" }
     for k, q in pairs(m.defaults) do env[k] = q end -- into a table: order is lost anyway

@@ -22,7 +22,7 @@ local EPSILON = 2.0 ^ -52
 
 -- ---- the linearised equations, symbolic ----
 
-local job = scene.file "bodies/brick_centroid.lua"
+local job = scene.plan(scene.file "bodies/brick_centroid.lua")
 local I = job.model.inertia
 local w = { expr.sym("wx", 8), expr.sym("wy", 8), expr.sym("wz", 8) }
 do
@@ -93,7 +93,7 @@ int main(void)
 end
 
 do
-  local got = run(scene.plan(job), [[
+  local got = run(job, [[
   const double m[3] = {1.0, 2.0, 2.5};
   const double w0[3] = {0.01, -0.02, 3.0}, w1[3] = {0.01, 3.0, -0.02}, w2[3] = {-3.0, 0.01, 0.02};
   const double rod[3] = {0.0, 2.0, 2.0}, pure[3] = {0.0, 0.0, 3.0};

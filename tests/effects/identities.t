@@ -88,7 +88,8 @@ local function acting(m)
 end
 
 local function check(name, job)
-  local m, eq = job.model, job.equations
+  local eq = equations.fork(job.equations)
+  local m = eq.model
   local torque, momentum, energy = quantities.torque(m), quantities.momentum(m), quantities.energy(m)
   local N, F, inner = acting(m)
   local turn = m.frame and m.frame.spec.frame(m.frame.a, context.of(m))

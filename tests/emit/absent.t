@@ -30,7 +30,7 @@ local function emitted(list, place)
     ",\n  effects = {" .. text .. "}, initial = { omega = {1, 2, 3} },\n  " ..
     (place == "corner" and 'origin = "corner"' or "") .. " }\nreturn r\n")
   if not job then return nil, nil, why end
-  scene.plan(job)
+  job = scene.plan(job)
   return scene.files(job, true), job
 end
 

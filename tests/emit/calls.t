@@ -36,7 +36,7 @@ for _, case in ipairs(SCENES) do
   local name, options = case[1], case[2]
   local job = scene.plan(scene.file("bodies/" .. name .. ".lua"), options)
   job.templates["templates/target/calls.c"] = program.read "templates/target/calls.c"
-  local code = driver.code(job)
+  local code = driver.code(job).code
   local plan = calls.of(job, { { header = code.header, source = code.source } })
   local listed, idle = {}, {}
   for _, f in ipairs(plan.list) do

@@ -75,7 +75,7 @@ tap.diag(string.format("%-24s %-22s %s", "body", "emitted", "by hand"))
 for _, row in ipairs(rows) do
   local name, shape, params, formula = table.unpack(row)
   local job = assert(scene.body(shape, params))
-  driver.plan(job, { real = "double", command = "" })
+  job = driver.plan(job, { real = "double", command = "" })
   local m = job.model
 
   -- the formula is the tensor

@@ -24,7 +24,7 @@ local rows = {
 for _, path in ipairs { "brick_centroid", "symmetric_top" } do
   for i, real in ipairs { "double", "float" } do
     local job = scene.plan(scene.file("bodies/" .. path .. ".lua"), { real = real })
-    local code = driver.code(job)
+    local code = driver.code(job).code
     program.write(dir .. "/" .. path .. ".h", code.header)
     program.write(dir .. "/" .. path .. ".c", (code.source:gsub("#include <math.h>", "")))
     for _, row in ipairs(rows) do

@@ -187,7 +187,7 @@ for number, c in ipairs(tier.every(5, cases)) do
     local rows, expected = header(c, real)
     local job = assert(scene.read('return scene { name = "top", body = ' .. c.body .. ", effects = { " .. c.effects ..
       " } }\n"))
-    scene.plan(job, { real = real })
+    job = scene.plan(job, { real = real })
     if tap.ok(job.closed.kind and job.closed.full == c.full, c.name .. ": has a closed form", job.closed.refused) then
       local files = scene.files(job)
       program.shell("mkdir -p " .. folder)

@@ -18,12 +18,11 @@ local dir = program.directory()
 local flags = "-O0 -ffp-contract=off -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
 
 local function emitted(text, real, methods)
-  local job = assert(scene.read(text))
-  assert(scene.plan(job, { real = real, methods = methods }), "not planned")
-  job.proof = true
-  local fine = proof.check(job)
-  job.proof = fine or nil
-  return scene.files(job), job
+  local s = assert(scene.read(text))
+  local options = { real = real, methods = methods, proof = true }
+  local job = assert(scene.plan(s, options))
+  options.proof = proof.check(job)
+  return scene.files(assert(scene.plan(s, options))), job
 end
 
 local rows = {

@@ -20,7 +20,7 @@ local function emit(dir, text, kind)
   for _, s in ipairs { { "top", "double" }, { "small", "float" } } do
     local name = s[1]
     local job = assert(scene.read(string.format(text, name)))
-    scene.plan(job, { real = s[2] })
+    job = scene.plan(job, { real = s[2] })
     tap.is(job.closed.kind, kind, name .. ": " .. kind)
     local files = scene.files(job)
     program.write(dir .. "/" .. name .. ".h", files[name .. ".h"])

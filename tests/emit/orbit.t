@@ -93,7 +93,7 @@ end
 
 for _, real in ipairs { "double", "float" } do
   local job = assert(scene.read(text))
-  scene.plan(job, { real = real })
+  job = scene.plan(job, { real = real })
   local files = scene.files(job)
   local list, rows = cases(real), {}
   for n, c in ipairs(list) do

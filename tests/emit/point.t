@@ -21,7 +21,7 @@ local cc = "gcc -std=c99 -O2 -pedantic -Wall -Wextra -Wconversion -Wdouble-promo
 
 local function emit(text, real)
   local job = assert(scene.read(text))
-  scene.plan(job, { real = real or "double" })
+  job = scene.plan(job, { real = real or "double" })
   local name = job.model.name
   local files = scene.files(job)
   program.write(dir .. "/" .. name .. ".h", files[name .. ".h"])

@@ -171,7 +171,7 @@ local function emit(real)
   local job = assert(scene.read('return scene { name = "top", body = solid.box { x = 1, y = 2, z = 3, mass = 4 } }'))
   local where = dir .. "/" .. real
   program.shell("mkdir -p " .. where)
-  scene.plan(job, { real = real })
+  job = scene.plan(job, { real = real })
   local files = scene.files(job)
   program.write(where .. "/top.c", files["top.c"])
   program.write(where .. "/top.h", files["top.h"])

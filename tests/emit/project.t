@@ -165,7 +165,7 @@ do
   local before
   for _, pass in ipairs { "lower", "power", "fold", "cse", "dce", "order" } do
     local job = scene.plan(scene.file "bodies/brick.lua")
-    local text = driver.show({ templates = {} }, job, pass)
+    local text = driver.show(job, pass)
     tap.ok(text:find("brick_rhs", 1, true) and text:find("brick_step", 1, true) and #text > 1000,
       "--show " .. pass .. ": the IR of every function")
     tap.ok(text ~= before or pass == "dce" or pass == "cse", "--show " .. pass .. ": differs from what was before it")

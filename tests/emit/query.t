@@ -26,7 +26,7 @@ return scene {
 
 for _, s in ipairs { { "top", "double" }, { "small", "float" } } do
   local job = assert(scene.read(string.format(text, s[1])))
-  scene.plan(job, { real = s[2] })
+  job = scene.plan(job, { real = s[2] })
   local files = scene.files(job)
   program.write(dir .. "/" .. s[1] .. ".h", files[s[1] .. ".h"])
   program.write(dir .. "/" .. s[1] .. ".c", files[s[1] .. ".c"])

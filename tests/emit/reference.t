@@ -76,7 +76,7 @@ local function add(row, k, real, where, origin)
   local job = assert(scene.read(params .. "return scene { name = \"" .. name .. "\", body = " .. text ..
     ", origin = " .. origin .. " }\n"))
   local m = job.model
-  scene.plan(job, { real = real })
+  job = scene.plan(job, { real = real })
   local files = scene.files(job)
   program.write(dir .. "/" .. name .. ".c", files[name .. ".c"])
   program.write(dir .. "/" .. name .. ".h", files[name .. ".h"])

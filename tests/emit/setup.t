@@ -30,7 +30,7 @@ return scene {
     xz = entry("xz", 0), yz = entry("yz", 0) },
 }
 ]])
-scene.plan(job, { real = "double" })
+job = scene.plan(job, { real = "double" })
 local files = scene.files(job)
 program.write(dir .. "/top.h", files["top.h"])
 program.write(dir .. "/top.c", files["top.c"])

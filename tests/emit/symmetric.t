@@ -35,7 +35,7 @@ for _, kind in ipairs(kinds) do
       'local C = param("C", 1, "kg m^2")\n' or "") .. 'return scene { name = "' .. s[1] ..
       '", body = tensor { mass = 1, ' .. kind[3] .. " } }\n"
     local job = assert(scene.read(text))
-    scene.plan(job, { real = s[2] })
+    job = scene.plan(job, { real = s[2] })
     tap.is(job.closed.kind, kind[4], kind[1] .. ": the closed form is that of the " .. kind[4])
     local files = scene.files(job)
     program.write(folder .. "/" .. s[1] .. ".h", files[s[1] .. ".h"])

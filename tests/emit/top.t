@@ -38,7 +38,7 @@ return scene {
 for _, s in ipairs { { "top", "double" }, { "small", "float" } } do
   local name = s[1]
   local job = assert(scene.read(string.format(text, name)))
-  scene.plan(job, { real = s[2] })
+  job = scene.plan(job, { real = s[2] })
   tap.is(job.closed.kind, "asymmetric", name .. ": a tensor of parameters has the closed form of the asymmetric top")
   local files = scene.files(job)
   program.write(dir .. "/" .. name .. ".h", files[name .. ".h"])

@@ -107,11 +107,10 @@ return function(host)
     if made[key] then return made[key] end
     local list, out = {}, {}
     for i, real in ipairs(o.reals or kit.reals) do
-      local job, why = kit.read(o.text)
-      if not job then error(why, 0) end
-      if not driver.plan(job, { real = real, command = "", methods = o.methods, order = o.order, libm = o.libm }) then
-        error(job.diag:report(), 0)
-      end
+      local s, why = kit.read(o.text)
+      if not s then error(why, 0) end
+      local job, d = driver.plan(s, { real = real, command = "", methods = o.methods, order = o.order, libm = o.libm })
+      if not job then error(d:report(), 0) end
       -- -O1: the same bits as -O2 (no contraction), compiled sooner
       list[i] = { job = job, flags = { "-O1", table.unpack(o.flags or {}) } }
       out[real] = { job = job, real = real, u = kit.u[real] }
@@ -146,7 +145,7 @@ return function(host)
       exact = {}
       for _, p in ipairs(job.model.params) do exact[p.name] = R.fromdouble(values[p.name]) end
     end
-    local rows, own = reference.of(host, job, x0, times, exact, false, u)
+    local rows, own = reference.new(host, job):motion(x0, times, exact, false, u)
     if not rows then error(own, 0) end
     return rows, own
   end
@@ -228,13 +227,12 @@ return function(host)
       at = string.format("%s/program%d", dir, count)
       local files, with = { { name = "scene.h", text = "" } }, "-Isrc/runtime build/libpolhode.a"
       if o.text then
-        local job, why = kit.read(o.text)
-        if not job then error(why, 0) end
-        if not driver.plan(job, { real = o.real, command = "", methods = o.methods, order = o.order, libm = o.libm })
-        then
-          error(job.diag:report(), 0)
-        end
-        files, with = assert(driver.files(host, job, {})), string.format("%s/%s.c", at, job.model.name)
+        local s, why = kit.read(o.text)
+        if not s then error(why, 0) end
+        local job, d = driver.plan(s, { real = o.real, command = "", methods = o.methods, order = o.order,
+          libm = o.libm })
+        if not job then error(d:report(), 0) end
+        files, with = assert(driver.files(job, { plugin = {} })).files, string.format("%s/%s.c", at, job.model.name)
         files[#files + 1] = { name = "scene.h", text = (o.define or "") ..
           string.format('#include "%s.h"\n', job.model.name) }
       end

@@ -99,7 +99,7 @@ return scene { name = "free", body = tensor { mass = 1, xx = A, yy = B, zz = C }
       table.sort(order, function(a, b) return math.abs(times[a]) < math.abs(times[b]) end)
       for k, i in ipairs(order) do list[k] = times[i] end
       if #list > 0 then
-        local rows, why = reference.of(kit.host, job, x0, list, values, true)
+        local rows, why = reference.new(kit.host, job):motion(x0, list, values, true)
         if not rows then error("library: " .. tostring(why), 0) end
         for k, i in ipairs(order) do out[i] = rows[k] end
       end

@@ -159,7 +159,7 @@ do
     "solid.box { x = b, y = b, z = b, mass = M }:scaled{2, 1, 1}:sheared{xy = 0.5}:mirrored \"z\" - " ..
     "solid.sphere { r = a/8, density = rho }:at{a/2, 0, 0}"
   local job = assert(scene.body(shape, { "rho = 7", "M", "a", "b", "c" }))
-  driver.plan(job, { real = "double", command = "" })
+  job = driver.code(driver.plan(job, { real = "double", command = "" }))
   local text = explain.text(job, "text")
   for i, line in ipairs {
     "1. solid.box (line 6), of density rho, moved by (a/2, 0, 0)",

@@ -118,8 +118,8 @@ for i, row in ipairs(tier.every(5, rows)) do
         local name = string.format("s%d%s%s", i, method, string.sub(real, 1, 1))
         local job = assert(scene.read('return scene { name = "' .. name .. '", body = ' .. row[2] .. ", effects = {" ..
           row[3] .. "}, origin = {0, 0, 0}, initial = { omega = {1, 2, 3} } }\n"))
-        assert(driver.plan(job, { real = real, compensated = true, methods = { method }, order = 8, libm = "system",
-          command = "" }))
+        job = assert(driver.plan(job, { real = real, compensated = true, methods = { method }, order = 8,
+          libm = "system", command = "" }))
         local files = scene.files(job)
         local function write(file, s)
           s = string.gsub(string.gsub(s, "COUNT", tostring(N)), "STEP", string.format("%.17g", H))

@@ -25,7 +25,7 @@ function long.build(method, body, effects, options)
   number = number + 1
   local folder = string.format("%s/%d", program.directory(), number)
   local job = assert(scene.read(long.scene(body, effects, options.start)))
-  assert(driver.plan(job, { real = options.real, command = "polhode gen top.lua", methods = { method } }))
+  job = assert(driver.plan(job, { real = options.real, command = "polhode gen top.lua", methods = { method } }))
   local files, rotor = scene.files(job), options.rotor or { 0, 0, 0 }
   program.shell("mkdir -p " .. folder)
   for _, name in ipairs { "top.h", "top.c" } do program.write(folder .. "/" .. name, files[name]) end

@@ -33,7 +33,7 @@ end
 
 -- value(e, env) evaluates one expression.  The model's constants are put into env first.
 local function prepared(job, value)
-  scene.plan(job)
+  job = scene.plan(job)
   local env = {}
   for name, q in pairs(job.model.defaults) do env[name] = q end
   for _, member in ipairs(job.model.members) do env[member.name] = value(member.e, env) end

@@ -99,7 +99,7 @@ for _, c in ipairs(tier.every(2, { { string.format(top, 3), "effect.gravity { g 
   local cost = {}
   for i, method in ipairs { "semi", "rk4" } do
     local job = assert(scene.read(long.scene(c[1], c[2])))
-    driver.plan(job, { command = "", methods = { method } })
+    job = driver.plan(job, { command = "", methods = { method } })
     local line = string.match(scene.files(job)["top.h"], "Operations of step: ([^\n]*)")
     cost[i] = 0
     for n in string.gmatch(line, "%d+") do cost[i] = cost[i] + tonumber(n) end

@@ -25,6 +25,7 @@ local template = require "generator.emit.template"
 local taylor = require "generator.methods.taylor"
 local emit = require "generator.emit.taylor"
 local series = require "generator.methods.series"
+local fork = require("generator.dynamics.equations").fork
 
 local ORDER, BITS = 9, 200
 local x, y, t, k = expr.sym("one", 8), expr.sym("two", 8), expr.sym("t", 8), expr.sym("kk", 3)
@@ -152,7 +153,7 @@ end
 do
   local function lanes(path, order)
     local job = scene.file(path)
-    return assert(taylor.program(job.equations, { order = order }))
+    return assert(taylor.program(fork(job.equations), { order = order }))
   end
   local free = lanes "bodies/brick_centroid.lua"
   tap.is(#free.lanes, 11, "free asymmetric top: 8 products of the attitude in a turning frame, 3 of the rates")

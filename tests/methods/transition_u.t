@@ -113,7 +113,7 @@ for i, row in ipairs(rows) do
         local name = string.format("s%d%s%s", i, method, string.sub(real, 1, 1))
         local job = assert(scene.read(row[2] .. "return scene { name = \"" .. name .. "\", body = " .. row[3] ..
           ", effects = {" .. row[4] .. "}, origin = {0, 0, 0}, initial = { omega = {1, 2, 3} } }\n"))
-        assert(scene.plan(job, { real = real, jacobians = true, methods = { method } }), method)
+        job = assert(scene.plan(job, { real = real, jacobians = true, methods = { method } }), method)
         local files, state, held = scene.files(job), {}, {}
         for k, s in ipairs(job.states) do state[k] = string.format("(NAME_real)%.17g", places[s.name]) end
         for k, s in ipairs(job.model.inputs) do held[k] = string.format("(NAME_real)%.17g", values[s.name]) end

@@ -27,9 +27,9 @@ return scene { name = "free", body = solid.sphere { r = 1, mass = 1 }, initial =
 local function numbers(file)
   local out, failure = lua([[
 local driver, condition = require "generator.driver", require "generator.plan.condition"
-local numeric = require "generator.dynamics.numeric"
+local numeric, reference = require "generator.dynamics.numeric", require "generator.plan.reference"
 local job = driver.read(host, args[1], {})
-local c = condition.of(host, job, numeric.initial(job), 4)
+local c = condition.of(reference.new(host, job), numeric.initial(job), 4)
 say("number", string.format("%.17g", c.number))
 say("growth", string.format("%.17g", c.growth))
 say("state", string.format("%.17g", c.state))

@@ -90,7 +90,7 @@ tap.like(decision.key(asked), "^%x+$", "a name of hexadecimal digits", true)
 -- ---- the order that NAME_taylor_run takes, as the emitted code has it ----
 
 local job = assert(scene.read [[return scene { name = "s", body = solid.box { x = 3, y = 2, z = 1, mass = 1 } }]])
-scene.plan(job, { methods = { "taylor" } })
+job = scene.plan(job, { methods = { "taylor" } })
 local source = scene.files(job)["s.c"]
 -- least - slope log2(tolerance), cut to a whole number: 9.5 + 0.375*30 = 20.75 for 2^-30
 tap.ok(source:find("9.5", 1, true) and source:find("0.375*taylor_log2(tolerance)", 1, true),

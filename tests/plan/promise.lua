@@ -24,14 +24,14 @@ for name in string.gmatch(methods ~= "-" and methods or "", "[^,]+") do table.in
 if methods == "-" then given.method = nil end
 local job = driver.read(host, file, given)
 local q = planner.question(job, given)
-assert(planner.prepare(host, q, given))
+assert(planner.prepare(host, q))
 local unseen = states.points(job, real, count, 5000)
 local judge = trial.new { host = host, job = job, plugin = q.plugin, T = job.model:double(job.model.horizon) }
 
 -- Every candidate with its cost at a setting, by what the planner counts with but not through it.
 local function all()
   local list = {}
-  for _, c in ipairs(candidates.of(driver.read(host, file, given), { real = real, methods = q.methods,
+  for _, c in ipairs(candidates.of(job, { real = real, methods = q.methods,
     orders = plan.orders })) do
     local tolerance = c.method == "taylor" and c.setting == "tolerance"
     if not c.refused and (not tolerance or c.order == plan.orders[1]) then

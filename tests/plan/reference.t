@@ -29,6 +29,7 @@ local head = [[
 local driver, R = require "generator.driver", require "generator.algebra.rational"
 local reference, err = require "generator.plan.reference", require "generator.plan.error"
 local job = driver.read(host, args[1], {})
+local truth = reference.new(host, job)
 local function show(x)
   for i, y in ipairs(x) do x[i] = string.format("%.17g", y) end
   say(table.concat(x, " "))
@@ -62,23 +63,23 @@ local function near(got, want, bound, name)
   tap.is(#got >= #want and worst <= bound, true, name .. string.format(": %.2g", worst))
 end
 
-local got = numbers([[show(reference.of(host, job, { 1, 0, 0, 0, 1, 0, 5 }, { 4, 10 })[2])]], "coin.lua")
+local got = numbers([[show(truth:motion({ 1, 0, 0, 0, 1, 0, 5 }, { 4, 10 })[2])]], "coin.lua")
 near(got, coin(3, 2, 1, 5, 10), 3e-14, "the scene's own parameters, a state, the last of the times")
 
-got = numbers([[show(reference.of(host, job, { 1, 0, 0, 0, 0.5, 0, 3 }, { 10 },
+got = numbers([[show(truth:motion({ 1, 0, 0, 0, 0.5, 0, 3 }, { 10 },
   { I1 = R.lift(5), I3 = R.lift "7/2" })[1])]], "coin.lua")
 near(got, coin(5, 3.5, 0.5, 3, 10), 3e-14, "other parameters, another state")
 
-got = numbers([[local _, own = reference.of(host, job, { 1, 0, 0, 0, 1, 0, 5 }, err.times(10)) show { own }]],
+got = numbers([[local _, own = truth:motion({ 1, 0, 0, 0, 1, 0, 5 }, err.times(10)) show { own }]],
   "coin.lua")
 tap.is(#got == 1 and got[1] >= 2 ^ -53 and got[1] < 1e-14, true, "its own error: at least a rounding, and small")
 
-got = numbers([[local rows, own = reference.of(host, job, { 1, 0, 0, 0, 0, 0, 2 }, { 4 }) rows[1][8] = own
+got = numbers([[local rows, own = truth:motion({ 1, 0, 0, 0, 0, 0, 2 }, { 4 }) rows[1][8] = own
   show(rows[1])]], "ball.lua")
 near({ got[7] }, { 2 * math.exp(-0.1 / 0.4 * 4) }, 3e-14, "with an effect: the damped ball")
 tap.is(got[8] >= 2 ^ -53 and got[8] < 1e-14, true, "and the error of that, by a second tolerance")
 
-got = numbers([[local rows, own = reference.of(host, job, { 1, 0, 0, 0, 0, 0, 2 }, { 4 }, nil, true)
+got = numbers([[local rows, own = truth:motion({ 1, 0, 0, 0, 0, 0, 2 }, { 4 }, nil, true)
   show { #rows, own and 1 or 0 }]], "ball.lua")
 tap.is(got[1] == 1 and got[2] == 0, true, "quick: rows without an error")
 

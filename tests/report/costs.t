@@ -8,6 +8,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local tap = require "tests.tap"
 local json = require "tests.json"
 local scene = require "tests.scene"
+local driver = require "generator.driver"
 local costs = require "generator.report.costs"
 local explain = require "generator.report.explain"
 local ops = require "generator.cost.ops"
@@ -23,7 +24,8 @@ local function names(rows)
   return table.concat(list, " ")
 end
 
-local job = planned "double"
+local plan = planned "double"
+local job = driver.code(plan)
 local rows, list = job.sheet()
 tap.is(names(rows), "step semi_step at at_rates at_attitude at_tick", "what is called again and again")
 tap.is(names((job.sheet(true))), "step semi_step solve at at_rates at_attitude at_tick",
@@ -44,7 +46,7 @@ for _, row in ipairs(rows) do
   tap.is(table.concat(bad, " "), "", row.name .. ": what is shown is the estimate to three digits")
 end
 
-local readme = scene.files(job)["README.md"]
+local readme = scene.files(plan)["README.md"]
 local function line_of(text, name) return text:match("\n| " .. name .. " (|[^\n]*)") end
 tap.ok(readme:find("| function | " .. table.concat(targets.list, " | ") .. " |",
   1, true) ~= nil, "the README has the table")

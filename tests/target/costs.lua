@@ -76,8 +76,8 @@ for _, name in ipairs(SCENES) do
     cores.must("mkdir -p %s && %s gen bodies/%s.lua --layout single --real %s --method %s --order 8 -o %s", own,
       program, name, real,
       table.concat(METHODS, ","), own)
-    local job = scene.plan(scene.file("bodies/" .. name .. ".lua"), { real = real, methods = METHODS, order = 8 })
-    driver.code(job)
+    local job = driver.code(scene.plan(scene.file("bodies/" .. name .. ".lua"), { real = real, methods = METHODS,
+      order = 8 }))
     for _, core in ipairs(cores.list) do
       if core.name ~= "avr" or real == "float" then -- its double is a float
         cores.build(core, own, core.name .. ".elf",

@@ -54,10 +54,11 @@ end
 -- The emitted code, and the sheet's own program with other marks.
 local job = scene.plan(scene.file("bodies/" .. SCENE .. ".lua"), { real = "float" })
 job.templates["templates/target/calls.c"] = program.read "templates/target/calls.c"
-local plan = calls.of(job, { driver.code(job) })
+local made = driver.code(job).code
+local plan = calls.of(job, { made })
 program.shell("mkdir -p " .. dir .. "/own " .. dir .. "/other")
-program.write(dir .. "/own/" .. SCENE .. ".h", job.code.header)
-program.write(dir .. "/own/" .. SCENE .. ".c", job.code.source)
+program.write(dir .. "/own/" .. SCENE .. ".h", made.header)
+program.write(dir .. "/own/" .. SCENE .. ".c", made.source)
 program.write(dir .. "/other/calls.c", plan.program)
 program.write(dir .. "/other/marks.h", program.read "tests/target/sheet_marks.h")
 

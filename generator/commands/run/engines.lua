@@ -9,7 +9,7 @@
 --                              step, from = one of these states, to start there}
 --     motion.measured(state)   its energy and L, or nil and a failure
 -- What cannot be run is answered by nil and {status =, text =}, {command = true, text =} where the command line is
--- wrong, {scene = true} where job.diag says it.  job.course: the inputs over time, or nil.
+-- wrong, {diag =} where diagnostics say it.  scene: what was read; course: the inputs over time, or nil.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -17,6 +17,7 @@ local options = require "generator.commands.options"
 local build = require "generator.commands.build"
 local breaks = require "generator.dynamics.breaks"
 local driver = require "generator.driver"
+local equations = require "generator.dynamics.equations"
 local gen = require "generator.commands.gen"
 local limits = require "generator.commands.run.limits"
 local methods = require "generator.methods.methods"
@@ -75,9 +76,9 @@ local function with_corners(times, corners, from)
 end
 
 -- The knots of the scene's tables, for its own parameters, in their order.
-local function corners_of(job)
+local function corners_of(scene)
   local list = {}
-  for i, k in ipairs(breaks.knots(job.equations)) do list[i] = R.todouble(k.value) end
+  for i, k in ipairs(breaks.knots(equations.fork(scene.equations))) do list[i] = R.todouble(k.value) end
   return list
 end
 
@@ -120,8 +121,8 @@ local function closed(plugin)
   end
 end
 
-function engines.generated(host, job, given)
-  local exact = job.closed.full -- before the plan, which leaves out what is not asked for
+function engines.generated(host, scene, given, course)
+  local exact = scene.closed.full
   local method = given.method or (exact and "exact" or "rk4")
   local m = methods.by_name[method]
   if method ~= "exact" and not m then
@@ -129,21 +130,20 @@ function engines.generated(host, job, given)
     for _, other in ipairs(methods) do names[#names + 1] = other.name end
     return refused(no_method("generated", method, names))
   end
-  if method == "exact" and not job.closed.full then
-    return refused("method exact: " .. (job.closed.kind and "the closed form of this scene gives the rates only" or
-      "this scene has no closed form: " .. job.closed.refused))
+  if method == "exact" and not exact then
+    return refused("method exact: " .. (scene.closed.kind and "the closed form of this scene gives the rates only" or
+      "this scene has no closed form: " .. scene.closed.refused))
   end
   local order, wrong = gen.order(given)
-  wrong = wrong or gen.orderless(given, { method }) or limits.refused(job, given,
+  wrong = wrong or gen.orderless(given, { method }) or limits.refused(scene, given,
     { method = method, closed = method == "exact", adaptive = m and m.adaptive,
       tolerances = limits.tolerances[given.real or "double"] })
-  if job.lines and m.adaptive and not given.step then
+  if course and course.linear and m.adaptive and not given.step then
     wrong = "--between linear: the emitted " .. method .. " holds its inputs for steps of its own choice"
   end
   if wrong then return refused(wrong) end
-  if not driver.plan(job, { real = given.real, command = "", methods = { method }, order = order }) then
-    return nil, { scene = true }
-  end
+  local job, d = driver.plan(scene, { real = given.real, command = "", methods = { method }, order = order })
+  if not job then return nil, { diag = d } end
   local plugin, why, kind = build.plugin(host, job)
   if not plugin then return nil, { status = kind == "range" and 3 or 2, text = why } end
   if plugin:init() ~= 0 then
@@ -159,7 +159,7 @@ function engines.generated(host, job, given)
   else
     if not (m.adaptive and not given.step) then motion.step = given.step or job.model:double(job.model.step) end
     local tolerance = given.tolerance or limits.usual[real]
-    motion.solve = stepped(plugin, method, x0, job.course, tolerance, motion.step, corners_of(job))
+    motion.solve = stepped(plugin, method, x0, course, tolerance, motion.step, corners_of(scene))
   end
   function motion.measured(state)
     local energy, L = plugin:energy(state.x), job.model.has.attitude and plugin:momentum(state.x) or {}
@@ -175,7 +175,7 @@ end
 local names = { "adaptive", "taylor", "rk4", "gsl-rk4", "rkf45", "rk8pd", "exact", "linearised" }
 local orders = { adaptive = 24, taylor = 24, rk4 = 4, rkf45 = 5, rk8pd = 8, ["gsl-rk4"] = 4, exact = 0, linearised = 0 }
 
-function engines.general(host, job, given)
+function engines.general(host, job, given, course)
   local method = given.method or "adaptive"
   if not orders[method] then return refused(no_method("general", method, names)) end
   if given.order then return refused "--order: it is that of the emitted taylor, got --engine general" end
@@ -187,7 +187,8 @@ function engines.general(host, job, given)
   local wrong = limits.refused(job, given, { method = method, closed = closed_form, adaptive = adaptive,
     tolerances = limits.tolerances.general })
   if wrong then return refused(wrong) end
-  local scene = numeric.scene(job)
+  local lines = course and course.linear
+  local scene = numeric.scene(job, nil, lines)
   if closed_form and #scene.effects > 0 then
     return refused("--engine general --method " .. method .. " solves free tops, and this scene has effects")
   end
@@ -195,8 +196,8 @@ function engines.general(host, job, given)
     quick = 20000, epsilon = 2.0 ^ -52, closed = closed_form, adaptive = adaptive, exact = job.closed.full }
   if not closed_form then motion.step = given.step or fixed and job.model:double(job.model.step) or nil end
   function motion.solve(times, o)
-    local rows, why, kind, t = host.run(o.from and reference.scene(job, o.from.x) or scene, { method = method,
-      step = o.step or motion.step, tol = given.tolerance, times = times, u = job.course,
+    local rows, why, kind, t = host.run(o.from and reference.scene(job, o.from.x, nil, lines) or scene, {
+      method = method, step = o.step or motion.step, tol = given.tolerance, times = times, u = course,
       t0 = o.from and o.from.t or 0.0 })
     if not rows then
       return nil, { status = kind == "numbers" and 3 or 2, t = t, text = string.gsub(why, "^at t = %S+ s: ", "") }

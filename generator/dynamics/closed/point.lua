@@ -67,14 +67,14 @@ function point.detect(m)
     end
     if not isotropic(k, axis) then return nil, "the stiffness is not one across the axis of the frame", true end
   end
-  local function constants()
-    local c, list = context.with(context.of(m), t or {}), {}
-    local turn = frame and moving.frame(m)
+  local function constants(model)
+    local c, list = context.with(context.of(model), t or {}), {}
+    local turn = frame and moving.frame(model)
     local g, stiff
     if t then g, stiff = t.spec.strengths(t.a, c) end
     for i = 1, 3 do
       list["g" .. i] = t and g[i] or expr.zero
-      list["k" .. i] = t and context.massive(m, context.divided(stiff[i])) or expr.zero
+      list["k" .. i] = t and context.massive(model, context.divided(stiff[i])) or expr.zero
       list["O" .. i] = frame and turn.rate[i] or expr.zero
     end
     local across = (axis or 3) % 3 + 1
