@@ -36,7 +36,7 @@ function listed.text(unit)
       if public[used] and used ~= f.name then calls[#calls + 1] = short(unit, used) end
     end
     table.sort(calls)
-    rows[#rows + 1] = { name, unit.model.name .. selection.tails[selection.room(name, f.of == "orbit")] .. ".c",
+    rows[#rows + 1] = { name, unit.model.name .. selection.tails[selection.room(name, f.of)] .. ".c",
       string.format("%d", f.lines), operations(cost[name]), table.concat(calls, " ") }
   end
   for _, row in ipairs(rows) do
