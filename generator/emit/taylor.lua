@@ -178,7 +178,8 @@ local own = { a = true, b = true, c = true, j = true, l = true, m = true, n = tr
   p = true, t = true, u = true, x = true, y = true }
 
 -- The program with the names of members and inputs that the code around takes made free: a member c becomes c_, and the
--- time as a sequence gets a name that is not t.
+-- time as a sequence gets a name that is not t.  Of a program that was freed before nothing changes: a plan may be
+-- emitted more than once.
 local function freed(ctx, program)
   local map, renamed, taken, clock = {}, {}, {}, "clock"
   for _, list in ipairs { ctx.members, ctx.states, ctx.inputs, program.variables, program.constants } do
@@ -195,7 +196,7 @@ local function freed(ctx, program)
   local function put_in(e) return e and calculus.substitute(e, map) end
   for _, d in ipairs(program.constants) do d.expr = put_in(d.expr) end
   for _, x in ipairs(program.variables) do
-    if x.name == "t" then x.sym = map[x.sym] end
+    if x.name == "t" then x.sym = map[x.sym] or x.sym end
     x.start, x.term = put_in(x.start), put_in(x.term)
   end
   for _, s in pairs(program.slopes) do -- each alone: order is lost
