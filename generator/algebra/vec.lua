@@ -51,6 +51,24 @@ function vec.adjugate(S)
   return adj, xx * adj[1] + xy * adj[4] + xz * adj[5]
 end
 
+-- The solution of S a = n for a positive S; `name(prefix, e)` may give a quantity a name.
+-- Golub and Van Loan, Matrix Computations, 4th ed., section 4.1.2: S = L diag(S_xx, dy, dz) L^T.  For a positive S no
+-- order of the pivots is needed.  What is lost is what the last digits of S's entries decide: less than by adjugate and
+-- determinant, which lose along every axis what the smallest eigenvalue loses along its own, and leave the numbers'
+-- range with an eigenvalue's cube.
+function vec.solve(S, n, name)
+  local xx, yy, zz, xy, xz, yz = table.unpack(S)
+  local rx = name("rx", 1 / xx)
+  local lxy, lxz = name("lxy", xy * rx), name("lxz", xz * rx)
+  local ry = name("ry", 1 / name("dy", yy - lxy * xy))
+  local left = name("dyz", yz - lxy * xz)
+  local lyz = name("lyz", left * ry)
+  local uy = name("uy", n[2] - lxy * n[1])
+  local z = name("az", (n[3] - lxz * n[1] - lyz * uy) / name("dz", zz - lxz * xz - lyz * left))
+  local y = name("ay", uy * ry - lyz * z)
+  return { n[1] * rx - lxy * y - lxz * z, y, z }
+end
+
 function vec.trace(S) return S[1] + S[2] + S[3] end
 
 -- The tensor of inertia  tr(S) 1 - S  of the second moments S, and the second moments  tr(I)/2 1 - I  of a tensor.

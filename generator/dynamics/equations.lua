@@ -245,9 +245,9 @@ function builders.varying(_, N, _, _, I)
     g.outs = vec.map(n, function(e, i) return e / S[i] end)
     return g
   end
-  local adj, det = vec.adjugate(S)
-  local inverse = named("inverse", { 1 / det }, { "" })[1]
-  g.outs = vec.scale(inverse, vec.apply(named("C", adj, vec.entry), named("n", n, axis_name)))
+  local function one(name, e) return named(name, { e }, { "" })[1] end
+  g.outs = vec.solve(S, named("n", n, axis_name), one)
+  g.why = g.why .. ", by S = L D L^T"
   return g
 end
 
