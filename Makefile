@@ -358,8 +358,9 @@ drift: $(PROGRAM)
 mutants: COUNT = 40
 mutants: SEED = 1
 mutants: TIER = all
+mutants: SPEND = 9999
 mutants: tests
-	@$(LUA) tests/mutants/mutants.lua $(BUILD) $(COUNT) $(SEED) docs/mutants.md $(filter quick,$(TIER))
+	@$(LUA) tests/mutants/mutants.lua $(BUILD) $(COUNT) $(SEED) docs/mutants.md $(SPEND) $(filter quick,$(TIER))
 
 # How errors grow with the number of steps: exponents, fitted over ensembles of states; docs/drift.md and its diagram.
 drift-laws: $(PROGRAM) $(LIBRARY)

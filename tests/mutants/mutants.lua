@@ -1,13 +1,14 @@
 -- mutants.lua - plants defects one at a time and looks which tests see them: `make mutants`, docs/mutants.md.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     lua5.4 tests/mutants/mutants.lua BUILD COUNT SEED PAGE [quick]
+--     lua5.4 tests/mutants/mutants.lua BUILD COUNT SEED PAGE SPEND [quick]
 --
--- In a copy of the tree, BUILD/mutants/tree, a third of the defects each in generator/, templates/ and src/; the same
--- SEED plants the same ones in the same tree.  A defect with which the program cannot be built is none: another is
--- drawn.  Each is met by the quick tests that run its line (seen.lua), until one fails, and what they let pass by the
--- others of make check-all that run it (quick: not by these).  What was found is kept in BUILD/mutants/SEED.log: a run
--- that was stopped goes on there.
+-- In a copy of the tree, BUILD/mutants/SEED/tree, a third of the defects each in generator/, templates/ and src/; the
+-- same SEED plants the same ones in the same tree, and several may run at once.  A defect with which the program cannot
+-- be built is none: another is drawn.  Each is met by the quick tests that run its line (seen.lua), until one fails or
+-- SPEND seconds of them have passed; a test that takes more than a third of that is not asked.  What they let pass
+-- meets the others of make check-all that run it (quick: not these).  What each test did is kept in the file
+-- BUILD/mutants/SEED.log: a run that was stopped goes on there, one with more to SPEND asks more tests.
 
 package.path = "./?.lua;" .. package.path
 
@@ -16,7 +17,8 @@ local order = require "tests.mutants.order"
 local seen = require "tests.mutants.seen"
 local page = require "tests.mutants.page"
 
-local build, count, seed, to, alone_quick = arg[1], tonumber(arg[2]), tonumber(arg[3]), arg[4], arg[5] == "quick"
+local build, count, seed, to, spend = arg[1], tonumber(arg[2]), tonumber(arg[3]), arg[4], tonumber(arg[5])
+local alone_quick = arg[6] == "quick"
 io.stdout:setvbuf "line"
 
 -- A whole number in [1, n] (Park and Miller's generator with 48271).
@@ -28,8 +30,9 @@ end
 
 local here = io.popen("pwd"):read "l"
 if build:sub(1, 1) ~= "/" then build = here .. "/" .. build end
-local work = build .. "/mutants"
-local tree, log = work .. "/tree", string.format("%s/%d.log", work, seed)
+local shared = build .. "/mutants"
+local work, log = string.format("%s/%d", shared, seed), string.format("%s/%d.log", shared, seed)
+local tree = work .. "/tree"
 
 local function slurp(path)
   local file = io.open(path, "rb")
@@ -75,18 +78,31 @@ local function draw(area)
   return list[random(#list)]
 end
 
--- The line before and after, for the page.
+-- The line before and after, for the page: of a long one what is near the defect.
+local WIDTH = 90
 local function change(text, s)
   local from = text:sub(1, s.from - 1):match ".*\n()" or 1
   local last = (text:find("\n", s.to, true) or #text + 1) - 1
-  local tidy = function(line) return (line:gsub("%s+", " "):gsub("^ ", "")) end
-  return tidy(text:sub(from, last)), tidy(text:sub(from, s.from - 1) .. s.new .. text:sub(s.to + 1, last))
+  local before = text:sub(from, s.from - 1):gsub("^%s+", "")
+  local behind = text:sub(s.to + 1, last):gsub("%s+$", "")
+  local longer = math.max(s.to - s.from + 1, #s.new)
+  if #before + longer + #behind > WIDTH then
+    local room = math.max(10, (WIDTH - longer)//2)
+    local left, right = math.max(room, WIDTH - longer - #behind), math.max(room, WIDTH - longer - #before)
+    if #before > left then before = "..." .. before:sub(3 - left) end
+    if #behind > right then behind = behind:sub(1, right - 3) .. "..." end
+  end
+  return before .. text:sub(s.from, s.to) .. behind, before .. s.new .. behind
 end
 
 ---- the copy of the tree -------------------------------------------------------------------------------
 
+-- Is what is built that of the tree as it stands?
+local built = false
+
 local function make()
-  return os.execute(string.format("make -s -C %s tests >%s/make.log 2>&1", tree, work))
+  built = os.execute(string.format("make -s -C %s tests >%s/make.log 2>&1", tree, work)) == true
+  return built
 end
 
 -- With what is built already: the times of files are kept, so only what differs is built anew.
@@ -97,11 +113,34 @@ local function copy()
   assert(make(), "the tree does not build; " .. work .. "/make.log says why")
 end
 
--- Does the test fail?  It has time enough on a busy machine.
+local function put(path, text)
+  write(tree .. "/" .. path, text)
+  built = false
+end
+
+-- The file and the modules of tests/ that it loads: does one of them name the program?
+local programs = {}
+local function runs_program(path)
+  if programs[path] == nil then
+    programs[path] = false
+    local text = slurp(path) or ""
+    local found = not path:find "%.lua$" and not path:find "%.t$" or text:find "polhode[\"' ]" ~= nil
+    for module in text:gmatch 'require%s*%(?%s*"(tests[%w_.]*)"' do
+      found = runs_program(module:gsub("[.]", "/") .. ".lua") or found
+    end
+    programs[path] = found
+  end
+  return programs[path]
+end
+
+-- Does the test fail?  Its time is counted in processor seconds of one process, so a busy machine finds nothing; a
+-- process that waits for ever is found by the clock.  Nothing is built for tests that load the generator themselves.
 local function fails(test, tier)
+  if not built and runs_program(test.file) then assert(make(), "built once, it does not build again") end
   local limit = 60 + 10*test.seconds // 1
-  local ended, why, code = os.execute(string.format("cd %s && TMPDIR=%s/tmp POLHODE_TIER=%s timeout -k 5 %d %s%s " ..
-    ">%s/test.log 2>&1 </dev/null", tree, work, tier, limit, alone, test.command, work))
+  local ended, why, code = os.execute(string.format("cd %s && ulimit -t %d && TMPDIR=%s/tmp " ..
+    "XDG_CACHE_HOME=%s/tmp POLHODE_TIER=%s timeout -k 5 %d %s%s >%s/test.log 2>&1 </dev/null", tree, limit, work, work,
+    tier, 20*limit, alone, test.command, work))
   os.execute(string.format("chmod -R u+w %s/tmp; rm -rf %s/tmp; mkdir %s/tmp", work, work, work))
   if why == "signal" and code == 2 or code == 130 then os.exit(130) end
   return not ended
@@ -115,25 +154,30 @@ local function note(...)
   file:close()
 end
 
--- By number: { quick = test or "-", all = test or "-" }, from an earlier run.
+-- By number: { site =, quick = test or "-", all = test or "-", passed = { test = true } }, from an earlier run.
 local function read_log()
   local known = {}
-  for verb, number, test in (slurp(log) or ""):gmatch "(%l+)\t(%d+)\t([^\t\n]*)" do
+  for verb, number, what in (slurp(log) or ""):gmatch "(%l+)\t(%d+)\t([^\t\n]*)" do
     number = tonumber(number)
-    known[number] = known[number] or {}
-    known[number][verb] = test
+    known[number] = known[number] or { passed = {} }
+    if verb == "passed" then
+      known[number].passed[what] = true
+    else
+      known[number][verb] = what
+    end
   end
   return known
 end
 
+-- C is built at once; scripts and templates when a test wants the program.
 local function plant(defect)
   local text = slurp(defect.file)
   local planted = sites.plant(text, defect)
   if defect.file:find "%.lua$" and not load(planted) then return false end
-  write(tree .. "/" .. defect.file, planted)
-  local built = make()
-  if not built then write(tree .. "/" .. defect.file, text) end
-  return built
+  put(defect.file, planted)
+  local good = not defect.file:find "^src/" or make()
+  if not good then put(defect.file, text) end
+  return good
 end
 
 -- Does it pass without a defect?  One that does not finds nothing, and is left out.
@@ -141,73 +185,95 @@ local sound = {}
 local function is_sound(test, tier)
   local key = tier .. " " .. test.file
   if sound[key] == nil then
-    assert(make())
     sound[key] = not fails(test, tier)
     if not sound[key] then print(test.file .. " fails without a defect: left out") end
   end
   return sound[key]
 end
 
--- The first test of the list that fails with the defect, which is planted, or "-".  The tree is whole again after it,
--- but not yet built.
-local function caught(defect, tests, tier)
+-- The first test of the list that fails with the defect, which is planted, or "-"; at most `most` seconds of those that
+-- have not passed before.  The tree is whole again after it, but not yet built.
+local function caught(number, defect, tests, tier, passed, most)
+  local spent = 0
   for _, test in ipairs(tests) do
-    if sound[tier .. " " .. test.file] ~= false and fails(test, tier) then
-      write(tree .. "/" .. defect.file, slurp(defect.file))
-      if is_sound(test, tier) then
-        order.killed(test, defect.file)
-        return test.file
+    local key = tier .. " " .. test.file
+    if sound[key] ~= false and not passed[key] and spent + test.seconds <= most then
+      spent = spent + test.seconds
+      local failed = fails(test, tier)
+      if failed then
+        put(defect.file, slurp(defect.file))
+        if is_sound(test, tier) then
+          order.met(test, defect.file, true)
+          return test.file
+        end
+        assert(plant(defect))
+      else
+        order.met(test, defect.file, false)
+        note("passed", number, key)
       end
-      assert(plant(defect))
     end
   end
-  write(tree .. "/" .. defect.file, slurp(defect.file))
+  put(defect.file, slurp(defect.file))
   return "-"
+end
+
+-- What earlier runs of any seed have learned.
+local function learn()
+  for path in io.popen(string.format("ls %s/*.log 2>/dev/null", shared)):lines() do
+    local file = {}
+    for verb, number, what in slurp(path):gmatch "(%l+)\t(%d+)\t([^\t\n]*)" do
+      if verb == "site" then
+        file[number] = what:match "^[^:]+"
+      elseif what ~= "-" then
+        order.met({ file = what:match "%S+$" }, file[number], verb ~= "passed")
+      end
+    end
+  end
 end
 
 os.execute("mkdir -p " .. work)
 copy()
 order.sees = {}
 for _, tier in ipairs { "quick", not alone_quick and "all" or nil } do
-  seen.record(work, tier, order.tests(tier))
-  order.sees[tier] = seen.by(work, tier, order.tests(tier))
+  local tests = order.tests(tier, tier == "quick" and spend/3 or math.huge)
+  seen.record(shared, tier, tests)
+  order.sees[tier] = seen.by(shared, tier, tests)
 end
 local known, defects = read_log(), {}
+learn()
 for number = 1, count do
-  local area, before = AREAS[(number - 1) % #AREAS + 1], known[number] or {}
+  local area, before = AREAS[(number - 1) % #AREAS + 1], known[number] or { passed = {} }
   local defect
   repeat
     defect = draw(area)
-    local again = before.quick and before.site ~= defect.file .. ":" .. defect.from
-    local good = not again and (before.quick or plant(defect))
+    local again = before.site and before.site ~= defect.file .. ":" .. defect.from
+    local good = not again and (before.quick and before.quick ~= "-" or plant(defect))
   until good
   defects[number] = defect
   defect.was, defect.is = change(slurp(defect.file), defect)
   defect.quick = before.quick
-  if defect.quick then
-    order.killed({ file = defect.quick }, defect.file)
-  else
-    note("site", number, defect.file .. ":" .. defect.from)
-    defect.quick = caught(defect, order.quick(defect), "quick")
+  if not defect.quick or defect.quick == "-" then
+    if not before.site then note("site", number, defect.file .. ":" .. defect.from) end
+    defect.quick = caught(number, defect, order.quick(defect, spend/3), "quick", before.passed, spend)
     note("quick", number, defect.quick)
   end
   print(string.format("%d %s:%d %s\n  - %s\n  + %s\n  quick: %s", number, defect.file, defect.line, defect.kind,
     defect.was, defect.is, defect.quick))
 end
 for number, defect in ipairs(defects) do
-  local before = known[number] or {}
+  local before = known[number] or { passed = {} }
   if defect.quick ~= "-" then
     defect.all = defect.quick
-  elseif before.all then
+  elseif before.all and before.all ~= "-" then
     defect.all = before.all
   elseif not alone_quick then
     assert(plant(defect))
-    defect.all = caught(defect, order.rest(defect), "all")
+    defect.all = caught(number, defect, order.rest(defect), "all", before.passed, math.huge)
     note("all", number, defect.all)
   end
   if defect.quick == "-" then
     print(number, defect.file .. ":" .. defect.line, "all: " .. (defect.all or "not asked"))
   end
 end
-os.execute("rm -rf " .. tree)
+os.execute("rm -rf " .. work)
 page.write(to, seed, defects)

@@ -1,12 +1,12 @@
 -- order.lua - in which order tests look for a planted defect: soon caught, little spent.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     order.quick(defect)   the quick tests that can see it, those first that catch most defects in files like this for
---                           their seconds
---     order.rest(defect)    what make check-all has beside them and can see it; also what is longer there
---     order.tests(tier)     "quick": those of the first, "all": those of the second
+--     order.quick(defect, most)   the quick tests of at most so many seconds that can see it, those first that catch
+--                                 most defects in files like this for their seconds
+--     order.rest(defect)          what make check-all has beside them and can see it; also what is longer there
+--     order.tests(tier, most)     "quick": those of the first, "all": those of the second
 --     order.sees = { quick =, all = }: seen.by of these
---     order.killed(test, file)
+--     order.met(test, file, found)    what a test did with a defect in a file: `sorted` learns from it
 --
 -- A test: { file, seconds, command }, from tests/tiers.txt.
 
@@ -22,13 +22,18 @@ for line in io.lines "tests/tiers.txt" do
   end
 end
 
-local kills = {} -- by test and area
-
 local function area(file) return file:match "^[^/]+" end
 
-function order.killed(test, file)
-  local key = test.file .. " " .. area(file)
-  kills[key] = (kills[key] or 0) + 1
+-- By test and area, by test and folder: how many defects it has met and found.
+local met = {}
+
+local function places(test, file) return { test.file .. " " .. area(file), test.file .. " " .. file:match "^(.*)/" } end
+
+function order.met(test, file, found)
+  for _, key in ipairs(places(test, file)) do
+    met[key] = met[key] or { all = 0, found = 0 }
+    met[key].all, met[key].found = met[key].all + 1, met[key].found + (found and 1 or 0)
+  end
 end
 
 -- generator/mass/holes.lua: tests/mass/holes.t first, then the others there; gyrostat_at.c: gyrostat.t.  Templates are
@@ -55,22 +60,30 @@ local function blind(test, file)
   return area(file) == "templates" and STAGES[folder] or false
 end
 
+-- The share of defects here that it may find, for its seconds.  Before it has met any: one in twenty, more the nearer
+-- it is and the more of what it runs is of this file.
 local function sorted(list, file)
   local score = {}
   for _, test in ipairs(list) do
-    local hits = 0.2 + (kills[test.file .. " " .. area(file)] or 0) + near(test, file)
-    score[test] = hits/(test.seconds + 0.3)
+    local prior = 0.05 + 0.05*near(test, file) + test.share
+    local all, found = 1, math.min(prior, 0.9)
+    for _, key in ipairs(places(test, file)) do
+      local m = met[key]
+      if m then all, found = all + m.all, found + m.found end
+    end
+    score[test] = found/all/(test.seconds + 0.3)
   end
   table.sort(list, function(a, b) return score[a] > score[b] or score[a] == score[b] and a.file < b.file end)
   return list
 end
 
-local function chosen(seconds, sees)
+local function chosen(seconds, most, sees)
   local list = {}
   for _, t in ipairs(tests) do
     local s = seconds(t)
-    if s and sees(t) then
-      list[#list + 1] = { file = t.file, seconds = s, command = t.command }
+    local sight, share = sees(t)
+    if s and s <= most and sight then
+      list[#list + 1] = { file = t.file, seconds = s, command = t.command, share = share or 0 }
     end
   end
   return list
@@ -83,16 +96,17 @@ local function seconds(tier)
   end
 end
 
-function order.tests(tier) return chosen(seconds(tier), function() return true end) end
+function order.tests(tier, most) return chosen(seconds(tier), most, function() return true end) end
 
-local function those(tier, defect)
+local function those(tier, defect, most)
   local sees = order.sees[tier]
-  return sorted(chosen(seconds(tier), function(t)
-    return not blind(t, defect.file) and sees(t, defect.file, defect.line)
+  return sorted(chosen(seconds(tier), most, function(t)
+    if blind(t, defect.file) then return false end
+    return sees(t, defect.file, defect.line)
   end), defect.file)
 end
 
-function order.quick(defect) return those("quick", defect) end
-function order.rest(defect) return those("all", defect) end
+function order.quick(defect, most) return those("quick", defect, most) end
+function order.rest(defect) return those("all", defect, math.huge) end
 
 return order

@@ -10,7 +10,8 @@ local page = {}
 local function cell(text) return (text:gsub("|", "\\|")) end
 
 local function code(text)
-  if #text > 90 then text = text:sub(1, 87) .. "..." end
+  if text == "" then return "" end
+  if #text > 160 then text = text:sub(1, 157) .. "..." end
   return "`" .. cell(text) .. "`"
 end
 

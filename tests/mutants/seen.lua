@@ -3,9 +3,10 @@
 --
 --     lua5.4 tests/mutants/seen.lua WORK TIER FILE COMMAND     records one test in WORK/seen
 --
---     seen.record(work, tier, tests)    all that are not recorded yet, as many at once as there are processors;
---                                       a tree that differs from the recorded one is recorded anew
---     local sees = seen.by(work, tier, tests) -- sees(test, path, line): can the test tell a defect there?
+--     seen.record(work, tier, tests)    all that are not recorded yet, short ones first, as many at once as there are
+--                                       processors; a tree that differs from the recorded one is recorded anew
+--     local sees = seen.by(work, tier, tests) -- sees(test, path, line): can the test tell a defect there?  And which
+--                                                share of the lines that it runs are of this file
 --
 -- The tree is copied and built as for `make coverage`: hook.c sees lines of scripts and templates, gcov those of C.
 -- A test that fails in this slow build is taken to see everything.  A line on which nothing can stop, such as the
@@ -89,7 +90,8 @@ end
 ---- all of them ----------------------------------------------------------------------------------------
 
 function seen.record(work, tier, tests)
-  local stamp = output("git ls-files -c generator templates src tests bodies | xargs cat | sha256sum")
+  local stamp = output("git ls-files -c generator templates src tests bodies | grep -v '^tests/mutants/' | " ..
+    "xargs cat | sha256sum")
   local file = io.open(work .. "/seen/stamp")
   local before = file and file:read "a"
   if file then file:close() end
@@ -103,6 +105,7 @@ function seen.record(work, tier, tests)
     file:close()
   end
   local pipe = assert(io.popen("xargs -r -P $(nproc) -d '\\n' -n 4 lua5.4 tests/mutants/seen.lua", "w"))
+  table.sort(tests, function(a, b) return a.seconds < b.seconds or a.seconds == b.seconds and a.file < b.file end)
   for _, t in ipairs(tests) do
     local known = io.open(place(work, tier, t.file))
     if known then
@@ -115,12 +118,12 @@ function seen.record(work, tier, tests)
 end
 
 function seen.by(work, tier, tests)
-  local of, any = {}, {}
+  local of, any, total = {}, {}, {}
   for _, t in ipairs(tests) do
     local file = io.open(place(work, tier, t.file))
     local passed = file and file:read "l" == "passed"
     if passed then
-      of[t.file] = {}
+      of[t.file], total[t.file] = {}, 0
       for text in file:lines() do
         local path, ran = text:match "^(%S+)(.*)$"
         local its = {}
@@ -130,16 +133,18 @@ function seen.by(work, tier, tests)
           its[line], any[path][line] = true, true
         end
         of[t.file][path] = its
+        its[0] = select(2, ran:gsub("%d+", ""))
+        total[t.file] = total[t.file] + its[0]
       end
     end
     if file then file:close() end
   end
   return function(test, path, line)
     local its = of[test.file]
-    if its == nil then return true end
+    if its == nil then return true, 0 end
     its = its[path]
     if its == nil then return false end
-    return not (any[path] and any[path][line]) or its[line] == true
+    return not (any[path] and any[path][line]) or its[line] == true, its[0]/total[test.file]
   end
 end
 
