@@ -109,8 +109,8 @@ return scene { name = "wheeling", body = tensor { mass = 1, xx = 1, yy = 1, zz =
 
   -- e = (3, 4, 12)/13 along the needle; a and b stand across it.
   case { name = "needle_with_a_part_that_moves", fast = true,
-    why = "the moment about the needle is 2^-30 (float: 2^-10) of the others, the axes are turned, the tensor changes: " ..
-      "it must be inverted in every stage; and moments of 2^400 and 2^-400 kg m^2 (float 2^45, 2^-45)",
+    why = "the moment about the needle is 2^-30 (float: 2^-10) of the others, the axes are turned, the tensor " ..
+      "changes: it must be inverted in every stage; and moments of 2^400 and 2^-400 kg m^2 (float 2^45, 2^-45)",
     naive = "adjugate over determinant: the acceleration across the needle loses what the moment about it has lost; " ..
       "the cube of a moment leaves the range",
     oracle = "the torque K (2 a + 3 b) stands across the needle: w' = 2 a + 3 b",
@@ -142,7 +142,8 @@ return scene { name = "needle", body = tensor { mass = 1, xx = K - 9*k, yy = K -
         local large = real == "double" and 2.0 ^ 400 or 2.0 ^ 45
         for _, K in ipairs { 1.0, large, 1 / large } do
           assert(built.plugin:init { K, thin } == 0)
-          local dx = built.plugin:rhs(0, { 1, 0, 0, 0, 0, 0, 0, 0 }, kit.rounded(real, { K * n[1], K * n[2], K * n[3] }))
+          local u = kit.rounded(real, { K * n[1], K * n[2], K * n[3] })
+          local dx = built.plugin:rhs(0, { 1, 0, 0, 0, 0, 0, 0, 0 }, u)
           local got = { dx[5], dx[6], dx[7] }
           local what = string.format(", K = 2^%d", math.log(K, 2) // 1)
           row("across" .. what, real, kit.number(off(got)), (151 + 64) * built.u)
