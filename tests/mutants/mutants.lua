@@ -4,11 +4,12 @@
 --     lua5.4 tests/mutants/mutants.lua BUILD COUNT SEED PAGE SPEND [quick]
 --
 -- In a copy of the tree, BUILD/mutants/SEED/tree, a third of the defects each in generator/, templates/ and src/; the
--- same SEED plants the same ones in the same tree, and several may run at once.  A defect with which the program cannot
--- be built is none: another is drawn.  Each is met by the quick tests that run its line (seen.lua), until one fails or
--- SPEND seconds of them have passed; a test that takes more than a third of that is not asked.  What they let pass
--- meets the others of make check-all that run it (quick: not these).  What each test did is kept in the file
--- BUILD/mutants/SEED.log: a run that was stopped goes on there, one with more to SPEND asks more tests.
+-- same SEED plants the same ones in the same tree, and several may run at once.  What cannot be built, or of which the
+-- compiler makes the same, is no defect: another is drawn.  Each is met by the quick tests that run its line
+-- (seen.lua), until one fails or SPEND seconds of them have passed; a test that takes more than a third of that is not
+-- asked.  What they let pass meets the others of make check-all that run it (quick: not these).  What each test did is
+-- kept in the file BUILD/mutants/SEED.log: a run that was stopped goes on there, one with more to SPEND asks more
+-- tests.
 
 package.path = "./?.lua;" .. package.path
 
@@ -169,13 +170,22 @@ local function read_log()
   return known
 end
 
+-- Has the compiler made the same of it?  Then nothing has changed.
+local function same_code(text, planted) return string.dump(load(text), true) == string.dump(load(planted), true) end
+local function same_object(file)
+  local object = file:gsub("^src", "obj"):gsub("c$", "o")
+  return os.execute(string.format("strip -g -o %s/a.o %s/build/%s && strip -g -o %s/b.o %s/%s && " ..
+    "cmp -s %s/a.o %s/b.o", work, tree, object, work, build, object, work, work)) == true
+end
+
 -- C is built at once; scripts and templates when a test wants the program.
 local function plant(defect)
   local text = slurp(defect.file)
   local planted = sites.plant(text, defect)
-  if defect.file:find "%.lua$" and not load(planted) then return false end
+  local script, c = defect.file:find "%.lua$", defect.file:find "^src/"
+  if script and (not load(planted) or same_code(text, planted)) then return false end
   put(defect.file, planted)
-  local good = not defect.file:find "^src/" or make()
+  local good = not c or make() and not same_object(defect.file)
   if not good then put(defect.file, text) end
   return good
 end
