@@ -226,7 +226,8 @@ function vectors.fill(job, v, ctx)
   local function result(o) return o.result and 1 end
   case("inertia", 6, nil, p .. "inertia(&m, got)", "tensor of inertia about the origin", by_index)
   case("initial", nx, nil, p .. "initial(&m, got)", "initial state", of_state)
-  case("mass", 1, nil, "got[0] = " .. p .. "mass(&m, got + 1)", "mass", result)
+  case("mass", 4, nil, "got[0] = " .. p .. "mass(&m, got + 1)", "mass and centre of mass",
+    function(o) return o.result and 1 or by_index(o) + 1 end)
   for i = 1, 3 do
     local x = xs[i]
     case("rhs", nx, x.values, p .. "rhs(&m, " .. v.zero .. ", " .. x.name .. ", u, got)",

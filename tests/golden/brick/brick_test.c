@@ -184,15 +184,17 @@ int main(void)
     near(got, want, tolerance, 7, "initial state");
   }
   {
-    const brick_real want[1] = {
-      2.4
+    const brick_real want[4] = {
+      2.4, 0.1, 0.05,
+      0.025
     };
-    const brick_real tolerance[1] = {
-      1.7053025658242404e-14
+    const brick_real tolerance[4] = {
+      1.7053025658242404e-14, 7.105427357601002e-16, 3.552713678800501e-16,
+      1.7763568394002506e-16
     };
 
     got[0] = brick_mass(&m, got + 1);
-    near(got, want, tolerance, 1, "mass");
+    near(got, want, tolerance, 4, "mass and centre of mass");
   }
   {
     const brick_real want[7] = {
