@@ -98,12 +98,12 @@ end
 
 ---- the copy of the tree -------------------------------------------------------------------------------
 
--- Is what is built that of the tree as it stands?
-local built = false
+-- Targets of the tree's Makefile that are built from it as it stands.
+local built = {}
 
-local function make()
-  built = os.execute(string.format("make -s -C %s tests >%s/make.log 2>&1", tree, work)) == true
-  return built
+local function make(target)
+  built[target] = built[target] or os.execute(string.format("make -s -C %s %s >%s/make.log 2>&1", tree, target, work))
+  return built[target]
 end
 
 -- With what is built already: the times of files are kept, so only what differs is built anew.
@@ -111,21 +111,22 @@ local function copy()
   assert(os.execute(string.format("rm -rf %s && mkdir -p %s/build %s/tmp && cp -a .ci .gitignore $(git ls-files | " ..
     "sed 's|/.*||' | grep -v '^[.]' | sort -u) %s && for d in obj lua tests oracle ready embedded.c; do " ..
     "[ ! -e %s/$d ] || cp -a %s/$d %s/build; done", tree, tree, work, tree, build, build, tree)))
-  assert(make(), "the tree does not build; " .. work .. "/make.log says why")
+  assert(make "tests", "the tree does not build; " .. work .. "/make.log says why")
 end
 
 local function put(path, text)
   write(tree .. "/" .. path, text)
-  built = false
+  built = {}
 end
 
--- The file and the modules of tests/ that it loads: does one of them name the program?
+-- What a test needs built: itself, the program if the file or a module of tests/ that it loads names it, or nothing but
+-- what reckons for scripts.
 local programs = {}
 local function runs_program(path)
   if programs[path] == nil then
     programs[path] = false
     local text = slurp(path) or ""
-    local found = not path:find "%.lua$" and not path:find "%.t$" or text:find "polhode[\"' ]" ~= nil
+    local found = text:find "polhode[\"' ]" ~= nil
     for module in text:gmatch 'require%s*%(?%s*"(tests[%w_.]*)"' do
       found = runs_program(module:gsub("[.]", "/") .. ".lua") or found
     end
@@ -134,10 +135,15 @@ local function runs_program(path)
   return programs[path]
 end
 
+local function needs(test)
+  if test.file:find "%.c$" then return test.command end
+  return runs_program(test.file) and "all" or "build/lua/polhode_rational.so"
+end
+
 -- Does the test fail?  Its time is counted in processor seconds of one process, so a busy machine finds nothing; a
--- process that waits for ever is found by the clock.  Nothing is built for tests that load the generator themselves.
+-- process that waits for ever is found by the clock.
 local function fails(test, tier)
-  if not built and runs_program(test.file) then assert(make(), "built once, it does not build again") end
+  assert(make(needs(test)), "its object was built, the program is not")
   local limit = 60 + 10*test.seconds // 1
   local ended, why, code = os.execute(string.format("cd %s && ulimit -t %d && TMPDIR=%s/tmp " ..
     "XDG_CACHE_HOME=%s/tmp POLHODE_TIER=%s timeout -k 5 %d %s%s >%s/test.log 2>&1 </dev/null", tree, limit, work, work,
@@ -172,20 +178,21 @@ end
 
 -- Has the compiler made the same of it?  Then nothing has changed.
 local function same_code(text, planted) return string.dump(load(text), true) == string.dump(load(planted), true) end
+local function object_of(file) return (file:gsub("^src", "obj"):gsub("c$", "o")) end
 local function same_object(file)
-  local object = file:gsub("^src", "obj"):gsub("c$", "o")
+  local object = object_of(file)
   return os.execute(string.format("strip -g -o %s/a.o %s/build/%s && strip -g -o %s/b.o %s/%s && " ..
     "cmp -s %s/a.o %s/b.o", work, tree, object, work, build, object, work, work)) == true
 end
 
--- C is built at once; scripts and templates when a test wants the program.
+-- Its object is built at once, the rest when a test needs it.
 local function plant(defect)
   local text = slurp(defect.file)
   local planted = sites.plant(text, defect)
   local script, c = defect.file:find "%.lua$", defect.file:find "^src/"
   if script and (not load(planted) or same_code(text, planted)) then return false end
   put(defect.file, planted)
-  local good = not c or make() and not same_object(defect.file)
+  local good = not c or make("build/" .. object_of(defect.file)) and not same_object(defect.file)
   if not good then put(defect.file, text) end
   return good
 end

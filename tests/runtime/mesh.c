@@ -351,7 +351,9 @@ static void bodies(void) {
 
 int main(void) {
   const char *tmp = getenv("TMPDIR");
-  snprintf(path, sizeof path, "%.30s/polhode-mesh-%ld", tmp ? tmp : "/tmp", (long)getpid());
+  if (chdir(tmp ? tmp : "/tmp") != 0)
+    return 1;
+  snprintf(path, sizeof path, "polhode-mesh-%ld", (long)getpid());
   boxes();
   hard_boxes();
   tilted_plate();

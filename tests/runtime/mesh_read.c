@@ -471,7 +471,9 @@ static void fuzz(void) {
 
 int main(void) {
   const char *tmp = getenv("TMPDIR");
-  snprintf(path, sizeof path, "%.30s/polhode-read-%ld", tmp ? tmp : "/tmp", (long)getpid());
+  if (chdir(tmp ? tmp : "/tmp") != 0)
+    return 1;
+  snprintf(path, sizeof path, "polhode-read-%ld", (long)getpid());
   numbers();
   formats();
   types();
