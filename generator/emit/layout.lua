@@ -128,7 +128,8 @@ local function forward(u, prototypes)
   return "static " .. code
 end
 
--- Nothing that is kept may call for what is not there: a mistake of selection.lua's, not of the scene.
+-- Nothing that is kept may call what is not there: a mistake of selection.lua's, not of the scene.  A local name may
+-- begin with the scene's: s_odd in a scene s.
 local function complete(name, kept, by_name, public)
   local own = { [name .. "_model"] = true, [name .. "_real"] = true }
   for _, u in ipairs(kept) do

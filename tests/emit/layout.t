@@ -145,6 +145,16 @@ for _, layout in ipairs { "split", "header" } do
   tap.ok(status == 0, "parameters real, pair, overflows, state: " .. layout, err)
 end
 
+-- the sine's own names begin with the scene's: s_odd
+program.write(dir .. "/s.lua", [[
+return scene { name = "s", body = solid.box { x = 1, y = 2, z = 3, mass = 1 },
+  effects = { effect.torque { body = { quantity(1, "N m")*sin(t*quantity(1, "rad/s")), 0, 0 } } } }
+]])
+do
+  local status, err = gen(dir .. "/s.lua --libm own --layout single")
+  tap.ok(status == 0, "a scene may be called s", err)
+end
+
 -- ---- lines ----
 
 local _, bodies = shell "ls bodies/*.lua"
