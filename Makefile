@@ -15,7 +15,7 @@
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
 #   make drift-laws   docs/drift.md: how errors grow with the number of steps, fitted (ten minutes)
 #   make hunt       COUNT, SEED, HUNTED: a random search for the worst states, docs/hunt.md
-#   make mutants COUNT=40 SEED=1   plants defects and looks which tests find them: docs/mutants.md (hours)
+#   make mutants COUNT=40 SEED=1   plants defects, looks which tests find them: docs/mutants.md (hours; SPEND=15: less)
 #   make tiers      the seconds that the last make check or check-all took, into tests/tiers.txt
 #   make coverage   which lines of generator and src a part of the tests runs: docs/coverage.md; fails below 95 %
 #   make fuzz SECONDS=600 TARGETS='scene init'   libFuzzer (clang) on each target of tests/fuzz, see docs/fuzzing.md
