@@ -86,6 +86,17 @@ gives("rates: Euler's equations and q' = q w / 2, with the largest term of each"
   say(row(dx)) say(row(scale))]],
   { 0, 0.05, 3, 0.1, (Iyy - Izz) * 6 * 0.2 / Ixx, (Izz - Ixx) * 0.2 * 0.1 / Iyy, (Ixx - Iyy) * 0.1 * 6 / Izz,
     0, 0.05, 3, 0.1, Izz * 6 * 0.2 / Ixx, Izz * 0.2 * 0.1 / Iyy, Iyy * 0.1 * 6 / Izz })
+-- by hand: 4 k, each of the quaternion's products being at most 1; |m| |B|; c |w| w_i; T w_i/hypot(|w|, s); over 2/5
+gives("the largest terms of a spring, a magnet, drag and friction", [[
+  for _, e in ipairs {
+    { kind = "spring", rest = { 1, 0, 0, 0 }, stiffness = { 100, 50, 20 } },
+    { kind = "spring", rest = { 1, 0, 0, 0 }, stiffness = { 20, 50, 100 } },
+    { kind = "magnetic", moment = { 0, 0, 100 }, field = { 3, 4, 0 }, rate = 0, rotating = false },
+    { kind = "drag", c = 100 }, { kind = "friction", torque = 90, smoothing = 2 } } do
+    local sphere = { shape = "solid.sphere", mass = 1, r = 1 }
+    local dx, scale = host.rates(scene(sphere, { e })):rates(0, { 0.6, 0, 0, 0.8, 2, 1, 0 })
+    say(row { scale[5], scale[6] })
+  end]], { 1000, 1000, 1000, 1000, 1250, 1250, 500 * math.sqrt(5), 250 * math.sqrt(5), 150, 75 })
 gives("a rod's own axis has no rate and no scale", [[
   local r = host.rates(scene { shape = "rod.straight", mass = 1, length = 1 })
   local dx, scale = r:rates(0, { 1, 0, 0, 0, 1, 2, 3 })
