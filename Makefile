@@ -236,11 +236,9 @@ covered: all $(C_TESTS) $(BUILD)/lua/polhode_coverage.so
 	  echo "coverage: a test failed in this slow build; make check-all is its judge, here lines count"
 	@$(LUA) tests/coverage/report.lua $(BUILD) docs/coverage.md $(FLOOR)
 
-# The pages of all shapes with their pictures, of all effects, of all commands.
-docs: $(PROGRAM)
-	@$(PROGRAM) list shapes --format markdown -o docs
-	@$(PROGRAM) list effects --format markdown -o docs
-	@$(PROGRAM) list commands --format markdown -o docs
+# The pages of all shapes with their pictures, of all effects, of all commands: docs/tools.
+docs: $(PROGRAM) $(MODULE)
+	@$(LUA) docs/tools/pages.lua docs
 	@$(PROGRAM) chart bodies/book.lua --linearised -o docs/linearised.svg
 
 golden: all
@@ -396,7 +394,7 @@ demo:
 # ---- lint ----
 
 C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(filter-out templates/target/calls.c,$(wildcard templates/host/plugin.h templates/target/*.[ch]))
-LUA_FILES := $(sort $(shell find generator tests bodies src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS)
+LUA_FILES := $(sort $(shell find generator tests bodies docs src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS)
 
 lint: lint-lua lint-c lint-format lint-analyzer
 
@@ -469,7 +467,7 @@ install: all
 	printf '%s\n' "$$PC_FILE" > $(DESTDIR)$(PREFIX)/lib/pkgconfig/polhode.pc
 	install -m 644 bodies/* $(SHARE)/polhode/bodies/
 	@echo 'README.md and docs into $(SHARE)/doc/polhode'
-	@for f in README.md $$(find docs -type f); do install -D -m 644 $$f $(SHARE)/doc/polhode/$$f || exit 1; done
+	@for f in README.md $$(find docs -path docs/tools -prune -o -type f -print); do install -D -m 644 $$f $(SHARE)/doc/polhode/$$f || exit 1; done
 	install -m 644 LICENSE $(SHARE)/doc/polhode/LICENSE
 	install -m 644 templates/LICENSE $(SHARE)/doc/polhode/LICENSE.templates
 

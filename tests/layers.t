@@ -19,7 +19,7 @@ local ARROWS = {
   mass = { "algebra", "diag", "geometry" }, -- geometry: does a hole lie inside its body?
   effects = { "algebra" },
   geometry = {},
-  draw = { "geometry" },
+  draw = {},
   dynamics = { "algebra", "mass" }, -- mass: principal axes and validity of the tensor that moves
   methods = { "algebra", "dynamics" },
   ir = { "algebra", "polhode_rational" },
@@ -28,7 +28,7 @@ local ARROWS = {
   plan = { "algebra", "dynamics", "methods", "ir", "cost", "hash" },
   cost = {}, -- operations counted in text that was made, and what they take
   -- dynamics: equations with an effect left out; cost: of functions
-  report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw", "cost" },
+  report = { "algebra", "mass", "dynamics", "emit", "draw", "cost" },
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report", "nearest",
     "selection" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan",
@@ -277,7 +277,7 @@ end
 
 do
   local long, heads = {}, {}
-  for _, path in ipairs(files("generator", "src", "templates", "tests", "bodies")) do
+  for _, path in ipairs(files("generator", "src", "templates", "tests", "bodies", "docs/tools")) do
     local list = lines_of(path)
     local lua, c = path:find("%.lua$") or path:find("%.t$"), path:find("%.[ch]$")
     if (lua and #list > MAX_LUA or c and #list > MAX_C) and not path:find("^tests/.*reference/")
