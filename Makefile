@@ -396,7 +396,11 @@ demo:
 C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(filter-out templates/target/calls.c,$(wildcard templates/host/plugin.h templates/target/*.[ch]))
 LUA_FILES := $(sort $(shell find generator tests bodies docs src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS)
 
-lint: lint-lua lint-c lint-format lint-analyzer
+lint: lint-house lint-lua lint-c lint-format lint-analyzer
+
+# Which part may know which, rooms, names, sizes: the house's own rules.
+lint-house:
+	@mkdir -p $(BUILD); $(LUA) tests/layers.t >$(BUILD)/house && $(LUA) tests/sizes.t >>$(BUILD)/house || { grep -v '^ok' $(BUILD)/house; exit 1; }
 
 lint-setup:
 	@CC="$(CC)" .ci/setup build lint
@@ -477,7 +481,7 @@ clean:
 FORCE:
 
 .PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs bench accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
-        lint format lint-setup lint-lua lint-c lint-format lint-analyzer
+        lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 
 -include $(RUNTIME_OBJ:.o=.d) $(CLI_OBJ:.o=.d) $(C_TESTS:=.d) $(wildcard $(BUILD)/analyzed/*/*.d)

@@ -22,26 +22,27 @@ local lower = {}
 
 -- ---- expressions to terms -----------------------------------------------------------------------------
 
+-- The term of a function of numbers: exact where the value is rational, else the nearest dyadic of form.BITS bits.
+local function constant_call(B, fn, args)
+  local values = {}
+  for k, t in ipairs(args) do values[k] = t.c end
+  local result
+  if fn == "abs" then
+    result = R.abs(values[1])
+  elseif fn == "sign" then
+    result = R.sign(values[1]) < 0 and -R.one or R.one
+  elseif fn == "clamp" then
+    result = values[1] < values[2] and values[2] or values[1] > values[3] and values[3] or values[1]
+  else
+    result = R.apply(fn, form.BITS, table.unpack(values))
+  end
+  return B.number(result or error("lower: " .. fn .. " of " .. tostring(values[1]) .. " is no number"))
+end
+
 -- Returns shape(node) -> term.  bound: symbol -> term.
 local function shaper(B, bound)
   local memo = {}
   local shape
-
-  local function constant_call(fn, args)
-    local values = {}
-    for k, t in ipairs(args) do values[k] = t.c end
-    local result
-    if fn == "abs" then
-      result = R.abs(values[1])
-    elseif fn == "sign" then
-      result = R.sign(values[1]) < 0 and -R.one or R.one
-    elseif fn == "clamp" then
-      result = values[1] < values[2] and values[2] or values[1] > values[3] and values[3] or values[1]
-    else
-      result = R.apply(fn, form.BITS, table.unpack(values))
-    end
-    return B.number(result or error("lower: " .. fn .. " of " .. tostring(values[1]) .. " is no number"))
-  end
 
   local by_kind = {
     num = function(e) return B.number(e.value) end,
@@ -51,7 +52,7 @@ local function shaper(B, bound)
     add = function(e)
       local terms = {}
       for k = 1, #e do terms[k] = shape(e[k]) end
-      return B.sum(terms)
+      return B:sum(terms)
     end,
     mul = function(e)
       local factors = {}
@@ -63,18 +64,18 @@ local function shaper(B, bound)
           factors[k] = { shape(f), 1 }
         end
       end
-      return B.product(factors)
+      return B:product(factors)
     end,
-    pow = function(e) return B.product { { shape(e.base), e.exp } } end,
+    pow = function(e) return B:product { { shape(e.base), e.exp } } end,
     call = function(e)
       local args, constant = {}, true
       for k = 1, #e do
         args[k] = shape(e[k])
         constant = constant and args[k].f == B.one
       end
-      if constant then return constant_call(e.fn, args) end
-      if e.fn == "sign" then return { c = R.one, f = B.call("copysign", { B.number(R.one), args[1] }) } end
-      return { c = R.one, f = B.call(e.fn == "abs" and "fabs" or e.fn, args) }
+      if constant then return constant_call(B, e.fn, args) end
+      if e.fn == "sign" then return { c = R.one, f = B:call("copysign", { B.number(R.one), args[1] }) } end
+      return { c = R.one, f = B:call(e.fn == "abs" and "fabs" or e.fn, args) }
     end,
   }
 
@@ -100,7 +101,7 @@ local function roots_of(program, B)
     if bound[name] then error("lower: '" .. name .. "' is defined twice") end
     bound[name] = t
   end
-  for _, input in ipairs(program.inputs) do bind(input.sym, { c = R.one, f = B.leaf(input.sym) }) end
+  for _, input in ipairs(program.inputs) do bind(input.sym, { c = R.one, f = B:leaf(input.sym) }) end
 
   local shape = shaper(B, bound)
   for g, group in ipairs(program.groups) do
@@ -109,7 +110,7 @@ local function roots_of(program, B)
       if t.f == B.one or t.f.kind == "leaf" and t.c == R.one then
         bind(def.name, t)
       else
-        local leaf = B.leaf(def.name)
+        local leaf = B:leaf(def.name)
         local term = { c = t.c, f = t.f, named = true }
         roots[#roots + 1] = { term = term, group = g, name = def.name, leaf = leaf }
         bind(def.name, { c = R.one, f = leaf })
@@ -155,7 +156,7 @@ function lower.run(program)
   for k, input in ipairs(program.inputs) do
     ir.n = ir.n + 1
     ir.inputs[k] = { op = "input", dst = ir.n, sym = input.sym, c = input.c }
-    S.values[B.leaf(input.sym)] = ir.n
+    S.values[B:leaf(input.sym)] = ir.n
   end
   for g, group in ipairs(program.groups) do
     ir.groups[g] = { why = group.why, where = group.where, code = {} }
@@ -163,8 +164,8 @@ function lower.run(program)
 
   for _, root in ipairs(roots) do
     local code = ir.groups[root.group].code
-    S.into(code)
-    local v = S.signed(root.term)
+    select.into(S, code)
+    local v = select.signed(S, root.term)
     if root.leaf then
       S.values[root.leaf] = v
       local i = S.made[v]
