@@ -16,7 +16,13 @@
 --                         pow   base, exp        exp an exact rational, not 0 or 1
 --                         call  fn, [1..n]       sin cos tan asin acos atan atan2 exp log sinh cosh tanh abs sign pi;
 --                                                ellipsoid_area ellipsoid_normal, arc_* and catenary_* (exact.lua)
--- Not here: derivatives and substitution (calculus.lua), polynomial normal forms (poly.lua), text (text.lua).
+-- Invariants.  Every node is in `unique` under a key made of its kind and the ids of its parts; nodes are never
+-- changed, so what is found out about one may be kept for it.  A sum has no two terms that are multiples of one node
+-- and no term that is a sum; a product no two factors of one base and no factor that is a product; no part is the
+-- number that would leave the rest as it is.  The constructors see to it, in time linear in what they are given but
+-- for sorting.  They do not multiply out: (a + b)*(a - b) and a^2 - b^2 are two nodes, of which ratio.iszero tells
+-- that they are equal.  Not here: signs (sign.lua), derivatives and substitution (calculus.lua), polynomial normal
+-- forms (poly.lua), text (text.lua).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

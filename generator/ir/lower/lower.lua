@@ -11,6 +11,12 @@
 -- { name, expr }, an out { c, expr, op }.  A def that is merely an input, another def or a constant
 -- is replaced by it; one that no result needs is left out, and so are expressions never used.
 -- Constants that are no rationals (pi, sqrt 2, sin 1) become dyadic rationals of form.BITS bits.
+--
+-- What is promised: for real arithmetic the instructions compute what the expressions mean, wherever denominators are
+-- not zero.  For IEEE arithmetic nothing can be promised of expressions, which have no order; tests/ir/oracle.t holds
+-- the rounding errors of the chosen order to a running error bound.  The same program gives the same ir: no table is
+-- walked in hash order.  Named definitions are borders: a sum is not opened through a name, as people who read
+-- the C want to find the name; and so no definition is computed twice.
 
 local R = require "generator.algebra.rational"
 local form = require "generator.ir.lower.form"
@@ -39,7 +45,7 @@ local function constant_call(B, fn, args)
   return B.number(result or error("lower: " .. fn .. " of " .. tostring(values[1]) .. " is no number"))
 end
 
--- Returns shape(node) -> term.  bound: symbol -> term.
+-- Returns shape(node) -> term, which keeps what it has made: one visit of each node.  bound: symbol -> term.
 local function shaper(B, bound)
   local memo = {}
   local shape
