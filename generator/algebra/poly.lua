@@ -27,8 +27,8 @@ local poly = {}
 ---- rings -----------------------------------------------------------------------------------------
 
 -- The generators that the expressions need, as a list in canonical order; with cos(a) always sin(a), with |a| what a
--- needs, for their relations.  Of several roots of one base the common
--- one is taken: x^(1/2) and x^(1/3) are powers of x^(1/6).
+-- needs, for their relations.  Of several roots of one base the common one is taken: x^(1/2) and x^(1/3) are powers of
+-- x^(1/6).
 local function generators(list)
   local seen, gens = {}, {}
   local bases, degree = {}, {}

@@ -8,17 +8,26 @@
  *   names them, those that are points, outlines or polynomials as engine_shape.c says
  * - tree {op="at", of=tree, r={3}} {op="turned", of=tree, q={4}} {op="scaled", of=tree, k={3}}
  *   {op="affine", of=tree, A={9}} {op="sum", tree, tree, ...} {op="minus", tree, hole}
- * - effect {kind="gravity", g=, direction={3}} {kind="damping", C={9}} or {kind="damping", rate=}
- *   {kind="torque", body={3}} and/or {.., inertial={3}} {kind="rotor", momentum={3}}
- * {kind="control"} {kind="translation", gravity={3}, linear=, drag=, stiffness={3}} {kind="frame",
- * rate={3}, rate_dot={3}, centrifugal=}, moves= true if a translation is meant
- *   {kind="drag", c=} {kind="friction", torque=, smoothing=} {kind="spring", stiffness={3},
- * rest={4}, axis={3} or nil} {kind="magnetic", moment={3}, field={3}, rotating=, rate=}
- * {kind="varying", parts={3 of varying}, inertial=} {kind="wheel", axis={3}, inertia=,
- * torque=varying, included=} {kind="gradient", mu=, radius=, e=, elliptic=} {kind="solar", flux=,
- * sun={3}, plates={8 n}} {kind="pivot", acceleration={3 of varying}} or {.., amplitude=, rate=,
- * axis={3}} {kind="parts", tensor={6}, rate={6}} {kind="dissipation", k=} {kind="custom",
- * torque={3}, force={3}, potential=, states={..}}, each of them a program
+ * - effect, one of
+ *     {kind="gravity", g=, direction={3}}
+ *     {kind="damping", C={9}} or {kind="damping", rate=}
+ *     {kind="torque", body={3}} and/or {.., inertial={3}}
+ *     {kind="rotor", momentum={3}}
+ *     {kind="control"}
+ *     {kind="translation", gravity={3}, linear=, drag=, stiffness={3}}
+ *     {kind="frame", rate={3}, rate_dot={3}, centrifugal=}, moves= true if a translation is meant
+ *     {kind="drag", c=}
+ *     {kind="friction", torque=, smoothing=}
+ *     {kind="spring", stiffness={3}, rest={4}, axis={3} or nil}
+ *     {kind="magnetic", moment={3}, field={3}, rotating=, rate=}
+ *     {kind="varying", parts={3 of varying}, inertial=}
+ *     {kind="wheel", axis={3}, inertia=, torque=varying, included=}
+ *     {kind="gradient", mu=, radius=, e=, elliptic=}
+ *     {kind="solar", flux=, sun={3}, plates={8 n}}
+ *     {kind="pivot", acceleration={3 of varying}} or {.., amplitude=, rate=, axis={3}}
+ *     {kind="parts", tensor={6}, rate={6}}
+ *     {kind="dissipation", k=}
+ *     {kind="custom", torque={3}, force={3}, potential=, states={..}}, each of them a program
  * - varying: a number, {rows={t, v, ...}} or {code=program}; program: dynamics/postfix.lua's list
  * - inputs: how many the scene has, those of "control" first; a course of them: {u1, u2, ...}, or
  *   {rows={t, u1, u2, ..., t, ...}, linear=bool} with times that ascend

@@ -1,5 +1,6 @@
 /* engine_move.c - translation and the turning frame: from Lua to the library, and their largest
- * terms. SPDX-License-Identifier: GPL-3.0-or-later
+ * terms.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "engine.h"
 
