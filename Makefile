@@ -11,7 +11,8 @@
 #   make bench      build and run the measurements
 #   make accuracy   docs/accuracy.md and its diagrams, measured anew (some minutes)
 #   make install    program, library, scenes, documents: PREFIX (default /usr/local), DESTDIR
-#   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/commands.md, docs/linearised.svg
+#   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/commands.md, docs/linearised.svg,
+#                   the tour in docs/design.md
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
 #   make drift-laws   docs/drift.md: how errors grow with the number of steps, fitted (ten minutes)
 #   make hunt       COUNT, SEED, HUNTED: a random search for the worst states, docs/hunt.md
@@ -239,6 +240,7 @@ covered: all $(C_TESTS) $(BUILD)/lua/polhode_coverage.so
 # The pages of all shapes with their pictures, of all effects, of all commands: docs/tools.
 docs: $(PROGRAM) $(MODULE)
 	@$(LUA) docs/tools/pages.lua docs
+	@$(LUA) docs/tools/tour.lua $(PROGRAM) docs/design.md
 	@$(PROGRAM) chart bodies/book.lua --linearised -o docs/linearised.svg
 
 golden: all

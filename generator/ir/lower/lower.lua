@@ -146,6 +146,11 @@ local function needed(roots)
   return kept, forms
 end
 
+-- What the definitions and results of a program became, before parts are shared: a list of { name or c, term }.
+function lower.terms(program)
+  return (needed(roots_of(program, form.builder())))
+end
+
 -- The ir of a program.
 function lower.run(program)
   local B = form.builder()
