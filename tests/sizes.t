@@ -12,7 +12,6 @@ local MAX_FUNCTION = 60
 -- become shorter must get its smaller number, and one that fits leaves.
 local LONGER = {
   ["code.lua code.of"] = 72,
-  ["env.lua env.record"] = 76,
   ["exact.lua function"] = 93,
   ["free_top.c general"] = 67,
   ["gen.lua gen.run"] = 86,
@@ -20,10 +19,8 @@ local LONGER = {
   ["numeric.lua numeric.scene"] = 139,
   ["q31.lua q31.files"] = 67,
   ["run.c go_adaptive"] = 62,
-  ["tally.lua items"] = 65,
   ["taylor.lua laid_out"] = 64,
   ["vectors.lua vectors.fill"] = 181,
-  ["view.lua view.of"] = 76,
 }
 
 -- Words of a file's name that say nothing of what is in it; what `polhode list` runs is named as all commands are.
