@@ -6,17 +6,16 @@ local sources = require "tests.sources"
 local tap = require "tests.tap"
 
 local MAX_LUA, MAX_C = 400, 500 -- lines of a file
-local MAX_FUNCTION = 60
+local MAX_FUNCTION, SLACK = 60, 10
 
 -- Functions that are longer, by their file's name, with their lines at most.  This list only shrinks: one that has
--- become shorter must get its smaller number, and one that fits leaves.
+-- become shorter by more than SLACK must get its smaller number, and one that fits leaves.
 local LONGER = {
   ["code.lua code.of"] = 72,
   ["exact.lua function"] = 93,
   ["free_top.c general"] = 67,
   ["gen.lua gen.run"] = 86,
   ["layout.lua layout.sort"] = 99,
-  ["numeric.lua numeric.scene"] = 139,
   ["q31.lua q31.files"] = 67,
   ["run.c go_adaptive"] = 62,
   ["taylor.lua laid_out"] = 64,
@@ -106,7 +105,9 @@ do
     end
   end
   for key, most in pairs(LONGER) do
-    if seen[key] ~= most then loose[#loose + 1] = string.format("%s: now has %s lines", key, seen[key] or "no") end
+    if (seen[key] or 0) <= math.max(MAX_FUNCTION, most - SLACK - 1) then
+      loose[#loose + 1] = string.format("%s: now has %s lines", key, seen[key] or "no")
+    end
   end
   table.sort(loose)
   clean("no function is longer than " .. MAX_FUNCTION .. " lines but for those named here", long)
