@@ -11,7 +11,8 @@
 #   make bench      build and run the measurements
 #   make accuracy   docs/accuracy.md and its diagrams, measured anew (some minutes)
 #   make install    program, library, scenes, documents: PREFIX (default /usr/local), DESTDIR
-#   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/commands.md, docs/linearised.svg
+#   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/commands.md, docs/linearised.svg,
+#                   the tour in docs/design.md
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
 #   make drift-laws   docs/drift.md: how errors grow with the number of steps, fitted (ten minutes)
 #   make hunt       COUNT, SEED, HUNTED: a random search for the worst states, docs/hunt.md
@@ -249,11 +250,10 @@ covered: all $(C_TESTS) $(BUILD)/lua/polhode_coverage.so
 	  echo "coverage: a test failed in this slow build; make check-all is its judge, here lines count"
 	@$(LUA) tests/coverage/report.lua $(BUILD) docs/coverage.md $(FLOOR)
 
-# The pages of all shapes with their pictures, of all effects, of all commands.
-docs: $(PROGRAM)
-	@$(PROGRAM) list shapes --format markdown -o docs
-	@$(PROGRAM) list effects --format markdown -o docs
-	@$(PROGRAM) list commands --format markdown -o docs
+# The pages of all shapes with their pictures, of all effects, of all commands: docs/tools.
+docs: $(PROGRAM) $(MODULE)
+	@$(LUA) docs/tools/pages.lua docs
+	@$(LUA) docs/tools/tour.lua $(PROGRAM) docs/design.md
 	@$(PROGRAM) chart bodies/book.lua --linearised -o docs/linearised.svg
 
 golden: all
@@ -410,9 +410,13 @@ demo:
 # ---- lint ----
 
 C_FILES   := $(sort $(shell find src tests -name '*.[ch]')) $(filter-out templates/target/calls.c,$(wildcard templates/host/plugin.h templates/target/*.[ch]))
-LUA_FILES := $(sort $(shell find generator tests bodies src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS)
+LUA_FILES := $(sort $(shell find generator tests bodies docs src/cli -name '*.lua' 2>/dev/null)) $(LUA_TESTS)
 
-lint: lint-lua lint-c lint-format lint-analyzer
+lint: lint-house lint-lua lint-c lint-format lint-analyzer
+
+# Which part may know which, rooms, names, sizes: the house's own rules.
+lint-house:
+	@mkdir -p $(BUILD); $(LUA) tests/layers.t >$(BUILD)/house && $(LUA) tests/sizes.t >>$(BUILD)/house || { grep -v '^ok' $(BUILD)/house; exit 1; }
 
 lint-setup:
 	@CC="$(CC)" .ci/setup build lint
@@ -484,7 +488,7 @@ install: all
 	printf '%s\n' "$$PC_FILE" > $(DESTDIR)$(PREFIX)/lib/pkgconfig/polhode.pc
 	install -m 644 bodies/* $(SHARE)/polhode/bodies/
 	@echo 'README.md and docs into $(SHARE)/doc/polhode'
-	@for f in README.md $$(find docs -type f); do install -D -m 644 $$f $(SHARE)/doc/polhode/$$f || exit 1; done
+	@for f in README.md $$(find docs -path docs/tools -prune -o -type f -print); do install -D -m 644 $$f $(SHARE)/doc/polhode/$$f || exit 1; done
 	install -m 644 LICENSE $(SHARE)/doc/polhode/LICENSE
 	install -m 644 templates/LICENSE $(SHARE)/doc/polhode/LICENSE.templates
 
@@ -494,7 +498,7 @@ clean:
 FORCE:
 
 .PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs bench accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
-        lint format lint-setup lint-lua lint-c lint-format lint-analyzer
+        lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 
 -include $(RUNTIME_OBJ:.o=.d) $(CLI_OBJ:.o=.d) $(C_TESTS:=.d) $(wildcard $(BUILD)/analyzed/*/*.d $(BUILD)/analyzed/*/*/*.d)

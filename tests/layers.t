@@ -5,6 +5,7 @@
 -- Dependencies are read from the `require` and `#include` lines.  The tables below are the whole truth: an
 -- arrow that they do not have fails the test, and the way to add one is to add it here and in docs/design.md.
 
+local sources = require "tests.sources"
 local tap = require "tests.tap"
 local circles = require "tests.circles"
 
@@ -22,7 +23,7 @@ local ARROWS = {
   mass = { "algebra", "diag", "geometry" }, -- geometry: does a hole lie inside its body?
   effects = { "algebra" },
   geometry = {},
-  draw = { "geometry" },
+  draw = {},
   dynamics = { "algebra", "mass", "stages" }, -- mass: principal axes and validity of the tensor that moves
   methods = { "algebra", "dynamics" },
   ir = { "algebra", "polhode_rational" },
@@ -31,7 +32,7 @@ local ARROWS = {
   plan = { "algebra", "dynamics", "methods", "ir", "cost", "hash" },
   cost = {}, -- operations counted in text that was made, and what they take
   -- dynamics: equations with an effect left out; cost: of functions
-  report = { "algebra", "mass", "dynamics", "emit", "geometry", "draw", "cost" },
+  report = { "algebra", "mass", "dynamics", "emit", "draw", "cost" },
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report", "nearest",
     "selection", "stages", "functions" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan",
@@ -39,8 +40,17 @@ local ARROWS = {
   main = { "commands", "driver", "diag", "nearest" },
 }
 
--- Inside ir/, a pass knows the instruction table and nothing of its neighbours.
-local PASSES = { "power", "fold", "cse", "dce", "order" }
+-- Inside ir/: which room may require which, of ir and of the exact side.  The line between real algebra and IEEE
+-- arithmetic is the edge of lower/: it alone knows the algebra, and of that the numbers; what it gives is data, so it
+-- knows no other room.  Below, constants are rationals of the C module, nothing is simplified, and a pass knows the
+-- instruction table and not its neighbours.
+local ROOMS = {
+  lower = { "generator.ir.lower", "generator.algebra.rational" },
+  core = { "generator.ir.core", "generator.ir.special", "polhode_rational" },
+  passes = { "generator.ir.core.instr", "polhode_rational" },
+  special = { "generator.ir.special" },
+}
+local PASS_LIST = "generator/ir/passes/passes.lua" -- knows them all
 
 -- A link unit of C: the folders of ours that it may include, and the outside headers that only it may.
 local INCLUDES = {
@@ -74,8 +84,6 @@ local APPLICATIONS = { ["string.h"] = true, ["stdlib.h"] = true, ["zephyr/kernel
 -- What stands between a scene and FMI keeps instances and messages, and FMI 3.0 has the type bool.
 local GLUE = { ["stdbool.h"] = true, ["stdlib.h"] = true, ["string.h"] = true }
 
-local MAX_LUA, MAX_C = 400, 500
-
 -- Files that turn numbers into text by design: literals of C, messages, and the listing of the IR.
 local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/svg.lua"] = true,
   ["generator/diag.lua"] = true,
@@ -97,23 +105,7 @@ local METHODS = { "gsub", "match", "format", "sub", "rep", "find", "gmatch", "by
 
 -- ---- reading ----
 
-local function files(...)
-  local list = {}
-  local pipe = assert(io.popen("find " .. table.concat({ ... }, " ") .. " -type f 2>/dev/null | LC_ALL=C sort"))
-  for name in pipe:lines() do
-    list[#list + 1] = name
-  end
-  pipe:close()
-  return list
-end
-
-local function lines_of(path)
-  local list = {}
-  for line in io.lines(path) do
-    list[#list + 1] = line
-  end
-  return list
-end
+local files, lines_of = sources.files, sources.lines
 
 -- Lua lines without comments and with strings emptied, so that prose about pairs() is not code. Long strings and
 -- comments are blanked as wholes, line by line.
@@ -180,7 +172,7 @@ local function part_of(module)
 end
 
 do
-  local unknown, new, passes = {}, {}, {}
+  local unknown, new, rooms = {}, {}, {}
   for _, path in ipairs(GENERATOR) do
     local module = path:gsub("%.lua$", ""):gsub("/", ".")
     local part = part_of(module)
@@ -194,16 +186,20 @@ do
         if to ~= part and not contains(ARROWS[part] or {}, to) then
           new[#new + 1] = string.format("%s:%d: %s -> %s", path, n, part, to)
         end
-        local pass = path:match("^generator/ir/passes/(%w+)%.lua$")
-        if pass and contains(PASSES, pass) and to == "ir" and target ~= "generator.ir.core.instr" then
-          passes[#passes + 1] = string.format("%s:%d: a pass requires %s", path, n, target)
+        local room = path:match("^generator/ir/(%w+)/")
+        local inside = false
+        for _, known in ipairs(ROOMS[room] or {}) do
+          inside = inside or target == known or target:sub(1, #known + 1) == known .. "."
+        end
+        if room and not inside and path ~= PASS_LIST then
+          rooms[#rooms + 1] = string.format("%s:%d: requires %s", path, n, target)
         end
       end
     end
   end
   clean("every part of the generator has its row in the table of arrows", unknown)
   clean("the generator's parts require only what the table allows", new)
-  clean("passes know the instruction table and not each other", passes)
+  clean("the algebra ends at the edge of ir/lower; passes know the instruction table and not each other", rooms)
 end
 
 -- "src/cli" + "../runtime/polhode.h" -> "src/runtime/polhode.h"
@@ -284,42 +280,6 @@ do
   clean("no circle among the files of C: of two that use each other, one is in the wrong place", found)
   tap.ok(home.ph_top_wheel and home.effect_wheel and home.rational_charge and not home.wheel,
     "which is read off functions and objects that are not static")
-  local vague = {}
-  for _, path in ipairs(files("generator", "src", "templates", "tests", "docs", "bodies")) do
-    local name = path:match "[^/]*$"
-    for _, word in ipairs { "more", "misc", "util", "stuff" } do
-      if name:find("%f[%a]" .. word .. "s?%f[%A]") then vague[#vague + 1] = path end
-    end
-  end
-  clean("no file is called 'more' or the like", vague)
-end
-
--- ---- sizes and heads ----
-
-do
-  local long, heads = {}, {}
-  for _, path in ipairs(files("generator", "src", "templates", "tests", "bodies")) do
-    local list = lines_of(path)
-    local lua, c = path:find("%.lua$") or path:find("%.t$"), path:find("%.[ch]$")
-    if (lua and #list > MAX_LUA or c and #list > MAX_C) and not path:find("^tests/.*reference/")
-      and not path:find("^tests/golden/") then
-      long[#long + 1] = string.format("%s: %d lines", path, #list)
-    end
-    if (lua or c) and not path:find("^bodies/") and not path:find("^tests/golden/") then
-      local head = table.concat(list, "\n", 1, math.min(#list, 30))
-      local licence = path:find("^templates/") and (head:find("MIT%-0") or head:find("${license}", 1, true))
-        or head:find("SPDX-License-Identifier: GPL-3.0-or-later", 1, true)
-      if not licence then
-        heads[#heads + 1] = path .. ": no licence in its head"
-      end
-      if not (head:find("^%-%- ") or head:find("^/%* ") or head:find("^#![^\n]*\n%-%- ")
-        or head:find("^%%%% %-%- ")) then
-        heads[#heads + 1] = path .. ": does not open with what it is for"
-      end
-    end
-  end
-  clean("no file is longer than " .. MAX_LUA .. " lines of Lua or " .. MAX_C .. " of C", long)
-  clean("every file opens with its purpose and its licence", heads)
 end
 
 -- ---- habits that would break sameness ----

@@ -2,6 +2,11 @@
 --
 -- ABOVE the line.  Both walk the shared graph once (memoised by node), so their cost is the number of
 -- distinct subexpressions.  d|x|/dx is x/|x|, its value everywhere but at 0.
+--
+-- diff is the chain rule from the leaves up, d f(u, v) = f_1 du + f_2 dv, with simplifying constructors, so that what
+-- does not depend on x is 0 at once and is not multiplied out.  A product of n factors of which k depend on x has k
+-- terms of n factors.  Functions of exact.lua are differentiated into functions of the same kind, so that what is
+-- computed without loss near 0 has a derivative that is, too.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

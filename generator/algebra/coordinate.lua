@@ -1,7 +1,10 @@
 -- coordinate.lua -- polynomials in the coordinates x, y, z whose coefficients are expressions.
 --
 -- ABOVE the line.  The coordinates are three symbols that no parameter can be named like.  A polynomial is a list of
--- terms {c = expression without coordinates, [1..3] = exponents of x, y, z}, in the order of first appearance.
+-- terms {c = expression without coordinates, [1..3] = exponents of x, y, z}, in the order of first appearance; no two
+-- terms have the same exponents, and no coefficient is the number 0 (one that is zero but does not look it may stay).
+-- They are what is integrated over a region and what a density is, not what is cancelled: for that there is poly.lua,
+-- whose coefficients are numbers.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -17,11 +20,12 @@ for i, s in ipairs(coordinate.symbols) do number[s] = i end
 -- 1, 2 or 3 when e is a coordinate.
 function coordinate.index(e) return number[e] end
 
-local most_products, most_degree = 20000, 40
+local most_products, most_degree = 20000, 40 -- terms that one product may form; far above what a body needs
 
 -- Raised by a product that would have too many terms; what catches it says so to the user.
 coordinate.too_large = setmetatable({}, { __tostring = function() return "too many terms in a polynomial" end })
 
+-- Terms of equal exponents as one, in the place of the first.
 local function collect(terms)
   local out, at = {}, {}
   for _, t in ipairs(terms) do
@@ -108,7 +112,8 @@ function coordinate.of(e)
   return out
 end
 
--- The integral of p over coordinate v from lo to hi, which are polynomials in the others.
+-- The integral of p over coordinate v from lo to hi, which are polynomials in the others: term by term,
+-- v^n ==> (hi^(n+1) - lo^(n+1))/(n + 1), the powers of the limits formed once.
 function coordinate.integrate(p, v, lo, hi)
   local powers = { [0] = { coordinate.constant(expr.one), coordinate.constant(expr.one) } }
   local function power(n)

@@ -6,7 +6,7 @@
 -- and it is the oracle for everything printed in double.  double() is quick and promises nothing.
 -- Symbols take their values from env by name.  A value that is no real number (1/0, log -1) is an error
 -- in exact() and precise().
--- Not here: evaluation of what lower made of an expression (ir/core/eval.lua).
+-- Not here: evaluation of what lower made of an expression (tests/ir/eval.lua).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

@@ -16,12 +16,19 @@
 --                         pow   base, exp        exp an exact rational, not 0 or 1
 --                         call  fn, [1..n]       sin cos tan asin acos atan atan2 exp log sinh cosh tanh abs sign pi;
 --                                                ellipsoid_area ellipsoid_normal, arc_* and catenary_* (exact.lua)
--- Not here: derivatives and substitution (calculus.lua), polynomial normal forms (poly.lua), text (text.lua).
+-- Invariants.  Every node is in `unique` under a key made of its kind and the ids of its parts; nodes are never
+-- changed, so what is found out about one may be kept for it.  A sum has no two terms that are multiples of one node
+-- and no term that is a sum; a product no two factors of one base and no factor that is a product; no part is the
+-- number that would leave the rest as it is.  The constructors see to it, in time linear in what they are given but
+-- for sorting.  They do not multiply out: (a + b)*(a - b) and a^2 - b^2 are two nodes, of which ratio.iszero tells
+-- that they are equal.  Not here: signs (sign.lua), derivatives and substitution (calculus.lua), polynomial normal
+-- forms (poly.lua), text (text.lua).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local radical = require "generator.algebra.radical"
 local canonical = require "generator.algebra.order"
+local sign = require "generator.algebra.sign"
 
 local expr = {}
 local compare, factor = canonical.compare, canonical.factor
@@ -82,30 +89,7 @@ local function split(e)
 end
 expr.split = split
 
--- Is e >= 0 for every real value of its symbols (positive ones positive)?  false means "not known".
-local sign_known = setmetatable({}, { __mode = "k" })
-local nonnegative
-local positive = { abs = true, exp = true, cosh = true, pi = true, ellipsoid_area = true, ellipsoid_normal = true,
-  arc_across = true, arc_along = true, catenary_width = true, catenary_height = true }
-
-local function sign_of(e)
-  if e.kind == "num" then return R.sign(e.value) >= 0 end
-  if e.kind == "sym" then return e.positive end
-  if e.kind == "call" then return positive[e.fn] or false end
-  if e.kind == "pow" then
-    if nonnegative(e.base) then return true end
-    return R.isint(e.exp / R.new(2)) or R.den(e.exp) == R.new(2)
-  end
-  for i = 1, #e do
-    if not nonnegative(e[i]) then return false end
-  end
-  return true
-end
-
-function nonnegative(e)
-  if sign_known[e] == nil then sign_known[e] = sign_of(e) end
-  return sign_known[e]
-end
+local nonnegative = sign.nonnegative
 expr.nonnegative = nonnegative
 
 local function raw_pow(base, exp)
@@ -113,62 +97,66 @@ local function raw_pow(base, exp)
   return intern("^" .. base.id .. ":" .. tostring(exp), { kind = "pow", base = base, exp = exp })
 end
 
--- The product of a rational and of powers base^exp, gathered in `powers` (order list + map by base id).
--- x^a * x^b ==> x^(a+b);  0 * x ==> 0;  |x|^2 ==> x^2;  n^(p/q) of integers opens into primes (radical.lua).
-local function product(coefficient, list)
-  local order, exps = {}, {}
-  local pending = list
-  while #pending > 0 do
-    for _, f in ipairs(pending) do
-      local base, exp = f[1], f[2]
-      if not exps[base] then
-        exps[base] = R.zero
-        order[#order + 1] = base
-      end
-      exps[base] = exps[base] + exp
+-- Products.  A product is gathered as a coefficient and a map from bases to exponents, by these laws, all of them for
+-- real numbers, bases not zero where exponents are negative:
+--     x^a * x^b ==> x^(a+b)         0 * x ==> 0         |x|^(2 k) ==> x^(2 k)
+--     n^k of a number joins the coefficient; n^(p/q) opens into primes with 0 < exponent < 1 (radical.lua), so that
+--     sqrt 8 is 2 sqrt 2 and equal numbers are equal nodes;  ((x*y)^(1/2))^2 ==> x*y is opened again.
+-- An opened base gives powers of smaller bases, so rounds end: after one round unless a root or |x| was opened.
+
+-- Adds the powers { base, exp } of list to the map exps; bases that are new come to the end of order.
+local function collect(order, exps, list)
+  for _, f in ipairs(list) do
+    local base, exp = f[1], f[2]
+    if not exps[base] then
+      exps[base] = R.zero
+      order[#order + 1] = base
     end
-    pending = {}
-    local kept = {}
-    for _, base in ipairs(order) do
-      local exp = exps[base]
-      if base.kind == "num" and R.isint(exp) then
-        coefficient, exps[base] = coefficient * base.value ^ R.toint(exp), nil
-      elseif base.kind == "num" and (R.sign(exp) < 0 or exp > R.one) then
-        exps[base] = nil -- 2^(3/2) ==> 2*2^(1/2), 2^(-1/2) ==> 2^(1/2)/2
-        local c, roots = radical.open(base.value, exp)
-        coefficient = coefficient * c
-        for _, r in ipairs(roots) do pending[#pending + 1] = { num(r[1]), r[2] } end
-      elseif R.sign(exp) == 0 then
-        exps[base] = nil
-      elseif base.kind == "call" and base.fn == "abs" and R.isint(exp / R.new(2)) then
-        exps[base] = nil -- |x|^2 ==> x^2
-        local inside = base[1].kind == "mul" and base[1] or { base[1] }
-        for i = 1, #inside do
-          local b, x = factor(inside[i])
-          pending[#pending + 1] = { b, x * exp }
-        end
-      else
-        kept[#kept + 1] = base
-      end
-    end
-    order = kept
+    exps[base] = exps[base] + exp
   end
-  if R.sign(coefficient) == 0 then return zero end
-  local factors = {}
-  for _, base in ipairs(order) do
-    if base.kind == "mul" and R.isint(exps[base]) then -- (x*y)^(1/2) squared: open it again
-      local again = { { num(coefficient), R.one } }
-      for _, other in ipairs(order) do
-        if other ~= base then again[#again + 1] = { other, exps[other] } end
-      end
-      for i = 1, #base do
-        local b, x = factor(base[i])
-        again[#again + 1] = { b, x * exps[base] }
-      end
-      return product(R.one, again)
+end
+
+-- Takes out of exps what is a number, has the exponent 0, or opens into other powers, which go to pending.  Returns the
+-- coefficient, and whether the base is still one.
+local function settle(base, exps, coefficient, pending)
+  local exp = exps[base]
+  if base.kind == "num" and R.isint(exp) then
+    coefficient, exps[base] = coefficient * base.value ^ R.toint(exp), nil
+  elseif base.kind == "num" and (R.sign(exp) < 0 or exp > R.one) then
+    exps[base] = nil -- 2^(3/2) ==> 2*2^(1/2), 2^(-1/2) ==> 2^(1/2)/2
+    local c, roots = radical.open(base.value, exp)
+    coefficient = coefficient * c
+    for _, r in ipairs(roots) do pending[#pending + 1] = { num(r[1]), r[2] } end
+  elseif R.sign(exp) == 0 then
+    exps[base] = nil
+  elseif base.kind == "call" and base.fn == "abs" and R.isint(exp / R.new(2)) then
+    exps[base] = nil -- |x|^2 ==> x^2
+    local inside = base[1].kind == "mul" and base[1] or { base[1] }
+    for i = 1, #inside do
+      local b, x = factor(inside[i])
+      pending[#pending + 1] = { b, x * exp }
     end
-    factors[#factors + 1] = raw_pow(base, exps[base])
+  else
+    return coefficient, true
   end
+  return coefficient, false
+end
+
+-- The powers of the product once more, with the base, a product itself, opened: (x*y)^(1/2) squared.
+local function opened(coefficient, order, exps, base)
+  local again = { { num(coefficient), R.one } }
+  for _, other in ipairs(order) do
+    if other ~= base then again[#again + 1] = { other, exps[other] } end
+  end
+  for i = 1, #base do
+    local b, x = factor(base[i])
+    again[#again + 1] = { b, x * exps[base] }
+  end
+  return again
+end
+
+-- The node of the coefficient and of factors, which are in their final form but for their order.
+local function joined(coefficient, factors)
   table.sort(factors, function(a, b) return compare(a, b) < 0 end)
   if #factors == 0 then return num(coefficient) end
   if coefficient == R.one then
@@ -180,6 +168,32 @@ local function product(coefficient, list)
   for i, f in ipairs(factors) do key[i] = f.id end
   factors.kind = "mul"
   return intern("*" .. table.concat(key, ","), factors)
+end
+
+-- The product of a rational and of a list of powers { base, exp }.
+local function product(coefficient, list)
+  local order, exps = {}, {}
+  local pending = list
+  while #pending > 0 do
+    collect(order, exps, pending)
+    pending = {}
+    local kept = {}
+    for _, base in ipairs(order) do
+      local stays
+      coefficient, stays = settle(base, exps, coefficient, pending)
+      if stays then kept[#kept + 1] = base end
+    end
+    order = kept
+  end
+  if R.sign(coefficient) == 0 then return zero end
+  local factors = {}
+  for k, base in ipairs(order) do
+    if base.kind == "mul" and R.isint(exps[base]) then
+      return product(R.one, opened(coefficient, order, exps, base))
+    end
+    factors[k] = raw_pow(base, exps[base])
+  end
+  return joined(coefficient, factors)
 end
 
 function expr.mul(list)

@@ -4,6 +4,12 @@
 -- contents in each variable, repeated factors (Yun: gcd(p, p')), x - y of x^n - y^n, and the sums that stood in the
 -- expression before it was multiplied out (`hints`: the r_out - r_in of a tube), so that a thin wall is a factor and
 -- not a difference of powers.
+--
+-- The laws.  A factor that does not depend on v divides every coefficient of powers of v: their gcd is the content.  If
+-- p = q^2 r then p' = q (2 q' r + q r'), so q divides gcd(p, p').  x^n - y^n = (x - y)(x^(n-1) + .. + y^(n-1)).  Each
+-- divisor that is found is divided out, and both parts are looked at again, so the recursion ends with parts in which
+-- nothing was found.  A part is only ever written otherwise, never rounded: any answer is correct, more factors are
+-- better.  The work is bounded by ratio's budget; what was found for a polynomial of a ring is kept in the ring.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -94,14 +100,14 @@ end
 
 ---- may p have a factor of a kind?  Numbers are put in for all generators but one (gcd.lua) ----------
 
--- One that it has twice and that depends on v?
+-- One that it has twice and that depends on v?  Then it is in p and in p' with numbers in it, too.
 local function repeated(p, v)
   local a, b = gcd.specialised(p, v), {}
   for d = 1, #a - 1 do b[d] = a[d + 1] * R.new(d) end
   return gcd.common(a, b)
 end
 
--- One that does not depend on v?
+-- One that does not depend on v?  Then it is the same for two values of v, and common to p at both.
 local function without(p, v)
   for w = 1, #p.ring.gens do
     if w ~= v and gcd.degree(p, w) > 0 and gcd.common(gcd.specialised(p, w, v, 2), gcd.specialised(p, w, v, 100)) then
@@ -148,7 +154,8 @@ local function divisor(p, hints)
 end
 
 -- p as an expression, in differences x - x1 where it is the same for all x of a class moved together (the places of a
--- body's points): then x1 may be put at 0.  Multiplied out, such a sum loses all digits far from the origin.
+-- body's points), which is so if and only if the sum of its derivatives by them is zero: then all may be moved by -x1,
+-- so that x1 is at 0 and the others are differences.  Multiplied out, such a sum loses all digits far from the origin.
 local function in_differences(p, classes)
   local map = {}
   for _, class in ipairs(p.n > 1 and classes or {}) do

@@ -3,6 +3,17 @@
 -- ABOVE the line.  The primitive polynomial remainder sequence (Knuth, TAOCP 2, 4.6.1, algorithm C), in one variable
 -- after the other.  What would be too large has the greatest common monomial as its divisor: a divisor is always
 -- returned, not always the greatest.
+--
+-- In a variable v, p = content(p) pp(p), the content being the gcd of the coefficients, which do not contain v; and by
+-- Gauss' lemma gcd(a, b) = gcd(content(a), content(b)) gcd(pp(a), pp(b)).  The contents have one variable less, so the
+-- recursion ends; the primitive parts go through Euclid's algorithm with pseudo-remainders, lead(b)^k a = q b + r, in
+-- which nothing is divided.  r is made primitive again after each step: without that its coefficients would grow
+-- exponentially, with it they are as small as they can be.
+--
+-- Most pairs have nothing in common, and that is found out cheaply first: a common factor that contains w is still one
+-- when numbers are put in for the other variables, unless the numbers happen to make it a constant; then it is missed,
+-- and what is returned is a divisor all the same.  A false alarm costs time alone.
+-- Results are up to a rational factor and a sign.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -47,11 +58,13 @@ local function content_in(p, v)
   return g
 end
 
+-- p without its rational content and without monomial factors; and those, as exponents.
 local function primitive(p)
   local c, low = poly.content(p)
   return poly.shift(p, c, low), low
 end
 
+-- lead(b)^k a modulo b, in generator v: each round takes away the highest power of v.
 local function pseudo_remainder(a, b, v)
   local db = degree(b, v)
   local lead = coefficient(b, v, db)
@@ -65,6 +78,7 @@ end
 
 ---- numbers put in for all generators but one: a factor stays a factor ------------------------------
 
+-- Small, so that values stay short; different for neighbours, so that x - y does not vanish.
 local primes = { 3, 5, 7, 11, 13, 17, 19, 23 }
 
 -- Coefficients of p in generator v, from degree 0; `other` is added to the number for generator u.

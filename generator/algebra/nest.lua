@@ -3,6 +3,10 @@
 -- ABOVE the line.  In every sum the factor that the most terms have in common is taken out of them, again and again.
 -- That costs fewer multiplications, and for terms of one sign it rounds no worse; but it is not how a person reads a
 -- formula, so it is for code and not for reports.
+--
+-- Law: a x + b x = (a + b) x.  A factor of k terms that is taken out saves k - 1 multiplications.  Greedy, and so not
+-- always the least; it ends because each step divides terms by a factor.  Sums of two terms are left: expr and lower
+-- see what they have in common.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

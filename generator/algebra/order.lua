@@ -1,8 +1,10 @@
 -- order.lua -- the canonical order of expressions, and so of the terms and factors people read.
 --
--- A total order on nodes that does not depend on when they were made, so the same input gives the same bytes: constants
--- first, then factor by factor, symbols by rank and name, higher powers first; the rational coefficient decides last.
--- ABOVE the line.
+-- A total order on nodes that does not depend on when they were made, so the same input gives the same bytes:
+-- constants first, then factor by factor, symbols by rank and name, higher powers first; the rational coefficient
+-- decides last.  Terms that differ in their coefficient alone are neighbours in a sorted sum.  Names and ranks are
+-- all that is looked at of a symbol: two of one name and rank differ in being positive.  A comparison visits both
+-- expressions at most once, and most end at the first factor.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

@@ -5,6 +5,18 @@
 -- e = exponents}.  Three relations keep the form normal:  cos(a)^2 ==> 1 - sin(a)^2,  |a|^2 ==> a^2  and
 -- (x^(1/q))^q ==> x.  Zero testing is therefore decisive for rational functions of symbols, roots of
 -- symbols, and sines and cosines.  Not here: fractions and factored display (ratio.lua).
+--
+-- Why the form is normal.  Order the generators so that cos(a) is above sin(a), |a| and a root above what is in them
+-- (no generator is inside itself, so there is such an order).  Then each relation's leading term is a power of one
+-- generator, and no two are powers of the same; leading terms without a common factor make a Groebner basis
+-- (Buchberger's first criterion), so the remainder does not depend on the order of the rewriting, and equal elements
+-- of the ring have equal polynomials.  What the relations do not say, sin(2 a) = 2 sin(a) cos(a) or sqrt(x) sqrt(y) =
+-- sqrt(x y), is not known here: the constructors of expr see to the second, and a scene rarely has the first.
+--
+-- Invariants.  No term has the coefficient 0; n is the number of terms; exponents are whole numbers >= 0, and in what
+-- mul and from give below the degree of the generator's relation.  Terms are never changed, so polynomials share them.
+-- With n and m terms and g generators: a sum costs n + m, a product n m g, before rewriting.  Terms are in a hash
+-- table: where an order matters, `sorted` gives the lexicographic one, in which lead(a b) = lead(a) lead(b).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -14,8 +26,9 @@ local poly = {}
 
 ---- rings -----------------------------------------------------------------------------------------
 
--- The generators that the expressions need, as a list in canonical order.  Of several roots of one base the common
--- one is taken: x^(1/2) and x^(1/3) are powers of x^(1/6).
+-- The generators that the expressions need, as a list in canonical order; with cos(a) always sin(a), with |a| what a
+-- needs, for their relations.  Of several roots of one base the common one is taken: x^(1/2) and x^(1/3) are powers of
+-- x^(1/6).
 local function generators(list)
   local seen, gens = {}, {}
   local bases, degree = {}, {}
@@ -79,7 +92,7 @@ local function key(e) return utf8.char(table.unpack(e)) end
 
 local function new(ring) return { ring = ring, terms = {}, n = 0 } end
 
--- k: the key of e, where it is known
+-- Adds the term c g^e to p, which is still being made.  k: the key of e, where it is known
 local function put(p, e, c, k)
   k = k or key(e)
   local t = p.terms[k]
@@ -152,7 +165,8 @@ function poly.scale(a, c)
   return p
 end
 
--- Rewrites powers of generators that have a relation until none is left.
+-- Rewrites powers of generators that have a relation until none is left.  It ends: each round lowers the degree in
+-- generator i of all that is too high by the relation's degree, and what the value brings in stands lower in the order.
 local function reduce(p)
   local ring = p.ring
   for i = 1, #ring.gens do
@@ -324,7 +338,11 @@ local function leading(p)
   return best
 end
 
--- a / b if b divides a exactly, else nil.  Lexicographic leading-term division.
+-- a / b if b divides a exactly, else nil.  Lexicographic leading-term division: if a = q b then lead(a) = lead(q)
+-- lead(b), so the first term of q is known, and the rest of q is (a - lead(q) b)/b, whose leading term is smaller.
+-- As many rounds as the quotient has terms; the first leading term that lead(b) does not divide says no.  Where
+-- relations rewrite, the law of leading terms may fail, and then so may the division: that is a "no", never a wrong
+-- quotient.
 function poly.divide(a, b)
   local lead = leading(b)
   local q = new(a.ring)

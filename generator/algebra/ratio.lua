@@ -5,6 +5,11 @@
 -- near-equal moments no longer cancel large terms.  Numerator and denominator stand as products of the factors that
 -- are found (factor.lua).  Work is bounded: what would expand beyond `budget` products of terms is left as it is,
 -- which is always correct, and the zero test then rests on values at random points (see iszero).
+--
+-- A fraction is a pair of polynomials of one ring (poly.lua); sums are taken over the least common denominator, which
+-- the gcd gives: a/b + c/d = (a d' + c b')/(b d'), b = g b', d = g d'.  Else each sum would multiply the denominators.
+-- What is cancelled may be zero for some parameters: the result equals e wherever e has a value, and may have one where
+-- e has none.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

@@ -98,17 +98,4 @@ function help.page(name)
   return table.concat(out, "\n") .. "\n"
 end
 
--- docs/commands.md
-function help.markdown()
-  local out = { "# Commands", "",
-    "What `polhode help` and `polhode help COMMAND` print; `make docs` writes this page.", "" }
-  local function code(text) out[#out + 1] = (string.gsub(text, "%f[^\n\0]([^\n])", "    %1")) end
-  code(help.overview())
-  for _, name in ipairs(help.names) do
-    out[#out + 1] = "## polhode " .. name .. "\n"
-    code(help.page(name))
-  end
-  return table.concat(out, "\n")
-end
-
 return help

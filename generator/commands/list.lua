@@ -1,6 +1,5 @@
 -- list.lua -- polhode list: shapes, effects, methods, bodies, constants, commands; one line each, the name first.
--- list shapes --format markdown -o DIR writes the page of all shapes with pictures instead, list effects that of all
--- effects, with titles of installed scenes, list commands the help of all commands.
+-- Pages with formulas and pictures are made of the same tables by docs/tools/pages.lua.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local catalogue = require "generator.mass.catalogue"
@@ -8,7 +7,6 @@ local effects = require "generator.effects.effects"
 local methods = require "generator.methods.methods"
 local conserved = require "generator.dynamics.conserved"
 local units = require "generator.dsl.units"
-local value = require "generator.dsl.value"
 local help = require "generator.commands.help"
 local options = require "generator.commands.options"
 local scenes = require "generator.commands.scenes"
@@ -20,14 +18,10 @@ local subjects = { "shapes", "effects", "methods", "bodies", "constants", "comma
 list.forms = { { "WHAT", "shapes, effects, methods, scenes, commands",
   "WHAT is " .. options.either(subjects) .. "." } }
 list.operands = { 1, 1, "WHAT" }
-list.options = {
-  { "--format", { "text", "markdown" }, "markdown: the page of all shapes with their pictures, of all effects or of " ..
-    "all commands, into a folder", default = "text" },
-  { "-o", "text", "the folder of that page", value = "DIR", default = "none; needed with markdown" },
-}
+list.options = {}
 list.examples = {
   { "polhode list bodies", "the installed scenes: polhode explain NAME reads one" },
-  { "polhode list commands --format markdown -o pages", "the help of all commands as a page" },
+  { "polhode list constants", "the names of units and constants that a scene may use" },
 }
 
 local function aligned(rows)
@@ -90,51 +84,12 @@ function what.commands()
   return rows
 end
 
--- What a scene of bodies/ says of itself: the comment that it begins with, without its name.
-local function titles(host)
-  local map, folder = {}, host.bodies() or "bodies"
-  for _, e in ipairs(effects) do
-    local words = {}
-    for line in string.gmatch(host.read(folder .. "/" .. e.example .. ".lua") or "", "([^\n]*)\n") do
-      local comment = string.match(line, "^%-%- (.*)$")
-      if not comment or string.find(comment, "^SPDX") then break end
-      words[#words + 1] = comment
-    end
-    map[e.example] = #words > 0 and (string.gsub(table.concat(words, " "), "^%S+%.lua %-+ ", "")) or nil
-  end
-  return map
-end
-
--- DIR/shapes.md and DIR/shapes/NAME.svg, DIR/effects.md, or DIR/commands.md
-local function page(host, given)
-  local files
-  if not given.o or given.o == "-" then
-    return options.wrong(host, "list", "--format markdown needs the folder -o DIR")
-  end
-  if given[1] == "shapes" then
-    files = require("generator.report.shapes").files(catalogue.list)
-  elseif given[1] == "commands" then
-    files = { { name = "commands.md", text = help.markdown() } }
-  elseif given[1] ~= "effects" then
-    return options.wrong(host, "list", "--format markdown is for shapes, effects and commands, got " .. given[1])
-  else
-    local map = titles(host)
-    if not next(map) then return options.failed(host, "list", "the scenes of the effects' page are not installed") end
-    files = require("generator.report.effects").files(effects, map, { keeps = conserved.words,
-      unit = function(dim) return units.si(units.of(dim or "none")) end, show = value.show })
-  end
-  local ok, why = host.write_files(given.o, files)
-  return ok and 0 or options.failed(host, "list", why)
-end
-
 function list.run(host, given)
   local f = what[given[1]]
   if not f then
     return options.wrong(host, "list", "must be " .. options.either(subjects) .. ", got " .. given[1] ..
       options.meant(given[1], subjects))
   end
-  if given.format == "markdown" then return page(host, given) end
-  if given.o then return options.wrong(host, "list", "-o goes with --format markdown") end
   local rows, why = f(host)
   if not rows then return options.failed(host, "list", why) end
   host.out(aligned(rows))

@@ -182,11 +182,53 @@ local function ends(unit, item, env, total)
   return cond == 0 or cond == nil and (unit.least or item.after)
 end
 
+-- A loop whose condition is looked at, turn by turn; returns as items does.
+local function loop(unit, item, env, total)
+  for turn = 1, BOUND do
+    if turn == BOUND then error("a loop without a bound in " .. unit.running, 0) end
+    if not item.after and ends(unit, item, env, total) then break end
+    local status, value = items(unit, item.body, 1, env, total)
+    if status == "return" then return status, value end
+    if status == "break" then break end
+    items(unit, item.step, 1, env, total)
+    if item.after and ends(unit, item, env, total) then break end
+  end
+end
+
+-- Item i, a branch that the numbers do not decide: both ways are counted, and the dearer one (or with unit.least the
+-- cheaper) is taken.  Where one way ends the function or the loop and the other does not, what follows it belongs to
+-- the other.  Returns as items does, and whether the rest is counted already.
+local function either(unit, code, i, env, total)
+  local item, other, a, b = code[i], copy(env), {}, {}
+  local sa, va = items(unit, item.yes, 1, env, a)
+  local sb, vb = items(unit, item.no, 1, other, b)
+  if sa and sb then
+    if second(unit, a, b) then a, sa, va = b, sb, vb end
+    add(total, a)
+    return true, sa, va
+  elseif sa or sb then -- one way ends here, the other, a from now on, goes on
+    if sa then
+      a, b, sb, vb = b, a, sa, va
+      for name in pairs(env) do env[name] = nil end -- all of them: in any order
+      for name, v in pairs(other) do env[name] = v end -- a copy: order is lost anyway
+    end
+    local status, value = items(unit, code, i + 1, env, a)
+    local last = not unit.least and sb == "return" and second(unit, a, b)
+    add(total, last and b or a)
+    if value and vb then value = math.max(value, vb) end
+    return true, status, value
+  end
+  add(total, second(unit, a, b) and b or a)
+  meet(unit, env, other)
+  return false
+end
+
 -- Adds what the items cost from number `first` on; returns "return", "break", "continue" or nil, and the value.
 function items(unit, code, first, env, total)
   for i = first, #code do
     local item = code[i]
     local kind = item.kind
+    local status, value
     if not kind then
       add(total, item)
     elseif kind == "set" then
@@ -194,9 +236,9 @@ function items(unit, code, first, env, total)
     elseif kind == "call" then
       local args = {}
       for k = 1, 16 do args[k] = tokens.number_of(item.args[k], env) or false end
-      local cost, value = run(unit, item.name, args)
+      local cost, result = run(unit, item.name, args)
       add(total, cost)
-      env[item.slot] = value
+      env[item.slot] = result
     elseif kind == "loop" and item.turns then
       for _ = 1, item.turns do
         items(unit, item.before, 1, env, total)
@@ -204,47 +246,21 @@ function items(unit, code, first, env, total)
         items(unit, item.step, 1, env, total)
       end
     elseif kind == "loop" then
-      for turn = 1, BOUND do
-        if turn == BOUND then error("a loop without a bound in " .. unit.running, 0) end
-        if not item.after and ends(unit, item, env, total) then break end
-        local status, value = items(unit, item.body, 1, env, total)
-        if status == "return" then return status, value end
-        if status == "break" then break end
-        items(unit, item.step, 1, env, total)
-        if item.after and ends(unit, item, env, total) then break end
-      end
+      status, value = loop(unit, item, env, total)
     elseif kind == "if" then
       local cond = tokens.number_of(item.cond, env)
       if cond == nil and item.rare then cond = 0 end
       if cond ~= nil then
-        local status, value = items(unit, cond ~= 0 and item.yes or item.no, 1, env, total)
-        if status then return status, value end
+        status, value = items(unit, cond ~= 0 and item.yes or item.no, 1, env, total)
       else
-        local other, a, b = copy(env), {}, {}
-        local sa, va = items(unit, item.yes, 1, env, a)
-        local sb, vb = items(unit, item.no, 1, other, b)
-        if sa and sb then
-          if second(unit, a, b) then a, sa, va = b, sb, vb end
-          add(total, a)
-          return sa, va
-        elseif sa or sb then -- one way ends here, the other, a from now on, goes on
-          if sa then
-            a, b, sb, vb = b, a, sa, va
-            for name in pairs(env) do env[name] = nil end -- all of them: in any order
-            for name, v in pairs(other) do env[name] = v end -- a copy: order is lost anyway
-          end
-          local status, value = items(unit, code, i + 1, env, a)
-          local last = not unit.least and sb == "return" and second(unit, a, b)
-          add(total, last and b or a)
-          if value and vb then value = math.max(value, vb) end
-          return status, value
-        end
-        add(total, second(unit, a, b) and b or a)
-        meet(unit, env, other)
+        local counted
+        counted, status, value = either(unit, code, i, env, total)
+        if counted then return status, value end
       end
     else
       return kind, tokens.number_of(item.value, env)
     end
+    if status then return status, value end
   end
   return nil
 end

@@ -172,16 +172,10 @@ local function last_line(d)
   return 1
 end
 
--- Runs the script in the host's sandbox.  tables: {shapes =, effects =} (the catalogues); set: {name = "0.3"} replaces
--- parameters' defaults (in their own units); renamed: in place of the scene's name.  Returns the scene record with
--- .params and .checks, or nil when d has errors; second result: the first name of `set` that is no parameter.
-function env.record(host, d, text, tables, set, renamed)
-  local ctx = { diag = d, host = host, checks = {}, set = set or {}, used = {}, named = {}, families = {} }
-  local params, inputs, effects = {}, {}, setmetatable({}, { __mode = "k" })
-  value.begin(d)
-  shapes.begin(ctx, host.visible)
-  local result
-  local e = {}
+-- What a scene may name: the host's safe part of Lua, shapes, effects, the other constructors, numbers and functions of
+-- values, words of the motion.  effects: filled with what the script makes, by its handle.
+local function environment(ctx, tables, params, inputs, effects)
+  local host, e = ctx.host, {}
   for _, k in ipairs(args.keys(host.safe)) do e[k] = host.safe[k] end
   local made = tree(host, tables.shapes, function(spec)
     return shapes[spec.reader or ""] or shapes.constructor(spec)
@@ -201,7 +195,45 @@ function env.record(host, d, text, tables, set, renamed)
   for _, s in ipairs(moving.words) do e[s[1]] = moving.value(s) end
   e.pi, e.sqrt = value.new(expr.pi, nil), value.sqrt
   for _, f in ipairs(value.functions) do e[f[1]] = value.func(table.unpack(f)) end
-  local calls, scene_handle = 0, nil
+  return e
+end
+
+-- Tells of a script that Lua stopped.  What comes from the generator's own lines is a bug and raised again.
+local function stopped(d, raised)
+  local text, source = raised.message or "", raised.source or ""
+  local excess = string.find(text, "stack overflow", 1, true) or string.find(text, "number too large", 1, true)
+  if raised.kind == "runtime" and not excess and source ~= d.file and string.find(source, "^generator/") then
+    error(raised.message .. "\n" .. raised.traceback, 0)
+  end
+  -- what the scene does after an unknown name may be its consequence: it is not told where Lua itself says so, by
+  -- the mark, nor that the script took too long
+  local by_lua = raised.kind == "syntax" or raised.kind == "runtime"
+  if d:failed() and (not by_lua or string.find(text, broken.mark, 1, true)) then return end
+  local message = string.gsub(string.gsub(text, "^.-:%d+: ", ""), "%c", " ") -- may steer a terminal
+  d:error(raised.line or 0, raised.kind == "syntax" and "syntax" or "script", message)
+end
+
+-- The emitted code's own names begin with the scene's: no parameter and no input may.
+local function names_apart(d, result, params, inputs)
+  local named = table.move(inputs, 1, #inputs, #params + 1, { table.unpack(params) })
+  for _, p in ipairs(named) do
+    if string.find(p.name, "^" .. result.name .. "_") then
+      d:error(p.line, p.symbol and "input" or "param", "name must not begin with " .. result.name ..
+        "_, as the emitted code's own names do", diag.show(p.name))
+    end
+  end
+end
+
+-- Runs the script in the host's sandbox.  tables: {shapes =, effects =} (the catalogues); set: {name = "0.3"} replaces
+-- parameters' defaults (in their own units); renamed: in place of the scene's name.  Returns the scene record with
+-- .params and .checks, or nil when d has errors; second result: the first name of `set` that is no parameter.
+function env.record(host, d, text, tables, set, renamed)
+  local ctx = { diag = d, host = host, checks = {}, set = set or {}, used = {}, named = {}, families = {} }
+  local params, inputs, effects = {}, {}, setmetatable({}, { __mode = "k" })
+  value.begin(d)
+  shapes.begin(ctx, host.visible)
+  local e = environment(ctx, tables, params, inputs, effects)
+  local result, calls, scene_handle = nil, 0, nil
   e.scene = scene.constructor(ctx, function(h) return effects[h] end, function(s)
     calls, result, scene_handle = calls + 1, s, setmetatable({}, scene_object)
     return scene_handle
@@ -211,20 +243,7 @@ function env.record(host, d, text, tables, set, renamed)
   text = string.gsub(text, "^\239\187\191", "") -- a byte order mark, as some editors write it
   local ok, first = host.sandbox(text, "@" .. d.file, e)
   if not ok then
-    local source = first.source or ""
-    local excess = string.find(first.message or "", "stack overflow", 1, true) or
-      string.find(first.message or "", "number too large", 1, true)
-    if first.kind == "runtime" and not excess and source ~= d.file and string.find(source, "^generator/") then
-      error(first.message .. "\n" .. first.traceback, 0) -- a bug of ours, not an error of the scene
-    end
-    -- what the scene does after an unknown name may be its consequence: it is not told where Lua itself says so, by
-    -- the mark, nor that the script took too long
-    if d:failed() and (first.kind ~= "syntax" and first.kind ~= "runtime" or
-      string.find(first.message or "", broken.mark, 1, true)) then
-      return nil
-    end
-    local message = string.gsub(string.gsub(first.message or "", "^.-:%d+: ", ""), "%c", " ") -- may steer a terminal
-    d:error(first.line or 0, first.kind == "syntax" and "syntax" or "script", message)
+    stopped(d, first)
     return nil
   end
   if not d:failed() then
@@ -237,13 +256,7 @@ function env.record(host, d, text, tables, set, renamed)
     end
   end
   if renamed and result then result.name = renamed end
-  local named = table.move(inputs, 1, #inputs, #params + 1, { table.unpack(params) })
-  for _, p in ipairs(not d:failed() and named or {}) do
-    if string.find(p.name, "^" .. result.name .. "_") then
-      d:error(p.line, p.symbol and "input" or "param", "name must not begin with " .. result.name ..
-        "_, as the emitted code's own names do", diag.show(p.name))
-    end
-  end
+  if not d:failed() then names_apart(d, result, params, inputs) end
   if d:failed() then return nil end
   result.params, result.inputs, result.checks, result.files = params, inputs, ctx.checks, ctx.files or {}
   for _, name in ipairs(args.keys(ctx.set)) do

@@ -202,6 +202,48 @@ local function products(moments)
   return c
 end
 
+-- Sets r.b, r.A and the inputs' columns of B in w' = (Euler's products) + b + A w + B u, from values of it, f(w, u).
+-- It is quadratic in w, the products being even and zero at w = 0, and affine in each u (refusal has seen to that); so
+-- differences are exact: A_j = (f(e_j, u) - f(-e_j, u))/2, B_k = (f(0, u + d e_k) - f(0, u))/d, b = f(0, u) - B u.
+-- Inputs stand at a quarter of their range and step by half of it, so that no limit is met.
+local function response(m, r, f)
+  local within = {}
+  r.inputs = {}
+  for i, s in ipairs(m.inputs) do
+    local low, high = inputs.range(m, s)
+    r.inputs[i] = { label = s.label, index = s.index, unit = s.unit, low = low, high = high }
+    within[i] = low + (high - low) / R.new(4)
+  end
+  local there = f(unit(1, 0), within)
+  r.b, r.A = { table.unpack(there) }, { {}, {}, {} }
+  for j = 1, 3 do
+    local up, down = f(unit(j, 1), within), f(unit(j, -1), within)
+    for i = 1, 3 do r.A[i][j] = (up[i] - down[i]) / R.new(2) end
+  end
+  for k, u in ipairs(r.inputs) do
+    local other, half = { table.unpack(within) }, (u.high - u.low) / R.new(2)
+    other[k] = other[k] + half
+    u.response = vec.map(f(unit(1, 0), other), function(x, i) return (x - there[i]) / half end)
+    for i = 1, 3 do r.b[i] = r.b[i] - u.response[i] * within[k] end
+  end
+end
+
+-- Sets r.free (no torque depends on the rates) and r.fed (something may add energy).  T' = w.(S w) + w.I(b + B u) with
+-- S = I A, so without b and u the sign of S's symmetric part decides.
+local function energy_flow(r)
+  local I, S, still = matrix(r.tensor), {}, true
+  r.free = true
+  for i = 1, 3 do
+    S[i] = {}
+    for j = 1, 3 do
+      S[i][j] = I[i][1] * r.A[1][j] + I[i][2] * r.A[2][j] + I[i][3] * r.A[3][j]
+      r.free = r.free and r.A[i][j] == R.zero
+    end
+    still = still and r.b[i] == R.zero
+  end
+  r.fed = not (still and #r.inputs == 0 and takes_energy(S))
+end
+
 -- What w' is made of, as rationals, or nil after an error in d:
 -- {moments, axes (rows, body axes), diagonal, c, b, A, tensor, free, fed, limit, why, inputs}, inputs being a list of
 -- {label, index, unit, low, high, response}, response a column of B.
@@ -223,40 +265,8 @@ function bounded.of(job)
     r.moments, r.axes = jacobi.precise(r.tensor, BITS)
   end
   r.c = products(r.moments)
-
-  local f, within = evaluator(m, job.equations), {} -- within: a value of each input inside its limits
-  r.inputs = {}
-  for i, s in ipairs(m.inputs) do
-    local low, high = inputs.range(m, s)
-    r.inputs[i] = { label = s.label, index = s.index, unit = s.unit, low = low, high = high }
-    within[i] = low + (high - low) / R.new(4)
-  end
-  r.b, r.A = f(unit(1, 0), within), { {}, {}, {} }
-  for j = 1, 3 do
-    local up, down = f(unit(j, 1), within), f(unit(j, -1), within)
-    for i = 1, 3 do r.A[i][j] = (up[i] - down[i]) / R.new(2) end
-  end
-  local there = r.b
-  r.b = { table.unpack(r.b) }
-  for k, u in ipairs(r.inputs) do
-    local other, half = { table.unpack(within) }, (u.high - u.low) / R.new(2)
-    other[k] = other[k] + half
-    u.response = vec.map(f(unit(1, 0), other), function(x, i) return (x - there[i]) / half end)
-    for i = 1, 3 do r.b[i] = r.b[i] - u.response[i] * within[k] end
-  end
-
-  local I = matrix(r.tensor)
-  local S, still = {}, true
-  r.free = true
-  for i = 1, 3 do
-    S[i] = {}
-    for j = 1, 3 do
-      S[i][j] = I[i][1] * r.A[1][j] + I[i][2] * r.A[2][j] + I[i][3] * r.A[3][j]
-      r.free = r.free and r.A[i][j] == zero
-    end
-    still = still and r.b[i] == zero
-  end
-  r.fed = not (still and #r.inputs == 0 and takes_energy(S))
+  response(m, r, evaluator(m, job.equations))
+  energy_flow(r)
   local box = {}
   for i, s in ipairs(m.states) do
     if s.kind == "rates" then box[s.place] = job.ranges.states[i] end

@@ -145,19 +145,11 @@ local function outputs(d, m, taken)
   return wanted
 end
 
--- Decides m.has, m.states (a list of {name, sym, about, unit, kind, place in its kind, initial}, and by_name),
--- of m.record.  Reports what cannot be.
-function states.decide(d, m)
-  local taken, moving, list = {}, nil, {}
-  for _, s in ipairs(state.known) do taken[s.name] = true end
-  for _, e in ipairs(m.record.effects) do
-    own_states(e, taken)
-    if e.spec.moves and e.spec.moves(m.given) and not moving then moving = e end
-  end
-  contradictions(d, m, moving)
-  one_input(d, m)
-  m.has = { attitude = true, rates = true, position = moving ~= nil } -- until we know better
-  local acting, turned, by_attitude, by_rates = {}, nil, nil, nil
+-- The effects that do something, in m.record; what moves the body, which states are asked for and by whom:
+-- {moving, turned, by_attitude, by_rates}, an effect each.  An effect that does nothing is told and left out; with
+-- --bake one that only a value of a parameter stops stays in, for as the scene has it, it acts.
+local function acting_effects(d, m, moving)
+  local acting, cause = {}, { moving = moving }
   m.frame = nil
   for i, e in ipairs(m.record.effects) do
     local deed, acts = deeds(m, e)
@@ -165,10 +157,10 @@ function states.decide(d, m)
     if acts then
       acting[#acting + 1] = e
       if deed.frame then m.frame = e end
-      if torques(deed) or e.spec.input then turned = turned or e end
+      if torques(deed) or e.spec.input then cause.turned = cause.turned or e end
       for _, name in ipairs { "torque", "force", "rates" } do
-        if depends(deed[name], of_attitude) then by_attitude = by_attitude or e end
-        if name ~= "torque" and depends(deed[name], of_rates) then by_rates = by_rates or e end
+        if depends(deed[name], of_attitude) then cause.by_attitude = cause.by_attitude or e end
+        if name ~= "torque" and depends(deed[name], of_rates) then cause.by_rates = cause.by_rates or e end
       end
     end
   end
@@ -176,15 +168,20 @@ function states.decide(d, m)
   for k, v in pairs(m.record) do acted[k] = v end -- into a table: order is lost anyway
   acted.effects = acting
   m.record = acted
+  return cause
+end
 
-  local has, why = m.has, {}
+-- Sets m.has and returns why, a sentence each.  Rates are states unless the body moves and nothing gives, makes or
+-- needs a rotation: then it is a point.  The attitude is one where there are rates and it is wanted or needed.
+local function decided(m, cause, wanted)
+  local has, why, moving = m.has, {}, cause.moving
+  local by_attitude, needs = cause.by_attitude, cause.by_attitude or cause.by_rates
   local spoken = m.given.omega and "initial gives omega" or m.given.attitude and "initial gives the attitude"
-  local cause = not moving and "the body turns about a fixed point" or spoken or
-    turned and short(turned) .. " turns the body" or (by_attitude or by_rates) and
-    short(by_attitude or by_rates) .. " depends on how the body turns"
-  local wanted = outputs(d, m, taken)
+  local rates = not moving and "the body turns about a fixed point" or spoken or
+    cause.turned and short(cause.turned) .. " turns the body" or
+    needs and short(needs) .. " depends on how the body turns"
   by_attitude = by_attitude or m.frame -- its energy does
-  has.rates = cause and true or false
+  has.rates = rates and true or false
   has.attitude = has.rates and (not wanted or wanted.attitude or wanted.momentum or by_attitude) and true or false
   if has.attitude then
     why[1] = "attitude: " .. (by_attitude and short(by_attitude) .. " depends on it" or wanted and "outputs names " ..
@@ -193,28 +190,21 @@ function states.decide(d, m)
     why[1] = "no attitude: " .. (has.rates and "outputs does not ask for it and nothing depends on it" or
       "the body is a point")
   end
-  why[2] = has.rates and "rates: " .. cause or "no rates: the body moves, initial gives neither omega nor attitude, " ..
+  why[2] = has.rates and "rates: " .. rates or "no rates: the body moves, initial gives neither omega nor attitude, " ..
     "and nothing turns the body: a point"
   why[3] = moving and "position and velocity: " .. short(moving) .. " moves the body" or
     "no position: nothing moves the body"
-  for _, e in ipairs(acting) do
-    for _, s in ipairs(e.states) do
-      list[#list + 1] = s
-      why[#why + 1] = s.name .. ": " .. short(e) .. " has it"
-    end
-  end
-  if moving and has.rates and not central(m) then
-    d:error(m.record.origin and m.record.origin.line or m.line, "origin", "must be the centroid, as " .. moving.kind ..
-      " (line " .. moving.line .. ") moves the body")
-  end
+  return why
+end
 
+-- m.states: those of the motion in the order of state.kinds, then the effects' own, which `why` tells of.
+local function listed(m, why)
   local first = { attitude = m.attitude, rates = m.omega, position = m.given.position, velocity = m.given.velocity }
   local none = { expr.zero, expr.zero, expr.zero }
-  m.states = { by_name = {} }
-  has.velocity = has.position
   local place = m.frame and "frame" or "inertial"
+  m.states = { by_name = {} }
   for _, kind in ipairs(state.kinds) do
-    for i, name in ipairs(has[kind] and state.names[kind] or {}) do
+    for i, name in ipairs(m.has[kind] and state.names[kind] or {}) do
       local s = state.known.by_name[name]
       local about = s.about
       if i == 1 and (kind == "position" or kind == "velocity") then about = about .. ", " .. place .. " axes" end
@@ -223,7 +213,16 @@ function states.decide(d, m)
         kind = kind, place = i, initial = (first[kind] or none)[i] }
     end
   end
-  for _, s in ipairs(list) do m.states[#m.states + 1] = s end
+  for _, e in ipairs(m.record.effects) do
+    for _, s in ipairs(e.states) do
+      m.states[#m.states + 1] = s
+      why[#why + 1] = s.name .. ": " .. short(e) .. " has it"
+    end
+  end
+end
+
+-- States and inputs by name; parameters and inputs must have other names.
+local function named(d, m)
   for _, s in ipairs(m.inputs) do m.by_name[s.name] = m.by_name[s.name] or s end
   for _, s in ipairs(m.states) do
     m.states.by_name[s.name] = s
@@ -239,9 +238,31 @@ function states.decide(d, m)
       end
     end
   end
+end
+
+-- Decides m.has, m.states (a list of {name, sym, about, unit, kind, place in its kind, initial}, and by_name),
+-- of m.record.  Reports what cannot be.
+function states.decide(d, m)
+  local taken, moving = {}, nil
+  for _, s in ipairs(state.known) do taken[s.name] = true end
+  for _, e in ipairs(m.record.effects) do
+    own_states(e, taken)
+    if e.spec.moves and e.spec.moves(m.given) and not moving then moving = e end
+  end
+  contradictions(d, m, moving)
+  one_input(d, m)
+  m.has = { attitude = true, rates = true, position = moving ~= nil } -- until we know better
+  local cause = acting_effects(d, m, moving)
+  local why = decided(m, cause, outputs(d, m, taken))
+  m.has.velocity = m.has.position
+  listed(m, why)
+  if moving and m.has.rates and not central(m) then
+    d:error(m.record.origin and m.record.origin.line or m.line, "origin", "must be the centroid, as " .. moving.kind ..
+      " (line " .. moving.line .. ") moves the body")
+  end
+  named(d, m)
   m.moving, m.reasons = moving, why
   return not d:failed()
 end
-
 
 return states

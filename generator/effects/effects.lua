@@ -5,7 +5,7 @@
 -- reading) or reader (its reading in dsl/moving.lua), check(a), refuse(a, given); numeric(a, num, given, code, c), what
 -- the library is told (one act, or two), code(e) being an expression of the motion as dynamics/postfix.lua writes it;
 -- formula, signs, source, example (a scene of bodies/), and where there is no args takes (rows {argument, unit,
--- default, about}) for docs/effects.md (report/effects.lua); and what it does, each optional:
+-- default, about}) for docs/effects.md (docs/tools/effects.lua); and what it does, each optional:
 --     torque(a, c)      about the origin of rotation, body axes, N m
 --     force(a, c)       on the centre of mass, inertial axes (those of the base frame, if one turns), N
 --     states(a)         states of its own: a list of {name =, initial = expr, unit =, about =}

@@ -174,96 +174,109 @@ end
 
 -- ---- statements -------------------------------------------------------------------------------------------
 
+-- A printer P of one ir: its instructions by value (define), how often each is read (uses), the C names that values
+-- have got (declared) and that are taken, and the lines of the group that is being printed.
+local function printer(ir, real, opts)
+  local P = { real = real, type = opts.type or real, indent = opts.indent or 2, scene = opts.scene, own = opts.own,
+    letter = opts.letter or "t", define = instr.definitions(ir), uses = instr.uses(ir), declared = {}, taken = {},
+    temporaries = 0, lines = nil }
+  instr.each(ir, function(i)
+    if i.sym then P.taken[i.sym] = true end
+    if i.name then P.taken[i.name] = true end
+    if instr.of(i.op).c == "helper" then opts.helpers[i.op] = true end
+  end)
+  return P
+end
+
+local function temporary(P)
+  repeat
+    P.temporaries = P.temporaries + 1
+  until not P.taken[P.letter .. P.temporaries]
+  return P.letter .. P.temporaries
+end
+
+-- Columns that are left for an expression behind a prefix, and a semicolon.
+local function room(P, prefix) return LINE - P.indent - #prefix - 1 end
+
+local function declare(P, v, name, text)
+  append(P.lines, "const " .. P.type .. " " .. name .. " = " .. text .. ";", LAW - P.indent)
+  P.declared[v] = name
+end
+
+-- Which part of an expression gets a name of its own when the whole does not fit: of one that is nested too deeply the
+-- deepest, else the longest; nil where all parts are names and numbers.
+local function heaviest(args, whole)
+  local best
+  for k, p in ipairs(args) do
+    local heavier = not best or (whole.depth > NESTING and p.depth > args[best].depth)
+      or (whole.depth <= NESTING and #p.text > #args[best].text)
+    if not p.solid and heavier then best = k end
+  end
+  return best
+end
+
+local piece
+
+-- The expression of instruction i, in at most `width` columns if splitting off parts can do it.  Each turn gives one
+-- part a name, so it ends.
+local function expression(P, i, width)
+  local entry = instr.of(i.op)
+  local join = joined[entry.c] or error("cprint: '" .. i.op .. "' has no form in C; run the passes")
+  local args = {}
+  for k, field in ipairs(entry.srcs) do args[k] = piece(P, i[field], width) end
+  while true do
+    local whole = join(entry, P.real, args, P.scene, P.own)
+    if #whole.text <= width and whole.depth <= NESTING then return whole end
+    local longest = heaviest(args, whole)
+    if not longest then return whole end
+    local v = i[entry.srcs[longest]]
+    declare(P, v, temporary(P), args[longest].text)
+    for k, field in ipairs(entry.srcs) do
+      if i[field] == v then args[k] = atom(P.declared[v]) end
+    end
+  end
+end
+
+-- The value v as a part of an expression: its name, or what it is made of, which is then read here alone.
+function piece(P, v, width)
+  if P.declared[v] then return atom(P.declared[v]) end
+  local i = P.define[v] or error("cprint: value " .. tostring(v) .. " is never defined")
+  if i.op == "const" then return literal(i.value, P.real) end
+  if i.op == "input" then return atom(i.sym) end
+  return expression(P, i, width)
+end
+
+-- -x of a name is as short as a name: no temporary for it.
+local function trivial(P, i)
+  if i.op ~= "neg" then return false end
+  return P.declared[i.src1] or P.define[i.src1].op == "input"
+end
+
+-- A statement for what is stored, what has a name, and what is read more than once; all else is a part of these.
+local function statement(P, i)
+  if i.op == "store" then
+    local prefix = i.c .. " " .. i.assign .. " "
+    local p = piece(P, i.src1, math.min(room(P, prefix), room(P, "const " .. P.type .. " t999 = ")))
+    append(P.lines, prefix .. p.text .. ";", LAW - P.indent)
+  elseif i.name or (P.uses[i.dst] or 0) > 1 and not trivial(P, i) then
+    if P.declared[i.dst] then return end
+    local p = expression(P, i, room(P, "const " .. P.type .. " " .. (i.name or "t999") .. " = "))
+    declare(P, i.dst, i.name or temporary(P), p.text)
+  end
+end
+
 -- { loads = { lines }, groups = { { why, where, lines } } }; groups that compute nothing are left out.
 -- real: "double" or "float".  opts: type (the C name of the real, default real itself), indent (2), scene (the prefix
 -- of helpers), helpers (a set that the stems of the helpers called go to), letter (of temporaries, "t"), own (functions
 -- of the C library are the scene's own: NAME_sin).
 function cprint.statements(ir, real, opts)
-  opts = opts or {}
-  local type_name, indent = opts.type or real, opts.indent or 2
-  local define, uses = instr.definitions(ir), instr.uses(ir)
-  local declared = {} -- value number -> its C name
-  local taken = {}
-  local lines, temporaries, letter = nil, 0, opts.letter or "t"
-
-  instr.each(ir, function(i)
-    if i.sym then taken[i.sym] = true end
-    if i.name then taken[i.name] = true end
-    if instr.of(i.op).c == "helper" then opts.helpers[i.op] = true end
-  end)
-
-  local function temporary()
-    repeat
-      temporaries = temporaries + 1
-    until not taken[letter .. temporaries]
-    return letter .. temporaries
-  end
-
-  local function room(prefix) return LINE - indent - #prefix - 1 end
-
-  local function declare(v, name, text)
-    append(lines, "const " .. type_name .. " " .. name .. " = " .. text .. ";", LAW - indent)
-    declared[v] = name
-  end
-
-  local piece
-
-  -- The expression of instruction i, in at most `width` columns if splitting off parts can do it.
-  local function expression(i, width)
-    local entry = instr.of(i.op)
-    local join = joined[entry.c] or error("cprint: '" .. i.op .. "' has no form in C; run the passes")
-    local args = {}
-    for k, field in ipairs(entry.srcs) do args[k] = piece(i[field], width) end
-    while true do
-      local whole = join(entry, real, args, opts.scene, opts.own)
-      if #whole.text <= width and whole.depth <= NESTING then return whole end
-      local longest
-      for k, p in ipairs(args) do
-        local heavier = not longest or (whole.depth > NESTING and p.depth > args[longest].depth)
-          or (whole.depth <= NESTING and #p.text > #args[longest].text)
-        if not p.solid and heavier then longest = k end
-      end
-      if not longest then return whole end
-      local v = i[entry.srcs[longest]]
-      declare(v, temporary(), args[longest].text)
-      for k, field in ipairs(entry.srcs) do
-        if i[field] == v then args[k] = atom(declared[v]) end
-      end
-    end
-  end
-
-  function piece(v, width)
-    if declared[v] then return atom(declared[v]) end
-    local i = define[v] or error("cprint: value " .. tostring(v) .. " is never defined")
-    if i.op == "const" then return literal(i.value, real) end
-    if i.op == "input" then return atom(i.sym) end
-    return expression(i, width)
-  end
-
-  -- -x of a name is as short as a name: no temporary for it.
-  local function trivial(i)
-    if i.op ~= "neg" then return false end
-    return declared[i.src1] or define[i.src1].op == "input"
-  end
-
-  local function statement(i)
-    if i.op == "store" then
-      local prefix = i.c .. " " .. i.assign .. " "
-      local p = piece(i.src1, math.min(room(prefix), room("const " .. type_name .. " t999 = ")))
-      append(lines, prefix .. p.text .. ";", LAW - indent)
-    elseif i.name or (uses[i.dst] or 0) > 1 and not trivial(i) then
-      if declared[i.dst] then return end
-      local p = expression(i, room("const " .. type_name .. " " .. (i.name or "t999") .. " = "))
-      declare(i.dst, i.name or temporary(), p.text)
-    end
-  end
-
-  local result = { loads = loads_of(ir, type_name, LINE - indent), groups = {} }
+  local P = printer(ir, real, opts or {})
+  local result = { loads = loads_of(ir, P.type, LINE - P.indent), groups = {} }
   for _, group in ipairs(ir.groups) do
-    lines = {}
-    for _, i in ipairs(group.code) do statement(i) end
-    if #lines > 0 then
-      lines = side_by_side(lines, LINE - indent)
+    P.lines = {}
+    for _, i in ipairs(group.code) do statement(P, i) end
+    if #P.lines > 0 then
+      local lines = side_by_side(P.lines, LINE - P.indent)
       table.insert(result.groups, { why = group.why, where = group.where, lines = lines })
     end
   end

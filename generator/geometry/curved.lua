@@ -1,4 +1,9 @@
 -- curved.lua -- surfaces made of patches (hoof, bicylinder, region) and curves (rods and wires), and loose points.
+--
+-- A patch is the image of a grid of squares under a map at(i, j); its normal is d/di x d/dj, which must point out of
+-- the body, so maps are written with i and j in that order.  Two patches that meet must have the same points along
+-- their common border: both maps give the same numbers there.  Squares that the map makes triangles lose a point, and
+-- lines are left out.  Curves are chains of points on the true curve, n of them a turn.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local turned = require "generator.geometry.turned"

@@ -1,6 +1,7 @@
 -- flat.lua -- shapes with plane faces: boxes, polyhedra, prisms, plates with straight edges.
 --
 -- A face is a list of points, counter-clockwise from outside; `flat` says that points between them lie on the surface.
+-- Nothing is approximated here: integrals over these faces are those of the shape but for rounding.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local polygon = require "generator.geometry.polygon"

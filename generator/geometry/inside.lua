@@ -1,6 +1,6 @@
 -- inside.lua -- is a point inside a shape, and if not, how far outside?
 --
--- Plain numbers, no algebra: trees in the form dynamics/numeric.lua gives.  Solids by their exact definition, thin
+-- Plain numbers, no algebra: trees in the form dynamics/numeric_body.lua gives.  Solids by their exact definition, thin
 -- things within `slack` of them; a sum holds what either part holds, a difference what is in the body and not strictly
 -- inside the hole.  Placements are undone on the point.  Of a mesh or a tensor nothing is known: the answer is nil
 -- unless the rest of the tree decides.  Shares nothing with surface.lua, so each checks the other.

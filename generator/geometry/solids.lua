@@ -1,7 +1,10 @@
 -- solids.lua -- how far a point is outside a solid: the excess (see planar.lua) of every solid, in its own frame.
 --
--- Each is the largest of the excesses of what bounds it: half spaces, balls, cones and cylinders, written down from the
--- shape's definition; a point is inside when all are negative.  `p` is {x, y, z}, `a` the shape's numbers.
+-- Each is the largest of the excesses of what bounds it: half spaces, balls, cones and cylinders, written down from
+-- the shape's definition; a point is inside when all are negative.  `p` is {x, y, z}, `a` the shape's numbers.  The
+-- largest of excesses is one: an intersection's border is where one is zero and none is positive, and next to it the
+-- largest is the distance to first order.  Beside an edge it is less than the distance, by sqrt(2) where the edge is
+-- a right angle and by more where it is sharper, never of the wrong sign.  A border f = 0 takes f/|gradient f|.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local planar = require "generator.geometry.planar"

@@ -1,7 +1,7 @@
 -- surface.lua -- the boundary of a shape as polygons, for pictures, samples and boxes.
 --
--- Plain numbers, no algebra: it takes shapes in the form dynamics/numeric.lua gives, and it shares nothing with the
--- catalogue of mass properties, so integrals over these surfaces are an independent check of that catalogue.
+-- Plain numbers, no algebra: it takes shapes in the form dynamics/numeric_body.lua gives, and it shares nothing with
+-- the catalogue of mass properties, so integrals over these surfaces are an independent check of that catalogue.
 --
 --     surface.of(node, n)     {faces =, lines =, points =, creases =} of one shape; n: segments of a full turn
 --     surface.tree(tree, n)   the same of a tree of placements, sums and holes

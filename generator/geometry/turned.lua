@@ -3,6 +3,10 @@
 -- A profile is a chain of points {rho, z} that is walked with the body on its left (counter-clockwise), so that
 -- normals point outwards.  It either closes or begins and ends on the axis.  Fineness n: segments of a full turn.
 -- An ellipsoid is the image of a ball, and so on: `stretch` names the factors of the y axis (and z).
+-- A segment of the chain becomes n quadrilaterals, or triangles where one end is on the axis; neighbours use the same
+-- points, computed by the same operations, so the surface closes to the bit.  Vertices are on the true surface; with
+-- chords of 1/n of a turn volumes and areas are short by O(1/n^2), which Richardson's extrapolation takes out where the
+-- surface is compared with the catalogue: so counts of segments double exactly when n does.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local polygon = require "generator.geometry.polygon"

@@ -16,67 +16,13 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local axes = require "generator.methods.q31_axes"
 local fixed = require "generator.methods.fixed"
+local turn = require "generator.methods.q31_turn"
 
-local q31 = {}
+local q31 = { attitude_limit = (1 << 30) + (1 << 26) } -- of a component of q, 1 being 2^30
 
-local BITS = 200
-local ONE = 1 << 30 -- of the attitude
-q31.one, q31.attitude_limit = ONE, ONE + (1 << 26)
-q31.norm_flag = 1 << 10
-local axis, part = { "x", "y", "z" }, { "w", "x", "y", "z" }
-
-local function root(x) return R.apply("sqrt", BITS, x) end
-local function cyclic(k) return k % 3 + 1, (k + 1) % 3 + 1 end
-
--- g, and the factor that is left of each product (0 none at all, 1 or -1 only the sign): two lists.
-local function scaling(r, h3)
-  local c, least, most = {}, 1, 1
-  for k = 1, 3 do
-    c[k] = R.abs(r.c[k])
-    least, most = c[k] < c[least] and k or least, c[k] > c[most] and k or most
-  end
-  if R.sign(c[most]) == 0 then return { h3, h3, h3 }, { R.zero, R.zero, R.zero } end
-  local g, factor = {}, {}
-  if c[least] * R.new(16) < c[most] then -- the others are nearly the same, one of either sign
-    local j, l = cyclic(least)
-    g[least] = h3 * root(c[j] * c[l])
-    g[l], g[j] = g[least], g[least] * root(c[l] / c[j])
-  else
-    for k = 1, 3 do
-      local j, l = cyclic(k)
-      g[k] = h3 * root(c[j] * c[l])
-    end
-  end
-  for k = 1, 3 do
-    local j, l = cyclic(k)
-    local f = h3 * r.c[k] * g[k] / (g[j] * g[l])
-    local s = R.new(R.sign(f))
-    factor[k] = R.abs(f - s) < R.new(2) ^ -60 and s or f
-  end
-  return g, factor
-end
-
--- Rows E_k of the axes as they scale: to = g_k E_kj (from w to y) and from = E_kj/g_k (transposed, from y to w).
-local function frames(r, g)
-  local to, from = { {}, {}, {} }, { {}, {}, {} }
-  for k = 1, 3 do
-    for j = 1, 3 do
-      local e = r.axes[k][j]
-      if R.abs(e) < R.new(2) ^ -60 then e = R.zero end
-      to[k][j], from[j][k] = g[k] * e, e / g[k]
-    end
-  end
-  return to, from
-end
-
-local function times(a, b)
-  local out = { {}, {}, {} }
-  for i = 1, 3 do
-    for j = 1, 3 do out[i][j] = a[i][1] * b[1][j] + a[i][2] * b[2][j] + a[i][3] * b[3][j] end
-  end
-  return out
-end
+local axis, part, cyclic = { "x", "y", "z" }, { "w", "x", "y", "z" }, axes.cyclic
 
 local function negligible(x) return R.abs(x) < R.new(2) ^ -100 end
 
@@ -95,15 +41,16 @@ local function dot(p, name, v, row, s, e, about, blame)
   return p:sum(name .. "s", terms, blame)
 end
 
--- Builds the step for exponents x = {w, f, k, d, a}: of w; of y; of the k; of the increment of w; of half angles.
-local function build(r, h, x)
-  local p = fixed.new()
-  local h3 = h / R.new(3)
-  local g, factor = scaling(r, h3)
-  local to, from = frames(r, g)
-  local out = { program = p, x = x, w = {}, q = {}, u = {}, dq = {}, dw = {}, limit = {},
-    attitude_limit = q31.attitude_limit }
+-- ---- the step in its parts ------------------------------------------------------------------------------------------
+--
+-- S is a step in the making: p its program, r the rates (dynamics/bounded.lua), h the step and h3 a third of it, x the
+-- exponents {w, f, k, d, a}: of w; of y; of the k; of the increment of w; of half angles.  factor, to, from:
+-- q31_axes.lua; out: what is returned.
 
+-- Inputs: words of w and q with their limits.  A word of w is within what the scene declares, and where no input feeds
+-- the motion a 64th more, for rates that the declared ones lead to are within it (bounded.lua).
+local function state(S)
+  local p, r, x, out = S.p, S.r, S.x, S.out
   for i = 1, 3 do
     local limit = r.limit[i] * (r.fed and R.one or R.new(65, 64)) * R.new(2) ^ x.w
     out.limit[i] = R.toint(R.floor(limit)) + (r.fed and 0 or 1)
@@ -112,14 +59,12 @@ local function build(r, h, x)
     out.w[i] = p:input("w" .. axis[i], x.w, out.limit[i], 2.0 ^ (-x.w - 1))
   end
   for i = 1, 4 do out.q[i] = p:input("q" .. part[i], 30, q31.attitude_limit, 2.0 ^ -31) end
+end
 
-  -- torque: b and the columns of I^-1 in the units of y
-  local B, M = {}, times(times(to, r.A), from)
-  for k = 1, 3 do
-    B[k] = (to[k][1] * r.b[1] + to[k][2] * r.b[2] + to[k][3] * r.b[3]) * h3
-    for j = 1, 3 do M[k][j] = M[k][j] * h3 end
-  end
-  local input = {} -- bits 7, 8, 9, 11, ..: 10 is that of the norm
+-- The scene's inputs u, each in the finest unit in which its limits are words.  Flags of inputs beyond their limits are
+-- bits 7, 8, 9, 11, ..: 10 is that of the norm.
+local function inputs(S)
+  local p, r, out = S.p, S.r, S.out
   for i, u in ipairs(r.inputs) do
     local most = R.abs(u.low) > R.abs(u.high) and R.abs(u.low) or R.abs(u.high)
     local e = fixed.finest(most)
@@ -127,6 +72,18 @@ local function build(r, h, x)
       2.0 ^ (-e - 1))
     out.u[i] = { node = node, label = u.label, index = u.index, unit = u.unit, exponent = e,
       low = fixed.nearest(u.low, e), high = fixed.nearest(u.high, e), bit = i <= 3 and 6 + i or 7 + i }
+  end
+end
+
+-- The torque in the units of the k: w' = A w + b + B u besides Euler's products, so k_k has
+--     h/3 g_k e_k.(A w)  the row S.linear[k] of y,   h/3 g_k e_k.b  S.constant[k],   h/3 g_k e_k.(B u)  S.input[k].
+local function torque(S)
+  local p, r, h3, to, out = S.p, S.r, S.h3, S.to, S.out
+  local b = {}
+  S.linear, S.input, S.constant = axes.times(axes.times(to, r.A), S.from), {}, {}
+  for k = 1, 3 do
+    b[k] = (to[k][1] * r.b[1] + to[k][2] * r.b[2] + to[k][3] * r.b[3]) * h3
+    for j = 1, 3 do S.linear[k][j] = S.linear[k][j] * h3 end
   end
   if #out.u > 0 then
     p:block("torque in the units of k: h/3 g e.(B u), B the response of w' to the inputs")
@@ -137,57 +94,67 @@ local function build(r, h, x)
       for i, u in ipairs(r.inputs) do
         row[i] = to[k][1] * u.response[1] + to[k][2] * u.response[2] + to[k][3] * u.response[3]
       end
-      input[k] = dot(p, "b" .. k, nodes, row, h3, x.k, "h/3 times the response to the input", "k")
+      S.input[k] = dot(p, "b" .. k, nodes, row, h3, S.x.k, "h/3 times the response to the input", "k")
     end
   end
-  local constant = {}
   for k = 1, 3 do
-    if not negligible(B[k]) then
-      constant[k] = fixed.constant(B[k], x.k, "torque that is constant, in the units of k", "k")
+    if not negligible(b[k]) then
+      S.constant[k] = fixed.constant(b[k], S.x.k, "torque that is constant, in the units of k", "k")
     end
   end
+end
 
+-- y = g e.w
+local function scaled_rates(S)
+  local p, y = S.p, {}
   p:block("y = g e.w: the rates about the principal axes, in units in which Euler's products have no factor")
-  local y = {}
   for k = 1, 3 do
-    y[k] = dot(p, "y" .. k, out.w, to[k], R.one, x.f, "g e of axis " .. k, "f") or
+    y[k] = dot(p, "y" .. k, S.out.w, S.to[k], R.one, S.x.f, "g e of axis " .. k, "f") or
       error("q31: an axis that no rate turns about")
   end
+  return y
+end
 
-  local stage = 0
-  local function rate(v)
-    stage = stage + 1
-    p:block("k" .. stage .. " = h/3 times the rate of y" .. (stage > 1 and " at stage " .. stage or ""))
-    local out_k = {}
-    for k = 1, 3 do
-      local j, l = cyclic(k)
-      local terms, name = {}, "k" .. stage .. k
-      if R.sign(factor[k]) ~= 0 then
-        if R.abs(factor[k]) == R.one then
-          local n = 2 * x.f - x.k
-          if n < 30 then fixed.unfit "k" end
-          terms[1] = { R.sign(factor[k]), p:mul(name .. "p", v[j], v[l], n, "k") }
-        else
-          local yy = p:mul(name .. "p", v[j], v[l])
-          terms[1] = { 1, p:scale(name .. "c", yy, factor[k], x.k, "factor of the product of axis " .. k, "k") }
-        end
+-- k_n = h/3 f(v), v the rates of stage n: Euler's product, of which the sign is left where g took its factor, and
+-- torque.
+local function slope(S, n, v)
+  local p, x, factor, out = S.p, S.x, S.factor, {}
+  p:block("k" .. n .. " = h/3 times the rate of y" .. (n > 1 and " at stage " .. n or ""))
+  for k = 1, 3 do
+    local j, l = cyclic(k)
+    local terms, name = {}, "k" .. n .. k
+    if R.sign(factor[k]) ~= 0 then
+      if R.abs(factor[k]) == R.one then
+        local down = 2 * x.f - x.k
+        if down < 30 then fixed.unfit "k" end
+        terms[1] = { R.sign(factor[k]), p:mul(name .. "p", v[j], v[l], down, "k") }
+      else
+        local yy = p:mul(name .. "p", v[j], v[l])
+        terms[1] = { 1, p:scale(name .. "c", yy, factor[k], x.k, "factor of the product of axis " .. k, "k") }
       end
-      for i = 1, 3 do
-        if not negligible(M[k][i]) then
-          terms[#terms + 1] = { 1, p:scale(name .. "m" .. i, v[i], M[k][i], x.k, "h/3 of the linear torque", "k") }
-        end
-      end
-      if input[k] then terms[#terms + 1] = { 1, input[k] } end
-      if constant[k] then terms[#terms + 1] = { 1, constant[k] } end
-      out_k[k] = #terms > 0 and p:sum(name, terms, "k") or nil
     end
-    return out_k
+    for i = 1, 3 do
+      if not negligible(S.linear[k][i]) then
+        local node = p:scale(name .. "m" .. i, v[i], S.linear[k][i], x.k, "h/3 of the linear torque", "k")
+        terms[#terms + 1] = { 1, node }
+      end
+    end
+    if S.input[k] then terms[#terms + 1] = { 1, S.input[k] } end
+    if S.constant[k] then terms[#terms + 1] = { 1, S.constant[k] } end
+    out[k] = #terms > 0 and p:sum(name, terms, "k") or nil
   end
+  return out
+end
 
-  local s = x.k - x.f
-  if s < 0 then fixed.unfit "f" end
-  local K = { rate(y) }
-  local weights = { { 1 }, { -1, 3 }, { 3, -3, 3 } }
+-- Kutta's weights of the k before each later stage, as h f/3 has them.
+local weights = { { 1 }, { -1, 3 }, { 3, -3, 3 } }
+
+-- The four slopes K[n][k]; an axis without product and torque has none.  The k are finer than y by S.shift bits.
+local function stages(S, y)
+  local p = S.p
+  S.shift = S.x.k - S.x.f
+  if S.shift < 0 then fixed.unfit "f" end
+  local K = { slope(S, 1, y) }
   for n = 1, 3 do
     local v = {}
     for k = 1, 3 do
@@ -196,13 +163,17 @@ local function build(r, h, x)
         local terms = {}
         for i, c in ipairs(weights[n]) do terms[i] = { c, K[i][k] } end
         local name = "y" .. k .. "_" .. n + 1
-        v[k] = p:sum(name, { { 1, y[k] }, { 1, p:right(name .. "d", p:sum(name .. "k", terms, "k"), s) } }, "f")
+        v[k] = p:sum(name, { { 1, y[k] }, { 1, p:right(name .. "d", p:sum(name .. "k", terms, "k"), S.shift) } }, "f")
       end
     end
-    K[n + 1] = rate(v)
+    K[n + 1] = slope(S, n + 1, v)
   end
+  return K
+end
 
-  local D, S = {}, {}
+-- out.dw, the increment of w; w and it must stay a word together.
+local function increment(S, K)
+  local p, x, out, D = S.p, S.x, S.out, {}
   p:block("dw = 3/8 (k1 + 3 k2 + 3 k3 + k4)/g, in units of 2^-" .. x.d .. " rad/s")
   for k = 1, 3 do
     if K[1][k] then
@@ -210,124 +181,56 @@ local function build(r, h, x)
     end
   end
   for i = 1, 3 do
-    out.dw[i] = dot(p, "dw" .. axis[i], D, from[i], R.new(3, 8), x.d, "3/(8 g) e", "d") or false
+    out.dw[i] = dot(p, "dw" .. axis[i], D, S.from[i], R.new(3, 8), x.d, "3/(8 g) e", "d") or false
     if out.dw[i] and out.limit[i] + ((out.dw[i].hi + (1 << x.d - x.w)) >> (x.d - x.w)) > (1 << 31) - 1 then
       fixed.unfit "w"
     end
   end
+end
 
+-- Half of the integral of w over the step, in units of 2^-a.
+local function half_angle(S, y, K)
+  local p, means, a = S.p, {}, {}
   p:block("a = (h/2)(y + 3/8 (k1 + 2 k2 + k3))/g: half of the integral of w")
   for k = 1, 3 do
-    S[k] = y[k]
+    means[k] = y[k]
     if K[1][k] then
       local m = p:sum("m" .. k, { { 3, K[1][k] }, { 6, K[2][k] }, { 3, K[3][k] } }, "k")
       m.e, m.err = m.e + 3, m.err / 8 -- an eighth of it
-      S[k] = p:sum("s" .. k, { { 1, y[k] }, { 1, p:right("m" .. k .. "r", m, s + 3) } }, "f")
+      means[k] = p:sum("s" .. k, { { 1, y[k] }, { 1, p:right("m" .. k .. "r", m, S.shift + 3) } }, "f")
     end
   end
-  local a = {}
-  for i = 1, 3 do a[i] = dot(p, "a" .. axis[i], S, from[i], h / R.new(2), x.a, "h/(2 g) e", "a") end
-  out.a = a
-  q31.commutator(p, h, x, a, out.dw)
-  q31.turn(p, x, out, a)
-  return out
+  for i = 1, 3 do a[i] = dot(p, "a" .. axis[i], means, S.from[i], S.h / R.new(2), S.x.a, "h/(2 g) e", "a") end
+  return a
 end
 
--- The nodes as words of 16 bits of one exponent.
-local function halved(p, prefix, list)
-  local most, names = 0, { "x", "y", "z" }
-  for i = 1, 3 do most = math.max(most, list[i] and list[i].hi or 0) end
-  local s = 0
-  while (most + (s > 0 and 1 << s - 1 or 0)) >> s > 32767 do s = s + 1 end
-  local out = {}
-  for i = 1, 3 do out[i] = list[i] and p:right(prefix .. names[i], list[i], s) or nil end
-  return out
-end
-
--- a + h^2/24 w x dw = a + a x (h/12 dw): small, so that words of 16 bits do.
-function q31.commutator(p, h, x, a, dw)
-  local q, most = h / R.new(12), 0.0
-  for i = 1, 3 do
-    local j, l = cyclic(i)
-    most = math.max(most, fixed.most(a[j]) * (dw[l] and fixed.most(dw[l]) or 0.0))
-  end
-  if most * R.todouble(q) * 2.0 ^ x.a < 0.25 then return end
-  p:block("a += a x (h/12) dw, h^2/24 w x dw: the turn of the axis of rotation (Magnus), in words of 16 bits")
-  local e = 15 - R.log2(q)
-  while math.abs((fixed.nearest(q, e))) > 32767 do e = e - 1 end
-  local twelfth, short, t = fixed.constant(q, e, "h/12, 16 bits", "d"), halved(p, "A", a), halved(p, "D", dw)
-  for i = 1, 3 do t[i] = t[i] and p:product("H" .. axis[i], t[i], twelfth, "d") end
-  t = halved(p, "T", t)
-  local whole = {}
-  for i = 1, 3 do
-    local j, l = cyclic(i)
-    local terms = {}
-    if t[l] then terms[1] = { 1, p:product("C" .. axis[i] .. 1, short[j], t[l], "a") } end
-    if t[j] then terms[#terms + 1] = { -1, p:product("C" .. axis[i] .. 2, short[l], t[j], "a") } end
-    whole[i] = a[i]
-    if #terms > 0 then
-      local c = p:to("E" .. axis[i], p:sum("C" .. axis[i], terms, "a"), x.a, "a")
-      whole[i] = p:sum("a" .. axis[i] .. "t", { { 1, a[i] }, { 1, c } }, "a")
-    end
-  end
-  for i = 1, 3 do a[i] = whole[i] end
-end
-
--- dq = q (-(1 - cos a) - n/2, sin a a/|a|), n = |q|^2 - 1, in units of 2^-(a - 2).
-function q31.turn(p, x, out, a)
-  p:block("A = |a|^2; sin(|a|)/|a| = 1 - z, z = A (1/6 - A/120); cos a = 1 - A (1/2 - A/24)")
-  local terms = {}
-  for i = 1, 3 do terms[i] = { 1, p:mul("A" .. i, a[i], a[i], 32, "a", true) } end
-  local A = p:sum("A", terms, "a")
-  if fixed.most(A) > 0.0675 then fixed.unfit "step" end -- |a| <= 1/4, and roundings
-
-  local s = { a[1], a[2], a[3] }
-  if fixed.most(A) / 6 * 2.0 ^ 32 >= 0.5 then
-    local e = 64 - A.e
-    local sixth = fixed.constant(R.new(1, 6), e, "1/6", "a")
-    local z = p:mul("z", A, p:less("Z", sixth, A, R.new(1, 120), "1/120", "a"))
-    for i = 1, 3 do
-      s[i] = p:sum("s" .. axis[i], { { 1, a[i] }, { -1, p:mul("z" .. axis[i], a[i], z) } }, "a")
-    end
-  end
-
-  p:block("n = |q|^2 - 1; C = 1 - cos a + n/2 brings |q| back to 1 with the next step")
-  local squares = {}
-  for i = 1, 4 do squares[i] = { 1, p:mul("n" .. i, out.q[i], out.q[i], 32, "a", true) } end
-  local whole = { kind = "constant", value = 1 << 28, q = R.one, e = 28, hi = 1 << 28, err = 0.0, about = "1" }
-  squares[5] = { -1, whole }
-  local n = p:sum("n", squares, "a")
-  local limit = math.min(1 << 25, (1 << math.max(0, 59 - x.a)) - 1)
-  local half = p:clip("nc", n, limit, q31.norm_flag)
-  half.e, half.err, out.norm_limit = 29, 0.0, limit -- n/2; what is wrong with it changes |q| alone
-  local C = { { 1, p:to("nh", half, x.a, "a") } }
-  if fixed.most(A) / 2 * 2.0 ^ x.a >= 0.5 then
-    local lost = x.a > 32 and 32 or 31 -- 1/2 must be a word
-    local e = x.a + lost - A.e
-    local one_half = fixed.constant(R.half, e, "1/2", "a")
-    C[2] = { 1, p:mul("C2", A, p:less("B", one_half, A, R.new(1, 24), "1/24", "a"), lost, "a", true) }
-  end
-  local c = p:sum("C", C, "a")
-
-  p:block("dq = q (-C, s), in units of 2^-" .. x.a - 2)
-  local q = out.q
-  -- Hamilton's product: component i is the sum of sign q[from] by[n], n = 1 .. 4
-  local by = { c, s[1], s[2], s[3] }
-  local table_of = { { -1, -2, -3, -4 }, { -2, 1, -4, 3 }, { -3, 4, 1, -2 }, { -4, -3, 2, 1 } }
-  for i = 1, 4 do
-    local sum = {}
-    for k, from in ipairs(table_of[i]) do
-      sum[k] = { from < 0 and -1 or 1, p:mul("q" .. part[i] .. k, q[math.abs(from)], by[k], 32, "a", true) }
-    end
-    out.dq[i] = p:sum("dq" .. part[i], sum, "a")
-  end
+-- Builds the step for exponents x.
+local function build(r, h, x)
+  local p = fixed.new()
+  local S = { p = p, r = r, h = h, h3 = h / R.new(3), x = x }
+  local g
+  g, S.factor = axes.scaling(r, S.h3)
+  S.to, S.from = axes.frames(r, g)
+  S.out = { program = p, x = x, w = {}, q = {}, u = {}, dq = {}, dw = {}, limit = {},
+    attitude_limit = q31.attitude_limit }
+  state(S)
+  inputs(S)
+  torque(S)
+  local y = scaled_rates(S)
+  local K = stages(S, y)
+  increment(S, K)
+  local a = half_angle(S, y, K)
+  S.out.a = a
+  turn.commutator(p, h, x, a, S.out.dw)
+  turn.increment(p, x, S.out, a)
+  return S.out
 end
 
 -- Kinetic energy, the sum of I_k y_k^2/(2 g_k^2), in the finest unit that fits: {program, node}.
 function q31.energy(step)
   local r, x = step.rates, step.x
-  local g = scaling(r, step.h / R.new(3))
-  local to = frames(r, g)
+  local g = axes.scaling(r, step.h / R.new(3))
+  local to = axes.frames(r, g)
   for e = 62 + R.log2(R.one / r.moments[1]), -200, -1 do
     local p, terms = fixed.new(), {}
     local ok, why = pcall(function()

@@ -100,11 +100,90 @@ local function added_turn(define, p, b, short)
   return n, n1
 end
 
--- The step as equation groups with outs {state, expr}.
+-- A group {why, defs, outs} and what defines names in it.
+local function group_of(m, why)
+  local g = { why = why, defs = {}, outs = {} }
+  return g, cayley.definer(m, g)
+end
+
+local function replaced(v, map) return vec.map(v, function(e) return calculus.substitute(e, map) end) end
+
+-- The rate that turns the body, at the middle of the step: one Newton iteration from the rate w' behind the kick, for
+-- the midpoint rule of the motion that is left, w* = w' + (h/2) f(w*); `turns` is false where that is w' itself.  Then
+-- the rate at which the axes turn, where that is another one.  Returns the rate and h/2.
+local function middle_rate(m, S)
+  local g, define = group_of(m, S.turns and "the rate at the middle: w* = w' + (1 - (h/2) f')^-1 (h/2) f" or
+    "half of the step")
+  S.list[#S.list + 1] = g
+  local hh, middle = define("hh", h / 2), S.at
+  if S.turns then
+    local F = cayley.each(define, "F", vec.map(S.f, function(e) return -hh * e end))
+    local change = cayley.newton(define, F, function(i, j) return hh * calculus.diff(S.f[i], S.at[j]) end)
+    middle = cayley.each(define, "wm", vec.sub(S.at, change))
+  end
+  if S.slip then
+    local there = {}
+    for i = 1, 3 do there[w[i]] = middle[i] end
+    g.why = g.why .. "; the axes turn at W"
+    middle = cayley.each(define, "W", vec.add(middle, replaced(S.slip, there)))
+  end
+  return middle, hh
+end
+
+-- Half of the rotation, b of (1, b), and the rates at the end: L' = I w' + k turned back by it is L1, and
+-- w1 = w' + I^-1 (L1 - L').  Returns b, w1 and 1/|(1, b)| where the attitude can use it.
+local function rotation(m, S, middle, hh)
+  local g, define = group_of(m, "half of the rotation, (1, b)")
+  if m.has.attitude or S.turns then S.list[#S.list + 1] = g end
+  local half = cayley.each(define, "b", vec.scale(hh, middle))
+  local w1 = S.base
+  local s, short = 2 / (1 + vec.dot(half, half)), nil
+  if m.has.attitude and not m.frame then -- one root for both: n = 1/|(1, b)| and s = 2 n^2
+    short = define("r", expr.lift(1) / expr.sqrt(1 + vec.dot(half, half)))
+    s = 2 * short * short
+  end
+  if S.turns then
+    g.why = "half of the rotation, (1, b); L turned back by it, w1 = w' + I^-1 (L1 - L')"
+    local L = vec.add(replaced(vec.apply(cayley.inertia(m), w), S.map), S.k)
+    local change = cayley.turned(define, half, s, cayley.each(define, "L", L), "L")
+    change = cayley.each(define, "dL", change)
+    w1 = vec.add(w1, S.varies and moved(m, change, S.at, S.new, S.list) or cayley.solved(m, change))
+  end
+  return half, w1, short
+end
+
+-- The new attitude, or what is added to the old one, in the last group: q1 = n q (1, b), where the base frame turns
+-- q1 = (1, -B) q (1, b)/|..|.
+local function new_attitude(m, last, S, half, hh, short)
+  last.why = "q1 = n q (1, b), n = 1/|q (1, b)| with one Newton step for 1/|q|, so |q| cannot drift"
+  local define = cayley.definer(m, last)
+  local p = vec.qmul(q, { expr.one, half[1], half[2], half[3] })
+  if m.frame then
+    local turn, defs = moving.rate(m)
+    turn = vec.map(turn, function(e) return equations.inline({ { defs = defs } }, e) end)
+    local B = cayley.each(define, "B", vec.scale(hh, turn))
+    p = vec.qmul({ expr.one, -B[1], -B[2], -B[3] }, p)
+    last.why = "q1 = (1, -B) q (1, b)/|..|, B = (h/2) Omega"
+  end
+  if S.increments then
+    local n, n1 = added_turn(define, p, half, short)
+    last.why = last.why .. "; q1 - q = (n - 1) q + n (p - q)"
+    return vec.add(vec.scale(n1, q), vec.scale(n, vec.sub(p, q)))
+  elseif m.frame then
+    return cayley.unit(define, p)
+  end
+  local length = q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2
+  return vec.scale(define("n", short * (expr.lift "3/2" - length / 2)), p)
+end
+
+-- The step as equation groups with outs {state, expr}.  S is what its parts share: list of groups, new (states that
+-- were carried over), at and map (the rates w' behind the kick), base (those, or what the kick adds), k and slip of the
+-- acting effects, f (Euler's rates without torque), increments.
 local function step(eq, increments)
   local m, zero = eq.model, stages.conserved(eq)
   local list, finals = {}, {}
-  local new = carried(m, eq.groups, zero, list, finals, increments)
+  local S = { list = list, increments = increments, map = {} }
+  S.new = carried(m, eq.groups, zero, list, finals, increments)
   local last = { why = "the new state", defs = {}, outs = finals }
   if not m.has.rates then
     list[#list + 1] = last
@@ -112,76 +191,21 @@ local function step(eq, increments)
   end
 
   local acts = cayley.acting(m)
-  local k, slip, varies = acts.k, acts.slip, context.parts(m) ~= nil
+  S.k, S.slip, S.varies = acts.k, acts.slip, context.parts(m) ~= nil
   local at, added = kicked(m, acts.N, list, increments)
-  local map = {}
-  for i = 1, 3 do map[w[i]] = at[i] end
-  local hh
-  local f = vec.map(cayley.rates(m, vec.cross(k, w)), function(e) return calculus.substitute(e, map) end)
-  local middle = at
-  local turns = slip or varies or not cayley.none(f)
-  local g = { why = turns and "the rate at the middle: w* = w' + (1 - (h/2) f')^-1 (h/2) f" or "half of the step",
-    defs = {}, outs = {} }
-  list[#list + 1] = g
-  local define = cayley.definer(m, g)
-  hh = define("hh", h / 2)
-  if turns then
-    local F = cayley.each(define, "F", vec.map(f, function(e) return -hh * e end))
-    local change = cayley.newton(define, F, function(i, j) return hh * calculus.diff(f[i], at[j]) end)
-    middle = cayley.each(define, "wm", vec.sub(at, change))
-  end
-  if slip then
-    local there = {}
-    for i = 1, 3 do there[w[i]] = middle[i] end
-    g.why = g.why .. "; the axes turn at W"
-    middle = cayley.each(define, "W", vec.add(middle, vec.map(slip, function(e)
-      return calculus.substitute(e, there)
-    end)))
-  end
-  local b = { why = "half of the rotation, (1, b)", defs = {}, outs = {} }
-  if m.has.attitude or turns then list[#list + 1] = b end
-  define = cayley.definer(m, b)
-  local half = cayley.each(define, "b", vec.scale(hh, middle))
-  local w1 = increments and added or at
-  local s, short = 2 / (1 + vec.dot(half, half)), nil
-  if m.has.attitude and not m.frame then -- one root for both: n = 1/|(1, b)| and s = 2 n^2
-    short = define("r", expr.lift(1) / expr.sqrt(1 + vec.dot(half, half)))
-    s = 2 * short * short
-  end
-  if turns then
-    b.why = "half of the rotation, (1, b); L turned back by it, w1 = w' + I^-1 (L1 - L')"
-    local L = vec.add(vec.map(vec.apply(cayley.inertia(m), w), function(e) return calculus.substitute(e, map) end), k)
-    local change = cayley.turned(define, half, s, cayley.each(define, "L", L), "L")
-    change = cayley.each(define, "dL", change)
-    w1 = vec.add(w1, varies and moved(m, change, at, new, list) or cayley.solved(m, change))
-  end
+  for i = 1, 3 do S.map[w[i]] = at[i] end
+  S.at, S.base = at, increments and added or at
+  S.f = replaced(cayley.rates(m, vec.cross(S.k, w)), S.map)
+  S.turns = S.slip or S.varies or not cayley.none(S.f)
+  local middle, hh = middle_rate(m, S)
+  local half, w1, short = rotation(m, S, middle, hh)
   for i, name in ipairs(state.names.rates) do
     -- what is along an axis of symmetry turns with it
-    local e = f[i] == expr.zero and not slip and not varies and (increments and added or at)[i] or w1[i]
+    local e = S.f[i] == expr.zero and not S.slip and not S.varies and S.base[i] or w1[i]
     if not zero[name] then finals[#finals + 1] = { state = name, expr = e } end
   end
   if m.has.attitude then
-    last.why = "q1 = n q (1, b), n = 1/|q (1, b)| with one Newton step for 1/|q|, so |q| cannot drift"
-    define = cayley.definer(m, last)
-    local p = vec.qmul(q, { expr.one, half[1], half[2], half[3] })
-    local unit, n, n1
-    if m.frame then
-      local turn, defs = moving.rate(m)
-      turn = vec.map(turn, function(e) return equations.inline({ { defs = defs } }, e) end)
-      local B = cayley.each(define, "B", vec.scale(hh, turn))
-      p = vec.qmul({ expr.one, -B[1], -B[2], -B[3] }, p)
-      last.why = "q1 = (1, -B) q (1, b)/|..|, B = (h/2) Omega"
-      if not increments then unit = cayley.unit(define, p) end
-    elseif not increments then
-      local length = q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2
-      unit = vec.scale(define("n", short * (expr.lift "3/2" - length / 2)), p)
-    end
-    if increments then
-      n, n1 = added_turn(define, p, half, short)
-      last.why = last.why .. "; q1 - q = (n - 1) q + n (p - q)"
-      unit = vec.add(vec.scale(n1, q), vec.scale(n, vec.sub(p, q)))
-    end
-    for i, e in ipairs(unit) do
+    for i, e in ipairs(new_attitude(m, last, S, half, hh, short)) do
       finals[#finals + 1] = { state = state.names.attitude[i], expr = e }
     end
   end

@@ -11,6 +11,15 @@
 -- and y' = g(y) u' for tan, tanh, atan and the like.  So the whole work is bilinear: lanes, each the sum of products of
 -- two sequences (or of j times one), in levels such that a level needs the lanes below it only; a sequence's own newest
 -- term, not known yet, stands as zero in its lanes.
+--
+-- Each rule is the coefficient of s^(n-1) or s^n in an identity.  For y = u^a the identity is u y' = a u' y: n u[0]
+-- y[n] stays on the left, and the other j y[j] u[n-j] go to the right, the second lane beside the j u[j] y[n-j].  For
+-- y = log u it is u y' = u'; for y = exp u, y' = y u'; for a quotient q v = u.  Only u[0], v[0] are ever divided by,
+-- numbers during a step (`first`), so a step costs one division for each.
+--
+-- A variable of level l is made of lanes of level l, and these of variables below l (and of terms of its own before the
+-- newest): so terms n are computed level by level.  Lanes of one level do not need each other, which is what lets them
+-- run side by side (taylor.lua).  For the terms up to N a lane has N(N+1)/2 products.
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -185,6 +194,7 @@ local function integral(self, fn, name, u, derivative)
   return y
 end
 
+-- constant + sign u^2, as a variable
 local function square_plus(self, u, constant, sign)
   local v = new_variable(self, "square", u.level + 1)
   v.start, v.term = constant + sign * u.sym ^ 2, sign * lane(self, u, u, v.level)
@@ -242,7 +252,7 @@ local function product(self, e)
   return coefficient, rest
 end
 
--- c times the linear form of x
+-- c times the linear form of x: a factor that is steady during the step costs no lane.
 local function scaled(self, c, x)
   local f, g = of(self, x), form(expr.zero)
   g.constant = c * f.constant
@@ -250,6 +260,8 @@ local function scaled(self, c, x)
   return g
 end
 
+-- The linear form of a product or a power.  Powers up to 4 are products, one lane each, which are right where the base
+-- passes zero; others divide by it (power).  Denominators are multiplied with each other first: one quotient.
 local function multiply_out(self, e)
   if e.kind == "mul" then
     local steady, moving = {}, {}

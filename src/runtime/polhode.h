@@ -8,15 +8,15 @@
 
    Conventions. SI units. Vectors are double[3]. A tensor is double[6] in the order xx yy zz xy
    xz yz, where xy, xz, yz are tensor ENTRIES (minus the products of inertia). A quaternion is
-   double[4], scalar first (w, x, y, z), Hamilton product, body to inertial: v_inertial = q v_body
-   q*. Angular velocity w and torque are in body axes; the state of motion is x = (qw qx qy qz wx wy
-   wz), and rx ry rz vx vy vz where the top moves (polhode_move.h). Failure. Every function that can
-   fail returns a status, PH_OK = 0, and leaves its outputs untouched otherwise. Nothing prints,
-   exits, or keeps state outside its arguments, so distinct objects may be used from distinct
-   threads. Pointers must not be NULL unless it is said. Overlap. An output may be the same array as
-   an input of the same type, unless it is said. Precision. Inside, sums are formed in long double,
-   which must have 64 bits or more (x86-64, AArch64, RISC-V 64; not MSVC), and are rounded once at
-   the end. */
+   double[4], scalar first (w, x, y, z), Hamilton product, body to inertial:
+   v_inertial = q v_body q*. Angular velocity w and torque are in body axes; the state of motion is
+   x = (qw qx qy qz wx wy wz), and rx ry rz vx vy vz where the top moves (polhode_move.h).
+   Failure. Every function that can fail returns a status, PH_OK = 0, and leaves its outputs
+   untouched otherwise. Nothing prints, exits, or keeps state outside its arguments, so distinct
+   objects may be used from distinct threads. Pointers must not be NULL unless it is said.
+   Overlap. An output may be the same array as an input of the same type, unless it is said.
+   Precision. Inside, sums are formed in long double, which must have 64 bits or more (x86-64,
+   AArch64, RISC-V 64; not MSVC), and are rounded once at the end. */
 #ifndef POLHODE_H
 #define POLHODE_H
 

@@ -1,5 +1,6 @@
 /* polhode_acts.h - further effects, as many of each as are wanted: part of polhode.h, which
-   includes it. SPDX-License-Identifier: GPL-3.0-or-later
+   includes it.
+   SPDX-License-Identifier: GPL-3.0-or-later
 
    Each call adds one act to a top and switches its kind on; ph_top_without switches kinds off.
    N is in body axes, q the attitude, w the rates:
@@ -18,9 +19,9 @@
      PH_EDDY_CURRENT  N = -k B x (w x B), B = q* field q
      PH_DISSIPATION  N = k L x (L x w), and q' = q (0, w + k L x w)/2, so that L stays in space
    Wheels (one state W, rad/s), elliptic orbits (the true anomaly f), moving parts (their time) and
-   custom acts have states of their own, which follow q, w (, r, v)
-   in the order of the calls. The methods of polhode.h take these effects as they are; PH_TAYLOR,
-   which forms no series of them, integrates by Gragg's midpoint rule with extrapolation instead. */
+   custom acts have states of their own, which follow q, w (and r, v) in the order of the calls. The
+   methods of polhode.h take these effects as they are; PH_TAYLOR, which forms no series of them,
+   integrates by Gragg's midpoint rule with extrapolation instead. */
 #ifndef POLHODE_ACTS_H
 #define POLHODE_ACTS_H
 

@@ -17,7 +17,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local tap = require "tests.tap"
 local program = require "tests.cli.program"
 local R = require "generator.algebra.rational"
-local eval = require "generator.ir.core.eval"
+local eval = require "tests.ir.eval"
 local series = require "generator.ir.special.series"
 
 local binary = os.getenv "POLHODE" or "build/polhode"

@@ -9,7 +9,7 @@ local R = require "polhode_rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local instr = require "generator.ir.core.instr"
-local eval = require "generator.ir.core.eval"
+local eval = require "tests.ir.eval"
 local build = require "tests.ir.build"
 local compiled = require "tests.ir.compiled"
 

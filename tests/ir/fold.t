@@ -8,7 +8,7 @@ local tap = require "tests.tap"
 local R = require "polhode_rational"
 local fold = require "generator.ir.passes.fold"
 local dce = require "generator.ir.passes.dce"
-local eval = require "generator.ir.core.eval"
+local eval = require "tests.ir.eval"
 local show = require "generator.ir.core.show"
 local build = require "tests.ir.build"
 

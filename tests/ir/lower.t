@@ -14,7 +14,7 @@ local evaluate = require "generator.algebra.evaluate"
 local lower = require "generator.ir.lower.lower"
 local passes = require "generator.ir.passes.passes"
 local count = require "generator.ir.core.count"
-local eval = require "generator.ir.core.eval"
+local eval = require "tests.ir.eval"
 local cprint = require "generator.emit.cprint"
 local random = require "tests.ir.random"
 

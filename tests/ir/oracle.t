@@ -3,7 +3,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- Three roads: the expressions in 400-bit arithmetic (algebra/evaluate), the ir in double and float
--- (ir/eval), the C text compiled by gcc without contraction.  Expression against ir: within the running
+-- (tests/ir/eval.lua), the C text compiled by gcc without contraction.  Expression against ir: within the running
 -- error bound of that ir at that point.  Pass against pass and ir against C: to the last bit.
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
@@ -15,7 +15,7 @@ local R = require "polhode_rational"
 local evaluate = require "generator.algebra.evaluate"
 local lower = require "generator.ir.lower.lower"
 local passes = require "generator.ir.passes.passes"
-local eval = require "generator.ir.core.eval"
+local eval = require "tests.ir.eval"
 local cprint = require "generator.emit.cprint"
 local random = require "tests.ir.random"
 local running = require "tests.ir.running"

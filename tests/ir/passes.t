@@ -16,7 +16,7 @@ local order = require "generator.ir.passes.order"
 local passes = require "generator.ir.passes.passes"
 local count = require "generator.ir.core.count"
 local show = require "generator.ir.core.show"
-local eval = require "generator.ir.core.eval"
+local eval = require "tests.ir.eval"
 local build = require "tests.ir.build"
 
 -- ---- the table --------------------------------------------------------------------------------------------------
@@ -29,8 +29,8 @@ bad.groups[1].code[1].op = "fma"
 local has = {}
 for _, pass in ipairs(passes.list) do has[pass.name] = true end
 for _, name in ipairs { "power", "fold", "cse", "dce", "order", "show", "count", "eval" } do
-  local room = has[name] and "passes." or "core."
-  local run = require("generator.ir." .. room .. name).run
+  local room = name == "eval" and "tests.ir." or has[name] and "generator.ir.passes." or "generator.ir.core."
+  local run = require(room .. name).run
   tap.throws(function() run(bad, name == "eval" and { x = 1, y = 2 } or nil) end, "unknown opcode 'fma'",
     name .. ": an unknown opcode is loud")
 end

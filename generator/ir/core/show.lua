@@ -11,7 +11,7 @@
 --       real v7 = mul wy, wz
 --       store dx[BRICK_WX] = v8
 
-local R = require "generator.algebra.rational"
+local R = require "polhode_rational"
 local instr = require "generator.ir.core.instr"
 
 local show = {}

@@ -11,6 +11,12 @@
 -- { name, expr }, an out { c, expr, op }.  A def that is merely an input, another def or a constant
 -- is replaced by it; one that no result needs is left out, and so are expressions never used.
 -- Constants that are no rationals (pi, sqrt 2, sin 1) become dyadic rationals of form.BITS bits.
+--
+-- What is promised: for real arithmetic the instructions compute what the expressions mean, wherever denominators are
+-- not zero.  For IEEE arithmetic nothing can be promised of expressions, which have no order; tests/ir/oracle.t holds
+-- the rounding errors of the chosen order to a running error bound.  The same program gives the same ir: no table is
+-- walked in hash order.  Named definitions are borders: a sum is not opened through a name, as people who read
+-- the C want to find the name; and so no definition is computed twice.
 
 local R = require "generator.algebra.rational"
 local form = require "generator.ir.lower.form"
@@ -22,26 +28,27 @@ local lower = {}
 
 -- ---- expressions to terms -----------------------------------------------------------------------------
 
--- Returns shape(node) -> term.  bound: symbol -> term.
+-- The term of a function of numbers: exact where the value is rational, else the nearest dyadic of form.BITS bits.
+local function constant_call(B, fn, args)
+  local values = {}
+  for k, t in ipairs(args) do values[k] = t.c end
+  local result
+  if fn == "abs" then
+    result = R.abs(values[1])
+  elseif fn == "sign" then
+    result = R.sign(values[1]) < 0 and -R.one or R.one
+  elseif fn == "clamp" then
+    result = values[1] < values[2] and values[2] or values[1] > values[3] and values[3] or values[1]
+  else
+    result = R.apply(fn, form.BITS, table.unpack(values))
+  end
+  return B.number(result or error("lower: " .. fn .. " of " .. tostring(values[1]) .. " is no number"))
+end
+
+-- Returns shape(node) -> term, which keeps what it has made: one visit of each node.  bound: symbol -> term.
 local function shaper(B, bound)
   local memo = {}
   local shape
-
-  local function constant_call(fn, args)
-    local values = {}
-    for k, t in ipairs(args) do values[k] = t.c end
-    local result
-    if fn == "abs" then
-      result = R.abs(values[1])
-    elseif fn == "sign" then
-      result = R.sign(values[1]) < 0 and -R.one or R.one
-    elseif fn == "clamp" then
-      result = values[1] < values[2] and values[2] or values[1] > values[3] and values[3] or values[1]
-    else
-      result = R.apply(fn, form.BITS, table.unpack(values))
-    end
-    return B.number(result or error("lower: " .. fn .. " of " .. tostring(values[1]) .. " is no number"))
-  end
 
   local by_kind = {
     num = function(e) return B.number(e.value) end,
@@ -51,7 +58,7 @@ local function shaper(B, bound)
     add = function(e)
       local terms = {}
       for k = 1, #e do terms[k] = shape(e[k]) end
-      return B.sum(terms)
+      return B:sum(terms)
     end,
     mul = function(e)
       local factors = {}
@@ -63,18 +70,18 @@ local function shaper(B, bound)
           factors[k] = { shape(f), 1 }
         end
       end
-      return B.product(factors)
+      return B:product(factors)
     end,
-    pow = function(e) return B.product { { shape(e.base), e.exp } } end,
+    pow = function(e) return B:product { { shape(e.base), e.exp } } end,
     call = function(e)
       local args, constant = {}, true
       for k = 1, #e do
         args[k] = shape(e[k])
         constant = constant and args[k].f == B.one
       end
-      if constant then return constant_call(e.fn, args) end
-      if e.fn == "sign" then return { c = R.one, f = B.call("copysign", { B.number(R.one), args[1] }) } end
-      return { c = R.one, f = B.call(e.fn == "abs" and "fabs" or e.fn, args) }
+      if constant then return constant_call(B, e.fn, args) end
+      if e.fn == "sign" then return { c = R.one, f = B:call("copysign", { B.number(R.one), args[1] }) } end
+      return { c = R.one, f = B:call(e.fn == "abs" and "fabs" or e.fn, args) }
     end,
   }
 
@@ -100,7 +107,7 @@ local function roots_of(program, B)
     if bound[name] then error("lower: '" .. name .. "' is defined twice") end
     bound[name] = t
   end
-  for _, input in ipairs(program.inputs) do bind(input.sym, { c = R.one, f = B.leaf(input.sym) }) end
+  for _, input in ipairs(program.inputs) do bind(input.sym, { c = R.one, f = B:leaf(input.sym) }) end
 
   local shape = shaper(B, bound)
   for g, group in ipairs(program.groups) do
@@ -109,7 +116,7 @@ local function roots_of(program, B)
       if t.f == B.one or t.f.kind == "leaf" and t.c == R.one then
         bind(def.name, t)
       else
-        local leaf = B.leaf(def.name)
+        local leaf = B:leaf(def.name)
         local term = { c = t.c, f = t.f, named = true }
         roots[#roots + 1] = { term = term, group = g, name = def.name, leaf = leaf }
         bind(def.name, { c = R.one, f = leaf })
@@ -139,6 +146,11 @@ local function needed(roots)
   return kept, forms
 end
 
+-- What the definitions and results of a program became, before parts are shared: a list of { name or c, term }.
+function lower.terms(program)
+  return (needed(roots_of(program, form.builder())))
+end
+
 -- The ir of a program.
 function lower.run(program)
   local B = form.builder()
@@ -155,7 +167,7 @@ function lower.run(program)
   for k, input in ipairs(program.inputs) do
     ir.n = ir.n + 1
     ir.inputs[k] = { op = "input", dst = ir.n, sym = input.sym, c = input.c }
-    S.values[B.leaf(input.sym)] = ir.n
+    S.values[B:leaf(input.sym)] = ir.n
   end
   for g, group in ipairs(program.groups) do
     ir.groups[g] = { why = group.why, where = group.where, code = {} }
@@ -163,8 +175,8 @@ function lower.run(program)
 
   for _, root in ipairs(roots) do
     local code = ir.groups[root.group].code
-    S.into(code)
-    local v = S.signed(root.term)
+    select.into(S, code)
+    local v = select.signed(S, root.term)
     if root.leaf then
       S.values[root.leaf] = v
       local i = S.made[v]

@@ -8,6 +8,12 @@
 --   a factor moves in if that saves a multiplication  (1/6)*(3*a + 2*b)  ==> 0.5*a + (1/3)*b
 -- A named intermediate is never written as a negative, its other users give way.
 -- Forms are changed in place: hash-consing is over at this point.
+--
+-- Laws: -(x - y) = y - x and -(x y) = (-x) y, and m (a x + b y) = (m a) x + (m b) y.  The first two change no bit below
+-- the line either (but for the sign of a zero); the last does, so it is done here.
+-- Users come before operands in the walk: a form's coefficient is settled by those who use it before it is handed on to
+-- what is inside.  A sum turns round only if one of its terms is negative, which then leads; a factor moves in only if
+-- that is one multiplication less.
 
 local R = require "generator.algebra.rational"
 

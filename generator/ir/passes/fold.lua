@@ -24,12 +24,13 @@
 --     x / 2^k     ==> x * 2^-k    when 2^-k is subnormal or zero: the constant itself is inexact
 -- (x - 0 ==> x holds, but lower makes no such thing.)
 
-local R = require "generator.algebra.rational"
+local R = require "polhode_rational"
 local instr = require "generator.ir.core.instr"
 
 local fold = {}
 
-local ONE, MINUS = R.one, -R.one
+local ONE = R.new(1)
+local MINUS = -ONE
 local FLOAT_MIN_EXP, FLOAT_MAX_EXP = -126, 127 -- of normal binary32 numbers 1.m * 2^e
 
 -- Is q a normal number of float (or zero)?  Then it is one of double.

@@ -1,7 +1,11 @@
 -- pair.lua: arithmetic of twice the precision, operation for operation that of templates/numeric/pair.c.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- Below the line.  A pair {hi, lo} is the unevaluated sum of two numbers of `real` (Dekker; Knuth's two-sum).
+-- Below the line.  A pair {hi, lo} is the unevaluated sum of two numbers of `real`, |lo| <= ulp(hi)/2.
+-- sum and product are exact as long as nothing over- or underflows: a + b = hi + lo in six operations (Knuth, TAOCP 2,
+-- 4.2.2, theorem B), a b = hi + lo in seventeen (Dekker 1971, Numer. Math. 18, 224), in rounding to nearest without
+-- contraction.  add, multiply, quotient and root keep about 2^-104 (in float 2^-46) of the result, or of the larger
+-- operand where a sum cancels: some units of the last place of lo.
 
 local pair = {}
 

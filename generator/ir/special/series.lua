@@ -3,6 +3,8 @@
 --
 -- Below the line.  templates/numeric/series.c says what each function is and has the derivation.  Up to 3 the values
 -- equal those of the C to the bit; beyond, the closed forms call sin, cos and exp, and are as good as libm's.
+-- Why two branches: for small arguments the closed forms are differences of nearly equal numbers, 1 - sin(y)/y and the
+-- like; a series in y^2 begins with what is left of them.  At 3 that is over, and the series still has few terms.
 
 local pair = require "generator.ir.special.pair"
 

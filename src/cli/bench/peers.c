@@ -1,5 +1,6 @@
 /* peers.c - other integrators on the emitted right-hand side: GSL's, and the one that a user
- * writes himself. SPDX-License-Identifier: GPL-3.0-or-later
+ * writes himself.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * All of them call the same function of the same plugin, in double, on their own arrays.  Settings
  * are those of a user who has read the manual: one number as absolute and relative tolerance, a

@@ -1,5 +1,6 @@
 /* sundials.c - the integrators of SUNDIALS 6 on the emitted right-hand side, where they are
- * installed. SPDX-License-Identifier: GPL-3.0-or-later
+ * installed.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Optional at build, used by `polhode bench` only: the Makefile defines POLHODE_SUNDIALS where the
  * headers are of version 6 and its numbers are doubles.  Settings as the manual has them for a

@@ -1,5 +1,6 @@
 /* mesh.c - mesh files through the library: counts, defects, integrals, and the body they
- * make. SPDX-License-Identifier: GPL-3.0-or-later
+ * make.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "engine.h"
 

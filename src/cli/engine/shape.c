@@ -5,8 +5,8 @@
  * - points {list={{m,x,y,z}, ...}}
  * - tensor {mass=, com={3}, xx= ... yz=, about="com" or "origin"}; formal: of no body, about com
  * - mesh {mass=, com={3}, sigma={6}}
- * - solid.tetrahedron, plate.triangle {vertices={{3}, ...}}, solid.parallelepiped {edges={{3},
- * ...}}
+ * - solid.tetrahedron, plate.triangle {vertices={{3}, ...}}
+ * - solid.parallelepiped {edges={{3}, ...}}
  * - wire.polyline {points={{3}, ...}, closed=boolean}
  * - solid.prism, extrude, revolve, plate.polygon {profile={{2}, ...}, holes={profile, ...}, h=}
  * - region {order={3}, limits={{lo, hi}, ...}, density=}: lo, hi, density lists of {c, i, j, k}

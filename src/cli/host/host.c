@@ -6,8 +6,8 @@
  *     build      "0.1.0+1a2b3c4", with the commit that it was built from; the version alone outside
  *                git
  *     templates  {["templates/body.h"] = text, ..., [1..n] = those names in order}
- *     safe       {assert =, ..., math = {...}, string = {...}, table = {...}}: all that a scene may
- * be given
+ *     safe       {assert =, ..., math = {...}, string = {...}, table = {...}}: all that a scene
+ *                may be given
  */
 #include "host.h"
 #include "script.h"

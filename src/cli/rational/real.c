@@ -1,5 +1,6 @@
 /* real.c - rational numbers and the reals: correct roundings, exact values, MPFR
- * functions. SPDX-License-Identifier: GPL-3.0-or-later
+ * functions.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * One rounding for all formats: with ulp = 2^k the weight of the last kept bit, floor(|q| / ulp) is
  * an integer quotient whose remainder decides, ties to even (IEEE 754-2019, 4.3.1).  Subnormals are

@@ -1,5 +1,6 @@
 /* special.c - functions that MPFR lacks, to any number of bits: the uniform ellipsoid
- * shell. SPDX-License-Identifier: GPL-3.0-or-later
+ * shell.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * For semi-axes a_i let p_i = 1/a_i^2 and Q = sum p_i n_i^2 on the unit sphere of directions n. The
  * surface r_i = a_i n_i has dS = a b c sqrt(Q) dn and the unit normal N_i = n_i/(a_i sqrt(Q)), so

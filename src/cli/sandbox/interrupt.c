@@ -1,5 +1,6 @@
 /* interrupt.c - a signal to stop becomes a Lua error, so that temporary files go and nothing is
- * half done. SPDX-License-Identifier: GPL-3.0-or-later
+ * half done.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * lua_sethook may be called from a signal handler (Lua manual, 4.7): the handler arms a hook that
  * raises at the next instruction, and stays armed, so that no pcall can swallow it.  A second

@@ -2,8 +2,8 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 
    Two ideas, and none is a handbook formula for a moment of inertia:
-   - the mean of x^2 over a unit interval, disc, ball, circle, scaled by the half-axes (an affine
-   map);
+   - the mean of x^2 over a unit interval, disc, ball, circle, scaled by the half-axes, which is
+     an affine map;
    - ratios of differences of powers, divided out by hand, so that a thin shell does not cancel.
    Second moments are per unit mass about the centroid; inertia is formed later, by sums. Here too
    are the two tools of the other geometry files: parts joined, and Gauss's rule. */

@@ -3,13 +3,14 @@
 
    Every term of the equations is a polynomial in q and w, so the coefficients follow from each
    other by Cauchy products (Jorba and Zou, A software package for the numerical integration of ODEs
-   by means of high-order Taylor methods, Exp. Math. 14, 2005): (n+1) q_{n+1} = sum q_k (0, w_{n-k})
-   / 2,      (n+1) I w_{n+1} = N_n - sum w_k x L_{n-k},   L_n = I w_n. Coefficients are kept in
-   units of a time H near the motion's own, x_n H^n, so that neither 1e30 rad/s nor 1e-30 rad/s
-   leaves the range. The step is the longest for which the last three terms stay below the
-   tolerance, |q| being 1 and each component of w measured by its own size: a spin about the
-   unstable axis with 1e-100 rad/s across it leaves that axis when its 1e-100 have grown, not when a
-   truncation error of 1e-18 has. */
+   by means of high-order Taylor methods, Exp. Math. 14, 2005):
+     (n+1) q_{n+1} = sum q_k (0, w_{n-k}) / 2,
+     (n+1) I w_{n+1} = N_n - sum w_k x L_{n-k},   L_n = I w_n.
+   Coefficients are kept in units of a time H near the motion's own, x_n H^n, so that neither
+   1e30 rad/s nor 1e-30 rad/s leaves the range. The step is the longest for which the last three
+   terms stay below the tolerance, |q| being 1 and each component of w measured by its own size: a
+   spin about the unstable axis with 1e-100 rad/s across it leaves that axis when its 1e-100 have
+   grown, not when a truncation error of 1e-18 has. */
 #include "taylor.h"
 
 #include <string.h>

@@ -1,5 +1,6 @@
 /* particles.c - the sums over particles that define the inertia tensor, energy and angular
-   momentum. SPDX-License-Identifier: GPL-3.0-or-later
+   momentum.
+   SPDX-License-Identifier: GPL-3.0-or-later
 
    Each is the definition itself: velocities are formed, v = w x r, and squared; no tensor is used
    where the lecture has none. So T here and w.I.w/2 of ph_tensor_energy are two roads to one

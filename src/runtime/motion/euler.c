@@ -1,5 +1,6 @@
 /* euler.c - what the lecture derives in principal axes: Euler's equations, the symmetric top,
-   stability. SPDX-License-Identifier: GPL-3.0-or-later
+   stability.
+   SPDX-License-Identifier: GPL-3.0-or-later
 
    These are the textbook's formulas on purpose (Landau and Lifshitz, Mechanics, 33, 36, 37), so
    that the general road of motion.c can be held against them. Differences of moments are formed

@@ -152,16 +152,16 @@ local function hidden_part(faces, points, least)
   return count / (#points + 1)
 end
 
--- s: a surface in screen coordinates (see surface.tree); open: both sides of its faces can be seen.
--- Returns {faces = those to paint, each {seen = points counter-clockwise, n = unit normal towards the viewer, layer,
--- inside = true for the wrong side, corner = normals at the points}, edges = {{p, q, layer, outline =}}, layers}.
-function view.of(s, open)
-  local faces, at, sides = {}, {}, {}
+-- The faces of s as {index, n, area, seen, front, painted, ..}: those to paint, the faces at each point and beside each
+-- directed side; keys: point -> its text.
+local function read(s, open)
+  local G = { faces = {}, at = {}, sides = {} }
   local keys = setmetatable({}, { __index = function(t, p)
     local k = key(p)
     t[p] = k
     return k
   end })
+  G.keys = keys
   for i, f in ipairs(s.faces) do
     local n, area = normal(f)
     if n then
@@ -173,62 +173,76 @@ function view.of(s, open)
       end
       for k, p in ipairs(f) do
         local here, there = keys[p], keys[f[k % #f + 1]]
-        at[here] = at[here] or {}
-        table.insert(at[here], g)
-        sides[here .. "|" .. there] = g
+        G.at[here] = G.at[here] or {}
+        table.insert(G.at[here], g)
+        G.sides[here .. "|" .. there] = g
       end
       g.raw = f
       if g.painted then
         box(g)
-        faces[#faces + 1] = g
+        G.faces[#G.faces + 1] = g
       end
     end
   end
-  local visible = {}
-  for _, f in ipairs(faces) do
-    if hidden_part(faces, f.seen, 0.5) < 1 then visible[#visible + 1] = f end
-  end
-  local all = faces
-  faces = visible
-  local out = { faces = faces, edges = {}, layers = layers(faces) }
-  for _, f in ipairs(faces) do
-    f.corner = {}
-    for k, p in ipairs(f.seen) do
-      local c = { 0, 0, 0 }
-      for _, g in ipairs(at[keys[p]]) do
-        local flip = g.inside == f.inside and g.painted and 1 or (g.inside and -1 or 1) * (f.inside and -1 or 1)
-        local d = dot(f.n, g.n) * flip
-        if d > sharp and g.cut == f.cut then
-          for i = 1, 3 do c[i] = c[i] + flip * g.area * g.n[i] end
-        end
+  return G
+end
+
+-- The normal that a face has at each of its corners: the mean, by area, over the faces that meet there without an edge.
+local function round_corners(G, f)
+  f.corner = {}
+  for k, p in ipairs(f.seen) do
+    local c = { 0, 0, 0 }
+    for _, g in ipairs(G.at[G.keys[p]]) do
+      local flip = g.inside == f.inside and g.painted and 1 or (g.inside and -1 or 1) * (f.inside and -1 or 1)
+      local d = dot(f.n, g.n) * flip
+      if d > sharp and g.cut == f.cut then
+        for i = 1, 3 do c[i] = c[i] + flip * g.area * g.n[i] end
       end
-      local l = math.sqrt(dot(c, c))
-      f.corner[k] = l > 0 and { c[1] / l, c[2] / l, c[3] / l } or f.n
     end
+    local l = math.sqrt(dot(c, c))
+    f.corner[k] = l > 0 and { c[1] / l, c[2] / l, c[3] / l } or f.n
   end
-  local crease = {}
+end
+
+-- The edges to draw: outlines, where a face to paint has no other beyond, and folds and creases between two.
+local function edges(G, s, layer_count)
+  local keys, crease, list = G.keys, {}, {}
   for _, line in ipairs(s.creases) do
     for i = 2, #line do
       local a, b = keys[line[i - 1]], keys[line[i]]
       crease[a .. "|" .. b], crease[b .. "|" .. a] = true, true
     end
   end
-  for _, f in ipairs(all) do
+  for _, f in ipairs(G.faces) do
     for k, p in ipairs(f.raw) do
       local q = f.raw[k % #f.raw + 1]
       local a, b = keys[p], keys[q]
-      local g = sides[b .. "|" .. a]
+      local g = G.sides[b .. "|" .. a]
       local other = g and g.painted and g or nil
       local fold = not other or (other.inside or false) ~= (f.inside or false)
       local line = fold or dot(f.n, g.n) < sharp or g.cut ~= f.cut or crease[a .. "|" .. b] and dot(f.n, g.n) < 0.9999
       if line and a ~= b and not (other and other.index < f.index) then -- of two faces the first draws it
-        local part = hidden_part(all, { p, q }, 0.05)
+        local part = hidden_part(G.faces, { p, q }, 0.05)
         local layer = math.max(f.layer or 1, other and other.layer or 1)
-        if part == 0 then layer = out.layers end -- nothing covers it
-        if part < 1 then out.edges[#out.edges + 1] = { p, q, layer = layer, outline = fold } end
+        if part == 0 then layer = layer_count end -- nothing covers it
+        if part < 1 then list[#list + 1] = { p, q, layer = layer, outline = fold } end
       end
     end
   end
+  return list
+end
+
+-- s: a surface in screen coordinates (see surface.tree); open: both sides of its faces can be seen.
+-- Returns {faces = those to paint, each {seen = points counter-clockwise, n = unit normal towards the viewer, layer,
+-- inside = true for the wrong side, corner = normals at the points}, edges = {{p, q, layer, outline =}}, layers}.
+function view.of(s, open)
+  local G, visible = read(s, open), {}
+  for _, f in ipairs(G.faces) do
+    if hidden_part(G.faces, f.seen, 0.5) < 1 then visible[#visible + 1] = f end
+  end
+  local out = { faces = visible, layers = layers(visible) }
+  for _, f in ipairs(visible) do round_corners(G, f) end
+  out.edges = edges(G, s, out.layers)
   return out
 end
 

@@ -1,6 +1,6 @@
 -- shapes.lua -- docs/shapes.md and its pictures: every shape of the catalogue with formulas, from the catalogue itself.
 --
--- Arguments that are numbers stay symbols; lists of points take the values of the example (draw/examples.lua), and
+-- Arguments that are numbers stay symbols; lists of points take the values of the example (examples.lua here), and
 -- arguments that choose are shown in every choice.  The same catalogue gives the same bytes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -13,9 +13,9 @@ local text = require "generator.algebra.text"
 local vec = require "generator.algebra.vec"
 local body = require "generator.mass.body"
 local surface = require "generator.geometry.surface"
-local opened = require "generator.geometry.opened"
-local examples = require "generator.draw.examples"
-local picture = require "generator.draw.picture"
+local opened = require "docs.tools.opened"
+local examples = require "docs.tools.examples"
+local picture = require "docs.tools.picture"
 
 local shapes = {}
 
@@ -195,12 +195,12 @@ end
 local head = [[
 # Shapes
 
-Every shape of the scene language, made by `polhode list shapes --format markdown -o docs`. Lengths are in metres,
-angles in radians. `mass` and `density` (per volume, area or length) are alternatives. The tensor is about the centroid
-for the mass m, in the axes of the picture; entries that are not listed are zero, and off-diagonal entries are tensor
-entries (minus the products of inertia). Where an argument is a list, the formulas are for the list of the example. In
-the pictures the black and white disc is the centroid; red lines are what the arguments measure; a quarter is cut out
-where that shows more.
+Every shape of the scene language, made by `make docs` from the catalogue. Lengths are in metres, angles in radians.
+`mass` and `density` (per volume, area or length) are alternatives. The tensor is about the centroid for the mass m,
+in the axes of the picture; entries that are not listed are zero, and off-diagonal entries are tensor entries (minus
+the products of inertia). Where an argument is a list, the formulas are for the list of the example. In the pictures
+the black and white disc is the centroid; red lines are what the arguments measure; a quarter is cut out where that
+shows more.
 
 Some means have names, because their closed forms lose digits for a short curve. They are computed without that loss,
 and where sine and cosine of h are known numbers the closed form stands instead.
@@ -228,7 +228,7 @@ function shapes.files(list)
   end
   out[#out + 1] = "\n"
   for _, spec in ipairs(list) do
-    local example = examples[spec.name] or error("no example of " .. spec.name .. " in draw/examples.lua")
+    local example = examples[spec.name] or error("no example of " .. spec.name .. " in docs/tools/examples.lua")
     out[#out + 1] = "## " .. spec.name .. "\n\n`" .. spec.name .. names_of(spec) .. "`: " .. spec.about .. ". Frame: "
       .. spec.frame .. ".\n\n![" .. spec.name .. "](shapes/" .. spec.name .. ".svg)\n\n"
     if example.note then out[#out + 1] = example.note .. "\n\n" end

@@ -1,5 +1,5 @@
 #!/usr/bin/env lua5.4
--- shapes.t - docs/shapes.md and its pictures are what the program makes; every shape is there and well formed.
+-- shapes.t - docs/shapes.md and its pictures are what docs/tools makes; every shape is there and well formed.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- The catalogue is also compared with the surfaces that are drawn: two descriptions of a shape that share nothing.
@@ -12,8 +12,8 @@ local tap = require "tests.tap"
 local tier = require "tests.tier"
 local catalogue = require "generator.mass.catalogue"
 local evaluate = require "generator.algebra.evaluate"
-local examples = require "generator.draw.examples"
-local shapes = require "generator.report.shapes"
+local examples = require "docs.tools.examples"
+local shapes = require "docs.tools.shapes"
 local surface = require "generator.geometry.surface"
 local integrals = require "tests.geometry.integrals"
 
@@ -80,7 +80,7 @@ for _, f in ipairs(files) do
     if f.text:find "nan" or f.text:find "inf" then bad[#bad + 1] = f.name .. ": not a number" end
   end
 end
-tap.is(table.concat(stale, " "), "", "what is in docs is what the program makes (else: make docs)")
+tap.is(table.concat(stale, " "), "", "what is in docs is what the tool makes (else: make docs)")
 tap.is(table.concat(bad, "\n"), "", "the pictures are well formed")
 tap.is(table.concat(large, " "), "", "and small")
 
@@ -102,23 +102,6 @@ do
   end
   pipe:close()
   tap.is(table.concat(left, " "), "", "no picture is left of a shape that is gone")
-end
-
--- ---- the program writes the same bytes ----
-
-do
-  local dir = os.tmpname()
-  os.remove(dir)
-  local ok = os.execute(binary .. " list shapes --format markdown -o " .. dir)
-  local differ = {}
-  for _, f in ipairs(files) do
-    if read(dir .. "/" .. f.name) ~= f.text then differ[#differ + 1] = f.name end
-  end
-  tap.ok(ok and #differ == 0, "polhode list shapes --format markdown -o DIR writes them", table.concat(differ, " "))
-  os.execute("rm -rf " .. dir)
-  tap.ok(not os.execute(binary .. " list shapes --format markdown 2>/dev/null"), "without -o it is refused")
-  tap.ok(not os.execute(binary .. " list methods --format markdown -o " .. dir .. " 2>/dev/null"),
-    "of methods it is refused")
 end
 
 -- ---- example scenes are read by the program ----

@@ -1,18 +1,22 @@
 -- effects.lua -- docs/effects.md: every effect with formula, frame, signs, source and example, from the modules.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local conserved = require "generator.dynamics.conserved"
+local units = require "generator.dsl.units"
+local value = require "generator.dsl.value"
+
 local effects = {}
 
 local head = [[
 # Effects
 
-What can act on a body, made by `polhode list effects --format markdown -o docs` from the modules of
-`generator/effects`. A scene names those that it wants in `effects = {...}`; the equations of motion are made of these
-alone, and an effect that is left out, or whose strength is the constant 0, leaves no byte in the emitted code. Units
-are SI, torques N are in body axes, q is the attitude from body to inertial axes, R(q) its matrix, w the body rates, r
-and v position and velocity of the centre of mass where it moves. An argument without a default must be given, unless
-another one takes its place. T+V is the total energy, L the angular momentum in inertial axes, w3 the rate about the
-axis z of a body symmetric about it; a scene conserves what each of its effects does, see `polhode explain`.
+What can act on a body, made by `make docs` from the modules of `generator/effects`. A scene names those that it wants
+in `effects = {...}`; the equations of motion are made of these alone, and an effect that is left out, or whose
+strength is the constant 0, leaves no byte in the emitted code. Units are SI, torques N are in body axes, q is the
+attitude from body to inertial axes, R(q) its matrix, w the body rates, r and v position and velocity of the centre of
+mass where it moves. An argument without a default must be given, unless another one takes its place. T+V is the total
+energy, L the angular momentum in inertial axes, w3 the rate about the axis z of a body symmetric about it; a scene
+conserves what each of its effects does, see `polhode explain`.
 T+V-n.L is `NAME_jacobi_integral`, T + V - n L_z, where fields turn about inertial z at a rate n.
 
 The dimension of every expression is checked, and what does not fit is refused with its line: each argument, both sides
@@ -22,19 +26,19 @@ not; `t` among plain numbers is one, that of the seconds.
 
 ]]
 
-local function default(spec, tell)
+local function default(spec)
   if spec.optional then return "none" end
   if spec.default == nil then return "" end
   if type(spec.default) ~= "table" then return "`" .. tostring(spec.default) .. "`" end
   local list = {}
-  for i, x in ipairs(spec.default) do list[i] = tell.show(x) end
+  for i, x in ipairs(spec.default) do list[i] = value.show(x) end
   return "`{" .. table.concat(list, ", ") .. "}`"
 end
 
 local signs = { positive = "positive", nonnegative = "not negative" }
 
 -- Rows {argument, unit, default, about} of a module.
-local function arguments(e, tell)
+local function arguments(e)
   local rows = {}
   for i, t in ipairs(e.takes or {}) do
     rows[i] = { t[1], t[2], t[3] and "`" .. t[3] .. "`" or "", t[4] }
@@ -43,22 +47,32 @@ local function arguments(e, tell)
     local words = { a.about, a.size and a.size .. " components", signs[a.sign] }
     local list = {}
     for k = 1, 3 do list[#list + 1] = words[k] end
-    rows[#rows + 1] = { a.name, a.flag and "true or false" or tell.unit(a.dim), default(a, tell),
+    rows[#rows + 1] = { a.name, a.flag and "true or false" or units.si(units[a.dim or "none"]), default(a),
       table.concat(list, ", ") }
   end
   return rows
 end
 
--- list: generator/effects/effects.lua; examples: name of a scene -> its text.  Returns files {{name =, text =}}.
--- tell: what other layers know: keeps(effect), unit(name of a dimension), show(value), each a text.
-function effects.files(list, examples, tell)
+-- What a scene of bodies/ says of itself: the comment that it begins with, without its name.
+local function title(name, read)
+  local words = {}
+  for line in string.gmatch(read("bodies/" .. name .. ".lua") or "", "([^\n]*)\n") do
+    local comment = string.match(line, "^%-%- (.*)$")
+    if not comment or string.find(comment, "^SPDX") then break end
+    words[#words + 1] = comment
+  end
+  return #words > 0 and (string.gsub(table.concat(words, " "), "^%S+%.lua %-+ ", "")) or error("no scene " .. name)
+end
+
+-- list: generator/effects/effects.lua; read(path) -> text or nil, in the project's root.
+function effects.page(list, read)
   local out = { head }
   for _, e in ipairs(list) do
     out[#out + 1] = "[" .. e.name .. "](#" .. string.gsub(e.name, "[^%w_]", "") .. ")\n"
   end
   for _, e in ipairs(list) do
     out[#out + 1] = "\n## " .. e.name .. "\n\n" .. e.about .. ".\n\n`" .. e.formula .. "`\n\n"
-    local rows = arguments(e, tell)
+    local rows = arguments(e)
     if #rows > 0 then
       out[#out + 1] = "| argument | unit | default | |\n|---|---|---|---|\n"
       for _, r in ipairs(rows) do
@@ -67,11 +81,11 @@ function effects.files(list, examples, tell)
       end
       out[#out + 1] = "\n"
     end
-    out[#out + 1] = "- Frame and signs: " .. e.signs .. ".\n- Conserves: " .. tell.keeps(e) .. ".\n- Source: " ..
+    out[#out + 1] = "- Frame and signs: " .. e.signs .. ".\n- Conserves: " .. conserved.words(e) .. ".\n- Source: " ..
       e.source .. ".\n- Example: [" .. e.example .. ".lua](../bodies/" .. e.example .. ".lua): " ..
-      (examples[e.example] or error("no scene " .. e.example)) .. "\n"
+      title(e.example, read) .. "\n"
   end
-  return { { name = "effects.md", text = table.concat(out) } }
+  return table.concat(out)
 end
 
 return effects

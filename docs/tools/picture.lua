@@ -7,8 +7,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local svg = require "generator.draw.svg"
-local view = require "generator.draw.view"
-local shade = require "generator.draw.shade"
+local view = require "docs.tools.view"
+local shade = require "docs.tools.shade"
 
 local picture = {}
 
