@@ -40,7 +40,7 @@ local templates
 local function all_templates()
   if not templates then
     templates = {}
-    local pipe = assert(io.popen "find templates -mindepth 1 -maxdepth 2 -type f")
+    local pipe = assert(io.popen "find templates -type f")
     for name in pipe:lines() do templates[name] = slurp(name) end
     pipe:close()
   end
@@ -92,7 +92,8 @@ function scene.plan(s, options)
   local o = options or {}
   return driver.plan(s, { only = o.only, analysis = o.analysis, layout = o.layout, real = o.real,
     command = "polhode gen test.lua", methods = o.methods, jacobians = o.jacobians, order = o.order, libm = o.libm,
-    proof = o.proof })
+    proof = o.proof, compensated = o.compensated, q31 = o.q31, batch = o.batch, package = o.package,
+    planned = o.planned })
 end
 
 -- The files of a plan by name.

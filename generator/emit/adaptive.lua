@@ -2,16 +2,20 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local source = require "generator.emit.source"
+local template = require "generator.emit.template"
+
+local GROUP = template.group("steppers/adaptive.h", "steppers/adaptive.c")
 
 local function text(n) return string.format("%d", n) end
 
 local adaptive = {}
 
--- Fills the template's values for the program of methods/adaptive.lua.
-function adaptive.fill(ctx, program, v)
+-- Header and source of the program of methods/adaptive.lua.  s, kit: see emit/steppers.lua.
+function adaptive.render(s, kit)
+  local program, ctx = s.program, kit.ctx
   local position, names = {}, {}
-  for i, s in ipairs(program.states) do
-    position[s.name], names[i] = i - 1, s.name
+  for i, state in ipairs(program.states) do
+    position[state.name], names[i] = i - 1, state.name
   end
   local groups = {}
   for i, g in ipairs(program.groups) do
@@ -21,21 +25,17 @@ function adaptive.fill(ctx, program, v)
     end
     groups[i] = { why = g.why, defs = g.defs, outs = outs }
   end
-  local n = #program.states
+  local n, attitude = #program.states, program.states[1].name == "qw"
   local f = source.make(ctx, { name = "adaptive_trial", groups = groups, doc = {},
     args = { "m", "t", "x", "u", "h", { name = "k1", count = n, names = names },
       { name = "out", count = n, out = true }, { name = "k7", count = n, out = true },
-      { name = "error", count = n, out = true }, program.states[1].name == "qw" and { name = "turn", count = 4, out =
-        true } or
-      nil } })
-  v.adaptive_head, v.adaptive_lines = f.head, f.lines
-  v.adaptive_count, v.adaptive_states = text(n), {}
-  for i, s in ipairs(program.states) do
-    v.adaptive_states[i] = { index = text(i - 1), name = ctx.upper .. "_" .. string.upper(s.name) }
-  end
-  v.adaptive_attitude = program.states[1].name == "qw"
-  v.adaptive_turn, v.adaptive_room = v.adaptive_attitude and ", turn" or "", v.adaptive_attitude and ", turn[4]" or ""
-  v.kinds = source.kinds(program.states)
+      { name = "error", count = n, out = true }, attitude and { name = "turn", count = 4, out = true } or nil } })
+  local v = { head = f.head, lines = f.lines, count = text(n), states = {}, attitude = attitude,
+    turn = attitude and ", turn" or "", room = attitude and ", turn[4]" or "", kinds = source.kinds(program.states),
+    has_knots = s.has_knots, first = s.first }
+  for i, state in ipairs(program.states) do v.states[i] = { name = ctx.upper .. "_" .. string.upper(state.name) } end
+  local render = GROUP(kit.templates, kit.base, v)
+  return render "steppers/adaptive.h", { render "steppers/adaptive.c" }
 end
 
 return adaptive

@@ -79,11 +79,7 @@ function baked.choose(job, plain)
   if not fit(list, job.real) or #list == 0 then return job.functions end
   local by_name = {}
   for _, f in ipairs(plain.functions) do by_name[f.name] = f end
-  local m = job.model
-  local ctx = { name = m.name, upper = string.upper(m.name), real = job.real, type = source.type(m),
-    members = m.members, states = job.states,
-    inputs = m.inputs or {}, helpers = {}, own = job.libm == "own" }
-  local chosen = {}
+  local ctx, chosen = source.context(job), {}
   for i, f in ipairs(job.functions) do
     local g = by_name[f.name]
     g = g and #g.args == #f.args and named(g, map, list)

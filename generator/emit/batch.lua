@@ -1,13 +1,16 @@
 -- batch.lua -- --with batch: steps and rates of many bodies at once, as values for templates/batch/batch.h and .c.
 --
---     batch.texts(job, ctx, common) -> header, source      common: the values that all templates share
--- Each function is printed twice, for one model of all bodies and (where the scene has parameters) for a model a body.
+--     batch.texts(job, ctx, base, about) -> header, source
+-- about: {real_members, order}, from parts_of in emit/code.lua.  Each function is printed twice, for one model of all
+-- bodies and (where the scene has parameters) for a model a body.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local number = require "generator.emit.number"
 local lanes = require "generator.emit.lanes"
 local template = require "generator.emit.template"
 local R = require "generator.algebra.rational"
+
+local GROUP = template.group("batch/batch.h", "batch/batch.c")
 
 local batch = {}
 
@@ -16,20 +19,20 @@ local batch = {}
 local LANES = { double = 32, float = 64 }
 
 -- What the tables "as one model" and "a model a body" differ in.
-local function ways(v)
-  local one = { way = "many", tail = "lanes", each = false, owner = "const " .. v.name .. "_model *m", whose = "m",
+local function ways(base)
+  local one = { way = "many", tail = "lanes", each = false, owner = "const " .. base.name .. "_model *m", whose = "m",
     call = "m", words = "" }
   local own = { way = "each", tail = "own_lanes", each = true, whose = "k", call = "c",
-    words = ", with its own constants", owner = "const " .. v.name .. "_real c[]",
-    rows = v.name .. "_real c[][" .. v.upper .. "_LANES]" }
-  return v.has_params and { one, own } or { one }
+    words = ", with its own constants", owner = "const " .. base.name .. "_real c[]",
+    rows = base.name .. "_real c[][" .. base.upper .. "_LANES]" }
+  return base.has_params and { one, own } or { one }
 end
 
 -- Enumerators of the model's members, no two alike: two members may differ in case alone.
-local function rows_of(v)
+local function rows_of(base, members)
   local rows, taken = {}, {}
-  for _, member in ipairs(v.real_members) do
-    local name = v.upper .. "_C_" .. string.gsub(string.upper(member), "[^%w_]", "")
+  for _, member in ipairs(members) do
+    local name = base.upper .. "_C_" .. string.gsub(string.upper(member), "[^%w_]", "")
     while taken[name] do name = name .. "_" end
     rows[member], taken[name] = name, true
   end
@@ -37,9 +40,9 @@ local function rows_of(v)
 end
 
 -- The constants that the functions read (all: true), and the lines of their enumeration.
-local function constants(v, rows, reads)
+local function constants(base, members, rows, reads)
   local list, lines, line = {}, {}, ""
-  for _, member in ipairs(v.real_members) do
+  for _, member in ipairs(members) do
     local name = rows[member]
     if not (reads == true or reads[name]) then goto next end
     list[#list + 1] = { name = member, index = name }
@@ -48,19 +51,19 @@ local function constants(v, rows, reads)
     ::next::
   end
   lines[#lines + 1] = line ~= "" and line or nil
-  lines[#lines + 1] = v.upper .. "_NC"
+  lines[#lines + 1] = base.upper .. "_NC"
   return list, lines
 end
 
-function batch.texts(job, ctx, common)
+function batch.texts(job, ctx, base, about)
   local least = number.text(R.new(2) ^ (ctx.real == "float" and -126 or -1022), ctx.real)
-  local v = setmetatable({ lanes = string.format("%d", LANES[ctx.real]), tiny = least, blocks = {}, steps = {},
-    rates = {}, loops = {}, steppers = {}, rhs = false }, { __index = common })
-  ctx.rows = rows_of(common)
-  local u_rows = common.has_inputs and common.name .. "_real u[][" .. common.upper .. "_LANES], " or ""
-  local list = ways(common)
+  local v = { lanes = string.format("%d", LANES[ctx.real]), tiny = least, blocks = {}, steps = {},
+    rates = {}, loops = {}, steppers = {}, rhs = false, order = about.order }
+  ctx.rows = rows_of(base, about.real_members)
+  local u_rows = base.has_inputs and base.name .. "_real u[][" .. base.upper .. "_LANES], " or ""
+  local list = ways(base)
   v.each = false
-  v.has_inputs_text = common.has_inputs and ", u[" .. common.upper .. "_NU*n]" or ""
+  v.inputs_text = base.has_inputs and ", u[" .. base.upper .. "_NU*n]" or ""
   v.but_calls = ""
   local step_of, reads = {}, {}
   for i, s in ipairs(job.steppers) do
@@ -78,9 +81,9 @@ function batch.texts(job, ctx, common)
         for name in pairs(made.reads) do reads[name] = true end -- a set: any order
         v.blocks[#v.blocks + 1] = { name = f.name, tail = way.tail, whose = way.words, common = made.common,
           lines = made.lines, owner = way.rows or way.owner, u = u_rows,
-          last = rhs and common.name .. "_real dx[][" .. common.upper .. "_LANES]" or common.name .. "_real h" }
+          last = rhs and base.name .. "_real dx[][" .. base.upper .. "_LANES]" or base.name .. "_real h" }
         local row = { step = f.name, advance = advance, way = way.way, tail = way.tail, each = way.each,
-          owner = way.owner, whose = way.whose, call = way.call, v = common.has_inputs and "v, " or "",
+          owner = way.owner, whose = way.whose, call = way.call, v = base.has_inputs and "v, " or "",
           guard = f.guard ~= nil }
         table.insert(rhs and v.rates or v.steps, row)
       end
@@ -94,15 +97,15 @@ function batch.texts(job, ctx, common)
         v.each = v.each or way.each
         table.insert(v.loops, { step = step, advance = step_of[step], way = way.way, each = way.each,
           owner = way.owner, call = way.call, model = way.each and "&m" or "m",
-          v = common.has_inputs and "v" or "0" })
+          v = base.has_inputs and "v" or "0" })
       end
     end
   end
   if #v.steppers == 0 and not v.rhs then return nil end
   v.own_model = v.each and #v.loops > 0
-  v.constants, v.constant_enum = constants(common, ctx.rows, v.own_model or reads)
-  local function render(name) return template.render(name, job.templates[name], v) end
-  return render "templates/batch/batch.h", render "templates/batch/batch.c"
+  v.constants, v.constant_enum = constants(base, about.real_members, ctx.rows, v.own_model or reads)
+  local render = GROUP(job.templates, base, v)
+  return render "batch/batch.h", render "batch/batch.c"
 end
 
 return batch

@@ -9,8 +9,11 @@
 -- from one time to another goes one step, with a tolerance of 1e-6.  templates/target/calls.c is not emitted.
 
 local R = require "generator.algebra.rational"
+local base_values = require "generator.emit.base"
 local number = require "generator.emit.number"
 local template = require "generator.emit.template"
+
+local GROUP = template.group "target/calls.c"
 
 local calls = {}
 
@@ -110,9 +113,8 @@ end
 
 function calls.of(job, modules)
   local m, list, has, declared = job.model, {}, {}, {}
-  local v = { name = m.name, upper = string.upper(m.name), calls = {}, has_params = #m.params > 0,
-    has_inputs = job.equations.inputs, has_series = false,
-    has_whole = #modules > 1, has_orbit = string.find(modules[1].header, m.name .. "_orbit", 1, true) ~= nil }
+  local v = { calls = {}, has_series = false, has_whole = #modules > 1,
+    has_orbit = string.find(modules[1].header, m.name .. "_orbit", 1, true) ~= nil }
   for _, module in ipairs(modules) do prototypes(module, m.name, declared) end
   local out, vectors = 1, 1
   for i, f in ipairs(declared) do
@@ -128,9 +130,8 @@ function calls.of(job, modules)
   v.has_inertia, v.has_principal = has.inertia or false, has.principal or false
   v.out, v.vectors = string.format("%d", out), string.format("%d", vectors)
   v.when, v.step = number.text(when, job.real), number.text(m:number(m.step), job.real)
-  local source = "templates/target/calls.c"
   return { list = list, when = number.text(when, "double"), step = number.text(m:number(m.step), "double"),
-    program = template.render(source, job.templates[source], v) }
+    program = GROUP(job.templates, base_values.of(job, false), v) "target/calls.c" }
 end
 
 return calls

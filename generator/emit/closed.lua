@@ -1,20 +1,30 @@
--- closed.lua -- which templates say a closed form: the order of the C, what stands first is used by what follows.
+-- closed.lua -- the closed form as C: which templates say it, and their values.
 --
---     closed.texts(form) -> headers, sources      names of templates; form: see dynamics/closed/closed.lua
+--     closed.render(job, base, ctx) -> {header, source, own = has it NAME_own_orbit?}
+-- The order of the templates is that of the C: what stands first is used by what follows.
 -- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local analysis = require "generator.emit.analysis"
+local base_values = require "generator.emit.base"
+local economy = require "generator.emit.economy"
+local number = require "generator.emit.number"
+local orbit = require "generator.emit.orbit"
+local source = require "generator.emit.source"
+local template = require "generator.emit.template"
 
 local closed = {}
 
 local function names(room, text)
   local list = {}
   for name in string.gmatch(text, "%S+") do
-    list[#list + 1] = "templates/" .. (string.find(name, "/", 1, true) and name or room .. "/" .. name)
+    list[#list + 1] = string.find(name, "/", 1, true) and name or room .. "/" .. name
   end
   return list
 end
 
 local function of(header, sources)
-  return { header = "templates/orbit/" .. header, sources = names("orbit", sources) }
+  return { header = "orbit/" .. header, sources = names("orbit", sources) }
 end
 
 -- By the form's kind.
@@ -40,23 +50,117 @@ for _, name in ipairs(names("orbit", "count.c tick.c many.c query.c")) do ONLY_F
 
 -- A free motion in another time: the clock stands before what asks for the time.
 local function damped(free)
-  local asks = { ["templates/orbit/theta_at.c"] = true, ["templates/orbit/closed.c"] = true }
+  local asks = { ["orbit/theta_at.c"] = true, ["orbit/closed.c"] = true }
   local list = {}
   for _, name in ipairs(TEXTS[free.kind].sources) do
     if asks[name] then
-      if free.kind == "sphere" then list[#list + 1] = "templates/numeric/quotient.c" end
-      list[#list + 1] = "templates/orbit/clock.c"
+      if free.kind == "sphere" then list[#list + 1] = "numeric/quotient.c" end
+      list[#list + 1] = "orbit/clock.c"
     end
     if not ONLY_FREE[name] then list[#list + 1] = name end
   end
-  list[#list + 1] = "templates/orbit/damped.c"
-  return { TEXTS[free.kind].header, "templates/orbit/damped.h" }, list
+  list[#list + 1] = "orbit/damped.c"
+  return { TEXTS[free.kind].header, "orbit/damped.h" }, list
 end
 
-function closed.texts(form)
+local function texts(form)
   if form.free then return damped(form.free) end
   local t = TEXTS[form.kind]
   return { t.header }, t.sources
+end
+
+-- One group: the closed forms share most of their texts.
+local GROUP
+do
+  local list, seen = {}, {}
+  local function put(name)
+    if not seen[name] then list[#list + 1] = name end
+    seen[name] = true
+  end
+  for _, t in pairs(TEXTS) do -- a set: any order
+    put(t.header)
+    for _, name in ipairs(t.sources) do put(name) end
+  end
+  for _, name in ipairs { "orbit/damped.h", "orbit/damped.c", "orbit/clock.c", "orbit/own.c", "core/copy.c",
+    "numeric/quotient.c" } do
+    put(name)
+  end
+  GROUP = template.group(table.unpack(list))
+end
+
+-- Literals of the real type.
+local function literals(real, v)
+  local digits, single = base_values.digits[real], real == "float"
+  local function put(name, q) v[name] = function() return number.text(q, real) end end
+  local function power(name, double_power, float_power)
+    put(name, R.new(2) ^ (single and float_power or double_power))
+  end
+  power("least", -1022, -126)
+  power("two64", -64, -64)
+  power("two32", -32, -32)
+  power("two32_up", 32, 32)
+  power("last_turn", 50, 46)
+  power("last_time", 990, 97)
+  power("no_period", 100, 40)
+  power("carlson_close", -(digits // 4 - 1), -(digits // 4))
+  put("round_off", R.new(3) * R.new(2) ^ (digits - 2))
+  put("binary_one", R.new(3) * R.new(2) ^ (digits - 2) + R.new(single and 127 or 1023))
+  put("binary_limit", R.new(single and 60 or 500))
+  v.rate_spare, v.block = single and "12" or "26", single and "16" or "8"
+  v.bits_type, v.binary_shift = single and "uint32_t" or "uint64_t", single and "23" or "52"
+  -- exponents (templates/numeric/wide.c): below all others, that of 0; below all that matter.  In float an int has
+  -- 16 bits on some processors, and three times an exponent must fit
+  v.no_exponent, v.least_exponent = single and "-6000" or "-1000000", single and "-3000" or "-100000"
+end
+
+
+-- Constants as pairs high + low: pi, 1/pi, log 2, and the tables of templates/numeric/double.c.
+local function constants(real, v)
+  local function pair(x)
+    local high = R.fromdouble(real == "float" and R.tofloat(x) or R.todouble(x))
+    return { high = number.text(high, real), low = number.text(x - high, real) }
+  end
+  local function named(name, f)
+    v[name .. "_high"], v[name .. "_low"] = function() return pair(f()).high end, function() return pair(f()).low end
+  end
+  local function table_of(n, f)
+    return function()
+      local list = {}
+      for j = 0, n do list[j + 1] = pair(f(R.lift(j))) end
+      return list
+    end
+  end
+  named("pi", function() return R.apply("pi", 200) end)
+  named("inverse_pi", function() return R.one / R.apply("pi", 200) end)
+  named("log2", function() return R.apply("log", 200, R.lift(2)) end)
+  v.odd_reciprocals = table_of(5, function(j) return R.one / (R.lift(2) * j + R.one) end)
+  v.arctan_eighths = table_of(8, function(j) return R.apply("atan", 200, j / R.lift(8)) end)
+  v.log_eighths = table_of(8, function(j) return R.apply("log", 200, R.one + j / R.lift(8)) end)
+end
+
+function closed.render(job, base, ctx)
+  local form, real = job.closed, ctx.real
+  if not form.kind then return nil end
+  local v = { theorem = form.theorem, closed_text = form.text, single = real == "float", has_full = form.full or false,
+    pair_top = analysis.pair_top[real], symmetric = false, rod = false, rotor = false, damped = false, axial = false,
+    lagrange = false }
+  literals(real, v)
+  constants(real, v)
+  economy.fill(v, real)
+  local stored, uses_model = source.constants(job.closed_constants, real)
+  v.uses_model = uses_model
+  for _, more in ipairs { stored, form.flags or {} } do
+    for name, x in pairs(more) do v[name] = x end -- into a table: order is lost anyway
+  end
+  orbit.fill(job, v)
+  local render, header_names, source_names = GROUP(job.templates, base, v), texts(form)
+  local headers, parts = {}, {}
+  for i, name in ipairs(header_names) do headers[i] = render(name) end
+  for i, name in ipairs(source_names) do parts[i] = render(name) end
+  if v.has_own then parts[#parts + 1] = render "orbit/own.c" end
+  local text = table.concat(parts, "\n")
+  v.clears = string.find(text, ctx.name .. "_zero(", 1, true) ~= nil
+  return { header = table.concat(headers, "\n"), source = render "core/copy.c" .. "\n" .. text, own = v.has_own }
 end
 
 return closed

@@ -1,24 +1,44 @@
 -- code.lua -- header and source of a scene, in files by their purpose.
 --
---     code.of(job) -> { files = list of {name =, text =}, v =, ctx =, header =, source =, functions = }
--- header and source: all of them in one, with the scene's prefix everywhere, for what counts and calls the functions.
+--     code.of(job) -> made:
+--       files         list of {name =, text =}
+--       header, source      all of them in one, with the scene's prefix everywhere, for what counts and calls the
+--                     functions
+--       functions     all public ones: {name, room, asked, lines, uses}; offers: those asked for, a set of short names
+--       parts         what they were made of (parts_of): guard, proof, stepper, closed, stability, init
+--       costs         rows of the README's table
+--       names         of the files: lists headers, public (headers), sources, stems (of sources)
+--       links_m       must it be linked with -lm?
+--       base, ctx     for templates beside the code (emit/base.lua, the C library's functions), for emit/source.lua
 -- job.layout: "split": NAME (the motion), NAME_orbit (the closed form), NAME_analysis, NAME_private.h (what several of
 -- them share), each only where there is something in it; "single": one header and one source; "header": one header,
 -- whose implementation stands behind a macro.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local analysis = require "generator.emit.analysis"
+local base_values = require "generator.emit.base"
 local batch = require "generator.emit.batch"
 local baked = require "generator.emit.baked"
+local closed = require "generator.emit.closed"
 local columns = require "generator.emit.columns"
+local functions = require "generator.emit.functions"
 local guard = require "generator.emit.guard"
+local head = require "generator.emit.head"
+local init = require "generator.emit.init"
 local layout = require "generator.emit.layout"
 local libm = require "generator.emit.libm"
 local proof = require "generator.emit.proof"
+local source = require "generator.emit.source"
 local special = require "generator.emit.special"
+local split = require "generator.emit.split"
+local stability = require "generator.emit.stability_signs"
 local steppers = require "generator.emit.steppers"
 local template = require "generator.emit.template"
-local values = require "generator.emit.values"
 local selection = require "generator.selection"
+
+local FILES = template.group("core/scene.h", "core/scene.c", "core/part.h", "core/part.c", "core/private.h",
+  "core/implementation.c")
+local PLAIN = template.group("core/normalise.h", "core/normalise.c", "numeric/exact.c")
 
 local code = {}
 
@@ -32,46 +52,69 @@ local function includes(text, already)
   return list
 end
 
+-- What is made before the texts are put together, in the order in which functions are printed.
+local function parts_of(job, ctx, base)
+  local m = job.model
+  local p = { functions = functions.of(job, ctx), init = init.of(ctx, m, job.selection.asked "step"), helpers = {} }
+  for name in pairs(ctx.helpers) do p.helpers[name] = true end -- a set: any order
+  p.special = special.used(ctx)
+  p.stability = stability.of(ctx, job.stability)
+  p.order = p.stability.order ~= nil
+  p.setup_code = split.needs_setup(job) and init.check_setup(p.init.checks) or nil
+  p.step_code = job.selection.asked "step" and init.check_step(p.init.checks, m, base.step_text) or nil
+  p.real_members = init.real_members(m, p.setup_code ~= nil)
+  p.no_members = #m.members == 0 and not p.order and not p.setup_code
+  p.defaults = head.defaults(m, ctx.real)
+  p.closed = closed.render(job, base, ctx)
+  p.stepper = steppers.render(job, base, ctx)
+  p.guard = guard.of(job, base)
+  p.proof = proof.of(job, base, p.order)
+  return p
+end
+
 -- The texts in the order of the C: what stands first is used by what follows.
-local function fragments(job, v, ctx)
-  local function render(name) return template.file(name, job.templates[name], v) end
-  local list = {}
-  local function put(header, source, room)
-    list[#list + 1] = { header = header or "", source = source or "", room = room or "motion" }
+local function fragments(job, p, ctx, base)
+  local list, has, templates = {}, job.model.has, job.templates
+  local function put(room, declared, defined)
+    list[#list + 1] = { header = declared or "", source = defined or "", room = room }
   end
-  if v.has_special then put(nil, v.pair_source .. "\n" .. v.special_source) end
-  if v.has_exact then put(nil, render "templates/numeric/exact.c") end
-  if v.has_order then put(nil, render "templates/numeric/order.c") end
-  put(render "templates/core/init.h", render "templates/core/init.c")
-  local declarations = {}
-  for i, f in ipairs(v.functions) do declarations[i] = table.concat(f.comment, "\n") .. "\n" .. f.declaration end
-  put(table.concat(declarations, "\n\n") .. "\n", render "templates/core/functions.c")
-  if v.has_attitude then put(render "templates/core/normalise.h", render "templates/core/normalise.c") end
-  if not v.has_special and (v.has_rates or v.has_closed) then put(nil, v.pair_source) end
-  if v.has_rates then put(nil, render "templates/analysis/principal.c", "analysis") end
-  if v.has_closed then put(v.closed_header, v.closed_source, "orbit") end
-  if v.stepper_source ~= "" then put(v.stepper_header, v.stepper_source) end
+  local function plain(name) return PLAIN(templates, base, {})(name) end
+  local few = p.closed and job.closed.pairs or nil -- nil: all the arithmetic of pairs
+  local pair = (p.special or has.rates or p.closed) and
+    special.pair(templates, base, few ~= "few" or p.special, few == nil or p.special)
+  if p.special then put("motion", nil, pair .. "\n" .. special.text(templates, base, ctx, p.helpers)) end
+  if p.order and p.stability.order.sums or job.closed.exact then put("motion", nil, plain "numeric/exact.c") end
+  if p.order then put("motion", nil, stability.order(p.stability, job, base)) end
+  put("motion", init.fragment(p.init, job, base, p))
+  put("motion", functions.fragment(p.functions, templates, base))
+  if has.attitude then put("motion", plain "core/normalise.h", plain "core/normalise.c") end
+  if pair and not p.special then put("motion", nil, pair) end
+  local axes, principal
+  if has.rates then
+    axes, principal = analysis.principal(job, base, ctx)
+    put("analysis", nil, principal)
+  end
+  if p.closed then put("orbit", p.closed.header, p.closed.source) end
+  if p.stepper.source ~= "" then put("motion", p.stepper.header, p.stepper.source) end
   if job.batch then
-    local header, source = batch.texts(job, ctx, v)
-    if header then put(header, source, "batch") end
+    local declared, defined = batch.texts(job, ctx, base, p)
+    if declared then put("batch", declared, defined) end
   end
-  if v.has_guard then put(v.guard_header, v.guard_source) end
-  if v.has_rates then
-    put(render "templates/analysis/principal.h", nil, "analysis")
-    put(render "templates/analysis/analysis.h", render "templates/analysis/analysis.c", "analysis")
-    if v.has_stability then
-      put(render "templates/analysis/stability.h", render "templates/analysis/stability.c", "analysis")
-    end
+  if p.guard then put("motion", p.guard.header, p.guard.source) end
+  if has.rates then
+    put("analysis", axes)
+    put("analysis", analysis.rest(job, base))
+    if p.stability.say then put("analysis", stability.fragment(p.stability, job, base)) end
   end
   local all = {}
   for i, f in ipairs(list) do all[i] = f.source end
   local text = table.concat(all, "\n")
-  v.baked = baked.lines(job, ctx, text)
-  if v.baked[1] then
+  local constants = baked.lines(job, ctx, text)
+  if constants[1] then
     local heading = "/* ---- constants: the scene's parameters are in them ---- */\n\n"
-    table.insert(list, 1, { header = "", room = "motion", source = heading .. table.concat(v.baked, "\n") .. "\n" })
+    table.insert(list, 1, { header = "", room = "motion", source = heading .. table.concat(constants, "\n") .. "\n" })
   end
-  local own = ctx.own and libm.source(v, ctx, job.templates, text) or ""
+  local own = ctx.own and libm.source(base, ctx, templates, text) or ""
   if own ~= "" then table.insert(list, 1, { header = "", source = own, room = "motion" }) end
   return list
 end
@@ -79,95 +122,118 @@ end
 local ABOUT = { batch = "many bodies at once", orbit = "its motion in closed form",
   analysis = "what can be asked of the body, and derivatives" }
 
--- header, source: texts with the prefix; rooms: the texts of each file.
-local function sorted(job, v, ctx)
-  local prefix, s = v.name .. "_", job.selection
+-- All that is called for, sorted by file: see emit/layout.lua.
+local function sorted(job, p, ctx, base)
+  local prefix, s = ctx.name .. "_", job.selection
   local function short(name) return string.sub(name, #prefix + 1) end
-  local base = { init = true, defaults = true }
+  local always = { init = true, defaults = true }
   local function asked(name)
     local own = short(name)
-    if base[own] and not s.asked(own) then return not v.no_members end
+    if always[own] and not s.asked(own) then return not p.no_members end
     return s.asked(own)
   end
   local function room(name, of)
     return job.layout == "split" and selection.room(short(name), of) or "motion"
   end
-  local list = fragments(job, v, ctx)
+  local list = fragments(job, p, ctx, base)
   local keeps = job.layout == "header" or job.proof -- several in one program; Frama-C's options name functions
-  return layout.sort(v.name, ctx.type, list, asked, room, keeps)
+  return layout.sort(ctx.name, ctx.type, list, asked, room, keeps)
 end
 
-function code.of(job)
-  local v, ctx = values.common(job)
-  values.closed(job, v, ctx)
-  steppers.render(job, v, ctx)
-  special.render(job, v)
-  guard.fill(job, v)
-  proof.fill(job, v)
-  v.has_exact = v.order_sums or job.closed.exact or false
-  local all = sorted(job, v, ctx)
-  local function render(name) return template.file(name, job.templates[name], v) end
-  local files, used, sources, headers, texts = {}, {}, {}, {}, { header = {}, source = {} }
-  local function put(name, text) files[#files + 1] = { name = name, text = columns.fit(text) } end
+-- Renders a file of the scene: what head.lua says, and the file's own.
+local function renderer(job, base, about)
+  return function(name, own)
+    local v = {}
+    for k, x in pairs(about) do v[k] = x end -- into a table: order is lost anyway
+    for k, x in pairs(own) do v[k] = x end -- into a table: order is lost anyway
+    return FILES(job.templates, base, v)(name)
+  end
+end
+
+local function headers_of(names)
+  local out = {}
+  for _, name in ipairs(names) do
+    if not string.find(name, "_private.h", 1, true) then out[#out + 1] = name end
+  end
+  return out
+end
+
+-- The files, and all code in one as plain texts.
+local function written(job, all, ctx, base, about)
+  local render, header_only = renderer(job, base, about), job.layout == "header"
+  local out = { files = {}, sources = {}, headers = {}, stems = {} }
+  local texts, used = { header = {}, source = {} }, {}
+  local function put(name, text) out.files[#out.files + 1] = { name = name, text = columns.fit(text) } end
+  local function add(name, list) list[#list + 1] = name end
   local function library(text, already)
     local list = includes(text, already)
     if libm.included(ctx, text) then table.insert(list, 1, "<math.h>") end
     for _, h in ipairs(list) do used[h] = true end
     return list
   end
-  local function add(name, list) list[#list + 1] = name end
-  v.real_type, v.header_only = all.real, job.layout == "header"
-  v.has_private, v.definitions, v.implementation = all.private ~= "", "", ""
-  if v.has_private then
-    v.definitions, v.source_includes = all.private, library(all.private)
-    put(v.name .. "_private.h", render "templates/core/private.h")
-    add(v.name .. "_private.h", headers)
+  local has_private = all.private ~= ""
+  if has_private then
+    put(ctx.name .. "_private.h", render("core/private.h", { definitions = all.private, real_type = all.real,
+      source_includes = library(all.private) }))
+    add(ctx.name .. "_private.h", out.headers)
     add(all.plain_private, texts.source)
   end
   for _, r in ipairs(all.order) do
-    local own, stem = all.rooms[r], v.name .. selection.tails[r]
-    v.file, v.file_upper, v.about_file = stem, string.upper(stem), ABOUT[r] or ""
-    v.declarations, v.definitions = own.header, own.source
-    v.header_includes = includes(own.header)
+    local own, stem, main = all.rooms[r], ctx.name .. selection.tails[r], r == "motion"
+    local v = { file = stem, file_upper = string.upper(stem), about_file = ABOUT[r] or "", real_type = all.real,
+      has_private = has_private, declarations = own.header, definitions = own.source, own_includes = {},
+      header_includes = includes(own.header), header_only = header_only }
     for _, h in ipairs(v.header_includes) do used[h] = true end
     v.source_includes = library(own.source, v.header_includes)
-    v.own_includes = {}
     for _, other in ipairs { "orbit", "analysis" } do
-      if own.calls[other] and other ~= r then add(v.name .. selection.tails[other] .. ".h", v.own_includes) end
+      if own.calls[other] and other ~= r then add(ctx.name .. selection.tails[other] .. ".h", v.own_includes) end
     end
-    local main = r == "motion"
-    v.implementation = v.header_only and render "templates/core/implementation.c" or ""
-    put(stem .. ".h", render(main and "templates/core/scene.h" or "templates/core/part.h"))
-    add(stem .. ".h", headers)
-    if own.source ~= "" and not v.header_only then
-      put(stem .. ".c", render(main and "templates/core/scene.c" or "templates/core/part.c"))
-      add(stem .. ".c", sources)
+    v.implementation = header_only and render("core/implementation.c", v) or ""
+    put(stem .. ".h", render(main and "core/scene.h" or "core/part.h", v))
+    add(stem .. ".h", out.headers)
+    if own.source ~= "" and not header_only then
+      put(stem .. ".c", render(main and "core/scene.c" or "core/part.c", v))
+      add(stem .. ".c", out.sources)
+      add(stem, out.stems)
     end
     add(own.header, texts.header)
     add(own.plain, texts.source)
   end
-  v.sources, v.headers, v.public_headers, v.stems = sources, headers, {}, {}
-  for i, s in ipairs(sources) do v.stems[i] = string.match(s, "^(.*)%.c$") end
-  for _, h in ipairs(headers) do
-    if not string.find(h, "_private.h", 1, true) then add(h, v.public_headers) end
+  local whole = {} -- what all files together include
+  for _, h in ipairs { "<math.h>", "<stddef.h>", "<stdint.h>" } do
+    if used[h] then add(h, whole) end
   end
-  v.source_words, v.header_words = table.concat(sources, " "), table.concat(headers, " ")
-  v.public_words = table.concat(v.public_headers, " ")
+  out.text = table.concat(texts.source, "\n")
+  local declarations = table.concat(texts.header, "\n")
+  local v = { declarations = declarations, definitions = out.text, header_includes = includes(declarations),
+    source_includes = whole, real_type = ctx.type, own_includes = {}, has_private = false,
+    header_only = header_only, implementation = "" }
+  out.header, out.source = render("core/scene.h", v), render("core/scene.c", v)
+  return out
+end
+
+local function banner(job, p)
   local list = {}
-  for _, h in ipairs { "<math.h>", "<stddef.h>", "<stdint.h>" } do list[#list + 1] = used[h] and h or nil end
-  local text = table.concat(texts.source, "\n")
-  v.links_m = libm.linked(ctx, text) and " -lm" or ""
-  v.link_words = v.links_m ~= "" and "sin, exp and their kin are in the library m" or "no library is needed"
-  v.own_libm, v.no_errno = ctx.own, ctx.own and " -fno-math-errno" or ""
-  v.libm_text = ctx.own and "mathematical functions of its own" or "the C library's mathematical functions"
-  v.included = #list > 0 and "`" .. table.concat(list, "`, `") .. "`" or "C itself"
-  v.declarations, v.definitions, v.header_includes, v.source_includes = table.concat(texts.header, "\n"), text,
-    includes(table.concat(texts.header, "\n")), list
-  v.real_type, v.own_includes, v.has_private = ctx.type, {}, false
-  v.file, v.file_upper, v.implementation = v.name, v.upper, ""
-  local header, source = render "templates/core/scene.h", render "templates/core/scene.c"
-  for k, name in pairs(libm.names(ctx, false)) do v[k] = name end -- for other files; into a table: order is lost
-  return { files = files, v = v, ctx = ctx, header = header, source = source, functions = all.functions }
+  for _, lines in ipairs { job.banner, p.functions.banner, job.planned and job.planned.report or {} } do
+    for _, line in ipairs(lines) do list[#list + 1] = line end
+  end
+  return list
+end
+
+function code.of(job)
+  local ctx = source.context(job)
+  local base = base_values.of(job, ctx.own)
+  local p = parts_of(job, ctx, base)
+  local all = sorted(job, p, ctx, base)
+  local files = written(job, all, ctx, base, head.of(job, ctx, { banner = banner(job, p), order = p.order,
+    split_setup = p.setup_code ~= nil, no_members = p.no_members }))
+  local offers = setmetatable({}, { __index = function() return false end })
+  for _, f in ipairs(all.functions) do offers[string.sub(f.name, #ctx.name + 2)] = f.asked end
+  return { files = files.files, header = files.header, source = files.source, functions = all.functions,
+    offers = offers, ctx = ctx, base = base_values.of(job, false), parts = p, costs = p.functions.costs,
+    names = { headers = files.headers, sources = files.sources, stems = files.stems,
+      public = headers_of(files.headers) },
+    links_m = libm.linked(ctx, files.text) }
 end
 
 return code

@@ -92,8 +92,10 @@ function economy.fill(v, real)
     end
     return statements(name, c, real)
   end
-  v.sine_lines, v.cosine_lines = make("s", pi, -1, 1), make("c", pi, -1, 0)
-  v.even_lines, v.odd_lines = make("e", log2, 1, 0), make("o", log2, 1, 1)
+  function v.sine_lines() return make("s", pi, -1, 1) end
+  function v.cosine_lines() return make("c", pi, -1, 0) end
+  function v.even_lines() return make("e", log2, 1, 0) end
+  function v.odd_lines() return make("o", log2, 1, 1) end
 end
 
 return economy

@@ -7,6 +7,8 @@ local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
 local template = require "generator.emit.template"
 
+local GROUP = template.group("core/guard.h", "core/guard.c")
+
 local guard = {}
 
 -- |q|^2 of what is taken for an attitude: from 1/4 to 4, so each component is within -2 and 2.
@@ -28,23 +30,21 @@ local function plain(q) -- for a comment: the double, without the suffix of a fl
   return number.text(R.fromdouble(R.todouble(q)), "double")
 end
 
--- Fills guard_header and guard_source, and what the self-test wants of them; empty without ranges.
-function guard.fill(job, v)
-  v.has_guard, v.guard_header, v.guard_source = job.ranges ~= nil, "", ""
-  if not v.has_guard then return end
-  local real = job.real
-  v.guard_norm, v.guard_states, v.guard_about, v.guard_rows = false, {}, {}, {}
-  v.guard_least, v.guard_most = number.text(guard.least, real), number.text(guard.most, real)
-  v.guard_component = number.text(guard.component, real)
-  local first
+-- nil without ranges, else {header, source, rows = what the self-test tries of each state}.
+function guard.of(job, base)
+  if not job.ranges then return nil end
+  local real, first, rows = job.real, nil, {}
+  local v = { norm = false, states = {}, about = {}, least = number.text(guard.least, real),
+    most = number.text(guard.most, real), component = number.text(guard.component, real) }
   for i, s in ipairs(job.states) do
-    local name = v.upper .. "_" .. string.upper(s.name)
+    local name = base.upper .. "_" .. string.upper(s.name)
     if s.kind == "attitude" then
       first = first or name
-      v.guard_norm = true
+      v.norm = true
       local scalar = name == first -- |q|^2 = 1/4, from (1/2, 0, 0, 0), and 4, from (-1, 1, 1, 1)
-      v.guard_rows[i] = { low = scalar and v.half or v.zero, high = (scalar and "-" or "") .. v.one, answer = first,
-        below = scalar and number.text(R.new(7, 16), real) or "-" .. v.two, above = number.text(R.new(33, 16), real) }
+      rows[i] = { low = scalar and base.half or base.zero, high = (scalar and "-" or "") .. base.one, answer = first,
+        below = scalar and number.text(R.new(7, 16), real) or "-" .. base.two,
+        above = number.text(R.new(33, 16), real) }
     else
       local range = job.ranges.states[i]
       local row = { name = name, range = range ~= nil }
@@ -52,20 +52,19 @@ function guard.fill(job, v)
         row.low, row.high = guard.ends(range, real)
         row.below = number.text(beyond(range.lo, -1, real), real)
         row.above = number.text(beyond(range.hi, 1, real), real)
-        v.guard_about[#v.guard_about + 1] = s.name .. " from " .. plain(range.lo) .. " to " .. plain(range.hi) ..
+        v.about[#v.about + 1] = s.name .. " from " .. plain(range.lo) .. " to " .. plain(range.hi) ..
           (s.unit == "1" and "" or " " .. s.unit)
       else
-        row.low, row.high, row.below, row.above = v.zero, v.zero, "-" .. v.huge, v.huge
-        v.guard_about[#v.guard_about + 1] = s.name .. " any finite number"
+        row.low, row.high, row.below, row.above = base.zero, base.zero, "-" .. base.huge, base.huge
+        v.about[#v.about + 1] = s.name .. " any finite number"
       end
-      v.guard_states[#v.guard_states + 1] = row
-      v.guard_rows[i] = { low = row.low, high = row.high, below = row.below, above = row.above, answer = name }
+      v.states[#v.states + 1] = row
+      rows[i] = { low = row.low, high = row.high, below = row.below, above = row.above, answer = name }
     end
   end
-  v.guard_attitude = first or ""
-  for i, row in ipairs(v.guard_rows) do row.tail = i < #v.guard_rows and "," or "" end
-  local function render(name) return template.render(name, job.templates[name], v) end
-  v.guard_header, v.guard_source = render "templates/core/guard.h", render "templates/core/guard.c"
+  for i, row in ipairs(rows) do row.tail = i < #rows and "," or "" end
+  local render = GROUP(job.templates, base, v)
+  return { header = render "core/guard.h", source = render "core/guard.c", rows = rows }
 end
 
 return guard

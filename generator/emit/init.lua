@@ -12,6 +12,9 @@ local cosine = require "generator.algebra.cosine"
 local nest = require "generator.algebra.nest"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
+local template = require "generator.emit.template"
+
+local GROUP = template.group("core/init.h", "core/init.c")
 
 local init = {}
 
@@ -132,8 +135,8 @@ local function unsure(m, stepped)
   return list
 end
 
--- Fills the template's values: init_loads, init_groups, finite_lines, checks.  stepped: does NAME_init make a step?
-function init.fill(ctx, m, values, stepped)
+-- {loads, groups, finite, checks}: what NAME_init computes and tests.  stepped: does it make a step?
+function init.of(ctx, m, stepped)
   local list, map = source.parameters(ctx, m.params, taken)
   local groups, checks, placed = {}, {}, {}
   -- a condition may ask for the rounding of the real type, half a unit in the last place of 1: it keeps a name, for
@@ -159,9 +162,7 @@ function init.fill(ctx, m, values, stepped)
   constants(m, m.members, map, groups, placed)
   for _, g in ipairs(groups) do g.where = g.where or #checks + 0.5 end
   local c = source.statements(ctx, { name = "init", args = {}, inputs = list, groups = groups })
-  values.init_loads, values.init_groups = c.loads, blocks(c.groups, checks)
-  values.finite_lines = {}
-  local code, lines, zero = #checks + 1, values.finite_lines, number.text(R.zero, ctx.real)
+  local code, lines, zero = #checks + 1, {}, number.text(R.zero, ctx.real)
   for _, member in ipairs(unsure(m, stepped)) do
     local term = string.format("(k.%s - k.%s)", member.name, member.name)
     local line = lines[#lines]
@@ -178,7 +179,6 @@ function init.fill(ctx, m, values, stepped)
       lines[#lines + 1] = string.format("if (!(k.%s > %s)) return %d;", member.name, zero, code)
     end
   end
-  values.has_finite = #m.members > 0
   local listed = {}
   for i, check in ipairs(checks) do listed[i] = { number = check.number, text = check.text } end
   if #m.members > 0 then
@@ -191,19 +191,64 @@ function init.fill(ctx, m, values, stepped)
       nonzero }
   end
   if #listed == 0 then listed[1] = { number = "-", text = "there is nothing to check" } end
-  values.checks = listed
+  return { loads = c.loads, groups = blocks(c.groups, checks), finite = lines, checks = listed }
+end
+
+local function add(list, text)
+  list[list[#list].number == "-" and #list or #list + 1] = { text = text }
+  list[#list].number = string.format("%d", #list)
+end
+
+-- Does the set-up of a stepper fail where a constant is not finite?  Its check has a number.
+function init.check_setup(checks)
+  local text = "every derived constant must be finite"
+  if checks[#checks].text ~= text then add(checks, text) end
+  return checks[#checks].number
 end
 
 -- The last check: parameters of which every constant is finite may still overflow in a step.  Only such a step can
--- tell, so NAME_init makes one: the scene's own first.  Without parameters there is nothing that it could find.
-function init.first_step(m, v)
-  v.has_first_step = #m.params > 0 and #m.members > 0
-  if not v.has_first_step then return end
-  local list = v.checks
-  local text = "the state after the first step of " .. v.step_text .. " s must be finite"
-  list[list[#list].number == "-" and #list or #list + 1] = { text = text }
-  list[#list].number = string.format("%d", #list)
-  v.first_step_code = list[#list].number
+-- tell, so NAME_init makes one: the scene's own first.  Without parameters there is nothing that it could find: nil.
+function init.check_step(checks, m, step_text)
+  if #m.params == 0 or #m.members == 0 then return nil end
+  add(checks, "the state after the first step of " .. step_text .. " s must be finite")
+  return checks[#checks].number
+end
+
+-- The real members of the model, elements of arrays each by itself; setup: with those of a splitting's set-up.
+function init.real_members(m, setup)
+  local names = {}
+  for i, member in ipairs(m.members) do names[i] = member.name end
+  for _, name in ipairs(setup and { "split_b", "split_c", "split_u", "split_d" } or {}) do
+    for k = 0, 2 do names[#names + 1] = string.format("%s[%d]", name, k) end
+  end
+  if setup then names[#names + 1], names[#names + 2] = "split_fb", "split_fc" end
+  return names
+end
+
+-- Statements *m = k, member by member: of the whole some compilers make a call of memcpy.
+local function copies(about)
+  local names, lines = table.move(about.real_members, 1, #about.real_members, 1, {}), { "" }
+  for k = 0, about.order and 2 or -1 do names[#names + 1] = string.format("order[%d]", k) end
+  for _, name in ipairs(names) do
+    local s = "m->" .. name .. " = k." .. name .. ";"
+    local last = lines[#lines]
+    if last == "" then lines[1] = s
+    elseif #last + #s < 96 then lines[#lines] = last .. " " .. s
+    else lines[#lines + 1] = s end
+  end
+  return lines
+end
+
+-- Header and source of NAME_init and NAME_defaults.  made: from init.of; about: {order = does it find signs of moments,
+-- setup_code, step_code = numbers of those checks or nil, real_members, defaults = see emit/head.lua,
+-- no_members}
+function init.fragment(made, job, base, about)
+  local v = { loads = made.loads, groups = made.groups, finite = made.finite, checks = made.checks,
+    params = about.defaults, copies = copies(about), has_finite = #job.model.members > 0,
+    order = about.order, split_setup = about.setup_code ~= nil, setup_code = about.setup_code,
+    first_step = about.step_code ~= nil, step_code = about.step_code, no_members = about.no_members }
+  local render = GROUP(job.templates, base, v)
+  return render "core/init.h", render "core/init.c"
 end
 
 return init

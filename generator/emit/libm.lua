@@ -1,7 +1,7 @@
 -- libm.lua -- the mathematical functions that stand in the emitted code itself (--libm own), or the C library's names.
 --
 --     libm.names(ctx, own)        the values ${sin}, ${huge} ... that templates call functions by
---     libm.source(v, ctx, templates, text)   C text of the functions that `text` calls, and of what these call
+--     libm.source(base, ctx, templates, text)   C text of the functions that `text` calls, and of what these call
 --     libm.linked(ctx, text)      must the text be linked with -lm?
 -- Everything is plain arithmetic on the real type and integers, each step rounded once, so the same bits come out on
 -- every machine.  Series are economised in exact rationals (economy.lua), their coefficients rounded once.
@@ -30,7 +30,9 @@ local HELPERS = {
   halves = { "parts", "ldexp" }, mantissa = { "bits", "real" }, angle = { "product" }, beside = { "product", "sqrt" },
 }
 local ALSO = { double = { reduce = { "product", "fabs" } }, float = {} }
-local TEMPLATES = { "bits", "root", "product", "circular", "exp", "log", "arc" }
+local TEXTS = { "numeric/libm_bits.c", "numeric/libm_root.c", "numeric/libm_product.c", "numeric/libm_circular.c",
+  "numeric/libm_exp.c", "numeric/libm_log.c", "numeric/libm_arc.c" }
+local GROUP = template.group(table.unpack(TEXTS))
 
 local SYSTEM = { "fabs", "copysign", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor",
   "fma" }
@@ -155,7 +157,7 @@ local function tanh_series(terms)
 end
 
 local function fill_series(L, real, type_name)
-  local bits = L.digits_number
+  local bits = formats[real].digits
   local function put(name, variable, c)
     for k = 0, #c do c[k] = rounded(c[k], real) end
     L[name .. "_lines"] = polynomial(variable, c, "z", real, type_name)
@@ -197,7 +199,8 @@ local function fill_constants(L, real)
   local function hex(i) return string.format("0x%0" .. F.width // 4 .. "XU", i) end
   local function int(i) return string.format("%d", i) end
   local fraction = (1 << d - 1) - 1
-  L.format, L.f, L.digits, L.digits_number, L.width = F.format, F.f, int(d), d, int(F.width)
+  L.round_off = n(R.new(3)*two(d - 2))
+  L.format, L.f, L.digits, L.width = F.format, F.f, int(d), int(F.width)
   L.uint, L.exponent_bits, L.fraction_bits, L.bias = "uint" .. L.width .. "_t", int(F.exponent), int(d - 1), int(bias)
   L.exponent_field, L.exponent_last = int((1 << F.exponent) - 1) .. "U", int((1 << F.exponent) - 1)
   L.sign, L.magnitude = hex(1 << F.width - 1), hex((1 << F.width - 1) - 1)
@@ -243,8 +246,8 @@ local function fill_constants(L, real)
   L.tanh_far = n(log2*R.new(d + 2)/R.new(2))
 end
 
--- C text of what `text` calls, "" if that is nothing; v: the values of all templates (project.lua)
-function libm.source(v, ctx, templates, text)
+-- C text of what `text` calls, "" if that is nothing
+function libm.source(base, ctx, templates, text)
   local need, called = {}, false
   local function want(name)
     if need[name] then return end
@@ -256,16 +259,15 @@ function libm.source(v, ctx, templates, text)
     if FUNCTIONS[name] then want(name) end
   end
   if not called then return "" end
-  local L = setmetatable({ need = setmetatable(need, { __index = function() return false end }),
-    single = ctx.real == "float" }, { __index = v })
+  local L = { need = setmetatable(need, { __index = function() return false end }), single = ctx.real == "float" }
   fill_constants(L, ctx.real)
   fill_series(L, ctx.real, ctx.name .. "_real")
-  local parts = {}
-  for i, name in ipairs(TEMPLATES) do
-    local path = "templates/numeric/libm_" .. name .. ".c"
-    parts[i] = template.render(path, templates[path], L)
+  local render, parts = GROUP(templates, base, L), {}
+  for _, name in ipairs(TEXTS) do
+    local part = render(name)
+    if part ~= "" then parts[#parts + 1] = part end
   end
-  return (string.gsub(table.concat(parts), "\n+$", "\n"))
+  return table.concat(parts, "\n")
 end
 
 return libm

@@ -2,11 +2,22 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local source = require "generator.emit.source"
+local template = require "generator.emit.template"
+
+local GROUP = template.group("steppers/midpoint.h", "steppers/midpoint.c")
 
 local midpoint = {}
 
--- Fills the template's values for the program of methods/midpoint.lua.
-function midpoint.fill(ctx, program, v)
+-- Header and source of the program of methods/midpoint.lua.  s, kit: see emit/steppers.lua.
+function midpoint.render(s, kit)
+  local program, ctx = s.program, kit.ctx
+  local v = { count = string.format("%d", program.count), free = program.count == 4, first = s.first,
+    transition = program.transition ~= nil, transition_u = program.transition_u ~= nil }
+  local function put(name, groups, x, out)
+    local args = { "m", "t", x, "u", "h", { name = "mid", count = 3 }, out }
+    local f = source.make(ctx, { name = "midpoint_" .. name, groups = groups, doc = {}, args = args })
+    v[name .. "_head"], v[name .. "_lines"] = f.head, f.lines
+  end
   local groups = {}
   for i, g in ipairs(program.iteration) do
     local outs = {}
@@ -15,28 +26,15 @@ function midpoint.fill(ctx, program, v)
     end
     groups[i] = { why = g.why, defs = g.defs, outs = outs }
   end
-  local f = source.make(ctx, { name = "midpoint_newton", groups = groups, doc = {},
-    args = { "m", "t", "x", "u", "h", { name = "mid", count = 3 }, { name = "next", count = 3, out = true } } })
-  v.midpoint_newton_head, v.midpoint_newton_lines = f.head, f.lines
-  f = source.make(ctx, { name = "midpoint_finish", groups = program.finish, doc = {},
-    args = { "m", "t", "x!", "u", "h", { name = "mid", count = 3 } } })
-  v.midpoint_finish_head, v.midpoint_finish_lines = f.head, f.lines
-  v.midpoint_transition = program.transition ~= nil
-  if program.transition then
-    local n = #ctx.states
-    f = source.make(ctx, { name = "midpoint_tangent", groups = program.transition, doc = {},
-      args = { "m", "t", "x", "u", "h", { name = "mid", count = 3 }, { name = "F", count = n * n, out = true } } })
-    v.midpoint_tangent_head, v.midpoint_tangent_lines = f.head, f.lines
+  put("newton", groups, "x", { name = "next", count = 3, out = true })
+  put("finish", program.finish, "x!")
+  local n = #ctx.states
+  if v.transition then put("tangent", program.transition, "x", { name = "F", count = n * n, out = true }) end
+  if v.transition_u then
+    put("tangent_u", program.transition_u, "x", { name = "G", count = n * #ctx.inputs, out = true })
   end
-  v.midpoint_transition_u = program.transition_u ~= nil
-  if program.transition_u then
-    f = source.make(ctx, { name = "midpoint_tangent_u", groups = program.transition_u, doc = {},
-      args = { "m", "t", "x", "u", "h", { name = "mid", count = 3 },
-        { name = "G", count = #ctx.states * #ctx.inputs, out = true } } })
-    v.midpoint_tangent_u_head, v.midpoint_tangent_u_lines = f.head, f.lines
-  end
-  v.midpoint_count = string.format("%d", program.count)
-  v.midpoint_free = program.count == 4
+  local render = GROUP(kit.templates, kit.base, v)
+  return render "steppers/midpoint.h", { render "steppers/midpoint.c" }
 end
 
 return midpoint

@@ -216,9 +216,9 @@ end
 function orbit.fill(job, v)
   v.has_own, v.own_bits = false, string.format("%d", bits)
   if job.closed.kind ~= "asymmetric" or #job.model.params > 0 then return end
-  local m, real = job.model, v.real
+  local m, real = job.model, job.real
   local top, h = orbit.own(m, real), rounder(real)(m:number(m.step))
-  v.own_lines = top and h and orbit.lines(orbit.of(top, h, real), real)
+  v.own_lines = top and h and orbit.lines(orbit.of(top, h, real), real) or nil
   v.has_own = v.own_lines ~= nil
 end
 

@@ -1,4 +1,4 @@
--- packed.lua -- the Taylor recurrences of one level as rows of eight: the vector text of templates/steppers/taylor.c.
+-- packed.lua -- the Taylor recurrences of one level as rows of eight: the vectors of templates/steppers/taylor_rows.c.
 --
 -- Next terms are sums of products and of multiples, place by place: after*(C0 p0 + C1 p1 + ... + D y).  Product k of
 -- every place makes plane k, its factors are the newest terms in another order; so a whole order needs shuffles of one
@@ -87,18 +87,20 @@ local function layout(program)
   return out
 end
 
--- Values of the template: taylor_packed and what it needs.  render(groups): the lines of groups by their number.
-function packed.fill(ctx, program, v, render)
+packed.width = text(WIDTH)
+
+-- Values of the template, or nil where the recurrences are no such rows.  zero: its literal; render(groups): the lines
+-- of groups by their number.
+function packed.of(ctx, program, zero, render)
   local made = layout(program)
-  v.taylor_packed, v.taylor_planes, v.taylor_linear, v.taylor_rest = made ~= nil, {}, {}, {}
-  v.taylor_row = made and text(WIDTH) or v.taylor_count
-  if not made then return end
+  if not made then return nil end
+  local v = { planes = {}, linear = {}, rest = {} }
   local g = { where = 1, defs = {}, outs = {} }
   local function row(name, of)
     local factors, a, b = {}, {}, {}
     for i = 1, WIDTH do
       local e = of[i]
-      factors[i] = e and name .. "_" .. i - 1 or v.zero
+      factors[i] = e and name .. "_" .. i - 1 or zero
       a[i], b[i] = text(e and e.a or i - 1), text(e and e.b or i - 1)
       if e then
         g.outs[#g.outs + 1] = { c = "const " .. ctx.name .. "_real " .. factors[i], expr = e.factor }
@@ -109,38 +111,39 @@ function packed.fill(ctx, program, v, render)
   for k, plane in ipairs(made.planes) do
     local r = row("c" .. k - 1, plane)
     r.index = text(k - 1)
-    v.taylor_planes[k] = r
+    v.planes[k] = r
   end
   for k, l in ipairs(made.linear) do
     local r = row("d" .. k - 1, l)
     r.index = text(k - 1)
-    v.taylor_linear[k] = r
+    v.linear[k] = r
   end
   if made.has_rest then
     local of = {}
     for i, e in ipairs(made.rest) do
       if e ~= expr.zero then of[i] = { factor = e } end
     end
-    v.taylor_rest[1] = row("e", of)
+    v.rest[1] = row("e", of)
   end
-  v.taylor_factors = render { g }
+  v.factors = render { g }
   local first, sums, newest, others = {}, {}, {}, {}
-  for _, p in ipairs(v.taylor_planes) do
+  for _, p in ipairs(v.planes) do
     local k = p.index
     first[#first + 1] = "A" .. k .. "*b" .. k .. "[0]"
     sums[#sums + 1] = "C" .. k .. "*(p" .. k .. " + r" .. k .. ")"
     newest[#newest + 1] = string.format("((after*A%s)*b%s[n] + (after*B%s)*a%s[n])", k, k, k, k)
   end
-  for _, p in ipairs(v.taylor_linear) do
+  for _, p in ipairs(v.linear) do
     local turned = "__builtin_shufflevector(Y, Y, " .. p.a .. ")"
     first[#first + 1] = "D" .. p.index .. "*" .. turned
     others[#others + 1] = "(after*D" .. p.index .. ")*" .. turned
   end
   if made.has_rest then first[#first + 1] = "E" end
-  v.taylor_first_row = table.concat(first, " + ")
+  v.first_row = table.concat(first, " + ")
   local all = { "after*(" .. table.concat(sums, " + ") .. ")", table.unpack(newest) }
   for _, e in ipairs(others) do all[#all + 1] = e end
-  v.taylor_next_row = table.concat(all, "\n      + ")
+  v.next_row = table.concat(all, "\n      + ")
+  return v
 end
 
 return packed

@@ -1,4 +1,4 @@
--- plan.lua -- the planned method as C: values for templates/steppers/plan.* and the self-test; the header's report.
+-- plan.lua -- the planned method as C: templates/steppers/plan.*, and what the self-test expects of it.
 --
 -- job.planned is what generator/plan/decision.lua describes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -7,20 +7,22 @@ local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
 local template = require "generator.emit.template"
 
+local GROUP = template.group("steppers/plan.h", "steppers/plan.c")
+
 local plan = {}
 
 local about = { step = { "step", "s", "STEP" }, tolerance = { "tolerance", "1", "TOLERANCE" } }
 
-local function notes(p, v)
+local function notes(p, base)
   if p.setting == "step" then
-    return { "The span is cut into equal steps no longer than " .. v.upper .. "_PLANNED_STEP." }
+    return { "The span is cut into equal steps no longer than " .. base.upper .. "_PLANNED_STEP." }
   elseif p.setting == "tolerance" and p.method == "taylor" then
     return { "The tolerance is that of the whole horizon; a part of it has its share." }
   elseif p.setting == "tolerance" then
     return { "The tolerance is that of each step." }
   end
-  return { "The closed form through x, once; for many times from one state call " .. v.name .. "_solve and " ..
-    v.name .. "_at." }
+  return { "The closed form through x, once; for many times from one state call " .. base.name .. "_solve and " ..
+    base.name .. "_at." }
 end
 
 -- Numbers two to a line.
@@ -32,35 +34,27 @@ local function lines(list)
   return out
 end
 
--- Sets v.planned and what the templates want; returns the parts of header and source, or nil.
-function plan.render(job, v)
+-- nil if nothing is planned, else {header, source, want, tolerance = lines of the state at the horizon}.
+function plan.render(job, base)
   local p = job.planned
-  v.planned = p ~= nil
   if not p then return nil end
-  local real = job.real
-  local names = about[p.setting]
-  v.plan_accuracy, v.plan_method = p.accuracy_text, p.title
-  v.plan_steps = names ~= nil
+  local real, names = job.real, about[p.setting]
+  local v = { accuracy = p.accuracy_text, method = p.title, steps = names ~= nil, note = notes(p, base),
+    input = base.has_inputs and ", the input u held" or "", kind_step = p.setting == "step",
+    kind_run = p.setting == "tolerance", kind_closed = p.setting == "none", run = p.method,
+    share = p.method == "taylor", slack = number.text(R.new(2) ^ (real == "float" and -20 or -40), real) }
   if names then
-    v.plan_what, v.plan_unit, v.plan_constant = table.unpack(names)
-    v.plan_literal = number.text(R.parse(p.value_text), real)
+    v.what, v.unit, v.constant = table.unpack(names)
+    v.literal = number.text(R.parse(p.value_text), real)
   end
-  v.plan_note = notes(p, v)
-  v.plan_input = v.has_inputs and ", the input u held" or ""
-  v.plan_kind_step, v.plan_kind_run = p.setting == "step", p.setting == "tolerance"
-  v.plan_kind_closed, v.plan_run, v.plan_share = p.setting == "none", p.method, p.method == "taylor"
-  v.plan_slack = number.text(R.new(2) ^ (real == "float" and -20 or -40), real)
   local want, tolerance = {}, {}
   for i, text in ipairs(p.expected) do
     want[i] = number.text(R.parse(text), real)
     tolerance[i] = number.text(R.parse(p.bounds[i]), real)
   end
-  v.plan_want, v.plan_tolerance = lines(want), lines(tolerance)
-  local banner = { table.unpack(v.banner) }
-  for _, line in ipairs(p.report) do banner[#banner + 1] = line end
-  v.banner = banner
-  return template.render("templates/steppers/plan.h", job.templates["templates/steppers/plan.h"], v),
-    template.render("templates/steppers/plan.c", job.templates["templates/steppers/plan.c"], v)
+  local render = GROUP(job.templates, base, v)
+  return { header = render "steppers/plan.h", source = render "steppers/plan.c", want = lines(want),
+    tolerance = lines(tolerance) }
 end
 
 return plan

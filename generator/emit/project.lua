@@ -7,19 +7,17 @@
 
 local code = require "generator.emit.code"
 local columns = require "generator.emit.columns"
+local plugins = require "generator.emit.plugins"
 local q31 = require "generator.emit.q31"
-local readme = require "generator.emit.readme"
 local source = require "generator.emit.source"
-local template = require "generator.emit.template"
-local values = require "generator.emit.values"
-local vectors = require "generator.emit.vectors"
+local tested = require "generator.emit.tested"
 
 local project = {}
 
 -- Header and source of an open unit, all of them in one.
 function project.code(unit)
   local made = code.of(unit)
-  unit.code, unit.emitted, unit.costs = { header = made.header, source = made.source }, made.functions, made.v.costs
+  unit.code, unit.emitted, unit.costs = { header = made.header, source = made.source }, made.functions, made.costs
   return made
 end
 
@@ -27,43 +25,23 @@ end
 -- loads; plugin = {peers = true}: with what other integrators need, if the scene is in double.
 function project.files(job)
   local made, plugin = project.code(job), job.plugin
-  local v, ctx = made.v, made.ctx
-  local function render(name) return template.file(name, job.templates[name], v) end
-  v.offers = setmetatable({}, { __index = function() return false end })
-  for _, f in ipairs(made.functions) do v.offers[string.sub(f.name, #v.name + 2)] = f.asked end
-  vectors.fill(job, v, ctx)
-  readme.fill(job, v)
-  local n = job.model.name
-  v.normalise_test = v.offers.normalise and render "templates/test/test_normalise.c" or ""
-  v.tangent_test = render "templates/test/test_tangent.c"
-  v.follows_test = render "templates/test/test_follows.c"
-  v.compensated_test = v.test_compensated and render "templates/test/test_compensated.c" or ""
-  local files = made.files
-  local made_of = #files
-  files[#files + 1] = { name = n .. "_test.c", text = render "templates/test/test.c" }
-  for _, f in ipairs(job.q31 and q31.files(job, v) or {}) do files[#files + 1] = f end
-  v.flat = not job.package.arrange -- all files in one folder
-  v.project_files, v.project_use, v.dollar = {}, {}, "$" -- of the package, for README.md; for CMake's own ${}
-  local more = job.package.files(job, v, render)
+  local files, written = made.files, #made.files
+  files[#files + 1] = { name = job.model.name .. "_test.c", text = tested.render(job, made) }
+  for _, f in ipairs(job.q31 and q31.files(job, made.base) or {}) do files[#files + 1] = f end
+  local more = job.package.files(job, made)
   if not more then return nil end -- with an error in job.diag
   for _, f in ipairs(more) do files[#files + 1] = f end
-  for i = made_of + 1, #files do
+  for i = written + 1, #files do
     if string.find(files[i].name, "%.[ch]$") and not files[i].once then files[i].text = columns.fit(files[i].text) end
   end
-  if plugin then
-    v.has_peers = type(plugin) == "table" and plugin.peers and job.real == "double" or false
-    if v.has_peers then files[#files + 1] = { name = "peers.c", text = render "templates/host/peers.c" } end
-    files[#files + 1] = { name = "plugin.c", text = render "templates/host/plugin.c" }
-    files[#files + 1] = { name = "plugin.h", text = job.templates["templates/host/plugin.h"] }
-  end
+  for _, f in ipairs(plugin and plugins.files(job, made, plugin) or {}) do files[#files + 1] = f end
   if job.package.arrange then return job.package.arrange(files) end
   return files
 end
 
 -- The IR of every function after a pass, as text.
 function project.show(job, stop)
-  local _, ctx = values.common(job)
-  local out = {}
+  local ctx, out = source.context(job), {}
   for i, f in ipairs(job.functions) do out[i] = source.show(ctx, f, stop) end
   return table.concat(out, "\n")
 end

@@ -1,7 +1,7 @@
 -- proof.lua -- NAME_proof.c (gen --with proof): what drives the steppers under Frama-C's Eva.
 --
 --     proof.check(job) -> bool         can it be asked of this scene?  If not, with an error in job.diag
---     proof.fill(job, v)               values for templates/test/proof.c, order.c and the Makefile
+--     proof.of(job, base, order)       nil, or {text = of NAME_proof.c, make = values for the Makefile}
 -- What is shown and under which assumptions: docs/proof.md.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -9,6 +9,9 @@ local R = require "generator.algebra.rational"
 local inputs = require "generator.dynamics.inputs"
 local number = require "generator.emit.number"
 local guard = require "generator.emit.guard"
+local template = require "generator.emit.template"
+
+local GROUP = template.group "test/proof.c"
 
 local proof = {}
 
@@ -77,37 +80,35 @@ end
 local two = R.new(2)
 local largest = { float = (two - two ^ -23) * two ^ 127, double = (two - two ^ -52) * two ^ 1023 }
 
-function proof.fill(job, v)
-  v.has_proof = job.proof or false
-  if not v.has_proof then return end
-  local real = job.real
+-- order: does NAME_init compute signs of moments (templates/numeric/order.c)?
+function proof.of(job, base, order)
+  if not job.proof then return nil end
+  local real, own = job.real, job.libm == "own"
   local function text(q) return number.text(q, real) end
-  v.proof_largest = text(largest[real])
-  v.proof_step = job.planned and v.upper .. "_PLANNED_STEP" or v.step_literal
-  v.proof_part = text(guard.part)
-  v.proof_params, v.proof_cases = {}, divides_by_norm(job)
+  local v = { largest = text(largest[real]), part = text(guard.part), params = {}, inputs = {}, steps = {},
+    h = job.planned and base.upper .. "_PLANNED_STEP" or base.step_literal, cases = divides_by_norm(job) }
   for i, p in ipairs(job.ranges.params) do
     local low, high = guard.ends(p, real)
-    v.proof_params[i] = { name = v.upper .. "_" .. string.upper(p.name), low = low, high = high }
+    v.params[i] = { name = base.upper .. "_" .. string.upper(p.name), low = low, high = high }
   end
-  v.proof_inputs = {}
   for i, s in ipairs(job.model.inputs) do
     local low, high = inputs.range(job.model, s)
-    v.proof_inputs[i] = { name = v.upper .. "_" .. s.index, low = text(low), high = text(high) }
+    v.inputs[i] = { name = base.upper .. "_" .. s.index, low = text(low), high = text(high) }
   end
-  v.proof_steps, v.proof_reached = {}, ""
+  local reached = ""
   for i, s in ipairs(job.steppers) do
     local step = i == 1 and "step" or s.method.name .. "_step"
-    v.proof_steps[i], v.proof_reached = step, v.proof_reached .. " " .. step .. "_done"
+    v.steps[i], reached = step, reached .. " " .. step .. "_done"
   end
-  v.proof_own = job.libm == "own"
   local f = real == "float" and "f" or ""
-  v.proof_cpp = "-I." .. (v.proof_own and string.format(" -include math.h -D__builtin_sqrt%s=sqrt%s" ..
+  v.cpp = "-I." .. (own and string.format(" -include math.h -D__builtin_sqrt%s=sqrt%s" ..
     " -D__builtin_fabs%s=fabs%s", f, f, f, f) or "")
-  v.proof_options = "-eva -eva-precision 3 -eva-split-return auto -warn-special-float non-finite" ..
+  v.options = "-eva -eva-precision 3 -eva-split-return auto -warn-special-float non-finite" ..
     " -kernel-warn-key parser:decimal-float=inactive" ..
-    (v.proof_cases and " -eva-split-return-function part:full" or "") ..
-    (v.has_order and " -eva-use-spec " .. v.name .. "_order" or "")
+    (v.cases and " -eva-split-return-function part:full" or "") ..
+    (order and " -eva-use-spec " .. base.name .. "_order" or "")
+  return { text = GROUP(job.templates, base, v) "test/proof.c",
+    make = { cases = v.cases, cpp = v.cpp, options = v.options, own = own, reached = reached } }
 end
 
 return proof

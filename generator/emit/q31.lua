@@ -8,6 +8,8 @@ local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
 local template = require "generator.emit.template"
 
+local GROUP = template.group("steppers/q31.h", "steppers/q31.c", "steppers/q31_real.c", "test/q31_test.c")
+
 local q31 = {}
 
 local function whole(n) return string.format("%d", n) end
@@ -182,11 +184,11 @@ local function wrapped(list, per)
 end
 
 -- job.q31: {step, layout, start, energy = {program, node}, cases = {{start =, u =, runs = {{steps, x, bits}}}}}
-function q31.files(job, v)
+function q31.files(job, base)
   local s = job.q31
-  local step, layout, upper = s.step, s.layout, v.upper
+  local step, layout, upper = s.step, s.layout, base.upper
   local p = setmetatable({ names = {}, known = {}, constants = {}, products = {} }, printer)
-  local w = setmetatable({}, { __index = v })
+  local w = {}
   local results = {}
   for i = 1, 7 do results[#results + 1] = layout[i].node or nil end
   w.body = indent(statements(p, step.program, results))
@@ -226,8 +228,7 @@ function q31.files(job, v)
   w.input_bits = whole(w.input_bits)
   w.norm_limit = few(step.norm_limit * 2.0 ^ -28)
   w.step_seconds = number.text(step.h, "double")
-  w.start = array(s.start)
-  w.start_lines = wrapped(w.start, 5)
+  w.start_lines = wrapped(array(s.start), 5)
   w.cases = {}
   for i, c in ipairs(s.cases) do
     local case = { n = whole(i), start = wrapped(array(c.start), 5), runs = {}, what = c.what,
@@ -240,14 +241,11 @@ function q31.files(job, v)
     end
     w.cases[i] = case
   end
-  local function render(name)
-    local path = "templates/" .. (name == "q31_test.c" and "test/" or "steppers/") .. name
-    return (string.gsub(template.render(path, job.templates[path], w), "\n+$", "\n"))
-  end
-  local n = job.model.name
-  return { { name = n .. "_q31.h", text = render "q31.h" }, { name = n .. "_q31.c", text = render "q31.c" },
-    { name = n .. "_q31_real.c", text = render "q31_real.c" },
-    { name = n .. "_q31_test.c", text = render "q31_test.c" } }
+  local n, render = job.model.name, GROUP(job.templates, base, w)
+  return { { name = n .. "_q31.h", text = render "steppers/q31.h" },
+    { name = n .. "_q31.c", text = render "steppers/q31.c" },
+    { name = n .. "_q31_real.c", text = render "steppers/q31_real.c" },
+    { name = n .. "_q31_test.c", text = render "test/q31_test.c" } }
 end
 
 return q31

@@ -1,10 +1,15 @@
 -- readme.lua -- what the README of an emitted scene says of its files, costs and use.
 --
---     readme.fill(job, v)     file_rows, example, costs and the sheet of cycles; v.offers: the functions there are
+--     readme.render(job, made, about) -> text
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local values = require "generator.emit.values"
+local functions = require "generator.emit.functions"
+local number = require "generator.emit.number"
+local selftest = require "generator.emit.selftest"
+local template = require "generator.emit.template"
 local selection = require "generator.selection"
+
+local GROUP = template.group "projects/README.md"
 
 local readme = {}
 
@@ -12,10 +17,10 @@ local PURPOSE = { { "motion", "the motion: state, parameters, set-up, steps, ene
   { "orbit", "the motion in closed form" },
   { "analysis", "what can be asked of the body, and derivatives" } }
 
-local function rows(v)
-  local has, out = {}, {}
-  for _, list in ipairs { v.headers, v.sources } do
-    for _, name in ipairs(list) do has[name] = true end
+local function rows(made, header_only)
+  local has, out, name = {}, {}, made.base.name
+  for _, list in ipairs { made.names.headers, made.names.sources } do
+    for _, file in ipairs(list) do has[file] = true end
   end
   local function names(stem)
     local list = {}
@@ -25,74 +30,87 @@ local function rows(v)
     return table.concat(list, ", ")
   end
   for _, p in ipairs(PURPOSE) do
-    local list = names(v.name .. selection.tails[p[1]])
+    local list = names(name .. selection.tails[p[1]])
     if list ~= "" then out[#out + 1] = { names = list, about = p[2] } end
   end
-  if has[v.name .. "_private.h"] then
-    out[#out + 1] = { names = v.name .. "_private.h", about = "what these files share; no part of the interface" }
+  if has[name .. "_private.h"] then
+    out[#out + 1] = { names = name .. "_private.h", about = "what these files share; no part of the interface" }
   end
-  if v.header_only then out[1].about = out[1].about .. "; the code too, behind " .. v.upper .. "_IMPLEMENTATION" end
-  out[#out + 1] = { names = v.name .. "_test.c", about = "self-test with expected numbers of " .. v.bits ..
-    " bits; prints TAP; runs on the target too" }
+  if header_only then
+    out[1].about = out[1].about .. "; the code too, behind " .. made.base.upper .. "_IMPLEMENTATION"
+  end
+  out[#out + 1] = { names = name .. "_test.c", about = string.format("self-test with expected numbers of %d bits; " ..
+    "prints TAP; runs on the target too", selftest.bits) }
   return out
 end
 
-local function example(v)
+local function example(made, header_only, horizon)
+  local v, offers = made.base, made.offers
   local out, p = {}, v.name .. "_"
   local function put(...) out[#out + 1] = string.format(...) end
-  if v.header_only then put("#define %s_IMPLEMENTATION  /* in one file of the program */", v.upper) end
-  for _, h in ipairs(v.public_headers) do put("#include \"%s\"", h) end
+  if header_only then put("#define %s_IMPLEMENTATION  /* in one file of the program */", v.upper) end
+  for _, h in ipairs(made.names.public) do put("#include \"%s\"", h) end
   put("")
   put("%smodel m;", p)
   put("%sreal x[%s_NX];", p, v.upper)
   put("")
-  if v.offers.init then
+  if offers.init then
     put("if (%sinit(&m, 0) != 0) { /* a parameter is out of range: the header lists the checks */ }", p)
   end
-  if v.offers.initial then put("%sinitial(&m, x);", p) end
-  if v.offers.step then
+  if offers.initial then put("%sinitial(&m, x);", p) end
+  if offers.step then
     if v.has_inputs then
       put("%sreal u[%s_NU] = {0};  /* the input: the scene has one, so u must not be NULL */", p, v.upper)
     end
     put("%sstep(&m, 0, x, %s, %s);  /* one step of %s s */", p, v.has_inputs and "u" or "0", v.step_literal,
       v.step_text)
   end
-  local at = v.offers.at and "at" or v.offers.at_rates and "at_rates"
-  if v.offers.solve and at then
+  local at = offers.at and "at" or offers.at_rates and "at_rates"
+  if offers.solve and at then
     put("")
     put("%sorbit o;", p)
     put("%ssolve(&o, &m, x);", p)
     put("%s%s(&o, %s, %s);  /* the %s at %s s, in one evaluation */", p, at, v.horizon_literal,
-      at == "at" and "x" or "x + " .. v.upper .. "_WX", at == "at" and "state" or "rates", v.horizon_text)
+      at == "at" and "x" or "x + " .. v.upper .. "_WX", at == "at" and "state" or "rates", horizon)
   end
   return out
 end
 
 -- The cost sheet's rows (report/costs.lua): the table of cycles, and operations of what is a template.
-local function sheet(job, v)
-  local list, known = {}, {}
-  for _, f in ipairs(v.costs) do
-    if v.offers[f.name] then list[#list + 1] = f end
+local function sheet(job, made, v)
+  local known = {}
+  v.costs, v.sheet = {}, {}
+  for _, f in ipairs(made.costs) do
+    if made.offers[f.name] then v.costs[#v.costs + 1] = f end
     known[f.name] = true
   end
-  v.sheet = {}
   local counted, names = job.sheet()
   for _, row in ipairs(counted) do
-    if v.offers[row.name] then
+    if made.offers[row.name] then
       v.sheet[#v.sheet + 1] = { name = row.name, cycles = table.concat(row.cycles, " | ") }
-      if not known[row.name] then list[#list + 1] = values.cost_row(row.name, row.counts) end
+      if not known[row.name] then v.costs[#v.costs + 1] = functions.cost_row(row.name, row.counts) end
     end
   end
-  v.costs = list
   v.sheet_head, v.sheet_rule = table.concat(names, " | "), string.rep("---|", #names)
   v.has_sheet = #v.sheet > 0
   v.counted = job.counted_lines()
   v.is_counted = #v.counted > 0
 end
 
-function readme.fill(job, v)
-  v.file_rows, v.example = rows(v), example(v)
-  sheet(job, v)
+-- made: from code.of; about: {files, use: of the package (emit/packages/), lists}
+function readme.render(job, made, about)
+  local header_only = job.layout == "header"
+  local horizon = number.text(job.model:number(job.model.horizon), "double")
+  local v = { rows = rows(made, header_only), example = example(made, header_only, horizon),
+    derivation = job.derivation, q31 = job.q31 ~= nil, files = about.files or {}, use = about.use or {},
+    flat = not job.package.arrange, -- all files in one folder
+    source_words = table.concat(made.names.sources, " "),
+    links_m = made.links_m and " -lm" or "", no_errno = readme.no_errno(made),
+    link_words = made.links_m and "sin, exp and their kin are in the library m" or "no library is needed" }
+  sheet(job, made, v)
+  return GROUP(job.templates, made.base, v) "projects/README.md"
 end
+
+function readme.no_errno(made) return made.ctx.own and " -fno-math-errno" or "" end
 
 return readme

@@ -244,6 +244,26 @@ function source.make(ctx, f)
     lines = lines, cost = count.run(ir) }
 end
 
+-- What making C of a job's functions needs (see declarations, above).
+function source.context(job)
+  local m = job.model
+  return { name = m.name, upper = string.upper(m.name), real = job.real, type = source.type(m), members = m.members,
+    states = job.states, inputs = m.inputs or {}, helpers = {}, own = job.libm == "own" }
+end
+
+-- Named constants as C text; and do any stand in the model?
+function source.constants(list, real)
+  local out, uses = {}, false
+  for name, e in pairs(list) do -- into a table: order is lost anyway
+    if e.kind == "num" then
+      out[name] = number.text(e.value, real)
+    else
+      out[name], uses = "m->" .. e.name, true
+    end
+  end
+  return out, uses
+end
+
 -- Operation counts of a program and of a description, without making C of it.
 function source.count(program) return count.run(passes.run(lower.run(program))) end
 function source.cost(ctx, f) return source.count(source.program(ctx, f)) end

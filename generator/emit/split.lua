@@ -1,9 +1,17 @@
--- split.lua -- the splitting steppers as C: the kick's rates printed, the rest in templates/steppers/split.c.
+-- split.lua -- the splitting steppers as C: the rates of the kick are printed, the rest is in templates/steppers/,
+-- where each kind of drift has a file of its own.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
+local template = require "generator.emit.template"
+
+local SHARED = template.group("steppers/split_title.c", "steppers/split_half.c", "steppers/split_turn.c",
+  "steppers/split_about.c", "steppers/split_about_axis.c", "steppers/split_setup.c", "steppers/split_point.c",
+  "steppers/split_sphere.c", "steppers/split_axis.c", "steppers/split_oblique.c", "steppers/split_diagonal.c",
+  "steppers/split_full.c", "steppers/split_kick.c")
+local STEP = template.group("steppers/split.h", "steppers/split_step.c", "steppers/split_step_full.c")
 
 local split = {}
 
@@ -40,56 +48,85 @@ local function constant(e, real)
   return "m->" .. e.name
 end
 
--- Does a method of the job need the axes that NAME_init finds?  Its check then has a number.
-function split.setup(job, v)
-  v.split_setup = false
+-- Does a method of the job need the axes that NAME_init finds?
+function split.needs_setup(job)
   for _, s in ipairs(job.steppers) do
-    v.split_setup = v.split_setup or s.method.template == "split" and s.program.drift.kind == "full"
+    if s.method.template == "split" and s.program.drift.kind == "full" then return true end
   end
-  if not v.split_setup then return end
-  local list, text_of_it = v.checks, "every derived constant must be finite"
-  if list[#list].text ~= text_of_it then
-    list[list[#list].number == "-" and #list or #list + 1] = { text = text_of_it }
-    list[#list].number = text(#list)
-  end
-  v.split_code = list[#list].number
+  return false
 end
 
--- Fills the template's values for the program of methods/split.lua; what the methods share is printed with the first.
-function split.fill(ctx, program, v)
-  local upper = ctx.upper
-  v.split_shared = not v.split_done
-  v.split_done = true
-  v.split_method = "split" .. text(program.order)
-  v.split_order, v.split_about = text(program.order), program.source
-  v.split_outer, v.split_inner = rows(program.outer, ctx.real), rows(program.inner, ctx.real)
-  v.split_kicks, v.split_slowed = #program.kicked > 0, program.slowed
-  local d, float = program.drift, ctx.real == "float"
-  v.split_sphere, v.split_axis = d.kind == "sphere", d.kind == "axis"
-  v.split_oblique, v.split_diagonal, v.split_full = d.kind == "oblique", d.kind == "diagonal", d.kind == "full"
-  v.split_turns, v.split_attitude, v.split_moves = program.has.rates, program.has.attitude, program.has.position
-  for name, e in pairs(d.constants) do v[name] = constant(e, ctx.real) end -- into a table: order is lost anyway
-  local function numbers(i) return i and text(i - 1) or "", i and text(i % 3) or "", i and text((i + 1) % 3) or "" end
-  v.split_i, v.split_j, v.split_k = numbers(d.axis)
-  if v.split_diagonal then -- what the map needs beside them; the tiny: its inverse is no infinity
-    v.third = number.text(R.new(1, 3), ctx.real)
-    for _, n in ipairs { 5, 7, 9, 20 } do v["split_" .. text(n) .. "th"] = number.text(R.new(1, n), ctx.real) end
-    v.split_tiny = number.text(R.new(2) ^ (float and -100 or -1000), ctx.real)
+-- What the kind of drift is made of, in the order of the C.
+local TURNS = {
+  sphere = {}, diagonal = {}, axis = { "split_about_axis.c" }, oblique = { "split_about.c" },
+  full = { "split_about.c", "split_setup.c" },
+}
+
+-- The templates that all splittings of the job share: turns, drift and kick.
+local function shared_parts(program)
+  local d, list = program.drift, {}
+  if program.has.rates then
+    list[1] = "split_half.c"
+    if program.has.attitude then list[2] = "split_turn.c" end
+    for _, name in ipairs(TURNS[d.kind]) do list[#list + 1] = name end
   end
-  local terms = float and 5 or 9 -- z^8/16! of z = 1/4 is 7e-19, z^4/8! below 1e-7
-  v.split_cos, v.split_sin = series(0, terms, ctx.real), series(1, terms, ctx.real)
-  if not v.split_shared then return end
-  local groups = {}
-  for i, g in ipairs(program.groups) do
-    local outs = {}
-    for k, o in ipairs(g.outs) do outs[k] = { array = "dx", state = o.state, expr = o.expr } end
-    groups[i] = { why = g.why, where = g.where, defs = g.defs, outs = outs }
+  list[#list + 1] = "split_" .. d.kind .. ".c"
+  if #program.kicked > 0 then list[#list + 1] = "split_kick.c" end
+  return list
+end
+
+local function shared(program, kit)
+  local ctx, d = kit.ctx, program.drift
+  local real, upper = ctx.real, ctx.upper
+  local v = { slowed = program.slowed, place = {}, states = {} }
+  if program.has.position then
+    for _, axis in ipairs { "X", "Y", "Z" } do
+      v.place[#v.place + 1] = string.format("x[%s_R%s] += tau*x[%s_V%s];", upper, axis, upper, axis)
+    end
   end
-  v.split_head, v.split_lines, v.split_states = "", {}, {}
-  if #program.kicked == 0 then return end
-  local f = source.make(ctx, { name = "split_rates", groups = groups, doc = {}, args = { "m", "t", "x", "u", "dx" } })
-  v.split_head, v.split_lines = f.head, f.lines
-  for i, name in ipairs(program.kicked) do v.split_states[i] = upper .. "_" .. string.upper(name) end
+  for name, e in pairs(d.constants) do v[name] = constant(e, real) end -- into a table: order is lost anyway
+  if d.axis then v.i, v.j, v.k = text(d.axis - 1), text(d.axis % 3), text((d.axis + 1) % 3) end
+  if d.kind == "diagonal" then -- what the map needs beside them; the tiny: its inverse is no infinity
+    for name, n in pairs { third = 3, fifth = 5, seventh = 7, ninth = 9, twentieth = 20 } do -- order is lost
+      v[name] = number.text(R.new(1, n), real)
+    end
+    v.tiny = number.text(R.new(2) ^ (real == "float" and -100 or -1000), real)
+  end
+  if program.has.rates then
+    local terms = real == "float" and 5 or 9 -- z^8/16! of z = 1/4 is 7e-19, z^4/8! below 1e-7
+    v.cos_series, v.sin_series = series(0, terms, real), series(1, terms, real)
+  end
+  if #program.kicked > 0 then
+    local groups = {}
+    for i, g in ipairs(program.groups) do
+      local outs = {}
+      for k, o in ipairs(g.outs) do outs[k] = { array = "dx", state = o.state, expr = o.expr } end
+      groups[i] = { why = g.why, where = g.where, defs = g.defs, outs = outs }
+    end
+    local f = source.make(ctx, { name = "split_rates", groups = groups, doc = {}, args = { "m", "t", "x", "u", "dx" } })
+    v.head, v.lines = f.head, f.lines
+    for i, name in ipairs(program.kicked) do v.states[i] = upper .. "_" .. string.upper(name) end
+  end
+  local render, out = SHARED(kit.templates, kit.base, v), {}
+  out[1] = render "steppers/split_title.c"
+  for _, name in ipairs(shared_parts(program)) do out[#out + 1] = render("steppers/" .. name) end
+  return out
+end
+
+-- Header and sources of the program of methods/split.lua; what the methods share stands before the first.  s, kit: see
+-- emit/steppers.lua.
+function split.render(s, kit)
+  local program, real, sources = s.program, kit.ctx.real, {}
+  if not kit.split then
+    kit.split = true
+    sources = shared(program, kit)
+  end
+  local full = program.drift.kind == "full"
+  local render = STEP(kit.templates, kit.base, { first = s.first, method = "split" .. text(program.order),
+    order = text(program.order), about = program.source, kicks = #program.kicked > 0,
+    outer = rows(program.outer, real), inner = full and rows(program.inner, real) or nil })
+  sources[#sources + 1] = render(full and "steppers/split_step_full.c" or "steppers/split_step.c")
+  return render "steppers/split.h", sources
 end
 
 return split

@@ -15,6 +15,10 @@ local poly = require "generator.algebra.poly"
 local text = require "generator.algebra.text"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
+local template = require "generator.emit.template"
+
+local ORDER = template.group "numeric/order.c"
+local SPINS = template.group("analysis/stability.h", "analysis/stability.c")
 
 local stability = {}
 
@@ -291,38 +295,48 @@ local function documentation(s)
   return doc
 end
 
--- Fills the values of templates/analysis/stability.h and .c and of the model's member.  s: mass/stability.of.
-function stability.fill(ctx, s, v)
-  v.has_order, v.order_sums, v.order_lines = false, false, {}
-  v.order_terms, v.order_factors = "1", "1"
-  v.order_range, v.order_top = "0", string.format("%d", top[ctx.real])
-  v.stability_note, v.stability_order = {}, ""
-  if not s.axes then
-    v.stability_doc = { "0, 1, 2  the axes of " .. ctx.name .. "_principal, ascending moments" }
-    v.stability_note = { "The moments have no simple closed form: those of " .. ctx.name .. "_principal are compared,",
-      "and are equal only if they are so to the last bit." }
-    v.stability_void, v.stability_numeric = false, true
-    return
-  end
-  v.stability_numeric = false
-  v.stability_doc = documentation(s)
+-- What order.c needs of NAME_order, nil where no sign depends on parameters; what stability.h and .c say.
+local function decided(ctx, s)
   local atoms = s:atoms()
-  if #atoms > 0 then
-    local lines, need = order(ctx, s)
-    v.has_order, v.order_lines, v.order_sums = true, lines, need.terms > 0
-    v.order_terms, v.order_factors = string.format("%d", need.terms), string.format("%d", 1 << need.columns)
-    v.order_range = string.format("%d", top[ctx.real] - lowest[ctx.real] - digits[ctx.real] * need.columns)
-    v.stability_note = need.rounded and { "Near equality the sign is that of a rounded value." } or
-      { "The signs are exact for the parameters that " .. ctx.name .. "_init was given." }
-    v.stability_order = "const int *order = m->order; /* signs of I1 - I2, I2 - I0, I0 - I1 */"
-    v.stability_void = false
-  else
+  local say = { numeric = false, doc = documentation(s), note = {}, order = "", void = #atoms == 0 }
+  if #atoms == 0 then
     local fixed = s:signs(function() return 0 end)
-    v.stability_order = string.format(
-      "const int order[3] = {%d, %d, %d}; /* signs of I1 - I2, I2 - I0, " ..
-      "I0 - I1 */", fixed[1], fixed[2], fixed[3])
-    v.stability_void = true
+    say.order = string.format("const int order[3] = {%d, %d, %d}; /* signs of I1 - I2, I2 - I0, I0 - I1 */", fixed[1],
+      fixed[2], fixed[3])
+    return nil, say
   end
+  local lines, need = order(ctx, s)
+  say.note[1] = need.rounded and "Near equality the sign is that of a rounded value." or
+    "The signs are exact for the parameters that " .. ctx.name .. "_init was given."
+  say.order = "const int *order = m->order; /* signs of I1 - I2, I2 - I0, I0 - I1 */"
+  return { lines = lines, sums = need.terms > 0, terms = string.format("%d", need.terms),
+    factors = string.format("%d", 1 << need.columns), top = string.format("%d", top[ctx.real]),
+    range = string.format("%d", top[ctx.real] - lowest[ctx.real] - digits[ctx.real] * need.columns) }, say
+end
+
+-- Which spins persist, s: mass/stability.of, or nil.  {order, say: values of the templates, or nil}
+function stability.of(ctx, s)
+  if not s then return {} end
+  if not s.axes then
+    return { say = { numeric = true, void = false, order = "",
+      doc = { "0, 1, 2  the axes of " .. ctx.name .. "_principal, ascending moments" },
+      note = { "The moments have no simple closed form: those of " .. ctx.name .. "_principal are compared,",
+        "and are equal only if they are so to the last bit." } } }
+  end
+  local signs_of, say = decided(ctx, s)
+  return { order = signs_of, say = say }
+end
+
+-- The text of NAME_order; proof: with what Frama-C wants.
+function stability.order(made, job, base)
+  made.order.proof = job.proof or false
+  return ORDER(job.templates, base, made.order) "numeric/order.c"
+end
+
+-- Header and source of NAME_spin_stable.
+function stability.fragment(made, job, base)
+  local render = SPINS(job.templates, base, made.say)
+  return render "analysis/stability.h", render "analysis/stability.c"
 end
 
 return stability

@@ -1,4 +1,9 @@
 -- steppers.lua -- the steppers that are no single function: their parts of header and source.
+--
+-- Each kind has a file of its own with
+--     render(s, kit) -> header, list of sources
+--     s: {program (of methods/), first = is it NAME_step too?, has_knots}
+--     kit: {templates, base, ctx, knots_count = text, compensated, planning}
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local number = require "generator.emit.number"
@@ -7,59 +12,44 @@ local template = require "generator.emit.template"
 
 local steppers = {}
 
-local taylor = require "generator.emit.taylor"
+local KINDS = { taylor = require "generator.emit.taylor", adaptive = require "generator.emit.adaptive",
+  split = require "generator.emit.split", midpoint = require "generator.emit.midpoint" }
 
-local fill = { taylor = taylor.fill, adaptive = require("generator.emit.adaptive").fill,
-  split = require("generator.emit.split").fill, midpoint = require("generator.emit.midpoint").fill }
+local KNOTS = template.group "steppers/knots.c"
 
 -- The function that tells the next corner of a table, printed once, before the first stepper that stops there.
-local function knots_of(job, v, ctx, knots)
-  v.knots = {}
+local function knots_of(kit, knots)
+  local v = { knots = {}, count = string.format("%d", #knots), static = true }
   for i, k in ipairs(knots) do
-    v.knots[i] = k.time.kind == "num" and number.text(k.time.value, ctx.real) or "m->" .. k.time.name
+    v.knots[i] = k.time.kind == "num" and number.text(k.time.value, kit.ctx.real) or "m->" .. k.time.name
+    v.static = v.static and k.time.kind == "num"
   end
-  v.knots_count, v.knots_static = string.format("%d", #knots), true
-  for _, k in ipairs(knots) do v.knots_static = v.knots_static and k.time.kind == "num" end
-  return template.render("templates/steppers/knots.c", job.templates["templates/steppers/knots.c"], v)
+  kit.knots_count = v.count
+  return KNOTS(kit.templates, kit.base, v) "steppers/knots.c"
 end
 
--- Fills stepper_header, stepper_source and steppers, the list for the program's own use: {name, step (C name), run,
--- order}.
-function steppers.render(job, v, ctx)
-  v.stepper_header, v.stepper_source, v.steppers = "", "", {}
-  v.planning, v.plan_orders = job.orders ~= nil, {}
-  for i, n in ipairs(job.orders or {}) do v.plan_orders[i] = string.format("%d", n) end
-  local headers, sources = {}, {}
+-- {header, source, list = of {name, step (C name), run, order} for the program's own use, planned = see plan.lua}
+function steppers.render(job, base, ctx)
+  local kit = { templates = job.templates, base = base, ctx = ctx, knots_count = nil,
+    compensated = job.compensated or false, planning = job.orders ~= nil }
+  local headers, sources, list = {}, {}, {}
   for i, s in ipairs(job.steppers) do
     local own = { name = s.method.name, step = i == 1 and "step" or s.method.name .. "_step",
       run = s.method.adaptive or false, order = string.format("%d", s.method.order or s.program.order or 0) }
-    v.steppers[i] = own
+    list[i] = own
     if s.program then
-      local kind = s.method.template or own.name
-      v.has_knots = s.program.knots ~= nil and #s.program.knots > 0
-      if v.has_knots and not v.knots then sources[#sources + 1] = knots_of(job, v, ctx, s.program.knots) end
-      fill[kind](ctx, s.program, v)
-      v.first = i == 1
-      local path = "templates/steppers/" .. kind
-      headers[#headers + 1] = template.render(path .. ".h", job.templates[path .. ".h"], v)
-      local function source(part, values)
-        sources[#sources + 1] = template.render(part, job.templates[part], values)
-      end
-      if kind == "taylor" and s.program.top then
-        local own_terms = "templates/steppers/taylor_top.c"
-        v.taylor_top_text = template.render(own_terms, job.templates[own_terms], v)
-      end
-      source(path .. ".c", v)
-      if kind == "taylor" then
-        source(path .. "_run.c", v)
-        if s.program.transition then source(path .. "_transition.c", taylor.transition(ctx, s.program, v)) end
-        if v.has_knots then source(path .. "_knots.c", v) end
-        if v.has_compensated then source(path .. "_compensated.c", v) end
-      end
+      local has_knots = s.program.knots ~= nil and #s.program.knots > 0
+      if has_knots and not kit.knots_count then sources[#sources + 1] = knots_of(kit, s.program.knots) end
+      local header, parts = KINDS[s.method.template or own.name].render({ program = s.program, first = i == 1,
+        has_knots = has_knots }, kit)
+      headers[#headers + 1] = header
+      for _, part in ipairs(parts) do sources[#sources + 1] = part end
     end
   end
-  headers[#headers + 1], sources[#sources + 1] = plan.render(job, v)
-  v.stepper_header, v.stepper_source = table.concat(headers, "\n"), table.concat(sources, "\n")
+  local planned = plan.render(job, base)
+  if planned then headers[#headers + 1], sources[#sources + 1] = planned.header, planned.source end
+  return { header = table.concat(headers, "\n"), source = table.concat(sources, "\n"), list = list,
+    planned = planned }
 end
 
 return steppers

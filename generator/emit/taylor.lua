@@ -1,249 +1,42 @@
--- taylor.lua -- the Taylor stepper as C: the statements of templates/steppers/taylor.c.
+-- taylor.lua -- the Taylor stepper as C: which of templates/steppers/taylor_*.c say it, and their values.
 --
--- Straight code goes through the IR as everywhere: one block for term 0, one for term n, whose groups are the levels;
--- between them the template sums the lanes.  BELOW the line where it makes C.
+-- The recurrences are those of the levels (taylor_terms.c), beside them rows of vectors where one level is all
+-- (taylor_rows.c), or those of a heavy symmetric top (taylor_top.c); a series in a turning frame comes back by
+-- taylor_axis.c or taylor_shift.c; where a square root may vanish, taylor_roots.c and taylor_corners.c step aside.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local expr = require "generator.algebra.expr"
-local calculus = require "generator.algebra.calculus"
-local packed = require "generator.emit.packed"
-local source = require "generator.emit.source"
-local number = require "generator.emit.number"
 local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local number = require "generator.emit.number"
+local packed = require "generator.emit.packed"
+local recurrences = require "generator.emit.recurrences"
+local source = require "generator.emit.source"
+local template = require "generator.emit.template"
 
-local function text(n) return string.format("%d", n) end
+local function files(...)
+  local list = { ... }
+  for i, name in ipairs(list) do list[i] = "steppers/taylor" .. name end
+  return table.unpack(list)
+end
+
+local GROUP = template.group(files(".h", "_title.c", "_vectors.c", "_rows.c", "_terms.c", "_top.c", "_series.c",
+  "_axis.c", "_shift.c", "_move.c", "_roots.c", "_step.c", "_orders.c", "_size.c", "_corners.c", "_run.c", "_knots.c",
+  "_compensated.c"))
+local TRANSITION = template.group(files "_transition.c")
 
 local taylor = {}
 
-local function symbol(name) return expr.sym(name, 8) end
-local function zeroth(x) return symbol(x.name .. "0") end
+local function text(n) return string.format("%d", n) end
 
--- Where a state's value is read: those of the variational equations are components of v.
-local function origin(ctx, s)
-  return (s.along and "v[" or "x[") .. ctx.upper .. "_" .. string.upper(s.along or s.name) .. "]"
-end
-
--- Lines of the groups by the number that stands in `where`, loads first; letter: of their temporaries.
-local function rendered(ctx, inputs, groups, letter)
-  local c = source.statements(ctx, { name = "taylor", args = {}, inputs = inputs, groups = groups, letter = letter })
-  local out = { loads = c.loads }
-  for i in ipairs(groups) do out[i] = {} end
-  for _, g in ipairs(c.groups) do out[g.where] = g.lines end
-  return out
-end
-
-local function put(x, value, outs)
-  if x.place then outs[#outs + 1] = { c = "y[" .. x.place .. "]", expr = value } end
-end
-
--- Names as inputs: {sym, c}, read as they stand.
-local function plain(list, names)
-  for _, name in ipairs(names) do list[#list + 1] = { sym = name, c = name } end
-end
-
--- The names that are read once before everything: members of the model, inputs, states that keep their value.
-local function outside(ctx, program)
-  local list = {}
-  local moving = {}
-  for _, s in ipairs(program.states) do moving[s.name] = true end
-  for _, m in ipairs(ctx.members) do list[#list + 1] = { name = m.name, from = "m->" .. m.name } end
-  for _, s in ipairs(ctx.states) do
-    if not moving[s.name] then list[#list + 1] = { name = s.name, from = origin(ctx, s) } end
-  end
-  for _, s in ipairs(program.more or {}) do
-    local from = s.input and "v[" .. ctx.upper .. "_NX + " .. text(s.input - 1) .. "]" or origin(ctx, s)
-    list[#list + 1] = { name = s.name, from = from }
-  end
-  for _, k in ipairs(program.knots) do
-    local at = k.time.kind == "num" and number.text(k.time.value, ctx.real) or "m->" .. k.time.name
-    list[#list + 1] = { name = k.sign.name, from = string.format("side < %s ? %s : %s", at, number.text(R.lift(-1),
-      ctx.real), number.text(R.one, ctx.real)) }
-  end
-  for _, s in ipairs(ctx.inputs) do
-    list[#list + 1] = { name = s.name, from = "u[" .. ctx.upper .. "_" .. s.index .. "]" }
-  end
-  return list
-end
-
--- The next terms of the states, and of the sums of states: the group's results in y.
-local function advance(program, key, by, map, group)
-  local following = {}
-  for _, x in ipairs(program.variables) do
-    if x.state and x.place then
-      local e = calculus.substitute(program.slopes[x.name][key], map) * by
-      following[x.sym] = symbol("next_" .. x.name)
-      group.defs[#group.defs + 1] = { name = "next_" .. x.name, expr = e }
-      put(x, following[x.sym], group.outs)
-    elseif x.level == 0 and x.place then
-      following[x.sym] = symbol("next_" .. x.name)
-      group.defs[#group.defs + 1] = { name = "next_" .. x.name, expr = calculus.substitute(x.term, following) }
-      put(x, following[x.sym], group.outs)
-    end
-  end
-end
-
--- Term 0 of everything in y, then term 1 of the states: two groups, between them the lanes are gathered.
-local function start(ctx, program, names)
-  local inputs, map = {}, {}
-  plain(inputs, names)
-  local g, h = { where = 1, defs = {}, outs = {} }, { where = 2, defs = {}, outs = {} }
-  for _, s in ipairs(program.states) do
-    inputs[#inputs + 1] = { sym = s.name .. "0", c = origin(ctx, s) }
-  end
-  inputs[#inputs + 1] = { sym = "t0", c = "t" }
-  for _, x in ipairs(program.variables) do map[x.sym] = zeroth(x) end
-  for _, x in ipairs(program.variables) do
-    if x.start then
-      local value = calculus.substitute(x.start, map)
-      g.defs[#g.defs + 1] = { name = x.name .. "0", expr = value }
-      if x.first then
-        g.outs[#g.outs + 1] = { c = "const " .. ctx.name .. "_real first_" .. x.name, expr = zeroth(x) }
-      end
-    end
-    put(x, zeroth(x), g.outs)
-  end
-  advance(program, "start", expr.one, map, h)
-  local alone = rendered(ctx, inputs, { g }, "s") -- temporaries apart from those of the loop
-  return rendered(ctx, inputs, { g, h }, "s"), alone
-end
-
--- Term n: a group for each level, and last the states' term n + 1.
-local function general(ctx, program, names)
-  local inputs, groups = {}, {}
-  plain(inputs, names)
-  plain(inputs, { "order", "after" })
-  for _, x in ipairs(program.read) do
-    if x.level == 0 then inputs[#inputs + 1] = { sym = x.sym.name, c = "y[" .. x.place .. "]" } end
-  end
-  for _, l in ipairs(program.lanes) do plain(inputs, { "p[" .. l.index .. "]" }) end -- read where it is used
-  for _, x in ipairs(program.variables) do
-    if x.first then
-      local name = "first_" .. x.name
-      inputs[#inputs + 1] = { sym = name, c = x.state and "c[0][" .. x.place .. "]" or name }
-    end
-  end
-  for level = 1, #program.levels do
-    local g = { where = level, defs = {}, outs = {} }
-    for _, x in ipairs(program.levels[level].variables) do
-      g.defs[#g.defs + 1] = { name = x.name, expr = x.term }
-      put(x, x.sym, g.outs)
-    end
-    groups[level] = g
-  end
-  local last = { where = #groups + 1, defs = {}, outs = {} }
-  groups[#groups + 1] = last
-  -- sums of states that no lane reads, in their order: one may have another in it
-  local sums = 0
-  for _, x in ipairs(program.levels[0].variables) do
-    if not x.place then
-      sums = sums + 1
-      table.insert(groups[1].defs, sums, { name = x.name, expr = x.term })
-    end
-  end
-  advance(program, "term", symbol "after", {}, last)
-  return rendered(ctx, inputs, groups)
-end
-
--- Which of the names do the forms of the program use?  A sum that nothing needs is not printed, so it does not count.
-local function used_names(program, list)
-  local seen, forms = {}, {}
-  for _, d in ipairs(program.constants) do forms[d.name] = { d.expr } end
-  for _, x in ipairs(program.variables) do forms[x.name] = { x.start or expr.zero, x.term } end
-  local function need(name)
-    if seen[name] then return end
-    seen[name] = true
-    for _, e in ipairs(forms[name] or {}) do
-      for _, s in ipairs(expr.symbols(e)) do need((string.gsub(s.name, "^first_", ""))) end
-    end
-  end
-  local function note(e)
-    for _, s in ipairs(expr.symbols(e)) do need((string.gsub(s.name, "^first_", ""))) end
-  end
-  for _, x in ipairs(program.variables) do
-    if x.place or x.first or x.root then need(x.name) end
-    if x.state and x.place then
-      note(program.slopes[x.name].start)
-      note(program.slopes[x.name].term)
-    end
-  end
-  local kept = {}
-  for _, n in ipairs(list) do
-    if seen[n.name] then kept[#kept + 1] = n end
-  end
-  return kept, seen
-end
-
--- Names of the code around the statements, which those of the model must not take.
-local own = { a = true, b = true, c = true, j = true, l = true, m = true, n = true, order = true, after = true,
-  p = true, t = true, u = true, x = true, y = true }
-
--- The program with the names of members and inputs that the code around takes made free: a member c becomes c_, and the
--- time as a sequence gets a name that is not t.  Of a program that was freed before nothing changes: a plan may be
--- emitted more than once.
-local function freed(ctx, program)
-  local map, renamed, taken, clock = {}, {}, {}, "clock"
-  for _, list in ipairs { ctx.members, ctx.states, ctx.inputs, program.variables, program.constants } do
-    for _, x in ipairs(list) do taken[x.name] = true end
-  end
-  while taken[clock] do clock = clock .. "_" end
-  map[symbol "t"] = symbol(clock)
-  local function free(sym, name)
-    if own[name] or name == "side" and #program.knots > 0 or name == "v" and program.more then
-      map[sym], renamed[name] = expr.sym(name .. "_", sym.rank), name .. "_"
-    end
-  end
-  for _, m in ipairs(ctx.members) do free(m.sym, m.name) end
-  local function put_in(e) return e and calculus.substitute(e, map) end
-  for _, d in ipairs(program.constants) do d.expr = put_in(d.expr) end
-  for _, x in ipairs(program.variables) do
-    if x.name == "t" then x.sym = map[x.sym] or x.sym end
-    x.start, x.term = put_in(x.start), put_in(x.term)
-  end
-  for _, s in pairs(program.slopes) do -- each alone: order is lost
-    s.start, s.term = put_in(s.start), put_in(s.term)
-  end
-  return renamed
-end
-
--- The levels for the template: what their lanes read and the statements after them.
-local function levels_of(program, rest, zero)
-  local out = {}
-  for level, l in ipairs(program.levels) do
-    local entry = { number = text(level), lanes = {}, unknown = {}, known = {}, weighted = false, lines = rest[level],
-      has_lanes = l.last >= l.first }
-    local unknown = {}
-    for i = l.first, l.last do
-      local lane = program.lanes[i]
-      local a, b = "y[" .. lane.a.place .. "]", "y[" .. lane.b.place .. "]"
-      entry.lanes[#entry.lanes + 1] = { index = text(lane.index), right = b, first = lane.weighted and zero or a,
-        left = (lane.weighted and "order*" or "") .. a,
-        about = (lane.weighted and "j " or "") .. lane.a.name .. "[j] " .. lane.b.name .. "[n-j]" }
-      entry.weighted = entry.weighted or lane.weighted
-      for side, x in ipairs { lane.a, lane.b } do
-        if x.level == level then -- its newest term is made here: zero until then
-          local left = side == 1
-          if not unknown[x.place] then entry.unknown[#entry.unknown + 1] = text(x.place) end
-          unknown[x.place] = true
-          entry.known[#entry.known + 1] = string.format("%s[n][%d] = %sy[%d];", left and "a" or "b", lane.index,
-            left and lane.weighted and "order*" or "", x.place)
-        end
-      end
-    end
-    out[level] = entry
-  end
-  return out
-end
-
--- How to come back from the turning frame: pairs of states that the angle mixes, see templates/steppers/taylor.c.
-local function turns_of(ctx, program, v)
-  v.taylor_axis, v.taylor_turns, v.taylor_shift = program.axis ~= nil and not program.top, {}, program.shift ~= nil
-  v.taylor_top = program.top ~= nil
+-- How to come back from the turning frame: pairs of states that the angle mixes, see templates/steppers/taylor_axis.c.
+local function turns_of(ctx, program)
+  local v = { axis = program.axis ~= nil and not program.top, shift = program.shift ~= nil, top = program.top ~= nil }
   if program.top then
     local g = { defs = {}, outs = {} }
     for i, e in ipairs(program.top) do g.outs[i] = { c = "o[" .. text(i - 1) .. "]", expr = e } end
     local f = source.statements(ctx, { name = "taylor_constants", args = { "m", "x" }, groups = { g } })
-    v.taylor_lame = { loads = f.loads, lines = f.groups[1].lines }
-    return
+    v.lame = { loads = f.loads, lines = f.groups[1].lines }
+    return v
   end
   if program.shift then
     local g, w = { defs = {}, outs = {} }, {}
@@ -253,131 +46,128 @@ local function turns_of(ctx, program, v)
         expr = w[i] - (program.shift[i] or expr.zero) * w[i] }
     end
     local f = { name = "taylor_back", args = { "m", "x" }, groups = { g } }
-    v.taylor_frame = source.statements(ctx, f)
-    v.taylor_frame = { loads = v.taylor_frame.loads, lines = v.taylor_frame.groups[1].lines }
+    local c = source.statements(ctx, f)
+    v.frame = { loads = c.loads, lines = c.groups[1].lines }
   end
-  if not program.axis then return end
+  if not program.axis then return v end
   local f = { name = "taylor_spin", args = { "m", "x" }, result = true, doc = {},
     groups = { { defs = {}, outs = { { result = true, expr = program.spin } } } } }
-  v.taylor_spin = {}
+  v.spin, v.turns = {}, {}
   for _, line in ipairs(source.make(ctx, f).lines) do
-    if line ~= "" then v.taylor_spin[#v.taylor_spin + 1] = line end
+    if line ~= "" then v.spin[#v.spin + 1] = line end
   end
   local at, comp = {}, { "x", "y", "z" }
   for i, s in ipairs(program.states) do at[s.name] = text(i - 1) end
   local a, b, c = comp[program.axis], comp[program.axis % 3 + 1], comp[(program.axis + 1) % 3 + 1]
   -- q (cos, k sin) of half the angle; the rates turned by minus the angle
-  v.taylor_turns[1] = { a = at["q" .. a], b = at.qw, one = "D", sine = "S" }
-  v.taylor_turns[2] = { a = at["q" .. b], b = at["q" .. c], one = "D", sine = "S" }
-  v.taylor_turns[3] = { a = at["w" .. b], b = at["w" .. c], one = "W", sine = "V" }
+  v.turns[1] = { a = at["q" .. a], b = at.qw, one = "D", sine = "S" }
+  v.turns[2] = { a = at["q" .. b], b = at["q" .. c], one = "D", sine = "S" }
+  v.turns[3] = { a = at["w" .. b], b = at["w" .. c], one = "W", sine = "V" }
+  return v
 end
 
-local function mentions(lines, name) return string.find(lines, "%f[%w_]" .. name .. "%f[^%w_]") ~= nil end
-
--- Fills what stands in the recurrences; returns the names that are read before them.
-local function recurrences(ctx, program, v)
-  local renamed = freed(ctx, program)
-  local all = outside(ctx, program)
-  for _, n in ipairs(all) do n.name = renamed[n.name] or n.name end
-  local outer, seen = used_names(program, all)
-  local names, type_name = {}, "const " .. ctx.name .. "_real "
-  v.taylor_outer = {}
-  for i, n in ipairs(outer) do
-    names[i] = n.name
-    v.taylor_outer[i] = type_name .. n.name .. " = " .. n.from .. ";"
-  end
-  for _, d in ipairs(program.constants) do
-    if seen[d.name] then
-      local inputs, letter = {}, d.name .. "_t" -- all are in one scope, around that of the recurrences
-      plain(inputs, names)
-      local g = { where = 1, defs = {}, outs = { { c = type_name .. d.name, expr = d.expr } } }
-      for _, l in ipairs(rendered(ctx, inputs, { g }, letter)[1]) do v.taylor_outer[#v.taylor_outer + 1] = l end
-      names[#names + 1] = d.name
-    end
-  end
-  local first, alone = start(ctx, program, names)
-  local rest = general(ctx, program, names)
-  v.taylor_start_packed = alone.loads
-  for _, l in ipairs(alone[1]) do v.taylor_start_packed[#v.taylor_start_packed + 1] = l end
-  v.taylor_start, v.taylor_next = first.loads, first[2]
-  for _, l in ipairs(first[1]) do v.taylor_start[#v.taylor_start + 1] = l end
-  v.taylor_loads, v.taylor_after = rest.loads, rest[#rest]
-  v.taylor_levels = levels_of(program, rest, v.zero)
-  local function joined(list) return table.concat(list, "\n") .. "\n" end
-  local loop = joined(v.taylor_loads) .. joined(v.taylor_after)
-  for _, e in ipairs(v.taylor_levels) do
-    loop = loop .. joined(e.lines) .. joined(e.known) .. (e.weighted and "order\n" or "")
-  end
-  local whole = loop .. joined(v.taylor_start) .. joined(v.taylor_next) .. joined(v.taylor_outer)
-  v.taylor_order, v.taylor_voids = mentions(loop, "order"), {}
-  for _, name in ipairs { "m", "t", "u" } do
-    if not mentions(whole, name) then v.taylor_voids[#v.taylor_voids + 1] = "(void)" .. name .. ";" end
-  end
-  local real = ctx.name .. "_real "
-  local function knots(s) return v.has_knots and s or "" end
-  v.taylor_side, v.taylor_after_t = knots(", " .. real .. "side"), knots ", t"
-  v.taylor_before_end = knots(", t + " .. v.half .. "*left")
-  v.taylor_side_about = knots "; side: a time next to t on the side that they are for"
-  v.taylor_has_lanes, v.taylor_lanes = #program.lanes > 0, text(#program.lanes)
-  v.taylor_places, v.taylor_order_text = text(#program.read), text(program.order)
-  v.taylor_count, v.taylor_states = text(#program.states), {}
-  for i, s in ipairs(program.states) do
-    v.taylor_states[i] = { index = text(i - 1), name = ctx.upper .. "_" .. string.upper(s.name) }
-  end
-  return names
+-- Numbers of the type that the control of step and order wants.
+local function literals(real)
+  local function literal(q) return number.text(R.lift(q), real) end
+  local double = real ~= "float"
+  local fraction, bias = double and 52 or 23, double and 1023 or 127
+  return { float = double and "0" or "1", int = double and "int64_t" or "int32_t",
+    bit = literal(R.new(2) ^ -fraction), scale = literal(R.new(2) ^ fraction), bias = literal(bias),
+    corner_part = literal(R.new(2) ^ -(fraction // 2)), corner_halvings = text(fraction + 8),
+    finest = literal(R.new(2) ^ (-fraction - 2)), leaving = literal(R.new(2) ^ (2 - fraction)),
+    six = literal(R.new(6)), parts = "1000",
+    least_packed = literal(R.new(13)), -- where a product costs less beside the rest of a step
+    least = literal(R.new(19, 2)), slope = literal(R.new(3, 8)) }
 end
 
--- Fills the template's values for the program of methods/taylor.lua.
-function taylor.fill(ctx, program, v)
-  local names = recurrences(ctx, program, v)
-  v.taylor_columns = v.taylor_states
-  v.taylor_transition = program.transition ~= nil
-  v.taylor_attitude = program.states[1].name == "qw"
-  v.taylor_kinds = source.kinds(program.states)
-  turns_of(ctx, program, v)
-  v.has_roots, v.taylor_roots = #program.roots > 0, {}
-  packed.fill(ctx, program, v, function(groups)
-    local inputs = {}
-    plain(inputs, names)
-    return rendered(ctx, inputs, groups)[1]
-  end)
+local function merge(v, more)
+  for k, x in pairs(more or {}) do v[k] = x end -- into a table: order is lost anyway
+  return v
+end
+
+-- The values of all templates but that of the transition matrix; which texts: {packed, top}.
+local function values_of(s, kit)
+  local program, ctx, base = s.program, kit.ctx, kit.base
+  local v, within, apart = recurrences.of(ctx, program, s.has_knots, base.zero)
+  local rows = packed.of(ctx, program, base.zero, within)
+  if rows then v.start_packed = apart end
+  local function knots(words) return s.has_knots and words or "" end
+  v.after_t, v.before_end = knots ", t", knots(", t + " .. base.half .. "*left")
+  v.side_about = knots "; side: a time next to t on the side that they are for"
+  v.order, v.states = text(program.order), {}
+  for i, state in ipairs(program.states) do
+    v.states[i] = { index = text(i - 1), name = ctx.upper .. "_" .. string.upper(state.name) }
+  end
+  merge(merge(merge(v, rows), turns_of(ctx, program)), literals(ctx.real))
+  v.packed, v.row, v.columns = rows ~= nil, rows and packed.width or v.count, v.states
+  v.attitude, v.kinds = program.states[1].name == "qw", source.kinds(program.states)
+  v.transition, v.has_roots, v.roots = program.transition ~= nil, #program.roots > 0, {}
+  v.first, v.has_knots, v.knots_count, v.has_compensated = s.first, s.has_knots, kit.knots_count, kit.compensated
   if program.top then -- rows of the attitude and its rates
-    v.taylor_packed, v.taylor_row, v.taylor_lanes, v.taylor_columns = true, "8", "5", {}
-    for i = 1, 8 do v.taylor_columns[i] = { index = text(i - 1) } end
-    v.taylor_kinds[2].last = "8"
+    v.packed, v.row, v.lanes, v.columns = true, "8", "5", {}
+    for i = 1, 8 do v.columns[i] = { index = text(i - 1) } end
+    v.kinds[2].last = "8"
   end
   for i, x in ipairs(program.roots) do -- their terms stand beyond the states
-    v.taylor_roots[i] = { index = text(#program.states + i - 1), place = text(x.place) }
+    v.roots[i] = { index = text(#program.states + i - 1), place = text(x.place) }
   end
-  if v.has_roots then v.taylor_row = text(#program.states + #program.roots) end
-  local double = ctx.real ~= "float"
-  local function literal(q) return number.text(R.lift(q), ctx.real) end
-  local fraction, bias = double and 52 or 23, double and 1023 or 127
-  v.taylor_float = double and "0" or "1"
-  v.taylor_int = double and "int64_t" or "int32_t"
-  v.taylor_bit, v.taylor_scale = literal(R.new(2) ^ -fraction), literal(R.new(2) ^ fraction)
-  v.taylor_bias = literal(bias)
-  v.corner_part, v.corner_halvings = literal(R.new(2) ^ -(fraction // 2)), text(fraction + 8)
-  v.taylor_finest = literal(R.new(2) ^ (-fraction - 2))
-  v.taylor_leaving, v.taylor_six, v.taylor_parts = literal(R.new(2) ^ (2 - fraction)), literal(R.new(6)), "1000"
-  v.taylor_least_packed = literal(R.new(13)) -- where a product costs less beside the rest of a step
-  v.taylor_least, v.taylor_slope = literal(R.new(19, 2)), literal(R.new(3, 8))
+  if v.has_roots then v.row = text(#program.states + #program.roots) end
+  return v, rows
 end
 
--- The values for templates/steppers/taylor_transition.c: those of the scene with the recurrences of the variational
--- equations.
-function taylor.transition(ctx, program, v)
-  local own_values = setmetatable({}, { __index = v })
-  recurrences(ctx, program.transition, own_values)
+-- The values of taylor_transition.c: the recurrences of the variational equations, and what the step has.
+local function transition(s, kit, whole)
+  local program, ctx = s.program, kit.ctx
+  local v = recurrences.of(ctx, program.transition, s.has_knots, kit.base.zero)
   for i, l in ipairs(program.transition.levels) do
-    own_values.taylor_levels[i].first, own_values.taylor_levels[i].last = text(l.first - 1), text(l.last)
+    v.levels[i].first, v.levels[i].last = text(l.first - 1), text(l.last)
   end
-  own_values.tangent_states = {}
-  for i, s in ipairs(program.states) do
-    own_values.tangent_states[i] = { name = ctx.upper .. "_" .. string.upper(s.name), index = text(i - 1),
-      along = text(#program.states + i - 1) }
+  v.tangents = {}
+  for i, state in ipairs(program.states) do
+    v.tangents[i] = { name = ctx.upper .. "_" .. string.upper(state.name), along = text(#program.states + i - 1) }
   end
-  return own_values
+  for _, name in ipairs { "attitude", "frame", "shift", "first", "has_knots", "knots_count" } do
+    v[name] = whole[name]
+  end
+  return v
+end
+
+-- Header and sources of the program of methods/taylor.lua.  s, kit: see emit/steppers.lua.
+function taylor.render(s, kit)
+  local v, rows = values_of(s, kit)
+  local render, sources = GROUP(kit.templates, kit.base, v), {}
+  local function file(name) return render((files(name))) end
+  local function put(name, asked)
+    if asked ~= false then sources[#sources + 1] = file(name) end
+  end
+  put "_title.c"
+  v.terms = {}
+  if v.top then
+    put "_vectors.c"
+    put "_top.c"
+  elseif rows then -- in one #if
+    v.terms[1] = file "_rows.c" .. "#else\n" .. file "_terms.c"
+    put "_vectors.c"
+  else
+    put "_terms.c"
+  end
+  put "_series.c"
+  put("_axis.c", v.axis)
+  put("_shift.c", v.shift)
+  put "_move.c"
+  put("_roots.c", v.has_roots)
+  put("_step.c", not s.has_knots)
+  put("_orders.c", kit.planning)
+  put "_size.c"
+  put("_corners.c", v.has_roots)
+  put "_run.c"
+  if s.program.transition then
+    local name = files "_transition.c"
+    sources[#sources + 1] = TRANSITION(kit.templates, kit.base, transition(s, kit, v))(name)
+  end
+  put("_knots.c", s.has_knots)
+  put("_compensated.c", kit.compensated)
+  return file ".h", sources
 end
 
 return taylor

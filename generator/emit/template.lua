@@ -3,7 +3,16 @@
 -- One template line becomes exactly one line of a Lua chunk named after the template, so every load and run error
 -- has the right file and line.  Three laws: an unknown name is an error; a value that is not a string is an error
 -- (only emit/number.lua turns numbers into text); logic is `for` and `if` over prepared lists, nothing else, so
--- the environment holds the values and ipairs, no functions of the library.
+-- the environment holds the values and ipairs, no functions of the library.  A value may be a function without
+-- arguments: its result is made when a template first reads it.
+--
+-- Templates that are filled with the same values are a group:
+--     local GROUP = template.group("core/guard.h", "core/guard.c")       files of templates/
+--     local render = GROUP(job.templates, base, { norm = true, rows = {} })
+--     render "core/guard.h" -> text
+-- The values are the group's own, under short names; what they do not have is looked up in emit/base.lua, and they may
+-- not hide what is there.  The group says which templates read a value, so tests/emit/values.t finds those that none
+-- reads.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local template = {}
@@ -59,6 +68,10 @@ function template.render(name, source, values)
     __index = function(_, k)
       local v = values[k]
       if v == nil then error("unknown name '" .. tostring(k) .. "'", 2) end
+      if type(v) == "function" then
+        v = v()
+        values[k] = v
+      end
       return v
     end,
     __newindex = function(_, k) error("a template must not assign '" .. tostring(k) .. "'", 2) end,
@@ -73,6 +86,35 @@ end
 -- The same of a file, which ends with one newline.
 function template.file(name, source, values)
   return (string.gsub(template.render(name, source, values), "\n+$", "\n"))
+end
+
+-- All groups, each {names = list, has = set}; watch(group, values), if there is one, sees the values of each rendering.
+template.groups, template.watch = {}, nil
+
+local function unhidden(values, base)
+  for k in pairs(values) do -- each alone: the order is lost
+    if base[k] ~= nil then error("'" .. tostring(k) .. "' hides the value that all templates have", 3) end
+  end
+end
+
+function template.group(...)
+  local group = { names = { ... }, has = {} }
+  for _, name in ipairs(group.names) do group.has[name] = true end
+  table.insert(template.groups, group)
+  return function(templates, base, values)
+    local all = setmetatable({}, { __newindex = values, __index = function(_, k)
+      local v = values[k]
+      if v == nil then v = base[k] end
+      return v
+    end })
+    return function(name)
+      if not group.has[name] then error(name .. " is no template of this group", 2) end
+      unhidden(values, base)
+      if template.watch then template.watch(group, values) end
+      local path = "templates/" .. name
+      return template.file(path, templates[path], all)
+    end
+  end
 end
 
 return template

@@ -1,4 +1,4 @@
--- vectors.lua -- the states, cases and bounds of the emitted self-test, as text for templates/test/test.c.
+-- vectors.lua -- the states, cases and bounds of the emitted self-test, as values of templates/test/test*.c.
 --
 -- Three states: the scene's own and two fixed ones scaled to its rates.  They are rounded to the emitted real type
 -- before anything is computed from them (see selftest.lua), so the expected numbers belong to exactly the inputs that
@@ -142,20 +142,30 @@ local function by_index(o)
   return o.index and o.index + 1
 end
 
+-- The function of what the motion conserves, where a free body's energy and momentum are not all; nil if nothing is.
+function vectors.conserved(job)
+  if job.equations.free and job.model.has.attitude then return nil end
+  return job.conserved.rate and "jacobi_integral" or job.conserved.is["T+V"] and "energy" or nil
+end
+
 -- What the checks of the transition matrix and of the steps' order need beside the cases.
-local function of_steps(job, v, epsilon, time, real)
+local function of_steps(job, made, v, epsilon, time, real)
+  local offers, eq = made.offers, job.equations
+  local conserved = vectors.conserved(job)
   local order = job.steppers[1].method.order or 4 -- a series has at least 4
+  local spins = made.parts.stability.say
   v.fine_steps, v.low_order, v.low_order_error = order >= 4, string.format("%d", order), order >= 4 and "" or " + d2"
   v.low_order_falls = string.format("%d", 1 << order)
   v.low_order_bound = number.text(R.new(3, 4) * R.new(2) ^ order, real)
-  v.test_steps, v.test_follows = v.offers.step, v.offers.step and v.offers.rhs
-  v.check_free = v.test_steps and v.free and v.fine_steps and v.offers.energy and v.offers.momentum
-  v.check_conservative = v.test_steps and v.conservative and v.fine_steps and v.offers[v.conserved_name]
-  v.test_closed = v.test_steps and v.offers.solve and v.offers[v.has_full and "at" or "at_rates"]
-  v.test_principal = v.offers.principal and v.offers.linearised and v.offers.inertia
-  v.test_spins = v.stability_numeric and v.offers.spin_stable and v.offers.stability and v.offers.principal
-  v.test_compensated = v.test_steps and v.offers.step_compensated
-  v.has_transition = v.test_steps and v.offers.step_transition and job.transition or false
+  v.test_steps, v.test_follows = offers.step, offers.step and offers.rhs
+  v.check_free = v.test_steps and eq.free and job.model.has.attitude and v.fine_steps and offers.energy and
+    offers.momentum
+  v.check_conservative = v.test_steps and conserved ~= nil and v.fine_steps and offers[conserved]
+  v.test_closed = v.test_steps and offers.solve and offers[job.closed.full and "at" or "at_rates"]
+  v.test_principal = offers.principal and offers.linearised and offers.inertia
+  v.test_spins = spins ~= nil and spins.numeric and offers.spin_stable and offers.stability and offers.principal
+  v.test_compensated = v.test_steps and offers.step_compensated
+  v.has_transition = v.test_steps and offers.step_transition and job.transition or false
   v.has_transition_case = description(job, "step_transition") ~= nil
   if not (v.has_transition or v.test_compensated) then return end
   local _, unknown = breaks.first(job.equations)
@@ -167,17 +177,19 @@ local function of_steps(job, v, epsilon, time, real)
 end
 
 -- Cases: which function, with which state, how many numbers, how it is called.
-function vectors.fill(job, v, ctx)
-  local m, real = job.model, ctx.real
+-- made: from code.of.
+function vectors.of(job, made)
+  local base, offers, ctx, zero = made.base, made.offers, made.ctx, made.base.zero
+  local m, real, v = job.model, ctx.real, { offers = offers }
   local round = rounder(real)
   local epsilon = R.lift(R.new(2) ^ (real == "float" and -23 or -52))
   local least = R.new(2) ^ (real == "float" and -126 or -1022)
   local position, names = {}, { "x", "y", "z" }
   for i, s in ipairs(job.states) do position[s.name] = i end
 
-  local params, base, arguments = {}, { t = R.zero }, {}
+  local params, held, arguments = {}, { t = R.zero }, {}
   for _, p in ipairs(m.params) do params[p.name] = round(p.default) end
-  for i, s in ipairs(m.inputs) do base[s.name] = round(inputs.sample(m, s, i)) end
+  for i, s in ipairs(m.inputs) do held[s.name] = round(inputs.sample(m, s, i)) end
   for name, list in pairs(rest) do -- into a table: order is lost anyway
     arguments[name] = {}
     for i = 1, 3 do arguments[name][name .. names[i]] = R.lift(list[i]) end
@@ -186,7 +198,7 @@ function vectors.fill(job, v, ctx)
   local xs, time, size = states(job, round, env)
   local function given(f, x) -- what f is given: the state x, and those of the vectors that it takes, and no others,
     local list = {}           -- for a constant of the model may be called like one
-    for k, q in pairs(base) do list[k] = q end -- into a table: order is lost anyway
+    for k, q in pairs(held) do list[k] = q end -- into a table: order is lost anyway
     for _, a in ipairs(f.args) do
       for k, q in pairs(type(a) == "table" and arguments[a.name] or {}) do list[k] = q end -- order is lost
     end
@@ -230,10 +242,10 @@ function vectors.fill(job, v, ctx)
     function(o) return o.result and 1 or by_index(o) + 1 end)
   for i = 1, 3 do
     local x = xs[i]
-    case("rhs", nx, x.values, p .. "rhs(&m, " .. v.zero .. ", " .. x.name .. ", u, got)",
+    case("rhs", nx, x.values, p .. "rhs(&m, " .. zero .. ", " .. x.name .. ", u, got)",
       "rates of change at state " .. i, of_state)
     case("energy", 1, x.values, "got[0] = " .. p .. "energy(&m, " .. x.name .. ")", "energy at state " .. i, result)
-    case("jacobi_integral", 1, x.values, "got[0] = " .. p .. "jacobi_integral(&m, " .. v.zero .. ", " .. x.name .. ")",
+    case("jacobi_integral", 1, x.values, "got[0] = " .. p .. "jacobi_integral(&m, " .. zero .. ", " .. x.name .. ")",
       "Jacobi's integral at state " .. i, result)
     case("momentum", 3, x.values, p .. "momentum(&m, " .. x.name .. ", got)",
       "angular momentum at state " .. i, by_index)
@@ -245,48 +257,49 @@ function vectors.fill(job, v, ctx)
   case("inertia_now", 6, xs[2].values, p .. "inertia_now(&m, x2, got)", "tensor with moving parts", by_index)
   local torque = description(job, "torque")
   case("torque", 3, torque and torque.stateful and xs[2].values or nil, p .. "torque(&m, " ..
-    (torque and torque.stateful and v.zero .. ", x2, u" or "w") .. ", dw, got)", "torque of a given motion", by_index)
+    (torque and torque.stateful and zero .. ", x2, u" or "w") .. ", dw, got)", "torque of a given motion", by_index)
   case("rate", 3, nil, p .. "rate(w, a, da, got)", "rate of change of a vector", by_index)
   local term = { coriolis = 0, euler = 3, centrifugal = 6, total = 9 }
   case("acceleration", 12, nil, p .. "acceleration(w, dw, r, v, a, got, got + 3, got + 6, got + 9)",
     "acceleration: Coriolis, Euler, centrifugal, total", function(o) return term[o.array] + o.index + 1 end)
-  case("jacobian", nx * nx, xs[2].values, p .. "jacobian(&m, " .. v.zero .. ", x2, u, got)",
+  case("jacobian", nx * nx, xs[2].values, p .. "jacobian(&m, " .. zero .. ", x2, u, got)",
     "Jacobian of the equations at state 2", by_index)
   local short = R.round(time / R.new(32), 24)
-  of_steps(job, v, epsilon, short, real)
+  of_steps(job, made, v, epsilon, short, real)
   local np = #m.params
-  case("jacobian_u", nx * #job.model.inputs, xs[2].values, p .. "jacobian_u(&m, " .. v.zero .. ", x2, u, got)",
+  case("jacobian_u", nx * #job.model.inputs, xs[2].values, p .. "jacobian_u(&m, " .. zero .. ", x2, u, got)",
     "derivative of the equations by the input at state 2", by_index)
-  case("jacobian_p", nx * np, xs[2].values, p .. "jacobian_p(&m, " .. v.zero .. ", x2, u, got)",
+  case("jacobian_p", nx * np, xs[2].values, p .. "jacobian_p(&m, " .. zero .. ", x2, u, got)",
     "derivative of the equations by the parameters at state 2", by_index)
   case("initial_p", nx * np, nil, p .. "initial_p(&m, got)", "derivative of the initial state by the parameters",
     by_index)
-  base.h = short
+  held.h = short
   case("step_transition", nx * nx, xs[2].values, "transition(&m, x2, u, " .. number.text(short, real) .. ", got)",
     "transition matrix of a step from state 2", by_index, selftest.stages)
-  case("step_transition_u", nx * #m.inputs, xs[2].values, p .. "step_transition_u(&m, " .. v.zero .. ", x2, u, " ..
+  case("step_transition_u", nx * #m.inputs, xs[2].values, p .. "step_transition_u(&m, " .. zero .. ", x2, u, " ..
     number.text(short, real) .. ", got)", "derivative of a step from state 2 by the input", by_index, selftest.stages)
-  base.h = nil
+  held.h = nil
 
   v.motion_cases = {}
-  for _, c in ipairs(v.offers.solve and motion.cases { job = job, x0 = xs[1].values,
+  for _, c in ipairs(offers.solve and motion.cases { job = job, x0 = xs[1].values,
     power = R.new(1, 2) / (time or R.half), env = env, params = params, epsilon = epsilon, real = real, name = m.name,
-    has_own = v.has_own, has_ticks = v.has_ticks, number = function(q) return number.text(q, real) end } or {}) do
+    has_own = made.parts.closed.own, has_ticks = job.closed.ticks or false,
+    number = function(q) return number.text(q, real) end } or {}) do
     local whole = true
-    for f in string.gmatch(c.call, "%f[%w_]" .. p .. "([%w_]+)") do whole = whole and v.offers[f] end
+    for f in string.gmatch(c.call, "%f[%w_]" .. p .. "([%w_]+)") do whole = whole and offers[f] end
     if whole then
       v.motion_cases[#v.motion_cases + 1] = printed(7, c.want, c.tolerance, c.call, c.what)
     end
   end
 
-  v.has_cases = #v.cases > 0 or #v.motion_cases > 0 or v.test_closed or v.planned or false
+  v.has_cases = #v.cases > 0 or #v.motion_cases > 0 or v.test_closed or job.planned ~= nil
   v.test_orbit = v.test_closed or #v.motion_cases > 0
   v.test_start = v.test_steps or v.test_closed or #v.motion_cases > 0
-  v.test_index = v.test_steps and v.has_attitude or v.test_closed or v.test_start and not v.offers.initial
+  v.test_index = v.test_steps and base.has_attitude or v.test_closed or v.test_start and not offers.initial
   v.test_distance = v.test_steps or v.test_principal
 
   v.spin_cases = {}
-  for i, c in ipairs(v.offers.spin_stable and selftest.spins(job, params) or {}) do
+  for i, c in ipairs(offers.spin_stable and selftest.spins(job, params) or {}) do
     v.spin_cases[i] = { axis = string.format("%d", c.axis), dissipation = string.format("%d", c.dissipation),
       want = string.format("%d", c.want), tail = c.last and "," or " &&" }
   end
@@ -305,7 +318,7 @@ function vectors.fill(job, v, ctx)
     end
   end
   v.states = {}
-  local start = v.test_start and not v.offers.initial
+  local start = v.test_start and not offers.initial
   for _, x in ipairs(xs) do
     local used = named(x.name) or x.name == "x1" and start or
       x.name == "x2" and (v.has_transition or v.test_compensated)
@@ -315,7 +328,7 @@ function vectors.fill(job, v, ctx)
   local list, spans = {}, {}
   for i, s in ipairs(m.inputs) do
     local low, high = inputs.range(m, s)
-    list[i], spans[i] = number.text(base[s.name], real), number.text(low and high - low or base[s.name], real)
+    list[i], spans[i] = number.text(held[s.name], real), number.text(low and high - low or held[s.name], real)
   end
   v.input_values, v.input_spans = table.concat(list, ", "), table.concat(spans, ", ")
 
@@ -337,17 +350,17 @@ function vectors.fill(job, v, ctx)
   -- float: e^2 must stay above 256 roundings of 1
   local small = real == "float" and -6 or -10
   v.disturbance, v.disturbance_step = number.text(R.new(2) ^ small, real), number.text(R.new(1, 256), real)
-  v.sixteen = number.text(R.new(16), real)
   v.drift = number.text(epsilon * R.new(4096), real)
   if v.check_conservative then -- relative to the terms of the energy at the largest of the three states
     local most = least
     for _, x in ipairs(xs) do
-      local f = equations_of(job, v.conserved_name)
+      local f = equations_of(job, vectors.conserved(job))
       local _, tolerance = selftest.expect(f, env, given(f, x.values), result, epsilon)
       if tolerance[1] > most then most = tolerance[1] end
     end
     v.energy_drift = number.text(R.round(most * R.new(4096 // selftest.roundings), 24), real)
   end
+  return v
 end
 
 return vectors

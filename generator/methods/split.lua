@@ -7,7 +7,8 @@
 --     sphere      one, about L by |L| tau/I
 --     symmetric   two that commute, about L by |L| tau/I1 and about k by (1 - I3/I1) (k.w) tau: exact
 --     diagonal    Kahan's map with coefficients that depend on step, energy and |L|, then two rotations: order 10,
---                 energy and L to rounding (templates/steppers/split.c; Hairer, Vilmart 2006, J. Phys. A 39, 13225)
+--                 energy and L to rounding (templates/steppers/split_diagonal.c; Hairer, Vilmart 2006, J. Phys. A
+--                 39, 13225)
 --     full        T = L^2/(2 Ia) + Lb^2/2 (1/Ib - 1/Ia) + Lc^2/2 (1/Ic - 1/Ia), Ia the middle one: the first commutes
 --                 with the others, rotations about the principal axes b and c in body axes, which NAME_init finds and a
 --                 palindrome of their own composes (`inner`).  p = L/Ia is made of w and w of p by the steps of I/Ia =
@@ -125,14 +126,14 @@ local function drift(m)
     local out = { kind = "oblique", axis = equations.coordinate(k), constants = {} }
     if s.kind == "sphere" then s = { alpha = s.alpha, axial = s.alpha, k2 = expr.one } end
     local c = out.constants
-    c.split_c = m:constant("cs", (s.axial - s.alpha) / (s.alpha * s.k2), "(I3 - I1)/I1")
-    c.split_h = m:constant("hs", h * (out.axis and k[out.axis] or expr.one) / s.alpha,
+    c.c = m:constant("cs", (s.axial - s.alpha) / (s.alpha * s.k2), "(I3 - I1)/I1")
+    c.h = m:constant("hs", h * (out.axis and k[out.axis] or expr.one) / s.alpha,
       "momentum of the rotor along the axis, divided by I1, rad/s")
     if out.axis then
       out.kind = "axis"
     else
       for i, name in ipairs { "x", "y", "z" } do
-        c["split_k" .. name] = m:constant("k" .. name, k[i], "direction of the symmetry axis")
+        c["k" .. name] = m:constant("k" .. name, k[i], "direction of the symmetry axis")
       end
     end
     return out
@@ -146,11 +147,11 @@ local function drift(m)
   for i = 1, 3 do
     local j, k = i % 3 + 1, (i + 1) % 3 + 1
     local difference = m.parts and m.parts:difference(j, k)
-    out.constants["split_a" .. i] = m:constant("c" .. i, (I[j] - I[k]) / I[i],
+    out.constants["a" .. i] = m:constant("c" .. i, (I[j] - I[k]) / I[i],
       string.format("(I%d - I%d)/I%d", j, k, i), false, difference and difference / equations.inertia(m)[i])
   end
   for _, i in ipairs { 1, 3 } do
-    out.constants["split_j" .. i] = m:constant("g" .. i, I[i] / I[2], string.format("I%d/I2", i))
+    out.constants["j" .. i] = m:constant("g" .. i, I[i] / I[2], string.format("I%d/I2", i))
   end
   return out
 end

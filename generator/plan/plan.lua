@@ -257,7 +257,7 @@ local function truths(s, points, limit, progress)
 end
 
 -- The exact drift of a free asymmetric body cuts a step of more than a radian or so into pieces
--- (templates/steppers/split.c), which are counted as one: such steps are no candidates.
+-- (templates/steppers/split_diagonal.c), which are counted as one: such steps are no candidates.
 -- The least number of steps; 1 elsewhere.
 function plan.least_steps(job, c, points, T)
   if not string.find(c.method, "^split") or job.model.structure.kind ~= "diagonal" then return 1 end

@@ -5,10 +5,10 @@
  * dissipation 0: a rigid body, stable about the axes of the largest and of the smallest moment; not 0: a body that
  * loses energy inside while it keeps its angular momentum, stable about the axis of the largest moment only.
  * (Landau, Lifshitz, section 37; Hughes, Spacecraft Attitude Dynamics, chapter 7.)  axis, and when it is stable:
-%% for _, line in ipairs(stability_doc) do
+%% for _, line in ipairs(doc) do
  *   ${line}
 %% end
-%% for _, line in ipairs(stability_note) do
+%% for _, line in ipairs(note) do
  * ${line}
 %% end
  */

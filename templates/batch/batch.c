@@ -108,7 +108,7 @@ static void ${name}_own(${name}_model *m, const ${name}_real c[], size_t n, size
 %% for _, member in ipairs(constants) do
   m->${member.name} = c[${member.index}*n + k];
 %% end
-%% if has_order then
+%% if order then
   m->order[0] = m->order[1] = m->order[2] = 0; /* which spins are stable: no stepper reads it */
 %% end
 }

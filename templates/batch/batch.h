@@ -1,6 +1,6 @@
 %% -- batch.h -- many bodies at once: part of scene.h.  SPDX-License-Identifier: MIT-0
 /* ---- many bodies at once ----
- * Of n bodies, component i of body k stands at [i*n + k]: x[${upper}_NX*n]${has_inputs_text}.
+ * Of n bodies, component i of body k stands at [i*n + k]: x[${upper}_NX*n]${inputs_text}.
  * Each body gets the bits that the function of one body gives it, whatever n is and however wide
  * the processor's vectors are (compiled with -ffp-contract=off).  The loops are over ${upper}_LANES
  * bodies, without calls or branches${but_calls}: gcc and clang make vector instructions of them

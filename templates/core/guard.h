@@ -3,10 +3,10 @@
 
 /* Is x within the ranges that the scene declares?  0, or 1 + the index of the first state that is not (1 + ${upper}_WX);
  * a NaN is within no range.
-%% if guard_norm then
+%% if norm then
  *   attitude (its first component stands for it): |q|^2 from 1/4 to 4
 %% end
-%% for _, line in ipairs(guard_about) do
+%% for _, line in ipairs(about) do
  *   ${line}
 %% end
  */

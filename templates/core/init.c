@@ -14,7 +14,7 @@ void ${name}_defaults(${name}_real p[])
 static int ${name}_split_setup(${name}_model *m);
 
 %% end
-%% if has_first_step then
+%% if first_step then
 /* Does the first step of ${step_text} s lead from the initial state to what is no number? */
 static int ${name}_overflows(const ${name}_model *m)
 {
@@ -48,13 +48,13 @@ int ${name}_init(${name}_model *m, const ${name}_real p[])
     ${name}_defaults(own);
     p = own;
   }
-%%   for _, line in ipairs(init_loads) do
+%%   for _, line in ipairs(loads) do
   ${line}
 %%   end
 %% else
   (void)p;
 %% end
-%% for _, g in ipairs(init_groups) do
+%% for _, g in ipairs(groups) do
 
 %%   for _, line in ipairs(g.lines) do
   ${line}
@@ -63,23 +63,23 @@ int ${name}_init(${name}_model *m, const ${name}_real p[])
 %% if has_finite then
 
   /* x - x is 0 unless x is infinite or not a number */
-%%   for _, line in ipairs(finite_lines) do
+%%   for _, line in ipairs(finite) do
   ${line}
 %%   end
 %% end
-%% if has_order then
+%% if order then
   ${name}_order(p, k.order);
 %% end
 %% if split_setup then
-  if (${name}_split_setup(&k)) return ${split_code};
+  if (${name}_split_setup(&k)) return ${setup_code};
 %% end
-%% if has_first_step then
-  if (${name}_overflows(&k)) return ${first_step_code};
+%% if first_step then
+  if (${name}_overflows(&k)) return ${step_code};
 %% end
 %% if no_members then
   m->empty = 0;
 %% else
-%%   for _, line in ipairs(init_copies) do
+%%   for _, line in ipairs(copies) do
   ${line}
 %%   end
 %% end

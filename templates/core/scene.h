@@ -67,7 +67,7 @@ typedef struct ${name}_model {
   ${line}
 %%   end
 %% end
-%% if has_order then
+%% if order then
   int order[3]; /* which moments are larger, see ${name}_spin_stable */
 %% end
 %% if split_setup then

@@ -106,7 +106,7 @@ static int plugin_${s.name}_run(const void *m, double t0, double *x, const doubl
 
 %%   end
 %% end
-%% for _, order in ipairs(plan_orders) do
+%% for _, order in ipairs(orders) do
 void ${name}_taylor_step_of(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int top);
 
 static void plugin_taylor${order}(const void *m, double t, double *x, const double *u, double h)
@@ -265,7 +265,7 @@ const struct polhode_plugin *polhode_plugin(void)
     {"${s.name}", plugin_${s.name}, NULL, plugin_${s.name}_march, ${s.order}},
 %%   end
 %% end
-%% for _, order in ipairs(plan_orders) do
+%% for _, order in ipairs(orders) do
     {"taylor ${order}", plugin_taylor${order}, NULL, plugin_taylor${order}_march, ${order}},
 %% end
     {NULL, NULL, NULL, NULL, 0},

@@ -1,10 +1,10 @@
 %% -- order.c -- the signs of differences of moments from the parameters: part of scene.c.  SPDX-License-Identifier: MIT-0
-%% if order_sums then
+%% if sums then
 /* The sign of a sum of `rows` products of `columns` factors f, row by row.  Rows are scaled by one power of two, so that
- * the largest does not overflow; what is smaller by 2^-${order_range} times is lost. */
+ * the largest does not overflow; what is smaller by 2^-${range} times is lost. */
 static int ${name}_sign_of_sum(int rows, int columns, const ${name}_real f[])
 {
-  ${name}_real sum[${order_terms}], space[2][${order_factors}], *p = space[0], *q = space[1];
+  ${name}_real sum[${terms}], space[2][${factors}], *p = space[0], *q = space[1];
   int n = 0, most = 0, first = 1, r, c, i, np, nq, power;
 
   for (r = 0; r < rows; r++) { /* the largest row's exponent */
@@ -21,7 +21,7 @@ static int ${name}_sign_of_sum(int rows, int columns, const ${name}_real f[])
     }
   }
   for (r = 0; r < rows; r++) {
-    int total = ${order_top} - most;
+    int total = ${top} - most;
 
     for (c = 0; c < columns; c++) {
       (void)${frexp}(f[r*columns + c], &power);
@@ -45,14 +45,14 @@ static int ${name}_sign_of_sum(int rows, int columns, const ${name}_real f[])
 
 %% end
 /* Which principal moments are larger: the signs of differences of moments, see ${name}_spin_stable. */
-%% if has_proof then
+%% if proof then
 /*@ assigns order[0 .. 2] \from p[0 .. ${upper}_NP - 1];
     ensures \initialized(order + (0 .. 2));
     ensures \forall int i; 0 <= i < 3 ==> -1 <= order[i] <= 1; */
 %% end
 static void ${name}_order(const ${name}_real p[], int order[3])
 {
-%% for _, line in ipairs(order_lines) do
+%% for _, line in ipairs(lines) do
 %%   if line == "" then
 
 %%   else

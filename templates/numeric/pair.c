@@ -61,7 +61,7 @@ static ${name}_pair ${name}_pair_minus(${name}_pair a)
   return a;
 }
 
-%% if pairs_add or pairs_multiply then
+%% if add or multiply then
 /* hi + lo = the same, |lo| <= |hi| or hi a multiple of the last place of lo (Dekker's fast two-sum) */
 static ${name}_pair ${name}_pair_tidy(${name}_real hi, ${name}_real lo)
 {
@@ -73,7 +73,7 @@ static ${name}_pair ${name}_pair_tidy(${name}_real hi, ${name}_real lo)
 }
 
 %% end
-%% if pairs_add then
+%% if add then
 static ${name}_pair ${name}_pair_add(${name}_pair a, ${name}_pair b)
 {
   ${name}_pair s = ${name}_pair_sum(a.hi, b.hi);
@@ -82,7 +82,7 @@ static ${name}_pair ${name}_pair_add(${name}_pair a, ${name}_pair b)
 }
 
 %% end
-%% if pairs_multiply then
+%% if multiply then
 static ${name}_pair ${name}_pair_multiply(${name}_pair a, ${name}_pair b)
 {
   ${name}_pair p = ${name}_pair_product(a.hi, b.hi);

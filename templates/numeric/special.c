@@ -127,4 +127,4 @@ static ${name}_real ${name}_ellipsoid_normal(${name}_real a, ${name}_real b, ${n
   return h[(b > a) + (c > a)].hi/sum.hi;
 }
 %% end
-${series_source}
+${series}

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TOKEN "${unit_token}"
+#define TOKEN "${token}"
 
 enum { CREATED = ${upper}_UNIT_CREATED, STARTING = ${upper}_UNIT_STARTING, RUNNING = ${upper}_UNIT_RUNNING,
   FAILED = ${upper}_UNIT_FAILED, ENDED = ${upper}_UNIT_ENDED, ANY = CREATED | STARTING | RUNNING | FAILED | ENDED };
@@ -33,27 +33,7 @@ static void put(const instance *i, fmi2Status status, const char *category, cons
   i->callbacks.logger(i->callbacks.componentEnvironment, i->name, status, category, "%s", line);
 }
 
-static fmi2Status refuse(const instance *i, const char *function, const char *text)
-{
-  if (i && i->errors) put(i, fmi2Error, "logStatusError", function, text);
-  return fmi2Error;
-}
-
-static fmi2Status event(const instance *i, const char *function, const char *text)
-{
-  if (i->events) put(i, fmi2OK, "logEvents", function, text);
-  return fmi2OK;
-}
-
-/* The instance, if the call is allowed in its phase; else NULL. */
-static instance *in(fmi2Component c, int phases, const char *function)
-{
-  instance *i = (instance *)c;
-
-  if (!i || (i->unit.s.phase & phases)) return i;
-  refuse(i, function, "is not allowed in this phase");
-  return NULL;
-}
+${phases}
 
 /* ---- creation, logging: 2.1.4, 2.1.5 ---- */
 
@@ -117,7 +97,7 @@ fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean toleranceDefined, fm
   instance *i = in(c, CREATED, "fmi2SetupExperiment");
 
   (void)toleranceDefined;
-  (void)tolerance; /* ${unit_tolerance} */
+  (void)tolerance; /* ${tolerance} */
   if (!i) return fmi2Error;
   if (!(startTime - startTime == 0)) return refuse(i, "fmi2SetupExperiment", "the start time must be finite");
   if (stopTimeDefined && !(stopTime >= startTime))
@@ -136,32 +116,7 @@ fmi2Status fmi2EnterInitializationMode(fmi2Component c)
   return fmi2OK;
 }
 
-fmi2Status fmi2ExitInitializationMode(fmi2Component c)
-{
-  instance *i = in(c, STARTING, "fmi2ExitInitializationMode");
-
-  if (!i) return fmi2Error;
-  if (${name}_unit_start(&i->unit)) return refuse(i, "fmi2ExitInitializationMode", i->unit.message);
-  return event(i, "fmi2ExitInitializationMode", "initialized");
-}
-
-fmi2Status fmi2Terminate(fmi2Component c)
-{
-  instance *i = in(c, RUNNING | FAILED, "fmi2Terminate");
-
-  if (!i) return fmi2Error;
-  i->unit.s.phase = ENDED;
-  return event(i, "fmi2Terminate", "terminated");
-}
-
-fmi2Status fmi2Reset(fmi2Component c)
-{
-  instance *i = in(c, ANY, "fmi2Reset");
-
-  if (!i) return fmi2Error;
-  ${name}_unit_reset(&i->unit);
-  return event(i, "fmi2Reset", "as it was created");
-}
+${modes}
 
 /* ---- values: 2.1.7 ---- */
 
@@ -191,69 +146,9 @@ fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n,
 
 /* ---- the whole state: 2.1.8 ---- */
 
-fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *state)
-{
-  instance *i = in(c, ANY, "fmi2GetFMUstate");
+${states}
 
-  if (!i) return fmi2Error;
-  if (!*state) *state = malloc(sizeof i->unit.s);
-  if (!*state) return refuse(i, "fmi2GetFMUstate", "there is no memory");
-  memcpy(*state, &i->unit.s, sizeof i->unit.s);
-  return fmi2OK;
-}
-
-fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state)
-{
-  instance *i = in(c, ANY, "fmi2SetFMUstate");
-
-  if (!i) return fmi2Error;
-  if (!state) return refuse(i, "fmi2SetFMUstate", "the state must not be NULL");
-  memcpy(&i->unit.s, state, sizeof i->unit.s);
-  return fmi2OK;
-}
-
-fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate *state)
-{
-  (void)c;
-  if (!state) return fmi2OK;
-  free(*state);
-  *state = NULL;
-  return fmi2OK;
-}
-
-fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate state, size_t *size)
-{
-  (void)c;
-  (void)state;
-  *size = ${name}_unit_bytes();
-  return fmi2OK;
-}
-
-fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[], size_t size)
-{
-  instance *i = in(c, ANY, "fmi2SerializeFMUstate");
-
-  if (!i) return fmi2Error;
-  if (!state || size < ${name}_unit_bytes())
-    return refuse(i, "fmi2SerializeFMUstate", "needs a state and fmi2SerializedFMUstateSize bytes");
-  ${name}_unit_write((const ${name}_unit_state *)state, bytes);
-  return fmi2OK;
-}
-
-fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte bytes[], size_t size, fmi2FMUstate *state)
-{
-  instance *i = in(c, ANY, "fmi2DeSerializeFMUstate");
-  ${name}_unit_state s;
-
-  if (!i) return fmi2Error;
-  if (${name}_unit_read(&i->unit, bytes, size, &s)) return refuse(i, "fmi2DeSerializeFMUstate", i->unit.message);
-  if (!*state) *state = malloc(sizeof s);
-  if (!*state) return refuse(i, "fmi2DeSerializeFMUstate", "there is no memory");
-  memcpy(*state, &s, sizeof s);
-  return fmi2OK;
-}
-
-%% if unit_derivatives then
+%% if derivatives then
 /* ---- derivatives: 2.1.9 ---- */
 
 fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReference unknown[], size_t nUnknown,
@@ -320,19 +215,4 @@ fmi2Status fmi2GetBooleanStatus(fmi2Component c, const fmi2StatusKind kind, fmi2
   return fmi2OK;
 }
 
-/* ---- what the unit does not have ---- */
-%% for _, f in ipairs(fmi2_refused) do
-
-%%   for _, line in ipairs(f.definition) do
-${line}
-%%   end
-{
-%%   for _, a in ipairs(f.unused) do
-  (void)${a};
-%%   end
-%%   if f.empty then
-  if (n == 0) return fmi2OK;
-%%   end
-  return refuse((instance *)c, "${f.name}", "${f.reason}");
-}
-%% end
+${refusals}

@@ -12,7 +12,7 @@
 #include <stddef.h>
 
 #ifndef FMI2_OVERRIDE_FUNCTION_PREFIX
-%% for _, f in ipairs(fmi2_functions) do
+%% for _, f in ipairs(functions) do
 #define ${f.name} ${name}_${f.name}
 %% end
 #endif
@@ -54,7 +54,7 @@ typedef struct {
   fmi2Real nextEventTime;
 } fmi2EventInfo;
 
-%% for _, f in ipairs(fmi2_functions) do
+%% for _, f in ipairs(functions) do
 %%   for _, line in ipairs(f.prototype) do
 ${line}
 %%   end

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TOKEN "${unit_token}"
+#define TOKEN "${token}"
 
 enum { CREATED = ${upper}_UNIT_CREATED, STARTING = ${upper}_UNIT_STARTING, RUNNING = ${upper}_UNIT_RUNNING,
   FAILED = ${upper}_UNIT_FAILED, ENDED = ${upper}_UNIT_ENDED, ANY = CREATED | STARTING | RUNNING | FAILED | ENDED };
@@ -33,27 +33,7 @@ static void put(const instance *i, fmi3Status status, const char *category, cons
   i->log(i->environment, status, category, line);
 }
 
-static fmi3Status refuse(const instance *i, const char *function, const char *text)
-{
-  if (i && i->errors) put(i, fmi3Error, "logStatusError", function, text);
-  return fmi3Error;
-}
-
-static fmi3Status event(const instance *i, const char *function, const char *text)
-{
-  if (i->events) put(i, fmi3OK, "logEvents", function, text);
-  return fmi3OK;
-}
-
-/* The instance, if the call is allowed in its phase; else NULL. */
-static instance *in(fmi3Instance c, int phases, const char *function)
-{
-  instance *i = (instance *)c;
-
-  if (!i || (i->unit.s.phase & phases)) return i;
-  refuse(i, function, "is not allowed in this phase");
-  return NULL;
-}
+${phases}
 
 /* ---- creation, logging ---- */
 
@@ -148,7 +128,7 @@ fmi3Status fmi3EnterInitializationMode(fmi3Instance c, fmi3Boolean toleranceDefi
   instance *i = in(c, CREATED, "fmi3EnterInitializationMode");
 
   (void)toleranceDefined;
-  (void)tolerance; /* ${unit_tolerance} */
+  (void)tolerance; /* ${tolerance} */
   if (!i) return fmi3Error;
   if (!(startTime - startTime == 0)) return refuse(i, "fmi3EnterInitializationMode", "the start time must be finite");
   if (stopTimeDefined && !(stopTime >= startTime))
@@ -159,32 +139,7 @@ fmi3Status fmi3EnterInitializationMode(fmi3Instance c, fmi3Boolean toleranceDefi
   return fmi3OK;
 }
 
-fmi3Status fmi3ExitInitializationMode(fmi3Instance c)
-{
-  instance *i = in(c, STARTING, "fmi3ExitInitializationMode");
-
-  if (!i) return fmi3Error;
-  if (${name}_unit_start(&i->unit)) return refuse(i, "fmi3ExitInitializationMode", i->unit.message);
-  return event(i, "fmi3ExitInitializationMode", "initialized");
-}
-
-fmi3Status fmi3Terminate(fmi3Instance c)
-{
-  instance *i = in(c, RUNNING | FAILED, "fmi3Terminate");
-
-  if (!i) return fmi3Error;
-  i->unit.s.phase = ENDED;
-  return event(i, "fmi3Terminate", "terminated");
-}
-
-fmi3Status fmi3Reset(fmi3Instance c)
-{
-  instance *i = in(c, ANY, "fmi3Reset");
-
-  if (!i) return fmi3Error;
-  ${name}_unit_reset(&i->unit);
-  return event(i, "fmi3Reset", "as it was created");
-}
+${modes}
 
 /* ---- values; every variable is a scalar, so there are as many values as references ---- */
 
@@ -216,69 +171,9 @@ fmi3Status fmi3SetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t 
 
 /* ---- getting and setting the complete FMU state ---- */
 
-fmi3Status fmi3GetFMUState(fmi3Instance c, fmi3FMUState *state)
-{
-  instance *i = in(c, ANY, "fmi3GetFMUState");
+${states}
 
-  if (!i) return fmi3Error;
-  if (!*state) *state = malloc(sizeof i->unit.s);
-  if (!*state) return refuse(i, "fmi3GetFMUState", "there is no memory");
-  memcpy(*state, &i->unit.s, sizeof i->unit.s);
-  return fmi3OK;
-}
-
-fmi3Status fmi3SetFMUState(fmi3Instance c, fmi3FMUState state)
-{
-  instance *i = in(c, ANY, "fmi3SetFMUState");
-
-  if (!i) return fmi3Error;
-  if (!state) return refuse(i, "fmi3SetFMUState", "the state must not be NULL");
-  memcpy(&i->unit.s, state, sizeof i->unit.s);
-  return fmi3OK;
-}
-
-fmi3Status fmi3FreeFMUState(fmi3Instance c, fmi3FMUState *state)
-{
-  (void)c;
-  if (!state) return fmi3OK;
-  free(*state);
-  *state = NULL;
-  return fmi3OK;
-}
-
-fmi3Status fmi3SerializedFMUStateSize(fmi3Instance c, fmi3FMUState state, size_t *size)
-{
-  (void)c;
-  (void)state;
-  *size = ${name}_unit_bytes();
-  return fmi3OK;
-}
-
-fmi3Status fmi3SerializeFMUState(fmi3Instance c, fmi3FMUState state, fmi3Byte bytes[], size_t size)
-{
-  instance *i = in(c, ANY, "fmi3SerializeFMUState");
-
-  if (!i) return fmi3Error;
-  if (!state || size < ${name}_unit_bytes())
-    return refuse(i, "fmi3SerializeFMUState", "needs a state and fmi3SerializedFMUStateSize bytes");
-  ${name}_unit_write((const ${name}_unit_state *)state, bytes);
-  return fmi3OK;
-}
-
-fmi3Status fmi3DeserializeFMUState(fmi3Instance c, const fmi3Byte bytes[], size_t size, fmi3FMUState *state)
-{
-  instance *i = in(c, ANY, "fmi3DeserializeFMUState");
-  ${name}_unit_state s;
-
-  if (!i) return fmi3Error;
-  if (${name}_unit_read(&i->unit, bytes, size, &s)) return refuse(i, "fmi3DeserializeFMUState", i->unit.message);
-  if (!*state) *state = malloc(sizeof s);
-  if (!*state) return refuse(i, "fmi3DeserializeFMUState", "there is no memory");
-  memcpy(*state, &s, sizeof s);
-  return fmi3OK;
-}
-
-%% if unit_derivatives then
+%% if derivatives then
 /* ---- partial derivatives ---- */
 
 fmi3Status fmi3GetDirectionalDerivative(fmi3Instance c, const fmi3ValueReference unknowns[], size_t nUnknowns,
@@ -322,19 +217,4 @@ fmi3Status fmi3DoStep(fmi3Instance c, fmi3Float64 point, fmi3Float64 size, fmi3B
   return refused ? refuse(i, "fmi3DoStep", i->unit.message) : fmi3OK;
 }
 
-/* ---- what the unit does not have ---- */
-%% for _, f in ipairs(fmi3_refused) do
-
-%%   for _, line in ipairs(f.definition) do
-${line}
-%%   end
-{
-%%   for _, a in ipairs(f.unused) do
-  (void)${a};
-%%   end
-%%   if f.empty then
-  if (n == 0) return fmi3OK;
-%%   end
-  return refuse((instance *)c, "${f.name}", "${f.reason}");
-}
-%% end
+${refusals}

@@ -14,7 +14,7 @@
 #include <stdint.h>
 
 #ifndef FMI3_OVERRIDE_FUNCTION_PREFIX
-%% for _, f in ipairs(fmi3_functions) do
+%% for _, f in ipairs(functions) do
 #define ${f.name} ${name}_${f.name}
 %% end
 #endif
@@ -59,7 +59,7 @@ typedef void (*fmi3IntermediateUpdateCallback)(fmi3InstanceEnvironment, fmi3Floa
 typedef void (*fmi3LockPreemptionCallback)(void);
 typedef void (*fmi3UnlockPreemptionCallback)(void);
 
-%% for _, f in ipairs(fmi3_functions) do
+%% for _, f in ipairs(functions) do
 %%   for _, line in ipairs(f.prototype) do
 ${line}
 %%   end

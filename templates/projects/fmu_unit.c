@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define TOKEN "${unit_token}"
+#define TOKEN "${token}"
 
 static const double step = ${step_text}; /* the inner step h, s */
 
@@ -15,7 +15,7 @@ static const double step = ${step_text}; /* the inner step h, s */
 static const char *check_text(int check)
 {
   static const char *const text[] = {
-%%   for _, text in ipairs(unit_checks) do
+%%   for _, text in ipairs(checks) do
     "${text}",
 %%   end
   };
@@ -27,7 +27,7 @@ static const char *check_text(int check)
 static const char *name_of(unsigned vr)
 {
   static const char *const name[] = {
-%% for _, line in ipairs(unit_names) do
+%% for _, line in ipairs(names) do
     ${line}
 %% end
   };
@@ -101,7 +101,7 @@ int ${name}_unit_get(${name}_unit *unit, unsigned vr, double *value)
   }
 %% end
   if (settle(unit)) return 1;
-%% if unit_derivatives then
+%% if derivatives then
   if (vr >= ${upper}_UNIT_DX && vr < ${upper}_UNIT_ENERGY) {
     ${name}_real dx[${upper}_NX];
 
@@ -110,17 +110,17 @@ int ${name}_unit_get(${name}_unit *unit, unsigned vr, double *value)
     return 0;
   }
 %% end
-%% if unit_integral then
+%% if integral then
   if (vr == ${upper}_UNIT_INTEGRAL) {
     *value = (double)${name}_jacobi_integral(&s->m, (${name}_real)${name}_unit_time(unit), s->x);
     return 0;
   }
 %% end
-%% if unit_momentum then
+%% if momentum then
   if (vr >= ${upper}_UNIT_L) {
     ${name}_real L[3];
 
-    ${name}_${unit_momentum_function}(&s->m, s->x, L);
+    ${name}_${momentum_function}(&s->m, s->x, L);
     *value = (double)L[vr - ${upper}_UNIT_L];
     return 0;
   }
@@ -136,8 +136,8 @@ int ${name}_unit_get(${name}_unit *unit, unsigned vr, double *value)
 int ${name}_unit_set(${name}_unit *unit, unsigned vr, double value)
 {
   /* initial values that no parameter determines can be set: initial="exact" in modelDescription.xml */
-  static const unsigned char exact[${upper}_NX] = {${unit_settable}};
-  const double most = ${unit_most}; /* beyond it no number of the scene's type is finite */
+  static const unsigned char exact[${upper}_NX] = {${settable}};
+  const double most = ${most}; /* beyond it no number of the scene's type is finite */
   ${name}_unit_state *s = &unit->s;
 
   if (vr >= ${upper}_UNIT_END) return refuse(unit, vr, "there is none with this number");
@@ -181,7 +181,7 @@ int ${name}_unit_start(${name}_unit *unit)
     for (i = 0; i < 4; i++) q[i] /= n;
   }
 %% end
-%% if unit_exact then
+%% if exact then
   if (${name}_solve(&s->o, &s->m, s->x)) {
     snprintf(unit->message, sizeof unit->message, "the initial state is refused by ${name}_solve");
     return 1;
@@ -220,7 +220,7 @@ int ${name}_unit_advance(${name}_unit *unit, double t, double dt)
     return 1;
   }
   memcpy(x, s->x, sizeof x);
-%% if unit_stepper then
+%% if stepper then
   {
     double i;
 
@@ -232,8 +232,8 @@ int ${name}_unit_advance(${name}_unit *unit, double t, double dt)
     ${name}_step(&s->m, (${name}_real)(now + i*step), x, s->u, (${name}_real)(whole ? step : dt - i*step));
   }
 %% end
-%% if unit_planned then
-%%   if unit_timed then
+%% if planned then
+%%   if timed then
   if (${name}_advance(&s->m, (${name}_real)now, x, s->u, (${name}_real)(now + dt)) < 0) {
 %%   else
   /* the equations do not know the time; from 0 a span loses no digits to it */
@@ -244,7 +244,7 @@ int ${name}_unit_advance(${name}_unit *unit, double t, double dt)
     return 1;
   }
 %% end
-%% if unit_exact then
+%% if exact then
   ${name}_at(&s->o, (${name}_real)(whole ? s->origin - s->start + (s->ticks + n)*step : t + dt - s->start), x);
 %% end
   for (k = 0; k < ${upper}_NX; k++) {
@@ -279,7 +279,7 @@ int ${name}_unit_read(${name}_unit *unit, const void *bytes, size_t size, ${name
   memcpy(s, (const char *)bytes + sizeof TOKEN, sizeof *s);
   return 0;
 }
-%% if unit_derivatives then
+%% if derivatives then
 
 int ${name}_unit_seed(${name}_unit *unit, unsigned vr, double seed, ${name}_unit_direction *d)
 {
@@ -309,7 +309,7 @@ static double dot(int n, const ${name}_real a[], const ${name}_real b[])
 int ${name}_unit_along(${name}_unit *unit, unsigned vr, const ${name}_unit_direction *d, double *value)
 {
   const ${name}_unit_state *s = &unit->s;
-%% if unit_momentum then
+%% if momentum then
   ${name}_real J[${upper}_NX*${upper}_NX], G[3*${upper}_NX];
 %% else
   ${name}_real J[${upper}_NX*${upper}_NX], G[${upper}_NX];
@@ -331,12 +331,12 @@ int ${name}_unit_along(${name}_unit *unit, unsigned vr, const ${name}_unit_direc
       *value += dot(${upper}_NU, Ju + (vr - ${upper}_UNIT_DX)*${upper}_NU, d->du);
     }
 %% end
-%% if unit_momentum then
+%% if momentum then
   } else if (vr >= ${upper}_UNIT_L) {
     ${name}_momentum_gradient(&s->m, s->x, G);
     *value = dot(${upper}_NX, G + (vr - ${upper}_UNIT_L)*${upper}_NX, d->dx);
 %% end
-%% if unit_integral then
+%% if integral then
   } else if (vr == ${upper}_UNIT_INTEGRAL) {
     ${name}_integral_gradient(&s->m, (${name}_real)${name}_unit_time(unit), s->x, G);
     *value = dot(${upper}_NX, G, d->dx);

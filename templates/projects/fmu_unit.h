@@ -18,23 +18,23 @@
 extern "C" {
 #endif
 
-/* Value references, in the order of modelDescription.xml: time, parameters, inputs, states${unit_rates_text},
+/* Value references, in the order of modelDescription.xml: time, parameters, inputs, states${rates_text},
  * and what is made of them. */
 enum {
   ${upper}_UNIT_TIME,
   ${upper}_UNIT_P, /* the parameters p[${upper}_NP] */
   ${upper}_UNIT_U = ${upper}_UNIT_P + ${upper}_NP, /* the inputs u[${upper}_NU] */
   ${upper}_UNIT_X = ${upper}_UNIT_U + ${upper}_NU, /* the states x[${upper}_NX] */
-%% if unit_derivatives then
+%% if derivatives then
   ${upper}_UNIT_DX = ${upper}_UNIT_X + ${upper}_NX, /* their rates of change */
   ${upper}_UNIT_ENERGY = ${upper}_UNIT_DX + ${upper}_NX,
 %% else
   ${upper}_UNIT_ENERGY = ${upper}_UNIT_X + ${upper}_NX,
 %% end
-%% if unit_integral then
+%% if integral then
   ${upper}_UNIT_INTEGRAL, /* Jacobi's */
 %% end
-%% if unit_momentum then
+%% if momentum then
   ${upper}_UNIT_L, /* angular momentum, three components */
   ${upper}_UNIT_END = ${upper}_UNIT_L + 3
 %% else
@@ -54,7 +54,7 @@ enum {
 /* All that changes: flat, without pointers, so that saving and restoring it is copying it. */
 typedef struct ${name}_unit_state {
   ${name}_model m;
-%% if unit_exact then
+%% if exact then
   ${name}_orbit o; /* the motion through the state at the start */
 %% end
   ${name}_real p[${upper}_NP + 1], u[${upper}_NU + 1], x[${upper}_NX]; /* one more: C has no empty arrays */
@@ -80,7 +80,7 @@ int ${name}_unit_set(${name}_unit *unit, unsigned vr, double value);
  * refuses the parameters. */
 int ${name}_unit_start(${name}_unit *unit);
 
-/* From the time t, which must be the unit's, on by dt > 0${unit_method}. */
+/* From the time t, which must be the unit's, on by dt > 0${method}. */
 int ${name}_unit_advance(${name}_unit *unit, double t, double dt);
 
 double ${name}_unit_time(const ${name}_unit *unit);
@@ -89,7 +89,7 @@ double ${name}_unit_time(const ${name}_unit *unit);
 size_t ${name}_unit_bytes(void);
 void ${name}_unit_write(const ${name}_unit_state *s, void *bytes);
 int ${name}_unit_read(${name}_unit *unit, const void *bytes, size_t size, ${name}_unit_state *s);
-%% if unit_derivatives then
+%% if derivatives then
 
 /* Directional derivatives: a direction of states and inputs, at first zero; its component along a variable; the
  * derivative of a variable along it. */

@@ -2,20 +2,20 @@
 /* ---- Dormand, Prince 1980, J. Comput. Appl. Math. 6, 19; control: Hairer, Norsett, Wanner I, sections II.4, IV.2 ---- */
 
 /* States that move: x[moving[k]] is number k of the arrays below. */
-static const int ${name}_adaptive_moving[${adaptive_count}] = {
-%% for _, s in ipairs(adaptive_states) do
+static const int ${name}_adaptive_moving[${count}] = {
+%% for _, s in ipairs(states) do
   ${s.name},
 %% end
 };
 
-%% if adaptive_attitude then
+%% if attitude then
 /* From x at t with its rates k1: the state `out` at t + h, its rates k7, the estimated error, what q turned by. */
 %% else
 /* From x at t with its rates k1: the state `out` at t + h, its rates k7, the estimated error. */
 %% end
-static ${adaptive_head}
+static ${head}
 {
-%% for _, line in ipairs(adaptive_lines) do
+%% for _, line in ipairs(lines) do
 %%   if line == "" then
 
 %%   else
@@ -31,10 +31,10 @@ static void ${name}_adaptive_first(const ${name}_model *m, ${name}_real t, const
   int k;
 
   ${name}_rhs(m, t, x, u, dx);
-  for (k = 0; k < ${adaptive_count}; k++) k1[k] = dx[${name}_adaptive_moving[k]];
+  for (k = 0; k < ${count}; k++) k1[k] = dx[${name}_adaptive_moving[k]];
 }
 
-%% if adaptive_attitude then
+%% if attitude then
 /* x takes the state that a step ends in; |q| is brought back to 1 by one Newton step.  The factor is 1 but for a unit or two
  * of the last place; times q it would be rounded to whole units, more of a small mantissa than of a large one: a turn, always
  * the same way.  So its difference n from 1 goes into what is added; and n is formed of x and `turn`, for `out` has a
@@ -50,7 +50,7 @@ static void ${name}_adaptive_take(const ${name}_real out[], const ${name}_real t
     n -= q*(${half}*q + turn[k]) + ${half}*turn[k]*turn[k];
   }
   for (k = 0; k < 4; k++) x[${name}_adaptive_moving[k]] += turn[k] + n*out[k];
-  for (k = 4; k < ${adaptive_count}; k++) x[${name}_adaptive_moving[k]] = out[k];
+  for (k = 4; k < ${count}; k++) x[${name}_adaptive_moving[k]] = out[k];
 }
 %% else
 /* x takes the state that a step ends in. */
@@ -58,17 +58,17 @@ static void ${name}_adaptive_take(const ${name}_real out[], ${name}_real x[])
 {
   int k;
 
-  for (k = 0; k < ${adaptive_count}; k++) x[${name}_adaptive_moving[k]] = out[k];
+  for (k = 0; k < ${count}; k++) x[${name}_adaptive_moving[k]] = out[k];
 }
 %% end
 
 void ${name}_adaptive_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
 {
-  ${name}_real k1[${adaptive_count}], k7[${adaptive_count}], error[${adaptive_count}], out[${adaptive_count}]${adaptive_room};
+  ${name}_real k1[${count}], k7[${count}], error[${count}], out[${count}]${room};
 
   ${name}_adaptive_first(m, t, x, u, k1);
-  ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error${adaptive_turn});
-  ${name}_adaptive_take(out${adaptive_turn}, x);
+  ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error${turn});
+  ${name}_adaptive_take(out${turn}, x);
 }
 
 /* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step, or
@@ -104,7 +104,7 @@ static ${name}_real ${name}_adaptive_norm(const ${name}_real x[], const ${name}_
 int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most)
 {
   const ${name}_real fifth = ${half}*${half}*${half} + ${half}*${half}*${half}*${half}; /* 3/16, a little less than 1/5 */
-  ${name}_real k1[${adaptive_count}], k7[${adaptive_count}], error[${adaptive_count}], out[${adaptive_count}]${adaptive_room};
+  ${name}_real k1[${count}], k7[${count}], error[${count}], out[${count}]${room};
   ${name}_real t = t0, h = t1 - t0, lost = ${zero};
   int steps, k, fresh = 1;
 
@@ -124,7 +124,7 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
     if (fresh) ${name}_adaptive_first(m, t, x, u, k1);
     last = !(${fabs}(h) < ${fabs}(left));
     if (last) h = left;
-    ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error${adaptive_turn});
+    ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error${turn});
     r = ${name}_adaptive_norm(x, out, error)/tolerance;
     /* the next step is 0.9 r^(-1/5) as long, between a tenth and five times; what is not finite counts as a tenth */
     factor = r > ${zero} ? ${exp}(-fifth*${log}(r))*(${one} - ${half}*${half}*${half}) : ${eight};
@@ -137,8 +137,8 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
       fresh = 0;
       continue;
     }
-    ${name}_adaptive_take(out${adaptive_turn}, x);
-    for (k = 0; k < ${adaptive_count}; k++) k1[k] = k7[k];
+    ${name}_adaptive_take(out${turn}, x);
+    for (k = 0; k < ${count}; k++) k1[k] = k7[k];
     fresh = 0;
 %% if has_knots then
     if (last) {

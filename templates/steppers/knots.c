@@ -2,10 +2,10 @@
 /* The first corner of the tables on the way from time t to `end`, else `end`.  Between two corners the equations are smooth. */
 static ${name}_real ${name}_knot(const ${name}_model *m, ${name}_real t, ${name}_real end)
 {
-%% if knots_static then
-  static const ${name}_real at[${knots_count}] = {
+%% if static then
+  static const ${name}_real at[${count}] = {
 %% else
-  const ${name}_real at[${knots_count}] = {
+  const ${name}_real at[${count}] = {
 %% end
 %% for _, k in ipairs(knots) do
     ${k},
@@ -13,10 +13,10 @@ static ${name}_real ${name}_knot(const ${name}_model *m, ${name}_real t, ${name}
   };
   int i;
 
-%% if knots_static then
+%% if static then
   (void)m;
 %% end
-  for (i = 0; i < ${knots_count}; i++) {
+  for (i = 0; i < ${count}; i++) {
     if ((t < at[i] && at[i] < end) || (t > at[i] && at[i] > end)) end = at[i];
   }
   return end;

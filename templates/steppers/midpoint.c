@@ -3,9 +3,9 @@
  * Integration, VII.5: w the rate at the middle of the step, Cayley's map of h w the step's rotation ---- */
 
 /* Newton: from w = mid to `next`. */
-static ${midpoint_newton_head}
+static ${newton_head}
 {
-%% for _, line in ipairs(midpoint_newton_lines) do
+%% for _, line in ipairs(newton_lines) do
 %%   if line == "" then
 
 %%   else
@@ -15,9 +15,9 @@ static ${midpoint_newton_head}
 }
 
 /* The step that the rate in the middle, w = mid, makes. */
-static ${midpoint_finish_head}
+static ${finish_head}
 {
-%% for _, line in ipairs(midpoint_finish_lines) do
+%% for _, line in ipairs(finish_lines) do
 %%   if line == "" then
 
 %%   else
@@ -35,7 +35,7 @@ static void ${name}_midpoint_solve(const ${name}_model *m, ${name}_real t, const
   mid[0] = x[${upper}_WX];
   mid[1] = x[${upper}_WY];
   mid[2] = x[${upper}_WZ];
-  for (k = 0; k < ${midpoint_count}; k++) {
+  for (k = 0; k < ${count}; k++) {
     ${name}_midpoint_newton(m, t, x, u, h, mid, next);
     /* a singular Jacobian, h far too large: x - x is not 0 for what is not finite */
     if (!((next[0] - next[0]) + (next[1] - next[1]) + (next[2] - next[2]) == ${zero})) break;
@@ -52,12 +52,12 @@ void ${name}_midpoint_step(const ${name}_model *m, ${name}_real t, ${name}_real 
   ${name}_midpoint_solve(m, t, x, u, h, mid);
   ${name}_midpoint_finish(m, t, x, u, h, mid);
 }
-%% if midpoint_transition then
+%% if transition then
 
 /* The transition matrix of the step whose rate in the middle is w = mid, by the theorem on implicit functions. */
-static ${midpoint_tangent_head}
+static ${tangent_head}
 {
-%%   for _, line in ipairs(midpoint_tangent_lines) do
+%%   for _, line in ipairs(tangent_lines) do
 %%     if line == "" then
 
 %%     else
@@ -75,12 +75,12 @@ void ${name}_midpoint_step_transition(const ${name}_model *m, ${name}_real t, ${
   ${name}_midpoint_finish(m, t, x, u, h, mid);
 }
 %% end
-%% if midpoint_transition_u then
+%% if transition_u then
 
 /* How the step depends on the input, its rate in the middle w = mid. */
-static ${midpoint_tangent_u_head}
+static ${tangent_u_head}
 {
-%%   for _, line in ipairs(midpoint_tangent_u_lines) do
+%%   for _, line in ipairs(tangent_u_lines) do
 %%     if line == "" then
 
 %%     else
@@ -103,14 +103,14 @@ void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], cons
 {
   ${name}_midpoint_step(m, t, x, u, h);
 }
-%%   if midpoint_transition then
+%%   if transition then
 
 void ${name}_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[])
 {
   ${name}_midpoint_step_transition(m, t, x, u, h, F);
 }
 %%   end
-%%   if midpoint_transition_u then
+%%   if transition_u then
 
 void ${name}_step_transition_u(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real G[])
 {

@@ -1,11 +1,11 @@
 %% -- plan.c -- the planned method over a span of time: part of scene.c.  SPDX-License-Identifier: MIT-0
-/* ---- planned for an accuracy of ${plan_accuracy}: ${plan_method} ---- */
+/* ---- planned for an accuracy of ${accuracy}: ${method} ---- */
 
 int ${name}_advance(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1)
 {
-%% if plan_kind_step then
+%% if kind_step then
   const ${name}_real span = t1 - t0; /* into equal steps; a quotient just above a whole number is that number */
-  const ${name}_real whole = ${fabs}(span)/${upper}_PLANNED_STEP*(${one} - ${plan_slack});
+  const ${name}_real whole = ${fabs}(span)/${upper}_PLANNED_STEP*(${one} - ${slack});
   const ${name}_real n = ${floor}(whole) < whole ? ${floor}(whole) + ${one} : ${floor}(whole);
   int i, steps;
 
@@ -17,20 +17,20 @@ int ${name}_advance(const ${name}_model *m, ${name}_real t0, ${name}_real x[], c
   }
   return steps;
 %% end
-%% if plan_kind_run then
+%% if kind_run then
   const ${name}_real span = t1 - t0;
-%%   if plan_share then
+%%   if share then
   const ${name}_real part = ${fabs}(span)/${horizon_literal}; /* of the span for which the tolerance was found */
 
   if (!(span - span == ${zero})) return -1;
-  return ${name}_${plan_run}_run(m, t0, x, u, t1, ${upper}_PLANNED_TOLERANCE*part, (int)(~0U >> 1));
+  return ${name}_${run}_run(m, t0, x, u, t1, ${upper}_PLANNED_TOLERANCE*part, (int)(~0U >> 1));
 %%   else
 
   if (!(span - span == ${zero})) return -1;
-  return ${name}_${plan_run}_run(m, t0, x, u, t1, ${upper}_PLANNED_TOLERANCE, (int)(~0U >> 1));
+  return ${name}_${run}_run(m, t0, x, u, t1, ${upper}_PLANNED_TOLERANCE, (int)(~0U >> 1));
 %%   end
 %% end
-%% if plan_kind_closed then
+%% if kind_closed then
   ${name}_orbit o;
   int k;
 

@@ -1,13 +1,13 @@
 %% -- plan.h -- the contract of the planned method: part of scene.h.  SPDX-License-Identifier: MIT-0
-/* ---- planned for an accuracy of ${plan_accuracy} ---- */
+/* ---- planned for an accuracy of ${accuracy} ---- */
 
-%% if plan_steps then
-/* The ${plan_what} that holds it [${plan_unit}]. */
-#define ${upper}_PLANNED_${plan_constant} (${plan_literal})
+%% if steps then
+/* The ${what} that holds it [${unit}]. */
+#define ${upper}_PLANNED_${constant} (${literal})
 
 %% end
-/* The state x at time t0 becomes that at t1 by the planned method, in either direction${plan_input}.
-%% for _, line in ipairs(plan_note) do
+/* The state x at time t0 becomes that at t1 by the planned method, in either direction${input}.
+%% for _, line in ipairs(note) do
  * ${line}
 %% end
  * Returns the number of steps, or -1 if they are more than an int holds or the state became infinite. */

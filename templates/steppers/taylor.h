@@ -1,10 +1,10 @@
 %% -- taylor.h -- the contract of the Taylor series stepper: part of scene.h.  SPDX-License-Identifier: MIT-0
-/* ---- Taylor series of order ${upper}_ORDER: automatic recurrences, ${taylor_lanes} products an order ---- */
+/* ---- Taylor series of order ${upper}_ORDER: automatic recurrences, ${lanes} products an order ---- */
 
 /* states that move, in the order of x[]; numbers of a row of coefficients, those beyond the states for its own use */
-enum { ${upper}_ORDER = ${taylor_order_text}, ${upper}_MOVING = ${taylor_count}, ${upper}_ROW = ${taylor_row} };
+enum { ${upper}_ORDER = ${order}, ${upper}_MOVING = ${count}, ${upper}_ROW = ${row} };
 
-%% if taylor_axis or taylor_shift or taylor_top then
+%% if axis or shift or top then
 /* Coefficients of the solution through x at time t, in the turning frame of the source; taylor_at makes states of them. */
 %% else
 /* Coefficients c[n][k] of the solution through x at time t: state k is the sum of c[n][k] s^n at time t + s. */
@@ -23,7 +23,7 @@ void ${name}_taylor_at(const ${name}_model *m, ${name}_real c[][${upper}_ROW], $
 /* One step of size h, order ${upper}_ORDER: x goes from time t to t + h, the input u held. */
 void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
 
-%% if taylor_transition then
+%% if transition then
 /* The same step and its transition matrix, row major, NX x NX: F[i*NX + k] = d x[i](t + h)/d x[k](t), by the series of the
  * variational equations of the same order; what keeps |q| = 1 is included.  It takes about 3 NX times as long as the step. */
 void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[]);
@@ -55,7 +55,7 @@ void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], cons
 %%   if has_compensated then
 void ${name}_step_compensated(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real low[${upper}_NX]);
 %%   end
-%%   if taylor_transition then
+%%   if transition then
 void ${name}_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[]);
 %%     if has_inputs then
 void ${name}_step_transition_u(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real G[]);

@@ -16,7 +16,7 @@ void ${name}_taylor_step_compensated(const ${name}_model *m, ${name}_real t, ${n
     part = stop < end || stop > end ? stop - t : h;
     ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c, t + ${half}*part);
     ${name}_taylor_step_by(m, c, ${upper}_ORDER, part, x, d);
-%% for _, s in ipairs(taylor_states) do
+%% for _, s in ipairs(states) do
     add = d[${s.index}] + low[${s.name}];
     sum = x[${s.name}] + add;
     low[${s.name}] = add - (sum - x[${s.name}]);
@@ -36,7 +36,7 @@ void ${name}_taylor_step_compensated(const ${name}_model *m, ${name}_real t, ${n
   }
 %% end
   ${name}_taylor_step_by(m, c, ${upper}_ORDER, h, x, d);
-%% for _, s in ipairs(taylor_states) do
+%% for _, s in ipairs(states) do
   add = d[${s.index}] + low[${s.name}];
   sum = x[${s.name}] + add;
   low[${s.name}] = add - (sum - x[${s.name}]);

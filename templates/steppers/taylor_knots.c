@@ -19,7 +19,7 @@ void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[
     }
 %% end
     ${name}_taylor_step_by(m, c, ${upper}_ORDER, part, x, d);
-%% for _, s in ipairs(taylor_states) do
+%% for _, s in ipairs(states) do
     x[${s.name}] += d[${s.index}];
 %% end
     t = stop;

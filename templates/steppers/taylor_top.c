@@ -1,4 +1,4 @@
-%% -- taylor_top.c -- the terms of a heavy symmetric top's Taylor series: part of taylor.c.  SPDX-License-Identifier: MIT-0
+%% -- taylor_top.c -- the terms of a heavy symmetric top's Taylor series: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* The heavy symmetric top.  With a = qw + i qz, b = qx + i qy, W = wx + i wy and z the cosine of the tilt, W' = i Omega W +
  * K conj(a) b.  Let M = wz + Omega, e = |W|^2 + K z and l = Re(W conj(gx + i gy)) + M z, which are constant, g the vertical in
  * the body.  In the frame that turns about the body's axis with 2 f = Omega - 2 s
@@ -9,10 +9,10 @@
  * in that frame and of their rates. */
 static void ${name}_taylor_constants(const ${name}_model *m, const ${name}_real x[], ${name}_real o[4])
 {
-%% for _, line in ipairs(taylor_lame.loads) do
+%% for _, line in ipairs(lame.loads) do
   ${line}
 %% end
-%% for _, line in ipairs(taylor_lame.lines) do
+%% for _, line in ipairs(lame.lines) do
   ${line}
 %% end
   (void)m; /* constants may be in the code */

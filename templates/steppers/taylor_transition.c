@@ -6,49 +6,49 @@
 %% end
  */
 static void ${name}_taylor_tangent(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real v[],
-                       const ${name}_real u[], ${name}_real c[][${taylor_count}]${taylor_side})
+                       const ${name}_real u[], ${name}_real c[][${count}]${side})
 {
-%% if taylor_has_lanes then
-  ${name}_real a[${upper}_ORDER + 1][${taylor_lanes}], b[${upper}_ORDER + 1][${taylor_lanes}], p[${taylor_lanes}];
+%% if has_lanes then
+  ${name}_real a[${upper}_ORDER + 1][${lanes}], b[${upper}_ORDER + 1][${lanes}], p[${lanes}];
   int j, l;
 %% end
-  ${name}_real y[${taylor_places}];
-%% for _, line in ipairs(taylor_outer) do
+  ${name}_real y[${places}];
+%% for _, line in ipairs(outer) do
   ${line}
 %% end
   int n;
 
-%% for _, line in ipairs(taylor_voids) do
+%% for _, line in ipairs(voids) do
   ${line}
 %% end
-%% for _, line in ipairs(taylor_start) do
+%% for _, line in ipairs(start) do
   ${line}
 %% end
-  for (n = 0; n < ${taylor_count}; n++) c[0][n] = y[n];
-%% for _, level in ipairs(taylor_levels) do
+  for (n = 0; n < ${count}; n++) c[0][n] = y[n];
+%% for _, level in ipairs(levels) do
 %%   for _, lane in ipairs(level.lanes) do
   a[0][${lane.index}] = ${lane.first};
   b[0][${lane.index}] = ${lane.right};
 %%   end
 %% end
   {
-%% for _, line in ipairs(taylor_next) do
+%% for _, line in ipairs(next) do
     ${line}
 %% end
   }
-  for (n = 0; n < ${taylor_count}; n++) c[1][n] = y[n];
+  for (n = 0; n < ${count}; n++) c[1][n] = y[n];
 
   for (n = 1; n < ${upper}_ORDER; n++) {
     const ${name}_real after = ${one}/(${name}_real)(n + 1);
     int i;
-%% if taylor_order then
+%% if uses_order then
     const ${name}_real order = (${name}_real)n;
 %% end
-%% for _, line in ipairs(taylor_loads) do
+%% for _, line in ipairs(loads) do
     ${line}
 %% end
 
-%% for _, level in ipairs(taylor_levels) do
+%% for _, level in ipairs(levels) do
 %%   if level.has_lanes then
 %%     for _, z in ipairs(level.unknown) do
     y[${z}] = ${zero};
@@ -69,45 +69,45 @@ static void ${name}_taylor_tangent(const ${name}_model *m, ${name}_real t, const
     ${line}
 %%   end
 %% end
-%% for _, line in ipairs(taylor_after) do
+%% for _, line in ipairs(after) do
     ${line}
 %% end
-    for (i = 0; i < ${taylor_count}; i++) c[n + 1][i] = y[i];
+    for (i = 0; i < ${count}; i++) c[n + 1][i] = y[i];
   }
 }
 
 /* v at the end of a step of size h from v at its start, and with it what the step does to keep |q| = 1:
  * q1 = (3/2 - |q|^2/2) q(h), so v1 = (3/2 - |q|^2/2) v(h) - (q.v) q(h). */
-static void ${name}_taylor_along(${name}_real c[][${taylor_count}], ${name}_real h, ${name}_real v[])
+static void ${name}_taylor_along(${name}_real c[][${count}], ${name}_real h, ${name}_real v[])
 {
-  ${name}_real s[${taylor_count}];
+  ${name}_real s[${count}];
   int n, i;
-%% if taylor_attitude then
+%% if attitude then
   const ${name}_real *q = c[0], *w = c[0] + ${upper}_MOVING;
   const ${name}_real k = ${threehalves} - ${half}*(q[0]*q[0] + q[1]*q[1] + q[2]*q[2] + q[3]*q[3]);
   const ${name}_real d = q[0]*w[0] + q[1]*w[1] + q[2]*w[2] + q[3]*w[3];
 %% end
 
-  for (i = 0; i < ${taylor_count}; i++) {
+  for (i = 0; i < ${count}; i++) {
     s[i] = c[${upper}_ORDER][i];
     for (n = ${upper}_ORDER - 1; n >= 0; n--) s[i] = c[n][i] + h*s[i];
   }
-%% if taylor_attitude then
+%% if attitude then
   for (i = 0; i < 4; i++) s[${upper}_MOVING + i] = k*s[${upper}_MOVING + i] - d*s[i];
 %% end
-%% for _, s in ipairs(tangent_states) do
+%% for _, s in ipairs(tangents) do
   v[${s.name}] = s[${s.along}];
 %% end
 }
 
-%% if taylor_shift then
+%% if shift then
 /* The step's frame turns by g s |q|^2, g = L/I2, and its own derivative where |q| changes has that, too: h q (0, g). */
 static void ${name}_taylor_longer(const ${name}_model *m, const ${name}_real x[], const ${name}_real q0[4], ${name}_real h, ${name}_real F[])
 {
-%%   for _, line in ipairs(taylor_frame.loads) do
+%%   for _, line in ipairs(frame.loads) do
   ${line}
 %%   end
-%%   for _, line in ipairs(taylor_frame.lines) do
+%%   for _, line in ipairs(frame.lines) do
   ${line}
 %%   end
   const ${name}_real *q = x + ${upper}_QW;
@@ -125,16 +125,16 @@ static void ${name}_taylor_longer(const ${name}_model *m, const ${name}_real x[]
 void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[])
 {
 %% if has_inputs then
-  ${name}_real c[${upper}_ORDER + 1][${taylor_count}], v[${upper}_NX + ${upper}_NU] = {${zero}};
+  ${name}_real c[${upper}_ORDER + 1][${count}], v[${upper}_NX + ${upper}_NU] = {${zero}};
 %% else
-  ${name}_real c[${upper}_ORDER + 1][${taylor_count}], v[${upper}_NX];
+  ${name}_real c[${upper}_ORDER + 1][${count}], v[${upper}_NX];
 %% end
 %% if has_knots then
   const ${name}_real end = t + h;
   ${name}_real stop, part;
   int n;
 %% end
-%% if taylor_shift then
+%% if shift then
   const ${name}_real q[4] = {x[${upper}_QW], x[${upper}_QX], x[${upper}_QY], x[${upper}_QZ]};
 %% end
   int i, k;
@@ -164,7 +164,7 @@ void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${na
   }
   ${name}_taylor_step(m, t, x, u, h);
 %% end
-%% if taylor_shift then
+%% if shift then
   ${name}_taylor_longer(m, x, q, h, F);
 %% end
 }
@@ -172,7 +172,7 @@ void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${na
 
 void ${name}_taylor_step_transition_u(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real G[])
 {
-  ${name}_real c[${upper}_ORDER + 1][${taylor_count}], v[${upper}_NX + ${upper}_NU];
+  ${name}_real c[${upper}_ORDER + 1][${count}], v[${upper}_NX + ${upper}_NU];
   int i, k;
 
   for (k = 0; k < ${upper}_NU; k++) {

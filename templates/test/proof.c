@@ -4,8 +4,8 @@
  *     ${command}
  * template: templates/test/proof.c.  ${license}
  * `make proof`, or
- *     frama-c ${proof_options} \
- *       -cpp-extra-args="${proof_cpp}" ${name}_proof.c ${name}.c
+ *     frama-c ${options} \
+ *       -cpp-extra-args="${cpp}" ${name}_proof.c ${name}.c
  * No alarm, and each of the lines Frama_C_show_each_... below in its output: then no step that begins within the ranges
  * overflows, makes a NaN or an infinity, divides by zero or touches memory that is not its own, for any parameters of the
  * ranges, however many steps went before.  Arithmetic is IEEE 754, rounded to nearest.  Never linked, never run.
@@ -21,7 +21,7 @@ extern ${name}_real any(${name}_real low, ${name}_real high);
 /* What was reached: Eva prints the call. */
 extern void Frama_C_show_each_init_accepted(void);
 extern void Frama_C_show_each_guard_refused(void);
-%% for _, step in ipairs(proof_steps) do
+%% for _, step in ipairs(steps) do
 extern void Frama_C_show_each_${step}_done(void);
 %% end
 
@@ -32,45 +32,45 @@ static void any_state(${name}_real x[])
 {
   int i;
 
-  for (i = 0; i < ${upper}_NX; i++) x[i] = any(-${proof_largest}, ${proof_largest});
+  for (i = 0; i < ${upper}_NX; i++) x[i] = any(-${largest}, ${largest});
 }
-%% if proof_cases then
+%% if cases then
 
 /* Cases by a component of q that is not small.  Where |q|^2 >= 1/4 one is at least 1/4 in size, so the last case, 0, is one
  * that the guard refuses; only by cases do intervals show that a divisor |q| is not 0. */
 static int part(const ${name}_real x[])
 {
-  if (x[${upper}_QW] >= ${proof_part}) return 1;
-  if (x[${upper}_QW] <= -${proof_part}) return 2;
-  if (x[${upper}_QX] >= ${proof_part}) return 3;
-  if (x[${upper}_QX] <= -${proof_part}) return 4;
-  if (x[${upper}_QY] >= ${proof_part}) return 5;
-  if (x[${upper}_QY] <= -${proof_part}) return 6;
-  if (x[${upper}_QZ] >= ${proof_part}) return 7;
-  if (x[${upper}_QZ] <= -${proof_part}) return 8;
+  if (x[${upper}_QW] >= ${part}) return 1;
+  if (x[${upper}_QW] <= -${part}) return 2;
+  if (x[${upper}_QX] >= ${part}) return 3;
+  if (x[${upper}_QX] <= -${part}) return 4;
+  if (x[${upper}_QY] >= ${part}) return 5;
+  if (x[${upper}_QY] <= -${part}) return 6;
+  if (x[${upper}_QZ] >= ${part}) return 7;
+  if (x[${upper}_QZ] <= -${part}) return 8;
   return 0;
 }
 %% end
-%% for _, step in ipairs(proof_steps) do
+%% for _, step in ipairs(steps) do
 
 /* What firmware does in each cycle: check, then step, or recover. */
 static void cycle_${step}(const ${name}_model *m, ${name}_real x[])
 {
-%% if proof_cases then
+%% if cases then
   const int of = part(x);
 %% end
   const ${name}_real t = any(${zero}, ${horizon_literal});
 %% if has_inputs then
   ${name}_real u[${upper}_NU];
 
-%%   for _, i in ipairs(proof_inputs) do
+%%   for _, i in ipairs(inputs) do
   u[${i.name}] = any(${i.low}, ${i.high});
 %%   end
 %% else
   const ${name}_real *u = 0;
 
 %% end
-%% if proof_cases then
+%% if cases then
   (void)of;
 %% end
   if (${name}_within(x) != 0) {
@@ -78,7 +78,7 @@ static void cycle_${step}(const ${name}_model *m, ${name}_real x[])
     any_state(x);
     return;
   }
-  ${name}_${step}(m, t, x, u, ${proof_step});
+  ${name}_${step}(m, t, x, u, ${h});
   Frama_C_show_each_${step}_done();
 }
 %% end
@@ -91,7 +91,7 @@ int main(void)
   ${name}_real p[${upper}_NP];
 
   ${name}_defaults(p);
-%% for _, p in ipairs(proof_params) do
+%% for _, p in ipairs(params) do
   p[${p.name}] = any(${p.low}, ${p.high});
 %% end
 %% else
@@ -100,7 +100,7 @@ int main(void)
 %% end
   if (${name}_init(&m, p) != 0) return 1; /* parameters that ${name}_init refuses make no step */
   Frama_C_show_each_init_accepted();
-%% for _, step in ipairs(proof_steps) do
+%% for _, step in ipairs(steps) do
   any_state(x);
   while (unknown) cycle_${step}(&m, x);
 %% end

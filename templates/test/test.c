@@ -7,7 +7,7 @@
  * A tolerance is a number of roundings (units of the type's epsilon) times the sum of the magnitudes of the terms
  * that make up the result, so it is what the arithmetic can lose and no more.
  */
-%% for _, h in ipairs(public_headers) do
+%% for _, h in ipairs(headers) do
 #include "${h}"
 %% end
 
@@ -144,7 +144,7 @@ static void guard(void)
     ${name}_real low, high, below, above;
     int state; /* that is named */
   } range[${upper}_NX] = {
-%%   for _, r in ipairs(guard_rows) do
+%%   for _, r in ipairs(ranges) do
     {${r.low}, ${r.high}, ${r.below}, ${r.above}, ${r.answer}}${r.tail}
 %%   end
   };

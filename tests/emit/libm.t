@@ -37,7 +37,7 @@ local function own(real, functions)
   local bits = real == "float" and 24 or 53
   local function n(x) return number.text(R.lift(x), real) end
   local v = { name = "own", zero = n(0), one = n(1), two = n(2), half = n "1/2", quarter = n "1/4", arm_fma = "0",
-    split = n(R.new(2) ^ ((bits + 1) // 2) + R.one), round_off = n(R.new(3) * R.new(2) ^ (bits - 2)) }
+    split = n(R.new(2) ^ ((bits + 1) // 2) + R.one) }
   local calls = {}
   for i, f in ipairs(functions) do calls[i] = "own_" .. f .. "(" end
   return libm.source(v, { name = "own", real = real }, templates, table.concat(calls, " "))

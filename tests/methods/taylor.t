@@ -21,7 +21,6 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
 local number = require "generator.emit.number"
-local template = require "generator.emit.template"
 local taylor = require "generator.methods.taylor"
 local emit = require "generator.emit.taylor"
 local series = require "generator.methods.series"
@@ -88,19 +87,17 @@ local function printed(s, name)
     members = { { name = "kk", sym = k } } }
   local made, why = taylor.program(equations(s), { order = ORDER })
   if not made then return nil, why end
-  local v = { name = name, upper = ctx.upper, first = false, has_knots = false, planning = false,
-    has_compensated = false, zero = "0.0",
-    one = "1.0", half = "0.5", two = "2.0", four = "4.0", quarter = "0.25", eight = "8.0", fabs = "fabs",
-    sqrt = "sqrt", sin = "sin", cos = "cos" }
-  emit.fill(ctx, made, v)
+  local kit = { ctx = ctx, compensated = false, planning = false, base = { name = name, upper = ctx.upper,
+    has_inputs = false, zero = "0.0", one = "1.0", half = "0.5", two = "2.0", four = "4.0", quarter = "0.25",
+    eight = "8.0", fabs = "fabs", sqrt = "sqrt", sin = "sin", cos = "cos" },
+    templates = setmetatable({}, { __index = function(_, path) return scene.slurp(path) end }) }
+  local header, sources = emit.render({ program = made, first = false, has_knots = false }, kit)
   local lines = { "typedef double " .. name .. "_real; typedef struct { double kk; } " .. name .. "_model;",
     "enum { " .. ctx.upper .. "_ONE, " .. ctx.upper .. "_TWO, " .. ctx.upper .. "_NX };",
     -- for what leaves a root's zero
     (("void RHS; void RHS { (void)m; (void)t; (void)u; dx[0] = x[0]; dx[1] = x[1]; }"):gsub("RHS", name ..
       "_rhs(const " .. name .. "_model *m, double t, const double x[], const double u[], double dx[])")),
-    template.render("taylor.h", scene.slurp "templates/steppers/taylor.h", v),
-    template.render("taylor.c", scene.slurp "templates/steppers/taylor.c", v),
-    template.render("taylor_run.c", scene.slurp "templates/steppers/taylor_run.c", v) }
+    header, table.concat(sources, "\n") }
   return table.concat(lines, "\n"), made
 end
 

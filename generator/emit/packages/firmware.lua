@@ -7,13 +7,21 @@ local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
 local orbit = require "generator.emit.orbit"
 local samples = require "generator.emit.samples"
+local template = require "generator.emit.template"
 
 local firmware = { real = "float", methods = { "rk4" }, jacobians = "transition", whole = true, layout = "single" }
 
-local FOLDER = "templates/projects/firmware/"
+local FOLDER = "projects/firmware/"
 local FILES = { "config.h", "derived.h", "main.c", "estimator.h", "estimator.c", "gyro.h", "gyro.c", "readings.c",
   "control.h", "control.c", "watchdog.h", "watchdog.c", "telemetry.h", "telemetry.c", "inject.h", "inject.c", "port.h",
   "port_m4f.c", "port_host.c", "startup.h", "startup.c", "link.ld", "Makefile", "README.md" }
+local GROUP
+do
+  local list = {}
+  for i, name in ipairs(FILES) do list[i] = FOLDER .. name end
+  GROUP = template.group(table.unpack(list))
+end
+
 -- What a project edits.  No version, name or number of the scene stands in them, so that they fit what is made later.
 local once = { ["config.h"] = true, ["gyro.c"] = true, ["control.c"] = true, ["port_m4f.c"] = true,
   ["startup.c"] = true, ["link.ld"] = true }
@@ -54,7 +62,7 @@ function firmware.check(job)
   return true
 end
 
-local function law_values(v, list, text)
+local function law_values(v, name, list, text)
   local place = 0
   v.laws, v.has_laws, v.laws_count = {}, #list > 0, "0"
   local names, jump, band = {}, {}, {}
@@ -62,8 +70,8 @@ local function law_values(v, list, text)
     local upper = law.name == "jacobi_integral" and "INTEGRAL" or string.upper(law.name)
     local word = law.name == "jacobi_integral" and "the Jacobi integral" or
       law.name == "momentum" and "the angular momentum in inertial axes" or "the energy"
-    local t = law.timed and "(" .. v.name .. "_real)e->cycle*APP_STEP, " or ""
-    local f = v.name .. "_" .. law.name .. "(&e->model, " .. t .. "e->x"
+    local t = law.timed and "(" .. name .. "_real)e->cycle*APP_STEP, " or ""
+    local f = name .. "_" .. law.name .. "(&e->model, " .. t .. "e->x"
     local at = string.format("%d", place)
     v.laws[i] = { upper = upper, jump = text(law.jump), band = text(law.size / R.new(64)),
       unit = law.name == "momentum" and "kg m^2/s" or "J",
@@ -90,8 +98,9 @@ local function sample_lines(rows)
   return out
 end
 
-local function fill(job, v)
-  local m, real = job.model, job.real
+-- The values, or nil after an error in job.diag.
+local function values_of(job, base)
+  local m, real, v = job.model, job.real, {}
   local round = orbit.rounder(real)
   local epsilon = R.new(2) ^ (real == "float" and -23 or -52)
   local params = {}
@@ -99,7 +108,7 @@ local function fill(job, v)
   local s, why = samples.of(job, params, round, epsilon)
   if not s then
     job.diag:error(job.record.line, "project firmware", why, m.name)
-    return false
+    return nil
   end
   local function text(q) return number.text(round(q), real) end
   local function whole(n) return string.format("%d", n) end
@@ -114,12 +123,13 @@ local function fill(job, v)
   v.start_sigma, v.norm_limit = text(s.full / R.new(64)), text(s.norm)
   v.run_cycles = whole(s.every * samples.count)
   v.telemetry, v.fault_limit = v.samples_every, "8"
-  v.control_file, v.control_words = v.has_inputs and " control.c" or "", v.has_inputs and " control.c," or ""
+  v.control_file, v.control_words = base.has_inputs and " control.c" or "", base.has_inputs and " control.c," or ""
   v.single = real == "float"
+  v.bits_type, v.binary_shift = v.single and "uint32_t" or "uint64_t", v.single and "23" or "52"
   v.digits_blank = real == "float" and "9" or "17"
   v.nan_bits = real == "float" and "0x7FC00000U" or "0x7FF8000000000000U"
   v.states_count = whole(#job.states)
-  v.step_name = v.name .. "_step"
+  v.step_name = base.name .. "_step"
   local function short(q) -- four decimals
     return number.text(R.floor(q * R.new(10000) + R.half) / R.new(10000), "double")
   end
@@ -127,15 +137,16 @@ local function fill(job, v)
   v.exact_cycles = real == "float" and "2^24" or "2^32"
   v.start_sigma_text, v.lsb_text = number.text(s.full / R.new(64), "double"), number.text(s.lsb, "double")
   v.libm_words = job.libm == "own" and "" or " and what the scene needs of <math.h>"
-  law_values(v, s.laws, text)
-  return true
+  law_values(v, base.name, s.laws, text)
+  return v
 end
 
-function firmware.files(job, v, render)
-  if not fill(job, v) then return nil end
-  local out = {}
+function firmware.files(job, made)
+  local v = values_of(job, made.base)
+  if not v then return nil end
+  local render, out = GROUP(job.templates, made.base, v), {}
   for _, name in ipairs(FILES) do
-    if v.has_inputs or not string.find(name, "^control") then
+    if made.base.has_inputs or not string.find(name, "^control") then
       out[#out + 1] = { name = name, text = render(FOLDER .. name), once = once[name] }
     end
   end

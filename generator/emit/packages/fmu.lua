@@ -11,6 +11,13 @@ local number = require "generator.emit.number"
 local functions = require "generator.emit.packages.fmu_functions"
 local variables = require "generator.emit.packages.fmu_variables"
 local zip = require "generator.emit.packages.zip"
+local template = require "generator.emit.template"
+
+local UNIT = template.group("projects/fmu_unit.h", "projects/fmu_unit.c", "projects/fmu_description2.xml",
+  "projects/fmu_description3.xml", "projects/fmu_build.xml", "projects/fmu_README.md")
+local INTERFACE = template.group("projects/fmu_fmi2.h", "projects/fmu_fmi2.c", "projects/fmu_fmi3.h",
+  "projects/fmu_fmi3.c", "projects/fmu_phases.c", "projects/fmu_modes.c", "projects/fmu_states.c",
+  "projects/fmu_refused.c")
 
 local fmu = { whole = true, layout = "single" }
 
@@ -76,60 +83,72 @@ local ways = {
   exact = { method = " by the closed form, from the start each time", tolerance = "the closed form knows no steps" },
 }
 
-local function fill(job, v)
+-- The values of what both versions share; what their functions say of the tolerance.
+local function values_of(job, made)
   local way = exact(job) and "exact" or job.planned and "planned" or "stepper"
-  v.unit_exact, v.unit_planned, v.unit_stepper = way == "exact", way == "planned", way == "stepper"
-  v.unit_timed = timed(job.equations)
-  v.unit_method, v.unit_tolerance = ways[way].method, ways[way].tolerance
-  v.unit_derivatives = job.jacobians or false
-  v.unit_rates_text = v.unit_derivatives and ", their rates of change" or ""
-  v.unit_integral, v.unit_momentum = v.has_integral, v.has_rates
-  v.unit_momentum_function = v.has_attitude and "momentum" or "momentum_body"
-  v.unit_most = job.real == "float" and "3.4028234663852886e+38" or "1.7976931348623157e+308"
-  v.unit_checks = {}
-  for i, c in ipairs(v.checks) do v.unit_checks[i] = literal(c.text) end
+  local m, base = job.model, made.base
+  local v = { exact = way == "exact", planned = way == "planned", stepper = way == "stepper",
+    timed = timed(job.equations), method = ways[way].method,
+    derivatives = job.jacobians or false, derivatives_text = job.jacobians and "true" or "false",
+    rates_text = job.jacobians and ", their rates of change" or "", integral = job.conserved.rate ~= nil,
+    momentum = m.has.rates, momentum_function = base.has_attitude and "momentum" or "momentum_body",
+    most = job.real == "float" and "3.4028234663852886e+38" or "1.7976931348623157e+308", checks = {}, token = "",
+    title_attribute = variables.attribute("description", job.title),
+    scene_file = string.gsub(variables.escaped(job.source), "%-%-+", "-"), -- no -- in a comment of XML
+    tool = variables.attribute("generationTool", "polhode " .. job.build),
+    stop_time = number.decimal(m:number(m.horizon), "double"), step_size = number.decimal(m:number(m.step), "double") }
+  for i, c in ipairs(made.parts.init.checks) do v.checks[i] = literal(c.text) end
   local names, settable = {}, {}
   for i, x in ipairs(variables.fill(job, v)) do
     names[i] = "\"" .. literal(x.name) .. "\""
     if x.state then settable[x.state] = x.initial == "exact" and "1" or "0" end
   end
-  v.unit_names, v.unit_settable = wrapped(names), table.concat(settable, ", ")
-  local has = { derivatives = v.unit_derivatives }
-  v.fmi2_functions, v.fmi2_refused = functions.of("2", has)
-  v.fmi3_functions, v.fmi3_refused = functions.of("3", has)
-  v.fmu_title = variables.attribute("description", job.title)
-  v.fmu_source = string.gsub(variables.escaped(job.source), "%-%-+", "-") -- no -- in a comment of XML
-  v.fmu_tool = variables.attribute("generationTool", "polhode " .. job.build)
-  local m = job.model
-  v.fmu_horizon = number.decimal(m:number(m.horizon), "double")
-  v.fmu_step = number.decimal(m:number(m.step), "double")
-  v.fmu_derivatives = v.unit_derivatives and "true" or "false"
+  v.names, v.settable = wrapped(names), table.concat(settable, ", ")
+  return v, ways[way].tolerance
 end
 
-local own = { "_unit.h", "_unit.c", "_fmi2.h", "_fmi2.c", "_fmi3.h", "_fmi3.c" }
-local others = { { "modelDescription2.xml", "fmu_description2.xml" },
-  { "modelDescription3.xml", "fmu_description3.xml" },
-  { "buildDescription.xml", "fmu_build.xml" }, { "README.md", "fmu_README.md" } }
+-- What the standards call alike things.
+local WORDS = { ["2"] = { fmi = "fmi2", component = "fmi2Component", whole = "FMUstate", de = "DeSerialize" },
+  ["3"] = { fmi = "fmi3", component = "fmi3Instance", whole = "FMUState", de = "Deserialize" } }
 
-function fmu.files(job, v, render)
-  fill(job, v)
-  local function made()
+-- The two files of a version: the standard's header and its functions.
+local function interface(job, base, version, shared, tolerance)
+  local words = WORDS[version]
+  local v = { token = shared.token, tolerance = tolerance, derivatives = shared.derivatives,
+    fmi = words.fmi, component = words.component, whole = words.whole, de = words.de }
+  v.functions, v.refused = functions.of(version, { derivatives = shared.derivatives })
+  local render = INTERFACE(job.templates, base, v)
+  local function part(name) return (string.gsub(render("projects/fmu_" .. name .. ".c"), "\n$", "")) end
+  v.phases, v.modes, v.states, v.refusals = part "phases", part "modes", part "states", part "refused"
+  local stem = "projects/fmu_fmi" .. version
+  return render(stem .. ".h"), render(stem .. ".c")
+end
+
+function fmu.files(job, made)
+  local name = job.model.name
+  local v, tolerance = values_of(job, made)
+  local render = UNIT(job.templates, made.base, v)
+  local function all()
     local files = {}
-    for i, tail in ipairs(own) do
-      files[i] = { name = job.model.name .. tail, text = render("templates/projects/fmu" .. tail) }
+    local function put(file, text) files[#files + 1] = { name = file, text = text } end
+    for _, tail in ipairs { "_unit.h", "_unit.c" } do put(name .. tail, render("projects/fmu" .. tail)) end
+    for _, version in ipairs { "2", "3" } do
+      local header, source = interface(job, made.base, version, v, tolerance)
+      put(name .. "_fmi" .. version .. ".h", header)
+      put(name .. "_fmi" .. version .. ".c", source)
     end
-    for _, o in ipairs(others) do
-      files[#files + 1] = { name = o[1], text = render("templates/projects/" .. o[2]) }
-    end
+    put("modelDescription2.xml", render "projects/fmu_description2.xml")
+    put("modelDescription3.xml", render "projects/fmu_description3.xml")
+    put("buildDescription.xml", render "projects/fmu_build.xml")
+    put("README.md", render "projects/fmu_README.md")
     return files
   end
-  v.unit_token = ""
-  local texts = { job.code.header, job.code.source }
-  for _, f in ipairs(made()) do texts[#texts + 1] = f.text end
+  local texts = { made.header, made.source }
+  for _, f in ipairs(all()) do texts[#texts + 1] = f.text end
   local four = "(%x%x%x%x)" -- written as a GUID is: 8-4-4-4-12
-  v.unit_token = "{" .. string.gsub(hash.of(table.concat(texts, "\0")), "^(%x%x%x%x%x%x%x%x)" .. four .. four .. four,
+  v.token = "{" .. string.gsub(hash.of(table.concat(texts, "\0")), "^(%x%x%x%x%x%x%x%x)" .. four .. four .. four,
     "%1-%2-%3-%4-") .. "}"
-  return made()
+  return all()
 end
 
 -- What kind of binary the compiler has made: bytes 0x04 and 0x12 of an ELF header (class, machine) and the names that

@@ -38,7 +38,7 @@ end
 
 -- The list of {name, about, unit, own (unit to show it in), scale (of that unit in SI), start, low, high (rationals),
 -- causality, variability, initial, state (its number), of (number of the state whose rate it is)}.
-local function list_of(job, v)
+local function list_of(job)
   local m, list, taken = job.model, {}, {}
   local function put(x)
     while taken[x.name] do x.name = x.name .. "_" end
@@ -85,10 +85,10 @@ local function list_of(job, v)
       initial = "calculated" }
   end
   output("energy", "kinetic and potential energy", "J")
-  if v.has_integral then output("jacobi_integral", "Jacobi's integral of the turning field", "J") end
-  for _, c in ipairs(v.has_rates and { "x", "y", "z" } or {}) do
+  if job.conserved.rate then output("jacobi_integral", "Jacobi's integral of the turning field", "J") end
+  for _, c in ipairs(m.has.rates and { "x", "y", "z" } or {}) do
     output("L" .. c, "angular momentum about the origin of rotation, " ..
-      (v.has_attitude and "inertial" or "body") .. " axes", "kg m^2/s")
+      (m.has.attitude and "inertial" or "body") .. " axes", "kg m^2/s")
   end
   return list
 end
@@ -123,36 +123,36 @@ local function references(list, at)
   return table.concat(out, " ")
 end
 
--- Sets in v: fmu_units, fmu_variables, and who depends on whom at a communication point (structure) for `version`,
+-- Sets in v: units, variables, table, and who depends on whom at a communication point (structure) for `version`,
 -- in which variables are named by their index from 1 (2.0) or by their value reference (3.0).
 function variables.fill(job, v)
-  local list = list_of(job, v)
-  v.fmu_units = {}
+  local list = list_of(job)
+  v.units = {}
   for i, u in ipairs(units_of(list, job.real)) do
     local shown = {}
     for k, s in ipairs(u.shown) do
       shown[k] = { attributes = attribute("name", s.name) .. attribute("factor", s.factor) }
     end
-    v.fmu_units[i] = { name = attribute("name", u.name), base = u.exponents or "", has_base = u.exponents ~= nil,
+    v.units[i] = { name = attribute("name", u.name), base = u.exponents or "", has_base = u.exponents ~= nil,
       shown = shown }
   end
-  v.fmu_variables, v.fmu_table = {}, {}
+  v.variables, v.table = {}, {}
   for i, x in ipairs(list) do
     local vr = string.format("%d", x.vr)
     local numbers = attribute("unit", x.unit_name) .. attribute("displayUnit", x.shown)
     local limits = attribute("min", x.low_text) .. attribute("max", x.high_text) .. attribute("start", x.start_text)
     local state = x.of and list[i - #job.states]
-    v.fmu_variables[i] = {
+    v.variables[i] = {
       head = attribute("name", x.name) .. attribute("valueReference", vr) .. attribute("description", x.about) ..
         attribute("causality", x.causality) .. attribute("variability", x.variability) ..
         attribute("initial", x.initial),
       numbers2 = numbers .. limits .. attribute("derivative", state and string.format("%d", state.vr + 1)),
       numbers3 = numbers .. limits .. attribute("derivative", state and string.format("%d", state.vr)) }
-    v.fmu_table[i] = { vr = vr, name = x.name, about = x.about, unit = x.unit,
+    v.table[i] = { vr = vr, name = x.name, about = x.about, unit = x.unit,
       kind = x.causality .. (x.initial == "exact" and ", can be set before the start" or ""),
       start = x.start_text or "" }
   end
-  v.fmu_structure2, v.fmu_structure3 = variables.structure(list, 1, job), variables.structure(list, 0, job)
+  v.structure2, v.structure3 = variables.structure(list, 1, job), variables.structure(list, 0, job)
   return list
 end
 

@@ -5,19 +5,27 @@
 local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
 
+local readme = require "generator.emit.readme"
+local template = require "generator.emit.template"
+
+-- The templates of all such packages: their examples have the same values.
+local GROUP = template.group("projects/cmake.txt", "projects/arduino.properties", "projects/arduino_keywords.txt",
+  "projects/arduino.ino", "projects/platformio.json", "projects/platformio.ini", "projects/motion.c",
+  "projects/zephyr_module.yml", "projects/zephyr_kconfig.txt", "projects/zephyr_cmake.txt",
+  "projects/zephyr_sample_cmake.txt", "projects/zephyr_sample.yaml", "projects/zephyr_prj.conf",
+  "projects/zephyr_main.c")
+
 local library = {}
 
-local FOLDER = "templates/projects/"
-
--- Values for the templates of libraries: the example prints 21 rows over the horizon, or over 4096 steps of it.
-local function fill(job, v)
+-- The example prints 21 rows over the horizon, or over 4096 steps of it.
+local function values_of(job, made)
   local m, columns, enums = job.model, {}, {}
-  for i, s in ipairs(job.states) do columns[i], enums[i] = s.name, v.upper .. "_" .. string.upper(s.name) end
-  v.columns, v.state_names = table.concat(columns, ","), enums
+  for i, s in ipairs(job.states) do columns[i], enums[i] = s.name, made.base.upper .. "_" .. string.upper(s.name) end
   local steps = R.toint(R.floor(m:number(m.horizon) / m:number(m.step)))
-  local every = math.max(1, math.min(steps, 4096) // 20)
-  v.example_rows, v.example_every = "21", string.format("%d", every)
-  v.million = number.text(R.new(1000000), job.real)
+  return { columns = table.concat(columns, ","), state_names = enums, example_rows = "21",
+    example_every = string.format("%d", math.max(1, math.min(steps, 4096) // 20)),
+    million = number.text(R.new(1000000), job.real), sources = made.names.sources, headers = made.names.public,
+    own_libm = made.ctx.own, dollar = "$" } -- for CMake's own ${}
 end
 
 -- A package from a description {where = {header =, source =, test =} folders, files = {{template, name}, ..},
@@ -27,17 +35,17 @@ end
 function library.package(d)
   local package = { real = d.real, check = d.check }
 
-  local function named(s, v) return (string.gsub(string.gsub(s, "NAME", v.name), "UPPER", v.upper)) end
-
-  function package.files(job, v, render)
-    fill(job, v)
-    v.project_files, v.project_use = {}, {}
-    for i, row in ipairs(d.about) do v.project_files[i] = { name = named(row[1], v), about = named(row[2], v) } end
-    for i, line in ipairs(d.use) do v.project_use[i] = named(line, v) end
-    local out = {}
-    for i, f in ipairs(d.files) do out[i] = { name = named(f[2], v), text = render(FOLDER .. f[1]), package = true,
-      once = d.once and d.once[f[1]] } end
-    out[#out + 1] = { name = "README.md", text = render "templates/projects/README.md" }
+  function package.files(job, made)
+    local base, about, out = made.base, { files = {}, use = {} }, {}
+    local function named(s) return (string.gsub(string.gsub(s, "NAME", base.name), "UPPER", base.upper)) end
+    for i, row in ipairs(d.about) do about.files[i] = { name = named(row[1]), about = named(row[2]) } end
+    for i, line in ipairs(d.use) do about.use[i] = named(line) end
+    local render = GROUP(job.templates, base, values_of(job, made))
+    for i, f in ipairs(d.files) do
+      out[i] = { name = named(f[2]), text = render("projects/" .. f[1]), package = true,
+        once = d.once and d.once[f[1]] }
+    end
+    out[#out + 1] = { name = "README.md", text = readme.render(job, made, about) }
     return out
   end
 

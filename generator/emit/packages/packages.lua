@@ -1,9 +1,8 @@
 -- packages.lua -- the kinds of project that scenes are emitted as (gen --project), one file each.
 --
 -- A package is a table
---     files(job, v, render) -> list   what stands beside NAME.h, NAME.c and NAME_test.c: {name =, text =, once = (the
---                                     user edits it: it is written once)}; v: the values that the templates were
---                                     filled with; render(template) -> text
+--     files(job, made) -> list        what stands beside NAME.h, NAME.c and NAME_test.c: {name =, text =, once = (the
+--                                     user edits it: it is written once)}; made: from code.of
 --     arrange(files) -> files         optional: all files of the project, put where the kind wants them
 --     real, methods, jacobians        optional: its own defaults of --real and --method; "transition": it calls
 --                                     NAME_step_transition

@@ -1,0 +1,60 @@
+-- functions.lua -- the functions that are made of equations: their C, and what each of them costs.
+--
+--     functions.of(job, ctx) -> {list = for templates, costs = rows of the README's table, banner = lines}
+--     functions.fragment(made, templates, base) -> header, source
+--     functions.cost_row(name, counts)     a row of that table
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local source = require "generator.emit.source"
+local template = require "generator.emit.template"
+
+local GROUP = template.group "core/functions.c"
+
+local functions = {}
+
+local function commented(doc)
+  local out = {}
+  for k, line in ipairs(doc) do
+    out[k] = (k == 1 and "/* " or " * ") .. line .. (k == #doc and " */" or "")
+  end
+  return table.concat(out, "\n")
+end
+
+function functions.cost_row(name, c)
+  local row = { name = name }
+  for _, k in ipairs { "add", "mul", "div", "sqrt", "call" } do row[k] = string.format("%d", c[k] or 0) end
+  return row
+end
+
+-- "rhs: 12 additions, 24 multiplications": what one call costs, for the banner.
+local function cost_line(f)
+  local parts, c = {}, f.cost
+  for _, k in ipairs { { "add", "addition" }, { "mul", "multiplication" }, { "div", "division" }, { "sqrt", "root" },
+    { "call", "function call" } } do
+    local n = c[k[1]] or 0
+    if n > 0 then parts[#parts + 1] = string.format("%d %s%s", n, k[2], n == 1 and "" or "s") end
+  end
+  return f.name .. ": " .. table.concat(parts, ", ")
+end
+
+function functions.of(job, ctx)
+  local made = { list = {}, costs = {}, banner = {} }
+  for i, description in ipairs(job.functions) do
+    local f = source.make(ctx, description)
+    made.list[i] = { prototype = commented(f.doc) .. "\n" .. f.declaration, head = f.head, lines = f.lines }
+    made.costs[i] = functions.cost_row(f.name, f.cost)
+    if f.name == "rhs" or f.name == "step" then
+      made.banner[#made.banner + 1] = "Operations of " .. cost_line(f) .. "."
+    end
+  end
+  return made
+end
+
+function functions.fragment(made, templates, base)
+  local prototypes = {}
+  for i, f in ipairs(made.list) do prototypes[i] = f.prototype end
+  return table.concat(prototypes, "\n\n") .. "\n",
+    GROUP(templates, base, { functions = made.list }) "core/functions.c"
+end
+
+return functions

@@ -1,0 +1,27 @@
+-- tested.lua -- NAME_test.c, the emitted self-test.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local selftest = require "generator.emit.selftest"
+local template = require "generator.emit.template"
+local vectors = require "generator.emit.vectors"
+
+local GROUP = template.group("test/test.c", "test/test_follows.c", "test/test_tangent.c", "test/test_compensated.c",
+  "test/test_normalise.c")
+
+local tested = {}
+
+-- made: from code.of.
+function tested.render(job, made)
+  local p, v = made.parts, vectors.of(job, made)
+  local planned = p.stepper.planned
+  v.bits, v.headers, v.has_full = string.format("%d", selftest.bits), made.names.public, job.closed.full or false
+  v.has_integral, v.ranges, v.planned = job.conserved.rate ~= nil, p.guard and p.guard.rows, planned ~= nil
+  if planned then v.plan_want, v.plan_tolerance = planned.want, planned.tolerance end
+  local render = GROUP(job.templates, made.base, v)
+  v.follows_test, v.tangent_test = render "test/test_follows.c", render "test/test_tangent.c"
+  v.compensated_test = v.test_compensated and render "test/test_compensated.c" or ""
+  v.normalise_test = made.offers.normalise and render "test/test_normalise.c" or ""
+  return render "test/test.c"
+end
+
+return tested
