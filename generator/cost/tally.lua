@@ -106,6 +106,9 @@ local function outside(unit, text)
       end
     end
   end
+  for kind, name in string.gmatch(text, "typedef ([%w_]+) ([%w_]+)") do -- another name; numbers of several bodies
+    unit.types[name] = unit.types[kind]
+  end
   for body, name in string.gmatch(text, "typedef %a+ [%w_]*%s*(%b{}) ([%w_]+);") do
     unit.types[name] = name
     unit.fields[name] = fields_of(unit, string.sub(body, 2, -2))

@@ -8,6 +8,7 @@
 local number = require "generator.emit.number"
 local lanes = require "generator.emit.lanes"
 local template = require "generator.emit.template"
+local wide = require "generator.emit.wide"
 local R = require "generator.algebra.rational"
 
 local GROUP = template.group("batch/batch.h", "batch/batch.c")
@@ -58,21 +59,21 @@ end
 function batch.texts(job, ctx, base, about)
   local least = number.text(R.new(2) ^ (ctx.real == "float" and -126 or -1022), ctx.real)
   local v = { lanes = string.format("%d", LANES[ctx.real]), tiny = least, blocks = {}, steps = {},
-    rates = {}, loops = {}, steppers = {}, rhs = false, order = about.order }
+    rates = {}, loops = {}, steppers = {}, wide = {}, rhs = false, order = about.order }
   ctx.rows = rows_of(base, about.real_members)
   local u_rows = base.has_inputs and base.name .. "_real u[][" .. base.upper .. "_LANES], " or ""
   local list = ways(base)
   v.each = false
   v.inputs_text = base.has_inputs and ", u[" .. base.upper .. "_NU*n]" or ""
-  v.but_calls = ""
-  local step_of, reads = {}, {}
+  v.refilled = ""
+  local step_of, reads, all_rows = {}, {}, false
   for i, s in ipairs(job.steppers) do
     local name = i == 1 and "step" or s.method.name .. "_step"
     step_of[name] = i == 1 and "advance" or s.method.name .. "_advance"
   end
   for _, f in ipairs(job.functions) do
     local advance, rhs = step_of[f.name], f.name == "rhs"
-    if advance then v.steppers[#v.steppers + 1] = { step = f.name, advance = advance } end
+    if advance then v.steppers[#v.steppers + 1] = { step = f.name, advance = advance, run = false } end
     v.rhs = v.rhs or rhs
     for _, way in ipairs((advance or rhs) and list or {}) do
       local made = lanes.make(ctx, f, way.each)
@@ -92,18 +93,26 @@ function batch.texts(job, ctx, base, about)
   for i, s in ipairs(job.steppers) do
     if s.program then
       local step = i == 1 and "step" or s.method.name .. "_step"
-      v.steppers[#v.steppers + 1] = { step = step, advance = step_of[step] }
-      for _, way in ipairs(list) do
+      local own = { step = step, advance = step_of[step], run = s.method.name == "taylor" }
+      v.steppers[#v.steppers + 1] = own
+      local made = s.method.name == "taylor" and wide.render({ program = s.program, step = step,
+        advance = own.advance }, { templates = job.templates, base = base, ctx = ctx }, list)
+      if made then
+        v.wide[#v.wide + 1] = made
+        v.each, all_rows = list[2] ~= nil, true
+        v.refilled = "  A body that has arrived makes room for the next one."
+      end
+      for _, way in ipairs(made and {} or list) do
         v.each = v.each or way.each
         table.insert(v.loops, { step = step, advance = step_of[step], way = way.way, each = way.each,
-          owner = way.owner, call = way.call, model = way.each and "&m" or "m",
+          run = own.run, owner = way.owner, call = way.call, model = way.each and "&m" or "m",
           v = base.has_inputs and "v" or "0" })
       end
     end
   end
   if #v.steppers == 0 and not v.rhs then return nil end
   v.own_model = v.each and #v.loops > 0
-  v.constants, v.constant_enum = constants(base, about.real_members, ctx.rows, v.own_model or reads)
+  v.constants, v.constant_enum = constants(base, about.real_members, ctx.rows, v.own_model or all_rows or reads)
   local render = GROUP(job.templates, base, v)
   return render "batch/batch.h", render "batch/batch.c"
 end

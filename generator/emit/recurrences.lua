@@ -15,6 +15,9 @@ local function text(n) return string.format("%d", n) end
 
 local recurrences = {}
 
+-- What the numbers of the recurrences are in C; ctx.kind: of several bodies at once.
+local function kind(ctx) return ctx.kind or ctx.name .. "_real" end
+
 local function symbol(name) return expr.sym(name, 8) end
 local function zeroth(x) return symbol(x.name .. "0") end
 
@@ -97,7 +100,7 @@ local function start(ctx, program, names)
       local value = calculus.substitute(x.start, map)
       g.defs[#g.defs + 1] = { name = x.name .. "0", expr = value }
       if x.first then
-        g.outs[#g.outs + 1] = { c = "const " .. ctx.name .. "_real first_" .. x.name, expr = zeroth(x) }
+        g.outs[#g.outs + 1] = { c = "const " .. kind(ctx) .. " first_" .. x.name, expr = zeroth(x) }
       end
     end
     put(x, zeroth(x), g.outs)
@@ -175,7 +178,8 @@ end
 
 -- Names of the code around the statements, which those of the model must not take.
 local own = { a = true, b = true, c = true, j = true, l = true, m = true, n = true, order = true, after = true,
-  p = true, t = true, u = true, x = true, y = true }
+  p = true, t = true, u = true, x = true, y = true, none = true, own = true,
+  time = true }
 
 -- The program with the names of members and inputs that the code around takes made free: a member c becomes c_, and the
 -- time as a sequence gets a name that is not t.  Of a program that was freed before nothing changes: a plan may be
@@ -215,7 +219,8 @@ local function levels_of(program, rest, zero)
     for i = l.first, l.last do
       local lane = program.lanes[i]
       local a, b = "y[" .. lane.a.place .. "]", "y[" .. lane.b.place .. "]"
-      entry.lanes[#entry.lanes + 1] = { index = text(lane.index), right = b, first = lane.weighted and zero or a,
+      entry.lanes[#entry.lanes + 1] = { index = text(lane.index), a = text(lane.a.place), b = text(lane.b.place),
+        weighted = lane.weighted or false, right = b, first = lane.weighted and zero or a,
         left = (lane.weighted and "order*" or "") .. a,
         about = (lane.weighted and "j " or "") .. lane.a.name .. "[j] " .. lane.b.name .. "[n-j]" }
       entry.weighted = entry.weighted or lane.weighted
@@ -243,7 +248,7 @@ function recurrences.of(ctx, program, has_knots, zero)
   local all = outside(ctx, program)
   for _, n in ipairs(all) do n.name = renamed[n.name] or n.name end
   local outer, seen = used_names(program, all)
-  local v, names, type_name = { outer = {} }, {}, "const " .. ctx.name .. "_real "
+  local v, names, type_name = { outer = {} }, {}, "const " .. kind(ctx) .. " "
   for i, n in ipairs(outer) do
     names[i] = n.name
     v.outer[i] = type_name .. n.name .. " = " .. n.from .. ";"

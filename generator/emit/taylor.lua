@@ -67,7 +67,7 @@ local function turns_of(ctx, program)
 end
 
 -- Numbers of the type that the control of step and order wants.
-local function literals(real)
+function taylor.literals(real)
   local function literal(q) return number.text(R.lift(q), real) end
   local double = real ~= "float"
   local fraction, bias = double and 52 or 23, double and 1023 or 127
@@ -98,7 +98,7 @@ local function values_of(s, kit)
   for i, state in ipairs(program.states) do
     v.states[i] = { index = text(i - 1), name = ctx.upper .. "_" .. string.upper(state.name) }
   end
-  merge(merge(merge(v, rows), turns_of(ctx, program)), literals(ctx.real))
+  merge(merge(merge(v, rows), turns_of(ctx, program)), taylor.literals(ctx.real))
   v.packed, v.row, v.columns = rows ~= nil, rows and packed.width or v.count, v.states
   v.attitude, v.kinds = program.states[1].name == "qw", source.kinds(program.states)
   v.transition, v.has_roots, v.roots = program.transition ~= nil, #program.roots > 0, {}

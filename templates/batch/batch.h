@@ -14,6 +14,11 @@ void ${name}_${s.step}_many(const ${name}_model *m, ${name}_real t, ${name}_real
 /* As many steps h for n bodies; step j begins at the time t + j*h. */
 void ${name}_${s.advance}_many(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int steps, int n);
 
+%%   if s.run then
+/* ${name}_taylor_run for n bodies, each at its own pace: steps[k] is what that returns for body k.${refilled} */
+void ${name}_taylor_run_many(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most, int steps[], int n);
+
+%%   end
 %% end
 %% if rhs then
 /* ${name}_rhs for n bodies; dx must not overlap x. */
@@ -37,6 +42,10 @@ int ${name}_init_many(${name}_real c[], const ${name}_real p[], int status[], in
 void ${name}_${s.step}_each(const ${name}_real c[], ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int n);
 void ${name}_${s.advance}_each(const ${name}_real c[], ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int steps, int n);
 
+%%   if s.run then
+void ${name}_taylor_run_each(const ${name}_real c[], ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most, int steps[], int n);
+
+%%   end
 %% end
 %% if rhs then
 /* ${name}_rhs_many, each body with its own constants. */
