@@ -3,7 +3,7 @@
  * Of n bodies, component i of body k stands at [i*n + k]: x[${upper}_NX*n]${inputs_text}.
  * Each body gets the bits that the function of one body gives it, whatever n is and however wide
  * the processor's vectors are (compiled with -ffp-contract=off).  The loops are over ${upper}_LANES
- * bodies, without calls or branches${but_calls}: gcc and clang make vector instructions of them
+ * bodies, without calls or branches: gcc and clang make vector instructions of them
  * (-O2 -fno-math-errno and the processor, such as -march=native -mprefer-vector-width=512). */
 enum { ${upper}_LANES = ${lanes} };
 

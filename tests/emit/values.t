@@ -76,6 +76,8 @@ emit("brick_centroid", { analysis = true, jacobians = true, plugin = { peers = t
   methods = { "exact", "rk4", "taylor", "adaptive", "midpoint" } })
 emit("heavy_top", { analysis = true, methods = { "taylor", "exact" } })
 emit("gyrostat", { methods = { "exact", "split2" }, real = "float", batch = true })
+emit("brick_centroid", { methods = { "taylor" }, batch = true })
+emit("attitude_control", { methods = { "taylor" }, real = "float", batch = true })
 emit("attitude_control", { methods = { "rk4" }, jacobians = true, real = "float" }, "firmware")
 emit("thruster", { methods = { "taylor", "adaptive" }, jacobians = true, compensated = true }, "fmu")
 for _, project in ipairs { "cmake", "arduino", "platformio", "zephyr" } do
