@@ -1,12 +1,14 @@
 -- tested.lua -- NAME_test.c, the emitted self-test.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
+local number = require "generator.emit.number"
 local selftest = require "generator.emit.selftest"
 local template = require "generator.emit.template"
 local vectors = require "generator.emit.vectors"
 
 local GROUP = template.group("test/test.c", "test/test_follows.c", "test/test_tangent.c", "test/test_compensated.c",
-  "test/test_normalise.c")
+  "test/test_normalise.c", "test/test_many.c")
 
 local tested = {}
 
@@ -21,6 +23,9 @@ function tested.render(job, made)
   v.follows_test, v.tangent_test = render "test/test_follows.c", render "test/test_tangent.c"
   v.compensated_test = v.test_compensated and render "test/test_compensated.c" or ""
   v.normalise_test = made.offers.normalise and render "test/test_normalise.c" or ""
+  v.has_many = made.offers.step_many and made.offers.step and made.offers.initial
+  v.many_apart = v.has_many and number.text(R.new(1, 1024), made.ctx.real) or nil
+  v.many_test = v.has_many and render "test/test_many.c" or ""
   return render "test/test.c"
 end
 

@@ -85,6 +85,9 @@ ${follows_test}
 
 %% end
 ${tangent_test}
+%% if has_many then
+${many_test}
+%% end
 ${compensated_test}
 ${normalise_test}
 %% if test_principal then
@@ -263,6 +266,9 @@ int main(void)
 %% end
 %% if test_compensated then
   compensated(&m, x2, u, ${transition_step});
+%% end
+%% if has_many then
+  many(&m);
 %% end
 %% if offers.within then
   guard();
