@@ -1,4 +1,4 @@
-/* bench.h - how long something takes, and what others take for it: what the bench_*.c files share.
+/* bench.h - how long something takes, and what others take for it: what this folder's files share.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef POLHODE_BENCH_H

@@ -1,5 +1,5 @@
-/* custom.c - the user's own effect: torque, force, potential and rates of own states as values that
-   vary. SPDX-License-Identifier: GPL-3.0-or-later */
+/* custom.c - the user's own effect: torque, force, potential and rates of own states.
+   SPDX-License-Identifier: GPL-3.0-or-later */
 #include "acts/acts.h"
 
 #include <string.h>

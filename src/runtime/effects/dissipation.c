@@ -1,5 +1,7 @@
-/* dissipation.c - an energy sink inside the body: N = k L x (L x w), and the axes turn at w + k L x
-   w, so that L stays in space. SPDX-License-Identifier: GPL-3.0-or-later */
+/* dissipation.c - an energy sink inside the body: N = k L x (L x w).
+   SPDX-License-Identifier: GPL-3.0-or-later
+
+   The axes turn at w + k L x w, so that L stays in space; T' = -k |L x w|^2. */
 #include "acts/acts.h"
 
 /* L and L x w. */

@@ -1,5 +1,5 @@
-/* torque.c - a torque that is given: constant ones in body and in inertial axes, and ones that
-   vary. SPDX-License-Identifier: GPL-3.0-or-later */
+/* torque.c - a torque that is given: constant, in body or in inertial axes, or varying.
+   SPDX-License-Identifier: GPL-3.0-or-later */
 #include "acts/acts.h"
 
 #include <string.h>
@@ -66,7 +66,7 @@ static const effect_field fields[] = {
     {"turned", EFFECT_FLAG, 0, offsetof(struct given, turned), NULL}, /* varying in inertial axes */
     {0}};
 
-static int more_than_none(const double v[3]) {
+static int is_there(const double v[3]) {
   return v[0] != 0 || v[1] != 0 || v[2] != 0;
 }
 
@@ -80,9 +80,9 @@ static int add(ph_top *top, const void *given) {
         (top->effects & PH_TORQUE_INERTIAL ? top->torque_inertial[i] : 0) + g->inertial[i];
   }
   int status = g->varies ? ph_top_varying(top, g->turned, g->varying) : PH_OK;
-  if (!status && more_than_none(g->body))
+  if (!status && is_there(g->body))
     status = ph_top_torque_body(top, body);
-  if (!status && more_than_none(g->inertial))
+  if (!status && is_there(g->inertial))
     status = ph_top_torque_inertial(top, inertial);
   return status;
 }
