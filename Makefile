@@ -261,7 +261,7 @@ golden: all
 
 # The emitted code that is measured, with the flags that its own Makefile uses.
 $(BUILD)/bench/%.c: bodies/%.lua $(PROGRAM)
-	@$(PROGRAM) gen --layout single --with analysis $< -o $(@D)
+	@$(PROGRAM) gen --layout single --with analysis,orbit $< -o $(@D)
 
 $(BUILD)/bench/%.o: $(BUILD)/bench/%.c
 	$(CC) -std=c99 -O2 -ffp-contract=off -c -o $@ $<
@@ -281,7 +281,7 @@ HOST = -O3 -march=native -fno-math-errno -ffp-contract=fast \
 $(BUILD)/bench/tumbling_host.c: bodies/tumbling_box.lua $(PROGRAM)
 	@mkdir -p $(@D)
 	@sed 's/"tumbling_box"/"tumbling_host"/' $< > $(@:.c=.lua)
-	@$(PROGRAM) gen --layout single --with analysis $(@:.c=.lua) -o $(@D)
+	@$(PROGRAM) gen --layout single --with analysis,orbit $(@:.c=.lua) -o $(@D)
 
 $(BUILD)/bench/tumbling_host.o: $(BUILD)/bench/tumbling_host.c
 	$(CC) -std=c99 $(HOST) -c -o $@ $<
@@ -321,7 +321,7 @@ bench: all $(BUILD)/bench/step $(BUILD)/bench/rhs $(BUILD)/bench/top $(BUILD)/be
 MAP := $(BUILD)/errormap
 $(MAP)/%/errormap.c: tests/bench/errormap.lua $(PROGRAM)
 	@mkdir -p $(@D)
-	@$(PROGRAM) gen --layout single --with analysis $< --real $* -o $(@D) > $(@D).log
+	@$(PROGRAM) gen --layout single --with analysis,orbit $< --real $* -o $(@D) > $(@D).log
 
 $(MAP)/%/sweep: tests/bench/errormap.c $(MAP)/%/errormap.c
 	$(CC) $(STD) $(CFLAGS) $(WARN) -I$(@D) -o $@ $^ -lm
@@ -339,7 +339,7 @@ HARD_SRC = $(addprefix tests/bench/hard_,peers.c cases.c gsl.c sundials.c number
 HARD_MADE = $(BUILD)/hard/hardtop.c $(BUILD)/hard/harddamped.c
 $(BUILD)/hard/%.c: tests/bench/%.lua $(PROGRAM)
 	@mkdir -p $(@D)
-	@$(PROGRAM) gen --layout single --with analysis $< -o $(@D)
+	@$(PROGRAM) gen --layout single --with analysis,orbit $< -o $(@D)
 
 $(BUILD)/hard/peers: $(HARD_SRC) tests/bench/hard_peers.h $(HARD_MADE) $(MAP)/double/errormap.c $(LIBRARY)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) -D_DEFAULT_SOURCE $(SUNDIALS_FLAGS) $(GSL_CFLAGS) -Isrc/runtime -I$(BUILD)/hard \

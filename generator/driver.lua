@@ -132,7 +132,7 @@ local function plan_of(scene, options, d)
   plan.model = plan.equations.model
   plan.real, plan.command = options.real or "double", options.command
   plan.libm = options.libm or (plan.real == "float" and "own" or "system")
-  plan.selection, plan.layout = selection.new(options), options.layout or "single"
+  plan.selection, plan.layout = selection.new(options, scene.closed.full), options.layout or "single"
   plan.closed = form(scene, plan.selection, options)
   plan.package = options.package or packages.by_name(packages.default)
   plan.planned, plan.proof, plan.orders = options.planned, options.proof or false, options.orders

@@ -1,7 +1,8 @@
--- selection.lua -- which functions of a scene are called for: gen --only, --with analysis, --with jacobians.
+-- selection.lua -- which functions of a scene are called for: gen --only, --with analysis, orbit, jacobians.
 --
---     local s = selection.new { only = {names} | nil, analysis = bool | nil, jacobians = bool | "transition" | nil,
---                               also = {names} | nil }
+--     local s = selection.new({ only = {names} | nil, analysis = bool | nil, orbit = bool | nil,
+--                               jacobians = bool | "transition" | nil, also = {names} | nil }, full)
+--     full: does the closed form give the whole state, so that its halves need not stand there?
 --     s.asked(name) -> bool       is the function emitted for the user?  Names without the scene's prefix
 --     s.made(name) -> bool        must its equations be made: it is asked for, or another function may need it
 --     s.orbit                     may a function of the closed form be asked for?
@@ -26,6 +27,12 @@ local ANALYSIS = set [[inertia_at particle_energy torque rate acceleration jacob
 -- The derivatives among them: these are asked for by --with jacobians.
 local DERIVATIVES = set "jacobian jacobian_p jacobian_u initial_p energy_gradient integral_gradient momentum_gradient"
 
+-- What asks a closed form for more than the state at a time: --with orbit.  The halves of the state belong to it where
+-- NAME_at gives the whole.
+local ORBIT = set [[at_many set_tick at_tick polhode_period precession_rate precession_period rotation_number next_flip
+  nutation_period nutation_range]]
+local HALVES = set "at_rates at_attitude"
+
 -- What else moves no closed form.
 local MOTION = set [[init defaults initial mass inertia inertia_now energy jacobi_integral momentum_body momentum rhs
   normalise within advance]]
@@ -47,7 +54,7 @@ function selection.room(name, of)
   return (of == "orbit" or of == "batch") and of or "motion"
 end
 
-function selection.new(options)
+function selection.new(options, full)
   local only = options.only and {}
   for _, name in ipairs(options.only or {}) do only[name] = true end
   local also = {}
@@ -64,6 +71,7 @@ function selection.new(options)
     if whole then return true end
     if only then return only[name] or false end
     local derivative = options.jacobians == true and DERIVATIVES[name]
+    if ORBIT[name] or full and HALVES[name] then return options.orbit or false end
     return not ANALYSIS[name] or also[name] or options.analysis or derivative or false
   end
 

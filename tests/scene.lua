@@ -90,7 +90,7 @@ end
 -- A plan of a scene; nil and its diagnostics.
 function scene.plan(s, options)
   local o = options or {}
-  return driver.plan(s, { only = o.only, analysis = o.analysis, layout = o.layout, real = o.real,
+  return driver.plan(s, { only = o.only, analysis = o.analysis, orbit = o.orbit, layout = o.layout, real = o.real,
     command = "polhode gen test.lua", methods = o.methods, jacobians = o.jacobians, order = o.order, libm = o.libm,
     proof = o.proof, compensated = o.compensated, q31 = o.q31, batch = o.batch, package = o.package,
     planned = o.planned })

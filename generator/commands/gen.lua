@@ -36,10 +36,11 @@ gen.options = {
   { "--accuracy", "number", "the largest error of the state over the scene's horizon, relative to its size, between " ..
     "0 and 1: the cheapest method, order and step that hold it are looked for (docs/planner.md)", value = "E",
     default = "the scene's accuracy, if it has one" },
-  { "--with", { "analysis", "batch", "jacobians", "compensated", "proof", "q31", several = true },
+  { "--with", { "analysis", "orbit", "batch", "jacobians", "compensated", "proof", "q31", several = true },
     "what is added, commas between", value = "WHAT,...", default = "nothing", each = {
       analysis = "principal axes, stability, small oscillations, the tensor about a point, torques, the Jacobian, " ..
         "accelerations in a turning frame",
+      orbit = "of the closed form also rates or attitude alone, many times in one call, time in ticks, periods",
       batch = "NAME_batch: set-up, steps and rates of many bodies at once, in vector instructions (docs/sweep.md)",
       jacobians = "derivatives of steppers and closed form by state and parameters",
       compensated = "steppers that carry what rounding takes away",
@@ -165,7 +166,10 @@ local function shown_alone(given)
     end
   end
   if given.list and given.only then return "--only: --list names all functions" end
-  if given.list and given.with and given.with.analysis then return "--with analysis: --list names all functions" end
+  for _, word in ipairs { "analysis", "orbit" } do
+    local with = given.list and given.with and given.with[word]
+    if with then return "--with " .. word .. ": --list names all functions" end
+  end
   if given.list and given.show then return "--list: --show prints the instructions" end
   return nil
 end
@@ -177,15 +181,17 @@ local function without_effect(given)
     if seen[name] then return "--only: " .. name .. " is given twice" end
     seen[name], named = true, named .. " " .. name
   end
-  if given.only and with.analysis then return "--with analysis: --only names the functions" end
   for _, row in ipairs { { "jacobians", { "_p$", "_p ", "_u$", "_u ", "jacobian", "transition" } },
     { "compensated", { "compensated" } } } do
     local calls = not (given.only and with[row[1]])
     for _, pattern in ipairs(row[2]) do calls = calls or string.find(named, pattern) ~= nil end
     if not calls then return "--with " .. row[1] .. ": --only names none of its functions" end
   end
-  if with.analysis and packages.by_name(given.project or packages.default).whole then
-    return "--with analysis: the project's own files decide what they call, got --project " .. given.project
+  for _, word in ipairs { "analysis", "orbit" } do
+    if given.only and with[word] then return "--with " .. word .. ": --only names the functions" end
+    if with[word] and packages.by_name(given.project or packages.default).whole then
+      return "--with " .. word .. ": the project's own files decide what they call, got --project " .. given.project
+    end
   end
   return nil
 end
@@ -193,10 +199,10 @@ end
 -- What the code is made of; nothing that is called for may be missing in a package that calls it.
 local function contents(given, package)
   local with = given.with or {}
-  if package.whole then return nil, nil, package.layout end
-  local everything = given.list or with.analysis or false
-  if with.proof then return given.only, everything, "single" end -- Frama-C is given one file
-  return given.only, everything, given.layout or package.layout or "split"
+  if package.whole then return nil, nil, nil, package.layout end
+  local analysis, orbit = given.list or with.analysis or false, given.list or with.orbit or false
+  if with.proof then return given.only, analysis, orbit, "single" end -- Frama-C is given one file
+  return given.only, analysis, orbit, given.layout or package.layout or "split"
 end
 
 -- A function of --only that the scene does not have: a message, else nil.
@@ -234,12 +240,19 @@ function gen.run(host, given)
   if wrong then return options.wrong(host, "gen", wrong) end
   local scene, d, why = driver.read(host, given[1], given)
   if not scene then return options.refuse(host, d, why) end
-  local exact = false
+  local exact, orbit = false, given.with ~= nil and given.with.orbit
   for _, name in ipairs(chosen or {}) do exact = exact or name == "exact" end
+  if orbit and chosen and not exact then
+    return options.wrong(host, "gen", "--with orbit: of the methods exact alone has one, got --method " ..
+      table.concat(chosen, ","))
+  end
   if exact and not scene.closed.kind then
     d = scene.diag
     d:error(scene.record.line, "method exact", "this scene has no closed form: " .. scene.closed.refused)
     return options.refuse(host, d)
+  end
+  if orbit and not scene.closed.kind then
+    scene.diag:warn(scene.record.line, "with orbit", "this scene has no closed form: " .. scene.closed.refused)
   end
   options.warn(host, scene.diag)
   given.real = given.real or package.real
@@ -253,14 +266,14 @@ function gen.run(host, given)
     if not decision then return options.refuse(host, scene.diag) end
     real, chosen, order = decision.real, { decision.method }, decision.order
   end
-  local only, analysis, layout = contents(given, package)
+  local only, analysis, whole, layout = contents(given, package)
   local with, also = given.with or {}, nil
   for _, name in ipairs(chosen or {}) do
     if name == "linearised" then also = { "linearised", "stability" } end
   end
   local plan
-  plan, d = driver.plan(scene, { also = also, real = real, only = only, analysis = analysis, layout = layout,
-    command = gen.command(given), methods = chosen or package.methods, order = order,
+  plan, d = driver.plan(scene, { also = also, real = real, only = only, analysis = analysis, orbit = whole,
+    layout = layout, command = gen.command(given), methods = chosen or package.methods, order = order,
     jacobians = with.jacobians or package.jacobians, compensated = with.compensated or false, q31 = with.q31 or false,
     batch = with.batch or false, libm = given.libm, outputs = given.project == "fmu", package = package,
     planned = decision, proof = with.proof })

@@ -11,15 +11,19 @@ for _, s in ipairs { "<<=", ">>=", "->", "++", "--", "<<", ">>", "<=", ">=", "==
   LONG[s] = true
 end
 
+local OPERATOR = {} -- what may be their second character
+for _, c in ipairs { string.byte("=><+-&|", 1, -1) } do OPERATOR[c] = true end
+
 function tokens.of(text)
   local list, n, pos, len = {}, 0, 1, #text
-  local find, sub, byte = string.find, string.sub, string.byte
+  local find, sub, byte, match = string.find, string.sub, string.byte, string.match
   while true do
     pos = find(text, "%S", pos)
     if not pos then break end
-    local c, last, _ = byte(text, pos), pos, nil
+    local c, last, token, _ = byte(text, pos), pos, nil, nil
     if c == 95 or c >= 97 and c <= 122 or c >= 65 and c <= 90 then
-      _, last = find(text, "^[%w_]+", pos)
+      token, last = match(text, "^([%w_]+)()", pos)
+      last = last - 1
     elseif c >= 48 and c <= 57 or c == 46 and find(text, "^%.%d", pos) then
       _, last = find(text, "^[%w%.]+", pos)
       if find(text, "^[eEpP][+-]", last) and not find(text, "^0[xX][^pP]*$", pos) then
@@ -28,7 +32,7 @@ function tokens.of(text)
     elseif c == 34 then
       _, last = find(text, "^\"[^\"]*\"", pos)
     else
-      if pos < len then
+      if pos < len and OPERATOR[byte(text, pos + 1)] then
         if LONG[sub(text, pos, pos + 2)] then
           last = pos + 2
         elseif LONG[sub(text, pos, pos + 1)] then
@@ -37,7 +41,7 @@ function tokens.of(text)
       end
     end
     n = n + 1
-    list[n] = sub(text, pos, last)
+    list[n] = token or sub(text, pos, last)
     pos = last + 1
   end
   return list

@@ -202,7 +202,7 @@ function free_top.new(tensor, x0, bits, slack)
     invariants(top, d)
     if top.hyperbolic then hyperbolic(top, d) else circular(top) end
   end
-  top.y0 = top:pair(top:phases(R.zero))
+  top.y0, top.f0 = top:pair(top:phases(R.zero))
   return top
 end
 
@@ -232,7 +232,8 @@ local function alternating(on, n) return on and n % 2 == 1 and -R.one or R.one e
 -- dn by theta functions of z, nome q, the first two without 2 q^(1/4).
 local function circular_series(top, r)
   local bits, s = top.bits, R.new(top.s)
-  local q, E, g = powers(top.q, bits), powers(top.E, bits), powers(R.round(top.E * top.r, bits), bits)
+  top.powers = top.powers or { powers(top.q, bits), powers(top.E, bits), powers(R.round(top.E * top.r, bits), bits) }
+  local q, E, g = table.unpack(top.powers)
   local z = R.round(top.pi * r, bits)
   local cosine, sine = { [0] = R.one, R.apply("cos", bits, z) }, { [0] = R.zero, R.apply("sin", bits, z) }
   local function angle(n)
@@ -262,8 +263,8 @@ local function circular_series(top, r)
       return (odd or n == 0) and value or two * value, 4 * q(n * n)
     end, bits)
   end
-  local zero = { nil, theta(2), theta(3), theta(4) }
-  local here = { theta(1, true), theta(2, true), theta(3, true), theta(4, true) }
+  top.zero = top.zero or { nil, theta(2), theta(3), theta(4) }
+  local zero, here = top.zero, { theta(1, true), theta(2, true), theta(3, true), theta(4, true) }
   return { shifted(0, false), s * shifted(0, true), s * shifted(1, false), -shifted(1, true) },
     { zero[4] * here[2] / (zero[2] * here[4]), s * zero[3] * here[1] / (zero[2] * here[4]),
       zero[4] * here[3] / (zero[3] * here[4]) }
@@ -275,13 +276,15 @@ end
 local function hyperbolic_series(top, r)
   local bits, s = top.bits, R.new(top.s)
   local once = elliptic.exp(-two * r, bits)
-  local nome = elliptic.root(top.qc, bits)
-  local e, P = powers(once, bits), powers(nome, bits)
+  top.nome = top.nome or elliptic.root(top.qc, bits)
+  top.powers, top.trig = top.powers or powers(top.nome, bits), top.trig or { cos = {}, sin = {} }
+  local nome, e, P = top.nome, powers(once, bits), top.powers
   local g = powers(R.sign(nome) == 0 and nome or R.round(nome / once, bits), bits)
   local function shifted(trig, alternates, sign)
     return elliptic.sum(function(n)
-      local size = R.one + sign * e(2 * n + 1)
-      local value = P(n * n) * g(n) * size * R.apply(trig, bits, (2 * n + 1) * top.h)
+      local size, known = R.one + sign * e(2 * n + 1), top.trig[trig]
+      known[n] = known[n] or R.apply(trig, bits, (2 * n + 1) * top.h)
+      local value = P(n * n) * g(n) * size * known[n]
       return alternating(alternates, n) * value, 4 * P(n * n)
     end, bits)
   end
@@ -300,8 +303,8 @@ local function hyperbolic_series(top, r)
       return alternating(alternates, n) * value, 8 * P(n * n)
     end, bits)
   end
-  local zero = { nil, theta(2), theta(3), theta(4) }
-  local here = { theta(1, true), theta(2, true), theta(3, true), theta(4, true) }
+  top.zero = top.zero or { nil, theta(2), theta(3), theta(4) }
+  local zero, here = top.zero, { theta(1, true), theta(2, true), theta(3, true), theta(4, true) }
   return { shifted("cos", false, R.one), -s * shifted("sin", false, -R.one), s * shifted("cos", true, -R.one),
     -shifted("sin", true, R.one) },
     { zero[2] * here[4] / (zero[4] * here[2]), s * zero[3] * here[1] / (zero[4] * here[2]),
@@ -349,7 +352,8 @@ end
 
 -- The state {q, w} at the time t, a rational.
 function free_top:at(t)
-  local y, f = self:pair(self:phases(t))
+  local y, f = self.y0, self.f0
+  if R.sign(t) ~= 0 then y, f = self:pair(self:phases(t)) end
   local w = { R.zero, R.zero, R.zero }
   for i = 1, 3 do w = vec.add(w, vec.scale(f[i] * self.b[i], self.axis[i])) end
   local q = vec.qmul(self.q0, self:from_principal(y))

@@ -30,7 +30,10 @@ function laws.of(m, e)
   local V = e.spec.potential and e.spec.potential(e.a, ctx) or zero
   local sphere = {}
   for i, x in ipairs(ctx.q) do sphere[x] = unit[i] end
-  local function vanishes(x) return x == zero or ratio.iszero(calculus.substitute(x, sphere)) end
+  -- Most laws hold for q of any length, which is proved in a tenth of the time.
+  local function vanishes(x)
+    return x == zero or ratio.iszero(x) or ratio.iszero(calculus.substitute(x, sphere))
+  end
   local list = {}
 
   local power = vec.dot(N, ctx.w) + vec.dot(F, ctx.v)

@@ -255,9 +255,12 @@ function quantities.step(m, eq, method, name)
     local list = vec.map(g.outs, function(o) return { array = "x", state = o.state, expr = o.expr } end)
     groups[i] = { why = g.why, where = g.where, defs = g.defs, outs = list }
   end
+  local accuracy = method.order and
+    string.format("  The error of a run falls as h^%d where the motion is smooth.", method.order) or ""
   return { name = name, args = { "m", "t", "x!", "u", "h" },
     doc = { "One step of the " .. method.title .. ": x goes from time t to t + h, the input u",
-      "held.  q must be a unit quaternion (to a few per cent: it is brought back to |q| = 1)." }, groups = groups,
+      "held.  q must be a unit quaternion (to a few per cent: it is brought back to |q| = 1)." .. accuracy },
+    groups = groups,
     -- 4/(3 h) must stay finite; a step shorter than the smallest normal number moves nothing that could be seen
     guard = divides and "h" or nil }
 end
@@ -291,10 +294,11 @@ local function without_roundings(m, e, fine)
   return e
 end
 
-function quantities.jacobian(eq)
+-- rough: with what rounding left of coefficients that are 0, for whoever wants only its size.
+function quantities.jacobian(eq, rough)
   local m, groups = eq.model, {}
   local n = #m.states
-  local fine = equations.finer(eq)
+  local fine = not rough and equations.finer(eq)
   local row = {}
   for i, s in ipairs(m.states) do
     row[s.name] = i

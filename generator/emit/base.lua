@@ -8,6 +8,7 @@
 --     has_inputs, has_params, has_attitude                has the scene any?
 --     step_literal, horizon_literal, step_text            time.step and time.horizon in C, the step for people
 --     zero one two three four eight twelve sixteen half quarter eighth threehalves     literals of the real type
+--     n                                  any other number in C: ${n[2.5]}
 --     epsilon, split                     a unit of the last place of 1; Dekker's factor 2^s + 1
 --     sqrt, fabs, sin ... huge, fma      what the code calls these by (emit/libm.lua)
 -- What the templates of one group alone read is not here, it is that group's own (emit/template.lua).  Literals are
@@ -51,6 +52,7 @@ function base.of(job, own)
   } do
     values[k] = x -- into a table: order is lost anyway
   end
+  values.n = setmetatable({}, { __index = function(_, x) return number.text(R.fromdouble(x), real) end })
   return setmetatable(values, { __index = function(t, k)
     local text = literal(k, real)
     if text then rawset(t, k, text) end

@@ -23,30 +23,50 @@ local function names(room, text)
   return list
 end
 
-local function of(header, sources)
-  return { header = "orbit/" .. header, sources = names("orbit", sources) }
+local function of(headers, sources)
+  return { headers = names("orbit", "form.h " .. headers), sources = names("orbit", sources) }
 end
 
 -- By the form's kind.
 local TEXTS = {
-  sphere = of("closed.h", "circle.c count.c quaternion.c closed.c"),
-  symmetric = of("closed.h", "circle.c count.c numeric/quotient.c quaternion.c closed.c"),
-  asymmetric = of("top.h", "circle.c numeric/double.c theta_at.c top.c polynomial.c circular.c hyperbolic.c " ..
-    "quaternion.c setup.c many.c count.c tick.c query.c"),
-  gyrostat = of("closed.h", "circle.c count.c numeric/quotient.c quaternion.c closed.c"),
+  sphere = of("closed.h state.h spin_periods.h", "circle.c count.c quaternion.c closed.c"),
+  symmetric = of("closed.h state.h spin_periods.h", "circle.c count.c numeric/quotient.c quaternion.c closed.c"),
+  asymmetric = of("top.h state.h top_periods.h", "circle.c numeric/double.c theta_at.c top.c polynomial.c " ..
+    "circular.c hyperbolic.c quaternion.c setup.c many.c count.c tick.c query.c"),
+  gyrostat = of("closed.h state.h spin_periods.h", "circle.c count.c numeric/quotient.c quaternion.c closed.c"),
   axial = of("axial.h", "circle.c numeric/quotient.c clock.c axial.c"),
-  lagrange = of("lagrange.h", "circle.c numeric/double.c numeric/integral.c numeric/wide.c quaternion.c " ..
-    "polynomial.c phase.c frame.c phases.c lagrange.c lagrange_theta.c lagrange_at.c states.c lagrange_solve.c " ..
-    "count.c lagrange_tick.c"),
-  ["asymmetric gyrostat"] = of("gyrostat.h", "circle.c numeric/double.c numeric/integral.c numeric/wide.c " ..
-    "quaternion.c polynomial.c phase.c frame.c phases.c gyrostat.c gyrostat_at.c gyrostat_theta.c states.c " ..
-    "gyrostat_solve.c count.c lagrange_tick.c"),
+  lagrange = of("lagrange.h state.h nutation.h", "circle.c numeric/double.c numeric/integral.c numeric/wide.c " ..
+    "quaternion.c polynomial.c phase.c frame.c phases.c lagrange.c lagrange_theta.c lagrange_at.c states.c " ..
+    "lagrange_solve.c count.c lagrange_tick.c"),
+  ["asymmetric gyrostat"] = of("gyrostat.h state.h gyrostat_periods.h", "circle.c numeric/double.c " ..
+    "numeric/integral.c numeric/wide.c quaternion.c polynomial.c phase.c frame.c phases.c gyrostat.c " ..
+    "gyrostat_at.c gyrostat_theta.c states.c gyrostat_solve.c count.c lagrange_tick.c"),
   point = of("point.h", "point.c"),
 }
 
--- What counts time in ticks, or answers for the free motion alone.
-local ONLY_FREE = {}
-for _, name in ipairs(names("orbit", "count.c tick.c many.c query.c")) do ONLY_FREE[name] = true end
+-- The largest error that the search has found, and in how many states (docs/hunt.md).
+local WORST = {
+  asymmetric = { double = { "3.6e-15", "1.5e8" }, float = { "1.5e-6", "3e6" } },
+  symmetric = { double = { "3.1e-15", "1.1e6" }, float = { "1.6e-6", "1.1e6" } },
+  lagrange = { double = { "2.6e-15", "5e4" }, float = { "1.4e-6", "1.5e5" } },
+}
+
+-- What counts time in ticks, or answers for the free motion alone, and the functions that need it.
+local ONLY_FREE, FOR = {}, {}
+for _, row in ipairs { { "count.c", "set_tick at_tick" }, { "tick.c", "set_tick at_tick" },
+  { "many.c", "at_many" }, { "query.c",
+    "polhode_period precession_rate precession_period rotation_number next_flip" } } do
+  local name = "orbit/" .. row[1]
+  ONLY_FREE[name], FOR[name] = true, row[2]
+end
+
+local function called(name, asked)
+  if not FOR[name] then return true end
+  for f in string.gmatch(FOR[name], "%S+") do
+    if asked(f) then return true end
+  end
+  return false
+end
 
 -- A free motion in another time: the clock stands before what asks for the time.
 local function damped(free)
@@ -60,13 +80,29 @@ local function damped(free)
     if not ONLY_FREE[name] then list[#list + 1] = name end
   end
   list[#list + 1] = "orbit/damped.c"
-  return { TEXTS[free.kind].header, "orbit/damped.h" }, list
+  local headers = TEXTS[free.kind].headers
+  return { headers[1], headers[2], "orbit/damped.h" }, list
 end
 
-local function texts(form)
+local function texts(form, asked)
   if form.free then return damped(form.free) end
-  local t = TEXTS[form.kind]
-  return { t.header }, t.sources
+  local t, list = TEXTS[form.kind], {}
+  for _, name in ipairs(t.sources) do
+    if called(name, asked) then list[#list + 1] = name end
+  end
+  return t.headers, list
+end
+
+-- What the contracts say: errors, and which fields there are.
+local function contract(form, real, v, asked)
+  local worst = WORST[form.kind] and WORST[form.kind][real]
+  v.has_tick_fields = asked "set_tick" or asked "at_tick"
+  v.orbit_bound = v.single and "4e-6" or "4e-15" -- the requirement of tests/emit and of docs/hunt.md
+  v.orbit_worst, v.orbit_searched = worst and worst[1] or false, worst and worst[2] or false
+  v.orbit_turns = v.single and "2^17" or "2^40"
+  v.orbit_pace = string.find(form.kind, "gyrostat", 1, true) and " or the momentum's" or ""
+  v.many_note = form.kind == "asymmetric" and "  Worth vector instructions: with GCC or Clang -O3 -march=native " ..
+    "-fno-math-errno." or ""
 end
 
 -- One group: the closed forms share most of their texts.
@@ -78,7 +114,7 @@ do
     seen[name] = true
   end
   for _, t in pairs(TEXTS) do -- a set: any order
-    put(t.header)
+    for _, name in ipairs(t.headers) do put(name) end
     for _, name in ipairs(t.sources) do put(name) end
   end
   for _, name in ipairs { "orbit/damped.h", "orbit/damped.c", "orbit/clock.c", "orbit/own.c", "core/copy.c",
@@ -106,6 +142,7 @@ local function literals(real, v)
   put("round_off", R.new(3) * R.new(2) ^ (digits - 2))
   put("binary_one", R.new(3) * R.new(2) ^ (digits - 2) + R.new(single and 127 or 1023))
   put("binary_limit", R.new(single and 60 or 500))
+  put("binary_end", R.new(single and 120 or 1000))
   v.rate_spare, v.block = single and "12" or "26", single and "16" or "8"
   v.bits_type, v.binary_shift = single and "uint32_t" or "uint64_t", single and "23" or "52"
   -- exponents (templates/numeric/wide.c): below all others, that of 0; below all that matter.  In float an int has
@@ -131,7 +168,10 @@ local function constants(real, v)
     end
   end
   named("pi", function() return R.apply("pi", 200) end)
-  named("inverse_pi", function() return R.one / R.apply("pi", 200) end)
+  for name, factor in pairs { inverse_pi = R.one, half_inverse_pi = R.new(1, 2), quarter_inverse_pi = R.new(1, 4) } do
+    named(name, function() return factor / R.apply("pi", 200) end) -- into a table: order is lost anyway
+  end
+  named("two_pi", function() return R.new(2) * R.apply("pi", 200) end)
   named("log2", function() return R.apply("log", 200, R.lift(2)) end)
   v.odd_reciprocals = table_of(5, function(j) return R.one / (R.lift(2) * j + R.one) end)
   v.arctan_eighths = table_of(8, function(j) return R.apply("atan", 200, j / R.lift(8)) end)
@@ -152,14 +192,15 @@ function closed.render(job, base, ctx)
   for _, more in ipairs { stored, form.flags or {} } do
     for name, x in pairs(more) do v[name] = x end -- into a table: order is lost anyway
   end
+  contract(form, real, v, job.selection.asked)
   orbit.fill(job, v)
-  local render, header_names, source_names = GROUP(job.templates, base, v), texts(form)
+  local render, header_names, source_names = GROUP(job.templates, base, v), texts(form, job.selection.asked)
   local headers, parts = {}, {}
   for i, name in ipairs(header_names) do headers[i] = render(name) end
   for i, name in ipairs(source_names) do parts[i] = render(name) end
   if v.has_own then parts[#parts + 1] = render "orbit/own.c" end
   local text = table.concat(parts, "\n")
-  v.clears = string.find(text, ctx.name .. "_zero(", 1, true) ~= nil
+  v.clears = string.find(text, ctx.name .. "_copy%(&%a+, 0,") ~= nil
   return { header = table.concat(headers, "\n"), source = render "core/copy.c" .. "\n" .. text, own = v.has_own }
 end
 

@@ -37,7 +37,7 @@ local template = require "generator.emit.template"
 local selection = require "generator.selection"
 
 local FILES = template.group("core/scene.h", "core/scene.c", "core/part.h", "core/part.c", "core/private.h",
-  "core/implementation.c")
+  "core/implementation.c", "core/preamble.c")
 local PLAIN = template.group("core/normalise.h", "core/normalise.c", "numeric/exact.c")
 
 local code = {}
@@ -46,8 +46,9 @@ local code = {}
 local function includes(text, already)
   local list, has = {}, {}
   for _, name in ipairs(already or {}) do has[name] = true end
-  for _, h in ipairs { { "<stddef.h>", "%f[%w_]size_t%f[^%w_]" }, { "<stdint.h>", "%f[%w_]u?int%d+_t%f[^%w_]" } } do
-    if string.find(text, h[2]) and not has[h[1]] then list[#list + 1] = h[1] end
+  for _, h in ipairs { { "<stddef.h>", "size_t", "%f[%w_]size_t%f[^%w_]" },
+    { "<stdint.h>", "int%d+_t", "%f[%w_]u?int%d+_t%f[^%w_]" } } do -- the plain one first, which is faster
+    if not has[h[1]] and string.find(text, h[2]) and string.find(text, h[3]) then list[#list + 1] = h[1] end
   end
   return list
 end
@@ -89,8 +90,12 @@ local function fragments(job, p, ctx, base)
   put("motion", functions.fragment(p.functions, templates, base))
   if has.attitude then put("motion", plain "core/normalise.h", plain "core/normalise.c") end
   if pair and not p.special then put("motion", nil, pair) end
-  local axes, principal
-  if has.rates then
+  local s, axes, principal = job.selection, nil, nil
+  local studied = has.rates and (s.asked "stability" or s.asked "spin_stable" or s.asked "linearised")
+  local called = p.stepper.source .. (p.closed and p.closed.source or "")
+  -- also of splitting methods and of the closed form of a tensor with products
+  if has.rates and (studied or s.asked "principal" or s.asked "principal_of" or
+    string.find(called, "_principal", 1, true)) then
     axes, principal = analysis.principal(job, base, ctx)
     put("analysis", nil, principal)
   end
@@ -101,8 +106,8 @@ local function fragments(job, p, ctx, base)
     if declared then put("batch", declared, defined) end
   end
   if p.guard then put("motion", p.guard.header, p.guard.source) end
-  if has.rates then
-    put("analysis", axes)
+  if axes then put("analysis", axes) end
+  if studied then
     put("analysis", analysis.rest(job, base))
     if p.stability.say then put("analysis", stability.fragment(p.stability, job, base)) end
   end
@@ -171,20 +176,25 @@ local function written(job, all, ctx, base, about)
     for _, h in ipairs(list) do used[h] = true end
     return list
   end
+  local function preamble(list, declares_real)
+    if #list == 0 and not declares_real then return "" end
+    return render("core/preamble.c", { source_includes = list, declares_real = declares_real })
+  end
   local has_private = all.private ~= ""
   if has_private then
-    put(ctx.name .. "_private.h", render("core/private.h", { definitions = all.private, real_type = all.real,
-      source_includes = library(all.private) }))
+    put(ctx.name .. "_private.h", render("core/private.h", { definitions = all.private,
+      preamble = preamble(library(all.private), all.real == "real") }))
     add(ctx.name .. "_private.h", out.headers)
     add(all.plain_private, texts.source)
   end
   for _, r in ipairs(all.order) do
     local own, stem, main = all.rooms[r], ctx.name .. selection.tails[r], r == "motion"
-    local v = { file = stem, file_upper = string.upper(stem), about_file = ABOUT[r] or "", real_type = all.real,
+    local v = { file = stem, file_upper = string.upper(stem), about_file = ABOUT[r] or "",
       has_private = has_private, declarations = own.header, definitions = own.source, own_includes = {},
       header_includes = includes(own.header), header_only = header_only }
     for _, h in ipairs(v.header_includes) do used[h] = true end
-    v.source_includes = library(own.source, v.header_includes)
+    v.preamble = preamble(library(own.source, v.header_includes), all.real == "real" and not has_private and
+      not header_only)
     for _, other in ipairs { "orbit", "analysis" } do
       if own.calls[other] and other ~= r then add(ctx.name .. selection.tails[other] .. ".h", v.own_includes) end
     end
@@ -206,7 +216,7 @@ local function written(job, all, ctx, base, about)
   out.text = table.concat(texts.source, "\n")
   local declarations = table.concat(texts.header, "\n")
   local v = { declarations = declarations, definitions = out.text, header_includes = includes(declarations),
-    source_includes = whole, real_type = ctx.type, own_includes = {}, has_private = false,
+    preamble = preamble(whole, ctx.type == "real"), own_includes = {}, has_private = false,
     header_only = header_only, implementation = "" }
   out.header, out.source = render("core/scene.h", v), render("core/scene.c", v)
   return out

@@ -1,7 +1,10 @@
 -- columns.lua -- no line of emitted C is longer than 100 columns, whatever the scene is called.
 --
 --     columns.fit(text) -> text
---     columns.heads(text) -> text      heads of functions, on one line if they fit
+--     columns.part(text) -> text, single
+-- A part of units.lua in its shape: the head of a function on one line if it fits, and all of a static one that only
+-- returns something; no blank line before the one statement after declarations.  single: all of something static in
+-- one line, which wants no blank line beside its like.
 -- Names of scenes make lines longer, so this can only be done at the end.  A comment goes on in its next line; one
 -- behind code goes before it; code breaks behind a comma or before an operator.  Strings are not broken.  BELOW the
 -- line.
@@ -50,24 +53,44 @@ local function comment(lines)
   return out
 end
 
-local OPERATORS = { ["+"] = true, ["-"] = true, ["*"] = true, ["&&"] = true, ["||"] = true, ["?"] = true, [":"] = true,
-  ["=="] = true, ["<="] = true, [">="] = true, ["<"] = true, [">"] = true, ["|"] = true }
+local OPERATORS = { ["+"] = true, ["-"] = true, ["*"] = true, ["/"] = true, ["&&"] = true, ["||"] = true, ["?"] = true,
+  [":"] = true, ["=="] = true, ["<="] = true, [">="] = true, ["<"] = true, [">"] = true, ["|"] = true, ["!="] = true }
 
--- The last place up to the width where a line of code may be broken, outside strings; nil if there is none.
+-- Where a line of code is best broken, outside strings: behind a comma or before an operator, or behind the parenthesis
+-- that a call opens; each level of parentheses is as bad as a line that is DEPTH columns shorter.  nil if nowhere.
+local DEPTH = 16
+local QUOTE, BACKSLASH, SPACE, COMMA, SEMICOLON, OPENED, CLOSED, BRACE = string.byte('"\\ ,;(){', 1, -1)
+local OPENS = { [OPENED] = true, [BRACE] = true, [string.byte "["] = true }
+
 local function joint(line)
-  local quoted, best, open = false, nil, nil
+  local quoted, best, least, depth = false, nil, math.huge, 0
   local first = #indent_of(line) + 8
-  for at = 1, math.min(#line, columns.width - 2) do
-    local c = string.sub(line, at, at)
-    if c == '"' and string.sub(line, at - 1, at - 1) ~= "\\" then quoted = not quoted end
-    if c == "(" and not quoted and at > first then open = at end
-    if c == " " and not quoted and at > first then
-      local before, after = string.sub(line, at - 1, at - 1), string.match(line, "^(%S+)", at + 1)
-      local new = before == "," or before == ";" or before == ")" and after ~= "{" or OPERATORS[after or ""]
-      if new then best = at end
+  local function offer(at, cost)
+    cost = cost - at
+    if at > first and cost <= least then best, least = at, cost end
+  end
+  local at, last = 0, math.min(#line, columns.width - 2)
+  while true do
+    at = string.find(line, '[]"(%[{)} ]', at + 1)
+    if not at or at > last then return best end
+    local c = string.byte(line, at)
+    if c == QUOTE then
+      if string.byte(line, at - 1) ~= BACKSLASH then quoted = not quoted end
+    elseif c == SPACE and not quoted then
+      local before = string.byte(line, at - 1)
+      local operator = string.match(line, "^[-+*/&|?:<>=!]+%f[ ]", at + 1)
+      if before == COMMA or before == SEMICOLON or before == CLOSED and string.byte(line, at + 1) ~= BRACE then
+        offer(at, DEPTH * depth)
+      elseif operator and OPERATORS[operator] then
+        offer(at, DEPTH * depth + 4)
+      end
+    elseif OPENS[c] and not quoted then
+      depth = depth + 1
+      if c == OPENED then offer(at, DEPTH * depth + 40) end
+    elseif not quoted then
+      depth = depth - 1
     end
   end
-  return best, not best and open or nil
 end
 
 local function code(line, out)
@@ -81,12 +104,32 @@ local function code(line, out)
   local more = string.match(line, " *\\$") or "" -- of a directive that goes on
   line = string.sub(line, 1, #line - #more)
   while #line > columns.width do
-    local at, open = joint(line)
-    if not (at or open) then break end
-    out[#out + 1] = string.sub(line, 1, at and at - 1 or open) .. (directive and " \\" or "")
-    line = margin .. string.sub(line, (at or open) + 1)
+    local at = joint(line)
+    if not at then break end
+    out[#out + 1] = string.gsub(string.sub(line, 1, at), " $", "") .. (directive and " \\" or "")
+    line = margin .. string.sub(line, at + 1)
   end
   out[#out + 1] = line .. more
+end
+
+local ENDS = { [0] = true } -- of a statement, of a block, of a label, of a directive's line that goes on
+for _, c in ipairs { string.byte(";}:\\", 1, -1) } do ENDS[c] = true end
+
+-- Does the next line go on with the statement that ends in `line` so far?
+local function goes_on(line, own, next_one)
+  local last = string.byte(line, -1)
+  if ENDS[last or 0] then return false end
+  local tail = string.char(last)
+  if string.find(own, "^%a") or string.find(next_one, "^%s*[/#}]") then
+    return false
+  end
+  if string.find(own, "^ *{") then return tail == "," and string.find(next_one, "^ *{.*},$") ~= nil end
+  if string.find(next_one, "^%s*{") then return false end
+  if #indent_of(next_one) <= #indent_of(own) or tail == "{" or string.find(line, "/*", 1, true) then return false end
+  if tail == "," or tail == "=" or tail == "(" or string.find(next_one, "^%s*[+%-*/?:&|<>=]") then return true end
+  local _, opened = string.gsub(line, "%(", "")
+  local _, closed = string.gsub(line, "%)", "")
+  return opened > closed
 end
 
 -- The head of a function: on one line, or broken between arguments.
@@ -111,18 +154,44 @@ local function broken_head(text)
   return table.concat(lines, "\n")
 end
 
--- The text of a file with all heads of functions, defined or declared, so.
-function columns.heads(text)
-  text = string.gsub("\n" .. text, "(\n)([%a][^\n;={}#]*%([^;={}#]-%))(;?\n)", function(before, own, after)
-    return before .. broken_head(own .. string.sub(after, 1, -2)) .. "\n"
-  end)
-  return string.sub(text, 2)
+-- Is the line all of a static function or a constant?
+local function whole(line)
+  local open = string.find(line, "{", 1, true)
+  return string.find(line, "^static ") ~= nil and string.find(line, ";", 1, true) ~= nil and
+    (not open or string.find(line, "}[;]?$") ~= nil) and not string.find(line, "^[^={]*%b();")
+end
+
+function columns.part(text)
+  local comment_end = string.find(text, "^/%*") and select(2, string.find(text, "*/\n", 1, true)) or 0
+  local close = string.find(text, ")\n{\n", comment_end + 1, true) or string.find(text, "%)%s*;%s*$", comment_end + 1)
+  local head = close and string.sub(text, comment_end + 1, close) or ""
+  if string.find(head, "^%a") and not string.find(head, "[;={}#]") then
+    local body = string.sub(text, close + 1)
+    head = broken_head(head)
+    local short = string.find(head, "^static ") and string.match(body, "^\n{\n  (return [^\n]*;)\n}$")
+    if short and #head + #short + 5 <= columns.width then
+      body = " { " .. short .. " }"
+    else
+      local before, last = string.match(body, "^(\n{\n[^{}]-;\n)\n(  return [^\n]*;\n})$")
+      if before and not string.find(before, "\n\n", 1, true) then body = before .. last end
+    end
+    text = string.sub(text, 1, comment_end) .. head .. body
+  end
+  return text, not string.find(text, "\n", 1, true) and whole(text)
 end
 
 function columns.fit(text)
-  local out, block = {}, nil
+  local out, block, statement = {}, nil, nil
+  local function finish()
+    if not statement then return end
+    if #statement > columns.width then code(statement, out) else out[#out + 1] = statement end
+    statement = nil
+  end
   for line in string.gmatch(text, "([^\n]*)\n") do
-    if not block and string.find(line, "^ */%*") then block = {} end
+    if not block and string.find(line, "^ */%*") then
+      finish()
+      block = {}
+    end
     if block then
       block[#block + 1] = line
       if string.find(line, "*/", 1, true) then
@@ -132,12 +201,16 @@ function columns.fit(text)
         for _, l in ipairs(long and alone and comment(block) or block) do out[#out + 1] = l end
         block = nil
       end
-    elseif #line > columns.width then
-      code(line, out)
+    elseif statement and goes_on(statement, statement, line) and not (string.find(statement, "^ *{") and
+      #statement + #line > columns.width) then
+      local space = string.sub(statement, -1) == "(" and "" or " "
+      statement = statement .. space .. string.match(line, "^%s*(.*)$")
     else
-      out[#out + 1] = line
+      finish()
+      statement = line
     end
   end
+  finish()
   return table.concat(out, "\n") .. "\n"
 end
 

@@ -13,13 +13,13 @@ local economy = {}
 
 -- Chebyshev's polynomials T_n(2 u/h - 1), n = 0 .. last, as lists of coefficients from u^0
 local function chebyshev(last, h)
-  local two = R.new(2)
+  local two, twice = R.new(2), R.new(4) / h
   local list = { [0] = { [0] = R.one }, { [0] = -R.one, two / h } }
   for n = 2, last do
     local before, now, next_one = list[n - 2], list[n - 1], {}
     for k = 0, n do
       local a = now[k] and -two * now[k] or R.zero
-      if k > 0 then a = a + R.new(4) / h * now[k - 1] end
+      if k > 0 then a = a + twice * now[k - 1] end
       next_one[k] = a - (before[k] or R.zero)
     end
     list[n] = next_one
@@ -27,11 +27,21 @@ local function chebyshev(last, h)
   return list
 end
 
+local known = {} -- {degree, h, list}: they are the same for many series
+
+local function chebyshev_of(last, h)
+  for _, k in ipairs(known) do
+    if k[1] == last and k[2] == h then return k[3] end
+  end
+  known[#known + 1] = { last, h, chebyshev(last, h) }
+  return known[#known][3]
+end
+
 -- series: coefficients from u^0, as rationals.  Returns fewer of them, to `bound` on 0 <= u <= h.
 function economy.shorten(series, h, bound)
   local n, lost, power = #series, R.zero, {}
   for k = 0, n do power[k] = series[k] end
-  local T = chebyshev(n, h)
+  local T = chebyshev_of(n, h)
   while n > 0 do
     local multiple = power[n] / T[n][n]
     lost = lost + R.abs(multiple)
@@ -43,12 +53,14 @@ function economy.shorten(series, h, bound)
   return power
 end
 
-local function factorial(n) return n < 2 and R.one or R.new(n) * factorial(n - 1) end
-
--- sum of sign^n x^(2n + odd)/(2n + odd)! at x = scale y as a series in u = y^2, over y if odd
+-- sum of sign^n x^(2n + odd)/(2n + odd)! at x = scale y as a series in u = y^2, over y if odd; each term to 200 bits,
+-- as the scale is
 local function series(scale, sign, odd)
-  local out = {}
-  for n = 0, 20 do out[n] = sign ^ n * scale ^ (2 * n + odd) / factorial(2 * n + odd) end
+  local out, term, step = {}, odd == 1 and scale or R.one, sign * scale * scale
+  for n = 0, 20 do
+    out[n] = term
+    term = R.round(term * step / R.new((2 * n + odd + 1) * (2 * n + odd + 2)), 200)
+  end
   return out
 end
 

@@ -100,19 +100,22 @@ local function plain_names(name, kept, public)
   return map
 end
 
-local function renamed(text, map)
-  return (string.gsub(text, "[%a_][%w_]*", map))
-end
-
--- The texts of the parts with their headings, blank lines between.
-local function joined(list, change)
-  local out, heading = {}, nil
-  for _, u in ipairs(list) do
-    if u.heading and u.heading ~= heading then out[#out + 1] = u.heading.text end
-    heading = u.heading or heading
-    out[#out + 1] = change and change(u) or u.text
+-- The texts of the parts with their headings, blank lines between; change(u): the text of a part, if it is another;
+-- shape(text) -> text, single (columns.part).
+local function joined(list, change, shape)
+  local out, n, heading, before = {}, 0, nil, true
+  local function put(text, single)
+    out[n + 1] = n > 0 and not (single and before) and "\n" or ""
+    out[n + 2], out[n + 3] = text, "\n"
+    n, before = n + 3, single
   end
-  return table.concat(out, "\n\n") .. (#out > 0 and "\n" or "")
+  for _, u in ipairs(list) do
+    if u.heading and u.heading ~= heading then put(shape and shape(u.heading.text) or u.heading.text, false) end
+    heading = u.heading or heading
+    local text = change and change(u) or u.text
+    if shape then put(shape(text)) else put(text, false) end
+  end
+  return table.concat(out)
 end
 
 local function private_text(u)
@@ -131,13 +134,13 @@ end
 -- Nothing that is kept may call what is not there: a mistake of selection.lua's, not of the scene.  A local name may
 -- begin with the scene's: s_odd in a scene s.
 local function complete(name, kept, by_name, public)
-  local own = { [name .. "_model"] = true, [name .. "_real"] = true }
+  local own, prefix = { [name .. "_model"] = true, [name .. "_real"] = true }, "^" .. name .. "_%l"
   for _, u in ipairs(kept) do
     for _, n in ipairs(u.uses) do
-      local ours = string.sub(n, 1, #name + 1) == name .. "_" and string.find(n, "^%l", #name + 2)
-      local here = ours and string.find(u.text, "%f[%w_]" .. n .. " = ") -- a local number of that name
-      local missing = ours and not (here or own[n] or by_name[n] or public[n] and public[n].asked)
-      if missing then error(u.names[1] .. " needs " .. n .. ", which is not made") end
+      local there = own[n] or by_name[n] or public[n] and public[n].asked
+      if not there and string.find(n, prefix) and not string.find(u.text, "%f[%w_]" .. n .. " = ") then
+        error(u.names[1] .. " needs " .. n .. ", which is not made") -- nor is it a local number
+      end
     end
   end
 end
@@ -222,24 +225,33 @@ function layout.sort(name, real, fragments, asked, room, keeps)
     local comment, head = string.match(u.text, "^(/%*.-%*/\n)(.*)$")
     return (comment or "") .. "static " .. (head or u.text)
   end
+  local pattern = "%f[%w_]" .. name .. "_[%w_]+" -- names of the map begin so, but for `real`
+  local function shape(text)
+    if map.real then text = string.gsub(text, "%f[%w_]real%f[^%w_]", map.real) end
+    return columns.part((string.gsub(text, pattern, map)))
+  end
   for _, r in ipairs(order) do
     local own, heads = rooms[r], {}
     for _, u in ipairs(own.defined) do
       local owner = u.names[1] and public[u.names[1]]
       if owner and not owner.asked then heads[#heads + 1] = forward(u, prototypes) end
     end
-    own.plain = joined(own.defined, change)
-    if #heads > 0 then own.plain = table.concat(heads, "\n") .. "\n\n" .. own.plain end
-    own.source, own.header = columns.heads(renamed(own.plain, map)), columns.heads(joined(own.declared))
+    own.plain, own.source, own.header = joined(own.defined, change), joined(own.defined, change, shape),
+      joined(own.declared, nil, columns.part)
+    if #heads > 0 then
+      own.plain = table.concat(heads, "\n") .. "\n\n" .. own.plain
+      for i, head in ipairs(heads) do heads[i] = shape(head) end
+      own.source = table.concat(heads, "\n") .. "\n\n" .. own.source
+    end
   end
   for _, f in ipairs(functions) do
     local u = (by_name[f.name] or {})[1]
     f.lines = u and select(2, string.gsub(u.text, "\n", "")) + 1 or 0
     f.uses = u and u.uses or {}
   end
-  local inner = joined(private, function(u) return private_text { text = change(u) } end)
-  return { functions = functions, rooms = rooms, order = order, plain_private = inner,
-    private = columns.heads(renamed(inner, map)), real = keeps and name .. "_real" or real }
+  local function inside(u) return private_text { text = change(u) } end
+  return { functions = functions, rooms = rooms, order = order, plain_private = joined(private, inside),
+    private = joined(private, inside, shape), real = keeps and name .. "_real" or real }
 end
 
 return layout

@@ -153,8 +153,9 @@ local function fraction(a)
   return { word(high), word(all - high * two ^ 64) }
 end
 
--- Lines of the initialiser, in the order of the struct; nil if a number is beyond the range of the type.
-function orbit.lines(o, real)
+-- Lines of the initialiser, in the order of the struct, which has fields for ticks or not; nil if a number
+-- is beyond the range of the type.
+function orbit.lines(o, real, ticks)
   local round, lines, fits = rounder(real), {}, true
   local function one(q)
     local x = round(q or R.zero)
@@ -192,8 +193,8 @@ function orbit.lines(o, real)
   put(one(o.nome), array(o.scale, 3), one(o.s))
   matrix(o.q, 4, 4)
   matrix(o.w, 3, 3)
-  put(one(o.tick))
-  for _, name in ipairs { "rate_tick", "rate_start", "turn_tick", "turn_start" } do
+  if ticks then put(one(o.tick)) end
+  for _, name in ipairs(ticks and { "rate_tick", "rate_start", "turn_tick", "turn_start" } or {}) do
     put("{" .. table.concat(fraction(o[name]), ", ") .. "}")
   end
   lines[#lines + 1] = not o.hyperbolic and "0" or o.nearest and "2" or "1"
@@ -215,10 +216,11 @@ end
 -- Into the values of the templates: has_own and own_lines, for a scene without parameters with this closed form.
 function orbit.fill(job, v)
   v.has_own, v.own_bits = false, string.format("%d", bits)
+  v.diagonal = job.model.structure.kind == "diagonal"
   if job.closed.kind ~= "asymmetric" or #job.model.params > 0 then return end
   local m, real = job.model, job.real
   local top, h = orbit.own(m, real), rounder(real)(m:number(m.step))
-  v.own_lines = top and h and orbit.lines(orbit.of(top, h, real), real) or nil
+  v.own_lines = top and h and orbit.lines(orbit.of(top, h, real), real, v.has_tick_fields) or nil
   v.has_own = v.own_lines ~= nil
 end
 

@@ -19,7 +19,7 @@ local template = {}
 
 local function quoted(s) return string.format("%q", s) end
 
--- One line of text as Lua: _put("...", _str(expr, "expr"), ..., "\n").
+-- One line of text as Lua: _put("..." .. _str(expr, "expr") .. ... .. "\n")
 local function text_line(line, newline)
   local parts, from = {}, 1
   while true do
@@ -33,7 +33,7 @@ local function text_line(line, newline)
   local tail = string.sub(line, from)
   if tail ~= "" then parts[#parts + 1] = quoted(tail) end
   if newline then parts[#parts + 1] = "\"\\n\"" end
-  return "_put(" .. table.concat(parts, ", ") .. ")"
+  return "_put(" .. table.concat(parts, " .. ") .. ")"
 end
 
 -- The template as Lua, one line for one of its lines.
@@ -53,11 +53,13 @@ end
 -- The text of template `source` (its name is used in messages) with the values.  source: text, or what string.dump made
 -- of its translation when the program was built.
 function template.render(name, source, values)
-  local out = {}
-  local env = setmetatable({
+  local out, n = {}, 0
+  local env
+  env = setmetatable({
     ipairs = ipairs,
-    _put = function(...)
-      for _, s in ipairs { ... } do out[#out + 1] = s end
+    _put = function(line)
+      n = n + 1
+      out[n] = line
     end,
     _unclosed = function() error("${ is not closed", 2) end,
     _str = function(v, what)
@@ -72,6 +74,7 @@ function template.render(name, source, values)
         v = v()
         values[k] = v
       end
+      rawset(env, k, v) -- found once, it is there
       return v
     end,
     __newindex = function(_, k) error("a template must not assign '" .. tostring(k) .. "'", 2) end,
@@ -85,7 +88,10 @@ end
 
 -- The same of a file, which ends with one newline.
 function template.file(name, source, values)
-  return (string.gsub(template.render(name, source, values), "\n+$", "\n"))
+  local text = template.render(name, source, values)
+  local last = #text
+  while string.sub(text, last - 1, last) == "\n\n" do last = last - 1 end
+  return string.sub(text, 1, last)
 end
 
 -- All groups, each {names = list, has = set}; watch(group, values), if there is one, sees the values of each rendering.

@@ -11,7 +11,8 @@ local units = {}
 
 -- Without comments, strings and characters.
 local function bare(text)
-  text = string.gsub(text, "/%*.-%*/", " ")
+  if string.find(text, "/*", 1, true) then text = string.gsub(text, "/%*.-%*/", " ") end
+  if not string.find(text, "[\"']") then return text end
   text = string.gsub(text, "\\.", "")
   return (string.gsub(string.gsub(text, '"[^"\n]*"', '""'), "'[^'\n]*'", "''"))
 end
@@ -70,12 +71,13 @@ local function definition(lines, i)
       line = last and string.sub(line, last + 1) or ""
       inside = not last
     end
-    if string.find(line, "[/\"']") then -- nothing to take out of most lines
+    local mark = string.find(line, "[/\"'{}]") -- most lines have none
+    if mark and string.find(line, "[/\"']", mark) then
       line = bare(line)
       local from = string.find(line, "/*", 1, true)
       if from then line, inside = string.sub(line, 1, from - 1), true end
     end
-    if string.find(line, "[{}]") then
+    if mark and string.find(line, "[{}]") then
       for brace in string.gmatch(line, "[{}]") do depth = depth + (brace == "{" and 1 or -1) end
       open = true
     end

@@ -59,7 +59,7 @@ local function rate_of(job, env, own)
   local n, state = #job.states, { t = R.zero }
   for i, s in ipairs(job.states) do state[s.name] = own[i] end
   for i, s in ipairs(job.model.inputs) do state[s.name] = inputs.sample(job.model, s, i) end
-  local f = equations_of(job, "jacobian") or quantities.jacobian(job.equations)
+  local f = equations_of(job, "jacobian") or quantities.jacobian(job.equations, true)
   local J = selftest.expect(f, env, state, function(o) return o.index + 1 end, R.one)
   local list = {}
   for i = 1, n do

@@ -7,11 +7,11 @@
 /* (x, y) turned: (c x - s y, s x + c y) */
 static void ${name}_pair_turn(${name}_pair c, ${name}_pair s, ${name}_pair *x, ${name}_pair *y)
 {
-  const ${name}_pair cx = ${name}_pair_multiply(c, *x), sx = ${name}_pair_multiply(s, *x);
-  const ${name}_pair cy = ${name}_pair_multiply(c, *y), sy = ${name}_pair_multiply(s, *y);
+  const ${name}_pair cx = ${name}_mul(c, *x), sx = ${name}_mul(s, *x);
+  const ${name}_pair cy = ${name}_mul(c, *y), sy = ${name}_mul(s, *y);
 
-  *x = ${name}_pair_add(cx, ${name}_pair_minus(sy));
-  *y = ${name}_pair_add(sx, cy);
+  *x = ${name}_add(cx, ${name}_minus(sy));
+  *y = ${name}_add(sx, cy);
 }
 
 /* Turn the axes p, q so that the entry I_pq = off[r] vanishes ({p, q, r} = {0, 1, 2}; I_kk = diagonal[k]).
@@ -21,38 +21,38 @@ static void ${name}_pair_turn(${name}_pair c, ${name}_pair s, ${name}_pair *x, $
 static void ${name}_jacobi(${name}_pair diagonal[3], ${name}_pair off[3], ${name}_pair axis[3][3], int r)
 {
   const int p = (r + 1) % 3, q = (r + 2) % 3;
-  const ${name}_pair difference = ${name}_pair_add(diagonal[q], ${name}_pair_minus(diagonal[p]));
+  const ${name}_pair difference = ${name}_add(diagonal[q], ${name}_minus(diagonal[p]));
   const ${name}_real d = ${half}*difference.hi, b = off[r].hi;
-  ${name}_pair t, t2, c, s, left, shift;
-  ${name}_real ratio, root;
+  ${name}_pair t, t2, c, s, left, change;
+  ${name}_real slope, root;
   int k;
 
-  /* the ratio that is at most 1: no overflow, whatever the sizes */
+  /* the quotient that is at most 1: no overflow, whatever the sizes */
   if (${fabs}(b) < ${fabs}(d)) {
-    ratio = b/d;
-    ratio = ratio/(${one} + ${sqrt}(${one} + ratio*ratio));
+    slope = b/d;
+    slope = slope/(${one} + ${sqrt}(${one} + slope*slope));
   } else {
-    ratio = d/b;
-    root = ${sqrt}(${one} + ratio*ratio);
-    ratio = ratio < ${zero} ? ${one}/(ratio - root) : ${one}/(ratio + root);
+    slope = d/b;
+    root = ${sqrt}(${one} + slope*slope);
+    slope = slope < ${zero} ? ${one}/(slope - root) : ${one}/(slope + root);
   }
-  t = ${name}_pair_of(ratio);
-  t2 = ${name}_pair_product(ratio, ratio);
+  t = ${name}_pair_of(slope);
+  t2 = ${name}_pair_product(slope, slope);
 
   /* c = 1/sqrt(1 + t^2), a Newton step from its leading half; s = t c */
-  c = ${name}_pair_add(${name}_pair_of(${one}), t2);
+  c = ${name}_add(${name}_pair_of(${one}), t2);
   root = ${one}/${sqrt}(c.hi);
-  s = ${name}_pair_multiply(c, ${name}_pair_product(root, root));
+  s = ${name}_mul(c, ${name}_pair_product(root, root));
   c = ${name}_pair_sum(root, ${half}*root*((${one} - s.hi) - s.lo));
-  s = ${name}_pair_multiply(t, c);
+  s = ${name}_mul(t, c);
 
-  left = ${name}_pair_multiply(${name}_pair_add(${name}_pair_of(${one}), ${name}_pair_minus(t2)), off[r]);
-  left = ${name}_pair_add(left, ${name}_pair_minus(${name}_pair_multiply(t, difference)));
-  left = ${name}_pair_multiply(${name}_pair_multiply(c, c), left);
-  shift = ${name}_pair_multiply(t, ${name}_pair_add(off[r], left));
-  diagonal[p] = ${name}_pair_add(diagonal[p], ${name}_pair_minus(shift));
-  diagonal[q] = ${name}_pair_add(diagonal[q], shift);
-  off[r] = ratio == ${zero} ? ${name}_pair_of(${zero}) : left; /* too small to turn by: too small to matter */
+  left = ${name}_mul(${name}_add(${name}_pair_of(${one}), ${name}_minus(t2)), off[r]);
+  left = ${name}_add(left, ${name}_minus(${name}_mul(t, difference)));
+  left = ${name}_mul(${name}_mul(c, c), left);
+  change = ${name}_mul(t, ${name}_add(off[r], left));
+  diagonal[p] = ${name}_add(diagonal[p], ${name}_minus(change));
+  diagonal[q] = ${name}_add(diagonal[q], change);
+  off[r] = slope == ${zero} ? ${name}_pair_of(${zero}) : left; /* too small to turn by: too small to matter */
   ${name}_pair_turn(c, s, &off[q], &off[p]); /* I_rp, I_rq */
   for (k = 0; k < 3; k++) ${name}_pair_turn(c, s, &axis[p][k], &axis[q][k]);
 }

@@ -8,7 +8,7 @@ static void ${name}_wide_size(${name}_wide c[][${upper}_ROW], int top, ${name}_r
   int i, k, n, body;
 
   for (i = 0; i < 5; i++) part[i] = ${one}/(${name}_real)(top - i > 0 ? top - i : 1);
-  for (body = 0; body < ${upper}_WIDE; body++) log_h[body] = ${eight}*${eight};
+  for (body = 0; body < ${upper}_WIDE; body++) log_h[body] = ${n[64]};
 %% for _, k in ipairs(kinds) do
   /* ${k.about} */
   for (i = 0; i < 5; i++) {

@@ -3,12 +3,6 @@
 /* The code, in the one file of the program that defines ${upper}_IMPLEMENTATION before it includes this. */
 #if defined ${upper}_IMPLEMENTATION && !defined POLHODE_${upper}_IMPLEMENTED
 #define POLHODE_${upper}_IMPLEMENTED
-
-%% for i, h in ipairs(source_includes) do
-#include ${h}
-%%   if i == #source_includes then
-
-%%   end
-%% end
+${preamble}
 ${definitions}
 #endif

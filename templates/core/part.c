@@ -10,17 +10,5 @@
 %% if has_private then
 #include "${name}_private.h"
 %% end
-
-%% for i, h in ipairs(source_includes) do
-#include ${h}
-%%   if i == #source_includes then
-
-%%   end
-%% end
-%% if real_type == "real" then
-%%   if not has_private then
-typedef ${name}_real real;
-
-%%   end
-%% end
+${preamble}
 ${definitions}

@@ -7,16 +7,6 @@
 #define POLHODE_${upper}_PRIVATE
 
 #include "${name}.h"
-
-%% for i, h in ipairs(source_includes) do
-#include ${h}
-%%   if i == #source_includes then
-
-%%   end
-%% end
-%% if real_type == "real" then
-typedef ${name}_real real;
-
-%% end
+${preamble}
 ${definitions}
 #endif

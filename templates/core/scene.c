@@ -15,23 +15,11 @@
 %% if has_private then
 #include "${name}_private.h"
 %% end
-
 %% if has_compensated then
+
 #if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined _M_FP_FAST
 #error "compensated sums vanish where a compiler may reorder them: no -ffast-math"
 #endif
-
 %% end
-%% for i, h in ipairs(source_includes) do
-#include ${h}
-%%   if i == #source_includes then
-
-%%   end
-%% end
-%% if real_type == "real" then
-%%   if not has_private then
-typedef ${name}_real real;
-
-%%   end
-%% end
+${preamble}
 ${definitions}

@@ -1,12 +1,12 @@
 %% -- double.c -- functions of pairs, for the set-up of the closed form: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- functions of pairs, to about twice the working precision ---- */
 
-static ${name}_pair ${name}_pair_subtract(${name}_pair a, ${name}_pair b)
+static ${name}_pair ${name}_sub(${name}_pair a, ${name}_pair b)
 {
-  return ${name}_pair_add(a, ${name}_pair_minus(b));
+  return ${name}_add(a, ${name}_minus(b));
 }
 
-static ${name}_pair ${name}_pair_times(${name}_real a, ${name}_pair b)
+static ${name}_pair ${name}_scaled(${name}_real a, ${name}_pair b)
 {
   const ${name}_pair p = ${name}_pair_product(a, b.hi);
 
@@ -14,23 +14,19 @@ static ${name}_pair ${name}_pair_times(${name}_real a, ${name}_pair b)
 }
 
 /* a power of two times b: exact */
-static ${name}_pair ${name}_pair_shift(${name}_real power, ${name}_pair b)
+static ${name}_pair ${name}_shift(${name}_real power, ${name}_pair b)
 {
-  b.hi *= power;
-  b.lo *= power;
-  return b;
+  return ${name}_parts(power*b.hi, power*b.lo);
 }
 
 /* the same for any exponent */
 static ${name}_pair ${name}_pair_scale(${name}_pair a, int e)
 {
-  a.hi = ${ldexp}(a.hi, e);
-  a.lo = ${ldexp}(a.lo, e);
-  return a;
+  return ${name}_parts(${ldexp}(a.hi, e), ${ldexp}(a.lo, e));
 }
 
 /* the leading quotient, and that of its remainder */
-static ${name}_pair ${name}_pair_divide(${name}_pair a, ${name}_pair b)
+static ${name}_pair ${name}_ratio(${name}_pair a, ${name}_pair b)
 {
   const ${name}_real q = a.hi/b.hi;
   const ${name}_pair p = ${name}_pair_product(q, b.hi);
@@ -57,38 +53,32 @@ static ${name}_pair ${name}_pair_arc(${name}_pair x, ${name}_real sign)
     {${c.high}, ${c.low}},
 %% end
   };
-  const ${name}_pair square = ${name}_pair_multiply(x, x), z = ${name}_pair_shift(sign, square);
-  const ${name}_real t = z.hi, seven = ${one}/(${name}_real)13 + t*(${one}/(${name}_real)15 + t*(${one}/(${name}_real)17
-    + t*(${one}/(${name}_real)19 + t*(${one}/(${name}_real)21
-        + t*(${one}/(${name}_real)23 + t*(${one}/(${name}_real)25))))));
+  const ${name}_pair square = ${name}_mul(x, x), z = ${name}_shift(sign, square);
+  const ${name}_real t = z.hi, seven = ${one}/${n[13]} + t*(${one}/${n[15]} + t*(${one}/${n[17]}
+    + t*(${one}/${n[19]} + t*(${one}/${n[21]}
+        + t*(${one}/${n[23]} + t*(${one}/${n[25]}))))));
   ${name}_pair s = ${name}_pair_of(seven);
   int i;
 
-  for (i = 5; i >= 0; i--) s = ${name}_pair_add(odd[i], ${name}_pair_multiply(z, s));
-  return ${name}_pair_multiply(x, s);
+  for (i = 5; i >= 0; i--) s = ${name}_add(odd[i], ${name}_mul(z, s));
+  return ${name}_mul(x, s);
 }
 
 static ${name}_pair ${name}_pi(void)
 {
-  const ${name}_pair pi = {${pi_high}, ${pi_low}};
-
-  return pi;
+  return ${name}_parts(${pi_high}, ${pi_low});
 }
 
 %% if not lagrange then
 static ${name}_pair ${name}_inverse_pi(void)
 {
-  const ${name}_pair inverse = {${inverse_pi_high}, ${inverse_pi_low}};
-
-  return inverse;
+  return ${name}_parts(${inverse_pi_high}, ${inverse_pi_low});
 }
 
 %% end
-static ${name}_pair ${name}_log2(void)
+static ${name}_pair ${name}_log_two(void)
 {
-  const ${name}_pair log2 = {${log2_high}, ${log2_low}};
-
-  return log2;
+  return ${name}_parts(${log2_high}, ${log2_low});
 }
 
 %% if not lagrange then
@@ -101,9 +91,8 @@ static ${name}_pair ${name}_pair_angle(${name}_pair x, ${name}_pair y)
     {${c.high}, ${c.low}},
 %% end
   };
-  const ${name}_pair pi = ${name}_pi();
   const int left = x.hi < ${zero}, below = y.hi < ${zero};
-  const ${name}_pair u = left ? ${name}_pair_minus(x) : x, v = below ? ${name}_pair_minus(y) : y;
+  const ${name}_pair u = left ? ${name}_minus(x) : x, v = below ? ${name}_minus(y) : y;
   const int steep = v.hi > u.hi;
   const ${name}_pair far = steep ? v : u, near = steep ? u : v;
   ${name}_pair angle;
@@ -112,13 +101,13 @@ static ${name}_pair ${name}_pair_angle(${name}_pair x, ${name}_pair y)
   if (!(far.hi > ${zero})) return ${name}_pair_of(${zero});
   eighths = near.hi/far.hi;
   if (!(eighths <= ${one})) return ${name}_pair_of(eighths); /* no number */
-  eighths = ${floor}((${name}_real)8*eighths + ${half});
-  angle = ${name}_pair_divide(${name}_pair_subtract(near, ${name}_pair_times(eighths/(${name}_real)8, far)),
-               ${name}_pair_add(far, ${name}_pair_times(eighths/(${name}_real)8, near)));
-  angle = ${name}_pair_add(arctan[(int)eighths], ${name}_pair_arc(angle, -${one}));
-  if (steep) angle = ${name}_pair_subtract(${name}_pair_shift(${half}, pi), angle);
-  if (left) angle = ${name}_pair_subtract(pi, angle);
-  return below ? ${name}_pair_minus(angle) : angle;
+  eighths = ${floor}(${n[8]}*eighths + ${half});
+  angle = ${name}_ratio(${name}_sub(near, ${name}_scaled(eighths/${n[8]}, far)),
+               ${name}_add(far, ${name}_scaled(eighths/${n[8]}, near)));
+  angle = ${name}_add(arctan[(int)eighths], ${name}_pair_arc(angle, -${one}));
+  if (steep) angle = ${name}_sub(${name}_shift(${half}, ${name}_pi()), angle);
+  if (left) angle = ${name}_sub(${name}_pi(), angle);
+  return below ? ${name}_minus(angle) : angle;
 }
 
 %% end
@@ -137,12 +126,12 @@ static ${name}_pair ${name}_pair_log(${name}_pair a, int e)
   if (!(a.hi > ${zero} && a.hi - a.hi == ${zero})) return ${name}_pair_of(${sqrt}(-${one})); /* no number */
   (void)${frexp}(a.hi, &own);
   a = ${name}_pair_scale(a, 1 - own);
-  eighths = ${floor}((${name}_real)8*(a.hi - ${one}) + ${half});
-  near = ${name}_pair_of(${one} + eighths/(${name}_real)8);
-  near = ${name}_pair_shift(${two}, ${name}_pair_arc(${name}_pair_divide(${name}_pair_subtract(a, near),
-      ${name}_pair_add(a, near)), ${one}));
-  near = ${name}_pair_add(log[(int)eighths], near);
-  return ${name}_pair_add(${name}_pair_times((${name}_real)(e + own - 1), ${name}_log2()), near);
+  eighths = ${floor}(${n[8]}*(a.hi - ${one}) + ${half});
+  near = ${name}_pair_of(${one} + eighths/${n[8]});
+  near = ${name}_shift(${two}, ${name}_pair_arc(${name}_ratio(${name}_sub(a, near),
+      ${name}_add(a, near)), ${one}));
+  near = ${name}_add(log[(int)eighths], near);
+  return ${name}_add(${name}_scaled((${name}_real)(e + own - 1), ${name}_log_two()), near);
 }
 
 static void ${name}_store(${name}_real out[2], ${name}_pair a)

@@ -5,16 +5,29 @@ typedef struct ${name}_pair {
   ${name}_real hi, lo;
 } ${name}_pair;
 
+static ${name}_pair ${name}_parts(${name}_real hi, ${name}_real lo)
+{
+  const ${name}_pair p = {hi, lo};
+
+  return p;
+}
+
+static ${name}_pair ${name}_pair_of(${name}_real a)
+{
+  return ${name}_parts(a, ${zero});
+}
+
+static ${name}_pair ${name}_minus(${name}_pair a)
+{
+  return ${name}_parts(-a.hi, -a.lo);
+}
+
 /* a + b = hi + lo exactly (Knuth's two-sum) */
 static ${name}_pair ${name}_pair_sum(${name}_real a, ${name}_real b)
 {
-  ${name}_pair s;
-  ${name}_real bb;
+  const ${name}_real s = a + b, bb = s - a;
 
-  s.hi = a + b;
-  bb = s.hi - a;
-  s.lo = (a - (s.hi - bb)) + (b - bb);
-  return s;
+  return ${name}_parts(s, (a - (s - bb)) + (b - bb));
 }
 
 /* a*b = hi + lo exactly.  Where the machine has a fused operation compilers may fuse products into sums, which would
@@ -22,70 +35,42 @@ static ${name}_pair ${name}_pair_sum(${name}_real a, ${name}_real b)
 static ${name}_pair ${name}_pair_product(${name}_real a, ${name}_real b)
 {
 #if defined ${fast_fma} || defined __${fast_fma} || defined __FMA__ || (defined __ARM_FEATURE_FMA && (__ARM_FP & ${arm_fma}))
-  const volatile ${name}_real high = a*b;
-  ${name}_pair p;
+  const volatile ${name}_real product = a*b;
+  const ${name}_real hi = product;
 
-  p.hi = high;
-  p.lo = ${fma}(a, b, -p.hi);
-  return p;
+  return ${name}_parts(hi, ${fma}(a, b, -hi));
 #else
-  const ${name}_real split = ${split}; /* Dekker's product, factors split in halves */
-  ${name}_real c, ah, al, bh, bl;
-  ${name}_pair p;
+  /* Dekker's product, factors split in halves */
+  const ${name}_real c = ${split}*a, ah = c - (c - a), al = a - ah;
+  const ${name}_real d = ${split}*b, bh = d - (d - b), bl = b - bh, hi = a*b;
 
-  c = split*a;
-  ah = c - (c - a);
-  al = a - ah;
-  c = split*b;
-  bh = c - (c - b);
-  bl = b - bh;
-  p.hi = a*b;
-  p.lo = ((ah*bh - p.hi) + ah*bl + al*bh) + al*bl;
-  return p;
+  return ${name}_parts(hi, ((ah*bh - hi) + ah*bl + al*bh) + al*bl);
 #endif
-}
-
-static ${name}_pair ${name}_pair_of(${name}_real a)
-{
-  ${name}_pair p;
-
-  p.hi = a;
-  p.lo = ${zero};
-  return p;
-}
-
-static ${name}_pair ${name}_pair_minus(${name}_pair a)
-{
-  a.hi = -a.hi;
-  a.lo = -a.lo;
-  return a;
 }
 
 %% if add or multiply then
 /* hi + lo = the same, |lo| <= |hi| or hi a multiple of the last place of lo (Dekker's fast two-sum) */
 static ${name}_pair ${name}_pair_tidy(${name}_real hi, ${name}_real lo)
 {
-  ${name}_pair s;
+  const ${name}_real s = hi + lo;
 
-  s.hi = hi + lo;
-  s.lo = lo - (s.hi - hi);
-  return s;
+  return ${name}_parts(s, lo - (s - hi));
 }
 
 %% end
 %% if add then
-static ${name}_pair ${name}_pair_add(${name}_pair a, ${name}_pair b)
+static ${name}_pair ${name}_add(${name}_pair a, ${name}_pair b)
 {
-  ${name}_pair s = ${name}_pair_sum(a.hi, b.hi);
+  const ${name}_pair s = ${name}_pair_sum(a.hi, b.hi);
 
   return ${name}_pair_tidy(s.hi, s.lo + (a.lo + b.lo));
 }
 
 %% end
 %% if multiply then
-static ${name}_pair ${name}_pair_multiply(${name}_pair a, ${name}_pair b)
+static ${name}_pair ${name}_mul(${name}_pair a, ${name}_pair b)
 {
-  ${name}_pair p = ${name}_pair_product(a.hi, b.hi);
+  const ${name}_pair p = ${name}_pair_product(a.hi, b.hi);
 
   return ${name}_pair_tidy(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
 }

@@ -12,14 +12,14 @@ static int ${name}_short(${name}_real x)
 /* the next term of a series: t*x/n */
 static ${name}_pair ${name}_term(${name}_pair t, ${name}_pair x, int n)
 {
-  return ${name}_pair_quotient(${name}_pair_multiply(t, x), ${name}_pair_of((${name}_real)n));
+  return ${name}_pair_quotient(${name}_mul(t, x), ${name}_pair_of((${name}_real)n));
 }
 %% end
 %% if has_weights then
 
 static ${name}_pair ${name}_times(${name}_pair t, ${name}_real weight)
 {
-  return ${name}_pair_multiply(t, ${name}_pair_of(weight));
+  return ${name}_mul(t, ${name}_pair_of(weight));
 }
 %% end
 %% if has_arc_across then
@@ -34,10 +34,10 @@ static ${name}_real ${name}_arc_across(${name}_real h)
   if (!${name}_short(h)) return ${half}*(${one} - ${sin}(y)/y);
   x = ${name}_pair_product(y, y);
   for (n = 2; n <= ${series_terms}; n++) {
-    t = ${name}_pair_minus(${name}_term(t, x, 2*n*(2*n + 1)));
-    sum = ${name}_pair_add(sum, t);
+    t = ${name}_minus(${name}_term(t, x, 2*n*(2*n + 1)));
+    sum = ${name}_add(sum, t);
   }
-  return ${name}_pair_multiply(x, sum).hi/${twelve};
+  return ${name}_mul(x, sum).hi/${twelve};
 }
 %% end
 %% if has_arc_along then
@@ -57,10 +57,10 @@ static ${name}_real ${name}_arc_along(${name}_real h)
   }
   x = ${name}_pair_product(y, y);
   for (n = 4; n <= ${series_terms}; n++) {
-    t = ${name}_pair_minus(${name}_term(t, x, (2*n - 1)*(2*n)));
-    sum = ${name}_pair_add(sum, ${name}_times(t, (${name}_real)(n - 2)));
+    t = ${name}_minus(${name}_term(t, x, (2*n - 1)*(2*n)));
+    sum = ${name}_add(sum, ${name}_times(t, (${name}_real)(n - 2)));
   }
-  return ${name}_pair_multiply(x, ${name}_pair_multiply(x, sum)).hi/${n720};
+  return ${name}_mul(x, ${name}_mul(x, sum)).hi/${n720};
 }
 %% end
 %% if has_arc_lever then
@@ -74,10 +74,10 @@ static ${name}_real ${name}_arc_lever(${name}_real h)
   if (!${name}_short(h)) return ${sin}(h)/h - ${cos}(h);
   x = ${name}_pair_product(h, h);
   for (n = 2; n <= ${series_terms}; n++) {
-    t = ${name}_pair_minus(${name}_term(t, x, 2*n*(2*n + 1)));
-    sum = ${name}_pair_add(sum, ${name}_times(t, (${name}_real)n));
+    t = ${name}_minus(${name}_term(t, x, 2*n*(2*n + 1)));
+    sum = ${name}_add(sum, ${name}_times(t, (${name}_real)n));
   }
-  return ${name}_pair_multiply(x, sum).hi/${three};
+  return ${name}_mul(x, sum).hi/${three};
 }
 %% end
 %% if has_catenary_rise then
@@ -101,8 +101,8 @@ static ${name}_real ${name}_catenary_rise(${name}_real u)
     power *= ${quarter};
     t = ${name}_term(t, x, (2*n - 1)*(2*n));
     odd = ${name}_term(odd, x, 2*n*(2*n + 1));
-    square = ${name}_pair_add(square, t);
-    sum = ${name}_pair_add(sum, ${name}_times(odd, ${half} - power));
+    square = ${name}_add(square, t);
+    sum = ${name}_add(sum, ${name}_times(odd, ${half} - power));
   }
   return y*${name}_pair_quotient(sum, square).hi/${three};
 }
@@ -128,12 +128,12 @@ static ${name}_real ${name}_catenary_height(${name}_real u)
   for (n = 4; n <= ${series_terms}; n++) {
     power *= ${four};
     t = ${name}_term(t, x, (2*n - 1)*(2*n));
-    even = ${name}_pair_add(even, t);
-    sum = ${name}_pair_add(sum, ${name}_times(t, power - (${name}_real)(24*n - 32)));
+    even = ${name}_add(even, t);
+    sum = ${name}_add(sum, ${name}_times(t, power - (${name}_real)(24*n - 32)));
   }
-  square = ${name}_pair_add(one, ${name}_term(${name}_pair_add(one, ${name}_term(even, x, 30)), x, 12)); /* s^2/u^2 */
-  sum = ${name}_pair_quotient(sum, ${name}_pair_multiply(square, square));
-  return ${name}_pair_multiply(x, sum).hi/${n4320};
+  square = ${name}_add(one, ${name}_term(${name}_add(one, ${name}_term(even, x, 30)), x, 12)); /* s^2/u^2 */
+  sum = ${name}_pair_quotient(sum, ${name}_mul(square, square));
+  return ${name}_mul(x, sum).hi/${n4320};
 }
 %% end
 %% if has_catenary_width then

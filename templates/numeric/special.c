@@ -72,11 +72,11 @@ static ${name}_pair ${name}_ellipsoid_parts(${name}_real axis[3], ${name}_pair h
   }
   while (left > 0) { /* some 10 times */
     if (x[2].hi <= ${two}*x[0].hi) left--;
-    for (i = 0; i < 3; i++) sum[i] = ${name}_pair_add(s[(i + 1) % 3], s[(i + 2) % 3]);
+    for (i = 0; i < 3; i++) sum[i] = ${name}_add(s[(i + 1) % 3], s[(i + 2) % 3]);
     for (i = 0; i < 3; i++) {
-      x[i] = ${name}_pair_multiply(sum[(i + 1) % 3], sum[(i + 2) % 3]);
-      t = ${name}_pair_multiply(${name}_pair_quotient(r[i], s[i]), ${name}_pair_quotient(r[i], x[i]));
-      e[i] = ${name}_pair_add(e[i], ${name}_pair_scaled(t, scale));
+      x[i] = ${name}_mul(sum[(i + 1) % 3], sum[(i + 2) % 3]);
+      t = ${name}_mul(${name}_pair_quotient(r[i], s[i]), ${name}_pair_quotient(r[i], x[i]));
+      e[i] = ${name}_add(e[i], ${name}_pair_scaled(t, scale));
       x[i] = ${name}_pair_scaled(x[i], ${quarter});
       s[i] = ${name}_positive_root(x[i]);
     }
@@ -88,13 +88,13 @@ static ${name}_pair ${name}_ellipsoid_parts(${name}_real axis[3], ${name}_pair h
     mean = (${three}*x[i].hi + x[j].hi + x[k].hi)/${five};
     t.hi = scale*(r[i].hi/${sqrt}(mean))*(r[i].hi/(${three}*mean));
     t.lo = ${zero};
-    e[i] = ${name}_pair_add(e[i], t);
+    e[i] = ${name}_add(e[i], t);
   }
   for (i = 0; i < 3; i++) {
-    t = ${name}_pair_scaled(${name}_pair_add(e[(i + 1) % 3], e[(i + 2) % 3]), ${half});
-    h[i] = ${name}_pair_multiply(r[i], ${name}_pair_multiply(r[i], t));
+    t = ${name}_pair_scaled(${name}_add(e[(i + 1) % 3], e[(i + 2) % 3]), ${half});
+    h[i] = ${name}_mul(r[i], ${name}_mul(r[i], t));
   }
-  return ${name}_pair_add(${name}_pair_add(h[0], h[1]), h[2]);
+  return ${name}_add(${name}_add(h[0], h[1]), h[2]);
 }
 %% end
 %% if has_ellipsoid_area then

@@ -55,19 +55,19 @@ static ${name}_wide ${name}_wide_scale(${name}_wide a, int k)
 
 static ${name}_wide ${name}_wide_minus(${name}_wide a)
 {
-  a.p = ${name}_pair_minus(a.p);
+  a.p = ${name}_minus(a.p);
   return a;
 }
 
 static ${name}_wide ${name}_wide_multiply(${name}_wide a, ${name}_wide b)
 {
-  return ${name}_wide_of(${name}_pair_multiply(a.p, b.p), a.e + b.e);
+  return ${name}_wide_of(${name}_mul(a.p, b.p), a.e + b.e);
 }
 
 /* b is not 0 */
 static ${name}_wide ${name}_wide_divide(${name}_wide a, ${name}_wide b)
 {
-  return ${name}_wide_of(${name}_pair_divide(a.p, b.p), a.e - b.e);
+  return ${name}_wide_of(${name}_ratio(a.p, b.p), a.e - b.e);
 }
 
 static ${name}_wide ${name}_wide_add(${name}_wide a, ${name}_wide b)
@@ -79,7 +79,7 @@ static ${name}_wide ${name}_wide_add(${name}_wide a, ${name}_wide b)
     b = t;
   }
   if (${name}_wide_size(b) < a.e - 120) return a; /* below the last digit */
-  return ${name}_wide_of(${name}_pair_add(a.p, ${name}_pair_scale(b.p, b.e - a.e)), a.e);
+  return ${name}_wide_of(${name}_add(a.p, ${name}_pair_scale(b.p, b.e - a.e)), a.e);
 }
 
 static ${name}_wide ${name}_wide_subtract(${name}_wide a, ${name}_wide b)
@@ -128,8 +128,8 @@ static ${name}_pair ${name}_argument(${name}_wide f, ${name}_wide x, ${name}_wid
   if (${name}_wide_size(small) < top - 60) {
     const ${name}_wide over = ${name}_wide_divide(r[at], small);
 
-    return ${name}_pair_multiply(${name}_wide_pair(${name}_wide_divide(root, r[at]), 0), ${name}_pair_log(over.p, over.e + 2));
+    return ${name}_mul(${name}_wide_pair(${name}_wide_divide(root, r[at]), 0), ${name}_pair_log(over.p, over.e + 2));
   }
-  return ${name}_pair_multiply(${name}_wide_pair(root, top),
+  return ${name}_mul(${name}_wide_pair(root, top),
                ${name}_carlson(${name}_wide_pair(r[0], top), ${name}_wide_pair(r[1], top), ${name}_wide_pair(r[2], top)));
 }

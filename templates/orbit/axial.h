@@ -1,10 +1,4 @@
-%% -- axial.h -- its contract: part of scene.h.  SPDX-License-Identifier: MIT-0
-/* ---- closed form: ${theorem} ----
- *
-%% for _, line in ipairs(closed_text) do
- * ${line}
-%% end
- */
+%% -- axial.h -- what it stores, and its set-up: part of scene.h.  SPDX-License-Identifier: MIT-0
 typedef struct ${name}_orbit {
   ${name}_real k[3], s;                   /* axis; w along it at t = 0, over |k| */
   ${name}_real push;                      /* torque over moment along the axis: rad/s^2 over |k| */

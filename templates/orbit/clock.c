@@ -19,17 +19,17 @@ static ${name}_pair ${name}_mean(${name}_pair y)
   z.hi = ${ldexp}(y.hi, -n);
   z.lo = ${ldexp}(y.lo, -n);
   for (i = 17; i > 8; i--) s.hi = ${one} + z.hi*s.hi/(${name}_real)i; /* terms below 2^-40: the working precision will do */
-  for (; i > 2; i--) s = ${name}_pair_add(one, ${name}_pair_divide(${name}_pair_multiply(z, s), ${name}_pair_of((${name}_real)i)));
-  b = ${name}_pair_multiply(half, s);
-  a = ${name}_pair_add(one, ${name}_pair_multiply(z, b));
+  for (; i > 2; i--) s = ${name}_add(one, ${name}_ratio(${name}_mul(z, s), ${name}_pair_of((${name}_real)i)));
+  b = ${name}_mul(half, s);
+  a = ${name}_add(one, ${name}_mul(z, b));
   for (i = 0; i < n; i++) { /* some 6 times */
-    const ${name}_pair h = ${name}_pair_multiply(half, a);
+    const ${name}_pair h = ${name}_mul(half, a);
 
 %% if axial then
-    b = ${name}_pair_add(${name}_pair_multiply(half, b), ${name}_pair_multiply(h, h));
+    b = ${name}_add(${name}_mul(half, b), ${name}_mul(h, h));
 %% end
-    a = ${name}_pair_multiply(a, ${name}_pair_add(one, ${name}_pair_multiply(z, h)));
-    z = ${name}_pair_add(z, z);
+    a = ${name}_mul(a, ${name}_add(one, ${name}_mul(z, h)));
+    z = ${name}_add(z, z);
   }
 %% if axial then
   *f1 = a;
@@ -52,7 +52,7 @@ static ${name}_real ${name}_exponential(${name}_pair y)
 /* (1 - exp(-rate t))/rate: the time of the free motion at the time t of the damped one */
 static ${name}_pair ${name}_clock(${name}_real rate, ${name}_real t)
 {
-  return ${name}_pair_multiply(${name}_pair_of(t), ${name}_mean(${name}_pair_product(-rate, t)));
+  return ${name}_mul(${name}_pair_of(t), ${name}_mean(${name}_pair_product(-rate, t)));
 }
 
 /* exp(-rate t) */

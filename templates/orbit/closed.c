@@ -15,8 +15,8 @@ ${upper}_INLINE ${name}_real ${name}_phase(const ${name}_orbit *o, const ${name}
 /* half the angle of a rate in rad/s, in turns per second; the high part also in halves, see ${name}_passed */
 static void ${name}_half_turns(${name}_pair rate, ${name}_real out[4])
 {
-  const ${name}_pair inverse = {${quarter}*${inverse_pi_high}, ${quarter}*${inverse_pi_low}};
-  const ${name}_pair turns = ${name}_pair_multiply(rate, inverse);
+  const ${name}_pair inverse = {${quarter_inverse_pi_high}, ${quarter_inverse_pi_low}};
+  const ${name}_pair turns = ${name}_mul(rate, inverse);
   const ${name}_real c = ${split}*turns.hi;
 
   out[0] = turns.hi;
@@ -42,7 +42,7 @@ static ${name}_pair ${name}_unit_vector(const ${name}_pair v[3], ${name}_real u[
     n.hi = ${ldexp}(v[i].hi, -e);
     n.lo = ${ldexp}(v[i].lo, -e);
     u[i] = n.hi;
-    square = ${name}_pair_add(square, ${name}_pair_multiply(n, n));
+    square = ${name}_add(square, ${name}_mul(n, n));
   }
   root = ${sqrt}(square.hi);
   for (i = 0; i < 3; i++) u[i] /= root;
@@ -60,7 +60,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   const ${name}_real k[3] = {${kx}, ${ky}, ${kz}}; /* symmetry axis, body; its square is k2 */
   const ${name}_real k2 = ${k2}, I1 = ${I1}, I3 = ${I3};
   const ${name}_real ku = ${sqrt}(k2);
-  ${name}_pair s, ratio, along;
+  ${name}_pair s, excess, along;
 %% end
   ${name}_pair v[3], q[3], length;
   ${name}_real u[3], left[4], right[4], fastest;
@@ -81,15 +81,15 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   /* L/I1 = w + (I3/I1 - 1) (k.w) k/k^2, the rate of the precession, body axes */
 %% end
   s = ${name}_pair_product(k[0], w[0]);
-  s = ${name}_pair_add(s, ${name}_pair_product(k[1], w[1]));
-  s = ${name}_pair_divide(${name}_pair_add(s, ${name}_pair_product(k[2], w[2])), ${name}_pair_of(k2));
+  s = ${name}_add(s, ${name}_pair_product(k[1], w[1]));
+  s = ${name}_ratio(${name}_add(s, ${name}_pair_product(k[2], w[2])), ${name}_pair_of(k2));
   (void)${frexp}(I1, &i); /* by a power of two: huge moments must not overflow in a split */
-  ratio = ${name}_pair_divide(${name}_pair_sum(${ldexp}(I3, -i), -${ldexp}(I1, -i)), ${name}_pair_of(${ldexp}(I1, -i)));
-  along = ${name}_pair_multiply(ratio, s);
+  excess = ${name}_ratio(${name}_pair_sum(${ldexp}(I3, -i), -${ldexp}(I1, -i)), ${name}_pair_of(${ldexp}(I1, -i)));
+  along = ${name}_mul(excess, s);
 %% if rotor then
-  along = ${name}_pair_add(along, ${name}_pair_divide(${name}_pair_of(${ldexp}(${hk}, -i)), ${name}_pair_of(${ldexp}(I1, -i))));
+  along = ${name}_add(along, ${name}_ratio(${name}_pair_of(${ldexp}(${hk}, -i)), ${name}_pair_of(${ldexp}(I1, -i))));
 %% end
-  for (i = 0; i < 3; i++) v[i] = ${name}_pair_add(${name}_pair_of(w[i]), ${name}_pair_multiply(along, ${name}_pair_of(k[i])));
+  for (i = 0; i < 3; i++) v[i] = ${name}_add(${name}_pair_of(w[i]), ${name}_mul(along, ${name}_pair_of(k[i])));
 %% else
   /* L/I1 = w */
   for (i = 0; i < 3; i++) v[i] = ${name}_pair_of(w[i]);
@@ -115,8 +115,8 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
 %% if symmetric then
   length = ${name}_pair_product(ku, ku); /* ku is rounded: |k| = ku + (k2 - ku^2)/(2 ku) */
   length = ${name}_pair_sum(ku, ((k2 - length.hi) - length.lo)/(${two}*ku));
-  length = ${name}_pair_multiply(along, length);
-  ${name}_half_turns(${name}_pair_minus(length), p.spin);
+  length = ${name}_mul(along, length);
+  ${name}_half_turns(${name}_minus(length), p.spin);
   right[0] = ${zero};
   for (i = 0; i < 3; i++) right[i + 1] = k[i]/ku;
   ${name}_quaternion_product(p.q[0], right, p.q[2]);
@@ -125,7 +125,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   /* w along and across k; k x across, turned backwards, is where w goes next */
   for (i = 0; i < 3; i++) {
     p.along[i] = s.hi*k[i];
-    p.across[i] = ${name}_pair_add(${name}_pair_of(w[i]), ${name}_pair_multiply(${name}_pair_of(-k[i]), s)).hi;
+    p.across[i] = ${name}_add(${name}_pair_of(w[i]), ${name}_mul(${name}_pair_of(-k[i]), s)).hi;
   }
   p.turned[0] = (k[2]*p.across[1] - k[1]*p.across[2])/ku;
   p.turned[1] = (k[0]*p.across[2] - k[2]*p.across[0])/ku;
@@ -152,9 +152,13 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
 %% if damped then
   p.decay = ${decay};
 %% else
+%% if has_tick_fields then
   p.about_tick[0] = p.about_tick[1] = 0;
+%% end
 %% if symmetric then
+%% if has_tick_fields then
   p.spin_tick[0] = p.spin_tick[1] = 0;
+%% end
 %% end
 %% end
   if (!${name}_starts(&p)) return 1;
@@ -339,9 +343,9 @@ void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${na
 int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
 {
   const ${name}_pair step = ${name}_pair_of(h), rate = {o->about[0], o->about[1]};
-  const ${name}_pair about = ${name}_pair_multiply(step, rate);
+  const ${name}_pair about = ${name}_mul(step, rate);
 %% if symmetric then
-  const ${name}_pair own = {o->spin[0], o->spin[1]}, spin = ${name}_pair_multiply(step, own);
+  const ${name}_pair own = {o->spin[0], o->spin[1]}, spin = ${name}_mul(step, own);
 
   if (!(spin.hi - spin.hi == ${zero})) return 1;
 %% end
@@ -356,9 +360,9 @@ int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
 void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[])
 {
   const uint64_t start[2] = {0, 0};
-  const ${name}_real about = ${name}_turns(${name}_counted(start, o->about_tick, n));
+  const ${name}_real about = ${name}_as_turns(${name}_counted(start, o->about_tick, n));
 %% if symmetric then
-  const ${name}_real spin = ${name}_turns(${name}_counted(start, o->spin_tick, n));
+  const ${name}_real spin = ${name}_as_turns(${name}_counted(start, o->spin_tick, n));
 
   ${name}_state(o, about, spin, x + ${upper}_QW, x + ${upper}_WX);
 %% else
@@ -387,7 +391,7 @@ ${name}_real ${name}_precession_rate(const ${name}_orbit *o)
 
 ${name}_real ${name}_precession_period(const ${name}_orbit *o)
 {
-  return ${fabs}(o->mean) > ${zero} ? ${two}*${pi_high}/${fabs}(o->mean) : ${huge};
+  return ${fabs}(o->mean) > ${zero} ? ${two_pi_high}/${fabs}(o->mean) : ${huge};
 }
 
 ${name}_real ${name}_rotation_number(const ${name}_orbit *o)

@@ -12,14 +12,14 @@ static void ${name}_fraction(${name}_pair a, uint64_t out[2])
     a.lo = -a.lo;
   }
   if (!(${fabs}(a.lo) < ${one})) a.lo -= ${floor}(a.lo); /* so many turns that the rest has whole ones, too */
-  a = ${name}_pair_add(${name}_pair_sum(a.hi, -${floor}(a.hi)), ${name}_pair_of(a.lo));
-  if (a.hi < ${zero}) a = ${name}_pair_add(a, ${name}_pair_of(${one}));
+  a = ${name}_add(${name}_pair_sum(a.hi, -${floor}(a.hi)), ${name}_pair_of(a.lo));
+  if (a.hi < ${zero}) a = ${name}_add(a, ${name}_pair_of(${one}));
   out[0] = out[1] = 0;
   for (i = 0; i < 8; i++) {
     ${name}_real whole;
 
-    a.hi *= (${name}_real)65536;
-    a.lo *= (${name}_real)65536;
+    a.hi *= ${n[65536]};
+    a.lo *= ${n[65536]};
     whole = ${floor}(a.hi);
     if (!(a.hi > whole) && a.lo < ${zero}) whole -= ${one};
     a = ${name}_pair_sum(a.hi - whole, a.lo);
@@ -48,7 +48,7 @@ static uint64_t ${name}_counted(const uint64_t start[2], const uint64_t rate[2],
 }
 
 /* a fraction as a signed number of turns, |turns| <= 1/2 */
-static ${name}_real ${name}_turns(uint64_t f)
+static ${name}_real ${name}_as_turns(uint64_t f)
 {
 %% if single then
   const uint32_t high = (uint32_t)(f >> 32); /* float has no more digits, and small processors no wider conversion */

@@ -1,6 +1,6 @@
 %% -- gyrostat_at.c -- the asymmetric gyrostat's values at its phases: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* after turns of a and b; flip: the sign of both; f + i g = conj(a) b */
-${upper}_INLINE ${name}_values ${name}_turned(const ${name}_real re[2], const ${name}_real im[2], ${name}_phases p)
+${upper}_INLINE ${name}_values ${name}_turned(const ${name}_real re[2], const ${name}_real im[2], ${name}_instant p)
 {
   ${name}_values v;
   ${name}_real sa, ca, sb, cb;
@@ -17,7 +17,7 @@ ${upper}_INLINE ${name}_values ${name}_turned(const ${name}_real re[2], const ${
 }
 
 /* the series as polynomials in cos 2z, times sin z and cos z or cos z and sin z */
-${upper}_INLINE ${name}_values ${name}_circular_values(const ${name}_orbit *o, ${name}_phases p)
+${upper}_INLINE ${name}_values ${name}_circular_values(const ${name}_orbit *o, ${name}_instant p)
 {
   ${name}_real s, c, x, x2, re[2], im[2];
   int i;
@@ -40,7 +40,7 @@ static ${name}_real ${name}_sum_of(const ${name}_real c[6], ${name}_real x)
 }
 
 /* in e = exp(-|phase|), up = exp(2 |phase| - P) <= 1 and down = exp(-2 |phase| - P) */
-static ${name}_values ${name}_hyperbolic_values(const ${name}_orbit *o, ${name}_phases p)
+static ${name}_values ${name}_hyperbolic_values(const ${name}_orbit *o, ${name}_instant p)
 {
   const ${name}_real sign = p.high < ${zero} ? -${one} : ${one}, low = sign*p.low, high = ${fabs}(p.high);
   const ${name}_real first = ${exp}(-high), e = first - first*low, period = o->period[0];
@@ -64,7 +64,7 @@ static ${name}_values ${name}_hyperbolic_values(const ${name}_orbit *o, ${name}_
   return ${name}_turned(re, im, p);
 }
 
-static ${name}_values ${name}_untwisted(const ${name}_orbit *o, ${name}_phases p)
+static ${name}_values ${name}_untwisted(const ${name}_orbit *o, ${name}_instant p)
 {
   return o->hyperbolic ? ${name}_hyperbolic_values(o, p) : ${name}_circular_values(o, p);
 }

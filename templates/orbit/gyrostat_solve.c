@@ -36,7 +36,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   (void)${name}_wide_unit(4, frame);
   for (i = 0; i < 4; i++) t[i] = i > 0 ? ${name}_wide_minus(back[i]) : back[i];
   G = ${name}_wide_unit(3, M + 1);
-  ${name}_zero(&made, (unsigned int)sizeof(made));
+  ${name}_copy(&made, 0, (unsigned int)sizeof(made));
   e = ${least_exponent}; /* seconds of a power of two */
   for (i = 0; i < 3; i++) {
     p.A[i] = ${name}_wide_divide(G, I[i]);
@@ -75,10 +75,10 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   } else { /* w is constant: about M, or without M about the rotor's axis */
     const ${name}_wide along = ${name}_wide_add(${name}_wide_dot(w[0], M[1], w[1], M[2]), ${name}_wide_multiply(w[2], M[3]));
     const ${name}_wide omega = ${name}_wide_sign(G) ? along : w[2];
-    ${name}_pair turn = ${name}_pair_divide(${name}_wide_pair(${name}_wide_scale(omega, -1), e), ${name}_pair_scale(${name}_pi(), 1));
+    ${name}_pair turn = ${name}_ratio(${name}_wide_pair(${name}_wide_scale(omega, -1), e), ${name}_pair_scale(${name}_pi(), 1));
 
     ${name}_store(made.turn[0], turn);
-    ${name}_store(made.turn[1], ${name}_wide_sign(G) ? turn : ${name}_pair_minus(turn));
+    ${name}_store(made.turn[1], ${name}_wide_sign(G) ? turn : ${name}_minus(turn));
     made.period[0] = made.inverse = ${one};
     for (i = 0; i < 2; i++) {
       const ${name}_wide re = t[i], im = t[3 - i], size = ${name}_wide_root(${name}_wide_dot(re, re, im, im));
@@ -95,7 +95,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   n = made.rate[0]*made.inverse;
   made.mean = (made.turn[0][0] + made.turn[1][0]) + (made.turn[0][1] + made.turn[1][1]);
   for (i = 0; i < 2 && moves; i++) made.mean += made.jump[i][0]*n + (${name}_real)sign[i]*${half}*n;
-  made.mean *= ${two}*${pi_high};
+  made.mean *= ${two_pi_high};
 
   /* what turns the series' a and b to those of t = 0 */
   v = ${name}_values_at(&made, ${zero});

@@ -30,7 +30,7 @@ static ${name}_pair ${name}_end_rate(const ${name}_quartic *p, int i, int end, i
 /* Away from separatrices.  r = exp(-2 eta), D = Q exp(2 eta), Q the squared nome, S_n = Q^(n(n-1)/2) D^n:
  *     theta2(z - i eta) ~ sum of S_n (exp(-i (2n+1) z) + r^(2n+1) exp(i (2n+1) z)), theta1 with (-1)^n
  * Returns the rate of the phase at the end that is farther from the zero, over that of z. */
-static ${name}_pair ${name}_circular(${name}_orbit *o, int i, int sign, ${name}_pair eta, int infinite,
+static ${name}_pair ${name}_set_circular(${name}_orbit *o, int i, int sign, ${name}_pair eta, int infinite,
                                      ${name}_pair mantissa, int power)
 {
   const ${name}_pair one = ${name}_pair_of(${one}), q = ${name}_pair_scale(mantissa, power), x = ${name}_pair_scale(eta, 1);
@@ -40,47 +40,47 @@ static ${name}_pair ${name}_circular(${name}_orbit *o, int i, int sign, ${name}_
   int n;
 
   if (!infinite) {
-    r = ${name}_pair_exp(${name}_pair_minus(x), 0);
-    first = x.hi < ${half} ? ${name}_pair_multiply(${name}_pair_expm1(x), r) : ${name}_pair_subtract(one, r);
-    if (${fabs}(mantissa.hi) > ${zero}) D = ${name}_pair_multiply(mantissa, ${name}_pair_exp(x, power));
+    r = ${name}_pair_exp(${name}_minus(x), 0);
+    first = x.hi < ${half} ? ${name}_mul(${name}_pair_expm1(x), r) : ${name}_sub(one, r);
+    if (${fabs}(mantissa.hi) > ${zero}) D = ${name}_mul(mantissa, ${name}_pair_exp(x, power));
   }
   for (n = 0, rn = r; n < 8; n++) {
-    const ${name}_pair plus = ${name}_pair_multiply(S, ${name}_pair_add(one, rn));
-    const ${name}_pair minus = ${name}_pair_multiply(S, n == 0 ? first : ${name}_pair_subtract(one, rn));
+    const ${name}_pair plus = ${name}_mul(S, ${name}_add(one, rn));
+    const ${name}_pair less = ${name}_mul(S, n == 0 ? first : ${name}_sub(one, rn));
 
     if (n < 5) {
       c[n] = kind == 1 && n % 2 ? -plus.hi : plus.hi;
-      d[n] = (kind == 1) != (sign < 0) ? -minus.hi : minus.hi;
+      d[n] = (kind == 1) != (sign < 0) ? -less.hi : less.hi;
       if (kind == 1 && n % 2) d[n] = -d[n];
     }
-    bottom = ${name}_pair_add(bottom, plus);
-    top = ${name}_pair_add(top, ${name}_pair_times((${name}_real)(2*n + 1), minus));
-    S = ${name}_pair_multiply(S, ${name}_pair_multiply(D, qn));
-    qn = ${name}_pair_multiply(qn, q);
-    rn = ${name}_pair_multiply(rn, ${name}_pair_multiply(r, r));
+    bottom = ${name}_add(bottom, plus);
+    top = ${name}_add(top, ${name}_scaled((${name}_real)(2*n + 1), less));
+    S = ${name}_mul(S, ${name}_mul(D, qn));
+    qn = ${name}_mul(qn, q);
+    rn = ${name}_mul(rn, ${name}_mul(r, r));
   }
   ${name}_polynomial(5, c, kind == 1 ? ${one} : -${one}, ${two}, o->re[i]);
   ${name}_polynomial(5, d, kind == 1 ? -${one} : ${one}, ${two}, o->im[i]);
-  top = ${name}_pair_divide(top, bottom);
-  return sign < 0 ? ${name}_pair_minus(top) : top;
+  top = ${name}_ratio(top, bottom);
+  return sign < 0 ? ${name}_minus(top) : top;
 }
 
 /* Near one: the same functions with the other period.  q = exp(-P), P the period of the phase zeta:
  *     two bands: theta1 ~ sum of (-1)^n q^(n(n+1)) exp((2n+1)(zeta - i theta)), theta2 sum of (-1)^n q^(n^2) exp(2n ..)
  *     one band: sum of s_n q^(n(n+1)/2) exp((2n+1)(zeta - i theta)), s = 1, 1, -1, -1, .., theta2 with (-1)^n s_n
  * over all n.  Stored: cosines and sines of the multiples of theta, with powers of q so that none grows; returns as above. */
-static ${name}_pair ${name}_hyperbolic(${name}_orbit *o, int i, int sign, ${name}_pair theta, ${name}_pair q)
+static ${name}_pair ${name}_set_hyperbolic(${name}_orbit *o, int i, int sign, ${name}_pair theta, ${name}_pair q)
 {
   const ${name}_pair one = ${name}_pair_of(${one});
   const int single = o->hyperbolic == 2, even = !single && !(o->odd[i] > ${half});
-  const ${name}_pair f = single ? q : ${name}_pair_multiply(q, q); /* ratio of ratios of the powers */
+  const ${name}_pair f = single ? q : ${name}_mul(q, q); /* ratio of ratios of the powers */
   ${name}_pair c1, s1, c2, s2, c, s, power = one, fn = one, top = ${name}_pair_of(${zero}), bottom = top, weight, next;
   int n, negative;
 
   ${name}_pair_circle(theta, &c1, &s1);
-  s2 = ${name}_pair_scale(${name}_pair_multiply(s1, ${name}_pair_add(one, c1)), 1);
-  c2 = ${name}_pair_subtract(one, ${name}_pair_scale(${name}_pair_multiply(s1, s1), 1));
-  c = even ? one : ${name}_pair_add(one, c1);
+  s2 = ${name}_pair_scale(${name}_mul(s1, ${name}_add(one, c1)), 1);
+  c2 = ${name}_sub(one, ${name}_pair_scale(${name}_mul(s1, s1), 1));
+  c = even ? one : ${name}_add(one, c1);
   s = even ? ${name}_pair_of(${zero}) : s1;
   for (n = 0; n < 6; n++) { /* power = f^(n(n-1)/2) */
     negative = single ? ((n + 1)/2 + (o->odd[i] > ${half} ? n : 0)) % 2 : n % 2;
@@ -88,37 +88,37 @@ static ${name}_pair ${name}_hyperbolic(${name}_orbit *o, int i, int sign, ${name
     o->im[i][n] = ((negative != (sign < 0)) ? s.hi : -s.hi)*power.hi;
     if (even && n == 0) o->re[i][n] *= ${half};
     if (n > 0) {
-      fn = ${name}_pair_multiply(fn, f);
-      power = ${name}_pair_multiply(power, fn);
+      fn = ${name}_mul(fn, f);
+      power = ${name}_mul(power, fn);
     }
-    next = ${name}_pair_subtract(${name}_pair_multiply(c, c2), ${name}_pair_multiply(s, s2));
-    s = ${name}_pair_add(${name}_pair_multiply(s, c2), ${name}_pair_multiply(c, s2));
+    next = ${name}_sub(${name}_mul(c, c2), ${name}_mul(s, s2));
+    s = ${name}_add(${name}_mul(s, c2), ${name}_mul(c, s2));
     c = next;
   }
-  c = single ? ${name}_pair_add(one, c1) : one;
+  c = single ? ${name}_add(one, c1) : one;
   s = single ? s1 : ${name}_pair_of(${zero});
   weight = one;
   fn = q;
   for (n = 0; n < 8; n++) { /* weight = q^(n(n+1)/2) or q^(n^2) */
     negative = single ? ((n + 1)/2) % 2 : n % 2;
-    next = negative ? ${name}_pair_minus(weight) : weight;
+    next = negative ? ${name}_minus(weight) : weight;
     if (!single && n == 0) next = ${name}_pair_scale(next, -1);
-    bottom = ${name}_pair_add(bottom, ${name}_pair_multiply(next, c));
-    top = ${name}_pair_add(top, ${name}_pair_times((${name}_real)(single ? 2*n + 1 : 2*n), ${name}_pair_multiply(next, s)));
-    weight = ${name}_pair_multiply(weight, fn);
-    fn = ${name}_pair_multiply(fn, f);
-    next = ${name}_pair_subtract(${name}_pair_multiply(c, c2), ${name}_pair_multiply(s, s2));
-    s = ${name}_pair_add(${name}_pair_multiply(s, c2), ${name}_pair_multiply(c, s2));
+    bottom = ${name}_add(bottom, ${name}_mul(next, c));
+    top = ${name}_add(top, ${name}_scaled((${name}_real)(single ? 2*n + 1 : 2*n), ${name}_mul(next, s)));
+    weight = ${name}_mul(weight, fn);
+    fn = ${name}_mul(fn, f);
+    next = ${name}_sub(${name}_mul(c, c2), ${name}_mul(s, s2));
+    s = ${name}_add(${name}_mul(s, c2), ${name}_mul(c, s2));
     c = next;
   }
-  top = ${name}_pair_divide(top, bottom);
-  return sign < 0 ? top : ${name}_pair_minus(top);
+  top = ${name}_ratio(top, bottom);
+  return sign < 0 ? top : ${name}_minus(top);
 }
 
 /* All but what depends on the frame; turns come over 2^e seconds.  sign: of eta. */
 static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, int sign[2])
 {
-  const ${name}_pair pi = ${name}_pi(), one = ${name}_pair_of(${one});
+  const ${name}_pair one = ${name}_pair_of(${one});
   const ${name}_wide four = ${name}_wide_scale(p->gamma, 2);
   ${name}_pair q, K, start, mu, eta, P = one;
   ${name}_wide rate, m, mc;
@@ -139,17 +139,17 @@ static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, in
     mc = ${name}_wide_subtract(${name}_wide_real(${one}), m);
   }
   power = m.e;
-  q = ${name}_nome(${name}_wide_pair(m, power), ${name}_wide_pair(mc, 0), power);
+  q = ${name}_nome_of(${name}_wide_pair(m, power), ${name}_wide_pair(mc, 0), power);
   K = ${name}_complete(${name}_pair_scale(q, power));
   rate = ${name}_wide_root(o->hyperbolic == 2 ? p->gamma : ${name}_wide_scale(p->sum, -1));
   rate = ${name}_wide_scale(rate, o->hyperbolic == 1 ? -1 : -2);
-  rate = ${name}_wide_multiply(rate, ${name}_wide_of(${name}_pair_divide(pi, K), 0));
+  rate = ${name}_wide_multiply(rate, ${name}_wide_of(${name}_ratio(${name}_pi(), K), 0));
   if (o->hyperbolic) {
     P = ${name}_pair_of(${zero});
-    if (q.hi > ${zero}) P = ${name}_pair_minus(${name}_pair_log(q, power));
+    if (q.hi > ${zero}) P = ${name}_minus(${name}_pair_log(q, power));
     if (o->hyperbolic == 1) {
       P = ${name}_pair_scale(P, 1);
-      q = ${name}_pair_scale(${name}_pair_multiply(q, q), power);
+      q = ${name}_pair_scale(${name}_mul(q, q), power);
     }
     q = ${name}_pair_scale(q, power);
     o->nome = q.hi;
@@ -165,31 +165,31 @@ static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, in
     mc = ${name}_wide_multiply(${name}_wide_square(${name}_wide_add(p->Y, X)), p->RO);
     start = ${name}_argument(m, ${name}_wide_multiply(${name}_wide_square(less), p->RO), mc,
                              ${name}_wide_multiply(p->R, ${name}_wide_square(p->width)), &infinite);
-    if (${name}_wide_sign(less) < 0) start = ${name}_pair_subtract(${name}_pair_scale(o->hyperbolic ? P : pi, -1), start);
-    if (!p->away) start = ${name}_pair_minus(start);
+    if (${name}_wide_sign(less) < 0) start = ${name}_sub(${name}_pair_scale(o->hyperbolic ? P : ${name}_pi(), -1), start);
+    if (!p->away) start = ${name}_minus(start);
   }
   mu = ${name}_wide_pair(rate, e);
-  ${name}_store(o->start, o->hyperbolic ? start : ${name}_pair_divide(start, pi));
-  ${name}_store(o->rate, o->hyperbolic ? mu : ${name}_pair_divide(mu, pi));
+  ${name}_store(o->start, o->hyperbolic ? start : ${name}_ratio(start, ${name}_pi()));
+  ${name}_store(o->rate, o->hyperbolic ? mu : ${name}_ratio(mu, ${name}_pi()));
   for (i = 0; i < 2; i++) {
     ${name}_values v;
     ${name}_pair slope;
-    ${name}_phases none = {${zero}, ${zero}, ${one}, ${zero}, ${zero}};
+    ${name}_instant none = {${zero}, ${zero}, ${one}, ${zero}, ${zero}};
     ${name}_real size, big, small[2];
     int k;
 
     eta = ${name}_eta(p, i, rate, &kind, &sign[i], &infinite);
     o->odd[i] = kind == 1 ? ${one} : ${zero};
     if (o->hyperbolic) {
-      slope = ${name}_hyperbolic(o, i, sign[i], eta, q);
-      if (sign[i] > 0) eta = ${name}_pair_minus(eta);
-      ${name}_store(o->jump[i], ${name}_pair_divide(${name}_pair_scale(eta, o->hyperbolic - 1), pi));
+      slope = ${name}_set_hyperbolic(o, i, sign[i], eta, q);
+      if (sign[i] > 0) eta = ${name}_minus(eta);
+      ${name}_store(o->jump[i], ${name}_ratio(${name}_pair_scale(eta, o->hyperbolic - 1), ${name}_pi()));
     } else {
-      slope = ${name}_circular(o, i, sign[i], eta, infinite, q, power);
+      slope = ${name}_set_circular(o, i, sign[i], eta, infinite, q, power);
     }
     mu = ${name}_end_rate(p, i, kind == 1 ? 1 - p->origin : p->origin, e);
-    mu = ${name}_pair_subtract(mu, ${name}_pair_multiply(slope, ${name}_wide_pair(rate, e)));
-    ${name}_store(o->turn[i], ${name}_pair_divide(mu, ${name}_pair_scale(pi, 1)));
+    mu = ${name}_sub(mu, ${name}_mul(slope, ${name}_wide_pair(rate, e)));
+    ${name}_store(o->turn[i], ${name}_ratio(mu, ${name}_pair_scale(${name}_pi(), 1)));
 
     v = ${name}_untwisted(o, none); /* at O |a|^2 = (1 + u)/2 and |b|^2 = (1 - u)/2 */
     big = i == 0 ? ${fabs}(v.w) + ${fabs}(v.z) : ${fabs}(v.x) + ${fabs}(v.y); /* next to a zero squares may vanish */

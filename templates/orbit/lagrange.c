@@ -71,10 +71,10 @@ static ${name}_wide ${name}_descent(${name}_wide p0, ${name}_wide p1, ${name}_wi
   for (i = 0; i < 3; i++) {
     slope = (${two}*c[2].hi - ${three}*c[3].hi*n.hi)*n.hi - c[1].hi;
     if (!(slope < ${zero})) break;
-    f = ${name}_pair_subtract(c[2], ${name}_pair_multiply(c[3], n));
-    f = ${name}_pair_subtract(${name}_pair_multiply(f, n), c[1]);
-    f = ${name}_pair_add(${name}_pair_multiply(f, n), c[0]);
-    n = ${name}_pair_subtract(n, ${name}_pair_of(f.hi/slope));
+    f = ${name}_sub(c[2], ${name}_mul(c[3], n));
+    f = ${name}_sub(${name}_mul(f, n), c[1]);
+    f = ${name}_add(${name}_mul(f, n), c[0]);
+    n = ${name}_sub(n, ${name}_pair_of(f.hi/slope));
   }
   return n.hi > ${zero} ? ${name}_wide_of(n, j) : ${name}_wide_real(${zero});
 }

@@ -1,10 +1,4 @@
-%% -- lagrange.h -- contract of the heavy top's closed form: part of scene.h.  SPDX-License-Identifier: MIT-0
-/* ---- closed form: ${theorem} ----
- *
-%% for _, line in ipairs(closed_text) do
- * ${line}
-%% end
- */
+%% -- lagrange.h -- what it stores, and the set-up, of the heavy top's closed form: part of scene.h.  SPDX-License-Identifier: MIT-0
 typedef struct ${name}_orbit {
   ${name}_real start[2], rate[2];   /* phase of the nutation at t = 0, and per second, as pairs high + low */
   ${name}_real period[2], inverse;  /* its period; on the separatrix, which has none, both are 0 */
@@ -14,38 +8,15 @@ typedef struct ${name}_orbit {
   ${name}_real mean;                /* rad/s, the rate about the vertical */
   ${name}_real tilt[2];             /* rad, smallest and largest */
   ${name}_real q[4][4], along[3], across[2][3]; /* quaternion and rates are combinations of these */
+%% if has_tick_fields then
   ${name}_real tick;                /* s; the rest is set by ${name}_set_tick: fractions of two periods, of turns of a and b */
   struct {
     uint64_t start[2], tick[2];
   } counts[3];
+%% end
   int hyperbolic;                   /* near the separatrix */
 } ${name}_orbit;
 
 /* Prepare the motion through x0 at t = 0, q of x0 normalised.  Returns 0, or 1 if q is 0, a number not finite, the moment
  * across the axis not positive, or a rate beyond the range of the type; *o is untouched then. */
 int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[]);
-
-/* The state at time t, of either sign: attitude and rates.  The phases are formed and reduced in twice the working
- * precision: errors stay some units of the last place until that is used up, after 2^40 turns (float: 2^20). */
-void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[]);
-
-/* The rates w[3], rad/s, body axes, or the attitude q[4] alone. */
-void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[]);
-void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[]);
-
-/* n states at the times t[n]: x[i*n + k] is component i at t[k].  x must not overlap t.  Rounded as
- * ${name}_at is, or within a unit of the last place where the compiler fuses. */
-void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${name}_real x[]);
-
-/* Time in steps of h s.  Phases are integers, which lose nothing however many ticks have passed.  Returns 1 if a step is
- * beyond the range of the type. */
-int ${name}_set_tick(${name}_orbit *o, ${name}_real h);
-void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[]);
-
-/* Period of the nutation, s: infinite on the separatrix; 0 if the axis rests; that of small nutation about a steady
- * precession.  The mean rate at which the axis goes round the vertical, rad/s: a passage through the vertical counts for
- * nothing.  Smallest and largest angle between the upward vertical and the direction from the fixed point to the centre
- * of mass (the symmetry axis if they coincide), rad. */
-${name}_real ${name}_nutation_period(const ${name}_orbit *o);
-${name}_real ${name}_precession_rate(const ${name}_orbit *o);
-void ${name}_nutation_range(const ${name}_orbit *o, ${name}_real tilt[2]);

@@ -20,7 +20,7 @@ ${upper}_INLINE ${name}_values ${name}_turned(const ${name}_real re[3], const ${
 }
 
 /* the series as polynomials in cos 2z */
-${upper}_INLINE ${name}_values ${name}_circular_values(const ${name}_orbit *o, ${name}_phases p)
+${upper}_INLINE ${name}_values ${name}_circular_values(const ${name}_orbit *o, ${name}_instant p)
 {
   ${name}_real s, c, x, x2, re[3], im[3], cw, sw, f;
 
@@ -40,7 +40,7 @@ ${upper}_INLINE ${name}_values ${name}_circular_values(const ${name}_orbit *o, $
 }
 
 /* in e = exp(-|phase|) and g = q' e^-2 <= 1 */
-static ${name}_values ${name}_hyperbolic_values(const ${name}_orbit *o, ${name}_phases p)
+static ${name}_values ${name}_hyperbolic_values(const ${name}_orbit *o, ${name}_instant p)
 {
   const ${name}_real sign = p.high < ${zero} ? -${one} : ${one}, first = ${exp}(-${fabs}(p.high));
   const ${name}_real e = (first - first*(sign*p.low)) + ${least}, root = o->nome/e, g = root*root, E = e*e, f = E*E*g;

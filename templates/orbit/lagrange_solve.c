@@ -6,7 +6,7 @@ static ${name}_real ${name}_angle(${name}_wide x, ${name}_wide y)
   const ${name}_pair s = ${name}_wide_pair(${name}_wide_root(${name}_wide_scale(x, -1)), 0);
   const ${name}_pair c = ${name}_wide_pair(${name}_wide_root(${name}_wide_scale(y, -1)), 0);
 
-  return ${two}*${name}_pair_multiply(s, ${name}_carlson(c, one, one)).hi;
+  return ${two}*${name}_mul(s, ${name}_carlson(c, one, one)).hi;
 }
 
 /* The series of all but the phases at t = 0. */
@@ -28,20 +28,20 @@ static void ${name}_series(${name}_orbit *o, const ${name}_cubic *p, ${name}_pai
 
   /* v0 = sn R_F(cn^2, dn^2, 1) for |v0| <= K (DLMF 19.25.5) */
   v = ${name}_wide_pair(${name}_wide_root(p->sn2), 0);
-  v = ${name}_pair_multiply(v, ${name}_carlson(${name}_wide_pair(${name}_wide_root(p->cn2), 0), ${name}_wide_pair(${name}_wide_root(p->dn2), 0), one));
-  if (p->rising < 0) v = ${name}_pair_minus(v);
+  v = ${name}_mul(v, ${name}_carlson(${name}_wide_pair(${name}_wide_root(p->cn2), 0), ${name}_wide_pair(${name}_wide_root(p->dn2), 0), one));
+  if (p->rising < 0) v = ${name}_minus(v);
   if (m.hi <= ${half}) {
-    q = ${name}_nome(${name}_wide_pair(k2, power), mc, power);
+    q = ${name}_nome_of(${name}_wide_pair(k2, power), mc, power);
     q = ${name}_pair_scale(q, power);
-    ${name}_circular(o, p, amplitude, q, ${name}_complete(q), nu, v, mu);
+    ${name}_set_circular(o, p, amplitude, q, ${name}_complete(q), nu, v, mu);
   } else {
     ${name}_pair logq = ${name}_pair_of(${zero});
 
-    q = ${name}_nome(${name}_wide_pair(kc2, powerc), m, powerc);
+    q = ${name}_nome_of(${name}_wide_pair(kc2, powerc), m, powerc);
     o->nome = ${ldexp}(${name}_pair_root(q).hi, powerc/2);
     if (q.hi > ${zero}) logq = ${name}_pair_log(q, powerc);
     q = ${name}_pair_scale(q, powerc);
-    ${name}_hyperbolic(o, p, amplitude, q, logq, ${name}_complete(q), nu, v, mu);
+    ${name}_set_hyperbolic(o, p, amplitude, q, logq, ${name}_complete(q), nu, v, mu);
   }
 }
 /* p q, of complex numbers */
@@ -109,7 +109,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   p.w3 = w[3];
   p.s = ${name}_wide_divide(${name}_wide_multiply(I3, p.w3), I1);
 
-  ${name}_zero(&made, (unsigned int)sizeof(made));
+  ${name}_copy(&made, 0, (unsigned int)sizeof(made));
   rest = !${name}_wide_sign(p.W[0]) && !${name}_wide_sign(p.W[1])
       && (!${name}_wide_sign(p.c) || (!${name}_wide_sign(p.a[0]) && !${name}_wide_sign(p.a[1])) || (!${name}_wide_sign(p.b[0]) && !${name}_wide_sign(p.b[1])));
   e = 0;
@@ -138,8 +138,8 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     spin = ${name}_wide_pair(${name}_wide_subtract(p.w3, p.s), 1); /* (1 - C/A) w3/2 */
   }
   for (i = 0; i < 2; i++) {
-    turn = i == 0 ? ${name}_pair_add(mu[0], spin) : ${name}_pair_subtract(mu[1], spin);
-    turn = ${name}_pair_divide(turn, ${name}_pair_scale(${name}_pi(), 1));
+    turn = i == 0 ? ${name}_add(mu[0], spin) : ${name}_sub(mu[1], spin);
+    turn = ${name}_ratio(turn, ${name}_pair_scale(${name}_pi(), 1));
     ${name}_store(made.turn[i], ${name}_pair_scale(turn, e));
     made.rate[i] = ${ldexp}(made.rate[i], e);
   }
@@ -156,7 +156,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     made.mean += made.jump[i][0]*n;
     if (${name}_wide_sign(i == 0 ? p.above[0] : p.below[1])) made.mean += (${name}_real)p.sign[i]*${half}*n;
   }
-  made.mean *= ${two}*${pi_high};
+  made.mean *= ${two_pi_high};
 
   /* What turns the series' a, b and W = -conj(a) b .. to those of t = 0, from the two that are farthest from a zero. */
   v0 = ${name}_values_at(&made, ${zero});

@@ -29,7 +29,7 @@ static ${name}_pair ${name}_lambert(${name}_pair x, int s)
 {
   const ${name}_pair one = ${name}_pair_of(${one});
 
-  return ${name}_pair_divide(x, s > 0 ? ${name}_pair_subtract(one, x) : ${name}_pair_add(one, x));
+  return ${name}_ratio(x, s > 0 ? ${name}_sub(one, x) : ${name}_add(one, x));
 }
 
 /* amplitudes: |a| at u2, |b| and |W| at u1 */
@@ -45,16 +45,16 @@ static void ${name}_scale_series(${name}_orbit *o, int i, ${name}_real factor)
 
 /* Away from the separatrix.  D = q exp(2 eta), r = exp(-2 eta); mu = +-z' d log theta4(i eta)/d eta for a, with theta3 for
  * b, as Lambert series (DLMF 20.5.10-13); theta1(z - i eta) ~ sum of (-1)^n q^(n^2) D^n (exp(i (2n+1) z) - r^(2n+1) exp(-..)). */
-static void ${name}_circular(${name}_orbit *o, const ${name}_cubic *p, const ${name}_real amplitude[3],
+static void ${name}_set_circular(${name}_orbit *o, const ${name}_cubic *p, const ${name}_real amplitude[3],
                              ${name}_pair q, ${name}_pair K, ${name}_pair nu, ${name}_pair v0, ${name}_pair mu[2])
 {
-  const ${name}_pair one = ${name}_pair_of(${one}), K2 = ${name}_pair_scale(K, 1), per = ${name}_pair_divide(${name}_pi(), K);
-  const ${name}_pair rate = ${name}_pair_divide(nu, K2), q2 = ${name}_pair_multiply(q, q);
+  const ${name}_pair one = ${name}_pair_of(${one}), K2 = ${name}_pair_scale(K, 1), per = ${name}_ratio(${name}_pi(), K);
+  const ${name}_pair rate = ${name}_ratio(nu, K2), q2 = ${name}_mul(q, q);
   ${name}_real Q[4], three_ = ${one}, four_ = ${one};
   int i, n, infinite;
 
   o->hyperbolic = 0;
-  ${name}_store(o->start, ${name}_pair_divide(v0, K2));
+  ${name}_store(o->start, ${name}_ratio(v0, K2));
   ${name}_store(o->rate, rate);
   ${name}_store(o->period, one);
   o->inverse = ${one};
@@ -71,27 +71,27 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_cubic *p, const ${n
     ${name}_real c[4], d[4], peak = ${zero}, rn, Dn;
 
     x = ${name}_tau(p, i, 0, &infinite);
-    r = infinite ? ${name}_pair_of(${zero}) : ${name}_pair_exp(${name}_pair_minus(${name}_pair_multiply(per, x)), 0);
-    x = ${name}_pair_multiply(per, ${name}_tau(p, i, 1, &infinite));
-    D = infinite ? ${name}_pair_of(${zero}) : ${name}_pair_exp(${name}_pair_minus(x), 0);
+    r = infinite ? ${name}_pair_of(${zero}) : ${name}_pair_exp(${name}_minus(${name}_mul(per, x)), 0);
+    x = ${name}_mul(per, ${name}_tau(p, i, 1, &infinite));
+    D = infinite ? ${name}_pair_of(${zero}) : ${name}_pair_exp(${name}_minus(x), 0);
     if (i < 2) {
       sum = ${name}_pair_of(${zero});
       power = one;
       for (n = 0; n < 12; n++) { /* D q^(2n) and r q^(2n+1); q^24 < 2^-105 */
-        const ${name}_pair high = ${name}_pair_multiply(D, power), low = ${name}_pair_multiply(${name}_pair_multiply(r, power), q);
+        const ${name}_pair high = ${name}_mul(D, power), low = ${name}_mul(${name}_mul(r, power), q);
 
         if (n == 0 && i == 0 && D.hi > ${half}) { /* 1 - D by exp(x) - 1 = 2 sinh(x/2) exp(x/2) */
-          sum = ${name}_pair_divide(one, ${name}_pair_expm1(x));
+          sum = ${name}_ratio(one, ${name}_pair_expm1(x));
         } else {
-          sum = ${name}_pair_add(sum, ${name}_lambert(high, s));
+          sum = ${name}_add(sum, ${name}_lambert(high, s));
         }
-        sum = ${name}_pair_subtract(sum, ${name}_lambert(low, s));
-        power = ${name}_pair_multiply(power, q2);
+        sum = ${name}_sub(sum, ${name}_lambert(low, s));
+        power = ${name}_mul(power, q2);
       }
-      mu[i] = ${name}_pair_multiply(${name}_pair_multiply(${name}_pi(), rate), ${name}_pair_scale(sum, 1));
-      if (s*p->sign[i] < 0) mu[i] = ${name}_pair_minus(mu[i]);
+      mu[i] = ${name}_mul(${name}_mul(${name}_pi(), rate), ${name}_pair_scale(sum, 1));
+      if (s*p->sign[i] < 0) mu[i] = ${name}_minus(mu[i]);
     }
-    x = ${name}_pair_subtract(one, r);
+    x = ${name}_sub(one, r);
     for (n = 0, rn = r.hi, Dn = ${one}; n < 4; n++) {
       const ${name}_real size = Q[n]*Dn, odd = i == 0 && n % 2 ? -size : size;
 
@@ -110,50 +110,50 @@ static void ${name}_circular(${name}_orbit *o, const ${name}_cubic *p, const ${n
 
 /* Near the separatrix.  theta = pi tau/(2 K'), zeta = pi v/(2 K') has the period P = -log q'; mu' = +-zeta' tan theta + ..
  * of a, the logarithmic derivative of theta2, and of theta3 for b; with each period the phase jumps by -+2 theta. */
-static void ${name}_hyperbolic(${name}_orbit *o, const ${name}_cubic *p, const ${name}_real amplitude[3],
+static void ${name}_set_hyperbolic(${name}_orbit *o, const ${name}_cubic *p, const ${name}_real amplitude[3],
                                ${name}_pair q, ${name}_pair logq, ${name}_pair K, ${name}_pair nu, ${name}_pair v0, ${name}_pair mu[2])
 {
-  const ${name}_pair one = ${name}_pair_of(${one}), scale = ${name}_pair_divide(${name}_pi(), ${name}_pair_scale(K, 1)), q2 = ${name}_pair_multiply(q, q);
-  const ${name}_pair rate = ${name}_pair_multiply(nu, scale);
+  const ${name}_pair one = ${name}_pair_of(${one}), scale = ${name}_ratio(${name}_pi(), ${name}_pair_scale(K, 1)), q2 = ${name}_mul(q, q);
+  const ${name}_pair rate = ${name}_mul(nu, scale);
   const ${name}_real Q = q.hi, Q2 = Q*Q;
   const ${name}_real to[4] = {${one}, Q, Q2*Q2, Q2*Q2*Q2*Q2*Q}, from[4] = {${one}, ${one}, Q2, Q2*Q2*Q2}; /* q'^(n^2), q'^(n^2-n) */
   const ${name}_real odd[4] = {Q, Q*Q2, Q*Q2*Q2, Q*Q2*Q2*Q2}, power_of[4] = {${one}, Q, Q2, Q*Q2};
   int i, n, infinite;
 
   o->hyperbolic = 1;
-  ${name}_store(o->start, ${name}_pair_multiply(v0, scale));
+  ${name}_store(o->start, ${name}_mul(v0, scale));
   ${name}_store(o->rate, rate);
-  ${name}_store(o->period, ${name}_pair_minus(logq));
+  ${name}_store(o->period, ${name}_minus(logq));
   o->inverse = logq.hi < ${zero} ? -${one}/logq.hi : ${zero};
   o->winding = ${zero};
   for (i = 0; i < 3; i++) {
     const ${name}_real sign = (${name}_real)p->sign[i];
-    const ${name}_pair tau = ${name}_tau(p, i, 0, &infinite), angle = ${name}_pair_multiply(scale, tau);
+    const ${name}_pair tau = ${name}_tau(p, i, 0, &infinite), angle = ${name}_mul(scale, tau);
     ${name}_pair c1, s1, c2, s2, sum, power, term;
     ${name}_real x, y;
 
     ${name}_pair_circle(angle, &c1, &s1);
-    s2 = ${name}_pair_scale(${name}_pair_multiply(s1, ${name}_pair_add(one, c1)), 1);
-    c2 = ${name}_pair_subtract(one, ${name}_pair_scale(${name}_pair_multiply(s1, s1), 1));
+    s2 = ${name}_pair_scale(${name}_mul(s1, ${name}_add(one, c1)), 1);
+    c2 = ${name}_sub(one, ${name}_pair_scale(${name}_mul(s1, s1), 1));
     if (i < 2) {
       sum = ${name}_pair_of(${zero});
       power = i == 0 ? q2 : q;
       for (n = 0; n < 12; n++) { /* 4 x sin 2 theta/(1 + 2 x cos 2 theta + x^2), x = q'^(2n) or q'^(2n-1) */
-        term = ${name}_pair_add(one, ${name}_pair_multiply(power, ${name}_pair_add(${name}_pair_scale(c2, 1), power)));
-        sum = ${name}_pair_add(sum, ${name}_pair_divide(${name}_pair_multiply(power, s2), term));
-        power = ${name}_pair_multiply(power, q2);
+        term = ${name}_add(one, ${name}_mul(power, ${name}_add(${name}_pair_scale(c2, 1), power)));
+        sum = ${name}_add(sum, ${name}_ratio(${name}_mul(power, s2), term));
+        power = ${name}_mul(power, q2);
       }
       sum = ${name}_pair_scale(sum, 2);
       if (i == 0) { /* tan theta; cos theta = sin(pi/2 - theta) */
         ${name}_pair c, s;
 
-        ${name}_pair_circle(${name}_pair_multiply(scale, ${name}_tau(p, i, 1, &infinite)), &c, &s);
-        sum = ${name}_pair_add(sum, ${name}_pair_divide(s1, s));
+        ${name}_pair_circle(${name}_mul(scale, ${name}_tau(p, i, 1, &infinite)), &c, &s);
+        sum = ${name}_add(sum, ${name}_ratio(s1, s));
       }
-      mu[i] = ${name}_pair_multiply(rate, sum);
-      term = ${name}_pair_divide(tau, ${name}_pair_scale(K, 1));
-      if (p->sign[i] < 0) mu[i] = ${name}_pair_minus(mu[i]);
-      ${name}_store(o->jump[i], p->sign[i] < 0 ? term : ${name}_pair_minus(term));
+      mu[i] = ${name}_mul(rate, sum);
+      term = ${name}_ratio(tau, ${name}_pair_scale(K, 1));
+      if (p->sign[i] < 0) mu[i] = ${name}_minus(mu[i]);
+      ${name}_store(o->jump[i], p->sign[i] < 0 ? term : ${name}_minus(term));
     }
     /* exp(-|zeta|) times theta1 for a, theta4 for b and W, at u2 (zeta = P/2) and u1 (zeta = 0) */
     for (n = 0, x = y = ${zero}; n < 4; n++) {

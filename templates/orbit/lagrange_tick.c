@@ -6,16 +6,16 @@ int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
   int i;
 
   if (o->inverse > ${zero}) {
-    per = ${name}_pair_divide(rate, period);
-    first = ${name}_pair_divide(start, period);
+    per = ${name}_ratio(rate, period);
+    first = ${name}_ratio(start, period);
   }
   for (i = 0; i < 2; i++) { /* turns per tick, what goes off with each period evenly spread */
     const ${name}_pair turn = {o->turn[i][0], o->turn[i][1]}, jump = {o->jump[i][0], o->jump[i][1]};
 
-    mean[i] = ${name}_pair_times(h, ${name}_pair_add(turn, ${name}_pair_multiply(jump, per)));
+    mean[i] = ${name}_scaled(h, ${name}_add(turn, ${name}_mul(jump, per)));
     if (!(mean[i].hi - mean[i].hi == ${zero})) return 1;
   }
-  per = ${name}_pair_times(h, per);
+  per = ${name}_scaled(h, per);
   if (!(per.hi - per.hi == ${zero})) return 1;
   o->tick = h;
   ${name}_fraction(${name}_pair_scale(per, -1), o->counts[0].tick); /* of two periods: the last bit is the sign */
@@ -24,7 +24,7 @@ int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
     const ${name}_pair jump = {o->jump[i][0], o->jump[i][1]};
 
     ${name}_fraction(mean[i], o->counts[i + 1].tick);
-    ${name}_fraction(${name}_pair_multiply(jump, first), o->counts[i + 1].start);
+    ${name}_fraction(${name}_mul(jump, first), o->counts[i + 1].start);
   }
   return 0;
 }
@@ -32,10 +32,10 @@ int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
 void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[])
 {
   const uint64_t two = ${name}_counted(o->counts[0].start, o->counts[0].tick, n);
-  const ${name}_real r = ${name}_turns(two << 1), a = ${name}_turns(${name}_counted(o->counts[1].start, o->counts[1].tick, n));
-  const ${name}_real b = ${name}_turns(${name}_counted(o->counts[2].start, o->counts[2].tick, n));
+  const ${name}_real r = ${name}_as_turns(two << 1), a = ${name}_as_turns(${name}_counted(o->counts[1].start, o->counts[1].tick, n));
+  const ${name}_real b = ${name}_as_turns(${name}_counted(o->counts[2].start, o->counts[2].tick, n));
   const ${name}_pair p = ${name}_pair_product(r, o->period[0]);
-  ${name}_phases f;
+  ${name}_instant f;
   ${name}_values v;
 
   f.flip = (two + ((uint64_t)1 << 62)) >> 63 ? -${one} : ${one};
@@ -57,5 +57,5 @@ void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[])
     f.low = q.lo;
   }
   v = o->hyperbolic ? ${name}_hyperbolic_values(o, f) : ${name}_circular_values(o, f);
-  ${name}_put(o, &v, ${one}/${sqrt}(${name}_square(&v)), x + ${upper}_QW, x + ${upper}_WX);
+  ${name}_put(o, &v, ${one}/${sqrt}(${name}_length2(&v)), x + ${upper}_QW, x + ${upper}_WX);
 }

@@ -11,7 +11,7 @@ ${upper}_INLINE void ${name}_block(const ${name}_orbit *o, int hyperbolic, const
   size_t i, k;
 
   for (k = 0; k < ${upper}_BLOCK; k++) {
-    const ${name}_terms y = ${name}_terms_of(o, ${name}_reduce(o, t[k]), hyperbolic);
+    const ${name}_thetas y = ${name}_terms_of(o, ${name}_reduce(o, t[k]), hyperbolic);
     ${name}_real v[4], r[3];
 
     ${name}_rates_of(o, &y, r);
@@ -23,7 +23,7 @@ ${upper}_INLINE void ${name}_block(const ${name}_orbit *o, int hyperbolic, const
     q[1][k] = v[1];
     q[2][k] = v[2];
     q[3][k] = v[3];
-    inverse[k] = ${one}/${name}_square(&y);
+    inverse[k] = ${one}/${name}_length2(&y);
   }
   for (k = 0; k < ${upper}_BLOCK; k++) root[k] = ${sqrt}(inverse[k]);
   for (k = 0; k < ${upper}_BLOCK; k++) {

@@ -6,9 +6,9 @@ typedef struct ${name}_values {
 
 /* high + low: the phase of the nutation, less whole periods, and the sign of their number; the turns of a and b, less
  * whole ones */
-typedef struct ${name}_phases {
+typedef struct ${name}_instant {
   ${name}_real high, low, flip, a, b;
-} ${name}_phases;
+} ${name}_instant;
 
 /* p less whole turns; where nothing is left of a phase, beyond some 2^50 of them, it is put to 0 */
 ${upper}_INLINE ${name}_real ${name}_fraction_of(${name}_pair p)
@@ -25,11 +25,11 @@ ${upper}_INLINE ${name}_real ${name}_parity(${name}_real n)
 }
 
 /* away from the separatrix: in half turns of z */
-${upper}_INLINE ${name}_phases ${name}_circular_phases(const ${name}_orbit *o, ${name}_real t)
+${upper}_INLINE ${name}_instant ${name}_circular_phases(const ${name}_orbit *o, ${name}_real t)
 {
   const ${name}_pair start = {o->start[0], o->start[1]}, none = {${zero}, ${zero}};
   const ${name}_pair p = ${name}_phase(start, o->rate, t);
-  ${name}_phases f;
+  ${name}_instant f;
 
   f.flip = ${name}_parity(${name}_nearest(p.hi));
   f.high = ${name}_fraction_of(p);
@@ -40,10 +40,10 @@ ${upper}_INLINE ${name}_phases ${name}_circular_phases(const ${name}_orbit *o, $
 }
 
 /* near it: the phase has the period P, or none, and the turns jump with each */
-static ${name}_phases ${name}_hyperbolic_phases(const ${name}_orbit *o, ${name}_real t)
+static ${name}_instant ${name}_hyperbolic_phases(const ${name}_orbit *o, ${name}_real t)
 {
   ${name}_pair p = {o->start[0], o->start[1]}, whole, jump;
-  ${name}_phases f;
+  ${name}_instant f;
   ${name}_real n = ${zero};
   int i;
 
@@ -55,7 +55,7 @@ static ${name}_phases ${name}_hyperbolic_phases(const ${name}_orbit *o, ${name}_
     p = ${name}_pair_sum(p.hi - whole.hi, p.lo - whole.lo - more*o->period[1]);
     n += more;
   }
-  if (!(${fabs}(p.hi)*o->inverse <= (${name}_real)513/1024)) p = ${name}_pair_of(${zero}); /* nothing is left of it */
+  if (!(${fabs}(p.hi)*o->inverse <= ${n[513/1024]})) p = ${name}_pair_of(${zero}); /* nothing is left of it */
   f.flip = ${name}_parity(n);
   f.high = p.hi;
   f.low = p.lo;
@@ -68,7 +68,7 @@ static ${name}_phases ${name}_hyperbolic_phases(const ${name}_orbit *o, ${name}_
   return f;
 }
 
-${upper}_INLINE ${name}_real ${name}_square(const ${name}_values *v)
+${upper}_INLINE ${name}_real ${name}_length2(const ${name}_values *v)
 {
   return (v->w*v->w + v->z*v->z) + (v->x*v->x + v->y*v->y);
 }

@@ -26,7 +26,7 @@ static ${name}_pair ${name}_pair_root(${name}_pair a)
 static void ${name}_wave_set(${name}_wave *w, ${name}_pair kappa)
 {
   w->kind = (kappa.hi > ${zero}) - (kappa.hi < ${zero});
-  kappa = ${name}_pair_root(w->kind < 0 ? ${name}_pair_minus(kappa) : kappa);
+  kappa = ${name}_pair_root(w->kind < 0 ? ${name}_minus(kappa) : kappa);
   w->rate[0] = kappa.hi;
   w->rate[1] = kappa.lo;
 }
@@ -176,7 +176,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   /* the frame's rate and axis; without rate any axis serves */
   for (i = 0; i < 3; i++) {
     u[i] = ${ldexp}(O[i], -e);
-    square = ${name}_pair_add(square, ${name}_pair_product(u[i], u[i]));
+    square = ${name}_add(square, ${name}_pair_product(u[i], u[i]));
   }
   turn = ${name}_pair_root(square);
   p.turn[0] = turn.hi;
@@ -195,18 +195,18 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_wave_set(&p.along, ${name}_pair_of(${ldexp}(k[0], -2*e)));
   kappa = ${name}_pair_of(${ldexp}(k[1], -2*e));
 %% if centrifugal then
-  p.delta = ${name}_pair_add(square, ${name}_pair_minus(kappa)).hi;
+  p.delta = ${name}_add(square, ${name}_minus(kappa)).hi;
 %% else
   p.delta = -kappa.hi;
-  kappa = ${name}_pair_add(square, kappa);
+  kappa = ${name}_add(square, kappa);
 %% end
   ${name}_wave_set(&p.across, kappa);
   kappa = ${name}_pair_of(p.across.rate[0]);
   kappa.lo = p.across.rate[1];
-  square = ${name}_pair_add(turn, kappa);
+  square = ${name}_add(turn, kappa);
   p.fast[0] = square.hi;
   p.fast[1] = square.lo;
-  square = ${name}_pair_add(turn, ${name}_pair_minus(kappa));
+  square = ${name}_add(turn, ${name}_minus(kappa));
   p.slow[0] = square.hi;
   p.slow[1] = square.lo;
 

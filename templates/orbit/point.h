@@ -1,10 +1,4 @@
-%% -- point.h -- contract of the closed form of a point: part of scene.h.  SPDX-License-Identifier: MIT-0
-/* ---- closed form: ${theorem} ----
- *
-%% for _, line in ipairs(closed_text) do
- * ${line}
-%% end
- */
+%% -- point.h -- what it stores, and the set-up, of the closed form of a point: part of scene.h.  SPDX-License-Identifier: MIT-0
 typedef struct ${name}_wave { /* s'' = g - kappa s */
   ${name}_real rate[2];          /* sqrt |kappa| as a pair high + low */
   int kind;                      /* sign of kappa: 1 oscillation, 0 parabola, -1 exponential */

@@ -16,7 +16,7 @@ static int ${name}_means(const ${name}_orbit *o, ${name}_pair *periods, ${name}_
 
   (void)${frexp}(${fabs}(turn.hi) > rate.hi ? turn.hi : rate.hi, &e);
   *periods = ${name}_periodic(o) ? ${name}_pair_scale(rate, -e) : ${name}_pair_of(${zero});
-  *turns = ${name}_pair_add(${name}_pair_scale(turn, 1 - e), ${name}_pair_times(o->s, *periods));
+  *turns = ${name}_add(${name}_pair_scale(turn, 1 - e), ${name}_scaled(o->s, *periods));
   return e;
 }
 
@@ -31,7 +31,7 @@ ${name}_real ${name}_precession_rate(const ${name}_orbit *o)
   ${name}_pair periods, turns;
   const int e = ${name}_means(o, &periods, &turns);
 
-  return ${ldexp}(${name}_pair_multiply(${name}_pi(), turns).hi, e + 1);
+  return ${ldexp}(${name}_mul(${name}_pi(), turns).hi, e + 1);
 }
 
 ${name}_real ${name}_precession_period(const ${name}_orbit *o)
@@ -39,7 +39,7 @@ ${name}_real ${name}_precession_period(const ${name}_orbit *o)
   ${name}_pair periods, turns;
   const int e = ${name}_means(o, &periods, &turns);
 
-  return turns.hi > ${zero} ? ${ldexp}(${name}_pair_divide(${name}_pair_of(${one}), turns).hi, -e) : ${huge};
+  return turns.hi > ${zero} ? ${ldexp}(${name}_ratio(${name}_pair_of(${one}), turns).hi, -e) : ${huge};
 }
 
 ${name}_real ${name}_rotation_number(const ${name}_orbit *o)
@@ -48,7 +48,7 @@ ${name}_real ${name}_rotation_number(const ${name}_orbit *o)
 
   if (!(o->rate[0] > ${zero})) return ${zero};
   (void)${name}_means(o, &periods, &turns);
-  return ${name}_periodic(o) ? ${name}_pair_divide(turns, periods).hi : ${huge};
+  return ${name}_periodic(o) ? ${name}_ratio(turns, periods).hi : ${huge};
 }
 
 /* start + rate t = n/2, n the first integer whose t is later after rounding; on the separatrix n = 0 alone */
@@ -63,15 +63,15 @@ ${name}_real ${name}_next_flip(const ${name}_orbit *o, ${name}_real t)
   (void)${frexp}(rate.hi, &e); /* time in units of 2^-e, so that nothing leaves the range before t has no digits left */
   rate = ${name}_pair_scale(rate, -e);
   if (!${name}_periodic(o)) {
-    next = ${ldexp}(${name}_pair_divide(${name}_pair_minus(start), rate).hi, -e);
+    next = ${ldexp}(${name}_ratio(${name}_minus(start), rate).hi, -e);
     return next > t ? next : ${huge};
   }
-  n = ${name}_pair_scale(${name}_pair_add(start, ${name}_pair_times(${ldexp}(t, e), rate)), 1);
+  n = ${name}_pair_scale(${name}_add(start, ${name}_scaled(${ldexp}(t, e), rate)), 1);
   next = ${floor}(n.hi);
   n = ${name}_pair_sum(next, next < n.hi ? ${zero} : ${floor}(n.lo));
   for (i = 0; i < 2; i++) {
-    n = ${name}_pair_add(n, ${name}_pair_of(${one}));
-    next = ${ldexp}(${name}_pair_divide(${name}_pair_subtract(${name}_pair_scale(n, -1), start), rate).hi, -e);
+    n = ${name}_add(n, ${name}_pair_of(${one}));
+    next = ${ldexp}(${name}_ratio(${name}_sub(${name}_pair_scale(n, -1), start), rate).hi, -e);
     if (next > t) return next;
   }
   return t + ${fabs}(t)*${epsilon}; /* a period is less than t's last place: every t is near a flip */

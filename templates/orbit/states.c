@@ -9,7 +9,7 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
   const ${name}_values v = ${name}_values_at(o, t);
 
-  ${name}_put(o, &v, ${one}/${sqrt}(${name}_square(&v)), x + ${upper}_QW, x + ${upper}_WX);
+  ${name}_put(o, &v, ${one}/${sqrt}(${name}_length2(&v)), x + ${upper}_QW, x + ${upper}_WX);
 }
 
 void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[])
@@ -17,7 +17,7 @@ void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[])
   const ${name}_values v = ${name}_values_at(o, t);
   ${name}_real q[4];
 
-  ${name}_put(o, &v, ${one}/${sqrt}(${name}_square(&v)), q, w);
+  ${name}_put(o, &v, ${one}/${sqrt}(${name}_length2(&v)), q, w);
 }
 
 void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[])
@@ -25,7 +25,7 @@ void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[
   const ${name}_values v = ${name}_values_at(o, t);
   ${name}_real w[3];
 
-  ${name}_put(o, &v, ${one}/${sqrt}(${name}_square(&v)), q, w);
+  ${name}_put(o, &v, ${one}/${sqrt}(${name}_length2(&v)), q, w);
 }
 
 /* Blocks of one vector of 512 bits: loops of a fixed count over local arrays, without calls or branches, are vectorised;
@@ -46,7 +46,7 @@ ${upper}_INLINE void ${name}_some(const ${name}_orbit *o, const ${name}_real t[]
     v[3][k] = y.z;
     v[4][k] = y.f;
     v[5][k] = y.g;
-    root[k] = ${name}_square(&y);
+    root[k] = ${name}_length2(&y);
   }
   for (k = 0; k < ${upper}_BLOCK; k++) root[k] = ${sqrt}(root[k]);
   for (k = 0; k < ${upper}_BLOCK; k++) {

@@ -60,67 +60,72 @@ static int ${name}_exact_term(${name}_real e[], int n, ${name}_real I, ${name}_r
 /* I w^2 d */
 static ${name}_pair ${name}_square_term(${name}_pair I, ${name}_pair w, ${name}_pair d)
 {
-  return ${name}_pair_multiply(${name}_pair_multiply(I, d), ${name}_pair_multiply(w, w));
+  return ${name}_mul(${name}_mul(I, d), ${name}_mul(w, w));
 }
 
 /* I3 w3^2 (I3 - I2) - I1 w1^2 (I2 - I1) = G^2 - 2 T I2: its sign says about which axis L circulates.  Where the terms
+%% if diagonal then
+ * cancel by more than three bits, without rounding: moments and rates are single numbers. */
+%% else
  * cancel by more than three bits, without rounding if the moments and rates are single numbers. */
+%% end
 static ${name}_pair ${name}_circulation(${name}_pair I1, ${name}_pair I3, ${name}_pair w1, ${name}_pair w3,
     ${name}_pair d21, ${name}_pair d32)
 {
   const ${name}_pair last = ${name}_square_term(I3, w3, d32), first = ${name}_square_term(I1, w1, d21);
-  ${name}_pair sum = ${name}_pair_subtract(last, first);
+  ${name}_pair sum = ${name}_sub(last, first);
 
-  if (!(${eight}*${fabs}(sum.hi) < first.hi + last.hi)) return sum;
-  if (!(${fabs}(I1.lo) + ${fabs}(I3.lo) + ${fabs}(w1.lo) + ${fabs}(w3.lo) > ${zero})) { /* rare */
+%% if not diagonal then
+  if (${fabs}(I1.lo) + ${fabs}(I3.lo) + ${fabs}(w1.lo) + ${fabs}(w3.lo) > ${zero}) return sum;
+%% end
+  if (${eight}*${fabs}(sum.hi) < first.hi + last.hi) { /* rare */
     ${name}_real e[32];
-    int n;
+    int n = ${name}_exact_term(e, 0, I3.hi, w3.hi, d32);
 
-    n = ${name}_exact_term(e, 0, I3.hi, w3.hi, d32);
-    sum = ${name}_pair_of(${zero});
-    for (n = ${name}_exact_term(e, n, I1.hi, w1.hi, ${name}_pair_minus(d21)); n > 0; n--) sum =
-        ${name}_pair_add(sum, ${name}_pair_of(e[n - 1]));
+    n = ${name}_exact_term(e, n, I1.hi, w1.hi, ${name}_minus(d21));
+    for (sum = ${name}_pair_of(${zero}); n > 0; n--) sum = ${name}_add(sum, ${name}_pair_of(e[n - 1]));
   }
   return sum;
 }
 
 /* Labels and signs of the axes; `order` sorts moments of I, ascending. */
+%% if diagonal then
+static void ${name}_label(${name}_top *p, const ${name}_pair I[3], const ${name}_pair w[3], const int order[3])
+%% else
 static void ${name}_label(${name}_top *p, const ${name}_pair I[3], const ${name}_pair w[3],
     const ${name}_pair axis[3][3], const int order[3])
+%% end
 {
   const int small = order[0], middle = order[1], large = order[2], rod = !(I[small].hi > ${zero});
   const int e = ${name}_exponent(w[small].hi, w[large].hi);
   const ${name}_real down = ${ldexp}(${one}, ${name}_exponent(I[small].hi, ${zero})), up = ${one}/down;
-  const ${name}_pair low = ${name}_pair_subtract(I[middle], I[small]);
-  const ${name}_pair high = rod ? ${name}_pair_of(${zero}) : ${name}_pair_shift(up,
-      ${name}_pair_subtract(I[large], I[middle]));
-  const ${name}_pair least = rod ? ${name}_pair_of(${one}) : ${name}_pair_shift(up, I[small]);
+  const ${name}_pair low = ${name}_sub(I[middle], I[small]);
+  const ${name}_pair high = rod ? ${name}_pair_of(${zero}) : ${name}_shift(up,
+      ${name}_sub(I[large], I[middle]));
+  const ${name}_pair least = rod ? ${name}_pair_of(${one}) : ${name}_shift(up, I[small]);
   int own[3], reverse, i, j;
   ${name}_real sign[3];
 
-  p->small13 = e;
-  p->down13 = ${ldexp}(${one}, e);
-  p->up13 = ${one}/p->down13;
-  p->D = ${name}_circulation(least, I[large], ${name}_pair_shift(p->up13, w[small]),
-      ${name}_pair_shift(p->up13, w[large]), low, high);
+  p->small13 = e; p->down13 = ${ldexp}(${one}, e); p->up13 = ${one}/p->down13;
+  p->D = ${name}_circulation(least, I[large], ${name}_shift(p->up13, w[small]),
+      ${name}_shift(p->up13, w[large]), low, high);
   reverse = rod || p->D.hi < ${zero} || !(high.hi > ${zero}); /* D may have underflowed: w1 of an axis of symmetry */
-  own[0] = reverse ? large : small;
-  own[1] = middle;
-  own[2] = reverse ? small : large;
-  p->s = reverse ? -${one} : ${one};
-  p->D = reverse ? ${name}_pair_minus(p->D) : p->D;
-  p->d21 = reverse ? high : low;
-  p->d32 = reverse ? low : high;
-  p->d31 = ${name}_pair_add(low, ${name}_pair_shift(down, high)); /* of nearly equal pairs two differences have digits */
+  own[0] = reverse ? large : small; own[1] = middle; own[2] = reverse ? small : large;
+  p->s = reverse ? -${one} : ${one}; p->D = reverse ? ${name}_minus(p->D) : p->D;
+  p->d21 = reverse ? high : low; p->d32 = reverse ? low : high;
+  p->d31 = ${name}_add(low, ${name}_shift(down, high)); /* of nearly equal pairs two differences have digits */
   p->small = down;
-  sign[0] = w[own[0]].hi < ${zero} ? -${one} : ${one};
-  sign[2] = w[own[2]].hi < ${zero} ? -${one} : ${one};
+  sign[0] = w[own[0]].hi < ${zero} ? -${one} : ${one}; sign[2] = w[own[2]].hi < ${zero} ? -${one} : ${one};
   sign[1] = own[1] == (own[0] + 1) % 3 ? sign[0]*sign[2] : -sign[0]*sign[2]; /* right-handed */
   for (i = 0; i < 3; i++) {
     p->I[i] = I[own[i]];
     p->J[i] = own[i] == small ? least : I[own[i]];
-    p->w[i] = ${name}_pair_shift(sign[i], w[own[i]]);
+    p->w[i] = ${name}_shift(sign[i], w[own[i]]);
+%% if diagonal then
+    for (j = 0; j < 3; j++) p->axis[i][j] = sign[i]*(own[i] == j ? ${one} : ${zero});
+%% else
     for (j = 0; j < 3; j++) p->axis[i][j] = sign[i]*axis[own[i]][j].hi;
+%% end
   }
 }
 
@@ -132,46 +137,39 @@ static void ${name}_invariants(${name}_top *p)
   int i;
 
   p->small12 = ${name}_exponent(p->w[0].hi, p->w[1].hi);
-  p->down12 = ${ldexp}(${one}, p->small12);
-  p->up12 = ${one}/p->down12;
-  w1 = ${name}_pair_shift(p->up12, p->w[0]);
-  w2 = ${name}_pair_shift(p->up12, p->w[1]);
-  first = ${name}_pair_multiply(p->J[0], p->d31);
-  second = ${name}_pair_multiply(p->I[1], p->d32);
-  p->cross = ${name}_pair_root(${name}_pair_multiply(first, second));
-  p->part1 = ${name}_pair_multiply(first, ${name}_pair_multiply(w1, w1));
-  p->part2 = ${name}_pair_multiply(second, ${name}_pair_multiply(w2, w2));
-  p->Delta3 = ${name}_pair_add(p->part1, p->part2);
+  p->down12 = ${ldexp}(${one}, p->small12); p->up12 = ${one}/p->down12;
+  w1 = ${name}_shift(p->up12, p->w[0]); w2 = ${name}_shift(p->up12, p->w[1]);
+  first = ${name}_mul(p->J[0], p->d31); second = ${name}_mul(p->I[1], p->d32);
+  p->cross = ${name}_pair_root(${name}_mul(first, second));
+  p->part1 = ${name}_mul(first, ${name}_mul(w1, w1));
+  p->part2 = ${name}_mul(second, ${name}_mul(w2, w2));
+  p->Delta3 = ${name}_add(p->part1, p->part2);
   if (p->d21.hi > ${zero}) {
-    wide = ${name}_pair_multiply(p->J[2], p->d31);
-    p->Lambda1 = ${name}_pair_add(${name}_square_term(p->I[1], p->w[1], p->d21),
-        ${name}_pair_multiply(wide, ${name}_pair_multiply(p->w[2], p->w[2])));
-    p->b3 = ${name}_pair_root(${name}_pair_divide(p->Lambda1, wide));
-    wide = ${name}_pair_multiply(p->d32, p->Lambda1);
-    p->k2 = ${name}_pair_divide(${name}_pair_multiply(p->d21, p->Delta3), wide);
-    p->kc2 = ${name}_pair_divide(${name}_pair_multiply(p->d31, p->D), wide);
+    wide = ${name}_mul(p->J[2], p->d31);
+    p->Lambda1 = ${name}_add(${name}_square_term(p->I[1], p->w[1], p->d21),
+        ${name}_mul(wide, ${name}_mul(p->w[2], p->w[2])));
+    p->b3 = ${name}_pair_root(${name}_ratio(p->Lambda1, wide));
+    wide = ${name}_mul(p->d32, p->Lambda1);
+    p->k2 = ${name}_ratio(${name}_mul(p->d21, p->Delta3), wide); p->kc2 = ${name}_ratio(${name}_mul(p->d31, p->D), wide);
   } else { /* symmetric about axis 3: w3 is constant, however small, and k = 0 */
     p->b3 = p->w[2];
-    p->k2 = ${name}_pair_of(${zero});
-    p->kc2 = ${name}_pair_of(${one});
-    p->small13 = 0;
-    p->down13 = p->up13 = ${one};
+    p->k2 = ${name}_pair_of(${zero}); p->kc2 = ${name}_pair_of(${one});
+    p->small13 = 0; p->down13 = p->up13 = ${one};
   }
-  p->lambda = ${name}_pair_divide(${name}_pair_multiply(p->b3, p->cross), ${name}_pair_multiply(p->J[0], p->I[1]));
+  p->lambda = ${name}_ratio(${name}_mul(p->b3, p->cross), ${name}_mul(p->J[0], p->I[1]));
   p->G = ${name}_pair_of(${zero});
   for (i = 0; i < 3; i++) {
-    g = ${name}_pair_multiply(p->I[i], p->w[i]);
-    p->G = ${name}_pair_add(p->G, ${name}_pair_multiply(g, g));
+    g = ${name}_mul(p->I[i], p->w[i]); p->G = ${name}_add(p->G, ${name}_mul(g, g));
   }
   p->G = ${name}_pair_root(p->G);
 
   /* at u = 0, where L = (B1, 0, B3): tan = B1/(G + B3), and the phase of a turns at half of w3 + w1 tan */
-  B3 = ${name}_pair_multiply(p->I[2], p->b3);
-  g = ${name}_pair_add(p->G, B3);
-  first = ${name}_pair_divide(p->Delta3, p->d31);                              /* B1^2/I1 */
-  p->T = ${name}_pair_divide(${name}_pair_root(${name}_pair_shift(unit, ${name}_pair_multiply(p->I[0], first))), g);
-  p->climb = ${name}_pair_add(p->b3, ${name}_pair_shift(unit,
-      ${name}_pair_shift(p->down12, ${name}_pair_shift(p->down12, ${name}_pair_divide(first, g)))));
+  B3 = ${name}_mul(p->I[2], p->b3);
+  g = ${name}_add(p->G, B3);
+  first = ${name}_ratio(p->Delta3, p->d31);                              /* B1^2/I1 */
+  p->T = ${name}_ratio(${name}_pair_root(${name}_shift(unit, ${name}_mul(p->I[0], first))), g);
+  p->climb = ${name}_add(p->b3, ${name}_shift(unit,
+      ${name}_shift(p->down12, ${name}_shift(p->down12, ${name}_ratio(first, g)))));
   p->b[0] = ${sqrt}(first.hi/p->J[0].hi);
   p->b[1] = ${sqrt}(p->Delta3.hi/second.hi);
   p->b[2] = p->b3.hi;

@@ -103,7 +103,7 @@ static ${name}_real ${name}_adaptive_norm(const ${name}_real x[], const ${name}_
 
 int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most)
 {
-  const ${name}_real fifth = ${half}*${half}*${half} + ${half}*${half}*${half}*${half}; /* 3/16, a little less than 1/5 */
+  const ${name}_real fifth = ${n[3/16]}; /* 3/16, a little less than 1/5 */
   ${name}_real k1[${count}], k7[${count}], error[${count}], out[${count}]${room};
   ${name}_real t = t0, h = t1 - t0, lost = ${zero};
   int steps, k, fresh = 1;
@@ -127,9 +127,9 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
     ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error${turn});
     r = ${name}_adaptive_norm(x, out, error)/tolerance;
     /* the next step is 0.9 r^(-1/5) as long, between a tenth and five times; what is not finite counts as a tenth */
-    factor = r > ${zero} ? ${exp}(-fifth*${log}(r))*(${one} - ${half}*${half}*${half}) : ${eight};
-    if (!(factor > ${half}*${half}*${half})) factor = ${half}*${half}*${half};
-    if (factor > ${two}*${two}) factor = ${two}*${two};
+    factor = r > ${zero} ? ${exp}(-fifth*${log}(r))*${n[7/8]} : ${eight};
+    if (!(factor > ${eighth})) factor = ${eighth};
+    if (factor > ${four}) factor = ${four};
     if (!(r <= ${one})) { /* tried in vain */
       next_t = t + h;
       if (!(next_t > t || next_t < t)) return -1;

@@ -6,7 +6,7 @@ void ${name}_taylor_step_compensated(const ${name}_model *m, ${name}_real t, ${n
 %% if has_knots then
   const ${name}_real end = t + h;
 %% end
-  ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW], add, sum;
+  ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW], more, sum;
 %% if has_knots then
   ${name}_real stop, part;
   int n;
@@ -17,9 +17,9 @@ void ${name}_taylor_step_compensated(const ${name}_model *m, ${name}_real t, ${n
     ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c, t + ${half}*part);
     ${name}_taylor_step_by(m, c, ${upper}_ORDER, part, x, d);
 %% for _, s in ipairs(states) do
-    add = d[${s.index}] + low[${s.name}];
-    sum = x[${s.name}] + add;
-    low[${s.name}] = add - (sum - x[${s.name}]);
+    more = d[${s.index}] + low[${s.name}];
+    sum = x[${s.name}] + more;
+    low[${s.name}] = more - (sum - x[${s.name}]);
     x[${s.name}] = sum;
 %% end
     t = stop;
@@ -37,9 +37,9 @@ void ${name}_taylor_step_compensated(const ${name}_model *m, ${name}_real t, ${n
 %% end
   ${name}_taylor_step_by(m, c, ${upper}_ORDER, h, x, d);
 %% for _, s in ipairs(states) do
-  add = d[${s.index}] + low[${s.name}];
-  sum = x[${s.name}] + add;
-  low[${s.name}] = add - (sum - x[${s.name}]);
+  more = d[${s.index}] + low[${s.name}];
+  sum = x[${s.name}] + more;
+  low[${s.name}] = more - (sum - x[${s.name}]);
   x[${s.name}] = sum;
 %% end
 %% end

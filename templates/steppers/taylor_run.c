@@ -81,10 +81,10 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
     if (!(h > ${zero} || h < ${zero})) return -1;
     ${name}_taylor_step_by(m, c, top, h, x, d);
     for (k = 0; k < ${upper}_MOVING; k++) { /* Kahan: what rounding took from the last sum is in the next one */
-      const ${name}_real add = d[k] + lost[k], sum = c[0][k] + add;
+      const ${name}_real more = d[k] + lost[k], sum = c[0][k] + more;
 
       if (!(sum - sum == ${zero})) return -1;
-      lost[k] = add - (sum - c[0][k]);
+      lost[k] = more - (sum - c[0][k]);
       x[moving[k]] = sum;
     }
 %% if has_knots then

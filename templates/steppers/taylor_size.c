@@ -27,7 +27,7 @@ static ${name}_real ${name}_taylor_exp2(${name}_real x) /* x within the range of
 static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top, ${name}_real local, ${name}_real rate)
 {
   const ${name}_real log_local = ${name}_taylor_log2(local), log_rate = ${name}_taylor_log2(rate);
-  ${name}_real log_h = ${eight}*${eight}, head[3], tail, at, best, part[5];
+  ${name}_real log_h = ${n[64]}, head[3], tail, at, best, part[5];
   int i, k, n;
 
   for (i = 0; i < 5; i++) part[i] = ${one}/(${name}_real)(top - i > 0 ? top - i : 1);

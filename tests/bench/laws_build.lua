@@ -31,11 +31,12 @@ local groups = {
   taylor20 = { options = "--method taylor --order 20 --with compensated", rows = {
     { "taylor 20", "STEP", "top_step" }, { "taylor 20, compensated", "LOW", nil, "top_step_compensated" } } },
   -- of tests/methods/laws.t: few functions, for the compiler's sake
-  few = { options = "--method rk4,exact --with compensated", defines = "-DTICKS", rows = {
+  few = { options = "--method rk4,exact --with compensated,orbit", defines = "-DTICKS", rows = {
     { "few: rk4", "STEP", "top_step" }, { "few: rk4, compensated", "LOW", nil, "top_step_compensated" },
     { "few: closed form by ticks", "CLOSED" } } },
   split = { options = "--method split2", rows = { { "few: split2", "STEP", "top_step" } } },
-  ticks = { options = "--method exact", defines = "-DTICKS", rows = { { "closed form by ticks", "CLOSED" } } },
+  ticks = { options = "--method exact --with orbit", defines = "-DTICKS", rows = {
+    { "closed form by ticks", "CLOSED" } } },
   q31 = { options = "--with q31", defines = "-DQ31", more = ", ranges = { omega = 1.1 }, time = { step = 0.001953125 }",
     sources = { "top_q31.c", "top_q31_real.c" }, rows = { { "q31", "WHOLE" } } },
 }
@@ -60,8 +61,8 @@ local function reference(program, dir, scene)
   if files.read(folder .. "/ref.o") then return folder end
   shell("mkdir -p %s", folder)
   scene_file(folder .. "/ref.lua", "ref", scenes[scene])
-  shell("POLHODE_SOURCE=. %s gen --layout single %s/ref.lua --method exact -o %s > %s/log", program, folder, folder,
-    folder)
+  shell("POLHODE_SOURCE=. %s gen --layout single --with orbit %s/ref.lua --method exact -o %s > %s/log", program,
+    folder, folder, folder)
   shell("cc -std=c11 -O1 -ffp-contract=off -c -o %s/ref.part %s/ref.c && mv %s/ref.part %s/ref.o", folder, folder,
     folder, folder)
   return folder

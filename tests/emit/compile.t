@@ -146,7 +146,7 @@ for i, s in ipairs(scenes) do
       end
       if not wanted then goto continue end
       local where = string.format("%s/%s-%s%s", dir, s.name, real, bake and "-bake" or "")
-      local code = program.shell(string.format("%s gen %s --layout single --with analysis --real %s %s -o %s " ..
+      local code = program.shell(string.format("%s gen %s --layout single --with analysis,orbit --real %s %s -o %s " ..
         "2>%s.err", binary, s.path, real,
         bake and "--bake" or "", where, where))
       local name = s.name .. ", " .. real .. (bake and ", baked" or "")

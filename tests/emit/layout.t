@@ -106,6 +106,17 @@ gen "bodies/brick_centroid.lua --method rk4"
 local source = program.read(dir .. "/o/brick_centroid.c")
 tap.ok(#lines(source) <= 300, "rk4 of a free box: at most 300 lines", tostring(#lines(source)))
 tap.ok(not source:find "_principal%(" and not source:find "pair", "and nothing of the analysis")
+gen "bodies/brick_centroid.lua"
+local orbit = program.read(dir .. "/o/brick_centroid_orbit.c")
+tap.ok(#lines(orbit) <= 1150, "closed form of a free box: at most 1150 lines", tostring(#lines(orbit)))
+local public = {}
+for name in program.read(dir .. "/o/brick_centroid_orbit.h"):gmatch "%f[%w]brick_centroid_([%w_]+)%(" do
+  public[#public + 1] = name
+end
+tap.is(table.concat(public, " "), "solve at", "by default it has the set-up and the state at a time")
+tap.ok(not orbit:find "jacobi%(" and not orbit:find "uint64_t rate_tick", "no eigen-solver, nothing for ticks")
+gen "bodies/brick_centroid.lua --with orbit"
+tap.ok(program.read(dir .. "/o/brick_centroid_orbit.h"):find "brick_centroid_next_flip%(", "--with orbit: all of it")
 for _, real in ipairs { "double", "float" } do
   gen("bodies/brick_centroid.lua --only step --bake --real " .. real)
   local count = select(2, program.read(dir .. "/o/brick_centroid.c"):gsub("\n", ""))
@@ -117,6 +128,8 @@ for _, row in ipairs {
   { "bodies/brick.lua --layout header --project fmu", "--layout: the project's own files decide what they call" },
   { "bodies/brick.lua --only step,energy,step", "--only: step is given twice" },
   { "bodies/brick.lua --only step --with analysis", "--with analysis: --only names the functions" },
+  { "bodies/brick.lua --only step --with orbit", "--with orbit: --only names the functions" },
+  { "bodies/brick.lua --method rk4 --with orbit", "--with orbit: of the methods exact alone has one, got --method rk4" },
   { "bodies/brick.lua --only step --with jacobians", "--with jacobians: --only names none of its functions" },
   { "bodies/brick.lua --only step --with compensated", "--with compensated: --only names none of its functions" },
   { "bodies/brick.lua --with analysis --project fmu", "--with analysis: the project's own files decide" },
@@ -126,10 +139,13 @@ for _, row in ipairs {
   tap.ok(status == 2 and err:find("polhode gen: " .. row[2], 1, true) and err:find "^[^\n]*\n$", "gen " .. row[1], err)
 end
 for _, row in ipairs { { "--list --only step", "--only" }, { "--list --show cse", "--list" },
-  { "--list --with analysis", "--with analysis" } } do
+  { "--list --with analysis", "--with analysis" }, { "--list --with orbit", "--with orbit" } } do
   local status, _, err = shell("%s gen bodies/brick.lua %s", binary, row[1])
   tap.ok(status == 2 and err:find("polhode gen: " .. row[2] .. ": ", 1, true), "gen " .. row[1] .. " is refused", err)
 end
+
+local status, _, err = shell("%s gen bodies/wheels.lua --with orbit -o %s/o", binary, dir)
+tap.ok(status == 0 and err:find("with orbit: this scene has no closed form: ", 1, true), "--with orbit warns", err)
 
 -- ---- names of the scene that are names of the code, too ----
 

@@ -102,7 +102,7 @@ for _, real in ipairs { "double", "float" } do
       for i, q in ipairs(a) do out[i] = number.text(q, real) end
       return "{" .. table.concat(out, ", ") .. "}"
     end
-    local lines = orbit.lines(orbit.of(c.top, c.h, real), real)
+    local lines = orbit.lines(orbit.of(c.top, c.h, real), real, true)
     rows[n] = string.format("{ %s, %s, %s,\n{%s} },", numbers(c.tensor), numbers(c.state), numbers(c.t),
       table.concat(lines, "\n"))
   end

@@ -91,9 +91,9 @@ $(OUT)/emit/%.lua: bodies/%.lua
 $(OUT)/emit/%_f.lua: $(OUT)/emit/%.lua
 	@sed 's/"$*"/"$*_f"/' $< > $@
 $(OUT)/emit/%_f.h $(OUT)/emit/%_f.c: $(OUT)/emit/%_f.lua $(PROGRAM)
-	@$(PROGRAM) gen --layout single --with analysis $< --real float -o $(@D) && touch $(OUT)/emit/$*_f.[ch] # gen leaves what is the same
+	@$(PROGRAM) gen --layout single --with analysis,orbit $< --real float -o $(@D) && touch $(OUT)/emit/$*_f.[ch] # gen leaves what is the same
 $(OUT)/emit/%.h $(OUT)/emit/%.c: $(OUT)/emit/%.lua $(PROGRAM)
-	@$(PROGRAM) gen --layout single --with analysis $< -o $(@D) && touch $(OUT)/emit/$*.[ch]
+	@$(PROGRAM) gen --layout single --with analysis,orbit $< -o $(@D) && touch $(OUT)/emit/$*.[ch]
 
 # The scene's own step is in its self-test alone: `h = ` of the first step.
 $(OUT)/init_%.o: $(OUT)/emit/%.h $(FUZZ)/init_scene.c $(FUZZ)/init.h $(FUZZ)/fuzz.h

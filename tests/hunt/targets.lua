@@ -107,8 +107,8 @@ function targets.build(t, directory, polhode, option)
   end
   if t.scene then
     local object = string.format("%s/%s.o", from, t.code)
-    once(from .. "/source", "%s gen %s --layout single --with analysis --real %s%s -o %s", polhode, t.scene, t.real,
-      t.method and " --method " .. t.method or "", from)
+    once(from .. "/source", "%s gen %s --layout single --with analysis%s --real %s -o %s", polhode, t.scene,
+      t.method and " --method " .. t.method or ",orbit", t.real, from)
     objects = objects .. " " .. once(object, "%s -std=c99 %s -ffp-contract=off -c -o %s %s/%s.c", cc, level, object,
       from, t.code)
   end

@@ -25,7 +25,7 @@ local gcc = core.prefix .. "gcc " .. core.flags .. " -O2 -ffp-contract=off -fno-
 local link = gcc .. " -nostartfiles --specs=nosys.specs -Wl,--gc-sections"
 local name = "brick_centroid"
 
-must("mkdir -p %s && %s gen bodies/%s.lua --layout single --real float -o %s", dir, program, name, dir)
+must("mkdir -p %s && %s gen bodies/%s.lua --layout single --with orbit --real float -o %s", dir, program, name, dir)
 must("%s -std=c99 -c %s/%s.c -o %s/%s.o", gcc, dir, name, dir, name)
 
 -- ---- bytes ----

@@ -73,9 +73,8 @@ local rows = {}
 for _, name in ipairs(SCENES) do
   for _, real in ipairs(REALS) do
     local own = dir .. "/" .. name .. "." .. real
-    cores.must("mkdir -p %s && %s gen bodies/%s.lua --layout single --real %s --method %s --order 8 -o %s", own,
-      program, name, real,
-      table.concat(METHODS, ","), own)
+    cores.must("mkdir -p %s && %s gen bodies/%s.lua --layout single --with orbit --real %s --method %s --order 8 -o " ..
+      "%s", own, program, name, real, table.concat(METHODS, ","), own)
     local job = driver.code(scene.plan(scene.file("bodies/" .. name .. ".lua"), { real = real, methods = METHODS,
       order = 8 }))
     for _, core in ipairs(cores.list) do

@@ -26,8 +26,9 @@ function scenes.source(scene, real, methods, more)
   local name = string.match(scene, "[^/]*$")
   local options = string.gsub((methods and "," .. methods or "") .. (more or ""), "[ ,]+%-*", ".")
   local own = scenes.dir .. "/" .. name .. "." .. real .. options
-  local all = string.gsub(more or "", "%-%-with ", "--with analysis,")
-  if not string.find(all, "--with", 1, true) then all = all .. " --with analysis" end
+  local what = "--with analysis" .. ((not methods or string.find(methods, "exact", 1, true)) and ",orbit" or "")
+  local all = string.gsub(more or "", "%-%-with ", what .. ",")
+  if not string.find(all, "--with", 1, true) then all = all .. " " .. what end
   -- what comes out as it was before keeps its time, and what was built from it stays
   local stamp = jobs.rule(own .. "/stamp", { scenes.program_path, "bodies/" .. scene .. ".lua" },
     string.format("%s gen bodies/%s.lua --layout single --real %s%s%s -o %s/new && for f in " ..

@@ -25,7 +25,7 @@ function make.files(job, made)
     { name = "qemu.c, qemu.ld", about = "`make qemu`: the self-test on an emulated Cortex-M4F" },
     p and { name = name .. "_proof.c",
       about = "`make proof`: Frama-C shows that no step from within the ranges overflows or divides by zero" } }
-  local v = { proof = p ~= nil, order = made.parts.order, q31 = job.q31 ~= nil, ticks = job.closed.ticks or false,
+  local v = { proof = p ~= nil, order = made.parts.order, q31 = job.q31 ~= nil, many = made.offers.at_many,
     header_only = job.layout == "header", header_words = table.concat(names.headers, " "),
     public_words = table.concat(names.public, " "), source_words = table.concat(names.sources, " "),
     stems = names.stems, no_errno = readme.no_errno(made), own_libm = made.ctx.own }

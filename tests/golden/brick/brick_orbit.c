@@ -6,7 +6,7 @@
 #include "brick_orbit.h"
 
 #include <math.h>
-#include <stddef.h>
+#include <stdint.h>
 
 typedef brick_real real;
 
@@ -50,16 +50,21 @@ typedef struct pair {
   real hi, lo;
 } pair;
 
+static pair parts(real hi, real lo)
+{
+  const pair p = {hi, lo};
+
+  return p;
+}
+
+static pair pair_of(real a) { return parts(a, 0.0); }
+static pair minus(pair a) { return parts(-a.hi, -a.lo); }
+
 /* a + b = hi + lo exactly (Knuth's two-sum) */
 static pair pair_sum(real a, real b)
 {
-  pair s;
-  real bb;
-
-  s.hi = a + b;
-  bb = s.hi - a;
-  s.lo = (a - (s.hi - bb)) + (b - bb);
-  return s;
+  const real s = a + b, bb = s - a;
+  return parts(s, (a - (s - bb)) + (b - bb));
 }
 
 /* a*b = hi + lo exactly.  Where the machine has a fused operation compilers may fuse products into
@@ -68,67 +73,36 @@ static pair pair_product(real a, real b)
 {
 #if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA \
     && (__ARM_FP & 8))
-  const volatile real high = a*b;
-  pair p;
+  const volatile real product = a*b;
+  const real hi = product;
 
-  p.hi = high;
-  p.lo = fma(a, b, -p.hi);
-  return p;
+  return parts(hi, fma(a, b, -hi));
 #else
-  const real split = 134217729.0; /* Dekker's product, factors split in halves */
-  real c, ah, al, bh, bl;
-  pair p;
+  /* Dekker's product, factors split in halves */
+  const real c = 134217729.0*a, ah = c - (c - a), al = a - ah;
+  const real d = 134217729.0*b, bh = d - (d - b), bl = b - bh, hi = a*b;
 
-  c = split*a;
-  ah = c - (c - a);
-  al = a - ah;
-  c = split*b;
-  bh = c - (c - b);
-  bl = b - bh;
-  p.hi = a*b;
-  p.lo = ((ah*bh - p.hi) + ah*bl + al*bh) + al*bl;
-  return p;
+  return parts(hi, ((ah*bh - hi) + ah*bl + al*bh) + al*bl);
 #endif
-}
-
-static pair pair_of(real a)
-{
-  pair p;
-
-  p.hi = a;
-  p.lo = 0.0;
-  return p;
-}
-
-static pair pair_minus(pair a)
-{
-  a.hi = -a.hi;
-  a.lo = -a.lo;
-  return a;
 }
 
 /* hi + lo = the same, |lo| <= |hi| or hi a multiple of the last place of lo (Dekker's fast
  * two-sum) */
 static pair pair_tidy(real hi, real lo)
 {
-  pair s;
-
-  s.hi = hi + lo;
-  s.lo = lo - (s.hi - hi);
-  return s;
+  const real s = hi + lo;
+  return parts(s, lo - (s - hi));
 }
 
-static pair pair_add(pair a, pair b)
+static pair add(pair a, pair b)
 {
-  pair s = pair_sum(a.hi, b.hi);
-
+  const pair s = pair_sum(a.hi, b.hi);
   return pair_tidy(s.hi, s.lo + (a.lo + b.lo));
 }
 
-static pair pair_multiply(pair a, pair b)
+static pair mul(pair a, pair b)
 {
-  pair p = pair_product(a.hi, b.hi);
-
+  const pair p = pair_product(a.hi, b.hi);
   return pair_tidy(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
 }
 
@@ -140,11 +114,11 @@ static pair pair_multiply(pair a, pair b)
 /* (x, y) turned: (c x - s y, s x + c y) */
 static void pair_turn(pair c, pair s, pair *x, pair *y)
 {
-  const pair cx = pair_multiply(c, *x), sx = pair_multiply(s, *x);
-  const pair cy = pair_multiply(c, *y), sy = pair_multiply(s, *y);
+  const pair cx = mul(c, *x), sx = mul(s, *x);
+  const pair cy = mul(c, *y), sy = mul(s, *y);
 
-  *x = pair_add(cx, pair_minus(sy));
-  *y = pair_add(sx, cy);
+  *x = add(cx, minus(sy));
+  *y = add(sx, cy);
 }
 
 /* Turn the axes p, q so that the entry I_pq = off[r] vanishes ({p, q, r} = {0, 1, 2}; I_kk =
@@ -154,46 +128,43 @@ static void pair_turn(pair c, pair s, pair *x, pair *y)
 static void jacobi(pair diagonal[3], pair off[3], pair axis[3][3], int r)
 {
   const int p = (r + 1) % 3, q = (r + 2) % 3;
-  const pair difference = pair_add(diagonal[q], pair_minus(diagonal[p]));
+  const pair difference = add(diagonal[q], minus(diagonal[p]));
   const real d = 0.5*difference.hi, b = off[r].hi;
-  pair t, t2, c, s, left, shift;
-  real ratio, root;
+  pair t, t2, c, s, left, change;
+  real slope, root;
   int k;
 
-  /* the ratio that is at most 1: no overflow, whatever the sizes */
+  /* the quotient that is at most 1: no overflow, whatever the sizes */
   if (fabs(b) < fabs(d)) {
-    ratio = b/d;
-    ratio = ratio/(1.0 + sqrt(1.0 + ratio*ratio));
+    slope = b/d;
+    slope = slope/(1.0 + sqrt(1.0 + slope*slope));
   } else {
-    ratio = d/b;
-    root = sqrt(1.0 + ratio*ratio);
-    ratio = ratio < 0.0 ? 1.0/(ratio - root) : 1.0/(ratio + root);
+    slope = d/b;
+    root = sqrt(1.0 + slope*slope);
+    slope = slope < 0.0 ? 1.0/(slope - root) : 1.0/(slope + root);
   }
-  t = pair_of(ratio);
-  t2 = pair_product(ratio, ratio);
+  t = pair_of(slope);
+  t2 = pair_product(slope, slope);
 
   /* c = 1/sqrt(1 + t^2), a Newton step from its leading half; s = t c */
-  c = pair_add(pair_of(1.0), t2);
+  c = add(pair_of(1.0), t2);
   root = 1.0/sqrt(c.hi);
-  s = pair_multiply(c, pair_product(root, root));
+  s = mul(c, pair_product(root, root));
   c = pair_sum(root, 0.5*root*((1.0 - s.hi) - s.lo));
-  s = pair_multiply(t, c);
+  s = mul(t, c);
 
-  left = pair_multiply(pair_add(pair_of(1.0), pair_minus(t2)), off[r]);
-  left = pair_add(left, pair_minus(pair_multiply(t, difference)));
-  left = pair_multiply(pair_multiply(c, c), left);
-  shift = pair_multiply(t, pair_add(off[r], left));
-  diagonal[p] = pair_add(diagonal[p], pair_minus(shift));
-  diagonal[q] = pair_add(diagonal[q], shift);
-  off[r] = ratio == 0.0 ? pair_of(0.0) : left; /* too small to turn by: too small to matter */
+  left = mul(add(pair_of(1.0), minus(t2)), off[r]);
+  left = add(left, minus(mul(t, difference)));
+  left = mul(mul(c, c), left);
+  change = mul(t, add(off[r], left));
+  diagonal[p] = add(diagonal[p], minus(change));
+  diagonal[q] = add(diagonal[q], change);
+  off[r] = slope == 0.0 ? pair_of(0.0) : left; /* too small to turn by: too small to matter */
   pair_turn(c, s, &off[q], &off[p]); /* I_rp, I_rq */
   for (k = 0; k < 3; k++) pair_turn(c, s, &axis[p][k], &axis[q][k]);
 }
 
-static int pair_less(pair a, pair b)
-{
-  return a.hi < b.hi || (!(b.hi < a.hi) && a.lo < b.lo);
-}
+static int pair_less(pair a, pair b) { return a.hi < b.hi || (!(b.hi < a.hi) && a.lo < b.lo); }
 
 /* The unrounded result: I_kk 2^scale and the vector of each axis, which come in no order; `order`
  * sorts them, ascending. 1 if an entry is not finite. */
@@ -255,37 +226,24 @@ static int principal_pairs(const real I[6], pair diagonal[3], pair axis[3][3], i
  * Compilers make calls of memcpy and memset of anything simpler, and firmware need not have
  * them. */
 
+/* from NULL: all bits 0, which are the integers and the IEEE 754 numbers 0 */
 static void copy(void *to, const void *from, unsigned int size)
 {
-  unsigned char *a = (unsigned char *)to;
-  const volatile unsigned char *b = (const volatile unsigned char *)from;
-  unsigned int i;
-
-  for (i = 0; i < size; i++) { /* some 200 times */
-    a[i] = b[i];
-  }
-}
-
-/* integers and IEEE 754 numbers of which all bits are 0 are 0 */
-static void zero(void *to, unsigned int size)
-{
   volatile unsigned char *a = (volatile unsigned char *)to;
+  const unsigned char *b = (const unsigned char *)from;
   unsigned int i;
 
   for (i = 0; i < size; i++) { /* some 200 times */
-    a[i] = 0;
+    a[i] = b ? b[i] : 0;
   }
 }
 
-/* Is the state at time 0 made of numbers?  Rates next to the end of the type's range overflow on
- * the way to it. */
-static int starts(const brick_orbit *o)
+/* are all n finite? */
+static int numbers(const real x[], int n)
 {
-  real x[BRICK_NX];
   int i;
 
-  brick_at(o, 0.0, x);
-  for (i = 0; i < BRICK_NX; i++) {
+  for (i = 0; i < n; i++) {
     if (!(x[i] - x[i] == 0.0)) return 0;
   }
   return 1;
@@ -349,40 +307,25 @@ BRICK_INLINE void circle(real x, real *sine, real *cosine)
 
 /* ---- functions of pairs, to about twice the working precision ---- */
 
-static pair pair_subtract(pair a, pair b)
-{
-  return pair_add(a, pair_minus(b));
-}
+static pair sub(pair a, pair b) { return add(a, minus(b)); }
 
-static pair pair_times(real a, pair b)
+static pair scaled(real a, pair b)
 {
   const pair p = pair_product(a, b.hi);
-
   return pair_tidy(p.hi, p.lo + a*b.lo);
 }
 
 /* a power of two times b: exact */
-static pair pair_shift(real power, pair b)
-{
-  b.hi *= power;
-  b.lo *= power;
-  return b;
-}
+static pair shift(real power, pair b) { return parts(power*b.hi, power*b.lo); }
 
 /* the same for any exponent */
-static pair pair_scale(pair a, int e)
-{
-  a.hi = ldexp(a.hi, e);
-  a.lo = ldexp(a.lo, e);
-  return a;
-}
+static pair pair_scale(pair a, int e) { return parts(ldexp(a.hi, e), ldexp(a.lo, e)); }
 
 /* the leading quotient, and that of its remainder */
-static pair pair_divide(pair a, pair b)
+static pair ratio(pair a, pair b)
 {
   const real q = a.hi/b.hi;
   const pair p = pair_product(q, b.hi);
-
   return pair_tidy(q, (((a.hi - p.hi) - p.lo) + (a.lo - q*b.lo))/b.hi);
 }
 
@@ -402,63 +345,37 @@ static pair pair_root(pair a)
 static pair pair_arc(pair x, real sign)
 {
   static const pair odd[6] = {
-    {1.0, 0.0},
-    {0.3333333333333333, 1.850371707708594e-17},
-    {0.2, -1.1102230246251566e-17},
-    {0.14285714285714285, 7.93016446160826e-18},
-    {0.1111111111111111, 6.1679056923619804e-18},
+    {1.0, 0.0}, {0.3333333333333333, 1.850371707708594e-17}, {0.2, -1.1102230246251566e-17},
+    {0.14285714285714285, 7.93016446160826e-18}, {0.1111111111111111, 6.1679056923619804e-18},
     {0.09090909090909091, -2.523234146875356e-18},
   };
-  const pair square = pair_multiply(x, x), z = pair_shift(sign, square);
-  const real t = z.hi, seven = 1.0/(real)13 + t*(1.0/(real)15 + t*(1.0/(real)17
-    + t*(1.0/(real)19 + t*(1.0/(real)21
-        + t*(1.0/(real)23 + t*(1.0/(real)25))))));
+  const pair square = mul(x, x), z = shift(sign, square);
+  const real t = z.hi, seven = 1.0/13.0
+      + t*(1.0/15.0 + t*(1.0/17.0 + t*(1.0/19.0 + t*(1.0/21.0 + t*(1.0/23.0 + t*(1.0/25.0))))));
   pair s = pair_of(seven);
   int i;
 
-  for (i = 5; i >= 0; i--) s = pair_add(odd[i], pair_multiply(z, s));
-  return pair_multiply(x, s);
+  for (i = 5; i >= 0; i--) s = add(odd[i], mul(z, s));
+  return mul(x, s);
 }
 
-static pair brick_pi(void)
-{
-  const pair pi = {3.141592653589793, 1.2246467991473532e-16};
-
-  return pi;
-}
-
-static pair inverse_pi(void)
-{
-  const pair inverse = {0.3183098861837907, -1.9678676675182486e-17};
-
-  return inverse;
-}
-
-static pair brick_log2(void)
-{
-  const pair log2 = {0.6931471805599453, 2.3190468138462996e-17};
-
-  return log2;
-}
+static pair pi(void) { return parts(3.141592653589793, 1.2246467991473532e-16); }
+static pair inverse_pi(void) { return parts(0.3183098861837907, -1.9678676675182486e-17); }
+static pair log_two(void) { return parts(0.6931471805599453, 2.3190468138462996e-17); }
 
 /* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 +
  * arctan of a rest below 1/16 (DLMF 4.24.15). */
 static pair pair_angle(pair x, pair y)
 {
   static const pair arctan[9] = {
-    {0.0, 0.0},
-    {0.12435499454676144, -3.1253241424539383e-18},
+    {0.0, 0.0}, {0.12435499454676144, -3.1253241424539383e-18},
     {0.24497866312686414, 1.0698755618734451e-17},
-    {0.35877067027057225, -2.4623815582638635e-17},
-    {0.4636476090008061, 2.2698777452961687e-17},
-    {0.5585993153435624, -5.4556305485916264e-18},
-    {0.6435011087932844, 1.5834785051444286e-17},
-    {0.7188299996216245, -2.1478388444456983e-17},
-    {0.7853981633974483, 3.061616997868383e-17},
+    {0.35877067027057225, -2.4623815582638635e-17}, {0.4636476090008061, 2.2698777452961687e-17},
+    {0.5585993153435624, -5.4556305485916264e-18}, {0.6435011087932844, 1.5834785051444286e-17},
+    {0.7188299996216245, -2.1478388444456983e-17}, {0.7853981633974483, 3.061616997868383e-17},
   };
-  const pair pi = brick_pi();
   const int left = x.hi < 0.0, below = y.hi < 0.0;
-  const pair u = left ? pair_minus(x) : x, v = below ? pair_minus(y) : y;
+  const pair u = left ? minus(x) : x, v = below ? minus(y) : y;
   const int steep = v.hi > u.hi;
   const pair far = steep ? v : u, near = steep ? u : v;
   pair angle;
@@ -467,27 +384,22 @@ static pair pair_angle(pair x, pair y)
   if (!(far.hi > 0.0)) return pair_of(0.0);
   eighths = near.hi/far.hi;
   if (!(eighths <= 1.0)) return pair_of(eighths); /* no number */
-  eighths = floor((real)8*eighths + 0.5);
-  angle = pair_divide(pair_subtract(near, pair_times(eighths/(real)8, far)),
-               pair_add(far, pair_times(eighths/(real)8, near)));
-  angle = pair_add(arctan[(int)eighths], pair_arc(angle, -1.0));
-  if (steep) angle = pair_subtract(pair_shift(0.5, pi), angle);
-  if (left) angle = pair_subtract(pi, angle);
-  return below ? pair_minus(angle) : angle;
+  eighths = floor(8.0*eighths + 0.5);
+  angle = ratio(sub(near, scaled(eighths/8.0, far)), add(far, scaled(eighths/8.0, near)));
+  angle = add(arctan[(int)eighths], pair_arc(angle, -1.0));
+  if (steep) angle = sub(shift(0.5, pi()), angle);
+  if (left) angle = sub(pi(), angle);
+  return below ? minus(angle) : angle;
 }
 
 /* log(2^e a), a > 0: of 2^e, of 1 + j/8, and 2 artanh of a rest below 1/16 */
 static pair pair_log(pair a, int e)
 {
   static const pair log[9] = {
-    {0.0, 0.0},
-    {0.11778303565638346, -1.1971685747593677e-18},
-    {0.22314355131420976, -9.091270597324799e-18},
-    {0.3184537311185346, 2.7114779367326236e-17},
-    {0.4054651081081644, -2.8811380259626426e-18},
-    {0.4855078157817008, -1.6618350693852048e-17},
-    {0.5596157879354227, 2.685492580212308e-17},
-    {0.6286086594223741, 4.3538742607970387e-17},
+    {0.0, 0.0}, {0.11778303565638346, -1.1971685747593677e-18},
+    {0.22314355131420976, -9.091270597324799e-18}, {0.3184537311185346, 2.7114779367326236e-17},
+    {0.4054651081081644, -2.8811380259626426e-18}, {0.4855078157817008, -1.6618350693852048e-17},
+    {0.5596157879354227, 2.685492580212308e-17}, {0.6286086594223741, 4.3538742607970387e-17},
     {0.6931471805599453, 2.3190468138462996e-17},
   };
   pair near;
@@ -497,12 +409,11 @@ static pair pair_log(pair a, int e)
   if (!(a.hi > 0.0 && a.hi - a.hi == 0.0)) return pair_of(sqrt(-1.0)); /* no number */
   (void)frexp(a.hi, &own);
   a = pair_scale(a, 1 - own);
-  eighths = floor((real)8*(a.hi - 1.0) + 0.5);
-  near = pair_of(1.0 + eighths/(real)8);
-  near = pair_shift(2.0, pair_arc(pair_divide(pair_subtract(a, near),
-      pair_add(a, near)), 1.0));
-  near = pair_add(log[(int)eighths], near);
-  return pair_add(pair_times((real)(e + own - 1), brick_log2()), near);
+  eighths = floor(8.0*(a.hi - 1.0) + 0.5);
+  near = pair_of(1.0 + eighths/8.0);
+  near = shift(2.0, pair_arc(ratio(sub(a, near), add(a, near)), 1.0));
+  near = add(log[(int)eighths], near);
+  return add(scaled((real)(e + own - 1), log_two()), near);
 }
 
 static void store(real out[2], pair a)
@@ -515,17 +426,17 @@ static void store(real out[2], pair a)
  * are vectorised ---- */
 
 /* high + low: the phase of the rates in their periods, less whole ones; the turns about L */
-typedef struct brick_phases {
+typedef struct instant {
   real high, low, turn, turn_low;
-} brick_phases;
+} instant;
 
 /* The pair e^(-i mu t) (a + i b, c + i d) of quaternion components w + i z, x + i y, and cn, sn,
  * dn, all but for constant factors and for their norms; and the turns that mu t makes. */
-typedef struct brick_terms {
+typedef struct thetas {
   real a, b, c, d, cn, sn, dn, turn;
-} brick_terms;
+} thetas;
 
-BRICK_INLINE brick_phases reduce(const brick_orbit *o, real at)
+BRICK_INLINE instant reduce(const brick_orbit *o, real at)
 {
   /* no number stays none */
   const real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before;
@@ -533,12 +444,10 @@ BRICK_INLINE brick_phases reduce(const brick_orbit *o, real at)
   const pair p = passed(o->rate, t, head, tail), turn = passed(o->turn, t, head, tail);
   const real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
   const real rest = (p.hi - (sum - part)) + (o->start[0] - part);
-  brick_phases phases;
+  instant phases;
 
-  phases.high = sum - nearest(sum);
-  phases.low = rest + (p.lo + o->start[1]);
-  phases.turn = turn.hi;
-  phases.turn_low = turn.lo;
+  phases.high = sum - nearest(sum); phases.low = rest + (p.lo + o->start[1]);
+  phases.turn = turn.hi; phases.turn_low = turn.lo;
   return phases;
 }
 
@@ -563,31 +472,26 @@ BRICK_INLINE void exponentials(real x, real *up, real *down)
   const double o = (o0 + u2*o2) + u4*o4;
   const real odd = f*o;
 
-  a.number = 6755399441056767.0 + n;
-  b.number = 6755399441056767.0 - n;
-  a.bits <<= 52;
-  b.bits <<= 52;
-  *up = a.number*(e + odd);
-  *down = b.number*(e - odd);
+  a.number = 6755399441056767.0 + n; b.number = 6755399441056767.0 - n;
+  a.bits <<= 52; b.bits <<= 52;
+  *up = a.number*(e + odd); *down = b.number*(e - odd);
 }
 
 /* away from the separatrix: the series as polynomials in X = cos 2z */
-BRICK_INLINE brick_terms circular_terms(const brick_orbit *o, brick_phases p)
+BRICK_INLINE thetas circular_terms(const brick_orbit *o, instant p)
 {
-  brick_terms y;
+  thetas y;
   real s, c, X, X2, even, odd;
 
   circle(p.high + p.low, &s, &c);
-  X = (c - s)*(c + s);
-  X2 = X*X;
+  X = (c - s)*(c + s); X2 = X*X;
   y.a = (o->a[0] + X*o->a[1]) + X2*(o->a[2] + X*o->a[3]);
   y.b = (s*c)*((o->b[0] + X*o->b[1]) + X2*o->b[2]);
   y.c = s*((o->c[0] + X*o->c[1]) + X2*(o->c[2] + X*o->c[3]));
   y.d = c*((o->d[0] + X*o->d[1]) + X2*(o->d[2] + X*o->d[3]));
   even = o->f[0] + X2*(o->f[2] + X2*o->f[4]); /* theta2(z) = theta1(z + pi/2) */
   odd = X*(o->f[1] + X2*o->f[3]);
-  y.cn = c*(even + odd);
-  y.sn = s*(even - odd);
+  y.cn = c*(even + odd); y.sn = s*(even - odd);
   y.dn = (o->f[5] + X2*(o->f[7] + X2*o->f[9])) + X*(o->f[6] + X2*o->f[8]);
   y.turn = (p.turn - nearest(p.turn)) + p.turn_low;
   return y;
@@ -595,11 +499,11 @@ BRICK_INLINE brick_terms circular_terms(const brick_orbit *o, brick_phases p)
 
 /* near it: in U = p' X, X = cosh 2V, which stays below 1; where 2^|x| would exceed the range all
  * but 1/cosh is 1, and x is cut if it can come there */
-BRICK_INLINE brick_terms hyperbolic_terms(const brick_orbit *o, brick_phases p, int cut)
+BRICK_INLINE thetas hyperbolic_terms(const brick_orbit *o, instant p, int cut)
 {
   const real n = nearest(2.0*p.high); /* -1, 0, 1: V has two periods in one of the rates */
   const real flip = 1.0 - 2.0*fabs(n), r = (2.0*p.high - n) + 2.0*p.low, ahead = o->jump*r;
-  brick_terms y;
+  thetas y;
   real x = r*o->half, up, down, c, s, U, U2, even, odd;
 
   if (cut) {
@@ -609,81 +513,70 @@ BRICK_INLINE brick_terms hyperbolic_terms(const brick_orbit *o, brick_phases p, 
   exponentials(x, &up, &down);
   c = up + down; /* 2 cosh V, 2 sinh V */
   s = up - down;
-  U = o->nome*(c*c) - 2.0*o->nome;
-  U2 = U*U;
-  even = o->a[0] + U2*o->a[2];
-  odd = U*(o->a[1] + U2*o->a[3]);
-  y.a = c*(even + odd);
-  y.c = flip*s*(even - odd);
-  even = o->b[0] + U2*o->b[2];
-  odd = U*(o->b[1] + U2*o->b[3]);
-  y.b = s*(even - odd);
-  y.d = flip*c*(even + odd);
+  U = o->nome*(c*c) - 2.0*o->nome; U2 = U*U;
+  even = o->a[0] + U2*o->a[2]; odd = U*(o->a[1] + U2*o->a[3]);
+  y.a = c*(even + odd); y.c = flip*s*(even - odd);
+  even = o->b[0] + U2*o->b[2]; odd = U*(o->b[1] + U2*o->b[3]);
+  y.b = s*(even - odd); y.d = flip*c*(even + odd);
   even = o->f[0] + U2*(o->f[1] + U2*o->f[2]);
   odd = o->f[3] + U2*o->f[4];
-  y.cn = flip*(even - odd);
-  y.dn = even + odd;
+  y.cn = flip*(even - odd); y.dn = even + odd;
   y.sn = c*(flip*s)*(o->f[5] + U2*(o->f[6] + U2*o->f[7]));
   y.turn = (p.turn - nearest(p.turn + ahead)) + (ahead + p.turn_low);
   return y;
 }
 
-/* the attitude q[4] times a length, whose square is brick_square */
-BRICK_INLINE void attitude_of(const brick_orbit *o, const brick_terms *y, real q[])
+/* the attitude q[4] times a length, whose square is length2 */
+BRICK_INLINE void attitude_of(const brick_orbit *o, const thetas *y, real q[])
 {
   real s, c, w, x_, y_, z;
 
   circle(y->turn, &s, &c);
-  w = c*y->a - s*y->b;
-  z = s*y->a + c*y->b;
-  x_ = c*y->c - s*y->d;
-  y_ = s*y->c + c*y->d;
+  w = c*y->a - s*y->b; z = s*y->a + c*y->b;
+  x_ = c*y->c - s*y->d; y_ = s*y->c + c*y->d;
   q[0] = (w*o->q[0][0] + x_*o->q[1][0]) + (y_*o->q[2][0] + z*o->q[3][0]);
   q[1] = (w*o->q[0][1] + x_*o->q[1][1]) + (y_*o->q[2][1] + z*o->q[3][1]);
   q[2] = (w*o->q[0][2] + x_*o->q[1][2]) + (y_*o->q[2][2] + z*o->q[3][2]);
   q[3] = (w*o->q[0][3] + x_*o->q[1][3]) + (y_*o->q[2][3] + z*o->q[3][3]);
 }
 
-BRICK_INLINE real brick_square(const brick_terms *y)
+BRICK_INLINE real length2(const thetas *y)
 {
   return (y->a*y->a + y->b*y->b) + (y->c*y->c + y->d*y->d);
 }
 
 /* the rates times that square */
-BRICK_INLINE void rates_of(const brick_orbit *o, const brick_terms *y, real w[])
+BRICK_INLINE void rates_of(const brick_orbit *o, const thetas *y, real w[])
 {
   w[0] = y->cn*o->w[0][0] + y->sn*o->w[1][0] + y->dn*o->w[2][0];
   w[1] = y->cn*o->w[0][1] + y->sn*o->w[1][1] + y->dn*o->w[2][1];
   w[2] = y->cn*o->w[0][2] + y->sn*o->w[1][2] + y->dn*o->w[2][2];
 }
 
-BRICK_INLINE brick_terms terms_of(const brick_orbit *o, brick_phases p, int hyperbolic)
+BRICK_INLINE thetas terms_of(const brick_orbit *o, instant p, int hyperbolic)
 {
   return hyperbolic > 0 ? hyperbolic_terms(o, p, hyperbolic > 1) : circular_terms(o, p);
 }
 
-/* 1/|q| from n, the inverse of brick_square, to which |q|^2 is equal but for rounding, and its
- * root: a Newton step, added so that the difference from a half is exact and only the sum is
- * rounded */
+/* 1/|q| from n, the inverse of length2, to which |q|^2 is equal but for rounding, and its root: a
+ * Newton step, added so that the difference from a half is exact and only the sum is rounded */
 BRICK_INLINE real inverse_length(const real q[4], real n, real root)
 {
   return root + root*(0.5 - (0.5*n)*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])));
 }
 
 /* attitude and rates */
-BRICK_INLINE void state(const brick_orbit *o, brick_phases p, real x[])
+BRICK_INLINE void state(const brick_orbit *o, instant p, real x[])
 {
-  const brick_terms y = terms_of(o, p, o->hyperbolic);
-  const real n = 1.0/brick_square(&y);
+  const thetas y = terms_of(o, p, o->hyperbolic);
+  const real n = 1.0/length2(&y);
   real q[4], w[3], root;
 
   rates_of(o, &y, w);
   attitude_of(o, &y, q);
   root = inverse_length(q, n, sqrt(n));
-  x[BRICK_QW] = root*q[0];
-  x[BRICK_QX] = root*q[1];
-  x[BRICK_QY] = root*q[2];
-  x[BRICK_QZ] = root*q[3];
+  x[BRICK_QW] = root*q[0]; x[BRICK_QX] = root*q[1];
+  x[BRICK_QY] = root*q[2]; x[BRICK_QZ] = root*q[3];
   x[BRICK_WX] = n*w[0];
   x[BRICK_WY] = n*w[1];
   x[BRICK_WZ] = n*w[2];
@@ -692,29 +585,6 @@ BRICK_INLINE void state(const brick_orbit *o, brick_phases p, real x[])
 void brick_at(const brick_orbit *o, real t, real x[])
 {
   state(o, reduce(o, t), x);
-}
-
-void brick_at_rates(const brick_orbit *o, real t, real w[])
-{
-  const brick_terms y = terms_of(o, reduce(o, t), o->hyperbolic);
-  const real n = 1.0/brick_square(&y);
-  real v[3];
-  int i;
-
-  rates_of(o, &y, v);
-  for (i = 0; i < 3; i++) w[i] = n*v[i];
-}
-
-void brick_at_attitude(const brick_orbit *o, real t, real q[])
-{
-  const brick_terms y = terms_of(o, reduce(o, t), o->hyperbolic);
-  const real n = 1.0/brick_square(&y);
-  real v[4], root;
-  int i;
-
-  attitude_of(o, &y, v);
-  root = inverse_length(v, n, sqrt(n));
-  for (i = 0; i < 4; i++) q[i] = root*v[i];
 }
 
 /* ---- closed form: free asymmetric top, theta functions ----
@@ -780,10 +650,7 @@ static int exact_term(real e[], int n, real I, real w, pair d)
 }
 
 /* I w^2 d */
-static pair square_term(pair I, pair w, pair d)
-{
-  return pair_multiply(pair_multiply(I, d), pair_multiply(w, w));
-}
+static pair square_term(pair I, pair w, pair d) { return mul(mul(I, d), mul(w, w)); }
 
 /* I3 w3^2 (I3 - I2) - I1 w1^2 (I2 - I1) = G^2 - 2 T I2: its sign says about which axis L
  * circulates.  Where the terms cancel by more than three bits, without rounding if the moments and
@@ -791,17 +658,15 @@ static pair square_term(pair I, pair w, pair d)
 static pair circulation(pair I1, pair I3, pair w1, pair w3, pair d21, pair d32)
 {
   const pair last = square_term(I3, w3, d32), first = square_term(I1, w1, d21);
-  pair sum = pair_subtract(last, first);
+  pair sum = sub(last, first);
 
-  if (!(8.0*fabs(sum.hi) < first.hi + last.hi)) return sum;
-  if (!(fabs(I1.lo) + fabs(I3.lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0)) { /* rare */
+  if (fabs(I1.lo) + fabs(I3.lo) + fabs(w1.lo) + fabs(w3.lo) > 0.0) return sum;
+  if (8.0*fabs(sum.hi) < first.hi + last.hi) { /* rare */
     real e[32];
-    int n;
+    int n = exact_term(e, 0, I3.hi, w3.hi, d32);
 
-    n = exact_term(e, 0, I3.hi, w3.hi, d32);
-    sum = pair_of(0.0);
-    for (n = exact_term(e, n, I1.hi, w1.hi, pair_minus(d21)); n > 0; n--) sum =
-        pair_add(sum, pair_of(e[n - 1]));
+    n = exact_term(e, n, I1.hi, w1.hi, minus(d21));
+    for (sum = pair_of(0.0); n > 0; n--) sum = add(sum, pair_of(e[n - 1]));
   }
   return sum;
 }
@@ -813,37 +678,28 @@ static void label(top *p, const pair I[3], const pair w[3], const pair axis[3][3
   const int small = order[0], middle = order[1], large = order[2], rod = !(I[small].hi > 0.0);
   const int e = exponent(w[small].hi, w[large].hi);
   const real down = ldexp(1.0, exponent(I[small].hi, 0.0)), up = 1.0/down;
-  const pair low = pair_subtract(I[middle], I[small]);
-  const pair high = rod ? pair_of(0.0) : pair_shift(up,
-      pair_subtract(I[large], I[middle]));
-  const pair least = rod ? pair_of(1.0) : pair_shift(up, I[small]);
+  const pair low = sub(I[middle], I[small]);
+  const pair high = rod ? pair_of(0.0) : shift(up, sub(I[large], I[middle]));
+  const pair least = rod ? pair_of(1.0) : shift(up, I[small]);
   int own[3], reverse, i, j;
   real sign[3];
 
-  p->small13 = e;
-  p->down13 = ldexp(1.0, e);
-  p->up13 = 1.0/p->down13;
-  p->D = circulation(least, I[large], pair_shift(p->up13, w[small]),
-      pair_shift(p->up13, w[large]), low, high);
+  p->small13 = e; p->down13 = ldexp(1.0, e); p->up13 = 1.0/p->down13;
+  p->D = circulation(least, I[large], shift(p->up13, w[small]), shift(p->up13, w[large]), low,
+      high);
   /* D may have underflowed: w1 of an axis of symmetry */
   reverse = rod || p->D.hi < 0.0 || !(high.hi > 0.0);
-  own[0] = reverse ? large : small;
-  own[1] = middle;
-  own[2] = reverse ? small : large;
-  p->s = reverse ? -1.0 : 1.0;
-  p->D = reverse ? pair_minus(p->D) : p->D;
-  p->d21 = reverse ? high : low;
-  p->d32 = reverse ? low : high;
-  /* of nearly equal pairs two differences have digits */
-  p->d31 = pair_add(low, pair_shift(down, high));
+  own[0] = reverse ? large : small; own[1] = middle; own[2] = reverse ? small : large;
+  p->s = reverse ? -1.0 : 1.0; p->D = reverse ? minus(p->D) : p->D;
+  p->d21 = reverse ? high : low; p->d32 = reverse ? low : high;
+  p->d31 = add(low, shift(down, high)); /* of nearly equal pairs two differences have digits */
   p->small = down;
-  sign[0] = w[own[0]].hi < 0.0 ? -1.0 : 1.0;
-  sign[2] = w[own[2]].hi < 0.0 ? -1.0 : 1.0;
+  sign[0] = w[own[0]].hi < 0.0 ? -1.0 : 1.0; sign[2] = w[own[2]].hi < 0.0 ? -1.0 : 1.0;
   sign[1] = own[1] == (own[0] + 1) % 3 ? sign[0]*sign[2] : -sign[0]*sign[2]; /* right-handed */
   for (i = 0; i < 3; i++) {
     p->I[i] = I[own[i]];
     p->J[i] = own[i] == small ? least : I[own[i]];
-    p->w[i] = pair_shift(sign[i], w[own[i]]);
+    p->w[i] = shift(sign[i], w[own[i]]);
     for (j = 0; j < 3; j++) p->axis[i][j] = sign[i]*axis[own[i]][j].hi;
   }
 }
@@ -856,47 +712,38 @@ static void invariants(top *p)
   int i;
 
   p->small12 = exponent(p->w[0].hi, p->w[1].hi);
-  p->down12 = ldexp(1.0, p->small12);
-  p->up12 = 1.0/p->down12;
-  w1 = pair_shift(p->up12, p->w[0]);
-  w2 = pair_shift(p->up12, p->w[1]);
-  first = pair_multiply(p->J[0], p->d31);
-  second = pair_multiply(p->I[1], p->d32);
-  p->cross = pair_root(pair_multiply(first, second));
-  p->part1 = pair_multiply(first, pair_multiply(w1, w1));
-  p->part2 = pair_multiply(second, pair_multiply(w2, w2));
-  p->Delta3 = pair_add(p->part1, p->part2);
+  p->down12 = ldexp(1.0, p->small12); p->up12 = 1.0/p->down12;
+  w1 = shift(p->up12, p->w[0]); w2 = shift(p->up12, p->w[1]);
+  first = mul(p->J[0], p->d31); second = mul(p->I[1], p->d32);
+  p->cross = pair_root(mul(first, second));
+  p->part1 = mul(first, mul(w1, w1));
+  p->part2 = mul(second, mul(w2, w2));
+  p->Delta3 = add(p->part1, p->part2);
   if (p->d21.hi > 0.0) {
-    wide = pair_multiply(p->J[2], p->d31);
-    p->Lambda1 = pair_add(square_term(p->I[1], p->w[1], p->d21),
-        pair_multiply(wide, pair_multiply(p->w[2], p->w[2])));
-    p->b3 = pair_root(pair_divide(p->Lambda1, wide));
-    wide = pair_multiply(p->d32, p->Lambda1);
-    p->k2 = pair_divide(pair_multiply(p->d21, p->Delta3), wide);
-    p->kc2 = pair_divide(pair_multiply(p->d31, p->D), wide);
+    wide = mul(p->J[2], p->d31);
+    p->Lambda1 = add(square_term(p->I[1], p->w[1], p->d21), mul(wide, mul(p->w[2], p->w[2])));
+    p->b3 = pair_root(ratio(p->Lambda1, wide));
+    wide = mul(p->d32, p->Lambda1);
+    p->k2 = ratio(mul(p->d21, p->Delta3), wide); p->kc2 = ratio(mul(p->d31, p->D), wide);
   } else { /* symmetric about axis 3: w3 is constant, however small, and k = 0 */
     p->b3 = p->w[2];
-    p->k2 = pair_of(0.0);
-    p->kc2 = pair_of(1.0);
-    p->small13 = 0;
-    p->down13 = p->up13 = 1.0;
+    p->k2 = pair_of(0.0); p->kc2 = pair_of(1.0);
+    p->small13 = 0; p->down13 = p->up13 = 1.0;
   }
-  p->lambda = pair_divide(pair_multiply(p->b3, p->cross), pair_multiply(p->J[0], p->I[1]));
+  p->lambda = ratio(mul(p->b3, p->cross), mul(p->J[0], p->I[1]));
   p->G = pair_of(0.0);
   for (i = 0; i < 3; i++) {
-    g = pair_multiply(p->I[i], p->w[i]);
-    p->G = pair_add(p->G, pair_multiply(g, g));
+    g = mul(p->I[i], p->w[i]); p->G = add(p->G, mul(g, g));
   }
   p->G = pair_root(p->G);
 
   /* at u = 0, where L = (B1, 0, B3): tan = B1/(G + B3), and the phase of a turns at half of w3 +
    * w1 tan */
-  B3 = pair_multiply(p->I[2], p->b3);
-  g = pair_add(p->G, B3);
-  first = pair_divide(p->Delta3, p->d31);                              /* B1^2/I1 */
-  p->T = pair_divide(pair_root(pair_shift(unit, pair_multiply(p->I[0], first))), g);
-  p->climb = pair_add(p->b3, pair_shift(unit,
-      pair_shift(p->down12, pair_shift(p->down12, pair_divide(first, g)))));
+  B3 = mul(p->I[2], p->b3);
+  g = add(p->G, B3);
+  first = ratio(p->Delta3, p->d31);                              /* B1^2/I1 */
+  p->T = ratio(pair_root(shift(unit, mul(p->I[0], first))), g);
+  p->climb = add(p->b3, shift(unit, shift(p->down12, shift(p->down12, ratio(first, g)))));
   p->b[0] = sqrt(first.hi/p->J[0].hi);
   p->b[1] = sqrt(p->Delta3.hi/second.hi);
   p->b[2] = p->b3.hi;
@@ -935,125 +782,97 @@ typedef struct agm {
  * the n-th modulus).  From n to n + 1 e becomes e^2 a_(n+2)/a_(n+3), which gives q as a product
  * that ends quickly,
  *     q = k^2/(8 a_1 (1 + g_1) sqrt a_3) (a_3/a_4)^(1/4) (a_4/a_5)^(1/8) ... */
-static void brick_nome(agm *f, const top *p)
+static void nome_of(agm *f, const top *p)
 {
   const pair one = pair_of(1.0);
   pair a4, a5, d, rest, u;
   real t;
 
-  f->k = pair_root(pair_shift(p->down13, pair_shift(p->down13, p->kc2)));
-  f->a1 = pair_shift(0.5, pair_add(one, f->k));
-  f->g1 = pair_root(f->k);
-  f->a2 = pair_shift(0.5, pair_add(f->a1, f->g1));
-  f->g2 = pair_root(pair_multiply(f->a1, f->g1));
-  f->a3 = pair_shift(0.5, pair_add(f->a2, f->g2));
-  f->g3 = pair_root(pair_multiply(f->a2, f->g2));
-  d = pair_subtract(f->a3, f->g3);
-  a4 = pair_subtract(f->a3, pair_shift(0.5, d));
-  u = pair_multiply(d, d);
-  t = u.hi/((real)16*a4.hi);
+  f->k = pair_root(shift(p->down13, shift(p->down13, p->kc2)));
+  f->a1 = shift(0.5, add(one, f->k)); f->g1 = pair_root(f->k);
+  f->a2 = shift(0.5, add(f->a1, f->g1)); f->g2 = pair_root(mul(f->a1, f->g1));
+  f->a3 = shift(0.5, add(f->a2, f->g2)); f->g3 = pair_root(mul(f->a2, f->g2));
+  d = sub(f->a3, f->g3); a4 = sub(f->a3, shift(0.5, d)); u = mul(d, d); t = u.hi/(16.0*a4.hi);
   /* a_4 - a_5 = (a_3 - g_3)^2/(16 a_5) */
-  rest = pair_divide(u, pair_shift((real)16, pair_subtract(a4, pair_of(t))));
-  a5 = pair_subtract(a4, rest);
-  f->M = pair_subtract(a5, pair_of(t*t/(4.0*a5.hi)));
+  rest = ratio(u, shift(16.0, sub(a4, pair_of(t)))); a5 = sub(a4, rest);
+  f->M = sub(a5, pair_of(t*t/(4.0*a5.hi)));
 
   /* (1 + 4 u)^(1/4) = 1 + u - 3/2 u^2 + 7/2 u^3 - 77/8 u^4 + 231/8 u^5, u < 2^-18 */
-  u = pair_divide(pair_shift(0.125, d), a4);
-  t = u.hi;
-  u = pair_add(u, pair_subtract(pair_of((t*t*t)*((real)7/2.0
-      - t*((real)77/8.0 - t*((real)231/8.0)))),
-      pair_times(1.5, pair_multiply(u, u))));
+  u = ratio(shift(0.125, d), a4); t = u.hi;
+  u = add(u, sub(pair_of((t*t*t)*(3.5 - t*(9.625 - t*(28.875)))), scaled(1.5, mul(u, u))));
   /* (1 + 8 r)^(1/8) = 1 + r - 7/2 r^2, and a_5/a_6 = 1 + 16 r^2 */
-  rest = pair_divide(pair_shift(0.125, rest), a5);
-  t = rest.hi;
-  u = pair_add(u, pair_add(rest, pair_of(t*(u.hi - (real)5/2.0*t*(1.0 + u.hi)))));
-  f->q = pair_divide(p->k2, pair_shift(8.0,
-      pair_multiply(f->a1, pair_multiply(pair_add(one, f->g1), pair_root(f->a3)))));
-  f->q = pair_add(f->q, pair_multiply(f->q, u));
+  rest = ratio(shift(0.125, rest), a5); t = rest.hi;
+  u = add(u, add(rest, pair_of(t*(u.hi - 2.5*t*(1.0 + u.hi)))));
+  f->q = ratio(p->k2, shift(8.0, mul(f->a1, mul(add(one, f->g1), pair_root(f->a3)))));
+  f->q = add(f->q, mul(f->q, u));
 }
 
 /* z at t = 0, in units of pi.  Two of Gauss's transformations, in which z is doubled (DLMF 22.7.2
  * and its companions), lead to functions of nome q^4, where sc = tan up to q^8 (DLMF 20.2.1-2,
  * 22.2). */
-static pair brick_start(const top *p, const agm *f, real q8)
+static pair first_phase(const top *p, const agm *f, real q8)
 {
   const real size = ldexp(1.0, -exponent(p->Delta3.hi, 0.0)), q24 = q8*q8*q8;
-  const pair w12 = pair_multiply(pair_shift(p->up12, p->w[0]),
-      pair_shift(p->up12, p->w[1]));
-  const pair c = pair_shift(size, pair_subtract(p->part1,
-      pair_multiply(f->k, p->part2)));
-  const pair s = pair_shift(p->s*size*2.0,
-      pair_multiply(f->a1, pair_multiply(w12, p->cross)));
-  pair x = pair_multiply(f->a2, pair_subtract(pair_multiply(f->a1,
-      pair_multiply(c, c)), pair_multiply(f->g1, pair_multiply(s, s))));
-  pair y = pair_multiply(f->g3, pair_shift(2.0,
-      pair_multiply(f->a2, pair_multiply(c, s))));
+  const pair w12 = mul(shift(p->up12, p->w[0]), shift(p->up12, p->w[1]));
+  const pair c = shift(size, sub(p->part1, mul(f->k, p->part2)));
+  const pair s = shift(p->s*size*2.0, mul(f->a1, mul(w12, p->cross)));
+  pair x = mul(f->a2, sub(mul(f->a1, mul(c, c)), mul(f->g1, mul(s, s))));
+  pair y = mul(f->g3, shift(2.0, mul(f->a2, mul(c, s))));
   real more_x = 0.0, more_y = 0.0, cosine, X, Y;
   int i;
 
   for (i = 0; i < 3; i++) { /* the series know cos 8 z to 2^-15, 2^-30, 2^-45 */
-    X = x.hi + more_x;
-    Y = y.hi + more_y;
+    X = x.hi + more_x; Y = y.hi + more_y;
     cosine = (X - Y)*(X + Y)/(X*X + Y*Y);
     X = 2.0*cosine;
     more_x = x.hi*(q24*(X*X + X - 1.0) - q8*(1.0 + X));
     more_y = y.hi*(q24*(X*X - X - 1.0) - q8*(1.0 - X));
   }
   /* 4 z, or less by a turn if |2 z| > pi/2 (c < 0) */
-  x = pair_angle(pair_add(x, pair_of(more_x)), pair_add(y, pair_of(more_y)));
+  x = pair_angle(add(x, pair_of(more_x)), add(y, pair_of(more_y)));
   X = p->s*p->w[1].hi; /* sin 2 z has its sign; where c is 0, x is pi */
-  if (c.hi < 0.0 || (!(c.hi > 0.0) && X < 0.0)) x = pair_add(x,
-      pair_shift(X < 0.0 ? -2.0 : 2.0, brick_pi()));
-  return pair_shift(0.25, pair_multiply(x, inverse_pi()));
+  if (c.hi < 0.0 || (!(c.hi > 0.0) && X < 0.0)) x = add(x, shift(X < 0.0 ? -2.0 : 2.0, pi()));
+  return shift(0.25, mul(x, inverse_pi()));
 }
 
 /* The coefficients away from the separatrix: E = q^(1/2) e^eta, r = e^(-2 eta) */
 static void circular_series(brick_orbit *o, real s, real q, real E, real r)
 {
-  real e[8], g[8], c[5], Q[26], sign;
+  real e[8], g[8], a[4], b[4], c[5], d[4], Q[26], sign, two_ = 0.0, three_ = 1.0, four_ = 1.0;
+  const real twice = 2.0*s;
   int n;
 
   /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin
    * z - ... */
-  e[0] = g[0] = 1.0;
+  e[0] = g[0] = Q[0] = 1.0;
   for (n = 1; n < 8; n++) {
-    e[n] = e[n - 1]*E;
-    g[n] = g[n - 1]*(E*r);
+    e[n] = e[n - 1]*E; g[n] = g[n - 1]*(E*r);
   }
-  Q[0] = 1.0; /* powers of q */
   for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q;
-  /* what q <= exp(-pi/2) leaves above 2^-54 */
-  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = n == 0 ? 1.0 : sign*Q[n*(2*n
-      - 1)]*(e[2*n] + g[2*n]);
-  polynomial(4, c, 0.0, 1.0, o->a);
-  for (n = 1, sign = -2.0; n < 4; n++, sign = -sign) c[n - 1] = s*sign*Q[n*(2*n - 1)]*(e[2*n]
-      - g[2*n]);
-  polynomial(3, c, 0.0, 2.0, o->b);
-  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) c[n] = s*sign*Q[n*(2*n + 1)]*(e[2*n + 1]
-      + g[2*n + 1]);
+  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) { /* what q <= exp(-pi/2) leaves above 2^-54 */
+    const real even = sign*Q[n*(2*n - 1)], odd = sign*Q[n*(2*n + 1)];
+
+    a[n] = n == 0 ? 1.0 : even*(e[2*n] + g[2*n]);
+    b[n] = twice*even*(e[2*n] - g[2*n]); /* of sin 2nz: b[0] is 0 */
+    c[n] = s*odd*(e[2*n + 1] + g[2*n + 1]);
+    d[n] = -odd*(e[2*n + 1] - g[2*n + 1]);
+  }
+  polynomial(4, a, 0.0, 1.0, o->a);
+  polynomial(3, b + 1, 0.0, 2.0, o->b);
   polynomial(4, c, 1.0, 2.0, o->c);
-  for (n = 0, sign = -1.0; n < 4; n++, sign = -sign) c[n] = sign*Q[n*(2*n + 1)]*(e[2*n + 1]
-      - g[2*n + 1]);
-  polynomial(4, c, -1.0, 2.0, o->d);
+  polynomial(4, d, -1.0, 2.0, o->d);
 
   /* theta2(z; q), theta1(z; q) without 2 q^(1/4), theta3(z; q), each over what makes it cn, sn, dn
    * times theta4/theta4(0) */
-  {
-    real two_ = 0.0, three_ = 1.0, four_ = 1.0;
-
-    for (n = 0; n < 5; n++) two_ += Q[n*(n + 1)];
-    for (n = 1; n < 6; n++) {
-      three_ += 2.0*Q[n*n];
-      four_ += (n % 2 ? -2.0 : 2.0)*Q[n*n];
-    }
-    for (n = 0; n < 5; n++) c[n] = Q[n*(n + 1)];
-    polynomial(5, c, -1.0, 2.0, o->f);
-    for (n = 0; n < 5; n++) c[n] = (n ? 2.0 : 1.0)*Q[n*n];
-    polynomial(5, c, 0.0, 1.0, o->f + 5);
-    o->scale[0] = 1.0/two_;
-    o->scale[1] = s*three_/(two_*four_);
-    o->scale[2] = 1.0/three_;
+  for (n = 0; n < 5; n++) two_ += Q[n*(n + 1)];
+  for (n = 1; n < 6; n++) {
+    three_ += 2.0*Q[n*n]; four_ += (n % 2 ? -2.0 : 2.0)*Q[n*n];
   }
+  for (n = 0; n < 5; n++) c[n] = Q[n*(n + 1)];
+  polynomial(5, c, -1.0, 2.0, o->f);
+  for (n = 0; n < 5; n++) c[n] = (n ? 2.0 : 1.0)*Q[n*n];
+  polynomial(5, c, 0.0, 1.0, o->f + 5);
+  o->scale[0] = 1.0/two_; o->scale[1] = s*three_/(two_*four_); o->scale[2] = 1.0/three_;
 }
 
 /* At u = 0 b/a = T.  With v = E - q/E, S = q (E^2 + (q/E)^2) = q (v^2 + 2 q) the two series are
@@ -1063,7 +882,7 @@ static void circular_series(brick_orbit *o, real s, real q, real E, real r)
  * turns at half of `climb`, theta4 has its part in it, and the rest is mu: with d = q (E^2 -
  * (q/E)^2)
  *     mu = climb/2 + s z' (2 d - 4 q^4 d S + 6 q^12 d (S^2 - q^4) - ...)/a. */
-static void circular(brick_orbit *o, const top *p)
+static void set_circular(brick_orbit *o, const top *p)
 {
   const pair one = pair_of(1.0);
   pair q, q2, q4, q8, S, S2, a, b, v, d, rate, start, turn;
@@ -1071,14 +890,11 @@ static void circular(brick_orbit *o, const top *p)
   real q24, T = p->T.hi, square = p->down12*p->down12, x, da, db, dS, E, r;
   int i;
 
-  brick_nome(&f, p);
-  q = pair_shift(square, f.q);
-  q2 = pair_multiply(q, q);
-  q4 = pair_multiply(q2, q2);
-  q8 = pair_multiply(q4, q4);
+  nome_of(&f, p);
+  q = shift(square, f.q); q2 = mul(q, q); q4 = mul(q2, q2); q8 = mul(q4, q4);
   q24 = q8.hi*q8.hi*q8.hi;
-  start = brick_start(p, &f, q8.hi);
-  rate = pair_multiply(pair_multiply(p->lambda, f.M), inverse_pi());
+  start = first_phase(p, &f, q8.hi);
+  rate = mul(mul(p->lambda, f.M), inverse_pi());
 
   x = T/(1.0 + q.hi*(T*T*square));
   dS = S.hi = da = db = 0.0;
@@ -1094,41 +910,36 @@ static void circular(brick_orbit *o, const top *p)
     dS = 2.0*q.hi*(square*x);
     x += (T*up - x*down)/(down - (T*da - x*db)*dS);
   }
-  S = pair_multiply(pair_shift(square, q),
-      pair_add(pair_product(x, x), pair_shift(2.0, f.q)));
-  S2 = pair_multiply(S, S);
-  a = pair_subtract(pair_subtract(S2, pair_shift(2.0, q4)),
-      pair_multiply(pair_multiply(q8, S), pair_subtract(S2, pair_times(3.0, q4))));
-  a = pair_add(pair_subtract(one, S), pair_multiply(q4, a));
-  a = pair_add(a, pair_of(q24*(S2.hi*(S2.hi - 4.0*q4.hi) + 2.0*q8.hi)));
-  b = pair_multiply(q2, pair_add(S, q2));
-  d = pair_multiply(q8, pair_subtract(pair_add(S2, b), pair_shift(2.0, q4)));
+  S = mul(shift(square, q), add(pair_product(x, x), shift(2.0, f.q)));
+  S2 = mul(S, S);
+  a = sub(sub(S2, shift(2.0, q4)), mul(mul(q8, S), sub(S2, scaled(3.0, q4))));
+  a = add(sub(one, S), mul(q4, a));
+  a = add(a, pair_of(q24*(S2.hi*(S2.hi - 4.0*q4.hi) + 2.0*q8.hi)));
+  b = mul(q2, add(S, q2));
+  d = mul(q8, sub(add(S2, b), shift(2.0, q4)));
   r = q2.hi*(S.hi*(S2.hi + q2.hi*S.hi - 2.0*q4.hi) - q2.hi*q4.hi);
   r = q8.hi*q8.hi*(r - q8.hi*q8.hi*(S.hi*(S.hi*(S.hi*(S.hi + q2.hi) - 3.0*q4.hi)
       - 2.0*q2.hi*q4.hi) + q8.hi));
-  b = pair_add(pair_subtract(one, b), pair_subtract(d, pair_of(r)));
-  r = pair_subtract(pair_multiply(p->T, a), pair_times(x, b)).hi/(b.hi - (T*da - x*db)*dS);
+  b = add(sub(one, b), sub(d, pair_of(r)));
+  r = sub(mul(p->T, a), scaled(x, b)).hi/(b.hi - (T*da - x*db)*dS);
   v = pair_sum(x, r);
   S.lo += dS*r;
   S2.lo += 2.0*S.hi*(dS*r);
   a.lo += da*dS*r;
 
-  d = pair_root(pair_add(pair_multiply(v, v), pair_shift(4.0, f.q)));
+  d = pair_root(add(mul(v, v), shift(4.0, f.q)));
   E = 0.5*(v.hi + d.hi);
   r = f.q.hi/(E*E);
   E *= p->down12;
-  d = pair_multiply(pair_multiply(pair_shift(square, q), v), d);
-  turn = pair_subtract(pair_shift(2.0, S),
-      pair_multiply(pair_times(3.0, q8), pair_subtract(S2, q4)));
-  turn = pair_add(pair_subtract(one, pair_multiply(q4, turn)),
-      pair_of(-4.0*q24*(S.hi*(S2.hi - 2.0*q4.hi)
-      - ((real)5/4.0)*(q8.hi*q8.hi)*(S2.hi*S2.hi))));
-  turn = pair_multiply(pair_multiply(rate, pair_divide(d, a)), turn);
-  turn = pair_add(pair_shift(0.25, pair_multiply(p->climb, inverse_pi())),
-      pair_shift(p->s, turn));
+  d = mul(mul(shift(square, q), v), d);
+  turn = sub(shift(2.0, S), mul(scaled(3.0, q8), sub(S2, q4)));
+  turn = add(sub(one, mul(q4, turn)), pair_of(-4.0*q24*(S.hi*(S2.hi - 2.0*q4.hi)
+      - 1.25*(q8.hi*q8.hi)*(S2.hi*S2.hi))));
+  turn = mul(mul(rate, ratio(d, a)), turn);
+  turn = add(shift(0.25, mul(p->climb, inverse_pi())), shift(p->s, turn));
   o->hyperbolic = 0;
-  store(o->start, pair_shift(0.5, start)); /* the rates have two periods of theta functions */
-  store(o->rate, pair_shift(0.5, rate));
+  store(o->start, shift(0.5, start)); /* the rates have two periods of theta functions */
+  store(o->rate, shift(0.5, rate));
   store(o->turn, turn);
   circular_series(o, p->s, q.hi, E, r);
 }
@@ -1142,7 +953,7 @@ static void multiples(const real c[4], real p, real out[4])
 
   out[0] = c[0] - p2*(c[1] + p4*(c[2] - p4*p2*c[3]));
   out[1] = 2.0*p*(c[1] - p4*(c[2] + 2.0*p4*p2*c[3]));
-  out[2] = 2.0*2.0*p4*(c[2] - p4*p2*c[3]);
+  out[2] = 4.0*p4*(c[2] - p4*p2*c[3]);
   out[3] = 8.0*p8*p*c[3];
 }
 
@@ -1155,23 +966,15 @@ static void hyperbolic_series(brick_orbit *o, real s, real Q, const real cosine[
   real two_, three_, four_;
 
   o->nome = 0.5*P;
-  multiples(cosine, P, o->a);
-  multiples(sine, P, o->b);
+  multiples(cosine, P, o->a); multiples(sine, P, o->b);
   o->f[0] = 1.0 + 2.0*Q2*Q2; /* with (n + 1/2)^2 = 2 (n(n + 1)/2) + 1/4 ... */
-  o->f[1] = -8.0*2.0*Q2*Q;
-  o->f[2] = 8.0*2.0*Q2;
-  o->f[3] = -2.0*Q;
-  o->f[4] = 2.0*2.0;
-  o->f[5] = 1.0 + Q2;
-  o->f[6] = -2.0*2.0*(Q + 1.5*2.0*Q2*Q2*Q);
-  o->f[7] = 8.0*2.0*Q2*Q2;
+  o->f[1] = -16.0*Q2*Q; o->f[2] = 16.0*Q2; o->f[3] = -2.0*Q; o->f[4] = 4.0;
+  o->f[5] = 1.0 + Q2; o->f[6] = -4.0*(Q + 3.0*Q2*Q2*Q); o->f[7] = 16.0*Q2*Q2;
   /* cn, sn, dn times theta2/theta2(0), nome q', scaled */
   two_ = 1.0 + Q*Q + Q*Q*Q*Q*Q*Q;
   three_ = 1.0 + 2.0*(Q + Q*Q*Q*Q);
   four_ = 1.0 - 2.0*(Q - Q*Q*Q*Q);
-  o->scale[0] = 1.0/four_;
-  o->scale[1] = s*three_/(2.0*two_*four_);
-  o->scale[2] = 1.0/three_;
+  o->scale[0] = 1.0/four_; o->scale[1] = s*three_/(2.0*two_*four_); o->scale[2] = 1.0/three_;
 }
 
 /* V at t = 0 for k' <= 0.172, by the imaginary transformation: functions of 2 i V of nome Q (DLMF
@@ -1180,86 +983,74 @@ static void hyperbolic_series(brick_orbit *o, real s, real Q, const real cosine[
  * less V: so w <= sqrt Q. */
 static pair hyperbolic_start(const top *p, pair k, pair Q, pair period)
 {
-  const pair one = pair_of(1.0), w1 = pair_shift(p->up13, p->w[0]),
-      w3 = pair_shift(p->up13, p->w[2]);
-  const pair kc = pair_root(p->kc2), Q2 = pair_multiply(Q, Q);
-  const pair two_ = pair_add(one, pair_add(Q2, pair_of(Q2.hi*Q2.hi*Q2.hi))),
-      three_ = pair_add(one, pair_shift(2.0, pair_add(Q, pair_multiply(Q2, Q2))));
+  const pair one = pair_of(1.0), w1 = shift(p->up13, p->w[0]), w3 = shift(p->up13, p->w[2]);
+  const pair kc = pair_root(p->kc2), Q2 = mul(Q, Q);
+  const pair two_ = add(one, add(Q2, pair_of(Q2.hi*Q2.hi*Q2.hi))), three_ = add(one,
+      shift(2.0, add(Q, mul(Q2, Q2))));
   const real q = Q.hi, sign = (p->w[1].hi < 0.0) == (p->s < 0.0) ? 1.0 : -1.0;
   real dn = w3.hi/p->b3.hi, more;
   const int far = dn*dn*p->down13 < kc.hi;
   int e = p->small12 - p->small13;
   pair up, down, y, w, V;
 
-  up = pair_multiply(pair_shift(p->w[1].hi < 0.0 ? -p->up12 : p->up12, p->w[1]), p->cross);
-  down = pair_multiply(w1, pair_multiply(p->J[0], p->d31)); /* sc = up/down 2^e */
+  up = mul(shift(p->w[1].hi < 0.0 ? -p->up12 : p->up12, p->w[1]), p->cross);
+  down = mul(w1, mul(p->J[0], p->d31)); /* sc = up/down 2^e */
   if (far) {
-    y = pair_root(pair_divide(pair_multiply(k, p->part2), p->Delta3));
-    w = pair_multiply(up, kc);
-    up = down;
-    down = w;
-    e = -p->small12;
+    y = pair_root(ratio(mul(k, p->part2), p->Delta3));
+    w = mul(up, kc);
+    up = down; down = w; e = -p->small12;
   } else {
-    y = pair_divide(pair_multiply(p->J[0], pair_multiply(p->Lambda1, k)),
-        pair_multiply(p->J[2], p->Delta3));
-    y = pair_divide(pair_shift(p->up12, pair_multiply(w1, pair_root(y))), w3);
+    y = ratio(mul(p->J[0], mul(p->Lambda1, k)), mul(p->J[2], p->Delta3));
+    y = ratio(shift(p->up12, mul(w1, pair_root(y))), w3);
   }
-  w = pair_divide(pair_subtract(one, y), pair_add(one, y));
+  w = ratio(sub(one, y), add(one, y));
   more = Q2.hi*(w.hi*w.hi - 2.0*Q2.hi); /* 2 Q^4 cosh 8V = Q^2 (w^2 - 2 Q^2) */
   dn = w.hi*(1.0 + more);
   more = Q2.hi*(dn*dn - 2.0*Q2.hi);
-  w = pair_add(w, pair_of(w.hi*more));
-  up = pair_multiply(pair_multiply(up, two_),
-      pair_add(pair_subtract(one, w), pair_of(more)));
-  V = pair_subtract(one, pair_multiply(Q, pair_add(w, Q)));
-  V = pair_add(V, pair_of(Q2.hi*Q2.hi*(w.hi*w.hi + q*w.hi - Q2.hi)));
-  V = pair_divide(up, pair_multiply(pair_multiply(down, three_), V)); /* sinh 2V 2^-e */
+  w = add(w, pair_of(w.hi*more));
+  up = mul(mul(up, two_), add(sub(one, w), pair_of(more)));
+  V = sub(one, mul(Q, add(w, Q)));
+  V = add(V, pair_of(Q2.hi*Q2.hi*(w.hi*w.hi + q*w.hi - Q2.hi)));
+  V = ratio(up, mul(mul(down, three_), V)); /* sinh 2V 2^-e */
   if (ldexp(V.hi, e) > 1.0) {
-    y = pair_scale(pair_divide(one, V), -e);
-    V = pair_log(pair_multiply(V, pair_add(one,
-        pair_root(pair_add(one, pair_multiply(y, y))))), e);
+    y = pair_scale(ratio(one, V), -e);
+    V = pair_log(mul(V, add(one, pair_root(add(one, mul(y, y))))), e);
   } else {
     V = pair_scale(V, e);
-    V = pair_log(pair_add(V, pair_root(pair_add(one, pair_multiply(V, V)))), 0);
+    V = pair_log(add(V, pair_root(add(one, mul(V, V)))), 0);
   }
-  V = pair_shift(0.5, V);
-  if (far) V = pair_subtract(pair_shift(0.5, period), V);
-  return pair_shift(sign, V);
+  V = shift(0.5, V);
+  if (far) V = sub(shift(0.5, period), V);
+  return shift(sign, V);
 }
 
 /* Near the separatrix, Q the nome of k'.  Its period is pi kappa = -log(Q)/2 (none on the
  * separatrix), at which the phase about L jumps by -2 s h, h = kappa eta.  At u = 0 b/a = T is
  *     (sin h - Q sin 3h + Q^3 sin 5h - ...)/(cos h + Q cos 3h + Q^3 cos 5h + ...),
  * an equation for x = tan h; c = cos 2h.  Half of `climb` there is mu - s V' d log theta2/dh. */
-static void brick_hyperbolic(brick_orbit *o, const top *p)
+static void set_hyperbolic(brick_orbit *o, const top *p)
 {
   const pair one = pair_of(1.0);
-  const pair k = pair_root(pair_shift(p->down12, pair_shift(p->down12, p->k2))),
-      more = pair_add(one, pair_root(k));
-  const real T = pair_shift(p->down12, p->T).hi, square = p->down13*p->down13;
-  pair Q, Q2, Q3, c, first, second, up, down, rise, rate, start, turn, period, tangent;
+  const pair k = pair_root(shift(p->down12, shift(p->down12, p->k2))), more = add(one,
+      pair_root(k));
+  const real T = shift(p->down12, p->T).hi, square = p->down13*p->down13;
+  pair Q, Q2, Q3, c, first, second, up, down, rise, rate, start, turn, period, twice, tangent;
   real sine[5], cosine[5], q, q3, q6, x, C, dc, slope, r;
   int i;
 
   /* nome (DLMF 19.5.6) up13^2; theta3(0; Q)^2 = 2 K'/pi */
-  Q = pair_divide(pair_shift(0.5, p->kc2),
-      pair_multiply(pair_add(one, k), pair_multiply(more, more)));
-  Q2 = pair_shift(square, pair_shift(square, pair_multiply(Q, Q)));
-  Q2 = pair_multiply(Q2, Q2);
-  Q = pair_add(Q, pair_multiply(Q, pair_add(pair_shift(2.0, Q2),
-      pair_of((real)15*(Q2.hi*Q2.hi)))));
+  Q = ratio(shift(0.5, p->kc2), mul(add(one, k), mul(more, more)));
+  Q2 = shift(square, shift(square, mul(Q, Q)));
+  Q2 = mul(Q2, Q2);
+  Q = add(Q, mul(Q, add(shift(2.0, Q2), pair_of(15.0*(Q2.hi*Q2.hi)))));
   period = pair_of(0.0);
   /* else on the separatrix, to the last bit */
-  if (Q.hi > 0.0) period = pair_shift(-0.5, pair_log(Q, 2*p->small13));
-  Q = pair_shift(square, Q);
-  Q2 = pair_multiply(Q, Q);
-  Q3 = pair_multiply(Q2, Q);
-  q = Q.hi;
-  q3 = Q3.hi;
-  q6 = q3*q3;
-  c = pair_add(Q, pair_add(pair_multiply(Q2, Q2), pair_of(q6*q3)));
-  c = pair_add(one, pair_shift(2.0, c));
-  rate = pair_divide(pair_shift(0.5, p->lambda), pair_multiply(c, c));
+  if (Q.hi > 0.0) period = shift(-0.5, pair_log(Q, 2*p->small13));
+  Q = shift(square, Q); Q2 = mul(Q, Q); Q3 = mul(Q2, Q);
+  q = Q.hi; q3 = Q3.hi; q6 = q3*q3;
+  c = add(Q, add(mul(Q2, Q2), pair_of(q6*q3)));
+  c = add(one, shift(2.0, c));
+  rate = ratio(shift(0.5, p->lambda), mul(c, c));
 
   x = T;
   slope = C = dc = 0.0;
@@ -1274,55 +1065,43 @@ static void brick_hyperbolic(brick_orbit *o, const top *p)
     x += r/slope;
   }
   sine[0] = cosine[0] = 1.0; /* over sin h, cos h: of h, 3 h, ... 9 h */
-  sine[1] = 2.0*C + 1.0;
-  cosine[1] = 2.0*C - 1.0;
+  sine[1] = 2.0*C + 1.0; cosine[1] = 2.0*C - 1.0;
   for (i = 2; i < 5; i++) {
-    sine[i] = 2.0*C*sine[i - 1] - sine[i - 2];
-    cosine[i] = 2.0*C*cosine[i - 1] - cosine[i - 2];
+    sine[i] = 2.0*C*sine[i - 1] - sine[i - 2]; cosine[i] = 2.0*C*cosine[i - 1] - cosine[i - 2];
   }
 
   c = pair_product(x, x);
-  c = pair_divide(pair_subtract(one, c), pair_add(one, c));
-  first = pair_multiply(Q, pair_add(one, pair_shift(2.0, c)));
-  second = pair_multiply(Q3, pair_subtract(pair_shift(2.0,
-      pair_add(c, pair_shift(2.0, pair_multiply(c, c)))), one));
-  up = pair_add(pair_subtract(one, first),
-      pair_subtract(second, pair_of(q6*(sine[3] - q3*q*sine[4]))));
-  down = pair_subtract(pair_add(first, second),
-      pair_shift(2.0, pair_add(Q, pair_shift(2.0, pair_multiply(Q3, c)))));
-  down = pair_add(pair_add(one, down), pair_of(q6*(cosine[3] + q3*q*cosine[4])));
-  rise = pair_add(pair_add(one, pair_times(3.0, first)),
-      pair_add(pair_times(4.0 + 1.0, second),
-      pair_of(q6*((real)7*sine[3] + (real)9*q3*q*sine[4]))));
-  r = pair_subtract(pair_multiply(pair_shift(p->down12, p->T), down),
-      pair_times(x, up)).hi/slope;
+  c = ratio(sub(one, c), add(one, c));
+  first = mul(Q, add(one, shift(2.0, c)));
+  second = mul(Q3, sub(shift(2.0, add(c, shift(2.0, mul(c, c)))), one));
+  up = add(sub(one, first), sub(second, pair_of(q6*(sine[3] - q3*q*sine[4]))));
+  down = sub(add(first, second), shift(2.0, add(Q, shift(2.0, mul(Q3, c)))));
+  down = add(add(one, down), pair_of(q6*(cosine[3] + q3*q*cosine[4])));
+  rise = add(add(one, scaled(3.0, first)), add(scaled(5.0, second),
+      pair_of(q6*(7.0*sine[3] + 9.0*q3*q*sine[4]))));
+  r = sub(mul(shift(p->down12, p->T), down), scaled(x, up)).hi/slope;
   tangent = pair_sum(x, r);
-  rise.lo += dc*r*((real)6*q + (real)5*q3*(8.0*C + 2.0));
+  rise.lo += dc*r*(6.0*q + 5.0*q3*(8.0*C + 2.0));
   down.lo += dc*r*(2.0*q + q3*(8.0*C - 2.0));
-  rise = pair_multiply(rate, pair_divide(pair_multiply(tangent, rise), down));
-  turn = pair_add(pair_shift(0.5, p->climb), pair_shift(p->s, rise));
+  rise = mul(rate, ratio(mul(tangent, rise), down));
+  turn = add(shift(0.5, p->climb), shift(p->s, rise));
 
   start = hyperbolic_start(p, k, Q, period);
-  turn = pair_shift(0.5, pair_multiply(turn, inverse_pi()));
+  turn = shift(0.5, mul(turn, inverse_pi()));
+  /* none: that of 1.2676506002282294e30, beyond which V never comes */
+  o->half = 1.2676506002282294e30;
+  twice = shift(2.0, period.hi > 0.0 ? period : scaled(o->half, log_two()));
+  rate = ratio(rate, twice);
   if (period.hi > 0.0) {
-    const pair twice = pair_shift(2.0, period),
-        jump = pair_shift(p->s, pair_multiply(pair_angle(one, tangent), inverse_pi()));
+    const pair jump = shift(p->s, mul(pair_angle(one, tangent), inverse_pi()));
 
-    rate = pair_divide(rate, twice);
-    store(o->rate, rate);
-    store(o->start, pair_divide(start, twice));
-    store(o->turn, pair_subtract(turn, pair_shift(2.0, pair_multiply(jump, rate))));
-    o->jump = jump.hi;
-    o->half = pair_divide(period, brick_log2()).hi;
-  } else { /* none: that of 1.2676506002282294e30, beyond which V never comes */
-    const pair twice = pair_shift(2.0, pair_times(1.2676506002282294e30, brick_log2()));
-
-    store(o->rate, pair_divide(rate, twice));
-    store(o->start, pair_divide(start, twice));
-    store(o->turn, turn);
-    o->half = 1.2676506002282294e30;
+    turn = sub(turn, shift(2.0, mul(jump, rate)));
+    o->jump = jump.hi; o->half = ratio(period, log_two()).hi;
   }
-  o->hyperbolic = o->half < 2.0*500.0 ? 1 : 2;
+  store(o->rate, rate);
+  store(o->start, ratio(start, twice));
+  store(o->turn, turn);
+  o->hyperbolic = o->half < 1000.0 ? 1 : 2;
   for (i = 0; i < 4; i++) sine[i] *= (i % 2 ? p->s : -p->s)*tangent.hi; /* all over cos h */
   hyperbolic_series(o, p->s, q, cosine, sine);
 }
@@ -1347,10 +1126,10 @@ static pair unit_quaternion(const real q[4], real out[4])
   (void)frexp(big, &e);
   for (i = 0; i < 4; i++) {
     out[i] = ldexp(q[i], -e);
-    sum = pair_add(sum, pair_product(out[i], out[i]));
+    sum = add(sum, pair_product(out[i], out[i]));
   }
   length = pair_root(sum);
-  for (i = 0; i < 4 && big > 0.0; i++) out[i] = pair_divide(pair_of(out[i]), length).hi;
+  for (i = 0; i < 4 && big > 0.0; i++) out[i] = ratio(pair_of(out[i]), length).hi;
   return length;
 }
 
@@ -1360,16 +1139,15 @@ static void constant(brick_orbit *o, top *p, const real w[3])
   pair length = pair_of(0.0);
   int i, j;
 
-  for (i = 0; i < 3; i++) length = pair_add(length, pair_product(w[i], w[i]));
+  for (i = 0; i < 3; i++) length = add(length, pair_product(w[i], w[i]));
   length = pair_root(length);
   for (i = 0; i < 3; i++) {
     for (j = 0; j < 2; j++) p->axis[j][i] = 0.0;
-    p->axis[2][i] = length.hi > 0.0 ? pair_divide(pair_of(w[i]), length).hi : 0.0;
+    p->axis[2][i] = length.hi > 0.0 ? ratio(pair_of(w[i]), length).hi : 0.0;
   }
-  p->b[0] = p->b[1] = 0.0;
-  p->b[2] = length.hi;
+  p->b[0] = p->b[1] = 0.0; p->b[2] = length.hi;
   o->a[0] = o->f[5] = 1.0;
-  store(o->turn, pair_divide(length, pair_scale(brick_pi(), 2)));
+  store(o->turn, ratio(length, pair_scale(pi(), 2)));
   o->scale[2] = 1.0;
 }
 
@@ -1378,24 +1156,21 @@ int brick_solve(brick_orbit *o, const brick_model *m, const real x0[])
   brick_orbit made;
   top p;
   pair I[3], axis[3][3], w[3];
-  real tensor[6], rate[3], y[4], q0[4], n, size, turned, largest = 0.0;
-  real x[BRICK_NX];
-  const brick_phases phases = {0.0, 0.0, 0.0, 0.0}, farthest = {(real)1/4, 0.0, 0.0, 0.0};
-  brick_terms terms;
+  real tensor[6], rate[3], y[4], q0[4], x[BRICK_NX], n, size, turned, largest = 0.0;
+  const instant zero_phase = {0.0, 0.0, 0.0, 0.0}, farthest = {0.25, 0.0, 0.0, 0.0};
+  thetas terms;
   int order[3], scale, oblique, e, i, j, k;
 
   brick_inertia(m, tensor);
-  oblique = fabs(tensor[3]) + fabs(tensor[4]) + fabs(tensor[5]) > 0.0;
-  for (i = 0; i < BRICK_NX; i++) {
-    if (!(x0[i] - x0[i] == 0.0)) return 1;
-  }
+  if (!numbers(x0, BRICK_NX)) return 1;
   if (!(unit_quaternion(x0 + BRICK_QW, q0).hi > 0.0)) return 1;
+  oblique = fabs(tensor[3]) + fabs(tensor[4]) + fabs(tensor[5]) > 0.0;
   if (principal_pairs(tensor, I, axis, order, &scale)) return 1;
   (void)frexp(I[order[2]].hi, &e);
   for (i = 0; i < 3; i++) I[i] = pair_scale(I[i], -e);
   size = 8.0*2.220446049250313e-16*I[order[2]].hi;
   if (!(I[order[0]].hi > 0.0)) { /* a rod */
-    const pair sum = pair_add(I[order[1]], I[order[2]]);
+    const pair sum = add(I[order[1]], I[order[2]]);
 
     if (I[order[0]].hi < -size || I[order[2]].hi - I[order[1]].hi > size) return 1;
     I[order[0]] = pair_of(0.0);
@@ -1409,15 +1184,15 @@ int brick_solve(brick_orbit *o, const brick_model *m, const real x0[])
   for (i = 0; i < 3; i++) {
     w[i] = pair_of(rate[i]);
     if (!oblique) continue; /* axis i is the body's */
-    w[i] = pair_times(rate[0], axis[i][0]);
-    for (j = 1; j < 3; j++) w[i] = pair_add(w[i], pair_times(rate[j], axis[i][j]));
+    w[i] = scaled(rate[0], axis[i][0]);
+    for (j = 1; j < 3; j++) w[i] = add(w[i], scaled(rate[j], axis[i][j]));
   }
   for (i = 0, k = 0; i < 3; i++) { /* w x L = 0? */
     j = (i + 1) % 3;
-    n = pair_subtract(I[i], I[j]).hi;
+    n = sub(I[i], I[j]).hi;
     if (fabs(w[i].hi) > 0.0 && fabs(w[j].hi) > 0.0 && fabs(n) > 0.0) k = 1;
   }
-  zero(&made, (unsigned int)sizeof(made));
+  copy(&made, 0, (unsigned int)sizeof(made));
   made.s = 1.0;
   if (!k) {
     p.small12 = 0;
@@ -1427,14 +1202,13 @@ int brick_solve(brick_orbit *o, const brick_model *m, const real x0[])
     invariants(&p);
     made.s = p.s;
     /* from kappa = 1, k'^2 = 17 - 12 sqrt 2, on, where the two series converge alike */
-    if (p.kc2.hi*p.down13*p.down13 < 1.0/(real)34) brick_hyperbolic(&made, &p);
-    else circular(&made, &p);
+    if (p.kc2.hi*p.down13*p.down13 < 1.0/34.0) set_hyperbolic(&made, &p);
+    else set_circular(&made, &p);
   }
   for (i = 0; i < 2; i++) { /* high parts in halves, for Dekker's product */
     real *b = i == 0 ? made.rate : made.turn, c = 134217729.0*b[0];
 
-    b[2] = c - (c - b[0]);
-    b[3] = b[0] - b[2];
+    b[2] = c - (c - b[0]); b[3] = b[0] - b[2];
     for (j = 0; j < 4; j++) b[j] = ldexp(b[j], e); /* per second again */
   }
   n = fabs(made.turn[0]) > made.rate[0] ? fabs(made.turn[0]) : made.rate[0];
@@ -1443,22 +1217,17 @@ int brick_solve(brick_orbit *o, const brick_model *m, const real x0[])
   if (!(made.rate[0] - made.rate[0] == 0.0) || !(made.turn[0] - made.turn[0] == 0.0)) return 1;
 
   /* the rates are over N^2, which is this at u = 0 */
-  terms = terms_of(&made, phases, made.hyperbolic);
-  n = brick_square(&terms);
-  for (i = 0; i < 3; i++) {
-    for (j = 0; j < 3; j++) {
-      made.w[i][j] = ldexp(n*made.scale[i]*p.b[i]*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
-    }
+  terms = terms_of(&made, zero_phase, made.hyperbolic);
+  n = length2(&terms);
+  for (i = 0; i < 3; i++) for (j = 0; j < 3; j++) {
+    made.w[i][j] = ldexp(n*made.scale[i]*p.b[i]*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
   }
   /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */
-  for (i = 0; i < 4; i++) {
-    for (j = 0; j < 4; j++) made.q[i][j] = i == j ? 1.0 : 0.0;
-  }
+  for (i = 0; i < 4; i++) for (j = 0; j < 4; j++) made.q[i][j] = i == j ? 1.0 : 0.0;
   terms = terms_of(&made, reduce(&made, 0.0), made.hyperbolic);
   attitude_of(&made, &terms, y);
   turned = made.hyperbolic ? p.s : 1.0; /* of x and y */
-  y[1] *= turned;
-  y[2] *= turned;
+  y[1] *= turned; y[2] *= turned;
   (void)unit_quaternion(y, y);
   for (k = 0; k < 4; k++) {
     real unit[4] = {0.0, 0.0, 0.0, 0.0}, d[4], v[4];
@@ -1470,257 +1239,13 @@ int brick_solve(brick_orbit *o, const brick_model *m, const real x0[])
     for (j = 0; j < 3; j++) v[j + 1] = d[1]*p.axis[0][j] + d[2]*p.axis[1][j] + d[3]*p.axis[2][j];
     quaternion_product(q0, v, made.q[k]);
   }
-  if (!starts(&made)) return 1;
+  /* Is it made of numbers?  Rates next to the end of the type's range overflow on the way to a
+   * state. */
+  state(&made, reduce(&made, 0.0), x);
+  if (!numbers(x, BRICK_NX)) return 1;
   /* near the separatrix the terms of the rates are largest half a flip away */
   state(&made, farthest, x);
-  for (i = 0; i < BRICK_NX; i++) {
-    if (!(x[i] - x[i] == 0.0)) return 1;
-  }
+  if (!numbers(x, BRICK_NX)) return 1;
   copy(o, &made, (unsigned int)sizeof(made));
   return 0;
-}
-
-/* ---- many times at once, in blocks of one vector of 512 bits ----
- * Loops of a fixed count over local arrays, without calls or branches: GCC and Clang vectorise
- * them as they are, GCC at -O2 too.  The roots have a loop of their own, the only one that stays
- * scalar where a root may set errno.  (One comparison is left nearest to the separatrix,
- * `hyperbolic` = 2, for which GCC wants -O3.) */
-enum { BRICK_BLOCK = 8 };
-
-BRICK_INLINE void block(const brick_orbit *o, int hyperbolic, const real t[], size_t n, real x[])
-{
-  real q[4][BRICK_BLOCK], w[3][BRICK_BLOCK], inverse[BRICK_BLOCK], root[BRICK_BLOCK];
-  size_t i, k;
-
-  for (k = 0; k < BRICK_BLOCK; k++) {
-    const brick_terms y = terms_of(o, reduce(o, t[k]), hyperbolic);
-    real v[4], r[3];
-
-    rates_of(o, &y, r);
-    w[0][k] = r[0];
-    w[1][k] = r[1];
-    w[2][k] = r[2];
-    attitude_of(o, &y, v);
-    q[0][k] = v[0];
-    q[1][k] = v[1];
-    q[2][k] = v[2];
-    q[3][k] = v[3];
-    inverse[k] = 1.0/brick_square(&y);
-  }
-  for (k = 0; k < BRICK_BLOCK; k++) root[k] = sqrt(inverse[k]);
-  for (k = 0; k < BRICK_BLOCK; k++) {
-    const real v[4] = {q[0][k], q[1][k], q[2][k], q[3][k]};
-
-    root[k] = inverse_length(v, inverse[k], root[k]);
-  }
-  for (i = 0; i < 4; i++) {
-    for (k = 0; k < BRICK_BLOCK; k++) x[(BRICK_QW + i)*n + k] = root[k]*q[i][k];
-  }
-  for (i = 0; i < 3; i++) {
-    for (k = 0; k < BRICK_BLOCK; k++) x[(BRICK_WX + i)*n + k] = inverse[k]*w[i][k];
-  }
-}
-
-/* all of at least one block; the last two may overlap */
-BRICK_INLINE void blocks(const brick_orbit *o, int hyperbolic, size_t n, const real t[], real x[])
-{
-  size_t k;
-
-  for (k = 0; k + BRICK_BLOCK <= n; k += BRICK_BLOCK) block(o, hyperbolic, t + k, n, x + k);
-  if (k < n) block(o, hyperbolic, t + n - BRICK_BLOCK, n, x + n - BRICK_BLOCK);
-}
-
-void brick_at_many(const brick_orbit *o, int n, const real t[], real x[])
-{
-  real y[BRICK_NX];
-  int k, i;
-
-  if (n >= BRICK_BLOCK) {
-    if (o->hyperbolic == 0) blocks(o, 0, (size_t)n, t, x);
-    else if (o->hyperbolic == 1) blocks(o, 1, (size_t)n, t, x);
-    else blocks(o, 2, (size_t)n, t, x);
-    return;
-  }
-  for (k = 0; k < n; k++) {
-    brick_at(o, t[k], y);
-    for (i = 0; i < BRICK_NX; i++) x[i*n + k] = y[i];
-  }
-}
-
-/* ---- time in ticks: phases as fractions of a turn, 128 bits, in which whole turns vanish by
- * overflow ---- */
-
-/* a less whole turns, in units of 2^-128: {high, low}; sixteen bits at a time, each step exact */
-static void fraction(pair a, uint64_t out[2])
-{
-  const int negative = a.hi < 0.0; /* its size keeps the digits that 1 - |a| has not */
-  int i;
-
-  if (negative) {
-    a.hi = -a.hi;
-    a.lo = -a.lo;
-  }
-  /* so many turns that the rest has whole ones, too */
-  if (!(fabs(a.lo) < 1.0)) a.lo -= floor(a.lo);
-  a = pair_add(pair_sum(a.hi, -floor(a.hi)), pair_of(a.lo));
-  if (a.hi < 0.0) a = pair_add(a, pair_of(1.0));
-  out[0] = out[1] = 0;
-  for (i = 0; i < 8; i++) {
-    real whole;
-
-    a.hi *= (real)65536;
-    a.lo *= (real)65536;
-    whole = floor(a.hi);
-    if (!(a.hi > whole) && a.lo < 0.0) whole -= 1.0;
-    a = pair_sum(a.hi - whole, a.lo);
-    out[i/4] = out[i/4] << 16 | ((uint32_t)(int32_t)whole & 0xFFFFU);
-  }
-  if (negative) {
-    out[0] = 0 - out[0] - (out[1] > 0 ? 1U : 0U);
-    out[1] = 0 - out[1];
-  }
-}
-
-/* the upper half of start + n rate, modulo a turn */
-static uint64_t counted(const uint64_t start[2], const uint64_t rate[2], int64_t n)
-{
-  const uint64_t m = n < 0 ? 0 - (uint64_t)n : (uint64_t)n, a = m >> 32, b = m & 0xFFFFFFFFU;
-  const uint64_t c = rate[1] >> 32, d = rate[1] & 0xFFFFFFFFU;
-  /* m rate[1], its upper half */
-  const uint64_t middle = a*d + (b*d >> 32), cross = b*c + (middle & 0xFFFFFFFFU);
-  uint64_t high = m*rate[0] + a*c + (middle >> 32) + (cross >> 32), low = m*rate[1], sum;
-
-  if (n < 0) {
-    high = 0 - high - (low > 0 ? 1U : 0U);
-    low = 0 - low;
-  }
-  sum = start[1] + low;
-  return start[0] + high + (sum < low ? 1U : 0U);
-}
-
-/* a fraction as a signed number of turns, |turns| <= 1/2 */
-static real brick_turns(uint64_t f)
-{
-  return f >> 63 ? -((real)(0 - f)*5.421010862427522e-20) : (real)f*5.421010862427522e-20;
-}
-
-int brick_set_tick(brick_orbit *o, real h)
-{
-  const pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]},
-      turn = {o->turn[0], o->turn[1]};
-  const pair per = pair_times(h, rate), mean = pair_times(h, turn);
-
-  if (!(per.hi - per.hi == 0.0) || !(mean.hi - mean.hi == 0.0)) return 1;
-  o->tick = h;
-  fraction(per, o->rate_tick);
-  fraction(start, o->rate_start);
-  fraction(mean, o->turn_tick);
-  o->turn_start[0] = o->turn_start[1] = 0;
-  return 0;
-}
-
-void brick_at_tick(const brick_orbit *o, int64_t n, real x[])
-{
-  const uint64_t phase = counted(o->rate_start, o->rate_tick, n);
-  /* 48 bits */
-  const uint64_t turn = counted(o->turn_start, o->turn_tick, n), last = 0xFFFFFFFFFFFFU;
-  const real low = 0.5*brick_turns(phase << 1); /* without the half period that is nearest */
-  brick_phases p;
-
-  p.high = (phase + ((uint64_t)1 << 62)) >> 63 ? (low > 0.0 ? -0.5 : 0.5) : 0.0;
-  p.low = low;
-  if (!(o->half < 1.2676506002282294e30)) { /* rare: the separatrix has no period */
-    /* in halves: small processors convert no more */
-    const uint64_t size = n < 0 ? 0 - (uint64_t)n : (uint64_t)n;
-    const real ticks = (real)(uint32_t)(size >> 32)*4294967296.0 + (real)(uint32_t)size;
-    const pair t = pair_product(n < 0 ? -ticks : ticks, o->tick);
-
-    p = reduce(o, t.hi);
-    p.low += o->rate[0]*t.lo;
-  }
-  p.turn = brick_turns(turn & ~last);
-  p.turn_low = brick_turns(turn & last);
-  state(o, p, x);
-}
-
-/* ---- inverse questions ---- */
-
-/* are the rates periodic? */
-static int periodic(const brick_orbit *o)
-{
-  return o->half < 1.2676506002282294e30;
-}
-
-/* Periods of the rates (0 if they have none) and turns about L in a second, both times 2^-e; the
- * result is e.  b winds once more than a in each period of z, of which the rates' has two: the
- * phase of a is 2 mu, of both 2 mu + s z'. */
-static int means(const brick_orbit *o, pair *periods, pair *turns)
-{
-  const pair rate = {o->rate[0], o->rate[1]}, turn = {o->turn[0], o->turn[1]};
-  int e;
-
-  (void)frexp(fabs(turn.hi) > rate.hi ? turn.hi : rate.hi, &e);
-  *periods = periodic(o) ? pair_scale(rate, -e) : pair_of(0.0);
-  *turns = pair_add(pair_scale(turn, 1 - e), pair_times(o->s, *periods));
-  return e;
-}
-
-real brick_polhode_period(const brick_orbit *o)
-{
-  if (!(o->rate[0] > 0.0)) return 0.0;
-  return periodic(o) ? 1.0/o->rate[0] : HUGE_VAL;
-}
-
-real brick_precession_rate(const brick_orbit *o)
-{
-  pair periods, turns;
-  const int e = means(o, &periods, &turns);
-
-  return ldexp(pair_multiply(brick_pi(), turns).hi, e + 1);
-}
-
-real brick_precession_period(const brick_orbit *o)
-{
-  pair periods, turns;
-  const int e = means(o, &periods, &turns);
-
-  return turns.hi > 0.0 ? ldexp(pair_divide(pair_of(1.0), turns).hi, -e) : HUGE_VAL;
-}
-
-real brick_rotation_number(const brick_orbit *o)
-{
-  pair periods, turns;
-
-  if (!(o->rate[0] > 0.0)) return 0.0;
-  (void)means(o, &periods, &turns);
-  return periodic(o) ? pair_divide(turns, periods).hi : HUGE_VAL;
-}
-
-/* start + rate t = n/2, n the first integer whose t is later after rounding; on the separatrix n =
- * 0 alone */
-real brick_next_flip(const brick_orbit *o, real t)
-{
-  const pair start = {o->start[0], o->start[1]};
-  pair rate = {o->rate[0], o->rate[1]}, n = pair_of(0.0);
-  real next;
-  int e, i;
-
-  if (!(rate.hi > 0.0)) return HUGE_VAL;
-  /* time in units of 2^-e, so that nothing leaves the range before t has no digits left */
-  (void)frexp(rate.hi, &e);
-  rate = pair_scale(rate, -e);
-  if (!periodic(o)) {
-    next = ldexp(pair_divide(pair_minus(start), rate).hi, -e);
-    return next > t ? next : HUGE_VAL;
-  }
-  n = pair_scale(pair_add(start, pair_times(ldexp(t, e), rate)), 1);
-  next = floor(n.hi);
-  n = pair_sum(next, next < n.hi ? 0.0 : floor(n.lo));
-  for (i = 0; i < 2; i++) {
-    n = pair_add(n, pair_of(1.0));
-    next = ldexp(pair_divide(pair_subtract(pair_scale(n, -1), start), rate).hi, -e);
-    if (next > t) return next;
-  }
-  /* a period is less than t's last place: every t is near a flip */
-  return t + fabs(t)*2.220446049250313e-16;
 }
