@@ -372,4 +372,22 @@ local script = { about = "script",
     { 2, 'script: unknown name "nothing"' }, name = "errors found before the script stops" },
 }
 
-return { params, inputs, values, asked, description, effects, existence, places, script }
+local functions = { about = "functions, events, bodies from files",
+  { with 'effects = { effect.custom { torque = function(s) s.w = 1 return { 0, 0, 0 } end } }', 3,
+    "effect.custom: what a function receives cannot be changed" },
+  { with 'effects = { effect.custom { states = 3, torque = function() return { 0, 0, 0 } end } }', 3,
+    "effect.custom: states must be a table of states by name, got 3" },
+  { with 'effects = { effect.custom { params = 3, torque = function() return { 0, 0, 0 } end } }', 3,
+    "effect.custom: params must be a table of values by name, got 3" },
+  { with "events = 3", 3, "events: must be a list of tables {name =, when =, direction =, stop =}, got 3" },
+  { with 'initial = { omega = { quantity(1, "Hz"), 0, 0 } }', 3, "initial: omega[1] must be an angular rate: a " ..
+    "cycle is 2 pi rad, so 1 Hz is 2 pi rad/s or 60 rpm (write 2*pi*.., or the unit rad/s, rev/s or rpm), got 1 Hz" },
+  { with "initial = { velocity = { 1, 0, 0 } }", 3, "initial: position and velocity need an effect that moves the " ..
+    "body: effect.translation or effect.rotating_frame" },
+  { body "inertial(3)", 2, "inertial: takes a table of named arguments (file, link), got 3" },
+  { body "mesh(3)", 2, "mesh: takes a table of named arguments (file, units, kind, mass, density), got 3" },
+  { body 'mesh { file = "a.stl", units = "kg", mass = 1 }', 2, "mesh: units must be a unit of length such as " ..
+    "\"mm\", got \"kg\"" },
+}
+
+return { params, inputs, values, asked, description, effects, existence, places, script, functions }
