@@ -130,7 +130,7 @@ for i = 1, #names, tier.quick and 5 or 1 do
       tap.ok(#found == 0, name .. ": nothing of it in the scene without effects", table.concat(found, " "))
     end
   end
-  tap.ok(i > 0 and (row == nil or row.zero ~= nil or row.why ~= nil), name .. ": has a zero strength, or says why not")
+  tap.ok(row ~= nil and (row.zero ~= nil or row.why ~= nil), name .. ": has a zero strength, or says why not")
 end
 
 -- ---- states as needed ----
