@@ -58,14 +58,14 @@ end
 -- range with an eigenvalue's cube.
 function vec.solve(S, n, name)
   local xx, yy, zz, xy, xz, yz = table.unpack(S)
-  local rx = name("inversex", 1 / xx)
-  local lxy, lxz = name("lowxy", xy * rx), name("lowxz", xz * rx)
-  local ry = name("inversey", 1 / name("pivoty", yy - lxy * xy))
-  local left = name("leftyz", yz - lxy * xz)
-  local lyz = name("lowyz", left * ry)
-  local uy = name("lefty", n[2] - lxy * n[1])
-  local z = name("turnz", (n[3] - lxz * n[1] - lyz * uy) / name("pivotz", zz - lxz * xz - lyz * left))
-  local y = name("turny", uy * ry - lyz * z)
+  local rx = name("Inversex", 1 / xx)
+  local lxy, lxz = name("Lowxy", xy * rx), name("Lowxz", xz * rx)
+  local ry = name("Inversey", 1 / name("Pivoty", yy - lxy * xy))
+  local left = name("Leftyz", yz - lxy * xz)
+  local lyz = name("Lowyz", left * ry)
+  local uy = name("Lefty", n[2] - lxy * n[1])
+  local z = name("Turnz", (n[3] - lxz * n[1] - lyz * uy) / name("Pivotz", zz - lxz * xz - lyz * left))
+  local y = name("Turny", uy * ry - lyz * z)
   return { n[1] * rx - lxy * y - lxz * z, y, z }
 end
 
