@@ -6,6 +6,8 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
 local names = require "generator.dsl.names"
+local scene = require "tests.scene"
+local scenes = require "tests.effects.scenes"
 
 for _, s in ipairs { "a", "A", "x1", "rim_in", "a_", "b2_c3", "Mass", ("x"):rep(31) } do
   tap.ok(names.identifier(s) == nil, "'" .. s .. "' can be a name", names.identifier(s))
@@ -56,5 +58,23 @@ end
 tap.ok(names.identifier "M_p" == nil and names.identifier "M" == nil, "M_p and M are no macros")
 tap.is(names.parameter "while", "must not be a word of C or C++", "a parameter's name is an identifier first")
 tap.ok(names.parameter "a" == nil and names.parameter "M" == nil, "a and M can be parameters")
+
+-- A state of the user's has three or more small letters or _, and in a step a number behind it: what the equations
+-- define on their own must not look like that.  A _ at the end was put there to keep two names apart.
+do
+  local taken, read, defined = {}, 0, 0
+  for _, v in ipairs(scenes.variants) do
+    local job = scene.read(scenes.text(scenes.new(7, 0.5), "s", "full", { v }))
+    read = read + (job and 1 or 0)
+    for _, group in ipairs(job and job.equations.groups or {}) do
+      defined = defined + #group.defs
+      for _, d in ipairs(group.defs) do
+        if d.name:find "^[%l_][%l_][%l_]+$" and not d.name:find "_$" then taken[#taken + 1] = d.name end
+      end
+    end
+  end
+  tap.ok(read > #scenes.variants/2 and defined > 4*read, read .. " scenes with an effect define " .. defined)
+  tap.is(table.concat(taken, " "), "", "no definition of theirs has a name that a state of the user's may have")
+end
 
 tap.done()
