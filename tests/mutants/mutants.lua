@@ -7,9 +7,9 @@
 -- same SEED plants the same ones in the same tree, and several may run at once.  What cannot be built, or of which the
 -- compiler makes the same, is no defect: another is drawn.  Each is met by the quick tests that run its line
 -- (seen.lua), until one fails or SPEND seconds of them have passed; a test that takes more than a third of that is not
--- asked.  What they let pass meets the others of make check-all that run it (quick: not these).  What each test did is
--- kept in the file BUILD/mutants/SEED.log: a run that was stopped goes on there, one with more to SPEND asks more
--- tests.
+-- asked.  What they let pass meets the others of make check-all that run it (quick: those that are near its file by
+-- name, and those of make check-target).  What each test did is kept in the file BUILD/mutants/SEED.log: a run that was
+-- stopped goes on there, one with more to SPEND asks more tests.
 
 package.path = "./?.lua;" .. package.path
 
@@ -283,9 +283,10 @@ for number, defect in ipairs(defects) do
     defect.all = defect.quick
   elseif before.all and before.all ~= "-" then
     defect.all = before.all
-  elseif not alone_quick then
+  else
     assert(plant(defect))
-    defect.all = caught(number, defect, order.rest(defect), "all", before.passed, math.huge)
+    defect.all = caught(number, defect, alone_quick and order.longer(defect) or order.rest(defect), "all",
+      before.passed, alone_quick and 10*spend or math.huge)
     note("all", number, defect.all)
   end
   if defect.quick == "-" then
@@ -293,4 +294,4 @@ for number, defect in ipairs(defects) do
   end
 end
 os.execute("rm -rf " .. work)
-page.write(to, seed, defects)
+page.write(to, seed, defects, alone_quick and "no test near it" or "no test")

@@ -4,6 +4,7 @@
 --     order.quick(defect, most)   the quick tests of at most so many seconds that can see it, those first that catch
 --                                 most defects in files like this for their seconds
 --     order.rest(defect)          what make check-all has beside them and can see it; also what is longer there
+--     order.longer(defect)        the longer tests and those of make check-target that are near the file by name
 --     order.tests(tier, most)     "quick": those of the first, "all": those of the second
 --     order.sees = { quick =, all = }: seen.by of these
 --     order.met(test, file, found)    what a test did with a defect in a file: `sorted` learns from it
@@ -15,9 +16,9 @@ local order = {}
 local tests = {}
 for line in io.lines "tests/tiers.txt" do
   local quick, all, file = line:gsub("#.*", ""):match "^%s*(%S+)%s+([%d.]+)%s+(%S+)%s*$"
-  if file and quick ~= "target" then
+  if file then
     local built = file:match "^(tests/runtime/.*)%.c$"
-    tests[#tests + 1] = { file = file, quick = tonumber(quick), all = tonumber(all),
+    tests[#tests + 1] = { file = file, quick = tonumber(quick), all = tonumber(all), target = quick == "target",
       command = built and "build/" .. built .. ".t" or "lua5.4 " .. file }
   end
 end
@@ -36,19 +37,22 @@ function order.met(test, file, found)
   end
 end
 
--- generator/mass/holes.lua: tests/mass/holes.t first, then the others there; gyrostat_at.c: gyrostat.t.  Templates are
--- seen where whole scenes are compiled and compared.
+-- generator/mass/holes.lua: tests/mass/holes.t first, then the others there; orbit/gyrostat_at.c: gyrostat.t;
+-- projects/firmware/watchdog.c: firmware.t.  Templates are seen where whole scenes are compiled and compared.
 local WHOLE = { ["tests/bodies/check.t"] = true, ["tests/emit/golden.t"] = true, ["tests/emit/compile.t"] = true,
   ["tests/emit/forced.t"] = true }
+local TESTED = { steppers = "methods", orbit = "emit", core = "emit", numeric = "emit", analysis = "emit",
+  test = "emit", projects = "emit", firmware = "emit", packages = "emit", host = "cli", commands = "cli",
+  target = "cost", shapes = "mass", draw = "report" }
 local function near(test, file)
   local folder, name = file:match "([^/]+)/([^/]+)%.%w+$"
   local part, rest = file:match "^src/(%w+)/(.*)%.%w+$" -- src/runtime/mesh/stl.c: as a file mesh_stl of runtime
   if part then folder, name = part, (rest:gsub("/", "_")) end
   local tests_in, test_name = test.file:match "tests/(.-)/?([^/]+)%.%w+$"
   local score = 0
-  if name:find(test_name, 1, true) == 1 then score = score + 9 end
-  if folder == "templates" and WHOLE[test.file] then score = score + 9 end
-  if tests_in == (folder == "templates" and "emit" or folder) then score = score + 3 end
+  if name:find(test_name, 1, true) == 1 or folder == test_name then score = score + 9 end
+  if area(file) == "templates" and WHOLE[test.file] then score = score + 9 end
+  if tests_in == (TESTED[folder] or folder) then score = score + 3 end
   return score
 end
 
@@ -82,7 +86,7 @@ local function chosen(seconds, most, sees)
   for _, t in ipairs(tests) do
     local s = seconds(t)
     local sight, share = sees(t)
-    if s and s <= most and sight then
+    if s and s <= most and sight and not t.target then
       list[#list + 1] = { file = t.file, seconds = s, command = t.command, share = share or 0 }
     end
   end
@@ -94,6 +98,20 @@ local function seconds(tier)
     if tier == "quick" then return t.quick end
     return (not t.quick or t.quick < t.all) and t.all or nil
   end
+end
+
+-- Those that are longer outside of the quick tier, or not in it, and near the file.
+function order.longer(defect)
+  local list, score = {}, {}
+  for _, t in ipairs(tests) do
+    local close = (not t.quick or t.quick < t.all) and not blind(t, defect.file) and near(t, defect.file) or 0
+    if close > 0 then
+      list[#list + 1] = { file = t.file, seconds = t.all, command = t.command }
+      score[list[#list]] = close/(t.all + 5)
+    end
+  end
+  table.sort(list, function(a, b) return score[a] > score[b] or score[a] == score[b] and a.file < b.file end)
+  return list
 end
 
 function order.tests(tier, most) return chosen(seconds(tier), most, function() return true end) end

@@ -1,8 +1,8 @@
 -- page.lua - docs/mutants.md: what became of the planted defects.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     page.write(path, seed, defects)         a row for the run, one for each defect that the quick tests let pass, the
---                                             sums of all runs
+--     page.write(path, seed, defects, nobody)    a row for the run, one for each defect that the quick tests let pass
+--                                             (nobody: what to say where no test found it), the sums of all runs
 --     lua5.4 tests/mutants/page.lua [FILE]    the sums anew after verdicts were written, by hand or from the lines of
 --                                             FILE: SEED, file:line, verdict, with tabs between
 --
@@ -86,7 +86,7 @@ local function summed(text)
     100*(n.quick + n.found)/real, n.closed, 100*(n.quick + n.found + n.closed)/real, n.gap, n["not read"]) .. tail
 end
 
-function page.write(path, seed, defects)
+function page.write(path, seed, defects, nobody)
   local quick, areas, missed = 0, {}, {}
   for _, d in ipairs(defects) do
     local name = d.file:match "^[^/]+"
@@ -96,7 +96,7 @@ function page.write(path, seed, defects)
       quick, areas[name].quick = quick + 1, areas[name].quick + 1
     else
       missed[#missed + 1] = string.format("| %d | %s:%d | %s | %s | %s |  |", seed, d.file, d.line, code(d.was),
-        code(d.is), d.all == "-" and "no test" or d.all or "not asked")
+        code(d.is), d.all == "-" and nobody or d.all)
     end
   end
   local row = string.format("| %d | %d | %d |", seed, #defects, quick)
