@@ -52,7 +52,8 @@ local function fault(random)
   else
     written = written + 1
     local said
-    status, said, err = shell("gcc %s -O1 -o t o/s*.c -lm && clang %s -fsyntax-only o/s*.c && ./t", STRICT, STRICT)
+    status, said, err = shell("gcc %s -O1 -o t o/s*.c -lm && clang %s -fsyntax-only o/s*.c && ./t",
+      STRICT .. (gen:find "header" and " -DS_IMPLEMENTATION" or ""), STRICT)
     if status ~= 0 or err ~= "" or not said:find "\n1%.%.%d+\n$" then
       return gen .. "\n" .. err .. said:gsub("\nok[^\n]*", "")
     end
