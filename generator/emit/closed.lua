@@ -171,7 +171,7 @@ local function constants(real, v)
   for name, factor in pairs { inverse_pi = R.one, half_inverse_pi = R.new(1, 2), quarter_inverse_pi = R.new(1, 4) } do
     named(name, function() return factor / R.apply("pi", 200) end) -- into a table: order is lost anyway
   end
-  named("two_pi", function() return R.new(2) * R.apply("pi", 200) end)
+  v.two_pi_high = function() return pair(R.new(2) * R.apply("pi", 200)).high end
   named("log2", function() return R.apply("log", 200, R.lift(2)) end)
   v.odd_reciprocals = table_of(5, function(j) return R.one / (R.lift(2) * j + R.one) end)
   v.arctan_eighths = table_of(8, function(j) return R.apply("atan", 200, j / R.lift(8)) end)

@@ -90,14 +90,15 @@ local function fragments(job, p, ctx, base)
   put("motion", functions.fragment(p.functions, templates, base))
   if has.attitude then put("motion", plain "core/normalise.h", plain "core/normalise.c") end
   if pair and not p.special then put("motion", nil, pair) end
-  local s, axes, principal = job.selection, nil, nil
+  local s, axes = job.selection, nil
   local studied = has.rates and (s.asked "stability" or s.asked "spin_stable" or s.asked "linearised")
   local called = p.stepper.source .. (p.closed and p.closed.source or "")
   -- also of splitting methods and of the closed form of a tensor with products
   if has.rates and (studied or s.asked "principal" or s.asked "principal_of" or
     string.find(called, "_principal", 1, true)) then
-    axes, principal = analysis.principal(job, base, ctx)
-    put("analysis", nil, principal)
+    local defined
+    axes, defined = analysis.principal(job, base, ctx)
+    put("analysis", nil, defined)
   end
   if p.closed then put("orbit", p.closed.header, p.closed.source) end
   if p.stepper.source ~= "" then put("motion", p.stepper.header, p.stepper.source) end
