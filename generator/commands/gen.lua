@@ -222,12 +222,9 @@ local function missing_function(given, scene, unit, chosen)
   end
 end
 
-function gen.run(host, given)
-  local chosen, wrong = chosen_methods(given)
-  local order, bad = gen.order(given)
-  local package = packages.by_name(given.project or packages.default)
-  local _, unknown = measure.cores(given.target, given.real or "float") -- the type may be the budget's
-  wrong = wrong or bad or unknown
+-- What is wrong with the command line before the scene is read, or nil.
+local function wrongly_given(given)
+  local _, wrong = measure.cores(given.target, given.real or "float") -- the type may be the budget's
   if given.accuracy and not (given.accuracy > 0 and given.accuracy < 1) then
     wrong = "--accuracy must be between 0 and 1, got " .. shortest(given.accuracy)
   end
@@ -236,7 +233,50 @@ function gen.run(host, given)
   if rule then wrong = "--name " .. rule .. ", got " .. given.name end
   if given.o == "" then wrong = "-o needs the name of a directory" end
   if given.o == "-" then wrong = "-o must be the name of a folder, as gen writes several files, got -" end
-  wrong = wrong or shown_alone(given) or without_effect(given)
+  return wrong or shown_alone(given) or without_effect(given)
+end
+
+-- Prints what --list or --show ask for.
+local function printed(host, given, plan)
+  local text = given.list and listed.text(driver.code(plan)) or driver.show(plan, given.show)
+  if not text then return options.refuse(host, plan.diag) end
+  host.out(text)
+  return 0
+end
+
+-- The files of a plan, counted on small processors if that is asked for, written.
+local function written(host, given, scene, plan, names)
+  local package = plan.package
+  local said, why = driver.trace(scene)
+  if not said then return options.failed(host, "gen", why) end
+  local cores, short = measure.cores(given.target, plan.real)
+  if short then return options.wrong(host, "gen", short) end
+  if package.check and not package.check(plan) then return options.refuse(host, plan.diag) end
+  local unit = driver.files(plan, said)
+  if not unit then return options.refuse(host, plan.diag) end
+  local wrong = missing_function(given, scene, unit, names)
+  if wrong then return options.wrong(host, "gen", wrong) end
+  if cores then -- the code is made; once more for the README with its numbers
+    said.counted, why = measure.run(host, unit, cores, unit.files)
+    unit = said.counted and driver.files(plan, said)
+    if not unit then return options.failed(host, "gen", why) end
+  end
+  local files = unit.files
+  if package.finish then
+    files, why = package.finish(host, unit, files)
+    if not files then return options.failed(host, "gen", compiler.missing(host) or why) end
+  end
+  files[#files + 1] = { name = "LICENSE", text = host.templates["templates/LICENSE"], once = true }
+  local ok
+  ok, why = outputs.write(host, given.o or plan.model.name, source(plan, given), files)
+  return ok and 0 or options.failed(host, "gen", why)
+end
+
+function gen.run(host, given)
+  local chosen, wrong = chosen_methods(given)
+  local order, bad = gen.order(given)
+  local package = packages.by_name(given.project or packages.default)
+  wrong = wrong or bad or wrongly_given(given)
   if wrong then return options.wrong(host, "gen", wrong) end
   local scene, d, why = driver.read(host, given[1], given)
   if not scene then return options.refuse(host, d, why) end
@@ -279,40 +319,8 @@ function gen.run(host, given)
     planned = decision, proof = with.proof })
   if not plan then return options.refuse(host, d) end
   if plan.proof and not proof.check(plan) then return options.refuse(host, plan.diag) end
-  if given.list then
-    host.out(listed.text(driver.code(plan)))
-    return 0
-  end
-  if given.show then
-    local shown = driver.show(plan, given.show)
-    if not shown then return options.refuse(host, plan.diag) end
-    host.out(shown)
-    return 0
-  end
-  local said
-  said, why = driver.trace(scene)
-  if not said then return options.failed(host, "gen", why) end
-  local cores, short = measure.cores(given.target, plan.real)
-  if short then return options.wrong(host, "gen", short) end
-  if package.check and not package.check(plan) then return options.refuse(host, plan.diag) end
-  local unit = driver.files(plan, said)
-  if not unit then return options.refuse(host, plan.diag) end
-  wrong = missing_function(given, scene, unit, chosen or package.methods)
-  if wrong then return options.wrong(host, "gen", wrong) end
-  if cores then -- the code is made; once more for the README with its numbers
-    said.counted, why = measure.run(host, unit, cores, unit.files)
-    unit = said.counted and driver.files(plan, said)
-    if not unit then return options.failed(host, "gen", why) end
-  end
-  local files = unit.files
-  if package.finish then
-    files, why = package.finish(host, unit, files)
-    if not files then return options.failed(host, "gen", compiler.missing(host) or why) end
-  end
-  files[#files + 1] = { name = "LICENSE", text = host.templates["templates/LICENSE"], once = true }
-  local ok
-  ok, why = outputs.write(host, given.o or plan.model.name, source(plan, given), files)
-  return ok and 0 or options.failed(host, "gen", why)
+  if given.list or given.show then return printed(host, given, plan) end
+  return written(host, given, scene, plan, chosen or package.methods)
 end
 
 return gen

@@ -145,9 +145,8 @@ local function complete(name, kept, by_name, public)
   end
 end
 
-function layout.sort(name, real, fragments, asked, room, keeps)
-  local declared, defined = parts(fragments)
-  local by_name = givers(declared, defined)
+-- The public functions by name and in their order, and their prototypes.
+local function publics(declared, defined, asked, room)
   local public, prototypes, functions = {}, {}, {}
   for _, u in ipairs(declared) do
     u.declared = true
@@ -165,7 +164,12 @@ function layout.sort(name, real, fragments, asked, room, keeps)
       public[n], functions[#functions + 1] = f, f
     end
   end
-  local rooms, wanted, order = {}, {}, {}
+  return public, prototypes, functions
+end
+
+-- The rooms that the functions asked for open, in their order; marks in every part the rooms that reach it.
+local function reached(functions, public, prototypes, by_name)
+  local rooms, order = {}, {}
   local function open(r)
     if not rooms[r] then
       rooms[r] = { calls = {}, declared = {}, defined = {} }
@@ -174,19 +178,22 @@ function layout.sort(name, real, fragments, asked, room, keeps)
     return rooms[r]
   end
   for _, f in ipairs(functions) do
-    if f.asked then wanted[#wanted + 1] = f.name end
-  end
-  for _, n in ipairs(wanted) do
-    local f = public[n]
-    for _, u in ipairs(by_name[n] or {}) do
-      local calls = {}
-      follow(u, f.room, by_name, public, calls)
-      for other in pairs(calls) do open(f.room).calls[public[other].room] = true end -- a set: any order
+    if f.asked then
+      for _, u in ipairs(by_name[f.name] or {}) do
+        local calls = {}
+        follow(u, f.room, by_name, public, calls)
+        for other in pairs(calls) do open(f.room).calls[public[other].room] = true end -- a set: any order
+      end
+      local prototype = prototypes[f.name]
+      if prototype then follow(prototype, f.room, by_name, public, {}) end
+      open(f.room)
     end
-    if prototypes[n] then follow(prototypes[n], f.room, by_name, public, {}) end
-    open(f.room)
   end
+  return rooms, order
+end
 
+-- Puts the definitions that are reached into their rooms.  Returns all of them, and those that several rooms share.
+local function place_defined(defined, rooms, public)
   local kept, private = {}, {}
   for _, u in ipairs(defined) do
     if u.rooms then
@@ -200,6 +207,11 @@ function layout.sort(name, real, fragments, asked, room, keeps)
       end
     end
   end
+  return kept, private
+end
+
+-- Puts the declarations into their rooms; macros under the heading of a function that is asked for stay with it.
+local function place_declared(declared, rooms, public)
   local headed = {}
   for _, u in ipairs(declared) do
     local f = u.prototype and public[u.names[1]]
@@ -215,7 +227,15 @@ function layout.sort(name, real, fragments, asked, room, keeps)
       table.insert(rooms[own].declared, u)
     end
   end
+end
 
+function layout.sort(name, real, fragments, asked, room, keeps)
+  local declared, defined = parts(fragments)
+  local by_name = givers(declared, defined)
+  local public, prototypes, functions = publics(declared, defined, asked, room)
+  local rooms, order = reached(functions, public, prototypes, by_name)
+  local kept, private = place_defined(defined, rooms, public)
+  place_declared(declared, rooms, public)
   complete(name, kept, by_name, public)
   local map = keeps and {} or plain_names(name, kept, public)
   if keeps then map.real = real == "real" and name .. "_real" or nil else map[name .. "_real"] = real end

@@ -38,7 +38,8 @@ local function effects(list, keys) return of(BOX, "effects = { " .. list .. " },
 
 do
   is(of(BOX, nil, 'local u = input("u", "N m")'), { { 1, "input: u is used by no effect: it does nothing" } })
-  is(of(BOX, "effects = { effect.torque { body = {u, 0, 0} } }", 'local u = input("u", "N m")'), {}, "an input that acts")
+  is(of(BOX, "effects = { effect.torque { body = {u, 0, 0} } }", 'local u = input("u", "N m")'), {},
+    "an input that acts")
   local unused = { 1, "param: TW is used nowhere: nothing in the scene depends on it" }
   is(of(BOX, nil, 'local TW = param("TW", 1, "N m")'), { unused }, "a parameter that is made")
   is(of(BOX, "ranges = { TW = {0, 1} }", 'local TW = param("TW", 1)'), { unused }, "a parameter that has only a range")
