@@ -83,6 +83,12 @@ local APPLICATIONS = { ["string.h"] = true, ["stdlib.h"] = true, ["zephyr/kernel
   ["zephyr/sys/printk.h"] = true }
 -- What stands between a scene and FMI keeps instances and messages, and FMI 3.0 has the type bool.
 local GLUE = { ["stdbool.h"] = true, ["stdlib.h"] = true, ["string.h"] = true }
+-- The program of a sweep has threads, files and signals, and MPI and HDF5 where they are.
+local PROGRAM = {}
+for word in string.gmatch([[dirent errno fcntl hdf5 hdf5_hl mpi pthread signal stdarg stdlib string sys/stat time
+  unistd]], "%S+") do
+  PROGRAM[word .. ".h"] = true
+end
 
 -- Files that turn numbers into text by design: literals of C, messages, and the listing of the IR.
 local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/svg.lua"] = true,
@@ -256,7 +262,8 @@ do
         end
       end
       local glue = path:find("^templates/projects/") and APPLICATIONS[system] or
-          path:find("^templates/projects/fmu_") and GLUE[system] or system and system:find("${", 1, true)
+          path:find("^templates/projects/fmu_") and GLUE[system] or
+          path:find("^templates/sweep/sweep") and PROGRAM[system] or system and system:find("${", 1, true)
       if system and unit_of(path) == "templates" and not EMITTED[system] and not glue then
         outside[#outside + 1] = string.format("%s:%d: emitted code includes <%s>", path, n, system)
       end

@@ -47,7 +47,7 @@ local function arguments(e)
     local words = { a.about, a.size and a.size .. " components", signs[a.sign] }
     local list = {}
     for k = 1, 3 do list[#list + 1] = words[k] end
-    rows[#rows + 1] = { a.name, a.flag and "true or false" or units.si(units[a.dim or "none"]), default(a),
+    rows[#rows + 1] = { a.name, a.flag and "true or false" or units.si(units.of(a.dim or "none")), default(a),
       table.concat(list, ", ") }
   end
   return rows

@@ -9,14 +9,17 @@ local stability = require "generator.mass.spin_stability"
 local numeric = require "generator.dynamics.numeric"
 local report = require "generator.report.chart"
 local linearised = require "generator.report.linearised_chart"
+local members = require "generator.report.members_chart"
 
 local chart = {}
 
 chart.forms = {
   { "SCENE --over A=..,B=..", "where a spin persists, as SVG" },
   { "SCENE --linearised", "the error of the linearised top, as SVG" },
+  { "--from FILE.csv --x A", "members of a sweep: map, points, histogram",
+    "With --x a histogram, with --x and --y points, with --z too a map whose colours are its values." },
 }
-chart.operands = { 1, 1, "SCENE" }
+chart.operands = { 0, 1, "SCENE" }
 chart.options = {
   { "--over", "words", "two parameters and their ranges, each in the parameter's own unit",
     value = "A=LOW:HIGH,B=LOW:HIGH", default = "none; needed without --linearised" },
@@ -24,12 +27,18 @@ chart.options = {
     "its number", default = "each axis that differs from the others" },
   { "--dissipation", false, "with dissipation inside the body" },
   { "--linearised", false, "the error of the linearised motion against the exact one instead" },
+  { "--from", "text", "the rows that `polhode sweep` wrote", value = "FILE.csv", default = "none; a scene instead" },
+  { "--x", "text", "the column of the horizontal axis", value = "COLUMN", default = "none; needed with --from" },
+  { "--y", "text", "the column of the vertical axis", value = "COLUMN", default = "how many members" },
+  { "--z", "text", "the column of the colour", value = "COLUMN", default = "points" },
   { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
-  { "-o", "text", "the file that is written", value = "FILE.svg", default = "standard output, which is also -" },
+  { "-o", "text", "the file that is written; PNG by rsvg-convert", value = "FILE.svg|FILE.png",
+    default = "standard output, which is also -" },
 }
 chart.examples = {
   { "polhode chart brick_centroid --over a=0.05:0.4,b=0.05:0.4 -o brick.svg", "over two edges of a brick" },
   { "polhode chart book --linearised -o book.svg", "how long the linearised motion is good" },
+  { "polhode chart --from flips.csv --x wx --y wz --z flip -o flips.svg", "a map of a sweep" },
 }
 
 -- "a=0.05:0.4" as {name, low, high}, or nil and what is wrong.
@@ -119,7 +128,51 @@ local function linearised_text(host, job, given)
   end)
 end
 
+-- The chart of a sweep's rows, or nil and what is wrong.
+local function members_text(host, given)
+  for _, name in ipairs { "over", "axis", "dissipation", "linearised", "set" } do
+    if given[name] then return nil, "--" .. name .. ": it belongs to a scene, and --from has rows of members" end
+  end
+  if given[1] then return nil, "too many operands: " .. given[1] .. " (--from has rows of members)" end
+  if string.find(given.from, "%.h5$") then
+    return nil, "--from must be a CSV file: polhode sweep -o FILE.csv writes it, got " .. given.from
+  end
+  if not given.x then return nil, "--x is missing: the column of the horizontal axis" end
+  if given.z and not given.y then return nil, "--y is missing: the column of the vertical axis" end
+  local names = { given.x, given.y, given.z }
+  local columns, known = host.columns(given.from, names)
+  if not columns then return nil, known end
+  for i, name in ipairs(names) do
+    if #columns[i] == 0 then
+      return nil, given.from .. " has no column " .. name .. " with rows (it has " .. table.concat(known, ", ") ..
+        ")" .. options.meant(name, known)
+    end
+  end
+  return members.text(names, columns)
+end
+
+-- The SVG as PNG, by rsvg-convert; the exit status.
+local function write_png(host, file, text)
+  local dir, why = host.tempdir()
+  local ok, status, said = dir, nil, nil
+  if dir then ok, why = host.write_file(dir .. "/chart.svg", text) end
+  if ok then status, said = host.execute { "rsvg-convert", "-z", "2", "-o", file, dir .. "/chart.svg" } end
+  if status == 0 then return 0 end
+  return options.failed(host, "chart", not ok and why or status and said or
+    "-o FILE.png needs the program rsvg-convert (Debian package librsvg2-bin); FILE.svg needs nothing")
+end
+
 function chart.run(host, given)
+  if given.from then
+    local picture, wrong = members_text(host, given)
+    if not picture then return options.wrong(host, "chart", wrong) end
+    if given.o and string.find(given.o, "%.png$") then return write_png(host, given.o, picture) end
+    return options.write(host, "chart", given.o, picture)
+  end
+  if not given[1] then return options.wrong(host, "chart", "SCENE is missing") end
+  for _, name in ipairs { "x", "y", "z" } do
+    if given[name] then return options.wrong(host, "chart", "--" .. name .. ": it names a column of --from") end
+  end
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, d, why) end
   options.warn(host, job.diag)

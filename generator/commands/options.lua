@@ -2,10 +2,10 @@
 --
 -- command.options is a list of rows, in the order in which help prints them:
 --     { "--step", "number", "what it does, with its unit", value = "H", default = "the scene's time.step" }
--- The second field is the kind of value: false (a flag), text, number, numbers, words (with commas between), pair
--- (NAME=NUMBER, may be given again), or a list of choices (with several = true in it: any of them, commas between; the
--- result is also a set).  value: what help calls it; default: what holds without it (none for a flag and a pair);
--- each = {choice = what it means}.
+-- The second field is the kind of value: false (a flag), text, texts (may be given again), number, numbers, words (with
+-- commas between), pair (NAME=NUMBER, may be given again), or a list of choices (with several = true in it: any of
+-- them, commas between; the result is also a set).  value: what help calls it; default: what holds without it (none for
+-- a flag and a pair); each = {choice = what it means}.
 -- command.operands is {least, most, what they are}: SCENE (a file, -, or the name of an installed scene), FILE or WHAT.
 -- -o DIR and --name=value are understood.  The result of parse maps names without dashes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -104,6 +104,12 @@ local function take(row, key, value, out)
     out[key] = out[key] or {}
     if out[key][k] then return name .. " " .. k .. " is given twice" end
     out[key][k] = v
+    return nil
+  end
+  if kind == "texts" then
+    if value == "" then return name .. " must not be empty, got nothing" end
+    out[key] = out[key] or {}
+    table.insert(out[key], value)
     return nil
   end
   if out[key] ~= nil then return name .. " is given twice" end

@@ -114,7 +114,7 @@ function batch.texts(job, ctx, base, about)
   v.own_model = v.each and #v.loops > 0
   v.constants, v.constant_enum = constants(base, about.real_members, ctx.rows, v.own_model or all_rows or reads)
   local render = GROUP(job.templates, base, v)
-  return render "batch/batch.h", render "batch/batch.c"
+  return render "batch/batch.h", render "batch/batch.c", v.each
 end
 
 return batch

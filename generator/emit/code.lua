@@ -103,7 +103,8 @@ local function fragments(job, p, ctx, base)
   if p.closed then put("orbit", p.closed.header, p.closed.source) end
   if p.stepper.source ~= "" then put("motion", p.stepper.header, p.stepper.source) end
   if job.batch then
-    local declared, defined = batch.texts(job, ctx, base, p)
+    local declared, defined
+    declared, defined, p.each = batch.texts(job, ctx, base, p) -- each: are there functions of a model a body?
     if declared then put("batch", declared, defined) end
   end
   if p.guard then put("motion", p.guard.header, p.guard.source) end

@@ -2,9 +2,10 @@
 --
 --     lanes.make(ctx, f, each) -> { common = lines before the loop, lines = lines of the loop, reads = rows of c that
 --                                   are read, a set }
--- f: a description with the arguments m, t, x (or x!, dx), u, h.  The IR is that of the scalar function, so every lane
--- has the same operations in the same order, and the same bits.  What depends on t, h and (unless `each`: a model per
--- body) on the model alone is the same for all lanes and stands before the loop.
+-- f: a description with the arguments m, t, x (or x!, dx), u, h, and p (each body's parameters) where f.inputs has it.
+-- The IR is that of the scalar function, so every lane has the same operations in the same order, and the same bits.
+-- What depends on t, h and (unless `each`: a model per body) on the model alone is the same for all lanes and stands
+-- before the loop.
 -- ctx.rows: member of the model -> the enumerator of its row.  In C x, u, dx and c are blocks, rows of NAME_LANES
 -- numbers; row i of x is state i of the bodies.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -19,7 +20,7 @@ local lanes = {}
 
 -- What an argument of the scalar function is read from in lane k, and whether it differs from lane to lane.
 local function placed(ctx, input, each)
-  local array = string.match(input.c, "^([xu])%[")
+  local array = string.match(input.c, "^([xup])%[")
   if array then return { sym = input.sym, c = input.c .. "[k]", rank = input.rank }, true end
   local member = each and string.match(input.c, "^m%->([%w_]+)$")
   if member then
@@ -31,7 +32,7 @@ end
 -- The program of f with its arguments in lanes; sym -> does it differ from lane to lane?
 local function program_of(ctx, f, each)
   local own, differs = setmetatable({ inputs = {} }, { __index = f }), {}
-  for i, input in ipairs(source.inputs(ctx, f)) do
+  for i, input in ipairs(f.inputs or source.inputs(ctx, f)) do
     own.inputs[i], differs[input.sym] = placed(ctx, input, each)
   end
   own.groups = {}

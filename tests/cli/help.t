@@ -28,7 +28,7 @@ end
 
 -- ---- the tables ----
 
-local KINDS = { text = true, number = true, numbers = true, words = true, pair = true }
+local KINDS = { text = true, texts = true, number = true, numbers = true, words = true, pair = true }
 
 -- What is wrong with a row of options, in words.
 local function row_faults(row)
@@ -37,7 +37,7 @@ local function row_faults(row)
   local function need(fine, what)
     if not fine then faults[#faults + 1] = name .. ": " .. what end
   end
-  need(name:find "^%-%-%l[%l%-]+$" or name == "-o", "the name of an option")
+  need(name:find "^%-%-%l[%l%-]*$" or name == "-o", "the name of an option")
   need(kind == false or type(kind) == "table" or KINDS[kind], "a kind of value")
   need(type(about) == "string" and #about >= 15 and not about:find "%.$", "an explanation without a full stop")
   if kind == false or kind == "pair" then
@@ -58,7 +58,8 @@ end
 
 -- The text of all of the generator in which an option's value may be used.
 local sources = ""
-for _, folder in ipairs { "generator/commands", "generator/commands/run", "generator/report", "generator" } do
+for _, folder in ipairs { "generator/commands", "generator/commands/run", "generator/commands/sweep",
+  "generator/report", "generator" } do
   for name in io.popen("ls " .. folder .. "/*.lua"):lines() do sources = sources .. program.read(name) end
 end
 

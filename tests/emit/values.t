@@ -11,6 +11,8 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
 local scene = require "tests.scene"
+local expr = require "generator.algebra.expr"
+local motion = require "generator.algebra.motion"
 local base = require "generator.emit.base"
 local libm = require "generator.emit.libm"
 local packages = require "generator.emit.packages.packages"
@@ -83,6 +85,18 @@ emit("thruster", { methods = { "taylor", "adaptive" }, jacobians = true, compens
 for _, project in ipairs { "cmake", "arduino", "platformio", "zephyr" } do
   emit("dropped_stone", { methods = { "rk4" } }, project)
 end
+
+local wx, factor = motion.sym "wx", expr.one
+emit("magnet_pendulum", { methods = { "rk4" }, batch = true, command = "", sweep = { members = 2, samples = 1, seed = 1,
+  values = { { kind = "param", name = "pull", unit = "N m", about = "pull", factor = factor,
+    over = { low = 0.1, high = 0.2, count = 2 } }, { kind = "state", name = "wx", unit = "rad/s", about = "wx",
+    factor = factor, draw = { kind = "normal", a = 0.0, b = 1.0, dimension = 0 } } },
+  keeps = { { kind = "state" }, { kind = "states" }, { kind = "drift", name = "drift", unit = "J", about = "drift" },
+    { kind = "first", name = "f", e = wx, unit = "s", about = "f" },
+    { kind = "max", name = "m", e = wx, unit = "rad/s", about = "m" },
+    { kind = "final", name = "e", e = wx, unit = "rad/s", about = "e" } },
+  times = { 0.0, 1.0 }, stretches = { { t0 = 0.0, t1 = 0.0, h = 0.0, steps = 0, time = 1 },
+    { t0 = 0.0, t1 = 1.0, h = 0.01, steps = 100, time = 2 } }, accuracy = 1e-6, order = 4, step = "step" } }, "sweep")
 
 -- Scenes that bodies/ does not have: splittings of every kind, ranges, a free motion in another time, helpers.
 local function own(what, text, options)

@@ -77,6 +77,9 @@ int host_sha256(lua_State *L);
 /* list_dir(path, suffix) -> {names} | nil, message.  Sorted by byte; names that begin with a dot
  * are left out. */
 int host_list_dir(lua_State *L);
+/* columns(path, {name, ...}) -> {{number, ...}, ...}, {all names} | nil, message.  Of a CSV file;
+ * what is no number is nan; a name that is missing has an empty list. */
+int host_columns(lua_State *L);
 /* write_files(dir, {{name=, text=}, ...}) -> true, {names written} | nil, message.  All or nothing.
  * text = false: a file that is removed, and the folders that this leaves empty; it is among the
  * names if it was there. */
@@ -119,6 +122,9 @@ int host_compile(lua_State *L);
 /* compile_many({{dir, sources, output, options}, ...}[, at_once]) -> {{command =} or {message =},
    ...} Each as compile; as many at a time as there are processors, if it is not said. */
 int host_compile_many(lua_State *L);
+/* hand_over({program, argument...}) -> exit status, 128 + signal | nil, message.  The program has
+   our standard output and error, and the signals that stop us. */
+int host_hand_over(lua_State *L);
 /* clock() -> seconds from a clock that only goes forward */
 int host_clock(lua_State *L);
 

@@ -13,6 +13,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
@@ -245,6 +246,31 @@ int host_execute(lua_State *L) {
   lua_pushlstring(L, c.output, c.size);
   free(c.output);
   return 2;
+}
+
+/* The terminal and all of standard output and error are the child's until it ends; a signal that
+ * comes is passed on. */
+int host_hand_over(lua_State *L) {
+  struct child c = {0};
+  lua_settop(L, 1);
+  add_list(L, &c, 1);
+  luaL_argcheck(L, c.argc > 0, 1, "nothing to run");
+  pid_t pid;
+  int status, told = 0;
+  char *argv[MAX_ARGUMENTS + 1];
+  memcpy(argv, c.argv, sizeof argv);
+  fflush(stdout); /* what we said comes before what it says */
+  const int error = posix_spawn(&pid, argv[0], NULL, NULL, argv, environ);
+  if (error != 0) {
+    lua_pushnil(L);
+    lua_pushfstring(L, "cannot run %s: %s", argv[0], strerror(error));
+    return 2;
+  }
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR)
+    if (interrupt_pending() && !told)
+      told = kill(pid, interrupt_pending()) == 0;
+  lua_pushinteger(L, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
+  return 1;
 }
 
 /* compile's result: true and the command line, or nil and what the compiler said. */

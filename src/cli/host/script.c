@@ -132,7 +132,7 @@ void script_push_templates(lua_State *L) {
       "templates/core",     "templates/numeric",  "templates/orbit",
       "templates/steppers", "templates/analysis", "templates/test",
       "templates/host",     "templates/projects", "templates/projects/firmware",
-      "templates/target"};
+      "templates/target",   "templates/batch",    "templates/sweep"};
   const char *dir = source_tree("templates/");
   lua_newtable(L);
   if (dir == NULL || !add_folder(L, dir, "templates"))

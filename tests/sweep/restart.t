@@ -1,0 +1,248 @@
+#!/usr/bin/env lua5.4
+-- restart.t - the program of a sweep: the same bytes for any threads, blocks, ranks, kills; and what stops it.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- One run with one thread and blocks of another size is the oracle of all others, which are compared as bytes; sweep.t
+-- says that its numbers are right.  Processes are killed with SIGKILL after random times, by their own number.  Parts
+-- that need MPI or HDF5 are skipped without them.
+
+package.path = "./?.lua;" .. package.path
+
+local tap = require "tests.tap"
+local tier = require "tests.tier"
+local program = require "tests.cli.program"
+
+local dir = program.directory()
+local binary = program.quick()
+
+local function output(format, ...)
+  local pipe = assert(io.popen("{ " .. string.format(format, ...) .. "; } 2>&1"))
+  local text = pipe:read "a"
+  local _, why, code = pipe:close()
+  return why == "signal" and 128 + code or code, text
+end
+
+local function there(command) return program.shell("command -v " .. command .. " >/dev/null 2>&1") == 0 end
+
+local function emit(name, options)
+  local code, text = output("POLHODE_SOURCE=. %s sweep tumbling_box %s --emit %s/%s", binary, options, dir, name)
+  if code ~= 0 then tap.diag(text) end
+  return code == 0
+end
+
+-- Compiles it with what `make` of its own Makefile takes; the program's path.
+local function build(name, with)
+  local code, text = output("make -s -C %s/%s TUNE= %s && mv %s/%s/tumbling_box_sweep %s/%s.run", dir, name, with, dir,
+    name, dir, name)
+  if code ~= 0 then tap.diag(text) end
+  return code == 0 and dir .. "/" .. name .. ".run"
+end
+
+local VARIED = "--sample 20000 --vary 'wx=normal(1,0.1),a=uniform(0.15,0.25)' --until 2 --keep final " ..
+  "--keep 'first: flip = wy'"
+tap.ok(emit("rows", VARIED) and emit("stats", VARIED .. " --stats"), "programs are emitted")
+local hdf5 = program.shell "pkg-config --exists hdf5-serial 2>/dev/null" == 0
+local rows, stats = build("rows", hdf5 and "" or "HDF5=0"), build("stats", hdf5 and "" or "HDF5=0")
+if not tap.ok(rows and stats, "and made by their Makefiles") then
+  program.finish()
+  tap.done()
+end
+
+local function run(path, options) return output("cd %s && timeout 300 %s %s", dir, path, options) end
+local function same(a, b) return program.shell(string.format("cmp -s %s/%s %s/%s", dir, a, dir, b)) == 0 end
+
+-- ---- workers ----
+
+tap.is(run(rows, "-o one.csv --threads 1 --block 777"), 0, "one thread computes the oracle")
+local text = program.read(dir .. "/one.csv") or ""
+tap.is(select(2, text:gsub("\n", "")), 20001, "with a row for each member")
+for _, options in ipairs { "--threads 2", "--threads 3 --block 1", "--threads 4 --block 100000" } do
+  run(rows, "-o other.csv " .. options)
+  tap.ok(same("one.csv", "other.csv"), options .. ": the same bytes")
+end
+local code = output("cd %s && %s -o - --threads 2 > out.csv", dir, rows)
+tap.ok(code == 0 and same("one.csv", "out.csv"), "on standard output, too")
+tap.is(output("ls -d %s/*.blocks %s/*.new 2>/dev/null | wc -l", dir, dir), 0, "nothing is left beside the files")
+run(stats, "-o one_s.csv --threads 1 --block 777")
+for _, options in ipairs { "--threads 2", "--threads 3 --block 10" } do
+  run(stats, "-o other_s.csv " .. options)
+  tap.ok(same("one_s.csv", "other_s.csv"), "statistics, " .. options .. ": the same bytes")
+end
+
+-- ---- statistics of the rows ----
+
+local function table_of(csv) -- numbers by row and column
+  local list = {}
+  for line in csv:gmatch "[^\n]+" do
+    local cells = {}
+    for cell in (line .. ","):gmatch "([^,]*)," do cells[#cells + 1] = tonumber(cell) or cell end
+    list[#list + 1] = cells
+  end
+  return list
+end
+
+do
+  local given, tables = table_of(text), table_of(program.read(dir .. "/one_s.csv") or "")
+  local column, sum, square, sorted, n = 3, 0.0, 0.0, {}, #given - 1 -- a
+  for i = 2, #given do sum = sum + given[i][column] end
+  local mean = sum / n
+  for i = 2, #given do
+    square = square + (given[i][column] - mean) ^ 2
+    sorted[i - 1] = given[i][column]
+  end
+  table.sort(sorted)
+  local row = tables[3]
+  tap.is(row[1], "a", "a row for each quantity")
+  tap.is(row[2], n, "which counts the members")
+  -- this sum in order rounds 20000 times, at most 2^-53 of its size each
+  tap.ok(math.abs(row[4] / mean - 1) < 20000 * 2.0 ^ -53, "the mean is that of the rows")
+  tap.ok(math.abs(row[5] ^ 2 / (square / (n - 1)) - 1) < 20000 * 2.0 ^ -52, "so is the deviation")
+  tap.ok(row[6] == sorted[1] and row[7] == sorted[n], "least and greatest value are there to the bit")
+  local median = sorted[n // 2 + 1] -- by its bucket: 2^-8 of the distance from member 0
+  tap.ok(math.abs(row[12] - median) <= 2.0 ^ -8 * math.abs(median - given[2][column]) * 1.01,
+    "the median is within its bucket of 2^-8")
+  local bins, at = 0, nil
+  for i, r in ipairs(tables) do at = r[1] == "histogram" and i or at end
+  for i = 4, #tables[at + 2] do bins = bins + tables[at + 2][i] end
+  tap.is(bins, n, "a histogram has all members")
+end
+
+-- ---- kills ----
+
+math.randomseed(20261123) -- the times of the kills are the machine's all the same
+local function killed(path, file, kills, threads)
+  local done, some = 0, 0
+  for _ = 1, kills do
+    local wait = 0.02 + 0.25 * math.random()
+    local status = output("cd %s && { %s -o %s --threads %d --resume & p=$!; sleep %.3f; kill -9 $p 2>/dev/null; " ..
+      "wait $p; }", dir, path, file, threads, wait)
+    if status == 137 then some = some + 1 end
+    if status == 0 then
+      done = done + 1
+      break
+    end
+    if math.random() < 0.2 then -- as a machine that stopped: the log's end is torn, or has something else
+      output("cd %s/%s.blocks && for f in rank-*.log; do head -c 77 /dev/urandom >> $f; done", dir, file)
+    end
+  end
+  local status, said = run(path, "-o " .. file .. " --threads 2 --resume")
+  return status == 0, some, done, said
+end
+local kills = tier.quick and 3 or 50
+local good, some, _, said = killed(rows, "killed.csv", kills, 1)
+tap.ok(good and same("one.csv", "killed.csv"), "after kill -9 at random moments --resume gives the same bytes")
+if not good then tap.diag(said) end
+tap.ok(some > 0, "it was killed " .. (some > 0 and "indeed" or "never"))
+good, _, _, said = killed(stats, "killed_s.csv", tier.quick and 2 or 10, 1)
+tap.ok(good and same("one_s.csv", "killed_s.csv"), "statistics, too")
+if not good then tap.diag(said) end
+
+-- ---- what stands in the way ----
+
+local status
+output("cd %s && { %s -o half.csv --threads 1 & p=$!; sleep 0.15; kill -9 $p; wait $p; }", dir, rows)
+status, said = run(rows, "-o half.csv")
+tap.ok(status == 2 and said:find "%-%-resume goes on", "without --resume what is there is neither used nor lost")
+status, said = run(stats, "-o half.csv --resume")
+tap.ok(status == 2 and said:find "blocks of another sweep", "blocks of another sweep are refused")
+status, said = run(rows, "-o half.csv --resume --block 3")
+tap.ok(status == 2 and said:find "%-%-block", "and blocks of another size")
+output("cd %s && { %s -o term.csv --threads 1 & p=$!; sleep 0.15; kill -TERM $p; wait $p; }", dir, rows)
+status = run(rows, "-o term.csv --resume")
+tap.ok(status == 0 and same("one.csv", "term.csv"), "after SIGTERM it goes on")
+output("cd %s && rm -rf lost.csv.blocks; { %s -o lost.csv --threads 1 & p=$!; sleep 0.15; kill -9 $p; wait $p; }; " ..
+  "rm lost.csv.blocks/rank-00000.log", dir, rows)
+status = run(rows, "-o lost.csv --resume")
+tap.ok(status == 0 and same("one.csv", "lost.csv"), "a log that was lost is computed again")
+status, said = run(rows, "-o one.csv --resume")
+tap.ok(status == 0 and said:find "nothing is left to resume", "a sweep that is complete says so")
+status, said = run(rows, "-o nowhere/x.csv")
+tap.ok(status == 2 and said:find "nowhere", "a folder that is missing is named")
+status, said = output("cd %s && ulimit -f 200 && trap '' XFSZ && %s -o full.csv --threads 1", dir, rows)
+tap.ok(status == 2 and said:find "full.csv.blocks" and said:find "with room %-%-resume goes on",
+  "a disk without room ends it with a message")
+if status ~= 2 then tap.diag(said) end
+status = run(rows, "-o full.csv --resume")
+tap.ok(status == 0 and same("one.csv", "full.csv"), "and with room it finishes")
+status, said = output("%s -o - --threads 2 > /dev/full", rows)
+tap.ok(status == 2 and said:find "standard output", "standard output that is full is no success")
+for _, case in ipairs { { "--threads 0", "--threads must be" }, { "-o x.txt", "must end in .csv or .h5" },
+  { "--nothing", "no option --nothing" }, { "--resume", "--resume: it needs" } } do
+  status, said = run(rows, case[1])
+  tap.ok(status == 2 and said:find(case[2], 1, true) ~= nil, "said: " .. case[2])
+end
+status, said = run(rows, "--about")
+tap.ok(status == 0 and said:find "fingerprint  %x+" and said:find "members      20000", "--about tells what it is")
+
+-- ---- HDF5 ----
+
+local CHECK = [==[
+import sys, h5py, csv
+f = h5py.File(sys.argv[1], "r")
+rows = list(csv.reader(open(sys.argv[2])))
+bad = 0
+for k, name in enumerate(rows[0]):
+    column = f[name]
+    assert name == "member" or column.dims[0][0].name == "/member"
+    for i in (0, 1, 777, 1024, 19999):
+        if name != "status":
+            want, got = float(rows[i + 1][k]), float(column[i])
+            bad += not (want == got or want != want and got != got)
+        else:
+            bad += column.attrs["flag_meanings"].split()[column[i]] != rows[i + 1][k]
+assert f["wx"].attrs["units"] == "rad/s" and f.attrs["seed"] == 1 and "tumbling_box" in f.attrs["scene"]
+print("differences", bad)
+]==]
+if hdf5 then
+  run(rows, "-o one.h5 --threads 1 --block 777")
+  run(rows, "-o other.h5 --threads 3")
+  tap.ok(same("one.h5", "other.h5"), "HDF5: the same bytes for other threads and blocks")
+  run(stats, "-o one_s.h5 --threads 2")
+  tap.ok(program.shell("h5dump -d /covariance " .. dir .. "/one_s.h5 > /dev/null 2>&1") == 0 or not there "h5dump",
+    "statistics as HDF5")
+  program.write(dir .. "/check.py", CHECK)
+  if program.shell "/usr/bin/python3 -c 'import h5py' 2>/dev/null" == 0 then
+    status, said = output("/usr/bin/python3 %s/check.py %s/one.h5 %s/one.csv", dir, dir, dir)
+    if not tap.ok(status == 0 and said:find "differences 0", "h5py reads the numbers of the CSV") then
+      tap.diag(said)
+    end
+  else
+    tap.skip("h5py reads the numbers of the CSV", "there is no h5py (Debian package python3-h5py)")
+  end
+else
+  tap.skip("HDF5", "there is no HDF5 (Debian package libhdf5-dev)")
+end
+local plain = build("rows", "HDF5=0")
+status, said = run(plain, "-o x.h5")
+tap.ok(status == 2 and said:find "built without HDF5", "without HDF5 it says what is missing")
+
+-- ---- ranks ----
+
+if there "mpicc" and there "mpirun" then
+  local ranks = build("rows", "MPI=1 CC=mpicc HDF5=0")
+  local mpirun = "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 " ..
+    "OMPI_MCA_btl_vader_single_copy_mechanism=none timeout 300 mpirun -n "
+  for _, n in ipairs { 1, 2, 4 } do
+    status, said = output("cd %s && %s %d %s -o ranks%d.csv", dir, mpirun, n, ranks, n)
+    if not tap.ok(status == 0 and same("one.csv", "ranks" .. n .. ".csv"), n .. " ranks: the same bytes") then
+      tap.diag(said)
+    end
+  end
+  -- a rank is killed, then all, then it finishes
+  local before = 0
+  for _ = 1, tier.quick and 2 or 12 do
+    status = output("cd %s && { %s 3 %s -o rk.csv --resume & p=$!; sleep %.2f; m=$(pgrep -P $p); kill -9 " ..
+      "$(pgrep -P $m | sed -n '%dp') 2>/dev/null; wait $p; }", dir, mpirun, ranks, 0.6 + 0.4 * math.random(),
+      math.random(3))
+    before = before + (status ~= 0 and 1 or 0)
+    if status == 0 then break end
+  end
+  status, said = output("cd %s && %s 2 %s -o rk.csv --resume", dir, mpirun, ranks)
+  if not tap.ok(status == 0 and same("one.csv", "rk.csv"), "after ranks were killed " .. before ..
+    " times other ranks finish, with the same bytes") then tap.diag(said) end
+else
+  tap.skip("2 and 4 ranks", "there is no MPI (Debian packages libopenmpi-dev, openmpi-bin)")
+end
+
+program.finish()
+tap.done()
