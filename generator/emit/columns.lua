@@ -83,6 +83,8 @@ local function joint(line)
         offer(at, DEPTH * depth)
       elseif operator and OPERATORS[operator] then
         offer(at, DEPTH * depth + 4)
+      elseif before == QUOTE and string.byte(line, at + 1) == QUOTE then -- one string in two
+        offer(at, DEPTH * depth)
       end
     elseif OPENS[c] and not quoted then
       depth = depth + 1

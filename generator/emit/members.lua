@@ -216,7 +216,12 @@ local function tables(v, study, columns, reasons, scene)
   end
   list("sweep_column COLUMNS", lines)
   lines = {}
-  for i, s in ipairs(reasons) do lines[i] = "  (" .. table.concat(strings(s), " ") .. ")," end
+  for _, s in ipairs(reasons) do
+    local pieces = strings(s)
+    for k, piece in ipairs(pieces) do
+      lines[#lines + 1] = (k == 1 and "  (" or "    ") .. piece .. (k == #pieces and ")," or "")
+    end
+  end
   put("static const char *const REASONS[] = {")
   for _, l in ipairs(lines) do put(l) end
   put("};")

@@ -84,8 +84,8 @@ static int parse(int argc, char **argv, options *o)
     sweep_say("-o must end in .csv or .h5, or be -, got %s", o->file);
     wrong = -1;
   } else if (ends(o->file, ".h5") && !sweep_hdf5_there()) {
-    sweep_say("%s: this program was built without HDF5 (Debian package libhdf5-dev); -o FILE.csv needs "
-      "nothing", o->file);
+    sweep_say("%s: this program was built without HDF5 (Debian package libhdf5-dev); "
+      "-o FILE.csv needs nothing", o->file);
     wrong = -1;
   }
   if (o->resume && strcmp(o->file, "-") == 0) {
