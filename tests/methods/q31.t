@@ -109,7 +109,7 @@ local cases = {
 
 local function plan(source)
   local job = assert(scene.read(source))
-  return run.plan(job), job
+  return run.plan(scene.plan(job)), job
 end
 
 local rounding = 2.0 ^ -49 -- of some twenty operations in double on numbers about 1 (and their sizes for the rates)
@@ -211,8 +211,9 @@ end
 local function refusal(source)
   local job, why = scene.read(source)
   if not job then return why end
-  if run.plan(job) then return "accepted" end
-  return job.diag:report()
+  local planned = scene.plan(job)
+  if run.plan(planned) then return "accepted" end
+  return planned.diag:report()
 end
 
 for _, c in ipairs {

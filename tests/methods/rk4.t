@@ -31,9 +31,8 @@ end
 
 -- ---- the generator's step, group by group ----
 
--- value(e, env) evaluates one expression.  The model's constants are put into env first.
+-- value(e, env) evaluates one expression.  The plan's constants are put into env first.
 local function prepared(job, value)
-  job = scene.plan(job)
   local env = {}
   for name, q in pairs(job.model.defaults) do env[name] = q end
   for _, member in ipairs(job.model.members) do env[member.name] = value(member.e, env) end
@@ -183,6 +182,7 @@ for _, body in ipairs(bodies) do
     local job = scene.body(body[2], body[3], body[4] .. ", effects = {" .. effect[2] .. "}")
     local name = body[1] .. ", " .. effect[1]
     if job then
+      job = scene.plan(job)
       local constants = prepared(job, evaluate.exact)
       local m = { com = {}, mass = evaluate.exact(job.model.mass, job.model.defaults) }
       local I = {}
@@ -243,7 +243,7 @@ for _, case in ipairs {
   { "sphere with a constant inertial torque", "solid.sphere { r = a, mass = M }", { "M", "a" },
     "effects = {effect.torque{inertial = {2, -3, 5}}}" },
 } do
-  local job = assert(scene.body(case[2], case[3], case[4]))
+  local job = scene.plan(assert(scene.body(case[2], case[3], case[4])))
   local constants = prepared(job, function(e, env) return evaluate.precise(e, env, BITS) end)
   local x = {}
   for k = 1, 4 do x[k] = integrate(job, constants, start, R.new(1, 2), 8 << k) end
@@ -255,7 +255,7 @@ for _, case in ipairs {
 end
 
 do -- against the closed form, and one step alone
-  local job = assert(scene.body("solid.cylinder { r = 1, h = 4, mass = 6 }", {}))
+  local job = scene.plan(assert(scene.body("solid.cylinder { r = 1, h = 4, mass = 6 }", {})))
   local constants = prepared(job, evaluate.exact)
   local alpha, axial = evaluate.exact(job.model.inertia[1], {}), evaluate.exact(job.model.inertia[3], {})
   local k = lifted { 0, 0, 1 }

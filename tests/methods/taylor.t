@@ -89,7 +89,8 @@ local function printed(s, name)
   if not made then return nil, why end
   local kit = { ctx = ctx, compensated = false, planning = false, base = { name = name, upper = ctx.upper,
     has_inputs = false, zero = "0.0", one = "1.0", half = "0.5", two = "2.0", four = "4.0", quarter = "0.25",
-    eight = "8.0", fabs = "fabs", sqrt = "sqrt", sin = "sin", cos = "cos" },
+    eight = "8.0", fabs = "fabs", sqrt = "sqrt", sin = "sin", cos = "cos",
+    n = setmetatable({}, { __index = function(_, q) return number.text(R.fromdouble(q), "double") end }) },
     templates = setmetatable({}, { __index = function(_, path) return scene.slurp(path) end }) }
   local header, sources = emit.render({ program = made, first = false, has_knots = false }, kit)
   local lines = { "typedef double " .. name .. "_real; typedef struct { double kk; } " .. name .. "_model;",
