@@ -85,8 +85,8 @@ local function advance(program, key, by, map, group)
   end
 end
 
--- Term 0 of everything in y, then term 1 of the states: two groups, between them the lanes are gathered.
-local function start(ctx, program, names)
+-- Term 0 of everything that is needed in y, then term 1 of the states: two groups, between them the lanes are gathered.
+local function start(ctx, program, names, needed)
   local inputs, map = {}, {}
   plain(inputs, names)
   local g, h = { where = 1, defs = {}, outs = {} }, { where = 2, defs = {}, outs = {} }
@@ -96,7 +96,7 @@ local function start(ctx, program, names)
   inputs[#inputs + 1] = { sym = "t0", c = "t" }
   for _, x in ipairs(program.variables) do map[x.sym] = zeroth(x) end
   for _, x in ipairs(program.variables) do
-    if x.start then
+    if x.start and needed[x.name] then
       local value = calculus.substitute(x.start, map)
       g.defs[#g.defs + 1] = { name = x.name .. "0", expr = value }
       if x.first then
@@ -111,7 +111,7 @@ local function start(ctx, program, names)
 end
 
 -- Term n: a group for each level, and last the states' term n + 1.
-local function general(ctx, program, names)
+local function general(ctx, program, names, needed)
   local inputs, groups = {}, {}
   plain(inputs, names)
   plain(inputs, { "order", "after" })
@@ -128,7 +128,7 @@ local function general(ctx, program, names)
   for level = 1, #program.levels do
     local g = { where = level, defs = {}, outs = {} }
     for _, x in ipairs(program.levels[level].variables) do
-      g.defs[#g.defs + 1] = { name = x.name, expr = x.term }
+      if needed[x.name] then g.defs[#g.defs + 1] = { name = x.name, expr = x.term } end
       put(x, x.sym, g.outs)
     end
     groups[level] = g
@@ -138,7 +138,7 @@ local function general(ctx, program, names)
   -- sums of states that no lane reads, in their order: one may have another in it
   local sums = 0
   for _, x in ipairs(program.levels[0].variables) do
-    if not x.place then
+    if not x.place and needed[x.name] then
       sums = sums + 1
       table.insert(groups[1].defs, sums, { name = x.name, expr = x.term })
     end
@@ -262,8 +262,8 @@ function recurrences.of(ctx, program, has_knots, zero)
       names[#names + 1] = d.name
     end
   end
-  local first, alone = start(ctx, program, names)
-  local rest = general(ctx, program, names)
+  local first, alone = start(ctx, program, names, seen)
+  local rest = general(ctx, program, names, seen)
   local apart = alone.loads -- term 0 without term 1
   for _, l in ipairs(alone[1]) do apart[#apart + 1] = l end
   v.start, v.next = first.loads, first[2]

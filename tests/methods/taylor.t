@@ -163,6 +163,19 @@ do
   tap.ok(lanes("bodies/damped_brick.lua").top == nil and top.top == nil, "what is no heavy symmetric top has not")
 end
 
+-- A quantity of the equations of which one component is needed: the others are not made, nor is what they would read.
+do
+  local job = assert(scene.read [[
+local r = param("r", 1, "m")
+return scene { name = "b", origin = "centroid",
+  body = solid.cylinder { r = r, h = 2, mass = 3 }:turned { axis = {1, 2, 0}, angle = 0.7 },
+  effects = { effect.custom { torque = function(s) return { 0, 0, -quantity(0.05, "rad/s")*s.L[3] } end } } }]])
+  scene.plan(job, { real = "double", methods = { "taylor" } })
+  local made, files = pcall(scene.files, job)
+  tap.ok(made and files["b.c"]:find("b_taylor", 1, true) or made and files["b.c"]:find("b_step", 1, true),
+    "one component of the angular momentum in the torque", tostring(files))
+end
+
 -- The emitted stepper as a whole: order, reversal, dense output, adaptive run, events of failure.
 local dir = program.directory()
 program.write(dir .. "/top.lua", [[
