@@ -6,8 +6,9 @@
 -- component of the state is smaller than its increment the difference x' - x is itself rounded; that is at most an
 -- ulp of s, no more than s has from its own arithmetic, so no branch and no 2Sum of six operations is needed.  What
 -- remains are the roundings of d: h |w| times those of the plain step.  It pays where steps are short.
--- A method takes part by increments(eq, constant), its step as equation groups whose outs are d (rk4, adaptive,
--- semi), or by a template (taylor, whose series is one).  The others multiply rotations: there is no increment.
+-- A method takes part by increments(eq, constant, lost), its step as equation groups whose outs are d (rk4, adaptive,
+-- semi; lost(name) is the low of a state, for a step that needs x'), or by a template (taylor, whose series is one).
+-- The others multiply rotations: there is no increment.
 -- Source: Kahan 1965, Comm. ACM 8, 40; Moller 1965, BIT 5, 37 and 251; Dekker 1971, Numer. Math. 18, 224; Knuth,
 -- TAOCP 2, section 4.2.2; Hairer, Lubich, Wanner, Geometric Numerical Integration (2nd ed.), VIII.5.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -30,9 +31,10 @@ end
 -- NAME_STEP_compensated of a method with increments, as a function description.
 local function of(eq, method, name)
   local m, groups = eq.model, {}
-  local steps, divides = method.increments(eq, function(e, words) return m:derived(e, words) end)
-  local last = { why = "Fast2Sum: low is what the sum loses, and comes back with the next step", defs = {}, outs = {} }
   local low, names = prefix(m, "low"), {}
+  local function lost(state) return expr.sym(low .. state, 3) end
+  local steps, divides = method.increments(eq, function(e, words) return m:derived(e, words) end, lost)
+  local last = { why = "Fast2Sum: low is what the sum loses, and comes back with the next step", defs = {}, outs = {} }
   local before, sum, gained = prefix(m, "add"), prefix(m, "new"), prefix(m, "gain")
   for i, s in ipairs(m.states) do names[i] = low .. s.name end
   for i, g in ipairs(steps) do
@@ -40,7 +42,7 @@ local function of(eq, method, name)
     for _, o in ipairs(g.outs) do
       local sym, words = m.states.by_name[o.state].sym, {}
       for k, w in ipairs { before, sum, gained } do words[k] = expr.sym(w .. o.state, 9) end
-      last.defs[#last.defs + 1] = { name = before .. o.state, expr = expr.sym(low .. o.state, 3) + o.expr }
+      last.defs[#last.defs + 1] = { name = before .. o.state, expr = lost(o.state) + o.expr }
       last.defs[#last.defs + 1] = { name = sum .. o.state, expr = sym + words[1] }
       last.defs[#last.defs + 1] = { name = gained .. o.state, expr = words[2] - sym }
       last.outs[#last.outs + 1] = { array = "x", state = o.state, expr = words[2] }

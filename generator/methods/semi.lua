@@ -29,7 +29,9 @@ local semi = { name = "semi", order = 1, title = "semi-implicit method of order 
 local h, q, w = state.h, state.q, state.w
 
 -- Euler's step of what is not turning: new velocities and own states first, then positions by the new velocities.
--- increments, here and below: what is added to the state stands in the place of the new state.  Returns the new states.
+-- increments, here and below: what is added to the state stands in the place of the new state, and what the state has
+-- lost comes by increments(name).  Returns the new states: moving parts that are asked where they were and where they
+-- are must be asked at the same times as in the next step, or what they did between is lost.
 local function carried(m, groups, zero, list, finals, increments)
   local new = {}
   for _, last in ipairs { false, true } do
@@ -42,7 +44,7 @@ local function carried(m, groups, zero, list, finals, increments)
           local e = equations.inline(groups, o.expr)
           if last then e = calculus.substitute(e, new) end
           local added = increments and define("d" .. o.state, h * e) or h * e
-          new[s.sym] = define(o.state .. "1", s.sym + added)
+          new[s.sym] = define(o.state .. "1", s.sym + (increments and increments(o.state) + added or added))
           finals[#finals + 1] = { state = o.state, expr = increments and added or new[s.sym] }
         end
       end
@@ -71,16 +73,9 @@ local function moved(m, change, at, new, list)
   local define = cayley.definer(m, g)
   local S, D = cayley.inertia(m), context.parts(m)
   local later = vec.map(D, function(e) return calculus.substitute(e, new) end)
-  local S1 = vec.map(S, function(e) return calculus.substitute(e, new) end)
-  local J = { { S1[1], S1[4], S1[5] }, { S1[4], S1[2], S1[6] }, { S1[5], S1[6], S1[3] } }
-  for i = 1, 3 do
-    for j = i, 3 do
-      J[i][j] = define("S" .. string.sub("xyz", i, i) .. string.sub("xyz", j, j), J[i][j])
-      J[j][i] = J[i][j]
-    end
-  end
-  local rest = vec.sub(change, vec.apply(vec.sub(later, D), at))
-  return cayley.inverse(function(name, e) return define(name .. "1", e) end, J)(rest)
+  local S1 = vec.map(S, function(e, n) return define("S" .. vec.entry[n], calculus.substitute(e, new)) end)
+  local rest = cayley.each(define, "n", vec.sub(change, vec.apply(vec.sub(later, D), at)))
+  return vec.solve(S1, rest, function(name, e) return define(name .. "1", e) end)
 end
 
 -- What is added to q to make q1 = n q (1, b): n - 1 without cancellation, r - 1 = -b^2 r^2/(1 + r) of r = 1/|(1, b)|;
@@ -213,9 +208,9 @@ local function step(eq, increments)
   return list
 end
 
-function semi.groups(eq) return step(eq, false) end
+function semi.groups(eq) return step(eq, nil) end
 
 -- What the step adds to the states, in the place of the new states: methods/compensated.lua.
-function semi.increments(eq) return step(eq, true) end
+function semi.increments(eq, _, lost) return step(eq, lost) end
 
 return semi
