@@ -89,8 +89,7 @@ local function printed(s, name)
   if not made then return nil, why end
   local kit = { ctx = ctx, compensated = false, planning = false, base = { name = name, upper = ctx.upper,
     has_inputs = false, zero = "0.0", one = "1.0", half = "0.5", two = "2.0", four = "4.0", quarter = "0.25",
-    eight = "8.0", fabs = "fabs", sqrt = "sqrt", sin = "sin", cos = "cos",
-    n = setmetatable({}, { __index = function(_, q) return number.text(R.fromdouble(q), "double") end }) },
+    eight = "8.0", n = { [64] = "64.0" }, fabs = "fabs", sqrt = "sqrt", sin = "sin", cos = "cos" },
     templates = setmetatable({}, { __index = function(_, path) return scene.slurp(path) end }) }
   local header, sources = emit.render({ program = made, first = false, has_knots = false }, kit)
   local lines = { "typedef double " .. name .. "_real; typedef struct { double kk; } " .. name .. "_model;",
@@ -170,9 +169,8 @@ local r = param("r", 1, "m")
 return scene { name = "b", origin = "centroid",
   body = solid.cylinder { r = r, h = 2, mass = 3 }:turned { axis = {1, 2, 0}, angle = 0.7 },
   effects = { effect.custom { torque = function(s) return { 0, 0, -quantity(0.05, "rad/s")*s.L[3] } end } } }]])
-  scene.plan(job, { real = "double", methods = { "taylor" } })
-  local made, files = pcall(scene.files, job)
-  tap.ok(made and files["b.c"]:find("b_taylor", 1, true) or made and files["b.c"]:find("b_step", 1, true),
+  local made, files = pcall(function() return scene.files(scene.plan(job, { methods = { "taylor" } })) end)
+  tap.ok(made and files["b.c"]:find("b_step", 1, true),
     "one component of the angular momentum in the torque", tostring(files))
 end
 
