@@ -122,7 +122,7 @@ local function goes_on(line, own, next_one)
   local last = string.byte(line, -1)
   if ENDS[last or 0] then return false end
   local tail = string.char(last)
-  if string.find(own, "^%a") or string.find(next_one, "^%s*[/#}]") then
+  if string.find(own, "^[%a#]") or string.find(next_one, "^%s*[/#}]") then
     return false
   end
   if string.find(own, "^ *{") then return tail == "," and string.find(next_one, "^ *{.*},$") ~= nil end

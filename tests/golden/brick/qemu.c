@@ -85,8 +85,8 @@ void reset_handler(void)
   uint32_t *to;
   int status;
 
-/* CPACR: the floating-point unit on */
-#if defined __ARM_FP *(volatile uint32_t *)0xE000ED88U |= 0xFU << 20;
+#if defined __ARM_FP
+  *(volatile uint32_t *)0xE000ED88U |= 0xFU << 20; /* CPACR: the floating-point unit on */
   __asm__ volatile("dsb\n\tisb");
 #endif
   for (to = data_start; to < data_end;) *to++ = *from++;
