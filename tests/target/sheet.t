@@ -124,7 +124,8 @@ for _, core in ipairs(list) do
     cores.must("%sgcc %s -nostartfiles %s %s -Wl,--gc-sections,-e,%s_%s -Wl,-u,%s_%s %sx.o -lm -o %sx.elf", core.prefix,
       core.flags, core.arm and "--specs=nosys.specs" or "", script, SCENE, f, SCENE, f, own, own)
     local code, data = string.match(cores.must("%ssize %sx.elf", core.prefix, own), "\n%s*(%d+)%s+(%d+)")
-    if code + data ~= rows[core.name][f].flash then
+    -- tables are aligned to 8 bytes at most, and the linker fills what is left before them by the order of the files
+    if math.abs(code + data - rows[core.name][f].flash) >= 8 then
       wrong[#wrong + 1] = f .. " " .. code + data .. " " .. rows[core.name][f].flash
     end
   end
