@@ -8,7 +8,7 @@
    ph_free_top_at, in 2^-53. The time is t by NAME_at, or n h by NAME_at_tick, h of 24 bits and n
    below 2^29, so that n h is a double. DEFECT: something planted, which the search must find
    (worst.t). */
-#include "free_top.h"
+#include "free_top/free_top.h"
 #include "search.h"
 
 #define main free_top_main

@@ -8,7 +8,7 @@
    are in the units of double. */
 #include "search.h"
 #include "tensor.h"
-#include "wide.h"
+#include "numbers/wide.h"
 
 #define main free_top_main
 #include "../oracle/free_top.c"

@@ -11,7 +11,7 @@
    by [method(z) - the terms kept] + [1/(1 - z) or (1 - z)^(-3/2), less the terms kept]. Rounding:
    12 units of W and of 1: of the result 1, of |q| = 1 restored from a q that is itself rounded 5,
    of increments of z <= 1/4 some twenty operations. */
-#include "free_top.h"
+#include "free_top/free_top.h"
 #include "search.h"
 #include "steps.h"
 
