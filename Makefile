@@ -291,6 +291,26 @@ TOP_OBJ = $(BUILD)/bench/hand.o $(BUILD)/bench/tumbling_box.o $(BUILD)/bench/tum
 $(BUILD)/bench/top: tests/bench/top.c $(TOP_OBJ) $(LIBRARY)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -Itests/bench -I$(BUILD)/bench -o $@ $^ $(GSL_LIBS) -lm
 
+# many bodies at once: the same scene, in lanes of three widths
+$(BUILD)/bench/many_%/tumbling_box.c: bodies/tumbling_box.lua $(PROGRAM)
+	@mkdir -p $(@D)
+	@$(PROGRAM) gen --layout single --method rk4,taylor --with batch --real $* $< -o $(@D) > $(@D).log
+
+LANES_512 = -march=native -mprefer-vector-width=512
+LANES_256 = -march=native -mprefer-vector-width=256
+LANES_128 =
+bench-many: $(BUILD)/bench/hand.o $(BUILD)/bench/many_double/tumbling_box.c $(BUILD)/bench/many_float/tumbling_box.c
+	@for real in double:1e-9 float:1e-4f; do \
+	  for lanes in "512 $(LANES_512)" "256 $(LANES_256)" "128 $(LANES_128)"; do \
+	    set -- $$lanes; dir=$(BUILD)/bench/many_$${real%:*}; width=$$1; shift; \
+	    $(CC) -std=c99 -O2 -ffp-contract=off -fno-math-errno -fno-tree-slp-vectorize "$$@" -c -o $$dir/box.o \
+	      $$dir/tumbling_box.c || exit; \
+	    $(CC) $(STD) $(CFLAGS) $(POSIX) -DTOLERANCE=$${real#*:} -Itests/bench -I$$dir -o $$dir/many \
+	      tests/bench/many.c $$dir/box.o $(BUILD)/bench/hand.o -lm || exit; \
+	    $$dir/many "$${real%:*}, vectors of $$width bits" || exit; \
+	  done; \
+	done
+
 $(BUILD)/bench/rhs: tests/bench/rhs.c $(BUILD)/bench/heavy_top.o $(LIBRARY)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -I$(BUILD)/bench -o $@ $^ $(GSL_LIBS) -lm
 
@@ -497,7 +517,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs bench accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs bench bench-many accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 
