@@ -104,83 +104,9 @@ void ${name}_${s.step}_${s.way}(${s.owner}, ${name}_real t, ${name}_real x[], co
 
 ${text}
 %% end
-%% if own_model then
+%% if alone then
 
-/* the model of body k */
-static void ${name}_own(${name}_model *m, const ${name}_real c[], size_t n, size_t k)
-{
-%% for _, member in ipairs(constants) do
-  m->${member.name} = c[${member.index}*n + k];
-%% end
-%% if order then
-  m->order[0] = m->order[1] = m->order[2] = 0; /* which spins are stable: no stepper reads it */
-%% end
-}
-%% end
-%% for _, s in ipairs(loops) do
-
-void ${name}_${s.advance}_${s.way}(${s.owner}, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int steps, int n)
-{
-  int k, i, j;
-
-%% if not has_inputs then
-  (void)u;
-%% end
-  for (k = 0; k < n; k++) {
-    ${name}_real y[${upper}_NX];
-%% if has_inputs then
-    ${name}_real v[${upper}_NU];
-%% end
-%% if s.each then
-    ${name}_model m;
-
-    ${name}_own(&m, c, (size_t)n, (size_t)k);
-%% else
-
-%% end
-    for (i = 0; i < ${upper}_NX; i++) y[i] = x[(size_t)i*(size_t)n + (size_t)k];
-%% if has_inputs then
-    for (i = 0; i < ${upper}_NU; i++) v[i] = u[(size_t)i*(size_t)n + (size_t)k];
-%% end
-    for (j = 0; j < steps; j++) ${name}_${s.step}(${s.model}, t + (${name}_real)j*h, y, ${s.v}, h);
-    for (i = 0; i < ${upper}_NX; i++) x[(size_t)i*(size_t)n + (size_t)k] = y[i];
-  }
-}
-
-void ${name}_${s.step}_${s.way}(${s.owner}, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int n)
-{
-  ${name}_${s.advance}_${s.way}(${s.call}, t, x, u, h, 1, n);
-}
-%% if s.run then
-
-void ${name}_taylor_run_${s.way}(${s.owner}, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most, int steps[], int n)
-{
-  int k, i;
-
-%% if not has_inputs then
-  (void)u;
-%% end
-  for (k = 0; k < n; k++) {
-    ${name}_real y[${upper}_NX];
-%% if has_inputs then
-    ${name}_real v[${upper}_NU];
-%% end
-%% if s.each then
-    ${name}_model m;
-
-    ${name}_own(&m, c, (size_t)n, (size_t)k);
-%% else
-
-%% end
-    for (i = 0; i < ${upper}_NX; i++) y[i] = x[(size_t)i*(size_t)n + (size_t)k];
-%% if has_inputs then
-    for (i = 0; i < ${upper}_NU; i++) v[i] = u[(size_t)i*(size_t)n + (size_t)k];
-%% end
-    steps[k] = ${name}_taylor_run(${s.model}, t0, y, ${s.v}, t1, tolerance, most);
-    for (i = 0; i < ${upper}_NX; i++) x[(size_t)i*(size_t)n + (size_t)k] = y[i];
-  }
-}
-%% end
+${alone}
 %% end
 %% for _, s in ipairs(rates) do
 

@@ -38,16 +38,18 @@ enum {
 int ${name}_init_many(${name}_real c[], const ${name}_real p[], int status[], int n);
 
 %% for _, s in ipairs(steppers) do
+%%   if s.each then
 /* ${name}_${s.step}_many and ${name}_${s.advance}_many, each body with its own constants. */
 void ${name}_${s.step}_each(const ${name}_real c[], ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int n);
 void ${name}_${s.advance}_each(const ${name}_real c[], ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, int steps, int n);
 
-%%   if s.run then
+%%     if s.run then
 void ${name}_taylor_run_each(const ${name}_real c[], ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most, int steps[], int n);
 
+%%     end
 %%   end
 %% end
-%% if rhs then
+%% if rhs_each then
 /* ${name}_rhs_many, each body with its own constants. */
 void ${name}_rhs_each(const ${name}_real c[], ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real dx[], int n);
 

@@ -202,6 +202,22 @@ end
 
 -- ---- what is called for ----
 
+-- A rate or a step that reads none of the parameters has no function for bodies that differ, and none is declared.
+for _, case in ipairs { { "cube_corner", "semi" }, { "dumbbell", "semi" }, { "heavy_top", "split2,rk4" } } do
+  local at, body = dir .. "/declared", case[1]
+  shell("rm -rf %s; %s gen bodies/%s.lua --with batch --method %s -o %s", at, binary, body, case[2], at)
+  local status, text = shell("cd %s && gcc -std=c99 -c -o all.o %s_batch.c && nm -g --defined-only all.o", at, body)
+  local defined, declared = {}, {}
+  for name in text:gmatch "%sT ([%w_]+)" do defined[#defined + 1] = name end
+  local header = (program.read(at .. "/" .. body .. "_batch.h") or ""):gsub("/%*.-%*/", "")
+  for name in header:gmatch "%f[^\n]%a+ ([%w_]+)%(" do declared[#declared + 1] = name end
+  table.sort(defined)
+  table.sort(declared)
+  tap.ok(status == 0 and #declared > 2 and table.concat(defined, " ") == table.concat(declared, " "),
+    body .. " by " .. case[2] .. ": each function that is declared is there",
+    table.concat(declared, " ") .. "\n" .. table.concat(defined, " "))
+end
+
 local status, text = shell("%s gen bodies/brick.lua --with batch --only step_many -o %s/few", binary, dir)
 tap.is(status, 0, "--only step_many", text)
 local header = program.read(dir .. "/few/brick_batch.h") or ""
