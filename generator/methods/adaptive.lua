@@ -61,7 +61,8 @@ local function combined(coefficients, k, name)
 end
 
 -- The trial step: from x at t and k1 = f(t, x) the state `out`, what is `turn`ed to get its q, its rates k7 and the
--- error of the lower order, as the groups of a function; knots: where the run must stop (dynamics/breaks.lua).
+-- error of the lower order, as the groups of a function; knots: where the run must stop (dynamics/breaks.lua).  Or nil
+-- and why there is none.
 function adaptive.program(eq)
   local zero = stages.conserved(eq)
   local moving, k, groups = {}, { {} }, {}
@@ -71,6 +72,7 @@ function adaptive.program(eq)
       k[1][s.name] = expr.sym("k1" .. s.name, 8)
     end
   end
+  if #moving == 0 then return nil, stages.AT_REST end
   for n = 2, 7 do
     local suffix = "_" .. n
     for _, s in ipairs(eq.model.states) do -- the second wheel's speed is wheel_2

@@ -13,6 +13,9 @@ local stages = {}
 local quotient = { wx = true, wy = true, wz = true }
 local attitude = { qw = true, qx = true, qy = true, qz = true }
 
+-- Why a method that looks for a length of its steps has nothing to look at.
+stages.AT_REST = "no state of the scene changes"
+
 -- The states whose rate is structurally zero.
 function stages.conserved(eq)
   local zero = {}

@@ -320,6 +320,7 @@ function taylor.program(eq, options)
       moving[#moving + 1] = s
     end
   end
+  if #moving == 0 then return nil, stages.AT_REST end
   eq = separate(eq)
   local groups, axis, spin, Omega = despun(eq, zero)
   local shift, knots

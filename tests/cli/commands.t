@@ -106,6 +106,13 @@ do
   tap.ok(status == 1 and out == "" and err:find("method exact: this scene has no closed form", 1, true),
     "--method exact of a driven body is refused with status 1", status .. err)
   tap.ok(program.read(dir .. "/no/gyroscope.c") == nil, "and nothing is written")
+  program.write(dir .. "/ball.lua", [[return scene { name = "ball", body = solid.sphere { r = 0.1, mass = 1 },
+    initial = { omega = {1, 2, 3} }, outputs = {"rates"} }]])
+  for _, method in ipairs { "adaptive", "taylor" } do
+    status, out, err = run("gen " .. dir .. "/ball.lua --method " .. method .. " -o " .. dir .. "/no")
+    tap.ok(status == 1 and out == "" and err:find("method " .. method .. ": no state of the scene changes", 1, true),
+      "a scene whose rates stay as they are has no steps of " .. method, status .. err)
+  end
 end
 
 -- ---- run ----
