@@ -5,6 +5,7 @@
 --     functions.cost_row(name, counts)     a row of that table
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local rounding = require "generator.ir.core.rounding"
 local source = require "generator.emit.source"
 local template = require "generator.emit.template"
 
@@ -37,11 +38,27 @@ local function cost_line(f)
   return f.name .. ": " .. table.concat(parts, ", ")
 end
 
+-- What is computed from numbers that are given by arithmetic alone, without steps or iterations.
+local BOUNDED = { energy = true, jacobi_integral = true, particle_energy = true, momentum = true, momentum_body = true,
+  torque = true, rhs = true, inertia_at = true, inertia_now = true }
+
+-- The bound on the error of what a function returns, as lines of its description.
+local function bound(f, real)
+  local k, single = rounding.run(f.ir, real)
+  if not k or k == 0 or not BOUNDED[f.name] then return {} end
+  local epsilons = string.format("%d", k // 2) .. (k % 2 == 0 and "" or ".5") -- k times half of epsilon
+  if single then return { "Relative error at most " .. epsilons .. " epsilon." } end
+  return { "Error at most " .. epsilons .. " epsilon times the sum of the absolute values of the terms,",
+    "multiplied out." }
+end
+
 function functions.of(job, ctx)
   local made = { list = {}, costs = {}, banner = {} }
   for i, description in ipairs(job.functions) do
     local f = source.make(ctx, description)
-    made.list[i] = { prototype = commented(f.doc) .. "\n" .. f.declaration, head = f.head, lines = f.lines }
+    local doc = table.move(f.doc, 1, #f.doc, 1, {})
+    for _, line in ipairs(bound(f, ctx.real)) do doc[#doc + 1] = line end
+    made.list[i] = { prototype = commented(doc) .. "\n" .. f.declaration, head = f.head, lines = f.lines }
     made.costs[i] = functions.cost_row(f.name, f.cost)
     if f.name == "rhs" or f.name == "step" then
       made.banner[#made.banner + 1] = "Operations of " .. cost_line(f) .. "."

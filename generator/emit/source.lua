@@ -221,7 +221,7 @@ function source.type(m)
   return "real"
 end
 
--- Everything a template needs of one function: doc lines, prototype, body lines, operation counts, IR.
+-- Everything a template needs of one function: doc lines, prototype, body lines, operation counts; and its IR.
 function source.make(ctx, f)
   local ir = passes.run(lower.run(source.program(ctx, f)))
   local c = cprint.statements(ir, ctx.real, source.printed(ctx))
@@ -241,7 +241,7 @@ function source.make(ctx, f)
   local head = (f.result and ctx.name .. "_real " or "void ") .. ctx.name .. "_" .. f.name
   local args = declarations(ctx, f)
   return { name = f.name, doc = f.doc, declaration = prototype(head, args, ";"), head = prototype(head, args, ""),
-    lines = lines, cost = count.run(ir) }
+    lines = lines, cost = count.run(ir), ir = ir }
 end
 
 -- What making C of a job's functions needs (see declarations, above).

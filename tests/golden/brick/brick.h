@@ -92,16 +92,24 @@ brick_real brick_mass(const brick_model *m, brick_real com[3]);
  * entries are minus the products of inertia), body axes, kg m^2. */
 void brick_inertia(const brick_model *m, brick_real I[6]);
 
-/* Kinetic energy T = w.I w/2, J. */
+/* Kinetic energy T = w.I w/2, J.
+ * Error at most 3.5 epsilon times the sum of the absolute values of the terms,
+ * multiplied out. */
 brick_real brick_energy(const brick_model *m, const brick_real x[]);
 
-/* Angular momentum about the origin of rotation, body axes, kg m^2/s. */
+/* Angular momentum about the origin of rotation, body axes, kg m^2/s.
+ * Error at most 1.5 epsilon times the sum of the absolute values of the terms,
+ * multiplied out. */
 void brick_momentum_body(const brick_model *m, const brick_real x[], brick_real L[3]);
 
-/* Angular momentum about the origin of rotation, inertial axes, kg m^2/s; |q| = 1. */
+/* Angular momentum about the origin of rotation, inertial axes, kg m^2/s; |q| = 1.
+ * Error at most 4.5 epsilon times the sum of the absolute values of the terms,
+ * multiplied out. */
 void brick_momentum(const brick_model *m, const brick_real x[], brick_real L[3]);
 
-/* Equations of motion: dx = dx/dt at time t, state x, input u.  dx must not overlap x. */
+/* Equations of motion: dx = dx/dt at time t, state x, input u.  dx must not overlap x.
+ * Error at most 4 epsilon times the sum of the absolute values of the terms,
+ * multiplied out. */
 void brick_rhs(const brick_model *m, brick_real t, const brick_real x[], const brick_real u[],
                brick_real dx[]);
 
