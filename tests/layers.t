@@ -24,6 +24,8 @@ local ARROWS = {
   effects = { "algebra" },
   geometry = {},
   draw = {},
+  attitude = {}, -- quaternion, matrix, angles: plain numbers
+  plot = { "draw", "attitude" }, -- what is drawn of a motion
   dynamics = { "algebra", "mass", "stages" }, -- mass: principal axes and validity of the tensor that moves
   methods = { "algebra", "dynamics" },
   ir = { "algebra", "polhode_rational" },
@@ -36,7 +38,7 @@ local ARROWS = {
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report", "nearest",
     "selection", "stages", "functions" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan",
-    "report", "driver", "interchange", "nearest", "selection" },
+    "report", "driver", "interchange", "nearest", "selection", "plot", "attitude" },
   main = { "commands", "driver", "diag", "nearest" },
 }
 
@@ -104,7 +106,8 @@ local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/
   ["generator/commands/motion_checks.lua"] = true,
   ["generator/commands/forced.lua"] = true,
   ["generator/plan/decision.lua"] = true, ["generator/plan/search.lua"] = true,
-  ["generator/commands/mesh.lua"] = true, ["generator/report/bench.lua"] = true }
+  ["generator/commands/mesh.lua"] = true, ["generator/report/bench.lua"] = true,
+  ["generator/plot/times.lua"] = true }
 
 local METHODS = { "gsub", "match", "format", "sub", "rep", "find", "gmatch", "byte", "lower", "upper", "len",
   "reverse" }

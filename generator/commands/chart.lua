@@ -4,6 +4,7 @@
 
 local R = require "generator.algebra.rational"
 local options = require "generator.commands.options"
+local picture = require "generator.commands.picture"
 local driver = require "generator.driver"
 local stability = require "generator.mass.spin_stability"
 local numeric = require "generator.dynamics.numeric"
@@ -32,7 +33,7 @@ chart.options = {
   { "--y", "text", "the column of the vertical axis", value = "COLUMN", default = "how many members" },
   { "--z", "text", "the column of the colour", value = "COLUMN", default = "points" },
   { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
-  { "-o", "text", "the file that is written; PNG by rsvg-convert", value = "FILE.svg|FILE.png",
+  { "-o", "text", "the file that is written; PNG and PDF by rsvg-convert", value = "FILE.svg|.png|.pdf",
     default = "standard output, which is also -" },
 }
 chart.examples = {
@@ -151,23 +152,11 @@ local function members_text(host, given)
   return members.text(names, columns)
 end
 
--- The SVG as PNG, by rsvg-convert; the exit status.
-local function write_png(host, file, text)
-  local dir, why = host.tempdir()
-  local ok, status, said = dir, nil, nil
-  if dir then ok, why = host.write_file(dir .. "/chart.svg", text) end
-  if ok then status, said = host.execute { "rsvg-convert", "-z", "2", "-o", file, dir .. "/chart.svg" } end
-  if status == 0 then return 0 end
-  return options.failed(host, "chart", not ok and why or status and said or
-    "-o FILE.png needs the program rsvg-convert (Debian package librsvg2-bin); FILE.svg needs nothing")
-end
-
 function chart.run(host, given)
   if given.from then
-    local picture, wrong = members_text(host, given)
-    if not picture then return options.wrong(host, "chart", wrong) end
-    if given.o and string.find(given.o, "%.png$") then return write_png(host, given.o, picture) end
-    return options.write(host, "chart", given.o, picture)
+    local text, wrong = members_text(host, given)
+    if not text then return options.wrong(host, "chart", wrong) end
+    return picture.write(host, "chart", given.o, text)
   end
   if not given[1] then return options.wrong(host, "chart", "SCENE is missing") end
   for _, name in ipairs { "x", "y", "z" } do
@@ -183,7 +172,7 @@ function chart.run(host, given)
     text, wrong = stability_text(job, given)
   end
   if not text then return options.wrong(host, "chart", wrong) end
-  return options.write(host, "chart", given.o, text)
+  return picture.write(host, "chart", given.o, text)
 end
 
 return chart

@@ -4,7 +4,8 @@
 -- command.options and command.operands (commands/options.lua), command.examples = {{command line, what it shows}, ...}.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local help = { names = { "gen", "run", "sweep", "explain", "check", "bench", "chart", "mesh", "links", "list" } }
+local help = { names = { "gen", "run", "sweep", "explain", "check", "bench", "plot", "chart", "mesh", "links",
+  "list" } }
 
 local width, column = 80, 26 -- of a line; where explanations begin
 

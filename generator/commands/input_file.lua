@@ -133,4 +133,17 @@ function file.read(job, path, text, linear)
   return { rows = flat, linear = linear or false }, warnings
 end
 
+-- The inputs over time that a command line names: warnings and these (nil: all 0), or nil and what is wrong.
+function file.of(host, job, given)
+  if not given.input then
+    if given.between then return nil, "--between: it says how --input FILE.csv is read" end
+    return {}
+  end
+  local text, why = host.read(given.input)
+  if not text then return nil, why end
+  local course, said = file.read(job, given.input, text, given.between == "linear")
+  if not course then return nil, said end
+  return said, course
+end
+
 return file

@@ -135,26 +135,14 @@ local function computed(host, job, given, motion, list, warnings)
   return rows, found
 end
 
--- Prints why there is no table; the exit status.
-local function refuse(host, failure, help)
+-- Prints why there is no motion (of another command that has one: its name); the exit status.
+function run.refuse(host, failure, help, command)
+  command = command or "run"
   if failure.diag then return options.refuse(host, failure.diag) end
-  if failure.command then return options.wrong(host, "run", failure.text) end
+  if failure.command then return options.wrong(host, command, failure.text) end
   local when = failure.t and string.format("at t = %.6g s: ", failure.t) or ""
-  return options.failed(host, "run", when .. failure.text .. (help and help ~= "" and "\n  what helps: " .. help or ""),
-    failure.status)
-end
-
--- Reads the inputs over time: warnings and these, or nil and what is wrong.
-local function inputs_of(host, job, given)
-  if not given.input then
-    if given.between then return nil, "--between: it says how --input FILE.csv is read" end
-    return {}
-  end
-  local text, why = host.read(given.input)
-  if not text then return nil, why end
-  local course, said = input_file.read(job, given.input, text, given.between == "linear")
-  if not course then return nil, said end
-  return said, course
+  return options.failed(host, command, when .. failure.text .. (help and help ~= "" and "\n  what helps: " .. help or
+    ""), failure.status)
 end
 
 function run.run(host, given)
@@ -164,7 +152,7 @@ function run.run(host, given)
   wrong = wrong or events.missing(job)
   local warnings, course
   if not wrong then
-    warnings, course = inputs_of(host, job, given)
+    warnings, course = input_file.of(host, job, given)
     wrong = not warnings and course
   end
   if not warnings then return options.wrong(host, "run", wrong) end
@@ -173,10 +161,10 @@ function run.run(host, given)
   wrong = motion and limits.exceeded(motion, list, given) or failure and failure.command and failure.text
   if wrong then return options.wrong(host, "run", wrong) end
   options.warn(host, job.diag)
-  if not motion then return refuse(host, failure) end
+  if not motion then return run.refuse(host, failure) end
   local rows, found = computed(host, job, given, motion, list, warnings)
   if not rows then
-    return refuse(host, found, found.status == 3 and accuracy.help(job, motion, list, found.t))
+    return run.refuse(host, found, found.status == 3 and accuracy.help(job, motion, list, found.t))
   end
   local status = options.write(host, "run", given.o, tables.writers[given.format or "csv"](rows, (tables.columns(job)),
     #job.record.events > 0 and found or nil))

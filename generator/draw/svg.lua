@@ -59,7 +59,8 @@ local entity = { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;", ['"'] = "&quot
 function svg.escape(s) return (string.gsub(s, '[&<>"]', entity)) end
 
 -- "r_in" and "10^{-3}" as text with lowered and raised parts; a single letter or digit needs no braces, a word after
--- _ neither.
+-- _ neither.  Between U+27E8 and U+27E9 stands what is in italics whatever the class: a quantity before its unit.
+-- A blank at the end of a raised part is kept by xml:space alone: some readers trim U+00A0, too.
 local function rich(s)
   local out, at = {}, 1
   while at <= #s do
@@ -72,13 +73,13 @@ local function rich(s)
     out[#out + 1] = '<tspan dy="' .. shift .. '" font-size="75%">' .. svg.escape(part) .. "</tspan>"
     at = to + 1
     if at <= #s then -- the line goes back with the next character
-      local next_one = string.match(s, "^" .. utf8.charpattern, at)
-      out[#out + 1] = '<tspan dy="' .. -shift .. '">' .. (next_one == " " and "\u{A0}" or svg.escape(next_one))
-        .. "</tspan>"
+      local next_one = string.match(s, "^ ?" .. utf8.charpattern, at)
+      local keep = string.sub(next_one, 1, 1) == " " and ' xml:space="preserve"' or ""
+      out[#out + 1] = '<tspan dy="' .. -shift .. '"' .. keep .. ">" .. svg.escape(next_one) .. "</tspan>"
       at = at + #next_one
     end
   end
-  return table.concat(out)
+  return (string.gsub(string.gsub(table.concat(out), "⟨", '<tspan font-style="italic">'), "⟩", "</tspan>"))
 end
 
 -- options: {title =, about =, palette = more styles}

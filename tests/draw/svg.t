@@ -26,11 +26,15 @@ end
 do
   local text = drawn(function(d)
     d:math(1, 2, "r_in < h^2")
+    d:math(1, 2, "⟨ω⟩_x / (rad/s)", "label")
     d:path({ { 0, 0 }, { 1.5, 2 } }, "curve a")
     d:group("label", function() d:circle(1, 2, 3, "dot") end)
   end, { title = "a < b", about = "c & d" })
-  tap.like(text, 'r<tspan dy="4" font-size="75%">in</tspan><tspan dy="-4">\u{A0}</tspan>&lt; h', "subscripts")
+  tap.like(text, 'r<tspan dy="4" font-size="75%">in</tspan><tspan dy="-4" xml:space="preserve"> &lt;</tspan> h',
+    "subscripts")
   tap.like(text, '<tspan dy="-6" font-size="75%">2</tspan></text>', "superscripts")
+  tap.like(text, '<tspan font-style="italic">ω</tspan><tspan dy="4" font-size="75%">x</tspan>',
+    "a quantity in italics")
   tap.like(text, "<title>a &lt; b</title>\n<desc>c &amp; d</desc>", "title and description")
   tap.like(text, '<path class="curve a" d="M0,0 1.5,2"/>', "a path")
   tap.like(text, '<g class="label">\n<circle class="dot" cx="1" cy="2" r="3"/>\n</g>', "a group")

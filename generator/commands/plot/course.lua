@@ -1,0 +1,204 @@
+-- course.lua -- the motion that is drawn: by the engines of `polhode run`, or from rows that it wrote.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local accuracy = require "generator.commands.run.accuracy"
+local engines = require "generator.commands.run.engines"
+local limits = require "generator.commands.run.limits"
+local facts = require "generator.report.facts"
+local rotation = require "generator.attitude.rotation"
+local err = require "generator.plan.error"
+local panels = require "generator.plot.panels"
+local sampling = require "generator.plot.sampling"
+local times = require "generator.plot.times"
+
+local course = {}
+
+local rows_of_difference = 400
+
+-- Where q, w, r, v and further states are in a scene's state.
+local function places(job)
+  local at = { own = {} }
+  for i, s in ipairs(job.states) do
+    local part = ({ attitude = "q", rates = "w", position = "r", velocity = "v" })[s.kind]
+    if part then
+      at[part] = at[part] or {}
+      table.insert(at[part], i)
+    else
+      table.insert(at.own, i)
+    end
+  end
+  return at
+end
+
+local function part(x, places_of)
+  local list = {}
+  for n, i in ipairs(places_of) do list[n] = x[i] end
+  return list
+end
+
+-- The inertia times a vector along the body's axes.
+local function times_inertia(I)
+  return function(v)
+    return { I[1] * v[1] + I[4] * v[2] + I[5] * v[3], I[4] * v[1] + I[2] * v[2] + I[6] * v[3],
+      I[5] * v[1] + I[6] * v[2] + I[3] * v[3] }
+  end
+end
+
+-- What the pictures know of the body: of its states, effects and laws.
+local function of_scene(job, given)
+  local m = job.model
+  local c = { conserved = job.conserved.is, sequence = given.sequence or "zxz" }
+  if not m.has.rates then return c end
+  local f = facts.of(job)
+  c.body = { moments = f.moments, axes = f.axes, kind = m.structure.kind, rod = m.structure.rod }
+  if m.structure.kind == "symmetric" then
+    c.body.k = {}
+    for i = 1, 3 do c.body.k[i] = m:double(m.structure.k[i]) end
+  end
+  c.along = times_inertia(f.inertia_number)
+  function c.momentum(s) return s.q and s.L and rotation.back(s.q, s.L) or c.along(s.w) end
+  local simple, carriers = not m.frame, { ["effect.rotor"] = true, ["effect.wheel"] = true }
+  for _, e in ipairs(m.record.effects) do -- these have kinetic energy of their own, or change the body's
+    c.carries = c.carries or carriers[e.kind]
+    simple = simple and not (carriers[e.kind] or e.kind == "effect.inertia_rate" or e.kind == "effect.custom")
+  end
+  local mass = f.mass_number
+  if simple then
+    function c.kinetic(s)
+      local L, sum = c.along(s.w), 0.0
+      for i = 1, 3 do sum = sum + L[i] * s.w[i] / 2 + (s.v and mass * s.v[i] ^ 2 / 2 or 0.0) end
+      return sum
+    end
+  end
+  return c
+end
+
+local function looker(job, motion)
+  local at = places(job)
+  return function(ts)
+    local states, failure = motion.solve(ts, {})
+    if not states then return nil, failure end
+    local out = {}
+    for i, state in ipairs(states) do
+      local energy, L = motion.measured(state)
+      if not energy then return nil, L end
+      local s = { t = state.t, energy = energy, L = job.model.has.attitude and L or nil, own = part(state.x, at.own) }
+      for _, name in ipairs { "q", "w", "r", "v" } do s[name] = at[name] and part(state.x, at[name]) end
+      out[i] = panels.complete(s)
+    end
+    return out
+  end
+end
+
+-- Samples of the motion up to `finish`, of one by fixed steps after whole steps; or nil and a failure.
+local function looked(look, finish, step)
+  if step then return look(sampling.steps(finish, step)) end
+  return sampling.adaptive(look, finish)
+end
+
+-- The motion by the first method, or nil and a failure as run.engines has it, or a message in its place.
+local function engine_of(given) return given.engine == "generated" and engines.generated or engines.general end
+
+local function with_method(given, method)
+  return setmetatable({ method = method }, { __index = function(_, k) return k ~= "method" and given[k] or nil end })
+end
+
+-- Differences of two methods at common times: {methods, ts, curves}; or nil and a failure.
+local function difference(job, motions, names, finish, step)
+  local ts = {}
+  if step then
+    ts = sampling.steps(finish, step)
+  else
+    for i = 0, rows_of_difference do ts[i + 1] = finish * (i / rows_of_difference) end
+  end
+  local states = {}
+  for n = 1, 2 do
+    local rows, failure = motions[n].solve(ts, {})
+    if not rows then return nil, failure end
+    states[n] = {}
+    for i, row in ipairs(rows) do states[n][i] = row.x end
+  end
+  local groups, curves = err.groups(job), {}
+  local scales = err.scales(groups, states[2])
+  for n, g in ipairs(groups) do
+    local values = {}
+    for i = 1, #ts do values[i] = err.distance(g, scales[n], states[1][i], states[2][i]) end
+    curves[n] = { name = g.name, values = values }
+  end
+  return { methods = names, ts = ts, curves = curves }
+end
+
+-- A course of the scene: nil, a failure of run/engines.lua.  Second result: warnings.  given: the command's options,
+-- methods = {} or up to two names; inputs: over time, or nil.
+function course.compute(host, job, given, inputs)
+  local finish = given["until"] or job.model:double(job.model.horizon)
+  local names, motions, step, warnings = given.method or {}, {}, nil, {}
+  for n = 1, math.max(1, #names) do
+    local own = with_method(given, names[n])
+    local motion, failure = engine_of(given)(host, job, own, inputs)
+    if not motion then return nil, failure end
+    local wrong = limits.exceeded(motion, { finish }, own)
+    if wrong then return nil, { command = true, text = wrong } end
+    motions[n], step = motion, step or motion.step
+  end
+  local c = of_scene(job, given)
+  local samples, failure = looked(looker(job, motions[1]), finish, motions[1].step)
+  if not samples then return nil, failure end
+  local last = samples[#samples].t
+  if last < finish * (1 - 1e-9) then
+    warnings[1] = "the motion bends too often to be drawn to the end: it is to t = " .. times.number(last) .. " s\n"
+  end
+  if motions[1].step and #names < 2 then
+    local ts = { finish }
+    local states = motions[1].solve(accuracy.times(motions[1], ts), {})
+    warnings[#warnings + 1] = states and accuracy.warning(job, motions[1], ts, states) or nil
+  end
+  c.samples = samples
+  if #names == 2 then
+    c.error, failure = difference(job, motions, names, finish, step)
+    if not c.error then return nil, failure end
+  end
+  return c, warnings
+end
+
+-- ---- rows of a file ----
+
+local parts = { q = { "qw", "qx", "qy", "qz" }, w = { "wx", "wy", "wz" }, r = { "rx", "ry", "rz" },
+  v = { "vx", "vy", "vz" }, L = { "Lx", "Ly", "Lz" } }
+
+-- A course of the rows that run wrote, with the body of the scene if there is one: nil and what is wrong.
+function course.read(host, job, given)
+  local names = { "t", "energy" }
+  for _, p in ipairs { "q", "w", "r", "v", "L" } do
+    for _, name in ipairs(parts[p]) do names[#names + 1] = name end
+  end
+  local columns, known = host.columns(given.from, names)
+  if not columns then return nil, known end
+  local by_name, n = {}, #columns[1]
+  for i, name in ipairs(names) do by_name[name] = columns[i] end
+  if n < 2 then return nil, given.from .. ": no column t with two rows or more; it is to be a table of polhode run" end
+  local samples = {}
+  for i = 1, n do
+    local s = { t = by_name.t[i], energy = by_name.energy[i] }
+    for _, p in ipairs { "q", "w", "r", "v", "L" } do
+      local v = {}
+      for k, name in ipairs(parts[p]) do v[k] = by_name[name][i] end
+      if #v == #parts[p] then s[p] = v end
+    end
+    for _, name in ipairs(names) do
+      local x = by_name[name][i]
+      if x and x - x ~= 0 then
+        return nil, string.format("%s: row %d of column %s is no finite number", given.from, i, name)
+      end
+    end
+    if i > 1 and s.t <= samples[i - 1].t then
+      return nil, string.format("%s: the times of row %d and the one before do not ascend", given.from, i)
+    end
+    samples[i] = panels.complete(s)
+  end
+  local c = job and of_scene(job, given) or { conserved = {}, sequence = given.sequence or "zxz" }
+  c.samples, c.column = samples, true
+  return c
+end
+
+return course

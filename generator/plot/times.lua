@@ -1,0 +1,223 @@
+-- times.lua -- panels over time: components, lengths, angles, drift, errors.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local rotation = require "generator.attitude.rotation"
+local frame = require "generator.plot.frame"
+local space = require "generator.plot.space"
+
+local times = {}
+
+local turns = 24 -- extrema of a curve that a panel shows; more is a block of ink
+local colours = { "cx", "cy", "cz", "cn", "ce" }
+
+function times.list(samples, f)
+  local out = {}
+  for i, s in ipairs(samples) do out[i] = f(s) end
+  return out
+end
+local list = times.list
+
+-- Four digits, for people.
+function times.number(x) return (string.gsub(string.format("%.4g", x), "^%-", "−")) end
+
+-- Greatest less least value, and the greatest size.
+function times.extent(values)
+  local low, high = math.huge, -math.huge
+  for _, x in ipairs(values) do low, high = math.min(low, x), math.max(high, x) end
+  return high - low, math.max(math.abs(low), math.abs(high))
+end
+
+-- The extent in parts of the size: what is constant on paper has a small one.
+function times.change(values)
+  local extent, size = times.extent(values)
+  return size > 0 and extent / size or 0.0
+end
+
+-- How many samples show `turns` extrema of each curve; ripples below a hundredth of the panel's range do not count.
+local function shown(curves, n)
+  local last, range = n, frame.range(list(curves, function(c) return c.values end))
+  for _, c in ipairs(curves) do
+    local least, count, peak, up = (range[2] - range[1]) / 100, 0, c.values[1], nil
+    for i = 1, last do
+      local v = c.values[i]
+      if up == true and v > peak or up == false and v < peak then
+        peak = v
+      elseif math.abs(v - peak) > least and not (c.breaks and c.breaks[i]) then
+        if up ~= nil then count = count + 1 end
+        up, peak = v > peak, v
+      elseif c.breaks and c.breaks[i] then
+        peak, count = v, count + 1
+      end
+      if count > turns then
+        last = i
+        break
+      end
+    end
+  end
+  return last
+end
+
+-- A panel of curves over time.  p: {title =, note =, y = {name, unit}, curves = {{name, values, class =, breaks =},
+-- ...}, whole = all of the time, however often they turn, log =, yrange =}; ts: the times
+function times.panel(ts, p)
+  local curves = {}
+  for i, c in ipairs(p.curves) do
+    curves[i] = { name = c[1], values = c[2], class = c.class or colours[i], breaks = c.breaks }
+  end
+  local n = p.whole and #ts or shown(curves, #ts)
+  local note = p.note
+  if n < #ts then
+    for _, c in ipairs(curves) do c.values = { table.unpack(c.values, 1, n) } end
+    note = (note and note .. "; " or "") .. "the first " .. times.number(ts[n]) .. " s of " .. times.number(ts[#ts]) ..
+      " s"
+  end
+  local xs = { table.unpack(ts, 1, n) }
+  return { title = p.title, note = note, draw = function(d, box)
+    frame.over(d, { box = box, x = { "t", "s" }, y = p.y, xs = xs, curves = curves, log = p.log, yrange = p.yrange })
+  end }
+end
+
+local function ts_of(course) return list(course.samples, function(s) return s.t end) end
+
+-- The components of a vector of the samples, f(sample), and its length if that has a name.
+local function components(course, f, names, length)
+  local out, vectors = {}, list(course.samples, f)
+  for k, name in ipairs(names) do out[k] = { name, list(vectors, function(v) return v[k] end) } end
+  if length then out[#out + 1] = { length, list(vectors, space.length), class = "cn" } end
+  return out
+end
+
+function times.rates(course)
+  local ts = ts_of(course)
+  local out = { times.panel(ts, { title = "Angular velocity, body axes", y = { "ω", "rad/s" },
+    curves = components(course, function(s) return s.w end, { "ω_x", "ω_y", "ω_z" }, "|ω|") }) }
+  if course.samples[1].q then
+    out[2] = times.panel(ts, { title = "Angular velocity, inertial axes", y = { "ω", "rad/s" },
+      curves = components(course, function(s) return s.space end, { "ω_X", "ω_Y", "ω_Z" }, "|ω|") })
+  end
+  return out
+end
+
+function times.quaternion(course)
+  return times.panel(ts_of(course), { title = "Attitude: quaternion, body to space", y = { "q", "1" },
+    yrange = { -1.05, 1.05 }, curves = components(course, function(s) return { s.q[2], s.q[3], s.q[4], s.q[1] } end,
+      { "q_x", "q_y", "q_z", "q_w" }) })
+end
+
+local greek = { "φ", "θ", "ψ" }
+
+function times.euler(course)
+  local angles, curves = list(course.samples, function(s) return rotation.euler(s.q, course.sequence) end), {}
+  for k = 1, 3 do
+    local values, breaks, last = list(angles, function(a) return math.deg(a[k]) end), {}, nil
+    for i, v in ipairs(values) do
+      breaks[i] = last ~= nil and math.abs(v - last) > 180
+      last = v
+    end
+    curves[k] = { greek[k], values, breaks = breaks }
+  end
+  return times.panel(ts_of(course), { title = "Euler angles " .. course.sequence, y = { "φ, θ, ψ", "°" },
+    note = "q = q_{" .. string.sub(course.sequence, 1, 1) .. "}(φ) q_{" .. string.sub(course.sequence, 2, 2) ..
+      "}(θ) q_{" .. string.sub(course.sequence, 3) .. "}(ψ)", curves = curves })
+end
+
+-- Rounding is noise: a few hundred points of it tell what all would.
+local function drift(course, title, name, unit, differences, size)
+  local ts, values, every = {}, {}, math.max(1, #differences // 400)
+  for i = 1, #differences, every do
+    ts[#ts + 1], values[#values + 1] = course.samples[i].t, differences[i] / size
+  end
+  return times.panel(ts, { title = title, y = { name, "1" }, whole = true, note = unit,
+    curves = { { "", values } } })
+end
+
+-- Is the energy all that it was, but for rounding?
+function times.exact(course)
+  local E = list(course.samples, function(s) return s.energy end)
+  return times.change(E) < 1e-12
+end
+
+-- Curves of what changed since the first sample, where that is little of the whole.
+local function changes(curves)
+  local most, extents = 0.0, 0.0
+  for _, c in ipairs(curves) do
+    local extent, size = times.extent(c[2])
+    most, extents = math.max(most, size), math.max(extents, extent)
+  end
+  local little = extents < 0.3 * most
+  for _, c in ipairs(little and curves or {}) do
+    local first = c[2][1]
+    c[1], c[2] = "Δ" .. c[1], list(c[2], function(x) return x - first end)
+  end
+  return little
+end
+
+-- The energy, and where it is conserved its drift; the kinetic and the potential part where they are known.
+function times.energy(course)
+  local E = list(course.samples, function(s) return s.energy end)
+  local T = course.kinetic and list(course.samples, course.kinetic)
+  local _, size = times.extent(E)
+  local out, constant = {}, course.conserved["T+V"]
+  local curves = { { "E", E, class = "cn" } }
+  if T and times.change(T) > 1e-6 then
+    local V = {}
+    for i, x in ipairs(T) do V[i] = E[i] - x end
+    local _, most = times.extent(V)
+    if most > 1e-9 * size then curves[2], curves[3] = { "T", T, class = "cx" }, { "V", V, class = "cy" } end
+  end
+  if #curves > 1 or not constant then
+    local note = #curves > 1 and "T_0 = " .. times.number(T[1]) .. " J, V_0 = " .. times.number(E[1] - T[1]) .. " J"
+    local little = #curves > 1 and changes(curves)
+    out[1] = times.panel(ts_of(course), { title = little and "Energy: what it changed by" or "Energy", note = note,
+      y = { (little and "Δ" or "") .. "E" .. (note and (little and ", ΔT, ΔV" or ", T, V") or ""), "J" },
+      curves = curves })
+  end
+  if constant and not (#out > 0 and times.extent(E) == 0) then
+    out[#out + 1] = drift(course, "Drift of the energy, which is conserved", "(E − E_0)/|E|", "E_0 = " ..
+      times.number(E[1]) .. " J", list(E, function(x) return x - E[1] end), size > 0 and size or 1.0)
+  end
+  return out
+end
+
+function times.momentum(course)
+  local samples, out = course.samples, {}
+  local length = list(samples, function(s) return space.length(s.L) end)
+  local first, size = samples[1].L, length[1]
+  local whole, only = course.conserved.L, course.conserved["|L|"]
+  if not whole then
+    out[1] = times.panel(ts_of(course), { title = "Angular momentum, inertial axes", y = { "L", "N m s" },
+      curves = components(course, function(s) return s.L end, { "L_X", "L_Y", "L_Z" }, "|L|") })
+  end
+  if (whole or only) and size > 0 then
+    local far = list(samples, function(s)
+      if not whole then return space.length(s.L) - length[1] end
+      return space.length { s.L[1] - first[1], s.L[2] - first[2], s.L[3] - first[3] }
+    end)
+    out[#out + 1] = drift(course, whole and "Drift of the angular momentum, which is conserved" or
+      "Drift of |L|, which is conserved", whole and "|L − L_0|/|L_0|" or "(|L| − |L_0|)/|L_0|", "|L_0| = " ..
+      times.number(length[1]) .. " N m s", far, size)
+  end
+  return out
+end
+
+-- The difference of two methods, on a logarithmic scale; what is 0 is drawn at the lower edge.
+function times.difference(course)
+  local e = course.error
+  local low, high, curves = math.huge, 0.0, {}
+  for _, c in ipairs(e.curves) do
+    for _, x in ipairs(c.values) do
+      if x > 0 then low, high = math.min(low, x), math.max(high, x) end
+    end
+  end
+  if high == 0 then low, high = 1e-17, 1e-15 end
+  local least = math.max(low, 1e-19)
+  for i, c in ipairs(e.curves) do
+    curves[i] = { c.name, list(c.values, function(x) return math.max(x, least) end) }
+  end
+  local from, to = math.floor(math.log(least, 10)), math.ceil(math.log(high, 10))
+  return times.panel(e.ts, { title = "Difference of " .. e.methods[1] .. " and " .. e.methods[2], whole = true,
+    note = "attitude: |q − q'|; all else: in parts of the largest", y = { "difference", "1" }, curves = curves,
+    log = true, yrange = { 10.0 ^ from, 10.0 ^ math.max(to, from + 1) } })
+end
+
+return times
