@@ -13,6 +13,7 @@
 #   make install    program, library, scenes, documents: PREFIX (default /usr/local), DESTDIR
 #   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/commands.md, docs/linearised.svg,
 #                   the tour in docs/design.md
+#   make gallery    docs/gallery.md and a picture of each scene of bodies/
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
 #   make drift-laws   docs/drift.md: how errors grow with the number of steps, fitted (ten minutes)
 #   make hunt       COUNT, SEED, HUNTED: a random search for the worst states, docs/hunt.md
@@ -255,6 +256,10 @@ docs: $(PROGRAM) $(MODULE)
 	@$(LUA) docs/tools/pages.lua docs
 	@$(LUA) docs/tools/tour.lua $(PROGRAM) docs/design.md
 	@$(PROGRAM) chart bodies/book.lua --linearised -o docs/linearised.svg
+
+# A picture of each scene of bodies/, and the page that shows them.
+gallery: $(PROGRAM)
+	@$(LUA) docs/tools/gallery.lua $(PROGRAM) docs
 
 golden: all
 	@POLHODE_GOLDEN=refresh $(LUA) tests/emit/golden.t
@@ -517,7 +522,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs bench bench-many accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 

@@ -31,7 +31,8 @@ for i, name in ipairs(panels.names) do what[i] = name end
 
 local meanings = {
   rates = "angular velocity in body axes and in inertial axes",
-  attitude = "the quaternion, and the paths of the body's axes in space",
+  attitude = "the quaternion",
+  axes = "the paths of the body's axes in space, on the unit sphere",
   euler = "Euler angles, of the --sequence",
   energy = "energy, kinetic and potential; its drift, if it is conserved",
   momentum = "angular momentum in inertial axes; its drift, if it is conserved",
@@ -59,7 +60,7 @@ plot.options = {
 }
 plot.examples = {
   { "polhode plot tennis_racket -o racket.svg", "a sheet of what tells most" },
-  { "polhode plot heavy_top --what attitude,euler --sequence zyx -o top.pdf", "quaternion, path of the axis, angles" },
+  { "polhode plot heavy_top --what axes,euler --sequence zyx -o top.pdf", "the path of the axis, and angles" },
   { "polhode plot nodding_top --what error --method rk4,adaptive --step 0.02 -o error.png",
     "what steps of 0.02 s cost in digits" },
   { "polhode plot heavy_top --from top.csv --what rates -o table.svg", "of a table that `polhode run -o` wrote" },

@@ -237,7 +237,9 @@ function svg.frame(d, f)
   function scale.at(x, y) return scale.x(x), scale.y(y) end
   local function ticks(range, log, pixels)
     if log then return svg.log_ticks(range[1], range[2]) end
-    return svg.ticks(range[1], range[2], math.max(2, pixels / 60))
+    local count = math.max(2, pixels / 60)
+    local list = svg.ticks(range[1], range[2], count)
+    return #list > 1 and list or svg.ticks(range[1], range[2], 2 * count)
   end
   for _, t in ipairs(ticks(f.xrange, f.xlog, f.x1 - f.x0)) do
     local x = scale.x(t[1])

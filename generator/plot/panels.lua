@@ -17,7 +17,7 @@ local space = require "generator.plot.space"
 local times = require "generator.plot.times"
 local trails = require "generator.plot.trails"
 
-local panels = { names = { "rates", "attitude", "euler", "energy", "momentum", "polhode", "herpolhode", "cones",
+local panels = { names = { "rates", "attitude", "axes", "euler", "energy", "momentum", "polhode", "herpolhode", "cones",
   "phase", "path", "error" } }
 
 local still = 1e-6 -- what changes by less is constant on paper
@@ -87,16 +87,17 @@ function reasons.rates(course) return lacks(course, "w") end
 makers.rates = times.rates
 
 function reasons.attitude(course) return lacks(course, "q") end
-function makers.attitude(course)
+function makers.attitude(course) return { times.quaternion(course) } end
+
+reasons.axes = reasons.attitude
+function makers.axes(course)
   local body = course.body
   local axes = { { { 1.0, 0.0, 0.0 }, "cx", "x" }, { { 0.0, 1.0, 0.0 }, "cy", "y" }, { { 0.0, 0.0, 1.0 }, "cz", "z" } }
   local title = "Paths of the body's axes in space"
   if body and body.kind == "symmetric" then
     axes, title = { { space.unit(body.k), "cx", "" } }, "Path of the axis of symmetry in space"
   end
-  return { times.quaternion(course), { title = title, draw = function(d, box)
-    trails.draw(d, box, course.samples, axes)
-  end } }
+  return { { title = title, draw = function(d, box) trails.draw(d, box, course.samples, axes) end } }
 end
 
 function reasons.euler(course) return lacks(course, "q") end
@@ -221,6 +222,7 @@ function panels.usual(course)
   put "path"
   put "rates"
   put "attitude"
+  put "axes"
   local free = not course.samples[1].w or not not_free(course)
   if not put "cones" then put "polhode" end
   put "herpolhode"
