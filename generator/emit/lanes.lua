@@ -18,13 +18,13 @@ local passes = require "generator.ir.passes.passes"
 
 local lanes = {}
 
--- What an argument of the scalar function is read from in lane k, and whether it differs from lane to lane.
+-- What an argument of the scalar function is read from in a lane, and whether it differs from lane to lane.
 local function placed(ctx, input, each)
   local array = string.match(input.c, "^([xup])%[")
-  if array then return { sym = input.sym, c = input.c .. "[k]", rank = input.rank }, true end
+  if array then return { sym = input.sym, c = input.c .. "[lane]", rank = input.rank }, true end
   local member = each and string.match(input.c, "^m%->([%w_]+)$")
   if member then
-    return { sym = input.sym, c = "c[" .. ctx.rows[member] .. "][k]", rank = input.rank }, true
+    return { sym = input.sym, c = "c[" .. ctx.rows[member] .. "][lane]", rank = input.rank }, true
   end
   return input, false
 end
@@ -38,7 +38,7 @@ local function program_of(ctx, f, each)
   own.groups = {}
   for g, group in ipairs(f.groups) do
     local outs = {}
-    for k, o in ipairs(group.outs) do outs[k] = { c = source.target(ctx, o) .. "[k]", expr = o.expr } end
+    for k, o in ipairs(group.outs) do outs[k] = { c = source.target(ctx, o) .. "[lane]", expr = o.expr } end
     own.groups[g] = { why = group.why, where = group.where, defs = group.defs, outs = outs }
   end
   return source.program(ctx, own), differs

@@ -42,7 +42,7 @@ static void ${name}_give(${name}_real from[][${upper}_LANES], ${name}_real to[],
 /* ${name}_${f.name} for each body of a block${f.whose} */
 static void ${name}_${f.name}_${f.tail}(${f.owner}, ${name}_real t, ${name}_real x[][${upper}_LANES], ${f.u}${f.last})
 {
-  int k;
+  int lane;
 %% for _, line in ipairs(f.common) do
 %%   if line == "" then
 
@@ -51,7 +51,7 @@ static void ${name}_${f.name}_${f.tail}(${f.owner}, ${name}_real t, ${name}_real
 %%   end
 %% end
 
-  for (k = 0; k < ${upper}_LANES; k++) {
+  for (lane = 0; lane < ${upper}_LANES; lane++) {
 %% for _, line in ipairs(f.lines) do
 %%   if line == "" then
 
