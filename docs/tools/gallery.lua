@@ -53,14 +53,14 @@ gallery.list = {
 local head = [[
 # Gallery
 
-A picture of each scene in `bodies/`, as `polhode plot` draws it. `make gallery` draws them all anew; the same scene gives
-the same bytes. Below each picture stands its command; `polhode help plot` lists what else can be drawn. The pictures follow the
-colours of the screen, light or dark; print is light.
+A picture of each scene in `bodies/`, as `polhode plot` draws it. `make gallery` draws them all anew; the same scene
+gives the same bytes. Below each picture stands its command; `polhode help plot` lists what else can be drawn. The
+pictures follow the colours of the screen, light or dark; print is light.
 
 What is seen: the **polhode** is the closed curve that the angular velocity draws on the ellipsoid of energy, among its
-neighbours; the dashed line is the separatrix, thin lines lie behind. The **herpolhode** is the curve of the same vector in the plane
-across L, between two circles that theory gives. A symmetric top's **cone** in the body rolls on one in space. The **phase
-portrait** has L in the body on its sphere, with lines of equal energy. The orange dot is the start.
+neighbours; the dashed line is the separatrix, thin lines lie behind. The **herpolhode** is the curve of the same vector
+in the plane across L, between two circles that theory gives. A symmetric top's **cone** in the body rolls on one in
+space. The **phase portrait** has L in the body on its sphere, with lines of equal energy. The orange dot is the start.
 ]]
 
 -- The words of the scene's first comment, up to the first line that is none.

@@ -2,12 +2,13 @@
 --
 -- Events of the scene follow: a second table after an empty line (CSV), or the member `events` (JSON); an event with
 -- stop = true ends the table with its row.
--- Columns t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz,rx,ry,rz,vx,vy,vz and further states, those that the scene has; every
--- number reads back to the same double.  Nothing is printed unless all numbers are finite: if one is not, the status is
--- 3.  A motion that is off by more than accuracy.limit is printed, with a warning.
+-- Columns t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz,rx,ry,rz,vx,vy,vz and further states, those that the scene has, or
+-- what --columns asks for; every number reads back to the same double.  Nothing is printed unless all numbers are
+-- finite: if one is not, the status is 3.  A motion that is off by more than accuracy.limit is printed, with a warning.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local accuracy = require "generator.commands.run.accuracy"
+local columns = require "generator.commands.run.columns"
 local engines = require "generator.commands.run.engines"
 local limits = require "generator.commands.run.limits"
 local tables = require "generator.commands.run.table"
@@ -17,6 +18,15 @@ local options = require "generator.commands.options"
 local driver = require "generator.driver"
 
 local run = {}
+
+-- The words of --columns, with what they are.
+local function listed(quantities)
+  local words = {}
+  for _, q in ipairs(quantities) do
+    if not string.find(q[1], "^euler_") and not q.plain then words[#words + 1] = q[1] .. " (" .. q.about .. ")" end
+  end
+  return table.concat(words, ", ") .. "; euler_zyx and so on for the other sequences; angles are in rad"
+end
 
 run.forms = { { "SCENE", "the motion as a table",
   "Columns: t in s, the state, energy in J, angular momentum L in N m s; a second table has the scene's events." } }
@@ -40,11 +50,16 @@ run.options = {
     "in SI units", value = "FILE.csv", default = "all 0" },
   { "--between", { "held", "linear" }, "the inputs between two rows of the file: those of the row before, or on " ..
     "straight lines", default = "held" },
+  { "--columns", "text", "the columns: t, states, energy, Lx .., groups of them (q, w, r, v, L, states), " ..
+    listed(columns.quantities) .. "; expressions of them and of parameters, [NAME =] EXPRESSION",
+    value = "COLUMN,...", default = "t, q, w, energy, L, further states" },
   { "--format", { "csv", "json" }, "how the table is written", default = "csv" },
   { "-o", "text", "the file that is written", value = "FILE", default = "standard output, which is also -" },
 }
 run.examples = {
   { "polhode run brick --until 2 --every 0.5", "five rows by the general library" },
+  { "polhode run heavy_top --until 1 --columns 't,euler,tilt,omega_inertial,rim = 0.03*wz'",
+    "Euler angles, tilt, w in inertial axes, and an expression" },
   { "polhode run heavy_top --engine generated --method taylor --tolerance 1e-12 --at 1,2 -o top.csv",
     "two rows by the emitted code" },
 }
@@ -109,7 +124,7 @@ end
 
 -- The motion's rows at the times of the list, and the events; or nil and the failure.  Warnings are appended.
 local function computed(host, job, given, motion, list, warnings)
-  local solve = tables.solver(job, motion)
+  local solve = tables.solver(motion, given.chosen.row)
   local function table_at(wanted)
     local longer = accuracy.times(motion, wanted)
     local rows, states = solve(longer)
@@ -120,7 +135,7 @@ local function computed(host, job, given, motion, list, warnings)
   if not found then return nil, wrong end
   local last = found[#found]
   if last and last.event.stop then
-    list = before(list, last.row[1])
+    list = before(list, last.row.t)
     rows, states = table_at(list)
     if rows then rows[#rows] = last.row end
   end
@@ -151,6 +166,7 @@ function run.run(host, given)
   local list, wrong = times(job, given)
   wrong = wrong or events.missing(job)
   local warnings, course
+  if not wrong then given.chosen, wrong = columns.of(host, job, given.columns) end
   if not wrong then
     warnings, course = input_file.of(host, job, given)
     wrong = not warnings and course
@@ -166,7 +182,7 @@ function run.run(host, given)
   if not rows then
     return run.refuse(host, found, found.status == 3 and accuracy.help(job, motion, list, found.t))
   end
-  local status = options.write(host, "run", given.o, tables.writers[given.format or "csv"](rows, (tables.columns(job)),
+  local status = options.write(host, "run", given.o, tables.writers[given.format or "csv"](rows, given.chosen.names,
     #job.record.events > 0 and found or nil))
   for _, w in ipairs(status == 0 and warnings or {}) do host.err("warning: " .. w) end
   return status

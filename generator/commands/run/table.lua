@@ -5,29 +5,8 @@ local json = require "generator.report.json"
 
 local tables = {}
 
--- The names of the columns, and a row of them from t, the scene's state, energy and L (nil without attitude).
-function tables.columns(job)
-  local list, first = { "t" }, {}
-  for i, s in ipairs(job.states) do
-    if s.kind == "attitude" or s.kind == "rates" then
-      list[#list + 1], first[#first + 1] = s.name, i
-    end
-  end
-  list[#list + 1] = "energy"
-  for _, name in ipairs(job.model.has.attitude and { "Lx", "Ly", "Lz" } or {}) do list[#list + 1] = name end
-  for i = #first + 1, #job.states do list[#list + 1] = job.states[i].name end
-  return list, function(t, x, energy, L)
-    local row = { t, table.unpack(x, 1, #first) }
-    row[#row + 1] = energy
-    for _, y in ipairs(job.model.has.attitude and L or {}) do row[#row + 1] = y end
-    for i = #first + 1, #x do row[#row + 1] = x[i] end
-    return row
-  end
-end
-
--- A motion's solve with rows of the table for states: rows, and the states; or nil and the failure.
-function tables.solver(job, motion)
-  local _, row_of = tables.columns(job)
+-- A motion's solve with rows for states, row_of(t, x, energy, L): rows, and the states; or nil and the failure.
+function tables.solver(motion, row_of)
   return function(times)
     local states, failure = motion.solve(times, {})
     if not states then return nil, failure end
@@ -36,15 +15,29 @@ function tables.solver(job, motion)
       local energy, L = motion.measured(s)
       if not energy then return nil, L end
       rows[i] = row_of(s.t, s.x, energy, L)
+      for _, x in ipairs(rows[i]) do
+        if x - x ~= 0 then return nil, { status = 3, t = s.t, text = "a column is not finite" } end
+      end
     end
     return rows, states
   end
 end
 
+-- A name as a cell of CSV.
+local function cell(name)
+  return string.find(name, '[,"]') and '"' .. string.gsub(name, '"', '""') .. '"' or name
+end
+
+local function heading(names)
+  local cells = {}
+  for i, name in ipairs(names) do cells[i] = cell(name) end
+  return table.concat(cells, ",")
+end
+
 tables.writers = {}
 
 function tables.writers.csv(rows, names, found)
-  local out = { table.concat(names, ",") }
+  local out = { heading(names) }
   for i, row in ipairs(rows) do
     local cells = {}
     for k = 1, #names do cells[k] = json.number(row[k]) end
@@ -52,7 +45,7 @@ function tables.writers.csv(rows, names, found)
   end
   local text = table.concat(out, "\n") .. "\n"
   if not found then return text end
-  out = { "event," .. table.concat(names, ",") }
+  out = { "event," .. heading(names) }
   for i, f in ipairs(found) do
     local cells = { f.event.name }
     for k = 1, #names do cells[k + 1] = json.number(f.row[k]) end
