@@ -14,6 +14,7 @@ local args = require "generator.dsl.args"
 local events = require "generator.dsl.events"
 local names = require "generator.dsl.names"
 local ranges = require "generator.dsl.ranges"
+local rotation = require "generator.dsl.rotation"
 local shapes = require "generator.dsl.shapes"
 local diag = require "generator.diag"
 
@@ -57,7 +58,7 @@ local function initial(ctx, line, given, out)
   if q == nil then return end
   local where = ctx.diag:locate(at, "attitude")
   if args.plain(q) and #q > 0 then q = { quaternion = q } end
-  out.attitude = shapes.rotation(ctx, where, "attitude", q) or out.attitude
+  out.attitude = rotation.read(ctx, where, "attitude", q) or out.attitude
 end
 
 local function time(ctx, line, given, out)

@@ -14,6 +14,7 @@ local args = require "generator.dsl.args"
 local digits = require "generator.dsl.digits"
 local polygon = require "generator.dsl.polygon"
 local region = require "generator.dsl.region"
+local rotation = require "generator.dsl.rotation"
 local value = require "generator.dsl.value"
 local diag = require "generator.diag"
 
@@ -178,53 +179,10 @@ function method.at(self, r)
   return derived(self, { op = "at", r = v, broken = v == nil, line = line })
 end
 
-local unit = { x = { 1, 0, 0 }, y = { 0, 1, 0 }, z = { 0, 0, 1 } }
-
--- The exact unit quaternion along q (which must not be zero).
-local function normalised(q)
-  local n = q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2
-  return vec.map(q, function(x) return x / expr.sqrt(n) end)
-end
-
--- {axis = "x" | {..}, angle =} or {quaternion = {..}} as a unit quaternion; nil after an error.
-function shapes.rotation(c, line, what, given)
-  if not args.plain(given) then
-    c.diag:error(line, what, "takes {axis =, angle =} or {quaternion =}", diag.show(given))
-    return nil
-  end
-  local specs = { { name = "axis" }, { name = "angle" }, { name = "quaternion" } }
-  args.unknown(c, line, what, specs, given)
-  local function nonzero(v, name)
-    local n = expr.zero
-    for _, x in ipairs(v) do n = n + x ^ 2 end
-    return args.condition(c, line, what, name .. " must not be zero", n, diag.show(given[name]))
-  end
-  if given.quaternion ~= nil and (given.axis ~= nil or given.angle ~= nil) then
-    c.diag:error(line, what, "takes axis and angle, or quaternion, not both")
-    return nil
-  end
-  if given.quaternion ~= nil then
-    local q = args.vector(c, line, what, "quaternion", { size = 4 }, given.quaternion)
-    return q and nonzero(q, "quaternion") and normalised(q) or nil
-  end
-  local axis = given.axis
-  if type(axis) == "string" then axis = unit[axis] end
-  if axis == nil or given.angle == nil then
-    c.diag:error(line, what, "needs axis (\"x\", \"y\", \"z\" or a vector) and angle, or quaternion")
-    return nil
-  end
-  local v = args.vector(c, line, what, "axis", { size = 3 }, axis)
-  local angle = args.scalar(c, line, what, "angle", {}, given.angle)
-  if not v or not angle or not nonzero(v, "axis") then return nil end
-  local n = expr.sqrt(vec.dot(v, v))
-  local s, k = expr.call("sin", angle / 2) / n, expr.call("cos", angle / 2)
-  return { k, v[1] * s, v[2] * s, v[3] * s }, angle, vec.map(v, function(x) return x / n end)
-end
-
 function method.turned(self, given)
   if not receiver(self, "turned") then return shapes.broken() end
   local line = called "turned"
-  local q, angle, axis = shapes.rotation(ctx, line, "turned", given)
+  local q, angle, axis = rotation.read(ctx, line, "turned", given)
   return derived(self, { op = "turned", q = q, angle = angle, axis = axis, broken = q == nil, line = line })
 end
 

@@ -211,7 +211,8 @@ local description = { about = "scene",
     "initial: unknown argument \"spin\" (it has omega, attitude, position, velocity)" },
   { with "initial = { attitude = {0, 0, 0, 0} }", 3, "attitude: quaternion must not be zero, got {0, 0, 0, 0}" },
   { with "initial = { attitude = {1, 0, 0} }", 3, "attitude: quaternion must be a list of 4 numbers, got {1, 0, 0}" },
-  { with "initial = { attitude = 1 }", 3, "attitude: takes {axis =, angle =} or {quaternion =}, got 1" },
+  { with "initial = { attitude = 1 }", 3, "attitude: takes {axis =, angle =}, " ..
+    "{euler =, angles =}, {vector =}, {matrix =} or {quaternion =}, got 1" },
   { with "time = 10", 3, "time: takes a table of named arguments (horizon, step), got 10" },
   { with "time = { horizon = 0 }", 3, "time: horizon must be positive, got 0" },
   { with "time = { step = -0.1 }", 3, "time: step must be positive, got -0.1" },
@@ -337,7 +338,7 @@ local places = { about = "place",
     '    omega = {1, 2, 3},\n    attitude = {axis = "x"},\n  },\n' ..
     '  time = {\n    horizon = 0,\n  },\n}\n',
     { 7, "effect.torque: body must be a list of 3 numbers, expressions or tables, got {1, 2}" },
-    { 12, "attitude: needs axis (\"x\", \"y\", \"z\" or a vector) and angle, or quaternion" },
+    { 12, "attitude: needs axis (\"x\", \"y\", \"z\" or a vector) and angle" },
     { 15, "time: horizon must be positive, got 0" }, name = "every part of a long scene has its own line" },
   { 'local a = param("a", 1, "m")\nlocal b = a + param("k", 1, "kg")\n' ..
     'local c = sin(a)\nreturn scene {\n  name = "a b",\n' ..
