@@ -213,13 +213,19 @@ local function stopped(d, raised)
   d:error(raised.line or 0, raised.kind == "syntax" and "syntax" or "script", message)
 end
 
--- The emitted code's own names begin with the scene's: no parameter and no input may.
+-- The emitted code's own names begin with the scene's: no parameter, no input and nothing of an effect may.
 local function names_apart(d, result, params, inputs)
-  local named = table.move(inputs, 1, #inputs, #params + 1, { table.unpack(params) })
-  for _, p in ipairs(named) do
-    if string.find(p.name, "^" .. result.name .. "_") then
-      d:error(p.line, p.symbol and "input" or "param", "name must not begin with " .. result.name ..
-        "_, as the emitted code's own names do", diag.show(p.name))
+  local function apart(line, what, name)
+    if string.find(name, "^" .. result.name .. "_") then
+      d:error(line, what, "name must not begin with " .. result.name .. "_, as the emitted code's own names do",
+        diag.show(name))
+    end
+  end
+  for _, p in ipairs(params) do apart(p.line, "param", p.name) end
+  for _, i in ipairs(inputs) do apart(i.line, "input", i.name) end
+  for _, e in ipairs(result.effects) do
+    for _, own in ipairs(e.kind == "effect.custom" and { e.a.params, e.a.states } or {}) do
+      for _, x in ipairs(own) do apart(e.line, e.kind, x.name) end
     end
   end
 end

@@ -131,15 +131,16 @@ local function forward(u, prototypes)
   return "static " .. code
 end
 
--- Nothing that is kept may call what is not there: a mistake of selection.lua's, not of the scene.  A local name may
--- begin with the scene's: s_odd in a scene s.
+-- Nothing that is kept may call what is not there: a mistake of selection.lua's, not of the scene.  A local name or a
+-- member may begin with the scene's: s_odd in a scene s.
 local function complete(name, kept, by_name, public)
   local own, prefix = { [name .. "_model"] = true, [name .. "_real"] = true }, "^" .. name .. "_%l"
   for _, u in ipairs(kept) do
     for _, n in ipairs(u.uses) do
       local there = own[n] or by_name[n] or public[n] and public[n].asked
-      if not there and string.find(n, prefix) and not string.find(u.text, "%f[%w_]" .. n .. " = ") then
-        error(u.names[1] .. " needs " .. n .. ", which is not made") -- nor is it a local number
+      if not there and string.find(n, prefix) and not string.find(u.text, "%f[%w_]" .. n .. " = ") and
+        not string.find(u.text, "[>%.]" .. n .. "%f[^%w_]") then
+        error(u.names[1] .. " needs " .. n .. ", which is not made")
       end
     end
   end

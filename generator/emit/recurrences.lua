@@ -100,7 +100,7 @@ local function start(ctx, program, names, needed)
       local value = calculus.substitute(x.start, map)
       g.defs[#g.defs + 1] = { name = x.name .. "0", expr = value }
       if x.first then
-        g.outs[#g.outs + 1] = { c = "const " .. kind(ctx) .. " first_" .. x.name, expr = zeroth(x) }
+        g.outs[#g.outs + 1] = { c = "const " .. kind(ctx) .. " " .. program.term0 .. x.name, expr = zeroth(x) }
       end
     end
     put(x, zeroth(x), g.outs)
@@ -121,7 +121,7 @@ local function general(ctx, program, names, needed)
   for _, l in ipairs(program.lanes) do plain(inputs, { "p[" .. l.index .. "]" }) end -- read where it is used
   for _, x in ipairs(program.variables) do
     if x.first then
-      local name = "first_" .. x.name
+      local name = program.term0 .. x.name
       inputs[#inputs + 1] = { sym = name, c = x.state and "c[0][" .. x.place .. "]" or name }
     end
   end
@@ -156,11 +156,11 @@ local function used_names(program, list)
     if seen[name] then return end
     seen[name] = true
     for _, e in ipairs(forms[name] or {}) do
-      for _, s in ipairs(expr.symbols(e)) do need((string.gsub(s.name, "^first_", ""))) end
+      for _, s in ipairs(expr.symbols(e)) do need((string.gsub(s.name, "^" .. program.term0, ""))) end
     end
   end
   local function note(e)
-    for _, s in ipairs(expr.symbols(e)) do need((string.gsub(s.name, "^first_", ""))) end
+    for _, s in ipairs(expr.symbols(e)) do need((string.gsub(s.name, "^" .. program.term0, ""))) end
   end
   for _, x in ipairs(program.variables) do
     if x.place or x.first or x.root then need(x.name) end

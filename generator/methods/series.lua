@@ -336,10 +336,13 @@ series.missing = {}
 -- Does e keep its value during a step?
 function series:steady(e) return expr.constant(e, self.varying) end
 
+-- Term 0 of a variable is called by this and the variable's name: no state or parameter of an effect has a digit.
+series.FIRST = "n0_"
+
 -- Term 0 of a variable, a number during the step.
 function series.first(_, v)
   v.first = true
-  return expr.sym("first_" .. v.name, 8)
+  return expr.sym(series.FIRST .. v.name, 8)
 end
 
 -- The recurrences of equations: states: {name, sym} in order, with x' = n-th of outs; varying: names that change

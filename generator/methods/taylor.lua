@@ -245,7 +245,8 @@ local function laid_out(groups, moving, varying, order)
   for _, v in ipairs(made.variables) do
     if v.root then roots[#roots + 1] = v end
   end
-  return { order = order, roots = roots, states = moving, variables = made.variables, lanes = lanes, levels = levels,
+  return { order = order, term0 = series.FIRST, roots = roots,
+    states = moving, variables = made.variables, lanes = lanes, levels = levels,
     slopes = made.slopes, constants = made.constants or {}, read = read }
 end
 

@@ -85,6 +85,8 @@ local cases = { -- the line, what its message must say after file and line
   { "effect.custom { torque = function(s) return 1 end }", "effect.custom: torque must be a list of 3 numbers, got 1" },
   { "effect.custom { torque = function(s) return { k*s.w[1], 0, 0 } end }",
     "effect.custom: torque[1] must be in kg m^2/s^2, got k*wx kg m^2/s^3" },
+  { "effect.custom { params = { s_gain = 1 }, torque = function(s) return { s.L[2]*s.w[3], 0, 0 } end }",
+    "effect.custom: name must not begin with s_, as the emitted code's own names do, got \"s_gain\"" },
   { "effect.custom { torque = function(s) return { s.foo, 0, 0 } end }",
     "effect.custom: has no \"foo\" (it has L, q, r, t, v, w)" },
   -- a number may be meant in any unit, words of the motion alone are what they are

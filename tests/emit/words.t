@@ -1,0 +1,65 @@
+#!/usr/bin/env lua5.4
+-- words.t - a scene's own names against those of the emitted code: a parameter and a state of an effect are called like
+-- each local variable, argument and function of the code.  Either the scene is refused at its line, or the code
+-- compiles without a warning.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+package.path = "./?.lua;" .. package.path
+
+local tap = require "tests.tap"
+local program = require "tests.cli.program"
+local tier = require "tests.tier"
+
+local binary = os.getenv "POLHODE" or "build/polhode"
+local dir = program.directory()
+local STRICT = "gcc -std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror -fsyntax-only"
+
+-- As scenes may call what is theirs: three or more small letters and _.  WORD is a parameter, WORD_own a state.
+local SCENE = [[
+local k, g = param("kk", 1.5, "N m"), param("gg", 0.3, "1/s")
+return scene { name = "s", body = solid.box { x = 1, y = 2, z = 3, mass = param("mm", 2, "kg") },
+  effects = { effect.custom { params = { WORD = k },
+    states = { WORD_own = { initial = 0.1, unit = "1", rate = function(s) return g*s.WORD_own end } },
+    torque = function(s) return { s.WORD*s.q[2], -s.WORD*s.q[3]*s.WORD_own, 0 } end } },
+  initial = { omega = {1, 2, 3} } }
+]]
+local METHODS = { "rk4", "semi", "adaptive", "taylor" }
+
+local function emitted(scene, method, to)
+  return program.shell(string.format("{ rm -rf %s; %s gen %s --method %s --with batch,analysis -o %s; } >%s.said 2>&1",
+    to, binary, scene, method, to, to))
+end
+
+local words, seen = {}, {}
+for _, method in ipairs(METHODS) do
+  program.write(dir .. "/s.lua", (SCENE:gsub("WORD", "plain")))
+  emitted(dir .. "/s.lua", method, dir .. "/plain")
+  for _, tail in ipairs { ".c", "_batch.c", "_analysis.c" } do
+    local text = (program.read(dir .. "/plain/s" .. tail) or ""):gsub("/%*.-%*/", "")
+    for word in text:gmatch "%f[%w_]%l[%l_]+%l%f[^%w_]" do
+      if not seen[word] then words[#words + 1] = word end
+      seen[word] = true
+    end
+  end
+end
+table.sort(words)
+tap.ok(#words > 60, "words of the code", #words)
+
+for _, word in ipairs(tier.every(20, words)) do
+  program.write(dir .. "/s.lua", (SCENE:gsub("WORD", word)))
+  local faults = {}
+  for _, method in ipairs(METHODS) do
+    local to = dir .. "/out"
+    local status = emitted(dir .. "/s.lua", method, to)
+    if status == 0 then
+      status = program.shell(string.format("for c in %s/s*.c; do %s $c || exit 1; done >%s.said 2>&1", to, STRICT, to))
+    elseif status == 1 then
+      status = (program.read(to .. ".said") or ""):find("/s.lua:", 1, true) and 0 or 1
+    end
+    if status ~= 0 then faults[#faults + 1] = method .. ": " .. (program.read(to .. ".said") or "") end
+  end
+  tap.ok(#faults == 0, word .. " is refused or compiles", table.concat(faults, "\n"))
+end
+
+program.finish()
+tap.done()
