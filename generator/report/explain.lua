@@ -16,6 +16,7 @@ local json = require "generator.report.json"
 local linearised = require "generator.report.linearised"
 local pieces = require "generator.report.pieces"
 local design = require "generator.report.stability_conditions"
+local values = require "generator.report.values"
 
 local explain = {}
 
@@ -203,6 +204,8 @@ local function document(f)
   if f.job.model.has.rates then section("Principal moments and axes", principal_section(f)) end
   section("Equations of motion", equation_section(f))
   section("Motion", motion_section(f))
+  local initially = values.lines(f)
+  if #initially > 0 then section("Values of the motion", initially) end
   section("Stability", stability_section(f))
   if f.job.model.has.rates then
     section("Linearised motion", linearised.lines(f))
@@ -348,7 +351,7 @@ function writers.json(f)
     { "inertia", entries(f.inertia, f.inertia_number) }, { "centroidal", entries(f.centroidal, f.centroidal_number) },
     { "principal", object { { "moments", f.moments }, { "axes", f.axes } } }, { "symmetry", f.symmetry },
     { "physical", f.physical },
-    { "closed_form", closed }, { "stability", stability },
+    { "closed_form", closed }, { "values", values.json(f) }, { "stability", stability },
     { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
     { "cycles", object { { "real", f.job.real }, { "functions", estimated } } },
     { "rhs", attribution.json(attribution.of(f.job), object) }, { "asked", f.asked or json.null },
