@@ -178,7 +178,8 @@ end
 -- command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool or "transition" (of the step
 -- alone), compensated = bool, q31 = bool, batch = bool, libm = "own" | "system" (the default: own in float), outputs =
 -- bool: also derivatives of energy and momentum, package =, planned = a decision of generator/plan/,
--- sweep = a study of many members, proof = bool, orders = (for a planner), and those of generator/selection.lua}
+-- sweep = a study of many members, fit = {free =, outputs =, initial =} (dynamics/tangents.lua), proof = bool, orders =
+-- (for a planner), and those of generator/selection.lua}
 function driver.plan(scene, options)
   local d, own, before = scene.diag:fork(), budget(options), scene.budget
   if before.bytes >= own.bytes then

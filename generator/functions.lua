@@ -7,6 +7,7 @@
 local context = require "generator.dynamics.context"
 local quantities = require "generator.dynamics.quantities"
 local sensitivity = require "generator.dynamics.sensitivity"
+local tangents = require "generator.dynamics.tangents"
 local compensated = require "generator.methods.compensated"
 local methods = require "generator.methods.methods"
 
@@ -101,6 +102,7 @@ function functions.of(plan, options, named)
   put("rate", quantities.rate)
   put("acceleration", quantities.acceleration)
   plan.functions = list
+  plan.fit = options.fit and tangents.of(plan, options.fit) or false
   return true
 end
 

@@ -23,10 +23,11 @@ local FIELDS = {
   scene = [[ host templates version build file source text diag budget
     record model equations states closed conserved ranges ]],
   -- driver.plan; model: the scene's, with all constants of the functions; closed: the form that is emitted, or why none
-  -- is; planned: the decision of generator/plan/; sweep: the study of many members, or false; held: what --bake holds
-  -- in constants of C; transition, compensated: are there such steps?; orders: of the series that a planner tries
+  -- is; planned: the decision of generator/plan/; fit: steps with derivatives (dynamics/tangents.lua), or false;
+  -- sweep: the study of many members, or false; held: what --bake holds in constants of C; transition, compensated: are
+  -- there such steps?; orders: of the series that a planner tries
   plan = [[ diag budget model equations
-    real libm command selection layout package proof planned orders batch sweep
+    real libm command selection layout package proof planned orders batch sweep fit
     methods jacobians steppers functions transition compensated q31 held
     closed closed_constants oblique smooth_until stability
     title banner derivation ]],

@@ -2,7 +2,7 @@
 --
 -- The result is a plain record (expressions, no numbers yet):
 --     {name, line, body = shape tree, origin = {kind, ...}, effects = {...}, omega, attitude, given, outputs, events,
---     horizon, step, accuracy, budget, ranges}
+--     measure, horizon, step, accuracy, budget, ranges}
 -- given tells what `initial` says: {omega = bool, attitude = bool, position = vector or nil, velocity = so, line}.
 -- Defaults: origin at the centroid, attitude 1, all else 0, horizon 10 s, step 1 ms.  What the record means is decided
 -- in mass/ and dynamics/.
@@ -12,6 +12,7 @@ local expr = require "generator.algebra.expr"
 local accuracy = require "generator.dsl.accuracy"
 local args = require "generator.dsl.args"
 local events = require "generator.dsl.events"
+local measure = require "generator.dsl.measure"
 local names = require "generator.dsl.names"
 local ranges = require "generator.dsl.ranges"
 local rotation = require "generator.dsl.rotation"
@@ -21,7 +22,7 @@ local diag = require "generator.diag"
 local scene = {}
 
 local keys = { "name", "body", "origin", "effects", "initial", "time", "accuracy", "budget", "ranges", "outputs",
-  "events" }
+  "events", "measure" }
 
 local function list(strings)
   local out = {}
@@ -132,6 +133,7 @@ function scene.constructor(ctx, effect_of, put)
     initial(ctx, line, given.initial, s)
     s.outputs = outputs(ctx, line, given.outputs)
     s.events = events.read(ctx, line, given.events)
+    s.measure = measure.read(ctx, line, given.measure)
     time(ctx, line, given.time, s)
     s.accuracy = accuracy.read(ctx, line, given.accuracy)
     s.budget = accuracy.budget(ctx, line, given.budget)

@@ -51,7 +51,7 @@ function sensitivity.by_input(eq, inputs)
 end
 
 -- The derivative of the derived constants by the parameter p: known[symbol] for calculus.diff, made when asked for.
-local function by_parameter(m, p)
+function sensitivity.by_parameter(m, p)
   return setmetatable({}, { __index = function(known, sym)
     local member = m.by_name[sym.name]
     local d = expr.zero
@@ -68,7 +68,7 @@ function sensitivity.by_parameters(eq)
   local m, known = eq.model, {}
   local n = #m.params
   if n == 0 then return nil end
-  for k, p in ipairs(m.params) do known[k] = by_parameter(m, p) end
+  for k, p in ipairs(m.params) do known[k] = sensitivity.by_parameter(m, p) end
   local rates = of_rates(eq, "J", n, function(e, k) return calculus.diff(e, m.params[k].sym, known[k]) end)
   local start = {}
   for i, s in ipairs(m.states) do

@@ -20,6 +20,9 @@ local lanes = {}
 
 -- What an argument of the scalar function is read from in a lane, and whether it differs from lane to lane.
 local function placed(ctx, input, each)
+  if input.lane ~= nil then -- the description says it itself
+    return { sym = input.sym, c = input.c .. (input.lane and "[lane]" or ""), rank = input.rank }, input.lane
+  end
   local array = string.match(input.c, "^([xup])%[")
   if array then return { sym = input.sym, c = input.c .. "[lane]", rank = input.rank }, true end
   local member = each and string.match(input.c, "^m%->([%w_]+)$")

@@ -75,7 +75,7 @@ static void watch_one(const real p[], real t, const real x[], real y[])
 
 static void watch_lanes(real p[][LANES], real t, real x[][LANES], real y[][LANES])
 {
-  int k;
+  int lane;
 %% for _, line in ipairs(watch_common) do
 %% if line == "" then
 
@@ -84,7 +84,7 @@ static void watch_lanes(real p[][LANES], real t, real x[][LANES], real y[][LANES
 %% end
 %% end
 
-  for (k = 0; k < LANES; k++) {
+  for (lane = 0; lane < LANES; lane++) {
 %% for _, line in ipairs(watch_loop) do
 %% if line == "" then
 

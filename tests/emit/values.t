@@ -98,6 +98,9 @@ emit("magnet_pendulum", { methods = { "rk4" }, batch = true, command = "", sweep
   times = { 0.0, 1.0 }, stretches = { { t0 = 0.0, t1 = 0.0, h = 0.0, steps = 0, time = 1 },
     { t0 = 0.0, t1 = 1.0, h = 0.01, steps = 100, time = 2 } }, accuracy = 1e-6, order = 4, step = "step" } }, "sweep")
 
+emit("heavy_top", { methods = { "rk4" }, command = "", only = { "init", "defaults", "initial" },
+  fit = { free = {}, outputs = { { name = "gyro", columns = { "gyro" }, e = { wx } } } } }, "fit")
+
 -- Scenes that bodies/ does not have: splittings of every kind, ranges, a free motion in another time, helpers.
 local function own(what, text, options)
   local read, why = scene.read(text)

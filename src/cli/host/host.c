@@ -45,6 +45,9 @@ static const luaL_Reg functions[] = {
     {"baseline", host_baseline},
     {"peers", host_peers},
     {"compile_many", host_compile_many},
+    {"fit", host_fit},
+    {"log", host_log},
+    {"tail", host_tail},
     {NULL, NULL},
 };
 

@@ -1,0 +1,202 @@
+-- fit.lua -- polhode fit: parameters of a scene from logs of its sensors.
+--
+-- The scene says what is measured (dsl/measure.lua); its step and the derivatives of that are emitted and compiled once
+-- (emit/fitted.lua), and the search runs in C (src/cli/fit).  Here the two are brought together, and the result is
+-- told (report/fit.lua).  docs/fit.md has the formulas.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local breaks = require "generator.dynamics.breaks"
+local compiler = require "generator.commands.compiler"
+local driver = require "generator.driver"
+local equations = require "generator.dynamics.equations"
+local logs = require "generator.commands.fit.logs"
+local observed = require "generator.commands.fit.observed"
+local options = require "generator.commands.options"
+local packages = require "generator.emit.packages.packages"
+local report = require "generator.report.fit"
+local unknowns = require "generator.commands.fit.unknowns"
+local written = require "generator.commands.fit.written"
+
+local fit = {}
+
+fit.forms = { { "SCENE", "parameters from measured logs",
+  "The scene's key `measure` names what sensors say (docs/fit.md). Estimates, standard errors, correlations, " ..
+    "whether the model fits the noise, and what the data do not determine. Exit status 3: it did not converge, or " ..
+    "the model does not fit." } }
+fit.operands = { 1, 1, "SCENE" }
+fit.options = {
+  { "--data", "texts", "a log: columns by name, each with [unit] or in SI units; an empty cell or nan is missing; " ..
+    "may be given again, and the logs share the parameters", value = "FILE.csv", default = "none: it must be given" },
+  { "--free", "words", "the parameters that are looked for, from the scene's values on; initial: also each log's " ..
+    "own state at t = 0", value = "NAME,...", default = "none: it must be given" },
+  { "--loss", { "squares", "huber" }, "what is made least", value = "L", default = "squares", each = {
+    squares = "the sum of squares: the most likely parameters where the noise is normal",
+    huber = "squares up to 1.345 sigma, straight lines beyond: outliers count less" } },
+  { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
+  { "--format", { "text", "json" }, "how the result is written", default = "text" },
+  { "-o", "text", "also the scene with the estimates as its values", value = "FILE.lua",
+    default = "it is not written" },
+}
+fit.examples = {
+  { "polhode fit book.lua --data phone.csv --free I2,I3,initial", "two ratios of moments and the initial rates" },
+  { "polhode fit book.lua --data phone.csv --free I2,I3,w1,w2,w3 --loss huber -o fitted.lua",
+    "the same for a log with outliers, and the scene with what was found" },
+}
+
+local HUBER = 1.345 -- 95 % efficient where the noise is normal (Huber 1981)
+
+local FLAGS = { "-O2", "-ftree-vectorize", "-std=c99", "-ffp-contract=off", "-fno-math-errno", "-shared", "-fPIC",
+  "-fvisibility=hidden" }
+
+-- What the scene or the command line lacks, or nil.
+local function missing(job, given)
+  if not given.data then return "--data FILE.csv is missing: the log" end
+  if not given.free then return "--free NAME,... is missing: the parameters that are looked for" end
+  if #job.model.inputs > 0 then return "the scene has inputs, and a fit of such a scene is not implemented" end
+  return nil
+end
+
+-- The plan whose code is called; or nil and its diagnostics.
+local function planned(job, free)
+  return driver.plan(job, { real = "double", libm = "system", methods = { "rk4" }, command = "polhode fit",
+    only = { "init", "defaults", "initial" }, package = packages.by_name "fit",
+    fit = { free = free.params, outputs = job.record.measure, initial = free.initial and unknowns.initial } })
+end
+
+-- The path of the shared object, or nil and what is wrong.
+local function compiled(host, job, files)
+  local dir, why = host.tempdir()
+  if not dir then return nil, why end
+  local ok
+  ok, why = host.write_files(dir, files)
+  if not ok then return nil, why end
+  local said
+  for _, tuned in ipairs { "-march=native", "-O2" } do -- not every compiler knows this machine
+    ok, said = host.compile(dir, { job.model.name .. ".c", "fitted.c" }, "fitted.so",
+      { flags = { tuned, table.unpack(FLAGS) }, libs = { "-lm" } })
+    if ok then return dir .. "/fitted.so" end
+  end
+  return nil, compiler.missing(host) or "the emitted code does not compile:\n" .. said
+end
+
+-- The channels of residuals of a log, for C; second result: are all sigmas known?
+local function channels(job, outputs, own)
+  local place = {}
+  for i, s in ipairs(job.fit.states) do place[s.sym] = i end
+  local list, value, column, known = {}, 1, 1, true
+  for _, o in ipairs(outputs) do
+    local function sigma(i)
+      local stated = o.e and own[column] or o.sigma and job.model:double(o.sigma[i])
+      known = known and stated and true or false
+      return stated or 1.0
+    end
+    if o.e then
+      for i = 1, #o.e do
+        list[#list + 1] = { value = value, column = column, sigma = { sigma(i) },
+          state = place[o.e[i]] }
+        value, column = value + 1, column + 1
+      end
+    else
+      list[#list + 1] = { value = 0, column = column, sigma = { sigma(1), sigma(2), sigma(3) }, attitude = true }
+      column = column + 4
+    end
+  end
+  return list, known
+end
+
+-- The longest step at first: the usual distance of two rows, and not above the scene's step where the rows are far.
+local function first_step(data)
+  local least = math.huge
+  for _, d in ipairs(data) do least = math.min(least, d.log:spacing()) end
+  return least
+end
+
+local function problem(plan, free, data)
+  local m, outputs = plan.model, plan.record.measure
+  local p = { free = free.places, initial = free.initial, logs = {}, channels = {}, known = true, knots = {},
+    huber = 0.0, step = first_step(data), states = {}, parameters = {} }
+  for i, d in ipairs(data) do
+    local list, known = channels(plan, outputs, d.sigmas)
+    p.logs[i], p.channels[i], p.known = d.log, list, p.known and known
+  end
+  for i, s in ipairs(plan.fit.states) do p.states[i] = m:double(s.initial) end
+  for i, q in ipairs(m.params) do p.parameters[i] = R.todouble(q.default) end
+  for i, k in ipairs(breaks.knots(equations.fork(plan.equations))) do p.knots[i] = R.todouble(k.value) end
+  return p
+end
+
+-- Residuals by name, in the order of the counts.
+local function residuals(outputs)
+  local list = {}
+  for _, o in ipairs(outputs) do
+    for i = 1, o.e and #o.e or 3 do
+      list[#list + 1] = o.e and o.columns[i] or o.name .. "_" .. string.sub("xyz", i, i)
+    end
+  end
+  return list
+end
+
+local function count_of(data)
+  local n = 0
+  for _, d in ipairs(data) do
+    for _, c in ipairs(d.counts) do n = n + c end
+  end
+  return n
+end
+
+-- Everything that is known before the search: plan, logs; or nil and the exit status.
+local function prepared(host, job, given)
+  local free, wrong = nil, missing(job, given)
+  if not wrong then free, wrong = unknowns.free(job, given.free) end
+  if wrong then return nil, options.wrong(host, "fit", wrong) end
+  if not job.record.measure then
+    job.diag:error(job.record.line, "scene", "has no key measure, which says what the columns of a log are " ..
+      "(measure = { wx = wx, wy = wy, wz = wz, sigma = 0.01 }; docs/fit.md)")
+    return nil, options.refuse(host, job.diag)
+  end
+  if not observed.check(job) then return nil, options.refuse(host, job.diag) end
+  local text = given.o and written.check(job, free)
+  if text then return nil, options.wrong(host, "fit", text) end
+  local data, why = logs.read(host, job.record.measure, given.data)
+  if not data then return nil, options.failed(host, "fit", why) end
+  local plan, d = planned(job, free)
+  if not plan then return nil, options.refuse(host, d) end
+  local list = unknowns.list(plan.fit, free, data)
+  if count_of(data) <= #list then
+    return nil, options.failed(host, "fit", "too few values: " .. count_of(data) .. " for " .. #list .. " unknowns")
+  end
+  return { free = free, data = data, plan = plan, unknowns = list }
+end
+
+function fit.run(host, given)
+  local job, d, why = driver.read(host, given[1], given)
+  if not job then return options.refuse(host, d, why) end
+  local all, status = prepared(host, job, given)
+  if not all then return status end
+  options.warn(host, job.diag)
+  local unit = driver.files(all.plan)
+  if not unit then return options.refuse(host, all.plan.diag) end
+  local path
+  path, why = compiled(host, job, unit.files)
+  if not path then return options.failed(host, "fit", why) end
+  local ask = problem(all.plan, all.free, all.data)
+  ask.huber = given.loss == "huber" and HUBER or 0.0
+  local begun = host.clock()
+  local result
+  result, why = host.fit(path, ask)
+  if not result then return options.failed(host, "fit", why) end
+  result.seconds = host.clock() - begun
+  local told = report.of({ host = host, job = job, result = result, unknowns = all.unknowns, data = all.data,
+    names = residuals(job.record.measure), known = ask.known, huber = ask.huber > 0, step = ask.step,
+    refusals = all.plan.model.conditions })
+  host.out(given.format == "json" and report.json(told) or report.text(told))
+  if given.o then
+    local made = written.text(job, all.unknowns, result)
+    status = options.write(host, "fit", given.o, made)
+    if status ~= 0 then return status end
+  end
+  return told.status
+end
+
+return fit

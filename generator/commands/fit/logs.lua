@@ -1,0 +1,117 @@
+-- logs.lua -- the files of --data, their columns found by name and unit.
+--
+--     logs.read(host, outputs, paths) -> list of {path, log, rows, counts, unused, sigmas}; or nil and a message
+--         log: of host.log; counts: values of each column; unused: names of columns that no output takes; sigmas: of
+--         each column in SI units, false where the file has none
+--     logs.columns(outputs)           the columns in the order of the outputs: {name, dim, output}
+-- Columns have their unit in brackets behind the name or in a comment `# units:`; without one, SI's.  A comment
+-- `# sigma:` has standard deviations in these units.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local evaluate = require "generator.algebra.evaluate"
+local units = require "generator.dsl.units"
+local diag = require "generator.diag"
+local nearest = require "generator.nearest"
+
+local logs = {}
+
+function logs.columns(outputs)
+  local list = {}
+  for _, o in ipairs(outputs) do
+    for i, name in ipairs(o.columns) do list[#list + 1] = { name = name, dim = o.dims[i], output = o } end
+  end
+  return list
+end
+
+-- The factor to SI units of a column called `name`, whose dimension must be dim; or nil and what is wrong.
+local function factor_of(name, unit, dim)
+  if not unit or unit == "" then return 1.0 end
+  local factor, own = units.parse(unit)
+  if not factor then return nil, "column " .. name .. ": " .. own end
+  if not units.equal(own, dim) then
+    return nil, "column " .. name .. " must be in " .. units.si(dim) .. ", got [" .. unit .. "]"
+  end
+  return R.todouble(evaluate.precise(factor, {}, 80))
+end
+
+-- Where each name of the head stands, and its unit; or nil and what is wrong.
+local function places(names, given)
+  local at, all = {}, {}
+  for i, cell in ipairs(names) do
+    local name, unit = string.match(cell, "^(.-)%s*%[([^%]]*)%]$")
+    name, unit = name or cell, unit or given[i]
+    if name == "" then return nil, "column " .. i .. " has no name" end
+    if at[name] then return nil, "two columns are called " .. name end
+    at[name], all[i] = { i, unit }, name
+  end
+  return at, all
+end
+
+-- The standard deviation of a column in SI units, false where the file has none; or nil and what is wrong.
+local function sigma_of(column, text, factor)
+  if not text or text == "" or text == "-" then return false end
+  local x = tonumber(text)
+  if not x or x ~= x or x <= 0 or x == math.huge then
+    return nil, "sigma of column " .. column.name .. " must be a positive number, got " .. diag.show(text)
+  elseif not column.output.e then
+    return nil, "sigma of column " .. column.name .. ": the scene says it of an attitude, as a small turn in rad"
+  end
+  return x * factor
+end
+
+local function wanted(columns, names, given, noise)
+  local at, all = places(names, given)
+  if not at then return nil, all end
+  local list, sigmas, taken = {}, {}, { t = true }
+  for i, c in ipairs { { name = "t", dim = units.time }, table.unpack(columns) } do
+    local place = at[c.name]
+    if not place then
+      local best = nearest.one(c.name, all)
+      return nil, "has no column " .. c.name .. (c.name == "t" and ", the time" or ", which the scene measures") ..
+        " (it has " .. table.concat(all, ", ") .. ")" .. (best and "; did you mean " .. best .. "?" or "")
+    end
+    local factor, why = factor_of(c.name, place[2], c.dim)
+    local sigma
+    if factor and i > 1 then sigma, why = sigma_of(c, noise[place[1]], factor) end
+    if why then return nil, why end
+    sigmas[i - 1] = sigma
+    list[i], taken[c.name] = { place[1], factor }, true
+  end
+  local unused = {}
+  for _, name in ipairs(all) do unused[#unused + 1] = not taken[name] and name or nil end
+  return list, unused, sigmas
+end
+
+local function one(host, columns, path)
+  local log = host.log(path)
+  local names, given, noise, line = log:head()
+  if not names then return nil, given end
+  if #given > 0 and #given ~= #names then
+    return nil, path .. ":" .. diag.show(line) .. ": " .. #names .. " names, but " .. #given .. " units above them"
+  end
+  if #noise > 0 and #noise ~= #names then
+    return nil, path .. ":" .. diag.show(line) .. ": " .. #names .. " names, but " .. #noise .. " sigmas above them"
+  end
+  local list, unused, sigmas = wanted(columns, names, given, noise)
+  if not list then return nil, path .. ":" .. diag.show(line) .. ": " .. unused end
+  local rows, counts = log:read(list)
+  if not rows then return nil, counts end
+  if rows < 2 then return nil, path .. ": must have two rows or more, got " .. diag.show(rows) end
+  for i, c in ipairs(columns) do
+    if counts[i] == 0 then return nil, path .. ": column " .. c.name .. " has no value" end
+  end
+  return { path = path, log = log, rows = rows, counts = counts, unused = unused, sigmas = sigmas }
+end
+
+function logs.read(host, outputs, paths)
+  local list, columns = {}, logs.columns(outputs)
+  for i, path in ipairs(paths) do
+    local made, why = one(host, columns, path)
+    if not made then return nil, why end
+    list[i] = made
+  end
+  return list
+end
+
+return logs

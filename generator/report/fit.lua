@@ -1,0 +1,292 @@
+-- fit.lua -- what a fit found: estimates, how sure they are, whether the model fits, and what the data do not tell.
+--
+--     report.of(found) -> told: a table with everything decided; told.status: the exit status
+--     report.text(told), report.json(told) -> text
+-- found: {host, job, result (src/cli/fit/fit.c), unknowns, data, names (of residuals), known (sigmas), huber, step,
+-- refusals}.  Values in told are in the parameters' own units.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local json = require "generator.report.json"
+
+local report = {}
+
+local SURE, CREDIBLE, CLOSE = 1e-6, 1e-3, 0.95
+local WIDE = 1.5 -- chi-square over its degrees of freedom beyond which a model does not fit, whatever its probability
+
+-- A number with the digits that its standard error leaves, and two more; all digits without one.
+local function rounded(x, sigma)
+  if not sigma or sigma ~= sigma or sigma <= 0 or sigma == math.huge then return string.format("%.6g", x) end
+  local places = math.ceil(-math.log(sigma, 10)) + 1
+  if math.abs(x) >= 1e7 or places > 12 or places < 0 then return string.format("%.10g", x) end
+  return string.format("%." .. places .. "f", x)
+end
+
+-- ---- what the data determine ----
+
+-- Directions of the unknowns along which nothing that is measured changes: list of {parts = {{place, part}}}, the part
+-- relative to the unknown's own size.
+local function null_directions(r)
+  local n, list = r.unknowns, {}
+  for k = math.floor(r.rank) + 1, n do
+    local parts, largest = {}, 0
+    local function part(i) -- of its own size; of what is 0 in SI units
+      return r.vectors[(i - 1) * n + k] * r.scale[i] / (r.theta[i] ~= 0 and math.abs(r.theta[i]) or 1)
+    end
+    for i = 1, n do largest = math.max(largest, math.abs(part(i))) end
+    for i = 1, n do
+      local x = part(i) / largest
+      if math.abs(x) > 1e-4 then parts[#parts + 1] = { i, x } end
+    end
+    list[#list + 1] = { parts = parts }
+  end
+  return list
+end
+
+local function names_of(parts, unknowns)
+  local list = {}
+  for i, p in ipairs(parts) do list[i] = unknowns[p[1]].name end
+  return table.concat(list, ", ")
+end
+
+-- A null direction in words.
+local function said(parts, unknowns)
+  local names = names_of(parts, unknowns)
+  if #parts == 1 then return names .. ": nothing that is measured depends on it" end
+  local alike = true
+  for _, p in ipairs(parts) do alike = alike and math.abs(p[2] - parts[1][2]) < 1e-4 * math.abs(parts[1][2]) end
+  if alike then
+    local moments = true
+    for _, p in ipairs(parts) do moments = moments and unknowns[p[1]].unit == "kg m^2" end
+    return names .. ": only their ratios are determined; all of them times the same number fit as well" ..
+      (moments and " (no known torque or momentum sets the scale: apply one, or keep one of them fixed)" or "")
+  end
+  local list = {}
+  for i, p in ipairs(parts) do list[i] = string.format("%+.4g of %s", p[2], unknowns[p[1]].name) end
+  return names .. ": they can change together, by these parts of their own size: " .. table.concat(list, ", ")
+end
+
+-- ---- residuals ----
+
+-- Ljung and Box over pairs of equal spacing; nil where too few are.
+local function whiteness(c, tail)
+  local q, lags = 0, 0
+  for k, pairs_of in ipairs(c.pairs) do
+    if pairs_of < 0.5 * c.n then return nil end
+    local rho = c.sums[k] / pairs_of / (c.chi2 / c.n)
+    q, lags = q + (c.n + 2) / c.n * pairs_of * rho * rho, lags + 1
+  end
+  return { q = q, lags = lags, tail = tail(q, lags) }
+end
+
+local function residuals_of(found)
+  local list, r = {}, found.result
+  for n, log in ipairs(found.data) do
+    for k, name in ipairs(found.names) do
+      local c = r.counts[n][k]
+      if c.n > 0 then
+        list[#list + 1] = { log = log.path, name = name, n = math.floor(c.n), chi2 = c.chi2, rms =
+          math.sqrt(c.chi2 / c.n), white = c.n > 60 and c.chi2 > 0 and whiteness(c, found.host.tail) or nil,
+          worst = c.worst, worst_t = c.worst_t }
+      end
+    end
+  end
+  return list
+end
+
+-- ---- together ----
+
+local function estimates(found, scale, lost)
+  local list, r, n = {}, found.result, found.result.unknowns
+  for i, u in ipairs(found.unknowns) do
+    local variance = r.covariance[(i - 1) * n + i] * scale
+    local x = { name = u.name, unit = u.unit, value = r.theta[i] / u.factor, kind = u.kind }
+    if not lost[i] then
+      x.sigma = math.sqrt(variance) / u.factor
+      -- of what cannot change its sign an interval that reaches 0 says nothing
+      x.hardly = u.kind == "param" and string.find(u.unit, "kg", 1, true) ~= nil and x.sigma > math.abs(x.value) / 2
+    end
+    list[i] = x
+  end
+  return list
+end
+
+local function correlations(found, lost)
+  local n, C, rows, close = found.result.unknowns, found.result.covariance, {}, {}
+  for i = 1, n do
+    rows[i] = {}
+    for k = 1, n do
+      local c = C[(i - 1) * n + k] / math.sqrt(C[(i - 1) * n + i] * C[(k - 1) * n + k])
+      rows[i][k] = not (lost[i] or lost[k]) and c or 0 / 0
+      if k < i and not (lost[i] or lost[k]) and math.abs(c) > CLOSE then close[#close + 1] = { k, i, c } end
+    end
+  end
+  return rows, close
+end
+
+local function put(list, ...) list[#list + 1] = string.format(...) end
+
+-- What is wrong: status, and the sentences that say it; then what is only worth saying.
+local function judged(found, told)
+  local r, wrong, notes = found.result, {}, {}
+  if not r.converged then
+    put(wrong, "it did not converge: the last step was %.3g standard errors long after %d passes", r.decrement,
+      r.passes)
+    local c = found.refusals[math.floor(r.refused)]
+    if c then put(wrong, "the search was stopped by the rule %s", c.text) end
+  elseif r.step_error > SURE then
+    put(wrong, "the step of %.3g s is too long: it moves the estimate by %.2g standard errors", r.step, r.step_error)
+  end
+  local over = found.known and not found.huber and told.dof > 0 and told.tail < SURE
+  if over and told.reduced > WIDE then
+    put(wrong, "the model does not fit: chi-square is %.4g times its expectation; another model, another start, or " ..
+      "a sigma that is too small", told.reduced)
+  elseif over then
+    put(notes, "chi-square is %.4g times its expectation, too much for the stated sigma", told.reduced)
+  end
+  if found.known and told.dof > 0 and 1 - told.tail < SURE then
+    put(notes, "chi-square is %.4g times its expectation, too little: sigma is overstated, or the data were smoothed",
+      told.reduced)
+  end
+  for _, c in ipairs(told.residuals) do
+    if c.white and c.white.tail < CREDIBLE then
+      put(notes, "residuals of %s in %s are not white (Q = %.4g over %d lags): something is missing in the model, " ..
+        "or the noise is coloured, and the standard errors are too small", c.name, c.log, c.white.q, c.white.lags)
+    end
+  end
+  if r.lengthened then
+    put(notes, "from the scene's values the whole log led to a local minimum; the log was lengthened step by step")
+  end
+  for _, d in ipairs(found.data) do
+    if #d.unused > 0 then
+      put(notes, "%s: nothing in the scene measures %s", d.path, table.concat(d.unused, ", "))
+    end
+  end
+  return wrong, notes
+end
+
+function report.of(found)
+  local r, told, lost = found.result, {}, {}
+  told.nulls = null_directions(r)
+  for _, d in ipairs(told.nulls) do
+    for _, p in ipairs(d.parts) do lost[p[1]] = true end
+    d.text = said(d.parts, found.unknowns)
+  end
+  told.scene, told.unknowns = found.job.model.name, found.unknowns
+  told.n, told.dof, told.chi2 = math.floor(r.n), math.floor(r.n - r.rank), r.chi2
+  told.reduced = told.dof > 0 and r.chi2 / told.dof or 0 / 0
+  told.tail = found.host.tail(r.chi2, told.dof)
+  told.known, told.huber = found.known, found.huber
+  local scale = found.known and 1 or told.reduced
+  told.estimates = estimates(found, scale, lost)
+  told.correlation, told.close = correlations(found, lost)
+  told.covariance_scale, told.residuals, told.result = scale, residuals_of(found), r
+  told.logs = found.data
+  told.wrong, told.notes = judged(found, told)
+  told.status = #told.wrong > 0 and 3 or 0
+  return told
+end
+
+-- ---- as text ----
+
+local function table_of(out, told)
+  local wide = 8
+  for _, e in ipairs(told.estimates) do wide = math.max(wide, #e.name) end
+  for _, e in ipairs(told.estimates) do
+    local value = rounded(e.value, e.sigma)
+    if e.sigma then
+      put(out, "  %-" .. wide .. "s  %s%s  +- %.2g %s", e.name, e.hardly and "hardly determined: " or "", value,
+        e.sigma, e.unit)
+    else
+      put(out, "  %-" .. wide .. "s  not determined (the search ended at %.4g %s)", e.name, e.value, e.unit)
+    end
+  end
+end
+
+local function correlation_of(out, told)
+  if #told.estimates > 1 and #told.estimates <= 12 then
+    put(out, "\nCorrelation")
+    for i, e in ipairs(told.estimates) do
+      local line = {}
+      for k = 1, i do
+        local c = told.correlation[i][k]
+        line[k] = c == c and string.format("%6.3f", c) or "     -"
+      end
+      put(out, "  %-8s %s", e.name, table.concat(line, " "))
+    end
+  end
+  for _, c in ipairs(told.close) do
+    put(out, "  %s and %s are hardly told apart: correlation %.4f", told.estimates[c[1]].name,
+      told.estimates[c[2]].name, c[3])
+  end
+end
+
+function report.text(told)
+  local out, r = {}, told.result
+  put(out, "Fit of %s: %d values of %d log%s, %d unknowns%s", told.scene, told.n, #told.logs, #told.logs > 1 and "s" or
+    "", #told.estimates, told.huber and ", Huber's loss" or "")
+  table_of(out, told)
+  put(out, "  (standard errors %s)", told.known and "from the stated sigma, not scaled" or
+    "scaled by the residuals, as no sigma is stated")
+  correlation_of(out, told)
+  put(out, "\nDoes the model fit?")
+  if told.known then
+    put(out, "  chi-square %.6g for %d degrees of freedom: %.5g times; more has a probability of %.2g%s", told.chi2,
+      told.dof, told.reduced, told.tail, told.huber and " (outliers count in full here)" or "")
+  else
+    put(out, "  residuals have a standard deviation of %.4g; without a sigma nothing tells whether that is noise",
+      math.sqrt(told.reduced))
+  end
+  for _, c in ipairs(told.residuals) do
+    put(out, "  %s, %s: %d values, root mean square %.4g%s, largest %.3g at t = %.6g s%s", c.log, c.name, c.n, c.rms,
+      told.known and " sigma" or "", c.worst, c.worst_t, c.white and
+      string.format("; white with probability %.2g", c.white.tail) or "")
+  end
+  if #told.nulls > 0 then put(out, "\nWhat the data do not determine") end
+  for _, d in ipairs(told.nulls) do put(out, "  %s", d.text) end
+  put(out, "\n%s after %d passes; steps of %.3g s, whose error moves the estimate by %.1g standard errors at most",
+    r.converged and "Converged" or "Not converged", r.passes, r.step, r.step_error)
+  for _, s in ipairs(told.notes) do put(out, "note: %s", s) end
+  for _, s in ipairs(told.wrong) do put(out, "WRONG: %s", s) end
+  return table.concat(out, "\n") .. "\n"
+end
+
+-- ---- as JSON ----
+
+local function maybe(x) return x ~= nil and x or json.null end
+
+function report.json(told)
+  local object, r, n = json.object, told.result, #told.estimates
+  local list, covariance, residuals, nulls = {}, {}, {}, {}
+  for i, e in ipairs(told.estimates) do
+    list[i] = object { { "name", e.name }, { "unit", e.unit }, { "determined", e.sigma ~= nil and not e.hardly },
+      { "estimate", e.value }, { "sigma", maybe(e.sigma) } }
+    covariance[i] = {}
+    for k, other in ipairs(told.estimates) do
+      local c = r.covariance[(i - 1) * n + k] * told.covariance_scale /
+        (told.unknowns[i].factor * told.unknowns[k].factor)
+      covariance[i][k] = e.sigma and other.sigma and c or json.null
+    end
+  end
+  for i, c in ipairs(told.residuals) do
+    residuals[i] = object { { "log", c.log }, { "name", c.name }, { "n", c.n }, { "chi2", c.chi2 },
+      { "largest", c.worst }, { "largest_at", c.worst_t }, { "whiteness_q", maybe(c.white and c.white.q) },
+      { "whiteness_tail", maybe(c.white and c.white.tail) } }
+  end
+  for i, d in ipairs(told.nulls) do nulls[i] = d.text end
+  local references = {}
+  for i = 1, #r.reference, 4 do
+    if r.reference[i] ~= 0 or r.reference[i + 1] ~= 0 then
+      references[#references + 1] = { table.unpack(r.reference, i, i + 3) }
+    end
+  end
+  return json.text(object { { "scene", told.scene }, { "converged", r.converged }, { "fits", #told.wrong == 0 },
+    { "loss", told.huber and "huber" or "squares" }, { "estimates", list }, { "covariance", covariance },
+    { "covariance_scaled", not told.known }, { "initial_attitudes", references }, { "chi2", told.chi2 },
+    { "n", told.n }, { "dof", told.dof }, { "upper_tail", told.known and told.tail or json.null },
+    { "residuals", residuals },
+    { "singular_values", r.singular }, { "rank", math.floor(r.rank) }, { "not_determined", nulls },
+    { "passes", math.floor(r.passes) }, { "last_step", r.decrement }, { "step", r.step },
+    { "step_error", r.step_error }, { "fit_seconds", r.seconds }, { "notes", told.notes }, { "wrong", told.wrong } })
+end
+
+return report

@@ -1,0 +1,264 @@
+/* fit.c - `polhode fit` for Lua: the compiled scene, the logs and what is free, to estimates.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * fit(path, {free = {place among the parameters, from 1}, initial = bool, logs = {of log()},
+ *     channels = of each log {{value =, column =, sigma =,
+ *     attitude = bool, state = which one it is as it stands, or nil}}, knots = {t}, huber = k or 0,
+ *     step = h, known = are the sigmas known?, states = {initial values, if initial},
+ *     parameters = {all, SI units}})
+ * -> {theta, covariance, outer, singular, vectors, scale (lists), rank, chi2, loss, n, converged,
+ *     lengthened, iterations, passes, decrement, step_error, step, refused, seconds,
+ *     counts = {of each log: {of each residual: {n, chi2, worst, worst_t, sums, pairs}}}}
+ * Places of values and columns count from 1, lists of matrices are by rows.
+ */
+#define _GNU_SOURCE
+#include "fit.h"
+#include "host/host.h"
+
+#include <dlfcn.h>
+#include <gsl/gsl_cdf.h>
+#include <math.h>
+#include <string.h>
+
+/* Memory that Lua frees, whatever happens. */
+static void *room(lua_State *L, size_t size) {
+  void *p = lua_newuserdatauv(L, size > 0 ? size : 1, 0);
+  memset(p, 0, size > 0 ? size : 1);
+  return p;
+}
+
+static double number_of(lua_State *L, int index, const char *key) {
+  lua_getfield(L, index, key);
+  const double x = lua_tonumber(L, -1);
+  lua_pop(L, 1);
+  return x;
+}
+
+static int flag_of(lua_State *L, int index, const char *key) {
+  lua_getfield(L, index, key);
+  const int x = lua_toboolean(L, -1);
+  lua_pop(L, 1);
+  return x;
+}
+
+/* The list under the key, at most `most` numbers; how many. */
+static int list_of(lua_State *L, int index, const char *key, double out[], int most) {
+  lua_getfield(L, index, key);
+  const int n = lua_istable(L, -1) ? (int)lua_rawlen(L, -1) : 0;
+  if (n > most)
+    luaL_error(L, "fit: more than %d %s", most, key);
+  for (int i = 0; i < n; i++) {
+    lua_rawgeti(L, -1, i + 1);
+    out[i] = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  return n;
+}
+
+static void push_list(lua_State *L, const char *key, const double x[], int n) {
+  lua_createtable(L, n, 0);
+  for (int i = 0; i < n; i++) {
+    lua_pushnumber(L, x[i]);
+    lua_rawseti(L, -2, i + 1);
+  }
+  lua_setfield(L, -2, key);
+}
+
+static void push_number(lua_State *L, const char *key, double x) {
+  lua_pushnumber(L, x);
+  lua_setfield(L, -2, key);
+}
+
+static const struct polhode_fitted *load(lua_State *L, const char *path, void **library) {
+  *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+  void *symbol = *library != NULL ? dlsym(*library, "polhode_fitted") : NULL;
+  if (symbol == NULL) {
+    lua_pushnil(L);
+    lua_pushfstring(L, "cannot load %s: %s", path, dlerror());
+    return NULL;
+  }
+  const struct polhode_fitted *(*table)(void);
+  memcpy(&table, &symbol, sizeof table); /* POSIX: an object's address may be a function's */
+  return table();
+}
+
+static void read_channels(lua_State *L, struct fit_problem *f, int log) {
+  lua_getfield(L, 2, "channels");
+  lua_rawgeti(L, -1, log + 1);
+  const int list = lua_gettop(L);
+  if (f->channel == NULL) {
+    f->channels = (int)lua_rawlen(L, list);
+    if (f->channels > FIT_CHANNELS)
+      luaL_error(L, "fit: too many channels");
+    f->channel = room(L, (size_t)(f->channels * f->logs) * sizeof *f->channel);
+  }
+  for (int i = 0; i < f->channels; i++) {
+    struct fit_channel *c = &f->channel[log * f->channels + i];
+    lua_rawgeti(L, list, i + 1);
+    const int at = lua_gettop(L);
+    c->attitude = flag_of(L, at, "attitude");
+    c->value = (int)number_of(L, at, "value") - 1;
+    c->column = (int)number_of(L, at, "column") - 1;
+    c->state = (int)number_of(L, at, "state") - 1;
+    list_of(L, at, "sigma", c->sigma, 3);
+    lua_settop(L, at - 1);
+  }
+}
+
+static void read_problem(lua_State *L, struct fit_problem *f) {
+  double places[FIT_MOST], knots[1000];
+  f->free = list_of(L, 2, "free", places, FIT_MOST);
+  for (int i = 0; i < f->free; i++)
+    f->free_index[i] = (int)places[i] - 1;
+  f->huber = number_of(L, 2, "huber");
+  f->h = number_of(L, 2, "step");
+  f->until = (double)INFINITY;
+  f->knot_count = list_of(L, 2, "knots", knots, 1000);
+  f->knots = room(L, sizeof knots);
+  memcpy(f->knots, knots, sizeof knots);
+  f->p = room(L, (size_t)(f->code->params + 1) * sizeof *f->p);
+  list_of(L, 2, "parameters", f->p, f->code->params);
+  f->model = room(L, f->code->model_size);
+  f->k0 = room(L, (size_t)(f->code->constants * f->code->lanes + 1) * sizeof *f->k0);
+  lua_getfield(L, 2, "logs");
+  const int list = lua_gettop(L);
+  f->logs = (int)lua_rawlen(L, list);
+  f->log = room(L, (size_t)f->logs * sizeof *f->log);
+  for (int i = 0; i < f->logs; i++) {
+    lua_rawgeti(L, list, i + 1);
+    f->log[i] = fit_log_at(L, -1);
+    read_channels(L, f, i);
+  }
+  f->reference = room(L, (size_t)(4 * f->logs) * sizeof *f->reference);
+  if (flag_of(L, 2, "initial"))
+    f->own = f->code->states - (f->code->attitude >= 0);
+  f->n = f->free + f->logs * f->own;
+  if (f->n > FIT_MOST)
+    luaL_error(L, "fit: more than %d unknowns", FIT_MOST);
+}
+
+/* Where the search begins: the parameters' values, and of each log the scene's initial state. */
+static void begin(lua_State *L, struct fit_problem *f, double theta[]) {
+  double x[FIT_MOST] = {0};
+  for (int i = 0; i < f->free; i++)
+    theta[i] = f->p[f->free_index[i]];
+  if (f->own == 0)
+    return;
+  list_of(L, 2, "states", x, FIT_MOST);
+  for (int log = 0; log < f->logs; log++) {
+    int at = f->free + log * f->own;
+    for (int i = 0; i < f->code->states; i++) {
+      if (i == f->code->attitude) {
+        memcpy(f->reference + 4 * log, x + i, 4 * sizeof x[0]);
+        at += 3;
+        i += 3;
+      } else {
+        theta[at++] = x[i];
+      }
+    }
+  }
+}
+
+static void push_counts(lua_State *L, const struct fit_problem *f,
+                        const struct fit_count counts[]) {
+  const int n = fit_residuals(f);
+  lua_createtable(L, f->logs, 0);
+  for (int i = 0; i < f->logs; i++) {
+    lua_createtable(L, n, 0);
+    for (int k = 0; k < n; k++) {
+      const struct fit_count *c = &counts[i * n + k];
+      double pairs[FIT_LAGS];
+      for (int j = 0; j < FIT_LAGS; j++)
+        pairs[j] = (double)c->pairs[j];
+      lua_createtable(L, 0, 6);
+      push_number(L, "n", (double)c->n);
+      push_number(L, "chi2", c->chi2);
+      push_number(L, "worst", c->worst);
+      push_number(L, "worst_t", c->worst_t);
+      push_list(L, "sums", c->sum, FIT_LAGS);
+      push_list(L, "pairs", pairs, FIT_LAGS);
+      lua_rawseti(L, -2, k + 1);
+    }
+    lua_rawseti(L, -2, i + 1);
+  }
+  lua_setfield(L, -2, "counts");
+}
+
+/* H^-1 B H^-1 with H^-1 = covariance and B = R'R of the outer triangle. */
+static void sandwich(const struct fit_triangle *b, double C[], double work[]) {
+  const int n = b->n;
+  for (int i = 0; i < n; i++)
+    for (int k = 0; k < n; k++) {
+      work[i * n + k] = 0;
+      for (int j = 0; j < n; j++)
+        work[i * n + k] += j >= i ? triangle_at(b, i, j) * C[j * n + k] : 0;
+    }
+  for (int i = 0; i < n; i++)
+    for (int k = 0; k < n; k++) {
+      C[i * n + k] = 0;
+      for (int j = 0; j < n; j++)
+        C[i * n + k] += work[j * n + i] * work[j * n + k];
+    }
+}
+
+static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *r,
+                        const struct fit_sums *s, double work[]) {
+  const int n = f->n;
+  if (f->huber > 0)
+    sandwich(s->outer, r->covariance, work);
+  lua_createtable(L, 0, 24);
+  push_list(L, "theta", r->theta, n);
+  push_list(L, "reference", f->reference, 4 * f->logs);
+  push_list(L, "covariance", r->covariance, n * n);
+  push_list(L, "singular", r->singular, n);
+  push_list(L, "vectors", r->vectors, n * n);
+  push_list(L, "scale", r->scale, n);
+  push_number(L, "rank", r->rank);
+  push_number(L, "chi2", r->chi2);
+  push_number(L, "loss", r->loss);
+  push_number(L, "n", (double)r->n);
+  push_number(L, "iterations", r->iterations);
+  push_number(L, "passes", (double)f->passes);
+  push_number(L, "decrement", r->decrement);
+  push_number(L, "step_error", r->step_shift);
+  push_number(L, "step", f->h);
+  push_number(L, "refused", f->refused);
+  push_number(L, "unknowns", n);
+  lua_pushboolean(L, r->converged);
+  lua_setfield(L, -2, "converged");
+  lua_pushboolean(L, r->lengthened);
+  lua_setfield(L, -2, "lengthened");
+  push_counts(L, f, s->counts);
+}
+
+int host_fit(lua_State *L) {
+  const char *path = luaL_checkstring(L, 1);
+  luaL_checktype(L, 2, LUA_TTABLE);
+  void *library;
+  struct fit_problem *f = room(L, sizeof *f);
+  f->code = load(L, path, &library);
+  if (f->code == NULL)
+    return 2;
+  if (f->code->abi != POLHODE_FITTED_ABI || f->code->states > 64 || f->code->values > FIT_CHANNELS)
+    return luaL_error(L, "fit: what was compiled is no scene of this program");
+  read_problem(L, f);
+  double *theta = room(L, FIT_MOST * sizeof *theta);
+  struct fit_result *r = room(L, sizeof *r);
+  struct fit_sums s = {
+      room(L, sizeof *s.whole), room(L, sizeof *s.inner), room(L, sizeof *s.outer), NULL, 0, 0};
+  s.counts = room(L, (size_t)(f->logs * fit_residuals(f)) * sizeof *s.counts);
+  double *work = room(L, FIT_MOST * FIT_MOST * sizeof *work);
+  begin(L, f, theta);
+  fit_solve(f, theta, flag_of(L, 2, "known"), r, &s);
+  interrupt_check(L);
+  push_result(L, f, r, &s, work);
+  dlclose(library);
+  return 1;
+}
+
+int host_tail(lua_State *L) {
+  const double chi2 = luaL_checknumber(L, 1), dof = luaL_checknumber(L, 2);
+  lua_pushnumber(L, dof > 0 && chi2 >= 0 ? gsl_cdf_chisq_Q(chi2, dof) : 1);
+  return 1;
+}

@@ -1,0 +1,141 @@
+/* fit.h - parameters from logs: what this folder's files share.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The unknowns theta are the free parameters and, where they are asked for, the initial state of
+ * each log (an attitude by a rotation vector about a reference).  A pass goes through all logs once
+ * and leaves the residuals z and their derivatives J as a triangle: [J z] = Q [R c; 0 rho].  So no
+ * array is as long as a log but the log itself, and R has the digits that J'J would lose.
+ */
+#ifndef POLHODE_FIT_H
+#define POLHODE_FIT_H
+
+#include "../../../templates/fit/fitted.h"
+
+#include <lauxlib.h>
+#include <lua.h>
+#include <stddef.h>
+
+enum {
+  FIT_MOST = 96,     /* unknowns */
+  FIT_CHANNELS = 64, /* residuals of a row */
+  FIT_COLUMNS = 64,  /* of a log */
+  FIT_LAGS = 20,     /* of the test of whiteness */
+  FIT_BLOCK = 128    /* rows that are taken into the triangle at a time */
+};
+
+/* ---- log.c ---- */
+
+#define FIT_LOG_TYPE "polhode.log"
+
+/* A file of measurements: rows by time, `columns` values each, NaN where there is none. */
+struct fit_log {
+  char *path;
+  size_t rows, room;
+  int columns;
+  double *t, *y;
+  double spacing; /* the usual distance of two rows in time */
+};
+
+/* log(path) -> object | nil, message;  object:head() -> {names}, {units}, {sigmas}, line of the
+   head;
+   object:read({{column, factor}, ...}) -> rows, {values of each} | nil, message.  The first of them
+   is the time.  object:spacing() -> the usual distance of two rows in s */
+int host_log(lua_State *L);
+struct fit_log *fit_log_at(lua_State *L, int index);
+
+/* ---- triangle.c ---- */
+
+/* n unknowns; r: rows of n + 1 numbers, upper triangular; the last column has c and rho. */
+struct fit_triangle {
+  int n, filled;
+  double r[(FIT_MOST + 1) * (FIT_MOST + 1)];
+  double block[(FIT_MOST + 1) * FIT_BLOCK]; /* a column after the other */
+};
+
+void triangle_open(struct fit_triangle *a, int n);
+/* One row: n derivatives and the residual. */
+void triangle_row(struct fit_triangle *a, const double row[]);
+/* Takes in what is left in the block. */
+void triangle_close(struct fit_triangle *a);
+double triangle_at(const struct fit_triangle *a, int i, int k);
+
+/* ---- pass.c ---- */
+
+/* One residual of a row, or the three of an attitude. */
+struct fit_channel {
+  int attitude;      /* does it stand for three, of four columns? */
+  int state;         /* the state that it is, if it is one as it stands, else -1 */
+  int value, column; /* place in the measured values, first column of the log */
+  double sigma[3];
+};
+
+/* What a pass counts in a residual's channel (three for an attitude), of one log. */
+struct fit_count {
+  long n;
+  double chi2, sum[FIT_LAGS]; /* sums of z_i z_(i+k) over pairs of equal spacing */
+  long pairs[FIT_LAGS];
+  double worst, worst_t; /* the largest |z|, and when */
+};
+
+struct fit_problem {
+  const struct polhode_fitted *code;
+  void *model;
+  double *k0;
+  int free_index[FIT_MOST]; /* of the free parameters among all */
+  double *p;
+  int free, own, logs, n; /* unknowns: shared, of each log, all */
+  struct fit_log **log;
+  double *reference;           /* of each log: a quaternion */
+  struct fit_channel *channel; /* of each log */
+  int channels;
+  double *knots; /* times at which a step ends */
+  int knot_count;
+  double huber;    /* the loss's corner in sigmas; 0: least squares */
+  double h, until; /* longest step; rows behind it are left out */
+  int refused;     /* the check of the parameters that failed last, 0: none */
+  long passes;
+};
+
+/* Triangles that a pass fills, NULL: not asked for.  whole: z and J, with a loss sqrt(2 rho(z)) and
+ * its derivatives; inner: J where |z| is below the corner; outer: psi J.  counts: logs x residuals.
+ */
+struct fit_sums {
+  struct fit_triangle *whole, *inner, *outer;
+  struct fit_count *counts;
+  double chi2; /* sum of z^2 */
+  long n;
+};
+
+/* Residuals of a row. */
+int fit_residuals(const struct fit_problem *f);
+/* q = reference exp(a/2), and its derivatives by a (NULL: not asked for). */
+void fit_turned(const double reference[4], const double a[3], double q[4], double dq[3][4]);
+/* 0; 1: the parameters are no body, the motion is not finite, or the user has interrupted. */
+int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s);
+
+/* ---- solve.c ---- */
+
+struct fit_result {
+  double theta[FIT_MOST], chi2, loss;
+  long n;
+  int converged, lengthened, iterations, rank;
+  double decrement;  /* length of the last step in standard errors */
+  double step_shift; /* by how many standard errors halving the step would move the estimate, at
+                        most */
+  double singular[FIT_MOST];           /* of R with columns scaled, descending */
+  double vectors[FIT_MOST * FIT_MOST]; /* right singular vectors, scaled, columns */
+  double scale[FIT_MOST];
+  double covariance[FIT_MOST * FIT_MOST];
+};
+
+/* From theta on; sums: room for the triangles. has_sigma: is chi-square meaningful? */
+void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struct fit_result *r,
+               struct fit_sums *s);
+
+/* ---- fit.c ---- */
+
+/* fit(path, problem) -> {result} | nil, message;  tail(chi2, dof) -> probability of more */
+int host_fit(lua_State *L);
+int host_tail(lua_State *L);
+
+#endif

@@ -1,0 +1,290 @@
+/* pass.c - one pass through the logs: the motion with its derivatives, and the residuals.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A residual is z = (measured - model)/sigma.  Of an attitude it is the rotation vector of
+ * conj(q_model) q_measured in body axes, the shorter way round (q and -q are one attitude), by
+ * atan2, which keeps all digits of a small turn; its derivative is that of the logarithm, not -1.
+ */
+#include "fit.h"
+#include "host/host.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { STATES = 64 };
+
+/* What a pass has at hand for one log. */
+struct course {
+  struct fit_problem *f;
+  const struct fit_log *log;
+  int number, lanes;
+  double t, x[STATES];
+  double *s;         /* states x lanes */
+  double *y, *G, *P; /* measured, and derivatives */
+  double row[FIT_MOST + 1];
+};
+
+/* Residuals of the last rows, for the test of whiteness. */
+struct memory {
+  double t[FIT_LAGS], z[FIT_LAGS][FIT_CHANNELS * 3];
+  int next;
+};
+
+int fit_residuals(const struct fit_problem *f) {
+  int n = 0;
+  for (int c = 0; c < f->channels; c++)
+    n += f->channel[c].attitude ? 3 : 1;
+  return n;
+}
+
+static void multiply(const double a[4], const double b[4], double out[4]) {
+  out[0] = a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3];
+  out[1] = a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2];
+  out[2] = a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1];
+  out[3] = a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0];
+}
+
+void fit_turned(const double reference[4], const double a[3], double q[4], double dq[3][4]) {
+  const double n2 = a[0] * a[0] + a[1] * a[1] + a[2] * a[2], n = sqrt(n2);
+  /* c = cos(n/2), k = sin(n/2)/n and (dk/dn)/n; series below 1e-3, whose next term is below 1e-20
+   */
+  const int small = n < 1e-3;
+  const double c = cos(n / 2);
+  const double k = small ? 0.5 - n2 / 48 + n2 * n2 / 3840 : sin(n / 2) / n;
+  const double dk = small ? -1.0 / 24 + n2 / 960 - n2 * n2 / 107520 : (c / 2 - k) / n2;
+  const double e[4] = {c, k * a[0], k * a[1], k * a[2]};
+  multiply(reference, e, q);
+  for (int i = 0; dq != NULL && i < 3; i++) {
+    double d[4] = {-k * a[i] / 2, 0, 0, 0};
+    for (int j = 0; j < 3; j++)
+      d[j + 1] = dk * a[i] * a[j] + (i == j ? k : 0);
+    multiply(reference, d, dq[i]);
+  }
+}
+
+/* The log's own initial state in place of the scene's. */
+static void own_start(struct course *c, const double theta[]) {
+  struct fit_problem *f = c->f;
+  const double *own = theta + f->free + c->number * f->own;
+  int at = 0;
+  memset(c->s, 0, (size_t)(f->code->states * c->lanes) * sizeof *c->s);
+  for (int i = 0; i < f->code->states; i++) {
+    if (i == f->code->attitude) {
+      double dq[3][4];
+      fit_turned(f->reference + 4 * c->number, own + at, c->x + i, dq);
+      for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 4; j++)
+          c->s[(i + j) * c->lanes + f->free + at + k] = dq[k][j];
+      at += 3;
+      i += 3;
+    } else {
+      c->x[i] = own[at];
+      c->s[i * c->lanes + f->free + at] = 1;
+      at++;
+    }
+  }
+}
+
+/* On to time t in equal steps no longer than h; a step ends at every knot. */
+static void go(struct course *c, double t, int *knot) {
+  const struct fit_problem *f = c->f;
+  while (c->t < t) {
+    while (*knot < f->knot_count && f->knots[*knot] <= c->t)
+      ++*knot;
+    const double to = *knot < f->knot_count && f->knots[*knot] < t ? f->knots[*knot] : t;
+    const double n = ceil((to - c->t) / f->h * (1 - 1e-9));
+    f->code->advance(f->model, f->k0, c->t, c->x, c->s, (to - c->t) / n, (long)n);
+    c->t = to;
+  }
+}
+
+/* r = 2 atan2(|v|, s) v/|v| of e = (s, v), and dr for each of the directions de. */
+static void logarithm(const double e[4], double r[3], double *factor, double slope[2]) {
+  const double s = e[0], n2 = e[1] * e[1] + e[2] * e[2] + e[3] * e[3], n = sqrt(n2);
+  const double u = n / s;
+  const int small = u < 1e-3 && s > 0;
+  /* r = a v; da = slope[0] (v dv) + slope[1] ds */
+  const double a = small ? 2 / s * (1 - u * u / 3 + u * u * u * u / 5) : 2 * atan2(n, s) / n;
+  *factor = a;
+  for (int i = 0; i < 3; i++)
+    r[i] = a * e[i + 1];
+  slope[0] = small ? (-4.0 / 3 + 8.0 / 5 * u * u) / (s * s * s) : (2 * s / (n2 + s * s) - a) / n2;
+  slope[1] = -2 / (n2 + s * s);
+}
+
+/* The three residuals of an attitude and their rows, [3][FIT_MOST] by the log's own directions. */
+static void attitude(const struct course *c, const double logged[4], const double sigma[3],
+                     double z[3], double J[][FIT_MOST], int directions) {
+  const double *q = c->x + c->f->code->attitude;
+  const double back[4] = {q[0], -q[1], -q[2], -q[3]};
+  double e[4], r[3], factor, slope[2];
+  multiply(back, logged, e);
+  const double sign = e[0] < 0 ? -1 : 1;
+  for (int i = 0; i < 4; i++)
+    e[i] *= sign;
+  logarithm(e, r, &factor, slope);
+  for (int i = 0; i < 3; i++)
+    z[i] = r[i] / sigma[i];
+  for (int k = 0; k < directions; k++) {
+    const double *s = c->s + c->f->code->attitude * c->lanes + k;
+    const double d[4] = {s[0], -s[c->lanes], -s[2 * c->lanes], -s[3 * c->lanes]};
+    double de[4];
+    multiply(d, logged, de);
+    const double vdv = sign * (e[1] * de[1] + e[2] * de[2] + e[3] * de[3]);
+    const double da = slope[0] * vdv + slope[1] * sign * de[0];
+    for (int i = 0; i < 3; i++)
+      J[i][k] = (da * e[i + 1] + factor * sign * de[i + 1]) / sigma[i];
+  }
+}
+
+/* A residual and its row into the sums. */
+static void put(struct course *c, struct fit_sums *s, double z, const double J[], int directions) {
+  const struct fit_problem *f = c->f;
+  const double k = f->huber, size = fabs(z);
+  const int inside = k == 0 || size <= k;
+  /* the square of what the triangle gets is 2 rho(z), its derivative's product with it psi(z) */
+  const double root = inside ? z : copysign(sqrt(k * (2 * size - k)), z);
+  const double psi = inside ? z : copysign(k, z), slope = inside ? 1 : psi / root;
+  s->chi2 += z * z;
+  s->n++;
+  memset(c->row, 0, sizeof c->row);
+  for (int i = 0; i < directions; i++)
+    c->row[i < f->free ? i : i + c->number * f->own] = J[i];
+  double *last = &c->row[f->n];
+  if (s->inner != NULL && inside) {
+    *last = 0;
+    triangle_row(s->inner, c->row);
+  }
+  if (s->outer != NULL) {
+    double scaled[FIT_MOST + 1];
+    for (int i = 0; i < f->n; i++)
+      scaled[i] = psi * c->row[i];
+    scaled[f->n] = 0;
+    triangle_row(s->outer, scaled);
+  }
+  if (s->whole != NULL) {
+    for (int i = 0; slope != 1 && i < f->n; i++)
+      c->row[i] *= slope;
+    *last = root;
+    triangle_row(s->whole, c->row);
+  }
+}
+
+static void count(struct fit_count *a, const struct memory *m, int channel, double t, double z,
+                  double spacing) {
+  a->n++;
+  a->chi2 += z * z;
+  if (fabs(z) > a->worst) {
+    a->worst = fabs(z);
+    a->worst_t = t;
+  }
+  for (int k = 1; k <= FIT_LAGS; k++) {
+    const int i = (m->next + FIT_LAGS - k) % FIT_LAGS;
+    if (fabs(t - m->t[i] - k * spacing) < 1e-3 * spacing && m->z[i][channel] == m->z[i][channel]) {
+      a->sum[k - 1] += z * m->z[i][channel];
+      a->pairs[k - 1]++;
+    }
+  }
+}
+
+/* The residuals of row i; 1: one is not finite. */
+static int residuals(struct course *c, size_t i, struct fit_sums *s, struct memory *m) {
+  const struct fit_problem *f = c->f;
+  const int directions = f->free + f->own, ns = f->code->states;
+  const double *data = c->log->y + i * (size_t)c->log->columns;
+  double z[3], J[3][FIT_MOST], now[FIT_CHANNELS * 3];
+  int at = 0, known = 0;
+  for (int n = 0; n < f->channels; n++) {
+    const struct fit_channel *o = &f->channel[c->number * f->channels + n];
+    const int size = o->attitude ? 3 : 1;
+    int there = 1;
+    for (int k = 0; k < (o->attitude ? 4 : 1); k++)
+      there = there && data[o->column + k] == data[o->column + k];
+    for (int k = 0; k < size; k++)
+      now[at + k] = (double)NAN;
+    if (there && o->attitude) {
+      attitude(c, data + o->column, o->sigma, z, J, directions);
+    } else if (there) {
+      if (!known)
+        f->code->measure(f->p, c->t, c->x, c->y, c->G, c->P);
+      known = 1;
+      z[0] = (data[o->column] - c->y[o->value]) / o->sigma[0];
+      for (int k = 0; k < directions; k++) {
+        double d = k < f->free ? c->P[o->value * f->free + k] : 0;
+        for (int j = 0; j < ns; j++)
+          d += c->G[o->value * ns + j] * c->s[j * c->lanes + k];
+        J[0][k] = -d / o->sigma[0];
+      }
+    }
+    for (int k = 0; there && k < size; k++) {
+      if (!isfinite(z[k]))
+        return 1;
+      now[at + k] = z[k];
+      put(c, s, z[k], J[k], directions);
+    }
+    at += size;
+  }
+  if (s->counts != NULL) {
+    struct fit_count *own = s->counts + c->number * at;
+    for (int k = 0; k < at; k++)
+      if (now[k] == now[k])
+        count(&own[k], m, k, c->t, now[k], c->log->spacing);
+    m->t[m->next] = c->t;
+    memcpy(m->z[m->next], now, (size_t)at * sizeof now[0]);
+    m->next = (m->next + 1) % FIT_LAGS;
+  }
+  return 0;
+}
+
+static int one_log(struct course *c, const double theta[], struct fit_sums *s) {
+  struct fit_problem *f = c->f;
+  struct memory m = {.next = 0};
+  int knot = 0;
+  for (int i = 0; i < FIT_LAGS; i++)
+    m.t[i] = (double)NAN;
+  f->code->start(f->model, c->x, c->s, f->k0);
+  if (f->own > 0)
+    own_start(c, theta);
+  c->t = 0;
+  for (size_t i = 0; i < c->log->rows && c->log->t[i] <= f->until; i++) {
+    go(c, c->log->t[i], &knot);
+    if (residuals(c, i, s, &m) || (i % 4096 == 0 && interrupt_pending()))
+      return 1;
+  }
+  return 0;
+}
+
+int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
+  static struct course c; /* one fit at a time: large for a stack */
+  static double room[STATES * FIT_MOST + FIT_CHANNELS * (1 + STATES + FIT_MOST)];
+  struct fit_triangle *all[] = {s->whole, s->inner, s->outer};
+  for (int i = 0; i < 3; i++)
+    if (all[i] != NULL)
+      triangle_open(all[i], f->n);
+  if (s->counts != NULL)
+    memset(s->counts, 0, (size_t)(f->logs * fit_residuals(f)) * sizeof *s->counts);
+  s->chi2 = 0;
+  s->n = 0;
+  f->passes++;
+  for (int i = 0; i < f->free; i++)
+    f->p[f->free_index[i]] = theta[i];
+  f->refused = f->code->init(f->model, f->p);
+  if (f->refused != 0)
+    return 1;
+  c.f = f;
+  c.lanes = f->code->lanes;
+  c.s = room;
+  c.y = room + STATES * FIT_MOST;
+  c.G = c.y + FIT_CHANNELS;
+  c.P = c.G + FIT_CHANNELS * STATES;
+  for (int i = 0; i < f->logs; i++) {
+    c.number = i;
+    c.log = f->log[i];
+    if (one_log(&c, theta, s))
+      return 1;
+  }
+  for (int i = 0; i < 3; i++)
+    if (all[i] != NULL)
+      triangle_close(all[i]);
+  return 0;
+}
