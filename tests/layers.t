@@ -109,7 +109,7 @@ local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/
   ["generator/commands/forced.lua"] = true,
   ["generator/plan/decision.lua"] = true, ["generator/plan/search.lua"] = true,
   ["generator/commands/mesh.lua"] = true, ["generator/report/bench.lua"] = true,
-  ["generator/plot/times.lua"] = true }
+  ["generator/plot/times.lua"] = true, ["generator/report/values.lua"] = true }
 
 local METHODS = { "gsub", "match", "format", "sub", "rep", "find", "gmatch", "byte", "lower", "upper", "len",
   "reverse" }

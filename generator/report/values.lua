@@ -191,11 +191,11 @@ function values.lines(f)
     local what = v.what ~= "" and " (" .. v.what .. ")" or ""
     local name = string.gsub(v.key, "_", " ")
     lines[i] = { text = name .. ": " .. v.formula .. " = " .. number(v.number) .. unit .. what,
-      latex = name .. ": $" .. v.latex .. " = " .. number(v.number) .. tex .. "$" .. what }
+      latex = name .. ": \\( " .. v.latex .. " = " .. number(v.number) .. tex .. " \\)" .. what }
   end
   if #lines > 0 and #f.job.record.effects > 0 then
     table.insert(lines, 1, { text = "at t = 0; T and L are those of the body's own rotation",
-      latex = "at $t = 0$; $T$ and $L$ are those of the body's own rotation" })
+      latex = "at \\( t = 0 \\); \\( T \\) and \\( L \\) are those of the body's own rotation" })
   end
   return lines
 end
