@@ -130,12 +130,29 @@ double sweep_stats_covariance(const sweep_stats *all, int i, int j);
 void sweep_stats_histogram(const sweep_stats *all, int number, double *low, double *high, uint64_t bins[]);
 const uint64_t *sweep_stats_statuses(const sweep_stats *all);
 
+/* ---- sweep_blocks.c: members in blocks ---- */
+
+/* Blocks of one size after blocks of another, smaller at the end; level: where each size begins. */
+enum { SWEEP_LEVELS = 6 };
+typedef struct sweep_layout {
+  uint64_t members, blocks, most; /* most: members in the largest block */
+  int levels;
+  struct {
+    uint64_t block, member, size;
+  } level[SWEEP_LEVELS];
+} sweep_layout;
+/* workers: threads of all ranks.  lanes: members that are computed at a time. */
+void sweep_divide(sweep_layout *d, uint64_t members, uint64_t block, uint64_t workers, int lanes);
+uint64_t sweep_block(const sweep_layout *d, uint64_t b, uint64_t *first); /* how many are in block b, from which on */
+
 /* ---- sweep_log.c: what is computed goes to a log at once ---- */
 
 typedef struct sweep_log sweep_log;
-/* The folder of the logs, made if it is not there.  resume: its blocks count.  *block: members in a block as asked for,
- * 0: any; the folder's own with resume.  NULL after a message. */
-sweep_log *sweep_log_open(const sweep_study *s, const char *folder, int rank, int resume, uint64_t *block);
+/* The folder of the logs, made if it is not there.  resume: its blocks count.  block: members in a block as asked for,
+ * 0: any.  With resume the folder's own blocks are taken, whatever the number of workers is now.  NULL after a message. */
+sweep_log *sweep_log_open(const sweep_study *s, const char *folder, int rank, int resume, uint64_t block,
+  uint64_t workers);
+const sweep_layout *sweep_log_layout(const sweep_log *l);
 /* Looks at all logs of the folder; how many blocks are missing, UINT64_MAX after a message.  all: NULL, or the
  * statistics in them are merged into it. */
 uint64_t sweep_log_scan(sweep_log *l, sweep_stats *all);
@@ -147,15 +164,12 @@ int sweep_log_append(sweep_log *l, const uint64_t blocks[], uint64_t n, const vo
 /* The block's rows and statuses; 0, or -1 after a message. */
 int sweep_log_read(sweep_log *l, uint64_t block, double rows[], int32_t status[]);
 void sweep_log_close(sweep_log *l, int finished); /* finished: the folder goes */
-uint64_t sweep_blocks(const sweep_study *s, uint64_t block);
-uint64_t sweep_block_count(const sweep_study *s, uint64_t block, uint64_t i); /* members in block i */
 
 /* ---- sweep_team.c: threads, ranks ---- */
 
 typedef struct sweep_work {
   const sweep_study *study;
   sweep_log *log;
-  uint64_t block; /* members in a block */
   int threads, progress;
 } sweep_work;
 /* Computes all blocks that the log has not; 0, the number of the signal that stopped it, or -1 after a message. */
@@ -174,10 +188,10 @@ const char *sweep_ranks_about(void);
 
 /* ---- sweep_csv.c, sweep_hdf5.c: the result; 0, or -1 after a message ---- */
 
-int sweep_csv_write(const sweep_study *s, sweep_log *l, uint64_t block, const char *path);
+int sweep_csv_write(const sweep_study *s, sweep_log *l, const char *path);
 int sweep_csv_stats(const sweep_study *s, const sweep_stats *all, const char *path);
 int sweep_hdf5_there(void);
-int sweep_hdf5_write(const sweep_study *s, sweep_log *l, uint64_t block, const char *path);
+int sweep_hdf5_write(const sweep_study *s, sweep_log *l, const char *path);
 int sweep_hdf5_stats(const sweep_study *s, const sweep_stats *all, const char *path);
 
 void sweep_say(const char *format, ...); /* a line on standard error, after the program's name */

@@ -103,12 +103,13 @@ static void heading(const sweep_study *s, FILE *f)
   }
 }
 
-int sweep_csv_write(const sweep_study *s, sweep_log *l, uint64_t block, const char *path)
+int sweep_csv_write(const sweep_study *s, sweep_log *l, const char *path)
 {
+  const sweep_layout *d = sweep_log_layout(l);
   const size_t width = (size_t)s->width;
-  double *rows = malloc((size_t)block*width*sizeof *rows);
-  int32_t *status = malloc((size_t)block*sizeof *status);
-  uint64_t b, k, member = 0;
+  double *rows = malloc((size_t)d->most*width*sizeof *rows);
+  int32_t *status = malloc((size_t)d->most*sizeof *status);
+  uint64_t b, k, first;
   output o;
   size_t i;
   int wrong = 0;
@@ -121,10 +122,12 @@ int sweep_csv_write(const sweep_study *s, sweep_log *l, uint64_t block, const ch
   fputs("member", o.f);
   heading(s, o.f);
   fputs(",status\n", o.f);
-  for (b = 0; b < sweep_blocks(s, block) && !wrong && !ferror(o.f); b++) {
+  for (b = 0; b < d->blocks && !wrong && !ferror(o.f); b++) {
+    const uint64_t n = sweep_block(d, b, &first);
+
     wrong = sweep_log_read(l, b, rows, status) != 0;
-    for (k = 0; k < sweep_block_count(s, block, b) && !wrong; k++) {
-      fprintf(o.f, "%llu", (unsigned long long)member++);
+    for (k = 0; k < n && !wrong; k++) {
+      fprintf(o.f, "%llu", (unsigned long long)(first + k));
       for (i = 0; i < width; i++) {
         fputc(',', o.f);
         number(o.f, rows[k*width + i]);

@@ -9,9 +9,9 @@
 
 int sweep_hdf5_there(void) { return 0; }
 
-int sweep_hdf5_write(const sweep_study *s, sweep_log *l, uint64_t block, const char *path)
+int sweep_hdf5_write(const sweep_study *s, sweep_log *l, const char *path)
 {
-  (void)s, (void)l, (void)block, (void)path;
+  (void)s, (void)l, (void)path;
   return -1;
 }
 
@@ -247,16 +247,17 @@ static int make(const sweep_study *s, hid_t file, table *t)
   return t->member < 0 || t->status < 0;
 }
 
-int sweep_hdf5_write(const sweep_study *s, sweep_log *l, uint64_t block, const char *path)
+int sweep_hdf5_write(const sweep_study *s, sweep_log *l, const char *path)
 {
-  const size_t width = (size_t)s->width, most = (size_t)block;
+  const sweep_layout *d = sweep_log_layout(l);
+  const size_t width = (size_t)s->width, most = (size_t)d->most;
   double *rows = malloc(most*width*sizeof *rows), *one = malloc(most*width*sizeof *one);
   int32_t *status = malloc(most*sizeof *status);
   int64_t *numbers = malloc(most*sizeof *numbers);
   char draft[NAME];
   table t;
   hid_t file;
-  uint64_t b, k;
+  uint64_t b, k, first;
   int wrong, i, j;
 
   t.column = malloc((size_t)s->column_count*sizeof *t.column);
@@ -268,8 +269,8 @@ int sweep_hdf5_write(const sweep_study *s, sweep_log *l, uint64_t block, const c
   for (i = 0; i < s->column_count; i++) t.column[i] = -1;
   t.member = t.status = -1;
   wrong = make(s, file, &t);
-  for (b = 0; b < sweep_blocks(s, block) && !wrong; b++) {
-    const uint64_t n = sweep_block_count(s, block, b), first = b*block;
+  for (b = 0; b < d->blocks && !wrong; b++) {
+    const uint64_t n = sweep_block(d, b, &first);
     size_t at = 0;
 
     wrong = sweep_log_read(l, b, rows, status) != 0;

@@ -29,21 +29,15 @@ struct sweep_log {
   char (*files)[NAME];
   int *open;
   int file_count, fd, lock;
-  uint64_t block, blocks;
+  uint64_t block, blocks, workers; /* workers: when the folder was made */
+  sweep_layout layout;
   uint32_t *file; /* of each block: number of the file from 1, 0: missing */
   int64_t *place; /* and where its data begins */
   int64_t end;    /* of this rank's log: behind the last whole record */
   time_t synced;
 };
 
-uint64_t sweep_blocks(const sweep_study *s, uint64_t block) { return s->members/block + (s->members%block != 0); }
-
-uint64_t sweep_block_count(const sweep_study *s, uint64_t block, uint64_t i)
-{
-  const uint64_t left = s->members - i*block;
-
-  return left < block ? left : block;
-}
+const sweep_layout *sweep_log_layout(const sweep_log *l) { return &l->layout; }
 
 /* Of words: every bit of each counts, and their order. */
 static uint64_t checksum(uint64_t h, const void *data, size_t size)
@@ -119,8 +113,9 @@ static int settings_write(const sweep_log *l)
   int fd, n, wrong;
 
   if (path_of(path, l->folder, "settings") || path_of(draft, l->folder, "settings.new")) return -1;
-  n = snprintf(text, sizeof text, "sweep of %s\nfingerprint %s\nmembers %llu\nblock %llu\n", l->study->scene,
-    l->study->fingerprint, (unsigned long long)l->study->members, (unsigned long long)l->block);
+  n = snprintf(text, sizeof text, "sweep of %s\nfingerprint %s\nmembers %llu\nblock %llu\nworkers %llu\n",
+    l->study->scene, l->study->fingerprint, (unsigned long long)l->study->members, (unsigned long long)l->block,
+    (unsigned long long)l->workers);
   fd = open(draft, O_WRONLY | O_CREAT | O_TRUNC, 0666);
   if (fd < 0) return failed(draft);
   wrong = write_all(fd, text, (size_t)n, 0);
@@ -132,19 +127,19 @@ static int settings_write(const sweep_log *l)
 }
 
 /* 1: the folder's settings are those of the study, 0: it has none, -1 after a message. */
-static int settings_read(sweep_log *l, uint64_t *block)
+static int settings_read(sweep_log *l, uint64_t block)
 {
   char path[NAME], print[NAME];
-  unsigned long long own = 0;
+  unsigned long long own = 0, workers = 0;
   FILE *f;
   int n;
 
   if (path_of(path, l->folder, "settings")) return -1;
   f = fopen(path, "r");
   if (f == NULL) return errno == ENOENT ? 0 : failed(path);
-  n = fscanf(f, "%*[^\n] fingerprint %4095s members %*s block %llu", print, &own);
+  n = fscanf(f, "%*[^\n] fingerprint %4095s members %*s block %llu workers %llu", print, &own, &workers);
   fclose(f);
-  if (n != 2 || own == 0) {
+  if (n != 3 || own == 0 || workers == 0) {
     sweep_say("%s is not whole: remove the folder, and the sweep begins anew", path);
     return -1;
   }
@@ -153,11 +148,12 @@ static int settings_read(sweep_log *l, uint64_t *block)
       "(remove the folder, or write to another file)", l->folder);
     return -1;
   }
-  if (*block != 0 && *block != own) {
-    sweep_say("--block: %s has blocks of %llu members, got %llu", l->folder, own, (unsigned long long)*block);
+  if (block != 0 && block != own) {
+    sweep_say("--block: %s has blocks of %llu members, got %llu", l->folder, own, (unsigned long long)block);
     return -1;
   }
-  *block = (uint64_t)own;
+  l->block = (uint64_t)own;
+  l->workers = (uint64_t)workers;
   return 1;
 }
 
@@ -181,7 +177,7 @@ static int folder_lock(sweep_log *l)
   return 0; /* a file system without locks */
 }
 
-static int prepare(sweep_log *l, int rank, int resume, uint64_t *block)
+static int prepare(sweep_log *l, int rank, int resume, uint64_t block)
 {
   int known;
 
@@ -193,12 +189,13 @@ static int prepare(sweep_log *l, int rank, int resume, uint64_t *block)
     sweep_say("%s has what an earlier run computed: --resume goes on with it (or remove the folder)", l->folder);
     return -1;
   }
-  if (*block == 0) *block = USUAL;
-  l->block = *block;
+  if (known == 0) l->block = block != 0 ? block : USUAL;
+  sweep_divide(&l->layout, l->study->members, l->block, l->workers, l->study->lanes);
   return known == 0 && rank == 0 ? settings_write(l) : 0;
 }
 
-sweep_log *sweep_log_open(const sweep_study *s, const char *folder, int rank, int resume, uint64_t *block)
+sweep_log *sweep_log_open(const sweep_study *s, const char *folder, int rank, int resume, uint64_t block,
+  uint64_t workers)
 {
   sweep_log *l = calloc(1, sizeof *l);
   char name[32];
@@ -209,10 +206,11 @@ sweep_log *sweep_log_open(const sweep_study *s, const char *folder, int rank, in
   }
   l->study = s;
   l->fd = l->lock = -1;
+  l->workers = workers;
   snprintf(l->folder, sizeof l->folder, "%s", folder);
   snprintf(name, sizeof name, "rank-%05d.log", rank);
   if (path_of(l->own, folder, name) == 0 && prepare(l, rank, resume, block) == 0) {
-    l->blocks = sweep_blocks(s, l->block);
+    l->blocks = l->layout.blocks;
     l->file = calloc((size_t)l->blocks, sizeof *l->file);
     l->place = calloc((size_t)l->blocks, sizeof *l->place);
     if (l->file != NULL && l->place != NULL) return l;
@@ -332,7 +330,8 @@ int sweep_log_has(const sweep_log *l, uint64_t block) { return l->file[block] !=
 
 int sweep_log_read(sweep_log *l, uint64_t block, double rows[], int32_t status[])
 {
-  const uint64_t n = sweep_block_count(l->study, l->block, block);
+  uint64_t first;
+  const uint64_t n = sweep_block(&l->layout, block, &first);
   const size_t numbers = (size_t)n*(size_t)l->study->width*sizeof *rows, states = (size_t)n*sizeof *status;
   const int fd = l->open[l->file[block] - 1];
 

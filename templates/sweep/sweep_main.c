@@ -119,16 +119,17 @@ static void told(const sweep_study *s, const uint64_t counts[])
   }
 }
 
-static int count_statuses(const sweep_study *s, sweep_log *l, uint64_t block)
+static int count_statuses(const sweep_study *s, sweep_log *l)
 {
-  double *rows = malloc((size_t)block*(size_t)s->width*sizeof *rows);
-  int32_t *status = malloc((size_t)block*sizeof *status);
-  uint64_t *counts = calloc((size_t)s->reason_count, sizeof *counts), b, k;
+  const sweep_layout *d = sweep_log_layout(l);
+  double *rows = malloc((size_t)d->most*(size_t)s->width*sizeof *rows);
+  int32_t *status = malloc((size_t)d->most*sizeof *status);
+  uint64_t *counts = calloc((size_t)s->reason_count, sizeof *counts), b, k, first;
   int wrong = rows == NULL || status == NULL || counts == NULL;
 
-  for (b = 0; b < sweep_blocks(s, block) && !wrong; b++) {
+  for (b = 0; b < d->blocks && !wrong; b++) {
     wrong = sweep_log_read(l, b, rows, status) != 0;
-    for (k = 0; k < sweep_block_count(s, block, b) && !wrong; k++) counts[status[k]]++;
+    for (k = 0; k < sweep_block(d, b, &first) && !wrong; k++) counts[status[k]]++;
   }
   if (!wrong) told(s, counts);
   free(rows);
@@ -138,7 +139,7 @@ static int count_statuses(const sweep_study *s, sweep_log *l, uint64_t block)
 }
 
 /* The result, made of the logs.  With statistics the logs hold states, else rows. */
-static int finish(const sweep_study *s, sweep_log *l, uint64_t block, const char *file)
+static int finish(const sweep_study *s, sweep_log *l, const char *file)
 {
   sweep_stats *all = s->stats ? sweep_stats_new(s) : NULL;
   const uint64_t missing = sweep_log_scan(l, all);
@@ -147,13 +148,13 @@ static int finish(const sweep_study *s, sweep_log *l, uint64_t block, const char
   if (missing == UINT64_MAX) return -1;
   if (missing > 0) {
     sweep_say("%llu of %llu blocks are missing from the logs: --resume computes them", (unsigned long long)missing,
-      (unsigned long long)sweep_blocks(s, block));
+      (unsigned long long)sweep_log_layout(l)->blocks);
   } else if (all != NULL) {
     wrong = ends(file, ".h5") ? sweep_hdf5_stats(s, all, file) : sweep_csv_stats(s, all, file);
     if (wrong == 0) told(s, sweep_stats_statuses(all));
   } else {
-    wrong = ends(file, ".h5") ? sweep_hdf5_write(s, l, block, file) : sweep_csv_write(s, l, block, file);
-    if (wrong == 0) wrong = count_statuses(s, l, block);
+    wrong = ends(file, ".h5") ? sweep_hdf5_write(s, l, file) : sweep_csv_write(s, l, file);
+    if (wrong == 0) wrong = count_statuses(s, l);
   }
   if (all != NULL) sweep_stats_free(all);
   return wrong;
@@ -179,11 +180,14 @@ static int run(const options *o, int rank, int ranks)
 {
   const sweep_study *s = &sweep_this;
   char folder[4096];
-  uint64_t block = o->block;
   sweep_log *log = NULL;
   sweep_work work;
+  uint64_t workers;
   int wrong;
 
+  work.threads = (int)(o->threads > 0 ? o->threads : 1);
+  if (o->threads == 0 && ranks == 1) work.threads = (int)sysconf(_SC_NPROCESSORS_ONLN);
+  workers = (uint64_t)work.threads*(uint64_t)ranks;
   if (ranks > 1 && strcmp(o->file, "-") == 0) {
     if (rank == 0) sweep_say("with several ranks -o FILE is needed");
     return 2;
@@ -194,12 +198,12 @@ static int run(const options *o, int rank, int ranks)
     sweep_say("%s is there, and nothing is left to resume", o->file);
     wrong = -1;
   } else {
-    if (rank == 0) log = sweep_log_open(s, folder, rank, o->resume, &block);
+    if (rank == 0) log = sweep_log_open(s, folder, rank, o->resume, o->block, workers);
     wrong = rank == 0 && log == NULL;
   }
   wrong = sweep_ranks_tell(wrong);
   if (wrong != 0) return wrong < 0 ? 0 : 2;
-  if (rank != 0) log = sweep_log_open(s, folder, rank, 1, &block);
+  if (rank != 0) log = sweep_log_open(s, folder, rank, 1, o->block, workers);
   if (log == NULL || sweep_log_scan(log, NULL) == UINT64_MAX) {
     sweep_ranks_abort(2);
     return 2;
@@ -211,9 +215,6 @@ static int run(const options *o, int rank, int ranks)
   }
   work.study = s;
   work.log = log;
-  work.block = block;
-  work.threads = (int)(o->threads > 0 ? o->threads : 1);
-  if (o->threads == 0 && ranks == 1) work.threads = (int)sysconf(_SC_NPROCESSORS_ONLN);
   work.progress = rank == 0 && isatty(2);
   wrong = sweep_team_run(&work);
   if (wrong > 0 && rank == 0) sweep_say("stopped by signal %d; --resume goes on from %s", wrong, folder);
@@ -224,7 +225,7 @@ static int run(const options *o, int rank, int ranks)
   }
   sweep_ranks_wait();
   wrong = 0;
-  if (rank == 0) wrong = finish(s, log, block, o->file) != 0;
+  if (rank == 0) wrong = finish(s, log, o->file) != 0;
   wrong = sweep_ranks_tell(wrong);
   sweep_log_close(log, rank == 0 && (!wrong || strcmp(o->file, "-") == 0));
   return wrong ? 2 : 0;

@@ -18,6 +18,7 @@ typedef struct team {
   pthread_cond_t filled, taken;
   uint64_t queue[MOST_THREADS];       /* blocks that were fetched and not begun */
   int waiting, over, failed, working; /* over: nothing will be put into the queue any more */
+  int idle, late;                     /* idle: threads that wait for a block; late: the blocks become smaller */
   uint64_t done;                      /* members */
   sweep_stats *stats;                 /* of a study with statistics: of the blocks since the last record */
   uint64_t *gathered, gathered_count, gathered_room;
@@ -76,12 +77,13 @@ static void *work(void *given)
 {
   team *t = given;
   const sweep_study *s = t->w->study;
-  const size_t width = (size_t)s->width, room = (size_t)t->w->block*(width*sizeof(double) + sizeof(int32_t));
+  const sweep_layout *d = sweep_log_layout(t->w->log);
+  const size_t width = (size_t)s->width, room = (size_t)d->most*(width*sizeof(double) + sizeof(int32_t));
   double *rows = malloc(room); /* and behind them the statuses */
 
   pthread_mutex_lock(&t->lock);
   if (rows == NULL) {
-    sweep_say("there is no memory for a block of %llu members", (unsigned long long)t->w->block);
+    sweep_say("there is no memory for a block of %llu members", (unsigned long long)d->most);
     t->failed = 1;
   }
   while (!t->failed) {
@@ -89,7 +91,10 @@ static void *work(void *given)
     size_t count;
     int32_t *status;
 
+    t->idle++;
+    if (t->waiting == 0) pthread_cond_signal(&t->taken);
     while (t->waiting == 0 && !t->over) pthread_cond_wait(&t->filled, &t->lock);
+    t->idle--;
     if (t->waiting == 0) break;
     block = t->queue[0];
     t->waiting--;
@@ -98,8 +103,7 @@ static void *work(void *given)
     pthread_cond_signal(&t->taken);
     pthread_mutex_unlock(&t->lock);
 
-    first = block*t->w->block;
-    count = (size_t)sweep_block_count(s, t->w->block, block);
+    count = (size_t)sweep_block(d, block, &first);
     status = (int32_t *)(void *)(rows + count*width);
     for (k = 0; k < count; k += (uint64_t)s->lanes) {
       const uint64_t left = count - k;
@@ -143,14 +147,19 @@ static uint64_t next_block(const uint64_t todo[], uint64_t n)
   return i < n ? todo[i] : UINT64_MAX;
 }
 
+/* Blocks are fetched while those before are computed.  Late in the sweep a block is fetched only for a thread that has
+ * none: one that waited behind a slow block could be computed elsewhere. */
+static int hungry(const team *t) { return !t->over && t->waiting < (t->late ? t->idle : t->w->threads); }
+
 static void direct(team *t, const uint64_t todo[], uint64_t n, uint64_t members)
 {
+  const sweep_layout *d = sweep_log_layout(t->w->log);
   double shown = t->started;
 
   pthread_mutex_lock(&t->lock);
   while (!t->failed && !stopped && !t->over) {
-    while (t->waiting < t->w->threads && !t->over) {
-      uint64_t block;
+    while (hungry(t)) {
+      uint64_t block, first;
 
       pthread_mutex_unlock(&t->lock);
       block = next_block(todo, n);
@@ -159,6 +168,7 @@ static void direct(team *t, const uint64_t todo[], uint64_t n, uint64_t members)
         t->over = 1;
       } else {
         t->queue[t->waiting++] = block;
+        t->late = sweep_block(d, block, &first) < d->most;
         pthread_cond_signal(&t->filled);
       }
     }
@@ -200,7 +210,8 @@ static void direct(team *t, const uint64_t todo[], uint64_t n, uint64_t members)
 int sweep_team_run(sweep_work *w)
 {
   static const int signals[] = {SIGINT, SIGTERM, SIGUSR1};
-  const uint64_t blocks = sweep_blocks(w->study, w->block);
+  const sweep_layout *d = sweep_log_layout(w->log);
+  const uint64_t blocks = d->blocks;
   pthread_t thread[MOST_THREADS];
   struct sigaction action;
   uint64_t *todo = malloc((size_t)blocks*sizeof *todo), n = 0, members = 0, b;
@@ -212,9 +223,11 @@ int sweep_team_run(sweep_work *w)
     return -1;
   }
   for (b = 0; b < blocks; b++) {
+    uint64_t first;
+
     if (sweep_log_has(w->log, b)) continue;
     todo[n++] = b;
-    members += sweep_block_count(w->study, w->block, b);
+    members += sweep_block(d, b, &first);
   }
   memset(&t, 0, sizeof t);
   t.w = w;

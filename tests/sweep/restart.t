@@ -137,6 +137,25 @@ good, _, _, said = killed(stats, "killed_s.csv", tier.quick and 2 or 10, 1)
 tap.ok(good and same("one_s.csv", "killed_s.csv"), "statistics, too")
 if not good then tap.diag(said) end
 
+-- ---- the parent is killed ----
+
+-- polhode itself is killed, which cannot tell its child: the child must end on its own and leave what --resume takes.
+local here = os.getenv "PWD"
+if program.shell "test -d /proc/self" == 0 then
+  local sweep = string.format("POLHODE_SOURCE=%s %s/build/polhode sweep tumbling_box %s --threads 1 -o orphan.csv", here,
+    here, (VARIED:gsub("20000", "400000")))
+  local _, told = output("cd %s && { exec 3>&1; %s & p=$!; i=0; c=; while [ -z \"$c\" -o ! -s " ..
+    "orphan.csv.blocks/rank-00000.log ] && [ $i -lt 600 ]; do sleep 0.1; c=$(pgrep -P $p -f orphan.csv); " ..
+    "i=$((i + 1)); done; kill -9 $p; wait $p 2>/dev/null; i=0; while kill -0 $c 2>/dev/null && [ $i -lt 50 ]; do " ..
+    "sleep 0.1; i=$((i + 1)); done; kill -0 $c 2>/dev/null && { echo it lives; kill -9 $c; } || echo it ended; }",
+    dir, sweep)
+  tap.ok(told:find "it ended" and told:find "stopped by signal 15", "kill -9 of polhode ends the program that it runs")
+  if not told:find "it ended" then tap.diag(told) end
+  tap.ok(program.shell("test -s " .. dir .. "/orphan.csv.blocks/rank-00000.log") == 0,
+    "and what it computed is there for --resume")
+  output("rm -rf %s/orphan.csv.blocks", dir)
+end
+
 -- ---- what stands in the way ----
 
 local status

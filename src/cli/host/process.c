@@ -16,6 +16,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -248,6 +251,35 @@ int host_execute(lua_State *L) {
   return 2;
 }
 
+/* The program in a child that does not outlive us.  A kill -9 cannot be passed on: so the child asks
+ * Linux for SIGTERM when we are gone; elsewhere it runs on.  0, or an errno. */
+static int start_bound(char *const argv[], pid_t *pid) {
+#ifdef __linux__
+  int ends[2], error = 0;
+  const pid_t self = getpid();
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    return errno;
+  *pid = fork();
+  if (*pid < 0)
+    error = errno;
+  if (*pid == 0) {
+    if (prctl(PR_SET_PDEATHSIG, SIGTERM) == 0 && getppid() != self)
+      _exit(128 + SIGTERM); /* we went before it could ask */
+    execv(argv[0], argv);
+    error = errno;
+    _exit(write(ends[1], &error, sizeof error) == sizeof error ? 127 : 126);
+  }
+  close(ends[1]);
+  /* closed by execv without a word, else its errno comes */
+  if (*pid > 0 && read(ends[0], &error, sizeof error) == sizeof error)
+    waitpid(*pid, NULL, 0);
+  close(ends[0]);
+  return error;
+#else
+  return posix_spawn(pid, argv[0], NULL, NULL, argv, environ);
+#endif
+}
+
 /* The terminal and all of standard output and error are the child's until it ends; a signal that
  * comes is passed on. */
 int host_hand_over(lua_State *L) {
@@ -260,7 +292,7 @@ int host_hand_over(lua_State *L) {
   char *argv[MAX_ARGUMENTS + 1];
   memcpy(argv, c.argv, sizeof argv);
   fflush(stdout); /* what we said comes before what it says */
-  const int error = posix_spawn(&pid, argv[0], NULL, NULL, argv, environ);
+  const int error = start_bound(argv, &pid);
   if (error != 0) {
     lua_pushnil(L);
     lua_pushfstring(L, "cannot run %s: %s", argv[0], strerror(error));
