@@ -4,8 +4,8 @@
 --     { "--step", "number", "what it does, with its unit", value = "H", default = "the scene's time.step" }
 -- The second field is the kind of value: false (a flag), text, texts (may be given again), number, numbers, words (with
 -- commas between), pair (NAME=NUMBER, may be given again), or a list of choices (with several = true in it: any of
--- them, commas between; the result is also a set).  value: what help calls it; default: what holds without it (none for
--- a flag and a pair); each = {choice = what it means}.
+-- them, commas between; the result is also a set; elsewhere = {word = what to ask instead}).  value: what help calls
+-- it; default: what holds without it (none for a flag and a pair); each = {choice = what it means}.
 -- command.operands is {least, most, what they are}: SCENE (a file, -, or the name of an installed scene), FILE or WHAT.
 -- -o DIR and --name=value are understood.  The result of parse maps names without dashes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -86,6 +86,9 @@ local function chosen(row, value)
   for _, word in ipairs(list) do
     local known = false
     for _, w in ipairs(row[2]) do known = known or w == word end
+    if not known and row[2].elsewhere and row[2].elsewhere[word] then
+      return nil, row[1] .. " " .. word .. ": " .. row[2].elsewhere[word]
+    end
     if not known then
       return nil, row[1] .. " must be " .. options.either(row[2]) .. ", got " .. word .. options.meant(word, row[2])
     end

@@ -154,7 +154,7 @@ static void advance(block *b, real x[][LANES], real t, real h, int steps)
 }
 
 /* Lane k of rows. */
-static void lane(real from[][LANES], int k, int rows, real to[])
+static void lane_of(real from[][LANES], int k, int rows, real to[])
 {
   int i;
 
@@ -307,8 +307,8 @@ static void compute(uint64_t first, int count, double rows[], int32_t status[])
     double *row = rows + (size_t)k*WIDTH;
     int finite = 1;
 
-    lane(b.x, k, ${upper}_NX, x);
-    lane(b.p, k, ${upper}_NP, p);
+    lane_of(b.x, k, ${upper}_NX, x);
+    lane_of(b.p, k, ${upper}_NP, p);
     for (i = 0; i < ${upper}_NX; i++) finite = finite && x[i] - x[i] == 0;
     for (i = 0; i < VARIED; i++) row[i] = b.values[k][i];
     status[k] = b.status[k] != SWEEP_FINE ? b.status[k] : finite ? SWEEP_FINE : SWEEP_INFINITE;

@@ -117,55 +117,81 @@ static const struct {
 %% end
 };
 
-/* After a step h that began at t: sees passages and extrema. */
-static void see(block *b, real t, real h, int first)
-{
-  int w, k;
-
-  for (w = 0; w < WATCHED; w++) {
-    for (k = 0; k < LANES; k++) {
-      const real f = b->y[w][k], g = b->y1[w][k];
-
+/* After a step h that began at t: passages and extrema.  Most steps have none in any lane: a first loop, without branches,
+ * asks whether there may be one, and only then the lanes are looked at one by one. */
 %% if has_passages then
-      if (WATCH[w].passage) {
-        /* y2 is the last value that was not 0: one that only touches 0 has not passed */
-        if ((f < 0 && b->y2[w][k] > 0 && WATCH[w].way <= 0) || (f > 0 && b->y2[w][k] < 0 && WATCH[w].way >= 0)) {
-          if (b->found[w][k] != b->found[w][k]) {
-            real x[${upper}_NX];
+static void see_passage(block *b, real t, real h, int w)
+{
+  const int rises = WATCH[w].way >= 0, falls = WATCH[w].way <= 0;
+  int k, any = 0;
 
-            lane(b->before, k, ${upper}_NX, x);
-            b->found[w][k] = g == 0 ? t : t + h*passage(b, k, w, t, x, h, g, f);
-          }
-        }
-        if (f != 0) b->y2[w][k] = f;
-        continue;
-      }
+  /* y2 is the last value that was not 0: one that only touches 0 has not passed */
+  for (k = 0; k < LANES; k++) {
+    any |= ((b->y[w][k] > 0) & (b->y2[w][k] < 0) & rises) | ((b->y[w][k] < 0) & (b->y2[w][k] > 0) & falls);
+  }
+  for (k = 0; any && k < LANES; k++) {
+    const real f = b->y[w][k], g = b->y1[w][k], e = b->y2[w][k];
+    real x[${upper}_NX];
+
+    if (!(f > 0 && e < 0 && rises) && !(f < 0 && e > 0 && falls)) continue;
+    if (b->found[w][k] == b->found[w][k]) continue; /* it is the first that counts */
+    lane_of(b->before, k, ${upper}_NX, x);
+    b->found[w][k] = g == 0 ? t : t + h*passage(b, k, w, t, x, h, g, f);
+  }
+  for (k = 0; k < LANES; k++) b->y2[w][k] = b->y[w][k] != 0 ? b->y[w][k] : b->y2[w][k];
+}
+
 %% end
 %% if has_extrema then
-      {
-        const real way = (real)WATCH[w].way, e = b->y2[w][k];
+/* Between the steps' ends: the top of the parabola through three of them is kept if it is the greatest so far. */
+static void see_top(block *b, real t, real h, int w, int k)
+{
+  const real way = (real)WATCH[w].way, f = b->y[w][k], g = b->y1[w][k], e = b->y2[w][k];
+  const real bend = 2*g - e - f, rise = f - e, top = bend != 0 ? g + rise*rise/(8*bend) : g;
+  int i;
 
-        if (!first && way*g >= way*e && way*g >= way*f) { /* the top of the parabola through the three */
-          const real bend = 2*g - e - f, rise = f - e, top = bend != 0 ? g + rise*rise/(8*bend) : g;
+  if (way*top <= way*b->best[w][k]) return; /* at first best is no number */
+  b->best[w][k] = top;
+  b->best_g[w][k] = g;
+  b->best_t[w][k] = t - h;
+  b->best_h[w][k] = h;
+  for (i = 0; i < ${upper}_NX; i++) {
+    b->best_x[w][i][k] = b->older[i][k];
+    b->best_y[w][i][k] = b->before[i][k];
+  }
+}
 
-          if (!(way*top <= way*b->best[w][k])) {
-            int i;
+static void see_extremum(block *b, real t, real h, int w, int first)
+{
+  const real way = (real)WATCH[w].way;
+  int k, any = 0;
 
-            b->best[w][k] = top;
-            b->best_g[w][k] = g;
-            b->best_t[w][k] = t - h;
-            b->best_h[w][k] = h;
-            for (i = 0; i < ${upper}_NX; i++) {
-              b->best_x[w][i][k] = b->older[i][k];
-              b->best_y[w][i][k] = b->before[i][k];
-            }
-          }
-        }
-        if (way*f > way*b->found[w][k]) b->found[w][k] = f; /* of the steps' ends */
-        b->y2[w][k] = g;
-      }
+  for (k = 0; k < LANES; k++) {
+    any |= (way*b->y1[w][k] >= way*b->y2[w][k]) & (way*b->y1[w][k] >= way*b->y[w][k]);
+  }
+  for (k = 0; any && !first && k < LANES; k++) {
+    if (way*b->y1[w][k] >= way*b->y2[w][k] && way*b->y1[w][k] >= way*b->y[w][k]) see_top(b, t, h, w, k);
+  }
+  for (k = 0; k < LANES; k++) { /* of the steps' ends */
+    b->found[w][k] = way*b->y[w][k] > way*b->found[w][k] ? b->y[w][k] : b->found[w][k];
+    b->y2[w][k] = b->y1[w][k];
+  }
+}
+
 %% end
-    }
+static void see(block *b, real t, real h, int first)
+{
+  int w;
+
+  for (w = 0; w < WATCHED; w++) {
+%% if has_passages and has_extrema then
+    if (WATCH[w].passage) see_passage(b, t, h, w);
+    else see_extremum(b, t, h, w, first);
+%% elseif has_passages then
+    see_passage(b, t, h, w);
+%% else
+    see_extremum(b, t, h, w, first);
+%% end
   }
   (void)first;
 }

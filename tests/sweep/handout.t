@@ -4,7 +4,7 @@
 --
 -- The division into blocks is the program's own: templates/sweep/sweep_blocks.c, compiled and asked.  The rest is
 -- simulated, not measured: a rank with one thread asks the counter for a block, waits while the counter serves others
--- (`service` each, one after the other), and is there and back after `latency`; then it computes.  As in sweep_team.c it
+-- (`service` each, one after the other), and is there and back after `latency`; then it computes.  As sweep_team.c, it
 -- asks when it begins the block before, and from the first smaller block on when it has none.  Efficiency is the work
 -- over ranks times the time of the last.  `lua5.4 tests/sweep/handout.t all` prints the table of docs/sweep.md.
 
@@ -88,8 +88,8 @@ local function divided(members, block, workers, lanes)
   return levels
 end
 
--- mean: seconds of `region` neighbouring members, by default a whole block.  cost(i): of region i, in parts of the mean;
--- each part of a region costs its part.
+-- mean: seconds of `region` neighbouring members, by default a whole block.  cost(i): of region i, in parts of the
+-- mean; each part of a region costs its part.
 local function efficiency(ranks, levels, cost, mean, service, latency, region)
   local heap, free, counter, work, last = {}, {}, 0.0, 0.0, 0.0
   local whole, total = levels[1].size, 0

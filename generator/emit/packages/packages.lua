@@ -13,6 +13,11 @@
 
 local list = { names = { "make", "cmake", "arduino", "platformio", "zephyr", "firmware", "fmu" }, default = "make" }
 
+-- Words that are looked for here, and what to ask instead.
+list.names.elsewhere = {
+  sweep = "what is varied has to be said; `polhode sweep SCENE --over ... --emit DIR` writes that program",
+}
+
 list.about = {
   make = "a Makefile with self-test, library, install",
   cmake = "a CMake project with ctest and package",

@@ -251,8 +251,8 @@ int host_execute(lua_State *L) {
   return 2;
 }
 
-/* The program in a child that does not outlive us.  A kill -9 cannot be passed on: so the child asks
- * Linux for SIGTERM when we are gone; elsewhere it runs on.  0, or an errno. */
+/* The program in a child that does not outlive us.  A kill -9 cannot be passed on: so the child
+ * asks Linux for SIGTERM when we are gone; elsewhere it runs on.  0, or an errno. */
 static int start_bound(char *const argv[], pid_t *pid) {
 #ifdef __linux__
   int ends[2], error = 0;
