@@ -10,6 +10,7 @@ local expr = require "generator.algebra.expr"
 local poly = require "generator.algebra.poly"
 local evaluate = require "generator.algebra.evaluate"
 local text = require "generator.algebra.text"
+local roots = require "generator.algebra.roots"
 local recipe = require "tests.algebra.recipe"
 
 local x, y = expr.sym "x", expr.sym "y"
@@ -116,5 +117,9 @@ do
   tap.ok(not ok and why == poly.exhausted, "an expansion beyond its budget is abandoned")
   tap.ok(pcall(poly.power, p, 5), "without a budget there is none")
 end
+
+-- (x - 1)(x - 2)(x - 3): each root is where Horner's sum is exactly 0
+tap.is(table.concat(roots.between({ -6, 11, -6, 1 }, 0, 4), " "), "1.0 2.0 3.0",
+  "real roots lie between those of the derivative")
 
 tap.done()

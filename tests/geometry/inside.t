@@ -240,6 +240,7 @@ do
   tap.is(inside.contains({ op = "minus", ball, mesh }, { 2, 0, 0 }), false, "a ball less a mesh ends with the ball")
   tap.is(inside.contains({ op = "minus", ball, mesh }, { 0, 0, 0 }), nil, "and what is left of it, nobody knows")
   tap.is(inside.contains({ op = "minus", mesh, ball }, { 0, 0, 0 }), false, "a mesh less a ball lacks the ball")
+  tap.is(inside.excess({ op = "minus", mesh, ball }, { 1.5, 0, 0 }), nil, "how far it is beside the ball, nobody knows")
   tap.is(inside.contains({ op = "minus", ball, ball }, { 1, 0, 0 }), true, "the border of a hole is not cut out")
 end
 

@@ -97,6 +97,9 @@ told("solid.sphere { r = 1, mass = 2 } - solid.sphere { r = 0.5, mass = 1 }",
 quiet("solid.sphere { r = 1, mass = 8 } - solid.sphere { r = 0.5, mass = 1 }", "a mass that fits the volume")
 quiet("solid.sphere { r = 1, mass = 8 } - solid.sphere { r = 0.5, mass = 0.998 }", "a mass that was weighed")
 quiet("solid.sphere { r = 1, mass = 8 } - solid.sphere { r = 1, mass = 1 }:scaled{0.5}", "a mass that was scaled")
+-- the determinant is 1 + 1/8: a part of its second term counts
+quiet("solid.sphere { r = 1, mass = 8 } - solid.sphere { r = 0.5, mass = 1.125 }:sheared{xy = 0.5, yz = 0.5, zx = 0.5}",
+  "a mass that fits the volume of a sheared hole")
 quiet("solid.sphere { r = 1, density = 3 } - solid.sphere { r = 1, density = 3 }:scaled{0.5, 0.25, 0.125}",
   "a density that was scaled by three factors")
 do

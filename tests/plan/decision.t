@@ -87,6 +87,16 @@ end
 tap.is(decision.key(question("-- a comment\n" .. base)), decision.key(asked), "comments do not count")
 tap.like(decision.key(asked), "^%x+$", "a name of hexadecimal digits", true)
 
+-- ---- a refusal names what limits ----
+
+-- 1e-9 is wanted and half of it is not known: more than an eighth
+local unknown = { refused = {}, found = {}, own = 5e-10 }
+tap.is(decision.refusal({ accuracy = 1e-9, real = "double" }, unknown).refused, "cannot be planned: the motion " ..
+  "magnifies roundings so much that the library itself knows it to 5e-10 only", "the library's own knowledge")
+unknown.own = 0
+tap.is(decision.refusal({ accuracy = 1e-9, real = "float" }, unknown).refused,
+  "cannot be planned: the rounding of float", "the type")
+
 -- ---- the order that NAME_taylor_run takes, as the emitted code has it ----
 
 local job = assert(scene.read [[return scene { name = "s", body = solid.box { x = 3, y = 2, z = 1, mass = 1 } }]])

@@ -145,6 +145,9 @@ static void two_roads(void) {
   SAME("an affine ball is an ellipsoid",
        ph_solid_sphere(&a, ONE, 1) || ph_body_affine(&a, &a, ellipse),
        ph_solid_ellipsoid(&b, ONE, 3, 4, 5));
+  SAME("of the same density if the ball has the mass of 60, the determinant",
+       ph_solid_sphere(&a, ph_amount_density(60), 1) || ph_body_affine(&a, &a, ellipse),
+       ph_solid_ellipsoid(&b, ph_amount_density(1), 3, 4, 5));
   SAME("a body comes back from its moments",
        ph_solid_box(&b, ONE, 1, 2, 3) || ph_body_at(&b, &b, LIST(1, 2, 3)) ||
            ph_body_moments(&a, 1, b.com, b.second),

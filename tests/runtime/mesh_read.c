@@ -375,6 +375,8 @@ static void malformed(void) {
       {"PLY type", ".ply", PLY("ascii") "element vertex 1\nproperty real x\n", 0,
        "line 5: a property must have a type and a name, a list a count of integer type, got \"real "
        "x\""},
+      {"PLY property of no element", ".ply", PLY("ascii") "property float x\n", 0,
+       "line 4: a property must belong to an element; 256 are understood, got \"float x\""},
       {"PLY without z", ".ply",
        PLY("ascii") "element vertex 1\nproperty float x\nproperty float y\nend_header\n", 0,
        "line 7: the element vertex must have properties x, y, z"},
