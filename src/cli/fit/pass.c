@@ -147,7 +147,9 @@ static void put(struct course *c, struct fit_sums *s, double z, const double J[]
   const double psi = inside ? z : copysign(k, z), slope = inside ? 1 : psi / root;
   s->chi2 += z * z;
   s->n++;
-  memset(c->row, 0, sizeof c->row);
+  if (s->whole == NULL)
+    return; /* chi-square alone */
+  memset(c->row, 0, (size_t)(f->n + 1) * sizeof c->row[0]);
   for (int i = 0; i < directions; i++)
     c->row[i < f->free ? i : i + c->number * f->own] = J[i];
   double *last = &c->row[f->n];
@@ -187,10 +189,24 @@ static void count(struct fit_count *a, const struct memory *m, int channel, doub
   }
 }
 
+/* The derivative of a residual by the log's own directions. */
+static void slope(const struct course *c, const struct fit_channel *o, double J[]) {
+  const struct fit_problem *f = c->f;
+  const int directions = f->free + f->own, ns = f->code->states;
+  const double *P = c->P + o->value * f->free, part = -1 / o->sigma[0];
+  for (int k = 0; k < directions; k++)
+    J[k] = k < f->free ? part * P[k] : 0;
+  for (int j = 0; j < ns; j++) {
+    const double g = part * c->G[o->value * ns + j], *s = c->s + j * c->lanes;
+    for (int k = 0; g != 0 && k < directions; k++)
+      J[k] += g * s[k];
+  }
+}
+
 /* The residuals of row i; 1: one is not finite. */
 static int residuals(struct course *c, size_t i, struct fit_sums *s, struct memory *m) {
   const struct fit_problem *f = c->f;
-  const int directions = f->free + f->own, ns = f->code->states;
+  const int directions = f->free + f->own;
   const double *data = c->log->y + i * (size_t)c->log->columns;
   double z[3], J[3][FIT_MOST], now[FIT_CHANNELS * 3];
   int at = 0, known = 0;
@@ -209,12 +225,7 @@ static int residuals(struct course *c, size_t i, struct fit_sums *s, struct memo
         f->code->measure(f->p, c->t, c->x, c->y, c->G, c->P);
       known = 1;
       z[0] = (data[o->column] - c->y[o->value]) / o->sigma[0];
-      for (int k = 0; k < directions; k++) {
-        double d = k < f->free ? c->P[o->value * f->free + k] : 0;
-        for (int j = 0; j < ns; j++)
-          d += c->G[o->value * ns + j] * c->s[j * c->lanes + k];
-        J[0][k] = -d / o->sigma[0];
-      }
+      slope(c, o, J[0]);
     }
     for (int k = 0; there && k < size; k++) {
       if (!isfinite(z[k]))

@@ -93,7 +93,7 @@ static int descend(struct fit_problem *f, double theta[], struct fit_sums *s, si
     return -1;
   int info = 0, count = 0;
   if (gsl_multifit_nlinear_init(&x.vector, &fdf, w) == GSL_SUCCESS) {
-    gsl_multifit_nlinear_driver(most, 1e-9, 1e-12, 0, NULL, NULL, &info, w);
+    gsl_multifit_nlinear_driver(most, 1e-5, 1e-9, 0, NULL, NULL, &info, w);
     count = (int)gsl_multifit_nlinear_niter(w);
     for (int i = 0; i < f->n; i++)
       theta[i] = gsl_vector_get(gsl_multifit_nlinear_position(w), (size_t)i);
