@@ -188,16 +188,21 @@ end
 
 -- ---- as text ----
 
-local function table_of(out, told)
+local function widest(told)
   local wide = 8
   for _, e in ipairs(told.estimates) do wide = math.max(wide, #e.name) end
+  return wide
+end
+
+local function table_of(out, told)
+  local wide = widest(told)
   for _, e in ipairs(told.estimates) do
-    local value = rounded(e.value, e.sigma)
+    local value, unit = rounded(e.value, e.sigma), e.unit == "1" and "" or " " .. e.unit
     if e.sigma then
-      put(out, "  %-" .. wide .. "s  %s%s  +- %.2g %s", e.name, e.hardly and "hardly determined: " or "", value,
-        e.sigma, e.unit)
+      put(out, "  %-" .. wide .. "s  %s%s  +- %.2g%s", e.name, e.hardly and "hardly determined: " or "", value,
+        e.sigma, unit)
     else
-      put(out, "  %-" .. wide .. "s  not determined (the search ended at %.4g %s)", e.name, e.value, e.unit)
+      put(out, "  %-" .. wide .. "s  not determined (the search ended at %.4g%s)", e.name, e.value, unit)
     end
   end
 end
@@ -211,7 +216,7 @@ local function correlation_of(out, told)
         local c = told.correlation[i][k]
         line[k] = c == c and string.format("%6.3f", c) or "     -"
       end
-      put(out, "  %-8s %s", e.name, table.concat(line, " "))
+      put(out, "  %-" .. widest(told) .. "s %s", e.name, table.concat(line, " "))
     end
   end
   for _, c in ipairs(told.close) do

@@ -118,6 +118,21 @@ tap.ok(out:find("I3 +not determined") and out:find("I3: nothing that is measured
 tap.ok(out:find("w3 +not determined") and out:find("b +not determined") and out:find("w3, b: they can change", 1, true),
   "and two that can be exchanged", out)
 
+-- Without a torque the scale of the moments has no effect on a motion (tests/reference/fit/01_free_ratios).
+do
+  program.write(dir .. "/body.lua", [[
+local I1, I2, I3 = param("I1", 1, "kg m^2"), param("I2", 1.44, "kg m^2"), param("I3", 1.8, "kg m^2")
+return scene { name = "body", body = tensor { mass = 1, xx = I1, yy = I2, zz = I3 },
+  initial = { omega = { 0.9, 1.1, -0.4 } }, measure = { wx = wx, wy = wy, wz = wz, sigma = 0.004 } }
+]])
+  local body = (os.getenv "POLHODE" or "build/polhode") .. " fit " .. dir .. "/body.lua --data " ..
+    "tests/reference/fit/01_free_ratios/log.csv --free I1,I2,I3,initial > " .. dir .. "/out"
+  tap.is(program.shell(body), 0, "three moments of a free body: no failure")
+  local text = program.read(dir .. "/out")
+  tap.ok(text:find("I1, I2, I3: only their ratios are determined", 1, true), "their scale is named", text)
+  tap.ok(text:find "wx%(0%) +0%.899998 +%+%- 6%.7e%-05", "and the rates are told as if one moment were held", text)
+end
+
 -- A model that does not fit: the rate grows.
 code, out = fit("t,wz\n" .. rows(100, function(i) return i * 0.1 .. "," .. 2 + i * 0.01 end))
 tap.is(code, 3, "a model that does not fit has exit status 3")

@@ -24,6 +24,9 @@
 #define FAR 1e100
 /* Steps below this part of a standard error are none. */
 #define STILL 1e-7
+/* A Newton step as short as this is done without a pass that looks again: the next one would be
+ * shorter by a large factor, and the last pass of all sees it. */
+#define SHORT 1e-5
 /* The error of the integration, in standard errors of the estimate. */
 #define STEP_ERROR 1e-7
 /* Singular values below this part of the largest are rounding: what they belong to is not in the
@@ -186,7 +189,8 @@ static double newton(struct fit_problem *f, const double theta[], struct fit_sum
 
 /* Newton's steps from where the trust region ended; the sum of their lengths, or -1: none led down.
  */
-static double polish(struct fit_problem *f, struct fit_sums *s, struct fit_result *r) {
+static double polish(struct fit_problem *f, struct fit_sums *s, struct fit_result *r,
+                     double enough) {
   double step[FIT_MOST], whole = 0;
   r->converged = 0;
   if (fit_pass(f, r->theta, s))
@@ -196,11 +200,11 @@ static double polish(struct fit_problem *f, struct fit_sums *s, struct fit_resul
     r->loss = loss_of(s);
     r->chi2 = s->chi2;
     r->n = s->n;
-    r->converged = r->decrement < STILL;
+    r->converged = r->decrement < enough;
     for (int j = 0; r->converged && j < f->n; j++)
       r->theta[j] += step[j]; /* it is known, and as short as this it needs no pass */
     if (r->converged || r->rank == 0)
-      return whole;
+      return whole + r->decrement;
     /* half as far until the loss falls (where the step is long: a short one is within rounding) */
     double t = 1, old[FIT_MOST];
     memcpy(old, r->theta, sizeof old);
@@ -225,10 +229,10 @@ static double polish(struct fit_problem *f, struct fit_sums *s, struct fit_resul
 static void refine(struct fit_problem *f, struct fit_sums *s, struct fit_result *r) {
   for (int i = 0; i < 12 && r->converged; i++) {
     f->h /= 2;
-    const double moved = polish(f, s, r);
+    const double moved = polish(f, s, r, SHORT);
     if (moved < 0)
       return;
-    r->step_shift = (moved + STILL) / 15;
+    r->step_shift = moved / 15;
     if (r->step_shift < STEP_ERROR || interrupt_pending())
       return;
     /* one jump to where the law of order 4 expects the error to be small, with something to spare
@@ -238,7 +242,7 @@ static void refine(struct fit_problem *f, struct fit_sums *s, struct fit_result 
       f->h *= fmax(jump, 1.0 / 32);
     else
       continue;
-    if (polish(f, s, r) < 0)
+    if (polish(f, s, r, SHORT) < 0)
       return;
   }
 }
@@ -344,6 +348,20 @@ static void better_starts(struct fit_problem *f, double theta[]) {
   }
 }
 
+/* What is said of theta, by a pass; is it a body? */
+static int report(struct fit_problem *f, struct fit_sums *s, struct fit_result *r) {
+  double step[FIT_MOST];
+  if (fit_pass(f, r->theta, s)) {
+    r->converged = 0;
+    return 0;
+  }
+  r->decrement = newton(f, r->theta, s, r, step);
+  r->loss = loss_of(s);
+  r->chi2 = s->chi2;
+  r->n = s->n;
+  return 1;
+}
+
 void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struct fit_result *r,
                struct fit_sums *room) {
   struct fit_sums s = {room->whole, NULL, NULL, NULL, 0, 0};
@@ -360,7 +378,7 @@ void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struc
     const double before = bad ? (double)INFINITY : loss_of(&s);
     double other[FIT_MOST];
     const int count = lengthen(f, begun, other, &s);
-    if (count >= 0 && !fit_pass(f, other, &s) && loss_of(&s) < before * (1 - 1e-9)) {
+    if (count >= 0 && !fit_pass(f, other, &s) && loss_of(&s) < before * (1 - 1e-3)) {
       memcpy(r->theta, other, (size_t)f->n * sizeof other[0]);
       r->lengthened = 1;
     }
@@ -369,20 +387,16 @@ void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struc
   recentre(f, r->theta);
   if (f->huber > 0)
     s.inner = room->inner;
-  if (polish(f, &s, r) >= 0)
+  if (polish(f, &s, r, SHORT) >= 0)
     refine(f, &s, r);
-  /* the last pass, with all that is reported */
+  /* the last pass, with all that is reported; if it sees a step left, once more with care */
   s.outer = f->huber > 0 ? room->outer : NULL;
   s.counts = room->counts;
   recentre(f, r->theta);
-  double step[FIT_MOST];
-  if (fit_pass(f, r->theta, &s) == 0) {
-    r->decrement = newton(f, r->theta, &s, r, step);
-    r->loss = loss_of(&s);
-    r->chi2 = s.chi2;
-    r->n = s.n;
-  } else {
-    r->converged = 0;
+  if (report(f, &s, r) && r->converged && r->decrement >= STILL) {
+    polish(f, &s, r, STILL);
+    report(f, &s, r);
   }
+  r->converged = r->converged && r->decrement < STILL;
   gsl_set_error_handler(handler);
 }
