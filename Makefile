@@ -316,6 +316,16 @@ bench-many: $(BUILD)/bench/hand.o $(BUILD)/bench/many_double/tumbling_box.c $(BU
 	  done; \
 	done
 
+# the same members by `polhode sweep` and by GSL in a loop, on one thread
+SWEPT = --sample 16384 --vary 'wx=normal(1,0.1)' --until 100 --method taylor --step 0.0714
+bench-sweep: $(PROGRAM)
+	@mkdir -p $(BUILD)/bench/sweep
+	@$(PROGRAM) sweep tumbling_box $(SWEPT) --emit $(BUILD)/bench/sweep > $(BUILD)/bench/sweep.log
+	@$(MAKE) -s -C $(BUILD)/bench/sweep HDF5=0
+	@$(CC) $(STD) $(CFLAGS) $(POSIX) $(GSL_CFLAGS) -o $(BUILD)/bench/sweep_gsl tests/bench/sweep_gsl.c $(GSL_LIBS) -lm
+	@$(BUILD)/bench/sweep_gsl $(BUILD)/bench/swept.csv \
+	  "$(BUILD)/bench/sweep/tumbling_box_sweep --threads 1 -o $(BUILD)/bench/swept.csv" 100 1e-9
+
 $(BUILD)/bench/rhs: tests/bench/rhs.c $(BUILD)/bench/heavy_top.o $(LIBRARY)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -I$(BUILD)/bench -o $@ $^ $(GSL_LIBS) -lm
 
@@ -522,7 +532,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-sweep accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 
