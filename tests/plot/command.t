@@ -178,6 +178,8 @@ do
   tap.like(text, "Difference of rk4 and adaptive", "and their difference")
   tap.ok(text:find('>0.001</text>', 1, true) and text:find('>0.01</text>', 1, true) and
     text:find('>10<tspan dy="-6" font-size="75%">−4</tspan>', 1, true), "on a logarithmic scale")
+  status, text, err = run "plot bodies/brick.lua --method linearised --until 2 --what rates"
+  tap.ok(status == 0 and text and err:find("the exact motion differs by", 1, true), "as is what linearising costs", err)
   status, text, err = run "plot bodies/nodding_top.lua --method rk4 --step 0.05 --what rates"
   tap.ok(status == 0 and text and err:find("its error is estimated", 1, true), "steps that are too long are told", err)
 end

@@ -13,7 +13,7 @@ local times = require "generator.plot.times"
 
 local course = {}
 
-local rows_of_difference = 400
+local rows_of_difference, judged_at = 400, 40
 
 -- Where q, w, r, v and further states are in a scene's state.
 local function places(job)
@@ -82,7 +82,8 @@ local function looker(job, motion)
     for i, state in ipairs(states) do
       local energy, L = motion.measured(state)
       if not energy then return nil, L end
-      local s = { t = state.t, energy = energy, L = job.model.has.attitude and L or nil, own = part(state.x, at.own) }
+      local s = { t = state.t, x = state.x, energy = energy, L = job.model.has.attitude and L or nil,
+        own = part(state.x, at.own) }
       for _, name in ipairs { "q", "w", "r", "v" } do s[name] = at[name] and part(state.x, at[name]) end
       out[i] = panels.complete(s)
     end
@@ -128,6 +129,21 @@ local function difference(job, motions, names, finish, step)
   return { methods = names, ts = ts, curves = curves }
 end
 
+-- Appends what run would say of the motion's accuracy, at its end and of the linearised one at some times.
+local function judged(host, job, motion, samples, warnings)
+  local ts, some = { samples[#samples].t }, {}
+  if motion.step then
+    local states = motion.solve(accuracy.times(motion, ts), {})
+    warnings[#warnings + 1] = states and accuracy.warning(job, motion, ts, states) or nil
+  end
+  for i = 1, #samples, math.max(1, #samples // judged_at) do some[#some + 1] = samples[i] end
+  warnings[#warnings + 1] = motion.closed and accuracy.conditioned(job, motion, some) or nil
+  if motion.method == "linearised" then
+    local exact = engines.general(host, job, { method = "exact" })
+    warnings[#warnings + 1] = accuracy.linearised(job, some, function(t) return exact.solve(t, {}) end)
+  end
+end
+
 -- A course of the scene: nil, a failure of run/engines.lua.  Second result: warnings.  given: the command's options,
 -- methods = {} or up to two names; inputs: over time, or nil.
 function course.compute(host, job, given, inputs)
@@ -148,11 +164,7 @@ function course.compute(host, job, given, inputs)
   if last < finish * (1 - 1e-9) then
     warnings[1] = "the motion bends too often to be drawn to the end: it is to t = " .. times.number(last) .. " s\n"
   end
-  if motions[1].step and #names < 2 then
-    local ts = { finish }
-    local states = motions[1].solve(accuracy.times(motions[1], ts), {})
-    warnings[#warnings + 1] = states and accuracy.warning(job, motions[1], ts, states) or nil
-  end
+  if #names < 2 then judged(host, job, motions[1], samples, warnings) end
   c.samples = samples
   if #names == 2 then
     c.error, failure = difference(job, motions, names, finish, step)
