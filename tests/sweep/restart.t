@@ -120,7 +120,7 @@ local function killed(file, oracle, kills, start, kill, longest)
     if status == 0 then
       good = good and same(oracle, file)
       os.remove(dir .. "/" .. file)
-    elseif status >= 128 then
+    elseif status >= 124 then -- 124: timeout's own TERM
       some = some + 1
     elseif said:find "another process works in" then -- ranks whose mpirun was killed end a little later
       program.shell "sleep 0.2"
@@ -290,8 +290,10 @@ if there "mpicc.openmpi" and there "mpirun.openmpi" then
     if which == 4 then return "kill -9 $(pgrep -P $p) 2>/dev/null" end
     return string.format("m=$(pgrep -P $p); kill -9 $(pgrep -P $m | sed -n %dp) 2>/dev/null", which)
   end
+  -- Open MPI 4.1's mpirun may wait for ever if a rank is killed while it starts: its ranks are gone, and so must it be
+  local hasty = mpirun:gsub("timeout 300", "timeout -k 1 20")
   local kills = tier.quick and 2 or 50
-  local good, some = killed("rk.csv", "one.csv", kills, mpirun .. " -n 3 " .. ranks, one_of_them, 1.0)
+  local good, some = killed("rk.csv", "one.csv", kills, hasty .. " -n 3 " .. ranks, one_of_them, 1.0)
   tap.is(some, kills, "ranks were killed so often, at random moments")
   status, said = output("cd %s && %s -n 2 %s -o rk.csv --resume", dir, mpirun, ranks)
   tap.ok(good and status == 0 and same("one.csv", "rk.csv"), "other ranks finish, with the same bytes")
