@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
 local breaks = require "generator.dynamics.breaks"
 local compiler = require "generator.commands.compiler"
 local driver = require "generator.driver"
@@ -105,10 +106,10 @@ local function channels(job, outputs, own)
   return list, known
 end
 
--- The longest step at first: the usual distance of two rows, and not above the scene's step where the rows are far.
+-- The longest step at first: the usual distance of two rows.
 local function first_step(data)
   local least = math.huge
-  for _, d in ipairs(data) do least = math.min(least, d.log:spacing()) end
+  for _, d in ipairs(data) do least = math.min(least, (d.log:spacing())) end
   return least
 end
 
@@ -145,6 +146,21 @@ local function count_of(data)
   return n
 end
 
+-- A sigma that would change with what is looked for, as a message, or nil: chi-square alone does not say how large it
+-- is.
+local function moving_sigma(outputs, free)
+  for _, o in ipairs(outputs) do
+    for _, e in ipairs(o.sigma or {}) do
+      for _, p in ipairs(free.params) do
+        if not expr.constant(e, { [p.name] = true }) then
+          return "--free: " .. p.name .. " is in the sigma of " .. o.name .. ", which must be known"
+        end
+      end
+    end
+  end
+  return nil
+end
+
 -- Everything that is known before the search: plan, logs; or nil and the exit status.
 local function prepared(host, job, given)
   local free, wrong = nil, missing(job, given)
@@ -156,7 +172,7 @@ local function prepared(host, job, given)
     return nil, options.refuse(host, job.diag)
   end
   if not observed.check(job) then return nil, options.refuse(host, job.diag) end
-  local text = given.o and written.check(job, free)
+  local text = moving_sigma(job.record.measure, free) or given.o and written.check(job, free)
   if text then return nil, options.wrong(host, "fit", text) end
   local data, why = logs.read(host, job.record.measure, given.data)
   if not data then return nil, options.failed(host, "fit", why) end

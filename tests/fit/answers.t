@@ -66,6 +66,8 @@ refused("too few units", 2, "log.csv:2: 2 names, but 1 units above them", "# uni
 refused("a sigma of 0", 2, "sigma of column wz must be a positive number", "# sigma: ,0\nt,wz\n0,2\n1,2\n")
 refused("a column without values", 2, "log.csv: column wz has no value", "t,wz\n0,\n1,nan\n")
 refused("one row", 2, "log.csv: must have two rows or more, got 1", "t,wz\n0,2\n")
+refused("times of day", 2, "log.csv: the rows are 0.5 s apart and go from t = 1763890000 s to 1763890001 s, too many",
+  "t,wz\n1763890000,2\n1763890000.5,2\n1763890001,2\n")
 refused("an empty file", 2, "log.csv: has no line that names its columns", "")
 refused("too few values", 2, "too few values: 2 for 2 unknowns", "t,wz\n0,2\n1,2\n", "--free w3,b",
   "wz = wz + b, sigma = 0.01")
@@ -78,6 +80,8 @@ refused("nothing free", 2, "--free NAME,... is missing", good, "--loss huber")
 refused("a parameter twice", 2, "--free: w3 stands there twice", good, "--free w3,w3")
 refused("-o with initial", 2, "-o: the initial state is no parameter", good, "--free initial -o x.lua")
 refused("a log that is not there", 2, "cannot read none.csv", good, "--data none.csv --free w3")
+refused("a sigma that is free", 2, "--free: b is in the sigma of wz, which must be known", good, "--free w3,b",
+  "wz = wz, sigma = b")
 refused("a state that the scene has not", 1, "measure: h: the scene has no state rz", good, nil, "h = rz, sigma = 1")
 refused("an output without motion", 1, "measure: wz must depend on t or on states", good, nil, "wz = 3")
 refused("a sigma that is negative", 1, "measure: sigma of wz must be positive", good, nil, "wz = wz, sigma = -1")

@@ -16,6 +16,8 @@ local nearest = require "generator.nearest"
 
 local logs = {}
 
+local MOST_BEFORE, MOST = 1e6, 1e8 -- distances of rows before the first row, and in all
+
 function logs.columns(outputs)
   local list = {}
   for _, o in ipairs(outputs) do
@@ -98,6 +100,12 @@ local function one(host, columns, path)
   local rows, counts = log:read(list)
   if not rows then return nil, counts end
   if rows < 2 then return nil, path .. ": must have two rows or more, got " .. diag.show(rows) end
+  local spacing, first, last = log:spacing()
+  if first > MOST_BEFORE * spacing or last > MOST * spacing then -- of a clock that began long before
+    return nil, path .. ": the rows are " .. diag.show(spacing) .. " s apart and go from t = " .. diag.show(first) ..
+      " s to " .. diag.show(last) .. " s, too many steps from the beginning of the motion at t = 0 (subtract the " ..
+      "time of its beginning)"
+  end
   for i, c in ipairs(columns) do
     if counts[i] == 0 then return nil, path .. ": column " .. c.name .. " has no value" end
   end

@@ -276,10 +276,13 @@ static int read_rows(lua_State *L) {
   return 2;
 }
 
-/* spacing() -> seconds between two rows, usually */
+/* spacing() -> seconds between two rows, usually, times of the first and the last row */
 static int spacing(lua_State *L) {
-  lua_pushnumber(L, fit_log_at(L, 1)->spacing);
-  return 1;
+  const struct fit_log *log = fit_log_at(L, 1);
+  lua_pushnumber(L, log->spacing);
+  lua_pushnumber(L, log->rows > 0 ? log->t[0] : 0);
+  lua_pushnumber(L, log->rows > 0 ? log->t[log->rows - 1] : 0);
+  return 3;
 }
 
 static int collect(lua_State *L) {
