@@ -90,4 +90,15 @@ for _, row in ipairs(rows) do
   end
 end
 
+-- Of two effects each has its own: |w| of drag is the one root.
+do
+  local job = scene.plan(assert(scene.read [[local brick = solid.box { x = 3, y = 2, z = 1, mass = 1 }
+return scene { name = "b", body = brick,
+    effects = { effect.damping { rate = 0.1 }, effect.drag { c = 0.2 } } }]]), { real = "double" })
+  local own = {}
+  for _, r in ipairs(attribution.of(job).rows) do own[r.name] = r.cost.sqrt end
+  tap.is(own.damping, 0, "of damping and drag the first takes no root")
+  tap.is(own.drag, 1, "the second takes one")
+end
+
 tap.done()

@@ -55,6 +55,7 @@ told(BOX .. " - " .. drill("0.1", "1.02"),
   "of the hole (line 2), 0.01 m outside", "a drill longer than the plate")
 told(BOX .. " - " .. drill("0.1", "1.000001"), "5e-07 m outside", "by half a millionth")
 told(BOX .. " - " .. drill("0.1", "0.5") .. ":at{5, 0, 0}", "m outside", "a hole beside the body")
+told(BOX .. " - " .. BOX .. ":at{-5, 0, 5}", "m outside", "or far from it, along two axes")
 told(BOX .. " - solid.cylinder { r = s, h = 1, density = 1 }", "0.1 m outside", "a parameter's default too large",
   { "s = 0.6" })
 told(BOX .. " - " .. drill("0.1", "1") .. " - " .. drill("0.1", "1") .. ":at{0.15, 0, 0}", "m outside",
