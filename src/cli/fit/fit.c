@@ -78,9 +78,12 @@ static const struct polhode_fitted *load(lua_State *L, const char *path, void **
     lua_pushfstring(L, "cannot load %s: %s", path, dlerror());
     return NULL;
   }
-  const struct polhode_fitted *(*table)(void);
-  memcpy(&table, &symbol, sizeof table); /* POSIX: an object's address may be a function's */
-  return table();
+  /* POSIX: an object's address may be a function's */
+  union {
+    void *object;
+    const struct polhode_fitted *(*function)(void);
+  } table = {symbol};
+  return table.function();
 }
 
 static void read_channels(lua_State *L, struct fit_problem *f, int log) {
