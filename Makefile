@@ -7,6 +7,7 @@
 #   make check-all  the same with every test, half an hour; tests/tiers.txt says which test is in which
 #   make check-target   the emitted code on small processors under emulators, and proofs; `.ci/setup target` installs them
 #   make hard       every hard case, against its bound: docs/hard.md and its map (some minutes); make check-all has half of them
+#   make check-page   pages of `polhode view` in node and in Chromium; `.ci/setup page` installs them
 #   make bits-all   the same bits on every machine, by both compilers, at every level (an hour); check-target has a part
 #   make bench      build and run the measurements
 #   make accuracy   docs/accuracy.md and its diagrams, measured anew (some minutes)
@@ -197,6 +198,10 @@ hard: tests
 # What runs on other processors, under emulators, and what is proven by Frama-C; a test says which package it lacks.
 check-target: all
 	$(call tier,target)
+
+check-page: $(PROGRAM)
+	@node tests/page/person.mjs
+	@node tests/page/bits.mjs
 
 # Fuzzing with libFuzzer, docs/fuzzing.md; `fuzz-replay` builds the same targets for tests/fuzz/replay.t.
 FUZZ_TARGETS = $(if $(TARGETS),$(TARGETS:%=run-%),run)
@@ -532,7 +537,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-sweep accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-sweep accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 

@@ -26,6 +26,7 @@ local ARROWS = {
   draw = {},
   attitude = {}, -- quaternion, matrix, angles: plain numbers
   plot = { "draw", "attitude" }, -- what is drawn of a motion
+  page = { "geometry" }, -- the HTML file of a scene
   dynamics = { "algebra", "mass", "stages" }, -- mass: principal axes and validity of the tensor that moves
   methods = { "algebra", "dynamics" },
   ir = { "algebra", "polhode_rational" },
@@ -38,7 +39,7 @@ local ARROWS = {
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report", "nearest",
     "selection", "stages", "functions" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan",
-    "report", "driver", "interchange", "nearest", "selection", "plot", "attitude" },
+    "report", "driver", "interchange", "nearest", "selection", "plot", "page", "attitude" },
   main = { "commands", "driver", "diag", "nearest" },
 }
 

@@ -4,8 +4,8 @@
 -- command.options and command.operands (commands/options.lua), command.examples = {{command line, what it shows}, ...}.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local help = { names = { "gen", "run", "sweep", "fit", "explain", "check", "bench", "plot", "chart", "mesh",
-  "links", "list" } }
+local help = { names = { "gen", "run", "sweep", "fit", "explain", "check", "bench", "plot", "view", "chart",
+  "mesh", "links", "list" } }
 
 local width, column = 80, 26 -- of a line; where explanations begin
 
@@ -65,11 +65,9 @@ function help.overview()
   end
   beside(out, "help    [COMMAND]", "every option of a command, and examples", 2, 34)
   out[#out + 1] = ""
-  for _, line in ipairs(wrapped(about_scenes, width)) do out[#out + 1] = line end
-  for _, line in ipairs(wrapped("Exit status: 0; 1 the scene is wrong; 2 the command line is wrong, or a file or " ..
-    "program is missing; 3 the numbers failed a check; 70 a bug; 74 output failed.", width)) do
-    out[#out + 1] = line
-  end
+  local status = " Exit status: 0; 1 wrong scene; 2 wrong command line or missing file; 3 a check of numbers " ..
+    "failed; 70 a bug; 74 output failed."
+  for _, line in ipairs(wrapped(about_scenes .. status, width)) do out[#out + 1] = line end
   return table.concat(out, "\n") .. "\n"
 end
 

@@ -4,17 +4,18 @@
 
 local template = require "generator.emit.template"
 
-local GROUP = template.group("host/plugin.c", "host/plugin.h", "host/peers.c")
+local GROUP = template.group("host/plugin.c", "host/plugin.h", "host/peers.c", "page/glue.c")
 
 local plugins = {}
 
--- made: from code.of; asked: true, or {peers = bool}
+-- made: from code.of; asked: true, {peers = bool}, or {page = true}: what a page calls instead of the table
 function plugins.files(job, made, asked)
   local peers = type(asked) == "table" and asked.peers and job.real == "double" or false
   local v = { has_peers = peers, orders = {}, steppers = made.parts.stepper.list, has_rates = job.model.has.rates,
     has_integral = job.conserved.rate ~= nil, has_closed = job.closed.kind ~= nil, has_full = job.closed.full or false }
   for i, n in ipairs(job.orders or {}) do v.orders[i] = string.format("%d", n) end
   local render, list = GROUP(job.templates, made.base, v), {}
+  if type(asked) == "table" and asked.page then return { { name = "page.c", text = render "page/glue.c" } } end
   if peers then list[1] = { name = "peers.c", text = render "host/peers.c" } end
   list[#list + 1] = { name = "plugin.c", text = render "host/plugin.c" }
   list[#list + 1] = { name = "plugin.h", text = render "host/plugin.h" }

@@ -3,8 +3,8 @@
 /* correctly rounded, as IEEE 754 wants it: by the processor, else bit by bit, the last one for the rounding */
 static ${name}_real ${name}_sqrt(${name}_real x)
 {
-#if defined __GNUC__ && (defined ${sse_math} || defined __aarch64__ || (defined __ARM_FP && (__ARM_FP & ${arm_fma})) || \
-  (defined __riscv_flen && __riscv_flen >= ${width}))
+#if defined __GNUC__ && (defined ${sse_math} || defined __aarch64__ || defined __wasm__ || \
+  (defined __ARM_FP && (__ARM_FP & ${arm_fma})) || (defined __riscv_flen && __riscv_flen >= ${width}))
   return __builtin_sqrt${f}(x); /* one instruction, with -fno-math-errno */
 #else
   ${name}_libm_number n;

@@ -1,0 +1,173 @@
+-- view.lua -- polhode view: a scene as one HTML file that runs the emitted C, compiled to WebAssembly.
+--
+-- The C is that of `polhode gen --libm own`, without any import; templates/page/glue.c exports it.  It is compiled by
+-- clang at -O2 without contraction, so the page has the bits of a native program.  Never -msimd128: clang 14 makes
+-- wrong code with it.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local text = require "generator.algebra.text"
+local numeric = require "generator.dynamics.numeric"
+local checks = require "generator.commands.view.checks"
+local options = require "generator.commands.options"
+local driver = require "generator.driver"
+local methods = require "generator.methods.methods"
+local page = require "generator.page.page"
+local shape = require "generator.page.shape"
+
+local view = {}
+
+view.forms = { { "SCENE", "a page that runs the emitted code (HTML)",
+  "One file that needs no network: the body in space, sliders, plots, and what accuracy costs. It is made by clang " ..
+    "and wasm-ld (Debian packages clang and lld)." } }
+view.operands = { 1, 1, "SCENE" }
+view.options = {
+  { "--method", "words", "the methods that the page can choose from, beside the closed form", value = "M,...",
+    default = "all that the scene takes of rk4, adaptive, midpoint, semi, split2, split4" },
+  { "--real", { "double", "float" }, "the type of all numbers", default = "double" },
+  { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
+  { "-o", "text", "the file that is written; - is standard output", value = "FILE.html", default = "NAME.html" },
+}
+view.examples = {
+  { "polhode view tennis_racket", "tennis_racket.html: open it in a browser" },
+  { "polhode view heavy_top --real float --method rk4,taylor -o top.html", "two methods in float" },
+}
+
+local FLAGS = { "--target=wasm32", "-O2", "-std=c99", "-ffp-contract=off", "-fno-math-errno", "-ffreestanding",
+  "-nostdlib", "-fvisibility=hidden", "-Wl,--no-entry", "-Wl,--strip-all", "-Wl,--stack-first",
+  "-Wl,-z,stack-size=65536" }
+
+-- Methods whose steps the scene takes; each is asked alone, for one that is not possible is an error of a plan.
+local usual = { "rk4", "adaptive", "midpoint", "semi", "split2", "split4" }
+
+local function plan_with(scene, given, list)
+  local names = scene.closed.full and { "exact" } or {}
+  for _, name in ipairs(list) do names[#names + 1] = name end
+  return driver.plan(scene, { real = given.real, methods = names, libm = "own", command = "polhode view" })
+end
+
+local function planned(scene, given)
+  if given.method then return plan_with(scene, given, given.method) end
+  local list = {}
+  for _, name in ipairs(usual) do
+    if name == "rk4" or plan_with(scene, given, { name }) then list[#list + 1] = name end
+  end
+  return plan_with(scene, given, list)
+end
+
+-- What is wrong with the names of --method, or nil.
+local function unknown(given)
+  local names = {}
+  for i, m in ipairs(methods) do names[i] = m.name end
+  local seen = {}
+  for _, name in ipairs(given.method or {}) do
+    if name == "exact" then return "--method exact: the closed form is always there, where the scene has one" end
+    if not methods.by_name[name] then return options.unknown("--method", { name }, names) end
+    if seen[name] then return "--method: " .. name .. " stands there twice" end
+    seen[name] = true
+  end
+  return nil
+end
+
+-- The wasm of a plan, or nil and why there is none.
+local function compiled(host, unit)
+  local dir, why = host.tempdir()
+  local ok = dir
+  if dir then ok, why = host.write_files(dir, unit.files) end
+  if not ok then return nil, why end
+  local name = unit.model.name
+  local made, said = host.compile(dir, { "page.c", name .. ".c" }, "page.wasm", { cc = "clang", flags = FLAGS })
+  if made then return host.read(dir .. "/page.wasm") end
+  if string.find(said, "^cannot run") then return nil, "needs the program clang (Debian package clang)" end
+  if string.find(said, "wasm%-ld") then return nil, "needs the program wasm-ld (Debian package lld)" end
+  return nil, "the page's code does not compile:\n" .. said
+end
+
+local function double(q) return R.todouble(q) + 0.0 end
+
+-- Parameters as the page's sliders have them: SI values, and the unit in which they are written.
+local function parameters(model)
+  local list = {}
+  for i, p in ipairs(model.params) do
+    list[i] = { name = p.name, value = double(p.default), unit = p.own or "", factor = p.own and
+      model:double(p.factor) or 1.0 }
+  end
+  return list
+end
+
+local function states_of(job)
+  local list = {}
+  for i, s in ipairs(job.states) do
+    list[i] = { name = s.name, kind = s.kind or "", unit = s.unit or "" }
+  end
+  return list
+end
+
+local function formulas(model)
+  local list = {}
+  for i, name in ipairs { "xx", "yy", "zz", "xy", "xz", "yz" } do
+    list[i] = { name = name, text = model.inertia and text.of(model.inertia[i], "unicode") or "" }
+  end
+  return list
+end
+
+local function facts_of(plan, unit)
+  local m, steppers, inputs = plan.model, {}, {}
+  for i, s in ipairs(plan.steppers) do
+    steppers[i] = { name = s.method.name, order = s.method.order or 0 }
+  end
+  for i, u in ipairs(m.inputs) do inputs[i] = { name = u.name, unit = u.unit or "" } end
+  local acts = {}
+  for i, e in ipairs(m.record.effects) do acts[i] = e.kind end
+  return { name = m.name, version = "polhode " .. plan.build, real = plan.real, params = parameters(m),
+    states = states_of(plan), inputs = inputs, methods = steppers, exact = plan.closed.full or false,
+    closed = plan.closed.kind or plan.closed.refused or "", horizon = m:double(m.horizon), step = m:double(m.step),
+    effects = acts, free = #acts == 0, checks = checks.texts(unit), formulas = formulas(m) }
+end
+
+-- The body's tree with each parameter moved by a thousandth of itself, times a count of such steps.
+local function tree_of(scene)
+  return function(steps)
+    local values = {}
+    for i, p in ipairs(scene.model.params) do
+      local size = R.sign(p.default) == 0 and R.one or p.default
+      values[p.name] = p.default + size * R.parse "0.001" * R.fromdouble((steps[i] or 0) + 0.0)
+    end
+    return numeric.scene(scene, values).body
+  end
+end
+
+local function shape_of(scene)
+  local sizes = {}
+  for i, p in ipairs(scene.model.params) do
+    local x = double(p.default)
+    sizes[i] = { step = 1e-3 * (x == 0 and 1 or x) }
+  end
+  return shape.of(tree_of(scene), sizes)
+end
+
+function view.run(host, given)
+  local wrong = unknown(given)
+  if given.o and given.o ~= "-" and not string.find(given.o, "[^/]%.html$") then
+    wrong = wrong or "-o must end in .html, or be -, got " .. given.o
+  end
+  if wrong then return options.wrong(host, "view", wrong) end
+  local scene, d, why = driver.read(host, given[1], given)
+  if not scene then return options.refuse(host, d, why) end
+  if not (scene.model.has.rates and scene.model.has.attitude) then
+    return options.failed(host, "view", "a page needs the body's rates and attitude, and the scene has not both")
+  end
+  options.warn(host, scene.diag)
+  local plan
+  plan, d = planned(scene, given)
+  if not plan then return options.refuse(host, d) end
+  local unit = driver.files(plan, { plugin = { page = true } })
+  if not unit then return options.refuse(host, plan.diag) end
+  local wasm
+  wasm, why = compiled(host, unit)
+  if not wasm then return options.failed(host, "view", why) end
+  local html = page.html(host.templates, host.sha256, facts_of(plan, unit), shape_of(scene), wasm)
+  return options.write(host, "view", given.o or plan.model.name .. ".html", html)
+end
+
+return view

@@ -1,0 +1,72 @@
+// plot.js -- curves over time as SVG, with a mark at the time that is shown.  SPDX-License-Identifier: MIT-0
+
+const SVG = "http://www.w3.org/2000/svg";
+
+function element(name, attributes, text) {
+  const e = document.createElementNS(SVG, name);
+  for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
+  if (text !== undefined) e.textContent = text;
+  return e;
+}
+
+// Round numbers within the range, some n of them.
+function ticks(low, high, n) {
+  const raw = (high - low)/n, ten = Math.pow(10, Math.floor(Math.log10(raw)));
+  const step = [1, 2, 5, 10].map((k) => k*ten).find((s) => s >= raw*0.999), out = [];
+  for (let k = Math.ceil(low/step - 1e-9); k*step <= high + 1e-9*step; k++) out.push(k*step);
+  return out;
+}
+
+const shown = (x) => {
+  const a = Math.abs(x);
+  return (a !== 0 && (a < 1e-3 || a >= 1e5) ? x.toExponential(1).replace("e", "·10^") :
+    String(Number(x.toPrecision(6)))).replace(/-/g, "−");
+};
+
+const W = 420, H = 190, LEFT = 62, RIGHT = 34, TOP = 12, BOTTOM = 34;
+
+// curves: [{name, css, values}] over the times; label: quantity over unit.
+function drawCurves(svg, times, curves, label, title) {
+  svg.replaceChildren(element("title", {}, title));
+  svg.setAttribute("viewBox", "0 0 " + W + " " + H);
+  let low = Infinity, high = -Infinity;
+  for (const c of curves)
+    for (const v of c.values) if (Number.isFinite(v)) {
+      low = Math.min(low, v);
+      high = Math.max(high, v);
+    }
+  if (!(low <= high)) [low, high] = [-1, 1];
+  const margin = Math.max((high - low)*0.06, Math.abs(high)*1e-12, 1e-300);
+  low -= margin;
+  high += margin;
+  const end = times[times.length - 1] || 1;
+  const x = (t) => LEFT + (W - LEFT - RIGHT)*t/end, y = (v) => H - BOTTOM - (H - TOP - BOTTOM)*(v - low)/(high - low);
+  for (const v of ticks(low, high, 4)) {
+    svg.append(element("line", { class: "grid", x1: LEFT, x2: W - RIGHT, y1: y(v), y2: y(v) }));
+    svg.append(element("text", { class: "end", x: LEFT - 5, y: y(v) + 4 }, shown(v)));
+  }
+  for (const t of ticks(0, end, 5))
+    svg.append(element("text", { class: "middle", x: x(t), y: H - BOTTOM + 16 }, shown(t)));
+  svg.append(element("text", { class: "middle", x: (LEFT + W - RIGHT)/2, y: H - 4 }, "t / s"));
+  svg.append(element("text", { class: "middle", transform: "translate(12 " + (TOP + H - BOTTOM)/2 + ") rotate(-90)" }, label));
+  const ends = [];
+  for (const c of curves) {
+    let d = "", open = false;
+    c.values.forEach((v, i) => {
+      if (Number.isFinite(v)) d += (open ? "L" : "M") + x(times[i]).toFixed(2) + " " + y(v).toFixed(2);
+      open = Number.isFinite(v);
+    });
+    svg.append(element("path", { class: "curve " + c.css, d }));
+    const last = c.values[c.values.length - 1];
+    if (Number.isFinite(last)) ends.push({ c, at: y(last) + 4 });
+  }
+  ends.sort((a, b) => a.at - b.at);
+  for (let i = 1; i < ends.length; i++) ends[i].at = Math.max(ends[i].at, ends[i - 1].at + 12);
+  for (const e of ends) svg.append(element("text", { class: "name " + e.c.css, x: W - RIGHT + 4, y: e.at }, e.c.name));
+  const mark = element("line", { class: "mark", y1: TOP, y2: H - BOTTOM, x1: LEFT, x2: LEFT });
+  svg.append(mark);
+  return (t) => {
+    mark.setAttribute("x1", x(Math.min(t, end)));
+    mark.setAttribute("x2", x(Math.min(t, end)));
+  };
+}

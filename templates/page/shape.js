@@ -1,0 +1,75 @@
+// shape.js -- the body's triangles and lines for the parameters that hold.  SPDX-License-Identifier: MIT-0
+
+function cornersOf(member, values, own) {
+  const out = floatsOf(member.at);
+  for (const d of member.by) {
+    const rate = floatsOf(d.rate), step = values[d.parameter] - own[d.parameter];
+    for (let i = 0; i < out.length; i++) out[i] += rate[i]*step;
+  }
+  return out;
+}
+
+// Position and normal, six numbers a corner; normals of neighbours are joined where the surface is smooth.
+function surfaceOf(corners, size) {
+  const out = new Float32Array(2*corners.length), around = new Map(), normals = [];
+  const key = (i) => [0, 1, 2].map((d) => Math.round(corners[i + d]/size*1e5)).join(",");
+  for (let i = 0; i < corners.length; i += 9) {
+    const p = (k) => [corners[i + k], corners[i + k + 1], corners[i + k + 2]];
+    const a = p(0), n = cross(added(p(3), scaled(-1, a)), added(p(6), scaled(-1, a)));
+    normals.push(n);
+    for (let k = 0; k < 9; k += 3) {
+      const name = key(i + k);
+      if (!around.has(name)) around.set(name, []);
+      around.get(name).push(n);
+    }
+  }
+  for (let i = 0; i < corners.length; i += 3) {
+    const own = unit(normals[Math.floor(i/9)]);
+    let sum = [0, 0, 0];
+    for (const n of around.get(key(i))) if (dot(unit(n), own) > 0.75) sum = added(sum, n);
+    out.set(corners.subarray(i, i + 3), 2*i);
+    out.set(length(sum) > 0 ? unit(sum) : own, 2*i + 3);
+  }
+  return out;
+}
+
+function ball(n) {
+  const list = [], p = (i, k) => {
+    const a = Math.PI*i/n, b = 2*Math.PI*k/(2*n);
+    return [Math.sin(a)*Math.cos(b), Math.sin(a)*Math.sin(b), Math.cos(a)];
+  };
+  for (let i = 0; i < n; i++)
+    for (let k = 0; k < 2*n; k++) {
+      const a = p(i, k), b = p(i + 1, k), c = p(i + 1, k + 1), d = p(i, k + 1);
+      for (const v of [a, b, c, a, c, d]) list.push(...v, ...v);
+    }
+  return new Float32Array(list);
+}
+
+function arrow() {
+  const list = [], ring = [[0.018, 0], [0.018, 0.86], [0.05, 0.86], [0, 1]], n = 20;
+  for (let r = 0; r < 3; r++)
+    for (let k = 0; k < n; k++) {
+      const p = (j, m) => [ring[j][0]*Math.cos(2*Math.PI*m/n), ring[j][0]*Math.sin(2*Math.PI*m/n), ring[j][1]];
+      const a = p(r, k), b = p(r, k + 1), c = p(r + 1, k + 1), d = p(r + 1, k), e = 2*Math.PI*(k + 0.5)/n;
+      const s = r === 2 ? 0.34 : 0, normal = r === 1 ? [0, 0, -1] : unit([Math.cos(e), Math.sin(e), s]);
+      for (const v of [a, b, c, a, c, d]) list.push(...v, ...normal);
+    }
+  return new Float32Array(list);
+}
+
+// What is drawn of a body: {faces, holes, lines, points, size, ellipsoid}.
+function bodyOf(drawing, values, own, code) {
+  const body = {}, half = (list) => list.reduce((m, c) => Math.max(m, Math.abs(c)), 0);
+  for (const kind of ["faces", "holes", "lines", "points"]) body[kind] = cornersOf(drawing[kind], values, own);
+  body.size = Math.max(half(body.faces), half(body.lines), half(body.points));
+  if (!(body.size > 0) || body.faces.length + body.lines.length === 0 && body.points.length <= 3) {
+    const principal = code.principal(), m = code.mass();
+    const s = principal ? principal.moments.map((x, i, I) => (I[0] + I[1] + I[2])/2 - x) : [1, 1, 1];
+    body.ellipsoid = { axes: s.map((x) => Math.sqrt(Math.max(5*x/m.mass, 1e-12))), frame: principal };
+    body.size = Math.max(...body.ellipsoid.axes);
+  }
+  body.faces = surfaceOf(body.faces, body.size);
+  body.holes = surfaceOf(body.holes, body.size);
+  return body;
+}

@@ -1,0 +1,123 @@
+// space.js -- what is seen in space: the body with its arrows and trails, or Poinsot's rolling ellipsoid.
+// SPDX-License-Identifier: MIT-0
+
+const LIGHT = { paper: [1, 1, 1], ink: [0.13, 0.13, 0.13], body: [0.62, 0.68, 0.74], second: [0.55, 0.13, 0.33],
+  x: [0, 0.35, 0.56], y: [0.84, 0.37, 0], z: [0, 0.62, 0.45], plane: [0.66, 0.82, 0.94], rate: [0.72, 0, 0.3] };
+const DARK = { paper: [0.082, 0.094, 0.114], ink: [0.96, 0.96, 0.96], body: [0.5, 0.56, 0.63],
+  second: [0.8, 0.47, 0.65], x: [0.34, 0.71, 0.91], y: [0.9, 0.62, 0], z: [0, 0.62, 0.45],
+  plane: [0.11, 0.29, 0.45], rate: [1, 0.45, 0.6] };
+
+const ONE = [1, 0, 0, 0], HERE = [0, 0, 0], EQUAL = [1, 1, 1];
+
+function spaceOf(canvas) {
+  const r = rendererOf(canvas);
+  if (!r) return null;
+  const space = { turn: 0.6, height: 0.35, far: 3.6, renderer: r };
+  const shaft = r.mesh(arrow()), round = r.mesh(ball(24));
+  let things = {}, motion = null, body = null, poinsot = null;
+
+  function renew(name, thing) {
+    r.drop(things[name]);
+    things[name] = thing;
+  }
+
+  space.body = (drawn) => {
+    body = drawn;
+    renew("faces", r.mesh(drawn.faces));
+    renew("holes", r.mesh(drawn.holes));
+    renew("wires", r.line(drawn.lines));
+  };
+
+  // places: what is where in a state; p: what poinsotOf gives, or null.
+  space.motion = (m, places, p) => {
+    motion = m;
+    poinsot = p;
+    const axis = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    for (let k = 0; k < 3; k++) {
+      const list = [];
+      for (const s of m.samples) list.push(...scaled(1.25, turned(places.q.map((i) => s.x[i]), axis[k])));
+      renew("trail" + k, r.line(list));
+    }
+    if (!p) return;
+    renew("polhode", r.line(p.polhode.flat()));
+    renew("herpolhode", r.line(p.herpolhode.flat()));
+    const n = p.reach, z = p.depth, square = [[-n, -n, z], [n, -n, z], [n, n, z], [-n, -n, z], [n, n, z], [-n, n, z]];
+    renew("plane", r.mesh(new Float32Array(square.flatMap((v) => [...v, 0, 0, 1]))));
+  };
+
+  function pointer(way, size, colour, from) {
+    if (!(length(way) > 0)) return;
+    r.surface(shaft, placed(towards([0, 0, 1], way), [size, size, size], from || HERE), EQUAL, [...colour, 1]);
+  }
+
+  function drawBody(q, at, alpha, colour, size) {
+    const s = 1/body.size, scale = [s, s, s];
+    if (body.ellipsoid) {
+      const own = body.ellipsoid.frame ? product(q, attitudeOf(body.ellipsoid.frame.axes)) : q;
+      const e = body.ellipsoid.axes.map((x) => x*s);
+      r.surface(round, placed(own, e, at), e, [...colour, alpha]);
+    } else {
+      r.surface(things.faces, placed(q, scale, at), EQUAL, [...colour, alpha]);
+      r.lines(things.wires, placed(q, scale, at), [...colour, alpha], 4, true);
+      for (let i = 0; i < body.points.length; i += 3) {
+        const p = added(at, turned(q, scaled(s, Array.from(body.points.subarray(i, i + 3)))));
+        r.surface(round, placed(q, [0.07, 0.07, 0.07], p), EQUAL, [...colour, alpha]);
+      }
+      r.surface(things.holes, placed(q, scale, at), EQUAL, [...colour, 0.45*alpha]);
+    }
+    if (size) for (const [v, name] of [[[1, 0, 0], "x"], [[0, 1, 0], "y"], [[0, 0, 1], "z"]])
+      pointer(turned(q, v), 1.25, size[name], at);
+  }
+
+  function drawPoinsot(now, c) {
+    const q = product(poinsot.turn, now.q), own = product(q, poinsot.frame);
+    const up = placed(ONE, EQUAL, HERE);
+    r.surface(things.plane, up, EQUAL, [...c.plane, 1]);
+    r.lines(things.herpolhode, placed(ONE, EQUAL, [0, 0, 0.002]), [...c.ink, 1], 2.5, false, 0, now.index + 1);
+    r.lines(things.polhode, placed(q, EQUAL, HERE), [...c.y, 1], 2.5, false);
+    const w = turned(q, scaled(poinsot.size, now.w));
+    pointer(w, length(w), c.rate);
+    r.surface(round, placed(own, poinsot.axes, HERE), poinsot.axes, [...c.body, 0.5]);
+  }
+
+  // now: {q, w, L, at, index, second: q of the other method or null}; what: "body" | "poinsot".
+  space.draw = (what, now, dark) => {
+    const c = dark ? DARK : LIGHT, e = space.height, ratio = canvas.clientWidth/Math.max(1, canvas.clientHeight);
+    const eye = scaled(space.far*Math.max(1, 1.15/ratio), [Math.cos(e)*Math.cos(space.turn), Math.cos(e)*Math.sin(space.turn), Math.sin(e)]);
+    r.begin(times(perspective(0.8, ratio, 0.1, 40), looking(eye)), c.paper);
+    if (what === "poinsot" && poinsot) return drawPoinsot(now, c);
+    const w = turned(now.q, now.w);
+    const from = Math.max(0, now.index - 120), count = now.index - from + 1;
+    for (let k = 0; k < 3; k++)
+      r.lines(things["trail" + k], placed(ONE, EQUAL, HERE), [...c["xyz"[k]], 1], 2, false, from, count);
+    pointer(w, 1.5, c.rate);
+    pointer(now.L, 1.5, c.ink);
+    drawBody(now.q, HERE, 1, c.body, c);
+    if (now.second) drawBody(now.second, HERE, 0.45, c.second, null);
+  };
+
+  space.lost = () => r.gl.isContextLost();
+  return space;
+}
+
+// Poinsot's construction where L stays in space and is I w: the ellipsoid w.Iw = 2T rolls on the plane w.L = 2T.
+// Returns null or why it does not hold, as {refused}.
+function poinsotOf(code, motion, places) {
+  const first = motion.samples[0], size = length(first.momentum), p = code.principal();
+  if (!(size > 0) || !p || !(p.moments[0] > 0)) return { refused: "the body does not turn, or has no thickness" };
+  const w0 = places.w.map((i) => first.x[i]), q0 = places.q.map((i) => first.x[i]);
+  const own = p.axes.map((a, k) => scaled(p.moments[k]*dot(a, w0), a)).reduce(added, [0, 0, 0]);
+  const off = (a, b) => length(added(a, scaled(-1, b)))/size;
+  if (off(turned(q0, own), first.momentum) > 1e-5) return { refused: "wheels or rotors carry momentum, too" };
+  for (const s of motion.samples)
+    if (!(off(s.momentum, first.momentum) < 1e-4)) return { refused: "torques change L, so there is no fixed plane" };
+  const twice = dot(own, w0), unitOf = 1/Math.sqrt(twice/p.moments[0]);
+  const turn = towards(first.momentum, [0, 0, -1]), polhode = [], herpolhode = [];
+  for (const s of motion.samples) {
+    const w = scaled(unitOf, places.w.map((i) => s.x[i]));
+    polhode.push(w);
+    herpolhode.push(turned(product(turn, places.q.map((i) => s.x[i])), w));
+  }
+  return { turn, size: unitOf, polhode, herpolhode, frame: attitudeOf(p.axes), depth: -unitOf*twice/size, reach: 1.3,
+    axes: p.moments.map((I) => unitOf*Math.sqrt(twice/I)) };
+}
