@@ -79,7 +79,9 @@ local function compiled(host, unit)
   local made, said = host.compile(dir, { "page.c", name .. ".c" }, "page.wasm", { cc = "clang", flags = FLAGS })
   if made then return host.read(dir .. "/page.wasm") end
   if string.find(said, "^cannot run") then return nil, "needs the program clang (Debian package clang)" end
-  if string.find(said, "unable to execute command: Executable \"wasm-ld", 1, true) then return nil, "needs the program wasm-ld (Debian package lld)" end
+  if string.find(said, 'execute command: Executable "wasm-ld', 1, true) then
+    return nil, "needs the program wasm-ld (Debian package lld)"
+  end
   return nil, "the page's code does not compile:\n" .. said
 end
 
