@@ -138,9 +138,8 @@ local rest = { -- inputs of functions that take vectors: w, dw, a, r, v, N
   r = { "5/8", "3/4", "-1/2" }, v = { "-7/8", "1/8", "3/8" }, da = { "1/2", "3/8", "-1/8" },
 }
 
-local function by_index(o)
-  return o.index and o.index + 1
-end
+local function by_index(o) return o.index and o.index + 1 end
+local function result(o) return o.result and 1 end
 
 -- The function of what the motion conserves, where a free body's energy and momentum are not all; nil if nothing is.
 function vectors.conserved(job)
@@ -176,190 +175,213 @@ local function of_steps(job, made, v, epsilon, time, real)
   v.transition_step = number.text(time, real)
 end
 
--- Cases: which function, with which state, how many numbers, how it is called.
--- made: from code.of.
-function vectors.of(job, made)
-  local base, offers, ctx, zero = made.base, made.offers, made.ctx, made.base.zero
-  local m, real, v = job.model, ctx.real, { offers = offers }
-  local round = rounder(real)
-  local epsilon = R.lift(R.new(2) ^ (real == "float" and -23 or -52))
-  local least = R.new(2) ^ (real == "float" and -126 or -1022)
-  local position, names = {}, { "x", "y", "z" }
-  for i, s in ipairs(job.states) do position[s.name] = i end
-
-  local params, held, arguments = {}, { t = R.zero }, {}
-  for _, p in ipairs(m.params) do params[p.name] = round(p.default) end
-  for i, s in ipairs(m.inputs) do held[s.name] = round(inputs.sample(m, s, i)) end
+-- What the cases are made of: numbers of the emitted type, the environment of the formulas, three states.
+local function kit_of(job, made)
+  local real = made.ctx.real
+  local kit = { job = job, made = made, real = real, round = rounder(real), held = { t = R.zero }, arguments = {},
+    epsilon = R.lift(R.new(2) ^ (real == "float" and -23 or -52)), params = {},
+    least = R.new(2) ^ (real == "float" and -126 or -1022) }
+  local m, names = job.model, { "x", "y", "z" }
+  for _, p in ipairs(m.params) do kit.params[p.name] = kit.round(p.default) end
+  for i, s in ipairs(m.inputs) do kit.held[s.name] = kit.round(inputs.sample(m, s, i)) end
   for name, list in pairs(rest) do -- into a table: order is lost anyway
-    arguments[name] = {}
-    for i = 1, 3 do arguments[name][name .. names[i]] = R.lift(list[i]) end
+    kit.arguments[name] = {}
+    for i = 1, 3 do kit.arguments[name][name .. names[i]] = R.lift(list[i]) end
   end
-  local env = selftest.environment(m, params, job.held)
-  local xs, time, size = states(job, round, env)
-  local function given(f, x) -- what f is given: the state x, and those of the vectors that it takes, and no others,
-    local list = {}           -- for a constant of the model may be called like one
-    for k, q in pairs(held) do list[k] = q end -- into a table: order is lost anyway
-    for _, a in ipairs(f.args) do
-      for k, q in pairs(type(a) == "table" and arguments[a.name] or {}) do list[k] = q end -- order is lost
-    end
-    for i, s in ipairs(x and job.states or {}) do list[s.name] = x[i] end
-    return list
-  end
+  kit.env = selftest.environment(m, kit.params, job.held)
+  kit.states, kit.time, kit.size = states(job, kit.round, kit.env)
+  return kit
+end
 
-  local function printed(n, want, tolerance, call, what)
-    for i = 1, n do
-      want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero
-      -- below the smallest normal number relative rounding ends
-      if R.sign(tolerance[i]) > 0 and tolerance[i] < least then tolerance[i] = least end
-      -- nothing is known of a derivative next to a corner, but the bound must be a number of the type
-      if tolerance[i] > R.one / least then tolerance[i] = R.one / least end
-      if R.abs(want[i]) < least then want[i] = round(want[i]) end
-    end
-    return { n = string.format("%d", n), want = lines(want, real), tolerance = lines(tolerance, real), call = call,
-      what = what }
+-- What f is given: the state x, and those of the vectors that it takes, and no others, for a constant of the model may
+-- be called like one.
+local function given(kit, f, x)
+  local list = {}
+  for k, q in pairs(kit.held) do list[k] = q end -- into a table: order is lost anyway
+  for _, a in ipairs(f.args) do
+    for k, q in pairs(type(a) == "table" and kit.arguments[a.name] or {}) do list[k] = q end -- order is lost
   end
-  local nx = #job.states
-  local columns = "_NX" -- of the widest matrix
-  if description(job, "jacobian_p") and #m.params > nx then columns = "_NP" end
-  if description(job, "jacobian_u") and #m.inputs > math.max(nx, columns == "_NP" and #m.params or 0) then
+  for i, s in ipairs(x and kit.job.states or {}) do list[s.name] = x[i] end
+  return list
+end
+
+-- A case as text.
+local function printed(kit, n, want, tolerance, call, what)
+  local least = kit.least
+  for i = 1, n do
+    want[i], tolerance[i] = want[i] or R.zero, tolerance[i] or R.zero
+    -- below the smallest normal number relative rounding ends
+    if R.sign(tolerance[i]) > 0 and tolerance[i] < least then tolerance[i] = least end
+    -- nothing is known of a derivative next to a corner, but the bound must be a number of the type
+    if tolerance[i] > R.one / least then tolerance[i] = R.one / least end
+    if R.abs(want[i]) < least then want[i] = kit.round(want[i]) end
+  end
+  return { n = string.format("%d", n), want = lines(want, kit.real), tolerance = lines(tolerance, kit.real),
+    call = call, what = what }
+end
+
+-- How many numbers the widest matrix has, as text of C.
+local function widest(job, ctx)
+  local nx, np, columns = #job.states, #job.model.params, "_NX"
+  if description(job, "jacobian_p") and np > nx then columns = "_NP" end
+  if description(job, "jacobian_u") and #job.model.inputs > math.max(nx, columns == "_NP" and np or 0) then
     columns = "_NU"
   end
-  v.got_size = nx < 4 and columns == "_NX" and "16" or ctx.upper .. "_NX*" .. ctx.upper .. columns
-  if nx < 4 and columns ~= "_NX" then v.got_size = "16 + " .. v.got_size end
-  v.cases = {}
+  local size = nx < 4 and columns == "_NX" and "16" or ctx.upper .. "_NX*" .. ctx.upper .. columns
+  return nx < 4 and columns ~= "_NX" and "16 + " .. size or size
+end
+
+-- Cases of functions: which function, with which state, how many numbers, how it is called.
+local function cases_of(kit, short)
+  local job, xs, zero, list = kit.job, kit.states, kit.made.base.zero, {}
+  local m, position = job.model, {}
+  for i, s in ipairs(job.states) do position[s.name] = i end
   local function case(name, n, state, call, what, index, depth)
     local f = description(job, name)
     if not f then return end
-    local want, tolerance = selftest.expect(f, env, given(f, state), index, (depth or R.one) * epsilon)
-    v.cases[#v.cases + 1] = printed(n, want, tolerance, call, what)
+    local want, tolerance = selftest.expect(f, kit.env, given(kit, f, state), index, (depth or R.one) * kit.epsilon)
+    list[#list + 1] = printed(kit, n, want, tolerance, call, what)
   end
-  local p = m.name .. "_"
+  local p, nx, np, nu = m.name .. "_", #job.states, #m.params, #m.inputs
   local function of_state(o) return o.state and position[o.state] or by_index(o) end
-  local function result(o) return o.result and 1 end
   case("inertia", 6, nil, p .. "inertia(&m, got)", "tensor of inertia about the origin", by_index)
   case("initial", nx, nil, p .. "initial(&m, got)", "initial state", of_state)
   case("mass", 4, nil, "got[0] = " .. p .. "mass(&m, got + 1)", "mass and centre of mass",
     function(o) return o.result and 1 or by_index(o) + 1 end)
-  for i = 1, 3 do
-    local x = xs[i]
+  for i, x in ipairs(xs) do
     case("rhs", nx, x.values, p .. "rhs(&m, " .. zero .. ", " .. x.name .. ", u, got)",
       "rates of change at state " .. i, of_state)
     case("energy", 1, x.values, "got[0] = " .. p .. "energy(&m, " .. x.name .. ")", "energy at state " .. i, result)
     case("jacobi_integral", 1, x.values, "got[0] = " .. p .. "jacobi_integral(&m, " .. zero .. ", " .. x.name .. ")",
       "Jacobi's integral at state " .. i, result)
-    case("momentum", 3, x.values, p .. "momentum(&m, " .. x.name .. ", got)",
-      "angular momentum at state " .. i, by_index)
+    case("momentum", 3, x.values, p .. "momentum(&m, " .. x.name .. ", got)", "angular momentum at state " .. i,
+      by_index)
   end
-  case("momentum_body", 3, xs[2].values, p .. "momentum_body(&m, x2, got)", "angular momentum in body axes", by_index)
-  case("particle_energy", 1, xs[2].values, "got[0] = " .. p .. "particle_energy(&m, x2)",
-    "kinetic energy of the particles", result)
+  local x2 = xs[2].values
+  case("momentum_body", 3, x2, p .. "momentum_body(&m, x2, got)", "angular momentum in body axes", by_index)
+  case("particle_energy", 1, x2, "got[0] = " .. p .. "particle_energy(&m, x2)", "kinetic energy of the particles",
+    result)
   case("inertia_at", 6, nil, p .. "inertia_at(&m, a, got)", "tensor about another point", by_index)
-  case("inertia_now", 6, xs[2].values, p .. "inertia_now(&m, x2, got)", "tensor with moving parts", by_index)
+  case("inertia_now", 6, x2, p .. "inertia_now(&m, x2, got)", "tensor with moving parts", by_index)
   local torque = description(job, "torque")
-  case("torque", 3, torque and torque.stateful and xs[2].values or nil, p .. "torque(&m, " ..
+  case("torque", 3, torque and torque.stateful and x2 or nil, p .. "torque(&m, " ..
     (torque and torque.stateful and zero .. ", x2, u" or "w") .. ", dw, got)", "torque of a given motion", by_index)
   case("rate", 3, nil, p .. "rate(w, a, da, got)", "rate of change of a vector", by_index)
   local term = { coriolis = 0, euler = 3, centrifugal = 6, total = 9 }
   case("acceleration", 12, nil, p .. "acceleration(w, dw, r, v, a, got, got + 3, got + 6, got + 9)",
     "acceleration: Coriolis, Euler, centrifugal, total", function(o) return term[o.array] + o.index + 1 end)
-  case("jacobian", nx * nx, xs[2].values, p .. "jacobian(&m, " .. zero .. ", x2, u, got)",
+  case("jacobian", nx * nx, x2, p .. "jacobian(&m, " .. zero .. ", x2, u, got)",
     "Jacobian of the equations at state 2", by_index)
-  local short = R.round(time / R.new(32), 24)
-  of_steps(job, made, v, epsilon, short, real)
-  local np = #m.params
-  case("jacobian_u", nx * #job.model.inputs, xs[2].values, p .. "jacobian_u(&m, " .. zero .. ", x2, u, got)",
+  case("jacobian_u", nx * nu, x2, p .. "jacobian_u(&m, " .. zero .. ", x2, u, got)",
     "derivative of the equations by the input at state 2", by_index)
-  case("jacobian_p", nx * np, xs[2].values, p .. "jacobian_p(&m, " .. zero .. ", x2, u, got)",
+  case("jacobian_p", nx * np, x2, p .. "jacobian_p(&m, " .. zero .. ", x2, u, got)",
     "derivative of the equations by the parameters at state 2", by_index)
   case("initial_p", nx * np, nil, p .. "initial_p(&m, got)", "derivative of the initial state by the parameters",
     by_index)
-  held.h = short
-  case("step_transition", nx * nx, xs[2].values, "transition(&m, x2, u, " .. number.text(short, real) .. ", got)",
+  kit.held.h = short
+  case("step_transition", nx * nx, x2, "transition(&m, x2, u, " .. number.text(short, kit.real) .. ", got)",
     "transition matrix of a step from state 2", by_index, selftest.stages)
-  case("step_transition_u", nx * #m.inputs, xs[2].values, p .. "step_transition_u(&m, " .. zero .. ", x2, u, " ..
-    number.text(short, real) .. ", got)", "derivative of a step from state 2 by the input", by_index, selftest.stages)
-  held.h = nil
+  case("step_transition_u", nx * nu, x2, p .. "step_transition_u(&m, " .. zero .. ", x2, u, " ..
+    number.text(short, kit.real) .. ", got)", "derivative of a step from state 2 by the input", by_index,
+    selftest.stages)
+  kit.held.h = nil
+  return list
+end
 
-  v.motion_cases = {}
-  for _, c in ipairs(offers.solve and motion.cases { job = job, x0 = xs[1].values,
-    power = R.new(1, 2) / (time or R.half), env = env, params = params, epsilon = epsilon, real = real, name = m.name,
-    has_own = made.parts.closed.own, has_ticks = job.closed.ticks or false,
-    number = function(q) return number.text(q, real) end } or {}) do
+-- Cases of the closed form, of those functions that are emitted.
+local function motion_cases(kit)
+  local job, made, list = kit.job, kit.made, {}
+  local p = job.model.name .. "_"
+  for _, c in ipairs(made.offers.solve and motion.cases { job = job, x0 = kit.states[1].values,
+    power = R.new(1, 2) / (kit.time or R.half), env = kit.env, params = kit.params, epsilon = kit.epsilon,
+    real = kit.real, name = job.model.name, has_own = made.parts.closed.own, has_ticks = job.closed.ticks or false,
+    number = function(q) return number.text(q, kit.real) end } or {}) do
     local whole = true
-    for f in string.gmatch(c.call, "%f[%w_]" .. p .. "([%w_]+)") do whole = whole and offers[f] end
-    if whole then
-      v.motion_cases[#v.motion_cases + 1] = printed(7, c.want, c.tolerance, c.call, c.what)
+    for f in string.gmatch(c.call, "%f[%w_]" .. p .. "([%w_]+)") do whole = whole and made.offers[f] end
+    if whole then list[#list + 1] = printed(kit, 7, c.want, c.tolerance, c.call, c.what) end
+  end
+  return list
+end
+
+-- The vectors, states and inputs that the cases name.
+local function named_by(kit, v)
+  local calls, m = {}, kit.job.model
+  for i, c in ipairs(v.cases) do calls[i] = c.call end
+  local called = table.concat(calls, "\n")
+  local function named(name) return string.find(called, "%f[%w_]" .. name .. "%f[^%w_]") ~= nil end
+  v.vectors, v.states = {}, {}
+  for _, name in ipairs { "w", "dw", "r", "v", "a", "da" } do
+    if named(name) then
+      local list = {}
+      for k = 1, 3 do list[k] = R.lift(rest[name][k]) end
+      v.vectors[#v.vectors + 1] = { name = name, values = table.concat(lines(list, kit.real), " ") }
     end
   end
+  local start, moved = v.test_start and not v.offers.initial, v.has_transition or v.test_compensated
+  for _, x in ipairs(kit.states) do
+    if named(x.name) or x.name == "x1" and start or x.name == "x2" and moved then
+      v.states[#v.states + 1] = { name = x.name, lines = lines(x.values, kit.real) }
+    end
+  end
+  v.uses_inputs = named "u" or moved
+  local list, spans = {}, {}
+  for i, s in ipairs(m.inputs) do
+    local low, high = inputs.range(m, s)
+    local held = kit.held[s.name]
+    list[i], spans[i] = number.text(held, kit.real), number.text(low and high - low or held, kit.real)
+  end
+  v.input_values, v.input_spans = table.concat(list, ", "), table.concat(spans, ", ")
+end
 
+-- The bounds of the tests of order, length and drift.
+local function bounds_of(kit, v)
+  local job, epsilon, real = kit.job, kit.epsilon, kit.real
+  -- The test of order runs over about half a radian: h w = 1/64 and less, where the fourth-order term leads and still
+  -- stands above rounding (float: the floor of 64 roundings of the state).
+  v.order_time, v.has_corners = number.text(kit.time, real), #breaks.corners(job.equations) > 0
+  for name, n in pairs { order_two = 2, order_four = 4, order_six = 6 } do -- into a table: order is lost anyway
+    v[name] = number.text(R.new(n), real)
+  end
+  local roundings, program = 256, job.steppers[1].program
+  if program and program.drift and program.drift.kind == "full" then -- of that many rotations a step, walking
+    local rotations = (#program.outer.b + 1) * (2 * #program.inner.b + 1)
+    roundings = roundings * math.ceil(math.sqrt(rotations))
+  end
+  v.order_floor = number.text(R.round(kit.size * epsilon * R.new(roundings), 24), real)
+  v.norm_bound, v.jacobi_bound = number.text(epsilon * R.new(16), real), number.text(epsilon * R.new(64), real)
+  -- float: e^2 must stay above 256 roundings of 1
+  v.disturbance = number.text(R.new(2) ^ (real == "float" and -6 or -10), real)
+  v.disturbance_step, v.drift = number.text(R.new(1, 256), real), number.text(epsilon * R.new(4096), real)
+  if not v.check_conservative then return end
+  local most = kit.least -- relative to the terms of the energy at the largest of the three states
+  for _, x in ipairs(kit.states) do
+    local f = equations_of(job, vectors.conserved(job))
+    local _, tolerance = selftest.expect(f, kit.env, given(kit, f, x.values), result, epsilon)
+    if tolerance[1] > most then most = tolerance[1] end
+  end
+  v.energy_drift = number.text(R.round(most * R.new(4096 // selftest.roundings), 24), real)
+end
+
+-- made: from code.of.
+function vectors.of(job, made)
+  local base, offers, kit = made.base, made.offers, kit_of(job, made)
+  local v, short = { offers = offers, got_size = widest(job, made.ctx) }, R.round(kit.time / R.new(32), 24)
+  v.cases = cases_of(kit, short)
+  of_steps(job, made, v, kit.epsilon, short, kit.real)
+  v.motion_cases = motion_cases(kit)
   v.has_cases = #v.cases > 0 or #v.motion_cases > 0 or v.test_closed or job.planned ~= nil
   v.test_orbit = v.test_closed or #v.motion_cases > 0
   v.test_start = v.test_steps or v.test_closed or #v.motion_cases > 0
   v.test_index = v.test_steps and base.has_attitude or v.test_closed or v.test_start and not offers.initial
   v.test_distance = v.test_steps or v.test_principal
-
   v.spin_cases = {}
-  for i, c in ipairs(offers.spin_stable and selftest.spins(job, params) or {}) do
+  for i, c in ipairs(offers.spin_stable and selftest.spins(job, kit.params) or {}) do
     v.spin_cases[i] = { axis = string.format("%d", c.axis), dissipation = string.format("%d", c.dissipation),
       want = string.format("%d", c.want), tail = c.last and "," or " &&" }
   end
   v.has_spin_cases = #v.spin_cases > 0
-
-  local calls = {}
-  for i, c in ipairs(v.cases) do calls[i] = c.call end
-  local called = table.concat(calls, "\n")
-  local function named(name) return string.find(called, "%f[%w_]" .. name .. "%f[^%w_]") ~= nil end
-  v.vectors = {}
-  for _, name in ipairs { "w", "dw", "r", "v", "a", "da" } do
-    if named(name) then
-      local list = {}
-      for k = 1, 3 do list[k] = R.lift(rest[name][k]) end
-      v.vectors[#v.vectors + 1] = { name = name, values = table.concat(lines(list, real), " ") }
-    end
-  end
-  v.states = {}
-  local start = v.test_start and not offers.initial
-  for _, x in ipairs(xs) do
-    local used = named(x.name) or x.name == "x1" and start or
-      x.name == "x2" and (v.has_transition or v.test_compensated)
-    if used then v.states[#v.states + 1] = { name = x.name, lines = lines(x.values, real) } end
-  end
-  v.uses_inputs = named "u" or (v.has_transition or v.test_compensated)
-  local list, spans = {}, {}
-  for i, s in ipairs(m.inputs) do
-    local low, high = inputs.range(m, s)
-    list[i], spans[i] = number.text(held[s.name], real), number.text(low and high - low or held[s.name], real)
-  end
-  v.input_values, v.input_spans = table.concat(list, ", "), table.concat(spans, ", ")
-
-  -- The test of order runs over about half a radian: h w = 1/64 and less, where the fourth-order term leads and still
-  -- stands above rounding (float: the floor of 64 roundings of the state).
-  v.order_time, v.has_corners = number.text(time, real), #breaks.corners(job.equations) > 0
-  for name, n in pairs { order_two = 2, order_four = 4, order_six = 6 } do -- into a table: order is lost anyway
-    v[name] = number.text(R.new(n), real)
-  end
-  local roundings = 256
-  local program = job.steppers[1].program
-  if program and program.drift and program.drift.kind == "full" then -- of that many rotations a step, walking
-    local rotations = (#program.outer.b + 1) * (2 * #program.inner.b + 1)
-    roundings = roundings * math.ceil(math.sqrt(rotations))
-  end
-  v.order_floor = number.text(R.round(size * epsilon * R.new(roundings), 24), real)
-  v.norm_bound = number.text(epsilon * R.new(16), real)
-  v.jacobi_bound = number.text(epsilon * R.new(64), real)
-  -- float: e^2 must stay above 256 roundings of 1
-  local small = real == "float" and -6 or -10
-  v.disturbance, v.disturbance_step = number.text(R.new(2) ^ small, real), number.text(R.new(1, 256), real)
-  v.drift = number.text(epsilon * R.new(4096), real)
-  if v.check_conservative then -- relative to the terms of the energy at the largest of the three states
-    local most = least
-    for _, x in ipairs(xs) do
-      local f = equations_of(job, vectors.conserved(job))
-      local _, tolerance = selftest.expect(f, env, given(f, x.values), result, epsilon)
-      if tolerance[1] > most then most = tolerance[1] end
-    end
-    v.energy_drift = number.text(R.round(most * R.new(4096 // selftest.roundings), 24), real)
-  end
+  named_by(kit, v)
+  bounds_of(kit, v)
   return v
 end
 
