@@ -173,7 +173,8 @@ local function received(ctx, what, own)
 end
 
 local reserved = {} -- members of the emitted structure and locals, of three letters and more without a digit
-for word in string.gmatch("mass com drag linear decay rest step time inertia out got lane", "%S+") do
+for word in string.gmatch([[mass com drag linear decay rest step time inertia out got lane
+  real sqrt fabs size_t]], "%S+") do
   reserved[word] = true
 end
 

@@ -245,9 +245,8 @@ local function laid_out(groups, moving, varying, order)
   for _, v in ipairs(made.variables) do
     if v.root then roots[#roots + 1] = v end
   end
-  return { order = order, term0 = series.FIRST, roots = roots,
-    states = moving, variables = made.variables, lanes = lanes, levels = levels,
-    slopes = made.slopes, constants = made.constants or {}, read = read }
+  return { order = order, term0 = series.FIRST, roots = roots, states = moving, variables = made.variables,
+    lanes = lanes, levels = levels, slopes = made.slopes, constants = made.constants or {}, read = read }
 end
 
 -- The same of the equations together with what neighbours along v depart by, the variational equations v' = f'(x) v:

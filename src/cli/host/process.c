@@ -287,7 +287,7 @@ int host_hand_over(lua_State *L) {
   lua_settop(L, 1);
   add_list(L, &c, 1);
   luaL_argcheck(L, c.argc > 0, 1, "nothing to run");
-  pid_t pid;
+  pid_t pid = 0;
   int status, told = 0;
   char *argv[MAX_ARGUMENTS + 1];
   memcpy(argv, c.argv, sizeof argv);
