@@ -64,7 +64,8 @@ local INCLUDES = {
   -- the integrators of others, which the emitted code is timed against
   ["src/cli/bench"] = { own = { "src/cli/", "src/runtime/polhode.h", "templates/host/plugin.h" }, outside = { "^gsl/",
     "^arkode/", "^cvode/", "^nvector/", "^sundials/", "^sunlinsol/", "^sunmatrix/", "^sunnonlinsol/" } },
-  ["src/cli/fit"] = { own = { "src/cli/", "templates/fit/fitted.h" }, outside = { "^gsl/", "^lua%.h$", "^lauxlib%.h$" } },
+  ["src/cli/fit"] = { own = { "src/cli/", "templates/fit/fitted.h" },
+    outside = { "^gsl/", "^lua%.h$", "^lauxlib%.h$" } },
   ["templates"] = { own = { "templates" }, outside = {} },
   -- not emitted: what is compiled to count instructions, for an emulator and for what it runs
   ["templates/target"] = { own = { "templates/target" }, outside = { "^simavr/" } },
@@ -236,7 +237,8 @@ local function exists(path)
 end
 
 local function unit_of(path)
-  return path:match("^src/cli/bench%f[/]") or path:match("^src/cli/fit%f[/]") or path:match("^src/[^/]+") or path:match("^templates/target%f[/]")
+  return path:match("^src/cli/bench%f[/]") or path:match("^src/cli/fit%f[/]") or path:match("^src/[^/]+")
+    or path:match("^templates/target%f[/]")
     or path:match("^tests/coverage%f[/]") or path:match("^tests/bench%f[/]") or path:match("^tests/fuzz%f[/]")
     or path:match("^[^/]+")
 end
