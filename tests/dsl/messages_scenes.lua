@@ -192,7 +192,7 @@ local description = { about = "scene",
   { body "solid.box", 2, "scene: body must be a shape, got a function" },
   { with "colour = 1", 3,
     "scene: unknown argument \"colour\" (it has name, body, origin, effects, initial, time, accuracy, budget, " ..
-    "ranges, outputs, events)" },
+    "ranges, outputs, events, measure)" },
   { with 'origin = "middle"', 3, "origin: must be one of centroid, corner or {x, y, z}, got \"middle\"" },
   { with "origin = {1, 2}", 3, "origin: origin must be a list of 3 numbers, got {1, 2}" },
   { with "origin = 3", 3, "origin: origin must be a list of 3 numbers, got 3" },
