@@ -111,10 +111,8 @@ int main(int argc, char **argv) {
     status = (int)lua_tointeger(L, -1);
   else if (!interrupt_pending())
     fprintf(stderr, "polhode: internal error: %s\n", lua_tostring(L, -1));
-#if defined __SANITIZE_ADDRESS__
   lua_sethook(L, NULL, 0, 0); /* an interrupt's hook must not stop finalizers */
-  lua_close(L);               /* else the system takes all memory back, in a tenth of the time */
-#endif
+  lua_close(L);
   tempdir_remove_all();
   const int output = output_finish();
   interrupt_resume();
