@@ -321,6 +321,18 @@ bench-many: $(BUILD)/bench/hand.o $(BUILD)/bench/many_double/tumbling_box.c $(BU
 	  done; \
 	done
 
+# and of each scene of bodies/ the step of one body beside that of many, 512 bits
+bench-many-bodies: $(PROGRAM)
+	@printf '%-20s %8s %8s %8s\n' 'ns a step' one many ratio
+	@for scene in bodies/*.lua; do \
+	  name=$$(basename $$scene .lua); dir=$(BUILD)/bench/many_bodies/$$name; mkdir -p $$dir; \
+	  $(PROGRAM) gen --layout single --method rk4 --with batch $$scene -o $$dir > $$dir/log || exit; \
+	  $(CC) -std=gnu99 -O2 -ffp-contract=off -fno-math-errno -fno-tree-slp-vectorize $(LANES_512) -DNAME=$$name \
+	    -DNX=$$(echo $$name | tr a-z A-Z)_NX -include $$dir/$$name.h -o $$dir/many tests/bench/many_any.c \
+	    $$dir/$$name.c -lm || exit; \
+	  $$dir/many || exit; \
+	done
+
 # the same members by `polhode sweep` and by GSL in a loop, on one thread
 SWEPT = --sample 16384 --vary 'wx=normal(1,0.1)' --until 100 --method taylor --step 0.0714
 bench-sweep: $(PROGRAM)
@@ -537,7 +549,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-sweep accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
         lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 
