@@ -59,14 +59,14 @@ local function missing(job, given)
 end
 
 -- The plan whose code is called; or nil and its diagnostics.
-local function planned(job, free)
+function fit.planned(job, free)
   return driver.plan(job, { real = "double", libm = "system", methods = { "rk4" }, command = "polhode fit",
     only = { "init", "defaults", "initial" }, package = packages.by_name "fit",
     fit = { free = free.params, outputs = job.record.measure, initial = free.initial and unknowns.initial } })
 end
 
 -- The path of the shared object, or nil and what is wrong.
-local function compiled(host, job, files)
+function fit.compiled(host, job, files)
   local dir, why = host.tempdir()
   if not dir then return nil, why end
   local ok
@@ -82,7 +82,7 @@ local function compiled(host, job, files)
 end
 
 -- The channels of residuals of a log, for C; second result: are all sigmas known?
-local function channels(job, outputs, own)
+function fit.channels(job, outputs, own)
   local place = {}
   for i, s in ipairs(job.fit.states) do place[s.sym] = i end
   local list, value, column, known = {}, 1, 1, true
@@ -118,7 +118,7 @@ local function problem(plan, free, data)
   local p = { free = free.places, initial = free.initial, logs = {}, channels = {}, known = true, knots = {},
     huber = 0.0, step = first_step(data), states = {}, parameters = {} }
   for i, d in ipairs(data) do
-    local list, known = channels(plan, outputs, d.sigmas)
+    local list, known = fit.channels(plan, outputs, d.sigmas)
     p.logs[i], p.channels[i], p.known = d.log, list, p.known and known
   end
   for i, s in ipairs(plan.fit.states) do p.states[i] = m:double(s.initial) end
@@ -148,7 +148,7 @@ end
 
 -- A sigma that would change with what is looked for, as a message, or nil: chi-square alone does not say how large it
 -- is.
-local function moving_sigma(outputs, free)
+function fit.moving_sigma(outputs, free)
   for _, o in ipairs(outputs) do
     for _, e in ipairs(o.sigma or {}) do
       for _, p in ipairs(free.params) do
@@ -172,11 +172,11 @@ local function prepared(host, job, given)
     return nil, options.refuse(host, job.diag)
   end
   if not observed.check(job) then return nil, options.refuse(host, job.diag) end
-  local text = moving_sigma(job.record.measure, free) or given.o and written.check(job, free)
+  local text = fit.moving_sigma(job.record.measure, free) or given.o and written.check(job, free)
   if text then return nil, options.wrong(host, "fit", text) end
   local data, why = logs.read(host, job.record.measure, given.data)
   if not data then return nil, options.failed(host, "fit", why) end
-  local plan, d = planned(job, free)
+  local plan, d = fit.planned(job, free)
   if not plan then return nil, options.refuse(host, d) end
   local list = unknowns.list(plan.fit, free, data)
   if count_of(data) <= #list then
@@ -194,7 +194,7 @@ function fit.run(host, given)
   local unit = driver.files(all.plan)
   if not unit then return options.refuse(host, all.plan.diag) end
   local path
-  path, why = compiled(host, job, unit.files)
+  path, why = fit.compiled(host, job, unit.files)
   if not path then return options.failed(host, "fit", why) end
   local ask = problem(all.plan, all.free, all.data)
   ask.huber = given.loss == "huber" and HUBER or 0.0

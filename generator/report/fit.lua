@@ -65,6 +65,16 @@ local function said(parts, unknowns)
   return names .. ": they can change together, by these parts of their own size: " .. table.concat(list, ", ")
 end
 
+-- The null directions of a result, in words; and which unknowns have a part in them, as a set of places.
+function report.nulls(r, unknowns)
+  local list, lost = null_directions(r), {}
+  for _, d in ipairs(list) do
+    for _, p in ipairs(d.parts) do lost[p[1]] = true end
+    d.text = said(d.parts, unknowns)
+  end
+  return list, lost
+end
+
 -- ---- residuals ----
 
 -- Ljung and Box over pairs of equal spacing; nil where too few are.
@@ -165,12 +175,8 @@ local function judged(found, told)
 end
 
 function report.of(found)
-  local r, told, lost = found.result, {}, {}
-  told.nulls = null_directions(r)
-  for _, d in ipairs(told.nulls) do
-    for _, p in ipairs(d.parts) do lost[p[1]] = true end
-    d.text = said(d.parts, found.unknowns)
-  end
+  local r, told, lost = found.result, {}, nil
+  told.nulls, lost = report.nulls(r, found.unknowns)
   told.scene, told.unknowns = found.job.model.name, found.unknowns
   told.n, told.dof, told.chi2 = math.floor(r.n), math.floor(r.n - r.rank), r.chi2
   told.reduced = told.dof > 0 and r.chi2 / told.dof or 0 / 0

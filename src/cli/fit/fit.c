@@ -20,14 +20,13 @@
 #include <math.h>
 #include <string.h>
 
-/* Memory that Lua frees, whatever happens. */
-static void *room(lua_State *L, size_t size) {
+void *fit_room(lua_State *L, size_t size) {
   void *p = lua_newuserdatauv(L, size > 0 ? size : 1, 0);
   memset(p, 0, size > 0 ? size : 1);
   return p;
 }
 
-static double number_of(lua_State *L, int index, const char *key) {
+double fit_number(lua_State *L, int index, const char *key) {
   lua_getfield(L, index, key);
   const double x = lua_tonumber(L, -1);
   lua_pop(L, 1);
@@ -41,8 +40,7 @@ static int flag_of(lua_State *L, int index, const char *key) {
   return x;
 }
 
-/* The list under the key, at most `most` numbers; how many. */
-static int list_of(lua_State *L, int index, const char *key, double out[], int most) {
+int fit_list(lua_State *L, int index, const char *key, double out[], int most) {
   lua_getfield(L, index, key);
   const int n = lua_istable(L, -1) ? (int)lua_rawlen(L, -1) : 0;
   if (n > most)
@@ -56,7 +54,7 @@ static int list_of(lua_State *L, int index, const char *key, double out[], int m
   return n;
 }
 
-static void push_list(lua_State *L, const char *key, const double x[], int n) {
+void fit_push_list(lua_State *L, const char *key, const double x[], int n) {
   lua_createtable(L, n, 0);
   for (int i = 0; i < n; i++) {
     lua_pushnumber(L, x[i]);
@@ -65,12 +63,12 @@ static void push_list(lua_State *L, const char *key, const double x[], int n) {
   lua_setfield(L, -2, key);
 }
 
-static void push_number(lua_State *L, const char *key, double x) {
+void fit_push_number(lua_State *L, const char *key, double x) {
   lua_pushnumber(L, x);
   lua_setfield(L, -2, key);
 }
 
-static const struct polhode_fitted *load(lua_State *L, const char *path, void **library) {
+const struct polhode_fitted *fit_load(lua_State *L, const char *path, void **library) {
   *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
   void *symbol = *library != NULL ? dlsym(*library, "polhode_fitted") : NULL;
   if (symbol == NULL) {
@@ -83,7 +81,10 @@ static const struct polhode_fitted *load(lua_State *L, const char *path, void **
     void *object;
     const struct polhode_fitted *(*function)(void);
   } table = {symbol};
-  return table.function();
+  const struct polhode_fitted *code = table.function();
+  if (code->abi != POLHODE_FITTED_ABI || code->states > 64 || code->values > FIT_CHANNELS)
+    luaL_error(L, "fit: what was compiled is no scene of this program");
+  return code;
 }
 
 static void read_channels(lua_State *L, struct fit_problem *f, int log) {
@@ -94,46 +95,46 @@ static void read_channels(lua_State *L, struct fit_problem *f, int log) {
     f->channels = (int)lua_rawlen(L, list);
     if (f->channels > FIT_CHANNELS)
       luaL_error(L, "fit: too many channels");
-    f->channel = room(L, (size_t)(f->channels * f->logs) * sizeof *f->channel);
+    f->channel = fit_room(L, (size_t)(f->channels * f->logs) * sizeof *f->channel);
   }
   for (int i = 0; i < f->channels; i++) {
     struct fit_channel *c = &f->channel[log * f->channels + i];
     lua_rawgeti(L, list, i + 1);
     const int at = lua_gettop(L);
     c->attitude = flag_of(L, at, "attitude");
-    c->value = (int)number_of(L, at, "value") - 1;
-    c->column = (int)number_of(L, at, "column") - 1;
-    c->state = (int)number_of(L, at, "state") - 1;
-    list_of(L, at, "sigma", c->sigma, 3);
+    c->value = (int)fit_number(L, at, "value") - 1;
+    c->column = (int)fit_number(L, at, "column") - 1;
+    c->state = (int)fit_number(L, at, "state") - 1;
+    fit_list(L, at, "sigma", c->sigma, 3);
     lua_settop(L, at - 1);
   }
 }
 
-static void read_problem(lua_State *L, struct fit_problem *f) {
+void fit_read(lua_State *L, struct fit_problem *f) {
   double places[FIT_MOST], knots[1000];
-  f->free = list_of(L, 2, "free", places, FIT_MOST);
+  f->free = fit_list(L, 2, "free", places, FIT_MOST);
   for (int i = 0; i < f->free; i++)
     f->free_index[i] = (int)places[i] - 1;
-  f->huber = number_of(L, 2, "huber");
-  f->h = number_of(L, 2, "step");
+  f->huber = fit_number(L, 2, "huber");
+  f->h = fit_number(L, 2, "step");
   f->until = (double)INFINITY;
-  f->knot_count = list_of(L, 2, "knots", knots, 1000);
-  f->knots = room(L, sizeof knots);
+  f->knot_count = fit_list(L, 2, "knots", knots, 1000);
+  f->knots = fit_room(L, sizeof knots);
   memcpy(f->knots, knots, sizeof knots);
-  f->p = room(L, (size_t)(f->code->params + 1) * sizeof *f->p);
-  list_of(L, 2, "parameters", f->p, f->code->params);
-  f->model = room(L, f->code->model_size);
-  f->k0 = room(L, (size_t)(f->code->constants * f->code->lanes + 1) * sizeof *f->k0);
+  f->p = fit_room(L, (size_t)(f->code->params + 1) * sizeof *f->p);
+  fit_list(L, 2, "parameters", f->p, f->code->params);
+  f->model = fit_room(L, f->code->model_size);
+  f->k0 = fit_room(L, (size_t)(f->code->constants * f->code->lanes + 1) * sizeof *f->k0);
   lua_getfield(L, 2, "logs");
   const int list = lua_gettop(L);
   f->logs = (int)lua_rawlen(L, list);
-  f->log = room(L, (size_t)f->logs * sizeof *f->log);
+  f->log = fit_room(L, (size_t)f->logs * sizeof *f->log);
   for (int i = 0; i < f->logs; i++) {
     lua_rawgeti(L, list, i + 1);
-    f->log[i] = fit_log_at(L, -1);
+    f->log[i] = lua_isuserdata(L, -1) ? fit_log_at(L, -1) : NULL; /* design.c makes its own */
     read_channels(L, f, i);
   }
-  f->reference = room(L, (size_t)(4 * f->logs) * sizeof *f->reference);
+  f->reference = fit_room(L, (size_t)(4 * f->logs) * sizeof *f->reference);
   if (flag_of(L, 2, "initial"))
     f->own = f->code->states - (f->code->attitude >= 0);
   f->n = f->free + f->logs * f->own;
@@ -142,13 +143,13 @@ static void read_problem(lua_State *L, struct fit_problem *f) {
 }
 
 /* Where the search begins: the parameters' values, and of each log the scene's initial state. */
-static void begin(lua_State *L, struct fit_problem *f, double theta[]) {
+void fit_begin(lua_State *L, struct fit_problem *f, double theta[]) {
   double x[FIT_MOST] = {0};
   for (int i = 0; i < f->free; i++)
     theta[i] = f->p[f->free_index[i]];
   if (f->own == 0)
     return;
-  list_of(L, 2, "states", x, FIT_MOST);
+  fit_list(L, 2, "states", x, FIT_MOST);
   for (int log = 0; log < f->logs; log++) {
     int at = f->free + log * f->own;
     for (int i = 0; i < f->code->states; i++) {
@@ -175,12 +176,12 @@ static void push_counts(lua_State *L, const struct fit_problem *f,
       for (int j = 0; j < FIT_LAGS; j++)
         pairs[j] = (double)c->pairs[j];
       lua_createtable(L, 0, 6);
-      push_number(L, "n", (double)c->n);
-      push_number(L, "chi2", c->chi2);
-      push_number(L, "worst", c->worst);
-      push_number(L, "worst_t", c->worst_t);
-      push_list(L, "sums", c->sum, FIT_LAGS);
-      push_list(L, "pairs", pairs, FIT_LAGS);
+      fit_push_number(L, "n", (double)c->n);
+      fit_push_number(L, "chi2", c->chi2);
+      fit_push_number(L, "worst", c->worst);
+      fit_push_number(L, "worst_t", c->worst_t);
+      fit_push_list(L, "sums", c->sum, FIT_LAGS);
+      fit_push_list(L, "pairs", pairs, FIT_LAGS);
       lua_rawseti(L, -2, k + 1);
     }
     lua_rawseti(L, -2, i + 1);
@@ -211,23 +212,23 @@ static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *
   if (f->huber > 0)
     sandwich(s->outer, r->covariance, work);
   lua_createtable(L, 0, 24);
-  push_list(L, "theta", r->theta, n);
-  push_list(L, "reference", f->reference, 4 * f->logs);
-  push_list(L, "covariance", r->covariance, n * n);
-  push_list(L, "singular", r->singular, n);
-  push_list(L, "vectors", r->vectors, n * n);
-  push_list(L, "scale", r->scale, n);
-  push_number(L, "rank", r->rank);
-  push_number(L, "chi2", r->chi2);
-  push_number(L, "loss", r->loss);
-  push_number(L, "n", (double)r->n);
-  push_number(L, "iterations", r->iterations);
-  push_number(L, "passes", (double)f->passes);
-  push_number(L, "decrement", r->decrement);
-  push_number(L, "step_error", r->step_shift);
-  push_number(L, "step", f->h);
-  push_number(L, "refused", f->refused);
-  push_number(L, "unknowns", n);
+  fit_push_list(L, "theta", r->theta, n);
+  fit_push_list(L, "reference", f->reference, 4 * f->logs);
+  fit_push_list(L, "covariance", r->covariance, n * n);
+  fit_push_list(L, "singular", r->singular, n);
+  fit_push_list(L, "vectors", r->vectors, n * n);
+  fit_push_list(L, "scale", r->scale, n);
+  fit_push_number(L, "rank", r->rank);
+  fit_push_number(L, "chi2", r->chi2);
+  fit_push_number(L, "loss", r->loss);
+  fit_push_number(L, "n", (double)r->n);
+  fit_push_number(L, "iterations", r->iterations);
+  fit_push_number(L, "passes", (double)f->passes);
+  fit_push_number(L, "decrement", r->decrement);
+  fit_push_number(L, "step_error", r->step_shift);
+  fit_push_number(L, "step", f->h);
+  fit_push_number(L, "refused", f->refused);
+  fit_push_number(L, "unknowns", n);
   lua_pushboolean(L, r->converged);
   lua_setfield(L, -2, "converged");
   lua_pushboolean(L, r->lengthened);
@@ -239,20 +240,18 @@ int host_fit(lua_State *L) {
   const char *path = luaL_checkstring(L, 1);
   luaL_checktype(L, 2, LUA_TTABLE);
   void *library;
-  struct fit_problem *f = room(L, sizeof *f);
-  f->code = load(L, path, &library);
+  struct fit_problem *f = fit_room(L, sizeof *f);
+  f->code = fit_load(L, path, &library);
   if (f->code == NULL)
     return 2;
-  if (f->code->abi != POLHODE_FITTED_ABI || f->code->states > 64 || f->code->values > FIT_CHANNELS)
-    return luaL_error(L, "fit: what was compiled is no scene of this program");
-  read_problem(L, f);
-  double *theta = room(L, FIT_MOST * sizeof *theta);
-  struct fit_result *r = room(L, sizeof *r);
+  fit_read(L, f);
+  double *theta = fit_room(L, FIT_MOST * sizeof *theta);
+  struct fit_result *r = fit_room(L, sizeof *r);
   struct fit_sums s = {
-      room(L, sizeof *s.whole), room(L, sizeof *s.inner), room(L, sizeof *s.outer), NULL, 0, 0};
-  s.counts = room(L, (size_t)(f->logs * fit_residuals(f)) * sizeof *s.counts);
-  double *work = room(L, FIT_MOST * FIT_MOST * sizeof *work);
-  begin(L, f, theta);
+      fit_room(L, sizeof *s.whole), fit_room(L, sizeof *s.inner), fit_room(L, sizeof *s.outer), NULL, 0, 0};
+  s.counts = fit_room(L, (size_t)(f->logs * fit_residuals(f)) * sizeof *s.counts);
+  double *work = fit_room(L, FIT_MOST * FIT_MOST * sizeof *work);
+  fit_begin(L, f, theta);
   fit_solve(f, theta, flag_of(L, 2, "known"), r, &s);
   interrupt_check(L);
   push_result(L, f, r, &s, work);

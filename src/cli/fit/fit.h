@@ -94,6 +94,8 @@ struct fit_problem {
   double huber;    /* the loss's corner in sigmas; 0: least squares */
   double h, until; /* longest step; rows behind it are left out */
   int refused;     /* the check of the parameters that failed last, 0: none */
+  const double *fixed; /* NULL, or of each state the number with which it begins in place of the
+                          scene's; NaN: none */
   long passes;
 };
 
@@ -114,6 +116,9 @@ void fit_turned(const double reference[4], const double a[3], double q[4], doubl
 /* 0; 1: the parameters are no body, the motion is not finite, or the user has interrupted. */
 int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s);
 
+/* What is measured of the motion from theta on, into the log's rows at its times.  As fit_pass. */
+int fit_simulate(struct fit_problem *f, const double theta[], int log);
+
 /* ---- solve.c ---- */
 
 struct fit_result {
@@ -133,10 +138,38 @@ struct fit_result {
 void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struct fit_result *r,
                struct fit_sums *s);
 
+/* Singular values and vectors of a triangle's R, its columns brought to length 1, which no unit
+ * changes. A column of rounding errors stays short: all of the unknown's own size moves the
+ * residuals by nothing. */
+void fit_decompose(const struct fit_problem *f, const struct fit_triangle *a,
+                   const double theta[], struct fit_result *r);
+/* out[n*n] = (R'R)^-1 on what the data determine. */
+void fit_inverse(const struct fit_result *r, int n, double out[]);
+
 /* ---- fit.c ---- */
+
+/* Memory of 0 that Lua frees, whatever happens. */
+void *fit_room(lua_State *L, size_t size);
+/* The number, or the list of at most `most` (how many), under a key of the table at index. */
+double fit_number(lua_State *L, int index, const char *key);
+int fit_list(lua_State *L, int index, const char *key, double out[], int most);
+/* Into the table on top of the stack. */
+void fit_push_list(lua_State *L, const char *key, const double x[], int n);
+void fit_push_number(lua_State *L, const char *key, double x);
+/* The table of a shared object, or NULL with nil and a message on the stack. */
+const struct polhode_fitted *fit_load(lua_State *L, const char *path, void **library);
+/* The problem of argument 2; f->code is known. */
+void fit_read(lua_State *L, struct fit_problem *f);
+/* Where the search begins: the parameters' values, and of each log the scene's initial state. */
+void fit_begin(lua_State *L, struct fit_problem *f, double theta[]);
 
 /* fit(path, problem) -> {result} | nil, message;  tail(chi2, dof) -> probability of more */
 int host_fit(lua_State *L);
 int host_tail(lua_State *L);
+
+/* ---- design.c ---- */
+
+/* design(path, problem) -> list of what a log of each candidate would tell */
+int host_design(lua_State *L);
 
 #endif

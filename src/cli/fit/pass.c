@@ -247,16 +247,28 @@ static int residuals(struct course *c, size_t i, struct fit_sums *s, struct memo
   return 0;
 }
 
+/* The motion at t = 0. */
+static void begin(struct course *c, const double theta[]) {
+  const struct fit_problem *f = c->f;
+  f->code->start(f->model, c->x, c->s, f->k0);
+  if (f->own > 0)
+    own_start(c, theta);
+  for (int i = 0; f->fixed != NULL && i < f->code->states; i++)
+    if (f->fixed[i] == f->fixed[i]) {
+      c->x[i] = f->fixed[i];
+      for (int k = 0; k < f->free; k++)
+        c->s[i * c->lanes + k] = 0;
+    }
+  c->t = 0;
+}
+
 static int one_log(struct course *c, const double theta[], struct fit_sums *s) {
   struct fit_problem *f = c->f;
   struct memory m = {.next = 0};
   int knot = 0;
   for (int i = 0; i < FIT_LAGS; i++)
     m.t[i] = (double)NAN;
-  f->code->start(f->model, c->x, c->s, f->k0);
-  if (f->own > 0)
-    own_start(c, theta);
-  c->t = 0;
+  begin(c, theta);
   for (size_t i = 0; i < c->log->rows && c->log->t[i] <= f->until; i++) {
     go(c, c->log->t[i], &knot);
     if (residuals(c, i, s, &m) || (i % 4096 == 0 && interrupt_pending()))
@@ -265,9 +277,52 @@ static int one_log(struct course *c, const double theta[], struct fit_sums *s) {
   return 0;
 }
 
-int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
-  static struct course c; /* one fit at a time: large for a stack */
+static struct course course; /* one fit at a time: large for a stack */
+
+/* The parameters and the room of a course; 1: they are no body. */
+static int open(struct course *c, struct fit_problem *f, const double theta[]) {
   static double room[STATES * FIT_MOST + FIT_CHANNELS * (1 + STATES + FIT_MOST)];
+  for (int i = 0; i < f->free; i++)
+    f->p[f->free_index[i]] = theta[i];
+  f->refused = f->code->init(f->model, f->p);
+  c->f = f;
+  c->lanes = f->code->lanes;
+  c->s = room;
+  c->y = room + STATES * FIT_MOST;
+  c->G = c->y + FIT_CHANNELS;
+  c->P = c->G + FIT_CHANNELS * STATES;
+  return f->refused != 0;
+}
+
+int fit_simulate(struct fit_problem *f, const double theta[], int log) {
+  struct course *c = &course;
+  int knot = 0;
+  if (open(c, f, theta))
+    return 1;
+  c->number = log;
+  c->log = f->log[log];
+  begin(c, theta);
+  for (size_t i = 0; i < c->log->rows; i++) {
+    double *y = c->log->y + i * (size_t)c->log->columns;
+    go(c, c->log->t[i], &knot);
+    f->code->measure(f->p, c->t, c->x, c->y, c->G, c->P);
+    for (int n = 0; n < f->channels; n++) {
+      const struct fit_channel *o = &f->channel[log * f->channels + n];
+      const double *from = o->attitude ? c->x + f->code->attitude : c->y + o->value;
+      for (int k = 0; k < (o->attitude ? 4 : 1); k++) {
+        if (!isfinite(from[k]))
+          return 1;
+        y[o->column + k] = from[k];
+      }
+    }
+    if (i % 4096 == 0 && interrupt_pending())
+      return 1;
+  }
+  return 0;
+}
+
+int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
+  struct course *c = &course;
   struct fit_triangle *all[] = {s->whole, s->inner, s->outer};
   for (int i = 0; i < 3; i++)
     if (all[i] != NULL)
@@ -277,21 +332,12 @@ int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
   s->chi2 = 0;
   s->n = 0;
   f->passes++;
-  for (int i = 0; i < f->free; i++)
-    f->p[f->free_index[i]] = theta[i];
-  f->refused = f->code->init(f->model, f->p);
-  if (f->refused != 0)
+  if (open(c, f, theta))
     return 1;
-  c.f = f;
-  c.lanes = f->code->lanes;
-  c.s = room;
-  c.y = room + STATES * FIT_MOST;
-  c.G = c.y + FIT_CHANNELS;
-  c.P = c.G + FIT_CHANNELS * STATES;
   for (int i = 0; i < f->logs; i++) {
-    c.number = i;
-    c.log = f->log[i];
-    if (one_log(&c, theta, s))
+    c->number = i;
+    c->log = f->log[i];
+    if (one_log(c, theta, s))
       return 1;
   }
   for (int i = 0; i < 3; i++)

@@ -121,10 +121,7 @@ static double size_of(const struct fit_problem *f, const double theta[], int k) 
   return size;
 }
 
-/* Singular values and vectors of R, its columns brought to length 1, which no unit changes. A
- * column of rounding errors stays short: all of the unknown's own size moves the residuals by
- * nothing. */
-static void decompose(const struct fit_problem *f, const struct fit_triangle *a,
+void fit_decompose(const struct fit_problem *f, const struct fit_triangle *a,
                       const double theta[], struct fit_result *r) {
   const int n = a->n;
   gsl_matrix *u = gsl_matrix_alloc((size_t)n, (size_t)n),
@@ -154,8 +151,7 @@ static void decompose(const struct fit_problem *f, const struct fit_triangle *a,
   gsl_vector_free(s);
 }
 
-/* (R'R)^-1 on what the data determine. */
-static void inverse(const struct fit_result *r, int n, double out[]) {
+void fit_inverse(const struct fit_result *r, int n, double out[]) {
   for (int i = 0; i < n; i++)
     for (int k = 0; k < n; k++) {
       double sum = 0;
@@ -171,8 +167,8 @@ static double newton(struct fit_problem *f, const double theta[], struct fit_sum
                      struct fit_result *r, double step[]) {
   const int n = f->n;
   double g[FIT_MOST], length = 0;
-  decompose(f, s->inner != NULL ? s->inner : s->whole, theta, r);
-  inverse(r, n, r->covariance);
+  fit_decompose(f, s->inner != NULL ? s->inner : s->whole, theta, r);
+  fit_inverse(r, n, r->covariance);
   for (int k = 0; k < n; k++) {
     g[k] = 0;
     for (int i = 0; i <= k; i++)

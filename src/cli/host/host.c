@@ -46,6 +46,7 @@ static const luaL_Reg functions[] = {
     {"peers", host_peers},
     {"compile_many", host_compile_many},
     {"fit", host_fit},
+    {"design", host_design},
     {"log", host_log},
     {"tail", host_tail},
     {NULL, NULL},

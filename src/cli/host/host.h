@@ -167,8 +167,9 @@ int host_processors(lua_State *L);
 int host_baseline(lua_State *L);
 int host_peers(lua_State *L);
 
-/* fit(path, problem), log(path), tail(chi2, dof): see fit/fit.h */
+/* fit(path, problem), design(path, problem), log(path), tail(chi2, dof): see fit/fit.h */
 int host_fit(lua_State *L);
+int host_design(lua_State *L);
 int host_tail(lua_State *L);
 int host_log(lua_State *L);
 
