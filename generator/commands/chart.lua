@@ -16,7 +16,7 @@ local chart = {}
 
 chart.forms = {
   { "SCENE --over A=..,B=..", "where a spin persists, as SVG" },
-  { "SCENE --linearised", "the error of the linearised top, as SVG" },
+  { "SCENE --linearised", "the error of the linearised top, as SVG", page = true },
   { "--from FILE.csv --x A", "members of a sweep: map, points, histogram",
     "With --x a histogram, with --x and --y points, with --z too a map whose colours are its values." },
 }

@@ -1,10 +1,11 @@
 -- help.lua -- polhode help: all commands on one screen, or one of them with every option explained.
 --
--- What is said stands beside the command, in its file: command.forms = {{operands, what it does}, ...},
+-- What is said stands beside the command, in its file: command.forms = {{operands, what it does, page = is it on the
+-- command's own page alone?}, ...},
 -- command.options and command.operands (commands/options.lua), command.examples = {{command line, what it shows}, ...}.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local help = { names = { "gen", "run", "sweep", "fit", "explain", "check", "bench", "plot", "view", "chart",
+local help = { names = { "gen", "run", "sweep", "fit", "design", "explain", "check", "bench", "plot", "view", "chart",
   "mesh", "links", "list" } }
 
 local width, column = 80, 26 -- of a line; where explanations begin
@@ -60,7 +61,7 @@ function help.overview()
   local out = { "usage: polhode COMMAND OPERANDS [OPTIONS]", "" }
   for _, name in ipairs(help.names) do
     for _, form in ipairs(help.of(name).forms) do
-      beside(out, name .. string.rep(" ", 8 - #name) .. form[1], form[2], 2, 34)
+      if not form.page then beside(out, name .. string.rep(" ", 8 - #name) .. form[1], form[2], 2, 34) end
     end
   end
   beside(out, "help    [COMMAND]", "every option of a command, and examples", 2, 34)

@@ -175,8 +175,9 @@ local function judged(found, told)
 end
 
 function report.of(found)
-  local r, told, lost = found.result, {}, nil
-  told.nulls, lost = report.nulls(r, found.unknowns)
+  local r, told = found.result, {}
+  local nulls, lost = report.nulls(r, found.unknowns)
+  told.nulls = nulls
   told.scene, told.unknowns = found.job.model.name, found.unknowns
   told.n, told.dof, told.chi2 = math.floor(r.n), math.floor(r.n - r.rank), r.chi2
   told.reduced = told.dof > 0 and r.chi2 / told.dof or 0 / 0

@@ -59,7 +59,7 @@ end
 -- The text of all of the generator in which an option's value may be used.
 local sources = ""
 for _, folder in ipairs { "generator/commands", "generator/commands/run", "generator/commands/sweep",
-  "generator/report", "generator" } do
+  "generator/commands/design", "generator/report", "generator" } do
   for name in io.popen("ls " .. folder .. "/*.lua"):lines() do sources = sources .. program.read(name) end
 end
 
