@@ -536,7 +536,7 @@ install: all
 	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/polhode
 	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib/libpolhode.a
 	install -m 644 src/runtime/polhode.h src/runtime/polhode_exact.h src/runtime/polhode_move.h \
-	  src/runtime/polhode_acts.h $(DESTDIR)$(PREFIX)/include/
+	  src/runtime/polhode_acts.h src/runtime/polhode_attitude.h $(DESTDIR)$(PREFIX)/include/
 	printf '%s\n' "$$PC_FILE" > $(DESTDIR)$(PREFIX)/lib/pkgconfig/polhode.pc
 	install -m 644 bodies/* $(SHARE)/polhode/bodies/
 	@echo 'README.md and docs into $(SHARE)/doc/polhode'

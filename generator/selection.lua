@@ -1,15 +1,17 @@
--- selection.lua -- which functions of a scene are called for: gen --only, --with analysis, orbit, jacobians.
+-- selection.lua -- which functions of a scene are called for: gen --only, --with analysis, orbit, jacobians, attitude.
 --
 --     local s = selection.new({ only = {names} | nil, analysis = bool | nil, orbit = bool | nil,
---                               jacobians = bool | "transition" | nil, also = {names} | nil }, full)
+--                               jacobians = bool | "transition" | nil, attitude = bool | nil,
+--                               also = {names} | nil }, full)
 --     full: does the closed form give the whole state, so that its halves need not stand there?
 --     s.asked(name) -> bool       is the function emitted for the user?  Names without the scene's prefix
 --     s.made(name) -> bool        must its equations be made: it is asked for, or another function may need it
 --     s.orbit                     may a function of the closed form be asked for?
 --     selection.room(name, of) -> "motion" | "batch" | "orbit" | "analysis": the file that it belongs to
 --                                 of: the room of the text that it stands in
+--     selection.attitude(asked) -> bool    is one of the functions asked for that give the attitude in other numbers?
 --     selection.tails             what these files' names end in
--- Nothing given: everything, as the program needs it that compares its own functions.
+-- Nothing given: everything but the attitude in other numbers, as the program needs it that compares its own functions.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local selection = {}
@@ -33,9 +35,13 @@ local ORBIT = set [[at_many set_tick at_tick polhode_period precession_rate prec
   nutation_period nutation_range]]
 local HALVES = set "at_rates at_attitude"
 
+-- The attitude in other numbers: these are asked for by --with attitude.
+local ATTITUDE = { "matrix", "rotate", "unrotate", "rotation_vector", "euler", "set_euler" }
+local ATTITUDES = set(table.concat(ATTITUDE, " "))
+
 -- What else moves no closed form.
 local MOTION = set [[init defaults initial mass inertia inertia_now energy jacobi_integral momentum_body momentum rhs
-  normalise within advance]]
+  normalise within advance matrix rotate unrotate rotation_vector euler set_euler]]
 
 -- Functions of templates that call functions made of equations.
 local NEEDS = { principal = "inertia", spin_stable = "inertia", solve = "inertia", step = "rhs inertia initial" }
@@ -54,6 +60,13 @@ function selection.room(name, of)
   return (of == "orbit" or of == "batch") and of or "motion"
 end
 
+function selection.attitude(asked)
+  for _, name in ipairs(ATTITUDE) do
+    if asked(name) then return true end
+  end
+  return false
+end
+
 function selection.new(options, full)
   local only = options.only and {}
   for _, name in ipairs(options.only or {}) do only[name] = true end
@@ -68,8 +81,9 @@ function selection.new(options, full)
   end
 
   function s.asked(name)
-    if whole then return true end
     if only then return only[name] or false end
+    if ATTITUDES[name] then return options.attitude or false end
+    if whole then return true end
     local derivative = options.jacobians == true and DERIVATIVES[name]
     if ORBIT[name] or full and HALVES[name] then return options.orbit or false end
     return not ANALYSIS[name] or also[name] or options.analysis or derivative or false

@@ -36,11 +36,13 @@ gen.options = {
   { "--accuracy", "number", "the largest error of the state over the scene's horizon, relative to its size, between " ..
     "0 and 1: the cheapest method, order and step that hold it are looked for (docs/planner.md)", value = "E",
     default = "the scene's accuracy, if it has one" },
-  { "--with", { "analysis", "orbit", "batch", "jacobians", "compensated", "proof", "q31", several = true },
+  { "--with", { "analysis", "orbit", "attitude", "batch", "jacobians", "compensated", "proof", "q31", several = true },
     "what is added, commas between", value = "WHAT,...", default = "nothing", each = {
       analysis = "principal axes, stability, small oscillations, the tensor about a point, torques, the Jacobian, " ..
         "accelerations in a turning frame",
       orbit = "of the closed form also rates or attitude alone, many times in one call, time in ticks, periods",
+      attitude = "the attitude as rotation matrix, rotation vector and Euler angles of the twelve sequences; " ..
+        "vectors from body to inertial axes and back",
       batch = "NAME_batch: set-up, steps and rates of many bodies at once, in vector instructions (docs/sweep.md)",
       jacobians = "derivatives of steppers and closed form by state and parameters",
       compensated = "steppers that carry what rounding takes away",
@@ -166,7 +168,7 @@ local function shown_alone(given)
     end
   end
   if given.list and given.only then return "--only: --list names all functions" end
-  for _, word in ipairs { "analysis", "orbit" } do
+  for _, word in ipairs { "analysis", "orbit", "attitude" } do
     local with = given.list and given.with and given.with[word]
     if with then return "--with " .. word .. ": --list names all functions" end
   end
@@ -187,7 +189,7 @@ local function without_effect(given)
     for _, pattern in ipairs(row[2]) do calls = calls or string.find(named, pattern) ~= nil end
     if not calls then return "--with " .. row[1] .. ": --only names none of its functions" end
   end
-  for _, word in ipairs { "analysis", "orbit" } do
+  for _, word in ipairs { "analysis", "orbit", "attitude" } do
     if given.only and with[word] then return "--with " .. word .. ": --only names the functions" end
     if with[word] and packages.by_name(given.project or packages.default).whole then
       return "--with " .. word .. ": the project's own files decide what they call, got --project " .. given.project
@@ -214,7 +216,7 @@ local function missing_function(given, scene, unit, chosen)
       local with = given.with or {}
       local names = listed.names(driver.code(driver.plan(scene, { real = unit.real, methods = chosen,
         command = unit.command, jacobians = with.jacobians, compensated = with.compensated,
-        batch = with.batch })))
+        batch = with.batch, attitude = true })))
       local best = nearest.one(name, names)
       return "--only: the scene has no function " .. name .. (best and "; did you mean " .. best .. "?" or "") ..
         " (it has " .. table.concat(names, ", ") .. ")"
@@ -294,6 +296,9 @@ function gen.run(host, given)
   if orbit and not scene.closed.kind then
     scene.diag:warn(scene.record.line, "with orbit", "this scene has no closed form: " .. scene.closed.refused)
   end
+  if given.with and given.with.attitude and not scene.model.has.attitude then
+    scene.diag:warn(scene.record.line, "with attitude", "this scene has no attitude among its states")
+  end
   options.warn(host, scene.diag)
   given.real = given.real or package.real
   local real, decision = given.real, nil
@@ -315,8 +320,8 @@ function gen.run(host, given)
   plan, d = driver.plan(scene, { also = also, real = real, only = only, analysis = analysis, orbit = whole,
     layout = layout, command = gen.command(given), methods = chosen or package.methods, order = order,
     jacobians = with.jacobians or package.jacobians, compensated = with.compensated or false, q31 = with.q31 or false,
-    batch = with.batch or false, libm = given.libm, outputs = given.project == "fmu", package = package,
-    planned = decision, proof = with.proof })
+    batch = with.batch or false, attitude = given.list or with.attitude or false, libm = given.libm,
+    outputs = given.project == "fmu", package = package, planned = decision, proof = with.proof })
   if not plan then return options.refuse(host, d) end
   if plan.proof and not proof.check(plan) then return options.refuse(host, plan.diag) end
   if given.list or given.show then return printed(host, given, plan) end

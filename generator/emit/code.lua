@@ -15,6 +15,7 @@
 -- whose implementation stands behind a macro.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local analysis = require "generator.emit.analysis"
 local base_values = require "generator.emit.base"
 local batch = require "generator.emit.batch"
@@ -27,6 +28,7 @@ local head = require "generator.emit.head"
 local init = require "generator.emit.init"
 local layout = require "generator.emit.layout"
 local libm = require "generator.emit.libm"
+local number = require "generator.emit.number"
 local proof = require "generator.emit.proof"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
@@ -39,6 +41,7 @@ local selection = require "generator.selection"
 local FILES = template.group("core/scene.h", "core/scene.c", "core/part.h", "core/part.c", "core/private.h",
   "core/implementation.c", "core/preamble.c")
 local PLAIN = template.group("core/normalise.h", "core/normalise.c", "numeric/exact.c")
+local ATTITUDE = template.group("core/attitude.h", "core/attitude.c")
 
 local code = {}
 
@@ -73,6 +76,14 @@ local function parts_of(job, ctx, base)
   return p
 end
 
+-- The attitude in other numbers.  Below `singular` the length of two components of a unit quaternion is rounding.
+local function attitude(job, ctx, base)
+  local digits = base_values.digits[ctx.real]
+  local render = ATTITUDE(job.templates, base, { singular = number.text(R.new(2) ^ (3 - digits), ctx.real),
+    pi = number.text(R.apply("pi", digits + 8), ctx.real) })
+  return render "core/attitude.h", render "core/attitude.c"
+end
+
 -- The texts in the order of the C: what stands first is used by what follows.
 local function fragments(job, p, ctx, base)
   local list, has, templates = {}, job.model.has, job.templates
@@ -91,6 +102,7 @@ local function fragments(job, p, ctx, base)
   if has.attitude then put("motion", plain "core/normalise.h", plain "core/normalise.c") end
   if pair and not p.special then put("motion", nil, pair) end
   local s, axes = job.selection, nil
+  if has.attitude and selection.attitude(s.asked) then put("motion", attitude(job, ctx, base)) end
   local studied = has.rates and (s.asked "stability" or s.asked "spin_stable" or s.asked "linearised")
   local called = p.stepper.source .. (p.closed and p.closed.source or "")
   -- also of splitting methods and of the closed form of a tensor with products

@@ -35,10 +35,10 @@ local TEXTS = { "numeric/libm_bits.c", "numeric/libm_root.c", "numeric/libm_prod
 local GROUP = template.group(table.unpack(TEXTS))
 
 local SYSTEM = { "fabs", "copysign", "sqrt", "sin", "cos", "sinh", "cosh", "frexp", "ldexp", "exp", "log", "floor",
-  "fma" }
+  "fma", "atan2" }
 
 -- All of <math.h> that the code calls.
-local INCLUDED = { "tan", "tanh", "asin", "acos", "atan", "atan2", "pow", "cbrt", "hypot", "fmod", "ceil",
+local INCLUDED = { "tan", "tanh", "asin", "acos", "atan", "pow", "cbrt", "hypot", "fmod", "ceil",
   table.unpack(SYSTEM) }
 
 -- ctx: {name, real}

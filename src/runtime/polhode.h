@@ -48,6 +48,7 @@ enum ph_status {
   PH_EDIRECTION,  /* a direction or axis has zero length */
   PH_EQUATERNION, /* a quaternion is zero */
   PH_EMATRIX,     /* a matrix is not a rotation */
+  PH_ESEQUENCE,   /* not one of the twelve sequences of Euler angles */
   PH_EROD,        /* torque about an axis without moment of inertia */
   PH_EMETHOD,     /* unknown method, or one that cannot do what is asked */
   PH_ESTEP,       /* step negative, or so small that time stands still */
@@ -314,29 +315,9 @@ typedef struct ph_axes {
    diagonal (Demmel and Veselic 1992, which QR does not give). PH_EFINITE, PH_ERANGE. */
 int ph_principal(const double tensor[6], ph_axes *out);
 
-/* ---- rotations and frames ---- */
+#include "polhode_attitude.h" /* quaternions, matrices, angles */
 
-/* Product a b (Hamilton). */
-void ph_quat_multiply(const double a[4], const double b[4], double out[4]);
-void ph_quat_conjugate(const double q[4], double out[4]);
-/* q/|q| without overflow or underflow; PH_EQUATERNION if q = 0, PH_EFINITE. */
-int ph_quat_normalize(const double q[4], double out[4]);
-/* v_inertial = q v_body q* / |q|^2, and back. PH_EQUATERNION, PH_EFINITE, PH_ERANGE. */
-int ph_quat_rotate(const double q[4], const double body[3], double inertial[3]);
-int ph_quat_unrotate(const double q[4], const double inertial[3], double body[3]);
-/* Rotation by angle (rad, right-handed) about axis (any length but 0): PH_EDIRECTION. */
-int ph_quat_from_axis(const double axis[3], double angle, double q[4]);
-/* Matrix R (row major), v_inertial = R v_body; the result of ph_quat_from_matrix has its first
-   non-zero component positive. PH_EMATRIX unless R R^T = 1 to 1e-6 and det R > 0; the nearest
-   rotation is taken to first order. */
-int ph_quat_to_matrix(const double q[4], double R[9]);
-int ph_quat_from_matrix(const double R[9], double q[4]);
-/* Yaw, pitch, roll (rad): turns about z, then the new y, then the new x (3-2-1), from inertial to
-   body axes: q = qz(yaw) qy(pitch) qx(roll). Out: yaw and roll in (-pi, pi], pitch in [-pi/2,
-   pi/2]; at pitch = +-pi/2 only yaw -+ roll is determined and the other combination is taken as 0.
- */
-int ph_quat_from_ypr(const double ypr[3], double q[4]);
-int ph_quat_to_ypr(const double q[4], double ypr[3]);
+/* ---- frames ---- */
 
 /* Transport theorem, all vectors in the same axes: (dr/dt)_inertial = (dr/dt)_body + w x r, and
  * back. */

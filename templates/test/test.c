@@ -90,6 +90,9 @@ ${many_test}
 %% end
 ${compensated_test}
 ${normalise_test}
+%% if #turns > 0 then
+${attitude_test}
+%% end
 %% if test_principal then
 /* Principal axes by their definition, and small oscillations by Euler's equations. */
 static void principal(const ${name}_model *m)
@@ -317,6 +320,9 @@ int main(void)
   for (i = 0, d1 = ${zero}; i < 4; i++) d1 += fine[i]*fine[i];
   report(${fabs}(d1 - ${one}) <= ${norm_bound} + d2, "the quaternion stays a unit quaternion");
 %% end
+%% end
+%% for _, test in ipairs(turns) do
+  ${test}();
 %% end
 %% if offers.normalise then
   normalise();

@@ -114,6 +114,52 @@ static void angles(void) {
   near(e[1], PI / 2 - 1e-9, 8 * TOL, "and so is pitch");
 }
 
+/* Each turn by the axis and angle that the convention names, multiplied: another way than the
+ * matrix. */
+static void sequences(void) {
+  static const char *const all[12] = {"xyx", "xzx", "yxy", "yzy", "zxz", "zyz",
+                                      "xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
+  double worst = 0, built = 0, q[4], e[3];
+  for (int k = 0; k < 12; k++)
+    for (int n = 0; n < 7 * 5 * 7; n++) {
+      const double want[3] = {(n % 7 - 3) * 1.04, (n / 7 % 5 - 2) * 0.6 + (k < 6 ? PI / 2 : 0),
+                              (n / 35 - 3) * 1.04};
+      double product[4] = {1, 0, 0, 0}, step[4];
+      for (int i = 0; i < 3; i++) {
+        double axis[3] = {0, 0, 0};
+        axis[all[k][i] - 'x'] = 1;
+        ph_quat_from_axis(axis, want[i], step);
+        ph_quat_multiply(product, step, product);
+      }
+      ph_quat_from_euler(want, all[k], q);
+      for (int i = 0; i < 4; i++)
+        built = fmax(built, fabs(q[i] - product[i]));
+      ph_quat_to_euler(product, all[k], e);
+      for (int i = 0; i < 3; i++)
+        worst = fmax(worst, fabs(e[i] - want[i]) * fabs(k < 6 ? sin(want[1]) : cos(want[1])));
+    }
+  near(built, 0, 2 * TOL, "twelve sequences: the product of three turns");
+  near(worst, 0, 8 * TOL, "and its angles, with the error that the second one makes taken off");
+  double ypr[3];
+  ph_quat_from_ypr((const double[]){0.4, -1.2, 2.5}, q);
+  ph_quat_to_euler(q, "zyx", e);
+  ph_quat_to_ypr(q, ypr);
+  near_all(3, e, ypr, 4 * TOL, "yaw, pitch, roll are zyx");
+  ph_quat_from_euler((const double[]){1, 0, 0.5}, "zxz", q);
+  ph_quat_to_euler(q, "zxz", e);
+  near_all(3, e, ((const double[]){1.5, 0, 0}), 2 * TOL, "zxz upright: the sum in the first angle");
+  ph_quat_from_euler((const double[]){1, PI, 0.25}, "zxz", q);
+  ph_quat_to_euler(q, "zxz", e);
+  near_all(3, e, ((const double[]){0.75, PI, 0}), 2 * TOL, "hanging: the difference");
+  ph_quat_from_axis((const double[]){2, -1, 2}, 3, q);
+  ph_quat_to_vector(q, e);
+  near_all(3, e, ((const double[]){2, -1, 2}), 4 * TOL, "the vector of 3 rad about (2, -1, 2)");
+  for (int i = 0; i < 4; i++)
+    q[i] = -q[i];
+  ph_quat_to_vector(q, e);
+  near_all(3, e, ((const double[]){2, -1, 2}), 4 * TOL, "and of -q");
+}
+
 /* A point that moves in the body frame, r(t), seen from a body that turns about (2, -1, 2)/3 at
  * rate(t). */
 static const double AXIS[3] = {2.0 / 3, -1.0 / 3, 2.0 / 3};
@@ -184,6 +230,7 @@ int main(void) {
   quaternions();
   matrices();
   angles();
+  sequences();
   transport();
   return tap_done();
 }

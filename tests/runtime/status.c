@@ -238,6 +238,14 @@ static void rotations(void) {
   refused(ph_quat_from_matrix(BAD, out.number), PH_EFINITE, "the quaternion of NaN");
   refused(ph_quat_from_ypr(BAD, out.number), PH_EFINITE, "yaw NaN");
   refused(ph_quat_to_ypr(ZERO, out.number), PH_EQUATERNION, "angles of 0");
+  refused(ph_quat_to_euler(ONE4, "xxz", out.number), PH_ESEQUENCE, "angles of xxz");
+  refused(ph_quat_to_euler(ONE4, "zx", out.number), PH_ESEQUENCE, "angles of zx");
+  refused(ph_quat_to_euler(ONE4, "zxzx", out.number), PH_ESEQUENCE, "angles of zxzx");
+  refused(ph_quat_to_euler(ONE4, "ZXZ", out.number), PH_ESEQUENCE, "angles of ZXZ");
+  refused(ph_quat_to_euler(ZERO, "zxz", out.number), PH_EQUATERNION, "Euler angles of 0");
+  refused(ph_quat_from_euler(E1, "abc", out.number), PH_ESEQUENCE, "turned by abc");
+  refused(ph_quat_from_euler(BAD, "zxz", out.number), PH_EFINITE, "turned by Euler angles NaN");
+  refused(ph_quat_to_vector(ZERO, out.number), PH_EQUATERNION, "the rotation vector of 0");
   refused(ph_frame_rate_inertial(BAD, E1, E1, out.number), PH_EFINITE, "a frame that turns by NaN");
   refused(ph_frame_rate_inertial(HUGE3, (const double[]){1e200, 0, 0}, E1, out.number), PH_ERANGE,
           "1e200 m at 1e200 rad/s");
