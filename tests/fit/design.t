@@ -88,8 +88,8 @@ end
 
 -- ---- a rotor in closed form ----
 
--- w = w0 exp(-k t), k = c/I, each row with sigma: F over (c, w0) is the sum of (-t w0/I, 1)' (-t w0/I, 1) exp(-2 k t)/
--- sigma^2.  D, A and E are those of the 2 x 2 matrix of relative errors.
+-- w = w0 exp(-k t), k = c/I, each row with sigma: F over (c, w0) is the sum of (-t w0/I, 1)' (-t w0/I, 1) times
+-- exp(-2 k t)/sigma^2.  D, A and E are those of the 2 x 2 matrix of relative errors.
 local ROTOR = [[
 local c, w0 = param("c", 0.3, "N m s"), param("w0", 4, "rad/s")
 return scene { name = "rotor", body = tensor { mass = 1, xx = 2, yy = 2, zz = 2 },

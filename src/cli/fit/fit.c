@@ -247,8 +247,12 @@ int host_fit(lua_State *L) {
   fit_read(L, f);
   double *theta = fit_room(L, FIT_MOST * sizeof *theta);
   struct fit_result *r = fit_room(L, sizeof *r);
-  struct fit_sums s = {
-      fit_room(L, sizeof *s.whole), fit_room(L, sizeof *s.inner), fit_room(L, sizeof *s.outer), NULL, 0, 0};
+  struct fit_sums s = {fit_room(L, sizeof *s.whole),
+                       fit_room(L, sizeof *s.inner),
+                       fit_room(L, sizeof *s.outer),
+                       NULL,
+                       0,
+                       0};
   s.counts = fit_room(L, (size_t)(f->logs * fit_residuals(f)) * sizeof *s.counts);
   double *work = fit_room(L, FIT_MOST * FIT_MOST * sizeof *work);
   fit_begin(L, f, theta);

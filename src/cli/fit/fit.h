@@ -91,9 +91,9 @@ struct fit_problem {
   int channels;
   double *knots; /* times at which a step ends */
   int knot_count;
-  double huber;    /* the loss's corner in sigmas; 0: least squares */
-  double h, until; /* longest step; rows behind it are left out */
-  int refused;     /* the check of the parameters that failed last, 0: none */
+  double huber;        /* the loss's corner in sigmas; 0: least squares */
+  double h, until;     /* longest step; rows behind it are left out */
+  int refused;         /* the check of the parameters that failed last, 0: none */
   const double *fixed; /* NULL, or of each state the number with which it begins in place of the
                           scene's; NaN: none */
   long passes;
@@ -141,8 +141,8 @@ void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struc
 /* Singular values and vectors of a triangle's R, its columns brought to length 1, which no unit
  * changes. A column of rounding errors stays short: all of the unknown's own size moves the
  * residuals by nothing. */
-void fit_decompose(const struct fit_problem *f, const struct fit_triangle *a,
-                   const double theta[], struct fit_result *r);
+void fit_decompose(const struct fit_problem *f, const struct fit_triangle *a, const double theta[],
+                   struct fit_result *r);
 /* out[n*n] = (R'R)^-1 on what the data determine. */
 void fit_inverse(const struct fit_result *r, int n, double out[]);
 

@@ -121,8 +121,8 @@ static double size_of(const struct fit_problem *f, const double theta[], int k) 
   return size;
 }
 
-void fit_decompose(const struct fit_problem *f, const struct fit_triangle *a,
-                      const double theta[], struct fit_result *r) {
+void fit_decompose(const struct fit_problem *f, const struct fit_triangle *a, const double theta[],
+                   struct fit_result *r) {
   const int n = a->n;
   gsl_matrix *u = gsl_matrix_alloc((size_t)n, (size_t)n),
              *v = gsl_matrix_alloc((size_t)n, (size_t)n);
