@@ -9,6 +9,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local breaks = require "generator.dynamics.breaks"
 local compiler = require "generator.commands.compiler"
+local driven = require "generator.commands.fit.driven"
 local driver = require "generator.driver"
 local equations = require "generator.dynamics.equations"
 local logs = require "generator.commands.fit.logs"
@@ -31,6 +32,10 @@ fit.options = {
     "may be given again, and the logs share the parameters", value = "FILE.csv", default = "none: it must be given" },
   { "--free", "words", "the parameters that are looked for, from the scene's values on; initial: also each log's " ..
     "own state at t = 0", value = "NAME,...", default = "none: it must be given" },
+  { "--input", "texts", "inputs of the scene over time that no column of the log has; once for all logs, or once " ..
+    "for each", value = "FILE.csv", default = "columns of the log" },
+  { "--between", { "held", "linear" }, "an input between two of its values: the one before, or on a straight line; " ..
+    "linear: an input NAME_rate without a column is the slope of NAME", default = "held" },
   { "--loss", { "squares", "huber" }, "what is made least", value = "L", default = "squares", each = {
     squares = "the sum of squares: the most likely parameters where the noise is normal",
     huber = "squares up to 1.345 sigma, straight lines beyond: outliers count less" } },
@@ -54,8 +59,7 @@ local FLAGS = { "-O2", "-ftree-vectorize", "-std=c99", "-ffp-contract=off", "-fn
 local function missing(job, given)
   if not given.data then return "--data FILE.csv is missing: the log" end
   if not given.free then return "--free NAME,... is missing: the parameters that are looked for" end
-  if #job.model.inputs > 0 then return "the scene has inputs, and a fit of such a scene is not implemented" end
-  return nil
+  return driven.wrong(job.model, given)
 end
 
 -- The plan whose code is called; or nil and its diagnostics.
@@ -113,10 +117,11 @@ local function first_step(data)
   return least
 end
 
-local function problem(plan, free, data)
+local function problem(plan, all)
+  local free, data = all.free, all.data
   local m, outputs = plan.model, plan.record.measure
   local p = { free = free.places, initial = free.initial, logs = {}, channels = {}, known = true, knots = {},
-    huber = 0.0, step = first_step(data), states = {}, parameters = {} }
+    huber = 0.0, step = first_step(data), states = {}, parameters = {}, inputs = all.inputs }
   for i, d in ipairs(data) do
     local list, known = fit.channels(plan, outputs, d.sigmas)
     p.logs[i], p.channels[i], p.known = d.log, list, p.known and known
@@ -174,15 +179,19 @@ local function prepared(host, job, given)
   if not observed.check(job) then return nil, options.refuse(host, job.diag) end
   local text = fit.moving_sigma(job.record.measure, free) or given.o and written.check(job, free)
   if text then return nil, options.wrong(host, "fit", text) end
-  local data, why = logs.read(host, job.record.measure, given.data)
-  if not data then return nil, options.failed(host, "fit", why) end
+  local data, why = logs.read(host, job.record.measure, driven.columns(job.model), given.data)
+  local files, inputs, notes
+  if data then files, why = driven.files(host, job.model, given) end
+  if files then inputs, notes = driven.of(job.model, data, files, given) end
+  if files and #job.model.inputs > 0 and not inputs then files, why = nil, notes end
+  if not files then return nil, options.failed(host, "fit", why) end
   local plan, d = fit.planned(job, free)
   if not plan then return nil, options.refuse(host, d) end
   local list = unknowns.list(plan.fit, free, data)
   if count_of(data) <= #list then
     return nil, options.failed(host, "fit", "too few values: " .. count_of(data) .. " for " .. #list .. " unknowns")
   end
-  return { free = free, data = data, plan = plan, unknowns = list }
+  return { free = free, data = data, plan = plan, unknowns = list, inputs = inputs, notes = notes or {} }
 end
 
 function fit.run(host, given)
@@ -196,7 +205,7 @@ function fit.run(host, given)
   local path
   path, why = fit.compiled(host, job, unit.files)
   if not path then return options.failed(host, "fit", why) end
-  local ask = problem(all.plan, all.free, all.data)
+  local ask = problem(all.plan, all)
   ask.huber = given.loss == "huber" and HUBER or 0.0
   local begun = host.clock()
   local result
@@ -205,7 +214,7 @@ function fit.run(host, given)
   result.seconds = host.clock() - begun
   local told = report.of({ host = host, job = job, result = result, unknowns = all.unknowns, data = all.data,
     names = residuals(job.record.measure), known = ask.known, huber = ask.huber > 0, step = ask.step,
-    refusals = all.plan.model.conditions })
+    refusals = all.plan.model.conditions, notes = all.notes })
   host.out(given.format == "json" and report.json(told) or report.text(told))
   if given.o then
     local made = written.text(job, all.unknowns, result)

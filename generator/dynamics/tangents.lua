@@ -5,16 +5,35 @@
 -- A direction moves parameters and states at once: s0_NAME is the derivative of a state along it, k0_NAME that of a
 -- derived constant.  Every named quantity of the step is followed by its derivative, so the result is exact for the
 -- step as it is computed, whatever its length.  All directions share the step's own numbers.
+-- An input u is u0 + u1 (t - tu) during a step: its value at the time tu, and its slope, which the caller knows.
 -- Only the states that the outputs depend on, now or later, are followed.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local calculus = require "generator.algebra.calculus"
 local expr = require "generator.algebra.expr"
+local motion = require "generator.algebra.motion"
 local sensitivity = require "generator.dynamics.sensitivity"
+local stages = require "generator.stages"
 
 local tangents = {}
 
 local RANK = 8 -- of the symbols of a direction: they differ as states do
+
+-- The equations with each input on its line.
+local function on_lines(eq)
+  local own, map, t, since = stages.copy(eq), {}, motion.sym "t", motion.sym "tu"
+  for _, s in ipairs(eq.model.inputs) do
+    map[s.sym] = motion.sym("u0_" .. s.label) + motion.sym("u1_" .. s.label) * (t - since)
+  end
+  own.groups = {}
+  for i, g in ipairs(eq.groups) do
+    local copy = { why = g.why, where = g.where, defs = {}, outs = {} }
+    for k, d in ipairs(g.defs) do copy.defs[k] = { name = d.name, expr = calculus.substitute(d.expr, map) } end
+    for k, o in ipairs(g.outs) do copy.outs[k] = { state = o.state, expr = calculus.substitute(o.expr, map) } end
+    own.groups[i] = copy
+  end
+  return stages.close(own)
+end
 
 -- Names that an expression mentions.
 local function mentioned(e, put)
@@ -132,16 +151,16 @@ local function outputs_of(list, free, outputs)
 end
 
 -- {states = the followed ones, step = groups, constants = {{name, by}}, start = {{expressions by parameter} by state},
--- measure = groups, values = how many numbers these measure, free}
+-- measure = groups, values = how many numbers these measure, free, inputs = the model's}
 function tangents.of(plan, ask)
-  local m, eq, s = plan.model, plan.equations, plan.steppers[1]
+  local m, eq, s = plan.model, on_lines(plan.equations), plan.steppers[1]
   local all = (s.method.plain or s.method.groups)(eq, function(e, words) return m:derived(e, words) end)
   local states, named = needed(m, all, ask.outputs)
   local groups, list, rows = pruned(all, states, named), {}, {}
   for _, state in ipairs(m.states) do list[#list + 1] = states[state.name] and state or nil end
   local known = along(m, ask.free, states, rows)
   local made = { states = list, constants = rows, start = {}, free = ask.free, outputs = ask.outputs,
-    initial = ask.initial and ask.initial(list) or 0 }
+    inputs = m.inputs, initial = ask.initial and ask.initial(list) or 0 }
   made.step = step_of(m, groups, known, list)
   for i, state in ipairs(list) do
     made.start[i] = {}

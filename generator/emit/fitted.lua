@@ -9,6 +9,7 @@ local calculus = require "generator.algebra.calculus"
 local lanes = require "generator.emit.lanes"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
+local special = require "generator.emit.special"
 local template = require "generator.emit.template"
 
 local fitted = {}
@@ -29,6 +30,11 @@ local function step_inputs(ctx, fit)
     put("s0_" .. s.name, "s[" .. int(i - 1) .. "]", 8, true)
   end
   for i, row in ipairs(fit.constants) do put("k0_" .. row.name, "k0[" .. int(i - 1) .. "]", 8, true) end
+  for i, s in ipairs(fit.inputs) do
+    put("u0_" .. s.label, "u[" .. int(i) .. "]", 8, false)
+    put("u1_" .. s.label, "u[" .. int(#fit.inputs + i) .. "]", 8, false)
+  end
+  if #fit.inputs > 0 then put("tu", "u[0]", 8, false) end
   put("t", "t", 8, false)
   put("h", "h", 6, false)
   return list
@@ -87,9 +93,18 @@ local function filled(name, rows)
   return lines
 end
 
+-- What the lines call and the C library lacks: those of the scene's own file are static there.
+local function helpers(job, ctx, base)
+  if not special.used(ctx) then return "" end
+  local used = {}
+  for name in pairs(ctx.helpers) do used[name] = true end -- a set: any order
+  return special.pair(job.templates, base, true, true) .. "\n" .. special.text(job.templates, base, ctx, used)
+end
+
 function fitted.fill(job, made)
   local fit, v, base = job.fit, {}, made.base
-  local along = step_lines(made.ctx, fit)
+  local ctx = setmetatable({ helpers = {} }, { __index = made.ctx })
+  local along = step_lines(ctx, fit)
   local turn = nil -- where the attitude begins
   v.states, v.common, v.loop = {}, along.common, along.lines
   for i, s in ipairs(fit.states) do
@@ -99,10 +114,12 @@ function fitted.fill(job, made)
   local rows = {}
   for i, row in ipairs(fit.constants) do rows[i] = row.by end
   v.constant_lines, v.start_lines = filled("k0", rows), filled("s", fit.start)
-  v.measure_lines = fit.values > 0 and measure_lines(job, made.ctx, base, fit) or
+  v.measure_lines = fit.values > 0 and measure_lines(job, ctx, base, fit) or
     { "(void)p;", "(void)t;", "(void)x;", "(void)y;", "(void)G;", "(void)P;" }
+  v.helpers = helpers(job, ctx, base)
   v.state_count, v.constant_count, v.value_count = int(#fit.states), int(#fit.constants), int(fit.values)
   v.constant_room = int(math.max(1, #fit.constants))
+  v.input_count = int(#fit.inputs)
   v.free_count, v.attitude = int(#fit.free), int(turn or -1)
   local directions = #fit.free + (job.fit.initial or 0)
   v.lanes = int(LANES * math.max(1, math.ceil(directions / LANES)))

@@ -3,7 +3,7 @@
 --     report.of(found) -> told: a table with everything decided; told.status: the exit status
 --     report.text(told), report.json(told) -> text
 -- found: {host, job, result (src/cli/fit/fit.c), unknowns, data, names (of residuals), known (sigmas), huber, step,
--- refusals}.  Values in told are in the parameters' own units.
+-- refusals, notes (of what was read)}.  Values in told are in the parameters' own units.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local json = require "generator.report.json"
@@ -166,6 +166,7 @@ local function judged(found, told)
   if r.lengthened then
     put(notes, "from the scene's values the whole log led to a local minimum; the log was lengthened step by step")
   end
+  for _, s in ipairs(found.notes) do notes[#notes + 1] = s end
   for _, d in ipairs(found.data) do
     if #d.unused > 0 then
       put(notes, "%s: nothing in the scene measures %s", d.path, table.concat(d.unused, ", "))

@@ -11,8 +11,11 @@ typedef ${name}_real real;
 
 enum { STATES = ${state_count}, CONSTANTS = ${constant_count}, VALUES = ${value_count}, FREE = ${free_count}, LANES = ${lanes} };
 
-/* One step, and its derivative along each direction; y: the new state, the same in every lane. */
-static void along(const ${name}_model *m, real k0[][LANES], real t, const real x[], real s[][LANES], real y[][LANES], real h)
+${helpers}
+/* One step, and its derivative along each direction; y: the new state, the same in every lane.
+ * u: a time, what the inputs are then, and their slopes. */
+static void along(const ${name}_model *m, real k0[][LANES], real t, const real x[], real s[][LANES], const real u[],
+                  real y[][LANES], real h)
 {
   int lane;
 %% for _, line in ipairs(common) do
@@ -26,6 +29,7 @@ static void along(const ${name}_model *m, real k0[][LANES], real t, const real x
   (void)m;
   (void)k0;
   (void)t;
+  (void)u;
   for (lane = 0; lane < LANES; lane++) {
 %% for _, line in ipairs(loop) do
 %% if line == "" then
@@ -37,7 +41,8 @@ static void along(const ${name}_model *m, real k0[][LANES], real t, const real x
   }
 }
 
-static void advance(const void *model, const double *k0, double t, double *x, double *s, double h, long n)
+static void advance(const void *model, const double *k0, double t, double *x, double *s, const double *u, double h,
+                    long n)
 {
   const ${name}_model *m = (const ${name}_model *)model;
   real c[${constant_room}][LANES], d[STATES][LANES], y[STATES][LANES];
@@ -51,7 +56,7 @@ static void advance(const void *model, const double *k0, double t, double *x, do
     for (k = 0; k < LANES; k++) d[i][k] = s[i*LANES + k];
   }
   for (j = 0; j < n; j++) {
-    along(m, c, t + (double)j*h, x, d, y, h);
+    along(m, c, t + (double)j*h, x, d, u, y, h);
     for (i = 0; i < STATES; i++) x[i] = y[i][0];
   }
   for (i = 0; i < STATES; i++) {
@@ -106,7 +111,7 @@ const struct polhode_fitted *polhode_fitted(void);
 const struct polhode_fitted *polhode_fitted(void)
 {
   static const struct polhode_fitted table = {
-    POLHODE_FITTED_ABI, ${upper}_NP, FREE, STATES, CONSTANTS, VALUES, LANES, ${attitude},
+    POLHODE_FITTED_ABI, ${upper}_NP, FREE, STATES, CONSTANTS, VALUES, LANES, ${attitude}, ${input_count},
     (unsigned long)sizeof(${name}_model), defaults, init, start, advance, measure,
   };
 

@@ -11,12 +11,13 @@
 #ifndef POLHODE_FITTED_H
 #define POLHODE_FITTED_H
 
-#define POLHODE_FITTED_ABI 1
+#define POLHODE_FITTED_ABI 2
 
 struct polhode_fitted {
   int abi; /* POLHODE_FITTED_ABI */
   int params, free, states, constants, values, lanes;
   int attitude; /* where the quaternion begins in x, or -1 */
+  int inputs;
   unsigned long model_size;
 
   void (*defaults)(double p[]); /* the scene's own parameters, SI units */
@@ -24,9 +25,9 @@ struct polhode_fitted {
   int (*init)(void *m, const double p[]);
   /* the initial state, its derivatives by the free parameters, and those of derived constants */
   void (*start)(const void *m, double x[], double s[], double k0[]);
-  /* n steps of h from t */
-  void (*advance)(const void *m, const double k0[], double t, double x[], double s[], double h,
-                  long n);
+  /* n steps of h from t; u[1 + 2*inputs]: a time, what the inputs are then, and their slopes */
+  void (*advance)(const void *m, const double k0[], double t, double x[], double s[],
+                  const double u[], double h, long n);
   /* what is measured: y[values], its derivatives G[values*states] by the state, P[values*free] */
   void (*measure)(const double p[], double t, const double x[], double y[], double G[], double P[]);
 };

@@ -91,6 +91,85 @@ refused("an output of no kind", 1, "measure: wz must be a number", good, nil, "w
 refused("a column twice", 1, "measure: two outputs have the column wz", good, nil,
   "wz = wz, w = wz, columns = { w = 'wz' }")
 
+-- ---- inputs from columns ----
+
+-- A rotor of moment 2 that a motor turns: w(t) = w(0) + integral of u/2.
+local DRIVEN = [[
+local w3, k = param("w3", 0.3, "rad/s"), param("k", 0.9, "1")
+local push = input("push", "N m" LIMITS)
+MORE
+return scene { name = "rotor", body = tensor { mass = 1, xx = 2, yy = 2, zz = 2 },
+  effects = { effect.torque { body = { 0, 0, TORQUE } } },
+  initial = { omega = { 0, 0, w3 } }, measure = { wz = wz, sigma = 0.01 } }
+]]
+
+local function drive(name, log, options, change, file)
+  local text = DRIVEN
+  for word, default in pairs { LIMITS = "", MORE = "", TORQUE = "k*push" } do -- each once, in any order
+    text = text:gsub(word, (change or {})[word] or default)
+  end
+  program.write(dir .. "/rotor.lua", text)
+  program.write(dir .. "/rotor.csv", log)
+  program.write(dir .. "/push.csv", file or "")
+  local code = program.shell(string.format("cd %s && %s fit rotor.lua --data rotor.csv --free w3,k --format json %s " ..
+    "> out 2> err", dir, binary:sub(1, 1) == "/" and binary or os.getenv "PWD" .. "/" .. binary, options))
+  local out, err = program.read(dir .. "/out"), program.read(dir .. "/err")
+  local made = code == 0 and json.read(out)
+  if name then
+    tap.is(code, 0, name .. ": exit status")
+    tap.near(made and made.estimates[1].estimate or 0, 0.25, 1e-10, 0, name .. ": the first rate", "RK4 is exact")
+    tap.near(made and made.estimates[2].estimate or 0, 1.5, 1e-10, 0, name .. ": the motor's factor", "RK4 is exact")
+  end
+  return code, out, err
+end
+
+-- A log of the rate f(t), with the input's own value in some rows.
+local function driven_log(f, u)
+  return "t,wz" .. (u and ",push [mN m]" or "") .. "\n" .. rows(81, function(i)
+    return string.format("%.2f,%.17g%s", i * 0.05, f(i * 0.05), u and "," .. u(i) or "")
+  end)
+end
+
+-- u = 0, 0.4, 0.4, 0 at t = 0, 1, 2, 4: held, and on lines; the integrals by hand.
+local function held(t) return 0.25 + 0.75 * 0.4 * math.max(0, math.min(t, 4) - 1) end
+local function lines(t)
+  local s = t < 1 and 0.2 * t * t or t < 2 and 0.2 + 0.4 * (t - 1) or 0.6 + 0.4 * (t - 2) - 0.1 * (t - 2) ^ 2
+  return 0.25 + 0.75 * s
+end
+local PUSH = "t,push\n0,0\n1,0.4\n2,0.4\n4,0\n"
+drive("an input from a file, held", driven_log(held), "--input push.csv", nil, PUSH)
+drive("an input from a file, on lines", driven_log(lines), "--input push.csv --between linear", nil, PUSH)
+drive("an input from a column with gaps and a unit", driven_log(lines, function(i)
+  return ({ [0] = "0", [20] = "400", [40] = "400", [80] = "0" })[i] or ""
+end), "--between linear")
+-- Beyond 0.2 N m nothing more: the line crosses at t = 0.5 and 3, between the rows of the file.
+drive("an input with a limit", driven_log(function(t)
+  local s = t < 0.5 and 0.2 * t * t or t < 3 and 0.05 + 0.2 * (t - 0.5) or 0.55 + 0.2 * (t - 3) - 0.1 * (t - 3) ^ 2
+  return 0.25 + 0.75 * s
+end), "--input push.csv --between linear", { LIMITS = ", { min = -0.2, max = 0.2 }" }, PUSH)
+-- The slope of an input: 0.4, 0, -0.2 in N m/s.
+local SLOPE = { MORE = 'local r = input("push_rate", "N m/s")', TORQUE = 'k*r*quantity("1", "s") + 0*push' }
+drive("the slope of an input", driven_log(function(t)
+  return 0.25 + 0.75 * (0.4 * math.min(t, 1) - 0.2 * math.max(0, math.min(t, 4) - 2))
+end), "--input push.csv --between linear", SLOPE, PUSH)
+
+local function undriven(name, status, message, ...)
+  local code, out, err = drive(nil, ...)
+  tap.is(code, status, name .. ": exit status")
+  tap.ok(err:find(message, 1, true) ~= nil and out == "", name .. ": says so, and nothing else", err)
+end
+undriven("an input without data", 2, "rotor.csv: has no column push, an input of the scene; a file beside it may have",
+  driven_log(held), "")
+undriven("a file without an input", 2, "push.csv:1: has no column of an input (push)", driven_log(held),
+  "--input push.csv", nil, "t,pull\n0,1\n1,2\n")
+undriven("an input in a wrong unit", 2, "push.csv:1: column push must be in", driven_log(held), "--input push.csv", nil,
+  "t,push [m]\n0,1\n1,2\n")
+undriven("a slope of what is held", 2, "with --between linear it is the slope of push", driven_log(held),
+  "--input push.csv", SLOPE, PUSH)
+undriven("two files for one log", 2, "--input must be given once, or once for each --data", driven_log(held),
+  "--input push.csv --input push.csv", nil, PUSH)
+refused("--input without inputs", 2, "--input: the scene has no inputs", good, "--free w3 --input log.csv")
+
 -- ---- answers that are known ----
 
 local ROUNDED = "sums of a hundred numbers, each rounded"

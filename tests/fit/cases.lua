@@ -2,7 +2,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- A list of {folder, fit = number of the fit in case.json, free = for --free (its order is that of case.json), scene,
--- data = logs, sigma = comment lines by log (where logs differ), loss}.  GUESS in a scene's param is the case's guess.
+-- data = logs, sigma = comment lines by log (where logs differ), loss,
+-- input = file of inputs, on straight lines}.  GUESS in a scene's param is the case's guess.
 
 local cases = {}
 
@@ -72,6 +73,35 @@ return scene { name = "top", body = tensor { mass = 1, xx = I1, yy = I1, zz = I3
   measure = { attitude = "q", sigma = SIGMA } }
 ]]
 
+-- Wheels at known speeds: J (S' + w x S) pushes the body the other way; S on lines, S' their slope.
+local WHEELS = TENSOR:gsub("return scene", [[
+local J, s, a = quantity("0.005", "kg m^2"), {}, {}
+for i = 1, 3 do s[i], a[i] = input("speed" .. i, "rad/s"), input("speed" .. i .. "_rate", "rad/s^2") end
+return scene]]):gsub("EFFECTS", [[
+  effects = { effect.custom { torque = function(m)
+    local w = m.w
+    return { J*(s[2]*w[3] - s[3]*w[2] - a[1]), J*(s[3]*w[1] - s[1]*w[3] - a[2]), J*(s[1]*w[2] - s[2]*w[1] - a[3]) }
+  end } },]])
+
+-- A platform on three filaments: the angle and its rate are states of the scene's own, beside a body that rests.
+local TRIFILAR = [[
+local I, c = param("Izz", GUESS, "kg m^2"), param("c", GUESS, "N m s")
+local th0, om0 = param("th0", GUESS, "rad"), param("om0", GUESS, "rad/s")
+local mass, R, r, S = quantity("4.2", "kg"), quantity("0.12", "m"), quantity("0.1", "m"), quantity("0.9", "m")
+local g = quantity("9.80665", "m/s^2")
+local function rate(m)
+  local h = sqrt(S*S - R*R - r*r + 2*R*r*cos(m.theta)) -- depth below the ceiling, and its derivatives by the angle
+  local h1 = -R*r*sin(m.theta)/h
+  local h2 = -(R*r*cos(m.theta) + h1*h1)/h
+  return (mass*g*h1 - mass*h1*h2*m.spin*m.spin - c*m.spin)/(I + mass*h1*h1)
+end
+return scene { name = "trifilar", body = tensor { mass = 1, xx = 1, yy = 1, zz = 1 },
+  effects = { effect.custom { states = {
+    theta = { initial = th0, unit = "rad", rate = function(m) return m.spin end },
+    spin = { initial = om0, unit = "rad/s", rate = rate } } } },
+  measure = { angle = "theta", sigma = SIGMA } }
+]]
+
 local function put(folder, free, scene, more)
   more.folder, more.free, more.scene = folder, free, scene
   more.fit, more.data = more.fit or 1, more.data or { "log.csv" }
@@ -115,6 +145,8 @@ put("09_two_logs_gaps", "I2,I3,initial", (FREE:gsub("local w1.-\n", ""):gsub("{ 
 put("09_two_logs_gaps", "I2,I3,initial", (FREE:gsub("local w1.-\n", ""):gsub("{ w1, w2, w3 }", "{ 0.5, 1.3, 0.4 }")),
   { sigma_text = "1", data = { "a.csv", "b.csv" },
     sigma = { "# sigma: , 0.005, 0.005, 0.008\n", "# sigma: , 0.01, 0.004, 0.004\n" } })
+put("06b_trifilar", "Izz,c,th0,om0", TRIFILAR, { sigma_text = "0.004" })
+put("11_wheel_driven", "xx,yy,zz,xy,xz,yz,w1,w2,w3", WHEELS, { sigma_text = "0.0002", input = "wheels.csv" })
 put("12a_near_symmetric_short_arc", "I2,I3,w1,w2,w3", FREE, { sigma_text = "0.0004" })
 put("12a_near_symmetric_short_arc", "I3,w1,w2,w3", FREE, { sigma_text = "0.0004", fit = 2 })
 put("12b_pure_spin", "w1,w2,w3", FREE, { sigma_text = "0.004" })

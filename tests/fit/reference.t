@@ -45,6 +45,7 @@ local function run(case, text)
   local words = { binary, "fit", dir .. "/scene.lua", "--format json --free", case.free }
   for i = 1, #case.data do words[#words + 1] = "--data " .. log_of(case, i) end
   if case.loss then words[#words + 1] = "--loss " .. case.loss end
+  if case.input then words[#words + 1] = "--between linear --input " .. root .. case.folder .. "/" .. case.input end
   local code = program.shell(table.concat(words, " ") .. " > " .. dir .. "/out 2> " .. dir .. "/err")
   return code, program.read(dir .. "/out"), program.read(dir .. "/err")
 end

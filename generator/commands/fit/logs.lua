@@ -1,8 +1,10 @@
 -- logs.lua -- the files of --data, their columns found by name and unit.
 --
---     logs.read(host, outputs, paths) -> list of {path, log, rows, counts, unused, sigmas}; or nil and a message
+--     logs.read(host, outputs, inputs, paths) -> list of {path, log, rows, counts, unused, sigmas, inputs}; or nil
+--                                     and a message
 --         log: of host.log; counts: values of each column; unused: names of columns that no output takes; sigmas: of
---         each column in SI units, false where the file has none
+--         each column in SI units, false where the file has none; inputs: name of an input -> its column, where the
+--         file has one (commands/fit/driven.lua); the same without outputs: files of inputs alone
 --     logs.columns(outputs)           the columns in the order of the outputs: {name, dim, output}
 -- Columns have their unit in brackets behind the name or in a comment `# units:`; without one, SI's.  A comment
 -- `# sigma:` has standard deviations in these units.
@@ -62,6 +64,14 @@ local function sigma_of(column, text, factor)
   return x * factor
 end
 
+-- The columns of the list that the file has.
+local function present(list, names)
+  local has, some = {}, {}
+  for _, cell in ipairs(names) do has[string.match(cell, "^(.-)%s*%[[^%]]*%]$") or cell] = true end
+  for _, c in ipairs(list) do some[#some + 1] = has[c.name] and c or nil end
+  return some
+end
+
 local function wanted(columns, names, given, noise)
   local at, all = places(names, given)
   if not at then return nil, all end
@@ -75,7 +85,7 @@ local function wanted(columns, names, given, noise)
     end
     local factor, why = factor_of(c.name, place[2], c.dim)
     local sigma
-    if factor and i > 1 then sigma, why = sigma_of(c, noise[place[1]], factor) end
+    if factor and i > 1 and c.output then sigma, why = sigma_of(c, noise[place[1]], factor) end
     if why then return nil, why end
     sigmas[i - 1] = sigma
     list[i], taken[c.name] = { place[1], factor }, true
@@ -85,7 +95,7 @@ local function wanted(columns, names, given, noise)
   return list, unused, sigmas
 end
 
-local function one(host, columns, path)
+local function one(host, measured, inputs, path)
   local log = host.log(path)
   local names, given, noise, line = log:head()
   if not names then return nil, given end
@@ -94,6 +104,13 @@ local function one(host, columns, path)
   end
   if #noise > 0 and #noise ~= #names then
     return nil, path .. ":" .. diag.show(line) .. ": " .. #names .. " names, but " .. #noise .. " sigmas above them"
+  end
+  local columns, driven = table.move(measured, 1, #measured, 1, {}), {}
+  for i, c in ipairs(present(inputs, names)) do columns[#measured + i], driven[c.name] = c, #measured + i end
+  if #columns == 0 then
+    local words = {}
+    for i, c in ipairs(inputs) do words[i] = c.name end
+    return nil, path .. ":" .. diag.show(line) .. ": has no column of an input (" .. table.concat(words, ", ") .. ")"
   end
   local list, unused, sigmas = wanted(columns, names, given, noise)
   if not list then return nil, path .. ":" .. diag.show(line) .. ": " .. unused end
@@ -109,13 +126,14 @@ local function one(host, columns, path)
   for i, c in ipairs(columns) do
     if counts[i] == 0 then return nil, path .. ": column " .. c.name .. " has no value" end
   end
-  return { path = path, log = log, rows = rows, counts = counts, unused = unused, sigmas = sigmas }
+  for i = #counts, #measured + 1, -1 do counts[i] = nil end -- an input is no value that is fitted
+  return { path = path, log = log, rows = rows, counts = counts, unused = unused, sigmas = sigmas, inputs = driven }
 end
 
-function logs.read(host, outputs, paths)
+function logs.read(host, outputs, inputs, paths)
   local list, columns = {}, logs.columns(outputs)
   for i, path in ipairs(paths) do
-    local made, why = one(host, columns, path)
+    local made, why = one(host, columns, inputs, path)
     if not made then return nil, why end
     list[i] = made
   end

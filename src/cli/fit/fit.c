@@ -5,7 +5,8 @@
  *     channels = of each log {{value =, column =, sigma =,
  *     attitude = bool, state = which one it is as it stands, or nil}}, knots = {t}, huber = k or 0,
  *     step = h, known = are the sigmas known?, states = {initial values, if initial},
- *     parameters = {all, SI units}})
+ *     parameters = {all, SI units}, inputs = nil or of each log {of each input {log =, column =,
+ *     kind = "held", "linear" or "slope", low, high = limits or NaN}}})
  * -> {theta, covariance, outer, singular, vectors, scale (lists), rank, chi2, loss, n, converged,
  *     lengthened, iterations, passes, decrement, step_error, step, refused, seconds,
  *     counts = {of each log: {of each residual: {n, chi2, worst, worst_t, sums, pairs}}}}
@@ -82,7 +83,8 @@ const struct polhode_fitted *fit_load(lua_State *L, const char *path, void **lib
     const struct polhode_fitted *(*function)(void);
   } table = {symbol};
   const struct polhode_fitted *code = table.function();
-  if (code->abi != POLHODE_FITTED_ABI || code->states > 64 || code->values > FIT_CHANNELS)
+  if (code->abi != POLHODE_FITTED_ABI || code->states > 64 || code->values > FIT_CHANNELS ||
+      code->inputs > FIT_INPUTS)
     luaL_error(L, "fit: what was compiled is no scene of this program");
   return code;
 }
@@ -110,8 +112,31 @@ static void read_channels(lua_State *L, struct fit_problem *f, int log) {
   }
 }
 
+static void read_inputs(lua_State *L, struct fit_problem *f) {
+  static const char *const kinds[] = {"held", "linear", "slope", NULL};
+  const int n = f->code->inputs;
+  lua_getfield(L, 2, "inputs");
+  const int all = lua_gettop(L), given = lua_istable(L, all) && n > 0;
+  if (given)
+    f->input = fit_room(L, (size_t)(n * f->logs) * sizeof *f->input);
+  for (int i = 0; given && i < n * f->logs; i++) {
+    lua_rawgeti(L, all, i / n + 1);
+    lua_rawgeti(L, -1, i % n + 1);
+    const int at = lua_gettop(L);
+    lua_getfield(L, at, "log");
+    lua_getfield(L, at, "kind");
+    f->input[i] = (struct fit_input){.log = fit_log_at(L, at + 1),
+                                     .column = (int)fit_number(L, at, "column") - 1,
+                                     .low = fit_number(L, at, "low"),
+                                     .high = fit_number(L, at, "high")};
+    f->input[i].kind = luaL_checkoption(L, at + 2, NULL, kinds);
+    lua_settop(L, at - 2);
+  }
+}
+
 void fit_read(lua_State *L, struct fit_problem *f) {
   double places[FIT_MOST], knots[1000];
+  luaL_checkstack(L, 40, "fit");
   f->free = fit_list(L, 2, "free", places, FIT_MOST);
   for (int i = 0; i < f->free; i++)
     f->free_index[i] = (int)places[i] - 1;
@@ -134,6 +159,7 @@ void fit_read(lua_State *L, struct fit_problem *f) {
     f->log[i] = lua_isuserdata(L, -1) ? fit_log_at(L, -1) : NULL; /* design.c makes its own */
     read_channels(L, f, i);
   }
+  read_inputs(L, f);
   f->reference = fit_room(L, (size_t)(4 * f->logs) * sizeof *f->reference);
   if (flag_of(L, 2, "initial"))
     f->own = f->code->states - (f->code->attitude >= 0);

@@ -19,6 +19,7 @@ enum {
   FIT_MOST = 96,     /* unknowns */
   FIT_CHANNELS = 64, /* residuals of a row */
   FIT_COLUMNS = 64,  /* of a log */
+  FIT_INPUTS = 32,   /* of a scene */
   FIT_LAGS = 20,     /* of the test of whiteness */
   FIT_BLOCK = 128    /* rows that are taken into the triangle at a time */
 };
@@ -70,6 +71,15 @@ struct fit_channel {
   double sigma[3];
 };
 
+/* An input of the scene over time: a column of a log, whose missing values are passed over; before
+ * the first and after the last value it stays. */
+struct fit_input {
+  const struct fit_log *log;
+  int column;
+  enum { FIT_HELD, FIT_LINEAR, FIT_SLOPE } kind; /* FIT_SLOPE: of the lines that join the values */
+  double low, high;                              /* its limits, at which lines are cut; or NaN */
+};
+
 /* What a pass counts in a residual's channel (three for an attitude), of one log. */
 struct fit_count {
   long n;
@@ -89,7 +99,8 @@ struct fit_problem {
   double *reference;           /* of each log: a quaternion */
   struct fit_channel *channel; /* of each log */
   int channels;
-  double *knots; /* times at which a step ends */
+  struct fit_input *input; /* of each log; NULL: all 0 */
+  double *knots;           /* times at which a step ends */
   int knot_count;
   double huber;        /* the loss's corner in sigmas; 0: least squares */
   double h, until;     /* longest step; rows behind it are left out */
@@ -113,11 +124,25 @@ struct fit_sums {
 int fit_residuals(const struct fit_problem *f);
 /* q = reference exp(a/2), and its derivatives by a (NULL: not asked for). */
 void fit_turned(const double reference[4], const double a[3], double q[4], double dq[3][4]);
+
 /* 0; 1: the parameters are no body, the motion is not finite, or the user has interrupted. */
 int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s);
 
 /* What is measured of the motion from theta on, into the log's rows at its times.  As fit_pass. */
 int fit_simulate(struct fit_problem *f, const double theta[], int log);
+
+/* ---- input.c ---- */
+
+/* Where the inputs of one log stand: of each the rows before and after the time. */
+struct fit_place {
+  size_t before[FIT_INPUTS], after[FIT_INPUTS];
+};
+
+void fit_inputs_begin(const struct fit_problem *f, int log, struct fit_place *at);
+/* u (templates/fit/fitted.h) from time t on; the time until which it holds: there a line ends, or
+ * crosses a limit. */
+double fit_inputs_at(const struct fit_problem *f, int log, double t, struct fit_place *at,
+                     double u[]);
 
 /* ---- solve.c ---- */
 

@@ -19,6 +19,8 @@ struct course {
   const struct fit_log *log;
   int number, lanes;
   double t, x[STATES];
+  double u[1 + 2 * FIT_INPUTS], segment; /* the inputs, and the time until which u holds */
+  struct fit_place place;
   double *s;         /* states x lanes */
   double *y, *G, *P; /* measured, and derivatives */
   double row[FIT_MOST + 1];
@@ -85,15 +87,18 @@ static void own_start(struct course *c, const double theta[]) {
   }
 }
 
-/* On to time t in equal steps no longer than h; a step ends at every knot. */
+/* On to time t in equal steps no longer than h; a step ends at every knot, and with u. */
 static void go(struct course *c, double t, int *knot) {
   const struct fit_problem *f = c->f;
   while (c->t < t) {
     while (*knot < f->knot_count && f->knots[*knot] <= c->t)
       ++*knot;
-    const double to = *knot < f->knot_count && f->knots[*knot] < t ? f->knots[*knot] : t;
+    double to = *knot < f->knot_count && f->knots[*knot] < t ? f->knots[*knot] : t;
+    if (c->segment <= c->t)
+      c->segment = fit_inputs_at(f, c->number, c->t, &c->place, c->u);
+    to = fmin(to, c->segment);
     const double n = ceil((to - c->t) / f->h * (1 - 1e-9));
-    f->code->advance(f->model, f->k0, c->t, c->x, c->s, (to - c->t) / n, (long)n);
+    f->code->advance(f->model, f->k0, c->t, c->x, c->s, c->u, (to - c->t) / n, (long)n);
     c->t = to;
   }
 }
@@ -260,6 +265,8 @@ static void begin(struct course *c, const double theta[]) {
         c->s[i * c->lanes + k] = 0;
     }
   c->t = 0;
+  fit_inputs_begin(f, c->number, &c->place);
+  c->segment = fit_inputs_at(f, c->number, c->t, &c->place, c->u);
 }
 
 static int one_log(struct course *c, const double theta[], struct fit_sums *s) {
