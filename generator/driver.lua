@@ -137,6 +137,7 @@ local function plan_of(scene, options, d)
   plan.package = options.package or packages.by_name(packages.default)
   plan.planned, plan.proof, plan.orders = options.planned, options.proof or false, options.orders
   plan.batch, plan.sweep = options.batch or false, options.sweep or false
+  plan.estimator = options.estimator or false
   return plan
 end
 
@@ -176,7 +177,8 @@ end
 
 -- A plan of the scene, a stage of generator/stages.lua; nil and its diagnostics after an error.  options: {real =,
 -- command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool or "transition" (of the step
--- alone), compensated = bool, q31 = bool, batch = bool, libm = "own" | "system" (the default: own in float), outputs =
+-- alone), compensated = bool, q31 = bool, batch = bool, estimator = bool,
+-- libm = "own" | "system" (the default: own in float), outputs =
 -- bool: also derivatives of energy and momentum, package =, planned = a decision of generator/plan/,
 -- sweep = a study of many members, fit = {free =, outputs =, initial =} (dynamics/tangents.lua), proof = bool, orders =
 -- (for a planner), and those of generator/selection.lua}

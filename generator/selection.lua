@@ -7,7 +7,7 @@
 --     s.asked(name) -> bool       is the function emitted for the user?  Names without the scene's prefix
 --     s.made(name) -> bool        must its equations be made: it is asked for, or another function may need it
 --     s.orbit                     may a function of the closed form be asked for?
---     selection.room(name, of) -> "motion" | "batch" | "orbit" | "analysis": the file that it belongs to
+--     selection.room(name, of) -> "motion" | "batch" | "orbit" | "estimator" | "analysis": the file that it belongs to
 --                                 of: the room of the text that it stands in
 --     selection.attitude(asked) -> bool    is one of the functions asked for that give the attitude in other numbers?
 --     selection.tails             what these files' names end in
@@ -53,11 +53,12 @@ local function batched(name)
 end
 
 -- What the names of the files end in.
-selection.tails = { motion = "", batch = "_batch", orbit = "_orbit", analysis = "_analysis" }
+selection.tails = { motion = "", batch = "_batch", orbit = "_orbit", analysis = "_analysis",
+  estimator = "_estimator" }
 
 function selection.room(name, of)
   if ANALYSIS[name] then return "analysis" end
-  return (of == "orbit" or of == "batch") and of or "motion"
+  return (of == "orbit" or of == "batch" or of == "estimator") and of or "motion"
 end
 
 function selection.attitude(asked)

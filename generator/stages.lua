@@ -27,7 +27,7 @@ local FIELDS = {
   -- sweep: the study of many members, or false; held: what --bake holds in constants of C; transition, compensated: are
   -- there such steps?; orders: of the series that a planner tries
   plan = [[ diag budget model equations
-    real libm command selection layout package proof planned orders batch sweep fit
+    real libm command selection layout package proof planned orders batch sweep fit estimator
     methods jacobians steppers functions transition compensated q31 held
     closed closed_constants oblique smooth_until stability
     title banner derivation ]],

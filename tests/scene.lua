@@ -93,7 +93,7 @@ function scene.plan(s, options)
   return driver.plan(s, { only = o.only, analysis = o.analysis, orbit = o.orbit, layout = o.layout, real = o.real,
     command = "polhode gen test.lua", methods = o.methods, jacobians = o.jacobians, order = o.order, libm = o.libm,
     proof = o.proof, compensated = o.compensated, q31 = o.q31, batch = o.batch, package = o.package,
-    planned = o.planned, sweep = o.sweep, fit = o.fit, attitude = o.attitude })
+    planned = o.planned, sweep = o.sweep, fit = o.fit, attitude = o.attitude, estimator = o.estimator })
 end
 
 -- The files of a plan by name.

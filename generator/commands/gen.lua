@@ -14,6 +14,7 @@ local driver = require "generator.driver"
 local listed = require "generator.commands.listed"
 local nearest = require "generator.nearest"
 local methods = require "generator.methods.methods"
+local estimator = require "generator.emit.estimator"
 local proof = require "generator.emit.proof"
 local shortest = require("generator.plan.decision").shortest
 
@@ -36,7 +37,8 @@ gen.options = {
   { "--accuracy", "number", "the largest error of the state over the scene's horizon, relative to its size, between " ..
     "0 and 1: the cheapest method, order and step that hold it are looked for (docs/planner.md)", value = "E",
     default = "the scene's accuracy, if it has one" },
-  { "--with", { "analysis", "orbit", "attitude", "batch", "jacobians", "compensated", "proof", "q31", several = true },
+  { "--with", { "analysis", "orbit", "attitude", "batch", "jacobians", "compensated", "proof", "q31", "estimator",
+    several = true },
     "what is added, commas between", value = "WHAT,...", default = "nothing", each = {
       analysis = "principal axes, stability, small oscillations, the tensor about a point, torques, the Jacobian, " ..
         "accelerations in a turning frame",
@@ -47,7 +49,9 @@ gen.options = {
       jacobians = "derivatives of steppers and closed form by state and parameters",
       compensated = "steppers that carry what rounding takes away",
       proof = "a rule `make proof` for Frama-C",
-      q31 = "the step in whole numbers of 32 bits; the scene needs ranges" } },
+      q31 = "the step in whole numbers of 32 bits; the scene needs ranges",
+      estimator = "NAME_estimator: the tensor of inertia from a gyro, by recursive least squares in fixed memory " ..
+        "(docs/fit.md)" } },
   { "--only", "words", "these functions and what they need, and no others: step,energy; --list names all",
     value = "FUNCTION,...", default = "the motion: set-up, steppers, closed form, energy, momentum" },
   { "--layout", { "split", "single", "header" }, "how the code is cut into files", value = "HOW",
@@ -189,7 +193,7 @@ local function without_effect(given)
     for _, pattern in ipairs(row[2]) do calls = calls or string.find(named, pattern) ~= nil end
     if not calls then return "--with " .. row[1] .. ": --only names none of its functions" end
   end
-  for _, word in ipairs { "analysis", "orbit", "attitude" } do
+  for _, word in ipairs { "analysis", "orbit", "attitude", "estimator" } do
     if given.only and with[word] then return "--with " .. word .. ": --only names the functions" end
     if with[word] and packages.by_name(given.project or packages.default).whole then
       return "--with " .. word .. ": the project's own files decide what they call, got --project " .. given.project
@@ -320,9 +324,11 @@ function gen.run(host, given)
   plan, d = driver.plan(scene, { also = also, real = real, only = only, analysis = analysis, orbit = whole,
     layout = layout, command = gen.command(given), methods = chosen or package.methods, order = order,
     jacobians = with.jacobians or package.jacobians, compensated = with.compensated or false, q31 = with.q31 or false,
-    batch = with.batch or false, attitude = given.list or with.attitude or false, libm = given.libm,
+    batch = with.batch or false, attitude = given.list or with.attitude or false,
+    estimator = given.list or with.estimator or false, libm = given.libm,
     outputs = given.project == "fmu", package = package, planned = decision, proof = with.proof })
   if not plan then return options.refuse(host, d) end
+  if with.estimator and not estimator.check(plan) then return options.refuse(host, plan.diag) end
   if plan.proof and not proof.check(plan) then return options.refuse(host, plan.diag) end
   if given.list or given.show then return printed(host, given, plan) end
   return written(host, given, scene, plan, chosen or package.methods)

@@ -20,8 +20,8 @@ local calls = {}
 local WITHIN = "309/500" -- of the horizon: the golden section, at no special point of anything
 
 -- Numbers by their arguments' names; other reals are `spin`, other integers 1.
-local reals = { t = "when", t0 = "when", t1 = "when + step", h = "step", tolerance = "tolerance" }
-local integers = { n = "2", most = "1000", axis = "2", k = "2" }
+local reals = { dt = "step", t = "when", t0 = "when", t1 = "when + step", h = "step", tolerance = "tolerance" }
+local integers = { window = "64", n = "2", most = "1000", axis = "2", k = "2" }
 
 -- In steps of real numbers, and of integers (gen --with q31); what is made of them for a host alone is left out.
 function calls.modules(job, files)
@@ -65,6 +65,9 @@ local function value(job, call, a)
   if not base then return nil end
   local kind = string.match(base, "^" .. job.model.name .. "_(%w+)$") or base
   if pointer == "*" and (kind == "model" or kind == "orbit") and brackets == "" then return "&" .. kind end
+  if pointer == "*" and kind == "estimator" then -- one whose window is complete, but for samples
+    return string.find(call.name, "_add$") and "&estimator" or "&complete"
+  end
   if pointer == "" and brackets == "" then
     if kind == "real" then return reals[name] or "spin" end
     if kind == "int64_t" then return "1234567" end
@@ -82,6 +85,8 @@ local function value(job, call, a)
     return #job.model.params > 0 and "parameters" or "0"
   elseif name == "x" or name == "x0" then
     return "state"
+  elseif const and (name == "sigma" or name == "error") then
+    return "errors"
   elseif const then
     if brackets == "[]" then return name == "t" and "times" or nil end
     if brackets == "[6]" then return "tensor" end
@@ -128,6 +133,7 @@ function calls.of(job, modules)
   end
   local when = m:number(m.horizon) * R.lift(WITHIN)
   v.has_inertia, v.has_principal = has.inertia or false, has.principal or false
+  v.has_estimator = has.estimator_add or false
   v.out, v.vectors = string.format("%d", out), string.format("%d", vectors)
   v.when, v.step = number.text(when, job.real), number.text(m:number(m.step), job.real)
   return { list = list, when = number.text(when, "double"), step = number.text(m:number(m.step), "double"),

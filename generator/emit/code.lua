@@ -22,6 +22,7 @@ local batch = require "generator.emit.batch"
 local baked = require "generator.emit.baked"
 local closed = require "generator.emit.closed"
 local columns = require "generator.emit.columns"
+local estimator = require "generator.emit.estimator"
 local functions = require "generator.emit.functions"
 local guard = require "generator.emit.guard"
 local head = require "generator.emit.head"
@@ -119,6 +120,7 @@ local function fragments(job, p, ctx, base)
     declared, defined, p.each = batch.texts(job, ctx, base, p) -- each: are there functions of a model a body?
     if declared then put("batch", declared, defined) end
   end
+  if job.estimator and has.rates then put("estimator", estimator.texts(job, ctx, base)) end
   if p.guard then put("motion", p.guard.header, p.guard.source) end
   if axes then put("analysis", axes) end
   if studied then
@@ -139,7 +141,7 @@ local function fragments(job, p, ctx, base)
 end
 
 local ABOUT = { batch = "many bodies at once", orbit = "its motion in closed form",
-  analysis = "what can be asked of the body, and derivatives" }
+  estimator = "its tensor of inertia from a gyro", analysis = "what can be asked of the body, and derivatives" }
 
 -- All that is called for, sorted by file: see emit/layout.lua.
 local function sorted(job, p, ctx, base)

@@ -24,6 +24,10 @@ static real input[${upper}_NU];
 %% if has_whole then
 static int32_t whole_start[${upper}_Q31_NX], whole[${upper}_Q31_NX], whole_input[3] = {123456, -234567, 345678};
 %% end
+%% if has_estimator then
+static ${name}_estimator estimator, complete, ready;
+static const real errors[6] = {(real)0.1, (real)0.2, (real)0.3, (real)0.1, (real)0.1, (real)0.1};
+%% end
 %% if has_series then
 static real series[${upper}_ORDER + 1][${upper}_ROW];
 %% end
@@ -38,6 +42,9 @@ static int all(void)
   begin(), end();
 %% for _, c in ipairs(calls) do
   for (int i = 0; i < NX; i++) state[i] = start[i];
+%%   if has_estimator then
+  complete = ready;
+%%   end
 %%   if has_whole then
   for (int i = 0; i < ${upper}_Q31_NX; i++) whole[i] = whole_start[i];
 %%   end
@@ -70,6 +77,12 @@ int main(void)
 %% end
 %% if has_principal then
   bad |= ${name}_principal(&model, moments, out);
+%% end
+%% if has_estimator then
+  bad |= ${name}_estimator_open(&ready, &model, given[1], 64, errors, errors);
+  estimator = ready;
+  for (int i = 0; i < 64; i++)
+    (void)${name}_estimator_add(&ready, vectors[i%${vectors}], 0, 0);
 %% end
   bad |= all();
   return FINISH(all() || bad ? 9 : 0); /* 9: an initial state that is refused */

@@ -90,6 +90,9 @@ ${many_test}
 %% end
 ${compensated_test}
 ${normalise_test}
+%% if offers.estimator_add then
+${estimator_test}
+%% end
 %% if #turns > 0 then
 ${attitude_test}
 %% end
@@ -320,6 +323,9 @@ int main(void)
   for (i = 0, d1 = ${zero}; i < 4; i++) d1 += fine[i]*fine[i];
   report(${fabs}(d1 - ${one}) <= ${norm_bound} + d2, "the quaternion stays a unit quaternion");
 %% end
+%% end
+%% if offers.estimator_add then
+  estimator(&m);
 %% end
 %% for _, test in ipairs(turns) do
   ${test}();

@@ -128,11 +128,13 @@ static int add_folder(lua_State *L, const char *dir, const char *folder) {
 }
 
 void script_push_templates(lua_State *L) {
-  static const char *const folders[] = {
-      "templates/core",     "templates/numeric",  "templates/orbit",
-      "templates/steppers", "templates/analysis", "templates/test",
-      "templates/host",     "templates/projects", "templates/projects/firmware",
-      "templates/target",   "templates/batch",    "templates/sweep"};
+  static const char *const folders[] = {"templates/core",     "templates/estimator",
+                                        "templates/numeric",  "templates/orbit",
+                                        "templates/steppers", "templates/analysis",
+                                        "templates/test",     "templates/host",
+                                        "templates/projects", "templates/projects/firmware",
+                                        "templates/target",   "templates/batch",
+                                        "templates/sweep",    "templates/fit"};
   const char *dir = source_tree("templates/");
   lua_newtable(L);
   if (dir == NULL || !add_folder(L, dir, "templates"))
