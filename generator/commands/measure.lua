@@ -311,6 +311,7 @@ function measure.run(host, job, cores, emitted)
     files[#files + 1] = { name = m.stem .. ".h", text = m.header }
     files[#files + 1] = { name = m.stem .. ".c", text = m.source }
   end
+  if modules.private then files[#files + 1] = { name = job.model.name .. "_private.h", text = modules.private } end
   for _, file in ipairs { "marks.h", "count.c", "avr.c", "startup.c", "riscv.c", "cortex.ld", "riscv.ld" } do
     files[#files + 1] = { name = file, text = host.templates[data.folder .. file] }
   end

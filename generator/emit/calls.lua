@@ -1,7 +1,8 @@
 -- calls.lua -- a program that calls each function of an emitted scene, for an emulator to count.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
---     calls.modules(job, files)  the emitted files with functions of the scene: {stem =, header =, source =}
+--     calls.modules(job, files)  the emitted files with functions of the scene: {stem =, header =, source =}, and
+--                                private = what they share, if there is such a file
 --     calls.of(job, modules)     {list =, when =, step = (text), program = (C)}, the list of
 --                                {name =, symbol =, text = (of the call) or nil, why = (it is not called)}
 -- The functions are read from the emitted headers' prototypes, so none is forgotten; what an argument is given is
@@ -27,11 +28,13 @@ local integers = { window = "64", n = "2", most = "1000", axis = "2", k = "2" }
 function calls.modules(job, files)
   local list, by_name = {}, {}
   for _, f in ipairs(files) do by_name[string.match(f.name, "[^/]*$")] = f.text end
-  for _, stem in ipairs { job.model.name, job.model.name .. "_q31" } do
+  for _, tail in ipairs { "", "_orbit", "_estimator", "_analysis", "_attitude", "_batch", "_q31" } do
+    local stem = job.model.name .. tail
     if by_name[stem .. ".c"] then
       list[#list + 1] = { stem = stem, header = by_name[stem .. ".h"], source = by_name[stem .. ".c"] }
     end
   end
+  list.private = by_name[job.model.name .. "_private.h"]
   return list
 end
 
@@ -118,9 +121,13 @@ end
 
 function calls.of(job, modules)
   local m, list, has, declared = job.model, {}, {}, {}
-  local v = { calls = {}, has_series = false, has_whole = #modules > 1,
-    has_orbit = string.find(modules[1].header, m.name .. "_orbit", 1, true) ~= nil }
-  for _, module in ipairs(modules) do prototypes(module, m.name, declared) end
+  local v = { calls = {}, has_series = false, has_whole = false, has_orbit = false, stems = {} }
+  for i, module in ipairs(modules) do
+    prototypes(module, m.name, declared)
+    v.stems[i] = module.stem or m.name
+    v.has_whole = v.has_whole or v.stems[i] == m.name .. "_q31"
+    v.has_orbit = v.has_orbit or string.find(module.header, "} " .. m.name .. "_orbit;", 1, true) ~= nil
+  end
   local out, vectors = 1, 1
   for i, f in ipairs(declared) do
     local call = prepare(job, f)

@@ -90,13 +90,16 @@ static void ${name}_add_noise(${name}_estimator *e, ${name}_real d[3][3], const 
   ${name}_real M[6][3];
   int i, j, k;
 
-  for (i = 0; i < 6; i++) {
-    for (k = 0; k < 3; k++) M[i][k] = f[i/3]*d[i%3][k] - g[i/3]*e->I[i%3][k];
+  for (i = 0; i < 3; i++) {
+    for (k = 0; k < 3; k++) {
+      M[i][k] = f[0]*d[i][k] - g[0]*e->I[i][k];
+      M[i + 3][k] = f[1]*d[i][k] - g[1]*e->I[i][k];
+    }
   }
   for (i = 0; i < 6; i++) {
-    for (j = 0; j <= i; j++) {
-      for (k = 0; k < 3; k++) e->R[i][j] += M[i][k]*e->variance[k]*M[j][k];
-    }
+    const ${name}_real a = M[i][0]*e->variance[0], b = M[i][1]*e->variance[1], c = M[i][2]*e->variance[2];
+
+    for (j = 0; j <= i; j++) e->R[i][j] += a*M[j][0] + b*M[j][1] + c*M[j][2];
   }
 }
 
@@ -138,9 +141,17 @@ int ${name}_estimator_add(${name}_estimator *e, const ${name}_real w[3], const $
     ${name}_real turned[3];
 
     ${name}_vector_product(w, column, turned);
-    for (i = 0; i < 6; i++) e->A[i][k] += f[i/3]*turned[i%3] - g[i/3]*W[i%3][k];
+    for (i = 0; i < 3; i++) {
+      e->A[i][k] += f[0]*turned[i] - g[0]*W[i][k];
+      e->A[i + 3][k] += f[1]*turned[i] - g[1]*W[i][k];
+    }
   }
-  for (i = 0; i < 6; i++) e->b[i] += f[i/3]*((N[i%3] - wh[i%3])/e->moment) + g[i/3]*(H[i%3]/e->moment - e->h[i%3]);
+  for (i = 0; i < 3; i++) {
+    const ${name}_real push = (N[i] - wh[i])/e->moment, rise = H[i]/e->moment - e->h[i];
+
+    e->b[i] += f[0]*push + g[0]*rise;
+    e->b[i + 3] += f[1]*push + g[1]*rise;
+  }
   for (k = 0; k < 3; k++) { /* w x I by columns, and the columns of -(L x) */
     const ${name}_real column[3] = {e->I[0][k], e->I[1][k], e->I[2][k]}, unit[3] = {k == 0 ? ${one} : ${zero}, k == 1 ? ${one} : ${zero}, k == 2 ? ${one} : ${zero}};
     ${name}_real turned[3], moved[3];

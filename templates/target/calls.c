@@ -1,9 +1,8 @@
 %% -- calls.c -- a program that calls each function of a scene, for an emulator: not emitted.
 %% -- SPDX-License-Identifier: GPL-3.0-or-later
 %% -- All are called twice, so that each finds what an earlier one has made; the second time counts. First nothing.
-#include "${name}.h"
-%% if has_whole then
-#include "${name}_q31.h"
+%% for _, stem in ipairs(stems) do
+#include "${stem}.h"
 %% end
 #include "marks.h"
 

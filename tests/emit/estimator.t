@@ -4,9 +4,9 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- tests/emit/estimator.c runs it.  On the logs of tests/reference/fit it must agree with the most likely estimate,
--- which polhode fit finds (tests/fit/reference.t).  That one is efficient, so the covariance of the difference of the
--- two is the difference of their covariances (J. A. Hausman, Econometrica 46 (1978)): each entry within 3.9 of its standard
--- deviations, which a right one misses once in 1e4.
+-- which polhode fit finds (tests/fit/reference.t).  That one is efficient, so the covariance of the difference of
+-- the two is the difference of their covariances (J. A. Hausman, Econometrica 46 (1978)): each entry within 3.9 of
+-- its standard deviations, which a right one misses once in 1e4.
 
 package.path = "./?.lua;" .. package.path
 
