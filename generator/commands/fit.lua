@@ -16,7 +16,9 @@ local logs = require "generator.commands.fit.logs"
 local observed = require "generator.commands.fit.observed"
 local options = require "generator.commands.options"
 local packages = require "generator.emit.packages.packages"
+local diag = require "generator.diag"
 local report = require "generator.report.fit"
+local starts = require "generator.commands.fit.starts"
 local unknowns = require "generator.commands.fit.unknowns"
 local written = require "generator.commands.fit.written"
 
@@ -39,6 +41,10 @@ fit.options = {
   { "--loss", { "squares", "huber" }, "what is made least", value = "L", default = "squares", each = {
     squares = "the sum of squares: the most likely parameters where the noise is normal",
     huber = "squares up to 1.345 sigma, straight lines beyond: outliers count less" } },
+  { "--starts", "number", "further starts, points of Sobol's sequence in the parameters' ranges: the scene's " ..
+    "ranges, or half of the value up and down; the least minimum is taken", value = "N",
+    default = "0: only if the scene's values lead to no minimum that fits, a linear start for a free body, and the " ..
+      "log piece by piece" },
   { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
   { "--format", { "text", "json" }, "how the result is written", default = "text" },
   { "-o", "text", "also the scene with the estimates as its values", value = "FILE.lua",
@@ -50,6 +56,7 @@ fit.examples = {
     "the same for a log with outliers, and the scene with what was found" },
 }
 
+local MOST_STARTS = 1000 -- FIT_STARTS of src/cli/fit/fit.h
 local HUBER = 1.345 -- 95 % efficient where the noise is normal (Huber 1981)
 
 local FLAGS = { "-O2", "-ftree-vectorize", "-std=c99", "-ffp-contract=off", "-fno-math-errno", "-shared", "-fPIC",
@@ -121,7 +128,8 @@ local function problem(plan, all)
   local free, data = all.free, all.data
   local m, outputs = plan.model, plan.record.measure
   local p = { free = free.places, initial = free.initial, logs = {}, channels = {}, known = true, knots = {},
-    huber = 0.0, step = first_step(data), states = {}, parameters = {}, inputs = all.inputs }
+    huber = 0.0, step = first_step(data), states = {}, parameters = {}, inputs = all.inputs,
+    starts = all.starts, low = all.low, high = all.high, linear = starts.linear(plan, free, data) }
   for i, d in ipairs(data) do
     local list, known = fit.channels(plan, outputs, d.sigmas)
     p.logs[i], p.channels[i], p.known = d.log, list, p.known and known
@@ -191,7 +199,16 @@ local function prepared(host, job, given)
   if count_of(data) <= #list then
     return nil, options.failed(host, "fit", "too few values: " .. count_of(data) .. " for " .. #list .. " unknowns")
   end
-  return { free = free, data = data, plan = plan, unknowns = list, inputs = inputs, notes = notes or {} }
+  local count, low, high = given.starts or 0.0, nil, nil
+  if count % 1 ~= 0 or count < 0 or count > MOST_STARTS then
+    return nil, options.wrong(host, "fit", "--starts must be a whole number from 0 to " .. MOST_STARTS .. ", got " ..
+      diag.show(count))
+  elseif count > 0 then
+    low, high = starts.ranges(job, free)
+    if not low then return nil, options.wrong(host, "fit", high) end
+  end
+  return { starts = count, low = low, high = high, free = free, data = data, plan = plan, unknowns = list,
+    inputs = inputs, notes = notes or {} }
 end
 
 function fit.run(host, given)

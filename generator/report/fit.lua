@@ -13,6 +13,14 @@ local report = {}
 local SURE, CREDIBLE, CLOSE = 1e-6, 1e-3, 0.95
 local WIDE = 1.5 -- chi-square over its degrees of freedom beyond which a model does not fit, whatever its probability
 
+-- Where the search began, if not at the scene's values.
+local WAYS = {
+  lengthened = "from the scene's values the whole log led to a local minimum; the log was lengthened step by step",
+  linear = "from the scene's values the search led to a local minimum; it began again where the logged rates keep " ..
+    "the momentum constant",
+  starts = "from the scene's values the search led to a local minimum; one of --starts led to this one",
+}
+
 -- A number with the digits that its standard error leaves, and two more; all digits without one.
 local function rounded(x, sigma)
   if not sigma or sigma ~= sigma or sigma <= 0 or sigma == math.huge then return string.format("%.6g", x) end
@@ -163,8 +171,10 @@ local function judged(found, told)
         "or the noise is coloured, and the standard errors are too small", c.name, c.log, c.white.q, c.white.lags)
     end
   end
-  if r.lengthened then
-    put(notes, "from the scene's values the whole log led to a local minimum; the log was lengthened step by step")
+  if WAYS[r.way] then put(notes, "%s", WAYS[r.way]) end
+  if r.tried > 0 then
+    put(notes, "of %d starts in the parameters' ranges %d led to this minimum, and none to a lower one", r.tried,
+      r.same)
   end
   for _, s in ipairs(found.notes) do notes[#notes + 1] = s end
   for _, d in ipairs(found.data) do
@@ -297,6 +307,7 @@ function report.json(told)
     { "covariance_scaled", not told.known }, { "initial_attitudes", references }, { "chi2", told.chi2 },
     { "n", told.n }, { "dof", told.dof }, { "upper_tail", told.known and told.tail or json.null },
     { "residuals", residuals },
+    { "way", r.way }, { "starts", math.floor(r.tried) }, { "starts_alike", math.floor(r.same) },
     { "singular_values", r.singular }, { "rank", math.floor(r.rank) }, { "not_determined", nulls },
     { "passes", math.floor(r.passes) }, { "last_step", r.decrement }, { "step", r.step },
     { "step_error", r.step_error }, { "fit_seconds", r.seconds }, { "notes", told.notes }, { "wrong", told.wrong } })

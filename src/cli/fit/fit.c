@@ -6,11 +6,14 @@
  *     attitude = bool, state = which one it is as it stands, or nil}}, knots = {t}, huber = k or 0,
  *     step = h, known = are the sigmas known?, states = {initial values, if initial},
  *     parameters = {all, SI units}, inputs = nil or of each log {of each input {log =, column =,
- *     kind = "held", "linear" or "slope", low, high = limits or NaN}}})
+ *     kind = "held", "linear" or "slope", low, high = limits or NaN}}, starts, low, high = ranges
+ *     of the free parameters, linear = nil or of each log {column, scale, bias, initial, own =
+ * lists of 3, place, constant = 6 numbers, slope = 6 rows, in one list}})
  * -> {theta, covariance, outer, singular, vectors, scale (lists), rank, chi2, loss, n, converged,
- *     lengthened, iterations, passes, decrement, step_error, step, refused, seconds,
- *     counts = {of each log: {of each residual: {n, chi2, worst, worst_t, sums, pairs}}}}
- * Places of values and columns count from 1, lists of matrices are by rows.
+ *     way = "scene", "lengthened", "linear" or "starts", tried, same, iterations, passes,
+ * decrement, step_error, step, refused, seconds, counts = {of each log: {of each residual: {n,
+ * chi2, worst, worst_t, sums, pairs}}}} Places of values and columns count from 1, lists of
+ * matrices are by rows.
  */
 #define _GNU_SOURCE
 #include "fit.h"
@@ -134,6 +137,39 @@ static void read_inputs(lua_State *L, struct fit_problem *f) {
   }
 }
 
+static void read_places(lua_State *L, int at, const char *key, int out[], int n) {
+  double list[FIT_MOST];
+  fit_list(L, at, key, list, n);
+  for (int i = 0; i < n; i++)
+    out[i] = (int)list[i] - 1;
+}
+
+static void read_linear(lua_State *L, struct fit_problem *f) {
+  lua_getfield(L, 2, "linear");
+  const int all = lua_gettop(L), given = lua_istable(L, all);
+  if (given)
+    f->linear = fit_room(L, (size_t)f->logs * sizeof *f->linear);
+  for (int log = 0; given && log < f->logs; log++) {
+    struct fit_linear *a = &f->linear[log];
+    double slope[6 * FIT_MOST];
+    lua_rawgeti(L, all, log + 1);
+    const int at = lua_gettop(L);
+    lua_getfield(L, at, "place");
+    a->count = (int)lua_rawlen(L, -1);
+    read_places(L, at, "place", a->place, a->count);
+    read_places(L, at, "column", a->column, 3);
+    read_places(L, at, "initial", a->initial, 3);
+    read_places(L, at, "own", a->own, 3);
+    fit_list(L, at, "scale", a->scale, 3);
+    fit_list(L, at, "bias", a->bias, 3);
+    fit_list(L, at, "constant", a->constant, 6);
+    fit_list(L, at, "slope", slope, 6 * FIT_MOST);
+    for (int i = 0; i < 6 * a->count; i++)
+      a->slope[i / a->count][i % a->count] = slope[i];
+    lua_settop(L, at - 1);
+  }
+}
+
 void fit_read(lua_State *L, struct fit_problem *f) {
   double places[FIT_MOST], knots[1000];
   luaL_checkstack(L, 40, "fit");
@@ -160,6 +196,10 @@ void fit_read(lua_State *L, struct fit_problem *f) {
     read_channels(L, f, i);
   }
   read_inputs(L, f);
+  read_linear(L, f);
+  f->starts = (int)fit_number(L, 2, "starts");
+  fit_list(L, 2, "low", f->low, FIT_MOST);
+  fit_list(L, 2, "high", f->high, FIT_MOST);
   f->reference = fit_room(L, (size_t)(4 * f->logs) * sizeof *f->reference);
   if (flag_of(L, 2, "initial"))
     f->own = f->code->states - (f->code->attitude >= 0);
@@ -234,6 +274,7 @@ static void sandwich(const struct fit_triangle *b, double C[], double work[]) {
 
 static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *r,
                         const struct fit_sums *s, double work[]) {
+  static const char *const ways[] = {"scene", "lengthened", "linear", "starts"};
   const int n = f->n;
   if (f->huber > 0)
     sandwich(s->outer, r->covariance, work);
@@ -257,8 +298,10 @@ static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *
   fit_push_number(L, "unknowns", n);
   lua_pushboolean(L, r->converged);
   lua_setfield(L, -2, "converged");
-  lua_pushboolean(L, r->lengthened);
-  lua_setfield(L, -2, "lengthened");
+  lua_pushstring(L, ways[r->way]);
+  lua_setfield(L, -2, "way");
+  fit_push_number(L, "tried", r->tried);
+  fit_push_number(L, "same", r->same);
   push_counts(L, f, s->counts);
 }
 

@@ -20,6 +20,7 @@ enum {
   FIT_CHANNELS = 64, /* residuals of a row */
   FIT_COLUMNS = 64,  /* of a log */
   FIT_INPUTS = 32,   /* of a scene */
+  FIT_STARTS = 1000, /* points of --starts */
   FIT_LAGS = 20,     /* of the test of whiteness */
   FIT_BLOCK = 128    /* rows that are taken into the triangle at a time */
 };
@@ -80,6 +81,14 @@ struct fit_input {
   double low, high;                              /* its limits, at which lines are cut; or NaN */
 };
 
+/* For the linear start: what the gyro's columns of a log are of the rates, y = scale w + bias; the
+ * tensor's entries as constant + slope p; unknowns: `place` of p, `initial` of the rates at t = 0
+ * (-1: they are not free), `own` those of a log's own. */
+struct fit_linear {
+  int column[3], initial[3], own[3], count, place[FIT_MOST];
+  double scale[3], bias[3], constant[6], slope[6][FIT_MOST];
+};
+
 /* What a pass counts in a residual's channel (three for an attitude), of one log. */
 struct fit_count {
   long n;
@@ -99,8 +108,11 @@ struct fit_problem {
   double *reference;           /* of each log: a quaternion */
   struct fit_channel *channel; /* of each log */
   int channels;
-  struct fit_input *input; /* of each log; NULL: all 0 */
-  double *knots;           /* times at which a step ends */
+  struct fit_input *input;   /* of each log; NULL: all 0 */
+  struct fit_linear *linear; /* of each log; NULL: there is no such start */
+  int starts;                /* points of Sobol's sequence, in these ranges: */
+  double low[FIT_MOST], high[FIT_MOST];
+  double *knots; /* times at which a step ends */
   int knot_count;
   double huber;        /* the loss's corner in sigmas; 0: least squares */
   double h, until;     /* longest step; rows behind it are left out */
@@ -144,12 +156,18 @@ void fit_inputs_begin(const struct fit_problem *f, int log, struct fit_place *at
 double fit_inputs_at(const struct fit_problem *f, int log, double t, struct fit_place *at,
                      double u[]);
 
-/* ---- solve.c ---- */
-
+/* What a fit found. */
 struct fit_result {
   double theta[FIT_MOST], chi2, loss;
   long n;
-  int converged, lengthened, iterations, rank;
+  int converged, iterations, rank;
+  enum {
+    FIT_BY_SCENE,
+    FIT_BY_PIECES,
+    FIT_BY_MOMENTUM,
+    FIT_BY_SOBOL
+  } way;             /* that led to the estimate */
+  int tried, same;   /* points of --starts, and how many led to the same minimum */
   double decrement;  /* length of the last step in standard errors */
   double step_shift; /* by how many standard errors halving the step would move the estimate, at
                         most */
@@ -158,6 +176,26 @@ struct fit_result {
   double scale[FIT_MOST];
   double covariance[FIT_MOST * FIT_MOST];
 };
+
+/* ---- descend.c ---- */
+
+/* Half the loss's minimum is looked for: the sum of squares of the triangle's last column. */
+double fit_loss(const struct fit_sums *s);
+/* From theta to a local minimum, about; the iterations that it took, -1: the start is no body. */
+int fit_descend(struct fit_problem *f, double theta[], struct fit_sums *s, size_t most);
+
+/* ---- linear.c ---- */
+
+/* theta with what the log's rates say of moments and initial rates; 0: nothing. */
+int fit_linear(struct fit_problem *f, double theta[]);
+
+/* ---- start.c ---- */
+
+/* From theta near the least minimum that is found; says in r how. */
+void fit_approach(struct fit_problem *f, double theta[], int has_sigma, struct fit_sums *s,
+                  struct fit_result *r);
+
+/* ---- solve.c ---- */
 
 /* From theta on; sums: room for the triangles. has_sigma: is chi-square meaningful? */
 void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struct fit_result *r,

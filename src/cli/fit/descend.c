@@ -1,0 +1,90 @@
+/* descend.c - from a start down to a minimum: GSL's trust region on the triangle of a pass.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * GSL's trust region (multifit_nlinear, Levenberg-Marquardt) sees of the residuals their sum of
+ * squares, J'z and J'J alone.  The triangle of a pass has all three: f = (c, rho), df = (R, 0).  So
+ * GSL works on n + 1 residuals, however long the log is, and f and df come from the same pass.
+ * (Geodesic acceleration needs f'' and would see the rotation Q; it is not used.)
+ */
+#include "fit.h"
+#include "host/host.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_multifit_nlinear.h>
+#include <gsl/gsl_vector.h>
+#include <math.h>
+
+/* A residual of a state that is no body: so large that the trust region shrinks. */
+#define FAR 1e100
+
+struct search {
+  struct fit_problem *f;
+  struct fit_sums *s;
+  double at[FIT_MOST];
+  int done, bad; /* is the pass at `at` done, did it fail? */
+};
+
+static void visit(struct search *a, const gsl_vector *x) {
+  int same = a->done;
+  for (int i = 0; i < a->f->n; i++) {
+    const double xi = gsl_vector_get(x, (size_t)i);
+    same = same && xi == a->at[i];
+    a->at[i] = xi;
+  }
+  if (same)
+    return;
+  a->bad = fit_pass(a->f, a->at, a->s);
+  a->done = 1;
+}
+
+static int reduced(const gsl_vector *x, void *search, gsl_vector *out) {
+  struct search *a = search;
+  visit(a, x);
+  const int n = a->f->n;
+  for (int i = 0; i <= n; i++)
+    gsl_vector_set(out, (size_t)i, a->bad ? (i < n ? 0 : FAR) : triangle_at(a->s->whole, i, n));
+  return interrupt_pending() ? GSL_EFAILED : GSL_SUCCESS;
+}
+
+static int reduced_slope(const gsl_vector *x, void *search, gsl_matrix *out) {
+  struct search *a = search;
+  visit(a, x);
+  const int n = a->f->n;
+  for (int i = 0; i <= n; i++)
+    for (int k = 0; k < n; k++)
+      gsl_matrix_set(out, (size_t)i, (size_t)k,
+                     a->bad || i > k ? 0 : triangle_at(a->s->whole, i, k));
+  return GSL_SUCCESS;
+}
+
+/* Half the loss's minimum is looked for: the sum of squares of the triangle's last column. */
+double fit_loss(const struct fit_sums *s) {
+  double sum = 0;
+  for (int i = 0; i <= s->whole->n; i++)
+    sum += triangle_at(s->whole, i, s->whole->n) * triangle_at(s->whole, i, s->whole->n);
+  return sum;
+}
+
+/* From theta to a local minimum, about; the iterations that it took, -1: the start is no body. */
+int fit_descend(struct fit_problem *f, double theta[], struct fit_sums *s, size_t most) {
+  struct search a = {.f = f, .s = s};
+  gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
+  gsl_multifit_nlinear_fdf fdf = {
+      .f = reduced, .df = reduced_slope, .n = (size_t)f->n + 1, .p = (size_t)f->n, .params = &a};
+  gsl_vector_view x = gsl_vector_view_array(theta, (size_t)f->n);
+  if (fit_pass(f, theta, s))
+    return -1;
+  gsl_multifit_nlinear_workspace *w =
+      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, fdf.n, fdf.p);
+  if (w == NULL)
+    return -1;
+  int info = 0, count = 0;
+  if (gsl_multifit_nlinear_init(&x.vector, &fdf, w) == GSL_SUCCESS) {
+    gsl_multifit_nlinear_driver(most, 1e-5, 1e-9, 0, NULL, NULL, &info, w);
+    count = (int)gsl_multifit_nlinear_niter(w);
+    for (int i = 0; i < f->n; i++)
+      theta[i] = gsl_vector_get(gsl_multifit_nlinear_position(w), (size_t)i);
+  }
+  gsl_multifit_nlinear_free(w);
+  return count;
+}
