@@ -14,6 +14,7 @@
 #   make install    program, library, scenes, documents: PREFIX (default /usr/local), DESTDIR
 #   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/commands.md, docs/linearised.svg,
 #                   the tour in docs/design.md
+#   make man | completions   man pages into build/man, completions for bash, zsh, fish into build/completions
 #   make gallery    docs/gallery.md and a picture of each scene of bodies/
 #   make drift      TURNS (default 100000): the table of drifts in docs/methods.md
 #   make drift-laws   docs/drift.md: how errors grow with the number of steps, fitted (ten minutes)
@@ -37,6 +38,7 @@ LUA     = lua5.4
 # ---- no need to change anything below ----
 
 VERSION = 0.1.0
+RELEASED = 2026-11-23# the day of the version, for its man pages and archives
 
 WARN = -Wall -Wextra -pedantic -Wconversion -Wdouble-promotion -Wshadow \
        -Wstrict-prototypes -Wmissing-prototypes
@@ -261,6 +263,15 @@ docs: $(PROGRAM) $(MODULE)
 	@$(LUA) docs/tools/pages.lua docs
 	@$(LUA) docs/tools/tour.lua $(PROGRAM) docs/design.md
 	@$(PROGRAM) chart bodies/book.lua --linearised -o docs/linearised.svg
+
+# Man pages and completions for bash, zsh and fish, from the tables that the command line is read with.
+man: $(MODULE)
+	@mkdir -p $(BUILD)/man
+	@$(LUA) docs/tools/manual.lua $(BUILD)/man $(VERSION) $(RELEASED)
+
+completions: $(MODULE)
+	@mkdir -p $(BUILD)/completions
+	@$(LUA) docs/tools/completions.lua $(BUILD)/completions
 
 # A picture of each scene of bodies/, and the page that shows them.
 gallery: $(PROGRAM)
@@ -517,7 +528,7 @@ format: lint-setup
 define PC_FILE
 prefix=$(PREFIX)
 includedir=$${prefix}/include
-libdir=$${prefix}/lib
+libdir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(LIBDIR))
 
 Name: polhode
 Description: Mass properties and motion of rigid bodies
@@ -530,14 +541,21 @@ export PC_FILE
 
 # The program finds its scenes by its own place (src/cli/host/file_read.c), so the whole may be moved.
 SHARE = $(DESTDIR)$(PREFIX)/share
-install: all
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/include \
-	  $(SHARE)/polhode/bodies $(SHARE)/doc/polhode
+LIBDIR = $(PREFIX)/lib
+ZSHDIR = $(PREFIX)/share/zsh/site-functions
+install: all man completions
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/include \
+	  $(SHARE)/polhode/bodies $(SHARE)/doc/polhode $(SHARE)/man/man1 $(SHARE)/man/man3 $(SHARE)/man/man5 \
+	  $(SHARE)/bash-completion/completions $(DESTDIR)$(ZSHDIR) $(SHARE)/fish/vendor_completions.d
 	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/polhode
-	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib/libpolhode.a
+	install -m 644 $(LIBRARY) $(DESTDIR)$(LIBDIR)/libpolhode.a
 	install -m 644 src/runtime/polhode.h src/runtime/polhode_exact.h src/runtime/polhode_move.h \
 	  src/runtime/polhode_acts.h src/runtime/polhode_attitude.h $(DESTDIR)$(PREFIX)/include/
-	printf '%s\n' "$$PC_FILE" > $(DESTDIR)$(PREFIX)/lib/pkgconfig/polhode.pc
+	printf '%s\n' "$$PC_FILE" > $(DESTDIR)$(LIBDIR)/pkgconfig/polhode.pc
+	for n in 1 3 5; do install -m 644 $(BUILD)/man/*.$$n $(SHARE)/man/man$$n/ || exit 1; done
+	install -m 644 $(BUILD)/completions/polhode.bash $(SHARE)/bash-completion/completions/polhode
+	install -m 644 $(BUILD)/completions/_polhode $(DESTDIR)$(ZSHDIR)/_polhode
+	install -m 644 $(BUILD)/completions/polhode.fish $(SHARE)/fish/vendor_completions.d/polhode.fish
 	install -m 644 bodies/* $(SHARE)/polhode/bodies/
 	@echo 'README.md and docs into $(SHARE)/doc/polhode'
 	@for f in README.md $$(find docs -path docs/tools -prune -o -type f -print); do install -D -m 644 $$f $(SHARE)/doc/polhode/$$f || exit 1; done
@@ -549,7 +567,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install clean FORCE \
+.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install man completions clean FORCE \
         lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 

@@ -4,6 +4,7 @@
 -- that reaches the host).  Results go to standard output, everything else to standard error.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local colours = require "generator.commands.colours"
 local help = require "generator.commands.help"
 local options = require "generator.commands.options"
 local scenes = require "generator.commands.scenes"
@@ -41,6 +42,7 @@ local function found(host, given)
 end
 
 return function(host, args)
+  host = colours.host(host)
   local name = args[1]
   if name == "help" then return print_help(host, args[2], args[3]) end
   if name == "--help" or name == "-h" then return print_help(host, args[2], args[3]) end

@@ -27,6 +27,7 @@ local ARROWS = {
   attitude = {}, -- quaternion, matrix, angles: plain numbers
   plot = { "draw", "attitude" }, -- what is drawn of a motion
   page = { "geometry" }, -- the HTML file of a scene
+  language = {}, -- the scene language as definitions for editors; tables of other parts are handed to it
   dynamics = { "algebra", "mass", "stages" }, -- mass: principal axes and validity of the tensor that moves
   methods = { "algebra", "dynamics" },
   ir = { "algebra", "polhode_rational" },
@@ -39,7 +40,7 @@ local ARROWS = {
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report", "nearest",
     "selection", "stages", "functions" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan",
-    "report", "driver", "interchange", "nearest", "selection", "plot", "page", "attitude" },
+    "report", "driver", "interchange", "nearest", "selection", "plot", "page", "attitude", "language" },
   main = { "commands", "driver", "diag", "nearest" },
 }
 

@@ -4,6 +4,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local options = require "generator.commands.options"
+local progress = require "generator.commands.progress"
 local driver = require "generator.driver"
 local methods = require "generator.methods.methods"
 local study = require "generator.commands.study"
@@ -43,26 +44,15 @@ local function wrong(given)
   if T and not (T > 0 and T < math.huge) then return "--until must be positive" end
 end
 
--- A function that shows on a terminal what is done and how far the work is, and one that clears the line.
-local function progress(host)
-  if not host.isatty("err") then return function() end, function() end end
-  local wide, words = 24, 30
-  return function(what, part)
-    local full = math.floor(wide * part)
-    host.err("\r[" .. string.rep("#", full) .. string.rep(".", wide - full) .. "] " ..
-      string.sub(what .. string.rep(" ", words), 1, words))
-  end, function() host.err("\r" .. string.rep(" ", wide + words + 3) .. "\r") end
-end
-
 function bench.run(host, given)
   local bad = wrong(given)
   if bad then return options.wrong(host, "bench", bad) end
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, d, why) end
   options.warn(host, job.diag)
-  local tick, finished = progress(host)
-  local s, failure, numbers = study.of(host, job, given, tick)
-  finished()
+  local bar = progress.of(host)
+  local s, failure, numbers = study.of(host, job, given, bar.show)
+  bar.clear()
   if not s then return options.failed(host, "bench", failure, numbers and 3) end
   report.mark(s)
   local csv = report.csv(s)

@@ -16,6 +16,7 @@ local options = require "generator.commands.options"
 local build = require "generator.commands.build"
 local driver = require "generator.driver"
 local comparison = require "generator.commands.comparison"
+local progress = require "generator.commands.progress"
 local stepper_checks = require "generator.commands.stepper_checks"
 
 local check = {}
@@ -31,19 +32,27 @@ check.options = {
 }
 check.examples = { { "polhode check dropped_stone foucault --real double", "two scenes, in double alone" } }
 
+-- Prints one result a line; while a terminal shows how far the work is, that line is cleared first.
+local function results(host, bar)
+  local tap = { n = 0, failed = 0 }
+  function tap.ok(pass, what, detail)
+    tap.n = tap.n + 1
+    if not pass then tap.failed = tap.failed + 1 end
+    local tail = detail and " (" .. detail .. ")" or ""
+    bar.clear()
+    host.out(string.format("%s %d - %s%s\n", pass and "ok" or "not ok", tap.n, what, tail))
+  end
+  return tap
+end
+
 function check.run(host, given)
   local states = given.states or 1000
   if not (states >= 1 and states <= most and states % 1 == 0) then
     return options.wrong(host, "check", "--states must be a whole number from 1 to " .. string.format("%d", most) ..
       ", got " .. json.number(states))
   end
-  local tap = { n = 0, failed = 0 }
-  function tap.ok(pass, what, detail)
-    tap.n = tap.n + 1
-    if not pass then tap.failed = tap.failed + 1 end
-    local tail = detail and " (" .. detail .. ")" or ""
-    host.out(string.format("%s %d - %s%s\n", pass and "ok" or "not ok", tap.n, what, tail))
-  end
+  local bar = progress.of(host)
+  local tap = results(host, bar)
   host.out("TAP version 13\n")
   local worst = 0
   for i = 1, #given do
@@ -56,7 +65,9 @@ function check.run(host, given)
       worst = math.max(worst, options.refuse(host, d, unread))
       tap.ok(false, given[i] .. " is a scene")
     end
-    for _, real in ipairs(not scene and {} or given.real and { given.real } or { "double", "float" }) do
+    local reals = not scene and {} or given.real and { given.real } or { "double", "float" }
+    for k, real in ipairs(reals) do
+      bar.show(scene.model.name .. ", " .. real, (i - 1 + (k - 1) / #reals) / #given)
       local job, plugin, kind, why
       job, d = driver.plan(scene, { real = real, command = "", methods = names })
       if job then
@@ -83,6 +94,7 @@ function check.run(host, given)
       end
     end
   end
+  bar.clear()
   host.out("1.." .. tap.n .. "\n")
   if worst > 0 then return worst end
   return tap.failed > 0 and 3 or 0

@@ -18,6 +18,7 @@ local subjects = { "shapes", "effects", "methods", "bodies", "constants", "comma
 list.forms = { { "WHAT", "shapes, effects, methods, scenes, commands",
   "WHAT is " .. options.either(subjects) .. "." } }
 list.operands = { 1, 1, "WHAT" }
+list.subjects = subjects
 list.options = {}
 list.examples = {
   { "polhode list bodies", "the installed scenes: polhode explain NAME reads one" },

@@ -5,6 +5,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local build = require "generator.commands.build"
+local progress = require "generator.commands.progress"
 local driver = require "generator.driver"
 local candidates = require "generator.plan.candidates"
 local decision = require "generator.plan.decision"
@@ -35,12 +36,6 @@ local function admitted(q)
   return names, seen.taylor
 end
 
-local function progress(host)
-  if not host.isatty "err" then return function() end, function() end end
-  return function(part) host.err(string.format("\rplanning %3d %%", math.floor(100 * math.min(1, part)))) end,
-    function() host.err("\r             \r") end
-end
-
 -- Compiles what the question needs: its `code` to count in and its `plugin`.  True, or nil and what went wrong.
 function planner.prepare(host, q)
   local names, series = admitted(q)
@@ -58,14 +53,14 @@ end
 
 -- Makes the decision; nil and what went wrong outside.
 local function decided(host, q)
-  local show, clear = progress(host)
-  show(0)
+  local bar = progress.of(host)
+  bar.show("compiling", 0)
   local fine, why = planner.prepare(host, q)
-  show(0.3)
-  q.progress = function(part) show(0.3 + 0.7 * part) end
+  q.progress = function(part) bar.show("planning", 0.3 + 0.7 * part) end
+  q.progress(0)
   local found, instead
   if fine then found, instead = plan.find(q) end
-  clear()
+  bar.clear()
   if not fine then return nil, why end
   return found and decision.made(q, found) or decision.refusal(q, instead)
 end

@@ -54,6 +54,7 @@ function host.cache_read() return nil end
 function host.cache_write() return false end
 function host.fingerprint() return nil end
 function host.isatty() return false end
+function host.coloured() return false end
 for _, name in ipairs { "tempdir", "execute", "compile", "plugin", "baseline", "peers" } do
   host[name] = function() return nil, "not here" end
 end

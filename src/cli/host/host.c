@@ -29,6 +29,7 @@ static const luaL_Reg functions[] = {
     {"out", host_out},
     {"err", host_err},
     {"isatty", host_isatty},
+    {"coloured", host_coloured},
     {"execute", host_execute},
     {"compile", host_compile},
     {"hand_over", host_hand_over},

@@ -108,6 +108,8 @@ int host_out(lua_State *L);
 int host_err(lua_State *L);
 /* isatty("out" | "err") -> boolean */
 int host_isatty(lua_State *L);
+/* coloured() -> may standard error have colours? */
+int host_coloured(lua_State *L);
 /* Flush; 0 or HOST_EXIT_OUTPUT after a message on standard error. */
 int output_finish(void);
 

@@ -9,6 +9,7 @@
 
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -46,6 +47,14 @@ int host_isatty(lua_State *L) {
   static const char *const names[] = {"out", "err", NULL};
   lua_pushboolean(L,
                   isatty(luaL_checkoption(L, 1, NULL, names) == 0 ? STDOUT_FILENO : STDERR_FILENO));
+  return 1;
+}
+
+/* On a terminal that has colours, unless the user wants none: no-color.org. */
+int host_coloured(lua_State *L) {
+  const char *none = getenv("NO_COLOR"), *kind = getenv("TERM");
+  lua_pushboolean(L, isatty(STDERR_FILENO) && (none == NULL || *none == '\0') && kind != NULL &&
+                         strcmp(kind, "dumb") != 0);
   return 1;
 }
 
