@@ -52,8 +52,8 @@ for _, case in ipairs {
     "zefyr; did you mean zephyr?" },
   { "gen s.lua --target cortex-m4", "--target must be all or some of cortex-m0, cortex-m3, cortex-m4f, cortex-m7, " ..
     "rv32imac, rv32imafc, avr, got cortex-m4; did you mean cortex-m4f?" },
-  { "gen s.lua --with q31,prof", "--with must be analysis, orbit, attitude, batch, jacobians, compensated, proof or q31, got " ..
-    "prof; did you mean proof?" },
+  { "gen s.lua --with q31,prof", "--with must be analysis, orbit, attitude, batch, jacobians, compensated, proof, " ..
+    "q31 or estimator, got prof; did you mean proof?" },
   { "gen s.lua --with q31,q31", "--with: q31 stands there twice" },
   { "gen s.lua --set a=1 --set a=2", "--set a is given twice" },
   { "gen s.lua --real float --real float", "--real is given twice" },
