@@ -2,85 +2,20 @@
 -- readme.t - README.md and docs/features.md: what they show is what the program prints; links lead somewhere; README.md
 -- and its sentences are short; every page is in the index.
 -- SPDX-License-Identifier: GPL-3.0-or-later
---
--- A block ```lua is saved as NAME.lua, NAME from its first line (-- NAME.lua) or from its name = "...".  A line
--- "$ ..." of an indented block is run; what follows is compared, "..." standing for any lines.
 
 package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
 local program = require "tests.cli.program"
+local shown = require "tests.shown"
 
-local root = io.popen("pwd"):read "l"
-local binary = os.getenv "POLHODE" or "build/polhode"
-if binary:sub(1, 1) ~= "/" then binary = root .. "/" .. binary end
 local dir = program.directory()
-program.shell(string.format("mkdir %s/bin && ln -s %s %s/bin/polhode", dir, binary, dir))
+shown.prepare(dir)
 
-local function lines_of(text)
-  local list = {}
-  for line in (text .. "\n"):gmatch "(.-)\n" do list[#list + 1] = line end
-  if list[#list] == "" then list[#list] = nil end
-  return list
-end
+tap.ok(not shown.compare({ "a", "..." }, { "b" }) and not shown.compare({ "a" }, { "a", "b" }) and
+  shown.compare({ "a", "...", "c", "..." }, { "a", "b", "c" }), "the comparison can fail")
 
--- ---- what is shown ----
-
-local function save_scenes(text)
-  for block in text:gmatch "\n```lua\n(.-)```" do
-    local name = block:match "^%-%- (%w+)%.lua\n" or block:match 'name%s*=%s*"(%w+)"'
-    program.write(dir .. "/" .. name .. ".lua", block)
-  end
-end
-
--- The commands of the page with what is shown of their output.
-local function commands(text)
-  local list, now = {}, nil
-  for line in text:gmatch "([^\n]*)\n" do
-    local command, shown = line:match "^    %$ (.*)", line:match "^    (.*)"
-    if command then
-      now = { command = command, shown = {} }
-      list[#list + 1] = now
-    elseif shown and now then
-      table.insert(now.shown, shown)
-    else
-      now = nil
-    end
-  end
-  return list
-end
-
--- Do the lines follow each other in the output as shown?  Else the first line that does not.
-local function compare(shown, output)
-  local at, free = 1, false
-  for _, line in ipairs(shown) do
-    if line == "..." then
-      free = true
-    else
-      while free and output[at] and output[at] ~= line do at = at + 1 end
-      if output[at] ~= line then return false, line end
-      at, free = at + 1, false
-    end
-  end
-  return free or at > #output, "and no more, but there is: " .. tostring(output[at])
-end
-
-tap.ok(not compare({ "a", "..." }, { "b" }) and not compare({ "a" }, { "a", "b" }) and
-  compare({ "a", "...", "c", "..." }, { "a", "b", "c" }), "the comparison can fail")
-
-for _, page in ipairs { "README.md", "docs/features.md" } do
-  local text = program.read(page)
-  save_scenes(text)
-  local list = commands(text)
-  tap.ok(#list >= 3, page .. ": it shows commands")
-  for _, c in ipairs(list) do
-    program.shell(string.format("cd %s && PATH=%s/bin:$PATH POLHODE_BODIES=%s/bodies timeout 60 sh -c '%s' >out 2>&1",
-      dir, dir, root, (c.command:gsub("'", "'\\''"))))
-    local same, line = compare(c.shown, lines_of(program.read(dir .. "/out")))
-    tap.ok(same, page .. ": $ " .. c.command,
-      same or "shown: " .. line .. "\n" .. program.read(dir .. "/out"):sub(1, 2000))
-  end
-end
+for _, page in ipairs { "README.md", "docs/features.md" } do shown.run(page, dir) end
 
 do -- the excerpt of C in the README
   local c = program.read "README.md":match "\n```c\n(.-)```"
@@ -164,10 +99,10 @@ for _, page in ipairs { "README.md", "docs/README.md", "docs/features.md", "docs
     string.format("%s: %d sentences, median %d words, %d above %d", page, #list, middle[1], long, LONG), list[1][2])
 end
 
-tap.ok(#lines_of(program.read "README.md") <= 150, "README.md has at most 150 lines")
+tap.ok(#shown.lines(program.read "README.md") <= 150, "README.md has at most 150 lines")
 local long = {}
 for _, page in ipairs { "docs/contributing.md", "docs/security.md" } do
-  if #lines_of(program.read(page)) > 50 then long[#long + 1] = page end
+  if #shown.lines(program.read(page)) > 50 then long[#long + 1] = page end
 end
 tap.is(table.concat(long, " "), "", "the pages for reporting fit on a screen")
 

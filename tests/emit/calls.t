@@ -26,7 +26,7 @@ static int finish(int status) { return printf("%d\n", ends), status; }
 
 local SCENES = { -- between them every kind of argument
   { "brick_centroid", { methods = { "rk4", "taylor", "adaptive", "exact" }, jacobians = true, order = 4 } },
-  { "wheels", { jacobians = true } },
+  { "wheels", { jacobians = true, estimator = true } },
   { "dropped_stone", { methods = { "rk4", "exact" }, real = "float" } },
   { "heavy_top", { methods = { "split4", "semi", "exact" }, real = "float" } },
 }
