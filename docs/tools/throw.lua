@@ -1,4 +1,4 @@
--- throw.lua -- the two logs of docs/throw.md: a book in the air, and the same book swinging, as a phone in it would say.
+-- throw.lua -- the two logs of docs/throw.md: a book in the air, and the same book swinging, as a phone in it says.
 --
 --     lua5.4 docs/tools/throw.lua DIRECTORY     writes phone.csv and swing.csv
 -- They are simulated: classical Runge-Kutta with short steps, no code of the generator; normal noise (Box and Muller)

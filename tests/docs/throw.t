@@ -21,7 +21,8 @@ tap.ok(program.read(dir .. "/throw.svg") == program.read "docs/throw/throw.svg",
 
 -- The truth within 3.9 standard errors of what the page's fits find; a right one misses once in 1e4.
 local function found(command, wanted)
-  local code = program.shell(string.format("cd %s && PATH=%s/bin:$PATH %s --format json >found 2>&1", dir, dir, command))
+  local line = string.format("cd %s && PATH=%s/bin:$PATH %s --format json >found 2>&1", dir, dir, command)
+  local code = program.shell(line)
   local got = code == 0 and json.read(program.read(dir .. "/found")) or { estimates = {} }
   tap.is(code, 0, command)
   for _, e in ipairs(got.estimates) do
