@@ -136,7 +136,7 @@ local function problem(plan, free, log, of, size)
   local m, outputs = plan.model, plan.record.measure
   local channels, known = fit.channels(plan, outputs, {})
   local p = { free = free.places, initial = free.initial, logs = { false }, channels = { channels }, known = known,
-    knots = {}, huber = 0.0, step = log.spacing, states = {}, parameters = {}, rows = log.rows + 0.0,
+    knots = {}, loss = "squares", corner = 0.0, step = log.spacing, states = {}, parameters = {}, rows = log.rows + 0.0,
     spacing = log.spacing, columns = columns_of(outputs) + 0.0, of = of, size = size }
   for i, s in ipairs(plan.fit.states) do p.states[i] = m:double(s.initial) end
   for i, q in ipairs(m.params) do p.parameters[i] = R.todouble(q.default) end

@@ -38,9 +38,10 @@ fit.options = {
     "for each", value = "FILE.csv", default = "columns of the log" },
   { "--between", { "held", "linear" }, "an input between two of its values: the one before, or on a straight line; " ..
     "linear: an input NAME_rate without a column is the slope of NAME", default = "held" },
-  { "--loss", { "squares", "huber" }, "what is made least", value = "L", default = "squares", each = {
+  { "--loss", { "squares", "huber", "cauchy" }, "what is made least", value = "L", default = "squares", each = {
     squares = "the sum of squares: the most likely parameters where the noise is normal",
-    huber = "squares up to 1.345 sigma, straight lines beyond: outliers count less" } },
+    huber = "squares up to 1.345 sigma, straight lines beyond: outliers count less",
+    cauchy = "c^2/2 log(1 + (z/c)^2), c = 2.385 sigma: far outliers count nothing; from Huber's minimum on" } },
   { "--starts", "number", "further starts, points of Sobol's sequence in the parameters' ranges: the scene's " ..
     "ranges, or half of the value up and down; the least minimum is taken", value = "N",
     default = "0: only if the scene's values lead to no minimum that fits, a linear start for a free body, and the " ..
@@ -57,7 +58,9 @@ fit.examples = {
 }
 
 local MOST_STARTS = 1000 -- FIT_STARTS of src/cli/fit/fit.h
-local HUBER = 1.345 -- 95 % efficient where the noise is normal (Huber 1981)
+-- Of the losses, in sigmas: 95 % efficient where the noise is normal (P. J. Huber, Robust Statistics, 1981; P. W.
+-- Holland, R. E. Welsch, Communications in Statistics A6 (1977)).
+local CORNERS = { huber = 1.345, cauchy = 2.385 }
 
 local FLAGS = { "-O2", "-ftree-vectorize", "-std=c99", "-ffp-contract=off", "-fno-math-errno", "-shared", "-fPIC",
   "-fvisibility=hidden" }
@@ -128,7 +131,7 @@ local function problem(plan, all)
   local free, data = all.free, all.data
   local m, outputs = plan.model, plan.record.measure
   local p = { free = free.places, initial = free.initial, logs = {}, channels = {}, known = true, knots = {},
-    huber = 0.0, step = first_step(data), states = {}, parameters = {}, inputs = all.inputs,
+    loss = "squares", corner = 0.0, step = first_step(data), states = {}, parameters = {}, inputs = all.inputs,
     starts = all.starts, low = all.low, high = all.high, linear = starts.linear(plan, free, data) }
   for i, d in ipairs(data) do
     local list, known = fit.channels(plan, outputs, d.sigmas)
@@ -223,14 +226,19 @@ function fit.run(host, given)
   path, why = fit.compiled(host, job, unit.files)
   if not path then return options.failed(host, "fit", why) end
   local ask = problem(all.plan, all)
-  ask.huber = given.loss == "huber" and HUBER or 0.0
+  ask.loss = given.loss or "squares"
+  ask.corner = CORNERS[ask.loss] or 0.0
+  if CORNERS[ask.loss] and not ask.known then
+    return options.wrong(host, "fit", "--loss " .. ask.loss .. ": without a sigma nothing tells what is far " ..
+      "(measure = { sigma = }, or a comment # sigma: in the log)")
+  end
   local begun = host.clock()
   local result
   result, why = host.fit(path, ask)
   if not result then return options.failed(host, "fit", why) end
   result.seconds = host.clock() - begun
   local told = report.of({ host = host, job = job, result = result, unknowns = all.unknowns, data = all.data,
-    names = residuals(job.record.measure), known = ask.known, huber = ask.huber > 0, step = ask.step,
+    names = residuals(job.record.measure), known = ask.known, loss = ask.loss, step = ask.step,
     refusals = all.plan.model.conditions, notes = all.notes })
   host.out(given.format == "json" and report.json(told) or report.text(told))
   if given.o then

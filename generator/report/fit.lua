@@ -2,7 +2,7 @@
 --
 --     report.of(found) -> told: a table with everything decided; told.status: the exit status
 --     report.text(told), report.json(told) -> text
--- found: {host, job, result (src/cli/fit/fit.c), unknowns, data, names (of residuals), known (sigmas), huber, step,
+-- found: {host, job, result (src/cli/fit/fit.c), unknowns, data, names (of residuals), known (sigmas), loss, step,
 -- refusals, notes (of what was read)}.  Values in told are in the parameters' own units.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -111,6 +111,16 @@ local function residuals_of(found)
   return list
 end
 
+-- The values that no noise explains, the farthest first: {log, name, line, t, z}.
+local function outliers_of(found)
+  local list = {}
+  for i, o in ipairs(found.result.outliers) do
+    list[i] = { log = found.data[math.floor(o.log)].path, name = found.names[math.floor(o.residual)],
+      line = math.floor(o.line), t = o.t, z = o.z }
+  end
+  return list
+end
+
 -- ---- together ----
 
 local function estimates(found, scale, lost)
@@ -141,6 +151,8 @@ local function correlations(found, lost)
   return rows, close
 end
 
+local LOSSES = { squares = "", huber = ", Huber's loss", cauchy = ", Cauchy's loss" }
+
 local function put(list, ...) list[#list + 1] = string.format(...) end
 
 -- What is wrong: status, and the sentences that say it; then what is only worth saying.
@@ -154,7 +166,7 @@ local function judged(found, told)
   elseif r.step_error > SURE then
     put(wrong, "the step of %.3g s is too long: it moves the estimate by %.2g standard errors", r.step, r.step_error)
   end
-  local over = found.known and not found.huber and told.dof > 0 and told.tail < SURE
+  local over = found.known and not told.robust and told.dof > 0 and told.tail < SURE
   if over and told.reduced > WIDE then
     put(wrong, "the model does not fit: chi-square is %.4g times its expectation; another model, another start, or " ..
       "a sigma that is too small", told.reduced)
@@ -193,7 +205,8 @@ function report.of(found)
   told.n, told.dof, told.chi2 = math.floor(r.n), math.floor(r.n - r.rank), r.chi2
   told.reduced = told.dof > 0 and r.chi2 / told.dof or 0 / 0
   told.tail = found.host.tail(r.chi2, told.dof)
-  told.known, told.huber = found.known, found.huber
+  told.known, told.loss, told.robust = found.known, found.loss, found.loss ~= "squares"
+  told.outliers = outliers_of(found)
   local scale = found.known and 1 or told.reduced
   told.estimates = estimates(found, scale, lost)
   told.correlation, told.close = correlations(found, lost)
@@ -243,10 +256,26 @@ local function correlation_of(out, told)
   end
 end
 
+local SHOWN = 8 -- outliers in the text
+
+local function outliers_text(out, told)
+  local count, r = math.floor(told.result.outlier_count), told.result
+  if count == 0 or count > 0.1 * told.n then return end -- so many are no outliers
+  put(out, "\nOutliers: %d value%s beyond %.3g%s, where one log in a hundred has one", count, count > 1 and "s" or "",
+    r.outlier_limit, told.known and " sigma" or "")
+  for i = 1, math.min(SHOWN, #told.outliers) do
+    local o = told.outliers[i]
+    put(out, "  %s:%d: %s is off by %.3g%s at t = %.6g s", o.log, o.line, o.name, o.z, told.known and " sigma" or "",
+      o.t)
+  end
+  if count > SHOWN then put(out, "  and %d more", count - SHOWN) end
+  if not told.robust and told.known then put(out, "  (--loss huber or cauchy lets them count less)") end
+end
+
 function report.text(told)
   local out, r = {}, told.result
   put(out, "Fit of %s: %d values of %d log%s, %d unknowns%s", told.scene, told.n, #told.logs, #told.logs > 1 and "s" or
-    "", #told.estimates, told.huber and ", Huber's loss" or "")
+    "", #told.estimates, LOSSES[told.loss])
   table_of(out, told)
   put(out, "  (standard errors %s)", told.known and "from the stated sigma, not scaled" or
     "scaled by the residuals, as no sigma is stated")
@@ -254,7 +283,7 @@ function report.text(told)
   put(out, "\nDoes the model fit?")
   if told.known then
     put(out, "  chi-square %.6g for %d degrees of freedom: %.5g times; more has a probability of %.2g%s", told.chi2,
-      told.dof, told.reduced, told.tail, told.huber and " (outliers count in full here)" or "")
+      told.dof, told.reduced, told.tail, told.robust and " (outliers count in full here)" or "")
   else
     put(out, "  residuals have a standard deviation of %.4g; without a sigma nothing tells whether that is noise",
       math.sqrt(told.reduced))
@@ -264,6 +293,7 @@ function report.text(told)
       told.known and " sigma" or "", c.worst, c.worst_t, c.white and
       string.format("; white with probability %.2g", c.white.tail) or "")
   end
+  outliers_text(out, told)
   if #told.nulls > 0 then put(out, "\nWhat the data do not determine") end
   for _, d in ipairs(told.nulls) do put(out, "  %s", d.text) end
   put(out, "\n%s after %d passes; steps of %.3g s, whose error moves the estimate by %.1g standard errors at most",
@@ -279,7 +309,7 @@ local function maybe(x) return x ~= nil and x or json.null end
 
 function report.json(told)
   local object, r, n = json.object, told.result, #told.estimates
-  local list, covariance, residuals, nulls = {}, {}, {}, {}
+  local list, covariance, residuals, nulls, outliers = {}, {}, {}, {}, {}
   for i, e in ipairs(told.estimates) do
     list[i] = object { { "name", e.name }, { "unit", e.unit }, { "determined", e.sigma ~= nil and not e.hardly },
       { "estimate", e.value }, { "sigma", maybe(e.sigma) } }
@@ -296,6 +326,9 @@ function report.json(told)
       { "whiteness_tail", maybe(c.white and c.white.tail) } }
   end
   for i, d in ipairs(told.nulls) do nulls[i] = d.text end
+  for i, o in ipairs(told.outliers) do
+    outliers[i] = object { { "log", o.log }, { "line", o.line }, { "name", o.name }, { "t", o.t }, { "off_by", o.z } }
+  end
   local references = {}
   for i = 1, #r.reference, 4 do
     if r.reference[i] ~= 0 or r.reference[i + 1] ~= 0 then
@@ -303,10 +336,11 @@ function report.json(told)
     end
   end
   return json.text(object { { "scene", told.scene }, { "converged", r.converged }, { "fits", #told.wrong == 0 },
-    { "loss", told.huber and "huber" or "squares" }, { "estimates", list }, { "covariance", covariance },
+    { "loss", told.loss }, { "estimates", list }, { "covariance", covariance },
     { "covariance_scaled", not told.known }, { "initial_attitudes", references }, { "chi2", told.chi2 },
     { "n", told.n }, { "dof", told.dof }, { "upper_tail", told.known and told.tail or json.null },
     { "residuals", residuals },
+    { "outlier_count", math.floor(r.outlier_count) }, { "outlier_limit", r.outlier_limit }, { "outliers", outliers },
     { "way", r.way }, { "starts", math.floor(r.tried) }, { "starts_alike", math.floor(r.same) },
     { "singular_values", r.singular }, { "rank", math.floor(r.rank) }, { "not_determined", nulls },
     { "passes", math.floor(r.passes) }, { "last_step", r.decrement }, { "step", r.step },

@@ -221,6 +221,54 @@ code, out = fit("t,wz\n" .. rows(100, function(i) return i * 0.1 .. "," .. 2 + i
 tap.is(code, 3, "a model that does not fit has exit status 3")
 tap.ok(out:find("WRONG: the model does not fit", 1, true) ~= nil, "and says so")
 
+-- Gross errors in a constant rate: the estimate is where the sum of psi(z) is 0, found here by halving; its variance is
+-- sum psi^2/(sum psi')^2.
+do
+  local sigma, values, text = 0.01, {}, { "# made by hand", "t,wz" }
+  for i = 0, 99 do
+    local gross = i == 20 and 3 or i == 57 and -0.3 or i == 90 and 0.045 or 0
+    values[i + 1] = tonumber(string.format("%.4f", 2 + 0.012 * math.sin(2.4 * i) + gross))
+    text[#text + 1] = string.format("%.1f,%.4f", i * 0.1, values[i + 1])
+  end
+  local k = { huber = 1.345, cauchy = 2.385 }
+  local psi = {
+    huber = function(z) return math.max(-k.huber, math.min(k.huber, z)), math.abs(z) <= k.huber and 1 or 0 end,
+    cauchy = function(z)
+      local u2 = (z / k.cauchy) ^ 2
+      return z / (1 + u2), (1 - u2) / (1 + u2) ^ 2
+    end,
+  }
+  local function sums(loss, m)
+    local sum, square, slope = 0, 0, 0
+    for _, v in ipairs(values) do
+      local p, d = psi[loss]((v - m) / sigma)
+      sum, square, slope = sum + p, square + p * p, slope + d
+    end
+    return sum, math.sqrt(square) / slope * sigma
+  end
+  for _, loss in ipairs { "huber", "cauchy" } do
+    local low, high = 1.98, 2.02
+    for _ = 1, 60 do
+      local middle = (low + high) / 2
+      if sums(loss, middle) > 0 then low = middle else high = middle end
+    end
+    local _, error_of = sums(loss, low)
+    code, out = fit(table.concat(text, "\n") .. "\n", "--free w3 --format json --loss " .. loss)
+    got = code == 0 and json.read(out) or { estimates = { {} } }
+    tap.is(code, 0, loss .. ": gross errors do not fail the fit")
+    -- the search stops within 1e-7 standard errors
+    tap.near(got.estimates[1].estimate or 0, low, 1e-9, 0, loss .. ": the estimate", "1e-7 of a standard error of 1e-3")
+    tap.near(got.estimates[1].sigma or 0, error_of, 1e-6, 0, loss .. ": its standard error", "of the same place")
+    tap.is(got.outlier_count, 3, loss .. ": the three are counted")
+    local o = got.outliers and got.outliers[1] or {}
+    tap.ok(o.line == 23 and o.name == "wz" and math.abs(o.off_by - 300) < 5, loss .. ": and named by line and column")
+  end
+  out = select(2, fit(table.concat(text, "\n") .. "\n", "--free w3 --loss cauchy"))
+  tap.ok(out:find("log.csv:60: wz is off by %-%d+%.?%d* sigma at t = 5.7 s"), "in words, too", out)
+end
+refused("a loss without sigma", 2, "--loss huber: without a sigma nothing tells what is far", good,
+  "--free w3 --loss huber", "wz = wz")
+
 -- The scene with the estimate; comments and all else stay.
 code = fit(good, "--free w3 -o fitted.lua")
 local text = program.read(dir .. "/fitted.lua") or ""

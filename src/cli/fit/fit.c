@@ -3,12 +3,12 @@
  *
  * fit(path, {free = {place among the parameters, from 1}, initial = bool, logs = {of log()},
  *     channels = of each log {{value =, column =, sigma =,
- *     attitude = bool, state = which one it is as it stands, or nil}}, knots = {t}, huber = k or 0,
- *     step = h, known = are the sigmas known?, states = {initial values, if initial},
- *     parameters = {all, SI units}, inputs = nil or of each log {of each input {log =, column =,
- *     kind = "held", "linear" or "slope", low, high = limits or NaN}}, starts, low, high = ranges
- *     of the free parameters, linear = nil or of each log {column, scale, bias, initial, own =
- * lists of 3, place, constant = 6 numbers, slope = 6 rows, in one list}})
+ *     attitude = bool, state = which one it is as it stands, or nil}}, knots = {t}, loss =
+ * "squares", "huber" or "cauchy", corner = k, step = h, known = are the sigmas known?, states =
+ * {initial values, if initial}, parameters = {all, SI units}, inputs = nil or of each log {of each
+ * input {log =, column =, kind = "held", "linear" or "slope", low, high = limits or NaN}}, starts,
+ * low, high = ranges of the free parameters, linear = nil or of each log {column, scale, bias,
+ * initial, own = lists of 3, place, constant = 6 numbers, slope = 6 rows, in one list}})
  * -> {theta, covariance, outer, singular, vectors, scale (lists), rank, chi2, loss, n, converged,
  *     way = "scene", "lengthened", "linear" or "starts", tried, same, iterations, passes,
  * decrement, step_error, step, refused, seconds, counts = {of each log: {of each residual: {n,
@@ -176,7 +176,11 @@ void fit_read(lua_State *L, struct fit_problem *f) {
   f->free = fit_list(L, 2, "free", places, FIT_MOST);
   for (int i = 0; i < f->free; i++)
     f->free_index[i] = (int)places[i] - 1;
-  f->huber = fit_number(L, 2, "huber");
+  static const char *const losses[] = {"squares", "huber", "cauchy", NULL};
+  lua_getfield(L, 2, "loss");
+  f->loss = luaL_checkoption(L, -1, "squares", losses);
+  lua_pop(L, 1);
+  f->corner = fit_number(L, 2, "corner");
   f->h = fit_number(L, 2, "step");
   f->until = (double)INFINITY;
   f->knot_count = fit_list(L, 2, "knots", knots, 1000);
@@ -255,6 +259,23 @@ static void push_counts(lua_State *L, const struct fit_problem *f,
   lua_setfield(L, -2, "counts");
 }
 
+static void push_outliers(lua_State *L, const struct fit_problem *f, const struct fit_outliers *a) {
+  lua_createtable(L, a->kept, 0);
+  for (int i = 0; i < a->kept; i++) {
+    const struct fit_outlier *o = &a->worst[i];
+    lua_createtable(L, 0, 5);
+    fit_push_number(L, "log", o->log + 1);
+    fit_push_number(L, "residual", o->residual + 1);
+    fit_push_number(L, "line", f->log[o->log]->line[o->row]);
+    fit_push_number(L, "t", f->log[o->log]->t[o->row]);
+    fit_push_number(L, "z", o->z);
+    lua_rawseti(L, -2, i + 1);
+  }
+  lua_setfield(L, -2, "outliers");
+  fit_push_number(L, "outlier_count", (double)a->count);
+  fit_push_number(L, "outlier_limit", a->limit);
+}
+
 /* H^-1 B H^-1 with H^-1 = covariance and B = R'R of the outer triangle. */
 static void sandwich(const struct fit_triangle *b, double C[], double work[]) {
   const int n = b->n;
@@ -276,7 +297,7 @@ static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *
                         const struct fit_sums *s, double work[]) {
   static const char *const ways[] = {"scene", "lengthened", "linear", "starts"};
   const int n = f->n;
-  if (f->huber > 0)
+  if (f->loss != FIT_SQUARES)
     sandwich(s->outer, r->covariance, work);
   lua_createtable(L, 0, 24);
   fit_push_list(L, "theta", r->theta, n);
@@ -303,6 +324,7 @@ static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *
   fit_push_number(L, "tried", r->tried);
   fit_push_number(L, "same", r->same);
   push_counts(L, f, s->counts);
+  push_outliers(L, f, s->outliers);
 }
 
 int host_fit(lua_State *L) {
@@ -316,12 +338,11 @@ int host_fit(lua_State *L) {
   fit_read(L, f);
   double *theta = fit_room(L, FIT_MOST * sizeof *theta);
   struct fit_result *r = fit_room(L, sizeof *r);
-  struct fit_sums s = {fit_room(L, sizeof *s.whole),
-                       fit_room(L, sizeof *s.inner),
-                       fit_room(L, sizeof *s.outer),
-                       NULL,
-                       0,
-                       0};
+  struct fit_sums s = {.whole = fit_room(L, sizeof *s.whole)};
+  s.inner = fit_room(L, sizeof *s.inner);
+  s.lost = fit_room(L, sizeof *s.lost);
+  s.outer = fit_room(L, sizeof *s.outer);
+  s.outliers = fit_room(L, sizeof *s.outliers);
   s.counts = fit_room(L, (size_t)(f->logs * fit_residuals(f)) * sizeof *s.counts);
   double *work = fit_room(L, FIT_MOST * FIT_MOST * sizeof *work);
   fit_begin(L, f, theta);

@@ -21,6 +21,7 @@ enum {
   FIT_COLUMNS = 64,  /* of a log */
   FIT_INPUTS = 32,   /* of a scene */
   FIT_STARTS = 1000, /* points of --starts */
+  FIT_OUTLIERS = 20, /* that are named */
   FIT_LAGS = 20,     /* of the test of whiteness */
   FIT_BLOCK = 128    /* rows that are taken into the triangle at a time */
 };
@@ -35,6 +36,7 @@ struct fit_log {
   size_t rows, room;
   int columns;
   double *t, *y;
+  unsigned *line; /* of the file */
   double spacing; /* the usual distance of two rows in time */
 };
 
@@ -114,7 +116,8 @@ struct fit_problem {
   double low[FIT_MOST], high[FIT_MOST];
   double *knots; /* times at which a step ends */
   int knot_count;
-  double huber;        /* the loss's corner in sigmas; 0: least squares */
+  enum { FIT_SQUARES, FIT_HUBER, FIT_CAUCHY } loss;
+  double corner;       /* of the loss, in sigmas */
   double h, until;     /* longest step; rows behind it are left out */
   int refused;         /* the check of the parameters that failed last, 0: none */
   const double *fixed; /* NULL, or of each state the number with which it begins in place of the
@@ -122,12 +125,26 @@ struct fit_problem {
   long passes;
 };
 
+/* The values farthest from the model, beyond `limit` sigmas; how many there are. */
+struct fit_outliers {
+  double limit;
+  long count;
+  int kept;
+  struct fit_outlier {
+    int log, residual;
+    size_t row;
+    double z;
+  } worst[FIT_OUTLIERS];
+};
+
 /* Triangles that a pass fills, NULL: not asked for.  whole: z and J, with a loss sqrt(2 rho(z)) and
- * its derivatives; inner: J where |z| is below the corner; outer: psi J.  counts: logs x residuals.
+ * its derivatives; inner: sqrt(rho'') J where rho'' > 0; lost: sqrt(-rho'') J where it is negative;
+ * outer: psi J.  counts: logs x residuals.
  */
 struct fit_sums {
-  struct fit_triangle *whole, *inner, *outer;
+  struct fit_triangle *whole, *inner, *lost, *outer;
   struct fit_count *counts;
+  struct fit_outliers *outliers;
   double chi2; /* sum of z^2 */
   long n;
 };

@@ -148,7 +148,7 @@ int fit_linear(struct fit_problem *f, double theta[]) {
   for (int log = 0; log < f->logs; log++)
     first_rates(f, &f->linear[log], log, theta);
   for (int step = 1; step <= most && !interrupt_pending(); step *= 2) {
-    struct fit_sums only = {NULL, NULL, NULL, NULL, 0, 0};
+    struct fit_sums only = {.whole = NULL};
     const struct fit_linear *a = f->linear;
     triangle_open(&triangle, a->count);
     for (int log = 0; log < f->logs; log++) {

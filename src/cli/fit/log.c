@@ -165,6 +165,10 @@ static int grow(struct fit_log *log) {
   if (y == NULL)
     return 0;
   log->y = y;
+  unsigned *line = realloc(log->line, room * sizeof *line);
+  if (line == NULL)
+    return 0;
+  log->line = line;
   log->room = room;
   return 1;
 }
@@ -212,7 +216,7 @@ static const char *row(struct fit_log *log, struct reader *r, int width, const i
     }
     log->t[log->rows] = x;
   }
-  log->rows++;
+  log->line[log->rows++] = (unsigned)r->number;
   return NULL;
 }
 
@@ -290,6 +294,7 @@ static int collect(lua_State *L) {
   free(log->path);
   free(log->t);
   free(log->y);
+  free(log->line);
   memset(log, 0, sizeof *log);
   return 0;
 }

@@ -142,39 +142,72 @@ static void attitude(const struct course *c, const double logged[4], const doubl
   }
 }
 
+/* A loss at z: the root of 2 rho, whose square the triangle sums; psi = rho' and rho''. */
+struct loss {
+  double root, psi, curve;
+};
+
+static struct loss loss_at(const struct fit_problem *f, double z) {
+  const double k = f->corner, size = fabs(z), u = z / k;
+  switch (f->loss) {
+  case FIT_HUBER: /* z^2/2, from k on k |z| - k^2/2 */
+    if (size > k)
+      return (struct loss){copysign(sqrt(k * (2 * size - k)), z), copysign(k, z), 0};
+    break;
+  case FIT_CAUCHY: /* (k^2/2) log(1 + (z/k)^2) */
+    return (struct loss){copysign(k * sqrt(log1p(u * u)), z), z / (1 + u * u),
+                         (1 - u * u) / ((1 + u * u) * (1 + u * u))};
+  case FIT_SQUARES:
+    break;
+  }
+  return (struct loss){z, z, 1};
+}
+
+static void scaled(const struct course *c, double factor, double last, struct fit_triangle *to) {
+  double row[FIT_MOST + 1];
+  const int n = c->f->n;
+  for (int i = 0; i < n; i++)
+    row[i] = factor * c->row[i];
+  row[n] = last;
+  triangle_row(to, row);
+}
+
 /* A residual and its row into the sums. */
 static void put(struct course *c, struct fit_sums *s, double z, const double J[], int directions) {
   const struct fit_problem *f = c->f;
-  const double k = f->huber, size = fabs(z);
-  const int inside = k == 0 || size <= k;
-  /* the square of what the triangle gets is 2 rho(z), its derivative's product with it psi(z) */
-  const double root = inside ? z : copysign(sqrt(k * (2 * size - k)), z);
-  const double psi = inside ? z : copysign(k, z), slope = inside ? 1 : psi / root;
   s->chi2 += z * z;
   s->n++;
   if (s->whole == NULL)
     return; /* chi-square alone */
+  const struct loss l = loss_at(f, z);
   memset(c->row, 0, (size_t)(f->n + 1) * sizeof c->row[0]);
   for (int i = 0; i < directions; i++)
     c->row[i < f->free ? i : i + c->number * f->own] = J[i];
-  double *last = &c->row[f->n];
-  if (s->inner != NULL && inside) {
-    *last = 0;
-    triangle_row(s->inner, c->row);
-  }
-  if (s->outer != NULL) {
-    double scaled[FIT_MOST + 1];
-    for (int i = 0; i < f->n; i++)
-      scaled[i] = psi * c->row[i];
-    scaled[f->n] = 0;
-    triangle_row(s->outer, scaled);
-  }
-  if (s->whole != NULL) {
-    for (int i = 0; slope != 1 && i < f->n; i++)
-      c->row[i] *= slope;
-    *last = root;
+  if (s->inner != NULL && l.curve > 0)
+    scaled(c, sqrt(l.curve), 0, s->inner);
+  if (s->lost != NULL && l.curve < 0)
+    scaled(c, sqrt(-l.curve), 0, s->lost);
+  if (s->outer != NULL)
+    scaled(c, l.psi, 0, s->outer);
+  if (l.psi == l.root) { /* as it stands */
+    c->row[f->n] = z;
     triangle_row(s->whole, c->row);
+  } else {
+    scaled(c, l.psi / l.root, l.root, s->whole);
   }
+}
+
+/* Keeps the largest. */
+static void far_off(struct fit_outliers *a, struct fit_outlier now) {
+  if (!(fabs(now.z) > a->limit))
+    return;
+  a->count++;
+  int i = a->kept < FIT_OUTLIERS ? a->kept++ : FIT_OUTLIERS;
+  for (; i > 0 && fabs(a->worst[i - 1].z) < fabs(now.z); i--)
+    if (i < FIT_OUTLIERS)
+      a->worst[i] = a->worst[i - 1];
+  if (i < FIT_OUTLIERS)
+    a->worst[i] = now;
 }
 
 static void count(struct fit_count *a, const struct memory *m, int channel, double t, double z,
@@ -242,9 +275,13 @@ static int residuals(struct course *c, size_t i, struct fit_sums *s, struct memo
   }
   if (s->counts != NULL) {
     struct fit_count *own = s->counts + c->number * at;
-    for (int k = 0; k < at; k++)
-      if (now[k] == now[k])
-        count(&own[k], m, k, c->t, now[k], c->log->spacing);
+    for (int k = 0; k < at; k++) {
+      if (now[k] != now[k])
+        continue;
+      if (s->outliers != NULL)
+        far_off(s->outliers, (struct fit_outlier){c->number, k, i, now[k]});
+      count(&own[k], m, k, c->t, now[k], c->log->spacing);
+    }
     m->t[m->next] = c->t;
     memcpy(m->z[m->next], now, (size_t)at * sizeof now[0]);
     m->next = (m->next + 1) % FIT_LAGS;
@@ -330,12 +367,14 @@ int fit_simulate(struct fit_problem *f, const double theta[], int log) {
 
 int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
   struct course *c = &course;
-  struct fit_triangle *all[] = {s->whole, s->inner, s->outer};
-  for (int i = 0; i < 3; i++)
+  struct fit_triangle *all[] = {s->whole, s->inner, s->lost, s->outer};
+  for (int i = 0; i < 4; i++)
     if (all[i] != NULL)
       triangle_open(all[i], f->n);
   if (s->counts != NULL)
     memset(s->counts, 0, (size_t)(f->logs * fit_residuals(f)) * sizeof *s->counts);
+  if (s->outliers != NULL)
+    s->outliers->count = s->outliers->kept = 0;
   s->chi2 = 0;
   s->n = 0;
   f->passes++;
@@ -347,7 +386,7 @@ int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
     if (one_log(c, theta, s))
       return 1;
   }
-  for (int i = 0; i < 3; i++)
+  for (int i = 0; i < 4; i++)
     if (all[i] != NULL)
       triangle_close(all[i]);
   return 0;

@@ -7,6 +7,8 @@
 #include "fit.h"
 #include "host/host.h"
 
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_vector.h>
@@ -20,6 +22,8 @@
 #define SHORT 1e-5
 /* The error of the integration, in standard errors of the estimate. */
 #define STEP_ERROR 1e-7
+/* The corner of Huber's loss: 95 % efficient where the noise is normal (Huber 1981). */
+#define HUBER 1.345
 /* Singular values below this part of the largest are rounding: what they belong to is not in the
  * data. */
 #define RANK 1e-9
@@ -80,6 +84,31 @@ void fit_inverse(const struct fit_result *r, int n, double out[]) {
     }
 }
 
+/* C = H^-1 where H is that of the triangle in r less N = R'R of the lost one: by the identity
+ *     (P - R'R)^-1 = C + C R' (1 - R C R')^-1 R C,  C = P^-1
+ * (Woodbury); 0, and C as it is: H is not positive. */
+static int without(const struct fit_triangle *lost, double C[]) {
+  const size_t n = (size_t)lost->n;
+  gsl_matrix *R = gsl_matrix_calloc(n, n), *RC = gsl_matrix_alloc(n, n),
+             *K = gsl_matrix_alloc(n, n);
+  gsl_matrix_view c = gsl_matrix_view_array(C, n, n);
+  for (size_t i = 0; i < n; i++)
+    for (size_t k = i; k < n; k++)
+      gsl_matrix_set(R, i, k, triangle_at(lost, (int)i, (int)k));
+  gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1, R, &c.matrix, 0, RC);
+  gsl_matrix_set_identity(K);
+  gsl_blas_dgemm(CblasNoTrans, CblasTrans, -1, RC, R, 1, K);
+  const int positive = gsl_linalg_cholesky_decomp1(K) == GSL_SUCCESS;
+  if (positive) { /* C += (L^-1 R C)' (L^-1 R C) */
+    gsl_blas_dtrsm(CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, 1, K, RC);
+    gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, RC, RC, 1, &c.matrix);
+  }
+  gsl_matrix_free(R);
+  gsl_matrix_free(RC);
+  gsl_matrix_free(K);
+  return positive;
+}
+
 /* The step -H^-1 g, where g = J' psi = R'c of the whole triangle and H that of the loss (for least
  * squares J'J); its length in standard errors. */
 static double newton(struct fit_problem *f, const double theta[], struct fit_sums *s,
@@ -88,6 +117,10 @@ static double newton(struct fit_problem *f, const double theta[], struct fit_sum
   double g[FIT_MOST], length = 0;
   fit_decompose(f, s->inner != NULL ? s->inner : s->whole, theta, r);
   fit_inverse(r, n, r->covariance);
+  if (s->lost != NULL && !without(s->lost, r->covariance)) {
+    fit_decompose(f, s->whole, theta, r);
+    fit_inverse(r, n, r->covariance);
+  }
   for (int k = 0; k < n; k++) {
     g[k] = 0;
     for (int i = 0; i <= k; i++)
@@ -186,21 +219,43 @@ static int report(struct fit_problem *f, struct fit_sums *s, struct fit_result *
   return 1;
 }
 
+/* From how many sigmas on a value is no noise: one of n normal ones is so far with a probability of
+ * 0.01.  Without a stated sigma all are the residuals' own. */
+static double limit_of(const struct fit_result *r, int unknowns, int has_sigma) {
+  const double own = r->n > unknowns ? sqrt(r->chi2 / (double)(r->n - unknowns)) : 1;
+  return gsl_cdf_ugaussian_Qinv(0.005 / (double)(r->n > 0 ? r->n : 1)) * (has_sigma ? 1 : own);
+}
+
 void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struct fit_result *r,
                struct fit_sums *room) {
-  struct fit_sums s = {room->whole, NULL, NULL, NULL, 0, 0};
+  struct fit_sums s = {.whole = room->whole};
   gsl_error_handler_t *handler = gsl_set_error_handler_off();
   memset(r, 0, sizeof *r);
   memcpy(r->theta, start, FIT_MOST * sizeof start[0]);
+  const int robust = f->loss != FIT_SQUARES, cauchy = f->loss == FIT_CAUCHY;
+  const double corner = f->corner;
+  if (cauchy) { /* it has many minima: from that of Huber's */
+    f->loss = FIT_HUBER;
+    f->corner = HUBER;
+  }
   fit_approach(f, r->theta, has_sigma, &s, r);
+  if (cauchy) {
+    f->loss = FIT_CAUCHY;
+    f->corner = corner;
+    fit_descend(f, r->theta, &s, 100);
+  }
   recentre(f, r->theta);
-  if (f->huber > 0)
+  if (robust)
     s.inner = room->inner;
+  if (cauchy)
+    s.lost = room->lost;
   if (polish(f, &s, r, SHORT) >= 0)
     refine(f, &s, r);
   /* the last pass, with all that is reported; if it sees a step left, once more with care */
-  s.outer = f->huber > 0 ? room->outer : NULL;
+  s.outer = robust ? room->outer : NULL;
   s.counts = room->counts;
+  s.outliers = room->outliers;
+  s.outliers->limit = limit_of(r, f->n, has_sigma);
   recentre(f, r->theta);
   if (report(f, &s, r) && r->converged && r->decrement >= STILL) {
     polish(f, &s, r, STILL);

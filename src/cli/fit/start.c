@@ -37,7 +37,7 @@ static int lengthen(struct fit_problem *f, const double start[], double theta[],
   int count = 0;
   for (int k = 8; k >= 0 && count >= 0; k--) {
     f->until = k == 0 ? whole : last / (double)(1 << k);
-    struct fit_sums only = {NULL, NULL, NULL, NULL, 0, 0};
+    struct fit_sums only = {.whole = NULL};
     if (fit_pass(f, theta, &only) || only.n < 4 * f->n)
       continue;
     const int more = fit_descend(f, theta, s, 60);
@@ -51,7 +51,7 @@ static int lengthen(struct fit_problem *f, const double start[], double theta[],
  * thousandth. One that is too long may leave the range of numbers, too, or make minima that the
  * motion does not have. */
 static void first_step(struct fit_problem *f, const double theta[]) {
-  struct fit_sums one = {NULL, NULL, NULL, NULL, 0, 0}, half = one;
+  struct fit_sums one = {.whole = NULL}, half = one;
   int bad = fit_pass(f, theta, &one);
   for (int i = 0; i < 10 && f->refused == 0; i++) {
     f->h /= 2;
@@ -96,7 +96,7 @@ static void from_rows(struct fit_problem *f, int log, double theta[]) {
 
 /* Of each log's initial state the better of the scene's and what the first rows say. */
 static void better_starts(struct fit_problem *f, double theta[]) {
-  struct fit_sums now = {NULL, NULL, NULL, NULL, 0, 0}, other = now;
+  struct fit_sums now = {.whole = NULL}, other = now;
   for (int log = 0; log < f->logs && f->own > 0; log++) {
     double old[FIT_MOST], q[4];
     memcpy(old, theta, sizeof old);
@@ -136,7 +136,7 @@ static void sobol(struct fit_problem *f, const double begun[], struct fit_sums *
   double theta[FIT_MOST], u[FIT_MOST], loss[FIT_STARTS] = {0};
   gsl_qrng *q = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)f->free);
   for (int i = 0; q != NULL && i < 20 * f->starts && r->tried < f->starts; i++) {
-    struct fit_sums only = {NULL, NULL, NULL, NULL, 0, 0};
+    struct fit_sums only = {.whole = NULL};
     gsl_qrng_get(q, u);
     memcpy(theta, begun, sizeof theta);
     for (int k = 0; k < f->free; k++)
