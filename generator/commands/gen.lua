@@ -4,6 +4,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local compiler = require "generator.commands.compiler"
+local dependencies = require "generator.commands.dependencies"
 local identifiers = require "generator.dsl.names"
 local options = require "generator.commands.options"
 local measure = require "generator.commands.measure"
@@ -65,6 +66,8 @@ gen.options = {
     "or the C library's", default = "own in float, system in double" },
   { "--project", packages.names, "what the code is packed as (docs/projects.md)", value = "KIND", default = "make",
     each = packages.about },
+  { "--deps", "text", "write a rule for make as well: the generated files depend on the scene and on the files that " ..
+    "it reads, such as meshes", value = "FILE.d", default = "no rule is written" },
   { "--target", "words", "count instructions, flash and stack on small processors under emulators, for the README " ..
     "of the project: all, or some of " .. table.concat(measure.names, ", "), value = "CORE,...",
     default = "nothing is counted" },
@@ -166,7 +169,7 @@ end
 -- What has no effect beside --show, which writes nothing, or nil.
 local function shown_alone(given)
   for _, way in ipairs { "show", "list" } do
-    for _, name in ipairs(given[way] and { "o", "project", "target", "layout" } or {}) do
+    for _, name in ipairs(given[way] and { "o", "project", "target", "layout", "deps" } or {}) do
       local dashes = #name > 1 and "--" or "-"
       if given[name] then return dashes .. name .. ": --" .. way .. " prints and writes no files" end
     end
@@ -275,6 +278,10 @@ local function written(host, given, scene, plan, names)
   files[#files + 1] = { name = "LICENSE", text = host.templates["templates/LICENSE"], once = true }
   local ok
   ok, why = outputs.write(host, given.o or plan.model.name, source(plan, given), files)
+  if ok and given.deps then
+    ok, why = host.write_file(given.deps, dependencies.rule(given.o or plan.model.name, files, given[1],
+      scene.record.files))
+  end
   return ok and 0 or options.failed(host, "gen", why)
 end
 

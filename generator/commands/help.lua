@@ -5,8 +5,8 @@
 -- command.options and command.operands (commands/options.lua), command.examples = {{command line, what it shows}, ...}.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local help = { names = { "gen", "run", "sweep", "fit", "design", "explain", "check", "bench", "plot", "view", "chart",
-  "mesh", "links", "list" } }
+local help = { names = { "init", "gen", "run", "sweep", "fit", "design", "explain", "check", "bench", "plot",
+  "view", "chart", "mesh", "links", "list" } }
 
 local width, column = 80, 26 -- of a line; where explanations begin
 

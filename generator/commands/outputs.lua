@@ -16,10 +16,10 @@ local head = [[
 # "once" marks files that are yours: gen never writes them again.
 ]]
 
--- Names that gen itself could have written: relative, nothing hidden, no "..".
+-- Names that gen or init could have written: relative, no "..", nothing that is called as the host's temporary files.
 local function plain(name)
   for part in string.gmatch(name .. "/", "([^/]*)/") do
-    if part == "" or string.sub(part, 1, 1) == "." then return false end
+    if not string.find(part, "^%.?[^%.]") or string.find(part, "^%.polhode") then return false end
   end
   return true
 end

@@ -20,7 +20,7 @@ local plot = {}
 plot.forms = {
   { "SCENE", "the motion as pictures: SVG, PNG, PDF" },
   { "--from FILE.csv", "the same of a table that run wrote",
-    "Pictures that need the body's moments need the SCENE beside it." },
+    "Pictures that need the body's moments need the SCENE beside it.", page = true },
 }
 plot.operands = { 0, 1, "SCENE" }
 

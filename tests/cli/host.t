@@ -130,7 +130,8 @@ tap.ok(shell("test ! -e new"), "none is left")
 prints("a file in the way of a directory is named", [[
   say(host.write_files(args[1] .. "/a.txt/x", { { name = "a.c", text = "a" } }))]],
   "nil cannot write " .. dir .. "/a.txt/x: Not a directory\n")
-for _, name in ipairs { "../x", "/x", ".x", "", "a/../x", "a//c", "a/", "a/.x", "a/b/../c" } do
+for _, name in ipairs { "../x", "/x", ".", "..", "..x", ".polhode", "", "a/../x", "a//c", "a/", "a/./x", "a/b/../c",
+  "a/.polhode-1/c" } do
   prints("the name '" .. name .. "' is refused", string.format([[
     say(pcall(host.write_files, args[1] .. "/names", { { name = %q, text = "" } }))]], name),
     "false write_files: entry 1 is no {name=, text=} with a plain relative name\n")

@@ -90,8 +90,8 @@ local function sentences(text)
 end
 
 local MEDIAN, LONG, SHARE, LONGEST = 16, 25, 0.1, 32
-for _, page in ipairs { "README.md", "docs/README.md", "docs/features.md", "docs/install.md", "docs/versions.md",
-  "docs/contributing.md", "docs/security.md", "docs/changelog.md" } do
+for _, page in ipairs { "README.md", "docs/README.md", "docs/features.md", "docs/install.md", "docs/editor.md",
+  "docs/versions.md", "docs/contributing.md", "docs/security.md", "docs/changelog.md" } do
   local list, long = sentences(program.read(page)), 0
   for _, s in ipairs(list) do long = long + (s[1] > LONG and 1 or 0) end
   local middle = list[(#list + 1) // 2]

@@ -268,10 +268,12 @@ static int perform_undisturbed(struct job *job, const char *dir) {
   return good;
 }
 
-/* "a.c" or "sub/further/a.c": relative, nothing hidden, no "..". */
+/* "a.c", "sub/further/a.c" or ".github/a.yml": relative, no "..", and not as temporary files are
+   called here. */
 static int good_name(const char *name) {
   for (;;) {
-    if (name[0] == '.' || name[0] == '\0' || name[0] == '/')
+    const char first = name[0] == '.' ? name[1] : name[0];
+    if (first == '.' || first == '\0' || first == '/' || strncmp(name, ".polhode", 8) == 0)
       return 0;
     name = strchr(name, '/');
     if (name == NULL)

@@ -134,7 +134,8 @@ void script_push_templates(lua_State *L) {
                                         "templates/test",     "templates/host",
                                         "templates/projects", "templates/projects/firmware",
                                         "templates/target",   "templates/batch",
-                                        "templates/sweep",    "templates/fit"};
+                                        "templates/sweep",    "templates/fit",
+                                        "templates/start"};
   const char *dir = source_tree("templates/");
   lua_newtable(L);
   if (dir == NULL || !add_folder(L, dir, "templates"))
