@@ -32,7 +32,8 @@ end
 for _, name in ipairs { "open", "add", "solve", "inertia", "covariance", "ratios" } do
   local key = "estimator_" .. name
   local got, want = counted[key] or { 0, 0 }, page[key] or 1
-  tap.ok(math.abs(got[1] / want - 1) <= 0.1, key .. ": as many instructions as the page says", got[1] .. " for " .. want)
+  tap.ok(math.abs(got[1] / want - 1) <= 0.1, key .. ": as many instructions as the page says",
+    got[1] .. " for " .. want)
   tap.ok(got[2] > 0 and got[2] <= 440, key .. ": and its stack", got[2])
 end
 
