@@ -9,6 +9,7 @@ local R = require "generator.algebra.rational"
 local breaks = require "generator.dynamics.breaks"
 local candidates = require "generator.commands.design.candidates"
 local diag = require "generator.diag"
+local driven = require "generator.commands.fit.driven"
 local driver = require "generator.driver"
 local equations = require "generator.dynamics.equations"
 local fit = require "generator.commands.fit"
@@ -34,6 +35,9 @@ design.options = {
     value = "N", default = "none" },
   { "--vary", "text", "these ranges: uniform(LOW,HIGH), loguniform(LOW,HIGH)", value = "NAME=RANGE,...",
     default = "none" },
+  { "--input", "texts", "the scene's inputs over time; may be given again: each file is a candidate, at each point " ..
+    "of --over and --vary", value = "FILE.csv", default = "none: a scene with inputs needs one" },
+  { "--between", { "held", "linear" }, "an input between two of its values, as polhode fit has it", default = "held" },
   { "--until", "number", "the log's end, in s", value = "T", default = "the scene's time.horizon" },
   { "--rate", "number", "how many rows a second has", value = "HZ", default = "100" },
   { "--of", "words", "the free parameters whose errors count", value = "NAME,...",
@@ -55,6 +59,21 @@ design.examples = {
 }
 
 local MOST_ROWS, MOST_VALUES = 10000000, 20000000
+
+-- The files of --input, each with what src/cli/fit takes of it: {path =, inputs =}; without any one that has none.
+-- nil and a message if one cannot be read or lacks an input.
+local function driven_by(host, m, given)
+  if #m.inputs == 0 then return { {} } end
+  local files, why = driven.files(host, m, given)
+  if not files then return nil, why end
+  local list = {}
+  for i, file in ipairs(files) do
+    local inputs, wrong = driven.of(m, { { path = "the log", inputs = {} } }, { file }, given)
+    if not inputs then return nil, wrong end
+    list[i] = { path = file.path, inputs = inputs }
+  end
+  return list
+end
 
 -- The places of the unknowns whose errors count.
 local function counted(given, list, wrong)
@@ -144,8 +163,8 @@ local function problem(plan, free, log, of, size)
   return p, known
 end
 
-local function told_of(host, path, ask, points, values)
-  ask.candidates, ask.count = {}, #points + 0.0
+local function told_of(host, path, ask, points, values, inputs)
+  ask.candidates, ask.count, ask.inputs = {}, #points + 0.0, inputs
   for _, point in ipairs(points) do
     for k, v in ipairs(values) do ask.candidates[#ask.candidates + 1] = point[k] * v.scale end
   end
@@ -156,8 +175,10 @@ end
 local function mistakes(host, job, given)
   local wrong, free = {}, nil
   if not given.free then wrong[1] = "--free NAME,... is missing: what the log shall tell" end
-  if #job.model.inputs > 0 then wrong[#wrong + 1] = "the scene has inputs, and a design of such a scene is not " ..
-    "implemented (tables over time and expressions of t with parameters are)" end
+  wrong[#wrong + 1] = driven.wrong(job.model, given)
+  if #job.model.inputs > 0 and not given.input then
+    wrong[#wrong + 1] = "the scene has inputs: --input FILE.csv says what they are over time"
+  end
   if given.free then
     local bad
     free, bad = unknowns.free(job, given.free)
@@ -192,13 +213,13 @@ local function say_all(host, wrong)
 end
 
 -- How the errors of the best candidate fall with the log's length: its halves.
-local function growth(host, path, ask, best, values, log)
+local function growth(host, path, ask, best, values, log, inputs)
   local list = {}
   for k = 3, 1, -1 do
     local rows = (log.rows - 1) // 2 ^ k + 1
     if rows >= 4 then
       ask.rows = rows
-      local made = told_of(host, path, ask, { best }, values)
+      local made = told_of(host, path, ask, { best }, values, inputs)
       list[#list + 1] = { t = (rows - 1) * log.spacing, result = made and made[1] }
     end
   end
@@ -223,6 +244,9 @@ function design.run(host, given)
   local wrong, free, among = mistakes(host, job, given)
   if #wrong > 0 then return say_all(host, wrong) end
   if scene_lacks(job) then return options.refuse(host, job.diag) end
+  local files
+  files, why = driven_by(host, job.model, given)
+  if not files then return options.failed(host, "design", why) end
   wrong[1] = misplaced(job, among.values)
   local plan
   plan, d = fit.planned(job, free)
@@ -240,13 +264,22 @@ function design.run(host, given)
   if not path then return options.failed(host, "design", why) end
   local ask = problem(plan, free, log, of, sizes(list))
   ask.places = put
-  local results
-  results, why = told_of(host, path, ask, among.points, among.values)
-  if not results then return options.failed(host, "design", why) end
-  local found = { job = job, unknowns = list, of = of, values = among.values, points = among.points,
-    results = results, log = log, by = given.best or "D", top = given.top or 10, refusals = plan.model.conditions }
+  local found = { job = job, unknowns = list, of = of, values = among.values, points = {}, inputs = {}, results = {},
+    log = log, by = given.best or "D", top = given.top or 10, refusals = plan.model.conditions }
+  for _, file in ipairs(files) do
+    local results
+    results, why = told_of(host, path, ask, among.points, among.values, file.inputs)
+    if not results then return options.failed(host, "design", why) end
+    for i, r in ipairs(results) do
+      local n = #found.results + 1
+      found.results[n], found.points[n], found.inputs[n] = r, among.points[i], file
+    end
+  end
   local told = report.of(found)
-  if told.best then told.growth = growth(host, path, ask, among.points[told.best.place], among.values, log) end
+  local best = told.best and told.best.place
+  if best then
+    told.growth = growth(host, path, ask, found.points[best], among.values, log, found.inputs[best].inputs)
+  end
   host.out(given.format == "json" and report.json(told) or report.text(told))
   return told.status
 end

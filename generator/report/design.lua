@@ -2,8 +2,8 @@
 --
 --     report.of(found) -> told; told.status: the exit status; told.best: the best candidate, or nil
 --     report.text(told), report.json(told) -> text; told.growth: of the best, shorter logs: list of {t, result}
--- found: {job, unknowns, of (places of those that count), values and points (of candidates), results (of
--- src/cli/fit/design.c), log, by, top, refusals}.
+-- found: {job, unknowns, of (places of those that count), values, points and inputs (of candidates: {path}), results
+-- (of src/cli/fit/design.c), log, by, top, refusals}.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local fit = require "generator.report.fit"
@@ -76,6 +76,7 @@ local function named(found, place)
   for k, v in ipairs(found.values) do
     list[k] = string.format("%s = %.6g%s", v.name, found.points[place][k], v.unit == "1" and "" or " " .. v.unit)
   end
+  list[#list + 1] = found.inputs[place].path
   return #list > 0 and table.concat(list, ", ") or "the scene as it stands"
 end
 
@@ -88,7 +89,8 @@ local function ranking(out, told)
   for n = 1, math.min(found.top, #told.ranked) do
     local c, line = told.ranked[n], { "  " }
     for k in ipairs(found.values) do line[#line + 1] = string.format("%12.6g", found.points[c.place][k]) end
-    put(out, "%s  %9.2e %9.2e %9.2e", table.concat(line), c.result.mean, c.result.root, c.result.largest)
+    put(out, "%s  %9.2e %9.2e %9.2e%s", table.concat(line), c.result.mean, c.result.root, c.result.largest,
+      found.inputs[c.place].path and "  " .. found.inputs[c.place].path or "")
   end
   local worst = told.ranked[#told.ranked]
   if #told.ranked > 1 then
@@ -170,6 +172,7 @@ local function candidate(found, c)
   local values, sigmas, nulls, covariance = {}, {}, {}, {}
   local r, n = c.result, #found.unknowns
   for k, v in ipairs(found.values) do values[k] = { v.name, found.points[c.place][k] } end
+  if found.inputs[c.place].path then values[#values + 1] = { "input", found.inputs[c.place].path } end
   if c.refused then
     return json.object { { "values", json.object(values) }, { "refused", true } }
   end

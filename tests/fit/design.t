@@ -155,6 +155,34 @@ return scene { name = "top", body = tensor { mass = 1, xx = 1, yy = 1, zz = I3 }
   end
 end
 
+-- A body with motors: the torques of two files are two candidates.
+do
+  local text = [[
+local xx, yy, zz = param("xx", 1.2, "kg m^2"), param("yy", 1.4, "kg m^2"), param("zz", 1.8, "kg m^2")
+local mx, my = input("mx", "N m"), input("my", "N m")
+return scene { name = "driven", body = tensor { mass = 1, xx = xx, yy = yy, zz = zz },
+  initial = { omega = { 0.1, 0.2, -0.1 } }, effects = { effect.torque { body = { mx, my, 0 } } },
+  time = { step = 0.001, horizon = 4 }, measure = { wx = wx, wy = wy, wz = wz, sigma = 0.004 } }
+]]
+  program.write(dir .. "/weak.csv", "t,mx,my\n0,0,0\n1,0.5,0\n2,0,0\n")
+  program.write(dir .. "/strong.csv", "t,mx,my\n0,0,0\n1,0.5,0.5\n2,-0.5,0\n3,0,0\n")
+  local code, found = design(string.format("--free xx,yy,zz,initial --rate 50 --between linear --input %s/weak.csv " ..
+    "--input %s/strong.csv", dir, dir), text)
+  tap.is(code, 0, "driven: exit status")
+  tap.is(found.best, 2, "driven: the stronger torque tells more")
+  for i, file in ipairs { "weak", "strong" } do
+    code = run(string.format("run %s/scene.lua --method rk4 --every 0.02 --columns t,wx,wy,wz --input %s/%s.csv " ..
+      "--between linear -o %s/driven.csv", dir, dir, file, dir))
+    tap.is(code, 0, "driven, " .. file .. ": a log")
+    local out
+    code, out = run(string.format("fit %s/scene.lua --data %s/driven.csv --input %s/%s.csv --between linear " ..
+      "--free xx,yy,zz,initial --format json", dir, dir, dir, file))
+    local got, one = code == 0 and json.read(out) or {}, found.candidates[i]
+    local far = got.covariance and one and apart(one.covariance, got.covariance) or 1
+    tap.ok(far < STEP, "driven, " .. file .. ": what is foretold is what the fit states", far)
+  end
+end
+
 -- ---- what cannot be known ----
 
 local BODY = [[
@@ -208,6 +236,8 @@ refused("a rate of 0", 2, "--rate must be positive", "--free I2 --rate 0")
 refused("a log of one row", 2, "there must be two rows or more", "--free I2 --rate 1 --until 0.5")
 refused("too many rows", 2, "are too many", "--free I2 --rate 1e9")
 refused("what is not free", 2, "--of must be some of I2", "--free I2,initial --of I3")
+refused("an input for a scene without one", 2, "--input: the scene has no inputs", "--free I2 --input x.csv",
+  (BODY:gsub("MORE", "")))
 refused("no measure", 1, "has no key measure", "--free I2", (BODY:gsub("measure = %b{}", "")))
 refused("no sigma", 1, "sigma must be given", "--free I2", (BODY:gsub("MORE sigma = 0.004", "")))
 refused("a state that nothing measures", 2, "rx: nothing that is measured depends on it", "--free c --over rx=1:2:2",
