@@ -203,6 +203,7 @@ check-target: all
 
 check-page: $(PROGRAM)
 	@node tests/page/person.mjs
+	@node tests/page/selftests.mjs
 	@node tests/page/bits.mjs
 
 # Fuzzing with libFuzzer, docs/fuzzing.md; `fuzz-replay` builds the same targets for tests/fuzz/replay.t.

@@ -6,10 +6,11 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local text = require "generator.algebra.text"
 local numeric = require "generator.dynamics.numeric"
-local checks = require "generator.commands.view.checks"
+local facts = require "generator.commands.view.facts"
 local options = require "generator.commands.options"
+local recorded = require "generator.commands.view.recorded"
+local run = require "generator.commands.run"
 local driver = require "generator.driver"
 local methods = require "generator.methods.methods"
 local page = require "generator.page.page"
@@ -19,23 +20,27 @@ local view = {}
 
 view.forms = { { "SCENE", "a page that runs the emitted code (HTML)",
   "One file that needs no network: the body in space, sliders, plots, and what accuracy costs. It is made by clang " ..
-    "and wasm-ld (Debian packages clang and lld)." } }
+    "and wasm-ld (Debian packages clang and lld). With --trajectory it plays a computed motion, and needs neither." } }
 view.operands = { 1, 1, "SCENE" }
 view.options = {
   { "--method", "words", "the methods that the page can choose from, beside the closed form", value = "M,...",
     default = "all that the scene takes of rk4, adaptive, midpoint, semi, split2, split4" },
+  { "--trajectory", false, "a page that plays one motion; the general library computes it by one --method of run" },
   { "--real", { "double", "float" }, "the type of all numbers", default = "double" },
   { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
   { "-o", "text", "the file that is written; - is standard output", value = "FILE.html", default = "NAME.html" },
 }
 view.examples = {
   { "polhode view tennis_racket", "tennis_racket.html: open it in a browser" },
+  { "polhode view heavy_top --trajectory -o top.html", "without clang: a page that plays a computed motion" },
   { "polhode view heavy_top --real float --method rk4,taylor -o top.html", "two methods in float" },
 }
 
 local FLAGS = { "--target=wasm32", "-O2", "-std=c99", "-ffp-contract=off", "-fno-math-errno", "-ffreestanding",
   "-nostdlib", "-fvisibility=hidden", "-Wl,--no-entry", "-Wl,--strip-all", "-Wl,--stack-first",
   "-Wl,-z,stack-size=65536" }
+
+local WITHOUT = "--trajectory makes a page that plays a computed motion without it"
 
 -- Methods whose steps the scene takes; each is asked alone, for one that is not possible is an error of a plan.
 local usual = { "rk4", "adaptive", "midpoint", "semi", "split2", "split4" }
@@ -60,6 +65,13 @@ local function unknown(given)
   local names = {}
   for i, m in ipairs(methods) do names[i] = m.name end
   local seen = {}
+  if given.trajectory and #(given.method or {}) > 1 then
+    return "--trajectory plays one motion: --method must be one method, got " .. table.concat(given.method, ",")
+  end
+  if given.trajectory and given.real then
+    return "--real: it is the type of the emitted code, which --trajectory leaves out"
+  end
+  if given.trajectory then return nil end
   for _, name in ipairs(given.method or {}) do
     if name == "exact" then return "--method exact: the closed form is always there, where the scene has one" end
     if not methods.by_name[name] then return options.unknown("--method", { name }, names) end
@@ -78,54 +90,14 @@ local function compiled(host, unit)
   local name = unit.model.name
   local made, said = host.compile(dir, { "page.c", name .. ".c" }, "page.wasm", { cc = "clang", flags = FLAGS })
   if made then return host.read(dir .. "/page.wasm") end
-  if string.find(said, "^cannot run") then return nil, "needs the program clang (Debian package clang)" end
+  if string.find(said, "^cannot run") then return nil, "needs the program clang (Debian package clang); " .. WITHOUT end
   if string.find(said, 'execute command: Executable "wasm-ld', 1, true) then
-    return nil, "needs the program wasm-ld (Debian package lld)"
+    return nil, "needs the program wasm-ld (Debian package lld); " .. WITHOUT
   end
   return nil, "the page's code does not compile:\n" .. said
 end
 
 local function double(q) return R.todouble(q) + 0.0 end
-
--- Parameters as the page's sliders have them: SI values, and the unit in which they are written.
-local function parameters(model)
-  local list = {}
-  for i, p in ipairs(model.params) do
-    list[i] = { name = p.name, value = double(p.default), unit = p.own or "", factor = p.own and
-      model:double(p.factor) or 1.0 }
-  end
-  return list
-end
-
-local function states_of(job)
-  local list = {}
-  for i, s in ipairs(job.states) do
-    list[i] = { name = s.name, kind = s.kind or "", unit = s.unit or "" }
-  end
-  return list
-end
-
-local function formulas(model)
-  local list = {}
-  for i, name in ipairs { "xx", "yy", "zz", "xy", "xz", "yz" } do
-    list[i] = { name = name, text = model.inertia and text.of(model.inertia[i], "unicode") or "" }
-  end
-  return list
-end
-
-local function facts_of(plan, unit)
-  local m, steppers, inputs = plan.model, {}, {}
-  for i, s in ipairs(plan.steppers) do
-    steppers[i] = { name = s.method.name, order = s.method.order or 0 }
-  end
-  for i, u in ipairs(m.inputs) do inputs[i] = { name = u.name, unit = u.unit or "" } end
-  local acts = {}
-  for i, e in ipairs(m.record.effects) do acts[i] = e.kind end
-  return { name = m.name, version = "polhode " .. plan.build, real = plan.real, params = parameters(m),
-    states = states_of(plan), inputs = inputs, methods = steppers, exact = plan.closed.full or false,
-    closed = plan.closed.kind or plan.closed.refused or "", horizon = m:double(m.horizon), step = m:double(m.step),
-    effects = acts, free = #acts == 0, checks = checks.texts(unit), formulas = formulas(m) }
-end
 
 -- The body's tree with each parameter moved by a thousandth of itself, times a count of such steps.
 local function tree_of(scene)
@@ -148,6 +120,31 @@ local function shape_of(scene)
   return shape.of(tree_of(scene), sizes)
 end
 
+-- Writes a page: its facts, and the code that it runs or nil.
+local function written(host, scene, given, known, wasm)
+  local html = page.html(host.templates, host.sha256, { facts = known, shape = shape_of(scene), code = wasm,
+    formulas = facts.formulas(scene) })
+  return options.write(host, "view", given.o or scene.model.name .. ".html", html)
+end
+
+local function played(host, scene, given)
+  local motion, failure = recorded.of(host, scene, given)
+  if not motion then return run.refuse(host, failure, nil, "view") end
+  local known = facts.of(scene)
+  known.recorded = motion
+  return written(host, scene, given, known, nil)
+end
+
+local function live(host, scene, given)
+  local plan, d = planned(scene, given)
+  if not plan then return options.refuse(host, d) end
+  local unit = driver.files(plan, { plugin = { page = true } })
+  if not unit then return options.refuse(host, plan.diag) end
+  local wasm, why = compiled(host, unit)
+  if not wasm then return options.failed(host, "view", why) end
+  return written(host, scene, given, facts.compiled(scene, plan, unit), wasm)
+end
+
 function view.run(host, given)
   local wrong = unknown(given)
   if given.o and given.o ~= "-" and not string.find(given.o, "[^/]%.html$") then
@@ -160,16 +157,7 @@ function view.run(host, given)
     return options.failed(host, "view", "a page needs the body's rates and attitude, and the scene has not both")
   end
   options.warn(host, scene.diag)
-  local plan
-  plan, d = planned(scene, given)
-  if not plan then return options.refuse(host, d) end
-  local unit = driver.files(plan, { plugin = { page = true } })
-  if not unit then return options.refuse(host, plan.diag) end
-  local wasm
-  wasm, why = compiled(host, unit)
-  if not wasm then return options.failed(host, "view", why) end
-  local html = page.html(host.templates, host.sha256, facts_of(plan, unit), shape_of(scene), wasm)
-  return options.write(host, "view", given.o or plan.model.name .. ".html", html)
+  return (given.trajectory and played or live)(host, scene, given)
 end
 
 return view

@@ -32,6 +32,13 @@ function bytes.floats(list)
   return bytes.base64(table.concat(out))
 end
 
+-- The same as IEEE binary64.
+function bytes.doubles(list)
+  local out = {}
+  for i, x in ipairs(list) do out[i] = string.pack("<d", x) end
+  return bytes.base64(table.concat(out))
+end
+
 local escapes = { ['"'] = '\\"', ["\\"] = "\\\\", ["\n"] = "\\n", ["<"] = "\\u003c" } -- no end of a script element
 
 -- JSON of strings, numbers, booleans, lists and tables with names, which are sorted.  {} is a list.

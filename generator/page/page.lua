@@ -1,8 +1,8 @@
 -- page.lua -- one HTML file from the page's sources, the scene's facts and the WebAssembly of its code.
 --
---     page.html(templates, hash, facts, shape, wasm) -> text
--- hash: text -> SHA-256 in hexadecimal.  The page may load nothing: its policy names the script and the style by their
--- hashes and forbids the rest.  Same scene, same bytes.
+--     page.html(templates, hash, {facts =, shape =, formulas = (HTML), code = (WebAssembly) or nil}) -> text
+-- hash: text -> SHA-256 in hexadecimal.  Without code the facts have a recorded motion.  The page may load nothing: its
+-- policy names the script and the style by their hashes and forbids the rest.  Same scene, same bytes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local bytes = require "generator.page.bytes"
@@ -10,7 +10,8 @@ local bytes = require "generator.page.bytes"
 local page = {}
 
 -- In the order in which they stand in the one script.
-local SCRIPTS = { "vectors", "code", "motion", "shape", "gl", "space", "plot", "accuracy", "controls", "start" }
+local SCRIPTS = { "vectors", "code", "recorded", "motion", "shape", "gl", "poinsot", "space", "plot", "accuracy",
+  "controls", "drag", "presets", "formulas", "start" }
 
 local function packed(member)
   local by = {}
@@ -27,15 +28,16 @@ end
 local function escaped(s) return (string.gsub(s, "[&<>\"]", { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;",
   ['"'] = "&quot;" })) end
 
-function page.html(templates, hash, facts, shape, wasm)
+function page.html(templates, hash, given)
   local list = { '"use strict";' }
   for _, name in ipairs(SCRIPTS) do list[#list + 1] = templates["templates/page/" .. name .. ".js"] end
   local script, style = "\n" .. table.concat(list, "\n"), "\n" .. templates["templates/page/page.css"]
-  local drawn = { fixed = shape.fixed }
-  for _, kind in ipairs { "faces", "holes", "lines", "points" } do drawn[kind] = packed(shape[kind]) end
-  local values = { title = escaped(facts.name), policy = policy_of(hash, script, style), style = style, script = script,
-    facts = bytes.json(facts), shape = bytes.json(drawn), code = wasm and bytes.base64(wasm) or "",
-    license = templates["templates/LICENSE"], version = escaped(facts.version) }
+  local drawn = { fixed = given.shape.fixed }
+  for _, kind in ipairs { "faces", "holes", "lines", "points" } do drawn[kind] = packed(given.shape[kind]) end
+  local values = { title = escaped(given.facts.name), policy = policy_of(hash, script, style),
+    style = style, script = script,
+    facts = bytes.json(given.facts), shape = bytes.json(drawn), code = given.code and bytes.base64(given.code) or "",
+    formulas = given.formulas, license = templates["templates/LICENSE"], version = escaped(given.facts.version) }
   return (string.gsub(templates["templates/page/page.html"], "@(%l+)@", values))
 end
 

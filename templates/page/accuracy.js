@@ -1,4 +1,5 @@
-// accuracy.js -- what accuracy costs: two methods against the reference, and measured times.  SPDX-License-Identifier: MIT-0
+// accuracy.js -- what accuracy costs: two methods against the reference, and measured times.
+// SPDX-License-Identifier: MIT-0
 
 // Largest error of a motion's samples: {angle, rate, energy}; reference: time -> state.
 function errorsOf(motion, reference, places) {
@@ -47,8 +48,8 @@ function accuracyRows(code, facts, places, start, choices, until) {
       const m = motionOf(code, SLOT.spare, start, c, until);
       if (!m) continue;
       const e = errorsOf(m, reference.at, places);
-      rows.push([name, c.method === "exact" ? "any" : shown(c.h), sayError(e.angle), sayError(e.rate), sayError(e.energy),
-        nanoseconds(code, start, c).toFixed(0)]);
+      rows.push([name, c.method === "exact" ? "any" : shown(c.h), sayError(e.angle), sayError(e.rate),
+        sayError(e.energy), nanoseconds(code, start, c).toFixed(0)]);
     }
   }
   return { rows, reference: reference.name };

@@ -58,35 +58,22 @@ function writeAddress(values) {
   history.replaceState(null, "", "#" + text);
 }
 
-// The camera: dragging, and arrows, + and - when the canvas has the focus.
-function orbit(canvas, space, draw) {
-  let from = null;
-  const limit = () => {
-    space.height = Math.max(-1.5, Math.min(1.5, space.height));
-    space.far = Math.max(1.5, Math.min(12, space.far));
-    draw();
-  };
-  canvas.addEventListener("pointerdown", (e) => {
-    from = [e.clientX, e.clientY];
-    canvas.setPointerCapture(e.pointerId);
+// Sliders for all that can be changed: {name: {read, write, first}}.  own: parameters, SI; scene: the initial state.
+function controlsOf(facts, places, own, scene, changed) {
+  const controls = {}, most = 1.5*Math.max(1, length(places.w.map((i) => scene[i])));
+  facts.params.forEach((p, i) => {
+    const v = own[i], low = p.low ?? (v === 0 ? -p.factor : Math.min(-0.2*v, 3*v));
+    const high = p.high ?? (v === 0 ? p.factor : Math.max(-0.2*v, 3*v));
+    controls["p." + p.name] = slider($("parameters"), "p-" + p.name, p.name, p.unit, low, high, v, p.factor, changed);
   });
-  canvas.addEventListener("pointermove", (e) => {
-    if (!from) return;
-    space.turn -= (e.clientX - from[0])*0.008;
-    space.height += (e.clientY - from[1])*0.008;
-    from = [e.clientX, e.clientY];
-    limit();
+  ["wx", "wy", "wz"].forEach((name, k) => {
+    controls[name] = slider($("rates0"), name, "ω" + "xyz"[k], "rad/s", -most, most, scene[places.w[k]], 1, changed);
+    controls["turn" + "xyz"[k]] = slider($("turn0"), "turn-" + "xyz"[k], "xyz"[k], "°", -Math.PI, Math.PI, 0,
+      Math.PI/180, changed);
   });
-  canvas.addEventListener("pointerup", () => { from = null; });
-  canvas.addEventListener("keydown", (e) => {
-    const turn = { ArrowLeft: -0.1, ArrowRight: 0.1 }[e.key], up = { ArrowUp: 0.1, ArrowDown: -0.1 }[e.key];
-    if (turn) space.turn += turn;
-    else if (up) space.height += up;
-    else if (e.key === "+") space.far /= 1.1;
-    else if (e.key === "-") space.far *= 1.1;
-    else if (e.key === "0") Object.assign(space, { turn: 0.6, height: 0.35, far: 3.6 });
-    else return;
-    e.preventDefault();
-    limit();
+  facts.inputs.forEach((u) => {
+    controls["u." + u.name] = slider($("inputs"), "u-" + u.name, u.name, u.unit, u.low ?? -u.factor, u.high ?? u.factor,
+      0, u.factor, changed);
   });
+  return controls;
 }

@@ -1,4 +1,5 @@
-// gl.js -- a small renderer on WebGL 2: lit surfaces, and lines as ribbons of some pixels.  SPDX-License-Identifier: MIT-0
+// gl.js -- a small renderer on WebGL 2: lit surfaces, and lines as ribbons of some pixels.
+// SPDX-License-Identifier: MIT-0
 
 const SOLID = {
   vertex: "#version 300 es\nlayout(location=0) in vec3 at; layout(location=1) in vec3 normal;" +
@@ -39,9 +40,19 @@ function programOf(gl, source) {
   return { program, found };
 }
 
+// Does a program draw in the place of a graphics card?  Smooth edges cost it a quarter of the frame's time.
+function drawnByProgram() {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const info = gl && gl.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
+  if (gl) gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
 // A renderer, or null where there is no WebGL 2.
 function rendererOf(canvas) {
-  const gl = canvas.getContext("webgl2", { antialias: true, alpha: false, preserveDrawingBuffer: true });
+  const wanted = { antialias: !drawnByProgram(), alpha: false, preserveDrawingBuffer: true };
+  const gl = canvas.getContext("webgl2", wanted);
   if (!gl) return null;
   const solid = programOf(gl, SOLID), ribbon = programOf(gl, RIBBON), corners = gl.createBuffer();
   gl.bindBuffer(gl.ARRAY_BUFFER, corners);

@@ -36,7 +36,7 @@ function drawCurves(svg, times, curves, label, title) {
       high = Math.max(high, v);
     }
   if (!(low <= high)) [low, high] = [-1, 1];
-  const margin = Math.max((high - low)*0.06, Math.abs(high)*1e-12, 1e-300);
+  const margin = high > low ? (high - low)*0.06 : Math.abs(high)*0.1 || 1;
   low -= margin;
   high += margin;
   const end = times[times.length - 1] || 1;
@@ -48,7 +48,8 @@ function drawCurves(svg, times, curves, label, title) {
   for (const t of ticks(0, end, 5))
     svg.append(element("text", { class: "middle", x: x(t), y: H - BOTTOM + 16 }, shown(t)));
   svg.append(element("text", { class: "middle", x: (LEFT + W - RIGHT)/2, y: H - 4 }, "t / s"));
-  svg.append(element("text", { class: "middle", transform: "translate(12 " + (TOP + H - BOTTOM)/2 + ") rotate(-90)" }, label));
+  const up = "translate(12 " + (TOP + H - BOTTOM)/2 + ") rotate(-90)";
+  svg.append(element("text", { class: "middle", transform: up }, label));
   const ends = [];
   for (const c of curves) {
     let d = "", open = false;
@@ -63,10 +64,25 @@ function drawCurves(svg, times, curves, label, title) {
   ends.sort((a, b) => a.at - b.at);
   for (let i = 1; i < ends.length; i++) ends[i].at = Math.max(ends[i].at, ends[i - 1].at + 12);
   for (const e of ends) svg.append(element("text", { class: "name " + e.c.css, x: W - RIGHT + 4, y: e.at }, e.c.name));
-  const mark = element("line", { class: "mark", y1: TOP, y2: H - BOTTOM, x1: LEFT, x2: LEFT });
-  svg.append(mark);
-  return (t) => {
-    mark.setAttribute("x1", x(Math.min(t, end)));
-    mark.setAttribute("x2", x(Math.min(t, end)));
+  // a layer of its own, as wide as the plot, with its line at the left: to move it paints nothing anew
+  const mark = svg.nextElementSibling;
+  return (t) => { mark.style.transform = "translateX(" + 100*x(Math.min(t, end))/W + "%)"; };
+}
+
+// The two plots of a motion: returns what moves their marks to a time.
+function plotsOf(m, places) {
+  const t = m.samples.map((s) => s.t), first = m.samples[0].energy;
+  const curves = [0, 1, 2].map((k) => ({ name: "ω" + "xyz"[k], css: "xyz"[k],
+    values: m.samples.map((s) => s.x[places.w[k]]) }));
+  const rates = drawCurves($("rates"), t, curves, "ω / (rad/s)", "Angular velocity in body axes over time");
+  const spread = Math.max(...m.samples.map((s) => Math.abs(s.energy - first))), size = Math.abs(first);
+  const drift = spread > 0 && spread < 1e-3*size, ten = drift ? Math.floor(Math.log10(spread/size)) : 0;
+  const energy = drawCurves($("energy"), t, [{ name: "E", css: "e", values: m.samples.map((s) =>
+    drift ? (s.energy - first)/size/Math.pow(10, ten) : s.energy) }],
+  drift ? "(E − E₀)/E₀" + (ten ? " · 10^" + (-ten) : "") : "E / J",
+  drift ? "Relative drift of the energy over time" : "Energy over time");
+  return (time) => {
+    rates(time);
+    energy(time);
   };
 }

@@ -46,6 +46,24 @@ function ball(n) {
   return new Float32Array(list);
 }
 
+// The mantle of a cone that opens along z from the origin, as wide as high.
+function cone() {
+  const list = [], n = 48, p = (k) => [Math.cos(2*Math.PI*k/n), Math.sin(2*Math.PI*k/n)];
+  for (let k = 0; k < n; k++) {
+    const a = p(k), b = p(k + 1), mid = p(k + 0.5);
+    for (const [v, m] of [[[0, 0, 0], mid], [[...b, 1], b], [[...a, 1], a]]) list.push(...v, ...m, -1);
+  }
+  return new Float32Array(list);
+}
+
+// The rim of a cone and two of its lines, which show that it turns.
+function rim(angle, reach) {
+  const list = [], at = (k) => [Math.cos(2*Math.PI*k/48)*Math.sin(angle), Math.sin(2*Math.PI*k/48)*Math.sin(angle),
+    Math.cos(angle)].map((x) => reach*x);
+  for (let k = 0; k <= 48; k++) list.push(...at(k));
+  return [...list, 0, 0, 0, ...at(24)];
+}
+
 function arrow() {
   const list = [], ring = [[0.018, 0], [0.018, 0.86], [0.05, 0.86], [0, 1]], n = 20;
   for (let r = 0; r < 3; r++)

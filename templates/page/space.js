@@ -9,12 +9,20 @@ const DARK = { paper: [0.082, 0.094, 0.114], ink: [0.96, 0.96, 0.96], body: [0.5
 
 const ONE = [1, 0, 0, 0], HERE = [0, 0, 0], EQUAL = [1, 1, 1];
 
+// Do the points of a path on the sphere lie close enough for a curve?  A fast spin would give a polygon without sense.
+function smooth(list) {
+  let most = 0;
+  for (let i = 3; i < list.length; i++) most = Math.max(most, Math.abs(list[i] - list[i - 3]));
+  return most < 0.7;
+}
+
 function spaceOf(canvas) {
   const r = rendererOf(canvas);
   if (!r) return null;
   const space = { turn: 0.6, height: 0.35, far: 3.6, renderer: r };
-  const shaft = r.mesh(arrow()), round = r.mesh(ball(24));
-  let things = {}, motion = null, body = null, poinsot = null;
+  const shaft = r.mesh(arrow()), round = r.mesh(ball(24)), funnel = r.mesh(cone());
+  const things = {};
+  let body = null, poinsot = null, cones = null;
 
   function renew(name, thing) {
     r.drop(things[name]);
@@ -28,15 +36,16 @@ function spaceOf(canvas) {
     renew("wires", r.line(drawn.lines));
   };
 
-  // places: what is where in a state; p: what poinsotOf gives, or null.
-  space.motion = (m, places, p) => {
-    motion = m;
+  // places: what is where in a state; p, rolled: what poinsotOf and conesOf give, or null.
+  space.motion = (m, places, p, rolled) => {
     poinsot = p;
+    cones = rolled;
+    if (cones) renew("mark", r.line(rim(cones.body, 1.2)));
     const axis = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
     for (let k = 0; k < 3; k++) {
       const list = [];
       for (const s of m.samples) list.push(...scaled(1.25, turned(places.q.map((i) => s.x[i]), axis[k])));
-      renew("trail" + k, r.line(list));
+      renew("trail" + k, r.line(smooth(list) ? list : []));
     }
     if (!p) return;
     renew("polhode", r.line(p.polhode.flat()));
@@ -80,12 +89,28 @@ function spaceOf(canvas) {
     r.surface(round, placed(own, poinsot.axes, HERE), poinsot.axes, [...c.body, 0.5]);
   }
 
-  // now: {q, w, L, at, index, second: q of the other method or null}; what: "body" | "poinsot".
+  function drawCones(now, c) {
+    const up = [0, 0, 1], axis = turned(now.q, cones.axis);
+    const around = (q, angle, reach) => {
+      const s = [reach*Math.sin(angle), reach*Math.sin(angle), reach*Math.max(Math.cos(angle), 1e-3)];
+      return [placed(q, s, HERE), s];
+    };
+    r.surface(funnel, ...around(towards(up, cones.L), cones.space, 1.2), [...c.x, 1]);
+    pointer(cones.L, 1.5, c.ink);
+    pointer(turned(now.q, now.w), 1.5, c.rate);
+    pointer(axis, 1.5, c.z);
+    r.surface(funnel, ...around(product(now.q, towards(up, cones.axis)), cones.body, 1.2), [...c.y, 0.6]);
+    r.lines(things.mark, placed(product(now.q, towards(up, cones.axis)), EQUAL, HERE), [...c.y, 1], 2.5, false);
+  }
+
+  // now: {q, w, L, at, index, second: q of the other method or null}; what: "body" | "poinsot" | "cones".
   space.draw = (what, now, dark) => {
     const c = dark ? DARK : LIGHT, e = space.height, ratio = canvas.clientWidth/Math.max(1, canvas.clientHeight);
-    const eye = scaled(space.far*Math.max(1, 1.15/ratio), [Math.cos(e)*Math.cos(space.turn), Math.cos(e)*Math.sin(space.turn), Math.sin(e)]);
+    const way = [Math.cos(e)*Math.cos(space.turn), Math.cos(e)*Math.sin(space.turn), Math.sin(e)];
+    const eye = scaled(space.far*Math.max(1, 1.15/ratio), way);
     r.begin(times(perspective(0.8, ratio, 0.1, 40), looking(eye)), c.paper);
     if (what === "poinsot" && poinsot) return drawPoinsot(now, c);
+    if (what === "cones" && cones) return drawCones(now, c);
     const w = turned(now.q, now.w);
     const from = Math.max(0, now.index - 120), count = now.index - from + 1;
     for (let k = 0; k < 3; k++)
@@ -98,26 +123,4 @@ function spaceOf(canvas) {
 
   space.lost = () => r.gl.isContextLost();
   return space;
-}
-
-// Poinsot's construction where L stays in space and is I w: the ellipsoid w.Iw = 2T rolls on the plane w.L = 2T.
-// Returns null or why it does not hold, as {refused}.
-function poinsotOf(code, motion, places) {
-  const first = motion.samples[0], size = length(first.momentum), p = code.principal();
-  if (!(size > 0) || !p || !(p.moments[0] > 0)) return { refused: "the body does not turn, or has no thickness" };
-  const w0 = places.w.map((i) => first.x[i]), q0 = places.q.map((i) => first.x[i]);
-  const own = p.axes.map((a, k) => scaled(p.moments[k]*dot(a, w0), a)).reduce(added, [0, 0, 0]);
-  const off = (a, b) => length(added(a, scaled(-1, b)))/size;
-  if (off(turned(q0, own), first.momentum) > 1e-5) return { refused: "wheels or rotors carry momentum, too" };
-  for (const s of motion.samples)
-    if (!(off(s.momentum, first.momentum) < 1e-4)) return { refused: "torques change L, so there is no fixed plane" };
-  const twice = dot(own, w0), unitOf = 1/Math.sqrt(twice/p.moments[0]);
-  const turn = towards(first.momentum, [0, 0, -1]), polhode = [], herpolhode = [];
-  for (const s of motion.samples) {
-    const w = scaled(unitOf, places.w.map((i) => s.x[i]));
-    polhode.push(w);
-    herpolhode.push(turned(product(turn, places.q.map((i) => s.x[i])), w));
-  }
-  return { turn, size: unitOf, polhode, herpolhode, frame: attitudeOf(p.axes), depth: -unitOf*twice/size, reach: 1.3,
-    axes: p.moments.map((I) => unitOf*Math.sqrt(twice/I)) };
 }

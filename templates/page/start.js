@@ -3,15 +3,18 @@
 //
 // Time that passes is time of the motion: a frame shows the state of its moment, however late it comes.
 
+const TEXT_EVERY = 100; // ms: numbers that change faster cannot be read, and each change costs a layout
+
 async function start() {
   const facts = JSON.parse($("facts").textContent), drawing = JSON.parse($("shape").textContent);
-  const code = await codeOf(bytesOf($("code").textContent.trim()), facts);
+  const live = !facts.recorded;
+  const code = live ? await codeOf(bytesOf($("code").textContent.trim()), facts) : recordedOf(facts);
   const own = Array.from(code.params.subarray(0, facts.params.length)), places = { q: [], w: [] };
   facts.states.forEach((s, i) => {
     if (s.kind === "attitude") places.q.push(i);
     if (s.kind === "rates") places.w.push(i);
   });
-  const page = { facts, code, places, t: 0, playing: false, motion: null, other: null, until: facts.horizon };
+  const page = { facts, code, places, t: 0, told: 0, playing: false, motion: null, other: null, until: facts.horizon };
   let space = null;
   try {
     space = spaceOf($("space"));
@@ -24,8 +27,6 @@ async function start() {
   code.init();
   code.initial(SLOT.spare);
   const scene = Array.from(code.states[SLOT.spare]);
-  const most = 1.5*Math.max(1, length(places.w.map((i) => scene[i])));
-
   // ---- controls ----
 
   let due = false;
@@ -37,28 +38,18 @@ async function start() {
       renew();
     });
   };
-  const controls = {};
-  facts.params.forEach((p, i) => {
-    const v = own[i], low = v === 0 ? -p.factor : Math.min(-0.2*v, 3*v), high = v === 0 ? p.factor : Math.max(-0.2*v, 3*v);
-    controls["p." + p.name] = slider($("parameters"), "p-" + p.name, p.name, p.unit, low, high, v, p.factor, changed);
-  });
-  ["wx", "wy", "wz"].forEach((name, k) => {
-    controls[name] = slider($("rates0"), name, "ω" + "xyz"[k], "rad/s", -most, most, scene[places.w[k]], 1, changed);
-    controls["turn" + "xyz"[k]] = slider($("turn0"), "turn-" + "xyz"[k], "xyz"[k], "°", -Math.PI, Math.PI, 0,
-      Math.PI/180, changed);
-  });
-  facts.inputs.forEach((u) => {
-    controls["u." + u.name] = slider($("inputs"), "u-" + u.name, u.name, u.unit, -1, 1, 0, 1, changed);
-  });
+  const controls = live ? controlsOf(facts, places, own, scene, changed) : {};
+  if (!live) $("how").textContent = "The motion was computed before, by polhode's general library.";
+  for (const e of [$("controls"), $("accuracy"), $("drag").parentNode]) e.hidden = !live;
   const choose = (select, list) => list.forEach(([value, text]) => select.add(new Option(text, value)));
   const names = facts.methods.map((m, i) => [String(i), m.name]);
-  if (facts.exact) names.unshift(["exact", "closed form"]);
+  if (facts.exact) names.unshift(["exact", live ? "closed form" : facts.recorded.method]);
   choose($("first"), names);
   choose($("second"), [["none", "nothing"], ...names]);
-  choose($("preset"), [["", "choose"], ["1", "spin about axis 1, disturbed"], ["2", "spin about the middle axis: the flip"],
-    ["2s", "very near the separatrix"], ["3", "spin about axis 3, disturbed"], ["sleep", "upright, along z: a sleeping top"]]);
-  $("step").value = facts.step;
-  const stepOf = () => Number($("step").value) > 0 ? Number($("step").value) : facts.step;
+  choose($("preset"), PRESETS);
+  const step = live ? facts.step : facts.horizon/(facts.recorded.count - 1);
+  $("step").value = step;
+  const stepOf = () => Number($("step").value) > 0 ? Number($("step").value) : step;
   const choiceOf = (id) => {
     const v = $(id).value;
     return v === "none" ? null : { method: v === "exact" ? v : Number(v), h: stepOf() };
@@ -66,13 +57,16 @@ async function start() {
 
   // ---- the motion ----
 
+  const turnNow = () => ["x", "y", "z"].map((k) => controls["turn" + k].read());
+  const ratesNow = () => ["wx", "wy", "wz"].map((k) => controls[k].read());
+
   function initial() {
     code.initial(SLOT.spare);
-    const x = Array.from(code.states[SLOT.spare]), v = ["x", "y", "z"].map((k) => controls["turn" + k].read());
-    ["wx", "wy", "wz"].forEach((name, k) => { x[places.w[k]] = controls[name].read(); });
-    const a = length(v), s = a > 0 ? Math.sin(a/2)/a : 0;
-    if (a > 0) product(places.q.map((i) => x[i]), [Math.cos(a/2), s*v[0], s*v[1], s*v[2]])
-      .forEach((c, k) => { x[places.q[k]] = c; });
+    const x = Array.from(code.states[SLOT.spare]);
+    if (!live) return x;
+    const q = places.q.map((i) => x[i]), turn = turnNow();
+    ratesNow().forEach((v, k) => { x[places.w[k]] = v; });
+    if (length(turn) > 0) product(q, rotationOf(turn)).forEach((c, k) => { x[places.q[k]] = c; });
     return x;
   }
 
@@ -81,7 +75,8 @@ async function start() {
   }
 
   function renew() {
-    const values = facts.params.map((p) => controls["p." + p.name].read()), before = Array.from(code.params);
+    const values = live ? facts.params.map((p) => controls["p." + p.name].read()) : own;
+    const before = Array.from(code.params);
     code.params.set(values);
     facts.inputs.forEach((u, i) => { code.inputs[i] = controls["u." + u.name].read(); });
     const status = code.init();
@@ -98,47 +93,32 @@ async function start() {
     const second = choiceOf("second");
     page.other = second && motionOf(code, SLOT.second, x, second, page.until);
     page.start = x;
-    const p = poinsotOf(code, made, places);
-    page.poinsot = p.refused ? null : p;
-    $("what").options[1].disabled = !page.poinsot;
-    $("what").options[1].textContent = "Poinsot's ellipsoid" + (p.refused ? " (not here: " + p.refused + ")" : "");
-    if (!page.poinsot) $("what").value = "body";
+    constructions(made);
     if (space) {
       space.body(bodyOf(drawing, values, own, code));
-      space.motion(made, places, page.poinsot);
+      space.motion(made, places, page.poinsot, page.cones);
     }
-    plots(made);
-    tensor();
+    page.mark = plotsOf(made, places);
+    fillFormulas(code.inertia());
     $("time").max = made.end;
     $("note").textContent = made.cut ? "Only " + MOST_STEPS + " steps are computed: t ends early." :
+      !live ? "A computed motion of " + facts.recorded.count + " rows: nothing can be changed in this page." :
       drawing.fixed ? "The picture keeps the shape of the scene's own parameters." : "";
     show();
     if (!page.playing) address();
   }
 
-  function plots(m) {
-    const t = m.samples.map((s) => s.t), first = m.samples[0].energy;
-    const rate = (k) => m.samples.map((s) => s.x[places.w[k]]);
-    page.markRates = drawCurves($("rates"), t, [0, 1, 2].map((k) => ({ name: "ω" + "xyz"[k], css: "xyz"[k],
-      values: rate(k) })), "ω / (rad/s)", "Angular velocity in body axes over time");
-    const spread = Math.max(...m.samples.map((s) => Math.abs(s.energy - first))), size = Math.abs(first);
-    const drift = size > 0 && spread < 1e-3*size, ten = spread > 0 ? Math.floor(Math.log10(spread/size)) : 0;
-    page.markEnergy = drawCurves($("energy"), t, [{ name: "E", css: "e", values: m.samples.map((s) =>
-      drift ? (s.energy - first)/size/Math.pow(10, ten) : s.energy) }],
-    drift ? "(E − E₀)/E₀" + (ten ? " · 10^" + (-ten) : "") : "E / J",
-      drift ? "Relative drift of the energy over time" : "Energy over time");
-  }
-
-  function tensor() {
-    const I = code.inertia(), list = [];
-    facts.formulas.forEach((f, k) => {
-      if (f.text === "0" || f.text === "") return;
-      const dt = document.createElement("dt"), dd = document.createElement("dd");
-      dt.textContent = "I" + f.name;
-      dd.textContent = (f.text.length < 60 ? f.text + " = " : "") + I[k].toPrecision(6).replace("-", "−") + " kg m²";
-      list.push(dt, dd);
+  // What rolls on what, or in the menu why it does not.
+  function constructions(made) {
+    const p = poinsotOf(code, made, places), cones = conesOf(code, made, places, facts.kind, p);
+    page.poinsot = p.refused ? null : p;
+    page.cones = cones.refused ? null : cones;
+    [["Poinsot's ellipsoid", p], ["cones of a symmetric top", cones]].forEach(([name, c], k) => {
+      const option = $("what").options[k + 1];
+      option.disabled = Boolean(c.refused);
+      option.textContent = name + (c.refused ? " (not here: " + c.refused + ")" : "");
+      if (c.refused && $("what").value === option.value) $("what").value = "body";
     });
-    $("tensor").replaceChildren(...list);
   }
 
   // ---- one moment ----
@@ -152,12 +132,22 @@ async function start() {
     const x = stateAt(code, m, page.t), L = code.momentum(m.slot), E = code.energy(m.slot);
     const y = page.other && stateAt(code, page.other, page.t);
     page.state = x;
+    page.mark(page.t);
+    const now = performance.now();
+    if (!page.playing || now - page.told > TEXT_EVERY) {
+      page.told = now;
+      tell(m, x, E, length(L), y);
+    }
+    if (space && !space.lost()) space.draw($("what").value, { q: pick(x, places.q), w: pick(x, places.w), L,
+      index: Math.floor(SAMPLES*page.t/(m.end || 1)), second: y && pick(y, places.q) }, dark.matches);
+  }
+
+  // The same in words and numbers.
+  function tell(m, x, E, size, y) {
     $("time").value = page.t;
     $("now").textContent = page.t.toFixed(3).replace("-", "−") + "\u00a0s";
     $("time").setAttribute("aria-valuetext", page.t.toFixed(2) + " s");
-    page.markRates(page.t);
-    page.markEnergy(page.t);
-    const rows = facts.states.map((s, i) => [s.name, x[i]]).concat([["E / J", E], ["|L| / (N m s)", length(L)]]);
+    const rows = facts.states.map((s, i) => [s.name, x[i]]).concat([["E / J", E], ["|L| / (N m s)", size]]);
     const body = $("values").tBodies[0];
     rows.forEach(([name, v], i) => {
       const row = body.rows[i] || body.insertRow();
@@ -170,8 +160,6 @@ async function start() {
     });
     $("difference").textContent = y ? "Difference of the two at this time: " +
       sayError(between(pick(x, places.q), pick(y, places.q))) + " rad; the second body is drawn through the first." : "";
-    if (space && !space.lost()) space.draw($("what").value, { q: pick(x, places.q), w: pick(x, places.w), L,
-      index: Math.floor(SAMPLES*page.t/(m.end || 1)), second: y && pick(y, places.q) }, dark.matches);
     $("space").setAttribute("aria-label", "The body in space at t = " + page.t.toFixed(1) + " s");
   }
 
@@ -180,7 +168,7 @@ async function start() {
     for (const [name, c] of Object.entries(controls)) if (c.read() !== c.first) out[name] = c.read();
     if ($("first").selectedIndex > 0) out.first = $("first").value;
     if ($("second").selectedIndex > 0) out.second = $("second").value;
-    if (stepOf() !== facts.step) out.h = stepOf();
+    if (stepOf() !== step) out.h = stepOf();
     if ($("what").value !== "body") out.what = $("what").value;
     if (page.t > 0) out.t = page.t;
     writeAddress(out);
@@ -248,41 +236,48 @@ async function start() {
     play(!page.playing);
   });
 
+  const writeRates = (w) => ["wx", "wy", "wz"].forEach((name, k) => controls[name].write(w[k]));
+  const writeTurn = (v) => ["x", "y", "z"].forEach((k, i) => controls["turn" + k].write(v[i]));
+
   function preset(kind) {
     if (!kind) return;
-    const p = code.principal(), size = Math.max(length(pick(page.start, places.w)), 1);
-    let w = [0, 0, size];
-    if (kind === "sleep") {
-      const q = pick(scene, places.q), back = product([q[0], -q[1], -q[2], -q[3]], [1, 0, 0, 0]);
-      const angle = 2*Math.atan2(Math.hypot(back[1], back[2], back[3]), back[0]);
-      const axis = unit([back[1], back[2], back[3]]);
-      ["x", "y", "z"].forEach((k, i) => controls["turn" + k].write(angle*axis[i]));
-    } else if (p) {
-      const k = Number(kind[0]) - 1, small = kind === "2s" ? 1e-6 : 0.02;
-      w = added(scaled(size, p.axes[k]), scaled(small*size, p.axes[(k + 1) % 3]));
-    }
-    ["wx", "wy", "wz"].forEach((name, i) => controls[name].write(w[i]));
+    const size = Math.max(length(pick(page.start, places.w)), 1);
+    const to = presetOf(kind, code.principal(), pick(scene, places.q), size);
+    writeRates(to.w);
+    writeTurn(to.turn);
     page.t = 0;
     renew();
   }
 
+  // A drag acts on the beginning of the motion, so the time goes back there.
+  function dragged(way, dx, dy) {
+    play(false);
+    page.t = 0;
+    if (way === "attitude") writeTurn(draggedTurn(space, pick(scene, places.q), turnNow(), dx, dy));
+    else writeRates(draggedRates(space, pick(page.start, places.q), ratesNow(), rateStep, dx, dy));
+    changed();
+  }
+  const rateStep = Math.max(1, length(pick(scene, places.w)))/150;
+
   // ---- begin ----
 
   const given = readAddress();
-  for (const [name, c] of Object.entries(controls)) if (Number.isFinite(Number(given[name] ?? NaN))) c.write(Number(given[name]));
+  for (const [name, c] of Object.entries(controls))
+    if (Number.isFinite(Number(given[name] ?? NaN))) c.write(Number(given[name]));
   for (const id of ["first", "second", "what"]) if (given[id]) $(id).value = given[id];
   if (Number(given.h) > 0) $("step").value = given.h;
   if (Number(given.t) > 0) page.t = Number(given.t);
-  $("about").textContent = (facts.effects.length ? facts.effects.join(", ") : "free") + "; " + (facts.exact ?
-    "closed form: " + facts.closed : "no closed form: " + facts.closed) + "; " + facts.real + ".";
+  $("about").textContent = (facts.effects.length ? facts.effects.join(", ") : "free") + "; " + (!live ?
+    "computed before, by " + facts.recorded.method : facts.exact ? "closed form: " + facts.closed :
+      "no closed form: " + facts.closed) + "; " + facts.real + ".";
   for (const [css, text] of [["x", "x "], ["y", "y "], ["z", "z "]]) {
     const b = document.createElement("b");
     b.className = css;
     b.textContent = text;
     $("legend").append(b);
   }
-  $("legend").append("axes of the body and their trails; red: ω; black or white: L. Drag to look around; arrows, + and −, 0.");
-  if (space) orbit($("space"), space, show);
+  $("legend").append("axes of the body and their trails; red: ω; black or white: L. Keys: arrows, + and −, 0.");
+  if (space) orbit($("space"), space, show, () => live ? $("drag").value : "camera", dragged);
   $("space").addEventListener("webglcontextlost", (e) => {
     e.preventDefault();
     $("no-webgl").hidden = false;

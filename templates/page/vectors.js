@@ -1,4 +1,5 @@
-// vectors.js -- vectors, quaternions (scalar first) and 4 x 4 matrices (column by column).  SPDX-License-Identifier: MIT-0
+// vectors.js -- vectors, quaternions (scalar first) and 4 x 4 matrices (column by column).
+// SPDX-License-Identifier: MIT-0
 
 const dot = (a, b) => a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
 const cross = (a, b) => [a[1]*b[2] - a[2]*b[1], a[2]*b[0] - a[0]*b[2], a[0]*b[1] - a[1]*b[0]];
@@ -18,6 +19,17 @@ function product(p, q) {
     p[0]*q[1] + p[1]*q[0] + p[2]*q[3] - p[3]*q[2],
     p[0]*q[2] - p[1]*q[3] + p[2]*q[0] + p[3]*q[1],
     p[0]*q[3] + p[1]*q[2] - p[2]*q[1] + p[3]*q[0]];
+}
+
+// The quaternion of a rotation vector, and back; the angle is at most pi.
+function rotationOf(v) {
+  const a = length(v), s = a > 0 ? Math.sin(a/2)/a : 0;
+  return [Math.cos(a/2), s*v[0], s*v[1], s*v[2]];
+}
+
+function vectorOf(q) {
+  const side = q[0] < 0 ? -1 : 1, v = [side*q[1], side*q[2], side*q[3]];
+  return scaled(2*Math.atan2(length(v), side*q[0]), unit(v));
 }
 
 // The shortest turn that takes the direction a to b.

@@ -16,9 +16,9 @@ const CLOSE = 1e-11;
 
 const dir = mkdtempSync(join(tmpdir(), "polhode-person-"));
 const polhode = (...words) => execFileSync("build/polhode", words, { stdio: ["ignore", "pipe", "pipe"] }).toString();
-const made = (name) => {
-  const file = join(dir, name + ".html");
-  polhode("view", name, "-o", file);
+const made = (name, ...words) => {
+  const file = join(dir, [name, ...words].join("") + ".html");
+  polhode("view", name, "-o", file, ...words);
   return file;
 };
 // Reading the canvas for a screenshot makes the software renderer speak; nothing of the page does.
@@ -63,6 +63,10 @@ ok(Math.abs(larger[0]/expected - 1) < 1e-12, "a slider changes the tensor, as th
   larger[0] + " " + expected);
 ok(/p\.head=0\.2/.test(larger[1]), "and the address", larger[1]);
 ok((await page.run(PICTURE)).sum !== first.sum, "and the picture");
+const formula = await page.run(`[document.querySelector("math [data-value=Iyy]").textContent,
+  document.querySelector("#formulas mtable").getBoundingClientRect().height]`);
+ok(Number(formula[0]) === Number(expected.toPrecision(6)), "and the number in the formula", formula[0]);
+ok(formula[1] > 45, "three rows of a matrix are drawn one below the other", formula[1]);
 await page.run(set("s-p-head", -0.02));
 ok(/No such body: .*must be positive/.test(await page.run(refused)), "an impossible body is refused in words",
   await page.run(refused));
@@ -76,6 +80,43 @@ ok(rolled.colours > 20 && rolled.sum !== first.sum, "Poinsot's construction is a
 const touch = await page.run("Math.max(...polhode.poinsot.herpolhode.map((p) => Math.abs(p[2]/polhode.poinsot.depth - 1)))");
 ok(touch < 1e-12, "the tip of w stays in the invariable plane", touch);
 
+// ---- dragging and presets ----
+
+await page.run(set("what", "'body'"));
+const drag = async (way, dx) => {
+  await page.run(set("drag", `'${way}'`));
+  const [x, y] = await page.run(`(() => { scrollTo(0, 0); const r = document.getElementById("space").getBoundingClientRect();
+    return [r.x + r.width/2, r.y + r.height/2]; })()`);
+  const mouse = (type, at) => page.send("Input.dispatchMouseEvent", { type, x: at, y, button: "left", clickCount: 1 });
+  await mouse("mousePressed", x);
+  await mouse("mouseMoved", x + dx);
+  await mouse("mouseReleased", x + dx);
+  await page.run(frames);
+  return page.run("[polhode.t, ...polhode.start]");
+};
+const still = await page.run("polhode.start"), seen = await page.run(PICTURE);
+const looked = await drag("camera", 50);
+ok(still.every((v, i) => v === looked[i + 1]) && (await page.run(PICTURE)).sum !== seen.sum,
+  "a drag moves the camera, and not the body", looked);
+const turned = await drag("attitude", 50);
+const cosine = Math.abs(still.slice(0, 4).reduce((sum, v, i) => sum + v*turned[i + 1], 0));
+// 50 pixels of 0.008 rad; the sliders hold the turn as it is, so only roundings are lost
+ok(Math.abs(2*Math.acos(cosine) - 0.4) < 1e-7 && turned[0] === 0, "or turns the initial body by its way", turned);
+const spun = await drag("rates", 30);
+const change = Math.hypot(...[4, 5, 6].map((i) => spun[i + 1] - still[i]));
+ok(Math.abs(change - 30*Math.hypot(8, 0.02, 0.01)/150) < 1e-9, "or moves the tip of the initial w", change);
+const presets = await page.run(`[...document.getElementById("preset").options].map((o) => o.value).filter(Boolean)`);
+for (const kind of presets) {
+  await page.run(set("preset", `'${kind}'`));
+  ok(await page.run("polhode.motion.samples.every((s) => s.sound)") && await page.run(refused) === "",
+    `preset ${kind}: a motion of finite numbers`, await page.run(refused));
+}
+await page.run(set("preset", "'sleep'"));
+const [qw, qx, qy, qz] = await page.run("polhode.start");
+ok(Math.abs(qw*qw - qx*qx - qy*qy + qz*qz - 1) < 1e-12, "the sleeping top stands upright", [qw, qx, qy, qz]);
+await page.run(`document.getElementById("reset").click()`);
+ok(await page.run("JSON.stringify(polhode.start)") === JSON.stringify(still), "the scene's own state comes back to the bit");
+
 await page.run(set("second", "'0'"));
 await page.run(`document.getElementById("measure").click()`);
 const cells = await page.run(`[...document.querySelectorAll("#costs tbody tr")].map((r) => [...r.cells].map((c) => c.textContent))`);
@@ -83,6 +124,29 @@ const errors = cells.map((c) => Number(c[2].replace("−", "-")));
 // rk4: twice the step, 16 times the error; 10 to 25 leave room for what the next order adds
 ok(cells.length === 3 && errors[2]/errors[1] > 10 && errors[2]/errors[1] < 25,
   "the table of costs shows order 4 of rk4", JSON.stringify(cells));
+
+// ---- other pages ----
+
+// The moments of a cylinder: (3 r² + h²)/12 and r²/2; Landau, Lifshitz, Mechanics, section 33: tan(theta) of L from the
+// axis is I1/I3 tan(beta) of w; the cones touch, and the body is long, so the half-angles add up to theta.
+const top = await browser.open("file://" + made("symmetric_top") + "#what=cones&t=1");
+const cones = await top.run("polhode.cones"), beta = Math.atan2(Math.hypot(1, 0.5), 20), [r, h] = [0.03, 0.12];
+const theta = Math.atan((3*r*r + h*h)/12/(r*r/2)*Math.tan(beta));
+ok(Math.abs(cones.body - beta) < 1e-12 && Math.abs(cones.space - (theta - beta)) < 1e-12,
+  "the cones of a symmetric top have the textbook's angles", JSON.stringify(cones) + beta + " " + theta);
+ok((await top.run(PICTURE)).colours > 20, "and are drawn");
+
+const film = await browser.open("file://" + made("tennis_racket", "--trajectory") + "#t=1.25");
+ok(own(film.said).length === 0 && off(await film.run("polhode.state")) < CLOSE &&
+  await film.run(`document.getElementById("controls").hidden && document.getElementById("accuracy").hidden`),
+"a computed motion is shown without what it cannot do", await film.run("polhode.state"));
+await film.run(`document.getElementById("play").click()`);
+await film.run("new Promise((r) => setTimeout(r, 200))");
+ok(await film.run("polhode.t") > 1.25, "and plays");
+await film.run(`document.getElementById("play").click()`);
+const stopped = await film.run("polhode.t");
+await film.run(frames);
+ok(await film.run("polhode.t") === stopped, "and pauses");
 
 const moving = await browser.open("file://" + made("heavy_top"), { still: false });
 const frame = "new Promise((r) => { const f = () => polhode.frames > 1 ? r([polhode.t, polhode.clock, polhode.frames]) : " +

@@ -1,0 +1,73 @@
+-- facts.lua -- what a page is told of its scene: names, units, limits of sliders, and the formulas.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local checks = require "generator.commands.view.checks"
+local formulas = require "generator.page.formulas"
+
+local facts = {}
+
+local function double(q) return R.todouble(q) + 0.0 end
+
+-- Parameters as the page's sliders have them: SI values, the unit in which they are written, and the limits that the
+-- scene's `ranges` give.
+local function parameters(scene)
+  local model, list = scene.model, {}
+  for i, p in ipairs(model.params) do
+    list[i] = { name = p.name, value = double(p.default), unit = p.own or "", factor = p.own and
+      model:double(p.factor) or 1.0 }
+    for _, r in ipairs(scene.ranges and scene.ranges.params or {}) do
+      if r.name == p.name then list[i].low, list[i].high = double(r.lo), double(r.hi) end
+    end
+  end
+  return list
+end
+
+local function states_of(scene)
+  local list = {}
+  for i, s in ipairs(scene.states) do
+    list[i] = { name = s.name, kind = s.kind or "", unit = s.unit or "" }
+  end
+  return list
+end
+
+-- Inputs with their limits for the scene's own parameters.
+local function inputs_of(model)
+  local list = {}
+  for i, u in ipairs(model.inputs) do
+    list[i] = { name = u.label, unit = u.own or u.unit or "", factor = u.own and u.factor and model:double(u.factor)
+      or 1.0, low = u.low and model:double(u.low), high = u.high and model:double(u.high) }
+  end
+  return list
+end
+
+-- What every page knows, also one that computes nothing.
+function facts.of(scene)
+  local m, acts = scene.model, {}
+  for i, e in ipairs(m.record.effects) do acts[i] = e.kind end
+  return { name = m.name, version = "polhode " .. scene.build, real = "double", params = parameters(scene),
+    states = states_of(scene), inputs = {}, methods = {}, exact = true, kind = m.structure.kind,
+    closed = scene.closed.kind or scene.closed.refused or "", horizon = m:double(m.horizon), step = m:double(m.step),
+    effects = acts, checks = {} }
+end
+
+-- The same of a plan whose emitted code the page runs.
+function facts.compiled(scene, plan, unit)
+  local f = facts.of(scene)
+  for i, s in ipairs(plan.steppers) do f.methods[i] = { name = s.method.name, order = s.method.order or 0 } end
+  f.real, f.exact, f.closed = plan.real, plan.closed.full or false, plan.closed.kind or plan.closed.refused or ""
+  f.inputs, f.checks = inputs_of(plan.model), checks.texts(unit)
+  return f
+end
+
+-- The tensor and Euler's equations of a scene, as HTML.
+function facts.formulas(scene)
+  local m, acts = scene.model, {}
+  for i, e in ipairs(m.record.effects) do
+    acts[i] = { name = string.gsub(e.kind, "^effect%.", ""), formula = e.spec.formula or "" }
+  end
+  local own = m.carried == m.inertia and m.locked == m.inertia and not m.structure.rod
+  return formulas.html(m.inertia, { plain = own and m.structure.kind ~= "full", acts = acts })
+end
+
+return facts

@@ -1,0 +1,62 @@
+-- recorded.lua -- a motion that the general library computes before the page is made: `polhode view --trajectory`.
+--
+-- Rows at equal steps, as many as the fastest turn of the body needs; the page shows them and computes nothing.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local engines = require "generator.commands.run.engines"
+local facts = require "generator.report.facts"
+local bytes = require "generator.page.bytes"
+
+local recorded = {}
+
+local FEWEST, MOST = 600, 4000
+local BYTES = 600000 -- of the rows in base64: a page has at most 1 MB
+local ANGLE = 0.04 -- rad from row to row: what an eye takes for a continuous turn
+
+-- States and what was measured of them at n + 1 times up to the end; or nil and a failure of run/engines.lua.
+local function rows_of(motion, finish, n)
+  local ts, out = {}, {}
+  for i = 0, n do ts[i + 1] = finish * (i / n) end
+  local states, failure = motion.solve(ts, {})
+  if not states then return nil, failure end
+  for i, s in ipairs(states) do
+    local energy, L = motion.measured(s)
+    if not energy then return nil, L end
+    out[i] = { s.t, table.unpack(s.x) }
+    for _, v in ipairs { energy, L[1], L[2], L[3] } do table.insert(out[i], v) end
+  end
+  return out
+end
+
+-- How many rows the motion wants: by its largest rate in the first ones.
+local function wanted(scene, rows, finish)
+  local largest = 0.0
+  for _, row in ipairs(rows) do
+    local sum = 0.0
+    for i, s in ipairs(scene.states) do
+      if s.kind == "rates" then sum = sum + row[1 + i] ^ 2 end
+    end
+    largest = math.max(largest, math.sqrt(sum))
+  end
+  local most = math.min(MOST, BYTES // (#rows[1] * 8 * 4 // 3))
+  return math.floor(math.max(FEWEST, math.min(most, largest * finish / ANGLE)))
+end
+
+-- {method, count, rows (in base64), mass, com, inertia, moments, axes}, or nil and a failure.  given: the command's.
+function recorded.of(host, scene, given)
+  local method, finish = (given.method or {})[1], scene.model:double(scene.model.horizon)
+  local motion, failure = engines.general(host, scene, { method = method })
+  if not motion then return nil, failure end
+  local rows
+  rows, failure = rows_of(motion, finish, FEWEST)
+  local n = rows and wanted(scene, rows, finish)
+  if n and n > FEWEST then rows, failure = rows_of(motion, finish, n) end
+  if not rows then return nil, failure end
+  local all = {}
+  for _, row in ipairs(rows) do table.move(row, 1, #row, #all + 1, all) end
+  local f = facts.of(scene)
+  return { method = motion.method, count = #rows, rows = bytes.doubles(all), mass = f.mass_number,
+    com = f.arm_number, inertia = f.inertia_number, moments = f.moments, axes = f.axes }
+end
+
+return recorded

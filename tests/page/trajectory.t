@@ -1,0 +1,110 @@
+#!/usr/bin/env lua5.4
+-- trajectory.t - polhode view --trajectory: rows that `polhode run` has, no clang needed, and messages; the formulas.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- The numbers in the page are decoded here, and compared with the printed ones of run by another method.
+
+package.path = "./?.lua;" .. package.path
+package.cpath = "build/lua/?.so;" .. package.cpath
+
+local tap = require "tests.tap"
+local json = require "tests.json"
+local program = require "tests.cli.program"
+local expr = require "generator.algebra.expr"
+local formulas = require "generator.page.formulas"
+local mathml = require "generator.page.mathml"
+
+local dir = program.directory()
+local binary = os.getenv "POLHODE" or "build/polhode"
+
+-- An empty PATH: there is no compiler.
+local function run(arguments)
+  local status = program.shell(string.format("/usr/bin/env PATH=%s/none %s %s >%s/stdout 2>%s/stderr", dir, binary,
+    arguments, dir, dir))
+  return status, program.read(dir .. "/stdout"), program.read(dir .. "/stderr")
+end
+
+local function decoded(s)
+  local value, out, n, bits = {}, {}, 0, 0
+  local letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
+  for i = 1, 64 do value[letters:byte(i)] = i - 1 end
+  for i = 1, #s do
+    local v = value[s:byte(i)]
+    if v then
+      n, bits = n << 6 | v, bits + 6
+      if bits >= 8 then
+        bits = bits - 8
+        out[#out + 1] = string.char(n >> bits & 255)
+        n = n & ((1 << bits) - 1)
+      end
+    end
+  end
+  return table.concat(out)
+end
+
+-- ---- the rows ----
+
+local CLOSE = 1e-10 -- adaptive and taylor of the library: each promises 1e-12 of the state, over some hundred turns
+
+for _, name in ipairs { "tennis_racket", "heavy_top", "thrown_book", "wheels" } do
+  local status, html, err = run("view bodies/" .. name .. ".lua --trajectory -o -")
+  tap.ok(status == 0 and err == "", name .. ": a page without any program", err)
+  tap.ok(#html < 1e6, name .. ": of less than 1 MB", #html)
+  local facts = json.read(html:match '<script type="application/json" id="facts">(.-)</script>')
+  local r = facts.recorded
+  local data, width = decoded(r.rows), #facts.states + 5
+  tap.is(#data, 8 * r.count * width, name .. ": as many numbers as rows and columns")
+  local function cell(row, k) return (string.unpack("<d", data, 8 * (row * width + k - 1) + 1)) end
+  tap.ok(cell(0, 1) == 0 and cell(r.count - 1, 1) == facts.horizon, name .. ": from 0 to the horizon")
+  local worst, size = 0.0, 0.0
+  for _, row in ipairs { 0, r.count // 3, r.count - 1 } do
+    local code, out = run(string.format("run bodies/%s.lua --method taylor --at %.17g", name, cell(row, 1)))
+    local got, names = {}, {}
+    local head, numbers = out:match "^([^\n]+)\n([^\n]+)"
+    for column in (head or ""):gmatch "[^,]+" do names[#names + 1] = column end
+    for number in (numbers or ""):gmatch "[^,]+" do got[names[#got + 1]], got[#got + 1] = tonumber(number), true end
+    tap.ok(code == 0 and #got > width - 2, name .. ": run has that time", out)
+    for k, s in ipairs(facts.states) do
+      worst = math.max(worst, math.abs(got[s.name] - cell(row, k + 1)))
+      size = math.max(size, math.abs(got[s.name]))
+    end
+  end
+  tap.ok(worst <= CLOSE * size, name .. ": the rows are those of run", worst .. " of " .. size)
+end
+
+-- ---- messages ----
+
+for _, c in ipairs {
+  { "view tennis_racket -o -", 2, "needs the program clang %(Debian package clang%); %-%-trajectory makes a page" },
+  { "view tennis_racket --trajectory --method rk4,taylor -o -", 2, "must be one method, got rk4,taylor" },
+  { "view tennis_racket --trajectory --real float -o -", 2, "%-%-real: it is the type of the emitted code" },
+  { "view heavy_top --trajectory --method exact -o -", 2, "solves free tops, and this scene has effects" },
+  { "view tennis_racket --trajectory --method split4 -o -", 2, "split4" },
+} do
+  local status, out, err = run(c[1])
+  tap.ok(status == c[2] and out == "" and err:find(c[3]), c[1] .. ": says what is wrong", status .. " " .. err)
+end
+
+-- ---- formulas ----
+
+local a, b = expr.sym("a", 2), expr.sym("rho_1", 1)
+local function plain(m) return (m:gsub("<mspace[^>]*>", ""):gsub("%b<>", ""):gsub("\u{2062}", "*")) end
+local function math_of(e) return (mathml.of(e):gsub("<mspace[^>]*>", "")) end
+-- the algebra takes a common factor out: this is -(4 rho_1 - 3 a)/4
+tap.is(plain(math_of(expr.lift(3) * a / 4 - b)), "\u{2212}4*ρ1\u{2212}3*a4", "a sum with its signs and factors")
+local three = math_of(expr.lift(3) * a / 4)
+tap.ok(three:find "<mfrac><mrow><mn>3</mn>.*<mi>a</mi></mrow></mrow><mrow><mn>4</mn></mrow></mfrac>",
+  "a quotient has a bar", three)
+tap.ok(math_of(a ^ 2):find("<msup><mrow><mi>a</mi></mrow><mn>2</mn></msup>", 1, true), "a power", math_of(a ^ 2))
+tap.ok(not math_of((a + b) / 6):find("(", 1, true) and math_of(a * (a + b) / 6):find("(", 1, true),
+  "a sum alone above the bar has no brackets", math_of((a + b) / 6))
+local page = formulas.html({ a, a, b, expr.zero, expr.zero, expr.zero }, { plain = true,
+  acts = { { name = "drag", formula = "N = -c |w| w < 0 & so on" } } })
+for open, name in page:gmatch "<(/?)(m%a+)" do
+  tap.ok(open == "/" or page:find("</" .. name .. ">", 1, true) or page:find("<" .. name .. "[^>]*/>"),
+    name .. " is closed")
+end
+tap.ok(page:find("&lt; 0 &amp; so on", 1, true), "signs of HTML in a formula are written as such")
+local _, entries = page:gsub('data%-value="I', "")
+tap.is(entries, 3, "an entry that is always 0 has no value of its own")
+tap.done(program.finish())
