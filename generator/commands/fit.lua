@@ -17,7 +17,10 @@ local observed = require "generator.commands.fit.observed"
 local options = require "generator.commands.options"
 local packages = require "generator.emit.packages.packages"
 local diag = require "generator.diag"
+local pieces = require "generator.commands.fit.pieces"
+local picture = require "generator.commands.picture"
 local report = require "generator.report.fit"
+local sheet = require "generator.report.fit_sheet"
 local starts = require "generator.commands.fit.starts"
 local unknowns = require "generator.commands.fit.unknowns"
 local written = require "generator.commands.fit.written"
@@ -46,8 +49,12 @@ fit.options = {
     "ranges, or half of the value up and down; the least minimum is taken", value = "N",
     default = "0: only if the scene's values lead to no minimum that fits, a linear start for a free body, and the " ..
       "log piece by piece" },
+  { "--segments", "number", "each log in N pieces with states of their own, for motions that forget how they began; " ..
+    "then the whole log from where that ended, if it fits", value = "N", default = "1: the whole log at once" },
   { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
   { "--format", { "text", "json" }, "how the result is written", default = "text" },
+  { "--sheet", "text", "also a picture: data and model, residuals, confidence ellipses", value =
+    "FILE.svg, FILE.png or FILE.pdf", default = "it is not drawn" },
   { "-o", "text", "also the scene with the estimates as its values", value = "FILE.lua",
     default = "it is not written" },
 }
@@ -202,6 +209,8 @@ local function prepared(host, job, given)
   if count_of(data) <= #list then
     return nil, options.failed(host, "fit", "too few values: " .. count_of(data) .. " for " .. #list .. " unknowns")
   end
+  local torn = pieces.wrong(given, free, data, #list - (#data - 1) * (#list - #free.params) // #data)
+  if torn then return nil, options.wrong(host, "fit", torn) end
   local count, low, high = given.starts or 0.0, nil, nil
   if count % 1 ~= 0 or count < 0 or count > MOST_STARTS then
     return nil, options.wrong(host, "fit", "--starts must be a whole number from 0 to " .. MOST_STARTS .. ", got " ..
@@ -212,6 +221,30 @@ local function prepared(host, job, given)
   end
   return { starts = count, low = low, high = high, free = free, data = data, plan = plan, unknowns = list,
     inputs = inputs, notes = notes or {} }
+end
+
+-- What host.fit says to the question, as report.of has it; or nil and what is wrong.
+local function told_of(host, job, all, path, ask, more)
+  local begun = host.clock()
+  local result, why = host.fit(path, ask)
+  if not result then return nil, why end
+  result.seconds = host.clock() - begun
+  return report.of({ host = host, job = job, result = result, unknowns = more.unknowns, data = more.data,
+    names = residuals(job.record.measure), known = ask.known, loss = ask.loss, step = ask.step,
+    refusals = all.plan.model.conditions, notes = all.notes, segments = more.segments, whole = more.whole })
+end
+
+-- The search; with --segments in pieces, then whole from there, and the whole log's answer if that is good.
+local function searched(host, job, all, path, ask, given)
+  local n = given.segments and math.tointeger(given.segments)
+  if not n then return told_of(host, job, all, path, ask, all) end
+  local data = pieces.data(all.data, n)
+  local more = { data = data, unknowns = unknowns.list(all.plan.fit, all.free, data), segments = n }
+  local told, why = told_of(host, job, all, path, pieces.ask(ask, n), more)
+  if not told then return nil, why end
+  local whole = told_of(host, job, all, path, pieces.whole(ask, told.result, n), { data = all.data, unknowns =
+    all.unknowns, segments = n, whole = true })
+  return whole and whole.status == 0 and whole or told
 end
 
 function fit.run(host, given)
@@ -226,23 +259,21 @@ function fit.run(host, given)
   path, why = fit.compiled(host, job, unit.files)
   if not path then return options.failed(host, "fit", why) end
   local ask = problem(all.plan, all)
+  ask.traces = given.sheet ~= nil
   ask.loss = given.loss or "squares"
   ask.corner = CORNERS[ask.loss] or 0.0
   if CORNERS[ask.loss] and not ask.known then
     return options.wrong(host, "fit", "--loss " .. ask.loss .. ": without a sigma nothing tells what is far " ..
       "(measure = { sigma = }, or a comment # sigma: in the log)")
   end
-  local begun = host.clock()
-  local result
-  result, why = host.fit(path, ask)
-  if not result then return options.failed(host, "fit", why) end
-  result.seconds = host.clock() - begun
-  local told = report.of({ host = host, job = job, result = result, unknowns = all.unknowns, data = all.data,
-    names = residuals(job.record.measure), known = ask.known, loss = ask.loss, step = ask.step,
-    refusals = all.plan.model.conditions, notes = all.notes })
+  local told
+  told, why = searched(host, job, all, path, ask, given)
+  if not told then return options.failed(host, "fit", why) end
   host.out(given.format == "json" and report.json(told) or report.text(told))
+  status = given.sheet and picture.write(host, "fit", given.sheet, sheet.text(told)) or 0
+  if status ~= 0 then return status end
   if given.o then
-    local made = written.text(job, all.unknowns, result)
+    local made = written.text(job, all.unknowns, told.result)
     status = options.write(host, "fit", given.o, made)
     if status ~= 0 then return status end
   end

@@ -155,6 +155,26 @@ local LOSSES = { squares = "", huber = ", Huber's loss", cauchy = ", Cauchy's lo
 
 local function put(list, ...) list[#list + 1] = string.format(...) end
 
+-- A log on which every fit fails because its motion forgets the beginning: Lyapunov's growth, e^(lambda T).  That of a
+-- regular motion is a power of time, below 1e4 between the first and the last tenth of the log.
+local CHAOS = 1e4
+
+local function chaotic(found, wrong)
+  if found.segments then return false end
+  for i, d in ipairs(found.data) do
+    local growth = found.result.growth[i]
+    local _, first, last = d.log:spacing()
+    if growth > CHAOS then
+      local span = (last - first) * 0.9 / math.log(growth) * math.log(100) -- in which it grows a hundredfold
+      put(wrong, "the motion forgets how it began: what changes at the begin of %s is %.2g times as large at its " ..
+        "end, so a log of %.4g s has no smooth optimum; try --segments %d, pieces of %.3g s", d.path, growth,
+        last - first, math.ceil((last - first) / span), span)
+      return true
+    end
+  end
+  return false
+end
+
 -- What is wrong: status, and the sentences that say it; then what is only worth saying.
 local function judged(found, told)
   local r, wrong, notes = found.result, {}, {}
@@ -173,6 +193,7 @@ local function judged(found, told)
   elseif over then
     put(notes, "chi-square is %.4g times its expectation, too much for the stated sigma", told.reduced)
   end
+  if #wrong > 0 then told.chaotic = chaotic(found, wrong) end
   if found.known and told.dof > 0 and 1 - told.tail < SURE then
     put(notes, "chi-square is %.4g times its expectation, too little: sigma is overstated, or the data were smoothed",
       told.reduced)
@@ -182,6 +203,13 @@ local function judged(found, told)
       put(notes, "residuals of %s in %s are not white (Q = %.4g over %d lags): something is missing in the model, " ..
         "or the noise is coloured, and the standard errors are too small", c.name, c.log, c.white.q, c.white.lags)
     end
+  end
+  if found.segments and found.whole then
+    put(notes, "the search went by %d segments; the whole log from one initial state fits as well, and is what is told",
+      found.segments)
+  elseif found.segments then
+    put(notes, "%d segments with a state of their own each: the whole log from one initial state does not fit, or " ..
+      "has no smooth optimum; nothing ties the segments together", found.segments)
   end
   if WAYS[r.way] then put(notes, "%s", WAYS[r.way]) end
   if r.tried > 0 then
@@ -211,7 +239,8 @@ function report.of(found)
   told.estimates = estimates(found, scale, lost)
   told.correlation, told.close = correlations(found, lost)
   told.covariance_scale, told.residuals, told.result = scale, residuals_of(found), r
-  told.logs = found.data
+  told.names = found.names
+  told.logs, told.segments = found.data, not found.whole and found.segments or nil
   told.wrong, told.notes = judged(found, told)
   told.status = #told.wrong > 0 and 3 or 0
   return told
@@ -274,8 +303,8 @@ end
 
 function report.text(told)
   local out, r = {}, told.result
-  put(out, "Fit of %s: %d values of %d log%s, %d unknowns%s", told.scene, told.n, #told.logs, #told.logs > 1 and "s" or
-    "", #told.estimates, LOSSES[told.loss])
+  put(out, "Fit of %s: %d values of %d %s%s, %d unknowns%s", told.scene, told.n, #told.logs,
+    told.segments and "segment" or "log", #told.logs > 1 and "s" or "", #told.estimates, LOSSES[told.loss])
   table_of(out, told)
   put(out, "  (standard errors %s)", told.known and "from the stated sigma, not scaled" or
     "scaled by the residuals, as no sigma is stated")
@@ -294,8 +323,9 @@ function report.text(told)
       string.format("; white with probability %.2g", c.white.tail) or "")
   end
   outliers_text(out, told)
-  if #told.nulls > 0 then put(out, "\nWhat the data do not determine") end
-  for _, d in ipairs(told.nulls) do put(out, "  %s", d.text) end
+  local nulls = told.chaotic and {} or told.nulls -- there they are those of no minimum
+  if #nulls > 0 then put(out, "\nWhat the data do not determine") end
+  for _, d in ipairs(nulls) do put(out, "  %s", d.text) end
   put(out, "\n%s after %d passes; steps of %.3g s, whose error moves the estimate by %.1g standard errors at most",
     r.converged and "Converged" or "Not converged", r.passes, r.step, r.step_error)
   for _, s in ipairs(told.notes) do put(out, "note: %s", s) end
@@ -341,7 +371,8 @@ function report.json(told)
     { "n", told.n }, { "dof", told.dof }, { "upper_tail", told.known and told.tail or json.null },
     { "residuals", residuals },
     { "outlier_count", math.floor(r.outlier_count) }, { "outlier_limit", r.outlier_limit }, { "outliers", outliers },
-    { "way", r.way }, { "starts", math.floor(r.tried) }, { "starts_alike", math.floor(r.same) },
+    { "way", r.way },
+    { "segments", told.segments or 1 }, { "starts", math.floor(r.tried) }, { "starts_alike", math.floor(r.same) },
     { "singular_values", r.singular }, { "rank", math.floor(r.rank) }, { "not_determined", nulls },
     { "passes", math.floor(r.passes) }, { "last_step", r.decrement }, { "step", r.step },
     { "step_error", r.step_error }, { "fit_seconds", r.seconds }, { "notes", told.notes }, { "wrong", told.wrong } })

@@ -10,7 +10,7 @@
  * low, high = ranges of the free parameters, linear = nil or of each log {column, scale, bias,
  * initial, own = lists of 3, place, constant = 6 numbers, slope = 6 rows, in one list}})
  * -> {theta, covariance, outer, singular, vectors, scale (lists), rank, chi2, loss, n, converged,
- *     way = "scene", "lengthened", "linear" or "starts", tried, same, iterations, passes,
+ *     way = "scene", "lengthened", "linear", "starts" or "nodes", tried, same, iterations, passes,
  * decrement, step_error, step, refused, seconds, counts = {of each log: {of each residual: {n,
  * chi2, worst, worst_t, sums, pairs}}}} Places of values and columns count from 1, lists of
  * matrices are by rows.
@@ -204,6 +204,11 @@ void fit_read(lua_State *L, struct fit_problem *f) {
   f->starts = (int)fit_number(L, 2, "starts");
   fit_list(L, 2, "low", f->low, FIT_MOST);
   fit_list(L, 2, "high", f->high, FIT_MOST);
+  f->pieces = (int)fit_number(L, 2, "pieces");
+  f->near = flag_of(L, 2, "near");
+  f->active = f->logs;
+  if (f->pieces > 1)
+    fit_pieces_cut(f, fit_room(L, (size_t)f->logs * sizeof(struct fit_log)));
   f->reference = fit_room(L, (size_t)(4 * f->logs) * sizeof *f->reference);
   if (flag_of(L, 2, "initial"))
     f->own = f->code->states - (f->code->attitude >= 0);
@@ -219,6 +224,10 @@ void fit_begin(lua_State *L, struct fit_problem *f, double theta[]) {
     theta[i] = f->p[f->free_index[i]];
   if (f->own == 0)
     return;
+  if (fit_list(L, 2, "theta", theta, FIT_MOST) == f->n) {
+    fit_list(L, 2, "reference", f->reference, 4 * f->logs);
+    return;
+  }
   fit_list(L, 2, "states", x, FIT_MOST);
   for (int log = 0; log < f->logs; log++) {
     int at = f->free + log * f->own;
@@ -276,6 +285,26 @@ static void push_outliers(lua_State *L, const struct fit_problem *f, const struc
   fit_push_number(L, "outlier_limit", a->limit);
 }
 
+static void push_traces(lua_State *L, const struct fit_problem *f, const struct fit_trace a[]) {
+  const int n = fit_residuals(f);
+  lua_createtable(L, f->logs, 0);
+  for (int i = 0; a != NULL && i < f->logs; i++) {
+    lua_createtable(L, n, 0);
+    for (int k = 0; k < n; k++) {
+      const struct fit_trace *t = &a[i * n + k];
+      const int plain = t->n > 0 && !isnan(t->y[0]);
+      lua_createtable(L, 0, 4);
+      fit_push_list(L, "t", t->t, t->n);
+      fit_push_list(L, "z", t->z, t->n);
+      fit_push_list(L, "y", t->y, plain ? t->n : 0);
+      fit_push_list(L, "model", t->model, plain ? t->n : 0);
+      lua_rawseti(L, -2, k + 1);
+    }
+    lua_rawseti(L, -2, i + 1);
+  }
+  lua_setfield(L, -2, "traces");
+}
+
 /* H^-1 B H^-1 with H^-1 = covariance and B = R'R of the outer triangle. */
 static void sandwich(const struct fit_triangle *b, double C[], double work[]) {
   const int n = b->n;
@@ -295,7 +324,7 @@ static void sandwich(const struct fit_triangle *b, double C[], double work[]) {
 
 static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *r,
                         const struct fit_sums *s, double work[]) {
-  static const char *const ways[] = {"scene", "lengthened", "linear", "starts"};
+  static const char *const ways[] = {"scene", "lengthened", "linear", "starts", "nodes"};
   const int n = f->n;
   if (f->loss != FIT_SQUARES)
     sandwich(s->outer, r->covariance, work);
@@ -325,6 +354,8 @@ static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *
   fit_push_number(L, "same", r->same);
   push_counts(L, f, s->counts);
   push_outliers(L, f, s->outliers);
+  fit_push_list(L, "growth", s->growth, f->logs);
+  push_traces(L, f, s->traces);
 }
 
 int host_fit(lua_State *L) {
@@ -343,6 +374,9 @@ int host_fit(lua_State *L) {
   s.lost = fit_room(L, sizeof *s.lost);
   s.outer = fit_room(L, sizeof *s.outer);
   s.outliers = fit_room(L, sizeof *s.outliers);
+  if (flag_of(L, 2, "traces"))
+    s.traces = fit_room(L, (size_t)(f->logs * fit_residuals(f)) * sizeof *s.traces);
+  s.growth = fit_room(L, (size_t)f->logs * sizeof *s.growth);
   s.counts = fit_room(L, (size_t)(f->logs * fit_residuals(f)) * sizeof *s.counts);
   double *work = fit_room(L, FIT_MOST * FIT_MOST * sizeof *work);
   fit_begin(L, f, theta);

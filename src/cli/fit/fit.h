@@ -16,12 +16,13 @@
 #include <stddef.h>
 
 enum {
-  FIT_MOST = 96,     /* unknowns */
+  FIT_MOST = 192,    /* unknowns */
   FIT_CHANNELS = 64, /* residuals of a row */
   FIT_COLUMNS = 64,  /* of a log */
   FIT_INPUTS = 32,   /* of a scene */
   FIT_STARTS = 1000, /* points of --starts */
   FIT_OUTLIERS = 20, /* that are named */
+  FIT_DRAWN = 1000,  /* rows of a log that a picture has */
   FIT_LAGS = 20,     /* of the test of whiteness */
   FIT_BLOCK = 128    /* rows that are taken into the triangle at a time */
 };
@@ -38,6 +39,7 @@ struct fit_log {
   double *t, *y;
   unsigned *line; /* of the file */
   double spacing; /* the usual distance of two rows in time */
+  double begin;   /* when its initial state is: 0, or where this piece of a log begins */
 };
 
 /* log(path) -> object | nil, message;  object:head() -> {names}, {units}, {sigmas}, line of the
@@ -105,6 +107,8 @@ struct fit_problem {
   double *k0;
   int free_index[FIT_MOST]; /* of the free parameters among all */
   double *p;
+  int pieces, near;       /* of each log, all in f->log; is the start near the end? */
+  int active;             /* logs that a pass takes, the first ones */
   int free, own, logs, n; /* unknowns: shared, of each log, all */
   struct fit_log **log;
   double *reference;           /* of each log: a quaternion */
@@ -137,6 +141,13 @@ struct fit_outliers {
   } worst[FIT_OUTLIERS];
 };
 
+/* Of a residual at some rows: time, what was measured and what the model says (NaN: an attitude),
+ * and z. */
+struct fit_trace {
+  int n;
+  double t[FIT_DRAWN], y[FIT_DRAWN], model[FIT_DRAWN], z[FIT_DRAWN];
+};
+
 /* Triangles that a pass fills, NULL: not asked for.  whole: z and J, with a loss sqrt(2 rho(z)) and
  * its derivatives; inner: sqrt(rho'') J where rho'' > 0; lost: sqrt(-rho'') J where it is negative;
  * outer: psi J.  counts: logs x residuals.
@@ -145,7 +156,9 @@ struct fit_sums {
   struct fit_triangle *whole, *inner, *lost, *outer;
   struct fit_count *counts;
   struct fit_outliers *outliers;
-  double chi2; /* sum of z^2 */
+  struct fit_trace *traces; /* logs x residuals */
+  double *growth; /* of each log: how much larger derivatives are at its end than at its begin */
+  double chi2;    /* sum of z^2 */
   long n;
 };
 
@@ -156,6 +169,9 @@ void fit_turned(const double reference[4], const double a[3], double q[4], doubl
 
 /* 0; 1: the parameters are no body, the motion is not finite, or the user has interrupted. */
 int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s);
+
+/* The state x of a log's motion at time t; 1: it is not finite. */
+int fit_state(struct fit_problem *f, const double theta[], int log, double t, double x[]);
 
 /* What is measured of the motion from theta on, into the log's rows at its times.  As fit_pass. */
 int fit_simulate(struct fit_problem *f, const double theta[], int log);
@@ -182,7 +198,8 @@ struct fit_result {
     FIT_BY_SCENE,
     FIT_BY_PIECES,
     FIT_BY_MOMENTUM,
-    FIT_BY_SOBOL
+    FIT_BY_SOBOL,
+    FIT_BY_NODES
   } way;             /* that led to the estimate */
   int tried, same;   /* points of --starts, and how many led to the same minimum */
   double decrement;  /* length of the last step in standard errors */
@@ -205,6 +222,23 @@ int fit_descend(struct fit_problem *f, double theta[], struct fit_sums *s, size_
 
 /* theta with what the log's rates say of moments and initial rates; 0: nothing. */
 int fit_linear(struct fit_problem *f, double theta[]);
+
+/* ---- begin.c ---- */
+
+/* A step that is good enough for the search: half of it changes chi-square by less than a
+ * thousandth.  One that is too long may leave the range of numbers, too, or make minima that the
+ * motion does not have. */
+void fit_first_step(struct fit_problem *f, const double theta[]);
+/* Of a log's initial state the better of theta's and what its first rows say. */
+void fit_better_start(struct fit_problem *f, int log, double theta[]);
+
+/* ---- pieces.c ---- */
+
+/* Replaces each of the logs by its pieces: views, which are the caller's. */
+void fit_pieces_cut(struct fit_problem *f, struct fit_log view[]);
+/* The states with which the pieces begin, one after the other; iterations, -1: the start is no
+ * body. */
+int fit_pieces_approach(struct fit_problem *f, double theta[], struct fit_sums *s);
 
 /* ---- start.c ---- */
 

@@ -21,6 +21,8 @@ struct course {
   double t, x[STATES];
   double u[1 + 2 * FIT_INPUTS], segment; /* the inputs, and the time until which u holds */
   struct fit_place place;
+  double squares[2][FIT_MOST]; /* of derivatives at the log's two ends */
+  long ends[2];
   double *s;         /* states x lanes */
   double *y, *G, *P; /* measured, and derivatives */
   double row[FIT_MOST + 1];
@@ -241,6 +243,45 @@ static void slope(const struct course *c, const struct fit_channel *o, double J[
   }
 }
 
+/* Squares of a residual's derivatives in the first and the last tenth of the log. */
+static void grown(struct course *c, size_t row, const double J[], int directions) {
+  const struct fit_log *l = c->log;
+  const double span = l->t[l->rows - 1] - l->t[0], at = (l->t[row] - l->t[0]) / span;
+  const int end = at > 0.9;
+  if (at > 0.1 && !end)
+    return;
+  c->ends[end]++;
+  for (int k = 0; k < directions; k++)
+    c->squares[end][k] += J[k] * J[k];
+}
+
+/* How much larger the derivative that grows most is at the log's end. */
+static double growth(const struct course *c, int directions) {
+  double most = 0;
+  for (int k = 0; k < directions && c->ends[0] > 0 && c->ends[1] > 0; k++) {
+    const double first = c->squares[0][k] / (double)c->ends[0],
+                 last = c->squares[1][k] / (double)c->ends[1];
+    if (first > 0)
+      most = fmax(most, sqrt(last / first));
+  }
+  return most;
+}
+
+/* Into a trace, of at most FIT_DRAWN rows that are spread evenly. */
+static void drawn(const struct course *c, size_t row, const struct fit_channel *o, double z,
+                  struct fit_trace *a) {
+  if (row % (c->log->rows / FIT_DRAWN + 1) != 0 || a->n == FIT_DRAWN)
+    return;
+  a->t[a->n] = c->t;
+  a->z[a->n] = z;
+  a->y[a->n] = a->model[a->n] = (double)NAN;
+  if (!o->attitude) {
+    a->y[a->n] = c->log->y[row * (size_t)c->log->columns + (size_t)o->column];
+    a->model[a->n] = c->y[o->value];
+  }
+  a->n++;
+}
+
 /* The residuals of row i; 1: one is not finite. */
 static int residuals(struct course *c, size_t i, struct fit_sums *s, struct memory *m) {
   const struct fit_problem *f = c->f;
@@ -268,6 +309,10 @@ static int residuals(struct course *c, size_t i, struct fit_sums *s, struct memo
     for (int k = 0; there && k < size; k++) {
       if (!isfinite(z[k]))
         return 1;
+      if (s->growth != NULL)
+        grown(c, i, J[k], directions);
+      if (s->traces != NULL)
+        drawn(c, i, o, z[k], &s->traces[c->number * fit_residuals(f) + at + k]);
       now[at + k] = z[k];
       put(c, s, z[k], J[k], directions);
     }
@@ -301,7 +346,7 @@ static void begin(struct course *c, const double theta[]) {
       for (int k = 0; k < f->free; k++)
         c->s[i * c->lanes + k] = 0;
     }
-  c->t = 0;
+  c->t = c->log->begin;
   fit_inputs_begin(f, c->number, &c->place);
   c->segment = fit_inputs_at(f, c->number, c->t, &c->place, c->u);
 }
@@ -313,11 +358,15 @@ static int one_log(struct course *c, const double theta[], struct fit_sums *s) {
   for (int i = 0; i < FIT_LAGS; i++)
     m.t[i] = (double)NAN;
   begin(c, theta);
+  memset(c->squares, 0, sizeof c->squares);
+  c->ends[0] = c->ends[1] = 0;
   for (size_t i = 0; i < c->log->rows && c->log->t[i] <= f->until; i++) {
     go(c, c->log->t[i], &knot);
     if (residuals(c, i, s, &m) || (i % 4096 == 0 && interrupt_pending()))
       return 1;
   }
+  if (s->growth != NULL)
+    s->growth[c->number] = growth(c, f->free + f->own);
   return 0;
 }
 
@@ -336,6 +385,22 @@ static int open(struct course *c, struct fit_problem *f, const double theta[]) {
   c->G = c->y + FIT_CHANNELS;
   c->P = c->G + FIT_CHANNELS * STATES;
   return f->refused != 0;
+}
+
+int fit_state(struct fit_problem *f, const double theta[], int log, double t, double x[]) {
+  struct course *c = &course;
+  int knot = 0, bad = 0;
+  if (open(c, f, theta))
+    return 1;
+  c->number = log;
+  c->log = f->log[log];
+  begin(c, theta);
+  go(c, t, &knot);
+  for (int i = 0; i < f->code->states; i++) {
+    x[i] = c->x[i];
+    bad = bad || !isfinite(x[i]);
+  }
+  return bad;
 }
 
 int fit_simulate(struct fit_problem *f, const double theta[], int log) {
@@ -373,6 +438,8 @@ int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
       triangle_open(all[i], f->n);
   if (s->counts != NULL)
     memset(s->counts, 0, (size_t)(f->logs * fit_residuals(f)) * sizeof *s->counts);
+  for (int i = 0; s->traces != NULL && i < f->logs * fit_residuals(f); i++)
+    s->traces[i].n = 0;
   if (s->outliers != NULL)
     s->outliers->count = s->outliers->kept = 0;
   s->chi2 = 0;
@@ -380,7 +447,7 @@ int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
   f->passes++;
   if (open(c, f, theta))
     return 1;
-  for (int i = 0; i < f->logs; i++) {
+  for (int i = 0; i < f->active; i++) {
     c->number = i;
     c->log = f->log[i];
     if (one_log(c, theta, s))

@@ -255,6 +255,8 @@ void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struc
   s.outer = robust ? room->outer : NULL;
   s.counts = room->counts;
   s.outliers = room->outliers;
+  s.growth = room->growth;
+  s.traces = room->traces;
   s.outliers->limit = limit_of(r, f->n, has_sigma);
   recentre(f, r->theta);
   if (report(f, &s, r) && r->converged && r->decrement >= STILL) {

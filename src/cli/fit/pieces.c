@@ -1,0 +1,63 @@
+/* pieces.c - multiple shooting: a log in pieces, each with an initial state of its own.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Where a motion forgets its beginning (chaos), a long log has no smooth sum of squares; pieces
+ * that are shorter than that have one (H. G. Bock, in: Modelling of Chemical Reaction Systems,
+ * Springer 1981).  Nothing ties the pieces together here: their states are unknowns like those of
+ * several logs, so the standard errors hold even if the motion was disturbed between them. The
+ * search goes from piece to piece: the motion found so far says how the next one begins.
+ */
+#include "fit.h"
+#include "host/host.h"
+
+#include <math.h>
+#include <string.h>
+
+void fit_pieces_cut(struct fit_problem *f, struct fit_log view[]) {
+  const int n = f->pieces;
+  for (int i = 0; i < f->logs; i++) {
+    const struct fit_log *all = f->log[i];
+    const size_t k = (size_t)(i % n), first = all->rows * k / (size_t)n,
+                 last = all->rows * (k + 1) / (size_t)n;
+    view[i] = *all;
+    view[i].rows = last - first;
+    view[i].t = all->t + first;
+    view[i].y = all->y + first * (size_t)all->columns;
+    view[i].line = all->line + first;
+    view[i].begin = k > 0 ? view[i].t[0] : 0;
+    f->log[i] = &view[i];
+  }
+}
+
+/* A state as the unknowns of a log. */
+static void put(struct fit_problem *f, int log, const double x[], double theta[]) {
+  double *own = theta + f->free + log * f->own;
+  for (int i = 0; i < f->code->states; i++)
+    if (i == f->code->attitude) {
+      memcpy(f->reference + 4 * log, x + i, 4 * sizeof x[0]);
+      own[0] = own[1] = own[2] = 0;
+      own += 3;
+      i += 3;
+    } else {
+      *own++ = x[i];
+    }
+}
+
+int fit_pieces_approach(struct fit_problem *f, double theta[], struct fit_sums *s) {
+  double x[64];
+  int count = 0;
+  for (f->active = 1; count >= 0; f->active++) {
+    const int now = f->active - 1;
+    if (now % f->pieces > 0 && !fit_state(f, theta, now - 1, f->log[now]->begin, x))
+      put(f, now, x, theta);
+    fit_better_start(f, now, theta);
+    if (now == 0)
+      fit_first_step(f, theta);
+    const int more = fit_descend(f, theta, s, now + 1 < f->logs ? 30 : 100);
+    count = more < 0 || interrupt_pending() ? -1 : count + more;
+    if (f->active == f->logs)
+      break;
+  }
+  f->active = f->logs;
+  return count;
+}
