@@ -272,6 +272,7 @@ do
       end
       local glue = path:find("^templates/projects/") and APPLICATIONS[system] or
           path:find("^templates/projects/fmu_") and GLUE[system] or
+          path:find("^templates/projects/python_") and system == "Python.h" or
           path:find("^templates/sweep/sweep") and PROGRAM[system] or system and system:find("${", 1, true)
       if system and unit_of(path) == "templates" and not EMITTED[system] and not glue then
         outside[#outside + 1] = string.format("%s:%d: emitted code includes <%s>", path, n, system)

@@ -48,8 +48,8 @@ for _, case in ipairs {
   { "gen s.lua --method rk4,rk4", "--method: rk4 stands there twice" },
   { "gen s.lua --project sweep", "--project sweep: what is varied has to be said; `polhode sweep SCENE " ..
     "--over ... --emit DIR` writes that program" },
-  { "gen s.lua --project zefyr", "--project must be make, cmake, arduino, platformio, zephyr, firmware or fmu, got " ..
-    "zefyr; did you mean zephyr?" },
+  { "gen s.lua --project zefyr", "--project must be make, cmake, arduino, platformio, zephyr, firmware, fmu or " ..
+    "python, got zefyr; did you mean zephyr?" },
   { "gen s.lua --target cortex-m4", "--target must be all or some of cortex-m0, cortex-m3, cortex-m4f, cortex-m7, " ..
     "rv32imac, rv32imafc, avr, got cortex-m4; did you mean cortex-m4f?" },
   { "gen s.lua --with q31,prof", "--with must be analysis, orbit, attitude, batch, jacobians, compensated, proof, " ..

@@ -82,6 +82,7 @@ emit("brick_centroid", { methods = { "taylor" }, batch = true })
 emit("attitude_control", { methods = { "taylor" }, real = "float", batch = true })
 emit("attitude_control", { methods = { "rk4" }, jacobians = true, real = "float" }, "firmware")
 emit("thruster", { methods = { "taylor", "adaptive" }, jacobians = true, compensated = true }, "fmu")
+emit("attitude_control", { methods = { "rk4" } }, "python")
 for _, project in ipairs { "cmake", "arduino", "platformio", "zephyr" } do
   emit("dropped_stone", { methods = { "rk4" } }, project)
 end

@@ -11,7 +11,8 @@
 --     finish(host, job, files)        optional: what needs the host (compiling); files | nil, what went wrong
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local list = { names = { "make", "cmake", "arduino", "platformio", "zephyr", "firmware", "fmu" }, default = "make" }
+local list = { names = { "make", "cmake", "arduino", "platformio", "zephyr", "firmware", "fmu", "python" },
+  default = "make" }
 
 -- Words that are looked for here, and what to ask instead.
 list.names.elsewhere = {
@@ -25,6 +26,7 @@ list.about = {
   platformio = "a PlatformIO library with an example",
   zephyr = "a Zephyr module with a sample",
   firmware = "an attitude filter for a Cortex-M4F",
+  python = "a Python package with a C extension and NumPy arrays",
   fmu = "a unit for co-simulation, FMI 2.0 and 3.0",
 }
 
