@@ -110,7 +110,8 @@ function python.files(job, made)
   local files = {}
   for _, f in ipairs { { "native.c", "src/" .. name .. "_native.c" },
     { "init.py", "python/" .. name .. "/__init__.py" }, { "native.pyi", "python/" .. name .. "/_native.pyi" },
-    { "project.toml", "pyproject.toml" }, { "setup.txt", "setup.py" }, { "test.py", "tests/test_" .. name .. ".py" } } do
+    { "project.toml", "pyproject.toml" }, { "setup.txt", "setup.py" },
+    { "test.py", "tests/test_" .. name .. ".py" } } do
     files[#files + 1] = { name = f[2], text = render("projects/python_" .. f[1]) }
   end
   files[#files + 1] = { name = "python/" .. name .. "/py.typed", text = "# has types\n" }
