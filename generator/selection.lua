@@ -7,6 +7,7 @@
 --     s.asked(name) -> bool       is the function emitted for the user?  Names without the scene's prefix
 --     s.made(name) -> bool        must its equations be made: it is asked for, or another function may need it
 --     s.orbit                     may a function of the closed form be asked for?
+--     s.estimator                 is a function of the estimator among those of --only?
 --     selection.room(name, of) -> "motion" | "batch" | "orbit" | "estimator" | "analysis": the file that it belongs to
 --                                 of: the room of the text that it stands in
 --     selection.attitude(asked) -> bool    is one of the functions asked for that give the attitude in other numbers?
@@ -44,7 +45,8 @@ local MOTION = set [[init defaults initial mass inertia inertia_now energy jacob
   normalise within advance matrix rotate unrotate rotation_vector euler set_euler]]
 
 -- Functions of templates that call functions made of equations.
-local NEEDS = { principal = "inertia", spin_stable = "inertia", solve = "inertia", step = "rhs inertia initial" }
+local NEEDS = { principal = "inertia", spin_stable = "inertia", solve = "inertia", step = "rhs inertia initial",
+  estimator_open = "inertia" }
 
 -- The function of one body that a function of many is made of, or nil.
 local function batched(name)
@@ -75,10 +77,12 @@ function selection.new(options, full)
   for _, name in ipairs(options.also or {}) do also[name] = true end
   local whole = not only and options.analysis == nil
 
-  local s = { orbit = not only }
+  local s = { orbit = not only, estimator = false }
   for _, name in ipairs(options.only or {}) do
+    local estimator = string.find(name, "^estimator_") ~= nil
+    s.estimator = s.estimator or estimator
     local stepper = string.find(name, "step") or string.find(name, "_run$")
-    s.orbit = s.orbit or not (ANALYSIS[name] or MOTION[name] or stepper or batched(name))
+    s.orbit = s.orbit or not (ANALYSIS[name] or MOTION[name] or stepper or estimator or batched(name))
   end
 
   function s.asked(name)

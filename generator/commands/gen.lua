@@ -223,7 +223,7 @@ local function missing_function(given, scene, unit, chosen)
       local with = given.with or {}
       local names = listed.names(driver.code(driver.plan(scene, { real = unit.real, methods = chosen,
         command = unit.command, jacobians = with.jacobians, compensated = with.compensated,
-        batch = with.batch, attitude = true })))
+        batch = with.batch, attitude = true, estimator = true })))
       local best = nearest.one(name, names)
       return "--only: the scene has no function " .. name .. (best and "; did you mean " .. best .. "?" or "") ..
         " (it has " .. table.concat(names, ", ") .. ")"

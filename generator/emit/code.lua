@@ -120,7 +120,7 @@ local function fragments(job, p, ctx, base)
     declared, defined, p.each = batch.texts(job, ctx, base, p) -- each: are there functions of a model a body?
     if declared then put("batch", declared, defined) end
   end
-  if job.estimator and has.rates then put("estimator", estimator.texts(job, ctx, base)) end
+  if (job.estimator or s.estimator) and has.rates then put("estimator", estimator.texts(job, ctx, base)) end
   if p.guard then put("motion", p.guard.header, p.guard.source) end
   if axes then put("analysis", axes) end
   if studied then

@@ -37,7 +37,11 @@ function tested.render(job, made)
   v.angle_square = number.text(R.parse "7.50144619136130430329531991444", job.real) -- (2 acos 0.2)^2
   v.turns = turns(made.offers)
   v.attitude_test = #v.turns > 0 and render "test/test_attitude.c" or ""
-  v.estimator_test = made.offers.estimator_add and render "test/test_estimator.c" or ""
+  v.has_estimator = made.offers.inertia
+  for _, part in ipairs { "open", "add", "solve", "inertia" } do
+    v.has_estimator = v.has_estimator and made.offers["estimator_" .. part]
+  end
+  v.estimator_test = v.has_estimator and render "test/test_estimator.c" or ""
   v.has_many = made.offers.step_many and made.offers.step and made.offers.initial
   v.many_apart = v.has_many and number.text(R.new(1, 1024), made.ctx.real) or nil
   v.many_test = v.has_many and render "test/test_many.c" or ""

@@ -90,7 +90,7 @@ ${many_test}
 %% end
 ${compensated_test}
 ${normalise_test}
-%% if offers.estimator_add then
+%% if has_estimator then
 ${estimator_test}
 %% end
 %% if #turns > 0 then
@@ -324,7 +324,7 @@ int main(void)
   report(${fabs}(d1 - ${one}) <= ${norm_bound} + d2, "the quaternion stays a unit quaternion");
 %% end
 %% end
-%% if offers.estimator_add then
+%% if has_estimator then
   estimator(&m);
 %% end
 %% for _, test in ipairs(turns) do
