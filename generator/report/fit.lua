@@ -217,7 +217,8 @@ local function judged(found, told)
       r.same)
   end
   for _, s in ipairs(found.notes) do notes[#notes + 1] = s end
-  for _, d in ipairs(found.data) do
+  for i, d in ipairs(found.data) do
+    for _, s in ipairs(i > 1 and d.log == found.data[i - 1].log and {} or d.odd) do notes[#notes + 1] = s end
     if #d.unused > 0 then
       put(notes, "%s: nothing in the scene measures %s", d.path, table.concat(d.unused, ", "))
     end

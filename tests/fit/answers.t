@@ -269,6 +269,30 @@ end
 refused("a loss without sigma", 2, "--loss huber: without a sigma nothing tells what is far", good,
   "--free w3 --loss huber", "wz = wz")
 
+-- Columns that no sensor measures so: said with file and line.
+local function odd(name, log, message, measure)
+  local text = select(2, fit(log, "--free w3", measure))
+  if message then
+    tap.ok(text:find(message, 1, true) ~= nil, name .. ": is said", text)
+  else
+    tap.ok(not text:find "note: log.csv:", name .. ": nothing is odd", text)
+  end
+end
+local function wave(f)
+  return "t,wz\n" .. rows(200, function(i) return string.format("%.2f,%.3f", i * 0.05, f(i * 0.05, i)) end)
+end
+odd("a constant column", wave(function() return 2 end),
+  "log.csv:2: column wz has the same value in all 200 rows, 2: is the sensor on?")
+odd("a gyro at its limit", wave(function(t) return math.min(1.5, 2 * math.sin(t)) end),
+  "log.csv:19: column wz stays at its extreme value 1.5 for 29 rows: a sensor at its limit")
+odd("and at the lower one", wave(function(t) return math.max(-1.5, 2 * math.sin(t)) end),
+  "column wz stays at its extreme value -1.5 for")
+odd("the top of a slow wave", wave(function(t) return 0.1 * math.sin(t / 3) end))
+odd("the top of a fast one", wave(function(t) return 2 * math.sin(t) end))
+odd("a wrapped angle", wave(function(t) return (2 * t + math.pi) % (2 * math.pi) - math.pi end),
+  "log.csv:34: column wz jumps by -6.183, a turn: the angle is wrapped", "wz = wz*quantity('1', 's'), sigma = 0.01")
+odd("an angle that counts turns", wave(function(t) return 2 * t end), nil, "wz = wz*quantity('1', 's'), sigma = 0.01")
+
 -- The scene with the estimate; comments and all else stay.
 code = fit(good, "--free w3 -o fitted.lua")
 local text = program.read(dir .. "/fitted.lua") or ""

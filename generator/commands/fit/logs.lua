@@ -95,6 +95,26 @@ local function wanted(columns, names, given, noise)
   return list, unused, sigmas
 end
 
+-- What is odd in the columns: sentences with file and line.
+local function oddities(host, log, path, columns)
+  local list = {}
+  for i, o in ipairs(host.odd(log)) do
+    local c = columns[i]
+    local at = o.kind and path .. ":" .. diag.show(o.line) .. ": column " .. c.name .. " "
+    local value, rows = diag.show(o.value), diag.show(o.rows)
+    if o.kind == "constant" and c.output and c.output.e then
+      list[#list + 1] = at .. "has the same value in all " .. rows .. " rows, " .. value .. ": is the sensor on?"
+    elseif o.kind == "limit" and c.output then
+      list[#list + 1] = at .. "stays at its extreme value " .. value .. " for " .. rows .. " rows: a sensor at its " ..
+        "limit; such values are wrong, so leave them empty"
+    elseif o.kind == "wrapped" and units.equal(c.dim, units.none) and c.output and c.output.e then
+      list[#list + 1] = at .. "jumps by " .. value .. ", a turn: the angle is wrapped; add the turns, or measure " ..
+        "its sine and cosine"
+    end
+  end
+  return list
+end
+
 local function one(host, measured, inputs, path)
   local log = host.log(path)
   local names, given, noise, line = log:head()
@@ -127,7 +147,8 @@ local function one(host, measured, inputs, path)
     if counts[i] == 0 then return nil, path .. ": column " .. c.name .. " has no value" end
   end
   for i = #counts, #measured + 1, -1 do counts[i] = nil end -- an input is no value that is fitted
-  return { path = path, log = log, rows = rows, counts = counts, unused = unused, sigmas = sigmas, inputs = driven }
+  return { path = path, log = log, rows = rows, counts = counts, unused = unused, sigmas = sigmas, inputs = driven,
+    odd = oddities(host, log, path, columns) }
 end
 
 function logs.read(host, outputs, inputs, paths)

@@ -50,6 +50,12 @@ struct fit_log {
 int host_log(lua_State *L);
 struct fit_log *fit_log_at(lua_State *L, int index);
 
+/* ---- odd.c ---- */
+
+/* odd(log) -> of each column {kind = nil, "constant", "limit" (value: at which it stays) or
+ * "wrapped" (value: by which it jumps), line, value, rows} */
+int host_odd(lua_State *L);
+
 /* ---- triangle.c ---- */
 
 /* n unknowns; r: rows of n + 1 numbers, upper triangular; the last column has c and rho. */

@@ -49,6 +49,7 @@ static const luaL_Reg functions[] = {
     {"fit", host_fit},
     {"design", host_design},
     {"log", host_log},
+    {"odd", host_odd},
     {"tail", host_tail},
     {NULL, NULL},
 };

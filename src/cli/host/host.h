@@ -174,5 +174,6 @@ int host_fit(lua_State *L);
 int host_design(lua_State *L);
 int host_tail(lua_State *L);
 int host_log(lua_State *L);
+int host_odd(lua_State *L);
 
 #endif

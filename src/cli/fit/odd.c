@@ -1,0 +1,102 @@
+/* odd.c - columns of a log that no sensor measures so: constant, at a limit, wrapped.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A value that is cut off at a limit stays there for some rows, and was moving fast when it came
+ * there.  So does a rounded value at the top of a wave, but slowly: the wave is a parabola there,
+ * so within another length of the run it falls by about nine times the rounding's step.
+ */
+#include "fit.h"
+#include "host/host.h"
+
+#include <math.h>
+
+enum { RUN = 5 }; /* rows at a limit */
+#define FAST 50   /* steps of rounding that a value at a limit came by, over the run's length */
+
+/* What is seen of a column. */
+struct seen {
+  double low, high, least; /* least: the smallest change that is not 0 */
+  size_t values, first;    /* how many there are, the first one's row */
+  size_t wrap;             /* the row behind a jump of a turn, or 0 */
+  double jump, moved;      /* that jump; sum of all other changes */
+};
+
+static double at(const struct fit_log *log, int column, size_t row) {
+  return log->y[row * (size_t)log->columns + (size_t)column];
+}
+
+static struct seen look(const struct fit_log *log, int column) {
+  struct seen s = {.low = (double)INFINITY, .high = -(double)INFINITY, .least = (double)INFINITY};
+  double last = (double)NAN;
+  for (size_t i = 0; i < log->rows; i++) {
+    const double y = at(log, column, i), change = fabs(y - last);
+    if (isnan(y))
+      continue;
+    if (s.values++ == 0)
+      s.first = i;
+    s.low = fmin(s.low, y);
+    s.high = fmax(s.high, y);
+    if (change > 0)
+      s.least = fmin(s.least, change);
+    if (fabs(change - 2 * M_PI) < 0.1 * M_PI && s.wrap == 0) {
+      s.wrap = i;
+      s.jump = y - last;
+    } else if (!isnan(change) && change < M_PI) {
+      s.moved += change;
+    }
+    last = y;
+  }
+  return s;
+}
+
+/* The longest run of rows at a value, its first row; 0: none that came there fast. */
+static size_t run_at(const struct fit_log *log, int column, double value, double least,
+                     size_t *first) {
+  size_t most = 0;
+  for (size_t i = 0; i < log->rows; i++) {
+    size_t n = 0;
+    while (i + n < log->rows && at(log, column, i + n) == value)
+      n++;
+    if (n >= RUN && n > most) {
+      const double before = i >= n ? fabs(at(log, column, i - n) - value) : 0;
+      const double after =
+          i + 2 * n - 1 < log->rows ? fabs(at(log, column, i + 2 * n - 1) - value) : 0;
+      if (before > FAST * least || after > FAST * least) { /* no number is larger than nothing */
+        most = n;
+        *first = i;
+      }
+    }
+    i += n;
+  }
+  return most;
+}
+
+static void say(lua_State *L, const struct fit_log *log, const char *kind, size_t row, double value,
+                size_t rows) {
+  lua_pushstring(L, kind);
+  lua_setfield(L, -2, "kind");
+  fit_push_number(L, "line", log->line[row]);
+  fit_push_number(L, "value", value);
+  fit_push_number(L, "rows", (double)rows);
+}
+
+int host_odd(lua_State *L) {
+  const struct fit_log *log = fit_log_at(L, 1);
+  lua_createtable(L, log->columns, 0);
+  for (int column = 0; column < log->columns; column++) {
+    const struct seen s = look(log, column);
+    size_t first = 0, rows = 0;
+    lua_createtable(L, 0, 4);
+    if (s.values >= 2 * RUN && s.low == s.high) {
+      say(L, log, "constant", s.first, s.low, s.values);
+    } else if (s.wrap > 0 && s.moved < 0.5 * (double)s.values) {
+      say(L, log, "wrapped", s.wrap, s.jump, 1);
+    } else if ((rows = run_at(log, column, s.high, s.least, &first)) > 0) {
+      say(L, log, "limit", first, s.high, rows);
+    } else if ((rows = run_at(log, column, s.low, s.least, &first)) > 0) {
+      say(L, log, "limit", first, s.low, rows);
+    }
+    lua_rawseti(L, -2, column + 1);
+  }
+  return 1;
+}
