@@ -7,6 +7,7 @@
 #   make check-all  the same with every test, half an hour; tests/tiers.txt says which test is in which
 #   make check-target   the emitted code on small processors under emulators, and proofs; `.ci/setup target` installs them
 #   make hard       every hard case, against its bound: docs/hard.md and its map (some minutes); make check-all has half of them
+#   make check-latex  pdflatex sets the hand-out of every body without a warning; `.ci/setup latex` installs it
 #   make check-page   pages of `polhode view` in node and in Chromium; `.ci/setup page` installs them
 #   make bits-all   the same bits on every machine, by both compilers, at every level (an hour); check-target has a part
 #   make bench      build and run the measurements
@@ -200,6 +201,9 @@ hard: tests
 # What runs on other processors, under emulators, and what is proven by Frama-C; a test says which package it lacks.
 check-target: all
 	$(call tier,target)
+
+check-latex: $(PROGRAM) $(MODULE)
+	@LUA_CPATH='$(BUILD)/lua/?.so;;' $(LUA) tests/report/handout_latex.t
 
 check-page: $(PROGRAM)
 	@node tests/page/person.mjs
@@ -568,7 +572,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install man completions clean FORCE \
+.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-latex check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install man completions clean FORCE \
         lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 

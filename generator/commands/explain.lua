@@ -5,6 +5,7 @@ local measure = require "generator.commands.measure"
 local options = require "generator.commands.options"
 local planner = require "generator.commands.planner"
 local driver = require "generator.driver"
+local handout = require "generator.report.handout.handout"
 local report = require "generator.report.explain"
 local difference = require "generator.report.difference"
 local inertial = require "generator.report.inertial"
@@ -17,8 +18,11 @@ explain.forms = {
 }
 explain.operands = { 1, 2, "SCENE" }
 explain.options = {
-  { "--format", { "text", "markdown", "latex", "json", "urdf", "mjcf", "sdf" }, "text, markdown, latex and json are " ..
-    "explanations; urdf, mjcf and sdf the <inertial> of a robot file", value = "FORMAT", default = "text" },
+  { "--format", { "text", "markdown", "latex", "html", "typst", "json", "urdf", "mjcf", "sdf" }, "text and json are " ..
+    "explanations; markdown, latex, html and typst a hand-out with set formulas; urdf, mjcf and sdf the <inertial> " ..
+    "of a robot file", value = "FORMAT", default = "text" },
+  { "--sections", "words", "of a hand-out: all, or some of " .. table.concat(handout.sections, ", "),
+    value = "WORD,...", default = "all but costs" },
   { "--diff", false, "compare two scenes; as text or json" },
   { "--real", { "double", "float" }, "the type for which costs are given", default = "double" },
   { "--target", "words", "count instructions, flash and stack on small processors under emulators: all, or some of " ..
@@ -27,6 +31,7 @@ explain.options = {
 }
 explain.examples = {
   { "polhode explain brick --set a=0.3", "the whole derivation, for another edge" },
+  { "polhode explain brick --format latex --sections tensor,euler", "a hand-out for pdflatex, of these two parts" },
   { "polhode explain brick --format urdf", "mass, centre and tensor for a robot file" },
   { "polhode explain --diff brick brick_centroid", "what the corner adds" },
 }
@@ -39,6 +44,7 @@ local function compared(host, given)
   local wrong = #given < 2 and "--diff needs two scenes" or
     format ~= "text" and format ~= "json" and "--diff: --format must be text or json, got " .. format or
     given.target and "--target: a difference has no counted costs" or
+    given.sections and "--sections: a difference has none" or
     given.real and "--real: a difference is of expressions, before they have a type"
   if wrong then return options.wrong(host, "explain", wrong) end
   for i = 1, 2 do
@@ -52,14 +58,27 @@ local function compared(host, given)
   return 0
 end
 
+-- The sections of a hand-out, nil for the usual ones; second result: what is wrong with the list.
+local function sections_of(given)
+  local list = given.sections
+  if not list then return given.target and handout.sections or nil end
+  if not handout.formats[given.format] then
+    return nil, "--sections: --format must be markdown, latex, html or typst, got " .. (given.format or "text")
+  end
+  if #list == 1 and list[1] == "all" then return handout.sections end
+  return list, options.unknown("--sections", list, handout.sections, "all")
+end
+
 function explain.run(host, given)
   if given.diff then return compared(host, given) end
   if given[2] then return options.wrong(host, "explain", "too many operands: " .. given[2]) end
   local cores, wrong = measure.cores(given.target, given.real)
   if given.target and xml[given.format] then
-    cores, wrong = nil, "--target: --format must be text, markdown, latex or json, got " .. given.format
+    cores, wrong = nil, "--target: --format must be text, markdown, latex, html, typst or json, got " .. given.format
   end
   if given.real and xml[given.format] then wrong = "--real: --format " .. given.format .. " has no costs" end
+  local sections, mistaken = sections_of(given)
+  wrong = wrong or mistaken
   if wrong then return options.wrong(host, "explain", wrong) end
   local scene, d, why = driver.read(host, given[1], given)
   if not scene then return options.refuse(host, d, why) end
@@ -77,7 +96,7 @@ function explain.run(host, given)
     counted, why = measure.run(host, unit, cores, unit.files)
     if not counted then return options.failed(host, "explain", why) end
   end
-  host.out(report.text(driver.code(plan, { counted = counted }), given.format or "text", asked))
+  host.out(report.text(driver.code(plan, { counted = counted }), given.format or "text", asked, sections))
   return 0
 end
 

@@ -1,4 +1,4 @@
--- explain.lua -- the explanation of a scene as text, Markdown, LaTeX or JSON, all from report/facts.lua.
+-- explain.lua -- the explanation of a scene as text or JSON, from report/facts.lua; handout/ has the printed one.
 --
 -- A document is a list of sections {title, {line, ...}}; a line is plain words, or a formula {name, expression,
 -- unit, number} that each format writes in its own way.
@@ -12,6 +12,7 @@ local source = require "generator.emit.source"
 local attribution = require "generator.report.attribution"
 local counted = require "generator.report.counted"
 local facts = require "generator.report.facts"
+local handout = require "generator.report.handout.handout"
 local json = require "generator.report.json"
 local linearised = require "generator.report.linearised"
 local pieces = require "generator.report.pieces"
@@ -176,6 +177,15 @@ local function cost_section(job)
   return lines
 end
 
+local function operations(job)
+  local lines = {}
+  for i, c in ipairs(cost_section(job)) do
+    lines[i] = string.format("%-16s %4d + -  %4d *  %3d /  %2d sqrt  %2d calls", c.fn, c.add, c.mul, c.div, c.sqrt,
+      c.call)
+  end
+  return lines
+end
+
 -- The central tensor in the names of the parts of a body that turns about another point: the shift back.
 local function shifted_back(f, parts)
   local R = vec.map(f.arm, function(e, i) return e.kind == "num" and e or expr.sym("R" .. comp[i], 3) end)
@@ -211,13 +221,8 @@ local function document(f)
     section("Linearised motion", linearised.lines(f))
     section("Stability by design", design.lines(f))
   end
-  local costs = {}
-  for i, c in ipairs(cost_section(f.job)) do
-    costs[i] = string.format("%-16s %4d + -  %4d *  %3d /  %2d sqrt  %2d calls", c.fn, c.add, c.mul, c.div, c.sqrt,
-      c.call)
-  end
   if f.asked then section("Asked for", f.asked) end
-  section("Operations of the emitted functions", costs)
+  section("Operations of the emitted functions", operations(f.job))
   local sheet, names = f.job.sheet(true)
   local table_of = { string.format("%-12s %s", "", string.format(string.rep("%11s", #names), table.unpack(names))) }
   for _, row in ipairs(sheet) do
@@ -251,46 +256,6 @@ function writers.text(f)
         if value ~= l.name then sides[#sides + 1] = value end
         if plain and tonumber(value) ~= l.number then sides[#sides + 1] = plain end
         out[#out + 1] = "  " .. table.concat(sides, " = ") .. (l.unit and " " .. l.unit or "")
-      end
-    end
-  end
-  return table.concat(out, "\n") .. "\n"
-end
-
-function writers.markdown(f)
-  local out = { "# " .. f.name, "", "Scene: `" .. f.file .. "`" }
-  for _, s in ipairs(document(f)) do
-    out[#out + 1] = "\n## " .. s.title .. "\n"
-    for _, l in ipairs(s.lines) do
-      if type(l) == "string" or l.text then
-        out[#out + 1] = "- " .. words(l)
-      else
-        out[#out + 1] = "- `" .. string.gsub(l.name, "^%s+", "") .. "` = " .. text.of(l.e, "unicode") ..
-          (l.number and " = " .. number(l.number) or "") .. (l.unit and " " .. l.unit or "")
-      end
-    end
-  end
-  return table.concat(out, "\n") .. "\n"
-end
-
-local function latex_name(name)
-  local s = string.gsub(name, "^%s+", "")
-  local stem, rest = string.match(s, "^(%a)([xyz]+)$")
-  if stem then return stem .. "_{" .. rest .. "}" end
-  return "\\mathrm{" .. string.gsub(string.gsub(s, "_", "\\_"), "%^", "\\hat{}") .. "}"
-end
-
-function writers.latex(f)
-  local function escape(s) return (string.gsub(string.gsub(s, "([_#%%&])", "\\%1"), "%^", "\\^{}")) end
-  local out = { "% " .. f.name .. " (" .. f.file .. "); needs amsmath", "\\section*{" .. escape(f.name) .. "}" }
-  for _, s in ipairs(document(f)) do
-    out[#out + 1] = "\\subsection*{" .. s.title .. "}"
-    for _, l in ipairs(s.lines) do
-      if type(l) == "string" or l.latex then
-        out[#out + 1] = "\\noindent " .. (type(l) == "string" and escape(l) or l.latex) .. "\\\\"
-      else
-        out[#out + 1] = "\\[ " .. latex_name(l.name) .. " = " .. text.of(l.e, "latex") ..
-          (l.number and " = " .. number(l.number) or "") .. (l.unit and "\\ \\mathrm{" .. l.unit .. "}" or "") .. " \\]"
       end
     end
   end
@@ -360,10 +325,23 @@ function writers.json(f)
   return json.text(doc)
 end
 
--- The explanation of a unit in the format; asked: lines on the accuracy that is asked for, or nil.
-function explain.text(unit, format, asked)
+-- What a hand-out says of processors: the sections of costs, as lines of text.
+local function costs(f)
+  local list = { { title = "Operations of the emitted functions", lines = operations(f.job) } }
+  list[2] = { title = "Operations of the right-hand side, by what calls for them",
+    lines = attribution.lines(attribution.of(f.job)) }
+  for _, s in ipairs(f.job.counted and counted.text(f.job.counted) or {}) do
+    list[#list + 1] = { title = s.title, lines = s.lines }
+  end
+  return list
+end
+
+-- The explanation of a unit in the format; asked: lines on the accuracy that is asked for, or nil; sections: of a
+-- hand-out, or nil.
+function explain.text(unit, format, asked, sections)
   local f = facts.of(unit)
   f.asked = asked
+  if handout.formats[format] then return handout.text(f, format, sections, costs(f)) end
   return writers[format](f)
 end
 

@@ -37,7 +37,8 @@ end
 do
   local status, _, err = run("", "explain " .. BODY .. " --target cortex-m4f --format urdf")
   tap.is(status, 2, "numbers for other programs have no costs")
-  tap.like(err, "--format must be text, markdown, latex or json, got urdf", "the message names the formats")
+  tap.like(err, "--format must be text, markdown, latex, html, typst or json, got urdf",
+    "the message names the formats")
 end
 
 -- What a kind of project has no place for.

@@ -120,8 +120,8 @@ for _, case in ipairs {
     "polhode explain: no option --formt; did you mean --format? (polhode help explain)\n" },
   { "explain --format", 2, "polhode explain: --format needs a value (polhode help explain)\n" },
   { "explain --format pdf s.lua", 2,
-    "polhode explain: --format must be text, markdown, latex, json, urdf, mjcf or sdf, got pdf; did you mean sdf? " ..
-      "(polhode help explain)\n" },
+    "polhode explain: --format must be text, markdown, latex, html, typst, json, urdf, mjcf or sdf, got pdf; " ..
+      "did you mean sdf? (polhode help explain)\n" },
   { "gen --bake=yes s.lua", 2, "polhode gen: --bake takes no value (polhode help gen)\n" },
   { "gen --method euler s.lua", 2,
     "polhode gen: --method must be some of exact, rk4, adaptive, taylor, midpoint, semi, split2, split4, split6, " ..

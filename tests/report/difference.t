@@ -104,7 +104,7 @@ do
   tap.ok(text:find("\n    damping (line 3): 3 + -, 3 *; constants that only it needs: Cxx_I, Cxx_Iyy, Cxx_Izz\n", 1,
     true), "text: operations and constants of the damping", text:match "rhs: .*")
   tap.ok(text:find("rhs: 11 + -, 24 *; of these", 1, true), "text: of all")
-  local _, markdown = run(damped .. " --format markdown")
+  local _, markdown = run(damped .. " --format markdown --sections costs")
   tap.ok(markdown:find("damping (line 3): 3 + -, 3 *", 1, true), "markdown: the same")
   local _, out = run(damped .. " --format json")
   local j = json.read(out).rhs

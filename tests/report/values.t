@@ -130,8 +130,8 @@ end
 do
   local text = output "explain bodies/symmetric_top.lua"
   tap.like(text, "body cone: atan(w_across/w3) = 3.1996013 deg", "as text, with formula and unit")
-  tap.like(output "explain bodies/symmetric_top.lua --format markdown", "- body cone: atan", "as Markdown")
-  tap.like(output "explain bodies/symmetric_top.lua --format latex", "\\arctan(\\omega_\\perp/\\omega_3) = 3.1996013",
+  tap.like(output "explain bodies/symmetric_top.lua --format markdown", "half angle of the body cone", "as Markdown")
+  tap.like(output "explain bodies/symmetric_top.lua --format latex", "\\alpha & \\approx 3.1996",
     "as LaTeX")
   tap.ok(not output "explain bodies/foucault.lua":find("Values of the motion", 1, true), "a point has none")
   local v = values "bodies/dumbbell.lua"

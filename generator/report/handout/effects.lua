@@ -1,0 +1,28 @@
+-- effects.lua -- what each effect adds to the equations, as formulas (notation of handout/math.lua).
+--
+-- N: its torque in body axes, F: its force; S turns body axes into inertial axes.  tests/report/handout.t wants an
+-- entry for every effect.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+return {
+  ["effect.control"] = { "~N = ~u" },
+  ["effect.custom"] = {},
+  ["effect.damping"] = { '~N = - C ~omega "or" ~N = - gamma ~L' },
+  ["effect.dissipation"] = { "I ~omega' = ~L x ~omega + kappa ~L x ( ~L x ~omega ) + ~N" },
+  ["effect.drag"] = { "~N = - c | ~omega | ~omega" },
+  ["effect.eddy_current"] = { "~N = - kappa ~B x ( ~omega x ~B )" },
+  ["effect.friction"] = { '~N = - tau_0 {~omega|"sqrt" ( omega^2 + omega_0^2 )}' },
+  ["effect.gravity"] = { "~N = ~R x M g S^T ~d", "V = - M g ~d . S ~R" },
+  ["effect.gravity_gradient"] = { "~N = {3 mu|d^3} ~o x I ~o" },
+  ["effect.inertia_rate"] = { "( I + D ) ~omega' = ~L x ~omega - D' ~omega + ~N", "~L = ( I + D ) ~omega" },
+  ["effect.magnetic"] = { "~N = ~m x S^T ~B", "V = - ~m . S^T ~B" },
+  ["effect.pivot"] = { "~N = ~R x S^T ( - M ~a (t) )" },
+  ["effect.rotating_frame"] = {},
+  ["effect.rotor"] = { "I ~omega' = ( I ~omega + ~h ) x ~omega + ~N" },
+  ["effect.solar_pressure"] = {
+    "~F = - {Phi|c_0} A c ( ( 1 - rho ) ~s + 2 rho c ~n )", "~N = ~d x ~F" },
+  ["effect.spring"] = { "V = 2 ~u . K ~u", "~N = - 2 ( p_0 K ~u + ( K ~u ) x ~u )" },
+  ["effect.torque"] = { '~N = ~b "or" ~N = S^T ~b' },
+  ["effect.translation"] = { "M ~v' = M ~g - c | ~v | ~v - gamma ~v - kappa ~r + ~F + S ~f", "~r' = ~v" },
+  ["effect.wheel"] = { "J ( ~a . ~omega + W )' = u", "~N = J ( ~a . ~omega + W ) ~a x ~omega - u ~a" },
+}

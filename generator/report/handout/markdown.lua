@@ -1,0 +1,27 @@
+-- markdown.lua -- the hand-out in Markdown, formulas between dollar signs as KaTeX and MathJax read them.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local latex = require "generator.report.handout.latex"
+local setting = require "generator.report.handout.setting"
+
+local markdown = { style = setmetatable({}, { __index = latex.style }) }
+
+function markdown.style.sym(...) -- \vct is a macro of the LaTeX document
+  return (string.gsub(latex.style.sym(...), "\\vct", "\\boldsymbol"))
+end
+
+function markdown.inline(n) return "$" .. setting.of(markdown.style, n) .. "$" end
+function markdown.display(lines)
+  local out = {}
+  for i, l in ipairs(lines) do out[i] = l[1] .. " &" .. (l[2] ~= "" and " " .. l[2] or "") end
+  return "$$\n\\begin{aligned}\n" .. table.concat(out, " \\\\\n") .. "\n\\end{aligned}\n$$\n"
+end
+function markdown.title(s) return "# " .. s .. "\n" end
+function markdown.heading(s) return "## " .. s .. "\n" end
+function markdown.paragraph(parts) return table.concat(parts) .. "\n" end
+function markdown.words(s) return (string.gsub(s, "[\\*_$<|]", "\\%0")) end
+function markdown.list(items) return "- " .. table.concat(items, "\n- ") .. "\n" end
+function markdown.listing(lines) return "```\n" .. table.concat(lines, "\n") .. "\n```\n" end
+markdown.tail = ""
+
+return markdown

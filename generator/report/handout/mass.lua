@@ -1,0 +1,231 @@
+-- mass.lua -- the hand-out's sections on the body: what is given, the tensor, principal moments.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+local math_ = require "generator.report.handout.math"
+local formula = require "generator.report.handout.formula"
+local integrals = require "generator.report.handout.integrals"
+
+local mass = {}
+
+local axes = { "x", "y", "z" }
+local entry = { { 1, 4, 5 }, { 4, 2, 6 }, { 5, 6, 3 } } -- of {xx, yy, zz, xy, xz, yz}
+
+function mass.given(p, f)
+  local lines = {}
+  for _, q in ipairs(f.params) do
+    lines[#lines + 1] = { left = p.symbols:of(q.name), math_.op "=",
+      math_.number(f.job.model:double(q.sym), 12, q.unit) }
+  end
+  p:heading "Given"
+  if #lines == 0 then p:words "The scene has no parameters: every number is an exact constant." end
+  p:display(lines)
+  if not f.job.model.has.rates then
+    p:text("Vectors are in the axes $x$, $y$, $z$ of the base frame, a dot is the derivative by time, and $~r$ and " ..
+      "$~v$ are position and velocity of the centre of mass.")
+  else
+    p:text("The axes $x$, $y$, $z$ are those of the body, the axes 1, 2, 3 its principal axes. $~omega$ is the " ..
+      "angular velocity, and its components are in axes of the body. A dot is the derivative by time, and $S$ turns " ..
+      "body axes into inertial axes.")
+  end
+  for _, s in ipairs(p.symbols.said) do
+    p:put(p.format.paragraph { p.format.words "The scene calls a quantity ", p:node(p.symbols:of(s.name)),
+      p.format.words("; " .. s.what .. (string.find(s.what, "moments$") and " are" or " is") .. " therefore written "),
+      p:node(math_.sym(s.letter)), p.format.words "." })
+  end
+end
+
+-- c and six entries with e = c times entry: the mass, and the numbers that all have.
+local function common(f, I)
+  local m = f.mass
+  if m.kind ~= "sym" then return nil end
+  local out, least = {}, R.one
+  for n, e in ipairs(I) do
+    out[n] = e == expr.zero and e or ratio.tidy(e / m)
+    for _, s in ipairs(expr.symbols(out[n])) do
+      if s == m then return nil end
+    end
+    if e ~= expr.zero then
+      local d = R.den((expr.split(out[n])))
+      local a, b = least, d
+      while R.sign(b) ~= 0 do a, b = b, a - b * R.floor(a / b) end
+      least = least * d / a
+    end
+  end
+  if #tostring(least) > 4 then return nil end
+  for n, e in ipairs(out) do out[n] = ratio.tidy(expr.num(least) * e) end
+  return m / expr.num(least), out
+end
+
+-- The matrix if it fits into a line, else entry by entry; and its numbers.
+local function tensor(p, f, left, I, numbers)
+  local w, rows = p.writer, {}
+  local c, inner = common(f, I)
+  local shown, fits, symbolic = inner or I, true, false
+  for _, e in ipairs(I) do symbolic = symbolic or #expr.symbols(e) > 0 end
+  for _, e in ipairs(shown) do fits = fits and formula.fits(e) end
+  if fits then
+    for i = 1, 3 do
+      rows[i] = {}
+      for k = 1, 3 do rows[i][k] = w:of(shown[entry[i][k]]) end
+    end
+  end
+  local matrix = fits and math_.matrix(rows)
+  local lines = {}
+  if symbolic and fits and math_.width(matrix) + (c and 6 or 0) + 4 <= formula.widest then
+    lines[1] = { left = left, math_.op "=", matrix }
+    if c then table.insert(lines[1], 2, w:of(c)) end
+  elseif symbolic then -- without parameters the numbers, below, say all
+    for n, e in ipairs(I) do
+      local name = math_.sym(left[1], vec.entry[n])
+      if left.sub then name = math_.sym(left[1], vec.entry[n] .. "," .. left.sub) end
+      if e ~= expr.zero then p:line(lines, name, e) end
+    end
+  end
+  local values = {}
+  for i = 1, 3 do
+    values[i] = {}
+    for k = 1, 3 do values[i][k] = math_.number(numbers[entry[i][k]], 5) end
+  end
+  lines[#lines + 1] = { left = left, math_.op "approx", math_.matrix(values),
+    { kind = "unit", "kg m^2" } }
+  p:display(lines)
+end
+
+local function vector(p, name, v, numbers)
+  local lines = {}
+  for i = 1, 3 do p:line(lines, math_.sym(name, axes[i]), v[i], v[i].kind ~= "num" and numbers[i] or nil, "m") end
+  p:display(lines)
+end
+
+-- Where the formula of a shape comes from.
+local function origin(p, f)
+  p:text("Each entry of the tensor is an integral over the mass, here with $~x$ from the origin of the axes:")
+  p:equations { "I_jk = int ( ~x . ~x delta_jk - x_j x_k ) dm" }
+  local seen = {}
+  for _, piece in ipairs(f.job.model.body.pieces) do
+    local known = integrals[piece.name]
+    if known and not seen[piece.name] then
+      p:text(piece.name .. " (" .. known[1] .. "), about its own axis z:")
+      p:equations { "I_zz = " .. known[2] .. " = " .. known[3] }
+    end
+    seen[piece.name] = true
+  end
+end
+
+function mass.tensor(p, f)
+  local s, lines = p.symbols, {}
+  p:heading "Mass and tensor of inertia"
+  if f.mass.kind ~= "sym" then p:line(lines, s.mass, f.mass, f.mass_number, "kg") end
+  p:display(lines)
+  if f.is_central then
+    p:words "The origin of rotation is the centre of mass."
+  else
+    p:words "The centre of mass, seen from the origin of rotation:"
+    vector(p, s.letter.arm, f.arm, f.arm_number)
+  end
+  if not f.job.model.has.rates then
+    p:words "The body does not turn in this scene, so its tensor does not enter."
+    return p:where()
+  end
+  origin(p, f)
+  p:words(f.is_central and "The tensor about the centre of mass is" or "The tensor about the origin of rotation is")
+  tensor(p, f, math_.sym(s.letter.tensor), f.inertia, f.inertia_number)
+  if not f.is_central then
+    p:text("and about the centre of mass, from which it is moved by Huygens and Steiner,")
+    tensor(p, f, math_.sym(s.letter.tensor, "c"), f.centroidal, f.centroidal_number)
+    p:equations { "I = I_c + M ( ~R . ~R 1 - ~R ~R^T )" }
+  end
+  p:where()
+  p:text "Kinetic energy of the rotation and angular momentum:"
+  p:equations { "T = {1|2} ~omega . I ~omega", "~L = I ~omega" }
+  lines = {}
+  local w = vec.map({ 1, 2, 3 }, function(i) return expr.sym("w" .. axes[i], 7) end)
+  local named = vec.map(f.inertia, function(e, n) return e == expr.zero and e or expr.sym("I" .. vec.entry[n], 3) end)
+  local L = vec.apply(named, w)
+  local T = expr.zero
+  for i = 1, 3 do T = T + named[i] * w[i] ^ 2 / 2 end
+  T = T + named[4] * w[1] * w[2] + named[5] * w[1] * w[3] + named[6] * w[2] * w[3]
+  p:line(lines, math_.sym(s.letter.kinetic), T)
+  for i = 1, 3 do p:line(lines, math_.sym(s.letter.momentum, axes[i]), L[i]) end
+  p:display(lines)
+end
+
+local function sentence(s) return (string.gsub(s, "^%l", string.upper)) .. "." end
+
+-- The principal axes 1, 2, 3 of the hand-out by their places in f.moments, which ascend: 3 is an axis of symmetry.
+function mass.order(f)
+  if f.structure.kind == "symmetric" and f.moments[1] ~= f.moments[2] then return { 2, 3, 1 } end
+  return { 1, 2, 3 }
+end
+
+-- The name of a moment in closed form: that of the nearest numbers, "A_1 = A_2" for one that is there twice.
+local function moments(s, f, n)
+  local list, own = {}, {}
+  for i, k in ipairs(mass.order(f)) do list[i] = { index = i, number = f.moments[k] } end
+  for j = 1, n do -- each takes its own, so that two never share one
+    local q = f.closed_moments[j]
+    local x = f.job.model:double(q.moment)
+    table.sort(list, function(a, b)
+      local da, db = math.abs(a.number - x), math.abs(b.number - x)
+      return da < db or da == db and a.index < b.index
+    end)
+    own = {}
+    for _ = 1, math.min(q.multiplicity, #list) do own[#own + 1] = table.remove(list, 1).index end
+  end
+  table.sort(own)
+  local node = { kind = "row" }
+  for i, index in ipairs(own) do
+    if i > 1 then node[#node + 1] = math_.op "=" end
+    node[#node + 1] = s:own("moment", tostring(index))
+  end
+  return node
+end
+
+function mass.principal(p, f)
+  if not f.job.model.has.rates then return end
+  local s, lines = p.symbols
+  p:heading "Principal moments and axes"
+  p:words(sentence(f.symmetry) .. (f.structure.kind == "symmetric" and " Axis 3 is the axis of symmetry." or
+    f.structure.kind ~= "sphere" and " Axis 1 has the least moment, axis 3 the largest." or ""))
+  if not f.physical then p:words "No body has these moments: the largest is more than the sum of the others." end
+  local exact = f.closed_moments or {}
+  for n, q in ipairs(exact) do
+    local name = moments(s, f, n)
+    lines = {}
+    p:line(lines, name, f.closed_named[n].moment, f.job.model:double(q.moment), "kg m^2")
+    if q.axis then
+      local nodes, fits = {}, true
+      for i = 1, 3 do
+        local e = f.closed_named[n].axis[i]
+        fits = fits and formula.fits(e)
+        nodes[i] = fits and { p.writer:of(e) }
+      end
+      local column = fits and math_.matrix(nodes)
+      if fits and math_.width(column) < formula.widest - 10 then
+        lines[#lines + 1] = { math_.word "about the axis ", column }
+      end
+    end
+    p:display(lines)
+  end
+  p:where()
+  p:words(#exact > 0 and "In numbers, with unit vectors along the axes:" or
+    "There is no simple closed form; in numbers, with unit vectors along the axes:")
+  lines = {}
+  for n, k in ipairs(mass.order(f)) do
+    local c = {}
+    for i = 1, 3 do c[i] = math_.number(f.axes[k][i], 5) end
+    lines[n] = { left = s:own("moment", tostring(n)), math_.op "approx", math_.number(f.moments[k], 5, "kg m^2"),
+      math_.op ",", math_.op "quad", math_.sym("e", tostring(n), { vector = true }), math_.op "approx",
+      math_.par(math_.row(c[1], math_.op ",", c[2], math_.op ",", c[3])) }
+  end
+  p:display(lines)
+  p:words "In these axes the tensor is diagonal, and"
+  p:equations { "T = {1|2} ( I_1 omega_1^2 + I_2 omega_2^2 + I_3 omega_3^2 )",
+    "~L = I_1 omega_1 ~e_1 + I_2 omega_2 ~e_2 + I_3 omega_3 ~e_3" }
+end
+
+return mass
