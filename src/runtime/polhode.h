@@ -49,6 +49,7 @@ enum ph_status {
   PH_EQUATERNION, /* a quaternion is zero */
   PH_EMATRIX,     /* a matrix is not a rotation */
   PH_ESEQUENCE,   /* not one of the twelve sequences of Euler angles */
+  PH_ECONTACT,    /* a plane is touched in more than one point */
   PH_EROD,        /* torque about an axis without moment of inertia */
   PH_EMETHOD,     /* unknown method, or one that cannot do what is asked */
   PH_ESTEP,       /* step negative, or so small that time stands still */

@@ -18,12 +18,15 @@
      PH_PARTS      (I + D(t)) w' = L x w - D' w + N, L = (I + D) w
      PH_EDDY_CURRENT  N = -k B x (w x B), B = q* field q
      PH_DISSIPATION  N = k L x (L x w), and q' = q (0, w + k L x w)/2, so that L stays in space
+     PH_PLANE      the body touches a plane: rolls, slides or is without friction (polhode_plane.h)
    Wheels (one state W, rad/s), elliptic orbits (the true anomaly f), moving parts (their time) and
    custom acts have states of their own, which follow q, w (and r, v) in the order of the calls. The
    methods of polhode.h take these effects as they are; PH_TAYLOR, which forms no series of them,
    integrates by Gragg's midpoint rule with extrapolation instead. */
 #ifndef POLHODE_ACTS_H
 #define POLHODE_ACTS_H
+
+#include "polhode_plane.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -49,6 +52,7 @@ enum ph_act_kind { /* further bits of ph_top.effects */
                    PH_PARTS = 1 << 26,
                    PH_DISSIPATION = 1 << 27,
                    PH_EDDY_CURRENT = 1 << 28,
+                   PH_PLANE = 1 << 29,
                    PH_ANY_ACT = 0x7fff << 16
 };
 
@@ -118,6 +122,7 @@ typedef struct ph_act {
     struct {
       double k, field[3];
     } eddy_current;
+    ph_plane plane;
   } of;
 } ph_act;
 

@@ -25,6 +25,7 @@ static const char *const phrases[] = {
     "a quaternion must not be zero",
     "a rotation matrix must be orthonormal and right-handed",
     "Euler angles need three axes of x, y, z, neighbours different",
+    "a plane must be touched in one point, not by a disc that lies flat",
     "torque about an axis that has no moment of inertia",
     "the method is unknown or cannot do what is asked",
     "the step must be positive and large enough to move time on",

@@ -342,3 +342,45 @@ do
   out[#out + 1] = "}"
   write("nesc_case3.lua", out)
 end
+
+-- ---- plane.json: bodies that roll and slide on a plane ----
+do
+  local laws = { rolling = "PH_ROLLING", frictionless = "PH_SMOOTH", sliding_viscous = "PH_VISCOUS",
+    sliding_coulomb = "PH_COULOMB" }
+  local out = head("plane.h", "bodies on a plane: state, reaction and what the inputs' rounding moves, 32 digits",
+    "static const struct {\n  const char *id;\n  double mass, inertia[6];\n  ph_plane plane;\n" ..
+    "  double q[4], w[3], com[3], v[3], damping;\n  double t;\n  long double at_q[4], at_w[3], at_com[3], at_v[3], N;\n" ..
+    "  double q_sensitivity, w_sensitivity, com_sensitivity, v_sensitivity, N_sensitivity;\n} plane_rows[] = {")
+  local function doubles(list, n)
+    local texts = {}
+    for i = 1, n or #list do texts[i] = double(list and list[i] or "0.0") end
+    return braces(texts)
+  end
+  local function longs(list)
+    local texts = {}
+    for i, x in ipairs(list) do texts[i] = long(x) end
+    return braces(texts)
+  end
+  for _, case in ipairs(json("plane.json").cases) do
+    local p, s, first = case.params, case.params.surface, case.initial
+    local axes = s.kind == "ellipsoid" and s.semi_axes
+    if s.kind == "disc" then axes = { s.radius, s.radius, "0.0" } end
+    local f = p.friction or {}
+    local plane = string.format("{.law = %s, .placed = 1, .half_axes = %s, .axes = %s, .rim = %s, .centre = %s, " ..
+      ".normal = %s, .e1 = {1, 0, 0}, .rate = %s, .gravity = {0, 0, -%s}, .friction = %s, .smoothing = %s}",
+      laws[case.mode], doubles(axes or { "0.0", "0.0", "0.0" }), doubles(s.axes or { "1.0", "0.0", "0.0", "0.0" }),
+      double(s.kind == "sphere" and s.radius or s.rim or "0.0"), doubles(s.centre or { "0.0", "0.0", "0.0" }),
+      doubles(p.plane.normal), double(p.plane.rate), double(p.g), double(f.c or f.mu or "0.0"),
+      double(f.eps or "0.0"))
+    for _, row in ipairs(case.samples) do
+      local far = row.input_ulp_sensitivity
+      out[#out + 1] = string.format("  {\"%s\", %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s},",
+        case.id, double(p.mass), doubles(p.inertia), plane, doubles(first.q), doubles(first.omega), doubles(first.com),
+        doubles(first.velocity or { "0.0", "0.0", "0.0" }), double(p.damping or "0.0"), double(row.t), longs(row.q),
+        longs(row.omega), longs(row.com), longs(row.velocity), long(row.N), double(far.q_abs), double(far.omega_rel),
+        double(far.com_abs), double(far.velocity_abs), double(far.N_rel))
+    end
+  end
+  out[#out + 1] = "};"
+  write("plane.h", out)
+end

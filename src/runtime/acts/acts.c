@@ -119,3 +119,10 @@ int acts_coupled(const ph_top *top) {
       return 1;
   return 0;
 }
+
+effect_at acts_constraint(const ph_top *top, ph_wide t, const ph_wide x[]) {
+  acts_at a = acts_first(top, t, x);
+  while (a.e.act && !a.e.act->effect->constrain)
+    acts_next(&a);
+  return a.e;
+}

@@ -63,6 +63,8 @@ ph_wide acts_until(const ph_top *top, ph_wide t, ph_wide h);
 int acts_is_wheel(const ph_top *top, int place);
 /* Are there wheels or moving parts? Then w' and other rates have to be found together. */
 int acts_coupled(const ph_top *top);
+/* The act that constrains the body; e.act NULL: there is none. */
+effect_at acts_constraint(const ph_top *top, ph_wide t, const ph_wide x[]);
 
 /* ---- single.c: the effects that a top has one of ---- */
 
@@ -72,6 +74,11 @@ void acts_load(const ph_top *top, const double u[3], motion_loads *loads);
 ph_wide acts_add_potential(const ph_top *top, const ph_wide x[], ph_wide V);
 
 /* ---- coupled.c: with wheels or moving parts ---- */
+
+enum { ACTS_ROWS = 3 + PH_ACTS };
+
+/* A y = b in n unknowns, y in place of b; 0 if singular. */
+int acts_eliminate(int n, ph_wide A[ACTS_ROWS][ACTS_ROWS], ph_wide b[ACTS_ROWS]);
 
 /* w' and the wheels' rates from the b of I w' = b (motion/motion.h), which knows nothing of them.
    PH_EROD. */

@@ -8,10 +8,7 @@
    that is not in it adds J a a^T, and to b its -w x J (a.w) a. */
 #include "acts.h"
 
-enum { ROWS = 3 + PH_ACTS };
-
-/* A y = b in n unknowns, y in place of b; 0 if singular. */
-static int eliminate(int n, ph_wide A[ROWS][ROWS], ph_wide b[ROWS]) {
+int acts_eliminate(int n, ph_wide A[ACTS_ROWS][ACTS_ROWS], ph_wide b[ACTS_ROWS]) {
   for (int c = 0; c < n; c++) {
     int best = c;
     for (int r = c + 1; r < n; r++)
@@ -39,8 +36,8 @@ static int eliminate(int n, ph_wide A[ROWS][ROWS], ph_wide b[ROWS]) {
 
 int acts_solve(const ph_top *top, ph_wide t, const ph_wide x[], const ph_wide b[3], ph_wide dx[]) {
   static const int at[3][3] = {{XX, XY, XZ}, {XY, YY, YZ}, {XZ, YZ, ZZ}};
-  ph_wide A[ROWS][ROWS] = {{0}}, y[ROWS], h[3] = {0}, turning[3], locked[6];
-  int n = 3, place[ROWS];
+  ph_wide A[ACTS_ROWS][ACTS_ROWS] = {{0}}, y[ACTS_ROWS], h[3] = {0}, turning[3], locked[6];
+  int n = 3, place[ACTS_ROWS];
   for (int i = 0; i < 6; i++)
     locked[i] = top->wide_inertia[i];
   for (acts_at a = acts_first(top, t, x); a.e.act; acts_next(&a)) {
@@ -75,7 +72,7 @@ int acts_solve(const ph_top *top, ph_wide t, const ph_wide x[], const ph_wide b[
       A[i][j] = locked[at[i][j]];
     y[i] = b[i] - turning[i];
   }
-  if (!eliminate(n, A, y))
+  if (!acts_eliminate(n, A, y))
     return PH_EROD;
   for (int i = 0; i < n; i++)
     dx[i < 3 ? 4 + i : place[i]] = y[i];

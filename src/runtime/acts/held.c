@@ -20,6 +20,8 @@ ph_wide acts_kinetic(const ph_top *top, const ph_wide x[]) {
       a.e.act->effect->wheel(a.e.act, &wheel);
       const ph_wide W = x[a.e.place], along = wide_dot(wheel.axis, x + 4);
       T += wheel.J / 2 * (wheel.included ? W * (W + 2 * along) : (W + along) * (W + along));
+    } else if (a.e.act->effect->kinetic) {
+      T += a.e.act->effect->kinetic(&a.e);
     }
   return T;
 }

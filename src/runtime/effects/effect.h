@@ -97,6 +97,10 @@ struct ph_effect_table {
   /* what it adds to the tensor, and the rate of that */
   void (*tensor)(const effect_at *e, ph_wide D[6]);
   void (*tensor_rate)(const effect_at *e, ph_wide D[6]);
+  /* it constrains the body: w' and its own rates, from the b of I w' = b (motion/motion.h); a
+     status. It then has no torque, force and rates. And the kinetic energy that follows */
+  int (*constrain)(const effect_at *e, const ph_wide b[3], ph_wide dx[]);
+  ph_wide (*kinetic)(const effect_at *e);
   /* rate at which the body's axes turn beside w */
   void (*slip)(const effect_at *e, ph_wide slip[3]);
   /* it is a wheel, whose first own state is its speed beside the body; the motor's torque */

@@ -76,8 +76,14 @@ int motion_rates(const ph_top *top, const motion_loads *loads, ph_wide t, const 
   for (int i = 0; i < 3; i++)
     b[i] += S[i];
   ph_wide rate[PH_STATES];
-  const int status =
-      acts_coupled(top) ? acts_solve(top, t, x, b, rate) : motion_solve(top, b, size, rate + 4);
+  const effect_at bound = acts_constraint(top, t, x);
+  int status = PH_OK;
+  if (bound.act)
+    status = bound.act->effect->constrain(&bound, b, rate);
+  else if (acts_coupled(top))
+    status = acts_solve(top, t, x, b, rate);
+  else
+    status = motion_solve(top, b, size, rate + 4);
   if (status)
     return status;
   acts_rates(top, t, x, rate);
