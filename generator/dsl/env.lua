@@ -10,6 +10,7 @@ local R = require "generator.algebra.rational"
 local coordinate = require "generator.algebra.coordinate"
 local expr = require "generator.algebra.expr"
 local args = require "generator.dsl.args"
+local contact = require "generator.dsl.contact"
 local input = require "generator.dsl.input"
 local names = require "generator.dsl.names"
 local scene = require "generator.dsl.scene"
@@ -186,6 +187,7 @@ local function environment(ctx, tables, params, inputs, effects)
   e.inertial, e.mesh = host.visible(inertial.constructor(ctx)), host.visible(mesh.constructor(ctx))
   local effect = effect_constructor(ctx, effects)
   e.effect = strict(ctx, "effect", tree(host, tables.effects, effect).effect)
+  e.contact = strict(ctx, "contact", tree(host, contact.kinds, contact.constructor(ctx)).contact)
   e.param, e.quantity = param(ctx, params), quantity(ctx)
   e.input = input.constructor(ctx, inputs, function(u) return unit(ctx, "input", u) end)
   e.exact = function(s)

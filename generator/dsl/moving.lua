@@ -9,6 +9,7 @@
 local expr = require "generator.algebra.expr"
 local motion = require "generator.algebra.motion"
 local args = require "generator.dsl.args"
+local contact = require "generator.dsl.contact"
 local names = require "generator.dsl.names"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
@@ -298,5 +299,7 @@ function moving.custom(ctx, line, what, given)
   end
   return #ctx.diag.errors == failed and a or nil
 end
+
+moving.plane = contact.plane
 
 return moving

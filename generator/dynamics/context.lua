@@ -101,7 +101,7 @@ function context.of(m, constant)
       return e
     end
   end
-  return { mass = m.mass, com = m.com, inertia = m.locked or m.inertia, has = m.has, q = state.q,
+  return { mass = m.mass, com = m.com, origin = m.origin, inertia = m.locked or m.inertia, has = m.has, q = state.q,
     w = state.w, r = state.r, v = state.v, u = state.u, t = state.t, M = M, constant = constant, dw = none,
     lift = function(e, name, about) return motion.lift(e, function(x) return constant(name, x, about) end) end,
     diagonal = diagonal(m), tensor = function() return context.locked(m, keeps) end,

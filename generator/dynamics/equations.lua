@@ -16,6 +16,7 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
+local contact = require "generator.dynamics.contact"
 local context = require "generator.dynamics.context"
 local fold = require "generator.dynamics.fold"
 local moving = require "generator.dynamics.moving"
@@ -119,7 +120,7 @@ local function torques(m, gyric)
     if products then group.why = group.why .. "; what it adds to the products of the rates" end
     if #group.defs > 0 then groups[#groups + 1] = group end
   end
-  groups.provisional = provisional
+  groups.provisional, groups.constant = provisional, constant
   return total, groups, need_L
 end
 
@@ -326,14 +327,20 @@ local function turning(d, m, list)
     L_defs = select(2, momentum(m))
     table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = L_defs, outs = {} })
   end
-  local euler = builders[kind](m, N, groups, d, I)
+  local plane, euler = contact.of(m), nil
+  local function free() return builders[kind](m, N, groups, d, I) end
+  if plane then
+    euler, list.coordinates, list.reaction = contact.turning(m, plane, groups.constant, N, groups, free)
+  else
+    euler = free()
+  end
   if not euler then return nil end
   euler.where = place(m, m.line)
   for i, n in ipairs(state.names.rates) do euler.outs[i] = { state = n, expr = euler.outs[i] } end
-  if kind == "full" or kind == "varying" then -- which begins with the same definitions
+  if not plane and (kind == "full" or kind == "varying") then -- which begins with the same definitions
     for _ = 1, #L_defs do table.remove(euler.defs, 1) end
   end
-  groups[#groups + 1] = euler
+  if not plane then groups[#groups + 1] = euler end
   fold.settle(m, groups.provisional, groups)
   if need_L and not fold.uses(groups, L_defs) then table.remove(groups, 1) end
   for _, g in ipairs(groups) do list[#list + 1] = g end
@@ -366,7 +373,8 @@ function equations.of(d, m)
   local c = context.of(m)
   c.dw = rates_of(groups) or c.dw
   for _, e in ipairs(m.record.effects) do
-    local change = #e.states > 0 and e.spec.derivative(e.a, context.with(c, e))
+    local change = #e.states > 0 and (e.spec.touches and groups.coordinates() or
+      e.spec.derivative(e.a, context.with(c, e)))
     local g = { why = string.gsub(e.kind, "^effect%.", "") .. ": its own states", where = place(m, e.line), defs = {},
       outs = {} }
     for i, s in ipairs(e.states) do g.outs[i] = { state = s.name, expr = change[s.key] } end

@@ -11,6 +11,7 @@
 
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
+local contact = require "generator.dynamics.contact"
 local context = require "generator.dynamics.context"
 local idle = require "generator.dynamics.idle"
 local state = require "generator.dynamics.state"
@@ -30,14 +31,14 @@ local function zero(e) return e == expr.zero or ratio.iszero(e) end
 -- What the effect does, as lists of expressions: {torque =, force =, rates = (of its own states)}; and whether it acts.
 local function deeds(m, e)
   local c = context.with(context.dry(m), e)
-  local list, acts = { torque = {}, force = {}, rates = {} }, e.spec.input or false
+  local list, acts = { torque = {}, force = {}, rates = {} }, e.spec.input or e.spec.touches or false
   for _, name in ipairs { "torque", "force" } do
     list[name] = e.spec[name] and e.spec[name](e.a, c) or {}
     for _, x in ipairs(list[name]) do acts = acts or not zero(x) end
   end
   for _, s in ipairs(e.states) do
     acts = true
-    list.rates[#list.rates + 1] = e.spec.derivative(e.a, c)[s.key]
+    if not e.spec.touches then list.rates[#list.rates + 1] = e.spec.derivative(e.a, c)[s.key] end
   end
   for _, x in ipairs(e.spec.momentum and e.spec.momentum(e.a, c) or {}) do acts = acts or not zero(x) end
   local frame = e.spec.frame and e.spec.frame(e.a, c)
@@ -63,9 +64,9 @@ local function torques(list)
 end
 
 -- The effects' own states, with names that are free: {key, name, sym, about, unit, initial}.
-local function own_states(e, taken)
+local function own_states(e, taken, given)
   e.own, e.states = {}, {}
-  for i, s in ipairs(e.spec.states and e.spec.states(e.a) or {}) do
+  for i, s in ipairs(e.spec.states and e.spec.states(e.a, given) or {}) do
     local name, n = s.name, 1
     while taken[name] do
       n = n + 1
@@ -108,7 +109,7 @@ end
 
 -- What cannot be together: a second base or translation, a fixed point and a body that moves.
 local function contradictions(d, m, moving)
-  local seen = {}
+  local seen, plane = {}, contact.of(m)
   for _, e in ipairs(m.record.effects) do
     if e.spec.single and seen[e.kind] then
       d:error(e.line, e.kind, "is given twice (first on line " .. seen[e.kind] .. ")")
@@ -118,14 +119,15 @@ local function contradictions(d, m, moving)
       d:error(m.record.origin and m.record.origin.line or m.line, "origin", "must be the centroid, about which " ..
         e.kind .. " (line " .. e.line .. ") acts")
     end
-    if moving and e.spec.fixed then
+    if (moving or plane) and e.spec.fixed then
+      moving = moving or plane
       d:error(e.line, e.kind, "acts about a fixed point, and " .. moving.kind .. " (line " .. moving.line ..
         ") moves the body: " .. e.spec.fixed)
     end
   end
-  if not moving and (m.given.position or m.given.velocity) then
+  if not moving and not plane and (m.given.position or m.given.velocity) then
     d:error(m.given.line, "initial", "position and velocity need an effect that moves the body: effect.translation " ..
-      "or effect.rotating_frame")
+      "or effect.rotating_frame, or effect.plane")
   end
 end
 
@@ -157,7 +159,8 @@ local function acting_effects(d, m, moving)
     if acts then
       acting[#acting + 1] = e
       if deed.frame then m.frame = e end
-      if torques(deed) or e.spec.input then cause.turned = cause.turned or e end
+      if e.spec.touches then cause.by_attitude = cause.by_attitude or e end
+      if torques(deed) or e.spec.input or e.spec.touches then cause.turned = cause.turned or e end
       for _, name in ipairs { "torque", "force", "rates" } do
         if depends(deed[name], of_attitude) then cause.by_attitude = cause.by_attitude or e end
         if name ~= "torque" and depends(deed[name], of_rates) then cause.by_rates = cause.by_rates or e end
@@ -246,11 +249,12 @@ function states.decide(d, m)
   local taken, moving = {}, nil
   for _, s in ipairs(state.known) do taken[s.name] = true end
   for _, e in ipairs(m.record.effects) do
-    own_states(e, taken)
+    own_states(e, taken, m.given)
     if e.spec.moves and e.spec.moves(m.given) and not moving then moving = e end
   end
   contradictions(d, m, moving)
   one_input(d, m)
+  if not contact.check(d, m) then return false end
   m.has = { attitude = true, rates = true, position = moving ~= nil } -- until we know better
   local cause = acting_effects(d, m, moving)
   local why = decided(m, cause, outputs(d, m, taken))

@@ -8,7 +8,8 @@
 -- default, about}) for docs/effects.md (docs/tools/effects.lua); and what it does, each optional:
 --     torque(a, c)      about the origin of rotation, body axes, N m
 --     force(a, c)       on the centre of mass, inertial axes (those of the base frame, if one turns), N
---     states(a)         states of its own: a list of {name =, initial = expr, unit =, about =}
+--     touches           it constrains the body, whose equations dynamics/contact.lua then has
+--     states(a, given)  states of its own (given: what `initial` gives): a list of {name =, initial = expr, unit =, about =}
 --     derivative(a, c)  their rates by name
 --     momentum(a, c)    angular momentum that it holds beside the body's (a rotor), body axes: it adds -(h' + w x h)
 --     momentum_rate(a, c)  the part of h' that is not in torque, where momentum depends on more than its own states
@@ -61,6 +62,7 @@ local list = {
   require "generator.effects.gravity_gradient",
   require "generator.effects.solar_pressure",
   require "generator.effects.pivot",
+  require "generator.effects.plane",
   require "generator.effects.inertia_rate",
   require "generator.effects.dissipation",
   require "generator.effects.custom",

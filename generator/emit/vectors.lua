@@ -112,7 +112,7 @@ local function states(job, round, env)
     local x = {}
     for i, s in ipairs(job.states) do
       local turned = s.kind == "attitude"
-      x[i] = R.lift((turned and fixed[name].q or fixed[name][1])[s.place])
+      x[i] = R.lift(turned and fixed[name].q[s.place] or fixed[name][1][(s.place - 1) % 3 + 1])
       if not turned then x[i] = x[i] * (scale[s.kind] or power_of { own[i] } or R.one) end
     end
     return { name = name, values = x }

@@ -1,0 +1,200 @@
+-- contact.lua -- the equations of a body that touches a plane (effects/plane.lua).
+--
+-- All vectors in body axes: g = `up`, the plane's normal; r = `arm`, from the centre of mass to the contact point; y the
+-- point of the ellipsoid, r = centre - y - rim g; turning = w x r.  With g' = g x w the rate of the contact's place is
+--     k = r' + w x r = w x (centre - y) - y',   y' = (B g' - y (y.g'))/s
+-- in which the rim cancels.  u = U, G the gravity, Omega the rate of the plane:
+--     rolling   [I/m + r.r 1 - r r^T] w' = (I/m w) x w + N/m + r x f,   f = Omega g x (u + r') - w x k - G
+--     else      w' = w0' + nu b,  w0' that of the torques alone,  b = m I^-1 (r x h),  h = g - share v,
+--               nu = N/m = (-g.G - g.(w x k) - w0'.s)/(1 + b.s),  s = r x g
+-- from Newton's law with the acceleration of the contact point (rolling) or its component along g (else) prescribed.
+-- share: c of viscous friction, mu/sqrt(v.v + e^2) of Coulomb's; v the slip.  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+local context = require "generator.dynamics.context"
+local state = require "generator.dynamics.state"
+
+local contact = {}
+
+local letters = { "x", "y", "z" }
+local zero = expr.zero
+
+-- The effect that constrains the body, or nil.
+function contact.of(m)
+  for _, e in ipairs(m.record.effects) do
+    if e.spec.touches then return e end
+  end
+  return nil
+end
+
+-- What the plane cannot be together with, reported: false.
+function contact.check(d, m)
+  local plane = contact.of(m)
+  if not plane then return true end
+  local fine = true
+  for _, e in ipairs(m.record.effects) do
+    local spec = e.spec
+    if e ~= plane and (spec.carries or spec.varies or spec.turn or spec.force or spec.frame or spec.name ==
+      "effect.wheel") then
+      d:error(e.line, e.kind, "cannot be together with effect.plane (line " .. plane.line .. "), whose equations know " ..
+        "torques and rotors only")
+      fine = false
+    end
+  end
+  return fine
+end
+
+local function trivial(e) return e.kind == "num" or e.kind == "sym" end
+
+-- A function that gives names to the components of a vector, as definitions of the group.
+local function namer(m, group, taken)
+  return function(prefix, v)
+    return vec.map(v, function(e, i)
+      if trivial(e) then return e end
+      local name = prefix .. (#v == 3 and letters[i] or #v == 6 and vec.entry[i] or "")
+      while m.by_name[name] or taken[name] do name = name .. "_" end
+      taken[name] = true
+      group.defs[#group.defs + 1] = { name = name, expr = e }
+      return expr.sym(name, 7)
+    end)
+  end
+end
+
+-- w x k, the contact's vectors and gravity, as definitions of a first group.
+local function geometry(m, e, c, groups)
+  local a = e.a
+  local g = { why = "contact with the plane: r = " .. (a.surface.half[1] ~= zero and "centre - B g/sqrt(g.B g) - rim g" or
+    "centre - rim g") .. ", g the plane's normal", defs = {}, outs = {}, where = e.where }
+  local name = namer(m, g, c.taken)
+  local k = e.spec.contact(a, c, name)
+  local place = vec.cross(c.w, k.far)
+  if k.y then
+    local rate = name("up_rate_", vec.cross(k.up, c.w))
+    local along = name("along", { vec.dot(k.y, rate) })[1]
+    local b = vec.apply(k.B, rate)
+    local y_rate = name("touch_rate_", vec.map(b, function(x, i) return (x - k.y[i] * along) / k.root end))
+    place = vec.sub(place, y_rate)
+  end
+  k.place = name("place_", place)
+  k.turning = name("turning_", vec.cross(c.w, k.r))
+  k.bend = vec.cross(c.w, k.place)
+  local G = vec.map(a.gravity, function(x, i) return c.constant("g" .. letters[i], x, "gravity, m/s^2") end)
+  k.G = name("G", vec.matvec(k.back, G))
+  k.E1, k.E2 = vec.matvec(k.back, a.e1), vec.matvec(k.back, a.e2)
+  groups[#groups + 1] = g
+  return k, G
+end
+
+-- U in body axes and its components along e1 and e2: Omega n x P.
+local function table_of(a, c, k)
+  if a.rate == zero then return { zero, zero, zero }, zero, zero end
+  local rate = c.constant("Omega_plane", a.rate, "rate of the plane, rad/s")
+  local p1, p2 = c.own.p1 + vec.dot(k.E1, k.r), c.own.p2 + vec.dot(k.E2, k.r)
+  local u1, u2 = -rate * p2, rate * p1
+  return vec.add(vec.scale(u1, k.E1), vec.scale(u2, k.E2)), u1, u2, rate
+end
+
+local function rolling(m, e, c, N, groups)
+  local k = geometry(m, e, c, groups)
+  local a, w = e.a, c.w
+  local u, u1, u2, rate = table_of(a, c, k)
+  local I = vec.map(m.carried, function(x, n)
+    return c.constant("I" .. vec.entry[n] .. "_m", ratio.tidy(x / m.mass), "tensor entry " .. vec.entry[n] ..
+      " per mass, m^2")
+  end)
+  local g = { why = "Newton and Euler, rolling: (I/m + r.r 1 - r r^T) w' = (I w/m) x w + N/m + r x f, " ..
+    "f = -G - w x k" .. (rate and " + Omega g x (U + r')" or ""), defs = {}, where = e.where }
+  local name = namer(m, g, c.taken)
+  local f = vec.scale(-expr.one, vec.add(k.G, k.bend))
+  if rate then
+    local P = vec.add(u, vec.sub(k.place, k.turning)) -- u + r'
+    f = vec.add(f, vec.scale(rate, vec.cross(k.up, P)))
+  end
+  f = name("drive_", f)
+  local r = k.r
+  local S = vec.add(I, { r[2] ^ 2 + r[3] ^ 2, r[1] ^ 2 + r[3] ^ 2, r[1] ^ 2 + r[2] ^ 2, -r[1] * r[2], -r[1] * r[3],
+    -r[2] * r[3] })
+  local over = c.constant("over_m", expr.one / m.mass, "1/mass, 1/kg")
+  local L = name("L", vec.apply(I, w))
+  local n = vec.add(vec.cross(L, w), vec.add(vec.scale(over, N), vec.cross(r, f)))
+  g.outs = vec.solve(name("S", S), name("n", n), function(prefix, x) return name(prefix, { x })[1] end)
+  groups[#groups + 1] = g
+  local function coordinates()
+    return { p1 = u1 - vec.dot(k.E1, k.turning), p2 = u2 - vec.dot(k.E2, k.turning) }
+  end
+  return g, coordinates, function(dw) -- N/m = g.(A + G'), A = .. - w' x r - w x k; what is along g
+    return -vec.dot(k.up, vec.cross(dw, r)) - vec.dot(k.up, k.bend) - vec.dot(k.up, k.G)
+  end
+end
+
+-- I^-1 v, constants for what is divided by.
+local function inverse_per_mass(m, c, name, v)
+  local I = m.carried
+  if I[4] == zero and I[5] == zero and I[6] == zero then
+    return vec.map(v, function(x, i)
+      if I[i] == zero then return zero end
+      return c.constant("m_I" .. vec.entry[i], ratio.tidy(m.mass / I[i]), "mass/moment of inertia " .. vec.entry[i] ..
+        ", 1/m^2") * x
+    end)
+  end
+  local adj, det = vec.adjugate(I)
+  local J = vec.map(adj, function(x, n)
+    return c.constant("mJ" .. vec.entry[n], m.mass * x / det, "mass times the inverse of the tensor, " .. vec.entry[n] ..
+      ", 1/m^2")
+  end)
+  return vec.apply(J, name("moment_", v))
+end
+
+local function touching(m, e, c, free, groups)
+  local k, G = geometry(m, e, c, groups)
+  local a = e.a
+  local g = { why = "Newton and Euler on the plane: w' = w0' + N/m b, b = m I^-1 (r x h), " ..
+    "N/m = (-g.G - g.(w x k) - w0'.s)/(1 + b.s), s = r x g", defs = {}, where = e.where }
+  local name = namer(m, g, c.taken)
+  local w0 = name("free_", free)
+  local s = name("side_", vec.cross(k.far, k.up))
+  local h, v1, v2, share = k.up, nil, nil, zero
+  if a.friction then
+    local _, u1, u2 = table_of(a, c, k)
+    local slip = name("slip_", { c.own.v1 + vec.dot(k.E1, k.turning) - u1 })
+    v1 = slip[1]
+    v2 = name("slide_", { c.own.v2 + vec.dot(k.E2, k.turning) - u2 })[1]
+    if a.friction.viscous then
+      share = c.constant("viscous", a.friction.viscous, "viscous friction, s/m")
+    else
+      local mu = c.constant("mu", a.friction.coulomb, "coefficient of friction")
+      local smooth = c.constant("smooth", ratio.tidy(a.friction.smoothing ^ 2), "square of the smoothing speed, m^2/s^2")
+      share = name("share", { mu / expr.sqrt(v1 ^ 2 + v2 ^ 2 + smooth) })[1]
+    end
+    h = name("press_", vec.sub(k.up, vec.scale(share, vec.add(vec.scale(v1, k.E1), vec.scale(v2, k.E2)))))
+  end
+  local b = name("yield_", inverse_per_mass(m, c, name, a.friction and vec.cross(k.r, h) or s))
+  local nu = name("push", { (-vec.dot(k.up, k.G) - vec.dot(k.up, k.bend) - vec.dot(w0, s)) /
+    (1 + vec.dot(b, s)) })[1]
+  g.outs = vec.map(w0, function(x, i) return x + nu * b[i] end)
+  groups[#groups + 1] = g
+  local function coordinates()
+    local A1, A2 = vec.dot(G, a.e1), vec.dot(G, a.e2)
+    if v1 then A1, A2 = A1 - nu * share * v1, A2 - nu * share * v2 end
+    return { p1 = c.own.v1, p2 = c.own.v2, v1 = A1, v2 = A2 }
+  end
+  return g, coordinates, function() return nu end
+end
+
+-- The groups of w' are appended to `groups`.  N: the torques of what else acts, as their names; euler(): the group of
+-- Euler's equations without contact.  Returns the group whose outs are w', a function that gives the rates of the
+-- effect's own states, and one that gives N/m from w'.
+function contact.turning(m, e, constant, N, groups, euler)
+  local c = context.with(context.of(m, constant), e)
+  c.taken = {}
+  if e.a.law == "rolling" then return rolling(m, e, c, N, groups) end
+  local free = euler()
+  if not free then return nil end
+  groups[#groups + 1] = { why = free.why .. "; without the plane", where = free.where, defs = free.defs, outs = {} }
+  return touching(m, e, c, free.outs, groups)
+end
+
+return contact

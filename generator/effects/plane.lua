@@ -1,0 +1,142 @@
+-- plane.lua -- the body touches a plane: it rolls, slides, or is without friction.
+--
+--     rolling     V = U - w x r                       [I + m (r.r 1 - r r^T)] w' = L x w + N + m r x f
+--     smooth      n.(V + w x r) = 0, F = N n          sliding   F = N (n - share of the slip)
+-- r from the centre of mass to the contact point; V its velocity, U that of the plane's point under it.  The equations
+-- are dynamics/contact.lua's.  Kept for as long as the reaction N is positive.
+-- Own states: the coordinates of the centre of mass along the plane's axes e1 (as near to inertial x as there is) and
+-- e2 = n x e1, and its velocity along them unless it rolls; a smooth level plane needs none of them, and has them if
+-- `initial` gives position or velocity.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+
+local plane = {
+  name = "effect.plane", reader = "plane",
+  about = "the body touches a plane with its surface: law rolling, smooth or sliding with friction; normal, turntable",
+  single = true, central = true, touches = true, keeps = "T+V without friction on a plane at rest",
+  takes = { { "surface", "", nil, "contact.sphere{r}, contact.ellipsoid{a, b, c}, contact.disc{r, edge}; at =" },
+    { "law", "", "\"rolling\"", "or \"smooth\", \"sliding\"" },
+    { "friction", "", nil, "of sliding: { viscous = c } in s/m, or { coulomb = mu, smoothing = e }, e in m/s" },
+    { "normal", "1", "{0, 0, 1}", "of the plane, inertial axes, to the body's side, of any length" },
+    { "turntable", "rad/s", "0", "rate at which the plane turns about its normal through the inertial origin" },
+    { "gravity", "m/s^2", "9.80665", "a number (along -z) or a vector" } },
+  idle = { {}, "it always acts" },
+  formula = "rolling: V + w x r = U; smooth: F = N n; sliding: F = N (n - c v), or N (n - mu v/sqrt(v^2 + e^2))",
+  signs = "r from the centre of mass to the contact point, N the reaction along the normal n, v the slip V + w x r - U",
+  source = "Routh, Advanced Rigid Dynamics, arts. 241-244; Neimark, Fufaev, Dynamics of Nonholonomic Systems, ch. 1",
+  example = "rolling_coin",
+}
+
+-- Does the motion along the plane need states?
+local function placed(a, given)
+  if a.law ~= "smooth" or given.position or given.velocity then return true end
+  for i = 1, 2 do
+    local e = i == 1 and a.e1 or a.e2
+    if not ratio.iszero(vec.dot(a.gravity, e)) then return true end
+  end
+  return false
+end
+
+function plane.states(a, given)
+  if not placed(a, given) then return {} end
+  local none = { expr.zero, expr.zero, expr.zero }
+  local p, v = given.position or none, given.velocity or none
+  local function state(name, e, of, what, unit)
+    return { name = name, initial = ratio.tidy(vec.dot(e, of)), unit = unit, about = what }
+  end
+  local list = { state("p1", a.e1, p, "centre of mass along the plane's axis e1", "m"),
+    state("p2", a.e2, p, "centre of mass along e2", "m") }
+  if a.law ~= "rolling" then
+    list[3] = state("v1", a.e1, v, "velocity of the centre of mass along e1", "m/s")
+    list[4] = state("v2", a.e2, v, "velocity along e2", "m/s")
+  end
+  return list
+end
+
+-- ---- the contact: what dynamics/contact.lua and the energy are made of ----
+
+-- The vectors of the contact in body axes, by names that `name(prefix, vector)` may give them.
+function plane.contact(a, c, name)
+  local s, k = a.surface, {}
+  local function constants(prefix, v, about, unit)
+    return vec.map(v, function(x, i)
+      return c.constant(prefix .. string.sub("xyz", i, i), ratio.tidy(x), about .. " " .. string.sub("xyz", i, i) .. unit)
+    end)
+  end
+  local n = constants("plane", a.normal, "normal of the plane,", "")
+  k.back = vec.transpose(vec.rotation(c.q))
+  k.up = name("up_", vec.matvec(k.back, n))
+  local centre = constants("centre", vec.sub(s.at, c.origin), "centre of the surface from the centre of mass,", ", m")
+  local rim = c.constant("rim", s.rim, "radius of the surface" .. (s.rim == expr.zero and "" or "'s rolling ball") .. ", m")
+  local far = centre -- c - y, y = B up/s on an ellipsoid
+  if s.half[1] ~= expr.zero then
+    local A = vec.rotation(s.axes)
+    local squares = vec.map(s.half, function(x) return x ^ 2 end)
+    local B = {}
+    for i, p in ipairs(vec.pair) do
+      local sum = expr.zero
+      for j = 1, 3 do sum = sum + A[p[1]][j] * A[p[2]][j] * squares[j] end
+      B[i] = c.constant("B" .. vec.entry[i], ratio.tidy(sum), "matrix of the ellipsoid, " .. vec.entry[i] .. ", m^2")
+    end
+    k.B = B
+    local b = name("Bup_", vec.apply(B, k.up))
+    k.root = name("root", { expr.sqrt(vec.dot(k.up, b)) })[1]
+    k.y = name("touch_", vec.scale(expr.one / k.root, b))
+    far = name("far_", vec.sub(centre, k.y))
+  end
+  k.far = far
+  k.r = name("arm_", vec.sub(far, vec.scale(rim, k.up)))
+  return k
+end
+
+local function bare(_, v) return v end
+
+-- Rates of the contact's coordinates: components of the velocity along e1, e2 and n, in space.
+local function motion_of(a, c, k)
+  local turning = vec.cross(c.w, k.r)
+  local E1, E2 = vec.matvec(k.back, a.e1), vec.matvec(k.back, a.e2)
+  local rise = -vec.dot(k.up, turning)
+  if a.law ~= "rolling" then
+    if not c.own.v1 then return expr.zero, expr.zero, rise end
+    return c.own.v1, c.own.v2, rise
+  end
+  return -vec.dot(E1, turning) - a.rate * (c.own.p2 + vec.dot(E2, k.r)),
+    -vec.dot(E2, turning) + a.rate * (c.own.p1 + vec.dot(E1, k.r)), rise
+end
+
+function plane.kinetic(a, c)
+  local x, y, z = motion_of(a, c, plane.contact(a, c, bare))
+  return c.constant("mass", c.mass, "mass, kg") * (x ^ 2 + y ^ 2 + z ^ 2) / 2
+end
+
+function plane.potential(a, c)
+  local k = plane.contact(a, c, bare)
+  local g = vec.map(a.gravity, function(x, i)
+    return c.constant("g" .. string.sub("xyz", i, i), x, "gravity, m/s^2")
+  end)
+  local height = -vec.dot(k.up, k.r)
+  local at = vec.scale(height, a.normal)
+  if c.own.p1 then at = vec.add(at, vec.add(vec.scale(c.own.p1, a.e1), vec.scale(c.own.p2, a.e2))) end
+  return -c.M * vec.dot(g, at)
+end
+
+function plane.conserves(a)
+  return a.law ~= "sliding" and a.rate == expr.zero and { "T+V", "w3", "L_z" } or { "w3" }
+end
+
+local law_numbers = { rolling = 0.0, smooth = 1.0, sliding = 2.0 }
+
+function plane.numeric(a, num, given, _, c)
+  local s, f = a.surface, a.friction or {}
+  return { kind = "plane", law = f.coulomb and 3.0 or law_numbers[a.law], placed = placed(a, given) and 1.0 or 0.0,
+    half_axes = vec.map(s.half, num), axes = { num(s.axes[1]), num(s.axes[2]), num(s.axes[3]), num(s.axes[4]) },
+    rim = num(s.rim), centre = vec.map(vec.sub(s.at, c.origin), num), normal = vec.map(a.normal, num),
+    e1 = vec.map(a.e1, num), rate = num(a.rate), gravity = vec.map(a.gravity, num),
+    friction = f.coulomb and num(f.coulomb) or f.viscous and num(f.viscous) or 0.0,
+    smoothing = f.smoothing and num(f.smoothing) or 0.0 }
+end
+
+return plane
