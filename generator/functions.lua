@@ -19,11 +19,11 @@ local function steppers(plan, options, named)
   local list = {}
   for _, name in ipairs(options.methods or {}) do
     local method, program = methods.by_name[name], nil
+    local why = method and methods.refused(plan.model, method)
     if method and method.program and named then
       program = { transition = true }
-    elseif method and method.program then
-      local why
-      program, why = method.program(plan.equations, options)
+    elseif method and (method.program or why) then
+      if not why then program, why = method.program(plan.equations, options) end
       if not program then
         plan.diag:error(plan.record.line, "method " .. name, why)
         return nil

@@ -6,8 +6,11 @@
 --                               by h, and also of a method that is printed by parts: adaptive.lua)
 --     increments(eq, constant)  what the step adds, as equation groups (optional: compensated.lua)
 --     program(eq, options)      what emit/NAME.lua makes C of with templates/NAME.h and .c; nil and why it cannot
+--     methods.refused(m, method)   why the method cannot step the model at all, or nil
 -- adaptive = true: NAME_METHOD_run chooses its steps from a tolerance.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
+
+local contact = require "generator.dynamics.contact"
 
 local list = {
   require "generator.methods.rk4",
@@ -21,5 +24,14 @@ for _, m in ipairs(require("generator.methods.split").methods) do list[#list + 1
 
 list.by_name = {}
 for _, m in ipairs(list) do list.by_name[m.name] = m end
+
+-- What takes the equations of motion as they are, and asks nothing of where they come from.
+local of_any = { rk4 = true, adaptive = true, taylor = true }
+
+function list.refused(m, method)
+  if of_any[method.name] or not contact.of(m) then return nil end
+  return "the body touches a plane, and this method makes its step of torques and free turning (rk4, adaptive and " ..
+    "taylor step any equations)"
+end
 
 return list

@@ -28,7 +28,8 @@ local function refusal(scene, name)
       not form.full and "the closed form gives the rates only" or nil
   end
   local m = methods.by_name[name]
-  if not m.program then return nil end
+  local unfit = methods.refused(scene.model, m)
+  if unfit or not m.program then return unfit end
   local program, why = m.program(equations.fork(scene.equations), {})
   return not program and why or nil
 end

@@ -207,18 +207,41 @@ static double largest(const effect_terms *e) {
   return effect_larger(effect_norm(p->gravity), w * w * (reach(p) + place));
 }
 
+/* How far one rounding of the contact's terms may be magnified in w': the friction's share of N,
+   and what is lost where friction nearly undoes the support, 1/m + n.(I^-1 (d x G) x d) -> 0. */
+static double share(const effect_terms *e) {
+  const ph_plane *p = &e->act->of.plane;
+  ph_wide x[PH_STATES], lever[3], turned[3];
+  contact c;
+  wide_load(ph_top_states(e->top), e->x, x);
+  const effect_at at = {e->top, e->act, (ph_wide)e->t, x, e->place};
+  if (p->law == PH_ROLLING || touch(&at, &c))
+    return 1;
+  wide_cross(c.d, c.G, lever);
+  wide_sandwich(c.q, lever, 0, lever);
+  motion_solve(e->top, lever, -1, turned);
+  wide_sandwich(c.q, turned, 1, turned);
+  wide_cross(turned, c.d, lever);
+  const ph_wide mass = (ph_wide)e->top->mass, down = mass * wide_dot(c.n, lever);
+  const ph_wide size = wide_norm(c.G) * (1 + mass * wide_norm(turned) * wide_norm(c.d));
+  return (double)(size / fabsl(1 + down));
+}
+
 static void term_torque(const effect_terms *e, double term[3]) {
   const ph_plane *p = &e->act->of.plane;
   for (int i = 0; i < 3; i++)
-    effect_raise(&term[i], e->top->mass * reach(p) * largest(e) * (1 + p->friction));
+    effect_raise(&term[i], e->top->mass * reach(p) * largest(e) * share(e));
 }
 
 static void term_rates(const effect_terms *e, double scale[]) {
   const ph_plane *p = &e->act->of.plane;
-  const double w = effect_norm(e->x + 4) + fabs(p->rate);
+  const double *own = e->x + e->place, w = effect_norm(e->x + 4) + fabs(p->rate);
   for (int i = 0; i < e->act->states; i++)
-    effect_raise(&scale[e->place + i], i < 2 ? w * (reach(p) + fabs(e->x[e->place + 1 - i]))
-                                             : largest(e) * (1 + p->friction));
+    if (i > 1)
+      effect_raise(&scale[e->place + i], largest(e) * share(e));
+    else
+      effect_raise(&scale[e->place + i],
+                   e->act->states == 4 ? fabs(own[2 + i]) : w * (reach(p) + fabs(own[1 - i])));
 }
 
 static void term_energy(const effect_terms *e, double *scale) {
