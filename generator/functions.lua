@@ -81,6 +81,7 @@ function functions.of(plan, options, named)
   if m.has.attitude then put("momentum", quantities.momentum, m) end
   if m.has.rates then put("torque", quantities.torque, m) end
   put("rhs", quantities.rhs, eq)
+  if eq.touch then put("contact", quantities.contact, eq) end
   for i, s in ipairs(plan.steppers) do
     local name = i == 1 and "step" or s.method.name .. "_step"
     if s.method.groups then put(name, quantities.step, m, eq, s.method, name) end

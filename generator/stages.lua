@@ -18,7 +18,7 @@ local FIELDS = {
     formal slack unlawful conditions
     has frame states moving reasons ]],
   -- dynamics/equations.lua; model: with the constants that the equations use (dynamics/constants.lua)
-  equations = [[ groups coupled turn inputs free model ]],
+  equations = [[ groups coupled turn inputs free touch model ]],
   -- driver.read; closed: the closed form that the scene has, or why it has none
   scene = [[ host templates version build file source text diag budget
     record model equations states closed conserved ranges ]],

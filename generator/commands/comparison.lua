@@ -7,6 +7,7 @@
 local R = require "generator.algebra.rational"
 local inputs = require "generator.dynamics.inputs"
 local forced = require "generator.commands.forced"
+local contact = require "generator.dynamics.contact"
 local numeric = require "generator.dynamics.numeric"
 local selftest = require "generator.emit.selftest"
 local motion_checks = require "generator.commands.motion_checks"
@@ -284,6 +285,15 @@ end
 local function steppers(host, job, plugin, tap, name, x0, random, epsilon)
   local scale, motions = scales(job), {}
   local function draw() return state(job, random, scale, job.real) end
+  if contact.of(job.model) then -- of a state drawn at random the plane might have to pull the body
+    function draw()
+      local x = { table.unpack(x0) }
+      for i, s in ipairs(job.states) do
+        if s.kind == "rates" then x[i] = x[i] * 0.875 end
+      end
+      return x
+    end
+  end
   for n = 1, 2 do
     local start, finish = motion_checks.smooth(job, plugin, n == 1 and x0 or draw(), draw)
     if start then

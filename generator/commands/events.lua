@@ -11,11 +11,32 @@
 local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
 local motion = require "generator.algebra.motion"
+local contact = require "generator.dynamics.contact"
+local numeric = require "generator.dynamics.numeric"
 
 local events = {}
 
 local most, parts, rounds, narrow = 100000, 16, 14, 2.0 ^ -28
 local piece = 4096 -- of the grid
+
+-- The events of a scene: its own, and the loss of contact with a plane, which ends the run.  reaction: its value is N,
+-- which the library computes from the state.
+function events.of(job)
+  local plane, list = contact.of(job.model), job.record.events
+  if not plane then return list end
+  list = { table.unpack(list) }
+  list[#list + 1] = { name = "contact_lost", direction = -1, stop = true, line = plane.line, reaction = true }
+  return list
+end
+
+-- The reaction of the plane at a state {t =, x =}; nil where it has none.
+local function reaction_of(host, job, course)
+  local library = host.rates(numeric.scene(job))
+  return function(at)
+    local c = library:contact(at.t, numeric.whole(job, at.x), course)
+    return c and c[1] or nil
+  end
+end
 
 -- What an event depends on and the scene does not have: a message, or nil.
 function events.missing(job)
@@ -29,14 +50,15 @@ function events.missing(job)
   return nil
 end
 
--- The value of an expression at a state {t =, x =}; nil if it is not a number there.
-local function valuer(job)
-  local env = {}
+-- The value of an event at a state {t =, x =}; nil if it is not a number there.
+local function valuer(host, job, course)
+  local env, reaction = {}, contact.of(job.model) and reaction_of(host, job, course)
   for name, q in pairs(job.model.defaults) do env[name] = q end -- into a table: order is lost anyway
   return function(e, at)
+    if e.reaction then return reaction(at) end
     env.t = at.t
     for i, s in ipairs(job.states) do env[s.name] = at.x[i] end
-    local g = evaluate.double(e, env)
+    local g = evaluate.double(e.when, env)
     return g == g and g or nil
   end
 end
@@ -76,7 +98,7 @@ local function narrowed(list, solve, value)
   for _, o in ipairs(open) do
     local c, before = o[1], o[1].b - o[1].a
     for _, t in ipairs(o[2]) do
-      local g = value(c.event.when, at[t])
+      local g = value(c.event, at[t])
       if g and g ~= 0 and (g > 0) == (c.gb > 0) then
         c.b, c.gb = t, g
         break
@@ -93,10 +115,10 @@ end
 -- Where signs change between two times of the grid: brackets {a, b, ga, gb, event} for the list.  seen: of each event
 -- the last time and value that was not 0, from piece to piece.
 local function changes(job, states, value, seen, list)
-  for _, e in ipairs(job.record.events) do
+  for _, e in ipairs(events.of(job)) do
     local last = seen[e] or {}
     for _, s in ipairs(states) do
-      local g = value(e.when, s)
+      local g = value(e, s)
       if g and g ~= 0 then
         local ga = last.g
         if ga and (g > 0) ~= (ga > 0) and e.direction * g >= 0 then
@@ -127,9 +149,10 @@ local function brackets(job, course, value, finish, step)
 end
 
 -- The events from 0 to `finish` in the order of time: a list of {event, row}, cut after the first that stops; or nil
--- and what went wrong.  course: the motion, engines.lua; solve(times) -> rows of the table.
-function events.find(job, course, solve, finish, step)
-  local value = valuer(job)
+-- and what went wrong.  course: the motion, engines.lua; solve(times) -> rows of the table; inputs:
+-- the scene's over time, or nil.
+function events.find(host, job, course, solve, finish, step, inputs)
+  local value = valuer(host, job, inputs)
   local list, why = brackets(job, course, value, finish, step)
   if not list then return nil, why end
   if #list == 0 then return {} end

@@ -4,6 +4,7 @@
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
 local breaks = require "generator.dynamics.breaks"
+local contact = require "generator.dynamics.contact"
 local numeric = require "generator.dynamics.numeric"
 
 local motion_checks = {}
@@ -25,6 +26,26 @@ local function rate_of(plugin, x0)
   return rate
 end
 
+-- On a plane a body may become faster by far than it started (a disc that falls flat, in microseconds): the part of the
+-- span, in 64 parts, in which it turns by some six radians of its largest rate so far, and before a step that is fine
+-- for the start no longer keeps the energy.
+local function faster(job, plugin, x0, span)
+  local times, most, law = {}, 0.0, job.conserved.is["T+V"]
+  local E0 = law and plugin:energy(x0)
+  for k = 1, 64 do times[k] = span * k / 64 end
+  for _, row in ipairs(plugin:integrate(x0, nil, span / 256, times)) do
+    local x = { table.unpack(row, 2) }
+    for i, s in ipairs(job.states) do
+      if s.kind == "rates" then most = math.max(most, math.abs(x[i])) end
+    end
+    if law and math.abs(plugin:energy(x) - E0) > (job.real == "float" and 1e-4 or 1e-8) * math.abs(E0) then
+      return row[1] / 2
+    end
+    if most * row[1] > 6 then return row[1] end
+  end
+  return span
+end
+
 -- A span of some four radians of the fastest rate, of w and, with effects, of the Jacobian (1 where both are 0); not
 -- beyond the scene's own horizon where something moves away, nor beyond a corner of a table.
 function motion_checks.span(job, plugin, x0)
@@ -37,7 +58,8 @@ function motion_checks.span(job, plugin, x0)
   local horizon, first = job.model:double(job.model.horizon), breaks.first(job.equations)
   if first and rate * R.todouble(first) < 4 then return R.todouble(first) end
   if job.model.has.position and rate * horizon < 4 then return horizon end
-  return 4.0 / rate
+  local span = 4.0 / rate
+  return contact.of(job.model) and faster(job, plugin, x0, math.min(span, horizon)) or span
 end
 
 -- A motion without corners at unknown times, on which a stepper has its order: its start and span.  draw() gives random

@@ -102,14 +102,14 @@ end
 
 -- The events of the scene up to the last of the times, or nil and the failure.  failure: of the rows; then an event
 -- that stops the run before is looked for.
-local function happened(job, given, motion, solve, list, failure)
+local function happened(host, job, given, motion, solve, list, failure)
   local finish, stops = 0, not failure
   local step = given.step or job.model:double(job.model.step)
   for _, t in ipairs(list) do finish = math.max(finish, t) end
-  for _, e in ipairs(job.record.events) do stops = stops or e.stop end
+  for _, e in ipairs(events.of(job)) do stops = stops or e.stop end
   if failure then finish = math.min(finish, (failure.t or 0) - step) end
-  if #job.record.events == 0 or finish <= 0 or not stops then return {} end
-  local found, wrong = events.find(job, motion, solve, finish, step)
+  if #events.of(job) == 0 or finish <= 0 or not stops then return {} end
+  local found, wrong = events.find(host, job, motion, solve, finish, step, given.course)
   return found, failure or wrong
 end
 
@@ -131,7 +131,7 @@ local function computed(host, job, given, motion, list, warnings)
     return rows and chosen(wanted, longer, rows), states
   end
   local rows, states = table_at(list)
-  local found, wrong = happened(job, given, motion, solve, list, not rows and states)
+  local found, wrong = happened(host, job, given, motion, solve, list, not rows and states)
   if not found then return nil, wrong end
   local last = found[#found]
   if last and last.event.stop then
@@ -166,10 +166,11 @@ function run.run(host, given)
   local list, wrong = times(job, given)
   wrong = wrong or events.missing(job)
   local warnings, course
-  if not wrong then given.chosen, wrong = columns.of(host, job, given.columns) end
+  if not wrong then given.chosen, wrong = columns.of(host, job, given.columns, given) end
   if not wrong then
     warnings, course = input_file.of(host, job, given)
     wrong = not warnings and course
+    given.course = warnings and course
   end
   if not warnings then return options.wrong(host, "run", wrong) end
   local engine = given.engine == "generated" and engines.generated or engines.general
@@ -183,7 +184,7 @@ function run.run(host, given)
     return run.refuse(host, found, found.status == 3 and accuracy.help(job, motion, list, found.t))
   end
   local status = options.write(host, "run", given.o, tables.writers[given.format or "csv"](rows, given.chosen.names,
-    #job.record.events > 0 and found or nil))
+    #events.of(job) > 0 and found or nil))
   for _, w in ipairs(status == 0 and warnings or {}) do host.err("warning: " .. w) end
   return status
 end

@@ -125,9 +125,9 @@ local function rolling(m, e, c, N, groups)
   local function coordinates()
     return { p1 = u1 - vec.dot(k.E1, k.turning), p2 = u2 - vec.dot(k.E2, k.turning) }
   end
-  return g, coordinates, function(dw) -- N/m = g.(A + G'), A = .. - w' x r - w x k; what is along g
-    return -vec.dot(k.up, vec.cross(dw, r)) - vec.dot(k.up, k.bend) - vec.dot(k.up, k.G)
-  end
+  -- N/m = g.(A - G), A = Omega g x (..) - w' x r - w x k
+  local function reaction(dw) return -vec.dot(k.up, vec.cross(dw, r)) - vec.dot(k.up, k.bend) - vec.dot(k.up, k.G) end
+  return g, { coordinates = coordinates, reaction = reaction, k = k, c = c, a = a }
 end
 
 -- I^-1 v, constants for what is divided by.
@@ -181,20 +181,57 @@ local function touching(m, e, c, free, groups)
     if v1 then A1, A2 = A1 - nu * share * v1, A2 - nu * share * v2 end
     return { p1 = c.own.v1, p2 = c.own.v2, v1 = A1, v2 = A2 }
   end
-  return g, coordinates, function() return nu end
+  return g, { coordinates = coordinates, reaction = function() return nu end, k = k, c = c, a = a }
+end
+
+-- The centre of mass and its velocity in inertial axes; rates: those of the effect's own states.
+local function placed(touch, rates)
+  local a, c, k = touch.a, touch.c, touch.k
+  local height, rise = -vec.dot(k.up, k.r), -vec.dot(k.up, k.turning)
+  local function along(x1, x2, up)
+    return vec.map(a.normal, function(n, i)
+      local sum = up * n
+      if x1 then sum = sum + x1 * a.e1[i] + x2 * a.e2[i] end
+      return sum
+    end)
+  end
+  return along(c.own.p1, c.own.p2, height), along(rates.p1, rates.p2, rise)
 end
 
 -- The groups of w' are appended to `groups`.  N: the torques of what else acts, as their names; euler(): the group of
--- Euler's equations without contact.  Returns the group whose outs are w', a function that gives the rates of the
--- effect's own states, and one that gives N/m from w'.
+-- Euler's equations without contact.  Returns the group whose outs are w', and a group that is none of the equations:
+-- its outs are what else follows, see contact.read.
 function contact.turning(m, e, constant, N, groups, euler)
   local c = context.with(context.of(m, constant), e)
   c.taken = {}
-  if e.a.law == "rolling" then return rolling(m, e, c, N, groups) end
-  local free = euler()
-  if not free then return nil end
-  groups[#groups + 1] = { why = free.why .. "; without the plane", where = free.where, defs = free.defs, outs = {} }
-  return touching(m, e, c, free.outs, groups)
+  local g, touch
+  if e.a.law == "rolling" then
+    g, touch = rolling(m, e, c, N, groups)
+  else
+    local free = euler()
+    if not free then return nil end
+    groups[#groups + 1] = { why = free.why .. "; without the plane", where = free.where, defs = free.defs, outs = {} }
+    g, touch = touching(m, e, c, free.outs, groups)
+  end
+  local rates = touch.coordinates()
+  local com, velocity = placed(touch, rates)
+  local rest = { why = "", defs = {}, outs = { { expr = touch.reaction(g.outs) } } }
+  for _, v in ipairs { com, velocity } do
+    for _, x in ipairs(v) do rest.outs[#rest.outs + 1] = { expr = x } end
+  end
+  for _, key in ipairs { "p1", "p2", "v1", "v2" } do
+    rest.outs[#rest.outs + 1] = rates[key] and { key = key, expr = rates[key] } or nil
+  end
+  return g, rest
+end
+
+-- Of that group when the constants stand: N/m; the centre of mass and its velocity, inertial axes; the rates of the
+-- effect's own states by name.
+function contact.read(rest)
+  local o = vec.map(rest.outs, function(x) return x.expr end)
+  local touch = { push = o[1], com = { o[2], o[3], o[4] }, velocity = { o[5], o[6], o[7] }, rates = {} }
+  for i = 8, #rest.outs do touch.rates[rest.outs[i].key] = o[i] end
+  return touch
 end
 
 return contact

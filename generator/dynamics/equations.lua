@@ -16,6 +16,7 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
+local attitude = require "generator.dynamics.attitude"
 local contact = require "generator.dynamics.contact"
 local context = require "generator.dynamics.context"
 local fold = require "generator.dynamics.fold"
@@ -278,38 +279,6 @@ function builders.full(m, N)
     names) }
 end
 
--- The rate W at which the body's axes turn, where effects say that it is not w, named in the group; else nil.
-local function axes_turn(m, g)
-  local W, c = nil, context.of(m)
-  for _, e in ipairs(m.record.effects) do
-    if e.spec.turn then W = vec.add(W or state.w, e.spec.turn(e.a, context.with(c, e))) end
-  end
-  if not W then return nil end
-  g.why, g.turn = "attitude: q' = q (0, W)/2, W the rate at which the axes turn", {}
-  for i = 1, 3 do
-    g.defs[i] = { name = "W" .. axis_name[i], expr = W[i] }
-    g.turn[i] = expr.sym("W" .. axis_name[i], 7)
-  end
-  return g.turn
-end
-
--- q' = (q (0, w) - (0, Omega) q)/2, Omega the rate of the base frame.
-local function attitude(m)
-  local w, q = state.w, state.q
-  local g = { why = "attitude: q' = q (0, w)/2", defs = {}, outs = {} }
-  w = axes_turn(m, g) or w
-  local rate = vec.qmul(q, { expr.zero, w[1], w[2], w[3] })
-  if m.frame then
-    local turn, defs = moving.rate(m)
-    rate = vec.sub(rate, vec.qmul({ expr.zero, turn[1], turn[2], turn[3] }, q))
-    for _, def in ipairs(defs) do g.defs[#g.defs + 1] = def end
-    g.why = "attitude in the turning frame: q' = (q (0, w) - (0, Omega) q)/2"
-    g.where = place(m, m.frame.line)
-  end
-  for i, n in ipairs(state.names.attitude) do g.outs[i] = { state = n, expr = rate[i] / 2 } end
-  return g
-end
-
 -- Euler's equations for a torque of any form (along a rod's line it must be zero): one group, outs the rates of w.
 -- Moving parts have their tensor here, and their torque -D' w in N.
 function equations.euler(m, N)
@@ -327,10 +296,10 @@ local function turning(d, m, list)
     L_defs = select(2, momentum(m))
     table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = L_defs, outs = {} })
   end
-  local plane, euler = contact.of(m), nil
+  local plane, euler, rest = contact.of(m), nil, nil
   local function free() return builders[kind](m, N, groups, d, I) end
   if plane then
-    euler, list.coordinates, list.reaction = contact.turning(m, plane, groups.constant, N, groups, free)
+    euler, rest = contact.turning(m, plane, groups.constant, N, groups, free)
   else
     euler = free()
   end
@@ -340,8 +309,9 @@ local function turning(d, m, list)
   if not plane and (kind == "full" or kind == "varying") then -- which begins with the same definitions
     for _ = 1, #L_defs do table.remove(euler.defs, 1) end
   end
-  if not plane then groups[#groups + 1] = euler end
+  if plane then groups[#groups + 1] = rest else groups[#groups + 1] = euler end
   fold.settle(m, groups.provisional, groups)
+  list.touch = plane and contact.read(table.remove(groups))
   if need_L and not fold.uses(groups, L_defs) then table.remove(groups, 1) end
   for _, g in ipairs(groups) do list[#list + 1] = g end
   return true
@@ -362,7 +332,7 @@ local of_attitude = { qw = true, qx = true, qy = true, qz = true }
 -- nil then.
 function equations.of(d, m)
   local groups = {}
-  if m.has.attitude then groups[1] = attitude(m) end
+  if m.has.attitude then groups[1] = attitude.group(m, place) end
   if m.has.rates and not turning(d, m, groups) then return nil end
   if m.has.position then
     for _, g in ipairs(moving.groups(m, groups[1])) do
@@ -373,7 +343,7 @@ function equations.of(d, m)
   local c = context.of(m)
   c.dw = rates_of(groups) or c.dw
   for _, e in ipairs(m.record.effects) do
-    local change = #e.states > 0 and (e.spec.touches and groups.coordinates() or
+    local change = #e.states > 0 and (e.spec.touches and groups.touch.rates or
       e.spec.derivative(e.a, context.with(c, e)))
     local g = { why = string.gsub(e.kind, "^effect%.", "") .. ": its own states", where = place(m, e.line), defs = {},
       outs = {} }
@@ -390,7 +360,7 @@ function equations.of(d, m)
     end
   end
   return stages.made("equations", { groups = groups, coupled = coupled, turn = m.has.attitude and groups[1].turn,
-    inputs = #m.inputs > 0, free = #m.record.effects == 0, model = m })
+    inputs = #m.inputs > 0, free = #m.record.effects == 0, touch = groups.touch or false, model = m })
 end
 
 -- The same equations with a pool of constants of their own, for who asks for more.

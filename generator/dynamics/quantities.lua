@@ -247,6 +247,22 @@ function quantities.rhs(eq)
     doc = { "Equations of motion: dx = dx/dt at time t, state x, input u.  dx must not overlap x." }, groups = groups }
 end
 
+-- What the plane does to a body that touches it, and where the body is.
+function quantities.contact(eq)
+  local groups = {}
+  for i, g in ipairs(eq.groups) do
+    if i > 1 then groups[#groups + 1] = group(g.why, g.defs, {}) end
+  end
+  local results = outs("com", eq.touch.com)
+  for _, o in ipairs(outs("velocity", eq.touch.velocity)) do results[#results + 1] = o end
+  results[7] = { result = true, expr = context.mass(eq.model) * eq.touch.push }
+  groups[#groups + 1] = group("the reaction, and the centre of mass above the contact point", {}, results)
+  return { name = "contact", args = { "m", "t", "x", "u", array("com", 3, true), array("velocity", 3, true) },
+    result = true, doc = { "The reaction N of the plane, N: the force along its normal.  The motion is that of a body",
+      "on the plane as long as N > 0.  com, velocity: of the centre of mass, inertial axes, m and m/s." },
+    groups = groups }
+end
+
 -- One step by a method that is written as equation groups, as the function `name`.
 function quantities.step(m, eq, method, name)
   local groups = {}

@@ -21,7 +21,7 @@ local gravity = {
   args = { { name = "g", dim = "acceleration", sign = "nonnegative", default = 9.80665 },
     { name = "direction", size = 3, default = { 0, 0, -1 } } },
   keeps = "T+V, L_z if direction is along z, w3 if the centre of mass is on the body's z",
-  fixed = "give gravity = to effect.translation",
+  fixed = "give gravity = to effect.translation or effect.plane",
 }
 
 -- d . (components of the weight per unit moment): the constants M g r and the unit direction.

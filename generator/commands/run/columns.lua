@@ -1,13 +1,15 @@
 -- columns.lua -- the columns of `polhode run`: those of the scene, or what --columns asks for.
 --
---     columns.of(host, job, text) -> {names, row = function(t, x, energy, L) -> numbers}, or nil and what is wrong
+--     columns.of(host, job, text, given) -> {names, row = function(t, x, energy, L) -> numbers}, or nil and what is wrong
 -- A row has its time as row.t, too.  A word is t, a state, energy, Lx .., a quantity or a group of `quantities`; what
 -- is no word is an expression of them and of the parameters, with a name before it (rim = 0.1*wx) or its own text.
--- Angles are in rad.
+-- Angles are in rad.  given.course: the scene's inputs over time, known before the first row.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local evaluate = require "generator.algebra.evaluate"
 local rotation = require "generator.attitude.rotation"
+local contact = require "generator.dynamics.contact"
+local numeric = require "generator.dynamics.numeric"
 local options = require "generator.commands.options"
 local expression = require "generator.dsl.expression"
 local diag = require "generator.diag"
@@ -33,6 +35,17 @@ columns.quantities = {
     local z = rotation.apply(s.q, { 0.0, 0.0, 1.0 })
     return math.atan(math.sqrt(z[1] * z[1] + z[2] * z[2]), z[3])
   end, about = "the angle between the body's z and inertial z" },
+  { "N", { "contact" }, "N", function(s) return s.contact()[1] end, about = "the reaction of the plane" },
+  { "com", { "contact" }, "m", function(s) return { table.unpack(s.contact(), 2, 4) } end, xyz,
+    about = "the centre of mass on the plane, inertial axes" },
+  { "com_velocity", { "contact" }, "m/s", function(s) return { table.unpack(s.contact(), 5, 7) } end, xyz,
+    about = "its velocity" },
+  { "contact_force", { "contact" }, "N", function(s) return { table.unpack(s.contact(), 8, 10) } end, xyz,
+    about = "the force of the plane" },
+  { "contact_point", { "contact" }, "m", function(s) return { table.unpack(s.contact(), 11, 13) } end, xyz,
+    about = "where the body touches it" },
+  { "slip", { "contact" }, "m/s", function(s) return { table.unpack(s.contact(), 14, 16) } end, xyz,
+    about = "the velocity of the body there against the plane" },
   { "axis", { "q" }, "1", function(s) return rotation.apply(s.q, { 0.0, 0.0, 1.0 }) end, xyz,
     about = "the body's z in inertial axes" },
   { "rotation_vector", { "q" }, "rad", function(s) return rotation.vector(s.q) end, xyz, about = "axis times angle" },
@@ -60,7 +73,8 @@ local parts = { attitude = "q", rates = "w", position = "r", velocity = "v" }
 -- What the scene has, as a list of words in the order of the usual columns: {name, unit, function(sample)}; then
 -- groups, {name -> names}.
 local function words_of(job)
-  local list, by_name, groups, has = {}, {}, {}, { energy = true, L = job.model.has.attitude or nil }
+  local list, by_name, groups, has = {}, {}, {}, { energy = true, L = job.model.has.attitude or nil,
+    contact = contact.of(job.model) ~= nil or nil }
   local function word(name, unit, f)
     by_name[name] = { name = name, unit = unit, f = f }
     list[#list + 1] = by_name[name]
@@ -158,9 +172,12 @@ local function asked(host, job, text)
   return out
 end
 
+local nowhere = {} -- of a disc that lies flat
+for i = 1, 16 do nowhere[i] = 0 / 0 end
+
 -- A sample from t, the scene's state, energy and L.
-local function sampler(job)
-  local at = {}
+local function sampler(host, job, given)
+  local at, library = {}, contact.of(job.model) and host.rates(numeric.scene(job))
   for i, s in ipairs(job.states) do
     local kind = parts[s.kind]
     if kind then
@@ -176,11 +193,18 @@ local function sampler(job)
         for n, i in ipairs(at[kind]) do s[kind][n] = x[i] end
       end
     end
+    if library then
+      local known
+      function s.contact()
+        known = known or library:contact(t, numeric.whole(job, x), given and given.course) or nowhere
+        return known
+      end
+    end
     return s
   end
 end
 
-function columns.of(host, job, text)
+function columns.of(host, job, text, given)
   local list, why
   if text then
     list, why = asked(host, job, text)
@@ -200,7 +224,7 @@ function columns.of(host, job, text)
     for i = #first + 1, #rest do order[#order + 1] = rest[i] end
     for i, name in ipairs(order) do list[i] = by_name[name] end
   end
-  local sample, names = sampler(job), {}
+  local sample, names = sampler(host, job, given), {}
   for i, c in ipairs(list) do names[i] = c.name end
   return { names = names, row = function(t, x, energy, L)
     local s, row = sample(t, x, energy, L), { t = t }

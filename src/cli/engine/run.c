@@ -380,10 +380,36 @@ static int rates_momentum(lua_State *L) {
   return 2;
 }
 
+/* object:contact(t, x[, u]) -> {N, com3, velocity3, force3, point3, slip3} | nil, message */
+static int rates_contact(lua_State *L) {
+  const struct rates *r = self(L);
+  double x[PH_STATES], list[16];
+  struct engine_course course;
+  ph_contact c;
+  const double t = luaL_checknumber(L, 2);
+  engine_list(L, 3, ph_top_states(&r->top), x);
+  engine_course_read(L, 4, r->inputs, &course);
+  engine_course_segment(&course, t, t, r->input);
+  const int status = ph_top_contact(&r->top, t, x, r->input->base, &c);
+  if (status != PH_OK)
+    return fail(L, status);
+  list[0] = c.reaction;
+  for (int i = 0; i < 3; i++) {
+    list[1 + i] = c.com[i];
+    list[4 + i] = c.velocity[i];
+    list[7 + i] = c.force[i];
+    list[10 + i] = c.point[i];
+    list[13 + i] = c.slip[i];
+  }
+  engine_push(L, 16, list);
+  return 1;
+}
+
 /* rates(scene) -> object with the methods above | nil, message */
 int host_rates(lua_State *L) {
   static const luaL_Reg functions[] = {
-      {"rates", rates_rates}, {"energy", rates_energy}, {"momentum", rates_momentum}, {NULL, NULL}};
+      {"rates", rates_rates}, {"energy", rates_energy}, {"momentum", rates_momentum},
+      {"contact", rates_contact}, {NULL, NULL}};
   struct engine_scene s;
   int status = engine_read(&s, L, 1);
   if (status != PH_OK)

@@ -207,6 +207,16 @@ static double largest(const effect_terms *e) {
   return effect_larger(effect_norm(p->gravity), w * w * (reach(p) + place));
 }
 
+/* I^-1 v in place of v, body axes; 0: of a rod. */
+static int undone(const ph_top *top, ph_wide v[3]) {
+  static const int at[3][3] = {{XX, XY, XZ}, {XY, YY, YZ}, {XZ, YZ, ZZ}};
+  ph_wide M[ACTS_ROWS][ACTS_ROWS];
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++)
+      M[i][j] = top->wide_inertia[at[i][j]];
+  return acts_eliminate(3, M, v);
+}
+
 /* How far one rounding of the contact's terms may be magnified in w': the friction's share of N,
    and what is lost where friction nearly undoes the support, 1/m + n.(I^-1 (d x G) x d) -> 0. */
 static double share(const effect_terms *e) {
@@ -218,8 +228,9 @@ static double share(const effect_terms *e) {
   if (p->law == PH_ROLLING || touch(&at, &c))
     return 1;
   wide_cross(c.d, c.G, lever);
-  wide_sandwich(c.q, lever, 0, lever);
-  motion_solve(e->top, lever, -1, turned);
+  wide_sandwich(c.q, lever, 0, turned);
+  if (!undone(e->top, turned))
+    return 1;
   wide_sandwich(c.q, turned, 1, turned);
   wide_cross(turned, c.d, lever);
   const ph_wide mass = (ph_wide)e->top->mass, down = mass * wide_dot(c.n, lever);
