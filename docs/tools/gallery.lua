@@ -48,6 +48,13 @@ gallery.list = {
   { "thrown_book", "path" },
   { "dropped_stone", "path" },
   { "foucault", "path" },
+  { "rolling_coin", "axes,euler" },
+  { "turntable_ball", "rates", 4 },
+  { "eulers_disk", "axes,energy" },
+  { "chaplygin_ball", "rates,energy", 3 },
+  { "rattleback", "rates,energy" },
+  { "tippe_top", "axes,energy" },
+  { "egg", "axes,energy", 2 },
 }
 
 local head = [[

@@ -2,9 +2,9 @@
 --
 --     contact.sphere { r =, at = {..} }                       contact.disc { r =, edge = 0, at = {..} }   axis: body z
 --     contact.ellipsoid { a =, b =, c =, at = {..}, turned = rotation }
--- at: the centre of the surface, in the coordinates of the body's shapes.  Every surface is {half = {3 half axes}, axes =
--- quaternion from the ellipsoid's axes to the body's, rim = radius of a ball that rolls over it, at =}: a sphere has no
--- half axes, a disc two, and its edge is the rim.
+-- at: the centre of the surface, in the coordinates of the body's shapes.  Every surface is {half = {3 half axes},
+-- axes = quaternion from the ellipsoid's axes to the body's, rim = radius of a ball that rolls over it, at =}: a sphere
+-- has no half axes, a disc two, and its edge is the rim.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -66,8 +66,8 @@ function contact.constructor(ctx)
 end
 
 local laws = { rolling = true, smooth = true, sliding = true }
-local specs = { { name = "surface" }, { name = "law" }, { name = "friction" }, { name = "normal" }, { name = "turntable" },
-  { name = "gravity" } }
+local specs = { { name = "surface" }, { name = "law" }, { name = "friction" }, { name = "normal" },
+  { name = "turntable" }, { name = "gravity" } }
 
 local function friction(ctx, line, what, given)
   local where = ctx.diag:locate(line, "friction")

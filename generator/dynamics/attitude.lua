@@ -1,6 +1,7 @@
 -- attitude.lua -- the rate of the attitude: q' = q (0, w)/2.
 --
--- In a base frame that turns, and where effects let the body's axes turn beside w, with what that adds.  ABOVE the line.
+-- With what is added in a base frame that turns, and where effects let the body's axes turn beside w.  ABOVE the
+-- line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"

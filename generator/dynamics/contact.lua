@@ -1,7 +1,8 @@
 -- contact.lua -- the equations of a body that touches a plane (effects/plane.lua).
 --
--- All vectors in body axes: g = `up`, the plane's normal; r = `arm`, from the centre of mass to the contact point; y the
--- point of the ellipsoid, r = centre - y - rim g; turning = w x r.  With g' = g x w the rate of the contact's place is
+-- All vectors in body axes: g = `up`, the plane's normal; r = `arm`, from the centre of mass to the contact point; y
+-- the point of the ellipsoid, r = centre - y - rim g; turning = w x r.  With g' = g x w the rate of the contact's place
+-- is
 --     k = r' + w x r = w x (centre - y) - y',   y' = (B g' - y (y.g'))/s
 -- in which the rim cancels.  u = U, G the gravity, Omega the rate of the plane:
 --     rolling   [I/m + r.r 1 - r r^T] w' = (I/m w) x w + N/m + r x f,   f = Omega g x (u + r') - w x k - G
@@ -15,7 +16,6 @@ local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local context = require "generator.dynamics.context"
-local state = require "generator.dynamics.state"
 
 local contact = {}
 
@@ -39,8 +39,8 @@ function contact.check(d, m)
     local spec = e.spec
     if e ~= plane and (spec.carries or spec.varies or spec.turn or spec.force or spec.frame or spec.name ==
       "effect.wheel") then
-      d:error(e.line, e.kind, "cannot be together with effect.plane (line " .. plane.line .. "), whose equations know " ..
-        "torques and rotors only")
+      d:error(e.line, e.kind, "cannot be together with effect.plane (line " .. plane.line .. "), whose equations " ..
+        "know torques and rotors only")
       fine = false
     end
   end
@@ -66,8 +66,8 @@ end
 -- w x k, the contact's vectors and gravity, as definitions of a first group.
 local function geometry(m, e, c, groups)
   local a = e.a
-  local g = { why = "contact with the plane: r = " .. (a.surface.half[1] ~= zero and "centre - B g/sqrt(g.B g) - rim g" or
-    "centre - rim g") .. ", g the plane's normal", defs = {}, outs = {}, where = e.where }
+  local point = a.surface.half[1] ~= zero and "centre - B g/sqrt(g.B g) - rim g" or "centre - rim g"
+  local g = { why = "contact with the plane: r = " .. point .. ", g the plane's normal", defs = {}, outs = {} }
   local name = namer(m, g, c.taken)
   local k = e.spec.contact(a, c, name)
   local place = vec.cross(c.w, k.far)
@@ -106,7 +106,7 @@ local function rolling(m, e, c, N, groups)
       " per mass, m^2")
   end)
   local g = { why = "Newton and Euler, rolling: (I/m + r.r 1 - r r^T) w' = (I w/m) x w + N/m + r x f, " ..
-    "f = -G - w x k" .. (rate and " + Omega g x (U + r')" or ""), defs = {}, where = e.where }
+    "f = -G - w x k" .. (rate and " + Omega g x (U + r')" or ""), defs = {} }
   local name = namer(m, g, c.taken)
   local f = vec.scale(-expr.one, vec.add(k.G, k.bend))
   if rate then
@@ -142,8 +142,8 @@ local function inverse_per_mass(m, c, name, v)
   end
   local adj, det = vec.adjugate(I)
   local J = vec.map(adj, function(x, n)
-    return c.constant("mJ" .. vec.entry[n], m.mass * x / det, "mass times the inverse of the tensor, " .. vec.entry[n] ..
-      ", 1/m^2")
+    return c.constant("mJ" .. vec.entry[n], m.mass * x / det, "mass times the inverse of the tensor, " ..
+      vec.entry[n] .. ", 1/m^2")
   end)
   return vec.apply(J, name("moment_", v))
 end
@@ -152,7 +152,7 @@ local function touching(m, e, c, free, groups)
   local k, G = geometry(m, e, c, groups)
   local a = e.a
   local g = { why = "Newton and Euler on the plane: w' = w0' + N/m b, b = m I^-1 (r x h), " ..
-    "N/m = (-g.G - g.(w x k) - w0'.s)/(1 + b.s), s = r x g", defs = {}, where = e.where }
+    "N/m = (-g.G - g.(w x k) - w0'.s)/(1 + b.s), s = r x g", defs = {} }
   local name = namer(m, g, c.taken)
   local w0 = name("free_", free)
   local s = name("side_", vec.cross(k.far, k.up))
@@ -166,7 +166,7 @@ local function touching(m, e, c, free, groups)
       share = c.constant("viscous", a.friction.viscous, "viscous friction, s/m")
     else
       local mu = c.constant("mu", a.friction.coulomb, "coefficient of friction")
-      local smooth = c.constant("smooth", ratio.tidy(a.friction.smoothing ^ 2), "square of the smoothing speed, m^2/s^2")
+      local smooth = c.constant("smooth", ratio.tidy(a.friction.smoothing ^ 2), "smoothing speed squared, m^2/s^2")
       share = name("share", { mu / expr.sqrt(v1 ^ 2 + v2 ^ 2 + smooth) })[1]
     end
     h = name("press_", vec.sub(k.up, vec.scale(share, vec.add(vec.scale(v1, k.E1), vec.scale(v2, k.E2)))))

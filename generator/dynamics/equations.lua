@@ -296,7 +296,8 @@ local function turning(d, m, list)
     L_defs = select(2, momentum(m))
     table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = L_defs, outs = {} })
   end
-  local plane, euler, rest = contact.of(m), nil, nil
+  local plane = contact.of(m)
+  local euler, rest
   local function free() return builders[kind](m, N, groups, d, I) end
   if plane then
     euler, rest = contact.turning(m, plane, groups.constant, N, groups, free)

@@ -126,8 +126,8 @@ local function contradictions(d, m, moving)
     end
   end
   if not moving and not plane and (m.given.position or m.given.velocity) then
-    d:error(m.given.line, "initial", "position and velocity need an effect that moves the body: effect.translation " ..
-      "or effect.rotating_frame, or effect.plane")
+    d:error(m.given.line, "initial", "position and velocity need an effect that moves the body: " ..
+      "effect.translation, effect.rotating_frame or effect.plane")
   end
 end
 

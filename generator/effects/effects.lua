@@ -9,7 +9,8 @@
 --     torque(a, c)      about the origin of rotation, body axes, N m
 --     force(a, c)       on the centre of mass, inertial axes (those of the base frame, if one turns), N
 --     touches           it constrains the body, whose equations dynamics/contact.lua then has
---     states(a, given)  states of its own (given: what `initial` gives): a list of {name =, initial = expr, unit =, about =}
+--     states(a, given)  states of its own (given: what `initial` gives): a list of {name =, initial = expr, unit =,
+--                       about =}
 --     derivative(a, c)  their rates by name
 --     momentum(a, c)    angular momentum that it holds beside the body's (a rotor), body axes: it adds -(h' + w x h)
 --     momentum_rate(a, c)  the part of h' that is not in torque, where momentum depends on more than its own states

@@ -63,14 +63,15 @@ function plane.contact(a, c, name)
   local s, k = a.surface, {}
   local function constants(prefix, v, about, unit)
     return vec.map(v, function(x, i)
-      return c.constant(prefix .. string.sub("xyz", i, i), ratio.tidy(x), about .. " " .. string.sub("xyz", i, i) .. unit)
+      local letter = string.sub("xyz", i, i)
+      return c.constant(prefix .. letter, ratio.tidy(x), about .. " " .. letter .. unit)
     end)
   end
   local n = constants("plane", a.normal, "normal of the plane,", "")
   k.back = vec.transpose(vec.rotation(c.q))
   k.up = name("up_", vec.matvec(k.back, n))
   local centre = constants("centre", vec.sub(s.at, c.origin), "centre of the surface from the centre of mass,", ", m")
-  local rim = c.constant("rim", s.rim, "radius of the surface" .. (s.rim == expr.zero and "" or "'s rolling ball") .. ", m")
+  local rim = c.constant("rim", s.rim, "radius of the sphere, or of the rounded edge, m")
   local far = centre -- c - y, y = B up/s on an ellipsoid
   if s.half[1] ~= expr.zero then
     local A = vec.rotation(s.axes)

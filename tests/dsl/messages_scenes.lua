@@ -384,7 +384,7 @@ local functions = { about = "functions, events, bodies from files",
   { with 'initial = { omega = { quantity(1, "Hz"), 0, 0 } }', 3, "initial: omega[1] must be an angular rate: a " ..
     "cycle is 2 pi rad, so 1 Hz is 2 pi rad/s or 60 rpm (write 2*pi*.., or the unit rad/s, rev/s or rpm), got 1 Hz" },
   { with "initial = { velocity = { 1, 0, 0 } }", 3, "initial: position and velocity need an effect that moves the " ..
-    "body: effect.translation or effect.rotating_frame" },
+    "body: effect.translation, effect.rotating_frame or effect.plane" },
   { body "inertial(3)", 2, "inertial: takes a table of named arguments (file, link), got 3" },
   { body "mesh(3)", 2, "mesh: takes a table of named arguments (file, units, kind, mass, density), got 3" },
   { body 'mesh { file = "a.stl", units = "kg", mass = 1 }', 2, "mesh: units must be a unit of length such as " ..

@@ -349,7 +349,8 @@ do
     sliding_coulomb = "PH_COULOMB" }
   local out = head("plane.h", "bodies on a plane: state, reaction and what the inputs' rounding moves, 32 digits",
     "static const struct {\n  const char *id;\n  double mass, inertia[6];\n  ph_plane plane;\n" ..
-    "  double q[4], w[3], com[3], v[3], damping;\n  double t;\n  long double at_q[4], at_w[3], at_com[3], at_v[3], N;\n" ..
+    "  double q[4], w[3], com[3], v[3], damping;\n  double t;\n" ..
+    "  long double at_q[4], at_w[3], at_com[3], at_v[3], N;\n" ..
     "  double q_sensitivity, w_sensitivity, com_sensitivity, v_sensitivity, N_sensitivity;\n} plane_rows[] = {")
   local function doubles(list, n)
     local texts = {}
@@ -374,11 +375,12 @@ do
       double(f.eps or "0.0"))
     for _, row in ipairs(case.samples) do
       local far = row.input_ulp_sensitivity
-      out[#out + 1] = string.format("  {\"%s\", %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, %s},",
-        case.id, double(p.mass), doubles(p.inertia), plane, doubles(first.q), doubles(first.omega), doubles(first.com),
-        doubles(first.velocity or { "0.0", "0.0", "0.0" }), double(p.damping or "0.0"), double(row.t), longs(row.q),
-        longs(row.omega), longs(row.com), longs(row.velocity), long(row.N), double(far.q_abs), double(far.omega_rel),
-        double(far.com_abs), double(far.velocity_abs), double(far.N_rel))
+      local none = { "0.0", "0.0", "0.0" }
+      local fields = { '"' .. case.id .. '"', double(p.mass), doubles(p.inertia), plane, doubles(first.q),
+        doubles(first.omega), doubles(first.com), doubles(first.velocity or none), double(p.damping or "0.0"),
+        double(row.t), longs(row.q), longs(row.omega), longs(row.com), longs(row.velocity), long(row.N),
+        double(far.q_abs), double(far.omega_rel), double(far.com_abs), double(far.velocity_abs), double(far.N_rel) }
+      out[#out + 1] = "  " .. braces(fields) .. ","
     end
   end
   out[#out + 1] = "};"

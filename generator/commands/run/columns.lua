@@ -1,6 +1,6 @@
 -- columns.lua -- the columns of `polhode run`: those of the scene, or what --columns asks for.
 --
---     columns.of(host, job, text, given) -> {names, row = function(t, x, energy, L) -> numbers}, or nil and what is wrong
+--     columns.of(host, job, text, given) -> {names, row = function(t, x, energy, L) -> numbers}; nil and what is wrong
 -- A row has its time as row.t, too.  A word is t, a state, energy, Lx .., a quantity or a group of `quantities`; what
 -- is no word is an expression of them and of the parameters, with a name before it (rim = 0.1*wx) or its own text.
 -- Angles are in rad.  given.course: the scene's inputs over time, known before the first row.

@@ -98,9 +98,12 @@ struct ph_effect_table {
   void (*tensor)(const effect_at *e, ph_wide D[6]);
   void (*tensor_rate)(const effect_at *e, ph_wide D[6]);
   /* it constrains the body: w' and its own rates, from the b of I w' = b (motion/motion.h); a
-     status. It then has no torque, force and rates. And the kinetic energy that follows */
+     status. It then has no torque, force and rates. And the kinetic energy and forces that follow
+   */
   int (*constrain)(const effect_at *e, const ph_wide b[3], ph_wide dx[]);
   ph_wide (*kinetic)(const effect_at *e);
+  int (*contact)(const effect_at *e, const ph_wide rate[],
+                 ph_contact *out); /* rate: of the state */
   /* rate at which the body's axes turn beside w */
   void (*slip)(const effect_at *e, ph_wide slip[3]);
   /* it is a wheel, whose first own state is its speed beside the body; the motor's torque */

@@ -181,6 +181,39 @@ static int constrain(const effect_at *e, const ph_wide b[3], ph_wide dx[]) {
   return PH_OK;
 }
 
+/* F = m (A - g): A by the contact's own acceleration, from the w' that the motion has. */
+static int contact_of(const effect_at *e, const ph_wide rate[], ph_contact *out) {
+  const ph_plane *p = &e->act->of.plane;
+  const int rolls = p->law == PH_ROLLING;
+  const ph_wide mass = (ph_wide)e->top->mass;
+  contact c;
+  ph_wide spin[3], bend[3], part[3], P[3], F[3];
+  const int status = touch(e, &c);
+  if (status)
+    return status;
+  wide_sandwich(c.q, rate + 4, 1, spin);
+  wide_cross(c.w, c.change, bend);
+  for (int i = 0; i < 3; i++)
+    P[i] = c.V[i] + c.change[i];
+  wide_cross(c.n, P, P);
+  wide_cross(spin, c.d, part);
+  const ph_wide rise = -wide_dot(c.n, part) - wide_dot(c.n, bend);
+  for (int i = 0; i < 3; i++) {
+    const ph_wide g = (ph_wide)p->gravity[i];
+    F[i] = rolls ? (ph_wide)p->rate * P[i] - bend[i] - part[i] - g : g;
+  }
+  const ph_wide along = rolls ? wide_dot(c.n, F) : rise - wide_dot(c.n, F);
+  for (int i = 0; i < 3; i++) {
+    out->force[i] = (double)(mass * (rolls ? F[i] : along * c.G[i]));
+    out->com[i] = (double)c.com[i];
+    out->velocity[i] = (double)c.V[i];
+    out->point[i] = (double)(c.com[i] + c.d[i]);
+    out->slip[i] = (double)c.slip[i];
+  }
+  out->reaction = (double)(mass * along);
+  return PH_OK;
+}
+
 static ph_wide kinetic(const effect_at *e) {
   contact c;
   return touch(e, &c) ? 0 : (ph_wide)e->top->mass * wide_dot(c.V, c.V) / 2;
@@ -208,7 +241,7 @@ static double largest(const effect_terms *e) {
 }
 
 /* I^-1 v in place of v, body axes; 0: of a rod. */
-static int undone(const ph_top *top, ph_wide v[3]) {
+static int undone(const ph_top *top, ph_wide v[ACTS_ROWS]) {
   static const int at[3][3] = {{XX, XY, XZ}, {XY, YY, YZ}, {XZ, YZ, ZZ}};
   ph_wide M[ACTS_ROWS][ACTS_ROWS];
   for (int i = 0; i < 3; i++)
@@ -221,7 +254,7 @@ static int undone(const ph_top *top, ph_wide v[3]) {
    and what is lost where friction nearly undoes the support, 1/m + n.(I^-1 (d x G) x d) -> 0. */
 static double share(const effect_terms *e) {
   const ph_plane *p = &e->act->of.plane;
-  ph_wide x[PH_STATES], lever[3], turned[3];
+  ph_wide x[PH_STATES], lever[3], turned[ACTS_ROWS];
   contact c;
   wide_load(ph_top_states(e->top), e->x, x);
   const effect_at at = {e->top, e->act, (ph_wide)e->t, x, e->place};
@@ -307,6 +340,7 @@ const effect_table effect_plane = {.name = "plane",
                                    .size = sizeof(struct given),
                                    .add = add,
                                    .constrain = constrain,
+                                   .contact = contact_of,
                                    .kinetic = kinetic,
                                    .potential = potential,
                                    .term_torque = term_torque,
@@ -354,48 +388,5 @@ int ph_top_plane(ph_top *top, const ph_plane *plane) {
     return status;
   act->of.plane = *plane;
   act->of.plane.placed = placed;
-  return PH_OK;
-}
-
-int ph_top_contact(const ph_top *top, double t, const double x[], const double u[3],
-                   ph_contact *out) {
-  if (!isfinite(t) || !wide_finite(ph_top_states(top), x))
-    return PH_EFINITE;
-  ph_wide state[PH_STATES], rate[PH_STATES], part[3];
-  wide_load(ph_top_states(top), x, state);
-  const effect_at e = acts_constraint(top, (ph_wide)t, state);
-  if (!e.act)
-    return PH_EMETHOD;
-  motion_loads loads;
-  contact c;
-  motion_load(top, u, &loads);
-  int status = motion_rates(top, &loads, (ph_wide)t, state, rate);
-  if (!status)
-    status = touch(&e, &c);
-  if (status)
-    return status;
-  /* F = m (A - g): A by the contact's own acceleration, from the w' that the motion has */
-  ph_wide spin[3], bend[3], P[3], F[3];
-  wide_sandwich(c.q, rate + 4, 1, spin);
-  wide_cross(c.w, c.change, bend);
-  const int rolls = e.act->of.plane.law == PH_ROLLING;
-  for (int i = 0; i < 3; i++)
-    P[i] = c.V[i] + c.change[i];
-  wide_cross(c.n, P, P);
-  wide_cross(spin, c.d, part);
-  const ph_wide rise = -wide_dot(c.n, part) - wide_dot(c.n, bend);
-  for (int i = 0; i < 3; i++) {
-    const ph_wide g = (ph_wide)e.act->of.plane.gravity[i];
-    F[i] = rolls ? (ph_wide)e.act->of.plane.rate * P[i] - bend[i] - part[i] - g : g;
-  }
-  const ph_wide along = rolls ? wide_dot(c.n, F) : rise - wide_dot(c.n, F);
-  for (int i = 0; i < 3; i++) {
-    out->force[i] = (double)((ph_wide)top->mass * (rolls ? F[i] : along * c.G[i]));
-    out->com[i] = (double)c.com[i];
-    out->velocity[i] = (double)c.V[i];
-    out->point[i] = (double)(c.com[i] + c.d[i]);
-    out->slip[i] = (double)c.slip[i];
-  }
-  out->reaction = (double)((ph_wide)top->mass * along);
   return PH_OK;
 }

@@ -129,6 +129,21 @@ int ph_top_rates(const ph_top *top, double t, const double x[], const double u[3
   return status ? status : wide_store(ph_top_states(top), rate, dx);
 }
 
+int ph_top_contact(const ph_top *top, double t, const double x[], const double u[3],
+                   ph_contact *out) {
+  if (!isfinite(t) || !inputs_finite(top, x, u))
+    return PH_EFINITE;
+  motion_loads loads;
+  ph_wide state[PH_STATES], rate[PH_STATES];
+  wide_load(ph_top_states(top), x, state);
+  const effect_at e = acts_constraint(top, (ph_wide)t, state);
+  if (!e.act)
+    return PH_EMETHOD;
+  motion_load(top, u, &loads);
+  const int status = motion_rates(top, &loads, (ph_wide)t, state, rate);
+  return status ? status : e.act->effect->contact(&e, rate, out);
+}
+
 int ph_top_inverse_at(const ph_top *top, double t, const double x[], const double w_rate[3],
                       double N[3]) {
   ph_wide state[PH_STATES], rate[3], torque[3];
