@@ -18,7 +18,9 @@ local binary = os.getenv "POLHODE" or "build/polhode"
 -- The rows of the header, as tables: C's braces are Lua's.
 local LAWS = { PH_ROLLING = "rolling", PH_SMOOTH = "smooth", PH_VISCOUS = "sliding", PH_COULOMB = "sliding" }
 local text = program.read "tests/reference/plane.h":match "plane_rows%[%] = {\n(.*)\n};"
-text = text:gsub("%.(%a[%w_]* =)", "%1"):gsub("(%d)L%f[%W]", "%1"):gsub("PH_%u+", function(x) return '"' .. x .. '"' end)
+text = text:gsub("%.(%a[%w_]* =)", "%1"):gsub("(%d)L%f[%W]", "%1"):gsub("PH_%u+", function(law)
+  return '"' .. law .. '"'
+end)
 local rows = assert(load("return {" .. text .. "}"))()
 
 local function list(v)
@@ -50,8 +52,8 @@ return scene { name = "body",
   body = tensor { mass = %.17g, xx = %.17g, yy = %.17g, zz = %.17g, xy = %.17g, xz = %.17g, yz = %.17g },
   effects = { effect.plane { surface = %s, law = "%s"%s, normal = %s%s, gravity = %s }%s },
   initial = { omega = %s, attitude = %s, position = %s%s }, time = { step = 0.0005 } }
-]], row[2], I[1], I[2], I[3], I[4], I[5], I[6], surface(p), law, friction, list(p.normal), turns, list(p.gravity), damped,
-    list(row[6]), list(row[5]), list(row[7]), law ~= "rolling" and ", velocity = " .. list(row[8]) or "")
+]], row[2], I[1], I[2], I[3], I[4], I[5], I[6], surface(p), law, friction, list(p.normal), turns, list(p.gravity),
+    damped, list(row[6]), list(row[5]), list(row[7]), law ~= "rolling" and ", velocity = " .. list(row[8]) or "")
 end
 
 local function largest(a, b, sign)
@@ -76,7 +78,8 @@ for n = 1, #cases, tier.quick and 6 or 1 do
   for i, row in ipairs(case) do times[i] = string.format("%.17g", row[10]) end
   program.write(dir .. "/body.lua", scene_of(case[1]))
   local code = program.shell(string.format("%s run %s/body.lua --engine generated --method taylor --tolerance 1e-15 " ..
-    "--columns q,w,com,com_velocity,N --at %s -o %s/out.csv 2>%s/said", binary, dir, table.concat(times, ","), dir, dir))
+    "--columns q,w,com,com_velocity,N --at %s -o %s/out.csv 2>%s/said", binary, dir, table.concat(times, ","), dir,
+    dir))
   if not tap.is(code, 0, case[1][1] .. ": runs") then tap.diag(program.read(dir .. "/said")) end
   local worst, k = 0, 0
   for line in (program.read(dir .. "/out.csv") or ""):gmatch "[^\n]+" do
@@ -123,7 +126,7 @@ return scene { name = "bad", body = solid.box { x = 1, y = 1, z = 1, mass = 1 },
 ]], more or "", effects))
   local code = program.shell(string.format("%s explain %s/bad.lua >%s/said 2>&1", binary, dir, dir))
   local said = program.read(dir .. "/said") or ""
-  tap.ok(code == 1 and said:find("bad.lua:2", 1, true) and said:find(want, 1, true), what, said)
+  tap.ok(code == 1 and said:find("bad.lua:[12]") and said:find(want, 1, true), what, said)
 end
 local SPHERE = "surface = contact.sphere { r = 1 }"
 refused("a radius that is none", "effect.plane { surface = contact.sphere { r = -1 } }", "r must be positive, got -1")
@@ -135,7 +138,8 @@ refused("sliding without friction", "effect.plane { " .. SPHERE .. ", law = \"sl
 refused("friction without sliding", "effect.plane { " .. SPHERE .. ", friction = { viscous = 1 } }", "needs law")
 refused("negative friction", "effect.plane { " .. SPHERE .. ", law = \"sliding\", friction = { viscous = -1 } }",
   "must not be negative")
-refused("Coulomb's without smoothing", "effect.plane { " .. SPHERE .. ", law = \"sliding\", friction = { coulomb = 1 } }",
+refused("Coulomb's without smoothing", "effect.plane { " .. SPHERE ..
+  ", law = \"sliding\", friction = { coulomb = 1 } }",
   "smoothing is missing")
 refused("no normal", "effect.plane { " .. SPHERE .. ", normal = { 0, 0, 0 } }", "normal must not be zero")
 refused("a smooth plane that turns", "effect.plane { " .. SPHERE .. ", law = \"smooth\", turntable = 1 }", "no effect")

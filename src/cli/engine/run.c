@@ -407,9 +407,11 @@ static int rates_contact(lua_State *L) {
 
 /* rates(scene) -> object with the methods above | nil, message */
 int host_rates(lua_State *L) {
-  static const luaL_Reg functions[] = {
-      {"rates", rates_rates}, {"energy", rates_energy}, {"momentum", rates_momentum},
-      {"contact", rates_contact}, {NULL, NULL}};
+  static const luaL_Reg functions[] = {{"rates", rates_rates},
+                                       {"energy", rates_energy},
+                                       {"momentum", rates_momentum},
+                                       {"contact", rates_contact},
+                                       {NULL, NULL}};
   struct engine_scene s;
   int status = engine_read(&s, L, 1);
   if (status != PH_OK)
