@@ -19,6 +19,11 @@ end
 shown.run("docs/throw.md", dir, 10)
 tap.ok(program.read(dir .. "/throw.svg") == program.read "docs/throw/throw.svg", "the picture is that of the page")
 
+local sheet = program.read(dir .. "/fit.svg") or ""
+for _, name in ipairs { "phone.csv: gx", "phone.csv: gy", "phone.csv: gz" } do -- its last digits are the machine's
+  tap.ok(sheet:find(name, 1, true) and program.read("docs/throw/fit.svg"):find(name, 1, true), "the sheet has " .. name)
+end
+
 -- The truth within 3.9 standard errors of what the page's fits find; a right one misses once in 1e4.
 local function found(command, wanted)
   local line = string.format("cd %s && PATH=%s/bin:$PATH %s --format json >found 2>&1", dir, dir, command)
