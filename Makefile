@@ -12,6 +12,8 @@
 #   make bits-all   the same bits on every machine, by both compilers, at every level (an hour); check-target has a part
 #   make bench      build and run the measurements
 #   make accuracy   docs/accuracy.md and its diagrams, measured anew (some minutes)
+#   make dist       build/polhode-VERSION.tar.gz: the same commit, the same bytes
+#   make deb        Debian packages, from that archive, in build/deb
 #   make install    program, library, scenes, documents: PREFIX (default /usr/local), DESTDIR
 #   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/commands.md, docs/linearised.svg,
 #                   the tour in docs/design.md
@@ -567,12 +569,29 @@ install: all man completions
 	install -m 644 LICENSE $(SHARE)/doc/polhode/LICENSE
 	install -m 644 templates/LICENSE $(SHARE)/doc/polhode/LICENSE.templates
 
+# ---- packages ----
+
+# What is committed on HEAD, with the commit's time: the same commit gives the same bytes.
+DIST = polhode-$(VERSION)
+dist:
+	@mkdir -p $(BUILD)
+	@git -c safe.directory='*' archive --format=tar --prefix=$(DIST)/ HEAD | gzip -9n > $(BUILD)/$(DIST).tar.gz
+	@echo $(BUILD)/$(DIST).tar.gz
+
+# Debian packages polhode and libpolhode-dev from that archive; its Debian files are .ci/debian.
+deb: dist
+	@CC="$(CC)" .ci/setup build package
+	@rm -rf $(BUILD)/deb && mkdir -p $(BUILD)/deb && tar -xzf $(BUILD)/$(DIST).tar.gz -C $(BUILD)/deb
+	@cp -r $(BUILD)/deb/$(DIST)/.ci/debian $(BUILD)/deb/$(DIST)/debian
+	@cd $(BUILD)/deb/$(DIST) && env -u MAKEFLAGS -u MAKELEVEL dpkg-buildpackage -b -us -uc > ../log 2>&1 || { tail -n 30 ../log; exit 1; }
+	@ls $(BUILD)/deb/*.deb
+
 clean:
 	rm -rf $(BUILD)
 
 FORCE:
 
-.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-latex check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install man completions clean FORCE \
+.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-latex check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install man completions dist deb clean FORCE \
         lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 
