@@ -23,9 +23,10 @@ end
 local version = program.read "Makefile":match "\nVERSION = (%S+)"
 local released = program.read "Makefile":match "\nRELEASED = ([%d-]+)"
 tap.ok(version and version:find "^%d+%.%d+%.%d+$" and released, "the Makefile has a version and its day")
-for path, pattern in pairs { ["docs/CITATION.cff"] = "\nversion: (%S+)", [".ci/debian/changelog"] = "^polhode %((%S+)%)",
+for path, pattern in pairs { ["docs/CITATION.cff"] = "\nversion: (%S+)",
+  [".ci/debian/changelog"] = "^polhode %((%S+)%)",
   ["src/runtime/polhode.h"] = '#define PH_VERSION "([^"]+)"', ["docs/changelog.md"] = "\n## (%d%S+)",
-  ["README.md"] = "version (%d[%d.]*%d)" } do
+  ["README.md"] = "%*, version (%d[%d.]*%d)" } do
   tap.is(program.read(path):match(pattern), version, path .. " has the version of the Makefile")
 end
 
@@ -43,8 +44,8 @@ if not has "git" or shell(string.format("git -c safe.directory='*' clone -q %s c
   tap.done(program.finish())
   return
 end
-local status, text = shell(string.format("make -s -C clone dist && cp clone/build/polhode-%s.tar.gz one && sleep 1 && " ..
-  "make -s -C clone dist && cmp one clone/build/polhode-%s.tar.gz", version, version))
+local status, text = shell(string.format("make -s -C clone dist && cp clone/build/polhode-%s.tar.gz one && " ..
+  "sleep 1 && make -s -C clone dist && cmp one clone/build/polhode-%s.tar.gz", version, version))
 tap.ok(status == 0, "make dist twice: the same bytes", text)
 
 if not has "dpkg-buildpackage dh fakeroot lintian" then
@@ -56,7 +57,8 @@ status, text = shell "POLHODE_NO_INSTALL=1 make -s -C clone deb"
 tap.ok(status == 0, "make deb", text)
 status, text = shell "lintian --allow-root --fail-on error,warning clone/build/deb/*.changes"
 tap.ok(status == 0, "lintian finds no error and no warning", text)
-status, text = shell "for p in polhode libpolhode-dev; do dpkg-deb -x clone/build/deb/${p}_*.deb there; done && find there"
+status, text = shell("for p in polhode libpolhode-dev; do dpkg-deb -x clone/build/deb/${p}_*.deb there; done; " ..
+  "find there")
 tap.ok(status == 0, "the packages are unpacked", text)
 for _, file in ipairs { "bin/polhode", "share/polhode/bodies/brick.lua", "share/man/man1/polhode-gen.1.gz",
   "share/man/man3/polhode.3.gz", "share/man/man5/polhode-scene.5.gz", "share/bash-completion/completions/polhode",
