@@ -7,17 +7,22 @@
 local colours = require "generator.commands.colours"
 local help = require "generator.commands.help"
 local options = require "generator.commands.options"
+local reference = require "generator.commands.reference"
 local scenes = require "generator.commands.scenes"
 
 local known = {}
 for _, name in ipairs(help.names) do known[name] = true end
 
--- The text of `polhode help [COMMAND]`, or nil and what is wrong.
+-- The text of `polhode help [COMMAND or NAME of the scene language]`, or nil and what is wrong.
 local function explained(word, more)
   if more then return nil, "too many operands: " .. more end
   if not word or word == "help" then return help.overview() end
-  if not known[word] then return nil, "no command " .. string.format("%q", word) .. options.meant(word, help.names) end
-  return help.page(word)
+  if known[word] then return help.page(word) end
+  local text, names = reference.help(word)
+  if text then return text end
+  local dotted = string.find(word, "[.:]") ~= nil
+  return nil, (dotted and "no entry " or "no command ") .. string.format("%q", word) ..
+    options.meant(word, dotted and names or help.names)
 end
 
 local function print_help(host, word, more)

@@ -3,14 +3,16 @@
 --
 --     lua5.4 docs/tools/pages.lua DIRECTORY          in the project's root, after make: `make docs`
 --
--- Writes DIRECTORY/shapes.md with DIRECTORY/shapes/NAME.svg, effects.md and commands.md.  These tools read the
--- generator's modules, and no module of the generator knows them: the program has what a user calls and nothing else.
+-- Writes DIRECTORY/shapes.md with DIRECTORY/shapes/NAME.svg, effects.md, reference.md,
+-- commands.md.  These tools read the generator's modules, and no module of the generator knows them: the program has what a user calls and nothing else.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local catalogue = require "generator.mass.catalogue"
 local modules = require "generator.effects.effects"
+local reference = require "generator.commands.reference"
+local language = require "generator.language.reference"
 local commands = require "docs.tools.commands"
 local effects = require "docs.tools.effects"
 local shapes = require "docs.tools.shapes"
@@ -33,6 +35,7 @@ end
 
 local files = shapes.files(catalogue.list)
 files[#files + 1] = { name = "effects.md", text = effects.page(modules, read) }
+files[#files + 1] = { name = "reference.md", text = language.page(reference.entries()) }
 files[#files + 1] = { name = "commands.md", text = commands.page() }
 
 assert(os.execute("mkdir -p '" .. folder .. "/shapes'"))

@@ -64,7 +64,7 @@ function help.overview()
       if not form.page then beside(out, name .. string.rep(" ", 8 - #name) .. form[1], form[2], 2, 34) end
     end
   end
-  beside(out, "help    [COMMAND]", "every option of a command, and examples", 2, 34)
+  beside(out, "help    [COMMAND]", "its options; or a word of scenes: scene.time", 2, 34)
   out[#out + 1] = ""
   local status = " Exit status: 0; 1 wrong scene; 2 wrong command line or missing file; 3 a check of numbers " ..
     "failed; 70 a bug; 74 output failed."

@@ -348,13 +348,13 @@ function quantities.acceleration()
   local w, dw, r, v, a = symbols("w", 3), symbols("dw", 3), symbols("r", 3), symbols("v", 3), symbols("a", 3)
   local f = frames.acceleration(w, dw, r, v, a)
   local total, results = {}, {}
-  for _, term in ipairs { "coriolis", "euler", "centrifugal" } do
+  for _, term in ipairs { "coriolis", "euler", "centripetal" } do
     for _, o in ipairs(outs(term, f[term])) do results[#results + 1] = o end
   end
-  for i = 1, 3 do total[i] = a[i] + f.coriolis[i] + f.euler[i] + f.centrifugal[i] end
+  for i = 1, 3 do total[i] = a[i] + f.coriolis[i] + f.euler[i] + f.centripetal[i] end
   for _, o in ipairs(outs("total", total)) do results[#results + 1] = o end
   return { name = "acceleration", args = { array("w", 3), array("dw", 3), array("r", 3), array("v", 3), array("a", 3),
-    array("coriolis", 3, true), array("euler", 3, true), array("centrifugal", 3, true), array("total", 3, true) },
+    array("coriolis", 3, true), array("euler", 3, true), array("centripetal", 3, true), array("total", 3, true) },
     doc = { "Inertial acceleration of a point at r that moves with velocity v and acceleration a relative to the",
       "body: the terms 2 w x v, w' x r, w x (w x r) apart, and total = a + all three; all in body axes." },
     groups = { group("total = a + 2 w x v + w' x r + w x (w x r)", {}, results) } }

@@ -267,9 +267,9 @@ local function cases_of(kit, short)
   case("torque", 3, torque and torque.stateful and x2 or nil, p .. "torque(&m, " ..
     (torque and torque.stateful and zero .. ", x2, u" or "w") .. ", dw, got)", "torque of a given motion", by_index)
   case("rate", 3, nil, p .. "rate(w, a, da, got)", "rate of change of a vector", by_index)
-  local term = { coriolis = 0, euler = 3, centrifugal = 6, total = 9 }
+  local term = { coriolis = 0, euler = 3, centripetal = 6, total = 9 }
   case("acceleration", 12, nil, p .. "acceleration(w, dw, r, v, a, got, got + 3, got + 6, got + 9)",
-    "acceleration: Coriolis, Euler, centrifugal, total", function(o) return term[o.array] + o.index + 1 end)
+    "acceleration: Coriolis, Euler, centripetal, total", function(o) return term[o.array] + o.index + 1 end)
   case("jacobian", nx * nx, x2, p .. "jacobian(&m, " .. zero .. ", x2, u, got)",
     "Jacobian of the equations at state 2", by_index)
   case("jacobian_u", nx * nu, x2, p .. "jacobian_u(&m, " .. zero .. ", x2, u, got)",

@@ -328,10 +328,11 @@ int ph_frame_rate_body(const double w[3], const double r[3], const double inerti
                        double body_rate[3]);
 
 /* Second derivative in the inertial frame, its four terms apart and their sum:
-   relative r'' + Coriolis 2 w x r' + Euler w' x r + centrifugal w x (w x r), ' in the body frame.
+   relative r'' + Coriolis 2 w x r' + Euler w' x r + centripetal w x (w x r), ' in the body frame.
+   A term's negative is a force per mass of the turning frame: Coriolis, Euler and centrifugal force.
  */
 typedef struct ph_acceleration {
-  double relative[3], coriolis[3], euler[3], centrifugal[3], total[3];
+  double relative[3], coriolis[3], euler[3], centripetal[3], total[3];
 } ph_acceleration;
 int ph_frame_acceleration(const double w[3], const double w_rate[3], const double r[3],
                           const double r_rate[3], const double r_rate2[3], ph_acceleration *out);

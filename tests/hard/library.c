@@ -56,7 +56,7 @@ static int acceleration(void) {
   if (status == PH_OK) {
     memcpy(out, a.coriolis, sizeof a.coriolis);
     memcpy(out + 3, a.euler, sizeof a.euler);
-    memcpy(out + 6, a.centrifugal, sizeof a.centrifugal);
+    memcpy(out + 6, a.centripetal, sizeof a.centripetal);
     memcpy(out + 9, a.total, sizeof a.total);
   }
   return status;

@@ -209,15 +209,15 @@ static void transport(void) {
   near_all(3, acc.total, second, tol, "their sum is the inertial acceleration, by differences");
   double sum[3];
   for (int i = 0; i < 3; i++)
-    sum[i] = acc.relative[i] + acc.coriolis[i] + acc.euler[i] + acc.centrifugal[i];
+    sum[i] = acc.relative[i] + acc.coriolis[i] + acc.euler[i] + acc.centripetal[i];
   near_all(3, sum, acc.total, 4 * TOL, "the four terms add up");
 
   const double z[3] = {0, 0, 2}, x[3] = {1, 0, 0}, y[3] = {0, 3, 0}, none[3] = {0, 0, 0},
                dz[3] = {0, 0, 5};
   ph_frame_acceleration(z, none, x, none, none, &acc);
-  near_all(3, acc.centrifugal, ((const double[]){-4, 0, 0}), 0,
+  near_all(3, acc.centripetal, ((const double[]){-4, 0, 0}), 0,
            "at rest in the frame: w x (w x r) = -w^2 r alone");
-  near_all(3, acc.total, acc.centrifugal, 0, "with nothing else");
+  near_all(3, acc.total, acc.centripetal, 0, "with nothing else");
   ph_frame_acceleration(z, none, none, y, none, &acc);
   near_all(3, acc.coriolis, ((const double[]){-12, 0, 0}), 0, "moving along y: 2 w x v = -2 w v x");
   ph_frame_acceleration(z, dz, x, none, none, &acc);

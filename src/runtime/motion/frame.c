@@ -32,7 +32,7 @@ int ph_frame_rate_body(const double w[3], const double r[3], const double inerti
 int ph_frame_acceleration(const double w[3], const double w_rate[3], const double r[3],
                           const double r_rate[3], const double r_rate2[3], ph_acceleration *out) {
   const double *const given[5] = {w, w_rate, r, r_rate, r_rate2};
-  ph_wide v[5][3], coriolis[3], euler[3], centrifugal[3], total[3];
+  ph_wide v[5][3], coriolis[3], euler[3], centripetal[3], total[3];
   for (int k = 0; k < 5; k++) {
     if (!wide_finite(3, given[k]))
       return PH_EFINITE;
@@ -40,20 +40,20 @@ int ph_frame_acceleration(const double w[3], const double w_rate[3], const doubl
   }
   wide_cross(v[0], v[3], coriolis);
   wide_cross(v[1], v[2], euler);
-  wide_cross(v[0], v[2], centrifugal);
-  wide_cross(v[0], centrifugal, centrifugal);
+  wide_cross(v[0], v[2], centripetal);
+  wide_cross(v[0], centripetal, centripetal);
   for (int i = 0; i < 3; i++) {
     coriolis[i] *= 2;
-    total[i] = v[4][i] + coriolis[i] + euler[i] + centrifugal[i];
+    total[i] = v[4][i] + coriolis[i] + euler[i] + centripetal[i];
   }
-  if (!wide_fits(3, coriolis) || !wide_fits(3, euler) || !wide_fits(3, centrifugal) ||
+  if (!wide_fits(3, coriolis) || !wide_fits(3, euler) || !wide_fits(3, centripetal) ||
       !wide_fits(3, total))
     return PH_ERANGE;
   for (int i = 0; i < 3; i++) {
     out->relative[i] = (double)v[4][i];
     out->coriolis[i] = (double)coriolis[i];
     out->euler[i] = (double)euler[i];
-    out->centrifugal[i] = (double)centrifugal[i];
+    out->centripetal[i] = (double)centripetal[i];
     out->total[i] = (double)total[i];
   }
   return PH_OK;
