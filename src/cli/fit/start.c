@@ -49,7 +49,8 @@ static int lengthen(struct fit_problem *f, const double start[], double theta[],
 
 /* The least that the search has come to. */
 struct best {
-  double theta[FIT_MOST], loss;
+  double theta[FIT_MOST], loss, chi2;
+  long n;
 };
 
 static int take(struct fit_problem *f, double theta[], struct fit_sums *s, struct best *b) {
@@ -57,13 +58,14 @@ static int take(struct fit_problem *f, double theta[], struct fit_sums *s, struc
     return 0;
   memcpy(b->theta, theta, (size_t)f->n * sizeof theta[0]);
   b->loss = fit_loss(s);
+  b->chi2 = s->chi2;
+  b->n = s->n;
   return 1;
 }
 
 /* Is the best so good that nothing else need be tried? */
-static int good(struct fit_problem *f, int has_sigma, struct fit_sums *s, const struct best *b) {
-  return has_sigma && isfinite(b->loss) && !fit_pass(f, b->theta, s) &&
-         !incredible(s->chi2, s->n, f->n);
+static int good(const struct fit_problem *f, int has_sigma, const struct best *b) {
+  return has_sigma && isfinite(b->loss) && !incredible(b->chi2, b->n, f->n);
 }
 
 /* From points of Sobol's sequence (P. Bratley, B. Fox, ACM TOMS 14 (1988), in GSL), what is no body
@@ -114,14 +116,14 @@ void fit_approach(struct fit_problem *f, double theta[], int has_sigma, struct f
   r->iterations = first;
   if (first >= 0)
     take(f, other, s, &b);
-  if (f->linear != NULL && !good(f, has_sigma, s, &b)) {
+  if (f->linear != NULL && !good(f, has_sigma, &b)) {
     memcpy(other, begun, sizeof other);
     const int count = fit_linear(f, other) ? fit_descend(f, other, s, 100) : -1;
     r->iterations += count > 0 ? count : 0;
     if (count >= 0 && take(f, other, s, &b))
       r->way = FIT_BY_MOMENTUM;
   }
-  if (!good(f, has_sigma, s, &b)) {
+  if (!good(f, has_sigma, &b)) {
     const int count = lengthen(f, begun, other, s);
     r->iterations += count > 0 ? count : 0;
     if (count >= 0 && take(f, other, s, &b))
