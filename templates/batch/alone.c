@@ -8,7 +8,7 @@ static void ${name}_pick(${name}_real one[], const ${name}_real all[], int rows,
   for (i = 0; i < rows; i++) one[i] = all[(size_t)i*(size_t)n + (size_t)k];
 }
 
-static void ${name}_put(const ${name}_real one[], ${name}_real all[], int n, int k)
+static void ${name}_put_alone(const ${name}_real one[], ${name}_real all[], int n, int k)
 {
   int i;
 
@@ -53,7 +53,7 @@ void ${name}_${f.name}(${f.owner}, ${f.before}, ${name}_real x[], const ${name}_
     ${name}_pick(v, u, ${upper}_NU, n, k);
 %% end
     ${f.call};
-    ${name}_put(y, x, n, k);
+    ${name}_put_alone(y, x, n, k);
   }
 }
 %%   if f.single then

@@ -199,7 +199,7 @@ static int ${name}_whiten(${name}_estimator *e)
 
 /* One equation a theta = b with a noise of sigma: Bierman's update of theta, U and D.  Returns 1 if its size is out of
  * range, and nothing is changed. */
-static int ${name}_take(${name}_estimator *e, const ${name}_real a[6], ${name}_real b)
+static int ${name}_estimator_take(${name}_estimator *e, const ${name}_real a[6], ${name}_real b)
 {
   ${name}_real f[6], v[6], K[6], alpha = ${one}, residual = b;
   int i, j;
@@ -251,7 +251,7 @@ int ${name}_estimator_solve(${name}_estimator *e)
   if (e->count < e->window) return 1;
   bad = ${name}_whiten(e);
   for (i = 0; i < 6 && !bad; i++) {
-    if (e->R[i][i] > ${zero}) bad = ${name}_take(e, e->A[i], e->b[i]);
+    if (e->R[i][i] > ${zero}) bad = ${name}_estimator_take(e, e->A[i], e->b[i]);
   }
   for (i = 0; i < 6; i++) sure = sure && ${name}_estimator_entry(e, i, i) < ${n[0.00390625]};
   if (sure) ${name}_adopt(e);

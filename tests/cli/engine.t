@@ -50,6 +50,25 @@ gives("control acts with its effect, and only then", [[
     { times = { 1 }, u = { 0, 0, 0.4 } })[1]
   local off = host.run(scene(sphere, {}, { w = { 0, 0, 0 } }), { times = { 1 }, u = { 0, 0, 0.4 } })[1]
   say(row { on[8], off[8] })]], { 1, 0 }, 1e-14)
+gives("a torque by tables: their integrals over 2/5", [[
+  local function ramp(slope) return { rows = { 0, 0, 1, slope, 2, 2 * slope } } end
+  local r = host.run(scene({ shape = "solid.sphere", mass = 1, r = 1 },
+    { { kind = "torque", varying = { ramp(0.4), ramp(1.2), ramp(2.0) } } }, { w = { 0, 0, 0 } }), { times = { 2 } })[1]
+  say(row { r[6], r[7], r[8] })]], { 2, 6, 10 }, 1e-13)
+-- Half a megabyte each, so that Lua's collector runs between them, which may not take what the rates need.
+gives("a table outlives the reading of the next", [[
+  local function ramp(slope)
+    local rows = {}
+    for i = 0, 32767 do
+      rows[2 * i + 1], rows[2 * i + 2] = i / 16384, slope * i / 16384
+    end
+    return { rows = rows }
+  end
+  local effect = { kind = "torque", varying = { ramp(0.4), ramp(1.2), ramp(2.0) } }
+  collectgarbage("setpause", 100)
+  local library = host.rates(scene({ shape = "solid.sphere", mass = 1, r = 1 }, { effect }))
+  local dx = library:rates(1.5, { 1, 0, 0, 0, 0, 0, 0 })
+  say(row { dx[5], dx[6], dx[7] })]], { 1.5, 4.5, 7.5 }, 1e-13)
 -- a pendulum released at rest, horizontal: energy -M g l cos(angle), here 0
 gives("gravity acts at the centre of mass, and twice when it is there twice", [[
   local rod = { shape = "points", list = { { 1, 0, 0, 0 }, { 1, 0, 0, -2 }, { 1, 0.1, 0, -1 }, { 1, -0.1, 0, -1 } } }

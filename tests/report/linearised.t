@@ -171,6 +171,39 @@ for n, case in ipairs(tier.every(3, { { { 1.0, 4.0, 4.5 }, 2 }, { { 2.0, 2.1, 2.
   end
 end
 
+-- What the table says of the axis is the least of what motions about it take, whose times are those above.  Eight
+-- directions over half a turn: the worst is at most pi/16 from one, where the growing part is cos(pi/16) = 0.98 of its
+-- largest, which takes ln(1/0.98) = 0.02 growth times longer; and the size e = 0.1 is in the table.
+do
+  local I, e, least, axes = { 1.0, 4.0, 4.5 }, 0.1, math.huge, nil
+  for s = 1, 8 do
+    local direction = math.pi * s / 8
+    local said = explained(scene(I, { e * math.cos(direction), 1.0, e * math.sin(direction) }))
+    least, axes = math.min(least, said.wrong_by_a_tenth), said.axes
+  end
+  local times = axes[2].wrong_by_a_tenth or {}
+  local growth = math.sqrt((I[2] - I[1]) * (I[3] - I[2]) / (I[3] * I[1]))
+  local row = { amplitude = 0.0, time_times_rate = 0.0 }
+  for _, r in ipairs(times) do row = r.amplitude == e and r or row end
+  tap.ok(row.time_times_rate <= least and least - row.time_times_rate <= 0.02 / growth,
+    "the table of an unstable axis has the time of the worst direction",
+    string.format("%.6g, the least of eight directions %.6g", row.time_times_rate, least))
+  local last = #times > 0 and times[#times].time_times_rate or 0.0
+  tap.is(#times, 4, "it has four amplitudes")
+  tap.ok(last > row.time_times_rate and last < math.huge, "the smallest of them lasts longest")
+end
+
+-- Axes of a symmetric body in the order 1, 2, 3, each with its line.
+do
+  local _, out = run("explain " .. scene({ 1.0, 2.0, 2.0 }, { 1.0, 0.1, 0.2 }))
+  local section = out:match "\nLinearised motion\n(.-)\n\n" or ""
+  local lines = {}
+  for axis, text in section:gmatch "\n  axis (%d): ([^\n,]*)" do lines[#lines + 1] = axis .. " " .. text end
+  tap.is(table.concat(lines, "; "), "1 exact at any amplitude; 2 neutral; 3 neutral",
+    "a symmetric body: a line for each axis, the axis of symmetry exact")
+  tap.ok(section:find "the moments across it are equal\n", "and why it is exact")
+end
+
 ---- what is exact -------------------------------------------------------------------------------------------------
 
 for _, case in ipairs {
