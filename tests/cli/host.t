@@ -225,6 +225,17 @@ do
     "without a place for it there is a message")
 end
 
+-- ---- scenes by name ----
+
+-- A copy of the program that stands alone has no folder of scenes beside it: that of the working folder counts.
+shell("cp " .. here .. "/build/polhode lone")
+tap.ok(not shell("./lone run own_scene --at 0 >lone.out 2>&1") and not program.read(dir .. "/lone.out"):find("internal",
+  1, true), "without a folder of scenes a name is no scene's, and said to be none", program.read(dir .. "/lone.out"))
+shell("mkdir bodies && echo 'return scene { name = \"own_scene\", body = solid.sphere { r = 1, mass = 1 } }' " ..
+  ">bodies/own_scene.lua")
+tap.ok(shell("./lone run own_scene --at 0 >lone.out 2>&1"), "./bodies is looked through",
+  program.read(dir .. "/lone.out"))
+
 -- ---- signals ----
 
 -- The program is stopped once it says it is ready; its temporary directory must go, and it must die of the signal.

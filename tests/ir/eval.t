@@ -151,4 +151,17 @@ tap.near(evaluate.double(expr.call("cosh", x) - expr.call("sinh", x), { x = q "1
   "double: cosh 1 - sinh 1 is 1/e",
       "two functions and a difference that cancels to a tenth")
 
+-- The domain: each semi-axis positive, the sum finite (DLMF 19.33 asks for no less).
+do
+  local value = require("generator.ir.special.special").value
+  local function same(x) return x end
+  for _, name in ipairs { "ellipsoid_area", "ellipsoid_normal" } do
+    for _, axes in ipairs { { 0.0, 1.0, 1.0 }, { 1.0, 0.0, 1.0 }, { 1.0, 1.0, 0.0 }, { -1.0, 1.0, 1.0 },
+      { 1.0, 1.0, math.huge } } do
+      local x = value[name](same, table.unpack(axes))
+      tap.ok(x ~= x, name .. " of " .. table.concat(axes, ", ") .. " is no number", x)
+    end
+  end
+end
+
 tap.done()

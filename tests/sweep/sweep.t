@@ -169,6 +169,26 @@ do
   tap.ok(good, "attitudes are drawn from all of them, evenly")
 end
 
+-- (1, x, 0, 0) is no unit: it is taken as the attitude (cos A, sin A, 0, 0), tan A = x.  The spin about z turns it by
+-- B = t/2: (cos B cos A, cos B sin A, -+sin B sin A, sin B cos A).
+program.write(dir .. "/about_z.lua", [[
+return scene { name = "about_z", body = solid.sphere { r = 1, mass = 1 }, initial = { omega = { 0, 0, 1 } },
+  time = { horizon = 1, step = 0.01 } }
+]])
+code, out, err = polhode "sweep about_z.lua --over qx=1:3:3 --method taylor --until 1"
+if not tap.is(code, 0, "one component of the attitude is varied") then tap.diag(err) end
+do
+  local good = #rows(out) == 3
+  for i, r in ipairs((rows(out))) do
+    local n = math.sqrt(1 + i * i)
+    for k, x in pairs { w = math.cos(0.5) / n, x = math.cos(0.5) * i / n, z = math.sin(0.5) / n } do
+      good = good and math.abs(r["final_q" .. k] - x) <= 1e-13
+    end
+    good = good and math.abs(math.abs(r.final_qy) - math.sin(0.5) * i / n) <= 1e-13
+  end
+  tap.ok(good, "and the four together are made a unit", out)
+end
+
 -- ---- samples ----
 
 program.write(dir .. "/c.csv", "name,mean,wx,wy\nwx,6,0.01,0.006\nwy,1,0.006,0.04\n")
@@ -204,6 +224,28 @@ do
 end
 local _, again = polhode(SQUARE .. " --seed 2")
 tap.ok(again ~= out and #rows(again) == 64, "another seed draws others")
+
+-- ---- statistics, and what the program says of itself ----
+
+-- 1001 points of 1 to 2: the value at rank q is 1 + q, a bucket of 8 bits below 1 is at most 2^-8 wide, a rank 2^-9.
+code, out, err = polhode "sweep spin.lua --over wz=1:2:1001 --until 0.01 --stats"
+if not tap.is(code, 0, "statistics without rows") then tap.diag(err) end
+tap.is(out:match "^[^\n]*", "quantity,count,missing,mean,deviation,least,most," ..
+  "q0.001,q0.01,q0.05,q0.25,q0.5,q0.75,q0.95,q0.99,q0.999", "the nine quantiles are named")
+do
+  local cells, good = {}, true
+  for cell in (out:match "\nwz,([^\n]*)" or ""):gmatch "[^,]+" do cells[#cells + 1] = tonumber(cell) end
+  for i, q in ipairs { 0.001, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 0.999 } do
+    good = good and math.abs((cells[6 + i] or 0) - 1 - q) <= 2.0 ^ -7
+  end
+  tap.ok(#cells == 15 and good, "and are where a uniform distribution has them", table.concat(cells, " "))
+  tap.ok(cells[1] == 1001 and cells[2] == 0 and cells[5] == 1 and cells[6] == 2, "count, missing, least and most")
+end
+
+code, _, err = polhode "sweep tumbling_box --over wx=1:2:3 --set a=0.2 --set b=0.3 --emit told"
+if not tap.is(code, 0, "a program is emitted") then tap.diag(err) end
+tap.ok((program.read(dir .. "/told/README.md") or ""):find("--over wx=1:2:3 --set a=0.2 --set b=0.3\n", 1, true),
+  "and names the whole command that it comes from")
 
 -- ---- members that fail, accuracy ----
 
