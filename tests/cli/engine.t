@@ -116,6 +116,13 @@ gives("the largest terms of a spring, a magnet, drag and friction", [[
     local dx, scale = host.rates(scene(sphere, { e })):rates(0, { 0.6, 0, 0, 0.8, 2, 1, 0 })
     say(row { scale[5], scale[6] })
   end]], { 1000, 1000, 1000, 1000, 1250, 1250, 500 * math.sqrt(5), 250 * math.sqrt(5), 150, 75 })
+-- I = 2/5, so that |L| = 2/5 sqrt 5 and the loss, k L x (L x w), is at most k |L|^2 |w|; half the stiffness times 2^2
+gives("the largest terms of a dissipation and of a restoring force's energy", [[
+  local sphere = { shape = "solid.sphere", mass = 1, r = 1 }
+  local dx, scale = host.rates(scene(sphere, { { kind = "dissipation", k = 100 } })):rates(0, { 1, 0, 0, 0, 2, 1, 0 })
+  local moved = { kind = "translation", gravity = { 0, 0, 0 }, stiffness = { 100, 0, 0 }, linear = 0, drag = 0 }
+  local E, most = host.rates(scene(sphere, { moved })):energy { 1, 0, 0, 0, 0, 0, 0.1, 2, 0, 0, 0, 0, 0 }
+  say(row { scale[5], scale[6], E, most })]], { 200 * math.sqrt(5), 200 * math.sqrt(5), 200.002, 200 })
 gives("a rod's own axis has no rate and no scale", [[
   local r = host.rates(scene { shape = "rod.straight", mass = 1, length = 1 })
   local dx, scale = r:rates(0, { 1, 0, 0, 0, 1, 2, 3 })
@@ -182,6 +189,9 @@ static void at(const void *o, double t, double *x) {
 #ifndef MARCH
 #define MARCH march
 #endif
+#ifndef NU
+#define NU 1
+#endif
 #ifndef ABI
 #define ABI POLHODE_PLUGIN_ABI
 #endif
@@ -194,7 +204,7 @@ static int run(const void *m, double t0, double *x, const double *u, double t1, 
 static const struct polhode_stepper steppers[] = {{"euler", step, NULL, MARCH, 1}, {"exact", step, run, march, 0},
   {NULL, NULL, NULL, NULL, 0}};
 const struct polhode_plugin *polhode_plugin(void) {
-  static const struct polhode_plugin table = {ABI, "decay", "double", 2.220446049250313e-16, 2, 1, 1,
+  static const struct polhode_plugin table = {ABI, "decay", "double", 2.220446049250313e-16, 2, NU, 1,
     sizeof(struct model), sizeof(struct orbit), init, params, inertia, principal, rhs, steppers, FEW};
   return &table;
 }
@@ -216,6 +226,20 @@ says("a plugin tells what it is", BUILD .. [[
   say(i.name, i.real, i.epsilon, i.nx, i.nu, i.np, i.params[1], i.has.solve, i.has.step, i.has.peers)
   for _, s in ipairs(i.steppers) do say(s.name, s.order, s.adaptive) end]],
   "decay double 2.2204460492503e-16 2 1 1 0.5 true true false\neuler 1 false\nexact 0 true\n")
+for _, case in ipairs { { "jacobian,energy,momentum,NULL,solve,at",
+  "energy inertia jacobian momentum principal rhs solve step\n" }, { "0,0,0,0,0", "inertia principal rhs step\n" } } do
+  local few, names = table.unpack(case)
+  says("and which functions it has: " .. few, BUILD .. string.format([[
+    local names = {}
+    for name, there in next, build(%q):info().has do names[#names + 1] = there and name or nil end
+    table.sort(names)
+    say(table.concat(names, " "))]], few), names)
+end
+says("as many inputs as states may be, 64", BUILD .. [[
+  local p, u = build(all, "-DNU=64"), {}
+  for i = 1, 64 do u[i] = i end
+  say(p:init(), p:rhs(0, { 2, 0 }, u)[1])]], "0 0.0\n")
+tap.like(lua(BUILD .. [[say(build(all, "-DNU=65"))]]), "its table is not filled in properly", "and not one more")
 says("init with the scene's parameters, others, and wrong ones", BUILD .. [[
   local p = build(all)
   say(p:init(), p:rhs(0, { 2, 0 }, { 0 })[1], p:init { 3 }, p:rhs(0, { 2, 0 }, { 1 })[1], p:init { -1 })
