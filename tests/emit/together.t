@@ -26,8 +26,9 @@ for i, row in ipairs {
   local body, real, methods, more = table.unpack(row)
   local what = string.format("%s in %s, %s, with everything in one file: ", body, real, methods)
   local at = dir .. "/" .. body
-  local status = program.shell(string.format("%s gen bodies/%s.lua --layout single --real %s --method %s --with %s%s " ..
-    "-o %s >%s/log 2>&1", binary, body, real, methods, EVERY, more or "", at, dir))
+  local status = program.shell(string.format(
+    "%s gen bodies/%s.lua --layout single --real %s --method %s --with %s%s -o %s >%s/log 2>&1",
+    binary, body, real, methods, EVERY, more or "", at, dir))
   tap.is(status, 0, what .. "it is emitted")
   if status ~= 0 then tap.diag(program.read(dir .. "/log")) end
   status = program.shell(string.format("cd %s && gcc %s -fsyntax-only %s.c >log 2>&1", at, STRICT, body))

@@ -154,12 +154,12 @@ tap.near(evaluate.double(expr.call("cosh", x) - expr.call("sinh", x), { x = q "1
 -- The domain: each semi-axis positive, the sum finite (DLMF 19.33 asks for no less).
 do
   local value = require("generator.ir.special.special").value
-  local function same(x) return x end
+  local function same(v) return v end
   for _, name in ipairs { "ellipsoid_area", "ellipsoid_normal" } do
     for _, axes in ipairs { { 0.0, 1.0, 1.0 }, { 1.0, 0.0, 1.0 }, { 1.0, 1.0, 0.0 }, { -1.0, 1.0, 1.0 },
       { 1.0, 1.0, math.huge } } do
-      local x = value[name](same, table.unpack(axes))
-      tap.ok(x ~= x, name .. " of " .. table.concat(axes, ", ") .. " is no number", x)
+      local got = value[name](same, table.unpack(axes))
+      tap.ok(got ~= got, name .. " of " .. table.concat(axes, ", ") .. " is no number", got)
     end
   end
 end
