@@ -35,6 +35,11 @@ function contact.check(d, m)
   local plane = contact.of(m)
   if not plane then return true end
   local fine = true
+  if m.structure.rod then
+    d:error(m.line, "body", "has no moment of inertia about its line: a body that touches a plane must have one about " ..
+      "each axis")
+    fine = false
+  end
   for _, e in ipairs(m.record.effects) do
     local spec = e.spec
     if e ~= plane and (spec.carries or spec.varies or spec.turn or spec.force or spec.frame or spec.name ==
@@ -97,6 +102,37 @@ local function table_of(a, c, k)
   return vec.add(vec.scale(u1, k.E1), vec.scale(u2, k.E2)), u1, u2, rate
 end
 
+-- A sphere about the centre of mass, in principal axes.
+local function centred(m, k)
+  for i = 1, 3 do
+    if k.far[i] ~= zero or m.carried[3 + i] ~= zero then return false end
+  end
+  return true
+end
+
+-- w' of such a body: with D = I/m + R^2 the matrix is D - R^2 g g^T, whose inverse is (Sherman, Morrison 1950)
+--     D^-1 + R^2 (D^-1 g) (D^-1 g)^T / den,   den = 1 - R^2 g.D^-1 g = sum g_i^2 (I_i/m)/D_i
+-- A ball has den = (I/m)/D, and where no other torque acts g.n = 0: what is left is n/D.
+local function round(m, e, c, k, name, n, free)
+  local R2, I = e.a.surface.rim ^ 2, m.carried
+  local function constant(i, prefix, x, about)
+    return c.constant(prefix .. letters[i], ratio.tidy(x), about .. " about " .. letters[i])
+  end
+  local over, share = {}, {}
+  for i = 1, 3 do
+    local D = I[i] / m.mass + R2
+    over[i] = constant(i, "roll", 1 / D, "1/(moment/mass + radius^2), 1/m^2,")
+    share[i] = constant(i, "share", I[i] / m.mass / D, "moment over that about the contact point,")
+  end
+  local ball = I[1] == I[2] and I[2] == I[3]
+  if ball and free[1] and free[2] and free[3] then return vec.map(n, function(x) return over[1] * x end) end
+  local y = name("n", vec.map(n, function(x, i) return over[i] * x end))
+  local radius = c.constant("rim2", ratio.tidy(R2), "radius squared, m^2")
+  local den = ball and share[1] or vec.dot(share, vec.map(k.up, function(x) return x ^ 2 end))
+  local factor = name("support", { radius * vec.dot(k.up, y) / den })[1]
+  return vec.map(y, function(x, i) return x + over[i] * k.up[i] * factor end)
+end
+
 local function rolling(m, e, c, N, groups)
   local k = geometry(m, e, c, groups)
   local a, w = e.a, c.w
@@ -120,7 +156,12 @@ local function rolling(m, e, c, N, groups)
   local over = c.constant("over_m", expr.one / m.mass, "1/mass, 1/kg")
   local L = name("L", vec.apply(I, w))
   local n = vec.add(vec.cross(L, w), vec.add(vec.scale(over, N), vec.cross(r, f)))
-  g.outs = vec.solve(name("S", S), name("n", n), function(prefix, x) return name(prefix, { x })[1] end)
+  if centred(m, k) then
+    g.why = g.why .. ", inverted by its diagonal and g g^T"
+    g.outs = round(m, e, c, k, name, vec.map(n, ratio.tidy), vec.map(N, function(x) return x == zero end))
+  else
+    g.outs = vec.solve(name("S", S), name("n", n), function(prefix, x) return name(prefix, { x })[1] end)
+  end
   groups[#groups + 1] = g
   local function coordinates()
     return { p1 = u1 - vec.dot(k.E1, k.turning), p2 = u2 - vec.dot(k.E2, k.turning) }
