@@ -3,8 +3,9 @@
 --
 --     lua5.4 docs/tools/pages.lua DIRECTORY          in the project's root, after make: `make docs`
 --
--- Writes DIRECTORY/shapes.md with DIRECTORY/shapes/NAME.svg, effects.md, reference.md,
--- commands.md.  These tools read the generator's modules, and no module of the generator knows them: the program has what a user calls and nothing else.
+-- Writes DIRECTORY/shapes.md with DIRECTORY/shapes/NAME.svg, effects.md, reference.md, commands.md.  These tools read
+-- the generator's modules, and no module of the generator knows them: the program has what a user calls and nothing
+-- else.
 
 package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath

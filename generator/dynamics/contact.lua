@@ -36,8 +36,8 @@ function contact.check(d, m)
   if not plane then return true end
   local fine = true
   if m.structure.rod then
-    d:error(m.line, "body", "has no moment of inertia about its line: a body that touches a plane must have one about " ..
-      "each axis")
+    d:error(m.line, "body", "has no moment of inertia about its line: a body that touches a plane must have one " ..
+      "about each axis")
     fine = false
   end
   for _, e in ipairs(m.record.effects) do
