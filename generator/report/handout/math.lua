@@ -69,7 +69,7 @@ local function atom(word, names)
     return math_.row(math_.op "thin", math_.word "d", math_.sym(differential))
   end
   local quoted = string.match(word, '^"(.*)"$')
-  if quoted then return math_.word((string.gsub(quoted, "_", " "))) end
+  if quoted then return math_.row(math_.op "quad", math_.word(quoted), math_.op "quad") end
   local base, rest = string.match(word, "^(.-)%^(%w+)$")
   if base then return math_.pow(atom(base, names), atom(rest, names)) end
   if upright[word] then return math_.word(word) end
