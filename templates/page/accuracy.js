@@ -5,7 +5,7 @@
 function errorsOf(motion, reference, places) {
   let angle = 0, rate = 0, size = 0, energy = 0;
   const pick = (x, list) => list.map((i) => x[i]), first = motion.samples[0].energy;
-  for (let i = 0; i < motion.samples.length; i += 10) {
+  for (let i = 0; i < motion.samples.length; i += SAMPLES/60) {
     const s = motion.samples[i], x = reference(s.t), w = pick(x, places.w);
     angle = Math.max(angle, between(pick(s.x, places.q), pick(x, places.q)));
     rate = Math.max(rate, length(added(pick(s.x, places.w), scaled(-1, w))));

@@ -4,25 +4,28 @@
 // A stepper has a fixed h, never the time of a frame, so its states have the bits of a native program; a time between
 // two steps shows the step before.  Samples are the places from which the rest is marched.
 
-const SAMPLES = 600, MOST_STEPS = 4e6;
+const SAMPLES = 600, MOST_SAMPLES = 3000, MOST_STEPS = 4e6;
+
+// How many samples a motion wants that begins with the rates w: 8 degrees from one to the next, where so many may be.
+const samplesOf = (w, until) => Math.round(Math.max(SAMPLES, Math.min(MOST_SAMPLES, length(w)*until/0.14))) || SAMPLES;
 
 // choice: {method: "exact" | number of a stepper, h}; returns null if the code refuses the state.
-function motionOf(code, slot, start, choice, until) {
+function motionOf(code, slot, start, choice, until, count = SAMPLES) {
   const exact = choice.method === "exact", x = code.states[slot], h = choice.h;
   const last = exact ? 0 : Math.min(Math.floor(until/h + 1e-9), MOST_STEPS);
   const end = exact ? until : last*h, samples = [];
   x.set(start);
   if (exact && !code.solve(slot)) return null;
   let done = 0;
-  for (let i = 0; i <= SAMPLES; i++) {
+  for (let i = 0; i <= count; i++) {
     if (exact) {
-      code.at(slot, end*i/SAMPLES);
+      code.at(slot, end*i/count);
     } else {
-      const n = Math.round(last*i/SAMPLES);
+      const n = Math.round(last*i/count);
       code.march(slot, choice.method, h, done, n);
       done = n;
     }
-    const state = Array.from(x), t = exact ? end*i/SAMPLES : done*h;
+    const state = Array.from(x), t = exact ? end*i/count : done*h;
     samples.push({ t, n: done, x: state, energy: code.energy(slot), momentum: code.momentum(slot),
       sound: state.every(Number.isFinite) });
   }
@@ -38,7 +41,8 @@ function stateAt(code, motion, t) {
     code.at(motion.slot, reach);
   } else {
     const h = motion.choice.h, n = Math.floor(reach/h + 1e-9);
-    let i = Math.min(SAMPLES, Math.floor(SAMPLES*reach/(motion.end || 1)));
+    const last = motion.samples.length - 1;
+    let i = Math.min(last, Math.floor(last*reach/(motion.end || 1)));
     while (i > 0 && motion.samples[i].n > n) i--;
     x.set(motion.samples[i].x);
     code.march(motion.slot, motion.choice.method, h, motion.samples[i].n, n);

@@ -9,11 +9,13 @@ const DARK = { paper: [0.082, 0.094, 0.114], ink: [0.96, 0.96, 0.96], body: [0.5
 
 const ONE = [1, 0, 0, 0], HERE = [0, 0, 0], EQUAL = [1, 1, 1];
 
-// Do the points of a path on the sphere lie close enough for a curve?  A fast spin would give a polygon without sense.
-function smooth(list) {
+const LONGEST = 120; // points of a trail
+
+// How many points of a path on the sphere make a trail: a turn or so; none where they lie too far apart for a curve.
+function trailOf(list) {
   let most = 0;
   for (let i = 3; i < list.length; i++) most = Math.max(most, Math.abs(list[i] - list[i - 3]));
-  return most < 0.7;
+  return most < 0.7 ? Math.round(Math.max(12, Math.min(LONGEST, 10/most))) : 0;
 }
 
 function spaceOf(canvas) {
@@ -21,7 +23,7 @@ function spaceOf(canvas) {
   if (!r) return null;
   const space = { turn: 0.6, height: 0.35, far: 3.6, renderer: r };
   const shaft = r.mesh(arrow()), round = r.mesh(ball(24)), funnel = r.mesh(cone());
-  const things = {};
+  const things = {}, trails = [0, 0, 0];
   let body = null, poinsot = null, cones = null;
 
   function renew(name, thing) {
@@ -45,7 +47,8 @@ function spaceOf(canvas) {
     for (let k = 0; k < 3; k++) {
       const list = [];
       for (const s of m.samples) list.push(...scaled(1.25, turned(places.q.map((i) => s.x[i]), axis[k])));
-      renew("trail" + k, r.line(smooth(list) ? list : []));
+      renew("trail" + k, r.line(list));
+      trails[k] = trailOf(list);
     }
     if (!p) return;
     renew("polhode", r.line(p.polhode.flat()));
@@ -83,7 +86,7 @@ function spaceOf(canvas) {
     const up = placed(ONE, EQUAL, HERE);
     r.surface(things.plane, up, EQUAL, [...c.plane, 1]);
     r.lines(things.herpolhode, placed(ONE, EQUAL, [0, 0, 0.002]), [...c.ink, 1], 2.5, false, 0, now.index + 1);
-    r.lines(things.polhode, placed(q, EQUAL, HERE), [...c.y, 1], 2.5, false);
+    r.lines(things.polhode, placed(q, EQUAL, HERE), [...c.y, 1], 2.5, false, 0, now.index + 1);
     const w = turned(q, scaled(poinsot.size, now.w));
     pointer(w, length(w), c.rate);
     r.surface(round, placed(own, poinsot.axes, HERE), poinsot.axes, [...c.body, 0.5]);
@@ -112,9 +115,10 @@ function spaceOf(canvas) {
     if (what === "poinsot" && poinsot) return drawPoinsot(now, c);
     if (what === "cones" && cones) return drawCones(now, c);
     const w = turned(now.q, now.w);
-    const from = Math.max(0, now.index - 120), count = now.index - from + 1;
-    for (let k = 0; k < 3; k++)
+    for (let k = 0; k < 3; k++) {
+      const from = Math.max(0, now.index - trails[k]), count = now.index - from + 1;
       r.lines(things["trail" + k], placed(ONE, EQUAL, HERE), [...c["xyz"[k]], 1], 2, false, from, count);
+    }
     pointer(w, 1.5, c.rate);
     pointer(now.L, 1.5, c.ink);
     drawBody(now.q, HERE, 1, c.body, c);

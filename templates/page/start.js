@@ -85,7 +85,8 @@ async function start() {
       refuse("No such body: " + (facts.checks[status - 1] || "check " + status) + ". The last body stays.");
       return;
     }
-    const x = initial(), made = motionOf(code, SLOT.first, x, choiceOf("first"), page.until);
+    const x = initial(), count = samplesOf(pick(x, places.w), page.until);
+    const made = motionOf(code, SLOT.first, x, choiceOf("first"), page.until, count);
     if (!made) return refuse("The closed form refuses this state: the attitude or a rate is out of range.");
     const bad = made.samples.find((s) => !s.sound);
     refuse(bad ? "The numbers become infinite at t = " + shown(bad.t) + " s: a smaller step helps." : "");
@@ -139,7 +140,7 @@ async function start() {
       tell(m, x, E, length(L), y);
     }
     if (space && !space.lost()) space.draw($("what").value, { q: pick(x, places.q), w: pick(x, places.w), L,
-      index: Math.floor(SAMPLES*page.t/(m.end || 1)), second: y && pick(y, places.q) }, dark.matches);
+      index: Math.floor((m.samples.length - 1)*page.t/(m.end || 1)), second: y && pick(y, places.q) }, dark.matches);
   }
 
   // The same in words and numbers.

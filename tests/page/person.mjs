@@ -23,12 +23,21 @@ const made = (name, ...words) => {
 };
 // Reading the canvas for a screenshot makes the software renderer speak; nothing of the page does.
 const own = (said) => said.filter((s) => !/GPU stall due to ReadPixels/.test(s));
-// How many colours stand in the canvas, and a sum of its bytes.
+// What the canvas shows: how many colours, which part is not the corner's colour, its middle, a sum of all bytes.
 const PICTURE = `(() => { const c = document.getElementById("space"), d = document.createElement("canvas");
   d.width = c.width; d.height = c.height; const x = d.getContext("2d"); x.drawImage(c, 0, 0);
   const p = new Uint32Array(x.getImageData(0, 0, c.width, c.height).data.buffer); let sum = 0;
-  for (let i = 0; i < p.length; i++) sum = (31*sum + p[i]) >>> 0;
-  return { colours: new Set(p).size, sum }; })()`;
+  let drawn = 0, left = c.width, right = 0;
+  for (let i = 0; i < p.length; i++) {
+    sum = (31*sum + p[i]) >>> 0;
+    if (p[i] === p[0]) continue;
+    drawn++;
+    left = Math.min(left, i % c.width);
+    right = Math.max(right, i % c.width);
+  }
+  return { colours: new Set(p).size, sum, drawn: drawn/p.length, middle: (left + right)/2/c.width }; })()`;
+// Something of a body's size, about in the middle, before the paper in the corner.
+const shape = (p) => p.colours > 20 && p.drawn > 0.02 && p.drawn < 0.7 && Math.abs(p.middle - 0.5) < 0.25;
 const frames = "new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)))";
 const set = (id, value) => `(() => { const e = document.getElementById("${id}"); e.value = ${value};
   e.dispatchEvent(new Event("input")); e.dispatchEvent(new Event("change")); return ${frames}; })()`;
@@ -54,7 +63,7 @@ state = await page.run("polhode.state");
 ok(elsewhere > 0.1 && off(state) < CLOSE, "so does scrubbing, back from another time", state + "\n" + row);
 
 const first = await page.run(PICTURE);
-ok(first.colours > 20, "something is drawn", first.colours);
+ok(shape(first), "the body is drawn", JSON.stringify(first));
 await page.run(set("s-p-head", 0.2));
 const larger = await page.run("[polhode.code.inertia()[1], location.hash]");
 // Iyy of hoop and disc about their diameter, and of the thin cylinder about its axis (catalogue: M R²/2, m R²/4, m r²/2)
@@ -76,7 +85,8 @@ ok(await page.run(refused) === "", "the refusal goes when the body is possible")
 
 await page.run(set("what", "'poinsot'"));
 const rolled = await page.run(PICTURE);
-ok(rolled.colours > 20 && rolled.sum !== first.sum, "Poinsot's construction is another picture");
+ok(shape(rolled) && rolled.sum !== first.sum, "Poinsot's construction is another picture",
+  JSON.stringify(rolled));
 const touch = await page.run("Math.max(...polhode.poinsot.herpolhode.map((p) => Math.abs(p[2]/polhode.poinsot.depth - 1)))");
 ok(touch < 1e-12, "the tip of w stays in the invariable plane", touch);
 
@@ -134,7 +144,8 @@ const cones = await top.run("polhode.cones"), beta = Math.atan2(Math.hypot(1, 0.
 const theta = Math.atan((3*r*r + h*h)/12/(r*r/2)*Math.tan(beta));
 ok(Math.abs(cones.body - beta) < 1e-12 && Math.abs(cones.space - (theta - beta)) < 1e-12,
   "the cones of a symmetric top have the textbook's angles", JSON.stringify(cones) + beta + " " + theta);
-ok((await top.run(PICTURE)).colours > 20, "and are drawn");
+const funnels = await top.run(PICTURE); // narrow ones, which lean to a side
+ok(funnels.colours > 20 && funnels.drawn > 0.005, "and are drawn", JSON.stringify(funnels));
 
 const film = await browser.open("file://" + made("tennis_racket", "--trajectory") + "#t=1.25");
 ok(own(film.said).length === 0 && off(await film.run("polhode.state")) < CLOSE &&
@@ -160,6 +171,37 @@ console.log(`# ready ${(await moving.run("polhode.ready")).toFixed(0)} ms after 
 
 const small = await browser.open("file://" + racket + "#t=0.5", { width: 320, height: 640, dark: true });
 ok(await small.run("document.documentElement.scrollWidth") <= 320, "320 pixels are wide enough");
+const night = await small.run(`(() => { const c = document.getElementById("space"), d = document.createElement("canvas");
+  const x = d.getContext("2d"); x.drawImage(c, 0, 0); return Math.max(...x.getImageData(0, 0, 1, 1).data.slice(0, 3)); })()`);
+ok(night < 64 && shape(await small.run(PICTURE)), "in the dark the paper is dark, and the body is on it", night);
+
+// ---- without eyes, without a mouse ----
+
+const tree = (await small.send("Accessibility.getFullAXTree", {})).nodes.filter((n) => !n.ignored);
+const controls = tree.filter((n) => /^(slider|button|combobox|spinbutton)$/.test(n.role?.value));
+const mute = controls.filter((n) => !n.name?.value);
+ok(controls.length > 15 && mute.length === 0, "a screen reader has a name for every control", JSON.stringify(mute));
+const said = await small.run(`document.getElementById("s-wx").getAttribute("aria-valuetext")`);
+ok(/^8.rad.s$/.test(said), "and a value with its unit", said);
+const key = async (name, code) => {
+  for (const type of ["keyDown", "keyUp"])
+    await small.send("Input.dispatchKeyEvent", { type, key: name, code: name, windowsVirtualKeyCode: code });
+};
+const reached = new Set();
+await small.run("document.activeElement.blur()");
+for (let i = 0; i < 45; i++) {
+  await key("Tab", 9);
+  reached.add(await small.run("document.activeElement.id"));
+}
+const wanted = await small.run(`[...document.querySelectorAll("input,select,button,canvas")].filter((e) =>
+  e.offsetParent && !e.disabled).map((e) => e.id)`);
+const missed = wanted.filter((id) => !reached.has(id));
+ok(wanted.length > 15 && missed.length === 0, "the tab key reaches every control", missed.join());
+await small.run(`document.getElementById("s-wx").focus()`);
+const before = await small.run("polhode.start[4]");
+await key("ArrowRight", 39);
+await small.run(frames);
+ok(await small.run("polhode.start[4]") > before, "an arrow moves a slider");
 const unnamed = await small.run(`[...document.querySelectorAll("input,select,button")].filter((e) =>
   !(e.labels?.length || e.textContent.trim() || e.getAttribute("aria-label"))).map((e) => e.id)`);
 ok(unnamed.length === 0, "every control has a name", unnamed.join());
