@@ -159,8 +159,9 @@ async function start() {
       }
       row.cells[1].textContent = v.toPrecision(10).replace("-", "−");
     });
-    $("difference").textContent = y ? "Difference of the two at this time: " +
-      sayError(between(pick(x, places.q), pick(y, places.q))) + " rad; the second body is drawn through the first." : "";
+    const apart = y && sayError(between(pick(x, places.q), pick(y, places.q)));
+    $("difference").textContent = y ? "Difference of the two at this time: " + apart +
+      " rad; the second body is drawn through the first." : "";
     $("space").setAttribute("aria-label", "The body in space at t = " + page.t.toFixed(1) + " s");
   }
 

@@ -67,7 +67,8 @@ async function inNode(html, facts) {
 
 const inBrowser = (page, method) => page.run(`(() => { const c = polhode.code; c.defaults(); c.init(); c.initial(0);
   c.march(0, ${method}, polhode.facts.step, 0, ${STEPS}); const x = c.states[0];
-  return Array.from(new Uint8Array(x.buffer, x.byteOffset, x.byteLength), (b) => b.toString(16).padStart(2, "0")).join(""); })()`);
+  return Array.from(new Uint8Array(x.buffer, x.byteOffset, x.byteLength),
+    (b) => b.toString(16).padStart(2, "0")).join(""); })()`);
 
 const browser = await launch();
 for (const [name, methods] of CASES)
@@ -75,7 +76,8 @@ for (const [name, methods] of CASES)
     const file = join(dir, `${name}-${real}.html`);
     polhode("view", name, "--real", real, "--method", methods.join(","), "-o", file);
     const html = readFileSync(file, "utf8"), facts = JSON.parse(block(html, "facts"));
-    const all = native(name, methods, real, facts), node = await inNode(html, facts), page = await browser.open("file://" + file + "#t=0.001");
+    const all = native(name, methods, real, facts), node = await inNode(html, facts);
+    const page = await browser.open("file://" + file + "#t=0.001");
     for (const [i, method] of methods.entries()) {
       const expected = all[i], a = node(i), b = await inBrowser(page, i);
       ok(expected.length === facts.states.length*(real === "float" ? 8 : 16) && a === expected && b === expected,

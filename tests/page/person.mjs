@@ -66,7 +66,8 @@ const first = await page.run(PICTURE);
 ok(shape(first), "the body is drawn", JSON.stringify(first));
 await page.run(set("s-p-head", 0.2));
 const larger = await page.run("[polhode.code.inertia()[1], location.hash]");
-// Iyy of hoop and disc about their diameter, and of the thin cylinder about its axis (catalogue: M R²/2, m R²/4, m r²/2)
+// Iyy of hoop and disc about their diameter, and of the thin cylinder about its axis (catalogue: M R²/2, m R²/4,
+// m r²/2)
 const expected = 0.14*0.04/2 + 0.018*0.04/4 + 0.16*0.016*0.016/2;
 ok(Math.abs(larger[0]/expected - 1) < 1e-12, "a slider changes the tensor, as the textbook has it",
   larger[0] + " " + expected);
@@ -87,7 +88,8 @@ await page.run(set("what", "'poinsot'"));
 const rolled = await page.run(PICTURE);
 ok(shape(rolled) && rolled.sum !== first.sum, "Poinsot's construction is another picture",
   JSON.stringify(rolled));
-const touch = await page.run("Math.max(...polhode.poinsot.herpolhode.map((p) => Math.abs(p[2]/polhode.poinsot.depth - 1)))");
+const touch = await page.run(`Math.max(...polhode.poinsot.herpolhode.map((p) =>
+  Math.abs(p[2]/polhode.poinsot.depth - 1)))`);
 ok(touch < 1e-12, "the tip of w stays in the invariable plane", touch);
 
 // ---- dragging and presets ----
@@ -95,7 +97,8 @@ ok(touch < 1e-12, "the tip of w stays in the invariable plane", touch);
 await page.run(set("what", "'body'"));
 const drag = async (way, dx) => {
   await page.run(set("drag", `'${way}'`));
-  const [x, y] = await page.run(`(() => { scrollTo(0, 0); const r = document.getElementById("space").getBoundingClientRect();
+  const [x, y] = await page.run(`(() => { scrollTo(0, 0);
+    const r = document.getElementById("space").getBoundingClientRect();
     return [r.x + r.width/2, r.y + r.height/2]; })()`);
   const mouse = (type, at) => page.send("Input.dispatchMouseEvent", { type, x: at, y, button: "left", clickCount: 1 });
   await mouse("mousePressed", x);
@@ -125,11 +128,13 @@ await page.run(set("preset", "'sleep'"));
 const [qw, qx, qy, qz] = await page.run("polhode.start");
 ok(Math.abs(qw*qw - qx*qx - qy*qy + qz*qz - 1) < 1e-12, "the sleeping top stands upright", [qw, qx, qy, qz]);
 await page.run(`document.getElementById("reset").click()`);
-ok(await page.run("JSON.stringify(polhode.start)") === JSON.stringify(still), "the scene's own state comes back to the bit");
+ok(await page.run("JSON.stringify(polhode.start)") === JSON.stringify(still),
+  "the scene's own state comes back to the bit");
 
 await page.run(set("second", "'0'"));
 await page.run(`document.getElementById("measure").click()`);
-const cells = await page.run(`[...document.querySelectorAll("#costs tbody tr")].map((r) => [...r.cells].map((c) => c.textContent))`);
+const cells = await page.run(`[...document.querySelectorAll("#costs tbody tr")].map((r) =>
+  [...r.cells].map((c) => c.textContent))`);
 const errors = cells.map((c) => Number(c[2].replace("−", "-")));
 // rk4: twice the step, 16 times the error; 10 to 25 leave room for what the next order adds
 ok(cells.length === 3 && errors[2]/errors[1] > 10 && errors[2]/errors[1] < 25,
@@ -160,19 +165,22 @@ await film.run(frames);
 ok(await film.run("polhode.t") === stopped, "and pauses");
 
 const moving = await browser.open("file://" + made("heavy_top"), { still: false });
-const frame = "new Promise((r) => { const f = () => polhode.frames > 1 ? r([polhode.t, polhode.clock, polhode.frames]) : " +
-  "requestAnimationFrame(f); f(); })";
+const frame = `new Promise((r) => {
+  const f = () => polhode.frames > 1 ? r([polhode.t, polhode.clock, polhode.frames]) : requestAnimationFrame(f);
+  f(); })`;
 const began = await moving.run(frame);
 await moving.run("new Promise((r) => setTimeout(r, 1000))");
 const ended = await moving.run(frame), passed = (ended[1] - began[1])/1000;
-ok(Math.abs(ended[0] - began[0] - passed) < 1e-9, "no frame, however late, drops time of the motion", began + "\n" + ended);
+ok(Math.abs(ended[0] - began[0] - passed) < 1e-9, "no frame, however late, drops time of the motion",
+  began + "\n" + ended);
 console.log(`# heavy top: ${((ended[2] - began[2])/passed).toFixed(0)} frames a second`);
 console.log(`# ready ${(await moving.run("polhode.ready")).toFixed(0)} ms after navigation`);
 
 const small = await browser.open("file://" + racket + "#t=0.5", { width: 320, height: 640, dark: true });
 ok(await small.run("document.documentElement.scrollWidth") <= 320, "320 pixels are wide enough");
-const night = await small.run(`(() => { const c = document.getElementById("space"), d = document.createElement("canvas");
-  const x = d.getContext("2d"); x.drawImage(c, 0, 0); return Math.max(...x.getImageData(0, 0, 1, 1).data.slice(0, 3)); })()`);
+const night = await small.run(`(() => { const x = document.createElement("canvas").getContext("2d");
+  x.drawImage(document.getElementById("space"), 0, 0);
+  return Math.max(...x.getImageData(0, 0, 1, 1).data.slice(0, 3)); })()`);
 ok(night < 64 && shape(await small.run(PICTURE)), "in the dark the paper is dark, and the body is on it", night);
 
 // ---- without eyes, without a mouse ----
