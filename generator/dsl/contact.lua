@@ -84,6 +84,12 @@ local function normal(ctx, line, what, given)
   local where = ctx.diag:locate(line, "normal")
   local n = args.vector(ctx, where, what, "normal", { size = 3 }, given)
   if not n then return nil end
+  for i = 1, 3 do
+    if not expr.constant(n[i]) then
+      ctx.diag:error(where, what, "normal must be numbers: it cannot depend on parameters", diag.show(given))
+      return nil
+    end
+  end
   return args.condition(ctx, where, what, "normal must not be zero", vec.dot(n, n), diag.show(given)) and n or nil
 end
 
@@ -96,11 +102,14 @@ local function gravity(ctx, line, what, given)
   return g and { zero, zero, -g }
 end
 
--- A unit vector in the plane, as near to inertial x as there is; y where the normal is along x.
+-- A unit vector in the plane, as near to inertial x as there is; as near to y where the normal is within 6 degrees of
+-- x for the scene's own parameters, so that no digits are lost.
 local function along(n)
-  local k = 1
-  local y, z = value.number(n[2]), value.number(n[3])
-  if y and z and R.sign(y) == 0 and R.sign(z) == 0 then k = 2 end
+  local function square(e)
+    local x = value.number(e)
+    return x * x
+  end
+  local k = square(n[2]) + square(n[3]) < square(n[1]) / R.new(100) and 2 or 1
   local e = vec.map(n, function(x, i) return (i == k and vec.dot(n, n) or zero) - n[k] * x end)
   return vec.scale(one / expr.sqrt(vec.dot(e, e)), e)
 end

@@ -12,6 +12,7 @@
 -- share: c of viscous friction, mu/sqrt(v.v + e^2) of Coulomb's; v the slip.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
@@ -39,6 +40,15 @@ function contact.check(d, m)
     d:error(m.line, "body", "has no moment of inertia about its line: a body that touches a plane must have one " ..
       "about each axis")
     fine = false
+  end
+  local s, least = plane.a.surface, R.new(2) ^ -100
+  if s.disc then
+    local up = vec.matvec(vec.transpose(vec.rotation(m.attitude)), plane.a.normal)
+    local x, y = m:number(up[1]), m:number(up[2])
+    if x * x + y * y < least then
+      d:error(plane.line, plane.kind, "the disc must not lie flat at the start: it must touch the plane in one point")
+      fine = false
+    end
   end
   for _, e in ipairs(m.record.effects) do
     local spec = e.spec
@@ -88,7 +98,7 @@ local function geometry(m, e, c, groups)
   k.bend = vec.cross(c.w, k.place)
   local G = vec.map(a.gravity, function(x, i) return c.constant("g" .. letters[i], x, "gravity, m/s^2") end)
   k.G = name("G", vec.matvec(k.back, G))
-  k.E1, k.E2 = vec.matvec(k.back, a.e1), vec.matvec(k.back, a.e2)
+  k.E1, k.E2 = vec.matvec(k.back, k.e1), vec.matvec(k.back, k.e2)
   groups[#groups + 1] = g
   return k, G
 end
@@ -96,7 +106,7 @@ end
 -- U in body axes and its components along e1 and e2: Omega n x P.
 local function table_of(a, c, k)
   if a.rate == zero then return { zero, zero, zero }, zero, zero end
-  local rate = c.constant("Omega_plane", a.rate, "rate of the plane, rad/s")
+  local rate = k.rate
   local p1, p2 = c.own.p1 + vec.dot(k.E1, k.r), c.own.p2 + vec.dot(k.E2, k.r)
   local u1, u2 = -rate * p2, rate * p1
   return vec.add(vec.scale(u1, k.E1), vec.scale(u2, k.E2)), u1, u2, rate
@@ -218,7 +228,7 @@ local function touching(m, e, c, free, groups)
   g.outs = vec.map(w0, function(x, i) return x + nu * b[i] end)
   groups[#groups + 1] = g
   local function coordinates()
-    local A1, A2 = vec.dot(G, a.e1), vec.dot(G, a.e2)
+    local A1, A2 = vec.dot(G, k.e1), vec.dot(G, k.e2)
     if v1 then A1, A2 = A1 - nu * share * v1, A2 - nu * share * v2 end
     return { p1 = c.own.v1, p2 = c.own.v2, v1 = A1, v2 = A2 }
   end
@@ -227,12 +237,12 @@ end
 
 -- The centre of mass and its velocity in inertial axes; rates: those of the effect's own states.
 local function placed(touch, rates)
-  local a, c, k = touch.a, touch.c, touch.k
+  local c, k = touch.c, touch.k
   local height, rise = -vec.dot(k.up, k.r), -vec.dot(k.up, k.turning)
   local function along(x1, x2, up)
-    return vec.map(a.normal, function(n, i)
+    return vec.map(k.n, function(n, i)
       local sum = up * n
-      if x1 then sum = sum + x1 * a.e1[i] + x2 * a.e2[i] end
+      if x1 then sum = sum + x1 * k.e1[i] + x2 * k.e2[i] end
       return sum
     end)
   end

@@ -67,9 +67,11 @@ function plane.contact(a, c, name)
       return c.constant(prefix .. letter, ratio.tidy(x), about .. " " .. letter .. unit)
     end)
   end
-  local n = constants("plane", a.normal, "normal of the plane,", "")
+  k.n, k.e1 = constants("plane", a.normal, "normal of the plane,", ""), constants("along", a.e1, "e1 of the plane,", "")
+  k.e2 = constants("beside", a.e2, "e2 of the plane,", "")
+  k.rate = c.constant("Omega_plane", a.rate, "rate of the plane, rad/s")
   k.back = vec.transpose(vec.rotation(c.q))
-  k.up = name("up_", vec.matvec(k.back, n))
+  k.up = name("up_", vec.matvec(k.back, k.n))
   local centre = constants("centre", vec.sub(s.at, c.origin), "centre of the surface from the centre of mass,", ", m")
   local rim = c.constant("rim", s.rim, "radius of the sphere, or of the rounded edge, m")
   local far = centre -- c - y, y = B up/s on an ellipsoid
@@ -98,14 +100,14 @@ local function bare(_, v) return v end
 -- Rates of the contact's coordinates: components of the velocity along e1, e2 and n, in space.
 local function motion_of(a, c, k)
   local turning = vec.cross(c.w, k.r)
-  local E1, E2 = vec.matvec(k.back, a.e1), vec.matvec(k.back, a.e2)
+  local E1, E2 = vec.matvec(k.back, k.e1), vec.matvec(k.back, k.e2)
   local rise = -vec.dot(k.up, turning)
   if a.law ~= "rolling" then
     if not c.own.v1 then return expr.zero, expr.zero, rise end
     return c.own.v1, c.own.v2, rise
   end
-  return -vec.dot(E1, turning) - a.rate * (c.own.p2 + vec.dot(E2, k.r)),
-    -vec.dot(E2, turning) + a.rate * (c.own.p1 + vec.dot(E1, k.r)), rise
+  return -vec.dot(E1, turning) - k.rate * (c.own.p2 + vec.dot(E2, k.r)),
+    -vec.dot(E2, turning) + k.rate * (c.own.p1 + vec.dot(E1, k.r)), rise
 end
 
 function plane.kinetic(a, c)
@@ -119,8 +121,8 @@ function plane.potential(a, c)
     return c.constant("g" .. string.sub("xyz", i, i), x, "gravity, m/s^2")
   end)
   local height = -vec.dot(k.up, k.r)
-  local at = vec.scale(height, a.normal)
-  if c.own.p1 then at = vec.add(at, vec.add(vec.scale(c.own.p1, a.e1), vec.scale(c.own.p2, a.e2))) end
+  local at = vec.scale(height, k.n)
+  if c.own.p1 then at = vec.add(at, vec.add(vec.scale(c.own.p1, k.e1), vec.scale(c.own.p2, k.e2))) end
   return -c.M * vec.dot(g, at)
 end
 

@@ -135,7 +135,7 @@ void script_push_templates(lua_State *L) {
                                         "templates/projects", "templates/projects/firmware",
                                         "templates/target",   "templates/batch",
                                         "templates/sweep",    "templates/fit",
-                                        "templates/start"};
+                                        "templates/start",    "templates/page"};
   const char *dir = source_tree("templates/");
   lua_newtable(L);
   if (dir == NULL || !add_folder(L, dir, "templates"))
