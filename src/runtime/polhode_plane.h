@@ -44,9 +44,10 @@ typedef struct ph_contact {
 
 struct ph_top;
 
-/* The top must have been made about its centre of mass: PH_EBOUND; it has no wheels and no moving
-   parts: PH_EMETHOD. PH_ELENGTH: a length is negative, or all are 0; PH_EDIRECTION; PH_EPOSITIVE:
-   friction is negative, or s is not positive. */
+/* PH_EBOUND: the top was not made about its centre of mass, or the law is none of the four;
+   PH_EMETHOD: it has wheels, moving parts or a plane already; PH_ELENGTH: a length is negative, or
+   all are 0; PH_EDIRECTION: the normal is 0, or e1 is along it; PH_EPOSITIVE: friction is negative,
+   or s is not positive. */
 int ph_top_plane(struct ph_top *top, const ph_plane *plane);
 /* PH_EMETHOD without a plane; PH_ECONTACT: it lies flat on a disc's face. */
 int ph_top_contact(const struct ph_top *top, double t, const double x[], const double u[3],

@@ -316,6 +316,51 @@ static void tops(void) {
           "stability at NaN");
 }
 
+static void planes(void) {
+  const double I[6] = {1, 1, 2, 0, 0, 0}, flat[9] = {1, 0, 0, 0, 1, 2, 3, 0, 0};
+  const ph_plane disc = {.law = PH_ROLLING,
+                         .placed = 1,
+                         .half_axes = {1, 1, 0},
+                         .axes = {1, 0, 0, 0},
+                         .normal = {0, 0, 1},
+                         .e1 = {1, 0, 0},
+                         .gravity = {0, 0, -9.8}};
+  ph_plane p = disc;
+  ph_top top, away;
+  ph_top_init_tensor(&top, 1, NULL, I);
+  ph_top_init_tensor(&away, 1, (const double[]){0, 0, 0.5}, (const double[]){2, 2, 2, 0, 0, 0});
+#define PLANE(of, field, value, status, what)                                                      \
+  do {                                                                                             \
+    p = disc;                                                                                      \
+    p.field = value;                                                                               \
+    out.top = pattern.top = of;                                                                    \
+    refused(ph_top_plane(&out.top, &p), status, what);                                             \
+  } while (0)
+  PLANE(top, law, 4, PH_EBOUND, "a fifth law of contact");
+  PLANE(away, placed, 1, PH_EBOUND, "a top about a point beside its centre on a plane");
+  PLANE(top, half_axes[0], -1, PH_ELENGTH, "a half axis of -1 m");
+  PLANE(top, rim, -1, PH_ELENGTH, "a rim of -1 m");
+  PLANE(top, rim, ENDLESS, PH_EFINITE, "an infinite rim");
+  PLANE(top, axes[0], 0, PH_EQUATERNION, "a surface turned by the quaternion 0");
+  PLANE(top, normal[2], 0, PH_EDIRECTION, "a plane without normal");
+  PLANE(top, normal[0], 1e300, PH_EDIRECTION, "e1 along the normal");
+  PLANE(top, e1[0], 0, PH_EDIRECTION, "a plane without e1");
+  PLANE(top, friction, -1, PH_EPOSITIVE, "friction of -1");
+  PLANE(top, law, PH_COULOMB, PH_EPOSITIVE, "dry friction without smoothing");
+#undef PLANE
+  ok(ph_top_plane(&top, &disc) == PH_OK, "a disc on a plane");
+  out.top = pattern.top = top;
+  refused(ph_top_plane(&out.top, &disc), PH_EMETHOD, "a second plane");
+  ph_contact contact, before;
+  memset(&contact, 0x5a, sizeof contact);
+  before = contact;
+  refused(ph_top_rates(&top, 0, flat, NULL, out.number), PH_ECONTACT, "rates of a disc lying flat");
+  refused(ph_top_contact(&top, 0, flat, NULL, &contact), PH_ECONTACT, "its contact");
+  ok(memcmp(&contact, &before, sizeof contact) == 0, "which is not written");
+  ph_top_init_tensor(&away, 1, NULL, I);
+  refused(ph_top_contact(&away, 0, flat, NULL, &contact), PH_EMETHOD, "the contact of no plane");
+}
+
 static void runs(void) {
   const double I[6] = {1, 2, 2.5, 0, 0, 0}, x[7] = {1, 0, 0, 0, 1, 2, 3};
   const ph_options good = ph_options_default();
@@ -426,6 +471,7 @@ int main(void) {
   tensors_formal();
   rotations();
   tops();
+  planes();
   runs();
   int all = 1;
   for (int s = PH_OK + 1; s < PH_EMEMORY; s++)

@@ -150,17 +150,12 @@ struct loss {
 };
 
 static struct loss loss_at(const struct fit_problem *f, double z) {
-  const double k = f->corner, size = fabs(z), u = z / k;
-  switch (f->loss) {
-  case FIT_HUBER: /* z^2/2, from k on k |z| - k^2/2 */
-    if (size > k)
-      return (struct loss){copysign(sqrt(k * (2 * size - k)), z), copysign(k, z), 0};
-    break;
-  case FIT_CAUCHY: /* (k^2/2) log(1 + (z/k)^2) */
-    return (struct loss){copysign(k * sqrt(log1p(u * u)), z), z / (1 + u * u),
-                         (1 - u * u) / ((1 + u * u) * (1 + u * u))};
-  case FIT_SQUARES:
-    break;
+  const double k = f->corner, size = fabs(z);
+  if (f->loss == FIT_HUBER && size > k) /* z^2/2, from k on k |z| - k^2/2 */
+    return (struct loss){copysign(sqrt(k * (2 * size - k)), z), copysign(k, z), 0};
+  if (f->loss == FIT_CAUCHY) { /* (k^2/2) log(1 + (z/k)^2) */
+    const double u = z / k, w = 1 + u * u;
+    return (struct loss){copysign(k * sqrt(log1p(u * u)), z), z / w, (1 - u * u) / (w * w)};
   }
   return (struct loss){z, z, 1};
 }

@@ -356,19 +356,21 @@ static int sound(const ph_plane *p) {
   const int status = wide_load_unit(p->axes, q);
   if (status)
     return status;
+  if (p->law < PH_ROLLING || p->law > PH_COULOMB)
+    return PH_EBOUND;
   if (p->half_axes[0] < 0 || p->half_axes[1] < 0 || p->half_axes[2] < 0 || p->rim < 0)
     return PH_ELENGTH;
   if (!(p->rim + p->half_axes[0] + p->half_axes[1] + p->half_axes[2] > 0))
     return PH_ELENGTH;
   if (p->friction < 0 || (p->law == PH_COULOMB && !(p->smoothing > 0)))
     return PH_EPOSITIVE;
-  contact c;
-  ph_wide n[3];
+  ph_wide n[3], e1[3], across[3];
   wide_load(3, p->normal, n);
-  if (!(wide_norm(n) > 0))
-    return PH_EDIRECTION;
-  directions(p, &c);
-  return isfinite((double)c.e1[0]) ? PH_OK : PH_EDIRECTION;
+  wide_load(3, p->e1, e1);
+  wide_cross(n, e1, across);
+  /* along the normal but for the roundings of its own numbers, e1 has no direction in the plane */
+  const ph_wide most = wide_norm(n) * wide_norm(e1);
+  return wide_norm(across) > DBL_EPSILON * most && isfinite(most) ? PH_OK : PH_EDIRECTION;
 }
 
 int ph_top_plane(ph_top *top, const ph_plane *plane) {
