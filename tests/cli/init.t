@@ -19,8 +19,8 @@ program.shell(string.format("mkdir %s/bin && ln -s %s %s/bin/polhode", dir, bina
 
 -- A make that runs this test lends its job server to none of those in it.
 local function shell(command, folder)
-  local status = program.shell(string.format("unset MAKEFLAGS; cd %s/%s && PATH=%s/bin:$PATH && { %s\n} >%s/out 2>&1", dir, folder or "",
-    dir, command, dir))
+  local status = program.shell(string.format("unset MAKEFLAGS; cd %s/%s && PATH=%s/bin:$PATH && { %s\n} >%s/out 2>&1",
+    dir, folder or "", dir, command, dir))
   return status, program.read(dir .. "/out")
 end
 
