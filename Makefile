@@ -361,6 +361,11 @@ bench-sweep: $(PROGRAM)
 	@$(BUILD)/bench/sweep_gsl $(BUILD)/bench/swept.csv \
 	  "$(BUILD)/bench/sweep/tumbling_box_sweep --threads 1 -o $(BUILD)/bench/swept.csv" 100 1e-9
 
+# `polhode fit` and scipy's least_squares on the same log
+bench-fit: $(PROGRAM)
+	@mkdir -p $(BUILD)/bench/fit
+	@$(LUA) tests/bench/fit.lua $(PROGRAM) $(BUILD)/bench/fit
+
 $(BUILD)/bench/rhs: tests/bench/rhs.c $(BUILD)/bench/heavy_top.o $(LIBRARY)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -I$(BUILD)/bench -o $@ $^ $(GSL_LIBS) -lm
 
@@ -591,7 +596,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-latex check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install man completions dist deb clean FORCE \
+.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-latex check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep bench-fit accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install man completions dist deb clean FORCE \
         lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 

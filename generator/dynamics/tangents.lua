@@ -131,27 +131,31 @@ local function step_of(m, groups, known, list)
   return out
 end
 
--- Outputs that are expressions: values y, derivatives by the followed states G and by the free parameters P.
+-- Outputs that are expressions: values y, and their derivatives by the followed states and by the free parameters, G,
+-- as far as they are not 0.  Third result: of each value {state = {{place, index of G}}, param = likewise}.
 local function outputs_of(list, free, outputs)
-  local g = { why = "what is measured", defs = {}, outs = {} }
-  local y, ns, np = 0, #list, #free
+  local g, slopes = { why = "what is measured", defs = {}, outs = {} }, {}
+  local y, n = 0, 0
+  local function put(places, place, e)
+    if e == expr.zero then return end
+    table.insert(g.outs, { array = "G", index = n, expr = e })
+    places[#places + 1], n = { place - 1, n }, n + 1
+  end
   for _, o in ipairs(outputs) do
     for _, e in ipairs(o.e or {}) do
       table.insert(g.outs, { array = "y", index = y, expr = e })
-      for i, s in ipairs(list) do
-        table.insert(g.outs, { array = "G", index = y * ns + i - 1, expr = calculus.diff(e, s.sym) })
-      end
-      for k, p in ipairs(free) do
-        table.insert(g.outs, { array = "P", index = y * np + k - 1, expr = calculus.diff(e, p.sym) })
-      end
-      y = y + 1
+      local own = { state = {}, param = {} }
+      for i, s in ipairs(list) do put(own.state, i, calculus.diff(e, s.sym)) end
+      for k, p in ipairs(free) do put(own.param, k, calculus.diff(e, p.sym)) end
+      y, slopes[y + 1] = y + 1, own
     end
   end
-  return { g }, y
+  return { g }, y, slopes, n
 end
 
 -- {states = the followed ones, step = groups, constants = {{name, by}}, start = {{expressions by parameter} by state},
--- measure = groups, values = how many numbers these measure, free, inputs = the model's}
+-- measure = groups, values = how many numbers these measure, slopes, slope_count = of their derivatives,
+-- free, inputs = the model's}
 function tangents.of(plan, ask)
   local m, eq, s = plan.model, on_lines(plan.equations), plan.steppers[1]
   local all = (s.method.plain or s.method.groups)(eq, function(e, words) return m:derived(e, words) end)
@@ -169,7 +173,7 @@ function tangents.of(plan, ask)
         "d " .. state.name .. "(0)/d " .. p.name)
     end
   end
-  made.measure, made.values = outputs_of(list, ask.free, ask.outputs)
+  made.measure, made.values, made.slopes, made.slope_count = outputs_of(list, ask.free, ask.outputs)
   return made
 end
 

@@ -53,7 +53,7 @@ local function step_lines(ctx, fit)
     groups = groups }, false)
 end
 
-local TAKEN = { p = true, t = true, x = true, y = true, G = true, P = true, real = true, m = true }
+local TAKEN = { p = true, t = true, x = true, s = true, y = true, G = true, J = true, real = true, m = true }
 
 local function measure_lines(job, ctx, base, fit)
   local own = {}
@@ -73,7 +73,23 @@ local function measure_lines(job, ctx, base, fit)
   end
   local function array(name, count, out) return { name = name, count = count, out = out } end
   return source.make(ctx, { name = "measured", args = { array("p", 0), "t", array("x", 0), array("y", 0, true),
-    array("G", 0, true), array("P", 0, true) }, inputs = inputs, groups = groups }).lines
+    array("G", 0, true) }, inputs = inputs, groups = groups }).lines
+end
+
+-- Statements of the derivatives J of what is measured: those of the loop over the lanes, and those after it.
+local function slope_lines(fit)
+  local loop, after = {}, {}
+  for v, own in ipairs(fit.slopes) do
+    local sum, row = {}, "J[" .. int(v - 1) .. "*LANES + "
+    for i, at in ipairs(own.state) do
+      sum[i] = "G[" .. int(at[2]) .. "]*s[" .. int(at[1]) .. "*LANES + lane]"
+    end
+    loop[v] = row .. "lane] = " .. (#sum > 0 and table.concat(sum, " + ") or "0") .. ";"
+    for _, at in ipairs(own.param) do
+      after[#after + 1] = row .. int(at[1]) .. "] += G[" .. int(at[2]) .. "];"
+    end
+  end
+  return loop, after
 end
 
 -- A number of the model as C: what was made a constant of it, or a literal.
@@ -115,7 +131,9 @@ function fitted.fill(job, made)
   for i, row in ipairs(fit.constants) do rows[i] = row.by end
   v.constant_lines, v.start_lines = filled("k0", rows), filled("s", fit.start)
   v.measure_lines = fit.values > 0 and measure_lines(job, ctx, base, fit) or
-    { "(void)p;", "(void)t;", "(void)x;", "(void)y;", "(void)G;", "(void)P;" }
+    { "(void)p;", "(void)t;", "(void)x;", "(void)y;" }
+  v.slope_loop, v.slope_after = slope_lines(fit)
+  v.slope_room = int(math.max(1, fit.slope_count))
   v.helpers = helpers(job, ctx, base)
   v.state_count, v.constant_count, v.value_count = int(#fit.states), int(#fit.constants), int(fit.values)
   v.constant_room = int(math.max(1, #fit.constants))

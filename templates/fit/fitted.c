@@ -92,8 +92,10 @@ static void start(const void *model, double *x, double *s0, double *c0)
   }
 }
 
-static void measure(const double *p, double t, const double *x, double *y, double *G, double *P)
+static void measure(const double *p, double t, const double *x, const double *s, double *y, double *J)
 {
+  real G[${slope_room}];
+  int lane;
 %% for _, line in ipairs(measure_lines) do
 %% if line == "" then
 
@@ -101,6 +103,17 @@ static void measure(const double *p, double t, const double *x, double *y, doubl
   ${line}
 %% end
 %% end
+  (void)G;
+  for (lane = 0; lane < LANES; lane++) {
+%% for _, line in ipairs(slope_loop) do
+    ${line}
+%% end
+  }
+%% for _, line in ipairs(slope_after) do
+  ${line}
+%% end
+  (void)s;
+  (void)J;
 }
 
 #if defined __GNUC__

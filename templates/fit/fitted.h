@@ -11,7 +11,7 @@
 #ifndef POLHODE_FITTED_H
 #define POLHODE_FITTED_H
 
-#define POLHODE_FITTED_ABI 2
+#define POLHODE_FITTED_ABI 3
 
 struct polhode_fitted {
   int abi; /* POLHODE_FITTED_ABI */
@@ -28,8 +28,9 @@ struct polhode_fitted {
   /* n steps of h from t; u[1 + 2*inputs]: a time, what the inputs are then, and their slopes */
   void (*advance)(const void *m, const double k0[], double t, double x[], double s[],
                   const double u[], double h, long n);
-  /* what is measured: y[values], its derivatives G[values*states] by the state, P[values*free] */
-  void (*measure)(const double p[], double t, const double x[], double y[], double G[], double P[]);
+  /* what is measured: y[values], its derivatives J[values*lanes] along the directions s */
+  void (*measure)(const double p[], double t, const double x[], const double s[], double y[],
+                  double J[]);
 };
 
 #endif

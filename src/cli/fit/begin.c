@@ -6,18 +6,22 @@
 #include <math.h>
 #include <string.h>
 
-void fit_first_step(struct fit_problem *f, const double theta[]) {
-  struct fit_sums one = {.whole = NULL}, half = one;
-  int bad = fit_pass(f, theta, &one);
+void fit_first_step(struct fit_problem *f, const double theta[], struct fit_sums *s) {
+  struct fit_sums half = {.whole = NULL};
+  f->h /= 2;
+  int worse = fit_pass(f, theta, &half);
+  f->h *= 2;
+  int bad = fit_again(f, theta, s); /* with derivatives: the search begins with them */
+  double chi2 = s->chi2;
   for (int i = 0; i < 10 && f->refused == 0; i++) {
-    f->h /= 2;
-    const int worse = fit_pass(f, theta, &half);
-    if (!bad && !worse && fabs(one.chi2 - half.chi2) < 1e-3 * half.chi2) {
-      f->h *= 2;
+    if (!bad && !worse && fabs(chi2 - half.chi2) < 1e-3 * half.chi2)
       return;
-    }
-    one = half;
+    f->h /= 2;
+    chi2 = half.chi2;
     bad = worse;
+    f->h /= 2;
+    worse = fit_pass(f, theta, &half);
+    f->h *= 2;
   }
 }
 

@@ -368,17 +368,17 @@ int host_fit(lua_State *L) {
     return 2;
   fit_read(L, f);
   double *theta = fit_room(L, FIT_MOST * sizeof *theta);
-  struct fit_result *r = fit_room(L, sizeof *r);
-  struct fit_sums s = {.whole = fit_room(L, sizeof *s.whole)};
-  s.inner = fit_room(L, sizeof *s.inner);
-  s.lost = fit_room(L, sizeof *s.lost);
-  s.outer = fit_room(L, sizeof *s.outer);
+  /* one fit at a time; as Lua's memory, numbers as many as these would start its collector */
+  static struct fit_triangle triangle[4];
+  static struct fit_result result;
+  static double work[FIT_MOST * FIT_MOST];
+  struct fit_result *r = &result;
+  struct fit_sums s = {.whole = triangle, triangle + 1, triangle + 2, triangle + 3};
   s.outliers = fit_room(L, sizeof *s.outliers);
   if (flag_of(L, 2, "traces"))
     s.traces = fit_room(L, (size_t)(f->logs * fit_residuals(f)) * sizeof *s.traces);
   s.growth = fit_room(L, (size_t)f->logs * sizeof *s.growth);
   s.counts = fit_room(L, (size_t)(f->logs * fit_residuals(f)) * sizeof *s.counts);
-  double *work = fit_room(L, FIT_MOST * FIT_MOST * sizeof *work);
   fit_begin(L, f, theta);
   fit_solve(f, theta, flag_of(L, 2, "known"), r, &s);
   interrupt_check(L);

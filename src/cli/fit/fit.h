@@ -68,9 +68,21 @@ struct fit_triangle {
 void triangle_open(struct fit_triangle *a, int n);
 /* One row: n derivatives and the residual. */
 void triangle_row(struct fit_triangle *a, const double row[]);
+/* The same in place: number k goes to [k*FIT_BLOCK], then triangle_next. */
+double *triangle_place(struct fit_triangle *a);
+void triangle_next(struct fit_triangle *a);
 /* Takes in what is left in the block. */
 void triangle_close(struct fit_triangle *a);
 double triangle_at(const struct fit_triangle *a, int i, int k);
+
+/* ---- turn.c ---- */
+
+void fit_product(const double a[4], const double b[4], double out[4]);
+/* q = reference exp(a/2), and its derivatives by a (NULL: not asked for). */
+void fit_turned(const double reference[4], const double a[3], double q[4], double dq[3][4]);
+/* r = 2 atan2(|v|, s) v/|v| of e = (s, v) = factor v, and of its derivatives: dr = factor dv +
+ * (slope[0] (v dv) + slope[1] ds) v. */
+void fit_logarithm(const double e[4], double r[3], double *factor, double slope[2]);
 
 /* ---- pass.c ---- */
 
@@ -133,6 +145,8 @@ struct fit_problem {
   const double *fixed; /* NULL, or of each state the number with which it begins in place of the
                           scene's; NaN: none */
   long passes;
+  double stride; /* length in standard errors of the step of Gauss and Newton that a search ended
+                    with; 0: it ended otherwise */
 };
 
 /* The values farthest from the model, beyond `limit` sigmas; how many there are. */
@@ -166,15 +180,20 @@ struct fit_sums {
   double *growth; /* of each log: how much larger derivatives are at its end than at its begin */
   double chi2;    /* sum of z^2 */
   long n;
+  struct { /* of which pass they are; fit_pass says it, fit_again asks */
+    int there, active, loss;
+    double h, until, theta[FIT_MOST];
+    const void *filled[3];
+  } of;
 };
 
 /* Residuals of a row. */
 int fit_residuals(const struct fit_problem *f);
-/* q = reference exp(a/2), and its derivatives by a (NULL: not asked for). */
-void fit_turned(const double reference[4], const double a[3], double q[4], double dq[3][4]);
-
 /* 0; 1: the parameters are no body, the motion is not finite, or the user has interrupted. */
 int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s);
+/* The same; nothing is done where s is of these unknowns already.  (Whoever changes an initial
+ * attitude's reference changes its unknowns with it, or calls fit_pass.) */
+int fit_again(struct fit_problem *f, const double theta[], struct fit_sums *s);
 
 /* The state x of a log's motion at time t; 1: it is not finite. */
 int fit_state(struct fit_problem *f, const double theta[], int log, double t, double x[]);
@@ -206,14 +225,15 @@ struct fit_result {
     FIT_BY_MOMENTUM,
     FIT_BY_SOBOL,
     FIT_BY_NODES
-  } way;             /* that led to the estimate */
-  int tried, same;   /* points of --starts, and how many led to the same minimum */
-  double decrement;  /* length of the last step in standard errors */
-  double step_shift; /* by how many standard errors halving the step would move the estimate, at
-                        most */
-  double singular[FIT_MOST];           /* of R with columns scaled, descending */
-  double vectors[FIT_MOST * FIT_MOST]; /* right singular vectors, scaled, columns */
+  } way;              /* that led to the estimate */
+  int tried, same;    /* points of --starts, and how many led to the same minimum */
+  double decrement;   /* length of the last step in standard errors */
+  double contraction; /* length of a step in parts of the one before; 1: unknown */
+  double step_shift;  /* by how many standard errors halving the step would move the estimate, at
+                         most */
+  double singular[FIT_MOST]; /* of R with columns scaled, descending */
   double scale[FIT_MOST];
+  double vectors[FIT_MOST * FIT_MOST]; /* n x n: right singular vectors, scaled, columns */
   double covariance[FIT_MOST * FIT_MOST];
 };
 
@@ -234,7 +254,7 @@ int fit_linear(struct fit_problem *f, double theta[]);
 /* A step that is good enough for the search: half of it changes chi-square by less than a
  * thousandth.  One that is too long may leave the range of numbers, too, or make minima that the
  * motion does not have. */
-void fit_first_step(struct fit_problem *f, const double theta[]);
+void fit_first_step(struct fit_problem *f, const double theta[], struct fit_sums *s);
 /* Of a log's initial state the better of theta's and what its first rows say. */
 void fit_better_start(struct fit_problem *f, int log, double theta[]);
 

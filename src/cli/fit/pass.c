@@ -11,26 +11,26 @@
 #include <math.h>
 #include <string.h>
 
-enum { STATES = 64 };
+enum { STATES = 64, RING = 32 }; /* RING: a power of 2, more than FIT_LAGS */
 
 /* What a pass has at hand for one log. */
 struct course {
   struct fit_problem *f;
   const struct fit_log *log;
-  int number, lanes;
+  int number, lanes, plain; /* plain: as residuals_plain has it */
   double t, x[STATES];
   double u[1 + 2 * FIT_INPUTS], segment; /* the inputs, and the time until which u holds */
   struct fit_place place;
   double squares[2][FIT_MOST]; /* of derivatives at the log's two ends */
   long ends[2];
-  double *s;         /* states x lanes */
-  double *y, *G, *P; /* measured, and derivatives */
+  double *s;     /* states x lanes */
+  double *y, *J; /* measured, and derivatives: values x lanes */
   double row[FIT_MOST + 1];
 };
 
 /* Residuals of the last rows, for the test of whiteness. */
 struct memory {
-  double t[FIT_LAGS], z[FIT_LAGS][FIT_CHANNELS * 3];
+  double t[RING], z[RING][FIT_CHANNELS * 3];
   int next;
 };
 
@@ -39,31 +39,6 @@ int fit_residuals(const struct fit_problem *f) {
   for (int c = 0; c < f->channels; c++)
     n += f->channel[c].attitude ? 3 : 1;
   return n;
-}
-
-static void multiply(const double a[4], const double b[4], double out[4]) {
-  out[0] = a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3];
-  out[1] = a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2];
-  out[2] = a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1];
-  out[3] = a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0];
-}
-
-void fit_turned(const double reference[4], const double a[3], double q[4], double dq[3][4]) {
-  const double n2 = a[0] * a[0] + a[1] * a[1] + a[2] * a[2], n = sqrt(n2);
-  /* c = cos(n/2), k = sin(n/2)/n and (dk/dn)/n; series below 1e-3, whose next term is below 1e-20
-   */
-  const int small = n < 1e-3;
-  const double c = cos(n / 2);
-  const double k = small ? 0.5 - n2 / 48 + n2 * n2 / 3840 : sin(n / 2) / n;
-  const double dk = small ? -1.0 / 24 + n2 / 960 - n2 * n2 / 107520 : (c / 2 - k) / n2;
-  const double e[4] = {c, k * a[0], k * a[1], k * a[2]};
-  multiply(reference, e, q);
-  for (int i = 0; dq != NULL && i < 3; i++) {
-    double d[4] = {-k * a[i] / 2, 0, 0, 0};
-    for (int j = 0; j < 3; j++)
-      d[j + 1] = dk * a[i] * a[j] + (i == j ? k : 0);
-    multiply(reference, d, dq[i]);
-  }
 }
 
 /* The log's own initial state in place of the scene's. */
@@ -99,24 +74,10 @@ static void go(struct course *c, double t, int *knot) {
     if (c->segment <= c->t)
       c->segment = fit_inputs_at(f, c->number, c->t, &c->place, c->u);
     to = fmin(to, c->segment);
-    const double n = ceil((to - c->t) / f->h * (1 - 1e-9));
+    const double part = (to - c->t) / f->h * (1 - 1e-9), n = part <= 1 ? 1 : ceil(part);
     f->code->advance(f->model, f->k0, c->t, c->x, c->s, c->u, (to - c->t) / n, (long)n);
     c->t = to;
   }
-}
-
-/* r = 2 atan2(|v|, s) v/|v| of e = (s, v), and dr for each of the directions de. */
-static void logarithm(const double e[4], double r[3], double *factor, double slope[2]) {
-  const double s = e[0], n2 = e[1] * e[1] + e[2] * e[2] + e[3] * e[3], n = sqrt(n2);
-  const double u = n / s;
-  const int small = u < 1e-3 && s > 0;
-  /* r = a v; da = slope[0] (v dv) + slope[1] ds */
-  const double a = small ? 2 / s * (1 - u * u / 3 + u * u * u * u / 5) : 2 * atan2(n, s) / n;
-  *factor = a;
-  for (int i = 0; i < 3; i++)
-    r[i] = a * e[i + 1];
-  slope[0] = small ? (-4.0 / 3 + 8.0 / 5 * u * u) / (s * s * s) : (2 * s / (n2 + s * s) - a) / n2;
-  slope[1] = -2 / (n2 + s * s);
 }
 
 /* The three residuals of an attitude and their rows, [3][FIT_MOST] by the log's own directions. */
@@ -125,18 +86,18 @@ static void attitude(const struct course *c, const double logged[4], const doubl
   const double *q = c->x + c->f->code->attitude;
   const double back[4] = {q[0], -q[1], -q[2], -q[3]};
   double e[4], r[3], factor, slope[2];
-  multiply(back, logged, e);
+  fit_product(back, logged, e);
   const double sign = e[0] < 0 ? -1 : 1;
   for (int i = 0; i < 4; i++)
     e[i] *= sign;
-  logarithm(e, r, &factor, slope);
+  fit_logarithm(e, r, &factor, slope);
   for (int i = 0; i < 3; i++)
     z[i] = r[i] / sigma[i];
   for (int k = 0; k < directions; k++) {
     const double *s = c->s + c->f->code->attitude * c->lanes + k;
     const double d[4] = {s[0], -s[c->lanes], -s[2 * c->lanes], -s[3 * c->lanes]};
     double de[4];
-    multiply(d, logged, de);
+    fit_product(d, logged, de);
     const double vdv = sign * (e[1] * de[1] + e[2] * de[2] + e[3] * de[3]);
     const double da = slope[0] * vdv + slope[1] * sign * de[0];
     for (int i = 0; i < 3; i++)
@@ -177,9 +138,10 @@ static void put(struct course *c, struct fit_sums *s, double z, const double J[]
   if (s->whole == NULL)
     return; /* chi-square alone */
   const struct loss l = loss_at(f, z);
-  memset(c->row, 0, (size_t)(f->n + 1) * sizeof c->row[0]);
-  for (int i = 0; i < directions; i++)
-    c->row[i < f->free ? i : i + c->number * f->own] = J[i];
+  for (int i = 0; i < f->free; i++)
+    c->row[i] = J[i];
+  for (int i = f->free; i < directions; i++) /* what other logs own is 0 */
+    c->row[i + c->number * f->own] = J[i];
   if (s->inner != NULL && l.curve > 0)
     scaled(c, sqrt(l.curve), 0, s->inner);
   if (s->lost != NULL && l.curve < 0)
@@ -194,10 +156,42 @@ static void put(struct course *c, struct fit_sums *s, double z, const double J[]
   }
 }
 
-/* Keeps the largest. */
+/* The residuals of row i where only the triangle of the squares is asked for, and no attitude is
+ * measured: straight into its block.  1: one is not finite. */
+static int residuals_plain(struct course *c, size_t i, struct fit_sums *s) {
+  const struct fit_problem *f = c->f;
+  const double *data = c->log->y + i * (size_t)c->log->columns;
+  int known = 0;
+  for (int n = 0; n < f->channels; n++) {
+    const struct fit_channel *o = &f->channel[c->number * f->channels + n];
+    const double logged = data[o->column];
+    if (logged != logged)
+      continue;
+    if (!known)
+      f->code->measure(f->p, c->t, c->x, c->s, c->y, c->J);
+    known = 1;
+    const double part = -1 / o->sigma[0], z = part * (c->y[o->value] - logged);
+    const double *own = c->J + o->value * c->lanes;
+    double *to = triangle_place(s->whole);
+    if (!isfinite(z))
+      return 1;
+    for (int k = 0; k < f->free; k++)
+      to[k * FIT_BLOCK] = part * own[k];
+    for (int k = f->free; k < f->n && f->logs > 1; k++) /* other logs' */
+      to[k * FIT_BLOCK] = 0;
+    double *mine = to + (f->free + c->number * f->own) * FIT_BLOCK;
+    for (int k = 0; k < f->own; k++)
+      mine[k * FIT_BLOCK] = part * own[f->free + k];
+    to[f->n * FIT_BLOCK] = z;
+    triangle_next(s->whole);
+    s->chi2 += z * z;
+    s->n++;
+  }
+  return 0;
+}
+
+/* Keeps the largest of those beyond the limit. */
 static void far_off(struct fit_outliers *a, struct fit_outlier now) {
-  if (!(fabs(now.z) > a->limit))
-    return;
   a->count++;
   int i = a->kept < FIT_OUTLIERS ? a->kept++ : FIT_OUTLIERS;
   for (; i > 0 && fabs(a->worst[i - 1].z) < fabs(now.z); i--)
@@ -207,35 +201,41 @@ static void far_off(struct fit_outliers *a, struct fit_outlier now) {
     a->worst[i] = now;
 }
 
-static void count(struct fit_count *a, const struct memory *m, int channel, double t, double z,
+/* The residuals z of a row (NaN: missing), n of them, into the counts; they are remembered. */
+static void count(struct fit_count a[], struct memory *m, int n, double t, const double z[],
                   double spacing) {
-  a->n++;
-  a->chi2 += z * z;
-  if (fabs(z) > a->worst) {
-    a->worst = fabs(z);
-    a->worst_t = t;
-  }
-  for (int k = 1; k <= FIT_LAGS; k++) {
-    const int i = (m->next + FIT_LAGS - k) % FIT_LAGS;
-    if (fabs(t - m->t[i] - k * spacing) < 1e-3 * spacing && m->z[i][channel] == m->z[i][channel]) {
-      a->sum[k - 1] += z * m->z[i][channel];
-      a->pairs[k - 1]++;
+  for (int c = 0; c < n; c++) {
+    if (z[c] != z[c])
+      continue;
+    a[c].n++;
+    a[c].chi2 += z[c] * z[c];
+    if (fabs(z[c]) > a[c].worst) {
+      a[c].worst = fabs(z[c]);
+      a[c].worst_t = t;
     }
   }
+  for (int k = 1; k <= FIT_LAGS; k++) {
+    const int i = (m->next - k) & (RING - 1);
+    if (!(fabs(t - m->t[i] - k * spacing) < 1e-3 * spacing))
+      continue;
+    for (int c = 0; c < n; c++) {
+      const double pair = z[c] * m->z[i][c];
+      a[c].sum[k - 1] += pair == pair ? pair : 0;
+      a[c].pairs[k - 1] += pair == pair;
+    }
+  }
+  m->t[m->next] = t;
+  memcpy(m->z[m->next], z, (size_t)n * sizeof z[0]);
+  m->next = (m->next + 1) & (RING - 1);
 }
 
 /* The derivative of a residual by the log's own directions. */
 static void slope(const struct course *c, const struct fit_channel *o, double J[]) {
   const struct fit_problem *f = c->f;
-  const int directions = f->free + f->own, ns = f->code->states;
-  const double *P = c->P + o->value * f->free, part = -1 / o->sigma[0];
+  const int directions = f->free + f->own;
+  const double *own = c->J + o->value * c->lanes, part = -1 / o->sigma[0];
   for (int k = 0; k < directions; k++)
-    J[k] = k < f->free ? part * P[k] : 0;
-  for (int j = 0; j < ns; j++) {
-    const double g = part * c->G[o->value * ns + j], *s = c->s + j * c->lanes;
-    for (int k = 0; g != 0 && k < directions; k++)
-      J[k] += g * s[k];
-  }
+    J[k] = part * own[k];
 }
 
 /* Squares of a residual's derivatives in the first and the last tenth of the log. */
@@ -296,10 +296,11 @@ static int residuals(struct course *c, size_t i, struct fit_sums *s, struct memo
       attitude(c, data + o->column, o->sigma, z, J, directions);
     } else if (there) {
       if (!known)
-        f->code->measure(f->p, c->t, c->x, c->y, c->G, c->P);
+        f->code->measure(f->p, c->t, c->x, c->s, c->y, c->J);
       known = 1;
       z[0] = (data[o->column] - c->y[o->value]) / o->sigma[0];
-      slope(c, o, J[0]);
+      if (s->whole != NULL) /* else chi-square alone is asked for */
+        slope(c, o, J[0]);
     }
     for (int k = 0; there && k < size; k++) {
       if (!isfinite(z[k]))
@@ -314,17 +315,10 @@ static int residuals(struct course *c, size_t i, struct fit_sums *s, struct memo
     at += size;
   }
   if (s->counts != NULL) {
-    struct fit_count *own = s->counts + c->number * at;
-    for (int k = 0; k < at; k++) {
-      if (now[k] != now[k])
-        continue;
-      if (s->outliers != NULL)
+    for (int k = 0; s->outliers != NULL && k < at; k++)
+      if (fabs(now[k]) > s->outliers->limit)
         far_off(s->outliers, (struct fit_outlier){c->number, k, i, now[k]});
-      count(&own[k], m, k, c->t, now[k], c->log->spacing);
-    }
-    m->t[m->next] = c->t;
-    memcpy(m->z[m->next], now, (size_t)at * sizeof now[0]);
-    m->next = (m->next + 1) % FIT_LAGS;
+    count(s->counts + c->number * at, m, at, c->t, now, c->log->spacing);
   }
   return 0;
 }
@@ -350,14 +344,20 @@ static int one_log(struct course *c, const double theta[], struct fit_sums *s) {
   struct fit_problem *f = c->f;
   struct memory m = {.next = 0};
   int knot = 0;
-  for (int i = 0; i < FIT_LAGS; i++)
+  for (int i = 0; i < RING; i++)
     m.t[i] = (double)NAN;
   begin(c, theta);
+  memset(c->row, 0, (size_t)(f->n + 1) * sizeof c->row[0]);
+  c->plain = f->loss == FIT_SQUARES && s->whole != NULL && s->inner == NULL && s->lost == NULL &&
+             s->outer == NULL && s->counts == NULL;
+  for (int i = 0; i < f->channels; i++)
+    c->plain = c->plain && !f->channel[c->number * f->channels + i].attitude;
   memset(c->squares, 0, sizeof c->squares);
   c->ends[0] = c->ends[1] = 0;
   for (size_t i = 0; i < c->log->rows && c->log->t[i] <= f->until; i++) {
     go(c, c->log->t[i], &knot);
-    if (residuals(c, i, s, &m) || (i % 4096 == 0 && interrupt_pending()))
+    if ((c->plain ? residuals_plain(c, i, s) : residuals(c, i, s, &m)) ||
+        (i % 4096 == 0 && interrupt_pending()))
       return 1;
   }
   if (s->growth != NULL)
@@ -369,7 +369,7 @@ static struct course course; /* one fit at a time: large for a stack */
 
 /* The parameters and the room of a course; 1: they are no body. */
 static int open(struct course *c, struct fit_problem *f, const double theta[]) {
-  static double room[STATES * FIT_MOST + FIT_CHANNELS * (1 + STATES + FIT_MOST)];
+  static double room[STATES * FIT_MOST + FIT_CHANNELS * (1 + FIT_MOST)];
   for (int i = 0; i < f->free; i++)
     f->p[f->free_index[i]] = theta[i];
   f->refused = f->code->init(f->model, f->p);
@@ -377,8 +377,7 @@ static int open(struct course *c, struct fit_problem *f, const double theta[]) {
   c->lanes = f->code->lanes;
   c->s = room;
   c->y = room + STATES * FIT_MOST;
-  c->G = c->y + FIT_CHANNELS;
-  c->P = c->G + FIT_CHANNELS * STATES;
+  c->J = c->y + FIT_CHANNELS;
   return f->refused != 0;
 }
 
@@ -409,7 +408,7 @@ int fit_simulate(struct fit_problem *f, const double theta[], int log) {
   for (size_t i = 0; i < c->log->rows; i++) {
     double *y = c->log->y + i * (size_t)c->log->columns;
     go(c, c->log->t[i], &knot);
-    f->code->measure(f->p, c->t, c->x, c->y, c->G, c->P);
+    f->code->measure(f->p, c->t, c->x, c->s, c->y, c->J);
     for (int n = 0; n < f->channels; n++) {
       const struct fit_channel *o = &f->channel[log * f->channels + n];
       const double *from = o->attitude ? c->x + f->code->attitude : c->y + o->value;
@@ -422,6 +421,15 @@ int fit_simulate(struct fit_problem *f, const double theta[], int log) {
     if (i % 4096 == 0 && interrupt_pending())
       return 1;
   }
+  return 0;
+}
+
+int fit_again(struct fit_problem *f, const double theta[], struct fit_sums *s) {
+  const int same = s->of.there && s->of.active == f->active && s->of.loss == (int)f->loss &&
+                   s->of.h == f->h && s->of.until == f->until && s->of.filled[0] == s->inner &&
+                   s->of.filled[1] == s->lost && s->of.filled[2] == s->outer;
+  if (!same || memcmp(s->of.theta, theta, (size_t)f->n * sizeof theta[0]) != 0)
+    return fit_pass(f, theta, s);
   return 0;
 }
 
@@ -439,6 +447,7 @@ int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
     s->outliers->count = s->outliers->kept = 0;
   s->chi2 = 0;
   s->n = 0;
+  s->of.there = 0;
   f->passes++;
   if (open(c, f, theta))
     return 1;
@@ -451,5 +460,12 @@ int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
   for (int i = 0; i < 4; i++)
     if (all[i] != NULL)
       triangle_close(all[i]);
+  s->of.there = s->whole != NULL;
+  s->of.active = f->active;
+  s->of.loss = (int)f->loss;
+  s->of.h = f->h;
+  s->of.until = f->until;
+  memcpy(s->of.filled, all + 1, sizeof s->of.filled);
+  memcpy(s->of.theta, theta, (size_t)f->n * sizeof theta[0]);
   return 0;
 }

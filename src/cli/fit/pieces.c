@@ -52,7 +52,7 @@ int fit_pieces_approach(struct fit_problem *f, double theta[], struct fit_sums *
       put(f, now, x, theta);
     fit_better_start(f, now, theta);
     if (now == 0)
-      fit_first_step(f, theta);
+      fit_first_step(f, theta, s);
     const int more = fit_descend(f, theta, s, now + 1 < f->logs ? 30 : 100);
     count = more < 0 || interrupt_pending() ? -1 : count + more;
     if (f->active == f->logs)

@@ -20,6 +20,8 @@
 /* A Newton step as short as this is done without a pass that looks again: the next one would be
  * shorter by a large factor, and the last pass of all sees it. */
 #define SHORT 1e-5
+/* A step below this moves chi-square and residuals by less than is printed of them. */
+#define SEEN 1e-6
 /* The error of the integration, in standard errors of the estimate. */
 #define STEP_ERROR 1e-7
 /* The corner of Huber's loss: 95 % efficient where the noise is normal (Huber 1981). */
@@ -141,10 +143,14 @@ static double polish(struct fit_problem *f, struct fit_sums *s, struct fit_resul
                      double enough) {
   double step[FIT_MOST], whole = 0;
   r->converged = 0;
-  if (fit_pass(f, r->theta, s))
+  if (fit_again(f, r->theta, s))
     return -1;
   for (int i = 0; i < 30; i++) {
+    const double before = i > 0 ? r->decrement : f->stride;
     r->decrement = newton(f, r->theta, s, r, step);
+    if (before > 0)
+      r->contraction = r->decrement / before;
+    f->stride = 0;
     r->loss = fit_loss(s);
     r->chi2 = s->chi2;
     r->n = s->n;
@@ -230,8 +236,10 @@ void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struc
                struct fit_sums *room) {
   struct fit_sums s = {.whole = room->whole};
   gsl_error_handler_t *handler = gsl_set_error_handler_off();
-  memset(r, 0, sizeof *r);
-  memcpy(r->theta, start, FIT_MOST * sizeof start[0]);
+  memset(r, 0, offsetof(struct fit_result, vectors)); /* the matrices as far as they are used */
+  memset(r->vectors, 0, (size_t)(f->n * f->n) * sizeof r->vectors[0]);
+  memset(r->covariance, 0, (size_t)(f->n * f->n) * sizeof r->covariance[0]);
+  memcpy(r->theta, start, (size_t)f->n * sizeof start[0]);
   const int robust = f->loss != FIT_SQUARES, cauchy = f->loss == FIT_CAUCHY;
   const double corner = f->corner;
   if (cauchy) { /* it has many minima: from that of Huber's */
@@ -249,20 +257,26 @@ void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struc
     s.inner = room->inner;
   if (cauchy)
     s.lost = room->lost;
-  if (polish(f, &s, r, SHORT) >= 0)
-    refine(f, &s, r);
-  /* the last pass, with all that is reported; if it sees a step left, once more with care */
+  r->contraction = 1;
+  if (memcmp(s.of.theta, r->theta, (size_t)f->n * sizeof r->theta[0]) != 0)
+    f->stride = 0; /* of another search */
+  const int found = polish(f, &s, r, SHORT) >= 0;
   s.outer = robust ? room->outer : NULL;
   s.counts = room->counts;
   s.outliers = room->outliers;
   s.growth = room->growth;
   s.traces = room->traces;
   s.outliers->limit = limit_of(r, f->n, has_sigma);
+  if (found)
+    refine(f, &s, r);
   recentre(f, r->theta);
-  if (report(f, &s, r) && r->converged && r->decrement >= STILL) {
+  /* A pass more, with all that is reported, unless the last one was a step away that none of that
+   * shows; if it sees a step left, once more with care. */
+  int still = r->converged && r->decrement < SEEN && r->contraction * r->decrement < STILL;
+  if (!still && report(f, &s, r) && r->converged && r->decrement >= STILL) {
     polish(f, &s, r, STILL);
     report(f, &s, r);
   }
-  r->converged = r->converged && r->decrement < STILL;
+  r->converged = r->converged && (still || r->decrement < STILL);
   gsl_set_error_handler(handler);
 }

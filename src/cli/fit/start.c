@@ -54,7 +54,7 @@ struct best {
 };
 
 static int take(struct fit_problem *f, double theta[], struct fit_sums *s, struct best *b) {
-  if (interrupt_pending() || fit_pass(f, theta, s) || !(fit_loss(s) < b->loss * (1 - LESS)))
+  if (interrupt_pending() || fit_again(f, theta, s) || !(fit_loss(s) < b->loss * (1 - LESS)))
     return 0;
   memcpy(b->theta, theta, (size_t)f->n * sizeof theta[0]);
   b->loss = fit_loss(s);
@@ -103,19 +103,28 @@ void fit_approach(struct fit_problem *f, double theta[], int has_sigma, struct f
   if (f->pieces > 1 || f->near) {
     r->way = FIT_BY_NODES;
     if (f->near)
-      fit_first_step(f, theta);
+      fit_first_step(f, theta, s);
     r->iterations = f->near ? fit_descend(f, theta, s, 100) : fit_pieces_approach(f, theta, s);
     return;
   }
-  fit_first_step(f, theta);
-  for (int log = 0; log < f->logs; log++)
-    fit_better_start(f, log, theta);
-  memcpy(begun, theta, sizeof begun);
-  memcpy(other, theta, sizeof other);
-  const int first = fit_descend(f, other, s, 100);
-  r->iterations = first;
-  if (first >= 0)
-    take(f, other, s, &b);
+  /* With the step as it is: where that leads to a good minimum it was short enough for the search.
+   * If not, with one that is looked for. */
+  const double h = f->h;
+  for (int i = has_sigma ? 0 : 1; i < 2 && !good(f, has_sigma, &b); i++) {
+    if (i == 1)
+      fit_first_step(f, theta, s);
+    if (i == 1 && has_sigma && f->h == h)
+      break;
+    b.loss = (double)INFINITY;
+    for (int log = 0; log < f->logs; log++)
+      fit_better_start(f, log, theta);
+    memcpy(begun, theta, (size_t)f->n * sizeof begun[0]);
+    memcpy(other, theta, (size_t)f->n * sizeof begun[0]);
+    const int first = fit_descend(f, other, s, 100);
+    r->iterations += first > 0 ? first : 0;
+    if (first >= 0)
+      take(f, other, s, &b);
+  }
   if (f->linear != NULL && !good(f, has_sigma, &b)) {
     memcpy(other, begun, sizeof other);
     const int count = fit_linear(f, other) ? fit_descend(f, other, s, 100) : -1;
