@@ -153,7 +153,7 @@ end
 -- What host.design is asked, but for the candidates.
 local function problem(plan, free, log, of, size)
   local m, outputs = plan.model, plan.record.measure
-  local channels, known = fit.channels(plan, outputs, {})
+  local channels, known = fit.channels(plan, outputs, {}, {})
   local p = { free = free.places, initial = free.initial, logs = { false }, channels = { channels }, known = known,
     knots = {}, loss = "squares", corner = 0.0, step = log.spacing, states = {}, parameters = {}, rows = log.rows + 0.0,
     spacing = log.spacing, columns = columns_of(outputs) + 0.0, of = of, size = size }

@@ -102,8 +102,8 @@ function fit.compiled(host, job, files)
   return nil, compiler.missing(host) or "the emitted code does not compile:\n" .. said
 end
 
--- The channels of residuals of a log, for C; second result: are all sigmas known?
-function fit.channels(job, outputs, own)
+-- The channels of residuals of a log, for C; own: its sigmas, taken: of logs.read; second result: are all sigmas known?
+function fit.channels(job, outputs, own, taken)
   local place = {}
   for i, s in ipairs(job.fit.states) do place[s.sym] = i end
   local list, value, column, known = {}, 1, 1, true
@@ -115,8 +115,9 @@ function fit.channels(job, outputs, own)
     end
     if o.e then
       for i = 1, #o.e do
-        list[#list + 1] = { value = value, column = column, sigma = { sigma(i) },
-          state = place[o.e[i]] }
+        local how = taken[column] or {}
+        list[#list + 1] = { value = value, column = column, sigma = { sigma(i) }, state = place[o.e[i]],
+          wrapped = how.wrapped, low = how.low or 0 / 0, high = how.high or 0 / 0 }
         value, column = value + 1, column + 1
       end
     else
@@ -141,7 +142,7 @@ local function problem(plan, all)
     loss = "squares", corner = 0.0, step = first_step(data), states = {}, parameters = {}, inputs = all.inputs,
     starts = all.starts, low = all.low, high = all.high, linear = starts.linear(plan, free, data) }
   for i, d in ipairs(data) do
-    local list, known = fit.channels(plan, outputs, d.sigmas)
+    local list, known = fit.channels(plan, outputs, d.sigmas, d.taken)
     p.logs[i], p.channels[i], p.known = d.log, list, p.known and known
   end
   for i, s in ipairs(plan.fit.states) do p.states[i] = m:double(s.initial) end

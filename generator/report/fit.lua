@@ -178,11 +178,15 @@ end
 -- What is wrong: status, and the sentences that say it; then what is only worth saying.
 local function judged(found, told)
   local r, wrong, notes = found.result, {}, {}
-  if not r.converged then
-    put(wrong, "it did not converge: the last step was %.3g standard errors long after %d passes", r.decrement,
-      r.passes)
-    local c = found.refusals[math.floor(r.refused)]
-    if c then put(wrong, "the search was stopped by the rule %s", c.text) end
+  local rule = found.refusals[math.floor(r.refused)]
+  if not r.converged and rule and r.refusals < r.passes then
+    put(wrong, "the search ended at the border of the rule %s: the minimum is beyond it, %.3g standard errors from " ..
+      "here%s", rule.text, r.decrement, found.known and (found.host.tail(r.decrement ^ 2, r.unknowns) > 1e-3 and
+      "; a body at the border is within the noise, but its standard errors mean nothing" or
+      ": something is missing in the model") or "")
+  elseif not r.converged then
+    put(wrong, "it did not converge: the last step was %.3g standard errors long after %d passes%s", r.decrement,
+      r.passes, rule and ", as the parameters break the rule " .. rule.text or "")
   elseif r.step_error > SURE then
     put(wrong, "the step of %.3g s is too long: it moves the estimate by %.2g standard errors", r.step, r.step_error)
   end
@@ -375,7 +379,8 @@ function report.json(told)
     { "way", r.way },
     { "segments", told.segments or 1 }, { "starts", math.floor(r.tried) }, { "starts_alike", math.floor(r.same) },
     { "singular_values", r.singular }, { "rank", math.floor(r.rank) }, { "not_determined", nulls },
-    { "passes", math.floor(r.passes) }, { "last_step", r.decrement }, { "step", r.step },
+    { "passes", math.floor(r.passes) },
+    { "trials_refused", math.floor(r.refusals) }, { "last_step", r.decrement }, { "step", r.step },
     { "step_error", r.step_error }, { "fit_seconds", r.seconds }, { "notes", told.notes }, { "wrong", told.wrong } })
 end
 

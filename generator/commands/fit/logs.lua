@@ -4,7 +4,8 @@
 --                                     and a message
 --         log: of host.log; counts: values of each column; unused: names of columns that no output takes; sigmas: of
 --         each column in SI units, false where the file has none; inputs: name of an input -> its column, where the
---         file has one (commands/fit/driven.lua); the same without outputs: files of inputs alone
+--         file has one (commands/fit/driven.lua); odd: sentences, taken: of each column, how its values are taken;
+--         the same without outputs: files of inputs alone
 --     logs.columns(outputs)           the columns in the order of the outputs: {name, dim, output}
 -- Columns have their unit in brackets behind the name or in a comment `# units:`; without one, SI's.  A comment
 -- `# sigma:` has standard deviations in these units.
@@ -95,24 +96,28 @@ local function wanted(columns, names, given, noise)
   return list, unused, sigmas
 end
 
--- What is odd in the columns: sentences with file and line.
+-- What is odd in the columns: sentences with file and line; and of each column {wrapped = bool, low, high}, how its
+-- values are to be taken.
 local function oddities(host, log, path, columns)
-  local list = {}
+  local list, taken = {}, {}
   for i, o in ipairs(host.odd(log)) do
     local c = columns[i]
     local at = o.kind and path .. ":" .. diag.show(o.line) .. ": column " .. c.name .. " "
     local value, rows = diag.show(o.value), diag.show(o.rows)
+    taken[i] = {}
     if o.kind == "constant" and c.output and c.output.e then
       list[#list + 1] = at .. "has the same value in all " .. rows .. " rows, " .. value .. ": is the sensor on?"
     elseif o.kind == "limit" and c.output then
       list[#list + 1] = at .. "stays at its extreme value " .. value .. " for " .. rows .. " rows: a sensor at its " ..
-        "limit; such values are wrong, so leave them empty"
+        "limit; such values say only that the model must not be inside it"
+      taken[i] = { low = o.low, high = o.high }
     elseif o.kind == "wrapped" and units.equal(c.dim, units.none) and c.output and c.output.e then
-      list[#list + 1] = at .. "jumps by " .. value .. ", a turn: the angle is wrapped; add the turns, or measure " ..
-        "its sine and cosine"
+      list[#list + 1] = at .. "jumps by " .. value .. ", a turn: the angle is wrapped; the shorter way round to the " ..
+        "model is taken"
+      taken[i] = { wrapped = true }
     end
   end
-  return list
+  return list, taken
 end
 
 local function one(host, measured, inputs, path)
@@ -147,8 +152,9 @@ local function one(host, measured, inputs, path)
     if counts[i] == 0 then return nil, path .. ": column " .. c.name .. " has no value" end
   end
   for i = #counts, #measured + 1, -1 do counts[i] = nil end -- an input is no value that is fitted
+  local odd, taken = oddities(host, log, path, columns)
   return { path = path, log = log, rows = rows, counts = counts, unused = unused, sigmas = sigmas, inputs = driven,
-    odd = oddities(host, log, path, columns) }
+    odd = odd, taken = taken }
 end
 
 function logs.read(host, outputs, inputs, paths)

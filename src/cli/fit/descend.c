@@ -4,6 +4,7 @@
  * GSL's trust region (multifit_nlinear, Levenberg-Marquardt) sees of the residuals their sum of
  * squares, J'z and J'J alone.  The triangle of a pass has all three: f = (c, rho), df = (R, 0).  So
  * GSL works on n + 1 residuals, however long the log is, and f and df come from the same pass.
+ * Its unknowns are steps from the start, of which inside.c makes parameters that are a body.
  * (Geodesic acceleration needs f'' and would see the rotation Q; it is not used.)
  */
 #include "fit.h"
@@ -21,13 +22,15 @@
 struct search {
   struct fit_problem *f;
   struct fit_sums *s;
-  int bad; /* did the last pass fail? */
+  double from[FIT_MOST], step[FIT_MOST], part, slope[FIT_MOST]; /* as inside.c has them */
+  int bad;                                                      /* did the last pass fail? */
 };
 
 static void visit(struct search *a, const gsl_vector *x) {
   double at[FIT_MOST];
   for (int i = 0; i < a->f->n; i++)
-    at[i] = gsl_vector_get(x, (size_t)i);
+    a->step[i] = gsl_vector_get(x, (size_t)i) - a->from[i];
+  a->part = fit_inside(a->f, a->from, a->step, at);
   a->bad = fit_again(a->f, at, a->s);
 }
 
@@ -43,11 +46,18 @@ static int reduced(const gsl_vector *x, void *search, gsl_vector *out) {
 static int reduced_slope(const gsl_vector *x, void *search, gsl_matrix *out) {
   struct search *a = search;
   visit(a, x);
-  const int n = a->f->n;
-  for (int i = 0; i <= n; i++)
-    for (int k = 0; k < n; k++)
+  const int n = a->f->n, free = a->f->free;
+  fit_inside_slope(a->f, a->from, a->step, a->slope);
+  for (int i = 0; i <= n; i++) {
+    double along = 0; /* the step itself, times the slope of its part */
+    for (int k = i; k < free && !a->bad; k++)
+      along += triangle_at(a->s->whole, i, k) * a->step[k];
+    for (int k = 0; k < n; k++) {
+      const double own = a->bad || i > k ? 0 : triangle_at(a->s->whole, i, k);
       gsl_matrix_set(out, (size_t)i, (size_t)k,
-                     a->bad || i > k ? 0 : triangle_at(a->s->whole, i, k));
+                     k < free ? a->part * own + along * a->slope[k] : own);
+    }
+  }
   return GSL_SUCCESS;
 }
 
@@ -86,18 +96,17 @@ static int straight(struct fit_problem *f, double theta[], struct fit_sums *s, i
     *done = gain >= 0 && s->n > f->n && gain < 1e-3 * loss / (double)(s->n - f->n);
     if (*done || gain < 0 || count == 10 || interrupt_pending())
       return count;
-    for (int i = 0; i < f->n; i++)
-      next[i] = theta[i] + step[i];
-    if (fit_pass(f, next, s) || !(loss - fit_loss(s) > gain / 2))
+    const double part = fit_inside(f, theta, step, next);
+    if (fit_pass(f, next, s) || !(loss - fit_loss(s) > gain * part * (2 - part) / 2))
       return count;
     memcpy(theta, next, (size_t)f->n * sizeof next[0]);
-    f->stride = sqrt(gain);
+    f->stride = part > 0.99 ? sqrt(gain) : 0;
   }
 }
 
 /* From theta to a local minimum, about; the iterations that it took, -1: the start is no body. */
 int fit_descend(struct fit_problem *f, double theta[], struct fit_sums *s, size_t most) {
-  struct search a = {.f = f, .s = s};
+  static struct search a;
   gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
   gsl_multifit_nlinear_fdf fdf = {
       .f = reduced, .df = reduced_slope, .n = (size_t)f->n + 1, .p = (size_t)f->n, .params = &a};
@@ -108,6 +117,9 @@ int fit_descend(struct fit_problem *f, double theta[], struct fit_sums *s, size_
   if (done)
     return count;
   f->stride = 0;
+  a.f = f;
+  a.s = s;
+  memcpy(a.from, theta, (size_t)f->n * sizeof theta[0]);
   gsl_multifit_nlinear_workspace *w =
       gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, fdf.n, fdf.p);
   if (w == NULL)
@@ -117,7 +129,8 @@ int fit_descend(struct fit_problem *f, double theta[], struct fit_sums *s, size_
     gsl_multifit_nlinear_driver(most, 1e-5, 1e-9, 0, NULL, NULL, &info, w);
     count += (int)gsl_multifit_nlinear_niter(w);
     for (int i = 0; i < f->n; i++)
-      theta[i] = gsl_vector_get(gsl_multifit_nlinear_position(w), (size_t)i);
+      a.step[i] = gsl_vector_get(gsl_multifit_nlinear_position(w), (size_t)i) - a.from[i];
+    fit_inside(f, a.from, a.step, theta);
   }
   gsl_multifit_nlinear_free(w);
   return count;

@@ -3,7 +3,8 @@
  *
  * fit(path, {free = {place among the parameters, from 1}, initial = bool, logs = {of log()},
  *     channels = of each log {{value =, column =, sigma =,
- *     attitude = bool, state = which one it is as it stands, or nil}}, knots = {t}, loss =
+ *     attitude = bool, state = which one it is as it stands, or nil, wrapped = bool, low, high =
+ * limits of the sensor or NaN}}, knots = {t}, loss =
  * "squares", "huber" or "cauchy", corner = k, step = h, known = are the sigmas known?, states =
  * {initial values, if initial}, parameters = {all, SI units}, inputs = nil or of each log {of each
  * input {log =, column =, kind = "held", "linear" or "slope", low, high = limits or NaN}}, starts,
@@ -111,6 +112,9 @@ static void read_channels(lua_State *L, struct fit_problem *f, int log) {
     c->column = (int)fit_number(L, at, "column") - 1;
     c->state = (int)fit_number(L, at, "state") - 1;
     fit_list(L, at, "sigma", c->sigma, 3);
+    c->wrapped = flag_of(L, at, "wrapped");
+    c->low = fit_number(L, at, "low");
+    c->high = fit_number(L, at, "high");
     lua_settop(L, at - 1);
   }
 }
@@ -341,6 +345,7 @@ static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *
   fit_push_number(L, "n", (double)r->n);
   fit_push_number(L, "iterations", r->iterations);
   fit_push_number(L, "passes", (double)f->passes);
+  fit_push_number(L, "refusals", (double)f->refusals);
   fit_push_number(L, "decrement", r->decrement);
   fit_push_number(L, "step_error", r->step_shift);
   fit_push_number(L, "step", f->h);

@@ -52,8 +52,8 @@ struct fit_log *fit_log_at(lua_State *L, int index);
 
 /* ---- odd.c ---- */
 
-/* odd(log) -> of each column {kind = nil, "constant", "limit" (value: at which it stays) or
- * "wrapped" (value: by which it jumps), line, value, rows} */
+/* odd(log) -> of each column {kind = nil, "constant", "limit" (value: at which it stays; low, high:
+ * the limits that it has) or "wrapped" (value: by which it jumps), line, value, rows} */
 int host_odd(lua_State *L);
 
 /* ---- triangle.c ---- */
@@ -92,6 +92,8 @@ struct fit_channel {
   int state;         /* the state that it is, if it is one as it stands, else -1 */
   int value, column; /* place in the measured values, first column of the log */
   double sigma[3];
+  int wrapped;      /* is the angle without its turns? */
+  double low, high; /* limits of the sensor: what stands there is beyond; or NaN */
 };
 
 /* An input of the scene over time: a column of a log, whose missing values are passed over; before
@@ -139,12 +141,12 @@ struct fit_problem {
   double *knots; /* times at which a step ends */
   int knot_count;
   enum { FIT_SQUARES, FIT_HUBER, FIT_CAUCHY } loss;
-  double corner;       /* of the loss, in sigmas */
-  double h, until;     /* longest step; rows behind it are left out */
-  int refused;         /* the check of the parameters that failed last, 0: none */
-  const double *fixed; /* NULL, or of each state the number with which it begins in place of the
-                          scene's; NaN: none */
-  long passes;
+  double corner;         /* of the loss, in sigmas */
+  double h, until;       /* longest step; rows behind it are left out */
+  int refused;           /* the check of the parameters that failed last, 0: none */
+  const double *fixed;   /* NULL, or of each state the number with which it begins in place of the
+                            scene's; NaN: none */
+  long passes, refusals; /* refusals: those whose parameters were no body */
   double stride; /* length in standard errors of the step of Gauss and Newton that a search ended
                     with; 0: it ended otherwise */
 };
@@ -236,6 +238,17 @@ struct fit_result {
   double vectors[FIT_MOST * FIT_MOST]; /* n x n: right singular vectors, scaled, columns */
   double covariance[FIT_MOST * FIT_MOST];
 };
+
+/* ---- inside.c ---- */
+
+/* 1/t, where from + t step breaks a rule of the parameters (which one), 0: nowhere near. */
+double fit_border(struct fit_problem *f, const double from[], const double step[], int *rule);
+/* to = from + part step, a body if `from` is one; part is 1 for steps that are short against the
+ * way to the border, and of initial states always. */
+double fit_inside(struct fit_problem *f, const double from[], const double step[], double to[]);
+/* The derivatives of that part by the parameters' steps. */
+void fit_inside_slope(struct fit_problem *f, const double from[], const double step[],
+                      double slope[]);
 
 /* ---- descend.c ---- */
 

@@ -143,7 +143,8 @@ static void first_rates(const struct fit_problem *f, const struct fit_linear *a,
 }
 
 int fit_linear(struct fit_problem *f, double theta[]) {
-  double best[FIT_MOST], p[FIT_MOST] = {0}, least = (double)INFINITY;
+  double best[FIT_MOST], p[FIT_MOST] = {0}, begun[FIT_MOST], least = (double)INFINITY;
+  memcpy(begun, theta, (size_t)f->n * sizeof theta[0]);
   int most = 1;
   for (int log = 0; log < f->logs; log++)
     first_rates(f, &f->linear[log], log, theta);
@@ -161,6 +162,15 @@ int fit_linear(struct fit_problem *f, double theta[]) {
     triangle_close(&triangle);
     if (!substituted(a->count, p))
       continue;
+    double way[FIT_MOST] = {0}, to[FIT_MOST];
+    for (int k = 0; k < a->count; k++)
+      way[a->place[k]] = p[k] - begun[a->place[k]];
+    int rule; /* as it stands if that is a body */
+    if (fit_border(f, begun, way, &rule) >= 1) {
+      fit_inside(f, begun, way, to);
+      for (int k = 0; k < a->count; k++)
+        p[k] = to[a->place[k]];
+    }
     for (int k = 0; k < a->count; k++)
       theta[a->place[k]] = p[k];
     if (!fit_pass(f, theta, &only) && only.chi2 < least) {

@@ -58,10 +58,12 @@ static size_t run_at(const struct fit_log *log, int column, double value, double
     while (i + n < log->rows && at(log, column, i + n) == value)
       n++;
     if (n >= RUN && n > most) {
-      const double before = i >= n ? fabs(at(log, column, i - n) - value) : 0;
-      const double after =
-          i + 2 * n - 1 < log->rows ? fabs(at(log, column, i + 2 * n - 1) - value) : 0;
-      if (before > FAST * least || after > FAST * least) { /* no number is larger than nothing */
+      double far = 0; /* of the value, within another length of the run */
+      for (size_t k = 1; k <= n; k++) {
+        far = fmax(far, i >= k ? fabs(at(log, column, i - k) - value) : 0);
+        far = fmax(far, i + n + k <= log->rows ? fabs(at(log, column, i + n + k - 1) - value) : 0);
+      }
+      if (far > FAST * least) {
         most = n;
         *first = i;
       }
@@ -91,10 +93,15 @@ int host_odd(lua_State *L) {
       say(L, log, "constant", s.first, s.low, s.values);
     } else if (s.wrap > 0 && s.moved < 0.5 * (double)s.values) {
       say(L, log, "wrapped", s.wrap, s.jump, 1);
-    } else if ((rows = run_at(log, column, s.high, s.least, &first)) > 0) {
-      say(L, log, "limit", first, s.high, rows);
-    } else if ((rows = run_at(log, column, s.low, s.least, &first)) > 0) {
-      say(L, log, "limit", first, s.low, rows);
+    } else {
+      if ((rows = run_at(log, column, s.low, s.least, &first)) > 0) {
+        say(L, log, "limit", first, s.low, rows);
+        fit_push_number(L, "low", s.low);
+      }
+      if ((rows = run_at(log, column, s.high, s.least, &first)) > 0) {
+        say(L, log, "limit", first, s.high, rows);
+        fit_push_number(L, "high", s.high);
+      }
     }
     lua_rawseti(L, -2, column + 1);
   }

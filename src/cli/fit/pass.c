@@ -156,6 +156,15 @@ static void put(struct course *c, struct fit_sums *s, double z, const double J[]
   }
 }
 
+/* Measured less model of what is no attitude, in *d; 0: it is beyond a limit of the sensor, as the
+ * model says, too. */
+static int difference(const struct fit_channel *o, double logged, double model, double *d) {
+  *d = logged - model;
+  if (o->wrapped)
+    *d = remainder(*d, 2 * M_PI);
+  return !((logged == o->high && model > logged) || (logged == o->low && model < logged));
+}
+
 /* The residuals of row i where only the triangle of the squares is asked for, and no attitude is
  * measured: straight into its block.  1: one is not finite. */
 static int residuals_plain(struct course *c, size_t i, struct fit_sums *s) {
@@ -170,7 +179,10 @@ static int residuals_plain(struct course *c, size_t i, struct fit_sums *s) {
     if (!known)
       f->code->measure(f->p, c->t, c->x, c->s, c->y, c->J);
     known = 1;
-    const double part = -1 / o->sigma[0], z = part * (c->y[o->value] - logged);
+    double part = -1 / o->sigma[0], z;
+    if (!difference(o, logged, c->y[o->value], &z))
+      continue;
+    z *= -part;
     const double *own = c->J + o->value * c->lanes;
     double *to = triangle_place(s->whole);
     if (!isfinite(z))
@@ -271,8 +283,8 @@ static void drawn(const struct course *c, size_t row, const struct fit_channel *
   a->z[a->n] = z;
   a->y[a->n] = a->model[a->n] = (double)NAN;
   if (!o->attitude) {
-    a->y[a->n] = c->log->y[row * (size_t)c->log->columns + (size_t)o->column];
     a->model[a->n] = c->y[o->value];
+    a->y[a->n] = c->y[o->value] + z * o->sigma[0]; /* with the model's turns */
   }
   a->n++;
 }
@@ -298,7 +310,8 @@ static int residuals(struct course *c, size_t i, struct fit_sums *s, struct memo
       if (!known)
         f->code->measure(f->p, c->t, c->x, c->s, c->y, c->J);
       known = 1;
-      z[0] = (data[o->column] - c->y[o->value]) / o->sigma[0];
+      there = difference(o, data[o->column], c->y[o->value], z);
+      z[0] /= o->sigma[0];
       if (s->whole != NULL) /* else chi-square alone is asked for */
         slope(c, o, J[0]);
     }
@@ -449,8 +462,10 @@ int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
   s->n = 0;
   s->of.there = 0;
   f->passes++;
-  if (open(c, f, theta))
+  if (open(c, f, theta)) {
+    f->refusals++;
     return 1;
+  }
   for (int i = 0; i < f->active; i++) {
     c->number = i;
     c->log = f->log[i];

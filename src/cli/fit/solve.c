@@ -155,16 +155,20 @@ static double polish(struct fit_problem *f, struct fit_sums *s, struct fit_resul
     r->chi2 = s->chi2;
     r->n = s->n;
     r->converged = r->decrement < enough;
-    for (int j = 0; r->converged && j < f->n; j++)
-      r->theta[j] += step[j]; /* it is known, and as short as this it needs no pass */
+    if (r->converged) { /* the step is known, and as short as this it needs no pass */
+      double from[FIT_MOST];
+      memcpy(from, r->theta, (size_t)f->n * sizeof from[0]);
+      fit_inside(f, from, step, r->theta);
+    }
     if (r->converged || r->rank == 0)
       return whole + r->decrement;
     /* half as far until the loss falls (where the step is long: a short one is within rounding) */
-    double t = 1, old[FIT_MOST];
+    double t = 1, old[FIT_MOST], now[FIT_MOST];
     memcpy(old, r->theta, sizeof old);
     for (int k = 0;; k++, t /= 2) {
       for (int j = 0; j < f->n; j++)
-        r->theta[j] = old[j] + t * step[j];
+        now[j] = t * step[j];
+      fit_inside(f, old, now, r->theta);
       if (!fit_pass(f, r->theta, s) && (r->decrement < 1e-2 || fit_loss(s) < r->loss))
         break;
       if (k == 12) {
@@ -278,5 +282,11 @@ void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struc
     report(f, &s, r);
   }
   r->converged = r->converged && (still || r->decrement < STILL);
+  if (!r->converged && f->refused == 0) { /* is it a rule that the way on would break? */
+    double step[FIT_MOST];
+    newton(f, r->theta, &s, r, step);
+    if (fit_border(f, r->theta, step, &f->refused) < 1)
+      f->refused = 0;
+  }
   gsl_set_error_handler(handler);
 }

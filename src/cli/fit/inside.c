@@ -1,0 +1,77 @@
+/* inside.c - steps that stay among the parameters that are a body.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The rules of a scene (second moments that are positive: tr(I)/2 - I > 0, so the triangle
+ * inequality; masses, lengths) leave an open set of parameters, for entries of a tensor a convex
+ * cone.  Let t be where the straight way from a body p along dp leaves it.  Then
+ *     p + dp/sqrt(1 + 1/t^2)
+ * is inside for every dp, reaches every body, and is p + dp for short steps: to the third order. So
+ * no trial of a search is refused, whatever the parameters are of the tensor.  (Charts of the
+ * tensor alone, as the logarithm of Cholesky's factor of tr(I)/2 - I, need all six entries free:
+ * C. Rucker, P. M. Wensing, IEEE Robotics and Automation Letters 7 (2022).)
+ * Where the border is, the rules themselves say: they are the emitted ones, and cheap.
+ */
+#include "fit.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A border so many steps away is none: it shortens the step by 5e-7. */
+#define FARTHEST 1024
+
+/* 0, or the rule that the parameters break. */
+static int broken(struct fit_problem *f, const double from[], const double step[], double t) {
+  for (int i = 0; i < f->free; i++)
+    f->p[f->free_index[i]] = from[i] + t * step[i];
+  return f->code->init(f->model, f->p);
+}
+
+double fit_border(struct fit_problem *f, const double from[], const double step[], int *rule) {
+  double in = 0, out = FARTHEST;
+  int what = broken(f, from, step, out);
+  *rule = 0;
+  if (what == 0 || broken(f, from, step, 0) != 0)
+    return 0; /* (or what is left is no body to begin with) */
+  *rule = what;
+  for (int i = 0; i < 60; i++) {
+    const double t = (in + out) / 2;
+    what = broken(f, from, step, t);
+    if (what != 0) {
+      out = t;
+      *rule = what;
+    } else {
+      in = t;
+    }
+  }
+  return in > 0 ? 1.0001 / in : (double)INFINITY; /* a rounded step stays inside, too */
+}
+
+double fit_inside(struct fit_problem *f, const double from[], const double step[], double to[]) {
+  int rule;
+  const double near = fit_border(f, from, step, &rule), part = 1 / sqrt(1 + near * near);
+  for (int i = 0; i < f->n; i++)
+    to[i] = from[i] + (i < f->free ? part : 1) * step[i];
+  return part;
+}
+
+void fit_inside_slope(struct fit_problem *f, const double from[], const double step[],
+                      double slope[]) {
+  double size = 0, moved[FIT_MOST];
+  int rule;
+  const double near = fit_border(f, from, step, &rule);
+  const double d = isinf(near) ? 0 : -near / pow(1 + near * near, 1.5);
+  memcpy(moved, step, (size_t)f->free * sizeof step[0]);
+  for (int k = 0; k < f->free; k++)
+    size = fmax(size, fabs(step[k]));
+  for (int k = 0; k < f->free; k++) {
+    const double h = 1e-5 * size; /* 1/t is of degree 1 in dp: the quotient is good to 1e-10 */
+    slope[k] = 0;
+    if (near == 0 || isinf(near))
+      continue;
+    moved[k] = step[k] + h;
+    const double right = fit_border(f, from, moved, &rule);
+    moved[k] = step[k] - h;
+    slope[k] = d * (right - fit_border(f, from, moved, &rule)) / (2 * h);
+    moved[k] = step[k];
+  }
+}
