@@ -1,13 +1,12 @@
 -- comparison.lua -- one emitted, compiled scene against the general library: the checks of `polhode check`.
 --
--- Random numbers come from a fixed seed, so a failure repeats.  Parameters are drawn within a factor 2 of their
--- defaults and kept when the emitted NAME_init accepts them; the library then gets the same doubles.
+-- States and parameters are drawn by drawn.lua.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local inputs = require "generator.dynamics.inputs"
 local forced = require "generator.commands.forced"
 local contact = require "generator.dynamics.contact"
+local drawn = require "generator.commands.drawn"
 local numeric = require "generator.dynamics.numeric"
 local selftest = require "generator.emit.selftest"
 local motion_checks = require "generator.commands.motion_checks"
@@ -15,16 +14,7 @@ local stepper_checks = require "generator.commands.stepper_checks"
 
 local comparison = {}
 
--- xorshift64*: the same sequence on every machine (Marsaglia 2003, Vigna 2016)
-local function generator(seed)
-  local s = seed
-  return function() -- uniform in (-1, 1)
-    s = s ~ (s >> 12)
-    s = s ~ (s << 25)
-    s = s ~ (s >> 27)
-    return ((s * 2685821657736338717) >> 11) * 2.0 ^ -52 - 1
-  end
-end
+local narrow, state = drawn.narrow, drawn.state
 
 -- The larger of two; a NaN counts as infinite, so that it cannot pass a test (math.max would drop it).
 local function worse(a, b)
@@ -36,52 +26,6 @@ local function largest(v)
   local m = 0.0
   for i = 1, #v do m = worse(m, math.abs(v[i])) end
   return m
-end
-
--- A double that the scene's real type holds exactly.
-local function narrow(x, real)
-  if real == "float" then return string.unpack("f", string.pack("f", x)) end
-  return x
-end
-
--- scale: by the kind of state, see scales
-local function state(job, random, scale, real)
-  local x, q, n = {}, {}, 0
-  if job.model.has.attitude then
-    for i = 1, 4 do q[i] = random() end
-    for i = 1, 4 do n = n + q[i] * q[i] end
-    n = math.sqrt(n)
-    if n < 0.1 then return state(job, random, scale, real) end
-  end
-  for i, s in ipairs(job.states) do
-    x[i] = narrow(s.kind == "attitude" and q[s.place] / n or random() * scale[s.kind], real)
-  end
-  return x
-end
-
--- Inputs with limits are also drawn beyond them, by a quarter of their range.
-local function input(job, random, scale, real)
-  local u = {}
-  for i, s in ipairs(job.model.inputs) do
-    local low, high = inputs.range(job.model, s)
-    local middle, half = 0.0, scale
-    if low then middle, half = R.todouble(low + high) / 2, R.todouble(high - low) * 0.75 end
-    u[i] = narrow(middle + random() * half, real)
-  end
-  return u
-end
-
--- Parameters: the scene's own, then random ones.
-local function parameters(job, random, plugin, real)
-  for _ = 1, 100 do
-    local list, values = {}, {}
-    for i, p in ipairs(job.model.params) do
-      local x = narrow(R.todouble(p.default) * 2.0 ^ random(), real)
-      list[i], values[p.name] = x, R.fromdouble(x)
-    end
-    if plugin:init(list) == 0 then return values end
-  end
-  return nil
 end
 
 local function ratio(got, want, scale, epsilon)
@@ -144,7 +88,7 @@ local function rates(host, job, plugin, tap, count, name, random, real, epsilon)
   local sets = #job.model.params > 0 and math.min(20, count) or 1
   local span = math.max(1.0, job.model:double(job.model.horizon)) -- of times, for what depends on them
   for set = 1, sets do
-    local values = set > 1 and parameters(job, random, plugin, real) or nil
+    local values = set > 1 and drawn.parameters(job, random, plugin, real) or nil
     if set == 1 then
       plugin:init()
       if real == "float" then values = {} end
@@ -161,7 +105,7 @@ local function rates(host, job, plugin, tap, count, name, random, real, epsilon)
     most = math.max(most, factor)
     for _ = 1, count // sets + (set <= count % sets and 1 or 0) do
       local x, t = state(job, random, scale, real), narrow(math.abs(random()) * span, real)
-      local u = job.equations.inputs and input(job, random, scale.rates, real) or nil
+      local u = job.equations.inputs and drawn.input(job, random, scale.rates, real) or nil
       local full = numeric.whole(job, x)
       local want, size = library:rates(t, full, u)
       want, size = numeric.part(job, want), numeric.part(job, size)
@@ -364,7 +308,7 @@ function comparison.run(host, job, plugin, tap, count)
   local real = job.real
   local name = job.model.name .. ", " .. real
   local epsilon = real == "float" and 2.0 ^ -23 or 2.0 ^ -52
-  local random = generator(0x9E3779B97F4A7C15)
+  local random = drawn.numbers(0x9E3779B97F4A7C15)
   tap.ok(plugin:init() == 0, name .. ": the scene's own parameters are accepted")
   local mass, why = host.mass(numeric.scene(job))
   if not mass then

@@ -2,16 +2,23 @@
 --
 --     contact.sphere { r =, at = {..} }                       contact.disc { r =, edge = 0, at = {..} }   axis: body z
 --     contact.ellipsoid { a =, b =, c =, at = {..}, turned = rotation }
--- at: the centre of the surface, in the coordinates of the body's shapes.  Every surface is {half = {3 half axes},
--- axes = quaternion from the ellipsoid's axes to the body's, rim = radius of a ball that rolls over it, at =}: a sphere
--- has no half axes, a disc two, and its edge is the rim.
+--     contact.paraboloid { a =, b =, at = {..}, turned = rotation }       a, b: radii of curvature of its lowest point
+--     contact.support { h = function(n) return .. end, at = {..}, turned = rotation }
+-- at: the centre of the surface, in the coordinates of the body's shapes (a paraboloid's: its lowest point).  Every
+-- surface is {half = {3 lengths}, axes = quaternion from the surface's axes to the body's, rim = radius of a ball that
+-- rolls over it, at =}: a sphere has no half axes, a disc two, and its edge is the rim.  h is the distance from `at` to
+-- the plane that touches the surface where its outward normal is n, a unit vector in the surface's axes.  open: the
+-- surface need not have a point for every normal.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
 local args = require "generator.dsl.args"
 local rotation = require "generator.dsl.rotation"
+local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
 local diag = require "generator.diag"
 
@@ -26,6 +33,80 @@ local function length(name, sign, default) return { name = name, dim = "length",
 local at = { name = "at", dim = "length", size = 3, default = { 0, 0, 0 } }
 local upright = { one, zero, zero, zero }
 
+-- ---- support functions ----
+
+-- Components of the outward normal in a support function.
+contact.normals = { motion.sym "@nx", motion.sym "@ny", motion.sym "@nz" }
+
+-- Unit vectors with rational components: the sphere seen from a pole, and its mirror image.
+local function directions()
+  local list = {}
+  for a = -2, 2 do
+    for b = -2, 2 do
+      local x, y = R.new(a, 2), R.new(b, 2)
+      local d = R.new(1) + x * x + y * y
+      for _, up in ipairs { 1, -1 } do
+        list[#list + 1] = { R.new(2) * x / d, R.new(2) * y / d, R.new(up) * (R.new(2) / d - R.new(1)) }
+      end
+    end
+  end
+  return list
+end
+
+-- The surface of h is convex where its radii of curvature are not negative.  They are those of A = H + (h - n.G) 1
+-- across n, with the gradient G and the matrix H of second derivatives of h: their sum is tr H - n.H n + 2 (h - n.G),
+-- their product n.adj(A) n.  Looked at in 50 directions, for the parameters' defaults; there is no surface where h has
+-- no value.
+local function convex(ctx, line, what, h)
+  local n = contact.normals
+  local G = vec.map(n, function(x) return calculus.diff(h, x) end)
+  local H = {}
+  for i, p in ipairs(vec.pair) do H[i] = calculus.diff(G[p[1]], n[p[2]]) end
+  local c, none = h - vec.dot(n, G), 0
+  local A = { H[1] + c, H[2] + c, H[3] + c, H[4], H[5], H[6] }
+  local sum = vec.trace(H) - vec.dot(n, vec.apply(H, n)) + 2 * c
+  local product = vec.dot(n, vec.apply((vec.adjugate(A)), n))
+  local least = -(R.new(2) ^ -100)
+  for _, d in ipairs(directions()) do
+    local map = {}
+    for i = 1, 3 do map[n[i]] = expr.num(d[i]) end
+    local ok, s, p = pcall(function()
+      return value.number(calculus.substitute(sum, map)), value.number(calculus.substitute(product, map))
+    end)
+    if not ok or not s or not p then
+      none = none + 1
+    elseif s < least or p < least then
+      ctx.diag:error(line, what, "h must belong to a convex surface: its radii of curvature must not be negative",
+        string.format("they are at n = {%s, %s, %s}", tostring(d[1]), tostring(d[2]), tostring(d[3])))
+      return false
+    end
+  end
+  if none == 50 then ctx.diag:error(line, what, "h has no value, or no second derivative, in any direction") end
+  return none < 50
+end
+
+-- The expression of h in the symbols of the normal; nil after errors.
+local function support(ctx, line, what, given)
+  local where = ctx.diag:locate(line, "h")
+  if type(given) ~= "function" then
+    ctx.diag:error(where, what, "h must be a function of the outward normal: function(n) return ... end",
+      diag.show(given))
+    return nil
+  end
+  local normal = vec.map(contact.normals, function(x) return value.new(x, units.none, true) end) -- as plain as t
+  local h = args.scalar(ctx, where, what, "h", { dim = "length", motion = true }, given(normal))
+  if not h then return nil end
+  for _, x in ipairs(expr.symbols(h)) do
+    if x.rank == motion.rank and not string.find(x.name, "^@n[xyz]$") then
+      ctx.diag:error(where, what, "h must depend on the normal and on parameters only", (string.gsub(x.name, "^@", "")))
+      return nil
+    end
+  end
+  return convex(ctx, where, what, h) and h or nil
+end
+
+-- ---- surfaces ----
+
 local kinds = {
   { name = "contact.sphere", about = "a sphere of radius r", args = { length("r", "positive"), at },
     build = function(a) return { half = { zero, zero, zero }, axes = upright, rim = a.r } end },
@@ -35,6 +116,18 @@ local kinds = {
   { name = "contact.disc", about = "the edge of a disc of radius r about z; edge: radius of its rounding",
     args = { length("r", "positive"), length("edge", "nonnegative", 0), at },
     build = function(a) return { half = { a.r, a.r, zero }, axes = upright, rim = a.edge, disc = true } end },
+  { name = "contact.paraboloid", about = "z = x^2/(2 a) + y^2/(2 b): a, b are the radii of curvature of its lowest " ..
+    "point, which is `at`; turned before it is placed",
+    args = { length("a", "positive"), length("b", "positive"), at }, turned = true,
+    build = function(a)
+      return { half = { a.a, a.b, zero }, axes = a.turned or upright, rim = zero, paraboloid = true, open = true }
+    end },
+  { name = "contact.support", about = "any smooth convex surface: h = function(n) is the distance from `at` to the " ..
+    "plane that touches it where its outward normal is the unit vector n; turned before it is placed",
+    args = { at }, turned = true, support = true,
+    build = function(a)
+      return { half = { zero, zero, zero }, axes = a.turned or upright, rim = zero, support = a.h, open = true }
+    end },
 }
 contact.kinds = kinds
 
@@ -50,10 +143,16 @@ function contact.constructor(ctx)
         turned = rotation.read(ctx, ctx.diag:locate(line, "turned"), kind.name, rest.turned)
         rest.turned = nil
       end
-      local a, ok = args.read(ctx, line, kind.name, kind.args, args.plain(given) and rest or given)
+      local h
+      if kind.support and args.plain(given) then
+        h = support(ctx, line, kind.name, rest.h)
+        rest.h = nil
+      end
+      local a, ok = args.read(ctx, line, kind.name, kind.args, args.plain(given) and rest or given,
+        kind.support and { "h" })
       local handle = setmetatable({}, object)
-      if ok then
-        a.turned = turned
+      if ok and (h or not kind.support) then
+        a.turned, a.h = turned, h
         local s = kind.build(a)
         s.at, s.name = a.at, kind.name
         made[handle] = s
@@ -66,18 +165,41 @@ function contact.constructor(ctx)
 end
 
 local laws = { rolling = true, smooth = true, sliding = true }
-local specs = { { name = "surface" }, { name = "law" }, { name = "friction" }, { name = "normal" },
-  { name = "turntable" }, { name = "gravity" } }
+local specs = { { name = "surface" }, { name = "law" }, { name = "friction" }, { name = "spinning" },
+  { name = "rolling_resistance" }, { name = "normal" }, { name = "turntable" }, { name = "gravity" } }
 
-local function friction(ctx, line, what, given)
-  local where = ctx.diag:locate(line, "friction")
-  local coulomb = args.plain(given) and given.coulomb ~= nil
-  local list = coulomb and { { name = "coulomb", sign = "nonnegative" },
-    { name = "smoothing", dim = "velocity", sign = "positive" } } or
-    { { name = "viscous", dim = "slowness", sign = "nonnegative" } }
-  local f, ok = args.read(ctx, where, what .. ": friction", list, given)
+-- Dimensions of {viscous, coulomb, smoothing}: of a force per N against a velocity, of a torque per N against a rate.
+local against = {
+  friction = { "slowness", "none", "velocity" },
+  spinning = { units.times(units.length, units.time), "length", "rate" },
+}
+against.rolling_resistance = against.spinning
+
+local function resistance(ctx, line, what, key, given)
+  local where = ctx.diag:locate(line, key)
+  local coulomb, dims = args.plain(given) and given.coulomb ~= nil, against[key]
+  local list = coulomb and { { name = "coulomb", dim = dims[2], sign = "nonnegative" },
+    { name = "smoothing", dim = dims[3], sign = "positive" } } or
+    { { name = "viscous", dim = dims[1], sign = "nonnegative" } }
+  local f, ok = args.read(ctx, where, what .. ": " .. key, list, given)
   if not ok then return nil end
   return { viscous = f.viscous, coulomb = f.coulomb, smoothing = f.smoothing }
+end
+
+-- The torques against spinning and rolling; false after errors.
+local function resistances(ctx, line, what, given, a)
+  local ok = true
+  for _, key in ipairs { "spinning", "rolling_resistance" } do
+    if given[key] ~= nil and a.law == "smooth" then
+      ctx.diag:error(ctx.diag:locate(line, key), what, key .. " needs law = \"rolling\" or \"sliding\"",
+        diag.show(given[key]))
+      ok = false
+    elseif given[key] ~= nil then
+      a[key] = resistance(ctx, line, what, key, given[key])
+      ok = ok and a[key] ~= nil
+    end
+  end
+  return ok
 end
 
 local function normal(ctx, line, what, given)
@@ -138,9 +260,10 @@ function contact.plane(ctx, line, what, given)
       "friction needs law = \"sliding\"", diag.show(given.friction))
     ok = false
   elseif given.friction ~= nil then
-    a.friction = friction(ctx, line, what, given.friction)
+    a.friction = resistance(ctx, line, what, "friction", given.friction)
     ok = ok and a.friction ~= nil
   end
+  ok = resistances(ctx, line, what, given, a) and ok
   local n = normal(ctx, line, what, given.normal or { 0, 0, 1 })
   a.gravity = gravity(ctx, line, what, given.gravity or 9.80665)
   a.rate = args.scalar(ctx, ctx.diag:locate(line, "turntable"), what, "turntable", { dim = "rate" },

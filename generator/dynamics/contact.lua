@@ -3,17 +3,22 @@
 -- All vectors in body axes: g = `up`, the plane's normal; r = `arm`, from the centre of mass to the contact point; y
 -- the point of the ellipsoid, r = centre - y - rim g; turning = w x r.  With g' = g x w the rate of the contact's place
 -- is
---     k = r' + w x r = w x (centre - y) - y',   y' = (B g' - y (y.g'))/s
+--     k = r' + w x r = w x (centre - y) - y',   y' of effects/surface.lua
 -- in which the rim cancels.  u = U, G the gravity, Omega the rate of the plane:
 --     rolling   [I/m + r.r 1 - r r^T] w' = (I/m w) x w + N/m + r x f,   f = Omega g x (u + r') - w x k - G
 --     else      w' = w0' + nu b,  w0' that of the torques alone,  b = m I^-1 (r x h),  h = g - share v,
 --               nu = N/m = (-g.G - g.(w x k) - w0'.s)/(1 + b.s),  s = r x g
 -- from Newton's law with the acceleration of the contact point (rolling) or its component along g (else) prescribed.
--- share: c of viscous friction, mu/sqrt(v.v + e^2) of Coulomb's; v the slip.  ABOVE the line.
+-- share: c of viscous friction, mu/sqrt(v.v + e^2) of Coulomb's; v the slip.  Torques N T against spinning and rolling:
+--     T = -c (g.w - Omega) g - d (w - (g.w) g),   c and d numbers, or a/sqrt(.. + e^2)
+-- join r x h, and when it rolls w' = w0' + nu b as well, b the solution for T in place of the right side.
+-- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local motion = require "generator.algebra.motion"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local context = require "generator.dynamics.context"
@@ -31,6 +36,25 @@ function contact.of(m)
   return nil
 end
 
+-- Why the surface has no single point on the plane at the start; nil if it has.
+local function untouched(m, a)
+  local s = a.surface
+  local up = vec.matvec(vec.transpose(vec.rotation(m.attitude)), a.normal)
+  up = vec.matvec(vec.transpose(vec.rotation(s.axes)), up)
+  local g = vec.map(up, function(x) return m:number(x) end)
+  if s.disc and g[1] * g[1] + g[2] * g[2] < R.new(2) ^ -100 then
+    return "the disc must not lie flat at the start: it must touch the plane in one point"
+  elseif s.paraboloid and R.sign(g[3]) <= 0 then
+    return "the paraboloid must touch the plane at the start: its open side faces the plane"
+  elseif s.support then
+    local map = {}
+    for i, n in ipairs { "@nx", "@ny", "@nz" } do map[motion.sym(n)] = expr.num(-g[i]) end
+    local ok, h = pcall(function() return m:number(calculus.substitute(s.support, map)) end)
+    if not ok or not h then return "the support function must have a value for the normal at the start" end
+  end
+  return nil
+end
+
 -- What the plane cannot be together with, reported: false.
 function contact.check(d, m)
   local plane = contact.of(m)
@@ -41,14 +65,10 @@ function contact.check(d, m)
       "about each axis")
     fine = false
   end
-  local s, least = plane.a.surface, R.new(2) ^ -100
-  if s.disc then
-    local up = vec.matvec(vec.transpose(vec.rotation(m.attitude)), plane.a.normal)
-    local x, y = m:number(up[1]), m:number(up[2])
-    if x * x + y * y < least then
-      d:error(plane.line, plane.kind, "the disc must not lie flat at the start: it must touch the plane in one point")
-      fine = false
-    end
+  local wrong = untouched(m, plane.a)
+  if wrong then
+    d:error(plane.line, plane.kind, wrong)
+    fine = false
   end
   for _, e in ipairs(m.record.effects) do
     local spec = e.spec
@@ -81,17 +101,16 @@ end
 -- w x k, the contact's vectors and gravity, as definitions of a first group.
 local function geometry(m, e, c, groups)
   local a = e.a
-  local point = a.surface.half[1] ~= zero and "centre - B g/sqrt(g.B g) - rim g" or "centre - rim g"
+  local s = a.surface
+  local point = s.support and "centre + G + (h - n.G) n, n = -g" or s.paraboloid and "vertex - y, a paraboloid" or
+    s.half[1] ~= zero and "centre - B g/sqrt(g.B g) - rim g" or "centre - rim g"
   local g = { why = "contact with the plane: r = " .. point .. ", g the plane's normal", defs = {}, outs = {} }
   local name = namer(m, g, c.taken)
   local k = e.spec.contact(a, c, name)
   local place = vec.cross(c.w, k.far)
   if k.y then
     local rate = name("up_rate_", vec.cross(k.up, c.w))
-    local along = name("along", { vec.dot(k.y, rate) })[1]
-    local b = vec.apply(k.B, rate)
-    local y_rate = name("touch_rate_", vec.map(b, function(x, i) return (x - k.y[i] * along) / k.root end))
-    place = vec.sub(place, y_rate)
+    place = vec.sub(place, name("touch_rate_", k.slope(rate)))
   end
   k.place = name("place_", place)
   k.turning = name("turning_", vec.cross(c.w, k.r))
@@ -143,6 +162,44 @@ local function round(m, e, c, k, name, n, free)
   return vec.map(y, function(x, i) return x + over[i] * k.up[i] * factor end)
 end
 
+-- c, or a/sqrt(square + e^2) of {coulomb = a, smoothing = e}; 0 of nil.
+local function share_of(c, f, names, abouts, square)
+  if not f then return zero end
+  if f.viscous then return c.constant(names[1], f.viscous, abouts[1]) end
+  local a = c.constant(names[2], f.coulomb, abouts[2])
+  return a / expr.sqrt(square + c.constant(names[3], ratio.tidy(f.smoothing ^ 2), abouts[3]))
+end
+
+-- The torque against spinning and rolling per unit of the reaction, body axes; nil: there is none.
+local function resisting(a, c, k, name)
+  if not a.spinning and not a.rolling_resistance then return nil end
+  local along = name("spin", { vec.dot(k.up, c.w) })[1]
+  local T = { zero, zero, zero }
+  if a.spinning then
+    local rate = name("spin_rate", { along - k.rate })[1]
+    local share = share_of(c, a.spinning, { "spin_viscous", "spin_arm", "spin_smooth" },
+      { "resistance to spinning, m s", "resistance to spinning, m", "smoothing rate of spinning squared, rad^2/s^2" },
+      rate ^ 2)
+    T = vec.scale(-name("spin_share", { share * rate })[1], k.up)
+  end
+  if a.rolling_resistance then
+    local w = name("roll_rate_", vec.sub(c.w, vec.scale(along, k.up)))
+    local share = share_of(c, a.rolling_resistance, { "roll_viscous", "roll_arm", "roll_smooth" },
+      { "resistance to rolling, m s", "resistance to rolling, m", "smoothing rate of rolling squared, rad^2/s^2" },
+      vec.dot(w, w))
+    T = vec.sub(T, vec.scale(name("roll_share", { share })[1], w))
+  end
+  return name("resist_", T)
+end
+
+-- nu b is added to w0', with nu = N/m; outs and nu.
+local function supported(k, name, w0, b)
+  local s = name("side_", vec.cross(k.far, k.up))
+  local nu = name("push", { (-vec.dot(k.up, k.G) - vec.dot(k.up, k.bend) - vec.dot(w0, s)) /
+    (1 + vec.dot(b, s)) })[1]
+  return vec.map(w0, function(x, i) return x + nu * b[i] end), nu
+end
+
 local function rolling(m, e, c, N, groups)
   local k = geometry(m, e, c, groups)
   local a, w = e.a, c.w
@@ -166,18 +223,28 @@ local function rolling(m, e, c, N, groups)
   local over = c.constant("over_m", expr.one / m.mass, "1/mass, 1/kg")
   local L = name("L", vec.apply(I, w))
   local n = vec.add(vec.cross(L, w), vec.add(vec.scale(over, N), vec.cross(r, f)))
+  local solved
   if centred(m, k) then
     g.why = g.why .. ", inverted by its diagonal and g g^T"
-    g.outs = round(m, e, c, k, name, vec.map(n, ratio.tidy), vec.map(N, function(x) return x == zero end))
+    function solved(v, free) return round(m, e, c, k, name, vec.map(v, ratio.tidy), free) end
   else
-    g.outs = vec.solve(name("S", S), name("n", n), function(prefix, x) return name(prefix, { x })[1] end)
+    S = name("S", S)
+    function solved(v) return vec.solve(S, name("n", v), function(prefix, x) return name(prefix, { x })[1] end) end
+  end
+  g.outs = solved(n, vec.map(N, function(x) return x == zero end))
+  local T, nu = resisting(a, c, k, name), nil
+  if T then
+    g.why = g.why .. "; N T against spinning and rolling by the solution b for T: w' = w0' + N/m b"
+    g.outs, nu = supported(k, name, name("free_", g.outs), name("yield_", solved(T, {})))
   end
   groups[#groups + 1] = g
   local function coordinates()
     return { p1 = u1 - vec.dot(k.E1, k.turning), p2 = u2 - vec.dot(k.E2, k.turning) }
   end
   -- N/m = g.(A - G), A = Omega g x (..) - w' x r - w x k
-  local function reaction(dw) return -vec.dot(k.up, vec.cross(dw, r)) - vec.dot(k.up, k.bend) - vec.dot(k.up, k.G) end
+  local function reaction(dw)
+    return nu or -vec.dot(k.up, vec.cross(dw, r)) - vec.dot(k.up, k.bend) - vec.dot(k.up, k.G)
+  end
   return g, { coordinates = coordinates, reaction = reaction, k = k, c = c, a = a }
 end
 
@@ -206,26 +273,21 @@ local function touching(m, e, c, free, groups)
     "N/m = (-g.G - g.(w x k) - w0'.s)/(1 + b.s), s = r x g", defs = {} }
   local name = namer(m, g, c.taken)
   local w0 = name("free_", free)
-  local s = name("side_", vec.cross(k.far, k.up))
   local h, v1, v2, share = k.up, nil, nil, zero
   if a.friction then
     local _, u1, u2 = table_of(a, c, k)
     local slip = name("slip_", { c.own.v1 + vec.dot(k.E1, k.turning) - u1 })
     v1 = slip[1]
     v2 = name("slide_", { c.own.v2 + vec.dot(k.E2, k.turning) - u2 })[1]
-    if a.friction.viscous then
-      share = c.constant("viscous", a.friction.viscous, "viscous friction, s/m")
-    else
-      local mu = c.constant("mu", a.friction.coulomb, "coefficient of friction")
-      local smooth = c.constant("smooth", ratio.tidy(a.friction.smoothing ^ 2), "smoothing speed squared, m^2/s^2")
-      share = name("share", { mu / expr.sqrt(v1 ^ 2 + v2 ^ 2 + smooth) })[1]
-    end
+    share = name("share", { share_of(c, a.friction, { "viscous", "mu", "smooth" }, { "viscous friction, s/m",
+      "coefficient of friction", "smoothing speed squared, m^2/s^2" }, v1 ^ 2 + v2 ^ 2) })[1]
     h = name("press_", vec.sub(k.up, vec.scale(share, vec.add(vec.scale(v1, k.E1), vec.scale(v2, k.E2)))))
   end
-  local b = name("yield_", inverse_per_mass(m, c, name, a.friction and vec.cross(k.r, h) or s))
-  local nu = name("push", { (-vec.dot(k.up, k.G) - vec.dot(k.up, k.bend) - vec.dot(w0, s)) /
-    (1 + vec.dot(b, s)) })[1]
-  g.outs = vec.map(w0, function(x, i) return x + nu * b[i] end)
+  local lever = a.friction and vec.cross(k.r, h) or vec.cross(k.far, k.up)
+  local T = resisting(a, c, k, name)
+  local b = name("yield_", inverse_per_mass(m, c, name, T and vec.add(lever, T) or lever))
+  local nu
+  g.outs, nu = supported(k, name, w0, b)
   groups[#groups + 1] = g
   local function coordinates()
     local A1, A2 = vec.dot(G, k.e1), vec.dot(G, k.e2)

@@ -34,6 +34,7 @@ function numeric.scene(job, values, lines)
   for k, s in ipairs(state.known) do place[s.name] = k - 1 end
   for i, k in ipairs((numeric.positions(job))) do place[job.states[i].name] = k - 1 end
   for i, s in ipairs(m.inputs) do place[s.name] = -i end
+  for i, name in ipairs { "@nx", "@ny", "@nz" } do place[name] = i - 1 end -- a support function takes its normal for x
   local function code(e) return postfix.of(e, exact, place) end
   for _, e in ipairs(m.record.effects) do -- those that act
     local more

@@ -12,14 +12,19 @@
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
+local surface = require "generator.effects.surface"
 
 local plane = {
   name = "effect.plane", reader = "plane",
   about = "the body touches a plane with its surface: law rolling, smooth or sliding with friction; normal, turntable",
   single = true, central = true, touches = true, keeps = "T+V without friction on a plane at rest",
-  takes = { { "surface", "", nil, "contact.sphere{r}, contact.ellipsoid{a, b, c}, contact.disc{r, edge}; at =" },
+  takes = { { "surface", "", nil, "contact.sphere{r}, contact.ellipsoid{a, b, c}, contact.disc{r, edge}, " ..
+      "contact.paraboloid{a, b}, contact.support{h}; at =" },
     { "law", "", "\"rolling\"", "or \"smooth\", \"sliding\"" },
     { "friction", "", nil, "of sliding: { viscous = c } in s/m, or { coulomb = mu, smoothing = e }, e in m/s" },
+    { "spinning", "", nil, "torque N c w or N a w/sqrt(w^2 + e^2) against turning about the normal: " ..
+      "{ viscous = c } in m s, or { coulomb = a, smoothing = e } in m and rad/s" },
+    { "rolling_resistance", "", nil, "the same against turning about the directions of the plane" },
     { "normal", "1", "{0, 0, 1}", "of the plane, inertial axes, to the body's side, of any length" },
     { "turntable", "rad/s", "0", "rate at which the plane turns about its normal through the inertial origin" },
     { "gravity", "m/s^2", "9.80665", "a number (along -z) or a vector" } },
@@ -74,22 +79,9 @@ function plane.contact(a, c, name)
   k.up = name("up_", vec.matvec(k.back, k.n))
   local centre = constants("centre", vec.sub(s.at, c.origin), "centre of the surface from the centre of mass,", ", m")
   local rim = c.constant("rim", s.rim, "radius of the sphere, or of the rounded edge, m")
-  local far = centre -- c - y, y = B up/s on an ellipsoid
-  if s.half[1] ~= expr.zero then
-    local A = vec.rotation(s.axes)
-    local squares = vec.map(s.half, function(x) return x ^ 2 end)
-    local B = {}
-    for i, p in ipairs(vec.pair) do
-      local sum = expr.zero
-      for j = 1, 3 do sum = sum + A[p[1]][j] * A[p[2]][j] * squares[j] end
-      B[i] = c.constant("B" .. vec.entry[i], ratio.tidy(sum), "matrix of the ellipsoid, " .. vec.entry[i] .. ", m^2")
-    end
-    k.B = B
-    local b = name("Bup_", vec.apply(B, k.up))
-    k.root = name("root", { expr.sqrt(vec.dot(k.up, b)) })[1]
-    k.y = name("touch_", vec.scale(expr.one / k.root, b))
-    far = name("far_", vec.sub(centre, k.y))
-  end
+  local far = centre -- c - y
+  k.y, k.slope = surface.point(s, c, k.up, name)
+  if k.y then far = name("far_", vec.sub(centre, k.y)) end
   k.far = far
   k.r = name("arm_", vec.sub(far, vec.scale(rim, k.up)))
   return k
@@ -127,19 +119,28 @@ function plane.potential(a, c)
 end
 
 function plane.conserves(a)
+  if a.spinning or a.rolling_resistance then return {} end
   return a.law ~= "sliding" and a.rate == expr.zero and { "T+V", "w3", "L_z" } or { "w3" }
 end
 
 local law_numbers = { rolling = 0.0, smooth = 1.0, sliding = 2.0 }
 
-function plane.numeric(a, num, given, _, c)
+-- The coefficient of a resistance and its smoothing, 0 where it is viscous.
+local function numbers(f, num)
+  if not f then return { 0.0, 0.0 } end
+  return { num(f.coulomb or f.viscous), f.smoothing and num(f.smoothing) or 0.0 }
+end
+
+function plane.numeric(a, num, given, code, c)
   local s, f = a.surface, a.friction or {}
   return { kind = "plane", law = f.coulomb and 3.0 or law_numbers[a.law], placed = placed(a, given) and 1.0 or 0.0,
+    surface = s.support and 2.0 or s.paraboloid and 1.0 or 0.0, support = s.support and code(s.support) or nil,
     half_axes = vec.map(s.half, num), axes = { num(s.axes[1]), num(s.axes[2]), num(s.axes[3]), num(s.axes[4]) },
     rim = num(s.rim), centre = vec.map(vec.sub(s.at, c.origin), num), normal = vec.map(a.normal, num),
     e1 = vec.map(a.e1, num), rate = num(a.rate), gravity = vec.map(a.gravity, num),
     friction = f.coulomb and num(f.coulomb) or f.viscous and num(f.viscous) or 0.0,
-    smoothing = f.smoothing and num(f.smoothing) or 0.0 }
+    smoothing = f.smoothing and num(f.smoothing) or 0.0, spinning = numbers(a.spinning, num),
+    rolling = numbers(a.rolling_resistance, num) }
 end
 
 return plane

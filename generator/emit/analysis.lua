@@ -30,8 +30,15 @@ function analysis.principal(job, base, ctx)
     pair_decades = PROMISES[real].decades, sign_margin = number.text(R.new(15, 16), real),
     negligible = number.text(R.new(2) ^ (2 - 2 * base_values.digits[real]), real) }
   if job.oblique then
-    local text = source.constants(job.oblique, real)
-    v.I1, v.I3 = text.I1, text.I3
+    local text, I1, I3 = source.constants(job.oblique, real), job.oblique.I1, job.oblique.I3
+    v.I1 = text.I1
+    if I1.kind == "num" and I3.kind == "num" then -- which is less is known
+      v.least, v.most = text.I1, text.I3
+      if I3.value < I1.value then v.least, v.most = text.I3, text.I1 end
+    else
+      local less = text.I3 .. " < " .. text.I1
+      v.least, v.most = less .. " ? " .. text.I3 .. " : " .. text.I1, less .. " ? " .. text.I1 .. " : " .. text.I3
+    end
   end
   local render = PRINCIPAL(job.templates, base, v)
   return render "analysis/principal.h", render "analysis/principal.c"

@@ -13,6 +13,7 @@ local number = require "generator.emit.number"
 local quantities = require "generator.dynamics.quantities"
 local selftest = require "generator.emit.selftest"
 local source = require "generator.emit.source"
+local test_state = require "generator.emit.test_state"
 
 local vectors = {}
 
@@ -69,9 +70,6 @@ local function rate_of(job, env, own)
   return square and R.new(2) ^ (R.log2(square) // 2)
 end
 
-local fixed = { x2 = { q = { "1/2", "-1/2", "1/2", "1/2" }, { "3/4", "-5/8", "9/16" } },
-  x3 = { q = { "-1/2", "1/2", "1/2", "1/2" }, { "-3/8", "1/2", "7/8" } } }
-
 -- The three states {name, values}; the time of half a radian of the fastest rate, and a scale of all states.
 local function states(job, round, env)
   local m, own = job.model, {}
@@ -109,11 +107,11 @@ local function states(job, round, env)
     scale.position = power_of(r) or R.one
   end
   local function made(name)
-    local x = {}
+    local x, q = {}, m.has.attitude and test_state.attitude(job, name, own, round)
     for i, s in ipairs(job.states) do
-      local turned = s.kind == "attitude"
-      x[i] = R.lift(turned and fixed[name].q[s.place] or fixed[name][1][(s.place - 1) % 3 + 1])
-      if not turned then x[i] = x[i] * (scale[s.kind] or power_of { own[i] } or R.one) end
+      local turns = s.kind == "attitude"
+      x[i] = turns and q[s.place] or R.lift(test_state.vector[name][(s.place - 1) % 3 + 1])
+      if not turns then x[i] = x[i] * (scale[s.kind] or power_of { own[i] } or R.one) end
     end
     return { name = name, values = x }
   end

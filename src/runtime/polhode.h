@@ -454,6 +454,8 @@ typedef struct ph_options {
   int order;        /* PH_TAYLOR with fixed step: 2 to 40; 0: 24 */
   int free_norm;    /* non-zero: do not project q onto |q| = 1 after each step */
   long max_steps;   /* in one call of ph_run_to */
+  int (*stop)(void *context); /* NULL, or asked before each step: not 0 ends the call: PH_ESTEPS */
+  void *context;
 } ph_options;
 
 /* PH_TAYLOR, adaptive, tolerance 1e-18, projection, 100 million steps. */

@@ -154,9 +154,9 @@ int ${name}_principal(const ${name}_model *m, ${name}_real moments[3], ${name}_r
 %% if oblique then
   if (${name}_principal_of(I, moments, axes)) return 1;
   /* two moments are equal by the body's symmetry: they are given as equal, not as what rounding left of them */
-  moments[0] = ${I3} < ${I1} ? ${I3} : ${I1};
+  moments[0] = ${least};
   moments[1] = ${I1};
-  moments[2] = ${I3} < ${I1} ? ${I1} : ${I3};
+  moments[2] = ${most};
   return 0;
 %% else
   return ${name}_principal_of(I, moments, axes);

@@ -134,6 +134,7 @@ rows.variants = V
 
 -- full: with its strength; zero: with none, also: the other ways to say so; absent: what zero is the same as, if not
 -- nothing; why: it has no zero.
+-- alone: it stands beside few of the others.
 -- place: "corner", the body must turn about its corner; "centroid", about its centroid; "moves": it flies.
 rows.strengths = {
   gravity = { full = "effect.gravity { g = strength }", zero = "effect.gravity { g = 0 }", place = "corner" },
@@ -168,6 +169,9 @@ rows.strengths = {
       "centre = {0, 1, 0} } } }",
     also = { "effect.solar_pressure { sun = {1, 2, 3}, plates = { { area = 0, normal = {0, 3, 4}, " ..
       "centre = {0, 1, 0}, reflectivity = 1/2 } } }" } },
+  plane = { full = "effect.plane { surface = contact.sphere { r = 9 }, law = \"rolling\", " ..
+    "spinning = { viscous = strength } }", place = "centroid", alone = true,
+    why = "the body touches it, whatever its strength" },
   wheel = { full = "effect.wheel { axis = {0, 3, 4}, inertia = strength, torque = 1, included = false }",
     why = "its speed is a state" },
   eddy_current = { full = "effect.eddy_current { k = strength, field = {0, 1, 2} }",

@@ -52,7 +52,7 @@ local function beside(i)
   local row, list = rows[names[i]], {}
   for k = 1, #names - 1 do
     local other = rows[names[(i + k - 1) % #names + 1]]
-    if #list < 2 and other and not (row.place and other.place and row.place ~= other.place) and
+    if #list < 2 and other and not other.alone and not (row.place and other.place and row.place ~= other.place) and
       not (row.place == "moves" and other.place == "moves") then
       list[#list + 1] = other
     end

@@ -2,6 +2,9 @@
 -- handout.t - the printed explanation: symbols, names that clash, numbers, sections, and every effect.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+package.path = "./?.lua;" .. package.path
+package.cpath = "build/lua/?.so;" .. package.cpath
+
 local tap = require "tests.tap"
 local tier = require "tests.tier"
 local effects = require "generator.effects.effects"

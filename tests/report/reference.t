@@ -2,6 +2,9 @@
 -- reference.t - the reference of the scene language: its page is up to date, and its examples run.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+package.path = "./?.lua;" .. package.path
+package.cpath = "build/lua/?.so;" .. package.cpath
+
 local tap = require "tests.tap"
 local reference = require "generator.commands.reference"
 local language = require "generator.language.reference"

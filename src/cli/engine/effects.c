@@ -86,6 +86,12 @@ static void read_field(struct engine_scene *s, const effect_field *f, char *give
     read_varyings(s, f->n, at);
     return;
   }
+  if (f->type == EFFECT_JET && there) {
+    ph_varying program;
+    engine_read_program(s, &program);
+    *(ph_support *)at = (ph_support){engine_program_jet, program.context};
+    return;
+  }
   if (f->type == EFFECT_LIST && there) {
     read_list(s, at);
     return;

@@ -89,6 +89,8 @@ void engine_read_program(struct engine_scene *s, ph_varying *out);
 void engine_keep(struct engine_scene *s);
 /* ph_varying.f of a program, and the size of its largest terms; x: n states. */
 long double engine_program_value(void *program, long double t, const long double x[]);
+/* ph_support.jet of a program of three variables: value, gradient, second derivatives. */
+void engine_program_jet(void *program, const long double n[3], long double out[10]);
 double engine_program_size(const ph_varying *v, double t, const double x[], int n);
 /* n numbers from the list at `index` itself. */
 void engine_list(lua_State *L, int index, int n, double out[]);

@@ -5,58 +5,20 @@
  * running it needs no checks.  Beside each value goes its size: the value with every term of every
  * sum made positive, which is what two honest roundings can be compared by.
  */
-#include "engine.h"
+#include "program.h"
 
 #include <math.h>
 #include <string.h>
-
-#define MAX_DEPTH 64
-#define MAX_CODE  20000
-
-enum op {
-  NUMBER,
-  VARIABLE,
-  INPUT,
-  ADD,
-  MUL,
-  POW,
-  SIN,
-  COS,
-  TAN,
-  ASIN,
-  ACOS,
-  ATAN,
-  ATAN2,
-  EXP,
-  LOG,
-  SINH,
-  COSH,
-  TANH,
-  ABS,
-  CLAMP
-};
 
 static const char *const names[] = {"n",   "v",    "u",    "+",    "*",    "^",     "sin",
                                     "cos", "tan",  "asin", "acos", "atan", "atan2", "exp",
                                     "log", "sinh", "cosh", "tanh", "abs",  "clamp", NULL};
 
-struct instruction {
-  enum op op;
-  int n; /* operands, or the variable */
-  long double value, q;
-};
-
-struct engine_program {
-  int length;
-  const struct engine_inputs *input;
-  struct instruction code[];
-};
-
 typedef struct sized {
   long double value, size;
 } sized;
 
-static sized call(enum op op, sized a, sized b) {
+static sized call(enum program_op op, sized a, sized b) {
   const long double x = a.value;
   long double y = 0, slope = 0; /* |f'(x)| */
   switch (op) {
@@ -104,11 +66,11 @@ static sized call(enum op op, sized a, sized b) {
 }
 
 static sized run(const struct engine_program *p, long double t, const long double x[]) {
-  sized stack[MAX_DEPTH];
+  sized stack[PROGRAM_DEPTH];
   stack[0] = (sized){0, 0}; /* an empty program has the value 0 */
   int top = 0;
   for (int i = 0; i < p->length; i++) {
-    const struct instruction *c = &p->code[i];
+    const struct program_instruction *c = &p->code[i];
     sized r;
     if (c->op == NUMBER || c->op == VARIABLE) {
       r.value = c->op == NUMBER ? c->value : c->n == 0 ? t : x[c->n - 1];
@@ -167,8 +129,8 @@ static long double item(lua_State *L, int *i) {
 void engine_read_program(struct engine_scene *s, ph_varying *out) {
   lua_State *L = s->L;
   const int n = (int)lua_rawlen(L, -1);
-  if (n < 1 || n > MAX_CODE)
-    luaL_error(L, "program: from 1 to %d items", MAX_CODE);
+  if (n < 1 || n > PROGRAM_CODE)
+    luaL_error(L, "program: from 1 to %d items", PROGRAM_CODE);
   struct engine_program *p = engine_aligned(
       lua_newuserdatauv(L, sizeof *p + (size_t)n * sizeof p->code[0] + ENGINE_ALIGNMENT, 0));
   lua_insert(L, -2);
@@ -176,7 +138,7 @@ void engine_read_program(struct engine_scene *s, ph_varying *out) {
   p->input = s->input;
   int depth = 0;
   for (int i = 0; i < n;) {
-    struct instruction *c = &p->code[p->length++];
+    struct program_instruction *c = &p->code[p->length++];
     lua_rawgeti(L, -1, ++i);
     const char *name = luaL_checkstring(L, -1);
     int op = 0;
@@ -185,7 +147,7 @@ void engine_read_program(struct engine_scene *s, ph_varying *out) {
     if (!names[op])
       luaL_error(L, "program: the library knows no function '%s'", name);
     lua_pop(L, 1);
-    c->op = (enum op)op;
+    c->op = (enum program_op)op;
     c->n = op == CLAMP ? 3 : op == ATAN2 ? 2 : op >= POW ? 1 : 0;
     if (op == NUMBER) {
       c->value = item(L, &i);
@@ -199,7 +161,7 @@ void engine_read_program(struct engine_scene *s, ph_varying *out) {
     const int takes = op <= INPUT ? 0 : c->n;
     if ((op > INPUT && (takes < 1 || takes > depth)) ||
         (op == VARIABLE && (c->n < 0 || c->n > PH_STATES)) ||
-        (op == INPUT && (c->n < 0 || c->n >= s->inputs)) || depth - takes + 1 > MAX_DEPTH)
+        (op == INPUT && (c->n < 0 || c->n >= s->inputs)) || depth - takes + 1 > PROGRAM_DEPTH)
       luaL_error(L, "program: malformed or too deep at %d", i);
     depth += 1 - takes;
   }

@@ -10,9 +10,11 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
+#include <time.h>
 
-/* Between two rows: a minute or so of the slowest method; signals are looked at once a row. */
-#define MAX_STEPS 5000000
+/* Between two rows: so many steps, and a minute of processor time. */
+#define MAX_STEPS   5000000
+#define MAX_SECONDS 60
 
 static const double no_control[3] = {0, 0, 0};
 
@@ -38,9 +40,17 @@ static int option(lua_State *L, int index, const char *key, double *out) {
   return given;
 }
 
-static int read_options(lua_State *L, int index, ph_options *o) {
+/* A signal to stop, or the end of the row's time. */
+static int stop(void *since) {
+  return interrupt_pending() ||
+         (double)(clock() - *(const clock_t *)since) / CLOCKS_PER_SEC > MAX_SECONDS;
+}
+
+static int read_options(lua_State *L, int index, clock_t *since, ph_options *o) {
   *o = ph_options_default();
   o->max_steps = MAX_STEPS;
+  o->stop = stop;
+  o->context = since;
   lua_getfield(L, index, "method");
   const char *name = luaL_optstring(L, -1, "adaptive");
   size_t i = 0;
@@ -110,7 +120,8 @@ struct motion {
   ph_run *run;
   struct engine_course course;
   double x0[7], t0;
-  double step; /* 0: the method chooses */
+  double step;   /* 0: the method chooses */
+  clock_t since; /* processor time at which the row began */
 };
 
 /* From where the run is to `end`, from break to break of the inputs' course. */
@@ -131,14 +142,16 @@ static int go(const struct motion *m, double end, double x[]) {
   return status;
 }
 
-static int reach(const struct motion *m, double t, double x[]) {
+static int reach(struct motion *m, double t, double x[]) {
+  m->since = clock();
+  const int status = go(m, t, x);
   interrupt_check(m->s->L);
-  return go(m, t, x);
+  return status;
 }
 
 /* A time between `from`, which was reached, and `end`, which was not: with steps of their own
    length the end of the first that fails, else where the motion ends, by halving. */
-static double first_failure(const struct motion *m, double from, double end) {
+static double first_failure(struct motion *m, double from, double end) {
   double x[PH_STATES];
   if (m->run != NULL) /* a failure leaves it where it was: at a break, maybe */
     from = ph_run_time(m->run);
@@ -193,7 +206,7 @@ int host_run(lua_State *L) {
   lua_pop(L, 1);
   ph_run **run = new_run_holder(L);
   if (!linearised) {
-    status = read_options(L, 2, &options);
+    status = read_options(L, 2, &m.since, &options);
     if (status == PH_OK)
       status = ph_run_new(run, &s.top, &options, t, x);
   }

@@ -29,6 +29,13 @@ int acts_new(ph_top *top, const effect_table *effect, int states, int n, const p
 /* The unit vector along v, PH_EFINITE or PH_EDIRECTION. */
 int acts_unit(const double v[3], double out[3]);
 
+/* ---- surface.c ---- */
+
+/* From the centre of mass to the point of the surface where the plane of normal g touches it, and
+   its rate when g has the rate g_rate: body axes, g a unit vector. 0: there is no single point. */
+int acts_surface(const ph_plane *p, const ph_wide g[3], const ph_wide g_rate[3], ph_wide r[3],
+                 ph_wide rate[3]);
+
 /* ---- acts.c ---- */
 
 /* The acts that are switched on, one after the other: `for (acts_at a = acts_first(..); a.e.act;

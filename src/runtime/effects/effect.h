@@ -60,6 +60,7 @@ typedef struct effect_field {
     EFFECT_FLAG,    /* int: true or false */
     EFFECT_GIVEN,   /* int: is the field there? */
     EFFECT_VARYING, /* n of ph_varying: one, or a list if n > 1; zero if there is no field */
+    EFFECT_JET,     /* ph_support: a function of a vector; zero if there is no field */
     EFFECT_LENGTH,  /* int: how long the list is */
     EFFECT_LIST     /* effect_list: numbers, as many as there are; they live as long as the scene */
   } type;

@@ -5,9 +5,8 @@
    velocity of the plane's point under it, a and A the accelerations sought, F the contact force:
      m A - F = m g      I a - d x F = b      A + a x d + w x d' = U'     (rolling: all of it)
    without rolling F = N G, G = n and the friction, and the third along n alone. One linear system
-   as it stands, by elimination with pivots. The surface is the image of the unit sphere: its point
-   with the outward normal -n, in the ellipsoid's axes, is -C z with z = C n/|C n|, C the half
-   axes. */
+   as it stands, by elimination with pivots. Resistance to spinning and rolling is a torque N T
+   beside d x F. The contact point is acts/surface.c's. */
 #include "acts/acts.h"
 
 #include <string.h>
@@ -18,39 +17,8 @@ typedef struct contact {
   ph_wide d[3], change[3];                /* and d' */
   ph_wide com[3], V[3], U[3], slip[3];
   ph_wide G[3]; /* F = N G; rolling: unknown */
+  ph_wide T[3];
 } contact;
-
-/* The contact point from the centre of mass and its rate in body axes. 0: no single point. */
-static int surface(const ph_plane *p, const ph_wide g[3], const ph_wide g_rate[3], ph_wide r[3],
-                   ph_wide rate[3]) {
-  ph_wide S[4], a[3], b[3], z[3], length = 0, along = 0;
-  wide_load_unit(p->axes, S);
-  wide_sandwich(S, g, 0, a);
-  wide_sandwich(S, g_rate, 0, b);
-  for (int i = 0; i < 3; i++) {
-    a[i] *= (ph_wide)p->half_axes[i];
-    b[i] *= (ph_wide)p->half_axes[i];
-  }
-  length = wide_norm(a);
-  const int point = p->half_axes[0] == 0 && p->half_axes[1] == 0 && p->half_axes[2] == 0;
-  if (!point && !(length > 0))
-    return 0;
-  for (int i = 0; i < 3; i++) {
-    z[i] = point ? 0 : a[i] / length;
-    along += z[i] * b[i];
-  }
-  for (int i = 0; i < 3; i++) {
-    a[i] = -(ph_wide)p->half_axes[i] * z[i];
-    b[i] = point ? 0 : -(ph_wide)p->half_axes[i] * ((b[i] - z[i] * along) / length);
-  }
-  wide_sandwich(S, a, 1, r);
-  wide_sandwich(S, b, 1, rate);
-  for (int i = 0; i < 3; i++) {
-    r[i] += (ph_wide)p->centre[i] - (ph_wide)p->rim * g[i];
-    rate[i] -= (ph_wide)p->rim * g_rate[i];
-  }
-  return 1;
-}
 
 static void directions(const ph_plane *p, contact *c) {
   wide_load(3, p->normal, c->n);
@@ -67,6 +35,23 @@ static void directions(const ph_plane *p, contact *c) {
   wide_cross(c->n, c->e1, c->e2);
 }
 
+static ph_wide resistance(const ph_resistance *f, ph_wide rate) {
+  const ph_wide size = f->smoothing > 0 ? hypotl(rate, (ph_wide)f->smoothing) : 1;
+  return (ph_wide)f->coefficient / size;
+}
+
+/* T, from the turning beside the plane: its parts along n and across. */
+static void resist(const ph_plane *p, contact *c) {
+  ph_wide across[3];
+  const ph_wide along = wide_dot(c->n, c->w), spin = along - (ph_wide)p->rate;
+  for (int i = 0; i < 3; i++)
+    across[i] = c->w[i] - along * c->n[i];
+  const ph_wide turning = resistance(&p->spinning, spin) * spin;
+  const ph_wide rolling = resistance(&p->rolling, wide_norm(across));
+  for (int i = 0; i < 3; i++)
+    c->T[i] = -turning * c->n[i] - rolling * across[i];
+}
+
 static int touch(const effect_at *e, contact *c) {
   const ph_plane *p = &e->act->of.plane;
   const ph_wide *own = e->x + e->place, length = wide_quat_norm(e->x);
@@ -77,7 +62,7 @@ static int touch(const effect_at *e, contact *c) {
   wide_sandwich(c->q, e->x + 4, 1, c->w);
   wide_sandwich(c->q, c->n, 0, g);
   wide_cross(g, e->x + 4, g_rate);
-  if (!surface(p, g, g_rate, r, rate))
+  if (!acts_surface(p, g, g_rate, r, rate))
     return PH_ECONTACT;
   wide_sandwich(c->q, r, 1, c->d);
   wide_sandwich(c->q, rate, 1, c->change);
@@ -103,6 +88,7 @@ static int touch(const effect_at *e, contact *c) {
     share = (ph_wide)p->friction / hypotl(wide_norm(c->slip), (ph_wide)p->smoothing);
   for (int i = 0; i < 3; i++)
     c->G[i] = c->n[i] - share * c->slip[i];
+  resist(p, c);
   return PH_OK;
 }
 
@@ -137,7 +123,7 @@ static int accelerations(const effect_at *e, const contact *c, const ph_wide b[3
       M[j][6 + j] = -1;
       cross_column(c->d, j, column);
       for (int i = 0; i < 3; i++) {
-        M[3 + i][6 + j] = -column[i];
+        M[3 + i][6 + j] = -column[i] - c->T[i] * c->n[j]; /* N = n.F */
         M[6 + i][3 + j] = -column[i];
       }
       M[6 + j][j] = 1;
@@ -148,7 +134,7 @@ static int accelerations(const effect_at *e, const contact *c, const ph_wide b[3
   wide_cross(c->d, c->G, column);
   for (int i = 0; i < 3; i++) {
     M[i][6] = -c->G[i];
-    M[3 + i][6] = -column[i];
+    M[3 + i][6] = -column[i] - c->T[i];
     M[6][i] = c->n[i];
   }
   wide_cross(c->d, c->n, column); /* n.(a x d) = a.(d x n) */
@@ -228,16 +214,36 @@ static ph_wide potential(const effect_at *e) {
 
 /* ---- terms ---- */
 
-static double reach(const ph_plane *p) {
-  return effect_norm(p->half_axes) + p->rim + effect_norm(p->centre);
+/* The contact in double's state; 0: there is none. */
+static int seen(const effect_terms *e, contact *c) {
+  ph_wide x[PH_STATES];
+  wide_load(ph_top_states(e->top), e->x, x);
+  const effect_at at = {e->top, e->act, (ph_wide)e->t, x, e->place};
+  return touch(&at, c) == PH_OK;
+}
+
+/* The largest term of the arm, and of its rate. */
+static double reach(const effect_terms *e, double *rate) {
+  const ph_plane *p = &e->act->of.plane;
+  contact c;
+  const double fixed = p->rim + 2 * effect_norm(p->centre);
+  if (!seen(e, &c)) {
+    *rate = 0;
+    return fixed;
+  }
+  *rate = (double)wide_norm(c.change);
+  const double half = p->surface == PH_ELLIPSOID ? effect_norm(p->half_axes) : 0;
+  return effect_larger(half, (double)wide_norm(c.d)) + fixed;
 }
 
 /* The largest acceleration among the terms of the centre of mass. */
 static double largest(const effect_terms *e) {
   const ph_plane *p = &e->act->of.plane;
+  double rate;
+  const double arm = reach(e, &rate);
   const double w = effect_norm(e->x + 4) + fabs(p->rate);
   const double place = p->placed ? hypot(e->x[e->place], e->x[e->place + 1]) : 0;
-  return effect_larger(effect_norm(p->gravity), w * w * (reach(p) + place));
+  return effect_larger(effect_norm(p->gravity), w * (w * (arm + place) + rate));
 }
 
 /* I^-1 v in place of v, body axes; 0: of a rod. */
@@ -252,48 +258,56 @@ static int undone(const ph_top *top, ph_wide v[ACTS_ROWS]) {
 
 /* How far one rounding of the contact's terms may be magnified in w': the friction's share of N,
    and what is lost where friction nearly undoes the support, 1/m + n.(I^-1 (d x G) x d) -> 0. */
-static double share(const effect_terms *e) {
+static double share(const effect_terms *e, double arm) {
   const ph_plane *p = &e->act->of.plane;
-  ph_wide x[PH_STATES], lever[3], turned[ACTS_ROWS];
+  ph_wide lever[3], turned[ACTS_ROWS];
   contact c;
-  wide_load(ph_top_states(e->top), e->x, x);
-  const effect_at at = {e->top, e->act, (ph_wide)e->t, x, e->place};
-  if (p->law == PH_ROLLING || touch(&at, &c))
+  if (!seen(e, &c))
     return 1;
+  if (p->law == PH_ROLLING)
+    return 1 + (double)wide_norm(c.T) / arm;
   wide_cross(c.d, c.G, lever);
+  for (int i = 0; i < 3; i++)
+    lever[i] += c.T[i];
   wide_sandwich(c.q, lever, 0, turned);
   if (!undone(e->top, turned))
     return 1;
   wide_sandwich(c.q, turned, 1, turned);
   wide_cross(turned, c.d, lever);
   const ph_wide mass = (ph_wide)e->top->mass, down = mass * wide_dot(c.n, lever);
-  const ph_wide size = wide_norm(c.G) * (1 + mass * wide_norm(turned) * wide_norm(c.d));
+  const ph_wide size = (wide_norm(c.G) + wide_norm(c.T) / (ph_wide)arm) *
+                       (1 + mass * wide_norm(turned) * wide_norm(c.d));
   return (double)(size / fabsl(1 + down));
 }
 
 static void term_torque(const effect_terms *e, double term[3]) {
-  const ph_plane *p = &e->act->of.plane;
+  double rate;
+  const double arm = reach(e, &rate), size = e->top->mass * arm * largest(e) * share(e, arm);
   for (int i = 0; i < 3; i++)
-    effect_raise(&term[i], e->top->mass * reach(p) * largest(e) * share(e));
+    effect_raise(&term[i], size);
 }
 
 static void term_rates(const effect_terms *e, double scale[]) {
   const ph_plane *p = &e->act->of.plane;
   const double *own = e->x + e->place, w = effect_norm(e->x + 4) + fabs(p->rate);
+  double rate;
+  const double arm = reach(e, &rate);
   for (int i = 0; i < e->act->states; i++)
     if (i > 1)
-      effect_raise(&scale[e->place + i], largest(e) * share(e));
+      effect_raise(&scale[e->place + i], largest(e) * share(e, arm));
     else
       effect_raise(&scale[e->place + i],
-                   e->act->states == 4 ? fabs(own[2 + i]) : w * (reach(p) + fabs(own[1 - i])));
+                   e->act->states == 4 ? fabs(own[2 + i]) : w * (arm + fabs(own[1 - i])));
 }
 
 static void term_energy(const effect_terms *e, double *scale) {
   const ph_plane *p = &e->act->of.plane;
+  double rate;
   const double w = effect_norm(e->x + 4) + fabs(p->rate), m = e->top->mass;
   const double place = p->placed ? hypot(e->x[e->place], e->x[e->place + 1]) : 0;
-  effect_raise(scale, m * effect_norm(p->gravity) * (reach(p) + place));
-  effect_raise(scale, m * w * w * (reach(p) + place) * (reach(p) + place));
+  const double size = reach(e, &rate) + place;
+  effect_raise(scale, m * effect_norm(p->gravity) * size);
+  effect_raise(scale, m * w * w * size * size);
   if (e->act->states == 4)
     effect_raise(scale, m * pow(hypot(e->x[e->place + 2], e->x[e->place + 3]), 2));
 }
@@ -301,11 +315,14 @@ static void term_energy(const effect_terms *e, double *scale) {
 /* ---- reading ---- */
 
 struct given {
-  double law, placed, half_axes[3], axes[4], rim, centre[3], normal[3], e1[3], rate, gravity[3],
-      friction, smoothing;
+  double surface, law, placed, half_axes[3], axes[4], rim, centre[3], normal[3], e1[3], rate,
+      gravity[3], friction, smoothing, spinning[2], rolling[2];
+  ph_support support;
 };
 
 static const effect_field fields[] = {
+    {"surface", EFFECT_NUMBERS, 1, offsetof(struct given, surface), NULL},
+    {"support", EFFECT_JET, 1, offsetof(struct given, support), NULL},
     {"law", EFFECT_NUMBERS, 1, offsetof(struct given, law), NULL},
     {"placed", EFFECT_NUMBERS, 1, offsetof(struct given, placed), NULL},
     {"half_axes", EFFECT_NUMBERS, 3, offsetof(struct given, half_axes), NULL},
@@ -318,6 +335,8 @@ static const effect_field fields[] = {
     {"gravity", EFFECT_NUMBERS, 3, offsetof(struct given, gravity), NULL},
     {"friction", EFFECT_NUMBERS, 1, offsetof(struct given, friction), NULL},
     {"smoothing", EFFECT_NUMBERS, 1, offsetof(struct given, smoothing), NULL},
+    {"spinning", EFFECT_NUMBERS, 2, offsetof(struct given, spinning), NULL},
+    {"rolling", EFFECT_NUMBERS, 2, offsetof(struct given, rolling), NULL},
     {0}};
 
 static int add(ph_top *top, const void *given) {
@@ -331,6 +350,10 @@ static int add(ph_top *top, const void *given) {
   memcpy(p.gravity, g->gravity, sizeof p.gravity);
   p.friction = g->friction;
   p.smoothing = g->smoothing;
+  p.surface = (int)g->surface;
+  p.spinning = (ph_resistance){g->spinning[0], g->spinning[1]};
+  p.rolling = (ph_resistance){g->rolling[0], g->rolling[1]};
+  p.support = g->support;
   return ph_top_plane(top, &p);
 }
 
@@ -348,20 +371,34 @@ const effect_table effect_plane = {.name = "plane",
                                    .term_energy = term_energy};
 
 static int sound(const ph_plane *p) {
-  const double numbers[6] = {p->rim, p->rate, p->friction, p->smoothing, 0, 0};
+  const double numbers[8] = {p->rim,
+                             p->rate,
+                             p->friction,
+                             p->smoothing,
+                             p->spinning.coefficient,
+                             p->spinning.smoothing,
+                             p->rolling.coefficient,
+                             p->rolling.smoothing};
   ph_wide q[4];
   if (!wide_finite(3, p->half_axes) || !wide_finite(3, p->centre) || !wide_finite(3, p->normal) ||
-      !wide_finite(3, p->e1) || !wide_finite(3, p->gravity) || !wide_finite(6, numbers))
+      !wide_finite(3, p->e1) || !wide_finite(3, p->gravity) || !wide_finite(8, numbers))
     return PH_EFINITE;
   const int status = wide_load_unit(p->axes, q);
   if (status)
     return status;
-  if (p->law < PH_ROLLING || p->law > PH_COULOMB)
+  if (p->law < PH_ROLLING || p->law > PH_COULOMB || p->surface < PH_ELLIPSOID ||
+      p->surface > PH_SUPPORT || (p->surface == PH_SUPPORT && !p->support.jet))
     return PH_EBOUND;
   if (p->half_axes[0] < 0 || p->half_axes[1] < 0 || p->half_axes[2] < 0 || p->rim < 0)
     return PH_ELENGTH;
-  if (!(p->rim + p->half_axes[0] + p->half_axes[1] + p->half_axes[2] > 0))
+  const double sizes = p->half_axes[0] + p->half_axes[1] + p->half_axes[2];
+  if (p->surface == PH_ELLIPSOID && !(p->rim + sizes > 0))
     return PH_ELENGTH;
+  if (p->surface == PH_PARABOLOID && !(p->half_axes[0] > 0 && p->half_axes[1] > 0))
+    return PH_ELENGTH;
+  if (p->spinning.coefficient < 0 || p->spinning.smoothing < 0 || p->rolling.coefficient < 0 ||
+      p->rolling.smoothing < 0)
+    return PH_EPOSITIVE;
   if (p->friction < 0 || (p->law == PH_COULOMB && !(p->smoothing > 0)))
     return PH_EPOSITIVE;
   ph_wide n[3], e1[3], across[3];

@@ -104,6 +104,10 @@ static void project(const ph_run *run, ph_wide x[]) {
     x[i] /= n;
 }
 
+static int stopped(const ph_run *run) {
+  return run->options.stop && run->options.stop(run->options.context);
+}
+
 /* Order for a tolerance: the cheapest one by Jorba and Zou (2005), -ln(tolerance)/2, and two more.
  */
 static int taylor_order(const ph_options *o) {
@@ -124,6 +128,8 @@ static int go_fixed(ph_run *run, ph_wide span, ph_wide x[], long *steps) {
   ph_wide h = span / (ph_wide)(n > 0 ? n : 1), error;
   for (long k = 0; k < n; k++) {
     int status;
+    if (stopped(run))
+      return PH_ESTEPS;
     run->stepper.t = (ph_wide)run->t + (ph_wide)k * h;
     if (run->options.method == PH_RK4)
       status = step_rk4(&run->stepper, x, h, x);
@@ -190,7 +196,7 @@ static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[], ph_wide *suggesti
     }
     if (status)
       return status;
-    if (++tries > run->options.max_steps)
+    if (++tries > run->options.max_steps || stopped(run))
       return PH_ESTEPS;
     if (h != left && start + done + h == start + done)
       return PH_ESTEP;
