@@ -208,7 +208,8 @@ local function prepared(host, job, given)
   if not plan then return nil, options.refuse(host, d) end
   local list = unknowns.list(plan.fit, free, data)
   if count_of(data) <= #list then
-    return nil, options.failed(host, "fit", "too few values: " .. count_of(data) .. " for " .. #list .. " unknowns")
+    return nil, options.failed(host, "fit", data[1].path .. (#data > 1 and " and others" or "") ..
+      ": too few values: " .. count_of(data) .. " for " .. #list .. " unknowns")
   end
   local torn = pieces.wrong(given, free, data, #list - (#data - 1) * (#list - #free.params) // #data)
   if torn then return nil, options.wrong(host, "fit", torn) end

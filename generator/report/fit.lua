@@ -7,6 +7,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local json = require "generator.report.json"
+local regions = require "generator.report.fit_regions"
 
 local report = {}
 
@@ -192,8 +193,10 @@ local function judged(found, told)
   end
   local over = found.known and not told.robust and told.dof > 0 and told.tail < SURE
   if over and told.reduced > WIDE then
+    local far = told.outliers[1]
     put(wrong, "the model does not fit: chi-square is %.4g times its expectation; another model, another start, or " ..
-      "a sigma that is too small", told.reduced)
+      "a sigma that is too small%s", told.reduced, far and string.format(" (the farthest value: %s:%d, %s is off by " ..
+      "%.3g sigma)", far.log, far.line, far.name, far.z) or "")
   elseif over then
     put(notes, "chi-square is %.4g times its expectation, too much for the stated sigma", told.reduced)
   end
@@ -243,6 +246,7 @@ function report.of(found)
   local scale = found.known and 1 or told.reduced
   told.estimates = estimates(found, scale, lost)
   told.correlation, told.close = correlations(found, lost)
+  told.regions = regions.of(told)
   told.covariance_scale, told.residuals, told.result = scale, residuals_of(found), r
   told.names = found.names
   told.logs, told.segments = found.data, not found.whole and found.segments or nil
@@ -314,6 +318,7 @@ function report.text(told)
   put(out, "  (standard errors %s)", told.known and "from the stated sigma, not scaled" or
     "scaled by the residuals, as no sigma is stated")
   correlation_of(out, told)
+  regions.text(out, told)
   put(out, "\nDoes the model fit?")
   if told.known then
     put(out, "  chi-square %.6g for %d degrees of freedom: %.5g times; more has a probability of %.2g%s", told.chi2,
@@ -372,6 +377,7 @@ function report.json(told)
   end
   return json.text(object { { "scene", told.scene }, { "converged", r.converged }, { "fits", #told.wrong == 0 },
     { "loss", told.loss }, { "estimates", list }, { "covariance", covariance },
+    { "regions_95", regions.json(told) },
     { "covariance_scaled", not told.known }, { "initial_attitudes", references }, { "chi2", told.chi2 },
     { "n", told.n }, { "dof", told.dof }, { "upper_tail", told.known and told.tail or json.null },
     { "residuals", residuals },

@@ -103,18 +103,42 @@ local function ellipses(d, told, list, top)
   end
 end
 
+local function text_of(...) return string.format(...) end
+
+local function rough(x) return text_of("%.3g", x) end
+
+-- Chi-square, or what stands for it where no sigma is known.
+local function verdict(told)
+  if not told.known then return "residuals: standard deviation " .. rough(math.sqrt(told.reduced)) end
+  return "chi-square " .. rough(told.reduced) .. " times its expectation, " .. told.dof ..
+    " degrees of freedom, more has a probability of " .. rough(told.tail) ..
+    (told.status == 0 and "" or "; the fit failed")
+end
+
+-- Of a panel's residuals the root mean square and how probable it is that they are white.
+local function quality(told, p)
+  for _, c in ipairs(told.residuals) do
+    if c.log == p.log and c.name == p.name then
+      return ", root mean square " .. rough(c.rms) .. (c.white and
+        ", white with probability " .. rough(c.white.tail) or "")
+    end
+  end
+  return ""
+end
+
 function sheet.text(told)
   local panels, left = panels_of(told)
-  local list, height = named(told), 60
+  local list, height = named(told), 76
   for _, p in ipairs(panels) do height = height + (p.trace.y[1] and DATA + 22 or 0) + RESIDUAL + GAP end
   local square = #list > 1 and (#list - 1) * CELL + 80 or 0
   local d = svg.new(WIDE, height + square, { title = "Fit of " .. told.scene,
     about = "data and model over time, residuals in sigma, and confidence ellipses of the estimates" })
   d:text(LEFT, 24, "Fit of " .. told.scene .. ": dots measured, line model, SI units; z in sigma, band 2 sigma" ..
     (left > 0 and "; " .. left .. " more are not drawn" or ""), "title")
-  local top = 56
+  d:text(LEFT, 40, verdict(told), "small")
+  local top = 72
   for _, p in ipairs(panels) do
-    d:text(LEFT, top - 8, p.log .. ": " .. p.name, "small")
+    d:text(LEFT, top - 8, p.log .. ": " .. p.name .. quality(told, p), "small")
     if p.trace.y[1] then
       measured(d, p, top)
       top = top + DATA + 22

@@ -69,7 +69,7 @@ refused("one row", 2, "log.csv: must have two rows or more, got 1", "t,wz\n0,2\n
 refused("times of day", 2, "log.csv: the rows are 0.5 s apart and go from t = 1763890000 s to 1763890001 s, too many",
   "t,wz\n1763890000,2\n1763890000.5,2\n1763890001,2\n")
 refused("an empty file", 2, "log.csv: has no line that names its columns", "")
-refused("too few values", 2, "too few values: 2 for 2 unknowns", "t,wz\n0,2\n1,2\n", "--free w3,b",
+refused("too few values", 2, "log.csv: too few values: 2 for 2 unknowns", "t,wz\n0,2\n1,2\n", "--free w3,b",
   "wz = wz + b, sigma = 0.01")
 
 -- ---- command line and scene ----
@@ -220,6 +220,7 @@ end
 code, out = fit("t,wz\n" .. rows(100, function(i) return i * 0.1 .. "," .. 2 + i * 0.01 end))
 tap.is(code, 3, "a model that does not fit has exit status 3")
 tap.ok(out:find("WRONG: the model does not fit", 1, true) ~= nil, "and says so")
+tap.ok(out:find "%(the farthest value: log.csv:%d+, wz is off by %-?[%d.]+ sigma%)" ~= nil, "with file and line", out)
 
 -- Gross errors in a constant rate: the estimate is where the sum of psi(z) is 0, found here by halving; its variance is
 -- sum psi^2/(sum psi')^2.

@@ -79,6 +79,22 @@ local function covariance_apart(got, fit)
   return worst
 end
 
+-- Every pair has its ellipse: area and sum of squares of the semi-axes are those of 5.991 [1 rho; rho 1].
+local function regions_right(got, fit)
+  local count, n = 0, #fit.free
+  for k = 1, n do
+    for i = 1, k - 1 do
+      count = count + 1
+      local a, s = got.regions_95[count], { fit.sigma[fit.free[i]], fit.sigma[fit.free[k]] }
+      local rho, R = fit.covariance[i][k] / s[1] / s[2], 5.991464547107979
+      if not a or math.abs(a.semi_axes[1] * a.semi_axes[2] - R * math.sqrt(1 - rho * rho)) > 1e-3 or
+        math.abs(a.semi_axes[1] ^ 2 + a.semi_axes[2] ^ 2 - 2 * R) > 1e-9 or
+        (a.semi_axes[1] - a.semi_axes[2]) * rho < 0 then return false end
+    end
+  end
+  return count == #got.regions_95
+end
+
 for _, case in ipairs(cases) do
   local data = json.read(program.read(root .. case.folder .. "/case.json"))
   local fit = data.fits[case.fit]
@@ -91,6 +107,7 @@ for _, case in ipairs(cases) do
     local far, other = apart(got, fit), covariance_apart(got, fit)
     tap.ok(far <= 1e-6, name .. ": the estimates are the reference's", far .. " standard errors apart")
     tap.ok(other <= 1e-4, name .. ": so is the covariance", other .. " apart")
+    tap.ok(regions_right(got, fit), name .. ": regions of pairs are those of the reference's covariance")
     tap.ok(math.abs(got.chi2 / fit.chi2 - 1) < 1e-8, name .. ": and chi-square", got.chi2 .. " for " .. fit.chi2)
     tap.ok(got.n == fit.n_residuals, name .. ": all values are used, and no missing one")
     if os.getenv "VERBOSE" then tap.diag(string.format("%.2g sigma, covariance %.2g, %d passes, %.4f s, step %.4g",

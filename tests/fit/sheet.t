@@ -46,6 +46,10 @@ return scene { name = "rotor", body = tensor { mass = 1, xx = 2, yy = 2, zz = 2 
   -- rows with an even number: 1000 of wz, those divisible by 6 of wx: 334; in two panels each
   tap.is(count(text, "<circle"), 2 * (1000 + 334), "a dot for each row that is drawn, and none for missing values")
   tap.is(count(text, "<polygon"), 1, "an ellipse")
+  tap.is(count(text, "chi%-square [%d.]+ times its expectation, 2665 degrees of freedom, more has a probability of"), 1,
+    "chi-square")
+  tap.is(count(text, "log.csv: w[xz], root mean square [%d.]+"), 2, "of each column what its residuals are")
+  tap.is(count(text, ", white with probability"), 1, "and whether they are white, where pairs of rows are there")
   -- w3 and b have nothing to do with each other, so it is a circle: of 2.4477 standard errors in a cell of 96/6 each
   local low, high = math.huge, -math.huge
   for x in (text:match '<polygon[^>]*points="([^"]*)"' or ""):gmatch "([%d.]+),[%d.]+" do

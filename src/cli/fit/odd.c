@@ -91,7 +91,7 @@ int host_odd(lua_State *L) {
     lua_createtable(L, 0, 4);
     if (s.values >= 2 * RUN && s.low == s.high) {
       say(L, log, "constant", s.first, s.low, s.values);
-    } else if (s.wrap > 0 && s.moved < 0.5 * (double)s.values) {
+    } else if (s.wrap > 0 && s.high - s.low < 2.2 * M_PI && s.moved < 0.5 * (double)s.values) {
       say(L, log, "wrapped", s.wrap, s.jump, 1);
     } else {
       if ((rows = run_at(log, column, s.low, s.least, &first)) > 0) {
