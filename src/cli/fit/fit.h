@@ -230,6 +230,7 @@ struct fit_result {
   } way;              /* that led to the estimate */
   int tried, same;    /* points of --starts, and how many led to the same minimum */
   double decrement;   /* length of the last step in standard errors */
+  int rounding;       /* are the last steps, shorter than 1e-5, rounding? */
   double contraction; /* length of a step in parts of the one before; 1: unknown */
   double step_shift;  /* by how many standard errors halving the step would move the estimate, at
                          most */

@@ -154,7 +154,9 @@ static double polish(struct fit_problem *f, struct fit_sums *s, struct fit_resul
     r->loss = fit_loss(s);
     r->chi2 = s->chi2;
     r->n = s->n;
-    r->converged = r->decrement < enough;
+    /* of millions of rows what is left may be rounding: then steps no longer shrink */
+    r->rounding = i > 0 && r->decrement < SHORT && r->decrement > 0.3 * before;
+    r->converged = r->decrement < enough || r->rounding;
     if (r->converged) { /* the step is known, and as short as this it needs no pass */
       double from[FIT_MOST];
       memcpy(from, r->theta, (size_t)f->n * sizeof from[0]);
@@ -185,6 +187,7 @@ static double polish(struct fit_problem *f, struct fit_sums *s, struct fit_resul
 /* The step is halved until the estimate stays: the error of a method of order 4 falls 16 times, so
  * what is left is a fifteenth of how far the estimate moved. */
 static void refine(struct fit_problem *f, struct fit_sums *s, struct fit_result *r) {
+  double last = 0;
   for (int i = 0; i < 12 && r->converged; i++) {
     f->h /= 2;
     const double moved = polish(f, s, r, SHORT);
@@ -193,6 +196,9 @@ static void refine(struct fit_problem *f, struct fit_sums *s, struct fit_result 
     r->step_shift = moved / 15;
     if (r->step_shift < STEP_ERROR || interrupt_pending())
       return;
+    if (moved < SHORT && moved > last / 4 && last > 0)
+      return; /* it does not fall by any law: rounding, of millions of rows */
+    last = moved;
     /* one jump to where the law of order 4 expects the error to be small, with something to spare
      */
     const double jump = pow(STEP_ERROR / r->step_shift, 0.25) * 1.4;
@@ -281,7 +287,7 @@ void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struc
     polish(f, &s, r, STILL);
     report(f, &s, r);
   }
-  r->converged = r->converged && (still || r->decrement < STILL);
+  r->converged = r->converged && (still || r->decrement < (r->rounding ? SHORT : STILL));
   if (!r->converged && f->refused == 0) { /* is it a rule that the way on would break? */
     double step[FIT_MOST];
     newton(f, r->theta, &s, r, step);
