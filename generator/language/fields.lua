@@ -2,7 +2,7 @@
 --
 -- A group is {name, about, fields = {{name, type, unit | "", default | nil, about, needed = true}, ...}, also = type of
 -- further keys | nil, array = true where the fields may stand without names}.  Types are those of the definitions
--- (language/definitions.lua).  What checks a scene is in dsl/; tests/cli/definitions.t holds this list to what dsl/
+-- (language/definitions.lua).  What checks a scene is in dsl/; tests/cli/init.t holds this list to what dsl/
 -- says that it has.  Shapes and effects have tables of their own, in mass/ and effects/.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
