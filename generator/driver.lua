@@ -37,21 +37,27 @@ local stages = require "generator.stages"
 
 local driver = { version = "0.1.0" }
 
--- What follows from a scene is bounded as the scene itself is: gen of the largest of bodies/ takes less than a quarter
--- of that.  What the user asks for beyond the plain code is allowed for.
+-- What follows from a scene is bounded as the scene itself is: gen of the largest of bodies/ takes less than half of
+-- that.  What the user asks for beyond the plain code is allowed for.
 local function budget(options)
-  local asked = options.methods or options.method
-  local more = (type(asked) == "table" and math.max(0, #asked - 1) or 0) + (options.accuracy and 8 or 0)
+  local more = math.max(0, #(options.methods or options.method or {}) - 1) + (options.accuracy and 8 or 0)
   local with = options.with or {}
   if options.jacobians or with.jacobians then more = more + 3 end
   if options.q31 or with.q31 or options.compensated or with.compensated then more = more + 3 end
-  return { steps = 200000000 * (1 + more), bytes = (40 << 20) * (1 + more), seconds = 10.0 * (1 + more) }
+  return { steps = 64000000 * (1 + more), bytes = (40 << 20) * (1 + more), seconds = 10.0 * (1 + more) }
+end
+
+-- A body on a plane has a mass matrix and a contact point to differentiate: three times as much.
+local function allowed(job)
+  local b, k = job.budget, 1
+  for _, e in ipairs(job.record.effects) do k = e.spec.touches and 3 or k end
+  return { steps = b.steps * k, bytes = b.bytes * k, seconds = b.seconds * k }
 end
 
 -- f(...), or nil and an error in the diagnostics of a scene or plan.  Hosts of tests have no bounds.
 local function bounded(job, f, ...)
   if not job.host.bounded then return f(...) end
-  local r = table.pack(job.host.bounded(f, job.budget, ...))
+  local r = table.pack(job.host.bounded(f, allowed(job), ...))
   if r[1] then return table.unpack(r, 2, r.n) end
   poly.budget = nil -- it was raised at whatever instruction came next
   job.diag:error(job.record.line, "scene", r[2] .. " (POLHODE_PATIENCE=10 allows ten times as much)")

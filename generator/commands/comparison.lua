@@ -11,6 +11,7 @@ local numeric = require "generator.dynamics.numeric"
 local selftest = require "generator.emit.selftest"
 local motion_checks = require "generator.commands.motion_checks"
 local stepper_checks = require "generator.commands.stepper_checks"
+local touch_checks = require "generator.commands.touch_checks"
 
 local comparison = {}
 
@@ -330,6 +331,9 @@ function comparison.run(host, job, plugin, tap, count)
     end)
   elseif job.closed.full then
     closed(host, job, plugin, tap, name, random, epsilon)
+  end
+  if contact.of(job.model) and real == "double" then
+    touch_checks.run(host, job, tap, name, random, scales(job))
   end
 end
 

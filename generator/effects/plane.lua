@@ -90,7 +90,7 @@ end
 local function bare(_, v) return v end
 
 -- Rates of the contact's coordinates: components of the velocity along e1, e2 and n, in space.
-local function motion_of(a, c, k)
+function plane.velocity(a, c, k)
   local turning = vec.cross(c.w, k.r)
   local E1, E2 = vec.matvec(k.back, k.e1), vec.matvec(k.back, k.e2)
   local rise = -vec.dot(k.up, turning)
@@ -103,7 +103,7 @@ local function motion_of(a, c, k)
 end
 
 function plane.kinetic(a, c)
-  local x, y, z = motion_of(a, c, plane.contact(a, c, bare))
+  local x, y, z = plane.velocity(a, c, plane.contact(a, c, bare))
   return c.constant("mass", c.mass, "mass, kg") * (x ^ 2 + y ^ 2 + z ^ 2) / 2
 end
 

@@ -7,8 +7,10 @@
 
 local R = require "generator.algebra.rational"
 local vec = require "generator.algebra.vec"
+local contact = require "generator.dynamics.contact"
 local free_top = require "generator.dynamics.free_top"
 local json = require "generator.report.json"
+local touch = require "generator.report.touch"
 
 local values = {}
 
@@ -171,6 +173,7 @@ function values.of(f)
   put("rate", "", "|w|", "|\\omega|", length(w), "rad/s")
   put("T", "kinetic energy of the rotation", "w.I w/2", "\\tfrac12\\,\\omega\\cdot I\\omega", vec.dot(w, L) / 2, "J")
   put("momentum", "", "|L| = |I w|", "|L| = |I\\omega|", length(L), "N m s")
+  if contact.of(m) and length(L) == 0 then touch.rows(f.job, put) end
   if length(L) == 0 then return list end
   put("w_to_L", "between w and L", "atan(|w x L|/w.L)", "\\angle(\\omega, L)", math.deg(angle(w, L)), "deg")
   if #m.record.effects == 0 then
@@ -178,6 +181,7 @@ function values.of(f)
   elseif f.closed.kind == "lagrange" then
     heavy(f, put, w, L)
   end
+  if contact.of(m) then touch.rows(f.job, put) end
   return list
 end
 
