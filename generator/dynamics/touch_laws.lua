@@ -1,14 +1,14 @@
 -- touch_laws.lua -- what a body on a plane conserves beside the laws of dynamics/conserved.lua.
 --
 -- r goes from the centre of mass to the contact point, g is the normal, both in body axes; L = I w; V the velocity of
--- the centre of mass p; R the radius of a sphere; k the body's axis of symmetry, I3 and I1 the moments about and across.
+-- the centre of mass p; R the radius of a sphere; k the body's axis, I3 and I1 the moments about and across it.
 --     E - Omega n.(L + m p x V)      rolls on a level turntable of the rate Omega: what turns with it sees no time
---     -L.r                           Jellett 1872: sphere whose centre lies on k or is that of mass, whatever law and plane
---     w3 sqrt(I1 I3 + m r.I r)       Routh, Advanced Rigid Dynamics, 243: the same body rolls on a level plane at rest
---     L - m r x V - m R (n x G) t    in inertial axes; sphere about the centre of mass, so r is constant: both forces
---                                    go, as m V' = F + m G (Chaplygin 1903 for the rolling one)
+--     -L.r                           Jellett 1872: sphere whose centre lies on k or is that of mass, whatever the law
+--     w3 sqrt(I1 I3 + m r.I r)       Routh, Advanced Rigid Dynamics, 243: that body rolls on a level plane at rest
+--     L - m r x V - m R (n x G) t    in inertial axes; sphere about the centre of mass, so r is constant and the force
+--                                    drops out, as m V' = F + m G (Chaplygin 1903 for the rolling one)
 --     w.n                            homogeneous ball that rolls: the plane's force has no moment about n
---     L.n                            smooth: so has none of its forces;   I3 w3: smooth and of one axis with the surface
+--     L.n                            smooth: nor have its forces;   I3 w3: smooth and of one axis with the surface
 -- Each needs the plane to be the one effect, without resistance to spinning and rolling.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -92,8 +92,9 @@ function touch_laws.all(m)
   put("jellett", "Jellett's integral, conserved", "-L.r", "-L\\cdot r", "kg m^3/s", -vec.dot(L, r),
     f.sphere and (f.aligned or none(f.centre)))
   if rolls and f.axis then
-    put("routh", "Routh's integral, conserved", "w3 sqrt(I1 I3 + m r.I r)", "\\omega_3\\sqrt{I_1I_3 + m\\,r\\cdot Ir}",
-      "kg m^2 rad/s", vec.dot(w, f.axis) * expr.sqrt(f.I1 * f.I3 + mass * vec.dot(r, vec.apply(I, r))),
+    put("routh", "Routh's integral, conserved", "w3 sqrt(I1 I3 + m r.I r)",
+      "\\omega_3\\sqrt{I_1I_3 + m\\,r\\cdot Ir}", "kg m^2 rad/s",
+      vec.dot(w, f.axis) * expr.sqrt(f.I1 * f.I3 + mass * vec.dot(r, vec.apply(I, r))),
       f.sphere and f.aligned and level and a.rate == zero)
   end
   local K, slope = vec.sub(L, vec.scale(mass, vec.cross(r, V))), vec.cross(a.normal, a.gravity)
@@ -101,7 +102,8 @@ function touch_laws.all(m)
     local lift = vec.dot(slope, ({ a.e1, a.e2, a.normal })[i])
     put("chaplygin_" .. name, "Chaplygin's vector along " .. name .. ", conserved",
       "(L - m r x V" .. (level and "" or " - m R (n x G) t") .. ")." .. name,
-      "(L - m\\,r\\times V" .. (level and "" or " - mR\\,(n\\times G)\\,t") .. ")\\cdot " .. (string.gsub(name, "e", "e_")),
+      "(L - m\\,r\\times V" .. (level and "" or " - mR\\,(n\\times G)\\,t") .. ")\\cdot " ..
+        (string.gsub(name, "e", "e_")),
       "N m s", vec.dot(K, along[i]) - mass * R * lift * state.t, f.sphere and none(f.centre))
   end
   if rolls then

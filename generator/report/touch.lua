@@ -1,6 +1,6 @@
--- touch.lua -- of a body on a plane: its integrals at the start, closed forms of balls, steady rolling, critical speeds.
+-- touch.lua -- of a body on a plane: integrals at the start, closed forms of balls, steady rolling, critical speeds.
 --
--- G is the gravity; the tilts are those of the axis from upright.  Derived by linearising about the upright spin n, with
+-- G is the gravity.  Derived by linearising about the upright spin n, with
 -- alpha the horizontal part of the axis, h the height of the centre of mass and rho the surface's radius of curvature
 -- under it, i the quarter turn about the vertical, C = m G (h - rho):
 --     smooth    I1 alpha'' - i I3 n alpha' - C alpha = 0                             stable for (I3 n)^2 > 4 I1 C

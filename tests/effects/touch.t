@@ -31,7 +31,8 @@ local SPHERE, LOW = "contact.sphere { r = 0.1 }", "contact.sphere { r = 0.1, at 
 local ASIDE = "contact.sphere { r = 0.1, at = {0.01, 0, 0.03} }"
 local EGG = "contact.ellipsoid { a = 0.1, b = 0.1, c = 0.2 }"
 local STONE = "contact.ellipsoid { a = 0.1, b = 0.2, c = 0.1 }"
-local ROLL, TABLE, SLOPE = "law = \"rolling\"", "law = \"rolling\", turntable = 3", "law = \"rolling\", normal = {1, 0, 5}"
+local ROLL, TABLE = "law = \"rolling\"", "law = \"rolling\", turntable = 3"
+local SLOPE = "law = \"rolling\", normal = {1, 0, 5}"
 local SLIDE, SMOOTH = "law = \"sliding\", friction = { viscous = 0.4 }", "law = \"smooth\""
 local SOFT = "law = \"rolling\", spinning = { viscous = 0.01 }"
 
@@ -116,7 +117,7 @@ local function values(text)
   return json.read(assert(output("explain " .. dir .. "/s.lua --format json"))).values
 end
 
--- The largest sine of the tilt on the way, of an axis that is upright (or, of a disc, level) at the start but for `tilt`.
+-- The largest sine of the tilt on the way, of an axis that is upright (or, of a disc, level) at the start but for TILT.
 local function grown(text, until_, level)
   program.write(dir .. "/s.lua", text)
   local out = assert(output(string.format("run %s/s.lua --until %g --every %g --columns qw,qx,qy,qz", dir, until_,
@@ -134,8 +135,8 @@ local function grown(text, until_, level)
 end
 
 local TILT = 1e-6
--- A tenth above the critical rate 1.1^2 - 1 = 0.21 of the torque that upsets it is left to bring it back: swings of some
--- ten disturbances.  A tenth below, the least growth here is e^4 of them.
+-- A tenth above the critical rate 1.1^2 - 1 = 0.21 of the torque that upsets it is left to bring it back: swings of
+-- some ten disturbances.  A tenth below, the least growth here is e^4 of them.
 local STABLE = 15
 local function upright(surface, law, spin, down)
   return string.format([[
@@ -160,8 +161,9 @@ for _, case in ipairs {
   local below = grown(upright(case[1], case[2], 0.9 * critical, case[3]), case[5])
   local above = grown(upright(case[1], case[2], 1.1 * critical, case[3]), case[5])
   if case[4]:find "below$" then below, above = above, below end
-  tap.ok(below > 30 * TILT and above < STABLE * TILT, string.format("%s, %s: %s is %.6g rad/s", case[1]:match "contact.%w+",
-    case[2], case[4], critical), string.format("grown by %.3g and %.3g", below / TILT, above / TILT))
+  tap.ok(below > 30 * TILT and above < STABLE * TILT, string.format("%s, %s: %s is %.6g rad/s",
+    case[1]:match "contact.%w+", case[2], case[4], critical), string.format("grown by %.3g and %.3g", below / TILT,
+    above / TILT))
 end
 
 local function disc(edge, angle, omega)
@@ -181,8 +183,8 @@ for _, edge in ipairs { 0, 0.03 } do
       omega[k] = factor * v[key].value
       found[i] = grown(disc(edge, math.pi / 2 + TILT, omega), 2, true)
     end
-    tap.ok(found[1] > 30 * TILT and found[2] < STABLE * TILT, string.format("a disc, edge %g: %s is %.6g rad/s", edge, key,
-      v[key].value), string.format("grown by %.3g and %.3g", found[1] / TILT, found[2] / TILT))
+    tap.ok(found[1] > 30 * TILT and found[2] < STABLE * TILT, string.format("a disc, edge %g: %s is %.6g rad/s", edge,
+      key, v[key].value), string.format("grown by %.3g and %.3g", found[1] / TILT, found[2] / TILT))
   end
 end
 
