@@ -11,6 +11,7 @@ local effects = require "generator.effects.effects"
 local formulas = require "generator.report.handout.effects"
 local math_ = require "generator.report.handout.math"
 local setting = require "generator.report.handout.setting"
+local values = require "generator.report.handout.values"
 
 local program = os.getenv "POLHODE" or "build/polhode"
 
@@ -41,6 +42,12 @@ tap.is(set("latex", "~L = I ~omega'"), "\\vct{L} = I \\dot{\\vct{\\omega}}", "La
 tap.is(set("markdown", "~L"), "\\boldsymbol{L}", "Markdown knows no macro of ours")
 tap.is(set("typst", "{1|2} omega_1^2"), "frac(1, 2) omega_(1)^(2)", "Typst: quotients, indices, powers")
 tap.is(set("html", "a x b"), "<mrow><mi>a</mi><mo>×</mo><mi>b</mi></mrow>", "MathML: the vector product")
+tap.is(set("latex", "sqrt[{a|b} + ( c )^2]"), "\\sqrt{\\frac{a}{b} + ( c ) ^{2}}", "a root of a quotient and a square")
+tap.is(set("latex", "{2 sqrt[a b]|c}"), "\\frac{2 \\sqrt{a b}}{c}", "a quotient with a root")
+tap.is(set("typst", "sqrt[a b]"), "sqrt(a b)", "Typst: roots")
+for _, wrong in ipairs { "phi'_fast", "x_1_2", "%" } do
+  tap.is(select(2, pcall(math_.read, wrong)), "no formula: " .. wrong, wrong .. " is not set as it stands")
+end
 tap.is(setting.of(styles.latex, math_.number(-9.654980288e-5, 5, "kg m^2")),
   "- 9.655 \\times 10^{- 5} \\, \\mathrm{kg\\,m^{2}}", "numbers: five digits, a power of ten, thin spaces")
 
@@ -77,6 +84,18 @@ for number in string.gmatch(long, "%d+") do
 end
 tap.ok(#long > 1000, "a body with long numbers is explained")
 
+-- ---- values: each key of a report has its symbol, and each text of a formula its notation ----
+
+for key, row in pairs(values.rows) do
+  local list = type(row[2]) == "table" and row[2] or { row[2] }
+  local ok, said = pcall(math_.read, row[1])
+  for _, formula in pairs(list) do
+    if ok then ok, said = pcall(math_.read, formula) end
+  end
+  tap.ok(ok, key .. " is set" .. (ok and "" or ": " .. said))
+end
+tap.ok(not pcall(values.row, { key = "no_such_value", formula = "", what = "" }), "a value without a symbol: an error")
+
 -- ---- terms of a turning frame ----
 
 local frame = of [[
@@ -111,7 +130,12 @@ end
 
 -- ---- every effect, every body ----
 
-for _, e in ipairs(effects) do tap.ok(formulas[e.name], e.name .. " has its formula in handout/effects.lua") end
+for _, e in ipairs(effects) do
+  tap.ok(formulas[e.name], e.name .. " has its formula in handout/effects.lua")
+  for _, formula in ipairs(formulas[e.name] or {}) do
+    tap.ok(pcall(math_.read, formula), e.name .. " is set: " .. formula)
+  end
+end
 
 local pipe = assert(io.popen "ls bodies/*.lua")
 local bodies = {}

@@ -55,6 +55,11 @@ end
 local upright = { sin = true, cos = true, sn = true, cn = true, dn = true }
 local named = { x = "cross", ["."] = "dot", ["~="] = "approx", ["*"] = "times" }
 
+local signs = {}
+for _, list in ipairs { math_.operators, { "(", ")", "|", "/", "'", "" } } do
+  for _, sign in ipairs(list) do signs[sign] = true end
+end
+
 local function atom(word, names)
   if string.find(word, "^[%d.]+$") and word ~= "." then return math_.num(word) end
   if named[word] then return math_.op(named[word]) end
@@ -74,16 +79,26 @@ local function atom(word, names)
   if base then return math_.pow(atom(base, names), atom(rest, names)) end
   if upright[word] then return math_.word(word) end
   local vector, name, sub, dots = string.match(word, "^(~?)(%a+)_?([%w,]*)('*)$")
-  if not name then return math_.op(word) end
+  if not name then
+    if not signs[word] then error("no formula: " .. word, 0) end
+    return math_.op(word)
+  end
   sub = sub ~= "" and sub or nil
   return math_.sym(names and names(name, sub) or name, sub, { vector = vector ~= "", dot = #dots })
 end
 
+-- The content of a root as one word, and back.
+local hidden, shown = { [" "] = "\5", ["{"] = "\6", ["|"] = "\7", ["}"] = "\8", ["("] = "\14", [")"] = "\15" }, {}
+for c, code in pairs(hidden) do shown[code] = c end -- a map to a map: order is lost anyway
+local function hide(s) return (string.gsub(s, "[ {|}()]", hidden)) end
+local function show(s) return (string.gsub(s, "[\5-\8\14\15]", shown)) end
+
 -- "~L = I ~omega": ~ a vector, x the cross product, . the inner one, ' a dot above, _ an index, ( ) as they stand,
--- {a|b} a quotient, int<a;b> an integral (2&pi: two pi).  names(letter, index) -> the letter that stands
--- for it, where a scene has taken the usual one.
+-- {a|b} a quotient, sqrt[a] a square root, int<a;b> an integral (2&pi: two pi).  names(letter, index) -> the letter
+-- that stands for it, where a scene has taken the usual one.
 function math_.read(text, names)
   if text == "x" then return math_.sym "x" end -- alone it is no product
+  text = string.gsub(text, "sqrt%[([^%[%]]*)%]", function(of) return " \4" .. hide(of) .. "\4 " end)
   text = string.gsub(text, "[()]", " %0 ")
   text = string.gsub(text, "{([^{}|]*)|([^{}]*)}", function(a, b)
     return " \1" .. string.gsub(a, " ", "\3") .. "\2" .. string.gsub(b, " ", "\3") .. "\1 "
@@ -91,7 +106,10 @@ function math_.read(text, names)
   local out = { kind = "row" }
   for word in string.gmatch(text, "[^ ]+") do
     local a, b = string.match(word, "^\1(.*)\2(.*)\1$")
-    if a then
+    local root = string.match(word, "^\4(.*)\4$")
+    if root then
+      out[#out + 1] = { kind = "sqrt", math_.read(show(root), names) }
+    elseif a then
       out[#out + 1] = math_.frac(math_.read((string.gsub(a, "\3", " ")), names),
         math_.read((string.gsub(b, "\3", " ")), names))
     else

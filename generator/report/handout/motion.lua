@@ -126,6 +126,8 @@ end
 local laws = { ["T+V"] = "the energy $T + V$", ["|L|"] = "the size of $~L$", L = "$~L$ in inertial axes",
   L_z = "$L_z$ in inertial axes", w3 = "$omega_3$ along the symmetry axis", ["T+V-n.L"] = "Jacobi's integral" }
 
+local widest = 90 -- letters of a value's line with its words; a longer one gets them on the next line
+
 function motion.motion(p, f)
   p:heading "Motion"
   if f.closed.kind then
@@ -144,17 +146,21 @@ function motion.motion(p, f)
   p:text(#list > 0 and "Conserved: " .. table.concat(list, ", ") .. "." or "Nothing is conserved.")
   local lines = {}
   for _, v in ipairs(values.of(f)) do
-    local known = notation.rows[v.key] or
-      { "t_" .. string.sub(v.key, 6), nil, "the rate about the middle axis changes its sign" }
-    local left = math_.read(known[1], p.names)
-    local line = { left = left, math_.op "approx", math_.number(v.number, 6, v.unit) }
-    if known[2] then
-      line = { left = left, math_.op "=", math_.read(known[2], p.names), table.unpack(line) }
-      line.left = left
+    local symbol, formula, what = table.unpack(notation.row(v), 1, 3)
+    local left = math_.read(symbol, p.names)
+    local line = { left = left }
+    if formula then
+      line[1], line[2] = math_.op "=", math_.read(formula, p.names)
+    end
+    line[#line + 1] = math_.op "approx"
+    line[#line + 1] = math_.number(v.number, 6, v.unit)
+    lines[#lines + 1] = line
+    if math_.width(math_.row(left, table.unpack(line))) + #what > widest then
+      line = {}
+      lines[#lines + 1] = line
     end
     line[#line + 1] = math_.op "quad"
-    line[#line + 1] = math_.word(known[3] or v.what)
-    lines[#lines + 1] = line
+    line[#line + 1] = math_.word(what)
   end
   if #lines == 0 then return end
   p:words "Values of this scene's initial state:"

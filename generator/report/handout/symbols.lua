@@ -46,7 +46,7 @@ end
 -- The symbol of a name; the same whenever it is asked.
 function symbols:of(name)
   if self.of_name[name] then return self.of_name[name] end
-  local base, sub = split(name)
+  local base, sub = split((string.gsub(name, "_+$", ""))) -- slide_: a state of the code that keeps off a parameter
   if not self:take(name, math_.sym(base, sub)) then
     local n = 1
     repeat
