@@ -6,8 +6,10 @@
 --     shown.lines(text) -> its lines
 --     shown.compare(shown, output) -> do the lines follow each other in the output as shown?  Else the first that does
 --                                  not
--- A block ```lua is saved as NAME.lua, NAME from its first line (-- NAME.lua) or from its name = "...".  A line
--- "$ ..." of an indented block is run; what follows is compared, "..." standing for any lines.
+--     shown.save(page, dir) -> how many files of the page were saved; `run` does it, too
+-- A block of code is saved as the file that its first line names (-- a.lua, /* a.c - ... */, # Makefile), and ```lua as
+-- NAME.lua by its name = "...".  A line "$ ..." of an indented block is run; what follows is compared, "..." standing
+-- for any lines.  pkg-config finds the library that was built.
 
 local program = require "tests.cli.program"
 local tap = require "tests.tap"
@@ -20,6 +22,8 @@ function shown.prepare(dir)
   local binary = os.getenv "POLHODE" or "build/polhode"
   if binary:sub(1, 1) ~= "/" then binary = root .. "/" .. binary end
   program.shell(string.format("mkdir %s/bin && ln -s %s %s/bin/polhode", dir, binary, dir))
+  program.write(dir .. "/bin/polhode.pc", string.format("Name: polhode\nDescription: as built\nVersion: 0\n" ..
+    "Requires: gsl\nCflags: -I%s/src/runtime\nLibs: -L%s/build -lpolhode -lm\n", root, root))
 end
 
 function shown.lines(text)
@@ -29,11 +33,18 @@ function shown.lines(text)
   return list
 end
 
-local function save_scenes(text, dir)
-  for block in text:gmatch "\n```lua\n(.-)```" do
-    local name = block:match "^%-%- (%w+)%.lua%f[^%w]" or block:match 'name%s*=%s*"(%w+)"'
-    program.write(dir .. "/" .. name .. ".lua", block)
+function shown.save(page, dir)
+  local count = 0
+  for language, block in program.read(page):gmatch "\n```(%l+)\n(.-)```" do
+    local first = block:match "^[^\n]*"
+    local name = first:match "^[-/#*]+ (%w+%.%l+)%f[^%w]" or first:match "^# (Makefile)$"
+    if language == "lua" and not name then name = block:match 'name%s*=%s*"(%w+)"' .. ".lua" end
+    if name then
+      program.write(dir .. "/" .. name, block)
+      count = count + 1
+    end
   end
+  return count
 end
 
 -- The commands of the page with what is shown of their output.
@@ -69,12 +80,13 @@ end
 
 function shown.run(page, dir, least)
   local text = program.read(page)
-  save_scenes(text, dir)
+  shown.save(page, dir)
   local list = commands(text)
   tap.ok(#list >= (least or 3), page .. ": it shows commands")
   for _, c in ipairs(list) do
-    program.shell(string.format("cd %s && PATH=%s/bin:$PATH POLHODE_BODIES=%s/bodies timeout 60 sh -c '%s' >out 2>&1",
-      dir, dir, root, (c.command:gsub("'", "'\\''"))))
+    program.shell(string.format(
+      "cd %s && PATH=%s/bin:$PATH PKG_CONFIG_PATH=%s/bin POLHODE_BODIES=%s/bodies timeout 60 sh -c '%s' >out 2>&1",
+      dir, dir, dir, root, (c.command:gsub("'", "'\\''"))))
     local same, line = shown.compare(c.shown, shown.lines(program.read(dir .. "/out")))
     tap.ok(same, page .. ": $ " .. c.command,
       same or "shown: " .. line .. "\n" .. program.read(dir .. "/out"):sub(1, 2000))

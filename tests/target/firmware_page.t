@@ -14,12 +14,7 @@ local shown = require "tests.shown"
 
 local dir, page = program.directory(), program.read "docs/firmware.md"
 shown.prepare(dir)
-local files = 0
-for block in page:gmatch "\n```c\n(.-)```" do
-  program.write(dir .. "/" .. block:match "^/%* (%w+%.[ch]) %*/", block)
-  files = files + 1
-end
-tap.is(files, 3, "the page has three files of C")
+tap.is(shown.save("docs/firmware.md", dir), 4, "the page has a scene and three files of C")
 shown.run("docs/firmware.md", dir, 7)
 
 local flags = "-std=c99 -O1 -g -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -ffp-contract=off " ..
