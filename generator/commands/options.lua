@@ -128,14 +128,20 @@ local function take(row, key, value, out)
   return nil
 end
 
+-- What other programs call an option that some commands have here by another name.
+local foreign = { ["--grid"] = "--over", ["--range"] = "--over", ["--output"] = "-o", ["--out"] = "-o",
+  ["--jobs"] = "--threads", ["-j"] = "--threads", ["--solver"] = "--method", ["--integrator"] = "--method",
+  ["--param"] = "--set", ["--parameter"] = "--set", ["--duration"] = "--until", ["--dt"] = "--step" }
+
 -- The row of an option, or nil and a message.
 local function find(rows, name)
-  local names = {}
+  local names, known = {}, nil
   for i, row in ipairs(rows) do
     if row[1] == name then return row end
     names[i] = row[1]
+    if row[1] == foreign[name] then known = row[1] end
   end
-  return nil, "no option " .. name .. options.meant(name, names)
+  return nil, "no option " .. name .. (known and "; did you mean " .. known .. "?" or options.meant(name, names))
 end
 
 -- What a command's declaration makes of the arguments: {options..., [1..n] = operands}, or nil and what is wrong.

@@ -213,7 +213,8 @@ function args.specs(given)
   return list
 end
 
--- Reports keys that nothing will read.  specs: list with .name; extra: further allowed names.
+-- Reports keys that nothing will read.  specs: list with .name; specs.elsewhere: {key = the option of the command line
+-- that says this}; extra: further allowed names.
 function args.unknown(ctx, line, what, specs, given, extra)
   local known = {}
   for _, s in ipairs(specs) do known[s.name] = true end
@@ -221,7 +222,9 @@ function args.unknown(ctx, line, what, specs, given, extra)
   for _, k in ipairs(args.keys(given)) do
     if not known[k] then
       local at = type(k) == "string" and ctx.diag:locate(line, k) or line
-      ctx.diag:error(at, what, "unknown argument " .. diag.show(k) .. " (it has " .. names(specs, extra) .. ")")
+      local option = specs.elsewhere and specs.elsewhere[k]
+      ctx.diag:error(at, what, "unknown argument " .. diag.show(k) .. " (it has " .. names(specs, extra) ..
+        (option and "; this is an option of the command line: " .. option or "") .. ")")
     end
   end
 end

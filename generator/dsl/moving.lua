@@ -199,6 +199,13 @@ local function call(ctx, line, what, name, f, s, spec)
     ctx.diag:error(line, what, name .. " must be a function of the motion: function(s) return ... end", diag.show(f))
     return nil
   end
+  local declared = debug.getinfo(f, "uS")
+  if declared.nparams > 1 then
+    local own = declared.source == "@" .. ctx.diag.file and declared.linedefined or line
+    ctx.diag:error(own, what, name .. " must be a function of one argument, function(s): a name of params or states " ..
+      "is read as s.NAME", declared.nparams .. " arguments")
+    return nil
+  end
   local given = f(s)
   spec.motion = true
   return (spec.size and args.vector or args.scalar)(ctx, line, what, name, spec, given)

@@ -24,6 +24,10 @@ local scene = {}
 local keys = { "name", "body", "origin", "effects", "initial", "time", "accuracy", "budget", "ranges", "outputs",
   "events", "measure" }
 
+-- What a scene leaves to the command line.
+local elsewhere = { method = "--method", integrator = "--method", order = "--order", tolerance = "--tolerance",
+  real = "--real", target = "--target" }
+
 local function list(strings)
   local out = {}
   for i, s in ipairs(strings) do out[i] = { name = s } end
@@ -66,7 +70,7 @@ local function time(ctx, line, given, out)
   out.horizon, out.step = expr.lift(10), expr.lift "1/1000"
   if given == nil then return end
   local specs = { { name = "horizon", dim = "time", sign = "positive", default = 10 },
-    { name = "step", dim = "time", sign = "positive", default = 0.001 } }
+    { name = "step", dim = "time", sign = "positive", default = 0.001 }, elsewhere = elsewhere }
   local t = args.read(ctx, ctx.diag:locate(line, "time"), "time", specs, given)
   out.horizon, out.step = t.horizon or out.horizon, t.step or out.step
 end
@@ -114,7 +118,9 @@ function scene.constructor(ctx, effect_of, put)
       ctx.diag:error(line, "scene", "takes a table", diag.show(given))
       return nil
     end
-    args.unknown(ctx, line, "scene", list(keys), given)
+    local fields = list(keys)
+    fields.elsewhere = elsewhere
+    args.unknown(ctx, line, "scene", fields, given)
     local s = { line = line, name = given.name }
     local rule = names.scene(given.name)
     if given.name == nil then

@@ -16,10 +16,14 @@ local vec = require "generator.algebra.vec"
 local custom = {
   name = "effect.custom",
   about = "the scene's own: torque, force, potential, states as functions of the motion",
-  takes = { { "params", "any", "{}", "values by name, which the functions receive" },
-    { "torque", "kg m^2/s^2", nil, "function(s) of three components, body axes" },
-    { "force", "kg m/s^2", nil, "function(s), inertial axes" }, { "potential", "kg m^2/s^2", nil, "function(s)" },
-    { "states", "any", "{}", "{name = {initial =, unit =, rate = function(s)}}" } },
+  takes = { { "params", "any", "{}", "values by name, of three or more small letters; a function reads the value of " ..
+    "gain as s.gain" },
+    { "torque", "kg m^2/s^2", nil, "function(s) that returns three components, body axes; s has the lists s.w, s.q, " ..
+      "s.r, s.v and s.L (I w), the time s.t, and params and states by name" },
+    { "force", "kg m/s^2", nil, "function(s) that returns three components, inertial axes" },
+    { "potential", "kg m^2/s^2", nil, "function(s) that returns one value" },
+    { "states", "any", "{}", "{name = {initial =, unit =, rate = function(s)}}; a function reads the " ..
+      "state heat as s.heat" } },
   reader = "custom", decided = true, keeps = "what its expressions show",
   formula = "as the scene writes it; from a potential N_i = -dV along a turn about body axis i, F = -dV/dr",
   signs = "torque in body axes, force on the centre of mass in inertial axes, potential in J",

@@ -42,6 +42,9 @@ for _, case in ipairs {
     "name; did you mean gyroscope? (polhode list bodies)" },
   { "gen s.lua --set aa=1", "polhode: --set aa: the scene has no such parameter (it has a)" },
   { "gen s.lua --reel float", "no option --reel; did you mean --real?" },
+  { "sweep s.lua --grid a=1:2:3", "no option --grid; did you mean --over?" },
+  { "gen s.lua --output x", "no option --output; did you mean -o?" },
+  { "check s.lua --grid a", "no option --grid" }, -- a word of other programs for what this command has not
   { "gen s.lua --real flaot", "--real must be double or float, got flaot; did you mean float?" },
   { "gen s.lua --method rk5", "--method must be some of exact, rk4, adaptive, taylor, midpoint, semi, split2, " ..
     "split4, split6, linearised, got rk5; did you mean rk4?" },

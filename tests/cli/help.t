@@ -138,6 +138,19 @@ return scene { name = "book", body = tensor { mass = 1, xx = 1, yy = I2, zz = I3
   initial = { omega = { w1, w2, w3 } }, measure = { wx = wx, wy = wy, wz = wz, sigma = 0.004 } }
 ]])
 
+-- What help says that a function of effect.custom reads, it can read; the word that stays unsaid would be refused.
+for _, word in ipairs { "s.w", "s.q", "s.r", "s.v", "s.L", "s.t", "s.gain", "s.heat", "s.nothing" } do
+  local _, said = run "help effect.custom"
+  program.write(dir .. "/own.lua", string.format([[
+return scene { name = "own", body = solid.sphere { r = 1, mass = 1 }, effects = { effect.translation {},
+  effect.custom { params = { gain = 2 }, states = { heat = { rate = function(s) return 0 end } },
+    torque = function(s) local read = %s return { 0, 0, read and 0 } end } } }
+]], word))
+  local status, _, err = run "explain own.lua"
+  local known = said:find(word .. "%f[%W]") ~= nil
+  tap.ok(known == (word ~= "s.nothing") and status == (known and 0 or 1), "help effect.custom: " .. word, err)
+end
+
 -- The program that an example needs, beside those of `.ci/setup check`; nil if there is one or none is needed.
 local function missing(line)
   local live = line:find "^polhode view" and not line:find "%-%-trajectory"

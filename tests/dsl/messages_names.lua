@@ -97,6 +97,26 @@ for _, code in ipairs { "require 'os'", "io.write 'x'", "os.exit(0)", "local a =
     unknown(name, "Lua has it, a scene has not: it sees only a part of Lua's library") }
 end
 
+-- What a scene leaves to the command line, and what a function of the scene receives.
+local OPTION = "; this is an option of the command line: "
+local TIME = "time: unknown argument \"%s\" (it has horizon, step" .. OPTION .. "--%s)"
+local ONE = "effect.custom%s: %s must be a function of one argument, function(s): a name of params or states is read " ..
+  "as s.NAME, got %d arguments"
+local others = { about = "what is said elsewhere",
+  { with "time = { method = \"rk4\" }", 3, TIME:format("method", "method") },
+  { with "time = { step = 1, tolerance = 1e-9 }", 3, TIME:format("tolerance", "tolerance") },
+  { with "integrator = \"rk4\"", 3, "scene: unknown argument \"integrator\" (it has name, body, origin, effects, " ..
+    "initial, time, accuracy, budget, ranges, outputs, events, measure" .. OPTION .. "--method)" },
+  { with "effects = { effect.custom { params = { gain = 2 }, torque = function(s, p) return {0, 0, p.gain} end } }",
+    3, ONE:format("", "torque", 2) },
+  { with "effects = { effect.custom { potential = function(s, p, q) return p.gain end } }", 3,
+    ONE:format("", "potential", 3) },
+  { with "effects = { effect.custom { states = { heat = { rate = function(s, p) return p.gain end } } } }", 3,
+    ONE:format(", state heat", "rate", 2) },
+  { "local function pull(s, p)\n  return {0, 0, p.gain}\nend\n" .. with "effects = { effect.custom { torque = pull } }",
+    1, ONE:format("", "torque", 2), name = "the line of the function" },
+}
+
 local many = { about = "many names", {} }
 do
   local lines, faults = {}, {}
@@ -108,4 +128,4 @@ do
   many[1].name = "each is reported"
 end
 
-return { silent, consequences, hints, many }
+return { silent, consequences, hints, others, many }
