@@ -100,8 +100,8 @@ end
 -- What a scene leaves to the command line, and what a function of the scene receives.
 local OPTION = "; this is an option of the command line: "
 local TIME = "time: unknown argument \"%s\" (it has horizon, step" .. OPTION .. "--%s)"
-local ONE = "effect.custom%s: %s must be a function of one argument, function(s): a name of params or states is read " ..
-  "as s.NAME, got %d arguments"
+local ONE = "effect.custom%s: %s must be a function of one argument, function(s): a name of params or states is " ..
+  "read as s.NAME, got %d arguments"
 local others = { about = "what is said elsewhere",
   { with "time = { method = \"rk4\" }", 3, TIME:format("method", "method") },
   { with "time = { step = 1, tolerance = 1e-9 }", 3, TIME:format("tolerance", "tolerance") },
