@@ -1,5 +1,6 @@
 #!/usr/bin/env lua5.4
--- simulation.t - docs/simulation.md: its commands print what it shows, and the fit finds the parameter of the log.
+-- simulation.t - docs/simulation.md and docs/sweep.md: their commands print what they show, and the fit finds the
+-- parameter of the log.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 package.path = "./?.lua;" .. package.path
@@ -11,6 +12,7 @@ local shown = require "tests.shown"
 local dir, page = program.directory(), program.read "docs/simulation.md"
 shown.prepare(dir)
 shown.run("docs/simulation.md", dir, 6)
+shown.run("docs/sweep.md", dir, 1)
 
 -- The log has no noise: the fit is off by its steps' error only, far below a standard error.
 local truth = tonumber(page:match 'param%("k", ([%d.e-]+)')
