@@ -48,12 +48,12 @@ gallery.list = {
   { "thrown_book", "path" },
   { "dropped_stone", "path" },
   { "foucault", "path" },
-  { "rolling_coin", "axes,euler" },
-  { "turntable_ball", "rates", 4 },
-  { "eulers_disk", "axes,energy" },
-  { "chaplygin_ball", "rates,energy", 3 },
+  { "rolling_coin", "contact,normal_force" },
+  { "turntable_ball", "contact,normal_force" },
+  { "eulers_disk", "axes,normal_force" },
+  { "chaplygin_ball", "contact,axes", 3 },
   { "rattleback", "rates,energy" },
-  { "tippe_top", "axes,energy" },
+  { "tippe_top", "axes,contact" },
   { "egg", "axes,energy", 2 },
 }
 

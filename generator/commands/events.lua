@@ -12,7 +12,7 @@ local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
 local motion = require "generator.algebra.motion"
 local contact = require "generator.dynamics.contact"
-local numeric = require "generator.dynamics.numeric"
+local touch = require "generator.commands.run.touch"
 
 local events = {}
 
@@ -29,15 +29,6 @@ function events.of(job)
   return list
 end
 
--- The reaction of the plane at a state {t =, x =}; nil where it has none.
-local function reaction_of(host, job, course)
-  local library = host.rates(numeric.scene(job))
-  return function(at)
-    local c = library:contact(at.t, numeric.whole(job, at.x), course)
-    return c and c[1] or nil
-  end
-end
-
 -- What an event depends on and the scene does not have: a message, or nil.
 function events.missing(job)
   for _, e in ipairs(job.record.events) do
@@ -52,10 +43,13 @@ end
 
 -- The value of an event at a state {t =, x =}; nil if it is not a number there.
 local function valuer(host, job, course)
-  local env, reaction = {}, contact.of(job.model) and reaction_of(host, job, course)
+  local env, touching = {}, touch.of(host, job)
   for name, q in pairs(job.model.defaults) do env[name] = q end -- into a table: order is lost anyway
   return function(e, at)
-    if e.reaction then return reaction(at) end
+    if e.reaction then
+      local c = touching(at.t, at.x, course)
+      return c and c[1] or nil
+    end
     env.t = at.t
     for i, s in ipairs(job.states) do env[s.name] = at.x[i] end
     local g = evaluate.double(e.when, env)
@@ -114,8 +108,8 @@ end
 
 -- Where signs change between two times of the grid: brackets {a, b, ga, gb, event} for the list.  seen: of each event
 -- the last time and value that was not 0, from piece to piece.
-local function changes(job, states, value, seen, list)
-  for _, e in ipairs(events.of(job)) do
+local function changes(asked, states, value, seen, list)
+  for _, e in ipairs(asked) do
     local last = seen[e] or {}
     for _, s in ipairs(states) do
       local g = value(e, s)
@@ -135,7 +129,7 @@ local function changes(job, states, value, seen, list)
 end
 
 -- The brackets of the whole motion, from piece to piece, so that not all of its states are there at once.
-local function brackets(job, course, value, finish, step)
+local function brackets(asked, course, value, finish, step)
   local n, list, seen, last = math.max(1, math.min(most, math.ceil(finish / step))), {}, {}, nil
   for first = 0, n, piece do
     local grid = {}
@@ -143,17 +137,17 @@ local function brackets(job, course, value, finish, step)
     local states, why = course.solve(grid, { from = last })
     if not states then return nil, why end
     last = states[#states]
-    changes(job, states, value, seen, list)
+    changes(asked, states, value, seen, list)
   end
   return list
 end
 
 -- The events from 0 to `finish` in the order of time: a list of {event, row}, cut after the first that stops; or nil
 -- and what went wrong.  course: the motion, engines.lua; solve(times) -> rows of the table; inputs:
--- the scene's over time, or nil.
-function events.find(host, job, course, solve, finish, step, inputs)
+-- the scene's over time, or nil; asked: those of events.of that are looked for, nil: all.
+function events.find(host, job, course, solve, finish, step, inputs, asked)
   local value = valuer(host, job, inputs)
-  local list, why = brackets(job, course, value, finish, step)
+  local list, why = brackets(asked or events.of(job), course, value, finish, step)
   if not list then return nil, why end
   if #list == 0 then return {} end
   for _ = 1, rounds do

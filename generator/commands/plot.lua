@@ -41,6 +41,8 @@ local meanings = {
   cones = "body cone and space cone of a free symmetric top",
   phase = "L in the body on the sphere of momentum, with lines of equal energy",
   path = "the centre of mass",
+  contact = "the path of the contact point on the plane, of scenes with effect.plane",
+  normal_force = "the reaction N of that plane over time, with a mark where contact is lost",
   error = "the difference of two methods (--method A,B), on a logarithmic scale" }
 
 plot.options = {

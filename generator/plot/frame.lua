@@ -73,7 +73,8 @@ local function spread(list, low, high)
 end
 
 -- p: {box =, x = {name, unit}, y = {name, unit}, xs = numbers, curves = {{name =, class =, values =, breaks = set of
--- indices where the pen is lifted}, ...}, log = a logarithmic y axis, yrange =, marks = {{value, name}, ...}}
+-- indices where the pen is lifted}, ...}, log = a logarithmic y axis, yrange =, mark = {x, words} of an upright line,
+-- the words at its left}
 function frame.over(d, p)
   local box, lists, room = p.box, {}, right
   for i, c in ipairs(p.curves) do
@@ -89,6 +90,11 @@ function frame.over(d, p)
     xrange = { xr[1] / xs, xr[2] / xs }, yrange = { yr[1] / ys, yr[2] / ys }, ylog = p.log,
     xlabel = frame.label(p.x[1], p.x[2], xp), ylabel = frame.label(p.y[1], p.y[2], yp) }
   local scale = svg.frame(d, f)
+  if p.mark then
+    local x = scale.x(p.mark[1] / xs)
+    d:line(x, f.y0, x, f.y1, "ring")
+    d:text(x - 5, f.y0 + 14, p.mark[2], "small", "end")
+  end
   local names = {}
   for place, c in ipairs(p.curves) do
     local data, points = {}, {}

@@ -4,7 +4,8 @@
 -- kinetic = function(sample) or nil, along = I v along the body's axes, momentum = L of a sample along them, carries =
 -- does a rotor or wheel have momentum of its own?, error = {methods, ts, curves = {{name, values}, ..}}, column = are
 -- the samples rows of a file?}.  A sample has t and, where they are known, q, w, space (w in inertial axes), L,
--- energy, r.
+-- energy, r (of a body on a plane: its centre of mass), N and point: the reaction of that plane and where the body
+-- touches it.  course.plane: its normal, e1 and e2; course.lost: when N becomes 0, where the motion ends.
 -- A body: {moments (ascending), axes (rows), kind, rod, k = the axis of a symmetric one}; nil without a scene.
 -- Whether a motion is a free body's is seen from its numbers, so rows of a file are judged, too.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -18,7 +19,7 @@ local times = require "generator.plot.times"
 local trails = require "generator.plot.trails"
 
 local panels = { names = { "rates", "attitude", "axes", "euler", "energy", "momentum", "polhode", "herpolhode", "cones",
-  "phase", "path", "error" } }
+  "phase", "path", "contact", "normal_force", "error" } }
 
 local still = 1e-6 -- what changes by less is constant on paper
 
@@ -28,7 +29,9 @@ local list = times.list
 
 local absent = { w = { "wx, wy, wz", "the body is a point: it does not turn" },
   q = { "qw, qx, qy, qz", "the scene has no attitude" }, L = { "Lx, Ly, Lz", "the scene has no attitude, so no L" },
-  r = { "rx, ry, rz", "nothing moves the body: it turns about a fixed point" }, energy = { "energy", "" } }
+  r = { "rx, ry, rz", "nothing moves the body: it turns about a fixed point" }, energy = { "energy", "" },
+  N = { "N", "the body touches no plane (effect.plane)" },
+  point = { "contact_point_x, contact_point_y, contact_point_z", "the body touches no plane (effect.plane)" } }
 
 -- Why a picture that needs these parts of the samples cannot be drawn, or nil.
 local function lacks(course, ...)
@@ -201,6 +204,27 @@ function makers.path(course)
     end } }
 end
 
+function reasons.contact(course)
+  return lacks(course, "point") or
+    (not course.plane and "it needs the plane's axes: name the SCENE, too, which has effect.plane" or nil)
+end
+function makers.contact(course)
+  local e1, e2 = course.plane.e1, course.plane.e2
+  local level = e1[1] == 1 and e2[2] == 1
+  local points = list(course.samples, function(s) return { space.dot(s.point, e1), space.dot(s.point, e2) } end)
+  local function words(v)
+    return "(" .. table.concat(list(v, times.number), ", ") .. ")"
+  end
+  return { { title = "Path of the contact point on the plane", note = not level and "e_1 = " .. words(e1) ..
+    ", e_2 = " .. words(e2) or nil, draw = function(d, box)
+      plane.draw(d, { box = box, points = points, x = { level and "x" or "s_1", "m" },
+        y = { level and "y" or "s_2", "m" }, stop = course.lost and "contact lost" })
+    end } }
+end
+
+function reasons.normal_force(course) return lacks(course, "N") end
+function makers.normal_force(course) return { times.reaction(course) } end
+
 function reasons.error(course)
   return not course.error and (course.column and "a file has one motion" or "it needs two methods: --method A,B") or nil
 end
@@ -219,7 +243,9 @@ function panels.usual(course)
     if fits then names[#names + 1] = name end
     return fits
   end
-  put "path"
+  local touches = put "contact"
+  put "normal_force"
+  if not touches then put "path" end
   put "rates"
   put "attitude"
   put "axes"

@@ -53,11 +53,24 @@ function plane.herpolhode(samples)
   return points
 end
 
--- Draws points with marks at their start and circles of the radii given.
+-- The range of a coordinate; one that is constant beside the other has a narrow one around its value.
+local function range(values, others)
+  local low, high, least, most = math.huge, -math.huge, math.huge, -math.huge
+  for i, x in ipairs(values) do
+    low, high = math.min(low, x), math.max(high, x)
+    least, most = math.min(least, others[i]), math.max(most, others[i])
+  end
+  local other = most - least
+  if other > 0 and high - low < 1e-9 * other then return { low - 0.05 * other, high + 0.05 * other } end
+  return frame.range { values }
+end
+
+-- Draws points with a mark at their start, circles of the radii given, and a cross at their end if p.stop says in words
+-- what ends there.
 function plane.draw(d, p)
   local reach, xs, ys = nil, {}, {}
   for i, v in ipairs(p.points) do xs[i], ys[i] = v[1], v[2] end
-  local xr, yr = frame.range { xs }, frame.range { ys }
+  local xr, yr = range(xs, ys), range(ys, xs)
   for _, r in ipairs(p.circles or {}) do reach = math.max(reach or 0.0, 1.08 * r) end
   if reach and reach > 0 then xr, yr = { -reach, reach }, { -reach, reach } end
   local scale, s, unit = frame.plane(d, { box = p.box, x = p.x, y = p.y, xrange = xr, yrange = yr })
@@ -68,6 +81,12 @@ function plane.draw(d, p)
   for i, v in ipairs(p.points) do flat[i] = { scale.x(v[1] / s), scale.y(v[2] / s) } end
   d:path(curve.path(flat), "trace")
   d:circle(flat[1][1], flat[1][2], 3.2, "start")
+  local last = flat[#flat]
+  if p.stop then
+    d:line(last[1] - 4, last[2] - 4, last[1] + 4, last[2] + 4, "ring")
+    d:line(last[1] - 4, last[2] + 4, last[1] + 4, last[2] - 4, "ring")
+    d:text(last[1], last[2] - 8, p.stop, "small", "middle")
+  end
 end
 
 return plane

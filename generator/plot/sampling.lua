@@ -11,26 +11,37 @@ local first, most, rounds = 256, 30000, 12 -- intervals of the first round, stat
 local bend = 1 / 1000
 local whole = 6000 -- states of a motion by fixed steps, at most
 
--- The components that are watched: what a sample has that is drawn.
+-- The components that are watched: what a sample has that is drawn.  Second result: of each component the place of the
+-- first one of its vector, for a vector's size says what of its components is rounding.
 local function components(s)
-  local list = {}
-  for _, part in ipairs { s.q or {}, s.w or {}, s.space or {}, s.r or {}, s.v or {} } do
-    for _, x in ipairs(part) do list[#list + 1] = x end
+  local list, first_of = {}, {}
+  for _, part in ipairs { s.q or {}, s.w or {}, s.space or {}, s.r or {}, s.v or {}, s.point or {}, { s.N } } do
+    for k, x in ipairs(part) do
+      first_of[#list + 1] = #list + 2 - k
+      list[#list + 1] = x
+    end
   end
-  for _, x in ipairs(s.own or {}) do list[#list + 1] = x end
-  return list
+  for _, x in ipairs(s.own or {}) do
+    first_of[#list + 1] = #list + 1
+    list[#list + 1] = x
+  end
+  return list, first_of
 end
 
 local function ranges(samples)
-  local low, high = {}, {}
+  local low, high, largest = {}, {}, {}
   for _, s in ipairs(samples) do
     for k, x in ipairs(s.all) do
       low[k], high[k] = math.min(low[k] or x, x), math.max(high[k] or x, x)
     end
   end
+  for k, x in ipairs(high) do
+    local i = samples[1].first_of[k]
+    largest[i] = math.max(largest[i] or 0.0, math.abs(x), math.abs(low[k]))
+  end
   local size = {}
   for k, x in ipairs(high) do -- a constant but for rounding does not bend
-    local most_of = math.max(math.abs(x), math.abs(low[k]))
+    local most_of = largest[samples[1].first_of[k]]
     size[k] = x - low[k] > 1e-9 * most_of and x - low[k] or math.huge
   end
   return size
@@ -47,7 +58,7 @@ end
 local function read(look, times)
   local samples, failure = look(times)
   if not samples then return nil, failure end
-  for _, s in ipairs(samples) do s.all = components(s) end
+  for _, s in ipairs(samples) do s.all, s.first_of = components(s) end
   return samples
 end
 

@@ -58,7 +58,7 @@ local function shown(curves, n)
 end
 
 -- A panel of curves over time.  p: {title =, note =, y = {name, unit}, curves = {{name, values, class =, breaks =},
--- ...}, whole = all of the time, however often they turn, log =, yrange =}; ts: the times
+-- ...}, whole = all of the time, however often they turn, log =, yrange =, mark =}; ts: the times
 function times.panel(ts, p)
   local curves = {}
   for i, c in ipairs(p.curves) do
@@ -73,7 +73,8 @@ function times.panel(ts, p)
   end
   local xs = { table.unpack(ts, 1, n) }
   return { title = p.title, note = note, draw = function(d, box)
-    frame.over(d, { box = box, x = { "t", "s" }, y = p.y, xs = xs, curves = curves, log = p.log, yrange = p.yrange })
+    frame.over(d, { box = box, x = { "t", "s" }, y = p.y, xs = xs, curves = curves, log = p.log, yrange = p.yrange,
+      mark = p.mark })
   end }
 end
 
@@ -198,6 +199,15 @@ function times.momentum(course)
       times.number(length[1]) .. " N m s", far, size)
   end
   return out
+end
+
+-- The reaction of a plane; where it becomes 0, contact is lost, and a line tells when.
+function times.reaction(course)
+  local lost = course.lost
+  return times.panel(ts_of(course), { title = "Normal force of the plane", y = { "N", "N" }, whole = lost ~= nil,
+    note = lost and "contact is lost at t = " .. times.number(lost) .. " s, where N becomes 0",
+    mark = lost and { lost, "contact lost" }, curves = { { "N", list(course.samples, function(s) return s.N end),
+      class = "cn" } } })
 end
 
 -- The difference of two methods, on a logarithmic scale; what is 0 is drawn at the lower edge.

@@ -4,8 +4,11 @@
 local accuracy = require "generator.commands.run.accuracy"
 local engines = require "generator.commands.run.engines"
 local limits = require "generator.commands.run.limits"
+local touch = require "generator.commands.run.touch"
+local events = require "generator.commands.events"
 local facts = require "generator.report.facts"
 local rotation = require "generator.attitude.rotation"
+local contact = require "generator.dynamics.contact"
 local err = require "generator.plan.error"
 local panels = require "generator.plot.panels"
 local sampling = require "generator.plot.sampling"
@@ -15,15 +18,16 @@ local course = {}
 
 local rows_of_difference, judged_at = 400, 40
 
--- Where q, w, r, v and further states are in a scene's state.
+-- Where q, w, r, v and further states are in a scene's state.  Those of a plane are not among them: they are the centre
+-- of mass, which a sample has in space.
 local function places(job)
-  local at = { own = {} }
+  local at, plane = { own = {} }, contact.of(job.model)
   for i, s in ipairs(job.states) do
     local part = ({ attitude = "q", rates = "w", position = "r", velocity = "v" })[s.kind]
     if part then
       at[part] = at[part] or {}
       table.insert(at[part], i)
-    else
+    elseif not (plane and s.effect == plane) then
       table.insert(at.own, i)
     end
   end
@@ -47,7 +51,7 @@ end
 -- What the pictures know of the body: of its states, effects and laws.
 local function of_scene(job, given)
   local m = job.model
-  local c = { conserved = job.conserved.is, sequence = given.sequence or "zxz" }
+  local c = { conserved = job.conserved.is, sequence = given.sequence or "zxz", plane = touch.plane(job) }
   if not m.has.rates then return c end
   local f = facts.of(job)
   c.body = { moments = f.moments, axes = f.axes, kind = m.structure.kind, rod = m.structure.rod }
@@ -73,8 +77,8 @@ local function of_scene(job, given)
   return c
 end
 
-local function looker(job, motion)
-  local at = places(job)
+local function looker(host, job, motion, inputs)
+  local at, touching = places(job), touch.of(host, job)
   return function(ts)
     local states, failure = motion.solve(ts, {})
     if not states then return nil, failure end
@@ -85,6 +89,11 @@ local function looker(job, motion)
       local s = { t = state.t, x = state.x, energy = energy, L = job.model.has.attitude and L or nil,
         own = part(state.x, at.own) }
       for _, name in ipairs { "q", "w", "r", "v" } do s[name] = at[name] and part(state.x, at[name]) end
+      local k = touching and touching(s.t, s.x, inputs)
+      if touching and not k then
+        return nil, { status = 3, t = s.t, text = "the body touches the plane in no single point" }
+      end
+      if k then s.N, s.r, s.v, s.point = k[1], part(k, { 2, 3, 4 }), part(k, { 5, 6, 7 }), part(k, { 11, 12, 13 }) end
       out[i] = panels.complete(s)
     end
     return out
@@ -95,6 +104,20 @@ end
 local function looked(look, finish, step)
   if step then return look(sampling.steps(finish, step)) end
   return sampling.adaptive(look, finish)
+end
+
+-- When a body on a plane loses contact, nil if it does not; or false and a failure.  As in run it is looked for up to
+-- one step before a failure of the motion.
+local function lost(host, job, motion, finish, inputs)
+  local step, reaction = motion.step or job.model:double(job.model.step), {}
+  for _, e in ipairs(events.of(job)) do reaction[#reaction + 1] = e.reaction and e or nil end
+  if #reaction == 0 then return nil end
+  local function solve(ts) return motion.solve(ts, {}) end
+  local function find(to) return events.find(host, job, motion, solve, to, step, inputs, reaction) end
+  local found, failure = find(finish)
+  if not found and failure.t and failure.t > step then found = find(failure.t - step) end
+  if not found then return false, failure end
+  return found[1] and found[1].row.t or nil
 end
 
 -- The motion by the first method, or nil and a failure as run.engines has it, or a message in its place.
@@ -158,11 +181,19 @@ function course.compute(host, job, given, inputs)
     motions[n], step = motion, step or motion.step
   end
   local c = of_scene(job, given)
-  local samples, failure = looked(looker(job, motions[1]), finish, motions[1].step)
+  local when, failure = lost(host, job, motions[1], finish, inputs)
+  if when == false then return nil, failure end
+  if when then
+    finish, c.lost = when, when
+    warnings[1] = "contact is lost at t = " .. times.number(when) .. " s: what is drawn ends there\n"
+  end
+  local samples
+  samples, failure = looked(looker(host, job, motions[1], inputs), finish, motions[1].step)
   if not samples then return nil, failure end
   local last = samples[#samples].t
   if last < finish * (1 - 1e-9) then
-    warnings[1] = "the motion bends too often to be drawn to the end: it is to t = " .. times.number(last) .. " s\n"
+    warnings[#warnings + 1] = "the motion bends too often to be drawn to the end: it is to t = " ..
+      times.number(last) .. " s\n"
   end
   if #names < 2 then judged(host, job, motions[1], samples, warnings) end
   c.samples = samples
@@ -176,12 +207,15 @@ end
 -- ---- rows of a file ----
 
 local parts = { q = { "qw", "qx", "qy", "qz" }, w = { "wx", "wy", "wz" }, r = { "rx", "ry", "rz" },
-  v = { "vx", "vy", "vz" }, L = { "Lx", "Ly", "Lz" } }
+  v = { "vx", "vy", "vz" }, L = { "Lx", "Ly", "Lz" },
+  point = { "contact_point_x", "contact_point_y", "contact_point_z" } }
+local vectors = { "q", "w", "r", "v", "L", "point" }
+local still_touches = 1e-6 -- of the largest reaction: where contact is lost, run's last row has 0 but for rounding
 
 -- A course of the rows that run wrote, with the body of the scene if there is one: nil and what is wrong.
 function course.read(host, job, given)
-  local names = { "t", "energy" }
-  for _, p in ipairs { "q", "w", "r", "v", "L" } do
+  local names = { "t", "energy", "N" }
+  for _, p in ipairs(vectors) do
     for _, name in ipairs(parts[p]) do names[#names + 1] = name end
   end
   local columns, known = host.columns(given.from, names)
@@ -191,8 +225,8 @@ function course.read(host, job, given)
   if n < 2 then return nil, given.from .. ": no column t with two rows or more; it is to be a table of polhode run" end
   local samples = {}
   for i = 1, n do
-    local s = { t = by_name.t[i], energy = by_name.energy[i] }
-    for _, p in ipairs { "q", "w", "r", "v", "L" } do
+    local s = { t = by_name.t[i], energy = by_name.energy[i], N = by_name.N[i] }
+    for _, p in ipairs(vectors) do
       local v = {}
       for k, name in ipairs(parts[p]) do v[k] = by_name[name][i] end
       if #v == #parts[p] then s[p] = v end
@@ -210,6 +244,9 @@ function course.read(host, job, given)
   end
   local c = job and of_scene(job, given) or { conserved = {}, sequence = given.sequence or "zxz" }
   c.samples, c.column = samples, true
+  local largest = 0.0
+  for _, s in ipairs(samples) do largest = math.max(largest, math.abs(s.N or 0.0)) end
+  if largest > 0 and math.abs(samples[n].N) < still_touches * largest then c.lost = samples[n].t end
   return c
 end
 

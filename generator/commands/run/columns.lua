@@ -9,7 +9,7 @@
 local evaluate = require "generator.algebra.evaluate"
 local rotation = require "generator.attitude.rotation"
 local contact = require "generator.dynamics.contact"
-local numeric = require "generator.dynamics.numeric"
+local touch = require "generator.commands.run.touch"
 local options = require "generator.commands.options"
 local expression = require "generator.dsl.expression"
 local diag = require "generator.diag"
@@ -177,7 +177,7 @@ for i = 1, 16 do nowhere[i] = 0 / 0 end
 
 -- A sample from t, the scene's state, energy and L.
 local function sampler(host, job, given)
-  local at, library = {}, contact.of(job.model) and host.rates(numeric.scene(job))
+  local at, touching = {}, touch.of(host, job)
   for i, s in ipairs(job.states) do
     local kind = parts[s.kind]
     if kind then
@@ -193,10 +193,10 @@ local function sampler(host, job, given)
         for n, i in ipairs(at[kind]) do s[kind][n] = x[i] end
       end
     end
-    if library then
+    if touching then
       local known
       function s.contact()
-        known = known or library:contact(t, numeric.whole(job, x), given and given.course) or nowhere
+        known = known or touching(t, x, given and given.course) or nowhere
         return known
       end
     end
