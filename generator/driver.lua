@@ -9,6 +9,7 @@
 local R = require "generator.algebra.rational"
 local diag = require "generator.diag"
 local env = require "generator.dsl.env"
+local phases = require "generator.dsl.phases"
 local ranges = require "generator.dsl.ranges"
 local unused_params = require "generator.dsl.unused"
 local catalogue = require "generator.mass.catalogue"
@@ -51,13 +52,15 @@ end
 local function allowed(job)
   local b, k = job.budget, 1
   for _, e in ipairs(job.record.effects) do k = e.spec.touches and 3 or k end
-  return { steps = b.steps * k, bytes = b.bytes * k, seconds = b.seconds * k }
+  return { steps = b.steps * k, bytes = b.bytes * k, seconds = b.seconds * k, used = b.used }
 end
 
 -- f(...), or nil and an error in the diagnostics of a scene or plan.  Hosts of tests have no bounds.
 local function bounded(job, f, ...)
   if not job.host.bounded then return f(...) end
-  local r = table.pack(job.host.bounded(f, allowed(job), ...))
+  local limits = allowed(job)
+  local r = table.pack(job.host.bounded(f, limits, ...))
+  job.budget.used = limits.used -- the plan has what the scene leaves
   if r[1] then return table.unpack(r, 2, r.n) end
   poly.budget = nil -- it was raised at whatever instruction came next
   job.diag:error(job.record.line, "scene", r[2] .. " (POLHODE_PATIENCE=10 allows ten times as much)")
@@ -88,19 +91,23 @@ local function instead(name, record)
     (best and "; did you mean " .. best .. "?" or "")
 end
 
--- Reads and checks the scene of a file, - for standard input.  options: {set =, bake =, name = (in place of the scene's
--- own)}.  Returns the scene, a stage of generator/stages.lua, or nil, the diagnostics, and (a name in --set that is no
--- parameter).  scene.ranges: see dsl/ranges.lua.
-function driver.read(host, file, options)
-  local text, why = host.read(file)
-  if not text then return nil, nil, why end
-  if file == "-" then file = "stdin" end
+-- The scene of a file's text: what driver.read returns.
+local function opened(host, file, text, options)
   local d = diag.new(file, text)
   local record, unused = env.record(host, d, text, { shapes = catalogue.list, effects = effects }, options.set,
     options.name)
   if not record then return nil, d end
   if unused then return nil, d, "--set " .. unused .. ": the scene has no such parameter" .. instead(unused, record) end
   if record.body.broken then return nil, d end
+  record = phases.of(d, record, options.phase)
+  if not record then return nil, d end
+  if options.phase and not record.flies and not record.landing then
+    return nil, d, "--phase " .. options.phase .. ": the scene has no effect.plane with impact"
+  end
+  if record.flies and not options.phase then
+    d:warn(record.line, "scene", "is that of the body on the plane: polhode run and plot follow it into the air, " ..
+      "--phase flight of gen and explain is the scene in the air")
+  end
   local scene = stages.open "scene"
   scene.host, scene.templates, scene.version, scene.build = host, host.templates, driver.version, host.build or
     driver.version
@@ -108,6 +115,22 @@ function driver.read(host, file, options)
   scene.record, scene.budget = record, budget(options)
   if not bounded(scene, model_of, scene, options) then return nil, d end
   return stages.close(scene)
+end
+
+-- Reads and checks the scene of a file, - for standard input.  options: {set =, bake =, name = (in place of the scene's
+-- own), phase = "contact" (the default) or "flight" of a body that flies and lands}.  Returns the scene, a stage of
+-- generator/stages.lua, or nil, the diagnostics, and what is wrong with the options (a name in --set that is no
+-- parameter).  scene.ranges: see dsl/ranges.lua.
+function driver.read(host, file, options)
+  local text, why = host.read(file)
+  if not text then return nil, nil, why end
+  return opened(host, file == "-" and "stdin" or file, text, options)
+end
+
+-- The phase in the air of a scene that was read with these options; the same results.
+function driver.flight(scene, options)
+  return opened(scene.host, scene.file, scene.text, { set = options.set, bake = options.bake, name = options.name,
+    phase = "flight" })
 end
 
 -- What the emitted header says of its sources: {hash =, the SHA-256 of the scene's text and of all files that it names,

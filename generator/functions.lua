@@ -5,6 +5,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local context = require "generator.dynamics.context"
+local landing = require "generator.dynamics.landing"
 local quantities = require "generator.dynamics.quantities"
 local sensitivity = require "generator.dynamics.sensitivity"
 local tangents = require "generator.dynamics.tangents"
@@ -82,6 +83,10 @@ function functions.of(plan, options, named)
   if m.has.rates then put("torque", quantities.torque, m) end
   put("rhs", quantities.rhs, eq)
   if eq.touch then put("contact", quantities.contact, eq) end
+  if m.record.landing then
+    put("gap", landing.gap, m)
+    put("impact", landing.impact, m)
+  end
   for i, s in ipairs(plan.steppers) do
     local name = i == 1 and "step" or s.method.name .. "_step"
     if s.method.groups then put(name, quantities.step, m, eq, s.method, name) end

@@ -42,7 +42,7 @@ local ATTITUDES = set(table.concat(ATTITUDE, " "))
 
 -- What else moves no closed form.
 local MOTION = set [[init defaults initial mass inertia inertia_now energy jacobi_integral momentum_body momentum rhs
-  normalise within advance contact matrix rotate unrotate rotation_vector euler set_euler]]
+  normalise within advance contact gap impact matrix rotate unrotate rotation_vector euler set_euler]]
 
 -- Functions of templates that call functions made of equations.
 local NEEDS = { principal = "inertia", spin_stable = "inertia", solve = "inertia", step = "rhs inertia initial",

@@ -27,6 +27,8 @@ explain.options = {
   { "--real", { "double", "float" }, "the type for which costs are given", default = "double" },
   { "--target", "words", "count instructions, flash and stack on small processors under emulators: all, or some of " ..
     table.concat(measure.names, ", "), value = "CORE,...", default = "costs are estimated" },
+  { "--phase", { "contact", "flight" }, "of a body that flies and lands (effect.plane with impact): the scene on " ..
+    "the plane, or in the air", default = "contact" },
   { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
 }
 explain.examples = {

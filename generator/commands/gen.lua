@@ -71,6 +71,8 @@ gen.options = {
   { "--target", "words", "count instructions, flash and stack on small processors under emulators, for the README " ..
     "of the project: all, or some of " .. table.concat(measure.names, ", "), value = "CORE,...",
     default = "nothing is counted" },
+  { "--phase", { "contact", "flight" }, "of a body that flies and lands (effect.plane with impact): the scene on " ..
+    "the plane, or in the air", default = "contact" },
   { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
   { "--show", { "lower", "power", "fold", "cse", "dce", "order" }, "print the instructions of all functions after " ..
     "this pass, and write nothing", value = "PASS", default = "files are written", each = {

@@ -9,6 +9,7 @@ local options = require "generator.commands.options"
 local picture = require "generator.commands.picture"
 local course = require "generator.commands.plot.course"
 local run = require "generator.commands.run"
+local bounce = require "generator.commands.run.bounce"
 local driver = require "generator.driver"
 local rotation = require "generator.attitude.rotation"
 local panels = require "generator.plot.panels"
@@ -145,6 +146,7 @@ function plot.run(host, given)
   if given[1] then
     local d, why
     job, d, why = driver.read(host, given[1], given)
+    if job then job, d, why = bounce.scene(job, given) end
     if not job then return options.refuse(host, d, why) end
   end
   if not given.from then return computed(host, given, job) end

@@ -8,6 +8,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local accuracy = require "generator.commands.run.accuracy"
+local bounce = require "generator.commands.run.bounce"
 local columns = require "generator.commands.run.columns"
 local engines = require "generator.commands.run.engines"
 local limits = require "generator.commands.run.limits"
@@ -122,6 +123,22 @@ local function before(list, stop)
   return kept
 end
 
+-- The events with impacts, landings and lift-offs among them, in the order of time, up to one that stops.
+local function with_phases(motion, found, list, solve)
+  local finish, stop = 0, found[#found]
+  for _, t in ipairs(list) do finish = math.max(finish, t) end
+  if stop and stop.event.stop then finish = stop.row.t end
+  local at, happened_at = {}, motion.phases(finish)
+  for i, p in ipairs(happened_at) do at[i] = p.t end
+  local rows, out = solve(at), { table.unpack(found) }
+  for i, p in ipairs(happened_at) do out[#out + 1] = { event = { name = p.name }, row = rows[i], place = i } end
+  table.sort(out, function(a, b)
+    if a.row.t ~= b.row.t then return a.row.t < b.row.t end
+    return (a.place or 0) < (b.place or 0)
+  end)
+  return out
+end
+
 -- The motion's rows at the times of the list, and the events; or nil and the failure.  Warnings are appended.
 local function computed(host, job, given, motion, list, warnings)
   local solve = tables.solver(motion, given.chosen.row)
@@ -133,6 +150,7 @@ local function computed(host, job, given, motion, list, warnings)
   local rows, states = table_at(list)
   local found, wrong = happened(host, job, given, motion, solve, list, not rows and states)
   if not found then return nil, wrong end
+  if motion.phases then found = with_phases(motion, found, list, solve) end
   local last = found[#found]
   if last and last.event.stop then
     list = before(list, last.row.t)
@@ -163,6 +181,8 @@ end
 function run.run(host, given)
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, d, why) end
+  job, d, why = bounce.scene(job, given)
+  if not job then return options.refuse(host, d, why) end
   local list, wrong = times(job, given)
   wrong = wrong or events.missing(job)
   local warnings, course
@@ -173,7 +193,7 @@ function run.run(host, given)
     given.course = warnings and course
   end
   if not warnings then return options.wrong(host, "run", wrong) end
-  local engine = given.engine == "generated" and engines.generated or engines.general
+  local engine = bounce.engine(given.engine == "generated" and engines.generated or engines.general)
   local motion, failure = engine(host, job, given, course)
   wrong = motion and limits.exceeded(motion, list, given) or failure and failure.command and failure.text
   if wrong then return options.wrong(host, "run", wrong) end
@@ -184,7 +204,7 @@ function run.run(host, given)
     return run.refuse(host, found, found.status == 3 and accuracy.help(job, motion, list, found.t))
   end
   local status = options.write(host, "run", given.o, tables.writers[given.format or "csv"](rows, given.chosen.names,
-    #events.of(job) > 0 and found or nil))
+    (motion.phases or #events.of(job) > 0) and found or nil))
   for _, w in ipairs(status == 0 and warnings or {}) do host.err("warning: " .. w) end
   return status
 end

@@ -93,9 +93,23 @@ function fields_of(unit, body)
   return fields
 end
 
--- What stands between functions: types, enumerators, tables.
+-- Without its comments.
+local function uncommented(text)
+  local out, pos = {}, 1
+  while true do
+    local first = string.find(text, "/*", pos, true)
+    if not first then break end
+    out[#out + 1] = string.sub(text, pos, first - 1)
+    local _, last = string.find(text, "*/", first + 2, true)
+    pos = last + 1
+  end
+  out[#out + 1] = string.sub(text, pos)
+  return table.concat(out)
+end
+
+-- What stands between functions, without comments: types, enumerators, tables.
 local function outside(unit, text)
-  text = string.gsub(text, "/%*.-%*/", "")
+  if not string.find(text, ";", 1, true) then return end
   for list in string.gmatch(text, "enum [%w_]*%s*{(.-)}") do
     local n = 0
     for entry in string.gmatch(list, "[^,]+") do
@@ -132,10 +146,10 @@ function tally.read(name, header, source, options)
   local pos = 1
   while true do
     local open = string.find(text, "\n{\n", pos, true)
-    outside(unit, string.sub(text, pos, open or #text))
+    local between = uncommented(string.sub(text, pos, open or #text))
+    outside(unit, between)
     if not open then break end
     local close = string.find(text, "\n}\n", open, true)
-    local between = string.gsub(string.sub(text, pos, open), "/%*.-%*/", "")
     local head = string.match(between, "^.*[;}](.*)$") or between
     local kind, f, parameters = string.match(head, "([%w_]+)%s+%*?([%a_][%w_]*)%s*(%b())%s*$")
     unit.functions[f] = not unit.library[f] and { result = unit.types[kind] or "int", parameters = parameters,

@@ -166,7 +166,8 @@ end
 
 local laws = { rolling = true, smooth = true, sliding = true }
 local specs = { { name = "surface" }, { name = "law" }, { name = "friction" }, { name = "spinning" },
-  { name = "rolling_resistance" }, { name = "normal" }, { name = "turntable" }, { name = "gravity" } }
+  { name = "rolling_resistance" }, { name = "normal" }, { name = "turntable" }, { name = "gravity" },
+  { name = "impact" } }
 
 -- Dimensions of {viscous, coulomb, smoothing}: of a force per N against a velocity, of a torque per N against a rate.
 local against = {
@@ -224,6 +225,30 @@ local function gravity(ctx, line, what, given)
   return g and { zero, zero, -g }
 end
 
+-- Restitution e of 0 to 1; of a law with friction its coefficient, which is that of {coulomb = mu} unless it is given,
+-- and the restitution along the plane, -1 to 1.  A rolling body sticks: friction is nil.
+local function impact(ctx, line, what, given, a)
+  local where = ctx.diag:locate(line, "impact")
+  local list, slides = { { name = "restitution", sign = "nonnegative" } }, a.law == "sliding"
+  what = what .. ": impact"
+  if slides then
+    list[2] = { name = "friction", sign = "nonnegative", default = a.friction.coulomb and 0 or nil }
+    list[3] = { name = "tangential", default = 0 }
+  end
+  local own, ok = args.read(ctx, where, what, list, given)
+  if not ok then return nil end
+  ok = args.condition(ctx, where, what, "restitution must not be above 1", one - own.restitution,
+    diag.show(given.restitution), true)
+  if not slides then return ok and { restitution = own.restitution, friction = a.law == "smooth" and zero or nil } end
+  if given.friction == nil then own.friction = a.friction.coulomb end
+  for _, sign in ipairs { 1, -1 } do
+    local left = one - expr.num(R.new(sign)) * own.tangential
+    ok = args.condition(ctx, where, what, "tangential must be from -1 to 1", left, diag.show(given.tangential), true)
+      and ok
+  end
+  return ok and own or nil
+end
+
 -- A unit vector in the plane, as near to inertial x as there is; as near to y where the normal is within 6 degrees of
 -- x for the scene's own parameters, so that no digits are lost.
 local function along(n)
@@ -264,6 +289,10 @@ function contact.plane(ctx, line, what, given)
     ok = ok and a.friction ~= nil
   end
   ok = resistances(ctx, line, what, given, a) and ok
+  if given.impact ~= nil and laws[a.law] and ok then
+    a.impact, a.given_gravity = impact(ctx, line, what, given.impact, a), given.gravity
+    ok = a.impact ~= nil
+  end
   local n = normal(ctx, line, what, given.normal or { 0, 0, 1 })
   a.gravity = gravity(ctx, line, what, given.gravity or 9.80665)
   a.rate = args.scalar(ctx, ctx.diag:locate(line, "turntable"), what, "turntable", { dim = "rate" },

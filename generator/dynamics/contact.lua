@@ -85,7 +85,7 @@ end
 local function trivial(e) return e.kind == "num" or e.kind == "sym" end
 
 -- A function that gives names to the components of a vector, as definitions of the group.
-local function namer(m, group, taken)
+function contact.namer(m, group, taken)
   return function(prefix, v)
     return vec.map(v, function(e, i)
       if trivial(e) then return e end
@@ -105,7 +105,7 @@ local function geometry(m, e, c, groups)
   local point = s.support and "centre + G + (h - n.G) n, n = -g" or s.paraboloid and "vertex - y, a paraboloid" or
     s.half[1] ~= zero and "centre - B g/sqrt(g.B g) - rim g" or "centre - rim g"
   local g = { why = "contact with the plane: r = " .. point .. ", g the plane's normal", defs = {}, outs = {} }
-  local name = namer(m, g, c.taken)
+  local name = contact.namer(m, g, c.taken)
   local k = e.spec.contact(a, c, name)
   local place = vec.cross(c.w, k.far)
   if k.y then
@@ -210,7 +210,7 @@ local function rolling(m, e, c, N, groups)
   end)
   local g = { why = "Newton and Euler, rolling: (I/m + r.r 1 - r r^T) w' = (I w/m) x w + N/m + r x f, " ..
     "f = -G - w x k" .. (rate and " + Omega g x (U + r')" or ""), defs = {} }
-  local name = namer(m, g, c.taken)
+  local name = contact.namer(m, g, c.taken)
   local f = vec.scale(-expr.one, vec.add(k.G, k.bend))
   if rate then
     local P = vec.add(u, vec.sub(k.place, k.turning)) -- u + r'
@@ -248,8 +248,8 @@ local function rolling(m, e, c, N, groups)
   return g, { coordinates = coordinates, reaction = reaction, k = k, c = c, a = a }
 end
 
--- I^-1 v, constants for what is divided by.
-local function inverse_per_mass(m, c, name, v)
+-- m I^-1 v, constants for what is divided by.
+function contact.inverse_per_mass(m, c, name, v)
   local I = m.carried
   if I[4] == zero and I[5] == zero and I[6] == zero then
     return vec.map(v, function(x, i)
@@ -271,7 +271,7 @@ local function touching(m, e, c, free, groups)
   local a = e.a
   local g = { why = "Newton and Euler on the plane: w' = w0' + N/m b, b = m I^-1 (r x h), " ..
     "N/m = (-g.G - g.(w x k) - w0'.s)/(1 + b.s), s = r x g", defs = {} }
-  local name = namer(m, g, c.taken)
+  local name = contact.namer(m, g, c.taken)
   local w0 = name("free_", free)
   local h, v1, v2, share = k.up, nil, nil, zero
   if a.friction then
@@ -285,7 +285,7 @@ local function touching(m, e, c, free, groups)
   end
   local lever = a.friction and vec.cross(k.r, h) or vec.cross(k.far, k.up)
   local T = resisting(a, c, k, name)
-  local b = name("yield_", inverse_per_mass(m, c, name, T and vec.add(lever, T) or lever))
+  local b = name("yield_", contact.inverse_per_mass(m, c, name, T and vec.add(lever, T) or lever))
   local nu
   g.outs, nu = supported(k, name, w0, b)
   groups[#groups + 1] = g

@@ -12,6 +12,7 @@
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local contact = require "generator.dynamics.contact"
+local landing = require "generator.dynamics.landing"
 local context = require "generator.dynamics.context"
 local idle = require "generator.dynamics.idle"
 local state = require "generator.dynamics.state"
@@ -167,6 +168,8 @@ local function acting_effects(d, m, moving)
       end
     end
   end
+  local landing_on = m.record.landing -- which way up it lands, and what an impact does to its rates
+  cause.by_attitude, cause.turned = cause.by_attitude or landing_on, cause.turned or landing_on
   local acted = {}
   for k, v in pairs(m.record) do acted[k] = v end -- into a table: order is lost anyway
   acted.effects = acting
@@ -254,7 +257,7 @@ function states.decide(d, m)
   end
   contradictions(d, m, moving)
   one_input(d, m)
-  if not contact.check(d, m) then return false end
+  if not contact.check(d, m) or not landing.place(d, m) then return false end
   m.has = { attitude = true, rates = true, position = moving ~= nil } -- until we know better
   local cause = acting_effects(d, m, moving)
   local why = decided(m, cause, outputs(d, m, taken))

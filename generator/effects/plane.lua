@@ -27,7 +27,9 @@ local plane = {
     { "rolling_resistance", "", nil, "the same against turning about the directions of the plane" },
     { "normal", "1", "{0, 0, 1}", "of the plane, inertial axes, to the body's side, of any length" },
     { "turntable", "rad/s", "0", "rate at which the plane turns about its normal through the inertial origin" },
-    { "gravity", "m/s^2", "9.80665", "a number (along -z) or a vector" } },
+    { "gravity", "m/s^2", "9.80665", "a number (along -z) or a vector" },
+    { "impact", "", nil, "beside effect.translation, which has the gravity: the body flies where the plane would " ..
+      "have to pull, and lands with { restitution = e, friction = mu, tangential = e_t }" } },
   idle = { {}, "it always acts" },
   formula = "rolling: V + w x r = U; smooth: F = N n; sliding: F = N (n - c v), or N (n - mu v/sqrt(v^2 + e^2))",
   signs = "r from the centre of mass to the contact point, N the reaction along the normal n, v the slip V + w x r - U",
@@ -37,7 +39,7 @@ local plane = {
 
 -- Does the motion along the plane need states?
 local function placed(a, given)
-  if a.law ~= "smooth" or given.position or given.velocity then return true end
+  if a.law ~= "smooth" or a.impact or given.position or given.velocity then return true end
   for i = 1, 2 do
     local e = i == 1 and a.e1 or a.e2
     if not ratio.iszero(vec.dot(a.gravity, e)) then return true end
@@ -63,21 +65,30 @@ end
 
 -- ---- the contact: what dynamics/contact.lua and the energy are made of ----
 
+local function constants(c, prefix, v, about, unit)
+  return vec.map(v, function(x, i)
+    local letter = string.sub("xyz", i, i)
+    return c.constant(prefix .. letter, ratio.tidy(x), about .. " " .. letter .. unit)
+  end)
+end
+
 -- The vectors of the contact in body axes, by names that `name(prefix, vector)` may give them.
 function plane.contact(a, c, name)
-  local s, k = a.surface, {}
-  local function constants(prefix, v, about, unit)
-    return vec.map(v, function(x, i)
-      local letter = string.sub("xyz", i, i)
-      return c.constant(prefix .. letter, ratio.tidy(x), about .. " " .. letter .. unit)
-    end)
-  end
-  k.n, k.e1 = constants("plane", a.normal, "normal of the plane,", ""), constants("along", a.e1, "e1 of the plane,", "")
-  k.e2 = constants("beside", a.e2, "e2 of the plane,", "")
+  local k = { n = constants(c, "plane", a.normal, "normal of the plane,", ""),
+    e1 = constants(c, "along", a.e1, "e1 of the plane,", ""),
+    e2 = constants(c, "beside", a.e2, "e2 of the plane,", "") }
   k.rate = c.constant("Omega_plane", a.rate, "rate of the plane, rad/s")
+  return plane.place(a, c, k, name)
+end
+
+-- Adds to {n} what is at the lowest point: up, the normal in body axes; far, from the centre of mass to the centre of
+-- curvature; r, to the point.
+function plane.place(a, c, k, name)
+  local s = a.surface
   k.back = vec.transpose(vec.rotation(c.q))
   k.up = name("up_", vec.matvec(k.back, k.n))
-  local centre = constants("centre", vec.sub(s.at, c.origin), "centre of the surface from the centre of mass,", ", m")
+  local centre = constants(c, "centre", vec.sub(s.at, c.origin), "centre of the surface from the centre of mass,",
+    ", m")
   local rim = c.constant("rim", s.rim, "radius of the sphere, or of the rounded edge, m")
   local far = centre -- c - y
   k.y, k.slope = surface.point(s, c, k.up, name)

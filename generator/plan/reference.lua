@@ -17,15 +17,19 @@ local tolerances = { { 1e-18, 1e-16 }, { 1e-15, 1e-14 }, { 1e-12, 1e-11 } }
 local most = 5000
 local rounding = 2.0 ^ -53
 
--- The library's scene for the state x0; values, lines: those of numeric.scene.
-function reference.scene(job, x0, values, lines)
-  local s, full = numeric.scene(job, values, lines), numeric.whole(job, x0)
+-- The library's scene `s` of the job from the state x0 on.
+function reference.from(s, job, x0)
+  local own, full = {}, numeric.whole(job, x0)
+  for k, v in pairs(s) do own[k] = v end -- a copy: order is lost anyway
   local after = job.model.has.position and 13 or 7
-  s.q, s.w = { table.unpack(full, 1, 4) }, { table.unpack(full, 5, 7) }
-  if after > 7 then s.r, s.v = { table.unpack(full, 8, 10) }, { table.unpack(full, 11, 13) } end
-  s.own = { table.unpack(full, after + 1) }
-  return s
+  own.q, own.w = { table.unpack(full, 1, 4) }, { table.unpack(full, 5, 7) }
+  if after > 7 then own.r, own.v = { table.unpack(full, 8, 10) }, { table.unpack(full, 11, 13) } end
+  own.own = { table.unpack(full, after + 1) }
+  return own
 end
+
+-- The library's scene for the state x0; values, lines: those of numeric.scene.
+function reference.scene(job, x0, values, lines) return reference.from(numeric.scene(job, values, lines), job, x0) end
 
 -- What computes the true motions of a scene; it remembers at which tolerances the library got there.
 function reference.new(host, job) return setmetatable({ host = host, job = job, level = 1 }, reference) end

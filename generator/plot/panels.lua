@@ -215,7 +215,8 @@ function makers.contact(course)
   local function words(v)
     return "(" .. table.concat(list(v, times.number), ", ") .. ")"
   end
-  return { { title = "Path of the contact point on the plane", note = not level and "e_1 = " .. words(e1) ..
+  return { { title = course.plane.flies and "Path of the lowest point over the plane" or
+    "Path of the contact point on the plane", note = not level and "e_1 = " .. words(e1) ..
     ", e_2 = " .. words(e2) or nil, draw = function(d, box)
       plane.draw(d, { box = box, points = points, x = { level and "x" or "s_1", "m" },
         y = { level and "y" or "s_2", "m" }, stop = course.lost and "contact lost" })

@@ -112,7 +112,10 @@ int main(int argc, char **argv) {
   else if (!interrupt_pending())
     fprintf(stderr, "polhode: internal error: %s\n", lua_tostring(L, -1));
   lua_sethook(L, NULL, 0, 0); /* an interrupt's hook must not stop finalizers */
-  lua_close(L);
+  /* giving a pool back block by block is a tenth of a run; where a tool looks for leaks there is no
+     pool */
+  if (account.pooled == 0)
+    lua_close(L);
   tempdir_remove_all();
   const int output = output_finish();
   interrupt_resume();

@@ -67,6 +67,18 @@ typedef struct ph_contact {
   double point[3], slip[3];
 } ph_contact;
 
+/* What happens when a body meets the plane: restitution e, 0 to 1; coefficient of friction,
+   INFINITY where it sticks; restitution along the plane, -1 to 1. */
+typedef struct ph_impact {
+  double restitution, friction, tangential;
+} ph_impact;
+
+/* The lowest point of a body in the air, in inertial axes: its distance from the plane, negative
+   below it, the rate of that, the point, and its velocity against the plane. */
+typedef struct ph_gap {
+  double gap, rate, point[3], slip[3];
+} ph_gap;
+
 struct ph_top;
 
 /* PH_EBOUND: the top was not made about its centre of mass, the law or surface is none of the
@@ -78,6 +90,15 @@ int ph_top_plane(struct ph_top *top, const ph_plane *plane);
    side is below. */
 int ph_top_contact(const struct ph_top *top, double t, const double x[], const double u[3],
                    ph_contact *out);
+
+/* Of the same body in the air, x its attitude (body to inertial), rates (body axes), position and
+   velocity of the centre of mass (inertial axes): its lowest point. Errors as above;
+   PH_EQUATERNION, PH_EFINITE. */
+int ph_top_gap(const struct ph_top *top, const double x[13], ph_gap *out);
+/* x becomes the state after the impact, normal the impulse along n, N s: 0 where the lowest point
+   does not approach the plane. Energy is never made. PH_EPOSITIVE: a number of the law is out of
+   its range. Chatterjee, Ruina, J. Appl. Mech. 65 (1998) 939. */
+int ph_top_impact(const struct ph_top *top, const ph_impact *law, double x[13], double *normal);
 
 #ifdef __cplusplus
 }

@@ -2,6 +2,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local accuracy = require "generator.commands.run.accuracy"
+local bounce = require "generator.commands.run.bounce"
 local engines = require "generator.commands.run.engines"
 local limits = require "generator.commands.run.limits"
 local touch = require "generator.commands.run.touch"
@@ -51,7 +52,8 @@ end
 -- What the pictures know of the body: of its states, effects and laws.
 local function of_scene(job, given)
   local m = job.model
-  local c = { conserved = job.conserved.is, sequence = given.sequence or "zxz", plane = touch.plane(job) }
+  local c = { conserved = given.ground and {} or job.conserved.is, -- an impact keeps nothing
+    sequence = given.sequence or "zxz", plane = touch.plane(job) }
   if not m.has.rates then return c end
   local f = facts.of(job)
   c.body = { moments = f.moments, axes = f.axes, kind = m.structure.kind, rod = m.structure.rod }
@@ -77,8 +79,8 @@ local function of_scene(job, given)
   return c
 end
 
-local function looker(host, job, motion, inputs)
-  local at, touching = places(job), touch.of(host, job)
+local function looker(host, job, motion, inputs, ground)
+  local at, touching = places(job), touch.of(host, job, ground)
   return function(ts)
     local states, failure = motion.solve(ts, {})
     if not states then return nil, failure end
@@ -89,7 +91,7 @@ local function looker(host, job, motion, inputs)
       local s = { t = state.t, x = state.x, energy = energy, L = job.model.has.attitude and L or nil,
         own = part(state.x, at.own) }
       for _, name in ipairs { "q", "w", "r", "v" } do s[name] = at[name] and part(state.x, at[name]) end
-      local k = touching and touching(s.t, s.x, inputs)
+      local k = touching and touching(s.t, s.x, inputs, state.on)
       if touching and not k then
         return nil, { status = 3, t = s.t, text = "the body touches the plane in no single point" }
       end
@@ -121,7 +123,9 @@ local function lost(host, job, motion, finish, inputs)
 end
 
 -- The motion by the first method, or nil and a failure as run.engines has it, or a message in its place.
-local function engine_of(given) return given.engine == "generated" and engines.generated or engines.general end
+local function engine_of(given)
+  return bounce.engine(given.engine == "generated" and engines.generated or engines.general)
+end
 
 local function with_method(given, method)
   return setmetatable({ method = method }, { __index = function(_, k) return k ~= "method" and given[k] or nil end })
@@ -188,7 +192,7 @@ function course.compute(host, job, given, inputs)
     warnings[1] = "contact is lost at t = " .. times.number(when) .. " s: what is drawn ends there\n"
   end
   local samples
-  samples, failure = looked(looker(host, job, motions[1], inputs), finish, motions[1].step)
+  samples, failure = looked(looker(host, job, motions[1], inputs, given.ground), finish, motions[1].step)
   if not samples then return nil, failure end
   local last = samples[#samples].t
   if last < finish * (1 - 1e-9) then

@@ -74,7 +74,7 @@ local parts = { attitude = "q", rates = "w", position = "r", velocity = "v" }
 -- groups, {name -> names}.
 local function words_of(job)
   local list, by_name, groups, has = {}, {}, {}, { energy = true, L = job.model.has.attitude or nil,
-    contact = contact.of(job.model) ~= nil or nil }
+    contact = (contact.of(job.model) or job.record.landing) and true or nil }
   local function word(name, unit, f)
     by_name[name] = { name = name, unit = unit, f = f }
     list[#list + 1] = by_name[name]
@@ -175,9 +175,10 @@ end
 local nowhere = {} -- of a disc that lies flat
 for i = 1, 16 do nowhere[i] = 0 / 0 end
 
--- A sample from t, the scene's state, energy and L.
+-- A sample from t, the scene's state, energy and L; on: the state of the scene given.ground, where a body that flies
+-- and lands touches the plane.
 local function sampler(host, job, given)
-  local at, touching = {}, touch.of(host, job)
+  local at, touching = {}, touch.of(host, job, given and given.ground)
   for i, s in ipairs(job.states) do
     local kind = parts[s.kind]
     if kind then
@@ -185,7 +186,7 @@ local function sampler(host, job, given)
       table.insert(at[kind], i)
     end
   end
-  return function(t, x, energy, L)
+  return function(t, x, energy, L, on)
     local s = { t = t, x = x, energy = energy, L = L }
     for _, kind in ipairs { "q", "w", "r", "v" } do
       if at[kind] then
@@ -196,7 +197,7 @@ local function sampler(host, job, given)
     if touching then
       local known
       function s.contact()
-        known = known or touching(t, x, given and given.course) or nowhere
+        known = known or touching(t, x, given and given.course, on) or nowhere
         return known
       end
     end
@@ -226,8 +227,8 @@ function columns.of(host, job, text, given)
   end
   local sample, names = sampler(host, job, given), {}
   for i, c in ipairs(list) do names[i] = c.name end
-  return { names = names, row = function(t, x, energy, L)
-    local s, row = sample(t, x, energy, L), { t = t }
+  return { names = names, row = function(t, x, energy, L, on)
+    local s, row = sample(t, x, energy, L, on), { t = t }
     for i, c in ipairs(list) do row[i] = c.f(s) end
     return row
   end }

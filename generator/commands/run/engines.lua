@@ -196,7 +196,7 @@ function engines.general(host, job, given, course)
     quick = 20000, epsilon = 2.0 ^ -52, closed = closed_form, adaptive = adaptive, exact = job.closed.full }
   if not closed_form then motion.step = given.step or fixed and job.model:double(job.model.step) or nil end
   function motion.solve(times, o)
-    local rows, why, kind, t = host.run(o.from and reference.scene(job, o.from.x, nil, lines) or scene, {
+    local rows, why, kind, t = host.run(o.from and reference.from(scene, job, o.from.x) or scene, {
       method = method, step = o.step or motion.step, tol = given.tolerance, times = times, u = course,
       t0 = o.from and o.from.t or 0.0 })
     if not rows then

@@ -5,7 +5,8 @@ local json = require "generator.report.json"
 
 local tables = {}
 
--- A motion's solve with rows for states, row_of(t, x, energy, L): rows, and the states; or nil and the failure.
+-- A motion's solve with rows for states, row_of(t, x, energy, L, on), on: see bounce.lua.  Returns rows, and the
+-- states; or nil and the failure.
 function tables.solver(motion, row_of)
   return function(times)
     local states, failure = motion.solve(times, {})
@@ -14,7 +15,7 @@ function tables.solver(motion, row_of)
     for i, s in ipairs(states) do
       local energy, L = motion.measured(s)
       if not energy then return nil, L end
-      rows[i] = row_of(s.t, s.x, energy, L)
+      rows[i] = row_of(s.t, s.x, energy, L, s.on)
       for _, x in ipairs(rows[i]) do
         if x - x ~= 0 then return nil, { status = 3, t = s.t, text = "a column is not finite" } end
       end

@@ -6,24 +6,39 @@ local numeric = require "generator.dynamics.numeric"
 
 local touch = {}
 
--- A function of t, the scene's state and the inputs over time (or nil): {N, com, com_velocity, force, point, slip},
--- each vector as three numbers; nil where the body has no single contact point.  Without a plane there is no function.
-function touch.of(host, job)
-  if not contact.of(job.model) then return nil end
-  local library = host.rates(numeric.scene(job))
-  return function(t, x, inputs) return (library:contact(t, numeric.whole(job, x), inputs)) end
+-- Of a body in the air: no force; its lowest point.
+local function above(library, x)
+  local low = library:gap({ table.unpack(x, 1, 13) })
+  if not low then return nil end
+  local list = { 0.0, table.unpack(x, 8, 13) }
+  for i = 1, 3 do list[7 + i], list[10 + i], list[13 + i] = 0.0, low[2 + i], low[5 + i] end
+  return list
 end
 
--- The plane of a scene that has one, as doubles: {normal, e1, e2 (inertial axes), open = not every attitude touches}.
+-- A function of t, the scene's state, the inputs over time (or nil), and `on`: {N, com, com_velocity, force, point,
+-- slip}, each vector as three numbers; nil where the body has no single contact point.  Without a plane there is no
+-- function.  ground: of a body that flies and lands the scene on the plane; `on` is then its state, nil in the air.
+function touch.of(host, job, ground)
+  if not contact.of(job.model) and not ground then return nil end
+  local library = host.rates(numeric.scene(ground or job))
+  return function(t, x, inputs, on)
+    if ground and not on then return above(library, numeric.whole(job, x)) end
+    return (library:contact(t, numeric.whole(ground or job, on or x), inputs))
+  end
+end
+
+-- The plane of a scene that has one, as doubles: {normal, e1, e2 (inertial axes), open = not every attitude touches,
+-- flies = does the body leave it and come back?}.
 function touch.plane(job)
-  local e = contact.of(job.model)
+  local e = contact.of(job.model) or job.record.landing
   if not e then return nil end
   local function numbers(v)
     local list = {}
     for i = 1, 3 do list[i] = job.model:double(v[i]) + 0.0 end
     return list
   end
-  return { normal = numbers(e.a.normal), e1 = numbers(e.a.e1), e2 = numbers(e.a.e2), open = e.a.surface.open or false }
+  return { normal = numbers(e.a.normal), e1 = numbers(e.a.e1), e2 = numbers(e.a.e2), open = e.a.surface.open or false,
+    flies = job.record.landing ~= nil }
 end
 
 return touch

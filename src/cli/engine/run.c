@@ -418,12 +418,48 @@ static int rates_contact(lua_State *L) {
   return 1;
 }
 
+/* object:gap(x) -> {gap, rate, point3, slip3} | nil, message: of x = q, w, r, v in the air */
+static int rates_gap(lua_State *L) {
+  const struct rates *r = self(L);
+  double x[13], list[8];
+  ph_gap gap;
+  engine_list(L, 2, 13, x);
+  const int status = ph_top_gap(&r->top, x, &gap);
+  if (status != PH_OK)
+    return fail(L, status);
+  list[0] = gap.gap;
+  list[1] = gap.rate;
+  for (int i = 0; i < 3; i++) {
+    list[2 + i] = gap.point[i];
+    list[5 + i] = gap.slip[i];
+  }
+  engine_push(L, 8, list);
+  return 1;
+}
+
+/* object:impact({e, mu, e_t}, x) -> x after it, impulse | nil, message */
+static int rates_impact(lua_State *L) {
+  const struct rates *r = self(L);
+  double x[13], law[3], normal;
+  engine_list(L, 2, 3, law);
+  engine_list(L, 3, 13, x);
+  const ph_impact impact = {law[0], law[1], law[2]};
+  const int status = ph_top_impact(&r->top, &impact, x, &normal);
+  if (status != PH_OK)
+    return fail(L, status);
+  engine_push(L, 13, x);
+  lua_pushnumber(L, normal);
+  return 2;
+}
+
 /* rates(scene) -> object with the methods above | nil, message */
 int host_rates(lua_State *L) {
   static const luaL_Reg functions[] = {{"rates", rates_rates},
                                        {"energy", rates_energy},
                                        {"momentum", rates_momentum},
                                        {"contact", rates_contact},
+                                       {"gap", rates_gap},
+                                       {"impact", rates_impact},
                                        {NULL, NULL}};
   struct engine_scene s;
   int status = engine_read(&s, L, 1);

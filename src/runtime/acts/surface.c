@@ -3,11 +3,12 @@
 
    In the axes of the surface, with the plane's normal g and the outward normal n = -g of the point
    x sought, from the surface's centre:
-     ellipsoid    x is the image of the point -z of the unit sphere: x = -C z, z = C g/|C g|, C the
-                  half axes
-     paraboloid   z = x^2/(2 a) + y^2/(2 b) has the normal (x/a, y/b, -1): x = -a g1/g3, y = -b
-   g2/g3 support h    x = G + (h - n.G) n (Bonnesen and Fenchel, Theory of Convex Bodies, 15), G the
-                  gradient; its rate H n' + (h - n.G) n' - (n.H n') n with the second derivatives H
+   - ellipsoid: x is the image of the point -z of the unit sphere: x = -C z, z = C g/|C g|, C the
+     half axes.
+   - paraboloid: z = x^2/(2 a) + y^2/(2 b) has the normal (x/a, y/b, -1), so that x = -a g1/g3 and
+     y = -b g2/g3.
+   - support h: x = G + (h - n.G) n (Bonnesen and Fenchel, Theory of Convex Bodies, 15), G the
+     gradient. Its rate is H n' + (h - n.G) n' - (n.H n') n with the second derivatives H.
    Each with the rate that g' gives. */
 #include "acts/acts.h"
 
