@@ -45,6 +45,42 @@ local function results(host, bar)
   return tap
 end
 
+-- The checks of one scene, of both types of numbers unless one is given; the exit status of what fails before them, and
+-- whether nothing can be checked.  from, to: how far the work is, before and after.
+local function one(host, tap, bar, scene, given, states, from, to)
+  local worst = 0
+  local names, others = stepper_checks.choice(scene)
+  local reals = given.real and { given.real } or { "double", "float" }
+  for k, real in ipairs(reals) do
+    bar.show(scene.model.name .. ", " .. real, from + (to - from) * (k - 1) / #reals)
+    local plugin, kind, why
+    local job, d = driver.plan(scene, { real = real, command = "", methods = names })
+    if job then
+      plugin, why, kind = build.plugin(host, job)
+    else
+      worst = math.max(worst, options.refuse(host, d))
+    end
+    if kind == "compiler" then
+      host.out("Bail out! No C compiler.\n")
+      return options.failed(host, "check", why), true
+    end
+    local refused = kind == "range" and real == "float"
+    local what = scene.model.name .. ", " .. real .. ": the emitted code compiles without a warning"
+    if refused then what = what .. " # SKIP its constants are outside the range of float" end
+    tap.ok(plugin ~= nil or refused, what)
+    if plugin then
+      for _, o in ipairs(real == "double" and others or {}) do
+        host.out("# " .. o[1] .. " does not take " .. scene.model.name .. ": " .. o[2] .. "\n")
+      end
+      comparison.run(host, job, plugin, tap, math.tointeger(states))
+    elseif not refused then
+      if kind == "range" then worst = math.max(worst, 1) end
+      if why then host.err(why .. "\n") end -- else it was said where the plan failed
+    end
+  end
+  return worst
+end
+
 function check.run(host, given)
   local states = given.states or 1000
   if not (states >= 1 and states <= most and states % 1 == 0) then
@@ -57,41 +93,21 @@ function check.run(host, given)
   local worst = 0
   for i = 1, #given do
     local scene, d, unread = driver.read(host, given[i], {})
-    local names, others
-    if scene then
-      options.warn(host, scene.diag)
-      names, others = stepper_checks.choice(scene)
-    else
+    local phases = { scene }
+    if not scene then
       worst = math.max(worst, options.refuse(host, d, unread))
       tap.ok(false, given[i] .. " is a scene")
+    elseif scene.record.flies then
+      scene, d = driver.flight(scene, {})
+      if not scene then worst = math.max(worst, options.refuse(host, d)) end
+      phases[2] = scene
     end
-    local reals = not scene and {} or given.real and { given.real } or { "double", "float" }
-    for k, real in ipairs(reals) do
-      bar.show(scene.model.name .. ", " .. real, (i - 1 + (k - 1) / #reals) / #given)
-      local job, plugin, kind, why
-      job, d = driver.plan(scene, { real = real, command = "", methods = names })
-      if job then
-        plugin, why, kind = build.plugin(host, job)
-      else
-        worst = math.max(worst, options.refuse(host, d))
-      end
-      if kind == "compiler" then
-        host.out("Bail out! No C compiler.\n")
-        return options.failed(host, "check", why)
-      end
-      local refused = kind == "range" and real == "float"
-      local what = scene.model.name .. ", " .. real .. ": the emitted code compiles without a warning"
-      if refused then what = what .. " # SKIP its constants are outside the range of float" end
-      tap.ok(plugin ~= nil or refused, what)
-      if plugin then
-        for _, o in ipairs(real == "double" and others or {}) do
-          host.out("# " .. o[1] .. " does not take " .. scene.model.name .. ": " .. o[2] .. "\n")
-        end
-        comparison.run(host, job, plugin, tap, math.tointeger(states))
-      elseif not refused then
-        if kind == "range" then worst = math.max(worst, 1) end
-        if why then host.err(why .. "\n") end -- else it was said where the plan failed
-      end
+    for k, phase in ipairs(phases) do
+      if k == #phases then options.warn(host, phase.diag) end -- what the phases share is said once
+      local status, ends = one(host, tap, bar, phase, given, states, (i - 1 + (k - 1) / #phases) / #given,
+        (i - 1 + k / #phases) / #given)
+      if ends then return status end
+      worst = math.max(worst, status)
     end
   end
   bar.clear()

@@ -128,6 +128,15 @@ local function changes(asked, states, value, seen, list)
   end
 end
 
+-- The reaction at the start where it is negative, or nil.
+local function pull(asked, start, value)
+  for _, e in ipairs(asked) do
+    local N = e.reaction and value(e, start)
+    if N and N < 0 then return N end
+  end
+  return nil
+end
+
 -- The brackets of the whole motion, from piece to piece, so that not all of its states are there at once.
 local function brackets(asked, course, value, finish, step)
   local n, list, seen, last = math.max(1, math.min(most, math.ceil(finish / step))), {}, {}, nil
@@ -137,6 +146,11 @@ local function brackets(asked, course, value, finish, step)
     local states, why = course.solve(grid, { from = last })
     if not states then return nil, why end
     last = states[#states]
+    local pulled = first == 0 and pull(asked, states[1], value)
+    if pulled then
+      return nil, { status = 3, t = 0.0, text = string.format("the plane would have to pull the body: N = %.4g N " ..
+        "(effect.plane has impact for bodies that fly)", pulled) }
+    end
     changes(asked, states, value, seen, list)
   end
   return list

@@ -244,7 +244,7 @@ function panels.usual(course)
     if fits then names[#names + 1] = name end
     return fits
   end
-  local touches = put "contact"
+  local touches = not (course.plane and course.plane.flies) and put "contact"
   put "normal_force"
   if not touches then put "path" end
   put "rates"

@@ -366,6 +366,9 @@ for _, case in ipairs {
     "3: initial: position must not put the body below the plane (line 2), got its lowest point 0.05 m below" },
   { plane(", impact = { restitution = 0.5 }", "rolling") .. FLIES, "position = {0, 0, 0.1}, velocity = {1, 0, 0}",
     "the body starts on the plane with a slip of 1 m/s, and it rolls" },
+  -- w^2 of the centre of mass, 0.02 m above the middle, lifts more than the weight: N = m (g - 0.02 w^2) < 0
+  { "effect.plane { surface = contact.sphere { r = 0.1, at = {0, 0, -0.02} }, law = 'smooth' }", "omega = {30, 0, 0}",
+    "at t = 0 s: the plane would have to pull the body: N = -8.193 N" },
   { plane "", "", "--phase flight: the scene has no effect.plane with impact", "gen --phase flight" },
 } do
   refused(table.unpack(case))
