@@ -79,7 +79,7 @@ for _, m in ipairs { m4, m0 } do
   for i, f in ipairs(CALLS) do n[m.name][f] = counts[i + 1] - counts[1] end
 end
 
-tap.diag "| number | measured | bar |"
+tap.diag "| number | measured | limit |"
 tap.diag "|---|---|---|"
 local function bar(got, most, what)
   tap.diag(string.format("| %s | %d | %d |", what, got, most))
