@@ -72,7 +72,8 @@ function contact.check(d, m)
   end
   for _, e in ipairs(m.record.effects) do
     local spec = e.spec
-    if e ~= plane and (spec.carries or spec.varies or spec.turn or spec.force or spec.frame or spec.name ==
+    local pushes = spec.force and (not spec.pushes or spec.pushes(e.a))
+    if e ~= plane and (spec.carries or spec.varies or spec.turn or pushes or spec.frame or spec.name ==
       "effect.wheel") then
       d:error(e.line, e.kind, "cannot be together with effect.plane (line " .. plane.line .. "), whose equations " ..
         "know torques and rotors only")

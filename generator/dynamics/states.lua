@@ -26,6 +26,8 @@ local function set(names)
 end
 
 local of_attitude, of_rates = set(state.names.attitude), set(state.names.rates)
+local of_place = set(state.names.position)
+for _, n in ipairs(state.names.velocity) do of_place[n] = true end
 
 local function zero(e) return e == expr.zero or ratio.iszero(e) end
 
@@ -55,6 +57,24 @@ local function depends(list, names)
     if not expr.constant(e, names) then return true end
   end
   return false
+end
+
+-- What turns the body by its place must find one: effect e asks for a position or velocity and nothing moves the body.
+local function placeless(d, m, e, list)
+  local V = e.spec.potential and not e.spec.touches and e.spec.potential(e.a, context.with(context.dry(m), e))
+  for _, exprs in ipairs { list.torque, list.rates, { V or expr.zero } } do
+    for _, x in ipairs(exprs) do
+      for _, s in ipairs(expr.symbols(x)) do
+        if of_place[s.name] then
+          local plane = contact.of(m)
+          d:error(e.line, e.kind, "depends on " .. s.name .. ", which " .. (plane and "a body on a plane (line " ..
+            plane.line .. ") does not have as a state" or "needs an effect that moves the body: effect.translation " ..
+            "or effect.rotating_frame"))
+          return
+        end
+      end
+    end
+  end
 end
 
 local function torques(list)
@@ -159,6 +179,7 @@ local function acting_effects(d, m, moving)
     if not acts and not only_baked(m, i, e) then d:warn(e.line, e.kind, idle.why(e)) end
     if acts then
       acting[#acting + 1] = e
+      if not moving then placeless(d, m, e, deed) end
       if deed.frame then m.frame = e end
       if e.spec.touches then cause.by_attitude = cause.by_attitude or e end
       if torques(deed) or e.spec.input or e.spec.touches then cause.turned = cause.turned or e end

@@ -78,6 +78,13 @@ function custom.torque(a, c)
   return N
 end
 
+-- Does it push the centre of mass?
+function custom.pushes(a)
+  if a.force then return true end
+  local place = { rx = true, ry = true, rz = true }
+  return a.potential ~= nil and not expr.constant(a.potential, place)
+end
+
 function custom.force(a, c)
   if a.force then return all(a, c, a.force, "custom") end
   local V = custom.potential(a, c)

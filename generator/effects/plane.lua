@@ -129,8 +129,11 @@ function plane.potential(a, c)
   return -c.M * vec.dot(g, at)
 end
 
-function plane.conserves(a)
+function plane.conserves(a, c)
   if a.spinning or a.rolling_resistance then return {} end
+  local s, central = a.surface, a.law == "smooth" and not a.surface.support and a.surface.half[1] == expr.zero
+  for i = 1, 3 do central = central and ratio.iszero(s.at[i] - c.origin[i]) end
+  if central then return { "T+V", "L", "w3" } end -- the reaction goes through the centre of mass
   return a.law ~= "sliding" and a.rate == expr.zero and { "T+V", "w3", "L_z" } or { "w3" }
 end
 

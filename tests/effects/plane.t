@@ -148,6 +148,10 @@ refused("two planes", "effect.plane { " .. SPHERE .. " }, effect.plane { " .. SP
 refused("a wheel beside it", "effect.plane { " .. SPHERE ..
   " }, effect.wheel { axis = { 0, 0, 1 }, inertia = 0.1, included = false }", "effect.plane")
 refused("a body that flies", "effect.plane { " .. SPHERE .. " }, effect.translation {}", "effect.plane")
+refused("a force of the scene's own", "effect.plane { " .. SPHERE .. " }, effect.custom { force = function(s) " ..
+  "return { quantity(1, \"N\"), 0, 0 } end }", "effect.custom: cannot be together with effect.plane")
+refused("a torque that depends on the place", "effect.plane { " .. SPHERE .. " }, effect.torque { body = " ..
+  "{ quantity(1, \"N\")*rx, 0, 0 } }", "effect.torque: depends on rx, which a body on a plane (line 2) does not have")
 refused("an origin elsewhere", "effect.plane { " .. SPHERE .. " }", "must be the centroid", "origin = \"corner\",")
 for _, method in ipairs { "semi", "midpoint", "split2" } do
   local code = program.shell(string.format("%s gen rolling_coin --method %s -o %s/none >%s/said 2>&1", binary, method,

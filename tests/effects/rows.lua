@@ -7,8 +7,8 @@
 --     rows.known       { about =, scene =, t =, want = { column = number } }: motions known in closed form, of a ball
 --                      of moment 2 kg m^2
 --
--- where: "point": about a fixed point; "flight": the body moves; "centroid": about the centroid, moving or not; nil:
--- any of them.
+-- where: "point": about a fixed point; "flight": the body moves; "centroid": about the centroid, moving or not;
+-- "plane": the body touches a plane; nil: any of them.
 
 local rows = {}
 
@@ -130,6 +130,57 @@ put("rotating_frame", "frame_changing", "centroid", function(s)
   return "rate = " .. s:vec(0.5, "rad/s", "axial") .. ", rate_dot = " .. s:vec(0.05, "rad/s^2", "axial") ..
     ", centrifugal = false"
 end)
+
+-- On a plane: every surface with every law, and so that each surface and each law has every kind of resistance, a
+-- tilted normal and a turntable.  The bodies' rates of about 1 rad/s are slow beside sqrt(g/radius): contact is kept.
+local surfaces = {
+  { "sphere", function(s)
+    return "sphere { r = " .. s:num(1.8, 2.2, "m") .. ", at = " .. s:vec(0.2, "m", "polar") .. " }"
+  end },
+  { "centred", function(s) return "sphere { r = " .. s:num(1.8, 2.2, "m") .. " }" end },
+  { "ellipsoid", function(s)
+    return "ellipsoid { a = " .. s:num(1.9, 2.1, "m") .. ", b = " .. s:num(2.2, 2.4, "m") .. ", c = 2.2, at = " ..
+      s:vec(0.1, "m", "polar") .. ", turned = { quaternion = {1, " .. string.sub(s:vec(0.5, nil, "axial"), 2) .. " } }"
+  end },
+  { "disc", function(s)
+    return "disc { r = " .. s:num(1.8, 2.2, "m") .. ", edge = " .. s:num(0.2, 0.3, "m") .. " }"
+  end },
+  { "paraboloid", function(s)
+    return "paraboloid { a = " .. s:num(2.4, 3, "m") .. ", b = " .. s:num(2, 2.4, "m") ..
+      ", at = {0, 0, -1.5}, turned = { axis = {0, 0, 1}, angle = 0.4 } }"
+  end },
+  { "support", function(s)
+    return "support { h = function(n) return " .. s:num(1.8, 2.2, "m") .. "*(1 + 0.025*n[3]*(n[3]^2 - 3*n[1]^2)) end }"
+  end },
+}
+local contacts = {
+  { "rolling", function() return "law = \"rolling\"" end },
+  { "smooth", function() return "law = \"smooth\"" end },
+  { "viscous", function(s) return "law = \"sliding\", friction = { viscous = " .. s:num(0.1, 0.4, "s/m") .. " }" end },
+  { "coulomb", function(s)
+    return "law = \"sliding\", friction = { coulomb = " .. s:num(0.1, 0.4) .. ", smoothing = " ..
+      s:num(0.1, 0.3, "m/s") .. " }"
+  end },
+}
+local function resistance(s, k)
+  if k == 1 then return "{ viscous = " .. s:num(0.01, 0.05, "m s") .. " }" end
+  return "{ coulomb = " .. s:num(0.01, 0.05, "m") .. ", smoothing = " .. s:num(0.1, 0.3, "rad/s") .. " }"
+end
+for i, surface in ipairs(surfaces) do
+  for k, contact in ipairs(contacts) do
+    local spins, rolls, smooth = (i + k) % 3, (i + 2*k) % 3, contact[1] == "smooth"
+    put("plane", "on_" .. surface[1] .. "_" .. contact[1], "plane", function(s)
+      local text = "surface = contact." .. surface[2](s) .. ", " .. contact[2](s)
+      if not smooth and spins > 0 then text = text .. ", spinning = " .. resistance(s, spins) end
+      if not smooth and rolls > 0 then text = text .. ", rolling_resistance = " .. resistance(s, rolls) end
+      if (i + k // 2) % 2 == 0 then text = text .. ", normal = " .. s:axes("0.1", "-0.2", "1", "polar") end
+      if not smooth and (i + k // 3) % 2 == 0 then -- about the normal: in a mirror it turns the other way round
+        text = text .. ", turntable = " .. (s.mirrored and "-" or "") .. s:num(0.2, 0.6, "rad/s")
+      end
+      return text
+    end)
+  end
+end
 rows.variants = V
 
 -- full: with its strength; zero: with none, also: the other ways to say so; absent: what zero is the same as, if not

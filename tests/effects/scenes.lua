@@ -8,8 +8,7 @@
 --     S.renamed, S.mirrored, S.others, S.scale     the same scene otherwise: see below
 --     scenes.fits(list)            can these variants be in one scene?  Then where the origin is: "point" or "centroid"
 --
--- where: "point": about a fixed point; "flight": the body moves; "centroid": about the centroid, moving or not; nil:
--- any of them.
+-- where: as in rows.lua.
 
 local rows = require "tests.effects.rows"
 
@@ -51,7 +50,7 @@ function S:num(low, high, unit)
     return string.format("quantity(%.10g, \"%s\")", tonumber(x) * OTHER[unit][2], OTHER[unit][1])
   end
   if literal then return x end
-  local name = "p" .. #self.params + 1
+  local name = "par" .. #self.params + 1
   self.params[#self.params + 1] = string.format("local %s = param(%q, %s%s)\n", name, name, x,
     unit and ", \"" .. unit .. "\"" or "")
   return name
@@ -82,17 +81,21 @@ end
 scenes.variants = rows.variants
 
 local alone = { gravity_gradient = true, inertia_rate = true, dissipation = true, rotating_frame = true,
-  translation = true, control = true }
+  translation = true, control = true, plane = true }
+-- What cannot stand beside a plane (dynamics/contact.lua).
+local off = { translation = true, rotating_frame = true, inertia_rate = true, dissipation = true, wheel = true,
+  solar_pressure = true }
 
 function scenes.fits(list)
-  local point, centroid, seen = false, false, {}
+  local point, centroid, plane, air, seen = false, false, false, false, {}
   for _, v in ipairs(list) do
     point = point or v.where == "point"
-    centroid = centroid or v.where == "centroid" or v.where == "flight"
+    plane, air = plane or v.where == "plane", air or off[v.effect]
+    centroid = centroid or v.where == "centroid" or v.where == "flight" or v.where == "plane"
     if alone[v.effect] and seen[v.effect] then return nil end
     seen[v.effect] = true
   end
-  if point and centroid then return nil end
+  if point and centroid or plane and air then return nil end
   return centroid and "centroid" or point and "point" or nil, true
 end
 
@@ -121,15 +124,16 @@ function scenes.parts(s, body, list, origin)
   s.params = {}
   local p = { effects = {}, body = BODIES[body](s) }
   origin = origin or (scenes.fits(list)) or s:random(2) == 1 and "centroid" or "point"
-  local flies = false
+  local flies, upright = false, "1"
   for i, v in ipairs(list) do
+    if v.where == "plane" then upright = "3" end -- a paraboloid turns its closed side to the plane
     p.effects[i] = "effect." .. v.effect .. " { " .. v.text(s) .. " }"
     flies = flies or v.where == "flight"
   end
   p.origin = origin == "point" and s:axes("0.1", "0.2", "-0.3", "polar") or "\"centroid\""
   local q = s:axes("0." .. s:random(9), "-0." .. s:random(9), "0." .. s:random(9), "axial")
-  p.initial = "omega = " .. s:axes("0.7", "-0.3", "0.9", "axial") .. ", attitude = {1, " .. string.sub(q, 2) ..
-    (flies and ", position = " .. s:axes("0.1", "0", "1", "polar") .. ", velocity = " ..
+  p.initial = "omega = " .. s:axes("0.7", "-0.3", "0.9", "axial") .. ", attitude = {" .. upright .. ", " ..
+    string.sub(q, 2) .. (flies and ", position = " .. s:axes("0.1", "0", "1", "polar") .. ", velocity = " ..
       s:axes("0.5", "0.2", "-0.1", "polar") or "")
   p.params = table.concat(s.params)
   return p

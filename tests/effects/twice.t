@@ -28,7 +28,8 @@ local function run(engine, text, finish)
   program.write(dir .. "/s.lua", text)
   local status = program.shell(string.format("%s timeout 100 %s run %s/s.lua --engine %s --method adaptive " ..
     "--tolerance 1e-12 --until %g >%s/out 2>%s/err", quick, binary, dir, engine, finish or 2, dir, dir))
-  local head, last = program.read(dir .. "/out"):match "^([^\n]*)\n.-([^\n]*)\n$"
+  local out = string.gsub(program.read(dir .. "/out"), "\n\nevent,.*$", "\n") -- of a body on a plane: lost contact
+  local head, last = out:match "^([^\n]*)\n.-([^\n]*)\n$"
   if status ~= 0 or not last then return nil, status .. "\n" .. program.read(dir .. "/err") end
   local names, state = {}, {}
   for name in head:gmatch "[^,]+" do names[#names + 1] = name end
@@ -77,7 +78,7 @@ local function grown(what, first, second, scale)
 end
 
 -- The second is the first in a mirror across x: what is odd there has the other sign.
-local ODD = { "qy", "qz", "wy", "wz", "Ly", "Lz", "rx", "vx" }
+local ODD = { "qy", "qz", "wy", "wz", "Ly", "Lz", "rx", "vx", "p1", "v1" }
 local function mirrored(what, first, second)
   same(what, first, second, { back = function(b)
     for _, name in ipairs(ODD) do b[name] = b[name] and -b[name] end
@@ -142,6 +143,13 @@ for n = 1, count do
   b.mirrored = true
   mirrored("in a mirror " .. n, scenes.text(a, "m", "full", list, placed(list)), scenes.text(b, "m", "full", list,
     placed(list)))
+  local plane = V["on_" .. ({ "sphere", "ellipsoid" })[n % 2 + 1] .. "_" ..
+    ({ "viscous", "rolling", "smooth", "coulomb" })[(n + n // 4) % 4 + 1]]
+  list = choose(plane, { "damping", "torque_body", "spring", "drag" })
+  a, b = scenes.new(seed, 0), scenes.new(seed, 0)
+  b.mirrored = true
+  mirrored(plane.name .. " in a mirror " .. n, scenes.text(a, "m", "diagonal", list, "centroid"), scenes.text(b, "m",
+    "diagonal", list, "centroid"))
 
   -- other units
   list = choose()

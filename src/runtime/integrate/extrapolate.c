@@ -38,14 +38,20 @@ static int midpoint(stepper *s, const ph_wide x[], ph_wide H, int n, ph_wide out
 
 /* What own state i is a part of: a wheel's speed counts from the body's, so at rest beside it the
    speed is known to the rounding of w and no better. A place on a plane is known to that of the
-   body's size, a velocity to that of the size times w. */
+   way to the contact point, a velocity to that of this way times w. */
 static ph_wide beside(const ph_top *top, const ph_wide x[], int i) {
   const effect_at plane = acts_constraint(top, 0, x);
   const int k = i - plane.place;
   if (plane.act && k >= 0 && k < plane.act->states) {
-    const ph_plane *p = &plane.act->of.plane;
-    const double size = effect_norm(p->half_axes) + p->rim + effect_norm(p->centre);
-    return (ph_wide)size * (k < 2 ? 1 : step_size(3, x + 4));
+    const ph_wide still[3] = {0};
+    ph_wide n[3], g[3], r[3] = {0}, rate[3];
+    wide_load(3, plane.act->of.plane.normal, n);
+    wide_sandwich(x, n, 0, g);
+    const ph_wide length = wide_norm(g);
+    for (int j = 0; j < 3; j++)
+      g[j] /= length;
+    const int touches = acts_surface(&plane.act->of.plane, g, still, r, rate);
+    return touches ? wide_norm(r) * (k < 2 ? 1 : step_size(3, x + 4)) : 0;
   }
   return acts_is_wheel(top, i) ? step_size(3, x + 4) : 0;
 }
