@@ -222,7 +222,7 @@ local function rolling(m, e, c, N, groups)
   local S = vec.add(I, { r[2] ^ 2 + r[3] ^ 2, r[1] ^ 2 + r[3] ^ 2, r[1] ^ 2 + r[2] ^ 2, -r[1] * r[2], -r[1] * r[3],
     -r[2] * r[3] })
   local over = c.constant("over_m", expr.one / m.mass, "1/mass, 1/kg")
-  local L = name("L", vec.apply(I, w))
+  local L = name("Lm", vec.apply(I, w)) -- Lx .. may be those of a torque that takes L
   local n = vec.add(vec.cross(L, w), vec.add(vec.scale(over, N), vec.cross(r, f)))
   local solved
   if centred(m, k) then

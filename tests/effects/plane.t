@@ -4,103 +4,27 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
 -- Oracle: tests/reference/plane.h (README there).  tests/runtime/plane.c holds the library to the same rows; `polhode
--- check` of the scenes in bodies/ compares the two.  Bars: 1e-11, or 20 times what the inputs' rounding moves.
+-- check` of the scenes in bodies/ compares the two; plane_methods.t has the other methods.
+-- Bars: 1e-11, or 20 times what the inputs' rounding moves.
 
 package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
 local program = require "tests.cli.program"
 local tier = require "tests.tier"
+local plane_rows = require "tests.effects.plane_rows"
 
 local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
 
--- The rows of the header, as tables: C's braces are Lua's.
-local LAWS = { PH_ROLLING = "rolling", PH_SMOOTH = "smooth", PH_VISCOUS = "sliding", PH_COULOMB = "sliding" }
-local text = program.read "tests/reference/plane.h":match "plane_rows%[%] = {\n(.*)\n};"
-text = text:gsub("%.(%a[%w_]* =)", "%1"):gsub("(%d)L%f[%W]", "%1"):gsub("PH_%u+", function(law)
-  return '"' .. law .. '"'
-end)
-local rows = assert(load("return {" .. text .. "}"))()
-
-local function list(v)
-  local out = {}
-  for i, x in ipairs(v) do out[i] = string.format("%.17g", x) end
-  return "{ " .. table.concat(out, ", ") .. " }"
-end
-
-local function surface(p)
-  local at = ", at = " .. list(p.centre)
-  if p.half_axes[1] == 0 then return string.format("contact.sphere { r = %.17g%s }", p.rim, at) end
-  if p.half_axes[3] == 0 then
-    return string.format("contact.disc { r = %.17g, edge = %.17g%s }", p.half_axes[1], p.rim, at)
-  end
-  return string.format("contact.ellipsoid { a = %.17g, b = %.17g, c = %.17g%s, turned = { quaternion = %s } }",
-    p.half_axes[1], p.half_axes[2], p.half_axes[3], at, list(p.axes))
-end
-
-local function scene_of(row)
-  local I, p = row[3], row[4]
-  local law = LAWS[p.law]
-  local friction = p.law == "PH_VISCOUS" and string.format(", friction = { viscous = %.17g }", p.friction) or
-    p.law == "PH_COULOMB" and string.format(", friction = { coulomb = %.17g, smoothing = %.17g }", p.friction,
-      p.smoothing) or ""
-  local turns = p.rate ~= 0 and string.format(", turntable = %.17g", p.rate) or ""
-  local damped = row[9] ~= 0 and string.format(", effect.damping { c = %.17g }", row[9]) or ""
-  return string.format([[
-return scene { name = "body",
-  body = tensor { mass = %.17g, xx = %.17g, yy = %.17g, zz = %.17g, xy = %.17g, xz = %.17g, yz = %.17g },
-  effects = { effect.plane { surface = %s, law = "%s"%s, normal = %s%s, gravity = %s }%s },
-  initial = { omega = %s, attitude = %s, position = %s%s }, time = { step = 0.0005 } }
-]], row[2], I[1], I[2], I[3], I[4], I[5], I[6], surface(p), law, friction, list(p.normal), turns, list(p.gravity),
-    damped, list(row[6]), list(row[5]), list(row[7]), law ~= "rolling" and ", velocity = " .. list(row[8]) or "")
-end
-
-local function largest(a, b, sign)
-  local d = 0
-  for i = 1, #b do d = math.max(d, math.abs((sign or 1) * a[i] - b[i])) end
-  return d
-end
-
-local cases = {}
-for _, row in ipairs(rows) do
-  local last = cases[#cases]
-  if not last or last[1][1] ~= row[1] then
-    last = {}
-    cases[#cases + 1] = last
-  end
-  last[#last + 1] = row
-end
+local rows, cases, scene_of = plane_rows.rows, plane_rows.cases, plane_rows.scene
 
 for n = 1, #cases, tier.quick and 6 or 1 do
   local case = cases[n]
-  local times = {}
-  for i, row in ipairs(case) do times[i] = string.format("%.17g", row[10]) end
-  program.write(dir .. "/body.lua", scene_of(case[1]))
-  local code = program.shell(string.format("%s run %s/body.lua --engine generated --method taylor --tolerance 1e-15 " ..
-    "--columns q,w,com,com_velocity,N --at %s -o %s/out.csv 2>%s/said", binary, dir, table.concat(times, ","), dir,
-    dir))
-  if not tap.is(code, 0, case[1][1] .. ": runs") then tap.diag(program.read(dir .. "/said")) end
-  local worst, k = 0, 0
-  for line in (program.read(dir .. "/out.csv") or ""):gmatch "[^\n]+" do
-    local x = {}
-    for word in line:gmatch "[^,]+" do x[#x + 1] = tonumber(word) end
-    local row = #x == 14 and case[k + 1]
-    if row then
-      k = k + 1
-      local q, w, com, v = row[11], row[12], row[13], row[14]
-      local sign = x[1] * q[1] + x[2] * q[2] + x[3] * q[3] + x[4] * q[4] < 0 and -1 or 1
-      local rate = math.sqrt(w[1] ^ 2 + w[2] ^ 2 + w[3] ^ 2)
-      local function bar(sensitivity) return math.max(1e-11, 20 * sensitivity) end
-      for _, ratio in ipairs { largest(x, q, sign) / bar(row[16]),
-        largest({ x[5], x[6], x[7] }, w) / rate / bar(row[17]), largest({ x[8], x[9], x[10] }, com) / bar(row[18]),
-        largest({ x[11], x[12], x[13] }, v) / bar(row[19]), math.abs(x[14] / row[15] - 1) / bar(row[20]) } do
-        worst = ratio > worst and ratio or worst == worst and ratio == ratio and worst or 0 / 0
-      end
-    end
-  end
-  tap.ok(k == #case and worst <= 1, string.format("%s: attitude, rates, place, velocity and reaction at %d times",
-    case[1][1], #case), worst)
+  local list, why = plane_rows.run(binary, dir, case, "--engine generated --method taylor --tolerance 1e-15")
+  local worst = list and plane_rows.worst(case, list, function(moved) return math.max(1e-11, 20 * moved) end)
+  tap.ok(worst and worst <= 1, string.format("%s: attitude, rates, place, velocity and reaction at %d times",
+    case[1][1], #case), why or worst)
 end
 
 -- the instant at which contact is lost, plane.json

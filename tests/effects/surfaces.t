@@ -115,6 +115,21 @@ for _, surface in ipairs { wide, pairs_of[3][2] } do
     list and string.format("%.17g %.17g", list[1][2], list[#list][2]))
 end
 
+---- beside other effects -------------------------------------------------------------------------------
+
+-- One effect takes L, which rolling computes as well; another one has states by the names that the contact defines.
+for _, case in ipairs {
+  { "L is computed twice", "effect.damping { rate = 0.3 }" },
+  { "states called spin and up_x", "effect.custom { states = { spin = { initial = 1, unit = \"rad\", rate = " ..
+    "function(s) return s.w[1] end }, up_x = { initial = 1, unit = \"rad\", rate = function(s) return s.w[1] + " ..
+    "quantity(1, \"1/s\")*s.spin end } }, torque = function(s) return {-0.1*s.spin*quantity(1, \"N m\"), 0, 0} end }" },
+} do
+  program.write(dir .. "/s.lua", "return scene { name = \"s\", body = solid.box { x = 1, y = 2, z = 3, mass = 3 },\n" ..
+    "effects = { effect.plane { surface = contact.sphere { r = 2, at = {0.1, 0, 0.2} }, spinning = { viscous = 0.1 " ..
+    "} },\n" .. case[2] .. " }, initial = { omega = {0.7, -0.3, 0.9}, attitude = {1, 0.2, -0.3, 0.4} } }\n")
+  tap.is(run("check --real double --states 10 " .. dir .. "/s.lua"), 0, case[1], program.read(dir .. "/out"))
+end
+
 ---- resistance of balls --------------------------------------------------------------------------------
 
 local m, r, g = 0.5, 0.1, 9.80665
