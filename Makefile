@@ -366,6 +366,20 @@ bench-fit: $(PROGRAM)
 	@mkdir -p $(BUILD)/bench/fit
 	@$(LUA) tests/bench/fit.lua $(PROGRAM) $(BUILD)/bench/fit
 
+# a rolling ball by the emitted code, and by Simbody and scipy where they are (.ci/setup peers python)
+ROLLED = $(BUILD)/bench/plane
+bench-plane: $(PROGRAM)
+	@mkdir -p $(ROLLED)
+	@$(PROGRAM) gen chaplygin_ball --method adaptive,taylor --layout single -o $(ROLLED) > $(ROLLED)/log
+	@$(CC) $(STD) $(CFLAGS) $(POSIX) -I$(ROLLED) -o $(ROLLED)/emitted tests/bench/plane.c $(ROLLED)/chaplygin_ball.c -lm
+	@printf '%-40s %12s %12s %12s\n' 'a ball that rolls for 5 s' 'ns the rates' 'ms a run' 'error rad/s'
+	@$(ROLLED)/emitted $(ROLLED)/truth 5
+	@if $(CXX) -O2 -w -isystem /usr/include/simbody -o $(ROLLED)/simbody tests/bench/plane_simbody.cpp \
+	  -lSimTKsimbody -lSimTKmath -lSimTKcommon 2> $(ROLLED)/simbody.log; then $(ROLLED)/simbody $(ROLLED)/truth 5; \
+	  else echo 'Simbody is missing (Debian package libsimbody-dev)'; fi
+	@/usr/bin/python3 tests/bench/plane_scipy.py $(ROLLED)/truth 5 2> $(ROLLED)/scipy.log || \
+	  echo 'scipy is missing (Debian package python3-scipy)'
+
 $(BUILD)/bench/rhs: tests/bench/rhs.c $(BUILD)/bench/heavy_top.o $(LIBRARY)
 	$(CC) $(STD) $(CFLAGS) $(WARN) $(POSIX) $(GSL_CFLAGS) -Isrc/runtime -I$(BUILD)/bench -o $@ $^ $(GSL_LIBS) -lm
 
@@ -596,7 +610,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-latex check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep bench-fit accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install man completions dist deb clean FORCE \
+.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-latex check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep bench-fit bench-plane accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install man completions dist deb clean FORCE \
         lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 
