@@ -5,16 +5,14 @@
 -- wrong code with it.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local R = require "generator.algebra.rational"
-local numeric = require "generator.dynamics.numeric"
 local facts = require "generator.commands.view.facts"
 local options = require "generator.commands.options"
 local recorded = require "generator.commands.view.recorded"
+local solid = require "generator.commands.view.solid"
 local run = require "generator.commands.run"
 local driver = require "generator.driver"
 local methods = require "generator.methods.methods"
 local page = require "generator.page.page"
-local shape = require "generator.page.shape"
 
 local view = {}
 
@@ -97,32 +95,9 @@ local function compiled(host, unit)
   return nil, "the page's code does not compile:\n" .. said
 end
 
-local function double(q) return R.todouble(q) + 0.0 end
-
--- The body's tree with each parameter moved by a thousandth of itself, times a count of such steps.
-local function tree_of(scene)
-  return function(steps)
-    local values = {}
-    for i, p in ipairs(scene.model.params) do
-      local size = R.sign(p.default) == 0 and R.one or p.default
-      values[p.name] = p.default + size * R.parse "0.001" * R.fromdouble((steps[i] or 0) + 0.0)
-    end
-    return numeric.scene(scene, values).body
-  end
-end
-
-local function shape_of(scene)
-  local sizes = {}
-  for i, p in ipairs(scene.model.params) do
-    local x = double(p.default)
-    sizes[i] = { step = 1e-3 * (x == 0 and 1 or x) }
-  end
-  return shape.of(tree_of(scene), sizes)
-end
-
 -- Writes a page: its facts, and the code that it runs or nil.
 local function written(host, scene, given, known, wasm)
-  local html = page.html(host.templates, host.sha256, { facts = known, shape = shape_of(scene), code = wasm,
+  local html = page.html(host.templates, host.sha256, { facts = known, shape = solid.of(scene), code = wasm,
     formulas = facts.formulas(scene) })
   return options.write(host, "view", given.o or scene.model.name .. ".html", html)
 end

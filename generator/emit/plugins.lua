@@ -12,7 +12,8 @@ local plugins = {}
 function plugins.files(job, made, asked)
   local peers = type(asked) == "table" and asked.peers and job.real == "double" or false
   local v = { has_peers = peers, orders = {}, steppers = made.parts.stepper.list, has_rates = job.model.has.rates,
-    has_integral = job.conserved.rate ~= nil, has_closed = job.closed.kind ~= nil, has_full = job.closed.full or false }
+    has_integral = job.conserved.rate ~= nil, has_closed = job.closed.kind ~= nil, has_full = job.closed.full or false,
+    has_contact = job.equations.touch and true or false }
   for i, n in ipairs(job.orders or {}) do v.orders[i] = string.format("%d", n) end
   local render, list = GROUP(job.templates, made.base, v), {}
   if type(asked) == "table" and asked.page then return { { name = "page.c", text = render "page/glue.c" } } end

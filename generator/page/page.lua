@@ -10,8 +10,8 @@ local bytes = require "generator.page.bytes"
 local page = {}
 
 -- In the order in which they stand in the one script.
-local SCRIPTS = { "vectors", "code", "recorded", "motion", "shape", "gl", "poinsot", "space", "plot", "accuracy",
-  "controls", "drag", "presets", "formulas", "start" }
+local SCRIPTS = { "vectors", "code", "touch", "recorded", "motion", "shape", "gl", "poinsot", "ground", "space",
+  "plot", "accuracy", "controls", "drag", "presets", "formulas", "start" }
 
 local function packed(member)
   local by = {}

@@ -3,7 +3,7 @@
 //
 // A slot is one state in the memory of the code.
 
-const SLOT = { first: 0, second: 1, reference: 2, spare: 3 };
+const SLOT = { first: 0, second: 1, reference: 2, spare: 3, touch: 4 };
 
 function bytesOf(text) {
   const raw = atob(text), out = new Uint8Array(raw.length);
@@ -20,7 +20,7 @@ async function codeOf(bytes, facts) {
   const view = (at, n) => new Reals(f.memory.buffer, at, n);
   const code = { nx, out: view(f.out(), 16), params: view(f.params(), facts.params.length + 1),
     inputs: view(f.inputs(), facts.inputs.length + 1), states: [] };
-  for (let i = 0; i < 4; i++) code.states[i] = view(f.states() + i*nx*size, nx);
+  for (let i = 0; i < 5; i++) code.states[i] = view(f.states() + i*nx*size, nx);
   f.defaults();
 
   code.defaults = () => f.defaults();
@@ -47,5 +47,11 @@ async function codeOf(bytes, facts) {
     const o = Array.from(code.out);
     return { moments: o.slice(0, 3), axes: [o.slice(3, 6), o.slice(6, 9), o.slice(9, 12)] };
   };
+  if (facts.plane) {
+    code.touch = touchOf(code, facts, (slot, t) => {
+      f.contact(slot, t);
+      return { N: code.out[0], com: Array.from(code.out.subarray(1, 4)), v: Array.from(code.out.subarray(4, 7)) };
+    });
+  }
   return code;
 }

@@ -12,7 +12,7 @@
 
 typedef ${name}_real real;
 
-enum { SLOTS = 4, NX = ${upper}_NX, NP = ${upper}_NP, NU = ${upper}_NU };
+enum { SLOTS = 5, NX = ${upper}_NX, NP = ${upper}_NP, NU = ${upper}_NU };
 
 typedef void step_of(const ${name}_model *m, real t, real x[], const real u[], real h);
 
@@ -58,6 +58,9 @@ PAGE(momentum) void page_momentum(int slot);
 PAGE(mass) void page_mass(void);
 PAGE(inertia) void page_inertia(void);
 PAGE(principal) int page_principal(void);
+%% if has_contact then
+PAGE(contact) void page_contact(int slot, double t);
+%% end
 
 real *page_states(void) { return states[0]; }
 real *page_params(void) { return params; }
@@ -102,3 +105,11 @@ void page_inertia(void) { ${name}_inertia(&model, out); }
 
 /* out: three moments, then the axes, three numbers each */
 int page_principal(void) { return ${name}_principal(&model, out, out + 3); }
+%% if has_contact then
+
+/* out: the reaction of the plane, centre of mass, its velocity */
+void page_contact(int slot, double t)
+{
+  out[0] = ${name}_contact(&model, (real)t, states[slot], inputs, out + 1, out + 4);
+}
+%% end

@@ -27,7 +27,7 @@ function motionOf(code, slot, start, choice, until, count = SAMPLES) {
     }
     const state = Array.from(x), t = exact ? end*i/count : done*h;
     samples.push({ t, n: done, x: state, energy: code.energy(slot), momentum: code.momentum(slot),
-      sound: state.every(Number.isFinite) });
+      touch: code.touch ? code.touch(slot, t) : null, sound: state.every(Number.isFinite) });
   }
   return { exact, choice, slot, samples, end, start: Array.from(start), cut: !exact && until/h > MOST_STEPS + 1 };
 }

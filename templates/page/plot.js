@@ -69,7 +69,7 @@ function drawCurves(svg, times, curves, label, title) {
   return (t) => { mark.style.transform = "translateX(" + 100*x(Math.min(t, end))/W + "%)"; };
 }
 
-// The two plots of a motion: returns what moves their marks to a time.
+// The plots of a motion, with the reaction of a plane if there is one: returns what moves their marks to a time.
 function plotsOf(m, places) {
   const t = m.samples.map((s) => s.t), first = m.samples[0].energy;
   const curves = [0, 1, 2].map((k) => ({ name: "ω" + "xyz"[k], css: "xyz"[k],
@@ -81,8 +81,11 @@ function plotsOf(m, places) {
     drift ? (s.energy - first)/size/Math.pow(10, ten) : s.energy) }],
   drift ? "(E − E₀)/E₀" + (ten ? " · 10^" + (-ten) : "") : "E / J",
   drift ? "Relative drift of the energy over time" : "Energy over time");
+  const touches = m.samples[0].touch, reaction = touches && drawCurves($("reaction"), t, [{ name: "N", css: "e",
+    values: m.samples.map((s) => s.touch.N) }], "N / N", "Normal force of the plane over time");
   return (time) => {
     rates(time);
     energy(time);
+    if (reaction) reaction(time);
   };
 }

@@ -18,12 +18,13 @@ function trailOf(list) {
   return most < 0.7 ? Math.round(Math.max(12, Math.min(LONGEST, 10/most))) : 0;
 }
 
-function spaceOf(canvas) {
+// facts: of the scene.
+function spaceOf(canvas, facts) {
   const r = rendererOf(canvas);
   if (!r) return null;
   const space = { turn: 0.6, height: 0.35, far: 3.6, renderer: r };
   const shaft = r.mesh(arrow()), round = r.mesh(ball(24)), funnel = r.mesh(cone());
-  const things = {}, trails = [0, 0, 0];
+  const things = {}, trails = [0, 0, 0], ground = facts.plane ? groundOf(r, facts) : null;
   let body = null, poinsot = null, cones = null;
 
   function renew(name, thing) {
@@ -50,6 +51,7 @@ function spaceOf(canvas) {
       renew("trail" + k, r.line(list));
       trails[k] = trailOf(list);
     }
+    if (ground) ground.motion(m, body.size);
     if (!p) return;
     renew("polhode", r.line(p.polhode.flat()));
     renew("herpolhode", r.line(p.herpolhode.flat()));
@@ -62,8 +64,9 @@ function spaceOf(canvas) {
     r.surface(shaft, placed(towards([0, 0, 1], way), [size, size, size], from || HERE), EQUAL, [...colour, 1]);
   }
 
-  function drawBody(q, at, alpha, colour, size) {
-    const s = 1/body.size, scale = [s, s, s];
+  // k: how much smaller than alone.
+  function drawBody(q, at, alpha, colour, size, k) {
+    const s = k/body.size, scale = [s, s, s];
     if (body.ellipsoid) {
       const own = body.ellipsoid.frame ? product(q, attitudeOf(body.ellipsoid.frame.axes)) : q;
       const e = body.ellipsoid.axes.map((x) => x*s);
@@ -73,12 +76,12 @@ function spaceOf(canvas) {
       r.lines(things.wires, placed(q, scale, at), [...colour, alpha], 4, true);
       for (let i = 0; i < body.points.length; i += 3) {
         const p = added(at, turned(q, scaled(s, Array.from(body.points.subarray(i, i + 3)))));
-        r.surface(round, placed(q, [0.07, 0.07, 0.07], p), EQUAL, [...colour, alpha]);
+        r.surface(round, placed(q, scaled(0.07*k, EQUAL), p), EQUAL, [...colour, alpha]);
       }
       r.surface(things.holes, placed(q, scale, at), EQUAL, [...colour, 0.45*alpha]);
     }
     if (size) for (const [v, name] of [[[1, 0, 0], "x"], [[0, 1, 0], "y"], [[0, 0, 1], "z"]])
-      pointer(turned(q, v), 1.25, size[name], at);
+      pointer(turned(q, v), 1.25*k, size[name], at);
   }
 
   function drawPoinsot(now, c) {
@@ -106,7 +109,28 @@ function spaceOf(canvas) {
     r.lines(things.mark, placed(product(now.q, towards(up, cones.axis)), EQUAL, HERE), [...c.y, 1], 2.5, false);
   }
 
-  // now: {q, w, L, at, index, second: q of the other method or null}; what: "body" | "poinsot" | "cones".
+  function drawTrails(now, c) {
+    for (let k = 0; k < 3; k++) {
+      const from = Math.max(0, now.index - trails[k]), count = now.index - from + 1;
+      r.lines(things["trail" + k], placed(ONE, EQUAL, HERE), [...c["xyz"[k]], 1], 2, false, from, count);
+    }
+  }
+
+  // The body with its arrows; on a plane either its centre of mass is the middle of the picture, or that of its path.
+  function drawAlone(now, c, whole) {
+    const touch = now.touch, scale = whole ? ground.scale : 1/body.size, k = scale*body.size;
+    const centre = whole ? ground.centre : touch && touch.com;
+    const place = (t) => t ? scaled(scale, added(t.com, scaled(-1, centre))) : HERE;
+    if (!whole) drawTrails(now, c);
+    pointer(turned(now.q, now.w), 1.5*k, c.rate, place(touch));
+    pointer(now.L, 1.5*k, c.ink, place(touch));
+    drawBody(now.q, place(touch), 1, c.body, c, k);
+    if (now.second) drawBody(now.second, place(now.other), 0.45, c.second, null, k);
+    if (touch) ground.draw(touch, centre, scale, now.index + 1, c);
+  }
+
+  // now: {q, w, L, index, touch: with a plane, second: q of the other method or null, other: its touch}; what: "body" |
+  // "poinsot" | "cones" | "path".
   space.draw = (what, now, dark) => {
     const c = dark ? DARK : LIGHT, e = space.height, ratio = canvas.clientWidth/Math.max(1, canvas.clientHeight);
     const way = [Math.cos(e)*Math.cos(space.turn), Math.cos(e)*Math.sin(space.turn), Math.sin(e)];
@@ -114,15 +138,7 @@ function spaceOf(canvas) {
     r.begin(times(perspective(0.8, ratio, 0.1, 40), looking(eye)), c.paper);
     if (what === "poinsot" && poinsot) return drawPoinsot(now, c);
     if (what === "cones" && cones) return drawCones(now, c);
-    const w = turned(now.q, now.w);
-    for (let k = 0; k < 3; k++) {
-      const from = Math.max(0, now.index - trails[k]), count = now.index - from + 1;
-      r.lines(things["trail" + k], placed(ONE, EQUAL, HERE), [...c["xyz"[k]], 1], 2, false, from, count);
-    }
-    pointer(w, 1.5, c.rate);
-    pointer(now.L, 1.5, c.ink);
-    drawBody(now.q, HERE, 1, c.body, c);
-    if (now.second) drawBody(now.second, HERE, 0.45, c.second, null);
+    drawAlone(now, c, what === "path" && ground !== null);
   };
 
   space.lost = () => r.gl.isContextLost();

@@ -17,7 +17,7 @@ async function start() {
   const page = { facts, code, places, t: 0, told: 0, playing: false, motion: null, other: null, until: facts.horizon };
   let space = null;
   try {
-    space = spaceOf($("space"));
+    space = spaceOf($("space"), facts);
   } catch (e) {
     $("note").textContent = e.message;
   }
@@ -40,6 +40,8 @@ async function start() {
   };
   const controls = live ? controlsOf(facts, places, own, scene, changed) : {};
   if (!live) $("how").textContent = "The motion was computed before, by polhode's general library.";
+  $("pressed").hidden = !facts.plane;
+  if (!facts.plane) $("what").querySelector("[value=path]").remove();
   for (const e of [$("controls"), $("accuracy"), $("drag").parentNode]) e.hidden = !live;
   const choose = (select, list) => list.forEach(([value, text]) => select.add(new Option(text, value)));
   const names = facts.methods.map((m, i) => [String(i), m.name]);
@@ -88,6 +90,8 @@ async function start() {
     const x = initial(), count = samplesOf(pick(x, places.w), page.until);
     const made = motionOf(code, SLOT.first, x, choiceOf("first"), page.until, count);
     if (!made) return refuse("The closed form refuses this state: the attitude or a rate is out of range.");
+    if (!keepContact(made))
+      return refuse("The plane does not carry the body here: it pulls it, or they touch in more than one point.");
     const bad = made.samples.find((s) => !s.sound);
     refuse(bad ? "The numbers become infinite at t = " + shown(bad.t) + " s: a smaller step helps." : "");
     page.motion = made;
@@ -95,18 +99,30 @@ async function start() {
     page.other = second && motionOf(code, SLOT.second, x, second, page.until);
     page.start = x;
     constructions(made);
+    page.body = bodyOf(drawing, values, own, code);
     if (space) {
-      space.body(bodyOf(drawing, values, own, code));
+      space.body(page.body);
       space.motion(made, places, page.poinsot, page.cones);
     }
     page.mark = plotsOf(made, places);
     fillFormulas(code.inertia());
     $("time").max = made.end;
-    $("note").textContent = made.cut ? "Only " + MOST_STEPS + " steps are computed: t ends early." :
-      !live ? "A computed motion of " + facts.recorded.count + " rows: nothing can be changed in this page." :
-      drawing.fixed ? "The picture keeps the shape of the scene's own parameters." : "";
+    $("note").textContent = noteOf(made);
     show();
     if (!page.playing) address();
+  }
+
+  // What is to be known of a motion that was made.
+  function noteOf(made) {
+    if (made.lost) {
+      return "Contact is lost between t = " + shown(made.end) + " s and " + shown(made.lost) +
+        " s, where the plane would have to pull: the motion ends there.";
+    }
+    if (made.cut) return "Only " + MOST_STEPS + " steps are computed: t ends early.";
+    if (!live) return "A computed motion of " + facts.recorded.count + " rows: nothing can be changed in this page.";
+    if (drawing.fixed) return "The picture keeps the shape of the scene's own parameters.";
+    return facts.plane && page.body.ellipsoid ?
+      "The picture has the ellipsoid of the same moments, not the surface that touches." : "";
   }
 
   // What rolls on what, or in the menu why it does not.
@@ -132,23 +148,28 @@ async function start() {
     page.t = Math.max(0, Math.min(page.t, m.end));
     const x = stateAt(code, m, page.t), L = code.momentum(m.slot), E = code.energy(m.slot);
     const y = page.other && stateAt(code, page.other, page.t);
+    const touch = code.touch ? code.touch(m.slot, m.exact || !live ? page.t : Math.floor(page.t/m.choice.h + 1e-9)*
+      m.choice.h) : null;
+    page.touch = touch;
     page.state = x;
     page.mark(page.t);
     const now = performance.now();
     if (!page.playing || now - page.told > TEXT_EVERY) {
       page.told = now;
-      tell(m, x, E, length(L), y);
+      tell(x, E, length(L), y, touch);
     }
     if (space && !space.lost()) space.draw($("what").value, { q: pick(x, places.q), w: pick(x, places.w), L,
-      index: Math.floor((m.samples.length - 1)*page.t/(m.end || 1)), second: y && pick(y, places.q) }, dark.matches);
+      index: Math.floor((m.samples.length - 1)*page.t/(m.end || 1)), second: y && pick(y, places.q), touch,
+      other: y && touch ? code.touch(page.other.slot, page.t) : null }, dark.matches);
   }
 
   // The same in words and numbers.
-  function tell(m, x, E, size, y) {
+  function tell(x, E, size, y, touch) {
     $("time").value = page.t;
     $("now").textContent = page.t.toFixed(3).replace("-", "−") + "\u00a0s";
     $("time").setAttribute("aria-valuetext", page.t.toFixed(2) + " s");
-    const rows = facts.states.map((s, i) => [s.name, x[i]]).concat([["E / J", E], ["|L| / (N m s)", size]]);
+    const rows = facts.states.map((s, i) => [s.name, x[i]]).concat([["E / J", E], ["|L| / (N m s)", size]],
+      touch ? [["N / N", touch.N], ...touch.point.map((v, k) => ["contact " + "xyz"[k] + " / m", v])] : []);
     const body = $("values").tBodies[0];
     rows.forEach(([name, v], i) => {
       const row = body.rows[i] || body.insertRow();
@@ -278,7 +299,8 @@ async function start() {
     b.textContent = text;
     $("legend").append(b);
   }
-  $("legend").append("axes of the body and their trails; red: ω; black or white: L. Keys: arrows, + and −, 0.");
+  $("legend").append("axes of the body and their trails; red: ω; black or white: L" + (facts.plane ?
+    "; purple: path of the contact point" : "") + ". Keys: arrows, + and −, 0.");
   if (space) orbit($("space"), space, show, () => live ? $("drag").value : "camera", dragged);
   $("space").addEventListener("webglcontextlost", (e) => {
     e.preventDefault();

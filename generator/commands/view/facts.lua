@@ -2,6 +2,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local touch = require "generator.commands.run.touch"
 local checks = require "generator.commands.view.checks"
 local formulas = require "generator.page.formulas"
 
@@ -48,7 +49,7 @@ function facts.of(scene)
   return { name = m.name, version = "polhode " .. scene.build, real = "double", params = parameters(scene),
     states = states_of(scene), inputs = {}, methods = {}, exact = true, kind = m.structure.kind,
     closed = scene.closed.kind or scene.closed.refused or "", horizon = m:double(m.horizon), step = m:double(m.step),
-    effects = acts, checks = {} }
+    effects = acts, checks = {}, plane = touch.plane(scene) }
 end
 
 -- The same of a plan whose emitted code the page runs.

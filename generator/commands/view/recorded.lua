@@ -4,6 +4,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local engines = require "generator.commands.run.engines"
+local touch = require "generator.commands.run.touch"
 local facts = require "generator.report.facts"
 local bytes = require "generator.page.bytes"
 
@@ -14,7 +15,7 @@ local BYTES = 600000 -- of the rows in base64: a page has at most 1 MB
 local ANGLE = 0.04 -- rad from row to row: what an eye takes for a continuous turn
 
 -- States and what was measured of them at n + 1 times up to the end; or nil and a failure of run/engines.lua.
-local function rows_of(motion, finish, n)
+local function rows_of(motion, touching, finish, n)
   local ts, out = {}, {}
   for i = 0, n do ts[i + 1] = finish * (i / n) end
   local states, failure = motion.solve(ts, {})
@@ -24,6 +25,11 @@ local function rows_of(motion, finish, n)
     if not energy then return nil, L end
     out[i] = { s.t, table.unpack(s.x) }
     for _, v in ipairs { energy, L[1], L[2], L[3] } do table.insert(out[i], v) end
+    local k = touching and touching(s.t, s.x)
+    if touching and not k then
+      return nil, { status = 3, t = s.t, text = "the body touches the plane in no single point" }
+    end
+    for _, v in ipairs(k and { 1, 2, 3, 4, 11, 12, 13 } or {}) do table.insert(out[i], k[v]) end -- N, com, point
   end
   return out
 end
@@ -47,10 +53,11 @@ function recorded.of(host, scene, given)
   local method, finish = (given.method or {})[1], scene.model:double(scene.model.horizon)
   local motion, failure = engines.general(host, scene, { method = method })
   if not motion then return nil, failure end
+  local touching = touch.of(host, scene)
   local rows
-  rows, failure = rows_of(motion, finish, FEWEST)
+  rows, failure = rows_of(motion, touching, finish, FEWEST)
   local n = rows and wanted(scene, rows, finish)
-  if n and n > FEWEST then rows, failure = rows_of(motion, finish, n) end
+  if n and n > FEWEST then rows, failure = rows_of(motion, touching, finish, n) end
   if not rows then return nil, failure end
   local all = {}
   for _, row in ipairs(rows) do table.move(row, 1, #row, #all + 1, all) end
