@@ -73,15 +73,16 @@ table.sort(names)
 local out = { [[
 # Coverage
 
-Written by `make coverage`, which runs the tests of `tests/coverage/tests.txt` and those of `tests/runtime` on a
-program built for it, and fails when less than ]] .. arg[3] .. [[ % of the lines of `generator` or of `src` ran. The
-whole suite runs more than these tests do.
+`make coverage` writes this page. It runs the tests of `tests/coverage/tests.txt` and of `tests/runtime` on a
+program that is built for it. It fails if less than ]] .. arg[3] .. [[ % of the lines of `generator` or of `src` ran.
+The whole suite has more tests.
 
-Counted are all lines of all files of both folders that can run. C: by gcov, built without optimisation. Lua: a line
-with an instruction of `luac`'s in any function, called or not; it ran if a line hook saw it, in the program or, of
-tests under plain `lua5.4`, in a module. The return that Lua itself puts on the line of every function's `end` is no
-line. Nothing else is left out. How often a line ran, and both ways of a condition on one line, are not looked at. What
-has no line here: the emitted C, which has its own tests, and, where SUNDIALS is not installed, what calls it.
+All lines of both folders that can run are counted. For C, gcov counts them in a build without optimisation. In
+Lua, a line counts if `luac` has an instruction for it in any function, called or not. It ran if a line hook saw
+it, in the program or in a module of a test under plain `lua5.4`. The return that Lua puts on the line of each
+function's `end` does not count. The page does not say how often a line ran, nor whether both ways of a
+condition on one line ran. It does not cover generated C, which has its own tests, nor calls of SUNDIALS if that
+is not installed.
 
 | folder | files | lines | ran | % |
 |---|---:|---:|---:|---:|]] }
