@@ -120,6 +120,18 @@ local function live(host, scene, given)
   return written(host, scene, given, facts.compiled(scene, plan, unit), wasm)
 end
 
+-- Why a motion cannot be shown in space and what can be done, or nil.  name: the scene as the command line has it.
+local function shapeless(model, name)
+  if not model.has.rates then
+    return "a page shows how a body turns, and this body is a point: nothing turns it, and initial gives neither " ..
+      "omega nor attitude. Its path: polhode plot " .. name .. " --what path"
+  elseif not model.has.attitude then
+    return "a page shows how a body turns, and outputs does not ask for its attitude: add \"attitude\" there. " ..
+      "The rates alone: polhode plot " .. name .. " --what rates"
+  end
+  return nil
+end
+
 function view.run(host, given)
   local wrong = unknown(given)
   if given.o and given.o ~= "-" and not string.find(given.o, "[^/]%.html$") then
@@ -128,9 +140,8 @@ function view.run(host, given)
   if wrong then return options.wrong(host, "view", wrong) end
   local scene, d, why = driver.read(host, given[1], given)
   if not scene then return options.refuse(host, d, why) end
-  if not (scene.model.has.rates and scene.model.has.attitude) then
-    return options.failed(host, "view", "a page needs the body's rates and attitude, and the scene has not both")
-  end
+  why = shapeless(scene.model, given[1])
+  if why then return options.failed(host, "view", why) end
   options.warn(host, scene.diag)
   return (given.trajectory and played or live)(host, scene, given)
 end

@@ -212,6 +212,8 @@ local function stopped(d, raised)
   local by_lua = raised.kind == "syntax" or raised.kind == "runtime"
   if d:failed() and (not by_lua or string.find(text, broken.mark, 1, true)) then return end
   local message = string.gsub(string.gsub(text, "^.-:%d+: ", ""), "%c", " ") -- may steer a terminal
+  local word = raised.kind == "syntax" and string.match(message, "near '(%a+)'$")
+  if word and units.parse(word) then message = message .. " (a unit is given by quantity(30, \"" .. word .. "\"))" end
   d:error(raised.line or 0, raised.kind == "syntax" and "syntax" or "script", message)
 end
 

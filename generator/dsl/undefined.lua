@@ -21,9 +21,16 @@ for word in string.gmatch([[_G _VERSION collectgarbage coroutine debug dofile ge
   of_lua[word] = true
 end
 
+-- Rotations are tables: what is taken for a function of that name.
+local rotations = { euler = 'euler = "zxz", angles = {a, b, c}', quaternion = "quaternion = {w, x, y, z}",
+  matrix = "matrix = {{..}, {..}, {..}}" }
+
 -- Why there is no such name, or what is near it: " (...)" or "".
 local function hint(ctx, e, name, params)
   if of_lua[name] then return " (Lua has it, a scene has not: it sees only a part of Lua's library)" end
+  if rotations[name] then
+    return " (a rotation is a table: { " .. rotations[name] .. " }; degrees are quantity(30, \"deg\"))"
+  end
   for _, p in ipairs(params) do
     if p.name == name then
       return " (to use the parameter, write local " .. name .. " = param(\"" .. name .. "\", ...))"

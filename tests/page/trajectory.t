@@ -74,12 +74,23 @@ end
 
 -- ---- messages ----
 
+program.write(dir .. "/spin.lua", [[return scene { name = "spin", body = solid.box { x = 1, y = 2, z = 3, mass = 1 },
+  initial = { omega = { 1, 2, 3 } }, outputs = { "rates" } }]])
+for _, name in ipairs { "dropped_stone --what path", dir .. "/spin.lua --what rates" } do -- as the messages have it
+  local status, out, err = run("plot " .. name)
+  tap.ok(status == 0 and err == "" and out:find("</svg>", 1, true), "plot " .. name .. ": it draws", err)
+end
+
 for _, c in ipairs {
   { "view tennis_racket -o -", 2, "needs the program clang %(Debian package clang%); %-%-trajectory makes a page" },
   { "view tennis_racket --trajectory --method rk4,taylor -o -", 2, "must be one method, got rk4,taylor" },
   { "view tennis_racket --trajectory --real float -o -", 2, "%-%-real: it is the type of the emitted code" },
   { "view heavy_top --trajectory --method exact -o -", 2, "solves free tops, and this scene has effects" },
   { "view tennis_racket --trajectory --method split4 -o -", 2, "split4" },
+  { "view dropped_stone -o -", 2, "this body is a point: .* Its path: polhode plot .*dropped_stone.* %-%-what path" },
+  { "view foucault --trajectory -o -", 2, "this body is a point" },
+  { "view " .. dir .. "/spin.lua -o -", 2, "outputs does not ask for its attitude: .* polhode plot " .. dir ..
+    "/spin.lua %-%-what rates" },
 } do
   local status, out, err = run(c[1])
   tap.ok(status == c[2] and out == "" and err:find(c[3]), c[1] .. ": says what is wrong", status .. " " .. err)
