@@ -269,8 +269,8 @@ function bench.preface(study)
     end
     list[3] = "condition number " .. count_text(c.number) .. " (worst input: " .. c.input ..
       "): one ulp of it moves the end by " .. ulp(c.number)
-    list[4] = "one ulp of the size of the state, as rounding on the way adds it, moves the end by up to " ..
-      ulp(c.state) .. "; errors near these are named rounding"
+    list[4] = "one ulp of the size of the state, as each step adds, moves the end by up to " ..
+      ulp(c.state) .. ". Errors near these are named rounding"
     if c.growth then list[#list + 1] = c.growth end
   end
   for _, s in ipairs(study.remarks or {}) do list[#list + 1] = s end

@@ -159,36 +159,36 @@ end
 prose [[
 # How exact the closed form of the free top is
 
-Made by `make errormap`, which compiles the emitted code in double and in float, follows it through a sweep of bodies,
-motions and times, and compares every state with 512 bits of MPFR by the textbook's formulas (`tests/oracle/free_top.c`,
-which itself reproduces the 32 digits of the reference set). Some minutes; the same bytes each time.
+`make errormap` writes this page in some minutes, with the same bytes each time. It compiles the generated code in
+double and in float, and runs it for many bodies, motions and times. It compares every state with the textbook's
+formulas in 512 bits of MPFR (`tests/oracle/free_top.c`). These reproduce the 32 digits of the reference set.
 
-- **Bodies**: moments A ≤ B ≤ C = 1, B from 1/2 to 1 in nine steps, A from C − B (a lamina) to B (two equal
-  moments) in nine; the ends are approached to 10⁻⁶, so that the corners are nearly a rod, a sphere and a disc.
-- **Motions**: G² between 2T A and 2T C; L circulates about the axis of the smallest or of the largest moment, at
-  0.999999, 0.9, ... 10⁻¹⁴ of the way from the separatrix to that axis (in float that is what rounding leaves of it).
+- **Bodies** have the moments A ≤ B ≤ C = 1. B goes from 1/2 to 1 in nine steps, and A from C − B (a lamina) to B (two
+  equal moments) in nine. The ends are approached to 10⁻⁶, so the corners are nearly a rod, a sphere and a disc.
+- **Motions** have G² between 2T A and 2T C. L circulates about the axis of the smallest or of the largest moment, at
+  0.999999, 0.9, ... 10⁻¹⁴ of the way from the separatrix to that axis. In float, rounding limits the last of these.
   Phases are multiples of the golden angle.
 - **Times**: 1, 100, 10⁴, 10⁶ periods of the rates, by `NAME_at` and by `NAME_at_tick`. Near a symmetric body or the
   axis a period of the rates may be 10⁶ turns of the body, so 10⁶ periods are up to 10¹² turns about L.
 - **Inputs are exact**: moments, state and time are numbers of the type, and the oracle gets the same numbers.
 
 Errors are in units **u** of the type's rounding: 2⁻⁵³ = 1.1e-16 in double, 2⁻²⁴ = 6.0e-8 in float. *Rates* is the
-largest error of a rate relative to the largest rate, *attitude* the angle between the two attitudes in rad (both
-norm-wise); *each rate* and *each of q* are relative to that very component, however small (component-wise). "lost":
-off by more than 0.1.
+largest error of a rate relative to the largest rate. *Attitude* is the angle between the two attitudes in rad. *Each
+rate* and *each of q* are relative to the component itself, however small it is. "lost" means an error above 0.1.
 
 ![largest errors over bodies, motions and times](errormap.svg)
 
 ## Over everything
 
-Three numbers each: half of the samples are better than the first, 99 of 100 than the second, all than the third.
+Each cell has three numbers. Half of the samples have a smaller error than the first, 99 of 100 than the second. The
+third is the largest error.
 
 ]]
 summary()
 prose [[
 
-The requirement is 4e-15 in double, 36 u, and 4e-6 in float, 67 u. A component that passes through 0 has an error of the
-size of the others': component-wise errors have no bound, and half of them are those of the norm.
+The requirement is 4e-15 in double, 36 u, and 4e-6 in float, 67 u. Errors relative to a component have no bound,
+because a component that passes through 0 has an error as large as the others have.
 
 ## With time
 
@@ -196,7 +196,7 @@ size of the others': component-wise errors have no bound, and half of them are t
 by_time()
 prose [[
 
-and with turns about L:
+The same errors by the number of turns about L:
 
 ]]
 by_turns()
@@ -204,15 +204,15 @@ prose [[
 
 ## Where the largest errors sit
 
-In double nowhere in particular: they are the roundings of some dozens of operations, and neither body, motion nor
-time changes their number. The five largest:
+In double the largest errors have no special place. They are the roundings of some dozens of operations, and neither
+body, motion nor time changes their number. These are the five largest:
 
 ]]
 places("double", 5, function() return true end, function(a) return -a.e end)
 prose [[
 
-In float the phases are pairs of 48 bits, so a unit of the last place is reached after some 2²⁰ turns, however they
-are counted. Of the samples beyond 67 u those with the fewest turns:
+In float the phases are pairs of 48 bits, so their error reaches a unit of the last place after some 2²⁰ turns. These
+are the samples beyond 67 u with the fewest turns:
 
 ]]
 local over = places("float", 5, function(e) return e > 4e-6 / unit.float end, function(a) return a.s.turns end)
@@ -220,14 +220,14 @@ put("")
 put("(%d of %d are beyond.)", over, #samples.float)
 prose [[
 
-- The **rates** need only the phase of the polhode, which in 10⁶ periods makes 2·10⁶ half-turns: within the pair.
-- The **attitude** needs the turns about L. Where a period of the rates is 10⁴ turns and more (A = B, B = C to 10⁻⁶,
-  a spin near an axis) 10⁶ periods are 10¹⁰ turns, and what the set-up has rounded at 2⁻⁴⁸ of a rate has grown to 10⁻⁴
+- The **rates** need only the phase of the polhode. In 10⁶ periods it makes 2·10⁶ half-turns, which a pair can hold.
+- The **attitude** needs the turns about L. A period of the rates may be 10⁴ turns and more (A = B, B = C to 10⁻⁶, a
+  spin near an axis). Then 10⁶ periods are 10¹⁰ turns. The set-up rounds a rate at 2⁻⁴⁸, and this error grows to 10⁻⁴
   of a turn.
-- **Ticks** are integers: they add nothing, and they reach times that a float cannot hold. (t itself has 24 bits, so
-  that after 10⁷ steps a float t is half a step out. That is no error of the code and not in this map: the oracle gets
-  the float.) They cannot know a rate better than the set-up did, which is a pair of floats. Who needs 10⁸ turns and
-  more in float sets up in double.
+- **Ticks** are integers. They add no error, and reach times that a float cannot hold. A float t has 24 bits, so after
+  10⁷ steps it is wrong by half a step. This map leaves that error out, because the oracle gets the same float. Ticks
+  do not make the rates of the set-up more accurate, which are pairs of floats. For 10⁸ turns and more in float, do
+  the set-up in double.
 ]]
 
 local file = assert(io.open(page, "w"))

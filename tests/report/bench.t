@@ -82,7 +82,7 @@ do
   local text = bench.text(s, { format = "text" })
   tap.like(text, "condition number 680 (worst input: wy): one ulp of it moves the end by 1.5e-13 in double, 8.1e-5",
     "the condition number and what it means")
-  tap.like(text, "moves the end by up to 2.7e-13 in double, 1.4e-4 in float; errors near these are named rounding",
+  tap.like(text, "moves the end by up to 2.7e-13 in double, 1.4e-4 in float. Errors near these are named rounding",
     "and that of the state")
   tap.like(text, "\nrk4 +4.00 µs%*", "the best of its kind at a level is marked", true)
   tap.like(text, "exact +%- +1.0e%-15 +rounding", "an error at the floor is named", true)
