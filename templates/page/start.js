@@ -48,7 +48,7 @@ async function start() {
   if (facts.exact) names.unshift(["exact", live ? "closed form" : facts.recorded.method]);
   choose($("first"), names);
   choose($("second"), [["none", "nothing"], ...names]);
-  choose($("preset"), PRESETS);
+  choose($("preset"), facts.compass ? [...PRESETS, RATTLING] : PRESETS);
   const step = live ? facts.step : facts.horizon/(facts.recorded.count - 1);
   $("step").value = step;
   const stepOf = () => Number($("step").value) > 0 ? Number($("step").value) : step;
@@ -265,7 +265,7 @@ async function start() {
   function preset(kind) {
     if (!kind) return;
     const size = Math.max(length(pick(page.start, places.w)), 1);
-    const to = presetOf(kind, code.principal(), pick(scene, places.q), size);
+    const to = presetOf(kind, code.principal(), pick(scene, places.q), size, facts.compass);
     writeRates(to.w);
     writeTurn(to.turn);
     page.t = 0;

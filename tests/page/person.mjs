@@ -118,6 +118,7 @@ ok(Math.abs(2*Math.acos(cosine) - 0.4) < 1e-7 && turned[0] === 0, "or turns the 
 const spun = await drag("rates", 30);
 const change = Math.hypot(...[4, 5, 6].map((i) => spun[i + 1] - still[i]));
 ok(Math.abs(change - 30*Math.hypot(8, 0.02, 0.01)/150) < 1e-9, "or moves the tip of the initial w", change);
+ok(!(await page.run(`Boolean(document.querySelector("#preset [value=compass]"))`)), "a body without a magnet is none");
 const presets = await page.run(`[...document.getElementById("preset").options].map((o) => o.value).filter(Boolean)`);
 for (const kind of presets) {
   await page.run(set("preset", `'${kind}'`));
@@ -141,6 +142,18 @@ ok(cells.length === 3 && errors[2]/errors[1] > 10 && errors[2]/errors[1] < 25,
   "the table of costs shows order 4 of rk4", JSON.stringify(cells));
 
 // ---- other pages ----
+
+const needle = await browser.open("file://" + made("compass"));
+await needle.run(set("preset", "'compass'"));
+// bodies/compass.lua: the magnet along z, the field (3, 0, 1) at the start; 0.002 rad is the preset's
+const magnet = await needle.run(`polhode.motion.samples.map((s) => [s.t, ...turned(s.x.slice(0, 4), [0, 0, 1])])`);
+const rest = await needle.run("polhode.start.slice(4, 7)");
+const along = magnet.map(([t, x, y, z]) => (3*(x*Math.cos(0.0022*t) + y*Math.sin(0.0022*t)) + z)/Math.sqrt(10));
+const away = Math.hypot(magnet[0][1] + 3/Math.sqrt(10), magnet[0][2], magnet[0][3] + 1/Math.sqrt(10));
+ok(Math.abs(away - 0.002) < 1e-8 && rest.every((v) => v === 0),
+  "the rattling compass starts against the field, at rest", away + " " + rest);
+ok(Math.max(...along) > 0.9 && along.slice(along.findIndex((v) => v > 0.9)).some((v) => v < 0.5),
+  "swings round to it, and beyond", Math.max(...along));
 
 // The moments of a cylinder: (3 r² + h²)/12 and r²/2; Landau, Lifshitz, Mechanics, section 33: tan(theta) of L from the
 // axis is I1/I3 tan(beta) of w; the cones touch, and the body is long, so the half-angles add up to theta.

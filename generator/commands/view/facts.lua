@@ -2,6 +2,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local motion = require "generator.algebra.motion"
+local vec = require "generator.algebra.vec"
 local touch = require "generator.commands.run.touch"
 local checks = require "generator.commands.view.checks"
 local formulas = require "generator.page.formulas"
@@ -42,6 +44,19 @@ local function inputs_of(model)
   return list
 end
 
+-- A magnet that is fixed in the body, and the field at t = 0; nil where there is none, or one of them is zero.
+local function compass_of(model)
+  for _, e in ipairs(model.record.effects) do
+    local field = e.kind == "effect.magnetic" and (e.a.field or e.a.rotating)
+    if field and not motion.any(e.a.moment) then
+      local function numbers(v) return vec.map(v, function(x) return model:double(x) + 0.0 end) end
+      local m, B = numbers(e.a.moment), numbers(field)
+      return vec.dot(m, m) > 0 and vec.dot(B, B) > 0 and { moment = m, field = B } or nil
+    end
+  end
+  return nil
+end
+
 -- What every page knows, also one that computes nothing.
 function facts.of(scene)
   local m, acts = scene.model, {}
@@ -49,7 +64,8 @@ function facts.of(scene)
   return { name = m.name, version = "polhode " .. scene.build, real = "double", params = parameters(scene),
     states = states_of(scene), inputs = {}, methods = {}, exact = true, kind = m.structure.kind,
     closed = scene.closed.kind or scene.closed.refused or "", horizon = m:double(m.horizon), step = m:double(m.step),
-    effects = acts, checks = {}, plane = touch.plane(scene) }
+    effects = acts, checks = {}, plane = touch.plane(scene),
+    compass = compass_of(m) }
 end
 
 -- The same of a plan whose emitted code the page runs.
