@@ -11,6 +11,7 @@ local sensitivity = require "generator.dynamics.sensitivity"
 local tangents = require "generator.dynamics.tangents"
 local compensated = require "generator.methods.compensated"
 local methods = require "generator.methods.methods"
+local upright = require "generator.dynamics.upright"
 
 local functions = {}
 
@@ -83,6 +84,7 @@ function functions.of(plan, options, named)
   if m.has.rates then put("torque", quantities.torque, m) end
   put("rhs", quantities.rhs, eq)
   if eq.touch then put("contact", quantities.contact, eq) end
+  for _, u in ipairs(eq.touch and upright.of(m) or {}) do put("stable_" .. u.key, upright.margin, m, u) end
   if m.record.landing then
     put("gap", landing.gap, m)
     put("impact", landing.impact, m)

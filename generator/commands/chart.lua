@@ -3,14 +3,17 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local vec = require "generator.algebra.vec"
 local options = require "generator.commands.options"
 local picture = require "generator.commands.picture"
 local driver = require "generator.driver"
 local stability = require "generator.mass.spin_stability"
+local contact = require "generator.dynamics.contact"
 local numeric = require "generator.dynamics.numeric"
 local report = require "generator.report.chart"
 local linearised = require "generator.report.linearised_chart"
 local members = require "generator.report.members_chart"
+local upright_chart = require "generator.report.upright_chart"
 
 local chart = {}
 
@@ -26,6 +29,8 @@ chart.options = {
     value = "A=LOW:HIGH,B=LOW:HIGH", default = "none; needed without --linearised" },
   { "--axis", { "x", "y", "z", "0", "1", "2" }, "the axis of the spin: a coordinate axis, or a principal axis by " ..
     "its number", default = "each axis that differs from the others" },
+  { "--rate", "number", "of a body of revolution on a plane: the rate of its upright spin, in rad/s", value = "N",
+    default = "the size of the scene's omega" },
   { "--dissipation", false, "with dissipation inside the body" },
   { "--linearised", false, "the error of the linearised motion against the exact one instead" },
   { "--from", "text", "the rows that `polhode sweep` wrote", value = "FILE.csv", default = "none; a scene instead" },
@@ -101,10 +106,28 @@ local function axes(job, s, asked)
   return list
 end
 
+-- The chart of a body on a plane: where it spins upright at a rate, the scene's unless it is given.
+local function upright_text(job, over, given)
+  if given.dissipation then return nil, "--dissipation: it is that of a free body, with --axis" end
+  local m = job.model
+  local w = vec.map(m.omega, function(e) return m:double(e) end)
+  local rate = given.rate or math.sqrt(vec.dot(w, w))
+  local s = upright_chart.of(m, R.fromdouble(rate))
+  if not s then
+    return nil, "no spin of this scene is upright: that needs a body of revolution on a level plane at rest, and " ..
+      "effect.plane alone (--axis has the spin of the free body)"
+  end
+  local list = {}
+  for i in ipairs(s.axes) do list[i] = i end
+  return report.text(job, over, list, nil, s, string.format(" at n = %.6g rad/s on the plane", rate))
+end
+
 -- The stability chart's text, or nil and what is wrong.
 local function stability_text(job, given)
   local over, wrong = plane(job, given.over)
   if not over then return nil, wrong end
+  if contact.of(job.model) and not given.axis then return upright_text(job, over, given) end
+  if given.rate then return nil, "--rate: it is that of an upright spin of a body on a plane, without --axis" end
   local s = stability.of(job.model)
   if not s.axes then return nil, "the principal axes of this body have no simple closed form" end
   local list
@@ -115,8 +138,8 @@ end
 
 -- The chart of the linearised top, or nil and what is wrong; the exact motion is the general library's.
 local function linearised_text(host, job, given)
-  if given.over or given.axis or given.dissipation then
-    return nil, "--linearised excludes --over, --axis and --dissipation"
+  if given.over or given.axis or given.rate or given.dissipation then
+    return nil, "--linearised excludes --over, --axis, --rate and --dissipation"
   end
   local scene = numeric.scene(job)
   scene.effects, scene.q = {}, { 1.0, 0.0, 0.0, 0.0 }
@@ -131,7 +154,7 @@ end
 
 -- The chart of a sweep's rows, or nil and what is wrong.
 local function members_text(host, given)
-  for _, name in ipairs { "over", "axis", "dissipation", "linearised", "set" } do
+  for _, name in ipairs { "over", "axis", "rate", "dissipation", "linearised", "set" } do
     if given[name] then return nil, "--" .. name .. ": it belongs to a scene, and --from has rows of members" end
   end
   if given[1] then return nil, "too many operands: " .. given[1] .. " (--from has rows of members)" end

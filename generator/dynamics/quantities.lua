@@ -1,6 +1,6 @@
 -- quantities.lua -- what the emitted code can be asked, as function descriptions.
 --
--- A description is {name, args, result, doc, groups, when}: args are the words m x xo t u h w (see emit/source.lua) or
+-- A description is {name, args, result, doc, groups, when}: args are the words m x xo t u h n (see emit/source.lua) or
 -- arrays {name, count, doc, out}; an out is {array, index, expr}, {state, expr} (into dx) or {result, expr}.
 -- The formulas are here, once, in the lecture's notation; steppers come from methods/.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later

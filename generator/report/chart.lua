@@ -5,7 +5,9 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
 local critical = require "generator.mass.critical"
+local lawful = require "generator.mass.validity"
 local stability = require "generator.mass.spin_stability"
 local regions = require "generator.report.regions"
 local svg = require "generator.draw.svg"
@@ -30,11 +32,11 @@ local words = { [1] = "stable", [0] = "neutral", [-1] = "unstable" }
 
 local function sign(x) return x > 0 and 1 or x < 0 and -1 or 0 end
 
--- What the conditions of NAME_init say of the point: atoms, and a function(x, y) -> valid.
+-- What the conditions of NAME_init say of the point, in exact numbers: atoms, and a function(x, y) -> valid.
 local function validity(m, make)
   local knows_nothing, atoms, tests = critical.of {}, {}, {}
   for _, c in ipairs(m.conditions) do
-    local s, list = knows_nothing:signs(c.e)
+    local s, list = knows_nothing:signs(calculus.substitute(c.e, { [lawful.roundoff] = expr.zero }))
     local own = {}
     for i, e in ipairs(list) do
       own[i] = make(e)
@@ -243,10 +245,11 @@ local function legend(d, seen, inside, x, y)
 end
 
 -- The chart as SVG text.  over: two of {name, unit, low, high, here (SI), given_low, given_high (own unit)};
--- axes: which of the axes of mass/stability (1, 2, 3).  nil and why if the body has no axes in closed form.
-function chart.text(job, over, axes, dissipation)
+-- axes: which of the axes of s, of mass/stability unless it is given (report/upright_chart.lua).  nil and why if the
+-- body has no axes in closed form.
+function chart.text(job, over, axes, dissipation, s, about)
   local m = job.model
-  local s = stability.of(m)
+  s = s or stability.of(m)
   if not s.axes then return nil, "the principal axes have no simple closed form, so no condition can be drawn" end
   over.inside = true
   for _, o in ipairs(over) do over.inside = over.inside and o.here >= o.low and o.here <= o.high end
@@ -254,9 +257,10 @@ function chart.text(job, over, axes, dissipation)
   local gap = 84
   local width = 72 + #axes * size + (#axes - 1) * gap + 28
   local height = 100 + size + 84
-  local title = m.name .. ": stability of a spin" .. (dissipation and " with dissipation" or "")
+  local title = m.name .. ": stability of a spin" .. (dissipation and " with dissipation" or about or "")
+  local spin = about and "spin" .. about or "free spin about a principal axis"
   local d = svg.new(width, height, { title = title, palette = palette, about = "Regions of the parameters " ..
-    over[1].name .. " and " .. over[2].name .. " where a free spin about a principal axis persists." })
+    over[1].name .. " and " .. over[2].name .. " where a " .. spin .. " persists." })
   d:put('<defs><pattern id="hatch" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">')
   d:line(0, 0, 0, 7, "hatch")
   d:put("</pattern></defs>")

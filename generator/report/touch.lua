@@ -1,16 +1,6 @@
 -- touch.lua -- of a body on a plane: integrals at the start, closed forms of balls, steady rolling, critical speeds.
 --
--- G is the gravity.  Derived by linearising about the upright spin n, with
--- alpha the horizontal part of the axis, h the height of the centre of mass and rho the surface's radius of curvature
--- under it, i the quarter turn about the vertical, C = m G (h - rho):
---     smooth    I1 alpha'' - i I3 n alpha' - C alpha = 0                             stable for (I3 n)^2 > 4 I1 C
---     rolling   A alpha'' - i B n alpha' - C alpha = 0, A = I1 + m h^2, B = I3 + m h rho            (B n)^2 > 4 A C
---     sliding   friction F = -c N slip leaves a vibration mu alone only where it does not slip, h mu = rho n; it damps
---               both where this lies between the two of the smooth plane:     D n^2 > C, D = (I3 - I1 rho/h) rho/h
--- and of a disc of centre circle R and rounding rho, h = R + rho, with lean delta:
---     rolling straight at w3    (I1 + m h^2) delta'' = (m G R - (I3 + m h^2)(I3/I1) w3^2) delta
---     spinning at n on its edge (I1 + m h^2) delta'' = (m G R - (I1 + m h^2) n^2) delta
--- (Routh, Advanced Rigid Dynamics, 241-244; Moffatt, Shimomura, Branicki 2004 for the sliding one; O'Reilly 1996.)
+-- G is the gravity; the critical speeds are those of dynamics/upright.lua.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -19,6 +9,7 @@ local vec = require "generator.algebra.vec"
 local contact = require "generator.dynamics.contact"
 local state = require "generator.dynamics.state"
 local touch_laws = require "generator.dynamics.touch_laws"
+local upright = require "generator.dynamics.upright"
 
 local touch = {}
 
@@ -30,57 +21,48 @@ local function integrals(m, put)
   end
 end
 
--- Heights of the centre of mass and radii of curvature when z is up and when it is down; nil where there is no contact.
-local function ends(m, f)
-  local s, c = f.surface, m:double(f.centre[3])
-  if s.paraboloid then return { -c, m:double(s.half[1]) }, nil end
-  local rho = m:double(s.rim)
-  if f.sphere then return { rho - c, rho }, { rho + c, rho } end
-  local a, b = m:double(s.half[1]), m:double(s.half[3])
-  if b == 0 then return nil, nil end
-  return { b - c, a * a / b }, { b + c, a * a / b }
-end
+-- The critical rates in words, by the law of the contact.
+local formulas = {
+  smooth = { "2 sqrt(I1 m G (h - rho))/I3", "2\\sqrt{I_1mG(h - \\varrho)}/I_3" },
+  rolling = { "2 sqrt((I1 + m h^2) m G (h - rho))/(I3 + m h rho)",
+    "2\\sqrt{(I_1 + mh^2)mG(h - \\varrho)}/(I_3 + mh\\varrho)" },
+  sliding = { "sqrt(m G (h - rho) h/(rho (I3 - I1 rho/h)))",
+    "\\sqrt{mG(h - \\varrho)h/(\\varrho(I_3 - I_1\\varrho/h))}" },
+  straight = { "sqrt(m G R I1/(I3 (I3 + m (R + rho)^2)))", "\\sqrt{mGRI_1/(I_3(I_3 + m(R + \\varrho)^2))}" },
+  edge = { "sqrt(m G R/(I1 + m (R + rho)^2))", "\\sqrt{mGR/(I_1 + m(R + \\varrho)^2)}" },
+}
 
--- What the rate of an upright spin must be: its least or greatest one, 0 where any will do.
-local function upright(put, law, where, I1, I3, mass, G, h, rho)
-  local key, C = "upright_z_" .. where, mass * G * (h - rho)
-  local function row(name, what, formula, latex, number)
-    put(key .. "_" .. name, "spinning upright with z " .. where .. ": " .. what, formula, latex, number, "rad/s")
-  end
-  local always = "stable at every rate"
-  if law == "smooth" then
-    row("above", C > 0 and "stable above this rate" or always, "2 sqrt(I1 m G (h - rho))/I3",
-      "2\\sqrt{I_1mG(h - \\varrho)}/I_3", C > 0 and 2 * math.sqrt(I1 * C) / I3 or 0.0)
-  elseif law == "rolling" then
-    row("above", C > 0 and "stable above this rate" or always,
-      "2 sqrt((I1 + m h^2) m G (h - rho))/(I3 + m h rho)",
-      "2\\sqrt{(I_1 + mh^2)mG(h - \\varrho)}/(I_3 + mh\\varrho)",
-      C > 0 and 2 * math.sqrt((I1 + mass * h * h) * C) / (I3 + mass * h * rho) or 0.0)
-  else
-    local D = (I3 - I1 * rho / h) * rho / h
-    local formula, latex = "sqrt(m G (h - rho) h/(rho (I3 - I1 rho/h)))",
-      "\\sqrt{mG(h - \\varrho)h/(\\varrho(I_3 - I_1\\varrho/h))}"
-    if D > 0 then
-      row("above", C > 0 and "friction damps it above this rate" or "friction damps it at every rate", formula, latex,
-        C > 0 and math.sqrt(C / D) or 0.0)
-    elseif C < 0 and D < 0 then
-      row("below", "friction damps it below this rate, and turns it over above", formula, latex, math.sqrt(C / D))
+-- What the rate of an upright spin must be: its least or greatest one, 0 where any will do, or none.
+local function critical(m, law, put)
+  for _, u in ipairs(upright.of(m)) do
+    local a, c = m:double(u.a), m:double(u.c)
+    local rate, slides = a ~= 0 and c / a > 0 and math.sqrt(c / a) or 0.0, law == "sliding"
+    local key, name = u.key, "above"
+    local what = slides and "friction damps it " or "stable "
+    if a > 0 or a == 0 and c < 0 then
+      what = what .. (c > 0 and "above this rate" or "at every rate")
+    elseif c < 0 then
+      name, what = "below", "friction damps it below this rate, and turns it over above"
     else
-      row("below", "friction turns it over at every rate", formula, latex, 0.0)
+      name, what = "below", "friction turns it over at every rate"
+    end
+    if key == "straight" then
+      put("rolling_straight_above", "upright and rolling straight: stable above this w3", formulas.straight[1],
+        formulas.straight[2], rate, "rad/s")
+    elseif key == "edge" then
+      put("spinning_on_edge_above", "upright and spinning about the normal: stable above this rate", formulas.edge[1],
+        formulas.edge[2], rate, "rad/s")
+    else
+      put("upright_z_" .. key .. "_" .. name, "spinning upright with z " .. key .. ": " .. what, formulas[law][1],
+        formulas[law][2], rate, "rad/s")
     end
   end
 end
 
+-- The steady precessions of a thin disc at its tilt and w3.
 local function disc(m, f, put, I1, I3, mass, G)
-  local R, rho = m:double(f.surface.half[1]), m:double(f.surface.rim)
-  local h = R + rho
-  put("rolling_straight_above", "upright and rolling straight: stable above this w3",
-    "sqrt(m G R I1/(I3 (I3 + m (R + rho)^2)))", "\\sqrt{mGRI_1/(I_3(I_3 + m(R + \\varrho)^2))}",
-    math.sqrt(mass * G * R * I1 / (I3 * (I3 + mass * h * h))), "rad/s")
-  put("spinning_on_edge_above", "upright and spinning about the normal: stable above this rate",
-    "sqrt(m G R/(I1 + m (R + rho)^2))", "\\sqrt{mGR/(I_1 + m(R + \\varrho)^2)}",
-    math.sqrt(mass * G * R / (I1 + mass * h * h)), "rad/s")
-  if rho ~= 0 then return end
+  local R = m:double(f.surface.half[1])
+  if m:double(f.surface.rim) ~= 0 then return end
   -- steady: (I3 + m R^2) w3 p s - I1 p^2 s c + m G R c = 0 for the precession p, cosine c and sine s of the axis
   local q = vec.map(m.attitude, function(e) return m:double(e) end)
   local n = vec.map(contact.of(m).a.normal, function(e) return m:double(e) end)
@@ -126,19 +108,12 @@ function touch.rows(job, put)
   local alone = #m.record.effects == 1 and not a.spinning and not a.rolling_resistance
   if not alone then return end
   if f.ball and a.law == "rolling" then ball(m, f, put, a, mass, G) end
+  critical(m, a.law, put)
   local size = math.sqrt(vec.dot(G, G))
-  if m:double(a.rate) ~= 0 or not f.level or not f.revolved or size == 0 or f.ball then return end
-  local I1, I3 = m:double(f.I1), m:double(f.I3)
-  if f.surface.disc then
-    if a.law == "rolling" and m:double(f.centre[3]) == 0 then disc(m, f, put, I1, I3, mass, size) end
-    return
+  if m:double(a.rate) ~= 0 or not f.level or not f.revolved or size == 0 or not f.surface.disc then return end
+  if a.law == "rolling" and m:double(f.centre[3]) == 0 then
+    disc(m, f, put, m:double(f.I1), m:double(f.I3), mass, size)
   end
-  local up, down = ends(m, f)
-  local function spin(x, where)
-    if x and x[1] > 0 then upright(put, a.law, where, I1, I3, mass, size, x[1], x[2]) end
-  end
-  spin(up, "up")
-  spin(down, "down")
 end
 
 return touch
