@@ -83,10 +83,12 @@ local about = {
 }
 
 local use = {
-  "    python3 -m pip install .                      # or: python3 -m build --no-isolation --wheel",
-  "    python3 -m unittest discover tests",
+  "    python3 -m venv --system-site-packages env    # pip needs an environment of its own on Debian and others",
+  "    env/bin/pip install --no-build-isolation .    # or: python3 -m build --no-isolation --wheel",
+  "    env/bin/python -m unittest discover tests",
   "",
-  "It needs NumPy, Python 3.11 or later and, to be built, a C compiler. The wheel is of the stable interface (abi3).",
+  "It needs NumPy and Python 3.11 or later. To build it you need a C compiler, setuptools and wheel; without",
+  "`--no-build-isolation` pip downloads the last two. The wheel uses the stable interface (abi3).",
   "",
   "```python",
 }
