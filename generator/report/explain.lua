@@ -151,8 +151,14 @@ local function motion_section(f)
   if #f.job.record.effects == 0 then
     lines[#lines + 1] = "no effects: T and the inertial L are conserved"
   end
+  local landing = f.job.record.landing
+  if landing then
+    lines[#lines + 1] = "landing on the plane (line " .. landing.line .. "): " .. f.job.model.name .. "_gap is the " ..
+      "height of the lowest point, " .. f.job.model.name .. "_impact the impact of Chatterjee and Ruina"
+  end
   local laws = f.job.conserved
-  lines[#lines + 1] = "conserved: " .. (#laws > 0 and table.concat(laws, ", ") or "nothing")
+  lines[#lines + 1] = "conserved: " .. (#laws > 0 and table.concat(laws, ", ") or "nothing") ..
+    (landing and " from one impact to the next" or "")
   for _, why in ipairs(f.job.model.reasons) do lines[#lines + 1] = "state: " .. why end
   return lines
 end
