@@ -99,7 +99,8 @@ function plane_rows.run(command, dir, case, options)
   return found
 end
 
--- The largest off/bar of what `run` gave; bar(moved): what is allowed where the inputs move it so far.  NaN is infinite.
+-- The largest off/bar of what `run` gave, infinite for a NaN; bar(moved): what is allowed where the inputs move it so
+-- far.
 function plane_rows.worst(case, found, bar)
   local worst = 0.0
   for i, row in ipairs(case) do
