@@ -10,19 +10,30 @@ local effects = {}
 local head = [[
 # Effects
 
-What can act on a body, made by `make docs` from the modules of `generator/effects`. A scene names those that it wants
-in `effects = {...}`; the equations of motion are made of these alone, and an effect that is left out, or whose
-strength is the constant 0, leaves no byte in the emitted code. Units are SI, torques N are in body axes, q is the
-attitude from body to inertial axes, R(q) its matrix, w the body rates, r and v position and velocity of the centre of
-mass where it moves. An argument without a default must be given, unless another one takes its place. T+V is the total
-energy, L the angular momentum in inertial axes, w3 the rate about the axis z of a body symmetric about it; a scene
-conserves what each of its effects does, see `polhode explain`.
-T+V-n.L is `NAME_jacobi_integral`, T + V - n L_z, where fields turn about inertial z at a rate n.
+An effect is something that acts on a body. A scene lists its effects in `effects = {...}`. The equations of motion
+have only these effects. An effect whose strength is the constant 0 leaves no byte in the generated code. You must
+give each argument that has no default, unless another one takes its place. `make docs` makes this page from the
+modules of `generator/effects`.
 
-The dimension of every expression is checked, and what does not fit is refused with its line: each argument, both sides
-of each sum, arguments of functions (pure numbers or angles), torques, forces and rates of states that a scene writes.
-A plain number may be meant in any unit, so `0.1*sin(2*t)` is a torque where `N*t`, N in N m, `wx` and `wx + qx` are
-not; `t` among plain numbers is one, that of the seconds.
+Units are SI. These symbols are used:
+
+| symbol | meaning |
+|---|---|
+| N | torque, in body axes |
+| q, R(q) | attitude from body to inertial axes, and its matrix |
+| w | rates in body axes |
+| r, v | position and velocity of the centre of mass, if it moves |
+| T+V | total energy |
+| L | angular momentum in inertial axes |
+| w3 | rate about the axis z of a body that is symmetric about it |
+| T+V-n.L | `NAME_jacobi_integral`, T + V - n L_z, where fields turn about inertial z at a rate n |
+
+A scene conserves only what each of its effects conserves. `polhode explain` lists it.
+
+polhode checks the dimension of every expression: each argument, both sides of each sum, arguments of functions (pure
+numbers or angles), and the torques, forces and rates of states that a scene writes. A wrong dimension is an error at
+its line. A plain number may have any unit. So `0.1*sin(2*t)` can be a torque. `wx`, `wx + qx`, and `N*t` with N in N
+m cannot. Among plain numbers, `t` is the number of seconds.
 
 ]]
 

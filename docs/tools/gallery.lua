@@ -60,14 +60,15 @@ gallery.list = {
 local head = [[
 # Gallery
 
-A picture of each scene in `bodies/`, as `polhode plot` draws it. `make gallery` draws them all anew; the same scene
-gives the same bytes. Below each picture stands its command; `polhode help plot` lists what else can be drawn. The
-pictures follow the colours of the screen, light or dark; print is light.
+This page has a picture of each installed scene, as `polhode plot` draws it. The command is below the picture.
+`polhode help plot` lists the other pictures. The pictures follow the colours of the screen, light or dark. Prints are
+light. `make gallery` draws all pictures again, and the same scene gives the same bytes.
 
-What is seen: the **polhode** is the closed curve that the angular velocity draws on the ellipsoid of energy, among its
-neighbours; the dashed line is the separatrix, thin lines lie behind. The **herpolhode** is the curve of the same vector
-in the plane across L, between two circles that theory gives. A symmetric top's **cone** in the body rolls on one in
-space. The **phase portrait** has L in the body on its sphere, with lines of equal energy. The orange dot is the start.
+The **polhode** is the closed curve that the angular velocity draws on the ellipsoid of energy. The picture has
+neighbouring polhodes, too. The dashed line is the separatrix, and thin lines are at the back. The **herpolhode** is
+the curve of the same vector in the plane perpendicular to L, between two circles that theory gives. The body **cone**
+of a symmetric top rolls on its space cone. The **phase portrait** has L in the body on its sphere, with lines of
+equal energy. The orange dot is the start.
 ]]
 
 -- The words of the scene's first comment, up to the first line that is none.

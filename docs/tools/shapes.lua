@@ -195,17 +195,18 @@ end
 local head = [[
 # Shapes
 
-Every shape of the scene language, made by `make docs` from the catalogue. Lengths are in metres, angles in radians.
-`mass` and `density` (per volume, area or length) are alternatives. The tensor is about the centroid for the mass m,
-in the axes of the picture; entries that are not listed are zero, and off-diagonal entries are tensor entries (minus
-the products of inertia). Where an argument is a list, the formulas are for the list of the example. In the pictures
-the black and white disc is the centroid; red lines are what the arguments measure; a quarter is cut out where that
-shows more.
+This page has every shape of the scene language. `make docs` makes it from the catalogue. Lengths are in metres,
+angles in radians. Give either `mass` or `density` (per volume, area or length).
 
-Some means have names, because their closed forms lose digits for a short curve. They are computed without that loss,
-and where sine and cosine of h are known numbers the closed form stands instead.
+The tensor is about the centroid for the mass m, in the axes of the picture. Entries that are not listed are zero.
+Off-diagonal entries are tensor entries, so they are minus the products of inertia. If an argument is a list, the
+formulas are for the list of the example. In the pictures, the black and white disc is the centroid, and red lines are
+the arguments. Some pictures have a quarter cut out, so that you can see more.
 
-| | |
+Some mean values have names, because their closed forms lose digits for a short curve. polhode computes them without
+this loss. If sine and cosine of h are known numbers, the closed form is used instead.
+
+| name | meaning |
 |---|---|
 | `arc_across(h)` | mean of sin² t over -h <= t <= h: `(1 - sin(2 h)/(2 h))/2` |
 | `arc_along(h)` | variance of cos t over the same: `(1 + sin(2 h)/(2 h))/2 - (sin(h)/h)²` |

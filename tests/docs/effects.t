@@ -23,9 +23,9 @@ for _, e in ipairs(effects) do
     e.name .. ": is in the scene that is its example")
 end
 
--- A bar in a cell of a table would end it.
+-- A bar in a cell of an effect's table would end it.
 local broken = {}
-for line in page:gmatch "[^\n]+" do
+for line in page:sub(page:find "\n## "):gmatch "[^\n]+" do
   if line:find "^|" then
     local bars = select(2, line:gsub("\\|", ""):gsub("|", ""))
     if bars ~= 5 then broken[#broken + 1] = line end
