@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local facts = require "generator.commands.view.facts"
+local input_file = require "generator.commands.input_file"
 local options = require "generator.commands.options"
 local recorded = require "generator.commands.view.recorded"
 local solid = require "generator.commands.view.solid"
@@ -26,11 +27,13 @@ view.options = {
   { "--trajectory", false, "a page that plays one motion; the general library computes it by one --method of run" },
   { "--real", { "double", "float" }, "the type of all numbers", default = "double" },
   { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
+  options.row(run, "--input"), options.row(run, "--between"),
   { "-o", "text", "the file that is written; - is standard output", value = "FILE.html", default = "NAME.html" },
 }
 view.examples = {
   { "polhode view tennis_racket", "tennis_racket.html: open it in a browser" },
   { "polhode view heavy_top --trajectory -o top.html", "without clang: a page that plays a computed motion" },
+  { "polhode view attitude_control --trajectory --input torques.csv", "the motion under inputs over time" },
   { "polhode view heavy_top --real float --method rk4,taylor -o top.html", "two methods in float" },
 }
 
@@ -69,6 +72,11 @@ local function unknown(given)
   if given.trajectory and given.real then
     return "--real: it is the type of the emitted code, which --trajectory leaves out"
   end
+  for _, name in ipairs(given.trajectory and {} or { "input", "between" }) do
+    if given[name] then
+      return "--" .. name .. ": it belongs to --trajectory; a page that runs the code has sliders for inputs"
+    end
+  end
   if given.trajectory then return nil end
   for _, name in ipairs(given.method or {}) do
     if name == "exact" then return "--method exact: the closed form is always there, where the scene has one" end
@@ -103,11 +111,15 @@ local function written(host, scene, given, known, wasm)
 end
 
 local function played(host, scene, given)
-  local motion, failure = recorded.of(host, scene, given)
+  local said, inputs = input_file.of(host, scene, given)
+  if not said then return options.wrong(host, "view", inputs) end
+  local motion, failure = recorded.of(host, scene, given, inputs)
   if not motion then return run.refuse(host, failure, nil, "view") end
   local known = facts.of(scene)
   known.recorded = motion
-  return written(host, scene, given, known, nil)
+  local status = written(host, scene, given, known, nil)
+  for _, w in ipairs(status == 0 and said or {}) do host.err("warning: " .. w) end
+  return status
 end
 
 local function live(host, scene, given)

@@ -117,7 +117,7 @@ end
 
 -- ---- the examples ----
 
--- A tetrahedron and a robot, for the examples that read files.
+-- A tetrahedron, a robot and inputs, for the examples that read files.
 program.write(dir .. "/part.stl", [[
 solid part
 facet normal 0 0 -1 outer loop vertex 0 0 0 vertex 0 30 0 vertex 20 0 0 endloop endfacet
@@ -128,6 +128,8 @@ endsolid part
 ]])
 program.write(dir .. "/robot.urdf", [[<robot name="r"><link name="arm"><inertial><mass value="2"/>
 <inertia ixx="0.1" iyy="0.2" izz="0.2" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>]])
+
+program.write(dir .. "/torques.csv", "t,roll [mN m],pitch [mN m],yaw [mN m],coil [A m^2]\n0,1,0,0,0\n5,0,0,0,0.1\n")
 
 -- A book with a phone in it: the log is that of a reference case.
 program.write(dir .. "/phone.csv", program.read "tests/reference/fit/01_free_ratios/log.csv")

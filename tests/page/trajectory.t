@@ -8,6 +8,7 @@ package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local json = require "tests.json"
 local program = require "tests.cli.program"
 local expr = require "generator.algebra.expr"
@@ -46,24 +47,31 @@ end
 
 local CLOSE = 1e-10 -- adaptive and taylor of the library: each promises 1e-12 of the state, over some hundred turns
 
-for _, name in ipairs { "tennis_racket", "heavy_top", "thrown_book", "wheels" } do
-  local status, html, err = run("view bodies/" .. name .. ".lua --trajectory -o -")
+local pushes = dir .. "/pushes.csv" -- inputs of attitude_control, in their units
+program.write(pushes, "t,roll [mN m],coil [A m^2],pitch [mN m],yaw [mN m]\n0,1,0.1,0,0\n7.3,-2,0,1,0\n30,0,0.2,0,0.5\n")
+
+local cases = { { "tennis_racket", "" }, { "attitude_control", " --input " .. pushes }, { "wheels", "" },
+  { "heavy_top", "" }, { "thrown_book", "" }, { "turntable_ball", "" },
+  { "attitude_control", " --between linear --input " .. pushes } }
+for _, case in ipairs { table.unpack(cases, 1, tier.quick and 3 or #cases) } do
+  local name, more = case[1], case[2]
+  local status, html, err = run("view bodies/" .. name .. ".lua --trajectory -o -" .. more)
   tap.ok(status == 0 and err == "", name .. ": a page without any program", err)
   tap.ok(#html < 1e6, name .. ": of less than 1 MB", #html)
   local facts = json.read(html:match '<script type="application/json" id="facts">(.-)</script>')
   local r = facts.recorded
-  local data, width = decoded(r.rows), #facts.states + 5
+  local data, width = decoded(r.rows), #facts.states + 5 + (name == "turntable_ball" and 7 or 0)
   tap.is(#data, 8 * r.count * width, name .. ": as many numbers as rows and columns")
   local function cell(row, k) return (string.unpack("<d", data, 8 * (row * width + k - 1) + 1)) end
   tap.ok(cell(0, 1) == 0 and cell(r.count - 1, 1) == facts.horizon, name .. ": from 0 to the horizon")
   local worst, size = 0.0, 0.0
   for _, row in ipairs { 0, r.count // 3, r.count - 1 } do
-    local code, out = run(string.format("run bodies/%s.lua --method taylor --at %.17g", name, cell(row, 1)))
+    local code, out = run(string.format("run bodies/%s.lua --method taylor --at %.17g%s", name, cell(row, 1), more))
     local got, names = {}, {}
     local head, numbers = out:match "^([^\n]+)\n([^\n]+)"
     for column in (head or ""):gmatch "[^,]+" do names[#names + 1] = column end
     for number in (numbers or ""):gmatch "[^,]+" do got[names[#got + 1]], got[#got + 1] = tonumber(number), true end
-    tap.ok(code == 0 and #got > width - 2, name .. ": run has that time", out)
+    tap.ok(code == 0 and #got > #facts.states + 3, name .. ": run has that time", out)
     for k, s in ipairs(facts.states) do
       worst = math.max(worst, math.abs(got[s.name] - cell(row, k + 1)))
       size = math.max(size, math.abs(got[s.name]))
@@ -87,6 +95,9 @@ for _, c in ipairs {
   { "view tennis_racket --trajectory --real float -o -", 2, "%-%-real: it is the type of the emitted code" },
   { "view heavy_top --trajectory --method exact -o -", 2, "solves free tops, and this scene has effects" },
   { "view tennis_racket --trajectory --method split4 -o -", 2, "split4" },
+  { "view attitude_control --input " .. pushes .. " -o -", 2, "%-%-input: it belongs to %-%-trajectory" },
+  { "view attitude_control --trajectory --between held -o -", 2, "%-%-between: it says how" },
+  { "view tennis_racket --trajectory --input " .. pushes .. " -o -", 2, "no input" },
   { "view dropped_stone -o -", 2, "this body is a point: .* Its path: polhode plot .*dropped_stone.* %-%-what path" },
   { "view foucault --trajectory -o -", 2, "this body is a point" },
   { "view " .. dir .. "/spin.lua -o -", 2, "outputs does not ask for its attitude: .* polhode plot " .. dir ..

@@ -15,7 +15,7 @@ local BYTES = 600000 -- of the rows in base64: a page has at most 1 MB
 local ANGLE = 0.04 -- rad from row to row: what an eye takes for a continuous turn
 
 -- States and what was measured of them at n + 1 times up to the end; or nil and a failure of run/engines.lua.
-local function rows_of(motion, touching, finish, n)
+local function rows_of(motion, touching, inputs, finish, n)
   local ts, out = {}, {}
   for i = 0, n do ts[i + 1] = finish * (i / n) end
   local states, failure = motion.solve(ts, {})
@@ -25,7 +25,7 @@ local function rows_of(motion, touching, finish, n)
     if not energy then return nil, L end
     out[i] = { s.t, table.unpack(s.x) }
     for _, v in ipairs { energy, L[1], L[2], L[3] } do table.insert(out[i], v) end
-    local k = touching and touching(s.t, s.x)
+    local k = touching and touching(s.t, s.x, inputs)
     if touching and not k then
       return nil, { status = 3, t = s.t, text = "the body touches the plane in no single point" }
     end
@@ -48,16 +48,17 @@ local function wanted(scene, rows, finish)
   return math.floor(math.max(FEWEST, math.min(most, largest * finish / ANGLE)))
 end
 
--- {method, count, rows (in base64), mass, com, inertia, moments, axes}, or nil and a failure.  given: the command's.
-function recorded.of(host, scene, given)
+-- {method, count, rows (in base64), mass, com, inertia, moments, axes}, or nil and a failure.  given: the command's;
+-- inputs: over time, or nil.
+function recorded.of(host, scene, given, inputs)
   local method, finish = (given.method or {})[1], scene.model:double(scene.model.horizon)
-  local motion, failure = engines.general(host, scene, { method = method })
+  local motion, failure = engines.general(host, scene, { method = method }, inputs)
   if not motion then return nil, failure end
   local touching = touch.of(host, scene)
   local rows
-  rows, failure = rows_of(motion, touching, finish, FEWEST)
+  rows, failure = rows_of(motion, touching, inputs, finish, FEWEST)
   local n = rows and wanted(scene, rows, finish)
-  if n and n > FEWEST then rows, failure = rows_of(motion, touching, finish, n) end
+  if n and n > FEWEST then rows, failure = rows_of(motion, touching, inputs, finish, n) end
   if not rows then return nil, failure end
   local all = {}
   for _, row in ipairs(rows) do table.move(row, 1, #row, #all + 1, all) end
