@@ -359,6 +359,18 @@ static void planes(void) {
   ok(memcmp(&contact, &before, sizeof contact) == 0, "which is not written");
   ph_top_init_tensor(&away, 1, NULL, I);
   refused(ph_top_contact(&away, 0, flat, NULL, &contact), PH_EMETHOD, "the contact of no plane");
+  double air[13] = {1, 0, 0, 0, 1, 1, 1, 0, 0, 3, 0, 0, -1};
+  ph_gap gap;
+  refused(ph_top_gap(&away, air, &gap), PH_EMETHOD, "the gap above no plane");
+  refused(ph_top_gap(&top, air, &gap), PH_ECONTACT, "the gap below a disc that lies flat");
+  refused(ph_top_impact(&top, &(ph_impact){1.1, 0, 0}, air, out.number), PH_EPOSITIVE,
+          "restitution 1.1");
+  refused(ph_top_impact(&top, &(ph_impact){1, 0, -2}, air, out.number), PH_EPOSITIVE,
+          "tangential -2");
+  air[0] = 0;
+  refused(ph_top_gap(&top, air, &gap), PH_EQUATERNION, "the gap of the quaternion 0");
+  air[3] = NOT_A_NUMBER;
+  refused(ph_top_gap(&top, air, &gap), PH_EFINITE, "the gap of the quaternion NaN");
 }
 
 static void runs(void) {
