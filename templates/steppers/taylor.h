@@ -1,5 +1,5 @@
 %% -- taylor.h -- the contract of the Taylor series stepper: part of scene.h.  SPDX-License-Identifier: MIT-0
-/* ---- Taylor series of order ${upper}_ORDER: automatic recurrences, ${lanes} products an order ---- */
+/* ---- Taylor series: automatic recurrences, ${lanes} products an order ---- */
 
 /* states that move, in the order of x[]; numbers of a row of coefficients, those beyond the states for its own use */
 enum { ${upper}_ORDER = ${order}, ${upper}_MOVING = ${count}, ${upper}_ROW = ${row} };
