@@ -24,8 +24,16 @@ local function gap(line, from, width)
   end
 end
 
+-- The place where a formula parts: behind a comma, or where words do.
+local function formula_gap(line, from)
+  for at = columns.width, from + 40, -1 do
+    if string.find(line, "^, +%S", at - 1) then return at end
+  end
+  return gap(line, from, columns.width)
+end
+
 -- Lines of a comment: what does not fit goes to the front of the next line, or to a line of its own where that one is
--- a list, a formula or the end.
+-- a list, a formula or the end.  An indented line, a formula or a list, goes on by itself, further in.
 local function comment(lines)
   local out, rest = {}, nil
   local margin = indent_of(lines[1]) .. (string.find(lines[2] or " *", "^ *%*") and " * " or "   ")
@@ -36,6 +44,13 @@ local function comment(lines)
       line, rest = margin .. rest .. " " .. words, nil
     elseif rest then
       out[#out + 1], rest = margin .. rest, nil
+    end
+    local inner = i > 1 and string.match(words, "^   *%f[%S]")
+    while inner and #line > columns.width do
+      local at = formula_gap(line, #margin + #inner + 1)
+      if not at or #string.sub(line, at + 1) < 3 then break end
+      out[#out + 1] = string.gsub(string.sub(line, 1, at), "%s+$", "")
+      line = margin .. inner .. "    " .. string.match(line, "^ *(.*)$", at + 1)
     end
     while #line > columns.width do
       local at = gap(line, #margin + 1, columns.width)
