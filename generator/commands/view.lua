@@ -13,7 +13,9 @@ local solid = require "generator.commands.view.solid"
 local run = require "generator.commands.run"
 local driver = require "generator.driver"
 local methods = require "generator.methods.methods"
+local gltf = require "generator.page.gltf"
 local page = require "generator.page.page"
+local times = require "generator.plot.times"
 
 local view = {}
 
@@ -25,15 +27,19 @@ view.options = {
   { "--method", "words", "the methods that the page can choose from, beside the closed form", value = "M,...",
     default = "all that the scene takes of rk4, adaptive, midpoint, semi, split2, split4" },
   { "--trajectory", false, "a page that plays one motion; the general library computes it by one --method of run" },
+  { "--format", { "html", "glb" }, "glb: binary glTF 2.0, for Blender and others, of the motion that " ..
+    "--trajectory plays", default = "html" },
   { "--real", { "double", "float" }, "the type of all numbers", default = "double" },
   { "--set", "pair", "another value for a parameter of the scene, in the unit that the scene gives it" },
   options.row(run, "--input"), options.row(run, "--between"),
-  { "-o", "text", "the file that is written; - is standard output", value = "FILE.html", default = "NAME.html" },
+  { "-o", "text", "the file that is written; - is standard output", value = "FILE.html|.glb",
+    default = "NAME.html, NAME.glb" },
 }
 view.examples = {
   { "polhode view tennis_racket", "tennis_racket.html: open it in a browser" },
   { "polhode view heavy_top --trajectory -o top.html", "without clang: a page that plays a computed motion" },
   { "polhode view attitude_control --trajectory --input torques.csv", "the motion under inputs over time" },
+  { "polhode view thrown_book --format glb", "thrown_book.glb: an animation for Blender" },
   { "polhode view heavy_top --real float --method rk4,taylor -o top.html", "two methods in float" },
 }
 
@@ -110,9 +116,39 @@ local function written(host, scene, given, known, wasm)
   return options.write(host, "view", given.o or scene.model.name .. ".html", html)
 end
 
+-- The motion as binary glTF: of the body's places those that the scene has, in space or on a plane, while it touches.
+local function animation(host, scene, given, inputs)
+  local rows, failure = recorded.rows(host, scene, given, inputs)
+  if not rows then return run.refuse(host, failure, nil, "view") end
+  local o = { name = scene.model.name, version = "polhode " .. scene.build, shape = solid.corners(scene), times = {},
+    attitude = {} }
+  local at, plane = { attitude = {}, position = {} }, #rows[1] > #scene.states + 5 and #scene.states + 6
+  for i, s in ipairs(scene.states) do
+    if at[s.kind] then table.insert(at[s.kind], i + 1) end
+  end
+  if plane then at.position = { plane + 1, plane + 2, plane + 3 } end
+  if #at.position > 0 then o.place = {} end
+  local function picked(row, list)
+    local out = {}
+    for k, i in ipairs(list) do out[k] = row[i] end
+    return out
+  end
+  for i, row in ipairs(rows) do
+    if plane and row[plane] <= 0 then
+      host.err("warning: contact is lost before t = " .. times.number(row[1]) .. " s: the file ends there\n")
+      break
+    end
+    o.times[i], o.attitude[i] = row[1], picked(row, at.attitude)
+    if o.place then o.place[i] = picked(row, at.position) end
+  end
+  if #o.times < 2 then return options.failed(host, "view", "the plane does not carry the body at the start") end
+  return options.write(host, "view", given.o or scene.model.name .. ".glb", gltf.binary(o))
+end
+
 local function played(host, scene, given)
   local said, inputs = input_file.of(host, scene, given)
   if not said then return options.wrong(host, "view", inputs) end
+  if given.format == "glb" then return animation(host, scene, given, inputs) end
   local motion, failure = recorded.of(host, scene, given, inputs)
   if not motion then return run.refuse(host, failure, nil, "view") end
   local known = facts.of(scene)
@@ -145,9 +181,11 @@ local function shapeless(model, name)
 end
 
 function view.run(host, given)
+  if given.format == "glb" then given.trajectory = true end
   local wrong = unknown(given)
-  if given.o and given.o ~= "-" and not string.find(given.o, "[^/]%.html$") then
-    wrong = wrong or "-o must end in .html, or be -, got " .. given.o
+  local ending = given.format or "html"
+  if given.o and given.o ~= "-" and not string.find(given.o, "[^/]%." .. ending .. "$") then
+    wrong = wrong or "-o must end in ." .. ending .. ", or be -, got " .. given.o
   end
   if wrong then return options.wrong(host, "view", wrong) end
   local scene, d, why = driver.read(host, given[1], given)

@@ -48,9 +48,9 @@ local function wanted(scene, rows, finish)
   return math.floor(math.max(FEWEST, math.min(most, largest * finish / ANGLE)))
 end
 
--- {method, count, rows (in base64), mass, com, inertia, moments, axes}, or nil and a failure.  given: the command's;
--- inputs: over time, or nil.
-function recorded.of(host, scene, given, inputs)
+-- The rows {t, states, energy, L, with a plane N, centre of mass and contact point}, and the method; or nil and a
+-- failure.  given: the command's; inputs: over time, or nil.
+function recorded.rows(host, scene, given, inputs)
   local method, finish = (given.method or {})[1], scene.model:double(scene.model.horizon)
   local motion, failure = engines.general(host, scene, { method = method }, inputs)
   if not motion then return nil, failure end
@@ -60,10 +60,17 @@ function recorded.of(host, scene, given, inputs)
   local n = rows and wanted(scene, rows, finish)
   if n and n > FEWEST then rows, failure = rows_of(motion, touching, inputs, finish, n) end
   if not rows then return nil, failure end
+  return rows, motion.method
+end
+
+-- {method, count, rows (in base64), mass, com, inertia, moments, axes}, or nil and a failure.
+function recorded.of(host, scene, given, inputs)
+  local rows, method = recorded.rows(host, scene, given, inputs)
+  if not rows then return nil, method end
   local all = {}
   for _, row in ipairs(rows) do table.move(row, 1, #row, #all + 1, all) end
   local f = facts.of(scene)
-  return { method = motion.method, count = #rows, rows = bytes.doubles(all), mass = f.mass_number,
+  return { method = method, count = #rows, rows = bytes.doubles(all), mass = f.mass_number,
     com = f.arm_number, inertia = f.inertia_number, moments = f.moments, axes = f.axes }
 end
 

@@ -4,6 +4,7 @@
 local R = require "generator.algebra.rational"
 local numeric = require "generator.dynamics.numeric"
 local shape = require "generator.page.shape"
+local facts = require "generator.report.facts"
 
 local solid = {}
 
@@ -53,6 +54,28 @@ function solid.of(scene)
   local empty = #made.faces.at + #made.holes.at + #made.lines.at + #made.points.at == 0
   if empty and touching(numeric.scene(scene)) then return shape.of(tree_of(scene, touching), sizes) end
   return made
+end
+
+-- The corners by kind, as lists of numbers.  A body without a shape is the ellipsoid of the same moments.
+function solid.corners(scene)
+  local made, f, out = solid.of(scene), facts.of(scene), {}
+  for _, kind in ipairs { "faces", "holes", "lines", "points" } do out[kind] = made[kind].at end
+  if #out.faces + #out.holes + #out.lines + #out.points > 0 then return out end
+  local I, half, most = f.moments, {}, 0.0
+  for k = 1, 3 do
+    half[k] = math.sqrt(math.max(0.0, 2.5 * (I[1] + I[2] + I[3] - 2 * I[k]) / f.mass_number))
+    most = math.max(most, half[k])
+  end
+  for k = 1, 3 do half[k] = math.max(half[k], 1e-3 * most) end -- of a rod or a plate, too
+  local own = shape.of(function()
+    return { shape = "solid.ellipsoid", a = half[1], b = half[2], c = half[3] }
+  end, {}).faces.at
+  for i = 1, #own, 3 do
+    for d = 1, 3 do
+      out.faces[i + d - 1] = own[i] * f.axes[1][d] + own[i + 1] * f.axes[2][d] + own[i + 2] * f.axes[3][d]
+    end
+  end
+  return out
 end
 
 return solid
