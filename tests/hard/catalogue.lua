@@ -17,7 +17,7 @@ local catalogue = {}
 
 catalogue.files = { "separatrix", "free_moments", "free_axis", "time_free", "scale_free", "symmetric",
   "heavy_sleeping", "heavy_motion", "gyrostat", "steppers_free", "steppers_heavy",
-  "rest", "inputs", "fields", "moving",
+  "rest", "inputs", "fields", "moving", "plane",
   "mass_walls", "mass_limits", "mass_far", "mass_sums", "mass_scale", "axes_near", "frames" }
 
 local wanted = { "name", "why", "naive", "oracle", "bound" }
