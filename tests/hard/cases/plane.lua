@@ -224,7 +224,7 @@ return scene { name = "tippe", body = tensor { mass = 0.006, xx = 8e-7, yy = 8e-
   effects = { effect.plane { surface = contact.sphere { r = 0.015, at = {0, 0, 0.003} }, law = "sliding",
     friction = { viscous = 1 } } },
   initial = { omega = {0, 0, 180}, attitude = { axis = "x", angle = 0.1 } }, time = { step = 0.0005 } }]],
-        fn = function(plugin, x)
+        fn = function(_, x)
           local n = x[1] ^ 2 + x[2] ^ 2 + x[3] ^ 2 + x[4] ^ 2
           local g = { 2 * (x[2] * x[4] - x[1] * x[3]) / n, 2 * (x[3] * x[4] + x[1] * x[2]) / n,
             (x[1] ^ 2 - x[2] ^ 2 - x[3] ^ 2 + x[4] ^ 2) / n }
