@@ -4,7 +4,8 @@
 --
 -- Energy of rolling over 1e4 s by the Taylor series at 1e-14: steps are cut so that what they leave is below the
 -- rounding; some 1e6 of them round the state by half a unit each, walking, 1e3 u = 1e-13 of the energy that moves;
--- asked for 1e-12.  Jellett's integral over inversions of the tippe top with both laws of friction: some 1e4 steps, 1e2 u.
+-- asked for 1e-12.  Jellett's integral over inversions of the tippe top with both laws of friction: some 1e4 steps,
+-- 1e2 u.
 
 package.path = "./?.lua;" .. package.path
 
