@@ -108,7 +108,8 @@ function gltf.binary(o)
     animated("translation", flat, 3)
   end
   local text = bytes.json { asset = { version = "2.0", generator = o.version }, scene = 0,
-    scenes = { { nodes = { 0 } } }, nodes = { { name = "z is up", rotation = { -HALF, 0.0, 0.0, HALF }, children = { 1 } },
+    scenes = { { nodes = { 0 } } },
+    nodes = { { name = "z is up", rotation = { -HALF, 0.0, 0.0, HALF }, children = { 1 } },
       { name = o.name, mesh = 0 } },
     meshes = { { name = o.name, primitives = mesh } }, materials = materials, accessors = file.accessors,
     animations = { { name = o.name, channels = channels, samplers = samplers } }, bufferViews = file.views,

@@ -59,20 +59,20 @@ end
 
 -- What every page knows, also one that computes nothing.
 function facts.of(scene)
-  local m, acts = scene.model, {}
+  local m, acts, closed = scene.model, {}, scene.closed
   for i, e in ipairs(m.record.effects) do acts[i] = e.kind end
   return { name = m.name, version = "polhode " .. scene.build, real = "double", params = parameters(scene),
     states = states_of(scene), inputs = {}, methods = {}, exact = true, kind = m.structure.kind,
-    closed = scene.closed.kind or scene.closed.refused or "", horizon = m:double(m.horizon), step = m:double(m.step),
-    effects = acts, checks = {}, plane = touch.plane(scene),
-    compass = compass_of(m) }
+    closed = closed.full and closed.kind or
+      closed.kind and "the one that there is gives the rates only" or closed.refused or "",
+    horizon = m:double(m.horizon), step = m:double(m.step), effects = acts, checks = {}, plane = touch.plane(scene), compass = compass_of(m) }
 end
 
 -- The same of a plan whose emitted code the page runs.
 function facts.compiled(scene, plan, unit)
   local f = facts.of(scene)
   for i, s in ipairs(plan.steppers) do f.methods[i] = { name = s.method.name, order = s.method.order or 0 } end
-  f.real, f.exact, f.closed = plan.real, plan.closed.full or false, plan.closed.kind or plan.closed.refused or ""
+  f.real, f.exact = plan.real, plan.closed.full or false
   f.inputs, f.checks = inputs_of(plan.model), checks.texts(unit)
   return f
 end
