@@ -65,7 +65,8 @@ function facts.of(scene)
     states = states_of(scene), inputs = {}, methods = {}, exact = true, kind = m.structure.kind,
     closed = closed.full and closed.kind or
       closed.kind and "the one that there is gives the rates only" or closed.refused or "",
-    horizon = m:double(m.horizon), step = m:double(m.step), effects = acts, checks = {}, plane = touch.plane(scene), compass = compass_of(m) }
+    horizon = m:double(m.horizon), step = m:double(m.step), effects = acts, checks = {}, plane = touch.plane(scene),
+    compass = compass_of(m) }
 end
 
 -- The same of a plan whose emitted code the page runs.
