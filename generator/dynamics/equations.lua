@@ -298,7 +298,13 @@ local function turning(d, m, list)
   end
   local plane = contact.of(m)
   local euler, rest
-  local function free() return builders[kind](m, N, groups, d, I) end
+  local function free()
+    local g = builders[kind](m, N, groups, d, I)
+    if g and (kind == "full" or kind == "varying") then -- which begins with the same definitions
+      for _ = 1, #L_defs do table.remove(g.defs, 1) end
+    end
+    return g
+  end
   if plane then
     euler, rest = contact.turning(m, plane, groups.constant, N, groups, free)
   else
@@ -307,9 +313,6 @@ local function turning(d, m, list)
   if not euler then return nil end
   euler.where = place(m, m.line)
   for i, n in ipairs(state.names.rates) do euler.outs[i] = { state = n, expr = euler.outs[i] } end
-  if not plane and (kind == "full" or kind == "varying") then -- which begins with the same definitions
-    for _ = 1, #L_defs do table.remove(euler.defs, 1) end
-  end
   if plane then groups[#groups + 1] = rest else groups[#groups + 1] = euler end
   fold.settle(m, groups.provisional, groups)
   list.touch = plane and contact.read(table.remove(groups))
