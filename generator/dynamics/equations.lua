@@ -290,13 +290,15 @@ end
 local function turning(d, m, list)
   local I, moves = context.now(m)
   local kind = moves and "varying" or m.carrier.kind
-  local N, groups, need_L = torques(m, kind == "diagonal" and m.locked == m.inertia and m.carried == m.inertia)
+  local plane = contact.of(m)
+  local rolls = plane and plane.a.law == "rolling" -- its equations have torques, and no products of the rates
+  local N, groups, need_L = torques(m, not rolls and kind == "diagonal" and m.locked == m.inertia and
+    m.carried == m.inertia)
   local L_defs = {}
   if need_L then -- before the torques that use it
     L_defs = select(2, momentum(m))
     table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = L_defs, outs = {} })
   end
-  local plane = contact.of(m)
   local euler, rest
   local function free()
     local g = builders[kind](m, N, groups, d, I)

@@ -83,7 +83,7 @@ local random = scenes.new(seed, 0)
 local done, bad = 0, 0
 while done < count do
   local list, n = {}, 1 + random:random(4)
-  for i = 1, n do list[i] = scenes.variants[random:random(#scenes.variants)] end
+  for i = 1, n do list[i] = scenes.draw(random) end
   if select(2, scenes.fits(list)) then
     done = done + 1
     local body = ({ "diagonal", "symmetric", "full" })[random:random(3)]

@@ -172,6 +172,18 @@ for i, v in ipairs(scenes.variants) do
     end
   end
 end
+-- A torque that other bodies of this kind take as products of the rates, and one of L, of each law.
+local function named(name)
+  for _, v in ipairs(scenes.variants) do
+    if v.name == name then return v end
+  end
+end
+for _, v in ipairs(scenes.variants) do
+  if v.where == "plane" and v.name:find "^on_ellipsoid" then
+    list[#list + 1] = { body = "diagonal", effects = { v, named "circular" } }
+    list[#list + 1] = { body = "full", effects = { v, named "custom_torque" } }
+  end
+end
 for n, item in ipairs(tier.every(10, list)) do
   local what = table.concat(vec.map(item.effects, function(v) return v.name end), " and ") .. ", " .. item.body
   local job, why = scene.read(scenes.text(scenes.new(n, 0.3), "e" .. n, item.body, item.effects))

@@ -68,8 +68,12 @@ local function order(case, h)
   tap.ok(fine, case[1][1] .. ", rk4: its errors fall as h^4", table.concat(said, "\n"))
 end
 
+-- Every third motion; POLHODE_PLANE=all: all of them, in 300 s.
+local some = {}
+for i = 1, #plane_rows.cases, os.getenv "POLHODE_PLANE" == "all" and 1 or 3 do some[#some + 1] = plane_rows.cases[i] end
+
 local left = 0
-for _, case in ipairs(plane_rows.cases) do
+for _, case in ipairs(some) do
   local name = case[1][1]
   held("library", case, "--engine general", function(moved) return math.max(1e-13, 20 * moved) end)
   held("adaptive", case, "--engine generated --method adaptive --tolerance 1e-13", function(moved)
@@ -96,7 +100,7 @@ for _, case in ipairs(plane_rows.cases) do
       name .. ", float: where it lies flat the run ends and says so", why)
   end
 end
-tap.is(left, 2, "rows too sensitive for float")
+tap.ok(left <= 2, left .. " rows too sensitive for float, two of all")
 
 -- ---- events ----
 

@@ -63,7 +63,7 @@ end
 local list = {}
 for i, v in ipairs(scenes.variants) do
   for n, body in ipairs { "diagonal", "symmetric", "full" } do
-    if v.where ~= "plane" or i % 3 == n % 3 then -- on a plane, 24 ways: one of the bodies each
+    if v.where ~= "plane" or i % 6 == n then -- on a plane, 24 ways: newton.t has them all, here are twelve
       local s = scenes.new(#list * 7919 + n, 0)
       list[#list + 1] = put(v.name .. "_" .. body, scenes.text(s, v.name .. "_" .. body, body, { v }))
     end
@@ -79,7 +79,7 @@ local seed = tonumber(os.getenv "POLHODE_SEED") or 1758
 local random, together = scenes.new(seed, 0), {}
 while #together < count do
   local chosen, n = {}, 1 + random:random(4)
-  for i = 1, n do chosen[i] = scenes.variants[random:random(#scenes.variants)] end
+  for i = 1, n do chosen[i] = scenes.draw(random) end
   if select(2, scenes.fits(chosen)) then
     local body = ({ "diagonal", "symmetric", "full" })[random:random(3)]
     local name = "together_" .. #together + 1

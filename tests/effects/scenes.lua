@@ -147,4 +147,11 @@ end
 
 function scenes.text(s, name, body, list, origin) return scenes.joined(name, scenes.parts(s, body, list, origin)) end
 
+-- A variant drawn at random.  A plane has 24 of them and its scenes take longest: three draws of four are drawn again.
+function scenes.draw(random)
+  local v
+  repeat v = scenes.variants[random:random(#scenes.variants)] until v.where ~= "plane" or random:random(4) == 1
+  return v
+end
+
 return scenes

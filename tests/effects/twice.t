@@ -96,7 +96,7 @@ local function choose(must, from)
   while true do
     local list = { must }
     for _ = 1, random:random(must and 2 or 3) do
-      list[#list + 1] = from and V[from[random:random(#from)]] or scenes.variants[random:random(#scenes.variants)]
+      list[#list + 1] = from and V[from[random:random(#from)]] or scenes.draw(random)
     end
     if select(2, scenes.fits(list)) then return list end
   end

@@ -41,8 +41,11 @@ do
   pipe:close()
 end
 local some = { tennis_racket = true, heavy_top = true, foucault = true, energy_sink = true, wheels = true }
+-- The sheet of a body on a plane takes 20 s: two of the seven; POLHODE_PLANE=all: all of them.
+local slow = { egg = true, eulers_disk = true, chaplygin_ball = true, rattleback = true, turntable_ball = true }
+if os.getenv "POLHODE_PLANE" == "all" then slow = {} end
 for _, name in ipairs(names) do
-  if some[name] or not tier.quick then
+  if some[name] or not tier.quick and not slow[name] then
     local status, text, err = run("plot bodies/" .. name .. ".lua")
     tap.ok(status == 0 and (err == "" or err:find("bends too often", 1, true)), name .. ": a sheet", err)
     tap.ok(not text:find("nan", 1, true) and not text:find("inf%f[%W]"), name .. ": of finite numbers")
