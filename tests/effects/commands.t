@@ -6,7 +6,7 @@
 -- a warning in either type of numbers and whose self-test passes, or refuses the method on a line of the scene; explain
 -- says what it has to say; both roads run, to numbers; a body on a plane may lose contact, or be refused as the plane
 -- would have to pull it.  No other status, no warning.  One scene in fifty may be too
--- large for the bound on a scene's algebra, which keeps a hostile scene to two seconds.  POLHODE_SCENES=2000
+-- large for the bound on a scene's algebra, which keeps a hostile scene to some seconds.  POLHODE_SCENES=2000
 -- POLHODE_SEED=7: so many, from that seed; finds are printed whole.  `polhode check` of such scenes is product.t's.
 
 package.path = "./?.lua;" .. package.path
