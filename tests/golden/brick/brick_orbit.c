@@ -592,11 +592,12 @@ void brick_at(const brick_orbit *o, real t, real x[])
  * Axes 1, 2, 3 here are principal axes: 2 that of the middle moment, 3 the one about which L
  * circulates, signed so that L1 >= 0, L3 > 0.  With a = w + i z, b = x + i y of the quaternion
  * from these axes to a frame whose z axis is along L,
- *     a(t) = exp(i mu t) theta4(z - i s eta; p)/N,   b(t) = s exp(i mu t) theta1(z - i s eta;
- * p)/N,   z = pi u/(2 K) where u = lambda t + u0 is the argument of Jacobi's functions, L = (B1 cn
- * u, s B2 sn u, B3 dn u), and p = q^2 (Jacobi 1849; Whittaker, Analytical Dynamics, section 69).
- * Near the separatrix the imaginary transformation (DLMF 20.7.30-33) replaces z by V = kappa z,
- * kappa = K/(2 K'), and circular functions by hyperbolic ones. */
+ *     a(t) = exp(i mu t) theta4(z - i s eta; p)/N,
+ *         b(t) = s exp(i mu t) theta1(z - i s eta; p)/N,   z = pi u/(2 K)
+ * where u = lambda t + u0 is the argument of Jacobi's functions, L = (B1 cn u, s B2 sn u, B3 dn
+ * u), and p = q^2 (Jacobi 1849; Whittaker, Analytical Dynamics, section 69).  Near the separatrix
+ * the imaginary transformation (DLMF 20.7.30-33) replaces z by V = kappa z, kappa = K/(2 K'), and
+ * circular functions by hyperbolic ones. */
 
 /* What is known of the motion in principal axes.  [i] is axis i + 1 of the above.  Moments and
  * rates are scaled by powers of two, the largest to about 1, rates to 2^26 at most.  What may be
