@@ -4,22 +4,16 @@
  * Arguments: the program, an output directory, then the scenes.  Median of REPEATS runs after one
  * that warms up.
  */
+#include "clock.h"
 #include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 
 enum { REPEATS = 11 };
 
 extern char **environ;
-
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static int generate(const char *program, const char *dir, const char *scene) {
   char *argv[] = {strdup(program), strdup("gen"), strdup(scene), strdup("-o"), strdup(dir), NULL};
@@ -30,11 +24,6 @@ static int generate(const char *program, const char *dir, const char *scene) {
   for (int i = 0; i < 5; i++)
     free(argv[i]);
   return status;
-}
-
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
 }
 
 int main(int argc, char **argv) {

@@ -7,6 +7,7 @@
    ones of 1e-12 of the largest rate and of |q| = 1, a first step that changes the state by a
    thousandth, and 3e6 calls or 3 s. Errors are those that the oracles in MPFR find (tests/oracle),
    or follow from a formula; of q and -q the nearer counts. */
+#include "clock.h"
 #include "hard_peers.h"
 
 #include <math.h>
@@ -15,7 +16,6 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "errormap.h"
@@ -26,12 +26,6 @@
 enum { FINE, GIVES_UP, SPENT, SECONDS = 3 };
 
 static const char *oracles, *scratch;
-
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* ---- what textbooks write ---- */
 

@@ -6,13 +6,13 @@
  * The bodies differ a little in their rates, so that no two do the same.  The results are compared,
  * too: a body among many has the bits that it has alone.
  */
+#include "clock.h"
 #include "hand.h"
 #include "tumbling_box.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { REPEATS = 15, BODIES = 1024, STEPS = 200, RUNS = 256, STATES = 7, ROWS = 5 };
 
@@ -23,17 +23,6 @@ static double quotients[3];
 static real start[STATES * BODIES], x[STATES * BODIES];
 static const real h = (real)1e-3, horizon = 100;
 static int steps[BODIES];
-
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int ascending(const void *a, const void *b) {
-  const double *x1 = a, *x2 = b;
-  return (*x1 > *x2) - (*x1 < *x2);
-}
 
 /* component i of body k of n to or from one body's state */
 static void take(real *one, const real *all, int n, int k) {

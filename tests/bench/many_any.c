@@ -5,10 +5,10 @@
  * headers. Both rows run in turn, ROUNDS rounds, and the medians are printed, in ns for a body and
  * a step. The results are compared, too: a body among many has the bits that it has alone.
  */
+#include "clock.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #define JOIN_NAMES(a, b) a##b
 #define JOIN(a, b)       JOIN_NAMES(a, b)
@@ -24,17 +24,6 @@ static OF(_model) model;
 static real first[NX], start[NX * BODIES], one_by_one[NX * BODIES], all[NX * BODIES];
 static real input[INPUTS * BODIES];
 static const real h = (real)1e-4;
-
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int ascending(const void *a, const void *b) {
-  const double *x1 = a, *x2 = b;
-  return (*x1 > *x2) - (*x1 < *x2);
-}
 
 static double alone(void) {
   const double t = now();

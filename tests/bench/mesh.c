@@ -5,23 +5,11 @@
  * the origin. Truth is the sum over the very same triangles in 640 bits. The plain summation has
  * the same tetrahedra in double about the file's origin, added one by one.
  */
+#include "clock.h"
 #include "mesh_files.h"
 #include "polhode.h"
 
-#include <time.h>
-
 enum { REPEATS = 5 };
-
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
 
 /* Seconds to read the file, the median. */
 static double time_read(const char *path, ph_mesh *mesh) {

@@ -5,26 +5,15 @@
  * as qw qx qy qz wx wy wz p1 p2; the peers (plane_simbody.cpp, plane_scipy.py) read it. All print
  * the same columns: ns for the rates, ms for a run, the error of the angular velocity at its end.
  */
+#include "clock.h"
 #include "chaplygin_ball.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { ROUNDS = 11, CALLS = 200000, NX = CHAPLYGIN_BALL_NX };
-
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int ascending(const void *a, const void *b) {
-  const double *x1 = a, *x2 = b;
-  return (*x1 > *x2) - (*x1 < *x2);
-}
 
 static double median(double list[ROUNDS]) {
   qsort(list, ROUNDS, sizeof *list, ascending);

@@ -5,20 +5,14 @@
  * in turn, in one run; the least of REPEATS rounds each. The library evaluates in long double,
  * which is part of its price. The rates are compared too.
  */
+#include "clock.h"
 #include "heavy_top.h"
 #include "polhode.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <time.h>
 
 enum { REPEATS = 41, CALLS = 20000, STATES = 64 };
-
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 int main(void) {
   heavy_top_model m;

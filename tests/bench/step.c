@@ -4,6 +4,7 @@
  * All in one run, in turn, so that a change of the machine's speed meets all of them; medians of
  * REPEATS rounds. The results are compared too: a fast wrong step is worth nothing.
  */
+#include "clock.h"
 #include "brick_centroid.h"
 #include "hand.h"
 #include "symmetric_top.h"
@@ -14,7 +15,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { REPEATS = 21, STEPS = 200000, STATES = 7 };
 
@@ -26,12 +26,6 @@ static double moments[3], quotients[3];
 static gsl_odeiv2_step *gsl_step;
 static gsl_odeiv2_system gsl_system;
 static volatile double sink;
-
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static int gsl_rhs(double t, const double x[], double dx[], void *model) {
   brick_centroid_rhs(model, t, x, NULL, dx);
@@ -79,11 +73,6 @@ static const struct {
     {"emitted closed form of the symmetric top, any t", run_closed},
 };
 enum { ROWS = sizeof rows / sizeof rows[0] };
-
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
 
 int main(void) {
   static double time[ROWS][REPEATS];

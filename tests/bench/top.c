@@ -7,6 +7,7 @@
  * rounds. Integrators are given the settings that are best with hindsight: the cheapest whose
  * largest error at ENDS times in the last tenth is below BOUND.
  */
+#include "clock.h"
 #include "hand.h"
 #include "polhode_exact.h"
 #include "tumbling_box.h"
@@ -18,7 +19,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { REPEATS = 21, TIMES = 4032, BATCH = 504, STATES = 7, ENDS = 40 };
 
@@ -29,12 +29,6 @@ static tumbling_box_orbit circular, hyperbolic;
 static tumbling_host_orbit host_circular, host_hyperbolic;
 static double quotients[3], x0[STATES], times[TIMES], out[STATES * BATCH];
 static volatile double sink;
-
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* ---- one evaluation ---- */
 
@@ -120,11 +114,6 @@ static const struct {
     {"solve and at", run_whole},
 };
 enum { ROWS = sizeof rows / sizeof rows[0] };
-
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
 
 /* Median times of all rows, ns. */
 static void measure(double middle[ROWS]) {
