@@ -116,6 +116,9 @@ function context.with(c, e)
   return c
 end
 
+-- The formula of an effect as the scene has it.
+function context.formula(e) return e.spec.said and e.spec.said(e.a) or e.spec.formula end
+
 -- For looking only: constants are not kept.
 function context.dry(m) return context.of(m, false) end
 

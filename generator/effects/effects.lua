@@ -8,6 +8,7 @@
 -- default, about}) for docs/effects.md (docs/tools/effects.lua); and what it does, each optional:
 --     torque(a, c)      about the origin of rotation, body axes, N m
 --     force(a, c)       on the centre of mass, inertial axes (those of the base frame, if one turns), N
+--     said(a)           the formula as these arguments have it; absent: formula
 --     pushes(a)         false where that force is none whatever the motion; absent: it may be any
 --     touches           it constrains the body, whose equations dynamics/contact.lua then has
 --     states(a, given)  states of its own (given: what `initial` gives): a list of {name =, initial = expr, unit =,

@@ -37,6 +37,12 @@ local plane = {
   example = "rolling_coin",
 }
 
+-- The formula of the law that the scene has.
+function plane.said(a)
+  if a.law ~= "sliding" then return a.law == "rolling" and "rolling, V + w x r = U" or "smooth, F = N n" end
+  return a.friction.coulomb and "sliding, F = N (n - mu v/sqrt(v^2 + e^2))" or "sliding, F = N (n - c v)"
+end
+
 -- Does the motion along the plane need states?
 local function placed(a, given)
   if a.law ~= "smooth" or a.impact or given.position or given.velocity then return true end

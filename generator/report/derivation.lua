@@ -1,6 +1,7 @@
 -- derivation.lua -- the scene in words and formulas, for the emitted banner and README.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local context = require "generator.dynamics.context"
 local expr = require "generator.algebra.expr"
 local text = require "generator.algebra.text"
 local vec = require "generator.algebra.vec"
@@ -74,14 +75,15 @@ function derivation.banner(job)
   end
   for _, l in ipairs(named_tensor(m, "plain")) do put(l) end
   local file = string.match(m.file, "[^/]*$")
-  local kinds, lines_of = {}, {}
+  local kinds, lines_of, formulas = {}, {}, {}
   for _, e in ipairs(m.record.effects) do
     if not lines_of[e.spec] then kinds[#kinds + 1], lines_of[e.spec] = e.spec, {} end
+    formulas[e.spec] = formulas[e.spec] or context.formula(e)
     table.insert(lines_of[e.spec], string.format("%d", e.line))
   end
   for _, spec in ipairs(kinds) do
     put(string.format("Effect %s (%s:%s): %s.", string.gsub(spec.name, "^effect%.", ""), file,
-      table.concat(lines_of[spec], ", "), spec.formula))
+      table.concat(lines_of[spec], ", "), formulas[spec]))
   end
   if #m.record.effects == 0 then lines[#lines + 1] = "No effects: torque-free motion about the origin." end
   local names = {}

@@ -1,6 +1,7 @@
 -- facts.lua -- what a page is told of its scene: names, units, limits of sliders, and the formulas.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local context = require "generator.dynamics.context"
 local R = require "generator.algebra.rational"
 local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
@@ -82,7 +83,7 @@ end
 function facts.formulas(scene)
   local m, acts = scene.model, {}
   for i, e in ipairs(m.record.effects) do
-    acts[i] = { name = string.gsub(e.kind, "^effect%.", ""), formula = e.spec.formula or "" }
+    acts[i] = { name = string.gsub(e.kind, "^effect%.", ""), formula = context.formula(e) or "" }
   end
   local own = m.carried == m.inertia and m.locked == m.inertia and not m.structure.rod
   return formulas.html(m.inertia, { plain = own and m.structure.kind ~= "full", acts = acts })
