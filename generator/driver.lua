@@ -45,14 +45,14 @@ local function budget(options)
   local with = options.with or {}
   if options.jacobians or with.jacobians then more = more + 3 end
   if options.q31 or with.q31 or options.compensated or with.compensated then more = more + 3 end
-  return { steps = 64000000 * (1 + more), bytes = (40 << 20) * (1 + more), seconds = 10.0 * (1 + more) }
+  return { turnover = (256 << 20) * (1 + more), bytes = (40 << 20) * (1 + more), seconds = 10.0 * (1 + more) }
 end
 
 -- A body on a plane has a mass matrix and a contact point to differentiate: three times as much.
 local function allowed(job)
   local b, k = job.budget, 1
   for _, e in ipairs(job.record.effects) do k = e.spec.touches and 3 or k end
-  return { steps = b.steps * k, bytes = b.bytes * k, seconds = b.seconds * k, used = b.used }
+  return { turnover = b.turnover * k, bytes = b.bytes * k, seconds = b.seconds * k, used = b.used }
 end
 
 -- f(...), or nil and an error in the diagnostics of a scene or plan.  Hosts of tests have no bounds.
@@ -215,7 +215,7 @@ end
 function driver.plan(scene, options)
   local d, own, before = scene.diag:fork(), budget(options), scene.budget
   if before.bytes >= own.bytes then
-    own = { steps = before.steps, bytes = before.bytes, seconds = before.seconds, used = before.used }
+    own = { turnover = before.turnover, bytes = before.bytes, seconds = before.seconds, used = before.used }
   end
   local plan = plan_of(scene, options, d)
   plan.budget = own

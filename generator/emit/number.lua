@@ -21,19 +21,16 @@ local formats = {
     integers = R.new(1 << 24), smallest_safe = 1e-30 },
 }
 
-local TWO, FIVE = R.new(2), R.new(5)
-
 local function format_of(real)
   return formats[real] or error("number: no real '" .. tostring(real) .. "'", 3)
 end
 
--- Does the decimal expansion of q end?
-local function ends(q)
-  local den = R.den(q)
-  for _, p in ipairs { TWO, FIVE } do
-    while R.isint(den / p) do den = den / p end
-  end
-  return den == R.one
+-- Does the decimal expansion of a fraction end?  den: its denominator, at most 2^53.
+local function ends(den)
+  local n = math.tointeger(R.todouble(den))
+  while n & 1 == 0 do n = n >> 1 end
+  while n % 5 == 0 do n = n // 5 end
+  return n == 1
 end
 
 -- The fewest significant digits of x > 0 that read back: "d.ddd" without its point, and the
@@ -88,7 +85,7 @@ function number.text(q, real)
   end
   local sign = x < 0 and "-" or ""
   local n, d = R.abs(R.num(q)), R.den(q)
-  if d ~= R.one and n <= f.integers and d <= f.integers and not ends(q) then
+  if d ~= R.one and n <= f.integers and d <= f.integers and not ends(d) then
     return sign .. decimal(f.round(n), f) .. "/" .. decimal(f.round(d), f)
   end
   return sign .. decimal(math.abs(x), f)

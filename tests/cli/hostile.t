@@ -2,13 +2,12 @@
 -- hostile.t - scenes that mean harm, each given to `polhode gen` as its user would: nothing comes of any.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- tests/cli/hostile/*.lua is the list.  Each attempt ends within 4 s of processor time (the longest takes 1.8 s alone,
+-- tests/cli/hostile/*.lua is the list.  Each attempt ends within 4 s of processor time (the longest takes 1.6 s alone,
 -- and up to 2.9 s beside other tests) and 72 MiB (wait4 says: 40 that a scene may have, what is not collected yet, the
--- program), by itself; it is refused with
--- status 1 and messages that begin with the scene's name, and no file is made; or it is accepted, and then what was
--- emitted compiles without a warning and no text of the scene is code in it.
--- The bounds count instructions, so a slow machine is given more seconds: as many times 4 s as it needs longer than
--- 0.5 s for the endless loop, which is 5e7 instructions (0.2 to 0.4 s where this was written).
+-- program), by itself; it is refused with status 1 and messages that begin with the scene's name, and no file is made;
+-- or it is accepted, and then what was emitted compiles without a warning and no text of the scene is code in it.
+-- The bounds count work, so a slow machine is given more seconds: as many times 4 s as it needs longer than 0.5 s for
+-- the endless loop, which is 5e7 instructions (0.2 to 0.4 s where this was written).
 -- The quick tier makes every eighth attempt of a list.
 -- POLHODE_HOSTILE=FILE refreshes the table of that page (docs/sandbox.md).
 

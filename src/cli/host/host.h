@@ -32,8 +32,10 @@ void host_push(lua_State *L);
 enum { ACCOUNT_LARGEST = 512, ACCOUNT_GRAIN = 16 }; /* bytes: pooled blocks, their steps */
 struct account {
   size_t used, limit;
-  int asked;                                       /* the last request failed */
-  void (*refused)(void);                           /* a request failed for good */
+  size_t total, mark;    /* of all blocks there were; where `passed` is called */
+  int asked;             /* the last request failed */
+  void (*refused)(void); /* a request failed for good */
+  void (*passed)(void);  /* total >= mark */
   void *free[ACCOUNT_LARGEST / ACCOUNT_GRAIN + 1]; /* lists of blocks by size in grains */
   char *next;                                      /* of the last chunk: what is not cut yet */
   size_t left;
@@ -139,8 +141,10 @@ int host_clock(lua_State *L);
    error as it was raised; source: the file that raised it.  Lua functions in env are replaced by
    visible(f). */
 int host_sandbox(lua_State *L);
-/* bounded(f, {bytes=, steps=, seconds=}, ...) -> true, f's results | false, message: which bound
-   was passed. What f raises for another reason is raised again, a text with its traceback. */
+/* bounded(f, {bytes=, turnover=, seconds=, used=}, ...) -> true, f's results | false, message:
+   which bound was passed.  turnover: bytes in all blocks there ever were, less `used`, which
+   becomes that of this call and those before.  What f raises for another reason is raised again, a
+   text with its traceback. */
 int host_bounded(lua_State *L);
 /* visible(f) -> a C function that calls f.  In `return f(x)` Lua drops the caller's frame before f
    runs, but keeps it for a C function, so that f can still find the line of the scene that called

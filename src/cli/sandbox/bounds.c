@@ -1,14 +1,18 @@
-/* bounds.c - how much memory, how many instructions and how long a scene may take.
+/* bounds.c - how much memory and work a scene may take.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Three bounds:
- *   memory   the allocator refuses beyond a limit above what is in use at the start;
- *   steps    a count hook every PERIOD virtual instructions, the same on every machine, and
- *   seconds  of processor time, so that a busy machine refuses no more than an idle one: a timer,
- *            whose handler arms that hook.
- * Once a bound is passed the hook fires at every instruction and raises each time, so that no
- * protected call on the way can swallow it.  Code stuck inside one C function runs no hook: GRACE
- * seconds later the timer comes again and ends the process with a message.
+ * Four bounds:
+ *   memory    the allocator refuses beyond a limit above what is in use at the start;
+ *   steps     a count hook every PERIOD virtual instructions: for the scene's own run, which may be
+ *             a loop that allocates nothing;
+ *   turnover  bytes allocated in all: for the generator's work on a scene, which allocates 2 to 6
+ *             bytes an instruction, and which a count hook would slow down;
+ *   seconds   of processor time, so that a busy machine refuses no more than an idle one: a timer,
+ *             whose handler arms the hook.
+ * Steps and turnover are the same on every machine.  Once a bound is passed the hook fires at every
+ * instruction and raises each time, so that no protected call on the way can swallow it.  Code
+ * stuck inside one C function runs no hook: GRACE seconds later the timer comes again and ends the
+ * process with a message.
  */
 #include "bounds.h"
 #include "rational/rational.h"
@@ -21,8 +25,10 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-#define PERIOD 1000
-#define GRACE  0.4 /* s */
+#define PERIOD      1000
+#define TURN        ((size_t)1 << 20) /* turnover after which the hook has a look */
+#define INSTRUCTION 4                 /* turnover that takes about as long as one does */
+#define GRACE       0.4               /* s */
 
 /* Below this nobody minds garbage. */
 #define SOFT ((size_t)24 << 20)
@@ -39,6 +45,7 @@ static struct {
   lua_State *L;
   struct bounds b;
   lua_Integer steps_left;
+  size_t begin, end;            /* turnover: the account's total at the start, at the bound */
   size_t soft;                  /* in use: time to collect */
   volatile sig_atomic_t passed; /* enum bound */
   volatile sig_atomic_t active, unwinding;
@@ -54,6 +61,9 @@ void bounds_push(lua_State *L, enum bound which) {
   else if (which == BOUND_STEPS)
     snprintf(text, sizeof text, "%s ran longer than %lld instructions", box.b.what,
              (long long)box.b.steps);
+  else if (which == BOUND_TURNOVER)
+    snprintf(text, sizeof text, "%s makes more than %lld MiB of terms", box.b.what,
+             (long long)(box.b.turnover >> 20));
   else
     snprintf(text, sizeof text, "%s ran longer than %g s", box.b.what, box.b.seconds);
   lua_pushstring(L, text);
@@ -61,13 +71,32 @@ void bounds_push(lua_State *L, enum bound which) {
 
 /* The collector is lazy, for most runs are short; here it must not be. */
 static void tidy(lua_State *L) {
-  const struct account *a = account_of(L);
+  struct account *a = account_of(L);
   if (a->used <= box.soft)
     return;
   box.steps_left -= (lua_Integer)(a->used / 32); /* what it takes to visit all of it */
+  a->total += a->used / 32 * INSTRUCTION;
   lua_gc(L, LUA_GCCOLLECT);
   if (box.soft < 2 * a->used)
     box.soft = 2 * a->used;
+}
+
+/* After PERIOD instructions. */
+static void look_at_steps(lua_State *L) {
+  box.steps_left -= PERIOD;
+  tidy(L);
+  if (box.steps_left <= 0)
+    box.passed = BOUND_STEPS;
+}
+
+/* After a TURN; the hook sleeps till the next. */
+static void look_at_turnover(lua_State *L) {
+  struct account *a = account_of(L);
+  lua_sethook(L, NULL, 0, 0);
+  tidy(L);
+  if (a->total >= box.end)
+    box.passed = BOUND_TURNOVER;
+  a->mark = a->total + TURN < box.end ? a->total + TURN : box.end;
 }
 
 static void hook(lua_State *L, lua_Debug *ar) {
@@ -76,12 +105,13 @@ static void hook(lua_State *L, lua_Debug *ar) {
     return;
   interrupt_check(L);
   if (box.passed == BOUND_NONE) {
-    box.steps_left -= PERIOD;
-    tidy(L);
-    if (box.steps_left > 0)
-      return;
-    box.passed = BOUND_STEPS;
+    if (box.b.steps > 0)
+      look_at_steps(L);
+    else
+      look_at_turnover(L);
   }
+  if (box.passed == BOUND_NONE)
+    return;
   lua_sethook(L, hook, LUA_MASKCOUNT, 1);
   bounds_push(L, box.passed);
   lua_error(L);
@@ -95,12 +125,20 @@ static void refused(void) {
   }
 }
 
+/* The account's total has reached its mark. */
+static void turned(void) {
+  if (box.active && !box.unwinding)
+    lua_sethook(box.L, hook, LUA_MASKCOUNT, 1);
+}
+
 /* Exact arithmetic on huge numbers: few instructions, much work. */
 static void charge(double instructions) {
   if (!box.active || box.unwinding || box.passed != BOUND_NONE)
     return;
-  box.steps_left -= (lua_Integer)fmin(instructions, 1e15);
-  if (box.steps_left <= 0) {
+  const lua_Integer n = (lua_Integer)fmin(instructions, 1e15);
+  box.steps_left -= n;
+  account_of(box.L)->total += (size_t)n * INSTRUCTION; /* seen at the next allocation */
+  if (box.b.steps > 0 && box.steps_left <= 0) {
     box.passed = BOUND_STEPS;
     lua_sethook(box.L, hook, LUA_MASKCOUNT, 1);
   }
@@ -133,20 +171,22 @@ static void set_timer(double seconds) {
 }
 
 static double field(lua_State *L, int index, const char *name, double standard) {
+  if (!lua_istable(L, index))
+    return standard;
   double value = standard;
-  if (lua_istable(L, index)) {
-    if (lua_getfield(L, index, name) != LUA_TNIL)
-      value = luaL_checknumber(L, -1);
-    lua_pop(L, 1);
+  if (lua_getfield(L, index, name) != LUA_TNIL) {
+    value = luaL_checknumber(L, -1);
+    if (!(value > 0 && value < 1e15))
+      luaL_error(L, "limit '%s' out of range", name);
   }
-  if (!(value > 0 && value < 1e15))
-    luaL_error(L, "limit '%s' out of range", name);
+  lua_pop(L, 1);
   return value;
 }
 
 void bounds_read(lua_State *L, int index, struct bounds *b) {
   b->bytes = (lua_Integer)field(L, index, "bytes", (double)b->bytes);
   b->steps = (lua_Integer)field(L, index, "steps", (double)b->steps);
+  b->turnover = (lua_Integer)field(L, index, "turnover", (double)b->turnover);
   b->seconds = field(L, index, "seconds", b->seconds);
 }
 
@@ -169,6 +209,7 @@ void bounds_begin(lua_State *L, const struct bounds *b, const char *last_words) 
   box.b = *b;
   box.b.bytes = (lua_Integer)((double)b->bytes * factor);
   box.b.steps = (lua_Integer)((double)b->steps * factor);
+  box.b.turnover = (lua_Integer)((double)b->turnover * factor);
   box.b.seconds = b->seconds * factor;
   box.steps_left = box.b.steps;
   box.last_words = last_words;
@@ -184,7 +225,14 @@ void bounds_begin(lua_State *L, const struct bounds *b, const char *last_words) 
   if (box.soft > SOFT)
     box.soft = SOFT;
   sigaction(SIGPROF, &action, &box.old_action);
-  lua_sethook(L, hook, LUA_MASKCOUNT, PERIOD);
+  box.begin = account->total;
+  box.end = box.begin + (size_t)box.b.turnover;
+  if (box.b.steps > 0) {
+    lua_sethook(L, hook, LUA_MASKCOUNT, PERIOD);
+  } else {
+    account->mark = box.begin;
+    account->passed = turned;
+  }
   set_timer(box.b.seconds);
 }
 
@@ -193,6 +241,7 @@ void bounds_end(lua_State *L) {
   lua_sethook(L, NULL, 0, 0);
   sigaction(SIGPROF, &box.old_action, NULL);
   account_of(L)->limit = ACCOUNT_LIMIT;
+  account_of(L)->passed = NULL;
   box.active = 0;
   interrupt_check(L);
 }
@@ -238,7 +287,7 @@ static int handler(lua_State *L) {
   return 1;
 }
 
-/* Field "used" of the table at 2: steps of all calls with it. */
+/* Field "used" of the table at 2: turnover of all calls with it. */
 static lua_Integer used(lua_State *L) {
   lua_getfield(L, 2, "used");
   const lua_Integer n = lua_tointeger(L, -1);
@@ -247,7 +296,7 @@ static lua_Integer used(lua_State *L) {
 }
 
 int host_bounded(lua_State *L) {
-  struct bounds b = {(lua_Integer)1 << 29, 1000000000, 100, "the scene's algebra"};
+  struct bounds b = {(lua_Integer)1 << 29, 0, (lua_Integer)1 << 32, 100, "the scene's algebra"};
   luaL_checktype(L, 1, LUA_TFUNCTION);
   luaL_checktype(L, 2, LUA_TTABLE);
   if (box.active)
@@ -260,11 +309,11 @@ int host_bounded(lua_State *L) {
   lua_insert(L, 4);
   const lua_Integer before = used(L);
   bounds_begin(L, &b, "polhode: the scene's algebra does not end\n");
-  box.steps_left -= before;
+  box.end = before < box.b.turnover ? box.end - (size_t)before : box.begin;
   const int status = lua_pcall(L, arguments, LUA_MULTRET, 3);
   const enum bound passed = status == LUA_ERRMEM ? BOUND_MEMORY : bounds_passed();
   bounds_end(L);
-  lua_pushinteger(L, box.b.steps - box.steps_left);
+  lua_pushinteger(L, before + (lua_Integer)(account_of(L)->total - box.begin));
   lua_setfield(L, 2, "used");
   if (passed != BOUND_NONE) {
     lua_settop(L, 0);

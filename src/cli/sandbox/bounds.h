@@ -1,4 +1,4 @@
-/* bounds.h - how much memory, how many instructions and how long a scene may take.
+/* bounds.h - how much memory and work a scene may take.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef POLHODE_BOUNDS_H
@@ -7,15 +7,17 @@
 #include "host/host.h"
 
 struct bounds {
-  lua_Integer bytes; /* above what is in use at the start */
-  lua_Integer steps; /* virtual instructions */
-  double seconds;    /* of processor time */
-  const char *what;  /* "the scene", at the head of messages */
+  lua_Integer bytes;    /* above what is in use at the start */
+  lua_Integer steps;    /* virtual instructions; 0: turnover is the bound instead */
+  lua_Integer turnover; /* bytes in all blocks from then on */
+  double seconds;       /* of processor time */
+  const char *what;     /* "the scene", at the head of messages */
 };
 
-enum bound { BOUND_NONE, BOUND_MEMORY, BOUND_STEPS, BOUND_TIME };
+enum bound { BOUND_NONE, BOUND_MEMORY, BOUND_STEPS, BOUND_TURNOVER, BOUND_TIME };
 
-/* Fields bytes, steps, seconds of the table at `index` (none: what is there already) into *b. */
+/* Fields bytes, steps, turnover, seconds of the table at `index` (none: what is there already) into
+ * *b. */
 void bounds_read(lua_State *L, int index, struct bounds *b);
 
 /* Put the bounds in force, one set at a time; *b and the message last_words, which is written when

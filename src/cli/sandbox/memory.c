@@ -1,10 +1,11 @@
 /* memory.c - Lua's allocator: small blocks from a pool, large ones from malloc; count and limit.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * `used` is the sum of the live blocks' sizes.  A request that would pass the limit returns NULL;
- * Lua then collects garbage, tries once more, and only then raises its memory error.  Freeing and
- * shrinking always succeed, as Lua requires.  Rational numbers keep their limbs in Lua's blocks, so
- * they are counted too.
+ * `used` is the sum of the live blocks' sizes, `total` of all blocks there ever were: the length of
+ * the work, as bounds.c takes it.  A request that would pass the limit returns NULL; Lua then
+ * collects garbage, tries once more, and only then raises its memory error.  Freeing and shrinking
+ * always succeed, as Lua requires.  Rational numbers keep their limbs in Lua's blocks, so they are
+ * counted too.
  *
  * A third of a run went to malloc and free.  The pool: blocks of at most ACCOUNT_LARGEST bytes,
  * rounded up to a multiple of GRAIN, are cut from chunks and go back to the list of their size; Lua
@@ -93,6 +94,12 @@ static int admit(struct account *a, size_t more) {
   return fits;
 }
 
+static void count(struct account *a, size_t more) {
+  a->total += more;
+  if (a->passed != NULL && a->total >= a->mark)
+    a->passed();
+}
+
 void *account_allocate(void *ud, void *block, size_t old_size, size_t new_size) {
   struct account *a = ud;
   const size_t old = block != NULL ? old_size : 0; /* else old_size is a type tag */
@@ -107,8 +114,11 @@ void *account_allocate(void *ud, void *block, size_t old_size, size_t new_size) 
   if (new_size > old && !admit(a, new_size - old))
     return NULL;
   void *fresh = move(a, block, old, new_size);
-  if (fresh != NULL)
-    a->used += new_size - old; /* modulo 2^n when it shrinks */
+  if (fresh == NULL)
+    return NULL;
+  a->used += new_size - old; /* modulo 2^n when it shrinks */
+  if (new_size > old)
+    count(a, new_size - old);
   return fresh;
 }
 

@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* Honest scenes run for some milliseconds. */
-static const struct bounds usual = {(lua_Integer)24 << 20, 50000000, 1.0, "the scene"};
+static const struct bounds usual = {(lua_Integer)24 << 20, 50000000, 0, 1.0, "the scene"};
 
 /* The scene that runs. */
 static struct {
@@ -91,7 +91,7 @@ static void describe(lua_State *L, int index, const char *kind) {
 }
 
 /* By enum bound. */
-static const char *const kinds[] = {"runtime", "memory", "steps", "time"};
+static const char *const kinds[] = {"runtime", "memory", "steps", "turnover", "time"};
 
 /* Message handler: the error's value -> its table. Nothing of the scene runs any more from here on.
  */

@@ -3,7 +3,7 @@
 --
 -- Rows as in words.lua; each scene is short and what follows from it is not.
 
-local long = "instructions"
+local steps, long = "the scene ran longer than 50000000 instructions", "MiB of terms"
 local LUMP = "local b = solid.box { x = 1, y = 1, z = 1, mass = 1 } local s = b "
 local WITH = "return scene { name = 's', body = solid.box { x = 1, y = 2, z = 3, mass = 1 }, effects = "
 
@@ -22,12 +22,12 @@ return {
   { "a literal of a million digits", "return " .. ("9"):rep(1000000), "the script must" },
   { "a hexadecimal literal of as many", "return 0x" .. ("f"):rep(1000000), "the script must" },
   { "products of large numbers", "local x = exact '3' ^ 64 x = x ^ 64 x = x ^ 20 while true do local y = x * (x " ..
-    "+ 1) end", long },
+    "+ 1) end", steps },
   { "many large numbers", "local x, t = exact '3' ^ 64, {} x = x ^ 64 x = x ^ 20 for i = 1, 1e9 do t[i] = x + i " ..
     "end", "ran longer" },
   { "the sine of a huge number", "local a = 2 + sin(exact '1e250000') return scene { name = 's', body = " ..
     "solid.box { x = a, y = 1, z = 1, " ..
-    "mass = 1 } }", long },
+    "mass = 1 } }", steps },
   { "towers of exponentials", "return scene { name = 's', body = solid.box { x = exp(exp(exp(exp(2)))), y = 1, z " ..
     "= 1, mass = 1 } }",
     "must be a real number" },
@@ -38,7 +38,7 @@ return {
     "+ b) + a end " ..
     "return scene { name = 's', body = solid.box { x = x, y = 1, z = 1, mass = 1 } }", "" },
   { "a sum of 300 parameters", "local s = 0 for i = 1, 300 do s = s + param('p' .. i, 1, 'm') end " ..
-    "return scene { name = 's', body = solid.box { x = s, y = 1, z = 1, mass = 1 } }", "ran longer" },
+    "return scene { name = 's', body = solid.box { x = s, y = 1, z = 1, mass = 1 } }", "the scene" },
   { "functions of functions", "local x = t for i = 1, 60 do x = sin(x) * cos(x) + x end " .. WITH ..
     "{ effect.torque { body = { x, 0, 0 } } } }", long },
   { "a hundred thousand functions", "local x = t for i = 1, 100000 do x = sin(x) end BOX", "" },
