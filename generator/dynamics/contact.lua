@@ -118,7 +118,9 @@ local function geometry(m, e, c, groups)
   k.bend = vec.cross(c.w, k.place)
   local G = vec.map(a.gravity, function(x, i) return c.constant("g" .. letters[i], x, "gravity, m/s^2") end)
   k.G = name("G", vec.matvec(k.back, G))
-  k.E1, k.E2 = vec.matvec(k.back, k.e1), vec.matvec(k.back, k.e2)
+  k.weight = c.constant("weight", ratio.tidy(vec.dot(a.gravity, a.normal)), "gravity along the normal, m/s^2")
+  k.x1, k.x2 = e.spec.reach(k)
+  k.v1, k.v2 = e.spec.drift(k, c.w)
   groups[#groups + 1] = g
   return k, G
 end
@@ -127,23 +129,40 @@ end
 local function table_of(a, c, k)
   if a.rate == zero then return { zero, zero, zero }, zero, zero end
   local rate = k.rate
-  local p1, p2 = c.own.p1 + vec.dot(k.E1, k.r), c.own.p2 + vec.dot(k.E2, k.r)
+  local p1, p2 = c.own.p1 + k.x1, c.own.p2 + k.x2
   local u1, u2 = -rate * p2, rate * p1
   return vec.add(vec.scale(u1, k.E1), vec.scale(u2, k.E2)), u1, u2, rate
 end
 
--- A sphere about the centre of mass, in principal axes.
-local function centred(m, k)
-  for i = 1, 3 do
-    if k.far[i] ~= zero or m.carried[3 + i] ~= zero then return false end
+-- factor (g x G + Omega X') of a sphere about the centre of mass, whose velocity X' = U + r' has the components
+-- p1', p2' and none along g:  r x f with the factor R, and  g x G = -(G.e2) e1 + (G.e1) e2.
+local function driven(a, c, k, name, rates, factor, of)
+  local rate = c.constant("rolling_Omega", ratio.tidy(factor * a.rate), "rate of the plane times " .. of)
+  local function pull(i, e)
+    return c.constant("rolling_g" .. i, ratio.tidy(factor * vec.dot(a.gravity, e)), "gravity along e" .. i ..
+      " times " .. of)
   end
-  return true
+  local x1 = name("roll1", { rate * rates.p1 - pull(2, a.e2) })[1]
+  local x2 = name("roll2", { rate * rates.p2 + pull(1, a.e1) })[1]
+  return vec.add(vec.scale(x1, k.E1), vec.scale(x2, k.E2))
+end
+
+-- What is left of (g x G + Omega X'), as text; nil: nothing is.
+local function driving(a)
+  local turns = not ratio.iszero(a.rate)
+  local tilted = not (ratio.iszero(vec.dot(a.gravity, a.e1)) and ratio.iszero(vec.dot(a.gravity, a.e2)))
+  if tilted and turns then return "(g x G + Omega X')" end
+  return tilted and "g x G" or turns and "Omega X'" or nil
+end
+
+local function isotropic(I)
+  return I[1] == I[2] and I[2] == I[3] and I[4] == zero and I[5] == zero and I[6] == zero
 end
 
 -- w' of such a body: with D = I/m + R^2 the matrix is D - R^2 g g^T, whose inverse is (Sherman, Morrison 1950)
 --     D^-1 + R^2 (D^-1 g) (D^-1 g)^T / den,   den = 1 - R^2 g.D^-1 g = sum g_i^2 (I_i/m)/D_i
--- A ball has den = (I/m)/D, and where no other torque acts g.n = 0: what is left is n/D.
-local function round(m, e, c, k, name, n, free)
+-- A ball has den = (I/m)/D, and where no other torque acts g.n = 0: what is left is n/D, as `ball` has it.
+local function round(m, e, c, k, name, n)
   local R2, I = e.a.surface.rim ^ 2, m.carried
   local function constant(i, prefix, x, about)
     return c.constant(prefix .. letters[i], ratio.tidy(x), about .. " about " .. letters[i])
@@ -155,7 +174,6 @@ local function round(m, e, c, k, name, n, free)
     share[i] = constant(i, "share", I[i] / m.mass / D, "moment over that about the contact point,")
   end
   local ball = I[1] == I[2] and I[2] == I[3]
-  if ball and free[1] and free[2] and free[3] then return vec.map(n, function(x) return over[1] * x end) end
   local y = name("n", vec.map(n, function(x, i) return over[i] * x end))
   local radius = c.constant("rim2", ratio.tidy(R2), "radius squared, m^2")
   local den = ball and share[1] or vec.dot(share, vec.map(k.up, function(x) return x ^ 2 end))
@@ -196,57 +214,81 @@ end
 -- nu b is added to w0', with nu = N/m; outs and nu.
 local function supported(k, name, w0, b)
   local s = name("side_", vec.cross(k.far, k.up))
-  local nu = name("push", { (-vec.dot(k.up, k.G) - vec.dot(k.up, k.bend) - vec.dot(w0, s)) /
+  local nu = name("push", { (-k.weight - vec.dot(k.up, k.bend) - vec.dot(w0, s)) /
     (1 + vec.dot(b, s)) })[1]
   return vec.map(w0, function(x, i) return x + nu * b[i] end), nu
 end
 
+-- (I/m w) x w + N/m + r x f, and what f is, as text.  moving: {u, rates = of the centre, rate = of the plane or nil}.
+local function couple(m, a, c, I, k, name, N, moving)
+  local n = vec.scale(c.constant("over_m", expr.one / m.mass, "1/mass, 1/kg"), N)
+  if not isotropic(m.carried) then
+    n = vec.add(n, vec.cross(name("Lm", vec.apply(I, c.w)), c.w)) -- Lx .. may be those of a torque that takes L
+  end
+  if k.centred then
+    local of = driving(a)
+    return vec.add(n, driven(a, c, k, name, moving.rates, a.surface.rim, "R")), "r x f = " .. (of and "R " .. of or "0")
+  end
+  local f, said = vec.scale(-expr.one, vec.add(k.G, k.bend)), "f = -G - w x k"
+  if moving.rate then
+    local P = vec.add(moving.u, vec.sub(k.place, k.turning)) -- u + r'
+    f, said = vec.add(f, vec.scale(moving.rate, vec.cross(k.up, P))), said .. " + Omega g x (U + r')"
+  end
+  return vec.add(n, vec.cross(k.r, name("drive_", f))), said
+end
+
+-- solved(n) -> w', how it is done (nil: by elimination).
+local function solver(m, e, c, I, k, name)
+  if k.centred and I[4] == zero and I[5] == zero and I[6] == zero then
+    return function(n) return round(m, e, c, k, name, vec.map(n, ratio.tidy)) end, "inverted by its diagonal and g g^T"
+  end
+  local r, S = k.r, nil
+  return function(n)
+    S = S or name("S", vec.add(I, { r[2] ^ 2 + r[3] ^ 2, r[1] ^ 2 + r[3] ^ 2, r[1] ^ 2 + r[2] ^ 2, -r[1] * r[2],
+      -r[1] * r[3], -r[2] * r[3] }))
+    return vec.solve(S, name("n", n), function(prefix, x) return name(prefix, { x })[1] end)
+  end
+end
+
+-- w' of a ball with equal moments on which nothing else acts: r x f is along the plane, and so is w'; and its
+-- law as text.
+local function ball(m, a, c, k, name, rates)
+  local factor, of = a.surface.rim / (m.carried[1] / m.mass + a.surface.rim ^ 2), driving(a)
+  return driven(a, c, k, name, rates, factor, "R/(I/m + R^2)"),
+    "Newton and Euler of a ball that rolls: w' = " .. (of and "R/(I/m + R^2) " .. of or "0")
+end
+
 local function rolling(m, e, c, N, groups)
-  local k = geometry(m, e, c, groups)
-  local a, w = e.a, c.w
+  local k, a = geometry(m, e, c, groups), e.a
   local u, u1, u2, rate = table_of(a, c, k)
+  local rates = { p1 = u1 - k.v1, p2 = u2 - k.v2 }
   local I = vec.map(m.carried, function(x, n)
     return c.constant("I" .. vec.entry[n] .. "_m", ratio.tidy(x / m.mass), "tensor entry " .. vec.entry[n] ..
       " per mass, m^2")
   end)
-  local g = { why = "Newton and Euler, rolling: (I/m + r.r 1 - r r^T) w' = (I w/m) x w + N/m + r x f, " ..
-    "f = -G - w x k" .. (rate and " + Omega g x (U + r')" or ""), defs = {} }
+  local g = { defs = {} }
   local name = contact.namer(m, g, c.taken)
-  local f = vec.scale(-expr.one, vec.add(k.G, k.bend))
-  if rate then
-    local P = vec.add(u, vec.sub(k.place, k.turning)) -- u + r'
-    f = vec.add(f, vec.scale(rate, vec.cross(k.up, P)))
-  end
-  f = name("drive_", f)
-  local r = k.r
-  local S = vec.add(I, { r[2] ^ 2 + r[3] ^ 2, r[1] ^ 2 + r[3] ^ 2, r[1] ^ 2 + r[2] ^ 2, -r[1] * r[2], -r[1] * r[3],
-    -r[2] * r[3] })
-  local over = c.constant("over_m", expr.one / m.mass, "1/mass, 1/kg")
-  local L = name("Lm", vec.apply(I, w)) -- Lx .. may be those of a torque that takes L
-  local n = vec.add(vec.cross(L, w), vec.add(vec.scale(over, N), vec.cross(r, f)))
-  local solved
-  if centred(m, k) then
-    g.why = g.why .. ", inverted by its diagonal and g g^T"
-    function solved(v, free) return round(m, e, c, k, name, vec.map(v, ratio.tidy), free) end
+  local solved, how = solver(m, e, c, I, k, name)
+  if k.centred and isotropic(m.carried) and N[1] == zero and N[2] == zero and N[3] == zero then
+    g.outs, g.why = ball(m, a, c, k, name, rates)
   else
-    S = name("S", S)
-    function solved(v) return vec.solve(S, name("n", v), function(prefix, x) return name(prefix, { x })[1] end) end
+    local n, said = couple(m, a, c, I, k, name, N, { u = u, rates = rates, rate = rate })
+    g.why = "Newton and Euler, rolling: (I/m + r.r 1 - r r^T) w' = (I w/m) x w + N/m + r x f, " .. said ..
+      (how and ", " .. how or "")
+    g.outs = solved(n)
   end
-  g.outs = solved(n, vec.map(N, function(x) return x == zero end))
   local T, nu = resisting(a, c, k, name), nil
   if T then
     g.why = g.why .. "; N T against spinning and rolling by the solution b for T: w' = w0' + N/m b"
-    g.outs, nu = supported(k, name, name("free_", g.outs), name("yield_", solved(T, {})))
+    g.outs, nu = supported(k, name, name("free_", g.outs), name("yield_", solved(T)))
   end
   groups[#groups + 1] = g
-  local function coordinates()
-    return { p1 = u1 - vec.dot(k.E1, k.turning), p2 = u2 - vec.dot(k.E2, k.turning) }
-  end
   -- N/m = g.(A - G), A = Omega g x (..) - w' x r - w x k
   local function reaction(dw)
-    return nu or -vec.dot(k.up, vec.cross(dw, r)) - vec.dot(k.up, k.bend) - vec.dot(k.up, k.G)
+    if nu or k.centred then return nu or -k.weight end
+    return -vec.dot(k.up, vec.cross(dw, k.r)) - vec.dot(k.up, k.bend) - k.weight
   end
-  return g, { coordinates = coordinates, reaction = reaction, k = k, c = c, a = a }
+  return g, { coordinates = function() return rates end, reaction = reaction, k = k, c = c, a = a }
 end
 
 -- m I^-1 v, constants for what is divided by.
@@ -277,9 +319,8 @@ local function touching(m, e, c, free, groups)
   local h, v1, v2, share = k.up, nil, nil, zero
   if a.friction then
     local _, u1, u2 = table_of(a, c, k)
-    local slip = name("slip_", { c.own.v1 + vec.dot(k.E1, k.turning) - u1 })
-    v1 = slip[1]
-    v2 = name("slide_", { c.own.v2 + vec.dot(k.E2, k.turning) - u2 })[1]
+    v1 = name("slip_", { c.own.v1 + k.v1 - u1 })[1]
+    v2 = name("slide_", { c.own.v2 + k.v2 - u2 })[1]
     share = name("share", { share_of(c, a.friction, { "viscous", "mu", "smooth" }, { "viscous friction, s/m",
       "coefficient of friction", "smoothing speed squared, m^2/s^2" }, v1 ^ 2 + v2 ^ 2) })[1]
     h = name("press_", vec.sub(k.up, vec.scale(share, vec.add(vec.scale(v1, k.E1), vec.scale(v2, k.E2)))))

@@ -84,7 +84,9 @@ function plane.contact(a, c, name)
     e1 = constants(c, "along", a.e1, "e1 of the plane,", ""),
     e2 = constants(c, "beside", a.e2, "e2 of the plane,", "") }
   k.rate = c.constant("Omega_plane", a.rate, "rate of the plane, rad/s")
-  return plane.place(a, c, k, name)
+  plane.place(a, c, k, name)
+  k.E1, k.E2 = vec.matvec(k.back, k.e1), vec.matvec(k.back, k.e2)
+  return k
 end
 
 -- Adds to {n} what is at the lowest point: up, the normal in body axes; far, from the centre of mass to the centre of
@@ -99,24 +101,37 @@ function plane.place(a, c, k, name)
   local far = centre -- c - y
   k.y, k.slope = surface.point(s, c, k.up, name)
   if k.y then far = name("far_", vec.sub(centre, k.y)) end
-  k.far = far
+  k.far, k.rim = far, rim
   k.r = name("arm_", vec.sub(far, vec.scale(rim, k.up)))
+  k.centred = far[1] == expr.zero and far[2] == expr.zero and far[3] == expr.zero
   return k
+end
+
+-- Components along e1 and e2 of r, and of w x r.  r = -rim g of a sphere about the centre of mass has none, and
+-- e1.(w x g) = w.(g x e1) = w.e2, e2.(w x g) = -w.e1.
+function plane.reach(k)
+  if k.centred then return expr.zero, expr.zero end
+  return vec.dot(k.E1, k.r), vec.dot(k.E2, k.r)
+end
+
+function plane.drift(k, w)
+  if k.centred then return -k.rim * vec.dot(w, k.E2), k.rim * vec.dot(w, k.E1) end
+  local turning = k.turning or vec.cross(w, k.r)
+  return vec.dot(k.E1, turning), vec.dot(k.E2, turning)
 end
 
 local function bare(_, v) return v end
 
 -- Rates of the contact's coordinates: components of the velocity along e1, e2 and n, in space.
 function plane.velocity(a, c, k)
-  local turning = vec.cross(c.w, k.r)
-  local E1, E2 = vec.matvec(k.back, k.e1), vec.matvec(k.back, k.e2)
-  local rise = -vec.dot(k.up, turning)
+  local rise = k.centred and expr.zero or -vec.dot(k.up, vec.cross(c.w, k.r))
   if a.law ~= "rolling" then
     if not c.own.v1 then return expr.zero, expr.zero, rise end
     return c.own.v1, c.own.v2, rise
   end
-  return -vec.dot(E1, turning) - k.rate * (c.own.p2 + vec.dot(E2, k.r)),
-    -vec.dot(E2, turning) + k.rate * (c.own.p1 + vec.dot(E1, k.r)), rise
+  local x1, x2 = plane.reach(k)
+  local v1, v2 = plane.drift(k, c.w)
+  return -v1 - k.rate * (c.own.p2 + x2), -v2 + k.rate * (c.own.p1 + x1), rise
 end
 
 function plane.kinetic(a, c)
@@ -129,7 +144,7 @@ function plane.potential(a, c)
   local g = vec.map(a.gravity, function(x, i)
     return c.constant("g" .. string.sub("xyz", i, i), x, "gravity, m/s^2")
   end)
-  local height = -vec.dot(k.up, k.r)
+  local height = k.centred and k.rim or -vec.dot(k.up, k.r)
   local at = vec.scale(height, k.n)
   if c.own.p1 then at = vec.add(at, vec.add(vec.scale(c.own.p1, k.e1), vec.scale(c.own.p2, k.e2))) end
   return -c.M * vec.dot(g, at)
