@@ -60,7 +60,8 @@ end
 for _, case in ipairs { { "turntable_ball", ball }, { "rattleback", rattleback } } do
   local sum, row = emitted(case[1])
   local hand = by_hand(case[2])
-  tap.ok(sum > 0.5 * hand and sum <= 1.05 * hand, string.format("%s: %d operations, %d by hand", case[1], sum, hand), row)
+  local said = string.format("%s: %d operations, %d by hand", case[1], sum, hand)
+  tap.ok(sum > 0.5 * hand and sum <= 1.05 * hand, said, row)
 end
 
 tap.done(program.finish())
