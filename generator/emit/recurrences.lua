@@ -68,18 +68,19 @@ local function outside(ctx, program)
   return list
 end
 
--- The next terms of the states, and of the sums of states: the group's results in y.
-local function advance(program, key, by, map, group)
+-- The next terms of the states, and of the sums of states: the group's results in y.  prefix: of their names, not the
+-- same before the loop and in it, since a name before it may stand above both.
+local function advance(program, key, prefix, by, map, group)
   local following = {}
   for _, x in ipairs(program.variables) do
     if x.state and x.place then
       local e = calculus.substitute(program.slopes[x.name][key], map) * by
-      following[x.sym] = symbol("next_" .. x.name)
-      group.defs[#group.defs + 1] = { name = "next_" .. x.name, expr = e }
+      following[x.sym] = symbol(prefix .. x.name)
+      group.defs[#group.defs + 1] = { name = prefix .. x.name, expr = e }
       put(x, following[x.sym], group.outs)
     elseif x.level == 0 and x.place then
-      following[x.sym] = symbol("next_" .. x.name)
-      group.defs[#group.defs + 1] = { name = "next_" .. x.name, expr = calculus.substitute(x.term, following) }
+      following[x.sym] = symbol(prefix .. x.name)
+      group.defs[#group.defs + 1] = { name = prefix .. x.name, expr = calculus.substitute(x.term, following) }
       put(x, following[x.sym], group.outs)
     end
   end
@@ -105,7 +106,7 @@ local function start(ctx, program, names, needed)
     end
     put(x, zeroth(x), g.outs)
   end
-  advance(program, "start", expr.one, map, h)
+  advance(program, "start", "first_", expr.one, map, h)
   local alone = rendered(ctx, inputs, { g }, "s") -- temporaries apart from those of the loop
   return rendered(ctx, inputs, { g, h }, "s"), alone
 end
@@ -143,7 +144,7 @@ local function general(ctx, program, names, needed)
       table.insert(groups[1].defs, sums, { name = x.name, expr = x.term })
     end
   end
-  advance(program, "term", symbol "after", {}, last)
+  advance(program, "term", "next_", symbol "after", {}, last)
   return rendered(ctx, inputs, groups)
 end
 
