@@ -75,7 +75,7 @@ function ops.of(job, candidate, options)
   local name, method = job.model.name, candidate.method
   if method == "exact" then
     local u = read(job, options)
-    local at = tally.has(u, name .. "_at") and "_at" or "_at_rates"
+    local at = "_at" .. (job.closed.full and "" or job.closed.centre and "_centre" or "_rates")
     if not tally.has(u, name .. at) then return nil, "the scene has no closed form" end
     return { step = counts(tally.run(u, name .. at)), setup = counts(tally.run(u, name .. "_solve")) }
   end

@@ -29,11 +29,11 @@ end
 
 -- By the form's kind.
 local TEXTS = {
-  sphere = of("closed.h state.h spin_periods.h", "circle.c count.c quaternion.c closed.c"),
-  symmetric = of("closed.h state.h spin_periods.h", "circle.c count.c numeric/quotient.c quaternion.c closed.c"),
+  sphere = of("closed.h state.h spin_periods.h", "circle.c count.c quaternion.c uniform.c closed.c"),
+  symmetric = of("closed.h state.h spin_periods.h", "circle.c count.c numeric/quotient.c quaternion.c uniform.c closed.c"),
   asymmetric = of("top.h state.h top_periods.h", "circle.c numeric/double.c theta_at.c top.c polynomial.c " ..
     "circular.c hyperbolic.c quaternion.c setup.c many.c count.c tick.c query.c"),
-  gyrostat = of("closed.h state.h spin_periods.h", "circle.c count.c numeric/quotient.c quaternion.c closed.c"),
+  gyrostat = of("closed.h state.h spin_periods.h", "circle.c count.c numeric/quotient.c quaternion.c uniform.c closed.c"),
   axial = of("axial.h", "circle.c numeric/quotient.c clock.c axial.c"),
   lagrange = of("lagrange.h state.h nutation.h", "circle.c numeric/double.c numeric/integral.c numeric/wide.c " ..
     "quaternion.c polynomial.c phase.c frame.c phases.c lagrange.c lagrange_theta.c lagrange_at.c states.c " ..
@@ -42,6 +42,9 @@ local TEXTS = {
     "numeric/integral.c numeric/wide.c quaternion.c polynomial.c phase.c frame.c phases.c gyrostat.c " ..
     "gyrostat_at.c gyrostat_theta.c states.c gyrostat_solve.c count.c lagrange_tick.c"),
   point = of("point.h", "point.c"),
+  ["rolling ball"] = of("ball.h", "circle.c quaternion.c uniform.c ball.c"),
+  ["centre of a rolling ball"] = of("centre.h", "circle.c quaternion.c uniform.c centre.c"),
+  ["centre of a sliding ball"] = of("slide.h", "circle.c quaternion.c uniform.c slide.c"),
 }
 
 -- The largest error that the search has found, and in how many states (docs/hunt.md).
@@ -182,6 +185,7 @@ function closed.render(job, base, ctx)
   local form, real = job.closed, ctx.real
   if not form.kind then return nil end
   local v = { theorem = form.theorem, closed_text = form.text, single = real == "float", has_full = form.full or false,
+    has_centre = form.centre or false, rolls = false,
     pair_top = analysis.pair_top[real], symmetric = false, rod = false, rotor = false, damped = false, axial = false,
     lagrange = false }
   literals(real, v)

@@ -13,6 +13,7 @@ function plugins.files(job, made, asked)
   local peers = type(asked) == "table" and asked.peers and job.real == "double" or false
   local v = { has_peers = peers, orders = {}, steppers = made.parts.stepper.list, has_rates = job.model.has.rates,
     has_integral = job.conserved.rate ~= nil, has_closed = job.closed.kind ~= nil, has_full = job.closed.full or false,
+    has_centre = job.closed.centre or false, has_speed = job.closed.slides or false,
     has_contact = job.equations.touch and true or false }
   for i, n in ipairs(job.orders or {}) do v.orders[i] = string.format("%d", n) end
   local render, list = GROUP(job.templates, made.base, v), {}

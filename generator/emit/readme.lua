@@ -66,6 +66,14 @@ local function example(made, header_only, horizon)
       v.step_text)
   end
   local at = offers.at and "at" or offers.at_rates and "at_rates"
+  if offers.solve and offers.at_centre then
+    put("")
+    put("%sorbit o;", p)
+    put("%sreal p[2], v[2], W[3];", p)
+    put("%ssolve(&o, &m, x);", p)
+    put("%sat_centre(&o, %s, p, v, W);  /* the centre of mass and the spin at %s s, in one evaluation */", p,
+      v.horizon_literal, horizon)
+  end
   if offers.solve and at then
     put("")
     put("%sorbit o;", p)

@@ -27,7 +27,8 @@ end
 function tested.render(job, made)
   local p, v = made.parts, vectors.of(job, made)
   local planned = p.stepper.planned
-  v.bits, v.headers, v.has_full = string.format("%d", selftest.bits), made.names.public, job.closed.full or false
+  v.bits, v.headers = string.format("%d", selftest.bits), made.names.public
+  v.has_full, v.has_centre = job.closed.full or false, job.closed.centre or false
   v.has_integral, v.ranges, v.planned = job.conserved.rate ~= nil, p.guard and p.guard.rows, planned ~= nil
   if planned then v.plan_want, v.plan_tolerance = planned.want, planned.tolerance end
   local render = GROUP(job.templates, made.base, v)

@@ -25,7 +25,7 @@ local function refusal(scene, name)
   if name == "exact" then
     local form = scene.closed
     return not form.kind and "no closed form: " .. form.refused or
-      not form.full and "the closed form gives the rates only" or nil
+      form.part and "the closed form " .. form.part or nil
   end
   local m = methods.by_name[name]
   local unfit = methods.refused(scene.model, m)

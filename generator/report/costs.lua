@@ -23,7 +23,7 @@ function costs.rows(job, set_up)
   end
   for i = 1, job.compensated and #names or 0 do names[#names + 1] = names[i] .. "_compensated" end
   if set_up then names[#names + 1] = "solve" end
-  for _, name in ipairs { "at", "at_rates", "at_attitude", "at_tick" } do names[#names + 1] = name end
+  for _, name in ipairs { "at", "at_rates", "at_centre", "at_attitude", "at_tick" } do names[#names + 1] = name end
   for _, name in ipairs(names) do
     local counts = ops.call(job, name)
     if counts then

@@ -46,6 +46,11 @@ static int ${name}_starts(const ${name}_orbit *o)
 
   ${name}_at(o, ${zero}, x);
   return ${name}_numbers(x, ${upper}_NX);
+%% elseif has_centre then
+  ${name}_real p[2], v[2], W[3];
+
+  ${name}_at_centre(o, ${zero}, p, v, W);
+  return ${name}_numbers(p, 2) && ${name}_numbers(v, 2) && ${name}_numbers(W, 3);
 %% else
   ${name}_real w[3];
 

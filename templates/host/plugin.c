@@ -186,6 +186,14 @@ static void plugin_at(const void *o, double t, double *x)
   real y[${upper}_NX];
 
   ${name}_at((const ${name}_orbit *)o, (real)t, y);
+%% elseif has_centre then
+  real y[${upper}_NX] = {0}, v[2], W[3]; /* the closed form gives the centre of mass, and no attitude */
+
+  ${name}_at_centre((const ${name}_orbit *)o, (real)t, y + ${upper}_P1, v, W);
+%%   if has_speed then
+  y[${upper}_V1] = v[0];
+  y[${upper}_V2] = v[1];
+%%   end
 %% else
   real y[${upper}_NX] = {0}; /* the closed form gives the rates only */
 
@@ -217,6 +225,12 @@ static void plugin_at_loop(const void *o, double t0, double h, double *x, long n
 
 %% if has_full then
   for (i = 0; i < n; i++) ${name}_at((const ${name}_orbit *)o, start + (real)i*size, y);
+%% elseif has_centre then
+  for (i = 0; i < n; i++) {
+    real v[2], W[3];
+
+    ${name}_at_centre((const ${name}_orbit *)o, start + (real)i*size, y + ${upper}_P1, v, W);
+  }
 %% else
   for (i = 0; i < n; i++) ${name}_at_rates((const ${name}_orbit *)o, start + (real)i*size, y + ${upper}_WX);
 %% end

@@ -1,58 +1,6 @@
 %% -- closed.c -- the closed form of the free sphere and symmetric top: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- closed form: ${theorem} ---- */
 
-/* rate t less whole turns; twice, for t so large that the first nearest number is not the nearest integer */
-${upper}_INLINE ${name}_real ${name}_phase(const ${name}_orbit *o, const ${name}_real rate[4], ${name}_real at)
-{
-  const ${name}_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
-  const ${name}_real c = ${split}*t, head = c - (c - t);
-  const ${name}_pair p = ${name}_passed(rate, t, head, t - head);
-  const ${name}_real turns = (p.hi - ${name}_nearest(p.hi)) + p.lo;
-
-  return turns - ${name}_nearest(turns);
-}
-
-/* half the angle of a rate in rad/s, in turns per second; the high part also in halves, see ${name}_passed */
-static void ${name}_half_turns(${name}_pair rate, ${name}_real out[4])
-{
-  const ${name}_pair inverse = {${quarter_inverse_pi_high}, ${quarter_inverse_pi_low}};
-  const ${name}_pair turns = ${name}_mul(rate, inverse);
-  const ${name}_real c = ${split}*turns.hi;
-
-  out[0] = turns.hi;
-  out[1] = turns.lo;
-  out[2] = c - (c - turns.hi);
-  out[3] = turns.hi - out[2];
-}
-
-/* v = s u with |u| = 1, s >= 0; u = 0 if v = 0.  Scaled by a power of two, so nothing over- or underflows.
- * The length comes as a pair. */
-static ${name}_pair ${name}_unit_vector(const ${name}_pair v[3], ${name}_real u[3])
-{
-  ${name}_real big = ${fabs}(v[0].hi), root;
-  ${name}_pair n, square = ${name}_pair_of(${zero});
-  int i, e;
-
-  if (${fabs}(v[1].hi) > big) big = ${fabs}(v[1].hi);
-  if (${fabs}(v[2].hi) > big) big = ${fabs}(v[2].hi);
-  u[0] = u[1] = u[2] = ${zero};
-  if (big == ${zero}) return square;
-  (void)${frexp}(big, &e);
-  for (i = 0; i < 3; i++) {
-    n.hi = ${ldexp}(v[i].hi, -e);
-    n.lo = ${ldexp}(v[i].lo, -e);
-    u[i] = n.hi;
-    square = ${name}_add(square, ${name}_mul(n, n));
-  }
-  root = ${sqrt}(square.hi);
-  for (i = 0; i < 3; i++) u[i] /= root;
-  n = ${name}_pair_product(root, root); /* one Newton step: sqrt(s) = r + (s - r^2)/(2 r) */
-  n = ${name}_pair_sum(root, ((square.hi - n.hi) - n.lo + square.lo)/(${two}*root));
-  n.hi = ${ldexp}(n.hi, e);
-  n.lo = ${ldexp}(n.lo, e);
-  return n;
-}
-
 int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[])
 {
   const ${name}_real *w = x0 + ${upper}_WX;
@@ -62,8 +10,8 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   const ${name}_real ku = ${sqrt}(k2);
   ${name}_pair s, excess, along;
 %% end
-  ${name}_pair v[3], q[3], length;
-  ${name}_real u[3], left[4], right[4], fastest;
+  ${name}_pair v[3], length;
+  ${name}_real u[3], left[4], fastest;
   ${name}_orbit p;
   int i;
 
@@ -98,15 +46,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_half_turns(length, p.about);
   p.mean = length.hi;
 
-  /* q0, normalised as a vector of four: first the vector part, then with the scalar */
-  for (i = 0; i < 3; i++) q[i] = ${name}_pair_of(x0[${upper}_QX + i]);
-  length = ${name}_unit_vector(q, right);
-  q[0] = ${name}_pair_of(x0[${upper}_QW]);
-  q[1] = length;
-  q[2] = ${name}_pair_of(${zero});
-  if (${name}_unit_vector(q, left).hi == ${zero}) return 1;
-  p.q[0][0] = left[0];
-  for (i = 0; i < 3; i++) p.q[0][i + 1] = left[1]*right[i];
+  if (${name}_unit_quaternion(x0 + ${upper}_QW, p.q[0])) return 1;
 
   /* turning about L on the left is turning about its body direction on the right of q0 */
   left[0] = ${zero};
@@ -117,10 +57,9 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   length = ${name}_pair_sum(ku, ((k2 - length.hi) - length.lo)/(${two}*ku));
   length = ${name}_mul(along, length);
   ${name}_half_turns(${name}_minus(length), p.spin);
-  right[0] = ${zero};
-  for (i = 0; i < 3; i++) right[i + 1] = k[i]/ku;
-  ${name}_quaternion_product(p.q[0], right, p.q[2]);
-  ${name}_quaternion_product(p.q[1], right, p.q[3]);
+  for (i = 0; i < 3; i++) left[i + 1] = k[i]/ku;
+  ${name}_quaternion_product(p.q[0], left, p.q[2]);
+  ${name}_quaternion_product(p.q[1], left, p.q[3]);
 
   /* w along and across k; k x across, turned backwards, is where w goes next */
   for (i = 0; i < 3; i++) {

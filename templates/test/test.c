@@ -363,6 +363,12 @@ int main(void)
   report(${name}_solve(&o, &m, x0) == 0, "the closed form accepts the initial state");
 %% if has_full then
   ${name}_at(&o, ${order_time}, got);
+%% elseif has_centre then
+  {
+    ${name}_real v[2], W[3];
+
+    ${name}_at_centre(&o, ${order_time}, got + ${upper}_P1, v, W);
+  }
 %% else
   ${name}_at_rates(&o, ${order_time}, got + ${upper}_WX);
 %% end
@@ -373,6 +379,8 @@ int main(void)
   for (i = 0, d1 = ${one}; i < ${upper}_NX; i++) d1 = ${fabs}(x0[i]) > d1 ? ${fabs}(x0[i]) : d1;
 %% if has_full then
   report(distance(got, fine, ${upper}_NX) <= ${drift}*d1${low_order_error}, "closed form and stepper agree");
+%% elseif has_centre then
+  report(distance(got + ${upper}_P1, fine + ${upper}_P1, 2) <= ${drift}*d1${low_order_error}, "closed form and stepper agree");
 %% else
   report(distance(got + ${upper}_WX, fine + ${upper}_WX, 3) <= ${drift}*d1${low_order_error}, "closed form and stepper agree");
 %% end

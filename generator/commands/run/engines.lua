@@ -131,7 +131,7 @@ function engines.generated(host, scene, given, course)
     return refused(no_method("generated", method, names))
   end
   if method == "exact" and not exact then
-    return refused("method exact: " .. (scene.closed.kind and "the closed form of this scene gives the rates only" or
+    return refused("method exact: " .. (scene.closed.kind and "the closed form of this scene " .. scene.closed.part or
       "this scene has no closed form: " .. scene.closed.refused))
   end
   local order, wrong = gen.order(given)

@@ -65,7 +65,7 @@ function facts.of(scene)
   return { name = m.name, version = "polhode " .. scene.build, real = "double", params = parameters(scene),
     states = states_of(scene), inputs = {}, methods = {}, exact = true, kind = m.structure.kind,
     closed = closed.full and closed.kind or
-      closed.kind and "the one that there is gives the rates only" or closed.refused or "",
+      closed.kind and "the one that there is " .. closed.part or closed.refused or "",
     horizon = m:double(m.horizon), step = m:double(m.step), effects = acts, checks = {}, plane = touch.plane(scene),
     compass = compass_of(m) }
 end

@@ -8,7 +8,9 @@
 --              flags = {name = bool},                what the templates ask of it
 --              constants = function(m),              -> {NAME = derived constant (m:constant)}, named there ${NAME};
 --                                                    called when the functions of the scene have made theirs
---              full,                                 NAME_at gives the whole state (else only the rates)
+--              full,                                 NAME_at gives the whole state
+--              centre,                               NAME_at_centre gives the centre of mass and the spin in inertial
+--                                                    axes; of neither, NAME_at_rates gives the rates alone
 --              ticks,                                it counts time in ticks
 --              exact,                                it needs templates/numeric/exact.c
 --              pairs }                               of templates/numeric/pair.c it needs all (nil), no product
@@ -20,9 +22,11 @@ local closed = { require "generator.dynamics.closed.sphere", require "generator.
   require "generator.dynamics.closed.asymmetric", require "generator.dynamics.closed.rotor",
   require "generator.dynamics.closed.damped", require "generator.dynamics.closed.axial",
   require "generator.dynamics.closed.lagrange", require "generator.dynamics.closed.gyrostat",
+  require "generator.dynamics.closed.ball",
   (require "generator.dynamics.closed.point") } -- one value: require also returns where it found it
 
--- The form that applies, with `others`, the list {name, reason} of those refused; without one {refused = text, others}.
+-- The form that applies, with `others`, the list {name, reason} of those refused, and `part`, what one that is not full
+-- gives, as the end of a sentence; without one {refused = text, others}.
 function closed.detect(m, eq)
   local found, told, others = nil, nil, {}
   for _, form in ipairs(closed) do
@@ -37,6 +41,9 @@ function closed.detect(m, eq)
   if found and eq.inputs then found, told = nil, "the inputs are decided while it moves" end
   found = found or { refused = told }
   found.others = others
+  if not found.full then
+    found.part = found.centre and "gives the centre of mass and the spin only" or "gives the rates only"
+  end
   return found
 end
 

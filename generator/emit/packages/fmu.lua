@@ -30,7 +30,7 @@ end
 function fmu.check(job)
   if job.methods and job.methods[1] == "exact" and not job.closed.full then
     job.diag:error(job.record.line, "project fmu", "method exact must have a closed form of the whole state",
-      "rates only")
+      "one that " .. (job.closed.part or "is not there"))
     return false
   end
   for _, p in ipairs(job.model.params) do
