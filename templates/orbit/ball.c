@@ -23,7 +23,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   if (!(p.about[3] - p.about[3] == ${zero})) return 1; /* |w| is beyond the range of the type */
   p.last = p.about[0]*${last_time} > ${last_turn} ? ${last_turn}/p.about[0] : ${last_time};
 
-  if (${name}_unit_quaternion(x0 + ${upper}_QW, p.q[0])) return 1;
+  if (${name}_unit_quaternion(x0 + ${upper}_QW, p.q[0]) == ${zero}) return 1;
   ${name}_quaternion_product(p.q[0], left, p.q[1]);
 
   /* V = R W x n, W x n = (W.e2) e1 - (W.e1) e2 */

@@ -16,7 +16,8 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
 %% else
   (void)m; /* every constant is in the code */
 %% end
-  if (!${name}_numbers(x0, ${upper}_NX) || ${name}_unit_quaternion(x0 + ${upper}_QW, q)) return 1;
+  if (!${name}_numbers(x0, ${upper}_NX)) return 1;
+  if (${name}_unit_quaternion(x0 + ${upper}_QW, q) == ${zero}) return 1;
   ${name}_spin(q, x0 + ${upper}_WX, W);
   for (i = 0; i < 3; i++) {
     along[i] = W[0]*e[i][0] + W[1]*e[i][1] + W[2]*e[i][2];

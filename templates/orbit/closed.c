@@ -46,7 +46,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_half_turns(length, p.about);
   p.mean = length.hi;
 
-  if (${name}_unit_quaternion(x0 + ${upper}_QW, p.q[0])) return 1;
+  if (${name}_unit_quaternion(x0 + ${upper}_QW, p.q[0]) == ${zero}) return 1;
 
   /* turning about L on the left is turning about its body direction on the right of q0 */
   left[0] = ${zero};

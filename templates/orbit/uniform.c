@@ -51,21 +51,21 @@ static ${name}_pair ${name}_unit_vector(const ${name}_pair v[3], ${name}_real u[
   return n;
 }
 
-/* q normalised as a vector of four: first the vector part, then with the scalar.  Returns 1 if q is 0. */
-static int ${name}_unit_quaternion(const ${name}_real q[4], ${name}_real out[4])
+/* q normalised as a vector of four: first the vector part, then with the scalar.  Returns |q|; out is 0 if that is. */
+static ${name}_real ${name}_unit_quaternion(const ${name}_real q[4], ${name}_real out[4])
 {
   ${name}_pair v[3], both[3];
-  ${name}_real u[3], n[3];
+  ${name}_real u[3], n[3], length;
   int i;
 
   for (i = 0; i < 3; i++) v[i] = ${name}_pair_of(q[i + 1]);
   both[0] = ${name}_pair_of(q[0]);
   both[1] = ${name}_unit_vector(v, u);
   both[2] = ${name}_pair_of(${zero});
-  if (${name}_unit_vector(both, n).hi == ${zero}) return 1;
+  length = ${name}_unit_vector(both, n).hi;
   out[0] = n[0];
   for (i = 0; i < 3; i++) out[i + 1] = n[1]*u[i];
-  return 0;
+  return length;
 }
 %% if rolls then
 
