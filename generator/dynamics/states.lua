@@ -204,7 +204,8 @@ local function decided(m, cause, wanted)
   local has, why, moving = m.has, {}, cause.moving
   local by_attitude, needs = cause.by_attitude, cause.by_attitude or cause.by_rates
   local spoken = m.given.omega and "initial gives omega" or m.given.attitude and "initial gives the attitude"
-  local rates = not moving and "the body turns about a fixed point" or spoken or
+  local plane = contact.of(m)
+  local rates = plane and "the body touches a plane" or not moving and "the body turns about a fixed point" or spoken or
     cause.turned and short(cause.turned) .. " turns the body" or
     needs and short(needs) .. " depends on how the body turns"
   by_attitude = by_attitude or m.frame -- its energy does
@@ -219,8 +220,9 @@ local function decided(m, cause, wanted)
   end
   why[2] = has.rates and "rates: " .. rates or "no rates: the body moves, initial gives neither omega nor attitude, " ..
     "and nothing turns the body: a point"
-  why[3] = moving and "position and velocity: " .. short(moving) .. " moves the body" or
-    "no position: nothing moves the body"
+  why[3] = moving and "position and velocity: " .. short(moving) .. " moves the body" or plane and
+    "no position: the height above the plane follows from the attitude" .. (#plane.states == 0 and
+    ", and nothing depends on the place along the plane" or "") or "no position: nothing moves the body"
   return why
 end
 

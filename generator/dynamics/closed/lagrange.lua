@@ -57,7 +57,7 @@ function lagrange.detect(m)
       other = other or string.gsub(e.kind, "effect%.", "")
     end
   end
-  if weights == 0 then return nil, "no gravity acts" end
+  if weights == 0 then return nil, other == "plane" and "no point of the body is held" or "no gravity acts" end
   if other then return nil, "not gravity alone acts on the body, but " .. other .. " too", true end
   if weights > 1 then return nil, "gravity acts " .. weights .. " times: write it as one", true end
   if s.kind ~= "sphere" and s.kind ~= "symmetric" then

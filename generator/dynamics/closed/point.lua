@@ -12,6 +12,7 @@
 
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
+local contact = require "generator.dynamics.contact"
 local context = require "generator.dynamics.context"
 local moving = require "generator.dynamics.moving"
 
@@ -46,7 +47,9 @@ local framed_text = {
   "is a parabola, an oscillation or an exponential.  Landau, Lifshitz, Mechanics, section 39." }
 
 function point.detect(m)
-  if not m.has.position then return nil, "nothing moves the centre of mass" end
+  if not m.has.position then
+    return nil, contact.of(m) and "the body touches a plane" or "nothing moves the centre of mass"
+  end
   if m.has.rates then return nil, "the body also turns" end
   local t
   for _, e in ipairs(m.record.effects) do
