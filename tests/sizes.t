@@ -6,17 +6,7 @@ local sources = require "tests.sources"
 local tap = require "tests.tap"
 
 local MAX_LUA, MAX_C = 400, 500 -- lines of a file
-local MAX_FUNCTION, SLACK = 60, 10
-
--- Functions that are longer, by their file's name, with their lines at most.  This list only shrinks: one that has
--- become shorter by more than SLACK must get its smaller number, and one that fits leaves.
-local LONGER = {
-  ["exact.lua function"] = 93,
-  ["free_top.c general"] = 67,
-  ["q31.lua q31.files"] = 67,
-  ["run.c go_adaptive"] = 62,
-  ["taylor.lua laid_out"] = 64,
-}
+local MAX_FUNCTION = 60
 
 -- Words of a file's name that say nothing of what is in it; what `polhode list` runs is named as all commands are.
 local EMPTY_WORDS = { "more", "misc", "util", "utils", "helper", "helpers", "common", "stuff", "other", "various",
@@ -86,27 +76,17 @@ do
     "static const int t[] = {\n  1,\n};\nint b(void);\nint c(void) {\n  return 1;\n}\n"), "a 1 4, c 13 3",
     "functions of C, no types, no tables and no prototypes")
 
-  local long, loose, seen = {}, {}, {}
+  local long = {}
   for _, path in ipairs(all) do
     if (path:find "^generator/" or path:find "^src/" or path:find "^docs/tools/") and path:find "%.[lch]u?a?$" then
       for _, f in ipairs(sources.functions(path)) do
-        local key = path:match "[^/]*$" .. " " .. f.name
-        local most = LONGER[key]
-        if f.lines > (most or MAX_FUNCTION) then
+        if f.lines > MAX_FUNCTION then
           long[#long + 1] = string.format("%s:%d: %s has %d lines", path, f.from, f.name, f.lines)
         end
-        if most then seen[key] = math.max(seen[key] or 0, f.lines) end -- of two of one name the longer
       end
     end
   end
-  for key, most in pairs(LONGER) do
-    if (seen[key] or 0) <= math.max(MAX_FUNCTION, most - SLACK - 1) then
-      loose[#loose + 1] = string.format("%s: now has %s lines", key, seen[key] or "no")
-    end
-  end
-  table.sort(loose)
-  clean("no function is longer than " .. MAX_FUNCTION .. " lines but for those named here", long)
-  clean("the list of longer ones is not longer than it must be", loose)
+  clean("no function is longer than " .. MAX_FUNCTION .. " lines", long)
 end
 
 tap.done()

@@ -15,6 +15,7 @@ local expr = require "generator.algebra.expr"
 local calculus = {}
 
 -- d fn(args) / d args[i], one entry a function; source: any table of derivatives (DLMF 4.20, 4.34).
+-- An entry gets the arguments and returns one derivative for each of them.
 local rules = {
   sin = function(a) return { expr.call("cos", a) } end,
   cos = function(a) return { -expr.call("sin", a) } end,
@@ -42,6 +43,7 @@ local rules = {
     return { area * (y + z) / a, area * (z + x) / b, area * (x + y) / c }
   end,
   -- of the closed forms in exact.lua
+  -- of arcs all by (sin(u)/u)' = -arc_lever(u)/u
   arc_across = function(h) return { expr.call("arc_lever", 2 * h) / (2 * h) } end,
   arc_along = function(h)
     local function lever(x) return expr.call("arc_lever", x) end

@@ -114,6 +114,7 @@ end
 
 -- The integral of p over coordinate v from lo to hi, which are polynomials in the others: term by term,
 -- v^n ==> (hi^(n+1) - lo^(n+1))/(n + 1), the powers of the limits formed once.
+-- The result has no v: an iterated integral over a region takes the innermost coordinate first.
 function coordinate.integrate(p, v, lo, hi)
   local powers = { [0] = { coordinate.constant(expr.one), coordinate.constant(expr.one) } }
   local function power(n)

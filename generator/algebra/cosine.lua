@@ -22,6 +22,9 @@ end
 
 local memo = setmetatable({}, { __mode = "k" })
 
+-- A term t = -A sin(a)^2 looks for its partner A = -t/sin(a)^2 by identity, so A must stand in the sum as one term.  A
+-- pair becomes one term in the place of t; false marks what is used up. Again until no pair is left, for A cos(a)^2 may
+-- be the partner of another term.
 local function restored(e)
   if memo[e] then return memo[e] end
   local out = expr.map(e, restored)

@@ -32,6 +32,7 @@ function elliptic.first(x, y, kc, bits)
   if R.sign(kc) == 0 then return R.sign(y) == 0 and y or R.apply("asinh", bits, y / x) end
   local function round(v) return R.round(v, bits) end
   local a, b, power = R.one, kc, 0
+  -- The same angle in doubles: it counts the whole turns, which the vector (x, y) does not know.
   local about = math.atan(R.todouble(R.round(y / (R.abs(x) + R.abs(y)), 53)), R.todouble(x / (R.abs(x) + R.abs(y))))
   while R.sign(a - b) ~= 0 and R.log2(a - b) > R.log2(a) - bits + 2 do
     local u, v = a * x, b * y
@@ -45,6 +46,7 @@ function elliptic.first(x, y, kc, bits)
     power = power + 1
   end
   if R.sign(y) == 0 and R.sign(x) > 0 and math.abs(about) < 1 then return R.zero end
+  -- all bits from the vector, the turns from `about`
   local angle = R.apply("atan2", bits, y, x)
   local turns = math.floor((about - R.todouble(angle)) / (2 * math.pi) + 0.5)
   angle = angle + 2 * R.new(turns) * elliptic.pi(bits + 64)

@@ -23,6 +23,8 @@ end
 local function clamp(x, low, high) return x < low and low or x > high and high or x end
 
 -- Evaluates e by the arithmetic A: number, symbol, sum and product of two, power, call.
+-- A = {number(q), symbol(name), add(x, y), mul(x, y), pow(x, n), call(fn, args)}: n is a rational, the others values of
+-- A's kind.  Each node once, so the cost is the number of distinct subexpressions.
 local function walk(e, A)
   local memo = {}
   local value
@@ -140,6 +142,7 @@ local function by_mpfr(fn)
   end
 end
 
+-- sign(0) is 1, as everywhere.
 local functions = {
   sin = math.sin, cos = math.cos, tan = math.tan, asin = math.asin, acos = math.acos,
   atan = function(x) return math.atan(x) end,

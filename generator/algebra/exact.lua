@@ -25,7 +25,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local radical = require "generator.algebra.radical"
 
 local odd = { sin = true, tan = true, asin = true, atan = true, sinh = true, tanh = true, catenary_rise = true,
   sign = true }
@@ -35,96 +34,129 @@ local at_zero = { sin = 0, tan = 0, asin = 0, atan = 0, sinh = 0, tanh = 0, cos 
   arc_across = 0, arc_along = 0, arc_lever = 0, catenary_rise = 0,
   catenary_width = "1/3", catenary_height = 0 }
 
-return function(expr)
-  -- a = r*pi with r rational?  returns r
-  local function turns(a)
-    if expr.iszero(a) then return R.zero end
-    if a == expr.pi then return R.one end
-    local c, rest = expr.split(a)
-    if rest == expr.pi then return c end
-  end
+local expr -- handed over by expr.lua, which needs this file when it is loaded
 
-  -- sin(k*pi/12) for k = 0 .. 6 (15, 45 and 75 degrees by the half-angle formulas)
-  local function sine(k)
-    local two, three, six = expr.sqrt(2), expr.sqrt(3), expr.sqrt(6)
-    local table_ = { [0] = expr.zero, (six - two) / 4, expr.lift(R.half), two / 2, three / 2, (six + two) / 4,
-      expr.one }
-    return table_[k]
-  end
+-- r where a is r pi with r rational, else nil
+local function turns(a)
+  if expr.iszero(a) then return R.zero end
+  if a == expr.pi then return R.one end
+  local c, rest = expr.split(a)
+  if rest == expr.pi then return c end
+end
 
-  local function sin_pi(r)
-    local k = (r - R.new(2) * radical.floor(r / R.new(2))) * R.new(12) -- reduced to [0, 24)
-    if not R.isint(k) then return nil end
-    local n = R.toint(k)
-    if n >= 12 then return -sine(n - 12 <= 6 and n - 12 or 24 - n) end
-    return sine(n <= 6 and n or 12 - n)
-  end
+-- sin(k*pi/12) for k = 0 .. 6 (15, 45 and 75 degrees by the half-angle formulas)
+local function sine(k)
+  local two, three, six = expr.sqrt(2), expr.sqrt(3), expr.sqrt(6)
+  local table_ = { [0] = expr.zero, (six - two) / 4, expr.lift(R.half), two / 2, three / 2, (six + two) / 4,
+    expr.one }
+  return table_[k]
+end
 
-  -- Symmetric in all arguments of area, in the last two of normal: these are put in order.  A sphere is exact.
-  local function ellipsoid(fn, args)
-    local a, b, c = args[1], args[2], args[3]
-    if fn == "ellipsoid_second" then
-      return a ^ 2 * (1 + expr.call("ellipsoid_normal", a, b, c)) / 4 * expr.call("ellipsoid_area", a, b, c)
-    end
-    if a == b and b == c then return fn == "ellipsoid_area" and a ^ 2 or expr.lift(R.new(1, 3)) end
-    if expr.compare(b, c) > 0 then return expr.call(fn, a, c, b) end
-    if fn == "ellipsoid_area" and expr.compare(a, b) > 0 then return expr.call(fn, b, a, c) end
-  end
+-- sin(r pi), nil where 12 r is no whole number: sin(x + pi) = -sin(x) and sin(pi - x) = sin(x) lead to 0 .. pi/2.
+local function sin_pi(r)
+  local k = (r - R.new(2) * R.floor(r / R.new(2))) * R.new(12) -- reduced to [0, 24)
+  if not R.isint(k) then return nil end
+  local n = R.toint(k)
+  if n >= 12 then return -sine(n - 12 <= 6 and n - 12 or 24 - n) end
+  return sine(n <= 6 and n or 12 - n)
+end
 
-  -- Means over the arc of half angle h = r pi where sine and cosine open.
-  local function arc(fn, h, r)
-    local s, c, double = sin_pi(r), sin_pi(r + R.half), sin_pi(r + r)
-    if not (s and c and double) then return nil end
-    if fn == "arc_across" then return (1 - double / (2 * h)) / 2 end
-    if fn == "arc_along" then return (1 + double / (2 * h)) / 2 - (s / h) ^ 2 end
-    return s / h - c
+-- Symmetric in all arguments of area, in the last two of normal: these are put in order.  A sphere is exact.
+local function ellipsoid(fn, args)
+  local a, b, c = args[1], args[2], args[3]
+  if fn == "ellipsoid_second" then
+    return a ^ 2 * (1 + expr.call("ellipsoid_normal", a, b, c)) / 4 * expr.call("ellipsoid_area", a, b, c)
   end
+  if a == b and b == c then return fn == "ellipsoid_area" and a ^ 2 or expr.lift(R.new(1, 3)) end
+  if expr.compare(b, c) > 0 then return expr.call(fn, a, c, b) end
+  if fn == "ellipsoid_area" and expr.compare(a, b) > 0 then return expr.call(fn, b, a, c) end
+end
 
-  return function(fn, args)
-    if fn == "pi" then return expr.pi end
-    if string.match(fn, "^ellipsoid_") then return ellipsoid(fn, args) end
-    local a = args[1]
-    if fn == "sign" then -- 1 at zero
-      if a.kind == "num" then return R.sign(a.value) < 0 and expr.lift(-1) or expr.one end
-      if expr.nonnegative(a) then return expr.one end
-    end
-    if fn == "abs" then
-      if a.kind == "num" then return expr.lift(R.abs(a.value)) end
-      if expr.nonnegative(a) then return a end
-      local c, rest = expr.split(a) -- |c x y| ==> |c| y |x| for y >= 0
-      local out, inside = { expr.lift(R.abs(c)) }, {}
-      for _, f in ipairs(rest.kind == "mul" and rest or { rest }) do
-        local list = expr.nonnegative(f) and out or inside
-        list[#list + 1] = f
-      end
-      if #out > 1 or out[1] ~= expr.one then
-        out[#out + 1] = expr.call("abs", expr.mul(inside))
-        return expr.mul(out)
-      end
-    end
-    if fn == "clamp" then -- x within low .. high
-      local low, high = args[2], args[3]
-      if a.kind ~= "num" or low.kind ~= "num" or high.kind ~= "num" then return nil end
-      return a.value < low.value and low or a.value > high.value and high or a
-    end
-    if expr.iszero(a) and at_zero[fn] then return expr.lift(at_zero[fn]) end
-    if fn == "log" and a == expr.one then return expr.zero end
-    if (odd[fn] or even[fn]) and #args == 1 then -- f(-x) ==> -f(x), or f(x)
-      local c, rest = expr.split(a)
-      if R.sign(c) < 0 then
-        local v = expr.call(fn, expr.mul { -c, rest })
-        return odd[fn] and -v or v
-      end
-    end
-    local r = turns(a)
-    if r and string.match(fn, "^arc_") then return arc(fn, a, r) end
-    if r and fn == "sin" then return sin_pi(r) end
-    if r and fn == "cos" then return sin_pi(r + R.half) end
-    if r and fn == "tan" then
-      local s, c = sin_pi(r), sin_pi(r + R.half)
-      if s and c and not expr.iszero(c) then return s / c end
-    end
-    if fn == "exp" and a.kind == "call" and a.fn == "log" then return a[1] end -- exp(log x) ==> x
-    return nil
+-- Means over the arc of half angle h = r pi where sine and cosine open.
+local function arc(fn, h, r)
+  local s, c, double = sin_pi(r), sin_pi(r + R.half), sin_pi(r + r)
+  if not (s and c and double) then return nil end
+  if fn == "arc_across" then return (1 - double / (2 * h)) / 2 end
+  if fn == "arc_along" then return (1 + double / (2 * h)) / 2 - (s / h) ^ 2 end
+  return s / h - c
+end
+
+-- ---- rules of single functions: the value of fn(args), or nil where it stays a call ----------------------------
+local rules = {}
+
+function rules.pi() return expr.pi end
+
+function rules.sign(a) -- 1 at zero
+  if a.kind == "num" then return R.sign(a.value) < 0 and expr.lift(-1) or expr.one end
+  if expr.nonnegative(a) then return expr.one end
+end
+
+function rules.abs(a)
+  if a.kind == "num" then return expr.lift(R.abs(a.value)) end
+  if expr.nonnegative(a) then return a end
+  local c, rest = expr.split(a) -- |c x y| ==> |c| y |x| for y >= 0
+  local out, inside = { expr.lift(R.abs(c)) }, {}
+  for _, f in ipairs(rest.kind == "mul" and rest or { rest }) do
+    local list = expr.nonnegative(f) and out or inside
+    list[#list + 1] = f
   end
+  if #out == 1 and out[1] == expr.one then return nil end -- nothing came out
+  out[#out + 1] = expr.call("abs", expr.mul(inside))
+  return expr.mul(out)
+end
+
+function rules.clamp(a, low, high) -- a within low .. high
+  if a.kind ~= "num" or low.kind ~= "num" or high.kind ~= "num" then return nil end
+  return a.value < low.value and low or a.value > high.value and high or a
+end
+
+function rules.log(a) return a == expr.one and expr.zero or nil end
+
+function rules.exp(a) return a.kind == "call" and a.fn == "log" and a[1] or nil end -- exp(log x) ==> x
+
+function rules.sin(a)
+  local r = turns(a)
+  return r and sin_pi(r)
+end
+
+function rules.cos(a)
+  local r = turns(a)
+  return r and sin_pi(r + R.half)
+end
+
+function rules.tan(a)
+  local r = turns(a)
+  local s, c = r and sin_pi(r), r and sin_pi(r + R.half)
+  if s and c and not expr.iszero(c) then return s / c end
+end
+
+for _, fn in ipairs { "arc_across", "arc_along", "arc_lever" } do
+  rules[fn] = function(h)
+    local r = turns(h)
+    return r and arc(fn, h, r)
+  end
+end
+
+-- f(-x) ==> -f(x) of an odd function, f(x) of an even one; nil where a has no negative coefficient.
+local function symmetric(fn, a)
+  local c, rest = expr.split(a)
+  if R.sign(c) >= 0 then return nil end
+  local v = expr.call(fn, expr.mul { -c, rest })
+  return odd[fn] and -v or v
+end
+
+-- The value of fn(args) where a law opens it, else nil.  Symmetry comes first: no rule sees a negative coefficient.
+local function value(fn, args)
+  if string.match(fn, "^ellipsoid_") then return ellipsoid(fn, args) end
+  local a = args[1]
+  if at_zero[fn] and expr.iszero(a) then return expr.lift(at_zero[fn]) end
+  local mirrored = (odd[fn] or even[fn]) and symmetric(fn, a)
+  if mirrored then return mirrored end
+  local rule = rules[fn]
+  return rule and rule(table.unpack(args)) or nil
+end
+
+return function(of)
+  expr = of
+  return value
 end

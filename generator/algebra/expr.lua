@@ -40,6 +40,7 @@ node.__index = node
 local unique = {} -- canonical key -> node
 local count = 0
 
+-- The one node of this key, e if there is none.  Ids count nodes as they are made, so no order may rest on them.
 local function intern(key, e)
   local old = unique[key]
   if old then return old end
@@ -92,6 +93,7 @@ expr.split = split
 local nonnegative = sign.nonnegative
 expr.nonnegative = nonnegative
 
+-- base^exp as it stands: the caller has tried the laws.
 local function raw_pow(base, exp)
   if exp == R.one then return base end
   return intern("^" .. base.id .. ":" .. tostring(exp), { kind = "pow", base = base, exp = exp })

@@ -20,6 +20,7 @@ local poly = require "generator.algebra.poly"
 
 local factor = {}
 
+-- Hints that are tried, and terms of the longest sum that is one: each is divided into every part once.
 local most_hints, most_terms = 8, 3
 local readable = 16 -- terms: a longer sum is not made readable by a factor, and looking for one is work
 
@@ -83,6 +84,7 @@ function factor.classes(ring, e)
 end
 
 -- Derivative with respect to generator v.
+-- Formal: the generators count as independent, so a sine is not differentiated through its cosine.
 local function derivative(p, v)
   local sum = poly.constant(p.ring, R.zero)
   for _, t in ipairs(poly.sorted(p)) do
@@ -118,6 +120,7 @@ local function without(p, v)
 end
 
 -- The x - y in x^n - y^n, n > 2, or nil: what is left of a body when a hole of the same kind nearly fills it.
+-- x^4 - y^4 ==> (x^3 + x^2 y + x y^2 + y^3) (x - y). x^2 - y^2 stays: the code's forms open it (ir/lower/sums.lua).
 local function root_of_binomial(p)
   if p.n ~= 2 then return nil end
   local one, two = table.unpack(poly.sorted(p))
@@ -135,6 +138,7 @@ local function root_of_binomial(p)
 end
 
 -- A proper divisor of p with more than one term, or nil.
+-- What stood in the scene comes first, for that is what its author expects to see; the gcds, which cost the most, last.
 local function divisor(p, hints)
   for _, h in ipairs(hints) do
     if h.n <= p.n and not poly.iszero(poly.sub(h, p)) and poly.divide(p, h) then return h end
@@ -156,6 +160,7 @@ end
 -- p as an expression, in differences x - x1 where it is the same for all x of a class moved together (the places of a
 -- body's points), which is so if and only if the sum of its derivatives by them is zero: then all may be moved by -x1,
 -- so that x1 is at 0 and the others are differences.  Multiplied out, such a sum loses all digits far from the origin.
+-- x1^2 - 2 x1 x2 + x2^2 ==> (x2 - x1)^2: the terms without x1 are kept, and each other x becomes x - x1.
 local function in_differences(p, classes)
   local map = {}
   for _, class in ipairs(p.n > 1 and classes or {}) do

@@ -21,6 +21,7 @@ local poly = require "generator.algebra.poly"
 
 local gcd
 
+-- The degree in generator v; -1 of the polynomial 0.
 local function degree(p, v)
   local d = -1
   for _, t in pairs(p.terms) do d = math.max(d, t.e[v]) end
@@ -48,6 +49,7 @@ local function degree_sum(p) -- of a single term
 end
 
 -- The greatest common divisor of the coefficients of p as a polynomial in generator v.
+-- Of 0 there is none: nil.
 local function content_in(p, v)
   local g
   for d = 0, degree(p, v) do
@@ -95,6 +97,7 @@ local function specialised(p, v, u, other)
   return c
 end
 
+-- The list of coefficients without leading zeros; {} is the polynomial 0.
 local function trimmed(c)
   while #c > 0 and R.sign(c[#c]) == 0 do c[#c] = nil end
   return c
@@ -125,6 +128,7 @@ local function perhaps(a, b)
 end
 
 -- gcd up to a rational factor; monomial content included.
+-- Beyond 4000 products of terms in the first round of Euclid's algorithm the common monomial has to do.
 function gcd(a, b)
   local ring = a.ring
   local pa, la = primitive(a)

@@ -39,6 +39,7 @@ local function nest(e, last, memo)
     end
     local best
     for _, b in ipairs(order) do
+      -- in two terms at least, and in more than the best so far; with `last` as many will do
       local n = best and count[best] + (last and 0 or 1) or 2
       if count[b] >= n then best = b end
     end

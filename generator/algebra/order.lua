@@ -14,6 +14,7 @@ local order = {}
 local kind_rank = { num = 1, sym = 2, call = 3, pow = 4, mul = 5, add = 6 }
 local compare
 
+-- Entry by entry; where one list begins the other, the shorter comes first.
 local function compare_lists(a, b)
   for i = 1, math.min(#a, #b) do
     local c = compare(a[i], b[i])
@@ -35,6 +36,7 @@ local function compare_base(a, b)
   return compare_lists(a, b)
 end
 
+-- e = base^exponent
 local function factor(e)
   if e.kind == "pow" then return e.base, e.exp end
   return e, R.one

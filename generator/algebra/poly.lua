@@ -110,6 +110,7 @@ local function put(p, e, c, k)
   end
 end
 
+-- The polynomial c; that of 0 has no term.
 function poly.constant(ring, c)
   local p, e = new(ring), {}
   for i = 1, #ring.gens do e[i] = 0 end
@@ -117,6 +118,7 @@ function poly.constant(ring, c)
   return p
 end
 
+-- Generator i to the power (1 if nil).  Not rewritten, even where its relation would: gcd.lua divides by such powers.
 function poly.generator(ring, i, power)
   local p, e = new(ring), {}
   for j = 1, #ring.gens do e[j] = j == i and (power or 1) or 0 end
@@ -148,6 +150,7 @@ end
 
 ---- arithmetic ------------------------------------------------------------------------------------
 
+-- Of two in normal form the result is, too; keys are the same in both, so b's need not be made again.
 local function combine(a, b, negative)
   local p = new(a.ring)
   for k, t in pairs(a.terms) do p.terms[k] = t end
@@ -159,6 +162,7 @@ end
 function poly.add(a, b) return combine(a, b, false) end
 function poly.sub(a, b) return combine(a, b, true) end
 
+-- c a for a rational c
 function poly.scale(a, c)
   local p = new(a.ring)
   for k, t in pairs(a.terms) do put(p, t.e, c * t.c, k) end
@@ -202,6 +206,7 @@ end
 poly.budget = nil
 poly.exhausted = setmetatable({}, { __tostring = function() return "polynomial too large" end })
 
+-- Costs a.n b.n of the grant before anything is multiplied; raises poly.exhausted where that is more than is left.
 function poly.mul(a, b)
   local p = new(a.ring)
   if poly.budget then
@@ -221,6 +226,7 @@ function poly.mul(a, b)
   return p
 end
 
+-- a^n, n >= 0
 function poly.power(a, n)
   local p = poly.constant(a.ring, R.one)
   for _ = 1, n do p = poly.mul(p, a) end
@@ -271,6 +277,7 @@ end
 local modest = 4000 -- products of terms that poly.modest grants
 
 -- The ring of e and its polynomial there; nil where e is none or would take too long to multiply out.
+-- A grant that runs already takes the place of its own; what is spent of it here is given back.
 function poly.modest(e)
   local seen = {}
   local function whole(u) -- no denominators: said before anything is multiplied out
@@ -299,6 +306,8 @@ end
 ---- divisibility ----------------------------------------------------------------------------------
 
 -- Rational content (sign of the leading term) and the lowest power of each generator.
+-- -4 x^3 - 6 x: c = -2 and low = {1}, so that what shift leaves, 2 x^2 + 3, has a positive leading term and no common
+-- factor that is a number or a monomial.  Of the polynomial 0, c is 0 and low says nothing.
 function poly.content(p)
   local c, low = R.zero, {}
   for i = 1, #p.ring.gens do low[i] = math.maxinteger end
@@ -312,6 +321,7 @@ function poly.content(p)
 end
 
 -- p divided by the monomial c * prod g^low.
+-- No entry of low may be above a term's exponent.
 function poly.shift(p, c, low)
   local q = new(p.ring)
   for _, t in pairs(p.terms) do

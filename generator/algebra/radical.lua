@@ -20,24 +20,16 @@ for n = 2, 1000 do
   if prime then primes[#primes + 1] = n end
 end
 
-local function floor(q)
-  local n, d = R.num(q), R.den(q)
-  local f = R.fromdouble(R.todouble(n / d) // 1)
-  while f > q do f = f - R.one end
-  while f + R.one <= q do f = f + R.one end
-  return f
-end
-radical.floor = floor
-
 -- value > 0 to the rational power e: returns c and a list of {integer > 1, exponent in (0, 1)}.
 function radical.open(value, e)
   local c, roots = R.one, {}
   local function put(n, x) -- n^x for an integer n > 1
-    local whole = floor(x)
+    local whole = R.floor(x)
     c = c * n ^ R.toint(whole)
     local part = x - whole
     if R.sign(part) ~= 0 then roots[#roots + 1] = { n, part } end
   end
+  -- n^x for an integer n >= 1: by its small primes, the rest as one. 12^(1/2) ==> 2 * 3^(1/2)
   local function integer(n, x)
     for _, p in ipairs(primes) do
       if n == R.one then return end

@@ -37,6 +37,8 @@ end
 ---- fractions -------------------------------------------------------------------------------------
 
 -- e as numerator and denominator polynomials of the ring.
+-- Numerator and denominator may have common factors; a sum's denominator alone is kept least.  A power p/q is the p-th
+-- power of the generator base^(1/q). memo: node -> {numerator, denominator}.
 local function fraction(ring, e, memo)
   local f = memo[e]
   if f then return f end
@@ -111,6 +113,7 @@ end
 
 function ratio.equal(a, b) return a == b or ratio.iszero(a - b) end
 
+-- Node -> its tidy form, or false where that was too large.  A tidy form is its own: tidy(tidy(e)) is tidy(e).
 local tidied = setmetatable({}, { __mode = "k" })
 
 -- Roots of sums double the terms of whatever they are multiplied with; with many of them nothing cancels anyway.
@@ -126,6 +129,7 @@ local function ring_of(list)
 end
 
 -- The quotient of two polynomials as an expression.
+-- In lowest terms; if the gcd was only a divisor, in lower ones.
 local function lowest(a, b, hints)
   if poly.iszero(a) then return expr.zero end
   local common = gcd(a, b)
@@ -134,6 +138,7 @@ local function lowest(a, b, hints)
   return factor.product(n, hints) / factor.product(d, hints)
 end
 
+-- Raises poly.exhausted.
 local function cancelled(e)
   local ring = ring_of { e }
   local f = fraction(ring, e, {})

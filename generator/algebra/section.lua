@@ -11,6 +11,7 @@ local poly = require "generator.algebra.poly"
 
 local section = {}
 
+-- of constants such as sqrt(2), before they are rounded to a double
 local bits = 240
 
 -- e with every symbol but those named replaced by its value (name -> rational).

@@ -13,16 +13,19 @@ local text = {}
 local superscript = { ["0"] = "⁰", ["1"] = "¹", ["2"] = "²", ["3"] = "³", ["4"] = "⁴", ["5"] = "⁵", ["6"] = "⁶",
   ["7"] = "⁷", ["8"] = "⁸", ["9"] = "⁹", ["-"] = "⁻" }
 
+-- How a style writes sums of factors (times), roots, b^n and n/d; all of them get and give text.
 local styles = {
   plain = { times = "*", pi = "pi", sqrt = function(s) return "sqrt(" .. s .. ")" end,
     power = function(b, n) return b .. "^" .. n end,
-    quotient = function(n, d) return n .. "/" .. d end, open = "(", close = ")" },
+    quotient = function(n, d) return n .. "/" .. d end,
+    open = "(", close = ")" },
   unicode = { times = " ", pi = "π", sqrt = function(s) return "√(" .. s .. ")" end,
     power = function(b, n)
       if string.find(n, "[^%d%-]") then return b .. "^" .. n end
       return b .. string.gsub(n, ".", superscript)
     end,
-    quotient = function(n, d) return n .. "/" .. d end, open = "(", close = ")" },
+    quotient = function(n, d) return n .. "/" .. d end,
+    open = "(", close = ")" },
   latex = { times = " ", pi = "\\pi", sqrt = function(s) return "\\sqrt{" .. s .. "}" end,
     power = function(b, n) return b .. "^{" .. n .. "}" end,
     quotient = function(n, d) return "\\frac{" .. n .. "}{" .. d .. "}" end,
@@ -49,6 +52,7 @@ local function factor(e, style)
   return s
 end
 
+-- base^n, n > 0
 local function powered(base, n, style)
   if n == R.half then return style.sqrt(render(base, style)) end
   local b = render(base, style)
@@ -64,6 +68,8 @@ end
 
 -- -(b^2 - c^2) reads better as c^2 - b^2: a negative coefficient goes into the first sum whose terms have both
 -- signs.  Display only; returns the sign left to print and the factors.
+-- The sum is a table that looks like a node: turned round so that it begins with a negative term, and marked `flipped`,
+-- for which render changes all signs.
 local function absorb_sign(c, factors)
   if R.sign(c) >= 0 then return false, factors end
   for i = 1, #factors do
@@ -85,6 +91,7 @@ local function absorb_sign(c, factors)
 end
 
 -- c * factors as a quotient of texts, and whether a minus sign stands before it.
+-- top, bottom: the texts above and below the bar; a sum that stands `alone` needs no parentheses
 local function product(e, style)
   local c, rest = expr.split(e)
   local minus, factors = absorb_sign(c, rest == expr.one and {} or rest.kind == "mul" and rest or { rest })

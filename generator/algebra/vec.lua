@@ -41,6 +41,7 @@ function vec.apply(S, a)
 end
 
 -- symmetric product a aT
+-- as six entries
 function vec.outer(a) return { a[1] * a[1], a[2] * a[2], a[3] * a[3], a[1] * a[2], a[1] * a[3], a[2] * a[3] } end
 
 -- adjugate (matrix of cofactors) and determinant: S adj = det 1
@@ -83,6 +84,7 @@ end
 
 ---- matrices --------------------------------------------------------------------------------------
 
+-- column j of a matrix
 function vec.column(A, j) return { A[1][j], A[2][j], A[3][j] } end
 
 function vec.matvec(A, v)
@@ -100,6 +102,7 @@ function vec.matmul(A, B)
   return C
 end
 
+-- The six entries as three rows, and back.
 function vec.full(S)
   local A = {}
   for i = 1, 3 do A[i] = { S[vec.index[i][1]], S[vec.index[i][2]], S[vec.index[i][3]] } end

@@ -95,6 +95,7 @@ local function refusal(m, ranges)
 end
 
 -- f(w, u) -> the three w' of the scene's own equations, rationals.
+-- u must lie within the inputs' limits, which the equations contain.
 local function evaluator(m, eq)
   local members, rates = {}, {}
   for _, member in ipairs(m.members) do members[member.sym] = member.e end -- into a table: order is lost anyway
@@ -113,6 +114,7 @@ local function evaluator(m, eq)
   end
 end
 
+-- s e_i; of s = 0 the zero vector
 local function unit(i, s)
   local v = { R.zero, R.zero, R.zero }
   v[i] = R.new(s)
@@ -123,6 +125,7 @@ local function dot(a, b) return a[1] * b[1] + a[2] * b[2] + a[3] * b[3] end
 
 local function matrix(e) return { { e[1], e[4], e[5] }, { e[4], e[2], e[6] }, { e[5], e[6], e[3] } } end
 
+-- Of a symmetric matrix; cyclic minors have their sign.
 local function inverse(S)
   local function minor(i, j)
     local a, b, c, d = i % 3 + 1, (i + 1) % 3 + 1, j % 3 + 1, (j + 1) % 3 + 1

@@ -22,6 +22,7 @@ local function constants(m)
   return map
 end
 
+-- |p| of parameters alone has its value once and for all.
 local function cornered(e) return e.kind == "call" and (e.fn == "abs" or e.fn == "sign") and not motion.free(e) end
 
 -- All |e| and sign(e) in the equations, with parameters put in: a list of e.

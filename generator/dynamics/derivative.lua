@@ -29,6 +29,7 @@ local function fractions(seed)
 end
 
 -- A unit quaternion of rationals.
+-- (1 - s, 2 a, 2 b, 2 c)/(1 + s), s = a^2 + b^2 + c^2: the sphere by stereographic projection, all without a root.
 local function attitude(random)
   local a, b, c = random(), random(), random()
   local s, two = a * a + b * b + c * c, R.new(2)
@@ -97,6 +98,7 @@ function derivative.of(eq, rate)
     for name, e in pairs(rates) do dx[name] = value(e, env) end -- into a table: order is lost anyway
     here[n] = { env = env, dx = dx }
   end
+  -- |sum of terms| against the sum of |terms|, so the scale of F does not matter.
   local function still(F)
     local slopes, explicit = {}, calculus.diff(F, t)
     for _, s in ipairs(m.states) do

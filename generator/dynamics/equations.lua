@@ -143,10 +143,13 @@ local function resolved(m, e, provisional)
   return calculus.substitute(e, map)
 end
 
+-- n/I as fold.over has it; axis: number of the component that n is.
 local function over(m, groups, n, I, axis)
   return fold.over(m, groups.provisional, groups, n, I, axis_name[axis], equations.inline)
 end
 
+-- builders[kind](m, N, groups, d, I) -> {why, defs, outs = the three expressions of w'}, nil after an error in d.  N:
+-- the torque by the names that the torques' groups define; groups.provisional: constants that may still be folded.
 local builders = {}
 
 function builders.sphere(m, N, groups)
@@ -300,6 +303,7 @@ local function turning(d, m, list)
     table.insert(groups, 1, { why = "angular momentum L = I w, body axes", defs = L_defs, outs = {} })
   end
   local euler, rest
+  -- builders.full and .varying begin with L again
   local function free()
     local g = builders[kind](m, N, groups, d, I)
     if g and (kind == "full" or kind == "varying") then -- which begins with the same definitions
@@ -316,6 +320,7 @@ local function turning(d, m, list)
   euler.where = place(m, m.line)
   for i, n in ipairs(state.names.rates) do euler.outs[i] = { state = n, expr = euler.outs[i] } end
   if plane then groups[#groups + 1] = rest else groups[#groups + 1] = euler end
+  -- what stands behind the torques now has provisional constants, too
   fold.settle(m, groups.provisional, groups)
   list.touch = plane and contact.read(table.remove(groups))
   if need_L and not fold.uses(groups, L_defs) then table.remove(groups, 1) end

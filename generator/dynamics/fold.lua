@@ -14,6 +14,7 @@ local fold = {}
 
 -- Provisional constants: {[symbol] = {name, e, about, positive}} and the function that effects call for them;
 -- positive: it must not round to 0 either.
+-- Their symbols begin with an apostrophe, so no name of a scene is among them; by_sym is filled as effects call.
 function fold.constants()
   local by_sym, by_expr = {}, {}
   return by_sym, function(name, e, about, positive)
@@ -61,6 +62,8 @@ local function terms(e)
 end
 
 -- e/I with every term's constants and I in one constant; nil where a term has none.  I: a constant of the model.
+-- A sign stays outside: c and -c would be two constants.  What the constant is called tells where it comes from: by its
+-- first provisional one, with the moment behind it unless that has cancelled.
 local function quotient(m, provisional, e, I)
   local parts = {}
   for i, t in ipairs(terms(e)) do

@@ -74,6 +74,7 @@ local function label(top, I, axis, right, w)
   if rod then I = { R.zero, (I[2] + I[3]) / 2, (I[2] + I[3]) / 2 } end
   local L = times(top.tensor, w)
   local G2, T2 = vec.dot(L, L), vec.dot(L, w)
+  -- G^2 - 2 T I1 and 2 T I3 - G^2; the product of D with both is -det(h 1 - I) (2 T)^3
   local above_small = I[2] * (I[2] - I[1]) * sorted[2] * sorted[2] + I[3] * (I[3] - I[1]) * sorted[3] * sorted[3]
   local below_large = I[1] * (I[3] - I[1]) * sorted[1] * sorted[1] + I[2] * (I[3] - I[2]) * sorted[2] * sorted[2]
   local D = R.zero
@@ -102,6 +103,9 @@ local function label(top, I, axis, right, w)
 end
 
 -- Amplitudes of the rates, modulus, periods, nomes.
+-- lambda^2 = (I3 - I2) (G^2 - 2 T I1)/(I1 I2 I3), k^2 = (I2 - I1) (2 T I3 - G^2)/((I3 - I2) (G^2 - 2 T I1)) up to
+-- common signs, and k'^2 = 1 - k^2 from |G^2 - 2 T I2|.  I3 is taken out of both sides of each quotient, for a rod's is
+-- 0.
 local function invariants(top, d)
   local bits, I, w = top.bits, top.I, top.w
   local function round(x) return R.round(x, bits) end
@@ -226,6 +230,7 @@ local function powers(x, bits)
   return power
 end
 
+-- (-1)^n, or 1
 local function alternating(on, n) return on and n % 2 == 1 and -R.one or R.one end
 
 -- Real and imaginary parts of theta4 and s theta1 of z - i s eta, nome q^2, the second without 2 q^(1/2); and cn, s sn,
@@ -331,6 +336,7 @@ function free_top:pair(r, turn, odd)
 end
 
 -- alpha = w + i z and beta = x + i y, {re, im, re, im}, times e^(2 pi i turn), as a unit quaternion
+-- Second result: |alpha|^2 + |beta|^2.
 function free_top:turned(p, turn)
   local bits = self.bits
   local angle = two * self.pi * turn

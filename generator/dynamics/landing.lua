@@ -80,6 +80,7 @@ function landing.gap(m)
 end
 
 -- K, six entries.
+-- K = 1 + m [I^-1 (d x ..)] x d is symmetric, so six of its columns' nine entries do.
 local function compliance(m, c, name, d)
   local columns = {}
   for j = 1, 3 do
@@ -115,10 +116,12 @@ function landing.impact(m)
       local tangential = c.constant("tangential", law.tangential, "tangential restitution of the impact")
       local up = name("more_up", { vec.dot(k.up, more) })[1]
       local across = name("across_", vec.sub(more, vec.scale(up, k.up)))
+      -- share = kappa (1 + e_t): share |across| <= mu (normal + share up) is share (|across| - mu up) <= mu normal
       local most = name("most", { mu * normal })[1]
       local need = name("need", { (1 + tangential) * (expr.sqrt(vec.dot(across, across)) - mu * up) })[1]
       share = (1 + tangential) * most / at_least(need, at_least(most, tiny))
     else
+      -- friction without a limit: 1, and 0 where the point leaves
       share = push / at_least(push, tiny)
     end
     p = vec.add(p, vec.scale(name("share", { share })[1], more))

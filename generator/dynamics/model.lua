@@ -77,6 +77,7 @@ local function origin(d, record, b)
   return r
 end
 
+-- The record with symbols replaced at any depth, but for the effects' specs and the parameters themselves.
 local function substituted(record, map)
   local function s(e) return calculus.substitute(e, map) end
   local function walk(x)
@@ -162,6 +163,7 @@ end
 
 -- The body in named steps, unless its tensor multiplied out is less work and less to read; its names are then taken.
 -- A body with a hole of its own kind always: its steps are those that do not cancel.
+-- Multiplied out it is less to read if no number has nine digits and it has at most twice the characters.
 local function in_parts(m, b, r)
   local taken = {}
   local p = parts.of(b, r, function(name)

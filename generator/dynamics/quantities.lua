@@ -86,6 +86,7 @@ local function shifted(I, M, Rc, a)
 end
 quantities.shifted = shifted
 
+-- On the diagonal a_i (a_i - 2 R_i) for a_i^2 - 2 a_i R_i: one product, and no difference of squares.
 function quantities.inertia_at(m)
   local _, mass, com = quantities.mass(m)
   local a, I = symbols("a", 3), equations.inertia(m)
@@ -284,6 +285,7 @@ end
 local most_nodes = 300 -- beyond that e is no sum of products of tensor and inverse
 
 -- Has e more nodes than n, as a tree?
+-- Ends after n nodes, for as a tree a shared e can be astronomical.
 local function large(e, n)
   local function left(x, n_)
     for _, c in ipairs(expr.children(x)) do

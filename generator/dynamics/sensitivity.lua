@@ -107,6 +107,7 @@ function sensitivity.of_made(m, f, name, doc)
 end
 
 -- Symbols of a definition's name, whatever their rank.
+-- Derivatives are looked up by symbol, and a definition may stand in expressions with any of these ranks.
 local function symbols(name)
   local list = {}
   for rank = 6, 9 do list[#list + 1] = expr.sym(name, rank) end

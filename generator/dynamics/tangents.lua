@@ -51,6 +51,8 @@ local function uses_of(groups)
 end
 
 -- The states that the outputs need, in the model's order, and the definitions that these need: sets by name.
+-- Through the equations: a state whose rate needs another one needs that, too.  An output without expressions is an
+-- attitude.
 local function needed(m, groups, outputs)
   local defs, outs = uses_of(groups)
   local states, named = {}, {}
@@ -109,6 +111,7 @@ local function along(m, free, states, rows)
 end
 
 -- The step and its derivative along a direction: outs {row = place of the state, expr, lane = is it a derivative?}.
+-- The direction has no symbol in the step: `dummy` is none of its symbols, and all derivatives are those known.
 local function step_of(m, groups, known, list)
   local taken, dummy = {}, { name = "d0", sym = expr.sym("d0", 9) }
   for _, member in ipairs(m.members) do taken[member.name] = true end

@@ -183,6 +183,66 @@ local function wrapped(list, per)
   return lines
 end
 
+-- The products that the text uses, as mul32 and so on: rounded to nearest or down, n bits dropped.  On a machine of 32
+-- bits they are made of halves of 16 (steppers/q31.c), where n bits are the lower half and n - 16 of the middle one.
+local function products_used(p)
+  local out = {}
+  for _, down in ipairs { false, true } do
+    for n = 30, 32 do
+      local name = (down and "down" or "mul") .. whole(n)
+      if p.products[name] then
+        out[#out + 1] = { name = name, n = whole(n), times = n < 32 and "*" .. whole(1 << 32 - n) or "",
+          rest = whole(n - 16), round = down and "0" or string.format("0x%x", 1 << n - 17),
+          long_round = down and "" or string.format(" + INT64_C(0x%x)", 1 << n - 1) }
+      end
+    end
+  end
+  return out
+end
+
+-- The words of the state: limits, units, and what conversion from and to real numbers multiplies by.
+local function state_words(layout)
+  local out = {}
+  for i, l in ipairs(layout) do
+    out[i] = { name = l.name, upper = string.upper(l.name), limit = word(l.limit), rate = i > 4,
+      tail = i < 7 and " &&" or ";", scale = number.text(R.new(2) ^ l.e, "double"),
+      unit = number.text(R.new(2) ^ -l.e, "double"),
+      norm = i <= 4 and "*n" or "", one = whole(1 << l.k), place = whole(i - 1), bit = whole(1 << i - 1) }
+  end
+  return out
+end
+
+-- The words of the inputs, and the bits that tell of those beyond their limits.
+local function input_words(step)
+  local out, bits = {}, 0
+  for i, u in ipairs(step.u) do
+    local unit = u.unit == "1" and "" or " " .. u.unit
+    out[i] = { name = u.node.name, upper = u.index, bit = whole(1 << u.bit), shift = whole(u.bit),
+      low = word(u.low), high = word(u.high), scale = number.text(R.new(2) ^ u.exponent, "double"),
+      row = string.format("%-10s unit %s%s, limited to %s .. %s%s", u.label, power(u.exponent), unit,
+        few(u.low * 2.0 ^ -u.exponent), few(u.high * 2.0 ^ -u.exponent), unit) }
+    bits = bits | 1 << u.bit
+  end
+  return out, whole(bits)
+end
+
+-- The self-test's runs; a run goes on from where the one before it ended (`more` steps).
+local function test_cases(cases)
+  local out = {}
+  for i, c in ipairs(cases) do
+    local case = { n = whole(i), start = wrapped(array(c.start), 5), runs = {}, what = c.what,
+      u = table.concat(array(c.u or { 0 }), ", ") }
+    local last = 0
+    for k, r in ipairs(c.runs) do
+      case.runs[k] = { steps = whole(r.steps), more = whole(r.steps - last), want = wrapped(array(r.x), 5),
+        bits = whole(r.bits) .. "u" }
+      last = r.steps
+    end
+    out[i] = case
+  end
+  return out
+end
+
 -- job.q31: {step, layout, start, energy = {program, node}, cases = {{start =, u =, runs = {{steps, x, bits}}}}}
 function q31.files(job, base)
   local s = job.q31
@@ -195,52 +255,16 @@ function q31.files(job, base)
   w.energy_body = indent(statements(p, s.energy.program, { s.energy.node }))
   w.energy_start = word(s.energy.start)
   w.energy_node, w.energy_unit = p:of(s.energy.node), power(s.energy.node.e)
-  w.constants = p.constants
-  w.products = {}
-  for _, down in ipairs { false, true } do
-    for n = 30, 32 do
-      local name = (down and "down" or "mul") .. whole(n)
-      if p.products[name] then
-        w.products[#w.products + 1] = { name = name, n = whole(n), times = n < 32 and "*" .. whole(1 << 32 - n) or "",
-          rest = whole(n - 16), round = down and "0" or string.format("0x%x", 1 << n - 17),
-          long_round = down and "" or string.format(" + INT64_C(0x%x)", 1 << n - 1) }
-      end
-    end
-  end
+  w.constants, w.products = p.constants, products_used(p)
   w.updates = indent(updates(layout, upper))
   w.rows, w.why = rows(step, layout, job.source)
-  w.words = {}
-  for i, l in ipairs(layout) do
-    w.words[i] = { name = l.name, upper = string.upper(l.name), limit = word(l.limit), rate = i > 4,
-      tail = i < 7 and " &&" or ";", scale = number.text(R.new(2) ^ l.e, "double"),
-      unit = number.text(R.new(2) ^ -l.e, "double"),
-      norm = i <= 4 and "*n" or "", one = whole(1 << l.k), place = whole(i - 1), bit = whole(1 << i - 1) }
-  end
-  w.has_input, w.inputs, w.input_bits = #step.u > 0, {}, 0
-  for i, u in ipairs(step.u) do
-    local unit = u.unit == "1" and "" or " " .. u.unit
-    w.inputs[i] = { name = u.node.name, upper = u.index, bit = whole(1 << u.bit), shift = whole(u.bit),
-      low = word(u.low), high = word(u.high), scale = number.text(R.new(2) ^ u.exponent, "double"),
-      row = string.format("%-10s unit %s%s, limited to %s .. %s%s", u.label, power(u.exponent), unit,
-        few(u.low * 2.0 ^ -u.exponent), few(u.high * 2.0 ^ -u.exponent), unit) }
-    w.input_bits = w.input_bits | 1 << u.bit
-  end
-  w.input_bits = whole(w.input_bits)
+  w.words = state_words(layout)
+  w.has_input = #step.u > 0
+  w.inputs, w.input_bits = input_words(step)
   w.norm_limit = few(step.norm_limit * 2.0 ^ -28)
   w.step_seconds = number.text(step.h, "double")
   w.start_lines = wrapped(array(s.start), 5)
-  w.cases = {}
-  for i, c in ipairs(s.cases) do
-    local case = { n = whole(i), start = wrapped(array(c.start), 5), runs = {}, what = c.what,
-      u = table.concat(array(c.u or { 0 }), ", ") }
-    local last = 0
-    for k, r in ipairs(c.runs) do
-      case.runs[k] = { steps = whole(r.steps), more = whole(r.steps - last), want = wrapped(array(r.x), 5),
-        bits = whole(r.bits) .. "u" }
-      last = r.steps
-    end
-    w.cases[i] = case
-  end
+  w.cases = test_cases(s.cases)
   local n, render = job.model.name, GROUP(job.templates, base, w)
   return { { name = n .. "_q31.h", text = render "steppers/q31.h" },
     { name = n .. "_q31.c", text = render "steppers/q31.c" },

@@ -237,7 +237,7 @@ local function root_text(q, style)
   local below, d = opened(R.den(c))
   local outside, inside = { expr.num(above / below) }, { expr.num(n / d) }
   for _, f in ipairs(list) do
-    local half = radical.floor(R.abs(f[2]) / R.new(2)) * R.new(R.sign(f[2]))
+    local half = R.floor(R.abs(f[2]) / R.new(2)) * R.new(R.sign(f[2]))
     outside[#outside + 1] = expr.pow(f[1], half)
     inside[#inside + 1] = expr.pow(f[1], f[2] - R.new(2) * half)
   end

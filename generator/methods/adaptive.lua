@@ -15,12 +15,15 @@ local stages = require "generator.methods.stages"
 local adaptive = { name = "adaptive", order = 5, adaptive = true,
   about = "embedded pair of Dormand and Prince, orders 5 and 4, step from a tolerance, unrolled" }
 
+-- A row of the tableau as rationals.
 local function q(list)
   local out = {}
   for i, x in ipairs(list) do out[i] = R.lift(x) end
   return out
 end
 
+-- c: the nodes; a[n]: the weights of stage n, a[7] also those of the result of order 5 (its last stage is the next
+-- step's first); low: those of order 4.
 local tableau = {
   c = q { 0, "1/5", "3/10", "4/5", "8/9", 1, 1 },
   a = { {}, q { "1/5" }, q { "3/40", "9/40" }, q { "44/45", "-56/15", "32/9" },
@@ -63,6 +66,8 @@ end
 -- The trial step: from x at t and k1 = f(t, x) the state `out`, what is `turn`ed to get its q, its rates k7 and the
 -- error of the lower order, as the groups of a function; knots: where the run must stop (dynamics/breaks.lua).  Or nil
 -- and why there is none.
+-- groups[n - 1] is stage n, whose first definitions are its values of the moving states in their order (`plain` takes
+-- them from there); the last group is the error.
 function adaptive.program(eq)
   local zero = stages.conserved(eq)
   local moving, k, groups = {}, { {} }, {}
@@ -140,6 +145,7 @@ function adaptive.plain(eq)
     groups[n] = g
   end
   local last = { why = "the new state, of order 5; one Newton step for 1/|q|", defs = {}, outs = {} }
+  -- n = (3 - |q|^2)/2 is 1/|q| up to 3/8 (|q|^2 - 1)^2
   local square, n = expr.zero, expr.one
   for i, s in ipairs(program.states) do
     last.defs[i] = program.groups[6].defs[i]
@@ -159,6 +165,7 @@ end
 
 -- What the step of a fixed size adds to the states, in the place of the new states (methods/compensated.lua): h k1 + h
 -- times what the others differ from k1 by, for the weights are rounded, and always in the same way.
+-- Law: the weights of a[7] sum to 1, so sum a_j k_j = k1 + sum a_j (k_j - k1).
 function adaptive.increments(eq)
   local groups = adaptive.plain(eq)
   local new = groups[#groups]

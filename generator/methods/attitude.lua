@@ -35,9 +35,12 @@ local function named(group, prefix, suffix, v, letters)
 end
 attitude.named = named
 
+-- The quaternion (0, v).
 local function pure(v) return { expr.zero, v[1], v[2], v[3] } end
 
 -- Apart: the doubled quaternion 2 (1 + e2) serves stage 3, and 2 e2 the final sum.
+-- Gets what it returned for the stage before, {sum = what the stage adds to e1 + 2 e2 + e3 + e4, next = the factor of
+-- the next stage's v}.
 local function apart(g, s, v, e)
   if s == 1 then return { sum = pure(v), next = { expr.one, v[1], v[2], v[3] } } end
   local product = vec.qmul(e.next, pure(v))
@@ -60,6 +63,8 @@ function attitude.at(g, s, previous, coupled)
 end
 
 -- The increment of stage s from the angles v (and V of the frame) and the attitude `at` of the stage.
+-- Returns {sum, next} (apart) or {sum, d} (coupled). d is the change of q over h/2, v being w h/4; over h in stage 3,
+-- whose d leads to the end of the step.
 function attitude.increment(g, s, v, at, previous, coupled, V)
   if not coupled then return apart(g, s, v, previous) end
   local d = vec.qmul(at, pure(v))

@@ -92,12 +92,14 @@ function cayley.solved(m, v)
   end)
 end
 
+-- Cyclic indices give the cofactor its sign.
 local function cofactor(A, i, j)
   local a, b, c, d = i % 3 + 1, (i + 1) % 3 + 1, j % 3 + 1, (j + 1) % 3 + 1
   return A[a][c] * A[b][d] - A[a][d] * A[b][c]
 end
 
 -- J^-1 by cofactors: returns F -> J^-1 F.
+-- Law: (J^-1)_ji = K_ij/det J, K the cofactors, det J by the first row of J and K.
 function cayley.inverse(define, J)
   local K = {}
   for i = 1, 3 do
@@ -111,6 +113,7 @@ function cayley.inverse(define, J)
 end
 
 -- (1 - D)^-1 F; D near 0, entries D(i, j).  Rows whose F is zero do not move.
+-- The identity's row stands for such a row, so what is solved stays 3 by 3.
 function cayley.newton(define, F, D)
   local J = {}
   for i = 1, 3 do
@@ -125,6 +128,7 @@ function cayley.newton(define, F, D)
 end
 
 -- What turning L back by the rotation of (1, b) adds to it; s = 2/(1 + b^2), `name` what L is called.
+-- R^T L - L = s (b x (b x L) - b x L): a difference that is small with b and does not cancel.
 function cayley.turned(define, b, s, L, name)
   local bL = cayley.each(define, "b" .. name, vec.cross(b, L))
   return vec.scale(define("s", s), vec.sub(vec.cross(b, bL), bL))

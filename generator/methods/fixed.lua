@@ -77,6 +77,8 @@ function fixed.finest(q)
   return e
 end
 
+-- err: |a b - a' b'| is at most |a| db + |b| da + da db, and half a unit from rounding; rounded down, the other half is
+-- what `sum` gives back.
 function fixed:mul(name, a, b, n, blame, down)
   local ma, mb = fixed.most(a), fixed.most(b)
   n = n or 32
@@ -88,6 +90,7 @@ function fixed:mul(name, a, b, n, blame, down)
 end
 
 -- The node times q with exponent e: the constant has all its bits.
+-- 30 to 62 bits of the product are dropped (see mul above).
 function fixed:scale(name, a, q, e, about, blame, down)
   local full = fixed.finest(q)
   local n = a.e + full - e
@@ -112,6 +115,8 @@ function fixed:product(name, a, b, blame)
 end
 
 -- terms: a list of {multiple, node}, all of one exponent
+-- Two terms that were rounded down are one unit too low on average: `more` adds it, and what stays of an odd number of
+-- them counts as an error.
 function fixed:sum(name, terms, blame)
   local hi, err, halves, e = 0, 0.0, 0, terms[1][2].e
   for _, t in ipairs(terms) do
@@ -152,9 +157,11 @@ function fixed:clip(name, a, hi, flag)
     err = a.err }
 end
 
+-- x/2^n rounded down; Lua's >> brings in zeros from above.
 local function floor_shift(x, n) return (x >> n) | (x < 0 and ~(-1 >> n) or 0) end
 fixed.floor_shift = floor_shift
 
+-- What C does, in integers of 64 bits: no product or sum of words leaves them.
 local run = {
   mul = function(o, v) return floor_shift(v(o.a) * v(o.b) + (o.down and 0 or 1 << o.n - 1), o.n) end,
   product = function(o, v) return v(o.a) * v(o.b) end,

@@ -9,11 +9,11 @@
 -- across the torque is kept (a heavy top's L_z).  The two halves along a body's axis sum to that of h N, and with I
 -- symmetric about the axis A and B agree along it: a heavy top's w3 is kept, too.  The last equation is, times 1 + b x,
 --     I w = I w0 + (h/2) ((I w + k) x w + N + d x N)
--- Where inner dissipation turns the axes at W beside w, b = h W/2 and (I w + k) x W stand here instead.
 -- which for N = 0 is the midpoint rule for Euler's equations: energy, a quadratic invariant, is kept.  The rule is
 -- symmetric (h -> -h undoes a step), of order 2.  The halves are the derivatives of h V at the middle, which is how the
 -- middle of a geodesic moves with its ends.  A rod has no momentum along its line: what d x N has there is left out,
--- and L_z then oscillates by O(h^2).
+-- and L_z then oscillates by O(h^2).  Where inner dissipation turns the axes at W beside w, b = h W/2, and
+-- (I w + k) x W stands in the last equation.
 -- Source: Austin, Krishnaprasad, Wang 1993, J. Comput. Phys. 107, 105; Hairer, Lubich, Wanner, Geometric Numerical
 -- Integration (2nd ed.), IV.8 and VII.5.  The torque's halves are derived above.
 --
@@ -85,6 +85,7 @@ local function turn(m, acts)
 end
 
 -- N + d x N, by definitions
+-- d = b/(1 + c), c = |(1, b)|: Cayley's vector of half the rotation.
 local function half(define, r, N)
   local turned = vec.cross(r.b, N)
   if none(turned) then return N end

@@ -227,6 +227,7 @@ local function build(r, h, x)
 end
 
 -- Kinetic energy, the sum of I_k y_k^2/(2 g_k^2), in the finest unit that fits: {program, node}.
+-- Exponents are tried from the finest down; the first with which all nodes fit is taken.
 function q31.energy(step)
   local r, x = step.rates, step.x
   local g = axes.scaling(r, step.h / R.new(3))
@@ -249,6 +250,8 @@ end
 
 -- The step of a scene: what build returns for the finest exponents that fit, or nil after an error in job.diag.
 -- r: dynamics/bounded.lua
+-- Each exponent starts at its finest and is lowered where a node does not fit (`blame`).  Those that depend on it start
+-- again: k on f (30 bits finer), and f, k and d on w.  That ends, for below x.f = 8 or x.a = 32 the step is refused.
 function q31.of(job, r)
   local h = job.model:number(job.model.step)
   local most = R.zero

@@ -111,6 +111,9 @@ local function angles(eq, g, s, h4, at, renamed)
   return v, named(g, "b", tostring(s), vec.scale(h4, turn), comp)
 end
 
+-- Definitions of a stage come in the order in which they need each other. Where the axes do not turn at w alone (moving
+-- frame, slip) the increment of the attitude needs the rate at which they do, and so the stage's definitions, and these
+-- the attitude of the stage; else the increment comes first.
 local function forced(eq, prepared)
   local has, list = eq.model.has, integrated(eq)
   local pre = group("fractions of the step, times the constant factors of the rates", 6)
@@ -167,6 +170,7 @@ local free_why = { "stage 1: k1 = k(v1)", "stage 2: v2 = v1 + 2 k1", "stage 3: v
   "stage 4: v4 = v1 + 4 k3" }
 
 -- Twice and four times the constant factor of each rate; kept in the model where they depend on parameters alone.
+-- Rates that do not change have 0.
 local function factors(g, prepared, out_factor, constant)
   local two, four = {}, {}
   for i, name in ipairs(state.names.rates) do
@@ -181,6 +185,8 @@ local function factors(g, prepared, out_factor, constant)
   return two, four
 end
 
+-- With v = w h/4 and k(v) = (h/4)^2 k(w): w + (h/2) k(w) becomes v + (h^2/8) k(w) = v + 2 k(v), and w + h k(w) becomes
+-- v + 4 k(v).
 local function free(eq, prepared, constant)
   local list = integrated(eq)
   local pre = group("angles v = w h/4: k(v) = (h/4)^2 k(w) is quadratic, so the stages need no h", 6)

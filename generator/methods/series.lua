@@ -85,6 +85,8 @@ local function level_of(f)
 end
 
 -- A form as one variable and a constant factor, which is 1 if `whole`.
+-- Forms that are equal are one variable.  A factor stays outside where it costs nothing: it multiplies what is made of
+-- the variable, and not each of its terms.
 local function single(self, f, name, whole)
   local factor = f.of[f.vars[1]]
   if #f.vars == 1 and f.constant == expr.zero and (factor == expr.one or not whole) then return f.vars[1], factor end
@@ -127,6 +129,7 @@ local function power(self, u, a)
   local level = u.level + 1
   local root = R.sign(a) > 0 and not R.isint(a) and R.isint(a * R.new(2)) -- not negative, whatever u does
   return defined(self, "power " .. tostring(a) .. " " .. u.name, "power", level, u.sym ^ a, function(y)
+    -- (taylor.lua lists such variables: a term n > 0 divides by u[0], which may be 0)
     y.root = root
     local up, down = lane(self, u, y, level, true), lane(self, y, u, level, true)
     return (a * up - down) / (order * self:first(u))
@@ -226,6 +229,7 @@ local function self_square(fn, name, sign)
   functions[fn] = function(self, u)
     local level = u.level + 1
     return defined(self, fn .. " " .. u.name, name, level, expr.call(fn, u.sym), function(y)
+      -- y[n] is not known yet and stands as 0 in the lane: 2 y[0] y[n] is what it lacks
       local g = new_variable(self, "slope", level)
       g.start, g.term = expr.one + sign * y.sym ^ 2, sign * (lane(self, y, y, level) + 2 * self:first(y) * y.sym)
       return lane(self, u, g, level, true) / order
@@ -284,6 +288,7 @@ local function multiply_out(self, e)
       over[#over + 1] = power(self, v, exponent)
     end
   end
+  -- the product of a list of variables, two at a time
   local function chain(list)
     local v = list[1]
     for i = 2, #list do

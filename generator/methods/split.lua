@@ -72,6 +72,7 @@ split.coefficients = {
 
 local function short(e) return (string.gsub(e.kind, "^effect%.", "")) end
 
+-- Names of what a kick changes: the states of rates and velocity.
 local of_rates = {}
 for _, kind in ipairs { "rates", "velocity" } do
   for _, name in ipairs(state.names[kind]) do of_rates[name] = true end
@@ -116,6 +117,8 @@ local function rotor(m, k)
 end
 
 -- The drift: {kind, constants = {name -> expr}, axis = 1..3}; or nil and why not.
+-- constants: local names in the template -> derived constants of the model.  A rotor along the axis changes the rate
+-- about it alone: (I3 w3 + h)/I1 - w3 = c w3 + h/I1.
 local function drift(m)
   local s = m.structure
   if not m.has.rates then return { kind = "point", constants = {} } end
@@ -179,6 +182,7 @@ local function kick(eq, slowed)
       end
     end
     if turns(g) then put.why = "the torque's part of Euler's equations" end
+    -- the attitude's group is the drift's; one of definitions alone may be needed by others
     if not (g.outs[1] and g.outs[1].state == "qw") and (#put.outs > 0 or #g.outs == 0) then
       groups[#groups + 1] = put
     end

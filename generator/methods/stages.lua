@@ -10,6 +10,7 @@ local calculus = require "generator.algebra.calculus"
 
 local stages = {}
 
+-- States whose rate may have a constant factor, and those that a method steps by itself (attitude.lua).
 local quotient = { wx = true, wy = true, wz = true }
 local attitude = { qw = true, qx = true, qy = true, qz = true }
 

@@ -55,6 +55,7 @@ local function despun(eq, zero)
     for j = 1, 4 do change = change + calculus.diff(e, q[j]) * turned[j] end
     return change
   end
+  -- a rate r looks the same from all sides if its change, as the frame turns, is k x r
   for i = 1, 3 do
     if not ratio.iszero(turned_with(rate[i]) - along[i]) then return eq.groups end
   end
@@ -63,6 +64,8 @@ local function despun(eq, zero)
       return eq.groups
     end
   end
+  -- d(k x w)_i/dw_j is +-1 or 0, so this is the mean of the two entries of dw'/dw beside the diagonal, each with its
+  -- sign
   local Omega = expr.zero
   for i = 1, 3 do
     for j = 1, 3 do -- w' = Omega k x w + ...: the part of the antisymmetric matrix about k
@@ -94,6 +97,7 @@ end
 -- The heavy symmetric top, its axis k = z and the force along z in space: nothing but attitude and two rates moves, and
 -- W' = i Omega W + K conj(a) b with W = wx + i wy, a = qw + i qz, b = qx + i qy.  Returns the constants of the text in
 -- templates/steppers/taylor_top.c, or nil if the torque is another.
+-- K is d^2 wx'/(d qw d qx), for Re(conj(a) b) = qw qx + qz qy; the imaginary part is qw qy - qz qx.
 local function heavy(eq, Omega, moving)
   if #moving ~= 6 then return nil end
   local slope, q, w = {}, state.q, state.w
@@ -161,6 +165,7 @@ end
 
 -- Between two corners |t - T| is +-(t - T), sign(t - T) is +-1: the groups with a symbol of that sign for each corner,
 -- and the corners, {time, sign}.
+-- k.sign stands for +1 or -1 on the side of the corner that the step is on (breaks.lua).
 local function straightened(eq, groups)
   local knots, map = breaks.knots(eq), {}
   for i, k in ipairs(knots) do
@@ -181,25 +186,20 @@ local function straightened(eq, groups)
   return vec.map(groups, function(g) return { defs = put(g.defs), outs = put(g.outs) } end), knots
 end
 
--- The recurrences of groups, laid out: moving: the states whose terms are wanted, {name, sym}; varying: their names.
--- Returns {order, states, roots = square roots of what may vanish, lanes, levels = {{first, last, variables}}, ...}, or
--- nil and why there is none.
-local function laid_out(groups, moving, varying, order)
-  local clock = expr.sym("t", 8)
-  local list = { table.unpack(moving) }
-  list[#list + 1] = { name = "t", sym = clock }
+-- The recurrences of the groups for the states `list`; or nil and why there are none.
+local function recurrences(list, groups, varying)
   local ok, made = pcall(series.new, list, groups, varying)
-  if not ok then
-    if getmetatable(made) == series.missing then
-      local corner = "|x| of what moves has a corner at a time that is not known before, which a series does not " ..
-        "see: use adaptive or rk4"
-      return nil, (made.fn == "abs" or made.fn == "sign") and corner or
-        "no recurrence is known for the function " .. made.fn
-    end
-    error(made, 0)
-  end
-  made.slopes.t = { start = expr.one, term = expr.zero }
-  -- lanes by level, in the order in which they came up
+  if ok then return made end
+  if getmetatable(made) ~= series.missing then error(made, 0) end
+  local corner = "|x| of what moves has a corner at a time that is not known before, which a series does not " ..
+    "see: use adaptive or rk4"
+  return nil, (made.fn == "abs" or made.fn == "sign") and corner or
+    "no recurrence is known for the function " .. made.fn
+end
+
+-- Lanes in the order of their levels, each level a range {first, last, variables = those made of its lanes}; within a
+-- level lanes stand in the order in which they came up.  Level 0: what no lane is needed for.
+local function by_level(made)
   local depth = 0
   for _, l in ipairs(made.lanes) do depth = math.max(depth, l.level) end
   for _, v in ipairs(made.variables) do depth = math.max(depth, v.level) end
@@ -212,6 +212,12 @@ local function laid_out(groups, moving, varying, order)
     levels[level].last = #lanes
   end
   levels[0] = { variables = {} }
+  return lanes, levels
+end
+
+-- Gives each lane its index in the array p of C and puts p[index] for its symbol into all terms, and
+-- fills the variables of the levels.
+local function numbered(made, lanes, levels)
   local rename = {}
   for i, l in ipairs(lanes) do
     l.index = i - 1
@@ -227,7 +233,11 @@ local function laid_out(groups, moving, varying, order)
   for name, s in pairs(made.slopes) do -- a map of its own: order is lost
     made.slopes[name] = { start = s.start, term = calculus.substitute(s.term, rename) }
   end
-  local read, places = {}, 0 -- what lanes read
+end
+
+-- What lanes read, each variable with its place in the array y of C: the moving states first, time only if it is used.
+local function readings(made, moving, lanes, clock)
+  local read, places = {}, 0
   local function place(v)
     if not v.place then
       v.place = places
@@ -241,12 +251,28 @@ local function laid_out(groups, moving, varying, order)
     place(l.b)
   end
   if uses(made, clock) then place(made.by_sym[clock]) end
+  return read
+end
+
+-- The recurrences of groups, laid out: moving: the states whose terms are wanted, {name, sym}; varying: their names.
+-- Returns {order, states, roots = square roots of what may vanish, lanes, levels = {{first, last, variables}}, ...}, or
+-- nil and why there is none.  Time is a state of its own, t' = 1.
+local function laid_out(groups, moving, varying, order)
+  local clock = expr.sym("t", 8)
+  local list = { table.unpack(moving) }
+  list[#list + 1] = { name = "t", sym = clock }
+  local made, why = recurrences(list, groups, varying)
+  if not made then return nil, why end
+  made.slopes.t = { start = expr.one, term = expr.zero }
+  local lanes, levels = by_level(made)
+  numbered(made, lanes, levels)
   local roots = {}
   for _, v in ipairs(made.variables) do
     if v.root then roots[#roots + 1] = v end
   end
   return { order = order, term0 = series.FIRST, roots = roots, states = moving, variables = made.variables,
-    lanes = lanes, levels = levels, slopes = made.slopes, constants = made.constants or {}, read = read }
+    lanes = lanes, levels = levels, slopes = made.slopes, constants = made.constants or {},
+    read = readings(made, moving, lanes, clock) }
 end
 
 -- The same of the equations together with what neighbours along v depart by, the variational equations v' = f'(x) v:
@@ -296,6 +322,7 @@ local function tangent(eq, groups, moving, order)
 end
 
 -- The equations with no definition called like a derived constant: the series are told apart by names.
+-- A definition that has such a name gets another one.
 local function separate(eq)
   local ranks = {}
   for _, member in ipairs(eq.model.members or {}) do ranks[member.name] = 3 end

@@ -163,6 +163,7 @@ end
 same(call("sin", pi / 6), num "1/2", "sin(pi/6) ==> 1/2")
 same(call("cos", 2 * pi), expr.one, "cos(2 pi) ==> 1")
 same(call("sin", pi / 4), sqrt(2) / 2, "sin(pi/4) ==> sqrt(2)/2")
+same(call("sin", (num "1e30" + num "1/6") * pi), num "1/2", "sin((10^30 + 1/6) pi) ==> 1/2: a multiple of any size")
 differ(call("sin", pi / 7), expr.zero, "sin(pi/7) stays")
 differ(call("tan", pi / 2), expr.zero, "tan(pi/2) stays a call, without a value")
 

@@ -20,6 +20,7 @@ local symmetric = require "generator.dynamics.closed.symmetric"
 local axial = { name = "symmetric top with axial torque or damping, rates" }
 
 -- A direction for a sphere: that of the rotor, of the torque, or of the damping's own axis.
+-- Any axis is one of symmetry of a sphere; the one that what acts has, if it has one.
 local function direction(l)
   if l.axis then return l.axis end
   if l.torque and not ratio.iszero(vec.dot(l.torque, l.torque)) then return l.torque end

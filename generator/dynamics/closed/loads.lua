@@ -69,6 +69,7 @@ function loads.proportional(m, C)
 end
 
 -- C = c1 (1 - k k^T/k^2) + c3 k k^T/k^2: c1 and c3, or nil.
+-- c3 = k.C k/k^2, c1 by the trace, and then every entry must agree.
 function loads.coaxial(C, k)
   local k2 = vec.dot(k, k)
   local c3 = ratio.tidy(vec.dot(k, vec.matvec(C, k)) / k2)

@@ -70,6 +70,7 @@ function point.detect(m)
     end
     if not isotropic(k, axis) then return nil, "the stiffness is not one across the axis of the frame", true end
   end
+  -- along: the stiffness along the frame's axis, across: that of both directions across it; z if there is none
   local function constants(model)
     local c, list = context.with(context.of(model), t or {}), {}
     local turn = frame and moving.frame(model)

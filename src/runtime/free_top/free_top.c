@@ -240,65 +240,86 @@ static void arrange(pair I[3], pair axis[3][3], pair w[3], int smallest_is_3) {
     }
 }
 
-static void general(ph_free_top *f, const ph_wide q0[4], pair I[3], pair axis[3][3], pair w[3],
-                    pair side) {
-  arrange(I, axis, w, side.hi < 0);
-  f->kind = side.hi == 0 ? PH_FREE_SEPARATRIX : PH_FREE_PERIODIC;
-  f->sign = side.hi < 0 ? -1 : 1;
-  const pair one = pair_of(1);
-  const pair L[3] = {pair_multiply(I[0], w[0]), pair_multiply(I[1], w[1]),
-                     pair_multiply(I[2], w[2])};
-  const pair G = pair_sqrt(pair_add(pair_add(square(L[0]), square(L[1])), square(L[2])));
-  const pair g12 = size_of(pair_subtract(I[1], I[0])), g13 = size_of(pair_subtract(I[2], I[0])),
-             g23 = size_of(pair_subtract(I[2], I[1]));
-  /* |L^2 - 2 T I1|, ... */
-  const pair D1 = pair_add(pair_multiply(pair_multiply(I[1], g12), square(w[1])),
-                           pair_multiply(pair_multiply(I[2], g13), square(w[2])));
-  const pair D2 = size_of(side);
-  const pair D3 = pair_add(pair_multiply(pair_multiply(I[0], g13), square(w[0])),
-                           pair_multiply(pair_multiply(I[1], g23), square(w[1])));
-  const pair bottom = pair_multiply(g23, D1);
-  const pair m = pair_divide(pair_multiply(g12, D3), bottom);
-  const pair mc = pair_divide(pair_multiply(g13, D2), bottom), kc = pair_sqrt(mc);
-  const pair lambda = pair_divide(
-      pair_sqrt(pair_divide(pair_multiply(pair_divide(g23, I[1]), D1), I[0])), pair_sqrt(I[2]));
-  const pair p = pair_divide(pair_multiply(pair_divide(I[1], I[0]), g13), g23); /* 1 + nu */
-  const pair kappa =
-      pair_divide(pair_divide(pair_multiply(pair_divide(G, I[0]), g12), I[1]), lambda);
+/* What the motion keeps: L, g_ij = |I_i - I_j|, D_i = |L^2 - 2 T I_i|. D1 and D3 are sums of
+   positive terms; D2 is what free_top_side says, for there it would be a difference. */
+struct invariants {
+  pair L, g12, g13, g23, D1, D2, D3;
+};
+
+static struct invariants invariants_of(const pair I[3], const pair w[3], const pair L[3],
+                                       pair side) {
+  struct invariants c;
+  c.L = pair_sqrt(pair_add(pair_add(square(L[0]), square(L[1])), square(L[2])));
+  c.g12 = size_of(pair_subtract(I[1], I[0]));
+  c.g13 = size_of(pair_subtract(I[2], I[0]));
+  c.g23 = size_of(pair_subtract(I[2], I[1]));
+  c.D1 = pair_add(pair_multiply(pair_multiply(I[1], c.g12), square(w[1])),
+                  pair_multiply(pair_multiply(I[2], c.g13), square(w[2])));
+  c.D2 = size_of(side);
+  c.D3 = pair_add(pair_multiply(pair_multiply(I[0], c.g13), square(w[0])),
+                  pair_multiply(pair_multiply(I[1], c.g23), square(w[1])));
+  return c;
+}
+
+/* k', lambda, kappa and 1 + nu of the head, which the periods need in pairs; f gets them as
+ * numbers. */
+struct moduli {
+  pair kc, lambda, kappa, one_nu;
+};
+
+static struct moduli moduli_of(ph_free_top *f, const pair I[3], const struct invariants *c) {
+  struct moduli k;
+  const pair bottom = pair_multiply(c->g23, c->D1);
+  const pair m = pair_divide(pair_multiply(c->g12, c->D3), bottom);
+  k.kc = pair_sqrt(pair_divide(pair_multiply(c->g13, c->D2), bottom));
+  k.lambda =
+      pair_divide(pair_sqrt(pair_divide(pair_multiply(pair_divide(c->g23, I[1]), c->D1), I[0])),
+                  pair_sqrt(I[2]));
+  k.one_nu = pair_divide(pair_multiply(pair_divide(I[1], I[0]), c->g13), c->g23);
+  k.kappa =
+      pair_divide(pair_divide(pair_multiply(pair_divide(c->L, I[0]), c->g12), I[1]), k.lambda);
   f->m_wide = f->kind == PH_FREE_SEPARATRIX ? 1 : pair_value(m);
-  f->kc = pair_value(kc);
-  f->lambda = pair_value(lambda);
-  f->kappa = pair_value(kappa);
-  f->nu = pair_value(pair_divide(pair_multiply(pair_divide(I[2], I[0]), g12), g23));
-  const ph_wide B[3] = {pair_value(pair_sqrt(pair_multiply(pair_divide(I[0], g13), D3))),
-                        pair_value(pair_sqrt(pair_multiply(pair_divide(I[1], g23), D3))),
-                        pair_value(pair_sqrt(pair_multiply(pair_divide(I[2], g13), D1)))};
-  for (int k = 0; k < 3; k++) {
+  f->kc = pair_value(k.kc);
+  f->lambda = pair_value(k.lambda);
+  f->kappa = pair_value(k.kappa);
+  f->nu = pair_value(pair_divide(pair_multiply(pair_divide(I[2], I[0]), c->g12), c->g23));
+  return k;
+}
+
+/* B1, B2, B3, and u0 by the values that cn, sn and dn have at the start. */
+static void amplitudes(ph_free_top *f, const pair I[3], const pair L[3],
+                       const struct invariants *c) {
+  const ph_wide B[3] = {pair_value(pair_sqrt(pair_multiply(pair_divide(I[0], c->g13), c->D3))),
+                        pair_value(pair_sqrt(pair_multiply(pair_divide(I[1], c->g23), c->D3))),
+                        pair_value(pair_sqrt(pair_multiply(pair_divide(I[2], c->g13), c->D1)))};
+  for (int k = 0; k < 3; k++)
     f->B[k] = B[k];
-    f->moment[k] = pair_value(I[k]);
-    for (int i = 0; i < 3; i++)
-      f->axis[k][i] = pair_value(axis[k][i]);
-  }
   const ph_wide cn = pair_value(L[0]) / B[0], sn = f->sign * pair_value(L[1]) / B[1];
   const ph_wide dn = pair_value(L[2]) / B[2];
-  const pair quarter = pair_divide(G, pair_times(I[1], 2)); /* phi'/2 */
+  f->u0 = f->kind == PH_FREE_SEPARATRIX ? asinhl(sn / cn) /* the Gudermannian's inverse */
+                                        : sn * carlson_rf(cn * cn, dn * dn, 1);
+}
+
+/* Periods and rates per turn; quarter: phi'/2 of the first term, L / I2. On the separatrix there is
+   no period, and the second term of phi' ends at a constant. */
+static void periods(ph_free_top *f, const struct moduli *k, pair quarter) {
   keep(pair_divide(quarter, pair_times(pair_pi(), 2)), f->turn_rate);
   f->precession_wide = 2 * pair_value(quarter);
   f->period_wide = HUGE_VALL;
-  f->u0 = sn * carlson_rf(cn * cn, dn * dn, 1);
-  if (f->kind == PH_FREE_SEPARATRIX) {
-    f->u0 = asinhl(sn / cn); /* the Gudermannian's inverse */
-  } else {
-    const pair K = elliptic_k(kc);
-    const pair Y = pair_multiply(kappa, elliptic_cel(kc, p, one, pair_of(0)));
-    f->K = pair_value(K);
-    keep(pair_divide(lambda, pair_times(K, 2)), f->half_rate);
-    keep(pair_divide(Y, pair_times(pair_pi(), 2)), f->half_turn); /* 2 Y / 2 in turns */
-    f->period_wide = 4 * pair_value(pair_divide(K, lambda));
-    f->turn_wide = f->period_wide * 2 * pair_value(quarter) + f->sign * 4 * pair_value(Y);
-    f->precession_wide = f->turn_wide / f->period_wide;
-  }
-  /* the frame of L: q0 = q p0 e*, e from axes 1, 2, 3 to the body's */
+  if (f->kind == PH_FREE_SEPARATRIX)
+    return;
+  const pair K = elliptic_k(k->kc);
+  const pair Y = pair_multiply(k->kappa, elliptic_cel(k->kc, k->one_nu, pair_of(1), pair_of(0)));
+  f->K = pair_value(K);
+  keep(pair_divide(k->lambda, pair_times(K, 2)), f->half_rate);
+  keep(pair_divide(Y, pair_times(pair_pi(), 2)), f->half_turn); /* 2 Y / 2 in turns */
+  f->period_wide = 4 * pair_value(pair_divide(K, k->lambda));
+  f->turn_wide = f->period_wide * 2 * pair_value(quarter) + f->sign * 4 * pair_value(Y);
+  f->precession_wide = f->turn_wide / f->period_wide;
+}
+
+/* The frame of L: q0 = q p0 e*, e from axes 1, 2, 3 to the body's. */
+static void frame_of_momentum(ph_free_top *f, const ph_wide q0[4]) {
   ph_wide e[4], p0[4], L0[3], back[4];
   quat_of_axes(f->axis, e);
   elliptic_at(f, pair_of(0), p0, L0);
@@ -306,6 +327,25 @@ static void general(ph_free_top *f, const ph_wide q0[4], pair I[3], pair axis[3]
   wide_quat_multiply(q0, e, f->q);
   wide_quat_multiply(f->q, back, f->q);
   conjugate_of(e, f->p);
+}
+
+static void general(ph_free_top *f, const ph_wide q0[4], pair I[3], pair axis[3][3], pair w[3],
+                    pair side) {
+  arrange(I, axis, w, side.hi < 0);
+  f->kind = side.hi == 0 ? PH_FREE_SEPARATRIX : PH_FREE_PERIODIC;
+  f->sign = side.hi < 0 ? -1 : 1;
+  for (int k = 0; k < 3; k++) {
+    f->moment[k] = pair_value(I[k]);
+    for (int i = 0; i < 3; i++)
+      f->axis[k][i] = pair_value(axis[k][i]);
+  }
+  const pair L[3] = {pair_multiply(I[0], w[0]), pair_multiply(I[1], w[1]),
+                     pair_multiply(I[2], w[2])};
+  const struct invariants c = invariants_of(I, w, L, side);
+  const struct moduli k = moduli_of(f, I, &c);
+  amplitudes(f, I, L, &c);
+  periods(f, &k, pair_divide(c.L, pair_times(I[1], 2)));
+  frame_of_momentum(f, q0);
 }
 
 /* Euler's equations have nothing on the right. */

@@ -156,13 +156,54 @@ static ph_wide rescale(ph_wide h, ph_wide e, unsigned order) {
   return h * fminl(5, fmaxl(0.2L, factor));
 }
 
+/* Is the length of a step this file's to choose? A Taylor step finds its own from its terms. */
+static int chosen_here(const ph_run *run) {
+  return run->stepper.gsl || acts_any(&run->top);
+}
+
+/* The length to try: what is left of the span, or no more than `longest`; no crumb is left for the
+ * last step, and no step crosses a corner of a table. */
+static ph_wide trial_length(const ph_run *run, ph_wide left, ph_wide longest) {
+  if (!chosen_here(run))
+    return left;
+  const ph_wide h = fabsl(left) <= longest      ? left
+                    : fabsl(left) > 2 * longest ? copysignl(longest, left)
+                                                : left / 2;
+  return acts_until(&run->top, run->stepper.t, h);
+}
+
+/* A trial from x to y. *h: the length asked for, and what came of it; *error: to be compared with
+ * the tolerance; *next: the length that should be tried after this one. */
+static int trial(ph_run *run, const ph_wide x[], ph_wide *h, ph_wide y[], ph_wide *error,
+                 ph_wide *next) {
+  const ph_wide tolerance = (ph_wide)run->options.tolerance, start = run->stepper.t;
+  int status;
+  *error = 0, *next = 0;
+  if (run->stepper.gsl)
+    status = step_gsl(&run->stepper, x, *h, y, error);
+  else if (acts_any(&run->top))
+    status = step_extrapolate(&run->stepper, x, tolerance, h, next, y);
+  else
+    status = step_taylor(&run->stepper, x, taylor_order(&run->options), tolerance, h, y);
+  /* a trial step of GSL that is far too long may overflow: a shorter one is tried, until time
+   * stands still */
+  if (status == PH_ERANGE && run->stepper.gsl && start + *h != start) {
+    *error = HUGE_VALL;
+    status = PH_OK;
+  }
+  if (!status && run->stepper.gsl)
+    *next = rescale(fabsl(*h), *error / tolerance, gsl_odeiv2_step_order(run->stepper.gsl));
+  return status;
+}
+
+/* x goes over the span; *suggestion: the longest step worth trying, kept from run to run; 0: none
+ * is known yet. */
 static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[], ph_wide *suggestion, long *steps) {
-  const ph_wide tolerance = (ph_wide)run->options.tolerance, start = (ph_wide)run->t;
+  const ph_wide start = (ph_wide)run->t;
   const int n = ph_top_states(&run->top);
   ph_wide done = 0, longest = *suggestion;
   run->stepper.t = start;
-  const int extrapolates = !run->stepper.gsl && acts_any(&run->top);
-  if ((run->stepper.gsl || extrapolates) &&
+  if (chosen_here(run) &&
       !(longest > 0)) { /* a hundredth of a radian: the control finds its own within a few */
     ph_wide rate;
     const int status = step_rate(&run->stepper, x, &rate);
@@ -173,37 +214,17 @@ static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[], ph_wide *suggesti
   long tries = 0;
   while (done != span) {
     const ph_wide left = span - done;
-    ph_wide y[PH_STATES], error = 0, h = left;
+    ph_wide y[PH_STATES], error, next;
     run->stepper.t = start + done;
-    if ((run->stepper.gsl || extrapolates) &&
-        fabsl(left) > longest) /* no crumb is left for the last step */
-      h = fabsl(left) > 2 * longest ? copysignl(longest, left) : left / 2;
-    int status;
-    ph_wide after = 0;
-    if (run->stepper.gsl || extrapolates) /* no step crosses a corner of a table */
-      h = acts_until(&run->top, run->stepper.t, h);
-    if (run->stepper.gsl)
-      status = step_gsl(&run->stepper, x, h, y, &error);
-    else if (extrapolates)
-      status = step_extrapolate(&run->stepper, x, tolerance, &h, &after, y);
-    else
-      status = step_taylor(&run->stepper, x, taylor_order(&run->options), tolerance, &h, y);
-    /* a trial step of GSL that is far too long may overflow: a shorter one is tried, until time
-     * stands still */
-    if (status == PH_ERANGE && run->stepper.gsl && start + done + h != start + done) {
-      error = HUGE_VALL;
-      status = PH_OK;
-    }
+    ph_wide h = trial_length(run, left, longest);
+    const int status = trial(run, x, &h, y, &error, &next);
     if (status)
       return status;
     if (++tries > run->options.max_steps || stopped(run))
       return PH_ESTEPS;
     if (h != left && start + done + h == start + done)
       return PH_ESTEP;
-    const ph_wide next = run->stepper.gsl ? rescale(fabsl(h), error / tolerance,
-                                                    gsl_odeiv2_step_order(run->stepper.gsl))
-                                          : after;
-    if (error > tolerance) {
+    if (error > (ph_wide)run->options.tolerance) {
       longest = next;
       continue;
     }
