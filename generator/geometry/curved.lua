@@ -130,6 +130,7 @@ local function curve(out, k, at)
   put(out, line)
 end
 
+-- n segments for a full turn; 1e-9: a product that should be whole may be a little above
 local function arc(out, r, turns, n)
   curve(out, math.max(2, math.ceil(n * turns - 1e-9)), function(t)
     local c, s = turned.circle(turns * t)

@@ -20,6 +20,7 @@ local function cross(a, b)
 end
 
 -- The six faces of the parallelepiped at `corner` with edges e1, e2, e3.
+-- Left-handed edges change places, or the faces would look inwards.
 local function block(out, corner, e1, e2, e3)
   if dot(cross(e1, e2), e3) < 0 then e1, e2 = e2, e1 end
   local function at(i, j, k)
@@ -59,6 +60,7 @@ flat.family["solid.tetrahedron"] = function(out, a)
 end
 
 -- The prism over a polygon with holes, from z = 0 to h.
+-- Holes are walked clockwise, so their walls look into them.
 local function prism(out, outer, holes, h)
   local function lifted(p, z) return { p[1], p[2], z } end
   for _, t in ipairs(polygon.triangles(outer, holes)) do
@@ -83,6 +85,7 @@ flat.family["solid.wedge"] = function(out, a) prism(out, { { 0, 0 }, { a.x, 0 },
 local phi = (1 + math.sqrt(5)) / 2
 
 -- (a, b, c) and its cyclic shifts, with every sign of what is not zero
+-- (0, 1, phi): four signs, three shifts, 12 vertices.  A zero has one sign, and three equal entries one shift.
 local function family_of(a, b, c)
   local list = {}
   for shift = 0, 2 do
@@ -122,6 +125,7 @@ local regular = {
 flat.family["solid.regular"] = function(out, a)
   local r = regular[a.faces] or error("a regular polyhedron has 4, 6, 8, 12 or 20 faces", 0)
   for _, d in ipairs(r[2]) do
+    -- a face has the vertices that are farthest in its direction; the next ones are more than 0.1 behind
     local top, face = -math.huge, {}
     for _, v in ipairs(r[1]) do top = math.max(top, dot(v, d)) end
     for _, v in ipairs(r[1]) do

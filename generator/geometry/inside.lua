@@ -22,6 +22,7 @@ local function cross(u, v)
 end
 
 -- q* p q, for q of any length but 0.
+-- p + 2 w v x p + 2 v x (v x p) for the unit quaternion (w, v), here that of q*.
 local function turned_back(q, p)
   local s = planar.length(planar.length(q[1], q[2]), q[3], q[4])
   local w, v = q[1] / s, { -q[2] / s, -q[3] / s, -q[4] / s }
@@ -59,6 +60,7 @@ function inside.back(node, p)
   error("unknown node in a shape tree: " .. tostring(node.op))
 end
 
+-- Of a sum with an unknown part only "inside" can be said; of a difference "outside" by the body alone, or by the hole.
 function inside.excess(node, p)
   if node.shape then
     local f = solids[node.shape] or thin[node.shape]

@@ -69,6 +69,7 @@ local function polygon(x, y, p)
   return odd and -near or near
 end
 
+-- A hole's inside is outside; the largest excess is that of the difference.
 function planar.polygon(x, y, p, holes)
   local e = polygon(x, y, p)
   for _, h in ipairs(holes or {}) do e = max(e, -polygon(x, y, h)) end

@@ -58,6 +58,7 @@ local function into(loop, i, q)
 end
 
 -- One loop of the outer polygon and its holes, joined by bridges that are walked twice.
+-- nil where no vertex sees a hole: the holes are not inside.
 local function joined(outer, holes)
   local loop, rest = polygon.oriented(outer), {}
   for i, h in ipairs(holes or {}) do
@@ -93,6 +94,7 @@ function polygon.triangles(outer, holes)
   local loop, list = joined(outer, holes) or polygon.oriented(outer), {}
   local left = {}
   for i, p in ipairs(loop) do left[i] = p end
+  -- no other vertex in the closed triangle; strict: it is no straight line either
   local function ear(i, strict)
     local n = #left
     local a, b, c = left[(i - 2) % n + 1], left[i], left[i % n + 1]

@@ -55,6 +55,7 @@ end
 
 solids["solid.capsule"] = function(p, a) return length(rho(p), max(centred(p[3], a.h), 0)) - a.r end
 solids["solid.hemisphere"] = function(p, a) return max(radius(p) - a.r, -p[3]) end
+-- the ball's centre is at z = h - r
 solids["solid.cap"] = function(p, a) return max(length(p[1], p[2], p[3] - (a.h - a.r)) - a.r, -p[3]) end
 solids["solid.zone"] = function(p, a) return max(radius(p) - a.r, slab(p[3], a.z1, a.z2)) end
 -- |p| sin(angle from the axis - half angle): right for half angles up to pi
@@ -71,6 +72,7 @@ solids["solid.quarter_cylinder"] = function(p, a) return max(rho(p) - a.r, -p[1]
 solids["solid.hoof"] = function(p, a)
   return max(rho(p) - a.r, -p[1], -p[3], (p[3] - a.h * (p[1] / a.r)) / length(1, a.h / a.r))
 end
+-- a circle in the plane of rho and z
 solids["solid.torus"] = function(p, a) return length(rho(p) - a.R, p[3]) - a.r end
 solids["solid.hollow_sphere"] = function(p, a)
   local d = radius(p)
@@ -100,11 +102,13 @@ local function face(p, a, b, c, within)
   local e = dot(n, sub(p, a))
   return side > 0 and -e or e
 end
+-- the four faces, each with the vertex that it does not have
 solids["solid.tetrahedron"] = function(p, a)
   local v = a.vertices
   return max(face(p, v[2], v[3], v[4], v[1]), face(p, v[1], v[3], v[4], v[2]), face(p, v[1], v[2], v[4], v[3]),
     face(p, v[1], v[2], v[3], v[4]))
 end
+-- three slabs
 solids["solid.parallelepiped"] = function(p, a)
   local e = -math.huge
   for i = 1, 3 do -- between the face through the origin and the one through the third edge's end

@@ -46,6 +46,7 @@ end
 -- ---- placement ----
 
 -- Every point through move, each once; flip: faces inside out.
+-- Points that faces share stay shared.
 local function moved(s, move, flip)
   local seen, out = {}, { faces = {}, lines = {}, points = {}, creases = {} }
   local function image(p)
@@ -146,6 +147,7 @@ function surface.box(tree, n) return bounds(surface.tree(tree, n)) end
 local function distance(p, q) return math.sqrt((p[1] - q[1]) ^ 2 + (p[2] - q[2]) ^ 2 + (p[3] - q[3]) ^ 2) end
 
 -- Points of a triangle's lattice, its corners left out.
+-- The corners are there already.
 local function lattice(list, a, b, c, step)
   local longest = math.max(distance(a, b), distance(b, c), distance(c, a))
   local k = math.max(2, math.ceil(longest / step))

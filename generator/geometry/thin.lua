@@ -27,6 +27,7 @@ for _, name in ipairs { "sphere", "ellipsoid", "torus", "box" } do thin["shell."
 
 thin["shell.hemisphere"] = function(p, a) return max(abs(radius(p) - a.r), -p[3]) end
 thin["shell.zone"] = function(p, a) return max(abs(radius(p) - a.r), a.z1 - p[3], p[3] - a.z2) end
+-- side and ends, each a plate of its own
 thin["shell.cylinder"] = function(p, a)
   local side, end_ = rho(p) - a.r, abs(p[3]) - a.h / 2
   local e = max(abs(side), end_)

@@ -38,6 +38,7 @@ function body.determinant(A) return vec.dot(A[1], vec.cross(A[2], A[3])) end
 local build
 
 -- A shape that is a sum of simpler ones: its mass is shared among them by their measure.
+-- A given mass goes by measure m_i = M l_i/sum l, a density by m_i = density l_i.
 local function divided(node, spec)
   local list, total = spec.pieces(node.a), expr.zero
   for _, s in ipairs(list) do total = total + s.measure end
@@ -81,6 +82,8 @@ local function primitive(node)
 end
 
 -- r -> A r + b applied to every piece and named point; step: what that is called in a derivation.
+-- com -> A com + shift, sigma -> A sigma A^T.  change: piece -> its new mass, nil: as it was.  A tensor that was given
+-- is kept as it was typed only while nothing turns it.
 local function affine(b, A, shift, step, change)
   local function move(r)
     local v = A and vec.matvec(A, r) or r
@@ -99,6 +102,8 @@ local function affine(b, A, shift, step, change)
   return out
 end
 
+-- a + b, or a - b: what is cut out has negative mass, and a hole in it is matter again.  Named points are those of a;
+-- its centroid is no longer one.
 local function joined(a, b, sign)
   local out = { pieces = {}, points = {}, particles = a.particles and b.particles and sign > 0 }
   for _, p in ipairs(a.pieces) do out.pieces[#out.pieces + 1] = p end
@@ -167,6 +172,7 @@ function body.of(node)
 end
 
 -- The tensor about the point P, {xx, yy, zz, xy, xz, yz}, factored.
+-- A piece without sigma is a particle.
 function body.tensor(b, P)
   local I = { expr.zero, expr.zero, expr.zero, expr.zero, expr.zero, expr.zero }
   for _, p in ipairs(b.pieces) do

@@ -23,6 +23,7 @@ local affordable = 4000 -- products of terms: what is longer decides nothing tha
 critical.__index = critical
 
 -- Is e > 0 (strict) or >= 0 (not strict) for all values of its symbols, positive ones positive?
+-- By form: a product of positive factors, a sum without a negative term and with a positive one.  False is no proof.
 local function surely(e, strict)
   if e.kind == "num" then return R.sign(e.value) > (strict and 0 or -1) end
   if e.kind == "sym" then return e.positive end
@@ -95,6 +96,7 @@ end
 local function quotient(p, q) return (ratio.tidy(p / q)) end
 
 -- x^2n - y^2m with square coefficients: (x^n - y^m)(x^n + y^m).
+-- 4 a^2 - b^2 ==> (2 a - b) (2 a + b); a coefficient whose root is irrational: nil.
 local function split_squares(e)
   if #e ~= 2 then return nil end
   local root = {}
@@ -124,6 +126,7 @@ local function cosine(e)
 end
 
 -- x^2n - 2 x^n y^m + y^2m, or with a plus: the root x^n -+ y^m; else nil.
+-- a^2 - 2 a b + b^2 ==> a - b
 local function square_root(e)
   if #e ~= 3 then return nil end
   for middle = 1, 3 do
@@ -140,6 +143,7 @@ end
 
 -- A factor of the sum e that does not contain all of e's symbols: the common divisor of e's coefficients as a
 -- polynomial in one of them.
+-- Returns it and the rest.  a b + a c ==> a, b + c, where expr has left the sum as it is.
 local function content(e)
   local ring, p = poly.modest(e)
   if not p or p.n > 200 then return nil end
@@ -173,6 +177,7 @@ local function content(e)
 end
 
 -- The sign of e as constant * product of the signs of atoms: returns the constant (-1, 0, 1) and the list of atoms.
+-- An even power counts twice: its base may be zero, which a sign of 0 must tell.
 function critical:signs(e)
   e = self:plain(e)
   if e == expr.zero then return 0, {} end
@@ -225,6 +230,7 @@ local longest = 44 -- characters of a right side that is worth solving for
 local flip = { [">"] = "<", ["<"] = ">", ["≠"] = "≠", ["="] = "=" }
 
 -- The square root of q as text: what is a square stands before the root, the rest under one root.
+-- 12 r^2/5 ==> √(3/5) 2 r
 local function root_text(q, style)
   local c, list = factors(q)
   local function opened(n)

@@ -23,6 +23,7 @@ local kinds = { "volume", "area", "length", "particles" }
 local noun = { volume = "a volume", area = "an area", length = "a length", particles = "particles" }
 local per = { volume = " kg/m^3", area = " kg/m^2", length = " kg/m" }
 
+-- Does the tree have a hole?
 function holes.any(node)
   if node.shape then return false end
   if node.op == "minus" then return true end
@@ -75,6 +76,7 @@ end
 
 -- Writes into the leaves of the numeric tree what they weigh per volume, area or length where they stand (`weight`;
 -- nil: not known).  node: the same tree as expressions.
+-- size: how many times larger things of each kind are than where the shape is written; a density stays, a mass spreads.
 local function weigh(m, node, num, size)
   if num.extra then return weigh(m, node, num.of, size) end
   if num.shape then
@@ -152,6 +154,7 @@ local function sampled(a, hole)
 end
 
 -- Points between the samples that are in the hole.
+-- Pairs and places have no pattern; of a solid only what is clearly inside counts.
 local function between(hole, list, slack, kind)
   local out = {}
   for i = 1, #list, 2 do
@@ -183,6 +186,7 @@ local function contained(d, node, a, hole, kind)
   return true, kind == "volume" and inner or list, slack
 end
 
+-- Is a part's mass given, and its density so a derived number?
 local function by_mass(node)
   if node.shape then return node.by_mass end
   if node.of then return by_mass(node.of) end
@@ -217,6 +221,7 @@ local function same_stuff(d, node, a, hole, kind, points, slack)
   return true
 end
 
+-- Kind by kind; true: nothing is wrong, or nothing is known of the hole.
 local function cut(d, node, a, hole)
   local in_a, in_hole = kinds_of(a), kinds_of(hole)
   if in_hole.unknown then return true end

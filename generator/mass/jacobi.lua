@@ -22,6 +22,7 @@ local function turn(d, o, v, r, bits)
   local t = round(R.one / (R.sign(ratio) < 0 and ratio - root or ratio + root))
   local c = R.one / R.apply("sqrt", 2 * bits, R.one + t * t)
   local s = t * c
+  -- t = tan of the angle solves t^2 + 2 ratio t - 1 = 0, the smaller root; `left` is what its rounding leaves of I_pq
   local left = ((R.one - t * t) * o[r] - t * (d[q] - d[p])) / (R.one + t * t)
   local shift = t * (o[r] + left)
   d[p], d[q], o[r] = round(d[p] - shift), round(d[q] + shift), round(left)

@@ -63,6 +63,7 @@ function linearised.motion(A, x, y)
   local a, b = math.abs(A.a), math.abs(A.b)
   local X, Y = x * (x / a), y * (y / b)
   local s = A.a > 0 and A.c or -A.c
+  -- where sin f or cos f is 0
   local high, low = s * X, -s * Y -- of z^2 - 1
   if high < low then high, low = low, high end
   if low <= -1 then return nil end

@@ -8,7 +8,8 @@
 -- Multiplied out, the entries of such a sum are polynomials that nobody can read, cost more and cancel more.  So each
 -- step is an expression of the parameters and of the names before it; its `pure` is the same in the parameters alone,
 -- for what must be decided exactly.
---     A hole of the body's own kind may nearly fill it: m1 - m2 cancels then, while multiplied out and factored the
+--
+-- A hole of the body's own kind may nearly fill it: m1 - m2 cancels then, while multiplied out and factored the
 -- thickness of the wall stands in front.  So with such holes the mass and the sums over the pieces' own moments are
 -- taken in the parameters, and about any point two pieces take the reduced mass and the centre c1 + m2 D/mass.
 -- ABOVE the line.
@@ -40,6 +41,7 @@ function parts.wanted(b)
   return false
 end
 
+-- e under the name, if it is not one already or a short number: the symbol, or e itself.
 function parts:step(name, e, about, unit)
   if e.kind == "sym" or expr.constant(e) and #text.of(e) <= short then return e end
   local sym = expr.sym(self.unique(name), 3)
@@ -142,6 +144,7 @@ function parts.of(b, P, unique)
 end
 
 -- m e for piece s, with the number in front taken into its step.
+-- M/12 (b^2 + c^2) ==> k1 (b^2 + c^2), k1 = M/12
 local function times(s, e)
   local c, rest = expr.split(e)
   if s.k and R.abs(c) == R.abs(s.content) then return c / s.content * s.k * rest end

@@ -86,6 +86,7 @@ local slips = { { 1e9, "its lengths in mm", "mm", "length" }, { 1e6, "its length
   { 1e-3, "its mass in g", "g", "mass" },
   { 1e6, "its lengths in mm and its mass in g", "mm", "both" } }
 
+-- Was what the slip is about written without a unit?
 local function possible(bare, kind)
   if kind == "both" then return bare.length and bare.mass end
   return bare[kind]

@@ -90,6 +90,7 @@ end
 
 -- The solid of revolution about z of a profile of {radius, z} with holes: volume, height of the centroid, and second
 -- moments about it per unit volume: across the axis and along it.
+-- Pappus: an area dA at the distance x sweeps out 2 pi x dA.  Across the axis half of the mean of x^2, by symmetry.
 function polygon.revolved(profile, holes)
   local z0, parts = profile[1][2], {}
   local loops = { profile, table.unpack(holes) }

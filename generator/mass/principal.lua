@@ -32,6 +32,7 @@ local function symmetric(alpha, axial, k)
   return { kind = "symmetric", alpha = tidy(alpha), axial = tidy(axial), k = k }
 end
 
+-- All tests for every value of the parameters: three moments that happen to be equal stay diagonal.
 local function diagonal(I)
   local same12, same13, same23 = iszero(I[1] - I[2]), iszero(I[1] - I[3]), iszero(I[2] - I[3])
   if same12 and same13 then return { kind = "sphere", alpha = I[1] } end
@@ -76,6 +77,7 @@ local function block(I, i, j, c)
   return { kind = "full", block = { i, j, c } }
 end
 
+-- I_ij = beta k_i k_j gives I_xx - I_xy I_xz/I_yz = alpha, and the same for y and z; k = (1, I_yz/I_xz, I_yz/I_xy).
 local function oblique(I)
   local xy, xz, yz = I[4], I[5], I[6]
   local alpha = I[1] - xy * xz / yz

@@ -52,6 +52,7 @@ end
 
 local swaps = { { 4, 5 }, { 4, 6 }, { 5, 6 }, { 1, 2 }, { 1, 3 }, { 2, 3 } }
 
+-- valid(I, mass, com): is this what some body has?
 local function form(g, valid)
   local found = {}
   local function try(I, text)

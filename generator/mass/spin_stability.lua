@@ -109,6 +109,7 @@ function stability:atoms()
   return list
 end
 
+-- The sign of one of them, when those of its atoms are known.
 local function sign_of(s, sign)
   local v = s.sign
   for _, a in ipairs(s.atoms) do v = v * sign(a) end
@@ -122,6 +123,7 @@ function stability:signs(sign)
   end
   local b = self.block
   local D, S, gap = sign_of(b.D, sign), sign_of(b.S, sign), sign_of(b.gap, sign)
+  -- D < 0: I_c between the two; D > 0: beyond both, on the side of S; D = 0: equal to one, to the lesser where S < 0
   local above_greater = D < 0 and -1 or D > 0 and S or S < 0 and -1 or 0
   local above_lesser = D < 0 and 1 or D > 0 and S or S > 0 and 1 or 0
   local out = {}
@@ -136,6 +138,7 @@ function stability:signs(sign)
 end
 
 -- 1 stable, 0 neutral, -1 unstable: the spin about axis k, from the three signs.
+-- The largest moment has up > 0 and down > 0, the least both < 0, the middle one of each.
 function stability.verdict(signs, k, dissipation)
   local up, down = signs[(k + 1) % 3 + 1], -signs[k % 3 + 1] -- of I_k - I_i and I_k - I_j, k, i, j cyclic
   if not dissipation then return up * down end
@@ -146,6 +149,7 @@ end
 ---- conditions as trees -------------------------------------------------------------------------------
 -- true, false, {op = "and"/"or", a, b} or a leaf {atoms =, relation = ">" or "<" or "≠"}: the atoms' product against 0.
 
+-- The condition that s has the relation to 0; an atom of even power leaves only that it is not zero.
 local function leaf(s, relation)
   if s.sign == 0 then return false end
   if s.sign < 0 then relation = relation == ">" and "<" or ">" end

@@ -46,6 +46,7 @@ local function constant_call(B, fn, args)
 end
 
 -- Returns shape(node) -> term, which keeps what it has made: one visit of each node.  bound: symbol -> term.
+-- by_kind: how each kind of expr node becomes a term
 local function shaper(B, bound)
   local memo = {}
   local shape
@@ -131,6 +132,7 @@ local function roots_of(program, B)
 end
 
 -- The roots that some result needs, all outs and the defs they reach, and the forms below them.
+-- A leaf of a definition leads on to what it stands for.
 local function needed(roots)
   local outs, inside = {}, {}
   for _, root in ipairs(roots) do

@@ -126,6 +126,7 @@ local function extract_roots(B, P)
 end
 
 -- The term of P: what has a positive exponent above the line of the quotient, the rest below it.
+-- 0 times anything is 0; one factor without a denominator is itself, no product.
 local function finish(B, P)
   if R.sign(P.c) == 0 then return B.number(R.zero) end
   local atoms = #P.roots > 0 and extract_roots(B, P) or P.roots

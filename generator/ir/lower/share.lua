@@ -188,6 +188,7 @@ local function by_denominator(forms)
 end
 
 -- The factor that most of the products have above the line, and these; nil where all are different.
+-- Ties go to the factor that reached the number first.
 local function common_factor(group)
   local places, best = {}, nil -- factor -> the products that have it
   for _, f in ipairs(group) do

@@ -23,6 +23,7 @@ function pair.arithmetic(f)
     return { hi, f(f(a - f(hi - bb)) + f(b - bb)) }
   end
 
+  -- a = high + low, each of half the bits, so that products of halves are exact
   local function halves(a)
     local c = f(split * a)
     local high = f(c - f(c - a))
@@ -36,6 +37,7 @@ function pair.arithmetic(f)
     return { hi, f(f(f(f(f(ah * bh) - hi) + f(ah * bl)) + f(al * bh)) + f(al * bl)) }
   end
 
+  -- The low parts are added once, in the type: what that loses is relative to the larger operand.
   function P.add(a, b)
     local s = sum(a[1], b[1])
     return sum(s[1], f(s[2] + f(a[2] + b[2])))
@@ -46,12 +48,14 @@ function pair.arithmetic(f)
     return sum(p[1], f(p[2] + f(f(a[1] * b[2]) + f(a[2] * b[1]))))
   end
 
+  -- q + (a - q b)/b from q = a/b, the difference exact but for q times b's low part
   function P.quotient(a, b)
     local q = f(a[1] / b[1])
     local p = P.product(q, b[1])
     return sum(q, f(f(f(f(a[1] - p[1]) - p[2]) + f(a[2] - f(q * b[2]))) / b[1]))
   end
 
+  -- r + (a - r^2)/(2 r), one step of Newton
   function P.root(a)
     local r = f(math.sqrt(a[1]))
     local p = P.product(r, r)

@@ -25,6 +25,7 @@ local function arithmetic(f)
   return P, series.terms[P.real]
 end
 
+-- (y^2/12) sum of (-y^2)^(n-1) 6/((2 n + 1)!), y = 2 h
 local function arc_across(f, h)
   local y = f(2 * h)
   if not short(f, h) then return 0.5 * f(1 - f(f(math.sin(y)) / y)) end
@@ -54,6 +55,7 @@ local function arc_along(f, h)
   return P.multiply(x, P.multiply(x, sum))[1] / 720
 end
 
+-- (h^2/3) sum of n (-h^2)^(n-1) 6/((2 n + 1)!)
 local function arc_lever(f, h)
   if not short(f, h) then return f(f(math.sin(h)) / h) - f(math.cos(h)) end
   local P, terms = arithmetic(f)
@@ -109,6 +111,7 @@ local function catenary_height(f, u)
   return P.multiply(x, sum)[1] / 4320
 end
 
+-- 1 - 2 coth(u)/u + 2/u^2 = (1 + q)/(3 + q) with Lambert's fraction u coth(u) = 1 + u^2/(3 + q), q = u^2/(5 + ..)
 local function catenary_width(f, u)
   if not short(f, u) then
     local w = f(math.exp(-u))

@@ -15,6 +15,7 @@ function kit.length(name) return { name = name, dim = "length", sign = "positive
 function kit.vector(name, default) return { name = name, dim = "length", size = 3, default = default } end
 
 -- A list of rows of coordinates: exactly `count` of them, or `least` and more.
+-- size: coordinates of a row
 function kit.rows(name, size, least, count)
   return { name = name, dim = "length", rows = size, least = least, count = count }
 end
@@ -40,6 +41,7 @@ end
 
 function kit.diagonal(x, y, z) return { x, y, z, zero, zero, zero } end
 
+-- The centroid at the origin.
 function kit.centred(measure, sigma, points) return { measure = measure, sigma = sigma, points = points } end
 
 -- Matter in z = 0 symmetric about the ray at the angle h whose sine and cosine are s, c: second moments about its

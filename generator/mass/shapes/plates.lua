@@ -22,6 +22,7 @@ return {
     args = { length "r_in", length "r_out" },
     requires = function(a) return { { a.r_out - a.r_in, "r_out must be larger than r_in" } } end,
     build = function(a)
+      -- (o^4 - i^4)/(4 (o^2 - i^2))
       local s = (a.r_in ^ 2 + a.r_out ^ 2) / 4
       return centred(pi * (a.r_out - a.r_in) * (a.r_out + a.r_in), diagonal(s, s, zero),
         { rim = { a.r_out, zero, zero } })
@@ -44,6 +45,8 @@ return {
       local r, h = a.r, a.angle / 2 -- along a ray the mean distance is 2 r/3, the mean square r^2/2
       local s, c = expr.call("sin", h), expr.call("cos", h)
       local x = q "2/3" * r * s / h
+      -- variance of rho cos t: mean of rho^2 times that of cos t, and that of rho, r^2/18, times the squared mean of
+      -- cos t
       local along = r ^ 2 * expr.call("arc_along", h) / 2 + (x / 2) ^ 2 / 2
       return { measure = r ^ 2 * h, com = { x * c, x * s, zero },
         sigma = kit.fan(s, c, along, r ^ 2 * expr.call("arc_across", h) / 2), points = { apex = { zero, zero, zero } } }

@@ -41,6 +41,7 @@ return {
   { name = "solid.pyramid", measure = "volume", frame = "based, apex at z = h",
     about = "rectangular base x, y, height h", args = { length "x", length "y", length "h" },
     build = function(a)
+      -- sections shrink as a cone's do: 3/5 of the base's x^2/12
       return { measure = a.x * a.y * a.h / 3, com = kit.axial(a.h / 4),
         sigma = diagonal(a.x ^ 2 / 20, a.y ^ 2 / 20, q "3/80" * a.h ^ 2),
         points = { apex = kit.axial(a.h), base = kit.axial(zero) } }
@@ -50,6 +51,7 @@ return {
     args = { length "x", length "y", length "z" },
     build = function(a)
       return { measure = a.x * a.y * a.z / 2, com = { a.x / 3, a.y / 3, a.z / 2 },
+        -- triangle: sum (v - c)^2 = 2/3 x^2 and -x y/3, over 12
         sigma = { a.x ^ 2 / 18, a.y ^ 2 / 18, a.z ^ 2 / 12, -a.x * a.y / 36, zero, zero },
         points = { corner = { zero, zero, zero } } }
     end },

@@ -37,6 +37,7 @@ return {
   { name = "solid.hemisphere", measure = "volume", frame = "based", about = "half ball of radius r on z >= 0",
     args = { length "r" },
     build = function(a)
+      -- the ball's mean squares, r^2/5, less the square of the centroid: 1/5 - 9/64 = 19/320
       return { measure = q "2/3" * pi * a.r ^ 3, com = axial(q "3/8" * a.r),
         sigma = diagonal(a.r ^ 2 / 5, a.r ^ 2 / 5, q "19/320" * a.r ^ 2),
         points = { base = axial(zero), pole = axial(a.r) } }
@@ -45,6 +46,7 @@ return {
     about = "cap of height h <= 2 r of a ball of radius r", args = { length "r", length "h" }, requires = cap_height,
     build = function(a)
       local r, h = a.r, a.h
+      -- u from the top down: a slice weighs 2 r u - u^2
       local s = 3 * r - h
       local xx = h * (20 * r ^ 2 - 15 * r * h + 3 * h ^ 2) / (20 * s)
       return { measure = pi * h ^ 2 * s / 3, com = axial(h * (4 * r - h) / (4 * s)),
@@ -88,6 +90,7 @@ return {
     about = "centre radius R, tube radius r < R", args = { length "R", length "r" },
     requires = function(a) return { { a.R - a.r, "R must be larger than r" } } end,
     build = function(a)
+      -- a ring at R + x weighs R + x: the mean of rho^2 is R^2 + 3 r^2/4, x^2 having r^2/4 over the tube's section
       local s = a.R ^ 2 / 2 + q "3/8" * a.r ^ 2
       return centred(2 * pi ^ 2 * a.R * a.r ^ 2, diagonal(s, s, a.r ^ 2 / 4), { tube = { a.R, zero, zero } })
     end },

@@ -36,6 +36,7 @@ return {
     args = { length "r", kit.coordinate "z1", kit.coordinate "z2" }, requires = kit.zone_limits,
     build = function(a)
       local p, s = a.z1, a.z2
+      -- uniform in z: x^2 is half of r^2 less the mean of z^2, (p^2 + p s + s^2)/3
       local xx = (3 * a.r ^ 2 - p ^ 2 - p * s - s ^ 2) / 6
       return { measure = 2 * pi * a.r * (s - p), com = axial((p + s) / 2), sigma = diagonal(xx, xx, (s - p) ^ 2 / 12),
         points = { centre = axial(zero) } }
@@ -56,6 +57,7 @@ return {
   { name = "shell.cone", measure = "area", curved = true, frame = "based, open, apex at z = h",
     about = "side of a cone of base radius r and height h", args = { length "r", length "h" },
     build = function(a)
+      -- a ring at the part c of the way from the apex weighs c: the mean of c^2 is 1/2, half of it for x
       return { measure = pi * a.r * expr.sqrt(a.r ^ 2 + a.h ^ 2), com = axial(a.h / 3),
         sigma = diagonal(a.r ^ 2 / 4, a.r ^ 2 / 4, a.h ^ 2 / 18), points = { apex = axial(a.h), base = axial(zero) } }
     end },
@@ -63,6 +65,7 @@ return {
     about = "centre radius R, tube radius r < R", args = { length "R", length "r" },
     requires = function(a) return { { a.R - a.r, "R must be larger than r" } } end,
     build = function(a)
+      -- a ring at R + x weighs R + x: the mean of rho^2 is R^2 + 3 r^2/2, x^2 having r^2/2 over the tube's circle
       local s = a.R ^ 2 / 2 + q "3/4" * a.r ^ 2
       return centred(4 * pi ^ 2 * a.R * a.r, diagonal(s, s, a.r ^ 2 / 2), { tube = { a.R, zero, zero } })
     end },

@@ -12,7 +12,8 @@ local q, length, diagonal, centred, axial = kit.q, kit.length, kit.diagonal, kit
 
 local function ends(h) return { base = axial(-h / 2), top = axial(h / 2) } end
 
--- Moments of a solid whose cross-section shrinks linearly to an apex at height h: z = h/4, variance 3/80 h^2.
+-- Moments of a solid whose cross-section shrinks linearly to an apex at height h: a slice weighs (1 - z/h)^2, so the
+-- mean of z is h/4, its variance 3/80 h^2, and the mean of (1 - z/h)^2, which scales the base's squares, 3/5.
 local function to_apex(measure, xx, yy, h)
   return { measure = measure, com = axial(h / 4), sigma = diagonal(xx, yy, q "3/80" * h ^ 2),
     points = { apex = axial(h), base = axial(zero) } }
@@ -39,6 +40,7 @@ return {
     about = "radii r_in < r_out, height h", args = { length "r_in", length "r_out", length "h" },
     requires = function(a) return { { a.r_out - a.r_in, "r_out must be larger than r_in" } } end,
     build = function(a)
+      -- (o^4 - i^4)/(4 (o^2 - i^2))
       local s = (a.r_in ^ 2 + a.r_out ^ 2) / 4
       return centred(pi * (a.r_out - a.r_in) * (a.r_out + a.r_in) * a.h, diagonal(s, s, a.h ^ 2 / 12), ends(a.h))
     end },
@@ -67,6 +69,7 @@ return {
   { name = "solid.half_cylinder", measure = "volume", frame = "cylinder's axis on z, centred in z, x >= 0",
     about = "radius r, height h", args = { length "r", length "h" },
     build = function(a)
+      -- less the square of a half disc's centroid, 4 r/(3 pi)
       local s = a.r ^ 2 / 4
       return { measure = pi * a.r ^ 2 * a.h / 2, com = { 4 * a.r / (3 * pi), zero, zero },
         sigma = diagonal(s - q "16/9" * a.r ^ 2 / pi ^ 2, s, a.h ^ 2 / 12), points = { axis = axial(zero) } }
@@ -74,6 +77,7 @@ return {
   { name = "solid.quarter_cylinder", measure = "volume", frame = "cylinder's axis on z, centred in z, x, y >= 0",
     about = "radius r, height h", args = { length "r", length "h" },
     build = function(a)
+      -- over the quarter disc x y is r^4/8: a mean of r^2/(2 pi)
       local c = 4 * a.r / (3 * pi)
       local s = a.r ^ 2 / 4 - c ^ 2
       return { measure = pi * a.r ^ 2 * a.h / 4, com = { c, c, zero },
@@ -91,6 +95,7 @@ return {
   { name = "solid.paraboloid", measure = "volume", frame = "vertex down at the origin, axis z",
     about = "radius r at z = h", args = { length "r", length "h" },
     build = function(a)
+      -- a slice weighs z and has radius^2 = r^2 z/h: means 2/3 h of z and h^2/2 of z^2
       return { measure = pi * a.r ^ 2 * a.h / 2, com = axial(q "2/3" * a.h),
         sigma = diagonal(a.r ^ 2 / 6, a.r ^ 2 / 6, a.h ^ 2 / 18),
         points = { vertex = axial(zero), top = axial(a.h) } }
@@ -98,6 +103,7 @@ return {
   { name = "solid.bicylinder", measure = "volume", frame = "centred; the cylinders' axes are x and y",
     about = "common part of two cylinders of radius r that cross at right angles", args = { length "r" },
     build = function(a) -- the section at height z is a square of half side sqrt(r^2 - z^2)
+      -- a slice weighs r^2 - z^2 as a ball's does; x^2 over it (r^2 - z^2)/3, whose mean is 4/15 r^2
       local s = q "4/15" * a.r ^ 2
       return centred(q "16/3" * a.r ^ 3, diagonal(s, s, a.r ^ 2 / 5))
     end },
