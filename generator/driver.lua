@@ -206,12 +206,13 @@ local function complete(plan, options)
 end
 
 -- A plan of the scene, a stage of generator/stages.lua; nil and its diagnostics after an error.  options: {real =,
--- command =, methods = {"rk4", "exact", ...}, order = (of taylor), jacobians = bool or "transition" (of the step
--- alone), compensated = bool, q31 = bool, batch = bool, estimator = bool,
--- libm = "own" | "system" (the default: own in float), outputs =
--- bool: also derivatives of energy and momentum, package =, planned = a decision of generator/plan/,
--- sweep = a study of many members, fit = {free =, outputs =, initial =} (dynamics/tangents.lua), proof = bool, orders =
--- (for a planner), and those of generator/selection.lua}
+-- command =, methods = {"rk4", "exact", ...}, order = (of taylor), and those of generator/selection.lua}; bool:
+-- compensated, q31, batch, estimator, proof, outputs (also derivatives of energy and momentum); and
+--     jacobians   bool, or "transition": of the step alone
+--     libm        "own" | "system"; the default: own in float
+--     package     what is written around the code (emit/packages/)
+--     planned     a decision of generator/plan/;   orders   those of the series, for the planner
+--     sweep       a study of many members;         fit      {free =, outputs =, initial =} (dynamics/tangents.lua)
 function driver.plan(scene, options)
   local d, own, before = scene.diag:fork(), budget(options), scene.budget
   if before.bytes >= own.bytes then

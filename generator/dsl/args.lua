@@ -16,6 +16,7 @@ local diag = require "generator.diag"
 local args = {}
 
 -- ctx: {diag =, checks = list}.  Condition `e > 0` (or >= 0): reported now if false for the defaults.
+-- Returns whether it holds; one that depends on parameters is kept for NAME_init, too.
 function args.condition(ctx, line, what, rule, e, given, allow_zero)
   local n = value.number(e)
   if not n then

@@ -132,6 +132,7 @@ local kinds = {
 contact.kinds = kinds
 
 -- The constructor of one kind.
+-- A handle with errors is a surface that is broken: nothing more is said of it.
 function contact.constructor(ctx)
   return function(kind)
     return function(given)
@@ -170,6 +171,7 @@ local specs = { { name = "surface" }, { name = "law" }, { name = "friction" }, {
   { name = "impact" } }
 
 -- Dimensions of {viscous, coulomb, smoothing}: of a force per N against a velocity, of a torque per N against a rate.
+-- (friction: N s/m per N; spinning: N m s per N, and N m per N)
 local against = {
   friction = { "slowness", "none", "velocity" },
   spinning = { units.times(units.length, units.time), "length", "rate" },

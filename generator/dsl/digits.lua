@@ -32,6 +32,7 @@ local most_zeros = 2 -- that are put back
 -- number is multiplied by), or false, by place.  Nobody rounds a moment to two digits: such numbers, and 3 beside
 -- 9.12345, are exact.
 function digits.halves(list, n)
+  -- most: significant digits of the number that has the most; finest: power of ten of the finest last digit
   local most, finest, out = 0, math.huge, {}
   for i = 1, n do
     if list[i] then most, finest = math.max(most, list[i].count), math.min(finest, list[i].last) end

@@ -42,6 +42,7 @@ local function unit(ctx, what, given)
   return factor, dim
 end
 
+-- A plain number as a rational; after an error 1, so that what follows goes on.
 local function number(ctx, what, name, given)
   local q, why = nil, "must be a plain number"
   if not value.is(given) then q, why = R.lift(given) end

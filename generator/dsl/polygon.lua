@@ -38,6 +38,7 @@ local function between(a, b, r)
 end
 
 -- Have the sides a b and c d a point in common?
+-- Each side's ends lie on either side of the other's line, or an end lies on the other side.
 local function meet(a, b, c, d)
   local s, t = turn(a, b, c), turn(a, b, d)
   if s * t > 0 then return false end
@@ -72,6 +73,7 @@ local function flat(p)
 end
 
 -- Is r, which is on no side, outside the loop?
+-- By its winding number: sides that cross the height of r upwards with r on their left, less those downwards.
 local function outside(p, r)
   local winding = 0
   for i = 1, #p do
@@ -105,9 +107,8 @@ local function open(loop)
   if #loop > 3 and a[1] == b[1] and a[2] == b[2] then loop[#loop] = nil end
 end
 
--- Reports what is wrong with a profile and its holes; true when nothing is.  Loops are opened and made anticlockwise in
--- place.
--- radius: the first coordinate is a distance from an axis.
+-- Reports what is wrong with a profile and its holes; true when nothing is.  The loops themselves are opened and made
+-- anticlockwise.  radius: the first coordinate is a distance from an axis.
 function polygon.check(ctx, line, what, profile, holes, radius)
   for _, loop in ipairs { profile, table.unpack(holes) } do open(loop) end
   local loops, ok = { numbers(profile) }, true

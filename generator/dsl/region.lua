@@ -66,6 +66,7 @@ local function at(p, r)
   return sum
 end
 
+-- The polynomial with numbers for coefficients.
 local function defaults(p)
   local out = {}
   for i, t in ipairs(p) do out[i] = { c = expr.num(value.number(t.c)), t[1], t[2], t[3] } end

@@ -35,6 +35,7 @@ local function normalised(q)
   return vec.map(q, function(x) return x / expr.sqrt(n) end)
 end
 
+-- Hamilton's product
 local function product(p, q)
   return { p[1] * q[1] - p[2] * q[2] - p[3] * q[3] - p[4] * q[4],
     p[1] * q[2] + p[2] * q[1] + p[3] * q[4] - p[4] * q[3], p[1] * q[3] - p[2] * q[4] + p[3] * q[1] + p[4] * q[2],

@@ -109,8 +109,8 @@ local function outputs(ctx, line, given)
   return nil
 end
 
--- The function `scene` of the environment; `put` takes the checked record
--- and returns what the script gets.  effect_of: handle -> record.
+-- The function `scene` of the environment; `put` takes the checked record and returns what the script gets.  effect_of:
+-- handle -> record.
 function scene.constructor(ctx, effect_of, put)
   return function(given)
     local line = ctx.diag:here()

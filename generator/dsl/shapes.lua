@@ -2,9 +2,9 @@
 --
 -- A shape is an opaque handle whose record is a tree of plain data (expressions inside):
 --     {shape=, a={args}, mass= | density=, line=}    {op="at", of=, r=}    {op="turned", of=, q=unit quaternion}
--- (formal: of a tensor that is asked to be no body's, and of what is made of it)
 --     {op="scaled", of=, k={kx,ky,kz}}    {op="sheared", of=, A={rows}}    {op="sum" | "minus", a, b}
--- Nothing is integrated here; mass/body.lua turns the tree into mass, centre and tensor.
+-- and in each of them broken (a message has told of it), formal (of a tensor that is asked to be no body's, and of what
+-- is made of it), size (its parts, nil: one).  Nothing is integrated here; mass/body.lua turns the tree into mass, centre and tensor.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

@@ -79,6 +79,7 @@ function undefined.guard(ctx, e, params)
   for _, k in ipairs { "math", "string", "table" } do
     if e[k] then e[k] = library(ctx, k, e[k]) end
   end
+  -- words of the environment, and globals that the script has set: these may be nil
   local made, count = {}, 0
   for k in pairs(e) do made[k] = true end
   setmetatable(e, {

@@ -135,6 +135,7 @@ function value.number(e)
   return ok and q or nil
 end
 
+-- The record of an operand; after an error that of 1.
 local function operand(x, what)
   local r, why = value.of(x)
   if not r then
@@ -144,6 +145,7 @@ local function operand(x, what)
   return r
 end
 
+-- f(...), or what it complains of (a division by zero) on the user's line, and 1.
 local function guarded(what, f, ...)
   local ok, e = pcall(f, ...)
   if ok then return e end
@@ -193,6 +195,7 @@ local function combined(x, y, n)
   return units.times(x.dim or units.none, units.power(y.dim or units.none, R.new(n)))
 end
 
+-- `plain` of a product: bare only if both are; false where one has a dimension that it means.
 local function product_plain(x, y)
   if bare(x) and bare(y) then return "bare" end
   return both_plain(x, y) and true
@@ -220,6 +223,7 @@ handle.__pow = sound(function(a, n)
     x.plain)
 end)
 
+-- (if param > 1 then ... would decide by the default alone)
 local function unordered(a, b)
   if broken.is(a) or broken.is(b) then return false end
   complain("comparison", "values have no order: a parameter is a symbol, its default only one of its values")

@@ -9,8 +9,8 @@
 --
 -- What decides is decided exactly, on rationals: whether w x L = 0, and on which side of the separatrix a state is.
 -- With h = G^2/2T its distance is 2T (h - I2), and det(h 1 - I) = (h - I1)(h - I2)(h - I3) is a rational number,
--- whatever the axes are; the other two factors are sums of positive terms.  So k'^2 has
--- all its bits however near the separatrix is.
+-- whatever the axes are; the other two factors are sums of positive terms.  So k'^2 has all its bits however near the
+-- separatrix is.
 -- What the emitted code stores of it: emit/orbit.lua.
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -335,8 +335,8 @@ function free_top:pair(r, turn, odd)
   return unit, rounded(f, bits), n
 end
 
--- alpha = w + i z and beta = x + i y, {re, im, re, im}, times e^(2 pi i turn), as a unit quaternion
--- Second result: |alpha|^2 + |beta|^2.
+-- alpha = w + i z and beta = x + i y, {re, im, re, im}, times e^(2 pi i turn), as a unit quaternion;
+-- second result: |alpha|^2 + |beta|^2.
 function free_top:turned(p, turn)
   local bits = self.bits
   local angle = two * self.pi * turn

@@ -26,6 +26,7 @@ local PROMISES = { float = { digits = "5", decades = "65" }, double = { digits =
 
 function analysis.principal(job, base, ctx)
   local real = ctx.real
+  -- negligible: epsilon^2 of the product of two moments, for the square of an entry; it and 15/16 as in mass/jacobi.lua
   local v = { oblique = job.oblique ~= nil, pair_top = analysis.pair_top[real], pair_digits = PROMISES[real].digits,
     pair_decades = PROMISES[real].decades, sign_margin = number.text(R.new(15, 16), real),
     negligible = number.text(R.new(2) ^ (2 - 2 * base_values.digits[real]), real) }

@@ -36,7 +36,7 @@ local function constants(m)
   return list, map
 end
 
--- Do all survive in the type?
+-- Do all survive in the type?  A reciprocal of a small number may not.
 local function fit(list, real)
   for _, k in ipairs(list) do
     local x = real == "float" and R.tofloat(k.value) or R.todouble(k.value)

@@ -20,6 +20,7 @@ local batch = {}
 local LANES = { double = 32, float = 64 }
 
 -- What the tables "as one model" and "a model a body" differ in.
+-- One scene without parameters has one model; then there is nothing that bodies could differ in.
 local function ways(base)
   local one = { way = "many", tail = "lanes", each = false, owner = "const " .. base.name .. "_model *m", whose = "m",
     call = "m", words = "" }

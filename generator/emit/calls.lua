@@ -51,6 +51,7 @@ local function prototypes(module, name, list)
 end
 
 -- Numbers that an array takes: of [n], of [NAME_NX*NAME_NP] or [] alone.
+-- [] and [] behind a name that is not known: NX*NX, the most that any function writes.
 local function room(brackets, job)
   local of = { NX = #job.states, NP = #job.model.params, NU = #job.model.inputs }
   local n = 1

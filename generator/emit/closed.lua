@@ -142,6 +142,8 @@ local function literals(real, v)
   power("last_time", 990, 97)
   power("no_period", 100, 40)
   power("carlson_close", -(digits // 4 - 1), -(digits // 4))
+  -- 1.5 2^(digits - 1): added and taken away again it rounds to a whole number; binary_one + n has n + bias, the
+  -- exponent field of 2^n, in its last bits
   put("round_off", R.new(3) * R.new(2) ^ (digits - 2))
   put("binary_one", R.new(3) * R.new(2) ^ (digits - 2) + R.new(single and 127 or 1023))
   put("binary_limit", R.new(single and 60 or 500))

@@ -62,6 +62,7 @@ local function call(name, args)
   return { text = name .. "(" .. table.concat(texts, ", ") .. ")", level = ATOM, depth = depth + 1 }
 end
 
+-- How an instruction is written with its operands, by the field c of its entry in ir/core/instr.lua.
 local joined = {
   infix = function(entry, _, args)
     local a, b = left(args[1], entry.level), right(args[2], entry.level)

@@ -11,7 +11,8 @@ local number = require "generator.emit.number"
 
 local economy = {}
 
--- Chebyshev's polynomials T_n(2 u/h - 1), n = 0 .. last, as lists of coefficients from u^0
+-- Chebyshev's polynomials T_n(2 u/h - 1), n = 0 .. last, as lists of coefficients from u^0.
+-- By T_(n+1) = 2 x T_n - T_(n-1) at x = 2 u/h - 1.
 local function chebyshev(last, h)
   local two, twice = R.new(2), R.new(4) / h
   local list = { [0] = { [0] = R.one }, { [0] = -R.one, two / h } }
@@ -65,7 +66,8 @@ local function series(scale, sign, odd)
 end
 
 -- Statements for the value of a polynomial in u, where u, u2 = u^2 and u4 = u^4 are known, into `name`: halves side by
--- side (Estrin), small terms first
+-- side (Estrin), small terms first:
+-- (c0 + c1 u) + u^2 (c2 + c3 u) + u^4 ((c4 + c5 u) + u^2 ..), at most twelve coefficients.
 local function statements(name, c, real)
   local lines, parts = {}, {}
   for k = 0, #c, 2 do

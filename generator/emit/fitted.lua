@@ -77,6 +77,7 @@ local function measure_lines(job, ctx, base, fit)
 end
 
 -- Statements of the derivatives J of what is measured: those of the loop over the lanes, and those after it.
+-- dy/dp along a direction: dy/dx dx/dp in the lanes, and dy/dp of the parameters that stand in y itself.
 local function slope_lines(fit)
   local loop, after = {}, {}
   for v, own in ipairs(fit.slopes) do

@@ -72,6 +72,7 @@ local function names_of(ir)
 end
 
 -- The IR in two: what is common to all lanes, its values by name, and the rest, which reads these names.
+-- A common value that only common ones read stays before the loop; one that a lane reads gets a name if it has none.
 local function parted(ir, differs)
   local own, taken, n = varying(ir, differs), names_of(ir), 0
   local function fresh()

@@ -180,7 +180,8 @@ local function fill_series(L, real, type_name)
   put("log", "p", series(function(k) return R.new(2, 2*k + 3) end, "0.02944", bits - 3, 40))
 end
 
--- 2/pi as words of 32 bits after some zeros, four words a line
+-- 2/pi as words of 32 bits after some zeros, six words a line: what a large argument is multiplied by (Payne and Hanek,
+-- templates/numeric/libm_circular.c).
 local function inverse_lines(zeros, words)
   local x, list, lines = R.lift(2)/R.apply("pi", 32*words + 64), {}, {}
   for _ = 1, zeros do list[#list + 1] = "0x00000000U" end

@@ -55,6 +55,8 @@ local function constants(q)
 end
 
 -- The coefficients of templates/orbit/theta_at.c: a, b, c, d, f, nome, and scale, which the rates take.
+-- The series of dynamics/free_top.lua, in powers of the cosine or sine that polynomial() takes; here q <= exp(-pi/2),
+-- the rest is for `hyperbolic`.
 local function circular(top, o)
   local s, q, E = R.new(top.s), R.round(top.q, 128), R.round(top.E, 128)
   local g = R.round(top.E * top.r, 128)

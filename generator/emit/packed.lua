@@ -15,6 +15,7 @@ local WIDTH, PLANES = 8, 4
 local function text(n) return string.format("%d", n) end
 
 -- The next term of each place as an expression in lanes and places, and what its term 1 has beside; or nil.
+-- Where a term is divided by a term 0 (x.first) it is no multiple of the others: nil.
 local function forms(program)
   local whole, at_start, at_zero = {}, {}, {}
   for _, x in ipairs(program.variables) do

@@ -45,6 +45,7 @@ local function plain(list, names)
 end
 
 -- The names that are read once before everything: members of the model, inputs, states that keep their value.
+-- A corner's sign is -1 where the side that a step is on lies before it.
 local function outside(ctx, program)
   local list = {}
   local moving = {}

@@ -25,6 +25,7 @@ local function description(job, name)
 end
 
 -- A description's results at a state (a list in the order of job.states): a list by place.
+-- Inputs are 0.
 local function values(job, f, env, t, x, h)
   local here, place, out = { t = t, h = h }, {}, {}
   for i, s in ipairs(job.states) do here[s.name], place[s.name] = x[i], i end

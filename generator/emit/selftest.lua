@@ -18,6 +18,7 @@ local selftest = { bits = 200, roundings = 32, stages = R.new(8) }
 local function value(e, env) return evaluate.precise(e, env.value, selftest.bits) end
 
 -- The value of e with every term of every sum made positive: e's magnitude before cancellation.
+-- |a - b| is bounded by a + b of magnitudes, a product by their product; a quotient's relative error is its base's.
 local function magnitude(e, env)
   local memo = {}
   local function mag(u)

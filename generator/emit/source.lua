@@ -30,8 +30,8 @@ local function size(ctx, a)
 end
 
 -- ctx: {name, upper, real ("double"|"float"), type (what the code calls it: real, or NAME_real where the scene has a
--- quantity of that name), members (set name -> true), states, inputs (lists of {name}), helpers
--- (set of the functions that libm lacks and the code calls; filled here), own (bool: --libm own)}
+-- quantity of that name), members, states, inputs (lists of {name}), helpers (set of the functions that libm lacks and
+-- the code calls; filled here), own (bool: --libm own)}
 local function declarations(ctx, f)
   local real = ctx.name .. "_real "
   local word = {

@@ -18,6 +18,7 @@ local split = {}
 local function text(n) return string.format("%d", n) end
 
 -- A palindrome as rows of C: drifts a, kicks b with the time c of each.
+-- c[i] is the sum of the drifts before kick i.
 local function rows(p, real)
   local out = { n = text(#p.b) }
   for _, name in ipairs { "a", "b", "c" } do

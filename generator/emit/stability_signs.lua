@@ -34,6 +34,7 @@ local top, lowest, digits = { double = 900, float = 100 }, { double = -1074, flo
 local function parameter(ctx, name) return "p[" .. ctx.upper .. "_" .. string.upper(name) .. "]" end
 
 -- c as up to three numbers of the real type that add up to it.
+-- Each is the nearest to what is left; three of double have some 159 bits.
 local function pieces(ctx, c)
   local list = {}
   for _ = 1, parts do

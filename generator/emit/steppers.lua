@@ -12,6 +12,7 @@ local template = require "generator.emit.template"
 
 local steppers = {}
 
+-- by the method's name, or by what it gives as its template
 local KINDS = { taylor = require "generator.emit.taylor", adaptive = require "generator.emit.adaptive",
   split = require "generator.emit.split", midpoint = require "generator.emit.midpoint" }
 

@@ -84,7 +84,7 @@ flat.family["solid.wedge"] = function(out, a) prism(out, { { 0, 0 }, { a.x, 0 },
 
 local phi = (1 + math.sqrt(5)) / 2
 
--- (a, b, c) and its cyclic shifts, with every sign of what is not zero
+-- (a, b, c) and its cyclic shifts, with every sign of what is not zero.
 -- (0, 1, phi): four signs, three shifts, 12 vertices.  A zero has one sign, and three equal entries one shift.
 local function family_of(a, b, c)
   local list = {}

@@ -53,6 +53,7 @@ function condition.of(truth, x0, T)
       out.number, out.input, out.growth = now, name, before > 0 and now / before or nil
     end
   end
+  -- x0 with state i changed by 2^-30 of `by`
   local function moved(group, i, by)
     local x = { table.unpack(x0) }
     x[i] = x[i] + change * by

@@ -114,6 +114,7 @@ local function runners(r)
   for i, f in ipairs(r.found) do
     local c = f.candidate
     local ratio, about = math.huge, ""
+    -- one that was given up before its steps were short enough: error ~ h^p, so its cost grows as error^(1/p)
     if f.fits then
       ratio = f.cost / r.cost
     elseif f.error and f.error < 0.1 and f.cost then -- by the law of its order
@@ -156,6 +157,7 @@ local function expected(job, r, accuracy, real)
     end
     scale = math.sqrt(scale)
     if scale == 0 or g.name == "attitude" then scale = 1.0 end
+    -- the last decimal place that is printed
     local unit = 10.0 ^ math.floor(math.log(accuracy * scale / 100, 10))
     for _, i in ipairs(g) do
       local places = math.max(0, math.floor(0.5 - math.log(unit, 10)))
@@ -255,7 +257,8 @@ local lists = { "expected", "bounds", "report" }
 local words = { "method", "setting", "accuracy_text", "real", "target", "order", "value_text", "title", "refused",
   "got" }
 
--- The question as a text with everything that decides its answer.  print: the generator's fingerprint.
+-- The question as a text with everything that decides its answer.  fingerprint: that of the generator, so another
+-- version of it answers anew.
 function decision.question(q, fingerprint)
   local job, out = q.job, { "polhode plan 1", fingerprint }
   local m = job.model

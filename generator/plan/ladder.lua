@@ -38,6 +38,7 @@ function ladder.climb(m)
     return r
   end
   -- Is the rung the last?  at the floor, no longer better, too slow, or good enough
+  -- stuck: rungs in a row at the floor; flat: rungs in a row that did not halve the error
   local stuck, flat, top = 0, 0, nil -- top: the setting where the flat part begins
   local function last(r)
     local before = list[#list - 1]
@@ -72,6 +73,7 @@ function ladder.climb(m)
   end
   -- from the last that told nothing
   list = {}
+  -- a step shorter by this makes the error of a method of order p fall by this^p, sqrt 10 if it is not more than 2
   local factor = math.min(2, fall ^ (1 / m.order))
   n = math.max(n / 2, coarsest)
   while n < most_steps * 2 do

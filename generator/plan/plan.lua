@@ -35,6 +35,7 @@ function plan.order(tolerance, real, most)
   else
     log2 = string.unpack("i8", string.pack("d", tolerance)) * 2.0 ^ -52 - 1023
   end
+  -- `least` and `slope` of emit/taylor.lua: order 9.5 and 3/8 for each further bit
   local n = 9.5 - 0.375 * log2
   most = most or top
   return n < most and (n > 4 and math.floor(n) or 4) or most
@@ -142,6 +143,7 @@ local many, some, few, confirmed = 128, 64, 5, 8
 local most, work = 1024, 4e8 -- states at last: as many as take so many cycles at the plan's cost
 
 -- All states: {setting, error, steps, cost, errors by point}.  limit: stop where the error is above, if given.
+-- At each point the run's own error; steps is their mean.
 local function verify(s, c, setting, points, limit)
   local out = { candidate = c, setting = setting, error = 0.0, steps = 0.0, errors = {} }
   for i, p in ipairs(points) do
@@ -155,6 +157,7 @@ local function verify(s, c, setting, points, limit)
 end
 
 -- The setting of a candidate that was good enough at few states, made so for all by the law of its order.
+-- error ~ h^p: the step goes by (limit/error)^(1/p), with a hundredth to spare; a tolerance by limit/error.
 local function corrected(s, r, points, limit, stop)
   local c, setting = r.candidate, r.setting
   local out

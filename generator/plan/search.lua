@@ -46,6 +46,8 @@ local function refine(s, c, limit, bad, good)
   return good
 end
 
+-- With a best so far: first at the number of steps for which it would cost as much.  Without: from 16 steps up, by the
+-- law of the order once the error is below 0.1, until two rungs in a row bring nothing.
 local function by_step(s, c, limit, best)
   local T = s.trial.T
   if best then
@@ -90,6 +92,7 @@ local function by_tolerance(s, c, limit, best)
     local r = tried(s, c, tolerance, math.huge)
     r.fits = r.error <= limit and (not c.allowed or c.allowed(tolerance))
     if not least or r.error < least.error then least = r end
+    -- what it will cost at the limit: steps go with the (1/power)th root of the error
     local should = r.cost * (r.error / limit) ^ (1 / c.power)
     if best and r.error < 0.1 and should > 1.5 * best.cost then
       r.fits, r.dearer, r.should = false, true, should

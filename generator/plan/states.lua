@@ -96,6 +96,7 @@ local function ones(n) -- of its binary digits
 end
 
 -- The root of x^(d+1) = x + 1 by Newton's method from above, where it converges from one side.
+-- d = 1: the golden ratio.
 local function root(d)
   local x = 2.0
   for _ = 1, 100 do
@@ -110,6 +111,8 @@ end
 local function coordinates(d, n, skip)
   local list = {}
   if d == 0 then return list end
+  -- rows: how many extremes, a power of two; a column is a mask of bits of the row's number, and the parity of the bits
+  -- that both have tells which end the quantity is at
   local rows, signs = 1, {}
   while rows < 2 ^ d and 4 * rows <= n + 1 or rows < 8 and rows < 2 ^ d do rows = 2 * rows end
   for k = 0, 62 do -- single signs, then products of three, of five, ..
@@ -148,6 +151,7 @@ end
 -- The function that makes a point {x = state, values = {parameter = rational} or nil, params = doubles for NAME_init or
 -- nil, input = what is held, or nil} of coordinates u in the unit cube (nil: the scene's own), and their
 -- number.
+-- Everything a point has is a number of the real type, so the run from it and the truth begin at the same place.
 local function maker(job, real)
   local own = numeric.initial(job)
   local list, choose, most = quantities(job, own)

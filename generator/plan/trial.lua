@@ -38,6 +38,7 @@ function trial:run(c, setting, point)
     rows[#rows + 1] = rows[#rows]
     return rows, 1
   end
+  -- integrate takes a step as a number, a tolerance as {number}
   local h = c.setting == "tolerance" and { setting } or setting
   local name = called(c)
   local whole, steps

@@ -30,8 +30,7 @@ end
 
 -- A package from a description {where = {header =, source =, test =} folders, files = {{template, name}, ..},
 -- once = {[template] = true} (the user edits it), about = rows of the README's table, use = lines of its section};
--- names
--- and lines may have NAME and UPPER in them.
+-- names and lines may have NAME and UPPER in them.
 function library.package(d)
   local package = { real = d.real, check = d.check }
 
