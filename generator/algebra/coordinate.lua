@@ -45,6 +45,7 @@ local function collect(terms)
   return nonzero
 end
 
+-- The polynomial of degree 0; that of zero has no terms.
 function coordinate.constant(c) return c == expr.zero and {} or { { c = c, 0, 0, 0 } } end
 
 -- x^i y^j z^k
@@ -56,6 +57,7 @@ function coordinate.add(a, b)
   return collect(list)
 end
 
+-- Raises too_large before it forms more than most_products terms.
 function coordinate.mul(a, b)
   if #a * #b > most_products then error(coordinate.too_large, 0) end
   local list = {}

@@ -86,6 +86,7 @@ local rules = {}
 
 function rules.pi() return expr.pi end
 
+-- At 0 it is 1, as d|x|/dx is then the derivative from the right.
 function rules.sign(a) -- 1 at zero
   if a.kind == "num" then return R.sign(a.value) < 0 and expr.lift(-1) or expr.one end
   if expr.nonnegative(a) then return expr.one end
@@ -105,6 +106,7 @@ function rules.abs(a)
   return expr.mul(out)
 end
 
+-- Only of numbers: what a parameter may become is not known.
 function rules.clamp(a, low, high) -- a within low .. high
   if a.kind ~= "num" or low.kind ~= "num" or high.kind ~= "num" then return nil end
   return a.value < low.value and low or a.value > high.value and high or a

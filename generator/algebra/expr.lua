@@ -198,6 +198,7 @@ local function product(coefficient, list)
   return joined(coefficient, factors)
 end
 
+-- All factors at once: the result does not depend on their order.
 function expr.mul(list)
   local coefficient, powers = R.one, {}
   for _, x in ipairs(list) do

@@ -29,6 +29,7 @@ local function degree(p, v)
 end
 
 -- The coefficient of generator v to the power d.
+-- A polynomial without v.
 local function coefficient(p, v, d)
   local power, chosen = {}, { ring = p.ring, terms = {}, n = 0 }
   for i = 1, #p.ring.gens do power[i] = i == v and d or 0 end

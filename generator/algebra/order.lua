@@ -23,6 +23,7 @@ local function compare_lists(a, b)
   return #a - #b
 end
 
+-- Bases of powers: numbers, symbols, calls, and then what is in parentheses.
 local function compare_base(a, b)
   if a == b then return 0 end
   if a.kind ~= b.kind then return kind_rank[a.kind] - kind_rank[b.kind] end

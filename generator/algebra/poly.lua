@@ -262,6 +262,7 @@ function poly.from(ring, e)
   return nil
 end
 
+-- The polynomial as a sum of products of its generators.
 function poly.expr(p)
   local list = {}
   for _, t in ipairs(poly.sorted(p)) do

@@ -15,6 +15,7 @@ local positive = { abs = true, exp = true, cosh = true, pi = true, ellipsoid_are
 
 local known = setmetatable({}, { __mode = "k" })
 
+-- By the rules of the head; sign.nonnegative keeps the answer.
 local function found(e)
   if e.kind == "num" then return R.sign(e.value) >= 0 end
   if e.kind == "sym" then return e.positive end

@@ -118,6 +118,7 @@ local function product(e, style)
   return style.quotient(n, d), minus
 end
 
+-- In a sum each term's sign stands before it as an operator; a product's is the sign of its coefficient.
 function render(e, style)
   if e.kind == "sym" then
     if style == styles.latex then

@@ -93,6 +93,7 @@ end
 
 function vec.transpose(A) return { vec.column(A, 1), vec.column(A, 2), vec.column(A, 3) } end
 
+-- A B
 function vec.matmul(A, B)
   local C = {}
   for i = 1, 3 do
@@ -116,6 +117,7 @@ function vec.congruence(A, S) return vec.symmetric(vec.matmul(vec.matmul(A, vec.
 
 ---- quaternions -----------------------------------------------------------------------------------
 
+-- Hamilton's product, i j = k: turning by p q is turning by q and then by p.
 function vec.qmul(p, q)
   local a, b, c, d = table.unpack(p)
   local w, x, y, z = table.unpack(q)

@@ -185,6 +185,7 @@ function args.bare(x, depth)
   return true
 end
 
+-- All names that are allowed, for a message.
 local function names(specs, extra)
   local list = {}
   for _, s in ipairs(specs) do list[#list + 1] = s.name end

@@ -178,6 +178,7 @@ local against = {
 }
 against.rolling_resistance = against.spinning
 
+-- {viscous} or {coulomb, smoothing}, the others nil; key: which of the three it is.
 local function resistance(ctx, line, what, key, given)
   local where = ctx.diag:locate(line, key)
   local coulomb, dims = args.plain(given) and given.coulomb ~= nil, against[key]
@@ -205,6 +206,7 @@ local function resistances(ctx, line, what, given, a)
   return ok
 end
 
+-- Of numbers alone, for the axes e1 and e2 are chosen by them.
 local function normal(ctx, line, what, given)
   local where = ctx.diag:locate(line, "normal")
   local n = args.vector(ctx, where, what, "normal", { size = 3 }, given)
@@ -218,6 +220,7 @@ local function normal(ctx, line, what, given)
   return args.condition(ctx, where, what, "normal must not be zero", vec.dot(n, n), diag.show(given)) and n or nil
 end
 
+-- A number is along -z.
 local function gravity(ctx, line, what, given)
   local where = ctx.diag:locate(line, "gravity")
   if args.plain(given) then

@@ -16,6 +16,7 @@ local events = {}
 
 local keys = { { name = "name" }, { name = "when" }, { name = "direction" }, { name = "stop" } }
 
+-- One event, or nil after an error; seen: names so far.
 local function read(ctx, at, i, e, seen)
   local what = "events[" .. i .. "]"
   if not args.plain(e) then

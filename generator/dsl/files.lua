@@ -8,6 +8,7 @@ local diag = require "generator.diag"
 
 local files = {}
 
+-- The rule that the name breaks, or nil.
 local function rule_for(given)
   if type(given) ~= "string" or given == "" then return "file must be the name of a file" end
   if string.find(given, "%c") then return "file must not contain control characters" end

@@ -51,6 +51,7 @@ local function expression(ctx, at, what, given)
   return r.e, r.dim or units.none
 end
 
+-- One output; nil after an error.
 local function output(ctx, at, name, given)
   local out = { name = name, line = at, dims = {} }
   if given == "q" then
@@ -82,6 +83,7 @@ local function by_output(ctx, at, key, given, list)
   return given
 end
 
+-- A column belongs to one output, and t to none.
 local function columns(ctx, line, list, given)
   local at, taken = ctx.diag:locate(line, "columns"), {}
   local own = given == nil and {} or by_output(ctx, at, "columns", given, list)
@@ -108,6 +110,7 @@ local function columns(ctx, line, list, given)
   end
 end
 
+-- One number may stand for all outputs, whatever their units: it is then the same number of each.
 local function sigmas(ctx, line, list, given)
   if given == nil then return end
   local at, all = ctx.diag:locate(line, "sigma"), not args.plain(given)

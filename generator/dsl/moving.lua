@@ -194,6 +194,7 @@ local function name_rule(s, taken)
   return nil
 end
 
+-- The function is called once, with symbols: what it returns is the expression.
 local function call(ctx, line, what, name, f, s, spec)
   if type(f) ~= "function" then
     ctx.diag:error(line, what, name .. " must be a function of the motion: function(s) return ... end", diag.show(f))
@@ -213,6 +214,7 @@ end
 
 local keys = { "params", "torque", "force", "potential", "states" }
 
+-- Of a state: SI without a factor, as it is integrated.
 local function unit_of(ctx, line, what, given)
   if given == nil then return units.none end
   local factor, dim = nil, "must be a string such as \"rad/s\""

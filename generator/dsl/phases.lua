@@ -12,6 +12,7 @@ local phases = {}
 
 phases.names = { "contact", "flight" }
 
+-- Not deep.
 local function copy(t)
   local c = {}
   for k, v in pairs(t) do c[k] = v end -- a copy: order is lost anyway

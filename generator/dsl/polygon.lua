@@ -12,6 +12,7 @@ local diag = require "generator.diag"
 
 local polygon = {}
 
+-- Corners as doubles, the exact numbers beside them.
 local function numbers(loop)
   local out = {}
   for i, row in ipairs(loop) do

@@ -42,6 +42,7 @@ local function product(p, q)
     p[1] * q[4] + p[2] * q[3] - p[3] * q[2] + p[4] * q[1] }
 end
 
+-- forms[word](ctx, line, what, given) -> the unit quaternion, nil after an error.
 local forms = {}
 
 function forms.quaternion(c, line, what, given)
@@ -77,6 +78,7 @@ local function proper(a, i, j)
   return q
 end
 
+-- Turns about axes of the body as it then is multiply from the right.
 function forms.euler(c, line, what, given)
   local known = false
   for _, s in ipairs(rotation.sequences) do known = known or s == given.euler end
@@ -105,6 +107,7 @@ function forms.euler(c, line, what, given)
   return q
 end
 
+-- The zero vector is no turn; one that becomes zero for some parameters is refused by NAME_init.
 function forms.vector(c, line, what, given)
   local v = args.vector(c, line, what, "vector", { size = 3 }, given.vector)
   if not v then return nil end

@@ -75,6 +75,7 @@ local function time(ctx, line, given, out)
   out.horizon, out.step = t.horizon or out.horizon, t.step or out.step
 end
 
+-- Their records; a broken one has had its message.
 local function effects(ctx, line, given, record_of)
   local out = {}
   if given == nil then return out end

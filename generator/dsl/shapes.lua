@@ -4,7 +4,8 @@
 --     {shape=, a={args}, mass= | density=, line=}    {op="at", of=, r=}    {op="turned", of=, q=unit quaternion}
 --     {op="scaled", of=, k={kx,ky,kz}}    {op="sheared", of=, A={rows}}    {op="sum" | "minus", a, b}
 -- and in each of them broken (a message has told of it), formal (of a tensor that is asked to be no body's, and of what
--- is made of it), size (its parts, nil: one).  Nothing is integrated here; mass/body.lua turns the tree into mass, centre and tensor.
+-- is made of it), size (its parts, nil: one).
+-- Nothing is integrated here; mass/body.lua turns the tree into mass, centre and tensor.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -158,6 +159,7 @@ function shapes.region(given) return new(region.read(ctx, here(), given)) end
 
 ---- placement -------------------------------------------------------------------------------------
 
+-- The node above that of self.
 local function derived(self, node)
   node.line = node.line or here()
   node.of = record[self]
@@ -252,6 +254,7 @@ function method.mirrored(self, axis)
   return derived(self, { op = "scaled", k = v and vec.map(v, expr.lift), broken = v == nil, line = line })
 end
 
+-- + or -; after an error the side that is a shape stands for both.
 local function joined(op, word)
   return function(a, b)
     local line = here()

@@ -158,6 +158,7 @@ local function both_plain(x, y) return (x.plain or not x.dim) and (y.plain or no
 
 local function bare(x) return x.plain == "bare" end
 
+-- Both must have one dimension; one that is plain takes the other's.
 local function sum(what, f)
   return function(a, b)
     local x, y = operand(a, what), operand(b, what)

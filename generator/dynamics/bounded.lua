@@ -173,6 +173,7 @@ end
 local function root(q) return R.apply("sqrt", BITS, q) end
 
 -- |w_i| at most, three rationals, and the words that say why.
+-- Without a feed by the smaller of the two bounds of the head; with one the range itself.
 local function limits(r, box, line)
   local out = {}
   local declared = "the range declared in line " .. line .. " of the scene"

@@ -19,6 +19,7 @@ local conserved = {}
 
 conserved.laws = { "T+V", "|L|", "L", "L_z", "w3", "T+V-n.L" }
 
+-- Is the body symmetric about z?
 local function about_z(s)
   if s.kind == "sphere" then return true end
   return s.kind == "symmetric" and s.k[1] == expr.zero and s.k[2] == expr.zero

@@ -78,6 +78,7 @@ function context.momentum(m, constant)
   return vec.add(vec.apply((context.now(m, constant)), state.w), context.held(m, constant))
 end
 
+-- Has I no products, whatever moves?
 local function diagonal(m)
   for i = 4, 6 do
     if (m.locked or m.inertia)[i] ~= expr.zero then return false end
@@ -90,6 +91,7 @@ end
 
 local none = { expr.zero, expr.zero, expr.zero }
 
+-- The fields are those of effects/effects.lua; the tensor and the momentum are made when an effect asks for them.
 function context.of(m, constant)
   local keeps = constant
   if constant == false then

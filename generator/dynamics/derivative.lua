@@ -38,6 +38,7 @@ local function attitude(random)
 end
 
 -- Values of all that an expression of the motion can have in it, by name: derived constants, states, inputs, t.
+-- Parameters within a 16th of their defaults, states of the size of their initial values.
 local function environment(m, random)
   local params, env = {}, {}
   for _, p in ipairs(m.params) do

@@ -163,6 +163,7 @@ local function quotient(m, j, k, i)
   return m.parts and m.carried == m.inertia and m.parts:difference(j, k) / equations.inertia(m)[i] or nil
 end
 
+-- I^-1 = 1/alpha + (1/axial - 1/alpha) k k^T/k^2; of a rod 1/alpha across k, along which the rate is kept.
 function builders.symmetric(m, N, groups, d)
   local s = m.carrier
   local k, w = s.k, state.w
@@ -256,6 +257,7 @@ function builders.varying(_, N, _, _, I)
   return g
 end
 
+-- I^-1 as six constants, adjugate over determinant, each entry cancelled where that is affordable.
 function builders.full(m, N)
   local L, defs = momentum(m)
   local adj, det = vec.adjugate(m.carried)

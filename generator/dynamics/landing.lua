@@ -91,6 +91,7 @@ local function compliance(m, c, name, d)
   return name("K", vec.map(vec.pair, function(p) return columns[p[2]][p[1]] end))
 end
 
+-- NAME_impact: the state behind the impact, w + m I^-1 (d x p) and v + R(q) p, and the impulse m p.g along the normal.
 function landing.impact(m)
   local e, c = m.record.landing, context.of(m)
   local a, group = e.a, { why = "impact at the lowest point: p = (1 + e) p1 + kappa (1 + e_t) (p2 - p1)", defs = {} }

@@ -20,6 +20,7 @@ local axis_name = { "x", "y", "z" }
 local function frame(m) return m.frame and m.frame.spec.frame(m.frame.a, context.with(context.of(m), m.frame)) end
 moving.frame = frame
 
+-- A product with a sum in it is one, too: it is worth a name.
 local function is_sum(e)
   if e.kind ~= "mul" then return e.kind == "add" end
   for i = 1, #e do

@@ -30,6 +30,7 @@ function numeric.scene(job, values, lines)
   if not job.states then return { body = body_tree } end -- asked for while the model is made
   local effects, dry = {}, context.dry(m)
   dry.lines = lines
+  -- of states from 0, of inputs minus their number from 1
   local place = {}
   for k, s in ipairs(state.known) do place[s.name] = k - 1 end
   for i, k in ipairs((numeric.positions(job))) do place[job.states[i].name] = k - 1 end

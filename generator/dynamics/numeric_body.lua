@@ -71,6 +71,7 @@ local function region(N, node, growth)
     density = not node.mass and terms(N, node.a.density, growth.volume) or nil }
 end
 
+-- Places relative to the first one.
 local function points(N, node)
   local rows, first = {}, node.rows[1]
   local base = { first[2], first[3], first[4] }
@@ -96,6 +97,7 @@ local function formal(N, a)
   return out
 end
 
+-- The node of the library's tree, with a shift where the shape is told relative to its first point.
 local function shape(N, node, growth)
   if node.shape == "points" then return points(N, node) end
   if node.shape == "mesh" then return mesh(N, node, growth) end
@@ -127,6 +129,7 @@ function operations.turned(N, node, growth)
   return { op = "turned", of = tree(N, node.of, growth), q = N.nums(node.q) }
 end
 
+-- What is below weighs its density times the growth of all scalings above it.
 function operations.scaled(N, node, growth)
   local inner = {}
   for _, measure in ipairs { "volume", "area", "length" } do

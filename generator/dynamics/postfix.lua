@@ -18,6 +18,7 @@ function postfix.of(e, exact, place)
   local function put(...)
     for _, x in ipairs { ... } do out[#out + 1] = x end
   end
+  -- a part that is free of the motion is one number
   local function walk(u)
     if motion.free(u) then
       local q = exact(u)

@@ -121,6 +121,7 @@ end
 -- The tensor of these equations, where it is not the body's.
 local function which(m) return m.carried ~= m.inertia and "; I without the wheels' own moments" or "" end
 
+-- T of the turning: expression, definitions that it uses, and its law in words.
 function quantities.kinetic(m)
   if not m.has.rates then return expr.zero, {}, "" end
   local w, I = state.w, (context.now(m))
@@ -237,6 +238,7 @@ local function halved(m, g)
   end) }
 end
 
+-- The groups of the equations, with results in dx.
 function quantities.rhs(eq)
   local groups = {}
   for i, g in ipairs(eq.groups) do
@@ -364,6 +366,7 @@ end
 
 local most_particles = 64 -- beyond that the sum is no code to read; w.I w/2 gives the same number
 
+-- nil: the body is no set of particles, or they are too many.
 function quantities.particle_energy(m)
   if not m.body.particles or #m.body.pieces > most_particles then return nil end
   local rows = {}

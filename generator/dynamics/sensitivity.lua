@@ -64,6 +64,7 @@ function sensitivity.by_parameter(m, p)
   end })
 end
 
+-- jacobian_p and initial_p; nil without parameters.
 function sensitivity.by_parameters(eq)
   local m, known = eq.model, {}
   local n = #m.params

@@ -52,6 +52,7 @@ local function deeds(m, e)
   return list, acts or e.spec.moves and e.spec.moves(m.given) or false
 end
 
+-- Does one of the expressions depend on one of the names?
 local function depends(list, names)
   for _, e in ipairs(list) do
     if not expr.constant(e, names) then return true end
@@ -77,6 +78,7 @@ local function placeless(d, m, e, list)
   end
 end
 
+-- Does the effect exert a torque?
 local function torques(list)
   for _, x in ipairs(list.torque) do
     if not zero(x) then return true end
@@ -102,6 +104,7 @@ end
 
 local short = function(e) return (string.gsub(e.kind, "^effect%.", "")) end
 
+-- Is the centre of mass the origin of rotation?
 local function central(m)
   for i = 1, 3 do
     if not zero(m.com[i]) then return false end

@@ -73,6 +73,7 @@ local function needed(m, groups, outputs)
   return states, named
 end
 
+-- Without what no followed state needs.
 local function pruned(groups, states, named)
   local list = {}
   for _, g in ipairs(groups) do

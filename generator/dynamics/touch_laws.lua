@@ -26,6 +26,7 @@ local zero = expr.zero
 
 local function bare(_, v) return v end
 
+-- Is the vector zero for every value of the parameters?
 local function none(v)
   for i = 1, 3 do
     if not ratio.iszero(v[i]) then return false end

@@ -34,6 +34,7 @@ local function ends(f)
   return { s.half[3] - c, rho }, { s.half[3] + c, rho }
 end
 
+-- By the plane's law: a and c of a n^2 > c, and the condition in words.
 local laws = {}
 function laws.smooth(I1, I3, _, _, _, C)
   return I3 ^ 2, 4 * I1 * C, "(I3 n)^2 > 4 I1 m G (h - rho)"

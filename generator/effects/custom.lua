@@ -64,6 +64,7 @@ end
 
 function custom.potential(a, c) return a.potential and filled(a, c, a.potential, "V") or expr.zero end
 
+-- From a potential: minus its slope along q' = q (0, e_i)/2.
 function custom.torque(a, c)
   if a.torque then return all(a, c, a.torque, "custom") end
   local V, zero = custom.potential(a, c), expr.zero

@@ -72,6 +72,7 @@ function damping.torque(a, c)
   return vec.scale(expr.lift(-1), vec.matvec(C, c.w))
 end
 
+-- A coefficient that varies goes as expressions.
 function damping.numeric(a, num, _, code, c)
   if a.rate then return { kind = "damping", rate = num(a.rate) } end
   if damping.varies_with(a) then return custom.told(damping.torque(a, c), nil, code) end

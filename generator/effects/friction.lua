@@ -25,6 +25,7 @@ local friction = {
   example = "spun_coin",
 }
 
+-- s^2 is the constant, so that it need not be formed at each call.
 function friction.torque(a, c)
   local T = c.lift(a.torque, "friction", "dry friction, N m")
   -- positive: rounded to 0, friction at rest would be 0/0

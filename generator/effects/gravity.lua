@@ -49,6 +49,7 @@ function gravity.potential(a, c)
   return -vec.dot(d, vec.matvec(vec.rotation(c.q), m))
 end
 
+-- N_z = (r x ..)_z = 0 for r along body z; for d along inertial z the torque is across it.
 function gravity.conserves(a, c)
   local list = { "T+V" }
   if a.direction[1] == expr.zero and a.direction[2] == expr.zero then list[2] = "L_z" end

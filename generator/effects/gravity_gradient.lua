@@ -62,6 +62,7 @@ local function strength(a)
   return a.mu / p ^ 3
 end
 
+-- A circular orbit needs none: f = n t.
 function gradient.states(a)
   if a.radius or a.mu == expr.zero then return {} end
   return { { name = "anomaly", initial = a.anomaly, unit = "rad", about = "true anomaly of the orbit" } }
@@ -104,6 +105,7 @@ function gradient.products(a, c)
   return { -(k * a2) * a3, (k * b - k_2) * a3, (k * b - k_2) * a2 }
 end
 
+-- With a diagonal tensor by differences of moments, which do not cancel.
 function gradient.torque(a, c)
   if a.mu == expr.zero then return { expr.zero, expr.zero, expr.zero } end
   local k, b, a2, a3 = 3 * strength(a), vertical(a, c)

@@ -75,6 +75,7 @@ end
 
 local function slopes(a) return vec.map(a.D, function(e) return calculus.diff(e, motion.sym "t") end) end
 
+-- -D' w; the rest of (I + D) w' = L x w + .. is in the equations (builders.varying)
 function rate.torque(a, c)
   if nothing(a) then return { expr.zero, expr.zero, expr.zero } end
   return vec.scale(-expr.one, vec.apply(entries(c, slopes(a)), c.w))

@@ -22,6 +22,7 @@ local function pure(e)
   return #symbols > 0
 end
 
+-- Lists and tables at any depth, keys in order, for new constants get their names in it.
 local function all(x, keep, memo)
   if expr.is(x) then return motion.lift(x, keep, pure, memo) end
   if type(x) ~= "table" then return x end

@@ -61,6 +61,8 @@ end
 
 local function along_z(v) return v[1] == expr.zero and v[2] == expr.zero end
 
+-- A fixed field and a constant moment have a potential; for B along inertial z the torque is across it, and
+-- (m x B)_z = 0 for m along body z.
 function magnetic.conserves(a)
   local list = { a.field and not motion.any(a.moment) and "T+V" or nil }
   if along_z(a.field or a.rotating) then list[#list + 1] = "L_z" end

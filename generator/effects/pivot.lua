@@ -81,6 +81,7 @@ function pivot.torque(a, c)
   return vec.cross(vec.matvec(vec.transpose(vec.rotation(c.q)), load(a, c)), r)
 end
 
+-- As of gravity, whose place the support's acceleration takes.
 function pivot.conserves(a, c)
   local list, v = {}, a.acceleration or a.axis
   if v[1] == expr.zero and v[2] == expr.zero then list[1] = "L_z" end

@@ -41,6 +41,7 @@ function rotor.momentum(a, c)
   end)
 end
 
+-- w3 where h is along z: then (h x w)_z = 0.
 function rotor.conserves(a)
   local along = a.axis[1] == expr.zero and a.axis[2] == expr.zero
   return along and { "T+V", "L", "w3" } or { "T+V", "L" }

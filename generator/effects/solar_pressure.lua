@@ -113,6 +113,7 @@ function solar.force(a, c)
   return vec.matvec(vec.rotation(c.q), sum)
 end
 
+-- Eight numbers a plate: area, reflectivity, normal, centre.
 function solar.numeric(a, num)
   local rows = {}
   for _, p in ipairs(a.plates) do

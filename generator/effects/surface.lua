@@ -19,6 +19,7 @@ local surface = {}
 
 local one = expr.one
 
+-- y and y' as in the head, with B as six constants.
 local function ellipsoid(s, c, up, name)
   local A, B = vec.rotation(s.axes), {}
   local squares = vec.map(s.half, function(x) return x ^ 2 end)
@@ -53,6 +54,7 @@ local function axes(s, c)
   return function(v) return vec.matvec(back, v) end, function(v) return vec.matvec(A, v) end
 end
 
+-- s1, s2 are the slopes of the plane in the surface's axes; s' = (p1' - s1 p3')/p3.
 local function paraboloid(s, c, up, name)
   local into, out = axes(s, c)
   local a = c.constant("bend_x", s.half[1], "radius of curvature along x, m")
@@ -69,6 +71,7 @@ local function paraboloid(s, c, up, name)
   end
 end
 
+-- Of an h that is homogeneous of degree 1, h = n.G, two terms are zero.
 local function support(s, c, up, name)
   local into, out = axes(s, c)
   local N = { motion.sym "@nx", motion.sym "@ny", motion.sym "@nz" }

@@ -23,6 +23,7 @@ local torque = {
   example = "thruster",
 }
 
+-- R(q)^T takes inertial components to the body's.
 function torque.torque(a, c)
   local N = vec.map(a.body or a.inertial, function(x, i)
     return c.lift(x, "N" .. string.sub("xyz", i, i), "torque, N m")

@@ -94,6 +94,7 @@ end
 
 translation.strengths = strengths
 
+-- Weight, drag and stiffness in terms of M, the mass as a symbol, which cancels in m r'' = F.
 function translation.force(a, c)
   local g, k = strengths(a, c)
   local drag = c.per_mass("drag", a.drag, "drag, N s^2/m^2")

@@ -81,6 +81,7 @@ function wheel.carries(a) return a.included and vec.scale(expr.lift(-1), own_ten
 -- What it adds to the body's tensor when it is held still.
 function wheel.locks(a) return not a.included and own_tensor(a) or nil end
 
+-- Without a motor a.w + W is constant, so the wheel does no work, and along z it does not slow w3 down.
 function wheel.conserves(a)
   local list, free = { "L" }, a.torque == expr.zero
   if free then list[2] = "T+V" end

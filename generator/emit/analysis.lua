@@ -24,6 +24,8 @@ analysis.pair_top = { float = "110", double = "990" }
 -- still has all its own.
 local PROMISES = { float = { digits = "5", decades = "65" }, double = { digits = "12", decades = "600" } }
 
+-- Of a body symmetric about an oblique axis (job.oblique) the moments are constants; which is the lesser is decided
+-- when the code runs, if parameters decide it.
 function analysis.principal(job, base, ctx)
   local real = ctx.real
   -- negligible: epsilon^2 of the product of two moments, for the square of an entry; it and 15/16 as in mass/jacobi.lua

@@ -107,6 +107,7 @@ end
 -- What a function says by its result: these are 0 if all is well.
 local answers = { init = true, solve = true, set_tick = true }
 
+-- The call as text, or why it cannot be made.
 local function prepare(job, f)
   local call, given = { name = f.name, symbol = f.symbol, out = 0, vectors = 0 }, {}
   for i, a in ipairs(f.arguments) do

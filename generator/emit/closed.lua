@@ -15,6 +15,7 @@ local template = require "generator.emit.template"
 
 local closed = {}
 
+-- The names of templates in a text; those without a folder are in `room`.
 local function names(room, text)
   local list = {}
   for name in string.gmatch(text, "%S+") do
@@ -63,6 +64,7 @@ for _, row in ipairs { { "count.c", "set_tick at_tick" }, { "tick.c", "set_tick 
   ONLY_FREE[name], FOR[name] = true, row[2]
 end
 
+-- Is a function asked for that this text is for?
 local function called(name, asked)
   if not FOR[name] then return true end
   for f in string.gmatch(FOR[name], "%S+") do
@@ -87,6 +89,7 @@ local function damped(free)
   return { headers[1], headers[2], "orbit/damped.h" }, list
 end
 
+-- The templates of headers and of sources.
 local function texts(form, asked)
   if form.free then return damped(form.free) end
   local t, list = TEXTS[form.kind], {}

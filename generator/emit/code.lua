@@ -171,6 +171,7 @@ local function renderer(job, base, about)
   end
 end
 
+-- Those that a user includes.
 local function headers_of(names)
   local out = {}
   for _, name in ipairs(names) do

@@ -110,6 +110,7 @@ local function joint(line)
   end
 end
 
+-- Appends the line, broken where it is too long; what goes on stands four columns further in.
 local function code(line, out)
   local directive = string.find(line, "^#")
   local own, note = string.match(line, "^(.-%S)%s+(/%*.*%*/)$")
@@ -197,6 +198,7 @@ function columns.part(text)
   return text, not string.find(text, "\n", 1, true) and whole(text)
 end
 
+-- Statements over several lines are joined first, so that the breaks do not depend on where the template had its own.
 function columns.fit(text)
   local out, block, statement = {}, nil, nil
   local function finish()

@@ -27,6 +27,7 @@ local CONTINUED = "    "
 
 local function atom(text) return { text = text, level = ATOM, depth = 0, solid = true } end
 
+-- A quotient binds like a product, a negative number like the unary minus.
 local function literal(q, real)
   local text = number.text(q, real)
   local quotient = string.find(text, "/", 1, true)
@@ -189,6 +190,7 @@ local function printer(ir, real, opts)
   return P
 end
 
+-- The next of t1, t2 .. that no input and no intermediate is called like.
 local function temporary(P)
   repeat
     P.temporaries = P.temporaries + 1

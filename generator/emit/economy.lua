@@ -39,6 +39,7 @@ local function chebyshev_of(last, h)
 end
 
 -- series: coefficients from u^0, as rationals.  Returns fewer of them, to `bound` on 0 <= u <= h.
+-- |T_n| <= 1 on the interval, so what is lost is at most the sum of the multiples.
 function economy.shorten(series, h, bound)
   local n, lost, power = #series, R.zero, {}
   for k = 0, n do power[k] = series[k] end

@@ -40,6 +40,7 @@ local function step_inputs(ctx, fit)
   return list
 end
 
+-- The step and its derivatives in lanes: y[] are the new states, s[] the rows of derivatives.
 local function step_lines(ctx, fit)
   local groups = {}
   for i, g in ipairs(fit.step) do

@@ -31,6 +31,7 @@ local function plain(q) -- for a comment: the double, without the suffix of a fl
 end
 
 -- nil without ranges, else {header, source, rows = what the self-test tries of each state}.
+-- A row has the ends, which must pass, and numbers just beyond them, which must not.
 function guard.of(job, base)
   if not job.ranges then return nil end
   local real, first, rows = job.real, nil, {}

@@ -71,6 +71,7 @@ function init.cost(ctx, m, members)
   return source.count { name = "init", inputs = list, groups = constants(m, members, map, {}, {}) }
 end
 
+-- The lists a and b as one.
 local function joined(a, b)
   local list = { table.unpack(a) }
   for _, x in ipairs(b) do list[#list + 1] = x end

@@ -118,6 +118,7 @@ local function joined(list, change, shape)
   return table.concat(out)
 end
 
+-- What several sources include must be inline, or each would warn of what it does not call.
 local function private_text(u)
   local text = string.gsub(u.text, "^static ", "static inline ", 1)
   if text == u.text then text = string.gsub(u.text, "\nstatic ", "\nstatic inline ", 1) end

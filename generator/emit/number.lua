@@ -14,6 +14,8 @@ local R = require "generator.algebra.rational"
 
 local number = {}
 
+-- digits: as many always read back; safe: as many are never ambiguous (DBL_DIG, FLT_DIG); integers: up to it all whole
+-- numbers are of the type.
 local formats = {
   double = { name = "binary64", round = R.todouble, digits = 17, safe = 15, suffix = "",
     integers = R.new(1 << 53), smallest_safe = 1e-290 },

@@ -14,6 +14,7 @@ local orbit = {}
 local bits = 224 -- 128 of a fraction of a turn, some 30 that a tick's count may take, and guards
 local two = R.new(2)
 
+-- A function from a rational to the nearest number of the type, a rational again; nil beyond its range.
 local function rounder(real)
   return function(q)
     local x = real == "float" and R.tofloat(q) or R.todouble(q)

@@ -43,6 +43,7 @@ local function divides_by_norm(job)
   return false
 end
 
+-- Eva follows intervals: whatever enters a step must have ends, and the step a fixed length.
 function proof.check(job)
   local line = job.record.line
   local function refuse(rule, got)

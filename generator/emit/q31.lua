@@ -21,6 +21,7 @@ local function power(e) return e == 0 and "1" or "2^" .. whole(-e) end
 local printer = {}
 printer.__index = printer
 
+-- Constants of equal value and exponent are one, K1, K2 ..
 function printer:of(node)
   if node.kind ~= "constant" then return node.name end
   if not self.names[node] then

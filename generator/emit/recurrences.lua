@@ -88,6 +88,7 @@ local function advance(program, key, prefix, by, map, group)
 end
 
 -- Term 0 of everything that is needed in y, then term 1 of the states: two groups, between them the lanes are gathered.
+-- Second result: term 0 alone, for taylor_rows.c, which makes term 1 itself.
 local function start(ctx, program, names, needed)
   local inputs, map = {}, {}
   plain(inputs, names)

@@ -48,6 +48,7 @@ end
 
 -- The environment of the model's derived constants, for these parameters (name -> rational).  The parameters
 -- themselves are not in it: only NAME_init sees them, and their names may be those of states or arguments.
+-- A constant's size is that of its form, which is what NAME_init computes.
 function selftest.environment(m, params, held)
   local from, env = { value = {}, size = {} }, { value = {}, size = {} }
   for k, v in pairs(params) do from.value[k] = v end -- into a table: order is lost anyway

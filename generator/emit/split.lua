@@ -76,6 +76,7 @@ local function shared_parts(program)
   return list
 end
 
+-- Values and texts of what all splittings of the job have in common.
 local function shared(program, kit)
   local ctx, d = kit.ctx, program.drift
   local real, upper = ctx.real, ctx.upper

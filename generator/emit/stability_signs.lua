@@ -284,6 +284,7 @@ end
 
 local longest = 400 -- characters of a condition in a comment
 
+-- A line for each axis: its conditions without and with dissipation.
 local function documentation(s)
   local doc = {}
   for k = 1, 3 do

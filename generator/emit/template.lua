@@ -20,6 +20,7 @@ local template = {}
 local function quoted(s) return string.format("%q", s) end
 
 -- One line of text as Lua: _put("..." .. _str(expr, "expr") .. ... .. "\n")
+-- What is between ${ and } is a Lua expression: w.name, n[2.5].
 local function text_line(line, newline)
   local parts, from = {}, 1
   while true do

@@ -88,6 +88,7 @@ local function definition(lines, i)
   end
 end
 
+-- Each identifier once, in the order of appearance.
 local function used(code)
   local seen, list, n = {}, {}, 0
   for name in string.gmatch(code, "[%a_][%w_]*") do

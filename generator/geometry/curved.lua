@@ -109,6 +109,7 @@ end
 
 local function put(out, line) out.lines[#out.lines + 1] = line end
 
+-- From p to q in pieces no longer than o.fine; the last point is q itself.
 local function straight(out, p, q, o)
   local d = { q[1] - p[1], q[2] - p[2], q[3] - p[3] }
   local length = math.sqrt(d[1] ^ 2 + d[2] ^ 2 + d[3] ^ 2)

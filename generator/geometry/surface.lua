@@ -69,6 +69,7 @@ local function moved(s, move, flip)
   return out
 end
 
+-- A is nine numbers, row by row.
 local function linear(A)
   return function(p)
     return { A[1] * p[1] + A[2] * p[2] + A[3] * p[3], A[4] * p[1] + A[5] * p[2] + A[6] * p[3],
@@ -107,6 +108,7 @@ local function motion(node)
   return linear(A), determinant(A) < 0
 end
 
+-- A hole's faces look into it.
 function surface.tree(node, n)
   if node.shape then
     return surface.of(node, n)

@@ -63,6 +63,7 @@ end
 
 -- ---- rods and wires ----
 
+-- The distance to the segment a b.
 local function segment(p, a, b)
   local u, v = sub(b, a), sub(p, a)
   local l = radius(u)

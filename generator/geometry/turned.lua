@@ -121,6 +121,7 @@ local function closed(p)
   return chain
 end
 
+-- The section of a torus.
 local function circle_chain(R, r, n)
   local chain = {}
   for i = 0, n do
@@ -158,6 +159,7 @@ function profile.capsule(a, n)
   return bow(bow({}, a.r, -a.h / 2, -a.r, 0, n), a.r, a.h / 2, 0, a.r, n)
 end
 
+-- Points equally far apart in rho.
 function profile.paraboloid(a, n)
   local chain, k = {}, math.max(2, n // 4)
   for i = 0, k do chain[i + 1] = { a.r * i / k, a.h * (i / k) ^ 2, curved = true } end

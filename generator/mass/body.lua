@@ -51,6 +51,7 @@ local function divided(node, spec)
   return out
 end
 
+-- A shape as one piece; particles are one each, without sigma.
 local function primitive(node)
   if node.shape == "points" then
     local pieces = {}
@@ -121,6 +122,7 @@ local function joined(a, b, sign)
   return out
 end
 
+-- {pieces, points = {name -> place}, particles} of a tree.
 function build(node)
   if node.shape then return primitive(node) end
   if node.op == "at" then

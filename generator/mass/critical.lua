@@ -259,6 +259,7 @@ local function root_text(q, style)
 end
 
 -- e = a v^n + b with a, b free of the symbol v and n 1 or 2: a, b, n; nil otherwise.
+-- Any higher power of v: nil.
 local function binomial(e, v)
   local b = calculus.substitute(e, { [v] = expr.zero })
   local slope = calculus.diff(e, v)
@@ -272,6 +273,7 @@ local function binomial(e, v)
 end
 
 -- Solutions of  e rel 0  for a parameter: a list of {v, relation, right side, squared = is v^2 compared with it?}.
+-- Dividing by a turns the relation round where a < 0; where the sign of a is not known v is no solution.
 function critical:solutions(e, relation)
   local list = {}
   local ring = poly.modest(e)

@@ -32,6 +32,7 @@ function holes.any(node)
 end
 
 -- The kinds that occur in a tree; kind "unknown" for what has no geometry here.
+-- A set.
 local function kinds_of(node, set)
   set = set or {}
   if node.shape then
@@ -124,6 +125,7 @@ local function place(p)
 end
 
 -- Lengths of the shifts in a tree, added: what coordinates may reach on the way to a leaf.
+-- (a bound: they may point in different directions)
 local function shifts(node)
   if node.shape then return 0 end
   if node.of then

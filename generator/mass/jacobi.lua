@@ -36,6 +36,7 @@ function jacobi.precise(e, bits)
   local negligible = R.new(2) ^ (-2 * bits) -- of the product of the diagonal entries, for the square of an entry
   for k = 1, 3 do v[k] = { R.new(k == 1 and 1 or 0), R.new(k == 2 and 1 or 0), R.new(k == 3 and 1 or 0) } end
   local settled = 0
+  -- settled: planes in a row without anything to do; three are all
   for n = 0, 2 * bits do
     local r = 3 - n % 3
     if o[r] * o[r] <= negligible * R.abs(d[r % 3 + 1] * d[(r + 1) % 3 + 1]) then

@@ -110,6 +110,7 @@ end
 -- The amplitude below which n periods are right to eps, by bisection: the error grows with e.
 function linearised.amplitude(A, eps, n)
   local low, high = -750.0, math.log(A.limit)
+  -- in logarithms, from e^-750, which is below the smallest double, to the separatrix
   for _ = 1, 64 do
     local middle = (low + high) / 2
     local motion = linearised.worst(A, math.exp(middle))

@@ -52,6 +52,7 @@ function parts:step(name, e, about, unit)
 end
 
 -- The part of the tensor that piece p adds in entry n, divided by its mass.
+-- sigma_jj + sigma_kk on the diagonal, -sigma_jk beside it.
 local function own(p, n)
   if not p.sigma then return expr.zero end
   if n > 3 then return -p.sigma[n] end
@@ -152,6 +153,7 @@ local function times(s, e)
 end
 
 -- Entry n of the tensor, in names.
+-- The shifts are sums of first moment times distance, u_j d_k with u = m d.
 function parts:entry(n)
   local shift = expr.zero
   for _, s in ipairs(self.shifts) do

@@ -93,6 +93,7 @@ local function possible(bare, kind)
 end
 
 -- The volume of a shape as it is written, in doubles; nil if it has none that is a number.
+-- (as the scene has it: `growth` is applied outside)
 local function volume(m, node)
   if node.shape == "mesh" then return m:double(node.a.measure) end
   local spec = catalogue.by_name[node.shape]

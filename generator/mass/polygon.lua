@@ -27,6 +27,7 @@ local function fan(loop, f)
 end
 
 -- One loop: area, centroid {x, y}, second moments about it per unit area {xx, yy, xy}.
+-- S is twice the area, F and Q are 6 and 24 times the first and second moments about the first vertex.
 local function moments(loop)
   local S, F, Q = expr.zero, { expr.zero, expr.zero }, { expr.zero, expr.zero, expr.zero }
   fan(loop, function(c, a, b)

@@ -25,6 +25,7 @@ function slips.steiner(m, c)
   return vec.scale(m, vec.inertia(vec.outer(c)))
 end
 
+-- I with entries replaced: {place = value}
 local function with(I, changes)
   local J = { table.unpack(I) }
   for i, x in pairs(changes) do J[i] = x end
@@ -107,6 +108,7 @@ end
 
 -- ---- one entry with another power of ten, or in another unit ----
 
+-- A moment may be too large or too small; a product that is too small breaks no law.
 local function digits(g, valid)
   local found = {}
   for i = 1, 6 do
@@ -131,6 +133,7 @@ end
 local foreign = { { "0.00064516", "kg in^2" }, { "0.09290304", "kg ft^2" }, { "0.0002926396534292", "lb in^2" },
   { "0.0421401100938048", "lb ft^2" } }
 
+-- Of the moments alone.
 local function units(g, valid)
   local found = {}
   for i = 1, 3 do

@@ -36,6 +36,7 @@ local function product(c, e)
   return { sign = sign, atoms = atoms }
 end
 
+-- The number of the coordinate axis along k, or nil.
 local function coordinate(k)
   local found
   for i = 1, 3 do
@@ -171,6 +172,7 @@ local function leaf(s, relation)
   return { atoms = atoms, relation = relation }
 end
 
+-- Are both leaves of the same atoms?
 local function same(a, b)
   if a == b then return true end
   if type(a) ~= "table" or type(b) ~= "table" or a.op or b.op or #a.atoms ~= #b.atoms then return false end
@@ -188,6 +190,7 @@ local function both(a, b)
   return { op = "and", a, b }
 end
 
+-- > or < of the same is ≠.
 local function either(a, b)
   if a == true or b == true then return true end
   if a == false then return b end

@@ -217,6 +217,7 @@ end
 validity.roundoff = expr.sym("unit roundoff", 1, true)
 
 -- The pivots of elimination of A, which must be positive, and whether A is diagonal.
+-- A_11; A_22 - A_12^2/A_11; what is left of A_33.
 local function pivots_of(A)
   local p = A[1]
   if expr.iszero(A[4]) and expr.iszero(A[5]) and expr.iszero(A[6]) then return { p, A[2], A[3] }, true end

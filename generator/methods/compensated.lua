@@ -29,6 +29,7 @@ local function prefix(m, word)
 end
 
 -- NAME_STEP_compensated of a method with increments, as a function description.
+-- Three words a state: add = d + low, new = x + add, gain = new - x; then low = add - gain.
 local function of(eq, method, name)
   local m, groups = eq.model, {}
   local low, names = prefix(m, "low"), {}

@@ -109,6 +109,7 @@ function fixed:less(name, whole, a, q, about, blame)
   return self:sum(name, { { 1, whole }, { -1, self:mul(name .. "1", a, c, 32, blame, true) } }, blame)
 end
 
+-- Both of 16 bits: the product is exact, and a word.
 function fixed:product(name, a, b, blame)
   return self:add { kind = "product", name = name, a = a, b = b, e = a.e + b.e, hi = check(a.hi * b.hi, blame),
     err = fixed.most(a) * b.err + fixed.most(b) * a.err + a.err * b.err }
@@ -131,6 +132,7 @@ function fixed:sum(name, terms, blame)
     hi = check(hi + math.abs(more), blame) }
 end
 
+-- To the nearest, by adding half a unit of what is dropped; the sum must be a word, too.
 function fixed:right(name, a, n)
   if n == 0 then return a end
   if n > 30 then fixed.unfit "f" end
@@ -140,6 +142,7 @@ function fixed:right(name, a, n)
     err = a.err + 2.0 ^ (-e - 1) }
 end
 
+-- Exact.
 function fixed:left(name, a, n, blame)
   if n == 0 then return a end
   if n > 30 then fixed.unfit(blame) end
@@ -152,6 +155,7 @@ function fixed:to(name, a, e, blame)
   return self:right(name, a, a.e - e)
 end
 
+-- flag: the bit that tells of it.  The error is that of a: what is clipped is reported, not bounded.
 function fixed:clip(name, a, hi, flag)
   return self:add { kind = "clip", name = name, a = a, limit = hi, flag = flag, e = a.e, hi = math.min(hi, a.hi),
     err = a.err }

@@ -53,6 +53,7 @@ local function refusal(m)
 end
 
 -- The slip at the middle.
+-- Effects give it as a function of w.
 local function slipped(acts)
   local at = {}
   for i = 1, 3 do at[w[i]] = middle[i] end
@@ -132,6 +133,8 @@ local function equation(m, acts, zero)
 end
 
 -- One Newton iteration, `mid` to `next`.
+-- D = dF/dw with the torque's change through the attitude to leading order: it speeds Newton up, the solution is that
+-- of F = 0 whatever D is.
 local function iteration(m, acts, zero)
   local list, F, r, plain, hh = equation(m, acts, zero)
   local newton = { why = "Newton: w - D^-1 F, D the derivative of F", defs = {}, outs = {} }

@@ -46,6 +46,7 @@ function run.to_real(step, x)
   end)
 end
 
+-- Words beyond their limits are brought to them, without a remainder; returns the bits of those.
 local function limited(layout, x)
   local bits = 0
   for i, s in ipairs(layout) do

@@ -174,6 +174,7 @@ end
 -- The step as equation groups with outs {state, expr}.  S is what its parts share: list of groups, new (states that
 -- were carried over), at and map (the rates w' behind the kick), base (those, or what the kick adds), k and slip of the
 -- acting effects, f (Euler's rates without torque), increments.
+-- The order is that of the scheme: what does not turn, the kick, the rate at the middle, the rotation, the new state.
 local function step(eq, increments)
   local m, zero = eq.model, stages.conserved(eq)
   local list, finals = {}, {}

@@ -64,6 +64,7 @@ end
 
 local function form(constant) return { constant = constant, vars = {}, of = {} } end
 
+-- f + c v, in place
 local function put(f, v, c)
   if not f.of[v] then
     f.vars[#f.vars + 1] = v
@@ -106,6 +107,7 @@ local of
 
 local order = expr.sym("order", 8) -- n, as a number
 
+-- a b: its lane needs both, so it is one level above them
 local function multiplied(self, a, b)
   local v = new_variable(self, a.name .. "_" .. b.name, math.max(a.level, b.level) + 1)
   v.start = a.sym * b.sym
@@ -125,6 +127,7 @@ local function defined(self, key, name, level, start, term)
   return y
 end
 
+-- u^a, by u y' = a u' y
 local function power(self, u, a)
   local level = u.level + 1
   local root = R.sign(a) > 0 and not R.isint(a) and R.isint(a * R.new(2)) -- not negative, whatever u does
@@ -136,6 +139,7 @@ local function power(self, u, a)
   end)
 end
 
+-- u/v, by y v = u: only v stands in a lane, u may be of the same level
 local function quotient(self, u, v)
   local level = math.max(u.level, v.level + 1, 1)
   return defined(self, "quotient " .. u.name .. " " .. v.name, "quotient", level, u.sym / v.sym, function(y)

@@ -206,6 +206,7 @@ local function program(method)
   end
 end
 
+-- outer, inner: names of palindromes, of the step and of the drift of a body with three moments.
 local function method(order, outer, inner, about, source)
   local m = { name = "split" .. order, order = order, outer = outer, inner = inner, template = "split", about = about,
     source = source }

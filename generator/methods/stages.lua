@@ -30,6 +30,7 @@ end
 
 -- Names of what changes during a step: states that are not conserved, time, and every definition that depends
 -- on one of them.
+-- One pass: a definition uses only those before it.
 local function varying(eq, zero)
   local set = { t = true }
   for _, s in ipairs(eq.model.states) do set[s.name] = not zero[s.name] or nil end

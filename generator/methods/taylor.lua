@@ -153,6 +153,7 @@ local function shifted(eq, groups)
 end
 
 -- Does any form of the series contain the symbol?
+-- (time as a state that nothing reads needs no place)
 local function uses(made, sym)
   local set = { [sym.name] = true }
   local function has(e) return e and not expr.constant(e, set) end

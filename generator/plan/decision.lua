@@ -22,6 +22,7 @@ end
 
 local function short(x, digits) return plain(string.format("%." .. (digits or 2) .. "g", x)) end
 
+-- The fewest digits that read back.
 local function shortest(x)
   for digits = 1, 17 do
     local s = string.format("%." .. digits .. "g", x)
@@ -100,6 +101,7 @@ function decision.asked(job, q)
   return lines
 end
 
+-- ", inputs .. held within ..", or nothing.
 local function held(job)
   local list = {}
   for i, s in ipairs(states.limits(job) or {}) do
@@ -168,6 +170,7 @@ local function expected(job, r, accuracy, real)
   return values, bounds
 end
 
+-- Appends the words to the list as lines, those after the first indented.
 local function wrapped(list, first, words, width)
   local line = first
   for _, w in ipairs(words) do

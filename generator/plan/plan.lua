@@ -175,6 +175,7 @@ local function corrected(s, r, points, limit, stop)
   return out
 end
 
+-- Places, those of the largest errors first.
 local function by_size(errors)
   local order = {}
   for i in ipairs(errors) do order[i] = i end
@@ -185,6 +186,7 @@ local function by_size(errors)
   return order
 end
 
+-- The n points of the largest errors that are not among the chosen ones join them.
 local function add_worst(list, chosen, points, errors, n)
   for _, i in ipairs(by_size(errors)) do
     if n > 0 and not chosen[points[i]] then

@@ -29,6 +29,7 @@ local function direction(l)
   return s and s.k or { expr.zero, expr.zero, expr.one }
 end
 
+-- Damping must be symmetric about the axis, torque and rotor along it: then k.w has an equation of its own.
 function axial.detect(m)
   local l, other = loads.of(m)
   if not l then return nil, other end

@@ -14,6 +14,7 @@ local damped = { name = "damping proportional to L" }
 local free = { require "generator.dynamics.closed.sphere", require "generator.dynamics.closed.symmetric",
   (require "generator.dynamics.closed.asymmetric") } -- one value: require also returns where it found it
 
+-- The free form is chosen as for the same body without effects.
 function damped.detect(m)
   local l, other = loads.of(m, true)
   if not l then return nil, other end

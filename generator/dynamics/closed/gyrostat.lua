@@ -27,6 +27,7 @@ local function diagonal(m)
   return true
 end
 
+-- first, second, third: the axes so renamed that the rotors are along the third.
 function gyrostat.detect(m)
   local l, other = loads.of(m, true)
   if not l then return nil, other end

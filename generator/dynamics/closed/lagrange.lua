@@ -33,6 +33,7 @@ end
 
 local axes = { "x", "y", "z" }
 
+-- The direction of k need not be a unit vector; Mgk has its length in it.
 local function constants(m)
   local s, k, g = m.structure, axis(m), m.record.effects[1].a
   local out = {}

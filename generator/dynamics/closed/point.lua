@@ -46,6 +46,7 @@ local framed_text = {
   "sigma^2 = k/m, without the centrifugal term Omega^2 + k/m; P is the integral of the second solution.  Along n it",
   "is a parabola, an oscillation or an exponential.  Landau, Lifshitz, Mechanics, section 39." }
 
+-- Only effect.translation without drag and pushes, and a frame that turns steadily.
 function point.detect(m)
   if not m.has.position then
     return nil, contact.of(m) and "the body touches a plane" or "nothing moves the centre of mass"

@@ -35,6 +35,7 @@ local function text(c)
   return tostring(c) .. "*"
 end
 
+-- f is new.
 local function intern(B, key, f)
   B.count = B.count + 1
   f.id = B.count

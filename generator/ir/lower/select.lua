@@ -128,6 +128,7 @@ end
 
 -- ---- forms --------------------------------------------------------------------------------------------------------
 
+-- The first positive term leads; where there is none the first one does, as a negative.
 local function sum(S, f)
   local lead
   for k, t in ipairs(f.terms) do

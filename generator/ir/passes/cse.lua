@@ -21,6 +21,7 @@ local function signature(i, leader)
   return table.concat(parts, " ")
 end
 
+-- Values first, then names: an instruction may get its name from one that comes after it.
 function cse.run(ir)
   local leader = {} -- value number -> value number of the first equal instruction
   local seen = {}   -- signature -> that instruction

@@ -160,6 +160,7 @@ local function step(i, x, y, to)
   end
 end
 
+-- Rules are tried on an instruction until none applies; its operands are in their final form by then.
 function fold.run(ir)
   local define = instr.definitions(ir)
   local same = {} -- value number -> the value number it was found to equal

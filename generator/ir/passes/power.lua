@@ -22,6 +22,7 @@ function power.run(ir)
     local steps = known[x] or { x }
     known[x] = steps
 
+    -- the value number of x^n, made if it is not there
     local function raised(n, dst, name)
       if steps[n] then return steps[n] end
       local a, b

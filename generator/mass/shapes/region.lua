@@ -10,6 +10,7 @@ local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 
 -- a: {order = {outermost, .., innermost coordinate}, limits = {{lo, hi}, ...} in that order, density = polynomial}
+-- integral(i, j): of x_i x_j times the density; of x_i or 1 with fewer arguments.
 local function build(a)
   local function integral(i, j)
     local e = { 0, 0, 0 }

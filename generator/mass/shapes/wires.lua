@@ -48,6 +48,8 @@ local function arc(r, h)
   return { x * c, x * s, zero }, sigma, s, c
 end
 
+-- z = k (t + h): mean k h, variance k^2 h^2/3; with what lies across the ray in the middle, r sin t, a covariance of r
+-- k (mean of t sin t), which is turned by h as the arc is.
 local function helix(a)
   local h, k = pi * a.turns, a.pitch / (2 * pi) -- z = k (t + h)
   local com, sigma, s, c = arc(a.r, h)
@@ -58,6 +60,7 @@ local function helix(a)
     points = { axis = { zero, zero, zero }, first = { a.r, zero, zero } } }
 end
 
+-- half: the length from the vertex to an end, a sinh u; means over it in exact.lua.
 local function catenary(a)
   local x = a.span / 2
   local u = x / a.a
