@@ -41,8 +41,8 @@ static void open_libraries(lua_State *L) {
   }
 }
 
-/* Random points of the equality oracle must be the same in every run: Lua 5.4 seeds from the clock.
- */
+/* Random points of the equality oracle must be the same in every run: Lua 5.4 seeds from the
+ * clock. */
 static void fix_random_seed(lua_State *L) {
   lua_getglobal(L, "math");
   lua_getfield(L, -1, "randomseed");

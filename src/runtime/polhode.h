@@ -329,9 +329,7 @@ int ph_frame_rate_body(const double w[3], const double r[3], const double inerti
 
 /* Second derivative in the inertial frame, its four terms apart and their sum:
    relative r'' + Coriolis 2 w x r' + Euler w' x r + centripetal w x (w x r), ' in the body frame.
-   A term's negative is a force per mass of the turning frame: Coriolis, Euler and centrifugal
-   force.
- */
+   A term's negative is a force per mass of the turning frame: Coriolis, Euler, centrifugal. */
 typedef struct ph_acceleration {
   double relative[3], coriolis[3], euler[3], centripetal[3], total[3];
 } ph_acceleration;

@@ -67,8 +67,8 @@ typedef struct ph_varying {
   void *context;
 } ph_varying;
 
-/* An act of one of the kinds above, with the numbers of its kind: made by the calls below, private.
- */
+/* An act of one of the kinds above, with the numbers of its kind: made by the calls below,
+   private. */
 typedef struct ph_act {
   const struct ph_effect_table *effect; /* what it does: src/runtime/effects/NAME.c */
   int states;                           /* of its own */

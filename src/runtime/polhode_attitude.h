@@ -1,5 +1,6 @@
 /* polhode_attitude.h - attitudes as quaternion, matrix, rotation vector and angles; polhode.h
-   includes it. SPDX-License-Identifier: GPL-3.0-or-later
+   includes it.
+   SPDX-License-Identifier: GPL-3.0-or-later
 
    The conventions are those of polhode.h: scalar first, body to inertial. */
 #ifndef POLHODE_ATTITUDE_H
@@ -31,8 +32,7 @@ int ph_quat_to_matrix(const double q[4], double R[9]);
 int ph_quat_from_matrix(const double R[9], double q[4]);
 /* Yaw, pitch, roll (rad): turns about z, then the new y, then the new x (3-2-1), from inertial to
    body axes: q = qz(yaw) qy(pitch) qx(roll). Out: yaw and roll in (-pi, pi], pitch in [-pi/2,
-   pi/2]; at pitch = +-pi/2 only yaw -+ roll is determined and the other combination is taken as 0.
- */
+   pi/2]; at pitch = +-pi/2 only yaw -+ roll is determined, the other combination is taken as 0. */
 int ph_quat_from_ypr(const double ypr[3], double q[4]);
 int ph_quat_to_ypr(const double q[4], double ypr[3]);
 /* Euler angles (rad) of a sequence of three body axes, "zxz" or "zyx" for example: q = q_a(first)

@@ -9,8 +9,7 @@
 #include <string.h>
 
 /* A number, {rows = {t, v, ...}}, {code = program} or a program at the stack's top, which is
- * popped.
- */
+ * popped. */
 static void read_varying(struct engine_scene *s, ph_varying *out) {
   lua_State *L = s->L;
   *out = (ph_varying){0};

@@ -40,8 +40,8 @@ struct engine_course {
   double constant[ENGINE_INPUTS];
 };
 
-/* Where the library refused: the shape, operation or effect. The text lives in the scene's table.
- */
+/* Where the library refused: the shape, operation or effect. The text lives in the scene's
+ * table. */
 struct engine_scene {
   lua_State *L;
   int index; /* of the scene's table on the stack */
@@ -53,8 +53,7 @@ struct engine_scene {
 };
 
 /* The course of n inputs at `index` (nil: zeros); what holds its rows stays on the stack, one
- * value.
- */
+ * value. */
 void engine_course_read(lua_State *L, int index, int n, struct engine_course *c);
 /* The next break after t on the way to `end`, or `end`; both directions. */
 double engine_course_next(const struct engine_course *c, double t, double end);

@@ -40,8 +40,8 @@ static int flag(lua_State *L, const char *key) {
 
 /* ---- shapes of given sizes ---- */
 
-/* The arguments' names of a shape in the library's catalogue, NULL when it has none of that name.
- */
+/* The arguments' names of a shape in the library's catalogue, NULL when it has none of that
+ * name. */
 static const char *arguments_of(const char *name) {
   for (int i = 0; ph_shape_name(i) != NULL; i++)
     if (strcmp(ph_shape_name(i), name) == 0)

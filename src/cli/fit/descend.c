@@ -43,6 +43,8 @@ static int reduced(const gsl_vector *x, void *search, gsl_vector *out) {
   return interrupt_pending() ? GSL_EFAILED : GSL_SUCCESS;
 }
 
+/* The point is from + part step in the free parameters, where part depends on the step, and from +
+ * step in the logs' own unknowns: df = part R + (R step) (d part/d step)', and R. */
 static int reduced_slope(const gsl_vector *x, void *search, gsl_matrix *out) {
   struct search *a = search;
   visit(a, x);

@@ -64,7 +64,8 @@ static int covariance(struct design *d, const double theta[]) {
   return 0;
 }
 
-/* The step is halved until the standard errors stay, by the law of a method of order 4. */
+/* The step is halved until the standard errors stay, by the law of a method of order 4.  1: they
+ * do; 0: not after 14 halvings, or the parameters are refused; -1: the motion is not finite. */
 static int settle(struct design *d, const double theta[]) {
   double before[FIT_MOST];
   int rank = -1;
@@ -125,6 +126,8 @@ static int own_place(const struct fit_problem *f, int state) {
   return f->free + state - (at >= 0 && state >= at + 4);
 }
 
+/* A candidate's values to their places: parameters, initial states that are unknowns, and those
+ * that are not. */
 static void take(struct design *d, const double candidate[], double theta[]) {
   memcpy(theta, d->start, FIT_MOST * sizeof theta[0]);
   for (int i = 0; i < d->places; i++) {

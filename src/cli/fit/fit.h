@@ -42,11 +42,11 @@ struct fit_log {
   double begin;   /* when its initial state is: 0, or where this piece of a log begins */
 };
 
-/* log(path) -> object | nil, message;  object:head() -> {names}, {units}, {sigmas}, line of the
-   head;
+/* log(path) -> object | nil, message
+   object:head() -> {names}, {units}, {sigmas}, line of the head
    object:read({{column, factor}, ...}) -> rows, {values of each} | nil, message.  The first of them
-   is the time.  object:spacing() -> the usual distance of two rows, times of the first and
-   the last, in s */
+   is the time.
+   object:spacing() -> the usual distance of two rows, times of the first and the last, in s */
 int host_log(lua_State *L);
 struct fit_log *fit_log_at(lua_State *L, int index);
 

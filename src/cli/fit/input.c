@@ -28,8 +28,8 @@ void fit_inputs_begin(const struct fit_problem *f, int log, struct fit_place *at
   }
 }
 
-/* The corner after t of an input that moves on a line, at most `until`: where it crosses a limit.
- */
+/* The corner after t of an input that moves on a line, at most `until`: where it crosses a
+ * limit. */
 static double crossing(const struct fit_input *in, double t, double x, double slope, double until) {
   const double limit[2] = {in->low, in->high};
   const double least = 1e-12 * fmax(1, fabs(t)); /* of the last crossing, which was rounded */

@@ -121,6 +121,7 @@ static struct loss loss_at(const struct fit_problem *f, double z) {
   return (struct loss){z, z, 1};
 }
 
+/* The course's row times factor, and `last` for its residual. */
 static void scaled(const struct course *c, double factor, double last, struct fit_triangle *to) {
   double row[FIT_MOST + 1];
   const int n = c->f->n;
@@ -130,7 +131,8 @@ static void scaled(const struct course *c, double factor, double last, struct fi
   triangle_row(to, row);
 }
 
-/* A residual and its row into the sums. */
+/* A residual and its row into the sums.  `whole` takes (J psi/root, root): what it is asked for is
+ * then J' psi and the sum of 2 rho. */
 static void put(struct course *c, struct fit_sums *s, double z, const double J[], int directions) {
   const struct fit_problem *f = c->f;
   s->chi2 += z * z;
@@ -353,6 +355,7 @@ static void begin(struct course *c, const double theta[]) {
   c->segment = fit_inputs_at(f, c->number, c->t, &c->place, c->u);
 }
 
+/* 1: a residual is not finite, or a signal came. */
 static int one_log(struct course *c, const double theta[], struct fit_sums *s) {
   struct fit_problem *f = c->f;
   struct memory m = {.next = 0};

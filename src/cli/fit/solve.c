@@ -137,8 +137,8 @@ static double newton(struct fit_problem *f, const double theta[], struct fit_sum
   return sqrt(fmax(length, 0));
 }
 
-/* Newton's steps from where the trust region ended; the sum of their lengths, or -1: none led down.
- */
+/* Newton's steps from where the trust region ended; the sum of their lengths, or -1: none led
+ * down. */
 static double polish(struct fit_problem *f, struct fit_sums *s, struct fit_result *r,
                      double enough) {
   double step[FIT_MOST], whole = 0;
@@ -199,8 +199,8 @@ static void refine(struct fit_problem *f, struct fit_sums *s, struct fit_result 
     if (moved < SHORT && moved > last / 4 && last > 0)
       return; /* it does not fall by any law: rounding, of millions of rows */
     last = moved;
-    /* one jump to where the law of order 4 expects the error to be small, with something to spare
-     */
+    /* one jump to where the law of order 4 expects the error to be small, with something to
+     * spare */
     const double jump = pow(STEP_ERROR / r->step_shift, 0.25) * 1.4;
     if (jump < 0.5)
       f->h *= fmax(jump, 1.0 / 32);

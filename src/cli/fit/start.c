@@ -25,8 +25,8 @@ static int incredible(double chi2, long n, int unknowns) {
   return dof > 0 && chi2 > 1.5 * dof && gsl_cdf_chisq_Q(chi2, dof) < 1e-6;
 }
 
-/* Record by record, each twice as long as the one before: a wrong period is seen early and mended.
- */
+/* Record by record, each twice as long as the one before: a wrong period is seen early and
+ * mended. */
 static int lengthen(struct fit_problem *f, const double start[], double theta[],
                     struct fit_sums *s) {
   const double whole = f->until;

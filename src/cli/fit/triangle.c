@@ -1,6 +1,7 @@
 /* triangle.c - [J z] of a long log as a triangle, block by block (Householder; Golub, Van Loan,
  * Matrix Computations, 4th ed., 5.2: the rows that were there are the triangle on top of the next
- * block). SPDX-License-Identifier: GPL-3.0-or-later
+ * block).
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "fit.h"
 
@@ -40,6 +41,8 @@ static void reflected(double x[restrict], const double v[restrict], double s) {
     x[i] -= s * v[i];
 }
 
+/* The block into the triangle, by a reflection for each column j: v = (first, the block's column),
+ * zero in the other rows of the triangle, since row j alone of them is not done yet. */
 static void take(struct fit_triangle *a) {
   const int w = a->n + 1;
   for (int j = 0; j < w && a->filled < FIT_BLOCK; j++) /* rows that are missing are 0 */

@@ -14,8 +14,8 @@ void fit_product(const double a[4], const double b[4], double out[4]) {
 
 void fit_turned(const double reference[4], const double a[3], double q[4], double dq[3][4]) {
   const double n2 = a[0] * a[0] + a[1] * a[1] + a[2] * a[2], n = sqrt(n2);
-  /* c = cos(n/2), k = sin(n/2)/n and (dk/dn)/n; series below 1e-3, whose next term is below 1e-20
-   */
+  /* c = cos(n/2), k = sin(n/2)/n and (dk/dn)/n; series below 1e-3, whose next term is below
+     1e-20 */
   const int small = n < 1e-3;
   const double c = cos(n / 2);
   const double k = small ? 0.5 - n2 / 48 + n2 * n2 / 3840 : sin(n / 2) / n;

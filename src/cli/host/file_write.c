@@ -217,8 +217,8 @@ static void undo(struct job *job) {
     rmdir(job->directory[--job->made]);
 }
 
-/* The old file goes, and with one that is gone for good the folders below dir that it leaves empty.
- */
+/* The old file goes, and with one that is gone for good the folders below dir that it leaves
+ * empty. */
 static void finish(struct item *item, size_t dir) {
   if (item->backup[0] != '\0')
     unlink(item->backup);

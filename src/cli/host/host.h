@@ -98,8 +98,8 @@ void tempdir_remove_all(void);
  * digits */
 int host_cache_read(lua_State *L);
 int host_cache_write(lua_State *L);
-/* fingerprint() -> a hash of the generator in this program | nil when it comes from a source tree
- */
+/* fingerprint() -> a hash of the generator in this program | nil when it comes from a source
+ * tree */
 int host_fingerprint(lua_State *L);
 
 /* ---- output ---- */

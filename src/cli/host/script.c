@@ -13,8 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The tree that holds the generator; the host's own sandbox/safe.lua always comes from the program.
- */
+/* The tree that holds the generator; the host's own sandbox/safe.lua always comes from the
+ * program. */
 static const char *source_tree(const char *name) {
   if (strncmp(name, "generator/", 10) != 0 && strncmp(name, "templates/", 10) != 0)
     return NULL;

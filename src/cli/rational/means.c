@@ -1,8 +1,10 @@
 /* means.c - means over arcs and catenaries to any number of bits.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Elementary closed forms.  For a short curve their terms cancel, so each is summed with the
- * largest term noted, and what was lost is added to the working precision of another try.
+ * Elementary closed forms: of an arc by half its angle h, of a catenary by half its span u in units
+ * of its scale, where s = sinh(u) is half its length.  For a short curve their terms cancel, so
+ * each is summed with the largest term noted, and what was lost is added to the working precision
+ * of another try.
  */
 #include "special.h"
 

@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-/* |num| and |den| count limbs; the sign of `num` is the number's. Limbs follow: num's, then den's.
- */
+/* |num| and |den| count limbs; the sign of `num` is the number's. Limbs follow: num's, then
+   den's. */
 struct rational {
   int num, den;
   mp_limb_t limb[];

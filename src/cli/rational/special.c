@@ -1,5 +1,4 @@
-/* special.c - functions that MPFR lacks, to any number of bits: the uniform ellipsoid
- * shell.
+/* special.c - functions that MPFR lacks, to any number of bits: the uniform ellipsoid shell.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * For semi-axes a_i let p_i = 1/a_i^2 and Q = sum p_i n_i^2 on the unit sphere of directions n. The
@@ -7,11 +6,13 @@
  *     area/(4 pi) = a b c G,   G = mean sqrt(Q) = R_G(p)              (DLMF 19.33.1, 19.16.3)
  *     mean of N_x^2 over the surface = H_x/G,   H_x = mean p_x n_x^2/sqrt(Q),   sum H_i = G.
  * H_x is p_x/4 times the integral of t/((t + p_x) s(t)) over t > 0, s^2 = prod (t + p_i) (DLMF
- * 19.16.9), which by 19.21.8 is (p_x/6)(p_y D_y + p_z D_z), D_i = R_D(p_j, p_k, p_i); and
- * by 19.26.18 D_i(p) = 3/(sqrt(p_i)(p_i + l)) + D_i((p + l)/4)/4, p_i + l = (sqrt p_i + sqrt
- * p_j)(sqrt p_i + sqrt p_k). Every term everywhere is positive: nothing cancels, on the sphere, on
- * needles or on plates.  A step halves the logarithm of the ratio of the p_i until it is small,
- * then divides their relative differences by four; with all equal, D = p^(-3/2).
+ * 19.16.9), which by 19.21.8 is (p_x/6)(p_y D_y + p_z D_z), D_i = R_D(p_j, p_k, p_i); and by
+ * 19.26.18
+ *     D_i(p) = 3/(sqrt(p_i)(p_i + l)) + D_i((p + l)/4)/4,
+ *     p_i + l = (sqrt p_i + sqrt p_j)(sqrt p_i + sqrt p_k).
+ * Every term everywhere is positive: nothing cancels, on the sphere, on needles or on plates.  A
+ * step halves the logarithm of the ratio of the p_i until it is small, then divides their relative
+ * differences by four; with all equal, D = p^(-3/2).
  */
 #include "special.h"
 

@@ -56,8 +56,8 @@ static int skip_place(const char **text, const char *source) {
   return line;
 }
 
-/* Fields "message" and, when the text begins with a place in the scene, "line" of the table on top.
- */
+/* Fields "message" and, when the text begins with a place in the scene, "line" of the table on
+ * top. */
 static void describe_text(lua_State *L, const char *text) {
   const int line = skip_place(&text, box.source);
   if (line > 0) {
@@ -93,11 +93,10 @@ static void describe(lua_State *L, int index, const char *kind) {
 /* By enum bound. */
 static const char *const kinds[] = {"runtime", "memory", "steps", "turnover", "time"};
 
-/* Message handler: the error's value -> its table. Nothing of the scene runs any more from here on.
- */
+/* Message handler: the error's value -> its table. Nothing of the scene runs any more from here
+ * on. */
 static int handler(lua_State *L) {
-  if (bounds_unwinding()) /* the parser's error on its way through load_and_call: it has its table
-                           */
+  if (bounds_unwinding()) /* the parser's error, on its way through load_and_call: has its table */
     return 1;
   bounds_unwind(L);
   const enum bound passed = bounds_passed();

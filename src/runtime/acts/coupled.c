@@ -8,6 +8,7 @@
    that is not in it adds J a a^T, and to b its -w x J (a.w) a. */
 #include "acts.h"
 
+/* Gauss and Jordan with row pivots: A becomes diagonal, no second pass is needed. */
 int acts_eliminate(int n, ph_wide A[ACTS_ROWS][ACTS_ROWS], ph_wide b[ACTS_ROWS]) {
   for (int c = 0; c < n; c++) {
     int best = c;

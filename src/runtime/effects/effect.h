@@ -99,8 +99,8 @@ struct ph_effect_table {
   void (*tensor)(const effect_at *e, ph_wide D[6]);
   void (*tensor_rate)(const effect_at *e, ph_wide D[6]);
   /* it constrains the body: w' and its own rates, from the b of I w' = b (motion/motion.h); a
-     status. It then has no torque, force and rates. And the kinetic energy and forces that follow
-   */
+     status. It then has no torque, force and rates. And the kinetic energy and forces that
+     follow */
   int (*constrain)(const effect_at *e, const ph_wide b[3], ph_wide dx[]);
   ph_wide (*kinetic)(const effect_at *e);
   int (*contact)(const effect_at *e, const ph_wide rate[],
@@ -130,8 +130,7 @@ extern const effect_table *const effect_all[];
 /* NULL: there is none of that name. */
 const effect_table *effect_named(const char *name);
 
-/* ---- acts/largest.c: the terms of all effects of a top; act, place and t as they are there ----
- */
+/* ---- acts/largest.c: the terms of all effects of a top; act, place and t as there ---- */
 
 void effect_term_torque(const effect_terms *all, double term[3]);
 void effect_term_rates(const effect_terms *all, double scale[]);

@@ -17,8 +17,8 @@ static ph_wide potential(const effect_at *e) {
   return -wide_dot(loads.weight, com);
 }
 
-/* A vector turned into body axes: its terms are as large as the vector, whatever is left of them.
- */
+/* A vector turned into body axes: its terms are as large as the vector, whatever is left of
+   them. */
 static void term_torque(const effect_terms *e, double term[3]) {
   const double *com = e->top->com;
   for (int j = 0; j < 3 && e->top->effects & PH_GRAVITY; j++)

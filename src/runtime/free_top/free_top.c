@@ -84,8 +84,8 @@ static ph_wide precession(const ph_free_top *f, ph_wide sn, ph_wide cn, ph_wide 
 }
 
 /* The attitude in the frame of L from Euler's angles: q = (cos(theta/2) e^(i(phi+psi)/2),
-   sin(theta/2) e^(i(phi-psi)/2)) as (w + i z, x + i y). L3 >= 0, so cos(theta/2) is no difference.
- */
+   sin(theta/2) e^(i(phi-psi)/2)) as (w + i z, x + i y). L3 >= 0, so cos(theta/2) is no
+   difference. */
 static void euler_quat(const ph_wide L[3], ph_wide half_phi, ph_wide half_psi, ph_wide q[4]) {
   const ph_wide across = hypotl(L[0], L[1]), size = hypotl(across, L[2]);
   const ph_wide c = sqrtl((1 + L[2] / size) / 2), s = across / size / (2 * c);
@@ -130,8 +130,7 @@ static void turn_of(const ph_wide e[3], pair half, ph_wide q[4]) {
 }
 
 /* One turn about L, and for the rod another about its own axis (motion/euler.c has the symmetric
- * top).
- */
+ * top). */
 static void turned_at(const ph_free_top *f, pair t, ph_wide x[7]) {
   ph_wide outer[4], inner[4], skip;
   turn_of(f->Ls, pair_fraction(pair_multiply(kept(f->turn_rate), t), &skip), outer);

@@ -39,8 +39,7 @@ geometry_fill geometry_sector, geometry_half_cylinder, geometry_quarter_cylinder
 geometry_fill geometry_shell_ellipsoid;
 
 /* points.c: shapes given by points; PH_EFLAT where they span nothing, PH_ELENGTH.
-   n + 1 vertices of a simplex (n = 2: triangle, n = 3: tetrahedron); three edges from the origin.
- */
+   n + 1 vertices of a simplex (n = 2: triangle, 3: tetrahedron); three edges from the origin. */
 int geometry_simplex(int n, const double vertex[], geometry *g);
 int geometry_parallelepiped(const double edge[9], geometry *g);
 int geometry_polyline(int n, const double point[], int closed, geometry *g);

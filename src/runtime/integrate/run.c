@@ -108,8 +108,8 @@ static int stopped(const ph_run *run) {
   return run->options.stop && run->options.stop(run->options.context);
 }
 
-/* Order for a tolerance: the cheapest one by Jorba and Zou (2005), -ln(tolerance)/2, and two more.
- */
+/* Order for a tolerance: the cheapest one by Jorba and Zou (2005), -ln(tolerance)/2, and two
+ * more. */
 static int taylor_order(const ph_options *o) {
   if (o->step > 0)
     return o->order ? o->order : TAYLOR_DEFAULT;

@@ -80,12 +80,15 @@ static void clear_negative(ph_wide second[6]) {
       wide_add_outer(second, -moment[k], axis[k]);
 }
 
+/* A > 0: all that is asked of a formal tensor, which no mass need have. */
 static int definite(const ph_wide tensor[6]) {
   ph_wide moment[3], axis[3][3];
   wide_eigen(tensor, moment, axis);
   return moment[0] > 0;
 }
 
+/* A tensor about the centre of mass, or about the origin: Steiner's term m (R^2 1 - R R^T) is then
+   taken off, and `size`, the largest entry before, says what rounding may have left of it. */
 static int from_tensor(ph_body *b, double mass, const double com[3], const double tensor[6],
                        int about_origin) {
   if (!wide_finite(1, &mass) || !wide_finite(3, com) || !wide_finite(6, tensor))
@@ -231,9 +234,8 @@ int ph_body_affine(ph_body *out, const ph_body *in, const double A[9]) {
   return inherit(out, body_store(out, (ph_wide)in->mass, head, off, second, NULL), in->formal);
 }
 
-/* out = a + sign b. */
-/* Parallel axes for both parts at once: (ma mb/M) d d^T is Steiner's term of a and of b about the
-   common centre, a sum of positive terms for a union. */
+/* out = a + sign b. Parallel axes for both at once: (ma mb/M) d d^T is Steiner's term of a and of b
+   about the common centre, a sum of positive terms for a union. */
 static int join(ph_body *out, const ph_body *a, const ph_body *b, int sign) {
   const ph_wide ma = (ph_wide)a->mass, mb = sign * (ph_wide)b->mass, mass = ma + mb;
   if (!(mass > 0))

@@ -8,8 +8,8 @@
 #include "numbers/wide.h"
 
 /* Fill *b from long doubles; the centre is at + off, where off may be tiny against at. tensor NULL:
-   it follows from the second moments. PH_ERANGE, PH_EMASS (mass not positive, also by underflow).
- */
+   it follows from the second moments. PH_ERANGE, PH_EMASS (mass not positive, also by
+   underflow). */
 int body_store(ph_body *b, ph_wide mass, const double at[3], const ph_wide off[3],
                const ph_wide second[6], const ph_wide tensor[6]);
 

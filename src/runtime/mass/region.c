@@ -39,7 +39,7 @@ static pair evaluate(const ph_polynomial *p, const pair point[3]) {
   return sum;
 }
 
-/* Add the point with that weight: PH_EMASS. */
+/* Add the point with that weight; PH_EMASS: the density is negative there. */
 static int visit(region *r, const pair point[3], ph_wide weight) {
   if (r->density) {
     const ph_wide density = pair_value(evaluate(r->density, point));
@@ -58,6 +58,9 @@ static int visit(region *r, const pair point[3], ph_wide weight) {
   return PH_OK;
 }
 
+/* The integral over the variables order[depth], .., order[2], those before them being fixed in
+   `point`; weight: the product of the outer lines' weights and lengths. PH_EBOUND: an upper limit
+   is below its lower one. */
 static int scan(region *r, int depth, pair point[3], ph_wide weight) {
   if (depth == 3)
     return visit(r, point, weight);
@@ -76,6 +79,7 @@ static int scan(region *r, int depth, pair point[3], ph_wide weight) {
   return PH_OK;
 }
 
+/* All sums anew, about r->about; PH_EMASS: nothing is in the region. */
 static int sum_up(region *r) {
   pair point[3] = {{0, 0}, {0, 0}, {0, 0}};
   r->mass = 0;
@@ -94,6 +98,7 @@ static int degree(const ph_polynomial *p, int variable) {
   return most;
 }
 
+/* The degree in order[outer] of the two limits of order[depth]. */
 static int degree_of_limits(const region *r, int depth, int outer) {
   const int low = degree(&r->limit[2 * depth], r->order[outer]);
   const int high = degree(&r->limit[2 * depth + 1], r->order[outer]);
@@ -102,8 +107,7 @@ static int degree_of_limits(const region *r, int depth, int outer) {
 
 /* Integrands: density times a product of two coordinates. Integrating w^k between limits of degree
    p in u adds (k + 1) p to u's degree, at most. Degrees are below 3 MAX_NODES each, so nothing
-   overflows.
- */
+   overflows. */
 static int prepare(region *r) {
   int top[3];
   for (int i = 0; i < 3; i++)
@@ -159,8 +163,8 @@ int ph_region(ph_body *b, ph_amount a, const int order[3], const ph_polynomial l
     status = region_check(order, limit, density);
   if (!status)
     status = prepare(&r);
-  /* about the origin, about the centroid that this gives, and once more, now free of cancellation
-   */
+  /* about the origin, about the centroid that this gives, and once more, now free of
+     cancellation */
   for (int pass = 0; pass < 3 && !status; pass++) {
     status = sum_up(&r);
     for (int i = 0; i < 3 && !status && pass < 2; i++)

@@ -20,6 +20,8 @@ int ph_tensor_about(const ph_body *b, const double p[3], double tensor[6]) {
   return wide_store(6, steiner, tensor);
 }
 
+/* About the point a, R the centre of mass, both from the old origin:
+     I + M (a^2 1 - a a^T) - M (2 a.R 1 - a R^T - R a^T) */
 int ph_tensor_shift(const double tensor[6], double mass, const double R[3], const double a[3],
                     double out[6]) {
   if (!wide_finite(6, tensor) || !wide_finite(1, &mass) || !wide_finite(3, R) || !wide_finite(3, a))
@@ -40,8 +42,8 @@ int ph_tensor_shift(const double tensor[6], double mass, const double R[3], cons
   return wide_store(6, I, out);
 }
 
-/* A I A^T: the components of the same tensor in other axes, or of the turned body in the old ones.
- */
+/* A I A^T: the components of the same tensor in other axes, or of the turned body in the old
+   ones. */
 int ph_tensor_turn(const double tensor[6], const double q[4], double out[6]) {
   ph_wide s[6], unit[4], A[9];
   if (!wide_finite(6, tensor))
@@ -76,6 +78,8 @@ int ph_tensor_energy(const double tensor[6], const double w[3], double *T) {
   return wide_store(1, &energy, T);
 }
 
+/* Moments A <= B <= C are a body's if A >= 0 and C <= A + B: each is a sum of two of the three
+   second moments, which are not negative. size: of what the tensor is the difference of, or 0. */
 int wide_tensor_check(const ph_wide tensor[6], ph_wide size) {
   ph_wide moment[3], axis[3][3];
   wide_eigen(tensor, moment, axis);

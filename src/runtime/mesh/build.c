@@ -197,12 +197,15 @@ static int add_indexed(struct mesh_build *b, const uint32_t v[3], const int diag
   return status;
 }
 
+/* Triangle i of the polygon's fan about its corner 0, i from 1: corners 0, i, i + 1. */
 static void corners(const struct mesh_build *b, size_t i, double p[9], uint32_t v[3]) {
   v[0] = b->polygon.item[0], v[1] = b->polygon.item[i], v[2] = b->polygon.item[i + 1];
   for (size_t k = 0; k < 3; k++)
     memcpy(p + 3 * k, b->vertex + 3 * (size_t)v[k], 3 * sizeof p[0]);
 }
 
+/* A polygon of more than three corners. Triangles that are turned against its vector area, beside a
+   reflex corner, count as negative in surface sums; in volumes the order of corners does that. */
 static int add_fan(struct mesh_build *b) {
   const size_t n = b->polygon.count;
   ph_wide normal[3], area[3] = {0};

@@ -73,6 +73,8 @@ static const struct {
     [PH_MESH_WIRES] = {1, 2, 6},
 };
 
+/* Measure, centre and second moments about it from the sums. An open volume, or one that is
+   nothing but rounding, keeps its measure 0: ph_mesh_check says so, here it is no failure. */
 static int finish(struct mesh_build *b) {
   ph_mesh *m = &b->result;
   const struct mesh_sum *sum = &b->sum;

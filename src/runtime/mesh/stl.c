@@ -6,8 +6,8 @@
        solid NAME  { facet normal X Y Z  outer loop  { vertex X Y Z } x 3  endloop endfacet }
        endsolid NAME
    in any case, several solids one after another allowed (3D Systems, StereoLithography Interface
-   Specification, 1988). Normals and attributes are passed over: the corners' order says the side.
- */
+   Specification, 1988). Normals and attributes are passed over: the corners' order says the
+   side. */
 #include "mesh.h"
 
 #include <string.h>

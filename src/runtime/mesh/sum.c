@@ -17,6 +17,7 @@
    sum of the absolute terms whatever their number. */
 #include "mesh.h"
 
+/* Adds w, w s, w Q. */
 static void weigh(ph_wide t[MESH_TERMS], ph_wide w, const ph_wide s[3], const ph_wide q[6]) {
   t[0] += w;
   for (int i = 0; i < 3; i++)
@@ -37,6 +38,7 @@ static inline void triangle(const double origin[3], const double p[9], ph_wide a
   wide_cross(e, f, n);
 }
 
+/* s and Q of three corners; one at the origin adds nothing to them. */
 static inline void moments(const ph_wide a[3], const ph_wide b[3], const ph_wide c[3], ph_wide s[3],
                            ph_wide q[6]) {
   for (int i = 0; i < 3; i++)
@@ -89,6 +91,7 @@ void mesh_sum_segment(struct mesh_sum *sum, const double p[6], ph_wide block[MES
   block[10] += w;
 }
 
+/* Neumaier: the tail gathers what the addition to the head loses, be x or the head the larger. */
 void mesh_sum_block(struct mesh_sum *sum, const ph_wide block[MESH_TERMS]) {
   for (int i = 0; i < MESH_TERMS; i++) {
     const ph_wide x = block[i], total = sum->head[i] + x;

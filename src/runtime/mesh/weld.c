@@ -13,6 +13,8 @@ static uint64_t mix(uint64_t h, uint64_t v) {
   return h ^ (h >> 32);
 }
 
+/* Of the bits: equal coordinates have equal ones, since 0 has one sign only and NaN does not come
+   here (build.c). */
 uint64_t mesh_points_hash(const double p[3]) {
   uint64_t k[3];
   memcpy(k, p, sizeof k);

@@ -18,6 +18,8 @@ typedef struct meeting {
   ph_wide gap;
 } meeting;
 
+/* The state at the lowest point. PH_EMETHOD: the top has no plane; PH_ECONTACT: no single point of
+   the surface is lowest. The plane goes through the origin and turns with `rate` about n there. */
 static int meet(const ph_top *top, const double x[13], meeting *c) {
   ph_wide full[PH_STATES] = {0}, g[3], none[3] = {0}, r[3], rate[3], point[3], under[3];
   wide_load(13, x, full);
@@ -53,7 +55,8 @@ static int meet(const ph_top *top, const double x[13], meeting *c) {
 }
 
 /* y: A, a, P. The impulse changes the velocity of the point by `change`, all of it, or with
-   `along` its part along n by an impulse along n. 0: of a rod. */
+   `along` its part along n by an impulse along n. 0: of a rod. Three rows for each equation of the
+   head; with `along` the last three are n.(A + a x d) = n.change, e1.P = 0, e2.P = 0. */
 static int impulse(const ph_top *top, const meeting *c, const ph_wide change[3], int along,
                    ph_wide y[ACTS_ROWS]) {
   static const int at[3][3] = {{XX, XY, XZ}, {XY, YY, YZ}, {XZ, YZ, ZZ}};
@@ -75,6 +78,7 @@ static int impulse(const ph_top *top, const meeting *c, const ph_wide change[3],
     M[6 + j][j] = 1;
   }
   if (along) {
+    /* an axis that is far from n */
     const ph_wide least[3] = {fabsl(c->n[0]) < 0.6L, fabsl(c->n[0]) >= 0.6L, 0};
     wide_cross(c->n, least, e1);
     wide_cross(c->n, e1, e2);
@@ -97,7 +101,8 @@ static int impulse(const ph_top *top, const meeting *c, const ph_wide change[3],
   return acts_eliminate(9, M, y);
 }
 
-/* How far along more = p2 - p1 the cone |P_t| <= mu P_n lets P = first n + kappa more go. */
+/* How far along more = p2 - p1 the cone |P_t| <= mu P_n lets P = first n + kappa more go: 1, or the
+   positive root of kappa^2 t^2 = mu^2 (first + kappa along)^2, in the form without a difference. */
 static ph_wide reach(const ph_wide n[3], ph_wide first, const ph_wide more[3], ph_wide mu) {
   const ph_wide along = wide_dot(n, more);
   ph_wide across[3];

@@ -48,8 +48,8 @@ static void torque_of(const ph_top *top, const motion_loads *loads, ph_wide t, c
 }
 
 /* w' = sum over principal axes of e (e.b)/I: for a rod the pseudo-inverse, since an axis without
-   moment takes no part. For a torque along it there is no motion at all that Newton's law allows.
- */
+   moment takes no part. For a torque along it there is no motion at all that Newton's law
+   allows. */
 int motion_solve(const ph_top *top, const ph_wide b[3], ph_wide size, ph_wide w_rate[3]) {
   ph_wide sum[3] = {0, 0, 0};
   for (int k = 0; k < 3; k++) {

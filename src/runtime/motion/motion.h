@@ -17,8 +17,8 @@ typedef struct motion_loads {
 void motion_load(const ph_top *top, const double u[3], motion_loads *loads);
 
 /* w' from the b of I w' = b, that is N - w x I w; about axes without moment w' = 0. size < 0: take
-   it for granted that no torque acts there, else PH_EROD when a torque above 32 ulp of size does.
- */
+   it for granted that no torque acts there, else PH_EROD when a torque above 32 ulp of size
+   does. */
 int motion_solve(const ph_top *top, const ph_wide b[3], ph_wide size, ph_wide w_rate[3]);
 
 /* x' = f(t, x), ph_top_states(top) numbers; PH_OK or PH_EROD. */

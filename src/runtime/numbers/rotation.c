@@ -139,8 +139,7 @@ int ph_quat_to_ypr(const double q[4], double ypr[3]) {
   /* Multiplying out qz(yaw) qy(pitch) qx(roll), with s = sin(pitch/2), c = cos(pitch/2):
        (w + y, z - x) = (c + s) (cos, sin)((yaw - roll)/2),  (w - y, z + x) = (c - s) (cos,
      sin)((yaw + roll)/2), so half-difference and half-sum are two arctangents, one of which loses
-     its meaning only at pitch +-90 deg; (c + s)(c - s) = cos pitch and 2 (w y - x z) = sin pitch.
-   */
+     its meaning only at pitch +-90 deg; (c + s)(c - s) = cos pitch, 2 (w y - x z) = sin pitch. */
   const ph_wide dc = u[0] + u[2], ds = u[3] - u[1], sc = u[0] - u[2], ss = u[3] + u[1];
   const ph_wide difference = atan2l(ds, dc), sum = atan2l(ss, sc);
   const ph_wide plus = sqrtl(dc * dc + ds * ds), minus = sqrtl(sc * sc + ss * ss);

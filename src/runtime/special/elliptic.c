@@ -13,6 +13,8 @@ ph_modulus ph_modulus_mc(double mc) {
   return (ph_modulus){1, mc};
 }
 
+/* m, 1 - m and sqrt(1 - m), from that of the first two which was given: if small it keeps its
+   digits. */
 typedef struct modulus {
   ph_wide m, mc;
   pair kc;
@@ -37,6 +39,7 @@ static int give(ph_wide value, double *out) {
 
 /* ---- the integrals over an angle within [-pi/2, pi/2], by its sine and cosine ---- */
 
+/* F = s R_F(c^2, 1 - m s^2, 1), DLMF 19.25.5; 1 - m s^2 is formed as c^2 + (1 - m) s^2. */
 static ph_wide f_of(const modulus *k, ph_wide s, ph_wide c) {
   return s * carlson_rf(c * c, c * c + k->mc * s * s, 1);
 }
@@ -64,6 +67,8 @@ static ph_wide y_of(const modulus *k, ph_wide nu, ph_wide s, ph_wide c) {
   return y;
 }
 
+/* DLMF 19.25.14; for n < 0 its terms have two signs, and with nu = -n
+     1/(1 + nu s^2) = (1 + nu c^2/(1 + nu s^2))/(1 + nu)   leads to sums of one. */
 static ph_wide pi_of(const modulus *k, ph_wide n, ph_wide s, ph_wide c) {
   const ph_wide s2 = s * s, c2 = c * c, d2 = c2 + k->mc * s2, F = f_of(k, s, c);
   if (n < 0)

@@ -49,8 +49,8 @@ void elliptic_sncndn(pair arg, pair K, ph_wide kc, ph_wide *sn, ph_wide *cn, ph_
   }
   if (size <= K.hi / 2) {
     forward(size, kc, sn, cn, dn);
-  } else { /* DLMF 22.4, sn(K - v) = cn v / dn v, cn(K - v) = k' sn v / dn v, dn(K - v) = k' / dn v
-            */
+  } else {
+    /* DLMF 22.4: sn(K - v) = cn v/dn v, cn(K - v) = k' sn v/dn v, dn(K - v) = k'/dn v */
     ph_wide s, c, d;
     const ph_wide left = pair_value(pair_subtract(K, u < 0 ? pair_negative(arg) : arg));
     forward(fabsl(left), kc, &s, &c, &d);
