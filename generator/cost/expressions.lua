@@ -76,7 +76,9 @@ function parser:type_name()
   return found
 end
 
--- Kinds of values: "real", "lit" (a constant), "int", a structure's name; with a star for each pointer or array.
+-- Kinds of values: "real", "lit" (a constant), "int", a structure's name; with a star for each pointer or array.  What
+-- reads an expression returns its kind, its value if it is an integer (reading.lua), and the name if it is no more than
+-- an integer variable, which may be assigned to.
 local function join(a, b)
   if a == "real" or b == "real" then return "real" end
   return (a == "lit" or b == "lit") and "lit" or "int"
@@ -85,6 +87,7 @@ end
 local function pointer(kind) return string.sub(kind, -1) == "*" end
 local function element(kind) return pointer(kind) and string.sub(kind, 1, -2) or kind end
 
+-- Counts one operation.  A constant becomes a real number at no cost; steps of a pointer are free.
 function parser:binary(op, ta, a, tb, b)
   if op == "&&" or op == "||" then return "int", combine(op, a, b) end
   if pointer(ta) or pointer(tb) then return CLASS[op] and (pointer(ta) and ta or tb) or "int" end
@@ -127,6 +130,7 @@ function parser:postfix(kind, value, name)
   end
 end
 
+-- fabs and copysign are free, and so is a function of constants.
 function parser:call(name)
   local args, kinds = {}, {}
   self:take "("
@@ -151,6 +155,7 @@ function parser:call(name)
   return "real"
 end
 
+-- Of a cast only the step between integer and real counts, and not that of a constant to real.
 function parser:primary()
   local t = self.tokens
   local s = t[self.at]
@@ -232,7 +237,8 @@ function parser:unary()
   return self:primary()
 end
 
--- level: 0 with commas, 1 assignment, 2 as an argument (assignment, no comma), from 3 on binary operators
+-- Binary operators that bind no weaker than `least`, by precedence climbing: what is to the right binds stronger, so
+-- equal ones group from the left.
 function parser:operators(least)
   local kind, value, name = self:unary()
   while true do
@@ -256,6 +262,7 @@ function parser:operators(least)
   end
 end
 
+-- With ?:, assignment and, unless a level is given (an argument, an initializer, a side of ?:), commas.
 function parser:expression(level)
   local kind, value, name = self:operators(1)
   local s = self.tokens[self.at]

@@ -8,6 +8,7 @@
 
 local frames = {}
 
+-- A node with an empty frame; nil where there is one with a frame already.
 local function define(graph, title)
   local n = graph.nodes[title]
   if n and n.name then return nil end
@@ -20,6 +21,7 @@ local function define(graph, title)
   return n
 end
 
+-- One line of a function: what it takes from sp, whom it calls.
 local function instruct(n, name, line)
   local instruction, operands = string.match(line, "^%s*%x+:\t[%x ]+\t([%w%.]+)\t?(.*)")
   if not instruction then return end

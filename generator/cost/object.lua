@@ -34,6 +34,7 @@ local function sections(bytes, wide)
   return list, count
 end
 
+-- table_of: the section of symbols; names: the one of their names.  Section 0 is that of symbols defined elsewhere.
 local function symbols(bytes, wide, table_of, names)
   local found = {}
   for at = table_of.at, table_of.at + table_of.bytes - 1, table_of.each do

@@ -59,7 +59,7 @@ function ops.call(job, name, options)
   return tally.has(u, full) and counts(tally.run(u, full)) or nil
 end
 
--- One more step of NAME_..._run.
+-- One more step of NAME_..._run, whose seventh argument says how many steps it may do.
 local function controlled(u, run)
   local function cost(steps) return tally.run(u, run, { [7] = steps }) end
   return counts(difference(cost(3), cost(2)))

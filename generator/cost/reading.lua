@@ -81,6 +81,7 @@ function parser:anonymous()
   return kind
 end
 
+-- Is there a declaration?  If not, no token is taken: a type's name may also begin a cast.
 function parser:declaration()
   local at = self.at
   local fixed = self.tokens[at] == "static"
@@ -148,6 +149,7 @@ function parser:statement()
   self:take ";"
 end
 
+-- After the brace there may be `@ 8` or `@ rare`, which tally.lua makes of comments: the block's hint.
 function parser:block()
   self:take "{"
   if self:accept "@" then

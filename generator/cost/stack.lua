@@ -179,7 +179,8 @@ local function unite(list, more)
   end
 end
 
--- Depth first; `open` is the chain of titles that are being visited, so that a cycle is seen.
+-- Depth first; `open` is the chain of titles that are being visited, so that a cycle is seen.  Each title is worked out
+-- once (`done`); in a cycle, where that is no bound, all that reach it say so.
 local function depth(graph, known, done, open, title)
   if done[title] then return done[title] end
   local n = graph.nodes[title]
@@ -215,6 +216,7 @@ local function depth(graph, known, done, open, title)
   return result
 end
 
+-- A chain of calls stays below the deepest that is called: `below` leads from a function down to it.
 function stack.worst(graph, known)
   local list, done = {}, {}
   for _, title in ipairs(graph.order) do

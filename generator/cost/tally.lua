@@ -71,6 +71,7 @@ local function preprocessed(text, defined)
   return table.concat(out)
 end
 
+-- Name -> kind of a structure's fields.  One that is a structure itself gets a type of its own, struct_NAME.
 local fields_of
 function fields_of(unit, body)
   local fields = {}
@@ -289,6 +290,8 @@ local function hinted(text)
   return (string.gsub(text, "/%*.-%*/", " "))
 end
 
+-- A call's operations and, if it is an integer that is known, its result: once for each choice of known integer
+-- arguments.  args: false for what is not known.
 function run(unit, name, args)
   local f = unit.functions[name]
   if not f.code then

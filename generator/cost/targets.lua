@@ -55,6 +55,7 @@ function targets.unit(target, real, name)
   return own[name] or own.other or own.atan2
 end
 
+-- Calls that counts does not name are as dear as a sine.
 local function sum(target, real, counts)
   local own, total = measured[target][real], 0
   for _, name in ipairs(OPERATIONS) do total = total + (counts[name] or 0) * targets.unit(target, real, name) end

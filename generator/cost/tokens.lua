@@ -14,6 +14,7 @@ end
 local OPERATOR = {} -- what may be their second character
 for _, c in ipairs { string.byte("=><+-&|", 1, -1) } do OPERATOR[c] = true end
 
+-- Names, numbers with their suffixes, strings, operators by their longest match; of a text without comments.
 function tokens.of(text)
   local list, n, pos, len = {}, 0, 1, #text
   local find, sub, byte, match = string.find, string.sub, string.byte, string.match
@@ -49,6 +50,7 @@ end
 
 -- ---- integers that may be known ----
 
+-- The number that a value is, itself or a function of the integer variables env; nil where the numbers decide it.
 local function number_of(v, env)
   if type(v) == "function" then return v(env) end
   return v
@@ -57,6 +59,7 @@ tokens.number_of = number_of
 
 local function truth(b) return b and 1 or 0 end
 
+-- As C has it: / and % are towards zero.
 local arithmetic = {
   ["+"] = function(a, b) return a + b end, ["-"] = function(a, b) return a - b end,
   ["*"] = function(a, b) return a * b end,
@@ -80,6 +83,8 @@ local function logical(op, a, b)
   return 1 - settled
 end
 
+-- The value of a op b: at once if both are numbers, else when the variables are known; nil if either is, but for && and
+-- ||, which one side may settle.
 function tokens.combine(op, a, b)
   if op == "&&" or op == "||" then
     if type(a) ~= "function" and type(b) ~= "function" then return logical(op, a, b) end

@@ -32,6 +32,7 @@ function sdf.links(root)
   return list
 end
 
+-- Place and turns; nil in place of what cannot be read, which has been said.
 local function pose(r, element)
   for _, name in ipairs { "relative_to", "frame" } do
     if (element.at[name] or "") ~= "" then

@@ -2,8 +2,8 @@
 --
 -- A turn is {axis = {x, y, z} of unit length, angle =} or {q = unit quaternion}, of exact expressions; a vector of the
 -- inertial frame, taken through all turns of a list, is the same vector in the link's axes.  No turn: the axes are
--- parallel.  ABOVE the line: an angle is the decimal that is written, in degrees a multiple of pi/180, so
--- that right angles given in degrees are exact, and given in radians are what their digits say.
+-- parallel.  An angle is the decimal that is written, in degrees times pi/180: so right angles given in degrees are
+-- exact, and those given in radians are what their digits say.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

@@ -40,7 +40,8 @@ local function rim(a, half)
   return list, b, c
 end
 
--- The two lines from the tip at which the eye's rays touch the cone, as phases of the rim; none if it looks inside.
+-- The two lines from the tip at which the eye's rays touch the cone, as phases of the rim, where its normal is across
+-- the eye: cos(phi) b.eye + sin(phi) c.eye = tan(half) a.eye; none if the eye looks inside.
 local function silhouette(a, b, c, half, eye)
   local u, v, w = space.dot(b, eye), space.dot(c, eye), math.tan(half) * space.dot(a, eye)
   local size = math.sqrt(u * u + v * v)

@@ -9,7 +9,8 @@ local levels = {}
 
 local steps = 96
 
--- A closed curve around axis k (1 or 3) on the side `sign`; nil where the level has none there.
+-- A closed curve around axis k (1 or 3) on the side `sign`, u_i^2/p + u_j^2/q = 1 seen along it; nil where the level
+-- has none there.
 function levels.around(c, k, level, sign)
   local i, j = k % 3 + 1, (k + 1) % 3 + 1
   local p, q = (c[k] - level) / (c[k] - c[i]), (c[k] - level) / (c[k] - c[j])
@@ -24,7 +25,7 @@ function levels.around(c, k, level, sign)
   return list
 end
 
--- The separatrix: two great circles; none where two of c are equal.
+-- The separatrix, level = c2: |c2 - c1| u1^2 = |c3 - c2| u3^2, two great circles; none where two of c are equal.
 function levels.separatrix(c)
   local a, b = math.abs(c[2] - c[1]), math.abs(c[3] - c[2])
   if a == 0 or b == 0 then return {} end

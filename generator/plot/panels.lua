@@ -78,12 +78,15 @@ local function not_free(course)
   return nil
 end
 
+-- Why the lines of a free sphere's motion are no picture, or nil.
 local function round(course)
   return course.body.kind == "sphere" and "all moments are equal: w stays where it is, in the body and in space" or nil
 end
 
 -- ---- the pictures ----
 
+-- reasons[name](course) -> why the motion has no such picture, or nil; makers[name](course), of one that it has -> its
+-- panels {title =, note =, draw = function(d, box)}.
 local reasons, makers = {}, {}
 
 function reasons.rates(course) return lacks(course, "w") end

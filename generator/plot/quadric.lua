@@ -11,6 +11,7 @@ local quadric = {}
 local neighbours = 5 -- around each axis
 local height = 24 -- of the eye, degrees
 
+-- Where the eye's rays touch the surface: its normal there, x_i/a_i^2, is across the eye, so u is across eye_i/a_i.
 local function outline(a, eye)
   local u, v = space.across { eye[1] / a[1], eye[2] / a[2], eye[3] / a[3] }
   local list = {}

@@ -28,6 +28,7 @@ local function components(s)
   return list, first_of
 end
 
+-- Greatest less least of each component; infinite where that is rounding of the vector it belongs to.
 local function ranges(samples)
   local low, high, largest = {}, {}, {}
   for _, s in ipairs(samples) do
@@ -47,6 +48,7 @@ local function ranges(samples)
   return size
 end
 
+-- Is m off the chord from a to b in any component?
 local function bent(a, m, b, size)
   local s = (m.t - a.t) / (b.t - a.t)
   for k, x in ipairs(m.all) do
