@@ -124,6 +124,7 @@ end
 
 -- ---- together ----
 
+-- scale: of the covariance; lost[i]: the data do not determine unknown i, which then has no sigma.
 local function estimates(found, scale, lost)
   local list, r, n = {}, found.result, found.result.unknowns
   for i, u in ipairs(found.unknowns) do
@@ -139,6 +140,7 @@ local function estimates(found, scale, lost)
   return list
 end
 
+-- The matrix, NaN where an unknown is lost, and the pairs {i, k, correlation} that are hard to tell apart.
 local function correlations(found, lost)
   local n, C, rows, close = found.result.unknowns, found.result.covariance, {}, {}
   for i = 1, n do

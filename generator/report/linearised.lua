@@ -17,6 +17,8 @@ local wrong = 0.1 -- of the spin: where the linearised motion of an unstable axi
 
 local function short(x) return string.format("%.2g", x) end
 
+-- Of a stable axis errors[n][i], after periods[n] from amplitudes[i] (false: beyond the separatrix), and good[n][i],
+-- the amplitude below which the error stays within targets[i]; of an unstable one times[i].
 local function axis(I, k)
   local A = law.axis(I, k)
   local entry = { law = A, kind = A.kind, errors = {}, good = {}, times = {} }

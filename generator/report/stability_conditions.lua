@@ -65,7 +65,9 @@ local function in_one(m, atom, name)
   return terms and section.coefficients(terms)
 end
 
--- How far each parameter may go until the verdict about axis k changes.
+-- How far each parameter may go until the verdict about axis k changes.  It can only change where an atom is zero, so
+-- the atoms' zeros are candidates and the verdict half-way between two neighbours is that of the interval.  A parameter
+-- in which some atom is no polynomial has no row.
 local function margins(f, s, k, dissipation)
   local m, list = f.job.model, {}
   local sign = at_defaults(m)

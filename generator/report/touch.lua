@@ -32,7 +32,7 @@ local formulas = {
   edge = { "sqrt(m G R/(I1 + m (R + rho)^2))", "\\sqrt{mGR/(I_1 + m(R + \\varrho)^2)}" },
 }
 
--- What the rate of an upright spin must be: its least or greatest one, 0 where any will do, or none.
+-- What the rate of an upright spin must be, a rate^2 > c: its least or greatest one, 0 where any will do, or none.
 local function critical(m, law, put)
   for _, u in ipairs(upright.of(m)) do
     local a, c = m:double(u.a), m:double(u.c)

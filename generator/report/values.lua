@@ -32,6 +32,7 @@ end
 
 -- ---- free bodies ----
 
+-- k is taken on the side of L, so w3 is not negative.
 local function symmetric(f, put, w, L)
   local s, m = f.structure, f.job.model
   local k = vec.map(s.k, function(e) return m:double(e) end)
@@ -87,7 +88,7 @@ end
 
 -- ---- the heavy symmetric top ----
 
--- The real roots of u^3 - s u^2 + e u - p, ascending, when there are three.
+-- The real roots of u^3 - s u^2 + e u - p, ascending, when there are three: by cosines of thirds of an angle (Viete).
 local function cubic(s, e, p)
   local third = s / 3
   local P, Q = e - s * third, -p + e * third - 2 * third ^ 3
@@ -107,7 +108,9 @@ local function complete(k2) -- K by the arithmetic-geometric mean
   return math.pi / (2 * a)
 end
 
--- The mean of g(u) over a nutation, or nil where sums of up to 2^15 points do not settle it.
+-- The mean of g(u) over a nutation, or nil where sums of up to 2^15 points do not settle it.  u = u1 + (u2 - u1) s^2
+-- with s = sn, the sine of the amplitude: over the amplitude the integrand is periodic and analytic, so the trapezoidal
+-- rule gains digits in proportion to its points.
 local function mean(g, u, k2, K)
   local before
   for bits = 5, 15 do
@@ -123,6 +126,8 @@ local function mean(g, u, k2, K)
   return nil
 end
 
+-- u'^2 = (1 - u^2)(alpha - beta u) - (b - a u)^2
+-- with beta = 2 M g l/I1, a = L3/I1, b = Lz/I1, alpha = (2 E - L3^2/I3)/I1.
 local function heavy(f, put, w, L)
   local m, s = f.job.model, f.structure
   local effect
