@@ -29,6 +29,7 @@ local function largest(v)
   return m
 end
 
+-- The difference in units of scale x epsilon; infinite for NaN.
 local function ratio(got, want, scale, epsilon)
   if got ~= got or scale == math.huge then return math.huge end
   local d = math.abs(got - want)
@@ -84,6 +85,8 @@ local function tensors(job, name, plugin, mass, tap, epsilon)
   tap.ok(worst <= 20, name .. ": principal moments", string.format("%.2f ulp of the largest", worst))
 end
 
+-- Rates, energy and momentum of the emitted code against the library's, at `count` states, spread over the scene's own
+-- parameters and random ones.
 local function rates(host, job, plugin, tap, count, name, random, real, epsilon)
   local scale, worst, energy, momentum, states, most = scales(job), 0.0, 0.0, 0.0, 0, 1.0
   local sets = #job.model.params > 0 and math.min(20, count) or 1
