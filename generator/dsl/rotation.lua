@@ -45,6 +45,7 @@ end
 -- forms[word](ctx, line, what, given) -> the unit quaternion, nil after an error.
 local forms = {}
 
+-- Of any length: it is divided by it.
 function forms.quaternion(c, line, what, given)
   local q = args.vector(c, line, what, "quaternion", { size = 4 }, given.quaternion)
   if not q then return nil end
@@ -53,6 +54,7 @@ function forms.quaternion(c, line, what, given)
   return fine and normalised(q) or nil
 end
 
+-- (cos a/2, n sin a/2); also the angle and n.
 function forms.axis(c, line, what, given)
   local axis = given.axis
   if type(axis) == "string" then axis = unit[axis] end
@@ -68,7 +70,10 @@ function forms.axis(c, line, what, given)
   return { k, v[1] * s, v[2] * s, v[3] * s }, angle, vec.map(v, function(x) return x / n end)
 end
 
--- First and last turn about one axis: half their sum and difference, so that what cancels does so exactly.
+-- First and last turn about one axis: half their sum and difference, so that what cancels does so exactly.  About axes
+-- i, j, i (places 2, 3, 4 in the quaternion) with half angles a, b, c:
+--     cos b cos(a + c);  along i  cos b sin(a + c),  along j  sin b cos(a - c),  along k  +-sin b sin(a - c)
+-- with + where i, j, k are in cyclic order.
 local function proper(a, i, j)
   local function half(fn, x) return expr.call(fn, x / 2) end
   local sum, difference, k = a[1] + a[3], a[1] - a[3], 9 - i - j
@@ -129,6 +134,7 @@ local function candidates(m)
     { b, e, one - m[1][1] + m[2][2] - m[3][3], g }, { d, f, g, one - m[1][1] - m[2][2] + m[3][3] } }
 end
 
+-- Which candidate is the largest is decided at the parameters' defaults and must stay positive for all others.
 function forms.matrix(c, line, what, given)
   if not args.list(given.matrix, 3) then
     c.diag:error(line, what, "matrix must be a list of 3 rows of 3 numbers", diag.show(given.matrix))

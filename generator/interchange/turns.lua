@@ -3,7 +3,7 @@
 -- A turn is {axis = {x, y, z} of unit length, angle =} or {q = unit quaternion}, of exact expressions; a vector of the
 -- inertial frame, taken through all turns of a list, is the same vector in the link's axes.  No turn: the axes are
 -- parallel.  An angle is the decimal that is written, in degrees times pi/180: so right angles given in degrees are
--- exact, and those given in radians are what their digits say.
+-- exact, and those given in radians are what their digits say.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

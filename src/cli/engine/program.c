@@ -10,6 +10,8 @@
 #include <math.h>
 #include <string.h>
 
+/* In the order of program_op.  Behind its word an instruction has, in the list: n its number as a
+ * head and a tail, v and u which one, + and * how many operands, ^ numerator and denominator. */
 static const char *const names[] = {"n",   "v",    "u",    "+",    "*",    "^",     "sin",
                                     "cos", "tan",  "asin", "acos", "atan", "atan2", "exp",
                                     "log", "sinh", "cosh", "tanh", "abs",  "clamp", NULL};
@@ -18,6 +20,7 @@ typedef struct sized {
   long double value, size;
 } sized;
 
+/* Of f(x) the size is |f| + |f'| times that of x: what the roundings of x and of f come to. */
 static sized call(enum program_op op, sized a, sized b) {
   const long double x = a.value;
   long double y = 0, slope = 0; /* |f'(x)| */
