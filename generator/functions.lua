@@ -11,6 +11,7 @@ local sensitivity = require "generator.dynamics.sensitivity"
 local tangents = require "generator.dynamics.tangents"
 local compensated = require "generator.methods.compensated"
 local methods = require "generator.methods.methods"
+local steady = require "generator.dynamics.steady"
 local upright = require "generator.dynamics.upright"
 
 local functions = {}
@@ -85,6 +86,10 @@ function functions.of(plan, options, named)
   put("rhs", quantities.rhs, eq)
   if eq.touch then put("contact", quantities.contact, eq) end
   for _, u in ipairs(eq.touch and upright.of(m) or {}) do put("stable_" .. u.key, upright.margin, m, u) end
+  if eq.touch and (made "steady_spin" or made "steady_nod") and steady.has(m) then
+    put("steady_spin", steady.spin, m)
+    put("steady_nod", steady.nod, m)
+  end
   if m.record.landing then
     put("gap", landing.gap, m)
     put("impact", landing.impact, m)

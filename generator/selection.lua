@@ -26,7 +26,7 @@ end
 -- What studies a body or a state, and moves none.
 local ANALYSIS = set [[inertia_at particle_energy torque rate acceleration jacobian jacobian_p jacobian_u initial_p
   energy_gradient integral_gradient momentum_gradient stable_up stable_down stable_straight
-  stable_edge principal_of principal stability linearised spin_stable]]
+  stable_edge steady_spin steady_nod principal_of principal stability linearised spin_stable]]
 
 -- The derivatives among them: these are asked for by --with jacobians.
 local DERIVATIVES = set "jacobian jacobian_p jacobian_u initial_p energy_gradient integral_gradient momentum_gradient"

@@ -47,17 +47,25 @@ function laws.sliding(I1, I3, _, h, rho, C)
   return (I3 - I1 * rho / h) * rho / h, C, "(I3 - I1 rho/h) (rho/h) n^2 > m G (h - rho)"
 end
 
+-- A body of revolution about z and its surface on a level plane at rest, with nothing else that acts, and no ball: {e,
+-- f = touch_laws.facts, G, I1, I3}; nil for others.
+function upright.revolved(m)
+  local e = contact.of(m)
+  if not e then return nil end
+  local a, f = e.a, touch_laws.facts(m, e)
+  local alone = #m.record.effects == 1 and not a.spinning and not a.rolling_resistance
+  if not alone or a.rate ~= zero or not f.level or not f.revolved or f.ball then return nil end
+  local square = ratio.tidy(vec.dot(a.gravity, a.gravity))
+  if ratio.iszero(square) then return nil end
+  return { e = e, f = f, G = ratio.tidy(expr.sqrt(square)), I1 = f.I1, I3 = f.I3 }
+end
+
 -- A list of {key = "up" | "down" | "straight" | "edge", what, a, c: expressions of the parameters, condition: a n^2 > c
 -- in words}; empty where the scene is of no such body.  z up: the body's z is along the normal.
 function upright.of(m)
-  local e, list = contact.of(m), {}
-  if not e then return list end
-  local a, f = e.a, touch_laws.facts(m, e)
-  local alone = #m.record.effects == 1 and not a.spinning and not a.rolling_resistance
-  if not alone or a.rate ~= zero or not f.level or not f.revolved or f.ball then return list end
-  local square = ratio.tidy(vec.dot(a.gravity, a.gravity))
-  if ratio.iszero(square) then return list end
-  local G, mass, I1, I3 = ratio.tidy(expr.sqrt(square)), m.mass, f.I1, f.I3
+  local at, list = upright.revolved(m), {}
+  if not at then return list end
+  local a, f, G, mass, I1, I3 = at.e.a, at.f, at.G, m.mass, at.I1, at.I3
   local function put(key, what, x, c, condition)
     list[#list + 1] = { key = key, what = what, a = ratio.tidy(x), c = ratio.tidy(c), condition = condition }
   end

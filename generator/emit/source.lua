@@ -36,7 +36,8 @@ local function declarations(ctx, f)
   local real = ctx.name .. "_real "
   local word = {
     m = "const " .. ctx.name .. "_model *m", x = "const " .. real .. "x[]", ["x!"] = real .. "x[]", xo = real .. "x[]",
-    t = real .. "t", h = real .. "h", n = real .. "n", u = "const " .. real .. "u[]", dx = real .. "dx[]",
+    t = real .. "t", h = real .. "h", n = real .. "n", tilt = real .. "tilt",
+    u = "const " .. real .. "u[]", dx = real .. "dx[]",
   }
   local list = {}
   for i, a in ipairs(f.args) do
@@ -66,7 +67,7 @@ function source.inputs(ctx, f)
       for _, s in ipairs(ctx.states) do put(s.name, "x[" .. ctx.upper .. "_" .. string.upper(s.name) .. "]") end
     elseif a == "u" then
       for _, s in ipairs(ctx.inputs) do put(s.name, "u[" .. ctx.upper .. "_" .. s.index .. "]") end
-    elseif a == "t" or a == "h" or a == "n" then
+    elseif a == "t" or a == "h" or a == "n" or a == "tilt" then
       put(a, a, a ~= "t" and 6 or nil)
     elseif type(a) == "table" and a.held then -- read and written, one number a state
       for i, s in ipairs(ctx.states) do put(a.names[i], a.name .. "[" .. ctx.upper .. "_" .. string.upper(s.name) ..

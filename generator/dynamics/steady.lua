@@ -1,0 +1,92 @@
+-- steady.lua -- steady rolling of a body of revolution at any tilt, and how it nods about it.
+--
+-- theta: the body's axis k from the normal, s and c its sine and cosine; t across the axis in the plane of both, so that
+-- the normal is s t + c k; n the precession, w the rate about the axis.  The contact is r = x t + y k, x' = dx/dtheta.
+-- Height h = -(x s + y c), its slope b = y s - x c; the centre moves at v = n s y - w x along t x k.  Rolling gives
+--     (I1 + m r^2) theta'' = M = I1 n^2 s c - I3 n s w - m n h v - m G b      (to first order in theta')
+--     f = (y (I3 w/I1 - n c) + n s y' - w x' - n h)/(1 + m y^2/I1 + m x^2/I3)
+--     dn/dtheta = (I3/I1 w - 2 n c - m y f/I1)/s,      dw/dtheta = m x f/I3
+-- (Routh, Advanced Rigid Dynamics, 241-244: the motion of a solid of revolution on a rough plane).  M = 0 is linear in w;
+-- about it the tilt has the frequency squared -(dM/dtheta)/(I1 + m r^2), all along the two last equations.
+-- ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
+local contact = require "generator.dynamics.contact"
+local context = require "generator.dynamics.context"
+local surface = require "generator.effects.surface"
+local upright = require "generator.dynamics.upright"
+
+local steady = {}
+
+local tilt, n = expr.sym("tilt", 6), expr.sym("n", 6)
+
+-- The contact at the tilt and what follows from it, as definitions of the group; nil where the scene has no such motion.
+local function geometry(m, group)
+  local at = upright.revolved(m)
+  if not at or at.e.a.law ~= "rolling" then return nil end
+  local c = context.with(context.of(m), at.e)
+  local name = contact.namer(m, group, {})
+  local function one(prefix, e) return name(prefix, { e })[1] end
+  local k = { s = one("sine", expr.call("sin", tilt)), c = one("cosine", expr.call("cos", tilt)) }
+  local up, turned = { k.s, expr.zero, k.c }, { k.c, expr.zero, -k.s }
+  local function constant(prefix, e, about) return c.constant(prefix, ratio.tidy(e), about) end
+  local rim = constant("rim", at.f.surface.rim, "radius of the sphere, or of the rounded edge, m")
+  local centre = constant("centrez", at.f.centre[3], "centre of the surface from the centre of mass, z, m")
+  local r, slope = { -rim * k.s, expr.zero, centre - rim * k.c }, vec.scale(-rim, turned)
+  local y, rate = surface.point(at.f.surface, c, up, name)
+  if y then r, slope = vec.sub(r, y), vec.sub(slope, rate(turned)) end
+  k.x, k.y = one("arm_x", r[1]), one("arm_y", r[3])
+  k.dx, k.dy = one("slope_x", slope[1]), one("slope_y", slope[3])
+  k.h, k.b = one("height", -(k.x * k.s + k.y * k.c)), one("lever", k.y * k.s - k.x * k.c)
+  k.m1 = constant("m_I1", m.mass / at.I1, "mass over the moment across the axis, 1/m^2")
+  k.m3 = constant("m_I3", m.mass / at.I3, "mass over the moment about the axis, 1/m^2")
+  k.I1 = constant("I1_m", at.I1 / m.mass, "moment across the axis over the mass, m^2")
+  k.I3 = constant("I3_m", at.I3 / m.mass, "moment about the axis over the mass, m^2")
+  k.G = constant("weight", at.G, "gravity, m/s^2")
+  k.one = one
+  return k
+end
+
+-- M = 0 for w, over the mass.
+local function spin(k)
+  local s, c, x, y, h = k.s, k.c, k.x, k.y, k.h
+  return (k.I1 * n ^ 2 * s * c - n ^ 2 * s * y * h - k.G * k.b) / (n * (k.I3 * s - x * h))
+end
+
+-- Has the scene steady rolling?
+function steady.has(m) return geometry(m, { defs = {} }) ~= nil end
+
+function steady.spin(m)
+  local group = { why = "steady rolling: I1 n^2 s c - I3 n s w = m n h v + m G b, v = n s y - w x", defs = {} }
+  local k = geometry(m, group)
+  group.outs = { { result = true, expr = spin(k) } }
+  return { name = "steady_spin", args = { "m", "tilt", "n" }, result = true, groups = { group },
+    doc = { "The rate about the axis, rad/s, of steady rolling with the axis at `tilt` from the normal, rad, and the",
+      "precession n about the normal, rad/s, not 0: the centre of mass moves on a circle, and N is the weight." } }
+end
+
+function steady.nod(m)
+  local group = { why = "small nutations about steady rolling: -(dM/dtheta)/(I1 + m r^2), M of NAME_steady_spin",
+    defs = {} }
+  local k = geometry(m, group)
+  local s, c, x, y, h, b, one = k.s, k.c, k.x, k.y, k.h, k.b, k.one
+  local w = one("w", spin(k))
+  local v = one("v", n * s * y - w * x)
+  local f = one("f", (y * (k.I3 * k.m1 * w - n * c) + n * s * k.dy - w * k.dx - n * h) / (1 + k.m1 * y ^ 2 +
+    k.m3 * x ^ 2))
+  local dn = one("n_slope", (k.I3 * k.m1 * w - 2 * n * c - k.m1 * y * f) / s)
+  local dw = one("w_slope", k.m3 * x * f)
+  local dv, db = n * c * y + n * s * k.dy - w * k.dx, k.dy * s - k.dx * c - h
+  local along = k.I1 * n ^ 2 * (c ^ 2 - s ^ 2) - k.I3 * n * c * w - n * (b * v + h * dv) - k.G * db
+  local by_n = 2 * k.I1 * n * s * c - k.I3 * s * w - h * v - n * h * s * y
+  local by_w = n * (h * x - k.I3 * s)
+  group.outs = { { result = true, expr = -(along + by_n * dn + by_w * dw) / (k.I1 + x ^ 2 + y ^ 2) } }
+  return { name = "steady_nod", args = { "m", "tilt", "n" }, result = true, groups = { group },
+    doc = { "The square of the rate, rad^2/s^2, at which the tilt nods about the steady rolling of steady_spin: positive",
+      "where it is stable.  0 < tilt < pi, n not 0; the margins stable_.. tell of upright spins." } }
+end
+
+return steady
