@@ -86,10 +86,7 @@ function functions.of(plan, options, named)
   put("rhs", quantities.rhs, eq)
   if eq.touch then put("contact", quantities.contact, eq) end
   for _, u in ipairs(eq.touch and upright.of(m) or {}) do put("stable_" .. u.key, upright.margin, m, u) end
-  if eq.touch and (made "steady_spin" or made "steady_nod") and steady.has(m) then
-    put("steady_spin", steady.spin, m)
-    put("steady_nod", steady.nod, m)
-  end
+  put_all(eq.touch and steady.list(m, made) or {})
   if m.record.landing then
     put("gap", landing.gap, m)
     put("impact", landing.impact, m)

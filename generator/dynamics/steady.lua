@@ -16,29 +16,31 @@ local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local contact = require "generator.dynamics.contact"
 local context = require "generator.dynamics.context"
-local surface = require "generator.effects.surface"
 local upright = require "generator.dynamics.upright"
 
 local steady = {}
 
 local tilt, n = expr.sym("tilt", 6), expr.sym("n", 6)
 
--- The contact at the tilt and what follows from it, as definitions of the group; nil where the scene has no such motion.
-local function geometry(m, group)
+-- upright.revolved of a body that rolls, or nil.
+local function rolls(m)
   local at = upright.revolved(m)
-  if not at or at.e.a.law ~= "rolling" then return nil end
+  return at and at.e.a.law == "rolling" and at or nil
+end
+
+-- The contact at the tilt and what follows from it, as definitions of the group.
+local function geometry(m, group)
+  local at = rolls(m)
   local c = context.with(context.of(m), at.e)
   local name = contact.namer(m, group, {})
   local function one(prefix, e) return name(prefix, { e })[1] end
   local k = { s = one("sine", expr.call("sin", tilt)), c = one("cosine", expr.call("cos", tilt)) }
   local up, turned = { k.s, expr.zero, k.c }, { k.c, expr.zero, -k.s }
   local function constant(prefix, e, about) return c.constant(prefix, ratio.tidy(e), about) end
-  local rim = constant("rim", at.f.surface.rim, "radius of the sphere, or of the rounded edge, m")
-  local centre = constant("centrez", at.f.centre[3], "centre of the surface from the centre of mass, z, m")
-  local r, slope = { -rim * k.s, expr.zero, centre - rim * k.c }, vec.scale(-rim, turned)
-  local y, rate = surface.point(at.f.surface, c, up, name)
-  if y then r, slope = vec.sub(r, y), vec.sub(slope, rate(turned)) end
-  k.x, k.y = one("arm_x", r[1]), one("arm_y", r[3])
+  local lowest = at.e.spec.lowest(at.e.a, c, { up = up }, name)
+  local slope = vec.scale(-lowest.rim, turned)
+  if lowest.y then slope = vec.sub(slope, lowest.slope(turned)) end
+  k.x, k.y = lowest.r[1], lowest.r[3]
   k.dx, k.dy = one("slope_x", slope[1]), one("slope_y", slope[3])
   k.h, k.b = one("height", -(k.x * k.s + k.y * k.c)), one("lever", k.y * k.s - k.x * k.c)
   k.m1 = constant("m_I1", m.mass / at.I1, "mass over the moment across the axis, 1/m^2")
@@ -56,10 +58,7 @@ local function spin(k)
   return (k.I1 * n ^ 2 * s * c - n ^ 2 * s * y * h - k.G * k.b) / (n * (k.I3 * s - x * h))
 end
 
--- Has the scene steady rolling?
-function steady.has(m) return geometry(m, { defs = {} }) ~= nil end
-
-function steady.spin(m)
+local function steady_spin(m)
   local group = { why = "steady rolling: I1 n^2 s c - I3 n s w = m n h v + m G b, v = n s y - w x", defs = {} }
   local k = geometry(m, group)
   group.outs = { { result = true, expr = spin(k) } }
@@ -68,7 +67,7 @@ function steady.spin(m)
       "precession n about the normal, rad/s, not 0: the centre of mass moves on a circle, and N is the weight." } }
 end
 
-function steady.nod(m)
+local function steady_nod(m)
   local group = { why = "small nutations about steady rolling: -(dM/dtheta)/(I1 + m r^2), M of NAME_steady_spin",
     defs = {} }
   local k = geometry(m, group)
@@ -87,6 +86,15 @@ function steady.nod(m)
   return { name = "steady_nod", args = { "m", "tilt", "n" }, result = true, groups = { group },
     doc = { "The square of the rate, rad^2/s^2, at which the tilt nods about the steady rolling of steady_spin: positive",
       "where it is stable.  0 < tilt < pi, n not 0; the margins stable_.. tell of upright spins." } }
+end
+
+-- The functions of the emitted code that are `made`, a function of their names; none where nothing rolls so.
+function steady.list(m, made)
+  local list = {}
+  for _, f in ipairs { { "steady_spin", steady_spin }, { "steady_nod", steady_nod } } do
+    if made(f[1]) and rolls(m) then list[#list + 1] = f[2](m) end
+  end
+  return list
 end
 
 return steady

@@ -89,12 +89,10 @@ function plane.contact(a, c, name)
   return k
 end
 
--- Adds to {n} what is at the lowest point: up, the normal in body axes; far, from the centre of mass to the centre of
--- curvature; r, to the point.
-function plane.place(a, c, k, name)
+-- Adds to {up}, the normal in body axes, what is at the lowest point: far, from the centre of mass to the centre of
+-- curvature; r, to the point; y and slope, of effects/surface.lua.
+function plane.lowest(a, c, k, name)
   local s = a.surface
-  k.back = vec.transpose(vec.rotation(c.q))
-  k.up = name("up_", vec.matvec(k.back, k.n))
   local centre = constants(c, "centre", vec.sub(s.at, c.origin), "centre of the surface from the centre of mass,",
     ", m")
   local rim = c.constant("rim", s.rim, "radius of the sphere, or of the rounded edge, m")
@@ -105,6 +103,13 @@ function plane.place(a, c, k, name)
   k.r = name("arm_", vec.sub(far, vec.scale(rim, k.up)))
   k.centred = far[1] == expr.zero and far[2] == expr.zero and far[3] == expr.zero
   return k
+end
+
+-- The same for {n}, the normal in inertial axes.
+function plane.place(a, c, k, name)
+  k.back = vec.transpose(vec.rotation(c.q))
+  k.up = name("up_", vec.matvec(k.back, k.n))
+  return plane.lowest(a, c, k, name)
 end
 
 -- Components along e1 and e2 of r, and of w x r.  r = -rim g of a sphere about the centre of mass has none, and
