@@ -74,7 +74,7 @@ if not asked then judge(tier.every(10, list), "effects") end
 
 -- ---- together, with parameters ----
 
-local count = asked or tier.quick and 4 or 60
+local count = asked or tier.quick and 4 or 40
 local seed = tonumber(os.getenv "POLHODE_SEED") or 1758
 local random, together = scenes.new(seed, 0), {}
 while #together < count do
