@@ -1,6 +1,7 @@
 -- contact.lua -- the equations of a body that touches a plane (effects/plane.lua).
 --
--- All vectors in body axes: g = `up`, the plane's normal; r = `arm`, from the centre of mass to the contact point; y
+-- All vectors in body axes, or for a disc about the body's axis in those of its lowest point (effects/meridian.lua); w'
+-- is turned back.  g = `up`, the plane's normal; r = `arm`, from the centre of mass to the contact point; y
 -- the point of the ellipsoid, r = centre - y - rim g; turning = w x r.  With g' = g x w the rate of the contact's place
 -- is
 --     k = r' + w x r = w x (centre - y) - y',   y' of effects/surface.lua
@@ -12,14 +13,13 @@
 -- share: c of viscous friction, mu/sqrt(v.v + e^2) of Coulomb's; v the slip.  Torques N T against spinning and rolling:
 --     T = -c (g.w - Omega) g - d (w - (g.w) g),   c and d numbers, or a/sqrt(.. + e^2)
 -- join r x h, and when it rolls w' = w0' + nu b as well, b the solution for T in place of the right side.
--- ABOVE the line.
+-- rolling.lua has the first of them, touch.lua the vectors.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local motion = require "generator.algebra.motion"
-local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local context = require "generator.dynamics.context"
 local rolling = require "generator.dynamics.rolling"

@@ -2,9 +2,9 @@
 --
 -- F = f + r x w' is the contact's force over the mass, and
 --     w' = w0' + m I^-1 (r x F),   w0' of the torques alone
--- In general that is three equations for w', whose matrix I/m + r.r 1 - r r^T is positive.  A sphere about the centre of
--- mass has a matrix that is inverted by its diagonal and g g^T.  A body of revolution on its disc has r_s = 0 in the axes
--- of the meridian (effects/meridian.lua), so only F_s and w_s' remain to be solved for:
+-- In general that is three equations for w', whose matrix I/m + r.r 1 - r r^T is positive.  A sphere about the centre
+-- of mass has a matrix that is inverted by its diagonal and g g^T.  A body of revolution on its disc has r_s = 0 in the
+-- axes of the meridian (effects/meridian.lua), so only F_s and w_s' remain to be solved for:
 --     F_s = (f_s + r_z w0_t' - r_t w0_z')/(1 + m/I1 r_z^2 + m/I3 r_t^2)
 --     w_s' = (w0_s' + m/I1 (r_z f_t - r_t f_z))/(1 + m/I1 (r_t^2 + r_z^2))
 --     w_t' = w0_t' - m/I1 r_z F_s,   w_z' = w0_z' + m/I3 r_t F_s
@@ -95,7 +95,8 @@ end
 -- solved(n) -> w', how it is done (nil: by elimination).
 local function solver(m, e, c, I, k, name)
   if k.centred and I[4] == zero and I[5] == zero and I[6] == zero then
-    return function(n) return round(m, e, c, k, name, vec.map(n, ratio.tidy)) end, "inverted by its diagonal and g g^T"
+    local function inverted(n) return round(m, e, c, k, name, vec.map(n, ratio.tidy)) end
+    return inverted, "inverted by its diagonal and g g^T"
   end
   local r, S = k.r, nil
   return function(n)
@@ -159,24 +160,48 @@ local function free(m, a, c, k, name, N, level)
   return w0, said .. " + m I^-1 (r x -G)"
 end
 
+-- Of a body of revolution: m/I1 r_z, m/I1 r_t, m/I3 r_t, and one over the two denominators.  Constants where the edge
+-- is sharp, for then r is.
+local function levers(m, c, k, name)
+  local I, r = m.carried, k.r
+  local sharp = k.rim == zero
+  if sharp then r = k.own end
+  local function put(prefix, x, about)
+    return sharp and c.constant(prefix, ratio.tidy(x), about) or name(prefix, { x })[1]
+  end
+  local over1, over3 = m.mass / I[1], m.mass / I[3]
+  if not sharp then over1, over3 = touch.per_moment(m, c, 1), touch.per_moment(m, c, 3) end
+  local z = put("grip_z", over1 * r[3], "mass times arm z over the moment of inertia xx, 1/m")
+  local t = put("grip_t", over1 * r[1], "mass times arm t over the moment of inertia xx, 1/m")
+  local twist = put("twist", over3 * r[1], "mass times arm t over the moment of inertia zz, 1/m")
+  if sharp then
+    return z, t, twist, put("along", 1 / (1 + over1 * r[3] ^ 2 + over3 * r[1] ^ 2), "share of the force along s"),
+      put("across", 1 / (1 + over1 * (r[1] ^ 2 + r[3] ^ 2)), "moment over that about the contact point")
+  end
+  local base = name("base", { 1 + z * r[3] })[1]
+  return z, t, twist, 1 / (base + twist * r[1]), 1 / (base + t * r[1])
+end
+
 -- The same in the axes of the meridian, for body and disc of one axis.
 local function revolved(m, e, c, k, name, N, moving)
-  local I, r, a = m.carried, k.r, e.a
-  local over1 = c.constant("m_Ixx", ratio.tidy(m.mass / I[1]), "mass/moment of inertia xx, 1/m^2")
-  local over3 = c.constant("m_Izz", ratio.tidy(m.mass / I[3]), "mass/moment of inertia zz, 1/m^2")
-  local grip_z, grip_t = name("grip_z", { over1 * r[3] })[1], name("grip_t", { over1 * r[1] })[1]
-  local twist = name("twist", { over3 * r[1] })[1]
-  local base = name("base", { 1 + grip_z * r[3] })[1]
+  local r, a = k.r, e.a
+  local z, t, twist, along, across = levers(m, c, k, name)
+  if a.spinning or a.rolling_resistance then -- two right sides
+    along, across = name("along", { along })[1], name("across", { across })[1]
+  end
   local function solved(w0, f)
-    local F = name("grip", { (f[2] + r[3] * w0[1] - r[1] * w0[3]) / (base + twist * r[1]) })[1]
-    return name("turn_", { w0[1] - grip_z * F, nest(w0[2] + grip_z * f[1] - grip_t * f[3]) / (base + grip_t * r[1]),
-      w0[3] + twist * F })
+    local F = name("grip", { (f[2] + r[3] * w0[1] - r[1] * w0[3]) * along })[1]
+    return name("turn_", { w0[1] - z * F, nest(w0[2] + z * f[1] - t * f[3]) * across, w0[3] + twist * F })
   end
   local level = parallel(a.gravity, a.normal)
   local w0, about = free(m, a, c, k, name, N, level)
   local f, said = force(k, moving, level)
-  return solved(w0, f), "Newton and Euler, rolling: w' = w0' + m I^-1 (r x F), F = f + r x w', " .. about .. ", " .. said,
-    function(T) return solved({ over1 * T[1], over1 * T[2], over3 * T[3] }, { zero, zero, zero }) end
+  local function yield(T)
+    local b0 = vec.map(T, function(x, i) return touch.per_moment(m, c, i) * x end)
+    return solved(b0, { zero, zero, zero })
+  end
+  return solved(w0, f), "Newton and Euler, rolling: w' = w0' + m I^-1 (r x F), F = f + r x w', " .. about .. ", " ..
+    said, yield
 end
 
 -- The group of w', and what else contact.lua asks for.

@@ -110,14 +110,19 @@ function touch.support(k, name, w0, b)
   return name("push", { (-k.weight - vec.dot(k.up, k.bend) - vec.dot(w0, k.side)) / (1 + vec.dot(b, k.side)) })[1]
 end
 
+-- m/I_i, a constant.
+function touch.per_moment(m, c, i)
+  return c.constant("m_I" .. vec.entry[i], ratio.tidy(m.mass / m.carried[i]), "mass/moment of inertia " ..
+    vec.entry[i] .. ", 1/m^2")
+end
+
 -- m I^-1 v, constants for what is divided by.
 function touch.inverse_per_mass(m, c, name, v)
   local I = m.carried
   if I[4] == zero and I[5] == zero and I[6] == zero then
     return vec.map(v, function(x, i)
       if I[i] == zero then return zero end
-      return c.constant("m_I" .. vec.entry[i], ratio.tidy(m.mass / I[i]), "mass/moment of inertia " .. vec.entry[i] ..
-        ", 1/m^2") * x
+      return touch.per_moment(m, c, i) * x
     end)
   end
   local adj, det = vec.adjugate(I)

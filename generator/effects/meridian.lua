@@ -5,9 +5,9 @@
 --     g = (rho, 0, g3),   far = c - y = (-R, 0, c3),   r = far - rim g
 -- and far is constant.  They turn at the rate (w_t, w_s, g3 w_t/rho), so
 --     k = (w_t, w_s, g3 w_t/rho) x far = (c3 w_s, -w_t (c3 + R g3/rho), R w_s)
--- without the differences that y' and w x (c - y) have near flat.  s lies along the plane, with the components
--- (E2, -E1).z/rho along e1 and e2; so does h = s x g = (g3, 0, -rho), with those of s turned by a right angle.  As
--- r.s = 0 and r.g = -height,
+-- in which nothing cancels near flat, as it does between w x (c - y) and y'.  s lies along the plane, with the
+-- components (E2, -E1).z/rho along e1 and e2; so does h = s x g = (g3, 0, -rho), with those of s turned by a
+-- right angle.  As r.s = 0 and r.g = -height,
 --     (w x r).s = w_z r_t - w_t r_z,   (w x r).h = w.(s (r.g) - g (r.s)) = -height w_s
 -- On a plane whose normal is inertial z
 --     rho = 2 sqrt((qw^2 + qz^2) (qx^2 + qy^2)),   g3 = (qw^2 + qz^2) - (qx^2 + qy^2)
@@ -29,7 +29,7 @@ function meridian.fits(s, origin)
   return s.disc and ratio.iszero(s.at[1] - origin[1]) and ratio.iszero(s.at[2] - origin[2])
 end
 
--- A root, g3, and part: root = part rho.
+-- The root in rho, g3, and what the root is of rho: 1 or 1/2.
 local function lean(n, q, up, name)
   if n[1] ~= zero or n[2] ~= zero then return expr.sqrt(up[1] ^ 2 + up[2] ^ 2), up[3], one end
   local near, off = q[1] ^ 2 + q[4] ^ 2, q[2] ^ 2 + q[3] ^ 2
@@ -51,7 +51,7 @@ function meridian.place(a, c, k, name)
   function k.out(v) return { t1 * v[1] - t2 * v[2], t2 * v[1] + t1 * v[2], v[3] } end
   k.letters, k.w, k.up = letters, name("w_", k.into(w), letters), { rho, zero, g3 }
   local radius = c.constant("radius", a.surface.half[1], "radius of the disc's centre circle, m")
-  local share = c.constant("radius_part", a.surface.half[1] * part, "the same, or half of it, m")
+  local share = c.constant("half_radius", a.surface.half[1] * part, "half of it, m")
   local c3 = c.constant("centrez", ratio.tidy(a.surface.at[3] - c.origin[3]),
     "centre of the surface from the centre of mass, z, m")
   k.rim = c.constant("rim", a.surface.rim, "radius of the rounded edge, m")

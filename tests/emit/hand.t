@@ -41,8 +41,8 @@ local rattleback = { attitude,
   { "the centre's velocity along the plane", 12, 12, 0, 0 },
 }
 
--- The coin, in the axes t = (g1, g2)/rho, s = z x t, z of its lowest point: r = (r_t, 0, r_z), the centre of the edge at
--- -R t, h = rho/2, all lengths that stand in the torques divided by I1/m.  One unknown is the force along s.
+-- The coin, in the axes t = (g1, g2)/rho, s = z x t, z of its lowest point: r = (r_t, 0, r_z), the centre of the edge
+-- at -R t, h = rho/2.  The force along s is the first unknown, w_s' the second.
 local coin = { attitude,
   { "qw^2 + qz^2, qx^2 + qy^2; g3 their difference, h^2 their product", 5, 3, 0, 0 },
   { "h, 1/h", 0, 0, 1, 1 },
