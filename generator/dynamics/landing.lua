@@ -14,9 +14,9 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
-local contact = require "generator.dynamics.contact"
 local context = require "generator.dynamics.context"
 local state = require "generator.dynamics.state"
+local touch = require "generator.dynamics.touch"
 
 local landing = {}
 
@@ -61,7 +61,7 @@ end
 
 -- The contact's vectors as definitions of a group.
 local function geometry(m, e, c, group)
-  local name = contact.namer(m, group, {})
+  local name = touch.namer(m, group, {})
   local k = { n = vec.map(e.a.normal, function(x, i)
     local letter = string.sub("xyz", i, i)
     return c.constant("plane" .. letter, ratio.tidy(x), "normal of the plane, " .. letter)
@@ -86,7 +86,7 @@ local function compliance(m, c, name, d)
   for j = 1, 3 do
     local e = { expr.zero, expr.zero, expr.zero }
     e[j] = expr.one
-    columns[j] = vec.add(e, vec.cross(contact.inverse_per_mass(m, c, function(_, v) return v end, vec.cross(d, e)), d))
+    columns[j] = vec.add(e, vec.cross(touch.inverse_per_mass(m, c, function(_, v) return v end, vec.cross(d, e)), d))
   end
   return name("K", vec.map(vec.pair, function(p) return columns[p[2]][p[1]] end))
 end
@@ -128,7 +128,7 @@ function landing.impact(m)
     p = vec.add(p, vec.scale(name("share", { share })[1], more))
   end
   p = name("p", p)
-  local turn = contact.inverse_per_mass(m, c, name, vec.cross(k.r, p))
+  local turn = touch.inverse_per_mass(m, c, name, vec.cross(k.r, p))
   local move = vec.matvec(vec.rotation(state.q), p)
   local outs = {}
   for i = 1, 3 do

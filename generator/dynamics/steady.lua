@@ -14,7 +14,7 @@
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
-local contact = require "generator.dynamics.contact"
+local touch = require "generator.dynamics.touch"
 local context = require "generator.dynamics.context"
 local upright = require "generator.dynamics.upright"
 
@@ -32,7 +32,7 @@ end
 local function geometry(m, group)
   local at = rolls(m)
   local c = context.with(context.of(m), at.e)
-  local name = contact.namer(m, group, {})
+  local name = touch.namer(m, group, {})
   local function one(prefix, e) return name(prefix, { e })[1] end
   local k = { s = one("sine", expr.call("sin", tilt)), c = one("cosine", expr.call("cos", tilt)) }
   local up, turned = { k.s, expr.zero, k.c }, { k.c, expr.zero, -k.s }

@@ -12,6 +12,7 @@
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
+local meridian = require "generator.effects.meridian"
 local surface = require "generator.effects.surface"
 
 local plane = {
@@ -69,6 +70,9 @@ function plane.states(a, given)
   return list
 end
 
+-- Does the surface have axes of its meridian?
+function plane.meridian(a, c) return meridian.fits(a.surface, c.origin) end
+
 -- ---- the contact: what dynamics/contact.lua and the energy are made of ----
 
 local function constants(c, prefix, v, about, unit)
@@ -78,15 +82,15 @@ local function constants(c, prefix, v, about, unit)
   end)
 end
 
--- The vectors of the contact in body axes, by names that `name(prefix, vector)` may give them.
-function plane.contact(a, c, name)
+-- The vectors of the contact, by names that `name(prefix, vector)` may give them: in body axes, or where `axes` says so
+-- in those of the meridian.
+function plane.contact(a, c, name, axes)
   local k = { n = constants(c, "plane", a.normal, "normal of the plane,", ""),
     e1 = constants(c, "along", a.e1, "e1 of the plane,", ""),
     e2 = constants(c, "beside", a.e2, "e2 of the plane,", "") }
   k.rate = c.constant("Omega_plane", a.rate, "rate of the plane, rad/s")
-  plane.place(a, c, k, name)
-  k.E1, k.E2 = vec.matvec(k.back, k.e1), vec.matvec(k.back, k.e2)
-  return k
+  if axes then return meridian.place(a, c, k, name) end
+  return plane.axes(c, plane.place(a, c, k, name))
 end
 
 -- Adds to {up}, the normal in body axes, what is at the lowest point: far, from the centre of mass to the centre of
@@ -112,45 +116,56 @@ function plane.place(a, c, k, name)
   return plane.lowest(a, c, k, name)
 end
 
--- Components along e1 and e2 of r, and of w x r.  r = -rim g of a sphere about the centre of mass has none, and
--- e1.(w x g) = w.(g x e1) = w.e2, e2.(w x g) = -w.e1.
-function plane.reach(k)
-  if k.centred then return expr.zero, expr.zero end
-  return vec.dot(k.E1, k.r), vec.dot(k.E2, k.r)
-end
+local function same(v) return v end
 
-function plane.drift(k, w)
-  if k.centred then return -k.rim * vec.dot(w, k.E2), k.rim * vec.dot(w, k.E1) end
-  local turning = k.turning or vec.cross(w, k.r)
-  return vec.dot(k.E1, turning), vec.dot(k.E2, turning)
+-- Adds to the vectors: w; into, out, which turn a vector into their axes and back; reach, drift, the components along
+-- e1 and e2 of r and of w x r; span, the vector of such components; side = far x g; height, of the centre of mass.
+-- r = -rim g of a sphere about the centre of mass has none, and e1.(w x g) = w.(g x e1) = w.e2, e2.(w x g) = -w.e1.
+function plane.axes(c, k)
+  local E1, E2 = vec.matvec(k.back, k.e1), vec.matvec(k.back, k.e2)
+  k.w, k.into, k.out = c.w, same, same
+  k.side = vec.cross(k.far, k.up)
+  k.height = k.centred and k.rim or -vec.dot(k.up, k.r)
+  function k.span(x1, x2) return vec.add(vec.scale(x1, E1), vec.scale(x2, E2)) end
+  function k.reach()
+    if k.centred then return expr.zero, expr.zero end
+    return vec.dot(E1, k.r), vec.dot(E2, k.r)
+  end
+  function k.drift()
+    if k.centred then return -k.rim * vec.dot(c.w, E2), k.rim * vec.dot(c.w, E1) end
+    local turning = k.turning or vec.cross(c.w, k.r)
+    return vec.dot(E1, turning), vec.dot(E2, turning)
+  end
+  return k
 end
 
 local function bare(_, v) return v end
 
 -- Rates of the contact's coordinates: components of the velocity along e1, e2 and n, in space.
 function plane.velocity(a, c, k)
-  local rise = k.centred and expr.zero or -vec.dot(k.up, vec.cross(c.w, k.r))
+  local rise = -vec.dot(k.w, k.side)
   if a.law ~= "rolling" then
     if not c.own.v1 then return expr.zero, expr.zero, rise end
     return c.own.v1, c.own.v2, rise
   end
-  local x1, x2 = plane.reach(k)
-  local v1, v2 = plane.drift(k, c.w)
+  local x1, x2 = k.reach()
+  local v1, v2 = k.drift()
   return -v1 - k.rate * (c.own.p2 + x2), -v2 + k.rate * (c.own.p1 + x1), rise
 end
 
 function plane.kinetic(a, c)
-  local x, y, z = plane.velocity(a, c, plane.contact(a, c, bare))
-  return c.constant("mass", c.mass, "mass, kg") * (x ^ 2 + y ^ 2 + z ^ 2) / 2
+  local k = plane.contact(a, c, bare, plane.meridian(a, c))
+  local V = { plane.velocity(a, c, k) }
+  if a.law == "rolling" and a.rate == expr.zero then V = vec.cross(k.w, k.r) end -- V + w x r = 0
+  return c.constant("mass", c.mass, "mass, kg") * vec.dot(V, V) / 2
 end
 
 function plane.potential(a, c)
-  local k = plane.contact(a, c, bare)
+  local k = plane.contact(a, c, bare, plane.meridian(a, c))
   local g = vec.map(a.gravity, function(x, i)
     return c.constant("g" .. string.sub("xyz", i, i), x, "gravity, m/s^2")
   end)
-  local height = k.centred and k.rim or -vec.dot(k.up, k.r)
-  local at = vec.scale(height, k.n)
+  local at = vec.scale(k.height, k.n)
   if c.own.p1 then at = vec.add(at, vec.add(vec.scale(c.own.p1, k.e1), vec.scale(c.own.p2, k.e2))) end
   return -c.M * vec.dot(g, at)
 end

@@ -184,6 +184,21 @@ for _, v in ipairs(scenes.variants) do
     list[#list + 1] = { body = "full", effects = { v, named "custom_torque" } }
   end
 end
+-- A disc about the axis of a body, which has equations in the axes of its lowest point: each law, on a level plane and
+-- on a tilted one, with one more torque.
+local function otherwise(v)
+  return { name = v.name .. "_otherwise", effect = v.effect, where = v.where, text = function(s)
+    local text, tilted = v.text(s):gsub(", normal = {[^}]*}", "")
+    return tilted > 0 and text or text .. ", normal = " .. s:axes("0.1", "-0.2", "1", "polar")
+  end }
+end
+for i, v in ipairs(scenes.variants) do
+  if v.name:find "^on_disc" then
+    list[#list + 1] = { body = "axial", effects = { v } }
+    list[#list + 1] = { body = "axial", effects = { otherwise(v), beside[i % #beside + 1] } }
+    list[#list + 1] = { body = "axial", effects = { otherwise(v) } }
+  end
+end
 -- Every second scene; POLHODE_PLANE=all: all of them, in 65 s.
 local some = {}
 for i = 1, #list, os.getenv "POLHODE_PLANE" == "all" and 1 or 2 do some[#some + 1] = list[i] end
@@ -192,6 +207,6 @@ for n, item in ipairs(tier.every(5, some)) do
   local job, why = scene.read(scenes.text(scenes.new(n, 0.3), "e" .. n, item.body, item.effects))
   if job then check(what, job) else tap.ok(false, what .. " is a scene", why) end
 end
-tap.ok(#list >= 72, #list .. " scenes on a plane")
+tap.ok(#list >= 92, #list .. " scenes on a plane")
 
 tap.done()

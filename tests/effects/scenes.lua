@@ -109,6 +109,11 @@ local BODIES = {
     return "solid.cylinder { r = " .. s:num(0.8, 1.2, "m") .. ", h = " .. s:num(2, 3, "m") .. ", mass = " ..
       s:num(2, 4, "kg") .. " }" .. (s:random(2) == 1 and ":turned { axis = {1, 2, 0}, angle = 0.7 }" or "")
   end,
+  axial = function(s) -- about z, its centre of mass above that of the shapes
+    return "(solid.cylinder { r = " .. s:num(0.8, 1.2, "m") .. ", h = " .. s:num(2, 3, "m") .. ", mass = " ..
+      s:num(2, 4, "kg") .. " } + solid.cylinder { r = 0.5, h = 1, mass = " .. s:num(0.3, 0.6, "kg") ..
+      " }:at { 0, 0, 0.6 })"
+  end,
   full = function(s)
     local x, y, z = "1", s:num(1.6, 2.2, "m"), "3"
     if s.renamed then x, y, z = z, x, y end
