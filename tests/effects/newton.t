@@ -199,6 +199,17 @@ for i, v in ipairs(scenes.variants) do
     list[#list + 1] = { body = "axial", effects = { otherwise(v) } }
   end
 end
+-- An ellipsoid of revolution and a sphere on the axis: their equations in the vectors g and z.
+for i, contact_of in ipairs { "rolling\"", "smooth\"", "sliding\", friction = { viscous = 0.2 }" } do
+  for _, body in ipairs { "axial", "diagonal" } do
+    for shape, text in pairs { ellipsoid = "ellipsoid { a = 2, b = 2, c = 2.3, at = {0, 0, 0.2} }",
+      sphere = "sphere { r = 2, at = {0, 0, 0.2} }" } do -- in any order
+      list[#list + 1] = { body = body, effects = { { name = "revolved_" .. shape, effect = "plane", where = "plane",
+        text = function() return "surface = contact." .. text .. ", law = \"" .. contact_of ..
+          (i == 1 and ", turntable = 0.3" or "") end } } }
+    end
+  end
+end
 for n, item in ipairs(tier.every(10, list)) do
   local what = table.concat(vec.map(item.effects, function(v) return v.name end), " and ") .. ", " .. item.body
   local job, why = scene.read(scenes.text(scenes.new(n, 0.3), "e" .. n, item.body, item.effects))
