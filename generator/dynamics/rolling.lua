@@ -225,7 +225,7 @@ function rolling.turning(m, e, c, N, groups)
   -- N/m = g.(A - G), A = Omega g x (..) - w' x r - w x k
   local function reaction()
     if nu or k.centred then return nu or -k.weight end
-    return -vec.dot(dw, k.side) - vec.dot(k.up, k.bend) - k.weight
+    return -vec.dot(dw, k.side) - k.pull - k.weight
   end
   return g, { coordinates = function() return rates end, reaction = reaction, k = k, c = c, a = a }
 end

@@ -1,10 +1,11 @@
 -- steady.lua -- steady rolling of a body of revolution at any tilt, and how it nods about it.
 --
 -- theta: the body's axis k from the normal, s and c its sine and cosine; t across the axis in the plane of both, so that
--- the normal is s t + c k; n the precession, w the rate about the axis.  The contact is r = x t + y k, x' = dx/dtheta.
+-- the normal is s t + c k; n the precession, w the rate about the axis.  The contact is r = x t + y k, and moves by
+-- rho (-c t + s k) dtheta over the body, rho the radius of curvature.
 -- Height h = -(x s + y c), its slope b = y s - x c; the centre moves at v = n s y - w x along t x k.  Rolling gives
 --     (I1 + m r^2) theta'' = M = I1 n^2 s c - I3 n s w - m n h v - m G b      (to first order in theta')
---     f = (y (I3 w/I1 - n c) + n s y' - w x' - n h)/(1 + m y^2/I1 + m x^2/I3)
+--     f = (y (I3 w/I1 - n c) + rho (n s^2 + w c) - n h)/(1 + m y^2/I1 + m x^2/I3)
 --     dn/dtheta = (I3/I1 w - 2 n c - m y f/I1)/s,      dw/dtheta = m x f/I3
 -- (Routh, Advanced Rigid Dynamics, 241-244: the motion of a solid of revolution on a rough plane).  M = 0 is linear in w;
 -- about it the tilt has the frequency squared -(dM/dtheta)/(I1 + m r^2), all along the two last equations.
@@ -14,8 +15,8 @@
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
-local touch = require "generator.dynamics.touch"
 local context = require "generator.dynamics.context"
+local touch = require "generator.dynamics.touch"
 local upright = require "generator.dynamics.upright"
 
 local steady = {}
@@ -28,6 +29,14 @@ local function rolls(m)
   return at and at.e.a.law == "rolling" and at or nil
 end
 
+-- The radius of curvature of the meridian at the contact, without a rim or the radius of a sphere: a^2 b^2/(a^2 s^2 +
+-- b^2 c^2)^(3/2) of an ellipsoid of the half axes a, a, b, a/c^3 of a paraboloid, 0 of a disc's edge.
+local function curvature(s, sine, cosine)
+  if s.paraboloid then return s.half[1] / cosine ^ 3 end
+  local A, B = s.half[1] ^ 2, s.half[3] ^ 2
+  return B == expr.zero and expr.zero or A * B / expr.sqrt(A * sine ^ 2 + B * cosine ^ 2) ^ 3
+end
+
 -- The contact at the tilt and what follows from it, as definitions of the group.
 local function geometry(m, group)
   local at = rolls(m)
@@ -35,13 +44,10 @@ local function geometry(m, group)
   local name = touch.namer(m, group, {})
   local function one(prefix, e) return name(prefix, { e })[1] end
   local k = { s = one("sine", expr.call("sin", tilt)), c = one("cosine", expr.call("cos", tilt)) }
-  local up, turned = { k.s, expr.zero, k.c }, { k.c, expr.zero, -k.s }
   local function constant(prefix, e, about) return c.constant(prefix, ratio.tidy(e), about) end
-  local lowest = at.e.spec.lowest(at.e.a, c, { up = up }, name)
-  local slope = vec.scale(-lowest.rim, turned)
-  if lowest.y then slope = vec.sub(slope, lowest.slope(turned)) end
+  local lowest = at.e.spec.lowest(at.e.a, c, { up = { k.s, expr.zero, k.c } }, name)
   k.x, k.y = lowest.r[1], lowest.r[3]
-  k.dx, k.dy = one("slope_x", slope[1]), one("slope_y", slope[3])
+  k.rho = one("bend", lowest.rim + curvature(at.f.surface, k.s, k.c))
   k.h, k.b = one("height", -(k.x * k.s + k.y * k.c)), one("lever", k.y * k.s - k.x * k.c)
   k.m1 = constant("m_I1", m.mass / at.I1, "mass over the moment across the axis, 1/m^2")
   k.m3 = constant("m_I3", m.mass / at.I3, "mass over the moment about the axis, 1/m^2")
@@ -74,11 +80,11 @@ local function steady_nod(m)
   local s, c, x, y, h, b, one = k.s, k.c, k.x, k.y, k.h, k.b, k.one
   local w = one("w", spin(k))
   local v = one("v", n * s * y - w * x)
-  local f = one("f", (y * (k.I3 * k.m1 * w - n * c) + n * s * k.dy - w * k.dx - n * h) / (1 + k.m1 * y ^ 2 +
+  local f = one("f", (y * (k.I3 * k.m1 * w - n * c) + k.rho * (n * s ^ 2 + w * c) - n * h) / (1 + k.m1 * y ^ 2 +
     k.m3 * x ^ 2))
   local dn = one("n_slope", (k.I3 * k.m1 * w - 2 * n * c - k.m1 * y * f) / s)
   local dw = one("w_slope", k.m3 * x * f)
-  local dv, db = n * c * y + n * s * k.dy - w * k.dx, k.dy * s - k.dx * c - h
+  local dv, db = n * c * y + k.rho * (n * s ^ 2 + w * c), k.rho - h
   local along = k.I1 * n ^ 2 * (c ^ 2 - s ^ 2) - k.I3 * n * c * w - n * (b * v + h * dv) - k.G * db
   local by_n = 2 * k.I1 * n * s * c - k.I3 * s * w - h * v - n * h * s * y
   local by_w = n * (h * x - k.I3 * s)

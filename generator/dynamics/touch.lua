@@ -56,6 +56,7 @@ function touch.geometry(m, e, c, groups)
   k.place = name("place_", place, k.letters)
   k.turning = name("turning_", vec.cross(k.w, k.r), k.letters)
   k.bend = vec.cross(k.w, k.place)
+  k.pull = k.pull or vec.dot(k.up, k.bend)
   local G = vec.map(a.gravity, function(x, i) return c.constant("g" .. letters[i], x, "gravity, m/s^2") end)
   k.G = name("G", k.into(vec.matvec(k.back, G)), k.letters)
   k.weight = c.constant("weight", ratio.tidy(vec.dot(a.gravity, a.normal)), "gravity along the normal, m/s^2")
@@ -107,7 +108,7 @@ end
 
 -- nu = N/m, with which nu b is added to w0'.
 function touch.support(k, name, w0, b)
-  return name("push", { (-k.weight - vec.dot(k.up, k.bend) - vec.dot(w0, k.side)) / (1 + vec.dot(b, k.side)) })[1]
+  return name("push", { (-k.weight - k.pull - vec.dot(w0, k.side)) / (1 + vec.dot(b, k.side)) })[1]
 end
 
 -- m/I_i, a constant.

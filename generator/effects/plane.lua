@@ -100,9 +100,13 @@ function plane.lowest(a, c, k, name)
   local centre = constants(c, "centre", vec.sub(s.at, c.origin), "centre of the surface from the centre of mass,",
     ", m")
   local rim = c.constant("rim", s.rim, "radius of the sphere, or of the rounded edge, m")
-  local far = centre -- c - y
-  k.y, k.slope = surface.point(s, c, k.up, name)
-  if k.y then far = name("far_", vec.sub(centre, k.y)) end
+  local far, along = surface.revolved(s, c, centre, k.up, name)
+  if far then
+    k.moved = along
+  else
+    k.y, k.slope = surface.point(s, c, k.up, name)
+    far = k.y and name("far_", vec.sub(centre, k.y)) or centre -- c - y
+  end
   k.far, k.rim = far, rim
   k.r = name("arm_", vec.sub(far, vec.scale(rim, k.up)))
   k.centred = far[1] == expr.zero and far[2] == expr.zero and far[3] == expr.zero
@@ -124,7 +128,11 @@ local function same(v) return v end
 function plane.axes(c, k)
   local E1, E2 = vec.matvec(k.back, k.e1), vec.matvec(k.back, k.e2)
   k.w, k.into, k.out = c.w, same, same
-  k.side = vec.cross(k.far, k.up)
+  if k.moved then
+    k.place, k.side, k.pull = k.moved(c.w)
+  else
+    k.side = vec.cross(k.far, k.up)
+  end
   k.height = k.centred and k.rim or -vec.dot(k.up, k.r)
   function k.span(x1, x2) return vec.add(vec.scale(x1, E1), vec.scale(x2, E2)) end
   function k.reach()

@@ -6,6 +6,12 @@
 --     paraboloid   p = A^T g, s = (p1/p3, p2/p3):  A^T y = (a s1, b s2, -(a s1^2 + b s2^2)/2)
 --     support h    -A^T y = G + (h - n.G) n, with G the gradient of h and H its matrix of second derivatives:
 --                  (-A^T y)' = K + (h - n.G) n' - (n.K) n,  K = H n'      (any h that is right for n.n = 1)
+-- A sphere or an ellipsoid of revolution whose axis is the body's z has, with A = a^2, C = c^2, Q = g3' = g1 w2 - g2 w1
+-- and its centre c3 on that axis,
+--     far = centre - y = -A/root g + b z,  root^2 = A (g1^2 + g2^2) + C g3^2,  b = c3 - (C - A) g3/root
+--     k = e (g3 g - z) + b w x z,  e = A (C - A) Q/root^3,   far x g = b z x g
+--     g.(w x k) = k.(g x w) = b (w3 (g1 w1 + g2 w2) - g3 (w1^2 + w2^2)) - e Q
+-- in which the terms of y' have cancelled, and nothing is divided by rho.
 -- Bonnesen and Fenchel, Theory of Convex Bodies, 15 and 38.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -91,6 +97,42 @@ local function support(s, c, up, name)
     local K = name("bend_", vec.apply(H, d))
     local along = name("along", { rest == expr.zero and expr.zero or vec.dot(n, K) })[1]
     return out(vec.map(K, function(x, i) return -(x + rest * d[i] - along * n[i]) end))
+  end
+end
+
+-- Is it an ellipsoid of revolution about an axis z through the centre of mass, or a sphere with its centre on z and not
+-- there?
+local function turned(s, centre)
+  if s.paraboloid or s.support or centre[1] ~= expr.zero or centre[2] ~= expr.zero then return false end
+  if s.half[1] == expr.zero then return centre[3] ~= expr.zero end
+  return s.half[1] == s.half[2] and s.half[3] ~= expr.zero and s.axes[2] == expr.zero and s.axes[3] == expr.zero and
+    s.axes[4] == expr.zero
+end
+
+-- Of such a surface: far, and a function of w that gives k, far x g and g.(w x k); nil of any other.
+function surface.revolved(s, c, centre, up, name)
+  if not turned(s, centre) then return nil end
+  local A, C = s.half[1] ^ 2, s.half[3] ^ 2
+  local round = A == expr.zero
+  local far, b, over = centre, centre[3], nil
+  if not round then
+    local Bxx, Bzz = c.constant("Bxx", ratio.tidy(A), "matrix of the ellipsoid, xx, m^2"),
+      c.constant("Bzz", ratio.tidy(C), "matrix of the ellipsoid, zz, m^2")
+    over = name("over", { one / expr.sqrt(Bxx * (up[1] ^ 2 + up[2] ^ 2) + Bzz * up[3] ^ 2) })[1]
+    local x, z = name("wide", { Bxx * over })[1], name("over_z", { over * up[3] })[1]
+    far = name("far_", { -x * up[1], -x * up[2], centre[3] - Bzz * z })
+    b = name("offset", { centre[3] - c.constant("Bzz_Bxx", ratio.tidy(C - A), "Bzz - Bxx, m^2") * z })[1]
+  end
+  return far, function(w)
+    local e = expr.zero
+    local Q = name("sink", { up[1] * w[2] - up[2] * w[1] })[1]
+    if not round then
+      e = name("swing", { c.constant("Bturn", ratio.tidy(A * (C - A)), "Bxx (Bzz - Bxx), m^4") * Q * over ^ 3 })[1]
+    end
+    local lean = name("swing_z", { e * up[3] })[1]
+    local k = { lean * up[1] + b * w[2], lean * up[2] - b * w[1], -e * (up[1] ^ 2 + up[2] ^ 2) }
+    local along = w[3] * (up[1] * w[1] + up[2] * w[2]) - up[3] * (w[1] ^ 2 + w[2] ^ 2)
+    return k, { -b * up[2], b * up[1], expr.zero }, b * along - e * Q
   end
 end
 

@@ -199,6 +199,17 @@ for i, v in ipairs(scenes.variants) do
     list[#list + 1] = { body = "axial", effects = { otherwise(v) } }
   end
 end
+-- An ellipsoid of revolution and a sphere on the axis: their equations in the vectors g and z.
+for i, contact_of in ipairs { "rolling\"", "smooth\"", "sliding\", friction = { viscous = 0.2 }" } do
+  for _, body in ipairs { "axial", "diagonal" } do
+    for _, text in ipairs { "ellipsoid { a = 2, b = 2, c = 2.3, at = {0, 0, 0.2} }",
+      "sphere { r = 2, at = {0, 0, 0.2} }" } do
+      list[#list + 1] = { body = body, effects = { { name = "revolved_" .. text:match "%a+", effect = "plane", where = "plane",
+        text = function() return "surface = contact." .. text .. ", law = \"" .. contact_of ..
+          (i == 1 and ", turntable = 0.3" or "") end } } }
+    end
+  end
+end
 -- Every second scene; POLHODE_PLANE=all: all of them, in 65 s.
 local some = {}
 for i = 1, #list, os.getenv "POLHODE_PLANE" == "all" and 1 or 2 do some[#some + 1] = list[i] end
