@@ -27,7 +27,8 @@ function touchOf(code, facts, contact) {
 
 // A motion on a plane ends where N is not positive: cuts its samples there and notes the time as `lost`.  Returns false
 // where no motion is left.
-function keepContact(motion) {
+function keepContact(motion, flies) {
+  if (flies) return true;
   const i = motion.samples.findIndex((s) => s.touch && !(s.touch.N > 0));
   if (i < 0) return true;
   motion.lost = motion.samples[i].t;
