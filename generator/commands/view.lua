@@ -123,9 +123,10 @@ end
 
 -- The motion as binary glTF: of the body's places those that the scene has, in space or on a plane, while it touches.
 local function animation(host, scene, given, inputs)
-  local rows, failure = recorded.rows(host, scene, given, inputs)
+  local rows, failure, ended = recorded.rows(host, scene, given, inputs)
   if not rows then return run.refuse(host, failure, nil, "view") end
-  local o = { name = scene.model.name, version = "polhode " .. scene.build, shape = solid.corners(scene), times = {},
+  if ended then host.err("warning: " .. ended .. ": the file ends there\n") end
+  local o = { name = scene.model.name, version = "polhode " .. scene.build, shape = solid.corners(given.ground or scene), times = {},
     attitude = {} }
   local at, plane = { attitude = {}, position = {} }, #rows[1] > #scene.states + 5 and #scene.states + 6
   for i, s in ipairs(scene.states) do
@@ -139,7 +140,7 @@ local function animation(host, scene, given, inputs)
     return out
   end
   for i, row in ipairs(rows) do
-    if plane and row[plane] <= 0 then
+    if plane and row[plane] <= 0 and not given.ground then
       host.err("warning: contact is lost before t = " .. times.number(row[1]) .. " s: the file ends there\n")
       break
     end
@@ -150,6 +151,7 @@ local function animation(host, scene, given, inputs)
   return options.write(host, "view", given.o or scene.model.name .. ".glb", gltf.binary(o))
 end
 
+-- scene: of a body that flies and lands that in the air; its shape is the same in both.
 local function played(host, scene, given)
   local said, inputs = input_file.of(host, scene, given)
   if not said then return options.wrong(host, "view", inputs) end
@@ -157,8 +159,8 @@ local function played(host, scene, given)
   local motion, failure = recorded.of(host, scene, given, inputs)
   if not motion then return run.refuse(host, failure, nil, "view") end
   local known = facts.of(scene)
-  known.recorded = motion
-  local status = written(host, scene, given, known, nil)
+  known.recorded, known.horizon = motion, motion.finish
+  local status = written(host, given.ground or scene, given, known, nil)
   for _, w in ipairs(status == 0 and said or {}) do host.err("warning: " .. w) end
   return status
 end
@@ -214,7 +216,7 @@ function view.run(host, given)
   local flight
   if scene.record.flies then flight, d, why = bounce.scene(scene, given) end
   if scene.record.flies and not flight then return options.refuse(host, d, why) end
-  if given.trajectory then return played(host, scene, given, flight) end
+  if given.trajectory then return played(host, flight or scene, given) end
   return live(host, scene, given, flight)
 end
 

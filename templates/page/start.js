@@ -94,7 +94,8 @@ async function start() {
     const made = motionOf(code, SLOT.first, x, choiceOf("first"), page.until, count);
     if (!made && facts.ground) return refuse("The body begins below the plane.");
     if (!made) return refuse("The closed form refuses this state: the attitude or a rate is out of range.");
-    if (!keepContact(made, Boolean(facts.ground)))
+    if (facts.plane && facts.plane.disc && live) keepUpright(made, places, facts);
+    if (!keepContact(made, facts.plane))
       return refuse("The plane does not carry the body here: it pulls it, or they touch in more than one point.");
     const bad = made.samples.find((s) => !s.sound);
     refuse(bad ? "The numbers become infinite at t = " + shown(bad.t) + " s: a smaller step helps." : "");
@@ -129,6 +130,8 @@ async function start() {
         made.events.length + " in all)" : "") + ".";
     }
     if (made.cut) return "Only " + MOST_STEPS + " steps are computed: t ends early.";
+    if (made.flat) return made.flat + " at t = " + shown(made.end) + " s: the motion ends there.";
+    if (!live && facts.recorded.ended) return facts.recorded.ended + " at t = " + shown(made.end) + " s.";
     if (!live) return "A computed motion of " + facts.recorded.count + " rows: nothing can be changed in this page.";
     if (drawing.fixed) return "The picture keeps the shape of the scene's own parameters.";
     return facts.plane && page.body.ellipsoid ?

@@ -108,17 +108,6 @@ local function looked(look, finish, step)
   return sampling.adaptive(look, finish)
 end
 
--- What ends the motion of a body on a plane, an event with its row; nil if nothing does; or false and a failure.
-local function lost(host, job, motion, finish, inputs)
-  local step, ends = motion.step or job.model:double(job.model.step), {}
-  for _, e in ipairs(events.of(job)) do ends[#ends + 1] = (e.reaction or e.said) and e or nil end
-  if #ends == 0 then return nil end
-  local function solve(ts) return motion.solve(ts, {}) end
-  local found, failure = events.find(host, job, motion, solve, finish, step, inputs, ends)
-  if not found then return false, failure end
-  return found[1]
-end
-
 -- The motion by the first method, or nil and a failure as run.engines has it, or a message in its place.
 local function engine_of(given)
   return bounce.engine(given.engine == "generated" and engines.generated or engines.general)
@@ -182,7 +171,7 @@ function course.compute(host, job, given, inputs)
     motions[n], step = motion, step or motion.step
   end
   local c = of_scene(job, given)
-  local when, failure = lost(host, job, motions[1], finish, inputs)
+  local when, failure = events.ending(host, job, motions[1], finish, inputs)
   if when == false then return nil, failure end
   if when then
     finish = when.row.t

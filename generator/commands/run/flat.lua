@@ -117,4 +117,13 @@ function flat.events(job, plane)
   return { settled, fallen }
 end
 
+-- The numbers of the laws for a page: {pull, off = k for w_n = 0, and what w_n^2 takes of it, ratio, rolls, step}; nil of
+-- what is no disc.
+function flat.numbers(job, plane)
+  local d = disc_of(job, plane)
+  if not d or d.lever <= 0 then return nil end
+  local per = d.mass * d.lever / d.J
+  return { pull = d.G * per, off = d.high * per, ratio = d.reach / d.lever, rolls = d.rolls, step = d.step }
+end
+
 return flat
