@@ -259,7 +259,8 @@ function events.find(host, job, course, solve, finish, step, inputs, asked)
   return out
 end
 
--- What ends the motion of a body on a plane, an event with its row (a state); nil if nothing does; or false and a failure.
+-- What ends the motion of a body on a plane, an event with its row (a state); nil if nothing does; or false and a
+-- failure.
 function events.ending(host, job, course, finish, inputs)
   local step, ends = course.step or job.model:double(job.model.step), {}
   for _, e in ipairs(events.of(job)) do ends[#ends + 1] = (e.reaction or e.said) and e or nil end

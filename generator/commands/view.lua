@@ -116,7 +116,8 @@ end
 
 -- Writes a page: its facts, and the code that it runs or nil; ground: of a body that flies and lands that on the plane.
 local function written(host, scene, given, known, wasm, ground)
-  local html = page.html(host.templates, host.sha256, { facts = known, shape = solid.of(scene), code = wasm, ground = ground,
+  local html = page.html(host.templates, host.sha256, { facts = known, shape = solid.of(scene), code = wasm,
+    ground = ground,
     formulas = facts.formulas(scene) })
   return options.write(host, "view", given.o or scene.model.name .. ".html", html)
 end
@@ -126,7 +127,8 @@ local function animation(host, scene, given, inputs)
   local rows, failure, ended = recorded.rows(host, scene, given, inputs)
   if not rows then return run.refuse(host, failure, nil, "view") end
   if ended then host.err("warning: " .. ended .. ": the file ends there\n") end
-  local o = { name = scene.model.name, version = "polhode " .. scene.build, shape = solid.corners(given.ground or scene), times = {},
+  local o = { name = scene.model.name, version = "polhode " .. scene.build,
+    shape = solid.corners(given.ground or scene), times = {},
     attitude = {} }
   local at, plane = { attitude = {}, position = {} }, #rows[1] > #scene.states + 5 and #scene.states + 6
   for i, s in ipairs(scene.states) do
@@ -184,7 +186,8 @@ local function live(host, scene, given, flight)
   if not flight then return written(host, scene, given, facts.compiled(scene, own.plan, own.unit), own.wasm) end
   local air, wrong = built(host, flight, given, list, true)
   if not air then return wrong end
-  local known = facts.phases(facts.compiled(flight, air.plan, air.unit), facts.compiled(scene, own.plan, own.unit), scene)
+  local known = facts.phases(facts.compiled(flight, air.plan, air.unit),
+    facts.compiled(scene, own.plan, own.unit), scene)
   return written(host, scene, given, known, air.wasm, own.wasm)
 end
 

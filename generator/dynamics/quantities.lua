@@ -265,7 +265,8 @@ function quantities.contact(eq)
     if e.spec.touches and e.a.surface.disc then
       table.move({ "A disc that lies flat touches the plane in a line.  There is no motion from there: N is not a",
         "number then, nor are the rates and what a step makes of x; a run from there returns -1 and", "leaves x. " ..
-        " So ask for !(N > 0) before a step: it is true where contact is lost, and for a flat disc." }, 1, 3, #doc + 1, doc)
+        " So ask for !(N > 0) before a step: it is true where contact is lost, and for a flat disc." },
+        1, 3, #doc + 1, doc)
     end
   end
   groups[#groups + 1] = group("the reaction, and the centre of mass above the contact point", {}, results)

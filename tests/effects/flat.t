@@ -2,8 +2,8 @@
 -- flat.t - a disc that lies flat: when a run says so, what the emitted code does there, and what is not flat.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- Falls from rest go about one line: their time is an integral of the energy's law.  Discs with losses: every engine and
--- method ends at the same time, where the law of docs/plane.md, written down here once more, holds.
+-- Falls from rest go about one line: their time is an integral of the energy's law.  Discs with losses: every engine
+-- and method ends at the same time, where the law of docs/plane.md, written down here once more, holds.
 
 package.path = "./?.lua;" .. package.path
 

@@ -59,7 +59,7 @@ local function fall(d, x)
   local g, _, w = tilted(d, x)
   local n = vec.dot(g, w)
   local k = d.mass * (d.G - (d.rolls and n * n * d.high or 0.0)) * d.lever / d.J
-  if not (k > 0) then return 1.0 end
+  if k <= 0 then return 1.0 end
   local top = math.sqrt(g[1] ^ 2 + g[2] ^ 2) * d.reach / d.lever + (w[1] ^ 2 + w[2] ^ 2) / (2 * k)
   return math.sqrt(2 * top / k) / d.step - 1
 end
@@ -68,7 +68,7 @@ end
 local function ahead(d, x)
   local g, rate = tilted(d, x)
   local s, speed = math.sqrt(g[1] ^ 2 + g[2] ^ 2), math.sqrt(rate[1] ^ 2 + rate[2] ^ 2)
-  if not (speed > 0) then return s, math.huge, s end
+  if speed <= 0 then return s, math.huge, s end
   return s, -(g[1] * rate[1] + g[2] * rate[2]) / speed ^ 2, math.abs(g[1] * rate[2] - g[2] * rate[1]) / speed
 end
 
@@ -78,7 +78,7 @@ local function approach(d, course, at)
   for _ = 1, 60 do
     local s, left = ahead(d, at.x)
     local t = at.t + left / 2
-    if s <= 2 * near or not (t > at.t) then break end
+    if s <= 2 * near or t <= at.t then break end
     local list = course.solve({ t }, { from = at })
     if not list then break end
     at = list[1]
@@ -89,7 +89,7 @@ end
 -- How many steps of the grid may be had before it is looked for again: fewer, the nearer the disc is to flat.
 local function steps(d, x, step)
   local _, left = ahead(d, x)
-  if not (left > 0) then return longest end
+  if left <= 0 then return longest end
   return math.floor(math.max(1, math.min(longest, left / step / 2)))
 end
 
@@ -117,8 +117,8 @@ function flat.events(job, plane)
   return { settled, fallen }
 end
 
--- The numbers of the laws for a page: {pull, off = k for w_n = 0, and what w_n^2 takes of it, ratio, rolls, step}; nil of
--- what is no disc.
+-- The numbers of the laws for a page: {pull, off = k for w_n = 0, and what w_n^2 takes of it, ratio, rolls, step};
+-- nil of what is no disc.
 function flat.numbers(job, plane)
   local d = disc_of(job, plane)
   if not d or d.lever <= 0 then return nil end

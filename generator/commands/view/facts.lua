@@ -81,7 +81,8 @@ end
 
 -- Of a body that flies and lands: what is known of it in the air, with what is known of it on the plane.
 function facts.phases(air, plane, scene)
-  air.ground, air.effects, air.closed, air.exact = { states = plane.states, checks = #plane.checks }, {}, plane.closed, false
+  air.ground, air.effects = { states = plane.states, checks = #plane.checks }, {}
+  air.closed, air.exact = plane.closed, false
   for i, s in ipairs(scene.states) do
     if s.effect and s.key then air.ground.states[i].own = s.key end
   end

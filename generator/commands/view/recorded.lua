@@ -51,15 +51,16 @@ local function wanted(scene, rows, finish)
 end
 
 -- The rows {t, states, energy, L, with a plane N, centre of mass and contact point}, the method, and what is said of an
--- end before the horizon; or nil and a failure.  given: the command's, its ground that of bounce.lua; inputs: over time,
--- or nil.
+-- end before the horizon; or nil and a failure.  given: the command's, its ground that of bounce.lua; inputs: over
+-- time, or nil.
 function recorded.rows(host, scene, given, inputs)
   local method, finish = (given.method or {})[1], scene.model:double(scene.model.horizon)
-  local motion, failure = bounce.engine(engines.general)(host, scene, { method = method, ground = given.ground }, inputs)
+  local motion, failure = bounce.engine(engines.general)(host, scene, { method = method, ground = given.ground },
+    inputs)
   if not motion then return nil, failure end
-  local touching, ending = touch.of(host, scene, given.ground), nil
-  ending, failure = events.ending(host, scene, motion, finish, inputs)
-  if ending == false then return nil, failure end
+  local touching = touch.of(host, scene, given.ground)
+  local ending, wrong = events.ending(host, scene, motion, finish, inputs)
+  if ending == false then return nil, wrong end
   local flat = ending and ending.event.said and ending or nil -- where contact is lost the rows show it
   if flat then finish = flat.row.t end
   local rows
@@ -77,7 +78,8 @@ function recorded.of(host, scene, given, inputs)
   local all = {}
   for _, row in ipairs(rows) do table.move(row, 1, #row, #all + 1, all) end
   local f = facts.of(scene)
-  return { ended = ended, finish = rows[#rows][1], method = method, count = #rows, rows = bytes.doubles(all), mass = f.mass_number,
+  return { ended = ended, finish = rows[#rows][1], method = method, count = #rows,
+    rows = bytes.doubles(all), mass = f.mass_number,
     com = f.arm_number, inertia = f.inertia_number, moments = f.moments, axes = f.axes }
 end
 
