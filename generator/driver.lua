@@ -105,7 +105,8 @@ local function opened(host, file, text, options)
     return nil, d, "--phase " .. options.phase .. ": the scene has no effect.plane with impact"
   end
   if record.flies and not options.phase then
-    d:warn(record.line, "scene", "is that of the body on the plane: polhode run and plot follow it into the air, " ..
+    d:warn(record.line, "scene", "is that of the body on the plane: polhode run, plot and view follow it into the " ..
+      "air, " ..
       "--phase flight of gen and explain is the scene in the air")
   end
   local scene = stages.open "scene"

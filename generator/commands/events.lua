@@ -6,12 +6,14 @@
 -- by 32 and then by 512 at a time; where that misses it is cut into `parts` again.  The last piece, some 1e-8 of the
 -- interval, goes by the chord.  The chord's error is that squared, times g''/(2 g') of the expression g: below the
 -- rounding of t unless the crossing is all but tangential.
+-- Where a disc may lie flat the motion is had in short pieces, for it gets ever slower from there on.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
 local motion = require "generator.algebra.motion"
 local contact = require "generator.dynamics.contact"
+local flat = require "generator.commands.run.flat"
 local touch = require "generator.commands.run.touch"
 
 local events = {}
@@ -19,13 +21,17 @@ local events = {}
 local most, parts, rounds, narrow = 100000, 16, 14, 2.0 ^ -28
 local piece = 4096 -- of the grid
 
--- The events of a scene: its own, and the loss of contact with a plane, which ends the run.  reaction: its value is N,
--- which the library computes from the state.
+-- The events of a scene: its own, and what ends the run of a body on a plane: the loss of contact, and that a disc lies
+-- flat (flat.lua).  reaction: its value is N, which the library computes from the state.
 function events.of(job)
   local plane, list = contact.of(job.model), job.record.events
-  if not plane then return list end
+  local flies = not plane and job.record.landing
+  if not plane and not flies then return list end
   list = { table.unpack(list) }
-  list[#list + 1] = { name = "contact_lost", direction = -1, stop = true, line = plane.line, reaction = true }
+  if plane then
+    list[#list + 1] = { name = "contact_lost", direction = -1, stop = true, line = plane.line, reaction = true }
+  end
+  for _, e in ipairs(flat.events(job, plane or flies)) do list[#list + 1] = e end
   return list
 end
 
@@ -50,6 +56,7 @@ local function valuer(host, job, course)
       local c = touching(at.t, at.x, course)
       return c and c[1] or nil
     end
+    if e.value then return e.value(at) end
     env.t = at.t
     for i, s in ipairs(job.states) do env[s.name] = at.x[i] end
     local g = evaluate.double(e.when, env)
@@ -77,7 +84,7 @@ end
 local function narrowed(list, solve, value)
   local times, wanted, open = {}, {}, {}
   for _, c in ipairs(list) do
-    local at = c.b - c.a > narrow * c.whole and points(c) or {}
+    local at = not c.at and c.b - c.a > narrow * c.whole and points(c) or {}
     if #at > 0 then open[#open + 1] = { c, at } end
     for _, t in ipairs(at) do
       if not wanted[t] then times[#times + 1], wanted[t] = t, true end
@@ -107,25 +114,76 @@ local function narrowed(list, solve, value)
 end
 
 -- Where signs change between two times of the grid: brackets {a, b, ga, gb, event} for the list.  seen: of each event
--- the last time and value that was not 0, from piece to piece.
+-- the last time and value that was not 0, from piece to piece, and a bracket of one that `stays` until the next time.
 local function changes(asked, states, value, seen, list)
   for _, e in ipairs(asked) do
     local last = seen[e] or {}
     for _, s in ipairs(states) do
       local g = value(e, s)
       if g and g ~= 0 then
-        local ga = last.g
+        local ga, waiting, c = last.g, last.waiting, nil
         if ga and (g > 0) ~= (ga > 0) and e.direction * g >= 0 then
-          list[#list + 1] = { a = last.t, b = s.t, ga = ga, gb = g, event = e, whole = s.t - last.t,
+          c = { a = last.t, b = s.t, ga = ga, gb = g, event = e, whole = s.t - last.t,
             size = math.max(math.abs(ga), math.abs(g)) }
         end
-        last = { t = s.t, g = g }
+        if c and not e.stays then list[#list + 1] = c end
+        if waiting and (g > 0) == (waiting.gb > 0) then list[#list + 1] = waiting end
+        last = { t = s.t, g = g, waiting = e.stays and c or nil }
       elseif not g then
         last = {}
       end
     end
     seen[e] = last
   end
+end
+
+-- An event at a state of its own, or so much before as the motion from the start needs that comes to it by other steps.
+local function instant(e, course, at)
+  local t, back = at.t, 4 * course.epsilon * at.t
+  while not course.solve({ t }, {}) and back < t do t, back = t - back, 2 * back end
+  return { at = t, a = t, b = t, ga = 0.0, gb = 0.0, whole = 1.0, size = 0.0, event = e }
+end
+
+-- The event of the disc that lies flat within what is left of the motion at a state, if there is one: a bracket.
+local function nearby(asked, course, at, step)
+  for _, e in ipairs(asked) do
+    if e.meets and e.meets(at, 2 * step, course.epsilon) then return instant(e, course, e.approach(course, at)) end
+  end
+  return nil
+end
+
+-- The last state before the motion fails after `last` at t, and how far from it the motion fails.
+local function reached(course, last, t)
+  local back, failed = 2 * course.epsilon * t, t
+  for _ = 1, 60 do
+    if t - back <= last.t then break end
+    local list, why = course.solve({ t - back }, { from = last })
+    if list then return list[1], failed - list[1].t end
+    failed = why.t or t - back
+    t, back = math.min(t, failed), 2 * back
+  end
+  return last, failed - last.t
+end
+
+-- Where the motion fails between `last` and the times of the grid: the list, if an event that stops it comes before.
+local function failing(asked, course, value, why, grid, last, seen, list)
+  local times, stops = {}, false
+  for _, t in ipairs(grid) do
+    if t < (why.t or 0) then times[#times + 1] = t end
+  end
+  local states = #times > 0 and course.solve(times, { from = last }) or {}
+  changes(asked, states, value, seen, list)
+  last = states[#states] or last
+  for _, e in ipairs(asked) do
+    list[#list + 1] = seen[e] and seen[e].waiting
+    if e.within and last and why.t and why.t > last.t then
+      local at, tick = reached(course, last, why.t)
+      if e.within(at, tick) then list[#list + 1] = instant(e, course, at) end
+    end
+  end
+  for _, c in ipairs(list) do stops = stops or c.event.stop end
+  if stops then return list end
+  return nil, why
 end
 
 -- The reaction at the start where it is negative, or nil.
@@ -140,11 +198,14 @@ end
 -- The brackets of the whole motion, from piece to piece, so that not all of its states are there at once.
 local function brackets(asked, course, value, finish, step)
   local n, list, seen, last = math.max(1, math.min(most, math.ceil(finish / step))), {}, {}, nil
-  for first = 0, n, piece do
+  local first, size, disc = 0, piece, nil
+  for _, e in ipairs(asked) do disc = e.size and e or disc end
+  if disc then size = 1 end
+  while first <= n do
     local grid = {}
-    for i = first, math.min(first + piece - 1, n) do grid[#grid + 1] = i == n and finish or finish * (i / n) end
+    for i = first, math.min(first + size - 1, n) do grid[#grid + 1] = i == n and finish or finish * (i / n) end
     local states, why = course.solve(grid, { from = last })
-    if not states then return nil, why end
+    if not states then return failing(asked, course, value, why, grid, last, seen, list) end
     last = states[#states]
     local pulled = first == 0 and pull(asked, states[1], value)
     if pulled then
@@ -152,6 +213,9 @@ local function brackets(asked, course, value, finish, step)
         "(effect.plane has impact for bodies that fly)", pulled) }
     end
     changes(asked, states, value, seen, list)
+    list[#list + 1] = disc and last.t < finish and nearby(asked, course, last, finish / n) or nil
+    if #list > 0 and list[#list].event.said then break end
+    first, size = first + size, disc and disc.size(last, finish / n) or size
   end
   return list
 end
@@ -171,7 +235,7 @@ function events.find(host, job, course, solve, finish, step, inputs, asked)
   end
   local zeros = {}
   for i, c in ipairs(list) do
-    c.t, c.place = c.a + (c.b - c.a) * (c.ga / (c.ga - c.gb)), i
+    c.t, c.place = c.at or c.a + (c.b - c.a) * (c.ga / (c.ga - c.gb)), i
     if math.min(math.abs(c.ga), math.abs(c.gb)) <= c.size then zeros[#zeros + 1] = c end -- else a pole
   end
   list = zeros
@@ -193,6 +257,18 @@ function events.find(host, job, course, solve, finish, step, inputs, asked)
     out[i] = { event = list[i].event, row = rows[k] }
   end
   return out
+end
+
+-- What ends the motion of a body on a plane, an event with its row (a state); nil if nothing does; or false and a
+-- failure.
+function events.ending(host, job, course, finish, inputs)
+  local step, ends = course.step or job.model:double(job.model.step), {}
+  for _, e in ipairs(events.of(job)) do ends[#ends + 1] = (e.reaction or e.said) and e or nil end
+  if #ends == 0 then return nil end
+  local function solve(ts) return course.solve(ts, {}) end
+  local found, failure = events.find(host, job, course, solve, finish, step, inputs, ends)
+  if not found then return false, failure end
+  return found[1]
 end
 
 return events

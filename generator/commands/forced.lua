@@ -19,9 +19,10 @@ end
 -- The library gets the tensor that the emitted code returns, but for a rod, which a rounded one is no more, and for a
 -- heavy top, whose centre of mass counts.
 -- Of a ball on a plane the place counts, too, by how far it went.
--- Up to a hundred turns (a ball that a slope or a turntable drives: four) at the pace of the motion, w and w'/w together; where the rates grow, until they are e^4 times
--- what they were.  Bound: 18 units of the last place are promised of the emitted code, 1e-12 is what the series' steps
--- of 1e-15 have grown to; to each phase the roundings of the constants and of the time are added, 4 units.
+-- Up to a hundred turns (a ball that a slope or a turntable drives: four) at the pace of the motion, w and w'/w
+-- together; where the rates grow, until they are e^4 times what they were.  Bound: 18 units of the last place are
+-- promised of the emitted code, 1e-12 is what the series' steps of 1e-15 have grown to; to each phase the roundings of
+-- the constants and of the time are added, 4 units.
 local function worst_of(host, job, plugin, epsilon, scale, s, x0)
   if not job.model.structure.rod and job.closed.kind ~= "lagrange" then
     local I, mass = plugin:inertia(), host.mass(s)

@@ -101,17 +101,12 @@ local function chosen(list, longer, rows)
   return out
 end
 
--- The events of the scene up to the last of the times, or nil and the failure.  failure: of the rows; then an event
--- that stops the run before is looked for.
-local function happened(host, job, given, motion, solve, list, failure)
-  local finish, stops = 0, not failure
-  local step = given.step or job.model:double(job.model.step)
+-- The events of the scene up to the last of the times, or nil and the failure.
+local function happened(host, job, given, motion, solve, list)
+  local finish = 0
   for _, t in ipairs(list) do finish = math.max(finish, t) end
-  for _, e in ipairs(events.of(job)) do stops = stops or e.stop end
-  if failure then finish = math.min(finish, (failure.t or 0) - step) end
-  if #events.of(job) == 0 or finish <= 0 or not stops then return {} end
-  local found, wrong = events.find(host, job, motion, solve, finish, step, given.course)
-  return found, failure or wrong
+  if #events.of(job) == 0 or finish <= 0 then return {} end
+  return events.find(host, job, motion, solve, finish, given.step or job.model:double(job.model.step), given.course)
 end
 
 local function before(list, stop)
@@ -147,15 +142,16 @@ local function computed(host, job, given, motion, list, warnings)
     local rows, states = solve(longer)
     return rows and chosen(wanted, longer, rows), states
   end
-  local rows, states = table_at(list)
-  local found, wrong = happened(host, job, given, motion, solve, list, not rows and states)
+  local found, wrong = happened(host, job, given, motion, solve, list)
   if not found then return nil, wrong end
-  if motion.phases then found = with_phases(motion, found, list, solve) end
   local last = found[#found]
-  if last and last.event.stop then
-    list = before(list, last.row.t)
-    rows, states = table_at(list)
-    if rows then rows[#rows] = last.row end
+  last = last and last.event.stop and last or nil
+  if motion.phases then found = with_phases(motion, found, list, solve) end
+  if last then list = before(list, last.row.t) end
+  local rows, states = table_at(list)
+  if rows and last then rows[#rows] = last.row end
+  if last and last.event.said then
+    warnings[#warnings + 1] = string.format("%s at t = %.9g s; the run ends there\n", last.event.said, last.row.t)
   end
   if not rows then return nil, states end
   warnings[#warnings + 1] = idle(motion, given, list)

@@ -11,6 +11,7 @@ local options = require "generator.commands.options"
 local recorded = require "generator.commands.view.recorded"
 local solid = require "generator.commands.view.solid"
 local run = require "generator.commands.run"
+local bounce = require "generator.commands.run.bounce"
 local driver = require "generator.driver"
 local methods = require "generator.methods.methods"
 local gltf = require "generator.page.gltf"
@@ -52,19 +53,23 @@ local WITHOUT = "--trajectory makes a page that plays a computed motion without 
 -- Methods whose steps the scene takes; each is asked alone, for one that is not possible is an error of a plan.
 local usual = { "rk4", "adaptive", "midpoint", "semi", "split2", "split4" }
 
-local function plan_with(scene, given, list)
-  local names = scene.closed.full and { "exact" } or {}
+-- bare: without the closed form.
+local function plan_with(scene, given, list, bare)
+  local names = scene.closed.full and not bare and { "exact" } or {}
   for _, name in ipairs(list) do names[#names + 1] = name end
   return driver.plan(scene, { real = given.real, methods = names, libm = "own", command = "polhode view" })
 end
 
-local function planned(scene, given)
-  if given.method then return plan_with(scene, given, given.method) end
+-- The methods of a page for all of the scenes: those that are asked for, or the usual ones that each takes.
+local function chosen(scenes, given)
+  if given.method then return given.method end
   local list = {}
   for _, name in ipairs(usual) do
-    if name == "rk4" or plan_with(scene, given, { name }) then list[#list + 1] = name end
+    local taken = true
+    for _, scene in ipairs(name == "rk4" and {} or scenes) do taken = taken and plan_with(scene, given, { name }) end
+    if taken then list[#list + 1] = name end
   end
-  return plan_with(scene, given, list)
+  return list
 end
 
 -- What is wrong with the names of --method, or nil.
@@ -109,18 +114,21 @@ local function compiled(host, unit)
   return nil, "the page's code does not compile:\n" .. said
 end
 
--- Writes a page: its facts, and the code that it runs or nil.
-local function written(host, scene, given, known, wasm)
+-- Writes a page: its facts, and the code that it runs or nil; ground: of a body that flies and lands that on the plane.
+local function written(host, scene, given, known, wasm, ground)
   local html = page.html(host.templates, host.sha256, { facts = known, shape = solid.of(scene), code = wasm,
+    ground = ground,
     formulas = facts.formulas(scene) })
   return options.write(host, "view", given.o or scene.model.name .. ".html", html)
 end
 
 -- The motion as binary glTF: of the body's places those that the scene has, in space or on a plane, while it touches.
 local function animation(host, scene, given, inputs)
-  local rows, failure = recorded.rows(host, scene, given, inputs)
+  local rows, failure, ended = recorded.rows(host, scene, given, inputs)
   if not rows then return run.refuse(host, failure, nil, "view") end
-  local o = { name = scene.model.name, version = "polhode " .. scene.build, shape = solid.corners(scene), times = {},
+  if ended then host.err("warning: " .. ended .. ": the file ends there\n") end
+  local o = { name = scene.model.name, version = "polhode " .. scene.build,
+    shape = solid.corners(given.ground or scene), times = {},
     attitude = {} }
   local at, plane = { attitude = {}, position = {} }, #rows[1] > #scene.states + 5 and #scene.states + 6
   for i, s in ipairs(scene.states) do
@@ -134,7 +142,7 @@ local function animation(host, scene, given, inputs)
     return out
   end
   for i, row in ipairs(rows) do
-    if plane and row[plane] <= 0 then
+    if plane and row[plane] <= 0 and not given.ground then
       host.err("warning: contact is lost before t = " .. times.number(row[1]) .. " s: the file ends there\n")
       break
     end
@@ -145,6 +153,7 @@ local function animation(host, scene, given, inputs)
   return options.write(host, "view", given.o or scene.model.name .. ".glb", gltf.binary(o))
 end
 
+-- scene: of a body that flies and lands that in the air; its shape is the same in both.
 local function played(host, scene, given)
   local said, inputs = input_file.of(host, scene, given)
   if not said then return options.wrong(host, "view", inputs) end
@@ -152,20 +161,34 @@ local function played(host, scene, given)
   local motion, failure = recorded.of(host, scene, given, inputs)
   if not motion then return run.refuse(host, failure, nil, "view") end
   local known = facts.of(scene)
-  known.recorded = motion
-  local status = written(host, scene, given, known, nil)
+  known.recorded, known.horizon = motion, motion.finish
+  local status = written(host, given.ground or scene, given, known, nil)
   for _, w in ipairs(status == 0 and said or {}) do host.err("warning: " .. w) end
   return status
 end
 
-local function live(host, scene, given)
-  local plan, d = planned(scene, given)
-  if not plan then return options.refuse(host, d) end
+-- Plan, unit and WebAssembly of a scene; or nil and the exit status.
+local function built(host, scene, given, list, bare)
+  local plan, d = plan_with(scene, given, list, bare)
+  if not plan then return nil, options.refuse(host, d) end
   local unit = driver.files(plan, { plugin = { page = true } })
-  if not unit then return options.refuse(host, plan.diag) end
+  if not unit then return nil, options.refuse(host, plan.diag) end
   local wasm, why = compiled(host, unit)
-  if not wasm then return options.failed(host, "view", why) end
-  return written(host, scene, given, facts.compiled(scene, plan, unit), wasm)
+  if not wasm then return nil, options.failed(host, "view", why) end
+  return { plan = plan, unit = unit, wasm = wasm }
+end
+
+-- flight: of a body that flies and lands the scene in the air, scene then being that on the plane.
+local function live(host, scene, given, flight)
+  local list = chosen({ scene, flight }, given)
+  local own, status = built(host, scene, given, list)
+  if not own then return status end
+  if not flight then return written(host, scene, given, facts.compiled(scene, own.plan, own.unit), own.wasm) end
+  local air, wrong = built(host, flight, given, list, true)
+  if not air then return wrong end
+  local known = facts.phases(facts.compiled(flight, air.plan, air.unit),
+    facts.compiled(scene, own.plan, own.unit), scene)
+  return written(host, scene, given, known, air.wasm, own.wasm)
 end
 
 -- Why a motion cannot be shown in space and what can be done, or nil.  name: the scene as the command line has it.
@@ -193,7 +216,11 @@ function view.run(host, given)
   why = shapeless(scene.model, given[1])
   if why then return options.failed(host, "view", why) end
   options.warn(host, scene.diag)
-  return (given.trajectory and played or live)(host, scene, given)
+  local flight
+  if scene.record.flies then flight, d, why = bounce.scene(scene, given) end
+  if scene.record.flies and not flight then return options.refuse(host, d, why) end
+  if given.trajectory then return played(host, flight or scene, given) end
+  return live(host, scene, given, flight)
 end
 
 return view

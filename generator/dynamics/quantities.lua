@@ -259,11 +259,19 @@ function quantities.contact(eq)
   local results = outs("com", eq.touch.com)
   for _, o in ipairs(outs("velocity", eq.touch.velocity)) do results[#results + 1] = o end
   results[7] = { result = true, expr = context.mass(eq.model) * eq.touch.push }
+  local doc = { "The reaction N of the plane, N: the force along its normal.  The motion is that of a body",
+    "on the plane as long as N > 0.  com, velocity: of the centre of mass, inertial axes, m and m/s." }
+  for _, e in ipairs(eq.model.record.effects) do
+    if e.spec.touches and e.a.surface.disc then
+      table.move({ "A disc that lies flat touches the plane in a line.  There is no motion from there: N is not a",
+        "number then, nor are the rates and what a step makes of x; a run from there returns -1 and", "leaves x. " ..
+        " So ask for !(N > 0) before a step: it is true where contact is lost, and for a flat disc." },
+        1, 3, #doc + 1, doc)
+    end
+  end
   groups[#groups + 1] = group("the reaction, and the centre of mass above the contact point", {}, results)
   return { name = "contact", args = { "m", "t", "x", "u", array("com", 3, true), array("velocity", 3, true) },
-    result = true, doc = { "The reaction N of the plane, N: the force along its normal.  The motion is that of a body",
-      "on the plane as long as N > 0.  com, velocity: of the centre of mass, inertial axes, m and m/s." },
-    groups = groups }
+    result = true, doc = doc, groups = groups }
 end
 
 -- One step by a method that is written as equation groups, as the function `name`.

@@ -1,20 +1,19 @@
 -- steady.lua -- steady rolling of a body of revolution at any tilt, and how it nods about it.
 --
--- theta: the body's axis k from the normal, s and c its sine and cosine; t across the axis in the plane of both, so that
--- the normal is s t + c k; n the precession, w the rate about the axis.  The contact is r = x t + y k, and moves by
--- rho (-c t + s k) dtheta over the body, rho the radius of curvature.
+-- theta: the body's axis k from the normal, s and c its sine and cosine; t across the axis in the plane of both, so
+-- that the normal is s t + c k; n the precession, w the rate about the axis.  The contact is r = x t + y k, and moves
+-- by rho (-c t + s k) dtheta over the body, rho the radius of curvature.
 -- Height h = -(x s + y c), its slope b = y s - x c; the centre moves at v = n s y - w x along t x k.  Rolling gives
 --     (I1 + m r^2) theta'' = M = I1 n^2 s c - I3 n s w - m n h v - m G b      (to first order in theta')
 --     f = (y (I3 w/I1 - n c) + rho (n s^2 + w c) - n h)/(1 + m y^2/I1 + m x^2/I3)
 --     dn/dtheta = (I3/I1 w - 2 n c - m y f/I1)/s,      dw/dtheta = m x f/I3
--- (Routh, Advanced Rigid Dynamics, 241-244: the motion of a solid of revolution on a rough plane).  M = 0 is linear in w;
--- about it the tilt has the frequency squared -(dM/dtheta)/(I1 + m r^2), all along the two last equations.
+-- (Routh, Advanced Rigid Dynamics, 241-244: a solid of revolution on a rough plane).  M = 0 is linear in w; about it
+-- the tilt has the frequency squared -(dM/dtheta)/(I1 + m r^2), along the two last equations.
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
-local vec = require "generator.algebra.vec"
 local context = require "generator.dynamics.context"
 local touch = require "generator.dynamics.touch"
 local upright = require "generator.dynamics.upright"
@@ -90,8 +89,8 @@ local function steady_nod(m)
   local by_w = n * (h * x - k.I3 * s)
   group.outs = { { result = true, expr = -(along + by_n * dn + by_w * dw) / (k.I1 + x ^ 2 + y ^ 2) } }
   return { name = "steady_nod", args = { "m", "tilt", "n" }, result = true, groups = { group },
-    doc = { "The square of the rate, rad^2/s^2, at which the tilt nods about the steady rolling of steady_spin: positive",
-      "where it is stable.  0 < tilt < pi, n not 0; the margins stable_.. tell of upright spins." } }
+    doc = { "The square of the rate, rad^2/s^2, at which the tilt nods about the steady rolling of steady_spin:",
+      "positive where it is stable.  0 < tilt < pi, n not 0; the margins stable_.. tell of upright spins." } }
 end
 
 -- The functions of the emitted code that are `made`, a function of their names; none where nothing rolls so.

@@ -80,9 +80,9 @@ function upright.of(m)
   end
   local up, down = ends(f)
   for _, end_up in ipairs { { "up", up }, { "down", down } } do
-    local key, at = end_up[1], end_up[2]
-    if at and m:double(at[1]) > 0 then
-      local x, c, condition = laws[a.law](I1, I3, mass, at[1], at[2], mass * G * (at[1] - at[2]))
+    local key, low = end_up[1], end_up[2] -- low: height and radius of curvature
+    if low and m:double(low[1]) > 0 then
+      local x, c, condition = laws[a.law](I1, I3, mass, low[1], low[2], mass * G * (low[1] - low[2]))
       put(key, "spinning upright with z " .. key .. " at the rate n", x, c, condition)
     end
   end

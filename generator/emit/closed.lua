@@ -31,10 +31,12 @@ end
 -- By the form's kind.
 local TEXTS = {
   sphere = of("closed.h state.h spin_periods.h", "circle.c count.c quaternion.c uniform.c closed.c"),
-  symmetric = of("closed.h state.h spin_periods.h", "circle.c count.c numeric/quotient.c quaternion.c uniform.c closed.c"),
+  symmetric = of("closed.h state.h spin_periods.h", "circle.c count.c numeric/quotient.c quaternion.c " ..
+    "uniform.c closed.c"),
   asymmetric = of("top.h state.h top_periods.h", "circle.c numeric/double.c theta_at.c top.c polynomial.c " ..
     "circular.c hyperbolic.c quaternion.c setup.c many.c count.c tick.c query.c"),
-  gyrostat = of("closed.h state.h spin_periods.h", "circle.c count.c numeric/quotient.c quaternion.c uniform.c closed.c"),
+  gyrostat = of("closed.h state.h spin_periods.h", "circle.c count.c numeric/quotient.c quaternion.c " ..
+    "uniform.c closed.c"),
   axial = of("axial.h", "circle.c numeric/quotient.c clock.c axial.c"),
   lagrange = of("lagrange.h state.h nutation.h", "circle.c numeric/double.c numeric/integral.c numeric/wide.c " ..
     "quaternion.c polynomial.c phase.c frame.c phases.c lagrange.c lagrange_theta.c lagrange_at.c states.c " ..

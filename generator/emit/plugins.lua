@@ -14,7 +14,7 @@ function plugins.files(job, made, asked)
   local v = { has_peers = peers, orders = {}, steppers = made.parts.stepper.list, has_rates = job.model.has.rates,
     has_integral = job.conserved.rate ~= nil, has_closed = job.closed.kind ~= nil, has_full = job.closed.full or false,
     has_centre = job.closed.centre or false, has_speed = job.closed.slides or false,
-    has_contact = job.equations.touch and true or false }
+    has_contact = job.equations.touch and true or false, has_landing = job.model.record.landing and true or false }
   for i, n in ipairs(job.orders or {}) do v.orders[i] = string.format("%d", n) end
   local render, list = GROUP(job.templates, made.base, v), {}
   if type(asked) == "table" and asked.page then return { { name = "page.c", text = render "page/glue.c" } } end

@@ -158,7 +158,8 @@ local function of_steps(job, made, v, epsilon, time, real)
   v.check_free = v.test_steps and eq.free and job.model.has.attitude and v.fine_steps and offers.energy and
     offers.momentum
   v.check_conservative = v.test_steps and conserved ~= nil and v.fine_steps and offers[conserved]
-  v.test_closed = v.test_steps and offers.solve and offers[job.closed.full and "at" or job.closed.centre and "at_centre" or "at_rates"]
+  local at = job.closed.full and "at" or job.closed.centre and "at_centre" or "at_rates"
+  v.test_closed = v.test_steps and offers.solve and offers[at]
   v.test_principal = offers.principal and offers.linearised and offers.inertia
   v.test_spins = spins ~= nil and spins.numeric and offers.spin_stable and offers.stability and offers.principal
   v.test_compensated = v.test_steps and offers.step_compensated

@@ -1,6 +1,7 @@
 -- page.lua -- one HTML file from the page's sources, the scene's facts and the WebAssembly of its code.
 --
---     page.html(templates, hash, {facts =, shape =, formulas = (HTML), code = (WebAssembly) or nil}) -> text
+--     page.html(templates, hash, {facts =, shape =, formulas = (HTML), code, ground = (WebAssembly) or nil}) -> text
+-- ground: of a body that flies and lands the code on the plane, code then that in the air.
 -- hash: text -> SHA-256 in hexadecimal.  Without code the facts have a recorded motion.  The page may load nothing: its
 -- policy names the script and the style by their hashes and forbids the rest.  Same scene, same bytes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -10,7 +11,8 @@ local bytes = require "generator.page.bytes"
 local page = {}
 
 -- In the order in which they stand in the one script.
-local SCRIPTS = { "vectors", "code", "touch", "recorded", "motion", "shape", "gl", "poinsot", "ground", "space",
+local SCRIPTS = { "vectors", "code", "touch", "phases", "recorded", "motion", "shape", "gl", "poinsot", "ground",
+  "space",
   "plot", "accuracy", "controls", "drag", "presets", "formulas", "start" }
 
 local function packed(member)
@@ -37,6 +39,7 @@ function page.html(templates, hash, given)
   local values = { title = escaped(given.facts.name), policy = policy_of(hash, script, style),
     style = style, script = script,
     facts = bytes.json(given.facts), shape = bytes.json(drawn), code = given.code and bytes.base64(given.code) or "",
+    ground = given.ground and bytes.base64(given.ground) or "",
     formulas = given.formulas, license = templates["templates/LICENSE"], version = escaped(given.facts.version) }
   return (string.gsub(templates["templates/page/page.html"], "@(%l+)@", values))
 end

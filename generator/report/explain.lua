@@ -286,7 +286,8 @@ function writers.json(f)
   local others = {}
   for i, o in ipairs(f.closed.others) do others[i] = object { { "name", o.name }, { "reason", o.reason } } end
   local closed = f.closed.kind and object { { "kind", f.closed.kind }, { "theorem", f.closed.theorem },
-      { "rates_only", not f.closed.full and not f.closed.centre }, { "part", f.closed.part or json.null }, { "others", others } } or
+      { "rates_only", not f.closed.full and not f.closed.centre }, { "part", f.closed.part or json.null },
+      { "others", others } } or
     object { { "kind", json.null }, { "refused", f.closed.refused }, { "others", others } }
   local params, stability, effects, cost, warnings, estimated = {}, {}, {}, {}, {}, {}
   for i, p in ipairs(f.params) do

@@ -47,11 +47,14 @@ async function codeOf(bytes, facts) {
     const o = Array.from(code.out);
     return { moments: o.slice(0, 3), axes: [o.slice(3, 6), o.slice(6, 9), o.slice(9, 12)] };
   };
-  if (facts.plane) {
-    code.touch = touchOf(code, facts, (slot, t) => {
+  code.gap = (slot) => f.gap(slot);
+  code.impact = (slot) => f.impact(slot);
+  if (f.contact) {
+    code.contact = (slot, t) => {
       f.contact(slot, t);
       return { N: code.out[0], com: Array.from(code.out.subarray(1, 4)), v: Array.from(code.out.subarray(4, 7)) };
-    });
+    };
+    code.touch = touchOf(code, facts, code.contact);
   }
   return code;
 }

@@ -61,6 +61,10 @@ PAGE(principal) int page_principal(void);
 %% if has_contact then
 PAGE(contact) void page_contact(int slot, double t);
 %% end
+%% if has_landing then
+PAGE(gap) double page_gap(int slot);
+PAGE(impact) double page_impact(int slot);
+%% end
 
 real *page_states(void) { return states[0]; }
 real *page_params(void) { return params; }
@@ -112,4 +116,10 @@ void page_contact(int slot, double t)
 {
   out[0] = ${name}_contact(&model, (real)t, states[slot], inputs, out + 1, out + 4);
 }
+%% end
+%% if has_landing then
+
+/* of the body in the air: the lowest point's distance from the plane; what meeting it makes of the state, and the impulse */
+double page_gap(int slot) { return (double)${name}_gap(&model, states[slot]); }
+double page_impact(int slot) { return (double)${name}_impact(&model, states[slot]); }
 %% end

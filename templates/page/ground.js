@@ -26,7 +26,7 @@ function groundOf(r, facts) {
     const n = touch.n, raw = 0.8/scale, ten = 10**Math.floor(Math.log10(raw));
     const space = [5, 2, 1].map((k) => k*ten).find((d) => d <= raw), s = space*scale, one = [s, s, s];
     const x = facts.plane.e1, y = facts.plane.e2;
-    const foot = added(centre, scaled(-dot(added(centre, scaled(-1, touch.point)), n), n));
+    const foot = added(centre, scaled(-dot(centre, n), n));
     const under = scaled(scale, added(foot, scaled(-1, centre))), lift = scaled(0.004, n);
     const flat = attitudeOf([x, y, n]);
     const off = (e) => scaled(-scale*(dot(foot, e) - space*Math.round(dot(foot, e)/space)), e);

@@ -16,6 +16,8 @@ function motionOf(code, slot, start, choice, until, count = SAMPLES) {
   const end = exact ? until : last*h, samples = [];
   x.set(start);
   if (exact && !code.solve(slot)) return null;
+  if (code.begin && !code.begin(slot)) return null;
+  code.events = [];
   let done = 0;
   for (let i = 0; i <= count; i++) {
     if (exact) {
@@ -29,7 +31,7 @@ function motionOf(code, slot, start, choice, until, count = SAMPLES) {
     samples.push({ t, n: done, x: state, energy: code.energy(slot), momentum: code.momentum(slot),
       touch: code.touch ? code.touch(slot, t) : null, sound: state.every(Number.isFinite) });
   }
-  return { exact, choice, slot, samples, end, start: Array.from(start), cut: !exact && until/h > MOST_STEPS + 1 };
+  return { exact, choice, slot, samples, end, start: Array.from(start), events: code.events, cut: !exact && until/h > MOST_STEPS + 1 };
 }
 
 // The state at time t, in the motion's slot.
@@ -45,6 +47,7 @@ function stateAt(code, motion, t) {
     let i = Math.min(last, Math.floor(last*reach/(motion.end || 1)));
     while (i > 0 && motion.samples[i].n > n) i--;
     x.set(motion.samples[i].x);
+    code.events = [];
     code.march(motion.slot, motion.choice.method, h, motion.samples[i].n, n);
   }
   return Array.from(x);

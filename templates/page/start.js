@@ -4,11 +4,14 @@
 // Time that passes is time of the motion: a frame shows the state of its moment, however late it comes.
 
 const TEXT_EVERY = 100; // ms: numbers that change faster cannot be read, and each change costs a layout
+const TOLD = 6, WORDS = { impact: "impact", landing: "comes to stay on the plane", lift_off: "leaves the plane" };
 
 async function start() {
   const facts = JSON.parse($("facts").textContent), drawing = JSON.parse($("shape").textContent);
   const live = !facts.recorded;
-  const code = live ? await codeOf(bytesOf($("code").textContent.trim()), facts) : recordedOf(facts);
+  const bytes = (id) => bytesOf($(id).textContent.trim());
+  let code = live ? await codeOf(bytes("code"), facts) : recordedOf(facts);
+  if (facts.ground) code = phasesOf(code, await codeOf(bytes("ground"), { ...facts, states: facts.ground.states }), facts);
   const own = Array.from(code.params.subarray(0, facts.params.length)), places = { q: [], w: [] };
   facts.states.forEach((s, i) => {
     if (s.kind === "attitude") places.q.push(i);
@@ -89,8 +92,10 @@ async function start() {
     }
     const x = initial(), count = samplesOf(pick(x, places.w), page.until);
     const made = motionOf(code, SLOT.first, x, choiceOf("first"), page.until, count);
+    if (!made && facts.ground) return refuse("The body begins below the plane.");
     if (!made) return refuse("The closed form refuses this state: the attitude or a rate is out of range.");
-    if (!keepContact(made))
+    if (facts.plane && facts.plane.disc && live) keepUpright(made, places, facts);
+    if (!keepContact(made, facts.plane))
       return refuse("The plane does not carry the body here: it pulls it, or they touch in more than one point.");
     const bad = made.samples.find((s) => !s.sound);
     refuse(bad ? "The numbers become infinite at t = " + shown(bad.t) + " s: a smaller step helps." : "");
@@ -118,7 +123,15 @@ async function start() {
       return "Contact is lost between t = " + shown(made.end) + " s and " + shown(made.lost) +
         " s, where the plane would have to pull: the motion ends there.";
     }
+    if (made.events.length > 0) {
+      const told = made.events.slice(0, TOLD).map((e) => WORDS[e.name] + " " + shown(e.t)).join(", ");
+      const rest = made.events.length - TOLD, end = made.events[made.events.length - 1];
+      return "At t / s: " + told + (rest > 0 ? ", .. " + WORDS[end.name] + " " + shown(end.t) + " (" +
+        made.events.length + " in all)" : "") + ".";
+    }
     if (made.cut) return "Only " + MOST_STEPS + " steps are computed: t ends early.";
+    if (made.flat) return made.flat + " at t = " + shown(made.end) + " s: the motion ends there.";
+    if (!live && facts.recorded.ended) return facts.recorded.ended + " at t = " + shown(made.end) + " s.";
     if (!live) return "A computed motion of " + facts.recorded.count + " rows: nothing can be changed in this page.";
     if (drawing.fixed) return "The picture keeps the shape of the scene's own parameters.";
     return facts.plane && page.body.ellipsoid ?

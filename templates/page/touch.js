@@ -27,11 +27,40 @@ function touchOf(code, facts, contact) {
 
 // A motion on a plane ends where N is not positive: cuts its samples there and notes the time as `lost`.  Returns false
 // where no motion is left.
-function keepContact(motion) {
+function keepContact(motion, plane) {
+  if (plane && plane.flies) return true;
   const i = motion.samples.findIndex((s) => s.touch && !(s.touch.N > 0));
   if (i < 0) return true;
   motion.lost = motion.samples[i].t;
   motion.samples.length = i;
   if (i > 0) motion.end = motion.samples[i - 1].t;
   return i > 1;
+}
+
+// A disc's motion ends where it lies flat, by the laws of generator/commands/run/flat.lua: cuts the samples there and
+// says so in `flat`.  The numbers of plane.disc are those of the scene's own parameters.
+function keepUpright(motion, places, facts) {
+  const { disc, normal } = facts.plane, near = Math.sqrt(facts.real === "float" ? 2**-23 : 2**-52);
+  const settled = (g, w, on) => {
+    const k = disc.pull - (disc.rolls ? dot(g, w)**2*disc.off : 0);
+    const top = Math.hypot(g[0], g[1])*disc.ratio + (w[0]*w[0] + w[1]*w[1])/(2*k);
+    return on && k > 0 && 2*top < k*disc.step**2;
+  };
+  const fallen = (g, w, on, within) => {
+    const [x, y] = cross(g, w), speed = Math.hypot(x, y), left = -(g[0]*x + g[1]*y)/speed**2;
+    return on && left > 0 && left <= within && Math.abs(g[0]*y - g[1]*x) <= near*speed;
+  };
+  let before = false;
+  for (let i = 0; i < motion.samples.length; i++) {
+    const { x, t, touch } = motion.samples[i], q = places.q.map((k) => x[k]), w = places.w.map((k) => x[k]);
+    const g = turned([q[0], -q[1], -q[2], -q[3]], normal), on = touch.N > 0, next = motion.samples[i + 1];
+    const now = settled(g, w, on), falls = next && fallen(g, w, on, 1.25*(next.t - t));
+    if (i > 1 && (now && before || falls)) {
+      motion.flat = falls ? "The disc falls flat, and touches the plane in a line," : "The disc has settled flat";
+      motion.samples.length = i + 1;
+      motion.end = t;
+      return;
+    }
+    before = now;
+  }
 }

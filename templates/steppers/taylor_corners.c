@@ -48,7 +48,8 @@ static void ${name}_taylor_rk4(const ${name}_model *m, ${name}_real t, const ${n
 }
 
 /* Away from where a root is zero and has no series: behind it the motion is smooth, so the step, h or a quarter of it and so on,
- * is one over which two steps of Runge and Kutta's agree with one to a few roundings.  Returns it. */
+ * is one over which two steps of Runge and Kutta's agree with one to a few roundings.  Returns it; 0, and x as it is, where
+ * the rates are not finite. */
 static ${name}_real ${name}_taylor_leave(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
 {
   ${name}_real whole[${upper}_NX], first[${upper}_NX], both[${upper}_NX];
@@ -62,6 +63,9 @@ static ${name}_real ${name}_taylor_leave(const ${name}_model *m, ${name}_real t,
     for (i = 0, close = 1; i < ${upper}_NX; i++)
       close = close && ${fabs}(both[i] - whole[i]) <= ${leaving}*(${fabs}(both[i]) + ${fabs}(both[i] - x[i]));
     if (close) break;
+  }
+  for (i = 0; i < ${upper}_NX; i++) {
+    if (!(both[i] - both[i] == ${zero})) return ${zero};
   }
   for (i = 0; i < ${upper}_NX; i++) x[i] = both[i];
   return h;

@@ -73,7 +73,8 @@ local function fault(random, touches)
   if touches and status == 3 and (long or err:find "the plane would have to pull") then return nil end
   if touches and err:find "^warning: rk4 with steps of [%d.]+ s: its error is estimated" then err = "" end
   local rows = select(2, (out:match "^(.-\n)\n" or out):gsub("\n", ""))
-  local lost = touches and out:find "\ncontact_lost,"
+  local lost = touches and (out:find "\ncontact_lost," or out:find "\nlies_flat,")
+  err = err:gsub("warning: the disc has [^\n]*; the run ends there\n", "")
   if status ~= 0 or err ~= "" or (rows ~= 4 and not (lost and rows > 1 and rows < 4)) or out:find "nan" or
     out:find "inf" then
     return run .. "\n" .. status .. " " .. err .. out

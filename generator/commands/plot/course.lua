@@ -108,20 +108,6 @@ local function looked(look, finish, step)
   return sampling.adaptive(look, finish)
 end
 
--- When a body on a plane loses contact, nil if it does not; or false and a failure.  As in run it is looked for up to
--- one step before a failure of the motion.
-local function lost(host, job, motion, finish, inputs)
-  local step, reaction = motion.step or job.model:double(job.model.step), {}
-  for _, e in ipairs(events.of(job)) do reaction[#reaction + 1] = e.reaction and e or nil end
-  if #reaction == 0 then return nil end
-  local function solve(ts) return motion.solve(ts, {}) end
-  local function find(to) return events.find(host, job, motion, solve, to, step, inputs, reaction) end
-  local found, failure = find(finish)
-  if not found and failure.t and failure.t > step then found = find(failure.t - step) end
-  if not found then return false, failure end
-  return found[1] and found[1].row.t or nil
-end
-
 -- The motion by the first method, or nil and a failure as run.engines has it, or a message in its place.
 local function engine_of(given)
   return bounce.engine(given.engine == "generated" and engines.generated or engines.general)
@@ -185,11 +171,13 @@ function course.compute(host, job, given, inputs)
     motions[n], step = motion, step or motion.step
   end
   local c = of_scene(job, given)
-  local when, failure = lost(host, job, motions[1], finish, inputs)
+  local when, failure = events.ending(host, job, motions[1], finish, inputs)
   if when == false then return nil, failure end
   if when then
-    finish, c.lost = when, when
-    warnings[1] = "contact is lost at t = " .. times.number(when) .. " s: what is drawn ends there\n"
+    finish = when.row.t
+    c.lost = when.event.reaction and finish or nil
+    warnings[1] = (when.event.said or "contact is lost") .. " at t = " .. times.number(finish) ..
+      " s: what is drawn ends there\n"
   end
   local samples
   samples, failure = looked(looker(host, job, motions[1], inputs, given.ground), finish, motions[1].step)

@@ -2,7 +2,9 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local contact = require "generator.dynamics.contact"
+local flat = require "generator.commands.run.flat"
 local numeric = require "generator.dynamics.numeric"
+local vec = require "generator.algebra.vec"
 
 local touch = {}
 
@@ -28,7 +30,7 @@ function touch.of(host, job, ground)
 end
 
 -- The plane of a scene that has one, as doubles: {normal, e1, e2 (inertial axes), open = not every attitude touches,
--- flies = does the body leave it and come back?}.
+-- flies = does the body leave it and come back?, weight = the gravity along the normal, m/s^2, disc = flat.numbers}.
 function touch.plane(job)
   local e = contact.of(job.model) or job.record.landing
   if not e then return nil end
@@ -38,7 +40,8 @@ function touch.plane(job)
     return list
   end
   return { normal = numbers(e.a.normal), e1 = numbers(e.a.e1), e2 = numbers(e.a.e2), open = e.a.surface.open or false,
-    flies = job.record.landing ~= nil }
+    flies = job.record.landing ~= nil,
+    disc = flat.numbers(job, e), weight = -vec.dot(numbers(e.a.gravity), numbers(e.a.normal)) }
 end
 
 return touch

@@ -79,6 +79,19 @@ function facts.compiled(scene, plan, unit)
   return f
 end
 
+-- Of a body that flies and lands: what is known of it in the air, with what is known of it on the plane.
+function facts.phases(air, plane, scene)
+  air.ground, air.effects = { states = plane.states, checks = #plane.checks }, {}
+  air.closed, air.exact = plane.closed, false
+  for i, s in ipairs(scene.states) do
+    if s.effect and s.key then air.ground.states[i].own = s.key end
+  end
+  for _, kind in ipairs(plane.effects) do table.insert(air.effects, kind) end
+  table.insert(air.effects, "effect.translation")
+  for _, text in ipairs(plane.checks) do table.insert(air.checks, text) end
+  return air
+end
+
 -- The tensor and Euler's equations of a scene, as HTML.
 function facts.formulas(scene)
   local m, acts = scene.model, {}

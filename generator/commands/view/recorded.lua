@@ -3,7 +3,9 @@
 -- Rows at equal steps, as many as the fastest turn of the body needs; the page shows them and computes nothing.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local bounce = require "generator.commands.run.bounce"
 local engines = require "generator.commands.run.engines"
+local events = require "generator.commands.events"
 local touch = require "generator.commands.run.touch"
 local facts = require "generator.report.facts"
 local bytes = require "generator.page.bytes"
@@ -25,7 +27,7 @@ local function rows_of(motion, touching, inputs, finish, n)
     if not energy then return nil, L end
     out[i] = { s.t, table.unpack(s.x) }
     for _, v in ipairs { energy, L[1], L[2], L[3] } do table.insert(out[i], v) end
-    local k = touching and touching(s.t, s.x, inputs)
+    local k = touching and touching(s.t, s.x, inputs, s.on)
     if touching and not k then
       return nil, { status = 3, t = s.t, text = "the body touches the plane in no single point" }
     end
@@ -48,29 +50,36 @@ local function wanted(scene, rows, finish)
   return math.floor(math.max(FEWEST, math.min(most, largest * finish / ANGLE)))
 end
 
--- The rows {t, states, energy, L, with a plane N, centre of mass and contact point}, and the method; or nil and a
--- failure.  given: the command's; inputs: over time, or nil.
+-- The rows {t, states, energy, L, with a plane N, centre of mass and contact point}, the method, and what is said of an
+-- end before the horizon; or nil and a failure.  given: the command's, its ground that of bounce.lua; inputs: over
+-- time, or nil.
 function recorded.rows(host, scene, given, inputs)
   local method, finish = (given.method or {})[1], scene.model:double(scene.model.horizon)
-  local motion, failure = engines.general(host, scene, { method = method }, inputs)
+  local motion, failure = bounce.engine(engines.general)(host, scene, { method = method, ground = given.ground },
+    inputs)
   if not motion then return nil, failure end
-  local touching = touch.of(host, scene)
+  local touching = touch.of(host, scene, given.ground)
+  local ending, wrong = events.ending(host, scene, motion, finish, inputs)
+  if ending == false then return nil, wrong end
+  local flat = ending and ending.event.said and ending or nil -- where contact is lost the rows show it
+  if flat then finish = flat.row.t end
   local rows
   rows, failure = rows_of(motion, touching, inputs, finish, FEWEST)
   local n = rows and wanted(scene, rows, finish)
   if n and n > FEWEST then rows, failure = rows_of(motion, touching, inputs, finish, n) end
   if not rows then return nil, failure end
-  return rows, motion.method
+  return rows, motion.method, flat and flat.event.said
 end
 
 -- {method, count, rows (in base64), mass, com, inertia, moments, axes}, or nil and a failure.
 function recorded.of(host, scene, given, inputs)
-  local rows, method = recorded.rows(host, scene, given, inputs)
+  local rows, method, ended = recorded.rows(host, scene, given, inputs)
   if not rows then return nil, method end
   local all = {}
   for _, row in ipairs(rows) do table.move(row, 1, #row, #all + 1, all) end
   local f = facts.of(scene)
-  return { method = method, count = #rows, rows = bytes.doubles(all), mass = f.mass_number,
+  return { ended = ended, finish = rows[#rows][1], method = method, count = #rows,
+    rows = bytes.doubles(all), mass = f.mass_number,
     com = f.arm_number, inertia = f.inertia_number, moments = f.moments, axes = f.axes }
 end
 

@@ -17,8 +17,8 @@ local touch_laws = require "generator.dynamics.touch_laws"
 
 local ball = { name = "homogeneous ball that rolls" }
 
-local whole_text = { "Nothing acts along the plane: w is constant in both frames and the centre moves on a straight line,",
-  "V = R W x n, q(t) = q(0) (cos |w|t/2, w/|w| sin |w|t/2)." }
+local whole_text = { "Nothing acts along the plane: w is constant in both frames, and the centre moves on a straight",
+  "line, V = R W x n, q(t) = q(0) (cos |w|t/2, w/|w| sin |w|t/2)." }
 
 local function centre_text(turns, tilted)
   local law = "V' = " .. (turns and "k Omega n x V" or "") .. (turns and tilted and " + " or "") ..
@@ -62,8 +62,9 @@ local function centre_law(a, J, mass)
   end
 end
 
-local slide_text = { "The slip v = V - R W x n keeps its direction: v = v0 exp(-c G t/k), k = J/(J + m R^2); V - V0 = k (v - v0),",
-  "R (W - W0) x n = -(1 - k) (v - v0), and W.n is constant.  Of the attitude there is no elementary form." }
+local slide_text = { "The slip v = V - R W x n keeps its direction: v = v0 exp(-c G t/k), k = J/(J + m R^2);",
+  "V - V0 = k (v - v0), R (W - W0) x n = -(1 - k) (v - v0), and W.n is constant.  Of the attitude there is no",
+  "elementary form." }
 
 local function slide_law(a, J, mass)
   local R, mR2 = a.surface.rim, mass * a.surface.rim ^ 2
