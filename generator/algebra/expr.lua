@@ -55,11 +55,9 @@ function expr.is(x) return getmetatable(x) == node end
 local small = {} -- the nodes of small whole numbers, each of which is one object (rational.h)
 
 local function num(value)
-  local e = small[value]
-  if not e then
-    e = intern("n" .. tostring(value), { kind = "num", value = value })
-    if R.small(value) then small[value] = e end
-  end
+  if small[value] then return small[value] end
+  local e = intern("n" .. tostring(value), { kind = "num", value = value })
+  if R.small(value) then small[value] = e end
   return e
 end
 
@@ -86,12 +84,16 @@ expr.zero, expr.one = zero, one
 
 ---- products --------------------------------------------------------------------------------------
 
+local function ids(list)
+  local key = {}
+  for i = 1, #list do key[i] = list[i].id end
+  return table.concat(key, ",")
+end
+
 -- The product of factors in canonical order.
 local function of_factors(factors)
-  local key = {}
-  for i = 1, #factors do key[i] = factors[i].id end
   factors.kind = "mul"
-  return intern("*" .. table.concat(key, ","), factors)
+  return intern("*" .. ids(factors), factors)
 end
 
 -- e = coefficient * rest, the coefficient rational, rest without one (rest is `one` for a number).
@@ -317,13 +319,11 @@ function expr.add(list)
   for _, t in ipairs(terms) do content = R.gcd(content, coefficients[t]) end
   if R.log2(R.num(content)) > 64 or R.log2(R.den(content)) > 64 then content = R.one end -- see the head
   if R.sign(coefficients[terms[1]]) < 0 then content = -content end
-  local sum, key = { kind = "add" }, {}
-  local whole = content == R.one
+  local sum, whole = { kind = "add" }, content == R.one
   for i, t in ipairs(terms) do
     sum[i] = scaled(whole and coefficients[t] or coefficients[t] / content, t)
-    key[i] = sum[i].id
   end
-  return scaled(content, intern("+" .. table.concat(key, ","), sum))
+  return scaled(content, intern("+" .. ids(sum), sum))
 end
 
 ---- functions -------------------------------------------------------------------------------------
@@ -336,10 +336,8 @@ function expr.call(fn, ...)
   for i = 1, #args do args[i] = lift(args[i]) end
   local value = exact(fn, args)
   if value then return value end
-  local key = {}
-  for i, a in ipairs(args) do key[i] = a.id end
   args.kind, args.fn = "call", fn
-  return intern("c" .. fn .. ":" .. table.concat(key, ","), args)
+  return intern("c" .. fn .. ":" .. ids(args), args)
 end
 
 expr.pi = intern("cpi:", { kind = "call", fn = "pi" })
@@ -361,52 +359,6 @@ end
 
 function expr.iszero(e) return e == zero end
 
--- The nodes directly below e.
-function expr.children(e)
-  if e.kind == "pow" then return { e.base } end
-  local list = {}
-  for i = 1, #e do list[i] = e[i] end
-  return list
-end
-
--- A node of e's kind with f applied to each child; e itself where nothing changed.
-function expr.map(e, f)
-  if e.kind == "num" or e.kind == "sym" or #e == 0 and e.kind == "call" then return e end
-  if e.kind == "pow" then
-    local base = f(e.base)
-    return base == e.base and e or expr.pow(base, e.exp)
-  end
-  local list, same = {}, true
-  for i = 1, #e do
-    list[i] = f(e[i])
-    same = same and list[i] == e[i]
-  end
-  if same then return e end
-  if e.kind == "add" then return expr.add(list) end
-  if e.kind == "mul" then return expr.mul(list) end
-  return expr.call(e.fn, table.unpack(list))
-end
-
--- The symbols in e, in canonical order.
-function expr.symbols(e)
-  local seen, list = {}, {}
-  local function walk(x)
-    if seen[x] then return end
-    seen[x] = true
-    if x.kind == "sym" then list[#list + 1] = x end
-    for _, c in ipairs(expr.children(x)) do walk(c) end
-  end
-  walk(e)
-  table.sort(list, before)
-  return list
-end
-
--- Does e depend on none of the symbols (set: name -> true)?  With no set: on no symbol at all.
-function expr.constant(e, names)
-  for _, s in ipairs(expr.symbols(e)) do
-    if not names or names[s.name] then return false end
-  end
-  return true
-end
+require("generator.algebra.walk")(expr) -- children, map, symbols, constant
 
 return expr
