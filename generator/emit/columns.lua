@@ -154,7 +154,7 @@ end
 
 -- The head of a function: on one line, or broken between arguments.
 local function broken_head(text)
-  text = string.gsub(text, "%s*\n%s*", " ")
+  if plain.has(text, "\n") then text = string.gsub(text, "%s*\n%s*", " ") end
   if #text <= columns.width then return text end
   local open = string.find(text, "(", 1, true)
   local lines, line = {}, string.sub(text, 1, open)
@@ -192,10 +192,10 @@ function columns.part(text)
     if short and #head + #short + 5 <= columns.width then
       body = " { " .. short .. " }"
     else
-      local gap = string.find(body, "\n\n", 1, true) -- the only one, or there are more declarations
-      if gap and string.find(body, "^  return [^\n]*;\n}$", gap + 2) and
-        string.find(string.sub(body, 1, gap), "^\n{\n[^{}]*;\n$") then
-        body = string.sub(body, 1, gap) .. string.sub(body, gap + 2)
+      local blank = string.find(body, "\n\n", 1, true) -- the only one, or there are more declarations
+      if blank and string.find(body, "^  return [^\n]*;\n}$", blank + 2) and
+        string.find(string.sub(body, 1, blank), "^\n{\n[^{}]*;\n$") then
+        body = string.sub(body, 1, blank) .. string.sub(body, blank + 2)
       end
     end
     text = string.sub(text, 1, comment_end) .. head .. body

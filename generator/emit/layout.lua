@@ -269,7 +269,7 @@ function layout.sort(name, real, fragments, asked, room, keeps)
   end
   for _, f in ipairs(functions) do
     local u = (by_name[f.name] or {})[1]
-    f.lines = u and select(2, string.gsub(u.text, "\n", "")) + 1 or 0
+    f.lines = u and #plain.lines(u.text) or 0
     f.uses = u and u.uses or {}
   end
   local function inside(u) return private_text { text = change(u) } end

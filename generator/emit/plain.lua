@@ -3,11 +3,25 @@
 -- BELOW the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local find, match, sub = string.find, string.match, string.sub
+local byte, find, match, sub = string.byte, string.find, string.match, string.sub
 
 local plain = {}
 
+local IN_WORD = {}
+for c = 0, 255 do IN_WORD[c] = find(string.char(c), "[%w_]") ~= nil end
+
 function plain.has(text, word) return find(text, word, 1, true) ~= nil end
+
+-- Does the text have the word, not as a part of another one?  Of a call, `name(`, what follows does not matter.
+function plain.word(text, word)
+  local at, last = find(text, word, 1, true)
+  while at do
+    local before, behind = byte(text, at - 1), byte(text, last + 1)
+    if (at == 1 or not IN_WORD[before]) and (not IN_WORD[behind] or not IN_WORD[byte(text, last)]) then return true end
+    at, last = find(text, word, at + 1, true)
+  end
+  return false
+end
 
 -- The lines of a text; what follows the last newline is one too, unless it is empty.
 function plain.lines(text)
@@ -47,7 +61,7 @@ function plain.renamed(text, prefix, map)
   while at do
     local last = at + #prefix - 1
     if at == 1 or not find(text, "^[%w_]", at - 1) then
-      _, last = find(text, "^[%w_]+", at)
+      last = at + #match(text, "^[%w_]+", at) - 1
       local own = map[sub(text, at, last)]
       if own then
         out[n + 1], out[n + 2] = sub(text, from, at - 1), own
