@@ -5,8 +5,9 @@
 -- error goes on with a harmless value.  A leaf: everybody may use it, it uses only diag/.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local broken = require "generator.diag.broken"
-local tokens = require "generator.diag.tokens"
+local tokens = later "generator.diag.tokens"
 
 local diag = {}
 diag.__index = diag

@@ -4,15 +4,16 @@
 --                                    decide; false after an error in its diagnostics
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local context = require "generator.dynamics.context"
 local landing = require "generator.dynamics.landing"
 local quantities = require "generator.dynamics.quantities"
-local sensitivity = require "generator.dynamics.sensitivity"
-local tangents = require "generator.dynamics.tangents"
-local compensated = require "generator.methods.compensated"
+local sensitivity = later "generator.dynamics.sensitivity"
+local tangents = later "generator.dynamics.tangents"
+local compensated = later "generator.methods.compensated"
 local methods = require "generator.methods.methods"
 local steady = require "generator.dynamics.steady"
-local upright = require "generator.dynamics.upright"
+local upright = later "generator.dynamics.upright"
 
 local functions = {}
 

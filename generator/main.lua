@@ -4,10 +4,11 @@
 -- that reaches the host).  Results go to standard output, everything else to standard error.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local colours = require "generator.commands.colours"
 local help = require "generator.commands.help"
 local options = require "generator.commands.options"
-local reference = require "generator.commands.reference"
+local reference = later "generator.commands.reference"
 local scenes = require "generator.commands.scenes"
 
 local known = {}

@@ -14,6 +14,7 @@ local ARROWS = {
   algebra = { "polhode_rational" },
   diag = {},
   hash = {},
+  later = {}, -- known to all
   nearest = {},
   selection = {}, -- names of functions
   stages = {}, -- fields of what one part hands to the next
@@ -197,10 +198,11 @@ do
       unknown[#unknown + 1] = path .. ": part '" .. part .. "' has no row in ARROWS"
     end
     for n, line in ipairs(lines_of(path)) do
-      -- only a string that can be required: comments talk about require too
-      for target in line:gsub("^%s*%-%-.*", ""):gmatch("require%s*%(?%s*[\"']([%w_.]+)[\"']") do
+      -- only a string that can be required, now or later: comments talk about require too
+      local code = line:gsub("^%s*%-%-.*", ""):gsub("%f[%w]later ", "require ")
+      for target in code:gmatch("require%s*%(?%s*[\"']([%w_.]+)[\"']") do
         local to = part_of(target)
-        if to ~= part and not contains(ARROWS[part] or {}, to) then
+        if to ~= part and to ~= "later" and not contains(ARROWS[part] or {}, to) then
           new[#new + 1] = string.format("%s:%d: %s -> %s", path, n, part, to)
         end
         local room = path:match("^generator/ir/(%w+)/")

@@ -52,11 +52,18 @@ end
 
 function expr.is(x) return getmetatable(x) == node end
 
-local function num(value) return intern("n" .. tostring(value), { kind = "num", value = value }) end
+local small = {} -- the nodes of small whole numbers, each of which is one object (rational.h)
+
+local function num(value)
+  if small[value] then return small[value] end
+  local e = intern("n" .. tostring(value), { kind = "num", value = value })
+  if R.small(value) then small[value] = e end
+  return e
+end
 
 -- An expression for x: a node, a rational, an integer, a finite double (its decimal) or "p/q".
 local function lift(x)
-  if expr.is(x) then return x end
+  if getmetatable(x) == node then return x end
   local value, why = R.lift(x)
   if not value then error("not an expression: " .. (why or type(x)), 2) end
   return num(value)
@@ -72,19 +79,29 @@ function expr.sym(name, rank, positive)
   return intern(key, { kind = "sym", name = name, rank = rank, positive = positive or false })
 end
 
-local zero, one = num(R.zero), num(R.one)
+local zero, one, minus_one = num(R.zero), num(R.one), num(-R.one)
 expr.zero, expr.one = zero, one
 
 ---- products --------------------------------------------------------------------------------------
+
+local function ids(list)
+  local key = {}
+  for i = 1, #list do key[i] = list[i].id end
+  return table.concat(key, ",")
+end
+
+-- The product of factors in canonical order.
+local function of_factors(factors)
+  factors.kind = "mul"
+  return intern("*" .. ids(factors), factors)
+end
 
 -- e = coefficient * rest, the coefficient rational, rest without one (rest is `one` for a number).
 local function split(e)
   if e.kind == "num" then return e.value, one end
   if e.kind == "mul" and e[1].kind == "num" then
     if #e == 2 then return e[1].value, e[2] end
-    local key, rest = {}, { kind = "mul" }
-    for i = 2, #e do rest[i - 1], key[i - 1] = e[i], e[i].id end
-    return e[1].value, intern("*" .. table.concat(key, ","), rest)
+    return e[1].value, of_factors(table.move(e, 2, #e, 1, {}))
   end
   return R.one, e
 end
@@ -110,11 +127,9 @@ end
 local function collect(order, exps, list)
   for _, f in ipairs(list) do
     local base, exp = f[1], f[2]
-    if not exps[base] then
-      exps[base] = R.zero
-      order[#order + 1] = base
-    end
-    exps[base] = exps[base] + exp
+    local earlier = exps[base]
+    if not earlier then order[#order + 1] = base end
+    exps[base] = earlier and earlier + exp or exp
   end
 end
 
@@ -157,19 +172,25 @@ local function opened(coefficient, order, exps, base)
   return again
 end
 
+local function before(a, b) return compare(a, b) < 0 end
+
 -- The node of the coefficient and of factors, which are in their final form but for their order.
 local function joined(coefficient, factors)
-  table.sort(factors, function(a, b) return compare(a, b) < 0 end)
+  if #factors > 1 then table.sort(factors, before) end
   if #factors == 0 then return num(coefficient) end
   if coefficient == R.one then
     if #factors == 1 then return factors[1] end
   else
     table.insert(factors, 1, num(coefficient))
   end
-  local key = {}
-  for i, f in ipairs(factors) do key[i] = f.id end
-  factors.kind = "mul"
-  return intern("*" .. table.concat(key, ","), factors)
+  return of_factors(factors)
+end
+
+-- The product of a rational, not 0, and of a node without a rational factor.
+local function scaled(c, e)
+  if c == R.one then return e end
+  if e == one then return num(c) end
+  return of_factors(e.kind == "mul" and table.move(e, 1, #e, 2, { num(c) }) or { num(c), e })
 end
 
 -- The product of a rational and of a list of powers { base, exp }.
@@ -200,21 +221,21 @@ end
 
 -- All factors at once: the result does not depend on their order.
 function expr.mul(list)
-  local coefficient, powers = R.one, {}
+  local coefficient, powers = nil, {}
   for _, x in ipairs(list) do
     local e = lift(x)
     local factors = e.kind == "mul" and e or { e }
     for i = 1, #factors do
       local f = factors[i]
       if f.kind == "num" then
-        coefficient = coefficient * f.value
+        coefficient = coefficient and coefficient * f.value or f.value
       else
         local base, exp = factor(f)
         powers[#powers + 1] = { base, exp }
       end
     end
   end
-  return product(coefficient, powers)
+  return product(coefficient or R.one, powers)
 end
 
 ---- powers ----------------------------------------------------------------------------------------
@@ -278,33 +299,31 @@ function expr.add(list)
   local function gather(e, scale)
     local c, rest = split(e)
     if rest.kind == "add" then
-      for i = 1, #rest do gather(rest[i], scale * c) end
+      for i = 1, #rest do gather(rest[i], scale and scale * c or c) end
       return
     end
-    if not coefficients[rest] then
-      coefficients[rest] = R.zero
-      order[#order + 1] = rest
-    end
-    coefficients[rest] = coefficients[rest] + scale * c
+    if scale then c = scale * c end
+    local earlier = coefficients[rest]
+    if not earlier then order[#order + 1] = rest end
+    coefficients[rest] = earlier and earlier + c or c
   end
-  for _, x in ipairs(list) do gather(lift(x), R.one) end
+  for _, x in ipairs(list) do gather(lift(x)) end
   local terms = {}
   for _, rest in ipairs(order) do
     if R.sign(coefficients[rest]) ~= 0 then terms[#terms + 1] = rest end
   end
   if #terms == 0 then return zero end
-  table.sort(terms, function(a, b) return compare(a, b) < 0 end)
-  if #terms == 1 then return expr.mul { num(coefficients[terms[1]]), terms[1] } end
+  if #terms == 1 then return scaled(coefficients[terms[1]], terms[1]) end
+  table.sort(terms, before)
   local content = R.zero
   for _, t in ipairs(terms) do content = R.gcd(content, coefficients[t]) end
   if R.log2(R.num(content)) > 64 or R.log2(R.den(content)) > 64 then content = R.one end -- see the head
   if R.sign(coefficients[terms[1]]) < 0 then content = -content end
-  local sum, key = { kind = "add" }, {}
+  local sum, whole = { kind = "add" }, content == R.one
   for i, t in ipairs(terms) do
-    sum[i] = expr.mul { num(coefficients[t] / content), t }
-    key[i] = sum[i].id
+    sum[i] = scaled(whole and coefficients[t] or coefficients[t] / content, t)
   end
-  return expr.mul { num(content), intern("+" .. table.concat(key, ","), sum) }
+  return scaled(content, intern("+" .. ids(sum), sum))
 end
 
 ---- functions -------------------------------------------------------------------------------------
@@ -317,10 +336,8 @@ function expr.call(fn, ...)
   for i = 1, #args do args[i] = lift(args[i]) end
   local value = exact(fn, args)
   if value then return value end
-  local key = {}
-  for i, a in ipairs(args) do key[i] = a.id end
   args.kind, args.fn = "call", fn
-  return intern("c" .. fn .. ":" .. table.concat(key, ","), args)
+  return intern("c" .. fn .. ":" .. ids(args), args)
 end
 
 expr.pi = intern("cpi:", { kind = "call", fn = "pi" })
@@ -328,10 +345,10 @@ expr.pi = intern("cpi:", { kind = "call", fn = "pi" })
 ---- operators -------------------------------------------------------------------------------------
 
 function node.__add(a, b) return expr.add { a, b } end
-function node.__sub(a, b) return expr.add { a, expr.mul { num(-R.one), b } } end
+function node.__sub(a, b) return expr.add { a, expr.mul { minus_one, b } } end
 function node.__mul(a, b) return expr.mul { a, b } end
 function node.__div(a, b) return expr.mul { a, expr.pow(b, -1) } end
-function node.__unm(a) return expr.mul { num(-R.one), a } end
+function node.__unm(a) return expr.mul { minus_one, a } end
 function node.__pow(a, n)
   if expr.is(n) then
     if n.kind ~= "num" then error("an exponent must be a number", 2) end
@@ -342,52 +359,6 @@ end
 
 function expr.iszero(e) return e == zero end
 
--- The nodes directly below e.
-function expr.children(e)
-  if e.kind == "pow" then return { e.base } end
-  local list = {}
-  for i = 1, #e do list[i] = e[i] end
-  return list
-end
-
--- A node of e's kind with f applied to each child; e itself where nothing changed.
-function expr.map(e, f)
-  if e.kind == "num" or e.kind == "sym" or #e == 0 and e.kind == "call" then return e end
-  if e.kind == "pow" then
-    local base = f(e.base)
-    return base == e.base and e or expr.pow(base, e.exp)
-  end
-  local list, same = {}, true
-  for i = 1, #e do
-    list[i] = f(e[i])
-    same = same and list[i] == e[i]
-  end
-  if same then return e end
-  if e.kind == "add" then return expr.add(list) end
-  if e.kind == "mul" then return expr.mul(list) end
-  return expr.call(e.fn, table.unpack(list))
-end
-
--- The symbols in e, in canonical order.
-function expr.symbols(e)
-  local seen, list = {}, {}
-  local function walk(x)
-    if seen[x] then return end
-    seen[x] = true
-    if x.kind == "sym" then list[#list + 1] = x end
-    for _, c in ipairs(expr.children(x)) do walk(c) end
-  end
-  walk(e)
-  table.sort(list, function(a, b) return compare(a, b) < 0 end)
-  return list
-end
-
--- Does e depend on none of the symbols (set: name -> true)?  With no set: on no symbol at all.
-function expr.constant(e, names)
-  for _, s in ipairs(expr.symbols(e)) do
-    if not names or names[s.name] then return false end
-  end
-  return true
-end
+require("generator.algebra.walk")(expr) -- children, map, symbols, constant
 
 return expr

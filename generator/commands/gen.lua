@@ -3,8 +3,9 @@
 -- accuracy (of the scene, or --accuracy) commands/planner.lua decides on the method, from those of --method.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local compiler = require "generator.commands.compiler"
-local dependencies = require "generator.commands.dependencies"
+local later = require "generator.later"
+local compiler = later "generator.commands.compiler"
+local dependencies = later "generator.commands.dependencies"
 local identifiers = require "generator.dsl.names"
 local options = require "generator.commands.options"
 local measure = require "generator.commands.measure"
@@ -12,12 +13,12 @@ local outputs = require "generator.commands.outputs"
 local packages = require "generator.emit.packages.packages"
 local planner = require "generator.commands.planner"
 local driver = require "generator.driver"
-local listed = require "generator.commands.listed"
+local listed = later "generator.commands.listed"
 local nearest = require "generator.nearest"
 local methods = require "generator.methods.methods"
 local estimator = require "generator.emit.estimator"
 local proof = require "generator.emit.proof"
-local shortest = require("generator.plan.decision").shortest
+local decided = later "generator.plan.decision"
 
 local gen = {}
 
@@ -105,7 +106,7 @@ function gen.command(given)
   if given.layout and given.layout ~= "split" then parts[#parts + 1] = "--layout " .. given.layout end
   if given.project then parts[#parts + 1] = "--project " .. given.project end
   if given.target then parts[#parts + 1] = "--target " .. table.concat(given.target, ",") end
-  if given.accuracy then parts[#parts + 1] = "--accuracy " .. shortest(given.accuracy) end
+  if given.accuracy then parts[#parts + 1] = "--accuracy " .. decided.shortest(given.accuracy) end
   if given.order then parts[#parts + 1] = string.format("--order %d", given.order) end
   if given.method then parts[#parts + 1] = "--method " .. table.concat(given.method, ",") end
   local names = {}
@@ -237,7 +238,7 @@ end
 local function wrongly_given(given)
   local _, wrong = measure.cores(given.target, given.real or "float") -- the type may be the budget's
   if given.accuracy and not (given.accuracy > 0 and given.accuracy < 1) then
-    wrong = "--accuracy must be between 0 and 1, got " .. shortest(given.accuracy)
+    wrong = "--accuracy must be between 0 and 1, got " .. decided.shortest(given.accuracy)
   end
   wrong = wrong or refused_by_project(given)
   local rule = given.name and identifiers.scene(given.name)

@@ -15,13 +15,14 @@
 --      ram =, library = (bytes of variables; copies: constants too, and all in ram),
 --      functions = {{name =, count = (nil: not called), flash =, stack =, least = (part of it is not known)}, ...}}
 
-local compiler = require "generator.commands.compiler"
+local later = require "generator.later"
+local compiler = later "generator.commands.compiler"
 local options = require "generator.commands.options"
-local calls = require "generator.emit.calls"
+local calls = later "generator.emit.calls"
 local data = require "generator.cost.cores"
-local frames = require "generator.cost.frames"
-local object = require "generator.cost.object"
-local stack = require "generator.cost.stack"
+local frames = later "generator.cost.frames"
+local object = later "generator.cost.object"
+local stack = later "generator.cost.stack"
 
 local measure = { names = {} }
 

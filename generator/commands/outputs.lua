@@ -109,9 +109,9 @@ end
 -- What an earlier run made from the same scene and this one does not.
 local function retire(host, dir, earlier, plan)
   for _, name in ipairs(sorted(earlier)) do
-    local f, there = earlier[name], host.sha256("", dir .. "/" .. name)
-    local left = there and not plan.mine[name]
-    if left and there == f.hash then
+    local f = earlier[name]
+    local left = not plan.mine[name] and host.sha256("", dir .. "/" .. name)
+    if left == f.hash then
       plan.list[#plan.list + 1] = { name = name, text = false }
       plan.notes[#plan.notes + 1] = "removed " .. dir .. "/" .. name .. ": it is no longer made\n"
     elseif left then

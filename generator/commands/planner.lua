@@ -4,12 +4,13 @@
 -- with a file that is not whole, it is made again.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local build = require "generator.commands.build"
-local progress = require "generator.commands.progress"
+local later = require "generator.later"
+local build = later "generator.commands.build"
+local progress = later "generator.commands.progress"
 local driver = require "generator.driver"
-local candidates = require "generator.plan.candidates"
-local decision = require "generator.plan.decision"
-local plan = require "generator.plan.plan"
+local candidates = later "generator.plan.candidates"
+local decision = later "generator.plan.decision"
+local plan = later "generator.plan.plan"
 local targets = require "generator.cost.targets"
 
 local planner = {}

@@ -152,7 +152,7 @@ function tally.read(name, header, source, options)
     if not open then break end
     local close = string.find(text, "\n}\n", open, true)
     local head = string.match(between, "^.*[;}](.*)$") or between
-    local kind, f, parameters = string.match(head, "([%w_]+)%s+%*?([%a_][%w_]*)%s*(%b())%s*$")
+    local kind, f, parameters = string.match(head, "%f[%w_]([%w_]+)%s+%*?([%a_][%w_]*)%s*(%b())%s*$")
     unit.functions[f] = not unit.library[f] and { result = unit.types[kind] or "int", parameters = parameters,
       text = string.sub(text, open + 1, close + 1) } or nil
     pos = close + 2

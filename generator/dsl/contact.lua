@@ -11,13 +11,14 @@
 -- surface need not have a point for every normal.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
 local args = require "generator.dsl.args"
-local rotation = require "generator.dsl.rotation"
+local rotation = later "generator.dsl.rotation"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
 local diag = require "generator.diag"

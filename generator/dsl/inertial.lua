@@ -5,14 +5,15 @@
 -- rounded by somebody, which mass/validity.lua allows for.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
 local args = require "generator.dsl.args"
 local files = require "generator.dsl.files"
 local shapes = require "generator.dsl.shapes"
 local diag = require "generator.diag"
-local reader = require "generator.interchange.reader"
-local read = require "generator.interchange.read"
+local reader = later "generator.interchange.reader"
+local read = later "generator.interchange.read"
 
 local inertial = {}
 

@@ -8,14 +8,15 @@
 -- in mass/ and dynamics/.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local expr = require "generator.algebra.expr"
 local accuracy = require "generator.dsl.accuracy"
 local args = require "generator.dsl.args"
-local events = require "generator.dsl.events"
-local measure = require "generator.dsl.measure"
+local events = later "generator.dsl.events"
+local measure = later "generator.dsl.measure"
 local names = require "generator.dsl.names"
 local ranges = require "generator.dsl.ranges"
-local rotation = require "generator.dsl.rotation"
+local rotation = later "generator.dsl.rotation"
 local shapes = require "generator.dsl.shapes"
 local diag = require "generator.diag"
 

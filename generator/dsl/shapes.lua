@@ -8,14 +8,15 @@
 -- Nothing is integrated here; mass/body.lua turns the tree into mass, centre and tensor.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
 local args = require "generator.dsl.args"
 local digits = require "generator.dsl.digits"
-local polygon = require "generator.dsl.polygon"
-local region = require "generator.dsl.region"
-local rotation = require "generator.dsl.rotation"
+local polygon = later "generator.dsl.polygon"
+local region = later "generator.dsl.region"
+local rotation = later "generator.dsl.rotation"
 local value = require "generator.dsl.value"
 local diag = require "generator.diag"
 

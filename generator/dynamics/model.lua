@@ -5,6 +5,7 @@
 -- named in generator/stages.lua.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
@@ -21,7 +22,7 @@ local parts = require "generator.mass.parts"
 local principal = require "generator.mass.principal"
 local validity = require "generator.mass.validity"
 local inputs = require "generator.dynamics.inputs"
-local numeric = require "generator.dynamics.numeric"
+local numeric = later "generator.dynamics.numeric"
 local states = require "generator.dynamics.states"
 local stages = require "generator.stages"
 

@@ -4,8 +4,9 @@
 -- The order of the templates is that of the C: what stands first is used by what follows.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local R = require "generator.algebra.rational"
-local analysis = require "generator.emit.analysis"
+local analysis = later "generator.emit.analysis"
 local base_values = require "generator.emit.base"
 local economy = require "generator.emit.economy"
 local number = require "generator.emit.number"

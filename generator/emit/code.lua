@@ -15,14 +15,15 @@
 -- whose implementation stands behind a macro.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local R = require "generator.algebra.rational"
-local analysis = require "generator.emit.analysis"
+local analysis = later "generator.emit.analysis"
 local base_values = require "generator.emit.base"
-local batch = require "generator.emit.batch"
+local batch = later "generator.emit.batch"
 local baked = require "generator.emit.baked"
 local closed = require "generator.emit.closed"
 local columns = require "generator.emit.columns"
-local estimator = require "generator.emit.estimator"
+local estimator = later "generator.emit.estimator"
 local functions = require "generator.emit.functions"
 local guard = require "generator.emit.guard"
 local head = require "generator.emit.head"
@@ -30,6 +31,7 @@ local init = require "generator.emit.init"
 local layout = require "generator.emit.layout"
 local libm = require "generator.emit.libm"
 local number = require "generator.emit.number"
+local plain = require "generator.emit.plain"
 local proof = require "generator.emit.proof"
 local source = require "generator.emit.source"
 local special = require "generator.emit.special"
@@ -50,9 +52,12 @@ local code = {}
 local function includes(text, already)
   local list, has = {}, {}
   for _, name in ipairs(already or {}) do has[name] = true end
-  for _, h in ipairs { { "<stddef.h>", "size_t", "%f[%w_]size_t%f[^%w_]" },
-    { "<stdint.h>", "int%d+_t", "%f[%w_]u?int%d+_t%f[^%w_]" } } do -- the plain one first, which is faster
-    if not has[h[1]] and string.find(text, h[2]) and string.find(text, h[3]) then list[#list + 1] = h[1] end
+  for _, h in ipairs { { "<stddef.h>", "size_t" }, { "<stdint.h>", "int8_t", "int16_t", "int32_t", "int64_t" } } do
+    local needed = false
+    for i = 2, has[h[1]] and 0 or #h do
+      needed = needed or plain.has(text, h[i]) and (plain.word(text, h[i]) or plain.word(text, "u" .. h[i]))
+    end
+    if needed then list[#list + 1] = h[1] end
   end
   return list
 end
@@ -91,16 +96,16 @@ local function fragments(job, p, ctx, base)
   local function put(room, declared, defined)
     list[#list + 1] = { header = declared or "", source = defined or "", room = room }
   end
-  local function plain(name) return PLAIN(templates, base, {})(name) end
+  local function bare(name) return PLAIN(templates, base, {})(name) end
   local few = p.closed and job.closed.pairs or nil -- nil: all the arithmetic of pairs
   local pair = (p.special or has.rates or p.closed) and
     special.pair(templates, base, few ~= "few" or p.special, few == nil or p.special)
   if p.special then put("motion", nil, pair .. "\n" .. special.text(templates, base, ctx, p.helpers)) end
-  if p.order and p.stability.order.sums or job.closed.exact then put("motion", nil, plain "numeric/exact.c") end
+  if p.order and p.stability.order.sums or job.closed.exact then put("motion", nil, bare "numeric/exact.c") end
   if p.order then put("motion", nil, stability.order(p.stability, job, base)) end
   put("motion", init.fragment(p.init, job, base, p))
   put("motion", functions.fragment(p.functions, templates, base))
-  if has.attitude then put("motion", plain "core/normalise.h", plain "core/normalise.c") end
+  if has.attitude then put("motion", bare "core/normalise.h", bare "core/normalise.c") end
   if pair and not p.special then put("motion", nil, pair) end
   local s, axes = job.selection, nil
   if has.attitude and selection.attitude(s.asked) then put("motion", attitude(job, ctx, base)) end

@@ -10,6 +10,8 @@
 -- line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local plain = require "generator.emit.plain"
+
 local columns = { width = 100 }
 
 local function indent_of(line) return string.match(line, "^ *") end
@@ -152,7 +154,7 @@ end
 
 -- The head of a function: on one line, or broken between arguments.
 local function broken_head(text)
-  text = string.gsub(text, "%s*\n%s*", " ")
+  if plain.has(text, "\n") then text = string.gsub(text, "%s*\n%s*", " ") end
   if #text <= columns.width then return text end
   local open = string.find(text, "(", 1, true)
   local lines, line = {}, string.sub(text, 1, open)
@@ -190,8 +192,11 @@ function columns.part(text)
     if short and #head + #short + 5 <= columns.width then
       body = " { " .. short .. " }"
     else
-      local before, last = string.match(body, "^(\n{\n[^{}]-;\n)\n(  return [^\n]*;\n})$")
-      if before and not string.find(before, "\n\n", 1, true) then body = before .. last end
+      local blank = string.find(body, "\n\n", 1, true) -- the only one, or there are more declarations
+      if blank and string.find(body, "^  return [^\n]*;\n}$", blank + 2) and
+        string.find(string.sub(body, 1, blank), "^\n{\n[^{}]*;\n$") then
+        body = string.sub(body, 1, blank) .. string.sub(body, blank + 2)
+      end
     end
     text = string.sub(text, 1, comment_end) .. head .. body
   end
@@ -206,8 +211,8 @@ function columns.fit(text)
     if #statement > columns.width then code(statement, out) else out[#out + 1] = statement end
     statement = nil
   end
-  for line in string.gmatch(text, "([^\n]*)\n") do
-    if not block and string.find(line, "^ */%*") then
+  for _, line in ipairs(plain.lines(text)) do
+    if not block and string.find(line, "/*", 1, true) and string.find(line, "^ */%*") then
       finish()
       block = {}
     end

@@ -13,6 +13,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local columns = require "generator.emit.columns"
+local plain = require "generator.emit.plain"
 local units = require "generator.emit.units"
 
 local layout = {}
@@ -61,8 +62,9 @@ local function follow(u, room, by_name, public, calls)
     if public[n] and public[n].asked then
       calls[n] = true
     else
-      for _, giver in ipairs(by_name[n] or {}) do
-        if giver ~= u then follow(giver, room, by_name, public, calls) end
+      local givers_of = by_name[n]
+      for i = 1, givers_of and #givers_of or 0 do
+        if givers_of[i] ~= u then follow(givers_of[i], room, by_name, public, calls) end
       end
     end
   end
@@ -247,10 +249,9 @@ function layout.sort(name, real, fragments, asked, room, keeps)
     local comment, head = string.match(u.text, "^(/%*.-%*/\n)(.*)$")
     return (comment or "") .. "static " .. (head or u.text)
   end
-  local pattern = "%f[%w_]" .. name .. "_[%w_]+" -- names of the map begin so, but for `real`
   local function shape(text)
     if map.real then text = string.gsub(text, "%f[%w_]real%f[^%w_]", map.real) end
-    return columns.part((string.gsub(text, pattern, map)))
+    return columns.part(plain.renamed(text, name .. "_", map)) -- names of the map begin so, but for `real`
   end
   for _, r in ipairs(order) do
     local own, heads = rooms[r], {}
@@ -268,7 +269,7 @@ function layout.sort(name, real, fragments, asked, room, keeps)
   end
   for _, f in ipairs(functions) do
     local u = (by_name[f.name] or {})[1]
-    f.lines = u and select(2, string.gsub(u.text, "\n", "")) + 1 or 0
+    f.lines = u and #plain.lines(u.text) or 0
     f.uses = u and u.uses or {}
   end
   local function inside(u) return private_text { text = change(u) } end

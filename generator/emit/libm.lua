@@ -10,6 +10,7 @@
 local R = require "generator.algebra.rational"
 local economy = require "generator.emit.economy"
 local number = require "generator.emit.number"
+local plain = require "generator.emit.plain"
 local template = require "generator.emit.template"
 
 local libm = {}
@@ -52,10 +53,8 @@ function libm.names(ctx, own)
   return v
 end
 
--- Does the text call the function?  Plain text first, which is faster.
-local function calls(text, fn)
-  return string.find(text, fn .. "(", 1, true) and string.find(text, "%f[%w_]" .. fn .. "%(") ~= nil
-end
+-- Does the text call the function?
+local function calls(text, fn) return plain.word(text, fn .. "(") end
 
 -- Must a program with this text be linked with the C library's mathematics, -lm?  What compilers always turn into
 -- instructions needs no library.

@@ -5,10 +5,11 @@
 -- scene's base name: same input, same bytes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local code = require "generator.emit.code"
 local columns = require "generator.emit.columns"
-local plugins = require "generator.emit.plugins"
-local q31 = require "generator.emit.q31"
+local plugins = later "generator.emit.plugins"
+local q31 = later "generator.emit.q31"
 local source = require "generator.emit.source"
 local tested = require "generator.emit.tested"
 

@@ -10,6 +10,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local number = require "generator.emit.number"
+local plain = require "generator.emit.plain"
 local distinct = require "generator.dynamics.distinct"
 local lower = require "generator.ir.lower.lower"
 local passes = require "generator.ir.passes.passes"
@@ -167,10 +168,10 @@ end
 
 -- Arguments that the body never mentions are voided, so that no compiler warns.
 local function unused(f, lines)
-  local text, list = " " .. string.gsub(table.concat(lines, "\n"), "/%*.-%*/", "") .. " ", {}
+  local text, list = plain.uncommented(table.concat(lines, "\n"), ""), {}
   for _, a in ipairs(f.args) do
     local name = type(a) == "table" and a.name or a == "x!" and "x" or a == "xo" and "x" or a
-    if not string.find(text, "%f[%w_]" .. name .. "%f[^%w_]") then list[#list + 1] = "(void)" .. name .. ";" end
+    if not plain.word(text, name) then list[#list + 1] = "(void)" .. name .. ";" end
   end
   return list
 end

@@ -6,6 +6,7 @@
 --     kit: {templates, base, ctx, knots_count = text, compensated, planning}
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local number = require "generator.emit.number"
 local plan = require "generator.emit.plan"
 local template = require "generator.emit.template"
@@ -13,8 +14,8 @@ local template = require "generator.emit.template"
 local steppers = {}
 
 -- by the method's name, or by what it gives as its template
-local KINDS = { taylor = require "generator.emit.taylor", adaptive = require "generator.emit.adaptive",
-  split = require "generator.emit.split", midpoint = require "generator.emit.midpoint" }
+local KINDS = { taylor = later "generator.emit.taylor", adaptive = later "generator.emit.adaptive",
+  split = later "generator.emit.split", midpoint = later "generator.emit.midpoint" }
 
 local KNOTS = template.group "steppers/knots.c"
 

@@ -5,11 +5,12 @@
 -- taylor_axis.c or taylor_shift.c; where a square root may vanish, taylor_roots.c and taylor_corners.c step aside.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local number = require "generator.emit.number"
 local packed = require "generator.emit.packed"
-local recurrences = require "generator.emit.recurrences"
+local recurrences = later "generator.emit.recurrences"
 local source = require "generator.emit.source"
 local template = require "generator.emit.template"
 

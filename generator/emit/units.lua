@@ -7,12 +7,16 @@
 -- the first column holds is one part.  BELOW the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local plain = require "generator.emit.plain"
+
 local units = {}
+
+local has, name_before = plain.has, plain.name_before
 
 -- Without comments, strings and characters.
 local function bare(text)
-  if string.find(text, "/*", 1, true) then text = string.gsub(text, "/%*.-%*/", " ") end
-  if not string.find(text, "[\"']") then return text end
+  text = plain.uncommented(text, " ")
+  if not has(text, '"') and not has(text, "'") then return text end
   text = string.gsub(text, "\\.", "")
   return (string.gsub(string.gsub(text, '"[^"\n]*"', '""'), "'[^'\n]*'", "''"))
 end
@@ -22,26 +26,24 @@ units.bare = bare
 local function names_of(code)
   local macro = string.match(code, "^%s*#define%s+([%w_]+)")
   if macro then return { macro } end
-  local head = string.match(code, "^[^{]*")
+  local brace = string.find(code, "{", 1, true)
+  local head = brace and string.sub(code, 1, brace - 1) or code
   if string.find(head, "^%s*typedef") then
-    local out = { string.match(code, "([%w_]+)%s*;%s*$") or string.match(code, "([%w_]+)%s*__attribute__") }
+    local last = string.find(code, ";%s*$")
+    local out = { last and name_before(code, last) or string.match(code, "([%w_]+)%s*__attribute__") }
     out[#out + 1] = string.match(head, "struct%s+([%w_]+)")
     return out
   elseif string.find(head, "^%s*enum") then
     local out = {}
     for name in string.gmatch(string.match(code, "{(.*)}") or "", "[%a_][%w_]*") do out[#out + 1] = name end
     return out
-  elseif string.find(head, "[=%[]") and not string.find(string.match(head, "^[^=%[]*"), "%(") then
-    return { string.match(head, "([%a_][%w_]*)%s*[=%[]") }
   end
-  return { string.match(head, "([%a_][%w_]*)%s*%(") or string.match(head, "([%a_][%w_]*)%s*;") }
-end
-
-local function lines_of(text)
-  local out = {}
-  for line in string.gmatch(text, "([^\n]*)\n?") do out[#out + 1] = line end
-  if out[#out] == "" then out[#out] = nil end
-  return out
+  local call = string.find(head, "(", 1, true)
+  local equals, bracket = string.find(head, "=", 1, true), string.find(head, "[", 1, true)
+  local value = equals and bracket and math.min(equals, bracket) or equals or bracket
+  if value and not (call and call < value) then return { name_before(head, value) } end
+  local last = call or string.find(head, ";", 1, true)
+  return { last and name_before(head, last) }
 end
 
 -- The line after the comment that begins on line i; and is there code behind it?
@@ -71,13 +73,12 @@ local function definition(lines, i)
       line = last and string.sub(line, last + 1) or ""
       inside = not last
     end
-    local mark = string.find(line, "[/\"'{}]") -- most lines have none
-    if mark and string.find(line, "[/\"']", mark) then
+    if has(line, "/*") or has(line, '"') or has(line, "'") then
       line = bare(line)
       local from = string.find(line, "/*", 1, true)
       if from then line, inside = string.sub(line, 1, from - 1), true end
     end
-    if mark and string.find(line, "[{}]") then
+    if has(line, "{") or has(line, "}") then
       for brace in string.gmatch(line, "[{}]") do depth = depth + (brace == "{" and 1 or -1) end
       open = true
     end
@@ -110,7 +111,7 @@ local function part(lines, from, to)
     global = word ~= "static" and word ~= "typedef" and string.find(word, "%l") ~= nil and open ~= nil and
       call ~= nil and call < open,
     -- what is declared here and defined elsewhere: a function, or a constant that is extern
-    prototype = not string.find(code, "[{=#]") and (string.find(code, "%)%s*;%s*$") ~= nil or
+    prototype = not open and not has(code, "=") and not has(code, "#") and (string.find(code, "%)%s*;%s*$") ~= nil or
       string.find(code, "^%s*extern ") ~= nil) }
 end
 
@@ -127,7 +128,7 @@ local function conditional(lines, first, from, to)
 end
 
 function units.parse(text)
-  local lines, out, i = lines_of(text), {}, 1
+  local lines, out, i = plain.lines(text), {}, 1
   while i <= #lines do
     local first, heading = i, false
     if lines[i] == "" then

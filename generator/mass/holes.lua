@@ -9,11 +9,12 @@
 -- roundings of the largest coordinate that occurs on the way (a placement makes some ten).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local diag = require "generator.diag"
-local inside = require "generator.geometry.inside"
-local surface = require "generator.geometry.surface"
+local inside = later "generator.geometry.inside"
+local surface = later "generator.geometry.surface"
 local catalogue = require "generator.mass.catalogue"
 
 local holes = {}

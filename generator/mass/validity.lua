@@ -13,13 +13,14 @@
 -- since the equations of motion divide by the moments.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
 local diag = require "generator.diag"
 local jacobi = require "generator.mass.jacobi"
 local plausible = require "generator.mass.plausible"
-local slips = require "generator.mass.slips"
+local slips = later "generator.mass.slips"
 
 local validity = {}
 

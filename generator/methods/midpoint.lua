@@ -24,10 +24,11 @@
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local vec = require "generator.algebra.vec"
-local sensitivity = require "generator.dynamics.sensitivity"
+local sensitivity = later "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
 local cayley = require "generator.methods.cayley"
 local stages = require "generator.methods.stages"

@@ -71,7 +71,7 @@ out[#out + 1] = "\nconst struct script script_embedded[] = {\n"
 for i, name in ipairs(names) do
   out[#out + 1] = string.format("  {\"%s\", (const char *)s%d, sizeof s%d - 1},\n", name, i, i)
 end
-out[#out + 1] = "  {0, 0, 0}};\n"
+out[#out + 1] = "  {0, 0, 0}};\nconst size_t script_count = " .. #names .. ";\n"
 
 local text = table.concat(out)
 if read(output) ~= text then

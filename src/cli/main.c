@@ -99,8 +99,10 @@ int main(int argc, char **argv) {
     fputs("polhode: not enough memory\n", stderr);
     return HOST_EXIT_BUG;
   }
-  /* a run lasts a tenth of a second and keeps most of what it makes: collect rarely */
+  /* a run lasts a tenth of a second and keeps most of what it makes: collect rarely, and not before
+     the first 24 MiB: a negative step puts off the next collection */
   lua_gc(L, LUA_GCINC, 1000, 100, 0);
+  lua_gc(L, LUA_GCSTEP, -(24 << 10));
   interrupt_watch(L);
   lua_pushcfunction(L, traceback);
   lua_pushcfunction(L, run);

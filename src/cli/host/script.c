@@ -22,36 +22,47 @@ static const char *source_tree(const char *name) {
   return dir != NULL && *dir != '\0' ? dir : NULL;
 }
 
-/* Push the text of the named file; 0 and nothing pushed when there is none. */
-static int push_text(lua_State *L, const char *name) {
+static int by_name(const void *name, const void *script) {
+  return strcmp(name, ((const struct script *)script)->name);
+}
+
+/* One of the program's own; NULL when there is none. */
+static const struct script *embedded(const char *name) {
+  return bsearch(name, script_embedded, script_count, sizeof script_embedded[0], by_name);
+}
+
+/* Push the text of a file of the source tree `dir`; 0 and nothing pushed when there is none. */
+static int push_text(lua_State *L, const char *dir, const char *name) {
+  const char *path = lua_pushfstring(L, "%s/%s", dir, name);
+  const int found = host_read_file(L, path) == 1;
+  if (!found)
+    lua_pop(L, 1);
+  lua_remove(L, found ? -2 : -1);
+  return found;
+}
+
+/* Push the chunk of the named script; 0 and nothing pushed when there is none. */
+static int push_chunk(lua_State *L, const char *name) {
   const char *dir = source_tree(name);
-  if (dir != NULL) {
-    const char *path = lua_pushfstring(L, "%s/%s", dir, name);
-    const int found = host_read_file(L, path) == 1;
-    if (!found)
-      lua_pop(L, 1);
-    lua_remove(L, found ? -2 : -1);
-    return found;
-  }
-  for (const struct script *s = script_embedded; s->name != NULL; s++) {
-    if (strcmp(s->name, name) == 0) {
-      lua_pushlstring(L, s->text, s->size);
-      return 1;
-    }
-  }
-  return 0;
+  const int top = lua_gettop(L);
+  struct script s = {0};
+  if (dir == NULL && embedded(name) != NULL)
+    s = *embedded(name);
+  else if (dir != NULL && push_text(L, dir, name))
+    s.text = lua_tolstring(L, -1, &s.size);
+  if (s.text == NULL)
+    return 0;
+  const char *chunk = lua_pushfstring(L, "@%s", name);
+  if (luaL_loadbufferx(L, s.text, s.size, chunk, dir != NULL ? "t" : "b") != LUA_OK)
+    lua_error(L);
+  lua_insert(L, top + 1);
+  lua_settop(L, top + 1);
+  return 1;
 }
 
 void script_load(lua_State *L, const char *name) {
-  size_t size;
-  if (!push_text(L, name))
+  if (!push_chunk(L, name))
     luaL_error(L, "no script '%s'", name);
-  const char *text = lua_tolstring(L, -1, &size);
-  const char *chunk = lua_pushfstring(L, "@%s", name);
-  if (luaL_loadbufferx(L, text, size, chunk, source_tree(name) != NULL ? "t" : "b") != LUA_OK)
-    lua_error(L);
-  lua_replace(L, -3);
-  lua_pop(L, 1);
 }
 
 /* package.searchers entry: module name -> loader, file name; or a line for require's message. */
@@ -63,12 +74,10 @@ static int searcher(lua_State *L) {
   }
   luaL_gsub(L, module, ".", "/");
   const char *name = lua_pushfstring(L, "%s.lua", lua_tostring(L, -1));
-  if (!push_text(L, name)) {
+  if (!push_chunk(L, name)) {
     lua_pushfstring(L, "no script '%s'", name);
     return 1;
   }
-  lua_pop(L, 1);
-  script_load(L, name);
   lua_pushstring(L, name);
   return 2;
 }
@@ -90,21 +99,36 @@ void script_open(lua_State *L) {
   }
 }
 
-/* t[#t + 1] = name; t[name] = text (on top, popped); t is just below. */
-static void add_template(lua_State *L, const char *name) {
-  lua_setfield(L, -2, name);
+static int is_template(const char *name) {
+  return strncmp(name, "templates/", 10) == 0;
+}
+
+/* __index of the table: (t, name) -> text, which from then on is there; nil if there is none. */
+static int read_embedded(lua_State *L) {
+  const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+  const struct script *s = is_template(name) ? embedded(name) : NULL;
+  if (s == NULL)
+    return 0;
+  lua_pushlstring(L, s->text, s->size);
+  lua_pushvalue(L, -1);
+  lua_setfield(L, 1, name);
+  return 1;
+}
+
+static void add_name(lua_State *L, const char *name) {
   lua_pushstring(L, name);
   lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
 }
 
-/* From the program itself; the table is on top. */
+/* From the program itself, a text when it is asked for: few are; the table is on top. */
 static void add_embedded(lua_State *L) {
-  for (const struct script *s = script_embedded; s->name != NULL; s++) {
-    if (strncmp(s->name, "templates/", 10) == 0) {
-      lua_pushlstring(L, s->text, s->size);
-      add_template(L, s->name);
-    }
-  }
+  for (const struct script *s = script_embedded; s->name != NULL; s++)
+    if (is_template(s->name))
+      add_name(L, s->name);
+  lua_createtable(L, 0, 1);
+  lua_pushcfunction(L, read_embedded);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
 }
 
 /* The files of a folder of the source tree, those of folders in it left out; 0 if there is none.
@@ -119,8 +143,10 @@ static int add_folder(lua_State *L, const char *dir, const char *folder) {
   for (lua_Integer i = 1; lua_rawgeti(L, list, i) != LUA_TNIL; i++) {
     const char *name = lua_pushfstring(L, "%s/%s", folder, lua_tostring(L, -1));
     lua_pushvalue(L, top);
-    if (push_text(L, name))
-      add_template(L, name);
+    if (push_text(L, dir, name)) {
+      lua_setfield(L, -2, name);
+      add_name(L, name);
+    }
     lua_settop(L, list);
   }
   lua_settop(L, top);

@@ -10,12 +10,14 @@
 #include <lua.h>
 #include <stddef.h>
 
-/* The name is the path in the source tree: "generator/algebra/expr.lua". Ends with a NULL name. */
+/* The name is the path in the source tree: "generator/algebra/expr.lua". */
 struct script {
   const char *name, *text;
   size_t size;
 };
+/* In the order of their names; a NULL name follows the last. */
 extern const struct script script_embedded[];
+extern const size_t script_count;
 
 /* Make `require "generator.x.y"` find generator/x/y.lua and nothing else; package is on the stack's
  * top. */

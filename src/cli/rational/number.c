@@ -33,7 +33,22 @@ void rational_work(size_t limbs, double times) {
 }
 
 struct rational_scratch *rational_scratch(lua_State *L) {
-  return lua_touserdata(L, lua_upvalueindex(1));
+  return lua_touserdata(L, lua_upvalueindex(RATIONAL_SCRATCH));
+}
+
+/* As luaL_testudata, which looks the metatable up by its name. */
+static const struct rational *at(lua_State *L, int arg) {
+  const struct rational *x = lua_touserdata(L, arg);
+  if (x == NULL || !lua_getmetatable(L, arg))
+    return NULL;
+  if (!lua_rawequal(L, -1, lua_upvalueindex(RATIONAL_META)))
+    x = NULL;
+  lua_pop(L, 1);
+  return x;
+}
+
+int rational_is(lua_State *L, int arg) {
+  return at(L, arg) != NULL;
 }
 
 int rational_view_of(lua_State *L, int arg, struct rational_view *view) {
@@ -44,7 +59,7 @@ int rational_view_of(lua_State *L, int arg, struct rational_view *view) {
     mpz_roinit_n(mpq_denref(view->q), one_limb, 1);
     return 1;
   }
-  const struct rational *x = luaL_testudata(L, arg, RATIONAL_TYPE);
+  const struct rational *x = at(L, arg);
   if (x == NULL)
     return 0;
   mpz_roinit_n(mpq_numref(view->q), x->limb, x->num);
@@ -59,10 +74,9 @@ mpq_srcptr rational_arg(lua_State *L, int arg, struct rational_view *view) {
   return view->q;
 }
 
-int rational_push(lua_State *L, mpq_srcptr q) {
+/* A new userdata with a copy of q, without its metatable. */
+static void make(lua_State *L, mpq_srcptr q) {
   const mpz_srcptr num = mpq_numref(q), den = mpq_denref(q);
-  if (mpz_sizeinbase(num, 2) > RATIONAL_MAX_BITS || mpz_sizeinbase(den, 2) > RATIONAL_MAX_BITS)
-    return luaL_error(L, "number too large");
   const size_t n = mpz_size(num), d = mpz_size(den);
   struct rational *x = lua_newuserdatauv(L, sizeof *x + (n + d) * sizeof(mp_limb_t), 0);
   x->num = mpz_sgn(num) < 0 ? -(int)n : (int)n;
@@ -70,6 +84,36 @@ int rational_push(lua_State *L, mpq_srcptr q) {
   if (n > 0)
     memcpy(x->limb, mpz_limbs_read(num), n * sizeof(mp_limb_t));
   memcpy(x->limb + n, mpz_limbs_read(den), d * sizeof(mp_limb_t));
-  luaL_setmetatable(L, RATIONAL_TYPE);
+}
+
+void rational_make_small(lua_State *L, int meta) {
+  mpq_t q;
+  mpq_init(q);
+  lua_createtable(L, RATIONAL_SMALL, RATIONAL_SMALL + 1);
+  for (long n = -RATIONAL_SMALL; n <= RATIONAL_SMALL; n++) {
+    mpq_set_si(q, n, 1);
+    make(L, q);
+    lua_pushvalue(L, meta);
+    lua_setmetatable(L, -2);
+    lua_rawseti(L, -2, n);
+  }
+  mpq_clear(q);
+}
+
+int rational_is_small(mpq_srcptr q) {
+  return mpz_cmp_ui(mpq_denref(q), 1) == 0 && mpz_cmpabs_ui(mpq_numref(q), RATIONAL_SMALL) <= 0;
+}
+
+int rational_push(lua_State *L, mpq_srcptr q) {
+  const mpz_srcptr num = mpq_numref(q), den = mpq_denref(q);
+  if (rational_is_small(q)) {
+    lua_rawgeti(L, lua_upvalueindex(RATIONAL_KEPT), mpz_get_si(num));
+    return 1;
+  }
+  if (mpz_sizeinbase(num, 2) > RATIONAL_MAX_BITS || mpz_sizeinbase(den, 2) > RATIONAL_MAX_BITS)
+    return luaL_error(L, "number too large");
+  make(L, q);
+  lua_pushvalue(L, lua_upvalueindex(RATIONAL_META));
+  lua_setmetatable(L, -2);
   return 1;
 }

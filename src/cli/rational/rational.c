@@ -10,6 +10,7 @@
 #include "rational.h"
 
 #include <lauxlib.h>
+#include <limits.h>
 #include <mpfr.h>
 #include <stdint.h>
 
@@ -26,12 +27,28 @@ static int deferred(lua_State *L, const char *event) {
   return 1;
 }
 
+/* Are both whole, and so small that their product is a long? Most are. */
+static int short_whole(mpq_srcptr a, mpq_srcptr b) {
+  const unsigned long limit = 1UL << (sizeof(long) * CHAR_BIT / 2 - 1);
+  return mpz_cmp_ui(mpq_denref(a), 1) == 0 && mpz_cmp_ui(mpq_denref(b), 1) == 0 &&
+         mpz_cmpabs_ui(mpq_numref(a), limit) < 0 && mpz_cmpabs_ui(mpq_numref(b), limit) < 0;
+}
+
+static long whole_of(mpq_srcptr q) {
+  return mpz_get_si(mpq_numref(q));
+}
+
 static int add(lua_State *L) {
   struct rational_view a, b;
   struct rational_scratch *s = rational_scratch(L);
   if (deferred(L, "__add"))
     return 1;
-  mpq_add(s->q, rational_arg(L, 1, &a), rational_arg(L, 2, &b));
+  rational_arg(L, 1, &a);
+  rational_arg(L, 2, &b);
+  if (short_whole(a.q, b.q))
+    mpq_set_si(s->q, whole_of(a.q) + whole_of(b.q), 1);
+  else
+    mpq_add(s->q, a.q, b.q);
   return rational_push(L, s->q);
 }
 
@@ -49,7 +66,12 @@ static int multiply(lua_State *L) {
   struct rational_scratch *s = rational_scratch(L);
   if (deferred(L, "__mul"))
     return 1;
-  mpq_mul(s->q, rational_arg(L, 1, &a), rational_arg(L, 2, &b));
+  rational_arg(L, 1, &a);
+  rational_arg(L, 2, &b);
+  if (short_whole(a.q, b.q))
+    mpq_set_si(s->q, whole_of(a.q) * whole_of(b.q), 1);
+  else
+    mpq_mul(s->q, a.q, b.q);
   return rational_push(L, s->q);
 }
 
@@ -140,7 +162,7 @@ static int new (lua_State *L) {
 }
 
 static int is(lua_State *L) {
-  lua_pushboolean(L, luaL_testudata(L, 1, RATIONAL_TYPE) != NULL);
+  lua_pushboolean(L, rational_is(L, 1));
   return 1;
 }
 
@@ -168,6 +190,12 @@ static int sign(lua_State *L) {
 static int isint(lua_State *L) {
   struct rational_view a;
   lua_pushboolean(L, mpz_cmp_ui(mpq_denref(rational_arg(L, 1, &a)), 1) == 0);
+  return 1;
+}
+
+static int small(lua_State *L) {
+  struct rational_view a;
+  lua_pushboolean(L, rational_is_small(rational_arg(L, 1, &a)));
   return 1;
 }
 
@@ -264,6 +292,7 @@ static const luaL_Reg functions[] = {
     {"den", denominator},
     {"sign", sign},
     {"isint", isint},
+    {"small", small},
     {"toint", toint},
     {"floor", whole},
     {"abs", absolute},
@@ -282,13 +311,16 @@ static const luaL_Reg functions[] = {
 
 int luaopen_polhode_rational(lua_State *L) {
   luaL_checkversion(L);
+  lua_settop(L, 0);
+  luaL_newlibtable(L, functions);
   scratch_new(L);
   luaL_newmetatable(L, RATIONAL_TYPE);
-  lua_pushvalue(L, -2);
-  luaL_setfuncs(L, metamethods, 1);
+  rational_make_small(L, 3);
+  lua_pushvalue(L, 3);
+  for (int i = 2; i <= 4; i++)
+    lua_pushvalue(L, i);
+  luaL_setfuncs(L, metamethods, RATIONAL_UPVALUES);
   lua_pop(L, 1);
-  luaL_newlibtable(L, functions);
-  lua_insert(L, -2);
-  luaL_setfuncs(L, functions, 1);
+  luaL_setfuncs(L, functions, RATIONAL_UPVALUES);
   return 1;
 }

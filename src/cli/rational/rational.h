@@ -21,6 +21,12 @@
 
 #define RATIONAL_TYPE "rational"
 
+/* What every function of the module has: the scratch numbers, the metatable of rationals, and the
+   whole numbers up to RATIONAL_SMALL, of which there is one each: most exponents and coefficients
+   are among them. */
+enum { RATIONAL_SCRATCH = 1, RATIONAL_META, RATIONAL_KEPT, RATIONAL_UPVALUES = RATIONAL_KEPT };
+enum { RATIONAL_SMALL = 32 };
+
 struct rational_scratch {
   mpq_t q, r;
   mpz_t a, b, c, d;
@@ -41,6 +47,9 @@ void rational_work(size_t limbs, double times);
 
 struct rational_scratch *rational_scratch(lua_State *L);
 
+/* Is the value at `arg` a rational? */
+int rational_is(lua_State *L, int arg);
+
 /* The operand at `arg` as a view, or 0 when it is neither a rational nor a Lua integer. */
 int rational_view_of(lua_State *L, int arg, struct rational_view *view);
 
@@ -49,6 +58,12 @@ mpq_srcptr rational_arg(lua_State *L, int arg, struct rational_view *view);
 
 /* Push a copy of q (canonical); raises "number too large" beyond RATIONAL_MAX_BITS. Returns 1. */
 int rational_push(lua_State *L, mpq_srcptr q);
+
+/* Is q one of the whole numbers of which there is one object each? */
+int rational_is_small(mpq_srcptr q);
+
+/* Push the table of the small whole numbers; `meta`: where their metatable is. */
+void rational_make_small(lua_State *L, int meta);
 
 /* floor(log2 |q|), q not 0. */
 long rational_log2(struct rational_scratch *s, mpq_srcptr q);
