@@ -13,6 +13,7 @@ local compensated = require "generator.methods.compensated"
 local methods = require "generator.methods.methods"
 local steady = require "generator.dynamics.steady"
 local upright = require "generator.dynamics.upright"
+local disc = require "generator.dynamics.closed.disc"
 
 local functions = {}
 
@@ -87,6 +88,7 @@ function functions.of(plan, options, named)
   if eq.touch then put("contact", quantities.contact, eq) end
   for _, u in ipairs(eq.touch and upright.of(m) or {}) do put("stable_" .. u.key, upright.margin, m, u) end
   put_all(eq.touch and steady.list(m, made) or {})
+  if eq.touch and made "disc_tilt" and disc.of(m) then put("disc_tilt", disc.tilt, m) end
   if m.record.landing then
     put("gap", landing.gap, m)
     put("impact", landing.impact, m)

@@ -92,17 +92,17 @@ local function node(n, h)
 end
 
 -- Below this, at most `limit`, the series x^first (q_first + ..) has no other root (Cauchy's bound): Newton's method
--- from above for q_first = sum |q_k| x^(k - first).
+-- from above for q_first = sum |q_k| x^(k - first), its next place written as a quotient of positive sums.
 local function clear(q, first, limit)
   local at = limit
   for _ = 1, 200 do
-    local sum, change = 0.0, 0.0
-    for k = last, first, -1 do
-      change = change * at + sum
-      sum = sum * at + (k == first and -q[k] or math.abs(q[k]))
+    local above, below = 0.0, 0.0
+    for k = last, first + 1, -1 do
+      local size = math.abs(q[k])
+      above, below = above * at + (k - first - 1) * size, below * at + (k - first) * size
     end
-    local further = at - sum / change
-    if sum <= 0 or further >= at then break end
+    local further = (above * at + q[first]) / below
+    if below == 0 or further >= at then break end
     at = further
   end
   return at
@@ -185,13 +185,17 @@ function disc.integrals(d, z)
   return z.w, z.a
 end
 
--- The swing from {s, c, a, w} and theta': {least, greatest: states there; period, turn of phi in it}.  Of a steady one
--- the two states are one, and without a turn or a barrier before flat the least is nil; period nil: it takes for ever.
+-- The swing from {s, c, a, w} and theta': {least, greatest: states there; period, turn of phi in it}.  A steady one has
+-- the limits of small swings; least nil: nothing turns it back before it falls flat; period nil: it takes for ever.
 function disc.swing(d, z, rate)
   local start = { s = z.s, c = z.c, a = z.a, w = z.w, W = disc.inertia(d, z.s) * rate ^ 2 / 2 }
   start.slope = expand(d, start, 1).W[1]
   local low, high, down, up = start, start, 0.0, 0.0
-  if start.W == 0 and start.slope == 0 then return { least = start, greatest = start } end
+  if start.W == 0 and start.slope == 0 then
+    local square = disc.nutation(d, z)
+    local period = square > 0 and 2 * math.pi / math.sqrt(square) or nil
+    return { least = start, greatest = start, period = period, turn = period and period * z.a / z.s }
+  end
   if z.a == 0 and z.w == 0 then return {} end
   if start.W > 0 or start.slope < 0 then low, down = turning(d, start, -1) end
   if start.W > 0 or start.slope > 0 then high, up = turning(d, start, 1) end

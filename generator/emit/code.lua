@@ -22,6 +22,7 @@ local batch = require "generator.emit.batch"
 local baked = require "generator.emit.baked"
 local closed = require "generator.emit.closed"
 local columns = require "generator.emit.columns"
+local disc = require "generator.emit.disc"
 local estimator = require "generator.emit.estimator"
 local functions = require "generator.emit.functions"
 local guard = require "generator.emit.guard"
@@ -127,6 +128,7 @@ local function fragments(job, p, ctx, base)
     put("analysis", analysis.rest(job, base))
     if p.stability.say then put("analysis", stability.fragment(p.stability, job, base)) end
   end
+  if job.disc then put("analysis", disc.texts(job, base, ctx)) end
   local all = {}
   for i, f in ipairs(list) do all[i] = f.source end
   local text = table.concat(all, "\n")

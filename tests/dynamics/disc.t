@@ -188,7 +188,7 @@ for _, case in ipairs { { 0.25, 0.5, 0.9, 2.0 }, { 0.5, 1.0, 2.0, -3.0 }, { 2.0,
     local f = disc.swing(d, z, rate)
     -- the period differs by the square of the amplitude, 1e-10
     local moved = math.abs(tilt(f.least) - theta) + math.abs(tilt(f.greatest) - theta)
-    tap.ok(not f.period and rate == 0 and moved == 0 or moved < 10 * (rate + 1e-15) and
+    tap.ok(moved < 10 * (rate + 1e-15) and
       math.abs(f.period * math.sqrt(square) / (2 * math.pi) - 1) < 1e-14 + 10 * rate ^ 2 / s ^ 2,
       string.format("disturbed by %g rad/s: the period of the nutation", rate), f.period)
   end
@@ -199,7 +199,9 @@ end
 local d = disc.of(0.25, 0.5, 1.0, 1.0, 0.0, 10.0)
 tap.is(disc.swing(d, { s = 0.8, c = 0.6, a = 0.0, w = 0.0 }, 0.0).least, nil, "without any turn it falls flat")
 local straight = disc.swing(d, { s = 1.0, c = 0.0, a = 0.0, w = 3.0 }, 0.0)
-tap.ok(straight.least == straight.greatest and not straight.period, "rolling straight its tilt does not change")
+tap.ok(straight.least == straight.greatest and straight.period, "rolling straight its tilt does not change")
+local slow = disc.swing(d, { s = 1.0, c = 0.0, a = 0.0, w = 1.8 }, 0.0)
+tap.ok(slow.least == slow.greatest and not slow.period, "nor when that is unstable, but no small swing has a period")
 tap.ok(disc.nutation(d, { s = 1.0, c = 0.0, a = 0.0, w = 1.8 }) < 0 and
   disc.nutation(d, { s = 1.0, c = 0.0, a = 0.0, w = 1.9 }) > 0, "stable above sqrt(G/(3 R))")
 local v = explained(scene(UNIFORM, { 0, 0, 0 }, HALF))

@@ -6,7 +6,10 @@
 
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
 local contact = require "generator.dynamics.contact"
+local state = require "generator.dynamics.state"
+local touch = require "generator.dynamics.touch"
 local touch_laws = require "generator.dynamics.touch_laws"
 
 local disc = { name = "rolling disc (Appell, Korteweg)" }
@@ -51,6 +54,38 @@ function disc.detect(m)
   local f, why = disc.of(m)
   if not f then return nil, why, contact.of(m) ~= nil and why ~= "the surface is no disc" end
   return nil, "it is reduced to quadratures, but the state at a time needs the inverse of one", true, reduced(f)
+end
+
+-- ---- what is emitted: emit/disc.lua ----
+
+-- NAME_disc_tilt, the state in the variables of dynamics/disc.lua.
+function disc.tilt(m)
+  local g = { why = "g: the plane's normal in body axes; c = g.z, s e2 = g - c z, s e1 = g x z", defs = {}, outs = {} }
+  local name = touch.namer(m, g, {})
+  local normal = vec.map(contact.of(m).a.normal, function(x, i)
+    local letter = string.sub("xyz", i, i)
+    return m:constant("plane" .. letter, ratio.tidy(x), "normal of the plane, " .. letter)
+  end)
+  local up = name("up_", vec.matvec(vec.transpose(vec.rotation(state.q)), normal))
+  local s, w = name("s", { expr.sqrt(up[1] ^ 2 + up[2] ^ 2) })[1], state.w
+  local results = { s, up[3], (w[1] * up[2] - w[2] * up[1]) / s, (w[1] * up[1] + w[2] * up[2]) / s, w[3] }
+  for i, e in ipairs(results) do g.outs[i] = { array = "tilt", index = i - 1, expr = e } end
+  return { name = "disc_tilt", args = { "m", "x", { name = "tilt", count = 5, out = true } },
+    doc = { "The tilt theta, from the normal to the disc's axis: sin theta, cos theta, theta' in rad/s, and",
+      "a = phi' sin theta and w, rad/s: phi is the precession about the normal, w the rate about the axis.",
+      "Not of a disc that lies flat." },
+    groups = { g } }
+end
+
+-- {k1, k3, p, gamma} of dynamics/disc.lua as constants of the model.
+function disc.constants(m)
+  local f = disc.of(m)
+  local R, size = f.surface.half[1], m.mass * f.surface.half[1] ^ 2
+  local G = ratio.tidy(expr.sqrt(vec.dot(contact.of(m).a.gravity, contact.of(m).a.gravity)))
+  return { k1 = m:constant("disc_k1", ratio.tidy(f.I1 / size), "I1/(m R^2)"),
+    k3 = m:constant("disc_k3", ratio.tidy(f.I3 / size), "I3/(m R^2)"),
+    p = m:constant("disc_p", ratio.tidy(f.surface.rim / R), "rho/R, rounding of the edge"),
+    gamma = m:constant("disc_gamma", ratio.tidy(G / R), "gravity/R, 1/s^2") }
 end
 
 return disc
