@@ -26,8 +26,8 @@ end
 
 function picture.text()
   local doc = svg.new(560, 330, { title = "How far the contact point of a dropped disc runs round",
-    about = "Two curves of an angle over the least tilt. Where it is small they are at 403 degrees for a uniform disc " ..
-      "and at 312 for a hoop, elsewhere they rise." })
+    about = "Two curves of an angle over the least tilt. Where it is small they are at 403 degrees for a uniform " ..
+      "disc and at 312 for a hoop, elsewhere they rise." })
   local scale = svg.frame(doc, { x0 = 70, y0 = 40, x1 = 530, y1 = 270, xrange = { 1e-9, 1 }, yrange = { 280, 460 },
     xlog = true, xlabel = "least tilt, rad", ylabel = "turn between two greatest heights, deg" })
   doc:text(70, 24, "A disc dropped from 0.5 rad", "title")

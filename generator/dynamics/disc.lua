@@ -125,9 +125,39 @@ local function turning(d, z, direction)
   return nil
 end
 
+-- J, per m R^2.
+function disc.inertia(d, s) return d.k1 + 1 + 2 * d.p * s + d.p ^ 2 end
+
+-- The reaction at a place: m (G + R (c theta'' - s theta'^2)), J theta'' = W'/s - p c theta'^2.
+function disc.reaction(d, z)
+  local change, J = z.slope or expand(d, z, 1).W[1], disc.inertia(d, z.s)
+  local square = 2 * (z.W or 0.0) / J
+  return d.mass * (d.G + d.R * (z.c * (change / z.s - d.p * z.c * square) / J - z.s * square))
+end
+
+-- Keeps in `least` = {N, arc, at, step} the least reaction of some places on an arc of length h.
+local function watch(d, n, h, least)
+  for k = 0, 4 do
+    local N = disc.reaction(d, node(n, h * k / 4))
+    if N < least.N then least.N, least.arc, least.at, least.step = N, n, h * k / 4, h / 4 end
+  end
+end
+
+-- The least reaction, from the places about the least one by golden sections.
+local function refined(d, least)
+  local low, high, part = math.max(0.0, least.at - least.step), least.at + least.step, (math.sqrt(5) - 1) / 2
+  for _ = 1, 60 do
+    local x, y = high - part * (high - low), low + part * (high - low)
+    local Nx, Ny = disc.reaction(d, node(least.arc, x)), disc.reaction(d, node(least.arc, y))
+    least.N = math.min(least.N, Nx, Ny)
+    if Nx < Ny then high = y else low = x end
+  end
+  return least.N
+end
+
 -- The integral of 1/theta' dtheta and of phi'/theta' dtheta over `length` from the root z of W; nil: W has a double
--- root there.  Series are in x/h, as those of a tiny h overflow.
-local function half(d, z, direction, length)
+-- root there.  Series are in x/h, as those of a tiny h overflow.  least: see `watch`.
+local function half(d, z, direction, length, least)
   local time, turn, done, first = 0.0, 0.0, 0.0, 1
   while done < length do
     local n = expand(d, z, direction)
@@ -153,26 +183,16 @@ local function half(d, z, direction, length)
     local e, t, phi = first == 1 and 0.5 or 1.0, 0.0, 0.0
     for k = top, 0, -1 do t, phi = t + product(s, r, k) / (k + e), phi + product(a, r, k) / (k + e) end
     time, turn = time + t * h ^ e, turn + phi * h ^ e
+    watch(d, n, h, least)
     z, done, first = node(n, h), done + h, 0
   end
   return time, turn
 end
 
--- theta'' of a state at rest in tilt, 1/s^2.
-local function pull(d, z)
-  return expand(d, { s = z.s, c = z.c, a = z.a, w = z.w }, 1).W[1] / (z.s * disc.inertia(d, z.s))
-end
-
--- J, per m R^2.
-function disc.inertia(d, s) return d.k1 + 1 + 2 * d.p * s + d.p ^ 2 end
-
 -- The square of the rate of a small nutation about a steady state {s, c, a, w}: -2 W_2/(J s^2).
 function disc.nutation(d, z)
   return -2 * expand(d, z, 1).W[2] / (disc.inertia(d, z.s) * z.s ^ 2)
 end
-
--- The reaction where the tilt is least or greatest: m (G + R c theta'').
-function disc.reaction(d, z) return d.mass * (d.G + d.R * z.c * pull(d, z)) end
 
 -- w and a of the solution where it is upright: the two linear integrals.
 function disc.integrals(d, z)
@@ -185,8 +205,9 @@ function disc.integrals(d, z)
   return z.w, z.a
 end
 
--- The swing from {s, c, a, w} and theta': {least, greatest: states there; period, turn of phi in it}.  A steady one has
--- the limits of small swings; least nil: nothing turns it back before it falls flat; period nil: it takes for ever.
+-- The swing from {s, c, a, w} and theta': {least, greatest: states there; period, turn of phi in it; N: the least
+-- reaction}.  A steady one has the limits of small swings; least nil: nothing turns it back before it falls flat; period
+-- nil: it takes for ever.
 function disc.swing(d, z, rate)
   local start = { s = z.s, c = z.c, a = z.a, w = z.w, W = disc.inertia(d, z.s) * rate ^ 2 / 2 }
   start.slope = expand(d, start, 1).W[1]
@@ -194,17 +215,20 @@ function disc.swing(d, z, rate)
   if start.W == 0 and start.slope == 0 then
     local square = disc.nutation(d, z)
     local period = square > 0 and 2 * math.pi / math.sqrt(square) or nil
-    return { least = start, greatest = start, period = period, turn = period and period * z.a / z.s }
+    return { least = start, greatest = start, period = period, turn = period and period * z.a / z.s,
+      N = disc.reaction(d, start) }
   end
   if z.a == 0 and z.w == 0 then return {} end
   if start.W > 0 or start.slope < 0 then low, down = turning(d, start, -1) end
   if start.W > 0 or start.slope > 0 then high, up = turning(d, start, 1) end
   if not low or not high then return {} end
   local length = (down + up) / 2
-  local t1, phi1 = half(d, low, 1, length)
-  local t2, phi2 = half(d, high, -1, length)
+  local N = { N = math.huge }
+  local t1, phi1 = half(d, low, 1, length, N)
+  local t2, phi2 = half(d, high, -1, length, N)
   local known = t1 and t2
-  return { least = low, greatest = high, period = known and 2 * (t1 + t2), turn = known and 2 * (phi1 + phi2) }
+  return { least = low, greatest = high, period = known and 2 * (t1 + t2), turn = known and 2 * (phi1 + phi2),
+    N = known and refined(d, N) }
 end
 
 -- Between two greatest heights, for ever flatter falls, rad: near flat (k1 + p^2) a^2/2 is all of W but its constant.

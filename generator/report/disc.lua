@@ -47,6 +47,11 @@ local function swing(d, put, z, rate)
     "N")
   put("reaction_tilt_greatest", "", "N = m (G + R c theta'')", "N = m(G + Rc\\ddot\\theta)",
     disc.reaction(d, f.greatest), "N")
+  if f.N then
+    put("reaction_least", f.N > 0 and "in the swing: it stays on the plane" or
+      "in the swing: contact is lost before, and what is said of the whole swing does not hold",
+      "N = m (G + R (c theta'' - s theta'^2))", "N = m(G + R(c\\ddot\\theta - s\\dot\\theta^2))", f.N, "N")
+  end
   if f.period then
     put("tilt_period", "of the tilt", "2 int dtheta/theta'", "2\\int d\\theta/\\dot\\theta", f.period, "s")
     put("contact_turn", "of the contact point about the normal in it, as of the precession", "2 int phi'/theta' dtheta",

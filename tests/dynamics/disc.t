@@ -68,20 +68,21 @@ end
 local UNIFORM = { 0.01, 0.02, "r = 0.2" }
 local HALF = "{ quaternion = { 0.9689124217106447, 0.24740395925452294, 0, 0 } }"
 
--- of /events and /turn: least tilt, its N, greatest tilt, its N, the time between two, the turn
+-- of /events, /turn and /smallest_N: least tilt, its N, greatest tilt, its N, the time between two, the turn, least N
 for _, row in ipairs {
   { "disc_fall_and_flip", { 0, 0.002, 0.001 }, 5.7318364304095577564e-5, 131271.60484386661002,
     0.50000000000000003968767744372797, 3.7658535875584470782, 0.33480943060110020480832763719497,
-    402.64726087058673302 },
+    402.64726087058673302, 1.361 },
   { "disc_fall_and_flip_mild", { 0, 0.2, 0.1 }, 5.7661412886977337362829497324657e-3, 1291.6210062874514111,
     0.50000000000000003968767744372797, 3.7642116020432731595, 0.33481637453170520370531318906692,
-    410.88620123741662335 } } do
+    410.88620123741662335, 1.408 } } do
   local v, all = explained(scene(UNIFORM, row[2], HALF))
   for k, key in ipairs { "tilt_least", "reaction_tilt_least", "tilt_greatest", "reaction_tilt_greatest", "tilt_period",
     "contact_turn" } do
     local want = (key == "tilt_least" or key == "tilt_greatest") and math.deg(row[2 + k]) or row[2 + k]
     tap.near(v[key] and v[key].value, want, BAR, 0, row[1] .. ": " .. key, WHY)
   end
+  tap.near(v.reaction_least.value, row[9], 0, 5.1e-4, row[1] .. ": least N", "four digits")
   tap.near(v.contact_turn_flat.value, 402.49223594996215988, 1e-15, 0, row[1] .. ": its limit", "a rounding")
   tap.ok(all.closed_form.reduced:find("Legendre", 1, true), "the theorem is named")
 end
@@ -123,7 +124,19 @@ for _, case in ipairs { { COIN, { 3, -10, 32 }, 1.0 }, { COIN, { 1, 0.3, -0.2 },
   tap.ok(all.closed_form and all.closed_form.reduced:find("rounded", 1, true), what .. ": explained", all)
   program.write(dir .. "/b.lua", (text:gsub("time =", string.format("events = {{ name = %q, when = %s }}, time =",
     "here", tilting))))
-  local until_t = 2.2 * v.tilt_period.value
+  local least, samples, period = math.huge, 0, v.tilt_period.value
+  program.shell(string.format("%s run %s/b.lua --engine general --until %.17g --every %.17g --columns t,N >%s/out " ..
+    "2>%s/err", binary, dir, period, period / 400, dir, dir))
+  for N in program.read(dir .. "/out"):gmatch "\n[%d.e+-]+,([%d.e+-]+)" do
+    least, samples = math.min(least, tonumber(N)), samples + 1
+  end
+  -- the nearest sample is at most 1/800 of a period from the least N: 2 pi/800 squared, halved, is 3e-5 of its swing,
+  -- and more where it has overtones
+  local swing = math.max(v.reaction_tilt_least.value, v.reaction_tilt_greatest.value) - v.reaction_least.value
+  local above = (least - v.reaction_least.value) / swing
+  tap.ok(samples >= 400 and above > -1e-11 and above < 1e-3, what .. ": least N", string.format("%d, %g", samples,
+    above))
+  local until_t = 2.2 * period
   program.shell(string.format("%s run %s/b.lua --engine general --until %.17g --every %.17g --columns t,q,w >%s/out " ..
     "2>%s/err", binary, dir, until_t, until_t / 9, dir, dir))
   local out, times, kept = program.read(dir .. "/out"), {}, 0.0

@@ -75,6 +75,7 @@ values.rows = {
   upright_precession = { "C_2", nil, "its precession there, conserved" },
   reaction_tilt_least = { "N_min", nil, "reaction at the least tilt" },
   reaction_tilt_greatest = { "N_max", nil, "reaction at the greatest tilt" },
+  reaction_least = { "N_0", nil, "least reaction in the swing: contact is lost where it is not positive" },
   tilt_period = { "tau", nil, "period of the tilt" },
   contact_turn = { "Delta phi", nil, "turn of the contact point in it" },
   contact_turn_flat = { "Delta phi_0", "pi sqrt[1 + {M R^2|I_1 + M rho^2}]", "its limit for ever flatter falls" },
