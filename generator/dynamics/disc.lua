@@ -206,8 +206,8 @@ function disc.integrals(d, z)
 end
 
 -- The swing from {s, c, a, w} and theta': {least, greatest: states there; period, turn of phi in it; N: the least
--- reaction}.  A steady one has the limits of small swings; least nil: nothing turns it back before it falls flat; period
--- nil: it takes for ever.
+-- reaction}.  A steady one has the limits of small swings; least nil: nothing turns it back before it falls flat;
+-- period nil: it takes for ever.
 function disc.swing(d, z, rate)
   local start = { s = z.s, c = z.c, a = z.a, w = z.w, W = disc.inertia(d, z.s) * rate ^ 2 / 2 }
   start.slope = expand(d, start, 1).W[1]
