@@ -15,7 +15,7 @@
 #   make dist       build/polhode-VERSION.tar.gz: the same commit, the same bytes
 #   make deb        Debian packages, from that archive, in build/deb
 #   make install    program, library, scenes, documents: PREFIX (default /usr/local), DESTDIR
-#   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/commands.md, docs/linearised.svg,
+#   make docs       docs/shapes.md and its pictures, docs/effects.md, docs/commands.md, docs/linearised.svg, docs/disc.svg,
 #                   the tour in docs/design.md
 #   make man | completions   man pages into build/man, completions for bash, zsh, fish into build/completions
 #   make gallery    docs/gallery.md and a picture of each scene of bodies/
@@ -272,6 +272,7 @@ docs: $(PROGRAM) $(MODULE)
 	@$(LUA) docs/tools/pages.lua docs
 	@$(LUA) docs/tools/tour.lua $(PROGRAM) docs/design.md
 	@$(PROGRAM) chart bodies/book.lua --linearised -o docs/linearised.svg
+	@$(LUA) docs/tools/disc.lua docs/disc.svg
 
 # Man pages and completions for bash, zsh and fish, from the tables that the command line is read with.
 man: $(MODULE)

@@ -36,6 +36,7 @@ local functions = require "generator.functions"
 local nearest = require "generator.nearest"
 local selection = require "generator.selection"
 local stages = require "generator.stages"
+local disc = require "generator.dynamics.closed.disc"
 
 local driver = { version = "0.1.0" }
 
@@ -198,6 +199,10 @@ local function complete(plan, options)
   end
   local closed_form = plan.closed
   plan.closed_constants = closed_form.constants and closed_form.constants(m) or {}
+  if disc.of(m) and (plan.selection.asked "disc_integrals" or plan.selection.asked "disc_rates" or
+    plan.selection.asked "disc_swing") then
+    plan.disc = disc.constants(m)
+  end
   plan.smooth_until = breaks.first(eq)
   plan.stability = m.has.rates and plan.selection.asked "spin_stable" and stability.of(m) or nil
   if m.baked then bake(plan, options) end

@@ -14,6 +14,7 @@ local compensated = later "generator.methods.compensated"
 local methods = require "generator.methods.methods"
 local steady = require "generator.dynamics.steady"
 local upright = later "generator.dynamics.upright"
+local disc = later "generator.dynamics.closed.disc"
 
 local functions = {}
 
@@ -57,6 +58,14 @@ local function gradients(plan)
   return list
 end
 
+-- Those of a body on a plane.
+local function touching(m, eq, made, put)
+  put("contact", quantities.contact, eq)
+  for _, u in ipairs(upright.of(m)) do put("stable_" .. u.key, upright.margin, m, u) end
+  for _, f in ipairs(steady.list(m, made)) do put(f.name, function() return f end) end
+  if made "disc_tilt" and disc.of(m) then put("disc_tilt", disc.tilt, m) end
+end
+
 -- options: those of driver.plan; named: see steppers.
 function functions.of(plan, options, named)
   local m, eq = plan.model, plan.equations
@@ -85,9 +94,7 @@ function functions.of(plan, options, named)
   if m.has.attitude then put("momentum", quantities.momentum, m) end
   if m.has.rates then put("torque", quantities.torque, m) end
   put("rhs", quantities.rhs, eq)
-  if eq.touch then put("contact", quantities.contact, eq) end
-  for _, u in ipairs(eq.touch and upright.of(m) or {}) do put("stable_" .. u.key, upright.margin, m, u) end
-  put_all(eq.touch and steady.list(m, made) or {})
+  if eq.touch then touching(m, eq, made, put) end
   if m.record.landing then
     put("gap", landing.gap, m)
     put("impact", landing.impact, m)

@@ -26,7 +26,8 @@ end
 -- What studies a body or a state, and moves none.
 local ANALYSIS = set [[inertia_at particle_energy torque rate acceleration jacobian jacobian_p jacobian_u initial_p
   energy_gradient integral_gradient momentum_gradient stable_up stable_down stable_straight
-  stable_edge steady_spin steady_nod principal_of principal stability linearised spin_stable]]
+  stable_edge steady_spin steady_nod disc_tilt disc_integrals disc_rates disc_swing principal_of principal stability
+  linearised spin_stable]]
 
 -- The derivatives among them: these are asked for by --with jacobians.
 local DERIVATIVES = set "jacobian jacobian_p jacobian_u initial_p energy_gradient integral_gradient momentum_gradient"
@@ -47,7 +48,7 @@ local MOTION = set [[init defaults initial mass inertia inertia_now energy jacob
 
 -- Functions of templates that call functions made of equations.
 local NEEDS = { principal = "inertia", spin_stable = "inertia", solve = "inertia", step = "rhs inertia initial",
-  estimator_open = "inertia" }
+  estimator_open = "inertia", disc_integrals = "disc_tilt", disc_swing = "disc_tilt" }
 
 -- The function of one body that a function of many is made of, or nil.
 local function batched(name)

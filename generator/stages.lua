@@ -23,13 +23,13 @@ local FIELDS = {
   scene = [[ host templates version build file source text diag budget
     record model equations states closed conserved ranges ]],
   -- driver.plan; model: the scene's, with all constants of the functions; closed: the form that is emitted, or why none
-  -- is; planned: the decision of generator/plan/; fit: steps with derivatives (dynamics/tangents.lua), or false;
-  -- sweep: the study of many members, or false; held: what --bake holds in constants of C; transition, compensated: are
-  -- there such steps?; orders: of the series that a planner tries
+  -- is; disc: constants of the functions of a rolling disc; planned: the decision of generator/plan/; fit: steps with
+  -- derivatives (dynamics/tangents.lua), or false; sweep: the study of many members, or false; held: what --bake holds
+  -- in constants of C; transition, compensated: are there such steps?; orders: of the series that a planner tries
   plan = [[ diag budget model equations
     real libm command selection layout package proof planned orders batch sweep fit estimator
     methods jacobians steppers functions transition compensated q31 held
-    closed closed_constants oblique smooth_until stability
+    closed closed_constants oblique smooth_until stability disc
     title banner derivation ]],
   -- driver.code, driver.files; plugin: also what the program itself loads; hash, hashes: of driver.trace; counted: the
   -- sheet of --target; code: {header =, source =}, all of them in one; emitted: its functions; costs: their

@@ -23,6 +23,7 @@ local batch = later "generator.emit.batch"
 local baked = require "generator.emit.baked"
 local closed = require "generator.emit.closed"
 local columns = require "generator.emit.columns"
+local disc = later "generator.emit.disc"
 local estimator = later "generator.emit.estimator"
 local functions = require "generator.emit.functions"
 local guard = require "generator.emit.guard"
@@ -132,6 +133,7 @@ local function fragments(job, p, ctx, base)
     put("analysis", analysis.rest(job, base))
     if p.stability.say then put("analysis", stability.fragment(p.stability, job, base)) end
   end
+  if job.disc then put("analysis", disc.texts(job, base, ctx)) end
   local all = {}
   for i, f in ipairs(list) do all[i] = f.source end
   local text = table.concat(all, "\n")

@@ -137,6 +137,9 @@ local function motion_section(f)
   if f.closed.kind then
     lines[1] = "closed form: " .. f.closed.theorem
     for _, l in ipairs(f.closed.text) do lines[#lines + 1] = "  " .. l end
+  elseif f.closed.reduced then
+    lines[1] = "reduced to quadratures: " .. f.closed.reduced.theorem
+    for _, l in ipairs(f.closed.reduced.text) do lines[#lines + 1] = "  " .. l end
   else
     lines[1] = "no closed form"
   end
@@ -288,7 +291,8 @@ function writers.json(f)
   local closed = f.closed.kind and object { { "kind", f.closed.kind }, { "theorem", f.closed.theorem },
       { "rates_only", not f.closed.full and not f.closed.centre }, { "part", f.closed.part or json.null },
       { "others", others } } or
-    object { { "kind", json.null }, { "refused", f.closed.refused }, { "others", others } }
+    object { { "kind", json.null }, { "refused", f.closed.refused },
+      { "reduced", f.closed.reduced and f.closed.reduced.theorem or json.null }, { "others", others } }
   local params, stability, effects, cost, warnings, estimated = {}, {}, {}, {}, {}, {}
   for i, p in ipairs(f.params) do
     params[i] = object { { "name", p.name }, { "default", f.job.model:double(p.sym) }, { "unit", p.unit } }

@@ -1,4 +1,4 @@
--- touch.lua -- of a body on a plane: integrals at the start, closed forms of balls, steady rolling, critical speeds.
+-- touch.lua -- of a body on a plane: integrals at the start, closed forms of balls, critical speeds; discs: disc.lua.
 --
 -- G is the gravity; the critical speeds are those of dynamics/upright.lua.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -10,6 +10,7 @@ local contact = require "generator.dynamics.contact"
 local state = require "generator.dynamics.state"
 local touch_laws = require "generator.dynamics.touch_laws"
 local upright = require "generator.dynamics.upright"
+local disc = require "generator.report.disc"
 
 local touch = {}
 
@@ -59,27 +60,6 @@ local function critical(m, law, put)
   end
 end
 
--- The steady precessions of a thin disc at its tilt and w3.
-local function disc(m, f, put, I1, I3, mass, G)
-  local R = m:double(f.surface.half[1])
-  if m:double(f.surface.rim) ~= 0 then return end
-  -- steady: (I3 + m R^2) w3 p s - I1 p^2 s c + m G R c = 0 for the precession p, cosine c and sine s of the axis
-  local q = vec.map(m.attitude, function(e) return m:double(e) end)
-  local n = vec.map(contact.of(m).a.normal, function(e) return m:double(e) end)
-  local c = vec.matvec(vec.transpose(vec.rotation(q)), n)[3] / math.sqrt(vec.dot(q, q)) ^ 2
-  local s, w3 = math.sqrt(math.max(0.0, 1 - c * c)), m:double(m.omega[3])
-  local A, B, D = I1 * s * c, (I3 + mass * R * R) * w3 * s, mass * G * R * c
-  local roots = {}
-  if A ~= 0 and B * B + 4 * A * D >= 0 then
-    local far = (B + (B < 0 and -1 or 1) * math.sqrt(B * B + 4 * A * D)) / (2 * A)
-    roots = { far, far ~= 0 and -D / A / far or nil }
-  end
-  for i, p in ipairs(roots) do
-    put("steady_precession_" .. string.format("%d", i), "about the normal, for this tilt and w3",
-      "I1 p^2 s c - (I3 + m R^2) w3 p s = m G R c", "I_1p^2sc - (I_3 + mR^2)\\omega_3ps = mGRc", p, "rad/s")
-  end
-end
-
 local function ball(m, f, put, a, mass, G)
   local J, R, rate = m:double(f.I1), m:double(f.surface.rim), m:double(a.rate)
   local k = J / (J + mass * R * R)
@@ -112,7 +92,7 @@ function touch.rows(job, put)
   local size = math.sqrt(vec.dot(G, G))
   if m:double(a.rate) ~= 0 or not f.level or not f.revolved or size == 0 or not f.surface.disc then return end
   if a.law == "rolling" and m:double(f.centre[3]) == 0 then
-    disc(m, f, put, m:double(f.I1), m:double(f.I3), mass, size)
+    disc.rows(m, f.surface, put, m:double(f.I1), m:double(f.I3), mass, size)
   end
 end
 

@@ -29,5 +29,8 @@ tap.ok(count > 40 and #stale == 0, "what is in docs is what the tools make (else
 tap.is(made("chart bodies/book.lua --linearised -o " .. dir .. "/linearised.svg"), 0, "small oscillations are drawn")
 tap.ok(program.read(dir .. "/linearised.svg") == program.read "docs/linearised.svg", "as in docs")
 
+local disc = require "docs.tools.disc"
+tap.ok(disc.text() == program.read "docs/disc.svg", "docs/disc.svg is what docs/tools/disc.lua makes")
+
 program.finish()
 tap.done()

@@ -77,6 +77,7 @@ end
 emit("brick_centroid", { analysis = true, jacobians = true, plugin = { peers = true },
   methods = { "exact", "rk4", "taylor", "adaptive", "midpoint" } })
 emit("heavy_top", { analysis = true, attitude = true, estimator = true, methods = { "taylor", "exact" } })
+emit("rolling_coin", { analysis = true, methods = { "rk4" } })
 emit("gyrostat", { methods = { "exact", "split2" }, real = "float", batch = true })
 emit("brick_centroid", { methods = { "taylor" }, batch = true })
 emit("attitude_control", { methods = { "taylor" }, real = "float", batch = true })

@@ -21,8 +21,12 @@ end
 
 -- What a steady precession obeys; c and s: cosine and sine of the tilt.
 local function precession(symbol, which)
-  local formula = string.gsub("{M g R c + ( I_3 + M R^2 ) omega_3 p s|I_1 p s c}", "%f[%w]p%f[ ]", symbol)
-  return { symbol, formula, which .. " precession of this tilt (cosine c, sine s) and spin" }
+  local function with(formula) return (string.gsub(formula, "%f[%w]p%f[ ]", symbol)) end
+  return { symbol, {
+    ["I1 p^2 s c - (I3 + m R^2) w3 p s = m G R c"] = with "{M g R c + ( I_3 + M R^2 ) omega_3 p s|I_1 p s c}",
+    ["(I1 + m rho (R s + rho)) p^2 s c - (I3 s + m (R s + rho) (R + rho s)) w3 p = m G R c"] =
+      with "{M g R c + ( I_3 s + M ( R s + rho ) ( R + rho s ) ) omega_3 p|( I_1 + M rho ( R s + rho ) ) p s c}" },
+    which .. " precession of this tilt (cosine c, sine s) and spin" }
 end
 
 -- key = {symbol, formula or formulas by the report's text, what it is or nil: the report's words}
@@ -63,6 +67,18 @@ values.rows = {
     "upright and spinning about the normal: stable above" },
   steady_precession_1 = precession("p_1", "one steady"),
   steady_precession_2 = precession("p_2", "the other"),
+  steady_nutation_1 = { "Omega_1", nil, "rate of a small nutation about the one: it is stable" },
+  steady_nutation_2 = { "Omega_2", nil, "rate of a small nutation about the other: it is stable" },
+  steady_growth_1 = { "sigma_1", nil, "rate of growth of a nutation about the one: it is unstable" },
+  steady_growth_2 = { "sigma_2", nil, "rate of growth of a nutation about the other: it is unstable" },
+  upright_spin = { "C_1", nil, "spin of the solution where it is upright, conserved" },
+  upright_precession = { "C_2", nil, "its precession there, conserved" },
+  reaction_tilt_least = { "N_min", nil, "reaction at the least tilt" },
+  reaction_tilt_greatest = { "N_max", nil, "reaction at the greatest tilt" },
+  reaction_least = { "N_0", nil, "least reaction in the swing: contact is lost where it is not positive" },
+  tilt_period = { "tau", nil, "period of the tilt" },
+  contact_turn = { "Delta phi", nil, "turn of the contact point in it" },
+  contact_turn_flat = { "Delta phi_0", "pi sqrt[1 + {M R^2|I_1 + M rho^2}]", "its limit for ever flatter falls" },
   circle_rate = { "Omega_circle", "{I Omega|I + M R^2}", "rate of the circles of its centre" },
   drift = { "V_drift", "{M R^2 g_along|I Omega}", "across the slope" },
   acceleration = { "a", "{M R^2 g_along|I + M R^2}", "of its centre down the slope" },
