@@ -6,6 +6,7 @@
 --     full: does the closed form give the whole state, so that its halves need not stand there?
 --     s.asked(name) -> bool       is the function emitted for the user?  Names without the scene's prefix
 --     s.made(name) -> bool        must its equations be made: it is asked for, or another function may need it
+--     s.only                      are functions named, as by --only?
 --     s.orbit                     may a function of the closed form be asked for?
 --     s.estimator                 is a function of the estimator among those of --only?
 --     selection.room(name, of) -> "motion" | "batch" | "orbit" | "estimator" | "analysis": the file that it belongs to
@@ -79,7 +80,7 @@ function selection.new(options, full)
   for _, name in ipairs(options.also or {}) do also[name] = true end
   local whole = not only and options.analysis == nil
 
-  local s = { orbit = not only, estimator = false }
+  local s = { only = only ~= nil, orbit = not only, estimator = false }
   for _, name in ipairs(options.only or {}) do
     local estimator = string.find(name, "^estimator_") ~= nil
     s.estimator = s.estimator or estimator

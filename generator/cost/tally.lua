@@ -40,7 +40,7 @@ end
 
 -- ---- the text ----
 
--- The lines that a compiler without the macros that `defined` lists would keep.
+-- The lines that a compiler would keep whose macros are those in the set `defined`, to which the text adds its own.
 local function preprocessed(text, defined)
   local out, depth, skipping, pos = {}, 0, nil, 1
   while true do
@@ -61,6 +61,8 @@ local function preprocessed(text, defined)
       end
     elseif word == "else" then
       if skipping == depth then skipping = nil elseif not skipping then skipping = depth end
+    elseif word == "define" and not skipping then
+      defined[string.match(rest, "^[%w_]+")] = true
     elseif word == "endif" then
       if skipping == depth then skipping = nil end
       depth = depth - 1
@@ -129,6 +131,9 @@ local function outside(unit, text)
     unit.fields[name] = fields_of(unit, string.sub(body, 2, -2))
   end
   for kind, name in string.gmatch(text, "static const ([%w_]+) ([%w_]+) = [^{;]*;") do unit.globals[name] = kind end
+  for kind, name in string.gmatch(text, "static const ([%w_]+) ([%w_]+) = {") do
+    unit.globals[name] = unit.types[kind]
+  end
   for kind, name, size in string.gmatch(text, "static const ([%w_]+) ([%w_]+)(%[[%w%[%]_ +]*%])") do
     unit.globals[name] = (unit.types[kind] or "int") .. string.gsub(string.gsub(size, "%b[]", "*"), "[^*]", "")
   end

@@ -86,7 +86,7 @@ local function value(job, call, a)
   elseif name == "u" then
     return job.equations.inputs and "input" or "0"
   elseif name == "p" then
-    return #job.model.params > 0 and "parameters" or "0"
+    return call.defaults and "parameters" or "0" -- NULL: the scene's own
   elseif name == "x" or name == "x0" then
     return "state"
   elseif const and (name == "sigma" or name == "error") then
@@ -107,9 +107,9 @@ end
 -- What a function says by its result: these are 0 if all is well.
 local answers = { init = true, solve = true, set_tick = true }
 
--- The call as text, or why it cannot be made.
-local function prepare(job, f)
-  local call, given = { name = f.name, symbol = f.symbol, out = 0, vectors = 0 }, {}
+-- The call as text, or why it cannot be made.  defaults: are the parameters filled in?
+local function prepare(job, f, defaults)
+  local call, given = { name = f.name, symbol = f.symbol, out = 0, vectors = 0, defaults = defaults }, {}
   for i, a in ipairs(f.arguments) do
     given[i] = value(job, call, a)
     if not given[i] then
@@ -123,16 +123,19 @@ end
 
 function calls.of(job, modules)
   local m, list, has, declared = job.model, {}, {}, {}
-  local v = { calls = {}, has_series = false, has_whole = false, has_orbit = false, stems = {} }
+  local v = { calls = {}, has_series = false, has_whole = false, has_orbit = false, stems = {},
+    has_defaults = false }
   for i, module in ipairs(modules) do
     prototypes(module, m.name, declared)
     v.stems[i] = module.stem or m.name
+    v.has_defaults = v.has_defaults or
+      #m.params > 0 and string.find(module.header, m.name .. "_defaults(", 1, true) ~= nil
     v.has_whole = v.has_whole or v.stems[i] == m.name .. "_q31"
     v.has_orbit = v.has_orbit or string.find(module.header, "} " .. m.name .. "_orbit;", 1, true) ~= nil
   end
   local out, vectors = 1, 1
   for i, f in ipairs(declared) do
-    local call = prepare(job, f)
+    local call = prepare(job, f, v.has_defaults)
     list[i], has[f.name] = call, true
     if call.text then
       v.calls[#v.calls + 1] = { text = call.text }

@@ -151,6 +151,7 @@ local function literals(real, v)
   -- 1.5 2^(digits - 1): added and taken away again it rounds to a whole number; binary_one + n has n + bias, the
   -- exponent field of 2^n, in its last bits
   put("round_off", R.new(3) * R.new(2) ^ (digits - 2))
+  v.nearest_end = single and "2^22" or "2^51"
   put("binary_one", R.new(3) * R.new(2) ^ (digits - 2) + R.new(single and 127 or 1023))
   put("binary_limit", R.new(single and 60 or 500))
   put("binary_end", R.new(single and 120 or 1000))
@@ -198,13 +199,20 @@ function closed.render(job, base, ctx)
     lagrange = false }
   literals(real, v)
   constants(real, v)
-  economy.fill(v, real)
+  economy.fill(v, real, ctx.name .. "_real")
   local stored, uses_model = source.constants(job.closed_constants, real)
   v.uses_model = uses_model
   for _, more in ipairs { stored, form.flags or {} } do
     for name, x in pairs(more) do v[name] = x end -- into a table: order is lost anyway
   end
+  for _, axis in ipairs { "x", "y", "z" } do -- against gravity's direction d
+    local down = "d" .. axis
+    local e = job.closed_constants[down]
+    if e then v["up_" .. axis], v[down] = e.kind == "num" and number.text(-e.value, real) or "-" .. v[down], nil end
+  end
   contract(form, real, v, job.selection.asked)
+  v.vectorised = job.selection.asked "at_many"
+  v.inline = v.vectorised and base.upper .. "_INLINE" or "static inline"
   orbit.fill(job, v)
   local render, header_names, source_names = GROUP(job.templates, base, v), texts(form, job.selection.asked)
   local headers, parts = {}, {}

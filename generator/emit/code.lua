@@ -64,17 +64,20 @@ local function includes(text, already)
 end
 
 -- What is made before the texts are put together, in the order in which functions are printed.
-local function parts_of(job, ctx, base)
+-- unread: set of members that no function reads, or nil.
+local function parts_of(job, ctx, base, unread)
   local m = job.model
-  local p = { functions = functions.of(job, ctx), init = init.of(ctx, m, job.selection.asked "step"), helpers = {} }
+  local p = { functions = functions.of(job, ctx), helpers = {} }
+  p.init = init.of(ctx, m, job.selection.asked "step", unread)
   for name in pairs(ctx.helpers) do p.helpers[name] = true end -- a set: any order
   p.special = special.used(ctx)
   p.stability = stability.of(ctx, job.stability)
   p.order = p.stability.order ~= nil
   p.setup_code = split.needs_setup(job) and init.check_setup(p.init.checks) or nil
   p.step_code = job.selection.asked "step" and init.check_step(p.init.checks, m, base.step_text) or nil
-  p.real_members = init.real_members(m, p.setup_code ~= nil)
-  p.no_members = #m.members == 0 and not p.order and not p.setup_code
+  p.kept = init.kept(m, unread)
+  p.real_members = init.real_members(p.kept, p.setup_code ~= nil)
+  p.no_members = #p.kept == 0 and not p.order and not p.setup_code
   p.defaults = head.defaults(m, ctx.real)
   p.closed = closed.render(job, base, ctx)
   p.stepper = steppers.render(job, base, ctx)
@@ -101,13 +104,15 @@ local function fragments(job, p, ctx, base)
   local few = p.closed and job.closed.pairs or nil -- nil: all the arithmetic of pairs
   local pair = (p.special or has.rates or p.closed) and
     special.pair(templates, base, few ~= "few" or p.special, few == nil or p.special)
-  if p.special then put("motion", nil, pair .. "\n" .. special.text(templates, base, ctx, p.helpers)) end
-  if p.order and p.stability.order.sums or job.closed.exact then put("motion", nil, bare "numeric/exact.c") end
+  local sums = p.order and p.stability.order.sums or job.closed.exact
+  if pair and (p.special or sums) then put("motion", nil, pair) end
+  if p.special then put("motion", nil, special.text(templates, base, ctx, p.helpers)) end
+  if sums then put("motion", nil, bare "numeric/exact.c") end
   if p.order then put("motion", nil, stability.order(p.stability, job, base)) end
   put("motion", init.fragment(p.init, job, base, p))
   put("motion", functions.fragment(p.functions, templates, base))
   if has.attitude then put("motion", bare "core/normalise.h", bare "core/normalise.c") end
-  if pair and not p.special then put("motion", nil, pair) end
+  if pair and not (p.special or sums) then put("motion", nil, pair) end
   local s, axes = job.selection, nil
   if has.attitude and selection.attitude(s.asked) then put("motion", attitude(job, ctx, base)) end
   local studied = has.rates and (s.asked "stability" or s.asked "spin_stable" or s.asked "linearised")
@@ -154,11 +159,9 @@ local ABOUT = { batch = "many bodies at once", orbit = "its motion in closed for
 local function sorted(job, p, ctx, base)
   local prefix, s = ctx.name .. "_", job.selection
   local function short(name) return string.sub(name, #prefix + 1) end
-  local always = { init = true, defaults = true }
   local function asked(name)
     local own = short(name)
-    if always[own] and not s.asked(own) then return not p.no_members end
-    return s.asked(own)
+    return s.asked(own) or own == "init" and not p.no_members
   end
   local function room(name, of)
     return job.layout == "split" and selection.room(short(name), of) or "motion"
@@ -259,8 +262,14 @@ function code.of(job)
   local base = base_values.of(job, ctx.own)
   local p = parts_of(job, ctx, base)
   local all = sorted(job, p, ctx, base)
+  local unread = job.selection.only and init.unread(job.model, all.read)
+  if unread then
+    ctx = source.context(job)
+    p = parts_of(job, ctx, base, unread)
+    all = sorted(job, p, ctx, base)
+  end
   local files = written(job, all, ctx, base, head.of(job, ctx, { banner = banner(job, p), order = p.order,
-    split_setup = p.setup_code ~= nil, no_members = p.no_members }))
+    kept = p.kept, split_setup = p.setup_code ~= nil, no_members = p.no_members }))
   local offers = setmetatable({}, { __index = function() return false end })
   for _, f in ipairs(all.functions) do offers[string.sub(f.name, #ctx.name + 2)] = f.asked end
   return { files = files.files, header = files.header, source = files.source, functions = all.functions,

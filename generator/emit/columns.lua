@@ -3,8 +3,8 @@
 --     columns.fit(text) -> text
 --     columns.part(text) -> text, single
 -- A part of units.lua in its shape: the head of a function on one line if it fits, and all of a static one that only
--- returns something; no blank line before the one statement after declarations.  single: all of something static in
--- one line, which wants no blank line beside its like.
+-- returns something; no blank line before the one statement after declarations, nor in a body of a few lines.  single:
+-- all of something static in one line, which wants no blank line beside its like.
 -- Names of scenes make lines longer, so this can only be done at the end.  A comment goes on in its next line; one
 -- behind code goes before it; code breaks behind a comma or before an operator.  Strings are not broken.  BELOW the
 -- line.
@@ -181,6 +181,13 @@ local function whole(line)
     (not open or string.find(line, "}[;]?$") ~= nil) and not string.find(line, "^[^={]*%b();")
 end
 
+-- A body of a few lines without blank ones, but for those before comments.
+local FEW = 6
+local function dense(body)
+  local _, lines = string.gsub(body, "\n+", "")
+  return lines - 2 > FEW and body or (string.gsub(body, "\n\n( *%f[^%s/])", "\n%1"))
+end
+
 function columns.part(text)
   local comment_end = string.find(text, "^/%*") and select(2, string.find(text, "*/\n", 1, true)) or 0
   local close = string.find(text, ")\n{\n", comment_end + 1, true) or string.find(text, "%)%s*;%s*$", comment_end + 1)
@@ -198,7 +205,7 @@ function columns.part(text)
         body = string.sub(body, 1, blank) .. string.sub(body, blank + 2)
       end
     end
-    text = string.sub(text, 1, comment_end) .. head .. body
+    text = string.sub(text, 1, comment_end) .. head .. dense(body)
   end
   return text, not string.find(text, "\n", 1, true) and whole(text)
 end

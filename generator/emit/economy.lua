@@ -69,7 +69,7 @@ end
 -- Statements for the value of a polynomial in u, where u, u2 = u^2 and u4 = u^4 are known, into `name`: halves side by
 -- side (Estrin), small terms first:
 -- (c0 + c1 u) + u^2 (c2 + c3 u) + u^4 ((c4 + c5 u) + u^2 ..), at most twelve coefficients.
-local function statements(name, c, real)
+local function statements(name, c, real, type_name)
   local lines, parts = {}, {}
   for k = 0, #c, 2 do
     local text = number.text(c[k], real)
@@ -78,7 +78,7 @@ local function statements(name, c, real)
       text = text .. (R.sign(next_one) < 0 and " - " or " + ") .. number.text(R.abs(next_one), real) .. "*u"
     end
     local part = string.format("%s%d", name, k)
-    if c[k + 1] then lines[#lines + 1] = string.format("const %s %s = %s;", real, part, text) else part = text end
+    if c[k + 1] then lines[#lines + 1] = string.format("const %s %s = %s;", type_name, part, text) else part = text end
     parts[#parts + 1] = part
   end
   local function quarter(i)
@@ -91,13 +91,14 @@ local function statements(name, c, real)
     if parts[5] then inner = inner .. " + u4*" .. (parts[6] and "(" .. quarter(5) .. ")" or parts[5]) end
     text = string.format(parts[4] and "(%s) + u4*(%s)" or "(%s) + u4*%s", text, inner)
   end
-  lines[#lines + 1] = string.format("const %s %s = %s;", real, name, text)
+  lines[#lines + 1] = string.format("const %s %s = %s;", type_name, name, text)
   return lines
 end
 
 -- into v: sine_lines and cosine_lines (sin(pi x)/x and cos(pi x), u = x^2 <= 1/4), even_lines and odd_lines (the even
--- part of 2^f and the odd one over f, u = f^2 <= 1/4), for 2^-4 of a unit of the last place
-function economy.fill(v, real)
+-- part of 2^f and the odd one over f, u = f^2 <= 1/4), for 2^-4 of a unit of the last place; type_name: what the code
+-- calls the real type
+function economy.fill(v, real, type_name)
   local bits = real == "float" and 24 or 53
   local pi, log2 = R.apply("pi", 200), R.apply("log", 200, R.lift(2))
   local function make(name, scale, sign, odd)
@@ -105,7 +106,7 @@ function economy.fill(v, real)
     for k = 0, #c do
       c[k] = R.fromdouble(real == "float" and R.tofloat(c[k]) or R.todouble(c[k]))
     end
-    return statements(name, c, real)
+    return statements(name, c, real, type_name)
   end
   function v.sine_lines() return make("s", pi, -1, 1) end
   function v.cosine_lines() return make("c", pi, -1, 0) end

@@ -2,7 +2,7 @@
 -- parameters, and the struct of its derived constants.
 --
 --     head.of(job, ctx, about) -> values for templates/core/scene.h and scene.c
---     about: {banner = lines, order, split_setup = bool: members beside the derived constants}
+--     about: {banner = lines, kept = the derived constants in the model, order, split_setup = bool: what else is in it}
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local listing = require "generator.emit.listing"
@@ -34,7 +34,7 @@ end
 function head.defaults(m, real)
   local list = {}
   for i, p in ipairs(m.params) do
-    list[i] = { upper = string.upper(p.name), value = number.text(p.default, real) }
+    list[i] = { name = p.name, value = number.text(p.default, real) }
   end
   return list
 end
@@ -45,7 +45,7 @@ function head.of(job, ctx, about)
     state_enum = listing.enumeration(upper, listing.told_apart(m, job.states), "NX"),
     input_enum = job.equations.inputs and listing.enumeration(upper, listing.described(m), "NU") or {},
     param_enum = listing.enumeration(upper, parameters(m), "NP"),
-    members = listing.members(m, m.name .. "_real"), order = about.order, split_setup = about.split_setup,
+    members = listing.members(about.kept, m.name .. "_real"), order = about.order, split_setup = about.split_setup,
     no_members = about.no_members, has_compensated = job.compensated or false }
 end
 

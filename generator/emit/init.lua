@@ -18,7 +18,7 @@ local GROUP = template.group("core/init.h", "core/init.c")
 
 local init = {}
 
-local words = { rest = true, m = true, p = true, k = true, own = true, roundoff = true }
+local words = { rest = true, m = true, p = true, k = true, roundoff = true }
 
 -- Does NAME_init itself call something so?
 local function taken(name) return words[name] or string.match(name, "^check%d+$") end
@@ -48,8 +48,41 @@ local function steps(m, forms, map, placed, groups)
   end
 end
 
--- The groups of parts and constants; members: which constants; placed: steps that are there already.
-local function constants(m, members, map, groups, placed)
+-- The members that a model holds without those of the set `unread`, which may be nil.
+function init.kept(m, unread)
+  local list = {}
+  for _, member in ipairs(m.members) do
+    if not (unread and unread[member.name]) then list[#list + 1] = member end
+  end
+  return list
+end
+
+-- The set of the members whose names are not in the set `read`; nil if there is none, or no other one.  What must be
+-- above 0 is kept.
+function init.unread(m, read)
+  local set, some = {}, false
+  for _, member in ipairs(m.members) do
+    if not read[member.name] and not member.positive then set[member.name] = true else some = true end
+  end
+  return some and next(set) and set or nil
+end
+
+-- The members that are kept, and those that they are made of.
+local function computed(m, unread)
+  local needed, list = {}, {}
+  for i = #m.members, 1, -1 do -- a form has only earlier ones in it
+    local member = m.members[i]
+    if needed[member.name] or not (unread and unread[member.name]) then
+      table.insert(list, 1, member)
+      for _, s in ipairs(expr.symbols(member.form)) do needed[s.name] = true end
+    end
+  end
+  return list
+end
+
+-- The groups of parts and constants; members: which constants; placed: steps that are there already; unread: those of
+-- the members that no model holds, or nil.
+local function constants(m, members, map, groups, placed, unread)
   local forms, used = nested(members), {}
   local own = { table.unpack(forms) }
   steps(m, forms, map, placed, groups)
@@ -60,7 +93,8 @@ local function constants(m, members, map, groups, placed)
     local e = calculus.substitute(own[i], map)
     local named = used[member.sym] and own[i] ~= member.sym
     groups[#groups + 1] = { why = member.about, defs = named and { { name = member.name, expr = e } } or {},
-      outs = { { c = "k." .. member.name, expr = named and member.sym or e } } }
+      outs = unread and unread[member.name] and {} or
+        { { c = "k." .. member.name, expr = named and member.sym or e } } }
   end
   return groups
 end
@@ -124,20 +158,24 @@ local function blocks(groups, checks)
 end
 
 -- The members whose being finite must be asked for.  That of a small multiple of another one follows, but for an
--- overflow, in which the first step ends as well; stepped: is there such a step?
-local function unsure(m, stepped)
-  local list = {}
-  for _, member in ipairs(m.members) do
+-- overflow, in which the first step ends as well; stepped: is there such a step?  Of several multiples of one that is
+-- not kept the first is asked.
+local function unsure(m, stepped, unread)
+  local list, asked = {}, {}
+  for _, member in ipairs(init.kept(m, unread)) do
     local e = member.form
     local factor = e.kind == "mul" and #e == 2 and e[1].kind == "num" and e[2].kind == "sym" and m.by_name[e[2].name]
-    local follows = stepped and factor and R.abs(e[1].value) <= R.new(4)
+    local known = factor and (asked[factor] or not (unread and unread[factor.name]))
+    local follows = stepped and known and R.abs(e[1].value) <= R.new(4)
     if not follows then list[#list + 1] = member end
+    if factor then asked[factor] = true end
   end
   return list
 end
 
--- {loads, groups, finite, checks}: what NAME_init computes and tests.  stepped: does it make a step?
-function init.of(ctx, m, stepped)
+-- {loads, groups, finite, checks}: what NAME_init computes and tests.  stepped: does it make a step?  unread: the
+-- members that no function reads, a set, or nil.
+function init.of(ctx, m, stepped, unread)
   local list, map = source.parameters(ctx, m.params, taken)
   local groups, checks, placed = {}, {}, {}
   -- a condition may ask for the rounding of the real type, half a unit in the last place of 1: it keeps a name, for
@@ -160,11 +198,11 @@ function init.of(ctx, m, stepped)
     checks[i] = { number = string.format("%d", i), text = c.text,
       condition = tested .. relation .. number.text(R.zero, ctx.real) }
   end
-  constants(m, m.members, map, groups, placed)
+  constants(m, computed(m, unread), map, groups, placed, unread)
   for _, g in ipairs(groups) do g.where = g.where or #checks + 0.5 end
   local c = source.statements(ctx, { name = "init", args = {}, inputs = list, groups = groups })
   local code, lines, zero = #checks + 1, {}, number.text(R.zero, ctx.real)
-  for _, member in ipairs(unsure(m, stepped)) do
+  for _, member in ipairs(unsure(m, stepped, unread)) do
     local term = string.format("(k.%s - k.%s)", member.name, member.name)
     local line = lines[#lines]
     if line and #line + #term < 92 then
@@ -182,7 +220,7 @@ function init.of(ctx, m, stepped)
   end
   local listed = {}
   for i, check in ipairs(checks) do listed[i] = { number = check.number, text = check.text } end
-  if #m.members > 0 then
+  if #init.kept(m, unread) > 0 then
     local nonzero, names = "", {}
     for _, member in ipairs(m.members) do
       if member.positive then names[#names + 1] = member.name end
@@ -215,10 +253,10 @@ function init.check_step(checks, m, step_text)
   return checks[#checks].number
 end
 
--- The real members of the model, elements of arrays each by itself; setup: with those of a splitting's set-up.
-function init.real_members(m, setup)
+-- The names of the model's real members, elements of arrays each by itself; setup: with those of a splitting's set-up.
+function init.real_members(members, setup)
   local names = {}
-  for i, member in ipairs(m.members) do names[i] = member.name end
+  for i, member in ipairs(members) do names[i] = member.name end
   for _, name in ipairs(setup and { "split_b", "split_c", "split_u", "split_d" } or {}) do
     for k = 0, 2 do names[#names + 1] = string.format("%s[%d]", name, k) end
   end
@@ -245,7 +283,7 @@ end
 -- no_members}
 function init.fragment(made, job, base, about)
   local v = { loads = made.loads, groups = made.groups, finite = made.finite, checks = made.checks,
-    params = about.defaults, copies = copies(about), has_finite = #job.model.members > 0,
+    params = about.defaults, copies = copies(about), has_finite = #made.finite > 0,
     order = about.order, split_setup = about.setup_code ~= nil, setup_code = about.setup_code,
     first_step = about.step_code ~= nil, step_code = about.step_code, no_members = about.no_members }
   local render = GROUP(job.templates, base, v)

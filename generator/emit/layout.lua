@@ -6,7 +6,8 @@
 --     fragments: list of {header =, source =, room =}, texts whose parts are those of units.lua, in the order of the C
 --     asked(function) -> bool: is it called for?  room(function, fragment's room) -> the file that it belongs to
 --     sorted: { functions = list of {name =, room =, asked = bool, lines =} of all public ones, rooms = { [room] =
---       {header =, source =, calls = {[room] = true}} }, private = text | "" }
+--       {header =, source =, calls = {[room] = true}} }, private = text | "", read = set of the identifiers in all that
+--       is kept but NAME_init }
 -- A function that is needed but not asked for is static.  What several files share is private, and static inline.
 -- Names of what is static lose the scene's prefix, and NAME_real is `real`, unless the plain name has another use.
 -- BELOW the line.
@@ -85,18 +86,36 @@ for word in string.gmatch([[auto break case char const continue default do doubl
   RESERVED[word] = true
 end
 
--- The plain names of what is static, by the names with the prefix.
-local function plain_names(name, kept, public)
-  local map, taken, prefix = {}, {}, name .. "_"
+-- The identifiers that the texts of each room use.
+local function taken_names(kept)
+  local taken = {}
   for _, u in ipairs(kept) do
-    for _, n in ipairs(u.uses) do taken[n] = true end
+    for r in pairs(u.rooms) do -- a set: any order
+      taken[r] = taken[r] or {}
+      for _, n in ipairs(u.uses) do taken[r][n] = true end
+    end
+  end
+  return taken
+end
+
+-- The plain names of what is static, by the names with the prefix, which macros have in capitals.  One that several
+-- rooms share is seen in all of them.
+local function plain_names(name, kept, public)
+  local map, taken = {}, taken_names(kept)
+  local starts = { [name .. "_"] = "^%l", [string.upper(name) .. "_"] = "^%u" }
+  local function free(u, short)
+    for r, used in pairs(taken) do -- a set: any order
+      if used[short] and (u.rooms[r] or next(u.rooms, (next(u.rooms)))) then return false end
+    end
+    return not RESERVED[short]
   end
   for _, u in ipairs(kept) do
     for _, n in ipairs(u.names) do
-      local short = string.sub(n, 1, #prefix) == prefix and string.sub(n, #prefix + 1)
       local own = not u.declared and not (public[n] and public[n].asked)
-      local free = short and not taken[short] and not RESERVED[short] and string.find(short, "^%l")
-      if own and free then map[n] = short end
+      for prefix, kind in pairs(starts) do -- a set: any order
+        local short = string.sub(n, 1, #prefix) == prefix and string.sub(n, #prefix + 1)
+        if own and short and string.find(short, kind) and free(u, short) then map[n] = short end
+      end
     end
   end
   return map
@@ -118,6 +137,14 @@ local function joined(list, change, shape)
     if shape then put(shape(text)) else put(text, false) end
   end
   return table.concat(out)
+end
+
+local function identifiers(kept, but)
+  local set = {}
+  for _, u in ipairs(kept) do
+    for _, n in ipairs(u.names[1] ~= but and u.uses or {}) do set[n] = true end
+  end
+  return set
 end
 
 -- What several sources include must be inline, or each would warn of what it does not call.
@@ -249,15 +276,17 @@ function layout.sort(name, real, fragments, asked, room, keeps)
     local comment, head = string.match(u.text, "^(/%*.-%*/\n)(.*)$")
     return (comment or "") .. "static " .. (head or u.text)
   end
-  local function shape(text)
+  local function shape(text) -- names of the map begin so, but for `real`
     if map.real then text = string.gsub(text, "%f[%w_]real%f[^%w_]", map.real) end
-    return columns.part(plain.renamed(text, name .. "_", map)) -- names of the map begin so, but for `real`
+    return columns.part(plain.renamed(plain.renamed(text, name .. "_", map), string.upper(name) .. "_", map))
   end
   for _, r in ipairs(order) do
     local own, heads = rooms[r], {}
+    local used = {} -- by what stands before
     for _, u in ipairs(own.defined) do
       local owner = u.names[1] and public[u.names[1]]
-      if owner and not owner.asked then heads[#heads + 1] = forward(u, prototypes) end
+      if owner and not owner.asked and used[owner.name] then heads[#heads + 1] = forward(u, prototypes) end
+      for _, n in ipairs(u.uses) do used[n] = true end
     end
     own.plain, own.source, own.header = joined(own.defined, change), joined(own.defined, change, shape),
       joined(own.declared, nil, columns.part)
@@ -273,7 +302,8 @@ function layout.sort(name, real, fragments, asked, room, keeps)
     f.uses = u and u.uses or {}
   end
   local function inside(u) return private_text { text = change(u) } end
-  return { functions = functions, rooms = rooms, order = order, plain_private = joined(private, inside),
+  return { functions = functions, rooms = rooms, order = order, read = identifiers(kept, name .. "_init"),
+    plain_private = joined(private, inside),
     private = joined(private, inside, shape), real = keeps and name .. "_real" or real }
 end
 

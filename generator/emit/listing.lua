@@ -48,10 +48,10 @@ function listing.described(m)
 end
 
 -- Members of the model with what they are; two with the same words also with their formula.
-function listing.members(m, real_name)
+function listing.members(members, real_name)
   local list, alike = {}, {}
-  for _, member in ipairs(m.members) do alike[member.about] = (alike[member.about] or 0) + 1 end
-  for i, member in ipairs(m.members) do
+  for _, member in ipairs(members) do alike[member.about] = (alike[member.about] or 0) + 1 end
+  for i, member in ipairs(members) do
     local line, about = real_name .. " " .. member.name .. "; ", member.about
     if alike[about] > 1 then -- what tells them apart
       local formula = text.of(member.e)

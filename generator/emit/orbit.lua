@@ -5,6 +5,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local asymmetric = require "generator.dynamics.closed.asymmetric"
 local free_top = require "generator.dynamics.free_top"
 local vec = require "generator.algebra.vec"
 local number = require "generator.emit.number"
@@ -220,6 +221,7 @@ end
 function orbit.fill(job, v)
   v.has_own, v.own_bits = false, string.format("%d", bits)
   v.diagonal = job.model.structure.kind == "diagonal"
+  v.has_rod = not (v.diagonal and asymmetric.positive(job.model))
   if job.closed.kind ~= "asymmetric" or #job.model.params > 0 then return end
   local m, real = job.model, job.real
   local top, h = orbit.own(m, real), rounder(real)(m:number(m.step))

@@ -107,7 +107,7 @@ function proof.of(job, base, order)
   v.options = "-eva -eva-precision 3 -eva-split-return auto -warn-special-float non-finite" ..
     " -kernel-warn-key parser:decimal-float=inactive" ..
     (v.cases and " -eva-split-return-function part:full" or "") ..
-    (order and " -eva-use-spec " .. base.name .. "_order" or "")
+    (order and " -eva-use-spec " .. base.name .. "_sort_moments" or "")
   return { text = GROUP(job.templates, base, v) "test/proof.c",
     make = { cases = v.cases, cpp = v.cpp, options = v.options, own = own, reached = reached } }
 end

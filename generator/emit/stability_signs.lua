@@ -1,7 +1,7 @@
 -- stability_signs.lua -- the emitted NAME_spin_stable: the three signs of differences of moments, exactly, as C text.
 --
--- The signs depend on parameters alone, so NAME_init computes them once (NAME_order) and the model keeps them.  An
--- atom (mass/critical.lua) that is a difference of two numbers is a comparison; any other polynomial is a sum of
+-- The signs depend on parameters alone, so NAME_init computes them once (NAME_sort_moments) and the model keeps them.
+-- An atom (mass/critical.lua) that is a difference of two numbers is a comparison; any other polynomial is a sum of
 -- products of parameters, whose sign NAME_sign_of_sum finds without rounding; what is no polynomial, or too large, is
 -- computed as it stands (of a composite body in its named parts) and has the sign of the rounded value.  A number of
 -- the scene that is not one of the real type stands as a sum of up to three.
@@ -140,7 +140,7 @@ end
 
 local words = { p = true, order = true, D = true, S = true, gap = true }
 
--- Does NAME_order itself call something so?
+-- Does NAME_sort_moments itself call something so?
 local function taken(name)
   return words[name] or string.match(name, "^value") or string.match(name, "^[rs]%d+$")
 end
@@ -244,7 +244,7 @@ local function signs(ctx, s, lines, need)
   return sign
 end
 
--- The lines of NAME_order, and what they need of NAME_sign_of_sum.
+-- The lines of NAME_sort_moments, and what they need of NAME_sign_of_sum.
 local function order(ctx, s)
   local lines, need = {}, { terms = 0, columns = 0 }
   local sign = signs(ctx, s, lines, need)
@@ -297,7 +297,7 @@ local function documentation(s)
   return doc
 end
 
--- What order.c needs of NAME_order, nil where no sign depends on parameters; what stability.h and .c say.
+-- What order.c needs of NAME_sort_moments, nil where no sign depends on parameters; what stability.h and .c say.
 local function decided(ctx, s)
   local atoms = s:atoms()
   local say = { numeric = false, doc = documentation(s), note = {}, order = "", void = #atoms == 0 }
@@ -329,7 +329,7 @@ function stability.of(ctx, s)
   return { order = signs_of, say = say }
 end
 
--- The text of NAME_order; proof: with what Frama-C wants.
+-- The text of NAME_sort_moments; proof: with what Frama-C wants.
 function stability.order(made, job, base)
   made.order.proof = job.proof or false
   return ORDER(job.templates, base, made.order) "numeric/order.c"

@@ -24,6 +24,12 @@ local rk4 = { name = "rk4", order = 4, title = "classical Runge-Kutta method of 
 local h, q, w = state.h, state.q, state.w
 local comp, named = attitude.comp, attitude.named
 
+-- Definitions of what is called prefix..letter at stage n, "" for the first: see stages.name.
+local function at_stage(group, prefix, n, v, letters)
+  local bases = vec.map(letters, function(letter) return stages.name(prefix .. letter, n) end)
+  return named(group, "", "", v, bases)
+end
+
 local function group(why, rank) return { why = why, defs = {}, outs = {}, rank = rank } end
 
 -- What is integrated beside the attitude: {sym = symbols, names = states, id = names in locals: a letter for rates}.
@@ -127,7 +133,7 @@ local function forced(eq, prepared)
     local at, map, qs = list.sym, {}, q
     if s > 1 then
       at = vec.map(list.sym, function(x, i)
-        return named(g, list.names[i], suffix, { x + (s == 4 and part.whole or part.half)[i] * rate[s - 1][i] },
+        return at_stage(g, list.names[i], suffix, { x + (s == 4 and part.whole or part.half)[i] * rate[s - 1][i] },
           { "" })[1]
       end)
       for i, x in ipairs(list.sym) do map[x] = at[i] end
@@ -155,7 +161,7 @@ local function forced(eq, prepared)
     else
       instance()
     end
-    rate[s] = named(g, "k", tostring(s), in_order(list, out), list.id)
+    rate[s] = at_stage(g, "k", tostring(s), in_order(list, out), list.id)
     groups[#groups + 1] = g
   end
   groups[#groups + 1] = prepared.increments and added(list, prepared, rate)

@@ -78,6 +78,14 @@ function stages.prepare(eq, whole)
   return out
 end
 
+-- The name of what is called `base` at stage n, "" for the first.  A component has the number behind it: vx2.  Between
+-- another name and the number stands an S, as its own number may end it: the second wheel at stage 3 is wheel_2S3.
+-- A capital stands before _ and small letters in the order of names, as digits do, so sums keep their order.
+function stages.name(base, n)
+  local component = #base < 3 and not string.find(base, "%d$") or #base == 3 and string.find(base, "^%a+[wxyz]$")
+  return base .. ((component or n == "") and "" or "S") .. n
+end
+
 -- One instance with the symbols in `map` (node -> node) replaced: the definitions, named with `suffix` where they
 -- changed, the factor-free rates and the factors by state name, and what was replaced by what.  The first stage (suffix
 -- "" or "1") also defines what never changes.
@@ -88,8 +96,9 @@ function stages.instance(prepared, map, suffix)
     for _, d in ipairs(g.defs) do
       local e = calculus.substitute(d.expr, renamed)
       if e ~= d.expr then
-        renamed[expr.sym(d.name, 7)] = expr.sym(d.name .. suffix, 7)
-        defs[#defs + 1] = { name = d.name .. suffix, expr = e }
+        local name = stages.name(d.name, suffix)
+        renamed[expr.sym(d.name, 7)] = expr.sym(name, 7)
+        defs[#defs + 1] = { name = name, expr = e }
       elseif suffix == "" or suffix == "1" then
         defs[#defs + 1] = d
       end

@@ -25,7 +25,6 @@ static void ${name}_jacobi(${name}_pair diagonal[3], ${name}_pair off[3], ${name
   const ${name}_real d = ${half}*difference.hi, b = off[r].hi;
   ${name}_pair t, t2, c, s, left, change;
   ${name}_real slope, root;
-  int k;
 
   /* the quotient that is at most 1: no overflow, whatever the sizes */
   if (${fabs}(b) < ${fabs}(d)) {
@@ -54,7 +53,7 @@ static void ${name}_jacobi(${name}_pair diagonal[3], ${name}_pair off[3], ${name
   diagonal[q] = ${name}_add(diagonal[q], change);
   off[r] = slope == ${zero} ? ${name}_pair_of(${zero}) : left; /* too small to turn by: too small to matter */
   ${name}_pair_turn(c, s, &off[q], &off[p]); /* I_rp, I_rq */
-  for (k = 0; k < 3; k++) ${name}_pair_turn(c, s, &axis[p][k], &axis[q][k]);
+  for (int k = 0; k < 3; k++) ${name}_pair_turn(c, s, &axis[p][k], &axis[q][k]);
 }
 
 static int ${name}_pair_less(${name}_pair a, ${name}_pair b)
@@ -69,7 +68,7 @@ static int ${name}_principal_pairs(const ${name}_real I[6], ${name}_pair diagona
 {
   ${name}_pair off[3];
   ${name}_real largest = ${zero}, products = ${zero};
-  int count, settled = 0, i, j, k;
+  int settled = 0, i, j, k;
 
   for (i = 0; i < 6; i++) {
     if (!(I[i] - I[i] == ${zero})) return 1;
@@ -92,7 +91,7 @@ static int ${name}_principal_pairs(const ${name}_real I[6], ${name}_pair diagona
    * pairs.  For a positive definite one a rotation with I_pq^2 >= I_pp I_qq/4 takes a quarter or more off the product
    * of the diagonal, which stays above the determinant: the condition alone bounds their number.  Then what is left is
    * squared; some ten rotations are made in all. */
-  for (count = 0; settled < 3 && count < 240; count++) { /* some 10 times */
+  for (int count = 0; settled < 3 && count < 240; count++) { /* some 10 times */
     i = 2 - count % 3;
     j = (i + 1) % 3;
     k = (i + 2) % 3;
@@ -120,15 +119,15 @@ int ${name}_principal_of(const ${name}_real I[6], ${name}_real moments[3], ${nam
 {
   ${name}_pair diagonal[3], axis[3][3];
   ${name}_real own[3];
-  int order[3], odd, scale, i, k;
+  int order[3], odd, scale, k;
 
   if (${name}_principal_pairs(I, diagonal, axis, order, &scale)) return 1;
   odd = order[1] != (order[0] + 1) % 3;
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     own[i] = ${ldexp}(diagonal[order[i]].hi, -scale);
     if (!(own[i] - own[i] == ${zero})) return 1;
   }
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     const ${name}_pair *v = axis[order[i]];
     ${name}_real sign, largest;
 

@@ -3,16 +3,12 @@
 
 static void ${name}_pick(${name}_real one[], const ${name}_real all[], int rows, int n, int k)
 {
-  int i;
-
-  for (i = 0; i < rows; i++) one[i] = all[(size_t)i*(size_t)n + (size_t)k];
+  for (int i = 0; i < rows; i++) one[i] = all[(size_t)i*(size_t)n + (size_t)k];
 }
 
 static void ${name}_put_alone(const ${name}_real one[], ${name}_real all[], int n, int k)
 {
-  int i;
-
-  for (i = 0; i < ${upper}_NX; i++) all[(size_t)i*(size_t)n + (size_t)k] = one[i];
+  for (int i = 0; i < ${upper}_NX; i++) all[(size_t)i*(size_t)n + (size_t)k] = one[i];
 }
 %% if own_model then
 

@@ -7,16 +7,14 @@
 static void ${name}_take(${name}_real to[][${upper}_LANES], const ${name}_real from[], int rows, size_t n, size_t first)
 {
   const size_t lanes = ${upper}_LANES, last = n - first < lanes ? n - first - 1 : lanes - 1;
-  size_t k;
-  int i;
 
-  for (i = 0; i < rows; i++) {
+  for (int i = 0; i < rows; i++) {
     const ${name}_real *row = from + (size_t)i*n + first;
 
     if (last == lanes - 1) {
-      for (k = 0; k < ${upper}_LANES; k++) to[i][k] = row[k];
+      for (size_t k = 0; k < ${upper}_LANES; k++) to[i][k] = row[k];
     } else {
-      for (k = 0; k < ${upper}_LANES; k++) to[i][k] = row[k < last ? k : last];
+      for (size_t k = 0; k < ${upper}_LANES; k++) to[i][k] = row[k < last ? k : last];
     }
   }
 }
@@ -24,16 +22,14 @@ static void ${name}_take(${name}_real to[][${upper}_LANES], const ${name}_real f
 static void ${name}_give(${name}_real from[][${upper}_LANES], ${name}_real to[], int rows, size_t n, size_t first)
 {
   const size_t lanes = ${upper}_LANES, count = n - first < lanes ? n - first : lanes;
-  size_t k;
-  int i;
 
-  for (i = 0; i < rows; i++) {
+  for (int i = 0; i < rows; i++) {
     ${name}_real *row = to + (size_t)i*n + first;
 
     if (count == lanes) {
-      for (k = 0; k < ${upper}_LANES; k++) row[k] = from[i][k];
+      for (size_t k = 0; k < ${upper}_LANES; k++) row[k] = from[i][k];
     } else {
-      for (k = 0; k < count; k++) row[k] = from[i][k];
+      for (size_t k = 0; k < count; k++) row[k] = from[i][k];
     }
   }
 }
@@ -42,7 +38,6 @@ static void ${name}_give(${name}_real from[][${upper}_LANES], ${name}_real to[],
 /* ${name}_${f.name} for each body of a block${f.whose} */
 static void ${name}_${f.name}_${f.tail}(${f.owner}, ${name}_real t, ${name}_real x[][${upper}_LANES], ${f.u}${f.last})
 {
-  int lane;
 %% for _, line in ipairs(f.common) do
 %%   if line == "" then
 
@@ -51,7 +46,7 @@ static void ${name}_${f.name}_${f.tail}(${f.owner}, ${name}_real t, ${name}_real
 %%   end
 %% end
 
-  for (lane = 0; lane < ${upper}_LANES; lane++) {
+  for (int lane = 0; lane < ${upper}_LANES; lane++) {
 %% for _, line in ipairs(f.lines) do
 %%   if line == "" then
 
@@ -73,8 +68,6 @@ void ${name}_${s.advance}_${s.way}(${s.owner}, ${name}_real t, ${name}_real x[],
 %% if s.each then
   ${name}_real k[${upper}_NC][${upper}_LANES];
 %% end
-  size_t first;
-  int j;
 
 %% if not has_inputs then
   (void)u;
@@ -82,7 +75,7 @@ void ${name}_${s.advance}_${s.way}(${s.owner}, ${name}_real t, ${name}_real x[],
 %% if s.guard then
   if (h > -${tiny} && h < ${tiny}) return; /* no time passes */
 %% end
-  for (first = 0; n > 0 && first < (size_t)n; first += ${upper}_LANES) {
+  for (size_t first = 0; n > 0 && first < (size_t)n; first += ${upper}_LANES) {
     ${name}_take(y, x, ${upper}_NX, (size_t)n, first);
 %% if has_inputs then
     ${name}_take(v, u, ${upper}_NU, (size_t)n, first);
@@ -90,7 +83,7 @@ void ${name}_${s.advance}_${s.way}(${s.owner}, ${name}_real t, ${name}_real x[],
 %% if s.each then
     ${name}_take(k, c, ${upper}_NC, (size_t)n, first);
 %% end
-    for (j = 0; j < steps; j++) ${name}_${s.step}_${s.tail}(${s.whose}, t + (${name}_real)j*h, y, ${s.v}h);
+    for (int j = 0; j < steps; j++) ${name}_${s.step}_${s.tail}(${s.whose}, t + (${name}_real)j*h, y, ${s.v}h);
     ${name}_give(y, x, ${upper}_NX, (size_t)n, first);
   }
 }
@@ -119,12 +112,11 @@ void ${name}_rhs_${s.way}(${s.owner}, ${name}_real t, const ${name}_real x[], co
 %% if s.each then
   ${name}_real k[${upper}_NC][${upper}_LANES];
 %% end
-  size_t first;
 
 %% if not has_inputs then
   (void)u;
 %% end
-  for (first = 0; n > 0 && first < (size_t)n; first += ${upper}_LANES) {
+  for (size_t first = 0; n > 0 && first < (size_t)n; first += ${upper}_LANES) {
     ${name}_take(y, x, ${upper}_NX, (size_t)n, first);
 %% if has_inputs then
     ${name}_take(v, u, ${upper}_NU, (size_t)n, first);
@@ -141,13 +133,13 @@ void ${name}_rhs_${s.way}(${s.owner}, ${name}_real t, const ${name}_real x[], co
 
 int ${name}_init_many(${name}_real c[], const ${name}_real p[], int status[], int n)
 {
-  int k, i, refused = 0;
+  int refused = 0;
 
-  for (k = 0; k < n; k++) {
+  for (int k = 0; k < n; k++) {
     ${name}_real own[${upper}_NP];
     ${name}_model m;
 
-    for (i = 0; i < ${upper}_NP; i++) own[i] = p[(size_t)i*(size_t)n + (size_t)k];
+    for (int i = 0; i < ${upper}_NP; i++) own[i] = p[(size_t)i*(size_t)n + (size_t)k];
     status[k] = ${name}_init(&m, own);
     if (status[k] != 0) {
       refused++;

@@ -2,9 +2,7 @@
 /* rows of body k of n, as number `body` of the bodies at once */
 static void ${name}_wide_take(${name}_bodies to[], const ${name}_real from[], int rows, int n, int k, int body)
 {
-  int i;
-
-  for (i = 0; i < rows; i++) to[i].e[body] = from[(size_t)i*(size_t)n + (size_t)k];
+  for (int i = 0; i < rows; i++) to[i].e[body] = from[(size_t)i*(size_t)n + (size_t)k];
 }
 %% for _, w in ipairs(ways) do
 
@@ -19,13 +17,12 @@ void ${name}_${advance}_${w.way}(${w.public}, ${name}_real t, ${name}_real x[], 
 %% if w.each then
   ${name}_bodies own[${upper}_NC];
 %% end
-  int first, body, i, j;
 
 %% if not has_inputs then
   (void)u;
 %% end
-  for (first = 0; first < n; first += ${upper}_WIDE) {
-    for (body = 0; body < ${upper}_WIDE; body++) { /* the last one stands in for those that are missing */
+  for (int first = 0; first < n; first += ${upper}_WIDE) {
+    for (int body = 0; body < ${upper}_WIDE; body++) { /* the last one stands in for those that are missing */
       const int k = first + body < n ? first + body : n - 1;
 
       ${name}_wide_take(y, x, ${upper}_NX, n, k, body);
@@ -36,7 +33,7 @@ void ${name}_${advance}_${w.way}(${w.public}, ${name}_real t, ${name}_real x[], 
       ${name}_wide_take(own, constants, ${upper}_NC, n, k, body);
 %% end
     }
-    for (j = 0; j < steps; j++) {
+    for (int j = 0; j < steps; j++) {
       time = t + (${name}_real)j*h - none;
       ${name}_${w.tail}_terms(${w.call}, &time, &y[0].v, ${w.u}${upper}_ORDER, c);
       ${name}_${w.tail}_step_by(${w.call}, c, ${upper}_ORDER, &length, &y[0].v, d);
@@ -44,8 +41,8 @@ void ${name}_${advance}_${w.way}(${w.public}, ${name}_real t, ${name}_real x[], 
       y[${s.name}].v += d[${s.index}];
 %% end
     }
-    for (body = 0; body < ${upper}_WIDE && first + body < n; body++) {
-      for (i = 0; i < ${upper}_NX; i++) x[(size_t)i*(size_t)n + (size_t)(first + body)] = y[i].e[body];
+    for (int body = 0; body < ${upper}_WIDE && first + body < n; body++) {
+      for (int i = 0; i < ${upper}_NX; i++) x[(size_t)i*(size_t)n + (size_t)(first + body)] = y[i].e[body];
     }
   }
 }

@@ -19,15 +19,14 @@ static void ${name}_${way}_back(${owner}, const ${name}_wide x[], ${name}_wide c
   const ${name}_wide w = q[0] + d[0], i = q[1] + d[1], j = q[2] + d[2], l = q[3] + d[3];
   ${name}_wide S, C, D, f;
   ${name}_bodies size, sine, cosine, part;
-  int n;
 
   (void)none;
   (void)${model};
   (void)x;
   size.v = hx*hx + hy*hy + hz*hz;
-  for (n = 0; n < ${upper}_WIDE; n++) size.e[n] = ${sqrt}(size.e[n]);
+  for (int n = 0; n < ${upper}_WIDE; n++) size.e[n] = ${sqrt}(size.e[n]);
   part.v = ${quarter}**time*size.v; /* a quarter of the turn */
-  for (n = 0; n < ${upper}_WIDE; n++) {
+  for (int n = 0; n < ${upper}_WIDE; n++) {
     sine.e[n] = ${sin}(part.e[n]);
     cosine.e[n] = ${cos}(part.e[n]);
   }
@@ -35,7 +34,7 @@ static void ${name}_${way}_back(${owner}, const ${name}_wide x[], ${name}_wide c
   C = cosine.v;
   D = -${two}*S*S;
   part.v = ${two}*S*C;
-  for (n = 0; n < ${upper}_WIDE; n++) part.e[n] = size.e[n] > ${zero} ? part.e[n]/size.e[n] : ${zero};
+  for (int n = 0; n < ${upper}_WIDE; n++) part.e[n] = size.e[n] > ${zero} ? part.e[n]/size.e[n] : ${zero};
   f = part.v;
   d[0] += D*w - f*(hx*i + hy*j + hz*l);
   d[1] += D*i + f*(hx*w + hy*l - hz*j);

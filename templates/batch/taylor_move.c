@@ -8,19 +8,19 @@ static void ${name}_${way}_step_by(${owner}, ${name}_wide c[][${upper}_ROW], int
   const ${name}_wide n = ${half} - ${half}*(c[0][0]*c[0][0] + c[0][1]*c[0][1] + c[0][2]*c[0][2] + c[0][3]*c[0][3]);
 %% end
   ${name}_wide a[${upper}_MOVING], b[${upper}_MOVING];
-  int i, k;
+  int i;
 
-  for (k = 0; k < ${upper}_MOVING; k++) {
+  for (int k = 0; k < ${upper}_MOVING; k++) {
     a[k] = c[top][k];
     b[k] = c[top - 1][k];
   }
   for (i = top - 2; i > 1; i -= 2) {
-    for (k = 0; k < ${upper}_MOVING; k++) {
+    for (int k = 0; k < ${upper}_MOVING; k++) {
       a[k] = c[i][k] + square*a[k];
       b[k] = c[i - 1][k] + square*b[k];
     }
   }
-  for (k = 0; k < ${upper}_MOVING; k++) {
+  for (int k = 0; k < ${upper}_MOVING; k++) {
     if (i == 1) d[k] = s*(c[1][k] + square*a[k]) + square*b[k];
     else d[k] = s*b[k] + square*a[k];
   }

@@ -5,20 +5,20 @@ static void ${name}_wide_size(${name}_wide c[][${upper}_ROW], int top, ${name}_r
   const ${name}_real log_local = ${name}_taylor_log2(local), log_rate = ${name}_taylor_log2(rate);
   ${name}_real part[5], log_h[${upper}_WIDE], best[${upper}_WIDE];
   ${name}_bodies term[5]; /* the first three, the last two */
-  int i, k, n, body;
+  int n;
 
-  for (i = 0; i < 5; i++) part[i] = ${one}/(${name}_real)(top - i > 0 ? top - i : 1);
-  for (body = 0; body < ${upper}_WIDE; body++) log_h[body] = ${n[64]};
+  for (int i = 0; i < 5; i++) part[i] = ${one}/(${name}_real)(top - i > 0 ? top - i : 1);
+  for (int body = 0; body < ${upper}_WIDE; body++) log_h[body] = ${n[64]};
 %% for _, k in ipairs(kinds) do
   /* ${k.about} */
-  for (i = 0; i < 5; i++) {
+  for (int i = 0; i < 5; i++) {
     n = i < 3 ? i : top + i - 4;
-    for (body = 0; body < ${upper}_WIDE; body++) term[i].e[body] = ${zero};
-    for (k = ${k.first}; k < ${k.last}; k++) {
+    for (int body = 0; body < ${upper}_WIDE; body++) term[i].e[body] = ${zero};
+    for (int k = ${k.first}; k < ${k.last}; k++) {
       ${name}_bodies now;
 
       now.v = c[n][k];
-      for (body = 0; body < ${upper}_WIDE; body++) {
+      for (int body = 0; body < ${upper}_WIDE; body++) {
         term[i].e[body] = ${fabs}(now.e[body]) > term[i].e[body] ? ${fabs}(now.e[body]) : term[i].e[body];
       }
     }
@@ -26,9 +26,9 @@ static void ${name}_wide_size(${name}_wide c[][${upper}_ROW], int top, ${name}_r
   for (n = top - 1; n <= top; n++) {
     const ${name}_real *last = term[n - top + 4].e;
 
-    for (body = 0; body < ${upper}_WIDE; body++) best[body] = ${one} - ${bias};
-    for (i = 0; i < 3 && i + 1 < n; i++) {
-      for (body = 0; body < ${upper}_WIDE; body++) {
+    for (int body = 0; body < ${upper}_WIDE; body++) best[body] = ${one} - ${bias};
+    for (int i = 0; i < 3 && i + 1 < n; i++) {
+      for (int body = 0; body < ${upper}_WIDE; body++) {
         const ${name}_real head = ${name}_taylor_log2(term[i].e[body]), tail = ${name}_taylor_log2(last[body]);
         const ${name}_real near = (log_local + head - tail)*part[top - n + i];
         const ${name}_real far = (log_rate + head - tail)*part[top - n + i + 1];
@@ -37,12 +37,12 @@ static void ${name}_wide_size(${name}_wide c[][${upper}_ROW], int top, ${name}_r
         best[body] = far > best[body] ? far : best[body];
       }
     }
-    for (body = 0; body < ${upper}_WIDE; body++) { /* where the term is 0, nothing moves */
+    for (int body = 0; body < ${upper}_WIDE; body++) { /* where the term is 0, nothing moves */
       log_h[body] = last[body] > ${zero} && best[body] < log_h[body] ? best[body] : log_h[body];
     }
   }
 %% end
-  for (body = 0; body < ${upper}_WIDE; body++) h[body] = ${name}_taylor_exp2(log_h[body]);
+  for (int body = 0; body < ${upper}_WIDE; body++) h[body] = ${name}_taylor_exp2(log_h[body]);
 }
 %% for _, w in ipairs(ways) do
 

@@ -8,9 +8,8 @@ static void ${name}_${way}_products${level.number}(int n, ${name}_wide a[][${pla
 %%     for _, lane in ipairs(level.lanes) do
   ${name}_wide s${lane.index} = none; /* ${lane.about} */
 %%     end
-  int j;
 
-  for (j = 1; j < n; j++) {
+  for (int j = 1; j < n; j++) {
     const ${name}_wide *A = a[j], *B = a[n - j];
 %%     if level.weighted then
     const ${name}_real order = (${name}_real)j;
@@ -38,7 +37,6 @@ static void ${name}_${way}_terms(${owner}, ${name}_wide *time, ${name}_wide x[],
 %% for _, line in ipairs(outer) do
   ${line}
 %% end
-  int n;
 
   (void)none;
   (void)t;
@@ -63,7 +61,7 @@ static void ${name}_${way}_terms(${owner}, ${name}_wide *time, ${name}_wide x[],
   c[1][${s.index}] = y[${s.index}];
 %% end
 
-  for (n = 1; n < top; n++) {
+  for (int n = 1; n < top; n++) {
     const ${name}_wide after = ${one}/(${name}_real)(n + 1) - none;
 %% if uses_order then
     const ${name}_wide order = (${name}_real)n - none;

@@ -43,26 +43,25 @@ void ${name}_rotation_vector(const ${name}_real x[], ${name}_real v[3])
 {
   const ${name}_real *u = x + ${upper}_QX, w = ${fabs}(x[${upper}_QW]);
   ${name}_real unit[3], length, largest = ${zero};
-  int i;
 
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     v[i] = ${zero};
     if (${fabs}(u[i]) > largest) largest = ${fabs}(u[i]);
   }
   if (!(largest > ${zero})) return;
-  for (i = 0; i < 3; i++) unit[i] = u[i]/largest; /* so that no square underflows */
+  for (int i = 0; i < 3; i++) unit[i] = u[i]/largest; /* so that no square underflows */
   length = ${sqrt}(unit[0]*unit[0] + unit[1]*unit[1] + unit[2]*unit[2]);
   length = (x[${upper}_QW] < ${zero} ? -${two} : ${two})*${atan2}(largest*length, w)/length;
-  for (i = 0; i < 3; i++) v[i] = length*unit[i];
+  for (int i = 0; i < 3; i++) v[i] = length*unit[i];
 }
 
 /* The axes 0, 1, 2 of a sequence: axis[0] and axis[1] its first two, axis[2] the one that is neither.  Returns the sign
  * of this order of axes; 0 if it is no sequence.  *proper: is its last letter the first one? */
 static int ${name}_axes(const char sequence[], int axis[3], int *proper)
 {
-  int i, last;
+  int last;
 
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     if (sequence[i] < 'x' || sequence[i] > 'z') return 0;
     axis[i] = sequence[i] - 'x';
   }
@@ -123,15 +122,15 @@ int ${name}_euler(const ${name}_real x[], const char sequence[], ${name}_real an
 int ${name}_set_euler(${name}_real x[], const char sequence[], const ${name}_real angles[3])
 {
   ${name}_real s[3], c[3], *u = x + ${upper}_QX, sign;
-  int axis[3], proper, i;
+  int axis[3], proper;
   const int order = ${name}_axes(sequence, axis, &proper);
 
   if (order == 0) return 2;
   sign = (${name}_real)order;
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     if (!(${fabs}(angles[i]) < ${huge})) return 3;
   }
-  for (i = 0; i < 3; i++) s[i] = ${sin}(${half}*angles[i]), c[i] = ${cos}(${half}*angles[i]);
+  for (int i = 0; i < 3; i++) s[i] = ${sin}(${half}*angles[i]), c[i] = ${cos}(${half}*angles[i]);
   if (proper) { /* the formula above, sums and differences multiplied out */
     x[${upper}_QW] = c[1]*(c[0]*c[2] - s[0]*s[2]);
     u[axis[0]] = c[1]*(s[0]*c[2] + c[0]*s[2]);

@@ -1,27 +1,23 @@
 %% -- copy.c -- structures as bytes: part of scene.c.  SPDX-License-Identifier: MIT-0
-/* ---- whole structures, byte by byte ----
- * Compilers make calls of memcpy and memset of anything simpler, and firmware need not have them. */
-
 %% if clears then
-/* from NULL: all bits 0, which are the integers and the IEEE 754 numbers 0 */
+/* A structure byte by byte; from NULL: bits 0, which are the numbers 0, too.  Of anything simpler
+ * compilers make calls of memcpy and memset, which firmware need not have. */
 static void ${name}_copy(void *to, const void *from, unsigned int size)
 {
   volatile unsigned char *a = (volatile unsigned char *)to;
   const unsigned char *b = (const unsigned char *)from;
-  unsigned int i;
-
-  for (i = 0; i < size; i++) { /* some 200 times */
+  for (unsigned int i = 0; i < size; i++) { /* some 200 times */
     a[i] = b ? b[i] : 0;
   }
 }
 %% else
+/* A structure byte by byte: of anything simpler compilers make a call of memcpy, which firmware need
+ * not have. */
 static void ${name}_copy(void *to, const void *from, unsigned int size)
 {
   unsigned char *a = (unsigned char *)to;
   const volatile unsigned char *b = (const volatile unsigned char *)from;
-  unsigned int i;
-
-  for (i = 0; i < size; i++) { /* some 200 times */
+  for (unsigned int i = 0; i < size; i++) { /* some 200 times */
     a[i] = b[i];
   }
 }
@@ -30,11 +26,7 @@ static void ${name}_copy(void *to, const void *from, unsigned int size)
 /* are all n finite? */
 static int ${name}_numbers(const ${name}_real x[], int n)
 {
-  int i;
-
-  for (i = 0; i < n; i++) {
-    if (!(x[i] - x[i] == ${zero})) return 0;
-  }
+  for (int i = 0; i < n; i++) if (!(x[i] - x[i] == ${zero})) return 0;
   return 1;
 }
 

@@ -1,14 +1,23 @@
 %% -- init.c -- the set-up: part of scene.c.  SPDX-License-Identifier: MIT-0
+%% if has_params then
+/* the scene's own parameters */
+static const ${name}_real ${name}_own_parameters[${upper}_NP] = {
+%%   for _, p in ipairs(params) do
+  ${p.value}, /* ${p.name} */
+%%   end
+};
+
 void ${name}_defaults(${name}_real p[])
 {
-%% if has_params then
-%%   for _, p in ipairs(params) do
-  p[${upper}_${p.upper}] = ${p.value};
-%%   end
-%% else
-  (void)p;
-%% end
+  const volatile ${name}_real *const own = ${name}_own_parameters; /* else compilers make a call of memcpy */
+  for (int i = 0; i < ${upper}_NP; i++) p[i] = own[i];
 }
+%% else
+void ${name}_defaults(${name}_real p[])
+{
+  (void)p;
+}
+%% end
 
 %% if split_setup then
 static int ${name}_split_setup(${name}_model *m);
@@ -22,7 +31,6 @@ static int ${name}_overflows(const ${name}_model *m)
 %%   if has_inputs then
   const ${name}_real u[${upper}_NU] = {${zero}}; /* no input */
 %%   end
-  int i;
 
   ${name}_initial(m, x);
 %%   if has_inputs then
@@ -30,7 +38,7 @@ static int ${name}_overflows(const ${name}_model *m)
 %%   else
   ${name}_step(m, ${zero}, x, 0, ${step_literal});
 %%   end
-  for (i = 0; i < ${upper}_NX; i++) sum += x[i] - x[i]; /* each 0, or no number */
+  for (int i = 0; i < ${upper}_NX; i++) sum += x[i] - x[i]; /* each 0, or no number */
   return !(sum == ${zero});
 }
 
@@ -42,12 +50,7 @@ int ${name}_init(${name}_model *m, const ${name}_real p[])
   ${name}_model k;
 %% end
 %% if has_params then
-  ${name}_real own[${upper}_NP];
-
-  if (!p) {
-    ${name}_defaults(own);
-    p = own;
-  }
+  if (!p) p = ${name}_own_parameters;
 %%   for _, line in ipairs(loads) do
   ${line}
 %%   end
@@ -68,7 +71,7 @@ int ${name}_init(${name}_model *m, const ${name}_real p[])
 %%   end
 %% end
 %% if order then
-  ${name}_order(p, k.order);
+  ${name}_sort_moments(p, k.order);
 %% end
 %% if split_setup then
   if (${name}_split_setup(&k)) return ${setup_code};

@@ -2,17 +2,16 @@
 int ${name}_normalise(${name}_real x[])
 {
   ${name}_real q[4], n, largest = ${zero};
-  int i;
 
-  for (i = 0; i < 4; i++) {
+  for (int i = 0; i < 4; i++) {
     q[i] = ${fabs}(x[${upper}_QW + i]);
     if (q[i] > largest) largest = q[i];
   }
   if (!(largest > ${zero})) return 1;
-  for (i = 0; i < 4; i++) q[i] = x[${upper}_QW + i]/largest;
+  for (int i = 0; i < 4; i++) q[i] = x[${upper}_QW + i]/largest;
   n = (q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3]); /* 1 to 4; three roundings of half an epsilon */
   if (!(n >= ${one})) return 1; /* an infinity, or not a number */
   n = ${sqrt}(n); /* with its own rounding five quarters of an epsilon */
-  for (i = 0; i < 4; i++) x[${upper}_QW + i] = q[i]/n;
+  for (int i = 0; i < 4; i++) x[${upper}_QW + i] = q[i]/n;
   return 0;
 }

@@ -5,14 +5,13 @@ static ${name}_pair ${name}_pair_exp(${name}_pair x, int e)
   const ${name}_pair log2 = {${log2_high}, ${log2_low}};
   const ${name}_real n = ${floor}(x.hi/log2.hi + ${half});
   ${name}_pair y = ${name}_pair_scale(${name}_sub(x, ${name}_scaled(n, log2)), -6), s = ${name}_pair_of(${zero});
-  int i;
 
   if (!(n > -${n[1048576]})) return ${name}_pair_of(${zero}); /* below whatever e can make of it */
-  for (i = 12; i > 0; i--) { /* s = y/i (1 + s) */
+  for (int i = 12; i > 0; i--) { /* s = y/i (1 + s) */
     s = ${name}_mul(y, ${name}_add(${name}_pair_of(${one}), s));
     s = ${name}_ratio(s, ${name}_pair_of((${name}_real)i));
   }
-  for (i = 0; i < 6; i++) s = ${name}_add(${name}_pair_scale(s, 1), ${name}_mul(s, s));
+  for (int i = 0; i < 6; i++) s = ${name}_add(${name}_pair_scale(s, 1), ${name}_mul(s, s));
   return ${name}_pair_scale(${name}_add(${name}_pair_of(${one}), s), (int)n + e);
 }
 
@@ -21,16 +20,15 @@ static void ${name}_pair_circle(${name}_pair x, ${name}_pair *c1, ${name}_pair *
 {
   const ${name}_pair y = ${name}_pair_scale(x, -6), y2 = ${name}_mul(y, y);
   ${name}_pair c = ${name}_pair_of(${zero}), d = ${name}_pair_of(${zero});
-  int i;
 
-  for (i = 16; i > 0; i -= 2) {
+  for (int i = 16; i > 0; i -= 2) {
     c = ${name}_minus(${name}_mul(y2, ${name}_add(${name}_pair_of(${one}), c)));
     c = ${name}_ratio(c, ${name}_pair_of((${name}_real)(i*(i - 1))));
     d = ${name}_minus(${name}_mul(y2, ${name}_add(${name}_pair_of(${one}), d)));
     d = ${name}_ratio(d, ${name}_pair_of((${name}_real)(i*(i + 1))));
   }
   d = ${name}_mul(y, ${name}_add(${name}_pair_of(${one}), d));
-  for (i = 0; i < 6; i++) { /* cos 2x - 1 = -2 sin^2 x, sin 2x = 2 sin x (1 + (cos x - 1)) */
+  for (int i = 0; i < 6; i++) { /* cos 2x - 1 = -2 sin^2 x, sin 2x = 2 sin x (1 + (cos x - 1)) */
     const ${name}_pair square = ${name}_mul(d, d);
 
     d = ${name}_pair_scale(${name}_mul(d, ${name}_add(${name}_pair_of(${one}), c)), 1);
@@ -45,9 +43,8 @@ static void ${name}_pair_circle(${name}_pair x, ${name}_pair *c1, ${name}_pair *
 static ${name}_pair ${name}_carlson(${name}_pair x, ${name}_pair y, ${name}_pair z)
 {
   ${name}_pair sum = ${name}_pair_of(${zero}), X, Y, Z, E2, E3, s;
-  int i;
 
-  for (i = 0; i < 40; i++) { /* some 8 times */
+  for (int i = 0; i < 40; i++) { /* some 8 times */
     const ${name}_pair xy = ${name}_mul(x, y);
     const ${name}_pair l = ${name}_add(xy, ${name}_mul(z, ${name}_add(x, y)));
     const ${name}_pair x2 = ${name}_pair_scale(${name}_add(${name}_mul(x, x), l), -2);
@@ -91,9 +88,8 @@ static ${name}_pair ${name}_nome_of(${name}_pair m, ${name}_pair mc, int power)
   const ${name}_pair eps = ${name}_ratio(${name}_pair_scale(m, -1), ${name}_mul(first, ${name}_mul(second, second)));
   const ${name}_pair e2 = ${name}_pair_scale(${name}_mul(eps, eps), 2*power), e4 = ${name}_mul(e2, e2);
   ${name}_pair sum = ${name}_pair_of(series[8]);
-  int i;
 
-  for (i = 7; i >= 0; i--) sum = ${name}_add(${name}_pair_of(series[i]), ${name}_mul(sum, e4));
+  for (int i = 7; i >= 0; i--) sum = ${name}_add(${name}_pair_of(series[i]), ${name}_mul(sum, e4));
   return ${name}_mul(eps, sum);
 }
 
@@ -106,7 +102,7 @@ static ${name}_pair ${name}_complete(${name}_pair q)
 
   t = ${name}_mul(q, ${name}_add(${name}_pair_of(${one}), ${name}_mul(q3, ${name}_add(${name}_pair_of(${one}), t))));
   t = ${name}_add(${name}_pair_of(${one}), ${name}_pair_scale(t, 1));
-  return ${name}_pair_scale(${name}_mul(${name}_pi(), ${name}_mul(t, t)), -1);
+  return ${name}_pair_scale(${name}_mul(${name}_pi, ${name}_mul(t, t)), -1);
 }
 
 /* exp(x) - 1, 0 <= x <= 1: the series at x/64 and six doublings */
@@ -114,9 +110,8 @@ static ${name}_pair ${name}_pair_expm1(${name}_pair x)
 {
   const ${name}_pair y = ${name}_pair_scale(x, -6), one = ${name}_pair_of(${one});
   ${name}_pair s = ${name}_pair_of(${zero});
-  int i;
 
-  for (i = 12; i > 0; i--) s = ${name}_ratio(${name}_mul(y, ${name}_add(one, s)), ${name}_pair_of((${name}_real)i));
-  for (i = 0; i < 6; i++) s = ${name}_add(${name}_pair_scale(s, 1), ${name}_mul(s, s));
+  for (int i = 12; i > 0; i--) s = ${name}_ratio(${name}_mul(y, ${name}_add(one, s)), ${name}_pair_of((${name}_real)i));
+  for (int i = 0; i < 6; i++) s = ${name}_add(${name}_pair_scale(s, 1), ${name}_mul(s, s));
   return s;
 }

@@ -35,7 +35,7 @@ static ${uint} ${name}_libm_reduce(${name}_real x, ${name}_real y[2])
   uint32_t window[6], words[6];
   ${uint} carry = 0, high, low, n;
   ${name}_real f, rest, part, high_part;
-  int at, i;
+  int at;
 
   y[0] = t - w;
   if (x < ${nearby} && ${name}_fabs(y[0]) > ${too_near}) { /* Cody and Waite 1980: off by less than 2^-66 */
@@ -45,12 +45,12 @@ static ${uint} ${name}_libm_reduce(${name}_real x, ${name}_real y[2])
   u = ${name}_libm_bits(x);
   m = (u & ${fraction}) | ${hidden};
   at = (int)(u >> ${fraction_bits}) - 1013;
-  for (i = 0; i < 6; i++) {
+  for (int i = 0; i < 6; i++) {
     const uint32_t *p = inverse + at/32 + i;
 
     window[i] = p[0] << at%32 | p[1] >> 1 >> (31 - at%32);
   }
-  for (i = 4; i >= 0; i--) { /* m times the window, its upper words */
+  for (int i = 4; i >= 0; i--) { /* m times the window, its upper words */
     const ${uint} a = (m & 0xFFFFFFFFU)*window[i], b = (m >> 32)*window[i + 1];
     const ${uint} sum = carry + (a & 0xFFFFFFFFU) + (b & 0xFFFFFFFFU);
 

@@ -53,13 +53,12 @@ static ${name}_real ${name}_cbrt(${name}_real x)
   ${uint} u = ${name}_libm_bits(x) & ${magnitude};
   const int subnormal = u < ${hidden};
   ${name}_real size, t, r;
-  int i;
 
   if (u == 0 || u >= ${infinity}) return x;
   size = ${name}_libm_real(u);
   if (subnormal) size *= ${cube};
   t = ${name}_libm_real(${name}_libm_bits(size)/3U + ${cbrt_start});
-  for (i = 0; i < ${cbrt_steps}; i++) {
+  for (int i = 0; i < ${cbrt_steps}; i++) {
     r = size/(t*t);
     t += t*((r - t)/(t + t + r));
   }

@@ -5,12 +5,12 @@
 static int ${name}_sign_of_sum(int rows, int columns, const ${name}_real f[])
 {
   ${name}_real sum[${terms}], space[2][${factors}], *p = space[0], *q = space[1];
-  int n = 0, most = 0, first = 1, r, c, i, np, nq, power;
+  int n = 0, most = 0, first = 1, i, np, nq, power;
 
-  for (r = 0; r < rows; r++) { /* the largest row's exponent */
+  for (int r = 0; r < rows; r++) { /* the largest row's exponent */
     int total = 0, zero = 0;
 
-    for (c = 0; c < columns; c++) {
+    for (int c = 0; c < columns; c++) {
       if (!(f[r*columns + c] < ${zero} || f[r*columns + c] > ${zero})) zero = 1;
       (void)${frexp}(f[r*columns + c], &power);
       total += power;
@@ -20,16 +20,16 @@ static int ${name}_sign_of_sum(int rows, int columns, const ${name}_real f[])
       first = 0;
     }
   }
-  for (r = 0; r < rows; r++) {
+  for (int r = 0; r < rows; r++) {
     int total = ${top} - most;
 
-    for (c = 0; c < columns; c++) {
+    for (int c = 0; c < columns; c++) {
       (void)${frexp}(f[r*columns + c], &power);
       total += power;
     }
     p[0] = ${ldexp}(${one}, total);
     np = 1;
-    for (c = 0; c < columns; c++) {
+    for (int c = 0; c < columns; c++) {
       const ${name}_real factor = ${frexp}(f[r*columns + c], &power);
       ${name}_real *const before = p;
 
@@ -50,7 +50,7 @@ static int ${name}_sign_of_sum(int rows, int columns, const ${name}_real f[])
     ensures \initialized(order + (0 .. 2));
     ensures \forall int i; 0 <= i < 3 ==> -1 <= order[i] <= 1; */
 %% end
-static void ${name}_order(const ${name}_real p[], int order[3])
+static void ${name}_sort_moments(const ${name}_real p[], int order[3])
 {
 %% for _, line in ipairs(lines) do
 %%   if line == "" then

@@ -29,11 +29,10 @@ static ${name}_real ${name}_arc_across(${name}_real h)
 {
   const ${name}_real y = ${two}*h;
   ${name}_pair x, t = ${name}_pair_of(${one}), sum = t;
-  int n;
 
   if (!${name}_short(h)) return ${half}*(${one} - ${sin}(y)/y);
   x = ${name}_pair_product(y, y);
-  for (n = 2; n <= ${series_terms}; n++) {
+  for (int n = 2; n <= ${series_terms}; n++) {
     t = ${name}_minus(${name}_term(t, x, 2*n*(2*n + 1)));
     sum = ${name}_add(sum, t);
   }
@@ -49,14 +48,13 @@ static ${name}_real ${name}_arc_along(${name}_real h)
   const ${name}_real y = ${two}*h;
   ${name}_real mean;
   ${name}_pair x, t = ${name}_pair_of(${one}), sum = t;
-  int n;
 
   if (!${name}_short(h)) {
     mean = ${sin}(h)/h;
     return ${half}*(${one} + ${sin}(y)/y) - mean*mean;
   }
   x = ${name}_pair_product(y, y);
-  for (n = 4; n <= ${series_terms}; n++) {
+  for (int n = 4; n <= ${series_terms}; n++) {
     t = ${name}_minus(${name}_term(t, x, (2*n - 1)*(2*n)));
     sum = ${name}_add(sum, ${name}_times(t, (${name}_real)(n - 2)));
   }
@@ -69,11 +67,10 @@ static ${name}_real ${name}_arc_along(${name}_real h)
 static ${name}_real ${name}_arc_lever(${name}_real h)
 {
   ${name}_pair x, t = ${name}_pair_of(${one}), sum = t;
-  int n;
 
   if (!${name}_short(h)) return ${sin}(h)/h - ${cos}(h);
   x = ${name}_pair_product(h, h);
-  for (n = 2; n <= ${series_terms}; n++) {
+  for (int n = 2; n <= ${series_terms}; n++) {
     t = ${name}_minus(${name}_term(t, x, 2*n*(2*n + 1)));
     sum = ${name}_add(sum, ${name}_times(t, (${name}_real)n));
   }
@@ -89,7 +86,6 @@ static ${name}_real ${name}_catenary_rise(${name}_real u)
   const ${name}_real y = ${two}*u;
   ${name}_real w, d, power = ${quarter};
   ${name}_pair x, t = ${name}_pair_of(${one}), square = t, odd = t, sum = ${name}_pair_of(${quarter});
-  int n;
 
   if (!${name}_short(u)) { /* 1/s = 2 w/d, coth(u) = 1 + 2 w^2/d */
     w = ${exp}(-u);
@@ -97,7 +93,7 @@ static ${name}_real ${name}_catenary_rise(${name}_real u)
     return ${half} - w*(${two} - y*w/d - w)/d;
   }
   x = ${name}_pair_product(y, y);
-  for (n = 2; n <= ${series_terms}; n++) {
+  for (int n = 2; n <= ${series_terms}; n++) {
     power *= ${quarter};
     t = ${name}_term(t, x, (2*n - 1)*(2*n));
     odd = ${name}_term(odd, x, 2*n*(2*n + 1));
@@ -117,7 +113,6 @@ static ${name}_real ${name}_catenary_height(${name}_real u)
   const ${name}_pair one = ${name}_pair_of(${one});
   ${name}_pair x, t = one, even = one, square, sum = ${name}_pair_of(${n24});
   ${name}_real w, i, power = ${n64};
-  int n;
 
   if (!${name}_short(u)) { /* i = 1/s, coth(u) = 1 + w i */
     w = ${exp}(-u);
@@ -125,7 +120,7 @@ static ${name}_real ${name}_catenary_height(${name}_real u)
     return ${one}/${twelve} - i*i*(${half}*u*(${one} + w*i) - ${threequarters} + ${quarter}*(u*i)*(u*i));
   }
   x = ${name}_pair_product(y, y);
-  for (n = 4; n <= ${series_terms}; n++) {
+  for (int n = 4; n <= ${series_terms}; n++) {
     power *= ${four};
     t = ${name}_term(t, x, (2*n - 1)*(2*n));
     even = ${name}_add(even, t);
@@ -143,13 +138,12 @@ static ${name}_real ${name}_catenary_height(${name}_real u)
 static ${name}_real ${name}_catenary_width(${name}_real u)
 {
   ${name}_real w, q = ${zero};
-  int n;
 
   if (!${name}_short(u)) {
     w = ${exp}(-u);
     return ${one} - ${two}/u*((u - ${one})/u + ${two}*(w*w)/(${one} - w*w));
   }
-  for (n = ${series_terms}; n >= 2; n--) q = u*u/((${name}_real)(2*n + 1) + q);
+  for (int n = ${series_terms}; n >= 2; n--) q = u*u/((${name}_real)(2*n + 1) + q);
   return (${one} + q)/(${three} + q);
 }
 %% end

@@ -21,13 +21,13 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   const ${name}_pair inverse = {${half_inverse_pi_high}, ${half_inverse_pi_low}}; /* of a turn */
   ${name}_pair s, excess, push, decay1, decay3, rotor, length, one;
   ${name}_orbit p;
-  int i, e;
+  int e;
 
 %% if uses_model then
 %% else
   (void)m; /* every constant is in the code */
 %% end
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     if (!(w[i] - w[i] == ${zero})) return 1;
   }
   /* moments by a power of two: huge ones must not overflow in a split */
@@ -48,7 +48,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   s = ${name}_pair_product(k[0], w[0]);
   s = ${name}_add(s, ${name}_pair_product(k[1], w[1]));
   s = ${name}_ratio(${name}_add(s, ${name}_pair_product(k[2], w[2])), ${name}_pair_of(k2));
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     p.k[i] = k[i];
     p.across[i] = ${name}_add(${name}_pair_of(w[i]), ${name}_mul(${name}_pair_of(-k[i]), s)).hi;
   }
@@ -81,7 +81,6 @@ void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[])
   const ${name}_pair y = ${name}_mul(decay3, time);
   ${name}_pair f1, f2, phase;
   ${name}_real s, sine, cosine, along;
-  int i;
 
   ${name}_means(y, &f1, &f2);
   f2 = ${name}_mul(pushed, ${name}_mul(time, f2));
@@ -91,5 +90,5 @@ void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[])
   ${name}_circle(phase.hi - ${name}_nearest(phase.hi), &sine, &cosine);
   s = ${name}_exponential(${name}_mul(decay1, time));
   along = o->s*${name}_exponential(y) + o->push*(t*f1.hi);
-  for (i = 0; i < 3; i++) w[i] = along*o->k[i] + s*(cosine*o->across[i] + sine*o->turned[i]);
+  for (int i = 0; i < 3; i++) w[i] = along*o->k[i] + s*(cosine*o->across[i] + sine*o->turned[i]);
 }

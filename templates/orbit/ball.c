@@ -8,14 +8,13 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_pair rate[3];
   ${name}_real left[4] = {${zero}, ${zero}, ${zero}, ${zero}}, W[3];
   ${name}_orbit p;
-  int i;
 
 %% if uses_model then
 %% else
   (void)m; /* every constant is in the code */
 %% end
   if (!${name}_numbers(x0, ${upper}_NX)) return 1;
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     p.w[i] = w[i];
     rate[i] = ${name}_pair_of(w[i]);
   }
@@ -30,7 +29,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_spin(p.q[0], w, W);
   p.v[0] = R*(W[0]*e2[0] + W[1]*e2[1] + W[2]*e2[2]);
   p.v[1] = -R*(W[0]*e1[0] + W[1]*e1[1] + W[2]*e1[2]);
-  for (i = 0; i < 2; i++) p.p[i] = x0[${upper}_P1 + i];
+  for (int i = 0; i < 2; i++) p.p[i] = x0[${upper}_P1 + i];
   if (!(p.v[0] - p.v[0] == ${zero} && p.v[1] - p.v[1] == ${zero}) || !${name}_starts(&p)) return 1;
   ${name}_copy(o, &p, (unsigned int)sizeof(p));
   return 0;
@@ -39,23 +38,21 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
   ${name}_real s, c, n, *q = x + ${upper}_QW;
-  int i;
 
   ${name}_circle(${name}_phase(o, o->about, t), &s, &c);
-  for (i = 0; i < 4; i++) q[i] = c*o->q[0][i] + s*o->q[1][i];
+  for (int i = 0; i < 4; i++) q[i] = c*o->q[0][i] + s*o->q[1][i];
   n = ${threehalves} - ${half}*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])); /* one Newton step for 1/|q| */
-  for (i = 0; i < 4; i++) q[i] *= n;
-  for (i = 0; i < 3; i++) x[${upper}_WX + i] = o->w[i];
-  for (i = 0; i < 2; i++) x[${upper}_P1 + i] = o->p[i] + t*o->v[i];
+  for (int i = 0; i < 4; i++) q[i] *= n;
+  for (int i = 0; i < 3; i++) x[${upper}_WX + i] = o->w[i];
+  for (int i = 0; i < 2; i++) x[${upper}_P1 + i] = o->p[i] + t*o->v[i];
 }
 
 void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${name}_real x[])
 {
   ${name}_real y[${upper}_NX];
-  int i, k;
 
-  for (k = 0; k < n; k++) {
+  for (int k = 0; k < n; k++) {
     ${name}_at(o, t[k], y);
-    for (i = 0; i < ${upper}_NX; i++) x[i*n + k] = y[i];
+    for (int i = 0; i < ${upper}_NX; i++) x[i*n + k] = y[i];
   }
 }

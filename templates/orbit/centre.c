@@ -10,7 +10,6 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   const ${name}_real R = ${R};
   ${name}_real q[4], W[3], along[3];
   ${name}_orbit p;
-  int i, k;
 
 %% if uses_model then
 %% else
@@ -19,14 +18,14 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   if (!${name}_numbers(x0, ${upper}_NX)) return 1;
   if (${name}_unit_quaternion(x0 + ${upper}_QW, q) == ${zero}) return 1;
   ${name}_spin(q, x0 + ${upper}_WX, W);
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     along[i] = W[0]*e[i][0] + W[1]*e[i][1] + W[2]*e[i][2];
-    for (k = 0; k < 3; k++) p.e[i][k] = e[i][k];
+    for (int k = 0; k < 3; k++) p.e[i][k] = e[i][k];
   }
   p.up = along[2];
 
   /* V = Omega n x p + R W x n, W x n = (W.e2) e1 - (W.e1) e2 */
-  for (i = 0; i < 2; i++) {
+  for (int i = 0; i < 2; i++) {
     p.p[i] = x0[${upper}_P1 + i];
     p.W[i] = along[i];
   }
@@ -65,9 +64,8 @@ static void ${name}_arcs(const ${name}_orbit *o, ${name}_real t, ${name}_real tu
     const ${name}_real sixth = ${one}/${n[6]};
     ${name}_real a = ${one}, b = ${half}, c = sixth, power = ${one};
     ${name}_real sine = ${one}, cosine = ${half}, rest = sixth;
-    int k;
 
-    for (k = 1; k < 10; k++) {
+    for (int k = 1; k < 10; k++) {
       const ${name}_real two_k = ${two}*(${name}_real)k;
 
       power *= -(y*y);

@@ -50,7 +50,7 @@ static ${name}_real ${name}_exponential(${name}_pair y)
 %% else
 
 /* (1 - exp(-rate t))/rate: the time of the free motion at the time t of the damped one */
-static ${name}_pair ${name}_clock(${name}_real rate, ${name}_real t)
+static ${name}_pair ${name}_free_time(${name}_real rate, ${name}_real t)
 {
   return ${name}_mul(${name}_pair_of(t), ${name}_mean(${name}_pair_product(-rate, t)));
 }

@@ -107,7 +107,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
 
 %% if symmetric then
 /* the attitude after a turn about L by twice the angle of (c, s), about k by twice that of (ck, sk) */
-${upper}_INLINE void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${name}_real s, ${name}_real ck, ${name}_real sk, ${name}_real q[4])
+${inline} void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${name}_real s, ${name}_real ck, ${name}_real sk, ${name}_real q[4])
 {
   const ${name}_real f0 = c*ck, f1 = s*ck, f2 = c*sk, f3 = s*sk;
   ${name}_real n;
@@ -118,7 +118,7 @@ ${upper}_INLINE void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${
   q[3] = (f0*o->q[0][3] + f1*o->q[1][3]) + (f2*o->q[2][3] + f3*o->q[3][3]);
 %% else
 /* the attitude after a turn about L by twice the angle of (c, s) */
-${upper}_INLINE void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${name}_real s, ${name}_real q[4])
+${inline} void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${name}_real s, ${name}_real q[4])
 {
   ${name}_real n;
 
@@ -137,7 +137,7 @@ ${upper}_INLINE void ${name}_attitude(const ${name}_orbit *o, ${name}_real c, ${
 
 %% if symmetric then
 /* the rates: across has turned by twice the angle */
-${upper}_INLINE void ${name}_rates(const ${name}_orbit *o, ${name}_real ck, ${name}_real sk, ${name}_real w[3])
+${inline} void ${name}_rates(const ${name}_orbit *o, ${name}_real ck, ${name}_real sk, ${name}_real w[3])
 {
   const ${name}_real cosine = (ck - sk)*(ck + sk), sine = ${two}*(sk*ck);
 
@@ -149,7 +149,7 @@ ${upper}_INLINE void ${name}_rates(const ${name}_orbit *o, ${name}_real ck, ${na
 %% end
 /* attitude and rates from the phases */
 %% if symmetric then
-${upper}_INLINE void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${name}_real spin, ${name}_real q[4], ${name}_real w[3])
+${inline} void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${name}_real spin, ${name}_real q[4], ${name}_real w[3])
 {
   ${name}_real s, c, sk, ck;
 
@@ -159,7 +159,7 @@ ${upper}_INLINE void ${name}_state(const ${name}_orbit *o, ${name}_real about, $
   ${name}_rates(o, ck, sk, w);
 }
 %% else
-${upper}_INLINE void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${name}_real q[4], ${name}_real w[3])
+${inline} void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${name}_real q[4], ${name}_real w[3])
 {
   ${name}_real s, c;
 
@@ -182,7 +182,7 @@ static ${name}_real ${name}_phase_of(const ${name}_orbit *o, const ${name}_real 
 
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
-  const ${name}_pair time = ${name}_clock(o->decay, t);
+  const ${name}_pair time = ${name}_free_time(o->decay, t);
   const ${name}_real fade = ${name}_fading(o->decay, t);
 %% if rod then
   const ${name}_real spin = ${name}_phase(o, o->spin, t); /* a rod's rate along itself carries no L and is not damped */
@@ -190,7 +190,6 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
   const ${name}_real spin = ${name}_phase_of(o, o->spin, time);
 %% end
   ${name}_real *w = x + ${upper}_WX;
-  int i;
 
 %% if symmetric then
   ${name}_state(o, ${name}_phase_of(o, o->about, time), spin, x + ${upper}_QW, w);
@@ -198,9 +197,9 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
   ${name}_state(o, ${name}_phase_of(o, o->about, time), x + ${upper}_QW, w);
 %% end
 %% if rod then
-  for (i = 0; i < 3; i++) w[i] = o->along[i] + fade*(w[i] - o->along[i]);
+  for (int i = 0; i < 3; i++) w[i] = o->along[i] + fade*(w[i] - o->along[i]);
 %% else
-  for (i = 0; i < 3; i++) w[i] *= fade;
+  for (int i = 0; i < 3; i++) w[i] *= fade;
 %% end
 }
 %% else
@@ -221,10 +220,9 @@ void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[])
   ${name}_circle(${name}_phase(o, o->spin, t), &sk, &ck);
   ${name}_rates(o, ck, sk, w);
 %% else
-  int i;
 
   (void)t; /* they are constant */
-  for (i = 0; i < 3; i++) w[i] = o->along[i];
+  for (int i = 0; i < 3; i++) w[i] = o->along[i];
 %% end
 }
 
@@ -248,13 +246,13 @@ void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${na
 {
   const ${name}_orbit orbit = *o;
   ${name}_real time[16], block[${upper}_NX][16], *row;
-  int first, i, k;
+  int i;
 
-  for (first = 0; first < n; first += 16) { /* sixteen at a time, into arrays of their own: nothing can overlap */
+  for (int first = 0; first < n; first += 16) { /* sixteen at a time, into arrays of their own: nothing can overlap */
     const int count = n - first < 16 ? n - first : 16;
 
-    for (k = 0; k < 16; k++) time[k] = t[first + (k < count ? k : 0)];
-    for (k = 0; k < 16; k++) {
+    for (int k = 0; k < 16; k++) time[k] = t[first + (k < count ? k : 0)];
+    for (int k = 0; k < 16; k++) {
       ${name}_real q[4], w[3];
 
 %% if symmetric then
@@ -270,7 +268,7 @@ void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${na
       block[${upper}_WY][k] = w[1];
       block[${upper}_WZ][k] = w[2];
     }
-    for (k = 0; k < count; k++) {
+    for (int k = 0; k < count; k++) {
       for (i = 0, row = x + (first + k);; row += n) {
         *row = block[i][k];
         if (++i == ${upper}_NX) break;
@@ -289,9 +287,9 @@ int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
   if (!(spin.hi - spin.hi == ${zero})) return 1;
 %% end
   if (!(about.hi - about.hi == ${zero})) return 1;
-  ${name}_fraction(about, o->about_tick);
+  ${name}_fraction_bits(about, o->about_tick);
 %% if symmetric then
-  ${name}_fraction(spin, o->spin_tick);
+  ${name}_fraction_bits(spin, o->spin_tick);
 %% end
   return 0;
 }

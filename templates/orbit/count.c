@@ -2,10 +2,9 @@
 /* ---- time in ticks: phases as fractions of a turn, 128 bits, in which whole turns vanish by overflow ---- */
 
 /* a less whole turns, in units of 2^-128: {high, low}; sixteen bits at a time, each step exact */
-static void ${name}_fraction(${name}_pair a, uint64_t out[2])
+static void ${name}_fraction_bits(${name}_pair a, uint64_t out[2])
 {
   const int negative = a.hi < ${zero}; /* its size keeps the digits that 1 - |a| has not */
-  int i;
 
   if (negative) {
     a.hi = -a.hi;
@@ -15,7 +14,7 @@ static void ${name}_fraction(${name}_pair a, uint64_t out[2])
   a = ${name}_add(${name}_pair_sum(a.hi, -${floor}(a.hi)), ${name}_pair_of(a.lo));
   if (a.hi < ${zero}) a = ${name}_add(a, ${name}_pair_of(${one}));
   out[0] = out[1] = 0;
-  for (i = 0; i < 8; i++) {
+  for (int i = 0; i < 8; i++) {
     ${name}_real whole;
 
     a.hi *= ${n[65536]};

@@ -2,27 +2,25 @@
 void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[])
 {
   ${name}_real x[${upper}_NX];
-  int i;
 
   ${name}_at(o, t, x);
-  for (i = 0; i < 3; i++) w[i] = x[${upper}_WX + i];
+  for (int i = 0; i < 3; i++) w[i] = x[${upper}_WX + i];
 }
 
 void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[])
 {
   ${name}_real x[${upper}_NX];
-  int i;
 
   ${name}_at(o, t, x);
-  for (i = 0; i < 4; i++) q[i] = x[${upper}_QW + i];
+  for (int i = 0; i < 4; i++) q[i] = x[${upper}_QW + i];
 }
 
 void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${name}_real x[])
 {
   ${name}_real y[${upper}_NX], *row;
-  int i, k;
+  int i;
 
-  for (k = 0; k < n; k++) {
+  for (int k = 0; k < n; k++) {
     ${name}_at(o, t[k], y);
     for (i = 0, row = x;; row += n) {
       row[k] = y[i];

@@ -4,14 +4,13 @@ static void ${name}_wide_product(const ${name}_wide p[4], const ${name}_wide q[4
 {
   static const int at[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
   static const int sign[4][4] = {{1, -1, -1, -1}, {1, 1, 1, -1}, {1, -1, 1, 1}, {1, 1, -1, 1}};
-  int i, k;
 
-  for (i = 0; i < 4; i++) {
+  for (int i = 0; i < 4; i++) {
     out[i] = ${name}_wide_real(${zero});
-    for (k = 0; k < 4; k++) {
-      const ${name}_wide term = ${name}_wide_multiply(p[k], q[at[i][k]]);
+    for (int k = 0; k < 4; k++) {
+      const ${name}_wide term = ${name}_wide_mul(p[k], q[at[i][k]]);
 
-      out[i] = sign[i][k] > 0 ? ${name}_wide_add(out[i], term) : ${name}_wide_subtract(out[i], term);
+      out[i] = sign[i][k] > 0 ? ${name}_wide_add(out[i], term) : ${name}_wide_sub(out[i], term);
     }
   }
 }
@@ -20,11 +19,10 @@ static void ${name}_wide_product(const ${name}_wide p[4], const ${name}_wide q[4
 static ${name}_wide ${name}_wide_unit(int n, ${name}_wide q[])
 {
   ${name}_wide sum = ${name}_wide_real(${zero});
-  int i;
 
-  for (i = 0; i < n; i++) sum = ${name}_wide_add(sum, ${name}_wide_square(q[i]));
+  for (int i = 0; i < n; i++) sum = ${name}_wide_add(sum, ${name}_wide_square(q[i]));
   sum = ${name}_wide_root(sum);
-  for (i = 0; i < n && ${name}_wide_sign(sum); i++) q[i] = ${name}_wide_divide(q[i], sum);
+  for (int i = 0; i < n && ${name}_wide_sign(sum); i++) q[i] = ${name}_wide_ratio(q[i], sum);
   return sum;
 }
 
@@ -43,7 +41,7 @@ static void ${name}_upright(const ${name}_wide v[3], ${name}_wide q[4])
     q[2] = n[0];
   } else {
     q[0] = ${name}_wide_minus(n[1]);
-    q[1] = ${name}_wide_subtract(one, n[2]);
+    q[1] = ${name}_wide_sub(one, n[2]);
     q[3] = n[0];
   }
   (void)${name}_wide_unit(4, q);

@@ -31,23 +31,23 @@ typedef struct ${name}_quartic {
 static void ${name}_nearest_roots(${name}_quartic *p, int i)
 {
   const ${name}_wide c = p->c[i], b = p->b[i], d = p->d[i];
-  const ${name}_wide disc = ${name}_wide_subtract(${name}_wide_square(b), ${name}_wide_scale(${name}_wide_multiply(c, d), 2));
+  const ${name}_wide disc = ${name}_wide_sub(${name}_wide_square(b), ${name}_wide_scale(${name}_wide_mul(c, d), 2));
   ${name}_wide q, n[2];
-  int k, side, count = 0;
+  int side, count = 0;
 
   if (${name}_wide_sign(disc) < 0) return;
   q = ${name}_wide_root(disc);
-  q = ${name}_wide_scale(${name}_wide_sign(b) < 0 ? ${name}_wide_subtract(q, b) : ${name}_wide_minus(${name}_wide_add(q, b)), -1);
-  if (${name}_wide_sign(d)) n[count++] = ${name}_wide_divide(q, d);
-  if (${name}_wide_sign(q)) n[count++] = ${name}_wide_divide(c, q);
-  for (k = 0; k < count; k++) {
+  q = ${name}_wide_scale(${name}_wide_sign(b) < 0 ? ${name}_wide_sub(q, b) : ${name}_wide_minus(${name}_wide_add(q, b)), -1);
+  if (${name}_wide_sign(d)) n[count++] = ${name}_wide_ratio(q, d);
+  if (${name}_wide_sign(q)) n[count++] = ${name}_wide_ratio(c, q);
+  for (int k = 0; k < count; k++) {
     side = ${name}_wide_sign(n[k]);
     if (!side) side = ${name}_wide_sign(b) > 0 ? -1 : ${name}_wide_sign(b) < 0 ? 1 : 0;
-    if (side <= 0 && (p->of[0] < 0 || ${name}_wide_sign(${name}_wide_subtract(n[k], p->end[0])) > 0)) {
+    if (side <= 0 && (p->of[0] < 0 || ${name}_wide_sign(${name}_wide_sub(n[k], p->end[0])) > 0)) {
       p->end[0] = n[k];
       p->of[0] = i;
     }
-    if (side >= 0 && (p->of[1] < 0 || ${name}_wide_sign(${name}_wide_subtract(n[k], p->end[1])) < 0)) {
+    if (side >= 0 && (p->of[1] < 0 || ${name}_wide_sign(${name}_wide_sub(n[k], p->end[1])) < 0)) {
       p->end[1] = n[k];
       p->of[1] = i;
     }
@@ -62,7 +62,7 @@ static ${name}_wide ${name}_positive(${name}_wide x)
 /* c + b n + d n^2 */
 static ${name}_wide ${name}_parabola(${name}_wide c, ${name}_wide b, ${name}_wide d, ${name}_wide n)
 {
-  return ${name}_wide_add(c, ${name}_wide_multiply(n, ${name}_wide_add(b, ${name}_wide_multiply(d, n))));
+  return ${name}_wide_add(c, ${name}_wide_mul(n, ${name}_wide_add(b, ${name}_wide_mul(d, n))));
 }
 
 /* The ends of the band and what R is there; 0 if nothing moves.  u1, u2 = M1/G, M2/G; kappa = A1 - A2. */
@@ -70,13 +70,13 @@ static int ${name}_band(${name}_quartic *p, ${name}_wide u1, ${name}_wide u2, ${
 {
   const ${name}_wide zero = ${name}_wide_real(${zero});
   ${name}_wide r[3], disc, R[2], speed;
-  int i, j, k;
+  int i, j;
 
-  speed = ${name}_wide_minus(${name}_wide_multiply(kappa, ${name}_wide_multiply(u1, u2)));
-  if (!${name}_wide_sign(speed) && !${name}_wide_sign(${name}_wide_multiply(u2, p->b[0]))
-      && !${name}_wide_sign(${name}_wide_multiply(u1, p->b[1]))) return 0;
-  p->c[0] = ${name}_wide_multiply(kappa, ${name}_wide_square(u1));
-  p->c[1] = ${name}_wide_multiply(kappa, ${name}_wide_square(u2));
+  speed = ${name}_wide_minus(${name}_wide_mul(kappa, ${name}_wide_mul(u1, u2)));
+  if (!${name}_wide_sign(speed) && !${name}_wide_sign(${name}_wide_mul(u2, p->b[0]))
+      && !${name}_wide_sign(${name}_wide_mul(u1, p->b[1]))) return 0;
+  p->c[0] = ${name}_wide_mul(kappa, ${name}_wide_square(u1));
+  p->c[1] = ${name}_wide_mul(kappa, ${name}_wide_square(u2));
   for (i = 0; i < 2 && ${name}_wide_sign(kappa) < 0; i++) {
     p->c[i] = ${name}_wide_minus(p->c[i]);
     p->b[i] = ${name}_wide_minus(p->b[i]);
@@ -87,19 +87,19 @@ static int ${name}_band(${name}_quartic *p, ${name}_wide u1, ${name}_wide u2, ${
   ${name}_nearest_roots(p, 0);
   ${name}_nearest_roots(p, 1);
   if (p->of[0] < 0 || p->of[1] < 0) return 0;
-  p->width = ${name}_wide_subtract(p->end[1], p->end[0]);
-  for (k = 0; k < 2; k++) { /* the smaller one from P1 + P2, so that it is 0 with the other P */
+  p->width = ${name}_wide_sub(p->end[1], p->end[0]);
+  for (int k = 0; k < 2; k++) { /* the smaller one from P1 + P2, so that it is 0 with the other P */
     ${name}_wide *v = p->edge[k], value;
 
     j = 1 - p->of[k];
     v[0] = ${name}_positive(${name}_wide_add(p->v[0], p->end[k]));
-    v[1] = ${name}_positive(${name}_wide_subtract(p->v[1], p->end[k]));
-    i = ${name}_wide_sign(${name}_wide_subtract(v[1], v[0])) < 0;
+    v[1] = ${name}_positive(${name}_wide_sub(p->v[1], p->end[k]));
+    i = ${name}_wide_sign(${name}_wide_sub(v[1], v[0])) < 0;
     value = ${name}_positive(${name}_parabola(p->c[j], p->b[j], p->d[j], p->end[k]));
     if (${name}_wide_sign(kappa)) {
       const ${name}_wide size = ${name}_wide_sign(kappa) < 0 ? ${name}_wide_minus(kappa) : kappa;
 
-      v[i] = ${name}_wide_divide(value, ${name}_wide_multiply(size, v[1 - i]));
+      v[i] = ${name}_wide_ratio(value, ${name}_wide_mul(size, v[1 - i]));
     }
   }
   i = p->of[0];
@@ -108,50 +108,50 @@ static int ${name}_band(${name}_quartic *p, ${name}_wide u1, ${name}_wide u2, ${
     const ${name}_wide f = ${name}_wide_minus(p->d[i]);
 
     j = 1 - i;
-    r[0] = ${name}_wide_multiply(f, p->c[j]);
-    r[1] = ${name}_wide_multiply(f, p->b[j]);
-    r[2] = ${name}_wide_multiply(f, p->d[j]);
-    disc = ${name}_wide_subtract(${name}_wide_square(p->b[j]), ${name}_wide_scale(${name}_wide_multiply(p->c[j], p->d[j]), 2));
-    disc = ${name}_wide_multiply(${name}_wide_square(f), disc);
-    for (k = 0; k < 2; k++) {
-      R[k] = ${name}_wide_multiply(f, ${name}_positive(${name}_parabola(p->c[j], p->b[j], p->d[j], p->end[k])));
+    r[0] = ${name}_wide_mul(f, p->c[j]);
+    r[1] = ${name}_wide_mul(f, p->b[j]);
+    r[2] = ${name}_wide_mul(f, p->d[j]);
+    disc = ${name}_wide_sub(${name}_wide_square(p->b[j]), ${name}_wide_scale(${name}_wide_mul(p->c[j], p->d[j]), 2));
+    disc = ${name}_wide_mul(${name}_wide_square(f), disc);
+    for (int k = 0; k < 2; k++) {
+      R[k] = ${name}_wide_mul(f, ${name}_positive(${name}_parabola(p->c[j], p->b[j], p->d[j], p->end[k])));
     }
   } else { /* of each one factor is left */
-    const ${name}_wide e = ${name}_wide_add(p->b[i], ${name}_wide_multiply(p->d[i], p->end[0]));
-    const ${name}_wide f = ${name}_wide_add(p->b[j], ${name}_wide_multiply(p->d[j], p->end[1]));
+    const ${name}_wide e = ${name}_wide_add(p->b[i], ${name}_wide_mul(p->d[i], p->end[0]));
+    const ${name}_wide f = ${name}_wide_add(p->b[j], ${name}_wide_mul(p->d[j], p->end[1]));
 
     /* c = -n (b + d n) */
-    r[0] = ${name}_wide_sign(p->end[0]) ? ${name}_wide_minus(${name}_wide_divide(p->c[i], p->end[0])) : e;
-    r[1] = ${name}_wide_sign(p->end[1]) ? ${name}_wide_divide(p->c[j], p->end[1]) : ${name}_wide_minus(f);
-    r[0] = ${name}_wide_multiply(r[0], r[1]);
+    r[0] = ${name}_wide_sign(p->end[0]) ? ${name}_wide_minus(${name}_wide_ratio(p->c[i], p->end[0])) : e;
+    r[1] = ${name}_wide_sign(p->end[1]) ? ${name}_wide_ratio(p->c[j], p->end[1]) : ${name}_wide_minus(f);
+    r[0] = ${name}_wide_mul(r[0], r[1]);
     r[1] = ${name}_wide_minus(${name}_wide_dot(p->d[i], f, p->d[j], e));
-    r[2] = ${name}_wide_minus(${name}_wide_multiply(p->d[i], p->d[j]));
-    disc = ${name}_wide_square(${name}_wide_subtract(${name}_wide_multiply(p->d[i], f), ${name}_wide_multiply(p->d[j], e)));
-    for (k = 0; k < 2; k++) { /* at its own end a factor is the slope; at the other the value over the width */
+    r[2] = ${name}_wide_minus(${name}_wide_mul(p->d[i], p->d[j]));
+    disc = ${name}_wide_square(${name}_wide_sub(${name}_wide_mul(p->d[i], f), ${name}_wide_mul(p->d[j], e)));
+    for (int k = 0; k < 2; k++) { /* at its own end a factor is the slope; at the other the value over the width */
       const int own = p->of[k], other = p->of[1 - k];
-      const ${name}_wide n = p->end[k], slope = ${name}_wide_add(p->b[own], ${name}_wide_scale(${name}_wide_multiply(p->d[own], n), 1));
+      const ${name}_wide n = p->end[k], slope = ${name}_wide_add(p->b[own], ${name}_wide_scale(${name}_wide_mul(p->d[own], n), 1));
 
       R[k] = ${name}_positive(k == 0 ? slope : ${name}_wide_minus(slope));
       if (${name}_wide_sign(p->width)) {
         const ${name}_wide value = ${name}_parabola(p->c[other], p->b[other], p->d[other], n);
 
-        R[k] = ${name}_wide_multiply(R[k], ${name}_wide_divide(${name}_positive(value), p->width));
+        R[k] = ${name}_wide_mul(R[k], ${name}_wide_ratio(${name}_positive(value), p->width));
       } else {
         R[k] = ${name}_wide_square(R[k]);
       }
     }
   }
-  p->origin = ${name}_wide_sign(${name}_wide_subtract(R[0], R[1])) >= 0 ? 0 : 1;
+  p->origin = ${name}_wide_sign(${name}_wide_sub(R[0], R[1])) >= 0 ? 0 : 1;
   p->RO = R[p->origin];
   if (!${name}_wide_sign(p->RO)) return 0;
-  p->lambda = ${name}_wide_root(${name}_wide_divide(R[1 - p->origin], p->RO));
-  p->gamma = ${name}_wide_multiply(p->lambda, p->RO);
-  p->B = ${name}_wide_add(r[0], ${name}_wide_multiply(r[1], ${name}_wide_scale(${name}_wide_add(p->end[0], p->end[1]), -1)));
-  p->B = ${name}_wide_add(p->B, ${name}_wide_multiply(r[2], ${name}_wide_multiply(p->end[0], p->end[1])));
-  disc = ${name}_wide_scale(${name}_wide_multiply(${name}_wide_square(p->width), disc), -2); /* B^2 - Gamma^2 */
+  p->lambda = ${name}_wide_root(${name}_wide_ratio(R[1 - p->origin], p->RO));
+  p->gamma = ${name}_wide_mul(p->lambda, p->RO);
+  p->B = ${name}_wide_add(r[0], ${name}_wide_mul(r[1], ${name}_wide_scale(${name}_wide_add(p->end[0], p->end[1]), -1)));
+  p->B = ${name}_wide_add(p->B, ${name}_wide_mul(r[2], ${name}_wide_mul(p->end[0], p->end[1])));
+  disc = ${name}_wide_scale(${name}_wide_mul(${name}_wide_square(p->width), disc), -2); /* B^2 - Gamma^2 */
   if (${name}_wide_sign(p->B) >= 0) p->sum = ${name}_wide_add(p->B, p->gamma);
-  else p->sum = ${name}_positive(${name}_wide_divide(${name}_wide_minus(disc), ${name}_wide_subtract(p->gamma, p->B)));
-  p->m = ${name}_wide_sign(p->sum) ? ${name}_wide_divide(disc, ${name}_wide_square(p->sum)) : zero;
+  else p->sum = ${name}_positive(${name}_wide_ratio(${name}_wide_minus(disc), ${name}_wide_sub(p->gamma, p->B)));
+  p->m = ${name}_wide_sign(p->sum) ? ${name}_wide_ratio(disc, ${name}_wide_square(p->sum)) : zero;
   p->R = r[0];
   p->X = p->origin ? p->end[1] : ${name}_wide_minus(p->end[0]);
   p->Y = p->origin ? ${name}_wide_minus(p->end[0]) : p->end[1];

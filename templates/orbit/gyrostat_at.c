@@ -1,6 +1,6 @@
 %% -- gyrostat_at.c -- the asymmetric gyrostat's values at its phases: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* after turns of a and b; flip: the sign of both; f + i g = conj(a) b */
-${upper}_INLINE ${name}_values ${name}_turned(const ${name}_real re[2], const ${name}_real im[2], ${name}_instant p)
+${inline} ${name}_values ${name}_turned(const ${name}_real re[2], const ${name}_real im[2], ${name}_instant p)
 {
   ${name}_values v;
   ${name}_real sa, ca, sb, cb;
@@ -17,15 +17,14 @@ ${upper}_INLINE ${name}_values ${name}_turned(const ${name}_real re[2], const ${
 }
 
 /* the series as polynomials in cos 2z, times sin z and cos z or cos z and sin z */
-${upper}_INLINE ${name}_values ${name}_circular_values(const ${name}_orbit *o, ${name}_instant p)
+${inline} ${name}_values ${name}_circular_values(const ${name}_orbit *o, ${name}_instant p)
 {
   ${name}_real s, c, x, x2, re[2], im[2];
-  int i;
 
   ${name}_circle(${half}*p.high, &s, &c);
   x = (c - s)*(c + s);
   x2 = x*x;
-  for (i = 0; i < 2; i++) {
+  for (int i = 0; i < 2; i++) {
     const ${name}_real k = o->odd[i], first = k*s + (${one} - k)*c, second = k*c + (${one} - k)*s;
 
     re[i] = first*((o->re[i][0] + x*o->re[i][1]) + x2*((o->re[i][2] + x*o->re[i][3]) + x2*o->re[i][4]));
@@ -45,13 +44,12 @@ static ${name}_values ${name}_hyperbolic_values(const ${name}_orbit *o, ${name}_
   const ${name}_real sign = p.high < ${zero} ? -${one} : ${one}, low = sign*p.low, high = ${fabs}(p.high);
   const ${name}_real first = ${exp}(-high), e = first - first*low, period = o->period[0];
   ${name}_real up = ${zero}, down = ${zero}, re[2], im[2];
-  int i;
 
   if (o->inverse > ${zero}) {
     up = ${exp}(((high + high) - period) + ((low + low) - o->period[1]));
     down = ${exp}(-period - (high + high));
   }
-  for (i = 0; i < 2; i++) {
+  for (int i = 0; i < 2; i++) {
     const int odd = o->odd[i] > ${half}, even = o->hyperbolic == 1 && !odd;
     const ${name}_real size = o->hyperbolic == 1 && odd ? o->nome : ${one}, part = even ? ${one} : e*e, all = even ? e : ${one};
     const ${name}_real U = size*up, V = size*down;
@@ -70,7 +68,7 @@ static ${name}_values ${name}_untwisted(const ${name}_orbit *o, ${name}_instant 
 }
 
 /* attitude and rates from the values and 1/length of their quaternion */
-${upper}_INLINE void ${name}_put(const ${name}_orbit *o, const ${name}_values *v, ${name}_real n, ${name}_real q[4], ${name}_real w[3])
+${inline} void ${name}_put(const ${name}_orbit *o, const ${name}_values *v, ${name}_real n, ${name}_real q[4], ${name}_real w[3])
 {
   const ${name}_real square = n*n, a2 = square*(v->w*v->w + v->z*v->z), b2 = square*(v->x*v->x + v->y*v->y);
   const ${name}_real f = square*v->f, h = square*v->g;

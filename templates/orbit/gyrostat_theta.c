@@ -1,10 +1,10 @@
 %% -- gyrostat_theta.c -- the asymmetric gyrostat's theta functions, set up: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* eta times what z has of a second: 2 sqrt(vO vF/RO) R_F(E^2 w^2/(RO vO vF), (vF - lambda vO)^2, (vF + lambda vO)^2) */
-static ${name}_pair ${name}_eta(const ${name}_quartic *p, int i, ${name}_wide rate, int *kind, int *sign, int *infinite)
+static ${name}_pair ${name}_eta_of(const ${name}_quartic *p, int i, ${name}_wide rate, int *kind, int *sign, int *infinite)
 {
   const ${name}_wide vO = p->edge[p->origin][i], vF = p->edge[1 - p->origin][i];
-  const ${name}_wide product = ${name}_wide_multiply(vO, vF), near = ${name}_wide_multiply(p->lambda, vO);
-  const ${name}_wide less = ${name}_wide_subtract(vF, near);
+  const ${name}_wide product = ${name}_wide_mul(vO, vF), near = ${name}_wide_mul(p->lambda, vO);
+  const ${name}_wide less = ${name}_wide_sub(vF, near);
   const int natural = 1 + (i != p->origin); /* u = -1 is below the lower end, but may be in the other gap, too */
   ${name}_wide first;
 
@@ -12,19 +12,19 @@ static ${name}_pair ${name}_eta(const ${name}_quartic *p, int i, ${name}_wide ra
   *sign = (${name}_wide_sign(p->E[i]) < 0) == (*kind == natural) ? -1 : 1;
   *infinite = 0;
   if (!${name}_wide_sign(product)) return ${name}_pair_of(${zero});
-  first = ${name}_wide_divide(${name}_wide_square(${name}_wide_multiply(p->E[i], p->width)), ${name}_wide_multiply(p->RO, product));
+  first = ${name}_wide_ratio(${name}_wide_square(${name}_wide_mul(p->E[i], p->width)), ${name}_wide_mul(p->RO, product));
   return ${name}_argument(
-    ${name}_wide_scale(${name}_wide_divide(${name}_wide_multiply(${name}_wide_square(rate), product), p->RO), 2), first,
+    ${name}_wide_scale(${name}_wide_ratio(${name}_wide_mul(${name}_wide_square(rate), product), p->RO), 2), first,
     ${name}_wide_square(less), ${name}_wide_square(${name}_wide_add(vF, near)), infinite);
 }
 
 /* half the rate of the phase of a (i = 0) or b at an end but for the factor 1/2: +-w3 + A (1 -+ u) */
 static ${name}_pair ${name}_end_rate(const ${name}_quartic *p, int i, int end, int e)
 {
-  const ${name}_wide w3 = ${name}_wide_multiply(p->A[2], ${name}_wide_subtract(${name}_wide_add(p->u, p->end[end]), p->g));
-  const ${name}_wide turned = ${name}_wide_multiply(p->A[1 - p->of[end]], p->edge[end][1 - i]);
+  const ${name}_wide w3 = ${name}_wide_mul(p->A[2], ${name}_wide_sub(${name}_wide_add(p->u, p->end[end]), p->g));
+  const ${name}_wide swung = ${name}_wide_mul(p->A[1 - p->of[end]], p->edge[end][1 - i]);
 
-  return ${name}_wide_pair(${name}_wide_scale(i == 0 ? ${name}_wide_add(turned, w3) : ${name}_wide_subtract(turned, w3), -1), e);
+  return ${name}_wide_pair(${name}_wide_scale(i == 0 ? ${name}_wide_add(swung, w3) : ${name}_wide_sub(swung, w3), -1), e);
 }
 
 /* Away from separatrices.  r = exp(-2 eta), D = Q exp(2 eta), Q the squared nome, S_n = Q^(n(n-1)/2) D^n:
@@ -75,14 +75,14 @@ static ${name}_pair ${name}_set_hyperbolic(${name}_orbit *o, int i, int sign, ${
   const int single = o->hyperbolic == 2, even = !single && !(o->odd[i] > ${half});
   const ${name}_pair f = single ? q : ${name}_mul(q, q); /* ratio of ratios of the powers */
   ${name}_pair c1, s1, c2, s2, c, s, power = one, fn = one, top = ${name}_pair_of(${zero}), bottom = top, weight, next;
-  int n, negative;
+  int negative;
 
   ${name}_pair_circle(theta, &c1, &s1);
   s2 = ${name}_pair_scale(${name}_mul(s1, ${name}_add(one, c1)), 1);
   c2 = ${name}_sub(one, ${name}_pair_scale(${name}_mul(s1, s1), 1));
   c = even ? one : ${name}_add(one, c1);
   s = even ? ${name}_pair_of(${zero}) : s1;
-  for (n = 0; n < 6; n++) { /* power = f^(n(n-1)/2) */
+  for (int n = 0; n < 6; n++) { /* power = f^(n(n-1)/2) */
     negative = single ? ((n + 1)/2 + (o->odd[i] > ${half} ? n : 0)) % 2 : n % 2;
     o->re[i][n] = (negative ? -c.hi : c.hi)*power.hi;
     o->im[i][n] = ((negative != (sign < 0)) ? s.hi : -s.hi)*power.hi;
@@ -99,7 +99,7 @@ static ${name}_pair ${name}_set_hyperbolic(${name}_orbit *o, int i, int sign, ${
   s = single ? s1 : ${name}_pair_of(${zero});
   weight = one;
   fn = q;
-  for (n = 0; n < 8; n++) { /* weight = q^(n(n+1)/2) or q^(n^2) */
+  for (int n = 0; n < 8; n++) { /* weight = q^(n(n+1)/2) or q^(n^2) */
     negative = single ? ((n + 1)/2) % 2 : n % 2;
     next = negative ? ${name}_minus(weight) : weight;
     if (!single && n == 0) next = ${name}_pair_scale(next, -1);
@@ -116,34 +116,34 @@ static ${name}_pair ${name}_set_hyperbolic(${name}_orbit *o, int i, int sign, ${
 }
 
 /* All but what depends on the frame; turns come over 2^e seconds.  sign: of eta. */
-static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, int sign[2])
+static void ${name}_set_series(${name}_orbit *o, const ${name}_quartic *p, int e, int sign[2])
 {
   const ${name}_pair one = ${name}_pair_of(${one});
   const ${name}_wide four = ${name}_wide_scale(p->gamma, 2);
   ${name}_pair q, K, start, mu, eta, P = one;
   ${name}_wide rate, m, mc;
   ${name}_real largest = ${zero};
-  int i, power, infinite, kind;
+  int power, infinite, kind;
 
-  if (${name}_wide_sign(${name}_wide_subtract(p->sum, p->gamma)) >= 0 && ${name}_wide_sign(${name}_wide_subtract(p->sum, four)) <= 0) {
+  if (${name}_wide_sign(${name}_wide_sub(p->sum, p->gamma)) >= 0 && ${name}_wide_sign(${name}_wide_sub(p->sum, four)) <= 0) {
     o->hyperbolic = 0;
     m = p->m;
-    mc = ${name}_wide_divide(${name}_wide_scale(p->gamma, 1), p->sum);
-  } else if (${name}_wide_sign(${name}_wide_subtract(p->sum, four)) > 0) {
+    mc = ${name}_wide_ratio(${name}_wide_scale(p->gamma, 1), p->sum);
+  } else if (${name}_wide_sign(${name}_wide_sub(p->sum, four)) > 0) {
     o->hyperbolic = 1;
-    m = ${name}_wide_divide(${name}_wide_scale(p->gamma, 1), p->sum);
+    m = ${name}_wide_ratio(${name}_wide_scale(p->gamma, 1), p->sum);
     mc = p->m;
   } else {
     o->hyperbolic = 2;
-    m = ${name}_wide_scale(${name}_wide_divide(p->sum, p->gamma), -1);
-    mc = ${name}_wide_subtract(${name}_wide_real(${one}), m);
+    m = ${name}_wide_scale(${name}_wide_ratio(p->sum, p->gamma), -1);
+    mc = ${name}_wide_sub(${name}_wide_real(${one}), m);
   }
   power = m.e;
   q = ${name}_nome_of(${name}_wide_pair(m, power), ${name}_wide_pair(mc, 0), power);
   K = ${name}_complete(${name}_pair_scale(q, power));
   rate = ${name}_wide_root(o->hyperbolic == 2 ? p->gamma : ${name}_wide_scale(p->sum, -1));
   rate = ${name}_wide_scale(rate, o->hyperbolic == 1 ? -1 : -2);
-  rate = ${name}_wide_multiply(rate, ${name}_wide_of(${name}_ratio(${name}_pi(), K), 0));
+  rate = ${name}_wide_mul(rate, ${name}_wide_of(${name}_ratio(${name}_pi, K), 0));
   if (o->hyperbolic) {
     P = ${name}_pair_of(${zero});
     if (q.hi > ${zero}) P = ${name}_minus(${name}_pair_log(q, power));
@@ -159,37 +159,37 @@ static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, in
 
   /* 2 sqrt(X Y) R_F((lambda X - Y)^2 RO, (lambda X + Y)^2 RO, R w^2) from O, or before half a period */
   {
-    const ${name}_wide X = ${name}_wide_multiply(p->lambda, p->X), less = ${name}_wide_subtract(p->Y, X);
+    const ${name}_wide X = ${name}_wide_mul(p->lambda, p->X), less = ${name}_wide_sub(p->Y, X);
 
-    m = ${name}_wide_scale(${name}_wide_multiply(${name}_wide_square(rate), ${name}_wide_multiply(p->X, p->Y)), 2);
-    mc = ${name}_wide_multiply(${name}_wide_square(${name}_wide_add(p->Y, X)), p->RO);
-    start = ${name}_argument(m, ${name}_wide_multiply(${name}_wide_square(less), p->RO), mc,
-                             ${name}_wide_multiply(p->R, ${name}_wide_square(p->width)), &infinite);
-    if (${name}_wide_sign(less) < 0) start = ${name}_sub(${name}_pair_scale(o->hyperbolic ? P : ${name}_pi(), -1), start);
+    m = ${name}_wide_scale(${name}_wide_mul(${name}_wide_square(rate), ${name}_wide_mul(p->X, p->Y)), 2);
+    mc = ${name}_wide_mul(${name}_wide_square(${name}_wide_add(p->Y, X)), p->RO);
+    start = ${name}_argument(m, ${name}_wide_mul(${name}_wide_square(less), p->RO), mc,
+                             ${name}_wide_mul(p->R, ${name}_wide_square(p->width)), &infinite);
+    if (${name}_wide_sign(less) < 0) start = ${name}_sub(${name}_pair_scale(o->hyperbolic ? P : ${name}_pi, -1), start);
     if (!p->away) start = ${name}_minus(start);
   }
   mu = ${name}_wide_pair(rate, e);
-  ${name}_store(o->start, o->hyperbolic ? start : ${name}_ratio(start, ${name}_pi()));
-  ${name}_store(o->rate, o->hyperbolic ? mu : ${name}_ratio(mu, ${name}_pi()));
-  for (i = 0; i < 2; i++) {
+  ${name}_store(o->start, o->hyperbolic ? start : ${name}_ratio(start, ${name}_pi));
+  ${name}_store(o->rate, o->hyperbolic ? mu : ${name}_ratio(mu, ${name}_pi));
+  for (int i = 0; i < 2; i++) {
     ${name}_values v;
     ${name}_pair slope;
     ${name}_instant none = {${zero}, ${zero}, ${one}, ${zero}, ${zero}};
     ${name}_real size, big, small[2];
     int k;
 
-    eta = ${name}_eta(p, i, rate, &kind, &sign[i], &infinite);
+    eta = ${name}_eta_of(p, i, rate, &kind, &sign[i], &infinite);
     o->odd[i] = kind == 1 ? ${one} : ${zero};
     if (o->hyperbolic) {
       slope = ${name}_set_hyperbolic(o, i, sign[i], eta, q);
       if (sign[i] > 0) eta = ${name}_minus(eta);
-      ${name}_store(o->jump[i], ${name}_ratio(${name}_pair_scale(eta, o->hyperbolic - 1), ${name}_pi()));
+      ${name}_store(o->jump[i], ${name}_ratio(${name}_pair_scale(eta, o->hyperbolic - 1), ${name}_pi));
     } else {
       slope = ${name}_set_circular(o, i, sign[i], eta, infinite, q, power);
     }
     mu = ${name}_end_rate(p, i, kind == 1 ? 1 - p->origin : p->origin, e);
     mu = ${name}_sub(mu, ${name}_mul(slope, ${name}_wide_pair(rate, e)));
-    ${name}_store(o->turn[i], ${name}_ratio(mu, ${name}_pair_scale(${name}_pi(), 1)));
+    ${name}_store(o->turn[i], ${name}_ratio(mu, ${name}_pair_scale(${name}_pi, 1)));
 
     v = ${name}_untwisted(o, none); /* at O |a|^2 = (1 + u)/2 and |b|^2 = (1 - u)/2 */
     big = i == 0 ? ${fabs}(v.w) + ${fabs}(v.z) : ${fabs}(v.x) + ${fabs}(v.y); /* next to a zero squares may vanish */
@@ -207,7 +207,7 @@ static void ${name}_series(${name}_orbit *o, const ${name}_quartic *p, int e, in
   }
   /* One factor is free.  a and b are about 1 at O and may be large at F: then as far from 1 at both, so that squares fit. */
   (void)${frexp}(largest, &power);
-  for (i = 0; i < 2; i++) {
+  for (int i = 0; i < 2; i++) {
     int k;
 
     for (k = 0; k < 6; k++) {

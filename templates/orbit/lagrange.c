@@ -25,7 +25,7 @@ typedef struct ${name}_cubic {
 } ${name}_cubic;
 
 /* half of an exponent, rounded up */
-static int ${name}_half(int e)
+static int ${name}_half_up(int e)
 {
   return e >= 0 ? (e + 1)/2 : e/2;
 }
@@ -38,15 +38,15 @@ static ${name}_wide ${name}_descent(${name}_wide p0, ${name}_wide p1, ${name}_wi
   const int down = ${name}_wide_sign(p1) < 0 ? e1 : ${no_exponent}, none = ${least_exponent};
   ${name}_pair c[4], n, f;
   ${name}_real x = ${sixteen}, slope, next;
-  int j, k, top, i;
+  int j, k, top;
 
-  j = ${name}_half(down - e3);
+  j = ${name}_half_up(down - e3);
   k = (e0 - e3)/3 + 1;
   if (k > j) j = k;
   if (${name}_wide_sign(p2) > 0) {
     if (e2 - e3 > j) j = e2 - e3;
   } else { /* then each of the terms in n, n^2, n^3 alone gives a bound */
-    k = ${name}_half(e0 - e2);
+    k = ${name}_half_up(e0 - e2);
     if (down - e2 > k) k = down - e2;
     if (!${name}_wide_sign(p3) || (${name}_wide_sign(p2) && k < j)) j = k;
     if (${name}_wide_sign(p1) > 0 && e0 - e1 < j) j = e0 - e1;
@@ -60,7 +60,7 @@ static ${name}_wide ${name}_descent(${name}_wide p0, ${name}_wide p1, ${name}_wi
   c[1] = ${name}_wide_pair(p1, top - j);
   c[2] = ${name}_wide_pair(p2, top - 2*j);
   c[3] = ${name}_wide_pair(p3, top - 3*j);
-  for (i = 0; i < 100; i++) { /* some 8 times */
+  for (int i = 0; i < 100; i++) { /* some 8 times */
     slope = (${two}*c[2].hi - ${three}*c[3].hi*x)*x - c[1].hi;
     if (!(slope < ${zero})) break;
     next = x - (((c[2].hi - c[3].hi*x)*x - c[1].hi)*x + c[0].hi)/slope;
@@ -68,7 +68,7 @@ static ${name}_wide ${name}_descent(${name}_wide p0, ${name}_wide p1, ${name}_wi
     x = next;
   }
   n = ${name}_pair_of(x);
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     slope = (${two}*c[2].hi - ${three}*c[3].hi*n.hi)*n.hi - c[1].hi;
     if (!(slope < ${zero})) break;
     f = ${name}_sub(c[2], ${name}_mul(c[3], n));
@@ -84,72 +84,66 @@ static ${name}_wide ${name}_descent(${name}_wide p0, ${name}_wide p1, ${name}_wi
 static void ${name}_roots(${name}_cubic *p)
 {
   const ${name}_wide s = p->s, c = p->c, zero = ${name}_wide_real(${zero});
-  const ${name}_wide a2 = ${name}_wide_dot(p->a[0], p->a[0], p->a[1], p->a[1]), b2 = ${name}_wide_dot(p->b[0], p->b[0], p->b[1], p->b[1]);
-  const ${name}_wide W2 = ${name}_wide_dot(p->W[0], p->W[0], p->W[1], p->W[1]), u0 = ${name}_wide_subtract(a2, b2);
-  const ${name}_wide re = ${name}_wide_dot(p->a[0], p->b[0], p->a[1], p->b[1]);           /* conj(a) b */
-  const ${name}_wide im = ${name}_wide_subtract(${name}_wide_multiply(p->a[0], p->b[1]), ${name}_wide_multiply(p->a[1], p->b[0]));
-  const ${name}_wide up = ${name}_wide_scale(${name}_wide_minus(${name}_wide_dot(re, p->W[0], im, p->W[1])), 1);    /* u' */
-  const ${name}_wide m = ${name}_wide_scale(${name}_wide_subtract(${name}_wide_multiply(re, p->W[1]), ${name}_wide_multiply(im, p->W[0])), 1); /* l - s u0 */
-  const ${name}_wide d = ${name}_wide_subtract(m, ${name}_wide_scale(${name}_wide_multiply(s, b2), 1));     /* l - s */
-  const ${name}_wide up_d = ${name}_wide_add(m, ${name}_wide_scale(${name}_wide_multiply(s, a2), 1));       /* l + s */
+  const ${name}_wide a2 = ${name}_wide_dot(p->a[0], p->a[0], p->a[1], p->a[1]);
+  const ${name}_wide b2 = ${name}_wide_dot(p->b[0], p->b[0], p->b[1], p->b[1]);
+  const ${name}_wide W2 = ${name}_wide_dot(p->W[0], p->W[0], p->W[1], p->W[1]);
+  const ${name}_wide re = ${name}_wide_dot(p->a[0], p->b[0], p->a[1], p->b[1]); /* conj(a) b */
+  const ${name}_wide im = ${name}_wide_sub(${name}_wide_mul(p->a[0], p->b[1]), ${name}_wide_mul(p->a[1], p->b[0]));
+  const ${name}_wide up = ${name}_wide_scale(${name}_wide_minus(${name}_wide_dot(re, p->W[0], im, p->W[1])), 1); /* u' */
+  const ${name}_wide half_m = ${name}_wide_sub(${name}_wide_mul(re, p->W[1]), ${name}_wide_mul(im, p->W[0]));
+  const ${name}_wide m = ${name}_wide_scale(half_m, 1), u0 = ${name}_wide_sub(a2, b2); /* m = l - s u0 */
+  const ${name}_wide d = ${name}_wide_sub(m, ${name}_wide_scale(${name}_wide_mul(s, b2), 1)); /* l - s */
+  const ${name}_wide up_d = ${name}_wide_add(m, ${name}_wide_scale(${name}_wide_mul(s, a2), 1)); /* l + s */
   const ${name}_wide c2 = ${name}_wide_scale(c, 1);
-  const ${name}_wide e = ${name}_wide_subtract(${name}_wide_scale(W2, -1), ${name}_wide_multiply(c2, b2)); /* h - c */
-  const ${name}_wide w = ${name}_wide_subtract(${name}_wide_scale(${name}_wide_multiply(s, W2), -1), ${name}_wide_multiply(c, m)); /* s h - c l */
-  ${name}_wide p0, p1, p2, n, x1, y2, y3, q, r, product, sum;
-
-  p0 = ${name}_wide_square(up);
-  p1 = ${name}_wide_subtract(${name}_wide_multiply(s, m), ${name}_wide_dot(u0, W2, ${name}_wide_scale(c, 2), ${name}_wide_multiply(a2, b2)));
-  p1 = ${name}_wide_scale(p1, 1);
-  p2 = ${name}_wide_subtract(${name}_wide_multiply(${name}_wide_scale(c, 2), u0), ${name}_wide_add(W2, ${name}_wide_square(s)));
-  n = ${name}_descent(p0, p1, p2, c2);
-  x1 = ${name}_wide_add(${name}_wide_scale(b2, 1), n);
+  const ${name}_wide e = ${name}_wide_sub(${name}_wide_scale(W2, -1), ${name}_wide_mul(c2, b2)); /* h - c */
+  const ${name}_wide w = ${name}_wide_sub(${name}_wide_scale(${name}_wide_mul(s, W2), -1), ${name}_wide_mul(c, m)); /* s h - c l */
+  const ${name}_wide half_p1 = ${name}_wide_sub(${name}_wide_mul(s, m), ${name}_wide_dot(u0, W2, ${name}_wide_scale(c, 2), ${name}_wide_mul(a2, b2)));
+  const ${name}_wide p0 = ${name}_wide_square(up), p1 = ${name}_wide_scale(half_p1, 1);
+  const ${name}_wide p2 = ${name}_wide_sub(${name}_wide_mul(${name}_wide_scale(c, 2), u0), ${name}_wide_add(W2, ${name}_wide_square(s)));
+  const ${name}_wide n = ${name}_descent(p0, p1, p2, c2), x1 = ${name}_wide_add(${name}_wide_scale(b2, 1), n);
 
   /* 2 c x^2 - r x - q = 0 for x2 and x3 */
-  q = ${name}_wide_divide(${name}_wide_square(d), x1);
-  r = ${name}_wide_subtract(${name}_wide_scale(e, 2), ${name}_wide_scale(${name}_wide_multiply(d, s), 1));
-  r = ${name}_wide_divide(${name}_wide_subtract(q, r), x1);
-  sum = ${name}_wide_root(${name}_wide_add(${name}_wide_square(r), ${name}_wide_scale(${name}_wide_multiply(c, q), 3)));
+  const ${name}_wide q = ${name}_wide_ratio(${name}_wide_square(d), x1);
+  const ${name}_wide c1 = ${name}_wide_sub(${name}_wide_scale(e, 2), ${name}_wide_scale(${name}_wide_mul(d, s), 1));
+  const ${name}_wide r = ${name}_wide_ratio(${name}_wide_sub(q, c1), x1);
+  ${name}_wide sum = ${name}_wide_root(${name}_wide_add(${name}_wide_square(r), ${name}_wide_scale(${name}_wide_mul(c, q), 3)));
   p->below[0] = x1;
   if (${name}_wide_sign(r) > 0 && ${name}_wide_sign(c)) {
-    p->below[1] = ${name}_wide_divide(${name}_wide_add(sum, r), ${name}_wide_scale(c, 2));
-    p->far[0] = ${name}_wide_divide(q, p->below[1]);
+    p->below[1] = ${name}_wide_ratio(${name}_wide_add(sum, r), ${name}_wide_scale(c, 2));
+    p->far[0] = ${name}_wide_ratio(q, p->below[1]);
   } else {
-    p->far[0] = ${name}_wide_scale(${name}_wide_subtract(sum, r), -1);
-    p->below[1] = ${name}_wide_sign(p->far[0]) ? ${name}_wide_divide(q, p->far[0]) : zero;
+    p->far[0] = ${name}_wide_scale(${name}_wide_sub(sum, r), -1);
+    p->below[1] = ${name}_wide_sign(p->far[0]) ? ${name}_wide_ratio(q, p->far[0]) : zero;
   }
   p->far[1] = ${name}_wide_add(p->far[0], ${name}_wide_scale(c, 2));
 
   /* -y1 y2 = p0/(2 c y3), y1 + y2 = (p1 - 2 c y1 y2)/(2 c y3) */
-  y3 = ${name}_wide_add(p->far[0], ${name}_wide_scale(${name}_wide_multiply(c, b2), 2));
-  product = ${name}_wide_divide(p0, y3);
-  sum = ${name}_wide_divide(${name}_wide_add(p1, ${name}_wide_multiply(c2, product)), y3);
-  if (${name}_wide_sign(sum) >= 0 || !${name}_wide_sign(n)) y2 = ${name}_wide_add(sum, n);
-  else y2 = ${name}_wide_divide(product, n);
+  const ${name}_wide y3 = ${name}_wide_add(p->far[0], ${name}_wide_scale(${name}_wide_mul(c, b2), 2));
+  ${name}_wide product = ${name}_wide_ratio(p0, y3);
+  sum = ${name}_wide_ratio(${name}_wide_add(p1, ${name}_wide_mul(c2, product)), y3);
+  ${name}_wide y2 = ${name}_wide_sign(sum) >= 0 || !${name}_wide_sign(n) ? ${name}_wide_add(sum, n) : ${name}_wide_ratio(product, n);
   if (${name}_wide_sign(y2) < 0) y2 = zero;
   p->span = ${name}_wide_add(n, y2);
-  p->gap = ${name}_wide_add(p->far[0], ${name}_wide_multiply(c2, p->below[1]));
-  p->whole = ${name}_wide_add(p->far[0], ${name}_wide_multiply(c2, x1));
+  p->gap = ${name}_wide_add(p->far[0], ${name}_wide_mul(c2, p->below[1]));
+  p->whole = ${name}_wide_add(p->far[0], ${name}_wide_mul(c2, x1));
   p->above[1] = ${name}_wide_add(${name}_wide_scale(a2, 1), y2);
-  p->above[0] = ${name}_wide_divide(${name}_wide_square(up_d), ${name}_wide_multiply(p->above[1], p->far[1]));
+  p->above[0] = ${name}_wide_ratio(${name}_wide_square(up_d), ${name}_wide_mul(p->above[1], p->far[1]));
   p->sn2 = p->cn2 = zero;
   if (${name}_wide_sign(p->span)) {
-    p->sn2 = ${name}_wide_divide(n, p->span);
-    p->cn2 = ${name}_wide_divide(y2, p->span);
+    p->sn2 = ${name}_wide_ratio(n, p->span);
+    p->cn2 = ${name}_wide_ratio(y2, p->span);
   }
-  p->dn2 = ${name}_wide_divide(y3, p->whole);
+  p->dn2 = ${name}_wide_ratio(y3, p->whole);
 
   /* |W|^2 = 2 (h - c u); at u2 and u3 the product and the difference are known */
-  p->rate[0] = ${name}_wide_add(W2, ${name}_wide_multiply(c2, n));
-  product = ${name}_wide_divide(${name}_wide_scale(${name}_wide_square(w), 2), p->rate[0]);
-  sum = ${name}_wide_subtract(${name}_wide_subtract(p->far[0], ${name}_wide_multiply(c2, p->below[1])), ${name}_wide_scale(e, 2));
-  {
-    const int low = ${name}_wide_sign(sum) >= 0;
-
-    if (!low) sum = ${name}_wide_minus(sum);
-    sum = ${name}_wide_scale(${name}_wide_add(p->gap, sum), -1);
-    p->rate[low ? 2 : 1] = sum;
-    p->rate[low ? 1 : 2] = ${name}_wide_sign(sum) ? ${name}_wide_divide(product, sum) : zero;
-  }
+  p->rate[0] = ${name}_wide_add(W2, ${name}_wide_mul(c2, n));
+  product = ${name}_wide_ratio(${name}_wide_scale(${name}_wide_square(w), 2), p->rate[0]);
+  sum = ${name}_wide_sub(${name}_wide_sub(p->far[0], ${name}_wide_mul(c2, p->below[1])), ${name}_wide_scale(e, 2));
+  const int low = ${name}_wide_sign(sum) >= 0;
+  if (!low) sum = ${name}_wide_minus(sum);
+  sum = ${name}_wide_scale(${name}_wide_add(p->gap, sum), -1);
+  p->rate[low ? 2 : 1] = sum;
+  p->rate[low ? 1 : 2] = ${name}_wide_sign(sum) ? ${name}_wide_ratio(product, sum) : zero;
   p->sign[0] = ${name}_wide_sign(up_d) < 0 ? -1 : 1;
   p->sign[1] = ${name}_wide_sign(d) < 0 ? -1 : 1;
   p->sign[2] = ${name}_wide_sign(w) < 0 ? -1 : 1;

@@ -1,6 +1,6 @@
 %% -- lagrange_at.c -- the heavy top's values at its phases: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* X of a, b and W, see lagrange_theta.c, after turns of a and b; flip: the sign of both */
-${upper}_INLINE ${name}_values ${name}_turned(const ${name}_real re[3], const ${name}_real im[3], ${name}_real flip,
+${inline} ${name}_values ${name}_turned(const ${name}_real re[3], const ${name}_real im[3], ${name}_real flip,
                                               ${name}_real turn_a, ${name}_real turn_b)
 {
   ${name}_values v;
@@ -20,7 +20,7 @@ ${upper}_INLINE ${name}_values ${name}_turned(const ${name}_real re[3], const ${
 }
 
 /* the series as polynomials in cos 2z */
-${upper}_INLINE ${name}_values ${name}_circular_values(const ${name}_orbit *o, ${name}_instant p)
+${inline} ${name}_values ${name}_circular_values(const ${name}_orbit *o, ${name}_instant p)
 {
   ${name}_real s, c, x, x2, re[3], im[3], cw, sw, f;
 
@@ -46,13 +46,12 @@ static ${name}_values ${name}_hyperbolic_values(const ${name}_orbit *o, ${name}_
   const ${name}_real e = (first - first*(sign*p.low)) + ${least}, root = o->nome/e, g = root*root, E = e*e, f = E*E*g;
   const ${name}_real h = (o->nome*e)*(o->nome*e);
   ${name}_real re[3], im[3];
-  int i;
 
   re[0] = sign*((o->re[0][0] + g*(o->re[0][1] + g*(o->re[0][2] + g*o->re[0][3])))
                 - E*(o->re[0][0] + f*(o->re[0][1] + f*(o->re[0][2] + f*o->re[0][3]))));
   im[0] = (o->im[0][0] + g*(o->im[0][1] + g*(o->im[0][2] + g*o->im[0][3])))
           + E*(o->im[0][0] + f*(o->im[0][1] + f*(o->im[0][2] + f*o->im[0][3])));
-  for (i = 1; i < 3; i++) {
+  for (int i = 1; i < 3; i++) {
     re[i] = e*(o->re[i][0] + o->re[i][1]*(g + h) + o->re[i][2]*(g*g + h*h) + o->re[i][3]*(g*g*g + h*h*h));
     im[i] = sign*e*(o->im[i][1]*(g - h) + o->im[i][2]*(g*g - h*h) + o->im[i][3]*(g*g*g - h*h*h));
   }
@@ -60,7 +59,7 @@ static ${name}_values ${name}_hyperbolic_values(const ${name}_orbit *o, ${name}_
 }
 
 /* attitude and rates from the values and 1/length of their quaternion */
-${upper}_INLINE void ${name}_put(const ${name}_orbit *o, const ${name}_values *v, ${name}_real n, ${name}_real q[4], ${name}_real w[3])
+${inline} void ${name}_put(const ${name}_orbit *o, const ${name}_values *v, ${name}_real n, ${name}_real q[4], ${name}_real w[3])
 {
   ${name}_real r[4], g;
 

@@ -1,6 +1,6 @@
 %% -- lagrange_solve.c -- the heavy top from its state at t = 0: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* the half angle of sin^2 = x/2, cos^2 = y/2, doubled: asin s = s R_F(c^2, 1, 1) (DLMF 19.25.7) */
-static ${name}_real ${name}_angle(${name}_wide x, ${name}_wide y)
+static ${name}_real ${name}_angle_of(${name}_wide x, ${name}_wide y)
 {
   const ${name}_pair one = ${name}_pair_of(${one});
   const ${name}_pair s = ${name}_wide_pair(${name}_wide_root(${name}_wide_scale(x, -1)), 0);
@@ -10,10 +10,10 @@ static ${name}_real ${name}_angle(${name}_wide x, ${name}_wide y)
 }
 
 /* The series of all but the phases at t = 0. */
-static void ${name}_series(${name}_orbit *o, const ${name}_cubic *p, ${name}_pair mu[2])
+static void ${name}_set_series(${name}_orbit *o, const ${name}_cubic *p, ${name}_pair mu[2])
 {
-  const ${name}_wide k2 = ${name}_wide_divide(${name}_wide_multiply(${name}_wide_scale(p->c, 1), p->span), p->whole);
-  const ${name}_wide kc2 = ${name}_wide_divide(p->gap, p->whole);
+  const ${name}_wide k2 = ${name}_wide_ratio(${name}_wide_mul(${name}_wide_scale(p->c, 1), p->span), p->whole);
+  const ${name}_wide kc2 = ${name}_wide_ratio(p->gap, p->whole);
   const int power = k2.e + (k2.e & 1), powerc = kc2.e + (kc2.e & 1);
   const ${name}_pair m = ${name}_wide_pair(k2, 0), mc = ${name}_wide_pair(kc2, 0), one = ${name}_pair_of(${one});
   ${name}_pair root, v, nu, q;
@@ -62,7 +62,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_pair mu[2], spin, turn;
   ${name}_values v0;
   ${name}_real weight, value[3][2], c[4][2], n, least;
-  int i, k, e, rest, drop;
+  int i, e, rest, drop;
 
 %% if not uses_model then
   (void)m;
@@ -82,12 +82,12 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   for (i = 0; i < 3; i++) t[i] = v[i];
   p.c = ${name}_wide_unit(3, t); /* |k| */
   if (!${name}_wide_sign(p.c)) return 1;
-  p.c = ${name}_wide_divide(${name}_wide_real(${fabs}(weight)), ${name}_wide_multiply(p.c, I1));
+  p.c = ${name}_wide_ratio(${name}_wide_real(${fabs}(weight)), ${name}_wide_mul(p.c, I1));
   for (i = 0; i < 3 && weight < ${zero}; i++) v[i] = ${name}_wide_minus(v[i]);
   ${name}_upright(v, body);
-  v[0] = ${name}_wide_real(-(${dx}));
-  v[1] = ${name}_wide_real(-(${dy}));
-  v[2] = ${name}_wide_real(-(${dz}));
+  v[0] = ${name}_wide_real(${up_x});
+  v[1] = ${name}_wide_real(${up_y});
+  v[2] = ${name}_wide_real(${up_z});
   ${name}_upright(v, frame);
 
   for (i = 0; i < 4; i++) q[i] = ${name}_wide_real(x0[${upper}_QW + i]);
@@ -107,7 +107,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   p.W[0] = w[1];
   p.W[1] = w[2];
   p.w3 = w[3];
-  p.s = ${name}_wide_divide(${name}_wide_multiply(I3, p.w3), I1);
+  p.s = ${name}_wide_ratio(${name}_wide_mul(I3, p.w3), I1);
 
   ${name}_copy(&made, 0, (unsigned int)sizeof(made));
   rest = !${name}_wide_sign(p.W[0]) && !${name}_wide_sign(p.W[1])
@@ -128,26 +128,26 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     e = ${name}_wide_size(p.s);
     if (${name}_wide_size(p.W[0]) > e) e = p.W[0].e;
     if (${name}_wide_size(p.W[1]) > e) e = p.W[1].e;
-    if (${name}_half(${name}_wide_size(p.c)) > e) e = ${name}_half(p.c.e);
+    if (${name}_half_up(${name}_wide_size(p.c)) > e) e = ${name}_half_up(p.c.e);
     p.s = ${name}_wide_scale(p.s, -e);
     p.c = ${name}_wide_scale(p.c, -2*e);
     p.w3 = ${name}_wide_scale(p.w3, -e);
     for (i = 0; i < 2; i++) p.W[i] = ${name}_wide_scale(p.W[i], -e);
     ${name}_roots(&p);
-    ${name}_series(&made, &p, mu);
-    spin = ${name}_wide_pair(${name}_wide_subtract(p.w3, p.s), 1); /* (1 - C/A) w3/2 */
+    ${name}_set_series(&made, &p, mu);
+    spin = ${name}_wide_pair(${name}_wide_sub(p.w3, p.s), 1); /* (1 - C/A) w3/2 */
   }
   for (i = 0; i < 2; i++) {
     turn = i == 0 ? ${name}_add(mu[0], spin) : ${name}_sub(mu[1], spin);
-    turn = ${name}_ratio(turn, ${name}_pair_scale(${name}_pi(), 1));
+    turn = ${name}_ratio(turn, ${name}_pair_scale(${name}_pi, 1));
     ${name}_store(made.turn[i], ${name}_pair_scale(turn, e));
     made.rate[i] = ${ldexp}(made.rate[i], e);
   }
   for (i = 0; i < 2; i++) {
     if (!(made.rate[i] - made.rate[i] == ${zero}) || !(made.turn[i][0] - made.turn[i][0] == ${zero})) return 1;
   }
-  made.tilt[0] = ${name}_angle(p.below[1], p.above[1]);
-  made.tilt[1] = ${name}_angle(p.below[0], p.above[0]);
+  made.tilt[0] = ${name}_angle_of(p.below[1], p.above[1]);
+  made.tilt[1] = ${name}_angle_of(p.below[0], p.above[0]);
 
   /* b/a goes round once more in a period of the nutation, unless the axis passes through the vertical */
   n = made.rate[0]*made.inverse;
@@ -197,7 +197,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
       F[i] = ${name}_wide_round(frame[i]);
       B[i] = ${name}_wide_round(body[i]);
     }
-    for (k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++) {
       const int from = k == 0 || k == 3 ? 0 : 1; /* y = re a, re b, im b, im a */
       const ${name}_real unit[2] = {k == 0 || k == 1 ? ${one} : ${zero}, k == 0 || k == 1 ? ${zero} : ${one}};
       ${name}_real z[2];
@@ -211,7 +211,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
       for (i = 0; i < 4; i++) g[i] = i > 0 ? -B[i] : B[i];
       ${name}_quaternion_product(d, g, made.q[k]);
     }
-    for (k = 0; k < 3; k++) { /* the axes here, seen from the body */
+    for (int k = 0; k < 3; k++) { /* the axes here, seen from the body */
       for (i = 0; i < 4; i++) u[i] = i == k + 1 ? ${one} : ${zero};
       ${name}_quaternion_product(B, u, d);
       for (i = 0; i < 4; i++) g[i] = i > 0 ? -B[i] : B[i];

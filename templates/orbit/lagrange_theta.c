@@ -1,26 +1,26 @@
 %% -- lagrange_theta.c -- the heavy top's theta functions, set up: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* tau of function i = a, b, W, and what it lacks of K': from the zero to the end of its gap (DLMF 19.29.4) */
-static ${name}_pair ${name}_tau(const ${name}_cubic *p, int i, int rest, int *infinite)
+static ${name}_pair ${name}_tau_of(const ${name}_cubic *p, int i, int rest, int *infinite)
 {
   const ${name}_wide c2 = ${name}_wide_scale(p->c, 1), g1 = p->whole, g2 = p->gap;
-  const ${name}_wide near = i == 1 ? ${name}_wide_multiply(c2, p->below[1]) : p->rate[1];   /* 2 c (zero - u2) */
-  const ${name}_wide wide = i == 1 ? ${name}_wide_multiply(c2, p->below[0]) : p->rate[0];   /* 2 c (zero - u1) */
+  const ${name}_wide near = i == 1 ? ${name}_wide_mul(c2, p->below[1]) : p->rate[1];   /* 2 c (zero - u2) */
+  const ${name}_wide outer = i == 1 ? ${name}_wide_mul(c2, p->below[0]) : p->rate[0];   /* 2 c (zero - u1) */
   const ${name}_wide far = i == 1 ? p->far[0] : p->rate[2];                              /* 2 c (u3 - zero) */
 
   if (i == 0) {
-    if (rest) return ${name}_argument(g1, ${name}_wide_multiply(c2, p->above[0]), ${name}_wide_multiply(c2, p->above[1]), p->far[1], infinite);
-    return ${name}_argument(${name}_wide_multiply(p->above[0], g1), ${name}_wide_multiply(p->span, g1),
-                 ${name}_wide_multiply(p->span, p->far[1]), ${name}_wide_multiply(p->above[1], g1), infinite);
+    if (rest) return ${name}_argument(g1, ${name}_wide_mul(c2, p->above[0]), ${name}_wide_mul(c2, p->above[1]), p->far[1], infinite);
+    return ${name}_argument(${name}_wide_mul(p->above[0], g1), ${name}_wide_mul(p->span, g1),
+                 ${name}_wide_mul(p->span, p->far[1]), ${name}_wide_mul(p->above[1], g1), infinite);
   }
-  if (rest) return ${name}_argument(${name}_wide_multiply(far, g1), ${name}_wide_multiply(near, g1), ${name}_wide_multiply(wide, g2),
-                        ${name}_wide_multiply(g1, g2), infinite);
-  if (i == 1) return ${name}_argument(${name}_wide_multiply(p->below[1], g1), ${name}_wide_multiply(far, p->span),
-                          ${name}_wide_multiply(p->span, g2), ${name}_wide_multiply(p->below[0], g2), infinite);
+  if (rest) return ${name}_argument(${name}_wide_mul(far, g1), ${name}_wide_mul(near, g1), ${name}_wide_mul(outer, g2),
+                        ${name}_wide_mul(g1, g2), infinite);
+  if (i == 1) return ${name}_argument(${name}_wide_mul(p->below[1], g1), ${name}_wide_mul(far, p->span),
+                          ${name}_wide_mul(p->span, g2), ${name}_wide_mul(p->below[0], g2), infinite);
   {
-    const ${name}_wide span = ${name}_wide_multiply(c2, p->span);
+    const ${name}_wide span = ${name}_wide_mul(c2, p->span);
 
-    return ${name}_argument(${name}_wide_multiply(near, g1), ${name}_wide_multiply(far, span), ${name}_wide_multiply(span, g2),
-                 ${name}_wide_multiply(wide, g2), infinite);
+    return ${name}_argument(${name}_wide_mul(near, g1), ${name}_wide_mul(far, span), ${name}_wide_mul(span, g2),
+                 ${name}_wide_mul(outer, g2), infinite);
   }
 }
 
@@ -35,9 +35,7 @@ static ${name}_pair ${name}_lambert(${name}_pair x, int s)
 /* amplitudes: |a| at u2, |b| and |W| at u1 */
 static void ${name}_scale_series(${name}_orbit *o, int i, ${name}_real factor)
 {
-  int k;
-
-  for (k = 0; k < 4; k++) {
+  for (int k = 0; k < 4; k++) {
     o->re[i][k] *= factor;
     o->im[i][k] *= factor;
   }
@@ -48,10 +46,10 @@ static void ${name}_scale_series(${name}_orbit *o, int i, ${name}_real factor)
 static void ${name}_set_circular(${name}_orbit *o, const ${name}_cubic *p, const ${name}_real amplitude[3],
                              ${name}_pair q, ${name}_pair K, ${name}_pair nu, ${name}_pair v0, ${name}_pair mu[2])
 {
-  const ${name}_pair one = ${name}_pair_of(${one}), K2 = ${name}_pair_scale(K, 1), per = ${name}_ratio(${name}_pi(), K);
+  const ${name}_pair one = ${name}_pair_of(${one}), K2 = ${name}_pair_scale(K, 1), per = ${name}_ratio(${name}_pi, K);
   const ${name}_pair rate = ${name}_ratio(nu, K2), q2 = ${name}_mul(q, q);
   ${name}_real Q[4], three_ = ${one}, four_ = ${one};
-  int i, n, infinite;
+  int n, infinite;
 
   o->hyperbolic = 0;
   ${name}_store(o->start, ${name}_ratio(v0, K2));
@@ -64,15 +62,15 @@ static void ${name}_set_circular(${name}_orbit *o, const ${name}_cubic *p, const
     if (n > 0) three_ += ${two}*Q[n];
     if (n > 0) four_ += (n % 2 ? -${two} : ${two})*Q[n];
   }
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     const int s = i == 0 ? 1 : -1;
     const ${name}_real sign = (${name}_real)p->sign[i];
     ${name}_pair x, r, D, sum, power;
     ${name}_real c[4], d[4], peak = ${zero}, rn, Dn;
 
-    x = ${name}_tau(p, i, 0, &infinite);
+    x = ${name}_tau_of(p, i, 0, &infinite);
     r = infinite ? ${name}_pair_of(${zero}) : ${name}_pair_exp(${name}_minus(${name}_mul(per, x)), 0);
-    x = ${name}_mul(per, ${name}_tau(p, i, 1, &infinite));
+    x = ${name}_mul(per, ${name}_tau_of(p, i, 1, &infinite));
     D = infinite ? ${name}_pair_of(${zero}) : ${name}_pair_exp(${name}_minus(x), 0);
     if (i < 2) {
       sum = ${name}_pair_of(${zero});
@@ -88,7 +86,7 @@ static void ${name}_set_circular(${name}_orbit *o, const ${name}_cubic *p, const
         sum = ${name}_sub(sum, ${name}_lambert(low, s));
         power = ${name}_mul(power, q2);
       }
-      mu[i] = ${name}_mul(${name}_mul(${name}_pi(), rate), ${name}_pair_scale(sum, 1));
+      mu[i] = ${name}_mul(${name}_mul(${name}_pi, rate), ${name}_pair_scale(sum, 1));
       if (s*p->sign[i] < 0) mu[i] = ${name}_minus(mu[i]);
     }
     x = ${name}_sub(one, r);
@@ -113,12 +111,12 @@ static void ${name}_set_circular(${name}_orbit *o, const ${name}_cubic *p, const
 static void ${name}_set_hyperbolic(${name}_orbit *o, const ${name}_cubic *p, const ${name}_real amplitude[3],
                                ${name}_pair q, ${name}_pair logq, ${name}_pair K, ${name}_pair nu, ${name}_pair v0, ${name}_pair mu[2])
 {
-  const ${name}_pair one = ${name}_pair_of(${one}), scale = ${name}_ratio(${name}_pi(), ${name}_pair_scale(K, 1)), q2 = ${name}_mul(q, q);
+  const ${name}_pair one = ${name}_pair_of(${one}), scale = ${name}_ratio(${name}_pi, ${name}_pair_scale(K, 1)), q2 = ${name}_mul(q, q);
   const ${name}_pair rate = ${name}_mul(nu, scale);
   const ${name}_real Q = q.hi, Q2 = Q*Q;
   const ${name}_real to[4] = {${one}, Q, Q2*Q2, Q2*Q2*Q2*Q2*Q}, from[4] = {${one}, ${one}, Q2, Q2*Q2*Q2}; /* q'^(n^2), q'^(n^2-n) */
   const ${name}_real odd[4] = {Q, Q*Q2, Q*Q2*Q2, Q*Q2*Q2*Q2}, power_of[4] = {${one}, Q, Q2, Q*Q2};
-  int i, n, infinite;
+  int n, infinite;
 
   o->hyperbolic = 1;
   ${name}_store(o->start, ${name}_mul(v0, scale));
@@ -126,9 +124,9 @@ static void ${name}_set_hyperbolic(${name}_orbit *o, const ${name}_cubic *p, con
   ${name}_store(o->period, ${name}_minus(logq));
   o->inverse = logq.hi < ${zero} ? -${one}/logq.hi : ${zero};
   o->winding = ${zero};
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     const ${name}_real sign = (${name}_real)p->sign[i];
-    const ${name}_pair tau = ${name}_tau(p, i, 0, &infinite), angle = ${name}_mul(scale, tau);
+    const ${name}_pair tau = ${name}_tau_of(p, i, 0, &infinite), angle = ${name}_mul(scale, tau);
     ${name}_pair c1, s1, c2, s2, sum, power, term;
     ${name}_real x, y;
 
@@ -147,7 +145,7 @@ static void ${name}_set_hyperbolic(${name}_orbit *o, const ${name}_cubic *p, con
       if (i == 0) { /* tan theta; cos theta = sin(pi/2 - theta) */
         ${name}_pair c, s;
 
-        ${name}_pair_circle(${name}_mul(scale, ${name}_tau(p, i, 1, &infinite)), &c, &s);
+        ${name}_pair_circle(${name}_mul(scale, ${name}_tau_of(p, i, 1, &infinite)), &c, &s);
         sum = ${name}_add(sum, ${name}_ratio(s1, s));
       }
       mu[i] = ${name}_mul(rate, sum);

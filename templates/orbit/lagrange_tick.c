@@ -3,13 +3,12 @@ int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
 {
   const ${name}_pair rate = {o->rate[0], o->rate[1]}, start = {o->start[0], o->start[1]}, period = {o->period[0], o->period[1]};
   ${name}_pair per = ${name}_pair_of(${zero}), first = per, mean[2];
-  int i;
 
   if (o->inverse > ${zero}) {
     per = ${name}_ratio(rate, period);
     first = ${name}_ratio(start, period);
   }
-  for (i = 0; i < 2; i++) { /* turns per tick, what goes off with each period evenly spread */
+  for (int i = 0; i < 2; i++) { /* turns per tick, what goes off with each period evenly spread */
     const ${name}_pair turn = {o->turn[i][0], o->turn[i][1]}, jump = {o->jump[i][0], o->jump[i][1]};
 
     mean[i] = ${name}_scaled(h, ${name}_add(turn, ${name}_mul(jump, per)));
@@ -18,13 +17,13 @@ int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
   per = ${name}_scaled(h, per);
   if (!(per.hi - per.hi == ${zero})) return 1;
   o->tick = h;
-  ${name}_fraction(${name}_pair_scale(per, -1), o->counts[0].tick); /* of two periods: the last bit is the sign */
-  ${name}_fraction(${name}_pair_scale(first, -1), o->counts[0].start);
-  for (i = 0; i < 2; i++) {
+  ${name}_fraction_bits(${name}_pair_scale(per, -1), o->counts[0].tick); /* of two periods: the last bit is the sign */
+  ${name}_fraction_bits(${name}_pair_scale(first, -1), o->counts[0].start);
+  for (int i = 0; i < 2; i++) {
     const ${name}_pair jump = {o->jump[i][0], o->jump[i][1]};
 
-    ${name}_fraction(mean[i], o->counts[i + 1].tick);
-    ${name}_fraction(${name}_mul(jump, first), o->counts[i + 1].start);
+    ${name}_fraction_bits(mean[i], o->counts[i + 1].tick);
+    ${name}_fraction_bits(${name}_mul(jump, first), o->counts[i + 1].start);
   }
   return 0;
 }

@@ -1,17 +1,13 @@
 %% -- phases.c -- phases of theta functions at a time: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* w, x, y, z of a = w + i z, b = x + i y, and the rates across the axis, all but for one factor */
-typedef struct ${name}_values {
-  ${name}_real w, x, y, z, f, g;
-} ${name}_values;
+typedef struct ${name}_values { ${name}_real w, x, y, z, f, g; } ${name}_values;
 
 /* high + low: the phase of the nutation, less whole periods, and the sign of their number; the turns of a and b, less
  * whole ones */
-typedef struct ${name}_instant {
-  ${name}_real high, low, flip, a, b;
-} ${name}_instant;
+typedef struct ${name}_instant { ${name}_real high, low, flip, a, b; } ${name}_instant;
 
 /* p less whole turns; where nothing is left of a phase, beyond some 2^50 of them, it is put to 0 */
-${upper}_INLINE ${name}_real ${name}_fraction_of(${name}_pair p)
+${inline} ${name}_real ${name}_fraction_of(${name}_pair p)
 {
   const ${name}_real x = (p.hi - ${name}_nearest(p.hi)) + p.lo;
 
@@ -19,13 +15,13 @@ ${upper}_INLINE ${name}_real ${name}_fraction_of(${name}_pair p)
 }
 
 /* (-1)^n; where the nearest whole number is none any more, beyond 2^51 (float: 2^22) and below 0, any sign will do */
-${upper}_INLINE ${name}_real ${name}_parity(${name}_real n)
+${inline} ${name}_real ${name}_parity(${name}_real n)
 {
   return ${fabs}(n - ${two}*${name}_nearest(${half}*n)) > ${half} ? -${one} : ${one};
 }
 
 /* away from the separatrix: in half turns of z */
-${upper}_INLINE ${name}_instant ${name}_circular_phases(const ${name}_orbit *o, ${name}_real t)
+${inline} ${name}_instant ${name}_circular_phases(const ${name}_orbit *o, ${name}_real t)
 {
   const ${name}_pair start = {o->start[0], o->start[1]}, none = {${zero}, ${zero}};
   const ${name}_pair p = ${name}_phase(start, o->rate, t);
@@ -45,10 +41,9 @@ static ${name}_instant ${name}_hyperbolic_phases(const ${name}_orbit *o, ${name}
   ${name}_pair p = {o->start[0], o->start[1]}, whole, jump;
   ${name}_instant f;
   ${name}_real n = ${zero};
-  int i;
 
   p = ${name}_phase(p, o->rate, t);
-  for (i = 0; i < 2; i++) { /* of very many periods the first count may be off by one */
+  for (int i = 0; i < 2; i++) { /* of very many periods the first count may be off by one */
     const ${name}_real more = ${name}_nearest(p.hi*o->inverse);
 
     whole = ${name}_pair_product(more, o->period[0]);
@@ -68,7 +63,7 @@ static ${name}_instant ${name}_hyperbolic_phases(const ${name}_orbit *o, ${name}
   return f;
 }
 
-${upper}_INLINE ${name}_real ${name}_length2(const ${name}_values *v)
+${inline} ${name}_real ${name}_length2(const ${name}_values *v)
 {
   return (v->w*v->w + v->z*v->z) + (v->x*v->x + v->y*v->y);
 }

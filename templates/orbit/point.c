@@ -2,7 +2,7 @@
 /* ---- closed form: ${theorem} ---- */
 
 /* sine and cosine of (rate t)/2, rate a pair; the low part of a large phase need not be small */
-static void ${name}_turn(const ${name}_real rate[2], ${name}_real t, ${name}_real *s, ${name}_real *c)
+static void ${name}_turn_of(const ${name}_real rate[2], ${name}_real t, ${name}_real *s, ${name}_real *c)
 {
   ${name}_pair p = ${name}_pair_product(rate[0], ${half}*t);
   const ${name}_real low = p.lo + rate[1]*(${half}*t);
@@ -45,7 +45,7 @@ static void ${name}_wave_at(const ${name}_wave *w, ${name}_real t, ${name}_real 
     return;
   }
   if (w->kind > 0) {
-    ${name}_turn(w->rate, t, &s, &c);
+    ${name}_turn_of(w->rate, t, &s, &c);
     f[0] = (c - s)*(c + s);
   } else {
     ${name}_pair p = ${name}_pair_product(r, ${half}*t);
@@ -69,25 +69,24 @@ static ${name}_real ${name}_wave_back(const ${name}_wave *w, ${name}_real S)
 %% if framed then
 /* P, the solution of P'' + 2 i Omega P' - delta P = 1 from rest, and P', as real and imaginary parts, by their power
  * series for phases below one: what they exceed t^2/2 and t by, x = Omega t, d = delta t^2 */
-static void ${name}_series(${name}_real x, ${name}_real d, ${name}_real t, ${name}_real P[2], ${name}_real dP[2])
+static void ${name}_set_series(${name}_real x, ${name}_real d, ${name}_real t, ${name}_real P[2], ${name}_real dP[2])
 {
   ${name}_real now[2] = {${half}, ${zero}}, before[2] = {${zero}, ${zero}}, next[2];
-  int i, k;
 
-  for (i = 0; i < 2; i++) P[i] = dP[i] = ${zero};
-  for (k = 1; k < 26; k++) { /* terms k + 1 to k + 2 of the series; the 26th is below 1/26! */
+  for (int i = 0; i < 2; i++) P[i] = dP[i] = ${zero};
+  for (int k = 1; k < 26; k++) { /* terms k + 1 to k + 2 of the series; the 26th is below 1/26! */
     const ${name}_real m = ${one}/((${name}_real)(k + 1)*(${name}_real)(k + 2)), y = ${two}*x*(${name}_real)(k + 1);
 
     next[0] = m*(d*before[0] + y*now[1]);
     next[1] = m*(d*before[1] - y*now[0]);
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
       before[i] = now[i];
       now[i] = next[i];
       P[i] += now[i];
       dP[i] += (${name}_real)(k + 2)*now[i];
     }
   }
-  for (i = 0; i < 2; i++) {
+  for (int i = 0; i < 2; i++) {
     P[i] *= t*t;
     dP[i] *= t;
   }
@@ -105,7 +104,7 @@ static void ${name}_push(const ${name}_orbit *o, ${name}_real t, ${name}_real C,
   if (${fabs}(x) + sigma*${fabs}(t) < ${one}) {
     ${name}_real dP[2];
 
-    ${name}_series(x, o->delta*t*t, t, P, dP);
+    ${name}_set_series(x, o->delta*t*t, t, P, dP);
     P[0] += ${half}*t*t;
   } else if (${fabs}(o->delta) >= ${quarter}*(O*O + sigma*sigma)) {
     P[0] = (c*C + sn*O*S - ${one})/o->delta;
@@ -113,10 +112,10 @@ static void ${name}_push(const ${name}_orbit *o, ${name}_real t, ${name}_real C,
   } else {
     ${name}_real s, h, fast[2], slow[2];
 
-    ${name}_turn(o->fast, t, &s, &h);
+    ${name}_turn_of(o->fast, t, &s, &h);
     fast[0] = ${two}*s*h/o->fast[0];
     fast[1] = -${two}*s*s/o->fast[0];
-    ${name}_turn(o->slow, t, &s, &h);
+    ${name}_turn_of(o->slow, t, &s, &h);
     slow[0] = o->slow[0] == ${zero} ? t : ${two}*s*h/o->slow[0];
     slow[1] = o->slow[0] == ${zero} ? ${zero} : -${two}*s*s/o->slow[0];
     P[0] = (slow[1] - fast[1])/(${two}*sigma);
@@ -136,9 +135,9 @@ static void ${name}_cross(const ${name}_real a[3], const ${name}_real b[3], ${na
 static int ${name}_exponent(const ${name}_real v[], int n)
 {
   ${name}_real big = ${zero};
-  int i, e = 0;
+  int e = 0;
 
-  for (i = 0; i < n; i++) big = ${fabs}(v[i]) > big ? ${fabs}(v[i]) : big;
+  for (int i = 0; i < n; i++) big = ${fabs}(v[i]) > big ? ${fabs}(v[i]) : big;
   if (big > ${zero}) (void)${frexp}(big, &e);
   return e;
 }
@@ -151,7 +150,6 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   const ${name}_real O[3] = {${O1}, ${O2}, ${O3}}, k[2] = {${along}, ${across}}; /* stiffness along and across, per kg */
   ${name}_pair square = ${name}_pair_of(${zero}), turn, kappa;
   ${name}_real u[3];
-  int j;
 %% else
   const ${name}_real k[3] = {${k1}, ${k2}, ${k3}}; /* stiffness per kg */
 %% end
@@ -215,7 +213,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     p.y[1][i] = ${ldexp}(x0[${upper}_VX + i], -e);
     p.y[2][i] = ${ldexp}(g[i], -2*e);
   }
-  for (j = 0; j < 3; j++) {
+  for (int j = 0; j < 3; j++) {
     p.s[j] = p.n[0]*p.y[j][0] + p.n[1]*p.y[j][1] + p.n[2]*p.y[j][2];
     for (i = 0; i < 3; i++) p.z[j][i] = p.y[j][i] - p.n[i]*p.s[j];
     ${name}_cross(p.n, p.z[j], p.nz[j]);
@@ -249,14 +247,13 @@ static void ${name}_near(const ${name}_orbit *o, ${name}_real T, ${name}_real r[
   const ${name}_real O = o->turn[0], d = o->delta, half = ${half}*T*T;
   const ${name}_real k = (${name}_real)o->along.kind*o->along.rate[0]*o->along.rate[0];
   ${name}_real P[2], dP[2], Q[2], dQ[2], s, ds;
-  int i;
 
-  ${name}_series(${zero}, -k*T*T, T, Q, dQ);
+  ${name}_set_series(${zero}, -k*T*T, T, Q, dQ);
   s = o->s[1]*dQ[0] + o->s[2]*Q[0] - o->s[0]*k*(half + Q[0]);
   ds = o->s[2]*dQ[0] - o->s[0]*k*(T + dQ[0]) - o->s[1]*k*(half + Q[0]);
 
-  ${name}_series(O*T, d*T*T, T, P, dP);
-  for (i = 0; i < 3; i++) {
+  ${name}_set_series(O*T, d*T*T, T, P, dP);
+  for (int i = 0; i < 3; i++) {
     const ${name}_real a = d*o->z[0][i], na = d*o->nz[0][i]; /* delta r */
     const ${name}_real b = a - ${two}*O*o->nz[1][i], nb = na + ${two}*O*o->z[1][i]; /* delta r - 2 i Omega v */
 
@@ -272,13 +269,12 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
   const ${name}_real T = ${ldexp}(t, o->e);
   ${name}_real *r = x + ${upper}_RX, *v = x + ${upper}_VX, f[3];
-  int i;
 %% if framed then
   ${name}_real P[2], s, ds, sh, ch, c, sn, back;
 
   if ((o->turn[0] + o->across.rate[0] + o->along.rate[0])*${fabs}(T) < ${one}) {
     ${name}_near(o, T, r, v);
-    for (i = 0; i < 3; i++) v[i] = ${ldexp}(v[i], o->e);
+    for (int i = 0; i < 3; i++) v[i] = ${ldexp}(v[i], o->e);
     return;
   }
   ${name}_wave_at(&o->along, T, f);
@@ -287,11 +283,11 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 
   ${name}_wave_at(&o->across, T, f);
   back = ${name}_wave_back(&o->across, f[1]);
-  ${name}_turn(o->turn, T, &sh, &ch);
+  ${name}_turn_of(o->turn, T, &sh, &ch);
   sn = ${two}*sh*ch;
   c = (ch - sh)*(ch + sh);
   ${name}_push(o, T, f[0], f[1], c, sn, P);
-  for (i = 0; i < 3; i++) { /* a turn by -Omega t: u becomes c u - sn n x u */
+  for (int i = 0; i < 3; i++) { /* a turn by -Omega t: u becomes c u - sn n x u */
     const ${name}_real w = o->z[1][i] + o->turn[0]*o->nz[0][i], nw = o->nz[1][i] - o->turn[0]*o->z[0][i];
     const ${name}_real z = o->z[0][i]*f[0] + w*f[1], nz = o->nz[0][i]*f[0] + nw*f[1];
     const ${name}_real dz = w*f[0] - o->z[0][i]*back - o->turn[0]*nz;
@@ -302,7 +298,7 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
   }
 %% else
 
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     ${name}_wave_at(&o->wave[i], T, f);
     r[i] = o->s[i][0]*f[0] + o->s[i][1]*f[1] + o->s[i][2]*f[2];
     v[i] = o->s[i][1]*f[0] + o->s[i][2]*f[1] - o->s[i][0]*${name}_wave_back(&o->wave[i], f[1]);
@@ -314,10 +310,9 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${name}_real x[])
 {
   ${name}_real y[${upper}_NX];
-  int i, k;
 
-  for (k = 0; k < n; k++) {
+  for (int k = 0; k < n; k++) {
     ${name}_at(o, t[k], y);
-    for (i = 0; i < ${upper}_NX; i++) x[i*n + k] = y[i];
+    for (int i = 0; i < ${upper}_NX; i++) x[i*n + k] = y[i];
   }
 }

@@ -2,7 +2,7 @@
 /* ---- inverse questions ---- */
 
 /* are the rates periodic? */
-static int ${name}_periodic(const ${name}_orbit *o)
+static int ${name}_has_period(const ${name}_orbit *o)
 {
   return o->half < ${no_period};
 }
@@ -15,7 +15,7 @@ static int ${name}_means(const ${name}_orbit *o, ${name}_pair *periods, ${name}_
   int e;
 
   (void)${frexp}(${fabs}(turn.hi) > rate.hi ? turn.hi : rate.hi, &e);
-  *periods = ${name}_periodic(o) ? ${name}_pair_scale(rate, -e) : ${name}_pair_of(${zero});
+  *periods = ${name}_has_period(o) ? ${name}_pair_scale(rate, -e) : ${name}_pair_of(${zero});
   *turns = ${name}_add(${name}_pair_scale(turn, 1 - e), ${name}_scaled(o->s, *periods));
   return e;
 }
@@ -23,7 +23,7 @@ static int ${name}_means(const ${name}_orbit *o, ${name}_pair *periods, ${name}_
 ${name}_real ${name}_polhode_period(const ${name}_orbit *o)
 {
   if (!(o->rate[0] > ${zero})) return ${zero};
-  return ${name}_periodic(o) ? ${one}/o->rate[0] : ${huge};
+  return ${name}_has_period(o) ? ${one}/o->rate[0] : ${huge};
 }
 
 ${name}_real ${name}_precession_rate(const ${name}_orbit *o)
@@ -31,7 +31,7 @@ ${name}_real ${name}_precession_rate(const ${name}_orbit *o)
   ${name}_pair periods, turns;
   const int e = ${name}_means(o, &periods, &turns);
 
-  return ${ldexp}(${name}_mul(${name}_pi(), turns).hi, e + 1);
+  return ${ldexp}(${name}_mul(${name}_pi, turns).hi, e + 1);
 }
 
 ${name}_real ${name}_precession_period(const ${name}_orbit *o)
@@ -48,7 +48,7 @@ ${name}_real ${name}_rotation_number(const ${name}_orbit *o)
 
   if (!(o->rate[0] > ${zero})) return ${zero};
   (void)${name}_means(o, &periods, &turns);
-  return ${name}_periodic(o) ? ${name}_ratio(turns, periods).hi : ${huge};
+  return ${name}_has_period(o) ? ${name}_ratio(turns, periods).hi : ${huge};
 }
 
 /* start + rate t = n/2, n the first integer whose t is later after rounding; on the separatrix n = 0 alone */
@@ -57,19 +57,19 @@ ${name}_real ${name}_next_flip(const ${name}_orbit *o, ${name}_real t)
   const ${name}_pair start = {o->start[0], o->start[1]};
   ${name}_pair rate = {o->rate[0], o->rate[1]}, n = ${name}_pair_of(${zero});
   ${name}_real next;
-  int e, i;
+  int e;
 
   if (!(rate.hi > ${zero})) return ${huge};
   (void)${frexp}(rate.hi, &e); /* time in units of 2^-e, so that nothing leaves the range before t has no digits left */
   rate = ${name}_pair_scale(rate, -e);
-  if (!${name}_periodic(o)) {
+  if (!${name}_has_period(o)) {
     next = ${ldexp}(${name}_ratio(${name}_minus(start), rate).hi, -e);
     return next > t ? next : ${huge};
   }
   n = ${name}_pair_scale(${name}_add(start, ${name}_scaled(${ldexp}(t, e), rate)), 1);
   next = ${floor}(n.hi);
   n = ${name}_pair_sum(next, next < n.hi ? ${zero} : ${floor}(n.lo));
-  for (i = 0; i < 2; i++) {
+  for (int i = 0; i < 2; i++) {
     n = ${name}_add(n, ${name}_pair_of(${one}));
     next = ${ldexp}(${name}_ratio(${name}_sub(${name}_pair_scale(n, -1), start), rate).hi, -e);
     if (next > t) return next;

@@ -7,7 +7,6 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   const ${name}_real R = ${R};
   ${name}_real q[4], W[3], along[3];
   ${name}_orbit p;
-  int i, k;
 
 %% if uses_model then
 %% else
@@ -16,12 +15,12 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   if (!${name}_numbers(x0, ${upper}_NX)) return 1;
   if (${name}_unit_quaternion(x0 + ${upper}_QW, q) == ${zero}) return 1;
   ${name}_spin(q, x0 + ${upper}_WX, W);
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     along[i] = W[0]*e[i][0] + W[1]*e[i][1] + W[2]*e[i][2];
-    for (k = 0; k < 3; k++) p.e[i][k] = e[i][k];
+    for (int k = 0; k < 3; k++) p.e[i][k] = e[i][k];
   }
   p.up = along[2];
-  for (i = 0; i < 2; i++) {
+  for (int i = 0; i < 2; i++) {
     p.p[i] = x0[${upper}_P1 + i];
     p.v[i] = x0[${upper}_V1 + i];
     p.W[i] = along[i];
@@ -44,11 +43,10 @@ static void ${name}_fadings(${name}_real y, ${name}_real *first, ${name}_real *s
 {
   if (${fabs}(y) < ${one}) {
     ${name}_real a = ${one}, b = ${half};
-    int k;
 
     *first = a;
     *second = b;
-    for (k = 1; k < 20; k++) {
+    for (int k = 1; k < 20; k++) {
       a *= -y/(${name}_real)(k + 1);
       b *= -y/(${name}_real)(k + 2);
       *first += a;
@@ -64,18 +62,17 @@ void ${name}_at_centre(const ${name}_orbit *o, ${name}_real t, ${name}_real p[],
 {
   const ${name}_real y = o->decay*t;
   ${name}_real first, second, along[2];
-  int i;
 
   /* v' = -decay v, V - V0 = k (v - v0), R (W - W0) x n = -(1 - k) (v - v0) */
   ${name}_fadings(y, &first, &second);
-  for (i = 0; i < 2; i++) {
+  for (int i = 0; i < 2; i++) {
     const ${name}_real lost = y*first*o->slip[i]; /* v0 - v */
 
     v[i] = o->v[i] - o->share*lost;
     p[i] = o->p[i] + t*(o->v[i] - o->share*(y*second*o->slip[i]));
     along[i] = o->rest*lost;
   }
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     W[i] = (o->W[0] - along[1])*o->e[0][i] + (o->W[1] + along[0])*o->e[1][i] + o->up*o->e[2][i];
   }
 }

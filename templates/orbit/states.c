@@ -1,5 +1,5 @@
 %% -- states.c -- attitude and rates at times, from values of theta functions: part of scene.c.  SPDX-License-Identifier: MIT-0
-${upper}_INLINE ${name}_values ${name}_values_at(const ${name}_orbit *o, ${name}_real t)
+${inline} ${name}_values ${name}_values_at(const ${name}_orbit *o, ${name}_real t)
 {
   return o->hyperbolic ? ${name}_hyperbolic_values(o, ${name}_hyperbolic_phases(o, t)) :
                          ${name}_circular_values(o, ${name}_circular_phases(o, t));
@@ -32,12 +32,11 @@ void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[
  * the roots stand alone, as they may set errno. */
 enum { ${upper}_BLOCK = ${block} };
 
-${upper}_INLINE void ${name}_some(const ${name}_orbit *o, const ${name}_real t[], size_t n, ${name}_real x[])
+${inline} void ${name}_some(const ${name}_orbit *o, const ${name}_real t[], size_t n, ${name}_real x[])
 {
   ${name}_real v[6][${upper}_BLOCK], state[7][${upper}_BLOCK], root[${upper}_BLOCK];
-  size_t i, k;
 
-  for (k = 0; k < ${upper}_BLOCK; k++) {
+  for (size_t k = 0; k < ${upper}_BLOCK; k++) {
     const ${name}_values y = ${name}_circular_values(o, ${name}_circular_phases(o, t[k]));
 
     v[0][k] = y.w;
@@ -48,8 +47,8 @@ ${upper}_INLINE void ${name}_some(const ${name}_orbit *o, const ${name}_real t[]
     v[5][k] = y.g;
     root[k] = ${name}_length2(&y);
   }
-  for (k = 0; k < ${upper}_BLOCK; k++) root[k] = ${sqrt}(root[k]);
-  for (k = 0; k < ${upper}_BLOCK; k++) {
+  for (size_t k = 0; k < ${upper}_BLOCK; k++) root[k] = ${sqrt}(root[k]);
+  for (size_t k = 0; k < ${upper}_BLOCK; k++) {
     const ${name}_values y = {v[0][k], v[1][k], v[2][k], v[3][k], v[4][k], v[5][k]};
     ${name}_real q[4], w[3];
 
@@ -62,11 +61,11 @@ ${upper}_INLINE void ${name}_some(const ${name}_orbit *o, const ${name}_real t[]
     state[5][k] = w[1];
     state[6][k] = w[2];
   }
-  for (i = 0; i < 4; i++) {
-    for (k = 0; k < ${upper}_BLOCK; k++) x[(${upper}_QW + i)*n + k] = state[i][k];
+  for (size_t i = 0; i < 4; i++) {
+    for (size_t k = 0; k < ${upper}_BLOCK; k++) x[(${upper}_QW + i)*n + k] = state[i][k];
   }
-  for (i = 0; i < 3; i++) {
-    for (k = 0; k < ${upper}_BLOCK; k++) x[(${upper}_WX + i)*n + k] = state[4 + i][k];
+  for (size_t i = 0; i < 3; i++) {
+    for (size_t k = 0; k < ${upper}_BLOCK; k++) x[(${upper}_WX + i)*n + k] = state[4 + i][k];
   }
 }
 
@@ -74,13 +73,13 @@ void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${na
 {
   const size_t count = n > 0 ? (size_t)n : 0;
   ${name}_real y[${upper}_NX];
-  size_t k = 0, i;
+  size_t k = 0;
 
   if (!o->hyperbolic) {
     for (; k + ${upper}_BLOCK <= count; k += ${upper}_BLOCK) ${name}_some(o, t + k, count, x + k);
   }
   for (; k < count; k++) {
     ${name}_at(o, t[k], y);
-    for (i = 0; i < ${upper}_NX; i++) x[i*count + k] = y[i];
+    for (size_t i = 0; i < ${upper}_NX; i++) x[i*count + k] = y[i];
   }
 }

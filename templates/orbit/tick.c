@@ -6,9 +6,9 @@ int ${name}_set_tick(${name}_orbit *o, ${name}_real h)
 
   if (!(per.hi - per.hi == ${zero}) || !(mean.hi - mean.hi == ${zero})) return 1;
   o->tick = h;
-  ${name}_fraction(per, o->rate_tick);
-  ${name}_fraction(start, o->rate_start);
-  ${name}_fraction(mean, o->turn_tick);
+  ${name}_fraction_bits(per, o->rate_tick);
+  ${name}_fraction_bits(start, o->rate_start);
+  ${name}_fraction_bits(mean, o->turn_tick);
   o->turn_start[0] = o->turn_start[1] = 0;
   return 0;
 }

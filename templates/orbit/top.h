@@ -24,7 +24,11 @@ extern const ${name}_orbit ${name}_own_orbit;
 %% if diagonal then
 /* Prepare the motion through x0 at t = 0, q of x0 normalised: about 6000 operations, a fixed number.  Phases come to
  * 2^-100 or so of a turn for each (float: 2^-42), near the separatrix too.  Returns 0, or 1 if q is 0, a number not finite,
+%% if has_rod then
  * the body none (a negative moment; no moment about an axis across which two differ), or a rate beyond the range of the
+%% else
+ * a moment so small that it has become 0, or a rate beyond the range of the
+%% end
  * type; *o is untouched then. */
 %% else
 /* Prepare the motion through x0 at t = 0, q of x0 normalised: about 6000 operations, a fixed number but for a tensor with

@@ -1,6 +1,6 @@
 %% -- uniform.c -- turning at a constant rate: phases in turns, lengths as pairs; part of scene.c.  SPDX-License-Identifier: MIT-0
 /* rate t less whole turns; twice, for t so large that the first nearest number is not the nearest integer */
-${upper}_INLINE ${name}_real ${name}_phase(const ${name}_orbit *o, const ${name}_real rate[4], ${name}_real at)
+${inline} ${name}_real ${name}_phase(const ${name}_orbit *o, const ${name}_real rate[4], ${name}_real at)
 {
   const ${name}_real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before; /* no number stays none */
   const ${name}_real c = ${split}*t, head = c - (c - t);
@@ -29,21 +29,21 @@ static ${name}_pair ${name}_unit_vector(const ${name}_pair v[3], ${name}_real u[
 {
   ${name}_real big = ${fabs}(v[0].hi), root;
   ${name}_pair n, square = ${name}_pair_of(${zero});
-  int i, e;
+  int e;
 
   if (${fabs}(v[1].hi) > big) big = ${fabs}(v[1].hi);
   if (${fabs}(v[2].hi) > big) big = ${fabs}(v[2].hi);
   u[0] = u[1] = u[2] = ${zero};
   if (big == ${zero}) return square;
   (void)${frexp}(big, &e);
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     n.hi = ${ldexp}(v[i].hi, -e);
     n.lo = ${ldexp}(v[i].lo, -e);
     u[i] = n.hi;
     square = ${name}_add(square, ${name}_mul(n, n));
   }
   root = ${sqrt}(square.hi);
-  for (i = 0; i < 3; i++) u[i] /= root;
+  for (int i = 0; i < 3; i++) u[i] /= root;
   n = ${name}_pair_product(root, root); /* one Newton step: sqrt(s) = r + (s - r^2)/(2 r) */
   n = ${name}_pair_sum(root, ((square.hi - n.hi) - n.lo + square.lo)/(${two}*root));
   n.hi = ${ldexp}(n.hi, e);
@@ -56,15 +56,14 @@ static ${name}_real ${name}_unit_quaternion(const ${name}_real q[4], ${name}_rea
 {
   ${name}_pair v[3], both[3];
   ${name}_real u[3], n[3], length;
-  int i;
 
-  for (i = 0; i < 3; i++) v[i] = ${name}_pair_of(q[i + 1]);
+  for (int i = 0; i < 3; i++) v[i] = ${name}_pair_of(q[i + 1]);
   both[0] = ${name}_pair_of(q[0]);
   both[1] = ${name}_unit_vector(v, u);
   both[2] = ${name}_pair_of(${zero});
   length = ${name}_unit_vector(both, n).hi;
   out[0] = n[0];
-  for (i = 0; i < 3; i++) out[i + 1] = n[1]*u[i];
+  for (int i = 0; i < 3; i++) out[i + 1] = n[1]*u[i];
   return length;
 }
 %% if rolls then
@@ -74,10 +73,9 @@ static void ${name}_spin(const ${name}_real q[4], const ${name}_real w[3], ${nam
 {
   const ${name}_real back[4] = {q[0], -q[1], -q[2], -q[3]}, rate[4] = {${zero}, w[0], w[1], w[2]};
   ${name}_real left[4], both[4];
-  int i;
 
   ${name}_quaternion_product(q, rate, left);
   ${name}_quaternion_product(left, back, both);
-  for (i = 0; i < 3; i++) W[i] = both[i + 1];
+  for (int i = 0; i < 3; i++) W[i] = both[i + 1];
 }
 %% end

@@ -28,10 +28,9 @@ static ${head}
 static void ${name}_adaptive_first(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real k1[])
 {
   ${name}_real dx[${upper}_NX];
-  int k;
 
   ${name}_rhs(m, t, x, u, dx);
-  for (k = 0; k < ${count}; k++) k1[k] = dx[${name}_adaptive_moving[k]];
+  for (int k = 0; k < ${count}; k++) k1[k] = dx[${name}_adaptive_moving[k]];
 }
 
 %% if attitude then
@@ -42,23 +41,20 @@ static void ${name}_adaptive_first(const ${name}_model *m, ${name}_real t, const
 static void ${name}_adaptive_take(const ${name}_real out[], const ${name}_real turn[], ${name}_real x[])
 {
   ${name}_real n = ${half};
-  int k;
 
-  for (k = 0; k < 4; k++) {
+  for (int k = 0; k < 4; k++) {
     const ${name}_real q = x[${name}_adaptive_moving[k]];
 
     n -= q*(${half}*q + turn[k]) + ${half}*turn[k]*turn[k];
   }
-  for (k = 0; k < 4; k++) x[${name}_adaptive_moving[k]] += turn[k] + n*out[k];
-  for (k = 4; k < ${count}; k++) x[${name}_adaptive_moving[k]] = out[k];
+  for (int k = 0; k < 4; k++) x[${name}_adaptive_moving[k]] += turn[k] + n*out[k];
+  for (int k = 4; k < ${count}; k++) x[${name}_adaptive_moving[k]] = out[k];
 }
 %% else
 /* x takes the state that a step ends in. */
 static void ${name}_adaptive_take(const ${name}_real out[], ${name}_real x[])
 {
-  int k;
-
-  for (k = 0; k < ${count}; k++) x[${name}_adaptive_moving[k]] = out[k];
+  for (int k = 0; k < ${count}; k++) x[${name}_adaptive_moving[k]] = out[k];
 }
 %% end
 
@@ -77,9 +73,8 @@ static ${name}_real ${name}_adaptive_worse(const ${name}_real x[], const ${name}
                            ${name}_real worst)
 {
   ${name}_real size = ${zero}, e = ${zero};
-  int k;
 
-  for (k = first; k < last; k++) {
+  for (int k = first; k < last; k++) {
     const ${name}_real a = ${fabs}(x[${name}_adaptive_moving[k]]), b = ${fabs}(out[k]), c = ${fabs}(error[k]);
 
     size = a > size ? a : size;
@@ -106,9 +101,9 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
   const ${name}_real fifth = ${n[3/16]}; /* 3/16, a little less than 1/5 */
   ${name}_real k1[${count}], k7[${count}], error[${count}], out[${count}]${room};
   ${name}_real t = t0, h = t1 - t0, lost = ${zero};
-  int steps, k, fresh = 1;
+  int fresh = 1;
 
-  for (steps = 0; steps < most; steps++) {
+  for (int steps = 0; steps < most; steps++) {
 %% if has_knots then
     const ${name}_real end = ${name}_knot(m, t, t1), left = (end - t) - lost; /* from corner to corner */
 %% else
@@ -138,7 +133,7 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
       continue;
     }
     ${name}_adaptive_take(out${turn}, x);
-    for (k = 0; k < ${count}; k++) k1[k] = k7[k];
+    for (int k = 0; k < ${count}; k++) k1[k] = k7[k];
     fresh = 0;
 %% if has_knots then
     if (last) {

@@ -11,12 +11,11 @@ static ${name}_real ${name}_knot(const ${name}_model *m, ${name}_real t, ${name}
     ${k},
 %% end
   };
-  int i;
 
 %% if static then
   (void)m;
 %% end
-  for (i = 0; i < ${count}; i++) {
+  for (int i = 0; i < ${count}; i++) {
     if ((t < at[i] && at[i] < end) || (t > at[i] && at[i] > end)) end = at[i];
   }
   return end;

@@ -30,12 +30,11 @@ static ${finish_head}
 static void ${name}_midpoint_solve(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real mid[3])
 {
   ${name}_real next[3];
-  int k;
 
   mid[0] = x[${upper}_WX];
   mid[1] = x[${upper}_WY];
   mid[2] = x[${upper}_WZ];
-  for (k = 0; k < ${count}; k++) {
+  for (int k = 0; k < ${count}; k++) {
     ${name}_midpoint_newton(m, t, x, u, h, mid, next);
     /* a singular Jacobian, h far too large: x - x is not 0 for what is not finite */
     if (!((next[0] - next[0]) + (next[1] - next[1]) + (next[2] - next[2]) == ${zero})) break;

@@ -7,12 +7,12 @@ int ${name}_advance(const ${name}_model *m, ${name}_real t0, ${name}_real x[], c
   const ${name}_real span = t1 - t0; /* into equal steps; a quotient just above a whole number is that number */
   const ${name}_real whole = ${fabs}(span)/${upper}_PLANNED_STEP*(${one} - ${slack});
   const ${name}_real n = ${floor}(whole) < whole ? ${floor}(whole) + ${one} : ${floor}(whole);
-  int i, steps;
+  int steps;
 
   if (!(n < (${name}_real)(~0U >> 1))) return -1;
   steps = (int)n;
-  for (i = 0; i < steps; i++) ${name}_step(m, t0 + span*((${name}_real)i/n), x, u, span/n);
-  for (i = 0; i < ${upper}_NX; i++) {
+  for (int i = 0; i < steps; i++) ${name}_step(m, t0 + span*((${name}_real)i/n), x, u, span/n);
+  for (int i = 0; i < ${upper}_NX; i++) {
     if (!(x[i] - x[i] == ${zero})) return -1;
   }
   return steps;
@@ -32,13 +32,12 @@ int ${name}_advance(const ${name}_model *m, ${name}_real t0, ${name}_real x[], c
 %% end
 %% if kind_closed then
   ${name}_orbit o;
-  int k;
 
   (void)u;
   if (!(t1 < t0 || t1 > t0)) return t1 == t0 ? 0 : -1;
   if (${name}_solve(&o, m, x)) return -1;
   ${name}_at(&o, t1 - t0, x);
-  for (k = 0; k < ${upper}_NX; k++) {
+  for (int k = 0; k < ${upper}_NX; k++) {
     if (!(x[k] - x[k] == ${zero})) return -1;
   }
   return 1;

@@ -80,9 +80,8 @@ void ${name}_q31_initial(int32_t x[${upper}_Q31_NX])
     ${line}
 %% end
   };
-  int i;
 
-  for (i = 0; i < ${upper}_Q31_NX; i++) x[i] = initial[i];
+  for (int i = 0; i < ${upper}_Q31_NX; i++) x[i] = initial[i];
 }
 
 unsigned ${name}_q31_step(int32_t x[${upper}_Q31_NX], const int32_t u[])

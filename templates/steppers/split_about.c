@@ -5,11 +5,10 @@ static void ${name}_split_about(${name}_real x[], const ${name}_real k[3], ${nam
 {
   ${name}_real *w = x + ${upper}_WX;
   ${name}_real e[3], f[3], c, s;
-  int i;
 
-  for (i = 0; i < 3; i++) e[i] = a*k[i];
+  for (int i = 0; i < 3; i++) e[i] = a*k[i];
   ${name}_split_half(e[0]*e[0] + e[1]*e[1] + e[2]*e[2], &c, &s);
-  for (i = 0; i < 3; i++) e[i] *= s;
+  for (int i = 0; i < 3; i++) e[i] *= s;
 %% if has_attitude then
   ${name}_split_turn(x, ${one} - c, e);
 %% end

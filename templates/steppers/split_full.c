@@ -11,31 +11,30 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
   const ${name}_real over = ${half}*(x[${upper}_QW]*x[${upper}_QW] + x[${upper}_QX]*x[${upper}_QX] + x[${upper}_QY]*x[${upper}_QY] + x[${upper}_QZ]*x[${upper}_QZ]) - ${half};
 %% end
   ${name}_real w0[3], p0[3];
-  int i;
 
   /* p = U^T D U w */
-  for (i = 0; i < 3; i++) w0[i] = w[i];
+  for (int i = 0; i < 3; i++) w0[i] = w[i];
   w[0] += u[0]*w[1] + u[1]*w[2];
   w[1] += u[2]*w[2];
-  for (i = 0; i < 3; i++) w[i] *= d[i];
+  for (int i = 0; i < 3; i++) w[i] *= d[i];
   w[2] += u[1]*w[0] + u[2]*w[1];
   w[1] += u[0]*w[0];
-  for (i = 0; i < 3; i++) p0[i] = w[i];
+  for (int i = 0; i < 3; i++) p0[i] = w[i];
 %% if has_attitude then
   ${name}_split_along(x, w, tau, over);
 %% end
-  for (i = 0; i <= n; i++) {
+  for (int i = 0; i <= n; i++) {
     ${name}_split_about(x, k, a[i]*half*(m->split_fb*(k[0]*w[0] + k[1]*w[1] + k[2]*w[2])));
     if (i < n) ${name}_split_about(x, l, b[i]*half*(m->split_fc*(l[0]*w[0] + l[1]*w[1] + l[2]*w[2])));
   }
   /* the same steps back, for the change */
-  for (i = 0; i < 3; i++) w[i] -= p0[i];
+  for (int i = 0; i < 3; i++) w[i] -= p0[i];
   w[1] -= u[0]*w[0];
   w[2] -= u[1]*w[0] + u[2]*w[1];
-  for (i = 0; i < 3; i++) w[i] /= d[i];
+  for (int i = 0; i < 3; i++) w[i] /= d[i];
   w[1] -= u[2]*w[2];
   w[0] -= u[0]*w[1] + u[1]*w[2];
-  for (i = 0; i < 3; i++) w[i] += w0[i];
+  for (int i = 0; i < 3; i++) w[i] += w0[i];
 %% for _, line in ipairs(place) do
   ${line}
 %% end

@@ -21,12 +21,11 @@ static void ${name}_split_kick(const ${name}_model *m, ${name}_real t, ${name}_r
   ${name}_real dx[${upper}_NX];
 %% if slowed then
   ${name}_real y[${upper}_NX];
-  int i;
 %% end
 
   ${name}_split_rates(m, t, x, u, dx);
 %% if slowed then
-  for (i = 0; i < ${upper}_NX; i++) y[i] = x[i];
+  for (int i = 0; i < ${upper}_NX; i++) y[i] = x[i];
 %%   for _, s in ipairs(states) do
   y[${s}] += ${half}*tau*dx[${s}];
 %%   end

@@ -7,9 +7,8 @@ static void ${name}_split_drift(const ${name}_model *m, ${name}_real x[], ${name
   const ${name}_real spin = ${c}*(k[0]*w[0] + k[1]*w[1] + k[2]*w[2]) + ${h};
 %% if has_attitude then
   ${name}_real p[3];
-  int i;
 
-  for (i = 0; i < 3; i++) p[i] = w[i] + spin*k[i];
+  for (int i = 0; i < 3; i++) p[i] = w[i] + spin*k[i];
   ${name}_split_along(x, p, tau, over);
 %% end
   ${name}_split_about(x, k, -${half}*tau*spin);

@@ -20,7 +20,6 @@ void ${name}_${method}_step(const ${name}_model *m, ${name}_real t, ${name}_real
   };
 %% end
 %% if kicks then
-  int i;
 %% end
 %% if has_attitude then
   /* one Newton step for 1/|q|, from the q that comes in, so |q| cannot drift */
@@ -30,7 +29,7 @@ void ${name}_${method}_step(const ${name}_model *m, ${name}_real t, ${name}_real
 %% end
 
 %% if kicks then
-  for (i = 0; i < ${outer.n}; i++) {
+  for (int i = 0; i < ${outer.n}; i++) {
     ${name}_split_drift(m, x, drift[i]*h, i > 0 ? ${zero} : over);
     ${name}_split_kick(m, t + at[i]*h, x, u, kick[i]*h);
   }

@@ -30,9 +30,8 @@ void ${name}_${method}_step(const ${name}_model *m, ${name}_real t, ${name}_real
 %% end
   };
 %% if kicks then
-  int i;
 
-  for (i = 0; i < ${outer.n}; i++) {
+  for (int i = 0; i < ${outer.n}; i++) {
     ${name}_split_drift(m, x, drift[i]*h, ${inner.n}, a, b);
     ${name}_split_kick(m, t + at[i]*h, x, u, kick[i]*h);
   }

@@ -9,9 +9,8 @@ void ${name}_taylor_step_compensated(const ${name}_model *m, ${name}_real t, ${n
   ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW], more, sum;
 %% if has_knots then
   ${name}_real stop, part;
-  int n;
 
-  for (n = 0; n <= ${knots_count}; n++) { /* from corner to corner */
+  for (int n = 0; n <= ${knots_count}; n++) { /* from corner to corner */
     stop = ${name}_knot(m, t, end);
     part = stop < end || stop > end ? stop - t : h;
     ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c, t + ${half}*part);

@@ -4,16 +4,16 @@
  * goes wrong in between is the square of ${corner_part} of the step), or h.  Looked for at four points of the step. */
 static ${name}_real ${name}_taylor_corner(${name}_real c[][${upper}_ROW], int top, ${name}_real h)
 {
-  int k, n, i, points;
+  int i, points;
 
-  for (k = ${upper}_MOVING; k < ${upper}_ROW; k++) {
+  for (int k = ${upper}_MOVING; k < ${upper}_ROW; k++) {
     ${name}_real low = ${zero}, high = ${zero}, s;
 
     for (i = 0, points = 4; i < ${corner_halvings}; i++) {
       ${name}_real r = c[top][k];
 
       s = points > 0 ? low + ${quarter}*h : low + ${half}*(high - low);
-      for (n = top - 1; n >= 0; n--) r = c[n][k] + s*r;
+      for (int n = top - 1; n >= 0; n--) r = c[n][k] + s*r;
       if (r < ${zero}) {
         high = s;
         points = 0;
@@ -35,16 +35,15 @@ static void ${name}_taylor_rk4(const ${name}_model *m, ${name}_real t, const ${n
                                ${name}_real y[])
 {
   ${name}_real a[${upper}_NX], b[${upper}_NX], c[${upper}_NX], d[${upper}_NX];
-  int i;
 
   ${name}_rhs(m, t, x, u, a);
-  for (i = 0; i < ${upper}_NX; i++) y[i] = x[i] + ${half}*h*a[i];
+  for (int i = 0; i < ${upper}_NX; i++) y[i] = x[i] + ${half}*h*a[i];
   ${name}_rhs(m, t + ${half}*h, y, u, b);
-  for (i = 0; i < ${upper}_NX; i++) y[i] = x[i] + ${half}*h*b[i];
+  for (int i = 0; i < ${upper}_NX; i++) y[i] = x[i] + ${half}*h*b[i];
   ${name}_rhs(m, t + ${half}*h, y, u, c);
-  for (i = 0; i < ${upper}_NX; i++) y[i] = x[i] + h*c[i];
+  for (int i = 0; i < ${upper}_NX; i++) y[i] = x[i] + h*c[i];
   ${name}_rhs(m, t + h, y, u, d);
-  for (i = 0; i < ${upper}_NX; i++) y[i] = x[i] + h*((a[i] + d[i]) + ${two}*(b[i] + c[i]))/${six};
+  for (int i = 0; i < ${upper}_NX; i++) y[i] = x[i] + h*((a[i] + d[i]) + ${two}*(b[i] + c[i]))/${six};
 }
 
 /* Away from where a root is zero and has no series: behind it the motion is smooth, so the step, h or a quarter of it and so on,
@@ -53,9 +52,9 @@ static void ${name}_taylor_rk4(const ${name}_model *m, ${name}_real t, const ${n
 static ${name}_real ${name}_taylor_leave(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
 {
   ${name}_real whole[${upper}_NX], first[${upper}_NX], both[${upper}_NX];
-  int i, n, close;
+  int i, close;
 
-  for (n = 0; n < ${corner_halvings}; n++) {
+  for (int n = 0; n < ${corner_halvings}; n++) {
     h *= ${quarter};
     ${name}_taylor_rk4(m, t, x, u, h, whole);
     ${name}_taylor_rk4(m, t, x, u, ${half}*h, first);

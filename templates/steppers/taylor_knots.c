@@ -3,9 +3,8 @@ void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[
 {
   const ${name}_real end = t + h;
   ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW], stop, part;
-  int n;
 
-  for (n = 0; n <= ${knots_count}; n++) { /* from corner to corner */
+  for (int n = 0; n <= ${knots_count}; n++) { /* from corner to corner */
     stop = ${name}_knot(m, t, end);
     part = stop < end || stop > end ? stop - t : h;
     ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c, t + ${half}*part);

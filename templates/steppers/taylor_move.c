@@ -67,11 +67,10 @@ static void ${name}_taylor_step_by(const ${name}_model *m, ${name}_real c[][${up
 {
 %% if attitude then
   const ${name}_real n = ${half} - ${half}*(c[0][0]*c[0][0] + c[0][1]*c[0][1] + c[0][2]*c[0][2] + c[0][3]*c[0][3]);
-  int i;
 
 %% end
   ${name}_taylor_move(m, c, top, h, x, d);
 %% if attitude then
-  for (i = 0; i < 4; i++) d[i] += n*(c[0][i] + d[i]);
+  for (int i = 0; i < 4; i++) d[i] += n*(c[0][i] + d[i]);
 %% end
 }

@@ -4,14 +4,13 @@
 static int ${name}_taylor_lost(${name}_real c[][${upper}_ROW], int top, ${name}_real h)
 {
   ${name}_real sum = ${zero}, head = ${zero}, tail = ${zero}, term;
-  int n, k;
 
-  for (k = 0; k < ${upper}_ROW; k++) {
+  for (int k = 0; k < ${upper}_ROW; k++) {
     term = ${fabs}(c[top][k]);
-    for (n = 0; n < top; n++) term *= ${fabs}(h);
+    for (int n = 0; n < top; n++) term *= ${fabs}(h);
     tail += term;
     head += ${fabs}(c[0][k]) + ${fabs}(c[1][k]*h);
-    for (n = 0; n <= top; n++) sum += ${zero}*c[n][k];
+    for (int n = 0; n <= top; n++) sum += ${zero}*c[n][k];
   }
   return !(sum - sum < ${one} && tail <= head);
 }
@@ -20,9 +19,8 @@ static int ${name}_taylor_lost(${name}_real c[][${upper}_ROW], int top, ${name}_
 static void ${name}_taylor_part(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
 {
   ${name}_real left = h;
-  int n;
 
-  for (n = 0; n < ${parts}; n++) {
+  for (int n = 0; n < ${parts}; n++) {
     if (!(left > ${zero} || left < ${zero})) break;
     left -= ${name}_taylor_adapt(m, t + (h - left), x, u, left, ${finest});
   }

@@ -8,7 +8,7 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 %% end
   ${name}_real y[${upper}_ROW] = {${zero}};
   ${name}_pack Y;
-  int n, j;
+  int j;
 %% for _, line in ipairs(outer) do
   ${line}
 %% end
@@ -40,7 +40,7 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 %% end
   Y = ${first_row};
   *(${name}_row *)c[1] = Y;
-  for (n = 1; n < top; n++) {
+  for (int n = 1; n < top; n++) {
     const ${name}_real after = ${one}/(${name}_real)(n + 1);
 %% for _, p in ipairs(planes) do
     ${name}_pack p${p.index} = {${zero}}, r${p.index} = {${zero}};

@@ -52,10 +52,9 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
   const int top = ${name}_taylor_top(tolerance);
   ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW], lost[${upper}_MOVING + 1];
   ${name}_real t = t0;
-  int steps, k;
 
-  for (k = 0; k <= ${upper}_MOVING; k++) lost[k] = ${zero}*(${name}_real)k; /* 0, and no call of memset */
-  for (steps = 0; steps < most; steps++) {
+  for (int k = 0; k <= ${upper}_MOVING; k++) lost[k] = ${zero}*(${name}_real)k; /* 0, and no call of memset */
+  for (int steps = 0; steps < most; steps++) {
 %% if has_knots then
     const ${name}_real end = ${name}_knot(m, t, t1), left = (end - t) - lost[${upper}_MOVING]; /* from corner to corner */
 %% else
@@ -70,7 +69,7 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
       h = ${name}_taylor_leave(m, t, x, u, left);
       if (!(t + h > t || t + h < t)) return -1;
       t += h;
-      for (k = 0; k <= ${upper}_MOVING; k++) lost[k] = ${zero};
+      for (int k = 0; k <= ${upper}_MOVING; k++) lost[k] = ${zero};
       continue;
     }
 %% end
@@ -80,7 +79,7 @@ int ${name}_taylor_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[]
 %% end
     if (!(h > ${zero} || h < ${zero})) return -1;
     ${name}_taylor_step_by(m, c, top, h, x, d);
-    for (k = 0; k < ${upper}_MOVING; k++) { /* Kahan: what rounding took from the last sum is in the next one */
+    for (int k = 0; k < ${upper}_MOVING; k++) { /* Kahan: what rounding took from the last sum is in the next one */
       const ${name}_real more = d[k] + lost[k], sum = c[0][k] + more;
 
       if (!(sum - sum == ${zero})) return -1;

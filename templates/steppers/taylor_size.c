@@ -28,24 +28,24 @@ static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top,
 {
   const ${name}_real log_local = ${name}_taylor_log2(local), log_rate = ${name}_taylor_log2(rate);
   ${name}_real log_h = ${n[64]}, head[3], tail, at, best, part[5];
-  int i, k, n;
+  int n;
 
-  for (i = 0; i < 5; i++) part[i] = ${one}/(${name}_real)(top - i > 0 ? top - i : 1);
+  for (int i = 0; i < 5; i++) part[i] = ${one}/(${name}_real)(top - i > 0 ? top - i : 1);
 
 %% for _, k in ipairs(kinds) do
   /* ${k.about} */
-  for (i = 0; i < 3; i++) {
+  for (int i = 0; i < 3; i++) {
     head[i] = ${zero};
-    for (k = ${k.first}; k < ${k.last}; k++) head[i] = ${fabs}(c[i][k]) > head[i] ? ${fabs}(c[i][k]) : head[i];
+    for (int k = ${k.first}; k < ${k.last}; k++) head[i] = ${fabs}(c[i][k]) > head[i] ? ${fabs}(c[i][k]) : head[i];
     head[i] = ${name}_taylor_log2(head[i]);
   }
   for (n = top - 1; n <= top; n++) {
     tail = ${zero};
-    for (k = ${k.first}; k < ${k.last}; k++) tail = ${fabs}(c[n][k]) > tail ? ${fabs}(c[n][k]) : tail;
+    for (int k = ${k.first}; k < ${k.last}; k++) tail = ${fabs}(c[n][k]) > tail ? ${fabs}(c[n][k]) : tail;
     if (!(tail > ${zero})) continue; /* nothing moves */
     tail = ${name}_taylor_log2(tail);
     best = ${one} - ${bias};
-    for (i = 0; i < 3 && i + 1 < n; i++) {
+    for (int i = 0; i < 3 && i + 1 < n; i++) {
       at = (log_local + head[i] - tail)*part[top - n + i];
       best = at > best ? at : best;
       at = (log_rate + head[i] - tail)*part[top - n + i + 1];

@@ -16,9 +16,8 @@ ${upper}_APART void ${name}_products${level.number}(int n, const ${name}_real a[
 %%     for _, lane in ipairs(level.lanes) do
   ${name}_real s${lane.index} = ${zero}; /* ${lane.about} */
 %%     end
-  int j;
 
-  for (j = 1; j < n; j++) {
+  for (int j = 1; j < n; j++) {
     const ${name}_real *A = a[j], *B = b[n - j];
 
 %%     for _, lane in ipairs(level.lanes) do
@@ -43,7 +42,6 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 %% for _, line in ipairs(outer) do
   ${line}
 %% end
-  int n;
 
 %% for _, line in ipairs(voids) do
   ${line}
@@ -72,7 +70,7 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
   c[1][${s.index}] = y[${s.index}];
 %% end
 
-  for (n = 1; n < top; n++) {
+  for (int n = 1; n < top; n++) {
     const ${name}_real after = ${one}/(${name}_real)(n + 1);
 %% if uses_order then
     const ${name}_real order = (${name}_real)n;

@@ -74,7 +74,6 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
   const ${name}_real size = ${two} - (qw*qw + qx*qx + qy*qy + qz*qz); /* 1/|q|^2 */
   const ${name}_real gx = ${two}*size*(qx*qz - qw*qy), gy = ${two}*size*(qy*qz + qw*qx), z0 = size*((qw*qw + qz*qz) - (qx*qx + qy*qy));
   ${name}_real o[4], z[${upper}_ORDER + 1], y[4], zn = z0, dz = gx*wy - gy*wx;
-  int n;
 #if defined ${upper}_PACKED
   ${name}_pack r[${upper}_ORDER + 1], Y;
 #endif
@@ -102,7 +101,7 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
   const ${name}_pack start = {qw, qx, qy, qz, y[0], y[1], y[2], y[3]};
 
   Y = start;
-  for (n = 0; n < top; n++) {
+  for (int n = 0; n < top; n++) {
     const ${name}_real after = ${one}/(${name}_real)(n + 1);
     const ${name}_pack cosine = {zn};
     ${name}_pack P = {${zero}}, Q = {${zero}};
@@ -129,10 +128,9 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
   {
     const ${name}_real S4[4] = {S, -S, S, -S}, k4[4] = {k, kb, kb, k}, q[4] = {qw, qx, qy, qz}, rest = M*(wx*gx + wy*gy + M*z0) - G;
     ${name}_real a[4] = {qw, qx, qy, qz}, b[4], p[5];
-    int i;
 
-    for (i = 0; i < 4; i++) b[i] = y[i];
-    for (n = 0; n < top; n++) {
+    for (int i = 0; i < 4; i++) b[i] = y[i];
+    for (int n = 0; n < top; n++) {
       const ${name}_real after = ${one}/(${name}_real)(n + 1), last = n > 0 ? zn : ${zero};
       ${name}_real *next = c[n + 1];
 

@@ -10,13 +10,11 @@ static void ${name}_taylor_tangent(const ${name}_model *m, ${name}_real t, const
 {
 %% if has_lanes then
   ${name}_real a[${upper}_ORDER + 1][${lanes}], b[${upper}_ORDER + 1][${lanes}], p[${lanes}];
-  int j, l;
 %% end
   ${name}_real y[${places}];
 %% for _, line in ipairs(outer) do
   ${line}
 %% end
-  int n;
 
 %% for _, line in ipairs(voids) do
   ${line}
@@ -24,7 +22,7 @@ static void ${name}_taylor_tangent(const ${name}_model *m, ${name}_real t, const
 %% for _, line in ipairs(start) do
   ${line}
 %% end
-  for (n = 0; n < ${count}; n++) c[0][n] = y[n];
+  for (int n = 0; n < ${count}; n++) c[0][n] = y[n];
 %% for _, level in ipairs(levels) do
 %%   for _, lane in ipairs(level.lanes) do
   a[0][${lane.index}] = ${lane.first};
@@ -36,11 +34,10 @@ static void ${name}_taylor_tangent(const ${name}_model *m, ${name}_real t, const
     ${line}
 %% end
   }
-  for (n = 0; n < ${count}; n++) c[1][n] = y[n];
+  for (int n = 0; n < ${count}; n++) c[1][n] = y[n];
 
-  for (n = 1; n < ${upper}_ORDER; n++) {
+  for (int n = 1; n < ${upper}_ORDER; n++) {
     const ${name}_real after = ${one}/(${name}_real)(n + 1);
-    int i;
 %% if uses_order then
     const ${name}_real order = (${name}_real)n;
 %% end
@@ -57,9 +54,9 @@ static void ${name}_taylor_tangent(const ${name}_model *m, ${name}_real t, const
     a[n][${lane.index}] = ${lane.left}; /* ${lane.about} */
     b[n][${lane.index}] = ${lane.right};
 %%     end
-    for (l = ${level.first}; l < ${level.last}; l++) p[l] = a[0][l]*b[n][l];
-    for (j = 1; j <= n; j++) {
-      for (l = ${level.first}; l < ${level.last}; l++) p[l] += a[j][l]*b[n - j][l];
+    for (int l = ${level.first}; l < ${level.last}; l++) p[l] = a[0][l]*b[n][l];
+    for (int j = 1; j <= n; j++) {
+      for (int l = ${level.first}; l < ${level.last}; l++) p[l] += a[j][l]*b[n - j][l];
     }
 %%   end
 %%   for _, line in ipairs(level.lines) do
@@ -72,7 +69,7 @@ static void ${name}_taylor_tangent(const ${name}_model *m, ${name}_real t, const
 %% for _, line in ipairs(after) do
     ${line}
 %% end
-    for (i = 0; i < ${count}; i++) c[n + 1][i] = y[i];
+    for (int i = 0; i < ${count}; i++) c[n + 1][i] = y[i];
   }
 }
 
@@ -81,19 +78,18 @@ static void ${name}_taylor_tangent(const ${name}_model *m, ${name}_real t, const
 static void ${name}_taylor_along(${name}_real c[][${count}], ${name}_real h, ${name}_real v[])
 {
   ${name}_real s[${count}];
-  int n, i;
 %% if attitude then
   const ${name}_real *q = c[0], *w = c[0] + ${upper}_MOVING;
   const ${name}_real k = ${threehalves} - ${half}*(q[0]*q[0] + q[1]*q[1] + q[2]*q[2] + q[3]*q[3]);
   const ${name}_real d = q[0]*w[0] + q[1]*w[1] + q[2]*w[2] + q[3]*w[3];
 %% end
 
-  for (i = 0; i < ${count}; i++) {
+  for (int i = 0; i < ${count}; i++) {
     s[i] = c[${upper}_ORDER][i];
-    for (n = ${upper}_ORDER - 1; n >= 0; n--) s[i] = c[n][i] + h*s[i];
+    for (int n = ${upper}_ORDER - 1; n >= 0; n--) s[i] = c[n][i] + h*s[i];
   }
 %% if attitude then
-  for (i = 0; i < 4; i++) s[${upper}_MOVING + i] = k*s[${upper}_MOVING + i] - d*s[i];
+  for (int i = 0; i < 4; i++) s[${upper}_MOVING + i] = k*s[${upper}_MOVING + i] - d*s[i];
 %% end
 %% for _, s in ipairs(tangents) do
   v[${s.name}] = s[${s.along}];
@@ -113,11 +109,10 @@ static void ${name}_taylor_longer(const ${name}_model *m, const ${name}_real x[]
   const ${name}_real *q = x + ${upper}_QW;
   const ${name}_real d[4] = {-q[1]*gx - q[2]*gy - q[3]*gz, q[0]*gx + q[2]*gz - q[3]*gy,
                        q[0]*gy - q[1]*gz + q[3]*gx, q[0]*gz + q[1]*gy - q[2]*gx};
-  int i, k;
 
   (void)m;
-  for (i = 0; i < 4; i++) {
-    for (k = 0; k < 4; k++) F[i*${upper}_NX + k] += h*d[i]*q0[k];
+  for (int i = 0; i < 4; i++) {
+    for (int k = 0; k < 4; k++) F[i*${upper}_NX + k] += h*d[i]*q0[k];
   }
 }
 
@@ -132,23 +127,21 @@ void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${na
 %% if has_knots then
   const ${name}_real end = t + h;
   ${name}_real stop, part;
-  int n;
 %% end
 %% if shift then
   const ${name}_real q[4] = {x[${upper}_QW], x[${upper}_QX], x[${upper}_QY], x[${upper}_QZ]};
 %% end
-  int i, k;
 
-  for (i = 0; i < ${upper}_NX*${upper}_NX; i++) F[i] = i % (${upper}_NX + 1) == 0 ? ${one} : ${zero};
+  for (int i = 0; i < ${upper}_NX*${upper}_NX; i++) F[i] = i % (${upper}_NX + 1) == 0 ? ${one} : ${zero};
 %% if has_knots then
-  for (n = 0; n <= ${knots_count}; n++) { /* from corner to corner */
+  for (int n = 0; n <= ${knots_count}; n++) { /* from corner to corner */
     stop = ${name}_knot(m, t, end);
     part = stop < end || stop > end ? stop - t : h;
-    for (k = 0; k < ${upper}_NX; k++) {
-      for (i = 0; i < ${upper}_NX; i++) v[i] = F[i*${upper}_NX + k];
+    for (int k = 0; k < ${upper}_NX; k++) {
+      for (int i = 0; i < ${upper}_NX; i++) v[i] = F[i*${upper}_NX + k];
       ${name}_taylor_tangent(m, t, x, v, u, c, t + ${half}*part);
       ${name}_taylor_along(c, part, v);
-      for (i = 0; i < ${upper}_NX; i++) F[i*${upper}_NX + k] = v[i];
+      for (int i = 0; i < ${upper}_NX; i++) F[i*${upper}_NX + k] = v[i];
     }
     ${name}_taylor_step(m, t, x, u, part);
     t = stop;
@@ -156,11 +149,11 @@ void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${na
     if (!(stop < end || stop > end)) break;
   }
 %% else
-  for (k = 0; k < ${upper}_NX; k++) {
-    for (i = 0; i < ${upper}_NX; i++) v[i] = F[i*${upper}_NX + k];
+  for (int k = 0; k < ${upper}_NX; k++) {
+    for (int i = 0; i < ${upper}_NX; i++) v[i] = F[i*${upper}_NX + k];
     ${name}_taylor_tangent(m, t, x, v, u, c);
     ${name}_taylor_along(c, h, v);
-    for (i = 0; i < ${upper}_NX; i++) F[i*${upper}_NX + k] = v[i];
+    for (int i = 0; i < ${upper}_NX; i++) F[i*${upper}_NX + k] = v[i];
   }
   ${name}_taylor_step(m, t, x, u, h);
 %% end
@@ -173,19 +166,17 @@ void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${na
 void ${name}_taylor_step_transition_u(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real G[])
 {
   ${name}_real c[${upper}_ORDER + 1][${count}], v[${upper}_NX + ${upper}_NU];
-  int i, k;
 
-  for (k = 0; k < ${upper}_NU; k++) {
+  for (int k = 0; k < ${upper}_NU; k++) {
 %%   if has_knots then
     const ${name}_real end = t + h;
     ${name}_real y[${upper}_NX], now = t, left = h, stop, part;
-    int n;
 
-    for (i = 0; i < ${upper}_NX; i++) y[i] = x[i];
+    for (int i = 0; i < ${upper}_NX; i++) y[i] = x[i];
 %%   end
-    for (i = 0; i < ${upper}_NX + ${upper}_NU; i++) v[i] = i == ${upper}_NX + k ? ${one} : ${zero};
+    for (int i = 0; i < ${upper}_NX + ${upper}_NU; i++) v[i] = i == ${upper}_NX + k ? ${one} : ${zero};
 %%   if has_knots then
-    for (n = 0; n <= ${knots_count}; n++) { /* from corner to corner */
+    for (int n = 0; n <= ${knots_count}; n++) { /* from corner to corner */
       stop = ${name}_knot(m, now, end);
       part = stop < end || stop > end ? stop - now : left;
       ${name}_taylor_tangent(m, now, y, v, u, c, now + ${half}*part);
@@ -199,7 +190,7 @@ void ${name}_taylor_step_transition_u(const ${name}_model *m, ${name}_real t, co
     ${name}_taylor_tangent(m, t, x, v, u, c);
     ${name}_taylor_along(c, h, v);
 %%   end
-    for (i = 0; i < ${upper}_NX; i++) G[i*${upper}_NU + k] = v[i];
+    for (int i = 0; i < ${upper}_NX; i++) G[i*${upper}_NU + k] = v[i];
   }
 }
 %% end

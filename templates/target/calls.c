@@ -61,7 +61,7 @@ int main(void)
 %% if has_inputs then
   for (int i = 0; i < ${upper}_NU; i++) input[i] = (real)(0.00137*(i + 1));
 %% end
-%% if has_params then
+%% if has_defaults then
   ${name}_defaults(parameters);
   bad = ${name}_init(&model, parameters);
 %% else

@@ -38,6 +38,9 @@ tap.like(c, "/* L = I w + J (a.w + W) a of each wheel; I without the wheels' own
 tap.ok(not c:find("/* L = I w */\n  const wheels_real t", 1, true), "and nowhere without")
 tap.like(c, "+ J (a.w + W)^2/2 of each wheel", "T, too")
 tap.like(h, "while what turns or moves in the body does what the scene says. */", "NAME_torque says what the wheels do")
+local step = scene.files(scene.plan(scene.file "bodies/wheels.lua", { methods = { "rk4" } }))["wheels.c"]
+tap.ok(step:find("const real wheel_2S3 = ", 1, true) and not step:find "wheel_%d%d" and not step:find "N%l_%d%d",
+  "the number of a wheel and that of a stage stand apart: wheel_2S3")
 for name, size in pairs { jacobian = "NX*WHEELS_NX", jacobian_p = "NX*WHEELS_NP", initial_p = "NX*WHEELS_NP",
   step_transition = "NX*WHEELS_NX" } do -- independent of each other: in any order
   local arguments = h:match("void wheels_" .. name .. "(%b())")

@@ -53,7 +53,7 @@ local hard = {
       mass = param("m", 4, "kg") }, origin = "corner",
     effects = { effect.damping{ c = param("u", 1e-3, "N m s") }, effect.gravity{ g = param("k", 9.8, "m/s^2") } },
     initial = { omega = { param("p", 1, "rad/s"), param("n", 2, "rad/s"), param("result", 3, "rad/s") } }]],
-  -- a composite body whose parameters are called like what NAME_init and NAME_order call something
+  -- a composite body whose parameters are called like what NAME_init and NAME_sort_moments call something
   taken = [[body = solid.box { x = param("s1", 0.3, "m"), y = param("value_D", 0.2, "m"), z = param("gap", 0.05, "m"),
       density = 3000 } - solid.cylinder { r = param("S", 0.01, "m"), h = param("m1", 0.02, "m"),
       mass = param("mass", 1e-3, "kg") }:at{param("check1", 0.02, "m"), 0, 0} +

@@ -2,8 +2,18 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local free = require "generator.dynamics.closed.free"
+local critical = require "generator.mass.critical"
 
 local asymmetric = { name = "free asymmetric top" }
+
+-- Is every diagonal moment positive whatever parameters NAME_init accepts?  They may still underflow.
+function asymmetric.positive(m)
+  local known = critical.of(m.conditions)
+  for i = 1, 3 do
+    if not known:positive(m.inertia[i]) then return false end
+  end
+  return true
+end
 
 function asymmetric.detect(m, eq)
   local acts = free(m, eq)

@@ -10,50 +10,14 @@
 
 typedef brick_real real;
 
-/* ---- exact sums ----
- * A sum of products of numbers as numbers that do not overlap, ascending: no digit is lost, so
- * near equality the sign is right (Shewchuk 1997, Discrete Comput. Geom. 18, 305; products: Dekker
- * 1971, Numer. Math. 18, 224). */
-
-/* e[0..n) += b; the new n */
-static int exact_add(real e[], int n, real b)
-{
-  int i, k = 0;
-
-  for (i = 0; i < n; i++) {
-    const real s = b + e[i], v = s - b, low = (b - (s - v)) + (e[i] - v);
-
-    if (low < 0.0 || low > 0.0) e[k++] = low;
-    b = s;
-  }
-  if (b < 0.0 || b > 0.0) e[k++] = b;
-  return k;
-}
-
-/* e[0..n) += a*b; volatile keeps compilers from fusing the products into sums */
-static int exact_product(real e[], int n, real a, real b)
-{
-  const real split = 134217729.0;
-  const volatile real ca = split*a, cb = split*b, p = a*b;
-  const real c = ca, ah = c - (c - a), al = a - ah;
-  const real d = cb, bh = d - (d - b), bl = b - bh;
-  const real high = p;
-
-  n = exact_add(e, n, ((ah*bh - high) + ah*bl + al*bh) + al*bl);
-  return exact_add(e, n, high);
-}
-
 /* ---- pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP
  * 2, 4.2.2 ---- */
 
-typedef struct pair {
-  real hi, lo;
-} pair;
+typedef struct pair { real hi, lo; } pair;
 
 static pair parts(real hi, real lo)
 {
   const pair p = {hi, lo};
-
   return p;
 }
 
@@ -67,27 +31,28 @@ static pair pair_sum(real a, real b)
   return parts(s, (a - (s - bb)) + (b - bb));
 }
 
-/* a*b = hi + lo exactly.  Where the machine has a fused operation compilers may fuse products into
- * sums, which would spoil Dekker's halves: there it is used, and volatile keeps hi what it is. */
-static pair pair_product(real a, real b)
-{
+/* Does the machine fuse a*b + c?  Then compilers may do so unasked, which spoils Dekker's
+ * halves. */
 #if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA \
     && (__ARM_FP & 8))
+#define FUSES
+#endif
+
+/* a*b = hi + lo exactly (Dekker's product, of factors in halves); volatile keeps hi what it is */
+static pair pair_product(real a, real b)
+{
+#ifdef FUSES
   const volatile real product = a*b;
   const real hi = product;
-
   return parts(hi, fma(a, b, -hi));
 #else
-  /* Dekker's product, factors split in halves */
   const real c = 134217729.0*a, ah = c - (c - a), al = a - ah;
   const real d = 134217729.0*b, bh = d - (d - b), bl = b - bh, hi = a*b;
-
   return parts(hi, ((ah*bh - hi) + ah*bl + al*bh) + al*bl);
 #endif
 }
 
-/* hi + lo = the same, |lo| <= |hi| or hi a multiple of the last place of lo (Dekker's fast
- * two-sum) */
+/* the same for |lo| <= |hi|, or hi a multiple of the last place of lo (Dekker's fast two-sum) */
 static pair pair_tidy(real hi, real lo)
 {
   const real s = hi + lo;
@@ -106,6 +71,29 @@ static pair mul(pair a, pair b)
   return pair_tidy(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
 }
 
+/* ---- sums of products as numbers that do not overlap, ascending: no digit is lost, so the sign is
+ * right near equality, too (Shewchuk 1997, Discrete Comput. Geom. 18, 305) ---- */
+
+/* e[0..n) += b; the new n */
+static int exact_add(real e[], int n, real b)
+{
+  int k = 0;
+  for (int i = 0; i < n; i++) {
+    const pair s = pair_sum(b, e[i]);
+    if (s.lo < 0.0 || s.lo > 0.0) e[k++] = s.lo;
+    b = s.hi;
+  }
+  if (b < 0.0 || b > 0.0) e[k++] = b;
+  return k;
+}
+
+/* e[0..n) += a*b; the new n */
+static int exact_product(real e[], int n, real a, real b)
+{
+  const pair p = pair_product(a, b);
+  return exact_add(e, exact_add(e, n, p.lo), p.hi);
+}
+
 /* ---- principal axes: Jacobi's method in pairs ----
  * Jacobi's rotations keep small moments beside large ones: Demmel, Veselic 1992, SIAM J. Matrix
  * Anal. Appl. 13, 1204. In pairs the rotations are orthogonal to twice the precision, so rounding
@@ -116,7 +104,6 @@ static void pair_turn(pair c, pair s, pair *x, pair *y)
 {
   const pair cx = mul(c, *x), sx = mul(s, *x);
   const pair cy = mul(c, *y), sy = mul(s, *y);
-
   *x = add(cx, minus(sy));
   *y = add(sx, cy);
 }
@@ -132,7 +119,6 @@ static void jacobi(pair diagonal[3], pair off[3], pair axis[3][3], int r)
   const real d = 0.5*difference.hi, b = off[r].hi;
   pair t, t2, c, s, left, change;
   real slope, root;
-  int k;
 
   /* the quotient that is at most 1: no overflow, whatever the sizes */
   if (fabs(b) < fabs(d)) {
@@ -161,7 +147,7 @@ static void jacobi(pair diagonal[3], pair off[3], pair axis[3][3], int r)
   diagonal[q] = add(diagonal[q], change);
   off[r] = slope == 0.0 ? pair_of(0.0) : left; /* too small to turn by: too small to matter */
   pair_turn(c, s, &off[q], &off[p]); /* I_rp, I_rq */
-  for (k = 0; k < 3; k++) pair_turn(c, s, &axis[p][k], &axis[q][k]);
+  for (int k = 0; k < 3; k++) pair_turn(c, s, &axis[p][k], &axis[q][k]);
 }
 
 static int pair_less(pair a, pair b) { return a.hi < b.hi || (!(b.hi < a.hi) && a.lo < b.lo); }
@@ -173,7 +159,7 @@ static int principal_pairs(const real I[6], pair diagonal[3], pair axis[3][3], i
 {
   pair off[3];
   real largest = 0.0, products = 0.0;
-  int count, settled = 0, i, j, k;
+  int settled = 0, i, j, k;
 
   for (i = 0; i < 6; i++) {
     if (!(I[i] - I[i] == 0.0)) return 1;
@@ -197,7 +183,7 @@ static int principal_pairs(const real I[6], pair diagonal[3], pair axis[3][3], i
    * positive definite one a rotation with I_pq^2 >= I_pp I_qq/4 takes a quarter or more off the
    * product of the diagonal, which stays above the determinant: the condition alone bounds their
    * number.  Then what is left is squared; some ten rotations are made in all. */
-  for (count = 0; settled < 3 && count < 240; count++) { /* some 10 times */
+  for (int count = 0; settled < 3 && count < 240; count++) { /* some 10 times */
     i = 2 - count % 3;
     j = (i + 1) % 3;
     k = (i + 2) % 3;
@@ -222,18 +208,13 @@ static int principal_pairs(const real I[6], pair diagonal[3], pair axis[3][3], i
   return 0;
 }
 
-/* ---- whole structures, byte by byte ----
- * Compilers make calls of memcpy and memset of anything simpler, and firmware need not have
- * them. */
-
-/* from NULL: all bits 0, which are the integers and the IEEE 754 numbers 0 */
+/* A structure byte by byte; from NULL: bits 0, which are the numbers 0, too.  Of anything simpler
+ * compilers make calls of memcpy and memset, which firmware need not have. */
 static void copy(void *to, const void *from, unsigned int size)
 {
   volatile unsigned char *a = (volatile unsigned char *)to;
   const unsigned char *b = (const unsigned char *)from;
-  unsigned int i;
-
-  for (i = 0; i < size; i++) { /* some 200 times */
+  for (unsigned int i = 0; i < size; i++) { /* some 200 times */
     a[i] = b ? b[i] : 0;
   }
 }
@@ -241,66 +222,44 @@ static void copy(void *to, const void *from, unsigned int size)
 /* are all n finite? */
 static int numbers(const real x[], int n)
 {
-  int i;
-
-  for (i = 0; i < n; i++) {
-    if (!(x[i] - x[i] == 0.0)) return 0;
-  }
+  for (int i = 0; i < n; i++) if (!(x[i] - x[i] == 0.0)) return 0;
   return 1;
 }
 
-/* ---- phases in turns: no call and no branch, so that loops over times are vectorised ---- */
+/* ---- phases in turns: no call and no branch ---- */
 
-#if defined __GNUC__
-/* GCC and Clang vectorise what they inline */
-#define BRICK_INLINE static inline __attribute__((always_inline))
-#else
-#define BRICK_INLINE static inline
-#endif
+/* the nearest integer, to even; beyond 2^51 one of the nearest even ones, which serves as well */
+static inline real nearest(real x) { return (x + 6755399441055744.0) - 6755399441055744.0; }
 
-/* the nearest integer, to even; beyond 2^51 (float: 2^22) one of the nearest even ones, which
- * serves as well */
-BRICK_INLINE real nearest(real x)
+/* b t, b = b[0] + b[1], b[0] = b[2] + b[3] and t = head + tail in halves: Dekker's product */
+static inline pair passed(const real b[4], real t, real head, real tail)
 {
-  return (x + 6755399441055744.0) - 6755399441055744.0;
+#ifdef FUSES
+  (void)head; (void)tail;
+  const real hi = fma(b[0], t, 0.0); /* no compiler may fuse this one */
+  const real lo = fma(b[0], t, -hi);
+#else
+  const real hi = b[0]*t;
+  const real lo = ((b[2]*head - hi) + b[2]*tail + b[3]*head) + b[3]*tail;
+#endif
+  return parts(hi, lo + b[1]*t);
 }
 
-/* b t = hi + lo, b high + low with its high part in halves b[2] + b[3], t in halves as well:
- * Dekker's product */
-BRICK_INLINE pair passed(const real b[4], real t, real head, real tail)
-{
-  pair p;
-
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA \
-    && (__ARM_FP & 8))
-  (void)head;
-  (void)tail;
-  p.hi = fma(b[0], t, 0.0); /* no compiler may fuse this one */
-  p.lo = fma(b[0], t, -p.hi) + b[1]*t;
-#else
-  p.hi = b[0]*t;
-  p.lo = (((b[2]*head - p.hi) + b[2]*tail + b[3]*head) + b[3]*tail) + b[1]*t;
-#endif
-  return p;
-}
-
-/* sin and cos of 2 pi x, |x| <= 1/2 and a little: those of the half, economised series, and one
- * doubling */
-BRICK_INLINE void circle(real x, real *sine, real *cosine)
+/* sin and cos of 2 pi x, |x| <= 1/2 and a little: doubled from economised series for the half */
+static inline void circle(real x, real *sine, real *cosine)
 {
   const real u = x*x, u2 = u*u, u4 = u2*u2;
-  const double s0 = 3.141592653589793 - 5.167712780049969*u;
-  const double s2 = 2.5501640398773007 - 0.599264529318946*u;
-  const double s4 = 0.08214588657312355 - 0.007370430506093225*u;
-  const double s6 = 0.00046629981702308817 - 2.1903499125519212e-5*u;
-  const double s = (s0 + u2*s2) + u4*(s4 + u2*s6 + u4*7.697847275590284e-7);
-  const double c0 = 1.0 - 4.934802200544676*u;
-  const double c2 = 4.058712126416498 - 1.335262768843456*u;
-  const double c4 = 0.23533063012967062 - 0.02580688873817758*u;
-  const double c6 = 0.001929556278037417 - 0.00010456656706174584*u;
-  const double c = (c0 + u2*c2) + u4*(c4 + u2*c6 + u4*4.149578027057121e-6);
+  const real s0 = 3.141592653589793 - 5.167712780049969*u;
+  const real s2 = 2.5501640398773007 - 0.599264529318946*u;
+  const real s4 = 0.08214588657312355 - 0.007370430506093225*u;
+  const real s6 = 0.00046629981702308817 - 2.1903499125519212e-5*u;
+  const real s = (s0 + u2*s2) + u4*(s4 + u2*s6 + u4*7.697847275590284e-7);
+  const real c0 = 1.0 - 4.934802200544676*u;
+  const real c2 = 4.058712126416498 - 1.335262768843456*u;
+  const real c4 = 0.23533063012967062 - 0.02580688873817758*u;
+  const real c6 = 0.001929556278037417 - 0.00010456656706174584*u;
+  const real c = (c0 + u2*c2) + u4*(c4 + u2*c6 + u4*4.149578027057121e-6);
   const real half = x*s;
-
   *sine = 2.0*(half*c);
   *cosine = (c - half)*(c + half);
 }
@@ -332,42 +291,39 @@ static pair ratio(pair a, pair b)
 /* one Newton step: sqrt(a) = r + (a - r^2)/(2 r) */
 static pair pair_root(pair a)
 {
-  const real r = a.hi > 0.0 ? sqrt(a.hi) : 0.0;
+  if (!(a.hi > 0.0)) return pair_of(0.0);
+  const real r = sqrt(a.hi);
   const pair p = pair_product(r, r);
-
-  if (!(r > 0.0)) return pair_of(0.0);
   return pair_tidy(r, (((a.hi - p.hi) - p.lo) + a.lo)*(0.5/r));
 }
 
 /* Artanh (sign = 1) or arctan (sign = -1) of x, |x| <= 1/16: x + sign x^3/3 + x^5/5 + ... (DLMF
- * 4.38.2, 4.24.3).  From x^13 on, 2^-48 of the whole, the working precision will do; what is left
- * out is 2^-100. */
+ * 4.38.2, 4.24.3).  From x^13 on, 2^-48 of it, the working precision will do; the rest is
+ * 2^-100. */
 static pair pair_arc(pair x, real sign)
 {
-  static const pair odd[6] = {
+  static const pair odd[6] = { /* 1, 1/3, 1/5, ... */
     {1.0, 0.0}, {0.3333333333333333, 1.850371707708594e-17}, {0.2, -1.1102230246251566e-17},
     {0.14285714285714285, 7.93016446160826e-18}, {0.1111111111111111, 6.1679056923619804e-18},
     {0.09090909090909091, -2.523234146875356e-18},
   };
-  const pair square = mul(x, x), z = shift(sign, square);
-  const real t = z.hi, seven = 1.0/13.0
-      + t*(1.0/15.0 + t*(1.0/17.0 + t*(1.0/19.0 + t*(1.0/21.0 + t*(1.0/23.0 + t*(1.0/25.0))))));
-  pair s = pair_of(seven);
-  int i;
-
-  for (i = 5; i >= 0; i--) s = add(odd[i], mul(z, s));
+  const pair z = shift(sign, mul(x, x));
+  const real t = z.hi;
+  pair s = pair_of(1.0/13.0
+      + t*(1.0/15.0 + t*(1.0/17.0 + t*(1.0/19.0 + t*(1.0/21.0 + t*(1.0/23.0 + t*(1.0/25.0)))))));
+  for (int i = 5; i >= 0; i--) s = add(odd[i], mul(z, s));
   return mul(x, s);
 }
 
-static pair pi(void) { return parts(3.141592653589793, 1.2246467991473532e-16); }
-static pair inverse_pi(void) { return parts(0.3183098861837907, -1.9678676675182486e-17); }
-static pair log_two(void) { return parts(0.6931471805599453, 2.3190468138462996e-17); }
+static const pair pi = {3.141592653589793, 1.2246467991473532e-16};
+static const pair inverse_pi = {0.3183098861837907, -1.9678676675182486e-17};
+static const pair log_two = {0.6931471805599453, 2.3190468138462996e-17};
 
-/* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant, arctan y/x = arctan j/8 +
- * arctan of a rest below 1/16 (DLMF 4.24.15). */
+/* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant it is arctan j/8 + the arctan
+ * of a rest below 1/16 (DLMF 4.24.15). */
 static pair pair_angle(pair x, pair y)
 {
-  static const pair arctan[9] = {
+  static const pair arctan[9] = { /* of j/8 */
     {0.0, 0.0}, {0.12435499454676144, -3.1253241424539383e-18},
     {0.24497866312686414, 1.0698755618734451e-17},
     {0.35877067027057225, -2.4623815582638635e-17}, {0.4636476090008061, 2.2698777452961687e-17},
@@ -378,65 +334,46 @@ static pair pair_angle(pair x, pair y)
   const pair u = left ? minus(x) : x, v = below ? minus(y) : y;
   const int steep = v.hi > u.hi;
   const pair far = steep ? v : u, near = steep ? u : v;
-  pair angle;
-  real eighths;
-
   if (!(far.hi > 0.0)) return pair_of(0.0);
-  eighths = near.hi/far.hi;
-  if (!(eighths <= 1.0)) return pair_of(eighths); /* no number */
-  eighths = floor(8.0*eighths + 0.5);
-  angle = ratio(sub(near, scaled(eighths/8.0, far)), add(far, scaled(eighths/8.0, near)));
-  angle = add(arctan[(int)eighths], pair_arc(angle, -1.0));
-  if (steep) angle = sub(shift(0.5, pi()), angle);
-  if (left) angle = sub(pi(), angle);
+  const real quotient = near.hi/far.hi, j = floor(8.0*quotient + 0.5);
+  if (!(quotient <= 1.0)) return pair_of(quotient); /* no number */
+  const pair rest = ratio(sub(near, scaled(j/8.0, far)), add(far, scaled(j/8.0, near)));
+  pair angle = add(arctan[(int)j], pair_arc(rest, -1.0));
+  if (steep) angle = sub(shift(0.5, pi), angle);
+  if (left) angle = sub(pi, angle);
   return below ? minus(angle) : angle;
 }
 
 /* log(2^e a), a > 0: of 2^e, of 1 + j/8, and 2 artanh of a rest below 1/16 */
 static pair pair_log(pair a, int e)
 {
-  static const pair log[9] = {
+  static const pair log[9] = { /* of 1 + j/8 */
     {0.0, 0.0}, {0.11778303565638346, -1.1971685747593677e-18},
     {0.22314355131420976, -9.091270597324799e-18}, {0.3184537311185346, 2.7114779367326236e-17},
     {0.4054651081081644, -2.8811380259626426e-18}, {0.4855078157817008, -1.6618350693852048e-17},
     {0.5596157879354227, 2.685492580212308e-17}, {0.6286086594223741, 4.3538742607970387e-17},
     {0.6931471805599453, 2.3190468138462996e-17},
   };
-  pair near;
-  real eighths;
   int own;
-
   if (!(a.hi > 0.0 && a.hi - a.hi == 0.0)) return pair_of(sqrt(-1.0)); /* no number */
   (void)frexp(a.hi, &own);
   a = pair_scale(a, 1 - own);
-  eighths = floor(8.0*(a.hi - 1.0) + 0.5);
-  near = pair_of(1.0 + eighths/8.0);
-  near = shift(2.0, pair_arc(ratio(sub(a, near), add(a, near)), 1.0));
-  near = add(log[(int)eighths], near);
-  return add(scaled((real)(e + own - 1), log_two()), near);
+  const real j = floor(8.0*(a.hi - 1.0) + 0.5);
+  const pair near = pair_of(1.0 + j/8.0);
+  const pair rest = shift(2.0, pair_arc(ratio(sub(a, near), add(a, near)), 1.0));
+  return add(scaled((real)(e + own - 1), log_two), add(log[(int)j], rest));
 }
 
-static void store(real out[2], pair a)
-{
-  out[0] = a.hi;
-  out[1] = a.lo;
-}
-
-/* ---- evaluation: no call and no branch on data but for `hyperbolic`, so that loops over times
- * are vectorised ---- */
+/* ---- evaluation ---- */
 
 /* high + low: the phase of the rates in their periods, less whole ones; the turns about L */
-typedef struct instant {
-  real high, low, turn, turn_low;
-} instant;
+typedef struct instant { real high, low, turn, turn_low; } instant;
 
 /* The pair e^(-i mu t) (a + i b, c + i d) of quaternion components w + i z, x + i y, and cn, sn,
- * dn, all but for constant factors and for their norms; and the turns that mu t makes. */
-typedef struct thetas {
-  real a, b, c, d, cn, sn, dn, turn;
-} thetas;
+ * dn, but for constant factors and their norms; and the turns that mu t makes. */
+typedef struct thetas { real a, b, c, d, cn, sn, dn, turn; } thetas;
 
-BRICK_INLINE instant reduce(const brick_orbit *o, real at)
+static inline instant reduce(const brick_orbit *o, real at)
 {
   /* no number stays none */
   const real before = at > o->last ? o->last : at, t = before < -o->last ? -o->last : before;
@@ -444,54 +381,43 @@ BRICK_INLINE instant reduce(const brick_orbit *o, real at)
   const pair p = passed(o->rate, t, head, tail), turn = passed(o->turn, t, head, tail);
   const real sum = p.hi + o->start[0], part = sum - p.hi; /* Knuth's two-sum */
   const real rest = (p.hi - (sum - part)) + (o->start[0] - part);
-  instant phases;
-
-  phases.high = sum - nearest(sum); phases.low = rest + (p.lo + o->start[1]);
-  phases.turn = turn.hi; phases.turn_low = turn.lo;
+  const instant phases = {sum - nearest(sum), rest + (p.lo + o->start[1]), turn.hi, turn.lo};
   return phases;
 }
 
 /* 2^x and 2^-x, |x| <= 500.0: the even and the odd part of 2^f, f = x less the nearest integer n,
- * which the sum with a large number leaves in the last bits of its representation (IEEE 754), next
- * to where an exponent is wanted */
-BRICK_INLINE void exponentials(real x, real *up, real *down)
+ * which the sum with a large number leaves in the last bits (IEEE 754), next to the exponent's */
+static inline void exponentials(real x, real *up, real *down)
 {
-  union {
-    real number;
-    uint64_t bits;
-  } a, b;
-  const real n = nearest(x), f = x - n, u = f*f, u2 = u*u;
-  const double u4 = u2*u2;
-  const double e0 = 1.0 + 0.24022650695910158*u;
-  const double e2 = 0.009618129107587253 + 0.00015403530463727982*u;
-  const double e4 = 1.3215432534254118e-6 + 7.074194562613105e-9*u;
-  const double e = (e0 + u2*e2) + u4*e4;
-  const double o0 = 0.6931471805599453 + 0.055504108664821625*u;
-  const double o2 = 0.0013333558146406469 + 1.5252733841558449e-5*u;
-  const double o4 = 1.0178057086967843e-7 + 4.4558180309131894e-10*u;
-  const double o = (o0 + u2*o2) + u4*o4;
+  union { real number; uint64_t bits; } a, b;
+  const real n = nearest(x), f = x - n, u = f*f, u2 = u*u, u4 = u2*u2;
+  const real e0 = 1.0 + 0.24022650695910158*u;
+  const real e2 = 0.009618129107587253 + 0.00015403530463727982*u;
+  const real e4 = 1.3215432534254118e-6 + 7.074194562613105e-9*u;
+  const real e = (e0 + u2*e2) + u4*e4;
+  const real o0 = 0.6931471805599453 + 0.055504108664821625*u;
+  const real o2 = 0.0013333558146406469 + 1.5252733841558449e-5*u;
+  const real o4 = 1.0178057086967843e-7 + 4.4558180309131894e-10*u;
+  const real o = (o0 + u2*o2) + u4*o4;
   const real odd = f*o;
-
   a.number = 6755399441056767.0 + n; b.number = 6755399441056767.0 - n;
   a.bits <<= 52; b.bits <<= 52;
   *up = a.number*(e + odd); *down = b.number*(e - odd);
 }
 
 /* away from the separatrix: the series as polynomials in X = cos 2z */
-BRICK_INLINE thetas circular_terms(const brick_orbit *o, instant p)
+static inline thetas circular_terms(const brick_orbit *o, instant p)
 {
-  thetas y;
-  real s, c, X, X2, even, odd;
-
+  real s, c;
   circle(p.high + p.low, &s, &c);
-  X = (c - s)*(c + s); X2 = X*X;
+  const real X = (c - s)*(c + s), X2 = X*X;
+  const real even = o->f[0] + X2*(o->f[2] + X2*o->f[4]), odd = X*(o->f[1] + X2*o->f[3]);
+  thetas y;
   y.a = (o->a[0] + X*o->a[1]) + X2*(o->a[2] + X*o->a[3]);
   y.b = (s*c)*((o->b[0] + X*o->b[1]) + X2*o->b[2]);
   y.c = s*((o->c[0] + X*o->c[1]) + X2*(o->c[2] + X*o->c[3]));
   y.d = c*((o->d[0] + X*o->d[1]) + X2*(o->d[2] + X*o->d[3]));
-  even = o->f[0] + X2*(o->f[2] + X2*o->f[4]); /* theta2(z) = theta1(z + pi/2) */
-  odd = X*(o->f[1] + X2*o->f[3]);
-  y.cn = c*(even + odd); y.sn = s*(even - odd);
+  y.cn = c*(even + odd); y.sn = s*(even - odd); /* theta2(z) = theta1(z + pi/2) */
   y.dn = (o->f[5] + X2*(o->f[7] + X2*o->f[9])) + X*(o->f[6] + X2*o->f[8]);
   y.turn = (p.turn - nearest(p.turn)) + p.turn_low;
   return y;
@@ -499,22 +425,20 @@ BRICK_INLINE thetas circular_terms(const brick_orbit *o, instant p)
 
 /* near it: in U = p' X, X = cosh 2V, which stays below 1; where 2^|x| would exceed the range all
  * but 1/cosh is 1, and x is cut if it can come there */
-BRICK_INLINE thetas hyperbolic_terms(const brick_orbit *o, instant p, int cut)
+static inline thetas hyperbolic_terms(const brick_orbit *o, instant p, int cut)
 {
   const real n = nearest(2.0*p.high); /* -1, 0, 1: V has two periods in one of the rates */
   const real flip = 1.0 - 2.0*fabs(n), r = (2.0*p.high - n) + 2.0*p.low, ahead = o->jump*r;
-  thetas y;
-  real x = r*o->half, up, down, c, s, U, U2, even, odd;
-
+  real x = r*o->half, up, down;
   if (cut) {
     x = x < 500.0 ? x : 500.0;
     x = x > -500.0 ? x : -500.0;
   }
   exponentials(x, &up, &down);
-  c = up + down; /* 2 cosh V, 2 sinh V */
-  s = up - down;
-  U = o->nome*(c*c) - 2.0*o->nome; U2 = U*U;
-  even = o->a[0] + U2*o->a[2]; odd = U*(o->a[1] + U2*o->a[3]);
+  const real c = up + down, s = up - down; /* 2 cosh V, 2 sinh V */
+  const real U = o->nome*(c*c) - 2.0*o->nome, U2 = U*U;
+  real even = o->a[0] + U2*o->a[2], odd = U*(o->a[1] + U2*o->a[3]);
+  thetas y;
   y.a = c*(even + odd); y.c = flip*s*(even - odd);
   even = o->b[0] + U2*o->b[2]; odd = U*(o->b[1] + U2*o->b[3]);
   y.b = s*(even - odd); y.d = flip*c*(even + odd);
@@ -527,64 +451,51 @@ BRICK_INLINE thetas hyperbolic_terms(const brick_orbit *o, instant p, int cut)
 }
 
 /* the attitude q[4] times a length, whose square is length2 */
-BRICK_INLINE void attitude_of(const brick_orbit *o, const thetas *y, real q[])
+static inline void attitude_of(const brick_orbit *o, const thetas *y, real q[])
 {
-  real s, c, w, x_, y_, z;
-
+  real s, c;
   circle(y->turn, &s, &c);
-  w = c*y->a - s*y->b; z = s*y->a + c*y->b;
-  x_ = c*y->c - s*y->d; y_ = s*y->c + c*y->d;
-  q[0] = (w*o->q[0][0] + x_*o->q[1][0]) + (y_*o->q[2][0] + z*o->q[3][0]);
-  q[1] = (w*o->q[0][1] + x_*o->q[1][1]) + (y_*o->q[2][1] + z*o->q[3][1]);
-  q[2] = (w*o->q[0][2] + x_*o->q[1][2]) + (y_*o->q[2][2] + z*o->q[3][2]);
-  q[3] = (w*o->q[0][3] + x_*o->q[1][3]) + (y_*o->q[2][3] + z*o->q[3][3]);
+  const real qw = c*y->a - s*y->b, qx = c*y->c - s*y->d, qy = s*y->c + c*y->d, qz = s*y->a + c*y->b;
+  q[0] = (qw*o->q[0][0] + qx*o->q[1][0]) + (qy*o->q[2][0] + qz*o->q[3][0]);
+  q[1] = (qw*o->q[0][1] + qx*o->q[1][1]) + (qy*o->q[2][1] + qz*o->q[3][1]);
+  q[2] = (qw*o->q[0][2] + qx*o->q[1][2]) + (qy*o->q[2][2] + qz*o->q[3][2]);
+  q[3] = (qw*o->q[0][3] + qx*o->q[1][3]) + (qy*o->q[2][3] + qz*o->q[3][3]);
 }
 
-BRICK_INLINE real length2(const thetas *y)
+static inline real length2(const thetas *y)
 {
   return (y->a*y->a + y->b*y->b) + (y->c*y->c + y->d*y->d);
 }
 
-/* the rates times that square */
-BRICK_INLINE void rates_of(const brick_orbit *o, const thetas *y, real w[])
+/* the rates; n is one over that square */
+static inline void rates_of(const brick_orbit *o, const thetas *y, real n, real w[])
 {
-  w[0] = y->cn*o->w[0][0] + y->sn*o->w[1][0] + y->dn*o->w[2][0];
-  w[1] = y->cn*o->w[0][1] + y->sn*o->w[1][1] + y->dn*o->w[2][1];
-  w[2] = y->cn*o->w[0][2] + y->sn*o->w[1][2] + y->dn*o->w[2][2];
+  w[0] = n*(y->cn*o->w[0][0] + y->sn*o->w[1][0] + y->dn*o->w[2][0]);
+  w[1] = n*(y->cn*o->w[0][1] + y->sn*o->w[1][1] + y->dn*o->w[2][1]);
+  w[2] = n*(y->cn*o->w[0][2] + y->sn*o->w[1][2] + y->dn*o->w[2][2]);
 }
 
-BRICK_INLINE thetas terms_of(const brick_orbit *o, instant p, int hyperbolic)
+static inline thetas terms_of(const brick_orbit *o, instant p, int hyperbolic)
 {
   return hyperbolic > 0 ? hyperbolic_terms(o, p, hyperbolic > 1) : circular_terms(o, p);
 }
 
-/* 1/|q| from n, the inverse of length2, to which |q|^2 is equal but for rounding, and its root: a
- * Newton step, added so that the difference from a half is exact and only the sum is rounded */
-BRICK_INLINE real inverse_length(const real q[4], real n, real root)
+/* 1/|q| from n, which is 1/length2 and 1/|q|^2 but for rounding, and its root: a Newton step,
+ * added so that the difference from a half is exact and only the sum is rounded */
+static inline real inverse_length(const real q[4], real n, real root)
 {
   return root + root*(0.5 - (0.5*n)*((q[0]*q[0] + q[1]*q[1]) + (q[2]*q[2] + q[3]*q[3])));
 }
 
-/* attitude and rates */
-BRICK_INLINE void state(const brick_orbit *o, instant p, real x[])
-{
-  const thetas y = terms_of(o, p, o->hyperbolic);
-  const real n = 1.0/length2(&y);
-  real q[4], w[3], root;
-
-  rates_of(o, &y, w);
-  attitude_of(o, &y, q);
-  root = inverse_length(q, n, sqrt(n));
-  x[BRICK_QW] = root*q[0]; x[BRICK_QX] = root*q[1];
-  x[BRICK_QY] = root*q[2]; x[BRICK_QZ] = root*q[3];
-  x[BRICK_WX] = n*w[0];
-  x[BRICK_WY] = n*w[1];
-  x[BRICK_WZ] = n*w[2];
-}
-
 void brick_at(const brick_orbit *o, real t, real x[])
 {
-  state(o, reduce(o, t), x);
+  const thetas y = terms_of(o, reduce(o, t), o->hyperbolic);
+  const real n = 1.0/length2(&y);
+  real q[4];
+  attitude_of(o, &y, q);
+  const real root = inverse_length(q, n, sqrt(n));
+  for (int i = 0; i < 4; i++) x[BRICK_QW + i] = root*q[i];
+  rates_of(o, &y, n, x + BRICK_WX);
 }
 
 /* ---- closed form: free asymmetric top, theta functions ----
@@ -609,28 +520,26 @@ typedef struct top {
   pair I[3], J[3];              /* moments: as they are, scaled */
   pair w[3];                    /* rates at t = 0 */
   pair d21, d31, d32;           /* |I2 - I1|, |I3 - I1|, |I3 - I2| */
-  /* |G^2 - 2 T I2| over the scale of w1, w3 squared and that of the least moment */
+  /* |G^2 - 2 T I2| over the scales of w1^2, w3^2 and the least moment */
   pair D;
-  pair G;                       /* |L| */
   pair cross;                   /* sqrt(J1 I2 d31 d32) */
   pair part1, part2, Delta3;    /* J1 d31 w1^2, I2 d32 w2^2 of the scaled w1, w2, and their sum */
   pair Lambda1;                 /* J3 d31 w3^2 + I1 d21 w2^2 */
   pair k2, kc2;                 /* k^2 up12^2, (1 - k^2) up13^2 */
   pair b3, lambda;              /* amplitude of w3; rate of u */
-  /* at u = 0: tan(angle(L, axis 3)/2) up12; twice the rate of the phase of a */
+  /* at u = 0: tan(angle(L, axis 3)/2) up12; twice the rate of a's phase */
   pair T, climb;
   real b[3];                    /* amplitudes of the rates, b[0], b[1] up12 */
   real axis[3][3];              /* unit vectors, body axes */
   real s;                       /* sign of I3 - I1 */
   real up12, down12, up13, down13, small;
-  int small12, small13;             /* exponents of down12, down13 */
+  int small12, small13, e;      /* exponents of down12, down13; per second is times 2^e */
 } top;
 
 /* the exponent of the larger of two numbers, if its power of two is one */
 static int exponent(real a, real b)
 {
   int e;
-
   (void)frexp(fabs(a) > fabs(b) ? a : b, &e);
   return e < -990 ? -990 : e;
 }
@@ -638,14 +547,12 @@ static int exponent(real a, real b)
 /* e[0..n) += I w^2 (d.hi + d.lo), without rounding; the new n */
 static int exact_term(real e[], int n, real I, real w, pair d)
 {
-  real a[2], b[4];
-  int na, nb = 0, i;
-
-  na = exact_product(a, 0, w, w);
-  for (i = 0; i < na; i++) nb = exact_product(b, nb, a[i], I);
-  for (i = 0; i < nb; i++) {
-    n = exact_product(e, n, b[i], d.hi);
-    n = exact_product(e, n, b[i], d.lo);
+  const pair square = pair_product(w, w);
+  real energy[4];
+  const int count = exact_product(energy, exact_product(energy, 0, square.lo, I), square.hi, I);
+  for (int i = 0; i < count; i++) {
+    n = exact_product(e, n, energy[i], d.hi);
+    n = exact_product(e, n, energy[i], d.lo);
   }
   return n;
 }
@@ -665,13 +572,8 @@ static pair circulation(pair I1, pair I3, pair w1, pair w3, pair d21, pair d32)
   if (8.0*fabs(sum.hi) < first.hi + last.hi) { /* rare */
     real e[32];
     int n = exact_term(e, 0, I3.hi, w3.hi, d32);
-
     n = exact_term(e, n, I1.hi, w1.hi, minus(d21));
-    sum = pair_of(0.0);
-    while (n > 0) {
-      n--;
-      sum = add(sum, pair_of(e[n]));
-    }
+    for (sum = pair_of(0.0); n > 0; n--) sum = add(sum, pair_of(e[n - 1]));
   }
   return sum;
 }
@@ -681,31 +583,30 @@ static void label(top *p, const pair I[3], const pair w[3], const pair axis[3][3
                   const int order[3])
 {
   const int small = order[0], middle = order[1], large = order[2], rod = !(I[small].hi > 0.0);
-  const int e = exponent(w[small].hi, w[large].hi);
   const real down = ldexp(1.0, exponent(I[small].hi, 0.0)), up = 1.0/down;
-  const pair low = sub(I[middle], I[small]);
+  const pair low = sub(I[middle], I[small]), least = rod ? pair_of(1.0) : shift(up, I[small]);
   const pair high = rod ? pair_of(0.0) : shift(up, sub(I[large], I[middle]));
-  const pair least = rod ? pair_of(1.0) : shift(up, I[small]);
-  int own[3], reverse, i, j;
-  real sign[3];
 
-  p->small13 = e; p->down13 = ldexp(1.0, e); p->up13 = 1.0/p->down13;
+  p->small = down;
+  p->small13 = exponent(w[small].hi, w[large].hi);
+  p->down13 = ldexp(1.0, p->small13); p->up13 = 1.0/p->down13;
   p->D = circulation(least, I[large], shift(p->up13, w[small]), shift(p->up13, w[large]), low,
       high);
   /* D may have underflowed: w1 of an axis of symmetry */
-  reverse = rod || p->D.hi < 0.0 || !(high.hi > 0.0);
-  own[0] = reverse ? large : small; own[1] = middle; own[2] = reverse ? small : large;
-  p->s = reverse ? -1.0 : 1.0; p->D = reverse ? minus(p->D) : p->D;
+  const int reverse = rod || p->D.hi < 0.0 || !(high.hi > 0.0);
+  const int own[3] = {reverse ? large : small, middle, reverse ? small : large};
+  if (reverse) p->D = minus(p->D);
+  p->s = reverse ? -1.0 : 1.0;
   p->d21 = reverse ? high : low; p->d32 = reverse ? low : high;
   p->d31 = add(low, shift(down, high)); /* of nearly equal pairs two differences have digits */
-  p->small = down;
-  sign[0] = w[own[0]].hi < 0.0 ? -1.0 : 1.0; sign[2] = w[own[2]].hi < 0.0 ? -1.0 : 1.0;
-  sign[1] = own[1] == (own[0] + 1) % 3 ? sign[0]*sign[2] : -sign[0]*sign[2]; /* right-handed */
-  for (i = 0; i < 3; i++) {
+  const real first = w[own[0]].hi < 0.0 ? -1.0 : 1.0, last = w[own[2]].hi < 0.0 ? -1.0 : 1.0;
+  /* right-handed */
+  const real sign[3] = {first, own[1] == (own[0] + 1) % 3 ? first*last : -first*last, last};
+  for (int i = 0; i < 3; i++) {
     p->I[i] = I[own[i]];
     p->J[i] = own[i] == small ? least : I[own[i]];
     p->w[i] = shift(sign[i], w[own[i]]);
-    for (j = 0; j < 3; j++) p->axis[i][j] = sign[i]*axis[own[i]][j].hi;
+    for (int j = 0; j < 3; j++) p->axis[i][j] = sign[i]*axis[own[i]][j].hi;
   }
 }
 
@@ -713,240 +614,206 @@ static void label(top *p, const pair I[3], const pair w[3], const pair axis[3][3
 static void invariants(top *p)
 {
   const real unit = p->s > 0.0 ? p->small : 1.0; /* what J1 and d32 are over */
-  pair w1, w2, first, second, wide, g, B3;
-  int i;
-
   p->small12 = exponent(p->w[0].hi, p->w[1].hi);
   p->down12 = ldexp(1.0, p->small12); p->up12 = 1.0/p->down12;
-  w1 = shift(p->up12, p->w[0]); w2 = shift(p->up12, p->w[1]);
-  first = mul(p->J[0], p->d31); second = mul(p->I[1], p->d32);
+  const pair w1 = shift(p->up12, p->w[0]), w2 = shift(p->up12, p->w[1]);
+  const pair first = mul(p->J[0], p->d31), second = mul(p->I[1], p->d32);
   p->cross = pair_root(mul(first, second));
-  p->part1 = mul(first, mul(w1, w1));
-  p->part2 = mul(second, mul(w2, w2));
+  p->part1 = mul(first, mul(w1, w1)); p->part2 = mul(second, mul(w2, w2));
   p->Delta3 = add(p->part1, p->part2);
   if (p->d21.hi > 0.0) {
-    wide = mul(p->J[2], p->d31);
-    p->Lambda1 = add(square_term(p->I[1], p->w[1], p->d21), mul(wide, mul(p->w[2], p->w[2])));
-    p->b3 = pair_root(ratio(p->Lambda1, wide));
-    wide = mul(p->d32, p->Lambda1);
-    p->k2 = ratio(mul(p->d21, p->Delta3), wide); p->kc2 = ratio(mul(p->d31, p->D), wide);
+    const pair third = mul(p->J[2], p->d31);
+    p->Lambda1 = add(square_term(p->I[1], p->w[1], p->d21), mul(third, mul(p->w[2], p->w[2])));
+    p->b3 = pair_root(ratio(p->Lambda1, third));
+    p->k2 = ratio(mul(p->d21, p->Delta3), mul(p->d32, p->Lambda1));
+    p->kc2 = ratio(mul(p->d31, p->D), mul(p->d32, p->Lambda1));
   } else { /* symmetric about axis 3: w3 is constant, however small, and k = 0 */
     p->b3 = p->w[2];
     p->k2 = pair_of(0.0); p->kc2 = pair_of(1.0);
     p->small13 = 0; p->down13 = p->up13 = 1.0;
   }
   p->lambda = ratio(mul(p->b3, p->cross), mul(p->J[0], p->I[1]));
-  p->G = pair_of(0.0);
-  for (i = 0; i < 3; i++) {
-    g = mul(p->I[i], p->w[i]); p->G = add(p->G, mul(g, g));
-  }
-  p->G = pair_root(p->G);
 
-  /* at u = 0, where L = (B1, 0, B3): tan = B1/(G + B3), and the phase of a turns at half of w3 +
-   * w1 tan */
-  B3 = mul(p->I[2], p->b3);
-  g = add(p->G, B3);
-  first = ratio(p->Delta3, p->d31);                              /* B1^2/I1 */
-  p->T = ratio(pair_root(shift(unit, mul(p->I[0], first))), g);
-  p->climb = add(p->b3, shift(unit, shift(p->down12, shift(p->down12, ratio(first, g)))));
-  p->b[0] = sqrt(first.hi/p->J[0].hi);
-  p->b[1] = sqrt(p->Delta3.hi/second.hi);
-  p->b[2] = p->b3.hi;
+  /* at u = 0, where L = (B1, 0, B3): tan = B1/(|L| + B3); the phase of a turns at (w3 + w1
+   * tan)/2 */
+  pair L2 = pair_of(0.0);
+  for (int i = 0; i < 3; i++) {
+    const pair L = mul(p->I[i], p->w[i]);
+    L2 = add(L2, mul(L, L));
+  }
+  const pair g = add(pair_root(L2), mul(p->I[2], p->b3));
+  const pair square = ratio(p->Delta3, p->d31); /* B1^2/I1 */
+  p->T = ratio(pair_root(shift(unit, mul(p->I[0], square))), g);
+  p->climb = add(p->b3, shift(unit, shift(p->down12, shift(p->down12, ratio(square, g)))));
+  p->b[0] = sqrt(square.hi/p->J[0].hi); p->b[1] = sqrt(p->Delta3.hi/second.hi); p->b[2] = p->b3.hi;
+}
+
+/* turns or periods as such per second: high + low, and high in halves (passed) */
+static void per_second(const top *p, pair turns, real out[4])
+{
+  const real c = 134217729.0*turns.hi, high = c - (c - turns.hi);
+  out[0] = ldexp(turns.hi, p->e); out[1] = ldexp(turns.lo, p->e);
+  out[2] = ldexp(high, p->e); out[3] = ldexp(turns.hi - high, p->e);
 }
 
 /* c[0] + c[1] y[1] + ...: a series in multiple angles, y[n+1] = 2 X y[n] - y[n-1], as a polynomial
  * in X; y[0] = 1 and y[1] = first + slope X */
 static void polynomial(int n, const real c[], real first, real slope, real out[])
 {
-  real before[5] = {1.0, 0.0, 0.0, 0.0, 0.0};
-  real now[5] = {first, slope, 0.0, 0.0, 0.0}, next[5];
-  int i, k;
-
-  for (k = 0; k < n; k++) out[k] = k == 0 ? c[0] : 0.0;
-  for (i = 1; i < n; i++) {
-    for (k = 0; k <= i; k++) out[k] += c[i]*now[k];
-    for (k = 0; k < 5; k++) next[k] = (k > 0 ? 2.0*now[k - 1] : 0.0) - before[k];
-    for (k = 0; k < 5; k++) {
-      before[k] = now[k];
-      now[k] = next[k];
-    }
+  real even[5] = {1.0, 0.0, 0.0, 0.0, 0.0}, odd[5] = {first, slope, 0.0, 0.0, 0.0};
+  for (int k = 0; k < n; k++) out[k] = k == 0 ? c[0] : 0.0;
+  for (int i = 1; i < n; i++) {
+    /* other: y[i-1], y[i+1] */
+    real *const y = i % 2 ? odd : even, *const other = i % 2 ? even : odd;
+    for (int k = 0; k <= i; k++) out[k] += c[i]*y[k];
+    for (int k = 0; k < 5; k++) other[k] = (k > 0 ? 2.0*y[k - 1] : 0.0) - other[k];
   }
 }
 
 /* ---- set-up away from the separatrix ---- */
 
-/* The means a, g of 1 and k' (DLMF 19.8.2), as far as they are needed: after four steps they agree
- * to 2^-35, and what is left is added as a series. */
-typedef struct agm {
-  pair k, a1, g1, a2, g2, a3, g3; /* k' first */
-  pair M;                         /* their limit, pi/(2 K) */
-  pair q;                         /* nome, up12^2 */
-} agm;
-
-/* The nome: q^(2^n) = e + 2 e^5 + 15 e^9 + ... with e = (a_n - g_n)/(8 a_(n+2)) (DLMF 19.5.6 at
- * the n-th modulus).  From n to n + 1 e becomes e^2 a_(n+2)/a_(n+3), which gives q as a product
- * that ends quickly,
- *     q = k^2/(8 a_1 (1 + g_1) sqrt a_3) (a_3/a_4)^(1/4) (a_4/a_5)^(1/8) ... */
-static void nome_of(agm *f, const top *p)
+/* z at t = 0 in units of pi, the nome up12^2, its powers q, q^2, q^4, q^8, and M = pi/(2 K), from
+ * the means a, g of 1 and k' (DLMF 19.8.2).  After four steps they agree to 2^-35; a series has
+ * the rest. The nome: q^(2^n) = e + 2 e^5 + 15 e^9 + ... with e = (a_n - g_n)/(8 a_(n+2)) (DLMF
+ * 19.5.6 at the n-th modulus).  From n to n + 1 e becomes e^2 a_(n+2)/a_(n+3), so that q is a
+ * product:
+ *     q = k^2/(8 a_1 (1 + g_1) sqrt a_3) (a_3/a_4)^(1/4) (a_4/a_5)^(1/8) ...
+ * The phase: two of Gauss's transformations, in which z is doubled (DLMF 22.7.2 and its
+ * companions), lead to functions of nome q^4, where sc = tan up to q^8 (DLMF 20.2.1-2, 22.2). */
+static pair first_phase(const top *p, pair *nome, pair q[4], pair *M)
 {
-  const pair one = pair_of(1.0);
-  pair a4, a5, d, rest, u;
-  real t;
-
-  f->k = pair_root(shift(p->down13, shift(p->down13, p->kc2)));
-  f->a1 = shift(0.5, add(one, f->k)); f->g1 = pair_root(f->k);
-  f->a2 = shift(0.5, add(f->a1, f->g1)); f->g2 = pair_root(mul(f->a1, f->g1));
-  f->a3 = shift(0.5, add(f->a2, f->g2)); f->g3 = pair_root(mul(f->a2, f->g2));
-  d = sub(f->a3, f->g3); a4 = sub(f->a3, shift(0.5, d)); u = mul(d, d); t = u.hi/(16.0*a4.hi);
+  const pair one = pair_of(1.0), k = pair_root(shift(p->down13, shift(p->down13, p->kc2)));
+  const pair a1 = shift(0.5, add(one, k)), g1 = pair_root(k);
+  const pair a2 = shift(0.5, add(a1, g1)), g2 = pair_root(mul(a1, g1));
+  const pair a3 = shift(0.5, add(a2, g2)), g3 = pair_root(mul(a2, g2));
+  const pair d = sub(a3, g3), a4 = sub(a3, shift(0.5, d)), d2 = mul(d, d);
+  const real last = d2.hi/(16.0*a4.hi);
   /* a_4 - a_5 = (a_3 - g_3)^2/(16 a_5) */
-  rest = ratio(u, shift(16.0, sub(a4, pair_of(t)))); a5 = sub(a4, rest);
-  f->M = sub(a5, pair_of(t*t/(4.0*a5.hi)));
+  const pair fall = ratio(d2, shift(16.0, sub(a4, pair_of(last)))), a5 = sub(a4, fall);
+  *M = sub(a5, pair_of(last*last/(4.0*a5.hi)));
 
   /* (1 + 4 u)^(1/4) = 1 + u - 3/2 u^2 + 7/2 u^3 - 77/8 u^4 + 231/8 u^5, u < 2^-18 */
-  u = ratio(shift(0.125, d), a4); t = u.hi;
-  u = add(u, sub(pair_of((t*t*t)*(3.5 - t*(9.625 - t*(28.875)))), scaled(1.5, mul(u, u))));
+  pair u = ratio(shift(0.125, d), a4);
+  real t = u.hi;
+  u = add(u, sub(pair_of((t*t*t)*(3.5 - t*(9.625 - t*28.875))), scaled(1.5, mul(u, u))));
   /* (1 + 8 r)^(1/8) = 1 + r - 7/2 r^2, and a_5/a_6 = 1 + 16 r^2 */
-  rest = ratio(shift(0.125, rest), a5); t = rest.hi;
-  u = add(u, add(rest, pair_of(t*(u.hi - 2.5*t*(1.0 + u.hi)))));
-  f->q = ratio(p->k2, shift(8.0, mul(f->a1, mul(add(one, f->g1), pair_root(f->a3)))));
-  f->q = add(f->q, mul(f->q, u));
-}
+  const pair r = ratio(shift(0.125, fall), a5);
+  t = r.hi;
+  u = add(u, add(r, pair_of(t*(u.hi - 2.5*t*(1.0 + u.hi)))));
+  *nome = ratio(p->k2, shift(8.0, mul(a1, mul(add(one, g1), pair_root(a3)))));
+  *nome = add(*nome, mul(*nome, u));
+  q[0] = shift(p->down12*p->down12, *nome);
+  for (int i = 1; i < 4; i++) q[i] = mul(q[i - 1], q[i - 1]);
 
-/* z at t = 0, in units of pi.  Two of Gauss's transformations, in which z is doubled (DLMF 22.7.2
- * and its companions), lead to functions of nome q^4, where sc = tan up to q^8 (DLMF 20.2.1-2,
- * 22.2). */
-static pair first_phase(const top *p, const agm *f, real q8)
-{
-  const real size = ldexp(1.0, -exponent(p->Delta3.hi, 0.0)), q24 = q8*q8*q8;
+  const real size = ldexp(1.0, -exponent(p->Delta3.hi, 0.0)), Q8 = q[3].hi, Q24 = Q8*Q8*Q8;
   const pair w12 = mul(shift(p->up12, p->w[0]), shift(p->up12, p->w[1]));
-  const pair c = shift(size, sub(p->part1, mul(f->k, p->part2)));
-  const pair s = shift(p->s*size*2.0, mul(f->a1, mul(w12, p->cross)));
-  pair x = mul(f->a2, sub(mul(f->a1, mul(c, c)), mul(f->g1, mul(s, s))));
-  pair y = mul(f->g3, shift(2.0, mul(f->a2, mul(c, s))));
-  real more_x = 0.0, more_y = 0.0, cosine, X, Y;
-  int i;
-
-  for (i = 0; i < 3; i++) { /* the series know cos 8 z to 2^-15, 2^-30, 2^-45 */
-    X = x.hi + more_x; Y = y.hi + more_y;
-    cosine = (X - Y)*(X + Y)/(X*X + Y*Y);
-    X = 2.0*cosine;
-    more_x = x.hi*(q24*(X*X + X - 1.0) - q8*(1.0 + X));
-    more_y = y.hi*(q24*(X*X - X - 1.0) - q8*(1.0 - X));
+  const pair c = shift(size, sub(p->part1, mul(k, p->part2)));
+  const pair s = shift(p->s*size*2.0, mul(a1, mul(w12, p->cross)));
+  const pair x = mul(a2, sub(mul(a1, mul(c, c)), mul(g1, mul(s, s))));
+  const pair y = mul(g3, shift(2.0, mul(a2, mul(c, s))));
+  real more_x = 0.0, more_y = 0.0;
+  for (int i = 0; i < 3; i++) { /* the series know cos 8 z to 2^-15, 2^-30, 2^-45 */
+    const real X = x.hi + more_x, Y = y.hi + more_y, C = 2.0*((X - Y)*(X + Y)/(X*X + Y*Y));
+    more_x = x.hi*(Q24*(C*C + C - 1.0) - Q8*(1.0 + C));
+    more_y = y.hi*(Q24*(C*C - C - 1.0) - Q8*(1.0 - C));
   }
-  /* 4 z, or less by a turn if |2 z| > pi/2 (c < 0) */
-  x = pair_angle(add(x, pair_of(more_x)), add(y, pair_of(more_y)));
-  X = p->s*p->w[1].hi; /* sin 2 z has its sign; where c is 0, x is pi */
-  if (c.hi < 0.0 || (!(c.hi > 0.0) && X < 0.0)) x = add(x, shift(X < 0.0 ? -2.0 : 2.0, pi()));
-  return shift(0.25, mul(x, inverse_pi()));
+  /* 4 z, or less by a turn if |2 z| > pi/2 (c < 0); sin 2 z has the sign of s w2; pi where c = 0 */
+  pair z4 = pair_angle(add(x, pair_of(more_x)), add(y, pair_of(more_y)));
+  const int below = p->s*p->w[1].hi < 0.0;
+  if (c.hi < 0.0 || (!(c.hi > 0.0) && below)) z4 = add(z4, shift(below ? -2.0 : 2.0, pi));
+  return shift(0.25, mul(z4, inverse_pi));
 }
 
 /* The coefficients away from the separatrix: E = q^(1/2) e^eta, r = e^(-2 eta) */
 static void circular_series(brick_orbit *o, real s, real q, real E, real r)
 {
-  real e[8], g[8], a[4], b[4], c[5], d[4], Q[26], sign, two_ = 0.0, three_ = 1.0, four_ = 1.0;
-  const real twice = 2.0*s;
-  int n;
+  real e[8], g[8], a[4], b[4], c[5], d[4], Q[26], two_ = 0.0, three_ = 1.0, four_ = 1.0;
 
-  /* theta4: 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ..., g = q/E; theta1: (E + g) sin
-   * z - ... */
+  /* with g = q/E: theta4 = 1 - q (E^2 + g^2) cos 2z + q^6 (E^4 + g^4) cos 4z - ...,
+   * theta1 = (E + g) sin z - ... */
   e[0] = g[0] = Q[0] = 1.0;
-  for (n = 1; n < 8; n++) {
-    e[n] = e[n - 1]*E; g[n] = g[n - 1]*(E*r);
+  for (int n = 1; n < 8; n++) {
+    e[n] = e[n - 1]*E;
+    g[n] = g[n - 1]*(E*r);
   }
-  for (n = 1; n < 26; n++) Q[n] = Q[n - 1]*q;
-  for (n = 0, sign = 1.0; n < 4; n++, sign = -sign) { /* what q <= exp(-pi/2) leaves above 2^-54 */
-    const real even = sign*Q[n*(2*n - 1)], odd = sign*Q[n*(2*n + 1)];
-
+  for (int n = 1; n < 26; n++) Q[n] = Q[n - 1]*q;
+  for (int n = 0; n < 4; n++) { /* what q <= exp(-pi/2) leaves above 2^-54 */
+    const real sign = n % 2 ? -1.0 : 1.0, even = sign*Q[n*(2*n - 1)], odd = sign*Q[n*(2*n + 1)];
     a[n] = n == 0 ? 1.0 : even*(e[2*n] + g[2*n]);
-    b[n] = twice*even*(e[2*n] - g[2*n]); /* of sin 2nz: b[0] is 0 */
+    b[n] = 2.0*s*even*(e[2*n] - g[2*n]); /* of sin 2nz: b[0] is 0 */
     c[n] = s*odd*(e[2*n + 1] + g[2*n + 1]);
     d[n] = -odd*(e[2*n + 1] - g[2*n + 1]);
   }
-  polynomial(4, a, 0.0, 1.0, o->a);
-  polynomial(3, b + 1, 0.0, 2.0, o->b);
-  polynomial(4, c, 1.0, 2.0, o->c);
-  polynomial(4, d, -1.0, 2.0, o->d);
+  polynomial(4, a, 0.0, 1.0, o->a); polynomial(3, b + 1, 0.0, 2.0, o->b);
+  polynomial(4, c, 1.0, 2.0, o->c); polynomial(4, d, -1.0, 2.0, o->d);
 
-  /* theta2(z; q), theta1(z; q) without 2 q^(1/4), theta3(z; q), each over what makes it cn, sn, dn
+  /* theta2, theta1 (both without 2 q^(1/4)) and theta3 of z; q, and what makes them cn, sn, dn
    * times theta4/theta4(0) */
-  for (n = 0; n < 5; n++) two_ += Q[n*(n + 1)];
-  for (n = 1; n < 6; n++) {
-    three_ += 2.0*Q[n*n]; four_ += (n % 2 ? -2.0 : 2.0)*Q[n*n];
+  for (int n = 1; n < 6; n++) {
+    two_ += Q[n*(n - 1)];
+    three_ += 2.0*Q[n*n];
+    four_ += (n % 2 ? -2.0 : 2.0)*Q[n*n];
   }
-  for (n = 0; n < 5; n++) c[n] = Q[n*(n + 1)];
-  polynomial(5, c, -1.0, 2.0, o->f);
-  for (n = 0; n < 5; n++) c[n] = (n ? 2.0 : 1.0)*Q[n*n];
-  polynomial(5, c, 0.0, 1.0, o->f + 5);
   o->scale[0] = 1.0/two_; o->scale[1] = s*three_/(two_*four_); o->scale[2] = 1.0/three_;
+  for (int n = 0; n < 5; n++) c[n] = Q[n*(n + 1)];
+  polynomial(5, c, -1.0, 2.0, o->f);
+  for (int n = 0; n < 5; n++) c[n] = (n ? 2.0 : 1.0)*Q[n*n];
+  polynomial(5, c, 0.0, 1.0, o->f + 5);
 }
 
 /* At u = 0 b/a = T.  With v = E - q/E, S = q (E^2 + (q/E)^2) = q (v^2 + 2 q) the two series are
  *     b = v (1 - q^2 (S + q^2) + q^8 (S^2 + q^2 S - q^4) - ...),
  *     a = 1 - S + q^4 (S^2 - 2 q^4) - q^12 (S^3 - 3 q^4 S) + ...:
  * one equation for v, solved by Newton's method, the last step in pairs.  There the phase of a(t)
- * turns at half of `climb`, theta4 has its part in it, and the rest is mu: with d = q (E^2 -
- * (q/E)^2)
- *     mu = climb/2 + s z' (2 d - 4 q^4 d S + 6 q^12 d (S^2 - q^4) - ...)/a. */
+ * turns at climb/2, theta4 has its part in it, and the rest is mu: with d = q (E^2 - (q/E)^2)
+ *     mu = climb/2 + s z' (2 d - 4 q^4 d S + 6 q^12 d (S^2 - q^4) - ...)/a.
+ * v, T, E and the root of `nome` are all up12. */
 static void set_circular(brick_orbit *o, const top *p)
 {
-  const pair one = pair_of(1.0);
-  pair q, q2, q4, q8, S, S2, a, b, v, d, rate, start, turn;
-  agm f;
-  real q24, T = p->T.hi, square = p->down12*p->down12, x, da, db, dS, E, r;
-  int i;
+  pair nome, q[4], M;
+  const pair start = first_phase(p, &nome, q, &M), rate = mul(mul(p->lambda, M), inverse_pi);
+  const pair one = pair_of(1.0), q2 = q[1], q4 = q[2], q8 = q[3];
+  const real square = p->down12*p->down12, T = p->T.hi;
+  const real Q = q[0].hi, Q2 = q2.hi, Q4 = q4.hi, Q8 = q8.hi, Q16 = Q8*Q8, Q24 = Q8*Q8*Q8;
 
-  nome_of(&f, p);
-  q = shift(square, f.q); q2 = mul(q, q); q4 = mul(q2, q2); q8 = mul(q4, q4);
-  q24 = q8.hi*q8.hi*q8.hi;
-  start = first_phase(p, &f, q8.hi);
-  rate = mul(mul(p->lambda, f.M), inverse_pi());
-
-  x = T/(1.0 + q.hi*(T*T*square));
-  dS = S.hi = da = db = 0.0;
-  /* errors 2^-4, 2^-11, 2^-24, 2^-49, rounding; v, T and E are all up12 */
-  for (i = 0; i < 4; i++) {
-    const real s = q.hi*(square*(x*x + 2.0*f.q.hi)), Q = q4.hi, Q2 = q2.hi, Q8 = q8.hi;
-    const real up = 1.0 - s + Q*(s*s - 2.0*Q - Q8*s*(s*s - 3.0*Q));
-    const real down = 1.0 - Q2*(s + Q2) + Q8*((s*s + Q2*s - Q) - Q8*Q2*(s*(s*(s + Q2) - 2.0*Q)
-        - Q*Q2));
-
-    da = Q*(2.0*s - 3.0*Q8*(s*s - Q)) - 1.0;
+  real x = T/(1.0 + Q*(T*T*square)), dS = 0.0, da = 0.0, db = 0.0;
+  for (int i = 0; i < 4; i++) { /* errors 2^-4, 2^-11, 2^-24, 2^-49, rounding */
+    const real s = Q*(square*(x*x + 2.0*nome.hi));
+    const real up = 1.0 - s + Q4*(s*s - 2.0*Q4 - Q8*s*(s*s - 3.0*Q4));
+    const real cube = s*(s*(s + Q2) - 2.0*Q4) - Q4*Q2;
+    const real down = 1.0 - Q2*(s + Q2) + Q8*((s*s + Q2*s - Q4) - Q8*Q2*cube);
+    da = Q4*(2.0*s - 3.0*Q8*(s*s - Q4)) - 1.0;
     db = Q8*(2.0*s + Q2) - Q2;
-    dS = 2.0*q.hi*(square*x);
+    dS = 2.0*Q*(square*x);
     x += (T*up - x*down)/(down - (T*da - x*db)*dS);
   }
-  S = mul(shift(square, q), add(pair_product(x, x), shift(2.0, f.q)));
-  S2 = mul(S, S);
-  a = sub(sub(S2, shift(2.0, q4)), mul(mul(q8, S), sub(S2, scaled(3.0, q4))));
+  pair S = mul(shift(square, q[0]), add(pair_product(x, x), shift(2.0, nome))), S2 = mul(S, S);
+  pair a = sub(sub(S2, shift(2.0, q4)), mul(mul(q8, S), sub(S2, scaled(3.0, q4))));
   a = add(sub(one, S), mul(q4, a));
-  a = add(a, pair_of(q24*(S2.hi*(S2.hi - 4.0*q4.hi) + 2.0*q8.hi)));
-  b = mul(q2, add(S, q2));
-  d = mul(q8, sub(add(S2, b), shift(2.0, q4)));
-  r = q2.hi*(S.hi*(S2.hi + q2.hi*S.hi - 2.0*q4.hi) - q2.hi*q4.hi);
-  r = q8.hi*q8.hi*(r - q8.hi*q8.hi*(S.hi*(S.hi*(S.hi*(S.hi + q2.hi) - 3.0*q4.hi)
-      - 2.0*q2.hi*q4.hi) + q8.hi));
-  b = add(sub(one, b), sub(d, pair_of(r)));
-  r = sub(mul(p->T, a), scaled(x, b)).hi/(b.hi - (T*da - x*db)*dS);
-  v = pair_sum(x, r);
-  S.lo += dS*r;
-  S2.lo += 2.0*S.hi*(dS*r);
-  a.lo += da*dS*r;
+  a = add(a, pair_of(Q24*(S2.hi*(S2.hi - 4.0*Q4) + 2.0*Q8)));
+  pair b = mul(q2, add(S, q2));
+  real rest = Q2*(S.hi*(S2.hi + Q2*S.hi - 2.0*Q4) - Q2*Q4);
+  rest = Q16*(rest - Q16*(S.hi*(S.hi*(S.hi*(S.hi + Q2) - 3.0*Q4) - 2.0*Q2*Q4) + Q8));
+  b = add(sub(one, b), sub(mul(q8, sub(add(S2, b), shift(2.0, q4))), pair_of(rest)));
+  const real dx = sub(mul(p->T, a), scaled(x, b)).hi/(b.hi - (T*da - x*db)*dS);
+  const pair v = pair_sum(x, dx);
+  S.lo += dS*dx;
+  S2.lo += 2.0*S.hi*(dS*dx);
+  a.lo += da*dS*dx;
 
-  d = pair_root(add(mul(v, v), shift(4.0, f.q)));
-  E = 0.5*(v.hi + d.hi);
-  r = f.q.hi/(E*E);
-  E *= p->down12;
-  d = mul(mul(shift(square, q), v), d);
-  turn = sub(shift(2.0, S), mul(scaled(3.0, q8), sub(S2, q4)));
-  turn = add(sub(one, mul(q4, turn)), pair_of(-4.0*q24*(S.hi*(S2.hi - 2.0*q4.hi)
-      - 1.25*(q8.hi*q8.hi)*(S2.hi*S2.hi))));
+  const pair sum = pair_root(add(mul(v, v), shift(4.0, nome))); /* E + q/E */
+  const real E = 0.5*(v.hi + sum.hi);
+  const pair d = mul(mul(shift(square, q[0]), v), sum);
+  pair turn = sub(shift(2.0, S), mul(scaled(3.0, q8), sub(S2, q4)));
+  rest = -4.0*Q24*(S.hi*(S2.hi - 2.0*Q4) - 1.25*Q16*(S2.hi*S2.hi));
+  turn = add(sub(one, mul(q4, turn)), pair_of(rest));
   turn = mul(mul(rate, ratio(d, a)), turn);
-  turn = add(shift(0.25, mul(p->climb, inverse_pi())), shift(p->s, turn));
+  turn = add(shift(0.25, mul(p->climb, inverse_pi)), shift(p->s, turn));
   o->hyperbolic = 0;
-  store(o->start, shift(0.5, start)); /* the rates have two periods of theta functions */
-  store(o->rate, shift(0.5, rate));
-  store(o->turn, turn);
-  circular_series(o, p->s, q.hi, E, r);
+  o->start[0] = 0.5*start.hi; o->start[1] = 0.5*start.lo;
+  per_second(p, shift(0.5, rate), o->rate); /* the rates have two periods of theta functions */
+  per_second(p, turn, o->turn);
+  circular_series(o, p->s, Q, E*p->down12, nome.hi/(E*E));
 }
 
 /* ---- set-up near the separatrix ---- */
@@ -955,159 +822,137 @@ static void set_circular(brick_orbit *o, const top *p)
 static void multiples(const real c[4], real p, real out[4])
 {
   const real p2 = p*p, p4 = p2*p2, p8 = p4*p4;
-
   out[0] = c[0] - p2*(c[1] + p4*(c[2] - p4*p2*c[3]));
   out[1] = 2.0*p*(c[1] - p4*(c[2] + 2.0*p4*p2*c[3]));
   out[2] = 4.0*p4*(c[2] - p4*p2*c[3]);
   out[3] = 8.0*p8*p*c[3];
 }
 
-/* The coefficients near the separatrix, Q the nome of k': cosine[n] = cos((2n + 1)h), sine[n] =
- * -+s sin((2n + 1)h), or a multiple of both */
+/* The coefficients, Q the nome of k': cosine[n] = cos((2n + 1)h), sine[n] = -+s sin((2n + 1)h), or
+ * a multiple of both */
 static void hyperbolic_series(brick_orbit *o, real s, real Q, const real cosine[4],
                               const real sine[4])
 {
-  const real P = sqrt(Q), Q2 = Q*Q;
-  real two_, three_, four_;
+  const real P = sqrt(Q), Q2 = Q*Q, two_ = 1.0 + Q*Q + Q*Q*Q*Q*Q*Q;
+  const real three_ = 1.0 + 2.0*(Q + Q*Q*Q*Q), four_ = 1.0 - 2.0*(Q - Q*Q*Q*Q);
 
   o->nome = 0.5*P;
   multiples(cosine, P, o->a); multiples(sine, P, o->b);
+  /* cn, sn, dn times theta2/theta2(0), nome q', scaled */
+  o->scale[0] = 1.0/four_; o->scale[1] = s*three_/(2.0*two_*four_); o->scale[2] = 1.0/three_;
   o->f[0] = 1.0 + 2.0*Q2*Q2; /* with (n + 1/2)^2 = 2 (n(n + 1)/2) + 1/4 ... */
   o->f[1] = -16.0*Q2*Q; o->f[2] = 16.0*Q2; o->f[3] = -2.0*Q; o->f[4] = 4.0;
   o->f[5] = 1.0 + Q2; o->f[6] = -4.0*(Q + 3.0*Q2*Q2*Q); o->f[7] = 16.0*Q2*Q2;
-  /* cn, sn, dn times theta2/theta2(0), nome q', scaled */
-  two_ = 1.0 + Q*Q + Q*Q*Q*Q*Q*Q;
-  three_ = 1.0 + 2.0*(Q + Q*Q*Q*Q);
-  four_ = 1.0 - 2.0*(Q - Q*Q*Q*Q);
-  o->scale[0] = 1.0/four_; o->scale[1] = s*three_/(2.0*two_*four_); o->scale[2] = 1.0/three_;
 }
 
 /* V at t = 0 for k' <= 0.172, by the imaginary transformation: functions of 2 i V of nome Q (DLMF
- * 22.6.ix, 22.2), from cd = dn of that, which is 1 - w + ... over 1 + w + ..., w = 2 Q cosh 4V,
- * and sc = tanh of it, which gives sinh 2V. Where dn u < sqrt k' the same for K - u, half a period
+ * 22.6.ix, 22.2), from cd = dn of that, which is 1 - w + ... over 1 + w + ..., w = 2 Q cosh 4V, and
+ * sc = tanh of it, which gives sinh 2V.  Where dn u < sqrt k' the same for K - u, half a period
  * less V: so w <= sqrt Q. */
 static pair hyperbolic_start(const top *p, pair k, pair Q, pair period)
 {
   const pair one = pair_of(1.0), w1 = shift(p->up13, p->w[0]), w3 = shift(p->up13, p->w[2]);
   const pair kc = pair_root(p->kc2), Q2 = mul(Q, Q);
-  const pair two_ = add(one, add(Q2, pair_of(Q2.hi*Q2.hi*Q2.hi))), three_ = add(one,
-      shift(2.0, add(Q, mul(Q2, Q2))));
-  const real q = Q.hi, sign = (p->w[1].hi < 0.0) == (p->s < 0.0) ? 1.0 : -1.0;
-  real dn = w3.hi/p->b3.hi, more;
-  const int far = dn*dn*p->down13 < kc.hi;
-  int e = p->small12 - p->small13;
-  pair up, down, y, w, V;
-
-  up = mul(shift(p->w[1].hi < 0.0 ? -p->up12 : p->up12, p->w[1]), p->cross);
-  down = mul(w1, mul(p->J[0], p->d31)); /* sc = up/down 2^e */
-  if (far) {
-    y = pair_root(ratio(mul(k, p->part2), p->Delta3));
-    w = mul(up, kc);
-    up = down; down = w; e = -p->small12;
-  } else {
-    y = ratio(mul(p->J[0], mul(p->Lambda1, k)), mul(p->J[2], p->Delta3));
-    y = ratio(shift(p->up12, mul(w1, pair_root(y))), w3);
-  }
-  w = ratio(sub(one, y), add(one, y));
-  more = Q2.hi*(w.hi*w.hi - 2.0*Q2.hi); /* 2 Q^4 cosh 8V = Q^2 (w^2 - 2 Q^2) */
-  dn = w.hi*(1.0 + more);
-  more = Q2.hi*(dn*dn - 2.0*Q2.hi);
+  const pair two_ = add(one, add(Q2, pair_of(Q2.hi*Q2.hi*Q2.hi)));
+  const pair three_ = add(one, shift(2.0, add(Q, mul(Q2, Q2))));
+  const real q = Q.hi, dn = w3.hi/p->b3.hi;
+  const int far = dn*dn*p->down13 < kc.hi, back = p->w[1].hi < 0.0;
+  const pair s = mul(shift(back ? -p->up12 : p->up12, p->w[1]), p->cross);
+  const pair c = mul(w1, mul(p->J[0], p->d31));
+  const pair up = far ? c : s, down = far ? mul(s, kc) : c; /* sc = up/down 2^e */
+  const int e = far ? -p->small12 : p->small12 - p->small13;
+  const pair above = far ? mul(k, p->part2) : mul(p->J[0], mul(p->Lambda1, k));
+  pair cd = pair_root(ratio(above, far ? p->Delta3 : mul(p->J[2], p->Delta3)));
+  if (!far) cd = ratio(shift(p->up12, mul(w1, cd)), w3);
+  pair w = ratio(sub(one, cd), add(one, cd));
+  real more = Q2.hi*(w.hi*w.hi - 2.0*Q2.hi); /* 2 Q^4 cosh 8V = Q^2 (w^2 - 2 Q^2) */
+  const real better = w.hi*(1.0 + more);
+  more = Q2.hi*(better*better - 2.0*Q2.hi);
   w = add(w, pair_of(w.hi*more));
-  up = mul(mul(up, two_), add(sub(one, w), pair_of(more)));
-  V = sub(one, mul(Q, add(w, Q)));
+  const pair top_ = mul(mul(up, two_), add(sub(one, w), pair_of(more)));
+  pair V = sub(one, mul(Q, add(w, Q)));
   V = add(V, pair_of(Q2.hi*Q2.hi*(w.hi*w.hi + q*w.hi - Q2.hi)));
-  V = ratio(up, mul(mul(down, three_), V)); /* sinh 2V 2^-e */
+  V = ratio(top_, mul(mul(down, three_), V)); /* sinh 2V 2^-e; then V = arsinh(that)/2 */
   if (ldexp(V.hi, e) > 1.0) {
-    y = pair_scale(ratio(one, V), -e);
-    V = pair_log(mul(V, add(one, pair_root(add(one, mul(y, y))))), e);
+    const pair y = pair_scale(ratio(one, V), -e);
+    V = shift(0.5, pair_log(mul(V, add(one, pair_root(add(one, mul(y, y))))), e));
   } else {
     V = pair_scale(V, e);
-    V = pair_log(add(V, pair_root(add(one, mul(V, V)))), 0);
+    V = shift(0.5, pair_log(add(V, pair_root(add(one, mul(V, V)))), 0));
   }
-  V = shift(0.5, V);
   if (far) V = sub(shift(0.5, period), V);
-  return shift(sign, V);
+  return back == (p->s < 0.0) ? V : minus(V);
 }
 
-/* Near the separatrix, Q the nome of k'.  Its period is pi kappa = -log(Q)/2 (none on the
- * separatrix), at which the phase about L jumps by -2 s h, h = kappa eta.  At u = 0 b/a = T is
+/* Q is the nome of k'.  The period of V is pi kappa = -log(Q)/2 (none on the separatrix), at which
+ * the phase about L jumps by -2 s h, h = kappa eta.  At u = 0 b/a = T is
  *     (sin h - Q sin 3h + Q^3 sin 5h - ...)/(cos h + Q cos 3h + Q^3 cos 5h + ...),
  * an equation for x = tan h; c = cos 2h.  Half of `climb` there is mu - s V' d log theta2/dh. */
 static void set_hyperbolic(brick_orbit *o, const top *p)
 {
-  const pair one = pair_of(1.0);
-  const pair k = pair_root(shift(p->down12, shift(p->down12, p->k2))), more = add(one,
-      pair_root(k));
-  const real T = shift(p->down12, p->T).hi, square = p->down13*p->down13;
-  pair Q, Q2, Q3, c, first, second, up, down, rise, rate, start, turn, period, twice, tangent;
-  real sine[5], cosine[5], q, q3, q6, x, C, dc, slope, r;
-  int i;
+  const pair one = pair_of(1.0), k = pair_root(shift(p->down12, shift(p->down12, p->k2)));
+  const pair more = add(one, pair_root(k));
+  const real square = p->down13*p->down13;
 
   /* nome (DLMF 19.5.6) up13^2; theta3(0; Q)^2 = 2 K'/pi */
-  Q = ratio(shift(0.5, p->kc2), mul(add(one, k), mul(more, more)));
-  Q2 = shift(square, shift(square, mul(Q, Q)));
-  Q2 = mul(Q2, Q2);
-  Q = add(Q, mul(Q, add(shift(2.0, Q2), pair_of(15.0*(Q2.hi*Q2.hi)))));
-  period = pair_of(0.0);
-  /* else on the separatrix, to the last bit */
-  if (Q.hi > 0.0) period = shift(-0.5, pair_log(Q, 2*p->small13));
-  Q = shift(square, Q); Q2 = mul(Q, Q); Q3 = mul(Q2, Q);
-  q = Q.hi; q3 = Q3.hi; q6 = q3*q3;
-  c = add(Q, add(mul(Q2, Q2), pair_of(q6*q3)));
-  c = add(one, shift(2.0, c));
-  rate = ratio(shift(0.5, p->lambda), mul(c, c));
+  pair nome = ratio(shift(0.5, p->kc2), mul(add(one, k), mul(more, more)));
+  pair fourth = shift(square, shift(square, mul(nome, nome)));
+  fourth = mul(fourth, fourth);
+  nome = add(nome, mul(nome, add(shift(2.0, fourth), pair_of(15.0*(fourth.hi*fourth.hi)))));
+  const int periodic = nome.hi > 0.0; /* else on the separatrix, to the last bit */
+  const pair period = periodic ? shift(-0.5, pair_log(nome, 2*p->small13)) : pair_of(0.0);
+  const pair Q = shift(square, nome), Q2 = mul(Q, Q), Q3 = mul(Q2, Q);
+  const real q = Q.hi, q3 = Q3.hi, q6 = q3*q3;
+  const pair three_ = add(one, shift(2.0, add(Q, add(mul(Q2, Q2), pair_of(q6*q3)))));
+  const pair lambda = ratio(shift(0.5, p->lambda), mul(three_, three_));
 
-  x = T;
-  slope = C = dc = 0.0;
-  for (i = 0; i < 3; i++) { /* errors 2^-8, 2^-25, 2^-59 */
+  const real T = shift(p->down12, p->T).hi;
+  real x = T, slope = 0.0, C = 0.0, dc = 0.0;
+  for (int i = 0; i < 3; i++) { /* errors 2^-8, 2^-25, 2^-59 */
     const real u = 1.0/(1.0 + x*x);
-
     C = (1.0 - x*x)*u;
     dc = -4.0*x*(u*u);
     slope = 1.0 - q*(1.0 + 2.0*C) + q3*(4.0*C*C + 2.0*C - 1.0);
-    r = T*(1.0 + q*(2.0*C - 1.0) + q3*(4.0*C*C - 2.0*C - 1.0)) - x*slope;
+    const real miss = T*(1.0 + q*(2.0*C - 1.0) + q3*(4.0*C*C - 2.0*C - 1.0)) - x*slope;
     slope += dc*(x*(q3*(8.0*C + 2.0) - 2.0*q) - T*(2.0*q + q3*(8.0*C - 2.0)));
-    x += r/slope;
+    x += miss/slope;
   }
-  sine[0] = cosine[0] = 1.0; /* over sin h, cos h: of h, 3 h, ... 9 h */
+  real sine[5], cosine[5]; /* over sin h, cos h: of h, 3 h, ... 9 h */
+  sine[0] = cosine[0] = 1.0;
   sine[1] = 2.0*C + 1.0; cosine[1] = 2.0*C - 1.0;
-  for (i = 2; i < 5; i++) {
-    sine[i] = 2.0*C*sine[i - 1] - sine[i - 2]; cosine[i] = 2.0*C*cosine[i - 1] - cosine[i - 2];
+  for (int i = 2; i < 5; i++) {
+    sine[i] = 2.0*C*sine[i - 1] - sine[i - 2];
+    cosine[i] = 2.0*C*cosine[i - 1] - cosine[i - 2];
   }
 
-  c = pair_product(x, x);
-  c = ratio(sub(one, c), add(one, c));
-  first = mul(Q, add(one, shift(2.0, c)));
-  second = mul(Q3, sub(shift(2.0, add(c, shift(2.0, mul(c, c)))), one));
-  up = add(sub(one, first), sub(second, pair_of(q6*(sine[3] - q3*q*sine[4]))));
-  down = sub(add(first, second), shift(2.0, add(Q, shift(2.0, mul(Q3, c)))));
+  const pair x2 = pair_product(x, x), c = ratio(sub(one, x2), add(one, x2));
+  const pair first = mul(Q, add(one, shift(2.0, c)));
+  const pair second = mul(Q3, sub(shift(2.0, add(c, shift(2.0, mul(c, c)))), one));
+  const pair up = add(sub(one, first), sub(second, pair_of(q6*(sine[3] - q3*q*sine[4]))));
+  pair down = sub(add(first, second), shift(2.0, add(Q, shift(2.0, mul(Q3, c)))));
   down = add(add(one, down), pair_of(q6*(cosine[3] + q3*q*cosine[4])));
-  rise = add(add(one, scaled(3.0, first)), add(scaled(5.0, second),
-      pair_of(q6*(7.0*sine[3] + 9.0*q3*q*sine[4]))));
-  r = sub(mul(shift(p->down12, p->T), down), scaled(x, up)).hi/slope;
-  tangent = pair_sum(x, r);
-  rise.lo += dc*r*(6.0*q + 5.0*q3*(8.0*C + 2.0));
-  down.lo += dc*r*(2.0*q + q3*(8.0*C - 2.0));
-  rise = mul(rate, ratio(mul(tangent, rise), down));
-  turn = add(shift(0.5, p->climb), shift(p->s, rise));
+  pair rise = add(scaled(5.0, second), pair_of(q6*(7.0*sine[3] + 9.0*q3*q*sine[4])));
+  rise = add(add(one, scaled(3.0, first)), rise);
+  const real dx = sub(mul(shift(p->down12, p->T), down), scaled(x, up)).hi/slope;
+  const pair tangent = pair_sum(x, dx);
+  rise.lo += dc*dx*(6.0*q + 5.0*q3*(8.0*C + 2.0));
+  down.lo += dc*dx*(2.0*q + q3*(8.0*C - 2.0));
+  rise = mul(lambda, ratio(mul(tangent, rise), down));
+  pair turn = shift(0.5, mul(add(shift(0.5, p->climb), shift(p->s, rise)), inverse_pi));
 
-  start = hyperbolic_start(p, k, Q, period);
-  turn = shift(0.5, mul(turn, inverse_pi()));
-  /* none: that of 1.2676506002282294e30, beyond which V never comes */
-  o->half = 1.2676506002282294e30;
-  twice = shift(2.0, period.hi > 0.0 ? period : scaled(o->half, log_two()));
-  rate = ratio(rate, twice);
-  if (period.hi > 0.0) {
-    const pair jump = shift(p->s, mul(pair_angle(one, tangent), inverse_pi()));
-
+  o->half = 1.2676506002282294e30; /* if there is none: V never comes so far */
+  const pair twice = shift(2.0, periodic ? period : scaled(o->half, log_two));
+  const pair start = ratio(hyperbolic_start(p, k, Q, period), twice), rate = ratio(lambda, twice);
+  if (periodic) {
+    const pair jump = shift(p->s, mul(pair_angle(one, tangent), inverse_pi));
     turn = sub(turn, shift(2.0, mul(jump, rate)));
-    o->jump = jump.hi; o->half = ratio(period, log_two()).hi;
+    o->jump = jump.hi; o->half = ratio(period, log_two).hi;
   }
-  store(o->rate, rate);
-  store(o->start, ratio(start, twice));
-  store(o->turn, turn);
   o->hyperbolic = o->half < 1000.0 ? 1 : 2;
-  for (i = 0; i < 4; i++) sine[i] *= (i % 2 ? p->s : -p->s)*tangent.hi; /* all over cos h */
+  o->start[0] = start.hi; o->start[1] = start.lo;
+  per_second(p, rate, o->rate);
+  per_second(p, turn, o->turn);
+  for (int i = 0; i < 4; i++) sine[i] *= (i % 2 ? p->s : -p->s)*tangent.hi; /* all over cos h */
   hyperbolic_series(o, p->s, q, cosine, sine);
 }
 
@@ -1121,136 +966,141 @@ static void quaternion_product(const real a[4], const real b[4], real out[4])
 
 /* ---- set-up from a state ---- */
 
+/* the exponent of the largest of n numbers */
+static int scale_of(const real x[], int n)
+{
+  real largest = 0.0;
+  int e;
+  for (int i = 0; i < n; i++) largest = fabs(x[i]) > largest ? fabs(x[i]) : largest;
+  (void)frexp(largest, &e);
+  return e;
+}
+
+/* q = length out, as a vector of four; out = 0 if q is */
 static pair unit_quaternion(const real q[4], real out[4])
 {
-  pair sum = pair_of(0.0), length;
-  real big = 0.0;
-  int i, e;
-
-  for (i = 0; i < 4; i++) big = fabs(q[i]) > big ? fabs(q[i]) : big;
-  (void)frexp(big, &e);
-  for (i = 0; i < 4; i++) {
+  const int e = scale_of(q, 4);
+  pair sum = pair_of(0.0);
+  for (int i = 0; i < 4; i++) {
     out[i] = ldexp(q[i], -e);
     sum = add(sum, pair_product(out[i], out[i]));
   }
-  length = pair_root(sum);
-  for (i = 0; i < 4 && big > 0.0; i++) out[i] = ratio(pair_of(out[i]), length).hi;
+  const pair length = pair_root(sum);
+  for (int i = 0; i < 4 && length.hi > 0.0; i++) out[i] = ratio(pair_of(out[i]), length).hi;
   return length;
 }
 
 /* Constant rotation: w and L are parallel; axis 3 is theirs, and p = 0, E = 0. */
-static void constant(brick_orbit *o, top *p, const real w[3])
+static void constant(brick_orbit *o, top *p, const pair w[3])
 {
   pair length = pair_of(0.0);
-  int i, j;
-
-  for (i = 0; i < 3; i++) length = add(length, pair_product(w[i], w[i]));
+  for (int i = 0; i < 3; i++) length = add(length, pair_product(w[i].hi, w[i].hi));
   length = pair_root(length);
-  for (i = 0; i < 3; i++) {
-    for (j = 0; j < 2; j++) p->axis[j][i] = 0.0;
-    p->axis[2][i] = length.hi > 0.0 ? ratio(pair_of(w[i]), length).hi : 0.0;
+  for (int i = 0; i < 3; i++) {
+    p->axis[0][i] = p->axis[1][i] = 0.0;
+    p->axis[2][i] = length.hi > 0.0 ? ratio(w[i], length).hi : 0.0;
   }
   p->b[0] = p->b[1] = 0.0; p->b[2] = length.hi;
-  o->a[0] = o->f[5] = 1.0;
-  store(o->turn, ratio(length, pair_scale(pi(), 2)));
-  o->scale[2] = 1.0;
+  p->s = 1.0; p->small12 = 0;
+  o->a[0] = o->f[5] = o->scale[2] = 1.0;
+  per_second(p, ratio(length, pair_scale(pi, 2)), o->turn);
+}
+
+/* what makes rates and quaternion of the terms, from the attitude q0 at t = 0 */
+static void combine(brick_orbit *o, const top *p, const real q0[4])
+{
+  const instant zero_phase = {0.0, 0.0, 0.0, 0.0};
+  const real turned = o->hyperbolic ? p->s : 1.0; /* of x and y */
+  thetas terms = terms_of(o, zero_phase, o->hyperbolic);
+  const real n = length2(&terms); /* the rates are over N^2, which is this at u = 0 */
+  for (int i = 0; i < 3; i++) {
+    const int e = p->e + (i < 2 ? p->small12 : 0);
+    for (int j = 0; j < 3; j++) o->w[i][j] = ldexp(n*o->scale[i]*p->b[i]*p->axis[i][j], e);
+  }
+  /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */
+  real y[4];
+  for (int i = 0; i < 4; i++) for (int j = 0; j < 4; j++) o->q[i][j] = i == j ? 1.0 : 0.0;
+  terms = terms_of(o, reduce(o, 0.0), o->hyperbolic);
+  attitude_of(o, &terms, y);
+  y[1] *= turned; y[2] *= turned;
+  (void)unit_quaternion(y, y);
+  for (int i = 1; i < 4; i++) y[i] = -y[i];
+  for (int k = 0; k < 4; k++) {
+    real unit[4] = {0.0, 0.0, 0.0, 0.0}, d[4], v[4];
+    unit[k] = k == 1 || k == 2 ? turned : 1.0;
+    quaternion_product(y, unit, d);
+    v[0] = d[0];
+    for (int j = 0; j < 3; j++) {
+      v[j + 1] = d[1]*p->axis[0][j] + d[2]*p->axis[1][j] + d[3]*p->axis[2][j];
+    }
+    quaternion_product(q0, v, o->q[k]);
+  }
 }
 
 int brick_solve(brick_orbit *o, const brick_model *m, const real x0[])
 {
   brick_orbit made;
   top p;
-  pair I[3], axis[3][3], w[3];
-  real tensor[6], rate[3], y[4], q0[4], x[BRICK_NX], n, size, turned, largest = 0.0;
-  const instant zero_phase = {0.0, 0.0, 0.0, 0.0}, farthest = {0.25, 0.0, 0.0, 0.0};
-  thetas terms;
-  int order[3], scale, oblique, e, i, j, k;
+  pair I[3], axis[3][3], rate[3], w[3];
+  real tensor[6], q0[4], x[BRICK_NX];
+  int order[3], moves = 0;
 
   brick_inertia(m, tensor);
   if (!numbers(x0, BRICK_NX)) return 1;
   if (!(unit_quaternion(x0 + BRICK_QW, q0).hi > 0.0)) return 1;
-  oblique = fabs(tensor[3]) + fabs(tensor[4]) + fabs(tensor[5]) > 0.0;
+  int scale;
+  const int oblique = fabs(tensor[3]) + fabs(tensor[4]) + fabs(tensor[5]) > 0.0;
   if (principal_pairs(tensor, I, axis, order, &scale)) return 1;
-  (void)frexp(I[order[2]].hi, &e);
-  for (i = 0; i < 3; i++) I[i] = pair_scale(I[i], -e);
-  size = 8.0*2.220446049250313e-16*I[order[2]].hi;
+  (void)frexp(I[order[2]].hi, &scale);
+  for (int i = 0; i < 3; i++) I[i] = pair_scale(I[i], -scale);
   if (!(I[order[0]].hi > 0.0)) { /* a rod */
     const pair sum = add(I[order[1]], I[order[2]]);
+    const real size = 8.0*2.220446049250313e-16*I[order[2]].hi;
 
     if (I[order[0]].hi < -size || I[order[2]].hi - I[order[1]].hi > size) return 1;
     I[order[0]] = pair_of(0.0);
     I[order[1]] = I[order[2]] = pair_scale(sum, -1);
   }
-  for (i = 0; i < 3; i++) largest = fabs(x0[BRICK_WX + i]) > largest ? fabs(x0[BRICK_WX + i])
-      : largest;
-  (void)frexp(largest, &e);
+  int e = scale_of(x0 + BRICK_WX, 3);
   if (e > 0) e = e > 26 ? e - 26 : 0; /* subnormal rates beside it keep their bits */
-  for (i = 0; i < 3; i++) rate[i] = ldexp(x0[BRICK_WX + i], -e);
-  for (i = 0; i < 3; i++) {
-    w[i] = pair_of(rate[i]);
-    if (!oblique) continue; /* axis i is the body's */
-    w[i] = scaled(rate[0], axis[i][0]);
-    for (j = 1; j < 3; j++) w[i] = add(w[i], scaled(rate[j], axis[i][j]));
+  for (int i = 0; i < 3; i++) w[i] = rate[i] = pair_of(ldexp(x0[BRICK_WX + i], -e));
+  for (int i = 0; i < 3 && oblique; i++) { /* else axis i is the body's */
+    w[i] = scaled(rate[0].hi, axis[i][0]);
+    for (int j = 1; j < 3; j++) w[i] = add(w[i], scaled(rate[j].hi, axis[i][j]));
   }
-  for (i = 0, k = 0; i < 3; i++) { /* w x L = 0? */
-    j = (i + 1) % 3;
-    n = sub(I[i], I[j]).hi;
-    if (fabs(w[i].hi) > 0.0 && fabs(w[j].hi) > 0.0 && fabs(n) > 0.0) k = 1;
+  for (int i = 0; i < 3; i++) { /* w x L = 0? */
+    const int j = (i + 1) % 3;
+    const real difference = sub(I[i], I[j]).hi;
+    if (fabs(w[i].hi) > 0.0 && fabs(w[j].hi) > 0.0 && fabs(difference) > 0.0) moves = 1;
   }
   copy(&made, 0, (unsigned int)sizeof(made));
-  made.s = 1.0;
-  if (!k) {
-    p.small12 = 0;
-    constant(&made, &p, rate);
-  } else {
+  p.e = e;
+  if (moves) {
     label(&p, I, w, (const pair(*)[3])axis, order);
     invariants(&p);
-    made.s = p.s;
     /* from kappa = 1, k'^2 = 17 - 12 sqrt 2, on, where the two series converge alike */
     if (p.kc2.hi*p.down13*p.down13 < 1.0/34.0) set_hyperbolic(&made, &p);
     else set_circular(&made, &p);
+  } else {
+    constant(&made, &p, rate);
   }
-  for (i = 0; i < 2; i++) { /* high parts in halves, for Dekker's product */
-    real *b = i == 0 ? made.rate : made.turn, c = 134217729.0*b[0];
-
-    b[2] = c - (c - b[0]); b[3] = b[0] - b[2];
-    for (j = 0; j < 4; j++) b[j] = ldexp(b[j], e); /* per second again */
-  }
-  n = fabs(made.turn[0]) > made.rate[0] ? fabs(made.turn[0]) : made.rate[0];
-  made.last = n*1.0463951242053392e298 > 1125899906842624.0 ? 1125899906842624.0/n
+  made.s = p.s;
+  const real fastest = fabs(made.turn[0]) > made.rate[0] ? fabs(made.turn[0]) : made.rate[0];
+  made.last = fastest*1.0463951242053392e298 > 1125899906842624.0 ? 1125899906842624.0/fastest
       : 1.0463951242053392e298;
   if (!(made.rate[0] - made.rate[0] == 0.0) || !(made.turn[0] - made.turn[0] == 0.0)) return 1;
+  combine(&made, &p, q0);
 
-  /* the rates are over N^2, which is this at u = 0 */
-  terms = terms_of(&made, zero_phase, made.hyperbolic);
-  n = length2(&terms);
-  for (i = 0; i < 3; i++) for (j = 0; j < 3; j++) {
-    made.w[i][j] = ldexp(n*made.scale[i]*p.b[i]*p.axis[i][j], e + (i < 2 ? p.small12 : 0));
-  }
-  /* q(t) = q0 (conj(y0) y(t)), the vector part of the second turned from principal to body axes */
-  for (i = 0; i < 4; i++) for (j = 0; j < 4; j++) made.q[i][j] = i == j ? 1.0 : 0.0;
-  terms = terms_of(&made, reduce(&made, 0.0), made.hyperbolic);
-  attitude_of(&made, &terms, y);
-  turned = made.hyperbolic ? p.s : 1.0; /* of x and y */
-  y[1] *= turned; y[2] *= turned;
-  (void)unit_quaternion(y, y);
-  for (k = 0; k < 4; k++) {
-    real unit[4] = {0.0, 0.0, 0.0, 0.0}, d[4], v[4];
-
-    unit[k] = k == 1 || k == 2 ? turned : 1.0;
-    for (i = 1; i < 4; i++) y[i] = k == 0 ? -y[i] : y[i];
-    quaternion_product(y, unit, d);
-    v[0] = d[0];
-    for (j = 0; j < 3; j++) v[j + 1] = d[1]*p.axis[0][j] + d[2]*p.axis[1][j] + d[3]*p.axis[2][j];
-    quaternion_product(q0, v, made.q[k]);
-  }
   /* Is it made of numbers?  Rates next to the end of the type's range overflow on the way to a
    * state. */
-  state(&made, reduce(&made, 0.0), x);
+  brick_at(&made, 0.0, x);
   if (!numbers(x, BRICK_NX)) return 1;
-  /* near the separatrix the terms of the rates are largest half a flip away */
-  state(&made, farthest, x);
+  const real start[2] = {made.start[0], made.start[1]};
+  /* near the separatrix the rates' terms are largest there */
+  made.start[0] = 0.25; made.start[1] = 0.0;
+  brick_at(&made, 0.0, x);
   if (!numbers(x, BRICK_NX)) return 1;
+  made.start[0] = start[0]; made.start[1] = start[1];
   copy(o, &made, (unsigned int)sizeof(made));
   return 0;
 }
