@@ -14,7 +14,8 @@ local steppers = {}
 
 -- by the method's name, or by what it gives as its template
 local KINDS = { taylor = require "generator.emit.taylor", adaptive = require "generator.emit.adaptive",
-  split = require "generator.emit.split", midpoint = require "generator.emit.midpoint" }
+  split = require "generator.emit.split", midpoint = require "generator.emit.midpoint",
+  rosenbrock = require "generator.emit.rosenbrock" }
 
 local KNOTS = template.group "steppers/knots.c"
 

@@ -16,6 +16,7 @@ local list = {
   require "generator.methods.rk4",
   require "generator.methods.adaptive",
   require "generator.methods.taylor",
+  require "generator.methods.rosenbrock",
   require "generator.methods.midpoint",
   (require "generator.methods.semi"), -- one value: require also returns where it found it
 }
@@ -26,12 +27,12 @@ list.by_name = {}
 for _, m in ipairs(list) do list.by_name[m.name] = m end
 
 -- What takes the equations of motion as they are, and asks nothing of where they come from.
-local of_any = { rk4 = true, adaptive = true, taylor = true }
+local of_any = { rk4 = true, adaptive = true, taylor = true, rosenbrock = true }
 
 function list.refused(m, method)
   if of_any[method.name] or not contact.of(m) then return nil end
-  return "the body touches a plane, and this method makes its step of torques and free turning (rk4, adaptive and " ..
-    "taylor step any equations)"
+  return "the body touches a plane, and this method makes its step of torques and free turning (rk4, adaptive, " ..
+    "taylor and rosenbrock step any equations)"
 end
 
 return list
