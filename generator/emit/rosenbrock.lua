@@ -49,19 +49,25 @@ function emit.render(s, kit)
   local function given(name, list) return { name = name, count = #list, names = list } end
   local attitude = program.states[1].name == "qw"
   local v = { count = text(n), cells = text(#program.factors), timed = program.timed, attitude = attitude, states = {},
-    kinds = source.kinds(program.states), has_knots = s.has_knots, first = s.first, slips = {}, many = text(#program.slips),
-    slides = #program.slips > 0, gamma = number.text(T.gamma, ctx.real),
+    kinds = source.kinds(program.states), has_knots = s.has_knots, first = s.first, slips = {}, many = text(#program.slips), arms = text(3 * #program.slips),
+    slides = #program.slips > 0, rate = number.text(T.gamma ^ -1, ctx.real),
     a = rows(T.a, 7, ctx.real), C = rows(T.C, 7, ctx.real), c = rows({ T.c }, 8, ctx.real)[1].text,
     d = rows({ T.d }, 8, ctx.real)[1].text }
   v.c, v.d = string.sub(v.c, 1, -2), string.sub(v.d, 1, -2)
   for i, state in ipairs(program.states) do v.states[i] = { name = ctx.upper .. "_" .. string.upper(state.name) } end
   for i, x in ipairs(program.slips) do v.slips[i] = { name = ctx.upper .. "_" .. string.upper(x.state.name),
     place = text(i - 1) } end
+  for _, k in ipairs(v.kinds) do -- what a place or a velocity along the plane is known to
+    local name = program.states[math.tointeger(tonumber(k.first)) + 1].name
+    local along = #program.slips > 0 and string.match(name, "^([pv])[12]$")
+    k.least = along == "v" and "pace" or along == "p" and kit.base.fabs .. "(h)*pace" or kit.base.zero
+  end
   v.rates = made("rates", program.rates, "m", "t", "x", "u", array("dz", n))
   v.matrix = made("matrix", program.matrix, "m", "t", "x", "u", "n", array("F", #program.factors),
     program.timed and array("dt", n) or nil)
   v.solve = made("solve", program.solve, given("F", program.factors), given("b", names), array("k", n))
-  v.shift = #program.slips > 0 and made("slip", program.shifts, "m", "t", "x", "u", array("a", #program.slips)) or
+  v.shift = #program.slips > 0 and made("slip", program.shifts, "m", "t", "x", "u", array("a", #program.slips),
+    array("arm", 3 * #program.slips)) or
     { head = "", lines = {} }
   local render = GROUP(kit.templates, kit.base, v)
   return render "steppers/rosenbrock.h", { render "steppers/rosenbrock.c" }

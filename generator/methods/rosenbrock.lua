@@ -17,12 +17,13 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local breaks = require "generator.dynamics.breaks"
 local contact = require "generator.dynamics.contact"
+local equations = require "generator.dynamics.equations"
 local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
 local stages = require "generator.methods.stages"
 local factored = require "generator.methods.factored"
 
-local rosenbrock = { name = "rosenbrock", order = 5, adaptive = true,
+local rosenbrock = { name = "rosenbrock", order = 5, adaptive = true, stiff = true,
   about = "linearly implicit Rodas5P, order 5, for stiff effects, step from a tolerance" }
 
 local function rows(list)
@@ -184,6 +185,19 @@ local function derivatives(eq, groups, rates, moving, taken)
   return out, J, by_time
 end
 
+-- What is added to each velocity, a[i], and its derivatives by the rates, arm[3 i + k].
+local function shifts(eq, list)
+  local a = { why = "slip = v + what the body's turning adds at the contact point", defs = {}, outs = {} }
+  for i, x in ipairs(list) do
+    local e = equations.inline(eq.groups, x.rest)
+    a.outs[#a.outs + 1] = { array = "a", index = i - 1, expr = e }
+    for k, w in ipairs(state.w) do
+      a.outs[#a.outs + 1] = { array = "arm", index = 3 * i + k - 4, expr = calculus.diff(e, w) }
+    end
+  end
+  return { a }
+end
+
 -- {states = that move, slips, rates = groups of f, matrix = groups of the factors and df/dt, solve = groups, cells =
 -- number of the factors' entries, timed = does f depend on t?, knots}, or nil and why there is none.
 function rosenbrock.program(eq)
@@ -220,16 +234,8 @@ function rosenbrock.program(eq)
     for i, e in ipairs(by_time) do g.outs[i] = { array = "dt", index = i - 1, expr = e } end
     matrix[#matrix + 1] = g
   end
-  local shift = { why = "slip = v + what the body's turning adds at the contact point", defs = {}, outs = {} }
-  for i, x in ipairs(list) do shift.outs[i] = { array = "a", index = i - 1, expr = x.rest } end
-  local before = {}
-  for i, g in ipairs(eq.groups) do before[i] = { why = g.why, where = g.where, defs = g.defs } end
-  local rests = {}
-  for i, x in ipairs(list) do rests[i] = x.rest end
-  local shifts = needed(before, rests)
-  shifts[#shifts + 1] = shift
   return { states = moving, slips = list, rates = f, matrix = matrix, factors = lu.names, solve = lu.solve, timed = timed,
-    shifts = shifts, knots = breaks.knots(eq) }
+    shifts = shifts(eq, list), knots = breaks.knots(eq) }
 end
 
 return rosenbrock

@@ -10,6 +10,7 @@ local hash = require "generator.hash"
 local text = require "generator.algebra.text"
 local err = require "generator.plan.error"
 local states = require "generator.plan.states"
+local stiffness = require "generator.plan.stiffness"
 local methods = require "generator.methods.methods"
 
 local decision = {}
@@ -190,6 +191,22 @@ local function paragraph(list, s)
   wrapped(list, table.remove(words, 1), words, 112)
 end
 
+-- What makes a motion stiff, in numbers; s: {rate, decays} of plan/stiffness.lua.
+local function stiff(s, T)
+  return "Stiff: something decays at " .. short(s.rate) .. " 1/s, " .. short(s.decays) .. " times within " ..
+    shortest(T) .. " s. Explicit methods are unstable with steps longer than " .. short(stiffness.longest(s.rate)) ..
+    " s there, whatever the accuracy"
+end
+
+-- What the equations become where that rate is infinite, for a body that slides on a plane.
+local function limit(job)
+  for _, e in ipairs(job.record.effects) do
+    if e.a and e.a.law == "sliding" then
+      return 'law = "rolling" is the limit of such friction where the body does not slide, and is not stiff'
+    end
+  end
+end
+
 -- The decision for the result of plan.find; q: the question.
 function decision.made(q, r)
   local c, real, target = r.candidate, q.real, q.target
@@ -206,7 +223,8 @@ function decision.made(q, r)
   local margin = r.error > q.accuracy / 100 and ", a margin of " .. short(r.margin) .. "," or ""
   paragraph(lines, "Measured: largest error " .. measured(r.error, q.accuracy) .. margin .. " from " ..
     string.format("%d", r.states) .. " states" .. (real == "float" and " in float" or "") .. ": " .. whence(q.job) ..
-    held(q.job) .. "; the true motion is known to " .. decade(r.own) .. ".")
+    held(q.job) .. "; the true motion is known to " .. decade(r.own) .. (r.early and ", the library confirms it up to " ..
+    short(r.early) .. " s" or "") .. ".")
   local one = counted(r.counts)
   local work = r.setup_counts and counted(r.setup_counts) .. " once, " .. one .. " for each time"
   if not work then
@@ -214,6 +232,11 @@ function decision.made(q, r)
       (c.setting == "tolerance" and " on average" or "") .. " of " .. one
   end
   paragraph(lines, "Cost: " .. work .. "; by the table for " .. target .. " " .. short(r.cost) .. " cycles.")
+  if r.stiff then
+    local rolls = limit(q.job)
+    paragraph(lines, stiff(r.stiff, T) .. "." .. (rolls and " " .. string.upper(string.sub(rolls, 1, 1)) ..
+      string.sub(rolls, 2) .. "." or ""))
+  end
   local beside = runners(r)
   if #beside > 0 then paragraph(lines, "At other costs: " .. table.concat(beside, ", ") .. ".") end
   d.report = lines
@@ -227,7 +250,13 @@ function decision.refusal(q, r)
     if c.over and (not cheapest or c.ops < cheapest.ops) then cheapest = c end
   end
   local got = shortest(q.accuracy)
-  if r.why then return { refused = r.why, got = got } end
+  local tail = ""
+  if r.stiff then
+    local rolls = limit(q.job)
+    tail = "; " .. string.lower(string.sub(stiff(r.stiff, q.job.model:double(q.job.model.horizon)), 1, 1)) ..
+      string.sub(stiff(r.stiff, q.job.model:double(q.job.model.horizon)), 2) .. (rolls and "; " .. rolls or "")
+  end
+  if r.why then return { refused = r.why .. tail, got = got } end
   local best = r.closest
   for _, f in ipairs(best and {} or r.found) do
     if f.error and f.error < math.huge and (not best or f.error < best.error) then best = f end
@@ -245,13 +274,13 @@ function decision.refusal(q, r)
     limits[1] = "rounding, as far as the motion magnifies it"
   end
   if cheapest then limits[#limits + 1] = "budget.ops" end
-  if not best then return { refused = "cannot be planned: " .. limits[1], got = got } end
+  if not best then return { refused = "cannot be planned: " .. limits[1] .. tail, got = got } end
   local c = best.candidate
   local order = c.method == "taylor" and c.setting == "step" and c.order or nil
   local name = title(c, order, best.setting and short(best.setting))
   return { refused = string.format("must be one that a method can hold with a margin of %s: the best is %s, " ..
     "error %s at %s cycles of %s; what limits it is %s", shortest(r.least_margin), name, short(best.error),
-    short(best.cost), q.target, table.concat(limits, " and ")), got = got }
+    short(best.cost), q.target, table.concat(limits, " and ")) .. tail, got = got }
 end
 
 -- ---- kept as text ----

@@ -86,12 +86,13 @@ static void ${name}_rosenbrock_trial(const ${name}_model *m, ${name}_real t, con
 %% else
   ${name}_real F[${cells}], k[8][${count}], b[${count}];
 %% end
+  const ${name}_real rate = ${one}/h;
   int i, j, n;
 
 %% if timed then
-  ${name}_rosenbrock_matrix(m, t, z, u, ${one}/(h*${gamma}), F, dt);
+  ${name}_rosenbrock_matrix(m, t, z, u, rate*${rate}, F, dt);
 %% else
-  ${name}_rosenbrock_matrix(m, t, z, u, ${one}/(h*${gamma}), F);
+  ${name}_rosenbrock_matrix(m, t, z, u, rate*${rate}, F);
 %% end
   for (n = 0; n < ${upper}_NX; n++) out[n] = z[n];
   for (i = 0; i < 8; i++) {
@@ -107,9 +108,9 @@ static void ${name}_rosenbrock_trial(const ${name}_model *m, ${name}_real t, con
 
       for (j = 0; j < i; j++) sum += ${name}_rosenbrock_C[i][j]*k[j][n];
 %% if timed then
-      b[n] += sum/h + h*${name}_rosenbrock_d[i]*dt[n];
+      b[n] += sum*rate + h*${name}_rosenbrock_d[i]*dt[n];
 %% else
-      b[n] += sum/h;
+      b[n] += sum*rate;
 %% end
     }
     ${name}_rosenbrock_solve(F, b, k[i]);
@@ -129,17 +130,23 @@ static void ${name}_rosenbrock_trial(const ${name}_model *m, ${name}_real t, con
 }
 
 %% if slides then
-/* The state with its slip in the place of its velocity (sign 1), or back (-1). */
-static void ${name}_rosenbrock_turned(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real sign, ${name}_real z[])
+/* The state with its slip in the place of its velocity (sign 1), or back (-1).  Returns the speed that the body's turning
+ * may have at the contact point, or the slip if it is larger: what a velocity is the difference of. */
+static ${name}_real ${name}_rosenbrock_turned(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real sign, ${name}_real z[])
 {
-  ${name}_real a[${many}];
+  ${name}_real a[${many}], arm[${arms}], reach = ${zero}, w = ${zero};
   int n;
 
-  ${name}_rosenbrock_slip(m, t, x, u, a);
+  ${name}_rosenbrock_slip(m, t, x, u, a, arm);
   for (n = 0; n < ${upper}_NX; n++) z[n] = x[n];
+  for (n = 0; n < ${arms}; n++) reach = ${fabs}(arm[n]) > reach ? ${fabs}(arm[n]) : reach;
+  for (n = ${upper}_WX; n <= ${upper}_WZ; n++) w = ${fabs}(x[n]) > w ? ${fabs}(x[n]) : w;
+  w *= reach;
 %% for _, s in ipairs(slips) do
   z[${s.name}] += sign*a[${s.place}];
+  w = ${fabs}(z[${s.name}]) > w ? ${fabs}(z[${s.name}]) : w;
 %% end
+  return w;
 }
 
 %% end
@@ -148,9 +155,9 @@ void ${name}_rosenbrock_step(const ${name}_model *m, ${name}_real t, ${name}_rea
 %% if slides then
   ${name}_real z[${upper}_NX], out[${upper}_NX], error[${count}];
 
-  ${name}_rosenbrock_turned(m, t, x, u, ${one}, z);
+  (void)${name}_rosenbrock_turned(m, t, x, u, ${one}, z);
   ${name}_rosenbrock_trial(m, t, z, u, h, out, error);
-  ${name}_rosenbrock_turned(m, t + h, out, u, -${one}, x);
+  (void)${name}_rosenbrock_turned(m, t + h, out, u, -${one}, x);
 %% else
   ${name}_real out[${upper}_NX], error[${count}];
   int n;
@@ -160,12 +167,12 @@ void ${name}_rosenbrock_step(const ${name}_model *m, ${name}_real t, ${name}_rea
 %% end
 }
 
-/* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step, or
- * `worst` if that is larger. */
+/* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step and
+ * at least of `least`, or `worst` if that is larger. */
 static ${name}_real ${name}_rosenbrock_worse(const ${name}_real x[], const ${name}_real y[], const ${name}_real error[], int first, int last,
-                           ${name}_real worst)
+                           ${name}_real least, ${name}_real worst)
 {
-  ${name}_real size = ${zero}, e = ${zero};
+  ${name}_real size = least, e = ${zero};
   int k;
 
   for (k = first; k < last; k++) {
@@ -197,21 +204,25 @@ int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real
 %% else
     const ${name}_real left = (t1 - t) - lost;
 %% end
+%% if slides then
+    ${name}_real r = ${zero}, factor, next_t, pace;
+%% else
     ${name}_real r = ${zero}, factor, next_t;
+%% end
     int last;
 
     if (!(left > ${zero} || left < ${zero})) return steps;
     last = !(${fabs}(h) < ${fabs}(left));
     if (last) h = left;
 %% if slides then
-    ${name}_rosenbrock_turned(m, t, x, u, ${one}, z);
+    pace = ${name}_rosenbrock_turned(m, t, x, u, ${one}, z);
     ${name}_rosenbrock_trial(m, t, z, u, h, out, error);
-    ${name}_rosenbrock_turned(m, t + h, out, u, -${one}, y);
+    (void)${name}_rosenbrock_turned(m, t + h, out, u, -${one}, y);
 %% else
     ${name}_rosenbrock_trial(m, t, x, u, h, y, error);
 %% end
 %% for _, k in ipairs(kinds) do
-    r = ${name}_rosenbrock_worse(x, y, error, ${k.first}, ${k.last}, r); /* ${k.about} */
+    r = ${name}_rosenbrock_worse(x, y, error, ${k.first}, ${k.last}, ${k.least}, r); /* ${k.about} */
 %% end
     r /= tolerance;
     /* the next step is 0.9 r^(-1/5) as long, between an eighth and four times; what is not finite counts as an eighth */
