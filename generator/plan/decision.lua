@@ -191,20 +191,21 @@ local function paragraph(list, s)
   wrapped(list, table.remove(words, 1), words, 112)
 end
 
--- What makes a motion stiff, in numbers; s: {rate, decays} of plan/stiffness.lua.
-local function stiff(s, T)
-  return "Stiff: something decays at " .. short(s.rate) .. " 1/s, " .. short(s.decays) .. " times within " ..
-    shortest(T) .. " s. Explicit methods are unstable with steps longer than " .. short(stiffness.longest(s.rate)) ..
-    " s there, whatever the accuracy"
-end
-
--- What the equations become where that rate is infinite, for a body that slides on a plane.
+-- What the equations become where friction is infinite, for a body that slides on a plane.
 local function limit(job)
   for _, e in ipairs(job.record.effects) do
     if e.a and e.a.law == "sliding" then
-      return 'law = "rolling" is the limit of such friction where the body does not slide, and is not stiff'
+      return '; the limit of such friction where the body does not slide is law = "rolling", which is not stiff'
     end
   end
+  return ""
+end
+
+-- What makes a motion stiff, in numbers; s: {rate, decays} of plan/stiffness.lua.
+local function stiff(job, s)
+  return "something decays at " .. short(s.rate) .. " 1/s, " .. short(s.decays) .. " times within " ..
+    shortest(job.model:double(job.model.horizon)) .. " s, so that rk4 needs steps below " ..
+    short(stiffness.longest(s.rate)) .. " s whatever the accuracy" .. limit(job)
 end
 
 -- The decision for the result of plan.find; q: the question.
@@ -232,11 +233,7 @@ function decision.made(q, r)
       (c.setting == "tolerance" and " on average" or "") .. " of " .. one
   end
   paragraph(lines, "Cost: " .. work .. "; by the table for " .. target .. " " .. short(r.cost) .. " cycles.")
-  if r.stiff then
-    local rolls = limit(q.job)
-    paragraph(lines, stiff(r.stiff, T) .. "." .. (rolls and " " .. string.upper(string.sub(rolls, 1, 1)) ..
-      string.sub(rolls, 2) .. "." or ""))
-  end
+  if r.stiff then paragraph(lines, "Stiff: " .. stiff(q.job, r.stiff) .. ".") end
   local beside = runners(r)
   if #beside > 0 then paragraph(lines, "At other costs: " .. table.concat(beside, ", ") .. ".") end
   d.report = lines
@@ -252,9 +249,7 @@ function decision.refusal(q, r)
   local got = shortest(q.accuracy)
   local tail = ""
   if r.stiff then
-    local rolls = limit(q.job)
-    tail = "; " .. string.lower(string.sub(stiff(r.stiff, q.job.model:double(q.job.model.horizon)), 1, 1)) ..
-      string.sub(stiff(r.stiff, q.job.model:double(q.job.model.horizon)), 2) .. (rolls and "; " .. rolls or "")
+    tail = "; the motion is stiff: " .. stiff(q.job, r.stiff)
   end
   if r.why then return { refused = r.why .. tail, got = got } end
   local best = r.closest

@@ -80,7 +80,7 @@ function trial:truth(point)
   local rows, why
   if self.sure and not point.library then
     rows, why = self:run(self.sure[1], self.sure[2], point)
-    why = why or "its motion ends in a singularity"
+    why = why or "the motion ends in a singularity (on a plane: friction that undoes the support)"
   else
     rows, why = self.true_motions:motion(point.x, self.times, point.values, true, point.input)
     if rows then rows = with_last(rows) end
