@@ -186,9 +186,8 @@ return scene { name = "damped", body = solid.box { x = 1, y = 2, z = 3, mass = 6
   initial = { omega = { 1, 2, 3 } }, time = { horizon = 2 } }
 ]])
 local pivot = written("pivot", [[
-return scene { name = "pivot", body = tensor { mass = 1, xx = 2, yy = 2, zz = 1, com = { 0, 0, 0.1 }, about = "origin" },
-  origin = { 0, 0, 0 }, effects = { effect.gravity { g = 9.81 }, effect.pivot { radius = 0.01, mu = 0.2,
-  smoothing = 1e-4 } }, initial = { omega = { 0.02, 0, 0.05 }, attitude = { axis = "x", angle = 0.5 } },
+return scene { name = "pivot", body = solid.box { x = 1, y = 2, z = 3, mass = 6 },
+  effects = { effect.friction { torque = 3, smoothing = 1e-3 } }, initial = { omega = { 0.02, 0.01, 0.05 } },
   time = { horizon = 1 } }
 ]])
 -- The tolerance 1e-9 over some hundred to some thousand steps, and what the motions make of it: 1e-5.
