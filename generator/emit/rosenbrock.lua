@@ -5,7 +5,6 @@
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
 local template = require "generator.emit.template"
-local rosenbrock = require "generator.methods.rosenbrock"
 
 local GROUP = template.group("steppers/rosenbrock.h", "steppers/rosenbrock.c")
 
@@ -38,7 +37,7 @@ end
 
 -- Header and source of the program of methods/rosenbrock.lua.  s, kit: see emit/steppers.lua.
 function emit.render(s, kit)
-  local program, ctx, T = s.program, kit.ctx, rosenbrock.tableau
+  local program, ctx, T = s.program, kit.ctx, s.program.tableau
   local n, names = #program.states, {}
   for i, state in ipairs(program.states) do names[i] = state.name end
   local function made(name, groups, ...)

@@ -198,7 +198,7 @@ local function shifts(eq, list)
   return { a }
 end
 
--- {states = that move, slips, rates = groups of f, matrix = groups of the factors and df/dt, solve = groups, cells =
+-- {tableau, states = that move, slips, rates = groups of f, matrix = groups of the factors and df/dt, solve = groups, cells =
 -- number of the factors' entries, timed = does f depend on t?, knots}, or nil and why there is none.
 function rosenbrock.program(eq)
   local zero, moving, taken = stages.conserved(eq), {}, {}
@@ -234,7 +234,7 @@ function rosenbrock.program(eq)
     for i, e in ipairs(by_time) do g.outs[i] = { array = "dt", index = i - 1, expr = e } end
     matrix[#matrix + 1] = g
   end
-  return { states = moving, slips = list, rates = f, matrix = matrix, factors = lu.names, solve = lu.solve, timed = timed,
+  return { tableau = rosenbrock.tableau, states = moving, slips = list, rates = f, matrix = matrix, factors = lu.names, solve = lu.solve, timed = timed,
     shifts = shifts(eq, list), knots = breaks.knots(eq) }
 end
 

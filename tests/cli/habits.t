@@ -66,7 +66,7 @@ for _, case in ipairs {
   { "run s.lua --method adaptiv", "--engine general has the methods adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, " ..
     "exact, linearised, got adaptiv; did you mean adaptive?" },
   { "run s.lua --engine generated --method tailor", "--engine generated has the methods exact, rk4, adaptive, " ..
-    "taylor, midpoint, semi, split2, split4, split6, got tailor; did you mean taylor?" },
+    "taylor, rosenbrock, midpoint, semi, split2, split4, split6, got tailor; did you mean taylor?" },
   { "run s.lua --step 0", "--step must be positive, got 0.0" },
   { "run s.lua --tolerance 1", "--tolerance must be from 1e-19 to 0.1, got 1.0" },
   { "run s.lua --method rk4 --tolerance 1e-3", "--tolerance: the method rk4 has a fixed step" },
