@@ -11,7 +11,7 @@ local candidates = require "generator.plan.candidates"
 local decision = require "generator.plan.decision"
 local plan = require "generator.plan.plan"
 local targets = require "generator.cost.targets"
-local methods = require "generator.methods.methods"
+local known = require "generator.methods.methods"
 
 local planner = {}
 
@@ -32,7 +32,7 @@ end
 local function admitted(q, stiff)
   local names, seen = {}, {}
   for _, c in ipairs(candidates.of(q.job, { real = q.real, orders = { 8 } })) do
-    local m = methods.by_name[c.method]
+    local m = known.by_name[c.method]
     if (m and m.stiff or false) == stiff and not c.refused and not seen[c.method] then
       names[#names + 1], seen[c.method] = c.method, true
     end
@@ -63,7 +63,7 @@ function planner.prepare(host, q)
   q.stiff = plan.stiff(q)
   local asked = q.stiff ~= nil
   for _, name in ipairs(q.methods or {}) do
-    local m = methods.by_name[name]
+    local m = known.by_name[name]
     asked = asked or m and m.stiff
   end
   local names = asked and admitted(q, true) or {}

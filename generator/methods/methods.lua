@@ -7,8 +7,8 @@
 --     increments(eq, constant)  what the step adds, as equation groups (optional: compensated.lua)
 --     program(eq, options)      what emit/NAME.lua makes C of with templates/NAME.h and .c; nil and why it cannot
 --     methods.refused(m, method)   why the method cannot step the model at all, or nil
--- adaptive = true: NAME_METHOD_run chooses its steps from a tolerance.  stiff = true: the planner takes it where something
--- decays much faster than the motion.  ABOVE the line.
+-- adaptive = true: NAME_METHOD_run chooses its steps from a tolerance.  stiff = true: the planner takes it where
+-- something decays much faster than the motion.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local contact = require "generator.dynamics.contact"

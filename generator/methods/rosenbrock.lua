@@ -1,6 +1,7 @@
 -- rosenbrock.lua -- Rodas5P: a linearly implicit method of order 5 with 8 stages, for stiff equations.
 --
---     (1/(h g) 1 - J) k_i = f(t + c_i h, x + sum a_ij k_j) + sum (C_ij/h) k_j + h d_i df/dt,   x(t + h) = x + sum a_8j k_j + k_8
+--     (1/(h g) 1 - J) k_i = f(t + c_i h, x + sum a_ij k_j) + sum (C_ij/h) k_j + h d_i df/dt,   x(t + h) = x + sum a_8j
+--     k_j + k_8
 -- with J = df/dx.  It is L-stable: what decays fast is damped at any step.  x + sum a_8j k_j has order 4, so k_8 is the
 -- error.  Source: Steinebach 2023, BIT Numerical Mathematics 63, 27; the form without products by J is that of Hairer,
 -- Wanner, Solving ODEs II (2nd ed.), IV.7.
@@ -111,7 +112,7 @@ end
 
 -- To the groups: how fast what is added to each velocity changes along the motion.
 local function changing(eq, list, groups, rates, taken)
-  local known, moving = { [state.t] = expr.one }, {}
+  local known = { [state.t] = expr.one }
   for _, s in ipairs(eq.model.states) do
     local rate = rates[s.name]
     if rate then
@@ -120,12 +121,11 @@ local function changing(eq, list, groups, rates, taken)
       rate.expr = expr.sym(name, RANK)
       known[s.sym] = rate.expr
     end
-    moving[s.name] = true
   end
   local time = { { name = "dt", sym = expr.sym("dt", RANK) } }
-  local g = { why = "how fast the slip changes: v' and the change of the contact point's turning", defs = {}, outs = {} }
-  local sofar, of_slip = {}, {}
-  for _, x in ipairs(list) do of_slip[x.name] = true end
+  local g = { why = "how fast the slip changes: v' and what the turning of the contact point changes by", defs = {},
+    outs = {} }
+  local sofar = {}
   for _, group in ipairs(eq.groups) do
     for _, d in ipairs(group.defs) do sofar[#sofar + 1] = d end
   end
@@ -167,7 +167,7 @@ local function needed(groups, results)
 end
 
 -- The derivatives of the rates by the states and by the time: groups, J[i][k], and df/dt by i.
-local function derivatives(eq, groups, rates, moving, taken)
+local function derivatives(groups, rates, moving, taken)
   local columns = {}
   for i, s in ipairs(moving) do columns[i] = s end
   columns[#columns + 1] = { name = "t", sym = state.t }
@@ -198,8 +198,8 @@ local function shifts(eq, list)
   return { a }
 end
 
--- {tableau, states = that move, slips, rates = groups of f, matrix = groups of the factors and df/dt, solve = groups, cells =
--- number of the factors' entries, timed = does f depend on t?, knots}, or nil and why there is none.
+-- {tableau, states = that move, slips, rates = groups of f, matrix = groups of the factors and df/dt, solve = groups,
+-- cells = number of the factors' entries, timed = does f depend on t?, knots}, or nil and why there is none.
 function rosenbrock.program(eq)
   local zero, moving, taken = stages.conserved(eq), {}, {}
   for _, member in ipairs(eq.model.members) do taken[member.name] = true end
@@ -218,7 +218,7 @@ function rosenbrock.program(eq)
   for i, s in ipairs(moving) do last.outs[i] = { array = "dz", index = i - 1, expr = rates[s.name].expr } end
   local f = { table.unpack(groups) }
   f[#f + 1] = last
-  local matrix, J, by_time = derivatives(eq, groups, rates, moving, taken)
+  local matrix, J, by_time = derivatives(groups, rates, moving, taken)
   local lu = factored.of(moving, J, expr.sym("n", 6))
   local entries = {}
   for _, e in ipairs(lu.entries) do entries[#entries + 1] = e end
@@ -234,8 +234,8 @@ function rosenbrock.program(eq)
     for i, e in ipairs(by_time) do g.outs[i] = { array = "dt", index = i - 1, expr = e } end
     matrix[#matrix + 1] = g
   end
-  return { tableau = rosenbrock.tableau, states = moving, slips = list, rates = f, matrix = matrix, factors = lu.names, solve = lu.solve, timed = timed,
-    shifts = shifts(eq, list), knots = breaks.knots(eq) }
+  return { tableau = rosenbrock.tableau, states = moving, slips = list, rates = f, matrix = matrix,
+    factors = lu.names, solve = lu.solve, timed = timed, shifts = shifts(eq, list), knots = breaks.knots(eq) }
 end
 
 return rosenbrock

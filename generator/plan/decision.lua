@@ -224,8 +224,8 @@ function decision.made(q, r)
   local margin = r.error > q.accuracy / 100 and ", a margin of " .. short(r.margin) .. "," or ""
   paragraph(lines, "Measured: largest error " .. measured(r.error, q.accuracy) .. margin .. " from " ..
     string.format("%d", r.states) .. " states" .. (real == "float" and " in float" or "") .. ": " .. whence(q.job) ..
-    held(q.job) .. "; the true motion is known to " .. decade(r.own) .. (r.early and ", the library confirms it up to " ..
-    short(r.early) .. " s" or "") .. ".")
+    held(q.job) .. "; the true motion is known to " .. decade(r.own) ..
+    (r.early and ", the library confirms it up to " .. short(r.early) .. " s" or "") .. ".")
   local one = counted(r.counts)
   local work = r.setup_counts and counted(r.setup_counts) .. " once, " .. one .. " for each time"
   if not work then

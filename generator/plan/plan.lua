@@ -307,11 +307,13 @@ local function number_of(s, q)
   return math.max(least, math.min(many, math.floor(most_true / cost)))
 end
 
--- The plan for a question q: {host, job (read), code (planned, with its methods), plugin, apart = {method's name = {code, plugin}}
--- of those that are not in the plugin, stiff, accuracy, real, target, ops,
+-- The plan for a question q: {host, job (read), code (planned, with its methods), plugin, apart = {method's name =
+-- {code, plugin}} of those that are not in the plugin, stiff, accuracy, real, target, ops,
 -- methods, order, progress}.  Returns
---     {candidate, setting, error, steps, cost, counts, setup_counts, order, margin, limit, stiff = the question's, early =
---      the time up to which the library confirmed a stiff motion or nil, found = what the competitors showed, refused, states = number, own = error of the truth, rows = the scene's own true motion, expected = its
+--     {candidate, setting, error, steps, cost, counts, setup_counts, order, margin, limit, stiff = the question's,
+--     early =
+--      the time up to which the library confirmed a stiff motion or nil, found = what the competitors showed, refused,
+--      states = number, own = error of the truth, rows = the scene's own true motion, expected = its
 --      end}
 -- or nil and {found, closest, refused, own, why}; generator/plan/decision.lua puts both into words.
 function plan.find(q)

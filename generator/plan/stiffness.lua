@@ -1,9 +1,9 @@
 -- stiffness.lua -- does something decay much faster than the motion changes? How fast, and what explicit steps cost.
 --
--- J = dx'/dx by central differences, at `samples` times of the motion from the scene's own state.  Its spectral radius r
--- is the mean growth of a power iteration (Gelfand), which complex pairs share.  All eigenvalues lie in |z| <= r; those
--- of J - r have |z| = 2 r only for a real decay -r, and at most sqrt(2) r for an oscillation.  So the radius of J - r
--- less r tells a decay (r) from an oscillation (0.41 r).
+-- J = dx'/dx by central differences, at `samples` times of the motion from the scene's own state.  Its spectral radius
+-- r is the mean growth of a power iteration (Gelfand), which complex pairs share.  All eigenvalues lie in |z| <= r;
+-- those of J - r have |z| = 2 r only for a real decay -r, and at most sqrt(2) r for an oscillation.  So the radius of J
+-- - r less r tells a decay (r) from an oscillation (0.41 r).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local stiffness = {}
@@ -53,7 +53,7 @@ local function radius(J, s)
     end
     local length = math.sqrt(square)
     if length == 0 then return 0.0 end
-    if not (length < math.huge) then return nil end
+    if length ~= length or length == math.huge then return nil end
     for i = 1, n do v[i] = w[i] / length end
     if p > powers / 2 then sum, counted = sum + math.log(length), counted + 1 end
   end
@@ -78,7 +78,8 @@ function stiffness.of(plugin, point, T, epsilon)
     fastest, decays = math.max(fastest, r), decays + r * T / samples
     local next_t = T * (k + 1) / samples
     -- what needs more steps than `most` is stiff by what was seen
-    local rows = plugin:integrate(x, point.input, { math.max(tolerance, 16 * epsilon), most }, { next_t }, t, "adaptive")
+    local h = { math.max(tolerance, 16 * epsilon), most }
+    local rows = plugin:integrate(x, point.input, h, { next_t }, t, "adaptive")
     if not rows then
       local left = T - next_t
       if fastest * left > enough then decays = decays + fastest * left end

@@ -16,8 +16,9 @@ local function called(c)
   return c.method == "taylor" and c.setting == "step" and "taylor " .. c.order or c.method
 end
 
--- setup: {host =, job =, plugin =, apart = {method's name = {plugin =}} of other plugins, T = horizon, points =, sure = {candidate, setting} of a method that serves as truth
--- once it has been shown to, or nil: the library is asked at every point}
+-- setup: {host =, job =, plugin =, apart = {method's name = {plugin =}} of other plugins, T = horizon, points =, sure =
+-- {candidate, setting} of a method that serves as truth once it has been shown to, or nil: the library is asked at
+-- every point}
 function trial.new(setup)
   local self = setmetatable(setup, trial)
   self.times, self.true_motions, self.moved = err.times(self.T), reference.new(self.host, self.job), {}
@@ -102,8 +103,8 @@ end
 
 -- The same where the library is asked for the beginning only: the rest is held to a run with ten times the tolerance.
 function trial:doubt_early(point, twice)
-  local doubt, why = self.early:doubt({ x = point.x, values = point.values, params = point.params, input = point.input },
-    twice)
+  local p = { x = point.x, values = point.values, params = point.params, input = point.input }
+  local doubt, why = self.early:doubt(p, twice)
   if not doubt then return nil, why end
   local rows, ended = self:truth(point)
   if not rows then return nil, ended end

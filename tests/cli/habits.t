@@ -46,7 +46,8 @@ for _, case in ipairs {
   { "gen s.lua --output x", "no option --output; did you mean -o?" },
   { "check s.lua --grid a", "no option --grid" }, -- a word of other programs for what this command has not
   { "gen s.lua --real flaot", "--real must be double or float, got flaot; did you mean float?" },
-  { "gen s.lua --method rk5", "--method must be some of exact, rk4, adaptive, taylor, rosenbrock, midpoint, semi, split2, " ..
+  { "gen s.lua --method rk5", "--method must be some of exact, rk4, adaptive, taylor, rosenbrock, midpoint, semi, " ..
+    "split2, " ..
     "split4, split6, linearised, got rk5; did you mean rk4?" },
   { "gen s.lua --method rk4,rk4", "--method: rk4 stands there twice" },
   { "gen s.lua --project sweep", "--project sweep: what is varied has to be said; `polhode sweep SCENE " ..

@@ -1,4 +1,5 @@
--- trees.lua - rooted trees, by which the order of one-step methods is counted: {forest, size, text}, and their densities.
+-- trees.lua - rooted trees, by which the order of one-step methods is counted: {forest, size, text}, and their
+-- densities.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -19,7 +20,8 @@ local function of(n)
   return list
 end
 
--- Of up to `most` vertices.  Multisets of trees with n vertices in all: those whose largest tree is no larger than what came before.
+-- Of up to `most` vertices.  Multisets of trees with n vertices in all: those whose largest tree is no larger than what
+-- came before.
 function trees.build(most)
   forests[0] = { {} }
   local all = {}

@@ -26,13 +26,15 @@ end
 -- {rate, decays, method, error, steps}, or {why}, of a plan.
 local function planned(path, accuracy, methods)
   local out, err = lua([[
-local driver, planner, plan = require "generator.driver", require "generator.commands.planner", require "generator.plan.plan"
+local driver, planner = require "generator.driver", require "generator.commands.planner"
+local plan = require "generator.plan.plan"
 local decision = require "generator.plan.decision"
 local given = { args[1], accuracy = tonumber(args[2]), method = args[3] ~= "-" and { args[3] } or nil }
 local q = planner.question(driver.read(host, args[1], given), given)
 assert(planner.prepare(host, q))
 local r, instead = plan.find(q)
-say(q.stiff and q.stiff.rate or 0, q.stiff and q.stiff.decays or 0, r and r.candidate.method or "none", r and r.error or 1)
+local stiff = q.stiff or { rate = 0, decays = 0 }
+say(stiff.rate, stiff.decays, r and r.candidate.method or "none", r and r.error or 1)
 say(r and table.concat(decision.made(q, r).report, " ") or decision.refusal(q, instead).refused)
 ]], nil, path, tostring(accuracy), methods or "-")
   local rate, decays, method, e, text = out:match "^(%S+)%s+(%S+)%s+(%S+)%s+(%S+)\n(.*)$"
