@@ -207,8 +207,8 @@ static double adapt(const struct plugin *p, const struct polhode_stepper *s, dou
 }
 
 /* integrate(x0, course, h, times[, t0, method]) -> {{t, x...}, ...}, number of steps; by steps of h
- * or a little less so that times are hit; h = {tolerance, most}: by steps that the method chooses, at
- * most so many (1e8 if not given) between two times; if it cannot, nil and the last of the times
+ * or a little less so that times are hit; h = {tolerance, most}: by steps that the method chooses,
+ * at most so many (1e8 if not given) between two times; if it cannot, nil and the last of the times
  * that it reached. Where a state is not finite, there is a
  * third result, the end of the first step that led to one. */
 static int integrate(lua_State *L) {
