@@ -12,6 +12,7 @@ local candidates = later "generator.plan.candidates"
 local decision = later "generator.plan.decision"
 local plan = later "generator.plan.plan"
 local targets = require "generator.cost.targets"
+local known = require "generator.methods.methods"
 
 local planner = {}
 
@@ -28,18 +29,20 @@ function planner.question(scene, given, order)
     target = budget.target or targets.default, ops = budget.ops, methods = methods, order = order }
 end
 
--- All methods that the scene admits; second result: is the series among them?
-local function admitted(q)
+-- The methods that the scene admits, for stiff equations or the others; second result: is the series among them?
+local function admitted(q, stiff)
   local names, seen = {}, {}
   for _, c in ipairs(candidates.of(q.job, { real = q.real, orders = { 8 } })) do
-    if not c.refused and not seen[c.method] then names[#names + 1], seen[c.method] = c.method, true end
+    local m = known.by_name[c.method]
+    if (m and m.stiff or false) == stiff and not c.refused and not seen[c.method] then
+      names[#names + 1], seen[c.method] = c.method, true
+    end
   end
   return names, seen.taylor
 end
 
--- Compiles what the question needs: its `code` to count in and its `plugin`.  True, or nil and what went wrong.
-function planner.prepare(host, q)
-  local names, series = admitted(q)
+-- Code to count in and a plugin with these methods; nil and what went wrong.
+local function compiled(host, q, names, series)
   local function planned(orders)
     return assert(driver.plan(q.job, { real = q.real, methods = names, order = q.order or plan.top, command = "",
       orders = orders }))
@@ -47,9 +50,28 @@ function planner.prepare(host, q)
   local all = planned(series and (q.order and { q.order } or plan.orders) or {})
   local plugins, failed = build.plugins(host, { { job = all } })
   if failed then return nil, failed[1].message end
-  q.host, q.code, q.plugin = host, driver.code(planned()), plugins[1]
-  q.plugin:init()
-  return true
+  plugins[1]:init()
+  return { code = driver.code(planned()), plugin = plugins[1] }
+end
+
+-- Compiles what the question needs: its `code` to count in and its `plugin`; and where the motion is `stiff`
+-- (plan/stiffness.lua), or a method for that is asked for, the same with these methods, by their names, as `apart`.
+-- True, or nil and what went wrong.
+function planner.prepare(host, q)
+  local made, why = compiled(host, q, admitted(q, false))
+  if not made then return nil, why end
+  q.host, q.code, q.plugin, q.stiff, q.apart = host, made.code, made.plugin, nil, {}
+  q.stiff = plan.stiff(q)
+  local asked = q.stiff ~= nil
+  for _, name in ipairs(q.methods or {}) do
+    local m = known.by_name[name]
+    asked = asked or m and m.stiff
+  end
+  local names = asked and admitted(q, true) or {}
+  if #names == 0 then return true end
+  made, why = compiled(host, q, names)
+  for _, name in ipairs(names) do q.apart[name] = made end
+  return made and true, why
 end
 
 -- Makes the decision; nil and what went wrong outside.

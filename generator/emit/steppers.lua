@@ -15,7 +15,8 @@ local steppers = {}
 
 -- by the method's name, or by what it gives as its template
 local KINDS = { taylor = later "generator.emit.taylor", adaptive = later "generator.emit.adaptive",
-  split = later "generator.emit.split", midpoint = later "generator.emit.midpoint" }
+  split = later "generator.emit.split", midpoint = later "generator.emit.midpoint",
+  rosenbrock = later "generator.emit.rosenbrock" }
 
 local KNOTS = template.group "steppers/knots.c"
 

@@ -7,7 +7,8 @@
 --     increments(eq, constant)  what the step adds, as equation groups (optional: compensated.lua)
 --     program(eq, options)      what emit/NAME.lua makes C of with templates/NAME.h and .c; nil and why it cannot
 --     methods.refused(m, method)   why the method cannot step the model at all, or nil
--- adaptive = true: NAME_METHOD_run chooses its steps from a tolerance.  ABOVE the line.
+-- adaptive = true: NAME_METHOD_run chooses its steps from a tolerance.  stiff = true: the planner takes it where
+-- something decays much faster than the motion.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local contact = require "generator.dynamics.contact"
@@ -16,6 +17,7 @@ local list = {
   require "generator.methods.rk4",
   require "generator.methods.adaptive",
   require "generator.methods.taylor",
+  require "generator.methods.rosenbrock",
   require "generator.methods.midpoint",
   (require "generator.methods.semi"), -- one value: require also returns where it found it
 }
@@ -26,12 +28,12 @@ list.by_name = {}
 for _, m in ipairs(list) do list.by_name[m.name] = m end
 
 -- What takes the equations of motion as they are, and asks nothing of where they come from.
-local of_any = { rk4 = true, adaptive = true, taylor = true }
+local of_any = { rk4 = true, adaptive = true, taylor = true, rosenbrock = true }
 
 function list.refused(m, method)
   if of_any[method.name] or not contact.of(m) then return nil end
-  return "the body touches a plane, and this method makes its step of torques and free turning (rk4, adaptive and " ..
-    "taylor step any equations)"
+  return "the body touches a plane, and this method makes its step of torques and free turning (rk4, adaptive, " ..
+    "taylor and rosenbrock step any equations)"
 end
 
 return list

@@ -35,7 +35,8 @@ local function refusal(scene, name)
 end
 
 -- The candidates of a scene that was read, not planned.  options: {methods = names (nil: all), orders = Taylor's (nil:
--- those above), real = "double" or "float" (nil: both), vector = also the variants for this host}.
+-- those above), real = "double" or "float" (nil: both), vector = also the variants for this host, mild = without
+-- methods for stiff equations but those that `methods` names}.
 function candidates.of(scene, options)
   options = options or {}
   local wanted, list = options.methods and set(options.methods), {}
@@ -44,7 +45,9 @@ function candidates.of(scene, options)
     list[#list + 1] = c
   end
   local names = { "exact" }
-  for _, m in ipairs(methods) do names[#names + 1] = m.name end
+  for _, m in ipairs(methods) do
+    if not m.stiff or not options.mild or wanted then names[#names + 1] = m.name end
+  end
   for _, name in ipairs(names) do
     local m = methods.by_name[name]
     local refused

@@ -10,6 +10,7 @@ local hash = require "generator.hash"
 local text = require "generator.algebra.text"
 local err = require "generator.plan.error"
 local states = require "generator.plan.states"
+local stiffness = require "generator.plan.stiffness"
 local methods = require "generator.methods.methods"
 
 local decision = {}
@@ -190,6 +191,23 @@ local function paragraph(list, s)
   wrapped(list, table.remove(words, 1), words, 112)
 end
 
+-- What the equations become where friction is infinite, for a body that slides on a plane.
+local function limit(job)
+  for _, e in ipairs(job.record.effects) do
+    if e.a and e.a.law == "sliding" then
+      return '; the limit of such friction where the body does not slide is law = "rolling", which is not stiff'
+    end
+  end
+  return ""
+end
+
+-- What makes a motion stiff, in numbers; s: {rate, decays} of plan/stiffness.lua.
+local function stiff(job, s)
+  return "something decays at " .. short(s.rate) .. " 1/s, " .. short(s.decays) .. " times within " ..
+    shortest(job.model:double(job.model.horizon)) .. " s, so that rk4 needs steps below " ..
+    short(stiffness.longest(s.rate)) .. " s whatever the accuracy" .. limit(job)
+end
+
 -- The decision for the result of plan.find; q: the question.
 function decision.made(q, r)
   local c, real, target = r.candidate, q.real, q.target
@@ -206,7 +224,8 @@ function decision.made(q, r)
   local margin = r.error > q.accuracy / 100 and ", a margin of " .. short(r.margin) .. "," or ""
   paragraph(lines, "Measured: largest error " .. measured(r.error, q.accuracy) .. margin .. " from " ..
     string.format("%d", r.states) .. " states" .. (real == "float" and " in float" or "") .. ": " .. whence(q.job) ..
-    held(q.job) .. "; the true motion is known to " .. decade(r.own) .. ".")
+    held(q.job) .. "; the true motion is known to " .. decade(r.own) ..
+    (r.early and ", the library confirms it up to " .. short(r.early) .. " s" or "") .. ".")
   local one = counted(r.counts)
   local work = r.setup_counts and counted(r.setup_counts) .. " once, " .. one .. " for each time"
   if not work then
@@ -214,6 +233,7 @@ function decision.made(q, r)
       (c.setting == "tolerance" and " on average" or "") .. " of " .. one
   end
   paragraph(lines, "Cost: " .. work .. "; by the table for " .. target .. " " .. short(r.cost) .. " cycles.")
+  if r.stiff then paragraph(lines, "Stiff: " .. stiff(q.job, r.stiff) .. ".") end
   local beside = runners(r)
   if #beside > 0 then paragraph(lines, "At other costs: " .. table.concat(beside, ", ") .. ".") end
   d.report = lines
@@ -227,7 +247,11 @@ function decision.refusal(q, r)
     if c.over and (not cheapest or c.ops < cheapest.ops) then cheapest = c end
   end
   local got = shortest(q.accuracy)
-  if r.why then return { refused = r.why, got = got } end
+  local tail = ""
+  if r.stiff then
+    tail = "; the motion is stiff: " .. stiff(q.job, r.stiff)
+  end
+  if r.why then return { refused = r.why .. tail, got = got } end
   local best = r.closest
   for _, f in ipairs(best and {} or r.found) do
     if f.error and f.error < math.huge and (not best or f.error < best.error) then best = f end
@@ -245,13 +269,13 @@ function decision.refusal(q, r)
     limits[1] = "rounding, as far as the motion magnifies it"
   end
   if cheapest then limits[#limits + 1] = "budget.ops" end
-  if not best then return { refused = "cannot be planned: " .. limits[1], got = got } end
+  if not best then return { refused = "cannot be planned: " .. limits[1] .. tail, got = got } end
   local c = best.candidate
   local order = c.method == "taylor" and c.setting == "step" and c.order or nil
   local name = title(c, order, best.setting and short(best.setting))
   return { refused = string.format("must be one that a method can hold with a margin of %s: the best is %s, " ..
     "error %s at %s cycles of %s; what limits it is %s", shortest(r.least_margin), name, short(best.error),
-    short(best.cost), q.target, table.concat(limits, " and ")), got = got }
+    short(best.cost), q.target, table.concat(limits, " and ")) .. tail, got = got }
 end
 
 -- ---- kept as text ----

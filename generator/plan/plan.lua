@@ -9,6 +9,7 @@ local candidates = require "generator.plan.candidates"
 local ops = require "generator.cost.ops"
 local search = require "generator.plan.search"
 local states = require "generator.plan.states"
+local stiffness = require "generator.plan.stiffness"
 local targets = require "generator.cost.targets"
 local trial = require "generator.plan.trial"
 local methods = require "generator.methods.methods"
@@ -45,16 +46,16 @@ local function total(counts)
   return counts.add + counts.mul + counts.div + counts.sqrt + counts.call
 end
 
-local rank = { exact = 1, taylor = 2, adaptive = 3, split6 = 4, split4 = 5, midpoint = 6, split2 = 7, rk4 = 8,
-  semi = 9 }
+local rank = { exact = 1, rosenbrock = 2, taylor = 3, adaptive = 4, split6 = 5, split4 = 6, midpoint = 7, split2 = 8,
+  rk4 = 9, semi = 10 }
 local first_orders = { [16] = 1, [20] = 2, [12] = 3 }
 
 -- The candidates that compete, the promising first, with what search.lua wants to know; and those that were refused.
--- q: the question (plan.find); code: the planned job whose code is counted.
-local function competitors(q, code)
+-- q: the question (plan.find).
+local function competitors(q)
   local list, refused, fused = {}, {}, { fma = targets.fma(q.target, q.real) }
   local all = candidates.of(q.job, { methods = q.methods, real = q.real,
-    orders = q.order and { q.order } or plan.orders })
+    orders = q.order and { q.order } or plan.orders, mild = not q.stiff })
   local seen = {}
   for _, c in ipairs(all) do
     local fixed = c.method == "taylor" and c.setting == "tolerance"
@@ -63,6 +64,7 @@ local function competitors(q, code)
       seen.taylor = true
       c.name, c.order = "taylor tol", q.order or top
     end
+    local code = (q.apart[c.method] or q).code
     local costs = not c.refused and not twice and
       assert(ops.of(code, { method = c.method, order = c.order, setting = c.setting }, fused))
     if c.refused then
@@ -97,18 +99,21 @@ local function competitors(q, code)
   for i, c in ipairs(list) do place[c] = i end
   local function key(c)
     local inner = c.setting == "tolerance" and 0 or first_orders[c.order] or 10
-    return (rank[c.method] or 10) * 1000 + inner * 50 + place[c]
+    return (rank[c.method] or 11) * 1000 + inner * 50 + place[c]
   end
   table.sort(list, function(a, b) return key(a) < key(b) end)
   return list, refused
 end
 
--- What serves as truth once the library has confirmed it: the closed form, or the series near rounding.
-local function surrogate(job, real)
+-- What serves as truth once the library has confirmed it: the closed form, or the series near rounding; of a stiff
+-- motion, which takes a series too long, the implicit method.
+local function surrogate(job, real, stiff, accuracy)
   if real == "float" then return nil end
   if job.closed.full then return { { method = "exact", setting = "none" } } end
-  for _, c in ipairs(candidates.of(job, { methods = { "taylor" }, orders = { top }, real = real })) do
-    if not c.refused and c.setting == "tolerance" then return { c, 2.0 ^ -51 } end
+  local name, tolerance = "taylor", 2.0 ^ -51
+  if stiff then name, tolerance = "rosenbrock", math.max(1e-13, 1e-6 * accuracy) end
+  for _, c in ipairs(candidates.of(job, { methods = { name }, orders = { top }, real = real })) do
+    if not c.refused and c.setting == "tolerance" then return { c, tolerance } end
   end
   return nil
 end
@@ -141,6 +146,8 @@ end
 
 local many, some, few, confirmed = 128, 64, 5, 8
 local most, work = 1024, 4e8 -- states at last: as many as take so many cycles at the plan's cost
+local least, most_true = 16, 2e9 -- states of a stiff motion, and cycles that their true motions may take
+local sound = 1000 -- decays of a stiff motion up to which the library follows it, in a second or so
 
 -- All states: {setting, error, steps, cost, errors by point}.  limit: stop where the error is above, if given.
 -- At each point the run's own error; steps is their mean.
@@ -222,7 +229,7 @@ end
 -- They join the points, for all of which the plan is made to hold.
 local function widened(s, job, r, points, limit, real)
   local n = math.min(most, math.floor(work / r.cost)) - #points
-  if n <= 0 or #points == 1 then return r end
+  if n <= 0 or #points == 1 or s.early then return r end
   local before = #points
   for _, p in ipairs(states.points(job, real, n, before)) do
     if s:truth(p) then points[#points + 1] = p end
@@ -247,7 +254,7 @@ local function truths(s, points, limit, progress)
   local own = 0.0
   for i, p in ipairs(points) do
     local rows, why, doubt
-    if i <= confirmed or not s.sure then
+    if i <= (s.early and 2 or confirmed) or not s.sure then
       doubt, why = s:doubt(p, not s.sure and i <= confirmed or i == 1)
       rows = doubt
       own = math.max(own, doubt or 0.0)
@@ -279,28 +286,54 @@ function plan.least_steps(job, c, points, T)
   return math.max(1, math.ceil(T * math.sqrt(fastest)))
 end
 
--- The plan for a question q: {host, job (read), code (planned, with its methods), plugin, accuracy, real, target, ops,
+-- The stiffness of the scene's own motion (stiffness.lua), or nil.
+function plan.stiff(q)
+  if q.job.closed.full or q.job.equations.inputs and not states.limits(q.job) then return nil end
+  local follows
+  for _, c in ipairs(q.plugin:info().steppers) do follows = follows or c.name == "adaptive" end
+  if not follows then return nil end
+  return stiffness.of(q.plugin, states.points(q.job, q.real, 1)[1], q.job.model:double(q.job.model.horizon),
+    epsilon[q.real])
+end
+
+-- How many states: of a stiff motion as many as can be followed in time.
+local function number_of(s, q)
+  if not s.early then return s.sure and many or some end
+  local c = s.sure[1]
+  local own = states.points(q.job, q.real, 1)[1]
+  local _, steps = s:run(c, s.sure[2], own)
+  local costs = ops.of((q.apart[c.method] or q).code, { method = c.method, setting = c.setting })
+  local cost = (steps or 1) * targets.cost(q.target, q.real, costs.step)
+  return math.max(least, math.min(many, math.floor(most_true / cost)))
+end
+
+-- The plan for a question q: {host, job (read), code (planned, with its methods), plugin, apart = {method's name =
+-- {code, plugin}} of those that are not in the plugin, stiff, accuracy, real, target, ops,
 -- methods, order, progress}.  Returns
---     {candidate, setting, error, steps, cost, counts, setup_counts, order, margin, limit, found = what the competitors
---      showed, refused, states = number, own = error of the truth, rows = the scene's own true motion, expected = its
+--     {candidate, setting, error, steps, cost, counts, setup_counts, order, margin, limit, stiff = the question's,
+--     early =
+--      the time up to which the library confirmed a stiff motion or nil, found = what the competitors showed, refused,
+--      states = number, own = error of the truth, rows = the scene's own true motion, expected = its
 --      end}
 -- or nil and {found, closest, refused, own, why}; generator/plan/decision.lua puts both into words.
 function plan.find(q)
   local T = q.job.model:double(q.job.model.horizon)
   local say = q.progress or function() end
-  local s = trial.new { host = q.host, job = q.job, plugin = q.plugin, T = T }
+  local s = trial.new { host = q.host, job = q.job, plugin = q.plugin, apart = q.apart, T = T }
   if q.job.equations.inputs and not states.limits(q.job) then
     return nil, { why = "needs the limits of all inputs: effect.control{ max = }, input(name, unit, { min =, max = })",
       refused = {}, found = {} }
   end
-  local list, refused = competitors(q, q.code)
-  s.sure = surrogate(q.job, q.real)
-  local points = states.points(q.job, q.real, s.sure and many or some)
-  local result = { refused = refused, found = {}, own = 0.0, least_margin = plan.least_margin }
+  local list, refused = competitors(q)
+  s.sure = surrogate(q.job, q.real, q.stiff, q.accuracy)
+  if q.stiff and s.sure then s:briefly(T * math.min(1, sound / q.stiff.decays)) end
+  local points = states.points(q.job, q.real, number_of(s, q))
+  local result = { refused = refused, found = {}, own = 0.0, least_margin = plan.least_margin, stiff = q.stiff,
+    early = s.early and s.early.T }
   local function share(from, to) return function(part) say(from + (to - from) * part) end end
   local limit = q.accuracy / plan.margin
   local own, why = truths(s, points, limit, share(0, 0.4))
-  if own and s.sure and own > limit / 4 then
+  if own and s.sure and own > limit / 4 and not s.early then
     s.sure, points = nil, states.points(q.job, q.real, some)
     own, why = truths(s, points, limit, share(0, 0.4))
   end
@@ -310,7 +343,14 @@ function plan.find(q)
   end
   result.own, result.states = own, #points
   result.rows, result.expected = points[1].truth, points[1].truth[#points[1].truth]
-  for _, c in ipairs(list) do c.least_steps = plan.least_steps(q.job, c, points, T) end
+  for _, c in ipairs(list) do
+    c.least_steps = plan.least_steps(q.job, c, points, T)
+    local m = methods.by_name[c.method]
+    if q.stiff and m and not m.stiff then -- half of what stability asks for: other states may be less stiff
+      c.stable_steps = q.stiff.decays / stiffness.reach(c.method, c.order)
+      c.least_steps = math.max(c.least_steps, math.floor(c.stable_steps / 2))
+    end
+  end
   local best
   for turn, margin in ipairs { plan.margin, plan.least_margin } do
     if best or #list == 0 or q.accuracy / margin <= own then break end

@@ -9,6 +9,7 @@
 local search = {}
 
 local most_steps = 2 ^ 20 -- of one run: who needs more is given up
+local most_cycles = 2e9 -- of one run of an explicit method through a stiff motion: seconds
 local close = 1.02 -- a number of steps that is this near the least one is good enough
 
 -- {setting, error, steps, cost} of one setting at the points; fits = is the error below the limit.
@@ -120,12 +121,19 @@ end
 -- One candidate at the points: {setting, error, steps, cost, fits}; dearer = given up, as it costs more than best.
 local function solve(s, c, limit, best)
   if c.setting == "none" then return tried(s, c, nil, math.huge) end
+  if c.stable_steps then -- no run tells more than what its stability alone costs
+    local should = c.stable_steps * c.weight(c.setting == "tolerance" and math.min(1e-2, limit) or nil)
+    if should > 2 * math.min(most_cycles, best and best.cost or math.huge) then
+      return { fits = false, dearer = true, should = should }
+    end
+  end
   return (c.setting == "step" and by_step or by_tolerance)(s, c, limit, best)
 end
 
 -- s: {trial, points, epsilon (of the type), progress = function(part)}; candidates: with weight(setting), setup, power
 -- (the order of the method), spread (how near the limit a tolerance's error should come), allowed(tolerance): is it
--- within the budget?, and least_steps that a run must have.  Returns the best {candidate,
+-- within the budget?, least_steps that a run must have, and stable_steps that an explicit method takes at least through
+-- a stiff motion.  Returns the best {candidate,
 -- ...} or nil, and for every candidate what was found: {candidate, error, setting, cost, dearer}.  bound: a plan that
 -- is known to hold, to be beaten.
 function search.cheapest(s, candidates, limit, bound)

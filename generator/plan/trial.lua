@@ -16,20 +16,27 @@ local function called(c)
   return c.method == "taylor" and c.setting == "step" and "taylor " .. c.order or c.method
 end
 
--- setup: {host =, job =, plugin =, T = horizon, points =, sure = {candidate, setting} of a method that serves as truth
--- once it has been shown to, or nil: the library is asked at every point}
+-- setup: {host =, job =, plugin =, apart = {method's name = {plugin =}} of other plugins, T = horizon, points =, sure =
+-- {candidate, setting} of a method that serves as truth once it has been shown to, or nil: the library is asked at
+-- every point}
 function trial.new(setup)
   local self = setmetatable(setup, trial)
-  self.times, self.true_motions = err.times(self.T), reference.new(self.host, self.job)
+  self.times, self.true_motions, self.moved = err.times(self.T), reference.new(self.host, self.job), {}
   return self
+end
+
+-- The library is asked for the first `span` seconds only.
+function trial:briefly(span)
+  self.early = trial.new { host = self.host, job = self.job, plugin = self.plugin, apart = self.apart, T = span,
+    sure = self.sure }
 end
 
 -- Rows of the motion from the point's state: states at the 40 times and last at T in one run, and the steps of that.
 function trial:run(c, setting, point)
-  local plugin, x, T = self.plugin, point.x, self.T
-  if point.params or self.moved then
+  local plugin, x, T = (self.apart and self.apart[c.method] or self).plugin, point.x, self.T
+  if point.params or self.moved[plugin] then
     if plugin:init(point.params) ~= 0 then return nil, "NAME_init refuses these parameters" end
-    self.moved = point.params ~= nil
+    self.moved[plugin] = point.params ~= nil
   end
   if c.setting == "none" then
     if plugin:solve(x) ~= 0 then return nil end
@@ -74,7 +81,7 @@ function trial:truth(point)
   local rows, why
   if self.sure and not point.library then
     rows, why = self:run(self.sure[1], self.sure[2], point)
-    why = why or "its motion ends in a singularity"
+    why = why or "the motion ends in a singularity (on a plane: friction that undoes the support)"
   else
     rows, why = self.true_motions:motion(point.x, self.times, point.values, true, point.input)
     if rows then rows = with_last(rows) end
@@ -85,12 +92,24 @@ end
 
 -- How far `sure` is from the library at a point and, if `twice`, the library's two runs from each other: the larger.
 function trial:doubt(point, twice)
+  if self.early then return self:doubt_early(point, twice) end
   local rows, own = self.true_motions:motion(point.x, self.times, point.values, not twice, point.input)
   if not rows then return nil, own end
   point.truth, point.library = with_last(rows), true
   if not self.sure then return own or 0.0 end
   local ours = self:run(self.sure[1], self.sure[2], point)
   return ours and math.max(own or 0.0, (err.of(self.job, ours, point.truth))) or math.huge
+end
+
+-- The same where the library is asked for the beginning only: the rest is held to a run with ten times the tolerance.
+function trial:doubt_early(point, twice)
+  local p = { x = point.x, values = point.values, params = point.params, input = point.input }
+  local doubt, why = self.early:doubt(p, twice)
+  if not doubt then return nil, why end
+  local rows, ended = self:truth(point)
+  if not rows then return nil, ended end
+  local coarse = self:run(self.sure[1], 10 * self.sure[2], point)
+  return coarse and math.max(doubt, (err.of(self.job, coarse, rows))) or math.huge
 end
 
 -- The largest error of a candidate over the points and the mean of its steps.  limit: stop at the first that is above.

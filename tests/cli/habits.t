@@ -46,7 +46,8 @@ for _, case in ipairs {
   { "gen s.lua --output x", "no option --output; did you mean -o?" },
   { "check s.lua --grid a", "no option --grid" }, -- a word of other programs for what this command has not
   { "gen s.lua --real flaot", "--real must be double or float, got flaot; did you mean float?" },
-  { "gen s.lua --method rk5", "--method must be some of exact, rk4, adaptive, taylor, midpoint, semi, split2, " ..
+  { "gen s.lua --method rk5", "--method must be some of exact, rk4, adaptive, taylor, rosenbrock, midpoint, semi, " ..
+    "split2, " ..
     "split4, split6, linearised, got rk5; did you mean rk4?" },
   { "gen s.lua --method rk4,rk4", "--method: rk4 stands there twice" },
   { "gen s.lua --project sweep", "--project sweep: what is varied has to be said; `polhode sweep SCENE " ..
@@ -66,7 +67,7 @@ for _, case in ipairs {
   { "run s.lua --method adaptiv", "--engine general has the methods adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, " ..
     "exact, linearised, got adaptiv; did you mean adaptive?" },
   { "run s.lua --engine generated --method tailor", "--engine generated has the methods exact, rk4, adaptive, " ..
-    "taylor, midpoint, semi, split2, split4, split6, got tailor; did you mean taylor?" },
+    "taylor, rosenbrock, midpoint, semi, split2, split4, split6, got tailor; did you mean taylor?" },
   { "run s.lua --step 0", "--step must be positive, got 0.0" },
   { "run s.lua --tolerance 1", "--tolerance must be from 1e-19 to 0.1, got 1.0" },
   { "run s.lua --method rk4 --tolerance 1e-3", "--tolerance: the method rk4 has a fixed step" },

@@ -124,7 +124,8 @@ for _, case in ipairs {
       "did you mean sdf? (polhode help explain)\n" },
   { "gen --bake=yes s.lua", 2, "polhode gen: --bake takes no value (polhode help gen)\n" },
   { "gen --method euler s.lua", 2,
-    "polhode gen: --method must be some of exact, rk4, adaptive, taylor, midpoint, semi, split2, split4, split6, " ..
+    "polhode gen: --method must be some of exact, rk4, adaptive, taylor, rosenbrock, midpoint, semi, split2, " ..
+      "split4, split6, " ..
       "linearised, got euler (polhode help gen)\n" },
   { "gen --set x s.lua", 2, "polhode gen: --set must be NAME=NUMBER, got x (polhode help gen)\n" },
   { "gen --set r=abc s.lua", 2, "polhode gen: --set must be NAME=NUMBER, got r=abc (polhode help gen)\n" },

@@ -83,6 +83,8 @@ emit("brick_centroid", { methods = { "taylor" }, batch = true })
 emit("attitude_control", { methods = { "taylor" }, real = "float", batch = true })
 emit("attitude_control", { methods = { "rk4" }, jacobians = true, real = "float" }, "firmware")
 emit("thruster", { methods = { "taylor", "adaptive" }, jacobians = true, compensated = true }, "fmu")
+emit("egg", { methods = { "rosenbrock" } })
+emit("thruster", { methods = { "rosenbrock" }, real = "float" })
 emit("attitude_control", { methods = { "rk4" } }, "python")
 for _, project in ipairs { "cmake", "arduino", "platformio", "zephyr" } do
   emit("dropped_stone", { methods = { "rk4" } }, project)

@@ -12,57 +12,7 @@ local tap = require "tests.tap"
 local program = require "tests.cli.program"
 local R = require "generator.algebra.rational"
 local adaptive = require "generator.methods.adaptive"
-
--- All rooted trees with n vertices, each a list of subtrees in a canonical order; `text` tells them apart.
-local forests = {}
-
-local function trees(n)
-  local list = {}
-  for _, forest in ipairs(forests[n - 1]) do
-    local texts = {}
-    for i, s in ipairs(forest) do texts[i] = s.text end
-    table.sort(texts)
-    list[#list + 1] = { forest = forest, size = n, text = "(" .. table.concat(texts) .. ")" }
-  end
-  return list
-end
-
--- Multisets of trees with n vertices in all: those whose largest tree is no larger than what came before.
-local function build(most)
-  forests[0] = { {} }
-  local all = {}
-  for n = 1, most do
-    for _, t in ipairs(trees(n)) do all[#all + 1] = t end
-    local seen, list = {}, {}
-    local function extend(forest, left, from)
-      if left == 0 then
-        local texts = {}
-        for i, s in ipairs(forest) do texts[i] = s.text end
-        table.sort(texts)
-        local key = table.concat(texts)
-        if not seen[key] then list[#list + 1] = { table.unpack(forest) } end
-        seen[key] = true
-        return
-      end
-      for i = from, #all do
-        if all[i].size <= left then
-          forest[#forest + 1] = all[i]
-          extend(forest, left - all[i].size, i)
-          forest[#forest] = nil
-        end
-      end
-    end
-    extend({}, n, 1)
-    forests[n] = list
-  end
-  return all
-end
-
-local function density(t)
-  local g = R.new(t.size)
-  for _, s in ipairs(t.forest) do g = g * density(s) end
-  return g
-end
+local trees = require "tests.methods.trees"
 
 local T = adaptive.tableau
 local function stage_weights(t) -- the product over subtrees of sum_j a_ij phi_j, for each stage i
@@ -86,11 +36,11 @@ local function weight(b, t)
 end
 
 do
-  local all = build(6)
+  local all = trees.build(6)
   local count, high, low, beyond = { 0, 0, 0, 0, 0, 0 }, true, true, { high = false, low = false }
   for _, t in ipairs(all) do
     count[t.size] = count[t.size] + 1
-    local want = R.one / density(t)
+    local want = R.one / trees.density(t)
     local a, b = weight(T.a[7], t) == want, weight(T.low, t) == want
     if t.size <= 5 then high = high and a end
     if t.size <= 4 then low = low and b end

@@ -32,7 +32,7 @@ local judge = trial.new { host = host, job = job, plugin = q.plugin, T = job.mod
 local function all()
   local list = {}
   for _, c in ipairs(candidates.of(job, { real = real, methods = q.methods,
-    orders = plan.orders })) do
+    orders = plan.orders, mild = true })) do
     local tolerance = c.method == "taylor" and c.setting == "tolerance"
     if not c.refused and (not tolerance or c.order == plan.orders[1]) then
       if tolerance then c.order = plan.top end

@@ -192,14 +192,14 @@ static double advance(const struct plugin *p, const struct polhode_stepper *s, d
 /* From *t to `end` in steps of the tolerance's choice; how many, -1 if the state became infinite or
  * the steps vanish. */
 static double adapt(const struct plugin *p, const struct polhode_stepper *s, double *t, double end,
-                    double tolerance, double x[], const struct engine_course *c) {
+                    double tolerance, int most, double x[], const struct engine_course *c) {
   struct engine_inputs in;
   double u[ENGINE_INPUTS], all = 0;
   do {
     const double next = engine_course_next(c, *t, end);
     engine_course_segment(c, *t, next, &in);
     engine_inputs_at(&in, c->n, in.since, u);
-    const int steps = s->run(p->model, *t, x, u, next, tolerance, 100000000);
+    const int steps = s->run(p->model, *t, x, u, next, tolerance, most);
     *t = next;
     all = steps < 0 ? -1 : all + steps;
   } while (all >= 0 && *t != end);
@@ -207,8 +207,9 @@ static double adapt(const struct plugin *p, const struct polhode_stepper *s, dou
 }
 
 /* integrate(x0, course, h, times[, t0, method]) -> {{t, x...}, ...}, number of steps; by steps of h
- * or a little less so that times are hit; h = {tolerance}: by steps that the method chooses; if it
- * cannot, nil and the last of the times that it reached. Where a state is not finite, there is a
+ * or a little less so that times are hit; h = {tolerance, most}: by steps that the method chooses,
+ * at most so many (1e8 if not given) between two times; if it cannot, nil and the last of the times
+ * that it reached. Where a state is not finite, there is a
  * third result, the end of the first step that led to one. */
 static int integrate(lua_State *L) {
   const struct plugin *p = plugin_ready(L);
@@ -219,10 +220,15 @@ static int integrate(lua_State *L) {
   engine_list(L, 2, nx, x);
   engine_course_read(L, 3, p->code->nu, &course);
   const int adaptive = lua_istable(L, 4);
-  if (adaptive)
+  int most = 100000000;
+  if (adaptive) {
+    if (lua_rawgeti(L, 4, 2) != LUA_TNIL)
+      most = (int)luaL_checkinteger(L, -1);
+    lua_pop(L, 1);
     lua_rawgeti(L, 4, 1);
-  else
+  } else {
     lua_pushvalue(L, 4);
+  }
   h = luaL_checknumber(L, -1);
   lua_pop(L, 1);
   luaL_argcheck(L, h > 0, 4, "step or tolerance must be positive");
@@ -237,7 +243,7 @@ static int integrate(lua_State *L) {
     lua_rawgeti(L, 5, i);
     const double end = luaL_checknumber(L, -1);
     memcpy(before, row, sizeof row);
-    const double steps = adaptive ? adapt(p, s, &row[0], end, h, x, &course)
+    const double steps = adaptive ? adapt(p, s, &row[0], end, h, most, x, &course)
                                   : advance(p, s, &row[0], end, h, x, &course, NULL);
     lua_pop(L, 1);
     interrupt_check(L);

@@ -1,0 +1,76 @@
+-- rosenbrock.lua -- the linearly implicit method as C: rates, factors and their use printed;
+-- templates/steppers/rosenbrock.c makes steps of them.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local number = require "generator.emit.number"
+local source = require "generator.emit.source"
+local template = require "generator.emit.template"
+
+local GROUP = template.group("steppers/rosenbrock.h", "steppers/rosenbrock.c")
+
+local function text(n) return string.format("%d", n) end
+
+local emit = {}
+
+-- The places of an array as text.
+local function placed(groups)
+  local list = {}
+  for i, g in ipairs(groups) do
+    local outs = {}
+    for k, o in ipairs(g.outs) do outs[k] = { array = o.array, index = text(o.index), expr = o.expr } end
+    list[i] = { why = g.why, where = g.where, defs = g.defs, outs = outs }
+  end
+  return list
+end
+
+-- The rows of a tableau in C, with zeros up to `width`.
+local function rows(list, width, real)
+  local out = {}
+  for i, row in ipairs(list) do
+    local cells = {}
+    for k = 1, width do cells[k] = row[k] and number.text(row[k], real) or number.text(row[1] and row[1] - row[1] or
+      list[2][1] - list[2][1], real) end
+    out[i] = { text = table.concat(cells, ", ") .. (i < #list and "}," or "}") }
+  end
+  return out
+end
+
+-- Header and source of the program of methods/rosenbrock.lua.  s, kit: see emit/steppers.lua.
+function emit.render(s, kit)
+  local program, ctx, T = s.program, kit.ctx, s.program.tableau
+  local n, names = #program.states, {}
+  for i, state in ipairs(program.states) do names[i] = state.name end
+  local function made(name, groups, ...)
+    local f = source.make(ctx, { name = "rosenbrock_" .. name, groups = placed(groups), doc = {}, args = { ... } })
+    return { head = f.head, lines = f.lines }
+  end
+  local function array(name, count) return { name = name, count = text(count), out = true } end
+  local function given(name, list) return { name = name, count = #list, names = list } end
+  local attitude = program.states[1].name == "qw"
+  local v = { count = text(n), cells = text(#program.factors), timed = program.timed, attitude = attitude, states = {},
+    kinds = source.kinds(program.states), has_knots = s.has_knots, first = s.first, slips = {},
+    many = text(#program.slips), arms = text(3 * #program.slips),
+    slides = #program.slips > 0, rate = number.text(T.gamma ^ -1, ctx.real),
+    a = rows(T.a, 7, ctx.real), C = rows(T.C, 7, ctx.real), c = rows({ T.c }, 8, ctx.real)[1].text,
+    d = rows({ T.d }, 8, ctx.real)[1].text }
+  v.c, v.d = string.sub(v.c, 1, -2), string.sub(v.d, 1, -2)
+  for i, state in ipairs(program.states) do v.states[i] = { name = ctx.upper .. "_" .. string.upper(state.name) } end
+  for i, x in ipairs(program.slips) do v.slips[i] = { name = ctx.upper .. "_" .. string.upper(x.state.name),
+    place = text(i - 1) } end
+  for _, k in ipairs(v.kinds) do -- what a place or a velocity along the plane is known to
+    local name = program.states[math.tointeger(tonumber(k.first)) + 1].name
+    local along = #program.slips > 0 and string.match(name, "^([pv])[12]$")
+    k.least = along == "v" and "pace" or along == "p" and kit.base.fabs .. "(h)*pace" or kit.base.zero
+  end
+  v.rates = made("rates", program.rates, "m", "t", "x", "u", array("dz", n))
+  v.matrix = made("matrix", program.matrix, "m", "t", "x", "u", "n", array("F", #program.factors),
+    program.timed and array("dt", n) or nil)
+  v.solve = made("solve", program.solve, given("F", program.factors), given("b", names), array("k", n))
+  v.shift = #program.slips > 0 and made("slip", program.shifts, "m", "t", "x", "u", array("a", #program.slips),
+    array("arm", 3 * #program.slips)) or
+    { head = "", lines = {} }
+  local render = GROUP(kit.templates, kit.base, v)
+  return render "steppers/rosenbrock.h", { render "steppers/rosenbrock.c" }
+end
+
+return emit
