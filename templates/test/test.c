@@ -365,9 +365,9 @@ int main(void)
   ${name}_at(&o, ${order_time}, got);
 %% elseif has_centre then
   {
-    ${name}_real v[2], W[3];
+    ${name}_real speed[2], spin[3];
 
-    ${name}_at_centre(&o, ${order_time}, got + ${upper}_P1, v, W);
+    ${name}_at_centre(&o, ${order_time}, got + ${upper}_P1, speed, spin);
   }
 %% else
   ${name}_at_rates(&o, ${order_time}, got + ${upper}_WX);

@@ -204,7 +204,8 @@ for i, contact_of in ipairs { "rolling\"", "smooth\"", "sliding\", friction = { 
   for _, body in ipairs { "axial", "diagonal" } do
     for _, text in ipairs { "ellipsoid { a = 2, b = 2, c = 2.3, at = {0, 0, 0.2} }",
       "sphere { r = 2, at = {0, 0, 0.2} }" } do
-      list[#list + 1] = { body = body, effects = { { name = "revolved_" .. text:match "%a+", effect = "plane", where = "plane",
+      local name = "revolved_" .. text:match "%a+"
+      list[#list + 1] = { body = body, effects = { { name = name, effect = "plane", where = "plane",
         text = function() return "surface = contact." .. text .. ", law = \"" .. contact_of ..
           (i == 1 and ", turntable = 0.3" or "") end } } }
     end

@@ -2,9 +2,9 @@
 -- steady.t - steady rolling of bodies of revolution: NAME_steady_spin and NAME_steady_nod against the library's motion.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- The library knows Newton's and Euler's laws with the contact force as an unknown, and neither function.  From the spin
--- that the first one gives the tilt must stay, and N be the weight.  With a rate of 1e-5 of nodding the tilt must go
--- as sin(r t)/r with r^2 of the second one, or sinh: at the end of half a nod, and where it has grown e times.
+-- The library knows Newton's and Euler's laws with the contact force as an unknown, and neither function.  From the
+-- spin that the first one gives the tilt must stay, and N be the weight.  With a rate of 1e-5 of nodding the tilt must
+-- go as sin(r t)/r with r^2 of the second one, or sinh: at the end of half a nod, and where it has grown e times.
 
 package.path = "./?.lua;" .. package.path
 
@@ -27,33 +27,36 @@ end
 
 -- at: tilt and precession; the signs of r^2 are those of the motions.
 local cases = {
-  { what = "top on a sphere", across = "3e-6", along = "2.5e-6", surface = "contact.sphere { r = 0.015, at = { 0, 0, low } }",
+  { what = "top on a sphere", across = "3e-6", along = "2.5e-6",
+    surface = "contact.sphere { r = 0.015, at = { 0, 0, low } }",
     at = { { 0.4, 60.0 }, { 1.2, -90.0 }, { 2.5, 25.0 } } },
   { what = "egg", across = "5e-6", along = "3e-6", low = 0.001,
     surface = "contact.ellipsoid { a = 0.02, b = 0.02, c = 0.03, at = { 0, 0, low } }",
     at = { { 0.3, 80.0 }, { 1.5, 30.0 }, { 1.1, -45.0 } } },
   { what = "thin disc", across = "2e-6", along = "4e-6", surface = "contact.disc { r = 0.02 }",
     at = { { 0.3, 60.0 }, { 1.4, 2.0 }, { 1.4, 10.0 } } },
-  { what = "coin with a rounded edge", across = "2e-6", along = "3.9e-6", surface = "contact.disc { r = 0.02, edge = low }",
-    at = { { 0.3, 60.0 }, { 1.4, 2.0 } } },
+  { what = "coin with a rounded edge", across = "2e-6", along = "3.9e-6",
+    surface = "contact.disc { r = 0.02, edge = low }", at = { { 0.3, 60.0 }, { 1.4, 2.0 } } },
   { what = "paraboloid", across = "5e-6", along = "3e-6", low = -0.01,
-    surface = "contact.paraboloid { a = 0.012, b = 0.012, at = { 0, 0, low } }", at = { { 0.5, 70.0 }, { 0.2, 20.0 } } },
+    surface = "contact.paraboloid { a = 0.012, b = 0.012, at = { 0, 0, low } }",
+    at = { { 0.5, 70.0 }, { 0.2, 20.0 } } },
 }
 
 -- {spin, nod} at each tilt and precession, by the emitted code.
 local function emitted(case, real)
   local calls = {}
   for i, at in ipairs(case.at) do
-    calls[i] = string.format('printf("%%.17g %%.17g\\n", (double)roller_steady_spin(&m, (roller_real)%.17g, ' ..
-      '(roller_real)%.17g), (double)roller_steady_nod(&m, (roller_real)%.17g, (roller_real)%.17g));', at[1], at[2], at[1],
-      at[2])
+    calls[i] = string.format("show(&m, (roller_real)%.17g, (roller_real)%.17g);", at[1], at[2])
   end
   program.write(dir .. "/roller.lua", scene_of(case, { 0, 0, 10 }, 1.0))
-  program.write(dir .. "/main.c", '#include "roller_analysis.h"\n#include <stdio.h>\nint main(void) {\n  roller_model m;\n' ..
-    "  if (roller_init(&m, 0) != 0) return 1;\n  " .. table.concat(calls, "\n  ") .. "\n  return 0;\n}\n")
+  program.write(dir .. "/main.c", '#include "roller_analysis.h"\n#include <stdio.h>\n' ..
+    "static void show(const roller_model *m, roller_real tilt, roller_real n) {\n" ..
+    '  printf("%.17g %.17g\\n", (double)roller_steady_spin(m, tilt, n), (double)roller_steady_nod(m, tilt, n));\n}\n' ..
+    "int main(void) {\n  roller_model m;\n  if (roller_init(&m, 0) != 0) return 1;\n  " ..
+    table.concat(calls, "\n  ") .. "\n  return 0;\n}\n")
   local code = shell("(%s gen %s/roller.lua --with analysis --method rk4 --real %s -o %s/made && cc -std=c99 -O1 " ..
-    "-I%s/made -o %s/run %s/main.c %s/made/roller_analysis.c %s/made/roller.c -lm && %s/run >%s/out) >%s/log 2>&1", binary,
-    dir, real, dir, dir, dir, dir, dir, dir, dir, dir, dir)
+    "-I%s/made -o %s/run %s/main.c %s/made/roller_analysis.c %s/made/roller.c -lm && %s/run >%s/out) >%s/log 2>&1",
+    binary, dir, real, dir, dir, dir, dir, dir, dir, dir, dir, dir)
   if not tap.is(code, 0, case.what .. ", " .. real .. ": emitted and compiled") then
     tap.diag(program.read(dir .. "/log"))
     return nil
@@ -99,15 +102,16 @@ for _, case in ipairs(cases) do
     end
     tap.ok(course and off < 1e-12, name .. ": the tilt stays and N is the weight", course and off or why)
     local first = nod > 0 and math.pi / rate or 1 / rate
-    course, why = run(case, tilt, { PUSH * rate, omega[2], omega[3] }, { 0.5 * first, first })
+    course = run(case, tilt, { PUSH * rate, omega[2], omega[3] }, { 0.5 * first, first })
     local want = nod > 0 and { 1, 0 } or { (math.exp(0.5) - math.exp(-0.5)) / 2, (math.exp(1) - math.exp(-1)) / 2 }
     for k = 1, 2 do
-      tap.near(course and (course[k][1] - tilt) / PUSH or 0 / 0, want[k], 0, 2e-3, string.format("%s: %s %d of 2", name,
-        nod > 0 and "nods" or "falls", k), "terms of second order: 1e-5 times the ratio of curvatures, at most some 100")
+      local what = string.format("%s: %s %d of 2", name, nod > 0 and "nods" or "falls", k)
+      tap.near(course and (course[k][1] - tilt) / PUSH or 0 / 0, want[k], 0, 2e-3, what,
+        "terms of second order: 1e-5 times the ratio of curvatures, at most some 100")
     end
     -- float: a few roundings of terms that are larger by what cancels, the squares of both rates
     tap.near(float[i][1], spin, 0, 1e-5 * size, name .. ": float, the spin", "80 roundings")
-    tap.near(float[i][2], nod, 0, 1e-4 * size ^ 2, name .. ": float, the nod", "800 roundings of the squares of the rates")
+    tap.near(float[i][2], nod, 0, 1e-4 * size ^ 2, name .. ": float, the nod", "800 roundings of the rates' squares")
   end
 end
 tap.ok(signs[true] and signs[false], "stable and unstable ones are among them")

@@ -148,8 +148,8 @@ for _, case in ipairs {
     position = "0, 0, 0", tilted = true, W = { "0", "2" }, z = { "0", "0" }, R = "1/2", Omega = "7/2", pull = "-15/4",
     times = { 0.001, 0.9, 1.1, 100.5, 1000 * turns } },
   { what = "a plane all but at rest", r = "0.5", J = "0.1", turntable = "3.5e-15", omega = "0, 2, 0",
-    position = "0, 0, 0", tilted = true, W = { "0", "2" }, z = { "0", "0" }, R = "1/2", Omega = "35e-16", pull = "-15/4",
-    times = { 0.001, 1.0, 1000.0 } },
+    position = "0, 0, 0", tilted = true, W = { "0", "2" }, z = { "0", "0" }, R = "1/2", Omega = "35e-16",
+    pull = "-15/4", times = { 0.001, 1.0, 1000.0 } },
   { what = "at the rate of a turn a minute, from 1/1000 s on", r = "0.5", J = "0.1", turntable = "0.109375",
     omega = "0, 2, 0", position = "0, 0, 0", tilted = true, W = { "0", "2" }, z = { "0", "0" }, R = "1/2",
     Omega = "7/64", pull = "-15/4", times = { 0.001, 1.0, 31.9, 32.1, 1000.0 } },
@@ -188,8 +188,8 @@ end
 -- ---- what has none ----
 
 local function said(effect)
-  program.write(dir .. "/none.lua", 'return scene { name = "none", body = solid.sphere { r = 0.1, mass = 1 }, effects ' ..
-    "= { " .. effect .. " } }\n")
+  program.write(dir .. "/none.lua", 'return scene { name = "none", body = solid.sphere { r = 0.1, mass = 1 }, ' ..
+    "effects = { " .. effect .. " } }\n")
   program.shell(string.format("%s explain %s/none.lua >%s/said 2>&1", binary, dir, dir))
   return program.read(dir .. "/said")
 end
