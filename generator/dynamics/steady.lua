@@ -12,6 +12,7 @@
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local context = require "generator.dynamics.context"
@@ -36,10 +37,10 @@ local function curvature(s, sine, cosine)
   return B == expr.zero and expr.zero or A * B / expr.sqrt(A * sine ^ 2 + B * cosine ^ 2) ^ 3
 end
 
--- The contact at the tilt and what follows from it, as definitions of the group.
-local function geometry(m, group)
+-- The contact at the tilt and what follows from it, as definitions of the group.  plain: no constant is kept.
+local function geometry(m, group, plain)
   local at = rolls(m)
-  local c = context.with(context.of(m), at.e)
+  local c = context.with(plain and context.dry(m) or context.of(m), at.e)
   local name = touch.namer(m, group, {})
   local function one(prefix, e) return name(prefix, { e })[1] end
   local k = { s = one("sine", expr.call("sin", tilt)), c = one("cosine", expr.call("cos", tilt)) }
@@ -72,10 +73,8 @@ local function steady_spin(m)
       "precession n about the normal, rad/s, not 0: the centre of mass moves on a circle, and N is the weight." } }
 end
 
-local function steady_nod(m)
-  local group = { why = "small nutations about steady rolling: -(dM/dtheta)/(I1 + m r^2), M of NAME_steady_spin",
-    defs = {} }
-  local k = geometry(m, group)
+-- The square of the nutation's rate.
+local function nod(k)
   local s, c, x, y, h, b, one = k.s, k.c, k.x, k.y, k.h, k.b, k.one
   local w = one("w", spin(k))
   local v = one("v", n * s * y - w * x)
@@ -87,10 +86,43 @@ local function steady_nod(m)
   local along = k.I1 * n ^ 2 * (c ^ 2 - s ^ 2) - k.I3 * n * c * w - n * (b * v + h * dv) - k.G * db
   local by_n = 2 * k.I1 * n * s * c - k.I3 * s * w - h * v - n * h * s * y
   local by_w = n * (h * x - k.I3 * s)
-  group.outs = { { result = true, expr = -(along + by_n * dn + by_w * dw) / (k.I1 + x ^ 2 + y ^ 2) } }
+  return -(along + by_n * dn + by_w * dw) / (k.I1 + x ^ 2 + y ^ 2)
+end
+
+local function steady_nod(m)
+  local group = { why = "small nutations about steady rolling: -(dM/dtheta)/(I1 + m r^2), M of steady_spin", defs = {} }
+  group.outs = { { result = true, expr = nod(geometry(m, group)) } }
   return { name = "steady_nod", args = { "m", "tilt", "n" }, result = true, groups = { group },
     doc = { "The square of the rate, rad^2/s^2, at which the tilt nods about the steady rolling of steady_spin:",
       "positive where it is stable.  0 < tilt < pi, n not 0; the margins stable_.. tell of upright spins." } }
+end
+
+-- The steady rolling of this tilt and rate w about the axis, as doubles, parameters at their defaults: a list of {n,
+-- nod}, of the roots of s (I1 c - m h y) n^2 - (I3 s - m h x) w n = m G b; nil where nothing rolls so.
+function steady.of(m, angle, w)
+  if not rolls(m) then return nil end
+  local group, env = { defs = {} }, { tilt = angle, n = 1.0 }
+  for name, x in pairs(m.defaults) do env[name] = x end -- into a table: order is lost anyway
+  local k = geometry(m, group, true)
+  local bare, square = #group.defs, nod(k)
+  local function evaluated(from, to)
+    for i = from, to do env[group.defs[i].name] = evaluate.double(group.defs[i].expr, env) end
+  end
+  evaluated(1, bare)
+  local function value(e) return evaluate.double(e, env) end
+  local A, B = value(k.s * (k.I1 * k.c - k.h * k.y)), value(k.I3 * k.s - k.h * k.x) * w
+  local C = value(k.G * k.b)
+  local list = {}
+  if A == 0 or B * B + 4 * A * C < 0 then return list end
+  local far = (B + (B < 0 and -1 or 1) * math.sqrt(B * B + 4 * A * C)) / (2 * A)
+  for _, root in ipairs { far, far ~= 0 and -C / A / far or nil } do
+    if root ~= 0 then
+      env.n = root
+      evaluated(bare + 1, #group.defs)
+      list[#list + 1] = { n = root, nod = value(square) }
+    end
+  end
+  return list
 end
 
 -- The functions of the emitted code that are `made`, a function of their names; none where nothing rolls so.

@@ -8,6 +8,7 @@ local calculus = require "generator.algebra.calculus"
 local vec = require "generator.algebra.vec"
 local contact = require "generator.dynamics.contact"
 local state = require "generator.dynamics.state"
+local steady = require "generator.dynamics.steady"
 local touch_laws = require "generator.dynamics.touch_laws"
 local upright = require "generator.dynamics.upright"
 local disc = require "generator.report.disc"
@@ -79,6 +80,24 @@ local function ball(m, f, put, a, mass, G)
   end
 end
 
+-- The steady rolling of a top at its tilt and spin, and its small nutations.
+local function rolling(m, put)
+  local g = vec.matvec(vec.transpose(vec.rotation(m.attitude)), contact.of(m).a.normal)
+  local x, y, z = m:double(g[1]), m:double(g[2]), m:double(g[3])
+  local across = math.sqrt(x * x + y * y)
+  if across == 0 then return end -- upright
+  for i, s in ipairs(steady.of(m, math.atan(across, z), m:double(m.omega[3])) or {}) do
+    local number, stable = string.format("%d", i), s.nod >= 0
+    put("steady_precession_" .. number, "about the normal, for this tilt and w3; contact x, y across and along the " ..
+      "axis, height h, b = y s - x c",
+      "s (I1 c - m h y) p^2 - (I3 s - m h x) w3 p = m G b", "s(I_1c - mhy)p^2 - (I_3s - mhx)\\omega_3p = mGb", s.n,
+      "rad/s")
+    put((stable and "steady_nutation_" or "steady_growth_") .. number, stable and
+      "small nutation about it: it is stable" or "this one is unstable", stable and "sqrt(U''/J)" or "sqrt(-U''/J)",
+      stable and "\\sqrt{U''/J}" or "\\sqrt{-U''/J}", math.sqrt(math.abs(s.nod)), "rad/s")
+  end
+end
+
 -- The rows of values.lua for a scene with effect.plane.
 function touch.rows(job, put)
   local m, e = job.model, contact.of(job.model)
@@ -90,8 +109,10 @@ function touch.rows(job, put)
   if f.ball and a.law == "rolling" then ball(m, f, put, a, mass, G) end
   critical(m, a.law, put)
   local size = math.sqrt(vec.dot(G, G))
-  if m:double(a.rate) ~= 0 or not f.level or not f.revolved or size == 0 or not f.surface.disc then return end
-  if a.law == "rolling" and m:double(f.centre[3]) == 0 then
+  if m:double(a.rate) ~= 0 or not f.level or not f.revolved or size == 0 or a.law ~= "rolling" then return end
+  if not f.surface.disc then
+    rolling(m, put)
+  elseif m:double(f.centre[3]) == 0 then
     disc.rows(m, f.surface, put, m:double(f.I1), m:double(f.I3), mass, size)
   end
 end

@@ -9,6 +9,7 @@
 package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
+local json = require "tests.json"
 local program = require "tests.cli.program"
 
 local dir = program.directory()
@@ -68,6 +69,19 @@ local function emitted(case, real)
   return rows
 end
 
+-- What explain says of the start: {precession, square of the nutation's rate}, twice.
+local function explained(case, tilt, omega)
+  program.write(dir .. "/start.lua", scene_of(case, omega, tilt))
+  shell("%s explain %s/start.lua --format json >%s/said", binary, dir, dir)
+  local values, list = json.read(program.read(dir .. "/said")).values, {}
+  for i = 1, 2 do
+    local n, stable, grows = values["steady_precession_" .. i], values["steady_nutation_" .. i],
+      values["steady_growth_" .. i]
+    list[i] = n and { n.value, stable and stable.value ^ 2 or -grows.value ^ 2 }
+  end
+  return list
+end
+
 -- tilt and N at the times
 local function run(case, tilt, omega, times)
   local words = {}
@@ -109,6 +123,12 @@ for _, case in ipairs(cases) do
       tap.near(course and (course[k][1] - tilt) / PUSH or 0 / 0, want[k], 0, 2e-3, what,
         "terms of second order: 1e-5 times the ratio of curvatures, at most some 100")
     end
+    -- the root of a quadratic, and the formula of discs, which is another one
+    local near = math.huge
+    for _, said in ipairs(explained(case, tilt, omega)) do
+      near = math.min(near, math.max(math.abs(said[1] - n), math.abs(said[2] - nod) / size))
+    end
+    tap.ok(near <= 1e-11 * size, name .. ": explain has this one among the steady motions", near)
     -- float: a few roundings of terms that are larger by what cancels, the squares of both rates
     tap.near(float[i][1], spin, 0, 1e-5 * size, name .. ": float, the spin", "80 roundings")
     tap.near(float[i][2], nod, 0, 1e-4 * size ^ 2, name .. ": float, the nod", "800 roundings of the rates' squares")
