@@ -32,7 +32,7 @@ function adaptive.render(s, kit)
       { name = "error", count = n, out = true }, attitude and { name = "turn", count = 4, out = true } or nil } })
   local v = { head = f.head, lines = f.lines, count = text(n), states = {}, attitude = attitude,
     turn = attitude and ", turn" or "", room = attitude and ", turn[4]" or "", kinds = source.kinds(program.states),
-    has_knots = s.has_knots, first = s.first }
+    has_knots = s.has_knots, first = s.first, taken = s.taken }
   for i, state in ipairs(program.states) do v.states[i] = { name = ctx.upper .. "_" .. string.upper(state.name) } end
   local render = GROUP(kit.templates, kit.base, v)
   return render "steppers/adaptive.h", { render "steppers/adaptive.c" }

@@ -48,7 +48,8 @@ function emit.render(s, kit)
   local function given(name, list) return { name = name, count = #list, names = list } end
   local attitude = program.states[1].name == "qw"
   local v = { count = text(n), cells = text(#program.factors), timed = program.timed, attitude = attitude, states = {},
-    kinds = source.kinds(program.states), has_knots = s.has_knots, first = s.first, slips = {},
+    kinds = source.kinds(program.states), has_knots = s.has_knots, first = s.first, taken = s.taken,
+    slips = {},
     many = text(#program.slips), arms = text(3 * #program.slips),
     slides = #program.slips > 0, rate = number.text(T.gamma ^ -1, ctx.real),
     a = rows(T.a, 7, ctx.real), C = rows(T.C, 7, ctx.real), c = rows({ T.c }, 8, ctx.real)[1].text,

@@ -2,7 +2,7 @@
 --
 -- Each kind has a file of its own with
 --     render(s, kit) -> header, list of sources
---     s: {program (of methods/), first = is it NAME_step too?, has_knots}
+--     s: {program (of methods/), first = is it NAME_step too?, has_knots, taken = what a controlled step ends with}
 --     kit: {templates, base, ctx, knots_count = text, compensated, planning}
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -18,7 +18,7 @@ local KINDS = { taylor = later "generator.emit.taylor", adaptive = later "genera
   split = later "generator.emit.split", midpoint = later "generator.emit.midpoint",
   rosenbrock = later "generator.emit.rosenbrock" }
 
-local KNOTS = template.group "steppers/knots.c"
+local KNOTS, TAKEN = template.group "steppers/knots.c", template.group "steppers/taken.c"
 
 -- The function that tells the next corner of a table, printed once, before the first stepper that stops there.
 local function knots_of(kit, knots)
@@ -44,7 +44,8 @@ function steppers.render(job, base, ctx)
       local has_knots = s.program.knots ~= nil and #s.program.knots > 0
       if has_knots and not kit.knots_count then sources[#sources + 1] = knots_of(kit, s.program.knots) end
       local header, parts = KINDS[s.method.template or own.name].render({ program = s.program, first = i == 1,
-        has_knots = has_knots }, kit)
+        has_knots = has_knots, taken = s.method.adaptive and TAKEN(job.templates, base,
+          { has_knots = has_knots }) "steppers/taken.c" }, kit)
       headers[#headers + 1] = header
       for _, part in ipairs(parts) do sources[#sources + 1] = part end
     end

@@ -4,9 +4,10 @@
 int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x0[])
 {
   const ${name}_real *w = x0 + ${upper}_WX;
-  const ${name}_real e1[3] = {${a1}, ${a2}, ${a3}}, e2[3] = {${b1}, ${b2}, ${b3}}, R = ${R};
+  const ${name}_real e[3][3] = {{${a1}, ${a2}, ${a3}}, {${b1}, ${b2}, ${b3}}, {${n1}, ${n2}, ${n3}}};
+  const ${name}_real R = ${R};
   ${name}_pair rate[3];
-  ${name}_real left[4] = {${zero}, ${zero}, ${zero}, ${zero}}, W[3];
+  ${name}_real left[4] = {${zero}, ${zero}, ${zero}, ${zero}}, along[3];
   ${name}_orbit p;
 
 %% if uses_model then
@@ -22,13 +23,12 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   if (!(p.about[3] - p.about[3] == ${zero})) return 1; /* |w| is beyond the range of the type */
   p.last = p.about[0]*${last_time} > ${last_turn} ? ${last_turn}/p.about[0] : ${last_time};
 
-  if (${name}_unit_quaternion(x0 + ${upper}_QW, p.q[0]) == ${zero}) return 1;
+  if (${name}_spin(x0, e, p.q[0], along) == ${zero}) return 1;
   ${name}_quaternion_product(p.q[0], left, p.q[1]);
 
   /* V = R W x n, W x n = (W.e2) e1 - (W.e1) e2 */
-  ${name}_spin(p.q[0], w, W);
-  p.v[0] = R*(W[0]*e2[0] + W[1]*e2[1] + W[2]*e2[2]);
-  p.v[1] = -R*(W[0]*e1[0] + W[1]*e1[1] + W[2]*e1[2]);
+  p.v[0] = R*along[1];
+  p.v[1] = -R*along[0];
   for (int i = 0; i < 2; i++) p.p[i] = x0[${upper}_P1 + i];
   if (!(p.v[0] - p.v[0] == ${zero} && p.v[1] - p.v[1] == ${zero}) || !${name}_starts(&p)) return 1;
   ${name}_copy(o, &p, (unsigned int)sizeof(p));

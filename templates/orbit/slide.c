@@ -5,7 +5,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
 {
   const ${name}_real e[3][3] = {{${a1}, ${a2}, ${a3}}, {${b1}, ${b2}, ${b3}}, {${n1}, ${n2}, ${n3}}};
   const ${name}_real R = ${R};
-  ${name}_real q[4], W[3], along[3];
+  ${name}_real q[4], along[3];
   ${name}_orbit p;
 
 %% if uses_model then
@@ -13,12 +13,8 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   (void)m; /* every constant is in the code */
 %% end
   if (!${name}_numbers(x0, ${upper}_NX)) return 1;
-  if (${name}_unit_quaternion(x0 + ${upper}_QW, q) == ${zero}) return 1;
-  ${name}_spin(q, x0 + ${upper}_WX, W);
-  for (int i = 0; i < 3; i++) {
-    along[i] = W[0]*e[i][0] + W[1]*e[i][1] + W[2]*e[i][2];
-    for (int k = 0; k < 3; k++) p.e[i][k] = e[i][k];
-  }
+  if (${name}_spin(x0, e, q, along) == ${zero}) return 1;
+  for (int i = 0; i < 9; i++) p.e[i/3][i%3] = e[i/3][i%3];
   p.up = along[2];
   for (int i = 0; i < 2; i++) {
     p.p[i] = x0[${upper}_P1 + i];

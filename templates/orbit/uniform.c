@@ -68,14 +68,18 @@ static ${name}_real ${name}_unit_quaternion(const ${name}_real q[4], ${name}_rea
 }
 %% if rolls then
 
-/* the angular velocity in inertial axes: q (0, w) q*, |q| = 1 */
-static void ${name}_spin(const ${name}_real q[4], const ${name}_real w[3], ${name}_real W[3])
+/* The unit quaternion q of x and the angular velocity q (0, w) q* along the rows of e, inertial axes.  Returns |q| of
+ * x. */
+static ${name}_real ${name}_spin(const ${name}_real x[], const ${name}_real e[3][3], ${name}_real q[4], ${name}_real along[3])
 {
-  const ${name}_real back[4] = {q[0], -q[1], -q[2], -q[3]}, rate[4] = {${zero}, w[0], w[1], w[2]};
-  ${name}_real left[4], both[4];
+  const ${name}_real *w = x + ${upper}_WX, rate[4] = {${zero}, w[0], w[1], w[2]};
+  const ${name}_real length = ${name}_unit_quaternion(x + ${upper}_QW, q);
+  ${name}_real back[4], left[4], W[4];
 
+  for (int i = 0; i < 4; i++) back[i] = i > 0 ? -q[i] : q[i];
   ${name}_quaternion_product(q, rate, left);
-  ${name}_quaternion_product(left, back, both);
-  for (int i = 0; i < 3; i++) W[i] = both[i + 1];
+  ${name}_quaternion_product(left, back, W);
+  for (int i = 0; i < 3; i++) along[i] = W[1]*e[i][0] + W[2]*e[i][1] + W[3]*e[i][2];
+  return length;
 }
 %% end

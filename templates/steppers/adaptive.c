@@ -135,22 +135,7 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
     ${name}_adaptive_take(out${turn}, x);
     for (int k = 0; k < ${count}; k++) k1[k] = k7[k];
     fresh = 0;
-%% if has_knots then
-    if (last) {
-      if (!(end < t1 || end > t1)) return steps + 1;
-      t = end;
-      lost = ${zero};
-      h *= factor;
-      if (${fabs}(whole) > ${fabs}(h)) h = whole; /* it was cut short */
-      continue;
-    }
-%% else
-    if (last) return steps + 1;
-%% end
-    next_t = t + (h + lost);
-    lost = (h + lost) - (next_t - t);
-    t = next_t;
-    h *= factor;
+${taken}
   }
   return -1;
 }

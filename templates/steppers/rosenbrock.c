@@ -236,22 +236,7 @@ int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real
       continue;
     }
     for (k = 0; k < ${upper}_NX; k++) x[k] = y[k];
-%% if has_knots then
-    if (last) {
-      if (!(end < t1 || end > t1)) return steps + 1;
-      t = end;
-      lost = ${zero};
-      h *= factor;
-      if (${fabs}(whole) > ${fabs}(h)) h = whole; /* it was cut short */
-      continue;
-    }
-%% else
-    if (last) return steps + 1;
-%% end
-    next_t = t + (h + lost);
-    lost = (h + lost) - (next_t - t);
-    t = next_t;
-    h *= factor;
+${taken}
   }
   return -1;
 }
