@@ -262,7 +262,7 @@ function code.of(job)
   local base = base_values.of(job, ctx.own)
   local p = parts_of(job, ctx, base)
   local all = sorted(job, p, ctx, base)
-  local unread = job.selection.only and init.unread(job.model, all.read)
+  local unread = job.selection.only and not job.fit and init.unread(job.model, all.read) -- fitted.c reads all
   if unread then
     ctx = source.context(job)
     p = parts_of(job, ctx, base, unread)
