@@ -64,9 +64,10 @@ local rules = {
   end,
 }
 
--- The derivative of e with respect to the symbol x.  `known` (optional: node -> derivative) gives the
--- derivatives of symbols that stand for functions of x (chain rule through named definitions).
-function calculus.diff(e, x, known)
+-- The function e -> its derivative with respect to the symbol x, for many expressions: what they share is
+-- differentiated once.  `known` (optional: node -> derivative) gives the derivatives of symbols that stand for
+-- functions of x (chain rule through named definitions).
+function calculus.by(x, known)
   local memo = {}
   local function d(u)
     local v = memo[u]
@@ -117,11 +118,14 @@ function calculus.diff(e, x, known)
     memo[u] = v
     return v
   end
-  return d(e)
+  return d
 end
 
--- e with each node that is a key of `map` replaced by its value.
-function calculus.substitute(e, map)
+-- The derivative of e alone.
+function calculus.diff(e, x, known) return calculus.by(x, known)(e) end
+
+-- The function e -> e with each node that is a key of `map` replaced by its value, for many expressions.
+function calculus.substitution(map)
   local memo = {}
   local function s(u)
     local v = map[u] or memo[u]
@@ -131,7 +135,10 @@ function calculus.substitute(e, map)
     end
     return v
   end
-  return s(e)
+  return s
 end
+
+-- The same for e alone.
+function calculus.substitute(e, map) return calculus.substitution(map)(e) end
 
 return calculus

@@ -22,10 +22,10 @@ end
 -- x within low .. high, of numbers of any kind.
 local function clamp(x, low, high) return x < low and low or x > high and high or x end
 
--- Evaluates e by the arithmetic A: number, symbol, sum and product of two, power, call.
+-- The function e -> value by the arithmetic A: number, symbol, sum and product of two, power, call.
 -- A = {number(q), symbol(name), add(x, y), mul(x, y), pow(x, n), call(fn, args)}: n is a rational, the others values of
--- A's kind.  Each node once, so the cost is the number of distinct subexpressions.
-local function walk(e, A)
+-- A's kind.  Each node once, in whatever expressions, so the cost is the number of distinct subexpressions.
+local function walker(A)
   local memo = {}
   local value
 
@@ -60,14 +60,14 @@ local function walk(e, A)
     return known
   end
 
-  return value(e)
+  return value
 end
 
 -- ---- exact ------------------------------------------------------------------------------------------------
 
 -- The rational value of a rational function (roots and |x| that come out rational included).
 function evaluate.exact(e, env)
-  return walk(e, {
+  return walker {
     number = function(q) return q end,
     symbol = function(name)
       local x = lookup(env, name)
@@ -87,13 +87,14 @@ function evaluate.exact(e, env)
       if fn == "clamp" then return clamp(args[1], args[2], args[3]) end
       error("evaluate: " .. fn .. " has no exact value", 0)
     end,
-  })
+  }(e)
 end
 
 -- ---- to `bits` bits -----------------------------------------------------------------------------------------
 
--- The value as a rational with `bits` significant bits.
-function evaluate.precise(e, env, bits)
+-- The function e -> value as a rational with `bits` significant bits, for many expressions in one environment: what
+-- they share is evaluated once.  Names may be added to env as they become known; none may change its value.
+function evaluate.within(env, bits)
   local function rounded(q) return R.round(q, bits) end
   local function apply(fn, ...)
     local x = R.apply(fn, bits, ...)
@@ -102,7 +103,7 @@ function evaluate.precise(e, env, bits)
     for k, q in ipairs { ... } do args[k] = string.format("%.17g", R.todouble(q)) end
     error("evaluate: " .. fn .. "(" .. table.concat(args, ", ") .. ") is not a real number", 0)
   end
-  return walk(e, {
+  return walker {
     number = function(q) return q end, -- exact: rounding it would be an error of the argument of sin
     symbol = function(name)
       local x = lookup(env, name)
@@ -124,8 +125,11 @@ function evaluate.precise(e, env, bits)
       if fn == "clamp" then return clamp(args[1], args[2], args[3]) end
       return apply(fn, table.unpack(args))
     end,
-  })
+  }
 end
+
+-- The value as a rational with `bits` significant bits.
+function evaluate.precise(e, env, bits) return evaluate.within(env, bits)(e) end
 
 -- ---- double -------------------------------------------------------------------------------------------------
 
@@ -159,7 +163,7 @@ end
 
 -- The value in doubles; env holds Lua numbers or rationals.
 function evaluate.double(e, env)
-  return walk(e, {
+  return walker {
     number = R.todouble,
     symbol = function(name)
       local x = lookup(env, name)
@@ -175,7 +179,7 @@ function evaluate.double(e, env)
       local f = functions[fn] or error("evaluate: unknown function '" .. fn .. "'")
       return f(table.unpack(args))
     end,
-  })
+  }(e)
 end
 
 return evaluate

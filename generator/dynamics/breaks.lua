@@ -27,7 +27,8 @@ local function cornered(e) return e.kind == "call" and (e.fn == "abs" or e.fn ==
 
 -- All |e| and sign(e) in the equations, with parameters put in: a list of e.
 local function bars(eq)
-  local list, seen, map = {}, {}, constants(eq.model)
+  local list, seen = {}, {}
+  local inlined, opened = equations.inlined(eq.groups), calculus.substitution(constants(eq.model))
   local function walk(e)
     if seen[e] then return end
     seen[e] = true
@@ -35,7 +36,7 @@ local function bars(eq)
     for _, c in ipairs(expr.children(e)) do walk(c) end
   end
   for _, g in ipairs(eq.groups) do
-    for _, o in ipairs(g.outs) do walk(calculus.substitute(equations.inline(eq.groups, o.expr), map)) end
+    for _, o in ipairs(g.outs) do walk(opened(inlined(o.expr))) end
   end
   return list
 end

@@ -45,7 +45,8 @@ local function environment(m, random)
     local r = random()
     params[p.name] = R.sign(p.default) == 0 and R.abs(r) or p.default * (R.one + r / R.new(16))
   end
-  for _, member in ipairs(m.members) do env[member.name] = evaluate.precise(member.e, params, bits) end
+  local value = evaluate.within(params, bits)
+  for _, member in ipairs(m.members) do env[member.name] = value(member.e) end
   local horizon, q = m:number(m.horizon), attitude(random)
   for _, s in ipairs(m.states) do
     local initial = R.abs(m:number(s.initial))
@@ -87,17 +88,15 @@ end
 
 -- The scene as a function: law -> does it hold?  rate: of the fields that turn, or nil.
 function derivative.of(eq, rate)
-  local m, rates = eq.model, {}
+  local m, rates, inlined = eq.model, {}, equations.inlined(eq.groups)
   for _, g in ipairs(eq.groups) do
-    for _, o in ipairs(g.outs) do rates[o.state] = equations.inline(eq.groups, o.expr) end
+    for _, o in ipairs(g.outs) do rates[o.state] = inlined(o.expr) end
   end
   local list, here, t = laws(m, rate), {}, motion.sym "t"
-  local function value(e, env) return evaluate.precise(e, env, bits) end
   for n = 1, samples do
-    local env = environment(m, fractions(1000 + n))
-    local dx = {}
-    for name, e in pairs(rates) do dx[name] = value(e, env) end -- into a table: order is lost anyway
-    here[n] = { env = env, dx = dx }
+    local value, dx = evaluate.within(environment(m, fractions(1000 + n)), bits), {}
+    for name, e in pairs(rates) do dx[name] = value(e) end -- into a table: order is lost anyway
+    here[n] = { value = value, dx = dx }
   end
   -- |sum of terms| against the sum of |terms|, so the scale of F does not matter.
   local function still(F)
@@ -107,11 +106,11 @@ function derivative.of(eq, rate)
       if slope ~= expr.zero and rates[s.name] ~= expr.zero then slopes[s.name] = slope end
     end
     for _, at in ipairs(here) do
-      local sum = value(explicit, at.env)
+      local sum = at.value(explicit)
       local size = R.abs(sum)
       for _, s in ipairs(m.states) do
         if slopes[s.name] then
-          local term = value(slopes[s.name], at.env) * at.dx[s.name]
+          local term = at.value(slopes[s.name]) * at.dx[s.name]
           sum, size = R.round(sum + term, bits), R.round(size + R.abs(term), bits)
         end
       end

@@ -125,14 +125,18 @@ local function torques(m, gyric)
   return total, groups, need_L
 end
 
--- Replaces the definitions' names in e by their expressions: for zero tests, derivatives and reports.
-function equations.inline(groups, e)
+-- The function that replaces the definitions' names in an expression by their expressions: for zero tests,
+-- derivatives and reports.
+function equations.inlined(groups)
   local map = {}
   for _, g in ipairs(groups) do
     for _, d in ipairs(g.defs) do map[expr.sym(d.name, 7)] = calculus.substitute(d.expr, map) end
   end
-  return calculus.substitute(e, map)
+  return calculus.substitution(map)
 end
+
+-- The same for one expression.
+function equations.inline(groups, e) return equations.inlined(groups)(e) end
 
 -- e in the parameters alone: derived constants replaced by what they stand for, so that k.(r x d) = 0 is seen for r
 -- along k.

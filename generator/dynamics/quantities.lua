@@ -327,18 +327,19 @@ function quantities.jacobian(eq, rough)
   local m, groups = eq.model, {}
   local n = #m.states
   local fine = not rough and equations.finer(eq)
-  local row = {}
+  local inlined, finer = equations.inlined(eq.groups), fine and equations.inlined(fine.groups)
+  local row, slope = {}, {}
   for i, s in ipairs(m.states) do
-    row[s.name] = i
+    row[s.name], slope[i] = i, calculus.by(s.sym)
     groups[i] = group("derivatives of d" .. s.name .. "/dt", {}, {})
   end
   for g, eg in ipairs(eq.groups) do
     for j, o in ipairs(eg.outs) do
-      local e, i = equations.inline(eq.groups, o.expr), row[o.state]
-      local f = fine and equations.inline(fine.groups, fine.groups[g].outs[j].expr)
-      for k, s in ipairs(m.states) do
-        local d = calculus.diff(e, s.sym)
-        if f then d = without_roundings(m, d, calculus.diff(f, s.sym)) end
+      local e, i = inlined(o.expr), row[o.state]
+      local f = fine and finer(fine.groups[g].outs[j].expr)
+      for k = 1, n do
+        local d = slope[k](e)
+        if f then d = without_roundings(m, d, slope[k](f)) end
         groups[i].outs[k] = { array = "J", index = (i - 1) * n + k - 1, expr = d }
       end
     end

@@ -34,11 +34,12 @@ local function values(job, f, env, t, x, h)
   local ranks = setmetatable({}, { __index = function(_, name)
     return rawget(here, name) and 8 or env.value[name] and 3 or nil
   end })
+  local value = evaluate.within(here, bits)
   for _, g in ipairs(distinct.run(f.groups, ranks)) do
-    for _, d in ipairs(g.defs) do here[d.name] = evaluate.precise(d.expr, here, bits) end
+    for _, d in ipairs(g.defs) do here[d.name] = value(d.expr) end
     for _, o in ipairs(g.outs) do
       local i = o.state and place[o.state] or o.index and o.index + 1 or 1
-      out[i] = evaluate.precise(o.expr, here, bits)
+      out[i] = value(o.expr)
     end
   end
   return out

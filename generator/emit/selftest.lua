@@ -14,13 +14,13 @@ local distinct = require "generator.dynamics.distinct"
 local selftest = { bits = 200, roundings = 32, stages = R.new(8) }
 
 -- An environment holds values and magnitudes of names: {value = {name -> R}, size = {name -> R}}; a name without a
--- size is an input, whose size is its absolute value.
-local function value(e, env) return evaluate.precise(e, env.value, selftest.bits) end
+-- size is an input, whose size is its absolute value.  Names may be added to it as they become known.
 
--- The value of e with every term of every sum made positive: e's magnitude before cancellation.
+-- Two functions of expressions in the environment: their value, and their value with every term of every sum made
+-- positive, which is the magnitude before cancellation.
 -- |a - b| is bounded by a + b of magnitudes, a product by their product; a quotient's relative error is its base's.
-local function magnitude(e, env)
-  local memo = {}
+local function within(env)
+  local value, memo = evaluate.within(env.value, selftest.bits), {}
   local function mag(u)
     if memo[u] then return memo[u] end
     local v
@@ -35,15 +35,15 @@ local function magnitude(e, env)
     elseif u.kind == "pow" and R.isint(u.exp) and R.sign(u.exp) > 0 then
       v = mag(u.base) ^ R.toint(u.exp)
     elseif u.kind == "pow" then -- relative error of the base times |exponent|
-      local b = R.abs(value(u.base, env))
-      v = R.sign(b) == 0 and R.zero or R.abs(value(u, env)) * (mag(u.base) / b) * (R.abs(u.exp) + R.one)
+      local b = R.abs(value(u.base))
+      v = R.sign(b) == 0 and R.zero or R.abs(value(u)) * (mag(u.base) / b) * (R.abs(u.exp) + R.one)
     else
-      v = R.abs(value(u, env))
+      v = R.abs(value(u))
     end
     memo[u] = R.round(v, 64)
     return memo[u]
   end
-  return mag(e)
+  return value, mag
 end
 
 -- The environment of the model's derived constants, for these parameters (name -> rational).  The parameters
@@ -52,9 +52,8 @@ end
 function selftest.environment(m, params, held)
   local from, env = { value = {}, size = {} }, { value = {}, size = {} }
   for k, v in pairs(params) do from.value[k] = v end -- into a table: order is lost anyway
-  local function put(name, pure, form)
-    from.value[name], from.size[name] = value(pure, { value = params }), magnitude(form, from)
-  end
+  local value, magnitude = evaluate.within(params, selftest.bits), select(2, within(from))
+  local function put(name, pure, form) from.value[name], from.size[name] = value(pure), magnitude(form) end
   for _, step in ipairs(m.parts and m.parts.list or {}) do put(step.name, step.pure, step.e) end
   for _, k in ipairs(held or {}) do env.value[k.name] = k.value end -- baked: rounded once, like an input
   for _, member in ipairs(m.members) do
@@ -83,16 +82,14 @@ function selftest.expect(f, env, state, index, epsilon)
   local ranks = setmetatable({}, { __index = function(_, name)
     return rawget(state, name) and 8 or env.value[name] and 3 or nil
   end })
+  local value, magnitude = within(here)
   for _, g in ipairs(distinct.run(f.groups, ranks)) do
-    for _, d in ipairs(g.defs) do
-      local v, size = value(d.expr, here), magnitude(d.expr, here)
-      here.value[d.name], here.size[d.name] = v, size
-    end
+    for _, d in ipairs(g.defs) do here.value[d.name], here.size[d.name] = value(d.expr), magnitude(d.expr) end
     for _, o in ipairs(g.outs) do
       local i = index(o)
       if i then
-        want[i] = value(o.expr, here)
-        tolerance[i] = R.round(magnitude(o.expr, here) * epsilon * R.new(selftest.roundings), 64)
+        want[i] = value(o.expr)
+        tolerance[i] = R.round(magnitude(o.expr) * epsilon * R.new(selftest.roundings), 64)
       end
     end
   end
