@@ -37,7 +37,8 @@ return function(expr)
       if seen[x] then return end
       seen[x] = true
       if x.kind == "sym" then list[#list + 1] = x end
-      for _, c in ipairs(expr.children(x)) do walk(c) end
+      if x.kind == "pow" then return walk(x.base) end
+      for i = 1, #x do walk(x[i]) end
     end
     walk(e)
     table.sort(list, function(a, b) return expr.compare(a, b) < 0 end)
@@ -46,9 +47,17 @@ return function(expr)
 
   -- Does e depend on none of the symbols (set: name -> true)?  With no set: on no symbol at all.
   function expr.constant(e, names)
-    for _, s in ipairs(expr.symbols(e)) do
-      if not names or names[s.name] then return false end
+    local seen = {}
+    local function free(x)
+      if seen[x] then return true end
+      seen[x] = true
+      if x.kind == "sym" then return names ~= nil and not names[x.name] end
+      if x.kind == "pow" then return free(x.base) end
+      for i = 1, #x do
+        if not free(x[i]) then return false end
+      end
+      return true
     end
-    return true
+    return free(e)
   end
 end

@@ -322,11 +322,10 @@ local function without_roundings(m, e, fine)
   return e
 end
 
--- rough: with what rounding left of coefficients that are 0, for whoever wants only its size.
-function quantities.jacobian(eq, rough)
+function quantities.jacobian(eq)
   local m, groups = eq.model, {}
   local n = #m.states
-  local fine = not rough and equations.finer(eq)
+  local fine = equations.finer(eq)
   local inlined, finer = equations.inlined(eq.groups), fine and equations.inlined(fine.groups)
   local row, slope = {}, {}
   for i, s in ipairs(m.states) do

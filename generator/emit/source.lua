@@ -113,9 +113,9 @@ local pi = expr.sym("pi", 1)
 
 -- The program of a description (see ir/lower/lower.lua).
 function source.program(ctx, f)
-  local groups, uses_pi = {}, false
+  local groups, uses_pi, in_words = {}, false, calculus.substitution { [expr.pi] = pi }
   local function named(e)
-    local x = calculus.substitute(e, { [expr.pi] = pi })
+    local x = in_words(e)
     uses_pi = uses_pi or x ~= e
     return x
   end

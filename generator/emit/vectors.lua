@@ -11,6 +11,7 @@ local inputs = require "generator.dynamics.inputs"
 local motion = require "generator.emit.motion"
 local number = require "generator.emit.number"
 local quantities = require "generator.dynamics.quantities"
+local sensitivity = require "generator.dynamics.sensitivity"
 local selftest = require "generator.emit.selftest"
 local source = require "generator.emit.source"
 local test_state = require "generator.emit.test_state"
@@ -60,7 +61,8 @@ local function rate_of(job, env, own)
   local n, state = #job.states, { t = R.zero }
   for i, s in ipairs(job.states) do state[s.name] = own[i] end
   for i, s in ipairs(job.model.inputs) do state[s.name] = inputs.sample(job.model, s, i) end
-  local f = equations_of(job, "jacobian") or quantities.jacobian(job.equations, true)
+  local f = equations_of(job, "jacobian") or { groups = sensitivity.tangent(job.model, job.equations.groups,
+    sensitivity.nothing(job.states), {}, job.states, "J") }
   local J = selftest.expect(f, env, state, function(o) return o.index + 1 end, R.one)
   local list = {}
   for i = 1, n do
