@@ -11,21 +11,12 @@ local motion = { rank = 8 } -- of states, time and inputs: after all constants i
 -- The symbol of a state, of time ("t") or of an input.
 function motion.sym(name) return expr.sym(name, motion.rank) end
 
-local known = setmetatable({}, { __mode = "k" }) -- the answer is kept for each node
-
-local function free(e)
-  if e.kind == "sym" then return e.rank < 6 end
-  if e.kind == "pow" then return motion.free(e.base) end
-  for i = 1, #e do
-    if not motion.free(e[i]) then return false end
-  end
-  return true
-end
-
 -- Does the expression depend on parameters and constants only?
 function motion.free(e)
-  if known[e] == nil then known[e] = free(e) end
-  return known[e]
+  for _, s in ipairs(expr.symbols(e)) do
+    if s.rank >= 6 then return false end
+  end
+  return true
 end
 
 -- Does one of the list depend on the motion?

@@ -43,29 +43,20 @@ local function factor(e)
   return e, R.one
 end
 
--- Two that are no products: by base, higher powers first.
-local function compare_factors(a, b)
-  if a == b then return 0 end
-  local xa, ea = factor(a)
-  local xb, eb = factor(b)
-  local c = compare_base(xa, xb)
-  if c ~= 0 or ea == eb then return c end
-  return ea < eb and 1 or -1
-end
-
 -- A total order that reads well: constants first, then by factors, higher powers first; the rational
 -- coefficient decides last.  Independent of creation order, so the same input gives the same bytes.
 function compare(a, b)
   if a == b then return 0 end
-  local ma, mb = a.kind == "mul", b.kind == "mul"
-  if not ma and not mb then return compare_factors(a, b) end
-  local fa, fb = ma and a or { a }, mb and b or { b }
+  local fa, fb = a.kind == "mul" and a or { a }, b.kind == "mul" and b or { b }
   local i, j = 1, 1
   if fa[1].kind == "num" then i = 2 end
   if fb[1].kind == "num" then j = 2 end
   while fa[i] and fb[j] do
-    local c = compare_factors(fa[i], fb[j])
+    local xa, ea = factor(fa[i])
+    local xb, eb = factor(fb[j])
+    local c = compare_base(xa, xb)
     if c ~= 0 then return c end
+    if ea ~= eb then return ea < eb and 1 or -1 end
     i, j = i + 1, j + 1
   end
   if fa[i] or fb[j] then return fa[i] and 1 or -1 end

@@ -13,27 +13,14 @@ local lifted = {}
 
 local last = 2 -- the rank of parameters; derived constants and all others have higher ones
 
-local NUMBERS, PARAMETERS, MORE = 0, 1, 2
-local known = setmetatable({}, { __mode = "k" }) -- the answer is kept for each node
-
--- What e depends on: numbers only, or parameters, too, or on more.
-local function content(e)
-  local most = known[e]
-  if most then return most end
-  most = NUMBERS
-  if e.kind == "sym" then
-    most = (e.rank > last or e.name == "the mass") and MORE or PARAMETERS
-  elseif e.kind == "pow" then
-    most = content(e.base)
-  else
-    for i = 1, #e do most = math.max(most, content(e[i])) end
-  end
-  known[e] = most
-  return most
-end
-
 -- Does e depend on parameters and numbers only, and on one parameter at least?
-local function pure(e) return content(e) == PARAMETERS end
+local function pure(e)
+  local symbols = expr.symbols(e)
+  for _, s in ipairs(symbols) do
+    if s.rank > last or s.name == "the mass" then return false end
+  end
+  return #symbols > 0
+end
 
 -- Lists and tables at any depth, keys in order, for new constants get their names in it.
 local function all(x, keep, memo)

@@ -39,7 +39,7 @@ return {
     "return scene { name = 's', body = solid.box { x = x, y = 1, z = 1, mass = 1 } }", "" },
   { "a sum of 300 parameters", "local s = 0 for i = 1, 300 do s = s + param('p' .. i, 1, 'm') end " ..
     "return scene { name = 's', body = solid.box { x = s, y = 1, z = 1, mass = 1 } }", "the scene" },
-  { "functions of functions", "local x = t for i = 1, 60 do x = sin(x) * cos(x) + x end " .. WITH ..
+  { "functions of functions", "local x = t for i = 1, 120 do x = sin(x) * cos(x) + x end " .. WITH ..
     "{ effect.torque { body = { x, 0, 0 } } } }", long },
   { "a hundred thousand functions", "local x = t for i = 1, 100000 do x = sin(x) end BOX", "" },
   { "2000 parts", LUMP .. "for i = 1, 2000 do s = s + b:at { i, 0, 0 } end return scene { name = 's', body = s }",
@@ -52,7 +52,7 @@ return {
     "body = s }", "" },
   { "five hundred effects", "local e = {} for i = 1, 500 do e[i] = effect.damping { c = i } end " .. WITH ..
     "e }", long },
-  { "thirty wheels across", "local e = {} for i = 1, 30 do e[i] = effect.wheel { axis = { i, 1, 0 }, inertia = " ..
+  { "sixty wheels across", "local e = {} for i = 1, 60 do e[i] = effect.wheel { axis = { i, 1, 0 }, inertia = " ..
     "0.001, speed = 1, " ..
     "included = true } end " .. WITH .. "e }", long },
   { "a table of a million rows", "local r = {} for i = 1, 100000 do r[i] = { i, 1 } end " .. WITH ..
