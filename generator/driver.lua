@@ -40,7 +40,8 @@ local disc = require "generator.dynamics.closed.disc"
 
 local driver = { version = "0.1.0" }
 
--- What follows from a scene is bounded as the scene itself is: gen of the largest of bodies/ takes a tenth of that.  What the user asks for beyond the plain code is allowed for.
+-- What follows from a scene is bounded as the scene itself is: gen of the largest of bodies/ takes a tenth of that.
+-- What the user asks for beyond the plain code is allowed for.
 local function budget(options)
   local more = math.max(0, #(options.methods or options.method or {}) - 1) + (options.accuracy and 8 or 0)
   local with = options.with or {}
