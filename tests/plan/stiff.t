@@ -68,8 +68,8 @@ end
 -- What is left of the slip.  Down a slope a, cos a = 4/5, the plane's force is that of rolling, 2/7 m g sin a = N c v, so
 -- v = 2/7 tan a/c, and the speed is 5/7 g sin a t: their ratio at t = 1/2 is 4/5/(c g cos a) = 5.0986e-4 for 200 s/m.
 do
-  local p = planned(written("slope", "effect.plane { surface = contact.sphere { r = 0.03 }, law = 'sliding', friction " ..
-    "= { viscous = 200 }, normal = { 0, -3, 4 } }", "omega = { 1e-3, 0, 0 }, velocity = { 0, 0, 0 }", 0.5), 1e-5)
+  local p = planned(written("slope", "effect.plane { surface = contact.sphere { r = 0.03 }, law = 'sliding', " ..
+    "friction = { viscous = 200 }, normal = { 0, -3, 4 } }", "omega = { 1e-3, 0, 0 }, velocity = { 0, 0, 0 }", 0.5), 1e-5)
   tap.like(p.text, "the slip is 0.00051 of the speed", "the difference to rolling is told")
   p = planned(sliding(200), 1e-5)
   tap.like(p.text, "the slip is below 1e%-%d+ of the speed", "and where nothing but the error is left, so", true)
