@@ -44,8 +44,8 @@ end
 -- Code to count in and a plugin with these methods; nil and what went wrong.  real: nil, the question's.
 local function compiled(host, q, names, series, real)
   local function planned(orders)
-    return assert(driver.plan(q.job, { real = real or q.real, methods = names, order = q.order or plan.top, command = "",
-      orders = orders }))
+    return assert(driver.plan(q.job, { real = real or q.real, methods = names, order = q.order or plan.top,
+      command = "", orders = orders }))
   end
   local all = planned(series and (q.order and { q.order } or plan.orders) or {})
   local plugins, failed = build.plugins(host, { { job = all } })

@@ -73,8 +73,8 @@ local function slip(eq, s)
   end
 end
 
--- The velocities along a plane that slips: a list of {state, name of the velocity, group, place (of the definition of the
--- slip), rest (slip = velocity + rest)}.
+-- The velocities along a plane that slips: a list of {state, name of the velocity, group, place (of the definition of
+-- the slip), rest (slip = velocity + rest)}.
 local function slips(eq)
   local list = {}
   if not (contact.of(eq.model) and eq.touch) then return list end

@@ -163,8 +163,8 @@ local function motion_section(f)
   lines[#lines + 1] = "conserved: " .. (#laws > 0 and table.concat(laws, ", ") or "nothing") ..
     (landing and " from one impact to the next" or "")
   if f.stiff then
-    lines[#lines + 1] = string.format("stiff: at t = 0 something decays at %.2g 1/s, %.2g times within the horizon of " ..
-      "%s s", f.stiff.rate, f.stiff.decays, number(f.job.model:double(f.job.model.horizon)))
+    lines[#lines + 1] = string.format("stiff: at t = 0 something decays at %.2g 1/s, %.2g times within the horizon " ..
+      "of %s s", f.stiff.rate, f.stiff.decays, number(f.job.model:double(f.job.model.horizon)))
   end
   for _, why in ipairs(f.job.model.reasons) do lines[#lines + 1] = "state: " .. why end
   return lines
@@ -332,7 +332,8 @@ function writers.json(f)
     { "principal", object { { "moments", f.moments }, { "axes", f.axes } } }, { "symmetry", f.symmetry },
     { "physical", f.physical },
     { "closed_form", closed }, { "stiff", f.stiff and object { { "rate", f.stiff.rate }, { "decays", f.stiff.decays },
-      { "horizon", f.job.model:double(f.job.model.horizon) } } or json.null }, { "values", values.json(f) }, { "stability", stability },
+      { "horizon", f.job.model:double(f.job.model.horizon) } } or json.null },
+    { "values", values.json(f) }, { "stability", stability },
     { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
     { "cycles", object { { "real", f.job.real }, { "functions", estimated } } },
     { "rhs", attribution.json(attribution.of(f.job), object) }, { "asked", f.asked or json.null },
@@ -352,8 +353,8 @@ local function costs(f)
   return list
 end
 
--- The explanation of a unit in the format; told: {asked = lines on the accuracy that is asked for, or nil, stiff = {rate,
--- decays} of plan/stiffness.lua, or nil}; sections: of a hand-out, or nil.
+-- The explanation of a unit in the format; told: {asked = lines on the accuracy that is asked for, or nil, stiff =
+-- {rate, decays} of plan/stiffness.lua, or nil}; sections: of a hand-out, or nil.
 function explain.text(unit, format, told, sections)
   local f = facts.of(unit)
   f.asked, f.stiff = told.asked, told.stiff

@@ -67,7 +67,7 @@ local engines = { "", "--method taylor", "--method rkf45", "--method rk8pd", "--
 
 -- How long before it is flat a run stops.  run/flat.lua halves the time that is left until the sine of the tilt is at
 -- most two roots of a rounding: 2 sqrt(epsilon)/speed, as the sine goes to 0 at that speed.
--- The series in float may end before: what is left, T, is its radius of convergence.  So the coefficient of its order 10
+-- The series in float may end before: what is left, T, is its radius of convergence.  So its coefficient of order 10
 -- is about speed/T^10 (the rates are the largest states), which is beyond the range of float, 2^128, for T below
 -- (speed 2^-128)^(1/10) = 1.8e-4 s.  From a state nearer than that no step leads on: it is the last.
 local function nearest(options, speed)

@@ -35,7 +35,8 @@ for _, body in ipairs(bodies) do
         "{%d, %d, %d}\n#define BAR %.3gL\n#define NORM %.3gL\n", rate, real == "float" and 1 or 0, body[2], body[3],
         body[4], BAR[real], NORM[real]))
       local code = program.shell(string.format("(cd %s && gcc -std=c11 -O1 -ffp-contract=off -c top.c && gcc " ..
-        "-std=c11 -O1 -I. -o measure $OLDPWD/tests/emit/faded.c top.o -lm && ./measure >out) >%s/log 2>&1", folder, folder))
+        "-std=c11 -O1 -I. -o measure $OLDPWD/tests/emit/faded.c top.o -lm && ./measure >out) >%s/log 2>&1", folder,
+        folder))
       local what = string.format("%s, %s, rate %s", body[1], real, rate)
       if tap.ok(code == 0, what .. ": compiles and runs", program.read(folder .. "/log")) then
         local count, none, length, wrong, infinite, off = program.read(folder .. "/out"):match(
