@@ -68,9 +68,9 @@ static ${name}_pair ${name}_passed_decays(${name}_real rate, ${name}_real t)
 /* (1 - exp(-rate t))/rate: the time of the free motion at the time t of the damped one; within -o->last and o->last, as
  * the free motion takes its own time.  It is t f1(y) with the last doubling of f1 after the product by t: so nothing
  * overflows but what is later than o->last. */
-static ${name}_pair ${name}_free_time(const ${name}_orbit *o, ${name}_real t)
+static ${name}_pair ${name}_free_time(const ${name}_orbit *o, ${name}_real t, ${name}_pair y)
 {
-  const ${name}_pair y = ${name}_passed_decays(o->decay, t), z = {${half}*y.hi, ${half}*y.lo};
+  const ${name}_pair z = {${half}*y.hi, ${half}*y.lo};
   const ${name}_pair end = ${name}_pair_of(t < ${zero} ? -o->last : o->last);
   ${name}_pair f, doubled, time;
 
@@ -96,11 +96,10 @@ static ${name}_real ${name}_rest(${name}_real rate, ${name}_real low)
   return (turns.hi - ${name}_nearest(turns.hi)) + turns.lo;
 }
 
-/* w times exp(-rate t).  Where that alone is beyond the range of the type, its fourth root, four times: a rate of 0 stays
+/* w times exp(y).  Where that alone is beyond the range of the type, its fourth root, four times: a rate of 0 stays
  * 0, a huge one that fades and a tiny one that grows are right, and what is beyond the range is infinite or 0. */
-static void ${name}_fade(${name}_real rate, ${name}_real t, ${name}_real w[3])
+static void ${name}_fade(${name}_pair y, ${name}_real w[3])
 {
-  const ${name}_pair y = ${name}_passed_decays(rate, t);
   const int far = ${fabs}(y.hi) > ${clock_fade};
   const ${name}_real part = far ? ${quarter} : ${one}, e = ${exp}(part*y.hi), factor = e + e*(part*y.lo);
 

@@ -182,7 +182,7 @@ static ${name}_real ${name}_phase_of(const ${name}_orbit *o, const ${name}_real 
 
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
-  const ${name}_pair time = ${name}_free_time(o, t);
+  const ${name}_pair y = ${name}_passed_decays(o->decay, t), time = ${name}_free_time(o, t, y);
 %% if rod then
   const ${name}_real spin = ${name}_phase(o, o->spin, t); /* a rod's rate along itself carries no L and is not damped */
 %% elseif symmetric then
@@ -197,10 +197,10 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 %% end
 %% if rod then
   for (int i = 0; i < 3; i++) w[i] -= o->along[i];
-  ${name}_fade(o->decay, t, w);
+  ${name}_fade(y, w);
   for (int i = 0; i < 3; i++) w[i] += o->along[i];
 %% else
-  ${name}_fade(o->decay, t, w);
+  ${name}_fade(y, w);
 %% end
 }
 %% else

@@ -170,7 +170,7 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 /* in a time of twice the working precision, and slower */
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
-  const ${name}_pair time = ${name}_free_time(o, t);
+  const ${name}_pair y = ${name}_passed_decays(o->decay, t), time = ${name}_free_time(o, t, y);
   ${name}_instant p = ${name}_reduce(o, time.hi);
 
   p.low += ${name}_rest(o->rate[0], time.lo);
@@ -178,7 +178,7 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
   ${name}_join(&p.high, &p.low);
   ${name}_join(&p.turn, &p.turn_low);
   ${name}_state(o, p, x);
-  ${name}_fade(o->decay, t, x + ${upper}_WX);
+  ${name}_fade(y, x + ${upper}_WX);
 }
 %% else
 %% if has_tick_fields then
