@@ -9,6 +9,7 @@ local handout = require "generator.report.handout.handout"
 local report = require "generator.report.explain"
 local difference = require "generator.report.difference"
 local inertial = require "generator.report.inertial"
+local stiffness = require "generator.plan.stiffness"
 
 local explain = {}
 
@@ -89,7 +90,7 @@ function explain.run(host, given)
     host.out(inertial.text(scene, given.format))
     return 0
   end
-  local asked, counted = planner.asked(host, scene, given), nil
+  local told, counted = { asked = planner.asked(host, scene, given), stiff = stiffness.start(scene) }, nil
   local plan, errors = driver.plan(scene, { command = "", real = given.real })
   if not plan or not driver.representable(plan) then return options.refuse(host, errors or plan.diag) end
   if cores then
@@ -98,7 +99,7 @@ function explain.run(host, given)
     counted, why = measure.run(host, unit, cores, unit.files)
     if not counted then return options.failed(host, "explain", why) end
   end
-  host.out(report.text(driver.code(plan, { counted = counted }), given.format or "text", asked, sections))
+  host.out(report.text(driver.code(plan, { counted = counted }), given.format or "text", told, sections))
   return 0
 end
 

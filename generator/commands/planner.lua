@@ -41,11 +41,11 @@ local function admitted(q, stiff)
   return names, seen.taylor
 end
 
--- Code to count in and a plugin with these methods; nil and what went wrong.
-local function compiled(host, q, names, series)
+-- Code to count in and a plugin with these methods; nil and what went wrong.  real: nil, the question's.
+local function compiled(host, q, names, series, real)
   local function planned(orders)
-    return assert(driver.plan(q.job, { real = q.real, methods = names, order = q.order or plan.top, command = "",
-      orders = orders }))
+    return assert(driver.plan(q.job, { real = real or q.real, methods = names, order = q.order or plan.top,
+      command = "", orders = orders }))
   end
   local all = planned(series and (q.order and { q.order } or plan.orders) or {})
   local plugins, failed = build.plugins(host, { { job = all } })
@@ -55,7 +55,8 @@ local function compiled(host, q, names, series)
 end
 
 -- Compiles what the question needs: its `code` to count in and its `plugin`; and where the motion is `stiff`
--- (plan/stiffness.lua), or a method for that is asked for, the same with these methods, by their names, as `apart`.
+-- (plan/stiffness.lua), or a method for that is asked for, the same with these methods, by their names, as `apart`; in
+-- double, which serves as truth, as `sure`.
 -- True, or nil and what went wrong.
 function planner.prepare(host, q)
   local made, why = compiled(host, q, admitted(q, false))
@@ -71,7 +72,9 @@ function planner.prepare(host, q)
   if #names == 0 then return true end
   made, why = compiled(host, q, names)
   for _, name in ipairs(names) do q.apart[name] = made end
-  return made and true, why
+  q.sure = made
+  if made and q.stiff and q.real ~= "double" then q.sure, why = compiled(host, q, names, nil, "double") end
+  return q.sure and true, why
 end
 
 -- Makes the decision; nil and what went wrong outside.

@@ -147,6 +147,14 @@ local function literals(real, v)
   power("last_turn", 50, 46)
   power("last_time", 990, 97)
   power("no_period", 100, 40)
+  -- orbit/clock.c, of y = -rate t, for double (float): e^-y is below 2^-106 (2^-48); e^(y/2)/(y/2) may be split for a
+  -- product, and e^y exceeds last_time; e^y is within the range; so is e^(y/4), and e^y exceeds all quotients of two
+  -- numbers of the range; a time up to 64 last_time may be split
+  put("clock_rest", R.new(single and 34 or 74))
+  put("clock_growth", R.new(single and 156 or 1380))
+  put("clock_fade", R.new(single and 86 or 700))
+  put("clock_end", R.new(single and 352 or 2800))
+  power("clock_late", 996, 103)
   power("carlson_close", -(digits // 4 - 1), -(digits // 4))
   -- 1.5 2^(digits - 1): added and taken away again it rounds to a whole number; binary_one + n has n + bias, the
   -- exponent field of 2^n, in its last bits

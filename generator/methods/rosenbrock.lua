@@ -73,7 +73,8 @@ local function slip(eq, s)
   end
 end
 
--- The velocities along a plane that slips: a list of {state, name of the velocity, rest (slip = velocity + rest)}.
+-- The velocities along a plane that slips: a list of {state, name of the velocity, group, place (of the definition of
+-- the slip), rest (slip = velocity + rest)}.
 local function slips(eq)
   local list = {}
   if not (contact.of(eq.model) and eq.touch) then return list end
@@ -86,6 +87,7 @@ local function slips(eq)
   end
   return list
 end
+rosenbrock.slips = slips
 
 -- The equations with the slip for the velocity: groups of definitions, and the rates by state name.
 local function in_slips(eq, list)

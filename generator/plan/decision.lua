@@ -9,6 +9,7 @@ local R = require "generator.algebra.rational"
 local hash = require "generator.hash"
 local text = require "generator.algebra.text"
 local err = require "generator.plan.error"
+local rates = require "generator.plan.rates"
 local states = require "generator.plan.states"
 local stiffness = require "generator.plan.stiffness"
 local methods = require "generator.methods.methods"
@@ -191,21 +192,29 @@ local function paragraph(list, s)
   wrapped(list, table.remove(words, 1), words, 112)
 end
 
--- What the equations become where friction is infinite, for a body that slides on a plane.
-local function limit(job)
-  for _, e in ipairs(job.record.effects) do
-    if e.a and e.a.law == "sliding" then
-      return '; the limit of such friction where the body does not slide is law = "rolling", which is not stiff'
-    end
+-- What the equations become where friction is infinite, for a body that slides on a plane, and how far the true motion
+-- (r.rows, known to r.own) is from that in the last tenth of the horizon.
+local function limit(q, r)
+  local slides
+  for _, e in ipairs(q.job.record.effects) do slides = slides or e.a and e.a.law == "sliding" end
+  if not slides then return "" end
+  local slip, speed
+  if r.rows then slip, speed = rates.new(q.job):slip(r.rows, states.points(q.job, q.real, 1)[1].input) end
+  local left = ""
+  if speed and speed > 0 then
+    local share = slip / speed
+    left = "; in the last tenth of the time the slip is " .. (share > 10 * r.own and short(share) or "below " ..
+      decade(math.max(share, r.own))) .. " of the speed"
   end
-  return ""
+  return '; the limit of such friction where the body does not slide is law = "rolling", which is not stiff' .. left
 end
 
--- What makes a motion stiff, in numbers; s: {rate, decays} of plan/stiffness.lua.
-local function stiff(job, s)
+-- What makes a motion stiff, in numbers; r: of plan.find, its `stiff` is {rate, decays} of plan/stiffness.lua.
+local function stiff(q, r)
+  local s = r.stiff
   return "something decays at " .. short(s.rate) .. " 1/s, " .. short(s.decays) .. " times within " ..
-    shortest(job.model:double(job.model.horizon)) .. " s, so that rk4 needs steps below " ..
-    short(stiffness.longest(s.rate)) .. " s whatever the accuracy" .. limit(job)
+    shortest(q.job.model:double(q.job.model.horizon)) .. " s, so that rk4 needs steps below " ..
+    short(stiffness.longest(s.rate)) .. " s whatever the accuracy" .. limit(q, r)
 end
 
 -- The decision for the result of plan.find; q: the question.
@@ -233,7 +242,7 @@ function decision.made(q, r)
       (c.setting == "tolerance" and " on average" or "") .. " of " .. one
   end
   paragraph(lines, "Cost: " .. work .. "; by the table for " .. target .. " " .. short(r.cost) .. " cycles.")
-  if r.stiff then paragraph(lines, "Stiff: " .. stiff(q.job, r.stiff) .. ".") end
+  if r.stiff then paragraph(lines, "Stiff: " .. stiff(q, r) .. ".") end
   local beside = runners(r)
   if #beside > 0 then paragraph(lines, "At other costs: " .. table.concat(beside, ", ") .. ".") end
   d.report = lines
@@ -249,7 +258,7 @@ function decision.refusal(q, r)
   local got = shortest(q.accuracy)
   local tail = ""
   if r.stiff then
-    tail = "; the motion is stiff: " .. stiff(q.job, r.stiff)
+    tail = "; the motion is stiff: " .. stiff(q, r)
   end
   if r.why then return { refused = r.why .. tail, got = got } end
   local best = r.closest

@@ -106,13 +106,14 @@ local function competitors(q)
 end
 
 -- What serves as truth once the library has confirmed it: the closed form, or the series near rounding; of a stiff
--- motion, which takes a series too long, the implicit method.
-local function surrogate(job, real, stiff, accuracy)
-  if real == "float" then return nil end
-  if job.closed.full then return { { method = "exact", setting = "none" } } end
+-- motion, which takes a series too long, the implicit method in double, `made` for it.
+local function surrogate(q)
+  if q.real == "float" and not q.stiff then return nil end
+  if q.job.closed.full then return { { method = "exact", setting = "none" } } end
   local name, tolerance = "taylor", 2.0 ^ -51
-  if stiff then name, tolerance = "rosenbrock", math.max(1e-13, 1e-6 * accuracy) end
-  for _, c in ipairs(candidates.of(job, { methods = { name }, orders = { top }, real = real })) do
+  if q.stiff then name, tolerance = "rosenbrock", math.max(1e-13, 1e-6 * q.accuracy) end
+  for _, c in ipairs(candidates.of(q.job, { methods = { name }, orders = { top }, real = "double" })) do
+    c.made = q.stiff and q.sure
     if not c.refused and c.setting == "tolerance" then return { c, tolerance } end
   end
   return nil
@@ -302,14 +303,14 @@ local function number_of(s, q)
   local c = s.sure[1]
   local own = states.points(q.job, q.real, 1)[1]
   local _, steps = s:run(c, s.sure[2], own)
-  local costs = ops.of((q.apart[c.method] or q).code, { method = c.method, setting = c.setting })
-  local cost = (steps or 1) * targets.cost(q.target, q.real, costs.step)
+  local costs = ops.of(q.sure.code, { method = c.method, setting = c.setting })
+  local cost = (steps or 1) * targets.cost(targets.default, "double", costs.step) -- it runs here
   return math.max(least, math.min(many, math.floor(most_true / cost)))
 end
 
 -- The plan for a question q: {host, job (read), code (planned, with its methods), plugin, apart = {method's name =
--- {code, plugin}} of those that are not in the plugin, stiff, accuracy, real, target, ops,
--- methods, order, progress}.  Returns
+-- {code, plugin}} of those that are not in the plugin, stiff, sure = {code, plugin} of rosenbrock in double for what is
+-- stiff, accuracy, real, target, ops, methods, order, progress}.  Returns
 --     {candidate, setting, error, steps, cost, counts, setup_counts, order, margin, limit, stiff = the question's,
 --     early =
 --      the time up to which the library confirmed a stiff motion or nil, found = what the competitors showed, refused,
@@ -325,7 +326,7 @@ function plan.find(q)
       refused = {}, found = {} }
   end
   local list, refused = competitors(q)
-  s.sure = surrogate(q.job, q.real, q.stiff, q.accuracy)
+  s.sure = surrogate(q)
   if q.stiff and s.sure then s:briefly(T * math.min(1, sound / q.stiff.decays)) end
   local points = states.points(q.job, q.real, number_of(s, q))
   local result = { refused = refused, found = {}, own = 0.0, least_margin = plan.least_margin, stiff = q.stiff,

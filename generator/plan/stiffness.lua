@@ -6,6 +6,9 @@
 -- - r less r tells a decay (r) from an oscillation (0.41 r).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local rates = require "generator.plan.rates"
+local states = require "generator.plan.states"
+
 local stiffness = {}
 
 local samples, powers = 24, 40
@@ -88,6 +91,15 @@ function stiffness.of(plugin, point, T, epsilon)
     x, t = { table.unpack(rows[1], 2) }, next_t
   end
   return decays > enough and { rate = fastest, decays = decays } or nil
+end
+
+-- The same of the scene's first state alone, without a compiler.
+function stiffness.start(job)
+  if job.closed.full or job.equations.inputs and not states.limits(job) then return nil end
+  local point, T = states.points(job, "double", 1)[1], job.model:double(job.model.horizon)
+  local exact = rates.new(job)
+  local r = stiffness.rate(function(x) return exact:of(0.0, x, point.input) end, point.x, 2.0 ^ -52)
+  return r * T > enough and { rate = r, decays = r * T } or nil
 end
 
 return stiffness

@@ -19,6 +19,7 @@ end
 -- setup: {host =, job =, plugin =, apart = {method's name = {plugin =}} of other plugins, T = horizon, points =, sure =
 -- {candidate, setting} of a method that serves as truth once it has been shown to, or nil: the library is asked at
 -- every point}
+-- A candidate may have `made`, {plugin =} of its own.
 function trial.new(setup)
   local self = setmetatable(setup, trial)
   self.times, self.true_motions, self.moved = err.times(self.T), reference.new(self.host, self.job), {}
@@ -33,7 +34,7 @@ end
 
 -- Rows of the motion from the point's state: states at the 40 times and last at T in one run, and the steps of that.
 function trial:run(c, setting, point)
-  local plugin, x, T = (self.apart and self.apart[c.method] or self).plugin, point.x, self.T
+  local plugin, x, T = (c.made or self.apart and self.apart[c.method] or self).plugin, point.x, self.T
   if point.params or self.moved[plugin] then
     if plugin:init(point.params) ~= 0 then return nil, "NAME_init refuses these parameters" end
     self.moved[plugin] = point.params ~= nil

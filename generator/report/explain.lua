@@ -162,6 +162,10 @@ local function motion_section(f)
   local laws = f.job.conserved
   lines[#lines + 1] = "conserved: " .. (#laws > 0 and table.concat(laws, ", ") or "nothing") ..
     (landing and " from one impact to the next" or "")
+  if f.stiff then
+    lines[#lines + 1] = string.format("stiff: at t = 0 something decays at %.2g 1/s, %.2g times within the horizon " ..
+      "of %s s", f.stiff.rate, f.stiff.decays, number(f.job.model:double(f.job.model.horizon)))
+  end
   for _, why in ipairs(f.job.model.reasons) do lines[#lines + 1] = "state: " .. why end
   return lines
 end
@@ -327,7 +331,9 @@ function writers.json(f)
     { "inertia", entries(f.inertia, f.inertia_number) }, { "centroidal", entries(f.centroidal, f.centroidal_number) },
     { "principal", object { { "moments", f.moments }, { "axes", f.axes } } }, { "symmetry", f.symmetry },
     { "physical", f.physical },
-    { "closed_form", closed }, { "values", values.json(f) }, { "stability", stability },
+    { "closed_form", closed }, { "stiff", f.stiff and object { { "rate", f.stiff.rate }, { "decays", f.stiff.decays },
+      { "horizon", f.job.model:double(f.job.model.horizon) } } or json.null },
+    { "values", values.json(f) }, { "stability", stability },
     { "linearised", linearised.json(f) }, { "effects", effects }, { "methods", methods }, { "cost", cost },
     { "cycles", object { { "real", f.job.real }, { "functions", estimated } } },
     { "rhs", attribution.json(attribution.of(f.job), object) }, { "asked", f.asked or json.null },
@@ -347,11 +353,11 @@ local function costs(f)
   return list
 end
 
--- The explanation of a unit in the format; asked: lines on the accuracy that is asked for, or nil; sections: of a
--- hand-out, or nil.
-function explain.text(unit, format, asked, sections)
+-- The explanation of a unit in the format; told: {asked = lines on the accuracy that is asked for, or nil, stiff =
+-- {rate, decays} of plan/stiffness.lua, or nil}; sections: of a hand-out, or nil.
+function explain.text(unit, format, told, sections)
   local f = facts.of(unit)
-  f.asked = asked
+  f.asked, f.stiff = told.asked, told.stiff
   if handout.formats[format] then return handout.text(f, format, sections, costs(f)) end
   return writers[format](f)
 end

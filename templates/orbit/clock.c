@@ -49,18 +49,63 @@ static ${name}_real ${name}_exponential(${name}_pair y)
 }
 %% else
 
-/* (1 - exp(-rate t))/rate: the time of the free motion at the time t of the damped one */
-static ${name}_pair ${name}_free_time(${name}_real rate, ${name}_real t)
+/* y = -rate t, less than 0 where it decays; beyond ${clock_end} it is that: no result within the range of the type is so
+ * far.  rate and t are scaled, so that the product of huge and tiny ones neither over- nor underflows in a split. */
+static ${name}_pair ${name}_passed_decays(${name}_real rate, ${name}_real t)
 {
-  return ${name}_mul(${name}_pair_of(t), ${name}_mean(${name}_pair_product(-rate, t)));
+  ${name}_real y;
+  int e;
+
+  (void)${frexp}(t, &e);
+  rate = ${ldexp}(-rate, e);
+  t = ${ldexp}(t, -e);
+  y = rate*t;
+  if (y > ${clock_end}) return ${name}_pair_of(${clock_end});
+  if (y < -${clock_end}) return ${name}_pair_of(-${clock_end});
+  return ${name}_pair_product(rate, t);
 }
 
-/* exp(-rate t) */
-static ${name}_real ${name}_fading(${name}_real rate, ${name}_real t)
+/* (1 - exp(-rate t))/rate: the time of the free motion at the time t of the damped one; within -o->last and o->last, as
+ * the free motion takes its own time.  It is t f1(y) with the last doubling of f1 after the product by t: so nothing
+ * overflows but what is later than o->last. */
+static ${name}_pair ${name}_free_time(const ${name}_orbit *o, ${name}_real t, ${name}_pair y)
 {
-  const ${name}_pair p = ${name}_pair_product(-rate, t);
-  const ${name}_real e = ${exp}(p.hi);
+  const ${name}_pair z = {${half}*y.hi, ${half}*y.lo};
+  const ${name}_pair end = ${name}_pair_of(t < ${zero} ? -o->last : o->last);
+  ${name}_pair f, doubled, time;
 
-  return e + e*p.lo;
+  if (y.hi < -${clock_rest}) { /* exp(y) is nothing beside 1 */
+    if (!(${fabs}(o->decay)*o->last > ${one})) return end;
+    time = ${name}_ratio(${name}_pair_of(${one}), ${name}_pair_of(o->decay));
+  } else {
+    if (y.hi > ${clock_growth} || ${fabs}(t) > ${clock_late}) return end;
+    f = ${name}_mean(z);
+    doubled = ${name}_add(${name}_pair_of(${one}), ${name}_mul(z, ${name}_mul(${name}_pair_of(${half}), f)));
+    f = ${name}_mul(${name}_pair_of(t), f);
+    if (${fabs}(f.hi*doubled.hi) > o->last) return end;
+    time = ${name}_mul(f, doubled);
+  }
+  return ${fabs}(time.hi) > o->last ? end : time; /* no number stays none */
+}
+
+/* what the low part of the time adds to a phase of that rate, less whole turns */
+static ${name}_real ${name}_rest(${name}_real rate, ${name}_real low)
+{
+  const ${name}_pair turns = ${name}_pair_product(rate, low);
+
+  return (turns.hi - ${name}_nearest(turns.hi)) + turns.lo;
+}
+
+/* w times exp(y).  Where that alone is beyond the range of the type, its fourth root, four times: a rate of 0 stays
+ * 0, a huge one that fades and a tiny one that grows are right, and what is beyond the range is infinite or 0. */
+static void ${name}_fade(${name}_pair y, ${name}_real w[3])
+{
+  const int far = ${fabs}(y.hi) > ${clock_fade};
+  const ${name}_real part = far ? ${quarter} : ${one}, e = ${exp}(part*y.hi), factor = e + e*(part*y.lo);
+
+  for (int i = 0; i < 3; i++) {
+    w[i] *= factor;
+    if (far) w[i] = ((w[i]*factor)*factor)*factor;
+  }
 }
 %% end

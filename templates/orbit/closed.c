@@ -175,15 +175,14 @@ ${inline} void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${name}
 /* the phase after a time of twice the working precision */
 static ${name}_real ${name}_phase_of(const ${name}_orbit *o, const ${name}_real rate[4], ${name}_pair time)
 {
-  const ${name}_real turns = ${name}_phase(o, rate, time.hi) + rate[0]*time.lo;
+  const ${name}_real turns = ${name}_phase(o, rate, time.hi) + ${name}_rest(rate[0], time.lo);
 
   return turns - ${name}_nearest(turns);
 }
 
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
-  const ${name}_pair time = ${name}_free_time(o->decay, t);
-  const ${name}_real fade = ${name}_fading(o->decay, t);
+  const ${name}_pair y = ${name}_passed_decays(o->decay, t), time = ${name}_free_time(o, t, y);
 %% if rod then
   const ${name}_real spin = ${name}_phase(o, o->spin, t); /* a rod's rate along itself carries no L and is not damped */
 %% elseif symmetric then
@@ -197,9 +196,11 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
   ${name}_state(o, ${name}_phase_of(o, o->about, time), x + ${upper}_QW, w);
 %% end
 %% if rod then
-  for (int i = 0; i < 3; i++) w[i] = o->along[i] + fade*(w[i] - o->along[i]);
+  for (int i = 0; i < 3; i++) w[i] -= o->along[i];
+  ${name}_fade(y, w);
+  for (int i = 0; i < 3; i++) w[i] += o->along[i];
 %% else
-  for (int i = 0; i < 3; i++) w[i] *= fade;
+  ${name}_fade(y, w);
 %% end
 }
 %% else

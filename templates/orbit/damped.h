@@ -1,7 +1,9 @@
 %% -- damped.h -- the contract of a damped motion in closed form: part of scene.h.  SPDX-License-Identifier: MIT-0
-/* The state at time t, of either sign, as long as exp(-rate t) and the phases stay within the range of the type: attitude
- * and rates.  The time (1 - exp(-rate t))/rate of the free motion is formed in twice the working precision, so that no
- * error grows with the number of turns.  There are no ticks: equal steps of t are no equal phases. */
+/* The state at any finite time t, of either sign: attitude and rates.  The time (1 - exp(-rate t))/rate of the free motion
+ * is formed in twice the working precision, so that no error grows with the number of turns.  It is cut at o->last: beyond
+ * that the phase is not known, and the attitude is that of o->last.  Long after the rates have faded the attitude stays at
+ * its limit, and the rates are 0.  Rates beyond the range of the type are infinite, each with its sign, and the attitude is
+ * finite nevertheless.  There are no ticks: equal steps of t are no equal phases. */
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[]);
 
 /* The rates w[3], rad/s, body axes, or the attitude q[4] alone; it costs the same. */

@@ -12,7 +12,7 @@ typedef struct ${name}_instant { ${name}_real high, low, turn, turn_low; } ${nam
  * but for constant factors and their norms; and the turns that mu t makes. */
 typedef struct ${name}_thetas { ${name}_real a, b, c, d, cn, sn, dn, turn; } ${name}_thetas;
 
-%% if single then
+%% if single or damped then
 /* the sum less whole numbers as the high part, what it has rounded as the low one */
 ${inline} void ${name}_join(${name}_real *high, ${name}_real *low)
 {
@@ -170,14 +170,15 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 /* in a time of twice the working precision, and slower */
 void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 {
-  const ${name}_pair time = ${name}_free_time(o->decay, t);
-  const ${name}_real fade = ${name}_fading(o->decay, t);
+  const ${name}_pair y = ${name}_passed_decays(o->decay, t), time = ${name}_free_time(o, t, y);
   ${name}_instant p = ${name}_reduce(o, time.hi);
 
-  p.low += o->rate[0]*time.lo;
-  p.turn_low += o->turn[0]*time.lo;
+  p.low += ${name}_rest(o->rate[0], time.lo);
+  p.turn_low += ${name}_rest(o->turn[0], time.lo);
+  ${name}_join(&p.high, &p.low);
+  ${name}_join(&p.turn, &p.turn_low);
   ${name}_state(o, p, x);
-  for (int i = 0; i < 3; i++) x[${upper}_WX + i] *= fade;
+  ${name}_fade(y, x + ${upper}_WX);
 }
 %% else
 %% if has_tick_fields then

@@ -91,9 +91,22 @@ end)
 case("ball with a rotor", ball, "effect.rotor { axis = {0, 3, 4}, momentum = 10 }", true, all(long), function(t)
   return gyrostat(n(3), n(3), list { 0, 3, 4 }, n(2), x0, t)
 end)
-case("damped top", top, "effect.damping { rate = 0.1015625 }", true, { "1/8", "21/2", "-33/4", 300 }, function(t)
+case("damped top", top, "effect.damping { rate = 0.1015625 }", true, { "1/8", "21/2", "-33/4", 300, 700 }, function(t)
   return damped(n(3), n(5), z, n "13/128", x0, t)
 end)
+case("top damped for long", top, "effect.damping { rate = 0.1015625 }", true, { 1000, 6925 }, function(t)
+  return damped(n(3), n(5), z, n "13/128", x0, t) -- exp(y) is 1e-44 and 4e-306, in float not a normal number
+end)
+cases[#cases].double_only = true
+-- rates of 2^-86 grow 10^26 times, of 2^-960 10^295 times: exp(y)/y alone is too large for a product of pairs
+for _, c in ipairs { { 86, 590 }, { 960, 6690 } } do
+  local start = { table.unpack(x0) }
+  for i = 5, 7 do start[i] = start[i] * n(2) ^ -c[1] end
+  case("top growing from 2^-" .. c[1], top, "effect.damping { rate = -0.1015625 }", true, { "1/8", c[2] }, function(t)
+    return damped(n(3), n(5), z, n "-13/128", start, t)
+  end)
+  cases[#cases].x0, cases[#cases].double_only = start, c[1] > 100
+end
 case("top growing", top, "effect.damping { rate = -0.1015625 }", true, { "1/8", "21/2", "-33/4", 64 }, function(t)
   return damped(n(3), n(5), z, n "-13/128", x0, t)
 end)
