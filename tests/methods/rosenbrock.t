@@ -159,6 +159,23 @@ for _, c in ipairs { 0.01, 2, 200, 20000, 2e6 } do
   end
 end
 
+-- From rest on a slope nothing tells how short the first step must be.  With r = c G_n/k the slip tends to G_t/r, and
+-- V = G_t (t - k (t - (1 - exp(-r t))/r)): G_t = 3/5 g, G_n = 4/5 g.
+do
+  local path = written("slope", [[
+return scene { name = "slope", body = solid.sphere { r = 0.1, mass = 1 },
+  effects = { effect.plane { surface = contact.sphere { r = 0.1 }, law = "sliding", friction = { viscous = 200 },
+    normal = { 0, -3, 4 } } }, initial = { omega = { 0, 0, 0 } }, time = { horizon = 0.1 } }
+]])
+  local t, r = 0.1, 200 * 0.8 * g * 7 / 2
+  local V = 0.6 * g * (t - 2 / 7 * (t - (1 - math.exp(-r * t)) / r))
+  for _, way in ipairs { { "the library", "", 1e-12 }, { "rosenbrock", emitted .. "1e-9", 1e-6 } } do
+    local rows, said = run(path, "--at 0.1 --columns t,v2 " .. way[2])
+    tap.ok(rows and math.abs(rows[1][2] / V + 1) <= way[3], "a ball at rest on a slope, c = 200 s/m, by " .. way[1],
+      rows and string.format("%.17g, %.17g", rows[1][2], V) or said)
+  end
+end
+
 -- The energy falls to the rounding of some hundred steps: 1e-9 of it a step is the tolerance.
 do
   local rows = run(ball(20000), "--every 0.02 --columns t,energy " .. emitted .. "1e-9")

@@ -23,8 +23,8 @@ static int midpoint(stepper *s, const ph_wide x[], ph_wide H, int n, ph_wide out
       z[i] = x[i] + now[i];
     const int status = motion_rates(s->top, &s->loads, s->t + m * h, z, f);
     s->evaluations++;
-    if (status)
-      return status;
+    if (status) /* beyond its start a step that is too long may leave what the equations admit */
+      return m > 0 && status == PH_EROD ? PH_ERANGE : status;
     for (int i = 0; i < states; i++) {
       const ph_wide next = m == 0 ? h * f[i] : before[i] + 2 * h * f[i];
       before[i] = now[i];
