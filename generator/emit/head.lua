@@ -34,7 +34,7 @@ end
 function head.defaults(m, real)
   local list = {}
   for i, p in ipairs(m.params) do
-    list[i] = { name = p.name, value = number.text(p.default, real) }
+    list[i] = { name = p.name, upper = string.upper(p.name), value = number.text(p.default, real) }
   end
   return list
 end

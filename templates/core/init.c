@@ -9,8 +9,9 @@ static const ${name}_real ${name}_own_parameters[${upper}_NP] = {
 
 void ${name}_defaults(${name}_real p[])
 {
-  const volatile ${name}_real *const own = ${name}_own_parameters; /* else compilers make a call of memcpy */
-  for (int i = 0; i < ${upper}_NP; i++) p[i] = own[i];
+%%   for _, p in ipairs(params) do
+  p[${upper}_${p.upper}] = ${name}_own_parameters[${upper}_${p.upper}];
+%%   end
 }
 %% else
 void ${name}_defaults(${name}_real p[])

@@ -80,7 +80,8 @@ static ${name}_pair ${name}_circulation(${name}_pair I1, ${name}_pair I3, ${name
     ${name}_real e[32];
     int n = ${name}_exact_term(e, 0, I3.hi, w3.hi, d32);
     n = ${name}_exact_term(e, n, I1.hi, w1.hi, ${name}_minus(d21));
-    for (sum = ${name}_pair_of(${zero}); n > 0; n--) sum = ${name}_add(sum, ${name}_pair_of(e[n - 1]));
+    sum = ${name}_pair_of(${zero});
+    while (n > 0) sum = ${name}_add(sum, ${name}_pair_of(e[--n]));
   }
   return sum;
 }

@@ -87,7 +87,7 @@ for (const [name, t, size, off, ...words] of [
 {
   const page = await browser.open(made("turntable_ball"));
   const about = await page.run(`document.getElementById("about").textContent`);
-  ok(/no closed form: the motion is not free: plane acts on the body/.test(about), "it says why there is no closed form",
+  ok(/no closed form: the one that there is gives the centre of mass and the spin only/.test(about), "it says why there is no closed form",
     about);
   const samples = await page.run("polhode.motion.samples.map((s) => [s.touch.N, ...s.touch.point])");
   const turn = 33*2*Math.PI/60, V = [0.02*5, turn*0.1], rate = 2/7*turn;

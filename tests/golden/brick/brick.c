@@ -23,8 +23,10 @@ static const real own_parameters[BRICK_NP] = {
 
 void brick_defaults(real p[])
 {
-  const volatile real *const own = own_parameters; /* else compilers make a call of memcpy */
-  for (int i = 0; i < BRICK_NP; i++) p[i] = own[i];
+  p[BRICK_A] = own_parameters[BRICK_A];
+  p[BRICK_B] = own_parameters[BRICK_B];
+  p[BRICK_C] = own_parameters[BRICK_C];
+  p[BRICK_M] = own_parameters[BRICK_M];
 }
 
 /* Does the first step of 0.001 s lead from the initial state to what is no number? */

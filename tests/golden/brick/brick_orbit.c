@@ -573,7 +573,8 @@ static pair circulation(pair I1, pair I3, pair w1, pair w3, pair d21, pair d32)
     real e[32];
     int n = exact_term(e, 0, I3.hi, w3.hi, d32);
     n = exact_term(e, n, I1.hi, w1.hi, minus(d21));
-    for (sum = pair_of(0.0); n > 0; n--) sum = add(sum, pair_of(e[n - 1]));
+    sum = pair_of(0.0);
+    while (n > 0) sum = add(sum, pair_of(e[--n]));
   }
   return sum;
 }
