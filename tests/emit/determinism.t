@@ -79,7 +79,8 @@ do
   tap.ok(not text:find(dir, 1, true) and not text:find("/tmp", 1, true) and not text:find("/home", 1, true),
     "no path of the output, of /tmp or /home")
   local year = os.date "%Y"
-  tap.ok(not text:find("%f[%d]" .. year .. "%f[%D]") and not text:find "%d%d:%d%d:%d%d", "no year and no time of day")
+  local plain = text:gsub("%x%x%x%x%x%x%x%x+", "") -- a sum of a file may have the year's digits
+  tap.ok(not plain:find("%f[%d]" .. year .. "%f[%D]") and not text:find "%d%d:%d%d:%d%d", "no year and no time of day")
   tap.ok(#host < 3 or not text:find("%f[%w]" .. host:gsub("%p", "%%%0") .. "%f[%W]"), "no name of the host")
   tap.ok(user == "root" or #user < 4 or not text:find(user, 1, true), "no name of the user")
   tap.ok(not text:find "\r" and not text:find "[ \t]\n", "no carriage return, no blank at a line's end")
