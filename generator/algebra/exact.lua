@@ -87,7 +87,7 @@ local rules = {}
 function rules.pi() return expr.pi end
 
 -- At 0 it is 1, as d|x|/dx is then the derivative from the right.
-function rules.sign(a) -- 1 at zero
+function rules.sign(a)
   if a.kind == "num" then return R.sign(a.value) < 0 and expr.lift(-1) or expr.one end
   if expr.nonnegative(a) then return expr.one end
 end

@@ -113,8 +113,14 @@ local function narrowed(list, solve, value)
   return true
 end
 
+-- An event at a time.
+local function at_once(e, t)
+  return { at = t, a = t, b = t, ga = 0.0, gb = 0.0, whole = 1.0, size = 0.0, event = e }
+end
+
 -- Where signs change between two times of the grid: brackets {a, b, ga, gb, event} for the list.  seen: of each event
--- the last time and value that was not 0, from piece to piece, and a bracket of one that `stays` until the next time.
+-- the last time and value that was not 0, from piece to piece, and of one that `stays` what waits for the next time to
+-- confirm it.  Such an event may have its sign from the first: then it is there at once.
 local function changes(asked, states, value, seen, list)
   for _, e in ipairs(asked) do
     local last = seen[e] or {}
@@ -127,7 +133,8 @@ local function changes(asked, states, value, seen, list)
             size = math.max(math.abs(ga), math.abs(g)) }
         end
         if c and not e.stays then list[#list + 1] = c end
-        if waiting and (g > 0) == (waiting.gb > 0) then list[#list + 1] = waiting end
+        if waiting and g * e.direction > 0 then list[#list + 1] = waiting end
+        if e.stays and not ga and g * e.direction > 0 then c = at_once(e, s.t) end
         last = { t = s.t, g = g, waiting = e.stays and c or nil }
       elseif not g then
         last = {}
@@ -141,7 +148,7 @@ end
 local function instant(e, course, at)
   local t, back = at.t, 4 * course.epsilon * at.t
   while not course.solve({ t }, {}) and back < t do t, back = t - back, 2 * back end
-  return { at = t, a = t, b = t, ga = 0.0, gb = 0.0, whole = 1.0, size = 0.0, event = e }
+  return at_once(e, t)
 end
 
 -- The event of the disc that lies flat within what is left of the motion at a state, if there is one: a bracket.
@@ -195,6 +202,16 @@ local function pull(asked, start, value)
   return nil
 end
 
+-- A time within the step after t at which what is so from the start can be confirmed before the disc is flat, or nil.
+local function soon(asked, seen, t, step)
+  for _, e in ipairs(asked) do
+    local s = seen[e]
+    local share = s and s.waiting and s.waiting.at and e.confirm(s.g)
+    if share and share < 1 then return t + step * share end
+  end
+  return nil
+end
+
 -- The brackets of the whole motion, from piece to piece, so that not all of its states are there at once.
 local function brackets(asked, course, value, finish, step)
   local n, list, seen, last = math.max(1, math.min(most, math.ceil(finish / step))), {}, {}, nil
@@ -203,6 +220,7 @@ local function brackets(asked, course, value, finish, step)
   if disc then size = 1 end
   while first <= n do
     local grid = {}
+    grid[1] = last and soon(asked, seen, last.t, finish / n)
     for i = first, math.min(first + size - 1, n) do grid[#grid + 1] = i == n and finish or finish * (i / n) end
     local states, why = course.solve(grid, { from = last })
     if not states then return failing(asked, course, value, why, grid, last, seen, list) end

@@ -130,7 +130,8 @@ function disc.inertia(d, s) return d.k1 + 1 + 2 * d.p * s + d.p ^ 2 end
 
 -- The reaction at a place: m (G + R (c theta'' - s theta'^2)), J theta'' = W'/s - p c theta'^2.
 function disc.reaction(d, z)
-  local change, J = z.slope or expand(d, z, 1).W[1], disc.inertia(d, z.s)
+  -- not the slope of the chain: where W has become constant it is rounding
+  local change, J = expand(d, { s = z.s, c = z.c, a = z.a, w = z.w }, 1).W[1], disc.inertia(d, z.s)
   local square = 2 * (z.W or 0.0) / J
   return d.mass * (d.G + d.R * (z.c * (change / z.s - d.p * z.c * square) / J - z.s * square))
 end

@@ -134,6 +134,20 @@ function quantities.kinetic(m)
   return vec.dot(w, L) / 2, defs, "T = w.L/2 (L = I w)"
 end
 
+-- What NAME_energy is, where nothing moves the body; V: the potential.
+local function energy_doc(m, V, wheels)
+  if V == expr.zero then
+    return { wheels and "Kinetic energy of the body and its wheels, J." or "Kinetic energy T = w.I w/2, J." }
+  end
+  local kinds, known = {}, { ["effect.gravity"] = "V = 0 with the centre of mass at the height of the origin.",
+    ["effect.plane"] = "V = 0 with the centre of mass at the inertial origin, through which the plane passes." }
+  for _, e in ipairs(m.record.effects) do
+    local part = e.spec.potential and e.spec.potential(e.a, context.with(context.dry(m), e))
+    if part and part ~= expr.zero then kinds[#kinds + 1] = e.kind end
+  end
+  return { "Energy T + V, J; " .. (#kinds == 1 and known[kinds[1]] or "V is the sum of the effects' potentials.") }
+end
+
 function quantities.energy(m)
   local T, defs, why = quantities.kinetic(m)
   local V, doc = context.potential(m), nil
@@ -149,9 +163,7 @@ function quantities.energy(m)
     doc = m.frame and { "Kinetic energy relative to the frame, the effects' potential and the frame's own, J: Jacobi's",
       "integral where the frame turns at a constant rate." } or { "Energy T + V, J; V = 0 at the origin." }
   end
-  doc = doc or { V == expr.zero and (wheels and "Kinetic energy of the body and its wheels, J." or
-    "Kinetic energy T = w.I w/2, J.") or "Energy T + V, J; V = 0 with the centre of " ..
-    "mass at the height of the origin." }
+  doc = doc or energy_doc(m, V, wheels)
   return { name = "energy", args = { "m", "x" }, result = true, doc = doc,
     groups = { group(why .. (V ~= expr.zero and ";  V from the effects" or ""), defs,
       { { result = true, expr = T + V } }) } }

@@ -45,9 +45,18 @@ local function geometry(m, group, plain)
   local function one(prefix, e) return name(prefix, { e })[1] end
   local k = { s = one("sine", expr.call("sin", tilt)), c = one("cosine", expr.call("cos", tilt)) }
   local function constant(prefix, e, about) return c.constant(prefix, ratio.tidy(e), about) end
-  local lowest = at.e.spec.lowest(at.e.a, c, { up = { k.s, expr.zero, k.c } }, name)
-  k.x, k.y = lowest.r[1], lowest.r[3]
-  k.rho = one("bend", lowest.rim + curvature(at.f.surface, k.s, k.c))
+  local surface = at.f.surface
+  local rim = constant("rim", surface.rim, "radius of the sphere, or of the rounded edge, m")
+  local r
+  if surface.disc then -- whose y would be R g/|g|: no number near flat
+    local R, z = constant("radius", surface.half[1], "radius of the disc's centre circle, m"),
+      constant("centrez", at.f.centre[3], "centre of the surface from the centre of mass, z, m")
+    r = { -(R + rim * k.s), expr.zero, z - rim * k.c }
+  else
+    r = at.e.spec.lowest(at.e.a, c, { up = { k.s, expr.zero, k.c } }, name).r
+  end
+  k.x, k.y = one("arm_x", r[1]), one("arm_z", r[3])
+  k.rho = one("bend", rim + curvature(surface, k.s, k.c))
   k.h, k.b = one("height", -(k.x * k.s + k.y * k.c)), one("lever", k.y * k.s - k.x * k.c)
   k.m1 = constant("m_I1", m.mass / at.I1, "mass over the moment across the axis, 1/m^2")
   k.m3 = constant("m_I3", m.mass / at.I3, "mass over the moment about the axis, 1/m^2")
@@ -97,18 +106,20 @@ local function steady_nod(m)
       "positive where it is stable.  0 < tilt < pi, n not 0; the margins stable_.. tell of upright spins." } }
 end
 
--- The steady rolling of this tilt and rate w about the axis, as doubles, parameters at their defaults: a list of {n,
--- nod}, of the roots of s (I1 c - m h y) n^2 - (I3 s - m h x) w n = m G b; nil where nothing rolls so.
-function steady.of(m, angle, w)
+-- The steady rolling of this tilt, by its sine and cosine, and rate w about the axis, as doubles, parameters at their
+-- defaults: a list of {n, nod}, of the roots of s (I1 c - m h y) n^2 - (I3 s - m h x) w n = m G b; nil where nothing
+-- rolls so.
+function steady.of(m, sine, cosine, w)
   if not rolls(m) then return nil end
-  local group, env = { defs = {} }, { tilt = angle, n = 1.0 }
+  local group, env = { defs = {} }, { n = 1.0 }
   for name, x in pairs(m.defaults) do env[name] = x end -- into a table: order is lost anyway
   local k = geometry(m, group, true)
   local bare, square = #group.defs, nod(k)
   local function evaluated(from, to)
     for i = from, to do env[group.defs[i].name] = evaluate.double(group.defs[i].expr, env) end
   end
-  evaluated(1, bare)
+  env[k.s.name], env[k.c.name] = sine, cosine -- the first two definitions
+  evaluated(3, bare)
   local function value(e) return evaluate.double(e, env) end
   local A, B = value(k.s * (k.I1 * k.c - k.h * k.y)), value(k.I3 * k.s - k.h * k.x) * w
   local C = value(k.G * k.b)

@@ -48,16 +48,19 @@ function laws.sliding(I1, I3, _, h, rho, C)
 end
 
 -- A body of revolution about z and its surface on a level plane at rest, with nothing else that acts, and no ball: {e,
--- f = touch_laws.facts, G, I1, I3}; nil for others.
+-- f = touch_laws.facts, G = gravity towards the plane, I1, I3}; nil and the reason for others.
 function upright.revolved(m)
   local e = contact.of(m)
-  if not e then return nil end
+  if not e then return nil, "no plane is touched" end
   local a, f = e.a, touch_laws.facts(m, e)
-  local alone = #m.record.effects == 1 and not a.spinning and not a.rolling_resistance
-  if not alone or a.rate ~= zero or not f.level or not f.revolved or f.ball then return nil end
-  local square = ratio.tidy(vec.dot(a.gravity, a.gravity))
-  if ratio.iszero(square) then return nil end
-  return { e = e, f = f, G = ratio.tidy(expr.sqrt(square)), I1 = f.I1, I3 = f.I3 }
+  local G = ratio.tidy(-vec.dot(a.gravity, a.normal))
+  if #m.record.effects > 1 then return nil, "not the plane alone acts on the body" end
+  if a.spinning or a.rolling_resistance then return nil, "the plane resists its spinning or rolling" end
+  if not ratio.iszero(a.rate) then return nil, "the plane turns" end
+  if not f.level then return nil, "the plane is not level" end
+  if not f.revolved or f.ball then return nil, "body and surface are not of revolution about one axis z" end
+  if ratio.iszero(G) then return nil, "it has no weight" end
+  return { e = e, f = f, G = G, I1 = f.I1, I3 = f.I3 }
 end
 
 -- A list of {key = "up" | "down" | "straight" | "edge", what, a, c: expressions of the parameters, condition: a n^2 > c

@@ -36,7 +36,7 @@ local function filled(a, c, e, name)
   local map, L = {}, nil
   e = c.lift(e, name, "constant of effect.custom")
   for _, p in ipairs(a.params) do
-    map[expr.sym("@" .. p.name, 6)] = c.constant(p.name, p.e, "parameter of effect.custom, " .. p.unit)
+    map[expr.sym("@" .. p.name, 6)] = c.constant(p.name, p.e, p.name .. ", parameter of effect.custom, " .. p.unit)
   end
   for _, s in ipairs(a.states) do map[motion.sym("@" .. s.name)] = c.own[s.name] end
   for i, n in ipairs { "@Lx", "@Ly", "@Lz" } do

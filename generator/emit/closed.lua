@@ -1,6 +1,7 @@
 -- closed.lua -- the closed form as C: which templates say it, and their values.
 --
---     closed.render(job, base, ctx) -> {header, source, own = has it NAME_own_orbit?}
+--     closed.render(job, base, ctx) -> {header, parts = list of {text, general = is it equal for every body?},
+--                                       own = has it NAME_own_orbit?}
 -- The order of the templates is that of the C: what stands first is used by what follows.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -91,6 +92,9 @@ local function damped(free)
   local headers = TEXTS[free.kind].headers
   return { headers[1], headers[2], "orbit/damped.h" }, list
 end
+
+-- Equal for every body, as is what stands in numeric/.
+local GENERAL = { ["orbit/circle.c"] = true, ["orbit/quaternion.c"] = true, ["orbit/polynomial.c"] = true }
 
 -- The templates of headers and of sources.
 local function texts(form, asked)
@@ -203,7 +207,7 @@ function closed.render(job, base, ctx)
   if not form.kind then return nil end
   local v = { theorem = form.theorem, closed_text = form.text, single = real == "float", has_full = form.full or false,
     has_centre = form.centre or false, rolls = false,
-    pair_top = analysis.pair_top[real], symmetric = false, rod = false, rotor = false, damped = false, axial = false,
+    pair_top = analysis.pair_top[real], clears = false, symmetric = false, rod = false, rotor = false, damped = false, axial = false,
     lagrange = false }
   literals(real, v)
   constants(real, v)
@@ -225,11 +229,13 @@ function closed.render(job, base, ctx)
   local render, header_names, source_names = GROUP(job.templates, base, v), texts(form, job.selection.asked)
   local headers, parts = {}, {}
   for i, name in ipairs(header_names) do headers[i] = render(name) end
-  for i, name in ipairs(source_names) do parts[i] = render(name) end
-  if v.has_own then parts[#parts + 1] = render "orbit/own.c" end
-  local text = table.concat(parts, "\n")
-  v.clears = string.find(text, ctx.name .. "_copy%(&%a+, 0,") ~= nil
-  return { header = table.concat(headers, "\n"), source = render "core/copy.c" .. "\n" .. text, own = v.has_own }
+  if v.has_own then source_names[#source_names + 1] = "orbit/own.c" end
+  for i, name in ipairs(source_names) do
+    parts[i] = { text = render(name), general = GENERAL[name] or string.find(name, "^numeric/") ~= nil }
+    v.clears = v.clears or string.find(parts[i].text, ctx.name .. "_copy%(&%a+, 0,") ~= nil
+  end
+  table.insert(parts, 1, { text = render "core/copy.c" })
+  return { header = table.concat(headers, "\n"), parts = parts, own = v.has_own }
 end
 
 return closed

@@ -11,7 +11,7 @@
 --       links_m       must it be linked with -lm?
 --       base, ctx     for templates beside the code (emit/base.lua, the C library's functions), for emit/source.lua
 -- job.layout: "split": NAME (the motion), NAME_orbit (the closed form), NAME_analysis, NAME_private.h (what several of
--- them share), each only where there is something in it; "single": one header and one source; "header": one header,
+-- them share, and what is equal for every body, unless there is but one source), each only where there is something in it; "single": one header and one source; "header": one header,
 -- whose implementation stands behind a macro.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -97,34 +97,38 @@ end
 -- The texts in the order of the C: what stands first is used by what follows.
 local function fragments(job, p, ctx, base)
   local list, has, templates = {}, job.model.has, job.templates
-  local function put(room, declared, defined)
-    list[#list + 1] = { header = declared or "", source = defined or "", room = room }
+  local function put(room, declared, defined, general)
+    list[#list + 1] = { header = declared or "", source = defined or "", room = room, general = general }
   end
   local function bare(name) return PLAIN(templates, base, {})(name) end
   local few = p.closed and job.closed.pairs or nil -- nil: all the arithmetic of pairs
   local pair = (p.special or has.rates or p.closed) and
     special.pair(templates, base, few ~= "few" or p.special, few == nil or p.special)
   local sums = p.order and p.stability.order.sums or job.closed.exact
-  if pair and (p.special or sums) then put("motion", nil, pair) end
-  if p.special then put("motion", nil, special.text(templates, base, ctx, p.helpers)) end
-  if sums then put("motion", nil, bare "numeric/exact.c") end
+  if pair and (p.special or sums) then put("motion", nil, pair, true) end
+  if p.special then put("motion", nil, special.text(templates, base, ctx, p.helpers), true) end
+  if sums then put("motion", nil, bare "numeric/exact.c", true) end
   if p.order then put("motion", nil, stability.order(p.stability, job, base)) end
   put("motion", init.fragment(p.init, job, base, p))
   put("motion", functions.fragment(p.functions, templates, base))
   if has.attitude then put("motion", bare "core/normalise.h", bare "core/normalise.c") end
-  if pair and not (p.special or sums) then put("motion", nil, pair) end
+  if pair and not (p.special or sums) then put("motion", nil, pair, true) end
   local s, axes = job.selection, nil
   if has.attitude and selection.attitude(s.asked) then put("motion", attitude(job, ctx, base)) end
   local studied = has.rates and (s.asked "stability" or s.asked "spin_stable" or s.asked "linearised")
-  local called = p.stepper.source .. (p.closed and p.closed.source or "")
+  local called = { p.stepper.source }
+  for i, part in ipairs(p.closed and p.closed.parts or {}) do called[i + 1] = part.text end
   -- also of splitting methods and of the closed form of a tensor with products
   if has.rates and (studied or s.asked "principal" or s.asked "principal_of" or
-    string.find(called, "_principal", 1, true)) then
+    string.find(table.concat(called), "_principal", 1, true)) then
     local defined
     axes, defined = analysis.principal(job, base, ctx)
     put("analysis", nil, defined)
   end
-  if p.closed then put("orbit", p.closed.header, p.closed.source) end
+  if p.closed then
+    put("orbit", p.closed.header)
+    for _, part in ipairs(p.closed.parts) do put("orbit", nil, part.text, part.general) end
+  end
   if p.stepper.source ~= "" then put("motion", p.stepper.header, p.stepper.source) end
   if job.batch then
     local declared, defined
@@ -148,7 +152,7 @@ local function fragments(job, p, ctx, base)
     table.insert(list, 1, { header = "", room = "motion", source = heading .. table.concat(constants, "\n") .. "\n" })
   end
   local own = ctx.own and libm.source(base, ctx, templates, text) or ""
-  if own ~= "" then table.insert(list, 1, { header = "", source = own, room = "motion" }) end
+  if own ~= "" then table.insert(list, 1, { header = "", source = own, room = "motion", general = true }) end
   return list
 end
 
@@ -217,10 +221,10 @@ local function written(job, all, ctx, base, about)
   for _, r in ipairs(all.order) do
     local own, stem, main = all.rooms[r], ctx.name .. selection.tails[r], r == "motion"
     local v = { file = stem, file_upper = string.upper(stem), about_file = ABOUT[r] or "",
-      has_private = has_private, declarations = own.header, definitions = own.source, own_includes = {},
+      has_private = own.reads_private == true, declarations = own.header, definitions = own.source, own_includes = {},
       header_includes = includes(own.header), header_only = header_only }
     for _, h in ipairs(v.header_includes) do used[h] = true end
-    v.preamble = preamble(library(own.source, v.header_includes), all.real == "real" and not has_private and
+    v.preamble = preamble(library(own.source, v.header_includes), all.real == "real" and not own.reads_private and
       not header_only)
     for _, other in ipairs { "orbit", "analysis" } do
       if own.calls[other] and other ~= r then add(ctx.name .. selection.tails[other] .. ".h", v.own_includes) end

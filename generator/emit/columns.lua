@@ -16,14 +16,23 @@ local columns = { width = 100 }
 
 local function indent_of(line) return string.match(line, "^ *") end
 
--- The last place up to `width` at which the words of a comment may part; nil if there is none.
+-- A word that joins those beside it in a formula.
+local JOINS = { ["="] = true, ["+"] = true, ["-"] = true, ["x"] = true, ["/"] = true, ["<"] = true, [">"] = true }
+
+-- The last place up to `width` at which the words of a comment may part, in no formula if there is such a place in the
+-- last half; nil if there is none.
 local function gap(line, from, width)
+  local last
   for at = math.min(width, #line), from, -1 do
     if string.sub(line, at, at) == " " and string.find(line, "^%S", at + 1) and
       string.find(string.sub(line, from, at), "%S") then
-      return at
+      last = last or at
+      local before, behind = string.match(string.sub(line, from, at - 1), "(%S+)$"), string.match(line, "^%S+", at + 1)
+      if not JOINS[before] and not JOINS[behind] then return at end
     end
+    if last and at < (from + width) // 2 then break end
   end
+  return last
 end
 
 -- The place where a formula parts: behind a comma, or where words do.

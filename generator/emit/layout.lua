@@ -3,12 +3,14 @@
 --
 --     layout.sort(name, real, fragments, asked, room, keeps) -> sorted
 --     real: what the code calls its type; keeps: all names keep the prefix, and the type too
---     fragments: list of {header =, source =, room =}, texts whose parts are those of units.lua, in the order of the C
+--     fragments: list of {header =, source =, room =, general = is it equal for every body?}, texts whose parts are those
+--       of units.lua, in the order of the C
 --     asked(function) -> bool: is it called for?  room(function, fragment's room) -> the file that it belongs to
 --     sorted: { functions = list of {name =, room =, asked = bool, lines =} of all public ones, rooms = { [room] =
---       {header =, source =, calls = {[room] = true}} }, private = text | "", read = set of the identifiers in all that
---       is kept but NAME_init }
--- A function that is needed but not asked for is static.  What several files share is private, and static inline.
+--       {header =, source =, calls = {[room] = true}, reads_private = bool} }, private = text | "", read = set of the
+--       identifiers in all that is kept but NAME_init }
+-- A function that is needed but not asked for is static.  What several files share is private, and so is what is equal
+-- for every body, unless there is only one file; where several read it, it is static inline.
 -- Names of what is static lose the scene's prefix, and NAME_real is `real`, unless the plain name has another use.
 -- BELOW the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -28,7 +30,7 @@ local function parts(fragments)
       if u.kind == "heading" then
         heading = u
       else
-        u.heading, u.room = heading, fragment.room
+        u.heading, u.room, u.general = heading, fragment.room, fragment.general
         list[#list + 1] = u
       end
     end
@@ -99,13 +101,13 @@ local function taken_names(kept)
 end
 
 -- The plain names of what is static, by the names with the prefix, which macros have in capitals.  One that several
--- rooms share is seen in all of them.
+-- rooms can see must be free in all of them.
 local function plain_names(name, kept, public)
   local map, taken = {}, taken_names(kept)
   local starts = { [name .. "_"] = "^%l", [string.upper(name) .. "_"] = "^%u" }
   local function free(u, short)
     for r, used in pairs(taken) do -- a set: any order
-      if used[short] and (u.rooms[r] or next(u.rooms, (next(u.rooms)))) then return false end
+      if used[short] and (u.rooms[r] or u.shown) then return false end
     end
     return not RESERVED[short]
   end
@@ -149,6 +151,7 @@ end
 
 -- What several sources include must be inline, or each would warn of what it does not call.
 local function private_text(u)
+  if not u.shown then return u.text end
   local text = string.gsub(u.text, "^static ", "static inline ", 1)
   if text == u.text then text = string.gsub(u.text, "\nstatic ", "\nstatic inline ", 1) end
   return string.find(units.bare(u.text), "^%s*static[^=]*%(") and text or u.text
@@ -223,21 +226,27 @@ local function reached(functions, public, prototypes, by_name)
   return rooms, order
 end
 
--- Puts the definitions that are reached into their rooms.  Returns all of them, and those that several rooms share.
-local function place_defined(defined, rooms, public)
-  local kept, private = {}, {}
+-- Puts the definitions that are reached into their rooms.  Returns all of them, and the private ones; shown: several
+-- rooms see them.
+local function place_defined(defined, rooms, order, public)
+  local kept, private, readers = {}, {}, 0
   for _, u in ipairs(defined) do
     if u.rooms then
       kept[#kept + 1] = u
       local owner = u.names[1] and public[u.names[1]]
       local several = next(u.rooms, (next(u.rooms))) ~= nil
-      if several and not (owner and owner.asked) then
+      if (several or u.general and #order > 1) and not (owner and owner.asked) then
         private[#private + 1] = u
+        for r in pairs(u.rooms) do -- a set: any order
+          readers = readers + (rooms[r].reads_private and 0 or 1)
+          rooms[r].reads_private = true
+        end
       else
         table.insert(rooms[owner and owner.asked and owner.room or next(u.rooms)].defined, u)
       end
     end
   end
+  for _, u in ipairs(private) do u.shown = readers > 1 end
   return kept, private
 end
 
@@ -265,7 +274,7 @@ function layout.sort(name, real, fragments, asked, room, keeps)
   local by_name = givers(declared, defined)
   local public, prototypes, functions = publics(declared, defined, asked, room)
   local rooms, order = reached(functions, public, prototypes, by_name)
-  local kept, private = place_defined(defined, rooms, public)
+  local kept, private = place_defined(defined, rooms, order, public)
   place_declared(declared, rooms, public)
   complete(name, kept, by_name, public)
   local map = keeps and {} or plain_names(name, kept, public)
@@ -301,7 +310,7 @@ function layout.sort(name, real, fragments, asked, room, keeps)
     f.lines = u and #plain.lines(u.text) or 0
     f.uses = u and u.uses or {}
   end
-  local function inside(u) return private_text { text = change(u) } end
+  local function inside(u) return private_text { text = change(u), shown = u.shown } end
   return { functions = functions, rooms = rooms, order = order, read = identifiers(kept, name .. "_init"),
     plain_private = joined(private, inside),
     private = joined(private, inside, shape), real = keeps and name .. "_real" or real }

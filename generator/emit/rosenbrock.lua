@@ -2,6 +2,7 @@
 -- templates/steppers/rosenbrock.c makes steps of them.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
 local template = require "generator.emit.template"
@@ -28,8 +29,7 @@ local function rows(list, width, real)
   local out = {}
   for i, row in ipairs(list) do
     local cells = {}
-    for k = 1, width do cells[k] = row[k] and number.text(row[k], real) or number.text(row[1] and row[1] - row[1] or
-      list[2][1] - list[2][1], real) end
+    for k = 1, width do cells[k] = number.text(row[k] or R.zero, real) end
     out[i] = { text = table.concat(cells, ", ") .. (i < #list and "}," or "}") }
   end
   return out
@@ -56,6 +56,9 @@ function emit.render(s, kit)
     d = rows({ T.d }, 8, ctx.real)[1].text }
   v.c, v.d = string.sub(v.c, 1, -2), string.sub(v.d, 1, -2)
   for i, state in ipairs(program.states) do v.states[i] = { name = ctx.upper .. "_" .. string.upper(state.name) } end
+  local held = {}
+  for i, x in ipairs(program.slips) do held[i] = "x[" .. ctx.upper .. "_" .. string.upper(x.state.name) .. "]" end
+  v.slip_states = table.concat(held, " and ") .. (#held == 1 and " is" or " are")
   for i, x in ipairs(program.slips) do v.slips[i] = { name = ctx.upper .. "_" .. string.upper(x.state.name),
     place = text(i - 1) } end
   for _, k in ipairs(v.kinds) do -- what a place or a velocity along the plane is known to

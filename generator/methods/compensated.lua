@@ -66,8 +66,8 @@ function compensated.list(job)
       list[#list + 1] = of(job.equations, s.method, i == 1 and "step" or s.method.name .. "_step")
     elseif not s.method.compensated then
       job.diag:error(job.record.line, "method " .. s.method.name,
-        "it turns the body by products of rotations and adds " ..
-        "no increments that could be compensated (--with compensated): rk4, adaptive, taylor and semi have some")
+        "it has no compensated step (--with compensated): " ..
+        "rk4, adaptive, taylor and semi have one")
       return nil
     end
   end

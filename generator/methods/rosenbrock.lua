@@ -1,7 +1,7 @@
 -- rosenbrock.lua -- Rodas5P: a linearly implicit method of order 5 with 8 stages, for stiff equations.
 --
---     (1/(h g) 1 - J) k_i = f(t + c_i h, x + sum a_ij k_j) + sum (C_ij/h) k_j + h d_i df/dt,   x(t + h) = x + sum a_8j
---     k_j + k_8
+--     (1/(h g) 1 - J) k_i = f(t + c_i h, x + sum a_ij k_j) + sum (C_ij/h) k_j + h d_i df/dt
+--     x(t + h) = x + sum a_8j k_j + k_8
 -- with J = df/dx.  It is L-stable: what decays fast is damped at any step.  x + sum a_8j k_j has order 4, so k_8 is the
 -- error.  Source: Steinebach 2023, BIT Numerical Mathematics 63, 27; the form without products by J is that of Hairer,
 -- Wanner, Solving ODEs II (2nd ed.), IV.7.
@@ -179,10 +179,12 @@ local function derivatives(groups, rates, moving, taken)
       defs = sensitivity.follow(g.defs, columns, known, taken) }
   end
   local J, by_time = {}, {}
+  local slope, time = {}, calculus.by(state.t, known[#columns])
+  for k = 1, #moving do slope[k] = calculus.by(columns[k].sym, known[k]) end
   for i, s in ipairs(moving) do
     J[i] = {}
-    for k = 1, #moving do J[i][k] = calculus.diff(rates[s.name].expr, columns[k].sym, known[k]) end
-    by_time[i] = calculus.diff(rates[s.name].expr, state.t, known[#columns])
+    for k = 1, #moving do J[i][k] = slope[k](rates[s.name].expr) end
+    by_time[i] = time(rates[s.name].expr)
   end
   return out, J, by_time
 end
@@ -200,8 +202,9 @@ local function shifts(eq, list)
   return { a }
 end
 
--- {tableau, states = that move, slips, rates = groups of f, matrix = groups of the factors and df/dt, solve = groups,
--- cells = number of the factors' entries, timed = does f depend on t?, knots}, or nil and why there is none.
+-- {tableau, states = that move, slips, shifts = groups of what the slip adds to the velocity, rates = groups of f,
+-- matrix = groups of the factors and df/dt, factors = their entries, solve = groups, timed = does f depend on t?,
+-- knots}, or nil and why there is none.
 function rosenbrock.program(eq)
   local zero, moving, taken = stages.conserved(eq), {}, {}
   for _, member in ipairs(eq.model.members) do taken[member.name] = true end

@@ -289,7 +289,7 @@ end
 
 -- The stiffness of the scene's own motion (stiffness.lua), or nil.
 function plan.stiff(q)
-  if q.job.closed.full or q.job.equations.inputs and not states.limits(q.job) then return nil end
+  if not stiffness.sought(q.job) then return nil end
   local follows
   for _, c in ipairs(q.plugin:info().steppers) do follows = follows or c.name == "adaptive" end
   if not follows then return nil end

@@ -93,9 +93,14 @@ function stiffness.of(plugin, point, T, epsilon)
   return decays > enough and { rate = fastest, decays = decays } or nil
 end
 
+-- Whether it is looked for: not where the motion has a closed form, nor where no limits tell what the inputs may be.
+function stiffness.sought(job)
+  return not job.closed.full and (not job.equations.inputs or states.limits(job) ~= nil)
+end
+
 -- The same of the scene's first state alone, without a compiler.
 function stiffness.start(job)
-  if job.closed.full or job.equations.inputs and not states.limits(job) then return nil end
+  if not stiffness.sought(job) then return nil end
   local point, T = states.points(job, "double", 1)[1], job.model:double(job.model.horizon)
   local exact = rates.new(job)
   local r = stiffness.rate(function(x) return exact:of(0.0, x, point.input) end, point.x, 2.0 ^ -52)

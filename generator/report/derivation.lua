@@ -57,6 +57,8 @@ local function named_tensor(m, style)
   return lines
 end
 
+local BANNER_WIDTH = 97 -- of emitted lines, less what stands before a line of a comment
+
 -- Lines for the header's banner: what the body is, its tensor, what was chosen.
 function derivation.banner(job)
   local m = job.model
@@ -64,10 +66,15 @@ function derivation.banner(job)
   if m.has.rates then
     lines[1] = "Tensor of inertia about the origin of rotation, kg m^2 (off-diagonals are tensor entries):"
   end
+  -- A long line goes on behind a comma or semicolon of its second half, else at a blank.
   local function put(l)
-    while #l > 110 do -- a long formula goes on, at a blank
-      local cut = 110
-      while cut > 20 and string.sub(l, cut, cut) ~= " " do cut = cut - 1 end
+    while #l > BANNER_WIDTH do
+      local cut = BANNER_WIDTH + 1
+      while cut > BANNER_WIDTH // 2 and not string.find(l, "^[,;] ", cut - 1) do cut = cut - 1 end
+      if cut == BANNER_WIDTH // 2 then
+        cut = BANNER_WIDTH + 1
+        while cut > 20 and string.sub(l, cut, cut) ~= " " do cut = cut - 1 end
+      end
       lines[#lines + 1] = string.sub(l, 1, cut - 1)
       l = "        " .. string.sub(l, cut + 1)
     end

@@ -1,5 +1,5 @@
 -- disc.lua -- of a rolling disc (dynamics/disc.lua): its linear integrals, swing of the tilt, turn of the contact
--- point, reactions, and the steady motions of its tilt and spin.
+-- point, and reactions.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -42,7 +42,7 @@ local function swing(d, put, z, rate)
   local formula, latex = roots "least"
   put("tilt_least", "between the axis and the normal", formula, latex, deg(f.least), "deg")
   formula, latex = roots "greatest"
-  put("tilt_greatest", "the same in steady rolling, where N = m G", formula, latex, deg(f.greatest), "deg")
+  put("tilt_greatest", "the same; equal to the least in steady rolling", formula, latex, deg(f.greatest), "deg")
   put("reaction_tilt_least", "", "N = m (G + R c theta'')", "N = m(G + Rc\\ddot\\theta)", disc.reaction(d, f.least),
     "N")
   put("reaction_tilt_greatest", "", "N = m (G + R c theta'')", "N = m(G + Rc\\ddot\\theta)",
@@ -63,34 +63,10 @@ local function swing(d, put, z, rate)
     flat, math.deg(disc.flat_turn(d)), "deg")
 end
 
-local sharp = { "I1 p^2 s c - (I3 + m R^2) w3 p s = m G R c", "I_1p^2sc - (I_3 + mR^2)\\omega_3ps = mGRc" }
-local round = { "(I1 + m rho (R s + rho)) p^2 s c - (I3 s + m (R s + rho) (R + rho s)) w3 p = m G R c",
-  "(I_1 + m\\varrho(Rs + \\varrho))p^2sc - (I_3s + m(Rs + \\varrho)(R + \\varrho s))\\omega_3p = mGRc" }
-
--- The steady precessions p of the tilt and w3 at the start, and their small nutations.
-local function steady(d, put, z)
-  local s, c, rim = z.s, z.c, z.s + d.p
-  local A, D = (d.k1 + d.p * rim) * s * c, d.gamma * c
-  local B = (d.k3 * s + rim * (1 + d.p * s)) * z.w
-  if A == 0 or B * B + 4 * A * D < 0 then return end
-  local far = (B + (B < 0 and -1 or 1) * math.sqrt(B * B + 4 * A * D)) / (2 * A)
-  local said = d.p == 0 and sharp or round
-  for i, p in ipairs { far, far ~= 0 and -D / A / far or nil } do
-    local number = string.format("%d", i)
-    put("steady_precession_" .. number, "about the normal, for this tilt and w3", said[1], said[2], p, "rad/s")
-    local square = disc.nutation(d, { s = s, c = c, a = p * s, w = z.w })
-    local key = square < 0 and "steady_growth_" or "steady_nutation_"
-    put(key .. number, square < 0 and "this one is unstable" or "small nutation about it: it is stable",
-      square < 0 and "sqrt(-U''/J)" or "sqrt(U''/J), J = I1 + m (R^2 + 2 R rho s + rho^2)",
-      square < 0 and "\\sqrt{-U''/J}" or "\\sqrt{U''/J}", math.sqrt(math.abs(square)), "rad/s")
-  end
-end
-
 -- The rows; I1, I3, mass, G: numbers.
 function report.rows(m, surface, put, I1, I3, mass, G)
   local d = disc.of(I1, I3, mass, m:double(surface.half[1]), m:double(surface.rim), G)
   local z, rate = start(m)
-  steady(d, put, z)
   swing(d, put, z, rate)
 end
 

@@ -86,7 +86,7 @@ local function rolling(m, put)
   local x, y, z = m:double(g[1]), m:double(g[2]), m:double(g[3])
   local across = math.sqrt(x * x + y * y)
   if across == 0 then return end -- upright
-  for i, s in ipairs(steady.of(m, math.atan(across, z), m:double(m.omega[3])) or {}) do
+  for i, s in ipairs(steady.of(m, across, z, m:double(m.omega[3])) or {}) do
     local number, stable = string.format("%d", i), s.nod >= 0
     put("steady_precession_" .. number, "about the normal, for this tilt and w3; contact x, y across and along the " ..
       "axis, height h, b = y s - x c",
@@ -108,11 +108,10 @@ function touch.rows(job, put)
   if not alone then return end
   if f.ball and a.law == "rolling" then ball(m, f, put, a, mass, G) end
   critical(m, a.law, put)
-  local size = math.sqrt(vec.dot(G, G))
+  local size = -vec.dot(G, vec.map(a.normal, function(x) return m:double(x) end))
   if m:double(a.rate) ~= 0 or not f.level or not f.revolved or size == 0 or a.law ~= "rolling" then return end
-  if not f.surface.disc then
-    rolling(m, put)
-  elseif m:double(f.centre[3]) == 0 then
+  rolling(m, put)
+  if f.surface.disc and m:double(f.centre[3]) == 0 then
     disc.rows(m, f.surface, put, m:double(f.I1), m:double(f.I3), mass, size)
   end
 end

@@ -59,8 +59,8 @@ struct polhode_plugin {
   /* closed form: 0 and the orbit through x0 at t = 0, or why there is none; then the state at t */
   int (*solve)(void *o, const void *m, const double *x0);
   void (*at)(const void *o, double t, double *x);
-  /* the same in loops: n set-ups from x0, 0 or the last refusal; n evaluations at t0 + i h, x the
-   * last */
+  /* the same in loops: n set-ups from x0 (0 or the last refusal); n evaluations at t0 + i h (x: the
+   * last one) */
   int (*solve_loop)(void *o, const void *m, const double *x0, long n);
   void (*at_loop)(const void *o, double t0, double h, double *x, long n);
   /* the same evaluations, many at a time; NULL: the emitted code has one at a time only */

@@ -89,7 +89,7 @@ static ${name}_pair ${name}_free_time(const ${name}_orbit *o, ${name}_real t, ${
 }
 
 /* what the low part of the time adds to a phase of that rate, less whole turns */
-static ${name}_real ${name}_rest(${name}_real rate, ${name}_real low)
+static ${name}_real ${name}_turns_of(${name}_real rate, ${name}_real low)
 {
   const ${name}_pair turns = ${name}_pair_product(rate, low);
 

@@ -175,7 +175,7 @@ ${inline} void ${name}_state(const ${name}_orbit *o, ${name}_real about, ${name}
 /* the phase after a time of twice the working precision */
 static ${name}_real ${name}_phase_of(const ${name}_orbit *o, const ${name}_real rate[4], ${name}_pair time)
 {
-  const ${name}_real turns = ${name}_phase(o, rate, time.hi) + ${name}_rest(rate[0], time.lo);
+  const ${name}_real turns = ${name}_phase(o, rate, time.hi) + ${name}_turns_of(rate[0], time.lo);
 
   return turns - ${name}_nearest(turns);
 }

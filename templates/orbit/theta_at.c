@@ -173,8 +173,8 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
   const ${name}_pair y = ${name}_passed_decays(o->decay, t), time = ${name}_free_time(o, t, y);
   ${name}_instant p = ${name}_reduce(o, time.hi);
 
-  p.low += ${name}_rest(o->rate[0], time.lo);
-  p.turn_low += ${name}_rest(o->turn[0], time.lo);
+  p.low += ${name}_turns_of(o->rate[0], time.lo);
+  p.turn_low += ${name}_turns_of(o->turn[0], time.lo);
   ${name}_join(&p.high, &p.low);
   ${name}_join(&p.turn, &p.turn_low);
   ${name}_state(o, p, x);

@@ -98,7 +98,7 @@ static ${name}_real ${name}_adaptive_norm(const ${name}_real x[], const ${name}_
 
 int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most)
 {
-  const ${name}_real fifth = ${n[3/16]}; /* 3/16, a little less than 1/5 */
+  const ${name}_real slope = ${n[3/16]}; /* a little less than 1/5 */
   ${name}_real k1[${count}], k7[${count}], error[${count}], out[${count}]${room};
   ${name}_real t = t0, h = t1 - t0, lost = ${zero};
   int fresh = 1;
@@ -121,8 +121,8 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
     if (last) h = left;
     ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error${turn});
     r = ${name}_adaptive_norm(x, out, error)/tolerance;
-    /* the next step is 0.9 r^(-1/5) as long, between a tenth and five times; what is not finite counts as a tenth */
-    factor = r > ${zero} ? ${exp}(-fifth*${log}(r))*${n[7/8]} : ${eight};
+    /* the next step is 7/8 r^(-3/16) as long, from an eighth to four times; what is not finite counts as an eighth */
+    factor = r > ${zero} ? ${exp}(-slope*${log}(r))*${n[7/8]} : ${eight};
     if (!(factor > ${eighth})) factor = ${eighth};
     if (factor > ${four}) factor = ${four};
     if (!(r <= ${one})) { /* tried in vain */

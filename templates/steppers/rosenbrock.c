@@ -1,14 +1,18 @@
 %% -- rosenbrock.c -- the linearly implicit method: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* ---- Rodas5P: Steinebach 2023, BIT 63, 27; Hairer, Wanner, Solving ODEs II (2nd ed.), IV.7 ---- */
 
-/* States that move: x[moving[k]] is number k of the arrays below. */
+/* The states that move, in the order of the arrays below */
 static const int ${name}_rosenbrock_moving[${count}] = {
 %% for _, s in ipairs(states) do
   ${s.name},
 %% end
 };
 
+%% if timed then
 /* (1/(h g) 1 - J) k_i = f(t + c_i h, x + sum a_ij k_j) + sum (C_ij/h) k_j + h d_i df/dt */
+%% else
+/* (1/(h g) 1 - J) k_i = f(t + c_i h, x + sum a_ij k_j) + sum (C_ij/h) k_j */
+%% end
 static const ${name}_real ${name}_rosenbrock_a[8][7] = {
 %% for _, row in ipairs(a) do
   {${row.text}
@@ -25,11 +29,8 @@ static const ${name}_real ${name}_rosenbrock_d[8] = {${d}};
 %% end
 
 %% if slides then
-/* The slip less the velocity.  Friction is nearly linear in the slip, not in the velocity: in the functions below
-%% for _, s in ipairs(slips) do
- * x[${s.name}] is the slip;
-%% end
- * so the order of the method does not fall where friction is strong. */
+/* The slip less the velocity.  Friction is nearly linear in the slip, and not in the velocity: in the functions below
+ * ${slip_states} the slip, so that the order of the method does not fall where friction is strong. */
 static ${shift.head}
 {
 %% for _, line in ipairs(shift.lines) do
@@ -42,7 +43,11 @@ static ${shift.head}
 }
 
 %% end
+%% if slides then
+/* x', of the slip for the velocity */
+%% else
 /* x' */
+%% end
 static ${rates.head}
 {
 %% for _, line in ipairs(rates.lines) do
@@ -54,7 +59,8 @@ static ${rates.head}
 %% end
 }
 
-/* n 1 - J = L U, J the derivative of x' by the moving states, into F. */
+/* n 1 - J = L U, J the derivative of x' by the moving states, into F: L without its diagonal, which is 1, and U with the
+ * inverse of its own. */
 static ${matrix.head}
 {
 %% for _, line in ipairs(matrix.lines) do
@@ -188,7 +194,7 @@ static ${name}_real ${name}_rosenbrock_worse(const ${name}_real x[], const ${nam
 
 int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most)
 {
-  const ${name}_real fifth = ${n[3/16]}; /* 3/16, a little less than 1/5 */
+  const ${name}_real slope = ${n[3/16]}; /* a little less than 1/5 */
 %% if slides then
   ${name}_real z[${upper}_NX], out[${upper}_NX], y[${upper}_NX], error[${count}];
 %% else
@@ -225,8 +231,8 @@ int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real
     r = ${name}_rosenbrock_worse(x, y, error, ${k.first}, ${k.last}, ${k.least}, r); /* ${k.about} */
 %% end
     r /= tolerance;
-    /* the next step is 0.9 r^(-1/5) as long, between an eighth and four times; what is not finite counts as an eighth */
-    factor = r > ${zero} ? ${exp}(-fifth*${log}(r))*${n[7/8]} : ${eight};
+    /* the next step is 7/8 r^(-3/16) as long, from an eighth to four times; what is not finite counts as an eighth */
+    factor = r > ${zero} ? ${exp}(-slope*${log}(r))*${n[7/8]} : ${eight};
     if (!(factor > ${eighth})) factor = ${eighth};
     if (factor > ${four}) factor = ${four};
     next_t = t + h;

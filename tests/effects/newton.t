@@ -211,10 +211,7 @@ for i, contact_of in ipairs { "rolling\"", "smooth\"", "sliding\", friction = { 
     end
   end
 end
--- Every second scene; POLHODE_PLANE=all: all of them, in 65 s.
-local some = {}
-for i = 1, #list, os.getenv "POLHODE_PLANE" == "all" and 1 or 2 do some[#some + 1] = list[i] end
-for n, item in ipairs(tier.every(5, some)) do
+for n, item in ipairs(tier.every(10, list)) do
   local what = table.concat(vec.map(item.effects, function(v) return v.name end), " and ") .. ", " .. item.body
   local job, why = scene.read(scenes.text(scenes.new(n, 0.3), "e" .. n, item.body, item.effects))
   if job then check(what, job) else tap.ok(false, what .. " is a scene", why) end

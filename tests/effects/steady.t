@@ -134,6 +134,60 @@ for _, case in ipairs(cases) do
     tap.near(float[i][2], nod, 0, 1e-4 * size ^ 2, name .. ": float, the nod", "800 roundings of the rates' squares")
   end
 end
+-- ---- limits ----
+
+-- A thin disc in float, nearly flat: (I3 + m R^2) w n s = I1 n^2 s c - m G R c (tests/reference/README.md, plane.h).
+do
+  local tilt, n = 2.0 ^ -80, 5.0
+  local rows = emitted({ what = "thin disc nearly flat", across = "2e-6", along = "4e-6",
+    surface = "contact.disc { r = 0.02 }", at = { { tilt, n } } }, "float")
+  local want = (2e-6 * n * n - 0.02 * 9.81 * 0.02 / tilt) / (n * (4e-6 + 0.02 * 0.02 ^ 2))
+  tap.near(rows and rows[1][1] or 0 / 0, want, 16 * 2.0 ^ -24, 0, "a tilt of 2^-80 in float", "some ten roundings")
+end
+
+-- The values that explain has of a scene; N of the library at the start, and its least one within 0.01 s.
+local function both(text)
+  program.write(dir .. "/limit.lua", text)
+  shell("%s explain %s/limit.lua --format json >%s/said 2>%s/log; %s run %s/limit.lua --columns N --until 0.01 --every " ..
+    "1e-4 -o %s/out.csv 2>%s/log", binary, dir, dir, dir, binary, dir, dir, dir)
+  local first, least = 0 / 0, math.huge
+  for N in program.read(dir .. "/out.csv"):match "^(.-)\n\n":gmatch "\n([%d.e+-]+)" do
+    first = first == first and first or tonumber(N)
+    least = math.min(least, tonumber(N))
+  end
+  return json.read(program.read(dir .. "/said")).values, first, least
+end
+
+-- Gravity away from the plane, on which the disc's turning keeps it: what is said of the least tilt, where it starts,
+-- is the library's.
+do
+  local values, N = both [[
+return scene { name = "limit", body = solid.cylinder { r = 0.05, h = 0.01, mass = 0.5 },
+  effects = { effect.plane { surface = contact.disc { r = 0.045, edge = 0.005 }, gravity = { 0, 0, 9.81 } } },
+  initial = { omega = { 0, -40, 130 }, attitude = { axis = "x", angle = 1.2 } } }]]
+  tap.near(values.reaction_tilt_least.value, N, 1e-12, 0, "gravity away from the plane: N", "the swing's bar")
+end
+
+-- A fall from all but rest: W is constant to rounding where the rate is tiny.
+for _, rate in ipairs { "1e-20", "1e-25", "1e-100" } do
+  local values, N, least = both(string.format([[
+return scene { name = "limit", body = solid.cylinder { r = 0.05, h = 0.01, mass = 0.5 },
+  effects = { effect.plane { surface = contact.disc { r = 0.045, edge = 0.005 } } },
+  initial = { omega = { 0, %s, 0 }, attitude = { axis = "x", angle = 1e-3 } } }]], rate))
+  local what = "a fall with the rate " .. rate
+  tap.near(values.reaction_tilt_greatest.value, N, 1e-12, 0, what .. ": N where it starts", "the swing's bar")
+  -- the fall takes 0.011 s, in which N falls by 0.1 %; the least of all is the bit later
+  tap.near(values.reaction_least.value, least, 1e-3, 0, what .. ": the least N", "of the motion's last tenth")
+end
+
+-- At 90 degrees no precession has a term that is not 0.
+do
+  local values = both(scene_of({ low = 0, across = "5e-6", along = "3e-6", surface =
+    "contact.ellipsoid { a = 0.02, b = 0.02, c = 0.03 }" }, { 0, 0, 30 }, math.pi / 2):gsub("angle = [%d.]+",
+    "angle = pi/2"))
+  tap.ok(not values.steady_precession_1, "an egg on its side has no steady precession of a rounding's size")
+end
+
 tap.ok(signs[true] and signs[false], "stable and unstable ones are among them")
 
 tap.done(program.finish())

@@ -156,6 +156,12 @@ for _, case in ipairs {
   { what = "a slope at rest", r = "0.5", J = "0.1", turntable = "0", omega = "0, 2, 0", position = "1, 2, 0",
     tilted = true, W = { "0", "2" }, R = "1/2", Omega = "0", pull = "-15/4", z = { "4/5", "2" },
     times = { 0.001, 1.0, -1000.0, 1e9 } },
+  { what = "a ball of a micrometre", r = "9.5367431640625e-7", J = "3.637978807091713e-13", turntable = "3.5",
+    omega = "1, 2, 3", position = "0, 0, 0", W = { "1", "2" }, z = { "0", "0" }, R = "1/1048576", Omega = "7/2",
+    small = 2.0 ^ -20, times = { 0.001, 0.9, 1.1, 100.5 } },
+  { what = "a ball of a thousand kilometres", r = "1048576", J = "439804651110.4", turntable = "3.5",
+    omega = "1, 2, 3", position = "0, 0, 0", W = { "1", "2" }, z = { "0", "0" }, R = "1048576", Omega = "7/2",
+    small = 1.0, times = { 0.001, 0.9, 1.1, 100.5 } },
 } do
   local c = { R = R.lift(case.R), Omega = R.parse(case.Omega) or R.lift(case.Omega), W = { R.lift(case.W[1]),
     R.lift(case.W[2]) }, z = { R.lift(case.z[1]), R.lift(case.z[2]) },
@@ -170,7 +176,7 @@ for _, case in ipairs {
     for i, t in ipairs(times) do
       local want = exact(c, R.fromdouble(t))
       for _, kind in ipairs { { 1, 2 }, { 3, 4 }, { 5, 6 } } do
-        local size = kind[1] == 5 and 2.0 or 1.0 -- of the start
+        local size = kind[1] == 5 and 2.0 or case.small or 1.0 -- of the start
         for _, k in ipairs(kind) do size = math.max(size, math.abs(R.todouble(want[k]))) end
         for _, k in ipairs(kind) do
           local got = rows and rows[i][k] or 0 / 0

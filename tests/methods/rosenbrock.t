@@ -141,21 +141,16 @@ for _, c in ipairs { 0.01, 2, 200, 20000, 2e6 } do
   local path = ball(c)
   -- slip at the start: v + w x (-R n) = (1, 0.5 + 10 R)
   local s0 = { 1, 0.5 + 10 * radius }
-  for _, t in ipairs { t1, 2 } do
+  for _, t in ipairs(t1 < 2 and { t1, 2 } or { 2 }) do
     local rows, said = run(path, string.format("--at %.17g --columns %s %s1e-9", t, columns, emitted))
-    if t <= 2 then
-      local worst = math.huge
-      if rows then
-        worst = 0.0
-        for k = 1, 2 do
-          local s = s0[k] * math.exp(-rate * t)
-          local V = (k == 1 and 1 or 0.5) - 2 / 7 * (s0[k] - s)
-          worst = math.max(worst, math.abs(rows[1][1 + k] - s), math.abs(rows[1][3 + k] - V))
-        end
-      end
-      tap.ok(worst <= 1e-6, string.format("ball, c = %g s/m: slip and velocity of the closed form at %.2g s", c, t),
-        rows and string.format("%.2g", worst) or said)
+    local worst = rows and 0.0 or math.huge
+    for k = 1, rows and 2 or 0 do
+      local s = s0[k] * math.exp(-rate * t)
+      local V = (k == 1 and 1 or 0.5) - 2 / 7 * (s0[k] - s)
+      worst = math.max(worst, math.abs(rows[1][1 + k] - s), math.abs(rows[1][3 + k] - V))
     end
+    tap.ok(worst <= 1e-6, string.format("ball, c = %g s/m: slip and velocity of the closed form at %.2g s", c, t),
+      rows and string.format("%.2g", worst) or said)
   end
 end
 
@@ -209,17 +204,18 @@ return scene { name = "pivot", body = solid.box { x = 1, y = 2, z = 3, mass = 6 
   effects = { effect.friction { torque = 3, smoothing = 1e-3 } }, initial = { omega = { 0.02, 0.01, 0.05 } },
   time = { horizon = 1 } }
 ]])
--- The tolerance 1e-9 over some hundred to some thousand steps, and what the motions make of it: 1e-5.
+-- A step is wrong by the tolerance, and a motion has some tens of steps that matter: 100 tolerances.  Of order 5 the
+-- number of steps grows as tolerance^(-1/5), 6.3 times from 1e-5 to 1e-9, so the error falls by 1e4/6.3 at least.
 for _, s in ipairs { { "bodies/egg.lua", "0.2" }, { "bodies/tippe_top.lua", "0.2" }, { "bodies/rattleback.lua", "0.5" },
   { "bodies/kapitza.lua", "1" }, { "bodies/thrown_book.lua", "1" }, { damped, "0.5" }, { pivot, "0.3" } } do
   local coarse, said = difference(s[1], s[2], "1e-5")
   local fine = difference(s[1], s[2], "1e-9")
-  tap.ok(coarse <= 2e-2 and fine <= 1e-5 and fine < coarse / 30, s[1]:match "[^/]*$" ..
+  tap.ok(coarse <= 1e-3 and fine <= 1e-7 and fine < coarse / 1000, s[1]:match "[^/]*$" ..
     ": the error follows the tolerance",
     said or string.format("%.2g at 1e-5, %.2g at 1e-9", coarse, fine))
 end
 local single, said = difference(ball(200), "1", "1e-5", "float")
-tap.ok(single <= 2e-2, "ball, c = 200 s/m, float", said or string.format("%.2g", single))
+tap.ok(single <= 1e-4, "ball, c = 200 s/m, float", said or string.format("%.2g", single))
 
 -- ---- what compilers say ----
 

@@ -85,11 +85,14 @@ do
   tap.is(p.method, "none", "of more than 10^8 steps it is refused, not run for minutes")
   tap.like(p.text or "", "stiff.-law = \"rolling\"", "with the reason and what helps", true)
 end
--- A spring oscillates as fast as it likes: 2000 radians are no decay.
+-- A fast spin, 2400 radians, is no decay; the damping makes 0.08 of one.
 do
   local p = planned(written("swings", "effect.damping { rate = 0.01 }, effect.torque { inertial = { 1e-9, 0, 0 } }",
     "omega = { 0.5, 0, 300 }", 8), 1e-3)
   tap.is(p.rate, 0, "a fast spin is not stiff", p.text)
+  p = planned(written("swings", "effect.damping { rate = 200 }, effect.torque { inertial = { 1e-9, 0, 0 } }",
+    "omega = { 0.5, 0, 300 }", 8), 1e-3)
+  tap.ok(math.abs(p.rate / 200 - 1) < 1e-6, "with 1600 decays it is", p.rate)
 end
 
 -- polhode explain says so without a compiler, of the first state: the rate of above, decays within 1/2 s.

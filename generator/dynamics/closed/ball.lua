@@ -9,7 +9,6 @@
 -- turntable and Landau and Zener's on a slope (parabolic cylinder functions).  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local contact = require "generator.dynamics.contact"
@@ -69,7 +68,7 @@ local slide_text = { "The slip v = V - R W x n keeps its direction: v = v0 exp(-
 local function slide_law(a, J, mass)
   local R, mR2 = a.surface.rim, mass * a.surface.rim ^ 2
   local k = J / (J + mR2)
-  local weight = expr.sqrt(ratio.tidy(vec.dot(a.gravity, a.gravity)))
+  local weight = -vec.dot(a.gravity, a.normal)
   return function(put)
     put("decay", a.friction.viscous * weight / k, "rate at which the slip decays, 1/s")
     put("share", k, "J/(J + m R^2)")

@@ -10,25 +10,20 @@ local vec = require "generator.algebra.vec"
 local contact = require "generator.dynamics.contact"
 local state = require "generator.dynamics.state"
 local touch = require "generator.dynamics.touch"
-local touch_laws = require "generator.dynamics.touch_laws"
+local upright = require "generator.dynamics.upright"
 
 local disc = { name = "rolling disc (Appell, Korteweg)" }
 
--- What touch_laws.facts says of the scene; nil and the reason why it is not of this kind.
+-- upright.revolved of the scene; nil, the reason why it is not of this kind, and whether it is a disc at least.
 function disc.of(m)
   local e = contact.of(m)
   if not e then return nil, "no plane is touched" end
-  local a, f = e.a, touch_laws.facts(m, e)
-  if not f.surface.disc then return nil, "the surface is no disc" end
-  if a.law ~= "rolling" then return nil, "the disc does not roll" end
-  if #m.record.effects > 1 then return nil, "not the plane alone acts on the disc" end
-  if a.spinning or a.rolling_resistance then return nil, "the plane resists its spinning or rolling" end
-  if a.rate ~= expr.zero then return nil, "the plane turns" end
-  if not f.level then return nil, "the plane is not level" end
-  if not f.revolved or not ratio.iszero(f.centre[3]) then
-    return nil, "the disc and its tensor are not of revolution about z, with the centre of mass in its centre"
-  end
-  return f
+  if not e.a.surface.disc then return nil, "the surface is no disc" end
+  if e.a.law ~= "rolling" then return nil, "the disc does not roll", true end
+  local at, why = upright.revolved(m)
+  if not at then return nil, why, true end
+  if not ratio.iszero(at.f.centre[3]) then return nil, "the centre of mass is not in the disc's centre", true end
+  return at
 end
 
 local law = { "theta: the axis from the normal; w: the spin about it; a = phi' sin theta, phi the precession.",
@@ -51,9 +46,9 @@ local function reduced(f)
 end
 
 function disc.detect(m)
-  local f, why = disc.of(m)
-  if not f then return nil, why, contact.of(m) ~= nil and why ~= "the surface is no disc" end
-  return nil, "it is reduced to quadratures, but the state at a time needs the inverse of one", true, reduced(f)
+  local at, why, near = disc.of(m)
+  if not at then return nil, why, near end
+  return nil, "it is reduced to quadratures, but the state at a time needs the inverse of one", true, reduced(at.f)
 end
 
 -- ---- what is emitted: emit/disc.lua ----
@@ -79,13 +74,13 @@ end
 
 -- {k1, k3, p, gamma} of dynamics/disc.lua as constants of the model.
 function disc.constants(m)
-  local f = disc.of(m)
-  local R, size = f.surface.half[1], m.mass * f.surface.half[1] ^ 2
-  local G = ratio.tidy(expr.sqrt(vec.dot(contact.of(m).a.gravity, contact.of(m).a.gravity)))
-  return { k1 = m:constant("disc_k1", ratio.tidy(f.I1 / size), "I1/(m R^2)"),
-    k3 = m:constant("disc_k3", ratio.tidy(f.I3 / size), "I3/(m R^2)"),
-    p = m:constant("disc_p", ratio.tidy(f.surface.rim / R), "rho/R, rounding of the edge"),
-    gamma = m:constant("disc_gamma", ratio.tidy(G / R), "gravity/R, 1/s^2") }
+  local at = disc.of(m)
+  local surface = at.f.surface
+  local R, size = surface.half[1], m.mass * surface.half[1] ^ 2
+  return { k1 = m:constant("disc_k1", ratio.tidy(at.I1 / size), "I1/(m R^2)"),
+    k3 = m:constant("disc_k3", ratio.tidy(at.I3 / size), "I3/(m R^2)"),
+    p = m:constant("disc_p", ratio.tidy(surface.rim / R), "rho/R, rounding of the edge"),
+    gamma = m:constant("disc_gamma", ratio.tidy(at.G / R), "gravity/R, 1/s^2") }
 end
 
 return disc

@@ -23,9 +23,6 @@ end
 local function precession(symbol, which)
   local function with(formula) return (string.gsub(formula, "%f[%w]p%f[ ]", symbol)) end
   return { symbol, {
-    ["I1 p^2 s c - (I3 + m R^2) w3 p s = m G R c"] = with "{M g R c + ( I_3 + M R^2 ) omega_3 p s|I_1 p s c}",
-    ["(I1 + m rho (R s + rho)) p^2 s c - (I3 s + m (R s + rho) (R + rho s)) w3 p = m G R c"] =
-      with "{M g R c + ( I_3 s + M ( R s + rho ) ( R + rho s ) ) omega_3 p|( I_1 + M rho ( R s + rho ) ) p s c}",
     ["s (I1 c - m h y) p^2 - (I3 s - m h x) w3 p = m G b"] =
       with "{M g b + ( I_3 s - M h x ) omega_3 p|s ( I_1 c - M h y ) p}" },
     which .. " precession of this tilt (cosine c, sine s) and spin" }

@@ -4,95 +4,10 @@
  * template: templates/core/part.c.  SPDX-License-Identifier: MIT-0
  */
 #include "brick_orbit.h"
+#include "brick_private.h"
 
 #include <math.h>
 #include <stdint.h>
-
-typedef brick_real real;
-
-/* ---- pairs high + low carry twice the precision: Dekker 1971, Numer. Math. 18, 224; Knuth, TAOCP
- * 2, 4.2.2 ---- */
-
-typedef struct pair { real hi, lo; } pair;
-
-static pair parts(real hi, real lo)
-{
-  const pair p = {hi, lo};
-  return p;
-}
-
-static pair pair_of(real a) { return parts(a, 0.0); }
-static pair minus(pair a) { return parts(-a.hi, -a.lo); }
-
-/* a + b = hi + lo exactly (Knuth's two-sum) */
-static pair pair_sum(real a, real b)
-{
-  const real s = a + b, bb = s - a;
-  return parts(s, (a - (s - bb)) + (b - bb));
-}
-
-/* Does the machine fuse a*b + c?  Then compilers may do so unasked, which spoils Dekker's
- * halves. */
-#if defined FP_FAST_FMA || defined __FP_FAST_FMA || defined __FMA__ || (defined __ARM_FEATURE_FMA \
-    && (__ARM_FP & 8))
-#define FUSES
-#endif
-
-/* a*b = hi + lo exactly (Dekker's product, of factors in halves); volatile keeps hi what it is */
-static pair pair_product(real a, real b)
-{
-#ifdef FUSES
-  const volatile real product = a*b;
-  const real hi = product;
-  return parts(hi, fma(a, b, -hi));
-#else
-  const real c = 134217729.0*a, ah = c - (c - a), al = a - ah;
-  const real d = 134217729.0*b, bh = d - (d - b), bl = b - bh, hi = a*b;
-  return parts(hi, ((ah*bh - hi) + ah*bl + al*bh) + al*bl);
-#endif
-}
-
-/* the same for |lo| <= |hi|, or hi a multiple of the last place of lo (Dekker's fast two-sum) */
-static pair pair_tidy(real hi, real lo)
-{
-  const real s = hi + lo;
-  return parts(s, lo - (s - hi));
-}
-
-static pair add(pair a, pair b)
-{
-  const pair s = pair_sum(a.hi, b.hi);
-  return pair_tidy(s.hi, s.lo + (a.lo + b.lo));
-}
-
-static pair mul(pair a, pair b)
-{
-  const pair p = pair_product(a.hi, b.hi);
-  return pair_tidy(p.hi, p.lo + (a.hi*b.lo + a.lo*b.hi));
-}
-
-/* ---- sums of products as numbers that do not overlap, ascending: no digit is lost, so the sign is
- * right near equality, too (Shewchuk 1997, Discrete Comput. Geom. 18, 305) ---- */
-
-/* e[0..n) += b; the new n */
-static int exact_add(real e[], int n, real b)
-{
-  int k = 0;
-  for (int i = 0; i < n; i++) {
-    const pair s = pair_sum(b, e[i]);
-    if (s.lo < 0.0 || s.lo > 0.0) e[k++] = s.lo;
-    b = s.hi;
-  }
-  if (b < 0.0 || b > 0.0) e[k++] = b;
-  return k;
-}
-
-/* e[0..n) += a*b; the new n */
-static int exact_product(real e[], int n, real a, real b)
-{
-  const pair p = pair_product(a, b);
-  return exact_add(e, exact_add(e, n, p.lo), p.hi);
-}
 
 /* ---- principal axes: Jacobi's method in pairs ----
  * Jacobi's rotations keep small moments beside large ones: Demmel, Veselic 1992, SIAM J. Matrix
@@ -108,10 +23,10 @@ static void pair_turn(pair c, pair s, pair *x, pair *y)
   *y = add(sx, cy);
 }
 
-/* Turn the axes p, q so that the entry I_pq = off[r] vanishes ({p, q, r} = {0, 1, 2}; I_kk =
- * diagonal[k]). The tangent t solves (1 - t^2) I_pq = t (I_qq - I_pp), |t| <= 1 (Golub, Van Loan,
- * 8.5), but only to the type's precision; the rotation by this t is exact, and what is left of
- * I_pq = cos^2 ((1 - t^2) I_pq - t (I_qq - I_pp)) stays for the next one. */
+/* Turn the axes p, q so that the entry I_pq = off[r] vanishes ({p, q, r} = {0, 1, 2};
+ * I_kk = diagonal[k]). The tangent t solves (1 - t^2) I_pq = t (I_qq - I_pp), |t| <= 1 (Golub, Van
+ * Loan, 8.5), but only to the type's precision; the rotation by this t is exact, and what is left
+ * of I_pq = cos^2 ((1 - t^2) I_pq - t (I_qq - I_pp)) stays for the next one. */
 static void jacobi(pair diagonal[3], pair off[3], pair axis[3][3], int r)
 {
   const int p = (r + 1) % 3, q = (r + 2) % 3;
@@ -224,144 +139,6 @@ static int numbers(const real x[], int n)
 {
   for (int i = 0; i < n; i++) if (!(x[i] - x[i] == 0.0)) return 0;
   return 1;
-}
-
-/* ---- phases in turns: no call and no branch ---- */
-
-/* the nearest integer, to even; beyond 2^51 one of the nearest even ones, which serves as well */
-static inline real nearest(real x) { return (x + 6755399441055744.0) - 6755399441055744.0; }
-
-/* b t, b = b[0] + b[1], b[0] = b[2] + b[3] and t = head + tail in halves: Dekker's product */
-static inline pair passed(const real b[4], real t, real head, real tail)
-{
-#ifdef FUSES
-  (void)head; (void)tail;
-  const real hi = fma(b[0], t, 0.0); /* no compiler may fuse this one */
-  const real lo = fma(b[0], t, -hi);
-#else
-  const real hi = b[0]*t;
-  const real lo = ((b[2]*head - hi) + b[2]*tail + b[3]*head) + b[3]*tail;
-#endif
-  return parts(hi, lo + b[1]*t);
-}
-
-/* sin and cos of 2 pi x, |x| <= 1/2 and a little: doubled from economised series for the half */
-static inline void circle(real x, real *sine, real *cosine)
-{
-  const real u = x*x, u2 = u*u, u4 = u2*u2;
-  const real s0 = 3.141592653589793 - 5.167712780049969*u;
-  const real s2 = 2.5501640398773007 - 0.599264529318946*u;
-  const real s4 = 0.08214588657312355 - 0.007370430506093225*u;
-  const real s6 = 0.00046629981702308817 - 2.1903499125519212e-5*u;
-  const real s = (s0 + u2*s2) + u4*(s4 + u2*s6 + u4*7.697847275590284e-7);
-  const real c0 = 1.0 - 4.934802200544676*u;
-  const real c2 = 4.058712126416498 - 1.335262768843456*u;
-  const real c4 = 0.23533063012967062 - 0.02580688873817758*u;
-  const real c6 = 0.001929556278037417 - 0.00010456656706174584*u;
-  const real c = (c0 + u2*c2) + u4*(c4 + u2*c6 + u4*4.149578027057121e-6);
-  const real half = x*s;
-  *sine = 2.0*(half*c);
-  *cosine = (c - half)*(c + half);
-}
-
-/* ---- functions of pairs, to about twice the working precision ---- */
-
-static pair sub(pair a, pair b) { return add(a, minus(b)); }
-
-static pair scaled(real a, pair b)
-{
-  const pair p = pair_product(a, b.hi);
-  return pair_tidy(p.hi, p.lo + a*b.lo);
-}
-
-/* a power of two times b: exact */
-static pair shift(real power, pair b) { return parts(power*b.hi, power*b.lo); }
-
-/* the same for any exponent */
-static pair pair_scale(pair a, int e) { return parts(ldexp(a.hi, e), ldexp(a.lo, e)); }
-
-/* the leading quotient, and that of its remainder */
-static pair ratio(pair a, pair b)
-{
-  const real q = a.hi/b.hi;
-  const pair p = pair_product(q, b.hi);
-  return pair_tidy(q, (((a.hi - p.hi) - p.lo) + (a.lo - q*b.lo))/b.hi);
-}
-
-/* one Newton step: sqrt(a) = r + (a - r^2)/(2 r) */
-static pair pair_root(pair a)
-{
-  if (!(a.hi > 0.0)) return pair_of(0.0);
-  const real r = sqrt(a.hi);
-  const pair p = pair_product(r, r);
-  return pair_tidy(r, (((a.hi - p.hi) - p.lo) + a.lo)*(0.5/r));
-}
-
-/* Artanh (sign = 1) or arctan (sign = -1) of x, |x| <= 1/16: x + sign x^3/3 + x^5/5 + ... (DLMF
- * 4.38.2, 4.24.3).  From x^13 on, 2^-48 of it, the working precision will do; the rest is
- * 2^-100. */
-static pair pair_arc(pair x, real sign)
-{
-  static const pair odd[6] = { /* 1, 1/3, 1/5, ... */
-    {1.0, 0.0}, {0.3333333333333333, 1.850371707708594e-17}, {0.2, -1.1102230246251566e-17},
-    {0.14285714285714285, 7.93016446160826e-18}, {0.1111111111111111, 6.1679056923619804e-18},
-    {0.09090909090909091, -2.523234146875356e-18},
-  };
-  const pair z = shift(sign, mul(x, x));
-  const real t = z.hi;
-  pair s = pair_of(1.0/13.0
-      + t*(1.0/15.0 + t*(1.0/17.0 + t*(1.0/19.0 + t*(1.0/21.0 + t*(1.0/23.0 + t*(1.0/25.0)))))));
-  for (int i = 5; i >= 0; i--) s = add(odd[i], mul(z, s));
-  return mul(x, s);
-}
-
-static const pair pi = {3.141592653589793, 1.2246467991473532e-16};
-static const pair inverse_pi = {0.3183098861837907, -1.9678676675182486e-17};
-static const pair log_two = {0.6931471805599453, 2.3190468138462996e-17};
-
-/* The angle of (x, y), -pi..pi; 0 if both are 0.  In the first octant it is arctan j/8 + the arctan
- * of a rest below 1/16 (DLMF 4.24.15). */
-static pair pair_angle(pair x, pair y)
-{
-  static const pair arctan[9] = { /* of j/8 */
-    {0.0, 0.0}, {0.12435499454676144, -3.1253241424539383e-18},
-    {0.24497866312686414, 1.0698755618734451e-17},
-    {0.35877067027057225, -2.4623815582638635e-17}, {0.4636476090008061, 2.2698777452961687e-17},
-    {0.5585993153435624, -5.4556305485916264e-18}, {0.6435011087932844, 1.5834785051444286e-17},
-    {0.7188299996216245, -2.1478388444456983e-17}, {0.7853981633974483, 3.061616997868383e-17},
-  };
-  const int left = x.hi < 0.0, below = y.hi < 0.0;
-  const pair u = left ? minus(x) : x, v = below ? minus(y) : y;
-  const int steep = v.hi > u.hi;
-  const pair far = steep ? v : u, near = steep ? u : v;
-  if (!(far.hi > 0.0)) return pair_of(0.0);
-  const real quotient = near.hi/far.hi, j = floor(8.0*quotient + 0.5);
-  if (!(quotient <= 1.0)) return pair_of(quotient); /* no number */
-  const pair rest = ratio(sub(near, scaled(j/8.0, far)), add(far, scaled(j/8.0, near)));
-  pair angle = add(arctan[(int)j], pair_arc(rest, -1.0));
-  if (steep) angle = sub(shift(0.5, pi), angle);
-  if (left) angle = sub(pi, angle);
-  return below ? minus(angle) : angle;
-}
-
-/* log(2^e a), a > 0: of 2^e, of 1 + j/8, and 2 artanh of a rest below 1/16 */
-static pair pair_log(pair a, int e)
-{
-  static const pair log[9] = { /* of 1 + j/8 */
-    {0.0, 0.0}, {0.11778303565638346, -1.1971685747593677e-18},
-    {0.22314355131420976, -9.091270597324799e-18}, {0.3184537311185346, 2.7114779367326236e-17},
-    {0.4054651081081644, -2.8811380259626426e-18}, {0.4855078157817008, -1.6618350693852048e-17},
-    {0.5596157879354227, 2.685492580212308e-17}, {0.6286086594223741, 4.3538742607970387e-17},
-    {0.6931471805599453, 2.3190468138462996e-17},
-  };
-  int own;
-  if (!(a.hi > 0.0 && a.hi - a.hi == 0.0)) return pair_of(sqrt(-1.0)); /* no number */
-  (void)frexp(a.hi, &own);
-  a = pair_scale(a, 1 - own);
-  const real j = floor(8.0*(a.hi - 1.0) + 0.5);
-  const pair near = pair_of(1.0 + j/8.0);
-  const pair rest = shift(2.0, pair_arc(ratio(sub(a, near), add(a, near)), 1.0));
-  return add(scaled((real)(e + own - 1), log_two), add(log[(int)j], rest));
 }
 
 /* ---- evaluation ---- */
@@ -512,10 +289,10 @@ void brick_at(const brick_orbit *o, real t, real x[])
 
 /* What is known of the motion in principal axes.  [i] is axis i + 1 of the above.  Moments and
  * rates are scaled by powers of two, the largest to about 1, rates to 2^26 at most.  What may be
- * tiny together is scaled once more, so that nothing underflows that matters: w1 and w2 by up12 =
- * 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the difference of the other
- * two, which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if s = -1.
- * They come as J1, J3, d32 and d21; of a rod about axis 3 it is 1 and 0. */
+ * tiny together is scaled once more, so that nothing underflows that matters: w1 and w2 by
+ * up12 = 1/down12, w1 and w3 by up13 = 1/down13, and the least moment with the difference of the
+ * other two, which is no larger, by 1/small: so I1 and |I3 - I2| if s = 1, I3 and |I2 - I1| if
+ * s = -1. They come as J1, J3, d32 and d21; of a rod about axis 3 it is 1 and 0. */
 typedef struct top {
   pair I[3], J[3];              /* moments: as they are, scaled */
   pair w[3];                    /* rates at t = 0 */
@@ -655,20 +432,6 @@ static void per_second(const top *p, pair turns, real out[4])
   const real c = 134217729.0*turns.hi, high = c - (c - turns.hi);
   out[0] = ldexp(turns.hi, p->e); out[1] = ldexp(turns.lo, p->e);
   out[2] = ldexp(high, p->e); out[3] = ldexp(turns.hi - high, p->e);
-}
-
-/* c[0] + c[1] y[1] + ...: a series in multiple angles, y[n+1] = 2 X y[n] - y[n-1], as a polynomial
- * in X; y[0] = 1 and y[1] = first + slope X */
-static void polynomial(int n, const real c[], real first, real slope, real out[])
-{
-  real even[5] = {1.0, 0.0, 0.0, 0.0, 0.0}, odd[5] = {first, slope, 0.0, 0.0, 0.0};
-  for (int k = 0; k < n; k++) out[k] = k == 0 ? c[0] : 0.0;
-  for (int i = 1; i < n; i++) {
-    /* other: y[i-1], y[i+1] */
-    real *const y = i % 2 ? odd : even, *const other = i % 2 ? even : odd;
-    for (int k = 0; k <= i; k++) out[k] += c[i]*y[k];
-    for (int k = 0; k < 5; k++) other[k] = (k > 0 ? 2.0*y[k - 1] : 0.0) - other[k];
-  }
 }
 
 /* ---- set-up away from the separatrix ---- */
@@ -955,14 +718,6 @@ static void set_hyperbolic(brick_orbit *o, const top *p)
   per_second(p, turn, o->turn);
   for (int i = 0; i < 4; i++) sine[i] *= (i % 2 ? p->s : -p->s)*tangent.hi; /* all over cos h */
   hyperbolic_series(o, p->s, q, cosine, sine);
-}
-
-static void quaternion_product(const real a[4], const real b[4], real out[4])
-{
-  out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
-  out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
-  out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
-  out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
 }
 
 /* ---- set-up from a state ---- */
