@@ -1,8 +1,7 @@
 -- quantities.lua -- what the emitted code can be asked, as function descriptions.
 --
--- A description is {name, args, result, doc, groups, when}: args are the words m x xo t u h n (see emit/source.lua) or
--- arrays {name, count, doc, out}; an out is {array, index, expr}, {state, expr} (into dx) or {result, expr}.
--- The formulas are here, once, in the lecture's notation; steppers come from methods/.  ABOVE the line.
+-- The formulas are here, once, in the lecture's notation (description.lua: what a description is); steppers come from
+-- methods/.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -13,27 +12,14 @@ local vec = require "generator.algebra.vec"
 local state = require "generator.dynamics.state"
 local frames = require "generator.dynamics.frames"
 local context = require "generator.dynamics.context"
+local description = require "generator.dynamics.description"
 local equations = require "generator.dynamics.equations"
 
 local quantities = {}
 
 local comp = { "x", "y", "z" }
 
--- size: the count in the header's own names
-local function array(name, count, out, size) return { name = name, count = count, out = out, size = size } end
-
--- Symbols of an array argument: {r} -> rx, ry, rz for 3, rxx.. for 6.
-local function symbols(name, count)
-  local v = {}
-  for i = 1, count do v[i] = expr.sym(name .. (count == 6 and vec.entry[i] or comp[i]), 8) end
-  return v
-end
-
-local function outs(name, v)
-  return vec.map(v, function(e, i) return { array = name, index = i - 1, expr = e } end)
-end
-
-local function group(why, defs, results) return { why = why, defs = defs, outs = results } end
+local array, symbols, outs, group = description.array, description.symbols, description.outs, description.group
 
 function quantities.initial(m)
   local list = {}

@@ -206,9 +206,8 @@ function closed.render(job, base, ctx)
   local form, real = job.closed, ctx.real
   if not form.kind then return nil end
   local v = { theorem = form.theorem, closed_text = form.text, single = real == "float", has_full = form.full or false,
-    has_centre = form.centre or false, rolls = false,
-    pair_top = analysis.pair_top[real], clears = false, symmetric = false, rod = false, rotor = false, damped = false, axial = false,
-    lagrange = false }
+    has_centre = form.centre or false, rolls = false, pair_top = analysis.pair_top[real], clears = false,
+    symmetric = false, rod = false, rotor = false, damped = false, axial = false, lagrange = false }
   literals(real, v)
   constants(real, v)
   economy.fill(v, real, ctx.name .. "_real")

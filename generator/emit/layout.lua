@@ -3,8 +3,8 @@
 --
 --     layout.sort(name, real, fragments, asked, room, keeps) -> sorted
 --     real: what the code calls its type; keeps: all names keep the prefix, and the type too
---     fragments: list of {header =, source =, room =, general = is it equal for every body?}, texts whose parts are those
---       of units.lua, in the order of the C
+--     fragments: list of {header =, source =, room =, general = is it equal for every body?}, texts whose parts are
+--       those of units.lua, in the order of the C
 --     asked(function) -> bool: is it called for?  room(function, fragment's room) -> the file that it belongs to
 --     sorted: { functions = list of {name =, room =, asked = bool, lines =} of all public ones, rooms = { [room] =
 --       {header =, source =, calls = {[room] = true}, reads_private = bool} }, private = text | "", read = set of the

@@ -34,7 +34,8 @@ local function rows(made, header_only)
     if list ~= "" then out[#out + 1] = { names = list, about = p[2] } end
   end
   if has[name .. "_private.h"] then
-    out[#out + 1] = { names = name .. "_private.h", about = "arithmetic that is equal for every body, and what these files share; no part of the interface" }
+    out[#out + 1] = { names = name .. "_private.h",
+      about = "arithmetic that is equal for every body, and what these files share; no part of the interface" }
   end
   if header_only then
     out[1].about = out[1].about .. "; the code too, behind " .. made.base.upper .. "_IMPLEMENTATION"

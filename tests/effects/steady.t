@@ -148,8 +148,8 @@ end
 -- The values that explain has of a scene; N of the library at the start, and its least one within 0.01 s.
 local function both(text)
   program.write(dir .. "/limit.lua", text)
-  shell("%s explain %s/limit.lua --format json >%s/said 2>%s/log; %s run %s/limit.lua --columns N --until 0.01 --every " ..
-    "1e-4 -o %s/out.csv 2>%s/log", binary, dir, dir, dir, binary, dir, dir, dir)
+  shell("%s explain %s/limit.lua --format json >%s/said 2>%s/log; %s run %s/limit.lua --columns N --until 0.01 " ..
+    "--every 1e-4 -o %s/out.csv 2>%s/log", binary, dir, dir, dir, binary, dir, dir, dir)
   local first, least = 0 / 0, math.huge
   for N in program.read(dir .. "/out.csv"):match "^(.-)\n\n":gmatch "\n([%d.e+-]+)" do
     first = first == first and first or tonumber(N)
