@@ -85,7 +85,7 @@ function contact.check(d, m)
 end
 
 local function touching(m, e, c, free, groups)
-  local k, G = touch.geometry(m, e, c, groups)
+  local k = touch.geometry(m, e, c, groups)
   local a = e.a
   local g = { why = "Newton and Euler on the plane: w' = w0' + N/m b, b = m I^-1 (r x h), " ..
     "N/m = (-g.G - g.(w x k) - w0'.s)/(1 + b.s), s = r x g", defs = {} }
@@ -107,7 +107,7 @@ local function touching(m, e, c, free, groups)
   g.outs = vec.add(w0, k.out(vec.scale(nu, b)))
   groups[#groups + 1] = g
   local function coordinates()
-    local A1, A2 = vec.dot(G, k.e1), vec.dot(G, k.e2)
+    local A1, A2 = k.g1, k.g2
     if v1 then A1, A2 = A1 - nu * share * v1, A2 - nu * share * v2 end
     return { p1 = c.own.v1, p2 = c.own.v2, v1 = A1, v2 = A2 }
   end

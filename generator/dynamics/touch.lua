@@ -57,14 +57,20 @@ function touch.geometry(m, e, c, groups)
   k.turning = name("turning_", vec.cross(k.w, k.r), k.letters)
   k.bend = vec.cross(k.w, k.place)
   k.pull = k.pull or vec.dot(k.up, k.bend)
-  local G = vec.map(a.gravity, function(x, i) return c.constant("g" .. letters[i], x, "gravity, m/s^2") end)
-  k.G = name("G", k.into(vec.matvec(k.back, G)), k.letters)
-  k.weight = c.constant("weight", ratio.tidy(vec.dot(a.gravity, a.normal)), "gravity along the normal, m/s^2")
+  k.g1, k.g2, k.weight = e.spec.gravity(a, c)
+  local G
+  if k.g1 == zero and k.g2 == zero then
+    G = vec.scale(k.weight, k.up)
+  else
+    G = vec.map(a.gravity, function(x, i) return c.constant("g" .. letters[i], x, "gravity, m/s^2") end)
+    G = k.into(vec.matvec(k.back, G))
+  end
+  k.G = name("G", G, k.letters)
   k.x1, k.x2 = k.reach()
   k.v1, k.v2 = k.drift()
   k.side = name("side_", k.side, k.letters)
   groups[#groups + 1] = g
-  return k, G
+  return k
 end
 
 -- U and its components along e1 and e2: Omega n x P; and Omega, nil where the plane is at rest.

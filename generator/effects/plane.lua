@@ -168,14 +168,22 @@ function plane.kinetic(a, c)
   return c.constant("mass", c.mass, "mass, kg") * vec.dot(V, V) / 2
 end
 
+-- Gravity along e1, e2 and the normal.  By these, where it is along the normal the first two are 0, and not what the
+-- roundings of a normal of irrational length leave.
+function plane.gravity(a, c)
+  local function along(name, e, what)
+    return c.constant(name, ratio.tidy(vec.dot(a.gravity, e)), "gravity along " .. what .. ", m/s^2")
+  end
+  return along("slope1", a.e1, "e1"), along("slope2", a.e2, "e2"), along("weight", a.normal, "the normal")
+end
+
+-- V = -m G.x, x the centre of mass.
 function plane.potential(a, c)
   local k = plane.contact(a, c, bare, plane.meridian(a, c))
-  local g = vec.map(a.gravity, function(x, i)
-    return c.constant("g" .. string.sub("xyz", i, i), x, "gravity, m/s^2")
-  end)
-  local at = vec.scale(k.height, k.n)
-  if c.own.p1 then at = vec.add(at, vec.add(vec.scale(c.own.p1, k.e1), vec.scale(c.own.p2, k.e2))) end
-  return -c.M * vec.dot(g, at)
+  local g1, g2, weight = plane.gravity(a, c)
+  local sum = weight * k.height
+  if c.own.p1 then sum = sum + g1 * c.own.p1 + g2 * c.own.p2 end
+  return -c.M * sum
 end
 
 function plane.conserves(a, c)

@@ -37,7 +37,7 @@ write("s.lua", scene("s", 1))
 local status, err = gen "s.lua -o a"
 tap.ok(status == 0 and err == "", "gen into a directory that is not there: no word", err)
 tap.is(list "a", "./LICENSE ./Makefile ./README.md ./polhode.manifest ./qemu.c ./qemu.ld ./s.c ./s.h ./s_orbit.c " ..
-  "./s_orbit.h ./s_test.c ",
+  "./s_orbit.h ./s_private.h ./s_test.c ",
   "the files, the licence and the manifest")
 tap.is(read "a/LICENSE", program.read "templates/LICENSE", "the licence is MIT-0's text")
 tap.is(text_of "cd a && sha256sum --quiet -c polhode.manifest 2>&1; echo $?", "0\n", "sha256sum reads the manifest")
@@ -107,7 +107,8 @@ tap.is(status .. err,
   .. "README.md.~1~\nremoved a/Makefile: it is no longer made\nremoved a/qemu.c: it is no longer made\n"
   .. "removed a/qemu.ld: it is no longer made\nremoved a/s.c: it is no longer made\n"
   .. "removed a/s.h: it is no longer made\nremoved a/s_orbit.c: it is no longer made\n"
-  .. "removed a/s_orbit.h: it is no longer made\nremoved a/s_test.c: it is no longer made\n",
+  .. "removed a/s_orbit.h: it is no longer made\nremoved a/s_private.h: it is no longer made\n"
+  .. "removed a/s_test.c: it is no longer made\n",
   "another kind: files that are no longer made are removed, and named")
 tap.is(list "a", "./CMakeLists.txt ./LICENSE ./README.md ./README.md.~1~ ./include/s.h ./notes.txt ./polhode.manifest "
   .. "./s.c.~1~ ./s.c.~2~ ./src/s.c ./tests/s_test.c ", "what polhode did not make is there")
@@ -154,7 +155,7 @@ tap.ok(status == 0 and read "victim" == "mine\n", "a manifest that names what li
 status, err = gen "s.lua -o both --name d"
 local second, err2 = gen "s.lua -o both --name f --real float"
 tap.ok(status == 0 and second == 0 and err .. err2 == "" and list "both":find("./d.c ./d.h ./d_orbit.c " ..
-  "./d_orbit.h ./d_test.c "
+  "./d_orbit.h ./d_private.h ./d_test.c "
   .. "./f.c ./f.h", 1, true),
   "two names from one scene stay side by side", err .. err2 .. list "both")
 tap.like(read "both/f.h", "\n *     polhode gen s.lua --name f --real float\n", "the banner's command has the name")

@@ -25,19 +25,20 @@ local function list(folder)
 end
 
 local layout = {
-  make = "LICENSE Makefile README.md polhode.manifest probe.c probe.h probe_orbit.c probe_orbit.h probe_test.c " ..
-    "qemu.c qemu.ld",
+  make = "LICENSE Makefile README.md polhode.manifest probe.c probe.h probe_orbit.c probe_orbit.h " ..
+    "probe_private.h probe_test.c qemu.c qemu.ld",
   cmake = "CMakeLists.txt LICENSE README.md include/probe.h include/probe_orbit.h polhode.manifest src/probe.c " ..
-    "src/probe_orbit.c tests/probe_test.c",
+    "src/probe_orbit.c src/probe_private.h tests/probe_test.c",
   arduino = "LICENSE README.md examples/probe_motion/probe_motion.ino extras/probe_test.c keywords.txt "
     .. "library.properties polhode.manifest src/probe.c src/probe.h src/probe_orbit.c "
     .. "src/probe_orbit.h src/probe_private.h",
   platformio = "LICENSE README.md examples/motion/platformio.ini examples/motion/src/main.c extras/probe_test.c "
-    .. "include/probe.h include/probe_orbit.h library.json polhode.manifest src/probe.c src/probe_orbit.c",
+    .. "include/probe.h include/probe_orbit.h library.json polhode.manifest src/probe.c src/probe_orbit.c "
+    .. "src/probe_private.h",
   zephyr = "LICENSE README.md extras/probe_test.c include/probe.h include/probe_orbit.h polhode.manifest " ..
     "samples/motion/CMakeLists.txt "
     .. "samples/motion/prj.conf samples/motion/sample.yaml samples/motion/src/main.c src/probe.c src/probe_orbit.c "
-    .. "zephyr/CMakeLists.txt zephyr/Kconfig zephyr/module.yml",
+    .. "src/probe_private.h zephyr/CMakeLists.txt zephyr/Kconfig zephyr/module.yml",
 }
 local scene = (firmware.probe:gsub("horizon = 32", "horizon = exact(\"200/4096\")"))
 local at = {}
