@@ -9,8 +9,9 @@
 --     sorted: { functions = list of {name =, room =, asked = bool, lines =} of all public ones, rooms = { [room] =
 --       {header =, source =, calls = {[room] = true}, reads_private = bool} }, private = text | "", read = set of the
 --       identifiers in all that is kept but NAME_init }
--- A function that is needed but not asked for is static.  What several files share is private, and so is what is equal
--- for every body, unless there is only one file; where several read it, it is static inline.
+-- A function that is needed but not asked for is static.  What several files share is private, and static inline where
+-- several read it.  So is what is equal for every body, unless there is only one file, or the file of the motion alone
+-- needs it: that one stands by itself where it can.
 -- Names of what is static lose the scene's prefix, and NAME_real is `real`, unless the plain name has another use.
 -- BELOW the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -235,7 +236,8 @@ local function place_defined(defined, rooms, order, public)
       kept[#kept + 1] = u
       local owner = u.names[1] and public[u.names[1]]
       local several = next(u.rooms, (next(u.rooms))) ~= nil
-      if (several or u.general and #order > 1) and not (owner and owner.asked) then
+      local apart = u.general and #order > 1 and not u.rooms.motion
+      if (several or apart) and not (owner and owner.asked) then
         private[#private + 1] = u
         for r in pairs(u.rooms) do -- a set: any order
           readers = readers + (rooms[r].reads_private and 0 or 1)

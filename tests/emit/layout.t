@@ -150,12 +150,14 @@ end
 -- the page's table of these numbers
 do
   local page, wrong = program.read "docs/emitted.md", {}
-  for _, row in ipairs { { "`brick_centroid.c` with `--method rk4`", "--method rk4", "" },
-    { "`--only step --bake`", "--only step --bake", "" }, { "the closed form, `brick_centroid_orbit.c`", "", "_orbit" },
-    { "the same `--with orbit`", "--with orbit", "_orbit" },
-    { "all of it, `--layout single --with analysis,orbit`", "--layout single --with analysis,orbit", "" } } do
+  for _, row in ipairs { { "`brick_centroid.c` with `--method rk4`", "--method rk4", ".c" },
+    { "`--only step --bake`", "--only step --bake", ".c" },
+    { "the closed form, `brick_centroid_orbit.c`", "", "_orbit.c" },
+    { "the same `--with orbit`", "--with orbit", "_orbit.c" },
+    { "what it needs and is equal for every body, `brick_centroid_private.h`", "", "_private.h" },
+    { "all of it, `--layout single --with analysis,orbit`", "--layout single --with analysis,orbit", ".c" } } do
     gen("bodies/brick_centroid.lua " .. row[2])
-    local count = select(2, program.read(dir .. "/o/brick_centroid" .. row[3] .. ".c"):gsub("\n", ""))
+    local count = select(2, program.read(dir .. "/o/brick_centroid" .. row[3]):gsub("\n", ""))
     if not page:find("| " .. row[1] .. " | " .. count .. " |", 1, true) then
       wrong[#wrong + 1] = row[1] .. ": " .. count
     end
