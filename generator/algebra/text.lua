@@ -1,8 +1,9 @@
 -- text.lua -- expressions as text for people: plain, Unicode or LaTeX.
 --
--- Numbers are exact quotients, products read M a b/4, a rational coefficient goes to a denominator as it is
--- written by hand: M (b² + c²)/12.  The plain style is what JSON and comments carry ("M*(b^2 + c^2)/12") and
--- reads back in any computer algebra system.  C text is emit/cprint.lua's business, not ours.
+-- Numbers are exact quotients.  Those with an irrational number in them have 240 bits, and are written with 17 digits.
+-- Products read M a b/4, a rational coefficient goes to a denominator as it is written by hand: M (b² + c²)/12.  The
+-- plain style is what JSON and comments carry ("M*(b^2 + c^2)/12") and reads back in any computer algebra system.
+-- C text is emit/cprint.lua's business, not ours.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -90,6 +91,20 @@ local function absorb_sign(c, factors)
   return true, factors
 end
 
+-- Is a number rounded, or too long to be read as a quotient?  Within the range of a double.
+local function long(c)
+  local size = R.log2(c)
+  return math.max(R.log2(R.num(c)), R.log2(R.den(c))) > 128 and size < 1000 and size > -1000
+end
+
+local function decimal(c, style)
+  local s = string.format("%.17g", R.todouble(c))
+  if style ~= styles.latex then return s end
+  return (string.gsub(s, "e([+-]?)0*(%d+)$", function(sign, n)
+    return "\\cdot 10^{" .. (sign == "-" and "-" or "") .. n .. "}"
+  end))
+end
+
 -- c * factors as a quotient of texts, and whether a minus sign stands before it.
 -- top, bottom: the texts above and below the bar; a sum that stands `alone` needs no parentheses
 local function product(e, style)
@@ -97,8 +112,12 @@ local function product(e, style)
   local minus, factors = absorb_sign(c, rest == expr.one and {} or rest.kind == "mul" and rest or { rest })
   c = R.abs(c)
   local top, bottom = {}, {}
-  if R.num(c) ~= R.one then top[1] = tostring(R.num(c)) end
-  if R.den(c) ~= R.one then bottom[1] = tostring(R.den(c)) end
+  if R.sign(c) ~= 0 and long(c) then
+    top[1] = decimal(c, style)
+  else
+    if R.num(c) ~= R.one then top[1] = tostring(R.num(c)) end
+    if R.den(c) ~= R.one then bottom[1] = tostring(R.den(c)) end
+  end
   local alone = #factors == 1 and R.num(c) == R.one and R.den(c) == R.one
   for i = 1, #factors do
     local f = factors[i]

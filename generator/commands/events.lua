@@ -202,12 +202,13 @@ local function pull(asked, start, value)
   return nil
 end
 
--- A time within the step after t at which what is so from the start can be confirmed before the disc is flat, or nil.
+-- An event that holds from the start is confirmed before the next time of the grid, if the disc would be flat by then:
+-- the time for that, or nil.
 local function soon(asked, seen, t, step)
   for _, e in ipairs(asked) do
     local s = seen[e]
-    local share = s and s.waiting and s.waiting.at and e.confirm(s.g)
-    if share and share < 1 then return t + step * share end
+    local wait = s and s.waiting and s.waiting.at and e.confirm(s.g)
+    if wait and wait < step then return t + wait end
   end
   return nil
 end
@@ -277,8 +278,8 @@ function events.find(host, job, course, solve, finish, step, inputs, asked)
   return out
 end
 
--- What ends the motion of a body on a plane, an event with its row (a state); nil if nothing does; or false and a
--- failure.
+-- What ends the motion of a body on a plane, for what shows it: an event with its row (a state); nil if nothing does.
+-- Or false and a failure, also where the motion ends at the start.
 function events.ending(host, job, course, finish, inputs)
   local step, ends = course.step or job.model:double(job.model.step), {}
   for _, e in ipairs(events.of(job)) do ends[#ends + 1] = (e.reaction or e.said) and e or nil end
@@ -286,7 +287,12 @@ function events.ending(host, job, course, finish, inputs)
   local function solve(ts) return course.solve(ts, {}) end
   local found, failure = events.find(host, job, course, solve, finish, step, inputs, ends)
   if not found then return false, failure end
-  return found[1]
+  local first = found[1]
+  if first and first.row.t == 0 then
+    return false, { status = 3, t = 0.0, text = (first.event.said or "contact is lost") ..
+      ": there is no motion to show" }
+  end
+  return first
 end
 
 return events

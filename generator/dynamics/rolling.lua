@@ -139,7 +139,7 @@ end
 
 -- w0' in the axes of the meridian; as text, what it is.  level: with the torque of gravity about the contact point,
 -- r x (weight g) = weight far x g.
-local function free(m, a, c, k, name, N, level)
+local function free(m, e, c, k, name, N, level)
   local I = m.carried
   local Omega = name("Omega", { c.constant("cs", (I[3] - I[1]) / I[1], "(I3 - I1)/I1") * k.w[3] })[1]
   local w0, said = { -Omega * k.w[2], Omega * k.w[1], zero }, "w0' = (I3 - I1)/I1 w_z z x w"
@@ -151,7 +151,7 @@ local function free(m, a, c, k, name, N, level)
   end
   w0[1] = name("free_t", { w0[1] })[1]
   if not level then return w0, said end
-  local fall = -m.mass * vec.dot(a.gravity, a.normal) / I[1]
+  local fall = -m.mass * e.spec.weight(e.a) / I[1]
   local function part(x, axis)
     return c.constant("fall_" .. axis, ratio.tidy(fall * x), "weight times arm " .. axis ..
       " of the centre of the edge over the moment of inertia, 1/s^2")
@@ -194,7 +194,7 @@ local function revolved(m, e, c, k, name, N, moving)
     return name("turn_", { w0[1] - z * F, nest(w0[2] + z * f[1] - t * f[3]) * across, w0[3] + twist * F })
   end
   local level = parallel(a.gravity, a.normal)
-  local w0, about = free(m, a, c, k, name, N, level)
+  local w0, about = free(m, e, c, k, name, N, level)
   local f, said = force(k, moving, level)
   local function yield(T)
     local b0 = vec.map(T, function(x, i) return touch.per_moment(m, c, i) * x end)

@@ -16,7 +16,6 @@
 
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
-local vec = require "generator.algebra.vec"
 local contact = require "generator.dynamics.contact"
 local touch_laws = require "generator.dynamics.touch_laws"
 
@@ -53,7 +52,7 @@ function upright.revolved(m)
   local e = contact.of(m)
   if not e then return nil, "no plane is touched" end
   local a, f = e.a, touch_laws.facts(m, e)
-  local G = ratio.tidy(-vec.dot(a.gravity, a.normal))
+  local G = -e.spec.weight(a)
   if #m.record.effects > 1 then return nil, "not the plane alone acts on the body" end
   if a.spinning or a.rolling_resistance then return nil, "the plane resists its spinning or rolling" end
   if not ratio.iszero(a.rate) then return nil, "the plane turns" end

@@ -168,13 +168,15 @@ function plane.kinetic(a, c)
   return c.constant("mass", c.mass, "mass, kg") * vec.dot(V, V) / 2
 end
 
--- Gravity along e1, e2 and the normal.  By these, where it is along the normal the first two are 0, and not what the
--- roundings of a normal of irrational length leave.
+-- Gravity along the normal, less than 0 where it presses the body to the plane.
+function plane.weight(a) return ratio.tidy(vec.dot(a.gravity, a.normal)) end
+
+-- Gravity along e1, e2 and the normal, as constants.  Where all of it is along the normal the first two are exactly 0.
+-- A vector would keep what the rounding of a normal of irrational length leaves.
 function plane.gravity(a, c)
-  local function along(name, e, what)
-    return c.constant(name, ratio.tidy(vec.dot(a.gravity, e)), "gravity along " .. what .. ", m/s^2")
-  end
-  return along("slope1", a.e1, "e1"), along("slope2", a.e2, "e2"), along("weight", a.normal, "the normal")
+  local function along(name, g, what) return c.constant(name, g, "gravity along " .. what .. ", m/s^2") end
+  return along("slope1", ratio.tidy(vec.dot(a.gravity, a.e1)), "e1"),
+    along("slope2", ratio.tidy(vec.dot(a.gravity, a.e2)), "e2"), along("weight", plane.weight(a), "the normal")
 end
 
 -- V = -m G.x, x the centre of mass.

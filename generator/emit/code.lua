@@ -11,7 +11,7 @@
 --       links_m       must it be linked with -lm?
 --       base, ctx     for templates beside the code (emit/base.lua, the C library's functions), for emit/source.lua
 -- job.layout: "split": NAME (the motion), NAME_orbit (the closed form), NAME_analysis, NAME_private.h (what several of
--- them share, and what is equal for every body and not the motion's alone), each only where there is something in
+-- them share, and arithmetic that is equal for every body), each only where there is something in
 -- it; "single": one header and one source; "header": one header, whose implementation stands behind a macro.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 

@@ -9,9 +9,9 @@
 --     sorted: { functions = list of {name =, room =, asked = bool, lines =} of all public ones, rooms = { [room] =
 --       {header =, source =, calls = {[room] = true}, reads_private = bool} }, private = text | "", read = set of the
 --       identifiers in all that is kept but NAME_init }
--- A function that is needed but not asked for is static.  What several files share is private, and static inline where
--- several read it.  So is what is equal for every body, unless there is only one file, or the file of the motion alone
--- needs it: that one stands by itself where it can.
+-- A function that is needed but not asked for is static.  What several files share is private.  Arithmetic that is
+-- equal for every body is private, too.  Two exceptions: there is only one file, or only the motion's file needs it.
+-- What is private is static inline if several files read it.
 -- Names of what is static lose the scene's prefix, and NAME_real is `real`, unless the plain name has another use.
 -- BELOW the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -152,7 +152,7 @@ end
 
 -- What several sources include must be inline, or each would warn of what it does not call.
 local function private_text(u)
-  if not u.shown then return u.text end
+  if not u.shown or string.find(units.bare(u.text), "^%s*static inline") then return u.text end
   local text = string.gsub(u.text, "^static ", "static inline ", 1)
   if text == u.text then text = string.gsub(u.text, "\nstatic ", "\nstatic inline ", 1) end
   return string.find(units.bare(u.text), "^%s*static[^=]*%(") and text or u.text

@@ -66,8 +66,7 @@ function compensated.list(job)
       list[#list + 1] = of(job.equations, s.method, i == 1 and "step" or s.method.name .. "_step")
     elseif not s.method.compensated then
       job.diag:error(job.record.line, "method " .. s.method.name,
-        "it has no compensated step (--with compensated): " ..
-        "rk4, adaptive, taylor and semi have one")
+        "it has no compensated step (--with compensated): rk4, adaptive, taylor and semi have one")
       return nil
     end
   end

@@ -75,6 +75,7 @@ function derivation.banner(job)
         cut = BANNER_WIDTH + 1
         while cut > 20 and string.sub(l, cut, cut) ~= " " do cut = cut - 1 end
       end
+      if string.sub(l, cut, cut) ~= " " then break end -- one word is longer
       lines[#lines + 1] = string.sub(l, 1, cut - 1)
       l = "        " .. string.sub(l, cut + 1)
     end

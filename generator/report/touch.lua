@@ -92,8 +92,10 @@ local function rolling(m, put)
       "axis, height h, b = y s - x c",
       "s (I1 c - m h y) p^2 - (I3 s - m h x) w3 p = m G b", "s(I_1c - mhy)p^2 - (I_3s - mhx)\\omega_3p = mGb", s.n,
       "rad/s")
-    put((stable and "steady_nutation_" or "steady_growth_") .. number, stable and
-      "small nutation about it: it is stable" or "this one is unstable", stable and "sqrt(U''/J)" or "sqrt(-U''/J)",
+    put((stable and "steady_nutation_" or "steady_growth_") .. number, (stable and
+      "small nutation about it: it is stable" or "this one is unstable") .. "; " ..
+      "J = I1 + m (x^2 + y^2), U'' = -dM/dtheta along the motion, M the torque that tilts",
+      stable and "sqrt(U''/J)" or "sqrt(-U''/J)",
       stable and "\\sqrt{U''/J}" or "\\sqrt{-U''/J}", math.sqrt(math.abs(s.nod)), "rad/s")
   end
 end

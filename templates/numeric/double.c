@@ -58,7 +58,7 @@ static ${name}_pair ${name}_pair_arc(${name}_pair x, ${name}_real sign)
   return ${name}_mul(x, s);
 }
 
-static const ${name}_pair ${name}_pi = {${pi_high}, ${pi_low}};
+static const ${name}_pair ${name}_pair_pi = {${pi_high}, ${pi_low}};
 
 %% if not lagrange then
 static const ${name}_pair ${name}_inverse_pi = {${inverse_pi_high}, ${inverse_pi_low}};
@@ -85,8 +85,8 @@ static ${name}_pair ${name}_pair_angle(${name}_pair x, ${name}_pair y)
   if (!(quotient <= ${one})) return ${name}_pair_of(quotient); /* no number */
   const ${name}_pair rest = ${name}_ratio(${name}_sub(near, ${name}_scaled(j/${eight}, far)), ${name}_add(far, ${name}_scaled(j/${eight}, near)));
   ${name}_pair angle = ${name}_add(arctan[(int)j], ${name}_pair_arc(rest, -${one}));
-  if (steep) angle = ${name}_sub(${name}_shift(${half}, ${name}_pi), angle);
-  if (left) angle = ${name}_sub(${name}_pi, angle);
+  if (steep) angle = ${name}_sub(${name}_shift(${half}, ${name}_pair_pi), angle);
+  if (left) angle = ${name}_sub(${name}_pair_pi, angle);
   return below ? ${name}_minus(angle) : angle;
 }
 

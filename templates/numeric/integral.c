@@ -102,7 +102,7 @@ static ${name}_pair ${name}_complete(${name}_pair q)
 
   t = ${name}_mul(q, ${name}_add(${name}_pair_of(${one}), ${name}_mul(q3, ${name}_add(${name}_pair_of(${one}), t))));
   t = ${name}_add(${name}_pair_of(${one}), ${name}_pair_scale(t, 1));
-  return ${name}_pair_scale(${name}_mul(${name}_pi, ${name}_mul(t, t)), -1);
+  return ${name}_pair_scale(${name}_mul(${name}_pair_pi, ${name}_mul(t, t)), -1);
 }
 
 /* exp(x) - 1, 0 <= x <= 1: the series at x/64 and six doublings */

@@ -48,7 +48,7 @@ static ${name}_pair ${name}_first_phase(const ${name}_top *p, ${name}_pair *nome
   /* 4 z, or less by a turn if |2 z| > pi/2 (c < 0); sin 2 z has the sign of s w2; pi where c = 0 */
   ${name}_pair z4 = ${name}_pair_angle(${name}_add(x, ${name}_pair_of(more_x)), ${name}_add(y, ${name}_pair_of(more_y)));
   const int below = p->s*p->w[1].hi < ${zero};
-  if (c.hi < ${zero} || (!(c.hi > ${zero}) && below)) z4 = ${name}_add(z4, ${name}_shift(below ? -${two} : ${two}, ${name}_pi));
+  if (c.hi < ${zero} || (!(c.hi > ${zero}) && below)) z4 = ${name}_add(z4, ${name}_shift(below ? -${two} : ${two}, ${name}_pair_pi));
   return ${name}_shift(${quarter}, ${name}_mul(z4, ${name}_inverse_pi));
 }
 

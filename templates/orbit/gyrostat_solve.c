@@ -75,7 +75,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   } else { /* w is constant: about M, or without M about the rotor's axis */
     const ${name}_wide along = ${name}_wide_add(${name}_wide_dot(w[0], M[1], w[1], M[2]), ${name}_wide_mul(w[2], M[3]));
     const ${name}_wide omega = ${name}_wide_sign(G) ? along : w[2];
-    ${name}_pair turn = ${name}_ratio(${name}_wide_pair(${name}_wide_scale(omega, -1), e), ${name}_pair_scale(${name}_pi, 1));
+    ${name}_pair turn = ${name}_ratio(${name}_wide_pair(${name}_wide_scale(omega, -1), e), ${name}_pair_scale(${name}_pair_pi, 1));
 
     ${name}_store(made.turn[0], turn);
     ${name}_store(made.turn[1], ${name}_wide_sign(G) ? turn : ${name}_minus(turn));

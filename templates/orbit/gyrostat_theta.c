@@ -143,7 +143,7 @@ static void ${name}_set_series(${name}_orbit *o, const ${name}_quartic *p, int e
   K = ${name}_complete(${name}_pair_scale(q, power));
   rate = ${name}_wide_root(o->hyperbolic == 2 ? p->gamma : ${name}_wide_scale(p->sum, -1));
   rate = ${name}_wide_scale(rate, o->hyperbolic == 1 ? -1 : -2);
-  rate = ${name}_wide_mul(rate, ${name}_wide_of(${name}_ratio(${name}_pi, K), 0));
+  rate = ${name}_wide_mul(rate, ${name}_wide_of(${name}_ratio(${name}_pair_pi, K), 0));
   if (o->hyperbolic) {
     P = ${name}_pair_of(${zero});
     if (q.hi > ${zero}) P = ${name}_minus(${name}_pair_log(q, power));
@@ -165,12 +165,12 @@ static void ${name}_set_series(${name}_orbit *o, const ${name}_quartic *p, int e
     mc = ${name}_wide_mul(${name}_wide_square(${name}_wide_add(p->Y, X)), p->RO);
     start = ${name}_argument(m, ${name}_wide_mul(${name}_wide_square(less), p->RO), mc,
                              ${name}_wide_mul(p->R, ${name}_wide_square(p->width)), &infinite);
-    if (${name}_wide_sign(less) < 0) start = ${name}_sub(${name}_pair_scale(o->hyperbolic ? P : ${name}_pi, -1), start);
+    if (${name}_wide_sign(less) < 0) start = ${name}_sub(${name}_pair_scale(o->hyperbolic ? P : ${name}_pair_pi, -1), start);
     if (!p->away) start = ${name}_minus(start);
   }
   mu = ${name}_wide_pair(rate, e);
-  ${name}_store(o->start, o->hyperbolic ? start : ${name}_ratio(start, ${name}_pi));
-  ${name}_store(o->rate, o->hyperbolic ? mu : ${name}_ratio(mu, ${name}_pi));
+  ${name}_store(o->start, o->hyperbolic ? start : ${name}_ratio(start, ${name}_pair_pi));
+  ${name}_store(o->rate, o->hyperbolic ? mu : ${name}_ratio(mu, ${name}_pair_pi));
   for (int i = 0; i < 2; i++) {
     ${name}_values v;
     ${name}_pair slope;
@@ -183,13 +183,13 @@ static void ${name}_set_series(${name}_orbit *o, const ${name}_quartic *p, int e
     if (o->hyperbolic) {
       slope = ${name}_set_hyperbolic(o, i, sign[i], eta, q);
       if (sign[i] > 0) eta = ${name}_minus(eta);
-      ${name}_store(o->jump[i], ${name}_ratio(${name}_pair_scale(eta, o->hyperbolic - 1), ${name}_pi));
+      ${name}_store(o->jump[i], ${name}_ratio(${name}_pair_scale(eta, o->hyperbolic - 1), ${name}_pair_pi));
     } else {
       slope = ${name}_set_circular(o, i, sign[i], eta, infinite, q, power);
     }
     mu = ${name}_end_rate(p, i, kind == 1 ? 1 - p->origin : p->origin, e);
     mu = ${name}_sub(mu, ${name}_mul(slope, ${name}_wide_pair(rate, e)));
-    ${name}_store(o->turn[i], ${name}_ratio(mu, ${name}_pair_scale(${name}_pi, 1)));
+    ${name}_store(o->turn[i], ${name}_ratio(mu, ${name}_pair_scale(${name}_pair_pi, 1)));
 
     v = ${name}_untwisted(o, none); /* at O |a|^2 = (1 + u)/2 and |b|^2 = (1 - u)/2 */
     big = i == 0 ? ${fabs}(v.w) + ${fabs}(v.z) : ${fabs}(v.x) + ${fabs}(v.y); /* next to a zero squares may vanish */

@@ -139,7 +139,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   }
   for (i = 0; i < 2; i++) {
     turn = i == 0 ? ${name}_add(mu[0], spin) : ${name}_sub(mu[1], spin);
-    turn = ${name}_ratio(turn, ${name}_pair_scale(${name}_pi, 1));
+    turn = ${name}_ratio(turn, ${name}_pair_scale(${name}_pair_pi, 1));
     ${name}_store(made.turn[i], ${name}_pair_scale(turn, e));
     made.rate[i] = ${ldexp}(made.rate[i], e);
   }

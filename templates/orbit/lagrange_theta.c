@@ -46,7 +46,7 @@ static void ${name}_scale_series(${name}_orbit *o, int i, ${name}_real factor)
 static void ${name}_set_circular(${name}_orbit *o, const ${name}_cubic *p, const ${name}_real amplitude[3],
                              ${name}_pair q, ${name}_pair K, ${name}_pair nu, ${name}_pair v0, ${name}_pair mu[2])
 {
-  const ${name}_pair one = ${name}_pair_of(${one}), K2 = ${name}_pair_scale(K, 1), per = ${name}_ratio(${name}_pi, K);
+  const ${name}_pair one = ${name}_pair_of(${one}), K2 = ${name}_pair_scale(K, 1), per = ${name}_ratio(${name}_pair_pi, K);
   const ${name}_pair rate = ${name}_ratio(nu, K2), q2 = ${name}_mul(q, q);
   ${name}_real Q[4], three_ = ${one}, four_ = ${one};
   int n, infinite;
@@ -86,7 +86,7 @@ static void ${name}_set_circular(${name}_orbit *o, const ${name}_cubic *p, const
         sum = ${name}_sub(sum, ${name}_lambert(low, s));
         power = ${name}_mul(power, q2);
       }
-      mu[i] = ${name}_mul(${name}_mul(${name}_pi, rate), ${name}_pair_scale(sum, 1));
+      mu[i] = ${name}_mul(${name}_mul(${name}_pair_pi, rate), ${name}_pair_scale(sum, 1));
       if (s*p->sign[i] < 0) mu[i] = ${name}_minus(mu[i]);
     }
     x = ${name}_sub(one, r);
@@ -111,7 +111,7 @@ static void ${name}_set_circular(${name}_orbit *o, const ${name}_cubic *p, const
 static void ${name}_set_hyperbolic(${name}_orbit *o, const ${name}_cubic *p, const ${name}_real amplitude[3],
                                ${name}_pair q, ${name}_pair logq, ${name}_pair K, ${name}_pair nu, ${name}_pair v0, ${name}_pair mu[2])
 {
-  const ${name}_pair one = ${name}_pair_of(${one}), scale = ${name}_ratio(${name}_pi, ${name}_pair_scale(K, 1)), q2 = ${name}_mul(q, q);
+  const ${name}_pair one = ${name}_pair_of(${one}), scale = ${name}_ratio(${name}_pair_pi, ${name}_pair_scale(K, 1)), q2 = ${name}_mul(q, q);
   const ${name}_pair rate = ${name}_mul(nu, scale);
   const ${name}_real Q = q.hi, Q2 = Q*Q;
   const ${name}_real to[4] = {${one}, Q, Q2*Q2, Q2*Q2*Q2*Q2*Q}, from[4] = {${one}, ${one}, Q2, Q2*Q2*Q2}; /* q'^(n^2), q'^(n^2-n) */

@@ -31,7 +31,7 @@ ${name}_real ${name}_precession_rate(const ${name}_orbit *o)
   ${name}_pair periods, turns;
   const int e = ${name}_means(o, &periods, &turns);
 
-  return ${ldexp}(${name}_mul(${name}_pi, turns).hi, e + 1);
+  return ${ldexp}(${name}_mul(${name}_pair_pi, turns).hi, e + 1);
 }
 
 ${name}_real ${name}_precession_period(const ${name}_orbit *o)

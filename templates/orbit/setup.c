@@ -38,7 +38,7 @@ static void ${name}_constant(${name}_orbit *o, ${name}_top *p, const ${name}_pai
   p->b[0] = p->b[1] = ${zero}; p->b[2] = length.hi;
   p->s = ${one}; p->small12 = 0;
   o->a[0] = o->f[5] = o->scale[2] = ${one};
-  per_second(p, ${name}_ratio(length, ${name}_pair_scale(${name}_pi, 2)), o->turn);
+  per_second(p, ${name}_ratio(length, ${name}_pair_scale(${name}_pair_pi, 2)), o->turn);
 }
 
 /* what makes rates and quaternion of the terms, from the attitude q0 at t = 0 */

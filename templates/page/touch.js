@@ -55,9 +55,11 @@ function keepUpright(motion, places, facts) {
     const { x, t, touch } = motion.samples[i], q = places.q.map((k) => x[k]), w = places.w.map((k) => x[k]);
     const g = turned([q[0], -q[1], -q[2], -q[3]], normal), on = touch.N > 0, next = motion.samples[i + 1];
     const now = settled(g, w, on), falls = next && fallen(g, w, on, 1.25*(next.t - t));
-    if (i > 1 && (now && before || falls)) {
+    const settledAtFirst = i === 0 && now;
+    if (settledAtFirst || i > 1 && (now && before || falls)) {
       motion.flat = falls ? "The disc falls flat, and touches the plane in a line," : "The disc has settled flat";
       motion.samples.length = i + 1;
+      if (settledAtFirst) motion.samples.push(motion.samples[0]); // curves have two points
       motion.end = t;
       return;
     }

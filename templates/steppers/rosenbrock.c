@@ -44,7 +44,7 @@ static ${shift.head}
 
 %% end
 %% if slides then
-/* x', of the slip for the velocity */
+/* x', with the slip in the place of the velocity */
 %% else
 /* x' */
 %% end

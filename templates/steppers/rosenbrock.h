@@ -1,8 +1,8 @@
 %% -- rosenbrock.h -- the contract of the linearly implicit method: part of scene.h.  SPDX-License-Identifier: MIT-0
 /* ---- Rodas5P: linearly implicit, order 5, for stiff effects ---- */
 
-/* One step of size h: x goes from time t to t + h, the input u held.  A step that is long for what happens at the start
- * does not damp it well: ${name}_rosenbrock_run shortens it. */
+/* One step of size h: x goes from time t to t + h, the input u held.  A fixed step must be short
+ * at a fast start, which it does not damp well; ${name}_rosenbrock_run chooses such steps. */
 void ${name}_rosenbrock_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
 
 /* From time t0 to t1 in at most `most` steps whose estimated error is the tolerance times the size of each kind of state

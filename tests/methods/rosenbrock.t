@@ -214,6 +214,7 @@ for _, s in ipairs { { "bodies/egg.lua", "0.2" }, { "bodies/tippe_top.lua", "0.2
     ": the error follows the tolerance",
     said or string.format("%.2g at 1e-5, %.2g at 1e-9", coarse, fine))
 end
+-- After a second the slip is over, and what is left has the error of the steps in which it was large: 10 tolerances.
 local single, said = difference(ball(200), "1", "1e-5", "float")
 tap.ok(single <= 1e-4, "ball, c = 200 s/m, float", said or string.format("%.2g", single))
 

@@ -25,7 +25,7 @@ local longest = 16 -- steps of the grid at once
 local ticks = 1024 -- steps of high order are some hundredths of the time in which the motion changes
 
 -- Numbers of the disc, or nil: {lever = R - |c_t| and reach = R + |c_t|, m; high = h at most, m; mass, J and G of
--- above; rolls, normal, step, line; at = places of q and w in a state}.
+-- above; least = the least that w_t can turn about; rolls, normal, step, line; at = places of q and w in a state}.
 local function disc_of(job, plane)
   local m, a = job.model, plane.a
   local s = a.surface
@@ -36,11 +36,13 @@ local function disc_of(job, plane)
   local c = vec.map(vec.sub(s.at, context.dry(m).origin), double)
   local R, I, mass, normal = double(s.half[1]), vec.map(m.inertia, double), double(m.mass), vec.map(a.normal, double)
   local beside = math.sqrt(c[1] ^ 2 + c[2] ^ 2)
-  local over = math.sqrt(((I[1] - I[2]) / 2) ^ 2 + I[4] ^ 2) + (I[1] + I[2]) / 2 -- the larger moment across the axis
+  -- the moments across the axis are mean + off and mean - off
+  local mean, off = (I[1] + I[2]) / 2, math.sqrt(((I[1] - I[2]) / 2) ^ 2 + I[4] ^ 2)
   local high = double(s.rim) + math.abs(c[3])
   return { lever = R - beside, reach = R + beside, high = high, mass = mass, at = at, normal = normal,
-    J = over + mass * ((R + beside) ^ 2 + high ^ 2), G = -vec.dot(normal, vec.map(a.gravity, double)),
-    rolls = a.law == "rolling", step = double(m.step), line = plane.line }
+    J = mean + off + mass * ((R + beside) ^ 2 + high ^ 2), least = mean - off + mass * (R - beside) ^ 2,
+    G = -vec.dot(normal, vec.map(a.gravity, double)), rolls = a.law == "rolling", step = double(m.step),
+    line = plane.line }
 end
 
 local function picked(d, x, names)
@@ -87,13 +89,13 @@ local function approach(d, course, at)
   return at
 end
 
--- How many steps of the grid may be had before it is looked for again: half of the time in which the disc could be
--- flat, if all of its speed led there and twice the pull.
+-- How many steps of the grid may be had before it is looked for again: half of the time before which the disc cannot be
+-- flat, for all of its speed leads there at most, and what pulls it is at most twice what it is near to flat.
 local function steps(d, x, step)
   local g, rate = tilted(d, x)
   local s, speed = math.sqrt(g[1] ^ 2 + g[2] ^ 2), math.sqrt(rate[1] ^ 2 + rate[2] ^ 2)
   if s == 0 then return 1 end
-  local pull = 2 * d.mass * math.abs(d.G) * d.reach / d.J
+  local pull = 2 * d.mass * math.abs(d.G) * d.reach / d.least
   local left = 2 * s / (speed + math.sqrt(speed ^ 2 + 2 * pull * s))
   return math.floor(math.max(1, math.min(longest, left / step / 2)))
 end
@@ -106,7 +108,7 @@ function flat.events(job, plane)
   local settled = { name = "lies_flat", direction = -1, stop = true, line = d.line, stays = true,
     said = "the disc has settled flat: it would not rise again by what it falls in one time.step" }
   function settled.value(at) return touches(at) and fall(d, at.x) or nil end
-  function settled.confirm(g) return (g + 1) / 2 end -- half of the fall, in which the contact point does not jump
+  function settled.confirm(g) return (g + 1) / 2 * d.step end -- s, half of the fall: the contact point has not jumped
   local fallen = { name = "lies_flat", direction = 1, stop = true, line = d.line,
     said = "the disc has fallen flat, and touches the plane in a line" }
   function fallen.value() return nil end

@@ -65,10 +65,10 @@ local slide_text = { "The slip v = V - R W x n keeps its direction: v = v0 exp(-
   "V - V0 = k (v - v0), R (W - W0) x n = -(1 - k) (v - v0), and W.n is constant.  Of the attitude there is no",
   "elementary form." }
 
-local function slide_law(a, J, mass)
+-- weight: gravity towards the plane
+local function slide_law(a, weight, J, mass)
   local R, mR2 = a.surface.rim, mass * a.surface.rim ^ 2
   local k = J / (J + mR2)
-  local weight = -vec.dot(a.gravity, a.normal)
   return function(put)
     put("decay", a.friction.viscous * weight / k, "rate at which the slip decays, 1/s")
     put("share", k, "J/(J + m R^2)")
@@ -94,7 +94,7 @@ function ball.detect(m)
   if viscous then
     return { kind = "centre of a sliding ball", theorem = "ball that slides with viscous friction: the centre's path",
       text = slide_text, full = false, centre = true, slides = true, flags = { rolls = true },
-      constants = constants(a, slide_law(a, f.I3, m.mass)) }
+      constants = constants(a, slide_law(a, -e.spec.weight(a), f.I3, m.mass)) }
   elseif not turns and f.level then
     return { kind = "rolling ball", theorem = "rolling ball, uniform rotation and a straight line", text = whole_text,
       flags = { rolls = true }, full = true, constants = constants(a) }

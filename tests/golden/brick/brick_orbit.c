@@ -484,7 +484,7 @@ static pair first_phase(const top *p, pair *nome, pair q[4], pair *M)
   /* 4 z, or less by a turn if |2 z| > pi/2 (c < 0); sin 2 z has the sign of s w2; pi where c = 0 */
   pair z4 = pair_angle(add(x, pair_of(more_x)), add(y, pair_of(more_y)));
   const int below = p->s*p->w[1].hi < 0.0;
-  if (c.hi < 0.0 || (!(c.hi > 0.0) && below)) z4 = add(z4, shift(below ? -2.0 : 2.0, pi));
+  if (c.hi < 0.0 || (!(c.hi > 0.0) && below)) z4 = add(z4, shift(below ? -2.0 : 2.0, pair_pi));
   return shift(0.25, mul(z4, inverse_pi));
 }
 
@@ -759,7 +759,7 @@ static void constant(brick_orbit *o, top *p, const pair w[3])
   p->b[0] = p->b[1] = 0.0; p->b[2] = length.hi;
   p->s = 1.0; p->small12 = 0;
   o->a[0] = o->f[5] = o->scale[2] = 1.0;
-  per_second(p, ratio(length, pair_scale(pi, 2)), o->turn);
+  per_second(p, ratio(length, pair_scale(pair_pi, 2)), o->turn);
 }
 
 /* what makes rates and quaternion of the terms, from the attitude q0 at t = 0 */

@@ -185,7 +185,7 @@ static pair pair_arc(pair x, real sign)
   return mul(x, s);
 }
 
-static const pair pi = {3.141592653589793, 1.2246467991473532e-16};
+static const pair pair_pi = {3.141592653589793, 1.2246467991473532e-16};
 static const pair inverse_pi = {0.3183098861837907, -1.9678676675182486e-17};
 static const pair log_two = {0.6931471805599453, 2.3190468138462996e-17};
 
@@ -209,8 +209,8 @@ static pair pair_angle(pair x, pair y)
   if (!(quotient <= 1.0)) return pair_of(quotient); /* no number */
   const pair rest = ratio(sub(near, scaled(j/8.0, far)), add(far, scaled(j/8.0, near)));
   pair angle = add(arctan[(int)j], pair_arc(rest, -1.0));
-  if (steep) angle = sub(shift(0.5, pi), angle);
-  if (left) angle = sub(pi, angle);
+  if (steep) angle = sub(shift(0.5, pair_pi), angle);
+  if (left) angle = sub(pair_pi, angle);
   return below ? minus(angle) : angle;
 }
 
