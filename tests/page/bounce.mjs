@@ -105,6 +105,8 @@ for (const [name, text, said] of [
   ["settles", disc("settles", ", rolling_resistance = { coulomb = 4e-4, smoothing = 0.1 }",
     '{ omega = { 0.2, 0, 20 }, attitude = { axis = "x", angle = 0.3 } }'), /^The disc has settled flat at t =/],
   ["falls", disc("falls", "", '{ omega = { 0, 0, 0 }, attitude = { axis = "x", angle = 0.3 } }'), /^The disc falls flat/],
+  ["low", disc("low", "", '{ omega = { 0, 0, 0 }, attitude = { axis = "x", angle = 1e-6 } }'),
+    /^The disc has settled flat at t = 0 s/],
 ]) {
   const file = scene(name, text), html = join(dir, name + ".html");
   polhode("view", file, "-o", html);
