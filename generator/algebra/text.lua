@@ -1,6 +1,6 @@
 -- text.lua -- expressions as text for people: plain, Unicode or LaTeX.
 --
--- Numbers are exact quotients.  Those with an irrational number in them have 240 bits, and are written with 17 digits.
+-- Numbers are exact quotients.  Those with an irrational number in them have 240 bits, and are written as doubles.
 -- Products read M a b/4, a rational coefficient goes to a denominator as it is written by hand: M (b² + c²)/12.  The
 -- plain style is what JSON and comments carry ("M*(b^2 + c^2)/12") and reads back in any computer algebra system.
 -- C text is emit/cprint.lua's business, not ours.
@@ -97,8 +97,13 @@ local function long(c)
   return math.max(R.log2(R.num(c)), R.log2(R.den(c))) > 128 and size < 1000 and size > -1000
 end
 
+-- The shortest text that reads back as the same double.
 local function decimal(c, style)
-  local s = string.format("%.17g", R.todouble(c))
+  local x, s = R.todouble(c), nil
+  for digits = 15, 17 do
+    s = string.format("%." .. string.format("%d", digits) .. "g", x)
+    if tonumber(s) == x then break end
+  end
   if style ~= styles.latex then return s end
   return (string.gsub(s, "e([+-]?)0*(%d+)$", function(sign, n)
     return "\\cdot 10^{" .. (sign == "-" and "-" or "") .. n .. "}"

@@ -179,6 +179,19 @@ do
   tap.is(table.concat(wrong, "\n"), "", "100 expressions in LaTeX have balanced braces and only known commands")
 end
 
+-- Numbers of more than 128 bits are doubles; what a double has not stays a quotient.
+do
+  local root = R.apply("sqrt", 240, R.lift(14))
+  for _, row in ipairs { { root, "3.7416573867739413 x" }, { -root, "-3.7416573867739413 x" },
+    { R.lift(10) ^ 40, "1e+40 x" }, { R.one / R.lift(10) ^ 40, "1e-40 x" }, { R.new(1, 3), "x/3" },
+    { R.new(2) ^ 100, "1267650600228229401496703205376 x" } } do
+    tap.is(text.of(expr.lift(row[1]) * x, "unicode"), row[2], "a factor: " .. row[2])
+  end
+  tap.is(text.of(expr.lift(R.lift(10) ^ 40) * x, "latex"), "1\\cdot 10^{40} x", "in LaTeX")
+  tap.is(text.of(expr.lift(R.one / R.lift(10) ^ 40) * x, "latex"), "1\\cdot 10^{-40} x", "and a small one")
+  tap.is(#text.of(expr.lift(R.lift(10) ^ 400) * x), 401 + 2, "10^400 is exact")
+end
+
 -- A shared graph can be astronomically long as text.
 do
   local deep = x
