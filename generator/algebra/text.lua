@@ -7,6 +7,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local double = require "generator.algebra.double"
 local expr = require "generator.algebra.expr"
 
 local text = {}
@@ -97,13 +98,8 @@ local function long(c)
   return math.max(R.log2(R.num(c)), R.log2(R.den(c))) > 128 and size < 1000 and size > -1000
 end
 
--- The shortest text that reads back as the same double.
 local function decimal(c, style)
-  local x, s = R.todouble(c), nil
-  for digits = 15, 17 do
-    s = string.format("%." .. string.format("%d", digits) .. "g", x)
-    if tonumber(s) == x then break end
-  end
+  local s = double.shortest(R.todouble(c), 15)
   if style ~= styles.latex then return s end
   return (string.gsub(s, "e([+-]?)0*(%d+)$", function(sign, n)
     return "\\cdot 10^{" .. (sign == "-" and "-" or "") .. n .. "}"

@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local double = require "generator.algebra.double"
 local hash = require "generator.hash"
 local text = require "generator.algebra.text"
 local err = require "generator.plan.error"
@@ -25,12 +26,7 @@ end
 local function short(x, digits) return plain(string.format("%." .. (digits or 2) .. "g", x)) end
 
 -- The fewest digits that read back.
-local function shortest(x)
-  for digits = 1, 17 do
-    local s = string.format("%." .. digits .. "g", x)
-    if tonumber(s) == x then return plain(s) end
-  end
-end
+local function shortest(x) return plain(double.shortest(x, 1)) end
 decision.shortest = shortest
 
 -- An error: two digits; what is far below the accuracy by its decade alone, as its digits are those of roundings.

@@ -2,6 +2,8 @@
 -- An object is a list of {key, value} pairs marked by json.object, so the order is the writer's, never a hash's.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local double = require "generator.algebra.double"
+
 local json = { null = {} }
 
 local objects = setmetatable({}, { __mode = "k" })
@@ -16,10 +18,7 @@ function json.number(x)
   if x ~= x or x == math.huge or x == -math.huge then return "null" end
   if math.type(x) == "integer" then return string.format("%d", x) end
   if x == math.floor(x) and math.abs(x) < 1e15 then return string.format("%d", x) .. ".0" end
-  for digits = 15, 17 do
-    local s = string.format("%." .. digits .. "g", x)
-    if tonumber(s) == x then return s end
-  end
+  return double.shortest(x, 15)
 end
 
 local escapes = { ["\""] = "\\\"", ["\\"] = "\\\\", ["\n"] = "\\n", ["\r"] = "\\r", ["\t"] = "\\t" }
