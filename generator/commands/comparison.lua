@@ -4,6 +4,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local breaks = require "generator.dynamics.breaks"
 local forced = require "generator.commands.forced"
 local contact = require "generator.dynamics.contact"
 local drawn = require "generator.commands.drawn"
@@ -143,35 +144,37 @@ local function size_of(job, list, i)
   return most
 end
 
--- Is every term of the equations a polynomial of degree 2 at most in the state, so that central differences have no
--- error but rounding (drag apart)?
-local function quadratic(job)
-  for _, e in ipairs(job.model.record.effects) do
-    if not e.spec.quadratic then return false end
+-- A random state beside which the equations are smooth as far as the steps width(state) go: no corner changes its sign
+-- there.  nil if that is so at none of twenty; corners, values: see breaks.values.
+local function smooth_state(job, corners, values, random, scale, width)
+  local function clear(x)
+    local here, near = values(0.0, x), { table.unpack(x) }
+    for i, s in ipairs(job.states) do
+      for _, side in ipairs { -1, 1 } do
+        near[i] = x[i] + side * width(s)
+        for k, value in ipairs(values(0.0, near)) do
+          if value * here[k] <= 0 then return false end
+        end
+      end
+      near[i] = x[i]
+    end
+    return true
   end
-  return true
+  for _ = 1, 20 do
+    local x = state(job, random, scale, job.real)
+    if corners == 0 or clear(x) then return x end
+  end
+  return nil
 end
 
--- What central differences of c |v| v over the step d err by, the third derivative being 3 c/|v| at most.
-local function bend(job, x, i, k, d)
-  if job.states[i].kind ~= "velocity" or job.states[k].kind ~= "velocity" then return 0.0 end
-  local square, c = 0.0, 0.0
-  for n, s in ipairs(job.states) do
-    if s.kind == "velocity" then square = square + x[n] ^ 2 end
-  end
-  for _, e in ipairs(job.model.record.effects) do
-    if e.kind == "effect.translation" then c = c + job.model:double(e.a.drag) end
-  end
-  return c / job.model:double(job.model.mass) * 3 * d ^ 2 / (6 * math.max(math.sqrt(square) - d, d))
-end
-
--- The equations are polynomials of degree 2 in the state (Euler, and R(q) applied to a constant), so central
--- differences have no error but rounding: a few eps of the terms of the rates over the step d.  Drag is no
--- polynomial, see bend; where other effects are not, half the step shows the error, four thirds of the difference.
+-- Against central differences over the steps d and d/2.  Their rounding is a few eps of the terms of the rates over d;
+-- what the longer one errs by beside it is four thirds of their difference, the third derivative's part.
 local function jacobian(host, job, plugin, tap, name, random, real, epsilon)
   plugin:init()
   local scale, factor = scales(job), cancellation(job)
-  local worst, exact = 0.0, quadratic(job)
+  local worst, tried = 0.0, 0
+  local corners, values = breaks.values(job.equations)
+  local function width(s) return scale[s.kind] * 2.0 ^ -10 end
   local library, why = host.rates(numeric.scene(job))
   if not library then
     tap.ok(false, name .. ": the library accepts the scene", why)
@@ -186,24 +189,30 @@ local function jacobian(host, job, plugin, tap, name, random, real, epsilon)
     return slope, a
   end
   for _ = 1, 10 do
-    local x = state(job, random, scale, real)
+    local x = smooth_state(job, corners, values, random, scale, width)
+    if not x then break end
+    tried = tried + 1
     local J, n = plugin:jacobian(0, x), #x
     local _, terms = library:rates(0, numeric.whole(job, x))
     terms = numeric.part(job, terms)
     for k = 1, n do
-      local d = scale[job.states[k].kind] * 2.0 ^ -10
+      local d = width(job.states[k])
       local slope, a = difference_at(x, k, d)
-      local half = exact and slope or difference_at(x, k, d / 2)
+      local half = difference_at(x, k, d / 2)
       for i = 1, n do
         local bound = math.max(size_of(job, terms, i), size_of(job, a, i)) / d * 16 * factor * epsilon +
-          bend(job, x, i, k, d) + 2 * math.abs(slope[i] - half[i])
+          2 * math.abs(slope[i] - half[i])
         local error = math.abs(J[(i - 1) * n + k] - slope[i])
         if error ~= 0 then worst = worse(worst, error / bound) end
       end
     end
   end
-  tap.ok(worst <= 1, name .. ": Jacobian as central differences of the rates",
-    string.format("%.2g of the bound%s", worst, said(factor)))
+  local what = name .. ": Jacobian as central differences of the rates"
+  if tried == 0 then
+    tap.ok(true, what .. " # SKIP every state that was tried lies beside a corner")
+  else
+    tap.ok(worst <= 1, what, string.format("%.2g of the bound%s", worst, said(factor)))
+  end
 end
 
 -- Largest difference of two states, each component by its scale or by its size where that is larger.

@@ -2,7 +2,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local evaluate = require "generator.algebra.evaluate"
 local breaks = require "generator.dynamics.breaks"
 local contact = require "generator.dynamics.contact"
 local numeric = require "generator.dynamics.numeric"
@@ -66,17 +65,13 @@ end
 -- A motion without corners at unknown times, on which a stepper has its order: its start and span.  draw() gives random
 -- states, which are tried after x0, each also for a sixteenth of its span.  nil if all have corners.
 function motion_checks.smooth(job, plugin, x0, draw)
-  local m, corners = job.model, breaks.corners(job.equations)
-  local env, steps = {}, 256
-  for _, p in ipairs(m.params) do env[p.name] = R.todouble(p.default) end
+  local corners, values = breaks.values(job.equations)
+  local steps = 256
   -- no corner lies between samples that stay further from 0 than they move
   local function clear(rows)
     local before, move, near = {}, 0.0, math.huge
     for _, row in ipairs(rows) do
-      env.t = row[1]
-      for i, s in ipairs(job.states) do env[s.name] = row[i + 1] end
-      for k, e in ipairs(corners) do
-        local value = evaluate.double(e, env)
+      for k, value in ipairs(values(row[1], { table.unpack(row, 2) })) do
         move = math.max(move, before[k] and math.abs(value - before[k]) or 0.0)
         if before[k] and value * before[k] <= 0 then return false end
         near, before[k] = math.min(near, math.abs(value)), value
@@ -84,10 +79,10 @@ function motion_checks.smooth(job, plugin, x0, draw)
     end
     return near > 2 * move
   end
-  for n = 0, #corners > 0 and 20 or 0 do
+  for n = 0, corners > 0 and 20 or 0 do
     local x = n == 0 and x0 or draw()
     local finish = motion_checks.span(job, plugin, x)
-    if #corners == 0 then return x, finish end
+    if corners == 0 then return x, finish end
     for _, span in ipairs { finish, finish / 16 } do
       local times = {}
       for k = 0, steps do times[k + 1] = span * k / steps end

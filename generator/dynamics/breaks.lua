@@ -8,6 +8,7 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
+local evaluate = require "generator.algebra.evaluate"
 local motion = require "generator.algebra.motion"
 local ratio = require "generator.algebra.ratio"
 local context = require "generator.dynamics.context"
@@ -116,6 +117,21 @@ function breaks.corners(eq)
     end
   end
   return list
+end
+
+-- How many corners there are, and their values in doubles: values(t, x) at a state as the scene lists it, for the
+-- parameters' defaults and inputs that are 0.
+function breaks.values(eq)
+  local corners, env = breaks.corners(eq), {}
+  for _, p in ipairs(eq.model.params) do env[p.name] = R.todouble(p.default) end
+  for _, u in ipairs(eq.model.inputs) do env[u.name] = 0.0 end
+  return #corners, function(t, x)
+    env.t = t
+    for i, s in ipairs(eq.model.states) do env[s.name] = x[i] end
+    local list = {}
+    for k, e in ipairs(corners) do list[k] = evaluate.double(e, env) end
+    return list
+  end
 end
 
 return breaks

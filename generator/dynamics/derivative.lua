@@ -39,13 +39,13 @@ end
 
 -- Values of all that an expression of the motion can have in it, by name: derived constants, states, inputs, t.
 -- Parameters within a 16th of their defaults, states of the size of their initial values.
-local function environment(m, random)
+local function environment(m, random, precision)
   local params, env = {}, {}
   for _, p in ipairs(m.params) do
     local r = random()
     params[p.name] = R.sign(p.default) == 0 and R.abs(r) or p.default * (R.one + r / R.new(16))
   end
-  local value = evaluate.within(params, bits)
+  local value = evaluate.within(params, precision)
   for _, member in ipairs(m.members) do env[member.name] = value(member.e) end
   local horizon, q = m:number(m.horizon), attitude(random)
   for _, s in ipairs(m.states) do
@@ -92,29 +92,42 @@ function derivative.of(eq, rate)
   for _, g in ipairs(eq.groups) do
     for _, o in ipairs(g.outs) do rates[o.state] = inlined(o.expr) end
   end
-  local list, here, t = laws(m, rate), {}, motion.sym "t"
-  for n = 1, samples do
-    local value, dx = evaluate.within(environment(m, fractions(1000 + n)), bits), {}
-    for name, e in pairs(rates) do dx[name] = value(e) end -- into a table: order is lost anyway
-    here[n] = { value = value, dx = dx }
+  local list, t = laws(m, rate), motion.sym "t"
+  -- The values at sample n, made when they are first asked for.
+  local here = {}
+  local function sample(n, precision)
+    local at = here[precision + n]
+    if not at then
+      at = { value = evaluate.within(environment(m, fractions(1000 + n), precision), precision), dx = {} }
+      for name, e in pairs(rates) do at.dx[name] = at.value(e) end -- into a table: order is lost anyway
+      here[precision + n] = at
+    end
+    return at
+  end
+  -- F' at a sample, and the sum of the moduli of its terms.
+  local function slope(explicit, slopes, at, precision)
+    local sum = at.value(explicit)
+    local size = R.abs(sum)
+    for _, s in ipairs(m.states) do
+      if slopes[s.name] then
+        local term = at.value(slopes[s.name]) * at.dx[s.name]
+        sum, size = R.round(sum + term, precision), R.round(size + R.abs(term), precision)
+      end
+    end
+    return R.abs(sum), size
   end
   -- |sum of terms| against the sum of |terms|, so the scale of F does not matter.
   local function still(F)
-    local slopes, explicit = {}, calculus.diff(F, t)
+    local slopes, explicit, small = {}, calculus.diff(F, t), R.one / R.new(2) ^ digits
     for _, s in ipairs(m.states) do
-      local slope = calculus.diff(F, s.sym)
-      if slope ~= expr.zero and rates[s.name] ~= expr.zero then slopes[s.name] = slope end
+      local d = calculus.diff(F, s.sym)
+      if d ~= expr.zero and rates[s.name] ~= expr.zero then slopes[s.name] = d end
     end
-    for _, at in ipairs(here) do
-      local sum = at.value(explicit)
-      local size = R.abs(sum)
-      for _, s in ipairs(m.states) do
-        if slopes[s.name] then
-          local term = at.value(slopes[s.name]) * at.dx[s.name]
-          sum, size = R.round(sum + term, bits), R.round(size + R.abs(term), bits)
-        end
+    for n = 1, samples do
+      local sum, size = slope(explicit, slopes, sample(n, bits), bits)
+      if sum > size * small and slope(explicit, slopes, sample(n, 2 * bits), 2 * bits) > sum * small then
+        return false
       end
-      if R.abs(sum) > size / R.new(2) ^ digits then return false end
     end
     return true
   end

@@ -10,7 +10,6 @@ local vec = require "generator.algebra.vec"
 local control = {
   name = "effect.control",
   about = "input u: torque in body axes, max (optional) limits each component",
-  quadratic = true,
   formula = "N = u, or with max each component between -max and max",
   signs = "u acts on the body, body axes; it is held during a step",
   source = "the definition",

@@ -11,7 +11,6 @@ local custom = require "generator.effects.custom"
 
 local damping = {
   name = "effect.damping",
-  quadratic = true,
   takes = { { "c", "kg m^2/s", nil, "a number (isotropic), {cx, cy, cz} or a 3x3 matrix, body axes" },
     { "rate", "1/s", nil, "or: N = -rate L" } },
   idle = { { "c", "rate", c = "C" } },

@@ -17,7 +17,7 @@ local gravity = {
   formula = "N = r x M g R(q)^T d, V = -M g d.R(q) r; r the centre of mass from the origin, d = direction/|direction|",
   signs = "direction is where things fall to; V = 0 with the centre of mass at the height of the origin",
   source = "Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 5.7",
-  example = "heavy_top", quadratic = true,
+  example = "heavy_top",
   args = { { name = "g", dim = "acceleration", sign = "nonnegative", default = 9.80665 },
     { name = "direction", size = 3, default = { 0, 0, -1 } } },
   keeps = "T+V, L_z if direction is along z, w3 if the centre of mass is on the body's z",

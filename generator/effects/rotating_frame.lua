@@ -21,7 +21,6 @@ local frame = {
   args = { { name = "rate", dim = "rate", size = 3 },
     { name = "rate_dot", dim = "rate_dot", size = 3, default = { 0, 0, 0 } },
     { name = "centrifugal", flag = true, default = true } },
-  quadratic = true,
   idle = { { "rate" } },
   formula = "m v' = F - 2 m Omega x v - m Omega x (Omega x r) - m Omega' x r; q' = (q (0, w) - (0, Omega) q)/2",
   signs = "Omega = rate + rate_dot t is the frame's rate in its own axes; r, v, q are relative to it, w is inertial",

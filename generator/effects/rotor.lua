@@ -14,7 +14,6 @@ local vec = require "generator.algebra.vec"
 local rotor = {
   name = "effect.rotor",
   about = "a rotor in the body: constant angular momentum relative to it, momentum along axis (body)",
-  quadratic = true,
   idle = { { "momentum" } },
   formula = "I w' = (I w + h) x w + N, h = momentum axis/|axis|",
   term = "N = h x w, h = momentum axis/|axis|",

@@ -20,7 +20,6 @@ local translation = {
   name = "effect.translation",
   about = "the centre of mass moves: gravity (number or vector), drag c (-c |v| v), linear c (-c v), stiffness " ..
     "(-k r), force (inertial), thrust (body)",
-  quadratic = true,
   takes = { { "gravity", "m/s^2", "9.80665", "a number (along -z) or a vector" },
     { "drag", "kg/m", "0", "c of -c |v| v, not negative" }, { "linear", "kg/s", "0", "c1 of -c1 v" },
     { "stiffness", "kg/s^2", "0", "a number or three, of -k r" },

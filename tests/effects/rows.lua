@@ -27,6 +27,9 @@ put("damping", "damping_matrix", nil, function(s)
   return "c = {" .. s:vec(0.2, "N m s") .. ", " .. s:vec(0.2, "N m s") .. ", " .. s:vec(0.2, "N m s") .. "}"
 end)
 put("damping", "damping_rate", nil, function(s) return "rate = " .. s:num(0.05, 0.3, "1/s") end)
+put("damping", "damping_of_motion", nil, function(s)
+  return "c = " .. s:num(0.05, 0.3, "N m s") .. "*(2 + tanh(2*wz)*cos(t))"
+end)
 put("torque", "torque_body", nil, function(s) return "body = " .. s:vec(0.5, "N m", "axial") end)
 put("torque", "torque_inertial", nil, function(s) return "inertial = " .. s:vec(0.5, "N m", "axial") end)
 put("torque", "torque_moving", nil, function(s)
@@ -40,6 +43,9 @@ put("control", "control_limited", nil, function(s) return "max = " .. s:num(0.2,
 put("rotor", "rotor", nil, function(s)
   return "axis = " .. s:vec(1, nil, "axial") .. ", momentum = " .. s:num(0.2, 0.6, "N m s")
 end)
+put("rotor", "rotor_fast", nil, function(s) -- its momentum is all there is
+  return "axis = " .. s:vec(1, nil, "axial") .. ", momentum = " .. s:num(200, 600, "N m s")
+end)
 put("translation", "flight", "flight", function(s) return "gravity = " .. s:vec(2, "m/s^2", "polar") end)
 put("translation", "flight_drag", "flight", function(s)
   return "gravity = " .. s:num(0.5, 2, "m/s^2") .. ", drag = " .. s:num(0.05, 0.2, "kg/m") .. ", linear = " ..
@@ -48,6 +54,9 @@ end)
 put("translation", "flight_force", "flight", function(s)
   return "gravity = 0, force = " .. s:vec(0.5, "N", "polar") ..
     ", thrust = {" .. s:num(0.1, 0.5, "N") .. ", 0, 0.1*cos(t)}"
+end)
+put("translation", "flight_rates", "flight", function(s)
+  return "gravity = 0, thrust = {" .. s:num(0.1, 0.5, "N") .. "*tanh(2*wz), 0, 0}"
 end)
 put("drag", "drag", nil, function(s) return "c = " .. s:num(0.05, 0.2, "kg m^2") end)
 put("friction", "friction", nil, function(s)

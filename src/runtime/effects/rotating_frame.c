@@ -50,8 +50,8 @@ static void term_energy(const effect_terms *e, double *scale) {
   double Omega[3], change[3];
   turning(e, 0, Omega, change);
   const double fastest = effect_larger(effect_larger(Omega[0], Omega[1]), Omega[2]);
-  for (int i = 0; i < 9; i++) /* Omega . (q L q*): turned vectors are as large as they were */
-    effect_raise(scale, fastest * e->spread[i] * fabs(e->x[4 + i % 3]));
+  /* Omega . (q L q*), L of all that turns: turned vectors are as large as they were */
+  effect_raise(scale, fastest * effect_whole(e));
   for (int i = 0; i < 3 && e->top->effects & PH_TRANSLATION; i++) {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
     const double u = effect_larger(Omega[a] * fabs(e->x[7 + b]), Omega[b] * fabs(e->x[7 + a]));
