@@ -119,14 +119,14 @@ function breaks.corners(eq)
   return list
 end
 
--- How many corners there are, and their values in doubles: values(t, x) at a state as the scene lists it, for the
+-- How many corners there are, and their values in doubles: values(time, x) at a state as the scene lists it, for the
 -- parameters' defaults and inputs that are 0.
 function breaks.values(eq)
   local corners, env = breaks.corners(eq), {}
   for _, p in ipairs(eq.model.params) do env[p.name] = R.todouble(p.default) end
   for _, u in ipairs(eq.model.inputs) do env[u.name] = 0.0 end
-  return #corners, function(t, x)
-    env.t = t
+  return #corners, function(time, x)
+    env.t = time
     for i, s in ipairs(eq.model.states) do env[s.name] = x[i] end
     local list = {}
     for k, e in ipairs(corners) do list[k] = evaluate.double(e, env) end

@@ -1,18 +1,11 @@
 /* rotating_frame.c - the axes that are otherwise inertial turn at Omega = rate + rate_dot t.
    SPDX-License-Identifier: GPL-3.0-or-later
 
-   motion/move.c has the equations. */
+   motion/move.c has the equations and the rate at a time. */
 #include "acts/acts.h"
 #include "motion/move.h"
 
 #include <string.h>
-
-void move_frame(const ph_top *top, ph_wide t, ph_wide Omega[3], ph_wide change[3]) {
-  for (int i = 0; i < 3; i++) {
-    change[i] = top->effects & PH_FRAME ? (ph_wide)top->move.rate_dot[i] : 0;
-    Omega[i] = top->effects & PH_FRAME ? (ph_wide)top->move.rate[i] + change[i] * t : 0;
-  }
-}
 
 /* |Omega| and |Omega'|, component by component. */
 static void turning(const effect_terms *e, double t, double Omega[3], double change[3]) {

@@ -10,6 +10,13 @@ int ph_top_states(const ph_top *top) {
   return (top->effects & PH_TRANSLATION ? 13 : 7) + acts_states(top);
 }
 
+void move_frame(const ph_top *top, ph_wide t, ph_wide Omega[3], ph_wide change[3]) {
+  for (int i = 0; i < 3; i++) {
+    change[i] = top->effects & PH_FRAME ? (ph_wide)top->move.rate_dot[i] : 0;
+    Omega[i] = top->effects & PH_FRAME ? (ph_wide)top->move.rate[i] + change[i] * t : 0;
+  }
+}
+
 void move_rates(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide dx[]) {
   ph_wide Omega[3], change[3], u[3], a[3];
   move_frame(top, t, Omega, change);
