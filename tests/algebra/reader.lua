@@ -25,7 +25,9 @@ end
 reader.doubles = {
   number = tonumber,
   power = function(x, n) return n == 0.5 and math.sqrt(x) or x ^ n end,
-  call = function(fn, x, y)
+  call = function(fn, x, y, z)
+    if fn == "clamp" then return math.max(y, math.min(z, x)) end
+    if fn == "sign" then return x < 0 and -1 or 1 end
     if math[fn] and not y then return math[fn](x) end
     return R.todouble(R.apply(fn, 80, R.fromdouble(x), y and R.fromdouble(y)))
   end,
