@@ -9,6 +9,7 @@
 local R = require "generator.algebra.rational"
 local double = require "generator.algebra.double"
 local expr = require "generator.algebra.expr"
+local signed = require "generator.algebra.signed"
 
 local text = {}
 
@@ -47,17 +48,10 @@ end
 
 local render
 
--- Does the text of e need parentheses as a factor?
-local function factor(e, style)
-  local s = render(e, style)
-  if e.kind == "add" then return style.open .. s .. style.close end
-  return s
-end
-
--- base^n, n > 0
-local function powered(base, n, style)
-  if n == R.half then return style.sqrt(render(base, style)) end
-  local b = render(base, style)
+-- (sign base)^n, n > 0, as a factor
+local function powered(base, n, sign, style)
+  if n == R.half then return style.sqrt(render(base, 1, style)) end
+  local b = render(base, sign, style)
   if n == R.one then
     if base.kind == "add" then b = style.open .. b .. style.close end
     return b
@@ -66,30 +60,6 @@ local function powered(base, n, style)
   local p = tostring(n)
   if not R.isint(n) and style ~= styles.latex then p = "(" .. p .. ")" end
   return style.power(b, p)
-end
-
--- -(b^2 - c^2) reads better as c^2 - b^2: a negative coefficient goes into the first sum whose terms have both
--- signs.  Display only; returns the sign left to print and the factors.
--- The sum is a table that looks like a node: turned round so that it begins with a negative term, and marked `flipped`,
--- for which render changes all signs.
-local function absorb_sign(c, factors)
-  if R.sign(c) >= 0 then return false, factors end
-  for i = 1, #factors do
-    local f = factors[i]
-    if f.kind == "add" then
-      for j = 2, #f do
-        if R.sign((expr.split(f[j]))) < 0 then
-          local flipped = {}
-          for k = 1, #factors do flipped[k] = factors[k] end
-          local terms = { kind = "add", flipped = true }
-          for k = 1, #f do terms[#terms + 1] = f[j - 1 + k] or f[j - 1 + k - #f] end
-          flipped[i] = terms
-          return false, flipped
-        end
-      end
-    end
-  end
-  return true, factors
 end
 
 -- Is a number rounded, or too long to be read as a quotient?  Within the range of a double.
@@ -106,40 +76,31 @@ local function decimal(c, style)
   end))
 end
 
--- c * factors as a quotient of texts, and whether a minus sign stands before it.
+-- A product of signed.lua as a quotient of texts, without the minus sign before it.
 -- top, bottom: the texts above and below the bar; a sum that stands `alone` needs no parentheses
-local function product(e, style)
-  local c, rest = expr.split(e)
-  local minus, factors = absorb_sign(c, rest == expr.one and {} or rest.kind == "mul" and rest or { rest })
-  c = R.abs(c)
+local function product(p, style)
   local top, bottom = {}, {}
-  if R.sign(c) ~= 0 and long(c) then
-    top[1] = decimal(c, style)
+  if R.sign(p.c) ~= 0 and long(p.c) then
+    top[1] = decimal(p.c, style)
   else
-    if R.num(c) ~= R.one then top[1] = tostring(R.num(c)) end
-    if R.den(c) ~= R.one then bottom[1] = tostring(R.den(c)) end
+    if R.num(p.c) ~= R.one then top[1] = tostring(R.num(p.c)) end
+    if R.den(p.c) ~= R.one then bottom[1] = tostring(R.den(p.c)) end
   end
-  local alone = #factors == 1 and R.num(c) == R.one and R.den(c) == R.one
-  for i = 1, #factors do
-    local f = factors[i]
-    if f.kind == "pow" and R.sign(f.exp) < 0 then
-      bottom[#bottom + 1] = powered(f.base, -f.exp, style)
-    elseif f.kind == "pow" then
-      top[#top + 1] = powered(f.base, f.exp, style)
-    else
-      top[#top + 1] = alone and not minus and render(f, style) or factor(f, style)
-    end
+  local alone = p.c == R.one and #p.above == 1 and #p.below == 0 and not p.minus
+  for _, f in ipairs(p.above) do
+    top[#top + 1] = alone and f.exp == R.one and render(f.base, f.sign, style) or powered(f.base, f.exp, f.sign, style)
   end
+  for _, f in ipairs(p.below) do bottom[#bottom + 1] = powered(f.base, f.exp, f.sign, style) end
   if #top == 0 then top[1] = "1" end
   local n = table.concat(top, style.times)
-  if #bottom == 0 then return n, minus end
+  if #bottom == 0 then return n end
   local d = table.concat(bottom, style.times)
   if #bottom > 1 and style ~= styles.latex then d = "(" .. d .. ")" end
-  return style.quotient(n, d), minus
+  return style.quotient(n, d)
 end
 
--- In a sum each term's sign stands before it as an operator; a product's is the sign of its coefficient.
-function render(e, style)
+-- sign e.  In a sum each term's sign stands before it as an operator; a product's is the sign of its coefficient.
+function render(e, sign, style)
   if e.kind == "sym" then
     if style == styles.latex then
       local stem, tail = string.match(e.name, "^(%a+)_?(%w*)$")
@@ -152,23 +113,17 @@ function render(e, style)
   if e.kind == "call" then
     if e.fn == "pi" then return style.pi end
     local args = {}
-    for i = 1, #e do args[i] = render(e[i], style) end
+    for i = 1, #e do args[i] = render(e[i], 1, style) end
     if style == styles.latex and e.fn == "abs" then return "\\left|" .. args[1] .. "\\right|" end
     local fn = style == styles.latex and latex_call(e.fn) or e.fn
     return fn .. style.open .. table.concat(args, ", ") .. style.close
   end
-  if e.kind == "add" then
-    local list = {}
-    for i = 1, #e do
-      local s, minus = product(e[i], style)
-      if e.flipped then minus = R.sign((expr.split(e[i]))) > 0 end
-      list[#list + 1] = i == 1 and (minus and "-" or "") or (minus and " - " or " + ")
-      list[#list + 1] = s
-    end
-    return table.concat(list)
+  local list = {}
+  for i, p in ipairs(e.kind == "add" and signed.terms(e, sign) or { signed.product(e, sign) }) do
+    list[#list + 1] = i == 1 and (p.minus and "-" or "") or (p.minus and " - " or " + ")
+    list[#list + 1] = product(p, style)
   end
-  local s, minus = product(e, style)
-  return (minus and "-" or "") .. s
+  return table.concat(list)
 end
 
 -- Terms and factors that e has when it is written out; shared parts count each time, so this can be astronomical.
@@ -189,7 +144,7 @@ local longest = 3000 -- parts; more is no text for people
 -- e in the style "plain", "unicode" or "latex"; "..." where it would be too long to read.
 function text.of(e, style)
   if written(e) > longest then return "..." end
-  return render(e, styles[style or "plain"] or error("unknown style " .. style))
+  return render(e, 1, styles[style or "plain"] or error("unknown style " .. style))
 end
 
 return text

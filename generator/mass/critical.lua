@@ -229,7 +229,7 @@ local longest = 44 -- characters of a right side that is worth solving for
 
 local flip = { [">"] = "<", ["<"] = ">", ["≠"] = "≠", ["="] = "=" }
 
--- The square root of q as text: what is a square stands before the root, the rest under one root.
+-- The square root of q as text: what is a square stands before the root, the rest and sums under one root.
 -- 12 r^2/5 ==> √(3/5) 2 r
 local function root_text(q, style)
   local c, list = factors(q)
@@ -243,7 +243,7 @@ local function root_text(q, style)
   local below, d = opened(R.den(c))
   local outside, inside = { expr.num(above / below) }, { expr.num(n / d) }
   for _, f in ipairs(list) do
-    local half = R.floor(R.abs(f[2]) / R.new(2)) * R.new(R.sign(f[2]))
+    local half = f[1].kind == "add" and R.zero or R.floor(R.abs(f[2]) / R.new(2)) * R.new(R.sign(f[2]))
     outside[#outside + 1] = expr.pow(f[1], half)
     inside[#inside + 1] = expr.pow(f[1], f[2] - R.new(2) * half)
   end

@@ -6,6 +6,7 @@
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
+local signed = require "generator.algebra.signed"
 
 local mathml = {}
 
@@ -27,54 +28,49 @@ end
 
 local render
 
-local function factor(e)
-  local s = render(e)
-  return row(e.kind == "add" and bracketed(s) or s)
-end
-
-local function powered(base, n)
-  if n == R.half then return "<msqrt>" .. render(base) .. "</msqrt>" end
-  if n == R.one then return factor(base) end
+-- (sign base)^n, n > 0, as a factor
+local function powered(base, n, sign)
+  if n == R.half then return "<msqrt>" .. render(base, 1) .. "</msqrt>" end
+  local b = render(base, sign)
+  if n == R.one then return row(base.kind == "add" and bracketed(b) or b) end
   local plain = base.kind == "sym" or base.kind == "num" or base.fn == "pi"
-  return "<msup>" .. row(plain and render(base) or bracketed(render(base))) .. "<mn>" .. tostring(n) .. "</mn></msup>"
+  return "<msup>" .. row(plain and b or bracketed(b)) .. "<mn>" .. tostring(n) .. "</mn></msup>"
 end
 
--- The value of a product without its sign, and whether a minus sign stands before it.
-local function product(e)
-  local c, rest = expr.split(e)
-  local minus, top, bottom = R.sign(c) < 0, {}, {}
-  c = R.abs(c)
-  if R.num(c) ~= R.one then top[1] = "<mn>" .. tostring(R.num(c)) .. "</mn>" end
-  if R.den(c) ~= R.one then bottom[1] = "<mn>" .. tostring(R.den(c)) .. "</mn>" end
-  for _, f in ipairs(rest == expr.one and {} or rest.kind == "mul" and rest or { rest }) do
-    if f.kind == "pow" and R.sign(f.exp) < 0 then
-      bottom[#bottom + 1] = powered(f.base, -f.exp)
-    else
-      top[#top + 1] = f.kind == "pow" and powered(f.base, f.exp) or factor(f)
-    end
+-- A product of algebra/signed.lua without the minus sign before it.
+local function product(p)
+  local top, bottom = {}, {}
+  if R.num(p.c) ~= R.one then top[1] = "<mn>" .. tostring(R.num(p.c)) .. "</mn>" end
+  if R.den(p.c) ~= R.one then bottom[1] = "<mn>" .. tostring(R.den(p.c)) .. "</mn>" end
+  local above, below = p.above, p.below
+  local barred = #bottom + #below > 0
+  if #above == 1 and #top == 0 and above[1].exp == R.one and (barred or not p.minus) then
+    top[1] = render(above[1].base, above[1].sign) -- a sum that stands alone
+  else
+    for _, f in ipairs(above) do top[#top + 1] = powered(f.base, f.exp, f.sign) end
   end
-  if rest.kind == "add" and R.num(c) == R.one then top[1] = render(rest) end -- alone above a line
+  for _, f in ipairs(below) do bottom[#bottom + 1] = powered(f.base, f.exp, f.sign) end
   if #top == 0 then top[1] = "<mn>1</mn>" end
   local n = table.concat(top, TIMES)
-  if #bottom == 0 then return n, minus end
-  return "<mfrac>" .. row(n) .. row(table.concat(bottom, TIMES)) .. "</mfrac>", minus
+  if not barred then return n end
+  return "<mfrac>" .. row(n) .. row(table.concat(bottom, TIMES)) .. "</mfrac>"
 end
 
 local MINUS, PREFIX = "<mo>\u{2212}</mo>", '<mo form="prefix">\u{2212}</mo>'
 
-function render(e)
+-- sign e
+function render(e, sign)
   if e.kind == "sym" then return mathml.name(e.name) end
   if e.kind == "call" and e.fn == "pi" then return "<mi>π</mi>" end
   if e.kind == "call" then
     local args = {}
-    for i = 1, #e do args[i] = render(e[i]) end
+    for i = 1, #e do args[i] = render(e[i], 1) end
     return "<mi>" .. escaped(e.fn) .. "</mi>" .. bracketed(table.concat(args, "<mo>,</mo>"))
   end
   local list = {}
-  for i, term in ipairs(e.kind == "add" and e or { e }) do
-    local s, minus = product(term)
-    list[#list + 1] = i == 1 and (minus and PREFIX or "") or minus and MINUS or "<mo>+</mo>"
-    list[#list + 1] = s
+  for i, p in ipairs(e.kind == "add" and signed.terms(e, sign) or { signed.product(e, sign) }) do
+    list[#list + 1] = i == 1 and (p.minus and PREFIX or "") or p.minus and MINUS or "<mo>+</mo>"
+    list[#list + 1] = product(p)
   end
   return table.concat(list)
 end
@@ -91,7 +87,7 @@ end
 
 function mathml.of(e)
   if written(e, 0) > longest then return nil end
-  return row(render(e))
+  return row(render(e, 1))
 end
 
 -- How many parts e has; at most a few more than the longest formula.

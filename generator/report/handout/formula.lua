@@ -7,6 +7,7 @@
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
+local signed = require "generator.algebra.signed"
 local math_ = require "generator.report.handout.math"
 
 local formula = {}
@@ -41,26 +42,19 @@ function formula:rational(q)
   return node
 end
 
-function formula:wrapped(node, e) return e.kind == "add" and not self.named[e] and math_.par(node) or node end
-
-function formula:power(base, n)
+-- (sign base)^n, n > 0, as a factor
+function formula:power(base, n, sign)
   if n == R.half then return { kind = "sqrt", self:of(base) } end
-  local b = self:of(base)
-  if n == R.one then return self:wrapped(b, base) end
+  local b = self:of(base, sign)
+  if n == R.one then return base.kind == "add" and not self.named[base] and math_.par(b) or b end
   if b.kind ~= "sym" and base.fn ~= "pi" then b = math_.par(b) end
   return math_.pow(b, R.isint(n) and math_.num(tostring(n)) or math_.row(math_.num(tostring(R.num(n))), math_.op "/",
     math_.num(tostring(R.den(n)))))
 end
 
--- c times factors: a node, and whether a minus stands before it.
-function formula:product(e)
-  local c, rest = expr.split(e)
-  local minus = R.sign(c) < 0
-  c = R.abs(c)
-  local factors = rest == expr.one and {} or self.named[rest] and { rest } or rest.kind == "mul" and rest or { rest }
-  local flip = minus and self:flipped(factors)
-  if flip then minus = false end
-  local top, bottom = {}, {}
+-- A product of algebra/signed.lua without the minus before it; a sum that stands alone needs no parentheses.
+function formula:product(p)
+  local c, top, bottom = p.c, {}, {}
   local long = digits(c) > longest or R.den(c) ~= R.one and #tostring(R.num(c)) + #tostring(R.den(c)) > 5
   if long then
     top[1] = self:rational(c)
@@ -68,60 +62,21 @@ function formula:product(e)
     if R.num(c) ~= R.one then top[1] = math_.num(tostring(R.num(c))) end
     if R.den(c) ~= R.one then bottom[1] = math_.num(tostring(R.den(c))) end
   end
-  for i = 1, #factors do
-    local f = factors[i]
-    if not self.named[f] and f.kind == "pow" and R.sign(f.exp) < 0 then
-      bottom[#bottom + 1] = self:power(f.base, -f.exp)
-    elseif not self.named[f] and f.kind == "pow" then
-      top[#top + 1] = self:power(f.base, f.exp)
-    else
-      local node = flip == i and self:sum(f, true) or self:of(f)
-      top[#top + 1] = (f.kind == "add" and not self.named[f]) and math_.par(node) or node
-    end
-  end
+  for _, f in ipairs(p.above) do top[#top + 1] = self:power(f.base, f.exp, f.sign) end
+  for _, f in ipairs(p.below) do bottom[#bottom + 1] = self:power(f.base, f.exp, f.sign) end
   if #top == 0 then top[1] = math_.num "1" end
   local function joined(list)
-    if #list == 1 then return list[1].kind == "par" and #bottom > 0 and list[1][1] or list[1] end
-    return { kind = "row", table.unpack(list) }
+    if #list > 1 then return { kind = "row", table.unpack(list) } end
+    local alone = list[1].kind == "par" and (#bottom > 0 or not p.minus)
+    return alone and list[1][1] or list[1]
   end
-  if #bottom == 0 then
-    if #top == 1 then return flip and top[1].kind == "par" and top[1][1] or top[1], minus end
-    return { kind = "row", table.unpack(top) }, minus
-  end
-  return math_.frac(joined(top), joined(bottom)), minus
+  if #bottom == 0 then return joined(top) end
+  return math_.frac(joined(top), joined(bottom))
 end
 
--- The first sum among the factors whose terms have both signs: it takes a minus sign in.
-function formula:flipped(factors)
-  for i = 1, #factors do
-    local f = factors[i]
-    if f.kind == "add" and not self.named[f] then
-      for j = 1, #f do
-        if R.sign((expr.split(f[j]))) < 0 then return i end
-      end
-    end
-  end
-  return nil
-end
-
--- A sum, with all signs changed or not; a positive term comes first.
-function formula:sum(e, flip)
-  local terms = {}
-  for i = 1, #e do
-    local node, minus = self:product(e[i])
-    terms[i] = { node = node, minus = minus ~= (flip or false) }
-  end
-  for i, t in ipairs(terms) do
-    if not t.minus then
-      table.insert(terms, 1, table.remove(terms, i))
-      break
-    end
-  end
-  return { kind = "sum", table.unpack(terms) }
-end
-
--- The node of an expression.
-function formula:of(e)
+-- The node of sign e; sign: 1 if left out.
+function formula:of(e, sign)
+  sign = sign or 1
   if self.named[e] then return self.named[e] end
   if e.kind == "sym" then return self.symbols:of(e.name) end
   if e.kind == "call" then
@@ -130,9 +85,15 @@ function formula:of(e)
     for i = 1, #e do n[i] = self:of(e[i]) end
     return n
   end
-  if e.kind == "add" then return self:sum(e) end
-  local node, minus = self:product(e)
-  return minus and { kind = "sum", { minus = true, node = node } } or node
+  local function named(u) return self.named[u] end
+  if e.kind == "add" then
+    local sum = { kind = "sum" }
+    for i, p in ipairs(signed.terms(e, sign, named)) do sum[i] = { minus = p.minus, node = self:product(p) } end
+    return sum
+  end
+  local p = signed.product(e, sign, named)
+  local node = self:product(p)
+  return p.minus and { kind = "sum", { minus = true, node = node } } or node
 end
 
 -- The widest sum inside e that may have a name of its own: not e itself, and not wider than a line.
