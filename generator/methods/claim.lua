@@ -8,6 +8,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local equations = require "generator.dynamics.equations"
@@ -16,28 +17,34 @@ local state = require "generator.dynamics.state"
 local claim = {}
 
 -- The rates of the scene by state, without names of definitions.
-function claim.rates(eq)
-  local put, rates = equations.inlined(eq.groups), {}
-  for _, g in ipairs(eq.groups) do
+function claim.rates(groups)
+  local put, rates = equations.inlined(groups), {}
+  for _, g in ipairs(groups) do
     for _, o in ipairs(g.outs) do rates[o.state] = put(o.expr) end
   end
   return rates
 end
 
--- q' = q (0, w)/2 by state: axes at rest, and a body that turns at w alone.
-function claim.turning()
-  local rate, out = vec.qmul(state.q, { expr.zero, state.w[1], state.w[2], state.w[3] }), {}
+-- q' = (q (0, W) - (0, Omega) q)/2 by state: a body that turns at W (nil: w) seen from a base frame that turns at Omega
+-- (nil: at rest).
+function claim.turning(W, Omega)
+  W = W or state.w
+  local rate, out = vec.qmul(state.q, { expr.zero, W[1], W[2], W[3] }), {}
+  if Omega then rate = vec.sub(rate, vec.qmul({ expr.zero, Omega[1], Omega[2], Omega[3] }, state.q)) end
   for i, name in ipairs(state.names.attitude) do out[name] = rate[i] / 2 end
   return out
 end
 
 -- The first of the states whose rate is not the claimed one, or nil: all are.  list: states, {name}; rates, claimed: by
--- name; map: what derived constants stand for, if they must be known.
-function claim.miss(list, rates, claimed, put)
+-- name; m: by its derived constants, if they must be known.
+function claim.miss(list, rates, claimed, m)
+  local map = {}
+  for _, member in ipairs(m and m.members or {}) do map[member.sym] = member.e end
+  local put = calculus.substitution(map)
   for _, s in ipairs(list) do
     local c = claimed[s.name]
     local rest = c and rates[s.name] - c
-    if not c or not ratio.iszero(put and put(rest) or rest) then return s.name end
+    if not c or not (ratio.iszero(rest) or m and ratio.iszero(put(rest))) then return s.name end
   end
   return nil
 end

@@ -21,6 +21,7 @@ local special = require "generator.methods.taylor_special"
 -- of seconds grow like w^n, in a type that ends at 3e38.
 local taylor = { name = "taylor", adaptive = true, compensated = true, orders = { 4, 30 },
   own_order = { double = 20, float = 10 },
+  needs = special.needs,
   about = "Taylor series of order 4 to 30 (--order; 20, in float 10), automatic recurrences, fixed or adaptive step" }
 
 -- Does any form of the series contain the symbol?

@@ -98,8 +98,7 @@ end
 local function about_momentum(eq, rate)
   local m = eq.model
   if m.structure.kind ~= "diagonal" then return nil end
-  local I, claimed, map = m.inertia, claim.turning(), {}
-  for _, member in ipairs(m.members) do map[member.sym] = member.e end
+  local I, claimed = m.inertia, claim.turning()
   for i, e in ipairs(vec.cross(w, vec.apply(I, w))) do claimed[rates[i]] = -e / I[i] end -- I w' + w x L = 0
   for _, s in ipairs(m.states) do -- a thrust that turns with the body must not be seen from another frame
     if not place[s.name] then
@@ -107,12 +106,12 @@ local function about_momentum(eq, rate)
       claimed[s.name] = rate[s.name]
     end
   end
-  if claim.miss(m.states, rate, claimed, calculus.substitution(map)) then return nil end
+  if claim.miss(m.states, rate, claimed, m) then return nil end
   local d = {}
   for _, i in ipairs { 1, 3 } do
     d[i] = m:constant("shift" .. i, expr.one - I[i] / I[2], "1 - I" .. i .. "/I2")
   end
-  map = { [w[1]] = d[1] * w[1], [w[2]] = expr.zero, [w[3]] = d[3] * w[3] }
+  local map = { [w[1]] = d[1] * w[1], [w[2]] = expr.zero, [w[3]] = d[3] * w[3] }
   return { shift = d, groups = changed(eq.groups, function(name, e)
     return of_attitude[name] and calculus.substitute(e, map) or e
   end) }
@@ -121,7 +120,7 @@ end
 -- The frame of the series: {groups, rate = the rates by state, and what about_axis or about_momentum give}.  zero: the
 -- states that keep their value, by name; moving: the others.
 function special.frame(eq, zero, moving)
-  local m, rate = eq.model, claim.rates(eq)
+  local m, rate = eq.model, claim.rates(eq.groups)
   local turns = m.has.rates and m.has.attitude and not eq.inputs
   local seen = turns and (about_axis(eq, zero, rate, moving) or about_momentum(eq, rate)) or { groups = eq.groups }
   seen.rate = rate
