@@ -24,7 +24,7 @@ local function steppers(plan, options, named)
   local list = {}
   for _, name in ipairs(options.methods or {}) do
     local method, program = methods.by_name[name], nil
-    local why = method and methods.refused(plan.model, method)
+    local why = method and methods.refused(plan.equations, method)
     if method and method.program and named then
       program = { transition = true }
     elseif method and (method.program or why) then

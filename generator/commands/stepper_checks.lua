@@ -14,7 +14,7 @@ local stepper_checks = {}
 function stepper_checks.choice(scene)
   local names, others = {}, {}
   for _, m in ipairs(methods) do
-    local why = methods.refused(scene.model, m)
+    local why = methods.refused(scene.equations, m)
     local program = not why
     if program and m.program then program, why = m.program(equations.fork(scene.equations), {}) end
     if program then names[#names + 1] = m.name else others[#others + 1] = { m.name, why } end

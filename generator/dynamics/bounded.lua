@@ -27,6 +27,9 @@ local bounded = {}
 local BITS = 200
 local axes = { "x", "y", "z" }
 
+bounded.needs = { { path = "the step", needs = "attitude and rates of a body that is no rod, with control, torques " ..
+  "in body axes that are constant or linear in limited inputs, constant damping and rotors; ranges of the rates" } }
+
 local known = { control = true, torque = true, damping = true, rotor = true }
 
 local function short(e) return (string.gsub(e.kind, "^effect%.", "")) end

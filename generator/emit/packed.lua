@@ -20,32 +20,35 @@ local function forms(program)
   local whole, at_start, at_zero = {}, {}, {}
   for _, x in ipairs(program.variables) do
     if x.first then return nil end
-    if x.level > 0 then
+    if x.level > 0 or not x.place and x.term then
       whole[x.sym] = calculus.substitute(x.term, whole)
       at_start[x.sym] = calculus.substitute(x.start, at_start)
-    elseif not x.place and x.term then
-      whole[x.sym], at_start[x.sym] = x.term, x.start
     end
   end
   for _, x in ipairs(program.read) do at_zero[x.sym] = expr.zero end
   local following, list = {}, {}
-  for _, x in ipairs(program.read) do
-    local term, rest
-    if x.state then
-      local slope = program.slopes[x.name]
-      term = calculus.substitute(slope.term, whole)
-      rest = calculus.substitute(calculus.substitute(slope.start, at_start), at_zero)
-    elseif x.level == 0 then
-      term = calculus.substitute(x.term, following)
-      rest = expr.zero
-      for _, y in ipairs(program.read) do
-        if y.state then rest = rest + calculus.diff(x.term, y.sym) * list[y.place + 1].rest end
-      end
-    else
-      return nil
-    end
+  local function put(x, term, rest)
     following[x.sym] = term
     list[x.place + 1] = { term = term, rest = rest }
+  end
+  for _, x in ipairs(program.read) do
+    if x.state then
+      local slope = program.slopes[x.name]
+      put(x, calculus.substitute(slope.term, whole),
+        calculus.substitute(calculus.substitute(slope.start, at_start), at_zero))
+    elseif x.level > 0 then
+      return nil
+    end
+  end
+  for _, x in ipairs(program.variables) do -- sums of states, and of sums made before
+    if not x.state and x.place then
+      local rest = expr.zero
+      for _, y in ipairs(program.read) do
+        local part = calculus.diff(x.term, y.sym)
+        if part ~= expr.zero then rest = rest + part * list[y.place + 1].rest end
+      end
+      put(x, calculus.substitute(x.term, following), rest)
+    end
   end
   return list
 end

@@ -15,10 +15,13 @@ local template = require "generator.emit.template"
 local GROUP = template.group("batch/wide.c", "batch/taylor_terms.c", "batch/taylor_back.c", "batch/taylor_move.c",
   "batch/taylor_advance.c", "batch/taylor_run.c")
 
+local wide = {}
+
+wide.needs = { { path = "taylor of several bodies at once", needs = "no frame about an axis, no heavy top, no " ..
+  "root that may vanish, no corner, and no function of libm" } }
+
 -- Bodies at once: a vector of 512 bits.
 local WIDE = { double = "8", float = "16" }
-
-local wide = {}
 
 -- Lines of one body's text for several: what comes from the model is the same for all or has a row of its own, and a
 -- number becomes a vector by the difference from 0, which keeps its sign.

@@ -10,7 +10,9 @@ local calculus = require "generator.algebra.calculus"
 local vec = require "generator.algebra.vec"
 local context = require "generator.dynamics.context"
 local equations = require "generator.dynamics.equations"
+local moving = require "generator.dynamics.moving"
 local state = require "generator.dynamics.state"
+local claim = require "generator.methods.claim"
 
 local cayley = {}
 
@@ -90,6 +92,35 @@ function cayley.solved(m, v)
   return vec.map(g.outs, function(e)
     return calculus.substitute(calculus.substitute(equations.inline({ g }, e), still), back)
   end)
+end
+
+-- Nil where a step on the rotation group stands for the scene's equations: q' = (q (0, W) - (0, Omega) q)/2, W = w and
+-- the slip, I w' = (I w + k) x W + N - D' w with what acts (cayley.acting) and moving parts D; else why not.  Other
+-- states are stepped by their equations as they are.
+function cayley.missed(eq)
+  local m = eq.model:fork() -- what the proof asks for is not the scene's
+  local acts, I = cayley.acting(m), cayley.inertia(m)
+  local N, W = vec.add(acts.N, vec.cross(acts.k, w)), w
+  if acts.slip then
+    W = vec.add(w, acts.slip)
+    N = vec.add(N, vec.cross(vec.add(vec.apply(I, w), acts.k), acts.slip))
+  end
+  for _, e in ipairs(m.record.effects) do
+    local own = context.with(context.of(m), e)
+    if e.spec.varies and e.spec.varies(e.a, own) then N = vec.add(N, e.spec.torque(e.a, own)) end
+  end
+  local turn
+  if m.frame then
+    local Omega, defs = moving.rate(m)
+    turn = vec.map(Omega, function(e) return equations.inline({ { defs = defs } }, e) end)
+  end
+  local claimed, rates = claim.turning(W, turn), claim.rates(eq.groups)
+  for i, e in ipairs(cayley.rates(m, N)) do claimed[state.names.rates[i]] = e end
+  for _, s in ipairs(m.states) do
+    if s.kind ~= "attitude" and s.kind ~= "rates" then claimed[s.name] = rates[s.name] end
+  end
+  local name = claim.miss(m.states, rates, claimed, m)
+  return name and "the rate of " .. name .. " is more than free turning and a torque" or nil
 end
 
 -- Cyclic indices give the cofactor its sign.

@@ -6,7 +6,9 @@
 --                               by h, and also of a method that is printed by parts: adaptive.lua)
 --     increments(eq, constant)  what the step adds, as equation groups (optional: compensated.lua)
 --     program(eq, options)      what emit/NAME.lua makes C of with templates/NAME.h and .c; nil and why it cannot
---     methods.refused(m, method)   why the method cannot step the model at all, or nil
+--     refused(eq)               why it cannot step the equations (optional: of one without program)
+--     needs                     its special paths, {path =, needs = what it must find in a scene, in words}: claim.lua
+--     methods.refused(eq, method)  why the method cannot step the equations at all, or nil
 -- adaptive = true: NAME_METHOD_run chooses its steps from a tolerance.  stiff = true: the planner takes it where
 -- something decays much faster than the motion.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -30,8 +32,9 @@ for _, m in ipairs(list) do list.by_name[m.name] = m end
 -- What takes the equations of motion as they are, and asks nothing of where they come from.
 local of_any = { rk4 = true, adaptive = true, taylor = true, rosenbrock = true }
 
-function list.refused(m, method)
-  if of_any[method.name] or not contact.of(m) then return nil end
+function list.refused(eq, method)
+  if of_any[method.name] then return nil end
+  if not contact.of(eq.model) then return method.refused and method.refused(eq) or nil end
   return "the body touches a plane, and this method makes its step of torques and free turning (rk4, adaptive, " ..
     "taylor and rosenbrock step any equations)"
 end

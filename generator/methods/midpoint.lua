@@ -34,7 +34,9 @@ local cayley = require "generator.methods.cayley"
 local stages = require "generator.methods.stages"
 
 local midpoint = { name = "midpoint", order = 2,
-  about = "implicit midpoint rule on the rotation group, keeps L (and a free body's energy), order 2, fixed step" }
+  about = "implicit midpoint rule on the rotation group, keeps L (and a free body's energy), order 2, fixed step",
+  needs = { { path = "the step", needs = "nothing moves but attitude and rates: q' = q (0, W)/2, I w' = (I w + k) x " ..
+    "W + N with W = w + the slip of inner dissipation, N of attitude, rates and time, k and I constant" } } }
 
 local h, q, w = state.h, state.q, state.w
 local definer, each, none = cayley.definer, cayley.each, cayley.none
@@ -239,6 +241,8 @@ function midpoint.program(eq, options)
   if why then return nil, why end
   local acts = cayley.acting(m)
   if acts.changing then return nil, acts.changing end
+  why = cayley.missed(eq)
+  if why then return nil, why end
   local zero = stages.conserved(eq)
   return { iteration = iteration(m, acts, zero), finish = finish(m, acts, zero),
     count = none(acts.N) and not acts.slip and 4 or 6,

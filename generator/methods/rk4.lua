@@ -21,6 +21,8 @@ local stages = require "generator.methods.stages"
 local rk4 = { name = "rk4", order = 4, title = "classical Runge-Kutta method of order 4",
   about = "classical Runge-Kutta, fixed step, unrolled" }
 
+rk4.needs = { { path = "angles for rates", needs = "no effect at all: the rates are then quadratic in w" } }
+
 local h, q, w = state.h, state.q, state.w
 local comp, named = attitude.comp, attitude.named
 

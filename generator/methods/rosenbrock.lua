@@ -25,6 +25,8 @@ local stages = require "generator.methods.stages"
 local factored = require "generator.methods.factored"
 
 local rosenbrock = { name = "rosenbrock", order = 5, adaptive = true, stiff = true,
+  needs = { { path = "slip for velocity", needs = "a plane is touched; the velocity along it stands nowhere before " ..
+    "the definition that adds a function of the other states to it" } },
   about = "linearly implicit Rodas5P, order 5, for stiff effects, step from a tolerance" }
 
 local function rows(list)

@@ -24,6 +24,8 @@ local cayley = require "generator.methods.cayley"
 local stages = require "generator.methods.stages"
 
 local semi = { name = "semi", order = 1, title = "semi-implicit method of order 1",
+  needs = { { path = "the step", needs = "of attitude and rates q' = (q (0, W) - (0, Omega) q)/2, (I + D) w' = (L + " ..
+    "k) x W + N - D' w with W = w + the slip of inner dissipation; other states: any equations" } },
   about = "semi-implicit, one torque evaluation a step, order 1 (2 without torque), fixed step, for firmware" }
 
 local h, q, w = state.h, state.q, state.w
@@ -207,6 +209,10 @@ local function step(eq, increments)
   end
   list[#list + 1] = last
   return list
+end
+
+function semi.refused(eq)
+  return eq.model.has.rates and cayley.missed(eq) or nil
 end
 
 function semi.groups(eq) return step(eq, nil) end

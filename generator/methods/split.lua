@@ -29,6 +29,7 @@ local vec = require "generator.algebra.vec"
 local context = require "generator.dynamics.context"
 local equations = require "generator.dynamics.equations"
 local state = require "generator.dynamics.state"
+local claim = require "generator.methods.claim"
 
 local split = {}
 
@@ -190,6 +191,27 @@ local function kick(eq, slowed)
   return groups, kicked
 end
 
+-- Nil where drift and kick are the scene's equations: q' = q (0, w)/2, r' = v, I w' = (I w + h) x w with h the rotors',
+-- beside what the kick changes; else why not.
+local function missed(eq, kicks)
+  local m = eq.model:fork() -- what the proof asks for is not the scene's
+  local claimed, kick_rates = claim.turning(), claim.rates(kicks)
+  local function put(name, e) claimed[name] = e + (kick_rates[name] or expr.zero) end
+  for i = 1, 3 do
+    put(state.names.position[i], state.v[i])
+    put(state.names.velocity[i], expr.zero)
+  end
+  if m.has.rates then
+    local g = equations.euler(m, vec.cross(context.held(m), state.w))
+    local whole = claim.rates { { defs = g.defs, outs = vec.map(g.outs, function(e, i)
+      return { state = state.names.rates[i], expr = e }
+    end) } }
+    for _, name in ipairs(state.names.rates) do put(name, whole[name]) end
+  end
+  local name = claim.miss(m.states, claim.rates(eq.groups), claimed, m)
+  return name and "the rate of " .. name .. " is more than free motion and a kick" or nil
+end
+
 -- The program of a method for emit/split.lua, or nil and why there is none.
 local function program(method)
   return function(eq)
@@ -199,6 +221,8 @@ local function program(method)
     local free, not_free = drift(m)
     if not free then return nil, not_free end
     local groups, kicked = kick(eq, slowed)
+    why = missed(eq, groups)
+    if why then return nil, why end
     if slowed and rotor(m) ~= expr.zero then return nil, "a rotor and what depends on the rates, together" end
     local k = split.coefficients
     return { order = method.order, drift = free, groups = groups, kicked = kicked, slowed = slowed,
@@ -206,10 +230,22 @@ local function program(method)
   end
 end
 
+local step = "every equation is free motion, q' = q (0, w)/2, r' = v, I w' = (I w + h) x w with a constant h of " ..
+  "rotors, and a kick: of rates and velocity, by attitude, position, time and inputs"
+
+local needs = {
+  { path = "drift of a sphere", needs = "three equal moments, no rotor" },
+  { path = "drift about an axis", needs = "symmetric, the rotors along the axis; or a sphere with rotors" },
+  { path = "drift by Kahan's map", needs = "no products of inertia, no rotor" },
+  { path = "drift about principal axes", needs = "any tensor, no rotor" },
+}
+
 -- outer, inner: names of palindromes, of the step and of the drift of a body with three moments.
 local function method(order, outer, inner, about, source)
   local m = { name = "split" .. order, order = order, outer = outer, inner = inner, template = "split", about = about,
     source = source }
+  m.needs = { { path = "the step", needs = step .. (order == 2 and "; also by rates and velocity, without a rotor" or
+    "") }, table.unpack(order == 2 and needs or {}) }
   m.program = program(m)
   return m
 end

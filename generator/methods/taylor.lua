@@ -9,148 +9,20 @@
 
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
-local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local breaks = require "generator.dynamics.breaks"
 local distinct = require "generator.dynamics.distinct"
-local equations = require "generator.dynamics.equations"
 local state = require "generator.dynamics.state"
 local series = require "generator.methods.series"
 local stages = require "generator.methods.stages"
+local special = require "generator.methods.taylor_special"
 
 -- In float the seventh digit is the last one: an order above 10 costs more than its longer steps save, and coefficients
 -- of seconds grow like w^n, in a type that ends at 3e38.
 local taylor = { name = "taylor", adaptive = true, compensated = true, orders = { 4, 30 },
   own_order = { double = 20, float = 10 },
+  needs = special.needs,
   about = "Taylor series of order 4 to 30 (--order; 20, in float 10), automatic recurrences, fixed or adaptive step" }
-
-local rates = state.names.rates
-local of_attitude = {}
-for _, name in ipairs(state.names.attitude) do of_attitude[name] = true end
-
--- Where body and torque look alike from all sides of an axis k and the rate w3 about it is constant, the equations keep
--- their form in a frame that turns about k at any rate s relative to the body: only Omega = (I3 - I1)/I1 w3 becomes
--- Omega + s, and w3 in the attitude's equation w3 - s.  With s = (w3 - Omega)/2 the fastest oscillation, w3 of a
--- direction fixed in space, falls to (w3 + Omega)/2, and longer steps do.  Returns the groups in that frame, the number
--- of the axis, s; or the groups as they are.
-local function despun(eq, zero)
-  local m = eq.model
-  local turns = m.has.rates and m.has.attitude
-  local axis = turns and m.structure.kind == "symmetric" and equations.coordinate(m.structure.k)
-  if not axis or not zero[rates[axis]] or eq.inputs then return eq.groups end
-  local q, w = state.q, state.w
-  local k = { expr.zero, expr.zero, expr.zero }
-  k[axis] = expr.one
-  local turning = vec.cross(k, w)
-  local turned = vec.qmul(q, { expr.zero, -k[1] / 2, -k[2] / 2, -k[3] / 2 }) -- rate of change of q as the frame turns
-  local slope = {} -- in the body, of the rates
-  for _, g in ipairs(eq.groups) do
-    for _, o in ipairs(g.outs) do slope[o.state] = equations.inline(eq.groups, o.expr) end
-  end
-  local rate = vec.map(rates, function(name) return slope[name] end)
-  local along = vec.cross(k, rate)
-  local function turned_with(e) -- how e changes as the frame turns
-    local change = expr.zero
-    for j = 1, 3 do change = change + calculus.diff(e, w[j]) * turning[j] end
-    for j = 1, 4 do change = change + calculus.diff(e, q[j]) * turned[j] end
-    return change
-  end
-  -- a rate r looks the same from all sides if its change, as the frame turns, is k x r
-  for i = 1, 3 do
-    if not ratio.iszero(turned_with(rate[i]) - along[i]) then return eq.groups end
-  end
-  for _, s in ipairs(m.states) do -- what moves or turns beside the body must not tell the frames apart
-    if not string.find(s.name, "^[qw][wxyz]$") and not ratio.iszero(turned_with(slope[s.name])) then
-      return eq.groups
-    end
-  end
-  -- d(k x w)_i/dw_j is +-1 or 0, so this is the mean of the two entries of dw'/dw beside the diagonal, each with its
-  -- sign
-  local Omega = expr.zero
-  for i = 1, 3 do
-    for j = 1, 3 do -- w' = Omega k x w + ...: the part of the antisymmetric matrix about k
-      if i ~= axis and j ~= axis and i ~= j then
-        Omega = Omega + calculus.diff(turning[i], w[j]) * calculus.diff(rate[i], w[j]) / 2
-      end
-    end
-  end
-  for _, s in ipairs { w[axis % 3 + 1], w[(axis + 1) % 3 + 1] } do
-    if calculus.diff(Omega, s) ~= expr.zero then return eq.groups end
-  end
-  local groups, s = {}, expr.sym("spin", 7)
-  groups[1] = { defs = { { name = "spin", expr = (w[axis] - Omega) / 2 } }, outs = {} }
-  for _, g in ipairs(eq.groups) do
-    local copy = { defs = g.defs, outs = {} }
-    for i, o in ipairs(g.outs) do
-      local e = o.expr
-      for n, name in ipairs(rates) do
-        if o.state == name then e = e + s * turning[n] end
-      end
-      if string.find(o.state, "^q[wxyz]$") then e = calculus.substitute(e, { [w[axis]] = w[axis] - s }) end
-      copy.outs[i] = { state = o.state, expr = e }
-    end
-    groups[#groups + 1] = copy
-  end
-  return groups, axis, groups[1].defs[1].expr, Omega
-end
-
--- The heavy symmetric top, its axis k = z and the force along z in space: nothing but attitude and two rates moves, and
--- W' = i Omega W + K conj(a) b with W = wx + i wy, a = qw + i qz, b = qx + i qy.  Returns the constants of the text in
--- templates/steppers/taylor_top.c, or nil if the torque is another.
--- K is d^2 wx'/(d qw d qx), for Re(conj(a) b) = qw qx + qz qy; the imaginary part is qw qy - qz qx.
-local function heavy(eq, Omega, moving)
-  if #moving ~= 6 then return nil end
-  local slope, q, w = {}, state.q, state.w
-  for _, g in ipairs(eq.groups) do
-    for _, o in ipairs(g.outs) do slope[o.state] = equations.inline(eq.groups, o.expr) end
-  end
-  local K = ratio.tidy(calculus.diff(calculus.diff(slope.wx, q[1]), q[2]))
-  for _, s in ipairs(moving) do
-    if not expr.constant(K, { [s.name] = true, t = true }) then return nil end
-  end
-  if K == expr.zero or not ratio.iszero(slope.wx + Omega * w[2] - K * (q[1] * q[2] + q[3] * q[4])) or
-    not ratio.iszero(slope.wy - Omega * w[1] - K * (q[1] * q[3] - q[2] * q[4])) then
-    return nil
-  end
-  local M = w[3] + Omega
-  return { M, K, M / 4, Omega / 2 - M / 4 }
-end
-
--- Free motion, a diagonal tensor: L is constant in space, so q' = q (0, w - lambda L)/2 for the attitude seen from a
--- frame that turns in space with lambda L, and lambda = 1/I2 leaves two components of the rate, 8 products of 12.
--- Returns the groups in that frame and d: lambda L = w - d w, component by component (d of the second axis is 0).
-local function shifted(eq, groups)
-  local m = eq.model
-  if not (m.has.rates and m.has.attitude) or m.structure.kind ~= "diagonal" or eq.inputs then return groups end
-  if m.frame or eq.turn then return groups end -- seen from axes that turn, L is not constant
-  local I, w, rate, map = m.inertia, state.w, {}, {}
-  for _, member in ipairs(m.members) do map[member.sym] = member.e end
-  for _, g in ipairs(eq.groups) do
-    for _, o in ipairs(g.outs) do rate[o.state] = equations.inline(eq.groups, o.expr) end
-  end
-  for _, s in ipairs(m.states) do -- a thrust that turns with the body must not be seen from another frame
-    if s.kind ~= "attitude" and not expr.constant(rate[s.name], of_attitude) then return groups end
-  end
-  local torque = vec.cross(w, vec.apply(I, w)) -- I w' + w x L
-  for i = 1, 3 do
-    if not ratio.iszero(I[i] * calculus.substitute(rate[rates[i]], map) + torque[i]) then return groups end
-  end
-  local d = {}
-  for _, i in ipairs { 1, 3 } do
-    d[i] = m:constant("shift" .. i, expr.one - I[i] / I[2], "1 - I" .. i .. "/I2")
-  end
-  map = { [w[1]] = d[1] * w[1], [w[2]] = expr.zero, [w[3]] = d[3] * w[3] }
-  local out = {}
-  for n, g in ipairs(groups) do
-    out[n] = { defs = g.defs, outs = {} }
-    for i, o in ipairs(g.outs) do
-      local e = o.expr
-      if string.find(o.state, "^q[wxyz]$") then e = calculus.substitute(e, map) end
-      out[n].outs[i] = { state = o.state, expr = e }
-    end
-  end
-  return out, d
-end
 
 -- Does any form of the series contain the symbol?
 -- (time as a state that nothing reads needs no place)
@@ -255,6 +127,18 @@ local function readings(made, moving, lanes, clock)
   return read
 end
 
+-- A sum of states that lanes read has its next term before the terms of a level are made (emit/recurrences.lua,
+-- advance), so it is said in states and sums that are read: those that no lane reads are put in.
+local function expanded(made)
+  local inside = {}
+  for _, v in ipairs(made.variables) do
+    if v.level == 0 and v.term then
+      local whole = calculus.substitute(v.term, inside)
+      if v.place then v.term = whole else inside[v.sym] = whole end
+    end
+  end
+end
+
 -- The recurrences of groups, laid out: moving: the states whose terms are wanted, {name, sym}; varying: their names.
 -- Returns {order, states, roots = square roots of what may vanish, lanes, levels = {{first, last, variables}}, ...}, or
 -- nil and why there is none.  Time is a state of its own, t' = 1.
@@ -267,13 +151,14 @@ local function laid_out(groups, moving, varying, order)
   made.slopes.t = { start = expr.one, term = expr.zero }
   local lanes, levels = by_level(made)
   numbered(made, lanes, levels)
-  local roots = {}
+  local read, roots = readings(made, moving, lanes, clock), {}
+  expanded(made)
   for _, v in ipairs(made.variables) do
     if v.root then roots[#roots + 1] = v end
   end
   return { order = order, term0 = series.FIRST, roots = roots, states = moving, variables = made.variables,
     lanes = lanes, levels = levels, slopes = made.slopes, constants = made.constants or {},
-    read = readings(made, moving, lanes, clock) }
+    read = read }
 end
 
 -- The same of the equations together with what neighbours along v depart by, the variational equations v' = f'(x) v:
@@ -350,15 +235,13 @@ function taylor.program(eq, options)
   end
   if #moving == 0 then return nil, stages.AT_REST end
   eq = separate(eq)
-  local groups, axis, spin, Omega = despun(eq, zero)
-  local shift, knots
-  if not axis then groups, shift = shifted(eq, groups) end
-  groups, knots = straightened(eq, groups)
+  local seen = special.frame(eq, zero, moving)
+  local groups, knots = straightened(eq, seen.groups)
   local program, why = laid_out(groups, moving, varying, order)
   if not program then return nil, why end
-  program.knots, program.axis, program.spin, program.shift = knots, axis, spin, shift
+  program.knots, program.axis, program.spin, program.shift = knots, seen.axis, seen.spin, seen.shift
   -- Lame's equation has the motion of unit quaternions; the derivatives by q are also those across |q| = 1
-  program.top = axis == 3 and #knots == 0 and not options.jacobians and heavy(eq, Omega, moving) or nil
+  program.top = #knots == 0 and not options.jacobians and special.top(seen, moving) or nil
   if options.jacobians then
     program.transition, why = tangent(eq, straightened(eq, eq.groups), moving, order)
     if not program.transition then return nil, why end

@@ -28,7 +28,7 @@ local function refusal(scene, name)
       form.part and "the closed form " .. form.part or nil
   end
   local m = methods.by_name[name]
-  local unfit = methods.refused(scene.model, m)
+  local unfit = methods.refused(scene.equations, m)
   if unfit or not m.program then return unfit end
   local program, why = m.program(equations.fork(scene.equations), {})
   return not program and why or nil

@@ -1,0 +1,153 @@
+#!/usr/bin/env lua5.4
+-- special.t - special paths of the methods: each effect on each kind of body in frames at rest, turning, turning faster.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- A special path is a formula made for one kind of motion, and wrong where the scene has anything more.  Each cell of
+-- the table is refused at a line of the scene, or goes to the library's motion by every method that takes it
+-- (cells.lua).  Effects are along the axis z here, for that is where special paths are taken: heavy tops, magnets, tilts.
+-- A symmetric body has all effects in all frames, other bodies a third of them; pairs follow.  POLHODE_CELLS=all: the
+-- whole table, in some minutes.  The quick tier takes the symmetric body by taylor where the frame turns.
+
+package.path = "./?.lua;" .. package.path
+package.cpath = "build/lua/?.so;" .. package.cpath
+
+local tap = require "tests.tap"
+local tier = require "tests.tier"
+local program = require "tests.cli.program"
+local cells = require "tests.effects.cells"
+local known = require "generator.effects.effects"
+
+-- { name, body, origin }
+local bodies = {
+  { "symmetric", "tensor { mass = 2, com = {0, 0, 0.1}, xx = 0.5, yy = 0.5, zz = 0.2, about = \"origin\" }" },
+  { "sphere", "tensor { mass = 2, com = {0, 0, 0.1}, xx = 0.5, yy = 0.5, zz = 0.5, about = \"origin\" }" },
+  { "oblique", "solid.cylinder { r = 0.5, h = 1, mass = 2 }:turned { axis = {1, 2, 0}, angle = 0.7 }" },
+  { "diagonal", "tensor { mass = 2, com = {0, 0, 0.1}, xx = 0.5, yy = 0.6, zz = 0.3, about = \"origin\" }" },
+  { "full", "solid.box { x = 0.4, y = 0.6, z = 1, mass = 2 } + points { {0.3, {0.2, 0.3, 0.1}} }" },
+  { "rod", "wire.rod { length = 1, mass = 2 }", rates = "{0.7, -0.4, 0}" },
+  { "points", "points { {1, {0.4, 0, 0.2}}, {1, {-0.4, 0, 0.2}}, {1, {0, 0.4, 0.2}}, {1, {0, -0.4, 0.2}} }" },
+  { "offset", "solid.box { x = 0.4, y = 0.6, z = 1, mass = 2 }", "{0.1, 0.2, -0.3}" },
+}
+
+-- { effect, arguments, free = it wants the centroid for its origin }
+local effects = {
+  { "gravity", "g = 3" },
+  { "gravity", "g = 3, direction = {1, 0, 0}" },
+  { "damping", "c = {0.1, 0.1, 0.05}" },
+  { "torque", "body = {0, 0, 0.1}" },
+  { "torque", "body = {-0.1*t*wy, 0.1*t*wx, 0}" },
+  { "torque", "inertial = {0, {{0, 0}, {3, 0.2}, {6, 0}}, 0.1}" },
+  { "control", "" },
+  { "rotor", "axis = {0, 0, 1}, momentum = 0.3" },
+  { "translation", "gravity = {0, 0, -1}, stiffness = 0.5", free = true },
+  { "translation", "gravity = 0, thrust = {0.2, 0, 0.3}", free = true },
+  { "drag", "c = 0.1" },
+  { "friction", "torque = 0.1, smoothing = 0.2" },
+  { "spring", "stiffness = 0.4, axis = {0, 0, 1}, rest = 0.2" },
+  { "magnetic", "moment = {0, 0, 1}, field = {0, 0, 0.3}" },
+  { "magnetic", "moment = {0, 0, 1}, rotating = {0.1, 0, 0.2}, rate = 2" },
+  { "eddy_current", "k = 1, field = {0, 0, 0.3}" },
+  { "wheel", "axis = {0, 0, 1}, inertia = 0.02, speed = 5, torque = 0.1*sin(t)" },
+  { "gravity_gradient", "mu = 0.3, orbit = { radius = 0.9 }", free = true },
+  { "solar_pressure", "flux = 2e8, sun = {1, 2, 0}, plates = { { area = 1, normal = {1, 0.5, 0}, centre = {0, 1, 0.5}, " ..
+    "reflectivity = 0.4 } }" },
+  { "pivot", "acceleration = {0, 0, 0.5*sin(3*t)}" },
+  { "inertia_rate", "xz = 0.05, zz = 0.1*t" },
+  { "inertia_rate", "xx = 0.1*t, yy = 0.1*t" },
+  { "inertia_rate", "xx = 0.1*sin(t)^2, xy = 0.05*cos(2*t)" },
+  { "dissipation", "k = 0.05" },
+  { "custom", "params = { stiff = quantity(0.4, \"N m\") }, potential = function(s) return " ..
+    "s.stiff*(s.q[2]^2 + s.q[3]^2) end" },
+  { "custom", "params = { slope = quantity(0.2, \"N m s\") }, torque = function(s) return { -s.slope*s.w[2], " ..
+    "s.slope*s.w[1], 0*s.slope*s.w[1] } end" },
+}
+
+local frames = { { "rest" }, { "turning", "rate = {0, 0, 0.7}" },
+  { "faster", "rate = {0, 0, 0.7}, rate_dot = {0, 0, 0.5}" } }
+local tilted = { "tilted", "rate = {0.3, 0.2, 0.5}, rate_dot = {0, 0.3, 0}" }
+
+local methods = { taylor = true, midpoint = true, split2 = true, semi = true, exact = true }
+local list, used = {}, { ["effect.rotating_frame"] = true, ["effect.plane"] = true } -- a plane's are plane_methods.t's
+
+local function text(body, chosen, frame)
+  local lines, free = {}, body[1] == "oblique" or body[1] == "full" or body[1] == "rod"
+  for _, e in ipairs(chosen) do
+    free = free or e.free
+    used["effect." .. e[1]] = true
+    lines[#lines + 1] = "effect." .. e[1] .. " { " .. e[2] .. " }"
+  end
+  if frame[2] then lines[#lines + 1] = "effect.rotating_frame { " .. frame[2] .. " }" end
+  return "return scene { name = \"s\",\n  body = " .. body[2] .. ",\n  origin = " ..
+    (free and "\"centroid\"" or body[3] or "{0, 0, 0}") .. ",\n  effects = {\n    " .. table.concat(lines, ",\n    ") ..
+    " },\n  initial = { attitude = { axis = {1, 2, -1}, angle = 0.9 }, omega = " ..
+    (body.rates or "{0.7, -0.4, 1.5}") .. " } }\n"
+end
+
+local function put(body, chosen, frame, number)
+  list[#list + 1] = { name = body[1] .. "/" .. (chosen[1] and chosen[1][1] or "free") .. number .. "/" .. frame[1],
+    text = text(body, chosen, frame), methods = methods, vector = #list % 2 == 0 }
+end
+
+local whole = os.getenv "POLHODE_CELLS" == "all"
+for b, body in ipairs(bodies) do
+  for f, frame in ipairs(frames) do
+    put(body, {}, frame, "")
+    for i, e in ipairs(effects) do
+      if whole or b == 1 or (i + b + f) % 3 == 0 then put(body, { e }, frame, i) end
+    end
+  end
+end
+for i = 1, #effects do -- gravity along the axis and another effect; any two
+  local e, other = effects[i], effects[i * 7 % #effects + 1]
+  if not e.free and i > 1 then put(bodies[1], { e, effects[1] }, frames[2], i .. "_gravity") end
+  if e ~= other and (whole or i % 2 == 0) then put(bodies[i % 2 + 1], { e, other }, i % 4 == 0 and tilted or frames[i % 3 + 1], i .. "_pair") end
+end
+for _, spec in ipairs(known) do
+  if not used[spec.name] then tap.ok(false, spec.name .. " is in the table") end
+end
+
+if tier.quick then
+  local some = {}
+  for _, c in ipairs(list) do
+    c.methods = { taylor = true }
+    local name = c.name
+    if name:find "^symmetric/gravity1/" or name:find "^symmetric/free/" or name == "symmetric/magnetic14/turning" or
+      name == "symmetric/inertia_rate21/rest" then
+      some[#some + 1] = c
+    end
+  end
+  list = some
+end
+
+local taken, compared, refused = {}, 0, 0
+for first = 1, #list, 48 do
+  local some = { table.unpack(list, first, math.min(first + 47, #list)) }
+  local results = cells.run(some)
+  tap.is(results.status, 0, "cells " .. first .. " .. " .. first + #some - 1 .. " are run", results.err)
+  for _, c in ipairs(some) do
+    local bad = {}
+    for method, r in pairs(results[c.name] or { none = { kind = "nothing came", why = "" } }) do
+      if r.kind == "off" then
+        compared = compared + 1
+        if not (r.off <= 1) then bad[#bad + 1] = string.format("%s: %.3g of its bound", method, r.off) end
+      elseif r.kind == "path" then
+        taken[r.why] = (taken[r.why] or 0) + 1
+      elseif r.kind == "why" and #r.why > 10 or r.kind == "refused" and r.why:find "^[%w_/]+%.lua:%d+: " then
+        refused = refused + 1
+      else
+        bad[#bad + 1] = method .. ": " .. r.kind .. " " .. r.why
+      end
+    end
+    tap.ok(#bad == 0, c.name, table.concat(bad, "\n") .. "\n" .. c.text)
+  end
+end
+-- a table in which nothing special is taken, or everything refused, would pass
+for _, row in ipairs { { "heavy top", 2, 1 }, { "frame about an axis", 3, 1 }, { "frame of L", 1 }, { "sphere", 3 },
+  { "axis", 5 }, { "oblique", 2 }, { "diagonal", 2 }, { "full", 2 } } do
+  local path, least = row[1], tier.quick and (row[3] or 0) or row[2]
+  tap.ok((taken[path] or 0) >= least, path .. " is taken at least " .. least .. " times", taken[path])
+end
+tap.ok(compared >= #list, compared .. " motions of " .. #list .. " cells are the library's, " .. refused .. " refused")
+
+program.finish()
+tap.done()
