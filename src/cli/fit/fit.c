@@ -214,6 +214,7 @@ void fit_read(lua_State *L, struct fit_problem *f) {
   if (f->pieces > 1)
     fit_pieces_cut(f, fit_room(L, (size_t)f->logs * sizeof(struct fit_log)));
   f->reference = fit_room(L, (size_t)(4 * f->logs) * sizeof *f->reference);
+  f->former = fit_room(L, (size_t)(4 * f->logs) * sizeof *f->former);
   if (flag_of(L, 2, "initial"))
     f->own = f->code->states - (f->code->attitude >= 0);
   f->n = f->free + f->logs * f->own;

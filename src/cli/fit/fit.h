@@ -131,7 +131,7 @@ struct fit_problem {
   int active;             /* logs that a pass takes, the first ones */
   int free, own, logs, n; /* unknowns: shared, of each log, all */
   struct fit_log **log;
-  double *reference;           /* of each log: a quaternion */
+  double *reference, *former;  /* of each log: a quaternion; those before a trial */
   struct fit_channel *channel; /* of each log */
   int channels;
   struct fit_input *input;   /* of each log; NULL: all 0 */
@@ -147,8 +147,6 @@ struct fit_problem {
   const double *fixed;   /* NULL, or of each state the number with which it begins in place of the
                             scene's; NaN: none */
   long passes, refusals; /* refusals: those whose parameters were no body */
-  double stride; /* length in standard errors of the step of Gauss and Newton that a search ended
-                    with; 0: it ended otherwise */
 };
 
 /* The values farthest from the model, beyond `limit` sigmas; how many there are. */
@@ -227,14 +225,13 @@ struct fit_result {
     FIT_BY_MOMENTUM,
     FIT_BY_SOBOL,
     FIT_BY_NODES
-  } way;              /* that led to the estimate */
-  int tried, same;    /* points of --starts, and how many led to the same minimum */
-  double decrement;   /* length of the last step in standard errors */
-  int rounding;       /* are the last steps, shorter than 1e-5, rounding? */
-  double contraction; /* length of a step in parts of the one before; 1: unknown */
-  double step_shift;  /* by how many standard errors halving the step would move the estimate, at
-                         most */
-  double singular[FIT_MOST]; /* of R with columns scaled, descending */
+  } way;             /* that led to the estimate */
+  int tried, same;   /* points of --starts, and how many led to the same minimum */
+  double decrement;  /* length in standard errors of the step that is left */
+  double step_shift; /* by how many standard errors the integration's step moves the estimate */
+  double gradient[FIT_MOST];       /* of half the loss */
+  const struct fit_triangle *lost; /* what the decomposed triangle has too much, or NULL */
+  double singular[FIT_MOST];       /* of R with columns scaled, descending */
   double scale[FIT_MOST];
   double vectors[FIT_MOST * FIT_MOST]; /* n x n: right singular vectors, scaled, columns */
   double covariance[FIT_MOST * FIT_MOST];
@@ -286,11 +283,14 @@ int fit_pieces_approach(struct fit_problem *f, double theta[], struct fit_sums *
 void fit_approach(struct fit_problem *f, double theta[], int has_sigma, struct fit_sums *s,
                   struct fit_result *r);
 
-/* ---- solve.c ---- */
+/* ---- newton.c ---- */
 
-/* From theta on; sums: room for the triangles. has_sigma: is chi-square meaningful? */
-void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struct fit_result *r,
-               struct fit_sums *s);
+/* The model of the loss in s, which is that of theta, in r: gradient, decomposition, covariance,
+ * decrement, loss, chi2, n. */
+void fit_model(const struct fit_problem *f, const double theta[], const struct fit_sums *s,
+               struct fit_result *r);
+/* Its step, damped by mu; s is as it was. */
+void fit_model_step(const struct fit_result *r, int n, double mu, double step[]);
 
 /* Singular values and vectors of a triangle's R, its columns brought to length 1, which no unit
  * changes. A column of rounding errors stays short: all of the unknown's own size moves the
@@ -299,6 +299,12 @@ void fit_decompose(const struct fit_problem *f, const struct fit_triangle *a, co
                    struct fit_result *r);
 /* out[n*n] = (R'R)^-1 on what the data determine. */
 void fit_inverse(const struct fit_result *r, int n, double out[]);
+
+/* ---- solve.c ---- */
+
+/* From theta on; sums: room for the triangles. has_sigma: is chi-square meaningful? */
+void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struct fit_result *r,
+               struct fit_sums *s);
 
 /* ---- fit.c ---- */
 
