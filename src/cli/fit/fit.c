@@ -5,12 +5,12 @@
  *     channels = of each log {{value =, column =, sigma =,
  *     attitude = bool, state = which one it is as it stands, or nil, wrapped = bool, low, high =
  * limits of the sensor or NaN}}, knots = {t}, loss =
- * "squares", "huber" or "cauchy", corner = k, step = h, known = are the sigmas known?, states =
+ * "squares", "huber" or "cauchy", corner = k, sizes = of the free parameters, step = h, known = are the sigmas known?, states =
  * {initial values, if initial}, parameters = {all, SI units}, inputs = nil or of each log {of each
  * input {log =, column =, kind = "held", "linear" or "slope", low, high = limits or NaN}}, starts,
  * low, high = ranges of the free parameters, linear = nil or of each log {column, scale, bias,
  * initial, own = lists of 3, place, constant = 6 numbers, slope = 6 rows, in one list}})
- * -> {theta, covariance, outer, singular, vectors, scale (lists), rank, chi2, loss, n, converged,
+ * -> {theta, covariance, outer, singular, vectors, scale, size (lists), rank, chi2, loss, n, converged,
  *     way = "scene", "lengthened", "linear", "starts" or "nodes", tried, same, iterations, passes,
  * decrement, step_error, step, refused, seconds, counts = {of each log: {of each residual: {n,
  * chi2, worst, worst_t, sums, pairs}}}} Places of values and columns count from 1, lists of
@@ -205,6 +205,7 @@ void fit_read(lua_State *L, struct fit_problem *f) {
   }
   read_inputs(L, f);
   read_linear(L, f);
+  fit_list(L, 2, "sizes", f->size, FIT_MOST);
   f->starts = (int)fit_number(L, 2, "starts");
   fit_list(L, 2, "low", f->low, FIT_MOST);
   fit_list(L, 2, "high", f->high, FIT_MOST);
@@ -340,6 +341,7 @@ static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *
   fit_push_list(L, "singular", r->singular, n);
   fit_push_list(L, "vectors", r->vectors, n * n);
   fit_push_list(L, "scale", r->scale, n);
+  fit_push_list(L, "size", r->size, n);
   fit_push_number(L, "rank", r->rank);
   fit_push_number(L, "chi2", r->chi2);
   fit_push_number(L, "loss", r->loss);

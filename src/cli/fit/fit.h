@@ -138,6 +138,7 @@ struct fit_problem {
   struct fit_linear *linear; /* of each log; NULL: there is no such start */
   int starts;                /* points of Sobol's sequence, in these ranges: */
   double low[FIT_MOST], high[FIT_MOST];
+  double size[FIT_MOST]; /* of a free parameter: what is large of its kind */
   double *knots; /* times at which a step ends */
   int knot_count;
   enum { FIT_SQUARES, FIT_HUBER, FIT_CAUCHY } loss;
@@ -232,7 +233,7 @@ struct fit_result {
   double gradient[FIT_MOST];       /* of half the loss */
   const struct fit_triangle *lost; /* what the decomposed triangle has too much, or NULL */
   double singular[FIT_MOST];       /* of R with columns scaled, descending */
-  double scale[FIT_MOST];
+  double scale[FIT_MOST], size[FIT_MOST];
   double vectors[FIT_MOST * FIT_MOST]; /* n x n: right singular vectors, scaled, columns */
   double covariance[FIT_MOST * FIT_MOST];
 };

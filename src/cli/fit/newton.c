@@ -18,12 +18,12 @@
  * data. */
 #define RANK 1e-9
 
-/* What changing an unknown by all of its own size would be: its value, a radian for a turn, for a
- * rate the largest of that log's initial state. */
+/* What changing an unknown by all of its own size would be: its value, or what its like have where
+ * that is small; a radian for a turn, for a rate the largest of that log's initial state. */
 static double size_of(const struct fit_problem *f, const double theta[], int k) {
   double size = fabs(theta[k]);
   if (k < f->free)
-    return size;
+    return fmax(size, f->size[k]);
   const int first = k - (k - f->free) % f->own, at = f->code->attitude;
   if (at >= 0 && k - first >= at && k - first < at + 3)
     return 1;
@@ -39,7 +39,7 @@ void fit_decompose(const struct fit_problem *f, const struct fit_triangle *a, co
              *v = gsl_matrix_alloc((size_t)n, (size_t)n);
   gsl_vector *s = gsl_vector_alloc((size_t)n);
   for (int k = 0; k < n; k++) {
-    const double size = size_of(f, theta, k);
+    const double size = r->size[k] = size_of(f, theta, k);
     double length = 0;
     for (int i = 0; i <= k; i++)
       length = hypot(length, triangle_at(a, i, k));
