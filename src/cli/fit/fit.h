@@ -77,7 +77,11 @@ double triangle_at(const struct fit_triangle *a, int i, int k);
 
 /* ---- turn.c ---- */
 
+struct fit_problem;
+
 void fit_product(const double a[4], const double b[4], double out[4]);
+/* Small turns of a log's initial attitude are about q/|q| from now on. */
+void fit_refer(struct fit_problem *f, int log, const double q[4]);
 /* q = reference exp(a/2), and its derivatives by a (NULL: not asked for). */
 void fit_turned(const double reference[4], const double a[3], double q[4], double dq[3][4]);
 /* r = 2 atan2(|v|, s) v/|v| of e = (s, v) = factor v, and of its derivatives: dr = factor dv +
@@ -131,7 +135,8 @@ struct fit_problem {
   int active;             /* logs that a pass takes, the first ones */
   int free, own, logs, n; /* unknowns: shared, of each log, all */
   struct fit_log **log;
-  double *reference, *former;  /* of each log: a quaternion; those before a trial */
+  double *reference, *former;  /* of each log: a quaternion (fit_refer); those before a trial */
+  long referred;               /* how often one of them was set */
   struct fit_channel *channel; /* of each log */
   int channels;
   struct fit_input *input;   /* of each log; NULL: all 0 */
@@ -139,7 +144,7 @@ struct fit_problem {
   int starts;                /* points of Sobol's sequence, in these ranges: */
   double low[FIT_MOST], high[FIT_MOST];
   double size[FIT_MOST]; /* of a free parameter: what is large of its kind */
-  double *knots; /* times at which a step ends */
+  double *knots;         /* times at which a step ends */
   int knot_count;
   enum { FIT_SQUARES, FIT_HUBER, FIT_CAUCHY } loss;
   double corner;         /* of the loss, in sigmas */
@@ -183,6 +188,7 @@ struct fit_sums {
   long n;
   struct { /* of which pass they are; fit_pass says it, fit_again asks */
     int there, active, loss;
+    long referred;
     double h, until, theta[FIT_MOST];
     const void *filled[3];
   } of;
@@ -192,8 +198,7 @@ struct fit_sums {
 int fit_residuals(const struct fit_problem *f);
 /* 0; 1: the parameters are no body, the motion is not finite, or the user has interrupted. */
 int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s);
-/* The same; nothing is done where s is of these unknowns already.  (Whoever changes an initial
- * attitude's reference changes its unknowns with it, or calls fit_pass.) */
+/* The same; nothing is done where s is of these unknowns already. */
 int fit_again(struct fit_problem *f, const double theta[], struct fit_sums *s);
 
 /* The state x of a log's motion at time t; 1: it is not finite. */

@@ -37,7 +37,7 @@ static void recentre(struct fit_problem *f, double theta[]) {
   for (int log = 0; log < f->logs && f->own > 0 && f->code->attitude >= 0; log++) {
     double *a = theta + f->free + log * f->own + f->code->attitude, q[4];
     fit_turned(f->reference + 4 * log, a, q, NULL);
-    memcpy(f->reference + 4 * log, q, sizeof q);
+    fit_refer(f, log, q);
     a[0] = a[1] = a[2] = 0;
   }
 }
@@ -63,7 +63,8 @@ static int stepped(struct fit_problem *f, struct fit_sums *s, struct fit_result 
     }
   }
   memcpy(r->theta, old, sizeof old);
-  memcpy(f->reference, f->former, (size_t)(4 * f->logs) * sizeof f->former[0]);
+  for (int log = 0; log < f->logs; log++)
+    fit_refer(f, log, f->former + 4 * log);
   if (!fit_pass(f, r->theta, s))
     fit_model(f, r->theta, s, r);
   *mu = *mu > 0 ? *mu * 8 : 1e-4;
