@@ -156,7 +156,7 @@ local function problem(plan, free, log, of, size)
   local channels, known = fit.channels(plan, outputs, {}, {})
   local p = { free = free.places, initial = free.initial, logs = { false }, channels = { channels }, known = known,
     knots = {}, loss = "squares", corner = 0.0, step = log.spacing, states = {}, parameters = {}, rows = log.rows + 0.0,
-    spacing = log.spacing, columns = columns_of(outputs) + 0.0, of = of, size = size }
+    sizes = unknowns.sizes(m, free), spacing = log.spacing, columns = columns_of(outputs) + 0.0, of = of, size = size }
   for i, s in ipairs(plan.fit.states) do p.states[i] = m:double(s.initial) end
   for i, q in ipairs(m.params) do p.parameters[i] = R.todouble(q.default) end
   for i, k in ipairs(breaks.knots(equations.fork(plan.equations))) do p.knots[i] = R.todouble(k.value) end

@@ -140,7 +140,8 @@ local function problem(plan, all)
   local m, outputs = plan.model, plan.record.measure
   local p = { free = free.places, initial = free.initial, logs = {}, channels = {}, known = true, knots = {},
     loss = "squares", corner = 0.0, step = first_step(data), states = {}, parameters = {}, inputs = all.inputs,
-    starts = all.starts, low = all.low, high = all.high, linear = starts.linear(plan, free, data) }
+    sizes = unknowns.sizes(m, free), starts = all.starts, low = all.low, high = all.high,
+    linear = starts.linear(plan, free, data) }
   for i, d in ipairs(data) do
     local list, known = fit.channels(plan, outputs, d.sigmas, d.taken)
     p.logs[i], p.channels[i], p.known = d.log, list, p.known and known

@@ -12,6 +12,7 @@ local regions = require "generator.report.fit_regions"
 local report = {}
 
 local SURE, CREDIBLE, CLOSE = 1e-6, 1e-3, 0.95
+local SMALL = 1e-6 -- part of what is large of its kind below which a value may be 0
 local WIDE = 1.5 -- chi-square over its degrees of freedom beyond which a model does not fit, whatever its probability
 
 -- Where the search began, if not at the scene's values.
@@ -38,8 +39,9 @@ local function null_directions(r)
   local n, list = r.unknowns, {}
   for k = math.floor(r.rank) + 1, n do
     local parts, largest = {}, 0
-    local function part(i) -- of its own size; of what is 0 in SI units
-      return r.vectors[(i - 1) * n + k] * r.scale[i] / (r.theta[i] ~= 0 and math.abs(r.theta[i]) or 1)
+    local function part(i) -- of its own size; where that is rounding, of what is large of its kind
+      local own, large = math.abs(r.theta[i]), r.size[i]
+      return r.vectors[(i - 1) * n + k] * r.scale[i] / (own > SMALL * large and own or large > 0 and large or 1)
     end
     for i = 1, n do largest = math.max(largest, math.abs(part(i))) end
     for i = 1, n do

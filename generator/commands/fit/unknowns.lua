@@ -2,6 +2,8 @@
 --
 --     unknowns.free(job, words) -> {params = list, initial = bool} | nil, message
 --     unknowns.initial(states)  -> how many numbers the initial state of the followed states has
+--     unknowns.sizes(m, free)   -> of each free parameter the size of a large change, in SI units: the largest value that
+--                               the scene has in its unit, or 1 where all of these are 0
 --     unknowns.list(fit, free, logs) -> list of {name, unit, factor (SI units in one of `unit`), kind = "param" |
 --                               "initial" | "turn", param, log = number}, as the result has them
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -34,6 +36,15 @@ function unknowns.initial(states)
   local n = #states
   for _, s in ipairs(states) do n = n - (s.name == "qw" and 1 or 0) end
   return n
+end
+
+function unknowns.sizes(m, free)
+  local most, list = {}, {}
+  local function seen(unit, x) most[unit] = math.max(most[unit] or 0, math.abs(x)) end
+  for _, p in ipairs(m.params) do seen(p.unit, R.todouble(p.default)) end
+  for _, s in ipairs(m.states) do seen(s.unit, m:double(s.initial)) end
+  for i, p in ipairs(free.params) do list[i] = most[p.unit] > 0 and most[p.unit] or 1.0 end
+  return list
 end
 
 local function param(p)

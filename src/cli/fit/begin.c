@@ -48,7 +48,7 @@ static void from_rows(struct fit_problem *f, int log, double theta[]) {
     const long row = first_row(l, c->column, c->attitude ? 4 : 1);
     const double *y = l->y + (size_t)(row < 0 ? 0 : row) * (size_t)l->columns + c->column;
     if (row >= 0 && c->attitude)
-      memcpy(f->reference + 4 * log, y, 4 * sizeof y[0]);
+      fit_refer(f, log, y);
     else if (row >= 0 && c->state >= 0 && (at < 0 || c->state < at || c->state > at + 3))
       theta[f->free + log * f->own + c->state - (at >= 0 && c->state > at)] = y[0];
   }
@@ -65,6 +65,6 @@ void fit_better_start(struct fit_problem *f, int log, double theta[]) {
   from_rows(f, log, theta);
   if (fit_pass(f, theta, &other) || (!bad && !(other.chi2 < now.chi2))) {
     memcpy(theta, old, (size_t)f->n * sizeof old[0]);
-    memcpy(f->reference + 4 * log, q, sizeof q);
+    fit_refer(f, log, q);
   }
 }

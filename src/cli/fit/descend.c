@@ -102,7 +102,6 @@ static int straight(struct fit_problem *f, double theta[], struct fit_sums *s, i
     if (fit_pass(f, next, s) || !(loss - fit_loss(s) > gain * part * (2 - part) / 2))
       return count;
     memcpy(theta, next, (size_t)f->n * sizeof next[0]);
-    f->stride = part > 0.99 ? sqrt(gain) : 0;
   }
 }
 
@@ -118,7 +117,6 @@ int fit_descend(struct fit_problem *f, double theta[], struct fit_sums *s, size_
   int done, count = straight(f, theta, s, &done);
   if (done)
     return count;
-  f->stride = 0;
   a.f = f;
   a.s = s;
   memcpy(a.from, theta, (size_t)f->n * sizeof theta[0]);

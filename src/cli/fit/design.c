@@ -170,6 +170,7 @@ static void push_told(lua_State *L, struct design *d, int settled) {
   fit_push_list(L, "singular", r->singular, n);
   fit_push_list(L, "vectors", r->vectors, n * n);
   fit_push_list(L, "scale", r->scale, n);
+  fit_push_list(L, "size", r->size, n);
 }
 
 static void read_design(lua_State *L, struct design *d) {

@@ -5,15 +5,16 @@
  *     channels = of each log {{value =, column =, sigma =,
  *     attitude = bool, state = which one it is as it stands, or nil, wrapped = bool, low, high =
  * limits of the sensor or NaN}}, knots = {t}, loss =
- * "squares", "huber" or "cauchy", corner = k, step = h, known = are the sigmas known?, states =
- * {initial values, if initial}, parameters = {all, SI units}, inputs = nil or of each log {of each
- * input {log =, column =, kind = "held", "linear" or "slope", low, high = limits or NaN}}, starts,
- * low, high = ranges of the free parameters, linear = nil or of each log {column, scale, bias,
- * initial, own = lists of 3, place, constant = 6 numbers, slope = 6 rows, in one list}})
- * -> {theta, covariance, outer, singular, vectors, scale (lists), rank, chi2, loss, n, converged,
- *     way = "scene", "lengthened", "linear", "starts" or "nodes", tried, same, iterations, passes,
- * decrement, step_error, step, refused, seconds, counts = {of each log: {of each residual: {n,
- * chi2, worst, worst_t, sums, pairs}}}} Places of values and columns count from 1, lists of
+ * "squares", "huber" or "cauchy", corner = k, sizes = of the free parameters, step = h, known = are
+ * the sigmas known?, states = {initial values, if initial}, parameters = {all, SI units}, inputs =
+ * nil or of each log {of each input {log =, column =, kind = "held", "linear" or "slope", low, high
+ * = limits or NaN}}, starts, low, high = ranges of the free parameters, linear = nil or of each log
+ * {column, scale, bias, initial, own = lists of 3, place, constant = 6 numbers, slope = 6 rows, in
+ * one list}})
+ * -> {theta, covariance, outer, singular, vectors, scale, size (lists), rank, chi2, loss, n,
+ * converged, way = "scene", "lengthened", "linear", "starts" or "nodes", tried, same, iterations,
+ * passes, decrement, step_error, step, refused, seconds, counts = {of each log: {of each residual:
+ * {n, chi2, worst, worst_t, sums, pairs}}}} Places of values and columns count from 1, lists of
  * matrices are by rows.
  */
 #define _GNU_SOURCE
@@ -205,6 +206,7 @@ void fit_read(lua_State *L, struct fit_problem *f) {
   }
   read_inputs(L, f);
   read_linear(L, f);
+  fit_list(L, 2, "sizes", f->size, FIT_MOST);
   f->starts = (int)fit_number(L, 2, "starts");
   fit_list(L, 2, "low", f->low, FIT_MOST);
   fit_list(L, 2, "high", f->high, FIT_MOST);
@@ -214,6 +216,7 @@ void fit_read(lua_State *L, struct fit_problem *f) {
   if (f->pieces > 1)
     fit_pieces_cut(f, fit_room(L, (size_t)f->logs * sizeof(struct fit_log)));
   f->reference = fit_room(L, (size_t)(4 * f->logs) * sizeof *f->reference);
+  f->former = fit_room(L, (size_t)(4 * f->logs) * sizeof *f->former);
   if (flag_of(L, 2, "initial"))
     f->own = f->code->states - (f->code->attitude >= 0);
   f->n = f->free + f->logs * f->own;
@@ -237,7 +240,7 @@ void fit_begin(lua_State *L, struct fit_problem *f, double theta[]) {
     int at = f->free + log * f->own;
     for (int i = 0; i < f->code->states; i++) {
       if (i == f->code->attitude) {
-        memcpy(f->reference + 4 * log, x + i, 4 * sizeof x[0]);
+        fit_refer(f, log, x + i);
         at += 3;
         i += 3;
       } else {
@@ -339,6 +342,7 @@ static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *
   fit_push_list(L, "singular", r->singular, n);
   fit_push_list(L, "vectors", r->vectors, n * n);
   fit_push_list(L, "scale", r->scale, n);
+  fit_push_list(L, "size", r->size, n);
   fit_push_number(L, "rank", r->rank);
   fit_push_number(L, "chi2", r->chi2);
   fit_push_number(L, "loss", r->loss);

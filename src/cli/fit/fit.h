@@ -77,7 +77,11 @@ double triangle_at(const struct fit_triangle *a, int i, int k);
 
 /* ---- turn.c ---- */
 
+struct fit_problem;
+
 void fit_product(const double a[4], const double b[4], double out[4]);
+/* Small turns of a log's initial attitude are about q/|q| from now on. */
+void fit_refer(struct fit_problem *f, int log, const double q[4]);
 /* q = reference exp(a/2), and its derivatives by a (NULL: not asked for). */
 void fit_turned(const double reference[4], const double a[3], double q[4], double dq[3][4]);
 /* r = 2 atan2(|v|, s) v/|v| of e = (s, v) = factor v, and of its derivatives: dr = factor dv +
@@ -131,14 +135,16 @@ struct fit_problem {
   int active;             /* logs that a pass takes, the first ones */
   int free, own, logs, n; /* unknowns: shared, of each log, all */
   struct fit_log **log;
-  double *reference;           /* of each log: a quaternion */
+  double *reference, *former;  /* of each log: a quaternion (fit_refer); those before a trial */
+  long referred;               /* how often one of them was set */
   struct fit_channel *channel; /* of each log */
   int channels;
   struct fit_input *input;   /* of each log; NULL: all 0 */
   struct fit_linear *linear; /* of each log; NULL: there is no such start */
   int starts;                /* points of Sobol's sequence, in these ranges: */
   double low[FIT_MOST], high[FIT_MOST];
-  double *knots; /* times at which a step ends */
+  double size[FIT_MOST]; /* of a free parameter: what is large of its kind */
+  double *knots;         /* times at which a step ends */
   int knot_count;
   enum { FIT_SQUARES, FIT_HUBER, FIT_CAUCHY } loss;
   double corner;         /* of the loss, in sigmas */
@@ -147,8 +153,6 @@ struct fit_problem {
   const double *fixed;   /* NULL, or of each state the number with which it begins in place of the
                             scene's; NaN: none */
   long passes, refusals; /* refusals: those whose parameters were no body */
-  double stride; /* length in standard errors of the step of Gauss and Newton that a search ended
-                    with; 0: it ended otherwise */
 };
 
 /* The values farthest from the model, beyond `limit` sigmas; how many there are. */
@@ -184,6 +188,7 @@ struct fit_sums {
   long n;
   struct { /* of which pass they are; fit_pass says it, fit_again asks */
     int there, active, loss;
+    long referred;
     double h, until, theta[FIT_MOST];
     const void *filled[3];
   } of;
@@ -193,8 +198,7 @@ struct fit_sums {
 int fit_residuals(const struct fit_problem *f);
 /* 0; 1: the parameters are no body, the motion is not finite, or the user has interrupted. */
 int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s);
-/* The same; nothing is done where s is of these unknowns already.  (Whoever changes an initial
- * attitude's reference changes its unknowns with it, or calls fit_pass.) */
+/* The same; nothing is done where s is of these unknowns already. */
 int fit_again(struct fit_problem *f, const double theta[], struct fit_sums *s);
 
 /* The state x of a log's motion at time t; 1: it is not finite. */
@@ -227,15 +231,14 @@ struct fit_result {
     FIT_BY_MOMENTUM,
     FIT_BY_SOBOL,
     FIT_BY_NODES
-  } way;              /* that led to the estimate */
-  int tried, same;    /* points of --starts, and how many led to the same minimum */
-  double decrement;   /* length of the last step in standard errors */
-  int rounding;       /* are the last steps, shorter than 1e-5, rounding? */
-  double contraction; /* length of a step in parts of the one before; 1: unknown */
-  double step_shift;  /* by how many standard errors halving the step would move the estimate, at
-                         most */
-  double singular[FIT_MOST]; /* of R with columns scaled, descending */
-  double scale[FIT_MOST];
+  } way;             /* that led to the estimate */
+  int tried, same;   /* points of --starts, and how many led to the same minimum */
+  double decrement;  /* length in standard errors of the step that is left */
+  double step_shift; /* by how many standard errors the integration's step moves the estimate */
+  double gradient[FIT_MOST];       /* of half the loss */
+  const struct fit_triangle *lost; /* what the decomposed triangle has too much, or NULL */
+  double singular[FIT_MOST];       /* of R with columns scaled, descending */
+  double scale[FIT_MOST], size[FIT_MOST];
   double vectors[FIT_MOST * FIT_MOST]; /* n x n: right singular vectors, scaled, columns */
   double covariance[FIT_MOST * FIT_MOST];
 };
@@ -286,11 +289,14 @@ int fit_pieces_approach(struct fit_problem *f, double theta[], struct fit_sums *
 void fit_approach(struct fit_problem *f, double theta[], int has_sigma, struct fit_sums *s,
                   struct fit_result *r);
 
-/* ---- solve.c ---- */
+/* ---- newton.c ---- */
 
-/* From theta on; sums: room for the triangles. has_sigma: is chi-square meaningful? */
-void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struct fit_result *r,
-               struct fit_sums *s);
+/* The model of the loss in s, which is that of theta, in r: gradient, decomposition, covariance,
+ * decrement, loss, chi2, n. */
+void fit_model(const struct fit_problem *f, const double theta[], const struct fit_sums *s,
+               struct fit_result *r);
+/* Its step, damped by mu; s is as it was. */
+void fit_model_step(const struct fit_result *r, int n, double mu, double step[]);
 
 /* Singular values and vectors of a triangle's R, its columns brought to length 1, which no unit
  * changes. A column of rounding errors stays short: all of the unknown's own size moves the
@@ -299,6 +305,12 @@ void fit_decompose(const struct fit_problem *f, const struct fit_triangle *a, co
                    struct fit_result *r);
 /* out[n*n] = (R'R)^-1 on what the data determine. */
 void fit_inverse(const struct fit_result *r, int n, double out[]);
+
+/* ---- solve.c ---- */
+
+/* From theta on; sums: room for the triangles. has_sigma: is chi-square meaningful? */
+void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struct fit_result *r,
+               struct fit_sums *s);
 
 /* ---- fit.c ---- */
 

@@ -442,8 +442,9 @@ int fit_simulate(struct fit_problem *f, const double theta[], int log) {
 
 int fit_again(struct fit_problem *f, const double theta[], struct fit_sums *s) {
   const int same = s->of.there && s->of.active == f->active && s->of.loss == (int)f->loss &&
-                   s->of.h == f->h && s->of.until == f->until && s->of.filled[0] == s->inner &&
-                   s->of.filled[1] == s->lost && s->of.filled[2] == s->outer;
+                   s->of.referred == f->referred && s->of.h == f->h && s->of.until == f->until &&
+                   s->of.filled[0] == s->inner && s->of.filled[1] == s->lost &&
+                   s->of.filled[2] == s->outer;
   if (!same || memcmp(s->of.theta, theta, (size_t)f->n * sizeof theta[0]) != 0)
     return fit_pass(f, theta, s);
   return 0;
@@ -481,6 +482,7 @@ int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
   s->of.there = s->whole != NULL;
   s->of.active = f->active;
   s->of.loss = (int)f->loss;
+  s->of.referred = f->referred;
   s->of.h = f->h;
   s->of.until = f->until;
   memcpy(s->of.filled, all + 1, sizeof s->of.filled);

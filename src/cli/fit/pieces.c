@@ -34,7 +34,7 @@ static void put(struct fit_problem *f, int log, const double x[], double theta[]
   double *own = theta + f->free + log * f->own;
   for (int i = 0; i < f->code->states; i++)
     if (i == f->code->attitude) {
-      memcpy(f->reference + 4 * log, x + i, 4 * sizeof x[0]);
+      fit_refer(f, log, x + i);
       own[0] = own[1] = own[2] = 0;
       own += 3;
       i += 3;

@@ -12,6 +12,14 @@ void fit_product(const double a[4], const double b[4], double out[4]) {
   out[3] = a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0];
 }
 
+void fit_refer(struct fit_problem *f, int log, const double q[4]) {
+  const double length =
+      hypot(hypot(q[0], q[1]), hypot(q[2], q[3])); /* a logged one has few digits */
+  for (int i = 0; i < 4; i++)
+    f->reference[4 * log + i] = q[i] / length;
+  f->referred++;
+}
+
 void fit_turned(const double reference[4], const double a[3], double q[4], double dq[3][4]) {
   const double n2 = a[0] * a[0] + a[1] * a[1] + a[2] * a[2], n = sqrt(n2);
   /* c = cos(n/2), k = sin(n/2)/n and (dk/dn)/n; series below 1e-3, whose next term is below
