@@ -194,7 +194,7 @@ local function recurrences(list, groups, varying)
   if getmetatable(made) ~= series.missing then error(made, 0) end
   local corner = "|x| of what moves has a corner at a time that is not known before, which a series does not " ..
     "see: use adaptive or rk4"
-  return nil, (made.fn == "abs" or made.fn == "sign") and corner or
+  return nil, (made.fn == "abs" or made.fn == "side") and corner or
     "no recurrence is known for the function " .. made.fn
 end
 

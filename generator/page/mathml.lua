@@ -6,6 +6,7 @@
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
+local text = require "generator.algebra.text"
 
 local mathml = {}
 
@@ -68,7 +69,7 @@ function render(e)
   if e.kind == "call" then
     local args = {}
     for i = 1, #e do args[i] = render(e[i]) end
-    return "<mi>" .. escaped(e.fn) .. "</mi>" .. bracketed(table.concat(args, "<mo>,</mo>"))
+    return "<mi>" .. escaped(text.called(e.fn)) .. "</mi>" .. bracketed(table.concat(args, "<mo>,</mo>"))
   end
   local list = {}
   for i, term in ipairs(e.kind == "add" and e or { e }) do
