@@ -50,7 +50,7 @@ local ARROWS = {
 -- knows no other room.  Below, constants are rationals of the C module, nothing is simplified, and a pass knows the
 -- instruction table and not its neighbours.
 local ROOMS = {
-  lower = { "generator.ir.lower", "generator.algebra.rational" },
+  lower = { "generator.ir.lower", "generator.algebra.rational", "generator.algebra.choice" },
   core = { "generator.ir.core", "generator.ir.special", "polhode_rational" },
   passes = { "generator.ir.core.instr", "polhode_rational" },
   special = { "generator.ir.special" },

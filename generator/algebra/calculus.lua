@@ -29,10 +29,19 @@ local rules = {
   sinh = function(a) return { expr.call("cosh", a) } end,
   cosh = function(a) return { expr.call("sinh", a) } end,
   tanh = function(a) return { 1 - expr.call("tanh", a) ^ 2 } end,
-  abs = function(a) return { expr.call("sign", a) } end, -- at a = 0 the derivative from the right
+  abs = function(a) return { expr.call("side", a) } end, -- at a = 0 the derivative from the right
+  side = function() return { expr.zero } end,
   sign = function() return { expr.zero } end,
+  min = function(a, b) -- the derivative of the smaller one; of both together where they are equal that of the first
+    local above = expr.call("side", b - a)
+    return { (1 + above) / 2, (1 - above) / 2 }
+  end,
+  max = function(a, b)
+    local above = expr.call("side", a - b)
+    return { (1 + above) / 2, (1 - above) / 2 }
+  end,
   clamp = function(x, low, high) -- low <= high; at a limit the derivative from within
-    local above, below = expr.call("sign", x - low), expr.call("sign", high - x)
+    local above, below = expr.call("side", x - low), expr.call("side", high - x)
     return { (1 + above) * (1 + below) / 4, (1 - above) / 2, (1 - below) / 2 }
   end,
   -- R_G's partial derivatives are the means H_i (exact.lua): a d/da (a b c G) = a b c (G - H_a) = a b c (H_b + H_c)

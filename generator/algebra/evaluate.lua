@@ -10,6 +10,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local choice = require "generator.algebra.choice"
 
 local evaluate = {}
 
@@ -18,9 +19,6 @@ local function lookup(env, name)
   if x == nil then error("evaluate: no value for symbol '" .. name .. "'", 0) end
   return x
 end
-
--- x within low .. high, of numbers of any kind.
-local function clamp(x, low, high) return x < low and low or x > high and high or x end
 
 -- The function e -> value by the arithmetic A: number, symbol, sum and product of two, power, call.
 -- A = {number(q), symbol(name), add(x, y), mul(x, y), pow(x, n), call(fn, args)}: n is a rational, the others values of
@@ -82,10 +80,7 @@ function evaluate.exact(e, env)
       return root ^ R.toint(R.num(n))
     end,
     call = function(fn, args)
-      if fn == "abs" then return R.abs(args[1]) end
-      if fn == "sign" then return R.sign(args[1]) < 0 and -R.one or R.one end
-      if fn == "clamp" then return clamp(args[1], args[2], args[3]) end
-      error("evaluate: " .. fn .. " has no exact value", 0)
+      return choice.of(fn, R.one, table.unpack(args)) or error("evaluate: " .. fn .. " has no exact value", 0)
     end,
   }(e)
 end
@@ -120,10 +115,7 @@ function evaluate.within(env, bits)
       return apply("pow", x, n)
     end,
     call = function(fn, args)
-      if fn == "abs" then return R.abs(args[1]) end
-      if fn == "sign" then return R.sign(args[1]) < 0 and -R.one or R.one end
-      if fn == "clamp" then return clamp(args[1], args[2], args[3]) end
-      return apply(fn, table.unpack(args))
+      return choice.of(fn, R.one, table.unpack(args)) or apply(fn, table.unpack(args))
     end,
   }
 end
@@ -146,14 +138,12 @@ local function by_mpfr(fn)
   end
 end
 
--- sign(0) is 1, as everywhere.
 local functions = {
   sin = math.sin, cos = math.cos, tan = math.tan, asin = math.asin, acos = math.acos,
   atan = function(x) return math.atan(x) end,
   atan2 = function(y, x) return math.atan(y, x) end,
   exp = math.exp, log = function(x) return math.log(x) end,
   sinh = by_mpfr "sinh", cosh = by_mpfr "cosh", tanh = by_mpfr "tanh",
-  abs = math.abs, sign = function(x) return x < 0 and -1.0 or 1.0 end, clamp = clamp,
   pi = function() return math.pi end,
 }
 for _, fn in ipairs { "ellipsoid_area", "ellipsoid_normal", "arc_across", "arc_along", "arc_lever", "catenary_rise",
@@ -176,6 +166,8 @@ function evaluate.double(e, env)
       return x ^ R.todouble(n)
     end,
     call = function(fn, args)
+      local value = choice.of(fn, 1.0, table.unpack(args))
+      if value then return value end
       local f = functions[fn] or error("evaluate: unknown function '" .. fn .. "'")
       return f(table.unpack(args))
     end,

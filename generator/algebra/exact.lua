@@ -25,12 +25,13 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local choice = require "generator.algebra.choice"
 
 local odd = { sin = true, tan = true, asin = true, atan = true, sinh = true, tanh = true, catenary_rise = true,
-  sign = true }
+  side = true, sign = true }
 local even = { cos = true, cosh = true, abs = true, arc_across = true, arc_along = true, arc_lever = true,
   catenary_width = true, catenary_height = true }
-local at_zero = { sin = 0, tan = 0, asin = 0, atan = 0, sinh = 0, tanh = 0, cos = 1, cosh = 1, exp = 1, abs = 0,
+local at_zero = { sin = 0, tan = 0, asin = 0, atan = 0, sinh = 0, tanh = 0, cos = 1, cosh = 1, exp = 1, abs = 0, sign = 0,
   arc_across = 0, arc_along = 0, arc_lever = 0, catenary_rise = 0,
   catenary_width = "1/3", catenary_height = 0 }
 
@@ -86,14 +87,37 @@ local rules = {}
 
 function rules.pi() return expr.pi end
 
--- At 0 it is 1, as d|x|/dx is then the derivative from the right.
+-- Of numbers alone each is a number.
+local function chosen(fn, ...)
+  local values = {}
+  for i, a in ipairs { ... } do
+    if a.kind ~= "num" then return nil end
+    values[i] = a.value
+  end
+  return expr.lift(choice.of(fn, R.one, table.unpack(values)))
+end
+
+function rules.side(a) return chosen("side", a) or expr.nonnegative(a) and expr.one or nil end
+
+-- c > 0: sign(c x) ==> sign(x)
 function rules.sign(a)
-  if a.kind == "num" then return R.sign(a.value) < 0 and expr.lift(-1) or expr.one end
-  if expr.nonnegative(a) then return expr.one end
+  local c, rest = expr.split(a)
+  return chosen("sign", a) or c ~= R.one and R.sign(c) > 0 and expr.call("sign", rest) or nil
+end
+
+-- The same in any order; a difference whose sign is known decides.
+for fn, side in pairs { min = 1, max = -1 } do -- into a table: order is lost
+  rules[fn] = function(a, b)
+    local d = expr.lift(side) * (b - a)
+    if expr.nonnegative(d) then return a end
+    if expr.nonnegative(-d) then return b end
+    if expr.compare(a, b) > 0 then return expr.call(fn, b, a) end
+  end
 end
 
 function rules.abs(a)
-  if a.kind == "num" then return expr.lift(R.abs(a.value)) end
+  local value = chosen("abs", a)
+  if value then return value end
   if expr.nonnegative(a) then return a end
   local c, rest = expr.split(a) -- |c x y| ==> |c| y |x| for y >= 0
   local out, inside = { expr.lift(R.abs(c)) }, {}
@@ -107,10 +131,7 @@ function rules.abs(a)
 end
 
 -- Only of numbers: what a parameter may become is not known.
-function rules.clamp(a, low, high) -- a within low .. high
-  if a.kind ~= "num" or low.kind ~= "num" or high.kind ~= "num" then return nil end
-  return a.value < low.value and low or a.value > high.value and high or a
-end
+function rules.clamp(a, low, high) return chosen("clamp", a, low, high) end -- a within low .. high
 
 function rules.log(a) return a == expr.one and expr.zero or nil end
 

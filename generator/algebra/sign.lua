@@ -2,7 +2,7 @@
 --
 -- ABOVE the line.  "Yes" is a proof, "no" means that the form does not show it: x^2 - 2*x*y + y^2 is not seen to be a
 -- square.  The rules: an even power, a root, |x|, exp, cosh and the means of exact.lua are not negative whatever is in
--- them; a sum or a product of what is not negative is not negative; a symbol is what was declared of it.
+-- them; a sum, a product or the smaller or larger of what is not negative is not negative; a symbol is what was declared of it.
 -- The answer is kept for each node, so a question costs one visit of each node once.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -19,7 +19,8 @@ local known = setmetatable({}, { __mode = "k" })
 local function found(e)
   if e.kind == "num" then return R.sign(e.value) >= 0 end
   if e.kind == "sym" then return e.positive end
-  if e.kind == "call" then return positive[e.fn] or false end
+  if e.fn == "max" and sign.nonnegative(e[1]) then return true end
+  if e.kind == "call" and e.fn ~= "min" and e.fn ~= "max" then return positive[e.fn] or false end
   if e.kind == "pow" then
     if sign.nonnegative(e.base) then return true end
     return R.isint(e.exp / R.new(2)) or R.den(e.exp) == R.new(2)

@@ -38,7 +38,11 @@ local styles = {
 local greek = { omega = "\\omega", alpha = "\\alpha", beta = "\\beta", gamma = "\\gamma", theta = "\\theta",
   phi = "\\phi", rho = "\\rho", lambda = "\\lambda", mu = "\\mu" }
 
-local latex_name = { asin = "\\arcsin", acos = "\\arccos", atan = "\\arctan", atan2 = "\\operatorname{atan2}" }
+local latex_name = { asin = "\\arcsin", acos = "\\arccos", atan = "\\arctan", atan2 = "\\operatorname{atan2}",
+  sign = "\\operatorname{sign}", clamp = "\\operatorname{clamp}" }
+
+-- A function's name for readers: where x is 0 is seen in no formula.
+function text.called(fn) return fn == "side" and "sign" or fn end
 
 local function latex_call(fn)
   if latex_name[fn] then return latex_name[fn] end
@@ -115,7 +119,8 @@ function render(e, sign, style)
     local args = {}
     for i = 1, #e do args[i] = render(e[i], 1, style) end
     if style == styles.latex and e.fn == "abs" then return "\\left|" .. args[1] .. "\\right|" end
-    local fn = style == styles.latex and latex_call(e.fn) or e.fn
+    local fn = text.called(e.fn)
+    fn = style == styles.latex and latex_call(fn) or fn
     return fn .. style.open .. table.concat(args, ", ") .. style.close
   end
   local list = {}

@@ -53,12 +53,12 @@ local function rows_of(ctx, line, what, name, spec, given)
 end
 
 -- Linear between the rows, constant beyond them: the first value and a rise for each line between two rows,
---     v1 + sum (v_k+1 - v_k) r_k,   r_k = x (1 + s_k)(1 - s_k+1)/4 + (1 + s_k+1)/2,   s_k = sign(t - t_k)
+--     v1 + sum (v_k+1 - v_k) r_k,   r_k = x (1 + s_k)(1 - s_k+1)/4 + (1 + s_k+1)/2,   s_k = side(t - t_k)
 -- x = (t - t_k)/(t_k+1 - t_k).  r_k is 0 before the line, 1 behind it, exactly, so that a steep line leaves nothing
 -- behind; a sum of ramps k_i |t - t_i|, the shorter way to write it, leaves u |t| times its slope for ever.
 local function lines(rows)
   local t, sum, one = motion.sym "t", rows[1][2], expr.one
-  local function side(k) return expr.call("sign", t - rows[k][1]) end
+  local function side(k) return expr.call("side", t - rows[k][1]) end
   for k = 1, #rows - 1 do
     local rise, first, last = rows[k + 1][2] - rows[k][2], side(k), side(k + 1)
     local slope = rise / (rows[k + 1][1] - rows[k][1])

@@ -235,12 +235,13 @@ handle.__lt, handle.__le = unordered, unordered
 function handle.__tostring(v) return value.show(v) end
 function handle.__newindex() complain("value", "a value cannot be changed") end
 
--- The functions of scenes: how many arguments, and what the dimensions must be: "pure" numbers (an angle is one), the
--- "same" for all (the result is a pure number), or "any" (the result has it).
+-- The functions of scenes: how many arguments (false: two or more), and what the dimensions must be: "pure" numbers (an
+-- angle is one), the "same" for all (the result is a pure number), or "any", the same for all (the result has it).
 value.functions = {
   { "sin", 1, "pure" }, { "cos", 1, "pure" }, { "tan", 1, "pure" }, { "asin", 1, "pure" }, { "acos", 1, "pure" },
   { "atan", 1, "pure" }, { "atan2", 2, "same" }, { "exp", 1, "pure" }, { "log", 1, "pure" }, { "sinh", 1, "pure" },
   { "cosh", 1, "pure" }, { "tanh", 1, "pure" }, { "abs", 1, "any" },
+  { "sign", 1, "same" }, { "min", false, "any" }, { "max", false, "any" },
 }
 
 local function counted(fn, n, ...)
@@ -248,7 +249,20 @@ local function counted(fn, n, ...)
   complain(fn, "takes " .. (n == 1 and "one argument" or n .. " arguments"), tostring(select("#", ...)))
 end
 
+-- fn of two, and so of more.
+local function folded(fn)
+  local two = sum(fn, function(a, b) return expr.call(fn, a, b) end)
+  return function(...)
+    local given = { ... }
+    if #given < 2 then complain(fn, "takes two or more arguments", tostring(#given)) end
+    local v = given[1]
+    for i = 2, #given do v = sound(two)(v, given[i]) end
+    return v or broken.object
+  end
+end
+
 function value.func(fn, n, kind)
+  if not n then return folded(fn) end
   return function(...)
     counted(fn, n, ...)
     local given, es, dim, plain = { ... }, {}, nil, nil

@@ -24,7 +24,7 @@ local function constants(m)
 end
 
 -- |p| of parameters alone has its value once and for all.
-local function cornered(e) return e.kind == "call" and (e.fn == "abs" or e.fn == "sign") and not motion.free(e) end
+local function cornered(e) return e.kind == "call" and (e.fn == "abs" or e.fn == "side") and not motion.free(e) end
 
 -- All |e| and sign(e) in the equations, with parameters put in: a list of e.
 local function bars(eq)
@@ -67,7 +67,7 @@ function breaks.knots(eq)
         list[#list + 1] = at[time]
       end
       if e.fn == "abs" then at[time].bars[e] = expr.call("abs", slope) end
-      if e.fn == "sign" then at[time].signs[e] = expr.call("sign", slope) end
+      if e.fn == "side" then at[time].signs[e] = expr.call("side", slope) end
     end
     for _, c in ipairs(expr.children(e)) do walk(c) end
   end

@@ -2,6 +2,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local source = require "generator.emit.source"
+local switched = require "generator.emit.switched"
 local template = require "generator.emit.template"
 
 local GROUP = template.group("steppers/adaptive.h", "steppers/adaptive.c")
@@ -26,14 +27,16 @@ function adaptive.render(s, kit)
     groups[i] = { why = g.why, defs = g.defs, outs = outs }
   end
   local n, attitude = #program.states, program.states[1].name == "qw"
-  local f = source.make(ctx, { name = "adaptive_trial", groups = groups, doc = {},
-    args = { "m", "t", "x", "u", "h", { name = "k1", count = n, names = names },
-      { name = "out", count = n, out = true }, { name = "k7", count = n, out = true },
-      { name = "error", count = n, out = true }, attitude and { name = "turn", count = 4, out = true } or nil } })
+  local args = { "m", "t", "x", "u", "h", { name = "k1", count = n, names = names } }
+  if program.switches then args[#args + 1] = switched.sides(program.switches) end
+  for _, name in ipairs { "out", "k7", "error" } do args[#args + 1] = { name = name, count = n, out = true } end
+  if attitude then args[#args + 1] = { name = "turn", count = 4, out = true } end
+  local f = source.make(ctx, { name = "adaptive_trial", groups = groups, doc = {}, args = args })
   local v = { head = f.head, lines = f.lines, count = text(n), states = {}, attitude = attitude,
     turn = attitude and ", turn" or "", room = attitude and ", turn[4]" or "", kinds = source.kinds(program.states),
     has_knots = s.has_knots, first = s.first, taken = s.taken }
   for i, state in ipairs(program.states) do v.states[i] = { name = ctx.upper .. "_" .. string.upper(state.name) } end
+  switched.put(v, s, kit, "adaptive")
   local render = GROUP(kit.templates, kit.base, v)
   return render "steppers/adaptive.h", { render "steppers/adaptive.c" }
 end

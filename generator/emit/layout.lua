@@ -85,7 +85,7 @@ for word in string.gmatch([[auto break case char const continue default do doubl
   log2 logb lrint lround modf nearbyint nextafter remainder remquo rint scalbln scalbn tgamma j0 j1 jn y0 y1 yn drem
   finite significand abort abs atexit atof atoi atol bsearch calloc exit free getenv malloc qsort rand realloc srand
   strtod strtol system memchr memcmp memcpy memmove memset strcat strchr strcmp strcpy strlen remove rename clock
-  time difftime raise signal printf puts read write open close link pause]], "%S+") do
+  time difftime raise signal printf puts read write open close link pause min max]], "%S+") do
   RESERVED[word] = true
 end
 

@@ -66,6 +66,11 @@ local function outside(ctx, program)
   for _, s in ipairs(ctx.inputs) do
     list[#list + 1] = { name = s.name, from = "u[" .. ctx.upper .. "_" .. s.index .. "]" }
   end
+  for i, s in ipairs(program.switches and program.switches.list or {}) do
+    if s.branch then
+      list[#list + 1] = { name = s.branch.name, from = program.switches.name .. "[" .. text(i - 1) .. "]" }
+    end
+  end
   return list
 end
 

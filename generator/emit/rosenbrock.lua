@@ -5,6 +5,7 @@
 local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
+local switched = require "generator.emit.switched"
 local template = require "generator.emit.template"
 
 local GROUP = template.group("steppers/rosenbrock.h", "steppers/rosenbrock.c")
@@ -40,8 +41,11 @@ function emit.render(s, kit)
   local program, ctx, T = s.program, kit.ctx, s.program.tableau
   local n, names = #program.states, {}
   for i, state in ipairs(program.states) do names[i] = state.name end
+  local sides = program.switches and switched.sides(program.switches)
   local function made(name, groups, ...)
-    local f = source.make(ctx, { name = "rosenbrock_" .. name, groups = placed(groups), doc = {}, args = { ... } })
+    local args = { ... }
+    if sides and args[1] == "m" then table.insert(args, args[5] == "n" and 6 or 5, sides) end
+    local f = source.make(ctx, { name = "rosenbrock_" .. name, groups = placed(groups), doc = {}, args = args })
     return { head = f.head, lines = f.lines }
   end
   local function array(name, count) return { name = name, count = text(count), out = true } end
@@ -73,6 +77,7 @@ function emit.render(s, kit)
   v.shift = #program.slips > 0 and made("slip", program.shifts, "m", "t", "x", "u", array("a", #program.slips),
     array("arm", 3 * #program.slips)) or
     { head = "", lines = {} }
+  switched.put(v, s, kit, "rosenbrock")
   local render = GROUP(kit.templates, kit.base, v)
   return render "steppers/rosenbrock.h", { render "steppers/rosenbrock.c" }
 end

@@ -12,6 +12,7 @@ local number = require "generator.emit.number"
 local packed = require "generator.emit.packed"
 local recurrences = later "generator.emit.recurrences"
 local source = require "generator.emit.source"
+local switched = require "generator.emit.switched"
 local template = require "generator.emit.template"
 
 local function files(...)
@@ -113,6 +114,7 @@ local function values_of(s, kit)
     v.roots[i] = { index = text(#program.states + i - 1), place = text(x.place) }
   end
   if v.has_roots then v.row = text(#program.states + #program.roots) end
+  switched.put(v, s, kit, "taylor")
   return v, rows
 end
 
@@ -157,16 +159,18 @@ function taylor.render(s, kit)
   put("_shift.c", v.shift)
   put "_move.c"
   put("_roots.c", v.has_roots)
-  put("_step.c", not s.has_knots)
-  put("_orders.c", kit.planning)
+  local alone = not s.program.switches -- the step is that of switched.c
+  put("_step.c", alone and not s.has_knots)
+  put("_orders.c", alone and kit.planning)
   put "_size.c"
   put("_corners.c", v.has_roots)
   put "_run.c"
+  put("_orders.c", not alone and kit.planning)
   if s.program.transition then
     local name = files "_transition.c"
     sources[#sources + 1] = TRANSITION(kit.templates, kit.base, transition(s, kit, v))(name)
   end
-  put("_knots.c", s.has_knots)
+  put("_knots.c", alone and s.has_knots)
   put("_compensated.c", kit.compensated)
   return file ".h", sources
 end

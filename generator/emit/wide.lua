@@ -59,7 +59,8 @@ local function frame_of(ctx, program)
 end
 
 local function simple(program)
-  return not program.top and not program.axis and #program.roots == 0 and #program.knots == 0
+  return not program.top and not program.axis and #program.roots == 0 and #program.knots == 0 and
+    not program.switches
 end
 
 -- The values of one way: all bodies of one model, or a model a body.

@@ -174,7 +174,8 @@ function definitions.text(tables)
   for _, f in ipairs(fields.functions) do call(out, f[1], f[2], f[3], f[4]) end
   for _, f in ipairs(tables.functions) do
     local takes = { { "x", "Value", "a number or an expression" } }
-    if f[2] == 2 then takes[2] = { "y", "Value", "the second one" } end
+    if f[2] ~= 1 then takes[2] = { "y", "Value", "the second one" } end
+    if not f[2] then takes[3] = { "...", "Value", "more" } end
     call(out, f[1], takes, "Quantity", f[1] .. " of a number or an expression")
   end
   for _, w in ipairs(fields.words) do

@@ -119,7 +119,9 @@ function reference.entries(tables)
       "In the functions of effect.custom." } }
   end
   local functions, known = {}, {}
-  for i, f in ipairs(tables.functions) do functions[i] = { f[1], "", "", f[2] == 2 and "of two" or "of one" } end
+  for i, f in ipairs(tables.functions) do 
+    functions[i] = { f[1], "", "", f[2] == 2 and "of two" or f[2] and "of one" or "of two or more" }
+  end
   for i, u in ipairs(tables.units.list) do known[i] = u[1] end
   out[#out + 1] = { name = "functions", about = "functions of numbers and expressions", rows = functions, notes = {} }
   out[#out + 1] = { name = "units", about = 'a unit is a product of these with powers, such as "kg m^2/s^2"', rows = {},

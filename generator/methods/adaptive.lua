@@ -10,6 +10,7 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local breaks = require "generator.dynamics.breaks"
 local state = require "generator.dynamics.state"
+local switching = require "generator.dynamics.switching"
 local stages = require "generator.methods.stages"
 
 local adaptive = { name = "adaptive", order = 5, adaptive = true,
@@ -68,7 +69,7 @@ end
 -- and why there is none.
 -- groups[n - 1] is stage n, whose first definitions are its values of the moving states in their order (`plain` takes
 -- them from there); the last group is the error.
-function adaptive.program(eq)
+local function trial(eq)
   local zero = stages.conserved(eq)
   local moving, k, groups = {}, { {} }, {}
   for _, s in ipairs(eq.model.states) do
@@ -118,10 +119,18 @@ function adaptive.program(eq)
   return { states = moving, groups = groups, knots = breaks.knots(eq) }
 end
 
+-- The same between the corners, which `switches` tells (dynamics/switching.lua), or nil.
+function adaptive.program(eq)
+  local switches = switching.of(eq)
+  local program, why = trial(switches and switches.equations or eq)
+  if program then program.switches = switches end
+  return program, why
+end
+
 -- The step of a fixed size as equation groups with outs {state, expr}: what is derived from it goes by these
 -- (dynamics/sensitivity.lua).
 function adaptive.plain(eq)
-  local program = adaptive.program(eq)
+  local program = trial(eq)
   local moving, count = {}, #program.states
   for _, s in ipairs(program.states) do moving[s.name] = true end
   local first, rates, known = { why = "stage 1: at the start", defs = {}, outs = {} }, {}, {}

@@ -68,6 +68,10 @@ function compensated.list(job)
       job.diag:error(job.record.line, "method " .. s.method.name,
         "it has no compensated step (--with compensated): rk4, adaptive, taylor and semi have one")
       return nil
+    elseif s.program.switches then
+      job.diag:error(job.record.line, "method " .. s.method.name,
+        "its step goes from corner to corner of these equations: without --with compensated")
+      return nil
     end
   end
   return list

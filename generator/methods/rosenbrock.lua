@@ -21,6 +21,7 @@ local contact = require "generator.dynamics.contact"
 local equations = require "generator.dynamics.equations"
 local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
+local switching = require "generator.dynamics.switching"
 local stages = require "generator.methods.stages"
 local factored = require "generator.methods.factored"
 
@@ -206,8 +207,10 @@ end
 
 -- {tableau, states = that move, slips, shifts = groups of what the slip adds to the velocity, rates = groups of f,
 -- matrix = groups of the factors and df/dt, factors = their entries, solve = groups, timed = does f depend on t?,
--- knots}, or nil and why there is none.
+-- knots, switches (dynamics/switching.lua) or nil}, or nil and why there is none.
 function rosenbrock.program(eq)
+  local switches = switching.of(eq)
+  if switches then eq = switches.equations end
   local zero, moving, taken = stages.conserved(eq), {}, {}
   for _, member in ipairs(eq.model.members) do taken[member.name] = true end
   for _, s in ipairs(eq.model.states) do
@@ -242,7 +245,8 @@ function rosenbrock.program(eq)
     matrix[#matrix + 1] = g
   end
   return { tableau = rosenbrock.tableau, states = moving, slips = list, rates = f, matrix = matrix,
-    factors = lu.names, solve = lu.solve, timed = timed, shifts = shifts(eq, list), knots = breaks.knots(eq) }
+    factors = lu.names, solve = lu.solve, timed = timed, shifts = shifts(eq, list), knots = breaks.knots(eq),
+    switches = switches }
 end
 
 return rosenbrock

@@ -13,6 +13,7 @@ local vec = require "generator.algebra.vec"
 local breaks = require "generator.dynamics.breaks"
 local distinct = require "generator.dynamics.distinct"
 local state = require "generator.dynamics.state"
+local switching = require "generator.dynamics.switching"
 local series = require "generator.methods.series"
 local stages = require "generator.methods.stages"
 local special = require "generator.methods.taylor_special"
@@ -64,10 +65,7 @@ local function recurrences(list, groups, varying)
   local ok, made = pcall(series.new, list, groups, varying)
   if ok then return made end
   if getmetatable(made) ~= series.missing then error(made, 0) end
-  local corner = "|x| of what moves has a corner at a time that is not known before, which a series does not " ..
-    "see: use adaptive or rk4"
-  return nil, (made.fn == "abs" or made.fn == "sign") and corner or
-    "no recurrence is known for the function " .. made.fn
+  return nil, "no recurrence is known for the function " .. made.fn
 end
 
 -- Lanes in the order of their levels, each level a range {first, last, variables = those made of its lanes}; within a
@@ -218,13 +216,13 @@ end
 -- The series of the equations, or nil and why there is none.  options: {order =, jacobians =}.  As laid_out, with knots
 -- = {{time, sign}}, axis, spin, shift of the frame, transition = the program of the variational equations.
 function taylor.program(eq, options)
-  for _, e in ipairs(eq.model.record and eq.model.record.effects or {}) do
-    if e.spec.corners then -- the series of sqrt(x^2) goes on as x where |x| turns
-      local kind = string.gsub(e.kind, "^effect%.", "")
-      return nil, kind .. " has corners at times that are not known before, which a series does not see: use " ..
-        "adaptive or rk4"
-    end
+  local switches = switching.of(eq)
+  if switches and switches.count == 0 then switches = nil end -- a series ends where a speed is least (series.lua)
+  if switches and options.jacobians then
+    return nil, "the equations have corners at times that are not known before, beyond which a transition matrix is " ..
+      "not one series': use rk4, or leave jacobians out"
   end
+  if switches then eq = switches.equations end
   local zero, order = stages.conserved(eq), options.order or taylor.own_order[options.real or "double"]
   local varying, moving = { t = true }, {}
   for _, s in ipairs(eq.model.states) do
@@ -235,11 +233,13 @@ function taylor.program(eq, options)
   end
   if #moving == 0 then return nil, stages.AT_REST end
   eq = separate(eq)
-  local seen = special.frame(eq, zero, moving)
+  -- what has corners need not be the same from all sides
+  local seen = switches and { groups = eq.groups } or special.frame(eq, zero, moving)
   local groups, knots = straightened(eq, seen.groups)
   local program, why = laid_out(groups, moving, varying, order)
   if not program then return nil, why end
   program.knots, program.axis, program.spin, program.shift = knots, seen.axis, seen.spin, seen.shift
+  program.switches = switches
   -- Lame's equation has the motion of unit quaternions; the derivatives by q are also those across |q| = 1
   program.top = #knots == 0 and not options.jacobians and special.top(seen, moving) or nil
   if options.jacobians then

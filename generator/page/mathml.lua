@@ -7,6 +7,7 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local signed = require "generator.algebra.signed"
+local text = require "generator.algebra.text"
 
 local mathml = {}
 
@@ -65,7 +66,7 @@ function render(e, sign)
   if e.kind == "call" then
     local args = {}
     for i = 1, #e do args[i] = render(e[i], 1) end
-    return "<mi>" .. escaped(e.fn) .. "</mi>" .. bracketed(table.concat(args, "<mo>,</mo>"))
+    return "<mi>" .. escaped(text.called(e.fn)) .. "</mi>" .. bracketed(table.concat(args, "<mo>,</mo>"))
   end
   local list = {}
   for i, p in ipairs(e.kind == "add" and signed.terms(e, sign) or { signed.product(e, sign) }) do

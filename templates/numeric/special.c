@@ -8,6 +8,28 @@ static ${name}_real ${name}_clamp(${name}_real x, ${name}_real low, ${name}_real
   return x < low ? low : x > high ? high : x;
 }
 %% end
+%% if has_sign then
+
+/* 1, -1, and 0 at 0 */
+static ${name}_real ${name}_sign(${name}_real x)
+{
+  return x < ${zero} ? -${one} : x > ${zero} ? ${one} : ${zero};
+}
+%% end
+%% if has_min then
+
+static ${name}_real ${name}_min(${name}_real x, ${name}_real y)
+{
+  return y < x ? y : x;
+}
+%% end
+%% if has_max then
+
+static ${name}_real ${name}_max(${name}_real x, ${name}_real y)
+{
+  return x < y ? y : x;
+}
+%% end
 %% if has_ellipsoid or has_sums then
 
 static ${name}_pair ${name}_pair_quotient(${name}_pair a, ${name}_pair b)

@@ -24,6 +24,7 @@ static ${head}
 %% end
 }
 
+%% if not has_switches then
 /* k1 at the start */
 static void ${name}_adaptive_first(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real k1[])
 {
@@ -33,6 +34,7 @@ static void ${name}_adaptive_first(const ${name}_model *m, ${name}_real t, const
   for (int k = 0; k < ${count}; k++) k1[k] = dx[${name}_adaptive_moving[k]];
 }
 
+%% end
 %% if attitude then
 /* x takes the state that a step ends in; |q| is brought back to 1 by one Newton step.  The factor is 1 but for a unit or two
  * of the last place; times q it would be rounded to whole units, more of a small mantissa than of a large one: a turn, always
@@ -58,6 +60,7 @@ static void ${name}_adaptive_take(const ${name}_real out[], ${name}_real x[])
 }
 %% end
 
+%% if not has_switches then
 void ${name}_adaptive_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
 {
   ${name}_real k1[${count}], k7[${count}], error[${count}], out[${count}]${room};
@@ -67,6 +70,7 @@ void ${name}_adaptive_step(const ${name}_model *m, ${name}_real t, ${name}_real 
   ${name}_adaptive_take(out${turn}, x);
 }
 
+%% end
 /* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step, or
  * `worst` if that is larger. */
 static ${name}_real ${name}_adaptive_worse(const ${name}_real x[], const ${name}_real out[], const ${name}_real error[], int first, int last,
@@ -96,6 +100,9 @@ static ${name}_real ${name}_adaptive_norm(const ${name}_real x[], const ${name}_
   return worst;
 }
 
+%% if has_switches then
+${switched}
+%% else
 int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most)
 {
   const ${name}_real slope = ${n[3/16]}; /* a little less than 1/5 */
@@ -145,4 +152,5 @@ void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], cons
 {
   ${name}_adaptive_step(m, t, x, u, h);
 }
+%% end
 %% end

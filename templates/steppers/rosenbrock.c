@@ -85,7 +85,7 @@ static ${solve.head}
 }
 
 /* From z at t the state `out` at t + h and its estimated error. */
-static void ${name}_rosenbrock_trial(const ${name}_model *m, ${name}_real t, const ${name}_real z[], const ${name}_real u[], ${name}_real h, ${name}_real out[], ${name}_real error[${count}])
+static void ${name}_rosenbrock_trial(const ${name}_model *m, ${name}_real t, const ${name}_real z[], const ${name}_real u[], ${name}_real h${sides_arg}, ${name}_real out[], ${name}_real error[${count}])
 {
 %% if timed then
   ${name}_real F[${cells}], k[8][${count}], b[${count}], dt[${count}];
@@ -96,9 +96,9 @@ static void ${name}_rosenbrock_trial(const ${name}_model *m, ${name}_real t, con
   int i, j, n;
 
 %% if timed then
-  ${name}_rosenbrock_matrix(m, t, z, u, rate*${rate}, F, dt);
+  ${name}_rosenbrock_matrix(m, t, z, u, rate*${rate}${sides}, F, dt);
 %% else
-  ${name}_rosenbrock_matrix(m, t, z, u, rate*${rate}, F);
+  ${name}_rosenbrock_matrix(m, t, z, u, rate*${rate}${sides}, F);
 %% end
   for (n = 0; n < ${upper}_NX; n++) out[n] = z[n];
   for (i = 0; i < 8; i++) {
@@ -108,7 +108,7 @@ static void ${name}_rosenbrock_trial(const ${name}_model *m, ${name}_real t, con
       for (j = 0; j < i; j++) sum += ${name}_rosenbrock_a[i][j]*k[j][n];
       out[${name}_rosenbrock_moving[n]] = z[${name}_rosenbrock_moving[n]] + sum;
     }
-    ${name}_rosenbrock_rates(m, t + ${name}_rosenbrock_c[i]*h, out, u, b);
+    ${name}_rosenbrock_rates(m, t + ${name}_rosenbrock_c[i]*h, out, u${sides}, b);
     for (n = 0; n < ${count}; n++) {
       ${name}_real sum = ${zero};
 
@@ -138,12 +138,12 @@ static void ${name}_rosenbrock_trial(const ${name}_model *m, ${name}_real t, con
 %% if slides then
 /* The state with its slip in the place of its velocity (sign 1), or back (-1).  Returns the speed that the body's turning
  * may have at the contact point, or the slip if it is larger: what a velocity is the difference of. */
-static ${name}_real ${name}_rosenbrock_turned(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real sign, ${name}_real z[])
+static ${name}_real ${name}_rosenbrock_turned(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[]${sides_arg}, ${name}_real sign, ${name}_real z[])
 {
   ${name}_real a[${many}], arm[${arms}], reach = ${zero}, w = ${zero};
   int n;
 
-  ${name}_rosenbrock_slip(m, t, x, u, a, arm);
+  ${name}_rosenbrock_slip(m, t, x, u${sides}, a, arm);
   for (n = 0; n < ${upper}_NX; n++) z[n] = x[n];
   for (n = 0; n < ${arms}; n++) reach = ${fabs}(arm[n]) > reach ? ${fabs}(arm[n]) : reach;
   for (n = ${upper}_WX; n <= ${upper}_WZ; n++) w = ${fabs}(x[n]) > w ? ${fabs}(x[n]) : w;
@@ -156,6 +156,7 @@ static ${name}_real ${name}_rosenbrock_turned(const ${name}_model *m, ${name}_re
 }
 
 %% end
+%% if not has_switches then
 void ${name}_rosenbrock_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h)
 {
 %% if slides then
@@ -173,6 +174,7 @@ void ${name}_rosenbrock_step(const ${name}_model *m, ${name}_real t, ${name}_rea
 %% end
 }
 
+%% end
 /* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step and
  * at least of `least`, or `worst` if that is larger. */
 static ${name}_real ${name}_rosenbrock_worse(const ${name}_real x[], const ${name}_real y[], const ${name}_real error[], int first, int last,
@@ -192,6 +194,9 @@ static ${name}_real ${name}_rosenbrock_worse(const ${name}_real x[], const ${nam
   return e > ${zero} && !(e <= worst*size) ? e/size : worst;
 }
 
+%% if has_switches then
+${switched}
+%% else
 int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most)
 {
   const ${name}_real slope = ${n[3/16]}; /* a little less than 1/5 */
@@ -252,4 +257,5 @@ void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], cons
 {
   ${name}_rosenbrock_step(m, t, x, u, h);
 }
+%% end
 %% end

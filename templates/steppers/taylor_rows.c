@@ -1,7 +1,7 @@
 %% -- taylor_rows.c -- the recurrences of one level as rows of vectors: part of scene.c.  SPDX-License-Identifier: MIT-0
 /* the coefficients up to c[top]; a and b are the factors of the products, plane by plane */
 static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], int top,
-                   ${name}_real c[][${upper}_ROW]${side})
+                   ${name}_real c[][${upper}_ROW]${side}${sides_arg})
 {
 %% for _, p in ipairs(planes) do
   ${name}_pack a${p.index}[${upper}_ORDER + 1], b${p.index}[${upper}_ORDER + 1];

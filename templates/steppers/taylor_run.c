@@ -17,6 +17,9 @@ static int ${name}_taylor_top(${name}_real tolerance)
   return top < (${name}_real)${upper}_ORDER ? top > ${four} ? (int)top : 4 : ${upper}_ORDER;
 }
 
+%% if has_switches then
+${switched}
+%% else
 ${name}_real ${name}_taylor_adapt(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real tolerance)
 {
   ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW];
@@ -106,4 +109,5 @@ void ${name}_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], cons
 {
   ${name}_taylor_step(m, t, x, u, h);
 }
+%% end
 %% end

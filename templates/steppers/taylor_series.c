@@ -2,5 +2,11 @@
 void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[],
                   ${name}_real c[][${upper}_ROW])
 {
-  ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c${after_t});
+%% if has_switches then
+  ${name}_real ${array}[${many}];
+  ${name}_corners o;
+
+  ${name}_sides(m, t, x, u, ${array}, &o);
+%% end
+  ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c${after_t}${sides});
 }

@@ -33,7 +33,7 @@ ${upper}_APART void ${name}_products${level.number}(int n, const ${name}_real a[
 %% end
 /* the coefficients up to c[top]${side_about} */
 static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], int top,
-                   ${name}_real c[][${upper}_ROW]${side})
+                   ${name}_real c[][${upper}_ROW]${side}${sides_arg})
 {
 %% if has_lanes then
   ${name}_real a[${upper}_ORDER + 1][${lanes}], b[${upper}_ORDER + 1][${lanes}], p[${lanes}];

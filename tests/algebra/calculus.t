@@ -31,8 +31,8 @@ same(diff(x * y * z, y), x * z, "d (x y z)/dy = x z")
 same(diff(x / y, y), -x / y ^ 2, "d (x/y)/dy = -x/y^2")
 same(diff(y ^ 2, x), expr.zero, "another symbol is constant")
 same(diff(expr.pi * x, x), expr.pi, "pi is constant")
-same(diff(call("abs", x), x), call("sign", x), "d |x|/dx = sign x")
-same(diff(call("sign", x), x), expr.zero, "which is constant on both sides")
+same(diff(call("abs", x), x), call("side", x), "d |x|/dx = sign x")
+same(diff(call("side", x), x), expr.zero, "which is constant on both sides")
 same(diff((x + y) ^ 7, x), 7 * (x + y) ^ 6, "chain rule: d (x + y)^7/dx")
 same(diff(call("sin", x ^ 2), x), 2 * x * call("cos", x ^ 2), "chain rule: d sin(x^2)/dx")
 tap.ok(diff(x, x) == expr.one and diff(expr.lift(3), x) == expr.zero, "dx/dx = 1 and d3/dx = 0")
@@ -82,6 +82,14 @@ for _, fn in ipairs { "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log",
 end
 for _, fn in ipairs { "sin", "cos", "atan", "exp", "sinh", "cosh", "tanh", "abs" } do
   tap.ok(matches(call(fn, x), { x = R.new(-9, 7) }, "x"), "d " .. fn .. "/dx at a negative argument")
+end
+same(diff(call("sign", x), x), expr.zero, "of sign too")
+for _, fn in ipairs { "min", "max" } do
+  local e, good = call(fn, x ^ 2, 3 * y), true
+  for _, at in ipairs { { x = R.new(1, 5), y = R.new(3, 7) }, { x = R.new(-9, 2), y = R.new(1, 7) } } do
+    good = good and matches(e, at, "x") and matches(e, at, "y")
+  end
+  tap.ok(good, "d " .. fn .. "(x^2, 3 y) by either argument, on both sides")
 end
 do
   local e = call("atan2", y, x)

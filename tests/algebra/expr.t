@@ -140,6 +140,13 @@ same(call("abs", a), a, "|a| ==> a for a positive symbol")
 differ(call("abs", x), x, "|x| is not x for an unsigned symbol")
 same(call("abs", x ^ 2), x ^ 2, "|x^2| ==> x^2")
 same(call("abs", num(-3)), num(3), "|-3| ==> 3")
+same(call("sign", num(0)), num(0), "sign(0) is 0")
+same(call("side", num(0)), num(1), "0 is on the upper side")
+same(call("sign", -3 * x), -call("sign", x), "sign(-3 x) ==> -sign(x)")
+same(call("min", y, x), call("min", x, y), "min(y, x) is min(x, y)")
+same(call("max", x, x + 2), x + 2, "the larger of x and x + 2")
+same(call("min", a + m, m), m, "the smaller of a + m and m for positive a")
+same(call("max", num(-3), num("1/2")), num("1/2"), "the larger of two numbers")
 differ(call("abs", a - m), a - m, "|a - m| stays: a difference has no sign")
 
 -- sin and cos of k pi/12 against MPFR; everything else must stay a call or have the value.

@@ -77,6 +77,10 @@ for _, case in ipairs {
   { 'quantity(4, "kg^2")^0.5', 2, "and so is its power 1/2" },
   { 'quantity(6, "kg m")/quantity(3, "m")', 2, "dimensions divide to a mass" },
   { 'abs(quantity(-3, "kg"))', 3, "|x| of a mass is a mass" },
+  { 'max(quantity(3, "kg"), quantity(2, "g"), 1)', 3, "the largest of masses is a mass, a plain number is one too" },
+  { 'min(quantity(3, "kg"), quantity(2, "kg"))', 2, "and so is the smallest" },
+  { '(2 + sign(quantity(-3, "m")))*quantity(1, "kg")', 1, "a sign is a pure number" },
+  { '2 + sign(0)', 2, "sign(0) is 0" },
   { 'quantity(1, "kg") + 2', 3, "a plain number takes the dimension beside it in a sum" },
   { 'quantity(1, "kg")*2', 2, "and is a pure number in a product" },
 } do

@@ -19,6 +19,7 @@
 -- the C want to find the name; and so no definition is computed twice.
 
 local R = require "generator.algebra.rational"
+local choice = require "generator.algebra.choice"
 local form = require "generator.ir.lower.form"
 local share = require "generator.ir.lower.share"
 local orient = require "generator.ir.lower.orient"
@@ -32,16 +33,7 @@ local lower = {}
 local function constant_call(B, fn, args)
   local values = {}
   for k, t in ipairs(args) do values[k] = t.c end
-  local result
-  if fn == "abs" then
-    result = R.abs(values[1])
-  elseif fn == "sign" then
-    result = R.sign(values[1]) < 0 and -R.one or R.one
-  elseif fn == "clamp" then
-    result = values[1] < values[2] and values[2] or values[1] > values[3] and values[3] or values[1]
-  else
-    result = R.apply(fn, form.BITS, table.unpack(values))
-  end
+  local result = choice.of(fn, R.one, table.unpack(values)) or R.apply(fn, form.BITS, table.unpack(values))
   return B.number(result or error("lower: " .. fn .. " of " .. tostring(values[1]) .. " is no number"))
 end
 
@@ -81,7 +73,7 @@ local function shaper(B, bound)
         constant = constant and args[k].f == B.one
       end
       if constant then return constant_call(B, e.fn, args) end
-      if e.fn == "sign" then return { c = R.one, f = B:call("copysign", { B.number(R.one), args[1] }) } end
+      if e.fn == "side" then return { c = R.one, f = B:call("copysign", { B.number(R.one), args[1] }) } end
       return { c = R.one, f = B:call(e.fn == "abs" and "fabs" or e.fn, args) }
     end,
   }

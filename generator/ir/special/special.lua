@@ -75,6 +75,9 @@ special.list = {
     return h[1 + (b > a and 1 or 0) + (c > a and 1 or 0)][1] / sum[1]
   end },
   { "clamp", 3, function(_, x, low, high) return x < low and low or x > high and high or x end },
+  { "sign", 1, function(_, x) return x < 0 and -1.0 or x > 0 and 1.0 or 0.0 end },
+  { "min", 2, function(_, x, y) return y < x and y or x end },
+  { "max", 2, function(_, x, y) return x < y and y or x end },
 }
 
 table.move(series.list, 1, #series.list, #special.list + 1, special.list)

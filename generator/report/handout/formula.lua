@@ -8,6 +8,7 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local signed = require "generator.algebra.signed"
+local text = require "generator.algebra.text"
 local math_ = require "generator.report.handout.math"
 
 local formula = {}
@@ -81,7 +82,7 @@ function formula:of(e, sign)
   if e.kind == "sym" then return self.symbols:of(e.name) end
   if e.kind == "call" then
     if e.fn == "pi" then return math_.sym "pi" end
-    local n = { kind = e.fn == "abs" and "abs" or "call", name = e.fn }
+    local n = { kind = e.fn == "abs" and "abs" or "call", name = text.called(e.fn) }
     for i = 1, #e do n[i] = self:of(e[i]) end
     return n
   end

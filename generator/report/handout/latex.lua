@@ -16,7 +16,7 @@ end
 local operators = { cross = "\\times", dot = "\\cdot", approx = "\\approx", ne = "\\neq", thin = "\\,", quad = "\\quad",
   times = "\\times" }
 local functions = { asin = "\\arcsin", acos = "\\arccos", atan = "\\arctan" }
-for word in string.gmatch("sin cos tan exp log sinh cosh tanh", "%a+") do functions[word] = "\\" .. word end
+for word in string.gmatch("sin cos tan exp log sinh cosh tanh min max", "%a+") do functions[word] = "\\" .. word end
 
 function style.num(s) return s end
 function style.sym(base, sub, vector, dot)

@@ -10,7 +10,7 @@ local style = typst.style
 local operators = { cross = "times", dot = "dot.op", approx = "approx", ne = "!=", thin = "thin", quad = "quad",
   times = "times" }
 local functions = {}
-for word in string.gmatch("sin cos tan exp log sinh cosh tanh", "%a+") do functions[word] = word end
+for word in string.gmatch("sin cos tan exp log sinh cosh tanh min max", "%a+") do functions[word] = word end
 
 local function quoted(s) return '"' .. string.gsub(s, '["\\]', "\\%0") .. '"' end
 

@@ -12,9 +12,9 @@
 
 /* In the order of program_op.  Behind its word an instruction has, in the list: n its number as a
  * head and a tail, v and u which one, + and * how many operands, ^ numerator and denominator. */
-static const char *const names[] = {"n",   "v",    "u",    "+",    "*",    "^",     "sin",
-                                    "cos", "tan",  "asin", "acos", "atan", "atan2", "exp",
-                                    "log", "sinh", "cosh", "tanh", "abs",  "clamp", NULL};
+static const char *const names[] = {"n",    "v",    "u",    "+",    "*",     "^",   "sin",   "cos",
+                                    "tan",  "asin", "acos", "atan", "atan2", "exp", "log",   "sinh",
+                                    "cosh", "tanh", "abs",  "sign", "min",   "max", "clamp", NULL};
 
 typedef struct sized {
   long double value, size;
@@ -62,6 +62,12 @@ static sized call(enum program_op op, sized a, sized b) {
   case TANH:
     y = tanhl(x), slope = 1 - y * y;
     break;
+  case SIGN:
+    return (sized){(x > 0) - (x < 0), x != 0};
+  case MIN:
+    return b.value < x ? b : a;
+  case MAX:
+    return x < b.value ? b : a;
   default:
     return (sized){fabsl(x), a.size};
   }
@@ -151,7 +157,7 @@ void engine_read_program(struct engine_scene *s, ph_varying *out) {
       luaL_error(L, "program: the library knows no function '%s'", name);
     lua_pop(L, 1);
     c->op = (enum program_op)op;
-    c->n = op == CLAMP ? 3 : op == ATAN2 ? 2 : op >= POW ? 1 : 0;
+    c->n = op == CLAMP ? 3 : op == ATAN2 || op == MIN || op == MAX ? 2 : op >= POW ? 1 : 0;
     if (op == NUMBER) {
       c->value = item(L, &i);
       c->value += item(L, &i);

@@ -29,6 +29,9 @@ enum program_op {
   COSH,
   TANH,
   ABS,
+  SIGN,
+  MIN,
+  MAX,
   CLAMP
 };
 

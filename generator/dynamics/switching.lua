@@ -1,0 +1,163 @@
+-- switching.lua -- what changes sign where the equations of motion are not smooth, and the equations between.
+--
+-- |e|, sign(e), min, max, limits and the lit side of a plate each have a function g of the state and the time whose sign
+-- says which of two smooth forms holds.  Between the zeros of all g the equations with these signs as numbers (`branch`)
+-- are smooth, and a step of any method that ends at a zero keeps its order: the steppers with a tolerance look for the
+-- zeros (templates/steppers/switched.c).  Source: Hairer, Norsett, Wanner I, section II.6, "discontinuous equations".
+-- A speed |s| = sqrt(s.s), with a least square beside it or not, has no two forms: it turns sharply where it is least,
+-- so its g is the rate of s.s, which passes 0 upwards there ("bend").
+-- The corners of tables over time are at known times: knots of breaks.lua, and not here.  ABOVE the line.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local calculus = require "generator.algebra.calculus"
+local breaks = require "generator.dynamics.breaks"
+local equations = require "generator.dynamics.equations"
+local state = require "generator.dynamics.state"
+
+local switching = {}
+
+local RANK = 8
+local smallest = R.new(2) ^ -126 -- what |e| = sqrt(e^2 + smallest) has beside e^2: effects/solar_pressure.lua
+
+-- The names of what changes along the motion: states, time, and definitions that depend on them.
+local function varying(eq)
+  local set = { t = true }
+  local stays = {}
+  for _, g in ipairs(eq.groups) do
+    for _, o in ipairs(g.outs) do stays[o.state] = o.expr == expr.zero end
+  end
+  for _, s in ipairs(eq.model.states) do set[s.name] = not stays[s.name] or nil end
+  for _, g in ipairs(eq.groups) do
+    for _, d in ipairs(g.defs) do
+      if not expr.constant(d.expr, set) then set[d.name] = true end
+    end
+  end
+  return set
+end
+
+-- sqrt(e^2 + smallest) is |e|: returns e, or nil.
+local function smoothed(u)
+  if u.kind ~= "pow" or u.exp ~= R.half or u.base.kind ~= "add" then return nil end
+  local square = u.base - expr.num(smallest)
+  local c, bar = expr.split(#u.base == 2 and square ~= expr.zero and expr.sqrt(square) or expr.zero)
+  return bar.kind == "call" and bar.fn == "abs" and c * bar[1] or nil
+end
+
+-- The square of a speed under a root: of states, nothing else beside them that changes.
+local function speed(u, moves)
+  if u.kind ~= "pow" or R.den(u.exp) ~= R.new(2) or u.base.kind ~= "add" then return nil end
+  local found = false
+  for _, term in ipairs(u.base) do
+    local square = term.kind == "pow" and term.exp == R.new(2) and moves.states[term.base]
+    if not square and not expr.constant(term, moves.names) then return nil end
+    found = found or square
+  end
+  return found and u.base or nil
+end
+
+-- What is gathered: list = {g, about, branch = its symbol, or bend = true}, by what it is.
+local function gathering(eq)
+  local name = "branch"
+  while eq.model.by_name[name] or eq.model.by_name[name .. "0"] do name = name .. "_" end
+  return { name = name, list = {}, bends = {}, by = {} }
+end
+
+-- The sign of e as an expression of the numbers of branches.
+local function sign_of(self, e, about)
+  local c, rest = expr.split(e)
+  local known = self.by[rest]
+  if not known then
+    known = { g = rest, about = about, branch = expr.sym(self.name .. #self.list, RANK) }
+    self.by[rest] = known
+    self.list[#self.list + 1] = known
+  end
+  return R.sign(c) < 0 and -known.branch or known.branch
+end
+
+-- f(arguments) between the corners: {fn -> form}
+local forms = {
+  abs = function(sign, e) return sign(e) * e end,
+  sign = function(sign, e) return sign(e) end,
+  side = function(sign, e) return sign(e) end,
+  min = function(sign, a, b)
+    local s = sign(a - b)
+    return (1 - s) / 2 * a + (1 + s) / 2 * b
+  end,
+  max = function(sign, a, b)
+    local s = sign(a - b)
+    return (1 + s) / 2 * a + (1 - s) / 2 * b
+  end,
+  clamp = function(sign, x, low, high)
+    local above, below = sign(x - low), sign(high - x)
+    return (1 + above) / 2 * ((1 + below) / 2) * x + (1 - above) / 2 * low + (1 - below) / 2 * high
+  end,
+}
+
+-- The function e -> e between the corners.
+local function opened(self, eq)
+  local names, states, memo, knots = varying(eq), {}, {}, {}
+  for _, s in ipairs(eq.model.states) do states[s.sym] = names[s.name] end
+  for _, k in ipairs(breaks.knots(eq)) do
+    for _, set in ipairs { k.bars, k.signs } do
+      for e in pairs(set) do knots[e] = true end -- a set: order is lost
+    end
+  end
+  local function open(u)
+    if memo[u] then return memo[u] end
+    local v
+    if knots[u] or expr.constant(u, names) then
+      v = u
+    elseif u.kind == "call" and forms[u.fn] then
+      local args = {}
+      for i = 1, #u do args[i] = open(u[i]) end
+      v = forms[u.fn](function(e) return sign_of(self, e, u) end, table.unpack(args))
+    elseif smoothed(u) then
+      local e = open(smoothed(u))
+      v = sign_of(self, e, expr.call("abs", smoothed(u))) * e
+    else
+      local square = speed(u, { names = names, states = states })
+      if square and not self.by[square] then
+        self.by[square] = { about = u, square = square, bend = true }
+        self.bends[#self.bends + 1] = self.by[square]
+      end
+      v = expr.map(u, open)
+    end
+    memo[u] = v
+    return v
+  end
+  return open
+end
+
+-- d square/dt: the states' rates are numbers of an array `v`.
+local function rate(eq, square)
+  local sum = calculus.diff(square, state.t)
+  for _, s in ipairs(eq.model.states) do
+    sum = sum + calculus.diff(square, s.sym) * expr.sym("v" .. s.name, RANK)
+  end
+  return sum
+end
+
+-- Nil where the equations are smooth but for knots.  Else {name = of the array of branches, list = {g, about, branch or
+-- bend}, bends after all that have branches, count = of these, equations = the equations between the corners}.
+function switching.of(eq)
+  local self, groups = gathering(eq), {}
+  local open = opened(self, eq)
+  for i, g in ipairs(eq.groups) do
+    local own = { why = g.why, where = g.where, defs = {}, outs = {} }
+    for k, d in ipairs(g.defs) do own.defs[k] = { name = d.name, expr = open(d.expr) } end
+    for k, o in ipairs(g.outs) do own.outs[k] = { state = o.state, expr = open(o.expr) } end
+    groups[i] = own
+  end
+  self.count = #self.list
+  for _, b in ipairs(self.bends) do
+    b.g = rate(eq, b.square)
+    self.list[#self.list + 1] = b
+  end
+  if #self.list == 0 then return nil end
+  self.equations = setmetatable({ groups = groups }, { __index = eq })
+  return self
+end
+
+return switching

@@ -1,0 +1,106 @@
+-- switched.lua -- the corners of the equations as C: what changes sign there, and steps that end there.
+--
+-- templates/steppers/switches.c stands once; switched.c once for each stepper with a tolerance, in its own text.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+local R = require "generator.algebra.rational"
+local expr = require "generator.algebra.expr"
+local evaluate = require "generator.algebra.evaluate"
+local words = require "generator.algebra.text"
+local number = require "generator.emit.number"
+local source = require "generator.emit.source"
+local template = require "generator.emit.template"
+
+local SWITCHES, SWITCHED = template.group "steppers/switches.c", template.group "steppers/switched.c"
+
+local LOOKS = 12 -- parts of a step; with the parabola through three, two or more for each turn that they resolve
+
+local switched = {}
+
+local function text(n) return string.format("%d", n) end
+
+-- The argument of the sides.
+local function sides(sw)
+  local names = {}
+  for i = 1, #sw.list do names[i] = text(i - 1) end
+  return { name = sw.name, count = #sw.list, names = names }
+end
+switched.sides = sides
+
+-- What templates and functions call with it: empty texts where there are no corners.
+local function called(ctx, sw)
+  if not sw then return { has_switches = false, sides = "", sides_arg = "", switched = "" } end
+  return { has_switches = true, most_parts = "1000", sides = ", " .. sw.name, array = sw.name, many = text(#sw.list),
+    smooth = text(sw.count), bends = #sw.list > sw.count,
+    sides_arg = ", const " .. ctx.name .. "_real " .. sw.name .. "[]" }
+end
+
+-- What the templates of each method read of that.
+local READ = { adaptive = { "has_switches", "switched" },
+  rosenbrock = { "has_switches", "switched", "sides", "sides_arg" },
+  taylor = { "has_switches", "switched", "sides", "sides_arg", "array", "many", "most_parts" } }
+
+local function about(s)
+  local what = words.of(s.about)
+  if #what > 60 then what = s.about.kind == "call" and words.called(s.about.fn) or "a root" end
+  return s.bend and what .. ", a speed, where it is least" or what
+end
+
+-- switches.c; has_rates: are there steppers that need x' on the sides?
+function switched.shared(kit, sw, has_rates)
+  local ctx, words_of = kit.ctx, called(kit.ctx, sw)
+  local v = { array = sw.name, many = words_of.many, smooth = words_of.smooth, bends = words_of.bends, list = {},
+    looks = text(LOOKS), has_rates = has_rates, places = {}, rates = { head = "", lines = {} } }
+  v.looks_real = number.text(R.new(LOOKS), ctx.real)
+  v.no_rates = v.bends and ", x" or ""
+  for i, s in ipairs(sw.list) do v.list[i] = { number = text(i - 1), about = about(s) } end
+  for k = 0, LOOKS do -- (1 - cos(k pi/n))/2
+    local e = expr.call("sin", expr.pi * expr.lift(R.new(k, 2 * LOOKS))) ^ 2
+    v.places[k + 1] = number.text(evaluate.precise(e, {}, 200), ctx.real) .. (k < LOOKS and "," or "")
+  end
+  local names = {}
+  for i, s in ipairs(ctx.states) do names[i] = s.name end
+  local outs = {}
+  for i, s in ipairs(sw.list) do outs[i] = { array = "g", index = text(i - 1), expr = s.g } end
+  local args = { "m", "t", "x" }
+  if v.bends then args[#args + 1] = { name = "v", count = #names, names = names } end
+  args[#args + 1], args[#args + 2], args[#args + 3] = "u", sides(sw), { name = "g", count = v.many, out = true }
+  local groups = {}
+  for i, g in ipairs(sw.equations.groups) do groups[i] = { defs = g.defs, outs = {} } end
+  groups[#groups + 1] = { defs = {}, outs = outs }
+  v.g = source.make(ctx, { name = "switches", groups = groups, doc = {}, args = args })
+  if has_rates then
+    local rates = {}
+    for i, g in ipairs(sw.equations.groups) do
+      rates[i] = { why = g.why, where = g.where, defs = g.defs, outs = {} }
+      for k, o in ipairs(g.outs) do rates[i].outs[k] = { array = "dx", state = o.state, expr = o.expr } end
+    end
+    v.rates = source.make(ctx, { name = "side_rates", groups = rates, doc = {}, args = { "m", "t", "x", "u", sides(sw),
+      "dx" } })
+  end
+  return SWITCHES(kit.templates, kit.base, v) "steppers/switches.c"
+end
+
+-- The values of a stepper's templates with those of switched.c, which becomes one of them.
+function switched.put(v, s, kit, method)
+  local sw = s.program.switches
+  local all = called(kit.ctx, sw)
+  for _, k in ipairs(READ[method]) do v[k] = all[k] end
+  if not sw then return v end
+  local taylor, digits = method == "taylor", kit.ctx.real == "float" and 24 or 53
+  local own = { taken = s.taken, slides = false, has_roots = false, way_turn = v.turn and v.turn ~= "" and ", w->turn" or "", method = method, taylor = taylor, adaptive = method == "adaptive", looks = text(LOOKS),
+    own = taylor and all.smooth or all.many, most_halvings = text(4 * digits), most_halved = "30",
+    end_rates = not all.bends and "" or taylor and ", w->y" or ", w->v1",
+    look_rates = not all.bends and "" or taylor and ", y" or ", v", by_cubic = taylor and "" or
+      ", by the cubic with the states and rates at its ends", signed = not taylor and all.bends and "sign*" or "",
+    top_arg = taylor and ", int top" or "", top_pass = taylor and ", top" or "", top_full = taylor and ", " .. kit.ctx.upper .. "_ORDER" or "",
+    top_own = taylor and ", " .. kit.ctx.name .. "_taylor_top(tolerance)" or "" }
+  for _, k in ipairs { "array", "many", "smooth", "bends", "most_parts" } do own[k] = all[k] end
+  for k, x in pairs(v) do -- into a table: order is lost anyway
+    if own[k] == nil then own[k] = x end
+  end
+  v.switched = SWITCHED(kit.templates, kit.base, own) "steppers/switched.c"
+  return v
+end
+
+return switched
