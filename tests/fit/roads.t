@@ -194,7 +194,7 @@ end)
 road("the body's axes in turn", function(case)
   local from, count = case.text:gsub("xx = 1, yy = I2, zz = I3", "xx = I2, yy = I3, zz = 1")
   if count == 0 or case.name:find "top" then return nil end
-  local text, third = from, { 0.5, 0.5, 0.5, 0.5 }
+  local third, text = { 0.5, 0.5, 0.5, 0.5 }
   if case.world then
     local p = setmetatable({ q = oracle.product(case.start.q, third), w = { case.start.w[2], case.start.w[3],
       case.start.w[1] } }, { __index = case.start })
