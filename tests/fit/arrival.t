@@ -88,11 +88,9 @@ local function compared(label, model, p, truth, loss, got)
   tap.ok(worst < 2 * LEFT, label .. ": where another search ends", worst)
 end
 
+local NAMES, LOSSES = { "body", "swing", "top", "swing" }, { "huber", "cauchy", "huber", "squares", "huber" }
 local CASES = {}
-for i = 1, 200 do
-  CASES[i] = { i, ({ "body", "swing", "top", "swing" })[i % 4 + 1], ({ "huber", "cauchy", "huber", "squares", "huber" })[
-    i % 5 + 1] }
-end
+for i = 1, 200 do CASES[i] = { i, NAMES[i % 4 + 1], LOSSES[i % 5 + 1] } end
 for _, case in ipairs(tier.every(20, CASES)) do
   local i, name, loss = table.unpack(case)
   math.randomseed(i)

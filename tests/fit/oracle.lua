@@ -86,7 +86,7 @@ end
 
 -- ---- at an estimate ----
 
-local H = 1e-4 -- of the differences: their error is of order H^4, and that of rounding 1e-16/H
+local H = 2e-5 -- of the differences: their error is of order H^4, and that of rounding 1e-16/H
 
 local function column(model, p, k)
   local function at(x)

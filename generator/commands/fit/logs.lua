@@ -96,25 +96,25 @@ local function wanted(columns, names, given, noise)
   return list, unused, sigmas
 end
 
--- What is odd in the columns: sentences with file and line; and of each column {wrapped = bool, low, high}, how its
--- values are to be taken.
+-- What is odd in the columns: sentences with file and line; and of each column {wrapped = bool, low, high, turn = are
+-- its values within a turn}, how its values are to be taken.
 local function oddities(host, log, path, columns)
   local list, taken = {}, {}
   for i, o in ipairs(host.odd(log)) do
     local c = columns[i]
     local at = o.kind and path .. ":" .. diag.show(o.line) .. ": column " .. c.name .. " "
     local value, rows = diag.show(o.value), diag.show(o.rows)
-    taken[i] = {}
+    taken[i] = { turn = o.turn }
     if o.kind == "constant" and c.output and c.output.e then
       list[#list + 1] = at .. "has the same value in all " .. rows .. " rows, " .. value .. ": is the sensor on?"
     elseif o.kind == "limit" and c.output then
       list[#list + 1] = at .. "stays at its extreme value " .. value .. " for " .. rows .. " rows: a sensor at its " ..
         "limit; such values say only that the model must not be inside it"
-      taken[i] = { low = o.low, high = o.high }
+      taken[i].low, taken[i].high = o.low, o.high
     elseif o.kind == "wrapped" and units.equal(c.dim, units.none) and c.output and c.output.e then
       list[#list + 1] = at .. "jumps by " .. value .. ", a turn: the angle is wrapped; the shorter way round to the " ..
         "model is taken"
-      taken[i] = { wrapped = true }
+      taken[i].wrapped = true
     end
   end
   return list, taken
@@ -157,6 +157,17 @@ local function one(host, measured, inputs, path)
     odd = odd, taken = taken }
 end
 
+-- A sensor that loses the turns of an angle in one log does so in all, if no jump of them shows it or not.
+local function alike(list, columns)
+  for i in ipairs(columns) do
+    local wrapped = false
+    for _, d in ipairs(list) do wrapped = wrapped or d.taken[i].wrapped end
+    for _, d in ipairs(list) do
+      if wrapped and d.taken[i].turn then d.taken[i] = { wrapped = true } end
+    end
+  end
+end
+
 function logs.read(host, outputs, inputs, paths)
   local list, columns = {}, logs.columns(outputs)
   for i, path in ipairs(paths) do
@@ -164,6 +175,7 @@ function logs.read(host, outputs, inputs, paths)
     if not made then return nil, why end
     list[i] = made
   end
+  alike(list, columns)
   return list
 end
 

@@ -53,7 +53,8 @@ struct fit_log *fit_log_at(lua_State *L, int index);
 /* ---- odd.c ---- */
 
 /* odd(log) -> of each column {kind = nil, "constant", "limit" (value: at which it stays; low, high:
- * the limits that it has) or "wrapped" (value: by which it jumps), line, value, rows} */
+ * the limits that it has) or "wrapped" (value: by which it jumps), line, value, rows; turn = are
+ * all values within a turn?} */
 int host_odd(lua_State *L);
 
 /* ---- triangle.c ---- */

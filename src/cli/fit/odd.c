@@ -10,40 +10,47 @@
 
 #include <math.h>
 
-enum { RUN = 5 }; /* rows at a limit */
-#define FAST 50   /* steps of rounding that a value at a limit came by, over the run's length */
+enum { RUN = 5 };         /* rows at a limit */
+#define TURN (2.2 * M_PI) /* an angle without its turns is within one, and noise */
+#define FAST 50 /* steps of rounding that a value at a limit came by, over the run's length */
 
 /* What is seen of a column. */
 struct seen {
   double low, high, least; /* least: the smallest change that is not 0 */
   size_t values, first;    /* how many there are, the first one's row */
   size_t wrap;             /* the row behind a jump of a turn, or 0 */
-  double jump, moved;      /* that jump; sum of all other changes */
+  double jump;             /* that jump */
 };
 
 static double at(const struct fit_log *log, int column, size_t row) {
   return log->y[row * (size_t)log->columns + (size_t)column];
 }
 
+/* An angle without its turns jumps by more than half a turn, and then goes on from there; a gross
+ * error comes back.  Only what is nearly a turn may come back: an angle that stays near the jump.
+ */
 static struct seen look(const struct fit_log *log, int column) {
   struct seen s = {.low = (double)INFINITY, .high = -(double)INFINITY, .least = (double)INFINITY};
-  double last = (double)NAN;
+  double last = (double)NAN,
+         jump = 0; /* jump: the change before, if it was one and may be a turn */
+  size_t row = 0;
   for (size_t i = 0; i < log->rows; i++) {
-    const double y = at(log, column, i), change = fabs(y - last);
+    const double y = at(log, column, i), change = y - last, size = fabs(change);
     if (isnan(y))
       continue;
     if (s.values++ == 0)
       s.first = i;
     s.low = fmin(s.low, y);
     s.high = fmax(s.high, y);
-    if (change > 0)
-      s.least = fmin(s.least, change);
-    if (fabs(change - 2 * M_PI) < 0.1 * M_PI && s.wrap == 0) {
-      s.wrap = i;
-      s.jump = y - last;
-    } else if (!isnan(change) && change < M_PI) {
-      s.moved += change;
+    if (size > 0)
+      s.least = fmin(s.least, size);
+    const int large = size > M_PI, turn = size > 1.8 * M_PI && size < 2.2 * M_PI;
+    if (s.wrap == 0 && (turn || (jump != 0 && !large))) {
+      s.wrap = turn ? i : row;
+      s.jump = turn ? change : jump;
     }
+    jump = large && jump == 0 ? change : 0;
+    row = i;
     last = y;
   }
   return s;
@@ -88,10 +95,12 @@ int host_odd(lua_State *L) {
   for (int column = 0; column < log->columns; column++) {
     const struct seen s = look(log, column);
     size_t first = 0, rows = 0;
-    lua_createtable(L, 0, 4);
+    lua_createtable(L, 0, 5);
+    lua_pushboolean(L, s.high - s.low < TURN);
+    lua_setfield(L, -2, "turn");
     if (s.values >= 2 * RUN && s.low == s.high) {
       say(L, log, "constant", s.first, s.low, s.values);
-    } else if (s.wrap > 0 && s.high - s.low < 2.2 * M_PI && s.moved < 0.5 * (double)s.values) {
+    } else if (s.wrap > 0 && s.high - s.low < TURN) {
       say(L, log, "wrapped", s.wrap, s.jump, 1);
     } else {
       if ((rows = run_at(log, column, s.low, s.least, &first)) > 0) {

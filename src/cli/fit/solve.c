@@ -20,8 +20,9 @@
 #define LAST 1e-9
 /* Converged is what ends with a step below this (rounding may leave more than LAST). */
 #define STILL 1e-7
-/* As near is near enough to compare steps of the integration, and what rounding may leave at most
- * of millions of rows. */
+/* As near is near enough to compare steps of the integration. */
+#define NEAR 1e-8
+/* What rounding may leave at most, of millions of rows. */
 #define SHORT 1e-5
 /* The error of the integration, in standard errors of the estimate. */
 #define STEP_ERROR 1e-7
@@ -110,7 +111,7 @@ static void refine(struct fit_problem *f, struct fit_sums *s, struct fit_result 
   double last = 0;
   for (int i = 0; i < HALVINGS && !interrupt_pending(); i++) {
     f->h = ldexp(h0, -k);
-    if (!polish(f, s, r, SHORT))
+    if (!polish(f, s, r, NEAR))
       return;
     const double moved = shift(f, s, r, 2);
     r->step_shift = moved / 15;
