@@ -45,23 +45,30 @@ local function smoothed(u)
   return bar.kind == "call" and bar.fn == "abs" and c * bar[1] or nil
 end
 
--- The square of a speed under a root: of states, nothing else beside them that changes.
+-- The square of a speed under a root: of states, nothing else beside them that changes.  Second result: is the root's
+-- series that of a length, which shows where it vanishes (templates/steppers/taylor_corners.c)?
 local function speed(u, moves)
   if u.kind ~= "pow" or R.den(u.exp) ~= R.new(2) or u.base.kind ~= "add" then return nil end
-  local found = false
+  local least, beside
   for _, term in ipairs(u.base) do
-    local square = term.kind == "pow" and term.exp == R.new(2) and moves.states[term.base]
-    if not square and not expr.constant(term, moves.names) then return nil end
-    found = found or square
+    local c, square = expr.split(term)
+    if square.kind == "pow" and square.exp == R.new(2) and moves.states[square.base] and R.sign(c) > 0 then
+      least = (not least or c < least) and c or least
+    elseif expr.constant(term, moves.names) then
+      beside = term
+    else
+      return nil
+    end
   end
-  return found and u.base or nil
+  local bare = not beside or least and beside.kind == "num" and R.abs(beside.value) <= least * smallest
+  return least and u.base or nil, R.sign(u.exp) > 0 and bare
 end
 
 -- What is gathered: list = {g, about, branch = its symbol, or bend = true}, by what it is.
 local function gathering(eq)
   local name = "branch"
   while eq.model.by_name[name] or eq.model.by_name[name .. "0"] do name = name .. "_" end
-  return { name = name, list = {}, bends = {}, by = {} }
+  return { name = name, list = {}, bends = {}, bare = {}, by = {} }
 end
 
 -- The sign of e as an expression of the numbers of branches.
@@ -117,10 +124,11 @@ local function opened(self, eq)
       local e = open(smoothed(u))
       v = sign_of(self, e, expr.call("abs", smoothed(u))) * e
     else
-      local square = speed(u, { names = names, states = states })
+      local square, bare = speed(u, { names = names, states = states })
       if square and not self.by[square] then
-        self.by[square] = { about = u, square = square, bend = true }
-        self.bends[#self.bends + 1] = self.by[square]
+        self.by[square] = { about = u, square = square, bend = true, bare = bare }
+        local list = bare and self.bare or self.bends
+        list[#list + 1] = self.by[square]
       end
       v = expr.map(u, open)
     end
@@ -140,7 +148,8 @@ local function rate(eq, square)
 end
 
 -- Nil where the equations are smooth but for knots.  Else {name = of the array of branches, list = {g, about, branch or
--- bend}, bends after all that have branches, count = of these, equations = the equations between the corners}.
+-- bend}, bends after all that have branches and of them last those that a series shows, count = of branches, hidden =
+-- without these last ones, equations = the equations between the corners}.
 function switching.of(eq)
   local self, groups = gathering(eq), {}
   local open = opened(self, eq)
@@ -151,9 +160,12 @@ function switching.of(eq)
     groups[i] = own
   end
   self.count = #self.list
-  for _, b in ipairs(self.bends) do
-    b.g = rate(eq, b.square)
-    self.list[#self.list + 1] = b
+  self.hidden = self.count + #self.bends
+  for _, list in ipairs { self.bends, self.bare } do
+    for _, b in ipairs(list) do
+      b.g = rate(eq, b.square)
+      self.list[#self.list + 1] = b
+    end
   end
   if #self.list == 0 then return nil end
   self.equations = setmetatable({ groups = groups }, { __index = eq })

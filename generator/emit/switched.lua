@@ -88,14 +88,15 @@ function switched.put(v, s, kit, method)
   for _, k in ipairs(READ[method]) do v[k] = all[k] end
   if not sw then return v end
   local taylor, digits = method == "taylor", kit.ctx.real == "float" and 24 or 53
+  local own_count = taylor and sw.hidden or #sw.list
   local own = { taken = s.taken, slides = false, has_roots = false, way_turn = v.turn and v.turn ~= "" and ", w->turn" or "", method = method, taylor = taylor, adaptive = method == "adaptive", looks = text(LOOKS),
-    own = taylor and all.smooth or all.many, most_halvings = text(4 * digits), most_halved = "30",
-    end_rates = not all.bends and "" or taylor and ", w->y" or ", w->v1",
-    look_rates = not all.bends and "" or taylor and ", y" or ", v", by_cubic = taylor and "" or
-      ", by the cubic with the states and rates at its ends", signed = not taylor and all.bends and "sign*" or "",
+    own = text(own_count), bends = own_count > sw.count, most_halvings = text(4 * digits), most_halved = "30",
+    end_rates = not all.bends and "" or own_count == sw.count and ", w->y" or ", w->v1",
+    look_rates = not all.bends and "" or own_count == sw.count and ", y" or ", v", by_cubic = taylor and "" or
+      ", by the cubic with the states and rates at its ends", signed = own_count > sw.count and "sign*" or "",
     top_arg = taylor and ", int top" or "", top_pass = taylor and ", top" or "", top_full = taylor and ", " .. kit.ctx.upper .. "_ORDER" or "",
     top_own = taylor and ", " .. kit.ctx.name .. "_taylor_top(tolerance)" or "" }
-  for _, k in ipairs { "array", "many", "smooth", "bends", "most_parts" } do own[k] = all[k] end
+  for _, k in ipairs { "array", "many", "smooth", "most_parts" } do own[k] = all[k] end
   for k, x in pairs(v) do -- into a table: order is lost anyway
     if own[k] == nil then own[k] = x end
   end

@@ -217,7 +217,7 @@ end
 -- = {{time, sign}}, axis, spin, shift of the frame, transition = the program of the variational equations.
 function taylor.program(eq, options)
   local switches = switching.of(eq)
-  if switches and switches.count == 0 then switches = nil end -- a series ends where a speed is least (series.lua)
+  if switches and switches.hidden == 0 then switches = nil end -- the series shows the corners
   if switches and options.jacobians then
     return nil, "the equations have corners at times that are not known before, beyond which a transition matrix is " ..
       "not one series': use rk4, or leave jacobians out"

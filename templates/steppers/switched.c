@@ -10,6 +10,8 @@ typedef struct ${name}_${method}_way {
 %% end
 %% if not taylor then
   ${name}_real error[${count}], v0[${upper}_NX], v1[${upper}_NX];
+%% elseif bends then
+  ${name}_real v1[${upper}_NX];
 %% end
   ${name}_real y[${upper}_NX], g[${looks} + 1][${many}];
 } ${name}_${method}_way;
@@ -27,6 +29,21 @@ static void ${name}_taylor_within(const ${name}_model *m, const ${name}_real x[]
   ${name}_taylor_step_by(m, w->c, top, s, x, d);
   for (int k = 0; k < ${upper}_NX; k++) y[k] = x[k];
   for (int k = 0; k < ${upper}_MOVING; k++) y[${name}_taylor_moving[k]] = w->c[0][k] + (d[k] + w->lost[k]);
+}
+
+%% end
+%% if taylor and bends then
+/* The rates after the part s. */
+static void ${name}_taylor_slopes(const ${name}_taylor_way *w, ${name}_real s, ${name}_real v[], int top)
+{
+  for (int k = 0; k < ${upper}_NX; k++) v[k] = ${zero};
+  for (int n = top; n > 0; n--) {
+    for (int k = 0; k < ${upper}_MOVING; k++) {
+      const int i = ${name}_taylor_moving[k];
+
+      v[i] = s*v[i] + (${name}_real)n*w->c[n][k];
+    }
+  }
 }
 
 %% end
@@ -57,6 +74,9 @@ static void ${name}_${method}_go(const ${name}_model *m, ${name}_real t, const $
   (void)u;
   (void)${array};
   ${name}_taylor_within(m, x, h, w${top_pass}, w->d, w->y);
+%%   if bends then
+  ${name}_taylor_slopes(w, h, w->v1, top);
+%%   end
 %% elseif adaptive then
   ${name}_adaptive_trial(m, t, x, u, h, w->k1, ${array}, w->out, w->k7, w->error${way_turn});
   for (int k = 0; k < ${upper}_NX; k++) w->y[k] = x[k];
@@ -85,7 +105,11 @@ static void ${name}_${method}_end(const ${name}_model *m, ${name}_real t, const 
 static void ${name}_${method}_look(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, const ${name}_real ${array}[], ${name}_${method}_way *w${top_arg})
 {
 %% if taylor then
+%%   if bends then
+  ${name}_real y[${upper}_NX], v[${upper}_NX], d[${upper}_ROW];
+%%   else
   ${name}_real y[${upper}_NX], d[${upper}_ROW];
+%%   end
 
 %% else
 %%   if bends then
@@ -101,6 +125,9 @@ static void ${name}_${method}_look(const ${name}_model *m, ${name}_real t, const
 
 %% if taylor then
     ${name}_taylor_within(m, x, s*h, w${top_pass}, d, y);
+%%   if bends then
+    ${name}_taylor_slopes(w, s*h, v, top);
+%%   end
 %% else
     for (int n = 0; n < ${upper}_NX; n++) {
       const ${name}_real rise = w->y[n] - x[n], a = h*w->v0[n] - rise, b = rise - h*w->v1[n];
@@ -113,10 +140,10 @@ static void ${name}_${method}_look(const ${name}_model *m, ${name}_real t, const
 %% end
     ${name}_switches(m, t + s*h, y${look_rates}, u, ${array}, w->g[k]);
   }
-%% if bends and not taylor then
+%% if bends then
   if (h < ${zero}) { /* what falls backwards in time */
     for (int k = 0; k <= ${looks}; k++) {
-      for (int i = ${smooth}; i < ${many}; i++) w->g[k][i] = -w->g[k][i];
+      for (int i = ${smooth}; i < ${own}; i++) w->g[k][i] = -w->g[k][i];
     }
   }
 %% end
@@ -127,7 +154,7 @@ static void ${name}_${method}_look(const ${name}_model *m, ${name}_real t, const
 static ${name}_real ${name}_${method}_corner(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], int i, ${name}_real low, ${name}_real high, const ${name}_real ${array}[], ${name}_${method}_way *w${top_arg}, int *found)
 {
   ${name}_real g[${many}], a = w->g[0][i], b, s;
-%% if bends and not taylor then
+%% if bends then
   const ${name}_real sign = i >= ${smooth} && high < ${zero} ? -${one} : ${one};
 %% end
   int last = 0;
@@ -200,20 +227,21 @@ static int ${name}_${method}_first(const ${name}_model *m, ${name}_real t, const
 
   for (int tries = 0; tries < 4*${own} + 4; tries++) { /* some 1 times */
     ${name}_real low = ${zero}, high = ${two}, a, b;
+    const int apart = t + ${name}_looks[1]**h > t || t + ${name}_looks[1]**h < t;
     int first = -1;
 
     ${name}_${method}_look(m, t, x, u, *h, ${array}, w${top_pass});
-    for (int i = 0; i < ${own} && event < 0; i++) {
+    for (int i = 0; i < ${own} && tries == 0; i++) {
       const int side = ${name}_side_of(w->g[0][i]), next = ${name}_side_of(w->g[1][i]);
 
-      if (${name}_resolved(w->g, i)) {
+      if (!apart || ${name}_resolved(w->g, i)) {
         o->mute[i] = 0;
       } else if (!o->mute[i]) {
         *h *= ${half};
         o->mute[i] = ++o->halved > ${most_halved};
         return -2;
       }
-%% if bends and not taylor then
+%% if bends then
       if (i >= ${smooth}) continue;
 %% end
       if (!o->open[i] && side != ${name}_side_of(${array}[i])) {
@@ -320,7 +348,7 @@ static int ${name}_${method}_through(const ${name}_model *m, ${name}_real t0, ${
     if (event >= 0) {
       const int side = ${name}_side_of(w.g[${looks}][event]);
 
-%% if bends and not taylor then
+%% if bends then
       if (event < ${smooth})
         ${array}[event] = side != 0 ? (${name}_real)side : -${array}[event];
 %% else
