@@ -4,7 +4,7 @@
 -- stop = true ends the table with its row.
 -- Columns t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz,rx,ry,rz,vx,vy,vz and further states, those that the scene has, or
 -- what --columns asks for; every number reads back to the same double.  Nothing is printed unless all numbers are
--- finite: if one is not, the status is 3.  A motion that is off by more than accuracy.limit is printed, with a warning.
+-- finite: if one is not, the status is 3.  A motion that is off by more than --warn is printed, with a warning.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local accuracy = require "generator.commands.run.accuracy"
@@ -40,6 +40,7 @@ run.options = {
   { "--step", "number", "a fixed step in s", value = "H", default = "the scene's time.step, for fixed steps" },
   { "--tolerance", "number", "error allowed in a step, relative to the state, of methods that choose their step",
     value = "E", default = "general: near rounding; generated: 1e-12, in float 1e-6" },
+  { "--warn", "number", "the estimated error above which there is a warning", value = "E", default = "1e-3" },
   { "--order", "number", "of the emitted Taylor series, 4 to 30", value = "N", default = "20, in float 10" },
   { "--until", "number", "time of the last row, in s", value = "T", default = "the scene's time.horizon" },
   { "--every", "number", "time between rows, in s", value = "DT", default = "a hundredth of the whole" },
@@ -91,16 +92,6 @@ local function idle(motion, given, list)
     given.step, longest)
 end
 
--- The rows at the times of the list among those of a longer one; both ascend.
-local function chosen(list, longer, rows)
-  if list == longer then return rows end
-  local out, i = {}, 1
-  for k, t in ipairs(longer) do
-    if t == list[i] then out[#out + 1], i = rows[k], i + 1 end
-  end
-  return out
-end
-
 -- The events of the scene up to the last of the times, or nil and the failure.
 local function happened(host, job, given, motion, solve, list)
   local finish = 0
@@ -137,30 +128,22 @@ end
 -- The motion's rows at the times of the list, and the events; or nil and the failure.  Warnings are appended.
 local function computed(host, job, given, motion, list, warnings)
   local solve = tables.solver(motion, given.chosen.row)
-  local function table_at(wanted)
-    local longer = accuracy.times(motion, wanted)
-    local rows, states = solve(longer)
-    return rows and chosen(wanted, longer, rows), states
-  end
   local found, wrong = happened(host, job, given, motion, solve, list)
   if not found then return nil, wrong end
   local last = found[#found]
   last = last and last.event.stop and last or nil
   if motion.phases then found = with_phases(motion, found, list, solve) end
   if last then list = before(list, last.row.t) end
-  local rows, states = table_at(list)
+  local rows, states = solve(list)
   if rows and last then rows[#rows] = last.row end
   if last and last.event.said then
     warnings[#warnings + 1] = string.format("%s at t = %.9g s; the run ends there\n", last.event.said, last.row.t)
   end
   if not rows then return nil, states end
   warnings[#warnings + 1] = idle(motion, given, list)
-  warnings[#warnings + 1] = accuracy.warning(job, motion, list, states)
-  warnings[#warnings + 1] = motion.closed and accuracy.conditioned(job, motion, states) or nil
-  if motion.method == "linearised" then
-    local exact = engines.general(host, job, { method = "exact" })
-    warnings[#warnings + 1] = accuracy.linearised(job, states, function(t) return exact.solve(t, {}) end)
-  end
+  warnings[#warnings + 1] = accuracy.warning(job, motion, list, states, function()
+    return engines.general(host, job, { method = "exact" })
+  end, given.warn)
   return rows, found
 end
 
@@ -180,7 +163,7 @@ function run.run(host, given)
   job, d, why = bounce.scene(job, given)
   if not job then return options.refuse(host, d, why) end
   local list, wrong = times(job, given)
-  wrong = wrong or events.missing(job)
+  wrong = wrong or events.missing(job) or given.warn and given.warn <= 0 and "--warn must be positive" or nil
   local warnings, course
   if not wrong then given.chosen, wrong = columns.of(host, job, given.columns, given) end
   if not wrong then

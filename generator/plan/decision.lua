@@ -267,7 +267,8 @@ function decision.refusal(q, r)
   end
   local limits = {}
   if r.own > q.accuracy / 8 then
-    limits[1] = "the motion magnifies roundings so much that the library itself knows it to " .. short(r.own) .. " only"
+    limits[1] = (r.early and "the true motion, which the library takes too long for, is known to " or
+      "the motion magnifies roundings so much that the library itself knows it to ") .. short(r.own) .. " only"
   elseif q.real == "float" then
     limits[1] = "the rounding of float"
   else

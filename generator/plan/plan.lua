@@ -105,18 +105,26 @@ local function competitors(q)
   return list, refused
 end
 
--- What serves as truth once the library has confirmed it: the closed form, or the series near rounding; of a stiff
--- motion, which takes a series too long, the implicit method in double, `made` for it.
-local function surrogate(q)
-  if q.real == "float" and not q.stiff then return nil end
-  if q.job.closed.full then return { { method = "exact", setting = "none" } } end
-  local name, tolerance = "taylor", 2.0 ^ -51
-  if q.stiff then name, tolerance = "rosenbrock", math.max(1e-13, 1e-6 * q.accuracy) end
-  for _, c in ipairs(candidates.of(q.job, { methods = { name }, orders = { top }, real = "double" })) do
-    c.made = q.stiff and q.sure
-    if not c.refused and c.setting == "tolerance" then return { c, tolerance } end
+-- What may serve as truth once the library has confirmed it, the best first: the closed form, or the series near
+-- rounding; of a stiff motion the series in double where its stability leaves it few steps, and the implicit method,
+-- also in double.  Where the code is in float, its own series tells nothing.
+local least, most_true = 16, 2e9 -- states of a stiff motion, and cycles that their true motions may take
+local function surrogates(q)
+  if q.real == "float" and not q.stiff then return {} end
+  if q.job.closed.full then return { { { method = "exact", setting = "none" } } } end
+  local list = {}
+  local function put(name, tolerance, made)
+    for _, c in ipairs(candidates.of(q.job, { methods = { name }, orders = { top }, real = "double" })) do
+      c.made = made
+      if not c.refused and c.setting == "tolerance" then list[#list + 1] = { c, tolerance } end
+    end
   end
-  return nil
+  local long = q.stiff and (q.real == "float" or least * q.stiff.decays / stiffness.reach("taylor", top) *
+    targets.cost(targets.default, "double", ops.of(q.code, { method = "taylor", order = top,
+      setting = "tolerance" }).step) > most_true)
+  if not long then put("taylor", 2.0 ^ -51) end
+  if q.stiff then put("rosenbrock", math.max(1e-13, 1e-6 * q.accuracy), q.sure) end
+  return list
 end
 
 -- The states, those first from which the candidate errs most.
@@ -147,7 +155,6 @@ end
 
 local many, some, few, confirmed = 128, 64, 5, 8
 local most, work = 1024, 4e8 -- states at last: as many as take so many cycles at the plan's cost
-local least, most_true = 16, 2e9 -- states of a stiff motion, and cycles that their true motions may take
 local sound = 1000 -- decays of a stiff motion up to which the library follows it, in a second or so
 
 -- All states: {setting, error, steps, cost, errors by point}.  limit: stop where the error is above, if given.
@@ -250,8 +257,9 @@ local function widened(s, job, r, points, limit, real)
   return good
 end
 
--- The true motion from all points; how far it is from that, or nil and why not.
-local function truths(s, points, limit, progress)
+-- The true motion from all points; how far it is from that, or nil and why not.  bearable: what is further off will not
+-- do, and not all points have their motion then.
+local function truths(s, points, bearable, progress)
   local own = 0.0
   for i, p in ipairs(points) do
     local rows, why, doubt
@@ -259,7 +267,7 @@ local function truths(s, points, limit, progress)
       doubt, why = s:doubt(p, not s.sure and i <= confirmed or i == 1)
       rows = doubt
       own = math.max(own, doubt or 0.0)
-      if s.sure and own > limit / 4 then return own end -- what serves as truth is not good enough
+      if own > bearable then return own end
     else
       rows, why = s:truth(p)
     end
@@ -303,9 +311,28 @@ local function number_of(s, q)
   local c = s.sure[1]
   local own = states.points(q.job, q.real, 1)[1]
   local _, steps = s:run(c, s.sure[2], own)
-  local costs = ops.of(q.sure.code, { method = c.method, setting = c.setting })
+  local costs = ops.of((q.apart[c.method] and q.sure or q).code, { method = c.method, order = c.order,
+    setting = c.setting })
   local cost = (steps or 1) * targets.cost(targets.default, "double", costs.step) -- it runs here
   return math.max(least, math.min(many, math.floor(most_true / cost)))
+end
+
+-- The states with their true motions, by the first of the surrogates that is good enough, and how far these are from
+-- the truth; or nil and why there are none.  Where no surrogate serves, the library computes them, which takes a stiff
+-- motion too long.
+local function with_truths(s, q, progress)
+  local list, points, own, why = surrogates(q), nil, nil, nil
+  local good, bearable = q.accuracy / plan.margin / 4, q.accuracy / plan.least_margin
+  if not q.stiff or #list == 0 then list[#list + 1] = false end
+  for i, sure in ipairs(list) do
+    s.sure = sure or nil
+    if q.stiff and sure then s:briefly(s.T * math.min(1, sound / q.stiff.decays)) end
+    points = states.points(q.job, q.real, number_of(s, q))
+    own, why = truths(s, points, i < #list and good or bearable, progress)
+    if own and own <= good then break end
+  end
+  if not own then return nil, why end
+  return points, own
 end
 
 -- The plan for a question q: {host, job (read), code (planned, with its methods), plugin, apart = {method's name =
@@ -326,23 +353,16 @@ function plan.find(q)
       refused = {}, found = {} }
   end
   local list, refused = competitors(q)
-  s.sure = surrogate(q)
-  if q.stiff and s.sure then s:briefly(T * math.min(1, sound / q.stiff.decays)) end
-  local points = states.points(q.job, q.real, number_of(s, q))
+  local function share(from, to) return function(part) say(from + (to - from) * part) end end
+  local points, own = with_truths(s, q, share(0, 0.4))
   local result = { refused = refused, found = {}, own = 0.0, least_margin = plan.least_margin, stiff = q.stiff,
     early = s.early and s.early.T }
-  local function share(from, to) return function(part) say(from + (to - from) * part) end end
-  local limit = q.accuracy / plan.margin
-  local own, why = truths(s, points, limit, share(0, 0.4))
-  if own and s.sure and own > limit / 4 and not s.early then
-    s.sure, points = nil, states.points(q.job, q.real, some)
-    own, why = truths(s, points, limit, share(0, 0.4))
-  end
-  if not own then
-    result.why = "the library cannot follow the motion from all states of the ranges: " .. why
+  if not points then
+    result.why = "the library cannot follow the motion from all states of the ranges: " .. own
     return nil, result
   end
   result.own, result.states = own, #points
+  if own > q.accuracy / plan.least_margin then return nil, result end
   result.rows, result.expected = points[1].truth, points[1].truth[#points[1].truth]
   for _, c in ipairs(list) do
     c.least_steps = plan.least_steps(q.job, c, points, T)
@@ -352,7 +372,7 @@ function plan.find(q)
       c.least_steps = math.max(c.least_steps, math.floor(c.stable_steps / 2))
     end
   end
-  local best
+  local best, limit
   for turn, margin in ipairs { plan.margin, plan.least_margin } do
     if best or #list == 0 or q.accuracy / margin <= own then break end
     limit = q.accuracy / margin - own

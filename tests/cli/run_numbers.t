@@ -114,6 +114,7 @@ argument["gsl-rk4"] = function(y) return 2 * argument.rk4(y / 2) end -- it takes
 argument.midpoint = function(y) return math.atan(y) end              -- Cayley
 
 local function estimate(err)
+  if string.find(err, "no digit is known", 1, true) then return 10.0 end
   local e = string.match(err, "its error is estimated at (%S+)")
   return e == "more" and 10.0 or tonumber(e)
 end

@@ -144,17 +144,13 @@ end
 
 -- Appends what run would say of the motion's accuracy, at its end and of the linearised one at some times.
 local function judged(host, job, motion, samples, warnings)
-  local ts, some = { samples[#samples].t }, {}
-  if motion.step then
-    local states = motion.solve(accuracy.times(motion, ts), {})
-    warnings[#warnings + 1] = states and accuracy.warning(job, motion, ts, states) or nil
-  end
-  for i = 1, #samples, math.max(1, #samples // judged_at) do some[#some + 1] = samples[i] end
-  warnings[#warnings + 1] = motion.closed and accuracy.conditioned(job, motion, some) or nil
-  if motion.method == "linearised" then
-    local exact = engines.general(host, job, { method = "exact" })
-    warnings[#warnings + 1] = accuracy.linearised(job, some, function(t) return exact.solve(t, {}) end)
-  end
+  local ts = {}
+  for i = #samples, 1, -math.max(1, #samples // judged_at) do table.insert(ts, 1, samples[i].t) end
+  if motion.step then ts = { ts[#ts] } end -- at every row a step would end
+  local states = motion.solve(ts, {})
+  warnings[#warnings + 1] = states and accuracy.warning(job, motion, ts, states, function()
+    return engines.general(host, job, { method = "exact" })
+  end) or nil
 end
 
 -- A course of the scene: nil, a failure of run/engines.lua.  Second result: warnings.  given: the command's options,

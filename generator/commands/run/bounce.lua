@@ -71,7 +71,7 @@ local function narrowed(phase, value, a, b, ga, gb, o)
     local t = a.t + (b.t - a.t) * (ga / (ga - gb))
     if not (t > a.t and t < b.t) then t = a.t + (b.t - a.t) / 2 end
     if t <= a.t or t >= b.t then break end
-    local list, why = phase.solve({ t }, { from = a, step = o.step })
+    local list, why = phase.solve({ t }, { from = a, step = o.step, tolerance = o.tolerance })
     if not list then return nil, why end
     local g = value(list[1])
     if g > 0 then
@@ -91,7 +91,7 @@ end
 -- The first state after a, at most dt later, at which the value is positive, and that step; a where there is none.
 local function risen(phase, value, a, dt, o)
   while a.t + dt > a.t do
-    local list, why = phase.solve({ a.t + dt }, { from = a, step = o.step })
+    local list, why = phase.solve({ a.t + dt }, { from = a, step = o.step, tolerance = o.tolerance })
     if not list then return nil, why end
     if value(list[1]) > 0 then return list[1], dt end
     dt = dt / 4
@@ -119,7 +119,7 @@ local function first_zero(phase, value, start, to, step, o)
       end
     end
     if #times == 0 then times[1] = to end
-    local list, why = phase.solve(times, { from = a, step = o.step })
+    local list, why = phase.solve(times, { from = a, step = o.step, tolerance = o.tolerance })
     if not list then return nil, why end
     for _, b in ipairs(list) do
       local gb = value(b)
@@ -186,7 +186,7 @@ end
 
 -- The phases up to the time `to`; those from the scene's start are kept, by the step.
 function bounce:phases(to, o)
-  local key, from = o.step or 0, o.from or { t = 0.0, x = self.start }
+  local key, from = o.step or o.tolerance or 0, o.from or { t = 0.0, x = self.start }
   local made = not o.from and self.made[key]
   if not made then
     local first, why = from, nil
@@ -226,7 +226,8 @@ function bounce:solve(times, o)
     local inner = phase.on and self.on_plane or self.in_air
     local list, wrong = {}, nil
     if #wanted > 0 then
-      list, wrong = inner.solve(wanted, { from = { t = phase.t, x = phase.on or phase.x }, step = o.step })
+      list, wrong = inner.solve(wanted, { from = { t = phase.t, x = phase.on or phase.x },
+        step = o.step, tolerance = o.tolerance })
     end
     if not list then return nil, wrong end
     for _, s in ipairs(list) do
@@ -251,7 +252,8 @@ end
 
 -- contact, flight: the scenes of the two phases; engine(scene, given) -> a motion.  Returns the motion, or nil and the
 -- failure.
-local function composed(host, contact, flight, given, course, engine)
+local composed
+function composed(host, contact, flight, given, course, engine)
   local on_plane, why = engine(contact, given)
   if not on_plane then return nil, why end
   local same = {}
@@ -273,7 +275,10 @@ local function composed(host, contact, flight, given, course, engine)
     a.impact.tangential and m:double(a.impact.tangential) or 0.0 }
   local motion = {}
   for k, v in pairs(on_plane) do motion[k] = v end -- a copy: order is lost anyway
-  motion.closed, motion.exact = false, false
+  motion.closed, motion.exact, motion.judge = false, false, nil
+  motion.twin = on_plane.double and function()
+    return (composed(host, contact, flight, on_plane.double, course, engine))
+  end
   function motion.solve(times, o) return self:solve(times, o) end
   function motion.measured(s) return (s.on and on_plane or in_air).measured(s.inner) end
   -- What happened up to a time: a list of {name, t}; those of the longest step.

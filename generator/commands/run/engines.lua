@@ -3,10 +3,13 @@
 -- A motion has `method`; `step`, the fixed step it goes by, or nil; `order`, the method's; `longest`, the most steps
 -- that it does (`between`: of two rows, else of the whole run); `quick`, steps that take less than a second;
 -- `adaptive`, that it could choose its steps; `closed`, that it takes none; `exact`, that the scene has a closed form;
--- `epsilon` of its numbers; and
+-- `epsilon` of its numbers; `emitted`, that it is generated code; `tolerance` by which it chooses its steps, or nil,
+-- and `least`, the smallest; and
 --     motion.solve(times, o)   a list of {t =, x = state as the scene has it, ...}, all numbers finite; or nil and a
 --                              failure {status =, text =, t = the time at which it went wrong}.  o: {step = another
---                              step, from = one of these states, to start there}
+--                              step, tolerance = another, from = one of these states, to start there}
+--     motion.twin()            of a motion in float: the same in double, or nil
+--     motion.judge()           of generated code: the library's motion, near rounding, or nil
 --     motion.measured(state)   its energy and L, or nil and a failure
 -- What cannot be run is answered by nil and {status =, text =}, {command = true, text =} where the command line is
 -- wrong, {diag =} where diagnostics say it.  scene: what was read; course: the inputs over time, or nil.
@@ -82,9 +85,9 @@ local function corners_of(scene)
   return list
 end
 
-local function stepped(plugin, method, x0, course, tolerance, step, corners)
+local function stepped(plugin, method, x0, course, usual, step, corners)
   return function(asked, o)
-    local h = o.step or step
+    local h, tolerance = o.step or step, o.tolerance or usual
     local from = o.from or { t = 0.0, x = x0 }
     local times, wanted = asked, nil
     if h and #corners > 0 then times, wanted = with_corners(asked, corners, from.t) end
@@ -152,13 +155,15 @@ function engines.generated(host, scene, given, course)
   local x0 = numeric.initial(job)
   local real = given.real or "double"
   local motion = { method = method, order = m and (m.order or order or m.own_order[real]), longest = limits.emitted,
-    quick = 300000, epsilon = limits.tolerances[real][1], adaptive = m and m.adaptive or false, exact = exact }
+    quick = 300000, epsilon = limits.tolerances[real][1], adaptive = m and m.adaptive or false, exact = exact,
+    emitted = true, least = limits.tolerances[real][1] }
   if method == "exact" then
     if plugin:solve(x0) ~= 0 then return nil, { status = 3, text = "the closed form refuses the initial state" } end
     motion.solve, motion.closed = closed(plugin), true
   else
     if not (m.adaptive and not given.step) then motion.step = given.step or job.model:double(job.model.step) end
     local tolerance = given.tolerance or limits.usual[real]
+    motion.tolerance = not motion.step and tolerance or nil
     motion.solve = stepped(plugin, method, x0, course, tolerance, motion.step, corners_of(scene))
   end
   function motion.measured(state)
@@ -167,11 +172,21 @@ function engines.generated(host, scene, given, course)
     if not finite(L) then return failed(state.t, "the angular momentum is not finite") end
     return energy, L
   end
+  function motion.judge() return (engines.general(host, scene, {}, course)) end
+  if real == "float" then
+    motion.double = {}
+    for k, v in pairs(given) do motion.double[k] = v end -- a copy: order is lost anyway
+    motion.double.real, motion.double.method = "double", method
+    motion.double.order = method == "taylor" and motion.order or nil
+    function motion.twin() return (engines.generated(host, scene, motion.double, course)) end
+  end
   return motion
 end
 
 -- ---- the general library ----
 
+-- Of the methods that choose their steps, where none is asked for; GSL's are in double.
+local tolerances = { adaptive = 1e-18, taylor = 1e-18, rkf45 = 1e-10, rk8pd = 1e-13 }
 local names = { "adaptive", "taylor", "rk4", "gsl-rk4", "rkf45", "rk8pd", "exact", "linearised" }
 local orders = { adaptive = 24, taylor = 24, rk4 = 4, rkf45 = 5, rk8pd = 8, ["gsl-rk4"] = 4, exact = 0, linearised = 0 }
 
@@ -194,10 +209,12 @@ function engines.general(host, job, given, course)
   end
   local motion = { method = method, order = orders[method], longest = limits.library, between = true,
     quick = 20000, epsilon = 2.0 ^ -52, closed = closed_form, adaptive = adaptive, exact = job.closed.full }
+  motion.least = limits.tolerances.general[1]
   if not closed_form then motion.step = given.step or fixed and job.model:double(job.model.step) or nil end
+  motion.tolerance = not motion.step and (given.tolerance or tolerances[method]) or nil
   function motion.solve(times, o)
     local rows, why, kind, t = host.run(o.from and reference.from(scene, job, o.from.x) or scene, {
-      method = method, step = o.step or motion.step, tol = given.tolerance, times = times, u = course,
+      method = method, step = o.step or motion.step, tol = o.tolerance or motion.tolerance, times = times, u = course,
       t0 = o.from and o.from.t or 0.0 })
     if not rows then
       return nil, { status = kind == "numbers" and 3 or 2, t = t, text = string.gsub(why, "^at t = %S+ s: ", "") }
