@@ -22,6 +22,7 @@ local R = require "generator.algebra.rational"
 local form = require "generator.ir.lower.form"
 local share = require "generator.ir.lower.share"
 local orient = require "generator.ir.lower.orient"
+local size = require "generator.ir.lower.size"
 local select = require "generator.ir.lower.select"
 
 local lower = {}
@@ -162,6 +163,7 @@ function lower.run(program)
   share.sums(forms, B)
   local terms = {}
   for k, root in ipairs(roots) do terms[k] = root.term end
+  size.run(terms)
   local survey = orient.run(terms)
 
   local ir = { name = program.name, n = 0, inputs = {}, consts = {}, groups = {} }
