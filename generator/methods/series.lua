@@ -85,12 +85,38 @@ local function level_of(f)
   return level
 end
 
--- A form as one variable and a constant factor, which is 1 if `whole`.
--- Forms that are equal are one variable.  A factor stays outside where it costs nothing: it multiplies what is made of
--- the variable, and not each of its terms.
+-- The power of ten of the largest number in a form where that is long (algebra/rational.lua), a multiple of q; else 0.
+local function long_of(f, q)
+  local most = R.zero
+  local function see(e)
+    local c = R.abs((expr.split(e)))
+    if c > most then most = c end
+  end
+  see(f.constant)
+  for _, v in ipairs(f.vars) do see(f.of[v]) end
+  local e = R.decade(most)
+  return math.abs(e) >= R.LONG and e - e % q or 0
+end
+
+-- c f
+local function times(c, f)
+  local g = form(c * f.constant)
+  for _, v in ipairs(f.vars) do put(g, v, c * f.of[v]) end
+  return g
+end
+
+-- A form as one variable and a constant factor, which is 1 if `whole` is 1, a number's power if it is q > 1, and
+-- anything if it is nil.  Forms that are equal are one variable.  A factor stays outside where it costs nothing: it
+-- multiplies what is made of the variable, and not each of its terms.  So does the scale of a sum of long whole
+-- numbers, which are what decimals become when algebra clears denominators: its powers would leave float.
 local function single(self, f, name, whole)
   local factor = f.of[f.vars[1]]
   if #f.vars == 1 and f.constant == expr.zero and (factor == expr.one or not whole) then return f.vars[1], factor end
+  local scale = whole == 1 and 0 or long_of(f, whole or 1)
+  if scale ~= 0 then
+    factor = expr.num(R.new(10) ^ scale)
+    return single(self, times(expr.one / factor, f), name, 1), factor
+  end
   local key = expression(f, true)
   local v = self.linear[key]
   if not v then
@@ -252,7 +278,7 @@ local function product(self, e)
     else
       local base, exponent = f, R.one
       if f.kind == "pow" then base, exponent = f.base, f.exp end
-      local v, c = single(self, of(self, base), nil, not R.isint(exponent))
+      local v, c = single(self, of(self, base), nil, not R.isint(exponent) and R.toint(R.den(exponent)) or nil)
       coefficient = coefficient * c ^ exponent
       rest[#rest + 1] = { v, exponent }
     end
@@ -262,10 +288,7 @@ end
 
 -- c times the linear form of x: a factor that is steady during the step costs no lane.
 local function scaled(self, c, x)
-  local f, g = of(self, x), form(expr.zero)
-  g.constant = c * f.constant
-  for _, v in ipairs(f.vars) do put(g, v, c * f.of[v]) end
-  return g
+  return times(c, of(self, x))
 end
 
 -- The linear form of a product or a power.  Powers up to 4 are products, one lane each, which are right where the base
@@ -329,7 +352,7 @@ function of(self, e)
   elseif e.kind == "call" then
     local rule = functions[e.fn]
     if not rule then error(setmetatable({ fn = e.fn }, series.missing)) end
-    local u = single(self, of(self, e[1]), "angle", true)
+    local u = single(self, of(self, e[1]), "angle", 1)
     f = form(expr.zero)
     put(f, rule(self, u), expr.one)
   else

@@ -3,8 +3,8 @@
 --
 -- This is the line.  Above it the expressions are real algebra, so here, and for the last time, the
 -- form of evaluation is free: expressions become forms (form.lua: common factors, quotients, roots,
--- differences of squares), forms share their parts (share.lua), signs and factors are placed
--- (orient.lua), and the chosen order is written down as instructions (select.lua).  From then on
+-- differences of squares), forms share their parts (share.lua), scales, signs and factors are placed (size.lua,
+-- orient.lua), and the chosen order is written down as instructions (select.lua).  From then on
 -- values are IEEE numbers and nothing is reordered.
 --
 -- A program is { name, inputs = { { sym, c } }, groups = { { why, where, defs, outs } } }; a def is

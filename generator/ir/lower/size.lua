@@ -14,8 +14,10 @@
 --     the numbers outside come nearer to 1, over all users together (what else is scaled counted in);
 --     or the whole numbers are not exact in float (EXACT digits);
 --     or factors of one product together are beyond what float should spend on scales (SPENT digits).
--- The scale is 1/m where all users multiply by m, so that this multiplication is saved; else 10^e; but where a term has
--- no coefficient and would get one, the largest coefficient, which then is none.
+-- The scale is 1/m where all users multiply by m, so that this multiplication is saved; else a power of ten, a common
+-- one for sizes that differ by up to NEAR digits, so that components of a vector do not part.  A sum with a term
+-- without a coefficient stays as it is for the sake of the numbers outside alone: the term would get one.  Where it
+-- must be scaled, the largest coefficient goes instead.
 -- Forms are changed in place: hash-consing is over at this point.  The work is three walks over the forms.
 
 local R = require "generator.algebra.rational"
@@ -24,10 +26,8 @@ local orient = require "generator.ir.lower.orient"
 local size = {}
 
 local ONE, TEN = R.one, R.new(10)
-local LONG, EXACT, SPENT = 3, 7, 12
-
--- floor(log10 |c|), or one less: c may be beyond a double.  0 has none.
-local function exponent(c) return R.sign(c) == 0 and 0 or R.log2(c) * 1233 // 4096 end -- log10 2 = 0.30103
+local LONG, EXACT, SPENT, NEAR = R.LONG, 7, 18, 3
+local decade = R.decade
 
 -- ---- what is long -------------------------------------------------------------------------------------------------
 
@@ -38,7 +38,7 @@ local function exponents(list)
   local rules = {
     sum = function(f)
       local most = math.mininteger
-      for _, t in ipairs(f.terms) do most = math.max(most, exponent(t.c) + of[t.f]) end
+      for _, t in ipairs(f.terms) do most = math.max(most, decade(t.c) + of[t.f]) end
       return math.abs(most) >= LONG and most or 0
     end,
     powi = function(f) return f.n * of[f.base] end,
@@ -65,7 +65,8 @@ local function agreed(known, m)
   return known == m and m
 end
 
--- The sums to be scaled: form -> the m of all users, or false where they differ.  Users before operands.
+-- The sums to be scaled: form -> { m = that of all users, or false where they differ, must = not only for what is
+-- outside }.  Users before operands.
 local function chosen(survey)
   local of, above, below = exponents(survey.list)
   local gain, spent, outside, holder, scaled = {}, {}, {}, {}, {}
@@ -78,7 +79,8 @@ local function chosen(survey)
   local rules = {
     sum = function(f)
       local e = math.abs(of[f])
-      if e >= LONG and (gain[f] > 0 or e >= EXACT or spent[f]) then scaled[f] = outside[f] or false end
+      local must = e >= EXACT or spent[f] or false
+      if e >= LONG and (must or gain[f] > 0) then scaled[f] = { m = outside[f], must = must } end
       for _, t in ipairs(f.terms) do holder[t] = f end
     end,
     powi = function(f)
@@ -96,15 +98,30 @@ local function chosen(survey)
     gain[f] = gain[f] or 0
     for _, t in ipairs(survey.refs[f] or {}) do
       local g = holder[t]
-      local inner = scaled[g] ~= nil
-      local e = exponent(t.c) - (inner and of[g] or 0)
+      local inner = scaled[g]
+      local e = decade(t.c) - (inner and of[g] or 0)
       gain[f] = gain[f] + math.abs(e) - math.abs(e + of[f])
       outside[f] = agreed(outside[f], not inner and R.abs(t.c))
     end
     local rule = rules[f.kind]
     if rule then rule(f) end
   end
-  return scaled
+  return scaled, of
+end
+
+-- The exponents of the sums that are scaled, each with that of the power that is used: of those that lie together, up
+-- to NEAR apart, the middle.
+local function powers(list, scaled, of)
+  local all, power, first = {}, {}, 1
+  for _, f in ipairs(list) do
+    if scaled[f] then all[#all + 1] = of[f] end
+  end
+  table.sort(all)
+  for k, e in ipairs(all) do
+    if e - all[first] > NEAR then first = k end
+    for j = first, k do power[all[j]] = (all[first] + e) // 2 end
+  end
+  return power
 end
 
 -- ---- scaling ------------------------------------------------------------------------------------------------------
@@ -118,25 +135,32 @@ local function multiplications(f, s, m)
   return n
 end
 
--- What the sum is divided by.  m: what all users multiply it with, or false
-local function scale_of(f, m)
-  local most, bare = R.zero, false
+-- What the sum is divided by.  why: its entry of `chosen`, nil where it has none
+local function scale_of(f, why, power)
+  local most, bare, same = R.zero, false, R.abs(f.terms[1].c)
   for _, t in ipairs(f.terms) do
     local c = R.abs(t.c)
     if c > most then most = c end
     bare = bare or c == ONE and t.f.kind ~= "one"
+    same = same == c and c
   end
-  if m and math.abs(exponent(most * m)) <= LONG
+  if same then return same end -- the scales of what is inside
+  if not why then return ONE end
+  local m = why.m
+  if m and math.abs(decade(most * m)) <= LONG
     and multiplications(f, ONE / m, m) <= multiplications(f, ONE, m) then return ONE / m end
-  return bare and most or TEN ^ exponent(most)
+  if bare then return why.must and most or ONE end
+  local e = decade(most)
+  return TEN ^ (power[e] or e)
 end
 
 -- kind of a form -> its scale, from those of its parts; one, leaf and calls have none
 local scales = {
-  sum = function(f, _, scaled)
-    if scaled[f] == nil then return ONE end
-    local s = scale_of(f, scaled[f])
-    for _, t in ipairs(f.terms) do t.c = t.c / s end
+  sum = function(f, _, scaled, power)
+    local s = scale_of(f, scaled[f], power)
+    if s ~= ONE then
+      for _, t in ipairs(f.terms) do t.c = t.c / s end
+    end
     return s
   end,
   powi = function(f, of) return (of[f.base] or ONE) ^ f.n end,
@@ -151,11 +175,12 @@ local scales = {
 -- Rescales the sums below these terms.
 function size.run(terms)
   local survey, of = orient.survey(terms), {}
-  local scaled = chosen(survey)
+  local scaled, exponent_of = chosen(survey)
   if next(scaled) == nil then return end
+  local power = powers(survey.list, scaled, exponent_of)
   for _, f in ipairs(survey.list) do -- operands before users
     local rule = scales[f.kind]
-    local s = rule and rule(f, of, scaled) or ONE
+    local s = rule and rule(f, of, scaled, power) or ONE
     if s ~= ONE then
       of[f] = s
       for _, t in ipairs(survey.refs[f] or {}) do t.c = t.c * s end
