@@ -25,9 +25,12 @@
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
+local linear = require "generator.methods.linear"
 
 local series = {}
 series.__index = series
+
+local form, put, times, expression = linear.form, linear.put, linear.times, linear.expression
 
 -- A variable: {name, sym, level, form (linear, over variables of this or lower levels) | start, term (see below)}.
 -- start: the expression of term 0, in the terms 0 of others; term: that of term n > 0, in the lanes and terms n.
@@ -60,50 +63,7 @@ local function lane(self, a, b, level, weighted)
   return known.sym
 end
 
--- ---- linear forms: {constant = expr, [variable] = coefficient expr, list of variables in order} ---------------
-
-local function form(constant) return { constant = constant, vars = {}, of = {} } end
-
--- f + c v, in place
-local function put(f, v, c)
-  if not f.of[v] then
-    f.vars[#f.vars + 1] = v
-    f.of[v] = expr.zero
-  end
-  f.of[v] = f.of[v] + c
-end
-
-local function expression(f, constant)
-  local terms = { constant and f.constant or expr.zero }
-  for _, v in ipairs(f.vars) do terms[#terms + 1] = f.of[v] * v.sym end
-  return expr.add(terms)
-end
-
-local function level_of(f)
-  local level = 0
-  for _, v in ipairs(f.vars) do level = math.max(level, v.level) end
-  return level
-end
-
--- The power of ten of the largest number in a form where that is long (algebra/rational.lua), a multiple of q; else 0.
-local function long_of(f, q)
-  local most = R.zero
-  local function see(e)
-    local c = R.abs((expr.split(e)))
-    if c > most then most = c end
-  end
-  see(f.constant)
-  for _, v in ipairs(f.vars) do see(f.of[v]) end
-  local e = R.decade(most)
-  return math.abs(e) >= R.LONG and e - e % q or 0
-end
-
--- c f
-local function times(c, f)
-  local g = form(c * f.constant)
-  for _, v in ipairs(f.vars) do put(g, v, c * f.of[v]) end
-  return g
-end
+-- ---- linear forms as variables ---------------------------------------------------------------------------------
 
 -- A form as one variable and a constant factor, which is 1 if `whole` is 1, a number's power if it is q > 1, and
 -- anything if it is nil.  Forms that are equal are one variable.  A factor stays outside where it costs nothing: it
@@ -112,7 +72,7 @@ end
 local function single(self, f, name, whole)
   local factor = f.of[f.vars[1]]
   if #f.vars == 1 and f.constant == expr.zero and (factor == expr.one or not whole) then return f.vars[1], factor end
-  local scale = whole == 1 and 0 or long_of(f, whole or 1)
+  local scale = whole == 1 and 0 or linear.long(f, whole or 1)
   if scale ~= 0 then
     factor = expr.num(R.new(10) ^ scale)
     return single(self, times(expr.one / factor, f), name, 1), factor
@@ -120,7 +80,7 @@ local function single(self, f, name, whole)
   local key = expression(f, true)
   local v = self.linear[key]
   if not v then
-    v = new_variable(self, name or "sum", level_of(f))
+    v = new_variable(self, name or "sum", linear.level(f))
     v.start, v.term = key, expression(f, false)
     self.linear[key] = v
   end
