@@ -39,11 +39,22 @@ function rational.lift(x)
   return nil, "must be a number"
 end
 
--- The power of ten at or below |q|, as text with q's sign: what is said of a number that no double holds.
-function rational.magnitude(q)
-  local n = R.log2(q) * 30103 // 100000 - 1
+-- The n with 10^n <= |q| < 10^(n + 1); of 0 it is 0.
+function rational.decade(q)
+  if R.sign(q) == 0 then return 0 end
+  local bits = R.log2(q)
+  if bits >= 0 and bits < 3 then return 0 end
+  local n = bits * 30103 // 100000 - 1
   while R.new(10) ^ (n + 1) <= R.abs(q) do n = n + 1 end
-  return (R.sign(q) < 0 and "-1e" or "1e") .. n
+  return n
 end
+
+-- Digits before or after the point from which on a coefficient is long: a whole number that stands for a decimal, for
+-- algebra, which is exact, clears the denominators of a sum.  In a type of numbers with an end such scales must not
+-- pile up in powers and products; who lays out a sum gives them back to it (ir/lower/size.lua, methods/series.lua).
+rational.LONG = 3
+
+-- That power of ten as text with q's sign: what is said of a number that no double holds.
+function rational.magnitude(q) return (R.sign(q) < 0 and "-1e" or "1e") .. rational.decade(q) end
 
 return rational

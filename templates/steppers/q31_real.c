@@ -8,14 +8,17 @@
 
 #include <math.h>
 
-/* v in units of the last place, limited to low .. high, to the nearest word and remainder (2^-k of the unit, one = 2^k).
- * Returns 1 if it was limited; what is no number becomes 0 or the limit next to it. */
+/* v in units of the last place, limited to low .. high, to the nearest word and remainder (2^-k of the unit, one = 2^k;
+ * from -one/2 to one/2 - 1, as a step leaves it: half a unit belongs to the next word).  Returns 1 if it was limited;
+ * what is no number becomes 0 or the limit next to it. */
 static unsigned word(double v, int32_t low, int32_t high, double one, int32_t *x, int32_t *rest)
 {
   *rest = 0;
   if (v >= (double)low && v <= (double)high) {
-    *x = (int32_t)floor(v + 0.5);
-    *rest = (int32_t)floor((v - (double)*x)*one + 0.5);
+    const double fine = floor(v*one + 0.5), whole = floor(fine/one + 0.5);
+
+    *x = (int32_t)whole;
+    *rest = (int32_t)(fine - whole*one);
     return 0u;
   }
   *x = v > (double)high ? high : v < (double)low || low > 0 ? low : high < 0 ? high : 0;

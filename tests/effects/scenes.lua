@@ -3,7 +3,7 @@
 --
 --     scenes.variants              all ways to write each effect: { effect, name, where, text(S) }
 --     scenes.new(seed, share)      S, the source of numbers; share of them that become parameters, 0 to 1
---     scenes.text(S, name, body, list)   the scene; body: "diagonal", "symmetric", "full"; list: of variants
+--     scenes.text(S, name, body, list)   the scene; body: "diagonal", "symmetric", "full", "points"; list: of variants
 --     scenes.parts(S, body, list)        the same in parts, which scenes.joined(name, parts) puts together
 --     S.renamed, S.mirrored, S.others, S.scale     the same scene otherwise: see below
 --     scenes.fits(list)            can these variants be in one scene?  Then where the origin is: "point" or "centroid"
@@ -40,10 +40,12 @@ function scenes.scaled(scale, x, unit)
   return x * scale[1] ^ n[1] * scale[2] ^ n[2] * scale[3] ^ n[3]
 end
 
--- A number of two digits with the unit (nil: none), low .. high, as a literal or the name of a parameter.
--- S.others: with other units; S.scale: see scenes.scaled.
+-- A number of three digits (S.digits: of so many) with the unit (nil: none), low .. high, as a literal or the name of a
+-- parameter.  S.others: with other units; S.scale: see scenes.scaled.
 function S:num(low, high, unit)
-  local x = string.format("%.3g", low + (high - low) * self:random(1000) / 1000)
+  local digits = self.digits or 3
+  local parts = math.tointeger(10^digits)
+  local x = string.format("%." .. digits .. "g", low + (high - low) * self:random(parts) / parts)
   local literal = self:random(1000) > 1000 * self.share
   if self.scale and unit then x = string.format("%.17g", scenes.scaled(self.scale, tonumber(x), unit)) end
   if self.others and OTHER[unit] then
@@ -113,6 +115,13 @@ local BODIES = {
     return "(solid.cylinder { r = " .. s:num(0.8, 1.2, "m") .. ", h = " .. s:num(2, 3, "m") .. ", mass = " ..
       s:num(2, 4, "kg") .. " } + solid.cylinder { r = 0.5, h = 1, mass = " .. s:num(0.3, 0.6, "kg") ..
       " }:at { 0, 0, 0.6 })"
+  end,
+  points = function(s) -- no zero among the products, no round number anywhere
+    local list = {}
+    for i = 1, 6 do
+      list[i] = "{" .. s:num(0.5, 1, "kg") .. ", " .. s:vec(0.6, "m", "polar"):sub(2)
+    end
+    return "points { " .. table.concat(list, ", ") .. " }"
   end,
   full = function(s)
     local x, y, z = "1", s:num(1.6, 2.2, "m"), "3"

@@ -10,6 +10,7 @@ package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local program = require "tests.cli.program"
 local scene = require "tests.scene"
 local proof = require "generator.emit.proof"
@@ -79,6 +80,47 @@ tap.like(some["b.h"], " %*   wx any finite number\n", "a state without a range: 
 tap.like(some["b.c"], "if (!(x[B_WX] - x[B_WX] == 0.0)) return 1 + B_WX;", "and the guard refuses what is not finite")
 tap.like(job.diag:report(), "with proof: ranges must have every state but the attitude, got none of wx, wy, wz",
   "but nothing is proven of it")
+
+-- ---- ranges that leave out each kind of state, in every kind of project ----
+
+-- The self-test is another file than the source: it may call none of the functions that stand in that (--libm own), and
+-- what is asked at infinity is the test's own.
+local packages = require "generator.emit.packages.packages"
+local wheel = "effect.wheel { axis = {1, 0, 0}, inertia = 0.001, torque = 0.01, included = true }"
+local own = "effect.custom { states = { lag = { initial = 0.5, rate = function(s) return -s.lag/quantity(2, \"s\") end } } }"
+local flight = "effect.translation { gravity = {0, 0, -9.81}, drag = 0.1 }"
+local left = {
+  { "a wheel's rate", wheel, "omega = 5" }, { "a custom state", own, "omega = 5" },
+  { "position and velocity", flight, "omega = 5" }, { "velocity", flight, "omega = 5, position = 100" },
+  { "the rates", flight .. ", " .. wheel, "position = 100, velocity = 30" },
+  { "all but the attitude", flight .. ", " .. own .. ", " .. wheel, "attitude = \"any\"" },
+}
+local OWN = "libm.own"
+for i, c in ipairs(left) do
+  local text = "return scene { name = \"b\", body = solid.box { x = 0.3, y = 0.2, z = 0.1, mass = 2 }, effects = { " ..
+    c[2] .. " }, initial = { omega = {0.1, 2, 0.3} }, ranges = { " .. c[3] .. " } }"
+  local s = assert(scene.read(text))
+  for k, kind in ipairs(tier.every(i, { "make", "cmake", "firmware", "arduino", OWN })) do
+    local package = packages.by_name(kind == OWN and "make" or kind)
+    local real = package.real or (i + k) % 2 == 0 and "float" or "double"
+    local plan, d = scene.plan(s, { real = real, package = package, methods = package.methods,
+      jacobians = package.jacobians, libm = kind == OWN and "own" or nil, layout = package.layout })
+    if plan then
+      program.shell("rm -rf " .. dir .. "/p && mkdir " .. dir .. "/p")
+      local list = scene.files(plan)
+      for _, name in ipairs(list) do
+        local base = name:match "[^/]+$"
+        if base:find "^b[%w_]*%.[ch]$" then program.write(dir .. "/p/" .. base, list[name]) end
+      end
+      local built = program.shell("cd " .. dir .. "/p && gcc -std=c99 " .. flags .. " b*.c -lm -o t && ./t >../tap")
+      tap.is(built, 0, kind .. ", " .. real .. ": without a range of " .. c[1] .. " the self-test compiles and passes")
+      tap.like(program.read(dir .. "/tap"), "the guard lets the declared ranges pass and nothing else",
+        "and tests the guard")
+    else
+      tap.ok(kind == "firmware", kind .. ": refused without a range of " .. c[1], d and d:report())
+    end
+  end
+end
 
 program.finish()
 tap.done()

@@ -5,9 +5,14 @@
    hash N: N steps, each from words at random, a tenth of them anything; prints a hash of all words
    and bits.
    free N: N motions of 400 steps from states within the range at random; prints all bits.
+   remainders I E K LIMIT: from_real and to_real of component I, unit 2^-E, remainders of 2^-K of
+   it: at both limits and between, every remainder and what lies between two; prints how many
+   values, how many words or remainders that a step would not leave or read otherwise, how many that
+   are not the nearest.
    driven: u beyond its limit along x until the first bit of the state; prints when, which, and
    whether the rate has stayed at its limit for 100 steps more. */
 #include "b_q31.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,6 +55,32 @@ static void hash(long n) {
   printf("%08lx\n", (unsigned long)sum);
 }
 
+static void remainders(int i, int e, int k, double limit) {
+  const double one = ldexp(1.0, k), unit = ldexp(1.0, -e);
+  const double words[] = {-limit, -1000.0, -1.0, 0.0, 1.0, 1000.0, limit};
+  unsigned long n = 0, wrong = 0, far = 0;
+  for (int j = 0; j < 7; j++)
+    for (long r = -(1L << k) / 2 - 1; r <= (1L << k) / 2 + 1; r++)
+      for (int part = -2; part <= 2; part++) {
+        const double v = words[j] + ((double)r + 0.25 * part) / one;
+        int32_t x[B_Q31_NX];
+        double real[7] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, back[7];
+        if (v < -limit || v > limit)
+          continue;
+        real[i] = v * unit;
+        real[i == 0] += sqrt(1.0 - (i < 4 ? real[i] * real[i] : 0.0)); /* |q| = 1 */
+        n++;
+        wrong += b_q31_from_real(real, x) != 0;
+        wrong +=
+            x[7 + i] < -(1L << k) / 2 || (k > 0 ? x[7 + i] > (1L << k) / 2 - 1 : x[7 + i] != 0);
+        wrong += fabs((double)x[i]) > limit;
+        b_q31_to_real(x, back);
+        /* the nearest, but for |q|: some 2^-52 of 2^30 units */
+        far += fabs(back[i] / unit - v) > 0.5 / one + (i < 4 ? 1e-6 : 0.0);
+      }
+  printf("%lu %lu %lu\n", n, wrong, far);
+}
+
 static void free_motions(long n) {
   unsigned bits = 0;
   for (long k = 0; k < n; k++) {
@@ -84,6 +115,8 @@ int main(int argc, char **argv) {
     hash(n);
   else if (strcmp(argv[1], "free") == 0)
     free_motions(n);
+  else if (strcmp(argv[1], "remainders") == 0)
+    remainders((int)n, atoi(argv[3]), atoi(argv[4]), strtod(argv[5], NULL));
   else if (strcmp(argv[1], "driven") == 0)
     driven();
   else {

@@ -155,6 +155,23 @@ tap.ok(ok == 0 and tonumber(steps) and tonumber(steps) > 2000 and tonumber(steps
 tap.is(tonumber(bits) and tonumber(bits) & 127, 1 << 4, "bit 4: wx")
 tap.is(tonumber(bits) and tonumber(bits) & 896, 1 << 7, "bit 7: ux is more than the scene allows")
 tap.is(held, "1", "and every further step says so")
+-- from_real leaves remainders as a step does, -2^(k-1) .. 2^(k-1) - 1: half a unit belongs to the next word, for a step
+-- reads a remainder of 2^(k-1) as -2^(k-1), a unit less
+for _, i in ipairs(tier.every(3, { 1, 2, 3 })) do
+  local s, faults, values = scenes[({ 1, 2, 5 })[i]], {}, 0
+  shell("gcc -O2 -DRANGE=%g -I%s tests/emit/q31.c %s/b_q31.c %s/b_q31_real.c -lm -o %s/run", s.range, s.at, s.at, s.at,
+    s.at)
+  local header, place = program.read(s.at .. "/b_q31.h"), 0
+  for name, e, k, limit in string.gmatch(header, "\n %* +([qw][wxyz]) +2%^%-(%d+)[ rad/s]* +2%^%-(%d+) +%+%-([%d.e+-]+)") do
+    local most = string.sub(name, 1, 1) == "q" and 0.75 or 0.99 * tonumber(limit)
+    local _, out = shell("%s/run remainders %d %s %s %d", s.at, place, e, k, math.floor(most * 2.0 ^ tonumber(e)))
+    local n, wrong, far = string.match(out, "^(%d+) (%d+) (%d+)\n$")
+    if wrong ~= "0" or far ~= "0" then faults[#faults + 1] = name .. ": " .. out end
+    values, place = values + (tonumber(n) or 0), place + 1
+  end
+  tap.ok(place == 7 and values > 7 * 4000 and #faults == 0, s[1] .. ": from_real, " .. values ..
+    " values between all remainders: the nearest that a step leaves", table.concat(faults))
+end
 ok, log = shell("%s/run run 0 1 0 0 0 nan 0 99", scenes[1].at)
 tap.ok(ok == 0 and string.find(log, " 80\n", 1, true), "from_real: what is no number or too large is reported", log)
 

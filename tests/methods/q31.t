@@ -10,6 +10,7 @@ package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local scene = require "tests.scene"
 local R = require "generator.algebra.rational"
 local run = require "generator.methods.q31_run"
@@ -163,6 +164,70 @@ for _, c in ipairs(cases) do
   tap.ok(worst > 0.02, c[1] .. ": and the error stated is not idle", worst)
   -- n has four products of 2^-29 at most, and A^3/720 of what the cosine lacks is below that
   tap.ok(radial < 2.0 ^ -26, c[1] .. ": |q| = 1 after one step", radial)
+end
+
+---- every remainder -----------------------------------------------------------------------------------
+
+-- The real number that a node stands for, in exact arithmetic from exact inputs: what its error is measured from.
+local function exactly(program, given)
+  local two, value = R.new(2), {}
+  local function of(node)
+    return node.kind == "constant" and node.q or node.kind == "input" and given[node.name] or value[node]
+  end
+  for _, o in ipairs(program.ops) do
+    if o.kind == "mul" or o.kind == "product" then
+      value[o] = of(o.a) * of(o.b)
+    elseif o.kind == "sum" then
+      local s = R.zero
+      for _, t in ipairs(o.terms) do s = s + R.new(t[1]) * of(t[2]) * two ^ (t[2].e - o.e) end
+      value[o] = s
+    elseif o.a then
+      value[o] = of(o.a)
+    end
+  end
+  return of
+end
+
+-- All remainders of all components (in step with each other, shifted), all signs of the rates, inputs at their ends:
+-- the words stand for word and remainder together, so a step goes from there to within the error that is stated.
+for _, n in ipairs { 1, 3, 8 } do
+  local c = cases[n]
+  local made = plan(c[3])
+  local s, layout, over, steps, beyond, most = made.step, made.layout, 0, 0, 0, 1
+  for _, l in ipairs(layout) do most = math.max(most, 1 << l.k) end
+  for corner = 0, 7 do
+    for r = 0, most - 1, tier.quick and 32 or 1 do
+      local x, u, given = {}, c.max and {}, {}
+      for i, l in ipairs(layout) do
+        local sign = i > 4 and (corner >> i - 5 & 1) * 2 - 1 or (corner >> i % 3 & 1) * 2 - 1
+        x[i] = sign * (i <= 4 and 1 << 29 or l.limit // 2 + 1000 * i)
+        x[i + 7] = (r * (2 * i + 1) + 37 * i) % (1 << l.k) - (1 << l.k) // 2
+      end
+      local from = run.to_real(s, x)
+      for i, l in ipairs(layout) do given[l.name] = from[i] end
+      for i, w in ipairs(u and s.u or {}) do
+        u[i] = (corner + r + i) % 2 == 0 and w.low or w.high
+        given[w.node.name] = R.new(u[i]) / R.new(2) ^ w.exponent
+      end
+      local of = exactly(s.program, given)
+      if run.step(s, x, u) == 0 then
+        steps = steps + 1
+        local to, e, radial = run.to_real(s, x), {}, 0
+        for i, l in ipairs(layout) do
+          e[i] = R.todouble(to[i] - from[i] - (l.node and of(l.node) or R.zero))
+          if i <= 4 then radial = radial + e[i] * R.todouble(from[i]) end
+        end
+        for i, l in ipairs(layout) do
+          local half = (1 << l.k) // 2
+          if x[i + 7] < -half or x[i + 7] >= math.max(half, 1) then over = over + 1 end
+          if i <= 4 then e[i] = e[i] - radial * R.todouble(from[i]) end -- the error is stated without |q|
+          if math.abs(e[i]) > (l.node and l.node.err or 0) then beyond = beyond + 1 end
+        end
+      end
+    end
+  end
+  tap.ok(steps > (tier.quick and most // 8 or 4 * most) and beyond == 0 and over == 0, c[1] .. ": " .. steps .. " steps from every remainder are " ..
+    "within the error that is stated, in exact arithmetic", beyond .. " beyond, " .. over .. " no remainders")
 end
 
 ---- order four ----------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 local library = require "generator.emit.packages.library"
 
 return library.package {
+  real = "float", -- what the cores of its boards compute in; --real double for those that have more
   where = { header = "include", source = "src", test = "extras" },
   files = { { "platformio.json", "library.json" }, { "platformio.ini", "examples/motion/platformio.ini" },
     { "motion.c", "examples/motion/src/main.c" } },

@@ -4,6 +4,7 @@
 local library = require "generator.emit.packages.library"
 
 return library.package {
+  real = "float", -- what the cores of its boards compute in; --real double for those that have more
   where = { header = "include", source = "src", test = "extras" },
   files = { { "zephyr_module.yml", "zephyr/module.yml" }, { "zephyr_kconfig.txt", "zephyr/Kconfig" },
     { "zephyr_cmake.txt", "zephyr/CMakeLists.txt" }, { "zephyr_sample_cmake.txt", "samples/motion/CMakeLists.txt" },

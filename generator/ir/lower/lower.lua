@@ -3,8 +3,8 @@
 --
 -- This is the line.  Above it the expressions are real algebra, so here, and for the last time, the
 -- form of evaluation is free: expressions become forms (form.lua: common factors, quotients, roots,
--- differences of squares), forms share their parts (share.lua), signs and factors are placed
--- (orient.lua), and the chosen order is written down as instructions (select.lua).  From then on
+-- differences of squares), forms share their parts (share.lua), scales, signs and factors are placed (size.lua,
+-- orient.lua), and the chosen order is written down as instructions (select.lua).  From then on
 -- values are IEEE numbers and nothing is reordered.
 --
 -- A program is { name, inputs = { { sym, c } }, groups = { { why, where, defs, outs } } }; a def is
@@ -23,6 +23,7 @@ local choice = require "generator.algebra.choice"
 local form = require "generator.ir.lower.form"
 local share = require "generator.ir.lower.share"
 local orient = require "generator.ir.lower.orient"
+local size = require "generator.ir.lower.size"
 local select = require "generator.ir.lower.select"
 
 local lower = {}
@@ -154,6 +155,7 @@ function lower.run(program)
   share.sums(forms, B)
   local terms = {}
   for k, root in ipairs(roots) do terms[k] = root.term end
+  size.run(terms)
   local survey = orient.run(terms)
 
   local ir = { name = program.name, n = 0, inputs = {}, consts = {}, groups = {} }
