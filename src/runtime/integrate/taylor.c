@@ -76,7 +76,6 @@ int step_taylor(stepper *s, const ph_wide x[], int order, ph_wide tolerance, ph_
   int status = step_rate(s, x, &rate);
   if (status)
     return status;
-  const ph_wide longest = fabsl(*h);
   const ph_wide H = tolerance > 0 && rate > 0 ? copysignl(1 / rate, *h) : *h;
   for (int i = 0; i < 4; i++)
     c.q[0][i] = x[i];
@@ -86,8 +85,16 @@ int step_taylor(stepper *s, const ph_wide x[], int order, ph_wide tolerance, ph_
     c.r[0][i] = x[7 + i];
     c.v[0][i] = x[10 + i];
   }
-  for (int n = 0; n < order && !status; n++)
+  for (int n = 0; n < order && !status; n++) {
     status = extend(s, &c, n, H);
+    const ph_wide near = n == 0 && !status ? taylor_rest(s, &c, H, rate) : 0;
+    if (near > 0) { /* fixed steps stay what they are */
+      ph_wide next;
+      if (tolerance > 0)
+        *h = copysignl(fminl(near, fabsl(*h)), *h);
+      return step_extrapolate(s, x, tolerance, h, &next, out);
+    }
+  }
   if (status)
     return status;
   ph_wide sigma = *h / H;
@@ -103,14 +110,9 @@ int step_taylor(stepper *s, const ph_wide x[], int order, ph_wide tolerance, ph_
         sigma = fminl(sigma, taylor_reach(1, &c.w[k][i], k, tolerance * size[i]));
     }
     if (states > 7)
-      sigma = taylor_turn(s, &c, order, taylor_move_reach(&c, order, tolerance, sigma));
+      sigma = taylor_turn(s, &c, order, taylor_move_reach(s, &c, order, tolerance, sigma));
     if (sigma < *h / H)
       *h = sigma * H;
-    const ph_wide least = states > 7 ? taylor_least(s, &c, H) : 0;
-    if (fabsl(*h) < least) { /* close to where the speed passes zero */
-      *h = copysignl(fminl(least, longest), *h);
-      return step_rk4(s, x, *h, out);
-    }
   }
   ph_wide y[PH_STATES];
   for (int i = 0; i < states; i++) {

@@ -20,10 +20,14 @@ void taylor_frame(const stepper *s, const series *c, int n, ph_wide H, ph_wide d
 void taylor_move(const stepper *s, series *c, int n, ph_wide H);
 /* The largest multiple of H, at most `longest`, for which r and v, relative to their sizes, keep to
    the tolerance. */
-ph_wide taylor_move_reach(series *c, int order, ph_wide tolerance, ph_wide longest);
-/* With quadratic drag: where, before sigma, the series of the speed passes zero, or sigma. */
+ph_wide taylor_move_reach(const stepper *s, series *c, int order, ph_wide tolerance,
+                          ph_wide longest);
+/* Is there quadratic drag? */
+int taylor_drags(const stepper *s);
+/* With quadratic drag: where, before sigma, the velocity has turned by a right angle, or sigma. */
 ph_wide taylor_turn(const stepper *s, const series *c, int order, ph_wide sigma);
-/* With quadratic drag: the step below which the fourth-order method is as good as the series. */
-ph_wide taylor_least(const stepper *s, const series *c, ph_wide H);
+/* With quadratic drag: close to rest, where the series is of no use, the length of a step worth
+   trying; else 0. Of c the coefficients 0 and 1 are known; rate: of the state. */
+ph_wide taylor_rest(const stepper *s, const series *c, ph_wide H, ph_wide rate);
 
 #endif

@@ -2,19 +2,21 @@
    SPDX-License-Identifier: GPL-3.0-or-later
 
    Omega is linear in time, so its series has two terms. The speed s = |v| follows from s s = v.v:
-     2 s_0 s_n = (v.v)_n - sum over 0 < k < n of s_k s_{n-k},
-   and where v starts with its m-th coefficient, m > 0, |v| is H^m times such a series of v/H^m. On
-   the way of a stone thrown straight up |v| v is not analytic at the top: the radius of convergence
-   shrinks to nothing there. Steps shorter than 1e-7 of sqrt(m/(drag |a|)), the time in which drag
-   changes anything, are therefore left to the classical method of order 4, which errs by (1e-7)^3
-   of the speed that belongs to that time when it steps over the top. On an exactly straight way the
-   series of |v| goes on through zero as that of v: such a step ends at the zero. */
+     2 s_0 s_n = (v.v)_n - sum over 0 < k < n of s_k s_{n-k}.
+   At rest |v| is no power series, and close to rest its series says nothing of what is further off
+   than the rest is: there the step is the extrapolation's, which asks for no derivatives. On a
+   straight way the series of |v| goes on through zero as that of v: a step that turns the velocity
+   round ends where it does. */
 #include "motion/move.h"
 #include "taylor.h"
 
 ph_wide taylor_reach(int n, const ph_wide term[], int k, ph_wide bound) {
   const ph_wide size = step_size(n, term);
   return size > 0 ? powl(bound / size, 1.0L / k) : HUGE_VALL;
+}
+
+int taylor_drags(const stepper *s) {
+  return s->top->effects & PH_TRANSLATION && s->top->effects & PH_DRAG && s->top->move.drag > 0;
 }
 
 /* n-th coefficient of Omega x a. */
@@ -45,22 +47,15 @@ void taylor_frame(const stepper *s, const series *c, int n, ph_wide H, ph_wide d
 
 /* Coefficient n of the speed from those of v up to n and its own below. */
 static void extend_speed(series *c, int n) {
-  int m = 0;
-  while (m <= n && step_size(3, c->v[m]) == 0)
-    m++;
-  c->speed[n] = 0;
-  if (m > n)
-    return;
   ph_wide sum = 0;
-  for (int k = m; k <= n; k++)
-    sum += wide_dot(c->v[k], c->v[n + m - k]);
-  if (n == m) {
-    c->speed[n] = sqrtl(sum);
-    return;
-  }
-  for (int k = m + 1; k < n; k++)
-    sum -= c->speed[k] * c->speed[n + m - k];
-  c->speed[n] = sum / (2 * c->speed[m]);
+  for (int k = 0; k <= n; k++)
+    sum += wide_dot(c->v[k], c->v[n - k]);
+  for (int k = 1; k < n; k++)
+    sum -= c->speed[k] * c->speed[n - k];
+  if (n == 0)
+    c->speed[0] = sqrtl(sum);
+  else
+    c->speed[n] = c->speed[0] > 0 ? sum / (2 * c->speed[0]) : 0;
 }
 
 void taylor_move(const stepper *s, series *c, int n, ph_wide H) {
@@ -106,8 +101,11 @@ static ph_wide largest_term(ph_wide a[][3], int order, ph_wide sigma) {
 }
 
 /* What r and v are measured by is their size within the step, which shrinks with it: so the step is
-   shortened until it holds. A few rounds do, as the bound falls with a high root of the size. */
-ph_wide taylor_move_reach(series *c, int order, ph_wide tolerance, ph_wide longest) {
+   shortened until it holds. A few rounds do, as the bound falls with a high root of the size. The
+   speed's own terms count too: what is rounding in them may hide in the sums that v is made of. */
+ph_wide taylor_move_reach(const stepper *s, series *c, int order, ph_wide tolerance,
+                          ph_wide longest) {
+  const int drags = taylor_drags(s);
   ph_wide sigma = longest;
   for (int round = 0; round < 100; round++) {
     const ph_wide size_r = largest_term(c->r, order, sigma), before = sigma;
@@ -115,6 +113,8 @@ ph_wide taylor_move_reach(series *c, int order, ph_wide tolerance, ph_wide longe
     for (int k = order - 2; k <= order; k++) {
       sigma = fminl(sigma, taylor_reach(3, c->r[k], k, tolerance * size_r));
       sigma = fminl(sigma, taylor_reach(3, c->v[k], k, tolerance * size_v));
+      if (drags && k < order)
+        sigma = fminl(sigma, taylor_reach(1, &c->speed[k], k, tolerance * size_v));
     }
     if (sigma > 0.99L * before)
       break;
@@ -122,38 +122,39 @@ ph_wide taylor_move_reach(series *c, int order, ph_wide tolerance, ph_wide longe
   return sigma;
 }
 
-static ph_wide speed_at(const series *c, int order, ph_wide sigma) {
+/* v(0).v(sigma). */
+static ph_wide along(const series *c, int order, ph_wide sigma) {
   ph_wide s = 0;
-  for (int n = order - 1; n >= 0; n--) /* the speed has one coefficient less than v */
-    s = s * sigma + c->speed[n];
+  for (int n = order; n >= 0; n--)
+    s = s * sigma + wide_dot(c->v[0], c->v[n]);
   return s;
 }
 
 ph_wide taylor_turn(const stepper *s, const series *c, int order, ph_wide sigma) {
-  if (!(s->top->effects & PH_DRAG) || !(s->top->move.drag > 0) || !(c->speed[0] > 0))
-    return sigma;
+  enum { PARTS = 32, HALVINGS = 70 };
   ph_wide low = 0, high = 0;
-  for (int k = 1; k <= 32 && high == 0; k++) {
-    if (speed_at(c, order, sigma * k / 32) <= 0)
-      high = sigma * k / 32;
-    else
-      low = sigma * k / 32;
-  }
-  if (high == 0)
+  if (!taylor_drags(s))
     return sigma;
-  for (int k = 0; k < 70; k++) {
-    const ph_wide middle = (low + high) / 2;
-    if (speed_at(c, order, middle) <= 0)
-      high = middle;
-    else
-      low = middle;
+  for (int k = 1; k <= PARTS && high == 0; k++) {
+    const ph_wide at = sigma * k / PARTS;
+    *(along(c, order, at) < 0 ? &high : &low) = at;
   }
-  return high;
+  for (int k = 0; k < HALVINGS && high > 0; k++) {
+    const ph_wide middle = (low + high) / 2;
+    *(along(c, order, middle) < 0 ? &high : &low) = middle;
+  }
+  return high > 0 ? high : sigma;
 }
 
-ph_wide taylor_least(const stepper *s, const series *c, ph_wide H) {
+ph_wide taylor_rest(const stepper *s, const series *c, ph_wide H, ph_wide rate) {
+  static const ph_wide NEAR = 0.1L, FIRST = 0.1L, STRIDE = 8;
+  if (!taylor_drags(s))
+    return 0;
   move_loads loads;
   move_load(s->top, &loads);
-  const ph_wide a = step_size(3, c->v[1]) / fabsl(H);
-  return loads.drag > 0 && a > 0 ? 1e-7L / sqrtl(loads.drag * a) : 0;
+  const ph_wide a = step_size(3, c->v[1]) / fabsl(H), v = step_size(3, c->v[0]);
+  const ph_wide own = fmaxl(rate, sqrtl(loads.drag * a));
+  if (!(a > 0) || v * own > NEAR * a)
+    return 0;
+  return v > 0 ? fminl(STRIDE * (v / a + LDBL_EPSILON * fabsl(s->t)), FIRST / own) : FIRST / own;
 }
