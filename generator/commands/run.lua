@@ -35,8 +35,9 @@ run.operands = { 1, 1, "SCENE" }
 run.options = {
   { "--engine", { "general", "generated" }, "the general library, or the emitted code, compiled by $CC (cc, gcc or " ..
     "clang without it)", default = "general" },
-  { "--method", "text", "general: adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, exact, linearised; generated: those " ..
-    "of polhode list methods", value = "M", default = "general: adaptive; generated: exact if there is one, else rk4" },
+  { "--method", "text", "general: adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, implicit, exact, linearised; " ..
+    "generated: those of polhode list methods", value = "M",
+    default = "general: adaptive; generated: exact if there is one, else rk4" },
   { "--step", "number", "a fixed step in s", value = "H", default = "the scene's time.step, for fixed steps" },
   { "--tolerance", "number", "error allowed in a step, relative to the state, of methods that choose their step",
     value = "E", default = "general: near rounding; generated: 1e-12, in float 1e-6" },
@@ -185,6 +186,10 @@ function run.run(host, given)
   local status = options.write(host, "run", given.o, tables.writers[given.format or "csv"](rows, given.chosen.names,
     (motion.phases or #events.of(job) > 0) and found or nil))
   for _, w in ipairs(status == 0 and warnings or {}) do host.err("warning: " .. w) end
+  if status == 0 and motion.stiff then
+    host.err("note: something decays much faster than the motion changes: --method " .. motion.method ..
+      " went on by implicit there\n")
+  end
   return status
 end
 

@@ -440,7 +440,8 @@ typedef enum ph_method {
   PH_RKF45,   /* GSL: Runge-Kutta-Fehlberg */
   PH_RK8PD,   /* GSL: Prince-Dormand 8(9) */
   PH_TAYLOR,  /* Taylor series of q and w in long double: the reference */
-  PH_EXACT    /* no integration: ph_free_top_solve, and PH_EMETHOD if an effect is on */
+  PH_EXACT,   /* no integration: ph_free_top_solve, and PH_EMETHOD if an effect is on */
+  PH_IMPLICIT /* Radau's collocation of 3 to 9 stages in long double, for what decays fast */
 } ph_method;
 
 typedef struct ph_options {
@@ -475,6 +476,8 @@ int ph_run_to(ph_run *run, double t, const double u[3], double x[]);
 double ph_run_time(const ph_run *run);
 /* Steps accepted and evaluations of the equations (for PH_TAYLOR: expansions) since ph_run_new. */
 long ph_run_steps(const ph_run *run);
+/* Steps by the implicit method, to which PH_TAYLOR turns where something decays fast. */
+long ph_run_implicit_steps(const ph_run *run);
 long ph_run_evaluations(const ph_run *run);
 
 #ifdef __cplusplus

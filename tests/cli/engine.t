@@ -78,7 +78,7 @@ gives("gravity acts at the centre of mass, and twice when it is there twice", [[
     local dx = host.rates(scene(rod, effects)):rates(0, { math.sqrt(0.5), math.sqrt(0.5), 0, 0, 0, 0, 0 })
     say(row { r[9] + 1, dx[5] })
   end]], { 1, -4 * 4 / (4 + 1 + 1), 1, -2 * 4 * 4 / (4 + 1 + 1) }, 1e-14)
-for _, method in ipairs { "adaptive", "taylor", "rk4", "gsl-rk4", "rkf45", "rk8pd", "exact" } do
+for _, method in ipairs { "adaptive", "taylor", "rk4", "gsl-rk4", "rkf45", "rk8pd", "implicit", "exact" } do
   -- the error of rk4 at h = 1/1000 is of order h^4 w^5 t, a few 1e-9
   gives(method .. " agrees with the reference", string.format([[
     local o = { method = %q, times = { 1 } }

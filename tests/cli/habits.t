@@ -65,7 +65,7 @@ for _, case in ipairs {
   { "gen s.lua -o -", "-o must be the name of a folder, as gen writes several files, got -" },
   { "gen s.lua --show order -o x", "-o: --show prints and writes no files" },
   { "run s.lua --method adaptiv", "--engine general has the methods adaptive, taylor, rk4, gsl-rk4, rkf45, rk8pd, " ..
-    "exact, linearised, got adaptiv; did you mean adaptive?" },
+    "implicit, exact, linearised, got adaptiv; did you mean adaptive?" },
   { "run s.lua --engine generated --method tailor", "--engine generated has the methods exact, rk4, adaptive, " ..
     "taylor, rosenbrock, midpoint, semi, split2, split4, split6, got tailor; did you mean taylor?" },
   { "run s.lua --step 0", "--step must be positive, got 0.0" },

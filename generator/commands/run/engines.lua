@@ -4,7 +4,7 @@
 -- that it does (`between`: of two rows, else of the whole run); `quick`, steps that take less than a second;
 -- `adaptive`, that it could choose its steps; `closed`, that it takes none; `exact`, that the scene has a closed form;
 -- `epsilon` of its numbers; `emitted`, that it is generated code; `tolerance` by which it chooses its steps, or nil,
--- and `least`, the smallest; and
+-- and `least`, the smallest; `stiff`, that what was had of it turned to an implicit method; and
 --     motion.solve(times, o)   a list of {t =, x = state as the scene has it, ...}, all numbers finite; or nil and a
 --                              failure {status =, text =, t = the time at which it went wrong}.  o: {step = another
 --                              step, tolerance = another, from = one of these states, to start there}
@@ -186,9 +186,10 @@ end
 -- ---- the general library ----
 
 -- Of the methods that choose their steps, where none is asked for; GSL's are in double.
-local tolerances = { adaptive = 1e-18, taylor = 1e-18, rkf45 = 1e-10, rk8pd = 1e-13 }
-local names = { "adaptive", "taylor", "rk4", "gsl-rk4", "rkf45", "rk8pd", "exact", "linearised" }
-local orders = { adaptive = 24, taylor = 24, rk4 = 4, rkf45 = 5, rk8pd = 8, ["gsl-rk4"] = 4, exact = 0, linearised = 0 }
+local tolerances = { adaptive = 1e-18, taylor = 1e-18, rkf45 = 1e-10, rk8pd = 1e-13, implicit = 1e-18 }
+local orders = { adaptive = 24, taylor = 24, rk4 = 4, rkf45 = 5, rk8pd = 8, ["gsl-rk4"] = 4, implicit = 17, exact = 0,
+  linearised = 0 }
+local names = { "adaptive", "taylor", "rk4", "gsl-rk4", "rkf45", "rk8pd", "implicit", "exact", "linearised" }
 
 function engines.general(host, job, given, course)
   local method = given.method or "adaptive"
@@ -219,6 +220,7 @@ function engines.general(host, job, given, course)
     if not rows then
       return nil, { status = kind == "numbers" and 3 or 2, t = t, text = string.gsub(why, "^at t = %S+ s: ", "") }
     end
+    motion.stiff = motion.stiff or method ~= "implicit" and why > 0
     for i, row in ipairs(rows) do
       local n = #row - 4
       rows[i] = { t = row[1], x = numeric.part(job, row, 1), energy = row[n + 1], L = { table.unpack(row, n + 2) } }

@@ -25,9 +25,9 @@ static const struct {
   ph_method method;
   double tolerance; /* where none is asked for */
 } methods[] = {
-    {"adaptive", PH_TAYLOR, 0}, {"taylor", PH_TAYLOR, 0},   {"rk4", PH_RK4, 0},
-    {"gsl-rk4", PH_RK4_GSL, 0}, {"rkf45", PH_RKF45, 1e-10}, {"rk8pd", PH_RK8PD, 1e-13},
-    {"exact", PH_EXACT, 0},
+    {"adaptive", PH_TAYLOR, 0}, {"taylor", PH_TAYLOR, 0},     {"rk4", PH_RK4, 0},
+    {"gsl-rk4", PH_RK4_GSL, 0}, {"rkf45", PH_RKF45, 1e-10},   {"rk8pd", PH_RK8PD, 1e-13},
+    {"exact", PH_EXACT, 0},     {"implicit", PH_IMPLICIT, 0},
 };
 
 /* Does the table hold this number? Then *out is it. */
@@ -176,8 +176,9 @@ static double first_failure(struct motion *m, double from, double end) {
 /* run(scene, {method=, step=, tol=, order=, most=, times={...}, t0=, u=course}) -> {{t, q4, w3,
    energy, L3},
    ...} (with r3, v3 after w3 where the body moves) | nil, message, "refused" or "numbers", the time
-   at which they failed.  Method: adaptive (default) and taylor (long double Taylor series), rk4,
-   gsl-rk4, rkf45, rk8pd, exact and linearised (a free top only). */
+   at which they failed; after the rows how many steps were implicit.  Method: adaptive (default)
+   and taylor (long double Taylor series), rk4, gsl-rk4, rkf45, rk8pd, implicit, exact and
+   linearised (a free top only). */
 int host_run(lua_State *L) {
   struct engine_scene s;
   ph_options options = {0};
@@ -232,9 +233,10 @@ int host_run(lua_State *L) {
       return fail_at(L, t, status, status != PH_EMETHOD);
     lua_rawseti(L, times + 1, i);
   }
+  lua_pushinteger(L, *run ? ph_run_implicit_steps(*run) : 0);
   ph_run_free(*run);
   *run = NULL;
-  return 1;
+  return 2;
 }
 
 /* ---- rates ---- */

@@ -105,6 +105,9 @@ struct ph_effect_table {
   ph_wide (*kinetic)(const effect_at *e);
   int (*contact)(const effect_at *e, const ph_wide rate[],
                  ph_contact *out); /* rate: of the state */
+  /* the way from the centre of mass to where it holds the body, m, and the largest of the terms of
+     the accelerations there, m/s^2; a status */
+  int (*reach)(const effect_at *e, ph_wide *arm, ph_wide *pull);
   /* rate at which the body's axes turn beside w */
   void (*slip)(const effect_at *e, ph_wide slip[3]);
   /* it is a wheel, whose first own state is its speed beside the body; the motor's torque */

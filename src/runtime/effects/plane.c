@@ -200,6 +200,20 @@ static int contact_of(const effect_at *e, const ph_wide rate[], ph_contact *out)
   return PH_OK;
 }
 
+static int reach_of(const effect_at *e, ph_wide *arm, ph_wide *pull) {
+  const ph_plane *p = &e->act->of.plane;
+  contact c;
+  ph_wide g[3];
+  wide_load(3, p->gravity, g);
+  const int status = touch(e, &c);
+  if (status)
+    return status;
+  const ph_wide turning = wide_norm(c.w) + fabsl((ph_wide)p->rate);
+  *arm = wide_norm(c.d);
+  *pull = wide_norm(g) + turning * (turning * (*arm + wide_norm(c.com)) + wide_norm(c.change));
+  return PH_OK;
+}
+
 static ph_wide kinetic(const effect_at *e) {
   contact c;
   return touch(e, &c) ? 0 : (ph_wide)e->top->mass * wide_dot(c.V, c.V) / 2;
@@ -364,6 +378,7 @@ const effect_table effect_plane = {.name = "plane",
                                    .add = add,
                                    .constrain = constrain,
                                    .contact = contact_of,
+                                   .reach = reach_of,
                                    .kinetic = kinetic,
                                    .potential = potential,
                                    .term_torque = term_torque,

@@ -23,6 +23,11 @@ static void twisted(const ph_act *act, const ph_wide q[4], ph_wide p[4], ph_wide
   }
 }
 
+static double stiffest(const ph_act *act) {
+  const double *k = act->of.spring.k;
+  return act->of.spring.one ? k[0] : effect_larger(k[0], effect_larger(k[1], k[2]));
+}
+
 /* dV = 4 Ku.du, du = (p0 d + u x d)/2 for a turn d of the body. */
 static void torque(const effect_at *e, ph_wide N[3], ph_wide *size) {
   ph_wide p[4], Ku[3], part[3];
@@ -30,18 +35,13 @@ static void torque(const effect_at *e, ph_wide N[3], ph_wide *size) {
   wide_cross(p + 1, Ku, part);
   for (int i = 0; i < 3; i++)
     N[i] += 2 * part[i] - 2 * p[0] * Ku[i];
-  *size += 4 * wide_norm(Ku);
+  *size += 4 * (ph_wide)stiffest(e->act); /* u is a difference of four products */
 }
 
 static ph_wide potential(const effect_at *e) {
   ph_wide p[4], Ku[3];
   twisted(e->act, e->x, p, Ku);
   return 2 * wide_dot(p + 1, Ku);
-}
-
-static double stiffest(const ph_act *act) {
-  const double *k = act->of.spring.k;
-  return act->of.spring.one ? k[0] : effect_larger(k[0], effect_larger(k[1], k[2]));
 }
 
 /* Each of p0 and u is a sum of four products. */

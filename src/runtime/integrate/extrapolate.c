@@ -65,50 +65,16 @@ static void extrapolate(int states, int k, ph_wide T[COLUMNS][PH_STATES], ph_wid
     T[k][i] = row[i];
 }
 
-/* What own state i is a part of: a wheel's speed counts from the body's, so at rest beside it the
-   speed is known to the rounding of w and no better. A place on a plane is known to that of the
-   way to the contact point, a velocity to that of this way times w. */
-static ph_wide beside(const ph_top *top, const ph_wide x[], int i) {
-  const effect_at plane = acts_constraint(top, 0, x);
-  const int k = i - plane.place;
-  if (plane.act && k >= 0 && k < plane.act->states) {
-    const ph_wide still[3] = {0};
-    ph_wide n[3], g[3], r[3] = {0}, rate[3];
-    wide_load(3, plane.act->of.plane.normal, n);
-    wide_sandwich(x, n, 0, g);
-    const ph_wide length = wide_norm(g);
-    for (int j = 0; j < 3; j++)
-      g[j] /= length;
-    const int touches = acts_surface(&plane.act->of.plane, g, still, r, rate);
-    return touches ? wide_norm(r) * (k < 2 ? 1 : step_size(3, x + 4)) : 0;
-  }
-  return acts_is_wheel(top, i) ? step_size(3, x + 4) : 0;
-}
-
-/* Largest component of e relative to the state's: |q| = 1, w, r and v by their size, own states
-   each by its own. */
-static ph_wide relative(const ph_top *top, const ph_wide x[], const ph_wide d[],
-                        const ph_wide e[]) {
-  const int n = ph_top_states(top), shared = n - acts_states(top);
-  ph_wide worst = step_size(4, e), size;
-  for (int i = 4; i < n; i += i < shared ? 3 : 1) {
-    const int width = i < shared ? 3 : 1;
-    size = step_size(width, x + i) + step_size(width, d + i);
-    if (i >= shared)
-      size += beside(top, x, i);
-    if (size > 0)
-      worst = fmaxl(worst, step_size(width, e + i) / size);
-  }
-  return worst;
-}
-
 /* step_extrapolate, whatever turns its edge to the light on the way. */
 static int smooth(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, ph_wide *next,
                   ph_wide out[]) {
   const int n = ph_top_states(s->top);
   ph_wide T[COLUMNS][PH_STATES], D[COLUMNS][PH_STATES], f0[PH_STATES];
   const ph_wide enough = fmaxl(tolerance, 32 * LDBL_EPSILON);
-  int status = motion_rates(s->top, &s->loads, s->t, x, f0);
+  step_scale scale;
+  int status = step_scale_at(s, x, &scale);
+  if (!status)
+    status = motion_rates(s->top, &s->loads, s->t, x, f0);
   s->evaluations++;
   if (status)
     return status;
@@ -122,7 +88,8 @@ static int smooth(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, 
       extrapolate(n, k, T, row, error);
       extrapolate(n, k, D, seen, none);
       if (k > 0)
-        e = fmaxl(relative(s->top, x, row, error), relative(s->top, x, row, seen) / SEEN);
+        e = fmaxl(step_relative(s->top, &scale, x, row, *h, error),
+                  step_relative(s->top, &scale, x, row, *h, seen) / SEEN);
     }
     if (status && status != PH_ERANGE)
       return status;

@@ -10,18 +10,20 @@
 
 #include "acts/acts.h"
 #include "free_top/free_top.h"
-#include "step.h"
+#include "implicit.h"
 
 struct ph_run {
   ph_top top;
   ph_options options;
   stepper stepper;
-  ph_free_top exact; /* PH_EXACT: the motion from x at start */
+  implicit *implicit; /* PH_IMPLICIT, and PH_TAYLOR once it has met something stiff; or NULL */
+  int stiff;          /* it goes on by that */
+  ph_free_top exact;  /* PH_EXACT: the motion from x at start */
   double start;
   double t;
   ph_wide x[PH_STATES];
   ph_wide h; /* what the step control would take next, > 0; 0: not yet known */
-  long steps;
+  long steps, implicit_steps;
 };
 
 ph_options ph_options_default(void) {
@@ -32,7 +34,7 @@ ph_options ph_options_default(void) {
 static int options_check(const ph_options *o) {
   if (!isfinite(o->step) || !isfinite(o->tolerance))
     return PH_EFINITE;
-  if (o->method < PH_RK4 || o->method > PH_EXACT || (o->method == PH_RK4 && o->step == 0))
+  if (o->method < PH_RK4 || o->method > PH_IMPLICIT || (o->method == PH_RK4 && o->step == 0))
     return PH_EMETHOD;
   if (o->step < 0)
     return PH_ESTEP;
@@ -52,6 +54,7 @@ int ph_run_new(ph_run **run, const ph_top *top, const ph_options *options, doubl
       [PH_RK8PD] = gsl_odeiv2_step_rk8pd,
       [PH_TAYLOR] = NULL,
       [PH_EXACT] = NULL,
+      [PH_IMPLICIT] = NULL,
   };
   ph_wide q[4];
   int status = options_check(options);
@@ -84,6 +87,14 @@ int ph_run_new(ph_run **run, const ph_top *top, const ph_options *options, doubl
       return PH_EMEMORY;
     }
   }
+  if (options->method == PH_IMPLICIT) {
+    r->stiff = 1;
+    status = implicit_new(&r->implicit, ph_top_states(top), options->tolerance);
+    if (status) {
+      free(r);
+      return status;
+    }
+  }
   *run = r;
   return PH_OK;
 }
@@ -93,6 +104,7 @@ void ph_run_free(ph_run *run) {
     return;
   if (run->stepper.gsl)
     gsl_odeiv2_step_free(run->stepper.gsl);
+  free(run->implicit);
   free(run);
 }
 
@@ -133,6 +145,8 @@ static int go_fixed(ph_run *run, ph_wide span, ph_wide x[], long *steps) {
     run->stepper.t = (ph_wide)run->t + (ph_wide)k * h;
     if (run->options.method == PH_RK4)
       status = step_rk4(&run->stepper, x, h, x);
+    else if (run->options.method == PH_IMPLICIT)
+      status = step_implicit(&run->stepper, run->implicit, x, 0, &h, &error, x);
     else if (run->options.method == PH_TAYLOR && acts_any(&run->top))
       status = step_extrapolate(&run->stepper, x, 0, &h, &error, x);
     else if (run->options.method == PH_TAYLOR)
@@ -158,7 +172,7 @@ static ph_wide rescale(ph_wide h, ph_wide e, unsigned order) {
 
 /* Is the length of a step this file's to choose? A Taylor step finds its own from its terms. */
 static int chosen_here(const ph_run *run) {
-  return run->stepper.gsl || acts_any(&run->top);
+  return run->stepper.gsl || run->stiff || acts_any(&run->top);
 }
 
 /* The length to try: what is left of the span, or no more than `longest`; no crumb is left for the
@@ -181,6 +195,8 @@ static int trial(ph_run *run, const ph_wide x[], ph_wide *h, ph_wide y[], ph_wid
   *error = 0, *next = 0;
   if (run->stepper.gsl)
     status = step_gsl(&run->stepper, x, *h, y, error);
+  else if (run->stiff)
+    status = step_implicit(&run->stepper, run->implicit, x, tolerance, h, next, y);
   else if (acts_any(&run->top))
     status = step_extrapolate(&run->stepper, x, tolerance, h, next, y);
   else
@@ -193,6 +209,24 @@ static int trial(ph_run *run, const ph_wide x[], ph_wide *h, ph_wide y[], ph_wid
   }
   if (!status && run->stepper.gsl)
     *next = rescale(fabsl(*h), *error / tolerance, gsl_odeiv2_step_order(run->stepper.gsl));
+  return status;
+}
+
+/* Takes the implicit method where something decays so fast that steps of explicit ones are short
+   because of it, and leaves it again where nothing does: after the step h, number n of a call. */
+static int judge(ph_run *run, const ph_wide x[], ph_wide h, long n) {
+  /* decays in a step: the extrapolation is stable up to about 10; the implicit steps are shorter */
+  const ph_wide stiff = 4, mild = 0.25L;
+  enum { OFTEN = 16 };
+  if (run->options.method != PH_TAYLOR || !acts_any(&run->top) || n % OFTEN != 0)
+    return PH_OK;
+  ph_wide rate;
+  int status = step_decay(&run->stepper, x, h, &rate);
+  if (status)
+    return status;
+  run->stiff = rate * h > (run->stiff ? mild : stiff);
+  if (run->stiff && !run->implicit)
+    status = implicit_new(&run->implicit, ph_top_states(&run->top), run->options.tolerance);
   return status;
 }
 
@@ -235,6 +269,11 @@ static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[], ph_wide *suggesti
     if (h != left || next > longest) /* a step cut short by the end says nothing of the next one */
       longest = next;
     (*steps)++;
+    run->implicit_steps += run->stiff;
+    run->stepper.t = start + done;
+    const int unjudged = judge(run, x, h, *steps);
+    if (unjudged)
+      return unjudged;
   }
   *suggestion = longest;
   return PH_OK;
@@ -287,6 +326,10 @@ double ph_run_time(const ph_run *run) {
 
 long ph_run_steps(const ph_run *run) {
   return run->steps;
+}
+
+long ph_run_implicit_steps(const ph_run *run) {
+  return run->options.method == PH_IMPLICIT ? run->steps : run->implicit_steps;
 }
 
 long ph_run_evaluations(const ph_run *run) {

@@ -64,14 +64,13 @@ int step_gsl(stepper *s, const ph_wide x[], ph_wide h, ph_wide out[], ph_wide *e
   for (int i = 0; i < n; i++)
     out[i] = x[i] + (ph_wide)z[i];
   wide_load(n, bound, wide_bound);
-  *error = step_size(4, wide_bound);
-  const int shared = n - acts_states(s->top);
-  for (int i = 4, width = 3; i < n; i += width) { /* w, r, v, own, each relative to its size */
-    width = i < shared ? 3 : 1;
-    const ph_wide size = fmaxl(step_size(width, x + i), step_size(width, out + i));
-    const ph_wide e = step_size(width, wide_bound + i);
-    *error = fmaxl(*error, size > 0 ? e / size : e);
-  }
+  step_scale scale;
+  ph_wide change[PH_STATES];
+  wide_load(n, z, change);
+  const int status = step_scale_at(s, x, &scale);
+  if (status)
+    return status;
+  *error = step_relative(s->top, &scale, x, change, h, wide_bound);
   return wide_fits(n, out) && wide_fits(n, wide_bound) ? PH_OK : PH_ERANGE;
 }
 

@@ -37,6 +37,20 @@ int step_taylor(stepper *s, const ph_wide x[], int order, ph_wide tolerance, ph_
 int step_extrapolate(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, ph_wide *next,
                      ph_wide out[]);
 
+/* What the error of a step from a state is measured by: scale.c. */
+typedef struct step_scale {
+  ph_wide torque, force; /* the sums of their terms, N m and N */
+  ph_wide arm, pull;     /* of a body on a plane: to the contact point; the largest acceleration */
+  int place, placed;     /* its own states */
+} step_scale;
+int step_scale_at(const stepper *s, const ph_wide x[], step_scale *out);
+/* The size of state i, which the step h changes by d, and how many states have it together. */
+ph_wide step_scale_of(const ph_top *top, const step_scale *c, const ph_wide x[], const ph_wide d[],
+                      ph_wide h, int i, int *width);
+/* The largest component of e in parts of the state's size. */
+ph_wide step_relative(const ph_top *top, const step_scale *c, const ph_wide x[], const ph_wide d[],
+                      ph_wide h, const ph_wide e[]);
+
 /* A rate (1/s) at which the state changes: the larger of |w| and sqrt |w'|. PH_EROD. */
 int step_rate(stepper *s, const ph_wide x[], ph_wide *rate);
 

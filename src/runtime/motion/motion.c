@@ -47,6 +47,13 @@ static void torque_of(const ph_top *top, const motion_loads *loads, ph_wide t, c
   acts_torque(top, t, x, N, size);
 }
 
+ph_wide motion_torque_size(const ph_top *top, const motion_loads *loads, ph_wide t,
+                           const ph_wide x[]) {
+  ph_wide N[3], size;
+  torque_of(top, loads, t, x, N, &size);
+  return size;
+}
+
 /* w' = sum over principal axes of e (e.b)/I: for a rod the pseudo-inverse, since an axis without
    moment takes no part. For a torque along it there is no motion at all that Newton's law
    allows. */

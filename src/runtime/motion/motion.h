@@ -21,6 +21,10 @@ void motion_load(const ph_top *top, const double u[3], motion_loads *loads);
    does. */
 int motion_solve(const ph_top *top, const ph_wide b[3], ph_wide size, ph_wide w_rate[3]);
 
+/* A bound of the terms of I w' = N - w x I w but those of a constraint, N m. */
+ph_wide motion_torque_size(const ph_top *top, const motion_loads *loads, ph_wide t,
+                           const ph_wide x[]);
+
 /* x' = f(t, x), ph_top_states(top) numbers; PH_OK or PH_EROD. */
 int motion_rates(const ph_top *top, const motion_loads *loads, ph_wide t, const ph_wide x[],
                  ph_wide dx[]);

@@ -54,6 +54,22 @@ void move_rates(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide dx[]) {
   }
 }
 
+ph_wide move_force_size(const ph_top *top, ph_wide t, const ph_wide x[]) {
+  if (!(top->effects & PH_TRANSLATION))
+    return 0;
+  ph_wide Omega[3], change[3], F[3] = {0}, sum = 0;
+  move_loads loads;
+  move_load(top, &loads);
+  move_frame(top, t, Omega, change);
+  acts_force(top, t, x, F);
+  const ph_wide turning = wide_norm(Omega), speed = wide_norm(x + 10);
+  for (int i = 0; i < 3; i++)
+    sum += fabsl(loads.gravity[i]) + fabsl(loads.stiffness[i] * x[7 + i]);
+  sum += (loads.linear + loads.drag * speed + 2 * turning) * speed;
+  sum += (turning * turning + wide_norm(change)) * wide_norm(x + 7);
+  return (ph_wide)top->mass * sum + wide_norm(F);
+}
+
 ph_wide move_kinetic(const ph_top *top, const ph_wide x[]) {
   return top->effects & PH_TRANSLATION ? (ph_wide)top->mass * wide_dot(x + 10, x + 10) / 2 : 0;
 }

@@ -19,6 +19,9 @@ void move_frame(const ph_top *top, ph_wide t, ph_wide Omega[3], ph_wide change[3
 /* dx comes with q' = q (0, w)/2; the frame's part is added, and r', v' where the top moves. */
 void move_rates(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide dx[]);
 
+/* A bound of the terms of m v', or 0 where nothing moves: N. */
+ph_wide move_force_size(const ph_top *top, ph_wide t, const ph_wide x[]);
+
 /* m v^2/2; and the potentials of forces and of a steady frame. */
 ph_wide move_kinetic(const ph_top *top, const ph_wide x[]);
 ph_wide move_potential(const ph_top *top, const ph_wide x[]);
