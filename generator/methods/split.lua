@@ -192,11 +192,14 @@ local function kick(eq, slowed)
 end
 
 -- Nil where drift and kick are the scene's equations: q' = q (0, w)/2, r' = v, I w' = (I w + h) x w with h the rotors',
--- beside what the kick changes; else why not.
-local function missed(eq, kicks)
+-- beside what the kick changes, which knows no rates unless it is `slowed` by them; else why not.
+local function missed(eq, kicks, slowed)
   local m = eq.model:fork() -- what the proof asks for is not the scene's
   local claimed, kick_rates = claim.turning(), claim.rates(kicks)
-  local function put(name, e) claimed[name] = e + (kick_rates[name] or expr.zero) end
+  local function put(name, e)
+    local own = kick_rates[name] or expr.zero
+    claimed[name] = (slowed or expr.constant(own, of_rates)) and e + own or nil
+  end
   for i = 1, 3 do
     put(state.names.position[i], state.v[i])
     put(state.names.velocity[i], expr.zero)
@@ -221,7 +224,7 @@ local function program(method)
     local free, not_free = drift(m)
     if not free then return nil, not_free end
     local groups, kicked = kick(eq, slowed)
-    why = missed(eq, groups)
+    why = missed(eq, groups, slowed)
     if why then return nil, why end
     if slowed and rotor(m) ~= expr.zero then return nil, "a rotor and what depends on the rates, together" end
     local k = split.coefficients

@@ -93,7 +93,8 @@ local function ask(name, path, T, ways, said)
     local row = at(got, T)
     local d = row and distance(row, base, base) or math.huge
     worst = math.max(worst, d / way[2])
-    if not (d <= way[2]) then
+    local fine = d <= way[2] -- false of NaN
+    if not fine then
       bad[#bad + 1] = string.format("%s: off by %.3g, %.3g is allowed", how, d, way[2])
     end
   end
@@ -101,7 +102,7 @@ local function ask(name, path, T, ways, said)
 end
 
 -- How else the same can be asked; compiled: the emitted code, too.
-local function ways_of(T, compiled, smooth)
+local function ways_of(T, compiled)
   local list = {
     { "--at " .. number(T / 7) .. "," .. number(T), DEFAULT },
     { "--at " .. number(T * 0.337) .. "," .. number(T * 0.9999) .. "," .. number(T), DEFAULT },

@@ -131,11 +131,11 @@ put("custom", "custom_state", nil, function(s)
     "{ s.stiff*s.phi, 0, 0 } end, states = { phi = { initial = 1, unit = \"rad\", " ..
     "rate = function(s) return s.w[1] - quantity(1, \"1/s\")*s.phi end } }"
 end)
-put("rotating_frame", "frame", "centroid", function(s) return "rate = " .. s:vec(0.5, "rad/s", "axial") end)
-put("rotating_frame", "frame_upright", "centroid", function(s)
+put("rotating_frame", "frame", nil, function(s) return "rate = " .. s:vec(0.5, "rad/s", "axial") end)
+put("rotating_frame", "frame_upright", nil, function(s)
   return "rate = {0, 0, " .. s:num(0.1, 0.5, "rad/s") .. "}"
 end)
-put("rotating_frame", "frame_changing", "centroid", function(s)
+put("rotating_frame", "frame_changing", nil, function(s)
   return "rate = " .. s:vec(0.5, "rad/s", "axial") .. ", rate_dot = " .. s:vec(0.05, "rad/s^2", "axial") ..
     ", centrifugal = false"
 end)

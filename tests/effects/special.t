@@ -5,7 +5,7 @@
 -- A special path is a formula made for one kind of motion, and wrong where the scene has anything more.  Each cell of
 -- the table is refused at a line of the scene, or goes to the library's motion by every method that takes it
 -- (cells.lua).  Effects are along the axis z here, for there special paths are taken: heavy tops, magnets, tilts.
--- A symmetric body has all effects in all frames, other bodies a third of them; pairs follow.  POLHODE_CELLS=all: the
+-- A symmetric body has all effects in all frames, other bodies a sixth of them; pairs follow.  POLHODE_CELLS=all: the
 -- whole table, in some minutes.  The quick tier takes the symmetric body by taylor where the frame turns.
 
 package.path = "./?.lua;" .. package.path
@@ -93,15 +93,17 @@ for b, body in ipairs(bodies) do
   for f, frame in ipairs(frames) do
     put(body, {}, frame, "")
     for i, e in ipairs(effects) do
-      if whole or b == 1 or (i + b + f) % 3 == 0 then put(body, { e }, frame, i) end
+      if whole or b == 1 or (i + b + 2 * f) % 6 == 0 then put(body, { e }, frame, i) end
     end
   end
 end
 for i = 1, #effects do -- gravity along the axis and another effect; any two
   local e, other = effects[i], effects[i * 7 % #effects + 1]
-  if not e.free and i > 1 then put(bodies[1], { e, effects[1] }, frames[2], i .. "_gravity") end
-  if e ~= other and (whole or i % 2 == 0) then
-    put(bodies[i // 2 % 2 + 1], { e, other }, i % 4 == 0 and tilted or frames[i % 3 + 1], i .. "_pair")
+  if not e.free and i > 1 and (whole or i % 2 == 1) then
+    put(bodies[1], { e, effects[1] }, frames[2], i .. "_gravity")
+  end
+  if e ~= other and (whole or i % 3 == 0) then
+    put(bodies[i // 2 % 2 + 1], { e, other }, i % 2 == 0 and tilted or frames[i % 3 + 1], i .. "_pair")
   end
 end
 for _, spec in ipairs(known) do
