@@ -130,7 +130,7 @@ struct fit_count {
  * one, 0: the step crosses none.  Of the free parameters. */
 struct fit_wall {
   int rule;
-  double normal[FIT_MOST], reach;
+  double normal[FIT_MOST], reach, behind[FIT_MOST]; /* behind: a body before it, a little away */
 };
 
 struct fit_problem {
@@ -262,6 +262,10 @@ double fit_border(struct fit_problem *f, const double from[], const double step[
 double fit_inside(struct fit_problem *f, const double from[], const double step[], double to[]);
 /* The wall before `from + step`. */
 void fit_wall(struct fit_problem *f, const double from[], const double step[], struct fit_wall *w);
+/* to = from + step, which is along the wall, drawn towards what is behind until it is a body: the
+ * wall may be bent. */
+void fit_to_wall(struct fit_problem *f, const double from[], const double step[],
+                 const struct fit_wall *w, double to[]);
 /* The derivatives of that part by the parameters' steps. */
 void fit_inside_slope(struct fit_problem *f, const double from[], const double step[],
                       double slope[]);

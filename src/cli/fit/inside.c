@@ -92,7 +92,7 @@ void fit_inside_slope(struct fit_problem *f, const double from[], const double s
 /* Seen from a point a little back along the step: where `from` is at the border, no difference
  * tells a direction of it. */
 void fit_wall(struct fit_problem *f, const double from[], const double step[], struct fit_wall *w) {
-  double behind[FIT_MOST], back = (double)INFINITY, along = 0;
+  double *behind = w->behind, back = (double)INFINITY, along = 0;
   w->rule = 0;
   for (int k = 0; k < f->free; k++)
     if (step[k] != 0 && from[k] != 0)
@@ -109,4 +109,18 @@ void fit_wall(struct fit_problem *f, const double from[], const double step[], s
     along += w->normal[k] * step[k];
   w->reach = along * (reach - APART * back);
   w->rule = along > 0 ? rule : 0;
+}
+
+void fit_to_wall(struct fit_problem *f, const double from[], const double step[],
+                 const struct fit_wall *w, double to[]) {
+  double whole[FIT_MOST];
+  int rule;
+  for (int k = 0; k < f->n; k++)
+    to[k] = from[k] + step[k];
+  for (int k = 0; k < f->free; k++)
+    whole[k] = to[k] - w->behind[k];
+  const double near = fit_border(f, w->behind, whole, &rule);
+  const double part = near > 0 ? fmin(1, (1 - APART) * SPARE / near) : 1;
+  for (int k = 0; k < f->free; k++)
+    to[k] = w->behind[k] + part * whole[k];
 }

@@ -51,7 +51,10 @@ static int stepped(struct fit_problem *f, struct fit_sums *s, struct fit_result 
   fit_model_step(f, r, *mu, step);
   memcpy(old, r->theta, sizeof old);
   memcpy(f->former, f->reference, (size_t)(4 * f->logs) * sizeof f->former[0]);
-  fit_inside(f, old, step, r->theta);
+  if (r->wall.rule != 0)
+    fit_to_wall(f, old, step, &r->wall, r->theta);
+  else
+    fit_inside(f, old, step, r->theta);
   recentre(f, r->theta);
   if (!fit_pass(f, r->theta, s)) {
     const double now = fit_loss(s), change = now - loss;
