@@ -70,6 +70,30 @@ for _, name in ipairs { "body", "top" } do
   end
 end
 
+-- ---- a plate, whose minimum is beyond what is a body ----
+
+do
+  local world, ends = worlds.body, {}
+  local truth = { I2 = 1.5, I3 = 2.5, q = { 1, 0, 0, 0 }, w = { 0.9, 1.1, -0.4 } }
+  for i = 1, 4 do -- the first log that has such a minimum
+    math.randomseed(i)
+    local log = world.noisy(truth, 40, 0)
+    for k, start in ipairs { { 1.4, 2.3 }, { 1.2, 2.1 }, { 1.6, 2.1 }, { 1.5, 2.5 } } do
+      ends[k] = fit(world, { I2 = start[1], I3 = start[2], q = truth.q, w = truth.w }, log, "squares")
+    end
+    if not ends[1].converged then break end
+  end
+  tap.ok(not ends[1].converged and ends[1].wrong[1]:find("border of the rule", 1, true), "a plate: it is said",
+    ends[1].wrong[1])
+  for k = 2, 4 do
+    local worst = math.abs(ends[k].last_step - ends[1].last_step)
+    for i, e in ipairs(ends[k].estimates) do
+      worst = math.max(worst, math.abs(e.estimate - ends[1].estimates[i].estimate) / e.sigma)
+    end
+    tap.ok(worst < LEFT, "a plate, start " .. k .. ": the same body at the border, as far from the minimum", worst)
+  end
+end
+
 -- ---- small logs with gross errors ----
 
 -- Where the search of the oracle from the truth arrives it must be at the same point, or at a loss that is not lower.

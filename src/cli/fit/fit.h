@@ -126,6 +126,13 @@ struct fit_count {
   double worst, worst_t; /* the largest |z|, and when */
 };
 
+/* A border of the rules that a step would cross: normal step <= reach is before it; rule: which
+ * one, 0: the step crosses none.  Of the free parameters. */
+struct fit_wall {
+  int rule;
+  double normal[FIT_MOST], reach, behind[FIT_MOST]; /* behind: a body before it, a little away */
+};
+
 struct fit_problem {
   const struct polhode_fitted *code;
   void *model;
@@ -232,8 +239,10 @@ struct fit_result {
     FIT_BY_MOMENTUM,
     FIT_BY_SOBOL,
     FIT_BY_NODES
-  } way;             /* that led to the estimate */
-  int tried, same;   /* points of --starts, and how many led to the same minimum */
+  } way;           /* that led to the estimate */
+  int tried, same; /* points of --starts, and how many led to the same minimum */
+  double left;     /* the same of the step that stops at the wall */
+  struct fit_wall wall;
   double decrement;  /* length in standard errors of the step that is left */
   double step_shift; /* by how many standard errors the integration's step moves the estimate */
   double gradient[FIT_MOST];       /* of half the loss */
@@ -251,6 +260,12 @@ double fit_border(struct fit_problem *f, const double from[], const double step[
 /* to = from + part step, a body if `from` is one; part is 1 for steps that are short against the
  * way to the border, and of initial states always. */
 double fit_inside(struct fit_problem *f, const double from[], const double step[], double to[]);
+/* The wall before `from + step`. */
+void fit_wall(struct fit_problem *f, const double from[], const double step[], struct fit_wall *w);
+/* to = from + step, which is along the wall, drawn towards what is behind until it is a body: the
+ * wall may be bent. */
+void fit_to_wall(struct fit_problem *f, const double from[], const double step[],
+                 const struct fit_wall *w, double to[]);
 /* The derivatives of that part by the parameters' steps. */
 void fit_inside_slope(struct fit_problem *f, const double from[], const double step[],
                       double slope[]);
@@ -293,11 +308,12 @@ void fit_approach(struct fit_problem *f, double theta[], int has_sigma, struct f
 /* ---- newton.c ---- */
 
 /* The model of the loss in s, which is that of theta, in r: gradient, decomposition, covariance,
- * decrement, loss, chi2, n. */
-void fit_model(const struct fit_problem *f, const double theta[], const struct fit_sums *s,
+ * decrement, wall, left, loss, chi2, n. */
+void fit_model(struct fit_problem *f, const double theta[], const struct fit_sums *s,
                struct fit_result *r);
-/* Its step, damped by mu; s is as it was. */
-void fit_model_step(const struct fit_result *r, int n, double mu, double step[]);
+/* Its step, damped by mu, to the wall at most; the length of the step; s is as it was. */
+double fit_model_step(const struct fit_problem *f, const struct fit_result *r, double mu,
+                      double step[]);
 
 /* Singular values and vectors of a triangle's R, its columns brought to length 1, which no unit
  * changes. A column of rounding errors stays short: all of the unknown's own size moves the

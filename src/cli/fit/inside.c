@@ -18,6 +18,12 @@
 
 /* A border so many steps away is none: it shortens the step by 5e-7. */
 #define FARTHEST 1024
+/* By so much the border is nearer, that a rounded step stays inside, too. */
+#define SPARE 1.0001
+/* A normal of the border is taken from where this part of a parameter lies between; a search that
+ * stays at the border keeps that part of the way from it, which rounding does not cross. */
+#define BACK  1e-3
+#define APART 1e-9
 
 /* 0, or the rule that the parameters break. */
 static int broken(struct fit_problem *f, const double from[], const double step[], double t) {
@@ -43,7 +49,7 @@ double fit_border(struct fit_problem *f, const double from[], const double step[
       in = t;
     }
   }
-  return in > 0 ? 1.0001 / in : (double)INFINITY; /* a rounded step stays inside, too */
+  return in > 0 ? SPARE / in : (double)INFINITY;
 }
 
 double fit_inside(struct fit_problem *f, const double from[], const double step[], double to[]) {
@@ -54,24 +60,67 @@ double fit_inside(struct fit_problem *f, const double from[], const double step[
   return part;
 }
 
-void fit_inside_slope(struct fit_problem *f, const double from[], const double step[],
-                      double slope[]) {
+/* The derivatives of 1/t by the step: a normal of the border where the step leaves it. */
+static void border_slope(struct fit_problem *f, const double from[], const double step[],
+                         double slope[]) {
   double size = 0, moved[FIT_MOST];
   int rule;
-  const double near = fit_border(f, from, step, &rule);
-  const double d = isinf(near) ? 0 : -near / pow(1 + near * near, 1.5);
   memcpy(moved, step, (size_t)f->free * sizeof step[0]);
   for (int k = 0; k < f->free; k++)
     size = fmax(size, fabs(step[k]));
   for (int k = 0; k < f->free; k++) {
     const double h = 1e-5 * size; /* 1/t is of degree 1 in dp: the quotient is good to 1e-10 */
-    slope[k] = 0;
-    if (near == 0 || isinf(near))
-      continue;
     moved[k] = step[k] + h;
     const double right = fit_border(f, from, moved, &rule);
     moved[k] = step[k] - h;
-    slope[k] = d * (right - fit_border(f, from, moved, &rule)) / (2 * h);
+    slope[k] = (right - fit_border(f, from, moved, &rule)) / (2 * h);
     moved[k] = step[k];
   }
+}
+
+void fit_inside_slope(struct fit_problem *f, const double from[], const double step[],
+                      double slope[]) {
+  int rule;
+  const double near = fit_border(f, from, step, &rule);
+  const double d = near == 0 || isinf(near) ? 0 : -near / pow(1 + near * near, 1.5);
+  if (d != 0)
+    border_slope(f, from, step, slope);
+  for (int k = 0; k < f->free; k++)
+    slope[k] = d != 0 ? d * slope[k] : 0;
+}
+
+/* Seen from a point a little back along the step: where `from` is at the border, no difference
+ * tells a direction of it. */
+void fit_wall(struct fit_problem *f, const double from[], const double step[], struct fit_wall *w) {
+  double *behind = w->behind, back = (double)INFINITY, along = 0;
+  w->rule = 0;
+  for (int k = 0; k < f->free; k++)
+    if (step[k] != 0 && from[k] != 0)
+      back = fmin(back, BACK * fabs(from[k] / step[k]));
+  for (int k = 0; k < f->free && isfinite(back); k++)
+    behind[k] = from[k] - back * step[k];
+  int rule;
+  const double near = isfinite(back) ? fit_border(f, behind, step, &rule) : 0;
+  const double reach = SPARE / near - back;
+  if (near == 0 || isinf(near) || reach >= 1)
+    return;
+  border_slope(f, behind, step, w->normal);
+  for (int k = 0; k < f->free; k++)
+    along += w->normal[k] * step[k];
+  w->reach = along * (reach - APART * back);
+  w->rule = along > 0 ? rule : 0;
+}
+
+void fit_to_wall(struct fit_problem *f, const double from[], const double step[],
+                 const struct fit_wall *w, double to[]) {
+  double whole[FIT_MOST];
+  int rule;
+  for (int k = 0; k < f->n; k++)
+    to[k] = from[k] + step[k];
+  for (int k = 0; k < f->free; k++)
+    whole[k] = to[k] - w->behind[k];
+  const double near = fit_border(f, w->behind, whole, &rule);
+  const double part = near > 0 ? fmin(1, (1 - APART) * SPARE / near) : 1;
+  for (int k = 0; k < f->free; k++)
+    to[k] = w->behind[k] + part * whole[k];
 }

@@ -117,7 +117,7 @@ static double along(const double C[], const double g[], int n, double to[]) {
 
 /* Where the loss bends down (cauchy), or few residuals are within its corner, H may be no model:
  * that of the whole triangle, which is positive, stands in for it. */
-void fit_model(const struct fit_problem *f, const double theta[], const struct fit_sums *s,
+void fit_model(struct fit_problem *f, const double theta[], const struct fit_sums *s,
                struct fit_result *r) {
   const int n = f->n;
   double step[FIT_MOST];
@@ -135,15 +135,39 @@ void fit_model(const struct fit_problem *f, const double theta[], const struct f
     r->lost = NULL;
   }
   r->decrement = along(r->covariance, r->gradient, n, step);
+  fit_wall(f, theta, step, &r->wall);
+  r->left = r->wall.rule != 0 ? fit_model_step(f, r, 0, step) : r->decrement;
   r->loss = fit_loss(s);
   r->chi2 = s->chi2;
   r->n = s->n;
 }
 
-void fit_model_step(const struct fit_result *r, int n, double mu, double step[]) {
+/* Where the step s would cross the wall m s <= b, the least of the model before it is
+ *     s - C m (m s - b)/(m C m). */
+double fit_model_step(const struct fit_problem *f, const struct fit_result *r, double mu,
+                      double step[]) {
   static double C[FIT_MOST * FIT_MOST];
+  const int n = f->n;
+  const struct fit_wall *w = &r->wall;
+  double toward[FIT_MOST], across = 0, over = -w->reach;
   damped(r, n, mu, C);
   if (r->lost != NULL)
     without(r->lost, C);
-  along(C, r->gradient, n, step);
+  const double whole = along(C, r->gradient, n, step);
+  for (int k = 0; k < f->free && w->rule != 0; k++)
+    over += w->normal[k] * step[k];
+  if (w->rule == 0 || over <= 0)
+    return whole;
+  for (int i = 0; i < n; i++) {
+    toward[i] = 0;
+    for (int k = 0; k < f->free; k++)
+      toward[i] += C[i * n + k] * w->normal[k];
+    across += i < f->free ? w->normal[i] * toward[i] : 0;
+  }
+  double length = -w->reach * over / across; /* s C^-1 s, with C^-1 s = -g - m (m s - b)/(m C m) */
+  for (int i = 0; i < n; i++) {
+    step[i] -= toward[i] * over / across;
+    length -= r->gradient[i] * step[i];
+  }
+  return sqrt(fmax(length, 0));
 }

@@ -47,18 +47,21 @@ static void recentre(struct fit_problem *f, double theta[]) {
  * rounding, the gradient)?  If not all is as before.  *mu: the damping, which it adapts. */
 static int stepped(struct fit_problem *f, struct fit_sums *s, struct fit_result *r, double *mu) {
   double step[FIT_MOST], old[FIT_MOST];
-  const double loss = r->loss, before = r->decrement;
-  fit_model_step(r, f->n, *mu, step);
+  const double loss = r->loss, before = r->left;
+  fit_model_step(f, r, *mu, step);
   memcpy(old, r->theta, sizeof old);
   memcpy(f->former, f->reference, (size_t)(4 * f->logs) * sizeof f->former[0]);
-  fit_inside(f, old, step, r->theta);
+  if (r->wall.rule != 0)
+    fit_to_wall(f, old, step, &r->wall, r->theta);
+  else
+    fit_inside(f, old, step, r->theta);
   recentre(f, r->theta);
   if (!fit_pass(f, r->theta, s)) {
     const double now = fit_loss(s), change = now - loss;
     const int rounded = fabs(change) <= ROUNDING * loss;
     if (change < 0 || rounded)
       fit_model(f, r->theta, s, r);
-    if (rounded ? r->decrement < before : change < 0) {
+    if (rounded ? r->left < before : change < 0) {
       *mu = *mu > 1e-6 ? *mu / 10 : 0;
       return 1;
     }
@@ -80,12 +83,12 @@ static int polish(struct fit_problem *f, struct fit_sums *s, struct fit_result *
   if (fit_pass(f, r->theta, s))
     return 0;
   fit_model(f, r->theta, s, r);
-  for (int i = 0; i < STEPS && r->rank > 0 && r->decrement >= enough && mu < 1e12; i++) {
-    const double before = r->decrement;
+  for (int i = 0; i < STEPS && r->rank > 0 && r->left >= enough && mu < 1e12; i++) {
+    const double before = r->left;
     if (interrupt_pending() || (!stepped(f, s, r, &mu) && before < SHORT))
       break; /* what is left is rounding */
   }
-  r->converged = r->decrement < fmax(enough, SHORT);
+  r->converged = r->left < fmax(enough, SHORT);
   return r->converged;
 }
 
@@ -100,7 +103,7 @@ static double shift(struct fit_problem *f, struct fit_sums *s, const struct fit_
   if (bad)
     return (double)INFINITY;
   fit_model(f, r->theta, s, &other);
-  return other.decrement;
+  return other.left;
 }
 
 /* Of the steps h0/2, h0/4 .. the longest whose error is small.  The error of a method of order 4
@@ -149,7 +152,7 @@ static void settle(struct fit_problem *f, struct fit_sums *s, const struct fit_s
   s->traces = room->traces;
   s->outliers->limit = limit_of(r, f->n, has_sigma);
   polish(f, s, r, found ? LAST : (double)INFINITY);
-  r->converged = found && r->converged;
+  r->converged = found && r->converged && r->wall.rule == 0;
 }
 
 void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struct fit_result *r,
@@ -178,11 +181,7 @@ void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struc
   if (cauchy)
     s.lost = room->lost;
   settle(f, &s, room, has_sigma, h0, r);
-  if (!r->converged && f->refused == 0) { /* is it a rule that the way on would break? */
-    double step[FIT_MOST];
-    fit_model_step(r, f->n, 0, step);
-    if (fit_border(f, r->theta, step, &f->refused) < 1)
-      f->refused = 0;
-  }
+  if (!r->converged && f->refused == 0)
+    f->refused = r->wall.rule; /* the way on would break it */
   gsl_set_error_handler(handler);
 }
