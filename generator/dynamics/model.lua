@@ -166,7 +166,8 @@ end
 -- A body with a hole of its own kind always: its steps are those that do not cancel.
 -- Multiplied out it is less to read if no number has nine digits and it has at most twice the characters.
 local function in_parts(m, b, r)
-  local taken = {}
+  local taken = {} -- by inputs, which stand beside these names in what is printed
+  for _, s in ipairs(inputs.of(nil, m.record)) do taken[s.name] = true end
   local p = parts.of(b, r, function(name)
     local unique = m:unique(name, taken)
     taken[unique] = true

@@ -12,10 +12,12 @@
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local context = require "generator.dynamics.context"
+local equations = require "generator.dynamics.equations"
 local touch = require "generator.dynamics.touch"
 local upright = require "generator.dynamics.upright"
 
@@ -49,9 +51,9 @@ local function geometry(m, group, plain)
   local rim = constant("rim", surface.rim, "radius of the sphere, or of the rounded edge, m")
   local r
   if surface.disc then -- whose y would be R g/|g|: no number near flat
-    local R, z = constant("radius", surface.half[1], "radius of the disc's centre circle, m"),
+    local radius, z = constant("radius", surface.half[1], "radius of the disc's centre circle, m"),
       constant("centrez", at.f.centre[3], "centre of the surface from the centre of mass, z, m")
-    r = { -(R + rim * k.s), expr.zero, z - rim * k.c }
+    r = { -(radius + rim * k.s), expr.zero, z - rim * k.c }
   else
     r = at.e.spec.lowest(at.e.a, c, { up = { k.s, expr.zero, k.c } }, name).r
   end
@@ -106,32 +108,37 @@ local function steady_nod(m)
       "positive where it is stable.  0 < tilt < pi, n not 0; the margins stable_.. tell of upright spins." } }
 end
 
--- The steady rolling of this tilt, by its sine and cosine, and rate w about the axis, as doubles, parameters at their
+local bits = 128
+
+-- The steady rolling of this tilt, by its sine and cosine, and rate w about the axis, rationals, parameters at their
 -- defaults: a list of {n, nod}, of the roots of s (I1 c - m h y) n^2 - (I3 s - m h x) w n = m G b; nil where nothing
--- rolls so.
+-- rolls so.  b is cancelled before it is evaluated: of a sphere about the centre of mass it is 0.
 function steady.of(m, sine, cosine, w)
   if not rolls(m) then return nil end
-  local group, env = { defs = {} }, { n = 1.0 }
-  for name, x in pairs(m.defaults) do env[name] = x end -- into a table: order is lost anyway
+  local group = { defs = {} }
   local k = geometry(m, group, true)
   local bare, square = #group.defs, nod(k)
-  local function evaluated(from, to)
-    for i = from, to do env[group.defs[i].name] = evaluate.double(group.defs[i].expr, env) end
+  local below = { defs = table.move(group.defs, 3, bare, 1, {}) } -- sine and cosine, before, are given
+  local lever = ratio.tidy(equations.inline({ below }, k.b))
+  local function values(upto, precession) -- a function of expressions, with the definitions up to there
+    local env = { n = precession }
+    for name, x in pairs(m.defaults) do env[name] = x end -- into a table: order is lost anyway
+    env[k.s.name], env[k.c.name] = sine, cosine -- the first two definitions
+    local value = evaluate.within(env, bits)
+    for i = 3, upto do env[group.defs[i].name] = value(group.defs[i].expr) end
+    return value
   end
-  env[k.s.name], env[k.c.name] = sine, cosine -- the first two definitions
-  evaluated(3, bare)
-  local function value(e) return evaluate.double(e, env) end
+  local value = values(bare)
   local A, B = value(k.s * (k.I1 * k.c - k.h * k.y)), value(k.I3 * k.s - k.h * k.x) * w
-  local C = value(k.G * k.b)
+  local C = value(k.G * lever)
+  local square_root = B * B + R.new(4) * A * C
   local list = {}
-  if A == 0 or B * B + 4 * A * C < 0 then return list end
-  local far = (B + (B < 0 and -1 or 1) * math.sqrt(B * B + 4 * A * C)) / (2 * A)
-  for _, root in ipairs { far, far ~= 0 and -C / A / far or nil } do
-    if root ~= 0 then
-      env.n = root
-      evaluated(bare + 1, #group.defs)
-      list[#list + 1] = { n = root, nod = value(square) }
-    end
+  if R.sign(A) == 0 or R.sign(square_root) < 0 then return list end
+  local wide = R.sign(square_root) > 0 and R.apply("sqrt", bits, square_root) or R.zero
+  local far = (B + (R.sign(B) < 0 and -wide or wide)) / (R.new(2) * A)
+  if R.sign(far) == 0 then return list end
+  for _, root in ipairs { far, -C / A / far } do
+    if R.sign(root) ~= 0 then list[#list + 1] = { n = root, nod = values(#group.defs, root)(square) } end
   end
   return list
 end

@@ -22,7 +22,8 @@ local magnetic = {
   idle = { { "moment", "field", "rotating" } },
   formula = "N = m x R(q)^T B, V = -m.R(q)^T B; rotating: B = (Bx cos a - By sin a, Bx sin a + By cos a, Bz), " ..
     "a = rate t",
-  signs = "the moment turns towards the field; rate > 0 turns the field from x to y",
+  signs = "the moment turns towards the field; rate > 0 turns the field from x to y; NAME_energy has no V of a " ..
+    "moment that varies or of a field that turns",
   source = "Jackson, Classical Electrodynamics, 3rd ed., 5.71 and 5.72",
   example = "compass",
 }

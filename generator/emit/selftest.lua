@@ -16,6 +16,10 @@ local selftest = { bits = 200, roundings = 32, stages = R.new(8) }
 -- An environment holds values and magnitudes of names: {value = {name -> R}, size = {name -> R}}; a name without a
 -- size is an input, whose size is its absolute value.  Names may be added to it as they become known.
 
+-- Of a power of two: a magnitude beyond it is put to it.  Where sums cancel in each stage of a step, magnitudes are
+-- multiplied with each other as often as the stages' degree, and become numbers of a million bits that tell nothing.
+local widest = 900
+
 -- Two functions of expressions in the environment: their value, and their value with every term of every sum made
 -- positive, which is the magnitude before cancellation.
 -- |a - b| is bounded by a + b of magnitudes, a product by their product; a quotient's relative error is its base's.
@@ -40,6 +44,7 @@ local function within(env)
     else
       v = R.abs(value(u))
     end
+    if R.sign(v) ~= 0 and R.log2(v) > widest then v = R.new(2) ^ widest end
     memo[u] = R.round(v, 64)
     return memo[u]
   end

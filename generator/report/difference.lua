@@ -15,6 +15,16 @@ local difference = {}
 
 local most_terms = 64 -- of a rate; what is longer is one term
 
+-- How many terms e has when its products of sums are multiplied out, at most.
+local function count(e)
+  local n = e.kind == "add" and 0 or 1
+  for i = 1, (e.kind == "add" or e.kind == "mul") and #e or 0 do
+    n = e.kind == "add" and n + count(e[i]) or n * count(e[i])
+    if n > most_terms then break end
+  end
+  return n
+end
+
 -- The terms of e as a sum, products with a sum multiplied out while that is short.
 local function terms(e)
   if e.kind == "add" then
@@ -24,7 +34,7 @@ local function terms(e)
     end
     return #list <= most_terms and list or { e }
   end
-  for i = 1, e.kind == "mul" and #e or 0 do
+  for i = 1, e.kind == "mul" and count(e) <= most_terms and #e or 0 do
     if e[i].kind == "add" then
       local rest, list = {}, {}
       for k = 1, #e do

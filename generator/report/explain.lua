@@ -83,12 +83,11 @@ end
 
 local function equation_section(f)
   local lines = {}
-  local shown = {} -- above, or a multiple that only the code needs
-  for _, list in ipairs { f.inertia, f.arm, { f.mass } } do
-    for _, e in ipairs(list) do shown[e] = true end
-  end
+  local shown = { M = f.mass } -- above, by their names; and a multiple only the code needs
+  for n, e in ipairs(f.inertia) do shown["I" .. vec.entry[n]] = e end
+  for k, e in ipairs(f.arm) do shown["R" .. comp[k]] = e end
   for _, member in ipairs(f.job.model.members) do
-    if not shown[member.e] and not member.multiple then
+    if shown[member.name] ~= member.e and not member.multiple then
       lines[#lines + 1] = formula(member.name, member.form, nil, f.job.model:double(member.e))
     end
   end

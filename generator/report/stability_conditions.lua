@@ -5,16 +5,20 @@
 --     about, place                                   the axis in words, and its number in mass/stability
 --     stable, stable_dissipative                     1, 0, -1 at the parameters' defaults
 --     margins, margins_dissipative                   {name, unit, default, below, above}: the nearest values of a
---                                                    parameter at which the verdict changes, the others at defaults
+--                                                    parameter at which the verdict changes and there is a body, the
+--                                                    others at defaults
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local calculus = require "generator.algebra.calculus"
+local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
 local poly = require "generator.algebra.poly"
 local roots = require "generator.algebra.roots"
 local section = require "generator.algebra.section"
 local text = require "generator.algebra.text"
 local mass = require "generator.mass.spin_stability"
+local validity = require "generator.mass.validity"
 local json = require "generator.report.json"
 
 local stability = {}
@@ -65,9 +69,29 @@ local function in_one(m, atom, name)
   return terms and section.coefficients(terms)
 end
 
--- How far each parameter may go until the verdict about axis k changes.  It can only change where an atom is zero, so
--- the atoms' zeros are candidates and the verdict half-way between two neighbours is that of the interval.  A parameter
--- in which some atom is no polynomial has no row.
+local exactly = { [validity.roundoff] = expr.zero }
+
+-- Is there a body for every value of the parameter from its default to x, the others at their defaults?  A condition
+-- holds at the default; it is asked for at x, and between where it is a polynomial in the parameter.
+local function exists(m, name, x)
+  local here, env = R.todouble(m.defaults[name]), {}
+  for k, v in pairs(m.defaults) do env[k] = v end -- into a table: order is lost anyway
+  env[name] = R.fromdouble(x)
+  for _, c in ipairs(m.conditions) do
+    if not expr.constant(c.e, { [name] = true }) then
+      local e = calculus.substitute(c.e, exactly)
+      local fine, value = pcall(evaluate.precise, e, env, 128)
+      local polynomial = in_one(m, e, name)
+      if not fine or R.sign(value) < 0 then return false end
+      if polynomial and #roots.between(polynomial, math.min(here, x), math.max(here, x)) > 0 then return false end
+    end
+  end
+  return true
+end
+
+-- How far each parameter may go until the verdict about axis k changes, while there is a body.  It can only change
+-- where an atom is zero, so the atoms' zeros are candidates and the verdict half-way between two neighbours is that of
+-- the interval.  A parameter in which some atom is no polynomial has no row.
 local function margins(f, s, k, dissipation)
   local m, list = f.job.model, {}
   local sign = at_defaults(m)
@@ -103,6 +127,8 @@ local function margins(f, s, k, dissipation)
       if x > here and not above and verdict((x + after) / 2) ~= now then above = x end
       if x < here and verdict((x + before) / 2) ~= now then below = x end
     end
+    if below and not exists(m, p.name, below) then below = nil end
+    if above and not exists(m, p.name, above) then above = nil end
     if usable and (below or above) then
       list[#list + 1] = { name = p.name, sym = p.sym, unit = p.unit, below = below, above = above, default = here }
     end

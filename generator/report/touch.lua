@@ -3,6 +3,7 @@
 -- G is the gravity; the critical speeds are those of dynamics/upright.lua.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local vec = require "generator.algebra.vec"
@@ -14,6 +15,8 @@ local upright = require "generator.dynamics.upright"
 local disc = require "generator.report.disc"
 
 local touch = {}
+
+local bits = 128
 
 local function integrals(m, put)
   local start = { [state.t] = expr.zero }
@@ -62,32 +65,34 @@ local function critical(m, law, put)
 end
 
 local function ball(m, f, put, a, mass, G)
-  local J, R, rate = m:double(f.I1), m:double(f.surface.rim), m:double(a.rate)
-  local k = J / (J + mass * R * R)
-  local n = vec.map(a.normal, function(e) return m:double(e) end)
-  local along = vec.sub(G, vec.scale(vec.dot(G, n), n))
+  local J, rate = m:double(f.I1), m:double(a.rate)
+  local carried = mass * m:double(f.surface.rim) ^ 2
+  local k, rest = J / (J + carried), carried / (J + carried) -- rest = 1 - k
+  local along = vec.cross(G, vec.map(a.normal, function(e) return m:double(e) end)) -- as long as G along the plane
   local slope = math.sqrt(vec.dot(along, along))
   if rate ~= 0 then
     put("circle_rate", "V' = k Omega n x V + (1 - k) G_t: the centre's circles", "k Omega, k = I/(I + m R^2)",
       "k\\Omega,\\ k = I/(I + mR^2)", k * rate, "rad/s")
     if slope ~= 0 then
-      put("drift", "across the slope", "(1 - k) G_t/(k Omega)", "(1 - k)G_t/(k\\Omega)", (1 - k) * slope / (k * rate),
+      put("drift", "across the slope", "(1 - k) G_t/(k Omega)", "(1 - k)G_t/(k\\Omega)", rest * slope / (k * rate),
         "m/s")
     end
   else
     put("acceleration", "of the centre down the slope: V' = (1 - k) G_t", "(1 - k) G_t, k = I/(I + m R^2)",
-      "(1 - k)G_t,\\ k = I/(I + mR^2)", (1 - k) * slope, "m/s^2")
+      "(1 - k)G_t,\\ k = I/(I + mR^2)", rest * slope, "m/s^2")
   end
 end
 
 -- The steady rolling of a top at its tilt and spin, and its small nutations.
 local function rolling(m, put)
-  local g = vec.matvec(vec.transpose(vec.rotation(m.attitude)), contact.of(m).a.normal)
-  local x, y, z = m:double(g[1]), m:double(g[2]), m:double(g[3])
-  local across = math.sqrt(x * x + y * y)
-  if across == 0 then return end -- upright
-  for i, s in ipairs(steady.of(m, across, z, m:double(m.omega[3])) or {}) do
-    local number, stable = string.format("%d", i), s.nod >= 0
+  local g = vec.map(vec.matvec(vec.transpose(vec.rotation(m.attitude)), contact.of(m).a.normal),
+    function(e) return m:number(e) end)
+  local square = g[1] * g[1] + g[2] * g[2]
+  if R.sign(square) == 0 then return end -- upright
+  local whole = R.apply("sqrt", bits, square + g[3] * g[3])
+  local sine = R.apply("sqrt", bits, square) / whole
+  for i, s in ipairs(steady.of(m, sine, g[3] / whole, m:number(m.omega[3])) or {}) do
+    local number, stable = string.format("%d", i), R.sign(s.nod) >= 0
     put("steady_precession_" .. number, "about the normal, for this tilt and w3; contact x, y across and along the " ..
       "axis, height h, b = y s - x c",
       "s (I1 c - m h y) p^2 - (I3 s - m h x) w3 p = m G b", "s(I_1c - mhy)p^2 - (I_3s - mhx)\\omega_3p = mGb", s.n,
@@ -96,7 +101,8 @@ local function rolling(m, put)
       "small nutation about it: it is stable" or "this one is unstable") .. "; " ..
       "J = I1 + m (x^2 + y^2), U'' = -dM/dtheta along the motion, M the torque that tilts",
       stable and "sqrt(U''/J)" or "sqrt(-U''/J)",
-      stable and "\\sqrt{U''/J}" or "\\sqrt{-U''/J}", math.sqrt(math.abs(s.nod)), "rad/s")
+      stable and "\\sqrt{U''/J}" or "\\sqrt{-U''/J}", R.sign(s.nod) ~= 0 and
+        R.apply("sqrt", bits, R.abs(s.nod)) or 0.0, "rad/s")
   end
 end
 

@@ -92,10 +92,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
     made.rate[i] = ${ldexp}(made.rate[i], e);
     if (!(made.rate[i] - made.rate[i] == ${zero}) || !(made.turn[i][0] - made.turn[i][0] == ${zero})) return 1;
   }
-  n = made.rate[0]*made.inverse;
-  made.mean = (made.turn[0][0] + made.turn[1][0]) + (made.turn[0][1] + made.turn[1][1]);
-  for (int i = 0; i < 2 && moves; i++) made.mean += made.jump[i][0]*n + (${name}_real)sign[i]*${half}*n;
-  made.mean *= ${two_pi_high};
+  made.mean = ${name}_mean_of(&made, sign);
 
   /* what turns the series' a and b to those of t = 0 */
   v = ${name}_values_at(&made, ${zero});

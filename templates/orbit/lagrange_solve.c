@@ -150,13 +150,10 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   made.tilt[1] = ${name}_angle_of(p.below[0], p.above[0]);
 
   /* b/a goes round once more in a period of the nutation, unless the axis passes through the vertical */
-  n = made.rate[0]*made.inverse;
-  made.mean = (made.turn[0][0] + made.turn[1][0]) + (made.turn[0][1] + made.turn[1][1]);
-  for (i = 0; i < 2 && !rest; i++) {
-    made.mean += made.jump[i][0]*n;
-    if (${name}_wide_sign(i == 0 ? p.above[0] : p.below[1])) made.mean += (${name}_real)p.sign[i]*${half}*n;
+  for (i = 0; i < 2; i++) {
+    if (!${name}_wide_sign(i == 0 ? p.above[0] : p.below[1])) p.sign[i] = 0;
   }
-  made.mean *= ${two_pi_high};
+  made.mean = ${name}_mean_of(&made, p.sign);
 
   /* What turns the series' a, b and W = -conj(a) b .. to those of t = 0, from the two that are farthest from a zero. */
   v0 = ${name}_values_at(&made, ${zero});

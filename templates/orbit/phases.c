@@ -67,3 +67,18 @@ ${inline} ${name}_real ${name}_length2(const ${name}_values *v)
 {
   return (v->w*v->w + v->z*v->z) + (v->x*v->x + v->y*v->y);
 }
+
+/* The mean rate at which b/a goes round, rad/s: the turns of a and b, what goes off them with each period of the phase,
+ * and half a turn for each sign.  In pairs: of a fast spin nearly all of the turns cancels. */
+static ${name}_real ${name}_mean_of(const ${name}_orbit *o, const int sign[2])
+{
+  ${name}_pair mean = ${name}_pair_of(${zero}), n = mean;
+
+  if (o->inverse > ${zero}) n = ${name}_ratio(${name}_parts(o->rate[0], o->rate[1]), ${name}_parts(o->period[0], o->period[1]));
+  for (int i = 0; i < 2; i++) {
+    mean = ${name}_add(mean, ${name}_parts(o->turn[i][0], o->turn[i][1]));
+    mean = ${name}_add(mean, ${name}_mul(${name}_parts(o->jump[i][0], o->jump[i][1]), n));
+    mean = ${name}_add(mean, ${name}_scaled((${name}_real)sign[i]*${half}, n));
+  }
+  return ${name}_pair_scale(${name}_mul(mean, ${name}_pair_pi), 1).hi;
+}

@@ -3,8 +3,8 @@
 --
 --     local text = require("tests.cli.worker")("tests/x/worker.lua", { "argument", ... })
 --
--- The file is the body of a function (host, args) as in tests/cli/tree.  Returns what it says, or nil and its message as
--- a diagnostic.
+-- The file is the body of a function (host, args) as in tests/cli/tree.  Returns what it says, or nil and its message
+-- as a diagnostic.
 
 local tap = require "tests.tap"
 local program = require "tests.cli.program"
@@ -21,8 +21,8 @@ return function(file, arguments)
   local words = {}
   for i, a in ipairs(arguments) do words[i] = "'" .. a .. "'" end
   local binary = os.getenv("POLHODE") or "build/polhode"
-  local code = program.shell(string.format("POLHODE_SOURCE=%s/tree timeout 120 %s %s %s > %s/out 2> %s/err", dir, binary,
-    file, table.concat(words, " "), dir, dir))
+  local code = program.shell(string.format("POLHODE_SOURCE=%s/tree timeout 120 %s %s %s > %s/out 2> %s/err", dir,
+    binary, file, table.concat(words, " "), dir, dir))
   if code ~= 0 then
     tap.diag(program.read(dir .. "/err"))
     return nil

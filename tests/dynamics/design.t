@@ -203,6 +203,21 @@ do
     and f.stability[1].condition == nil, "a body without axes in closed form has verdicts and no conditions")
 end
 
+-- A parameter goes no further than the body is one.  The rim of the gyroscope would turn neutral at rim_in = 40.06 mm,
+-- rim_out = 28.96 mm, but has rim_in = 30 < rim_out = 38; a + b is a height, so a > -0.2 before a^2 + .. is 3 r^2 again.
+do
+  local seen = {}
+  for _, e in ipairs(facts.of(scene.file "bodies/gyroscope.lua").stability) do
+    for _, m in ipairs(e.margins_dissipative) do seen[m.name] = true end
+  end
+  tap.ok(not seen.rim_in and not seen.rim_out and seen.width, "gyroscope: margins of its width, none of its rim")
+  local job = scene.read [[local a, b, r = param("a", 0.1, "m"), param("b", 0.2, "m"), param("r", 0.3, "m")
+    return scene { name = "s", body = solid.cylinder { r = r, h = a + b, mass = 1 } }]]
+  local m = facts.of(job).stability[3].margins_dissipative[1]
+  tap.ok(m.name == "a" and m.below == nil and math.abs(m.above - (0.3 * math.sqrt(3) - 0.2)) < 1e-14,
+    "a height a + b: above sqrt(3) r it is unstable, below it ends before")
+end
+
 ---- the emitted predicate near its boundary ---------------------------------------------------------------
 
 -- The number `n` steps of the real type above x.

@@ -255,5 +255,15 @@ do
   tap.ok(d:report():find("test.lua:%d: jacobians: d wx%(0%)/d p must exist"), "and it says which", d:report())
 end
 
+-- Expected values of a step whose sums cancel in each stage: their magnitudes are products of a high degree.
+do
+  local job = assert(scene.read [[return scene { name = "rd", body = tensor { mass = 1, xx = 0.01, yy = 0.012,
+    zz = 0.02 }, initial = { omega = {0.1, 0, 7}, attitude = {1, 1, 0.1, 0} }, effects = { effect.plane {
+    surface = contact.disc { r = 0.3, edge = 0.02 }, law = "rolling", spinning = { viscous = 0.01 } } } }]])
+  local began = os.clock()
+  local files = scene.files(scene.plan(job, { jacobians = true }))
+  tap.ok(files["rd_test.c"] and os.clock() - began < 30, "a rolling disc with resistance to spinning: a test is made")
+end
+
 program.finish()
 tap.done()

@@ -1,9 +1,9 @@
 -- printed_worker.lua - runs inside the program for printed.t: the general library's numbers of scenes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- args: paths of scenes.  A line for each: a Lua table, a list of points {values = {parameter = number}, t, x, u, rates,
--- scale, mass, com, center, inertia, centroidal, moments} in the names of host.mass and host.rates, the library's own
--- from the shapes.  The first point has the parameters' defaults.
+-- args: paths of scenes.  A line for each: a Lua table, a list of points {values = {parameter = number}, t, x, u,
+-- rates, scale, mass, com, center, inertia, centroidal, moments} in the names of host.mass and host.rates, the
+-- library's own from the shapes.  The first point has the parameters' defaults.
 
 local R = require "generator.algebra.rational"
 local driver = require "generator.driver"
@@ -57,15 +57,17 @@ local function point(job, spread)
   for i = 1, #job.model.inputs do u[i] = some() end
   p.values, p.t, p.x, p.u = doubles, random(1024) / 256, x, u
   local rates, scale = library:rates(p.t, numeric.whole(job, x), #u > 0 and u or nil)
+  if not rates then return nil end -- no motion from there, as with a tensor that is not positive at this time
   p.rates, p.scale = numeric.part(job, rates), numeric.part(job, scale)
   return p
 end
 
 for _, path in ipairs(args) do
   local job = assert(driver.read(host, path, {}))
-  local list = { point(job, false) }
-  for _ = 1, 20 do
-    if #list < POINTS then list[#list + 1] = point(job, true) end
+  local list = {}
+  for n = 1, 40 do
+    local now = #list == 0 and n < 20 and point(job, false) or #list > 0 and #list < POINTS and point(job, true)
+    if now then list[#list + 1] = now end
   end
   host.out(written(list) .. "\n")
 end

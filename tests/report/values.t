@@ -125,6 +125,21 @@ for _, case in ipairs { { "bodies/nodding_top.lua", 1 }, { "bodies/heavy_top.lua
     "the angle in one nutation")
 end
 
+-- ---- steady rolling of a sphere about its centre of mass ----
+
+-- Its lever about the contact is 0 at every tilt, so the other root of the equation is no precession: it is no row, and
+-- not what rounding leaves of 0.  (I1 c - m h y) p = (I3 - m h x/s) w3, h = R, x = -R s, y = -R c.
+do
+  program.write(dir .. "/rolls.lua", [[return scene { name = "rolls",
+    body = tensor { mass = 1, xx = 0.004, yy = 0.004, zz = 0.003 }, initial = { omega = {0, 0, 7},
+    attitude = { axis = "x", angle = 2.1 } }, effects = { effect.plane { surface = contact.sphere { r = 0.1 },
+    law = "rolling", gravity = 9.81 } } }]])
+  local v = values(dir .. "/rolls.lua")
+  tap.near(v.steady_precession_1.value, (0.003 + 0.01) * 7 / ((0.004 + 0.01) * math.cos(2.1)), 1e-8, 0,
+    "a sphere about its centre: the steady precession", "nine digits are written")
+  tap.is(v.steady_precession_2, nil, "and no other")
+end
+
 -- ---- other formats, other scenes ----
 
 do
