@@ -17,6 +17,7 @@ local events = require "generator.commands.events"
 local input_file = require "generator.commands.input_file"
 local options = require "generator.commands.options"
 local driver = require "generator.driver"
+local exists = require "generator.dynamics.exists"
 
 local run = {}
 
@@ -190,6 +191,14 @@ function run.run(host, given)
     given.course = warnings and course
   end
   if not warnings then return options.wrong(host, "run", wrong) end
+  local last = 0.0
+  for _, t in ipairs(list) do last = math.max(last, t) end
+  local ends, line = exists.fails(job, last)
+  if ends then
+    job.diag:error(line, "effect.inertia_rate", string.format("I + D(t) must be a body's tensor up to t = %.6g s: " ..
+      "from t = %.6g s on a principal moment is more than the other two together", last, ends))
+    return options.refuse(host, job.diag)
+  end
   local engine = bounce.engine(given.engine == "generated" and engines.generated or engines.general)
   local motion, failure = engine(host, job, given, course)
   wrong = motion and limits.exceeded(motion, list, given) or failure and failure.command and failure.text
