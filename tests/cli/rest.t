@@ -35,8 +35,8 @@ local function last(csv)
 end
 
 local function ball(friction, velocity, omega, more)
-  return string.format('local e = param("e", 0.1, "m/s")\nreturn scene { name = "ball", body = solid.sphere { r = 0.03, ' ..
-    "mass = 0.2 }, effects = { effect.plane { surface = contact.sphere { r = 0.03 }, law = \"sliding\", " ..
+  return string.format('local e = param("e", 0.1, "m/s")\nreturn scene { name = "ball", body = ' ..
+    "solid.sphere { r = 0.03, mass = 0.2 }, effects = { effect.plane { surface = contact.sphere { r = 0.03 }, law = \"sliding\", " ..
     "friction = { %s }%s } }, initial = { velocity = {%s}, omega = {%s} }, time = { horizon = 2, step = 0.01 } }\n",
     friction, more or "", velocity, omega)
 end
@@ -59,7 +59,8 @@ end
 local code, csv, log = run(stop, "--engine generated --method rk4 --step 0.001")
 tap.is(code, 0, "by rk4: " .. log)
 -- rk4's own error at a thousandth of a second is 1e-6
-tap.ok(math.abs(event(csv, "at_rest") - reaches(1e-4 / 2.5, 0.1, 1.2)) < 1e-4, "rest is an event of the emitted code, too")
+tap.ok(math.abs(event(csv, "at_rest") - reaches(1e-4 / 2.5, 0.1, 1.2)) < 1e-4, "rest is an event of the emitted " ..
+  "code, too")
 code, csv = run(ball("coulomb = 0.2, smoothing = e", "0.5, 0.1, 0", "0, -3, 8",
   ", rolling_resistance = { coulomb = 3e-4, smoothing = 0.1 }, spinning = { coulomb = 2e-3, smoothing = 0.1 }"),
   "--set e=0.05 --until 20 --every 1")
@@ -93,8 +94,8 @@ tap.ok(far < 1e-12, "comes to the same: " .. far)
 code, csv = run([[
 return scene { name = "leaves", body = tensor { mass = 0.9644, com = { 0.0368, -0.0002, -0.0201 }, xx = 0.029385,
   yy = 0.022796, zz = 0.023167, xy = -0.0046273 }, effects = { effect.plane { surface = contact.disc { r = 0.2647,
-  edge = 0.0727 }, law = "rolling", rolling_resistance = { coulomb = 0.0267, smoothing = 0.151 }, turntable = -0.6794 } },
-  initial = { omega = { 1.1783, -0.7356, -1.3783 }, attitude = { axis = { 0.838, -0.0632, -0.1798 }, angle = -0.0773 },
+  edge = 0.0727 }, law = "rolling", rolling_resistance = { coulomb = 0.0267, smoothing = 0.151 },
+  turntable = -0.6794 } }, initial = { omega = { 1.1783, -0.7356, -1.3783 }, attitude = { axis = { 0.838, -0.0632, -0.1798 }, angle = -0.0773 },
   position = { 0.3701, 0.5824, 0.8063 } }, time = { horizon = 1, step = 0.001 } }
 ]])
 tap.is(code, 0, "a disc that leaves its plane ends there, whatever comes after")

@@ -2,12 +2,12 @@
 --
 -- Its speed s is the larger of its centre's and of what its turning gives the contact point, its acceleration a
 -- likewise.  It is at rest when these are
---   rounding   s and a D, D the time.step, not above 2^-32 of the speeds of its motion: those at the start, and sqrt(G R), which a fall over the
---              way R to the contact point gives; or
---   creeping   s not above a thousandth of the least speed that a smoothed law of friction is smoothed at, while it dies
---              out as by such laws: s/a is the time in which one of them stops that speed, within 16 times.  The law
---              without smoothing has stopped the body by then.  What rolls on slowly, slides down evenly or only turns
---              back is not at rest.
+--   rounding   s and a D, D the time.step, not above 2^-32 of the speeds of its motion: those at the start, and
+--              sqrt(G R), which a fall over the way R to the contact point gives; or
+--   creeping   s not above a thousandth of the least speed that a smoothed law of friction is smoothed at, while it
+--              dies out as by such laws: s/a is the time in which one of them stops that speed, within 16 times.  The
+--              law without smoothing has stopped the body by then.  What rolls on slowly, slides down evenly or only
+--              turns back is not at rest.
 -- The value of the event is above 0 while the body moves.  Nothing ends there: a torque may set it off again.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
