@@ -6,23 +6,26 @@
 -- by 32 and then by 512 at a time; where that misses it is cut into `parts` again.  The last piece, some 1e-8 of the
 -- interval, goes by the chord.  The chord's error is that squared, times g''/(2 g') of the expression g: below the
 -- rounding of t unless the crossing is all but tangential.
--- Where a disc may lie flat the motion is had in short pieces, for it gets ever slower from there on.
+-- The motion is had in pieces, short ones where an event may end it: it goes on only where none does.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
 local motion = require "generator.algebra.motion"
 local contact = require "generator.dynamics.contact"
+local numeric = require "generator.dynamics.numeric"
 local flat = require "generator.commands.run.flat"
+local rest = require "generator.commands.run.rest"
 local touch = require "generator.commands.run.touch"
 
 local events = {}
 
 local most, parts, rounds, narrow = 100000, 16, 14, 2.0 ^ -28
-local piece = 4096 -- of the grid
+local piece, short = 4096, 64 -- of the grid at once; where an event may end the motion
 
 -- The events of a scene: its own, and what ends the run of a body on a plane: the loss of contact, and that a disc lies
--- flat (flat.lua).  reaction: its value is N, which the library computes from the state.
+-- flat (flat.lua); and that it has come to rest (rest.lua).  reaction: its value is N, which the library computes from
+-- the state; motion: a function of the library's rates.
 function events.of(job)
   local plane, list = contact.of(job.model), job.record.events
   local flies = not plane and job.record.landing
@@ -32,6 +35,7 @@ function events.of(job)
     list[#list + 1] = { name = "contact_lost", direction = -1, stop = true, line = plane.line, reaction = true }
   end
   for _, e in ipairs(flat.events(job, plane or flies)) do list[#list + 1] = e end
+  for _, e in ipairs(rest.events(job)) do list[#list + 1] = e end
   return list
 end
 
@@ -49,12 +53,16 @@ end
 
 -- The value of an event at a state {t =, x =}; nil if it is not a number there.
 local function valuer(host, job, course)
-  local env, touching = {}, touch.of(host, job)
+  local env, touching, library = {}, touch.of(host, job), nil
   for name, q in pairs(job.model.defaults) do env[name] = q end -- into a table: order is lost anyway
   return function(e, at)
     if e.reaction then
       local c = touching(at.t, at.x, course)
       return c and c[1] or nil
+    end
+    if e.motion then
+      library = library or host.rates(numeric.scene(job))
+      return e.motion(library, at, course)
     end
     if e.value then return e.value(at) end
     env.t = at.t
@@ -213,11 +221,41 @@ local function soon(asked, seen, t, step)
   return nil
 end
 
--- The brackets of the whole motion, from piece to piece, so that not all of its states are there at once.
+-- Narrows all brackets; true, or nil and what went wrong.
+local function settled(list, solve, value)
+  for _ = 1, rounds do
+    local more, wrong = narrowed(list, solve, value)
+    if wrong then return nil, wrong end
+    if not more then break end
+  end
+  return true
+end
+
+-- Is there a zero in the bracket, and no pole?
+local function is_zero(c) return math.min(math.abs(c.ga), math.abs(c.gb)) <= c.size end
+
+-- Does an event of the list end the motion? Or nil and what went wrong.
+local function ending(list, course, value)
+  local any = false
+  for _, c in ipairs(list) do any = any or c.event.stop end
+  if not any then return false end
+  local done, wrong = settled(list, course.solve, value)
+  if not done then return nil, wrong end
+  for _, c in ipairs(list) do
+    if c.event.stop and is_zero(c) then return true end
+  end
+  return false
+end
+
+-- The brackets of the whole motion, from piece to piece, so that not all of its states are there at once, up to an
+-- event that ends it.
 local function brackets(asked, course, value, finish, step)
   local n, list, seen, last = math.max(1, math.min(most, math.ceil(finish / step))), {}, {}, nil
   local first, size, disc = 0, piece, nil
-  for _, e in ipairs(asked) do disc = e.size and e or disc end
+  for _, e in ipairs(asked) do
+    disc = e.size and e or disc
+    size = e.stop and short or size
+  end
   if disc then size = 1 end
   while first <= n do
     local grid = {}
@@ -233,7 +271,9 @@ local function brackets(asked, course, value, finish, step)
     end
     changes(asked, states, value, seen, list)
     list[#list + 1] = disc and last.t < finish and nearby(asked, course, last, finish / n) or nil
-    if #list > 0 and list[#list].event.said then break end
+    local over, wrong = ending(list, course, value)
+    if wrong then return nil, wrong end
+    if over then break end
     first, size = first + size, disc and disc.size(last, finish / n) or size
   end
   return list
@@ -247,15 +287,12 @@ function events.find(host, job, course, solve, finish, step, inputs, asked)
   local list, why = brackets(asked or events.of(job), course, value, finish, step)
   if not list then return nil, why end
   if #list == 0 then return {} end
-  for _ = 1, rounds do
-    local more, wrong = narrowed(list, course.solve, value)
-    if wrong then return nil, wrong end
-    if not more then break end
-  end
+  local done, failure = settled(list, course.solve, value)
+  if not done then return nil, failure end
   local zeros = {}
   for i, c in ipairs(list) do
     c.t, c.place = c.at or c.a + (c.b - c.a) * (c.ga / (c.ga - c.gb)), i
-    if math.min(math.abs(c.ga), math.abs(c.gb)) <= c.size then zeros[#zeros + 1] = c end -- else a pole
+    if is_zero(c) then zeros[#zeros + 1] = c end -- else a pole
   end
   list = zeros
   table.sort(list, function(a, b) return a.t < b.t or a.t == b.t and a.place < b.place end)

@@ -3,6 +3,8 @@
 --     local bar = progress.of(host)
 --     bar.show("compiling", 0.3)    what is done; the part of the work that is behind, 0 to 1
 --     bar.clear()                   before anything else is printed
+--     local seen, done = progress.along(host, finish, words)   of a motion: seen(t), as often as one likes; done() at
+--                                                              its end; words(t): what is shown of a time
 --     progress.left(elapsed, part) -> "12 s left", or "" while it would be a guess
 -- The rest is taken to go as fast as what is behind.  Nothing is printed, not even a byte, where there is no terminal.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -40,6 +42,20 @@ function progress.of(host)
       shown = false
     end,
   }
+end
+
+local OFTEN = 0.25 -- s between two lines of a motion
+
+-- Short motions show nothing.
+function progress.along(host, finish, words)
+  local bar, last = progress.of(host), host.clock() + SHORT
+  local function seen(t)
+    local now = host.clock()
+    if now - last < OFTEN then return end
+    last = now
+    bar.show(words(t), finish > 0 and t / finish or 1)
+  end
+  return host.isatty "err" and seen or nil, bar.clear
 end
 
 return progress

@@ -16,7 +16,9 @@ local tables = require "generator.commands.run.table"
 local events = require "generator.commands.events"
 local input_file = require "generator.commands.input_file"
 local options = require "generator.commands.options"
+local progress = require "generator.commands.progress"
 local driver = require "generator.driver"
+local exists = require "generator.dynamics.exists"
 
 local run = {}
 
@@ -173,13 +175,31 @@ function run.run(host, given)
     given.course = warnings and course
   end
   if not warnings then return options.wrong(host, "run", wrong) end
+  local last = 0.0
+  for _, t in ipairs(list) do last = math.max(last, t) end
+  local ends, line = exists.fails(job, last)
+  if ends then
+    job.diag:error(line, "effect.inertia_rate", string.format("I + D(t) must be a body's tensor up to t = %.6g s: " ..
+      "from t = %.6g s on a principal moment is more than the other two together", last, ends))
+    return options.refuse(host, job.diag)
+  end
+  local bar
+  given.seen, bar = progress.along(host, last, function(t)
+    return string.format("t = %.4g s of %.4g s", t, last)
+  end)
   local engine = bounce.engine(given.engine == "generated" and engines.generated or engines.general)
   local motion, failure = engine(host, job, given, course)
   wrong = motion and limits.exceeded(motion, list, given) or failure and failure.command and failure.text
   if wrong then return options.wrong(host, "run", wrong) end
   options.warn(host, job.diag)
   if not motion then return run.refuse(host, failure) end
+  local solve = motion.solve
+  function motion.solve(at, o)
+    if given.seen and #at > 0 then given.seen(at[1]) end
+    return solve(at, o)
+  end
   local rows, found = computed(host, job, given, motion, list, warnings)
+  bar()
   if not rows then
     return run.refuse(host, found, found.status == 3 and accuracy.help(job, motion, list, found.t))
   end

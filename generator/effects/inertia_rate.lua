@@ -7,6 +7,7 @@
 -- and the mass stay as the body has them.  L in inertial axes is conserved, T is not.
 -- Energy and momentum have to know the time, so it is a state, `clock`, with clock' = 1 from 0: the t of these
 -- expressions.  NAME_inertia is the body's own tensor; NAME_inertia_now(m, x, I) is I + D of the state.
+-- I + D must be a body's tensor for all times that are asked for (dynamics/exists.lua).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"

@@ -32,6 +32,22 @@ tap.is(colours.of "\r[###...] compiling \r", "\r[###...] compiling \r", "progres
 tap.is(progress.left(10, 0.5), "10 s left", "half of the work behind: as long again")
 tap.is(progress.left(30, 0.25), "1 min 30 s left", "a quarter behind: three times as long")
 tap.is(progress.left(3600, 0.5), "1 h 0 min left", "an hour")
+do -- a motion tells where it is, four times a second at most, and not in its first second
+  local now, out = 0, {}
+  local terminal = { isatty = function() return true end, clock = function() return now end,
+    err = function(text) out[#out + 1] = text end }
+  local seen, done = progress.along(terminal, 2, function(t) return "at " .. t end)
+  for i = 0, 200 do
+    now = i / 100
+    seen(now)
+  end
+  tap.is(#out, 4, "from 1.25 s to 2 s every quarter of a second")
+  tap.like(out[1], "at 1.25", "in the motion's own time")
+  done()
+  tap.is(#out, 5, "and clears the line")
+  terminal.isatty = function() return false end
+  tap.is(progress.along(terminal, 2), nil, "without a terminal nobody asks")
+end
 tap.is(progress.left(10, 0.01) .. progress.left(0.5, 0.5) .. progress.left(10, 1), "",
   "no guess at the beginning or end")
 

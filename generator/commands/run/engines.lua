@@ -216,7 +216,7 @@ function engines.general(host, job, given, course)
   function motion.solve(times, o)
     local rows, why, kind, t = host.run(o.from and reference.from(scene, job, o.from.x) or scene, {
       method = method, step = o.step or motion.step, tol = o.tolerance or motion.tolerance, times = times, u = course,
-      t0 = o.from and o.from.t or 0.0 })
+      seen = given.seen, t0 = o.from and o.from.t or 0.0 })
     if not rows then
       return nil, { status = kind == "numbers" and 3 or 2, t = t, text = string.gsub(why, "^at t = %S+ s: ", "") }
     end

@@ -173,8 +173,19 @@ static double first_failure(struct motion *m, double from, double end) {
   return t;
 }
 
-/* run(scene, {method=, step=, tol=, order=, most=, times={...}, t0=, u=course}) -> {{t, q4, w3,
-   energy, L3},
+/* Tells the function `seen` of the options, if there is one, that t is reached. */
+static void tell(lua_State *L, double t) {
+  lua_getfield(L, 2, "seen");
+  if (lua_isfunction(L, -1)) {
+    lua_pushnumber(L, t);
+    lua_call(L, 1, 0);
+  } else {
+    lua_pop(L, 1);
+  }
+}
+
+/* run(scene, {method=, step=, tol=, order=, most=, times={...}, t0=, u=course, seen=}) -> {{t, q4,
+   w3, energy, L3},
    ...} (with r3, v3 after w3 where the body moves) | nil, message, "refused" or "numbers", the time
    at which they failed; after the rows how many steps were implicit.  Method: adaptive (default)
    and taylor (long double Taylor series), rk4, gsl-rk4, rkf45, rk8pd, implicit, exact and
@@ -232,6 +243,7 @@ int host_run(lua_State *L) {
     if (status != PH_OK)
       return fail_at(L, t, status, status != PH_EMETHOD);
     lua_rawseti(L, times + 1, i);
+    tell(L, t);
   }
   lua_pushinteger(L, *run ? ph_run_implicit_steps(*run) : 0);
   ph_run_free(*run);
