@@ -282,9 +282,11 @@ function quantities.step(m, eq, method, name)
   end
   local accuracy = method.order and
     string.format("  The error of a run falls as h^%d where the motion is smooth.", method.order) or ""
+  local longest = method.longest and m.has.attitude and m.has.rates and
+    "  Steps with h |w| above " .. method.longest .. " lose |q|." or ""
   return { name = name, args = { "m", "t", "x!", "u", "h" },
     doc = { "One step of the " .. method.title .. ": x goes from time t to t + h, the input u",
-      "held.  q must be a unit quaternion (to a few per cent: it is brought back to |q| = 1)." .. accuracy },
+      "held.  q must be a unit quaternion (to a few per cent: it is brought back to |q| = 1)." .. longest .. accuracy },
     groups = groups,
     -- 4/(3 h) must stay finite; a step shorter than the smallest normal number moves nothing that could be seen
     guard = divides and "h" or nil }

@@ -15,6 +15,7 @@
 local R = require "generator.algebra.rational"
 local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
+local expr = require "generator.algebra.expr"
 local hash = require "generator.hash"
 local base = require "generator.emit.base"
 local lanes = require "generator.emit.lanes"
@@ -236,9 +237,23 @@ local POINTS = { random = "SWEEP_RANDOM", sobol = "SWEEP_SOBOL", lhs = "SWEEP_LH
 
 -- What can become of a member: the words of the status column.
 local function reasons(checks)
-  local list = { "ok", "accuracy missed", "not finite", "initial state is none" }
+  local list = { "ok", "accuracy missed", "not finite", "the step is too long: |q| is not 1",
+    "initial state is none" }
   for _, c in ipairs(checks) do list[#list + 1] = "no body: " .. c.text end
   return list
+end
+
+-- Steps after which |q| is looked at: where t enters the equations one, whose time is that of a run, to the last bit.
+local PIECE = 16
+local function piece(job)
+  for _, g in ipairs(job.equations.groups) do
+    for _, list in ipairs { g.defs, g.outs } do
+      for _, d in ipairs(list) do
+        if not expr.constant(d.expr, { t = true }) then return 1 end
+      end
+    end
+  end
+  return PIECE
 end
 
 local function groups_of(job)
@@ -289,6 +304,7 @@ function members.fill(job, made)
   for _, value in ipairs(study.values) do v.own_models = v.own_models or value.kind == "param" end
   v.each = v.own_models and made.parts.each or false
   v.models = v.own_models and "LANES" or "1"
+  v.piece = int(piece(job))
   v.inputs, v.step_inputs = common.has_inputs and "b->u" or "NULL", common.has_inputs and "u" or "NULL"
   v.energy = job.conserved.rate and "jacobi_integral" or "energy"
   v.energy_time = job.conserved.rate and "STRETCH[0].t, " or ""

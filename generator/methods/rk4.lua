@@ -20,6 +20,9 @@ local stages = require "generator.methods.stages"
 
 local rk4 = { name = "rk4", order = 4, title = "classical Runge-Kutta method of order 4",
   about = "classical Runge-Kutta, fixed step, unrolled" }
+-- h |w| above which |q| leaves 1: with y = h |w|/2 a step multiplies q by R, |R|^2 = 1 - y^6/72 + y^8/576, and by
+-- (3 - q^2)/2, so that q^2 comes to 3 - 2/|R|, which is 0.92 there.  At 4.3 nothing is left of q.
+rk4.longest = "2.8"
 
 rk4.needs = { { path = "angles for rates", needs = "no effect at all: the rates are then quadratic in w" } }
 

@@ -153,6 +153,25 @@ static void advance(block *b, real x[][LANES], real t, real h, int steps)
 %% end
 }
 
+%% if has_attitude then
+
+enum { PIECE = ${piece} }; /* steps after which |q| is looked at */
+
+/* A step whose h |w| is beyond what the method can do loses |q|, and steps after it bring it back: marks lanes where it
+ * is not 1 to some per cent. */
+static void lengths(block *b)
+{
+  int k;
+
+  for (k = 0; k < LANES; k++) {
+    const real w = b->x[${upper}_QW][k], x = b->x[${upper}_QX][k], y = b->x[${upper}_QY][k], z = b->x[${upper}_QZ][k];
+    const real square = w*w + x*x + y*y + z*z;
+
+    if (b->status[k] == SWEEP_FINE && (square < (real)0.9 || square > (real)1.1)) b->status[k] = SWEEP_LONG;
+  }
+}
+%% end
+
 /* Lane k of rows. */
 static void lane_of(real from[][LANES], int k, int rows, real to[])
 {
@@ -281,6 +300,12 @@ static void compute(uint64_t first, int count, double rows[], int32_t status[])
     if (STRETCH[s].steps > 0) {
 %% if has_watched then
       march(&b, STRETCH[s].t, STRETCH[s].h, STRETCH[s].steps);
+%% elseif has_attitude then
+      for (i = 0; i < STRETCH[s].steps; i += PIECE) {
+        advance(&b, b.x, STRETCH[s].t + (real)i*STRETCH[s].h, STRETCH[s].h,
+                STRETCH[s].steps - i < PIECE ? STRETCH[s].steps - i : PIECE);
+        lengths(&b);
+      }
 %% else
       advance(&b, b.x, STRETCH[s].t, STRETCH[s].h, STRETCH[s].steps);
 %% end

@@ -43,8 +43,8 @@ typedef struct sweep_column {
   int times;
 } sweep_column;
 
-/* What became of a member, beside it 3 + n: NAME_init's check n failed. */
-enum { SWEEP_FINE, SWEEP_MISSED, SWEEP_INFINITE, SWEEP_REFUSED };
+/* What became of a member, beside it 4 + n: NAME_init's check n failed. */
+enum { SWEEP_FINE, SWEEP_MISSED, SWEEP_INFINITE, SWEEP_LONG, SWEEP_REFUSED };
 
 typedef struct sweep_study {
   const char *scene, *version, *command, *fingerprint; /* the fingerprint: of all that decides a bit of the result */

@@ -275,6 +275,23 @@ tap.ok(err and err:find "of 4 members: accuracy missed", "and counted")
 
 -- ---- what is wrong is said, all at once ----
 
+-- ---- steps that are too long ----
+
+-- With y = h |w|/2 a step of rk4 multiplies q by R(i y), |R|^2 = 1 - y^6/72 + y^8/576: 0.988 for h |w| = 2, 0.25 for
+-- 4.9.  The damping stops the body, and then |q| comes back: the end alone tells nothing.
+program.write(dir .. "/fast.lua", 'return scene { name = "fast", body = solid.box { x = .1, y = .2, z = .3, ' ..
+  "mass = 1 }, effects = { effect.damping { c = 2e-3 } }, initial = { omega = { 0, 0, 470 } }, " ..
+  "time = { horizon = 20, step = .01 } }")
+code, out, err = polhode "sweep fast.lua --over wz=200:490:2"
+list = rows(out)
+tap.ok(code == 0 and #list == 2 and list[1].status == "ok" and math.abs(list[1].final_qw ^ 2 +
+  list[1].final_qz ^ 2 - 1) < 1e-12, "h |w| = 2: ok", err)
+tap.ok(#list == 2 and list[2].status == "the step is too long: |q| is not 1", "4.9: a member whose step loses |q|",
+  out .. err)
+code, out, err = polhode "run fast.lua --engine generated --method rk4 --every 0.1"
+tap.ok(code == 3 and out == "" and err:find("the step is too long: |q| is ", 1, true) and
+  err:find("--step 0.", 1, true), "and a run", err)
+
 code, _, err = polhode([[sweep spin.lua --over "wz=,q=1:2:3,wx=1:2:0,wy=1:1:2,qw=1:2,qx=-1:1:3:log" --keep foo ]] ..
   [[--keep "final: qw +" --keep "max: zz" --keep "first: wx + qx" --keep "max:" --sample 0 -o x.txt --threads 0.5 ]] ..
   [[--method foo --vary "wx=nomal(1,2),wy=normal(1,-1),wy=uniform(2,1)" --until -1]])

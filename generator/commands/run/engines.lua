@@ -85,7 +85,25 @@ local function corners_of(scene)
   return list
 end
 
-local function stepped(plugin, method, x0, course, usual, step, corners)
+-- The places of q among the states.
+local function attitude_of(job)
+  local places = {}
+  for i, s in ipairs(job.states) do places[#places + 1] = s.kind == "attitude" and i or nil end
+  return places
+end
+
+-- The first time at which |q| is not 1 to some per cent, and |q|: a step with an h |w| beyond what the method can do
+-- loses it.  As templates/sweep/members.c has it.
+local function shortened(rows, places)
+  for _, row in ipairs(#places == 4 and rows or {}) do
+    local square = 0.0
+    for _, i in ipairs(places) do square = square + row[i + 1] ^ 2 end
+    if not (square >= 0.9 and square <= 1.1) then return row[1], math.sqrt(square) end
+  end
+  return nil
+end
+
+local function stepped(plugin, method, x0, course, usual, step, corners, places)
   return function(asked, o)
     local h, tolerance = o.step or step, o.tolerance or usual
     local from = o.from or { t = 0.0, x = x0 }
@@ -105,6 +123,8 @@ local function stepped(plugin, method, x0, course, usual, step, corners)
       return failed(t, "no steps lead on")
     end
     if infinite then return failed(infinite, "the state is not finite") end
+    local long, size = shortened(rows, places)
+    if long then return failed(long, string.format("the step is too long: |q| is %.2g", size)) end
     local list = {}
     for i, row in ipairs(rows) do
       if not wanted or wanted[i] then list[#list + 1] = { t = row[1], x = { table.unpack(row, 2) } } end
@@ -164,7 +184,7 @@ function engines.generated(host, scene, given, course)
     if not (m.adaptive and not given.step) then motion.step = given.step or job.model:double(job.model.step) end
     local tolerance = given.tolerance or limits.usual[real]
     motion.tolerance = not motion.step and tolerance or nil
-    motion.solve = stepped(plugin, method, x0, course, tolerance, motion.step, corners_of(scene))
+    motion.solve = stepped(plugin, method, x0, course, tolerance, motion.step, corners_of(scene), attitude_of(job))
   end
   function motion.measured(state)
     local energy, L = plugin:energy(state.x), job.model.has.attitude and plugin:momentum(state.x) or {}
