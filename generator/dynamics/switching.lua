@@ -45,7 +45,7 @@ local function smoothed(u)
   return bar.kind == "call" and bar.fn == "abs" and c * bar[1] or nil
 end
 
--- The square of a speed under a root: of states, nothing else beside them that changes.  Second result: is the root's
+-- The square of a speed under a root: of rates, nothing else beside them that changes.  Second result: is the root's
 -- series that of a length, which shows where it vanishes (templates/steppers/taylor_corners.c)?
 local function speed(u, moves)
   if u.kind ~= "pow" or R.den(u.exp) ~= R.new(2) or u.base.kind ~= "add" then return nil end
@@ -67,7 +67,8 @@ end
 -- What is gathered: list = {g, about, branch = its symbol, or bend = true}, by what it is.
 local function gathering(eq)
   local name = "branch"
-  while eq.model.by_name[name] or eq.model.by_name[name .. "0"] do name = name .. "_" end
+  local taken = eq.model.by_name or {}
+  while taken[name] or taken[name .. "0"] do name = name .. "_" end
   return { name = name, list = {}, bends = {}, bare = {}, by = {} }
 end
 
@@ -105,7 +106,9 @@ local forms = {
 -- The function e -> e between the corners.
 local function opened(self, eq)
   local names, states, memo, knots = varying(eq), {}, {}, {}
-  for _, s in ipairs(eq.model.states) do states[s.sym] = names[s.name] end
+  for _, s in ipairs(eq.model.states) do
+    states[s.sym] = names[s.name] and s.kind and s.kind ~= "attitude" and s.kind ~= "position"
+  end
   for _, k in ipairs(breaks.knots(eq)) do
     for _, set in ipairs { k.bars, k.signs } do
       for e in pairs(set) do knots[e] = true end -- a set: order is lost

@@ -218,7 +218,7 @@ end
 function taylor.program(eq, options)
   local switches = switching.of(eq)
   if switches and switches.hidden == 0 then switches = nil end -- the series shows the corners
-  if switches and options.jacobians then
+  if switches and switches.count > 0 and options.jacobians then
     return nil, "the equations have corners at times that are not known before, beyond which a transition matrix is " ..
       "not one series': use rk4, or leave jacobians out"
   end

@@ -5,6 +5,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local numeric = require "generator.dynamics.numeric"
+local switching = require "generator.dynamics.switching"
 local err = require "generator.plan.error"
 
 local reference = {}
@@ -15,6 +16,8 @@ reference.__index = reference
 -- nothing is smaller than the doubles that the rows are rounded to.
 local tolerances = { { 1e-18, 1e-16 }, { 1e-15, 1e-14 }, { 1e-12, 1e-11 } }
 local most = 5000
+-- Where the equations have corners at unknown times each step of this method sees the corner at its end, and shrinks.
+local cornered = { method = "rk8pd", tolerances = { { 1e-16, 1e-15 }, { 1e-14, 1e-13 } }, most = 1000000 }
 local rounding = 2.0 ^ -53
 
 -- The library's scene `s` of the job from the state x0 on.
@@ -32,16 +35,19 @@ end
 function reference.scene(job, x0, values, lines) return reference.from(numeric.scene(job, values, lines), job, x0) end
 
 -- What computes the true motions of a scene; it remembers at which tolerances the library got there.
-function reference.new(host, job) return setmetatable({ host = host, job = job, level = 1 }, reference) end
+function reference.new(host, job)
+  local way = switching.of(job.equations) and cornered or { method = "taylor", tolerances = tolerances, most = most }
+  return setmetatable({ host = host, job = job, level = 1, way = way }, reference)
+end
 
 -- The states (as the scene has them) at `times` from x0 at t = 0, and their own error in the measure of error.lua;
 -- or nil and why there is none.  quick: one run, no second: the error is then nil.
 -- input: the values that inputs are held at (nil: none).
 function reference:motion(x0, times, values, quick, input)
-  local host, job = self.host, self.job
+  local host, job, way = self.host, self.job, self.way
   local s = reference.scene(job, x0, values)
   local function run(method, tolerance)
-    local rows, why = host.run(s, { method = method, tol = tolerance, times = times, most = most, u = input })
+    local rows, why = host.run(s, { method = method, tol = tolerance, times = times, most = way.most, u = input })
     if not rows then return nil, why end
     local out = {}
     for i, row in ipairs(rows) do out[i] = numeric.part(job, row, 1) end
@@ -49,12 +55,12 @@ function reference:motion(x0, times, values, quick, input)
   end
   local free = #s.effects == 0 and job.model.has.rates and not job.model.has.position
   local rows, other, why
-  for level = self.level, #tolerances do -- what failed once is not tried again
-    local t = tolerances[level]
+  for level = self.level, #way.tolerances do -- what failed once is not tried again
+    local t = way.tolerances[level]
     self.level = level
-    rows, why = run(free and "exact" or "taylor", not free and t[1] or nil)
+    rows, why = run(free and "exact" or way.method, not free and t[1] or nil)
     if rows and quick then return rows end
-    if rows then other, why = run("taylor", t[free and 1 or 2]) end
+    if rows then other, why = run(way.method, t[free and 1 or 2]) end
     if other then return rows, (math.max(rounding, (err.of(job, other, rows)))) end
   end
   self.level = 1

@@ -151,7 +151,7 @@ static void ${name}_${method}_look(const ${name}_model *m, ${name}_real t, const
 
 /* The step that ends where g[i] leaves its side, between low and high, found to rounding (Illinois, every third time by halves);
  * just beyond it, so that the next step starts on the other side.  Sets *found to 0 if g[i] is on its side at high. */
-static ${name}_real ${name}_${method}_corner(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], int i, ${name}_real low, ${name}_real high, const ${name}_real ${array}[], ${name}_${method}_way *w${top_arg}, int *found)
+static ${name}_real ${name}_${method}_meet(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], int i, ${name}_real low, ${name}_real high, const ${name}_real ${array}[], ${name}_${method}_way *w${top_arg}, int *found)
 {
   ${name}_real g[${many}], a = w->g[0][i], b, s;
 %% if bends then
@@ -251,7 +251,7 @@ static int ${name}_${method}_first(const ${name}_model *m, ${name}_real t, const
       }
       if (o->open[i] && !o->mute[i] && next != ${name}_side_of(${array}[i])) {
         ${array}[i] = (${name}_real)next;
-        if (++o->wrong % 2 == 0) *h *= ${eighth};
+        if (++o->wrong % 2 == 0) *h *= ${quarter};
         return -2;
       }
     }
@@ -264,7 +264,7 @@ static int ${name}_${method}_first(const ${name}_model *m, ${name}_real t, const
     }
     if (first < 0) break;
     event = first;
-    *h = ${name}_${method}_corner(m, t, x, u, first, low**h, high**h, ${array}, w${top_pass}, &found);
+    *h = ${name}_${method}_meet(m, t, x, u, first, low**h, high**h, ${array}, w${top_pass}, &found);
     if (!found) event = -1;
   }
   return event;
