@@ -29,7 +29,7 @@ local function atom(text) return { text = text, level = ATOM, depth = 0, solid =
 
 -- A quotient binds like a product, a negative number like the unary minus.
 local function literal(q, real)
-  local text = number.text(q, real)
+  local text = number.constant(q, real)
   local quotient = string.find(text, "/", 1, true)
   local level = quotient and 2 or string.sub(text, 1, 1) == "-" and 3 or ATOM
   return { text = text, level = level, depth = 0, solid = true, quotient = quotient }

@@ -8,19 +8,20 @@
 --   terms too large for that shortest digits that read back
 -- A literal has a point or an exponent, so it is never an int, and F in float, so it is never a double.
 -- A leading minus is plain; parentheses are the caller's, who knows what stands around.
--- A constant that would read back as infinity, or as zero although it is not, is an error.
+-- A constant that would read back as infinity, or as zero although it is not, is an error; so is one of an instruction
+-- below the normal numbers: it has fewer digits than the type, and is zero where processors flush such to zero.
 
 local R = require "generator.algebra.rational"
 
 local number = {}
 
 -- digits: as many always read back; safe: as many are never ambiguous (DBL_DIG, FLT_DIG); integers: up to it all whole
--- numbers are of the type.
+-- numbers are of the type; normal: the exponent of two of its least normal number.
 local formats = {
   double = { name = "binary64", round = R.todouble, digits = 17, safe = 15, suffix = "",
-    integers = R.new(1 << 53), smallest_safe = 1e-290 },
+    integers = R.new(1 << 53), smallest_safe = 1e-290, normal = -1022 },
   float = { name = "binary32", round = R.tofloat, digits = 9, safe = 6, suffix = "F",
-    integers = R.new(1 << 24), smallest_safe = 1e-30 },
+    integers = R.new(1 << 24), smallest_safe = 1e-30, normal = -126 },
 }
 
 local function format_of(real)
@@ -91,6 +92,13 @@ function number.text(q, real)
     return sign .. decimal(f.round(n), f) .. "/" .. decimal(f.round(d), f)
   end
   return sign .. decimal(math.abs(x), f)
+end
+
+-- The same of a constant that code computes with.
+function number.constant(q, real)
+  local f = format_of(real)
+  if R.sign(q) ~= 0 and R.log2(q) < f.normal then refuse(q, f, "is below the normal numbers of") end
+  return number.text(q, real)
 end
 
 -- The rational q as one decimal that reads back to its nearest double (float: with as many digits as that needs): for
