@@ -69,6 +69,8 @@ refused("one row", 2, "log.csv: must have two rows or more, got 1", "t,wz\n0,2\n
 refused("times of day", 2, "log.csv: the rows are 0.5 s apart and go from t = 1763890000 s to 1763890001 s, too many",
   "t,wz\n1763890000,2\n1763890000.5,2\n1763890001,2\n")
 refused("an empty file", 2, "log.csv: has no line that names its columns", "")
+refused("a quaternion of 0", 2, "log.csv:3: q is 0, 0, 0, 0, which is no attitude", "t,qw,qx,qy,qz\n0,1,0,0,0\n" ..
+  "1,0,0,0,0\n2,1,0,0,0\n", "--free w3", "q = 'q', sigma = 0.01")
 refused("too few values", 2, "log.csv: too few values: 2 for 2 unknowns", "t,wz\n0,2\n1,2\n", "--free w3,b",
   "wz = wz + b, sigma = 0.01")
 

@@ -151,6 +151,14 @@ local function one(host, measured, inputs, path)
   for i, c in ipairs(columns) do
     if counts[i] == 0 then return nil, path .. ": column " .. c.name .. " has no value" end
   end
+  for i, c in ipairs(measured) do
+    local begins = i == 1 or c.output ~= measured[i - 1].output
+    local bad = begins and not c.output.e and log:zero(i, #c.output.columns)
+    if bad then
+      return nil, path .. ":" .. diag.show(bad) .. ": " .. c.output.name .. " is 0, 0, 0, 0, which is no attitude " ..
+        "(leave the cells empty where the sensor has none)"
+    end
+  end
   for i = #counts, #measured + 1, -1 do counts[i] = nil end -- an input is no value that is fitted
   local odd, taken = oddities(host, log, path, columns)
   return { path = path, log = log, rows = rows, counts = counts, unused = unused, sigmas = sigmas, inputs = driven,

@@ -2,8 +2,8 @@
 --
 --     unknowns.free(job, words) -> {params = list, initial = bool} | nil, message
 --     unknowns.initial(states)  -> how many numbers the initial state of the followed states has
---     unknowns.sizes(m, free)   -> of each free parameter the size of a large change, in SI units: the largest value that
---                               the scene has in its unit, or 1 where all of these are 0
+--     unknowns.sizes(m, free)   -> of each free parameter the size of a large change, in SI units: the largest value
+--                               that the scene has in its unit, or 1 where all of these are 0
 --     unknowns.list(fit, free, logs) -> list of {name, unit, factor (SI units in one of `unit`), kind = "param" |
 --                               "initial" | "turn", param, log = number}, as the result has them
 -- SPDX-License-Identifier: GPL-3.0-or-later

@@ -289,6 +289,24 @@ static int spacing(lua_State *L) {
   return 3;
 }
 
+/* zero(column, count) -> line of the first row in which all of them are 0, or nil */
+static int zero(lua_State *L) {
+  const struct fit_log *log = fit_log_at(L, 1);
+  const size_t first = (size_t)luaL_checkinteger(L, 2) - 1;
+  const lua_Integer count = luaL_checkinteger(L, 3);
+  for (size_t i = 0; i < log->rows; i++) {
+    const double *y = log->y + i * (size_t)log->columns + first;
+    lua_Integer k = 0;
+    while (k < count && y[k] == 0)
+      k++;
+    if (k == count) {
+      lua_pushinteger(L, log->line[i]);
+      return 1;
+    }
+  }
+  return 0;
+}
+
 static int collect(lua_State *L) {
   struct fit_log *log = fit_log_at(L, 1);
   free(log->path);
@@ -301,7 +319,7 @@ static int collect(lua_State *L) {
 
 int host_log(lua_State *L) {
   static const luaL_Reg methods[] = {
-      {"head", head}, {"read", read_rows}, {"spacing", spacing}, {NULL, NULL}};
+      {"head", head}, {"read", read_rows}, {"spacing", spacing}, {"zero", zero}, {NULL, NULL}};
   const char *path = luaL_checkstring(L, 1);
   struct fit_log *log = lua_newuserdatauv(L, sizeof *log, 0);
   memset(log, 0, sizeof *log);
