@@ -18,6 +18,7 @@ local json = require "tests.json"
 local scene = require "tests.scene"
 local program = require "tests.cli.program"
 local worker = require "tests.cli.worker"
+local made = require "tests.report.printed_init"
 local reader = require "tests.algebra.reader"
 local scenes = require "tests.effects.scenes"
 local driver = require "generator.driver"
@@ -297,54 +298,6 @@ local function numbers(list)
   tap.is(n, #list, "the library reads " .. #list .. " scenes")
 end
 
-local MAIN = [[
-#include "%s.h"
-#include <stdio.h>
-int main(void)
-{
-  %s_model m;
-%s  return 0;
-}
-]]
-
--- What NAME_init computes at the points: s.made, a list of {constant = number}.
-local function made(s)
-  local members, calls = {}, {}
-  local struct = s.files[s.name .. ".h"]:match("typedef struct " .. s.name .. "_model {(.-)\n} ")
-  for name in struct:gmatch "_real ([%w_]+);" do members[#members + 1] = name end
-  for n, p in ipairs(s.points) do
-    local list, at = {}, {}
-    for i, name in ipairs(s.params) do list[i] = string.format("%a", p.values[name]) end
-    for i, name in ipairs(members) do at[i] = string.format("  printf(\"%%a\\n\", m.%s);\n", name) end
-    local init = #list == 0 and "NULL" or "p" .. n
-    calls[n] = (#list == 0 and "" or string.format("  const double p%d[] = { %s };\n", n, table.concat(list, ", "))) ..
-      string.format("  if (%s_init(&m, %s) != 0) printf(\"refused\\n\");\n  else {\n%s  }\n", s.name, init,
-        table.concat(at))
-  end
-  local own = dir .. "/" .. s.name .. ".d"
-  program.shell("mkdir -p " .. own)
-  local units = {}
-  for _, name in ipairs(s.files) do
-    program.write(own .. "/" .. name, s.files[name])
-    local unit = name:find "%.c$" and not name:find "_test%.c$" and not name:find "^qemu"
-    if unit then units[#units + 1] = own .. "/" .. name end
-  end
-  program.write(own .. "/main.c", MAIN:format(s.name, s.name, table.concat(calls)))
-  local status = program.shell(string.format("%s sh -c '$CC -w -o %s/run %s/main.c %s -lm && %s/run >%s/out'",
-    program.quick_compiler(), own, own, table.concat(units, " "), own, own))
-  s.made = {}
-  if not tap.is(status, 0, s.name .. ": its NAME_init computes the constants") then return end
-  local next_line = program.read(own .. "/out"):gmatch "[^\n]+"
-  for n = 1, #s.points do
-    s.made[n] = {}
-    for _, name in ipairs(members) do
-      local said = next_line()
-      if said == "refused" then break end -- no body, as the library need not find: by the triangle inequality
-      s.made[n][name] = tonumber(said)
-    end
-  end
-end
-
 local base = scene.plan(scene.read [[return scene { name = "base", body = tensor { mass = 1, xx = 2, yy = 3, zz = 4 },
   effects = { effect.damping { rate = quantity(0.1, "1/s") } }, initial = { omega = {1, 2, 3} },
   outputs = { "rates" } }]])
@@ -367,7 +320,7 @@ end
 local function judge(s, whole)
   if not tap.ok(s.points, s.file:match "[^/]*$" .. ": the library has numbers of it") then return end
   printed(s, whole)
-  if whole then made(s) end
+  if whole then tap.ok(made(s), s.name .. ": its NAME_init computes the constants") end
   text(s)
   if s.json then symbolic(s) end
   differences(s)
