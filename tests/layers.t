@@ -104,7 +104,7 @@ local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/
   ["generator/ir/core/show.lua"] = true, ["generator/report/json.lua"] = true, ["generator/report/facts.lua"] = true,
   ["generator/report/fit.lua"] = true, ["generator/report/design.lua"] = true,
   ["generator/report/explain.lua"] = true, ["generator/commands/run.lua"] = true,
-  ["generator/commands/run/accuracy.lua"] = true, ["generator/commands/run/limits.lua"] = true,
+  ["generator/commands/run/advice.lua"] = true, ["generator/commands/run/limits.lua"] = true,
   ["generator/report/stability_conditions.lua"] = true, ["generator/report/chart.lua"] = true,
   ["generator/report/linearised.lua"] = true,
   ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true,

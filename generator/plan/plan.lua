@@ -168,7 +168,7 @@ local function verify(s, c, setting, points, limit)
     if limit and e > limit then break end
   end
   out.cost = (c.setup or 0.0) + out.steps * c.weight(setting)
-  return out
+  return s:measured(out, #out.errors == #points)
 end
 
 -- The setting of a candidate that was good enough at few states, made so for all by the law of its order.
@@ -339,10 +339,9 @@ end
 -- {code, plugin}} of those that are not in the plugin, stiff, sure = {code, plugin} of rosenbrock in double for what is
 -- stiff, accuracy, real, target, ops, methods, order, progress}.  Returns
 --     {candidate, setting, error, steps, cost, counts, setup_counts, order, margin, limit, stiff = the question's,
---     early =
---      the time up to which the library confirmed a stiff motion or nil, found = what the competitors showed, refused,
---      states = number, own = error of the truth, rows = the scene's own true motion, expected = its
---      end}
+--     early = the time up to which the library confirmed a stiff motion or nil, found = what the competitors showed,
+--     refused, states = number, log = what was measured (trial.lua), own = error of the truth, rows = the scene's own
+--     true motion, expected = its end}
 -- or nil and {found, closest, refused, own, why}; generator/plan/decision.lua puts both into words.
 function plan.find(q)
   local T = q.job.model:double(q.job.model.horizon)
@@ -356,7 +355,7 @@ function plan.find(q)
   local function share(from, to) return function(part) say(from + (to - from) * part) end end
   local points, own = with_truths(s, q, share(0, 0.4))
   local result = { refused = refused, found = {}, own = 0.0, least_margin = plan.least_margin, stiff = q.stiff,
-    early = s.early and s.early.T }
+    early = s.early and s.early.T, log = s.log }
   if not points then
     result.why = "the library cannot follow the motion from all states of the ranges: " .. own
     return nil, result

@@ -15,8 +15,8 @@ local close = 1.02 -- a number of steps that is this near the least one is good 
 -- {setting, error, steps, cost} of one setting at the points; fits = is the error below the limit.
 local function tried(s, c, setting, limit)
   local e, steps = s.trial:worst(c, setting, s.points, limit)
-  return { setting = setting, error = e, steps = steps, fits = e <= limit,
-    cost = (c.setup or 0.0) + steps * c.weight(setting) }
+  return s.trial:measured({ candidate = c, setting = setting, error = e, steps = steps, fits = e <= limit,
+    cost = (c.setup or 0.0) + steps * c.weight(setting) }, false)
 end
 
 -- The first n digits of x > 0, which are all 16 of a double but for what no run can tell apart.

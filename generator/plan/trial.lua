@@ -23,7 +23,16 @@ end
 function trial.new(setup)
   local self = setmetatable(setup, trial)
   self.times, self.true_motions, self.moved = err.times(self.T), reference.new(self.host, self.job), {}
+  self.log = {}
   return self
+end
+
+-- Keeps what was measured, {candidate, setting, error, steps, cost, all = from all states, not only the few at which
+-- candidates compete}: tests read it.
+function trial:measured(r, all)
+  self.log[#self.log + 1] = { candidate = r.candidate, setting = r.setting, error = r.error, steps = r.steps,
+    cost = r.cost, all = all }
+  return r
 end
 
 -- The library is asked for the first `span` seconds only.

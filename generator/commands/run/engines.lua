@@ -92,13 +92,13 @@ local function attitude_of(job)
   return places
 end
 
--- The first time at which |q| is not 1 to some per cent, and |q|: a step with an h |w| beyond what the method can do
+-- The first time at which |q| is not 1 to some per cent: a step with an h |w| beyond what the method can do
 -- loses it.  As templates/sweep/members.c has it.
 local function shortened(rows, places)
   for _, row in ipairs(#places == 4 and rows or {}) do
     local square = 0.0
     for _, i in ipairs(places) do square = square + row[i + 1] ^ 2 end
-    if not (square >= 0.9 and square <= 1.1) then return row[1], math.sqrt(square) end
+    if not (square >= 0.9 and square <= 1.1) then return row[1] end
   end
   return nil
 end
@@ -123,8 +123,8 @@ local function stepped(plugin, method, x0, course, usual, step, corners, places)
       return failed(t, "no steps lead on")
     end
     if infinite then return failed(infinite, "the state is not finite") end
-    local long, size = shortened(rows, places)
-    if long then return failed(long, string.format("the step is too long: |q| is %.2g", size)) end
+    local long = shortened(rows, places)
+    if long then return failed(long, "the step is too long: |q| is not 1") end
     local list = {}
     for i, row in ipairs(rows) do
       if not wanted or wanted[i] then list[#list + 1] = { t = row[1], x = { table.unpack(row, 2) } } end
