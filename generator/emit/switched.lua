@@ -40,6 +40,9 @@ local READ = { adaptive = { "has_switches", "switched" },
   rosenbrock = { "has_switches", "switched", "sides", "sides_arg" },
   taylor = { "has_switches", "switched", "sides", "sides_arg", "array", "many", "most_parts" } }
 
+-- What switched.c has from the method's own templates.
+local OF_METHOD = { "count", "room", "states", "kinds", "slides", "has_knots", "has_roots", "finest", "first" }
+
 local function about(s)
   local what = words.of(s.about)
   if #what > 60 then what = s.about.kind == "call" and words.called(s.about.fn) or "a root" end
@@ -97,8 +100,8 @@ function switched.put(v, s, kit, method)
     top_arg = taylor and ", int top" or "", top_pass = taylor and ", top" or "", top_full = taylor and ", " .. kit.ctx.upper .. "_ORDER" or "",
     top_own = taylor and ", " .. kit.ctx.name .. "_taylor_top(tolerance)" or "" }
   for _, k in ipairs { "array", "many", "smooth", "most_parts" } do own[k] = all[k] end
-  for k, x in pairs(v) do -- into a table: order is lost anyway
-    if own[k] == nil then own[k] = x end
+  for _, k in ipairs(OF_METHOD) do
+    if v[k] ~= nil then own[k] = v[k] end
   end
   v.switched = SWITCHED(kit.templates, kit.base, own) "steppers/switched.c"
   return v

@@ -124,6 +124,9 @@ own("the same, split", string.format(WHOLE, "tensor { mass = 2, xx = 2, yy = 3, 
 own("an oblique body", string.format(WHOLE, 'tensor { mass = 2, xx = exact("19/9"), yy = exact("22/9"), ' ..
   'zz = exact("22/9"), xy = exact("2/9"), xz = exact("2/9"), yz = exact("4/9") }', "", ""), { methods = { "split2",
   "exact" }, analysis = true })
+own("a body with corners", string.format(WHOLE, "tensor { mass = 2, xx = 2, yy = 3, zz = 4 }",
+  "effect.torque { body = { -1*sign(wx), 0.1*abs(wy), 0.2*min(wz, 1) } }", ""), { methods = { "adaptive", "taylor",
+  "rosenbrock" } })
 own("any body", string.format(WHOLE, "tensor { mass = 2, xx = 2, yy = 3, zz = 4, xy = 0.1, xz = 0.2, yz = 0.3 }", "",
   ""), { methods = { "split2", "taylor" }, analysis = true, libm = "own" })
 local seven = { "1", "0", "0", "0", "1", "2", "3" }

@@ -1,0 +1,196 @@
+#!/usr/bin/env lua5.4
+-- switching.t - emitted steppers with a tolerance end their steps where the equations have corners.
+-- SPDX-License-Identifier: GPL-3.0-or-later
+--
+-- Expected: closed forms of equations of one state each; drag straight up by tan and tanh; the rest by the library's
+-- rk8pd at 1e-15, another road, which crosses corners by very short steps.  At the tolerance 1e-13 a method that
+-- misses a corner of a smooth course by one step is off by h^2, 1e-3 and more; what is asked for is 1e-10, in float
+-- 1e-4: some hundred steps of 1e-6, whose roundings are 6e-8 each.
+
+package.path = "./?.lua;" .. package.path
+package.cpath = "build/lua/?.so;" .. package.cpath
+
+local tap = require "tests.tap"
+local program = require "tests.cli.program"
+local tier = require "tests.tier"
+
+local binary, dir = program.quick(), program.directory()
+local methods = { "adaptive", "taylor", "rosenbrock" }
+
+-- The row at t: numbers by the columns' names; nil and what the program said.
+local function at(scene, t, options)
+  program.write(dir .. "/s.lua", scene)
+  local status = program.shell(string.format("POLHODE_SOURCE=. timeout 60 %s run %s/s.lua --at %s %s > %s/csv 2> %s/err",
+    binary, dir, t, options, dir, dir))
+  local names, values = string.match(program.read(dir .. "/csv") or "", "^([^\n]*)\n([^\n]*)")
+  if status ~= 0 or not values then return nil, program.read(dir .. "/err") end
+  local row, each = {}, string.gmatch(values, "[^,]+")
+  for name in string.gmatch(names, "[^,]+") do row[name] = tonumber(each()) end
+  return row
+end
+
+-- ---- each kind of corner, one state each, all in one scene: corners at the same time too ----
+
+local ln2 = math.log(2)
+local a = math.acos(0.99)
+local cases = { -- name, start, rate, value at t = 5.5
+  -- y' = y - 2 to y = 0 at ln 2, then y' = -y - 2
+  { "bars", 1, "abs(s.bars) - 2", -2 + 2 * math.exp(ln2 - 5.5) },
+  -- y' = -3/2 to y = 0 at 2/3, then -1/2
+  { "signs", 1, "-1 - sign(s.signs)/2", -(5.5 - 2 / 3) / 2 },
+  -- 2 exp(-t) to y = 1 at ln 2, then -y > -1 and y' = -1
+  { "least", 2, "min(-s.least, -1)", 1 - (5.5 - ln2) },
+  { "most", 2, "-max(s.most, 1)", 1 - (5.5 - ln2) },
+  { "limits", 1, "-max(-0.5, min(0.5, s.limits))", 0.5 * math.exp(-4.5) }, -- y' = -1/2 to t = 1, then y' = -y
+  { "each", 0, "sign(sin(pi*s.t))", 0.5 }, -- up for a second, down for one
+  { "fast", 0, "sign(sin(20*pi*s.t))", 0 }, -- 110 seconds of a twentieth, 55 up and 55 down
+  { "twice", 0, "max(0, cos(s.t) - 0.99)", math.sin(a) - 0.99 * a }, -- two zeros 0.28 s apart at 2 pi > 5.5; half at 0
+  { "touch", 0, "abs(sin(pi*s.t))", 2 / math.pi * 5 + 1 / math.pi }, -- corners where `each` has its jumps
+  { "ramp", 0, "abs(s.t - 1)", 0.5 + 4.5 ^ 2 / 2 }, -- at a time that is known: a knot
+  { "nested", 3, "-min(abs(s.nested), max(1, s.t - 1))", nil },
+}
+-- y' = -1 to t = 2, y = 1; then |y| <= 1 <= t - 1: y' = -y
+cases[#cases][4] = math.exp(-3.5)
+
+local states = {}
+for i, c in ipairs(cases) do
+  states[i] = string.format('%s = { initial = %g, unit = "1", rate = function(s) return quantity(1, "1/s")*(%s) end }',
+    c[1], c[2], c[3]:gsub("s%.t", 'one(s.t)'))
+end
+local all = [[local function one(t) return t/quantity(1, "s") end
+return scene { name = "corners", body = solid.box { x = .3, y = .2, z = .1, mass = 2 }, time = { horizon = 6 },
+  effects = { effect.custom { states = { ]] .. table.concat(states, ",\n") .. " } } } }\n"
+
+for _, real in ipairs { "double", "float" } do
+  for _, method in ipairs(methods) do
+    local double = real == "double"
+    local row, why = at(all, 5.5, string.format("--engine generated --method %s --real %s --tolerance %s", method, real,
+      double and "1e-13" or "1e-6"))
+    for _, c in ipairs(cases) do
+      tap.near(row and row[c[1]] or math.huge, c[4], double and 1e-10 or 1e-4, double and 1e-10 or 1e-4,
+        string.format("%s, %s: %s' = %s", method, real, c[1], c[3]), "some hundred steps, see the head")
+    end
+    if not row then tap.ok(false, "it runs", why) end
+  end
+end
+
+-- ---- where both sides of a sign push back to 0 there is no motion on either: refused, not wrong ----
+
+for _, method in ipairs(methods) do
+  local row = at([[return scene { name = "stuck", body = tensor { mass = 1, xx = 1, yy = 1, zz = 1 },
+    effects = { effect.torque { body = { 0, 0, -1*sign(wz) } } }, initial = { omega = {0, 0, 1} } }]], 2,
+    "--engine generated --method " .. method .. " --tolerance 1e-9")
+  tap.ok(not row, method .. ": a sign that holds the motion at 0 ends the run")
+end
+
+-- ---- plates, drag, friction ----
+
+local scenes = {
+  { "solar_two_plates", 5, [[effect.solar_pressure { flux = 3e8, sun = {1,0,0}, plates = {
+    { area = 1, normal = {1,0,0}, centre = {0,0.5,0} }, { area = 1, normal = {1,0.0003,0}, centre = {0,-0.3,0.2} } } }]],
+    "omega = {0, 0, 1}" },
+  { "drag_turned_round", 5, "effect.drag { c = 0.3 }, effect.torque { body = {0,0,-1} }", "omega = {0, 0, 0.4334}" },
+  { "abs_of_rates", 5, "effect.torque { body = { -1*abs(wy), 0, 1*abs(wx) } }", "omega = {-2.194, 2.085, 1.583}" },
+}
+local function scene(name, effects, initial)
+  return string.format("return scene { name = %q, body = tensor { mass = 1, xx = 1, yy = 1.2, zz = 1.5 },\n" ..
+    "effects = { %s }, initial = { %s } }", name, effects, initial)
+end
+
+local function apart(text, t, method, tolerance)
+  local true_row, why = at(text, t, "--method rk8pd --tolerance 1e-15")
+  local row, also = at(text, t, string.format("--engine generated --method %s --tolerance %s", method, tolerance))
+  if not (row and true_row) then return math.huge, (why or "") .. (also or "") end
+  local d = 0.0
+  for name, x in pairs(true_row) do d = math.max(d, math.abs(x - row[name]) / (1 + math.abs(x))) end -- any order
+  return d
+end
+for _, s in ipairs(scenes) do
+  for _, method in ipairs(methods) do
+    local d, why = apart(scene(s[1], s[3], s[4]), s[2], method, "1e-13")
+    tap.ok(d <= 1e-10, s[1] .. " by " .. method, string.format("%.3g", d) .. (why or ""))
+  end
+end
+-- w' = -1.5 (here I = 1) while w > 0, then -1/2 but for smoothing's 1e-9: w(3) = -(3 - w0/1.5)/2
+for _, method in ipairs(methods) do
+  local row = at([[return scene { name = "friction_sharp", body = tensor { mass = 1, xx = 1, yy = 1.2, zz = 1 }, effects = {
+    effect.friction { torque = 0.5, smoothing = 1e-9 }, effect.torque { body = {0,0,-1} } },
+    initial = { omega = {0,0,1.5084} } }]], 3, "--engine generated --method " .. method .. " --tolerance 1e-12")
+  tap.near(row and row.wz or math.huge, -(3 - 1.5084 / 1.5) / 2, 0, 1e-8,
+    "friction that turns round, by " .. method, "the layer of 1e-9 in which friction is not 1/2 takes 1e-9 s or so")
+end
+
+-- ---- 200 stones straight up: v' = -g - k |v| v, up: v = c tan(atan(v0/c) - g t/c), c = sqrt(g/k); down: -c tanh(..) ----
+
+for _, method in ipairs(methods) do
+  program.write(dir .. "/stone.lua", [[return scene { name = "stone", body = tensor { mass = 1, xx = 1, yy = 1.2, zz = 1.5 },
+    effects = { effect.translation { gravity = 9, drag = 0.3 } }, initial = { omega = {1,2,3}, velocity = {0,0,1} } }]])
+  program.write(dir .. "/stones.c", (([[
+#include "stone.h"
+#include <math.h>
+#include <stdio.h>
+int main(void)
+{
+  const double g = 9, k = 0.3, c = sqrt(g/k), T = 2;
+  double worst = 0;
+  unsigned r = 12345;
+  int i, failed = 0;
+  stone_model m;
+  if (stone_init(&m, 0)) return 1;
+  for (i = 0; i < 200; i++) {
+    double x[STONE_NX], v0, up, v, z, e;
+    stone_initial(&m, x);
+    r = r*1664525u + 1013904223u;
+    v0 = 10*(double)(r >> 8)/16777216;
+    x[STONE_VZ] = v0;
+    failed += stone_METHOD_run(&m, 0, x, 0, T, 1e-13, 1000000) < 0;
+    up = c/g*atan(v0/c);
+    v = T < up ? c*tan(atan(v0/c) - g*T/c) : -c*tanh(g*(T - up)/c);
+    z = T < up ? c*c/g*log(cos(atan(v0/c) - g*T/c)/cos(atan(v0/c)))
+      : c*c/g*(-log(cos(atan(v0/c))) - log(cosh(g*(T - up)/c)));
+    e = fmax(fabs(x[STONE_VZ] - v), fabs(x[STONE_RZ] - z));
+    worst = fmax(worst, e);
+  }
+  printf("%d %.3g\n", failed, worst);
+  return 0;
+}
+]]):gsub("METHOD", method)))
+  local status = program.shell(string.format("cd %s && rm -rf out && POLHODE_SOURCE=%s %s gen stone.lua -o out --method %s" ..
+    " >err 2>&1 && cc -O1 -Iout stones.c out/stone.c -o stones -lm && ./stones > csv", dir, os.getenv "PWD",
+    string.gsub(binary, "build/polhode", os.getenv "PWD" .. "/build/polhode"), method))
+  local failed, worst = string.match(program.read(dir .. "/csv") or "", "^(%d+) (%S+)")
+  -- heights of some 5 m, some hundred steps of 1e-13: 1e-10
+  tap.ok(status == 0 and failed == "0" and tonumber(worst) <= 1e-10, "200 stones straight up by " .. method,
+    tostring(worst) .. " " .. tostring(program.read(dir .. "/err")))
+end
+
+-- ---- random torques without smoothness against the library, methods in turn ----
+
+local seed = 7
+local function random(from, to)
+  seed = (seed * 1103515245 + 12345) % 2147483648
+  return from + (to - from) * (seed // 256) / 8388608
+end
+local atoms = { "wx", "wy", "wz", "sin(3*t)", "qx", "cos(2*t + 1)", "(wx*wy)" }
+local function atom() return string.format("%.3f*%s", random(-1, 1), atoms[1 + math.floor(random(0, #atoms))]) end
+local kinds = {
+  function() return string.format("0.3*abs(%s + %s)", atom(), atom()) end,
+  function() return string.format("0.3*min(%s, %s)", atom(), atom()) end,
+  function() return string.format("0.3*max(%s, %s, %s)", atom(), atom(), atom()) end,
+  function() return string.format("0.3*min(0.5, max(-0.4, %s))", atom()) end,
+  function() return string.format("0.1*sign(%.3f*sin(%.3f*t + 1) + 0.7*sin(t))", random(1, 2), random(2, 5)) end,
+  function() return string.format("0.2*abs(%s)*(%s)", atom(), atom()) end,
+}
+for n = 1, 40 do
+  local N = {}
+  for i = 1, 3 do N[i] = kinds[1 + math.floor(random(0, #kinds))]() end
+  local text = scene("random", "effect.torque { body = { " .. table.concat(N, ", ") .. " } }",
+    string.format("omega = { %.3f, %.3f, %.3f }", random(-2, 2), random(-2, 2), random(-2, 2)))
+  local method = methods[n % 3 + 1]
+  if not tier.quick or n <= 3 then
+    local d, why = apart(text, 4, method, "1e-13")
+    tap.ok(d <= 1e-9, n .. " by " .. method .. ": " .. table.concat(N, "; "), string.format("%.3g", d) .. (why or ""))
+  end
+end
+
+tap.done(program.finish())
