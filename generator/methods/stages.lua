@@ -5,6 +5,7 @@
 -- that is conserved, and whatever depends on it alone) keeps its one name, so it is computed once.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 
@@ -42,6 +43,19 @@ local function varying(eq, zero)
   return set
 end
 
+-- c and rest of a product; where rest is a sum of long whole numbers (algebra/rational.lua) the number of c goes with
+-- it, for it is the scale of their decimals: 1e-12 (7e12 x + 3e11 y) is 7 x + 0.3 y.
+local function natural(c, rest)
+  local most = R.zero
+  for i = 1, rest.kind == "add" and #rest or 0 do
+    local n = R.abs((expr.split(rest[i])))
+    if n > most then most = n end
+  end
+  local number, others = expr.split(c)
+  if math.abs(R.decade(most)) < R.LONG then return c, rest end
+  return others, expr.num(number) * rest
+end
+
 -- e = constant * rest, the constant free of the names in `set`.
 local function split(e, set)
   local factors = e.kind == "mul" and e or { e }
@@ -50,7 +64,7 @@ local function split(e, set)
     local list = expr.constant(factors[i], set) and c or rest
     list[#list + 1] = factors[i]
   end
-  return expr.mul(c), expr.mul(rest)
+  return natural(expr.mul(c), expr.mul(rest))
 end
 
 -- All equations but the attitude's prepared for a method: {groups, factor = {by state}, zero = {by state}}.  Each rate
