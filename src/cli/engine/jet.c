@@ -101,6 +101,9 @@ static void call(enum program_op op, long double a[SIZE]) {
     f = tanhl(x);
     chain(f, 1 - f * f, -2 * f * (1 - f * f), a);
     break;
+  case SIGN:
+    chain((x > 0) - (x < 0), 0, 0, a);
+    break;
   default: /* ABS */
     chain(fabsl(x), x < 0 ? -1 : 1, 0, a);
   }
@@ -141,6 +144,9 @@ void engine_program_jet(void *program, const long double n[3], long double out[1
       power(c->value / c->q, a[0]);
     } else if (c->op == ATAN2) {
       angle(a[0], a[1]);
+    } else if (c->op == MIN || c->op == MAX) {
+      if (c->op == MIN ? a[1][0] < a[0][0] : a[0][0] < a[1][0])
+        copy(a[0], a[1]);
     } else if (c->op == CLAMP) { /* x, low, high */
       if (a[0][0] < a[1][0])
         copy(a[0], a[1]);
