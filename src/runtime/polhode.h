@@ -59,7 +59,8 @@ enum ph_status {
   PH_EFILE,       /* a file cannot be opened or read */
   PH_EFORMAT,     /* a file is malformed or cut off */
   PH_EOPEN,       /* the volume of a mesh that does not close */
-  PH_EEMPTY       /* a mesh without volume, area or length */
+  PH_EEMPTY,      /* a mesh without volume, area or length */
+  PH_ECHATTER     /* equations that jump drive the state back to the jump from both sides */
 };
 
 /* A phrase for a status, never NULL, never to be freed. */
@@ -364,6 +365,7 @@ typedef struct ph_top {
   ph_acts acts;                              /* polhode_acts.h */
   /* prepared, private: the tensor and its principal system in full precision */
   long double wide_com[3], wide_inertia[6], wide_second[6], wide_moment[3], wide_axis[3][3];
+  const signed char *branch; /* private: NULL, or the signs that a step of a run holds to */
 } ph_top;
 
 /* The free top of body b about the point origin (NULL: its centre of mass). Checks b. */

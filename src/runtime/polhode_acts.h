@@ -65,6 +65,14 @@ typedef struct ph_varying {
   const double *table;
   long double (*f)(void *context, long double t, const long double x[]);
   void *context;
+  /* Where f has corners and jumps, or NULL: then the error control has to find them. f is smooth
+     but where one of `sides` functions changes its sign; piece is f with the sign of function i
+     taken to be branch[i], 1 or -1, whatever it is (0: as it is). If side is not NULL, side[i]
+     becomes the value of function i, 0 where that is no more than rounding. Steps that choose their
+     length end at these zeros. */
+  int sides;
+  long double (*piece)(void *context, long double t, const long double x[],
+                       const signed char branch[], long double side[]);
 } ph_varying;
 
 /* An act of one of the kinds above, with the numbers of its kind: made by the calls below,
@@ -72,6 +80,7 @@ typedef struct ph_varying {
 typedef struct ph_act {
   const struct ph_effect_table *effect; /* what it does: src/runtime/effects/NAME.c */
   int states;                           /* of its own */
+  int sides; /* how many functions change sign where its equations have corners or jumps */
   union {
     struct {
       double c;

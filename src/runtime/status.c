@@ -36,12 +36,13 @@ static const char *const phrases[] = {
     "the file is malformed",
     "the volume of a mesh is defined only if its faces close",
     "the mesh has no volume, area or length",
+    "the equations jump here and drive the motion back to the jump from both sides",
 };
 
-_Static_assert(sizeof phrases / sizeof phrases[0] == PH_EEMPTY + 1, "one phrase for each status");
+_Static_assert(sizeof phrases / sizeof phrases[0] == PH_ECHATTER + 1, "one phrase for each status");
 
 const char *ph_status_phrase(int status) {
-  return status >= 0 && status <= PH_EEMPTY ? phrases[status] : "unknown status";
+  return status >= 0 && status <= PH_ECHATTER ? phrases[status] : "unknown status";
 }
 
 const char *ph_version(void) {

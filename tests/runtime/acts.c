@@ -26,7 +26,7 @@ static const ph_varying OFF; /* 0 */
 static ph_varying varying(double value, int rows, const double table[],
                           long double (*f)(void *, long double, const long double[]),
                           void *context) {
-  const ph_varying v = {value, rows, table, f, context};
+  const ph_varying v = {.value = value, .rows = rows, .table = table, .f = f, .context = context};
   return v;
 }
 

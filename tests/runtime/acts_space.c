@@ -21,7 +21,7 @@
 #define CHECK(condition) ((condition) ? (void)0 : (void)ok(0, "%s", #condition))
 
 #define OFF                                                                                        \
-  { 0, 0, NULL, NULL, NULL }
+  { .value = 0 }
 
 static ph_top body(double xx, double yy, double zz) {
   const double tensor[6] = {xx, yy, zz, 0, 0, 0};
@@ -114,7 +114,7 @@ static void support(void) {
   ph_top top;
   CHECK(ph_top_init_tensor(&top, 2, com, tensor) == PH_OK);
   CHECK(ph_top_gravity(&top, 8, down) == PH_OK);
-  const ph_varying fall[3] = {OFF, OFF, {-8, 0, NULL, NULL, NULL}};
+  const ph_varying fall[3] = {OFF, OFF, {.value = -8}};
   CHECK(ph_top_pivot(&top, fall) == PH_OK);
   const double x[7] = {0.8, 0.6, 0, 0, 1, 2, 3};
   double N[3];
@@ -142,8 +142,8 @@ static long double slope(void *context, long double t, const long double x[]) {
 static void parts(void) {
   static double speed = 0.25;
   ph_top top = body(1, 2, 2.5);
-  const ph_varying tensor[6] = {OFF, OFF, {0, 0, NULL, ramp, &speed}, OFF, OFF, OFF};
-  const ph_varying rate[6] = {OFF, OFF, {0, 0, NULL, slope, &speed}, OFF, OFF, OFF};
+  const ph_varying tensor[6] = {OFF, OFF, {.f = ramp, .context = &speed}, OFF, OFF, OFF};
+  const ph_varying rate[6] = {OFF, OFF, {.f = slope, .context = &speed}, OFF, OFF, OFF};
   CHECK(ph_top_parts(&top, tensor, rate) == PH_OK);
   double x[8] = {1, 0, 0, 0, 0, 0, 2, 0}, L[3], T;
   CHECK(ph_top_states(&top) == 8);

@@ -492,7 +492,7 @@ int main(void) {
       all = 0;
     }
   ok(all, "every status but `out of memory' has occurred");
-  ok(strcmp(ph_status_phrase(-1), ph_status_phrase(PH_EEMPTY + 1)) == 0,
+  ok(strcmp(ph_status_phrase(-1), ph_status_phrase(PH_ECHATTER + 1)) == 0,
      "an unknown status has a phrase too");
   ok(strcmp(ph_version(), PH_VERSION) == 0, "header and library have one version");
   return tap_done();

@@ -69,12 +69,62 @@ static sized call(enum program_op op, sized a, sized b) {
   case MAX:
     return x < b.value ? b : a;
   default:
-    return (sized){fabsl(x), a.size};
+    break;
   }
   return (sized){y, fabsl(y) + fabsl(slope) * a.size};
 }
 
-static sized run(const struct engine_program *p, long double t, const long double x[]) {
+/* How many functions change sign where it has corners or jumps. */
+static int sides_of(enum program_op op) {
+  return op == CLAMP ? 2 : op >= ABS || op == ATAN2 ? 1 : 0;
+}
+
+/* Which piece of a program runs, and where the values of its sides go; NULL each. */
+struct piece {
+  const signed char *branch;
+  long double *side;
+};
+
+/* The sign of side i, that of a - b; b NULL: of a. */
+static int sign(const struct piece *p, int i, sized a, const sized *b) {
+  const long double g = b ? a.value - b->value : a.value, size = b ? a.size + b->size : a.size;
+  if (p->side)
+    p->side[i] = fabsl(g) > 4 * LDBL_EPSILON * size ? g : 0;
+  return p->branch && p->branch[i] ? p->branch[i] : (g > 0) - (g < 0);
+}
+
+/* What has corners or jumps, of the operands a[0] on. */
+static sized choose(const struct program_instruction *c, const sized a[], const struct piece *p) {
+  const sized minus = {-a[0].value, a[0].size};
+  int s;
+  switch (c->op) {
+  case SIGN:
+    s = sign(p, c->side, a[0], NULL);
+    return (sized){s, s != 0};
+  case MIN:
+    return sign(p, c->side, a[0], &a[1]) > 0 ? a[1] : a[0];
+  case MAX:
+    return sign(p, c->side, a[0], &a[1]) < 0 ? a[1] : a[0];
+  case CLAMP: /* x, low, high */
+    s = sign(p, c->side + 1, a[0], &a[2]);
+    return sign(p, c->side, a[0], &a[1]) < 0 ? a[1] : s > 0 ? a[2] : a[0];
+  default: /* ABS */
+    return sign(p, c->side, a[0], NULL) < 0 ? minus : a[0];
+  }
+}
+
+/* The angle, beyond a half turn where the branch goes on there. */
+static sized angle(const struct program_instruction *c, const sized a[], const struct piece *p) {
+  static const long double TURN = 6.28318530717958647692528676655900577L;
+  sized r = call(ATAN2, a[0], a[1]);
+  const int s = sign(p, c->side, a[0], NULL);
+  if (p->branch && a[1].value < 0 && s * r.value < 0)
+    r.value += s * TURN;
+  return r;
+}
+
+static sized run(const struct engine_program *p, long double t, const long double x[],
+                 struct piece piece) {
   sized stack[PROGRAM_DEPTH];
   stack[0] = (sized){0, 0}; /* an empty program has the value 0 */
   int top = 0;
@@ -87,10 +137,9 @@ static sized run(const struct engine_program *p, long double t, const long doubl
     } else if (c->op == INPUT) {
       r.value = p->input->base[c->n] + p->input->slope[c->n] * (t - (long double)p->input->since);
       r.size = fabsl(r.value);
-    } else if (c->op == CLAMP) { /* x, low, high */
-      top -= 3;
-      const sized x0 = stack[top], low = stack[top + 1], high = stack[top + 2];
-      r = x0.value < low.value ? low : x0.value > high.value ? high : x0;
+    } else if (sides_of(c->op) > 0) {
+      top -= c->n;
+      r = (c->op == ATAN2 ? angle : choose)(c, stack + top, &piece);
     } else if (c->op == ADD || c->op == MUL) {
       r = stack[top -= c->n];
       for (int k = 1; k < c->n; k++) {
@@ -114,7 +163,12 @@ static sized run(const struct engine_program *p, long double t, const long doubl
 }
 
 long double engine_program_value(void *program, long double t, const long double x[]) {
-  return run(program, t, x).value;
+  return run(program, t, x, (struct piece){0}).value;
+}
+
+static long double value_on(void *program, long double t, const long double x[],
+                            const signed char branch[], long double side[]) {
+  return run(program, t, x, (struct piece){branch, side}).value;
 }
 
 double engine_program_size(const ph_varying *v, double t, const double x[], int n) {
@@ -123,7 +177,7 @@ double engine_program_size(const ph_varying *v, double t, const double x[], int 
     return 0;
   for (int i = 0; i < n; i++)
     y[i] = x[i];
-  return (double)run(v->context, t, y).size;
+  return (double)run(v->context, t, y, (struct piece){0}).size;
 }
 
 static long double item(lua_State *L, int *i) {
@@ -143,7 +197,7 @@ void engine_read_program(struct engine_scene *s, ph_varying *out) {
   struct engine_program *p = engine_aligned(
       lua_newuserdatauv(L, sizeof *p + (size_t)n * sizeof p->code[0] + ENGINE_ALIGNMENT, 0));
   lua_insert(L, -2);
-  p->length = 0;
+  p->length = p->sides = 0;
   p->input = s->input;
   int depth = 0;
   for (int i = 0; i < n;) {
@@ -167,6 +221,8 @@ void engine_read_program(struct engine_scene *s, ph_varying *out) {
     } else if (op <= MUL) {
       c->n = (int)item(L, &i);
     }
+    c->side = p->sides;
+    p->sides += sides_of(c->op);
     const int takes = op <= INPUT ? 0 : c->n;
     if ((op > INPUT && (takes < 1 || takes > depth)) ||
         (op == VARIABLE && (c->n < 0 || c->n > PH_STATES)) ||
@@ -178,5 +234,6 @@ void engine_read_program(struct engine_scene *s, ph_varying *out) {
     luaL_error(L, "program: leaves %d values", depth);
   lua_pop(L, 1);
   engine_keep(s);
-  *out = (ph_varying){.f = engine_program_value, .context = p};
+  *out =
+      (ph_varying){.f = engine_program_value, .context = p, .sides = p->sides, .piece = value_on};
 }

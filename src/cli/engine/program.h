@@ -37,12 +37,13 @@ enum program_op {
 
 struct program_instruction {
   enum program_op op;
-  int n; /* operands, or the variable */
+  int n;    /* operands, or the variable */
+  int side; /* number of its first side */
   long double value, q;
 };
 
 struct engine_program {
-  int length;
+  int length, sides;
   const struct engine_inputs *input;
   struct program_instruction code[];
 };

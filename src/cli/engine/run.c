@@ -235,7 +235,8 @@ int host_run(lua_State *L) {
     double end = luaL_checknumber(L, -1);
     lua_pop(L, 1);
     status = reach(&m, end, x);
-    if (status == PH_ERANGE || status == PH_ESTEP) /* not PH_ESTEPS, which takes its time */
+    if (status == PH_ERANGE || status == PH_ESTEP ||
+        status == PH_ECHATTER) /* not PH_ESTEPS, which takes its time */
       end = first_failure(&m, t, end);
     t = end;
     if (status == PH_OK)

@@ -14,13 +14,14 @@ static void find(acts_at *a) {
 }
 
 acts_at acts_first(const ph_top *top, ph_wide t, const ph_wide x[]) {
-  acts_at a = {{top, NULL, t, x, top->effects & PH_TRANSLATION ? 13 : 7}, 0};
+  acts_at a = {{top, NULL, t, x, top->effects & PH_TRANSLATION ? 13 : 7, 0}, 0};
   find(&a);
   return a;
 }
 
 void acts_next(acts_at *a) {
   a->e.place += a->e.act->states;
+  a->e.side += a->e.act->sides;
   a->number++;
   find(a);
 }
@@ -83,23 +84,46 @@ int acts_tensor(const ph_top *top, const ph_wide x[], ph_wide D[6]) {
   return any;
 }
 
-int acts_side(const ph_top *top, const ph_wide x[], int number, ph_wide *side) {
-  for (acts_at a = acts_first(top, 0, x); a.e.act; acts_next(&a)) {
-    const effect_table *effect = a.e.act->effect;
-    const int n = effect->sides ? effect->sides(a.e.act) : 0;
-    if (number < n) {
-      *side = effect->side(&a.e, number);
-      return 1;
-    }
-    number -= n;
+/* The values of an act that vary; NULL: none. */
+static const ph_varying *varying(const acts_at *a, int *n) {
+  *n = 0;
+  return a->e.act->effect->varying ? a->e.act->effect->varying(a->e.act, n) : NULL;
+}
+
+int acts_sides(const ph_top *top) {
+  int n = 0;
+  for (acts_at a = acts_first(top, 0, NULL); a.e.act; acts_next(&a))
+    n += a.e.act->sides;
+  return n;
+}
+
+void acts_side(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide side[]) {
+  for (acts_at a = acts_first(top, t, x); a.e.act; acts_next(&a)) {
+    int n, at = a.e.side;
+    const ph_varying *v = varying(&a, &n);
+    for (int i = 0; i < a.e.act->sides && a.e.act->effect->side; i++)
+      side[at + i] = a.e.act->effect->side(&a.e, i);
+    for (int i = 0; i < n; at += acts_varying_sides(&v[i++]))
+      if (acts_varying_sides(&v[i]) > 0)
+        v[i].piece(v[i].context, t, x, top->branch + at, side + at);
+  }
+}
+
+int acts_unseen(const ph_top *top) {
+  for (acts_at a = acts_first(top, 0, NULL); a.e.act; acts_next(&a)) {
+    int n;
+    const ph_varying *v = varying(&a, &n);
+    for (int i = 0; i < n; i++)
+      if (v[i].f && !v[i].piece)
+        return 1;
   }
   return 0;
 }
 
 ph_wide acts_until(const ph_top *top, ph_wide t, ph_wide h) {
   for (acts_at a = acts_first(top, t, NULL); a.e.act; acts_next(&a)) {
-    int n = 0;
-    const ph_varying *v = a.e.act->effect->corners ? a.e.act->effect->corners(a.e.act, &n) : NULL;
+    int n;
+    const ph_varying *v = varying(&a, &n);
     for (int i = 0; i < n; i++)
       acts_varying_until(&v[i], t, &h);
   }

@@ -14,7 +14,10 @@ static inline int acts_any(const ph_top *top) {
 
 /* ---- varying.c ---- */
 
-ph_wide acts_value(const ph_varying *v, ph_wide t, const ph_wide x[]);
+/* Of a value of the act's, on the branch of its sides that the top holds to. */
+ph_wide acts_value(const effect_at *e, ph_wide t, const ph_varying *v);
+/* How many functions say where it has corners. */
+int acts_varying_sides(const ph_varying *v);
 /* PH_OK, PH_ECOUNT or PH_EFINITE. */
 int acts_varying_check(const ph_varying *v);
 /* Shortens the step *h from t to end at the next row of a table. */
@@ -61,9 +64,11 @@ ph_wide acts_potential(const ph_top *top, const ph_wide x[]);
 void acts_slip(const ph_top *top, const ph_wide x[], ph_wide slip[3]);
 /* What moving parts add to the tensor; 0: none move. */
 int acts_tensor(const ph_top *top, const ph_wide x[], ph_wide D[6]);
-/* What changes its sign where the equations have a corner, number `number` of all; 0 if there are
-   no more. */
-int acts_side(const ph_top *top, const ph_wide x[], int number, ph_wide *side);
+/* What changes its sign where the equations have corners or jumps: how many, and their values. */
+int acts_sides(const ph_top *top);
+void acts_side(const ph_top *top, ph_wide t, const ph_wide x[], ph_wide side[]);
+/* Are there functions of the caller's that do not say where they have corners? */
+int acts_unseen(const ph_top *top);
 /* The part of the step h from t up to the next row of a table. */
 ph_wide acts_until(const ph_top *top, ph_wide t, ph_wide h);
 /* Is number `place` of the state the speed of a wheel? */

@@ -20,6 +20,8 @@ int acts_new(ph_top *top, const effect_table *effect, int states, int n, const p
   memset(*act, 0, sizeof **act);
   (*act)->effect = effect;
   (*act)->states = states;
+  for (int i = 0; i < n; i++)
+    (*act)->sides += acts_varying_sides(&v[i]);
   top->effects |= effect->kind;
   return PH_OK;
 }

@@ -9,7 +9,7 @@ void acts_load(const ph_top *top, const double u[3], motion_loads *loads) {
 }
 
 ph_wide acts_add_potential(const ph_top *top, const ph_wide x[], ph_wide V) {
-  const effect_at at = {top, NULL, 0, x, 0};
+  const effect_at at = {top, NULL, 0, x, 0, 0};
   for (const effect_table *const *effect = effect_all; *effect; effect++)
     if ((*effect)->load && (*effect)->potential)
       V += (*effect)->potential(&at);

@@ -21,15 +21,27 @@ static ph_wide interpolated(int n, const double tv[], ph_wide t) {
   return (1 - part) * (ph_wide)tv[2 * lo + 1] + part * (ph_wide)tv[2 * hi + 1];
 }
 
-ph_wide acts_value(const ph_varying *v, ph_wide t, const ph_wide x[]) {
-  if (v->f)
-    return v->f(v->context, t, x);
-  return v->rows > 0 ? interpolated(v->rows, v->table, t) : (ph_wide)v->value;
+int acts_varying_sides(const ph_varying *v) {
+  return v->f && v->piece ? v->sides : 0;
+}
+
+ph_wide acts_value(const effect_at *e, ph_wide t, const ph_varying *v) {
+  if (!v->f)
+    return v->rows > 0 ? interpolated(v->rows, v->table, t) : (ph_wide)v->value;
+  if (e->top->branch && acts_varying_sides(v) > 0) {
+    int n, first = e->side;
+    for (const ph_varying *u = e->act->effect->varying(e->act, &n); u != v; u++)
+      first += acts_varying_sides(u);
+    const ph_wide y = v->piece(v->context, t, e->x, e->top->branch + first, NULL);
+    if (isfinite(y)) /* a root does not go on beyond its zero */
+      return y;
+  }
+  return v->f(v->context, t, e->x);
 }
 
 int acts_varying_check(const ph_varying *v) {
   if (v->f)
-    return PH_OK;
+    return v->sides < 0 ? PH_ECOUNT : PH_OK;
   if (v->rows == 0)
     return isfinite(v->value) ? PH_OK : PH_EFINITE;
   if (v->rows < 2 || !v->table)

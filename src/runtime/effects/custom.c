@@ -7,7 +7,7 @@
 static void torque(const effect_at *e, ph_wide N[3], ph_wide *size) {
   ph_wide part[3];
   for (int i = 0; i < 3; i++) {
-    part[i] = acts_value(&e->act->of.custom.torque[i], e->t, e->x);
+    part[i] = acts_value(e, e->t, &e->act->of.custom.torque[i]);
     N[i] += part[i];
   }
   *size += wide_norm(part);
@@ -15,20 +15,20 @@ static void torque(const effect_at *e, ph_wide N[3], ph_wide *size) {
 
 static void force(const effect_at *e, ph_wide F[3]) {
   for (int i = 0; i < 3; i++)
-    F[i] += acts_value(&e->act->of.custom.force[i], e->t, e->x);
+    F[i] += acts_value(e, e->t, &e->act->of.custom.force[i]);
 }
 
 static void rates(const effect_at *e, ph_wide own[]) {
   for (int i = 0; i < e->act->states; i++)
-    own[i] = acts_value(&e->act->of.custom.rate[i], e->t, e->x);
+    own[i] = acts_value(e, e->t, &e->act->of.custom.rate[i]);
 }
 
 static ph_wide potential(const effect_at *e) {
-  return acts_value(&e->act->of.custom.potential, 0, e->x);
+  return acts_value(e, 0, &e->act->of.custom.potential);
 }
 
-static const ph_varying *corners(const ph_act *act, int *n) {
-  *n = 3;
+static const ph_varying *varying(const ph_act *act, int *n) {
+  *n = 7 + act->states; /* torque, force, potential and rates are neighbours */
   return act->of.custom.torque;
 }
 
@@ -75,7 +75,7 @@ const effect_table effect_custom = {.name = "custom",
                                     .force = force,
                                     .rates = rates,
                                     .potential = potential,
-                                    .corners = corners,
+                                    .varying = varying,
                                     .term_torque = term_torque,
                                     .term_rates = term_rates,
                                     .term_energy = term_energy};

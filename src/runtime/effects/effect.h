@@ -27,6 +27,7 @@ typedef struct effect_at {
   ph_wide t;
   const ph_wide *x;
   int place; /* of the act's own states in x */
+  int side;  /* number of its first side */
 } effect_at;
 
 /* A wheel: an inner body of revolution that turns about an axis of the body. */
@@ -113,10 +114,9 @@ struct ph_effect_table {
   /* it is a wheel, whose first own state is its speed beside the body; the motor's torque */
   void (*wheel)(const ph_act *act, effect_spinner *out);
   ph_wide (*motor)(const effect_at *e);
-  /* values whose tables have corners; how many */
-  const ph_varying *(*corners)(const ph_act *act, int *n);
-  /* what changes its sign where the equations have a corner: number i of sides(act) */
-  int (*sides)(const ph_act *act);
+  /* its values that vary, one after the other; how many */
+  const ph_varying *(*varying)(const ph_act *act, int *n);
+  /* number i of act->sides, 0 where it is rounding; NULL: those of its values that vary */
   ph_wide (*side)(const effect_at *e, int i);
 
   /* terms: of the torque; of the rates, as long as the state, those of w being known; of the
@@ -159,6 +159,12 @@ static inline double effect_norm(const double v[3]) {
 /* |q|^2, by which the terms of a turned vector exceed it. */
 static inline double effect_q2(const effect_terms *e) {
   return e->x[0] * e->x[0] + e->x[1] * e->x[1] + e->x[2] * e->x[2] + e->x[3] * e->x[3];
+}
+
+/* The sign of the act's side i, which has the value g: a step of a run holds to one. */
+static inline int effect_sign(const effect_at *e, int i, ph_wide g) {
+  const int held = e->top->branch ? e->top->branch[e->side + i] : 0;
+  return held ? held : (g > 0) - (g < 0);
 }
 
 /* The size of a value that varies. */

@@ -9,12 +9,17 @@
 
 static void tensor(const effect_at *e, ph_wide D[6]) {
   for (int i = 0; i < 6; i++)
-    D[i] += acts_value(&e->act->of.inertia_rate.tensor[i], 0, e->x);
+    D[i] += acts_value(e, 0, &e->act->of.inertia_rate.tensor[i]);
 }
 
 static void tensor_rate(const effect_at *e, ph_wide D[6]) {
   for (int i = 0; i < 6; i++)
-    D[i] += acts_value(&e->act->of.inertia_rate.rate[i], 0, e->x);
+    D[i] += acts_value(e, 0, &e->act->of.inertia_rate.rate[i]);
+}
+
+static const ph_varying *varying(const ph_act *act, int *n) {
+  *n = 12; /* tensor and rate are neighbours */
+  return act->of.inertia_rate.tensor;
 }
 
 /* -D' w */
@@ -80,6 +85,7 @@ const effect_table effect_inertia_rate = {.name = "inertia_rate",
                                           .torque = torque,
                                           .rates = rates,
                                           .tensor = tensor,
+                                          .varying = varying,
                                           .tensor_rate = tensor_rate,
                                           .term_torque = term_torque,
                                           .term_rates = term_rates,

@@ -9,10 +9,10 @@ static void torque(const effect_at *e, ph_wide N[3], ph_wide *size) {
   const ph_wide rate = (ph_wide)act->of.pivot.rate;
   ph_wide push[3], part[3];
   for (int i = 0; i < 3; i++)
-    push[i] = (ph_wide)e->top->mass *
-              (act->of.pivot.vibrates ? (ph_wide)act->of.pivot.amplitude * rate * rate *
-                                            cosl(rate * e->t) * (ph_wide)act->of.pivot.axis[i]
-                                      : -acts_value(&act->of.pivot.acceleration[i], e->t, e->x));
+    push[i] = (ph_wide)e->top->mass * (act->of.pivot.vibrates
+                                           ? (ph_wide)act->of.pivot.amplitude * rate * rate *
+                                                 cosl(rate * e->t) * (ph_wide)act->of.pivot.axis[i]
+                                           : -acts_value(e, e->t, &act->of.pivot.acceleration[i]));
   wide_sandwich(e->x, push, 0, push);
   wide_cross(e->top->wide_com, push, part);
   for (int i = 0; i < 3; i++)
@@ -20,7 +20,7 @@ static void torque(const effect_at *e, ph_wide N[3], ph_wide *size) {
   *size += wide_norm(e->top->wide_com) * wide_norm(push);
 }
 
-static const ph_varying *corners(const ph_act *act, int *n) {
+static const ph_varying *varying(const ph_act *act, int *n) {
   *n = 3;
   return act->of.pivot.acceleration;
 }
@@ -63,7 +63,7 @@ const effect_table effect_pivot = {.name = "pivot",
                                    .size = sizeof(struct given),
                                    .add = add,
                                    .torque = torque,
-                                   .corners = corners,
+                                   .varying = varying,
                                    .term_torque = term_torque};
 
 int ph_top_vibration(ph_top *top, double amplitude, double rate, const double axis[3]) {

@@ -232,7 +232,7 @@ static ph_wide potential(const effect_at *e) {
 static int seen(const effect_terms *e, contact *c) {
   ph_wide x[PH_STATES];
   wide_load(ph_top_states(e->top), e->x, x);
-  const effect_at at = {e->top, e->act, (ph_wide)e->t, x, e->place};
+  const effect_at at = {e->top, e->act, (ph_wide)e->t, x, e->place, 0};
   return touch(&at, c) == PH_OK;
 }
 

@@ -10,13 +10,14 @@ static void sun_at(const effect_at *e, ph_wide sun[3]) {
 }
 
 /* Force in body axes, and where it acts; 0 in the dark. */
-static int plate(const ph_act *act, int i, const ph_wide sun[3], ph_wide F[3], ph_wide centre[3]) {
+static int plate(const effect_at *e, int i, const ph_wide sun[3], ph_wide F[3], ph_wide centre[3]) {
+  const ph_act *act = e->act;
   const double *row = act->of.solar_pressure.plates + PLATE * i;
   ph_wide n[3];
   wide_load(3, row + NORMAL, n);
   wide_load(3, row + CENTRE, centre);
   const ph_wide length = wide_norm(n), c = wide_dot(n, sun) / length;
-  if (c <= 0)
+  if (effect_sign(e, i, c) <= 0)
     return 0;
   const ph_wide push = (ph_wide)act->of.solar_pressure.pressure * (ph_wide)row[AREA] * c;
   const ph_wide mirror = (ph_wide)row[REFLECTIVITY];
@@ -30,7 +31,7 @@ static void torque(const effect_at *e, ph_wide N[3], ph_wide *size) {
   sun_at(e, sun);
   for (int i = 0; i < e->act->of.solar_pressure.n; i++) {
     ph_wide F[3], centre[3], part[3];
-    if (!plate(e->act, i, sun, F, centre))
+    if (!plate(e, i, sun, F, centre))
       continue;
     wide_cross(centre, F, part);
     for (int k = 0; k < 3; k++)
@@ -44,7 +45,7 @@ static void force(const effect_at *e, ph_wide F[3]) {
   sun_at(e, sun);
   for (int i = 0; i < e->act->of.solar_pressure.n; i++) {
     ph_wide part[3], centre[3];
-    if (!plate(e->act, i, sun, part, centre))
+    if (!plate(e, i, sun, part, centre))
       continue;
     for (int k = 0; k < 3; k++)
       sum[k] += part[k];
@@ -55,15 +56,12 @@ static void force(const effect_at *e, ph_wide F[3]) {
 }
 
 /* n.s of each plate: its torque has a corner where this is 0. */
-static int sides(const ph_act *act) {
-  return act->of.solar_pressure.n;
-}
-
 static ph_wide side(const effect_at *e, int i) {
   ph_wide sun[3], n[3];
   sun_at(e, sun);
   wide_load(3, e->act->of.solar_pressure.plates + PLATE * i + NORMAL, n);
-  return wide_dot(n, sun);
+  const ph_wide c = wide_dot(n, sun);
+  return fabsl(c) > 8 * LDBL_EPSILON * wide_norm(n) ? c : 0;
 }
 
 static void term_torque(const effect_terms *e, double term[3]) {
@@ -106,7 +104,6 @@ const effect_table effect_solar_pressure = {.name = "solar_pressure",
                                             .add = add,
                                             .torque = torque,
                                             .force = force,
-                                            .sides = sides,
                                             .side = side,
                                             .term_torque = term_torque,
                                             .term_rates = term_rates};
@@ -137,7 +134,7 @@ int ph_top_solar(ph_top *top, double flux, const double sun[3], int n, const dou
   act->of.solar_pressure.pressure = flux / light;
   for (int i = 0; i < 3; i++)
     act->of.solar_pressure.sun[i] = unit[i];
-  act->of.solar_pressure.n = n;
+  act->of.solar_pressure.n = act->sides = n;
   act->of.solar_pressure.plates = plates;
   return PH_OK;
 }

@@ -18,7 +18,7 @@ static void load(const ph_top *top, const double u[3], motion_loads *loads) {
 static void torque(const effect_at *e, ph_wide N[3], ph_wide *size) {
   ph_wide part[3];
   for (int i = 0; i < 3; i++)
-    part[i] = acts_value(&e->act->of.torque.component[i], e->t, e->x);
+    part[i] = acts_value(e, e->t, &e->act->of.torque.component[i]);
   if (e->act->of.torque.inertial)
     wide_sandwich(e->x, part, 0, part);
   for (int i = 0; i < 3; i++)
@@ -26,7 +26,7 @@ static void torque(const effect_at *e, ph_wide N[3], ph_wide *size) {
   *size += wide_norm(part);
 }
 
-static const ph_varying *corners(const ph_act *act, int *n) {
+static const ph_varying *varying(const ph_act *act, int *n) {
   *n = 3;
   return act->of.torque.component;
 }
@@ -94,7 +94,7 @@ const effect_table effect_torque = {.name = "torque",
                                     .add = add,
                                     .load = load,
                                     .torque = torque,
-                                    .corners = corners,
+                                    .varying = varying,
                                     .term_torque = term_torque};
 
 int ph_top_torque_body(ph_top *top, const double torque_body[3]) {

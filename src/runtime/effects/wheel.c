@@ -11,10 +11,10 @@ static void wheel(const ph_act *act, effect_spinner *out) {
 }
 
 static ph_wide motor(const effect_at *e) {
-  return acts_value(&e->act->of.wheel.motor, e->t, e->x);
+  return acts_value(e, e->t, &e->act->of.wheel.motor);
 }
 
-static const ph_varying *corners(const ph_act *act, int *n) {
+static const ph_varying *varying(const ph_act *act, int *n) {
   *n = 1;
   return &act->of.wheel.motor;
 }
@@ -72,7 +72,7 @@ const effect_table effect_wheel = {.name = "wheel",
                                    .add = add,
                                    .wheel = wheel,
                                    .motor = motor,
-                                   .corners = corners,
+                                   .varying = varying,
                                    .term_torque = term_torque,
                                    .term_rates = term_rates,
                                    .term_energy = term_energy,

@@ -10,8 +10,9 @@
    too long. The rule never asks for f at the end of the step, so a corner in its last part is seen
    by no column. Gragg's smoothed value (z_{n-1} + z_n + h f(z_n))/2 has the same limit and powers
    and does ask: what extrapolation leaves of their difference counts as an error too. A corner at
-   (1 - a) H makes it some 1/a times the increment's own error, a at most 1/n, so an eighth of it
-   says enough; of smooth equations it says less than the columns do. */
+   (1 - a) H makes it half of the increment's own error or more. Where there are none but those that
+   corner.c knows, it is asked for less: an eighth, so that smooth equations cost what the columns
+   ask for. */
 #include "acts/acts.h"
 #include "step.h"
 
@@ -65,12 +66,11 @@ static void extrapolate(int states, int k, ph_wide T[COLUMNS][PH_STATES], ph_wid
     T[k][i] = row[i];
 }
 
-/* step_extrapolate, whatever turns its edge to the light on the way. */
-static int smooth(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, ph_wide *next,
-                  ph_wide out[]) {
+int step_extrapolate(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, ph_wide *next,
+                     ph_wide out[]) {
   const int n = ph_top_states(s->top);
   ph_wide T[COLUMNS][PH_STATES], D[COLUMNS][PH_STATES], f0[PH_STATES];
-  const ph_wide enough = fmaxl(tolerance, 32 * LDBL_EPSILON);
+  const ph_wide enough = fmaxl(tolerance, 32 * LDBL_EPSILON), part = s->unseen ? 1 : SEEN;
   step_scale scale;
   int status = step_scale_at(s, x, &scale);
   if (!status)
@@ -89,7 +89,7 @@ static int smooth(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, 
       extrapolate(n, k, D, seen, none);
       if (k > 0)
         e = fmaxl(step_relative(s->top, &scale, x, row, *h, error),
-                  step_relative(s->top, &scale, x, row, *h, seen) / SEEN);
+                  step_relative(s->top, &scale, x, row, *h, seen) / part);
     }
     if (status && status != PH_ERANGE)
       return status;
@@ -103,72 +103,4 @@ static int smooth(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, 
       return PH_ESTEP;
     *h *= status ? 0.1L : 0.4L;
   }
-}
-
-/* The first plate that is lit at one end only; -1 if none. */
-static int turned(const ph_top *top, const ph_wide x[], const ph_wide y[]) {
-  ph_wide before, after;
-  for (int k = 0; acts_side(top, x, k, &before) && acts_side(top, y, k, &after); k++)
-    if ((before > 0) != (after > 0))
-      return k;
-  return -1;
-}
-
-/* Shortens the step h, at whose end `out` plate k has turned its edge, to end where it just has:
-   the zero of its n.s by the false position with halved weights (Illinois: Dowell and Jarratt, BIT
-   11 (1971) 168), to a few roundings of the time. */
-static int to_edge(stepper *s, const ph_wide x[], ph_wide tolerance, int k, ph_wide *h,
-                   ph_wide *next, ph_wide out[]) {
-  enum { MOST = 80 };
-  ph_wide low = 0, high = *h, g_low, g_high, y[PH_STATES];
-  int last = 0;
-  acts_side(s->top, x, k, &g_low);
-  acts_side(s->top, out, k, &g_high);
-  const int lit = g_low > 0;
-  for (int i = 0; i < MOST; i++) {
-    const ph_wide close = 4 * LDBL_EPSILON * fmaxl(fabsl(s->t), fabsl(high));
-    if (fabsl(high - low) <= close)
-      break;
-    ph_wide at = low + (high - low) * (g_low / (g_low - g_high)), g;
-    if (!(fabsl(at - low) >= close / 2 && fabsl(high - at) >= close / 2))
-      at = low + (high - low) / 2;
-    ph_wide part = at;
-    const int status = smooth(s, x, tolerance, &part, next, y);
-    if (status)
-      return status;
-    acts_side(s->top, y, k, &g);
-    if (part != at) { /* a shorter step was wanted: the edge waits for a later one */
-      for (int n = 0; n < ph_top_states(s->top); n++)
-        out[n] = y[n];
-      *h = part;
-      return PH_OK;
-    }
-    if ((g > 0) == lit) {
-      low = at, g_low = g;
-      g_high = last < 0 ? g_high / 2 : g_high;
-      last = -1;
-    } else {
-      high = at, g_high = g;
-      g_low = last > 0 ? g_low / 2 : g_low;
-      last = 1;
-      for (int n = 0; n < ph_top_states(s->top); n++)
-        out[n] = y[n];
-      *h = at;
-    }
-  }
-  return PH_OK;
-}
-
-int step_extrapolate(stepper *s, const ph_wide x[], ph_wide tolerance, ph_wide *h, ph_wide *next,
-                     ph_wide out[]) {
-  int status = smooth(s, x, tolerance, h, next, out), k;
-  /* each plate at its own edge, the earliest at last */
-  for (int i = 0, done = -1; !status && tolerance > 0 && i < PH_ACTS; i++) {
-    k = turned(s->top, x, out);
-    if (k < 0 || k == done)
-      break;
-    status = to_edge(s, x, tolerance, k, h, next, out);
-    done = k;
-  }
-  return status;
 }

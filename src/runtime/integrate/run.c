@@ -10,6 +10,7 @@
 
 #include "acts/acts.h"
 #include "free_top/free_top.h"
+#include "corner.h"
 #include "implicit.h"
 
 struct ph_run {
@@ -18,6 +19,7 @@ struct ph_run {
   stepper stepper;
   implicit *implicit; /* PH_IMPLICIT, and PH_TAYLOR once it has met something stiff; or NULL */
   int stiff;          /* it goes on by that */
+  corners corners;    /* of steps that choose their length */
   ph_free_top exact;  /* PH_EXACT: the motion from x at start */
   double start;
   double t;
@@ -80,20 +82,23 @@ int ph_run_new(ph_run **run, const ph_top *top, const ph_options *options, doubl
   for (int i = 0; i < 4; i++)
     r->x[i] = q[i];
   r->stepper.top = &r->top;
+  r->stepper.unseen = acts_unseen(&r->top);
+  if (options->step == 0) {
+    status = corners_new(&r->corners, &r->top);
+    r->top.branch = r->corners.branch;
+  }
   if (gsl[options->method]) {
     r->stepper.gsl = gsl_odeiv2_step_alloc(gsl[options->method], (size_t)ph_top_states(top));
-    if (!r->stepper.gsl) {
-      free(r);
-      return PH_EMEMORY;
-    }
+    if (!r->stepper.gsl)
+      status = PH_EMEMORY;
   }
-  if (options->method == PH_IMPLICIT) {
+  if (options->method == PH_IMPLICIT && !status) {
     r->stiff = 1;
     status = implicit_new(&r->implicit, ph_top_states(top), options->tolerance);
-    if (status) {
-      free(r);
-      return status;
-    }
+  }
+  if (status) {
+    ph_run_free(r);
+    return status;
   }
   *run = r;
   return PH_OK;
@@ -102,6 +107,7 @@ int ph_run_new(ph_run **run, const ph_top *top, const ph_options *options, doubl
 void ph_run_free(ph_run *run) {
   if (!run)
     return;
+  corners_free(&run->corners);
   if (run->stepper.gsl)
     gsl_odeiv2_step_free(run->stepper.gsl);
   free(run->implicit);
@@ -230,6 +236,20 @@ static int judge(ph_run *run, const ph_wide x[], ph_wide h, long n) {
   return status;
 }
 
+/* A step of *h, or of less where that is too long. */
+static int again(void *of, const ph_wide x[], ph_wide *h, ph_wide y[]) {
+  ph_run *run = of;
+  for (;;) {
+    ph_wide error, next;
+    const int status = trial(run, x, h, y, &error, &next);
+    if (status || error <= (ph_wide)run->options.tolerance)
+      return status;
+    if (run->stepper.t + *h == run->stepper.t)
+      return PH_ESTEP;
+    *h = copysignl(next, *h);
+  }
+}
+
 /* x goes over the span; *suggestion: the longest step worth trying, kept from run to run; 0: none
  * is known yet. */
 static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[], ph_wide *suggestion, long *steps) {
@@ -245,13 +265,19 @@ static int go_adaptive(ph_run *run, ph_wide span, ph_wide x[], ph_wide *suggesti
       return status;
     longest = rate > 0 ? 0.01L / rate : fabsl(span);
   }
+  if (run->corners.n > 0)
+    corners_begin(&run->corners, &run->stepper, span, x);
   long tries = 0;
   while (done != span) {
     const ph_wide left = span - done;
     ph_wide y[PH_STATES], error, next;
     run->stepper.t = start + done;
     ph_wide h = trial_length(run, left, longest);
-    const int status = trial(run, x, &h, y, &error, &next);
+    int status = corners_settle(&run->corners, &run->stepper, h, x);
+    if (!status)
+      status = trial(run, x, &h, y, &error, &next);
+    if (!status && error <= (ph_wide)run->options.tolerance && run->corners.n > 0)
+      status = corners_cut(&run->corners, &run->stepper, again, run, x, &h, &next, y);
     if (status)
       return status;
     if (++tries > run->options.max_steps || stopped(run))

@@ -20,6 +20,7 @@ typedef struct stepper {
   ph_wide base[PH_STATES],
       h;      /* a GSL step's start and length: GSL integrates the increment over [0, 1] */
   int status; /* why the equations could not be evaluated */
+  int unseen; /* may there be corners that nobody tells of? */
   long evaluations;
 } stepper;
 
