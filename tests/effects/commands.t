@@ -71,7 +71,8 @@ local function fault(random, touches)
   status, out, err = shell("%s", run)
   local long = touches and run:find "rk4 " and err:find "^polhode run: at t = " and err:find "what helps: %-%-step"
   if touches and status == 3 and (long or err:find "the plane would have to pull") then return nil end
-  if touches and err:find "^warning: rk4 with steps of [%d.]+ s: its error is estimated" then err = "" end
+  if touches and (err:find "^warning: rk4 with steps of [%d.]+ s: its error is estimated" or
+    err:find "^warning: rk4 with steps of [%d.]+ s: no digit is known") then err = "" end
   local rows = select(2, (out:match "^(.-\n)\n" or out):gsub("\n", ""))
   local lost = touches and (out:find "\ncontact_lost," or out:find "\nlies_flat,")
   err = err:gsub("warning: the disc has [^\n]*; the run ends there\n", "")

@@ -184,7 +184,8 @@ do
   status, text, err = run "plot bodies/brick.lua --method linearised --until 2 --what rates"
   tap.ok(status == 0 and text and err:find("the exact motion differs by", 1, true), "as is what linearising costs", err)
   status, text, err = run "plot bodies/nodding_top.lua --method rk4 --step 0.05 --what rates"
-  tap.ok(status == 0 and text and err:find("its error is estimated", 1, true), "steps that are too long are told", err)
+  tap.ok(status == 0 and text and (err:find("its error is estimated", 1, true) or
+    err:find("no digit is known", 1, true)), "steps that are too long are told", err)
 end
 
 -- ---- PNG and PDF ----
