@@ -154,6 +154,32 @@ static void at_rest(double scale) {
     near(x[i], turned[i], 4 * DBL_EPSILON, "where the spring wants it, %d", i);
 }
 
+/* Rolling and spinning resistance to the end: w falls by mu_r m g/J, J = I + m R^2, to 0. */
+static void rolls_out(void) {
+  const double I = 0.4 * 0.2 * R * R, tensor[6] = {I, I, I, 0, 0, 0}, a = 3e-4, w0 = 30;
+  const ph_plane plane = {.law = PH_ROLLING,
+                          .placed = 1,
+                          .axes = {1, 0, 0, 0},
+                          .rim = R,
+                          .normal = {0, 0, 1},
+                          .e1 = {1, 0, 0},
+                          .gravity = {0, 0, -G},
+                          .spinning = {1e-3, 1e-6},
+                          .rolling = {a, 1e-6}};
+  ph_top top;
+  ok(ph_top_init_tensor(&top, 0.2, still, tensor) == PH_OK && ph_top_plane(&top, &plane) == PH_OK,
+     "a ball with resistance");
+  double x[9] = {1, 0, 0, 0, 0, w0, 8, 0, 0};
+  long steps, implicit;
+  const int status = go(&top, PH_TAYLOR, 1e-18, 20, x, &steps, &implicit);
+  ok(status == PH_OK && steps < 4000, "rolls out in %ld steps (%s)", steps,
+     ph_status_phrase(status));
+  near(sqrt(x[4] * x[4] + x[5] * x[5] + x[6] * x[6]), 0, 1e-12, "it does not turn");
+  /* R w0^2/(2 w'), w' = a g m/J with J = 7/5 m R^2; the smoothing adds e^2/(2 w') ln(w0/e), 1e-13
+   */
+  near(x[7], 1.4 * R * R * R * w0 * w0 / (2 * a * G), 1e-9, "after the way of the true law");
+}
+
 int main(void) {
   for (double c = 1e4; c < 2e8; c *= 100) {
     viscous(PH_IMPLICIT, 1e-12, c, 1, 1e-11);
@@ -169,5 +195,6 @@ int main(void) {
   at_rest(1);
   at_rest(1e-30);
   at_rest(1e30);
+  rolls_out();
   return tap_done();
 }
