@@ -41,6 +41,19 @@ function recipe.random(size, kinds)
   return { "call", functions[random.int(#functions)], part() }
 end
 
+-- Products of sums in sums, each sign at random: where a minus goes into a sum, and from there into the sums of its
+-- terms, no sign may be lost.
+function recipe.signs(depth)
+  local function name() return { "sym", recipe.names[random.int(#recipe.names)] } end
+  local terms = { "sum" }
+  for _ = 1, 1 + random.int(3) do
+    local product = { "product", { "num", R.new(random.int(2) * 2 - 3, random.int(3)) }, name() }
+    if depth > 0 and random.int(3) > 1 then product[#product + 1] = recipe.signs(depth - 1) end
+    terms[#terms + 1] = product
+  end
+  return terms
+end
+
 local function shuffled(list)
   local out = {}
   for i, x in ipairs(list) do table.insert(out, random.int(i), x) end

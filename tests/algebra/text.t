@@ -14,7 +14,6 @@ local text = require "generator.algebra.text"
 local mathml = require "generator.page.mathml"
 local recipe = require "tests.algebra.recipe"
 local reader = require "tests.algebra.reader"
-local random = require "tests.ir.random"
 
 local x, y, z = expr.sym "x", expr.sym "y", expr.sym "z"
 local call, sqrt = expr.call, expr.sqrt
@@ -35,27 +34,11 @@ end
 
 -- ---- every style ----
 
--- Products of sums in sums, each sign at random: where a minus goes into a sum, and from there into the sums of its
--- terms, no sign may be lost.
-local function signs(depth)
-  local function factor(n)
-    local name = { "sym", recipe.names[random.int(#recipe.names)] }
-    return n == 0 and name or signs(depth - 1)
-  end
-  local terms = { "sum" }
-  for _ = 1, 1 + random.int(3) do
-    local product = { "product", { "num", R.new(random.int(2) * 2 - 3, random.int(3)) }, factor(0) }
-    if depth > 0 and random.int(3) > 1 then product[#product + 1] = factor(1) end
-    terms[#terms + 1] = product
-  end
-  return terms
-end
-
 for _, family in ipairs {
   { name = "rational functions", make = function() return recipe.random(6, {}) end, seed = 51, exact = true },
   { name = "roots and functions", make = function() return recipe.random(6, { roots = true, calls = true }) end,
     seed = 52 },
-  { name = "sums in sums of either sign", make = function() return signs(3) end, seed = 54, exact = true },
+  { name = "sums in sums of either sign", make = function() return recipe.signs(3) end, seed = 54, exact = true },
 } do
   recipe.seed(family.seed)
   local wrong, fine = {}, 0
