@@ -184,6 +184,12 @@ static void tell(lua_State *L, double t) {
   }
 }
 
+/* Does a motion that fails so go on to some time before the row? Not PH_ESTEPS, which takes its
+   time. */
+static int ends_inside(int status) {
+  return status == PH_ERANGE || status == PH_ESTEP || status == PH_ECHATTER;
+}
+
 /* run(scene, {method=, step=, tol=, order=, most=, times={...}, t0=, u=course, seen=}) -> {{t, q4,
    w3, energy, L3},
    ...} (with r3, v3 after w3 where the body moves) | nil, message, "refused" or "numbers", the time
@@ -235,8 +241,7 @@ int host_run(lua_State *L) {
     double end = luaL_checknumber(L, -1);
     lua_pop(L, 1);
     status = reach(&m, end, x);
-    if (status == PH_ERANGE || status == PH_ESTEP ||
-        status == PH_ECHATTER) /* not PH_ESTEPS, which takes its time */
+    if (ends_inside(status))
       end = first_failure(&m, t, end);
     t = end;
     if (status == PH_OK)

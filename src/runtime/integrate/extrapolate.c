@@ -23,7 +23,7 @@ enum { COLUMNS = 12, BEST = 9, SEEN = 8 };
 static int midpoint(stepper *s, const ph_wide x[], const ph_wide f0[], ph_wide H, int n,
                     ph_wide out[], ph_wide smoothed[]) {
   const int states = ph_top_states(s->top);
-  ph_wide z[PH_STATES], before[PH_STATES], now[PH_STATES], f[PH_STATES];
+  ph_wide z[PH_STATES], before[PH_STATES], now[PH_STATES], f[PH_STATES] = {0};
   const ph_wide h = H / n;
   for (int i = 0; i < states; i++) {
     before[i] = 0;
