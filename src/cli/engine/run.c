@@ -18,8 +18,6 @@
 
 static const double no_control[3] = {0, 0, 0};
 
-/* ---- run ---- */
-
 static const struct {
   const char *name;
   ph_method method;
@@ -184,8 +182,7 @@ static void tell(lua_State *L, double t) {
   }
 }
 
-/* Does a motion that fails so go on to some time before the row? Not PH_ESTEPS, which takes its
-   time. */
+/* Does it fail at a time of its own? Not so PH_ESTEPS, which takes long. */
 static int ends_inside(int status) {
   return status == PH_ERANGE || status == PH_ESTEP || status == PH_ECHATTER;
 }
