@@ -140,17 +140,15 @@ static int jacobian(stepper *s, ph_wide t, const ph_wide x[], const ph_wide f[],
                     const ph_wide size[], double J[]) {
   const int n = ph_top_states(s->top);
   ph_wide y[PH_STATES], g[PH_STATES];
-  for (int i = 0; i < n; i++)
-    y[i] = x[i];
   for (int k = 0; k < n; k++) {
-    y[k] = x[k] + size[k] * 0x1p-40L;
+    for (int i = 0; i < n; i++)
+      y[i] = i == k ? x[i] + size[i] * 0x1p-40L : x[i];
     const ph_wide d = y[k] - x[k];
     const int status = rates(s, t, y, g);
     if (status)
       return status;
     for (int i = 0; i < n; i++)
       J[i * n + k] = d != 0 ? (double)((g[i] - f[i]) / d * (size[k] / size[i])) : 0;
-    y[k] = x[k];
   }
   return PH_OK;
 }
