@@ -37,7 +37,8 @@ end
 local function ball(friction, velocity, omega, more)
   return string.format('local e = param("e", 0.1, "m/s")\nreturn scene { name = "ball", body = ' ..
     "solid.sphere { r = 0.03, mass = 0.2 }, effects = { effect.plane { surface = contact.sphere { r = 0.03 }, " ..
-    "law = \"sliding\", friction = { %s }%s } }, initial = { velocity = {%s}, omega = {%s} }, time = { horizon = 2, step = 0.01 } }\n",
+    "law = \"sliding\", friction = { %s }%s } }, initial = { velocity = {%s}, omega = {%s} }, " ..
+    "time = { horizon = 2, step = 0.01 } }\n",
     friction, more or "", velocity, omega)
 end
 
@@ -96,7 +97,8 @@ return scene { name = "leaves", body = tensor { mass = 0.9644, com = { 0.0368, -
   yy = 0.022796, zz = 0.023167, xy = -0.0046273 }, effects = { effect.plane { surface = contact.disc { r = 0.2647,
   edge = 0.0727 }, law = "rolling", rolling_resistance = { coulomb = 0.0267, smoothing = 0.151 },
   turntable = -0.6794 } }, initial = { omega = { 1.1783, -0.7356, -1.3783 },
-  attitude = { axis = { 0.838, -0.0632, -0.1798 }, angle = -0.0773 }, position = { 0.3701, 0.5824, 0.8063 } }, time = { horizon = 1, step = 0.001 } }
+  attitude = { axis = { 0.838, -0.0632, -0.1798 }, angle = -0.0773 },
+  position = { 0.3701, 0.5824, 0.8063 } }, time = { horizon = 1, step = 0.001 } }
 ]])
 tap.is(code, 0, "a disc that leaves its plane ends there, whatever comes after")
 tap.ok(math.abs((event(csv, "contact_lost") or 0) - 0.62966) < 1e-5, "at 0.62966 s")

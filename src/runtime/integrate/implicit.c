@@ -46,9 +46,9 @@ static void tableau(implicit *m, int stages) {
   const ph_wide pi = 3.14159265358979323846264338327950288L;
   ph_wide weight[IMPLICIT_MOST];
   for (int i = 0; i < s; i++) {
-    ph_wide z = cosl(2 * pi * (s - 1 - i) / (2 * s - 1)), p, q;
+    ph_wide z = cosl(2 * pi * (s - 1 - i) / (2 * s - 1)), q;
     for (int k = 0; k < 20 && i < s - 1; k++) {
-      p = legendre(s, z, &q);
+      const ph_wide p = legendre(s, z, &q);
       ph_wide r;
       const ph_wide two = legendre(s - 1, z, &r); /* = q, and P_(s-2) */
       const ph_wide dp = s * (z * p - q) / (z * z - 1);
@@ -88,7 +88,7 @@ int implicit_new(implicit **out, int states, double tolerance) {
 /* ---- linear equations ---- */
 
 /* A = P L U in its place, n rows; 0 if singular. */
-static int factor(int n, double A[], int pivot[]) {
+static int split(int n, double A[], int pivot[]) {
   for (int k = 0; k < n; k++) {
     int p = k;
     for (int i = k + 1; i < n; i++)
@@ -140,17 +140,15 @@ static int jacobian(stepper *s, ph_wide t, const ph_wide x[], const ph_wide f[],
                     const ph_wide size[], double J[]) {
   const int n = ph_top_states(s->top);
   ph_wide y[PH_STATES], g[PH_STATES];
-  for (int i = 0; i < n; i++)
-    y[i] = x[i];
   for (int k = 0; k < n; k++) {
-    y[k] = x[k] + size[k] * 0x1p-40L;
+    for (int i = 0; i < n; i++)
+      y[i] = i == k ? x[i] + size[i] * 0x1p-40L : x[i];
     const ph_wide d = y[k] - x[k];
     const int status = rates(s, t, y, g);
     if (status)
       return status;
     for (int i = 0; i < n; i++)
       J[i * n + k] = d != 0 ? (double)((g[i] - f[i]) / d * (size[k] / size[i])) : 0;
-    y[k] = x[k];
   }
   return PH_OK;
 }
@@ -247,7 +245,7 @@ static int prepare(attempt *a, int own) {
         for (int l = 0; l < n; l++)
           m->large[(i * n + k) * rows + j * n + l] = (i == j && k == l) - hA * J[k * n + l];
     }
-  return factor(rows, m->large, a->pivot) ? PH_OK : PH_ERANGE;
+  return split(rows, m->large, a->pivot) ? PH_OK : PH_ERANGE;
 }
 
 /* One iteration: Z is changed, by *change of the sizes. */
@@ -318,7 +316,7 @@ static int measured(attempt *a, ph_wide *error) {
   int pivot[PH_STATES];
   for (int i = 0; i < n * n; i++)
     m->small[i] = (i % n == i / n) - (double)(a->h * m->c[0]) * m->J[i];
-  if (!factor(n, m->small, pivot))
+  if (!split(n, m->small, pivot))
     return PH_ERANGE;
   for (int k = 0; k < n; k++) {
     ph_wide slope = 0;
