@@ -79,7 +79,8 @@ local function flatten(job)
   for _, s in ipairs(job.states) do put(s.name, s.about ~= "" and s.about or s.unit) end
   put = section("Derived constants", "constants")
   for _, c in ipairs(m.members) do
-    if not c.multiple then put(c.name, text.of(c.form, "plain") .. " = " .. json.number(m:double(c.e))) end
+    local e = c.form == c.sym and c.e or c.form -- a step of the body stands nowhere else
+    if not c.multiple then put(c.name, text.of(e, "plain") .. " = " .. json.number(m:double(c.e))) end
   end
   put = section("Equations", "equations")
   for _, g in ipairs(job.equations.groups) do put(string.match(g.why, "^[^:]*"), lines_of_group(g)) end

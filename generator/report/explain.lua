@@ -88,7 +88,8 @@ local function equation_section(f)
   for k, e in ipairs(f.arm) do shown["R" .. comp[k]] = e end
   for _, member in ipairs(f.job.model.members) do
     if shown[member.name] ~= member.e and not member.multiple then
-      lines[#lines + 1] = formula(member.name, member.form, nil, f.job.model:double(member.e))
+      local own = member.form == member.sym -- a step of the body, which need not stand above
+      lines[#lines + 1] = formula(member.name, own and member.e or member.form, nil, f.job.model:double(member.e))
     end
   end
   for _, g in ipairs(f.job.equations.groups) do
