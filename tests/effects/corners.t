@@ -1,11 +1,11 @@
 #!/usr/bin/env lua5.4
--- corners.t - scenes whose equations have corners or jumps: `run` by the library gives the closed form, or the digits of
--- an integration in pieces, whatever rows, end and tolerance are asked for.
+-- corners.t - scenes whose equations have corners or jumps: `run` by the library gives the closed form, or the digits
+-- of an integration in pieces, whatever rows, end and tolerance are asked for.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 --
--- Tolerances: the default is near rounding, so 1e-14 of the number after some hundred steps (friction's layer takes some
--- thousand); a run at a tolerance of 1e-10 leaves that in each of up to hundred steps; rk8pd at its own 1e-13 so 1e-11.
-
+-- Tolerances: the default is near rounding, so 1e-14 of the number after some hundred steps (friction's layer takes
+-- some thousand); a run at a tolerance of 1e-10 leaves that in each of up to hundred steps; rk8pd at its own 1e-13 so
+-- 1e-11.
 package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
@@ -33,6 +33,9 @@ local function plate(normal, centre)
   return string.format("{ area = 1, normal = {%s}, centre = {%s} }", normal, centre)
 end
 
+local cosine = "cos(pi*t*quantity(1, \"1/s\"))"
+local wave = "abs(" .. cosine .. ")/" .. cosine .. "*quantity(1, \"N m\")"
+
 -- what, the scene, a time, a column, its value; and where rows on the way are, the corners among them
 local cases = {
   { "a state collects |sin 3t|", scene(ball, "effect.custom { states = { work = { initial = 0, unit = \"s\", " ..
@@ -49,14 +52,15 @@ local cases = {
     { 1.0056 }, 1e-9 },
   { "thrown up with drag", scene(body, "effect.translation { gravity = 9, drag = 0.3 }", "1, 2, 3",
     ", velocity = {0, 0, 0.5288}"), 2, "vz", turning(0.5288, 9, 0.3, 2), { 0.05857, 1 } },
-  { "a torque whose sign a wave has", scene(ball, "effect.torque { body = {0, 0, " ..
-    "abs(cos(pi*t*quantity(1, \"1/s\")))/cos(pi*t*quantity(1, \"1/s\"))*quantity(1, \"N m\")} }", "0, 0, 1"), 6.25,
+  { "a torque whose sign a wave has", scene(ball, "effect.torque { body = {0, 0, " .. wave .. "} }", "0, 0, 1"), 6.25,
     "wz", 1.25, { 0.5, 3 } },
   { "dry friction by abs(wz)/wz", scene(ball,
-    "effect.torque { body = {0, 0, -1/2*abs(wz)/wz*quantity(1, \"N m\") - 1} }", "0, 0, 1.3"), 3, "wz", -(3 - 1.3 / 1.5) / 2, { 0.8, 0.9 } },
+    "effect.torque { body = {0, 0, -1/2*abs(wz)/wz*quantity(1, \"N m\") - 1} }", "0, 0, 1.3"), 3, "wz",
+    -(3 - 1.3 / 1.5) / 2, { 0.8, 0.9 } },
   -- the edges are 3e-4 rad apart: by the library with rows, and rk8pd, each to 1e-13
   { "two plates whose edges turn together", scene(body,
-    "effect.solar_pressure { flux = 3e8, sun = {1, 0, 0}, plates = { " .. plate("1, 0, 0", "0, 0.5, 0") .. ", " .. plate("1, 0.0003, 0", "0, -0.3, 0.2") .. " } }", "0, 0, 1"), 5, "wx",
+    "effect.solar_pressure { flux = 3e8, sun = {1, 0, 0}, plates = { " ..
+    plate("1, 0, 0", "0, 0.5, 0") .. ", " .. plate("1, 0.0003, 0", "0, -0.3, 0.2") .. " } }", "0, 0, 1"), 5, "wx",
     0.15478855112365653, { 1, 1.6 } },
 }
 
