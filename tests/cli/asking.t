@@ -19,7 +19,7 @@ local scenes = require "tests.effects.scenes"
 
 local dir = program.directory()
 local polhode = program.quick()
-local count = tonumber(os.getenv "POLHODE_SCENES") or 40
+local count = tonumber(os.getenv "POLHODE_SCENES") or 24
 local seed = tonumber(os.getenv "POLHODE_SEED") or 5
 
 -- Over some radians errors grow as neighbouring motions part, by less than GROWTH.  The library's default is near the
