@@ -114,8 +114,8 @@ void brick_rhs(const brick_model *m, brick_real t, const brick_real x[], const b
                brick_real dx[]);
 
 /* One step of the classical Runge-Kutta method of order 4: x goes from time t to t + h, the input u
- * held.  q must be a unit quaternion (to a few per cent: it is brought back to |q| = 1).  The
- * error of a run falls as h^4 where the motion is smooth. */
+ * held.  q must be a unit quaternion (to a few per cent: it is brought back to |q| = 1).  Steps
+ * with h |w| above 2.8 lose |q|.  The error of a run falls as h^4 where the motion is smooth. */
 void brick_step(const brick_model *m, brick_real t, brick_real x[], const brick_real u[],
                 brick_real h);
 
