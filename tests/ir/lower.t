@@ -11,7 +11,9 @@ local tap = require "tests.tap"
 local R = require "polhode_rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
+local form = require "generator.ir.lower.form"
 local lower = require "generator.ir.lower.lower"
+local share = require "generator.ir.lower.share"
 local passes = require "generator.ir.passes.passes"
 local count = require "generator.ir.core.count"
 local eval = require "tests.ir.eval"
@@ -156,6 +158,45 @@ tap.is(lines_of(with({ { "L", x * y }, { "k", L * z } }, { a })), "r1 = a;",
   "defs that nothing needs vanish, chains of them too")
 tap.is(lines_of(with({ { "L", y - x } }, { L * a, x - y })), "const real L = y - x;\nr1 = L*a;\nr2 = -L;",
   "a def is not turned round")
+
+-- ---- shared sums -------------------------------------------------------------------------------------------
+
+-- A sum may come to stand twice in another (S + .. + x + y with S = x + y), and then a pair of its items is noted twice
+-- for one sum.  Forms as lower has them after such steps, random coefficients: the exact values stay.
+local function twice()
+  local B, list, value, wrong = form.builder(), {}, {}, 0
+  local function sum(items, n)
+    local terms = {}
+    for k = 1, n do
+      local sign = random.int(2) == 1 and -1 or 1
+      terms[k] = { c = R.new(sign * random.int(3)), f = items and items[random.int(#items)] or list[k] }
+    end
+    return B:sum_form(terms)
+  end
+  for k, name in ipairs { "a", "b", "c", "d" } do
+    list[k] = B:leaf(name)
+    value[list[k]] = R.new(k * k + 1, k + 1)
+  end
+  local function of(f)
+    if value[f] then return value[f] end
+    local v = R.new(0)
+    for _, t in ipairs(f.terms) do v = v + t.c * of(t.f) end
+    return v
+  end
+  local forms = {}
+  forms[1] = sum(nil, 2)
+  list[5] = forms[1]
+  for k = 2, 5 do forms[k] = sum(list, 8) end
+  local before = {}
+  for k, f in ipairs(forms) do before[k] = of(f) end
+  share.sums(forms, B)
+  for k, f in ipairs(forms) do wrong = wrong + (of(f) == before[k] and 0 or 1) end
+  return wrong
+end
+random.seed(1758)
+local wrong = 0
+for _ = 1, 200 do wrong = wrong + twice() end
+tap.is(wrong, 0, "sums that hold a sum twice keep their values when parts are shared")
 
 -- ---- refusals --------------------------------------------------------------------------------------------
 
