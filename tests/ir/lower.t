@@ -165,17 +165,17 @@ tap.is(lines_of(with({ { "L", y - x } }, { L * a, x - y })), "const real L = y -
 -- for one sum.  Forms as lower has them after such steps, random coefficients: the exact values stay.
 local function twice()
   local B, list, value, wrong = form.builder(), {}, {}, 0
-  local function sum(items, n)
+  local function sum(items, length)
     local terms = {}
-    for k = 1, n do
+    for n = 1, length do
       local sign = random.int(2) == 1 and -1 or 1
-      terms[k] = { c = R.new(sign * random.int(3)), f = items and items[random.int(#items)] or list[k] }
+      terms[n] = { c = R.new(sign * random.int(3)), f = items and items[random.int(#items)] or list[n] }
     end
     return B:sum_form(terms)
   end
-  for k, name in ipairs { "a", "b", "c", "d" } do
-    list[k] = B:leaf(name)
-    value[list[k]] = R.new(k * k + 1, k + 1)
+  for n, name in ipairs { "a", "b", "c", "d" } do
+    list[n] = B:leaf(name)
+    value[list[n]] = R.new(n * n + 1, n + 1)
   end
   local function of(f)
     if value[f] then return value[f] end
@@ -186,11 +186,11 @@ local function twice()
   local forms = {}
   forms[1] = sum(nil, 2)
   list[5] = forms[1]
-  for k = 2, 5 do forms[k] = sum(list, 8) end
+  for n = 2, 5 do forms[n] = sum(list, 8) end
   local before = {}
-  for k, f in ipairs(forms) do before[k] = of(f) end
+  for n, f in ipairs(forms) do before[n] = of(f) end
   share.sums(forms, B)
-  for k, f in ipairs(forms) do wrong = wrong + (of(f) == before[k] and 0 or 1) end
+  for n, f in ipairs(forms) do wrong = wrong + (of(f) == before[n] and 0 or 1) end
   return wrong
 end
 random.seed(1758)

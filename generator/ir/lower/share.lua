@@ -15,10 +15,10 @@
 -- them holds, which is why all of this happens here.
 --
 -- Invariants.  Items of a bag are distinct at first (forms collect equal ones); a shared form may come to stand beside
--- itself, S and x + y with S = x + y, and then pairs of it are noted twice for one bag.  Counts of pairs are hints, kept
--- up to date cheaply: a replacement takes one from each pair that it breaks and notes each that it makes, and a bag
--- stays in the list of a pair that it has lost.  Before anything is replaced the bags themselves are looked at, each
--- once.  Each replacement makes its bag shorter by one, so it ends.
+-- itself, S and x + y with S = x + y, and then pairs of it are noted twice for one bag.  Counts of pairs are hints,
+-- kept up to date cheaply: a replacement takes one from each pair that it breaks and notes each that it makes, and a
+-- bag stays in the list of a pair that it has lost.  Before anything is replaced the bags themselves are looked at,
+-- each once.  Each replacement makes its bag shorter by one, so it ends.
 --
 -- Cost.  A bag of k items that occur elsewhere has k(k - 1)/2 pairs; a replacement in it touches 3k of them.  Queues by
 -- count give the next pair in constant time: a pair waits in the queue of the count that it had, and is put into that
