@@ -36,6 +36,8 @@ if arg[1] == "text" then
   os.exit(0)
 end
 
+local decade = require("generator.algebra.rational").decade
+
 local names = { "a", "b", "c", "d", "m", "x", "y", "z", "Ix", "Iy", "Iz", "wx", "wy", "wz" }
 local s, inputs = {}, {}
 for k, name in ipairs(names) do
@@ -197,6 +199,24 @@ random.seed(1758)
 local wrong = 0
 for _ = 1, 200 do wrong = wrong + twice() end
 tap.is(wrong, 0, "sums that hold a sum twice keep their values when parts are shared")
+
+-- ---- scales under roots -------------------------------------------------------------------------------------
+
+-- a/sqrt(S) with S of whole numbers that stand for decimals: 1e16 S below the root is 1e8 outside it, so no number that
+-- is printed is far from those that people would write.
+for _, row in ipairs { { "sqrt", R.new(1, 2) }, { "cbrt", R.new(1, 3) } } do
+  local inside = q "0.0123456789012345" * x ^ 2 + q "0.0271828182845904" * y ^ 2 + q "0.0314159265358979" * x * y
+  local e = a / expr.pow(inside, row[2]) + q "0.123456789" * b - q "0.987654321" * c
+  local made, far = lower.run(program(e)), 0
+  for _, i in ipairs(made.consts) do
+    if math.abs(decade(i.value)) > 3 then far = far + 1 end
+  end
+  tap.is(far, 0, row[1] .. ": the scale of a sum goes through the root")
+  local env = { a = 1.5, b = 0.75, c = 0.5, x = 1.25, y = 2.0 }
+  for _, name in ipairs(names) do env[name] = env[name] or 1.0 end
+  tap.near(eval.run(made, env).r1, evaluate.double(e, env), 1e-14, 0, row[1] .. ": and the value stays",
+    "some twenty roundings of numbers of the result's size")
+end
 
 -- ---- refusals --------------------------------------------------------------------------------------------
 
