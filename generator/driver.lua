@@ -233,7 +233,7 @@ end
 
 -- Do the scene's own parameters and the constants made from them survive in the real type?  Reports the first that
 -- becomes zero or infinite.
-function driver.representable(job)
+local function representable(job)
   local m = job.model
   local function survives(q) -- zero stays zero; anything else must not become zero or infinite
     local x = job.real == "float" and R.tofloat(q) or R.todouble(q)
@@ -265,30 +265,34 @@ local function unit_of(plan, with)
   return unit
 end
 
--- The unit of a plan with header and source alone, all of them in one: what generator/cost/ops.lua counts.
-function driver.code(plan, with)
-  local unit = unit_of(plan, with)
-  project.code(unit)
-  return stages.close(unit)
-end
-
-local function emit(unit)
-  local ok, files = xpcall(project.files, function(e)
+-- make(unit), or nil after an error: a constant of the code that the real type cannot hold.
+local function within(make, unit)
+  local ok, made = xpcall(make, function(e)
     return getmetatable(e) == number.out_of_range and e or debug.traceback(tostring(e), 2)
   end, unit)
-  if ok then return files end
-  if getmetatable(files) ~= number.out_of_range then error(files, 0) end
-  unit.diag:error(unit.record.line, "real " .. unit.real, "every constant must be within its range", files.message)
+  if ok then return made end
+  if getmetatable(made) ~= number.out_of_range then error(made, 0) end
+  unit.diag:error(unit.record.line, "real " .. unit.real, "every constant must be within its range", made.message)
   return nil
 end
 
--- The unit of a plan with the emitted files, or nil after an error in the plan's diagnostics (a constant that the real
--- type cannot hold).  with: what is said of them.
-function driver.files(plan, with)
-  if not driver.representable(plan) then return nil end
+-- The unit of a plan closed, with what `make` puts into it; nil after an error in the plan's diagnostics (a constant
+-- that the real type cannot hold).
+local function made(plan, with, make)
+  if not representable(plan) then return nil end
   local unit = unit_of(plan, with)
-  unit.files = bounded(plan, emit, unit)
-  return unit.files and stages.close(unit)
+  return bounded(plan, within, make, unit) and stages.close(unit)
+end
+
+-- The unit of a plan with header and source alone, all of them in one: what generator/cost/ops.lua counts.
+function driver.code(plan, with) return made(plan, with, project.code) end
+
+-- The unit of a plan with the emitted files.  with: what is said of them.
+function driver.files(plan, with)
+  return made(plan, with, function(unit)
+    unit.files = project.files(unit)
+    return unit.files
+  end)
 end
 
 -- The instructions of all functions after a pass, as text; nil after an error.

@@ -3,7 +3,8 @@
 -- Numbers are exact quotients.  Those with an irrational number in them have 240 bits, and are written as doubles.
 -- Products read M a b/4, a rational coefficient goes to a denominator as it is written by hand: M (b² + c²)/12.  The
 -- plain style is what JSON and comments carry ("M*(b^2 + c^2)/12") and reads back in any computer algebra system.
--- C text is emit/cprint.lua's business, not ours.
+-- C text is emit/cprint.lua's business, not ours.  text.nodes is for programs: it tells every two expressions apart,
+-- which what is written for people does not.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -150,6 +151,23 @@ local longest = 3000 -- parts; more is no text for people
 function text.of(e, style)
   if written(e) > longest then return "..." end
   return render(e, 1, styles[style or "plain"] or error("unknown style " .. style))
+end
+
+-- A function that writes expressions so that every two are told apart, whatever their length: put(e) gives the number
+-- of e's node, and put() all nodes so far, each one line by the numbers of its parts.  Shared nodes are written once,
+-- so the work is linear in them.
+function text.nodes()
+  local number, lines = {}, {}
+  local function put(e)
+    if not e then return table.concat(lines, "\n") end
+    if number[e] then return number[e] end
+    local parts = { e.kind, e.name or e.fn or tostring(e.value or e.exp or "") }
+    for _, c in ipairs(expr.children(e)) do parts[#parts + 1] = put(c) end
+    lines[#lines + 1] = table.concat(parts, " ")
+    number[e] = string.format("%d", #lines)
+    return number[e]
+  end
+  return put
 end
 
 return text

@@ -92,14 +92,16 @@ function explain.run(host, given)
   end
   local told, counted = { asked = planner.asked(host, scene, given), stiff = stiffness.start(scene) }, nil
   local plan, errors = driver.plan(scene, { command = "", real = given.real })
-  if not plan or not driver.representable(plan) then return options.refuse(host, errors or plan.diag) end
+  if not plan then return options.refuse(host, errors) end
   if cores then
     local unit = driver.files(plan)
     if not unit then return options.refuse(host, plan.diag) end
     counted, why = measure.run(host, unit, cores, unit.files)
     if not counted then return options.failed(host, "explain", why) end
   end
-  host.out(report.text(driver.code(plan, { counted = counted }), given.format or "text", told, sections))
+  local unit = driver.code(plan, { counted = counted })
+  if not unit then return options.refuse(host, plan.diag) end
+  host.out(report.text(unit, given.format or "text", told, sections))
   return 0
 end
 

@@ -226,7 +226,7 @@ local function missing_function(given, scene, unit, chosen)
       local with = given.with or {}
       local names = listed.names(driver.code(driver.plan(scene, { real = unit.real, methods = chosen,
         command = unit.command, jacobians = with.jacobians, compensated = with.compensated,
-        batch = with.batch, attitude = true, estimator = true })))
+        batch = with.batch, attitude = true, estimator = true })) or unit)
       local best = nearest.one(name, names)
       return "--only: the scene has no function " .. name .. (best and "; did you mean " .. best .. "?" or "") ..
         " (it has " .. table.concat(names, ", ") .. ")"
@@ -250,7 +250,8 @@ end
 
 -- Prints what --list or --show ask for.
 local function printed(host, given, plan)
-  local text = given.list and listed.text(driver.code(plan)) or driver.show(plan, given.show)
+  local unit = given.list and driver.code(plan)
+  local text = unit and listed.text(unit) or given.show and driver.show(plan, given.show)
   if not text then return options.refuse(host, plan.diag) end
   host.out(text)
   return 0

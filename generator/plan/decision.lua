@@ -294,7 +294,7 @@ local words = { "method", "setting", "accuracy_text", "real", "target", "order",
 -- version of it answers anew.
 function decision.question(q, fingerprint)
   local job, out = q.job, { "polhode plan 1", fingerprint }
-  local m = job.model
+  local m, node = job.model, text.nodes()
   local function put(...) out[#out + 1] = table.concat({ ... }, " ") end
   put("accuracy", shortest(q.accuracy), q.real, q.target, tostring(q.ops), tostring(q.order),
     table.concat(q.methods or { "all" }, ","))
@@ -302,12 +302,13 @@ function decision.question(q, fingerprint)
   put("horizon", tostring(m:number(m.horizon)))
   for _, s in ipairs(job.states) do put("state", s.name, tostring(m:number(s.initial))) end
   for _, p in ipairs(m.params) do put("parameter", p.name, tostring(p.default)) end
-  for _, x in ipairs(job.equations.model.members) do put("constant", x.name, text.of(x.e)) end
-  for i, e in ipairs(m.inertia or {}) do put("inertia", i, text.of(e)) end
+  for _, x in ipairs(job.equations.model.members) do put("constant", x.name, node(x.e)) end
+  for i, e in ipairs(m.inertia or {}) do put("inertia", i, node(e)) end
   for _, g in ipairs(job.equations.groups) do
-    for _, x in ipairs(g.defs) do put(x.name, text.of(x.expr)) end
-    for _, x in ipairs(g.outs) do put(x.state, text.of(x.expr)) end
+    for _, x in ipairs(g.defs) do put(x.name, node(x.expr)) end
+    for _, x in ipairs(g.outs) do put(x.state, node(x.expr)) end
   end
+  put("expressions", hash.of(node()))
   for _, s in ipairs(states.limits(job) or {}) do put("input", s.label, tostring(s.low), tostring(s.high)) end
   local r = job.ranges
   if r then

@@ -148,6 +148,22 @@ do
   local start = os.clock()
   tap.is(text.of(deep), "...", "what would be 2^100 characters is shown as dots")
   tap.ok(os.clock() - start < 1, "at once")
+
+  -- The chain again with another number at its bottom: both are "..." for people.
+  local function nodes(bottom)
+    local e, put = bottom, text.nodes()
+    for _ = 1, 100 do e = call("sin", e + e ^ 2) end
+    return put(e) .. "\n" .. put()
+  end
+  start = os.clock()
+  tap.is(nodes(x), nodes(x), "as nodes the same expression is the same text")
+  tap.ok(nodes(2 * x) ~= nodes(3 * x) and nodes(x) ~= nodes(y) and nodes(x ^ 2) ~= nodes(x ^ 3),
+    "and different ones differ, however long they are")
+  local third = expr.lift(R.new(1, 3) + R.one / R.lift(10) ^ 60) * x
+  tap.ok(text.of(third) == text.of(expr.lift(R.new(1, 3) + R.new(2) / R.lift(10) ^ 60) * x) and
+    nodes(third) ~= nodes(expr.lift(R.new(1, 3) + R.new(2) / R.lift(10) ^ 60) * x),
+    "so do numbers that people read as the same decimal")
+  tap.ok(os.clock() - start < 1, "in time by the number of nodes")
 end
 
 tap.done()

@@ -98,7 +98,7 @@ judge(together, "random")
 
 -- ---- decimals of many digits, in float ----
 
-local decimals = drawn(asked or tier.quick and 2 or 12, "decimal", { "diagonal", "full", "points", "points" }, 0,
+local decimals = drawn(asked or tier.quick and 2 or 24, "decimal", { "diagonal", "full", "points", "points" }, 0,
   { 4, 5, 6, 7, 8 })
 judge(decimals, "float", "float")
 

@@ -187,6 +187,13 @@ for _, row in ipairs { { "--list --only step", "--only" }, { "--list --show cse"
   tap.ok(status == 2 and err:find("polhode gen: " .. row[2] .. ": ", 1, true), "gen " .. row[1] .. " is refused", err)
 end
 
+-- What float cannot hold is told by every door in the same words.
+for _, command in ipairs { "gen -o " .. dir .. "/o", "gen --list", "explain" } do
+  local status, _, err = shell("%s %s bodies/water.lua --real float", binary, command)
+  tap.ok(status == 1 and err:find("bodies/water.lua:5: real float: every constant must be within its range, got ", 1,
+    true) == 1, command:match "^[^/]*" .. " of a scene that float cannot hold is refused at the scene's line", err)
+end
+
 do
   local status, _, err = shell("%s gen bodies/wheels.lua --with orbit -o %s/o", binary, dir)
   tap.ok(status == 0 and err:find("with orbit: this scene has no closed form: ", 1, true), "--with orbit warns", err)

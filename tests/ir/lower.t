@@ -11,7 +11,9 @@ local tap = require "tests.tap"
 local R = require "polhode_rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
+local form = require "generator.ir.lower.form"
 local lower = require "generator.ir.lower.lower"
+local share = require "generator.ir.lower.share"
 local passes = require "generator.ir.passes.passes"
 local count = require "generator.ir.core.count"
 local eval = require "tests.ir.eval"
@@ -33,6 +35,8 @@ if arg[1] == "text" then
   for k = 1, 10 do print(lines_of((random.program("p" .. k, 9, { roots = true, calls = true })))) end
   os.exit(0)
 end
+
+local decade = require("generator.algebra.rational").decade
 
 local names = { "a", "b", "c", "d", "m", "x", "y", "z", "Ix", "Iy", "Iz", "wx", "wy", "wz" }
 local s, inputs = {}, {}
@@ -156,6 +160,63 @@ tap.is(lines_of(with({ { "L", x * y }, { "k", L * z } }, { a })), "r1 = a;",
   "defs that nothing needs vanish, chains of them too")
 tap.is(lines_of(with({ { "L", y - x } }, { L * a, x - y })), "const real L = y - x;\nr1 = L*a;\nr2 = -L;",
   "a def is not turned round")
+
+-- ---- shared sums -------------------------------------------------------------------------------------------
+
+-- A sum may come to stand twice in another (S + .. + x + y with S = x + y), and then a pair of its items is noted twice
+-- for one sum.  Forms as lower has them after such steps, random coefficients: the exact values stay.
+local function twice()
+  local B, list, value, wrong = form.builder(), {}, {}, 0
+  local function sum(items, length)
+    local terms = {}
+    for n = 1, length do
+      local sign = random.int(2) == 1 and -1 or 1
+      terms[n] = { c = R.new(sign * random.int(3)), f = items and items[random.int(#items)] or list[n] }
+    end
+    return B:sum_form(terms)
+  end
+  for n, name in ipairs { "a", "b", "c", "d" } do
+    list[n] = B:leaf(name)
+    value[list[n]] = R.new(n * n + 1, n + 1)
+  end
+  local function of(f)
+    if value[f] then return value[f] end
+    local v = R.new(0)
+    for _, t in ipairs(f.terms) do v = v + t.c * of(t.f) end
+    return v
+  end
+  local forms = {}
+  forms[1] = sum(nil, 2)
+  list[5] = forms[1]
+  for n = 2, 5 do forms[n] = sum(list, 8) end
+  local before = {}
+  for n, f in ipairs(forms) do before[n] = of(f) end
+  share.sums(forms, B)
+  for n, f in ipairs(forms) do wrong = wrong + (of(f) == before[n] and 0 or 1) end
+  return wrong
+end
+random.seed(1758)
+local wrong = 0
+for _ = 1, 200 do wrong = wrong + twice() end
+tap.is(wrong, 0, "sums that hold a sum twice keep their values when parts are shared")
+
+-- ---- scales under roots -------------------------------------------------------------------------------------
+
+-- a/sqrt(S) with S of whole numbers that stand for decimals: 1e16 S below the root is 1e8 outside it, so no number that
+-- is printed is far from those that people would write.
+for _, row in ipairs { { "sqrt", R.new(1, 2) }, { "cbrt", R.new(1, 3) } } do
+  local inside = q "0.0123456789012345" * x ^ 2 + q "0.0271828182845904" * y ^ 2 + q "0.0314159265358979" * x * y
+  local e = a / expr.pow(inside, row[2]) + q "0.123456789" * b - q "0.987654321" * c
+  local made, far = lower.run(program(e)), 0
+  for _, i in ipairs(made.consts) do
+    if math.abs(decade(i.value)) > 3 then far = far + 1 end
+  end
+  tap.is(far, 0, row[1] .. ": the scale of a sum goes through the root")
+  local env = { a = 1.5, b = 0.75, c = 0.5, x = 1.25, y = 2.0 }
+  for _, name in ipairs(names) do env[name] = env[name] or 1.0 end
+  tap.near(eval.run(made, env).r1, evaluate.double(e, env), 1e-14, 0, row[1] .. ": and the value stays",
+    "some twenty roundings of numbers of the result's size")
+end
 
 -- ---- refusals --------------------------------------------------------------------------------------------
 

@@ -84,6 +84,18 @@ for _, c in ipairs { { "a size", string.format(box, "0.06", "3", "") },
   tap.is(keys[other], nil, "another question: " .. c[1])
   keys[other] = c[1]
 end
+
+-- A torque that is too long to be shown, of which one number differs.
+local function long(number)
+  return decision.key(question(string.format(box, "0.05", "3", string.format([[effects = { effect.custom {
+    torque = function(s)
+      local e = %s * s.w[1]
+      for _ = 1, 12 do e = sin(e + e ^ 2) end
+      return { e, 0, 0 }
+    end } }]], number))))
+end
+tap.is(long("0.5"), long("0.5"), "a long torque, the same question")
+tap.ok(long("0.5") ~= long("0.25"), "another number in it, another question")
 tap.is(decision.key(question("-- a comment\n" .. base)), decision.key(asked), "comments do not count")
 tap.like(decision.key(asked), "^%x+$", "a name of hexadecimal digits", true)
 

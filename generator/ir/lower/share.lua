@@ -14,10 +14,11 @@
 -- Laws: (x*y)*z = x*(y*z), (x + y) + z = x + (y + z) and their commuted forms: of real numbers.  Below the line none of
 -- them holds, which is why all of this happens here.
 --
--- Invariants.  Items of a bag are distinct (forms collect equal ones).  Counts of pairs are hints, kept up to date
--- cheaply: a replacement takes one from each pair that it breaks and notes each that it makes, and a bag stays in the
--- list of a pair that it has lost.  Before anything is replaced the bags themselves are looked at.  Each replacement
--- makes its bag shorter by one, so it ends.
+-- Invariants.  Items of a bag are distinct at first (forms collect equal ones); a shared form may come to stand beside
+-- itself, S and x + y with S = x + y, and then pairs of it are noted twice for one bag.  Counts of pairs are hints,
+-- kept up to date cheaply: a replacement takes one from each pair that it breaks and notes each that it makes, and a
+-- bag stays in the list of a pair that it has lost.  Before anything is replaced the bags themselves are looked at,
+-- each once.  Each replacement makes its bag shorter by one, so it ends.
 --
 -- Cost.  A bag of k items that occur elsewhere has k(k - 1)/2 pairs; a replacement in it touches 3k of them.  Queues by
 -- count give the next pair in constant time: a pair waits in the queue of the count that it had, and is put into that
@@ -133,11 +134,14 @@ local function replace(G, bag, a, b, item)
 end
 
 -- The pair becomes one item in every bag that has it, if there are two of them.
+-- A bag is looked at once, however often it was noted: a replacement moves its items.
 local function extract(G, pair)
   local k = G.kind.key(pair.x, pair.y)
-  local places, whole = {}, nil
+  local places, whole, seen = {}, nil, {}
   for _, bag in ipairs(pair.bags) do
     local a, b = find(G, bag, pair, k)
+    if seen[bag] then a = nil end
+    seen[bag] = true
     if a and bag.whole and #bag.items == 2 and not whole then
       whole = bag
     elseif a then

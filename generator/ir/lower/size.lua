@@ -6,9 +6,10 @@
 -- into the sum, exactly, so that each number that is printed is of the size of what it stands for, and no product holds
 -- a scale that another factor takes away again.
 --
--- Laws: c (s f) = (c s) f;  (s f)^n = s^n f^n;  likewise for products and quotients.
--- The scale of a form is what its users are multiplied by: that of a sum is chosen, that of a product is the product of
--- its factors', calls and sums take it into the coefficients of what they hold.
+-- Laws: c (s f) = (c s) f;  (s f)^n = s^n f^n;  likewise for products and quotients;  root_q(s^q f) = s root_q(f).
+-- The scale of a form is what its users are multiplied by: that of a sum is chosen, that of a product is the product
+-- of its factors', that of a root the power of ten that leaves fewer than LONG digits below it; other calls, and sums,
+-- take it into the coefficients of what they hold.
 --
 -- Which sums: with e the exponent of ten of the largest coefficient, those with |e| >= LONG where
 --     the numbers outside come nearer to 1, over all users together (what else is scaled counted in);
@@ -28,6 +29,15 @@ local size = {}
 local ONE, TEN = R.one, R.new(10)
 local LONG, EXACT, SPENT, NEAR = R.LONG, 7, 18, 3
 local decade = R.decade
+local DEGREE = { sqrt = 2, cbrt = 3 }
+
+-- What a root is of, c f with a coefficient that may stand in a form of its own: c, f; the degree, nil of other calls.
+local function below_root(f)
+  local t = f.args[1]
+  local c, inside = t.c, t.f
+  if inside.kind == "scale" then c, inside = c * inside.args[1].c, inside.args[1].f end
+  return c, inside, DEGREE[f.op]
+end
 
 -- ---- what is long -------------------------------------------------------------------------------------------------
 
@@ -49,6 +59,11 @@ local function exponents(list)
       above[f], below[f] = up, down
       return up - down
     end,
+    call = function(f)
+      local c, inside, degree = below_root(f)
+      local e = degree and decade(c) + of[inside] or 0
+      return math.abs(e) >= LONG and e // degree or 0
+    end,
   }
   for _, f in ipairs(list) do
     local rule = rules[f.kind]
@@ -69,7 +84,7 @@ end
 -- outside }.  Users before operands.
 local function chosen(survey)
   local of, above, below = exponents(survey.list)
-  local gain, spent, outside, holder, scaled = {}, {}, {}, {}, {}
+  local gain, spent, outside, holder, scaled, rooted = {}, {}, {}, {}, {}, {}
 
   local function hand_down(f, x, m)
     gain[x] = (gain[x] or 0) + gain[f]
@@ -92,6 +107,14 @@ local function chosen(survey)
       for _, x in ipairs(f.num) do hand_down(f, x, of[f] == of[x] and outside[f]) end
       for _, x in ipairs(f.den) do hand_down(f, x, false) end
     end,
+    call = function(f)
+      local _, inside, degree = below_root(f)
+      if not degree then return end
+      local own = f.args[1]
+      rooted[own] = true
+      if own.f.kind == "scale" then rooted[own.f.args[1]] = true end
+      hand_down(f, inside, false)
+    end,
   }
   for k = #survey.list, 1, -1 do
     local f = survey.list[k]
@@ -100,8 +123,10 @@ local function chosen(survey)
       local g = holder[t]
       local inner = scaled[g]
       local e = decade(t.c) - (inner and of[g] or 0)
-      gain[f] = gain[f] + math.abs(e) - math.abs(e + of[f])
-      outside[f] = agreed(outside[f], not inner and R.abs(t.c))
+      if not rooted[t] then -- else the scale goes through the root
+        gain[f] = gain[f] + math.abs(e) - math.abs(e + of[f])
+        outside[f] = agreed(outside[f], not inner and R.abs(t.c))
+      end
     end
     local rule = rules[f.kind]
     if rule then rule(f) end
@@ -154,7 +179,7 @@ local function scale_of(f, why, power)
   return TEN ^ (power[e] or e)
 end
 
--- kind of a form -> its scale, from those of its parts; one, leaf and calls have none
+-- kind of a form -> its scale, from those of its parts; one, leaf and calls but roots have none
 local scales = {
   sum = function(f, _, scaled, power)
     local s = scale_of(f, scaled[f], power)
@@ -168,6 +193,14 @@ local scales = {
     local s = ONE
     for _, x in ipairs(f.num) do s = s * (of[x] or ONE) end
     for _, x in ipairs(f.den) do s = s / (of[x] or ONE) end
+    return s
+  end,
+  call = function(f)
+    local c, inside, degree = below_root(f)
+    local e = degree and decade(c) or 0
+    if math.abs(e) < LONG then return ONE end
+    local s = TEN ^ (e // degree)
+    f.args[1] = { c = c / s ^ degree, f = inside }
     return s
   end,
 }
