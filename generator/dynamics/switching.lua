@@ -1,9 +1,9 @@
 -- switching.lua -- what changes sign where the equations of motion are not smooth, and the equations between.
 --
--- |e|, sign(e), min, max, limits and the lit side of a plate each have a function g of the state and the time whose sign
--- says which of two smooth forms holds.  Between the zeros of all g the equations with these signs as numbers (`branch`)
--- are smooth, and a step of any method that ends at a zero keeps its order: the steppers with a tolerance look for the
--- zeros (templates/steppers/switched.c).  Source: Hairer, Norsett, Wanner I, section II.6, "discontinuous equations".
+-- |e|, sign(e), min, max, limits and the lit side of a plate each have a function g of the state and the time whose
+-- sign says which of two smooth forms holds.  Between the zeros of all g the equations with these signs as numbers
+-- (`branch`) are smooth, and a step of any method that ends at a zero keeps its order: the steppers with a tolerance
+-- look for the zeros (templates/steppers/switched.c).  Source: Hairer, Norsett, Wanner I, section II.6.
 -- A speed |s| = sqrt(s.s), with a least square beside it or not, has no two forms: it turns sharply where it is least,
 -- so its g is the rate of s.s, which passes 0 upwards there ("bend").
 -- The corners of tables over time are at known times: knots of breaks.lua, and not here.  ABOVE the line.
@@ -13,7 +13,6 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local breaks = require "generator.dynamics.breaks"
-local equations = require "generator.dynamics.equations"
 local state = require "generator.dynamics.state"
 
 local switching = {}
