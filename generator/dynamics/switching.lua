@@ -12,7 +12,9 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
+local evaluate = require "generator.algebra.evaluate"
 local breaks = require "generator.dynamics.breaks"
+local equations = require "generator.dynamics.equations"
 local state = require "generator.dynamics.state"
 
 local switching = {}
@@ -172,6 +174,36 @@ function switching.of(eq)
   if #self.list == 0 then return nil end
   self.equations = setmetatable({ groups = groups }, { __index = eq })
   return self
+end
+
+-- What passes 0 where the equations have corners, of parameters, states and time: a list.  Where a speed is least they
+-- are smooth, unless it vanishes: bends are not here.
+function switching.corners(eq)
+  local own = equations.fork(eq)
+  local self, list, sides = switching.of(own), {}, {}
+  if not self then return list end
+  local inlined, numbers = equations.inlined(self.equations.groups), calculus.substitution(breaks.constants(own.model))
+  for i = 1, self.count do
+    local s = self.list[i] -- what stands in others comes before them
+    list[i] = numbers(calculus.substitute(inlined(s.g), sides))
+    sides[s.branch] = expr.call("side", list[i])
+  end
+  return list
+end
+
+-- How many corners there are, and their values in doubles: values(time, x) at a state as the scene lists it, for the
+-- parameters' defaults and inputs that are 0.
+function switching.values(eq)
+  local corners, env = switching.corners(eq), {}
+  for _, p in ipairs(eq.model.params) do env[p.name] = R.todouble(p.default) end
+  for _, u in ipairs(eq.model.inputs) do env[u.name] = 0.0 end
+  return #corners, function(time, x)
+    env.t = time
+    for i, s in ipairs(eq.model.states) do env[s.name] = x[i] end
+    local list = {}
+    for k, e in ipairs(corners) do list[k] = evaluate.double(e, env) end
+    return list
+  end
 end
 
 return switching
