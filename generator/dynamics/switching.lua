@@ -13,6 +13,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
+local words = require "generator.algebra.text"
 local breaks = require "generator.dynamics.breaks"
 local equations = require "generator.dynamics.equations"
 local state = require "generator.dynamics.state"
@@ -174,6 +175,13 @@ function switching.of(eq)
   if #self.list == 0 then return nil end
   self.equations = setmetatable({ groups = groups }, { __index = eq })
   return self
+end
+
+-- What has the corner, in words.
+function switching.about(s)
+  local what = words.of(s.about)
+  if #what > 60 then what = s.about.kind == "call" and words.called(s.about.fn) .. "(...)" or "a root" end
+  return s.bend and what .. ", a speed, where it is least" or what
 end
 
 -- What passes 0 where the equations have corners, of parameters, states and time: a list.  Where a speed is least they

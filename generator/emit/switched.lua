@@ -6,7 +6,7 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
-local words = require "generator.algebra.text"
+local switching = require "generator.dynamics.switching"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
 local template = require "generator.emit.template"
@@ -46,12 +46,6 @@ local READ = { adaptive = { "has_switches", "switched" },
 -- What switched.c has from the method's own templates.
 local OF_METHOD = { "count", "room", "states", "kinds", "slides", "has_knots", "has_roots", "finest", "first" }
 
-local function about(s)
-  local what = words.of(s.about)
-  if #what > 60 then what = s.about.kind == "call" and words.called(s.about.fn) or "a root" end
-  return s.bend and what .. ", a speed, where it is least" or what
-end
-
 -- switches.c; has_rates: are there steppers that need x' on the sides?
 function switched.shared(kit, sw, has_rates)
   local ctx, words_of = kit.ctx, called(kit.ctx, sw)
@@ -62,7 +56,7 @@ function switched.shared(kit, sw, has_rates)
   v.thousandth = number.text(R.new(2) ^ -10, ctx.real)
   v.most_halved, v.most_crowded = "30", text(40 + 2 * #sw.list)
   v.no_rates = v.bends and ", x" or ""
-  for i, s in ipairs(sw.list) do v.list[i] = { number = text(i - 1), about = about(s) } end
+  for i, s in ipairs(sw.list) do v.list[i] = { number = text(i - 1), about = switching.about(s) } end
   for k = 0, LOOKS do -- (1 - cos(k pi/n))/2
     local e = expr.call("sin", expr.pi * expr.lift(R.new(k, 2 * LOOKS))) ^ 2
     v.places[k + 1] = number.text(evaluate.precise(e, {}, 200), ctx.real) .. (k < LOOKS and "," or "")
