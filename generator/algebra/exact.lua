@@ -31,8 +31,8 @@ local odd = { sin = true, tan = true, asin = true, atan = true, sinh = true, tan
   side = true, sign = true }
 local even = { cos = true, cosh = true, abs = true, arc_across = true, arc_along = true, arc_lever = true,
   catenary_width = true, catenary_height = true }
-local at_zero = { sin = 0, tan = 0, asin = 0, atan = 0, sinh = 0, tanh = 0, cos = 1, cosh = 1, exp = 1, abs = 0, sign = 0,
-  arc_across = 0, arc_along = 0, arc_lever = 0, catenary_rise = 0,
+local at_zero = { sin = 0, tan = 0, asin = 0, atan = 0, sinh = 0, tanh = 0, cos = 1, cosh = 1, exp = 1, abs = 0,
+  sign = 0, arc_across = 0, arc_along = 0, arc_lever = 0, catenary_rise = 0,
   catenary_width = "1/3", catenary_height = 0 }
 
 local expr -- handed over by expr.lua, which needs this file when it is loaded

@@ -14,8 +14,8 @@
 --                                                numbers keep their size)
 --                         mul   [1..n]           n >= 2 factors, sorted; a rational coefficient is [1]
 --                         pow   base, exp        exp an exact rational, not 0 or 1
---                         call  fn, [1..n]       sin cos tan asin acos atan atan2 exp log sinh cosh tanh pi; abs side sign
---                                                min max clamp (choice.lua);
+--                         call  fn, [1..n]       sin cos tan asin acos atan atan2 exp log sinh cosh tanh pi; abs side
+--                                                sign min max clamp (choice.lua);
 --                                                ellipsoid_area ellipsoid_normal, arc_* and catenary_* (exact.lua)
 -- Invariants.  Every node is in `unique` under a key made of its kind and the ids of its parts; nodes are never
 -- changed, so what is found out about one may be kept for it.  A sum has no two terms that are multiples of one node

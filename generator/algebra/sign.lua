@@ -2,8 +2,8 @@
 --
 -- ABOVE the line.  "Yes" is a proof, "no" means that the form does not show it: x^2 - 2*x*y + y^2 is not seen to be a
 -- square.  The rules: an even power, a root, |x|, exp, cosh and the means of exact.lua are not negative whatever is in
--- them; a sum, a product or the smaller or larger of what is not negative is not negative; a symbol is what was declared of it.
--- The answer is kept for each node, so a question costs one visit of each node once.
+-- them; a sum, a product or the smaller or larger of what is not negative is not negative; a symbol is what was
+-- declared of it.  The answer is kept for each node, so a question costs one visit of each node once.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"

@@ -4,7 +4,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local breaks = require "generator.dynamics.breaks"
+local switching = require "generator.dynamics.switching"
 local forced = require "generator.commands.forced"
 local contact = require "generator.dynamics.contact"
 local drawn = require "generator.commands.drawn"
@@ -145,7 +145,7 @@ local function size_of(job, list, i)
 end
 
 -- A random state beside which the equations are smooth as far as the steps width(state) go: no corner changes its sign
--- there.  nil if that is so at none of twenty; corners, values: see breaks.values.
+-- there.  nil if that is so at none of twenty; corners, values: see switching.values.
 local function smooth_state(job, corners, values, random, scale, width)
   local function clear(x)
     local here, near = values(0.0, x), { table.unpack(x) }
@@ -173,7 +173,7 @@ local function jacobian(host, job, plugin, tap, name, random, real, epsilon)
   plugin:init()
   local scale, factor = scales(job), cancellation(job)
   local worst, tried = 0.0, 0
-  local corners, values = breaks.values(job.equations)
+  local corners, values = switching.values(job.equations)
   local function width(s) return scale[s.kind] * 2.0 ^ -10 end
   local library, why = host.rates(numeric.scene(job))
   if not library then

@@ -3,6 +3,7 @@
 
 local R = require "generator.algebra.rational"
 local breaks = require "generator.dynamics.breaks"
+local switching = require "generator.dynamics.switching"
 local contact = require "generator.dynamics.contact"
 local numeric = require "generator.dynamics.numeric"
 
@@ -65,7 +66,7 @@ end
 -- A motion without corners at unknown times, on which a stepper has its order: its start and span.  draw() gives random
 -- states, which are tried after x0, each also for a sixteenth of its span.  nil if all have corners.
 function motion_checks.smooth(job, plugin, x0, draw)
-  local corners, values = breaks.values(job.equations)
+  local corners, values = switching.values(job.equations)
   local steps = 256
   -- no corner lies between samples that stay further from 0 than they move
   local function clear(rows)

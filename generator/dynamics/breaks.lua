@@ -1,23 +1,20 @@
--- breaks.lua -- where the equations of motion are not smooth: at |e| and sign(e) with e = 0.
+-- breaks.lua -- the times at which the equations of motion are not smooth: |e| and sign(e) with e = 0.
 --
--- A table over time has sign(t - t_i): the times are known, steppers with a tolerance stop there (knots).  What
--- else stands between bars may vanish anywhere, as may what an effect names itself (`corners`).  Checks of a stepper's
--- order stay between the breaks.  ABOVE the line.
+-- A table over time has sign(t - t_i): the times are known, steppers with a tolerance stop there (knots).  The corners
+-- at times that nobody knows are those of switching.lua.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
-local evaluate = require "generator.algebra.evaluate"
 local motion = require "generator.algebra.motion"
 local ratio = require "generator.algebra.ratio"
-local context = require "generator.dynamics.context"
 local equations = require "generator.dynamics.equations"
 
 local breaks = {}
 
 -- The derived constants by parameters.
-local function constants(m)
+function breaks.constants(m)
   local map = {}
   for _, member in ipairs(m.members) do map[member.sym] = member.e end
   return map
@@ -29,7 +26,7 @@ local function cornered(e) return e.kind == "call" and (e.fn == "abs" or e.fn ==
 -- All |e| and sign(e) in the equations, with parameters put in: a list of e.
 local function bars(eq)
   local list, seen = {}, {}
-  local inlined, opened = equations.inlined(eq.groups), calculus.substitution(constants(eq.model))
+  local inlined, opened = equations.inlined(eq.groups), calculus.substitution(breaks.constants(eq.model))
   local function walk(e)
     if seen[e] then return end
     seen[e] = true
@@ -63,7 +60,8 @@ function breaks.knots(eq)
     if time then
       if time.kind ~= "num" and time.kind ~= "sym" then time = m:derived(time, "corner of ") end
       if not at[time] then
-        at[time] = { time = time, bars = {}, signs = {}, value = m:number(calculus.substitute(time, constants(m))) }
+        local value = m:number(calculus.substitute(time, breaks.constants(m)))
+        at[time] = { time = time, bars = {}, signs = {}, value = value }
         list[#list + 1] = at[time]
       end
       if e.fn == "abs" then at[time].bars[e] = expr.call("abs", slope) end
@@ -83,55 +81,15 @@ function breaks.knots(eq)
   return list
 end
 
--- The names of states and time.
-local function moving(m)
-  local set = { t = true }
-  for _, s in ipairs(m.states) do set[s.name] = true end
-  return set
-end
-
--- The first time after 0 at which the equations are not smooth, for the parameters' defaults (a rational), or nil;
--- second result: what else stands between bars and vanishes at times that nobody knows, a list of expressions, or nil.
+-- The first time after 0 at which the equations are not smooth, for the parameters' defaults (a rational), or nil.
 function breaks.first(eq)
-  local m, first, unknown = eq.model, nil, {}
+  local m, first = eq.model, nil
   for _, e in ipairs(bars(eq)) do
     local _, at = ramp(e)
-    if at then
-      local time = m:number(at)
-      if time > m:number(expr.zero) and (not first or time < first) then first = time end
-    elseif not expr.constant(e, moving(m)) then -- inputs are held
-      unknown[#unknown + 1] = e
-    end
+    local time = at and m:number(at)
+    if time and time > m:number(expr.zero) and (not first or time < first) then first = time end
   end
-  return first, #unknown > 0 and unknown or nil
-end
-
--- All that vanishes where the equations are not smooth, at times that nobody knows: expressions of parameters, states
--- and time.
-function breaks.corners(eq)
-  local _, unknown = breaks.first(eq)
-  local m, list = eq.model, unknown or {}
-  for _, e in ipairs(m.record.effects) do
-    for _, corner in ipairs(e.spec.corners and e.spec.corners(e.a, context.with(context.dry(m), e)) or {}) do
-      list[#list + 1] = corner
-    end
-  end
-  return list
-end
-
--- How many corners there are, and their values in doubles: values(time, x) at a state as the scene lists it, for the
--- parameters' defaults and inputs that are 0.
-function breaks.values(eq)
-  local corners, env = breaks.corners(eq), {}
-  for _, p in ipairs(eq.model.params) do env[p.name] = R.todouble(p.default) end
-  for _, u in ipairs(eq.model.inputs) do env[u.name] = 0.0 end
-  return #corners, function(time, x)
-    env.t = time
-    for i, s in ipairs(eq.model.states) do env[s.name] = x[i] end
-    local list = {}
-    for k, e in ipairs(corners) do list[k] = evaluate.double(e, env) end
-    return list
-  end
+  return first
 end
 
 return breaks

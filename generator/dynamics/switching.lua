@@ -1,9 +1,9 @@
 -- switching.lua -- what changes sign where the equations of motion are not smooth, and the equations between.
 --
--- |e|, sign(e), min, max, limits and the lit side of a plate each have a function g of the state and the time whose sign
--- says which of two smooth forms holds.  Between the zeros of all g the equations with these signs as numbers (`branch`)
--- are smooth, and a step of any method that ends at a zero keeps its order: the steppers with a tolerance look for the
--- zeros (templates/steppers/switched.c).  Source: Hairer, Norsett, Wanner I, section II.6, "discontinuous equations".
+-- |e|, sign(e), min, max, limits and the lit side of a plate each have a function g of the state and the time whose
+-- sign says which of two smooth forms holds.  Between the zeros of all g the equations with these signs as numbers
+-- (`branch`) are smooth, and a step of any method that ends at a zero keeps its order: the steppers with a tolerance
+-- look for the zeros (templates/steppers/switched.c).  Source: Hairer, Norsett, Wanner I, section II.6.
 -- A speed |s| = sqrt(s.s), with a least square beside it or not, has no two forms: it turns sharply where it is least,
 -- so its g is the rate of s.s, which passes 0 upwards there ("bend").
 -- The corners of tables over time are at known times: knots of breaks.lua, and not here.  ABOVE the line.
@@ -12,6 +12,8 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
+local evaluate = require "generator.algebra.evaluate"
+local words = require "generator.algebra.text"
 local breaks = require "generator.dynamics.breaks"
 local equations = require "generator.dynamics.equations"
 local state = require "generator.dynamics.state"
@@ -173,6 +175,43 @@ function switching.of(eq)
   if #self.list == 0 then return nil end
   self.equations = setmetatable({ groups = groups }, { __index = eq })
   return self
+end
+
+-- What has the corner, in words.
+function switching.about(s)
+  local what = words.of(s.about)
+  if #what > 60 then what = s.about.kind == "call" and words.called(s.about.fn) .. "(...)" or "a root" end
+  return s.bend and what .. ", a speed, where it is least" or what
+end
+
+-- What passes 0 where the equations have corners, of parameters, states and time: a list.  Where a speed is least they
+-- are smooth, unless it vanishes: bends are not here.
+function switching.corners(eq)
+  local own = equations.fork(eq)
+  local self, list, sides = switching.of(own), {}, {}
+  if not self then return list end
+  local inlined, numbers = equations.inlined(self.equations.groups), calculus.substitution(breaks.constants(own.model))
+  for i = 1, self.count do
+    local s = self.list[i] -- what stands in others comes before them
+    list[i] = numbers(calculus.substitute(inlined(s.g), sides))
+    sides[s.branch] = expr.call("side", list[i])
+  end
+  return list
+end
+
+-- How many corners there are, and their values in doubles: values(time, x) at a state as the scene lists it, for the
+-- parameters' defaults and inputs that are 0.
+function switching.values(eq)
+  local corners, env = switching.corners(eq), {}
+  for _, p in ipairs(eq.model.params) do env[p.name] = R.todouble(p.default) end
+  for _, u in ipairs(eq.model.inputs) do env[u.name] = 0.0 end
+  return #corners, function(time, x)
+    env.t = time
+    for i, s in ipairs(eq.model.states) do env[s.name] = x[i] end
+    local list = {}
+    for k, e in ipairs(corners) do list[k] = evaluate.double(e, env) end
+    return list
+  end
 end
 
 return switching

@@ -31,7 +31,6 @@
 --     moves(given)      true if the centre of mass moves freely (given: what `initial` gives)
 --     conserves(a, c)   a list out of "T+V", "|L|", "L", "L_z", "w3", see dynamics/conserved.lua; absent: nothing
 --                       keeps: the same in words, where it is a function;   decided = true: dynamics/laws.lua finds it
---     corners(a, c)     what vanishes where its equations have corners that show no |e| (dynamics/breaks.lua): a list
 --     idle              { arguments by which it is multiplied, what else makes it vanish, in words }; where one is kept
 --                       under another name: { "c", c = "C" }
 --     input = true      it uses the input u;   single = true: once in a scene

@@ -76,12 +76,6 @@ local function normal(p, c)
   return vec.map(unit(p.normal), function(x, i) return c.constant("n" .. comp[i], x, "normal of a plate") end)
 end
 
--- A plate's edge to the sun.
-function solar.corners(a, c)
-  local s = sunward(a, c)
-  return vec.map(a.plates, function(p) return vec.dot(normal(p, c), s) end)
-end
-
 -- The force on each plate in body axes.
 local function forces(a, c)
   local s = sunward(a, c)

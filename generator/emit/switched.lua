@@ -6,7 +6,7 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
-local words = require "generator.algebra.text"
+local switching = require "generator.dynamics.switching"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
 local template = require "generator.emit.template"
@@ -18,6 +18,9 @@ local LOOKS = 12 -- parts of a step; with the parabola through three, two or mor
 local switched = {}
 
 local function text(n) return string.format("%d", n) end
+
+-- Of a number.
+local function digits(ctx) return ctx.real == "float" and 24 or 53 end
 
 -- The argument of the sides.
 local function sides(sw)
@@ -43,20 +46,17 @@ local READ = { adaptive = { "has_switches", "switched" },
 -- What switched.c has from the method's own templates.
 local OF_METHOD = { "count", "room", "states", "kinds", "slides", "has_knots", "has_roots", "finest", "first" }
 
-local function about(s)
-  local what = words.of(s.about)
-  if #what > 60 then what = s.about.kind == "call" and words.called(s.about.fn) or "a root" end
-  return s.bend and what .. ", a speed, where it is least" or what
-end
-
 -- switches.c; has_rates: are there steppers that need x' on the sides?
 function switched.shared(kit, sw, has_rates)
   local ctx, words_of = kit.ctx, called(kit.ctx, sw)
   local v = { array = sw.name, many = words_of.many, smooth = words_of.smooth, bends = words_of.bends, list = {},
     looks = text(LOOKS), has_rates = has_rates, places = {}, rates = { head = "", lines = {} } }
   v.looks_real = number.text(R.new(LOOKS), ctx.real)
+  v.rounding = number.text(R.new(2) ^ (3 - digits(ctx)), ctx.real)
+  v.thousandth = number.text(R.new(2) ^ -10, ctx.real)
+  v.most_halved, v.most_crowded = "30", text(40 + 2 * #sw.list)
   v.no_rates = v.bends and ", x" or ""
-  for i, s in ipairs(sw.list) do v.list[i] = { number = text(i - 1), about = about(s) } end
+  for i, s in ipairs(sw.list) do v.list[i] = { number = text(i - 1), about = switching.about(s) } end
   for k = 0, LOOKS do -- (1 - cos(k pi/n))/2
     local e = expr.call("sin", expr.pi * expr.lift(R.new(k, 2 * LOOKS))) ^ 2
     v.places[k + 1] = number.text(evaluate.precise(e, {}, 200), ctx.real) .. (k < LOOKS and "," or "")
@@ -90,14 +90,16 @@ function switched.put(v, s, kit, method)
   local all = called(kit.ctx, sw)
   for _, k in ipairs(READ[method]) do v[k] = all[k] end
   if not sw then return v end
-  local taylor, digits = method == "taylor", kit.ctx.real == "float" and 24 or 53
-  local own_count = taylor and sw.hidden or #sw.list
-  local own = { taken = s.taken, slides = false, has_roots = false, way_turn = v.turn and v.turn ~= "" and ", w->turn" or "", method = method, taylor = taylor, adaptive = method == "adaptive", looks = text(LOOKS),
-    own = text(own_count), bends = own_count > sw.count, most_halvings = text(4 * digits), most_halved = "30",
-    end_rates = not all.bends and "" or own_count == sw.count and ", w->y" or ", w->v1",
-    look_rates = not all.bends and "" or own_count == sw.count and ", y" or ", v", by_cubic = taylor and "" or
-      ", by the cubic with the states and rates at its ends", signed = own_count > sw.count and "sign*" or "",
-    top_arg = taylor and ", int top" or "", top_pass = taylor and ", top" or "", top_full = taylor and ", " .. kit.ctx.upper .. "_ORDER" or "",
+  local taylor, turn = method == "taylor", v.turn and v.turn ~= ""
+  local count = taylor and sw.hidden or #sw.list
+  local bends = count > sw.count
+  local own = { method = method, taylor = taylor, adaptive = method == "adaptive", slides = false, has_roots = false,
+    taken = s.taken, way_turn = turn and ", w->turn" or "", looks = text(LOOKS), own = text(count), bends = bends,
+    most_halvings = text(4 * digits(kit.ctx)), end_rates = not all.bends and "" or bends and ", w->v1" or ", w->y",
+    look_rates = not all.bends and "" or bends and ", v" or ", y", signed = bends and "sign*" or "",
+    by_cubic = taylor and "" or ", by the cubic with the states and rates at its ends",
+    top_arg = taylor and ", int top" or "", top_pass = taylor and ", top" or "",
+    top_full = taylor and ", " .. kit.ctx.upper .. "_ORDER" or "",
     top_own = taylor and ", " .. kit.ctx.name .. "_taylor_top(tolerance)" or "" }
   for _, k in ipairs { "array", "many", "smooth", "most_parts" } do own[k] = all[k] end
   for _, k in ipairs(OF_METHOD) do

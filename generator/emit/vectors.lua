@@ -6,7 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local breaks = require "generator.dynamics.breaks"
+local switching = require "generator.dynamics.switching"
 local inputs = require "generator.dynamics.inputs"
 local motion = require "generator.emit.motion"
 local number = require "generator.emit.number"
@@ -156,6 +156,7 @@ local function of_steps(job, made, v, epsilon, time, real)
   v.fine_steps, v.low_order, v.low_order_error = order >= 4, string.format("%d", order), order >= 4 and "" or " + d2"
   v.low_order_falls = string.format("%d", 1 << order)
   v.low_order_bound = number.text(R.new(3, 4) * R.new(2) ^ order, real)
+  v.has_corners = #switching.corners(eq) > 0
   v.test_steps, v.test_follows = offers.step, offers.step and offers.rhs
   v.check_free = v.test_steps and eq.free and job.model.has.attitude and v.fine_steps and offers.energy and
     offers.momentum
@@ -168,8 +169,7 @@ local function of_steps(job, made, v, epsilon, time, real)
   v.has_transition = v.test_steps and offers.step_transition and job.transition or false
   v.has_transition_case = description(job, "step_transition") ~= nil
   if not (v.has_transition or v.test_compensated) then return end
-  local _, unknown = breaks.first(job.equations)
-  v.has_differences = not unknown -- next to a corner there is no derivative
+  v.has_differences = not v.has_corners -- next to a corner there is no derivative
   v.state_kinds = source.kinds(job.states)
   v.displacement = number.text(R.new(2) ^ (real == "float" and -5 or -14), real)
   v.roundings = number.text(epsilon * R.new(selftest.roundings), real)
@@ -339,7 +339,7 @@ local function bounds_of(kit, v)
   local job, epsilon, real = kit.job, kit.epsilon, kit.real
   -- The test of order runs over about half a radian: h w = 1/64 and less, where the fourth-order term leads and still
   -- stands above rounding (float: the floor of 64 roundings of the state).
-  v.order_time, v.has_corners = number.text(kit.time, real), #breaks.corners(job.equations) > 0
+  v.order_time = number.text(kit.time, real)
   for name, n in pairs { order_two = 2, order_four = 4, order_six = 6 } do -- into a table: order is lost anyway
     v[name] = number.text(R.new(n), real)
   end

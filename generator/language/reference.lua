@@ -119,7 +119,7 @@ function reference.entries(tables)
       "In the functions of effect.custom." } }
   end
   local functions, known = {}, {}
-  for i, f in ipairs(tables.functions) do 
+  for i, f in ipairs(tables.functions) do
     functions[i] = { f[1], "", "", f[2] == 2 and "of two" or f[2] and "of one" or "of two or more" }
   end
   for i, u in ipairs(tables.units.list) do known[i] = u[1] end

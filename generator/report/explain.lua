@@ -7,6 +7,8 @@
 local expr = require "generator.algebra.expr"
 local text = require "generator.algebra.text"
 local vec = require "generator.algebra.vec"
+local equations = require "generator.dynamics.equations"
+local switching = require "generator.dynamics.switching"
 local init = require "generator.emit.init"
 local source = require "generator.emit.source"
 local attribution = require "generator.report.attribution"
@@ -96,6 +98,16 @@ local function equation_section(f)
     lines[#lines + 1] = g.why .. (g.where and "  [" .. g.where .. "]" or "")
     for _, d in ipairs(g.defs) do lines[#lines + 1] = formula("  " .. d.name, d.expr) end
     for _, o in ipairs(g.outs) do lines[#lines + 1] = formula("  d" .. o.state .. "/dt", o.expr) end
+  end
+  return lines
+end
+
+local function corner_section(corners)
+  local lines, seen = { "adaptive, taylor and rosenbrock end their steps there; other methods lose their order" }, {}
+  for _, s in ipairs(corners.list) do
+    local what = switching.about(s)
+    if not seen[what] then lines[#lines + 1] = "  " .. what end
+    seen[what] = true
   end
   return lines
 end
@@ -226,6 +238,8 @@ local function document(f)
     tensor_lines(f.centroidal, f.centroidal_number, parts and shifted_back(f, parts)))
   if f.job.model.has.rates then section("Principal moments and axes", principal_section(f)) end
   section("Equations of motion", equation_section(f))
+  local corners = switching.of(equations.fork(f.job.equations))
+  if corners then section("Corners at times that are not known before", corner_section(corners)) end
   section("Motion", motion_section(f))
   local initially = values.lines(f)
   if #initially > 0 then section("Values of the motion", initially) end

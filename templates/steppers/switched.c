@@ -223,51 +223,112 @@ static ${name}_real ${name}_${method}_error(const ${name}_real x[], const ${name
  * or a side another one.  Where both sides of a sign push back to 0 there is no motion on either, and h becomes 0 in the end. */
 static int ${name}_${method}_first(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real *h, ${name}_real ${array}[], ${name}_corners *o, ${name}_${method}_way *w${top_arg})
 {
+  const ${name}_real whole = *h;
+  ${name}_real known[${own}]; /* the part of it in which each is on its side, whatever the looks say */
   int event = -1, found;
 
-  for (int tries = 0; tries < 4*${own} + 4; tries++) { /* some 1 times */
+  if (!(${fabs}(whole) > ${name}_close(t, whole, o))) return -1; /* too short to tell */
+  for (int tries = 0; tries < ${looks}*${own}; tries++) { /* some 1 times */
     ${name}_real low = ${zero}, high = ${two}, a, b;
-    const int apart = t + ${name}_looks[1]**h > t || t + ${name}_looks[1]**h < t;
-    int first = -1;
+    int first = -1, apart;
 
     ${name}_${method}_look(m, t, x, u, *h, ${array}, w${top_pass});
-    for (int i = 0; i < ${own} && tries == 0; i++) {
-      const int side = ${name}_side_of(w->g[0][i]), next = ${name}_side_of(w->g[1][i]);
-
-      if (!apart || ${name}_resolved(w->g, i)) {
-        o->mute[i] = 0;
-      } else if (!o->mute[i]) {
-        *h *= ${half};
-        o->mute[i] = ++o->halved > ${most_halved};
-        return -2;
-      }
-%% if bends then
-      if (i >= ${smooth}) continue;
-%% end
-      if (!o->open[i] && side != ${name}_side_of(${array}[i])) {
-        o->open[i] = 1;
-        ${array}[i] = (${name}_real)side;
-        return -2;
-      }
-      if (o->open[i] && !o->mute[i] && next != ${name}_side_of(${array}[i])) {
-        ${array}[i] = (${name}_real)next;
-        if (++o->wrong % 2 == 0) *h *= ${quarter};
-        return -2;
-      }
-    }
+    if (tries == 0 && !${name}_sides_fit(t, h, w->g, ${array}, ${own}, known, o)) return -2;
     for (int i = 0; i < ${own}; i++) {
-      if (!o->mute[i] && ${name}_left(w->g, ${array}, o->open, i, i == event ? ${looks} - 1 : ${looks}, &a, &b) && b < high) {
+      const int last = i == event ? ${looks} - 1 : ${looks};
+
+      if (!o->mute[i] && ${name}_left(w->g, ${array}, o->open, i, last, known[i]*(whole/ *h), &a, &b) && b < high) {
         first = i;
         low = a;
         high = b;
       }
     }
-    if (first < 0) break;
+    if (first < 0) return event;
+    a = ${name}_${method}_meet(m, t, x, u, first, low**h, high**h, ${array}, w${top_pass}, &found);
+    if (!found) {
+      known[first] = (${fabs}(a) + ${name}_close(t, a, o))/${fabs}(whole);
+      ${name}_${method}_go(m, t, x, u, *h, ${array}, w${top_pass});
+      continue;
+    }
+    apart = ${fabs}(*h - a) > ${name}_close(t, a, o) && ${fabs}(a) > ${name}_close(t, a, o);
+    if (event < 0 || apart || ${fabs}(a) < ${fabs}(*h)) *h = a;
+    if (!apart) return first;
     event = first;
-    *h = ${name}_${method}_meet(m, t, x, u, first, low**h, high**h, ${array}, w${top_pass}, &found);
-    if (!found) event = -1;
   }
-  return event;
+  *h *= ${half};
+  return -2;
+}
+
+/* The trial from x at t, of h or less, on these sides: 1; 0, and h is shorter: tried in vain; -1: there is none.  factor: by what
+ * the next one may be longer. */
+static int ${name}_${method}_tried(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real *h, const ${name}_real ${array}[], ${name}_real tolerance, ${name}_real span, ${name}_real *factor, ${name}_${method}_way *w${top_arg})
+{
+%% if taylor then
+  *factor = ${four};
+  if (tolerance > ${zero}) {
+    *h = ${name}_taylor_limit(${name}_taylor_size(w->c, top, tolerance < ${finest} ? tolerance : ${finest}, tolerance/${fabs}(span)), *h);
+  }
+%%   if has_roots then
+  *h = ${name}_taylor_corner(w->c, top, *h);
+%%   end
+  ${name}_${method}_go(m, t, x, u, *h, ${array}, w${top_pass});
+  for (int k = 0; k < ${upper}_NX; k++) {
+    if (!(w->y[k] - w->y[k] == ${zero})) return -1;
+  }
+%% else
+  const ${name}_real slope = ${n[3/16]}; /* a little less than 1/5 */
+  ${name}_real r;
+
+  (void)span;
+  *factor = ${four};
+  ${name}_${method}_go(m, t, x, u, *h, ${array}, w${top_pass});
+  if (!(tolerance > ${zero})) return 1;
+  r = ${name}_${method}_error(x, w, *h)/tolerance;
+  /* the next step is 7/8 r^(-3/16) as long, from an eighth to four times; what is not finite counts as an eighth */
+  *factor = r > ${zero} ? ${exp}(-slope*${log}(r))*${n[7/8]} : ${eight};
+  if (!(*factor > ${eighth})) *factor = ${eighth};
+  if (*factor > ${four}) *factor = ${four};
+  if (!(r <= ${one})) {
+    if (!(t + *h > t || t + *h < t)) return -1;
+    *h *= *factor < ${one} ? *factor : ${half};
+    return 0;
+  }
+%% end
+  return 1;
+}
+
+/* The trial, shortened to its first corner, and the sides behind that: 1; 0: to be tried again; -1: there is no step. */
+static int ${name}_${method}_cut(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real *h, ${name}_real ${array}[], ${name}_real *factor, ${name}_corners *o, ${name}_${method}_way *w${top_arg})
+{
+  const ${name}_real tried = *h;
+  const int event = ${name}_${method}_first(m, t, x, u, h, ${array}, o, w${top_pass});
+  int status;
+
+  if (event == -2) return t + *h > t || t + *h < t ? 0 : -1;
+  if (event >= 0) ${name}_${method}_end(m, t, u, *h, ${array}, w, w->g[${looks}]);
+  status = ${name}_turn(t, *h, w->g[${looks}], ${array}, event, o);
+  if (status < 0) return -1;
+  if (event >= 0) *factor = tried/ *h;
+  if (event >= 0 && status == 0) {
+    *h = tried;
+    return 0;
+  }
+  if (o->halved > 0 && *factor > ${one}) *factor = ${one};
+  o->wrong = o->halved = 0;
+  return 1;
+}
+
+/* The step is taken. */
+static void ${name}_${method}_on(${name}_real x[], ${name}_${method}_way *w)
+{
+%% if taylor then
+  for (int k = 0; k < ${upper}_MOVING; k++) { /* Kahan: what rounding took from the last sum is in the next one */
+    const int n = ${name}_taylor_moving[k];
+
+    w->lost[k] = (w->d[k] + w->lost[k]) - (w->y[n] - w->c[0][k]);
+  }
+%% end
+  for (int k = 0; k < ${upper}_NX; k++) x[k] = w->y[k];
 }
 
 /* From t0 to t1 - lost as in ${name}_${method}_run, without a tolerance from corner to corner; once: at
@@ -275,33 +336,26 @@ static int ${name}_${method}_first(const ${name}_model *m, ${name}_real t, const
 static int ${name}_${method}_through(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real lost, ${name}_real tolerance, int most${top_arg}, int once, ${name}_real *reached)
 {
   ${name}_${method}_way w;
-%% if not taylor then
-  const ${name}_real slope = ${n[3/16]}; /* a little less than 1/5 */
-%% end
   ${name}_real ${array}[${many}], t = t0, h = t1 - t0;
   ${name}_corners o;
 
 %% if taylor then
   for (int k = 0; k < ${upper}_MOVING; k++) w.lost[k] = ${zero}*(${name}_real)k; /* 0, and no call of memset */
 %% end
-  ${name}_sides(m, t, x, u, ${array}, &o);
+  ${name}_sides(m, t, x, u, t1 - t0, ${array}, &o);
   for (int steps = 0; steps < most; steps++) { /* some 1 times */
 %% if has_knots then
-    const ${name}_real end = ${name}_knot(m, t, t1), left = (end - t) - lost; /* from corner to corner of tables */
+    const ${name}_real end = ${name}_knot(m, t, t1), left = (end - t) - lost, whole = h; /* from corner to corner of tables */
 %% else
     const ${name}_real left = (t1 - t) - lost;
 %% end
-%% if has_knots then
-    const ${name}_real whole = h;
-%% end
-    ${name}_real factor = ${four}, next_t, tried;
-    int last, event;
+    ${name}_real factor, next_t;
+    int last, status;
 
     if (!(left > ${zero} || left < ${zero})) return steps;
     if (!(${fabs}(h) < ${fabs}(left))) h = left;
     ${name}_${method}_begin(m, t, x, u, left, ${array}, &w${top_pass});
-%% if taylor then
-%%   if has_roots then
+%% if taylor and has_roots then
     if (${name}_taylor_lost(w.c, top, ${zero})) {
       h = ${name}_taylor_leave(m, t, x, u, h);
       if (!(t + h > t || t + h < t)) return -1;
@@ -311,67 +365,12 @@ static int ${name}_${method}_through(const ${name}_model *m, ${name}_real t0, ${
       h = t1 - t;
       continue;
     }
-%%   end
-    if (tolerance > ${zero}) {
-      h = ${name}_taylor_limit(${name}_taylor_size(w.c, top, tolerance < ${finest} ? tolerance : ${finest}, tolerance/${fabs}(t1 - t0)), h);
-    }
-%%   if has_roots then
-    h = ${name}_taylor_corner(w.c, top, h);
-%%   end
-    ${name}_${method}_go(m, t, x, u, h, ${array}, &w${top_pass});
-    for (int k = 0; k < ${upper}_NX; k++) {
-      if (!(w.y[k] - w.y[k] == ${zero})) return -1;
-    }
-%% else
-    ${name}_${method}_go(m, t, x, u, h, ${array}, &w${top_pass});
-    if (tolerance > ${zero}) {
-      const ${name}_real r = ${name}_${method}_error(x, &w, h)/tolerance;
-
-      /* the next step is 7/8 r^(-3/16) as long, from an eighth to four times; what is not finite counts as an eighth */
-      factor = r > ${zero} ? ${exp}(-slope*${log}(r))*${n[7/8]} : ${eight};
-      if (!(factor > ${eighth})) factor = ${eighth};
-      if (factor > ${four}) factor = ${four};
-      if (!(r <= ${one})) { /* tried in vain */
-        if (!(t + h > t || t + h < t)) return -1;
-        h *= factor < ${one} ? factor : ${half};
-        continue;
-      }
-    }
 %% end
-    tried = h;
-    event = ${name}_${method}_first(m, t, x, u, &h, ${array}, &o, &w${top_pass});
-    next_t = t + h;
-    if (event == -2) {
-      if (!(next_t > t || next_t < t)) return -1;
-      continue;
-    }
-    if (event >= 0) {
-      const int side = ${name}_side_of(w.g[${looks}][event]);
-
-%% if bends then
-      if (event < ${smooth})
-        ${array}[event] = side != 0 ? (${name}_real)side : -${array}[event];
-%% else
-      ${array}[event] = side != 0 ? (${name}_real)side : -${array}[event];
-%% end
-      o.open[event] = 1;
-      if (!(next_t > t || next_t < t)) { /* it is here */
-        h = tried;
-        continue;
-      }
-      factor = tried/h;
-    }
-    if (o.halved > 0 && factor > ${one}) factor = ${one};
-    for (int i = 0; i < ${many}; i++) o.open[i] = i == event;
-    o.wrong = o.halved = 0;
-%% if taylor then
-    for (int k = 0; k < ${upper}_MOVING; k++) { /* Kahan: what rounding took from the last sum is in the next one */
-      const int n = ${name}_taylor_moving[k];
-
-      w.lost[k] = (w.d[k] + w.lost[k]) - (w.y[n] - w.c[0][k]);
-    }
-%% end
-    for (int k = 0; k < ${upper}_NX; k++) x[k] = w.y[k];
+    status = ${name}_${method}_tried(m, t, x, u, &h, ${array}, tolerance, t1 - t0, &factor, &w${top_pass});
+    if (status > 0) status = ${name}_${method}_cut(m, t, x, u, &h, ${array}, &factor, &o, &w${top_pass});
+    if (status < 0) return -1;
+    if (status == 0) continue;
+    ${name}_${method}_on(x, &w);
     last = !(h < left || h > left);
     *reached = last ? t1 : t + h;
     if (once) return steps + 1;

@@ -6,7 +6,7 @@ void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}
   ${name}_real ${array}[${many}];
   ${name}_corners o;
 
-  ${name}_sides(m, t, x, u, ${array}, &o);
+  ${name}_sides(m, t, x, u, ${zero}, ${array}, &o);
 %% end
   ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c${after_t}${sides});
 }

@@ -11,6 +11,7 @@ local tap = require "tests.tap"
 local scene = require "tests.scene"
 local R = require "generator.algebra.rational"
 local breaks = require "generator.dynamics.breaks"
+local switching = require "generator.dynamics.switching"
 local evaluate = require "generator.algebra.evaluate"
 
 local function equations(effects)
@@ -27,7 +28,7 @@ local env = { k = 2.0, qw = 0.5, qx = 0.1, qy = -0.7, qz = 0.5, wx = 1.5, wy = -
 local function found(effects)
   local eq, values = equations(effects), {}
   local first = breaks.first(eq)
-  for i, e in ipairs(breaks.corners(eq)) do values[i] = evaluate.double(e, env) end
+  for i, e in ipairs(switching.corners(eq)) do values[i] = evaluate.double(e, env) end
   return first and R.todouble(first), values
 end
 
@@ -36,7 +37,7 @@ local function has(effects, first, values, what)
   tap.is(time, first, what .. ": the first time that is known")
   tap.is(#got, #values, what .. ": how many corners besides")
   for i, want in ipairs(values) do
-    -- of either sign, without its content (1/4): only the zeros are asked for; 16 roundings of numbers below 4
+    -- of either sign, without its content (1/5 to 2): only the zeros are asked for; 16 roundings of numbers below 4
     tap.near(math.abs(got[i] or 0), math.abs(want), 16 * 4 * 2.0 ^ -53, 0, what .. ": corner " .. i,
       "a quotient of products in 64 bits and its double")
   end
@@ -52,6 +53,10 @@ has("effect.custom { torque = function(s) return { k*abs(sin(s.t)), 0, 0 } end }
 local qw, qx, qy, qz = env.qw, env.qx, env.qy, env.qz
 local s = { 2 * (qx * qy + qw * qz), qw ^ 2 - qx ^ 2 + qy ^ 2 - qz ^ 2, 2 * (qy * qz - qw * qx) } -- R^T (0, 1, 0)
 has("effect.solar_pressure { sun = {0, 3, 0}, plates = { { area = 1, normal = {1, 0, 0}, centre = {0, 1, 0} }, " ..
-  "{ area = 2, normal = {0, 3, 4}, centre = {0, 1, 0} } } }", nil, { s[1], (3 * s[2] + 4 * s[3]) / 5 }, "sunlight")
+  "{ area = 2, normal = {0, 3, 4}, centre = {0, 1, 0} } } }", nil, { 3 * s[2] + 4 * s[3], s[1] / 2 }, "sunlight")
+-- of choices: a - b of min and max, x - low and high - x of limits, and what stands inside is on its side: |qx| = qx
+has("effect.custom { torque = function(s) return { k*min(abs(s.q[2]), max(s.q[3], 1/4)), 0, 0 } end }", nil,
+  { env.qx, 4 * env.qy - 1, 2 * (4 * env.qx - 1) }, "the smaller and the larger")
+has("effect.custom { torque = function(s) return { k*sign(s.t - 4*quantity(1, \"s\")), 0, 0 } end }", nil, { 1 }, "a sign of time")
 
 tap.done()
