@@ -41,7 +41,7 @@ local READ = { adaptive = { "has_switches", "switched" },
   taylor = { "has_switches", "switched", "sides", "sides_arg", "array", "many", "most_parts" } }
 
 -- What switched.c has from the method's own templates.
-local OF_METHOD = { "count", "room", "states", "kinds", "slides", "has_knots", "has_roots", "finest", "first" }
+local OF_METHOD = { "count", "room", "states", "kinds", "slides", "has_floors", "norm_pass", "has_knots", "has_roots", "finest", "first" }
 
 local function about(s)
   local what = words.of(s.about)
@@ -92,7 +92,9 @@ function switched.put(v, s, kit, method)
   if not sw then return v end
   local taylor, digits = method == "taylor", kit.ctx.real == "float" and 24 or 53
   local own_count = taylor and sw.hidden or #sw.list
-  local own = { taken = s.taken, slides = false, has_roots = false, way_turn = v.turn and v.turn ~= "" and ", w->turn" or "", method = method, taylor = taylor, adaptive = method == "adaptive", looks = text(LOOKS),
+  local own = { taken = s.taken, slides = false, has_roots = false, has_floors = false, norm_pass = "",
+    of_model = v.has_floors and "const " .. kit.ctx.name .. "_model *m, " or "", with_model = v.has_floors and "m, " or "",
+    way_turn = v.turn and v.turn ~= "" and ", w->turn" or "", method = method, taylor = taylor, adaptive = method == "adaptive", looks = text(LOOKS),
     own = text(own_count), bends = own_count > sw.count, most_halvings = text(4 * digits), most_halved = "30",
     end_rates = not all.bends and "" or own_count == sw.count and ", w->y" or ", w->v1",
     look_rates = not all.bends and "" or own_count == sw.count and ", y" or ", v", by_cubic = taylor and "" or
