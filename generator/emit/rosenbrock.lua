@@ -4,6 +4,7 @@
 
 local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
+local floors = require "generator.emit.floors"
 local source = require "generator.emit.source"
 local switched = require "generator.emit.switched"
 local template = require "generator.emit.template"
@@ -54,7 +55,7 @@ function emit.render(s, kit)
   local v = { count = text(n), cells = text(#program.factors), timed = program.timed, attitude = attitude, states = {},
     kinds = source.kinds(program.states), has_knots = s.has_knots, first = s.first, taken = s.taken,
     slips = {},
-    many = text(#program.slips), arms = text(3 * #program.slips),
+    many = text(#program.slips),
     slides = #program.slips > 0, rate = number.text(T.gamma ^ -1, ctx.real),
     a = rows(T.a, 7, ctx.real), C = rows(T.C, 7, ctx.real), c = rows({ T.c }, 8, ctx.real)[1].text,
     d = rows({ T.d }, 8, ctx.real)[1].text }
@@ -65,17 +66,13 @@ function emit.render(s, kit)
   v.slip_states = table.concat(held, " and ") .. (#held == 1 and " is" or " are")
   for i, x in ipairs(program.slips) do v.slips[i] = { name = ctx.upper .. "_" .. string.upper(x.state.name),
     place = text(i - 1) } end
-  for _, k in ipairs(v.kinds) do -- what a place or a velocity along the plane is known to
-    local name = program.states[math.tointeger(tonumber(k.first)) + 1].name
-    local along = #program.slips > 0 and string.match(name, "^([pv])[12]$")
-    k.least = along == "v" and "pace" or along == "p" and kit.base.fabs .. "(h)*pace" or kit.base.zero
-  end
+  floors.put(v, program, kit, true)
+  v.has_floors = program.floors ~= nil
   v.rates = made("rates", program.rates, "m", "t", "x", "u", array("dz", n))
   v.matrix = made("matrix", program.matrix, "m", "t", "x", "u", "n", array("F", #program.factors),
     program.timed and array("dt", n) or nil)
   v.solve = made("solve", program.solve, given("F", program.factors), given("b", names), array("k", n))
-  v.shift = #program.slips > 0 and made("slip", program.shifts, "m", "t", "x", "u", array("a", #program.slips),
-    array("arm", 3 * #program.slips)) or
+  v.shift = #program.slips > 0 and made("slip", program.shifts, "m", "t", "x", "u", array("a", #program.slips)) or
     { head = "", lines = {} }
   switched.put(v, s, kit, "rosenbrock")
   local render = GROUP(kit.templates, kit.base, v)

@@ -6,6 +6,7 @@
 --     kit: {templates, base, ctx, knots_count = text, compensated, planning}
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local floors = require "generator.emit.floors"
 local later = require "generator.later"
 local number = require "generator.emit.number"
 local switched = require "generator.emit.switched"
@@ -37,12 +38,14 @@ function steppers.render(job, base, ctx)
   local kit = { templates = job.templates, base = base, ctx = ctx, knots_count = nil,
     compensated = job.compensated or false, planning = job.orders ~= nil }
   local headers, sources, list = {}, {}, {}
-  local corners, rates
+  local corners, rates, least
   for _, s in ipairs(job.steppers) do
     local own = s.program and s.program.switches
+    least = least or s.program and s.program.floors
     corners, rates = corners or own, rates or own and s.method.name ~= "taylor"
   end
-  if corners then sources[1] = switched.shared(kit, corners, rates or false) end
+  if least then sources[1] = floors.shared(kit, least) end
+  if corners then sources[#sources + 1] = switched.shared(kit, corners, rates or false) end
   for i, s in ipairs(job.steppers) do
     local own = { name = s.method.name, step = i == 1 and "step" or s.method.name .. "_step",
       run = s.method.adaptive or false, order = string.format("%d", s.method.order or s.program.order or 0) }

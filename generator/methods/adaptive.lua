@@ -11,6 +11,7 @@ local calculus = require "generator.algebra.calculus"
 local breaks = require "generator.dynamics.breaks"
 local state = require "generator.dynamics.state"
 local switching = require "generator.dynamics.switching"
+local floors = require "generator.methods.floors"
 local stages = require "generator.methods.stages"
 
 local adaptive = { name = "adaptive", order = 5, adaptive = true,
@@ -123,7 +124,7 @@ end
 function adaptive.program(eq)
   local switches = switching.of(eq)
   local program, why = trial(switches and switches.equations or eq)
-  if program then program.switches = switches end
+  if program then program.switches, program.floors = switches, floors.of(eq) end
   return program, why
 end
 

@@ -22,6 +22,7 @@ local equations = require "generator.dynamics.equations"
 local sensitivity = require "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
 local switching = require "generator.dynamics.switching"
+local floors = require "generator.methods.floors"
 local stages = require "generator.methods.stages"
 local factored = require "generator.methods.factored"
 
@@ -192,15 +193,11 @@ local function derivatives(groups, rates, moving, taken)
   return out, J, by_time
 end
 
--- What is added to each velocity, a[i], and its derivatives by the rates, arm[3 i + k].
+-- What is added to each velocity, a[i].
 local function shifts(eq, list)
   local a = { why = "slip = v + what the body's turning adds at the contact point", defs = {}, outs = {} }
   for i, x in ipairs(list) do
-    local e = equations.inline(eq.groups, x.rest)
-    a.outs[#a.outs + 1] = { array = "a", index = i - 1, expr = e }
-    for k, w in ipairs(state.w) do
-      a.outs[#a.outs + 1] = { array = "arm", index = 3 * i + k - 4, expr = calculus.diff(e, w) }
-    end
+    a.outs[i] = { array = "a", index = i - 1, expr = equations.inline(eq.groups, x.rest) }
   end
   return { a }
 end
@@ -246,7 +243,7 @@ function rosenbrock.program(eq)
   end
   return { tableau = rosenbrock.tableau, states = moving, slips = list, rates = f, matrix = matrix,
     factors = lu.names, solve = lu.solve, timed = timed, shifts = shifts(eq, list), knots = breaks.knots(eq),
-    switches = switches }
+    switches = switches, floors = floors.of(eq) }
 end
 
 return rosenbrock

@@ -136,23 +136,17 @@ static void ${name}_rosenbrock_trial(const ${name}_model *m, ${name}_real t, con
 }
 
 %% if slides then
-/* The state with its slip in the place of its velocity (sign 1), or back (-1).  Returns the speed that the body's turning
- * may have at the contact point, or the slip if it is larger: what a velocity is the difference of. */
-static ${name}_real ${name}_rosenbrock_turned(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[]${sides_arg}, ${name}_real sign, ${name}_real z[])
+/* The state with its slip in the place of its velocity (sign 1), or back (-1). */
+static void ${name}_rosenbrock_turned(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[]${sides_arg}, ${name}_real sign, ${name}_real z[])
 {
-  ${name}_real a[${many}], arm[${arms}], reach = ${zero}, w = ${zero};
+  ${name}_real a[${many}];
   int n;
 
-  ${name}_rosenbrock_slip(m, t, x, u${sides}, a, arm);
+  ${name}_rosenbrock_slip(m, t, x, u${sides}, a);
   for (n = 0; n < ${upper}_NX; n++) z[n] = x[n];
-  for (n = 0; n < ${arms}; n++) reach = ${fabs}(arm[n]) > reach ? ${fabs}(arm[n]) : reach;
-  for (n = ${upper}_WX; n <= ${upper}_WZ; n++) w = ${fabs}(x[n]) > w ? ${fabs}(x[n]) : w;
-  w *= reach;
 %% for _, s in ipairs(slips) do
   z[${s.name}] += sign*a[${s.place}];
-  w = ${fabs}(z[${s.name}]) > w ? ${fabs}(z[${s.name}]) : w;
 %% end
-  return w;
 }
 
 %% end
@@ -162,9 +156,9 @@ void ${name}_rosenbrock_step(const ${name}_model *m, ${name}_real t, ${name}_rea
 %% if slides then
   ${name}_real z[${upper}_NX], out[${upper}_NX], error[${count}];
 
-  (void)${name}_rosenbrock_turned(m, t, x, u, ${one}, z);
+  ${name}_rosenbrock_turned(m, t, x, u, ${one}, z);
   ${name}_rosenbrock_trial(m, t, z, u, h, out, error);
-  (void)${name}_rosenbrock_turned(m, t + h, out, u, -${one}, x);
+  ${name}_rosenbrock_turned(m, t + h, out, u, -${one}, x);
 %% else
   ${name}_real out[${upper}_NX], error[${count}];
   int n;
@@ -215,10 +209,9 @@ int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real
 %% else
     const ${name}_real left = (t1 - t) - lost;
 %% end
-%% if slides then
-    ${name}_real r = ${zero}, factor, next_t, pace;
-%% else
     ${name}_real r = ${zero}, factor, next_t;
+%% if has_floors then
+    ${name}_real least[3];
 %% end
     int last;
 
@@ -226,14 +219,17 @@ int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real
     last = !(${fabs}(h) < ${fabs}(left));
     if (last) h = left;
 %% if slides then
-    pace = ${name}_rosenbrock_turned(m, t, x, u, ${one}, z);
+    ${name}_rosenbrock_turned(m, t, x, u, ${one}, z);
     ${name}_rosenbrock_trial(m, t, z, u, h, out, error);
-    (void)${name}_rosenbrock_turned(m, t + h, out, u, -${one}, y);
+    ${name}_rosenbrock_turned(m, t + h, out, u, -${one}, y);
 %% else
     ${name}_rosenbrock_trial(m, t, x, u, h, y, error);
 %% end
+%% if has_floors then
+    ${name}_floors(m, x, h, least);
+%% end
 %% for _, k in ipairs(kinds) do
-    r = ${name}_rosenbrock_worse(x, y, error, ${k.first}, ${k.last}, ${k.least}, r); /* ${k.about} */
+    r = ${name}_rosenbrock_worse(x, y, error, ${k.first}, ${k.last}, ${k.least}r); /* ${k.about} */
 %% end
     r /= tolerance;
     /* the next step is 7/8 r^(-3/16) as long, from an eighth to four times; what is not finite counts as an eighth */

@@ -6,7 +6,7 @@ typedef struct ${name}_${method}_way {
 %% elseif adaptive then
   ${name}_real k1[${count}], k7[${count}], out[${count}]${room};
 %% elseif slides then
-  ${name}_real out[${upper}_NX], pace;
+  ${name}_real out[${upper}_NX];
 %% end
 %% if not taylor then
   ${name}_real error[${count}], v0[${upper}_NX], v1[${upper}_NX];
@@ -84,9 +84,9 @@ static void ${name}_${method}_go(const ${name}_model *m, ${name}_real t, const $
 %% elseif slides then
   ${name}_real z[${upper}_NX];
 
-  w->pace = ${name}_rosenbrock_turned(m, t, x, u, ${array}, ${one}, z);
+  ${name}_rosenbrock_turned(m, t, x, u, ${array}, ${one}, z);
   ${name}_rosenbrock_trial(m, t, z, u, h, ${array}, w->out, w->error);
-  (void)${name}_rosenbrock_turned(m, t + h, w->out, u, ${array}, -${one}, w->y);
+  ${name}_rosenbrock_turned(m, t + h, w->out, u, ${array}, -${one}, w->y);
 %% else
   ${name}_rosenbrock_trial(m, t, x, u, h, ${array}, w->y, w->error);
 %% end
@@ -199,20 +199,25 @@ static ${name}_real ${name}_${method}_meet(const ${name}_model *m, ${name}_real 
 
 %% if not taylor then
 /* the largest error of all kinds of state */
-static ${name}_real ${name}_${method}_error(const ${name}_real x[], const ${name}_${method}_way *w, ${name}_real h)
+static ${name}_real ${name}_${method}_error(${of_model}const ${name}_real x[], const ${name}_${method}_way *w, ${name}_real h)
 {
 %%   if adaptive then
+%%     if not has_floors then
   (void)h;
-  return ${name}_adaptive_norm(x, w->out, w->error);
+%%     end
+  return ${name}_adaptive_norm(${norm_pass}x, w->out, w->error);
 %%   else
   ${name}_real r = ${zero};
-%%     if slides then
-  const ${name}_real pace = w->pace;
-%%     end
+%%     if has_floors then
+  ${name}_real least[3];
+
+  ${name}_floors(m, x, h, least);
+%%     else
 
   (void)h;
+%%     end
 %%     for _, k in ipairs(kinds) do
-  r = ${name}_rosenbrock_worse(x, w->y, w->error, ${k.first}, ${k.last}, ${k.least}, r); /* ${k.about} */
+  r = ${name}_rosenbrock_worse(x, w->y, w->error, ${k.first}, ${k.last}, ${k.least}r); /* ${k.about} */
 %%     end
   return r;
 %%   end
@@ -283,7 +288,7 @@ static int ${name}_${method}_tried(const ${name}_model *m, ${name}_real t, const
   *factor = ${four};
   ${name}_${method}_go(m, t, x, u, *h, ${array}, w${top_pass});
   if (!(tolerance > ${zero})) return 1;
-  r = ${name}_${method}_error(x, w, *h)/tolerance;
+  r = ${name}_${method}_error(${with_model}x, w, *h)/tolerance;
   /* the next step is 7/8 r^(-3/16) as long, from an eighth to four times; what is not finite counts as an eighth */
   *factor = r > ${zero} ? ${exp}(-slope*${log}(r))*${n[7/8]} : ${eight};
   if (!(*factor > ${eighth})) *factor = ${eighth};
