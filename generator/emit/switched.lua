@@ -93,7 +93,8 @@ function switched.put(v, s, kit, method)
   local taylor, digits = method == "taylor", kit.ctx.real == "float" and 24 or 53
   local own_count = taylor and sw.hidden or #sw.list
   local own = { taken = s.taken, slides = false, has_roots = false, has_floors = false, norm_pass = "",
-    of_model = v.has_floors and "const " .. kit.ctx.name .. "_model *m, " or "", with_model = v.has_floors and "m, " or "",
+    of_model = v.has_floors and "const " .. kit.ctx.name .. "_model *m, " or "",
+    with_model = v.has_floors and "m, " or "",
     way_turn = v.turn and v.turn ~= "" and ", w->turn" or "", method = method, taylor = taylor, adaptive = method == "adaptive", looks = text(LOOKS),
     own = text(own_count), bends = own_count > sw.count, most_halvings = text(4 * digits), most_halved = "30",
     end_rates = not all.bends and "" or own_count == sw.count and ", w->y" or ", w->v1",
