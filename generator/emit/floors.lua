@@ -29,7 +29,8 @@ end
 function floors.put(v, program, kit, always)
   for _, k in ipairs(v.kinds) do
     local place = program.floors and program.floors.places[program.states[math.tointeger(tonumber(k.first)) + 1].name]
-    k.least = place and string.format("least[%d], ", place) or (program.floors or always) and kit.base.zero .. ", " or ""
+    k.least = place and string.format("least[%d], ", place) or
+      (program.floors or always) and kit.base.zero .. ", " or ""
   end
 end
 

@@ -41,7 +41,8 @@ local READ = { adaptive = { "has_switches", "switched" },
   taylor = { "has_switches", "switched", "sides", "sides_arg", "array", "many", "most_parts" } }
 
 -- What switched.c has from the method's own templates.
-local OF_METHOD = { "count", "room", "states", "kinds", "slides", "has_floors", "norm_pass", "has_knots", "has_roots", "finest", "first" }
+local OF_METHOD = { "count", "room", "states", "kinds", "slides", "has_floors", "norm_pass",
+  "has_knots", "has_roots", "finest", "first" }
 
 local function about(s)
   local what = words.of(s.about)

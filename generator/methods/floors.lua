@@ -1,11 +1,12 @@
 -- floors.lua -- by what, at least, the error of a step is measured where a body may come to rest on a plane.
 --
--- A size that is rounding can be followed by no step: what is left of the slip, say, where v and w x r cancel.  So a size
--- is never less than what the terms of its rate, each on its own, make of it within the step h:
+-- A size that is rounding can be followed by no step: what is left of the slip, say, where v and w x r cancel.  So a
+-- size is never less than what the terms of its rate, each on its own, make of it within the step h:
 --     v:  |g| h, and |r| |w|, the other part of the slip       w:  m |g| |r|/I h, and |v|/|r|       place:  |r|
 -- |r|: a bound of the way from the centre of mass to the contact point; I: half the trace, the largest moment or up to
--- half more.  Nothing here remembers the run.  What plays the same part in the general library is scale.c.  Without a
--- plane there are no floors: the terms vanish with the state, and a motion that grows out of nearly nothing is followed.
+-- half more.  Nothing here remembers the run.  What plays the same part in the general library is scale.c.
+-- Without a plane there are no floors: terms vanish with the state, and a motion that grows out of nearly nothing is
+-- followed.
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
