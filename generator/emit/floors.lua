@@ -3,7 +3,6 @@
 
 local number = require "generator.emit.number"
 local template = require "generator.emit.template"
-local law = require "generator.methods.floors"
 
 local FLOORS = template.group "steppers/floors.c"
 
@@ -19,7 +18,7 @@ function floors.shared(kit, list)
     v[key] = e.kind == "num" and number.text(e.value, ctx.real) or "m->" .. e.name
   end
   for _, s in ipairs(ctx.states) do
-    local place = law.place(s)
+    local place = list.places[s.name]
     local of = place == 0 and v.rates or place == 1 and v.speeds or {}
     of[#of + 1] = { name = ctx.upper .. "_" .. string.upper(s.name) }
   end
@@ -29,8 +28,9 @@ end
 -- To each of v.kinds the argument `least`; always: zero where the scene has none.
 function floors.put(v, program, kit, always)
   for _, k in ipairs(v.kinds) do
-    local place = program.floors and law.place(program.states[math.tointeger(tonumber(k.first)) + 1])
-    k.least = place and string.format("least[%d], ", place) or (program.floors or always) and kit.base.zero .. ", " or ""
+    local place = program.floors and program.floors.places[program.states[math.tointeger(tonumber(k.first)) + 1].name]
+    k.least = place and string.format("least[%d], ", place) or
+      (program.floors or always) and kit.base.zero .. ", " or ""
   end
 end
 

@@ -67,6 +67,23 @@ code, csv = run(ball("coulomb = 0.2, smoothing = e", "0.5, 0.1, 0", "0, -3, 8",
   "--set e=0.05 --until 20 --every 1")
 tap.is(code, 0, "a ball that rolls out and spins out runs to 20 s")
 tap.ok(event(csv, "at_rest"), "and comes to rest")
+-- by the emitted methods with a tolerance, whose errors are measured by what the terms of the rates make in a step;
+-- a run without end fails by the processor's seconds.  1e-7: their tolerance and the grid's chord
+local spun = ball("coulomb = 0.2, smoothing = e", "0.5, 0.1, 0", "0, -3, 8",
+  ", rolling_resistance = { coulomb = 3e-4, smoothing = 0.1 }, spinning = { coulomb = 2e-3, smoothing = 0.1 }")
+local _, known = run(spun, "--set e=0.05 --at 20")
+for _, method in ipairs { "adaptive", "rosenbrock", "taylor" } do
+  local by = "--engine generated --method " .. method
+  code, csv, log = run(stop, "--set e=0.01 " .. by)
+  tap.is(code, 0, "the stop shot by " .. method .. " ends: " .. log)
+  local want, got = reaches(1e-3 * 0.01 / 2.5, 0.01, 1.2), event(csv, "at_rest")
+  tap.ok(got and math.abs(got - want) < 1e-7, "and is at rest at " .. want .. " s, got " .. tostring(got))
+  code, csv, log = run(spun, "--set e=0.05 --at 20 " .. by)
+  tap.is(code, 0, "the ball that spins out by " .. method .. ": " .. log)
+  local a, b, far = last(known), code == 0 and last(csv) or {}, 0
+  for i, x in ipairs(a) do far = math.max(far, math.abs(x - (b[i] or 1e9))) end
+  tap.ok(far < 1e-7, "and lies where the library has it: " .. far)
+end
 code, csv = run(ball("coulomb = 0.2, smoothing = e", "2, 0, 0", "0, 0, 0"))
 tap.is(code, 0, "a ball that rolls on for ever")
 tap.ok(not event(csv, "at_rest"), "is not at rest")
