@@ -206,7 +206,8 @@ int main(void)
 }
 ]]):gsub("METHOD", method)))
   local status = program.shell(string.format("cd %s && rm -rf out && " ..
-    "POLHODE_SOURCE=%s %s gen stone.lua -o out --method %s >err 2>&1 && cc -O1 -Iout stones.c out/stone.c -o stones -lm && ./stones > csv", dir, os.getenv "PWD",
+    "POLHODE_SOURCE=%s %s gen stone.lua -o out --method %s >err 2>&1 && " ..
+    "cc -O1 -Iout stones.c out/stone.c -o stones -lm && timeout 60 ./stones > csv", dir, os.getenv "PWD",
     string.gsub(binary, "build/polhode", os.getenv "PWD" .. "/build/polhode"), method))
   local failed, worst = string.match(program.read(dir .. "/csv") or "", "^(%d+) (%S+)")
   -- heights of some 5 m, some hundred steps of 1e-13: 1e-10
