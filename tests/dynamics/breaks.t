@@ -57,6 +57,7 @@ has("effect.solar_pressure { sun = {0, 3, 0}, plates = { { area = 1, normal = {1
 -- of choices: a - b of min and max, x - low and high - x of limits, and what stands inside is on its side: |qx| = qx
 has("effect.custom { torque = function(s) return { k*min(abs(s.q[2]), max(s.q[3], 1/4)), 0, 0 } end }", nil,
   { env.qx, 4 * env.qy - 1, 2 * (4 * env.qx - 1) }, "the smaller and the larger")
-has("effect.custom { torque = function(s) return { k*sign(s.t - 4*quantity(1, \"s\")), 0, 0 } end }", nil, { 1 }, "a sign of time")
+has("effect.custom { torque = function(s) return { k*sign(s.t - 4*quantity(1, \"s\")), 0, 0 } end }", nil,
+  { 1 }, "a sign of time")
 
 tap.done()

@@ -74,7 +74,7 @@ local input, output = os.tmpname(), os.tmpname()
 local file = assert(io.open(input, "w"))
 file:write(table.concat(lines, "\n"), "\n")
 file:close()
-tap.ok(os.execute(program .. " < " .. input .. " > " .. output), "the oracle runs")
+tap.ok(os.execute(program .. " < " .. input .. " > " .. output), "the oracle runs", "make " .. program .. " builds it")
 local n, worst, at = 0, {}, {}
 for line in io.lines(output) do
   n = n + 1
