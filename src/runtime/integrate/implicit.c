@@ -253,7 +253,7 @@ static int newton(attempt *a, ph_wide *change) {
   const implicit *m = a->m;
   const int n = ph_top_states(a->s->top);
   ph_wide f[IMPLICIT_MOST][PH_STATES], y[PH_STATES], d[PH_STATES];
-  double b[IMPLICIT_MOST * PH_STATES];
+  double b[IMPLICIT_MOST * PH_STATES] = {0};
   for (int j = 0; j < m->stages; j++) {
     for (int i = 0; i < n; i++)
       y[i] = a->x[i] + a->Z[j][i];
