@@ -204,7 +204,8 @@ do
 end
 
 -- A parameter goes no further than the body is one.  The rim of the gyroscope would turn neutral at rim_in = 40.06 mm,
--- rim_out = 28.96 mm, but has rim_in = 30 < rim_out = 38; a + b is a height, so a > -0.2 before a^2 + .. is 3 r^2 again.
+-- rim_out = 28.96 mm, but has rim_in = 30 < rim_out = 38.  a + b is a height, so a > -0.2 before a^2 + .. is 3 r^2
+-- again.
 do
   local seen = {}
   for _, e in ipairs(facts.of(scene.file "bodies/gyroscope.lua").stability) do

@@ -66,10 +66,12 @@ for _, c in ipairs {
   { "the heavy top", TOP, "effect.gravity{}", "origin = {0, 0, 0}", ROTATION, "T+V L_z w3" },
   { "gravity aslant", TOP, "effect.gravity { direction = {1, 0, -1} }", "origin = {0, 0, 0}", ROTATION, "T+V w3" },
   { "a body torque across the axis", TOP, "effect.torque { body = {1, 2, 0} }", "", ROTATION, "w3" },
-  { "a potential of the axis' direction, across and along", TOP, "effect.custom { potential = function(s) local q = s.q\n" ..
+  { "a potential of the axis' direction, across and along", TOP,
+    "effect.custom { potential = function(s) local q = s.q\n" ..
     "return quantity(1, \"J\")*(2*(q[2]*q[4] + q[1]*q[3]) + q[1]^2 - q[2]^2 - q[3]^2 + q[4]^2) end }", "", ROTATION,
     "T+V w3" }, -- V = (R e3).(e1 + e3): a turn about e3 of the body changes nothing
-  { "the same by a magnet", TOP, "effect.magnetic { moment = {0, 0, 1}, field = {-1, 0, -1} }", "", ROTATION, "T+V w3" },
+  { "the same by a magnet", TOP, "effect.magnetic { moment = {0, 0, 1}, field = {-1, 0, -1} }", "", ROTATION,
+    "T+V w3" },
   { "two wheels", BOX, "effect.flywheel { drive = 1, J = 2 }, effect.flywheel { drive = 2, J = 2 }", "",
     ROTATION .. " speed speed_2", "|L| L L_z" },
 } do

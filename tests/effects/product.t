@@ -54,7 +54,8 @@ local function judge(list, what, real)
         if r.status == 70 or detail:find(s.name, 1, true) then detail = detail .. "\n" .. s.text end
       end
     end
-    tap.ok(r.status == 0 and #r.bad == 0 and not r.skipped and not r.err:find "error", string.format("%s %s .. %s: %d checks", what,
+    tap.ok(r.status == 0 and #r.bad == 0 and not r.skipped and not r.err:find "error",
+      string.format("%s %s .. %s: %d checks", what,
       batch[1].name, batch[#batch].name, r.checks), detail)
   end
 end
@@ -79,18 +80,18 @@ local seed = tonumber(os.getenv "POLHODE_SEED") or 1758
 
 -- So many random scenes on these bodies; share of their numbers that are parameters; digits of the others.
 local function drawn(count, what, bodies, share, digits)
-  local random, list = scenes.new(seed, 0), {}
-  while #list < count do
+  local random, made = scenes.new(seed, 0), {}
+  while #made < count do
     local chosen, n = {}, 1 + random:random(4)
     for i = 1, n do chosen[i] = scenes.draw(random) end
     if select(2, scenes.fits(chosen)) then
-      local body, name = bodies[random:random(#bodies)], what .. "_" .. #list + 1
-      local s = scenes.new(seed + 7919 * #list, share)
-      s.digits = digits and digits[#list % #digits + 1]
-      list[#list + 1] = put(name, scenes.text(s, name, body, chosen))
+      local body, name = bodies[random:random(#bodies)], what .. "_" .. #made + 1
+      local s = scenes.new(seed + 7919 * #made, share)
+      s.digits = digits and digits[#made % #digits + 1]
+      made[#made + 1] = put(name, scenes.text(s, name, body, chosen))
     end
   end
-  return list
+  return made
 end
 
 local together = drawn(asked or tier.quick and 4 or 40, "together", { "diagonal", "symmetric", "full" }, 0.5)

@@ -133,7 +133,8 @@ for first = 1, #list, 48 do
     for method, r in pairs(results[c.name] or { none = { kind = "nothing came", why = "" } }) do
       if r.kind == "off" then
         compared = compared + 1
-        if not (r.off <= 1) then bad[#bad + 1] = string.format("%s: %.3g of its bound", method, r.off) end
+        local good = r.off <= 1 -- false of NaN
+        if not good then bad[#bad + 1] = string.format("%s: %.3g of its bound", method, r.off) end
       elseif r.kind == "path" then
         taken[r.why] = (taken[r.why] or 0) + 1
       elseif r.kind == "why" and #r.why > 10 or r.kind == "refused" and r.why:find "^[%w_/]+%.lua:%d+: " then

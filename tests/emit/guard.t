@@ -87,7 +87,8 @@ tap.like(job.diag:report(), "with proof: ranges must have every state but the at
 -- what is asked at infinity is the test's own.
 local packages = require "generator.emit.packages.packages"
 local wheel = "effect.wheel { axis = {1, 0, 0}, inertia = 0.001, torque = 0.01, included = true }"
-local own = "effect.custom { states = { lag = { initial = 0.5, rate = function(s) return -s.lag/quantity(2, \"s\") end } } }"
+local own = "effect.custom { states = { lag = { initial = 0.5, " ..
+  "rate = function(s) return -s.lag/quantity(2, \"s\") end } } }"
 local flight = "effect.translation { gravity = {0, 0, -9.81}, drag = 0.1 }"
 local left = {
   { "a wheel's rate", wheel, "omega = 5" }, { "a custom state", own, "omega = 5" },
@@ -97,9 +98,9 @@ local left = {
 }
 local OWN = "libm.own"
 for i, c in ipairs(left) do
-  local text = "return scene { name = \"b\", body = solid.box { x = 0.3, y = 0.2, z = 0.1, mass = 2 }, effects = { " ..
-    c[2] .. " }, initial = { omega = {0.1, 2, 0.3} }, ranges = { " .. c[3] .. " } }"
-  local s = assert(scene.read(text))
+  local source = "return scene { name = \"b\", body = solid.box { x = 0.3, y = 0.2, z = 0.1, mass = 2 }, " ..
+    "effects = { " .. c[2] .. " }, initial = { omega = {0.1, 2, 0.3} }, ranges = { " .. c[3] .. " } }"
+  local s = assert(scene.read(source))
   for k, kind in ipairs(tier.every(i, { "make", "cmake", "firmware", "arduino", OWN })) do
     local package = packages.by_name(kind == OWN and "make" or kind)
     local real = package.real or (i + k) % 2 == 0 and "float" or "double"

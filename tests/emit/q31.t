@@ -162,9 +162,10 @@ for _, i in ipairs(tier.every(3, { 1, 2, 3 })) do
   shell("gcc -O2 -DRANGE=%g -I%s tests/emit/q31.c %s/b_q31.c %s/b_q31_real.c -lm -o %s/run", s.range, s.at, s.at, s.at,
     s.at)
   local header, place = program.read(s.at .. "/b_q31.h"), 0
-  for name, e, k, limit in string.gmatch(header, "\n %* +([qw][wxyz]) +2%^%-(%d+)[ rad/s]* +2%^%-(%d+) +%+%-([%d.e+-]+)") do
-    local most = string.sub(name, 1, 1) == "q" and 0.75 or 0.99 * tonumber(limit)
-    local _, out = shell("%s/run remainders %d %s %s %d", s.at, place, e, k, math.floor(most * 2.0 ^ tonumber(e)))
+  local row = "\n %* +([qw][wxyz]) +2%^%-(%d+)[ rad/s]* +2%^%-(%d+) +%+%-([%d.e+-]+)"
+  for name, e, k, limit in string.gmatch(header, row) do
+    local reach = string.sub(name, 1, 1) == "q" and 0.75 or 0.99 * tonumber(limit)
+    local _, out = shell("%s/run remainders %d %s %s %d", s.at, place, e, k, math.floor(reach * 2.0 ^ tonumber(e)))
     local n, wrong, far = string.match(out, "^(%d+) (%d+) (%d+)\n$")
     if wrong ~= "0" or far ~= "0" then faults[#faults + 1] = name .. ": " .. out end
     values, place = values + (tonumber(n) or 0), place + 1

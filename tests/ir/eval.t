@@ -99,7 +99,8 @@ end
 
 -- ---- what libm lacks: comparisons -----------------------------------------------------------------------
 
-for _, case in ipairs { { "sign", -3.5, 0, -1 }, { "sign", 0.0, 0, 0 }, { "sign", -0.0, 0, 0 }, { "sign", 2.0 ^ -149, 0, 1 },
+for _, case in ipairs { { "sign", -3.5, 0, -1 }, { "sign", 0.0, 0, 0 }, { "sign", -0.0, 0, 0 },
+  { "sign", 2.0 ^ -149, 0, 1 },
   { "min", 2.5, -1, -1 }, { "min", -1, 2.5, -1 }, { "max", 2.5, -1, 2.5 }, { "max", -1, 2.5, 2.5 } } do
   local op, x, y, want = table.unpack(case)
   local got = eval.run(build.one { op, "x", op ~= "sign" and "y" or nil }, { x = x, y = y }, "double").y

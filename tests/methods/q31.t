@@ -226,8 +226,9 @@ for _, n in ipairs { 1, 3, 8 } do
       end
     end
   end
-  tap.ok(steps > (tier.quick and most // 8 or 4 * most) and beyond == 0 and over == 0, c[1] .. ": " .. steps .. " steps from every remainder are " ..
-    "within the error that is stated, in exact arithmetic", beyond .. " beyond, " .. over .. " no remainders")
+  tap.ok(steps > (tier.quick and most // 8 or 4 * most) and beyond == 0 and over == 0, c[1] .. ": " .. steps ..
+    " steps from every remainder are within the error that is stated, in exact arithmetic",
+    beyond .. " beyond, " .. over .. " no remainders")
 end
 
 ---- order four ----------------------------------------------------------------------------------------

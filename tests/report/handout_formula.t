@@ -32,7 +32,9 @@ for _, family in ipairs {
     for _, t in ipairs { { "latex", latex }, { "mathml", html } } do
       local text = setting.of(t[2].style, node)
       local ok, got = pcall(reader.value, text, at, A, t[1])
-      if ok and got == want then fine = fine + 1 else wrong[#wrong + 1] = n .. ": " .. text .. " (" .. tostring(got) .. ")" end
+      local same = ok and got == want
+      fine = same and fine + 1 or fine
+      if not same then wrong[#wrong + 1] = n .. ": " .. text .. " (" .. tostring(got) .. ")" end
     end
   end
   tap.ok(fine == 400, "200 " .. family.name .. ": their values, exactly, in both forms", wrong[1])

@@ -180,8 +180,8 @@ local function text(s)
     local env = body(s, list, p, n == 1)
     equations(s, "equations: text", list["Equations of motion"], p, env, function(name, x, number, line)
       if n == 1 and number then compare(s, "the number beside it", line, x, number, 0) end
-      local made = s.made and s.made[n] and s.made[n][name]
-      if made then compare(s, "constants: what NAME_init computes", line, x, made, 0) end
+      local computed = s.made and s.made[n] and s.made[n][name]
+      if computed then compare(s, "constants: what NAME_init computes", line, x, computed, 0) end
     end)
   end
 end
@@ -273,9 +273,9 @@ local function comments(s)
     end
     for name, about in header:gmatch "_real ([%w_]+); /%* (.-) %*/" do
       local formula = about:match ": (.*)$"
-      local made = s.made[n] and s.made[n][name]
-      local x = formula and made and value(s, "comments of constants", formula, names(s, p))
-      if x then compare(s, "comments of constants", name .. ": " .. formula, x, made, 0) end
+      local computed = s.made[n] and s.made[n][name]
+      local x = formula and computed and value(s, "comments of constants", formula, names(s, p))
+      if x then compare(s, "comments of constants", name .. ": " .. formula, x, computed, 0) end
     end
   end
 end
