@@ -254,8 +254,6 @@ int host_run(lua_State *L) {
   return 2;
 }
 
-/* ---- rates ---- */
-
 #define RATES_TYPE "polhode.rates"
 
 struct rates {
@@ -315,12 +313,13 @@ static effect_terms terms_of(const struct rates *r, double t, const double x[], 
 /* Of all rates of change; of w' by the largest term of each component of N - w x I w, every product
    of the formula on its own. */
 static void scales(const struct rates *r, double t, const double x[], const double u[],
-                   double scale[]) {
+                   const double dx[], double scale[]) {
   /* which q multiplies wx, wy, wz in row i of q' = q (0, w) / 2 */
   static const int row[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
-  const effect_terms terms = terms_of(r, t, x, u);
+  effect_terms terms = terms_of(r, t, x, u);
   const double *w = x + 4;
   double term[3] = {0};
+  terms.dx = dx;
   memset(scale, 0, (size_t)ph_top_states(&r->top) * sizeof scale[0]);
   for (int j = 0; j < 3; j++) {
     const int a = (j + 1) % 3, b = (j + 2) % 3;
@@ -368,7 +367,7 @@ static int rates_rates(lua_State *L) {
   const effect_terms terms = terms_of(r, t, x, u);
   if (effect_tensor(&terms, D) && prepare(&now, D) != PH_OK)
     return fail(L, PH_EPOSITIVE);
-  scales(&now, t, x, u, scale);
+  scales(&now, t, x, u, dx, scale);
   engine_push(L, n, dx);
   engine_push(L, n, scale);
   return 2;

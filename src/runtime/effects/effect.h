@@ -44,6 +44,7 @@ typedef struct effect_terms {
   double t;
   const double *x;
   const double *u;      /* inputs, or NULL */
+  const double *dx;     /* the rates of x, or NULL */
   const double *spread; /* moduli of the tensor's nine entries, as they are rounded */
   int place;
   /* the size of a ph_varying that is a function of the caller's, or NULL */

@@ -296,7 +296,11 @@ static double share(const effect_terms *e, double arm) {
 
 static void term_torque(const effect_terms *e, double term[3]) {
   double rate;
-  const double arm = reach(e, &rate), size = e->top->mass * arm * largest(e) * share(e, arm);
+  const double arm = reach(e, &rate), m = e->top->mass;
+  double size = m * arm * largest(e) * share(e, arm);
+  /* rolling: m r x (w' x r), which may be as large beside the torque that is left */
+  if (e->act->of.plane.law == PH_ROLLING && e->dx)
+    effect_raise(&size, m * arm * arm * effect_norm(e->dx + 4));
   for (int i = 0; i < 3; i++)
     effect_raise(&term[i], size);
 }
