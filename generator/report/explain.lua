@@ -212,12 +212,17 @@ local function operations(job)
 end
 
 -- The central tensor in the names of the parts of a body that turns about another point: the shift back.
+-- The mass is the M that stands above, unless a parameter is called so.
 local function shifted_back(f, parts)
+  local mass = parts.mass.kind ~= "num" and expr.sym("M", 3) or parts.mass
+  for _, p in ipairs(f.params) do
+    if p.name == "M" then mass = f.mass end
+  end
   local R = vec.map(f.arm, function(e, i) return e.kind == "num" and e or expr.sym("R" .. comp[i], 3) end)
   return vec.map(f.inertia, function(_, n)
     local I = expr.sym("I" .. vec.entry[n], 3)
-    if n > 3 then return I + parts.mass * R[vec.pair[n][1]] * R[vec.pair[n][2]] end
-    return I - parts.mass * (R[n % 3 + 1] ^ 2 + R[(n + 1) % 3 + 1] ^ 2)
+    if n > 3 then return I + mass * R[vec.pair[n][1]] * R[vec.pair[n][2]] end
+    return I - mass * (R[n % 3 + 1] ^ 2 + R[(n + 1) % 3 + 1] ^ 2)
   end)
 end
 

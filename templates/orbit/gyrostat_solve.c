@@ -5,7 +5,7 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_orbit made;
   ${name}_quartic p;
   ${name}_wide I[3], w[3], M[4], q[4], frame[4], back[4], t[4], G, h, kappa, zero = ${name}_wide_real(${zero});
-  ${name}_real c[2][2], value[2][2], n;
+  ${name}_real c[2][2], value[2][2];
   ${name}_values v;
   int e, sign[2], moves = 0;
 
