@@ -52,7 +52,7 @@ gallery.list = {
   { "turntable_ball", "contact,normal_force" },
   { "eulers_disk", "axes,normal_force" },
   { "chaplygin_ball", "contact,axes", 3 },
-  { "rattleback", "rates,energy" },
+  { "rattleback", "rates,contact" },
   { "tippe_top", "axes,contact" },
   { "egg", "axes,energy", 2 },
 }
