@@ -272,6 +272,10 @@ static int ${name}_${method}_tried(const ${name}_model *m, ${name}_real t, const
   *factor = ${four};
   if (tolerance > ${zero}) {
     *h = ${name}_taylor_limit(${name}_taylor_size(w->c, top, tolerance < ${finest} ? tolerance : ${finest}, tolerance/${fabs}(span)), *h);
+%%   if has_roots then
+  } else if (${name}_taylor_lost(w->c, top, *h)) { /* near rest the series does not reach so far */
+    *h = ${name}_taylor_limit(${name}_taylor_size(w->c, top, ${finest}, ${finest}/${fabs}(span)), *h);
+%%   end
   }
 %%   if has_roots then
   *h = ${name}_taylor_corner(w->c, top, *h);
