@@ -4,8 +4,10 @@
 -- sign says which of two smooth forms holds.  Between the zeros of all g the equations with these signs as numbers
 -- (`branch`) are smooth, and a step of any method that ends at a zero keeps its order: the steppers with a tolerance
 -- look for the zeros (templates/steppers/switched.c).  Source: Hairer, Norsett, Wanner I, section II.6.
--- A speed |s| = sqrt(s.s), with a least square beside it or not, has no two forms: it turns sharply where it is least,
--- so its g is the rate of s.s, which passes 0 upwards there ("bend").
+-- A speed |s| = sqrt(s.s), with a least square beside it or not, has no two forms: it turns sharply where it is least
+-- and small ("bend").  Its g is s.s + h d(s.s)/dt, h the step: below 0 where the speed falls so fast that nothing would
+-- be left within the step, and back above 0 close to where it is least.  A speed that keeps its size has no bend, and
+-- the roundings of its rate are none.
 -- The corners of tables over time are at known times: knots of breaks.lua, and not here.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -16,7 +18,6 @@ local evaluate = require "generator.algebra.evaluate"
 local words = require "generator.algebra.text"
 local breaks = require "generator.dynamics.breaks"
 local equations = require "generator.dynamics.equations"
-local state = require "generator.dynamics.state"
 
 local switching = {}
 
@@ -143,9 +144,9 @@ local function opened(self, eq)
   return open
 end
 
--- d square/dt: the states' rates are numbers of an array `v`.
-local function rate(eq, square)
-  local sum = calculus.diff(square, state.t)
+-- square + h d square/dt: the states' rates times the step h are numbers of an array `v`.
+local function falling(eq, square)
+  local sum = square
   for _, s in ipairs(eq.model.states) do
     sum = sum + calculus.diff(square, s.sym) * expr.sym("v" .. s.name, RANK)
   end
@@ -168,7 +169,7 @@ function switching.of(eq)
   self.hidden = self.count + #self.bends
   for _, list in ipairs { self.bends, self.bare } do
     for _, b in ipairs(list) do
-      b.g = rate(eq, b.square)
+      b.g = falling(eq, b.square)
       self.list[#self.list + 1] = b
     end
   end

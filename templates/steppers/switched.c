@@ -13,6 +13,9 @@ typedef struct ${name}_${method}_way {
 %% elseif bends then
   ${name}_real v1[${upper}_NX];
 %% end
+%% if bends then
+  ${name}_real reach; /* the step that was tried: what falls within it counts */
+%% end
   ${name}_real y[${upper}_NX], g[${looks} + 1][${many}];
 } ${name}_${method}_way;
 
@@ -95,8 +98,15 @@ static void ${name}_${method}_go(const ${name}_model *m, ${name}_real t, const $
 /* The functions g at the end of the step. */
 static void ${name}_${method}_end(const ${name}_model *m, ${name}_real t, const ${name}_real u[], ${name}_real h, const ${name}_real ${array}[], ${name}_${method}_way *w, ${name}_real g[])
 {
+%% if bends then
+  ${name}_real v[${upper}_NX];
+
+%% end
 %% if not taylor then
   ${name}_side_rates(m, t + h, w->y, u, ${array}, w->v1);
+%% end
+%% if bends then
+  for (int k = 0; k < ${upper}_NX; k++) v[k] = w->reach*w->v1[k];
 %% end
   ${name}_switches(m, t + h, w->y${end_rates}, u, ${array}, g);
 }
@@ -127,6 +137,7 @@ static void ${name}_${method}_look(const ${name}_model *m, ${name}_real t, const
     ${name}_taylor_within(m, x, s*h, w${top_pass}, d, y);
 %%   if bends then
     ${name}_taylor_slopes(w, s*h, v, top);
+    for (int n = 0; n < ${upper}_NX; n++) v[n] *= w->reach;
 %%   end
 %% else
     for (int n = 0; n < ${upper}_NX; n++) {
@@ -134,19 +145,12 @@ static void ${name}_${method}_look(const ${name}_model *m, ${name}_real t, const
 
       y[n] = x[n] + s*(rise + (${one} - s)*((${one} - s)*a + s*b));
 %%   if bends then
-      v[n] = (rise + (${one} - ${two}*s)*((${one} - s)*a + s*b) + s*(${one} - s)*(b - a))/h;
+      v[n] = (rise + (${one} - ${two}*s)*((${one} - s)*a + s*b) + s*(${one} - s)*(b - a))*(w->reach/h);
 %%   end
     }
 %% end
     ${name}_switches(m, t + s*h, y${look_rates}, u, ${array}, w->g[k]);
   }
-%% if bends then
-  if (h < ${zero}) { /* what falls backwards in time */
-    for (int k = 0; k <= ${looks}; k++) {
-      for (int i = ${smooth}; i < ${own}; i++) w->g[k][i] = -w->g[k][i];
-    }
-  }
-%% end
 }
 
 /* The step that ends where g[i] leaves its side, between low and high, found to rounding (Illinois, every third time by halves);
@@ -154,24 +158,21 @@ static void ${name}_${method}_look(const ${name}_model *m, ${name}_real t, const
 static ${name}_real ${name}_${method}_meet(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], int i, ${name}_real low, ${name}_real high, const ${name}_real ${array}[], ${name}_${method}_way *w${top_arg}, int *found)
 {
   ${name}_real g[${many}], a = w->g[0][i], b, s;
-%% if bends then
-  const ${name}_real sign = i >= ${smooth} && high < ${zero} ? -${one} : ${one};
-%% end
   int last = 0;
 
   ${name}_${method}_go(m, t, x, u, high, ${array}, w${top_pass});
   ${name}_${method}_end(m, t, u, high, ${array}, w, g);
-  b = ${signed}g[i];
+  b = g[i];
   *found = !${name}_stays(b, ${array}[i], i);
   if (!*found) return high;
   if (low > ${zero} || low < ${zero}) {
     ${name}_${method}_go(m, t, x, u, low, ${array}, w${top_pass});
     ${name}_${method}_end(m, t, u, low, ${array}, w, g);
-    if (${name}_stays(${signed}g[i], ${array}[i], i)) {
-      a = ${signed}g[i];
+    if (${name}_stays(g[i], ${array}[i], i)) {
+      a = g[i];
     } else {
       high = low;
-      b = ${signed}g[i];
+      b = g[i];
       low = ${zero};
     }
   }
@@ -181,14 +182,14 @@ static ${name}_real ${name}_${method}_meet(const ${name}_model *m, ${name}_real 
     if (!((s > low && s < high) || (s < low && s > high))) break;
     ${name}_${method}_go(m, t, x, u, s, ${array}, w${top_pass});
     ${name}_${method}_end(m, t, u, s, ${array}, w, g);
-    if (${name}_stays(${signed}g[i], ${array}[i], i)) {
+    if (${name}_stays(g[i], ${array}[i], i)) {
       low = s;
-      a = ${signed}g[i];
+      a = g[i];
       if (last > 0) b *= ${half};
       last = 1;
     } else {
       high = s;
-      b = ${signed}g[i];
+      b = g[i];
       if (last < 0) a *= ${half};
       last = -1;
     }
@@ -232,6 +233,9 @@ static int ${name}_${method}_first(const ${name}_model *m, ${name}_real t, const
   ${name}_real known[${own}]; /* the part of it in which each is on its side, whatever the looks say */
   int event = -1, found;
 
+%% if bends then
+  w->reach = whole;
+%% end
   if (!(${fabs}(whole) > ${name}_close(t, whole, o))) return -1; /* too short to tell */
   for (int tries = 0; tries < ${looks}*${own}; tries++) { /* some 1 times */
     ${name}_real low = ${zero}, high = ${two}, a, b;

@@ -96,7 +96,7 @@ static int ${name}_resolved(${name}_real g[][${many}], int i)
   return !(${fabs}(last)*${n[64]} > most*${looks_real} || ${fabs}(before)*${n[128]} > most*${looks_real});
 }
 
-/* Is g on its side, of a bend: is the speed still falling? */
+/* Is g on its side, of a bend: is the speed falling to nothing? */
 static int ${name}_stays(${name}_real g, ${name}_real side, int i)
 {
 %% if bends then
