@@ -72,7 +72,11 @@ static void ${name}_sides(const ${name}_model *m, ${name}_real t, const ${name}_
   o->span = span;
   for (int n = 0; n < ${many}; n++) { /* one may stand in another */
     ${name}_switches(m, t, x${no_rates}, u, ${array}, g);
-    for (int i = 0; i < ${smooth}; i++) ${array}[i] = (${name}_real)${name}_side_of(g[i]);
+    for (int i = 0; i < ${smooth}; i++) {
+      const int side = ${name}_side_of(g[i]);
+
+      ${array}[i] = (${name}_real)side;
+    }
   }
   for (int i = 0; i < ${many}; i++) {
     o->open[i] = !(g[i] > ${zero} || g[i] < ${zero});
