@@ -56,7 +56,7 @@ function switched.shared(kit, sw, has_rates)
   v.rounding = number.text(R.new(2) ^ (3 - digits(ctx)), ctx.real)
   v.thousandth = number.text(R.new(2) ^ -10, ctx.real)
   v.most_halved, v.most_crowded = "30", text(40 + 2 * #sw.list)
-  v.no_rates = v.bends and ", x" or ""
+  v.no_rates, v.has_sides = v.bends and ", x" or "", sw.count > 0
   for i, s in ipairs(sw.list) do v.list[i] = { number = text(i - 1), about = switching.about(s) } end
   for k = 0, LOOKS do -- (1 - cos(k pi/n))/2
     local e = expr.call("sin", expr.pi * expr.lift(R.new(k, 2 * LOOKS))) ^ 2
@@ -104,7 +104,7 @@ function switched.put(v, s, kit, method)
     top_arg = taylor and ", int top" or "", top_pass = taylor and ", top" or "",
     top_full = taylor and ", " .. kit.ctx.upper .. "_ORDER" or "",
     top_own = taylor and ", " .. kit.ctx.name .. "_taylor_top(tolerance)" or "" }
-  for _, k in ipairs { "array", "many", "smooth", "most_parts" } do own[k] = all[k] end
+  for _, k in ipairs { "array", "many", "most_parts" } do own[k] = all[k] end
   for _, k in ipairs(OF_METHOD) do
     if v[k] ~= nil then own[k] = v[k] end
   end

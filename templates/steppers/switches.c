@@ -65,11 +65,10 @@ static ${name}_real ${name}_close(${name}_real t, ${name}_real h, const ${name}_
 /* The sides at the start of a run over `span` */
 static void ${name}_sides(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real span, ${name}_real ${array}[${many}], ${name}_corners *o)
 {
+%% if has_sides then
   ${name}_real g[${many}];
 
   for (int i = 0; i < ${many}; i++) g[i] = ${array}[i] = ${zero};
-  o->wrong = o->halved = o->crowded = 0;
-  o->span = span;
   for (int n = 0; n < ${many}; n++) { /* one may stand in another */
     ${name}_switches(m, t, x${no_rates}, u, ${array}, g);
     for (int i = 0; i < ${smooth}; i++) {
@@ -78,10 +77,20 @@ static void ${name}_sides(const ${name}_model *m, ${name}_real t, const ${name}_
       ${array}[i] = (${name}_real)side;
     }
   }
+  for (int i = 0; i < ${many}; i++) o->open[i] = !(g[i] > ${zero} || g[i] < ${zero});
+%% else
+  (void)m;
+  (void)t;
+  (void)x;
+  (void)u;
   for (int i = 0; i < ${many}; i++) {
-    o->open[i] = !(g[i] > ${zero} || g[i] < ${zero});
-    o->mute[i] = 0;
+    ${array}[i] = ${zero}; /* a speed has no sides */
+    o->open[i] = 0;
   }
+%% end
+  for (int i = 0; i < ${many}; i++) o->mute[i] = 0;
+  o->wrong = o->halved = o->crowded = 0;
+  o->span = span;
 }
 
 /* Do the looks show g's course?  The last two coefficients of its Chebyshev series are then below 1/64 of
