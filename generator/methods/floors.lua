@@ -32,7 +32,7 @@ function floors.of(eq)
   local plane = contact.of(m)
   if not (plane and eq.touch) then return nil end
   local a, s = plane.a, plane.a.surface
-  local mass, trace = context.mass(m), m.inertia[1] + m.inertia[2] + m.inertia[3]
+  local mass, trace = m.mass, m.inertia[1] + m.inertia[2] + m.inertia[3]
   local reach = s.rim + length(s.half) + length(vec.sub(s.at, context.of(m).origin))
   if s.support then reach = reach + expr.call("sqrt", trace / (2 * mass)) end -- its size is a function; the body's own
   local pull, places = length(a.gravity), {}

@@ -93,7 +93,8 @@ local kinds = {
   { "--engine generated --method split2", "1e-9" }, { "--engine generated --method taylor --tolerance 1e-6", "1e-9" },
   { "--engine generated --method rosenbrock --tolerance 1e-5", "1e-8" }, { "--method rk4", "1e-9" },
   { "--engine generated --method midpoint", "1e-7" }, { "--engine generated --method rk4 --real float", "1e-6" },
-  { "--engine generated --method semi", "1e-3" }, { "--engine generated --method adaptive --real float", "1e-6" },
+  { "--engine generated --method semi", "1e-3" },
+  { "--engine generated --method adaptive --tolerance 1e-4 --real float", "1e-6" },
   { "--method rk8pd --tolerance 1e-9", "1e-12" }, { "--engine generated --method split4 --real float", "1e-6" },
 }
 
@@ -123,7 +124,8 @@ local long = written("slab", "return scene { name = 'slab', body = solid.box { x
   "mass = 3 }, initial = { omega = { 0.4, 0.5, 12 } }, time = { horizon = 4000, step = 1/60 } }")
 local code, truth, _
 code, truth = run(long, "--method exact --at 2000,4000")
-for _, how in ipairs { "--method taylor", "--method exact", "--method adaptive", "--method split6" } do
+-- (Not by adaptive: 48000 radians of its own tolerance leave no digit, which is another answer.)
+for _, how in ipairs { "--method taylor", "--method exact", "--method split6" } do
   local all = "--engine generated --real float " .. how
   local said = judged(long, "--at 2000,4000", truth, all, "1e-6")
   tap.ok(code == 0 and said and said ~= "lost", how .. " in float: a number")
