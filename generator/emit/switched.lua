@@ -98,6 +98,7 @@ function switched.put(v, s, kit, method)
     has_floors = false, norm_pass = "", with_model = v.has_floors and "m, " or "",
     of_model = v.has_floors and "const " .. kit.ctx.name .. "_model *m, " or "",
     taken = s.taken, way_turn = turn and ", w->turn" or "", looks = text(LOOKS), own = text(count), bends = bends,
+    keeps = bends and not taylor and sw.count == 0,
     most_halvings = text(4 * digits(kit.ctx)), end_rates = not all.bends and "" or bends and ", v" or ", w->y",
     look_rates = not all.bends and "" or bends and ", v" or ", y",
     by_cubic = taylor and "" or ", by the cubic with the states and rates at its ends",

@@ -310,13 +310,44 @@ static int ${name}_${method}_tried(const ${name}_model *m, ${name}_real t, const
   return 1;
 }
 
+%% if keeps then
+/* Does each speed keep half its size over the step, by the cubic?  |s| is at least what it was less what it changes by; so it
+ * does not fall to nothing, and need not be looked at.  Without rates a g is the speed's square. */
+static int ${name}_${method}_keeps(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real h, const ${name}_real ${array}[], ${name}_${method}_way *w)
+{
+  ${name}_real none[${upper}_NX], d[${upper}_NX], before[${many}], change[${many}];
+
+  ${name}_side_rates(m, t + h, w->y, u, ${array}, w->v1);
+  for (int n = 0; n < ${upper}_NX; n++) {
+    const ${name}_real rise = w->y[n] - x[n], a = h*w->v0[n] - rise, b = rise - h*w->v1[n];
+
+    none[n] = ${zero};
+    d[n] = ${fabs}(rise) + ${quarter}*(${fabs}(a) + ${fabs}(b)); /* at least all that the cubic moves */
+  }
+  ${name}_switches(m, t, x, none, u, ${array}, before);
+  ${name}_switches(m, t, d, none, u, ${array}, change);
+  for (int i = 0; i < ${own}; i++) {
+    if (!(change[i] < ${quarter}*before[i])) return 0;
+  }
+  return 1;
+}
+
+%% end
 /* The trial, shortened to its first corner, and the sides behind that: 1; 0: to be tried again; -1: there is no step. */
 static int ${name}_${method}_cut(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[], ${name}_real *h, ${name}_real ${array}[], ${name}_real *factor, ${name}_corners *o, ${name}_${method}_way *w${top_arg})
 {
   const ${name}_real tried = *h;
+%% if keeps then
+  int event = -1, status;
+
+  if (!${name}_${method}_keeps(m, t, x, u, *h, ${array}, w)) { /* rare */
+    event = ${name}_${method}_first(m, t, x, u, h, ${array}, o, w);
+  }
+%% else
   const int event = ${name}_${method}_first(m, t, x, u, h, ${array}, o, w${top_pass});
   int status;
 
+%% end
   if (event == -2) return t + *h > t || t + *h < t ? 0 : -1;
   if (event >= 0) ${name}_${method}_end(m, t, u, *h, ${array}, w, w->g[${looks}]);
   status = ${name}_turn(t, *h, w->g[${looks}], ${array}, event, o);
