@@ -244,7 +244,7 @@ sanitize: all # some tests load the module of rational numbers into a plain lua5
 # rational.t and faults.t load libraries into programs, hostile.t measures memory; the others mostly run what is not
 # ours: compilers, integrators.  runtime/known.t runs long and reaches what the others reach.
 UNSANITIZED = tests/cli/rational.t tests/cli/bench.t tests/cli/bench_peers.t tests/cli/bench_time.t tests/cli/sheet.t \
-  tests/cli/hostile.t tests/cli/faults.t
+  tests/cli/hostile.t tests/cli/faults.t tests/cli/asking.t tests/cli/estimate.t
 sanitized: $(PROGRAM) $(C_TESTS)
 	@POLHODE=$(PROGRAM) POLHODE_SANITIZED=1 POLHODE_BODIES=$(CURDIR)/bodies $(PROVE) $(filter-out %/runtime/known.t,$(C_TESTS)) \
 	  $(filter-out $(UNSANITIZED),$(filter tests/cli/%,$(LUA_TESTS)))

@@ -101,8 +101,8 @@ void fit_wall(struct fit_problem *f, const double from[], const double step[], s
     behind[k] = from[k] - back * step[k];
   int rule;
   const double near = isfinite(back) ? fit_border(f, behind, step, &rule) : 0;
-  const double reach = SPARE / near - back;
-  if (near == 0 || isinf(near) || reach >= 1)
+  const double reach = near > 0 ? SPARE / near - back : 1;
+  if (isinf(near) || reach >= 1)
     return;
   border_slope(f, behind, step, w->normal);
   for (int k = 0; k < f->free; k++)

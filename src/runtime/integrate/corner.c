@@ -226,10 +226,12 @@ static int narrow(probe *p, ph_wide low, ph_wide *h, ph_wide y[]) {
     const ph_wide close = rounding(p->c, p->s, high);
     if (fabsl(high - low) <= close)
       break;
-    const ph_wide chord = low + (high - low) * (g_low / (g_low - g_high));
     ph_wide at = low + (high - low) / 2;
-    if (i % 3 != 2 && fabsl(chord - low) >= close / 2 && fabsl(high - chord) >= close / 2)
-      at = chord;
+    if (i % 3 != 2 && g_high < g_low) {
+      const ph_wide chord = low + (high - low) * (g_low / (g_low - g_high));
+      if (fabsl(chord - low) >= close / 2 && fabsl(high - chord) >= close / 2)
+        at = chord;
+    }
     const int status = look(p, at, z, &g);
     if (status)
       return status;

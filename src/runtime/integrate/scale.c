@@ -31,8 +31,9 @@ int step_scale_at(const stepper *s, const ph_wide x[], step_scale *out) {
    together, so each is known to the other's. */
 static ph_wide beside(const ph_top *top, const step_scale *c, const ph_wide x[], ph_wide h, int i) {
   const int k = i - c->place, slides = c->placed == 4;
+  const ph_wide largest = top->wide_moment[2]; /* 0: a particle, which nothing turns */
   if (i < 7) /* of the largest moment: about the others step_relative allows what it is for them */
-    return fabsl(h) * c->torque / top->wide_moment[2] +
+    return (largest > 0 ? fabsl(h) * c->torque / largest : 0) +
            (slides && c->arm > 0 ? step_size(2, x + c->place + 2) / c->arm : 0);
   if (c->placed && k >= 0 && k < c->placed)
     return k < 2 ? c->arm : c->arm * step_size(3, x + 4) + fabsl(h) * c->pull;
