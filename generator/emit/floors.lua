@@ -25,13 +25,16 @@ function floors.shared(kit, list)
   return FLOORS(kit.templates, kit.base, v) "steppers/floors.c"
 end
 
--- To each of v.kinds the argument `least`; always: zero where the scene has none.
-function floors.put(v, program, kit, always)
+-- The values of v's templates: to each of v.kinds the argument `least`, empty texts where the scene has none.
+function floors.put(v, program, kit)
+  local given, name = program.floors ~= nil, kit.ctx.name
   for _, k in ipairs(v.kinds) do
-    local place = program.floors and program.floors.places[program.states[math.tointeger(tonumber(k.first)) + 1].name]
-    k.least = place and string.format("least[%d], ", place) or
-      (program.floors or always) and kit.base.zero .. ", " or ""
+    local place = given and program.floors.places[program.states[math.tointeger(tonumber(k.first)) + 1].name]
+    k.least = place and string.format("least[%d], ", place) or given and kit.base.zero .. ", " or ""
   end
+  v.has_floors, v.least_first = given, given and "least" or kit.base.zero
+  v.least_arg, v.norm_pass = given and name .. "_real least, " or "", given and "m, h, " or ""
+  v.norm_args = given and string.format("const %s_model *m, %s_real h, ", name, name) or ""
 end
 
 return floors
