@@ -137,6 +137,8 @@ local scenes = {
     "omega = {0, 0, 1}" },
   { "drag_turned_round", 5, "effect.drag { c = 0.3 }, effect.torque { body = {0,0,-1} }", "omega = {0, 0, 0.4334}" },
   { "abs_of_rates", 5, "effect.torque { body = { -1*abs(wy), 0, 1*abs(wx) } }", "omega = {-2.194, 2.085, 1.583}" },
+  { "abs_and_drag", 5, "effect.drag { c = 0.3 }, effect.torque { body = { -1*abs(wy), 0, 1*min(wx, 0.1*wz) } }",
+    "omega = {-2.194, 2.085, 1.583}" },
 }
 local function scene(name, effects, initial)
   return string.format("return scene { name = %q, body = tensor { mass = 1, xx = 1, yy = 1.2, zz = 1.5 },\n" ..
