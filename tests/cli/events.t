@@ -15,9 +15,7 @@ local dir = program.directory()
 
 local function run(text, more)
   program.write(dir .. "/s.lua", text)
-  local code = program.shell(string.format("POLHODE_SOURCE=. %s run %s/s.lua %s > %s/csv 2> %s/log", binary, dir,
-    more or "", dir, dir))
-  return code, program.read(dir .. "/csv"), program.read(dir .. "/log")
+  return program.output(string.format("POLHODE_SOURCE=. %s run %s/s.lua %s", binary, dir, more or ""))
 end
 
 -- The second table: {name, t, row (numbers by column)} ..., and the rows of the first.
