@@ -19,7 +19,7 @@ local switched = {}
 
 local function text(n) return string.format("%d", n) end
 
--- Of a number.
+-- Binary digits of the type.
 local function digits(ctx) return ctx.real == "float" and 24 or 53 end
 
 -- The argument of the sides.
@@ -90,7 +90,7 @@ function switched.put(v, s, kit, method)
   local sw = s.program.switches
   local all = called(kit.ctx, sw)
   for _, k in ipairs(READ[method]) do v[k] = all[k] end
-  if not sw then return v end
+  if not sw then return end
   local taylor, turn = method == "taylor", v.turn and v.turn ~= ""
   local count = taylor and sw.hidden or #sw.list
   local bends = count > sw.count
@@ -110,7 +110,6 @@ function switched.put(v, s, kit, method)
     if v[k] ~= nil then own[k] = v[k] end
   end
   v.switched = SWITCHED(kit.templates, kit.base, own) "steppers/switched.c"
-  return v
 end
 
 return switched
