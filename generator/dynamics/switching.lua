@@ -17,28 +17,13 @@ local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
 local words = require "generator.algebra.text"
 local breaks = require "generator.dynamics.breaks"
+local constancy = require "generator.dynamics.constancy"
 local equations = require "generator.dynamics.equations"
 
 local switching = {}
 
 local RANK = 8
 local smallest = R.new(2) ^ -126 -- what |e| = sqrt(e^2 + smallest) has beside e^2: effects/solar_pressure.lua
-
--- The names of what changes along the motion: states, time, and definitions that depend on them.
-local function varying(eq)
-  local set = { t = true }
-  local stays = {}
-  for _, g in ipairs(eq.groups) do
-    for _, o in ipairs(g.outs) do stays[o.state] = o.expr == expr.zero end
-  end
-  for _, s in ipairs(eq.model.states) do set[s.name] = not stays[s.name] or nil end
-  for _, g in ipairs(eq.groups) do
-    for _, d in ipairs(g.defs) do
-      if not expr.constant(d.expr, set) then set[d.name] = true end
-    end
-  end
-  return set
-end
 
 -- sqrt(e^2 + smallest) is |e|: returns e, or nil.
 local function smoothed(u)
@@ -108,7 +93,7 @@ local forms = {
 
 -- The function e -> e between the corners.
 local function opened(self, eq)
-  local names, states, memo, knots = varying(eq), {}, {}, {}
+  local names, states, memo, knots = constancy.varying(eq), {}, {}, {}
   for _, s in ipairs(eq.model.states) do
     states[s.sym] = names[s.name] and s.kind and s.kind ~= "attitude" and s.kind ~= "position"
   end

@@ -19,7 +19,7 @@ local switched = {}
 
 local function text(n) return string.format("%d", n) end
 
--- Of a number.
+-- Binary digits of the type.
 local function digits(ctx) return ctx.real == "float" and 24 or 53 end
 
 -- The argument of the sides, or nil where there are only speeds.
@@ -124,7 +124,7 @@ function switched.put(v, s, kit, method)
   local all = called(ctx, sw)
   for _, k in ipairs(READ[method]) do v[k] = all[k] end
   v.switched = ""
-  if not sw then return v end
+  if not sw then return end
   local has, taylor, adaptive = sw.count > 0, method == "taylor", method == "adaptive"
   local turn, count, many = adaptive and v.attitude, looked_at(sw, method), kit.corners.count
   local bends = count > sw.count
@@ -150,7 +150,6 @@ function switched.put(v, s, kit, method)
     if v[k] ~= nil then own[k] = v[k] end
   end
   v.switched = SWITCHED(kit.templates, kit.base, own) "steppers/switched.c"
-  return v
 end
 
 return switched

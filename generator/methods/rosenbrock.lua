@@ -17,6 +17,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local breaks = require "generator.dynamics.breaks"
+local constancy = require "generator.dynamics.constancy"
 local contact = require "generator.dynamics.contact"
 local equations = require "generator.dynamics.equations"
 local sensitivity = require "generator.dynamics.sensitivity"
@@ -208,12 +209,9 @@ end
 function rosenbrock.program(eq)
   local switches = switching.of(eq)
   if switches then eq = switches.equations end
-  local zero, moving, taken = stages.conserved(eq), {}, {}
+  local moving, taken = constancy.moving(eq), {}
   for _, member in ipairs(eq.model.members) do taken[member.name] = true end
-  for _, s in ipairs(eq.model.states) do
-    taken[s.name] = true
-    if not zero[s.name] then moving[#moving + 1] = s end
-  end
+  for _, s in ipairs(eq.model.states) do taken[s.name] = true end
   if #moving == 0 then return nil, stages.AT_REST end
   local list = slips(eq)
   local groups, rates = in_slips(eq, list)

@@ -34,11 +34,7 @@ static const ${name}_real ${name}_rosenbrock_d[8] = {${d}};
 static ${shift.head}
 {
 %% for _, line in ipairs(shift.lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 
@@ -51,11 +47,7 @@ static ${shift.head}
 static ${rates.head}
 {
 %% for _, line in ipairs(rates.lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 
@@ -64,11 +56,7 @@ static ${rates.head}
 static ${matrix.head}
 {
 %% for _, line in ipairs(matrix.lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 
@@ -76,11 +64,7 @@ static ${matrix.head}
 static ${solve.head}
 {
 %% for _, line in ipairs(solve.lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 

@@ -22,11 +22,7 @@
 static ${g.head}
 {
 %% for _, line in ipairs(g.lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 %% if has_rates then
@@ -35,11 +31,7 @@ static ${g.head}
 static ${rates.head}
 {
 %% for _, line in ipairs(rates.lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 %% end

@@ -65,11 +65,7 @@ static int set_up(uint64_t member, double v[], real p[], real x[], ${name}_model
 static void watch_one(const real p[], real t, const real x[], real y[])
 {
 %% for _, line in ipairs(watch_lines) do
-%% if line == "" then
-
-%% else
   ${line}
-%% end
 %% end
 }
 
@@ -77,20 +73,12 @@ static void watch_lanes(real p[][LANES], real t, real x[][LANES], real y[][LANES
 {
   int lane;
 %% for _, line in ipairs(watch_common) do
-%% if line == "" then
-
-%% else
   ${line}
-%% end
 %% end
 
   for (lane = 0; lane < LANES; lane++) {
 %% for _, line in ipairs(watch_loop) do
-%% if line == "" then
-
-%% else
     ${line}
-%% end
 %% end
   }
 }
@@ -101,11 +89,7 @@ static void watch_lanes(real p[][LANES], real t, real x[][LANES], real y[][LANES
 static void final_one(const real p[], real t, const real x[], real y[])
 {
 %% for _, line in ipairs(final_lines) do
-%% if line == "" then
-
-%% else
   ${line}
-%% end
 %% end
 }
 %% end

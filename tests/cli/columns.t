@@ -11,9 +11,7 @@ local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
 
 local function run(arguments)
-  local status = program.shell(string.format("timeout 120 %s run %s >%s/stdout 2>%s/stderr", binary, arguments, dir,
-    dir))
-  return status, program.read(dir .. "/stdout"), program.read(dir .. "/stderr")
+  return program.output(string.format("timeout 120 %s run %s", binary, arguments))
 end
 
 -- Rows by the names of the columns; names may be quoted.

@@ -17,10 +17,10 @@ local function run(text, more)
   program.write(dir .. "/s.lua", text)
   os.remove(dir .. "/events.csv")
   local happens = text:find("when =", 1, true) and not (more or ""):find "json"
-  local code = program.shell(string.format("POLHODE_SOURCE=. %s run %s/s.lua %s %s > %s/csv 2> %s/log", binary, dir,
-    more or "", happens and "--events " .. dir .. "/events.csv" or "", dir, dir))
+  local code, csv, log = program.output(string.format("POLHODE_SOURCE=. %s run %s/s.lua %s %s", binary, dir, more or "",
+    happens and "--events " .. dir .. "/events.csv" or ""))
   local found = happens and program.read(dir .. "/events.csv")
-  return code, program.read(dir .. "/csv") .. (found and "\n" .. found or ""), program.read(dir .. "/log")
+  return code, csv .. (found and "\n" .. found or ""), log
 end
 
 -- Of rows and, behind an empty line, events: {name, t, row (numbers by column)} ..., and the rows.

@@ -48,6 +48,13 @@ function program.shell(command)
   return why == "signal" and 128 + code or code
 end
 
+-- What a command comes to: its status, what it wrote to standard output and to standard error.
+function program.output(command)
+  local base = program.directory()
+  local code = program.shell(string.format("%s >%s/stdout 2>%s/stderr", command, base, base))
+  return code, program.read(base .. "/stdout"), program.read(base .. "/stderr")
+end
+
 -- "CC=..." for the program's environment: another compiler (CC's unless named) and level, which gives the same bits
 -- (tests/target/bits.t) sooner; -O0 has fewer warnings, which other tests see.
 function program.compiler(level, compiler)

@@ -18,10 +18,10 @@ local methods = { "adaptive", "taylor", "rosenbrock" }
 -- The row at t: numbers by the columns' names; nil and what the program said.
 local function at(scene, t, options)
   program.write(dir .. "/s.lua", scene)
-  local status = program.shell(string.format(
-    "POLHODE_SOURCE=. timeout 60 %s run %s/s.lua --at %s %s > %s/csv 2> %s/err", binary, dir, t, options, dir, dir))
-  local names, values = string.match(program.read(dir .. "/csv") or "", "^([^\n]*)\n([^\n]*)")
-  if status ~= 0 or not values then return nil, program.read(dir .. "/err") end
+  local status, out, err = program.output(string.format("POLHODE_SOURCE=. timeout 60 %s run %s/s.lua --at %s %s",
+    binary, dir, t, options))
+  local names, values = string.match(out, "^([^\n]*)\n([^\n]*)")
+  if status ~= 0 or not values then return nil, err end
   local row, each = {}, string.gmatch(values, "[^,]+")
   for name in string.gmatch(names, "[^,]+") do row[name] = tonumber(each()) end
   return row
