@@ -49,7 +49,8 @@ local words = {
 -- How to close an open mesh, or nil; m: what host.mesh found; show: writes the option that welds.
 function defects.offer(m, show)
   if m.defects.unbalanced == 0 or m.weld == 0 or m.merged > 0 then return nil end
-  return "vertices up to " .. rough(m.gap) .. " apart are taken for different ones; " .. show(rough(m.weld)) ..
+  return "vertices up to " .. rough(m.gap) .. " apart are taken for different ones; " ..
+    show((string.gsub(rough(m.weld), "e%-0", "e-"))) ..
     " joins them and closes it"
 end
 

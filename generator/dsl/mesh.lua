@@ -87,7 +87,8 @@ function mesh.constructor(ctx)
       ctx.diag:warn(ctx.diag:locate(line, "file"), what, given.file .. ": " .. phrase)
     end
     node.a = exact(m, k, power)
-    node.faces, node.unit = m.shape, k
+    node.faces, node.unit, node.longest = m.shape, k, 0
+    for i = 1, 3 do node.longest = math.max(node.longest, m.box.hi[i] - m.box.lo[i]) end -- in the file's unit
     return shapes.new(node)
   end
 end

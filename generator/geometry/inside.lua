@@ -3,7 +3,8 @@
 -- Plain numbers, no algebra: trees in the form dynamics/numeric_body.lua gives.  Solids by their exact definition, thin
 -- things within `slack` of them; a sum holds what either part holds, a difference what is in the body and not strictly
 -- inside the hole.  Placements are undone on the point.  A mesh asks its faces, which the host keeps.  Of a tensor
--- nothing is known: the answer is nil unless the rest of the tree decides.  Shares nothing with surface.lua, so each checks the other.
+-- nothing is known: the answer is nil unless the rest of the tree decides.  Shares nothing with surface.lua, so each
+-- checks the other.
 --     inside.excess(tree, p)            negative inside, 0 on the border, positive outside; nil: cannot say
 --     inside.contains(tree, p, slack)   true, false or nil
 --     inside.distance(tree, p, step)    the excess as a distance: divided by its slope
