@@ -20,28 +20,30 @@ local function prints(words, status, out, err)
 end
 
 prints("links tests/interchange/arm.urdf", 1, [[
-ok    "upper": mass 1.2, com 0.1 0 0.02, xx yy zz xy xz yz 0.002 0.005 0.006 -0.0003 0 0
-no    "lower"
-      tests/interchange/arm.urdf:16: link "lower": <inertia> triangle inequality: zz <= xx + yy must hold, ]] .. [[
-got 1.676359 > 0.0026619 + 0.0023025
-URDF: 2 of 3 with <inertial>, 1 wrong
+ok     "upper": mass 1.2, com 0.1 0 0.02, xx yy zz xy xz yz 0.002 0.005 0.006 -0.0003 0 0
+no     "lower"
+      tests/interchange/arm.urdf:16: link "lower": <inertia> triangle inequality about the centre of mass: ]] .. [[
+zz <= xx + yy must hold, got 1.676359 > 0.0026619 + 0.0023025; most likely: zz has a slipped decimal point or ]] .. [[
+is off by a unit's 1e3 (0.001676359 would satisfy it)
+URDF: 3 links, 2 with <inertial>: 1 wrong, 0 with a warning; 1 static
 ]], "")
 prints("links tests/interchange/arm.xml", 0, [[
-ok    "upper": mass 1.2, com 0.1 0 0.02, xx yy zz xy xz yz 0.002 0.005 0.006 -0.0003 0 0
-ok    "lower": mass 1.559, com 0.05 0 0, xx yy zz xy xz yz 0.0026 0.0023 0.0017 0 0 0 in a turned frame
-MJCF: 2 of 2 with <inertial>, 0 wrong
+ok     "upper": mass 1.2, com 0.1 0 0.02, xx yy zz xy xz yz 0.002 0.005 0.006 -0.0003 0 0
+ok     "lower": mass 1.559, com 0.05 0 0, xx yy zz xy xz yz 0.0026 0.0023 0.0017 0 0 0 in a turned frame
+MJCF: 2 links, 2 with <inertial>: 0 wrong, 0 with a warning; 0 static
 ]], "")
 prints("links tests/interchange/arm.sdf", 0, [[
-ok    "arm::upper": mass 1.2, com 0.1 0 0.02, xx yy zz xy xz yz 0.002 0.005 0.006 -0.0003 0 0
-warn  "arm::lower": mass 1, com 0.05 0 0, xx yy zz xy xz yz 0.0026 0.0023 0.0017 0 0 0 in a turned frame
+ok     "arm::upper": mass 1.2, com 0.1 0 0.02, xx yy zz xy xz yz 0.002 0.005 0.006 -0.0003 0 0
+warn   "arm::lower": mass 1, com 0.05 0 0, xx yy zz xy xz yz 0.0026 0.0023 0.0017 0 0 0 in a turned frame
       tests/interchange/arm.sdf:12: link "arm::lower": <inertial> has no <mass>: the format's default is 1 kg
-SDF: 2 of 2 with <inertial>, 0 wrong
+SDF: 2 links, 2 with <inertial>: 0 wrong, 1 with a warning; 0 static
 ]], "")
 prints("links no/such/file", 2, "", "polhode: cannot read no/such/file: No such file or directory\n")
-prints("links README.md", 2, "", "polhode: README.md:1: not well-formed (invalid token)\n")
+prints("links README.md", 2, "", "polhode: README.md:1: this is no XML; read are URDF, MJCF and SDF\n")
 run.write("x.xml", "<a/>")
 prints("links " .. run.dir .. "/x.xml", 2, "",
-  "polhode: " .. run.dir .. "/x.xml: no URDF, MJCF or SDF: the root is <a>\n")
+  "polhode: " .. run.dir .. "/x.xml:1: the root must be <robot> (URDF), <mujoco> (MJCF), <sdf> (SDF) or an " ..
+  "<inertial> of one of them, got <a>\n")
 
 do
   local first
