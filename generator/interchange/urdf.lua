@@ -13,7 +13,7 @@ local turns = require "generator.interchange.turns"
 
 local entries = { "ixx", "iyy", "izz", "ixy", "ixz", "iyz" }
 
-local urdf = { name = "URDF", link = "link", model = "link",
+local urdf = { name = "URDF", link = "link",
   reads = {
     inertial = { has = { "origin", "mass", "inertia" } },
     origin = { at = { "xyz", "rpy", "quat_xyzw" } },
