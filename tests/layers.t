@@ -19,8 +19,9 @@ local ARROWS = {
   selection = {}, -- names of functions
   stages = {}, -- fields of what one part hands to the next
   functions = { "dynamics", "methods" }, -- which ones a plan has
-  dsl = { "algebra", "diag", "interchange", "nearest" }, -- interchange: shapes whose numbers another program wrote
-  interchange = { "algebra", "diag" },
+  -- interchange: shapes whose numbers another program wrote; mass: what is said of a tensor
+  dsl = { "algebra", "diag", "interchange", "nearest", "mass" },
+  interchange = { "algebra", "diag", "nearest", "mass" },
   mass = { "algebra", "diag", "geometry" }, -- geometry: does a hole lie inside its body?
   effects = { "algebra" },
   geometry = {},

@@ -5,10 +5,12 @@
 -- NAME_init for whatever values it is given.  Every problem is reported on the line where the argument is written.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local later = require "generator.later"
 local R = require "generator.algebra.rational"
 local coordinate = require "generator.algebra.coordinate"
 local expr = require "generator.algebra.expr"
 local motion = require "generator.algebra.motion"
+local turns = later "generator.interchange.turns"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
 local diag = require "generator.diag"
@@ -56,8 +58,6 @@ function args.named(specs, rule, given)
   end
   return table.concat(list, ", ")
 end
-
-local turn = R.parse "6.284" -- a full turn, also one that was typed as 6.2832
 
 local words = { positive = "must be positive", nonnegative = "must not be negative" }
 
@@ -137,14 +137,15 @@ function args.scalar(ctx, line, what, name, spec, given)
       " must be a real number for the default parameters"), value.show(given))
     return nil
   end
-  if spec.sign and not args.condition(ctx, line, what, name .. " " .. words[spec.sign], r.e, value.show(given),
-    spec.sign == "nonnegative") then
+  if spec.sign and not spec.elsewhere and not args.condition(ctx, line, what, name .. " " .. words[spec.sign], r.e,
+    value.show(given), spec.sign == "nonnegative") then
     return nil
   end
-  if name == "angle" and r.e.kind == "num" and not r.dim and R.abs(number) > turn then -- a plain number, without pi
-    local x = value.show(given)
-    ctx.diag:warn(line, what, string.format("angle is in radians and %s looks like degrees: " ..
-      "write quantity(%s, \"deg\") or quantity(%s, \"rad\")", x, x, x))
+  local x = name == "angle" and r.e.kind == "num" and not r.dim and value.show(given) -- a plain number, without pi
+  local other = x and turns.suspect(number, false, x)
+  if other then
+    ctx.diag:warn(line, what, string.format("angle %s: write quantity(%s, \"deg\") or quantity(%s, \"rad\")", other, x,
+      x))
   end
   return r.e
 end

@@ -13,7 +13,8 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
 local args = require "generator.dsl.args"
-local digits = require "generator.dsl.digits"
+local digits = require "generator.mass.digits"
+local law = later "generator.mass.law"
 local polygon = later "generator.dsl.polygon"
 local region = later "generator.dsl.region"
 local rotation = later "generator.dsl.rotation"
@@ -85,11 +86,40 @@ local function bare(spec, given)
   return out
 end
 
--- By how much the entries of a `tensor` may be off, each rounded to the digits that are written.
-local function halves(given)
+-- What the digits of the entries of a `tensor` say of their rounding.
+local function written(given)
   local list = {}
   for i, name in ipairs(vec.entry) do list[i] = value.digits(given[name]) or false end
-  return digits.halves(list, 6)
+  return digits.written(list, 6)
+end
+
+-- Negative moments of a `tensor`; true when there are none.
+local function signs(line, a, given)
+  local entries = vec.map({ a.xx, a.yy, a.zz, a.xy, a.xz, a.yz }, value.number)
+  local hint, ok = nil, true
+  for i = 1, 3 do
+    local name, got = vec.entry[i], nil
+    if R.sign(entries[i]) < 0 then
+      hint = hint and "" or law.hint { I = entries, mass = value.number(a.mass), com = vec.map(a.com, value.number),
+        about = a.about }
+      got = value.show(given[name]) .. hint
+    end
+    ok = args.condition(ctx, ctx.diag:locate(line, name), "tensor", law.not_negative(name), a[name], got, true) and ok
+  end
+  return ok
+end
+
+-- A `tensor` of numbers that is a rod but for the rounding of who computed it becomes one.
+local function straight(node)
+  local a, I = node.a, {}
+  for i, name in ipairs(vec.entry) do
+    if a[name].kind ~= "num" then return end
+    I[i] = a[name].value
+  end
+  local rod = a.about == "com" and not node.formal and law.rod(node.written, I)
+  if not rod then return end
+  node.typed = vec.map(I, expr.num)
+  for i, name in ipairs(vec.entry) do a[name] = expr.num(rod[i]) end
 end
 
 -- The constructor of one catalogue entry.
@@ -113,7 +143,9 @@ function shapes.constructor(spec)
       ok = polygon.check(ctx, line, what, a.profile, a.holes or {}, spec.polygons == "x")
     end
     if spec.name == "tensor" then
-      node.mass, node.formal, node.halves = a.mass, a.physical == false, halves(args.plain(given) and given or {})
+      ok = ok and signs(line, a, given)
+      node.mass, node.formal, node.written = a.mass, a.physical == false, written(args.plain(given) and given or {})
+      if ok then straight(node) end
     end
     node.broken = not ok
     return new(node)

@@ -12,7 +12,7 @@
 -- one message; what is computed from an unknown name (diag/broken.lua) is as broken as that.
 -- `cycles` marks what is counted in Hz, and its multiples by numbers: as an angular rate it would be 2 pi too small.
 -- `written` is {number or string, factor} where a value is a decimal that the scene writes, times what is exact: see
--- dsl/digits.lua.
+-- mass/digits.lua.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -20,7 +20,7 @@ local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local motion = require "generator.algebra.motion"
 local text = require "generator.algebra.text"
-local digits = require "generator.dsl.digits"
+local digits = require "generator.mass.digits"
 local units = require "generator.dsl.units"
 local diag = require "generator.diag"
 local broken = require "generator.diag.broken"

@@ -10,8 +10,8 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
 local body = require "generator.mass.body"
+local law = require "generator.mass.law"
 local slips = require "generator.mass.slips"
-local validity = require "generator.mass.validity"
 
 -- N is one reading: exact(e) -> rational, num(e) -> double, nums(list).
 local function reading(exact)
@@ -89,10 +89,11 @@ local function mesh(N, node, growth)
 end
 
 -- A tensor that no body has was taken as it is: the library is told so, about the centre of mass.
-local function formal(N, a)
+local function formal(N, node)
+  local a = node.a
   local I = vec.map({ a.xx, a.yy, a.zz, a.xy, a.xz, a.yz }, N.exact)
   if a.about == "origin" then I = vec.sub(I, slips.steiner(N.exact(a.mass), vec.map(a.com, N.exact))) end
-  if validity.lawful(I) then return nil end
+  if law.lawful(I, law.computed(node.written, I)) then return nil end
   local out = { shape = "tensor", formal = true, mass = N.num(a.mass), com = N.nums(a.com) }
   for i, name in ipairs(vec.entry) do out[name] = R.todouble(I[i]) end
   return out
@@ -103,7 +104,7 @@ local function shape(N, node, growth)
   if node.shape == "points" then return points(N, node) end
   if node.shape == "mesh" then return mesh(N, node, growth) end
   if node.shape == "region" then return region(N, node, growth) end
-  local unlawful = node.shape == "tensor" and node.name ~= "inertial" and formal(N, node.a)
+  local unlawful = node.shape == "tensor" and formal(N, node)
   if unlawful then return unlawful end
   local out = { shape = node.shape, mass = node.mass and N.num(node.mass),
     density = node.density and N.num(node.density * growth[node.measure]) }

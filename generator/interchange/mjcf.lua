@@ -13,7 +13,13 @@ local diag = require "generator.diag"
 local reader = require "generator.interchange.reader"
 local turns = require "generator.interchange.turns"
 
-local mjcf = { name = "MJCF", link = "body" }
+local mjcf = { name = "MJCF", link = "body", model = "worldbody",
+  reads = { inertial = { at = { "pos", "mass", "diaginertia", "fullinertia" } } }, -- and an orientation, below
+  elsewhere = { inertia = "fullinertia= or diaginertia=", mass = "the attribute mass=", origin = "pos= and quat=",
+    pose = "pos= and quat=", rpy = "euler=", xyz = "pos=" },
+  inside = { "mass", "inertia", "origin", "pose" },
+  without = "MuJoCo takes their geoms",
+}
 
 -- Every body, however deep: {name =, element =}.  Second result: whether the file includes others.
 function mjcf.links(root)
@@ -90,28 +96,31 @@ local function orientation(r, inertial, options)
   local name, n, f = table.unpack(found[1])
   local v = r:attribute(inertial, name, n)
   if not v then return nil end
+  if name == "euler" then r:angles(inertial, "<inertial> euler", v, options.degrees) end
+  if name == "axisangle" then r:angles(inertial, "<inertial> axisangle", { v[4] }, options.degrees) end
   local list, rule = f(v, options)
   return list or r:fail(inertial, "<inertial> " .. name .. " " .. rule)
 end
 
-local known = { pos = true, mass = true, diaginertia = true, fullinertia = true }
-for _, f in ipairs(forms) do known[f[1]] = true end
+for _, f in ipairs(forms) do table.insert(mjcf.reads.inertial.at, f[1]) end
 
--- {mass =, com =, tensor =, turns =} of an <inertial>; what cannot be read is missing and has been said.
+-- {mass =, com =, tensor =, words = of the tensor, turns =} of an <inertial>; what cannot be read is missing and has
+-- been said.
 function mjcf.read(r, inertial, root)
   local options = compiler(r, root)
   local mass = r:attribute(inertial, "mass", 1)
   local out = { com = r:attribute(inertial, "pos", 3), mass = mass and mass[1], mass_at = inertial,
     tensor_at = inertial, turns = orientation(r, inertial, options) }
-  r:unread(inertial, known)
   local full, diagonal = inertial.at.fullinertia, inertial.at.diaginertia
   if full and diagonal then
     r:fail(inertial, "<inertial> fullinertia and diaginertia exclude each other")
   elseif full then
     out.tensor = r:attribute(inertial, "fullinertia", 6)
+    out.words = out.tensor and out.tensor.words
   elseif diagonal then
     local d = r:attribute(inertial, "diaginertia", 3)
     out.tensor = d and { d[1], d[2], d[3], R.zero, R.zero, R.zero }
+    out.words = d and d.words
   else
     r:fail(inertial, "<inertial> diaginertia or fullinertia is missing")
   end

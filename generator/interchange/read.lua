@@ -1,13 +1,16 @@
 -- read.lua -- from the XML of a robot to the mass properties of one of its links.
 --
--- The format is told by the root: <robot> URDF, <mujoco> MJCF, <sdf> SDF; a fragment that is an <inertial> by itself by
--- what is in it.  Numbers are exact rationals (the decimals that are written), tensors six entries {xx, yy, zz, xy, xz,
--- yz} about the centre of mass.  A tensor that no body can have is refused here, where its line is known.
+-- The format is told by the root: <robot> URDF, <mujoco> MJCF, <sdf> (<gazebo> until version 1.2) SDF; a fragment that
+-- is an <inertial> by itself by what is in it.  Numbers are exact rationals (the decimals that are written), tensors
+-- six entries {xx, yy, zz, xy, xz, yz} about the centre of mass.  What mass/law.lua says of a tensor is said here,
+-- where its line is known.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local vec = require "generator.algebra.vec"
 local diag = require "generator.diag"
+local digits = require "generator.mass.digits"
+local law = require "generator.mass.law"
+local document = require "generator.interchange.document"
 local reader = require "generator.interchange.reader"
 local urdf = require "generator.interchange.urdf"
 local sdf = require "generator.interchange.sdf"
@@ -15,7 +18,8 @@ local mjcf = require "generator.interchange.mjcf"
 
 local read = {}
 
-local roots = { robot = urdf, mujoco = mjcf, mujocoinclude = mjcf, sdf = sdf, world = sdf, model = sdf, body = mjcf }
+local roots = { robot = urdf, mujoco = mjcf, mujocoinclude = mjcf, sdf = sdf, gazebo = sdf, world = sdf,
+  model = sdf, body = mjcf }
 
 -- The format of an <inertial> or <link> without the document around it, or nil.
 local function fragment(root)
@@ -33,43 +37,24 @@ function read.format(root) return roots[root.name] or fragment(root) end
 
 local function show(q) return diag.show(R.todouble(q)) end
 
--- Numbers of a file are rounded ones, so the conditions may fail by a few units of the last place of a double: a thin
--- plate's zz = xx + yy need not hold to the last bit.  Each of the six has at most one such unit, 2^-52 of the trace.
-local slack = R.new(2) ^ -49
-
-local function semidefinite(S, trace)
-  for i = 1, 3 do
-    if S[i] < -slack * trace then return false end
+-- The first element of Xacro, which nobody has expanded, or nil.
+function read.macro(root)
+  if string.find(root.name, "^xacro:") then return root end
+  for _, e in ipairs(root) do
+    local found = read.macro(e)
+    if found then return found end
   end
-  local adj, det = vec.adjugate(S)
-  for i = 1, 3 do
-    if adj[i] < -slack * trace * trace then return false end
-  end
-  return det >= -slack * trace * trace * trace
 end
 
-local names = { "xx", "yy", "zz" }
+local function expand(e) return "<" .. e.name .. "> is not expanded (run xacro first)" end
 
--- Can a body have this tensor about its centre of mass?  nil, or the rule that it breaks and with what.  Necessary and
--- sufficient: tr(I)/2 1 - I is positive semidefinite (Wensing, Kim, Slotine 2018, IEEE RA-L 3, 60).
-function read.impossible(I)
-  local trace = R.abs(I[1]) + R.abs(I[2]) + R.abs(I[3])
-  for i = 1, 3 do
-    if R.sign(I[i]) < 0 then return names[i] .. " must not be negative", show(I[i]) end
+-- Warns of what stands where links do and may have been meant as one, and of macros.
+function read.around(r, root, format)
+  local macro = read.macro(root)
+  if macro then r:warn(macro, expand(macro) .. "; links that it makes are not read") end
+  if root.name ~= "inertial" and root.name ~= "link" then
+    for _, name in ipairs { format.link, format.model } do r:misplaced(format, root, name) end
   end
-  for i = 1, 3 do
-    local j, k = i % 3 + 1, (i + 1) % 3 + 1
-    if I[i] - I[j] - I[k] > slack * trace then
-      return string.format("triangle inequality: %s <= %s + %s must hold", names[i], names[j], names[k]),
-        string.format("%s > %s + %s", show(I[i]), show(I[j]), show(I[k]))
-    end
-  end
-  if semidefinite(vec.second(I), trace) then return nil end
-  local entries = {}
-  for i, q in ipairs(I) do entries[i] = vec.entry[i] .. " " .. show(q) end
-  local rule = semidefinite(I, trace) and "the triangle inequality of the principal moments must hold"
-    or "the tensor must be positive semidefinite"
-  return rule, table.concat(entries, ", ")
 end
 
 -- The links that have an <inertial>, {name =, element =, inertial =}, and all links' names for a message.
@@ -91,7 +76,9 @@ end
 local function choose(r, root, format, wanted)
   local list, names_of, all, includes = read.links(root, format)
   local word = format.link
-  local more = includes and "; files that it includes are not read" or ""
+  local macro = read.macro(root)
+  local more = (includes and "; files that it includes are not read" or "") .. (macro and "; line " .. macro.line ..
+    ": " .. expand(macro) or "")
   if root.name == "inertial" then
     if wanted then return r:fail(root, "the file is one <inertial>, which has no name", diag.show(wanted)) end
     return list[1]
@@ -123,15 +110,42 @@ local function choose(r, root, format, wanted)
   return r:fail(root, "no <" .. word .. "> with <inertial> has this name (" .. some .. more .. ")", diag.show(wanted))
 end
 
--- What one chosen link says, checked; nil after a complaint.
-function read.link(r, root, format, link)
+local function zero(I)
+  for _, q in ipairs(I) do
+    if R.sign(q) ~= 0 then return false end
+  end
+  return true
+end
+
+-- What law.lua says of the numbers that were read, with the words of their entries.
+local function judge(r, p)
+  local list = {}
+  for i = 1, 6 do list[i] = digits.of(p.words and p.words[i]) or false end
+  local at, tag = p.tensor_at, "<" .. p.tensor_at.name .. "> "
+  local zeros = { R.zero, R.zero, R.zero }
+  local written = digits.written(list, 6)
+  p.rod = law.rod(written, p.tensor)
+  return law.judge({ I = p.rod or p.tensor, mass = p.mass or R.zero, com = p.com or zeros, about = "com",
+    written = written }, function(rule, got) r:fail(at, tag .. rule, got) end,
+    function(text) r:warn(at, tag .. text) end)
+end
+
+-- What one chosen link says, checked; nil after a complaint.  alone: no other part is added to it; then the second
+-- result is why it is a body that never moves, if it is one.
+function read.link(r, root, format, link, alone)
   r.owner = link.name and format.link .. " " .. diag.show(link.name) or nil
   local inertial = link.element == link.inertial and link.inertial or r:child(link.element, "inertial")
+  if link.element ~= inertial then r:misplaced(format, link.element, "inertial") end
+  r:unread(format, inertial)
   local p = format.read(r, inertial, root)
+  if alone and p.mass and p.tensor and R.sign(p.mass) == 0 and zero(p.tensor) then
+    return p, "no mass and no moments"
+  end
   if p.mass and R.sign(p.mass) <= 0 then r:fail(p.mass_at, "mass must be positive", show(p.mass)) end
-  if p.tensor then
-    local rule, got = read.impossible(p.tensor)
-    if rule then r:fail(p.tensor_at, "<" .. p.tensor_at.name .. "> " .. rule, got) end
+  if p.tensor and alone and zero(p.tensor) then
+    r:fail(p.tensor_at, "<" .. p.tensor_at.name .. "> " .. law.nothing "the centre of mass")
+  elseif p.tensor then
+    p.judged = judge(r, p)
   end
   return not r.failed and p or nil
 end
@@ -140,8 +154,7 @@ end
 function read.inertial(r, root, wanted)
   local format = read.format(root)
   if not format then
-    return r:fail(root, "the root must be <robot> (URDF), <mujoco> (MJCF), <sdf> (SDF) or an <inertial> of one of them",
-      "<" .. diag.cut(root.name, 40) .. ">")
+    return r:fail(root, document.unknown(root))
   end
   local link = choose(r, root, format, wanted)
   return link and read.link(r, root, format, link)

@@ -7,6 +7,8 @@
 
 local R = require "generator.algebra.rational"
 local diag = require "generator.diag"
+local turns = require "generator.interchange.turns"
+local nearest = require "generator.nearest"
 
 local reader = {}
 reader.__index = reader
@@ -62,13 +64,15 @@ local function decimal(word)
   return q
 end
 
--- n numbers with white space between, of the text found at `what`; nil after a complaint.
+-- n numbers with white space between, of the text found at `what`, with their words: {q, ..., words = {"1.0", ...}};
+-- nil after a complaint.
 function reader:numbers(element, what, text, n)
-  local list = {}
+  local list = { words = {} }
   for word in string.gmatch(text, "[^ \t\r\n]+") do
     local q, rule = decimal(word)
     if not q then return self:fail(element, what .. " " .. rule, diag.show(word)) end
     list[#list + 1] = q
+    list.words[#list] = word
   end
   if #list ~= n then
     return self:fail(element, what .. " must be " .. (n == 1 and "one number" or n .. " numbers"),
@@ -86,10 +90,68 @@ function reader:attribute(element, name, n, default)
   return self:fail(element, what .. " is missing")
 end
 
--- Attributes that nobody reads: a slip, such as a seventh entry of a symmetric tensor.
-function reader:unread(element, known)
+-- What was probably meant by a name that nobody reads, as the end of a message.  known: what there is, of which what is
+-- there already cannot have been meant; show: how it is written.
+local function meant(format, name, known, there, show)
+  local other = format.elsewhere[name]
+  if other then return ": " .. format.name .. " has " .. other end
+  local list = {}
+  for _, k in ipairs(known) do
+    if not there(k) then list[#list + 1] = k end
+  end
+  local near = nearest.one(name, list)
+  return near and ": did you mean " .. show(near) .. "?" or ""
+end
+
+local function tag(name) return "<" .. name .. ">" end
+
+local function any(list, name)
+  for _, k in ipairs(list or {}) do
+    if k == name then return true end
+  end
+  return false
+end
+
+-- Warns of what nobody reads in the element and below it.  format.reads: {[name of an element] = {at = attributes, has
+-- = elements, text = is its text read?}}, the whole list of what the format's reader looks at.
+function reader:unread(format, element)
+  local reads = format.reads[element.name]
   for _, name in ipairs(element.at) do
-    if not known[name] then self:warn(element, "<" .. element.name .. "> " .. name .. " is not read") end
+    if not any(reads.at, name) and not string.find(name, "^xml") then
+      self:warn(element, tag(element.name) .. " " .. name .. " is not read" ..
+        meant(format, name, reads.at or {}, function(k) return element.at[k] ~= nil end, tostring))
+    end
+  end
+  if not reads.text and string.find(element.text, "%S") then
+    self:warn(element, tag(element.name) .. " " .. diag.show(string.match(element.text, "^%s*(.-)%s*$")) ..
+      " is not read: its numbers are in " .. (reads.at and "attributes" or "elements"))
+  end
+  for _, e in ipairs(element) do
+    if any(reads.has, e.name) then
+      self:unread(format, e)
+    else
+      self:warn(e, tag(e.name) .. " in " .. tag(element.name) .. " is not read" ..
+        meant(format, e.name, reads.has or {}, function(k) return reader.children(element, k)[1] ~= nil end, tag))
+    end
+  end
+end
+
+-- Warns of what looks as if it should have been a child `name` of the element, or belongs into <inertial>.
+function reader:misplaced(format, element, name)
+  for _, e in ipairs(element) do
+    if any(format.inside, e.name) then
+      self:warn(e, tag(e.name) .. " in " .. tag(element.name) .. " is not read: it belongs into <inertial>")
+    elseif e.name ~= name and nearest.slips(e.name, name) then
+      self:warn(e, tag(e.name) .. " in " .. tag(element.name) .. " is not read: did you mean " .. tag(name) .. "?")
+    end
+  end
+end
+
+-- Warns of angles that are probably in another unit.
+function reader:angles(element, what, list, degrees)
+  for _, q in ipairs(list) do
+    local why = turns.suspect(q, degrees, diag.show(R.todouble(q)))
+    if why then self:warn(element, what .. " " .. why) end
   end
 end
 

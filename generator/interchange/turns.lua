@@ -20,6 +20,19 @@ local function angle(q, degrees)
   return expr.num(q)
 end
 
+local turn, radian = R.parse "6.284", R.parse "0.001" -- a full turn, also one that was typed as 6.2832
+local eighth = math.pi / 4
+
+-- What is wrong with the unit of an angle, if anything, as the end of a message: whole multiples of 45 degrees are
+-- typed as 1.57 and 3.1416, with two decimals and more, and nobody means 1.5708 degrees.
+function turns.suspect(q, degrees, shown)
+  if not degrees then return R.abs(q) > turn and "is in radians and " .. shown .. " looks like degrees" or nil end
+  local x = math.abs(R.todouble(q))
+  local n = math.floor(x / eighth + 0.5)
+  if n < 1 or n > 8 or R.isint(q) or math.abs(x - n * eighth) > R.todouble(radian) * n then return nil end
+  return "is in degrees and " .. shown .. " looks like radians"
+end
+
 -- Fixed axes x, y, z in this order: R = Rz(yaw) Ry(pitch) Rx(roll).
 function turns.rpy(rpy, degrees)
   local list = {}

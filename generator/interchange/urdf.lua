@@ -11,15 +11,45 @@ local R = require "generator.algebra.rational"
 local reader = require "generator.interchange.reader"
 local turns = require "generator.interchange.turns"
 
-local urdf = { name = "URDF", link = "link" }
+local entries = { "ixx", "iyy", "izz", "ixy", "ixz", "iyz" }
+
+local urdf = { name = "URDF", link = "link",
+  reads = {
+    inertial = { has = { "origin", "mass", "inertia" } },
+    origin = { at = { "xyz", "rpy", "quat_xyzw" } },
+    mass = { at = { "value" } },
+    inertia = { at = entries },
+  },
+  elsewhere = { pose = "<origin xyz= rpy=>", com = "<origin xyz=>" }, -- names of other formats
+  inside = { "origin", "mass", "inertia", "pose" }, -- what a link itself does not have
+  bare = true, -- links without <inertial> are static: simulators fix them or leave them out
+}
 
 local zeros = { R.zero, R.zero, R.zero }
 
--- Every link: {name =, element =}.
+-- The links that nothing can move: fixed joints lead from them to a link "world".
+local function fixed(root)
+  local parent = {}
+  for _, joint in ipairs(reader.children(root, "joint")) do
+    local above, below = reader.children(joint, "parent")[1], reader.children(joint, "child")[1]
+    if joint.at.type == "fixed" and above and below and below.at.link then parent[below.at.link] = above.at.link end
+  end
+  return function(name)
+    local steps = 0
+    while name and name ~= "world" and steps < 1000 do -- a ring of joints has no end
+      name, steps = parent[name], steps + 1
+    end
+    return name == "world" and 'fixed to "world"' or nil
+  end
+end
+
+-- Every link: {name =, element =, static = why nothing moves it, or nil}.
 function urdf.links(root)
-  local list = {}
+  local list, why = {}, fixed(root)
   if root.name == "link" then return { { name = root.at.name, element = root } } end
-  for _, e in ipairs(reader.children(root, "link")) do list[#list + 1] = { name = e.at.name, element = e } end
+  for _, e in ipairs(reader.children(root, "link")) do
+    list[#list + 1] = { name = e.at.name, element = e, static = why(e.at.name) }
+  end
   return list
 end
 
@@ -28,6 +58,7 @@ local function orientation(r, origin)
   if quaternion and rpy then return r:fail(origin, "<origin> must have rpy or quat_xyzw, not both") end
   if not quaternion then
     rpy = r:attribute(origin, "rpy", 3, zeros)
+    if rpy then r:angles(origin, "<origin> rpy", rpy) end
     return rpy and turns.rpy(rpy)
   end
   local q = r:attribute(origin, "quat_xyzw", 4)
@@ -36,26 +67,23 @@ local function orientation(r, origin)
   return list or r:fail(origin, "<origin> quat_xyzw " .. rule)
 end
 
--- {mass =, com =, tensor =, turns =} of an <inertial>; what cannot be read is missing and has been said.
+-- {mass =, com =, tensor =, words = of the tensor, turns =} of an <inertial>; what cannot be read is missing and has
+-- been said.
 function urdf.read(r, inertial)
-  local out = { com = zeros, turns = {} }
+  local out = { com = zeros, turns = {}, words = {} }
   local origin, mass, inertia = r:child(inertial, "origin"), r:child(inertial, "mass"), r:child(inertial, "inertia")
-  if origin then
-    r:unread(origin, { xyz = true, rpy = true, quat_xyzw = true })
-    out.com, out.turns = r:attribute(origin, "xyz", 3, zeros), orientation(r, origin)
-  end
+  if origin then out.com, out.turns = r:attribute(origin, "xyz", 3, zeros), orientation(r, origin) end
   if mass then out.mass = r:attribute(mass, "value", 1) else r:fail(inertial, "<inertial> has no <mass>") end
   out.mass, out.mass_at = out.mass and out.mass[1], mass
   if not inertia then
     r:fail(inertial, "<inertial> has no <inertia>")
     return out
   end
-  local I, known, whole = {}, {}, true
-  for i, name in ipairs { "ixx", "iyy", "izz", "ixy", "ixz", "iyz" } do
+  local I, whole = {}, true
+  for i, name in ipairs(entries) do
     local q = r:attribute(inertia, name, 1)
-    I[i], known[name], whole = q and q[1], true, whole and q ~= nil
+    I[i], out.words[i], whole = q and q[1], q and q.words[1], whole and q ~= nil
   end
-  r:unread(inertia, known)
   out.tensor, out.tensor_at = whole and I or nil, inertia
   return out
 end

@@ -70,7 +70,7 @@ local function primitive(node)
     end
     local sigma = vec.map(vec.second(I), function(x) return tidy(x / a.mass) end)
     return { pieces = { { mass = a.mass, com = a.com, sigma = sigma, line = node.line, name = node.name or "tensor",
-      given = a.about == "com" and I or nil } }, points = {} }
+      given = a.about == "com" and I or nil, typed = node.typed } }, points = {} }
   end
   local spec = catalogue.by_name[node.shape]
   if spec.pieces then return divided(node, spec) end
@@ -96,7 +96,7 @@ local function affine(b, A, shift, step, change)
       density = p.density, measure = p.measure, hole = p.hole, steps = { table.unpack(p.steps or {}) } }
     piece.steps[#piece.steps + 1] = step
     piece.sigma = p.sigma and (A and tidy_all(vec.congruence(A, p.sigma)) or p.sigma)
-    piece.given = not A and p.given or nil
+    piece.given, piece.typed = not A and p.given or nil, not A and p.typed or nil
     out.pieces[i] = piece
   end
   for k, r in pairs(b.points) do out.points[k] = tidy_all(move(r)) end

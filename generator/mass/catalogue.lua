@@ -18,11 +18,12 @@ local families = { require "generator.mass.shapes.solids", require "generator.ma
   require "generator.mass.shapes.polyhedra", require "generator.mass.shapes.shells",
   require "generator.mass.shapes.plates", require "generator.mass.shapes.wires" }
 
-local inertia = { name = "xx", dim = "inertia", sign = "nonnegative" }
+-- elsewhere: dsl/shapes.lua asks for the sign, with the likely slip in its message
+local inertia = { name = "xx", dim = "inertia", sign = "nonnegative", elsewhere = true }
 local product = { name = "xy", dim = "inertia", default = 0 }
 
 local function entry(spec, name)
-  return { name = name, dim = spec.dim, sign = spec.sign, default = spec.default }
+  return { name = name, dim = spec.dim, sign = spec.sign, elsewhere = spec.elsewhere, default = spec.default }
 end
 
 -- What is no integral over a fixed figure; the scene language has a reader of its own for each.

@@ -13,44 +13,6 @@ local diag = require "generator.diag"
 
 local plausible = {}
 
--- The largest principal moment of a body of volume V is smallest for a ball, where M/k^3 = (5/2)^1.5 M/r^3 = 16.6 times
--- the density (k: the radius of gyration that belongs to the largest moment).  Nothing on Earth is denser than osmium,
--- 22590 kg/m^3: above 16.6*22590 the tensor is too small for its mass.  There is no such bound below; thin structures
--- (booms, sails of 100 m and 10 kg) have some 1e-3 kg/m^3, and 1e-4 leaves them in peace.
-local heaviest, lightest = 3.75e5, 1e-4
-
-local others = { { 1e-6, "kg mm^2" }, { 1e-9, "g mm^2" }, { 1e-4, "kg cm^2" }, { 1e-7, "g cm^2" }, { 1e-3, "g m^2" } }
-
--- One `tensor`: its mass, centre and central tensor in doubles.
-function plausible.tensor(d, line, mass, com, I)
-  local moment = jacobi.run(I)[3]
-  if not (moment > 0 and mass > 0) then return end
-  local k = math.sqrt(moment / mass)
-  local density = mass / k / k / k
-  local about = "the radius of gyration sqrt(I/mass) is " .. diag.rough(k) .. " m"
-  if density < lightest then
-    local guess = ""
-    for _, o in ipairs(others) do -- the first unit that gives a body of ordinary density
-      local r = math.sqrt(moment * o[1] / mass)
-      local then_density = mass / r / r / r
-      if guess == "" and then_density > 1 and then_density < heaviest then
-        guess = " (in " .. o[2] .. " it would be " .. diag.rough(r) .. " m)"
-      end
-    end
-    d:warn(line, "tensor", "the moments look too large for the mass: " .. about .. guess)
-  elseif density > heaviest and k > 1e-8 then -- the mass of a molecule is in its nuclei
-    local grams = math.sqrt(moment / mass * 1e3)
-    local fits = mass * 1e-3 / grams ^ 3 < heaviest and mass * 1e-3 / grams ^ 3 > 1
-    d:warn(line, "tensor", "the moments look too small for the mass, denser than any metal: " .. about ..
-      (fits and " (with the mass in g it would be " .. diag.rough(grams) .. " m)" or ""))
-  end
-  local far = math.sqrt(com[1] ^ 2 + com[2] ^ 2 + com[3] ^ 2)
-  if far > 1e3 * k then -- 300 mm typed as 300 m beside a body of 10 cm
-    d:warn(line, "tensor", "com is " .. diag.rough(far) .. " m from the origin, " .. diag.rough(far / k) ..
-      " radii of gyration: is it in metres?")
-  end
-end
-
 -- Parts of one body whose sizes differ by more than six orders: one of them is probably in another unit.  A part's size
 -- is its largest spread about its own centre, so needles and plates have the size of their length.
 function plausible.sizes(d, m)

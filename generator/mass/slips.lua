@@ -53,6 +53,25 @@ end
 
 local swaps = { { 4, 5 }, { 4, 6 }, { 5, 6 }, { 1, 2 }, { 1, 3 }, { 2, 3 } }
 
+-- Numbers of a matrix that were written to the wrong entries: where xx .. xz, yz are then, by place among the six.  The
+-- six have two orders, by moments (here and in MJCF) and by rows (URDF's attributes); the first two rows of the matrix
+-- have yx, which is xy `again`, and lack zz.
+local two_rows = "the numbers are two rows of the matrix, xx xy xz and yx yy yz, and zz is missing"
+local orders = {
+  { text = "the numbers are the rows of the upper triangle, xx xy xz yy yz zz", 1, 4, 6, 2, 3, 5 },
+  { text = "the numbers are xx yy zz xy xz yz and were written to xx xy xz yy yz zz", 1, 4, 5, 2, 6, 3 },
+  { text = two_rows, again = true, 1, 6, false, 4, 5, 3 },
+  { text = two_rows, again = true, 1, 5, false, 2, 3, 6 },
+}
+
+-- f for each value that zz may have beside xx and yy: it is between their difference and their sum.
+local function any_zz(I, f)
+  for n = 1, 8 do
+    if f(with(I, { [3] = (I[1] + I[2]) * R.new(n) / R.new(8) })) then return true end
+  end
+  return false
+end
+
 -- valid(I, mass, com): is this what some body has?
 local function form(g, valid)
   local found = {}
@@ -66,6 +85,16 @@ local function form(g, valid)
   for _, s in ipairs(swaps) do
     local a, b = s[1], s[2]
     if I[a] ~= I[b] then try(with(I, { [a] = I[b], [b] = I[a] }), names[a] .. " and " .. names[b] .. " are swapped") end
+  end
+  for _, o in ipairs(orders) do
+    local J = {}
+    for i = 1, 6 do J[i] = o[i] and I[o[i]] or R.zero end
+    if not o.again then
+      try(J, o.text)
+    elseif #found == 0 and I[2] == I[4] and R.sign(J[2]) > 0 and
+      any_zz(J, function(K) return valid(K, g.mass, g.com) end) then
+      found[#found + 1] = o.text
+    end
   end
   return found
 end

@@ -1,63 +1,21 @@
--- validity.lua -- can this body exist?  Positive mass, moments that are not negative, the triangle inequality.
+-- validity.lua -- can the body of a scene exist?  Positive mass, and lawful tensors (mass/law.lua).
 --
--- The conditions are necessary and sufficient for a distribution of positive mass with that tensor: the second
--- moments Sigma = tr(I)/2 1 - I about the centre of mass must be positive semidefinite (Wensing, Kim, Slotine 2018,
--- IEEE RA-L 3, 60).  They are decided exactly, for the parameters' defaults, by the principal minors of rationals; all
--- broken ones are named with their numbers, and mass/slips.lua says which slip would explain them.
---     diagonal of Sigma >= 0       2 Sigma_xx = yy + zz - xx: the triangle inequality of the entries
---     minors of two >= 0           xy^2 <= Sigma_xx Sigma_yy: what the moments leave for a product
---     determinant >= 0             the triangle inequality of the principal moments
--- Every `tensor` is tested by itself, in the axes and with the entries its author wrote; then the body as a whole,
--- which a hole may have broken.  Two kinds of tensors need not pass.  One is asked to be no body's (physical = false);
--- the other would pass if it were not rounded to the digits that are written.  Both must be positive definite instead,
--- since the equations of motion divide by the moments.
+-- Every `tensor` is tested by itself, for the parameters' defaults, in the axes and with the entries its author wrote;
+-- then the body as a whole, which a hole may have broken.  A tensor out of a file of another program has been judged
+-- where its line is known (interchange/read.lua).  What depends on parameters, NAME_init must ask again.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local later = require "generator.later"
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
 local diag = require "generator.diag"
-local jacobi = require "generator.mass.jacobi"
+local law = require "generator.mass.law"
 local plausible = require "generator.mass.plausible"
-local slips = later "generator.mass.slips"
+local slips = require "generator.mass.slips"
 
 local validity = {}
 
 local function show(q) return diag.show(R.todouble(q)) end
-
--- What rounding may do to a condition, in parts of the trace: irrational entries are evaluated to 240 bits; those of
--- inertial{} were rounded by another program (the zz = xx + yy of a plate is off by a unit of the last place of each).
-local rounding, foreign = R.new(2) ^ -200, R.new(2) ^ -49
-
--- Which principal minors of a symmetric matrix of rationals are negative: {[1..3] = diagonal entry i, [4..6] = minor of
--- the pair xy, xz, yz, [7] = determinant}; empty if it is positive semidefinite to `relative`.
-local function negative(S, relative)
-  local trace = R.abs(S[1]) + R.abs(S[2]) + R.abs(S[3]) + R.abs(S[4]) + R.abs(S[5]) + R.abs(S[6])
-  local slack, broken = -trace * (relative or rounding), {}
-  local adj, det = vec.adjugate(S)
-  for i = 1, 3 do
-    if S[i] < slack then broken[i] = true end
-    if adj[4 - i] < slack * trace then broken[3 + i] = true end -- xy is the cofactor of zz
-  end
-  if det < slack * trace * trace then broken[7] = true end
-  return broken
-end
-
-local function lawful(I) return next(negative(vec.second(I))) == nil end
-validity.lawful = lawful
-
--- Sylvester's criterion, exactly.
-local function definite(I)
-  local _, det = vec.adjugate(I)
-  return R.sign(I[1]) > 0 and R.sign(I[1] * I[2] - I[4] ^ 2) > 0 and R.sign(det) > 0
-end
-
--- Sigma plus k 1, as the tensor that has it: tr(k 1) 1 - k 1 more.
-local function widened(I, k) return { I[1] + 2 * k, I[2] + 2 * k, I[3] + 2 * k, I[4], I[5], I[6] } end
-
-local names = { "xx", "yy", "zz", "xy", "xz", "yz" }
-local pairs_of = { { 1, 2 }, { 1, 3 }, { 2, 3 } }
 
 -- Moments are divided by, so their reciprocals must be doubles too; a tensor that is not diagonal is inverted, and its
 -- determinant is the cube of a moment.
@@ -65,88 +23,6 @@ local ranges = {
   plain = { most = R.parse "1e300", about = " (1e-300 to 1e300)" },
   coupled = { most = R.parse "1e100", about = ", and so must their cubes (1e-100 to 1e100)" },
 }
-
--- The six entries, for a message.
-local function entries(I)
-  return string.format("xx %s, yy %s, zz %s, xy %s, xz %s, yz %s", show(I[1]), show(I[2]), show(I[3]), show(I[4]),
-    show(I[5]), show(I[6]))
-end
-
--- a > b as text, and by how much where their doubles agree.
-local function excess(a, b, text)
-  local close = R.todouble(a) == R.todouble(b)
-  return show(a) .. " > " .. text .. (close and " by " .. R.magnitude(a - b) or "")
-end
-
--- The broken conditions of a central tensor as {rule, got}, simplest first: what follows from a broken diagonal, or
--- from a broken pair, is not said again.
-local function faults(I, relative)
-  local S, list = vec.second(I), {}
-  local broken = negative(S, relative)
-  local function put(rule, got) list[#list + 1] = { rule, got } end
-  for i = 1, 3 do
-    if R.sign(I[i]) < 0 and next(broken) then
-      put(names[i] .. " about the centre of mass must not be negative", show(I[i]))
-    end
-  end
-  for i = 1, 3 do
-    local j, k = i % 3 + 1, (i + 1) % 3 + 1
-    if broken[i] then
-      put(string.format("triangle inequality about the centre of mass: %s <= %s + %s must hold", names[i], names[j],
-        names[k]), excess(I[i], I[j] + I[k], show(I[j]) .. " + " .. show(I[k])))
-    end
-  end
-  if #list > 0 then return list end
-  for n, p in ipairs(pairs_of) do
-    if broken[3 + n] then
-      local i, j = p[1], p[2]
-      local k = 6 - i - j
-      local limit = R.apply("sqrt", 240, S[i] * S[j])
-      local rule = string.format("|%s| <= sqrt((%s + %s - %s)(%s + %s - %s))/2 must hold about the centre of mass",
-        names[3 + n], names[j], names[k], names[i], names[k], names[i], names[j])
-      put(rule, excess(R.abs(I[3 + n]), limit, show(limit)))
-    end
-  end
-  if #list > 0 or not broken[7] then return list end
-  local double = vec.map(I, R.todouble)
-  local m = jacobi.run(double)
-  put("triangle inequality of the principal moments about the centre of mass must hold",
-    string.format("%s > %s + %s from %s", diag.rough(m[3]), diag.rough(m[1]), diag.rough(m[2]), entries(I)))
-  return list
-end
-
--- How far rounding can move an eigenvalue of Sigma: half the trace of the moments' half units, and no more than all of
--- the products' (Gershgorin).  So whatever lawful tensor was rounded, Sigma plus this is not negative.
-local function rounding_of(node)
-  local h = node.halves
-  if not h then return R.zero end
-  return (h[1] + h[2] + h[3]) / 2 + h[4] + h[5] + h[6]
-end
-
--- A tensor that breaks a law: is it taken all the same?  Says so, or what is wrong with it, and returns whether.
-local function taken(d, node, g, list)
-  local positive, slack = definite(g.central), rounding_of(node)
-  if node.formal then
-    if not positive then
-      d:error(node.line, "tensor", "the principal moments about the centre of mass must be positive, also with " ..
-        "physical = false", entries(g.central))
-    end
-    return positive
-  elseif not positive or R.sign(slack) == 0 or not lawful(widened(g.central, slack)) then
-    local advice = positive and "; physical = false takes any positive moments" or ""
-    local hint = slips.hint(g)
-    for n, f in ipairs(list) do
-      d:error(node.line, "tensor", f[1], f[2] .. (n == 1 and (hint and "; " .. hint or "") .. advice or ""))
-    end
-    return false
-  end
-  local moment = jacobi.run(vec.map(g.central, R.todouble))
-  d:warn(node.line, "tensor", list[1][1] .. ", got " .. list[1][2] .. ": too large by " ..
-    diag.rough(moment[3] - moment[1] - moment[2]) .. ", which rounding to the digits that are written explains " ..
-    "(up to " .. diag.rough(2 * R.todouble(slack)) .. "); the numbers are taken as they are")
-  node.rounded = slack / vec.trace(g.central)
-  return true
-end
 
 local function report(d, line, what, list)
   for _, f in ipairs(list) do d:error(line, what, f[1], f[2]) end
@@ -161,15 +37,12 @@ local function each_tensor(node, f)
   for _, child in ipairs { node.of or node[1], not node.of and node[2] or nil } do each_tensor(child, f) end
 end
 
--- One `tensor` as numbers: {I = as given, mass, com, about, central}.
+-- One `tensor` as numbers, for law.judge.
 local function numbers(m, node)
   local a = node.a
   local function n(e) return m:number(e) end
-  local g = { I = vec.map({ a.xx, a.yy, a.zz, a.xy, a.xz, a.yz }, n), mass = n(a.mass), com = vec.map(a.com, n),
-    about = a.about, lawful = lawful }
-  g.central = g.I
-  if a.about == "origin" then g.central = vec.sub(g.I, slips.steiner(g.mass, g.com)) end
-  return g
+  return { I = vec.map({ a.xx, a.yy, a.zz, a.xy, a.xz, a.yz }, n), mass = n(a.mass), com = vec.map(a.com, n),
+    about = a.about, written = node.written, formal = node.formal, scene = true }
 end
 
 -- Reports what is wrong with the model's mass and tensors; true when nothing is.
@@ -190,26 +63,23 @@ function validity.check(d, m)
     end
   end
   local good, slack = true, R.zero
+  local formal = m.record.body.formal
   each_tensor(m.record.body, function(node)
-    local g = numbers(m, node)
-    local list = faults(g.central, node.name == "inertial" and foreign or nil)
-    local fine = #list == 0 and not node.formal or taken(d, node, g, list)
-    good = fine and good
-    if node.rounded and node.rounded > slack then slack = node.rounded end
-    if fine and not node.formal then
-      plausible.tensor(d, node.line, R.todouble(g.mass), vec.map(g.com, R.todouble), vec.map(g.central, R.todouble))
-    end
+    local function fail(rule, got) d:error(node.line, "tensor", rule, got) end
+    local v = node.judged or law.judge(numbers(m, node), fail, function(text) d:warn(node.line, "tensor", text) end)
+    good = v.good and good
+    node.slack, node.positive = v.slack, v.positive -- for the conditions below
+    if v.slack and v.slack > slack then slack = v.slack end
+    m.unlawful = m.unlawful or v.positive
   end)
   if not good then return false end
   plausible.sizes(d, m)
   plausible.densities(d, m)
-  -- m.unlawful: the library must be told of a tensor that is no body's
-  m.formal, m.slack, m.unlawful = m.record.body.formal, slack, m.record.body.formal or R.sign(slack) > 0 or nil
+  -- m.unlawful: the library must be told of a tensor that is no body's; of one that was computed it need not
+  m.formal, m.slack, m.unlawful = formal, slack, formal or m.unlawful or nil
   if m.formal then return true end
-  local relative
-  for _, p in ipairs(m.body.pieces) do relative = p.name == "inertial" and foreign or relative end
   local whole = vec.map(J, function(e) return m:number(e) end)
-  return report(d, m.line, "body", faults(widened(whole, slack * vec.trace(whole)), relative))
+  return report(d, m.line, "body", law.faults(law.widened(whole, slack * vec.trace(whole))))
 end
 
 -- ---- what NAME_init must ask again ----
@@ -270,8 +140,8 @@ function validity.conditions(m)
       local shift = slips.steiner(a.mass, a.com)
       I, size = vec.sub(I, shift), size + vec.trace(shift)
     end
-    if not node.formal then lawful_at(vec.second(I), size, "tensor", node.line, nil, node.rounded) end
-    for _, e in ipairs((node.formal or node.rounded) and not constant(I) and (pivots_of(I)) or {}) do
+    if not node.formal then lawful_at(vec.second(I), size, "tensor", node.line, nil, node.slack) end
+    for _, e in ipairs((node.formal or node.positive) and not constant(I) and (pivots_of(I)) or {}) do
       list[#list + 1] = { e = e, pivot = true, line = node.line, what = "tensor",
         rule = "the principal moments about the centre of mass must be positive" }
     end

@@ -10,7 +10,7 @@ local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local principal = require "generator.mass.principal"
 local jacobi = require "generator.mass.jacobi"
-local validity = require "generator.mass.validity"
+local law = require "generator.mass.law"
 
 local design = require "generator.report.stability_conditions"
 local linearised = require "generator.report.linearised"
@@ -71,7 +71,7 @@ function facts.of(job)
   end), m.structure) or f.closed_moments
   f.is_central = m.com[1] == expr.zero and m.com[2] == expr.zero and m.com[3] == expr.zero
   f.structure = m.structure
-  f.physical = not m.formal or validity.lawful(vec.map(m.centroidal, function(e) return m:number(e) end))
+  f.physical = not m.formal or law.lawful(vec.map(m.centroidal, function(e) return m:number(e) end))
   f.symmetry = m.structure.rod and "rod: no moment about its line" or words[m.structure.kind]
   f.stability = stability(precise)
   f.closed = job.closed

@@ -45,7 +45,8 @@ function inertial.text(job, format)
     for i, e in ipairs(v) do out[i] = digits(e) end
     return out
   end
-  local p = { mass = digits(m.mass), com = all(m.body.com), I = all(m.centroidal) }
+  local one = #m.body.pieces == 1 and m.body.pieces[1].typed -- of a rod that was straightened (mass/law.lua)
+  local p = { mass = digits(m.mass), com = all(m.body.com), I = all(one or m.centroidal) }
   p.diagonal = p.I[4] == "0.0" and p.I[5] == "0.0" and p.I[6] == "0.0"
   local head = { '<!-- body "' .. m.name .. '" in kg, m, kg m^2.  The link\'s frame is the coordinate system of the ' ..
     "scene's shape;", "     the tensor is about the centre of mass; off-diagonals are its entries " ..

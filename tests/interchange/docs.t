@@ -5,6 +5,7 @@
 -- A block ```lua NAME is written to the file NAME; a block ```console has a line "$ polhode ..." and below it what the
 -- command prints on both outputs.  POLHODE_DOCS=refresh writes the outputs into the page.
 package.path = "./?.lua;" .. package.path
+package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
 local program = require "tests.cli.program"
@@ -37,6 +38,31 @@ local fresh = text:gsub("```(%l+) ?([%w.]*)\n(.-)```", function(kind, name, cont
 end)
 tap.is(examples, 4, "all examples were found")
 if os.getenv "POLHODE_DOCS" == "refresh" then program.write(page, fresh) end
+
+-- ---- what is read of each format: the readers' own lists ----
+
+local function tags(list)
+  local out = {}
+  for i, name in ipairs(list) do out[i] = "`<" .. name .. ">`" end
+  return table.concat(out, ", ")
+end
+
+local rows = 0
+for _, format in ipairs { "urdf", "sdf", "mjcf" } do
+  format = require("generator.interchange." .. format)
+  for name, r in pairs(format.reads) do
+    local parts = {}
+    if r.at then parts[#parts + 1] = "the attributes `" .. table.concat(r.at, "`, `") .. "`" end
+    if r.has then parts[#parts + 1] = tags(r.has) end
+    if r.text then parts[#parts + 1] = "its text" end
+    local shown = name:find "^i[xyz][xyz]$" and "`<ixx>` .. `<iyz>`" or "`<" .. name .. ">`"
+    local row = string.format("| %s | %s | %s |", format.name, shown, table.concat(parts, "; "))
+    rows = rows + 1
+    if not text:find(row, 1, true) then tap.ok(false, "the page has the row " .. row) end
+  end
+end
+local _, shown = text:gsub("\n| %u+ | `<", "")
+tap.is(shown, rows - 5, "the page says what is read of each element, and no more") -- six entries of SDF are one row
 
 run.finish()
 tap.done()

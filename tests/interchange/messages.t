@@ -58,7 +58,7 @@ file("", "r.urdf:1: no element found")
 file("<robot>\n<link></robot>", "r.urdf:2: mismatched tag")
 file("<!DOCTYPE r [<!ENTITY a 'b'>]>\n<robot/>", "r.urdf:1: a document type declaration is not allowed")
 file("<html/>", "r.urdf:1: the root must be <robot> (URDF), <mujoco> (MJCF), <sdf> (SDF) or an <inertial> of one of " ..
-  "them, got <html>")
+  "them, got <html>: it is a web page: fetch the file itself")
 file("<inertial/>", "r.urdf:1: the root must be <robot> (URDF), <mujoco> (MJCF), <sdf> (SDF) or an <inertial> of " ..
   "one of them, got <inertial>")
 
@@ -114,24 +114,29 @@ urdf(inertia(1) .. "</inertial><inertial>", at .. "<link> must have one <inertia
 
 -- tensors that no body has
 urdf(inertia(-1), at .. "<inertia> xx must not be negative, got -1")
-urdf(inertia(5), at .. "<inertia> triangle inequality: xx <= yy + zz must hold, got 5 > 1 + 1")
-urdf(inertia(1, ' ixy="2" ixz="0" iyy="1" iyz="0" izz="1"'), at .. "<inertia> the tensor must be positive " ..
-  "semidefinite, got xx 1, yy 1, zz 1, xy 2, xz 0, yz 0")
-urdf(inertia(2, ' ixy="0.6" ixz="0.6" iyy="2" iyz="0.6" izz="2"'), at .. "<inertia> the triangle inequality of the " ..
-  "principal moments must hold, got xx 2, yy 2, zz 2, xy 0.6, xz 0.6, yz 0.6")
+urdf(inertia(5), at .. "<inertia> triangle inequality about the centre of mass: xx <= yy + zz must hold, " ..
+  "got 5 > 1 + 1; most likely: xx has a slipped decimal point (0.5 would satisfy it)")
+urdf(inertia(1, ' ixy="2" ixz="0" iyy="1" iyz="0" izz="1"'), at .. "<inertia> |xy| <= " ..
+  "sqrt((yy + zz - xx)(zz + xx - yy))/2 must hold about the centre of mass, got 2 > 0.5; most likely: xy has a " ..
+  "slipped decimal point (0.2 would satisfy it)")
+urdf(inertia(2, ' ixy="0.6" ixz="0.6" iyy="2" iyz="0.6" izz="2"'), at .. "<inertia> triangle inequality of " ..
+  "the principal moments about the centre of mass must hold, got 3.2 > 1.4 + 1.4 from xx 2, yy 2, zz 2, xy 0.6, " ..
+  "xz 0.6, yz 0.6; most likely: xy, xz, yz are products of inertia and want the other sign")
 -- a lost decimal point in izz, as reported of a robot's file; and a plate's zz too large by 1e-14, some 45 units
 urdf(mass .. '<inertia ixx="2661.9E-6" ixy="-31.029E-6" ixz="9.34E-6" iyy="2302.5E-6" iyz="151.466E-6" ' ..
   'izz="1676359E-6"/>',
-  at .. "<inertia> triangle inequality: zz <= xx + yy must hold, got 1.676359 > 0.0026619 + 0.0023025")
-urdf(inertia(1, ' ixy="0" ixz="0" iyy="1" iyz="0" izz="2.00000000000001"'), at .. "<inertia> triangle inequality: " ..
-  "zz <= xx + yy must hold, got 2.00000000000001 > 1 + 1")
+  at .. "<inertia> triangle inequality about the centre of mass: zz <= xx + yy must hold, got 1.676359 > 0.0026619 " ..
+  "+ 0.0023025; most likely: zz has a slipped decimal point or is off by a unit's 1e3 (0.001676359 would satisfy it)")
+urdf(inertia(1, ' ixy="0" ixz="0" iyy="1" iyz="0" izz="2.00000000000001"'), at .. "<inertia> triangle inequality " ..
+  "about the centre of mass: zz <= xx + yy must hold, got 2.00000000000001 > 1 + 1; most likely: the entries of a " ..
+  "flat or thin body were rounded (more digits, or the sum itself, would satisfy it)")
 
 -- An impossible part is found also where the whole looks possible.
 run.write("r.urdf", "<inertial>" .. inertia(5) .. "</inertial>")
 do
   local status, _, err = run.explain('return scene { name = "b", body = inertial { file = "r.urdf" } + ' ..
     "solid.box { x = 9, y = 9, z = 9, mass = 9 } }", "urdf")
-  tap.ok(status == 1 and err:find("triangle inequality: xx <= yy + zz", 1, true),
+  tap.ok(status == 1 and err:find("triangle inequality about the centre of mass: xx <= yy + zz", 1, true),
     "an impossible part of a sum is refused", err)
 end
 
@@ -182,7 +187,8 @@ mjcf(full, on .. 'angle must be degree or radian, got "grad"', 'angle="grad"')
 mjcf(full, on .. 'eulerseq must be three of x, y, z, X, Y, Z, got "xyw"', 'eulerseq="xyw"')
 mjcf(full, on .. 'coordinate="global" is not supported any more', 'coordinate="global"')
 mjcf('pos="0 0 0" mass="1" diaginertia="1 1 3"',
-  there .. "triangle inequality: zz <= xx + yy must hold, got 3 > 1 + 1")
+  there .. "triangle inequality about the centre of mass: zz <= xx + yy must hold, got 3 > 1 + 1; most likely: zz " ..
+  "has a slipped decimal point (0.3 would satisfy it)")
 
 run.finish()
 tap.done()

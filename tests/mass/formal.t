@@ -12,7 +12,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local tap = require "tests.tap"
 local scene = require "tests.scene"
 local R = require "generator.algebra.rational"
-local digits = require "generator.dsl.digits"
+local digits = require "generator.mass.digits"
 local program = require "tests.cli.program"
 local tier = require "tests.tier"
 
@@ -110,7 +110,7 @@ for _, case in ipairs { { { 0.615, 1.155, 1.771 }, "1/2000 1/2000 1/2000" }, { {
   local list = {}
   for i, x in ipairs(case[1]) do list[i] = digits.of(x) or false end
   local got = {}
-  for i, h in ipairs(digits.halves(list, 3)) do got[i] = tostring(h) end
+  for i, h in ipairs(digits.written(list, 3).halves) do got[i] = tostring(h) end
   tap.is(table.concat(got, " "), case[2], "half units of " .. table.concat(case[1], ", "))
 end
 

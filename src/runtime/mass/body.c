@@ -146,7 +146,7 @@ int ph_body_moments(ph_body *b, double mass, const double com[3], const double s
   ph_wide second[6], moment[3], axis[3][3];
   wide_load(6, sigma, second);
   wide_eigen(second, moment, axis);
-  if (moment[0] < -8 * (ph_wide)DBL_EPSILON * fabsl(moment[2])) /* as in wide_tensor_check */
+  if (moment[0] < -8 * (ph_wide)DBL_EPSILON * fabsl(moment[2])) /* each is rounded */
     return PH_EPOSITIVE;
   for (int i = 0; i < 6; i++)
     second[i] *= (ph_wide)mass;

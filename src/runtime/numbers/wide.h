@@ -158,7 +158,7 @@ static inline void wide_quat_matrix(const ph_wide q[4], ph_wide R[9]) {
 /* Eigensystem of a symmetric matrix, moments ascending (eigen.c). */
 void wide_eigen(const ph_wide s[6], ph_wide moment[3], ph_wide axis[3][3]);
 
-/* Validity of an inertia tensor (mass/tensor.c): PH_OK, PH_EPOSITIVE, PH_ETRIANGLE. The slack is 8
+/* Validity of an inertia tensor (mass/tensor.c): PH_OK, PH_EPOSITIVE, PH_ETRIANGLE. The slack is 18
    ulp of the largest moment or of size, the largest number that the tensor was made from. */
 int wide_tensor_check(const ph_wide tensor[6], ph_wide size);
 

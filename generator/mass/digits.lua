@@ -3,7 +3,8 @@
 -- A literal 0.615 reaches us as a double; its shortest decimal that reads back has the digits that were written, but
 -- for zeros at the end: of 1.770 it is 1.77.  Numbers that stand together were written alike, with as many decimals or
 -- as many significant digits, so up to two zeros are put back; where it is not known which, the coarser is taken.
--- Strings keep their zeros.
+-- Strings keep their zeros.  A number with as many digits as a double nobody has written by hand: a program has
+-- computed it, and then its error is not half a digit but that of the computation.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -27,11 +28,13 @@ function digits.of(x)
 end
 
 local most_zeros = 2 -- that are put back
+-- Digits with which programs print doubles: 15 are always right, 17 tell two doubles apart, some print up to 21.
+local of_doubles = { 15, 21 }
 
 -- Half a unit of the last digit of each of n numbers that stand together.  list: what digits.of gave (factor: what the
 -- number is multiplied by), or false, by place.  Nobody rounds a moment to two digits: such numbers, and 3 beside
 -- 9.12345, are exact.
-function digits.halves(list, n)
+local function halves(list, n)
   -- most: significant digits of the number that has the most; finest: power of ten of the finest last digit
   local most, finest, out = 0, math.huge, {}
   for i = 1, n do
@@ -46,6 +49,14 @@ function digits.halves(list, n)
     end
   end
   return out
+end
+
+-- Of n numbers that stand together: {halves = by how much each may be off that was rounded by hand, computed = were
+-- they computed in doubles?}
+function digits.written(list, n)
+  local most = 0
+  for i = 1, n do most = math.max(most, list[i] and list[i].count or 0) end
+  return { halves = halves(list, n), computed = most >= of_doubles[1] and most <= of_doubles[2] }
 end
 
 return digits
