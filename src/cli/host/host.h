@@ -92,6 +92,7 @@ int host_write_file(lua_State *L);
 /* tempdir() -> path | nil, message.  A new private directory, removed with its content at exit. */
 int host_tempdir(lua_State *L);
 void tempdir_remove_all(void);
+int tempdir_holds(const char *path); /* is it one of these directories, or in one? */
 
 /* ---- cache.c ---- */
 

@@ -53,6 +53,29 @@ int host_clock(lua_State *L) {
   return 1;
 }
 
+/* The environment, with a TMPDIR that goes with us if dir does: a compiler that is stopped leaves
+ * its files there. NULL: as it is. To be freed. */
+static char **surroundings(const char *dir) {
+  size_t n = 0, size = strlen("TMPDIR=") + 1;
+  if (dir == NULL || !tempdir_holds(dir))
+    return NULL;
+  while (environ[n] != NULL)
+    n++;
+  size += strlen(dir);
+  char **list = malloc((n + 2) * sizeof *list + size); /* and the text of TMPDIR behind it */
+  if (list == NULL)
+    return NULL;
+  char *own = (char *)(list + n + 2);
+  snprintf(own, size, "TMPDIR=%s", dir);
+  size_t k = 0;
+  for (size_t i = 0; i < n; i++)
+    if (strncmp(environ[i], "TMPDIR=", 7) != 0)
+      list[k++] = environ[i];
+  list[k++] = own;
+  list[k] = NULL;
+  return list;
+}
+
 /* Start the child with `out` as its output; an errno. */
 static int start(const struct child *c, int out, pid_t *pid) {
   posix_spawn_file_actions_t files;
@@ -75,7 +98,9 @@ static int start(const struct child *c, int out, pid_t *pid) {
   /* POSIX: argv is not modified, the type is a tribute to old code */
   char *argv[MAX_ARGUMENTS + 1];
   memcpy(argv, c->argv, sizeof argv);
-  const int error = posix_spawnp(pid, argv[0], &files, &attributes, argv, environ);
+  char **own = surroundings(c->dir);
+  const int error = posix_spawnp(pid, argv[0], &files, &attributes, argv, own != NULL ? own : environ);
+  free(own);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   return error;

@@ -39,6 +39,15 @@ int host_tempdir(lua_State *L) {
   return 1;
 }
 
+int tempdir_holds(const char *path) {
+  for (int i = 0; i < count; i++) {
+    const size_t n = strlen(made[i]);
+    if (strncmp(path, made[i], n) == 0 && (path[n] == '\0' || path[n] == '/'))
+      return 1;
+  }
+  return 0;
+}
+
 static int remove_one(const char *path, const struct stat *info, int type, struct FTW *where) {
   (void)info;
   (void)type;
