@@ -7,6 +7,7 @@
 local gen = require "generator.commands.gen"
 local keep = require "generator.commands.sweep.keep"
 local methods = require "generator.methods.methods"
+local cuts = require "generator.commands.sweep.cuts"
 local diag = require "generator.diag"
 local options = require "generator.commands.options"
 local outputs = require "generator.commands.outputs"
@@ -170,6 +171,8 @@ function sweep.run(host, given)
   if #wrong > 0 then return say_all(host, wrong) end
   options.warn(host, job.diag)
   warn(host, job)
+  s.cuts, why = cuts.find(job, s.values)
+  if why then host.err("warning: " .. why .. "\n") end
   local order = gen.order(given)
   local step = given.step or job.model:double(job.model.step)
   if given.accuracy then

@@ -236,11 +236,33 @@ end
 local POINTS = { random = "SWEEP_RANDOM", sobol = "SWEEP_SOBOL", lhs = "SWEEP_LHS" }
 
 -- What can become of a member: the words of the status column.
-local function reasons(checks)
+local function reasons(checks, cuts)
   local list = { "ok", "accuracy missed", "not finite", "the step is too long: |q| is not 1",
     "contact is lost: the plane would have to pull", "initial state is none" }
   for _, c in ipairs(checks) do list[#list + 1] = "no body: " .. c.text end
+  for _, text in ipairs(cuts and cuts.texts or {}) do list[#list + 1] = "no body: " .. text end
   return list
+end
+
+-- What is known of the members whose holes are not in their bodies (commands/sweep/cuts.lua): a table of the grid's
+-- points and the place in it of point `at`, or tests of a value.  Reasons have the numbers after NAME_init's checks.
+local function cut_lines(v, cuts, checks)
+  v.has_cut_table, v.cut_lines, v.cut_place, v.cut_tests = cuts ~= nil and cuts.codes ~= nil, {}, "", {}
+  local list, place = {}, {}
+  for _, s in ipairs(cuts and cuts.spans or {}) do
+    local value, tests = "v[" .. int(cuts.place) .. "]", {}
+    if s.low then tests[1] = value .. " >= " .. double(s.low) end
+    if s.high then tests[#tests + 1] = value .. " < " .. double(s.high) end
+    v.cut_tests[#v.cut_tests + 1] = (#tests > 0 and "if (" .. table.concat(tests, " && ") .. ") " or "") ..
+      "return SWEEP_REFUSED + " .. int(checks + s.code) .. ";"
+  end
+  if not v.has_cut_table then return end
+  for i, c in ipairs(cuts.codes) do list[i] = int(c > 0 and checks + c or 0) end
+  for i = 1, #list, 16 do
+    v.cut_lines[#v.cut_lines + 1] = table.concat(list, ", ", i, math.min(i + 15, #list)) .. ","
+  end
+  for i, a in ipairs(cuts.axes) do place[i] = string.format("at/%dU%%%dU*%dU", a.stride, a.count, a.step) end
+  v.cut_place = table.concat(place, " + ")
 end
 
 -- Steps after which members are looked at: on a plane each, for a hop may be short; where t enters the equations each,
@@ -335,13 +357,15 @@ function members.fill(job, made)
   v.extremum_tolerance = real == "float" and "1e-3F" or "1e-7"
   local render = GROUP(job.templates, common, v)
   v.watch_source = v.has_watched and string.gsub(render "sweep/watch.c", "\n+$", "") or ""
-  tables(v, study, all, reasons(made.parts.init.checks), job.text)
+  tables(v, study, all, reasons(made.parts.init.checks, study.cuts), job.text)
+  cut_lines(v, study.cuts, #made.parts.init.checks)
   v.members, v.samples, v.seed = int(study.members), int(study.samples), string.format("%u", study.seed)
   v.points, v.stats = POINTS[study.points or "random"], study.stats and "1" or "0"
   v.command_lines, v.command_text = { job.command }, strings(job.command)
   local parts = { common.build, made.header, made.source, v.width, v.models, v.step, v.richardson, v.accuracy,
     v.points, v.stats, v.seed, v.samples, v.members }
-  for _, list in ipairs { v.table_lines, v.parameter_lines, v.state_lines, v.kept_lines, text } do
+  for _, list in ipairs { v.table_lines, v.cut_lines, v.cut_tests, v.parameter_lines, v.state_lines, v.kept_lines,
+    text } do
     parts[#parts + 1] = table.concat(list, "\n")
   end
   for _, s in ipairs(v.stretches) do parts[#parts + 1] = table.concat({ s.t, s.last, s.h, s.steps, s.time }, " ") end

@@ -26,6 +26,15 @@ ${own_libm_source}
 %% end
 /* ---- the scene's part ---- */
 
+%% if has_cut_table then
+/* Grid points whose holes are not in their bodies: numbers of reasons, 0 for the others. */
+static const unsigned short CUTS[] = {
+%% for _, line in ipairs(cut_lines) do
+  ${line}
+%% end
+};
+
+%% end
 /* The values of a member as parameters p and initial state x, and its model; 0, or its status. */
 static int set_up(uint64_t member, double v[], real p[], real x[], ${name}_model *m)
 {
@@ -46,6 +55,17 @@ static int set_up(uint64_t member, double v[], real p[], real x[], ${name}_model
 %% if own_models then
   failed = ${name}_init(m, p);
   if (failed != 0) return SWEEP_REFUSED + failed;
+%% end
+%% if has_cut_table then
+  {
+    const uint64_t at = member/sweep_this.samples;
+    const int cut = CUTS[${cut_place}];
+
+    if (cut != 0) return SWEEP_REFUSED + cut;
+  }
+%% end
+%% for _, line in ipairs(cut_tests) do
+  ${line}
 %% end
   ${name}_initial(m, x);
 %% for _, line in ipairs(state_lines) do

@@ -114,22 +114,22 @@ prints("neither a folder nor a link is removed", [[
 tap.ok(shell("test -d go/c.c && test -h go/l.c && test -f go/b.c"), "they are there")
 prints("when another file cannot be written, none is removed", [[
   say(host.write_files(args[1] .. "/go", { { name = "b.c", text = false }, { name = "c.c", text = "x" } }))]],
-  "nil cannot write " .. dir .. "/go/c.c: it is a directory\n")
+  "nil cannot write " .. dir .. "/go/c.c: it is a directory 2\n")
 tap.ok(shell("test -f go/b.c"), "it is there")
 
 shell("mkdir -p bad/c.c && printf old > bad/a.c")
 prints("one target that cannot be written fails the whole set", [[
   say(host.write_files(args[1] .. "/bad", { { name = "a.c", text = "new" }, { name = "b.c", text = "b" },
-    { name = "c.c", text = "c" } }))]], "nil cannot write " .. dir .. "/bad/c.c: it is a directory\n")
+    { name = "c.c", text = "c" } }))]], "nil cannot write " .. dir .. "/bad/c.c: it is a directory 2\n")
 tap.is(program.read(dir .. "/bad/a.c"), "old", "what was there is as it was")
 tap.ok(shell("test ! -e bad/b.c && test -z \"$(find . -name '.polhode*')\""), "nothing new is there")
 prints("directories that were made for nothing go again", [[
   say(host.write_files(args[1] .. "/new/er", { { name = "a.c", text = "a" }, { name = "a.c/b", text = "b" } }))]],
-  "nil cannot write " .. dir .. "/new/er/a.c: Is a directory\n")
+  "nil cannot write " .. dir .. "/new/er/a.c: Is a directory 2\n")
 tap.ok(shell("test ! -e new"), "none is left")
 prints("a file in the way of a directory is named", [[
   say(host.write_files(args[1] .. "/a.txt/x", { { name = "a.c", text = "a" } }))]],
-  "nil cannot write " .. dir .. "/a.txt/x: Not a directory\n")
+  "nil cannot write " .. dir .. "/a.txt/x: Not a directory 2\n")
 for _, name in ipairs { "../x", "/x", ".", "..", "..x", ".polhode", "", "a/../x", "a//c", "a/", "a/./x", "a/b/../c",
   "a/.polhode-1/c" } do
   prints("the name '" .. name .. "' is refused", string.format([[
@@ -141,13 +141,13 @@ tap.ok(shell("test ! -e names"), "and nothing was made for them")
 prints("write_file replaces one file", "say(host.write_file(args[1] .. '/one.csv', 'text'))", "true\n")
 tap.is(program.read(dir .. "/one.csv"), "text", "its text is on disk")
 prints("write_file into nothing says so", "say(host.write_file('', 'x'))",
-  "nil cannot write : No such file or directory\n")
+  "nil cannot write : No such file or directory 2\n")
 prints("write_file to a directory says so", "say(host.write_file(args[1], 'x'))",
-  "nil cannot write " .. dir .. ": it is a directory\n")
+  "nil cannot write " .. dir .. ": it is a directory 2\n")
 prints("write_file writes through a device", "say(host.write_file('/dev/null', 'x'))", "true\n")
 tap.ok(shell("test -c /dev/null"), "/dev/null is still a device")
 prints("write_file to /dev/full says so", "say(host.write_file('/dev/full', 'x'))",
-  "nil cannot write /dev/full: No space left on device\n")
+  "nil cannot write /dev/full: No space left on device 74\n")
 shell("printf x > target && ln -s target link")
 prints("write_file writes through a link", "say(host.write_file(args[1] .. '/link', 'y'))", "true\n")
 tap.ok(program.read(dir .. "/target") == "y" and shell("test -h link"), "the link stays and its target changed")
@@ -198,6 +198,11 @@ prints("what the compiler says comes back", [[
   local ok, text = host.compile(args[1], { "wrong.c" }, "wrong")
   say(ok, string.find(text, "wrong.c", 1, true) ~= nil and string.find(text, "nothing", 1, true) ~= nil)]],
   "nil true\n")
+prints("what a child writes beside its work, as compilers do, is in a folder that goes with the program", [[
+  local own, ask = host.tempdir(), { "sh", "-c", "echo $TMPDIR" }
+  local _, mine = host.execute(ask, { dir = own })
+  local _, other = host.execute(ask, { dir = args[1] })
+  say(mine == own .. "\n", other == own .. "\n")]], "true false\n")
 prints("a compiler that is not there is named, with the way out", [[
   say(host.compile(args[1], { "wrong.c" }, "wrong", { cc = "no-such-cc -x" }))]],
   "nil cannot run the C compiler no-such-cc: No such file or directory (set CC, or install the packages gcc and " ..

@@ -160,10 +160,12 @@ static size_t repeated(const struct mesh_build *b, size_t u, uint64_t *r, size_t
   const uint64_t v = r[0] >> 33;
   size_t thirds = 0, found = 0;
   for (size_t i = 0; i < n; i++) {
+    if ((r[i] & 3) == SEGMENT)
+      continue;
     const uint32_t *c = b->corner.item + 3 * triangle_of(r[i]);
     const uint64_t third = (uint64_t)(c[0] & ~MESH_DIAGONAL) + (c[1] & ~MESH_DIAGONAL) +
                            (c[2] & ~MESH_DIAGONAL) - u - v;
-    if ((r[i] & 3) != SEGMENT && third > v)
+    if (third > v)
       r[thirds++] = third;
   }
   sort(r, thirds);
