@@ -2,16 +2,34 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local number = require "generator.emit.number"
+local source = require "generator.emit.source"
 local template = require "generator.emit.template"
 
 local FLOORS = template.group "steppers/floors.c"
 
 local floors = {}
 
--- The function, for the constants `list` of one of the steppers' programs.
+-- In space: by the terms of the forces.
+local function in_space(kit, list)
+  local groups = {}
+  for i, g in ipairs(list.groups) do
+    local outs = {}
+    for k, o in ipairs(g.outs) do
+      outs[k] = { array = o.array, index = string.format("%d", o.index), expr = o.expr }
+    end
+    groups[i] = { why = g.why, defs = g.defs, outs = outs }
+  end
+  local f = source.make(kit.ctx, { name = "floors", groups = groups, doc = {}, args = { "m", "t", "x", "u", "h",
+    { name = "least", count = "2", out = true } } })
+  return FLOORS(kit.templates, kit.base, { in_space = true, head = f.head, lines = f.lines }) "steppers/floors.c"
+end
+
+-- The function, for what `list` says of one of the steppers' programs.
 function floors.shared(kit, list)
+  if list.groups then return in_space(kit, list) end
   local ctx = kit.ctx
-  local v = { uses_model = false, rates = {}, speeds = {} }
+  local v = { in_space = false, head = "", lines = {} }
+  v.uses_model, v.rates, v.speeds = false, {}, {}
   for _, key in ipairs { "pull", "reach", "turn" } do
     local e = list[key]
     v.uses_model = v.uses_model or e.kind ~= "num"
@@ -25,8 +43,15 @@ function floors.shared(kit, list)
   return FLOORS(kit.templates, kit.base, v) "steppers/floors.c"
 end
 
--- To each of v.kinds the argument `least`; always: zero where the scene has none.
+-- To each of v.kinds the argument `least`; always: zero where the scene has none.  To v what a call of the function
+-- passes, and what a function beside it has to be given for that (`given`: as arguments, `given_args`: as parameters).
 function floors.put(v, program, kit, always)
+  local name, moves = kit.ctx.name, program.floors and program.floors.groups
+  v.has_floors, v.floors_count = program.floors ~= nil, moves and "2" or "3"
+  v.floors_pass = moves and "m, t, x, u, h" or "m, x, h"
+  v.given = moves and "m, t, u, " or v.has_floors and "m, " or ""
+  v.given_args = v.has_floors and string.format("const %s_model *m, ", name) or ""
+  if moves then v.given_args = v.given_args .. string.format("%s_real t, const %s_real u[], ", name, name) end
   for _, k in ipairs(v.kinds) do
     local place = program.floors and program.floors.places[program.states[math.tointeger(tonumber(k.first)) + 1].name]
     k.least = place and string.format("least[%d], ", place) or

@@ -44,7 +44,8 @@ local READ = { adaptive = { "has_switches", "switched" },
   taylor = { "has_switches", "switched", "sides", "sides_arg", "array", "many", "most_parts" } }
 
 -- What switched.c has from the method's own templates.
-local OF_METHOD = { "count", "room", "states", "kinds", "slides", "has_floors", "norm_pass", "has_knots",
+local OF_METHOD = { "count", "room", "states", "kinds", "slides", "has_floors", "floors_pass",
+  "floors_count", "given", "given_args", "norm_pass", "has_knots",
   "has_roots", "finest", "first" }
 
 -- switches.c; has_rates: are there steppers that need x' on the sides?
@@ -95,8 +96,7 @@ function switched.put(v, s, kit, method)
   local count = taylor and sw.hidden or #sw.list
   local bends = count > sw.count
   local own = { method = method, taylor = taylor, adaptive = method == "adaptive", slides = false, has_roots = false,
-    has_floors = false, norm_pass = "", with_model = v.has_floors and "m, " or "",
-    of_model = v.has_floors and "const " .. kit.ctx.name .. "_model *m, " or "",
+    has_floors = false, floors_pass = "", floors_count = "", given = "", given_args = "", norm_pass = "",
     taken = s.taken, way_turn = turn and ", w->turn" or "", looks = text(LOOKS), own = text(count), bends = bends,
     keeps = bends and not taylor and sw.count == 0,
     most_halvings = text(4 * digits(kit.ctx)), end_rates = not all.bends and "" or bends and ", v" or ", w->y",

@@ -211,7 +211,7 @@ int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real
 %% end
     ${name}_real r = ${zero}, factor, next_t;
 %% if has_floors then
-    ${name}_real least[3];
+    ${name}_real least[${floors_count}];
 %% end
     int last;
 
@@ -226,7 +226,7 @@ int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real
     ${name}_rosenbrock_trial(m, t, x, u, h, y, error);
 %% end
 %% if has_floors then
-    ${name}_floors(m, x, h, least);
+    ${name}_floors(${floors_pass}, least);
 %% end
 %% for _, k in ipairs(kinds) do
     r = ${name}_rosenbrock_worse(x, y, error, ${k.first}, ${k.last}, ${k.least}r); /* ${k.about} */

@@ -200,7 +200,7 @@ static ${name}_real ${name}_${method}_meet(const ${name}_model *m, ${name}_real 
 
 %% if not taylor then
 /* the largest error of all kinds of state */
-static ${name}_real ${name}_${method}_error(${of_model}const ${name}_real x[], const ${name}_${method}_way *w, ${name}_real h)
+static ${name}_real ${name}_${method}_error(${given_args}const ${name}_real x[], const ${name}_${method}_way *w, ${name}_real h)
 {
 %%   if adaptive then
 %%     if not has_floors then
@@ -210,9 +210,9 @@ static ${name}_real ${name}_${method}_error(${of_model}const ${name}_real x[], c
 %%   else
   ${name}_real r = ${zero};
 %%     if has_floors then
-  ${name}_real least[3];
+  ${name}_real least[${floors_count}];
 
-  ${name}_floors(m, x, h, least);
+  ${name}_floors(${floors_pass}, least);
 %%     else
 
   (void)h;
@@ -296,7 +296,7 @@ static int ${name}_${method}_tried(const ${name}_model *m, ${name}_real t, const
   *factor = ${four};
   ${name}_${method}_go(m, t, x, u, *h, ${array}, w${top_pass});
   if (!(tolerance > ${zero})) return 1;
-  r = ${name}_${method}_error(${with_model}x, w, *h)/tolerance;
+  r = ${name}_${method}_error(${given}x, w, *h)/tolerance;
   /* the next step is 7/8 r^(-3/16) as long, from an eighth to four times; what is not finite counts as an eighth */
   *factor = r > ${zero} ? ${exp}(-slope*${log}(r))*${n[7/8]} : ${eight};
   if (!(*factor > ${eighth})) *factor = ${eighth};
