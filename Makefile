@@ -579,7 +579,8 @@ install: all man completions
 	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/polhode
 	install -m 644 $(LIBRARY) $(DESTDIR)$(LIBDIR)/libpolhode.a
 	install -m 644 src/runtime/polhode.h src/runtime/polhode_exact.h src/runtime/polhode_move.h \
-	  src/runtime/polhode_acts.h src/runtime/polhode_attitude.h src/runtime/polhode_plane.h $(DESTDIR)$(PREFIX)/include/
+	  src/runtime/polhode_acts.h src/runtime/polhode_attitude.h src/runtime/polhode_mesh.h \
+	  src/runtime/polhode_plane.h $(DESTDIR)$(PREFIX)/include/
 	printf '%s\n' "$$PC_FILE" > $(DESTDIR)$(LIBDIR)/pkgconfig/polhode.pc
 	for n in 1 3 5; do install -m 644 $(BUILD)/man/*.$$n $(SHARE)/man/man$$n/ || exit 1; done
 	install -m 644 $(BUILD)/completions/polhode.bash $(SHARE)/bash-completion/completions/polhode

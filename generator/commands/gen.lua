@@ -280,13 +280,13 @@ local function written(host, given, scene, plan, names)
     if not files then return options.failed(host, "gen", compiler.missing(host) or why) end
   end
   files[#files + 1] = { name = "LICENSE", text = host.templates["templates/LICENSE"], once = true }
-  local ok
-  ok, why = outputs.write(host, given.o or plan.model.name, source(plan, given), files)
+  local ok, status
+  ok, why, status = outputs.write(host, given.o or plan.model.name, source(plan, given), files)
   if ok and given.deps then
-    ok, why = host.write_file(given.deps, dependencies.rule(given.o or plan.model.name, files, given[1],
+    ok, why, status = host.write_file(given.deps, dependencies.rule(given.o or plan.model.name, files, given[1],
       scene.record.files))
   end
-  return ok and 0 or options.failed(host, "gen", why)
+  return ok and 0 or options.failed(host, "gen", why, status)
 end
 
 function gen.run(host, given)

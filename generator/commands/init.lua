@@ -56,8 +56,8 @@ function init.run(host, given)
   if name == "gen" or name == "Makefile" then rule = "must not be that of a file of the project" end
   if rule then return options.wrong(host, "init", "NAME " .. rule .. ", got " .. name) end
   local files = init.files(name, host.templates)
-  local ok, why = outputs.write(host, given.o or name, "init " .. name, files)
-  if not ok then return options.failed(host, "init", why) end
+  local ok, why, status = outputs.write(host, given.o or name, "init " .. name, files)
+  if not ok then return options.failed(host, "init", why, status) end
   host.out(string.format("%s: %s.lua, main.c, Makefile and the editor's files\nnext: cd %s && make && ./%s\n",
     given.o or name, name, given.o or name, name))
   return 0

@@ -23,6 +23,8 @@ mesh.options = {
   { "--mass", "text", "of the whole: a number in kg, or with a unit", value = "\"2 kg\"", default = "by the density" },
   { "--density", "text", "of a volume, surface or length: in SI, or with a unit", value = "\"2.7 g/cm^3\"",
     default = "1 kg/m^3, kg/m^2 or kg/m" },
+  { "--weld", "text", "vertices nearer than this part of the longest side are one, such as 1e-6", value = "W",
+    default = "0: equal ones" },
   { "--format", { "text", "json" }, "how the result is written", default = "text" },
 }
 mesh.examples = {
@@ -64,6 +66,13 @@ local function read(given, what)
   local unit, why = factor(given.units or "m", units.length)
   if not unit then return nil, "--units: " .. why end
   local out = { unit = R.todouble(unit) }
+  if given.weld then
+    local w = R.parse(given.weld)
+    out.weld = w and R.todouble(w)
+    if not w or out.weld < 0 or out.weld > 0.01 then
+      return nil, "--weld must be a number from 0 to 0.01, a part of the longest side, got " .. given.weld
+    end
+  end
   if given.mass then
     out.mass, why = amount(given.mass, units.mass)
     if not out.mass then return nil, "--mass " .. why end
@@ -78,13 +87,15 @@ end
 
 local count = defects.count
 
-local function defects_of(m) return defects.phrases(m.defects) end
+local function defects_of(m) return defects.phrases(m) end
 
 local function verdict(m)
+  local welded = m.merged > 0 and ", welded" or ""
   if m.triangles == 0 then return "lines only" end
   if m.defects.unbalanced > 0 then return "open: the faces do not enclose a volume" end
-  if m.defects.inverted then return "closed, but inside out" end
-  return #defects_of(m) == 0 and "closed, no defects" or "closed, with defects"
+  if m.defects.inverted then return "closed, but inside out" .. welded end
+  local clean = #defects_of(m) == (m.merged > 0 and 1 or 0)
+  return (clean and "closed, no defects" or "closed, with defects") .. welded
 end
 
 -- The text is for reading: 12 digits.  JSON has all of them.
@@ -123,10 +134,18 @@ local function tojson(file, m, kind, how)
   for i, p in ipairs(defects.list) do d[i] = { p[1], m.defects[p[1]] } end
   d[#d + 1] = { "unbalanced", m.defects.unbalanced }
   d[#d + 1] = { "inverted", m.defects.inverted }
+  for _, key in ipairs { "bent", "bend", "unseen" } do d[#d + 1] = { key, m.defects[key] } end
+  local faults = {}
+  for i, f in ipairs(m.defects.faults) do
+    faults[i] = json.object { { "kind", f.kind }, { "part", f.part }, { "other", f.other },
+      { "triangles", f.triangles }, { "at", f.at }, { "share", f.share } }
+  end
+  d[#d + 1] = { "faults", faults }
   return json.text(json.object {
     { "file", file }, { "kind", kind }, { "unit", how.unit },
     { "faces", m.faces }, { "triangles", m.triangles }, { "vertices", m.vertices }, { "edges", m.edges },
-    { "segments", m.segments }, { "verdict", verdict(m) }, { "defects", json.object(d) },
+    { "segments", m.segments }, { "parts", m.parts }, { "merged", m.merged },
+    { "verdict", verdict(m) }, { "defects", json.object(d) },
     { "box", { m.box.lo, m.box.hi } }, { "measure", m.measure },
     { "mass", b.mass }, { "com", b.com }, { "com_tail", b.com_tail }, { "tensor", b.tensor },
     { "moments", b.moments }, { "axes", b.axes },
@@ -146,6 +165,8 @@ function mesh.run(host, given)
     host.err((failed.reason == "file" and "polhode: cannot read " or "") .. why .. "\n")
     if failed.reason == "mesh" then
       for _, d in ipairs(defects_of(failed)) do host.err("    " .. d .. "\n") end
+      local offer = defects.offer(failed, function(w) return "--weld " .. w end)
+      if offer then host.err("    " .. offer .. "\n") end
       if kind == "volume" and failed.defects.unbalanced > 0 then
         host.err("    --kind surface takes the faces as a shell\n")
       end

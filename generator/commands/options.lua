@@ -202,8 +202,8 @@ function options.write(host, command, file, text)
     host.out(text)
     return 0
   end
-  local ok, why = host.write_file(file, text)
-  return ok and 0 or options.failed(host, command, why)
+  local ok, why, status = host.write_file(file, text)
+  return ok and 0 or options.failed(host, command, why, status)
 end
 
 -- Prints what is wrong with a scene, or why it could not be read, and returns the exit status.

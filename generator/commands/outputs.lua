@@ -123,7 +123,7 @@ local function retire(host, dir, earlier, plan)
 end
 
 -- Writes the files {name =, text =, once =} of a run into dir, all or none.  key: what the run was of, the scene and
--- the name that it was given.  true | nil, message.
+-- the name that it was given.  true | nil, message, the exit status if it is another than 2.
 function outputs.write(host, dir, key, files)
   key = string.gsub(key, "%c", "?")
   local sections, known = outputs.read(host.read(dir .. "/" .. outputs.manifest) or ""), {}
@@ -141,8 +141,8 @@ function outputs.write(host, dir, key, files)
   end
   sections[key] = plan.mine
   plan.list[#plan.list + 1] = { name = outputs.manifest, text = text_of(sections) }
-  local ok, why = host.write_files(dir, plan.list)
-  if not ok then return nil, why end
+  local ok, why, status = host.write_files(dir, plan.list)
+  if not ok then return nil, why, status end
   for _, n in ipairs(plan.notes) do host.err(n) end
   return true
 end

@@ -1,7 +1,7 @@
 -- run.lua -- polhode run: the motion as a table, by the general library or by the emitted code.
 --
--- Events of the scene follow: a second table after an empty line (CSV), or the member `events` (JSON); an event with
--- stop = true ends the table with its row.
+-- Events of the scene are a table of their own, --events FILE, and the member `events` in JSON; an event with stop = true
+-- ends the rows with its own.
 -- Columns t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz,rx,ry,rz,vx,vy,vz and further states, those that the scene has, or
 -- what --columns asks for; every number reads back to the same double.  Nothing is printed unless all numbers are
 -- finite: if one is not, the status is 3.  A motion that is off by more than --warn is printed, with a warning.
@@ -32,7 +32,8 @@ local function listed(quantities)
 end
 
 run.forms = { { "SCENE", "the motion as a table",
-  "Columns: t in s, the state, energy in J, angular momentum L in N m s; a second table has the scene's events." } }
+  "Columns: t in s, the state, energy in J, angular momentum L in N m s. What happens on the way (the scene's events, contact lost, " ..
+    "rest, impacts) is a table of its own." } }
 run.operands = { 1, 1, "SCENE" }
 run.options = {
   { "--engine", { "general", "generated" }, "the general library, or the emitted code, compiled by $CC (cc, gcc or " ..
@@ -58,6 +59,8 @@ run.options = {
   { "--columns", "text", "the columns: t, states, energy, Lx .., groups of them (q, w, r, v, L, states), " ..
     listed(columns.quantities) .. "; expressions of them and of parameters, [NAME =] EXPRESSION",
     value = "COLUMN,...", default = "t, q, w, energy, L, further states" },
+  { "--events", "text", "what happened, as CSV with the same columns behind the event's name", value = "FILE.csv",
+    default = "name and time on standard error" },
   { "--format", { "csv", "json" }, "how the table is written", default = "csv" },
   { "-o", "text", "the file that is written", value = "FILE", default = "standard output, which is also -" },
 }
@@ -101,6 +104,21 @@ local function happened(host, job, given, motion, solve, list)
   for _, t in ipairs(list) do finish = math.max(finish, t) end
   if #events.of(job) == 0 or finish <= 0 then return {} end
   return events.find(host, job, motion, solve, finish, given.step or job.model:double(job.model.step), given.course)
+end
+
+local shown = 20 -- events that are named on standard error; a ball may bounce for ever
+
+-- Writes what happened where it was asked for; the exit status.
+local function report(host, given, found)
+  if given.events then return options.write(host, "run", given.events, tables.events(found, given.chosen.names)) end
+  for i, f in ipairs(given.format ~= "json" and found or {}) do
+    if i > shown then
+      host.err(string.format("and %d events more: --events FILE.csv has them all\n", #found - shown))
+      break
+    end
+    host.err(string.format("event %s at t = %.9g s\n", f.event.name, f.row.t))
+  end
+  return 0
 end
 
 local function before(list, stop)
@@ -166,6 +184,10 @@ function run.run(host, given)
   job, d, why = bounce.scene(job, given)
   if not job then return options.refuse(host, d, why) end
   local list, wrong = times(job, given)
+  if given.events and (given.format == "json" or not job.record.landing and #events.of(job) == 0) then
+    wrong = wrong or "--events: " .. (given.format == "json" and "JSON has the events among its members" or
+      "nothing happens on the way: the scene has no events = { .. } and no plane")
+  end
   wrong = wrong or events.missing(job) or given.warn and given.warn <= 0 and "--warn must be positive" or nil
   local warnings, course
   if not wrong then given.chosen, wrong = columns.of(host, job, given.columns, given) end
@@ -203,8 +225,10 @@ function run.run(host, given)
   if not rows then
     return run.refuse(host, found, found.status == 3 and accuracy.help(job, motion, list, found.t))
   end
+  local happens = motion.phases or #events.of(job) > 0
   local status = options.write(host, "run", given.o, tables.writers[given.format or "csv"](rows, given.chosen.names,
-    (motion.phases or #events.of(job) > 0) and found or nil))
+    happens and found or nil))
+  if status == 0 and happens then status = report(host, given, found) end
   for _, w in ipairs(status == 0 and warnings or {}) do host.err("warning: " .. w) end
   if status == 0 and motion.stiff then
     host.err("note: something decays much faster than the motion changes: --method " .. motion.method ..

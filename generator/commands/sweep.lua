@@ -96,6 +96,18 @@ local function steppers()
   return names
 end
 
+-- What a run of the scene has and its members have not.
+local function warn(host, job)
+  local names = {}
+  for i, u in ipairs(job.model.inputs) do names[i] = u.label end
+  if #names > 0 then host.err("warning: the members' inputs are 0: " .. table.concat(names, ", ") .. "\n") end
+  for _, e in ipairs(job.record.events) do
+    if e.stop then
+      host.err("warning: event " .. e.name .. " (line " .. e.line .. ") does not end the motion of a member\n")
+    end
+  end
+end
+
 local function say_all(host, wrong)
   for _, why in ipairs(wrong) do host.err("polhode sweep: " .. why .. "\n") end
   host.err("(polhode help sweep)\n")
@@ -142,8 +154,8 @@ end
 
 local function written(host, job, given, files)
   files[#files + 1] = { name = "LICENSE", text = host.templates["templates/LICENSE"], once = true }
-  local ok, why = outputs.write(host, given.emit, job.source, files)
-  return ok and 0 or options.failed(host, "sweep", why)
+  local ok, why, status = outputs.write(host, given.emit, job.source, files)
+  return ok and 0 or options.failed(host, "sweep", why, status)
 end
 
 function sweep.run(host, given)
@@ -157,6 +169,7 @@ function sweep.run(host, given)
   local s = study.read(host, job, given, wrong)
   if #wrong > 0 then return say_all(host, wrong) end
   options.warn(host, job.diag)
+  warn(host, job)
   local order = gen.order(given)
   local step = given.step or job.model:double(job.model.step)
   if given.accuracy then

@@ -3,8 +3,8 @@
 -- The text is read by generator/cost/reading.lua, only the functions that are asked for and what they call.  Integers
 -- that do not depend on the numbers (loops, orders, indices) are followed exactly.  Where the numbers decide, the
 -- costlier branch is counted; so a count is exact where no branch depends on the numbers, else the largest.  Two
--- comments in templates say what no bound would tell: after the brace of a loop `some 8 times`, for loops that
--- converge, and after that of a branch `rare`, which is not counted.
+-- comments in templates say what no bound would tell: after the brace of a loop `some 8 times` or `mostly once`, for
+-- loops that converge, and after that of a branch `rare`, which is not counted.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local reading = require "generator.cost.reading"
@@ -291,7 +291,8 @@ end
 -- The text with two kinds of comments as words of their own: how often a loop runs where the numbers decide, and a
 -- branch that is not counted.
 local function hinted(text)
-  text = string.gsub(string.gsub(text, "/%* some (%d+) times %*/", "@ %1"), "/%* rare[^*]*%*/", "@ rare")
+  text = string.gsub(string.gsub(text, "/%* some (%d+) times %*/", "@ %1"), "/%* mostly once[^*]*%*/", "@ 1")
+  text = string.gsub(text, "/%* rare[^*]*%*/", "@ rare")
   return (string.gsub(text, "/%*.-%*/", " "))
 end
 

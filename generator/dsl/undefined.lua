@@ -67,11 +67,27 @@ local function library(ctx, name, from)
   end })
 end
 
--- An unknown member of a family or library is reported with the nearest that it has.
+-- Shapes that are asked for and are made of others.
+local made_of = { shell = {
+  frustum = "it is shell.cone{r = R, h = H} - shell.cone{r = r, h = H r/R}:at{0, 0, H (1 - r/R)}, H whole" } }
+
+-- What to write in place of family.k, or "".
+local function instead(ctx, family, k, list)
+  if type(k) ~= "string" then return "" end
+  local made, near, others = made_of[family] and made_of[family][k], nearest.of(k, list), {}
+  if made then return " (" .. made .. ")" end
+  if #near > 0 then return " (nearest: " .. table.concat(near, ", ") .. ")" end
+  for _, name in ipairs(args.keys(ctx.families or {})) do
+    for _, member in ipairs(ctx.families[name]) do
+      if member == k then others[#others + 1] = name .. "." .. k end
+    end
+  end
+  return #others > 0 and " (there is " .. table.concat(others, ", ") .. ")" or ""
+end
+
+-- An unknown member of a family or library is reported with what may be meant.
 function undefined.member(ctx, family, k, list)
-  local near = type(k) == "string" and nearest.of(k, list) or {}
-  ctx.diag:error(ctx.diag:here(), family, "has no " .. diag.show(k) ..
-    (#near > 0 and " (nearest: " .. table.concat(near, ", ") .. ")" or ""))
+  ctx.diag:error(ctx.diag:here(), family, "has no " .. diag.show(k) .. instead(ctx, family, k, list))
 end
 
 -- Guards the environment e, whose words are all there.  ctx.families: names of members by the name of the family.

@@ -17,6 +17,7 @@ local text = require "generator.algebra.text"
 local vec = require "generator.algebra.vec"
 local body = require "generator.mass.body"
 local holes = require "generator.mass.holes"
+local overlaps = require "generator.mass.overlaps"
 local jacobi = require "generator.mass.jacobi"
 local parts = require "generator.mass.parts"
 local principal = require "generator.mass.principal"
@@ -224,7 +225,10 @@ function model.new(d, record, options)
     m.parts = in_parts(m, b, not central and r or nil)
   end
   -- a hole that reaches out is the cause of what else is wrong, so it is said alone
-  local sound = not holes.any(m.record.body) or holes.check(d, m, numeric.scene({ model = m, record = m.record }).body)
+  local apart, whole = not overlaps.any(m.record.body), not holes.any(m.record.body)
+  local tree = not (apart and whole) and numeric.scene({ model = m, record = m.record }).body
+  local sound = whole or holes.check(d, m, tree)
+  if sound and not apart then overlaps.check(d, m, tree) end
   if not sound or not validity.check(d, m) then return nil end
   m.structure = principal.classify(m.inertia)
   m.inputs = inputs.of(d, m.record)

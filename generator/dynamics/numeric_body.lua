@@ -82,9 +82,10 @@ local function points(N, node)
 end
 
 local function mesh(N, node, growth)
-  local a = node.a
+  local a, k = node.a, node.unit or expr.one
   return shifted(N, { shape = "mesh", mass = N.num(node.mass or node.density * growth[node.measure] * a.measure),
-    com = { 0.0, 0.0, 0.0 }, sigma = N.nums(a.sigma) }, a.com)
+    com = { 0.0, 0.0, 0.0 }, sigma = N.nums(a.sigma), measure = node.measure, faces = node.faces, unit = N.num(k),
+    at = N.nums(vec.map(a.com, function(c) return c / k end)) }, a.com)
 end
 
 -- A tensor that no body has was taken as it is: the library is told so, about the centre of mass.

@@ -17,28 +17,13 @@ local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
 local words = require "generator.algebra.text"
 local breaks = require "generator.dynamics.breaks"
+local constancy = require "generator.dynamics.constancy"
 local equations = require "generator.dynamics.equations"
 
 local switching = {}
 
 local RANK = 8
 local smallest = R.new(2) ^ -126 -- what |e| = sqrt(e^2 + smallest) has beside e^2: effects/solar_pressure.lua
-
--- The names of what changes along the motion: states, time, and definitions that depend on them.
-local function varying(eq)
-  local set = { t = true }
-  local stays = {}
-  for _, g in ipairs(eq.groups) do
-    for _, o in ipairs(g.outs) do stays[o.state] = o.expr == expr.zero end
-  end
-  for _, s in ipairs(eq.model.states) do set[s.name] = not stays[s.name] or nil end
-  for _, g in ipairs(eq.groups) do
-    for _, d in ipairs(g.defs) do
-      if not expr.constant(d.expr, set) then set[d.name] = true end
-    end
-  end
-  return set
-end
 
 -- sqrt(e^2 + smallest) is |e|: returns e, or nil.
 local function smoothed(u)
@@ -108,7 +93,7 @@ local forms = {
 
 -- The function e -> e between the corners.
 local function opened(self, eq)
-  local names, states, memo, knots = varying(eq), {}, {}, {}
+  local names, states, memo, knots = constancy.varying(eq), {}, {}, {}
   for _, s in ipairs(eq.model.states) do
     states[s.sym] = names[s.name] and s.kind and s.kind ~= "attitude" and s.kind ~= "position"
   end
@@ -153,9 +138,22 @@ local function falling(eq, square)
   return sum
 end
 
+-- Is every g with a side affine in the states and time, for all values of the branches?
+local function affine(self, groups, states)
+  local names, symbols, inlined = { t = true }, { expr.sym("t", 8) }, equations.inlined(groups)
+  for i, s in ipairs(states) do names[s.name], symbols[i + 1] = true, s.sym end
+  for i = 1, self.count do
+    local g = inlined(self.list[i].g)
+    for _, s in ipairs(symbols) do
+      if not expr.constant(calculus.diff(g, s), names) then return false end
+    end
+  end
+  return true
+end
+
 -- Nil where the equations are smooth but for knots.  Else {name = of the array of branches, list = {g, about, branch or
 -- bend}, bends after all that have branches and of them last those that a series shows, count = of branches, hidden =
--- without these last ones, equations = the equations between the corners}.
+-- without these last ones, affine = are the g with branches, equations = the equations between the corners}.
 function switching.of(eq)
   local self, groups = gathering(eq), {}
   local open = opened(self, eq)
@@ -174,15 +172,26 @@ function switching.of(eq)
     end
   end
   if #self.list == 0 then return nil end
+  self.affine = affine(self, groups, eq.model.states)
   self.equations = setmetatable({ groups = groups }, { __index = eq })
   return self
 end
 
+-- The speed of a square, by its components.
+local function speed_in_words(square)
+  local list = {}
+  for _, term in ipairs(square) do
+    local _, part = expr.split(term)
+    if part.kind == "pow" then list[#list + 1] = words.of(part.base) end
+  end
+  return "the speed of " .. table.concat(list, ", ")
+end
+
 -- What has the corner, in words.
 function switching.about(s)
-  local what = words.of(s.about)
-  if #what > 60 then what = s.about.kind == "call" and words.called(s.about.fn) .. "(...)" or "a root" end
-  return s.bend and what .. ", a speed, where it is least" or what
+  local what = s.bend and speed_in_words(s.square) or words.of(s.about)
+  if #what > 60 then what = s.bend and "a speed" or words.called(s.about.fn) .. "(...)" end
+  return s.bend and what .. ", where it is least" or what
 end
 
 -- What passes 0 where the equations have corners, of parameters, states and time: a list.  Where a speed is least they

@@ -38,10 +38,6 @@ function adaptive.render(s, kit)
     has_knots = s.has_knots, first = s.first, taken = s.taken }
   for i, state in ipairs(program.states) do v.states[i] = { name = ctx.upper .. "_" .. string.upper(state.name) } end
   floors.put(v, program, kit)
-  local given = v.has_floors
-  v.least_first, v.least_arg = given and "least" or kit.base.zero, given and ctx.name .. "_real least, " or ""
-  v.norm_pass = given and v.given .. "h, " or ""
-  v.norm_args = given and string.format("%s%s_real h, ", v.given_args, ctx.name) or ""
   switched.put(v, s, kit, "adaptive")
   local render = GROUP(kit.templates, kit.base, v)
   return render "steppers/adaptive.h", { render "steppers/adaptive.c" }

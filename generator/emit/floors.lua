@@ -43,20 +43,26 @@ function floors.shared(kit, list)
   return FLOORS(kit.templates, kit.base, v) "steppers/floors.c"
 end
 
--- To each of v.kinds the argument `least`; always: zero where the scene has none.  To v what a call of the function
--- passes, and what a function beside it has to be given for that (`given`: as arguments, `given_args`: as parameters).
-function floors.put(v, program, kit, always)
-  local name, moves = kit.ctx.name, program.floors and program.floors.groups
-  v.has_floors, v.floors_count = program.floors ~= nil, moves and "2" or "3"
-  v.floors_pass = moves and "m, t, x, u, h" or "m, x, h"
-  v.given = moves and "m, t, u, " or v.has_floors and "m, " or ""
-  v.given_args = v.has_floors and string.format("const %s_model *m, ", name) or ""
-  if moves then v.given_args = v.given_args .. string.format("%s_real t, const %s_real u[], ", name, name) end
+-- What a norm is given for the floors at the start of its arguments, "" where there are none; m, u, h: as the caller
+-- has the model, the input and the step.
+function floors.passed(program, m, u, h)
+  if not program.floors then return "" end
+  return m .. ", " .. (program.floors.groups and "t, " .. u .. ", " or "") .. h .. ", "
+end
+
+-- The values of v's templates: to each of v.kinds the argument `least`, empty texts where the scene has none.
+function floors.put(v, program, kit)
+  local given, name = program.floors ~= nil, kit.ctx.name
+  local moves = given and program.floors.groups ~= nil
   for _, k in ipairs(v.kinds) do
-    local place = program.floors and program.floors.places[program.states[math.tointeger(tonumber(k.first)) + 1].name]
-    k.least = place and string.format("least[%d], ", place) or
-      (program.floors or always) and kit.base.zero .. ", " or ""
+    local place = given and program.floors.places[program.states[math.tointeger(tonumber(k.first)) + 1].name]
+    k.least = place and string.format("least[%d], ", place) or given and kit.base.zero .. ", " or ""
   end
+  v.has_floors, v.least_first = given, given and "least" or kit.base.zero
+  v.least_arg, v.norm_pass = given and name .. "_real least, " or "", floors.passed(program, "m", "u", "h")
+  v.floors_count, v.floors_pass = moves and "2" or "3", moves and "m, t, x, u, h" or "m, x, h"
+  local of_motion = moves and string.format("%s_real t, const %s_real u[], ", name, name) or ""
+  v.norm_args = given and string.format("const %s_model *m, %s%s_real h, ", name, of_motion, name) or ""
 end
 
 return floors

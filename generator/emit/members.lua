@@ -238,14 +238,16 @@ local POINTS = { random = "SWEEP_RANDOM", sobol = "SWEEP_SOBOL", lhs = "SWEEP_LH
 -- What can become of a member: the words of the status column.
 local function reasons(checks)
   local list = { "ok", "accuracy missed", "not finite", "the step is too long: |q| is not 1",
-    "initial state is none" }
+    "contact is lost: the plane would have to pull", "initial state is none" }
   for _, c in ipairs(checks) do list[#list + 1] = "no body: " .. c.text end
   return list
 end
 
--- Steps after which |q| is looked at: where t enters the equations one, whose time is that of a run, to the last bit.
+-- Steps after which members are looked at: on a plane each, for a hop may be short; where t enters the equations each,
+-- whose time is that of a run, to the last bit.
 local PIECE = 16
 local function piece(job)
+  if job.equations.touch then return 1 end
   for _, g in ipairs(job.equations.groups) do
     for _, list in ipairs { g.defs, g.outs } do
       for _, d in ipairs(list) do
@@ -304,7 +306,10 @@ function members.fill(job, made)
   for _, value in ipairs(study.values) do v.own_models = v.own_models or value.kind == "param" end
   v.each = v.own_models and made.parts.each or false
   v.models = v.own_models and "LANES" or "1"
+  v.has_contact = job.equations.touch and true or false
+  v.judged = v.has_contact or common.has_attitude
   v.piece = int(piece(job))
+  v.contact_inputs = common.has_inputs and "b->u, " or "NULL, "
   v.inputs, v.step_inputs = common.has_inputs and "b->u" or "NULL", common.has_inputs and "u" or "NULL"
   v.energy = job.conserved.rate and "jacobi_integral" or "energy"
   v.energy_time = job.conserved.rate and "STRETCH[0].t, " or ""
@@ -313,6 +318,7 @@ function members.fill(job, made)
   local all = {}
   for i, value in ipairs(study.values) do all[i] = { value.name, value.unit, value.about, 1 } end
   for _, c in ipairs(columns) do all[#all + 1] = c end
+  v.passed = v.only_passages and " || passed(b, k)" or ""
   local text = printed(job, v, made, watched, final)
   v.stretches = {}
   for i, s in ipairs(study.stretches) do

@@ -285,7 +285,8 @@ function recurrences.of(ctx, program, has_knots, zero)
   end
   local whole = loop .. joined(v.start) .. joined(v.next) .. joined(v.outer)
   v.uses_order, v.voids = mentions(loop, "order"), {}
-  for _, name in ipairs { "m", "t", "u", program.switches and program.switches.name } do
+  local sides = program.switches and program.switches.count > 0 and program.switches.name or nil
+  for _, name in ipairs { "m", "t", "u", sides } do
     if not mentions(whole, name) then v.voids[#v.voids + 1] = "(void)" .. name .. ";" end
   end
   v.side = has_knots and ", " .. ctx.name .. "_real side" or ""

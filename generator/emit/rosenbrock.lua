@@ -66,7 +66,7 @@ function emit.render(s, kit)
   v.slip_states = table.concat(held, " and ") .. (#held == 1 and " is" or " are")
   for i, x in ipairs(program.slips) do v.slips[i] = { name = ctx.upper .. "_" .. string.upper(x.state.name),
     place = text(i - 1) } end
-  floors.put(v, program, kit, true)
+  floors.put(v, program, kit)
   v.rates = made("rates", program.rates, "m", "t", "x", "u", array("dz", n))
   v.matrix = made("matrix", program.matrix, "m", "t", "x", "u", "n", array("F", #program.factors),
     program.timed and array("dt", n) or nil)

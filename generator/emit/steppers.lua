@@ -3,7 +3,7 @@
 -- Each kind has a file of its own with
 --     render(s, kit) -> header, list of sources
 --     s: {program (of methods/), first = is it NAME_step too?, has_knots, taken = what a controlled step ends with}
---     kit: {templates, base, ctx, knots_count = text, compensated, planning}
+--     kit: {templates, base, ctx, knots_count = text, corners (emit/switched.lua), compensated, planning}
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local floors = require "generator.emit.floors"
@@ -38,14 +38,11 @@ function steppers.render(job, base, ctx)
   local kit = { templates = job.templates, base = base, ctx = ctx, knots_count = nil,
     compensated = job.compensated or false, planning = job.orders ~= nil }
   local headers, sources, list = {}, {}, {}
-  local corners, rates, least
-  for _, s in ipairs(job.steppers) do
-    local own = s.program and s.program.switches
-    least = least or s.program and s.program.floors
-    corners, rates = corners or own, rates or own and s.method.name ~= "taylor"
-  end
+  local least
+  for _, s in ipairs(job.steppers) do least = least or s.program and s.program.floors end
+  kit.corners = switched.needed(job.steppers)
   if least then sources[1] = floors.shared(kit, least) end
-  if corners then sources[#sources + 1] = switched.shared(kit, corners, rates or false) end
+  if kit.corners then sources[#sources + 1] = switched.shared(kit, kit.corners) end
   for i, s in ipairs(job.steppers) do
     local own = { name = s.method.name, step = i == 1 and "step" or s.method.name .. "_step",
       run = s.method.adaptive or false, order = string.format("%d", s.method.order or s.program.order or 0) }

@@ -4,7 +4,8 @@
 -- has the right file and line.  Three laws: an unknown name is an error; a value that is not a string is an error
 -- (only emit/number.lua turns numbers into text); logic is `for` and `if` over prepared lists, nothing else, so
 -- the environment holds the values and ipairs, no functions of the library.  A value may be a function without
--- arguments: its result is made when a template first reads it.
+-- arguments: its result is made when a template first reads it.  A line that is one value, indented, is an empty line
+-- where the value is empty.
 --
 -- Templates that are filled with the same values are a group:
 --     local GROUP = template.group("core/guard.h", "core/guard.c")       files of templates/
@@ -19,9 +20,11 @@ local template = {}
 
 local function quoted(s) return string.format("%q", s) end
 
--- One line of text as Lua: _put("..." .. _str(expr, "expr") .. ... .. "\n")
+-- One line of text as Lua: _put("..." .. _str(expr, "expr") .. ... .. "\n"), or _own("  ", expr) if it is one value.
 -- What is between ${ and } is a Lua expression: w.name, n[2.5].
-local function text_line(line, newline)
+local function text_line(line)
+  local indent, own = string.match(line, "^( +)%${([^}]*)}$")
+  if own then return "_own(" .. quoted(indent) .. ", _str(" .. own .. ", " .. quoted(own) .. "))" end
   local parts, from = {}, 1
   while true do
     local a, b, name = string.find(line, "%${([^}]*)}", from)
@@ -33,7 +36,7 @@ local function text_line(line, newline)
   if string.find(line, "${", from, true) then parts[#parts + 1] = "_unclosed()" end
   local tail = string.sub(line, from)
   if tail ~= "" then parts[#parts + 1] = quoted(tail) end
-  if newline then parts[#parts + 1] = "\"\\n\"" end
+  parts[#parts + 1] = "\"\\n\""
   return "_put(" .. table.concat(parts, " .. ") .. ")"
 end
 
@@ -46,7 +49,7 @@ function template.translate(name, source)
   end
   for line in string.gmatch(source, "([^\n]*)\n") do
     local logic = string.match(line, "^%s*%%%%(.*)$")
-    lines[#lines + 1] = logic or text_line(line, true)
+    lines[#lines + 1] = logic or text_line(line)
   end
   return table.concat(lines, "\n")
 end
@@ -55,13 +58,15 @@ end
 -- of its translation when the program was built.
 function template.render(name, source, values)
   local out, n = {}, 0
+  local function put(line)
+    n = n + 1
+    out[n] = line
+  end
   local env
   env = setmetatable({
     ipairs = ipairs,
-    _put = function(line)
-      n = n + 1
-      out[n] = line
-    end,
+    _put = put,
+    _own = function(indent, v) put((v == "" and "" or indent .. v) .. "\n") end,
     _unclosed = function() error("${ is not closed", 2) end,
     _str = function(v, what)
       if type(v) ~= "string" then error("${" .. what .. "} is " .. type(v) .. ", not a string", 2) end

@@ -163,6 +163,26 @@ family.points = function(out, a)
   for i, row in ipairs(a.list) do out.points[i] = { row[2], row[3], row[4] } end
 end
 local function centre(out, a) out.points[1] = a.com or { 0, 0, 0 } end
-family.tensor, family.mesh = centre, centre
+family.tensor = centre
+
+-- The triangles of a mesh; of a large one every k-th, which is enough for samples.  Wires are its edges.
+local most = 4000
+function family.mesh(out, a, _, o)
+  if not a.faces then return centre(out, a) end
+  local n = a.faces:count()
+  for i = 1, n, (n - 1) // most + 1 do
+    local c, face = a.faces:triangle(i), { flat = true }
+    for k = 1, 3 do
+      local p = {}
+      for d = 1, 3 do p[d] = a.unit * (c[3 * k - 3 + d] - a.at[d]) end
+      face[k] = p
+    end
+    if a.measure == "length" then
+      straight(out, face[1], face[2], o)
+    else
+      out.faces[#out.faces + 1] = face
+    end
+  end
+end
 
 return curved

@@ -2,8 +2,9 @@
 --
 -- Plain numbers, no algebra: trees in the form dynamics/numeric_body.lua gives.  Solids by their exact definition, thin
 -- things within `slack` of them; a sum holds what either part holds, a difference what is in the body and not strictly
--- inside the hole.  Placements are undone on the point.  Of a mesh or a tensor nothing is known: the answer is nil
--- unless the rest of the tree decides.  Shares nothing with surface.lua, so each checks the other.
+-- inside the hole.  Placements are undone on the point.  A mesh asks its faces, which the host keeps.  Of a tensor
+-- nothing is known: the answer is nil unless the rest of the tree decides.  Shares nothing with surface.lua, so each
+-- checks the other.
 --     inside.excess(tree, p)            negative inside, 0 on the border, positive outside; nil: cannot say
 --     inside.contains(tree, p, slack)   true, false or nil
 --     inside.distance(tree, p, step)    the excess as a distance: divided by its slope
@@ -60,10 +61,18 @@ function inside.back(node, p)
   error("unknown node in a shape tree: " .. tostring(node.op))
 end
 
+-- Of a mesh: the distance from its faces (of wires, from its edges), negative inside of a volume.
+-- Coordinates here are from the mesh's centre; `at` is the centre in the file's unit, `unit` this unit.
+local function mesh(p, node)
+  if not node.faces then return nil end
+  local u, at = node.unit, node.at
+  return u * node.faces:excess(p[1] / u + at[1], p[2] / u + at[2], p[3] / u + at[3])
+end
+
 -- Of a sum with an unknown part only "inside" can be said; of a difference "outside" by the body alone, or by the hole.
 function inside.excess(node, p)
   if node.shape then
-    local f = solids[node.shape] or thin[node.shape]
+    local f = node.shape == "mesh" and mesh or solids[node.shape] or thin[node.shape]
     return f and f(p, node)
   elseif node.of then
     local q, k = inside.back(node, p)
@@ -103,8 +112,9 @@ function inside.distance(node, p, step)
 end
 
 -- "volume", "area", "length" or "particles" for the kind of thing a shape is; nil where that is not known.
-function inside.kind(name)
-  local family = string.match(name, "^(%a+)%.") or name
+function inside.kind(node)
+  if node.shape == "mesh" then return node.faces and node.measure end
+  local family = string.match(node.shape, "^(%a+)%.") or node.shape
   local kinds = { solid = "volume", extrude = "volume", revolve = "volume", region = "volume", shell = "area",
     plate = "area", rod = "length", wire = "length", points = "particles" }
   return kinds[family]

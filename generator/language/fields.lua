@@ -134,7 +134,8 @@ fields.read_shapes = {
   region = { { "limits", "table", "{{x, lowest, highest}, {y, ..}, {z, ..}, density = .. or mass = ..}" } },
   mesh = { { "file", "string", "STL, OBJ or PLY, in the scene's folder or below", needed = true },
     { "units", "string", 'of the file, such as "mm"; default "m"' },
-    { "kind", '"volume"|"surface"|"wires"', 'what has mass; default "volume"' } },
+    { "kind", '"volume"|"surface"|"wires"', 'what has mass; default "volume"' },
+    { "weld", "number", "vertices nearer than this part of the longest side are one, such as 1e-6; default 0" } },
   inertial = { { "file", "string", "URDF, MJCF or SDF, in the scene's folder or below", needed = true },
     { "link", "string", "the link's name" } },
 }

@@ -46,7 +46,7 @@ local function divided(node, spec)
   for i, s in ipairs(list) do
     out.pieces[i] = { mass = node.density and node.density * s.measure or node.mass * s.measure / total,
       com = tidy_all(s.com), sigma = tidy_all(s.sigma), line = node.line, name = node.shape .. ", part " .. i,
-      density = node.density, measure = spec.measure }
+      density = node.density, measure = node.measure }
   end
   return out
 end
@@ -79,7 +79,7 @@ local function primitive(node)
   local points = { centroid = com }
   for k, v in pairs(shape.points or {}) do points[k] = v end
   return { pieces = { { mass = node.mass or node.density * shape.measure, com = com, sigma = tidy_all(shape.sigma),
-    line = node.line, name = node.shape, density = node.density, measure = spec.measure } }, points = points }
+    line = node.line, name = node.shape, density = node.density, measure = node.measure } }, points = points }
 end
 
 -- r -> A r + b applied to every piece and named point; step: what that is called in a derivation.

@@ -30,7 +30,7 @@ local others = {
   require "generator.mass.shapes.region",
   { name = "mesh", reader = "mesh", measure = "volume, area or length", frame = "as in the file",
     about = "STL, OBJ or PLY file in the scene's folder or below; kind = \"volume\", \"surface\" or \"wires\"",
-    takes = "{file, units, kind}", build = function(a) return a end },
+    takes = "{file, units, kind, weld}", build = function(a) return a end },
   { name = "inertial", reader = "inertial", frame = "the link's",
     about = "mass, centre and tensor of a link in a URDF, MJCF or SDF file", takes = "{file, link}" },
   { name = "points", reader = "points", frame = "as given", about = "particles {{m, x, y, z}, ...}",

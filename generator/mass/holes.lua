@@ -3,10 +3,11 @@
 -- `a - hole` subtracts the hole's mass; that is the body with the hole in it only where the body was.  The question is
 -- asked of plain numbers, at the parameters' defaults (geometry/), by samples: points of the hole's surface, and points
 -- between them, must be in a within a slack.  A hole of a kind (volume, area, length, particles) is compared with the
--- parts of that kind; a thin plate cut from a solid takes nothing away and is refused.  Of a mesh or a tensor nothing
--- is known, and nothing is said.
+-- parts of that kind; a thin plate cut from a solid takes nothing away and is refused.  Of a tensor nothing is known,
+-- and nothing is said.
 -- Slack: 1e-9 of the hole's size, for holes flush with their body whose numbers were typed to a dozen digits, and 64
--- roundings of the largest coordinate that occurs on the way (a placement makes some ten).
+-- roundings of the largest coordinate that occurs on the way (a placement makes some ten).  Where a mesh is met, 1e-6
+-- and 4 roundings of float: what a file's coordinates have.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local later = require "generator.later"
@@ -16,11 +17,11 @@ local diag = require "generator.diag"
 local inside = later "generator.geometry.inside"
 local surface = later "generator.geometry.surface"
 local catalogue = require "generator.mass.catalogue"
+local kinds = require "generator.mass.kinds"
 
 local holes = {}
 
 local most_samples = 400
-local kinds = { "volume", "area", "length", "particles" }
 local noun = { volume = "a volume", area = "an area", length = "a length", particles = "particles" }
 local per = { volume = " kg/m^3", area = " kg/m^2", length = " kg/m" }
 
@@ -30,35 +31,6 @@ function holes.any(node)
   if node.op == "minus" then return true end
   if node.of then return holes.any(node.of) end
   return holes.any(node[1]) or holes.any(node[2])
-end
-
--- The kinds that occur in a tree; kind "unknown" for what has no geometry here.
--- A set.
-local function kinds_of(node, set)
-  set = set or {}
-  if node.shape then
-    set[inside.kind(node.shape) or "unknown"] = true
-  elseif node.of then
-    kinds_of(node.of, set)
-  else
-    kinds_of(node[1], set)
-    if node.op == "sum" then kinds_of(node[2], set) end -- what is cut out adds no kind
-  end
-  return set
-end
-
--- The part of a tree that is of one kind (or unknown), nil if there is none.
-local function of_kind(node, kind)
-  if node.shape then
-    local k = inside.kind(node.shape)
-    return (k == kind or k == nil) and node or nil
-  elseif node.of then
-    local of = of_kind(node.of, kind)
-    return of and setmetatable({ of = of }, { __index = node })
-  end
-  local a, b = of_kind(node[1], kind), of_kind(node[2], kind)
-  if a and b then return setmetatable({ a, b }, { __index = node }) end
-  return a or node.op == "sum" and b or nil
 end
 
 -- ---- density ----
@@ -83,7 +55,7 @@ local function weigh(m, node, num, size)
   if num.extra then return weigh(m, node, num.of, size) end
   if num.shape then
     local spec = catalogue.by_name[node.shape]
-    local kind = inside.kind(num.shape)
+    local kind = inside.kind(num)
     num.by_mass = node.mass ~= nil
     if num.shape == "region" or not spec or not kind or kind == "particles" then return end -- not one number
     if node.density then
@@ -97,7 +69,7 @@ local function weigh(m, node, num, size)
     end
   elseif num.of then
     local larger = {}
-    for _, kind in ipairs(kinds) do larger[kind] = (size[kind] or 1) * growth(num, kind) end
+    for _, kind in ipairs(kinds.list) do larger[kind] = (size[kind] or 1) * growth(num, kind) end
     weigh(m, node.of, num.of, larger)
   else
     weigh(m, node[1], num[1], size)
@@ -149,7 +121,7 @@ local function sampled(a, hole)
     end
   end
   local size = math.max(hi[1] - lo[1], hi[2] - lo[2], hi[3] - lo[3])
-  local slack = 1e-9 * size + 64 * 2.0 ^ -52 * reach
+  local slack = kinds.slack(size, reach, a, hole)
   for n = 1, #all, step do
     if inside.contains(hole, all[n], slack) then list[#list + 1] = all[n] end
   end
@@ -226,20 +198,20 @@ end
 
 -- Kind by kind; true: nothing is wrong, or nothing is known of the hole.
 local function cut(d, node, a, hole)
-  local in_a, in_hole = kinds_of(a), kinds_of(hole)
+  local in_a, in_hole = kinds.of(a), kinds.of(hole)
   if in_hole.unknown then return true end
   local good = true
-  for _, kind in ipairs(kinds) do
+  for _, kind in ipairs(kinds.list) do
     if in_hole[kind] and not in_a[kind] then
       if not in_a.unknown then
         local list = {}
-        for _, k in ipairs(kinds) do if in_a[k] then list[#list + 1] = noun[k] end end
+        for _, k in ipairs(kinds.list) do if in_a[k] then list[#list + 1] = noun[k] end end
         d:error(node.line, "hole", "must be of the same kind (volume, area, length or particles) as the body it is " ..
           "cut from", noun[kind] .. " from " .. table.concat(list, " and "))
         good = false
       end
     elseif in_hole[kind] then
-      local x, y = of_kind(a, kind), of_kind(hole, kind)
+      local x, y = kinds.part(a, kind), kinds.part(hole, kind)
       local ok, points, slack = contained(d, node, x, y, kind)
       good = ok and (kind == "particles" or same_stuff(d, node, x, y, kind, points, slack)) and good
     end

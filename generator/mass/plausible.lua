@@ -121,9 +121,27 @@ local function by_mass(d, m, node, growth, name)
     end
   end
   if #guesses == 0 then return end
+  local write = node.shape == "mesh" and unit[1] == "mm" and "units = \"mm\"" or "quantity(number, \"" .. unit[1] ..
+    "\")"
   d:warn(node.line, name, "numbers without a unit are in m and kg; its density is then " .. plain(density) ..
-    " kg/m^3, which no solid has; " .. table.concat(guesses, ", or ") .. " (write quantity(number, \"" .. unit[1] ..
-    "\"))")
+    " kg/m^3, which no solid has; " .. table.concat(guesses, ", or ") .. " (write " .. write .. ")")
+end
+
+-- A mesh file has no unit, and most of them are in mm.  Nobody sees its numbers in the scene, so more is said of it
+-- than
+-- of a shape whose lengths are written there: without `units`, and from 10 m and 10 t on, which is larger than what is
+-- drawn in metres as one part and less than what is common in mm (10 mm).  `units = "m"` says that it is meant.
+local large, heavy = 10, 1e4
+local power = { volume = 3, area = 2, length = 1 }
+
+local function by_size(d, m, node, growth, name)
+  local k = growth ^ (1 / 3) -- of lengths, by what was scaled
+  local size, p = node.longest * k, power[node.measure]
+  local mass = m:double(node.density) * m:double(node.a.measure) * k ^ p
+  if size < large or mass < heavy then return end
+  d:warn(d:locate(node.line, "file"), name, "without units its coordinates are in m: it is " .. diag.rough(size) ..
+    " m long and has " .. diag.rough(mass) .. " kg; in mm it would be " .. diag.rough(size * 1e-3) .. " m and " ..
+    diag.rough(mass * 1e-3 ^ p) .. " kg (write units = \"mm\", or units = \"m\" if it is so large)")
 end
 
 -- A plain density.
@@ -145,6 +163,7 @@ function plausible.densities(d, m)
   local function look(node, growth)
     if node.shape then
       local name = string.gsub(node.shape, "^solid%.", "")
+      if node.longest and node.bare.length and node.density then by_size(d, m, node, growth, name) end
       if not node.bare or node.measure ~= "volume" then return end
       if node.density and node.bare.density then by_density(d, m, node, size, name) end
       if node.mass and (node.bare.length or node.bare.mass) then by_mass(d, m, node, growth, name) end

@@ -9,6 +9,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local breaks = require "generator.dynamics.breaks"
+local constancy = require "generator.dynamics.constancy"
 local state = require "generator.dynamics.state"
 local switching = require "generator.dynamics.switching"
 local floors = require "generator.methods.floors"
@@ -71,15 +72,9 @@ end
 -- groups[n - 1] is stage n, whose first definitions are its values of the moving states in their order (`plain` takes
 -- them from there); the last group is the error.
 local function trial(eq)
-  local zero = stages.conserved(eq)
-  local moving, k, groups = {}, { {} }, {}
-  for _, s in ipairs(eq.model.states) do
-    if not zero[s.name] then
-      moving[#moving + 1] = s
-      k[1][s.name] = expr.sym("k1" .. s.name, 8)
-    end
-  end
+  local moving, k, groups = constancy.moving(eq), { {} }, {}
   if #moving == 0 then return nil, stages.AT_REST end
+  for _, s in ipairs(moving) do k[1][s.name] = expr.sym("k1" .. s.name, 8) end
   for n = 2, 7 do
     local suffix = "_" .. n
     for _, s in ipairs(eq.model.states) do -- the second wheel's speed is wheel_2

@@ -28,10 +28,10 @@ local later = require "generator.later"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local vec = require "generator.algebra.vec"
+local constancy = require "generator.dynamics.constancy"
 local sensitivity = later "generator.dynamics.sensitivity"
 local state = require "generator.dynamics.state"
 local cayley = require "generator.methods.cayley"
-local stages = require "generator.methods.stages"
 
 local midpoint = { name = "midpoint", order = 2,
   about = "implicit midpoint rule on the rotation group, keeps L (and a free body's energy), order 2, fixed step",
@@ -243,7 +243,7 @@ function midpoint.program(eq, options)
   if acts.changing then return nil, acts.changing end
   why = cayley.missed(eq)
   if why then return nil, why end
-  local zero = stages.conserved(eq)
+  local zero = constancy.conserved(eq)
   return { iteration = iteration(m, acts, zero), finish = finish(m, acts, zero),
     count = none(acts.N) and not acts.slip and 4 or 6,
     transition = options.jacobians and transition(m, acts, zero, m.states, "F") or nil,

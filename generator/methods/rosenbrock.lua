@@ -17,6 +17,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local breaks = require "generator.dynamics.breaks"
+local constancy = require "generator.dynamics.constancy"
 local contact = require "generator.dynamics.contact"
 local equations = require "generator.dynamics.equations"
 local sensitivity = require "generator.dynamics.sensitivity"
@@ -206,14 +207,11 @@ end
 -- matrix = groups of the factors and df/dt, factors = their entries, solve = groups, timed = does f depend on t?,
 -- knots, switches (dynamics/switching.lua) or nil}, or nil and why there is none.
 function rosenbrock.program(eq)
-  local switches = switching.of(eq)
+  local switches, whole = switching.of(eq), eq
   if switches then eq = switches.equations end
-  local zero, moving, taken = stages.conserved(eq), {}, {}
+  local moving, taken = constancy.moving(eq), {}
   for _, member in ipairs(eq.model.members) do taken[member.name] = true end
-  for _, s in ipairs(eq.model.states) do
-    taken[s.name] = true
-    if not zero[s.name] then moving[#moving + 1] = s end
-  end
+  for _, s in ipairs(eq.model.states) do taken[s.name] = true end
   if #moving == 0 then return nil, stages.AT_REST end
   local list = slips(eq)
   local groups, rates = in_slips(eq, list)
@@ -243,7 +241,7 @@ function rosenbrock.program(eq)
   end
   return { tableau = rosenbrock.tableau, states = moving, slips = list, rates = f, matrix = matrix,
     factors = lu.names, solve = lu.solve, timed = timed, shifts = shifts(eq, list), knots = breaks.knots(eq),
-    switches = switches, floors = floors.of(eq) }
+    switches = switches, floors = floors.of(whole) }
 end
 
 return rosenbrock

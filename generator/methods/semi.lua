@@ -16,12 +16,12 @@
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local vec = require "generator.algebra.vec"
+local constancy = require "generator.dynamics.constancy"
 local context = require "generator.dynamics.context"
 local equations = require "generator.dynamics.equations"
 local moving = require "generator.dynamics.moving"
 local state = require "generator.dynamics.state"
 local cayley = require "generator.methods.cayley"
-local stages = require "generator.methods.stages"
 
 local semi = { name = "semi", order = 1, title = "semi-implicit method of order 1",
   needs = { { path = "the step", needs = "of attitude and rates q' = (q (0, W) - (0, Omega) q)/2, (I + D) w' = (L + " ..
@@ -178,7 +178,7 @@ end
 -- acting effects, f (Euler's rates without torque), increments.
 -- The order is that of the scheme: what does not turn, the kick, the rate at the middle, the rotation, the new state.
 local function step(eq, increments)
-  local m, zero = eq.model, stages.conserved(eq)
+  local m, zero = eq.model, constancy.conserved(eq)
   local list, finals = {}, {}
   local S = { list = list, increments = increments, map = {} }
   S.new = carried(m, eq.groups, zero, list, finals, increments)

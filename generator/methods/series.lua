@@ -337,19 +337,16 @@ function series.first(_, v)
   return expr.sym(series.FIRST .. v.name, 8)
 end
 
--- The recurrences of equations: states: {name, sym} in order, with x' = n-th of outs; varying: names that change
--- during a step; groups as in dynamics/equations.lua.
+-- The recurrences of equations: states: {name, sym} in order, all of which change during a step; groups as in
+-- dynamics/equations.lua.
 -- Returns {variables, lanes, slopes = {state name -> {start, term}}, levels}.
-function series.new(states, groups, varying)
+function series.new(states, groups)
   local self = setmetatable({ variables = {}, lanes = {}, lane_of = {}, by_sym = {}, linear = {}, functions = {},
     memo = {}, taken = { order = true, n = true, j = true, r = true }, varying = {}, slopes = {} }, series)
-  for name in pairs(varying) do self.varying[name] = true end -- a set: order is lost
   for _, s in ipairs(states) do
-    if varying[s.name] then
-      local v = { name = s.name, sym = s.sym, level = 0, state = true }
-      self.taken[s.name], self.taken[s.name .. "0"] = true, true
-      self.variables[#self.variables + 1], self.by_sym[s.sym] = v, v
-    end
+    local v = { name = s.name, sym = s.sym, level = 0, state = true }
+    self.varying[s.name], self.taken[s.name], self.taken[s.name .. "0"] = true, true, true
+    self.variables[#self.variables + 1], self.by_sym[s.sym] = v, v
   end
   for _, g in ipairs(groups) do
     for _, d in ipairs(g.defs) do

@@ -8,6 +8,7 @@
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
+local constancy = require "generator.dynamics.constancy"
 
 local stages = {}
 
@@ -17,31 +18,6 @@ local attitude = { qw = true, qx = true, qy = true, qz = true }
 
 -- Why a method that looks for a length of its steps has nothing to look at.
 stages.AT_REST = "no state of the scene changes"
-
--- The states whose rate is structurally zero.
-function stages.conserved(eq)
-  local zero = {}
-  for _, g in ipairs(eq.groups) do
-    for _, o in ipairs(g.outs) do
-      if not attitude[o.state] and o.expr == expr.zero then zero[o.state] = true end
-    end
-  end
-  return zero
-end
-
--- Names of what changes during a step: states that are not conserved, time, and every definition that depends
--- on one of them.
--- One pass: a definition uses only those before it.
-local function varying(eq, zero)
-  local set = { t = true }
-  for _, s in ipairs(eq.model.states) do set[s.name] = not zero[s.name] or nil end
-  for _, g in ipairs(eq.groups) do
-    for _, d in ipairs(g.defs) do
-      if not expr.constant(d.expr, set) then set[d.name] = true end
-    end
-  end
-  return set
-end
 
 -- c and rest of a product; where rest is a sum of long whole numbers (algebra/rational.lua) the number of c goes with
 -- it, for it is the scale of their decimals: 1e-12 (7e12 x + 3e11 y) is 7 x + 0.3 y.
@@ -71,9 +47,7 @@ end
 -- is factor * what the groups give; the factor does not change during a step.  Only rates of turning have one, a
 -- quotient of moments: in other sums what is common is a coincidence of their numbers.  whole: take no factor out.
 function stages.prepare(eq, whole)
-  local zero = stages.conserved(eq)
-  local set = varying(eq, zero)
-  local out = { groups = {}, factor = {}, zero = zero }
+  local set, out = constancy.varying(eq), { groups = {}, factor = {}, zero = constancy.conserved(eq) }
   for _, g in ipairs(eq.free and {} or eq.groups) do -- where something acts the factor stands before all definitions
     for _, d in ipairs(g.defs) do set[d.name] = true end
   end

@@ -11,6 +11,7 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local vec = require "generator.algebra.vec"
 local breaks = require "generator.dynamics.breaks"
+local constancy = require "generator.dynamics.constancy"
 local distinct = require "generator.dynamics.distinct"
 local state = require "generator.dynamics.state"
 local switching = require "generator.dynamics.switching"
@@ -61,8 +62,8 @@ local function straightened(eq, groups)
 end
 
 -- The recurrences of the groups for the states `list`; or nil and why there are none.
-local function recurrences(list, groups, varying)
-  local ok, made = pcall(series.new, list, groups, varying)
+local function recurrences(list, groups)
+  local ok, made = pcall(series.new, list, groups)
   if ok then return made end
   if getmetatable(made) ~= series.missing then error(made, 0) end
   return nil, "no recurrence is known for the function " .. made.fn
@@ -137,14 +138,14 @@ local function expanded(made)
   end
 end
 
--- The recurrences of groups, laid out: moving: the states whose terms are wanted, {name, sym}; varying: their names.
+-- The recurrences of groups, laid out: moving: the states whose terms are wanted, {name, sym}.
 -- Returns {order, states, roots = square roots of what may vanish, lanes, levels = {{first, last, variables}}, ...}, or
 -- nil and why there is none.  Time is a state of its own, t' = 1.
-local function laid_out(groups, moving, varying, order)
+local function laid_out(groups, moving, order)
   local clock = expr.sym("t", 8)
   local list = { table.unpack(moving) }
   list[#list + 1] = { name = "t", sym = clock }
-  local made, why = recurrences(list, groups, varying)
+  local made, why = recurrences(list, groups)
   if not made then return nil, why end
   made.slopes.t = { start = expr.one, term = expr.zero }
   local lanes, levels = by_level(made)
@@ -163,7 +164,7 @@ end
 -- state s has s_v beside it.  In `more`: those of states that keep their value and of inputs, which v holds beyond the
 -- states.
 local function tangent(eq, groups, moving, order)
-  local m, known, states, varying, more = eq.model, {}, { table.unpack(moving) }, { t = true }, {}
+  local m, known, states, more = eq.model, {}, { table.unpack(moving) }, {}
   local none = expr.sym("nothing", 8) -- no symbol of the equations: all derivatives are those that are known
   local moves = {}
   for _, s in ipairs(moving) do moves[s.name] = true end
@@ -180,7 +181,6 @@ local function tangent(eq, groups, moving, order)
     known[s.sym] = v.sym
     more[#more + 1] = v
   end
-  for _, s in ipairs(states) do varying[s.name] = true end
   local out = {}
   for i, g in ipairs(groups) do
     local copy = { defs = {}, outs = {} }
@@ -200,7 +200,7 @@ local function tangent(eq, groups, moving, order)
     end
     out[i] = copy
   end
-  local program, why = laid_out(out, states, varying, order)
+  local program, why = laid_out(out, states, order)
   if program then program.more = more end
   return program, why
 end
@@ -223,20 +223,13 @@ function taylor.program(eq, options)
       "not one series': use rk4, or leave jacobians out"
   end
   if switches then eq = switches.equations end
-  local zero, order = stages.conserved(eq), options.order or taylor.own_order[options.real or "double"]
-  local varying, moving = { t = true }, {}
-  for _, s in ipairs(eq.model.states) do
-    if not zero[s.name] then
-      varying[s.name] = true
-      moving[#moving + 1] = s
-    end
-  end
+  local order, moving, zero = options.order or taylor.own_order[options.real or "double"], constancy.moving(eq)
   if #moving == 0 then return nil, stages.AT_REST end
   eq = separate(eq)
   -- what has corners need not be the same from all sides
   local seen = switches and { groups = eq.groups } or special.frame(eq, zero, moving)
   local groups, knots = straightened(eq, seen.groups)
-  local program, why = laid_out(groups, moving, varying, order)
+  local program, why = laid_out(groups, moving, order)
   if not program then return nil, why end
   program.knots, program.axis, program.spin, program.shift = knots, seen.axis, seen.spin, seen.shift
   program.switches = switches

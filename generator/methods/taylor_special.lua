@@ -38,6 +38,13 @@ local function changed(groups, put)
   end)
 end
 
+-- Does e keep its value while these states move?
+local function steady(e, moving)
+  local varying = { t = true }
+  for _, s in ipairs(moving) do varying[s.name] = true end
+  return expr.constant(e, varying)
+end
+
 -- Where body and torque look alike from all sides of an axis k and the rate w3 about it is constant, the equations keep
 -- their form in a frame that turns about k at any rate s relative to the body: only Omega = (I3 - I1)/I1 w3 becomes
 -- Omega + s, and w3 in the attitude's equation w3 - s.  With s = (w3 - Omega)/2 the fastest oscillation, w3 of a
@@ -75,9 +82,7 @@ local function about_axis(eq, zero, rate, moving)
       end
     end
   end
-  local varying = { t = true }
-  for _, x in ipairs(moving) do varying[x.name] = true end
-  if not expr.constant(Omega, varying) then return nil end
+  if not steady(Omega, moving) then return nil end
   local spin = (w[axis] - Omega) / 2
   local function put(name, e)
     if of_attitude[name] then return calculus.substitute(e, { [w[axis]] = w[axis] - s }) end
@@ -133,10 +138,9 @@ end
 -- K is d^2 wx'/(d qw d qx), for Re(conj(a) b) = qw qx + qz qy; the imaginary part is qw qy - qz qx.
 function special.top(seen, moving)
   if seen.axis ~= 3 or #moving ~= 6 then return nil end
-  local Omega, rate, varying = seen.Omega, seen.rate, { t = true }
+  local Omega, rate = seen.Omega, seen.rate
   local K = ratio.tidy(calculus.diff(calculus.diff(rate.wx, q[1]), q[2]))
-  for _, s in ipairs(moving) do varying[s.name] = true end
-  if K == expr.zero or not expr.constant(K, varying) then return nil end
+  if K == expr.zero or not steady(K, moving) then return nil end
   local claimed = claim.turning()
   claimed.wx = -Omega * w[2] + K * (q[1] * q[2] + q[3] * q[4])
   claimed.wy = Omega * w[1] + K * (q[1] * q[3] - q[2] * q[4])

@@ -228,53 +228,7 @@ int ph_body_subtract(ph_body *out, const ph_body *a, const ph_body *hole);
    0; PH_ETRIANGLE: I3 <= I1 + I2, both up to 8 units of rounding of the largest (formal: > 0). */
 int ph_body_check(const ph_body *b);
 
-/* ---- meshes ---- */
-
-typedef enum ph_mesh_kind {
-  PH_MESH_VOLUME,  /* the solid that the faces enclose */
-  PH_MESH_SURFACE, /* the faces, uniform areal density */
-  PH_MESH_WIRES    /* each distinct edge of a face and each segment of the file once */
-} ph_mesh_kind;
-
-/* What a file holds, in its own unit of length and per unit density. Vertices are welded where all
-   three coordinates are equal; only those that a face or segment uses count. */
-typedef struct ph_mesh {
-  ph_mesh_kind kind;
-  double measure;             /* volume, area or length; 0: see ph_mesh_check */
-  double com[3], com_tail[3]; /* centre, as in ph_body */
-  double sigma[6];            /* second moments about it per unit measure: xx yy zz xy xz yz */
-  double lo[3], hi[3];        /* bounding box */
-  size_t faces, triangles;    /* as read; after polygons were fanned */
-  size_t vertices, edges;     /* distinct; edges of faces */
-  size_t segments;            /* of OBJ lines and PLY edges */
-  size_t open;                /* edges of one face */
-  size_t flipped;             /* edges of two faces that run along it in the same direction */
-  size_t nonmanifold;         /* edges of more than two faces */
-  size_t unbalanced;          /* edges not run along as often one way as the other: 0 = closed */
-  size_t duplicate;           /* triangles that repeat the corners of another */
-  size_t degenerate;          /* faces without area */
-  size_t nonfinite;           /* faces and segments left out: a coordinate is not finite */
-  int inverted;               /* the faces look inward: volume and moments were negated */
-} ph_mesh;
-
-/* Read STL (text or binary), OBJ or PLY (text or binary, either byte order). The name's ending
-   .stl, .obj, .ply decides, any other the content. STL is binary if its size is what the count at
-   byte 80 says, text if it begins with "solid" and has no control characters in its first 1024
-   bytes. Numbers are read to the nearest double. Volumes are sums of tetrahedra from a vertex of
-   the mesh (divergence theorem), formed in long double and added with compensation. A polygon is
-   the fan of triangles from its first corner: exact for plane polygons, convex or not (in a
-   surface, a triangle that looks against the polygon's vector area is subtracted); a polygon that
-   is not plane means that fan. Its diagonals are no edges. A volume needs closed faces: else, and
-   when what was asked for is 0, *out has its counts and measure, com and sigma are 0. PH_ENAME (no
-   such kind), PH_EFILE, PH_EFORMAT, PH_ERANGE, PH_EMEMORY; then message (NULL allowed) has at most
-   size bytes of text with the line or byte, without the file's name, and *out is untouched. */
-int ph_mesh_read(ph_mesh *out, const char *path, ph_mesh_kind kind, char *message, size_t size);
-/* Can it be a body? PH_EFINITE: coordinates that are not finite; PH_EOPEN: a volume with unbalanced
-   edges; PH_EEMPTY: measure 0. */
-int ph_mesh_check(const ph_mesh *mesh);
-/* The body, where the file's unit of length is `unit` metres. Also PH_ELENGTH, PH_EMASS, PH_ERANGE
-   and the refusals of ph_body_check. */
-int ph_mesh_body(ph_body *b, ph_amount a, const ph_mesh *mesh, double unit);
+#include "polhode_mesh.h" /* bodies from mesh files */
 
 /* ---- inertia tensors ---- */
 

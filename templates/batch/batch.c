@@ -39,20 +39,12 @@ static void ${name}_give(${name}_real from[][${upper}_LANES], ${name}_real to[],
 static void ${name}_${f.name}_${f.tail}(${f.owner}, ${name}_real t, ${name}_real x[][${upper}_LANES], ${f.u}${f.last})
 {
 %% for _, line in ipairs(f.common) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 
   for (int lane = 0; lane < ${upper}_LANES; lane++) {
 %% for _, line in ipairs(f.lines) do
-%%   if line == "" then
-
-%%   else
     ${line}
-%%   end
 %% end
   }
 }

@@ -4,11 +4,7 @@
 ${f.head}
 {
 %%   for _, line in ipairs(f.lines) do
-%%     if line == "" then
-
-%%     else
   ${line}
-%%     end
 %%   end
 }
 %% end

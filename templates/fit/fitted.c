@@ -19,11 +19,7 @@ static void along(const ${name}_model *m, real k0[][LANES], real t, const real x
 {
   int lane;
 %% for _, line in ipairs(common) do
-%% if line == "" then
-
-%% else
   ${line}
-%% end
 %% end
 
   (void)m;
@@ -32,11 +28,7 @@ static void along(const ${name}_model *m, real k0[][LANES], real t, const real x
   (void)u;
   for (lane = 0; lane < LANES; lane++) {
 %% for _, line in ipairs(loop) do
-%% if line == "" then
-
-%% else
     ${line}
-%% end
 %% end
   }
 }
@@ -97,11 +89,7 @@ static void measure(const double *p, double t, const double *x, const double *s,
   real G[${slope_room}];
   int lane;
 %% for _, line in ipairs(measure_lines) do
-%% if line == "" then
-
-%% else
   ${line}
-%% end
 %% end
   (void)G;
   for (lane = 0; lane < LANES; lane++) {

@@ -53,10 +53,6 @@ static int ${name}_sign_of_sum(int rows, int columns, const ${name}_real f[])
 static void ${name}_sort_moments(const ${name}_real p[], int order[3])
 {
 %% for _, line in ipairs(lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }

@@ -16,11 +16,7 @@ static const int ${name}_adaptive_moving[${count}] = {
 static ${head}
 {
 %% for _, line in ipairs(lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 

@@ -5,11 +5,7 @@
 static ${head}
 {
 %%   for _, line in ipairs(lines) do
-%%     if line == "" then
-
-%%     else
   ${line}
-%%     end
 %%   end
 }
 %% else

@@ -6,11 +6,7 @@
 static ${newton_head}
 {
 %% for _, line in ipairs(newton_lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 
@@ -18,11 +14,7 @@ static ${newton_head}
 static ${finish_head}
 {
 %% for _, line in ipairs(finish_lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 
@@ -57,11 +49,7 @@ void ${name}_midpoint_step(const ${name}_model *m, ${name}_real t, ${name}_real 
 static ${tangent_head}
 {
 %%   for _, line in ipairs(tangent_lines) do
-%%     if line == "" then
-
-%%     else
   ${line}
-%%     end
 %%   end
 }
 
@@ -80,11 +68,7 @@ void ${name}_midpoint_step_transition(const ${name}_model *m, ${name}_real t, ${
 static ${tangent_u_head}
 {
 %%   for _, line in ipairs(tangent_u_lines) do
-%%     if line == "" then
-
-%%     else
   ${line}
-%%     end
 %%   end
 }
 

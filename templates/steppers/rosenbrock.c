@@ -34,11 +34,7 @@ static const ${name}_real ${name}_rosenbrock_d[8] = {${d}};
 static ${shift.head}
 {
 %% for _, line in ipairs(shift.lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 
@@ -51,11 +47,7 @@ static ${shift.head}
 static ${rates.head}
 {
 %% for _, line in ipairs(rates.lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 
@@ -64,11 +56,7 @@ static ${rates.head}
 static ${matrix.head}
 {
 %% for _, line in ipairs(matrix.lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 
@@ -76,11 +64,7 @@ static ${matrix.head}
 static ${solve.head}
 {
 %% for _, line in ipairs(solve.lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 
@@ -169,12 +153,17 @@ void ${name}_rosenbrock_step(const ${name}_model *m, ${name}_real t, ${name}_rea
 }
 
 %% end
+%% if has_floors then
 /* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step and
  * at least of `least`, or `worst` if that is larger. */
+%% else
+/* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step, or
+ * `worst` if that is larger. */
+%% end
 static ${name}_real ${name}_rosenbrock_worse(const ${name}_real x[], const ${name}_real y[], const ${name}_real error[], int first, int last,
-                           ${name}_real least, ${name}_real worst)
+                           ${least_arg}${name}_real worst)
 {
-  ${name}_real size = least, e = ${zero};
+  ${name}_real size = ${least_first}, e = ${zero};
   int k;
 
   for (k = first; k < last; k++) {
@@ -186,6 +175,23 @@ static ${name}_real ${name}_rosenbrock_worse(const ${name}_real x[], const ${nam
     if (!(b - b == ${zero}) || !(c - c == ${zero})) return ${huge};
   }
   return e > ${zero} && !(e <= worst*size) ? e/size : worst;
+}
+
+/* the largest error of all kinds */
+static ${name}_real ${name}_rosenbrock_norm(${norm_args}const ${name}_real x[], const ${name}_real y[], const ${name}_real error[])
+{
+  ${name}_real worst = ${zero};
+%% if has_floors then
+  ${name}_real least[${floors_count}];
+
+  ${name}_floors(${floors_pass}, least);
+%% else
+
+%% end
+%% for _, k in ipairs(kinds) do
+  worst = ${name}_rosenbrock_worse(x, y, error, ${k.first}, ${k.last}, ${k.least}worst); /* ${k.about} */
+%% end
+  return worst;
 }
 
 %% if has_switches then
@@ -209,10 +215,7 @@ int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real
 %% else
     const ${name}_real left = (t1 - t) - lost;
 %% end
-    ${name}_real r = ${zero}, factor, next_t;
-%% if has_floors then
-    ${name}_real least[${floors_count}];
-%% end
+    ${name}_real r, factor, next_t;
     int last;
 
     if (!(left > ${zero} || left < ${zero})) return steps;
@@ -225,13 +228,7 @@ int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real
 %% else
     ${name}_rosenbrock_trial(m, t, x, u, h, y, error);
 %% end
-%% if has_floors then
-    ${name}_floors(${floors_pass}, least);
-%% end
-%% for _, k in ipairs(kinds) do
-    r = ${name}_rosenbrock_worse(x, y, error, ${k.first}, ${k.last}, ${k.least}r); /* ${k.about} */
-%% end
-    r /= tolerance;
+    r = ${name}_rosenbrock_norm(${norm_pass}x, y, error)/tolerance;
     /* the next step is 7/8 r^(-3/16) as long, from an eighth to four times; what is not finite counts as an eighth */
     factor = r > ${zero} ? ${exp}(-slope*${log}(r))*${n[7/8]} : ${eight};
     if (!(factor > ${eighth})) factor = ${eighth};

@@ -3,11 +3,7 @@
 static ${head}
 {
 %% for _, line in ipairs(lines) do
-%%   if line == "" then
-
-%%   else
   ${line}
-%%   end
 %% end
 }
 

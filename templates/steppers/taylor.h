@@ -20,6 +20,11 @@ void ${name}_taylor_at(const ${name}_model *m, ${name}_real c[][${upper}_ROW], $
  * ${name}_taylor_step and _run go on from there. */
 
 %% end
+%% if has_switches then
+/* The equations have corners: the series is that of the sides at t.  Steps have parts that end at the corners; where no motion
+ * leads on from one, as both sides push back to it, ${name}_taylor_step makes x no number, _adapt stops and _run returns -1. */
+
+%% end
 /* One step of size h, order ${upper}_ORDER: x goes from time t to t + h, the input u held. */
 void ${name}_taylor_step(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h);
 

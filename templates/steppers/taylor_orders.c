@@ -8,7 +8,7 @@ void ${name}_taylor_step_of(const ${name}_model *m, ${name}_real t, ${name}_real
   const ${name}_real end = t + h;
   ${name}_real reached;
 
-  (void)${name}_taylor_through(m, t, x, u, end, (end - t) - h, ${zero}, ${most_parts}, top, 0, &reached);
+  (void)${name}_taylor_integrate(m, t, x, u, end, (end - t) - h, ${zero}, ${most_parts}, top, 0, &reached);
 %% else
   ${name}_real c[${upper}_ORDER + 1][${upper}_ROW], d[${upper}_ROW];
 

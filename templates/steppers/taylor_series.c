@@ -2,11 +2,10 @@
 void ${name}_taylor_series(const ${name}_model *m, ${name}_real t, const ${name}_real x[], const ${name}_real u[],
                   ${name}_real c[][${upper}_ROW])
 {
-%% if has_switches then
-  ${name}_real ${array}[${many}];
+%% if has_sides then
   ${name}_corners o;
 
-  ${name}_sides(m, t, x, u, ${zero}, ${array}, &o);
+  ${name}_corners_at_start(m, t, x, u, ${zero}, &o);
 %% end
-  ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c${after_t}${sides});
+  ${name}_taylor_terms(m, t, x, u, ${upper}_ORDER, c${after_t}${series_sides});
 }

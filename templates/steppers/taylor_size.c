@@ -22,37 +22,44 @@ static ${name}_real ${name}_taylor_exp2(${name}_real x) /* x within the range of
   return b.x;
 }
 
-/* The largest step h at which the last two terms are below a part of the first ones of their kind of state, |c[n]| h^n <=
- * part |c[i]| h^i for some i < 3; the part is `local`, or `rate` h if that is larger. */
-static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top, ${name}_real local, ${name}_real rate)
+/* log2 of the largest step h at which the last two terms of the states first to last - 1, one kind, are below a part of their
+ * first ones, |c[n]| h^n <= part |c[i]| h^i for some i < 3; or log_h, if that is less.  The part is `local`, or `rate` h if that
+ * is larger, given by their logarithms; over[k] = 1/(top - k). */
+static ${name}_real ${name}_taylor_reach(${name}_real c[][${upper}_ROW], int top, int first, int last, ${name}_real log_local, ${name}_real log_rate, const ${name}_real over[], ${name}_real log_h)
 {
-  const ${name}_real log_local = ${name}_taylor_log2(local), log_rate = ${name}_taylor_log2(rate);
-  ${name}_real log_h = ${n[64]}, head[3], tail, at, best, part[5];
-  int n;
+  ${name}_real head[3];
 
-  for (int i = 0; i < 5; i++) part[i] = ${one}/(${name}_real)(top - i > 0 ? top - i : 1);
-
-%% for _, k in ipairs(kinds) do
-  /* ${k.about} */
   for (int i = 0; i < 3; i++) {
     head[i] = ${zero};
-    for (int k = ${k.first}; k < ${k.last}; k++) head[i] = ${fabs}(c[i][k]) > head[i] ? ${fabs}(c[i][k]) : head[i];
+    for (int k = first; k < last; k++) head[i] = ${fabs}(c[i][k]) > head[i] ? ${fabs}(c[i][k]) : head[i];
     head[i] = ${name}_taylor_log2(head[i]);
   }
-  for (n = top - 1; n <= top; n++) {
-    tail = ${zero};
-    for (int k = ${k.first}; k < ${k.last}; k++) tail = ${fabs}(c[n][k]) > tail ? ${fabs}(c[n][k]) : tail;
+  for (int n = top - 1; n <= top; n++) {
+    ${name}_real tail = ${zero}, best = ${one} - ${bias}, at;
+
+    for (int k = first; k < last; k++) tail = ${fabs}(c[n][k]) > tail ? ${fabs}(c[n][k]) : tail;
     if (!(tail > ${zero})) continue; /* nothing moves */
     tail = ${name}_taylor_log2(tail);
-    best = ${one} - ${bias};
     for (int i = 0; i < 3 && i + 1 < n; i++) {
-      at = (log_local + head[i] - tail)*part[top - n + i];
+      at = (log_local + head[i] - tail)*over[top - n + i];
       best = at > best ? at : best;
-      at = (log_rate + head[i] - tail)*part[top - n + i + 1];
+      at = (log_rate + head[i] - tail)*over[top - n + i + 1];
       best = at > best ? at : best;
     }
     log_h = best < log_h ? best : log_h;
   }
+  return log_h;
+}
+
+/* The largest step of all kinds of state. */
+static ${name}_real ${name}_taylor_size(${name}_real c[][${upper}_ROW], int top, ${name}_real local, ${name}_real rate)
+{
+  const ${name}_real log_local = ${name}_taylor_log2(local), log_rate = ${name}_taylor_log2(rate);
+  ${name}_real log_h = ${n[64]}, over[5];
+
+  for (int k = 0; k < 5; k++) over[k] = ${one}/(${name}_real)(top - k > 0 ? top - k : 1);
+%% for _, k in ipairs(kinds) do
+  log_h = ${name}_taylor_reach(c, top, ${k.first}, ${k.last}, log_local, log_rate, over, log_h); /* ${k.about} */
 %% end
   return ${name}_taylor_exp2(log_h);
 }

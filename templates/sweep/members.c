@@ -65,11 +65,7 @@ static int set_up(uint64_t member, double v[], real p[], real x[], ${name}_model
 static void watch_one(const real p[], real t, const real x[], real y[])
 {
 %% for _, line in ipairs(watch_lines) do
-%% if line == "" then
-
-%% else
   ${line}
-%% end
 %% end
 }
 
@@ -77,20 +73,12 @@ static void watch_lanes(real p[][LANES], real t, real x[][LANES], real y[][LANES
 {
   int lane;
 %% for _, line in ipairs(watch_common) do
-%% if line == "" then
-
-%% else
   ${line}
-%% end
 %% end
 
   for (lane = 0; lane < LANES; lane++) {
 %% for _, line in ipairs(watch_loop) do
-%% if line == "" then
-
-%% else
     ${line}
-%% end
 %% end
   }
 }
@@ -101,11 +89,7 @@ static void watch_lanes(real p[][LANES], real t, real x[][LANES], real y[][LANES
 static void final_one(const real p[], real t, const real x[], real y[])
 {
 %% for _, line in ipairs(final_lines) do
-%% if line == "" then
-
-%% else
   ${line}
-%% end
 %% end
 }
 %% end
@@ -153,25 +137,6 @@ static void advance(block *b, real x[][LANES], real t, real h, int steps)
 %% end
 }
 
-%% if has_attitude then
-
-enum { PIECE = ${piece} }; /* steps after which |q| is looked at */
-
-/* A step whose h |w| is beyond what the method can do loses |q|, and steps after it bring it back: marks lanes where it
- * is not 1 to some per cent. */
-static void lengths(block *b)
-{
-  int k;
-
-  for (k = 0; k < LANES; k++) {
-    const real w = b->x[${upper}_QW][k], x = b->x[${upper}_QX][k], y = b->x[${upper}_QY][k], z = b->x[${upper}_QZ][k];
-    const real square = w*w + x*x + y*y + z*z;
-
-    if (b->status[k] == SWEEP_FINE && (square < (real)0.9 || square > (real)1.1)) b->status[k] = SWEEP_LONG;
-  }
-}
-%% end
-
 /* Lane k of rows. */
 static void lane_of(real from[][LANES], int k, int rows, real to[])
 {
@@ -179,6 +144,55 @@ static void lane_of(real from[][LANES], int k, int rows, real to[])
 
   for (i = 0; i < rows; i++) to[i] = from[i][k];
 }
+%% if judged then
+
+enum { PIECE = ${piece} }; /* steps after which members are looked at */
+
+%% if only_passages then
+static int passed(const block *b, int k)
+{
+  int w, all = 1;
+
+  for (w = 0; w < WATCHED; w++) all = all && b->found[w][k] == b->found[w][k];
+  return all;
+}
+
+%% end
+/* Marks the lanes whose motion does not hold any more at the time t.
+%% if has_attitude then
+ * A step whose h |w| is beyond what the method can do loses |q|, and steps after it bring it back.
+%% end
+%% if has_contact then
+ * A body stays on its plane as long as the plane need not pull.
+%% end
+ */
+static void judge(block *b, real t)
+{
+%% if has_contact then
+  real x[${upper}_NX], com[3], velocity[3];
+%% end
+  int k;
+
+  for (k = 0; k < LANES; k++) {
+%% if has_attitude then
+    const real w = b->x[${upper}_QW][k], i = b->x[${upper}_QX][k], j = b->x[${upper}_QY][k], l = b->x[${upper}_QZ][k];
+    const real square = w*w + i*i + j*j + l*l;
+
+%% end
+    if (b->status[k] != SWEEP_FINE${passed}) continue;
+%% if has_attitude then
+    if (square < (real)0.9 || square > (real)1.1) b->status[k] = SWEEP_LONG;
+%% end
+%% if has_contact then
+    lane_of(b->x, k, ${upper}_NX, x);
+    if (${name}_contact(&b->model[k%MODELS], t, x, ${contact_inputs}com, velocity) < 0) b->status[k] = SWEEP_LOST;
+%% end
+  }
+%% if not has_contact then
+  (void)t;
+%% end
+}
+%% end
 %% if has_watched then
 
 ${watch_source}
@@ -296,15 +310,19 @@ static void compute(uint64_t first, int count, double rows[], int32_t status[])
   }
   for (k = 0; k < LANES; k++) differences(b.x, coarse, k, most[k], size[k]);
 %% end
+%% if judged then
+  judge(&b, STRETCH[0].t);
+%% end
   for (s = 0; s < STRETCHES; s++) {
     if (STRETCH[s].steps > 0) {
 %% if has_watched then
       march(&b, STRETCH[s].t, STRETCH[s].h, STRETCH[s].steps);
-%% elseif has_attitude then
+%% elseif judged then
       for (i = 0; i < STRETCH[s].steps; i += PIECE) {
-        advance(&b, b.x, STRETCH[s].t + (real)i*STRETCH[s].h, STRETCH[s].h,
-                STRETCH[s].steps - i < PIECE ? STRETCH[s].steps - i : PIECE);
-        lengths(&b);
+        const int n = STRETCH[s].steps - i < PIECE ? STRETCH[s].steps - i : PIECE;
+
+        advance(&b, b.x, STRETCH[s].t + (real)i*STRETCH[s].h, STRETCH[s].h, n);
+        judge(&b, STRETCH[s].t + (real)(i + n)*STRETCH[s].h);
       }
 %% else
       advance(&b, b.x, STRETCH[s].t, STRETCH[s].h, STRETCH[s].steps);

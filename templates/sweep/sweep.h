@@ -8,6 +8,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 /* ---- the study: constants that the generator wrote ---- */
 
@@ -43,8 +44,8 @@ typedef struct sweep_column {
   int times;
 } sweep_column;
 
-/* What became of a member, beside it 4 + n: NAME_init's check n failed. */
-enum { SWEEP_FINE, SWEEP_MISSED, SWEEP_INFINITE, SWEEP_LONG, SWEEP_REFUSED };
+/* What became of a member; SWEEP_REFUSED + n: NAME_init's check n failed. */
+enum { SWEEP_FINE, SWEEP_MISSED, SWEEP_INFINITE, SWEEP_LONG, SWEEP_LOST, SWEEP_REFUSED };
 
 typedef struct sweep_study {
   const char *scene, *version, *command, *fingerprint; /* the fingerprint: of all that decides a bit of the result */
@@ -124,7 +125,7 @@ typedef struct sweep_summary {
   double mean, deviation, least, most, quantile[SWEEP_QUANTILES];
 } sweep_summary;
 void sweep_stats_summary(const sweep_stats *all, int number, sweep_summary *out);
-/* Of the members in which both are numbers; NaN with fewer than two. */
+/* Of the members in which all numbers are some; NaN with fewer than two. */
 double sweep_stats_covariance(const sweep_stats *all, int i, int j);
 /* Counts in SWEEP_BINS equal bins from low to high. */
 void sweep_stats_histogram(const sweep_stats *all, int number, double *low, double *high, uint64_t bins[]);
@@ -152,6 +153,8 @@ typedef struct sweep_log sweep_log;
  * 0: any.  With resume the folder's own blocks are taken, whatever the number of workers is now.  NULL after a message. */
 sweep_log *sweep_log_open(const sweep_study *s, const char *folder, int rank, int resume, uint64_t block,
   uint64_t workers);
+/* Of words, after h: every bit of each counts, and their order. */
+uint64_t sweep_checksum(uint64_t h, const void *data, size_t size);
 const sweep_layout *sweep_log_layout(const sweep_log *l);
 /* Looks at all logs of the folder; how many blocks are missing, UINT64_MAX after a message.  all: NULL, or the
  * statistics in them are merged into it. */
@@ -164,6 +167,13 @@ int sweep_log_append(sweep_log *l, const uint64_t blocks[], uint64_t n, const vo
 /* The block's rows and statuses; 0, or -1 after a message. */
 int sweep_log_read(sweep_log *l, uint64_t block, double rows[], int32_t status[]);
 void sweep_log_close(sweep_log *l, int finished); /* finished: the folder goes */
+
+/* ---- sweep_seal.c: whose result a finished file is ---- */
+
+int sweep_seal_write(const sweep_study *s, const char *file); /* FILE.study; 0, or -1 after a message */
+int sweep_seal_check(const sweep_study *s, const char *file); /* 0: the file is this study's, whole; or -1 after a message */
+/* Says that `where` is of another study, by the settings in f. */
+void sweep_another(const sweep_study *s, const char *where, FILE *f);
 
 /* ---- sweep_team.c: threads, ranks ---- */
 

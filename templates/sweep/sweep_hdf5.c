@@ -127,9 +127,11 @@ static void scene(hid_t at, const sweep_study *s)
 /* The file under its temporary name. */
 static hid_t begin(const sweep_study *s, const char *path, char draft[NAME])
 {
-  const hid_t how = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS);
-  hid_t file, root;
+  hid_t how, access, file, root;
 
+  H5dont_atexit(); /* what a full disk did not take cannot be written there either */
+  how = H5Pcreate(H5P_FILE_CREATE);
+  access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_obj_track_times(how, 0);
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL); /* we say ourselves what fails */
   snprintf(draft, NAME, "%s.new", path);
@@ -297,50 +299,94 @@ int sweep_hdf5_write(const sweep_study *s, sweep_log *l, const char *path)
   return end(file, draft, path, wrong);
 }
 
-/* A dataset that is written at once, and closed. */
-static int put_whole(hid_t file, const char *name, hid_t stored, hid_t given, int rank, const hsize_t size[],
-  const void *data, const char *about)
+/* A dataset that is written at once, over the scales `along`, and closed; over itself it is a scale. */
+static int put_whole(hid_t file, const char *name, hid_t stored, hid_t given, int rank, const char *const along[],
+  const hsize_t size[], const void *data, const char *about)
 {
   const hid_t d = dataset(file, name, stored, rank, size, 0);
-  int wrong;
+  int wrong, k;
 
   if (d < 0) return 1;
   text(d, "long_name", about);
   wrong = put(d, given, 0, size[0], data);
+  for (k = 0; k < rank; k++) {
+    if (strcmp(along[k], name) == 0) {
+      wrong |= H5DSset_scale(d, name) < 0;
+    } else {
+      const hid_t scale = H5Dopen2(file, along[k], H5P_DEFAULT);
+
+      wrong |= scale < 0 || H5DSattach_scale(d, scale, (unsigned)k) < 0;
+      H5Dclose(scale);
+    }
+  }
   H5Dclose(d);
   return wrong;
 }
 
-static int put_names(const sweep_study *s, hid_t file)
+/* A scale of words; text: n of them, LONGEST bytes each. */
+enum { LONGEST = 128 };
+static int put_words(hid_t file, const char *name, hsize_t n, const char *words, const char *about)
 {
   const hid_t type = H5Tcopy(H5T_C_S1);
-  const hsize_t n = (hsize_t)s->width;
-  char *names = calloc((size_t)n, 64);
-  int i, k, at = 0, wrong = names == NULL;
+  int wrong;
 
-  H5Tset_size(type, 64);
+  H5Tset_size(type, LONGEST);
+  wrong = put_whole(file, name, type, type, 1, &name, &n, words, about);
+  H5Tclose(type);
+  return wrong;
+}
+
+static int put_indices(hid_t file, const char *name, hsize_t n, const char *about)
+{
+  int64_t list[SWEEP_BINS];
+  hsize_t i;
+
+  for (i = 0; i < n; i++) list[i] = (int64_t)i;
+  return put_whole(file, name, H5T_STD_I64LE, H5T_NATIVE_INT64, 1, &name, &n, list, about);
+}
+
+/* What the statistics stand over: quantities (twice, for covariances), bins and their ends, probabilities, statuses. */
+static int put_scales(const sweep_study *s, hid_t file)
+{
+  static const char *const probability[] = {"probability"};
+  const hsize_t w = (hsize_t)s->width, n = (hsize_t)s->reason_count, quantiles = SWEEP_QUANTILES;
+  char *words = calloc((size_t)(w > n ? w : n), LONGEST);
+  int i, k, at = 0, wrong = words == NULL;
+
   for (i = 0; i < s->column_count && !wrong; i++) {
     for (k = 0; k < s->columns[i].times; k++) {
       const sweep_column *c = &s->columns[i];
 
-      if (c->times > 1) snprintf(names + 64*at++, 64, "%s@%.15g", c->name, s->times[k]);
-      else snprintf(names + 64*at++, 64, "%s", c->name);
+      if (c->times > 1) snprintf(words + LONGEST*at++, LONGEST, "%s@%.15g", c->name, s->times[k]);
+      else snprintf(words + LONGEST*at++, LONGEST, "%s", c->name);
     }
   }
-  wrong = wrong || put_whole(file, "quantity", type, type, 1, &n, names, "name of the quantity");
-  free(names);
-  H5Tclose(type);
+  wrong = wrong || put_words(file, "quantity", w, words, "name of the quantity");
+  wrong = wrong || put_words(file, "other", w, words, "name of the other quantity");
+  for (i = 0; i < s->reason_count && !wrong; i++) {
+    memset(words + LONGEST*i, 0, LONGEST);
+    snprintf(words + LONGEST*i, LONGEST, "%s", s->reasons[i]);
+  }
+  wrong = wrong || put_words(file, "reason", n, words, "what becomes of a member");
+  wrong = wrong || put_indices(file, "bin", SWEEP_BINS, "number of the bin");
+  wrong = wrong || put_indices(file, "side", 2, "0: low, 1: high");
+  wrong = wrong || put_whole(file, "probability", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, probability, &quantiles,
+    sweep_quantile, "of the quantiles");
+  free(words);
   return wrong;
 }
 
 int sweep_hdf5_stats(const sweep_study *s, const sweep_stats *all, const char *path)
 {
+  static const char *const reason[] = {"reason"};
   const size_t w = (size_t)s->width;
-  hsize_t size[2];
   double *column = malloc(w*sizeof *column), *square = malloc(w*w*sizeof *square);
   double *quantiles = malloc(w*SWEEP_QUANTILES*sizeof *quantiles), *edges = malloc(2*w*sizeof *edges);
   uint64_t *counts = malloc(w*SWEEP_BINS*sizeof *counts);
   sweep_summary *m = malloc(w*sizeof *m);
+  const hsize_t reasons = (hsize_t)s->reason_count;
+  const char *along[2] = {"quantity", NULL};
+  hsize_t size[2];
   char draft[NAME];
   hid_t file;
   size_t i, j;
@@ -357,32 +403,28 @@ int sweep_hdf5_stats(const sweep_study *s, const sweep_stats *all, const char *p
     for (j = 0; j < SWEEP_QUANTILES; j++) quantiles[i*SWEEP_QUANTILES + j] = m[i].quantile[j];
     for (j = 0; j < w; j++) square[i*w + j] = sweep_stats_covariance(all, (int)i, (int)j);
   }
-  wrong = put_names(s, file);
-  size[0] = (hsize_t)w;
-  size[1] = SWEEP_BINS;
-  wrong |= put_whole(file, "histogram", H5T_STD_U64LE, H5T_NATIVE_UINT64, 2, size, counts, "members in equal bins");
-  size[1] = 2;
-  wrong |= put_whole(file, "edges", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 2, size, edges, "ends of the bins");
-  size[1] = SWEEP_QUANTILES;
-  wrong |= put_whole(file, "quantiles", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 2, size, quantiles, "quantiles");
-  size[1] = (hsize_t)w;
-  wrong |= put_whole(file, "covariance", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 2, size, square, "covariance");
+  wrong = put_scales(s, file);
+#define PUT(name, second, n, stored, given, data, about) \
+  (along[1] = second, size[0] = (hsize_t)w, size[1] = n, \
+   wrong |= put_whole(file, name, stored, given, n > 0 ? 2 : 1, along, size, data, about))
+  PUT("histogram", "bin", SWEEP_BINS, H5T_STD_U64LE, H5T_NATIVE_UINT64, counts, "members in equal bins");
+  PUT("edges", "side", 2, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, edges, "ends of the histogram");
+  PUT("quantiles", "probability", SWEEP_QUANTILES, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, quantiles, "quantiles");
+  PUT("covariance", "other", (hsize_t)w, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, square, "covariance");
   for (i = 0; i < w; i++) counts[i] = m[i].count;
-  wrong |= put_whole(file, "count", H5T_STD_U64LE, H5T_NATIVE_UINT64, 1, size, counts, "members with a number");
+  PUT("count", NULL, 0, H5T_STD_U64LE, H5T_NATIVE_UINT64, counts, "members with a number");
   for (i = 0; i < w; i++) counts[i] = m[i].missing;
-  wrong |= put_whole(file, "missing", H5T_STD_U64LE, H5T_NATIVE_UINT64, 1, size, counts, "members without one");
+  PUT("missing", NULL, 0, H5T_STD_U64LE, H5T_NATIVE_UINT64, counts, "members without one");
   for (i = 0; i < w; i++) column[i] = m[i].mean;
-  wrong |= put_whole(file, "mean", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, size, column, "mean");
+  PUT("mean", NULL, 0, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, column, "mean");
   for (i = 0; i < w; i++) column[i] = m[i].deviation;
-  wrong |= put_whole(file, "deviation", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, size, column, "standard deviation");
+  PUT("deviation", NULL, 0, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, column, "standard deviation");
   for (i = 0; i < w; i++) column[i] = m[i].least;
-  wrong |= put_whole(file, "least", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, size, column, "least value");
+  PUT("least", NULL, 0, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, column, "least value");
   for (i = 0; i < w; i++) column[i] = m[i].most;
-  wrong |= put_whole(file, "most", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, size, column, "greatest value");
-  size[0] = SWEEP_QUANTILES;
-  wrong |= put_whole(file, "probability", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, size, sweep_quantile, "of the quantiles");
-  size[0] = (hsize_t)s->reason_count;
-  wrong |= put_whole(file, "status", H5T_STD_U64LE, H5T_NATIVE_UINT64, 1, size, sweep_stats_statuses(all),
+  PUT("most", NULL, 0, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, column, "greatest value");
+#undef PUT
+  wrong |= put_whole(file, "status", H5T_STD_U64LE, H5T_NATIVE_UINT64, 1, reason, &reasons, sweep_stats_statuses(all),
     "members by what became of them");
   free(column), free(square), free(quantiles), free(edges), free(counts), free(m);
   return end(file, draft, path, wrong);

@@ -39,8 +39,7 @@ struct sweep_log {
 
 const sweep_layout *sweep_log_layout(const sweep_log *l) { return &l->layout; }
 
-/* Of words: every bit of each counts, and their order. */
-static uint64_t checksum(uint64_t h, const void *data, size_t size)
+uint64_t sweep_checksum(uint64_t h, const void *data, size_t size)
 {
   const unsigned char *p = data;
 
@@ -113,9 +112,10 @@ static int settings_write(const sweep_log *l)
   int fd, n, wrong;
 
   if (path_of(path, l->folder, "settings") || path_of(draft, l->folder, "settings.new")) return -1;
-  n = snprintf(text, sizeof text, "sweep of %s\nfingerprint %s\nmembers %llu\nblock %llu\nworkers %llu\n",
-    l->study->scene, l->study->fingerprint, (unsigned long long)l->study->members, (unsigned long long)l->block,
-    (unsigned long long)l->workers);
+  n = snprintf(text, sizeof text, "sweep of %s\nfingerprint %s\nmembers %llu\nblock %llu\nworkers %llu\nby %s\n"
+    "command %s\n", l->study->scene, l->study->fingerprint, (unsigned long long)l->study->members,
+    (unsigned long long)l->block, (unsigned long long)l->workers, l->study->version, l->study->command);
+  if (n >= (int)sizeof text) n = (int)sizeof text - 1; /* of a command that long the end is missing */
   fd = open(draft, O_WRONLY | O_CREAT | O_TRUNC, 0666);
   if (fd < 0) return failed(draft);
   wrong = write_all(fd, text, (size_t)n, 0);
@@ -132,22 +132,20 @@ static int settings_read(sweep_log *l, uint64_t block)
   char path[NAME], print[NAME];
   unsigned long long own = 0, workers = 0;
   FILE *f;
-  int n;
+  int n, other;
 
   if (path_of(path, l->folder, "settings")) return -1;
   f = fopen(path, "r");
   if (f == NULL) return errno == ENOENT ? 0 : failed(path);
   n = fscanf(f, "%*[^\n] fingerprint %4095s members %*s block %llu workers %llu", print, &own, &workers);
+  other = n == 3 && strcmp(print, l->study->fingerprint) != 0;
+  if (other) sweep_another(l->study, l->folder, f);
   fclose(f);
   if (n != 3 || own == 0 || workers == 0) {
     sweep_say("%s is not whole: remove the folder, and the sweep begins anew", path);
     return -1;
   }
-  if (strcmp(print, l->study->fingerprint) != 0) {
-    sweep_say("%s has blocks of another sweep: its scene, settings, method or version were others "
-      "(remove the folder, or write to another file)", l->folder);
-    return -1;
-  }
+  if (other) return -1;
   if (block != 0 && block != own) {
     sweep_say("--block: %s has blocks of %llu members, got %llu", l->folder, own, (unsigned long long)block);
     return -1;
@@ -284,7 +282,7 @@ static int scan(sweep_log *l, int i, sweep_stats *all, int64_t *end)
     }
     data = more;
     if (read_all(l->open[i], data, whole, at + (int64_t)sizeof head) != 0) break;
-    if (checksum(head[1] ^ head[2] << 32, data, whole) != head[3]) break;
+    if (sweep_checksum(head[1] ^ head[2] << 32, data, whole) != head[3]) break;
     for (k = 0; k < head[1]; k++) {
       uint64_t b;
 
@@ -365,7 +363,7 @@ int sweep_log_append(sweep_log *l, const uint64_t blocks[], uint64_t n, const vo
     if (whole == NULL) return failed(l->own);
     memcpy(whole + sizeof head, blocks, ids);
     memcpy(whole + sizeof head + ids, data, size);
-    head[3] = checksum(n ^ (uint64_t)size << 32, whole + sizeof head, ids + size);
+    head[3] = sweep_checksum(n ^ (uint64_t)size << 32, whole + sizeof head, ids + size);
     memcpy(whole, head, sizeof head);
     wrong = write_all(l->fd, whole, sizeof head + ids + size, l->end);
     free(whole);

@@ -195,8 +195,8 @@ static int run(const options *o, int rank, int ranks)
   if (folder_of(o, rank, folder) != 0) return 2;
   /* rank 0 makes the folder, the others find it */
   if (rank == 0 && o->resume && access(folder, F_OK) != 0 && access(o->file, F_OK) == 0) {
-    sweep_say("%s is there, and nothing is left to resume", o->file);
-    wrong = -1;
+    wrong = sweep_seal_check(s, o->file) == 0 ? -1 : 1;
+    if (wrong < 0) sweep_say("%s is there, and nothing is left to resume", o->file);
   } else {
     if (rank == 0) log = sweep_log_open(s, folder, rank, o->resume, o->block, workers);
     wrong = rank == 0 && log == NULL;
@@ -225,7 +225,10 @@ static int run(const options *o, int rank, int ranks)
   }
   sweep_ranks_wait();
   wrong = 0;
-  if (rank == 0) wrong = finish(s, log, o->file) != 0;
+  if (rank == 0) {
+    wrong = finish(s, log, o->file) != 0;
+    if (!wrong && strcmp(o->file, "-") != 0) wrong = sweep_seal_write(s, o->file) != 0;
+  }
   wrong = sweep_ranks_tell(wrong);
   sweep_log_close(log, rank == 0 && (!wrong || strcmp(o->file, "-") == 0));
   return wrong ? 2 : 0;

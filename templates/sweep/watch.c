@@ -227,8 +227,8 @@ static void march(block *b, real t, real h, int steps)
       for (k = 0; k < LANES; k++) b->y1[w][k] = b->y[w][k];
     }
     advance(b, b->x, at, h, 1);
-%% if has_attitude then
-    lengths(b);
+%% if judged then
+    judge(b, at + h);
 %% end
     watch_lanes(b->p, at + h, b->x, b->y);
     see(b, at, h, j == 0);

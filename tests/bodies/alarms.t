@@ -15,14 +15,13 @@ local polhode = program.quick()
 
 local function check(text, options)
   program.write(dir .. "/s.lua", text)
-  local status = program.shell(string.format("timeout 100 %s check %s %s/s.lua >%s/out 2>%s/err", polhode, options, dir,
-    dir, dir))
-  local out, bad, good = program.read(dir .. "/out"), {}, 0
+  local status, out, err = program.output(string.format("timeout 100 %s check %s %s/s.lua", polhode, options, dir))
+  local bad, good = {}, 0
   for line in out:gmatch "[^\n]+" do
     if line:find "^not ok" then bad[#bad + 1] = line end
     if line:find "^ok" and not line:find "# SKIP" then good = good + 1 end
   end
-  return status, good, table.concat(bad, "\n") .. program.read(dir .. "/err"), out
+  return status, good, table.concat(bad, "\n") .. err, out
 end
 
 local function scene(body, effects, more)

@@ -29,8 +29,7 @@ local DEFAULT, TOLERANCE = 1e-16 * GROWTH, 1e-12 * GROWTH * 100
 
 -- The rows of a run as tables {column = number}, or nil and what was said.
 local function run(path, how)
-  local status = program.shell(string.format("timeout 100 %s run %s %s >%s/out 2>%s/err", polhode, path, how, dir, dir))
-  local out, err = program.read(dir .. "/out"), program.read(dir .. "/err")
+  local status, out, err = program.output(string.format("timeout 100 %s run %s %s", polhode, path, how))
   if status ~= 0 then return nil, how .. ": " .. status .. " " .. err end
   local list, names = {}, {}
   if how:find "json" then

@@ -23,9 +23,7 @@ return scene { name = "bad", body = solid.box { x = -1, y = 0.1, z = 0.05, mass 
 ]])
 
 local function run(arguments)
-  local status = program.shell(string.format("timeout 120 %s bench %s >%s/stdout 2>%s/stderr", binary, arguments, dir,
-    dir))
-  return status, program.read(dir .. "/stdout"), program.read(dir .. "/stderr")
+  return program.output(string.format("timeout 120 %s bench %s", binary, arguments))
 end
 
 local function parse(text)

@@ -15,8 +15,7 @@ local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
 
 local function run(arguments)
-  local status = program.shell(string.format("timeout 120 %s %s >%s/stdout 2>%s/stderr", binary, arguments, dir, dir))
-  return status, program.read(dir .. "/stdout"), program.read(dir .. "/stderr")
+  return program.output(string.format("timeout 120 %s %s", binary, arguments))
 end
 
 -- Frames of the panels, in order: {x, y, width, height}; the smaller rectangles are the legend's.

@@ -14,8 +14,7 @@ local dir = program.directory()
 local binary = program.quick()
 
 local function run(arguments)
-  local status = program.shell(string.format("timeout 120 %s %s >%s/stdout 2>%s/stderr", binary, arguments, dir, dir))
-  return status, program.read(dir .. "/stdout"), program.read(dir .. "/stderr")
+  return program.output(string.format("timeout 120 %s %s", binary, arguments))
 end
 
 local function lines_of(text)

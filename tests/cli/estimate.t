@@ -17,16 +17,16 @@ local binary = program.quick()
 local dir = program.directory()
 
 local function run(scene, more)
-  local code = program.shell(string.format("POLHODE_SOURCE=. timeout 100 %s run %s --columns t,states %s > %s/csv " ..
-    "2> %s/log", binary, scene, more, dir, dir))
+  local code, out, log = program.output(string.format("POLHODE_SOURCE=. timeout 100 %s run %s --columns t,states %s",
+    binary, scene, more))
   local rows, names = {}, {}
-  local text = string.match((program.read(dir .. "/csv") or "") .. "\n\n", "^(.-)\n\n")
+  local text = string.match(out .. "\n\n", "^(.-)\n\n")
   for line in string.gmatch(text, "[^\n]+") do
     local row = {}
     for cell in string.gmatch(line, "[^,]+") do row[#row + 1] = tonumber(cell) or cell end
     if #names == 0 then names = row else rows[#rows + 1] = row end
   end
-  return code, rows, program.read(dir .. "/log") or "", names
+  return code, rows, log, names
 end
 
 local groups = { { "^q[wxyz]$" }, { "^w[xyz]$" }, { "^r[xyz]$" }, { "^v[xyz]$" } }

@@ -15,12 +15,15 @@ local dir = program.directory()
 
 local function run(text, more)
   program.write(dir .. "/s.lua", text)
-  local code = program.shell(string.format("POLHODE_SOURCE=. %s run %s/s.lua %s > %s/csv 2> %s/log", binary, dir,
-    more or "", dir, dir))
-  return code, program.read(dir .. "/csv"), program.read(dir .. "/log")
+  os.remove(dir .. "/events.csv")
+  local happens = text:find("when =", 1, true) and not (more or ""):find "json"
+  local code, csv, log = program.output(string.format("POLHODE_SOURCE=. %s run %s/s.lua %s %s", binary, dir, more or "",
+    happens and "--events " .. dir .. "/events.csv" or ""))
+  local found = happens and program.read(dir .. "/events.csv")
+  return code, csv .. (found and "\n" .. found or ""), log
 end
 
--- The second table: {name, t, row (numbers by column)} ..., and the rows of the first.
+-- Of rows and, behind an empty line, events: {name, t, row (numbers by column)} ..., and the rows.
 local function events(csv)
   local first, second = string.match(csv, "^(.-\n)\n(.*)$")
   local list, rows, names = {}, {}, {}
@@ -116,12 +119,20 @@ same('{ name = "a", when = (t - 3)^3 }', "a@3.000", "a triple zero is found, to 
 do
   local _, csv = run(spin '{ name = "a", when = qx }')
   local list, _, head = events(csv)
-  tap.ok(#list == 0 and head[1] == "event" and head[2] == "t", "without a crossing the second table has its head alone")
+  tap.ok(#list == 0 and head[1] == "event" and head[2] == "t", "without a crossing the table of events has its head alone")
   local _, json = run(spin '{ name = "a", when = qw }', "--format json --every 5")
   tap.ok(string.find(json, '"events": [\n    {\n      "name": "a",\n      "row": [1.570796326794', 1, true),
     "JSON has them under events", json)
-  local _, plain = run(spin "")
-  tap.ok(not string.find(plain, "event", 1, true), "no events, no second table")
+  local code, plain, log = run(spin "", "--events " .. dir .. "/events.csv")
+  tap.ok(code == 2 and plain == "" and log:find("--events: nothing happens on the way", 1, true),
+    "a scene without events has no table of them", log)
+  code, _, log = run(spin '{ name = "a", when = qw }', "--format json --events " .. dir .. "/events.csv")
+  tap.ok(code == 2 and log:find("JSON has the events", 1, true), "nor has JSON beside its own", log)
+  code = program.shell(string.format("POLHODE_SOURCE=. %s run %s/s.lua --every 5 >%s/csv 2>%s/log", binary, dir, dir, dir))
+  csv, log = program.read(dir .. "/csv"), program.read(dir .. "/log")
+  tap.ok(code == 0 and select(2, csv:gsub("\n", "")) == 4 and not csv:find "event" and
+    log:find("event a at t = 1.57079633 s\nevent a at t = 4.71238898 s\nevent a at t = 7.85398163 s\n", 1, true),
+    "without a file for them events are named on standard error, and the rows are a table that all readers take", csv .. log)
 end
 
 -- ---- refused ----

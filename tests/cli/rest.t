@@ -18,9 +18,11 @@ local dir = program.directory()
 -- The processor's seconds are limited, so that a run without end fails here.
 local function run(text, more)
   program.write(dir .. "/s.lua", text)
-  local code = program.shell(string.format("ulimit -t 40; POLHODE_SOURCE=. %s run %s/s.lua %s > %s/csv 2> %s/log",
-    binary, dir, more or "", dir, dir))
-  return code, program.read(dir .. "/csv"), program.read(dir .. "/log")
+  os.remove(dir .. "/events")
+  local code = program.shell(string.format("ulimit -t 40; POLHODE_SOURCE=. %s run %s/s.lua %s %s > %s/csv 2> %s/log",
+    binary, dir, more or "", text:find "effect.plane" and "--events " .. dir .. "/events" or "", dir, dir))
+  local csv, happened = program.read(dir .. "/csv"), program.read(dir .. "/events")
+  return code, csv .. (happened and csv ~= "" and "\n" .. happened or ""), program.read(dir .. "/log")
 end
 
 local function event(csv, name)

@@ -13,8 +13,7 @@ local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
 
 local function run(before, arguments)
-  local status = program.shell(string.format("%s %s %s >%s/out 2>%s/err", before, binary, arguments, dir, dir))
-  return status, program.read(dir .. "/out"), program.read(dir .. "/err")
+  return program.output(string.format("%s %s %s", before, binary, arguments))
 end
 
 local BODY = "bodies/brick.lua"

@@ -29,8 +29,7 @@ local MORE = { "", " --with jacobians", " --with compensated", " --bake", " --li
 local function shell(...)
   local command = string.format(...)
   -- processor time: a busy machine finds nothing
-  local status = program.shell(string.format("(cd %s && ulimit -t 60 && %s) >%s/out 2>%s/err", dir, command, dir, dir))
-  return status, program.read(dir .. "/out"), program.read(dir .. "/err")
+  return program.output(string.format("(cd %s && ulimit -t 60 && %s)", dir, command))
 end
 
 -- What is wrong with the scene, or nil.

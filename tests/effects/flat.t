@@ -30,11 +30,12 @@ local COLUMNS = "t,qw,qx,qy,qz,wx,wy,wz,N"
 -- The event that ends a run as {name, t, ..}, the number of rows, status and what was said.
 local function run(text, options, columns)
   program.write(dir .. "/disc.lua", text)
-  local status = program.shell(string.format("%s run %s/disc.lua --columns %s %s >%s/out 2>%s/err", binary, dir,
-    columns or COLUMNS, options, dir, dir))
+  os.remove(dir .. "/events.csv")
+  local status = program.shell(string.format("%s run %s/disc.lua --columns %s %s --events %s/events.csv >%s/out 2>%s/err",
+    binary, dir, columns or COLUMNS, options, dir, dir, dir))
   local out, said = program.read(dir .. "/out"), program.read(dir .. "/err")
-  local event, rows = {}, select(2, (out:match "^(.-\n)\n" or ""):gsub("\n", "")) - 1
-  for line in (out:match "\n\n[^\n]*\n(.*)$" or ""):gmatch "[^\n]+" do
+  local event, rows = {}, select(2, out:gsub("\n", "")) - 1
+  for line in ((program.read(dir .. "/events.csv") or ""):match "^[^\n]*\n(.*)$" or ""):gmatch "[^\n]+" do
     event = {}
     for cell in line:gmatch "[^,]+" do event[#event + 1] = tonumber(cell) or cell end
   end
@@ -196,7 +197,7 @@ do
   local times = {}
   for i = 1, 200 do times[i] = string.format("%.9f", first + (finer[2] - first) * i / 201) end
   run((LOSSES:gsub("0.001 }", "0.0005 }")), "--at " .. table.concat(times, ","), "tilt")
-  for line in (program.read(dir .. "/out"):match "^(.-)\n\n" or ""):gmatch "\n([^\n]+)" do
+  for line in program.read(dir .. "/out"):gmatch "\n([^\n]+)" do
     top, count = math.max(top, math.sin(tonumber(line))), count + 1
   end
   tap.ok(count == 200 and top <= k * 0.001 ^ 2 / 2, "and does not rise above the fall of one time.step",

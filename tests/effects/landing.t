@@ -223,14 +223,14 @@ end
 -- The rows and events of a run: lists of {column = number}, events with their names.
 local function run(name, text, options)
   program.write(dir .. "/" .. name .. ".lua", text)
-  local code = program.shell(string.format("timeout 100 %s run %s/%s.lua %s >%s/out 2>%s/err", binary, dir, name,
-    options, dir, dir))
+  local code = program.shell(string.format("timeout 100 %s run %s/%s.lua %s --events %s/events >%s/out 2>%s/err", binary,
+    dir, name, options, dir, dir, dir))
   if code ~= 0 then
     tap.diag(program.read(dir .. "/err"))
     return { {} }, { {} }
   end
   local tables, names = { {} }, nil
-  for line in (program.read(dir .. "/out") .. "\n"):gmatch "([^\n]*)\n" do
+  for line in (program.read(dir .. "/out") .. "\n" .. program.read(dir .. "/events")):gmatch "([^\n]*)\n" do
     if line == "" then
       tables[#tables + 1], names = {}, nil
     elseif not names then

@@ -151,7 +151,7 @@ local function both(text)
   shell("%s explain %s/limit.lua --format json >%s/said 2>%s/log; %s run %s/limit.lua --columns N --until 0.01 " ..
     "--every 1e-4 -o %s/out.csv 2>%s/log", binary, dir, dir, dir, binary, dir, dir, dir)
   local first, least = 0 / 0, math.huge
-  for N in program.read(dir .. "/out.csv"):match "^(.-)\n\n":gmatch "\n([%d.e+-]+)" do
+  for N in program.read(dir .. "/out.csv"):gmatch "\n([%d.e+-]+)" do
     first = first == first and first or tonumber(N)
     least = math.min(least, tonumber(N))
   end

@@ -28,7 +28,7 @@ local function run(engine, text, finish)
   program.write(dir .. "/s.lua", text)
   local status = program.shell(string.format("%s timeout 100 %s run %s/s.lua --engine %s --method adaptive " ..
     "--tolerance 1e-12 --until %g >%s/out 2>%s/err", quick, binary, dir, engine, finish or 2, dir, dir))
-  local out = string.gsub(program.read(dir .. "/out"), "\n\nevent,.*$", "\n") -- of a body on a plane: lost contact
+  local out = program.read(dir .. "/out")
   local head, last = out:match "^([^\n]*)\n.-([^\n]*)\n$"
   if status ~= 0 or not last then return nil, status .. "\n" .. program.read(dir .. "/err") end
   local names, state = {}, {}

@@ -18,8 +18,7 @@ local binary = os.getenv "POLHODE" or "build/polhode"
 local STRICT = "-std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror -ffp-contract=off"
 
 local function shell(...)
-  local status = program.shell(string.format("{ %s; } >%s/stdout 2>%s/stderr", string.format(...), dir, dir))
-  return status, program.read(dir .. "/stdout"), program.read(dir .. "/stderr")
+  return program.output(string.format("{ %s; }", string.format(...)))
 end
 
 local function lines(text)

@@ -19,6 +19,8 @@ tap.is(render "", "", "an empty template gives an empty text")
 tap.is(render "plain\n\n  lines\n", "plain\n\n  lines\n", "text stays as it is, blanks and empty lines too")
 tap.is(render("a ${x} b ${y}${x}\n", { x = "1", y = "2" }), "a 1 b 21\n", "names are replaced, several on a line")
 tap.is(render("${x}\n", { x = "two\nlines" }), "two\nlines\n", "a value may have several lines")
+tap.is(render("%% for _, x in ipairs(list) do\n  ${x}\n%% end\n  ${list[2]};\n", { list = { "a", "", "b" } }),
+  "  a\n\n  b\n  ;\n", "a line of one value is empty where the value is, without blanks")
 tap.is(render("${x}\n", { x = "${y} %% \\n \"" }), "${y} %% \\n \"\n", "a value is not looked at again")
 tap.is(render('printf("%d\\n", "\\"", 100%);\n'), 'printf("%d\\n", "\\"", 100%);\n',
   "C text with quotes and backslashes")

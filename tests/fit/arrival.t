@@ -11,7 +11,7 @@
 package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
-local json = require "tests.json"
+local fitting = require "tests.fit.fitting"
 local oracle = require "tests.fit.oracle"
 local program = require "tests.cli.program"
 local tier = require "tests.tier"
@@ -23,12 +23,9 @@ local dir = program.directory()
 local binary = program.quick()
 
 local function fit(world, start, log, loss)
-  program.write(dir .. "/scene.lua", world.scene(start))
   program.write(dir .. "/log.csv", world.csv(log))
-  local code = program.shell(string.format("%s fit %s/scene.lua --data %s/log.csv --free %s --loss %s --format json " ..
-    "> %s/out 2> %s/err", binary, dir, dir, world.free, loss, dir, dir))
-  local out = program.read(dir .. "/out")
-  return out ~= "" and json.read(out) or nil, code, program.read(dir .. "/err")
+  return fitting.run(binary, world.scene(start), string.format("--data %s/log.csv --free %s --loss %s", dir, world.free,
+    loss))
 end
 
 -- ---- ten starts, near and far ----
@@ -41,7 +38,7 @@ for _, name in ipairs { "body", "top" } do
   local first
   for i, angle in ipairs { 0, 1e-3, 0.02, 0.1, 0.3, 0.6, 1, 1.5, 2, 2.5 } do
     local label = name .. ", a start " .. angle .. " rad away"
-    local got, code, err = fit(world, worlds.away(truth, 0.02 * (i % 3 - 1), angle, 0.05 * (i - 1)), log, "squares")
+    local code, got, err = fit(world, worlds.away(truth, 0.02 * (i % 3 - 1), angle, 0.05 * (i - 1)), log, "squares")
     if tap.is(code, 0, label .. ": it fits") then
       if not first then
         first = got
@@ -73,13 +70,13 @@ end
 -- ---- a plate, whose minimum is beyond what is a body ----
 
 do
-  local world, ends = worlds.body, {}
+  local world, ends, _ = worlds.body, {}
   local truth = { I2 = 1.5, I3 = 2.5, q = { 1, 0, 0, 0 }, w = { 0.9, 1.1, -0.4 } }
   for i = 1, 4 do -- the first log that has such a minimum
     math.randomseed(i)
     local log = world.noisy(truth, 40, 0)
     for k, start in ipairs { { 1.4, 2.3 }, { 1.2, 2.1 }, { 1.6, 2.1 }, { 1.5, 2.5 } } do
-      ends[k] = fit(world, { I2 = start[1], I3 = start[2], q = truth.q, w = truth.w }, log, "squares")
+      _, ends[k] = fit(world, { I2 = start[1], I3 = start[2], q = truth.q, w = truth.w }, log, "squares")
     end
     if not ends[1].converged then break end
   end
@@ -121,7 +118,7 @@ for _, case in ipairs(tier.every(20, CASES)) do
   local world, label = worlds[name], name .. ", " .. loss .. ", log " .. i
   local truth = world.truth()
   local log = world.noisy(truth, math.random(10, 25) + (name == "swing" and 15 or 0), 0.05 + 0.1 * math.random())
-  local got, code, err = fit(world, worlds.away(truth, 0.03, 0.3 * math.random(), 0.1), log, loss)
+  local code, got, err = fit(world, worlds.away(truth, 0.03, 0.3 * math.random(), 0.1), log, loss)
   if tap.ok(got and got.converged, label .. ": it converges", err .. (got and table.concat(got.wrong, "; ") or "")) then
     local p, model = world.of(got), world.model(log)
     local _, left, C = oracle.judge(model, p, loss)

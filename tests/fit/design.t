@@ -22,8 +22,7 @@ local WHY = "the integration's step is settled to a tenth of it"
 
 local function run(command, text)
   if text then program.write(dir .. "/scene.lua", text) end
-  local code = program.shell(string.format("%s %s > %s/out 2> %s/err", binary, command, dir, dir))
-  return code, program.read(dir .. "/out"), program.read(dir .. "/err")
+  return program.output(binary .. " " .. command)
 end
 
 local function design(more, text)

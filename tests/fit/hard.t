@@ -19,9 +19,8 @@ local SIGMA = 0.004
 
 local function run(scene, log, free, options)
   program.write(dir .. "/scene.lua", scene)
-  local code = program.shell(string.format("%s fit %s/scene.lua --data %s --free %s %s > %s/out 2> %s/err", binary, dir,
-    log, free, options or "", dir, dir))
-  return code, program.read(dir .. "/out"), program.read(dir .. "/err")
+  return program.output(string.format("%s fit %s/scene.lua --data %s --free %s %s", binary, dir, log, free,
+    options or ""))
 end
 
 local function fit(scene, log, free, options)

@@ -46,8 +46,7 @@ local function run(case, text)
   for i = 1, #case.data do words[#words + 1] = "--data " .. log_of(case, i) end
   if case.loss then words[#words + 1] = "--loss " .. case.loss end
   if case.input then words[#words + 1] = "--between linear --input " .. root .. case.folder .. "/" .. case.input end
-  local code = program.shell(table.concat(words, " ") .. " > " .. dir .. "/out 2> " .. dir .. "/err")
-  return code, program.read(dir .. "/out"), program.read(dir .. "/err")
+  return program.output(table.concat(words, " "))
 end
 
 -- The largest difference of the estimates in standard errors; initial attitudes are compared as turns.

@@ -10,7 +10,7 @@
 package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
-local json = require "tests.json"
+local fitting = require "tests.fit.fitting"
 local oracle = require "tests.fit.oracle"
 local program = require "tests.cli.program"
 local tier = require "tests.tier"
@@ -231,8 +231,7 @@ end)
 -- ---- the comparison ----
 
 local function fit(case)
-  program.write(dir .. "/scene.lua", case.text)
-  local words = { binary, "fit", dir .. "/scene.lua", "--format json --free", case.free, "--loss", case.loss }
+  local words = { "--free", case.free, "--loss", case.loss }
   for i, part in ipairs(case.parts or { { 1, #case.rows } }) do
     local lines = { table.concat(case.head, ",") }
     for k = part[1], part[2], part[3] or 1 do
@@ -243,10 +242,8 @@ local function fit(case)
     program.write(dir .. "/log" .. i .. ".csv", table.concat(lines, "\n") .. "\n")
     words[#words + 1] = "--data " .. dir .. "/log" .. i .. ".csv"
   end
-  local code = program.shell(table.concat(words, " ") .. " > " .. dir .. "/out 2> " .. dir .. "/err")
-  local out = program.read(dir .. "/out")
-  local got = out ~= "" and json.read(out) or { wrong = { program.read(dir .. "/err") } }
-  return code, got
+  local code, got, err = fitting.run(binary, case.text, table.concat(words, " "))
+  return code, got or { wrong = { err } }
 end
 
 -- The largest differences of estimates (in standard errors) and of covariances, what the road changed undone.

@@ -16,11 +16,9 @@ local binary = os.getenv "POLHODE" or "build/polhode"
 local SIGMA = 0.01
 
 local function fit(log, free, options)
-  local code = program.shell(string.format("%s fit %s/scene.lua --data %s --free %s --format json %s > %s/out " ..
-    "2> %s/err", binary, dir, log, free, options or "", dir, dir))
-  local out = program.read(dir .. "/out")
-  return code, out ~= "" and json.read(out) or { estimates = { {}, {} }, wrong = {}, notes = {} },
-    program.read(dir .. "/err")
+  local code, out, err = program.output(string.format("%s fit %s/scene.lua --data %s --free %s --format json %s",
+    binary, dir, log, free, options or ""))
+  return code, out ~= "" and json.read(out) or { estimates = { {}, {} }, wrong = {}, notes = {} }, err
 end
 
 local function has(list, text)

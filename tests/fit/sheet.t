@@ -7,19 +7,15 @@
 package.path = "./?.lua;" .. package.path
 
 local tap = require "tests.tap"
-local json = require "tests.json"
 local program = require "tests.cli.program"
+local fitting = require "tests.fit.fitting"
 
 local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
 local CASE = "tests/reference/fit/07_heavy_top/log.csv"
 
 local function fit(scene, log, free, options)
-  program.write(dir .. "/scene.lua", scene)
-  local code = program.shell(string.format("%s fit %s/scene.lua --data %s --free %s --format json %s > %s/out " ..
-    "2> %s/err", binary, dir, log, free, options, dir, dir))
-  local out = program.read(dir .. "/out")
-  return code, out ~= "" and json.read(out) or nil, program.read(dir .. "/err")
+  return fitting.run(binary, scene, "--data " .. log .. " --free " .. free .. " " .. options)
 end
 
 local function count(text, pattern) return select(2, text:gsub(pattern, "")) end

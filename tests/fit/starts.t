@@ -10,16 +10,14 @@ package.path = "./?.lua;" .. package.path
 local tap = require "tests.tap"
 local json = require "tests.json"
 local program = require "tests.cli.program"
+local fitting = require "tests.fit.fitting"
 
 local dir, root = program.directory(), "tests/reference/fit/"
 local binary = os.getenv "POLHODE" or "build/polhode"
 
 local function fit(scene, log, free, options)
-  program.write(dir .. "/scene.lua", scene)
-  local code = program.shell(string.format("%s fit %s/scene.lua --data %s --free %s --format json %s > %s/out " ..
-    "2> %s/err", binary, dir, log, free, options or "", dir, dir))
-  local out = program.read(dir .. "/out")
-  return code, out ~= "" and json.read(out) or { estimates = {} }, program.read(dir .. "/err")
+  local code, got, err = fitting.run(binary, scene, "--data " .. log .. " --free " .. free .. " " .. (options or ""))
+  return code, got or { estimates = {} }, err
 end
 
 local function reference(folder)

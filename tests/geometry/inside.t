@@ -171,7 +171,7 @@ for _, s in ipairs(all) do
     "some ten roundings of coordinates up to 4")
 end
 for _, name in ipairs(surface.names()) do
-  if inside.kind(name) and not seen[name] then tap.ok(false, name .. " is tested here") end
+  if inside.kind { shape = name } and not seen[name] then tap.ok(false, name .. " is tested here") end
 end
 
 -- ---- extremes ----

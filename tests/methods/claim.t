@@ -12,11 +12,11 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local tap = require "tests.tap"
 local scene = require "tests.scene"
 local vec = require "generator.algebra.vec"
+local constancy = require "generator.dynamics.constancy"
 local equations = require "generator.dynamics.equations"
 local state = require "generator.dynamics.state"
 local methods = require "generator.methods.methods"
 local special = require "generator.methods.taylor_special"
-local stages = require "generator.methods.stages"
 
 local function read(body, origin, effects)
   return assert(scene.read("return scene { name = \"s\", body = " .. body .. ", origin = " .. origin ..
@@ -39,10 +39,7 @@ local function with(eq, name, more)
 end
 
 local function series(eq)
-  local zero, moving = stages.conserved(eq), {}
-  for _, s in ipairs(eq.model.states) do
-    if not zero[s.name] then moving[#moving + 1] = s end
-  end
+  local moving, zero = constancy.moving(eq)
   local seen = special.frame(eq, zero, moving)
   return { axis = seen.axis ~= nil, shift = seen.shift ~= nil, top = special.top(seen, moving) ~= nil }
 end

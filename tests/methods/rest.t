@@ -268,6 +268,16 @@ end, unstable, function(t, first)
   return { wx = x, wz = 1.2 / unstable * first * sinh(unstable * t) }, x
 end, false)
 
+-- What sizes are measured by is the same whichever method comes first, or alone.
+local function floor_of(out) return string.match(program.read(out .. "/rest.c"), "static void floors%(.-\n}\n") end
+for _, name in ipairs { "weight", "bent" } do
+  local both, alone = string.format("%s/%s_double", dir, name), string.format("%s/%s_alone", dir, name)
+  local status = program.shell(string.format("POLHODE_SOURCE=. %s gen %s/%s.lua --method rosenbrock -o %s > %s/said 2>&1",
+    binary, dir, name, alone, dir))
+  tap.ok(status == 0 and floor_of(both) and floor_of(both) == floor_of(alone), name .. ": rosenbrock alone has the same",
+    program.read(dir .. "/said"))
+end
+
 -- ---- what compilers say ----
 
 for _, name in ipairs { "weight", "frame", "sine", "bent" } do

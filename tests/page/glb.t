@@ -15,9 +15,7 @@ local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
 
 local function run(arguments)
-  local status = program.shell(string.format("/usr/bin/env PATH=%s/none %s %s >%s/stdout 2>%s/stderr", dir, binary,
-    arguments, dir, dir))
-  return status, program.read(dir .. "/stdout"), program.read(dir .. "/stderr")
+  return program.output(string.format("/usr/bin/env PATH=%s/none %s %s", dir, binary, arguments))
 end
 
 -- The JSON of a file and a function that reads an accessor: a list of rows.  Everything is checked on the way.

@@ -20,9 +20,7 @@ local binary = os.getenv "POLHODE" or "build/polhode"
 
 -- An empty PATH: there is no compiler.
 local function run(arguments)
-  local status = program.shell(string.format("/usr/bin/env PATH=%s/none %s %s >%s/stdout 2>%s/stderr", dir, binary,
-    arguments, dir, dir))
-  return status, program.read(dir .. "/stdout"), program.read(dir .. "/stderr")
+  return program.output(string.format("/usr/bin/env PATH=%s/none %s %s", dir, binary, arguments))
 end
 
 local function decoded(s)

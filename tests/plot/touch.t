@@ -13,8 +13,7 @@ local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
 
 local function run(arguments)
-  local status = program.shell(string.format("timeout 120 %s %s >%s/stdout 2>%s/stderr", binary, arguments, dir, dir))
-  return status, program.read(dir .. "/stdout"), program.read(dir .. "/stderr")
+  return program.output(string.format("timeout 120 %s %s", binary, arguments))
 end
 
 -- The curves of a picture of one panel in its own units: a list of {x, y} of the path of a class, and the size of a

@@ -13,9 +13,7 @@ local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
 
 local function chart(options)
-  local code = program.shell(string.format("POLHODE_SOURCE=. %s chart %s > %s/out 2> %s/err", binary, options, dir,
-    dir))
-  return code, program.read(dir .. "/out"), program.read(dir .. "/err")
+  return program.output(string.format("POLHODE_SOURCE=. %s chart %s", binary, options))
 end
 
 -- 4 x 3 members: z = 0 in the left half, 1 in the right, none in one corner; b in equal ratios.

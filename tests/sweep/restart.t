@@ -172,7 +172,7 @@ output("cd %s && { %s -o half.csv --threads 1 & p=$!; sleep 0.15; kill -9 $p; wa
 status, said = run(rows, "-o half.csv")
 tap.ok(status == 2 and said:find "%-%-resume goes on", "without --resume what is there is neither used nor lost")
 status, said = run(stats, "-o half.csv --resume")
-tap.ok(status == 2 and said:find "blocks of another sweep", "blocks of another sweep are refused")
+tap.ok(status == 2 and said:find "half.csv.blocks is of another study", "blocks of another sweep are refused")
 status, said = run(rows, "-o half.csv --resume --block 3")
 tap.ok(status == 2 and said:find "%-%-block", "and blocks of another size")
 output("cd %s && { %s -o term.csv --threads 1 & p=$!; sleep 0.15; kill -TERM $p; wait $p; }", dir, rows)
@@ -184,6 +184,22 @@ status = run(rows, "-o lost.csv --resume")
 tap.ok(status == 0 and same("one.csv", "lost.csv"), "a log that was lost is computed again")
 status, said = run(rows, "-o one.csv --resume")
 tap.ok(status == 0 and said:find "nothing is left to resume", "a sweep that is complete says so")
+status, said = run(stats, "-o one.csv --resume")
+tap.ok(status == 2 and said:find "of another study" and said:find("there  polhode sweep tumbling_box", 1, true) and
+  said:find("now    polhode sweep tumbling_box", 1, true) and said:find "%-%-stats", "a file of another study is an error " ..
+  "that names both", said)
+local whole = program.read(dir .. "/one.csv")
+for what, changed in pairs { -- each by itself: order is lost anyway
+  ["is cut"] = whole:sub(1, #whole // 2), ["has another digit"] = whole:gsub(",1", ",2", 1), ["is something else"] = "x\n" } do
+  program.write(dir .. "/one.csv", changed)
+  status, said = run(rows, "-o one.csv --resume")
+  tap.ok(status == 2 and said:find "not what the sweep wrote", "a file that " .. what .. " is not resumed", said)
+end
+program.write(dir .. "/one.csv", whole)
+program.write(dir .. "/any.csv", "t,x\n")
+status, said = run(rows, "-o any.csv --resume")
+tap.ok(status == 2 and said:find "nothing can be resumed" and program.read(dir .. "/any.csv") == "t,x\n",
+  "nor one of which nobody says whose it is", said)
 status, said = run(rows, "-o nowhere/x.csv")
 tap.ok(status == 2 and said:find "nowhere", "a folder that is missing is named")
 status, said = output("cd %s && ulimit -f 200 && trap '' XFSZ && %s -o full.csv --threads 1", dir, rows)
@@ -236,6 +252,20 @@ for name in f:
 assert abs(float(d.sel(member=slice(10, 12)).a.mean()) - f["a"][10:13].mean()) < 1e-12
 print("it is read")
 ]==]
+local STATS = [==[
+import sys, numpy, xarray
+d = xarray.open_dataset(sys.argv[1])
+assert d.covariance.dims == ("quantity", "other") and d.histogram.dims == ("quantity", "bin"), d
+names = [x.decode() if isinstance(x, bytes) else x for x in d.quantity.values]
+a = names.index("a")
+r = xarray.open_dataset(sys.argv[2], engine="h5netcdf")
+r = r.isel(member=numpy.flatnonzero(~numpy.isnan(r.flip)))
+assert abs(float(d.covariance[a, names.index("wx")]) - numpy.cov(r.a, r.wx)[0, 1]) < 1e-12
+assert int(d.histogram[a].sum()) == int(d["count"][a]) == 20000
+assert int(d.status[0]) == 20000 and d.quantiles.dims == ("quantity", "probability")
+print("they are read")
+]==]
+
 if hdf5 then
   run(rows, "-o one.h5 --threads 1 --block 777")
   run(rows, "-o other.h5 --threads 3")
@@ -257,11 +287,22 @@ if hdf5 then
     status, said = output("/usr/bin/python3 - %s/one.h5 < %s/xarray.check", dir, dir)
     tap.ok(status == 0 and said:find "it is read", "xarray opens it as a table over the dimension member")
     if status ~= 0 then tap.diag(said) end
+    program.write(dir .. "/stats.check", STATS)
+    status, said = output("/usr/bin/python3 - %s/one_s.h5 %s/one.h5 < %s/stats.check", dir, dir, dir)
+    tap.ok(status == 0 and said:find "they are read", "and statistics over quantities", said)
   else
     tap.skip("xarray opens it", "there is no xarray (Debian packages python3-xarray, python3-h5netcdf)")
   end
 else
   tap.skip("HDF5", "there is no HDF5 (Debian package libhdf5-dev)")
+end
+if hdf5 then
+  -- the logs fit, the file does not: it has the members' numbers besides
+  local size = #program.read(dir .. "/one.h5")
+  status, said = output("cd %s && ulimit -f %d && trap '' XFSZ && %s -o tight.h5 --threads 1", dir,
+    size // 512 - 20, rows)
+  tap.ok(status == 2 and said:find "tight.h5: cannot be written" and not said:find "[Ss]egmentation",
+    "a disk that fills while the file is written", status .. " " .. said)
 end
 local plain = build("rows", "HDF5=0")
 status, said = run(plain, "-o x.h5")

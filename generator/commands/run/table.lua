@@ -37,22 +37,25 @@ end
 
 tables.writers = {}
 
-function tables.writers.csv(rows, names, found)
+function tables.writers.csv(rows, names)
   local out = { heading(names) }
   for i, row in ipairs(rows) do
     local cells = {}
     for k = 1, #names do cells[k] = json.number(row[k]) end
     out[i + 1] = table.concat(cells, ",")
   end
-  local text = table.concat(out, "\n") .. "\n"
-  if not found then return text end
-  out = { "event," .. heading(names) }
+  return table.concat(out, "\n") .. "\n"
+end
+
+-- The table of events.
+function tables.events(found, names)
+  local out = { "event," .. heading(names) }
   for i, f in ipairs(found) do
     local cells = { f.event.name }
     for k = 1, #names do cells[k + 1] = json.number(f.row[k]) end
     out[i + 1] = table.concat(cells, ",")
   end
-  return text .. "\n" .. table.concat(out, "\n") .. "\n"
+  return table.concat(out, "\n") .. "\n"
 end
 
 function tables.writers.json(rows, names, found)

@@ -8,8 +8,8 @@ local members = require "generator.emit.members"
 
 local sweep = { whole = true, layout = "split" }
 
-local PLAIN = { "sweep.h", "sweep_main.c", "sweep_team.c", "sweep_blocks.c", "sweep_log.c", "sweep_draw.c",
-  "sweep_sobol.c", "sweep_exact.c", "sweep_stats.c", "sweep_csv.c", "sweep_hdf5.c", "sweep_mpi.c" }
+local PLAIN = { "sweep.h", "sweep_main.c", "sweep_team.c", "sweep_blocks.c", "sweep_log.c", "sweep_seal.c",
+  "sweep_draw.c", "sweep_sobol.c", "sweep_exact.c", "sweep_stats.c", "sweep_csv.c", "sweep_hdf5.c", "sweep_mpi.c" }
 local PROJECT = { Makefile = "Makefile", ["cmake.txt"] = "CMakeLists.txt", ["job.slurm"] = "job.slurm",
   ["README.md"] = "README.md" }
 

@@ -23,6 +23,26 @@ static void set_number(lua_State *L, const char *key, double x) {
   lua_setfield(L, -2, key);
 }
 
+/* The faults that were kept, as {kind, part, other, triangles, at, share} each. */
+static void push_faults(lua_State *L, const ph_mesh *m) {
+  static const char *const kinds[] = {"inward", "outward", "solid", "overlap"};
+  lua_newtable(L);
+  for (size_t i = 0; i < m->faults && i < PH_MESH_FAULTS; i++) {
+    const ph_mesh_fault *f = &m->fault[i];
+    lua_newtable(L);
+    lua_pushstring(L, kinds[f->kind]);
+    lua_setfield(L, -2, "kind");
+    set_count(L, "part", f->part);
+    set_count(L, "other", f->other);
+    set_count(L, "triangles", f->triangles);
+    set_list(L, "at", 3, f->at);
+    set_number(L, "share", f->share);
+    lua_seti(L, -2, (lua_Integer)i + 1);
+  }
+  set_count(L, "count", m->faults);
+  lua_setfield(L, -2, "faults");
+}
+
 static void push_mesh(lua_State *L, const ph_mesh *m) {
   lua_newtable(L);
   set_number(L, "measure", m->measure);
@@ -38,7 +58,16 @@ static void push_mesh(lua_State *L, const ph_mesh *m) {
   set_count(L, "vertices", m->vertices);
   set_count(L, "edges", m->edges);
   set_count(L, "segments", m->segments);
+  set_count(L, "parts", m->parts);
+  set_number(L, "weld", m->weld);
+  set_number(L, "gap", m->gap);
+  set_count(L, "merged", m->merged);
   lua_newtable(L);
+  push_faults(L, m);
+  set_count(L, "bent", m->bent);
+  set_number(L, "bend", m->measure > 0 ? m->bend / m->measure : 0);
+  lua_pushboolean(L, m->unseen);
+  lua_setfield(L, -2, "unseen");
   set_count(L, "open", m->open);
   set_count(L, "flipped", m->flipped);
   set_count(L, "nonmanifold", m->nonmanifold);
@@ -118,13 +147,86 @@ static int set_body(lua_State *L, int options, const ph_mesh *m) {
   return PH_OK;
 }
 
-/* mesh(path, kind[, {unit=, mass= or density=}]) -> table | nil, message, table.  kind: volume,
-   surface or wires.  The table, in the file's unit: measure, com, com_tail, sigma (about com, per
-   unit measure), box {lo, hi}, faces, triangles, vertices, edges, segments, defects {open, flipped,
-   nonmanifold, unbalanced, duplicate, degenerate, nonfinite, inverted}; body {mass, com, com_tail,
-   second, tensor, moments, axes} in SI where unit (m) and mass (kg) or density (SI) are given. When
-   it fails, the third result has `reason`: "file" (cannot be read), "format" (malformed), or
-   "mesh" (no body can be made of it), with the counts of above only then. */
+/* ---- the faces, to be asked about points ---- */
+
+#define SHAPE_TYPE "polhode mesh shape"
+
+static ph_mesh_shape **shape_at(lua_State *L) {
+  return luaL_checkudata(L, 1, SHAPE_TYPE);
+}
+
+/* shape:excess(x, y, z): the distance from the faces, negative inside of a volume. */
+static int shape_excess(lua_State *L) {
+  ph_mesh_shape **shape = shape_at(L);
+  double p[3];
+  for (int i = 0; i < 3; i++)
+    p[i] = luaL_checknumber(L, 2 + i);
+  const double excess = ph_mesh_excess(*shape, p);
+  if (isnan(excess) && isfinite(p[0] + p[1] + p[2]))
+    return luaL_error(L, "out of memory");
+  lua_pushnumber(L, excess);
+  return 1;
+}
+
+/* shape:count(): how many triangles. */
+static int shape_count(lua_State *L) {
+  lua_pushinteger(L, (lua_Integer)ph_mesh_count(*shape_at(L)));
+  return 1;
+}
+
+/* shape:triangle(i), from 1: nine numbers in a table. */
+static int shape_triangle(lua_State *L) {
+  double p[9];
+  const lua_Integer i = luaL_checkinteger(L, 2);
+  luaL_argcheck(L, i >= 1 && ph_mesh_triangle(*shape_at(L), (size_t)i - 1, p) == PH_OK, 2,
+                "no such triangle");
+  engine_push(L, 9, p);
+  return 1;
+}
+
+static int shape_collect(lua_State *L) {
+  ph_mesh_shape **shape = shape_at(L);
+  ph_mesh_close(*shape);
+  *shape = NULL;
+  return 0;
+}
+
+/* An empty handle on the stack's top. */
+static ph_mesh_shape **new_shape(lua_State *L) {
+  static const luaL_Reg methods[] = {
+      {"excess", shape_excess}, {"count", shape_count}, {"triangle", shape_triangle}, {NULL, NULL}};
+  ph_mesh_shape **shape = lua_newuserdatauv(L, sizeof(ph_mesh_shape *), 0);
+  *shape = NULL;
+  if (luaL_newmetatable(L, SHAPE_TYPE)) {
+    lua_pushcfunction(L, shape_collect);
+    lua_setfield(L, -2, "__gc");
+    luaL_newlib(L, methods);
+    lua_setfield(L, -2, "__index");
+  }
+  lua_setmetatable(L, -2);
+  return shape;
+}
+
+/* A number or a truth of the options, 0 without. */
+static double option(lua_State *L, const char *key) {
+  double value = 0;
+  if (lua_istable(L, 3)) {
+    const int type = lua_getfield(L, 3, key);
+    value = type == LUA_TNUMBER ? lua_tonumber(L, -1) : lua_toboolean(L, -1);
+    lua_pop(L, 1);
+  }
+  return value;
+}
+
+/* mesh(path, kind[, {unit=, mass= or density=, weld=, shape=}]) -> table | nil, message, table.
+   kind: volume, surface or wires; weld: see ph_mesh_open; shape: true asks for the faces.  The
+   table, in the file's unit: measure, com, com_tail, sigma (about com, per unit measure), box {lo,
+   hi}, faces, triangles, vertices, edges, segments, parts, weld, gap, merged, defects {open,
+   flipped, nonmanifold, unbalanced, duplicate, degenerate, nonfinite, inverted, bent, bend (in
+   parts of the measure), unseen, faults}; shape (excess, count, triangle); body {mass, com,
+   com_tail, second, tensor, moments, axes} in SI where unit (m) and mass (kg) or density (SI) are
+   given. When it fails, the third result has `reason`: "file" (cannot be read), "format"
+   (malformed), or "mesh" (no body can be made of it), with the counts of above only then. */
 int host_mesh(lua_State *L) {
   static const char *const kinds[] = {"volume", "surface", "wires", NULL};
   const char *path = luaL_checkstring(L, 1);
@@ -141,7 +243,8 @@ int host_mesh(lua_State *L) {
     lua_newtable(L);
     return refuse(L, path, "file", why);
   }
-  int status = ph_mesh_read(&mesh, path, kind, message, sizeof message);
+  ph_mesh_shape **shape = option(L, "shape") != 0 ? new_shape(L) : NULL;
+  int status = ph_mesh_open(&mesh, shape, path, kind, option(L, "weld"), message, sizeof message);
   interrupt_check(L);
   if (status != PH_OK) {
     lua_newtable(L);
@@ -149,6 +252,10 @@ int host_mesh(lua_State *L) {
                   message[0] != '\0' ? message : ph_status_phrase(status));
   }
   push_mesh(L, &mesh);
+  if (shape != NULL && *shape != NULL) {
+    lua_pushvalue(L, 4);
+    lua_setfield(L, -2, "shape");
+  }
   status = ph_mesh_check(&mesh);
   if (status == PH_EOPEN) {
     const char *text = describe_open(L, &mesh);
@@ -161,7 +268,7 @@ int host_mesh(lua_State *L) {
     lua_insert(L, -2);
     return refuse(L, path, "mesh", text);
   }
-  if (status == PH_OK && lua_istable(L, 3))
+  if (status == PH_OK && option(L, "unit") != 0)
     status = set_body(L, 3, &mesh);
   return status == PH_OK ? 1 : refuse(L, path, "mesh", ph_status_phrase(status));
 }

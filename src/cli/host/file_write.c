@@ -33,12 +33,20 @@ struct job {
   int made; /* directories created, in order */
   char (*directory)[PATH_MAX];
   char why[PATH_MAX + 256]; /* message of the failure */
+  int status;               /* and the exit status that it calls for */
   struct item item[];
 };
 
 static int fail(struct job *job, const char *path, const char *why) {
   snprintf(job->why, sizeof job->why, "cannot write %s: %s", path, why);
   return 0;
+}
+
+/* A disk that is full or broken is no mistake of the user's: the exit status tells them apart. */
+static int fail_as(struct job *job, const char *path, int error) {
+  if (error == ENOSPC || error == EDQUOT || error == EFBIG || error == EIO)
+    job->status = HOST_EXIT_OUTPUT;
+  return fail(job, path, strerror(error));
 }
 
 static int write_all(int fd, const char *text, size_t size) {
@@ -67,12 +75,12 @@ static int make_directories(struct job *job, const char *path) {
       char(*more)[PATH_MAX] = realloc(job->directory, (size_t)(job->made + 1) * sizeof *more);
       if (more == NULL) {
         rmdir(part);
-        return fail(job, path, strerror(ENOMEM));
+        return fail_as(job, path, ENOMEM);
       }
       job->directory = more;
       memcpy(job->directory[job->made++], part, i + 1);
     } else if (errno != EEXIST && errno != EISDIR) {
-      return fail(job, part, strerror(errno));
+      return fail_as(job, part, errno);
     }
   }
   return 1;
@@ -125,10 +133,10 @@ static int follow(struct job *job, struct item *item) {
     return 1;
   char *real = realpath(item->path, NULL);
   if (real == NULL)
-    return fail(job, item->path, errno == ENOENT ? "it is a link to nothing" : strerror(errno));
+    return errno == ENOENT ? fail(job, item->path, "it is a link to nothing") : fail_as(job, item->path, errno);
   const int fits = snprintf(item->path, PATH_MAX, "%s", real) < PATH_MAX;
   free(real);
-  return fits || fail(job, item->path, strerror(ENAMETOOLONG));
+  return fits || fail_as(job, item->path, ENAMETOOLONG);
 }
 
 static int prepare(struct job *job, struct item *item) {
@@ -147,31 +155,31 @@ static int prepare(struct job *job, struct item *item) {
     return 1;
   char name[PATH_MAX];
   if (!beside(item->path, name))
-    return fail(job, item->path, strerror(errno));
+    return fail_as(job, item->path, errno);
   const int fd = mkstemp(name);
   if (fd < 0)
-    return fail(job, item->path, strerror(errno));
+    return fail_as(job, item->path, errno);
   memcpy(item->temporary, name, sizeof name);
   int good = write_all(fd, item->text, item->size) && fchmod(fd, mode_for(item->path)) == 0;
   const int error = errno;
   if (close(fd) != 0 && good)
-    return fail(job, item->path, strerror(errno));
-  return good || fail(job, item->path, strerror(error));
+    return fail_as(job, item->path, errno);
+  return good || fail_as(job, item->path, error);
 }
 
 /* A file that is to go becomes its own backup. */
 static int retire(struct job *job, struct item *item) {
   char name[PATH_MAX];
   if (!beside(item->path, name))
-    return fail(job, item->path, strerror(errno));
+    return fail_as(job, item->path, errno);
   const int fd = mkstemp(name);
   if (fd < 0)
-    return fail(job, item->path, strerror(errno));
+    return fail_as(job, item->path, errno);
   close(fd);
   if (rename(item->path, name) != 0) {
     const int error = errno;
     unlink(name);
-    return fail(job, item->path, strerror(error));
+    return fail_as(job, item->path, error);
   }
   memcpy(item->backup, name, sizeof name);
   item->renamed = 1;
@@ -195,7 +203,7 @@ static int commit(struct job *job, struct item *item) {
     }
   }
   if (rename(item->temporary, item->path) != 0)
-    return fail(job, item->path, strerror(errno));
+    return fail_as(job, item->path, errno);
   item->temporary[0] = '\0';
   item->renamed = 1;
   return 1;
@@ -287,6 +295,7 @@ static struct job *new_job(lua_State *L, int items) {
   struct job *job = lua_newuserdatauv(L, size, 0);
   memset(job, 0, size);
   job->items = items;
+  job->status = 2;
   return job;
 }
 
@@ -328,7 +337,8 @@ int host_write_files(lua_State *L) {
   if (!perform_undisturbed(job, dir)) {
     lua_pushnil(L);
     lua_pushstring(L, job->why);
-    return 2;
+    lua_pushinteger(L, job->status);
+    return 3;
   }
   lua_pushboolean(L, 1);
   lua_newtable(L);
@@ -345,12 +355,12 @@ int host_write_files(lua_State *L) {
 static int write_through(struct job *job, const char *path) {
   const int fd = open(path, O_WRONLY | O_CLOEXEC);
   if (fd < 0)
-    return fail(job, path, strerror(errno));
+    return fail_as(job, path, errno);
   const int good = write_all(fd, job->item[0].text, job->item[0].size);
   const int error = errno;
   if (close(fd) != 0 && good)
-    return fail(job, path, strerror(errno));
-  return good || fail(job, path, strerror(error));
+    return fail_as(job, path, errno);
+  return good || fail_as(job, path, error);
 }
 
 int host_write_file(lua_State *L) {
@@ -362,7 +372,7 @@ int host_write_file(lua_State *L) {
   struct stat info;
   int good = strlen(path) < PATH_MAX && *path != '\0';
   if (!good) {
-    fail(job, path, strerror(*path == '\0' ? ENOENT : ENAMETOOLONG));
+    fail_as(job, path, *path == '\0' ? ENOENT : ENAMETOOLONG);
   } else if (stat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode)) {
     good = write_through(job, path);
   } else {
@@ -377,5 +387,6 @@ int host_write_file(lua_State *L) {
   }
   lua_pushnil(L);
   lua_pushstring(L, job->why);
-  return 2;
+  lua_pushinteger(L, job->status);
+  return 3;
 }

@@ -82,11 +82,12 @@ int host_list_dir(lua_State *L);
 /* columns(path, {name, ...}) -> {{number, ...}, ...}, {all names} | nil, message.  Of a CSV file;
  * what is no number is nan; a name that is missing has an empty list. */
 int host_columns(lua_State *L);
-/* write_files(dir, {{name=, text=}, ...}) -> true, {names written} | nil, message.  All or nothing.
+/* write_files(dir, {{name=, text=}, ...}) -> true, {names written} | nil, message, exit status (74: the disk is full or
+   broken, else 2).  All or nothing.
  * text = false: a file that is removed, and the folders that this leaves empty; it is among the
  * names if it was there. */
 int host_write_files(lua_State *L);
-/* write_file(path, text) -> true | nil, message */
+/* write_file(path, text) -> true | nil, message, exit status: as write_files */
 int host_write_file(lua_State *L);
 /* tempdir() -> path | nil, message.  A new private directory, removed with its content at exit. */
 int host_tempdir(lua_State *L);

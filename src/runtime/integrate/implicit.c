@@ -189,14 +189,18 @@ static ph_wide radius(int n, const double J[], ph_wide r) {
   return expl(sum);
 }
 
+/* At the start of a step: the scale of the motion and its rates. */
+static int start(stepper *s, const ph_wide x[], step_scale *scale, ph_wide f[]) {
+  const int status = step_scale_at(s, x, scale);
+  return status ? status : rates(s, s->t, x, f);
+}
+
 int step_decay(stepper *s, const ph_wide x[], ph_wide h, ph_wide *rate) {
   const int n = ph_top_states(s->top);
   ph_wide f[PH_STATES], size[PH_STATES];
   double J[PH_STATES * PH_STATES];
   step_scale scale;
-  int status = step_scale_at(s, x, &scale);
-  if (!status)
-    status = rates(s, s->t, x, f);
+  int status = start(s, x, &scale, f);
   if (status)
     return status;
   sizes(s, &scale, x, f, h, size);
@@ -338,9 +342,7 @@ int step_implicit(stepper *s, implicit *m, const ph_wide x[], ph_wide tolerance,
   const ph_wide enough = fmaxl(tolerance, 32 * LDBL_EPSILON);
   ph_wide f[PH_STATES], size[PH_STATES];
   step_scale scale;
-  int status = step_scale_at(s, x, &scale);
-  if (!status)
-    status = rates(s, s->t, x, f);
+  int status = start(s, x, &scale, f);
   if (status)
     return status;
   attempt a = {.s = s, .m = m, .x = x, .f = f, .size = size, .scale = &scale};

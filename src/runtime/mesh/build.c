@@ -204,11 +204,42 @@ static void corners(const struct mesh_build *b, size_t i, double p[9], uint32_t 
     memcpy(p + 3 * k, b->vertex + 3 * (size_t)v[k], 3 * sizeof p[0]);
 }
 
+/* Is the polygon, of vector area `area`, not flat? Then what another fan, from the corner after,
+   would make of the measure goes into the result. A volume differs by the tetrahedra between both
+   fans, seen from corner 0. */
+static void bend(struct mesh_build *b, const ph_wide area[3], ph_wide fan) {
+  const struct mesh_list *face = &b->polygon;
+  const size_t n = face->count;
+  const double *first = b->vertex + 3 * (size_t)face->item[0];
+  ph_wide volume = 0, surface = 0, terms = 0;
+  for (size_t i = 2; i < n; i++) {
+    const size_t at[3] = {1, i, (i + 1) % n};
+    double p[9];
+    ph_wide normal[3], away[3];
+    for (size_t k = 0; k < 3; k++)
+      memcpy(p + 3 * k, b->vertex + 3 * (size_t)face->item[at[k]], 3 * sizeof p[0]);
+    mesh_normal(p, normal);
+    for (int k = 0; k < 3; k++)
+      away[k] = (ph_wide)p[k] - (ph_wide)first[k];
+    volume += wide_dot(normal, away);
+    terms += wide_norm(normal) * wide_norm(away);
+    surface += wide_norm(normal) * (wide_dot(normal, area) < 0 ? -1 : 1);
+  }
+  /* not flat by more than the last of six digits, which text often has */
+  if (fabsl(volume) <= 1e-5L * terms)
+    return;
+  b->result.bent++;
+  if (b->result.kind == PH_MESH_VOLUME)
+    b->result.bend += (double)(fabsl(volume) / 6);
+  else if (b->result.kind == PH_MESH_SURFACE)
+    b->result.bend += (double)(fabsl(surface - fan) / 2);
+}
+
 /* A polygon of more than three corners. Triangles that are turned against its vector area, beside a
    reflex corner, count as negative in surface sums; in volumes the order of corners does that. */
 static int add_fan(struct mesh_build *b) {
   const size_t n = b->polygon.count;
-  ph_wide normal[3], area[3] = {0};
+  ph_wide normal[3], area[3] = {0}, surface = 0;
   double p[9];
   uint32_t v[3];
   int flat = 1, status = PH_OK;
@@ -224,8 +255,12 @@ static int add_fan(struct mesh_build *b) {
     const int diagonal[3] = {i > 1, 0, i + 2 < n};
     corners(b, i, p, v);
     mesh_normal(p, normal);
-    status = add_indexed(b, v, diagonal, 1, wide_dot(normal, area) < 0 ? -1 : 1);
+    const int sign = wide_dot(normal, area) < 0 ? -1 : 1;
+    surface += wide_norm(normal) * sign;
+    status = add_indexed(b, v, diagonal, 1, sign);
   }
+  if (!flat)
+    bend(b, area, surface);
   return status;
 }
 

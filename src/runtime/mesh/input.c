@@ -26,6 +26,13 @@ size_t mesh_input_fill(struct mesh_input *in, size_t want) {
   return in->end;
 }
 
+void mesh_input_mark(struct mesh_input *in) {
+  static const unsigned char mark[] = {0xef, 0xbb, 0xbf};
+  if (mesh_input_fill(in, sizeof mark) >= sizeof mark &&
+      memcmp(in->data + in->at, mark, sizeof mark) == 0)
+    in->at += sizeof mark;
+}
+
 int mesh_input_skip(struct mesh_input *in, uint64_t n) {
   while (n > 0) {
     const size_t have = mesh_input_fill(in, 1);

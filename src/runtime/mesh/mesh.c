@@ -12,6 +12,31 @@
 
 typedef int reader(struct mesh_build *b);
 
+/* Is the file a pointer of Git's storage of large files, or of a format that is not read? Then the
+   status, with a message that helps. */
+static int refuse(struct mesh_build *b, const char *path) {
+  static const struct {
+    const char *end, *name;
+  } others[] = {{".dae", "Collada"}, {".step", "STEP"},    {".stp", "STEP"},  {".3mf", "3MF"},
+                {".off", "OFF"},     {".glb", "glTF"},     {".gltf", "glTF"}, {".iges", "IGES"},
+                {".igs", "IGES"},    {".fbx", "FBX"},      {".amf", "AMF"},   {".wrl", "VRML"},
+                {".x3d", "X3D"},     {".blend", "Blender"}};
+  static const char pointer[] = "version https://git-lfs.github.com/spec/";
+  const size_t n = mesh_input_fill(&b->in, sizeof pointer - 1);
+  if (n >= sizeof pointer - 1 && memcmp(b->in.data, pointer, sizeof pointer - 1) == 0)
+    return mesh_fail(b, PH_EFORMAT,
+                     "the file is a pointer of Git LFS (large file storage), not the mesh itself: "
+                     "git lfs pull fetches it");
+  const char *dot = strrchr(path, '.');
+  for (size_t i = 0; dot != NULL && i < sizeof others / sizeof others[0]; i++)
+    if (mesh_word_is(dot, dot + strlen(dot), others[i].end))
+      return mesh_fail(b, PH_EFORMAT,
+                       "%s is not read; export the part as STL, OBJ or PLY (and give its unit, "
+                       "which is often mm)",
+                       others[i].name);
+  return PH_OK;
+}
+
 static reader *choose(const char *path, struct mesh_input *in) {
   const char *dot = strrchr(path, '.');
   if (dot != NULL) {
@@ -25,11 +50,12 @@ static reader *choose(const char *path, struct mesh_input *in) {
   }
   /* by content: a PLY says so, an OBJ is text that is no STL */
   const size_t n = mesh_input_fill(in, 1024);
-  if (n >= 4 && memcmp(in->data, "ply", 3) == 0 && (in->data[3] == '\n' || in->data[3] == '\r'))
+  const unsigned char *s = in->data + in->at;
+  if (n >= 4 && memcmp(s, "ply", 3) == 0 && (s[3] == '\n' || s[3] == '\r'))
     return mesh_read_ply;
-  if (memchr(in->data, '\0', n < 1024 ? n : 1024) != NULL)
+  if (memchr(s, '\0', n < 1024 ? n : 1024) != NULL)
     return mesh_read_stl;
-  char *word = mesh_blank((char *)in->data);
+  char *word = mesh_blank((char *)in->data + in->at);
   return mesh_word_is(word, mesh_word(word), "solid") ? mesh_read_stl : mesh_read_obj;
 }
 
@@ -54,7 +80,11 @@ static int read_file(struct mesh_build *b, const char *path) {
     status = b->in.failed ? mesh_fail(b, PH_EFILE, "%s", ph_status_phrase(PH_EFILE))
                           : mesh_fail(b, PH_EFORMAT, "the file is empty");
   if (status == PH_OK)
+    status = refuse(b, path);
+  if (status == PH_OK) {
+    mesh_input_mark(&b->in);
     status = choose(path, &b->in)(b);
+  }
   if (status == PH_OK)
     status = mesh_flush(b);
   fclose(b->in.file);
@@ -79,7 +109,7 @@ static int finish(struct mesh_build *b) {
   ph_mesh *m = &b->result;
   const struct mesh_sum *sum = &b->sum;
   ph_wide t[MESH_TERMS], centre[3], second[6];
-  m->vertices = b->points.count;
+  m->vertices = b->points.count - m->merged;
   memcpy(m->lo, b->points.lo, sizeof m->lo);
   memcpy(m->hi, b->points.hi, sizeof m->hi);
   if (m->faces + m->segments == 0)
@@ -114,35 +144,61 @@ static int finish(struct mesh_build *b) {
   return PH_OK;
 }
 
-int ph_mesh_read(ph_mesh *out, const char *path, ph_mesh_kind kind, char *message, size_t size) {
+/* What is known once the file is read: near vertices, edges, parts, the integrals. */
+static int examine(struct mesh_build *b) {
+  ph_mesh *m = &b->result;
+  int status = b->weld > 0 ? mesh_near(b) : PH_OK;
+  if (status == PH_OK && b->weld > 0 && m->kind == PH_MESH_VOLUME)
+    mesh_sum_again(b);
+  if (status == PH_OK)
+    status = mesh_topology(b);
+  if (status == PH_OK && m->kind == PH_MESH_VOLUME && m->unbalanced > 0 && b->weld == 0)
+    status = mesh_near_offer(b);
+  if (status == PH_OK && b->part != NULL)
+    status = mesh_parts(b);
+  return status == PH_OK ? finish(b) : status;
+}
+
+int ph_mesh_open(ph_mesh *out, ph_mesh_shape **shape, const char *path, ph_mesh_kind kind,
+                 double weld, char *message, size_t size) {
   struct mesh_build *b = calloc(1, sizeof *b);
   if (message != NULL && size > 0)
     message[0] = '\0';
+  if (shape != NULL)
+    *shape = NULL;
   if (b == NULL)
     return PH_EMEMORY;
-  if ((unsigned)kind > PH_MESH_WIRES) {
+  if ((unsigned)kind > PH_MESH_WIRES || !(weld >= 0 && weld <= 0.01)) {
     free(b);
-    return PH_ENAME;
+    return (unsigned)kind > PH_MESH_WIRES ? PH_ENAME : PH_EBOUND;
   }
   b->message = message;
   b->message_size = size;
   b->result.kind = kind;
+  b->weld = weld;
   int status = read_file(b, path);
   free(b->vertex);
   free(b->welded);
   free(b->polygon.item);
   free(b->points.slot);
   if (status == PH_OK)
-    status = mesh_topology(b);
-  if (status == PH_OK)
-    status = finish(b);
+    status = examine(b);
+  if (status == PH_OK && shape != NULL && ph_mesh_check(&b->result) == PH_OK &&
+      (*shape = mesh_shape(b)) == NULL)
+    status = mesh_fail_memory(b);
   if (status == PH_OK)
     *out = b->result;
   free(b->points.xyz);
   free(b->corner.item);
   free(b->segment.item);
+  free(b->part);
+  free(b->turn);
   free(b);
   return status;
+}
+
+int ph_mesh_read(ph_mesh *out, const char *path, ph_mesh_kind kind, char *message, size_t size) {
+  return ph_mesh_open(out, NULL, path, kind, 0, message, size);
 }
 
 /* ---- the body ---- */

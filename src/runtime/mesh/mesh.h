@@ -4,7 +4,8 @@
    Flow: a reader (stl.c, obj.c, ply.c) takes the file through mesh_input and hands
    faces to mesh_build (mesh.c), which collects them in a batch. A full batch is welded
    (weld.c), added to the sums (sum.c), and only the three vertex numbers of each
-   triangle are kept. At the end topology.c looks at the edges. Every array grows with the data
+   triangle are kept. At the end near.c welds what is near, if asked, topology.c looks at the
+   edges, and parts.c at how the parts lie (with tree.c). Every array grows with the data
    that has arrived; no count in a file is believed beforehand. */
 #ifndef MESH_H
 #define MESH_H
@@ -33,6 +34,8 @@ struct mesh_input {
 
 /* Make `want` bytes (at most MESH_BUFFER) available if the file has them: how many there are. */
 size_t mesh_input_fill(struct mesh_input *in, size_t want);
+/* Pass over UTF-8's mark of byte order (bytes EF BB BF), which some editors put first. */
+void mesh_input_mark(struct mesh_input *in);
 /* Pass over n bytes: 0, or -1 if the file ends before. */
 int mesh_input_skip(struct mesh_input *in, uint64_t n);
 /* Take a line: 1 with [*begin, *end), which is followed by a NUL; 0 at the end of the file; -1 when
@@ -146,6 +149,9 @@ struct mesh_build {
   double *vertex;
   uint32_t *welded;
   size_t vertex_count, vertex_capacity;
+  uint32_t *part;           /* of each triangle: the number of its part; of a volume that closes */
+  signed char *turn;        /* of each part: -1 if it was turned, as its place demands; or NULL */
+  double weld;              /* vertices nearer than this, in parts of the box, are one; 0: equal */
   struct mesh_list polygon; /* of the face that is being read: indices into vertex */
   struct mesh_input in;
   char *message;
@@ -179,7 +185,53 @@ int mesh_read_stl(struct mesh_build *b);
 int mesh_read_obj(struct mesh_build *b);
 int mesh_read_ply(struct mesh_build *b);
 
-/* Edges, duplicates; for PH_MESH_WIRES the sums too. PH_OK or PH_EMEMORY. */
+/* Edges, duplicates; for PH_MESH_WIRES the sums too; of a volume that closes the parts, numbered
+   by their first triangles. PH_OK or PH_EMEMORY. */
 int mesh_topology(struct mesh_build *b);
+
+/* ---- vertices that are near (near.c) ---- */
+
+/* Weld vertices nearer than b->weld times the box's longest side: numbers of corners change,
+   triangles and segments that vanish are left out. */
+int mesh_near(struct mesh_build *b);
+/* Of a volume that is open: the least of 1e-9, 1e-8 .. 1e-3 that would close it, into
+   result.weld. */
+int mesh_near_offer(struct mesh_build *b);
+/* The sums of a volume once more, from the triangles that are kept, with the parts' turns. */
+void mesh_sum_again(struct mesh_build *b);
+
+/* ---- triangles in a tree of boxes (tree.c) ---- */
+
+struct mesh_tree {
+  const double *xyz;      /* vertices, three numbers each */
+  const uint32_t *corner; /* three a triangle, with MESH_DIAGONAL */
+  uint32_t *order;        /* the tree's triangles, near ones together */
+  size_t count;
+  int depth;   /* nodes k have the children 2k + 1, 2k + 2 down to it */
+  double *box; /* of each node: lowest and highest corner */
+};
+
+/* Of the n triangles in list (NULL: the first n). PH_OK or PH_EMEMORY. */
+int mesh_tree_make(struct mesh_tree *tree, const double *xyz, const uint32_t *corner,
+                   const uint32_t *list, size_t n);
+void mesh_tree_free(struct mesh_tree *tree);
+const double *mesh_tree_corner(const struct mesh_tree *tree, uint32_t triangle, int k);
+/* The distance from p to the nearest triangle, `most` if none is nearer. */
+double mesh_tree_distance(const struct mesh_tree *tree, const double p[3], double most);
+/* How often the triangles wind about p: 1 inside of one closed surface that looks outward. turn:
+   of each part (NULL: none) the side that counts. */
+int mesh_tree_winding(const struct mesh_tree *tree, const double p[3], const uint32_t *part,
+                      const signed char *turn);
+
+/* ---- parts (parts.c) ---- */
+
+/* How the parts of a volume lie: turns those that look to the wrong side for their place, names
+   what overlaps. PH_OK or PH_EMEMORY. */
+int mesh_parts(struct mesh_build *b);
+
+/* ---- the faces, kept (shape.c) ---- */
+
+/* Takes points, corners, parts and turns out of b; NULL: out of memory. */
+ph_mesh_shape *mesh_shape(struct mesh_build *b);
 
 #endif

@@ -131,7 +131,7 @@ static int read_text(struct mesh_build *b) {
 int mesh_read_stl(struct mesh_build *b) {
   struct mesh_input *in = &b->in;
   const int long_enough = mesh_input_fill(in, HEADER) >= HEADER;
-  const uint32_t count = long_enough ? little32(in->data + 80) : 0;
+  const uint32_t count = long_enough ? little32(in->data + in->at + 80) : 0;
   if (long_enough && in->size == binary_size(count))
     return read_binary(b, count);
   if (is_text(in))
