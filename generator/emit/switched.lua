@@ -7,6 +7,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local switching = require "generator.dynamics.switching"
+local floors = require "generator.emit.floors"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
 local template = require "generator.emit.template"
@@ -140,7 +141,7 @@ function switched.put(v, s, kit, method)
     w_sides = given(has, ", w->o." .. sw.name), own_sides = given(has, ", w.o." .. sw.name),
     terms_sides = given(has, ", w.o." .. sw.name), knot_side = given(s.has_knots, ", t + " .. kit.base.half .. "*left"),
     way_turn = given(turn, ", w->turn"), room_d = given(taylor, ", d[" .. ctx.upper .. "_ROW]"),
-    way_norm = given(v.has_floors, "w->m, *h, ") .. "x, w->" .. (adaptive and "out" or "y") .. ", w->error",
+    way_norm = floors.passed(s.program, "w->m", "w->u", "*h") .. "x, w->" .. (adaptive and "out" or "y") .. ", w->error",
     by_cubic = given(not taylor, ", by the cubic with the states and rates at its ends"), at = given(not taylor, "t, "),
     at_arg = given(not taylor, ctx.name .. "_real t, "),
     taken = s.taken, rests = #s.program.states < #ctx.states, top_arg = given(taylor, ", int top"), top_pass = given(taylor, ", top"),

@@ -207,7 +207,7 @@ end
 -- matrix = groups of the factors and df/dt, factors = their entries, solve = groups, timed = does f depend on t?,
 -- knots, switches (dynamics/switching.lua) or nil}, or nil and why there is none.
 function rosenbrock.program(eq)
-  local switches = switching.of(eq)
+  local switches, whole = switching.of(eq), eq
   if switches then eq = switches.equations end
   local moving, taken = constancy.moving(eq), {}
   for _, member in ipairs(eq.model.members) do taken[member.name] = true end
@@ -241,7 +241,7 @@ function rosenbrock.program(eq)
   end
   return { tableau = rosenbrock.tableau, states = moving, slips = list, rates = f, matrix = matrix,
     factors = lu.names, solve = lu.solve, timed = timed, shifts = shifts(eq, list), knots = breaks.knots(eq),
-    switches = switches, floors = floors.of(eq) }
+    switches = switches, floors = floors.of(whole) }
 end
 
 return rosenbrock

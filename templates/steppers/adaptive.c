@@ -95,9 +95,9 @@ static ${name}_real ${name}_adaptive_norm(${norm_args}const ${name}_real x[], co
 {
   ${name}_real worst = ${zero};
 %% if has_floors then
-  ${name}_real least[3];
+  ${name}_real least[${floors_count}];
 
-  ${name}_floors(m, x, h, least);
+  ${name}_floors(${floors_pass}, least);
 %% else
 
 %% end

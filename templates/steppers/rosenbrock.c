@@ -182,9 +182,9 @@ static ${name}_real ${name}_rosenbrock_norm(${norm_args}const ${name}_real x[], 
 {
   ${name}_real worst = ${zero};
 %% if has_floors then
-  ${name}_real least[3];
+  ${name}_real least[${floors_count}];
 
-  ${name}_floors(m, x, h, least);
+  ${name}_floors(${floors_pass}, least);
 %% else
 
 %% end

@@ -5,8 +5,9 @@
    A body that comes to rest ends with sizes that are rounding: what is left of w, say, where the
    terms of a torque cancel that are large. No step follows that, however short. So a size is never
    less than what the terms of its rate, each on its own, make of it within the step: below the
-   rounding of that the rate itself is not known. A rate whose terms vanish with the state has no
-   such floor, and a motion that grows out of 1e-100 is followed from there. */
+   rounding of that the rate itself is not known, and a place not below what that makes of it. A
+   rate whose terms vanish with the state has no such floor, and a motion that grows out of 1e-100
+   is followed from there. */
 #include "acts/acts.h"
 #include "motion/move.h"
 #include "step.h"
@@ -37,8 +38,8 @@ static ph_wide beside(const ph_top *top, const step_scale *c, const ph_wide x[],
            (slides && c->arm > 0 ? step_size(2, x + c->place + 2) / c->arm : 0);
   if (c->placed && k >= 0 && k < c->placed)
     return k < 2 ? c->arm : c->arm * step_size(3, x + 4) + fabsl(h) * c->pull;
-  if (i >= 10 && i < 13 && top->effects & PH_TRANSLATION)
-    return fabsl(h) * c->force / (ph_wide)top->mass;
+  if (i < 13 && top->effects & PH_TRANSLATION) /* a velocity, and what it makes of a place */
+    return fabsl(h) * c->force / (ph_wide)top->mass * (i < 10 ? fabsl(h) : 1);
   return acts_is_wheel(top, i) ? step_size(3, x + 4) : 0;
 }
 
