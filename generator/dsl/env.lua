@@ -16,6 +16,7 @@ local names = require "generator.dsl.names"
 local scene = require "generator.dsl.scene"
 local shapes = require "generator.dsl.shapes"
 local units = require "generator.dsl.units"
+local unitnames = require "generator.dsl.unitnames"
 local value = require "generator.dsl.value"
 local inertial = require "generator.dsl.inertial"
 local mesh = require "generator.dsl.mesh"
@@ -26,18 +27,19 @@ local broken = require "generator.diag.broken"
 
 local env = {}
 
--- "kg m^2" -> exact factor and dimension; reports on the user's line.
+-- "kg m^2" -> exact factor and dimension; reports on the user's line, and then the third result is true.
 local function unit(ctx, what, given)
   if given == nil then return expr.one, nil end
   if type(given) ~= "string" then
     ctx.diag:error(ctx.diag:here(), what, "unit must be a string such as \"kg m^2\"", diag.show(given))
-    return expr.one, nil
+    return expr.one, nil, true
   end
   local factor, dim = nil, "must have at most 60 characters"
   if #given <= 60 then factor, dim = units.parse(given) end
   if not factor then
-    ctx.diag:error(ctx.diag:here(), what, "unit: " .. dim, diag.show(given))
-    return expr.one, nil
+    local quoted = string.find(dim, diag.show(given), 1, true) -- said once
+    ctx.diag:error(ctx.diag:here(), what, "unit: " .. dim, not quoted and diag.show(given) or nil)
+    return expr.one, nil, true
   end
   return factor, dim
 end
@@ -71,7 +73,13 @@ local function param(ctx, params)
       return value.new(expr.one, nil)
     end
     seen[upper] = { name, "a parameter" }
-    local factor, dim = unit(ctx, "param", u)
+    local factor, dim, wrong = unit(ctx, "param", u)
+    if wrong then
+      ctx.used[name] = true -- (--set)
+      number(ctx, "param", "default of " .. name, default)
+      return broken.object -- what is computed from it is not blamed again
+    end
+    u = dim and unitnames.plain(u)
     if ctx.set[name] then
       default = ctx.set[name]
       ctx.used[name] = true
@@ -88,7 +96,7 @@ local function param(ctx, params)
       ctx.checks[#ctx.checks + 1] = { e = sym, what = "param", rule = name .. " must be positive", line = line }
     end
     params[#params + 1] = { name = name, sym = sym, default = q, unit = units.si(dim or units.none), line = line,
-      given = given, own = dim and u or nil, factor = factor }
+      given = given, own = u or nil, factor = factor }
     return value.counts(value.write(value.new(sym, dim), default, factor), u)
   end
 end
@@ -96,8 +104,10 @@ end
 -- quantity(number, unit): an exact constant with a unit.
 local function quantity(ctx)
   return function(n, u)
-    local factor, dim = unit(ctx, "quantity", u)
-    local v = value.write(value.new(expr.num(number(ctx, "quantity", "the number", n)) * factor, dim), n, factor)
+    local factor, dim, wrong = unit(ctx, "quantity", u)
+    local q = number(ctx, "quantity", "the number", n)
+    if wrong then return broken.object end
+    local v = value.write(value.new(expr.num(q) * factor, dim), n, factor)
     return value.counts(v, u)
   end
 end

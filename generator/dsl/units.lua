@@ -43,14 +43,15 @@ local symbols = {
   slug = { e "0.45359237" * e "9.80665" / e "0.3048", dim(0, 1) }, u = { e "1.66053906660e-27", dim(0, 1) },
   s = { one, dim(0, 0, 1) }, ms = { e "1/1000", dim(0, 0, 1) }, min = { e(60), dim(0, 0, 1) },
   h = { e(3600), dim(0, 0, 1) }, day = { e(86400), dim(0, 0, 1) },
-  A = { one, dim(0, 0, 0, 1) }, K = { one, dim(0, 0, 0, 0, 1) },
+  A = { one, dim(0, 0, 0, 1) }, mA = { e "1/1000", dim(0, 0, 0, 1) }, K = { one, dim(0, 0, 0, 0, 1) },
   rad = { one, units.none }, deg = { expr.pi / 180, units.none }, rev = { expr.pi * 2, units.none },
   Hz = { one, dim(0, 0, -1) }, rpm = { expr.pi / 30, dim(0, 0, -1) },
   N = { one, dim(1, 1, -2) },
-  mN = { e "1/1000", dim(1, 1, -2) }, kN = { e(1000), dim(1, 1, -2) },
+  uN = { e "1e-6", dim(1, 1, -2) }, mN = { e "1/1000", dim(1, 1, -2) }, kN = { e(1000), dim(1, 1, -2) },
   lbf = { e "0.45359237" * e "9.80665", dim(1, 1, -2) },
   J = { one, dim(2, 1, -2) }, W = { one, dim(2, 1, -3) }, Pa = { one, dim(-1, 1, -2) },
-  T = { one, dim(0, 1, -2, -1) }, ["1"] = { one, units.none },
+  T = { one, dim(0, 1, -2, -1) }, mT = { e "1/1000", dim(0, 1, -2, -1) }, uT = { e "1e-6", dim(0, 1, -2, -1) },
+  nT = { e "1e-9", dim(0, 1, -2, -1) }, ["1"] = { one, units.none },
 }
 
 -- Names and what they stand for, sorted: for `polhode list constants`.
@@ -110,11 +111,12 @@ end
 
 for _, u in ipairs(units.list) do u[2] = "unit: " .. u[2] .. " " .. units.si(u[3]) end
 
--- Reads "kg m^2/s", "rad/s", "slug ft^2": factors split by blanks or *, each / divides by the next one factor.
+-- Reads "kg m^2/s", "rad/s", "slug ft^2": factors split by blanks or *, each / divides by the next one factor.  No unit
+-- ends in a digit, so one behind it is an exponent: "kg m2", "g/cm3"; signs of Unicode are unitnames.plain's.
 -- Returns the exact factor to SI and the dimension, or nil and a phrase.
 function units.parse(s)
   local factor, d, sign = one, units.none, 1
-  local rest = s
+  local rest = unitnames.plain(s)
   while string.find(rest, "%S") do
     local op, tail = string.match(rest, "^%s*([*/])%s*(.*)$")
     if op then
@@ -124,11 +126,12 @@ function units.parse(s)
     local name, after = string.match(rest, "^%s*([%a1]%a*)(.*)$")
     local unit = name and symbols[name]
     if not unit then
-      local meant = name and unitnames.meant(name, symbols)
+      local meant = unitnames.meant(name or rest, symbols)
       return nil, "unknown unit " .. string.format("%q", name or rest) ..
         (meant and " (write \"" .. meant .. "\")" or "")
     end
     local n, more = string.match(after, "^%^(%-?%d+)(.*)$")
+    if not n and name ~= "1" then n, more = string.match(after, "^(%d+)(.*)$") end
     local power = R.parse(n or "1") * sign
     if R.abs(power) > R.new(20) then return nil, "an exponent in " .. string.format("%q", s) .. " is too large" end
     factor = factor * expr.pow(unit[1], power)

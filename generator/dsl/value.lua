@@ -3,6 +3,7 @@
 -- A value is an opaque handle; its record {e = expression, dim = dimension or nil} is private, so a scene
 -- cannot alter it.  A plain Lua number is exact (the decimal that was typed) and takes any dimension, and so does
 -- what is computed from plain numbers only; beside a value with a dimension it counts as a pure number in a product.
+-- Zero is of any dimension, whatever it was computed from.
 -- `plain` marks what is computed from plain numbers and coordinates of a region only: a region takes it, as it takes
 -- plain numbers, for any dimension; beside a value with a dimension it has that of its powers.  So is time,
 -- the number of seconds; the states of a motion are, too, but "bare" until a plain number multiplies or divides them,
@@ -32,6 +33,7 @@ local handle = { __name = "value" }
 
 local function new(e, dim, plain)
   local v = setmetatable({}, handle)
+  if e == expr.zero then dim = nil end -- 0 m is 0 kg
   record[v] = { e = e, dim = dim, plain = plain }
   return v
 end

@@ -124,7 +124,8 @@ function reference.entries(tables)
   end
   for i, u in ipairs(tables.units.list) do known[i] = u[1] end
   out[#out + 1] = { name = "functions", about = "functions of numbers and expressions", rows = functions, notes = {} }
-  out[#out + 1] = { name = "units", about = 'a unit is a product of these with powers, such as "kg m^2/s^2"', rows = {},
+  out[#out + 1] = { name = "units", rows = {}, about = "a unit is a product of these with powers, such as " ..
+    '"kg m^2/s^2", "kg m2" or "kg·m²"; µ is u, ° is deg; zero is of any unit',
     notes = { table.concat(known, ", ") .. "." } }
   return out
 end

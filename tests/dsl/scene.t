@@ -324,6 +324,19 @@ for _, case in ipairs { { "90", true }, { "-45", true }, { "6.3", true }, { "6.2
     "write quantity(" .. case[1] .. ", \"deg\") or quantity(" .. case[1] .. ", \"rad\")" or "",
     "an angle of " .. case[1] .. (case[2] and " is questioned" or " is not questioned"))
 end
+-- zero is of any unit: it is a neutral element of sums, an argument of any dimension, and breaks no other rule
+do
+  local job, why = scene.read [[
+local m, L = param("m", 1, "kg"), param("L", 2, "m")
+local none = quantity(0, "kg m^2")
+local s = none + m + 0*L + (L - L) + max(0*L, m) - m
+return scene { name = "s", body = solid.box { x = L, y = L + none, z = L, mass = s }:at{0*m, none, L},
+  effects = { effect.torque { body = {none, 0*t*L, 0.1*t} } },
+  initial = { omega = {none, 0*L, quantity(1, "rad/s")} } }]]
+  tap.ok(job and job.model:double(job.model.mass) == 1.0, "zero is of any unit", why)
+  job, why = scene.read 'return scene { name = "s", body = solid.box { x = quantity(0, "kg"), y = 1, z = 1, mass = 1 } }'
+  tap.ok(not job and why:find("x must be positive, got 0", 1, true), "and no length that must be positive", why)
+end
 -- a scene's own globals are Lua's: made anywhere, read back, also as nil
 do
   local job = scene.read('a = 0.2\nlocal function f() b = a n = nil end f() if n == nil then a = a + b end\n' ..
