@@ -221,7 +221,9 @@ entry("tensor", { mass = 5, xx = 2.89, yy = 1.64, zz = 3.25 }, examples["solid.e
     line = "tensor{mass = 5, xx = 2.89, yy = 1.64, zz = 3.25}",
     note = "The picture shows the ellipsoid that has this mass and this tensor." })
 entry("mesh", { com = { 0, 0, 0 } }, nil, { node = { shape = "solid.regular", faces = 20, edge = 1 },
-  line = 'mesh{file = "part.stl", units = "mm", kind = "volume", density = 2700}' })
+  line = 'mesh{file = "part.stl", units = "mm", kind = "volume", density = 2700}',
+  note = "Scaled, cut and joined like any other shape. `weld = 1e-6` makes one of vertices that are nearer than a " ..
+    "millionth of the longest side ([mass.md](mass.md#meshes))." })
 entry("inertial", {}, examples["solid.ellipsoid"].dims, { node = { shape = "solid.ellipsoid", a = 1, b = 1.5, c = 0.8 },
   line = 'inertial{file = "robot.urdf", link = "base"}',
   note = "The picture stands for any body: its tensor is that of the link, turned as its frame lies." })

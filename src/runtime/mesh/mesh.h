@@ -229,7 +229,7 @@ int mesh_tree_winding(const struct mesh_tree *tree, const double p[3], const uin
    what overlaps. PH_OK or PH_EMEMORY. */
 int mesh_parts(struct mesh_build *b);
 
-/* ---- the faces, kept (shape.c) ---- */
+/* ---- the faces, kept (faces.c) ---- */
 
 /* Takes points, corners, parts and turns out of b; NULL: out of memory. */
 ph_mesh_shape *mesh_shape(struct mesh_build *b);

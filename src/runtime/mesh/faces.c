@@ -1,4 +1,4 @@
-/* shape.c - the faces of a mesh that was read, kept to be asked about points.
+/* faces.c - the faces of a mesh that was read, kept to be asked about points.
    SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mesh.h"
 
