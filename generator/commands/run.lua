@@ -1,7 +1,7 @@
 -- run.lua -- polhode run: the motion as a table, by the general library or by the emitted code.
 --
--- Events of the scene are a table of their own, --events FILE, and the member `events` in JSON; an event with stop = true
--- ends the rows with its own.
+-- Events of the scene are a table of their own, --events FILE, and the member `events` in JSON; an event with
+-- stop = true ends the rows with its own.
 -- Columns t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz,rx,ry,rz,vx,vy,vz and further states, those that the scene has, or
 -- what --columns asks for; every number reads back to the same double.  Nothing is printed unless all numbers are
 -- finite: if one is not, the status is 3.  A motion that is off by more than --warn is printed, with a warning.
@@ -32,8 +32,8 @@ local function listed(quantities)
 end
 
 run.forms = { { "SCENE", "the motion as a table",
-  "Columns: t in s, the state, energy in J, angular momentum L in N m s. What happens on the way (the scene's events, contact lost, " ..
-    "rest, impacts) is a table of its own." } }
+  "Columns: t in s, the state, energy in J, angular momentum L in N m s. What happens on the way (the scene's " ..
+    "events, contact lost, rest, impacts) is a table of its own." } }
 run.operands = { 1, 1, "SCENE" }
 run.options = {
   { "--engine", { "general", "generated" }, "the general library, or the emitted code, compiled by $CC (cc, gcc or " ..

@@ -61,7 +61,8 @@ local OF_METHOD = { "count", "room", "states", "slides", "has_knots", "has_roots
 local function called(ctx, sw)
   local has = sides(sw) ~= nil
   local function given(words) return has and words or "" end
-  return { has_switches = sw ~= nil, has_sides = has, most_parts = "1000", sides = given(", " .. (sw and sw.name or "")),
+  return { has_switches = sw ~= nil, has_sides = has, most_parts = "1000",
+    sides = given(", " .. (sw and sw.name or "")),
     series_sides = given(", o." .. (sw and sw.name or "")),
     sides_arg = given(", const " .. ctx.name .. "_real " .. (sw and sw.name or "") .. "[]") }
 end
@@ -141,10 +142,12 @@ function switched.put(v, s, kit, method)
     w_sides = given(has, ", w->o." .. sw.name), own_sides = given(has, ", w.o." .. sw.name),
     terms_sides = given(has, ", w.o." .. sw.name), knot_side = given(s.has_knots, ", t + " .. kit.base.half .. "*left"),
     way_turn = given(turn, ", w->turn"), room_d = given(taylor, ", d[" .. ctx.upper .. "_ROW]"),
-    way_norm = floors.passed(s.program, "w->m", "w->u", "*h") .. "x, w->" .. (adaptive and "out" or "y") .. ", w->error",
+    way_norm = floors.passed(s.program, "w->m", "w->u", "*h") ..
+      "x, w->" .. (adaptive and "out" or "y") .. ", w->error",
     by_cubic = given(not taylor, ", by the cubic with the states and rates at its ends"), at = given(not taylor, "t, "),
     at_arg = given(not taylor, ctx.name .. "_real t, "),
-    taken = s.taken, rests = #s.program.states < #ctx.states, top_arg = given(taylor, ", int top"), top_pass = given(taylor, ", top"),
+    taken = s.taken, rests = #s.program.states < #ctx.states,
+    top_arg = given(taylor, ", int top"), top_pass = given(taylor, ", top"),
     top_full = given(taylor, ", " .. ctx.upper .. "_ORDER"),
     top_own = given(taylor, ", " .. ctx.name .. "_taylor_top(tolerance)") }
   for _, k in ipairs(OF_METHOD) do

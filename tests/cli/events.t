@@ -119,7 +119,8 @@ same('{ name = "a", when = (t - 3)^3 }', "a@3.000", "a triple zero is found, to 
 do
   local _, csv = run(spin '{ name = "a", when = qx }')
   local list, _, head = events(csv)
-  tap.ok(#list == 0 and head[1] == "event" and head[2] == "t", "without a crossing the table of events has its head alone")
+  tap.ok(#list == 0 and head[1] == "event" and head[2] == "t", 
+    "without a crossing the table of events has its head alone")
   local _, json = run(spin '{ name = "a", when = qw }', "--format json --every 5")
   tap.ok(string.find(json, '"events": [\n    {\n      "name": "a",\n      "row": [1.570796326794', 1, true),
     "JSON has them under events", json)
@@ -128,11 +129,13 @@ do
     "a scene without events has no table of them", log)
   code, _, log = run(spin '{ name = "a", when = qw }', "--format json --events " .. dir .. "/events.csv")
   tap.ok(code == 2 and log:find("JSON has the events", 1, true), "nor has JSON beside its own", log)
-  code = program.shell(string.format("POLHODE_SOURCE=. %s run %s/s.lua --every 5 >%s/csv 2>%s/log", binary, dir, dir, dir))
+  code = program.shell(string.format("POLHODE_SOURCE=. %s run %s/s.lua --every 5 >%s/csv 2>%s/log", binary, dir,
+    dir, dir))
   csv, log = program.read(dir .. "/csv"), program.read(dir .. "/log")
   tap.ok(code == 0 and select(2, csv:gsub("\n", "")) == 4 and not csv:find "event" and
     log:find("event a at t = 1.57079633 s\nevent a at t = 4.71238898 s\nevent a at t = 7.85398163 s\n", 1, true),
-    "without a file for them events are named on standard error, and the rows are a table that all readers take", csv .. log)
+    "without a file for them events are named on standard error, and the rows are a table that all readers take",
+    csv .. log)
 end
 
 -- ---- refused ----

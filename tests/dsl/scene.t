@@ -334,7 +334,7 @@ return scene { name = "s", body = solid.box { x = L, y = L + none, z = L, mass =
   effects = { effect.torque { body = {none, 0*t*L, 0.1*t} } },
   initial = { omega = {none, 0*L, quantity(1, "rad/s")} } }]]
   tap.ok(job and job.model:double(job.model.mass) == 1.0, "zero is of any unit", why)
-  job, why = scene.read 'return scene { name = "s", body = solid.box { x = quantity(0, "kg"), y = 1, z = 1, mass = 1 } }'
+  job, why = scene.read 'return scene { name = "s", body = solid.box { x = quantity(0, "kg"), y = 1, z = 1, mass = 1 }}'
   tap.ok(not job and why:find("x must be positive, got 0", 1, true), "and no length that must be positive", why)
 end
 -- a scene's own globals are Lua's: made anywhere, read back, also as nil

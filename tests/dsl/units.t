@@ -119,7 +119,8 @@ for _, case in ipairs { { "meter", "m" }, { "metres", "m" }, { "Kilogram", "kg" 
   tap.ok(factor == nil and why == want and (not case[2] or units.parse(case[2])), want, tostring(why))
 end
 
-tap.is(select(2, units.parse "Nms"), "unknown unit \"Nms\" (write \"N m s\" or \"N ms\")", "two readings: both are named")
+tap.is(select(2, units.parse "Nms"), "unknown unit \"Nms\" (write \"N m s\" or \"N ms\")",
+  "two readings: both are named")
 tap.ok(units.parse "°/s" * 180 == pi, "180 °/s = pi rad/s")
 
 -- Every listed unit reads back to itself.

@@ -31,8 +31,8 @@ local COLUMNS = "t,qw,qx,qy,qz,wx,wy,wz,N"
 local function run(text, options, columns)
   program.write(dir .. "/disc.lua", text)
   os.remove(dir .. "/events.csv")
-  local status = program.shell(string.format("%s run %s/disc.lua --columns %s %s --events %s/events.csv >%s/out 2>%s/err",
-    binary, dir, columns or COLUMNS, options, dir, dir, dir))
+  local status = program.shell(string.format("%s run %s/disc.lua --columns %s %s --events %s/events.csv >%s/out " ..
+    "2>%s/err", binary, dir, columns or COLUMNS, options, dir, dir, dir))
   local out, said = program.read(dir .. "/out"), program.read(dir .. "/err")
   local event, rows = {}, select(2, out:gsub("\n", "")) - 1
   for line in ((program.read(dir .. "/events.csv") or ""):match "^[^\n]*\n(.*)$" or ""):gmatch "[^\n]+" do

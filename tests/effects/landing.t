@@ -223,8 +223,8 @@ end
 -- The rows and events of a run: lists of {column = number}, events with their names.
 local function run(name, text, options)
   program.write(dir .. "/" .. name .. ".lua", text)
-  local code = program.shell(string.format("timeout 100 %s run %s/%s.lua %s --events %s/events >%s/out 2>%s/err", binary,
-    dir, name, options, dir, dir, dir))
+  local code = program.shell(string.format("timeout 100 %s run %s/%s.lua %s --events %s/events >%s/out 2>%s/err",
+    binary, dir, name, options, dir, dir, dir))
   if code ~= 0 then
     tap.diag(program.read(dir .. "/err"))
     return { {} }, { {} }

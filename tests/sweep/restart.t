@@ -186,11 +186,12 @@ status, said = run(rows, "-o one.csv --resume")
 tap.ok(status == 0 and said:find "nothing is left to resume", "a sweep that is complete says so")
 status, said = run(stats, "-o one.csv --resume")
 tap.ok(status == 2 and said:find "of another study" and said:find("there  polhode sweep tumbling_box", 1, true) and
-  said:find("now    polhode sweep tumbling_box", 1, true) and said:find "%-%-stats", "a file of another study is an error " ..
-  "that names both", said)
+  said:find("now    polhode sweep tumbling_box", 1, true) and said:find "%-%-stats", "a file of another study " ..
+  "is an error that names both", said)
 local whole = program.read(dir .. "/one.csv")
 for what, changed in pairs { -- each by itself: order is lost anyway
-  ["is cut"] = whole:sub(1, #whole // 2), ["has another digit"] = whole:gsub(",1", ",2", 1), ["is something else"] = "x\n" } do
+  ["is cut"] = whole:sub(1, #whole // 2), ["has another digit"] = whole:gsub(",1", ",2", 1),
+  ["is something else"] = "x\n" } do
   program.write(dir .. "/one.csv", changed)
   status, said = run(rows, "-o one.csv --resume")
   tap.ok(status == 2 and said:find "not what the sweep wrote", "a file that " .. what .. " is not resumed", said)

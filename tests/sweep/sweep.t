@@ -290,9 +290,10 @@ tap.ok(#list == 2 and list[2].status == "the step is too long: |q| is not 1", "4
   out .. err)
 -- a rattleback that leaves the plane at 8.8 ms: the time at which `run` ends
 program.write(dir .. "/hops.lua", 'return scene { name = "hops", body = tensor { mass = .3, xx = 3e-5, yy = 3.2e-4, ' ..
-  "zz = 3.3e-4 }, effects = { effect.plane { surface = contact.ellipsoid { a = .03, b = .1, c = .02, at = {0, 0, .004}, " ..
-  'turned = { axis = "z", angle = .15 } } } }, initial = { omega = {25, 10, -25} }, time = { horizon = 3, step = 1e-4 } }')
-code, out, err = polhode "run hops.lua --until 3"
+  "zz = 3.3e-4 }, effects = { effect.plane { surface = contact.ellipsoid { a = .03, b = .1, c = .02, " ..
+  'at = {0, 0, .004}, turned = { axis = "z", angle = .15 } } } }, initial = { omega = {25, 10, -25} }, time = { horizon = 3, ' ..
+  "step = 1e-4 } }")
+code, _, err = polhode "run hops.lua --until 3"
 local lost = tonumber(err:match "event contact_lost at t = (%S+) s")
 tap.ok(code == 0 and lost and lost > 8.7e-3 and lost < 8.9e-3, "a run on a plane ends where the contact is lost", err)
 for _, c in ipairs { { lost - 1e-4, "", "ok" }, { lost + 1e-4, "", "contact is lost: the plane would have to pull" },
@@ -303,8 +304,9 @@ for _, c in ipairs { { lost - 1e-4, "", "ok" }, { lost + 1e-4, "", "contact is l
   tap.ok(code == 0 and #list == 1 and list[1].status == c[3], "and so does a member, until " .. c[1] .. " " .. c[2],
     out .. err)
 end
-program.write(dir .. "/told.lua", 'local gain = input("gain", "N m")\nreturn scene { name = "told", body = solid.box {' ..
-  " x = 1, y = 2, z = 3, mass = 1 }, effects = { effect.torque { body = {gain, 0, 0} } }, initial = { omega = {1, 2, 3} }," ..
+program.write(dir .. "/told.lua", 'local gain = input("gain", "N m")\nreturn scene { name = "told", body = ' ..
+  "solid.box { x = 1, y = 2, z = 3, mass = 1 }, effects = { effect.torque { body = {gain, 0, 0} } }, " ..
+  "initial = { omega = {1, 2, 3} }," ..
   ' events = { { name = "half", when = wx, stop = true } } }')
 code, _, err = polhode "sweep told.lua --over wx=1:2:2 --until 1"
 tap.ok(code == 0 and err:find("inputs are 0: gain", 1, true) and err:find("event half (line 2) does not end", 1, true),
