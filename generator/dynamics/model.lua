@@ -21,6 +21,7 @@ local overlaps = require "generator.mass.overlaps"
 local jacobi = require "generator.mass.jacobi"
 local parts = require "generator.mass.parts"
 local principal = require "generator.mass.principal"
+local law = require "generator.mass.law"
 local validity = require "generator.mass.validity"
 local inputs = require "generator.dynamics.inputs"
 local numeric = later "generator.dynamics.numeric"
@@ -235,7 +236,7 @@ function model.new(d, record, options)
   m.limits = inputs.limits(m.inputs)
   if not states.decide(d, m) then return nil end
   if m.structure.nothing and m.has.rates then
-    d:error(m.line, "body", "has no moment of inertia about the origin, so its rotation is undetermined")
+    d:error(m.line, "body", law.nothing "the origin")
     return nil
   end
   if not carry(d, m, record.checks) then return nil end

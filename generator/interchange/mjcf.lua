@@ -44,6 +44,7 @@ local function compiler(r, root)
   local at, where = {}, nil
   for _, e in ipairs(reader.children(root, "compiler")) do
     for _, name in ipairs(e.at) do at[name] = e.at[name] end
+    r:mistyped(e, { "angle", "eulerseq" })
     where = e
   end
   local function must(name, default, ...)

@@ -147,6 +147,14 @@ function reader:misplaced(format, element, name)
   end
 end
 
+-- Warns of attributes that look like one of `names` mistyped.
+function reader:mistyped(element, names)
+  for _, name in ipairs(element.at) do
+    local near = not any(names, name) and nearest.one(name, names)
+    if near then self:warn(element, tag(element.name) .. " " .. name .. " is not read: did you mean " .. near .. "?") end
+  end
+end
+
 -- Warns of angles that are probably in another unit.
 function reader:angles(element, what, list, degrees)
   for _, q in ipairs(list) do

@@ -145,12 +145,14 @@ judged("MJCF: what nobody reads, bodies without <inertial>", '<mujoco><worldbody
   '<inertial pos="0 0 0" mass="1" diaginertia="1 1 1" rpy="0 0 1" eulr="0 0 1"><mass/></inertial>\n' ..
   '<body name="b"><geom size="1"/></body></body>' ..
   '<body name="c"><inertial pos="0 0 0" mass="1" diaginertia="1 1 1" euler="0 1.57 0"/></body>' ..
-  "</worldbody></mujoco>", "r.xml", 0, [[
+  '</worldbody><compiler eulrseq="XYZ" autolimits="true"/></mujoco>', "r.xml", 0, [[
 warn   "a": mass
       r.xml:1: body "a": <inertial> rpy is not read: MJCF has euler=
       r.xml:1: body "a": <inertial> eulr is not read: did you mean euler?
       r.xml:1: body "a": <mass> in <inertial> is not read: MJCF has the attribute mass=
+      r.xml:2: body "a": <compiler> eulrseq is not read: did you mean eulerseq?
 warn   "c": mass
+      r.xml:2: body "c": <compiler> eulrseq is not read: did you mean eulerseq?
       r.xml:2: body "c": <inertial> euler is in degrees and 1.57 looks like radians
 MJCF: 3 links, 2 with <inertial>: 0 wrong, 2 with a warning; 0 static; 1 without <inertial>: MuJoCo takes their geoms]])
 
