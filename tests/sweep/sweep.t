@@ -291,8 +291,8 @@ tap.ok(#list == 2 and list[2].status == "the step is too long: |q| is not 1", "4
 -- a rattleback that leaves the plane at 8.8 ms: the time at which `run` ends
 program.write(dir .. "/hops.lua", 'return scene { name = "hops", body = tensor { mass = .3, xx = 3e-5, yy = 3.2e-4, ' ..
   "zz = 3.3e-4 }, effects = { effect.plane { surface = contact.ellipsoid { a = .03, b = .1, c = .02, " ..
-  'at = {0, 0, .004}, turned = { axis = "z", angle = .15 } } } }, initial = { omega = {25, 10, -25} }, time = { horizon = 3, ' ..
-  "step = 1e-4 } }")
+  'at = {0, 0, .004}, turned = { axis = "z", angle = .15 } } } }, initial = { omega = {25, 10, -25} }, ' ..
+  "time = { horizon = 3, step = 1e-4 } }")
 code, _, err = polhode "run hops.lua --until 3"
 local lost = tonumber(err:match "event contact_lost at t = (%S+) s")
 tap.ok(code == 0 and lost and lost > 8.7e-3 and lost < 8.9e-3, "a run on a plane ends where the contact is lost", err)
