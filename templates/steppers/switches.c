@@ -66,6 +66,13 @@ typedef struct ${name}_corners {
   ${name}_real span; /* the time of the whole run */
 } ${name}_corners;
 
+%% if has_sides then
+static void ${name}_put_side(${name}_corners *o, int i, int side)
+{
+  o->${array}[i] = (${name}_real)side;
+}
+
+%% end
 /* A few roundings of the times of a step: zeros that are no further apart are one. */
 static ${name}_real ${name}_time_rounding(${name}_real t, ${name}_real h, const ${name}_corners *o)
 {
@@ -89,7 +96,7 @@ static void ${name}_corners_at_start(const ${name}_model *m, ${name}_real t, con
 %%   else
     ${name}_switches(m, t, x, u, o->${array}, g);
 %%   end
-    for (int i = 0; i < ${smooth}; i++) o->${array}[i] = (${name}_real)${name}_side_of(g[i]);
+    for (int i = 0; i < ${smooth}; i++) ${name}_put_side(o, i, ${name}_side_of(g[i]));
   }
   for (int i = 0; i < ${many}; i++) {
     o->at_zero[i] = !(g[i] > ${zero} || g[i] < ${zero});
@@ -217,11 +224,11 @@ static int ${name}_step_fits(${name}_real t, ${name}_real *h, ${name}_real g[][$
 %%   end
     if (!o->at_zero[i] && ${name}_side_of(g[0][i]) != ${name}_side_of(o->${array}[i])) {
       o->at_zero[i] = 1;
-      o->${array}[i] = (${name}_real)${name}_side_of(g[0][i]);
+      ${name}_put_side(o, i, ${name}_side_of(g[0][i]));
       return 0;
     }
     if (o->at_zero[i] && !o->noise[i] && ${name}_side_of(g[soon][i]) != ${name}_side_of(o->${array}[i])) {
-      o->${array}[i] = (${name}_real)${name}_side_of(g[soon][i]);
+      ${name}_put_side(o, i, ${name}_side_of(g[soon][i]));
       if (++o->wrong % 2 == 0) *h *= ${quarter};
       return 0;
     }
@@ -252,7 +259,8 @@ static int ${name}_corners_after(${name}_real t, ${name}_real h, const ${name}_r
 %%   else
     if (!turns) continue;
 %%   end
-    o->${array}[i] = ${name}_side_of(g[i]) != 0 ? (${name}_real)${name}_side_of(g[i]) : -o->${array}[i];
+    if (${name}_side_of(g[i]) != 0) ${name}_put_side(o, i, ${name}_side_of(g[i]));
+    else o->${array}[i] = -o->${array}[i];
   }
 %% else
 /* What is known after a step to where the speed number `event` is least (-1: no corner).  1; 0: this is within roundings of the
