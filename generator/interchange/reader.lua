@@ -151,7 +151,9 @@ end
 function reader:mistyped(element, names)
   for _, name in ipairs(element.at) do
     local near = not any(names, name) and nearest.one(name, names)
-    if near then self:warn(element, tag(element.name) .. " " .. name .. " is not read: did you mean " .. near .. "?") end
+    if near then
+      self:warn(element, tag(element.name) .. " " .. name .. " is not read: did you mean " .. near .. "?")
+    end
   end
 end
 

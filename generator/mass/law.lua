@@ -164,6 +164,10 @@ function law.hint(g)
   return hint and "; " .. hint or ""
 end
 
+-- For what law.rod could not take.
+local straighten = "; it is a rod but for the rounding of doubles, and is made one if its entries are plain numbers " ..
+  "about the centre of mass"
+
 -- ---- the verdict ----
 
 -- g: {I = the entries as given, mass =, com =, about = "com" | "origin", written =, formal = with physical = false,
@@ -189,7 +193,8 @@ function law.judge(g, fail, warn)
     v.good = positive
     return v
   end
-  if positive and R.sign(computed) > 0 and law.lawful(I, computed) then
+  local by_doubles = R.sign(computed) > 0 and law.lawful(I, computed)
+  if positive and by_doubles then
     allow(computed)
     return v
   end
@@ -197,7 +202,7 @@ function law.judge(g, fail, warn)
   if k < computed then k = computed end
   if not positive or R.sign(k) == 0 or not law.lawful(I, k) then
     local advice = g.scene and positive and "; physical = false takes any positive moments" or ""
-    local hint = law.hint(g)
+    local hint = by_doubles and straighten or law.hint(g)
     for n, f in ipairs(list) do fail(f[1], f[2] .. (n == 1 and hint or "") .. advice) end
     v.good = false
     return v
