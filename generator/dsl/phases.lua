@@ -67,7 +67,9 @@ function phases.of(d, record, phase)
     own.landing = plane
   else
     own.flies = true
-    if plane.a.law == "rolling" then own.given.velocity = nil end -- it follows from the rates
+    if plane.a.law == "rolling" then -- it follows from the rates
+      own.given.velocity, own.given.unused = nil, own.given.velocity -- to be checked (dynamics/start.lua)
+    end
   end
   return own
 end

@@ -23,6 +23,7 @@ local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
 local context = require "generator.dynamics.context"
 local rolling = require "generator.dynamics.rolling"
+local start = require "generator.dynamics.start"
 local touch = require "generator.dynamics.touch"
 
 local contact = {}
@@ -71,6 +72,8 @@ function contact.check(d, m)
     d:error(plane.line, plane.kind, wrong)
     fine = false
   end
+  local flying = m.record.flies and m.given.position -- it starts in the air
+  if fine and not flying then fine = start.check(d, m, plane, m.given.velocity or m.given.unused) end
   for _, e in ipairs(m.record.effects) do
     local spec = e.spec
     local pushes = spec.force and (not spec.pushes or spec.pushes(e.a))

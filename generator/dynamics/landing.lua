@@ -15,6 +15,7 @@ local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local context = require "generator.dynamics.context"
+local start = require "generator.dynamics.start"
 local state = require "generator.dynamics.state"
 local touch = require "generator.dynamics.touch"
 
@@ -48,6 +49,7 @@ function landing.place(d, m)
   local function along(x) return vec.scale(x, a.normal) end
   local lever = vec.matvec(out, k.r)
   if given.position then return above(d, m, e, lever) end
+  if not start.check(d, m, e, given.velocity) then return false end
   local turning = vec.matvec(out, vec.cross(m.omega, k.r))
   local position = along(-vec.dot(a.normal, lever))
   if a.law == "rolling" then

@@ -32,8 +32,8 @@ for _, row in ipairs(rows) do
   if row[1] == "contact_lost_smooth" then program.write(dir .. "/body.lua", scene_of(row)) end
 end
 for _, engine in ipairs { "general", "generated --method taylor --tolerance 1e-15" } do
-  program.shell(string.format("%s run %s/body.lua --engine %s --until 0.1 --columns t,N >%s/out.csv 2>&1", binary, dir,
-    engine, dir))
+  program.shell(string.format("%s run %s/body.lua --engine %s --until 0.1 --columns t,N --events %s/out.csv " ..
+    ">%s/said 2>&1", binary, dir, engine, dir, dir))
   local t, N = (program.read(dir .. "/out.csv") or ""):match "contact_lost,([%d.e-]+),([%d.e-]+)"
   -- a hundred roundings of t; of a run by tolerance 1e-15
   tap.ok(t and math.abs(tonumber(t) - 0.026123754109169372568) < 1e-14,

@@ -36,6 +36,15 @@ local function surface(p)
     p.half_axes[1], p.half_axes[2], p.half_axes[3], at, list(p.axes))
 end
 
+-- What v has along the plane: the rest follows from attitude and rates, and a scene may not say otherwise.
+local function along(p, v)
+  local n, above, square = p.normal, 0, 0
+  for i = 1, 3 do above, square = above + n[i] * v[i], square + n[i] * n[i] end
+  local out = {}
+  for i = 1, 3 do out[i] = v[i] - above / square * n[i] end
+  return out
+end
+
 function plane_rows.scene(row)
   local I, p = row[3], row[4]
   local law = LAWS[p.law]
@@ -50,7 +59,8 @@ return scene { name = "body",
   effects = { effect.plane { surface = %s, law = "%s"%s, normal = %s%s, gravity = %s }%s },
   initial = { omega = %s, attitude = %s, position = %s%s }, time = { step = 0.0005 } }
 ]], row[2], I[1], I[2], I[3], I[4], I[5], I[6], surface(p), law, friction, list(p.normal), turns, list(p.gravity),
-    damped, list(row[6]), list(row[5]), list(row[7]), law ~= "rolling" and ", velocity = " .. list(row[8]) or "")
+    damped, list(row[6]), list(row[5]), list(along(p, row[7])),
+    law ~= "rolling" and ", velocity = " .. list(along(p, row[8])) or "")
 end
 
 local function largest(a, b, sign)
