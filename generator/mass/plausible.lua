@@ -90,10 +90,9 @@ local function by_mass(d, m, node, growth, name)
 end
 
 -- A mesh file has no unit, and most of them are in mm.  Nobody sees its numbers in the scene, so more is said of it
--- than
--- of a shape whose lengths are written there: without `units`, and from 10 m and 10 t on, which is larger than what is
--- drawn in metres as one part and less than what is common in mm (10 mm).  `units = "m"` says that it is meant.
-local large, heavy = 10, 1e4
+-- than of a shape whose lengths are written there: without `units`, and from 3 m and 10 t on, which few parts have that
+-- are drawn in metres, and all solid parts in mm from 3 mm on.  `units = "m"` says that it is meant.
+local large, heavy = 3, 1e4
 local power = { volume = 3, area = 2, length = 1 }
 
 local function by_size(d, m, node, growth, name)

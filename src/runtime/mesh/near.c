@@ -124,7 +124,9 @@ int mesh_near_offer(struct mesh_build *b) {
   const ph_mesh seen = b->result;
   ph_mesh found = seen;
   struct mesh_list copy = {malloc((own.count + 1) * sizeof *copy.item), own.count, own.count};
-  int status = copy.item ? PH_OK : mesh_fail_memory(b);
+  int status = PH_OK;
+  if (copy.item == NULL)
+    return mesh_fail_memory(b);
   for (size_t k = 0; k < sizeof tries / sizeof tries[0] && status == PH_OK; k++) {
     if (found.weld > 0)
       break;

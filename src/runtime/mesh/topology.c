@@ -206,7 +206,8 @@ static int divide(struct mesh_build *b, const uint64_t *r, const size_t *at) {
     return mesh_fail_memory(b);
   for (size_t t = 0; t < triangles; t++)
     b->part[t] = (uint32_t)t;
-  for (int all = 0; all <= (b->result.nonmanifold > 0); all++)
+  const int rounds = b->result.nonmanifold > 0 ? 2 : 1;
+  for (int all = 0; all < rounds; all++)
     for (size_t u = 0, first = 0; u < b->points.count; first = at[u++])
       for (size_t i = first, next; i < at[u]; i = next) {
         next = edge_end(r, i, at[u]);
