@@ -5,12 +5,7 @@
 --     headers.blocks(text)       a list of {head = a section's name} , {text = a comment}, {code = declarations}
 
 local headers = { names = { "polhode.h", "polhode_move.h", "polhode_acts.h", "polhode_attitude.h", "polhode_mesh.h",
-<<<<<<< HEAD
-  "polhode_plane.h",
-  "polhode_exact.h" } }
-=======
   "polhode_plane.h", "polhode_exact.h" } }
->>>>>>> mesh
 
 -- A comment without its stars and indents; blank lines part paragraphs, which are joined: man fills lines by itself.
 local function comment_text(comment)

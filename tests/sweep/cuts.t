@@ -65,14 +65,8 @@ if not tier.quick then
   end
   local rows = run "--over wx=0:1:2,r=380:440:4"
   local states = {}
-<<<<<<< HEAD
-  for i = 2, #rows do
-    states[#states + 1] = rows[i]:find("no body: " .. OUT, 1, true) and "out" or rows[i]:match "ok$"
-  end
-=======
   for i = 2, #rows do states[#states + 1] = rows[i]:find("no body: " .. OUT, 1, true) and "out" or
     rows[i]:match "ok$" end
->>>>>>> mesh
   tap.is(table.concat(states, " "), "ok ok out out ok ok out out", "the program says so of its members")
   rows = run "--sample 20 --vary 'r=uniform(380,440)'"
   local right = 0
