@@ -98,7 +98,7 @@ local function torques(m, gyric)
     local own = context.with(c, e)
     local products = gyric and e.spec.products and e.spec.products(e.a, own)
     local N = products or torque_of(m, e, own)
-    local group = { why = string.gsub(e.kind, "^effect%.", "") .. ": " .. (e.spec.term or e.spec.formula),
+    local group = { why = string.gsub(e.kind, "^effect%.", "") .. ": " .. (e.spec.term or context.formula(e)),
       where = place(m, e.line),
       defs = {}, outs = {} }
     for i = 1, 3 do

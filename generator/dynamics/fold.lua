@@ -95,7 +95,10 @@ local function quotient(m, provisional, e, I)
         if own.e ~= over then -- else the moments have cancelled
           local factor = R.abs(number) ~= R.one and tostring(R.abs(number)) .. " times " or ""
           local moment = I.kind == "sym" and I.name or "I"
-          name, about = name .. "_" .. moment, factor .. string.gsub(about, ",.*", "") .. ", over " .. moment
+          local member = m.by_name[moment] -- in words: a parameter may have the name that the moment would have
+          local words = member and member.about and string.gsub(member.about, ", kg m%^2$", "") or "moment of inertia"
+          name = name .. "_" .. moment
+          about = factor .. string.gsub(about, ",.*", "") .. ", over the " .. words
         end
         break
       end

@@ -31,6 +31,14 @@ local custom = {
   example = "magnet_pendulum",
 }
 
+-- What of the formula these functions have.
+function custom.said(a)
+  local from = {}
+  if a.potential and not a.torque then from[1] = "N_i = -dV along a turn about body axis i" end
+  if a.potential and not a.force then from[#from + 1] = "F = -dV/dr" end
+  return "as the scene writes it" .. (#from > 0 and "; from a potential " .. table.concat(from, ", ") or "")
+end
+
 -- e with what is constant lifted out, and then the effect's own names and L filled in.
 local function filled(a, c, e, name)
   local map, L = {}, nil

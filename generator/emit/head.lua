@@ -19,13 +19,17 @@ local function sources(job)
   return list
 end
 
--- The parameters with their defaults; the unit is said once if the default is given in the unit that p[] has.
+-- The parameters with their defaults; the number is that of p[], in SI units, with the unit once; what the scene
+-- gives in a unit of another size stands behind it.
 local function parameters(m)
   local list = {}
   for i, p in ipairs(m.params) do
     local tail = " " .. p.unit
     local given = string.sub(p.given, -#tail) == tail and string.sub(p.given, 1, -#tail - 1) or p.given
-    list[i] = { name = p.name, about = "default " .. given, unit = p.unit }
+    local first = string.match(given, "^%S+")
+    local scale = tonumber(first) and tonumber(first) ~= m:double(p.sym) -- of the unit that the scene gives it in
+    list[i] = { name = p.name, unit = p.unit, about = "default " .. (scale and number.text(p.default, "double") or given),
+      given = scale and ", " .. given .. " in the scene" or nil }
   end
   return list
 end
@@ -44,7 +48,7 @@ function head.of(job, ctx, about)
   return { hashes = sources(job), hash = job.hash or "", has_hash = job.hash ~= nil, banner = about.banner,
     state_enum = listing.enumeration(upper, listing.told_apart(m, job.states), "NX"),
     input_enum = job.equations.inputs and listing.enumeration(upper, listing.described(m), "NU") or {},
-    param_enum = listing.enumeration(upper, parameters(m), "NP"),
+    has_limits = listing.limited(m), param_enum = listing.enumeration(upper, parameters(m), "NP"),
     members = listing.members(about.kept, m.name .. "_real"), order = about.order, split_setup = about.split_setup,
     no_members = about.no_members, has_compensated = job.compensated or false }
 end

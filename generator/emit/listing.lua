@@ -1,19 +1,29 @@
 -- listing.lua -- states, inputs, parameters and constants as the header lists them, each with what it is.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local expr = require "generator.algebra.expr"
 local text = require "generator.algebra.text"
 local inputs = require "generator.dynamics.inputs"
 local number = require "generator.emit.number"
 
 local listing = {}
 
--- States of several effects of one kind are told apart by the effects' lines.
+-- States of several effects of one kind are told apart by the effects' lines, and those of one line, a helper's, by
+-- their order in the scene.
 function listing.told_apart(m, states)
-  local list, alike = {}, {}
-  for _, s in ipairs(states) do alike[s.about] = (alike[s.about] or 0) + 1 end
+  local list, alike, there, seen = {}, {}, {}, {}
+  local function place(s) return s.effect and s.about .. s.effect.line end
+  for _, s in ipairs(states) do
+    alike[s.about] = (alike[s.about] or 0) + 1
+    if place(s) then there[place(s)] = (there[place(s)] or 0) + 1 end
+  end
   for i, s in ipairs(states) do
-    local which = s.effect and s.about ~= "" and alike[s.about] > 1 and
-      string.format(" (%s:%d)", string.match(m.file, "[^/]*$"), s.effect.line) or ""
+    local at, which = place(s), ""
+    if at and s.about ~= "" and alike[s.about] > 1 then
+      seen[at] = (seen[at] or 0) + 1
+      which = string.format(" (%s:%d%s)", string.match(m.file, "[^/]*$"), s.effect.line,
+        there[at] > 1 and string.format(", no. %d of that line", seen[at]) or "")
+    end
     list[i] = { name = s.name, about = s.about .. which, unit = s.unit }
   end
   return list
@@ -28,7 +38,7 @@ function listing.enumeration(upper, list, last)
     if not next_one or next_one.about ~= "" then
       local first = list[i - #names + 1]
       lines[#lines + 1] = table.concat(names, " ") .. " /* " .. first.about .. " [" .. first.unit .. "]" ..
-        (first.limits or "") .. " */"
+        (first.limits or first.given or "") .. " */"
       names = {}
     end
   end
@@ -36,15 +46,34 @@ function listing.enumeration(upper, list, last)
   return lines
 end
 
--- The inputs with their limits in words; ux, uy, uz share theirs.
+local longest = 40 -- letters of a formula that stands in a comment
+
+-- The limits of an input in words, or nil: numbers, unless the parameters decide; then their formulas, and what the
+-- scene's own parameters make of them.
+local function limits(m, s)
+  local low, high = inputs.range(m, s)
+  if not low then return nil end
+  local words = number.text(low, "double") .. " .. " .. number.text(high, "double")
+  if expr.constant(s.low) and expr.constant(s.high) then return ", limited to " .. words end
+  local formula = text.of(s.low) .. " .. " .. text.of(s.high)
+  return ", limited to " .. (#formula <= longest and formula or "what the parameters say") .. "; by default " .. words
+end
+
+-- The inputs with their limits; ux, uy, uz share theirs.
 function listing.described(m)
   local list = {}
   for i, s in ipairs(m.inputs) do
-    local low, high = inputs.range(m, s)
-    list[i] = { index = s.index, about = s.about, unit = s.unit, limits = low and ", limited to " ..
-      number.text(low, "double") .. " .. " .. number.text(high, "double") }
+    list[i] = { index = s.index, about = s.about, unit = s.unit, limits = limits(m, s) }
   end
   return list
+end
+
+-- Has an input limits?
+function listing.limited(m)
+  for _, s in ipairs(m.inputs) do
+    if s.low then return true end
+  end
+  return false
 end
 
 -- Members of the model with what they are; two with the same words also with their formula.

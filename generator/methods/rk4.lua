@@ -133,7 +133,7 @@ local function forced(eq, prepared)
   local part = fractions(list, pre, prepared, hh)
   local groups, rate, increment = { pre }, {}, {}
   for s = 1, 4 do
-    local g = group(why[s] .. (s == 1 and has.attitude and "; v = w h/4" or ""))
+    local g = group(why[s] .. (s == 1 and has.attitude and (has.position and "; a = w h/4" or "; v = w h/4") or ""))
     local suffix = s == 1 and "" or tostring(s)
     local at, map, qs = list.sym, {}, q
     if s > 1 then

@@ -59,6 +59,17 @@ end
 
 local BANNER_WIDTH = 97 -- of emitted lines, less what stands before a line of a comment
 
+-- The lines of effects, those of one line of a helper as one: "4, 3 times".
+local function cited(lines)
+  local list, count = {}, {}
+  for _, l in ipairs(lines) do
+    if not count[l] then list[#list + 1] = l end
+    count[l] = (count[l] or 0) + 1
+  end
+  for i, l in ipairs(list) do list[i] = count[l] > 1 and string.format("%s, %d times", l, count[l]) or l end
+  return table.concat(list, ", ")
+end
+
 -- Lines for the header's banner: what the body is, its tensor, what was chosen.
 function derivation.banner(job)
   local m = job.model
@@ -86,12 +97,15 @@ function derivation.banner(job)
   local kinds, lines_of, formulas = {}, {}, {}
   for _, e in ipairs(m.record.effects) do
     if not lines_of[e.spec] then kinds[#kinds + 1], lines_of[e.spec] = e.spec, {} end
-    formulas[e.spec] = formulas[e.spec] or context.formula(e)
+    if not formulas[e.spec] then formulas[e.spec] = {} end
+    local formula, known = context.formula(e), false
+    for _, f in ipairs(formulas[e.spec]) do known = known or f == formula end
+    if not known then table.insert(formulas[e.spec], formula) end -- of several effects of one kind each that differs
     table.insert(lines_of[e.spec], string.format("%d", e.line))
   end
   for _, spec in ipairs(kinds) do
     put(string.format("Effect %s (%s:%s): %s.", string.gsub(spec.name, "^effect%.", ""), file,
-      table.concat(lines_of[spec], ", "), formulas[spec]))
+      cited(lines_of[spec]), table.concat(formulas[spec], "; or ")))
   end
   if #m.record.effects == 0 then lines[#lines + 1] = "No effects: torque-free motion about the origin." end
   local names = {}

@@ -30,7 +30,7 @@ static int ${name}_overflows(const ${name}_model *m)
 {
   ${name}_real x[${upper}_NX], sum = ${zero};
 %%   if has_inputs then
-  const ${name}_real u[${upper}_NU] = {${zero}}; /* no input */
+  static const ${name}_real u[${upper}_NU] = {${zero}}; /* no input; static: no call of memset clears it */
 %%   end
 
   ${name}_initial(m, x);

@@ -39,6 +39,10 @@ enum { /* state x[${upper}_NX] */
 };
 %% if has_inputs then
 
+%% if has_limits then
+/* An input beyond its limits acts like the nearer limit, and one that is not a number (NaN) like the lower limit.  A NaN
+ * in an input without limits makes the states NaN. */
+%% end
 enum { /* input u[${upper}_NU], which must not be NULL */
 %% for _, line in ipairs(input_enum) do
   ${line}
@@ -60,7 +64,11 @@ enum { /* parameters p[${upper}_NP] */
 enum { ${upper}_NP = 0 }; /* no parameters: p may be NULL */
 %% end
 
+%% if no_members then
+/* What the parameters determine: nothing is left of them, so there is nothing to compute. */
+%% else
 /* What the parameters determine, computed once by ${name}_init; constant while it is used. */
+%% end
 typedef struct ${name}_model {
 %% for _, m in ipairs(members) do
 %%   for _, line in ipairs(m.lines) do

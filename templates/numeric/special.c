@@ -2,10 +2,11 @@
 /* ---- functions that libm lacks ---- */
 %% if has_clamp then
 
-/* x within low .. high, else the limit that is nearer */
+/* x within low .. high, else the limit that is nearer; NaN, which no comparison holds for, becomes low, so that what
+ * comes out is within the limits whatever goes in */
 static ${name}_real ${name}_clamp(${name}_real x, ${name}_real low, ${name}_real high)
 {
-  return x < low ? low : x > high ? high : x;
+  return x > low ? (x < high ? x : high) : low;
 }
 %% end
 %% if has_sign then

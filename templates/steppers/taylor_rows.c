@@ -6,7 +6,7 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 %% for _, p in ipairs(planes) do
   ${name}_pack a${p.index}[${upper}_ORDER + 1], b${p.index}[${upper}_ORDER + 1];
 %% end
-  ${name}_real y[${upper}_ROW] = {${zero}};
+  ${name}_real y[${upper}_ROW];
   ${name}_pack Y;
   int j;
 %% for _, line in ipairs(outer) do
@@ -15,6 +15,7 @@ static void ${name}_taylor_terms(const ${name}_model *m, ${name}_real t, const $
 %% for _, line in ipairs(voids) do
   ${line}
 %% end
+  for (int i = 0; i < ${upper}_ROW; i++) y[i] = ${zero}; /* also those beyond the states */
 %% for _, line in ipairs(start_packed) do
   ${line}
 %% end

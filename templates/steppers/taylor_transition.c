@@ -120,7 +120,7 @@ static void ${name}_taylor_longer(const ${name}_model *m, const ${name}_real x[]
 void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${name}_real x[], const ${name}_real u[], ${name}_real h, ${name}_real F[])
 {
 %% if has_inputs then
-  ${name}_real c[${upper}_ORDER + 1][${count}], v[${upper}_NX + ${upper}_NU] = {${zero}};
+  ${name}_real c[${upper}_ORDER + 1][${count}], v[${upper}_NX + ${upper}_NU];
 %% else
   ${name}_real c[${upper}_ORDER + 1][${count}], v[${upper}_NX];
 %% end
@@ -138,7 +138,11 @@ void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${na
     stop = ${name}_knot(m, t, end);
     part = stop < end || stop > end ? stop - t : h;
     for (int k = 0; k < ${upper}_NX; k++) {
+%% if has_inputs then
+      for (int i = 0; i < ${upper}_NX + ${upper}_NU; i++) v[i] = i < ${upper}_NX ? F[i*${upper}_NX + k] : ${zero};
+%% else
       for (int i = 0; i < ${upper}_NX; i++) v[i] = F[i*${upper}_NX + k];
+%% end
       ${name}_taylor_tangent(m, t, x, v, u, c, t + ${half}*part);
       ${name}_taylor_along(c, part, v);
       for (int i = 0; i < ${upper}_NX; i++) F[i*${upper}_NX + k] = v[i];
@@ -150,7 +154,11 @@ void ${name}_taylor_step_transition(const ${name}_model *m, ${name}_real t, ${na
   }
 %% else
   for (int k = 0; k < ${upper}_NX; k++) {
+%% if has_inputs then
+    for (int i = 0; i < ${upper}_NX + ${upper}_NU; i++) v[i] = i < ${upper}_NX ? F[i*${upper}_NX + k] : ${zero};
+%% else
     for (int i = 0; i < ${upper}_NX; i++) v[i] = F[i*${upper}_NX + k];
+%% end
     ${name}_taylor_tangent(m, t, x, v, u, c);
     ${name}_taylor_along(c, h, v);
     for (int i = 0; i < ${upper}_NX; i++) F[i*${upper}_NX + k] = v[i];

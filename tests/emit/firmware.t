@@ -8,6 +8,7 @@ package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
+local tier = require "tests.tier"
 local program = require "tests.cli.program"
 local firmware = require "tests.emit.firmware"
 
@@ -108,9 +109,12 @@ do
   local value = program.read(folder .. "/derived.h"):match "#define APP_GYRO_VARIANCE (%S+)"
   program.write(folder .. "/config.h", (config:gsub("#include \"derived.h\"", "#define APP_GYRO_VARIANCE (" ..
     value .. "/16)\n%0")))
-  local lines = firmware.read((firmware.run(folder, "make -s host")))
+  local text, ok = firmware.run(folder, "make -s host")
+  tap.ok(not ok and text:find("\nE %x+ 00000007\n"), "with a noise that is four times too small the filter is blind: " ..
+    "a fault, and the program fails", text:sub(-300))
+  local lines = firmware.read((firmware.run(folder, "touch main.c; make -s host DEFS=-DAPP_BLIND=65535")))
   tap.ok(innovations(lines, 1, 256) > 3 * 256 + 4 * math.sqrt(6 * 256),
-    "with a noise that is four times too small the innovations are too large: the test can fail")
+    "and its innovations are too large: the test can fail")
   program.write(folder .. "/config.h", config)
 end
 
@@ -162,6 +166,40 @@ do
   local last = ok and lines.S[#lines.S] or {}
   tap.ok(#lines.S == 5 and last[1] == 256 and last[8] == 0.25 and last[6] == 0 and #lines.E == 0,
     "a control law in control.c is what turns the body", text)
+end
+
+-- The filter sees the body that the law acts on: u = -kp q - kd w from the estimate.  Readings of the motion without
+-- inputs are what it must not take for granted: rejected, a fault, and the program fails.
+if not tier.quick then
+  local scene = [[
+local function u(name) return input(name, "N m", { min = -0.01, max = 0.01 }) end
+return scene { name = "steered", body = solid.box { x = 0.3, y = 0.2, z = 0.1, mass = 8 },
+  effects = { effect.torque { body = { u "a", u "b", u "c" } } },
+  initial = { omega = { 0.1, -0.05, 0.02 }, attitude = { 0.9, 0.1, -0.3, 0.3 } },
+  time = { horizon = 41, step = exact("1/100") } }]]
+  local folder = assert(firmware.make(dir, scene, "--project firmware"))
+  local text, ok = firmware.run(folder, "make -s host && cp build/host-4096-16 build/none")
+  local free = firmware.read(text)
+  tap.ok(ok and free.R[1][2] == 0 and free.R[1][3] == 0, "without a law nothing is rejected", text:sub(-200))
+  local law = program.read(folder .. "/control.c")
+  program.write(folder .. "/control.c", (law:gsub("%(void%)x;\n", ""):gsub("u%[i%] = 0;",
+    "u[i] = -0.01f*x[1 + i] - 0.05f*x[4 + i];")))
+  text, ok = firmware.run(folder, "make -s host")
+  local lines = firmware.read(text)
+  tap.ok(ok and lines.R[1][1] == 4096 and lines.R[1][2] == 0 and lines.R[1][3] == 0,
+    "under a control law no reading is rejected and nothing is a fault", text:sub(-200))
+  tap.near(innovations(lines, 1, 256), 768, 0, 4 * math.sqrt(6 * 256), "and the innovations are as large as the " ..
+    "filter says", "4 sigma of chi-square")
+  local rest = lines.S[#lines.S]
+  tap.ok(math.abs(rest[6]) < 0.01 and math.abs(rest[3]) < 0.05 and math.abs(free.S[#free.S][6]) > 0.01,
+    "the law holds the body", table.concat(rest, " "))
+
+  text, ok = firmware.run(folder, "touch main.c; make -s host DEFS=-DAPP_PLANT=0")
+  lines = firmware.read(text)
+  local blind = #lines.E
+  for _, e in ipairs(lines.E) do blind = blind - (e[2] == 7 and 1 or 0) end
+  tap.ok(not ok and #lines.E == 8 and blind == 0 and lines.R[1][2] == 8 and lines.R[1][1] < 4096,
+    "readings of another motion: the filter says that it is blind, and the program fails", text:sub(-300))
 end
 
 -- A clock too fast for the 24 bits of SysTick (steps of 1/4096 s, so beyond 2^36 Hz) is refused, with more ticks not.

@@ -66,6 +66,14 @@ int NAME_sum(int n)
 }]], "a frame that is not static: NAME_sum", "Wvla" },
   { "alloca", "char NAME_top(unsigned n)\n{\n  char *a = __builtin_alloca(n);\n\n  a[0] = 1;\n  return a[0];\n}",
     "a frame that is not static: NAME_top", "Walloca" },
+  { "an initialiser that clears an array", [[
+float NAME_none(int i)
+{
+  float u[9] = {0};
+
+  u[8] = 1.0F;
+  return u[i];
+}]], "u%[%]: an initialiser that clears an array" },
   { "the heap", "#include <stdlib.h>\nvoid *NAME_new(void)\n{\n  return malloc(8);\n}", "undefined symbol malloc",
     "malloc: a word of the heap", "includes <stdlib.h>" },
   { "a literal of double", "float NAME_tenth(float x)\n{\n  return (float)(0.1 * (double)x);\n}",

@@ -95,6 +95,20 @@ local function code(text)
   return (string.gsub(text, "//[^\n]*", " "))
 end
 
+-- The name of the array whose initialiser begins with the "=" at place i; is it a static constant?
+local function named(list, i)
+  while list[i] ~= "[" do i = i - 1 end
+  return list[i - 1]
+end
+
+local function constant(list, i)
+  while list[i] and list[i] ~= ";" and list[i] ~= "{" and list[i] ~= "}" do
+    if list[i] == "static" then return true end
+    i = i - 1
+  end
+  return false
+end
+
 function judge.text(p)
   local faults = {}
   local function fault(...) faults[#faults + 1] = string.format(...) end
@@ -110,6 +124,11 @@ function judge.text(p)
         if token == "double" then fault "the word double" end
         if judge.math[token] and list[i + 1] == "(" then fault("%s: a function of double", token) end
         if token == "HUGE_VAL" then fault "HUGE_VAL is a double" end
+      end
+      -- a local array of which the rest is cleared: compilers for small processors make it a call of memset
+      if token == "=" and list[i - 1] == "]" and list[i + 1] == "{" and list[i + 3] == "}" and
+        tonumber((string.gsub(list[i + 2], "[fF]$", ""))) == 0 and not constant(list, i) then
+        fault("%s[]: an initialiser that clears an array", named(list, i))
       end
       if token == "HUGE_VALL" or string.find(token, "^%.?%d.*[lL]$") and string.find(token, "[.eE]") then
         fault("%s: long double", token)

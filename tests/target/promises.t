@@ -143,6 +143,26 @@ do
   tap.like(table.concat(faults, "\n"), "undefined symbol __aeabi_dmul", "arithmetic of double in float is seen")
 end
 
+-- ---- nine inputs: what clears 36 bytes is no call of memset; `make promises` shows it if it is ----
+
+do
+  local file = dir .. "/nine.lua"
+  program.write(file, [[
+local list = {}
+for k = 1, 9 do list[k] = effect.torque { body = { input("u" .. k, "N m"), 0, 0 } } end
+return scene { name = "nine", body = solid.box { x = param("a", 1, "m"), y = 2, z = 3, mass = 4 }, effects = list,
+  initial = { omega = { 1, 2, 3 } } }
+]])
+  local p = projects.one(dir .. "/nine", file, "float")
+  local promises = "cd " .. p.where .. " && make promises CC=" .. m4.prefix .. "gcc NM=" .. m4.prefix ..
+    "nm CFLAGS='" .. m4.flags .. " -O2' >log 2>&1"
+  tap.is(program.shell(promises), 0, "nine inputs: make promises finds no call", program.read(p.where .. "/log"))
+  local text, n = string.gsub(p.source, "static (const %w+ u%[NINE_NU%] = )", "%1")
+  program.write(p.where .. "/nine.c", text)
+  tap.ok(n == 1 and program.shell(promises) ~= 0, "without the static array it fails")
+  tap.like(program.read(p.where .. "/log"), "none:\n%s+U memset\n", "on a call of memset", true)
+end
+
 for _, line in ipairs(table_rows) do tap.diag(line) end
 program.finish()
 tap.done()

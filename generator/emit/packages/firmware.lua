@@ -123,6 +123,8 @@ local function values_of(job, base)
   v.start_sigma, v.norm_limit = text(s.full / R.new(64)), text(s.norm)
   v.run_cycles = whole(s.every * samples.count)
   v.telemetry, v.fault_limit = v.samples_every, "8"
+  -- what a rejected reading counts, and when there were too many: docs/projects.md
+  v.blind_each, v.blind_limit, v.blind_share, v.gyro_most = "4", "12", "5", text(R.new(samples.full - 1))
   v.control_file, v.control_words = base.has_inputs and " control.c" or "", base.has_inputs and " control.c," or ""
   v.single = real == "float"
   v.bits_type, v.binary_shift = v.single and "uint32_t" or "uint64_t", v.single and "23" or "52"

@@ -38,6 +38,11 @@ enum { APP_NX = ${upper}_NX, APP_NU = ${upper}_NU }; /* how many states and inpu
 #ifndef APP_GYRO_LSB
 #define APP_GYRO_LSB ${gyro_lsb}   /* rad/s, one bit */
 #endif
+%% if has_inputs then
+#ifndef APP_PLANT
+#define APP_PLANT 1 /* 1: the readings are those of the body under the control law; 0: a real gyro sits on a real body */
+#endif
+%% end
 /* noise of ${noise} bits rms, and what rounding to a bit adds: (${noise}^2 + 1/12) bit^2 */
 #ifndef APP_GYRO_VARIANCE
 #define APP_GYRO_VARIANCE ${gyro_variance} /* (rad/s)^2 */
@@ -72,6 +77,12 @@ enum { APP_NX = ${upper}_NX, APP_NU = ${upper}_NU }; /* how many states and inpu
 %% end
 #ifndef APP_STUCK
 #define APP_STUCK 4       /* equal samples in a row: noise of ${noise} bits makes that once in 10^10 */
+#endif
+/* Readings of which the gate keeps a rate out: each counts ${blind_each}, one that is used takes 1 back, and at ${blind_limit} the filter is
+ * blind, a fault.  So it is with 3 in a row, or with more than one of ${blind_share} for long.  A filter that is right rejects one
+ * reading in 6 10^5: three in a row once in 10^17. */
+#ifndef APP_BLIND
+#define APP_BLIND ${blind_limit}
 #endif
 #ifndef APP_FAULT_LIMIT
 #define APP_FAULT_LIMIT 8 /* faults after which the program stops in its safe state */

@@ -9,6 +9,7 @@
 
 %% if has_inputs then
 #include "control.h"
+#include "gyro.h"
 
 %% end
 #if APP_GYRO
@@ -65,6 +66,7 @@ int estimator_start(estimator *e)
   e->x[${upper}_WZ] += APP_START_SIGMA;
   e->nis = ${zero};
   e->outliers = 0;
+  e->kept_out = 0;
   covariance_start(e);
 #endif
   return 0;
@@ -83,6 +85,9 @@ void estimator_predict(estimator *e)
   control(e->cycle, e->x, input);
 %% end
 #if APP_GYRO
+%% if has_inputs then
+  readings_move(&e->model, e->cycle, input); /* the body that the gyro sits on feels them, too */
+%% end
   ${name}_step_transition(&e->model, t, e->x, input, APP_STEP, e->F);
   covariance_predict(e);
 #else
@@ -111,12 +116,14 @@ void estimator_correct(estimator *e, const ${name}_real w[3])
   int i, j, k;
 
   e->nis = ${zero};
+  e->kept_out = 0;
   for (j = ${upper}_WX; j <= ${upper}_WZ; j++) {
     const ${name}_real r = w[j - ${upper}_WX] - e->x[j], s = e->P[j*N + j] + APP_GYRO_VARIANCE;
 
     e->nis += r*r/s;
     if (!(r*r <= APP_GATE*s)) {
       e->outliers++;
+      e->kept_out++;
       continue;
     }
     for (i = 0; i < N; i++) {

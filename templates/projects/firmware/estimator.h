@@ -19,7 +19,8 @@ typedef struct estimator {
   ${name}_real P[${upper}_NX*${upper}_NX]; /* covariance of x, symmetric */
   ${name}_real F[${upper}_NX*${upper}_NX], G[${upper}_NX*${upper}_NX]; /* transition matrix and a product: work space */
   ${name}_real nis;       /* squared innovation over its variance, of the last reading; 3 on average */
-  uint32_t outliers; /* innovations that the gate kept out */
+  uint32_t outliers; /* innovations that the gate kept out, */
+  int kept_out;      /* and how many of them in the last reading */
 #endif
 } estimator;
 

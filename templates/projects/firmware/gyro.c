@@ -9,14 +9,23 @@
 
 int gyro_read(uint32_t cycle, int16_t raw[3])
 {
-  uint32_t k = cycle/APP_SAMPLE_EVERY;
+  const uint32_t k = cycle/APP_SAMPLE_EVERY;
+#if APP_INJECT == 3
+  static int16_t stuck[3];
   int i;
+#endif
 
   if (k*APP_SAMPLE_EVERY != cycle || k == 0 || k > APP_SAMPLES) return 0;
+  readings_take(k, raw);
 #if APP_INJECT == 3
-  if (k > APP_SAMPLES/2) k = APP_SAMPLES/2;
+  for (i = 0; i < 3; i++) {
+    if (k > APP_SAMPLES/2) {
+      raw[i] = stuck[i];
+    } else {
+      stuck[i] = raw[i];
+    }
+  }
 #endif
-  for (i = 0; i < 3; i++) raw[i] = readings[k - 1][i];
   return 1;
 }
 

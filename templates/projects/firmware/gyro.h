@@ -9,7 +9,15 @@
 
 #include <stdint.h>
 
-extern const int16_t readings[APP_SAMPLES][3]; /* readings.c */
+extern const int16_t readings[APP_SAMPLES][3]; /* readings.c: of the motion without inputs */
+
+/* Reading k (1 .. APP_SAMPLES), as the motion under the control law has it. */
+void readings_take(uint32_t k, int16_t raw[3]);
+%% if has_inputs then
+
+/* The simulated body goes on from this cycle to the next, under the inputs u. */
+void readings_move(const ${name}_model *m, uint32_t cycle, const app_real u[]);
+%% end
 
 /* Is there a new reading at the end of this cycle (1, 2, ...)?  Then into raw, in bits. */
 int gyro_read(uint32_t cycle, int16_t raw[3]);

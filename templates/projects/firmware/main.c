@@ -59,6 +59,10 @@ static int take_reading(void)
     estimator_correct(&state, w);
 #if APP_WATCHDOG
     watchdog_corrected(&guard, &state);
+    if (watchdog_used(&guard, &state) != WATCHDOG_FINE) {
+      telemetry_event(state.cycle, WATCHDOG_BLIND);
+      return guard.total < APP_FAULT_LIMIT;
+    }
 #endif
   } else if (found == WATCHDOG_GYRO) {
     telemetry_event(state.cycle, WATCHDOG_GYRO);

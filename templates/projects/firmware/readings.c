@@ -11,3 +11,60 @@ const int16_t readings[APP_SAMPLES][3] = {
   ${line}
 %% end
 };
+%% if has_inputs then
+
+#if APP_GYRO && APP_PLANT
+static ${name}_real with[${upper}_NX], without[${upper}_NX]; /* the body under the control law, and without inputs */
+static uint32_t reached;
+
+void readings_move(const ${name}_model *m, uint32_t cycle, const app_real u[])
+{
+  static const ${name}_real none[${upper}_NU] = {${zero}};
+  const ${name}_real t = (${name}_real)cycle*APP_STEP;
+
+  if (cycle == 0) {
+    ${name}_initial(m, with);
+    ${name}_initial(m, without);
+  } else if (cycle != reached) {
+    return; /* a cycle that is done again after a fault: the body has moved */
+  }
+  ${name}_step(m, t, with, u, APP_STEP);
+  ${name}_step(m, t, without, none, APP_STEP);
+  reached = cycle + 1;
+}
+
+/* The reading of the motion without inputs, its noise in it, and what the inputs have changed, rounded to a bit; beyond
+ * its range a gyro stays at the last number. */
+void readings_take(uint32_t k, int16_t raw[3])
+{
+  int i;
+
+  for (i = 0; i < 3; i++) {
+    const ${name}_real changed = (with[${upper}_WX + i] - without[${upper}_WX + i])/APP_GYRO_LSB;
+    const ${name}_real sum = (${name}_real)readings[k - 1][i] + changed;
+
+    raw[i] = (int16_t)(sum >= ${gyro_most} ? ${gyro_most} : sum > -${gyro_most} ? sum + (sum < ${zero} ? -${half} : ${half}) : -${gyro_most});
+  }
+}
+#else
+%% end
+%% if has_inputs then
+void readings_move(const ${name}_model *m, uint32_t cycle, const app_real u[])
+{
+  (void)m;
+  (void)cycle;
+  (void)u;
+}
+
+%% else
+
+%% end
+void readings_take(uint32_t k, int16_t raw[3])
+{
+  int i;
+
+  for (i = 0; i < 3; i++) raw[i] = readings[k - 1][i];
+}
+%% if has_inputs then
+#endif
+%% end

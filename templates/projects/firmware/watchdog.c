@@ -50,6 +50,7 @@ void watchdog_start(watchdog *w, const estimator *e)
   for (i = 0; i < 3; i++) w->raw[i] = 0;
   w->equal = 0;
   w->silent = 0;
+  w->blind = 0;
 }
 
 int watchdog_count(watchdog *w, int kind)
@@ -108,6 +109,18 @@ int watchdog_gyro(watchdog *w, const int16_t raw[3])
   if (w->equal < APP_STUCK) return WATCHDOG_FINE;
   w->silent = 1;
   return watchdog_count(w, WATCHDOG_GYRO);
+}
+
+int watchdog_used(watchdog *w, const estimator *e)
+{
+  if (e->kept_out == 0) {
+    if (w->blind > 0) w->blind--;
+    return WATCHDOG_FINE;
+  }
+  w->blind = (uint16_t)(w->blind + ${blind_each});
+  if (w->blind < APP_BLIND) return WATCHDOG_FINE;
+  w->blind = 0; /* and it begins to count anew */
+  return watchdog_count(w, WATCHDOG_BLIND);
 }
 
 void watchdog_corrected(watchdog *w, const estimator *e)

@@ -17,6 +17,7 @@ enum { /* what was found, as telemetry has it */
   WATCHDOG_CONSERVED, /* 4  what the motion conserves has changed */
   WATCHDOG_GYRO,      /* 5  the gyro repeats itself: from here on it is not used */
   WATCHDOG_LATE,      /* 6  a cycle took longer than it may */
+  WATCHDOG_BLIND,     /* 7  the filter keeps the gyro's readings out: the motion is not the one that it computes */
   WATCHDOG_KINDS
 };
 
@@ -30,6 +31,7 @@ typedef struct watchdog {
   int16_t raw[3];  /* the last reading of the gyro, */
   uint16_t equal;  /* how often in a row it was the same, */
   uint16_t silent; /* and whether it is no longer used */
+  uint16_t blind;  /* readings kept out, less those used: APP_BLIND is a fault */
 } watchdog;
 
 void watchdog_start(watchdog *w, const estimator *e);
@@ -43,6 +45,9 @@ int watchdog_count(watchdog *w, int kind);
 
 /* Is the reading one to use (FINE), the one that shows that the gyro is stuck (GYRO), or a later one (-1)? */
 int watchdog_gyro(watchdog *w, const int16_t raw[3]);
+
+/* Does the filter use the gyro's readings (FINE), or has it kept out too many (BLIND)?  After each correction. */
+int watchdog_used(watchdog *w, const estimator *e);
 
 /* The estimate has been corrected: what is conserved holds from here on. */
 void watchdog_corrected(watchdog *w, const estimator *e);
