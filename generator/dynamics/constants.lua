@@ -89,6 +89,13 @@ function constants:positive(e)
   if member then member.positive = true end
 end
 
+-- Is e a derived constant, it is known as entry n of J, the inverse of the tensor that the body turns with: its
+-- derivatives have a form in J then (dynamics/sensitivity.lua).
+function constants:inverse(e, J, n)
+  local member = e.kind == "sym" and self.by_name[e.name]
+  if member then member.inverse = { J = J, entry = n } end
+end
+
 -- A constant made of other derived constants (a multiple, say); nil if e depends on anything else.
 function constants:derived(e, about)
   local map, source = {}, nil

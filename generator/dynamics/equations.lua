@@ -276,6 +276,7 @@ function builders.full(m, N)
     if n <= 3 then m:positive(entry) end
     return entry
   end)
+  for n, entry in ipairs(J) do m:inverse(entry, J, n) end
   local n = vec.add(N, vec.cross(L, state.w))
   local names = {}
   for i = 1, 3 do

@@ -50,6 +50,28 @@ function sensitivity.by_input(eq, inputs)
     groups = of_rates(eq, "J", n, function(e, k) return calculus.diff(e, inputs[k].sym) end) }
 end
 
+local place = { { 1, 1 }, { 2, 2 }, { 3, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } } -- of the entries xx yy zz xy xz yz
+
+-- The derivative by p of an entry of J = I^-1 in the entries themselves, dJ = -J dI J: one product of each, where the
+-- quotient's own derivative has the determinant squared, which is I^6 and underflows for a body of some grams.
+local function of_inverse(m, inverse, p)
+  local function J(i, k)
+    for n, at in ipairs(place) do
+      if at[1] == math.min(i, k) and at[2] == math.max(i, k) then return inverse.J[n] end
+    end
+  end
+  local at, sum = place[inverse.entry], expr.zero
+  for n, e in ipairs(m.carried) do
+    local d, i, k = calculus.diff(e, p.sym), place[n][1], place[n][2]
+    if d ~= expr.zero then
+      local term = J(at[1], i) * J(k, at[2])
+      if i ~= k then term = term + J(at[1], k) * J(i, at[2]) end
+      sum = sum - d * term
+    end
+  end
+  return sum
+end
+
 -- The derivative of the derived constants by the parameter p: known[symbol] for calculus.diff, made when asked for.
 function sensitivity.by_parameter(m, p)
   return setmetatable({}, { __index = function(known, sym)
@@ -57,7 +79,7 @@ function sensitivity.by_parameter(m, p)
     local d = expr.zero
     if member and member.sym == sym and member.e then
       d = m:constant("d" .. member.name .. "_d" .. p.name, calculus.diff(member.e, p.sym), "d " .. member.name ..
-        "/d " .. p.name, m.parts ~= nil)
+        "/d " .. p.name, m.parts ~= nil, member.inverse and not m.parts and of_inverse(m, member.inverse, p) or nil)
     end
     known[sym] = d
     return d

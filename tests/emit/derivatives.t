@@ -7,9 +7,11 @@
 -- tests/methods/transition.t.
 
 package.path = "./?.lua;" .. package.path
+package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
 local program = require "tests.cli.program"
+local scene = require "tests.scene"
 
 local binary = os.getenv "POLHODE" or "build/polhode"
 local dir = program.directory()
@@ -71,6 +73,56 @@ for _, c in ipairs { { "manyrk4", "many", "many_jacobian_u" }, { "manyrk4", "man
     dir, dir, c[1], c[2]))
   tap.ok(count >= 3 and status == 0, c[3] .. ": spoilt", log())
   tap.is(run(dir .. "/wrong"), 1, c[3] .. ": the self-test finds it", log())
+end
+
+-- ---- small and large bodies: the derivatives of I^-1 have no determinant squared, which is I^6 ----
+
+do
+  local text = [[
+local function I(name, value) return param(name, value, "kg m^2") end
+return scene { name = "scaled", body = tensor { mass = 4, xx = I("Ixx", 0.036), yy = I("Iyy", 0.037),
+  zz = I("Izz", 0.0067), xy = I("Ixy", 1e-4), xz = I("Ixz", -2e-4), yz = I("Iyz", 5e-5) },
+  initial = { omega = { 0.05, -0.03, 0.02 } } }]]
+  local main = [[
+#include "scaled.h"
+#include <math.h>
+#include <stdio.h>
+
+/* Moments times s: the rates of change are the same, so their derivatives by the moments go with 1/s. */
+int main(void)
+{
+  scaled_real x[SCALED_NX], first[SCALED_NX*SCALED_NP], J[SCALED_NX*SCALED_NP], p[SCALED_NP];
+  scaled_model m;
+
+  scaled_defaults(p);
+  if (scaled_init(&m, p) != 0) return 1;
+  scaled_initial(&m, x);
+  x[SCALED_WX] = 1;
+  scaled_jacobian_p(&m, 0, x, 0, first);
+  for (int e = -11; e <= 12; e++) {
+    const scaled_real s = (scaled_real)pow(10, e);
+    int far = 0;
+
+    scaled_defaults(p);
+    for (int i = 0; i < SCALED_NP; i++) p[i] *= s;
+    if (scaled_init(&m, p) != 0) return 2;
+    scaled_jacobian_p(&m, 0, x, 0, J);
+    for (int i = 0; i < SCALED_NX*SCALED_NP; i++) far += !(fabs(s*J[i] - first[i]) <= 1e-4*fabs(first[i]) + 1e-5);
+    if (far > 0) printf("%d: %d\n", e, far);
+  }
+  return 0;
+}
+]]
+  local plan = scene.plan(assert(scene.read(text)), { jacobians = true, real = "float", methods = { "rk4" } })
+  local files, where = scene.files(plan), program.directory()
+  program.write(where .. "/scaled.h", files["scaled.h"])
+  program.write(where .. "/scaled.c", files["scaled.c"])
+  program.write(where .. "/main.c", main)
+  local code = program.shell("cd " .. where .. " && gcc -std=c99 -O1 -ffp-contract=off main.c scaled.c -lm -o scaled " ..
+    ">log 2>&1 && ./scaled >out")
+  tap.ok(code == 0 and program.read(where .. "/out") == "", "moments of 1e-13 to 1e10 kg m^2: init takes them, in " ..
+    "float, and the derivatives scale as they should", code .. " " .. (program.read(where .. "/log") or "") ..
+    (program.read(where .. "/out") or ""))
 end
 
 program.finish()
