@@ -1,7 +1,7 @@
 -- run.lua -- polhode run: the motion as a table, by the general library or by the emitted code.
 --
--- Events of the scene are a table of their own, --events FILE, and the member `events` in JSON; an event with stop = true
--- ends the rows with its own.
+-- Events of the scene are a table of their own, --events FILE, and the member `events` in JSON; an event with stop =
+-- true ends the rows with its own.
 -- Columns t,qw,qx,qy,qz,wx,wy,wz,energy,Lx,Ly,Lz,rx,ry,rz,vx,vy,vz and further states, those that the scene has, or
 -- what --columns asks for; every number reads back to the same double.  Nothing is printed unless all numbers are
 -- finite: if one is not, the status is 3.  A motion that is off by more than --warn is printed, with a warning.
@@ -17,23 +17,25 @@ local events = require "generator.commands.events"
 local input_file = require "generator.commands.input_file"
 local options = require "generator.commands.options"
 local progress = require "generator.commands.progress"
+local quantities = require "generator.attitude.quantities"
 local driver = require "generator.driver"
 local exists = require "generator.dynamics.exists"
 
 local run = {}
 
 -- The words of --columns, with what they are.
-local function listed(quantities)
+local function listed()
   local words = {}
-  for _, q in ipairs(quantities) do
+  for _, q in ipairs(quantities.list) do
     if not string.find(q[1], "^euler_") and not q.plain then words[#words + 1] = q[1] .. " (" .. q.about .. ")" end
   end
-  return table.concat(words, ", ") .. "; euler_zyx and so on for the other sequences; angles are in rad"
+  return table.concat(words, ", ") .. "; euler_zyx and so on for the other sequences; angles are in " ..
+    "rad; where effect.rotating_frame turns the frame, q, L and all quantities but omega_inertial are in its axes"
 end
 
 run.forms = { { "SCENE", "the motion as a table",
-  "Columns: t in s, the state, energy in J, angular momentum L in N m s. What happens on the way (the scene's events, contact lost, " ..
-    "rest, impacts) is a table of its own." } }
+  "Columns: t in s, the state, energy in J, angular momentum L in N m s. What happens on the way (the scene's " ..
+    "events, contact lost, rest, impacts) is a table of its own." } }
 run.operands = { 1, 1, "SCENE" }
 run.options = {
   { "--engine", { "general", "generated" }, "the general library, or the emitted code, compiled by $CC (cc, gcc or " ..
@@ -57,7 +59,7 @@ run.options = {
   { "--between", { "held", "linear" }, "the inputs between two rows of the file: those of the row before, or on " ..
     "straight lines", default = "held" },
   { "--columns", "text", "the columns: t, states, energy, Lx .., groups of them (q, w, r, v, L, states), " ..
-    listed(columns.quantities) .. "; expressions of them and of parameters, [NAME =] EXPRESSION",
+    listed() .. "; expressions of them and of parameters, [NAME =] EXPRESSION",
     value = "COLUMN,...", default = "t, q, w, energy, L, further states" },
   { "--events", "text", "what happened, as CSV with the same columns behind the event's name", value = "FILE.csv",
     default = "name and time on standard error" },
@@ -188,7 +190,8 @@ function run.run(host, given)
     wrong = wrong or "--events: " .. (given.format == "json" and "JSON has the events among its members" or
       "nothing happens on the way: the scene has no events = { .. } and no plane")
   end
-  wrong = wrong or events.missing(job) or given.warn and given.warn <= 0 and "--warn must be positive" or nil
+  if not events.check(job) then return options.refuse(host, job.diag) end
+  wrong = wrong or given.warn and given.warn <= 0 and "--warn must be positive" or nil
   local warnings, course
   if not wrong then given.chosen, wrong = columns.of(host, job, given.columns, given) end
   if not wrong then
