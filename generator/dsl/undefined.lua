@@ -102,7 +102,8 @@ function undefined.guard(ctx, e, params, watched)
   setmetatable(e, {
     __index = function(_, k)
       if made[k] then return nil end
-      local own = type(k) ~= "string" or ctx.named[string.upper(k)] or ctx.diag:declared(k)
+      local named = type(k) == "string" and ctx.named[string.upper(k)]
+      local own = type(k) ~= "string" or named and named[1] == k or ctx.diag:declared(k)
       local word = not own and watched(k, ctx.diag:here())
       if word then return word end
       count = count + 1
