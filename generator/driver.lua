@@ -8,6 +8,7 @@
 
 local later = require "generator.later"
 local R = require "generator.algebra.rational"
+local quantities = require "generator.attitude.quantities"
 local diag = require "generator.diag"
 local env = require "generator.dsl.env"
 local phases = require "generator.dsl.phases"
@@ -96,8 +97,8 @@ end
 -- The scene of a file's text: what driver.read returns.
 local function opened(host, file, text, options)
   local d = diag.new(file, text)
-  local record, unused = env.record(host, d, text, { shapes = catalogue.list, effects = effects }, options.set,
-    options.name)
+  local record, unused = env.record(host, d, text, { shapes = catalogue.list, effects = effects,
+    quantities = quantities.words() }, options.set, options.name)
   if not record then return nil, d end
   if unused then return nil, d, "--set " .. unused .. ": the scene has no such parameter" .. instead(unused, record) end
   if record.body.broken then return nil, d end

@@ -40,7 +40,7 @@ local ARROWS = {
   -- dynamics: equations with an effect left out; cost: of functions
   report = { "algebra", "mass", "dynamics", "emit", "draw", "cost" },
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report", "nearest",
-    "selection", "stages", "functions" },
+    "selection", "stages", "functions", "attitude" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan",
     "report", "driver", "interchange", "nearest", "selection", "plot", "page", "attitude", "language" },
   main = { "commands", "driver", "diag", "nearest" },
@@ -111,7 +111,7 @@ local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/
   ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true,
   ["generator/commands/touch_checks.lua"] = true, ["generator/commands/run/bounce.lua"] = true, -- in messages
   ["generator/commands/events.lua"] = true, ["generator/commands/chart.lua"] = true, -- in a message and a title
-  ["generator/dynamics/landing.lua"] = true, -- in a message
+  ["generator/dynamics/landing.lua"] = true, ["generator/dynamics/start.lua"] = true, -- in a message
   ["generator/commands/stepper_checks.lua"] = true,
   ["generator/commands/motion_checks.lua"] = true,
   ["generator/commands/forced.lua"] = true,

@@ -7,6 +7,7 @@ local effects = require "generator.effects.effects"
 local conserved = require "generator.dynamics.conserved"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
+local reference = require "generator.commands.reference"
 local roff = require "docs.tools.roff"
 
 local example = [[
@@ -90,9 +91,11 @@ return function(version, date)
   for _, w in ipairs(fields.words) do
     page:entry(w[1], nil, sentence(w[3]) .. (w[2] ~= "" and " Unit: " .. w[2] .. "." or ""))
   end
-  local names = { "sqrt" }
+  local names, words = {}, {}
   for _, f in ipairs(value.functions) do names[#names + 1] = f[1] end
   page:text("Functions: " .. table.concat(names, ", ") .. ".")
+  for i, w in ipairs(reference.watched()) do words[i] = w[1] end
+  page:text("Events also know, where the scene has it: " .. table.concat(words, ", ") .. ".")
   page:text "A function of effect.custom receives a table with these:"
   for _, m in ipairs(fields.motion) do page:entry("s." .. m[1], nil, sentence(m[3])) end
   page:section "UNITS"

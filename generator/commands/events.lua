@@ -14,6 +14,7 @@ local expr = require "generator.algebra.expr"
 local motion = require "generator.algebra.motion"
 local contact = require "generator.dynamics.contact"
 local numeric = require "generator.dynamics.numeric"
+local columns = require "generator.commands.run.columns"
 local flat = require "generator.commands.run.flat"
 local rest = require "generator.commands.run.rest"
 local touch = require "generator.commands.run.touch"
@@ -39,21 +40,50 @@ function events.of(job)
   return list
 end
 
--- What an event depends on and the scene does not have: a message, or nil.
-function events.missing(job)
+-- Reports what events depend on and the scene does not have: false.
+function events.check(job)
   for _, e in ipairs(job.record.events) do
     for _, s in ipairs(expr.symbols(e.when)) do
-      if s.rank >= motion.rank and s.name ~= "t" and not job.model.states.by_name[s.name] then
-        return "event " .. e.name .. " (line " .. e.line .. ") depends on " .. s.name .. ", no state of this scene"
+      if s.rank >= motion.rank and not job.model.states.by_name[s.name] then
+        local _, by_name = columns.words(job)
+        if not by_name[s.name] then
+          job.diag:error(e.line, "event " .. e.name, "when must be made of parameters and what this scene has: " ..
+            columns.told(job), s.name)
+        end
       end
     end
   end
-  return nil
+  return not job.diag:failed()
 end
 
--- The value of an event at a state {t =, x =}; nil if it is not a number there.
-local function valuer(host, job, course)
+-- What an event needs beyond time and states: words of columns.lua.
+local function beyond(job, e, by_name)
+  local list = {}
+  for _, s in ipairs(expr.symbols(e.when)) do
+    if s.rank >= motion.rank and not job.model.states.by_name[s.name] then list[#list + 1] = by_name[s.name] end
+  end
+  return list
+end
+
+-- A function that puts these words of an event into `env`; false where one has no value.
+local function filler(host, job, motion_of, inputs)
+  local _, by_name = columns.words(job)
+  local sample, needs = columns.sampler(host, job, { course = inputs, ground = motion_of.ground }), {}
+  return function(env, e, at)
+    needs[e] = needs[e] or beyond(job, e, by_name)
+    if #needs[e] == 0 then return true end
+    local energy, L = motion_of.measured(at)
+    if not energy then return false end
+    local s = sample(at.t, at.x, energy, L, at.on)
+    for _, w in ipairs(needs[e]) do env[w.name] = w.f(s) end
+    return true
+  end
+end
+
+-- The value of an event at a state {t =, x =}; nil if it is not a number there.  motion_of: what has the states.
+local function valuer(host, job, motion_of, course)
   local env, touching, library = {}, touch.of(host, job), nil
+  local fill
   for name, q in pairs(job.model.defaults) do env[name] = q end -- into a table: order is lost anyway
   return function(e, at)
     if e.reaction then
@@ -67,6 +97,8 @@ local function valuer(host, job, course)
     if e.value then return e.value(at) end
     env.t = at.t
     for i, s in ipairs(job.states) do env[s.name] = at.x[i] end
+    fill = fill or filler(host, job, motion_of, course)
+    if not fill(env, e, at) then return nil end
     local g = evaluate.double(e.when, env)
     return g == g and g or nil
   end
@@ -283,7 +315,7 @@ end
 -- and what went wrong.  course: the motion, engines.lua; solve(times) -> rows of the table; inputs:
 -- the scene's over time, or nil; asked: those of events.of that are looked for, nil: all.
 function events.find(host, job, course, solve, finish, step, inputs, asked)
-  local value = valuer(host, job, inputs)
+  local value = valuer(host, job, course, inputs)
   local list, why = brackets(asked or events.of(job), course, value, finish, step)
   if not list then return nil, why end
   if #list == 0 then return {} end

@@ -9,6 +9,7 @@ local definitions = require "generator.language.definitions"
 local effects = require "generator.effects.effects"
 local identifiers = require "generator.dsl.names"
 local options = require "generator.commands.options"
+local reference = require "generator.commands.reference"
 local outputs = require "generator.commands.outputs"
 local snippets = require "generator.language.snippets"
 local units = require "generator.dsl.units"
@@ -30,9 +31,10 @@ init.examples = { { "polhode init spinner", "the folder spinner; make -C spinner
 local templates = { { "scene.txt", "@NAME@.lua" }, { "main.txt", "main.c" }, { "make.txt", "Makefile" },
   { "readme.txt", "README.md" }, { "luarc.txt", ".luarc.json" }, { "workflow.txt", ".github/workflows/check.yml" } }
 
--- What the editor's files are made from: {shapes =, effects =, units =, functions =}.
+-- What the editor's files are made from: {shapes =, effects =, units =, functions =, watched =}.
 function init.tables()
-  return { shapes = catalogue.list, effects = effects, units = units, functions = value.functions }
+  return { shapes = catalogue.list, effects = effects, units = units, functions = value.functions,
+    watched = reference.watched() }
 end
 
 -- The files of the project, for outputs.write.

@@ -63,7 +63,8 @@ plot.options = {
 }
 plot.examples = {
   { "polhode plot tennis_racket -o racket.svg", "a sheet of what tells most" },
-  { "polhode plot heavy_top --what axes,euler --sequence zyx -o top.pdf", "the path of the axis, and angles" },
+  { "polhode plot heavy_top --what axes,euler --sequence zyx --until 0.12 -o top.pdf",
+    "the path of the axis, and angles" },
   { "polhode plot nodding_top --what error --method rk4,adaptive --step 0.02 -o error.png",
     "what steps of 0.02 s cost in digits" },
   { "polhode plot heavy_top --from top.csv --what rates -o table.svg", "of a table that `polhode run -o` wrote" },
@@ -113,9 +114,15 @@ local function drawn(host, given, c, title, note)
   local names, why = chosen(c, given.what)
   if not names then return options.wrong(host, "plot", why) end
   local last = c.samples[#c.samples].t
+  local list, to, finish = panels.of(c, names)
   local text = sheet.text({ title = title, note = note, about = "Pictures of a motion from t = 0 to " ..
-    times.number(last) .. " s: " .. table.concat(names, ", ") .. "." }, panels.of(c, names))
-  return picture.write(host, "plot", given.o, text)
+    times.number(last) .. " s: " .. table.concat(names, ", ") .. "." }, list)
+  local status = picture.write(host, "plot", given.o, text)
+  if to and status == 0 then
+    host.err(string.format("note: curves over time show the first %s s of %s s, where the fastest has turned as " ..
+      "often as a panel can show; --until sets another end\n", times.number(to), times.number(finish)))
+  end
+  return status
 end
 
 -- The scene's parameters in one line, as they are written.

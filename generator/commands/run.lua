@@ -17,18 +17,20 @@ local events = require "generator.commands.events"
 local input_file = require "generator.commands.input_file"
 local options = require "generator.commands.options"
 local progress = require "generator.commands.progress"
+local quantities = require "generator.attitude.quantities"
 local driver = require "generator.driver"
 local exists = require "generator.dynamics.exists"
 
 local run = {}
 
 -- The words of --columns, with what they are.
-local function listed(quantities)
+local function listed()
   local words = {}
-  for _, q in ipairs(quantities) do
+  for _, q in ipairs(quantities.list) do
     if not string.find(q[1], "^euler_") and not q.plain then words[#words + 1] = q[1] .. " (" .. q.about .. ")" end
   end
-  return table.concat(words, ", ") .. "; euler_zyx and so on for the other sequences; angles are in rad"
+  return table.concat(words, ", ") .. "; euler_zyx and so on for the other sequences; angles are in " ..
+    "rad; where effect.rotating_frame turns the frame, q, L and all quantities but omega_inertial are in its axes"
 end
 
 run.forms = { { "SCENE", "the motion as a table",
@@ -57,7 +59,7 @@ run.options = {
   { "--between", { "held", "linear" }, "the inputs between two rows of the file: those of the row before, or on " ..
     "straight lines", default = "held" },
   { "--columns", "text", "the columns: t, states, energy, Lx .., groups of them (q, w, r, v, L, states), " ..
-    listed(columns.quantities) .. "; expressions of them and of parameters, [NAME =] EXPRESSION",
+    listed() .. "; expressions of them and of parameters, [NAME =] EXPRESSION",
     value = "COLUMN,...", default = "t, q, w, energy, L, further states" },
   { "--events", "text", "what happened, as CSV with the same columns behind the event's name", value = "FILE.csv",
     default = "name and time on standard error" },
@@ -188,7 +190,8 @@ function run.run(host, given)
     wrong = wrong or "--events: " .. (given.format == "json" and "JSON has the events among its members" or
       "nothing happens on the way: the scene has no events = { .. } and no plane")
   end
-  wrong = wrong or events.missing(job) or given.warn and given.warn <= 0 and "--warn must be positive" or nil
+  if not events.check(job) then return options.refuse(host, job.diag) end
+  wrong = wrong or given.warn and given.warn <= 0 and "--warn must be positive" or nil
   local warnings, course
   if not wrong then given.chosen, wrong = columns.of(host, job, given.columns, given) end
   if not wrong then

@@ -59,6 +59,14 @@ function args.named(specs, rule, given)
   return table.concat(list, ", ")
 end
 
+-- Does the expression have a word that only events know?
+function args.watched(e)
+  for _, s in ipairs(expr.symbols(e)) do
+    if string.find(s.name, "^" .. value.watched) then return true end
+  end
+  return false
+end
+
 local words = { positive = "must be positive", nonnegative = "must not be negative" }
 
 local most_rows = 1000 -- of one list: a polygon is checked for crossings pair by pair
@@ -114,6 +122,7 @@ function args.scalar(ctx, line, what, name, spec, given)
   end
   local dim = type(spec.dim) == "table" and spec.dim or units.of(spec.dim or "none")
   local moves = not motion.free(r.e)
+  if moves and args.watched(r.e) then return nil end -- it is told where the word stands (dsl/watched.lua)
   if moves and not spec.motion then
     ctx.diag:error(line, what, name .. " must not depend on time, states or inputs", value.show(given))
     return nil

@@ -21,6 +21,7 @@ local value = require "generator.dsl.value"
 local inertial = require "generator.dsl.inertial"
 local mesh = require "generator.dsl.mesh"
 local undefined = require "generator.dsl.undefined"
+local watched = require "generator.dsl.watched"
 local moving = require "generator.dsl.moving"
 local diag = require "generator.diag"
 local broken = require "generator.diag.broken"
@@ -206,7 +207,7 @@ local function environment(ctx, tables, params, inputs, effects)
   end
   for i, s in ipairs(coordinate.symbols) do e[coordinate.names[i]] = value.new(s, units.length, true) end
   for _, s in ipairs(moving.words) do e[s[1]] = moving.value(s) end
-  e.pi, e.sqrt = value.new(expr.pi, nil), value.sqrt
+  e.pi = value.new(expr.pi, nil)
   for _, f in ipairs(value.functions) do e[f[1]] = value.func(table.unpack(f)) end
   return e
 end
@@ -245,7 +246,8 @@ local function names_apart(d, result, params, inputs)
   end
 end
 
--- Runs the script in the host's sandbox.  tables: {shapes =, effects =} (the catalogues); set: {name = "0.3"} replaces
+-- Runs the script in the host's sandbox.  tables: {shapes =, effects =} (the catalogues), quantities = (words of
+-- events, attitude/quantities.lua); set: {name = "0.3"} replaces
 -- parameters' defaults (in their own units); renamed: in place of the scene's name.  Returns the scene record with
 -- .params and .checks, or nil when d has errors; second result: the first name of `set` that is no parameter.
 function env.record(host, d, text, tables, set, renamed)
@@ -259,7 +261,7 @@ function env.record(host, d, text, tables, set, renamed)
     calls, result, scene_handle = calls + 1, s, setmetatable({}, scene_object)
     return scene_handle
   end)
-  undefined.guard(ctx, e, params)
+  undefined.guard(ctx, e, params, watched.new(ctx, tables.quantities or {}))
 
   text = string.gsub(text, "^\239\187\191", "") -- a byte order mark, as some editors write it
   local ok, first = host.sandbox(text, "@" .. d.file, e)
@@ -277,6 +279,7 @@ function env.record(host, d, text, tables, set, renamed)
     end
   end
   if renamed and result then result.name = renamed end
+  watched.idle(ctx)
   if not d:failed() then names_apart(d, result, params, inputs) end
   if d:failed() then return nil end
   result.params, result.inputs, result.checks, result.files = params, inputs, ctx.checks, ctx.files or {}

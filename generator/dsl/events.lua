@@ -1,8 +1,8 @@
 -- events.lua -- the key `events` of a scene: zero crossings that `polhode run` looks for.
 --
 --     events = { { name = "upright", when = 1 - 2*(qx*qx + qy*qy), direction = 1, stop = true }, ... }
--- when: an expression of t and the states; direction: 1 for upward crossings, -1 for downward ones, 0 (the default) for
--- both; stop: the run ends there.
+-- when: an expression of t, the states and the words of dsl/watched.lua; direction: 1 for upward crossings, -1 for
+-- downward ones, 0 (the default) for both; stop: the run ends there.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
@@ -10,6 +10,7 @@ local motion = require "generator.algebra.motion"
 local args = require "generator.dsl.args"
 local names = require "generator.dsl.names"
 local value = require "generator.dsl.value"
+local watched = require "generator.dsl.watched"
 local diag = require "generator.diag"
 
 local events = {}
@@ -43,7 +44,7 @@ local function read(ctx, at, i, e, seen)
       return nil
     end
   end
-  out.when = r.e
+  out.when = watched.plain(ctx, r.e)
   if e.direction ~= nil then
     if e.direction ~= 1 and e.direction ~= -1 and e.direction ~= 0 then
       ctx.diag:error(at, what, "direction must be 1, -1 or 0", diag.show(e.direction))

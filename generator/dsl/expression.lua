@@ -23,7 +23,7 @@ function expression.read(host, d, text, words, params)
   local e, names = {}, {}
   value.begin(d)
   for _, k in ipairs(args.keys(host.safe)) do e[k] = k == "exact" and nil or host.safe[k] end
-  e.pi, e.sqrt = value.new(expr.pi, nil), value.sqrt
+  e.pi = value.new(expr.pi, nil)
   for _, f in ipairs(value.functions) do e[f[1]] = value.func(table.unpack(f)) end
   for _, w in ipairs(words) do
     e[w[1]] = value.new(motion.sym(w[1]), dimension(w[2]), w[1] == "t" or "bare")

@@ -44,6 +44,7 @@ local function expression(ctx, at, what, given)
       return nil
     end
   end
+  if args.watched(r.e) then return nil end
   if motion.free(r.e) then
     ctx.diag:error(at, "measure", what .. " must depend on t or on states", value.show(given))
     return nil

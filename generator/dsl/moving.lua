@@ -246,6 +246,8 @@ local function own_states(ctx, line, what, given, taken, checked)
       local initial = args.scalar(ctx, at, what .. ", state " .. k, "initial", { dim = dim }, s.initial or 0)
       list[#list + 1] = { name = k, initial = initial or expr.zero, unit = units.si(dim), dim = dim, rate = s.rate,
         at = at }
+      ctx.own_states = ctx.own_states or {}
+      ctx.own_states[k] = units.si(dim) -- a word of events
     end
   end
   return list

@@ -90,8 +90,9 @@ function undefined.member(ctx, family, k, list)
   ctx.diag:error(ctx.diag:here(), family, "has no " .. diag.show(k) .. instead(ctx, family, k, list))
 end
 
--- Guards the environment e, whose words are all there.  ctx.families: names of members by the name of the family.
-function undefined.guard(ctx, e, params)
+-- Guards the environment e, whose words are all there but for those of watched(name, line), which stand back behind
+-- what the scene itself calls so.  ctx.families: names of members by the name of the family.
+function undefined.guard(ctx, e, params, watched)
   for _, k in ipairs { "math", "string", "table" } do
     if e[k] then e[k] = library(ctx, k, e[k]) end
   end
@@ -101,6 +102,10 @@ function undefined.guard(ctx, e, params)
   setmetatable(e, {
     __index = function(_, k)
       if made[k] then return nil end
+      local named = type(k) == "string" and ctx.named[string.upper(k)]
+      local own = type(k) ~= "string" or named and named[1] == k or ctx.diag:declared(k)
+      local word = not own and watched(k, ctx.diag:here())
+      if word then return word end
       count = count + 1
       local why = type(k) == "string" and count <= most and hint(ctx, e, k, params) or ""
       ctx.diag:error(ctx.diag:here(), "script", "unknown name " .. diag.show(k) .. why)

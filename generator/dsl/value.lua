@@ -38,6 +38,7 @@ local function new(e, dim, plain)
   return v
 end
 value.new = new
+value.watched = "@@" -- before the names of what only events know (dsl/watched.lua)
 
 -- The value is what the scene writes as the decimal `given`, times factor; a power of ten is a unit, not a measurement.
 function value.write(v, given, factor)
@@ -160,10 +161,13 @@ local function both_plain(x, y) return (x.plain or not x.dim) and (y.plain or no
 
 local function bare(x) return x.plain == "bare" end
 
+-- The record, but that of 0 without a unit if it is one: 0, and what 0 times a state leaves, belongs to every unit.
+local function neutral(x) return x.e == expr.zero and x.plain and { e = x.e } or x end
+
 -- Both must have one dimension; one that is plain takes the other's.
 local function sum(what, f)
   return function(a, b)
-    local x, y = operand(a, what), operand(b, what)
+    local x, y = neutral(operand(a, what)), neutral(operand(b, what))
     local dim, plain = x.dim or y.dim, both_plain(x, y)
     if x.dim and y.dim and not units.equal(x.dim, y.dim) then
       dim = nil
@@ -237,13 +241,25 @@ handle.__lt, handle.__le = unordered, unordered
 function handle.__tostring(v) return value.show(v) end
 function handle.__newindex() complain("value", "a value cannot be changed") end
 
--- The functions of scenes: how many arguments (false: two or more), and what the dimensions must be: "pure" numbers (an
--- angle is one), the "same" for all (the result is a pure number), or "any", the same for all (the result has it).
+-- The functions of scenes: how many arguments (false: two or more); what the dimensions must be: "pure" numbers (an
+-- angle is one), the "same" for all (the result is a pure number), "any", the same for all (the result has it), or
+-- "root", any (the result has its root); and what it is.
 value.functions = {
-  { "sin", 1, "pure" }, { "cos", 1, "pure" }, { "tan", 1, "pure" }, { "asin", 1, "pure" }, { "acos", 1, "pure" },
-  { "atan", 1, "pure" }, { "atan2", 2, "same" }, { "exp", 1, "pure" }, { "log", 1, "pure" }, { "sinh", 1, "pure" },
-  { "cosh", 1, "pure" }, { "tanh", 1, "pure" }, { "abs", 1, "any" },
-  { "sign", 1, "same" }, { "min", false, "any" }, { "max", false, "any" },
+  { "sqrt", 1, "root", "the square root; of m^2 it is in m" },
+  { "abs", 1, "any", "x without its sign, in the unit of x" },
+  { "sign", 1, "same", "1, 0 or -1: the sign of x, 0 at 0" },
+  { "min", false, "any", "the least of two or more of one unit" },
+  { "max", false, "any", "the greatest of two or more of one unit" },
+  { "sin", 1, "pure", "the sine of an angle in rad" }, { "cos", 1, "pure", "the cosine of an angle in rad" },
+  { "tan", 1, "pure", "the tangent of an angle in rad" },
+  { "asin", 1, "pure", "the angle from -pi/2 to pi/2 of a sine" },
+  { "acos", 1, "pure", "the angle from 0 to pi of a cosine" },
+  { "atan", 1, "pure", "the angle between -pi/2 and pi/2 of a tangent" },
+  { "atan2", 2, "same", "the angle from -pi to pi of the point with the ordinate x and the abscissa y, both of one " ..
+    "unit: atan2(s, c) with s = k*sin(a), c = k*cos(a) is a" },
+  { "exp", 1, "pure", "e to the power x" }, { "log", 1, "pure", "the natural logarithm" },
+  { "sinh", 1, "pure", "the hyperbolic sine" }, { "cosh", 1, "pure", "the hyperbolic cosine" },
+  { "tanh", 1, "pure", "the hyperbolic tangent" },
 }
 
 local function counted(fn, n, ...)
@@ -263,8 +279,10 @@ local function folded(fn)
   end
 end
 
+-- What a scene calls as fn; n, kind: as above.
 function value.func(fn, n, kind)
   if not n then return folded(fn) end
+  if kind == "root" then return value.sqrt end
   return function(...)
     counted(fn, n, ...)
     local given, es, dim, plain = { ... }, {}, nil, nil

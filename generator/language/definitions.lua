@@ -1,7 +1,8 @@
 -- definitions.lua -- the scene language as definitions for the Lua language server (LuaCATS), from our own tables.
 --
 --     definitions.text(tables) -> text of polhode.d.lua
--- tables: {shapes = catalogue's list, effects = list, units = dsl/units, functions = names of functions of values}.
+-- tables: {shapes = catalogue's list, effects = list, units = dsl/units, functions = of values, watched = words of
+-- events}.
 -- Completion, hover and the check of arguments in an editor come from this file: polhode init writes it into a project.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -180,6 +181,11 @@ function definitions.text(tables)
   end
   for _, w in ipairs(fields.words) do
     out[#out + 1] = "---" .. with_unit(w[3], w[2]) .. "\n---@type Quantity\n" .. w[1] .. " = nil\n"
+  end
+  for _, w in ipairs(tables.watched) do
+    for name in string.gmatch(w[1], "[^, ]+") do
+      out[#out + 1] = "---" .. with_unit(w[3], w[2]) .. "; in events\n---@type Quantity\n" .. name .. " = nil\n"
+    end
   end
   families(out, tables.shapes)
   families(out, tables.effects)

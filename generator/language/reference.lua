@@ -2,7 +2,8 @@
 --
 --     reference.entries(tables) -> {{name, about, call | nil, rows = {{name, unit, default, about}, ...},
 --                                   notes = {text}, example = text | nil}, ...}
--- tables: {shapes =, effects =, units =, functions =, conserved = f(effect) -> words}, as in language/definitions.lua.
+-- tables: {shapes =, effects =, units =, functions =, watched =, conserved = f(effect) -> words}, as in
+-- language/definitions.lua.
 -- Arguments, units and defaults are those of the declarations; an example is a whole scene, which a test runs.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -81,6 +82,11 @@ local function effect(tables, e)
       "Example: the installed scene " .. e.example .. "." } }
 end
 
+-- What functions of values take, by dsl/value.lua: by the number of arguments and by their dimensions.
+local calls = { "(x)", "(x, y)", [false] = "(x, y, ...)" }
+local kinds = { pure = "a pure number or an angle; gives a pure number", same = "any unit; gives a pure number",
+  any = "any unit; gives the same", root = "any unit; gives its root" }
+
 local function called(out, prefix, list)
   for _, f in ipairs(list) do
     local rows, names = {}, {}
@@ -119,11 +125,15 @@ function reference.entries(tables)
       "In the functions of effect.custom." } }
   end
   local functions, known = {}, {}
-  for i, f in ipairs(tables.functions) do
-    functions[i] = { f[1], "", "", f[2] == 2 and "of two" or f[2] and "of one" or "of two or more" }
-  end
+  for i, f in ipairs(tables.functions) do functions[i] = { f[1], kinds[f[3]], "", f[4], call = calls[f[2]] } end
+  local words = {}
+  for i, w in ipairs(tables.watched) do words[i] = { w[1], w[2], "", w[3] } end
+  out[#out + 1] = { name = "words of events", about = "what `when` of events and --columns of run know beside t " ..
+    "and the states: of each scene what it has; where effect.rotating_frame turns the frame, its axes are meant, " ..
+    "but for omega_inertial", rows = words, notes = {}, each = true }
   for i, u in ipairs(tables.units.list) do known[i] = u[1] end
-  out[#out + 1] = { name = "functions", about = "functions of numbers and expressions", rows = functions, notes = {} }
+  out[#out + 1] = { name = "functions", about = "functions of numbers and expressions: of parameters anywhere, and " ..
+    "of t, states and inputs where an argument may depend on the motion", rows = functions, notes = {}, each = true }
   out[#out + 1] = { name = "units", rows = {}, about = "a unit is a product of these with powers, such as " ..
     '"kg m^2/s^2", "kg m2" or "kg·m²"; µ is u, ° is deg; zero is of any unit',
     notes = { table.concat(known, ", ") .. "." } }
@@ -131,6 +141,12 @@ function reference.entries(tables)
 end
 
 local function sentence(s) return (string.gsub(s, "^%l", string.upper)) .. (string.find(s, "[%.:]$") and "" or ".") end
+
+-- A row of an entry whose rows are entries, by the name that was asked for, for the terminal.
+function reference.row(e, r, name)
+  return reference.text { name = name, call = r.call and name .. r.call, about = r[4], rows = {},
+    notes = { (r.call and "Takes " or "Unit: ") .. r[2] .. ".", "One of: " .. e.about .. "." } }
+end
 
 -- An entry for the terminal.
 function reference.text(e)

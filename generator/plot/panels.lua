@@ -264,12 +264,13 @@ function panels.usual(course)
   return names
 end
 
+-- (second and third result: where the time of all curves is cut, and where it ends)
 function panels.of(course, names)
   local out = {}
   for _, name in ipairs(names) do
     for _, p in ipairs(makers[name](course)) do out[#out + 1] = p end
   end
-  return out
+  return out, times.together(out)
 end
 
 -- The parts of a sample that follow from others.

@@ -34,7 +34,7 @@ function times.change(values)
 end
 
 -- How many samples show `turns` extrema of each curve; ripples below a hundredth of the panel's range do not count.
-local function shown(curves, n)
+local function enough(curves, n)
   local last, range = n, frame.range(list(curves, function(c) return c.values end))
   for _, c in ipairs(curves) do
     local least, count, peak, up = (range[2] - range[1]) / 100, 0, c.values[1], nil
@@ -64,18 +64,38 @@ function times.panel(ts, p)
   for i, c in ipairs(p.curves) do
     curves[i] = { name = c[1], values = c[2], class = c.class or colours[i], breaks = c.breaks }
   end
-  local n = p.whole and #ts or shown(curves, #ts)
-  local note = p.note
-  if n < #ts then
-    for _, c in ipairs(curves) do c.values = { table.unpack(c.values, 1, n) } end
-    note = (note and note .. "; " or "") .. "the first " .. times.number(ts[n]) .. " s of " .. times.number(ts[#ts]) ..
-      " s"
-  end
-  local xs = { table.unpack(ts, 1, n) }
-  return { title = p.title, note = note, draw = function(d, box)
-    frame.over(d, { box = box, x = { "t", "s" }, y = p.y, xs = xs, curves = curves, log = p.log, yrange = p.yrange,
+  local n = p.whole and #ts or enough(curves, #ts)
+  local panel = { title = p.title, note = p.note, shown = ts[n], finish = ts[#ts], whole = p.whole }
+  function panel.draw(d, box, to)
+    local xs = {}
+    for i, t in ipairs(ts) do xs[i] = t <= (to or ts[n]) and t or nil end
+    local cut = list(curves, function(c)
+      return { name = c.name, values = { table.unpack(c.values, 1, #xs) }, class = c.class, breaks = c.breaks }
+    end)
+    frame.over(d, { box = box, x = { "t", "s" }, y = p.y, xs = xs, curves = cut, log = p.log, yrange = p.yrange,
       mark = p.mark })
-  end }
+  end
+  return panel
+end
+
+-- One range of time for all panels of curves: to where the first of them would become a block of ink.  Those with all
+-- of the time (a drift, an error, a loss of contact at the end) keep it, and say so.  Returns nil, or where the time
+-- is cut and where it ends.
+function times.together(panels)
+  local to, finish = math.huge, 0.0
+  for _, p in ipairs(panels) do
+    if p.shown and not p.whole then to, finish = math.min(to, p.shown), math.max(finish, p.finish) end
+  end
+  if to >= finish then return nil end
+  for _, p in ipairs(panels) do
+    if p.shown then
+      local part = p.whole and "all " or "the first " .. times.number(to) .. " s of "
+      p.note = (p.note and p.note .. "; " or "") .. part .. times.number(finish) .. " s"
+      local draw = p.draw
+      p.draw = p.whole and draw or function(d, box) draw(d, box, to) end
+    end
+  end
+  return to, finish
 end
 
 local function ts_of(course) return list(course.samples, function(s) return s.t end) end
@@ -93,7 +113,8 @@ function times.rates(course)
   local out = { times.panel(ts, { title = "Angular velocity, body axes", y = { "ω", "rad/s" },
     curves = components(course, function(s) return s.w end, { "ω_x", "ω_y", "ω_z" }, "|ω|") }) }
   if course.samples[1].q then
-    out[2] = times.panel(ts, { title = "Angular velocity, inertial axes", y = { "ω", "rad/s" },
+    out[2] = times.panel(ts, { title = "Angular velocity, " .. (course.framed and "axes of the frame" or
+      "inertial axes"), y = { "ω", "rad/s" },
       curves = components(course, function(s) return s.space end, { "ω_X", "ω_Y", "ω_Z" }, "|ω|") })
   end
   return out

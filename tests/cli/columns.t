@@ -134,5 +134,54 @@ refused("bodies/brick.lua --columns 'wx +'", "--columns wx +:")
 refused("bodies/brick.lua --columns 'f(wx)'", "no word f")
 refused("bodies/tennis_racket.lua --at 0 --columns '1/qz'", "a column is not finite", 3)
 
+-- A frame that turns changes what is seen, not the motion: w in inertial axes is that of the scene without it, and in
+-- the frame's axes it is turned back by the angle of the frame, rate t + rate_dot t^2/2 about (1, 2, 2)/3.
+do
+  local function scene(effects)
+    program.write(dir .. "/frame.lua", 'return scene { name = "frame", body = solid.box { x = 0.1, y = 0.2, ' ..
+      "z = 0.3, mass = 1 }, effects = { " .. effects .. " }, initial = { omega = { 0.1, 2, 0.3 } } }")
+    return dir .. "/frame.lua"
+  end
+  local function measured(effects, words)
+    local status, text, err = run(scene(effects) .. " --at 0.5,1,3 --columns t,q,w," .. words)
+    return status == 0 and rows(text) or {}, err
+  end
+  local still = measured("", "omega_inertial")
+  local seen, err = measured("effect.rotating_frame { rate = { 0.3, 0.6, 0.6 }, rate_dot = { 0.1, 0.2, 0.2 } }",
+    "omega_inertial,omega_frame")
+  tap.is(#seen, 3, "omega in both axes: " .. err)
+  for i, r in ipairs(seen) do
+    local angle, n, F, I, worst = 0.9 * r.t + 0.15 * r.t ^ 2, { 1 / 3, 2 / 3, 2 / 3 }, {}, {}, 0
+    for k, x in ipairs { "x", "y", "z" } do
+      F[k], I[k] = r["omega_frame_" .. x], r["omega_inertial_" .. x]
+      worst = math.max(worst, math.abs(I[k] - still[i]["omega_inertial_" .. x]))
+    end
+    local along = n[1] * I[1] + n[2] * I[2] + n[3] * I[3]
+    for k = 1, 3 do -- Rodrigues, by -angle
+      local a, b = k % 3 + 1, (k + 1) % 3 + 1
+      local cross = n[a] * I[b] - n[b] * I[a]
+      worst = math.max(worst, math.abs(math.cos(angle) * I[k] - math.sin(angle) * cross +
+        (1 - math.cos(angle)) * along * n[k] - F[k]))
+    end
+    tap.ok(worst < 1e-11, "at " .. r.t .. " s: w in inertial axes as without the frame, and turned back in the frame's",
+      worst)
+  end
+  local tumbling = scene "effect.rotating_frame { rate = { 0.3, 0, 0 }, rate_dot = { 0, 0.1, 0 } }"
+  tap.is(run(tumbling .. " --columns omega_frame"), 0, "an axis that moves: in the frame's axes")
+  local status, _, said = run(tumbling .. " --columns omega_inertial")
+  tap.ok(status == 2 and said:find("the scene has no omega_inertial: the axis of its frame moves", 1, true),
+    "and in no others, with the reason", said)
+  status, _, said = run(scene "" .. " --columns omega_frame")
+  tap.ok(status == 2 and said:find("the scene has no omega_frame", 1, true), "without a frame there is none", said)
+end
+-- the words of a body on a plane in expressions: the speed of the slip, the height
+do
+  local status, text, err = run("bodies/tippe_top.lua --at 0.1,0.4 --columns slip,com,height,'s = 2*slip'")
+  for _, r in ipairs(status == 0 and rows(text) or { { s = 1 } }) do
+    local far = r.s - 2 * math.sqrt((r.slip_x or 0) ^ 2 + (r.slip_y or 0) ^ 2 + (r.slip_z or 0) ^ 2)
+    tap.ok(math.abs(far) < 1e-15 and r.height == r.com_z, "slip is its length in an expression; height", err)
+  end
+end
+
 program.finish()
 tap.done()

@@ -119,7 +119,7 @@ same('{ name = "a", when = (t - 3)^3 }', "a@3.000", "a triple zero is found, to 
 do
   local _, csv = run(spin '{ name = "a", when = qx }')
   local list, _, head = events(csv)
-  tap.ok(#list == 0 and head[1] == "event" and head[2] == "t", 
+  tap.ok(#list == 0 and head[1] == "event" and head[2] == "t",
     "without a crossing the table of events has its head alone")
   local _, json = run(spin '{ name = "a", when = qw }', "--format json --every 5")
   tap.ok(string.find(json, '"events": [\n    {\n      "name": "a",\n      "row": [1.570796326794', 1, true),
@@ -129,8 +129,8 @@ do
     "a scene without events has no table of them", log)
   code, _, log = run(spin '{ name = "a", when = qw }', "--format json --events " .. dir .. "/events.csv")
   tap.ok(code == 2 and log:find("JSON has the events", 1, true), "nor has JSON beside its own", log)
-  code = program.shell(string.format("POLHODE_SOURCE=. %s run %s/s.lua --every 5 >%s/csv 2>%s/log", binary, dir,
-    dir, dir))
+  code = program.shell(string.format("POLHODE_SOURCE=. %s run %s/s.lua --every 5 >%s/csv 2>%s/log", binary, dir, dir,
+    dir))
   csv, log = program.read(dir .. "/csv"), program.read(dir .. "/log")
   tap.ok(code == 0 and select(2, csv:gsub("\n", "")) == 4 and not csv:find "event" and
     log:find("event a at t = 1.57079633 s\nevent a at t = 4.71238898 s\nevent a at t = 7.85398163 s\n", 1, true),
@@ -155,9 +155,60 @@ for _, c in ipairs {
 end
 do
   local code, csv, log = run(spin('{ name = "a", when = qw }', ', outputs = { "rates" }'))
-  tap.ok(code == 2 and csv == "" and
-    string.find(log, "event a (line 3) depends on qw, no state of this scene", 1, true),
+  tap.ok(code == 1 and csv == "" and string.find(log, "s.lua:3: event a: when must be made of parameters and what " ..
+    "this scene has: t, wx, wy, wz, energy, speed, got qw\n", 1, true),
     "an event does not bring states into a scene", log)
+end
+
+-- ---- what else events know ----
+
+-- A ball slides with Coulomb's friction mu: v = v0 - mu g t, r w = 5/2 mu g t, so the slip is v0 - 7/2 mu g t (Coulomb,
+-- Coriolis).  The smoothing e makes mu e^2/(2 slip^2) of it less: at a slip of v0/4 of 2 m/s and 1e-5 m/s below 1e-9.
+local cue = [[
+local r = param("r", 0.03, "m")
+return scene { name = "cue", body = solid.sphere { r = r, mass = 0.17 }, effects = { effect.plane {
+  surface = contact.sphere { r = r }, law = "sliding", friction = { coulomb = 0.2, smoothing = 1e-5 } } },
+  initial = { velocity = { 2, 0, 0 } }, time = { horizon = 0.25 }, events = { EVENTS } }
+]]
+local function cued(list, more) return run((cue:gsub("EVENTS", list)), more) end
+do
+  local code, csv, log = cued('{ name = "slip", when = slip - quantity(0.5, "m/s") }, ' ..
+    '{ name = "both", when = v1 - r*wy - 0.5 }, { name = "x", when = slip_x - 0.5 }, ' ..
+    '{ name = "far", when = p1 - 0.2 }, ' ..
+    '{ name = "N", when = N*t - 0.17*9.80665*0.1 }, { name = "up", when = height*t - 0.0045 }')
+  local at = {}
+  for _, e in ipairs(events(csv)) do at[e.name] = e.t end
+  local g = 9.80665
+  local slid = 1.5 / (3.5 * 0.2 * g)
+  local far = (2 - math.sqrt(4 - 2 * 0.2 * g * 0.2)) / (0.2 * g)
+  for _, c in ipairs { { "slip", slid }, { "both", slid }, { "x", slid }, { "far", far }, { "N", 0.1 },
+    { "up", 0.15 } } do
+    tap.ok(code == 0 and at[c[1]] and math.abs(at[c[1]] - c[2]) < 1e-8,
+      "an event of " .. c[1] .. " at " .. c[2] .. " s: states and quantities of a body on a plane", at[c[1]] or log)
+  end
+  code, csv, log = cued '{ name = "a", when = wheel - 1 },\n{ name = "b", when = omega_frame_x*rz }'
+  local has = "when must be made of parameters and what this scene has: t, qw, qx, qy, qz, wx, wy, wz, p1, p2, " ..
+    "v1, v2, energy, speed, omega_inertial_x .. z, Lx .. z"
+  tap.ok(code == 1 and csv == "" and log:find("s.lua:4: event a: " .. has, 1, true) and
+    log:find("got wheel\n", 1, true) and log:find("got omega_frame_x\n", 1, true) and log:find("got rz\n", 1, true),
+    "what the scene has not is named, all of it, beside what it has", log)
+  code, csv, log = cued('{ name = "low", when = height - 2*r }, { name = "a", when = "N" }', "")
+  tap.ok(code == 1 and csv == "" and log:find("s.lua:4: events[2]: when", 1, true), "a name as text is none", log)
+end
+-- In the air, too: a ball falls from 0.5 m to 0.1 m in sqrt(2*0.4/g), and is on the plane after its bounces.
+do
+  local code, csv, log = run [[
+return scene { name = "ball", body = solid.sphere { r = 0.02, mass = 0.1 }, effects = { effect.plane {
+  surface = contact.sphere { r = 0.02 }, law = "smooth", impact = { restitution = 0.2 } },
+  effect.translation { gravity = 9.81 } }, initial = { position = { 0, 0, 0.5 } }, time = { horizon = 0.6 },
+  events = { { name = "low", when = height - 0.1, direction = -1 }, { name = "lies", when = N - 0.5 } } }
+]]
+  local at = {}
+  for _, e in ipairs(events(csv)) do at[e.name] = at[e.name] or e.t end
+  tap.ok(code == 0 and at.low and math.abs(at.low - math.sqrt(0.8 / 9.81)) < 1e-12 and
+    math.abs(at.lies - at.landing) < 1e-9,
+    "height and N of a body that flies and lands", log .. tostring(at.low) .. " " .. tostring(at.lies) .. " " ..
+    tostring(at.landing))
 end
 
 program.finish()

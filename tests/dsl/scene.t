@@ -361,5 +361,20 @@ do
   for i, e in ipairs(job.record.effects) do order[i] = tostring(e.a.body[1].value) end
   tap.is(table.concat(order, " "), "1 2 3 4 5 6 7 8 9 10 11 12", "twelve of them too")
 end
+-- 0 belongs to every unit: in sums, differences, the least and the greatest, and signs; so does 0 times a state
+do
+  local job, d = scene.read [[
+local a, u = param("a", 0.3, "m"), input("u", "N m", { min = -1, max = 1 })
+local M = quantity(2, "kg")
+return scene { name = "zero", body = solid.box { x = a + 0, y = 0 + a - 0.0, z = max(a, 0, a/2) + a*sign(a - 0),
+    mass = (M + 0 + (0 + M) + (M - 0) + max(M, 0) + min(0, M))/4 },
+  effects = { effect.torque { body = { 0*wx + u, max(u, 0) - 0, 0 - min(u, 0*wy) } } },
+  initial = { omega = { 0 + quantity(1, "rad/s"), 0, 0*quantity(1, "rad/s") } },
+  events = { { name = "e", when = max(wx - 1, 0) - 0 } } }]]
+  tap.ok(job and job.model:number(job.model.mass) == R.parse "2", "0 has every unit", d)
+  job, d = scene.read('return scene { name = "s", body = solid.box { x = quantity(1, "m") + quantity(0, "s"), ' ..
+    "y = 1, z = 1, mass = 1 } }")
+  tap.ok(job, "also one that was written with another", d)
+end
 
 tap.done()

@@ -41,6 +41,31 @@ for _, engine in ipairs { "general", "generated --method taylor --tolerance 1e-1
   tap.ok(N and math.abs(tonumber(N)) < 1e-9, "N is 0 there", N)
 end
 
+-- ---- a start that the plane does not allow, at every door ----
+
+program.write(dir .. "/dropped.lua", [[
+return scene { name = "dropped", body = solid.sphere { r = 0.03, mass = 0.2 },
+  effects = { effect.plane { surface = contact.sphere { r = 0.03 } } },
+  initial = { velocity = { 0.5, 0, 0 },
+    position = { 0, 0, 0.1 } } }
+]])
+for _, door in ipairs { "run SCENE", "gen SCENE -o DIR/gen", "explain SCENE", "check SCENE", "plot SCENE -o DIR/a.svg",
+  "view SCENE -o DIR/a.html", "sweep SCENE --over wx=0:1:2" } do
+  local code, out, said = program.output(binary .. " " .. door:gsub("SCENE", dir .. "/dropped.lua"):gsub("DIR", dir))
+  said = out .. said
+  tap.ok(code ~= 0 and said:find("dropped.lua:3: initial: velocity must be that of rolling", 1, true) and
+    said:find("dropped.lua:4: initial: position must have the centre of mass", 1, true), "refused: " .. door, said)
+end
+-- what is right to four digits, and what follows exactly, is taken
+for _, initial in ipairs { "omega = {0, 10, 0}, velocity = {0.3001, 0, 0}, position = {1, 2, 0.03001}",
+  "omega = {0, 10, 0}, velocity = {0.3, 0, 0}, position = {1, 2, 0}" } do
+  program.write(dir .. "/taken.lua", (program.read(dir .. "/dropped.lua"):gsub("initial = .*", function()
+    return "initial = { " .. initial .. " } }\n"
+  end)))
+  local code, _, said = program.output(binary .. " run " .. dir .. "/taken.lua --until 0.01")
+  tap.ok(code == 0, "taken: " .. initial, said)
+end
+
 -- ---- gravity along a normal of irrational length ----
 
 -- What it has along the plane is 0, not what the normal's rounding leaves.  A ball that slides without spin: the centre

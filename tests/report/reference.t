@@ -40,6 +40,28 @@ for _, word in ipairs { "scene.initial", "effect.wheel", "solid.cone", "s.q", "u
   local said, status = run("help " .. word)
   tap.ok(status == 0 and seen[word] and #said > 40, "polhode help " .. word)
 end
+-- functions and words of events: rows of one entry, and each found by its name
+for word, wanted in pairs { sqrt = "sqrt(x)", abs = "abs(x)", sign = "0 at 0", min = "min(x, y, ...)", max = "greatest",
+  atan2 = "atan2(x, y)", N = "reaction of the plane", slip = "Unit: m/s", com_y = "centre of mass", v1 = "along e1" } do
+  local said, status = run("help " .. word)
+  tap.ok(status == 0 and string.find(said, wanted, 1, true), "polhode help " .. word, said)
+end
+-- every function that a scene may call, and no other
+do
+  local out = assert(io.open(name, "w"))
+  local calls = {}
+  for _, e in ipairs(list) do
+    for i, r in ipairs(e.name == "functions" and e.rows or {}) do
+      calls[i] = r[1] .. (r.call == "(x)" and "(x)" or "(x, x)")
+    end
+  end
+  out:write('local x = param("x", 0.5)\nlocal sum = ', table.concat(calls, " + "), '\nreturn scene { name = "all", ',
+    'body = solid.box { x = 1, y = 1, z = 1, mass = 1 }, initial = { omega = { sum, 0, 0 } } }\n')
+  out:close()
+  local said, status = run("run " .. name .. " --until 0.01")
+  tap.ok(#calls == 17 and status == 0, "all functions of the reference are called by a scene", said)
+  os.remove(name)
+end
 local said, status = run "help effect.weel"
 tap.ok(status == 2 and string.find(said, "did you mean effect.wheel?", 1, true), "a name that is nearly one", said)
 tap.done()

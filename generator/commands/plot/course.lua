@@ -53,7 +53,7 @@ end
 local function of_scene(job, given)
   local m = job.model
   local c = { conserved = given.ground and {} or job.conserved.is, -- an impact keeps nothing
-    sequence = given.sequence or "zxz", plane = touch.plane(job) }
+    sequence = given.sequence or "zxz", plane = touch.plane(job), framed = m.frame and true }
   if not m.has.rates then return c end
   local f = facts.of(job)
   c.body = { moments = f.moments, axes = f.axes, kind = m.structure.kind, rod = m.structure.rod }

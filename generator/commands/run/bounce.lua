@@ -275,7 +275,7 @@ function composed(host, contact, flight, given, course, engine)
     a.impact.tangential and m:double(a.impact.tangential) or 0.0 }
   local motion = {}
   for k, v in pairs(on_plane) do motion[k] = v end -- a copy: order is lost anyway
-  motion.closed, motion.exact, motion.judge = false, false, nil
+  motion.closed, motion.exact, motion.judge, motion.ground = false, false, nil, contact
   motion.twin = on_plane.double and function()
     return (composed(host, contact, flight, on_plane.double, course, engine))
   end

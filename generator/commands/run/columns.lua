@@ -3,12 +3,14 @@
 --     columns.of(host, job, text, given) -> {names, row = function(t, x, energy, L) -> numbers}; nil and what is wrong
 -- A row has its time as row.t, too.  A word is t, a state, energy, Lx .., a quantity or a group of `quantities`; what
 -- is no word is an expression of them and of the parameters, with a name before it (rim = 0.1*wx) or its own text.
--- Angles are in rad.  given.course: the scene's inputs over time, known before the first row.
+-- Quantities are those of attitude/quantities.lua.  Angles are in rad.  given.course: the scene's inputs over time,
+-- known before the first row.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local evaluate = require "generator.algebra.evaluate"
-local rotation = require "generator.attitude.rotation"
+local quantities = require "generator.attitude.quantities"
 local contact = require "generator.dynamics.contact"
+local vec = require "generator.algebra.vec"
 local touch = require "generator.commands.run.touch"
 local options = require "generator.commands.options"
 local expression = require "generator.dsl.expression"
@@ -16,68 +18,39 @@ local diag = require "generator.diag"
 
 local columns = {}
 
-local xyz = { "x", "y", "z" }
-
 local function part(kind) return function(s) return s[kind] end end
-
-local function norm(v) return math.sqrt(v[1] * v[1] + v[2] * v[2] + v[3] * v[3]) end
-
--- Quantities of a sample {t, q, w, r, v, energy, L}: {name, what it needs, unit, function -> a number or a list,
--- endings of the columns' names (nil: one column)}.
-columns.quantities = {
-  { "speed", { "w" }, "rad/s", function(s) return norm(s.w) end, about = "|w|" },
-  { "omega_inertial", { "q", "w" }, "rad/s", function(s) return rotation.apply(s.q, s.w) end, xyz,
-    about = "w in inertial axes" },
-  { "L", { "L" }, "N m s", part "L", xyz, plain = true, about = "L in inertial axes" },
-  { "L_body", { "q", "L" }, "N m s", function(s) return rotation.back(s.q, s.L) end, xyz, about = "L in body axes" },
-  { "momentum", { "L" }, "N m s", function(s) return norm(s.L) end, about = "|L|" },
-  { "tilt", { "q" }, "rad", function(s)
-    local z = rotation.apply(s.q, { 0.0, 0.0, 1.0 })
-    return math.atan(math.sqrt(z[1] * z[1] + z[2] * z[2]), z[3])
-  end, about = "the angle between the body's z and inertial z" },
-  { "N", { "contact" }, "N", function(s) return s.contact()[1] end, about = "the reaction of the plane" },
-  { "com", { "contact" }, "m", function(s) return { table.unpack(s.contact(), 2, 4) } end, xyz,
-    about = "the centre of mass on the plane, inertial axes" },
-  { "com_velocity", { "contact" }, "m/s", function(s) return { table.unpack(s.contact(), 5, 7) } end, xyz,
-    about = "its velocity" },
-  { "contact_force", { "contact" }, "N", function(s) return { table.unpack(s.contact(), 8, 10) } end, xyz,
-    about = "the force of the plane" },
-  { "contact_point", { "contact" }, "m", function(s) return { table.unpack(s.contact(), 11, 13) } end, xyz,
-    about = "where the body touches it" },
-  { "slip", { "contact" }, "m/s", function(s) return { table.unpack(s.contact(), 14, 16) } end, xyz,
-    about = "the velocity of the body there against the plane" },
-  { "axis", { "q" }, "1", function(s) return rotation.apply(s.q, { 0.0, 0.0, 1.0 }) end, xyz,
-    about = "the body's z in inertial axes" },
-  { "rotation_vector", { "q" }, "rad", function(s) return rotation.vector(s.q) end, xyz, about = "axis times angle" },
-  { "matrix", { "q" }, "1", function(s)
-    local R, list = rotation.matrix(s.q), {}
-    for i = 1, 3 do
-      for j = 1, 3 do list[#list + 1] = R[i][j] end
-    end
-    return list
-  end, { "11", "12", "13", "21", "22", "23", "31", "32", "33" }, about = "rotation matrix, body to space" },
-}
-
--- euler, which is euler_zxz, and the eleven others: three angles each.
-local function euler(name, sequence)
-  return { name, { "q" }, "rad", function(s) return (rotation.euler(s.q, sequence)) end, { "1", "2", "3" },
-    about = "Euler angles " .. sequence }
-end
-columns.quantities[#columns.quantities + 1] = euler("euler", "zxz")
-for _, sequence in ipairs(rotation.sequences) do
-  columns.quantities[#columns.quantities + 1] = euler("euler_" .. sequence, sequence)
-end
 
 local parts = { attitude = "q", rates = "w", position = "r", velocity = "v" }
 
--- What the scene has, as a list of words in the order of the usual columns: {name, unit, function(sample)}; then
--- groups, {name -> names}.
+-- The attitude of the frame that turns as a function of time; nil without one, and false where its axis moves too, so
+-- that there is no formula.  About a fixed axis the angle is |rate| t + rate_dot t^2/2; at t = 0 it is 0.
+local function base(m)
+  if not m.frame then return nil end
+  local rate, change, axis = {}, {}, nil
+  for i = 1, 3 do rate[i], change[i] = m:double(m.frame.a.rate[i]), m:double(m.frame.a.rate_dot[i]) end
+  for i = 1, 3 do
+    local j = i % 3 + 1
+    if rate[i] * change[j] ~= rate[j] * change[i] then return false end
+    if rate[i] ~= 0 or change[i] ~= 0 then axis = axis or (rate[i] ~= 0 and rate or change) end
+  end
+  local size = math.sqrt(vec.dot(axis, axis))
+  local unit = vec.map(axis, function(x) return x / size end)
+  local first, second = vec.dot(rate, unit), vec.dot(change, unit)
+  return function(t)
+    local half = (first + second * t / 2) * t / 2
+    return { math.cos(half), table.unpack(vec.map(unit, function(x) return math.sin(half) * x end)) }
+  end
+end
+
+-- What the scene has, as a list of words in the order of the usual columns: {name, unit, function(sample)}; by name;
+-- groups, {name -> names}; and the words of expressions, in which the name of a group may be a number, too.
 local function words_of(job)
-  local list, by_name, groups, has = {}, {}, {}, { energy = true, L = job.model.has.attitude or nil,
-    contact = (contact.of(job.model) or job.record.landing) and true or nil }
+  local list, by_name, groups, wide, has = {}, {}, {}, {}, { energy = true, L = job.model.has.attitude or nil,
+    contact = (contact.of(job.model) or job.record.landing) and true or nil,
+    frame = job.model.frame and true or nil, base = base(job.model) ~= false }
   local function word(name, unit, f)
     by_name[name] = { name = name, unit = unit, f = f }
-    list[#list + 1] = by_name[name]
+    list[#list + 1], wide[#wide + 1] = by_name[name], by_name[name]
   end
   local function group(name, member)
     groups[name] = groups[name] or {}
@@ -94,17 +67,38 @@ local function words_of(job)
     group("states", s.name)
   end
   word("energy", "J", part "energy")
-  for _, q in ipairs(columns.quantities) do
+  for _, w in ipairs(quantities.words()) do
+    local name, unit, _, q, k = table.unpack(w)
     local fits = true
     for _, need in ipairs(q[2]) do fits = fits and has[need] end
-    for k, ending in ipairs(fits and q[5] or {}) do
-      local name = q[1] .. (q.plain and "" or "_") .. ending
-      word(name, q[3], function(sample) return q[4](sample)[k] end)
-      group(q[1], name)
+    local function f(sample) return quantities.value(w, sample) end
+    if fits and (k or not q[5]) then word(name, unit, f) elseif fits then
+      wide[#wide + 1] = { name = name, unit = unit, f = f }
     end
-    if fits and not q[5] then word(q[1], q[3], q[4]) end
+    if fits and k then group(q[1], name) end
   end
-  return list, by_name, groups
+  return list, by_name, groups, wide
+end
+
+-- The words that an expression of the scene may have, {name, unit, function(sample)}, in their order and by name.
+function columns.words(job)
+  local list, by_name = select(4, words_of(job)), {}
+  for _, w in ipairs(list) do by_name[w.name] = w end
+  return list, by_name
+end
+
+-- The same words in short, for a message: of a vector "com_x .. z"; of the Euler angles one sequence stands for all.
+function columns.told(job)
+  local list, out, ends = columns.words(job), {}, {}
+  for _, w in ipairs(quantities.words()) do
+    local q, k = w[4], w[5]
+    if k then ends[w[1]] = k == 1 and not string.find(w[1], "^euler_%a") and " .. " .. q[5][#q[5]] or "" end
+  end
+  for _, w in ipairs(list) do
+    local tail = ends[w.name]
+    if tail ~= "" then out[#out + 1] = w.name .. (tail or "") end
+  end
+  return table.concat(out, ", ")
 end
 
 -- The text cut at commas outside of brackets.
@@ -143,10 +137,10 @@ end
 
 -- The columns that are asked for: a list of {name, f}, or nil and what is wrong.
 local function asked(host, job, text)
-  local list, by_name, groups = words_of(job)
+  local list, by_name, groups, wide = words_of(job)
   local out, taken, known = {}, {}, {}
   for _, w in ipairs(list) do known[#known + 1] = w.name end
-  for _, q in ipairs(columns.quantities) do known[#known + 1] = q[5] and q[1] or nil end
+  for _, q in ipairs(quantities.list) do known[#known + 1] = q[5] and q[1] or nil end
   local wrong
   local function put(c)
     if taken[c.name] then wrong = wrong or "the column " .. c.name .. " is there twice" end
@@ -161,9 +155,12 @@ local function asked(host, job, text)
     elseif groups[entry] then
       for _, member in ipairs(groups[entry]) do put(by_name[member]) end
     elseif not name and string.find(entry, "^[%a_][%w_]*$") and not job.model.defaults[entry] then
-      return nil, "--columns: the scene has no " .. entry .. options.meant(entry, known)
+      local tumbles = string.find(entry, "^omega_inertial") and base(job.model) == false
+      return nil, "--columns: the scene has no " .. entry .. (tumbles and
+        ": the axis of its frame moves, so that there is no formula for the frame's attitude; there is omega_frame" or
+        options.meant(entry, known))
     else
-      local c, why = expression_column(host, job, name or entry, body or entry, list)
+      local c, why = expression_column(host, job, name or entry, body or entry, wide)
       if not c then return nil, "--columns " .. entry .. ": " .. why end
       put(c)
     end
@@ -177,8 +174,9 @@ for i = 1, 16 do nowhere[i] = 0 / 0 end
 
 -- A sample from t, the scene's state, energy and L; on: the state of the scene given.ground, where a body that flies
 -- and lands touches the plane.
-local function sampler(host, job, given)
-  local at, touching = {}, touch.of(host, job, given and given.ground)
+function columns.sampler(host, job, given)
+  local at, touching, plane = {}, touch.of(host, job, given and given.ground), touch.plane(job)
+  local turned = base(job.model)
   for i, s in ipairs(job.states) do
     local kind = parts[s.kind]
     if kind then
@@ -187,7 +185,7 @@ local function sampler(host, job, given)
     end
   end
   return function(t, x, energy, L, on)
-    local s = { t = t, x = x, energy = energy, L = L }
+    local s = { t = t, x = x, energy = energy, L = L, base = turned or nil, normal = plane and plane.normal }
     for _, kind in ipairs { "q", "w", "r", "v" } do
       if at[kind] then
         s[kind] = {}
@@ -225,7 +223,7 @@ function columns.of(host, job, text, given)
     for i = #first + 1, #rest do order[#order + 1] = rest[i] end
     for i, name in ipairs(order) do list[i] = by_name[name] end
   end
-  local sample, names = sampler(host, job, given), {}
+  local sample, names = columns.sampler(host, job, given), {}
   for i, c in ipairs(list) do names[i] = c.name end
   return { names = names, row = function(t, x, energy, L, on)
     local s, row = sample(t, x, energy, L, on), { t = t }
