@@ -28,7 +28,8 @@ local function parameters(m)
     local given = string.sub(p.given, -#tail) == tail and string.sub(p.given, 1, -#tail - 1) or p.given
     local first = string.match(given, "^%S+")
     local scale = tonumber(first) and tonumber(first) ~= m:double(p.sym) -- of the unit that the scene gives it in
-    list[i] = { name = p.name, unit = p.unit, about = "default " .. (scale and number.text(p.default, "double") or given),
+    list[i] = { name = p.name, unit = p.unit,
+      about = "default " .. (scale and number.text(p.default, "double") or given),
       given = scale and ", " .. given .. " in the scene" or nil }
   end
   return list

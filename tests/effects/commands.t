@@ -68,12 +68,13 @@ local function fault(random, touches)
   local run = string.format("%s run s.lua --until 1 --every 0.5 %s", path, any { "--engine general",
     "--engine general --method rk4 --step 0.01", "--engine generated", "--engine generated --method adaptive" })
   status, out, err = shell("%s", run)
+  local lost = touches and (err:find "event contact_lost at" or err:find "event lies_flat at")
+  err = err:gsub("event %S+ at t = %S+ s\n", "")
   local long = touches and run:find "rk4 " and err:find "^polhode run: at t = " and err:find "what helps: %-%-step"
   if touches and status == 3 and (long or err:find "the plane would have to pull") then return nil end
   if touches and (err:find "^warning: rk4 with steps of [%d.]+ s: its error is estimated" or
     err:find "^warning: rk4 with steps of [%d.]+ s: no digit is known") then err = "" end
-  local rows = select(2, (out:match "^(.-\n)\n" or out):gsub("\n", ""))
-  local lost = touches and (out:find "\ncontact_lost," or out:find "\nlies_flat,")
+  local rows = select(2, out:gsub("\n", ""))
   err = err:gsub("warning: the disc has [^\n]*; the run ends there\n", "")
   if status ~= 0 or err ~= "" or (rows ~= 4 and not (lost and rows > 1 and rows < 4)) or out:find "nan" or
     out:find "inf" then

@@ -55,7 +55,9 @@ tap.like(h, "\n#define GYROSTAT_VERSION \"polhode ", "every header has its versi
 -- ---- words that were wrong ----
 
 -- the stages' angles are called a where v is the velocity
-local function text_of(source, plan, options) return scene.files(scene.plan(assert(scene.read(source, options)), plan)) end
+local function text_of(source, plan, options)
+  return scene.files(scene.plan(assert(scene.read(source, options)), plan))
+end
 local function box(name, more, effects)
   return string.format([[
 local l = param("l", 0.02, "N m")

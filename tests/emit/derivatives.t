@@ -118,8 +118,8 @@ int main(void)
   program.write(where .. "/scaled.h", files["scaled.h"])
   program.write(where .. "/scaled.c", files["scaled.c"])
   program.write(where .. "/main.c", main)
-  local code = program.shell("cd " .. where .. " && gcc -std=c99 -O1 -ffp-contract=off main.c scaled.c -lm -o scaled " ..
-    ">log 2>&1 && ./scaled >out")
+  local code = program.shell("cd " .. where .. " && gcc -std=c99 -O1 -ffp-contract=off " ..
+    "main.c scaled.c -lm -o scaled >log 2>&1 && ./scaled >out")
   tap.ok(code == 0 and program.read(where .. "/out") == "", "moments of 1e-13 to 1e10 kg m^2: init takes them, in " ..
     "float, and the derivatives scale as they should", code .. " " .. (program.read(where .. "/log") or "") ..
     (program.read(where .. "/out") or ""))

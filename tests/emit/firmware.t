@@ -110,7 +110,8 @@ do
   program.write(folder .. "/config.h", (config:gsub("#include \"derived.h\"", "#define APP_GYRO_VARIANCE (" ..
     value .. "/16)\n%0")))
   local text, ok = firmware.run(folder, "make -s host")
-  tap.ok(not ok and text:find("\nE %x+ 00000007\n"), "with a noise that is four times too small the filter is blind: " ..
+  tap.ok(not ok and text:find("\nE %x+ 00000007\n"),
+    "with a noise that is four times too small the filter is blind: " ..
     "a fault, and the program fails", text:sub(-300))
   local lines = firmware.read((firmware.run(folder, "touch main.c; make -s host DEFS=-DAPP_BLIND=65535")))
   tap.ok(innovations(lines, 1, 256) > 3 * 256 + 4 * math.sqrt(6 * 256),

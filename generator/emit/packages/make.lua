@@ -29,7 +29,7 @@ function make.files(job, made)
     header_only = job.layout == "header", header_words = table.concat(names.headers, " "),
     public_words = table.concat(names.public, " "), source_words = table.concat(names.sources, " "),
     stems = names.stems, no_errno = readme.no_errno(made), own_libm = made.ctx.own,
-    no_memory = made.ctx.own and job.real == "float" } -- in double compilers make memcpy of structures: docs/promises.md
+    no_memory = made.ctx.own and job.real == "float" } -- in double compilers copy structures by it: docs/promises.md
   for k, x in pairs(p and p.make or {}) do v[k] = x end -- into a table: order is lost anyway
   local render = GROUP(job.templates, made.base, v)
   return { { name = "Makefile", text = render "projects/Makefile" },

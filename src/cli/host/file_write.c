@@ -133,7 +133,8 @@ static int follow(struct job *job, struct item *item) {
     return 1;
   char *real = realpath(item->path, NULL);
   if (real == NULL)
-    return errno == ENOENT ? fail(job, item->path, "it is a link to nothing") : fail_as(job, item->path, errno);
+    return errno == ENOENT ? fail(job, item->path, "it is a link to nothing")
+                           : fail_as(job, item->path, errno);
   const int fits = snprintf(item->path, PATH_MAX, "%s", real) < PATH_MAX;
   free(real);
   return fits || fail_as(job, item->path, ENAMETOOLONG);

@@ -82,8 +82,8 @@ int host_list_dir(lua_State *L);
 /* columns(path, {name, ...}) -> {{number, ...}, ...}, {all names} | nil, message.  Of a CSV file;
  * what is no number is nan; a name that is missing has an empty list. */
 int host_columns(lua_State *L);
-/* write_files(dir, {{name=, text=}, ...}) -> true, {names written} | nil, message, exit status (74: the disk is full or
-   broken, else 2).  All or nothing.
+/* write_files(dir, {{name=, text=}, ...}) -> true, {names written} | nil, message, exit status (74:
+ the disk is full or broken, else 2).  All or nothing.
  * text = false: a file that is removed, and the folders that this leaves empty; it is among the
  * names if it was there. */
 int host_write_files(lua_State *L);

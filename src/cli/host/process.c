@@ -99,7 +99,8 @@ static int start(const struct child *c, int out, pid_t *pid) {
   char *argv[MAX_ARGUMENTS + 1];
   memcpy(argv, c->argv, sizeof argv);
   char **own = surroundings(c->dir);
-  const int error = posix_spawnp(pid, argv[0], &files, &attributes, argv, own != NULL ? own : environ);
+  const int error =
+      posix_spawnp(pid, argv[0], &files, &attributes, argv, own != NULL ? own : environ);
   free(own);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);

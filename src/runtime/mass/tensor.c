@@ -83,8 +83,9 @@ int ph_tensor_energy(const double tensor[6], const double w[3], double *T) {
 int wide_tensor_check(const ph_wide tensor[6], ph_wide size) {
   ph_wide moment[3], axis[3][3];
   wide_eigen(tensor, moment, axis);
-  /* The entries are doubles that some program computed: each is off by 2^-52 of the trace, which is twice the
-     largest moment at most, so the sum of two moments by 9 of that (generator/mass/law.lua). */
+  /* The entries are doubles that some program computed: each is off by 2^-52 of the trace, which is
+     twice the largest moment at most, so the sum of two moments by 9 of that
+     (generator/mass/law.lua). */
   const ph_wide slack = 18 * (ph_wide)DBL_EPSILON * fmaxl(fabsl(moment[2]), size);
   if (moment[0] < -slack)
     return PH_EPOSITIVE;
