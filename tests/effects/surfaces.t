@@ -42,8 +42,8 @@ local function stone(surface, more)
   return string.format([[
 return scene { name = "stone", body = solid.ellipsoid { a = 0.1, b = 0.03, c = 0.02, mass = 0.7 },
   effects = { effect.plane { surface = %s, %s } },
-  initial = { omega = {0.1, -0.4, 4}, attitude = { axis = {1, 0.3, 0}, angle = %g }, position = {0.3, -0.2, 0} } }
-]], surface, more, angle)
+  initial = { omega = {0.1, -0.4, 4}, attitude = { axis = {1, 0.3, 0}, angle = %g }, position = {0.3, -0.2, %s} } }
+]], surface, more, angle, more:find("{0.1, 0, 1}", 1, true) and "-0.03" or "0") -- in the plane
 end
 
 local placing = "at = {0.001, 0, 0.002}, turned = { axis = {0.1, 0, 1}, angle = 0.2 }"

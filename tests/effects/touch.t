@@ -85,8 +85,8 @@ end
 for _, case in ipairs(cases) do
   local text = string.format([[
 return scene { name = "b", body = %s, effects = { effect.plane { surface = %s, %s } },
-  initial = { omega = {1, 2, 3}, position = {1, 0, 0} } }
-]], case[1], case[2], case[3])
+  initial = { omega = {1, 2, 3}, position = {%s} } }
+]], case[1], case[2], case[3], case[3]:find("normal", 1, true) and "1, 0, \"-1/5\"" or "1, 0, 0") -- in the plane
   local job = scene.plan(assert(scene.read(text)))
   local claimed, what = {}, case[2]:match "contact.%w+" .. ", " .. case[3]
   for _, law in ipairs(touch_laws.all(job.model)) do

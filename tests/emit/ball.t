@@ -153,7 +153,7 @@ for _, case in ipairs {
   { what = "at the rate of a turn a minute, from 1/1000 s on", r = "0.5", J = "0.1", turntable = "0.109375",
     omega = "0, 2, 0", position = "0, 0, 0", tilted = true, W = { "0", "2" }, z = { "0", "0" }, R = "1/2",
     Omega = "7/64", pull = "-15/4", times = { 0.001, 1.0, 31.9, 32.1, 1000.0 } },
-  { what = "a slope at rest", r = "0.5", J = "0.1", turntable = "0", omega = "0, 2, 0", position = "1, 2, 0",
+  { what = "a slope at rest", r = "0.5", J = "0.1", turntable = "0", omega = "0, 2, 0", position = "0.64, 2, 0.48",
     tilted = true, W = { "0", "2" }, R = "1/2", Omega = "0", pull = "-15/4", z = { "4/5", "2" },
     times = { 0.001, 1.0, -1000.0, 1e9 } },
   { what = "a ball of a micrometre", r = "9.5367431640625e-7", J = "3.637978807091713e-13", turntable = "3.5",
