@@ -137,10 +137,10 @@ for _, case in ipairs { { COIN, { 3, -10, 32 }, 1.0 }, { COIN, { 1, 0.3, -0.2 },
   tap.ok(samples >= 400 and above > -1e-11 and above < 1e-3, what .. ": least N", string.format("%d, %g", samples,
     above))
   local until_t = 2.2 * period
-  program.shell(string.format("%s run %s/b.lua --engine general --until %.17g --every %.17g --columns t,q,w >%s/out " ..
-    "2>%s/err", binary, dir, until_t, until_t / 9, dir, dir))
+  program.shell(string.format("%s run %s/b.lua --engine general --until %.17g --every %.17g --columns t,q,w " ..
+    "--events %s/events >%s/out 2>%s/err", binary, dir, until_t, until_t / 9, dir, dir, dir))
   local out, times, kept = program.read(dir .. "/out"), {}, 0.0
-  for t in out:gmatch "here,([%d.e-]+)" do times[#times + 1] = t end
+  for t in (program.read(dir .. "/events") or ""):gmatch "here,([%d.e-]+)" do times[#times + 1] = t end
   for line in out:gmatch "\n([%d.e-]+,[%d.,e+-]+)" do
     local x = {}
     for word in line:gmatch "[^,]+" do x[#x + 1] = tonumber(word) end
