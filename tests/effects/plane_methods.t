@@ -100,8 +100,8 @@ for _, case in ipairs(some) do
     program.shell(string.format("%s run %s/body.lua --engine generated --real float --method taylor --tolerance " ..
       "2e-7 --until 0.3 --every 0.3 --columns t >%s/out.csv 2>&1", binary, dir, dir))
     local out = program.read(dir .. "/out.csv")
-    tap.ok(out:find "event lies_flat at t = 0%.16", name .. ", float: where it lies flat to seven digits the run ends and says so",
-      out)
+    tap.ok(out:find "event lies_flat at t = 0%.16",
+      name .. ", float: where it lies flat to seven digits the run ends and says so", out)
   end
 end
 tap.ok(left <= 2, left .. " rows too sensitive for float, two of all")
