@@ -22,10 +22,11 @@ const scene = (name, text) => {
 const browser = await launch();
 
 // The rows and events of run: lists of numbers, the events' name first.
+const table = (text) => text.trim().split("\n").slice(1)
+  .map((line) => line.split(",").map((v) => (Number.isNaN(Number(v)) ? v : Number(v))));
 const run = (file, ...words) => {
-  const [rows, events] = polhode("run", file, ...words).split("\n\n").map((block) => block.trim().split("\n").slice(1)
-    .map((line) => line.split(",").map((v) => (Number.isNaN(Number(v)) ? v : Number(v)))));
-  return { rows, events: events || [] };
+  const happened = join(dir, "happened.csv"), rows = polhode("run", file, "--events", happened, ...words);
+  return { rows: table(rows), events: table(readFileSync(happened, "utf8")) };
 };
 const far = (a, b, size) => Math.max(...a.map((v, i) => Math.abs(v - b[i])/size[i]));
 
