@@ -1,5 +1,7 @@
 -- constancy.lua -- what keeps its value along every motion, by the structure of the equations, and what changes.
 --
+-- A state is conserved where its rate is the number 0.  The attitude never counts as conserved: steppers hold q in a
+-- form of their own.  What has a value that only happens to stay, by the numbers of a motion, is not known here.
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
