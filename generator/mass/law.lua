@@ -74,9 +74,8 @@ end
 
 -- The rod that the entries about the centre of mass are, to the rounding of their computation; nil if they are none, or
 -- lawful as they stand.  Its moment about its line is then zero and not some 1e-18, of either sign, which the equations
--- of motion would divide by.  Sigma of a rod
--- is s u uT: the row of its largest diagonal entry has it.  Of three entries that are off by a unit a product over the
--- third is off by three, and a moment is a sum of two of them.
+-- of motion would divide by.  Sigma of a rod is s u uT: the row of its largest diagonal entry has it.  Of three entries
+-- that are off by a unit a product over the third is off by three, and a moment is a sum of two of them.
 local of_rod = R.new(6)
 function law.rod(written, I)
   if not (written and written.computed) or law.lawful(I) then return nil end
