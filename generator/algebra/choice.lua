@@ -14,7 +14,10 @@ local values = {
   sign = function(one, x) return x < one - one and -one or x > one - one and one or one - one end,
   min = function(_, x, y) return y < x and y or x end,
   max = function(_, x, y) return x < y and y or x end,
-  clamp = function(_, x, low, high) return x < low and low or x > high and high or x end,
+  clamp = function(one, x, low, high) -- NaN counts as 0
+    local number = x == x and x or one - one
+    return number < low and low or number > high and high or number
+  end,
 }
 choice.values = values
 

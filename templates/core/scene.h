@@ -40,8 +40,8 @@ enum { /* state x[${upper}_NX] */
 %% if has_inputs then
 
 %% if has_limits then
-/* An input beyond its limits acts like the nearer limit, and one that is not a number (NaN) like the lower limit.  A NaN
- * in an input without limits makes the states NaN. */
+/* An input beyond its limits acts like the nearer limit, and one that is not a number (NaN) like 0, or the limit next to
+ * 0.  A NaN in an input without limits makes the states NaN. */
 %% end
 enum { /* input u[${upper}_NU], which must not be NULL */
 %% for _, line in ipairs(input_enum) do

@@ -2,11 +2,12 @@
 /* ---- functions that libm lacks ---- */
 %% if has_clamp then
 
-/* x within low .. high, else the limit that is nearer; NaN, which no comparison holds for, becomes low, so that what
- * comes out is within the limits whatever goes in */
+/* x within low .. high, else the limit that is nearer; NaN counts as 0, so that what comes out is within the limits
+ * whatever goes in, and drives nothing if they allow that */
 static ${name}_real ${name}_clamp(${name}_real x, ${name}_real low, ${name}_real high)
 {
-  return x > low ? (x < high ? x : high) : low;
+  const ${name}_real number = x == x ? x : ${zero};
+  return number > low ? (number < high ? number : high) : low;
 }
 %% end
 %% if has_sign then

@@ -74,7 +74,10 @@ special.list = {
     local _, h, sum = parts(rounded, a, b, c)
     return h[1 + (b > a and 1 or 0) + (c > a and 1 or 0)][1] / sum[1]
   end },
-  { "clamp", 3, function(_, x, low, high) return x > low and (x < high and x or high) or low end }, -- NaN: low
+  { "clamp", 3, function(_, x, low, high)
+    local number = x == x and x or 0.0 -- NaN counts as 0
+    return number > low and (number < high and number or high) or low
+  end },
   { "sign", 1, function(_, x) return x < 0 and -1.0 or x > 0 and 1.0 or 0.0 end },
   { "min", 2, function(_, x, y) return y < x and y or x end },
   { "max", 2, function(_, x, y) return x < y and y or x end },

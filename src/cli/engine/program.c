@@ -96,6 +96,7 @@ static int sign(const struct piece *p, int i, sized a, const sized *b) {
 /* What has corners or jumps, of the operands a[0] on. */
 static sized choose(const struct program_instruction *c, const sized a[], const struct piece *p) {
   const sized minus = {-a[0].value, a[0].size};
+  sized x;
   int s;
   switch (c->op) {
   case SIGN:
@@ -105,9 +106,10 @@ static sized choose(const struct program_instruction *c, const sized a[], const 
     return sign(p, c->side, a[0], &a[1]) > 0 ? a[1] : a[0];
   case MAX:
     return sign(p, c->side, a[0], &a[1]) < 0 ? a[1] : a[0];
-  case CLAMP: /* x, low, high */
-    s = sign(p, c->side + 1, a[0], &a[2]);
-    return sign(p, c->side, a[0], &a[1]) < 0 ? a[1] : s > 0 ? a[2] : a[0];
+  case CLAMP: /* x, low, high; NaN counts as 0 */
+    x = isnan(a[0].value) ? (sized){0, 0} : a[0];
+    s = sign(p, c->side + 1, x, &a[2]);
+    return sign(p, c->side, x, &a[1]) < 0 ? a[1] : s > 0 ? a[2] : x;
   default: /* ABS */
     return sign(p, c->side, a[0], NULL) < 0 ? minus : a[0];
   }
