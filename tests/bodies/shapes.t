@@ -58,7 +58,7 @@ end
 add("shell.ellipsoid { a = a, b = b, c = c, AMOUNT }", ABC, AT, "mass = M", "shell.ellipsoid of three axes")
 add("shell.ellipsoid { a = a, b = b, c = c, AMOUNT }", ABC, AT, "density = rho", "shell.ellipsoid of three axes")
 
-scenes = tier.every(8, scenes)
+scenes = tier.every(8, scenes, 2)
 do
   local list = {}
   for i, s in ipairs(scenes) do list[i] = s.id .. "\n" end

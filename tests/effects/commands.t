@@ -19,7 +19,7 @@ local scenes = require "tests.effects.scenes"
 
 local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
-local count = tonumber(os.getenv "POLHODE_SCENES") or tier.quick and 5 or 60
+local count = tonumber(os.getenv "POLHODE_SCENES") or tier.quick and 5 or tier.some and 30 or 60
 local seed = tonumber(os.getenv "POLHODE_SEED") or 23
 local STRICT = "-std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
 local METHODS = { "rk4", "adaptive", "taylor", "semi", "midpoint", "split2", "split4", "split6" }

@@ -211,7 +211,7 @@ for i, contact_of in ipairs { "rolling\"", "smooth\"", "sliding\", friction = { 
     end
   end
 end
-for n, item in ipairs(tier.every(10, list)) do
+for n, item in ipairs(tier.every(10, list, 2)) do
   local what = table.concat(vec.map(item.effects, function(v) return v.name end), " and ") .. ", " .. item.body
   local job, why = scene.read(scenes.text(scenes.new(n, 0.3), "e" .. n, item.body, item.effects))
   if job then check(what, job) else tap.ok(false, what .. " is a scene", why) end

@@ -76,7 +76,7 @@ local rotor = "effect.rotor { axis = {1, 0, 2}, momentum = 0.4 }"
 put("rotor_parts", "\"centroid\"", rotor .. ", effect.inertia_rate { yy = 0.3*sin(t), yz = 0.1*t }")
 put("rotor_sink", "\"centroid\"", rotor .. ", effect.dissipation { k = 0.02 }")
 
-paths = tier.every(6, paths)
+paths = tier.every(6, paths, 2)
 for first = 1, #paths, 30 do -- a run of the program has room for some dozens
   local some = { table.unpack(paths, first, math.min(first + 29, #paths)) }
   local command = string.format("%s timeout 900 %s check --real double --states 200 %s >%s/stdout 2>%s/stderr", quick,

@@ -69,7 +69,7 @@ end
 
 local scene = '%sreturn scene { name = "b", body = %s }'
 
-for _, b in ipairs(tier.every(6, bodies)) do
+for _, b in ipairs(tier.every(6, bodies, 2)) do
   local text = string.format(scene, b.head, b.shape)
   local status, urdf, err = run.explain(text, "urdf")
   run.write("b.urdf", urdf)

@@ -156,7 +156,7 @@ local function numbers(path)
 end
 
 local jobs, script = {}, {}
-for i, row in ipairs(tier.every(8, rows)) do
+for i, row in ipairs(tier.every(8, rows, 2)) do
   for _, method in ipairs(methods) do
     for _, real in ipairs { "double", "float" } do
       if not (row.except and row.except[method]) and (real == "double" or row.float) then

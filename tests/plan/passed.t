@@ -59,7 +59,7 @@ local scenes = { -- file or text, methods, accuracies
 }
 local accuracies = { "1e-3", "1e-7", "1e-10", "1e-13" }
 
-for _, s in ipairs(tier.every(8, scenes)) do
+for _, s in ipairs(tier.every(8, scenes, 2)) do
   local path, methods = s[1], s[2]
   if not string.find(path, "/", 1, true) then
     path, methods = dir .. "/" .. s[1] .. ".lua", nil
