@@ -1,8 +1,8 @@
 -- adaptive.lua -- the embedded pair as C: the trial step, printed; templates/steppers/adaptive.c controls it.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local floors = require "generator.emit.floors"
 local source = require "generator.emit.source"
+local step_control = require "generator.emit.step_control"
 local switched = require "generator.emit.switched"
 local template = require "generator.emit.template"
 
@@ -34,11 +34,11 @@ function adaptive.render(s, kit)
   if attitude then args[#args + 1] = { name = "turn", count = 4, out = true } end
   local f = source.make(ctx, { name = "adaptive_trial", groups = groups, doc = {}, args = args })
   local v = { head = f.head, lines = f.lines, count = text(n), states = {}, attitude = attitude,
-    turn = attitude and ", turn" or "", room = attitude and ", turn[4]" or "", kinds = source.kinds(program.states),
+    turn = attitude and ", turn" or "", room = attitude and ", turn[4]" or "",
     has_knots = s.has_knots, first = s.first, taken = s.taken }
   for i, state in ipairs(program.states) do v.states[i] = { name = ctx.upper .. "_" .. string.upper(state.name) } end
-  floors.put(v, program, kit)
   switched.put(v, s, kit, "adaptive")
+  step_control.put(v, s, kit, "adaptive")
   local render = GROUP(kit.templates, kit.base, v)
   return render "steppers/adaptive.h", { render "steppers/adaptive.c" }
 end

@@ -50,7 +50,7 @@ function floors.passed(program, m, u, h)
   return m .. ", " .. (program.floors.groups and "t, " .. u .. ", " or "") .. h .. ", "
 end
 
--- The values of v's templates: to each of v.kinds the argument `least`, empty texts where the scene has none.
+-- The values of norm.c into v: to each of v.kinds the argument `least`, empty texts where the scene has none.
 function floors.put(v, program, kit)
   local given, name = program.floors ~= nil, kit.ctx.name
   local moves = given and program.floors.groups ~= nil
@@ -59,7 +59,7 @@ function floors.put(v, program, kit)
     k.least = place and string.format("least[%d], ", place) or given and kit.base.zero .. ", " or ""
   end
   v.has_floors, v.least_first = given, given and "least" or kit.base.zero
-  v.least_arg, v.norm_pass = given and name .. "_real least, " or "", floors.passed(program, "m", "u", "h")
+  v.least_arg = given and name .. "_real least, " or ""
   v.floors_count, v.floors_pass = moves and "2" or "3", moves and "m, t, x, u, h" or "m, x, h"
   local of_motion = moves and string.format("%s_real t, const %s_real u[], ", name, name) or ""
   v.norm_args = given and string.format("const %s_model *m, %s%s_real h, ", name, of_motion, name) or ""

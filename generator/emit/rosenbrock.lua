@@ -4,8 +4,8 @@
 
 local R = require "generator.algebra.rational"
 local number = require "generator.emit.number"
-local floors = require "generator.emit.floors"
 local source = require "generator.emit.source"
+local step_control = require "generator.emit.step_control"
 local switched = require "generator.emit.switched"
 local template = require "generator.emit.template"
 
@@ -53,7 +53,7 @@ function emit.render(s, kit)
   local function given(name, list) return { name = name, count = #list, names = list } end
   local attitude = program.states[1].name == "qw"
   local v = { count = text(n), cells = text(#program.factors), timed = program.timed, attitude = attitude, states = {},
-    kinds = source.kinds(program.states), has_knots = s.has_knots, first = s.first, taken = s.taken,
+    has_knots = s.has_knots, first = s.first, taken = s.taken,
     slips = {},
     many = text(#program.slips),
     slides = #program.slips > 0, rate = number.text(T.gamma ^ -1, ctx.real),
@@ -66,7 +66,6 @@ function emit.render(s, kit)
   v.slip_states = table.concat(held, " and ") .. (#held == 1 and " is" or " are")
   for i, x in ipairs(program.slips) do v.slips[i] = { name = ctx.upper .. "_" .. string.upper(x.state.name),
     place = text(i - 1) } end
-  floors.put(v, program, kit)
   v.rates = made("rates", program.rates, "m", "t", "x", "u", array("dz", n))
   v.matrix = made("matrix", program.matrix, "m", "t", "x", "u", "n", array("F", #program.factors),
     program.timed and array("dt", n) or nil)
@@ -74,6 +73,7 @@ function emit.render(s, kit)
   v.shift = #program.slips > 0 and made("slip", program.shifts, "m", "t", "x", "u", array("a", #program.slips)) or
     { head = "", lines = {} }
   switched.put(v, s, kit, "rosenbrock")
+  step_control.put(v, s, kit, "rosenbrock")
   local render = GROUP(kit.templates, kit.base, v)
   return render "steppers/rosenbrock.h", { render "steppers/rosenbrock.c" }
 end

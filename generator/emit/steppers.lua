@@ -9,6 +9,7 @@
 local floors = require "generator.emit.floors"
 local later = require "generator.later"
 local number = require "generator.emit.number"
+local step_control = require "generator.emit.step_control"
 local switched = require "generator.emit.switched"
 local plan = require "generator.emit.plan"
 local template = require "generator.emit.template"
@@ -38,10 +39,14 @@ function steppers.render(job, base, ctx)
   local kit = { templates = job.templates, base = base, ctx = ctx, knots_count = nil,
     compensated = job.compensated or false, planning = job.orders ~= nil }
   local headers, sources, list = {}, {}, {}
-  local least
-  for _, s in ipairs(job.steppers) do least = least or s.program and s.program.floors end
+  local least, estimated
+  for _, s in ipairs(job.steppers) do
+    least = least or s.program and s.program.floors
+    estimated = estimated or s.method.name == "adaptive" or s.method.name == "rosenbrock"
+  end
   kit.corners = switched.needed(job.steppers)
   if least then sources[1] = floors.shared(kit, least) end
+  if estimated then sources[#sources + 1] = step_control.shared(kit) end
   if kit.corners then sources[#sources + 1] = switched.shared(kit, kit.corners) end
   for i, s in ipairs(job.steppers) do
     local own = { name = s.method.name, step = i == 1 and "step" or s.method.name .. "_step",

@@ -67,52 +67,13 @@ void ${name}_adaptive_step(const ${name}_model *m, ${name}_real t, ${name}_real 
 }
 
 %% end
-%% if has_floors then
-/* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step and
- * at least of `least`, or `worst` if that is larger. */
-%% else
-/* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step, or
- * `worst` if that is larger. */
-%% end
-static ${name}_real ${name}_adaptive_worse(const ${name}_real x[], const ${name}_real out[], const ${name}_real error[], int first, int last,
-                           ${least_arg}${name}_real worst)
-{
-  ${name}_real size = ${least_first}, e = ${zero};
-
-  for (int k = first; k < last; k++) {
-    const ${name}_real a = ${fabs}(x[${name}_adaptive_moving[k]]), b = ${fabs}(out[k]), c = ${fabs}(error[k]);
-
-    size = a > size ? a : size;
-    size = b > size ? b : size;
-    e = c > e ? c : e;
-    if (!(b - b == ${zero}) || !(c - c == ${zero})) return ${huge};
-  }
-  return e > ${zero} && !(e <= worst*size) ? e/size : worst;
-}
-
-/* the largest error of all kinds */
-static ${name}_real ${name}_adaptive_norm(${norm_args}const ${name}_real x[], const ${name}_real out[], const ${name}_real error[])
-{
-  ${name}_real worst = ${zero};
-%% if has_floors then
-  ${name}_real least[${floors_count}];
-
-  ${name}_floors(${floors_pass}, least);
-%% else
-
-%% end
-%% for _, k in ipairs(kinds) do
-  worst = ${name}_adaptive_worse(x, out, error, ${k.first}, ${k.last}, ${k.least}worst); /* ${k.about} */
-%% end
-  return worst;
-}
+${norm}
 
 %% if has_switches then
 ${switched}
 %% else
 int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most)
 {
-  const ${name}_real slope = ${n[3/16]}; /* a little less than 1/5 */
   ${name}_real k1[${count}], k7[${count}], error[${count}], out[${count}]${room};
   ${name}_real t = t0, h = t1 - t0, lost = ${zero};
   int fresh = 1;
@@ -135,10 +96,7 @@ int ${name}_adaptive_run(const ${name}_model *m, ${name}_real t0, ${name}_real x
     if (last) h = left;
     ${name}_adaptive_trial(m, t, x, u, h, k1, out, k7, error${turn});
     r = ${name}_adaptive_norm(${norm_pass}x, out, error)/tolerance;
-    /* the next step is 7/8 r^(-3/16) as long, from an eighth to four times; what is not finite counts as an eighth */
-    factor = r > ${zero} ? ${exp}(-slope*${log}(r))*${n[7/8]} : ${eight};
-    if (!(factor > ${eighth})) factor = ${eighth};
-    if (factor > ${four}) factor = ${four};
+    factor = ${name}_growth(r);
     if (!(r <= ${one})) { /* tried in vain */
       next_t = t + h;
       if (!(next_t > t || next_t < t)) return -1;

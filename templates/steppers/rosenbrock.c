@@ -153,53 +153,13 @@ void ${name}_rosenbrock_step(const ${name}_model *m, ${name}_real t, ${name}_rea
 }
 
 %% end
-%% if has_floors then
-/* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step and
- * at least of `least`, or `worst` if that is larger. */
-%% else
-/* The error of one kind of state, numbers first to last - 1, in units of its size at the start or at the end of the step, or
- * `worst` if that is larger. */
-%% end
-static ${name}_real ${name}_rosenbrock_worse(const ${name}_real x[], const ${name}_real y[], const ${name}_real error[], int first, int last,
-                           ${least_arg}${name}_real worst)
-{
-  ${name}_real size = ${least_first}, e = ${zero};
-  int k;
-
-  for (k = first; k < last; k++) {
-    const ${name}_real a = ${fabs}(x[${name}_rosenbrock_moving[k]]), b = ${fabs}(y[${name}_rosenbrock_moving[k]]), c = ${fabs}(error[k]);
-
-    size = a > size ? a : size;
-    size = b > size ? b : size;
-    e = c > e ? c : e;
-    if (!(b - b == ${zero}) || !(c - c == ${zero})) return ${huge};
-  }
-  return e > ${zero} && !(e <= worst*size) ? e/size : worst;
-}
-
-/* the largest error of all kinds */
-static ${name}_real ${name}_rosenbrock_norm(${norm_args}const ${name}_real x[], const ${name}_real y[], const ${name}_real error[])
-{
-  ${name}_real worst = ${zero};
-%% if has_floors then
-  ${name}_real least[${floors_count}];
-
-  ${name}_floors(${floors_pass}, least);
-%% else
-
-%% end
-%% for _, k in ipairs(kinds) do
-  worst = ${name}_rosenbrock_worse(x, y, error, ${k.first}, ${k.last}, ${k.least}worst); /* ${k.about} */
-%% end
-  return worst;
-}
+${norm}
 
 %% if has_switches then
 ${switched}
 %% else
 int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real x[], const ${name}_real u[], ${name}_real t1, ${name}_real tolerance, int most)
 {
-  const ${name}_real slope = ${n[3/16]}; /* a little less than 1/5 */
 %% if slides then
   ${name}_real z[${upper}_NX], out[${upper}_NX], y[${upper}_NX], error[${count}];
 %% else
@@ -229,10 +189,7 @@ int ${name}_rosenbrock_run(const ${name}_model *m, ${name}_real t0, ${name}_real
     ${name}_rosenbrock_trial(m, t, x, u, h, y, error);
 %% end
     r = ${name}_rosenbrock_norm(${norm_pass}x, y, error)/tolerance;
-    /* the next step is 7/8 r^(-3/16) as long, from an eighth to four times; what is not finite counts as an eighth */
-    factor = r > ${zero} ? ${exp}(-slope*${log}(r))*${n[7/8]} : ${eight};
-    if (!(factor > ${eighth})) factor = ${eighth};
-    if (factor > ${four}) factor = ${four};
+    factor = ${name}_growth(r);
     next_t = t + h;
     if (!(r <= ${one})) { /* tried in vain */
       if (!(next_t > t || next_t < t)) return -1;

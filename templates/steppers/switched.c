@@ -247,17 +247,13 @@ static int ${name}_${method}_attempt(${name}_${method}_work *w, ${at_arg}const $
     if (!(w->y[k] - w->y[k] == ${zero})) return -1;
   }
 %% else
-  const ${name}_real slope = ${n[3/16]}; /* a little less than 1/5 */
   ${name}_real r;
 
   *factor = ${four};
   ${name}_${method}_advance(w, t, x, *h);
   if (!(tolerance > ${zero})) return 1;
   r = ${name}_${method}_norm(${way_norm})/tolerance;
-  /* the next step is 7/8 r^(-3/16) as long, from an eighth to four times; what is not finite counts as an eighth */
-  *factor = r > ${zero} ? ${exp}(-slope*${log}(r))*${n[7/8]} : ${eight};
-  if (!(*factor > ${eighth})) *factor = ${eighth};
-  if (*factor > ${four}) *factor = ${four};
+  *factor = ${name}_growth(r);
   if (!(r <= ${one})) {
     if (!(t + *h > t || t + *h < t)) return -1;
     *h *= *factor < ${one} ? *factor : ${half};
