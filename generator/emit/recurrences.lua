@@ -189,18 +189,21 @@ local own = { a = true, b = true, c = true, j = true, l = true, m = true, n = tr
   p = true, t = true, u = true, x = true, y = true, none = true, own = true,
   time = true }
 
--- The program with the names of members and inputs that the code around takes made free: a member c becomes c_, and the
--- time as a sequence gets a name that is not t.  Of a program that was freed before nothing changes: a plan may be
--- emitted more than once.
+-- The program with the names of members and inputs that the code around or a sequence takes made free: a member c
+-- becomes c_, and the time as a sequence gets a name that is not t.  Of a program that was freed before nothing
+-- changes: a plan may be emitted more than once.
 local function freed(ctx, program)
-  local map, renamed, taken, clock = {}, {}, {}, "clock"
+  local map, renamed, taken, clock, sequences = {}, {}, {}, "clock", {}
+  for _, x in ipairs(program.variables) do -- and its term 0
+    if not x.state then sequences[x.name], sequences[x.name .. "0"] = true, true end
+  end
   for _, list in ipairs { ctx.members, ctx.states, ctx.inputs, program.variables, program.constants } do
     for _, x in ipairs(list) do taken[x.name] = true end
   end
   while taken[clock] do clock = clock .. "_" end
   map[symbol "t"] = symbol(clock)
   local function free(sym, name)
-    if own[name] or name == "side" and #program.knots > 0 or name == "v" and program.more then
+    if own[name] or sequences[name] or name == "side" and #program.knots > 0 or name == "v" and program.more then
       map[sym], renamed[name] = expr.sym(name .. "_", sym.rank), name .. "_"
     end
   end

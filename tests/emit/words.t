@@ -63,5 +63,33 @@ for n = 1, #words, stride do
   tap.ok(#faults == 0, word .. " is refused or compiles", table.concat(faults, "\n"))
 end
 
+-- ---- names of sequences in the recurrences of a series: with functions there are more of them ----
+
+local BOTH = "taylor,semi" -- by semi the parameter is a constant of its own
+local FUNCTIONS = [[
+local k, one = param("kk", 1.5, "N m"), param("unit", 1, "s")
+return scene { name = "s", body = solid.box { x = 1, y = 2, z = 3, mass = param("mm", 2, "kg") },
+  effects = { effect.custom { params = { WORD = k }, torque = function(s)
+    local w = s.w[1]*one
+    return { s.WORD*(tanh(w) + atan(w) + acos(w/9)), -s.WORD*(exp(-w) + log(9 + w) + sin(w) + asin(w/8)),
+      s.WORD*(sqrt(9 + w) + cosh(w)/(9 + w) + tan(w/9)) }
+  end } },
+  initial = { omega = {1, 2, 3} } }
+]]
+program.write(dir .. "/s.lua", (FUNCTIONS:gsub("WORD", "plain")))
+tap.is(emitted(dir .. "/s.lua", BOTH, dir .. "/plain"), 0, "a scene with functions")
+local sequences = { "slope", "arc", "square" } -- of what others alone read
+for word in program.read(dir .. "/plain/s.c"):gmatch "%f[%w_](%l[%l_]+%l)[_%d]*%[n?%-?j%]" do
+  if not seen[word] then sequences[#sequences + 1] = word end
+  seen[word] = true
+end
+tap.ok(#sequences > 8, "sequences", table.concat(sequences, " "))
+for n = 1, #sequences, tier.quick and 20 or 1 do
+  program.write(dir .. "/s.lua", (FUNCTIONS:gsub("WORD", sequences[n])))
+  local status = emitted(dir .. "/s.lua", BOTH, dir .. "/out")
+  status = status == 0 and program.shell(STRICT .. " " .. dir .. "/out/s.c >" .. dir .. "/out.said 2>&1") or status
+  tap.is(status, 0, sequences[n] .. " as a parameter beside the sequence", program.read(dir .. "/out.said"))
+end
+
 program.finish()
 tap.done()
