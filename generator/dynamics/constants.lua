@@ -76,7 +76,8 @@ function constants:constant(name, e, about, raw, form)
     local unique = step and form.name or self:unique(name)
     local careful = self.parts and self.parts.hole -- its forms do not cancel
     if form and not step and not careful and cost { e } <= cost { form } then form = nil end
-    member = { name = unique, e = e, form = form or e, about = about, sym = expr.sym(unique, 3) }
+    form = form or self.parts and self.parts:shown(e) or e
+    member = { name = unique, e = e, form = form, about = about, sym = expr.sym(unique, 3) }
     self.by_expr[e], self.by_name[unique] = member, member
     self.members[#self.members + 1] = member
   end
