@@ -62,6 +62,8 @@ function constants:variant(effects) return constants.open(self.of:variant(effect
 -- in the names of the body's parts and of constants made before, to be computed so when that costs less.
 function constants:constant(name, e, about, raw, form)
   if not raw then e = ratio.tidy(e) end
+  -- of opaque parts, what they have to do with each other may make it 0
+  if self.parts and next(self.parts.named) and ratio.iszero(e) then e = expr.zero end
   if e.kind == "num" then return e end
   local limit = self.limits and self.limits[e]
   if limit then name, about = limit.name, limit.about end
@@ -72,6 +74,7 @@ function constants:constant(name, e, about, raw, form)
   local member = self.by_expr[e]
   if not member then
     if self.closed then error("the pool is closed: no constant " .. name .. " is made", 2) end
+    if form == e then form = nil end
     local step = form and form.kind == "sym" -- it has its name already
     local unique = step and form.name or self:unique(name)
     local careful = self.parts and self.parts.hole -- its forms do not cancel
