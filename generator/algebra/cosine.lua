@@ -34,10 +34,10 @@ local function restored(e)
       terms[i], at[t] = t, i
     end
     for i, t in ipairs(out) do
-      for _, g in ipairs(terms[i] and sines(t) or {}) do
+      for _, g in ipairs(terms[i] == t and sines(t) or {}) do -- else it has become another in its pair
         local whole = -(t / g ^ 2)
         local k = at[whole]
-        if terms[i] and k and terms[k] then
+        if terms[i] and k and terms[k] == whole then
           terms[i], terms[k], changed = false, whole * expr.call("cos", g[1]) ^ 2, true
           at[whole] = nil
         end

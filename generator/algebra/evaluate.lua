@@ -42,6 +42,7 @@ local function walker(A)
     end,
     pow = function(n) return A.pow(value(n.base), n.exp) end,
     call = function(n)
+      if n.fn == "opaque" then return value(n[1]) end
       local args = {}
       for k = 1, #n do args[k] = value(n[k]) end
       return A.call(n.fn, args)

@@ -137,6 +137,14 @@ function rules.log(a) return a == expr.one and expr.zero or nil end
 
 function rules.exp(a) return a.kind == "call" and a.fn == "log" and a[1] or nil end -- exp(log x) ==> x
 
+-- Stays around what is a sum, or has one as a factor: all else is one term.
+function rules.opaque(a)
+  for _, f in ipairs(a.kind == "mul" and a or { a }) do
+    if f.kind == "add" or f.kind == "pow" and f.base.kind == "add" then return nil end
+  end
+  return a
+end
+
 function rules.sin(a)
   local r = turns(a)
   return r and sin_pi(r)

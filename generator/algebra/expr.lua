@@ -16,7 +16,8 @@
 --                         pow   base, exp        exp an exact rational, not 0 or 1
 --                         call  fn, [1..n]       sin cos tan asin acos atan atan2 exp log sinh cosh tanh pi; abs side
 --                                                sign min max clamp (choice.lua);
---                                                ellipsoid_area ellipsoid_normal, arc_* and catenary_* (exact.lua)
+--                                                ellipsoid_area ellipsoid_normal, arc_* and catenary_* (exact.lua);
+--                                                opaque, the value of its argument: one generator of polynomials
 -- Invariants.  Every node is in `unique` under a key made of its kind and the ids of its parts; nodes are never
 -- changed, so what is found out about one may be kept for it.  A sum has no two terms that are multiples of one node
 -- and no term that is a sum; a product no two factors of one base and no factor that is a product; no part is the

@@ -65,7 +65,8 @@ local function generators(list)
   return gens
 end
 
--- A ring for the expressions in the list, with the rewriting relation of each generator that has one.
+-- A ring for the expressions in the list, with the rewriting relation of each generator that has one.  opaque: may its
+-- generators have relations that are not known?
 function poly.ring(list)
   local ring = { gens = generators(list), index = {}, relation = {}, root = {} }
   for i, g in ipairs(ring.gens) do
@@ -83,6 +84,7 @@ function poly.ring(list)
       local value = poly.from(ring, g.base)
       if value then ring.relation[i] = { degree = R.toint(R.den(g.exp)), value = value } end
     end
+    ring.opaque = ring.opaque or g.fn == "opaque"
   end
   return ring
 end

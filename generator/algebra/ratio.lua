@@ -98,13 +98,17 @@ local function vanishes(e, n)
 end
 
 -- Is e identically zero?  A value at one point settles "no"; "yes" is proved by the normal form, decisive for rational
--- functions of the generators (poly.lua), and where that would be too large it rests on three random points
--- (Schwartz 1980: a polynomial of degree d vanishes at such a point with probability below d/2^31).
+-- functions of the generators (poly.lua).  Where that would be too large, or generators are opaque, so that it does not
+-- see what they have to do with each other, it rests on three random points (Schwartz 1980: a polynomial of degree d
+-- vanishes at such a point with probability below d/2^31).
 function ratio.iszero(e)
   if e.kind == "num" then return R.sign(e.value) == 0 end
   if vanishes(e, 0) == false then return false end
-  local proved = bounded(budget, function() return { poly.iszero(fraction(poly.ring { e }, e, {})[1]) } end)
-  if proved then return proved[1] end
+  local proved = bounded(budget, function()
+    local ring = poly.ring { e }
+    return poly.iszero(fraction(ring, e, {})[1]) and "zero" or not ring.opaque and "other" or nil
+  end)
+  if proved then return proved == "zero" end
   for n = 1, 3 do
     if not vanishes(e, n) then return false end
   end

@@ -120,6 +120,7 @@ function render(e, sign, style)
     local args = {}
     for i = 1, #e do args[i] = render(e[i], 1, style) end
     if style == styles.latex and e.fn == "abs" then return "\\left|" .. args[1] .. "\\right|" end
+    if e.fn == "opaque" then return style.open .. args[1] .. style.close end
     local fn = text.called(e.fn)
     fn = style == styles.latex and latex_call(fn) or fn
     return fn .. style.open .. table.concat(args, ", ") .. style.close

@@ -339,7 +339,7 @@ function comparison.run(host, job, plugin, tap, count)
   rates(host, job, plugin, tap, count, name, random, real, epsilon)
   jacobian(host, job, plugin, tap, name, random, real, epsilon)
   motion(host, job, plugin, tap, name, random, epsilon)
-  if job.closed.kind == "point" then
+  if job.closed.kind == "point" or job.closed.flags and job.closed.flags.flies then
     local numbers, x0 = setting(job, plugin)
     motion_checks.point(host, job, plugin, tap, name, numbers, x0, scales(job), epsilon)
   elseif job.closed.kind and not job.equations.free then

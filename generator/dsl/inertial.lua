@@ -34,7 +34,7 @@ local function tree(p, line)
       local s = expr.call("sin", t.angle / 2)
       q = { expr.call("cos", t.angle / 2), t.axis[1] * s, t.axis[2] * s, t.axis[3] * s }
     end
-    node = { op = "turned", of = node, q = q, angle = t.angle, axis = t.axis, line = line }
+    node = { op = "turned", of = node, q = q, turns = t.angle and { t }, line = line }
   end
   if #p.turns > 0 then node = { op = "at", of = node, r = com, line = line } end
   return node

@@ -54,7 +54,7 @@ function forms.quaternion(c, line, what, given)
   return fine and normalised(q) or nil
 end
 
--- (cos a/2, n sin a/2); also the angle and n.
+-- (cos a/2, n sin a/2)
 function forms.axis(c, line, what, given)
   local axis = given.axis
   if type(axis) == "string" then axis = unit[axis] end
@@ -67,7 +67,7 @@ function forms.axis(c, line, what, given)
   if not v or not angle or not nonzero(c, line, what, "axis", v, given.axis) then return nil end
   local n = expr.sqrt(vec.dot(v, v))
   local s, k = expr.call("sin", angle / 2) / n, expr.call("cos", angle / 2)
-  return { k, v[1] * s, v[2] * s, v[3] * s }, angle, vec.map(v, function(x) return x / n end)
+  return { k, v[1] * s, v[2] * s, v[3] * s }, { { axis = vec.map(v, function(x) return x / n end), angle = angle } }
 end
 
 -- First and last turn about one axis: half their sum and difference, so that what cancels does so exactly.  About axes
@@ -96,20 +96,22 @@ function forms.euler(c, line, what, given)
     c.diag:error(line, what, "angles must be a list of 3 angles", diag.show(given.angles))
     return nil
   end
-  local angles, at = {}, {}
+  local angles, at, turns = {}, {}, {}
   for n = 1, 3 do
     angles[n] = args.scalar(c, line, what, "angle", {}, given.angles[n]) -- so called, degrees are noticed
     if not angles[n] then return nil end
-    at[n] = place[string.sub(given.euler, n, n)]
+    local letter = string.sub(given.euler, n, n)
+    at[n] = place[letter]
+    turns[n] = { axis = vec.map(unit[letter], expr.lift), angle = angles[n] }
   end
-  if at[1] == at[3] then return proper(angles, at[1], at[2]) end
+  if at[1] == at[3] then return proper(angles, at[1], at[2]), turns end
   local q
   for n = 1, 3 do
     local one = { expr.call("cos", angles[n] / 2), expr.zero, expr.zero, expr.zero }
     one[at[n]] = expr.call("sin", angles[n] / 2)
     q = q and product(q, one) or one
   end
-  return q
+  return q, turns
 end
 
 -- The zero vector is no turn; one that becomes zero for some parameters is refused by NAME_init.
@@ -168,7 +170,8 @@ end
 local order = { "quaternion", "axis", "euler", "vector", "matrix" }
 local companions = { axis = "angle", euler = "angles" }
 
--- A rotation as a unit quaternion, of a turn about an axis also its angle and unit axis; nil after an error.
+-- A rotation as a unit quaternion, of angles also the list of turns {axis, angle} that it is the product of, from the
+-- left; nil after an error.
 function rotation.read(c, line, what, given)
   local all = "{axis =, angle =}, {euler =, angles =}, {vector =}, {matrix =} or {quaternion =}"
   if not args.plain(given) then

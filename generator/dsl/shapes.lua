@@ -1,7 +1,7 @@
 -- shapes.lua -- shapes of the scene language: constructors, placement, sums and holes.
 --
 -- A shape is an opaque handle whose record is a tree of plain data (expressions inside):
---     {shape=, a={args}, mass= | density=, line=}    {op="at", of=, r=}    {op="turned", of=, q=unit quaternion}
+--     {shape=, a={args}, mass= | density=, line=}    {op="at", of=, r=}    {op="turned", of=, q=unit quaternion, turns}
 --     {op="scaled", of=, k={kx,ky,kz}}    {op="sheared", of=, A={rows}}    {op="sum" | "minus", a, b}
 -- and in each of them broken (a message has told of it), formal (of a tensor that is asked to be no body's, and of what
 -- is made of it), size (its parts, nil: one).
@@ -217,8 +217,9 @@ end
 function method.turned(self, given)
   if not receiver(self, "turned") then return shapes.broken() end
   local line = called "turned"
-  local q, angle, axis = rotation.read(ctx, line, "turned", given)
-  return derived(self, { op = "turned", q = q, angle = angle, axis = axis, broken = q == nil, line = line })
+  local q, turns = rotation.read(ctx, line, "turned", given)
+  return derived(self, { op = "turned", q = q, turns = turns, euler = turns and given.euler, broken = q == nil,
+    line = line })
 end
 
 -- Why the shapes below `node` cannot be scaled by different factors or sheared, or nil.  A volume stays uniform under

@@ -62,6 +62,8 @@ function constants:variant(effects) return constants.open(self.of:variant(effect
 -- in the names of the body's parts and of constants made before, to be computed so when that costs less.
 function constants:constant(name, e, about, raw, form)
   if not raw then e = ratio.tidy(e) end
+  -- of opaque parts, what they have to do with each other may make it 0
+  if self.parts and next(self.parts.named) and ratio.iszero(e) then e = expr.zero end
   if e.kind == "num" then return e end
   local limit = self.limits and self.limits[e]
   if limit then name, about = limit.name, limit.about end
@@ -72,11 +74,13 @@ function constants:constant(name, e, about, raw, form)
   local member = self.by_expr[e]
   if not member then
     if self.closed then error("the pool is closed: no constant " .. name .. " is made", 2) end
+    if form == e then form = nil end
     local step = form and form.kind == "sym" -- it has its name already
     local unique = step and form.name or self:unique(name)
     local careful = self.parts and self.parts.hole -- its forms do not cancel
     if form and not step and not careful and cost { e } <= cost { form } then form = nil end
-    member = { name = unique, e = e, form = form or e, about = about, sym = expr.sym(unique, 3) }
+    form = form or self.parts and self.parts:shown(e) or e
+    member = { name = unique, e = e, form = form, about = about, sym = expr.sym(unique, 3) }
     self.by_expr[e], self.by_name[unique] = member, member
     self.members[#self.members + 1] = member
   end

@@ -105,7 +105,8 @@ local function conditions(m, checks)
     local entry = before or {}
     if not before then list[#list + 1] = entry end
     seen[c.e] = entry
-    entry.e, entry.form, entry.pivot, entry.allow_zero = c.e, c.form or c.e, c.pivot, c.allow_zero
+    local form = c.form or m.parts and m.parts:shown(c.e) or c.e
+    entry.e, entry.form, entry.pivot, entry.allow_zero = c.e, form, c.pivot, c.allow_zero
     entry.text = c.what .. ": " .. c.rule .. " (" .. string.match(m.file, "[^/]*$") .. ":" .. c.line .. ")"
   end
   for _, c in ipairs(checks) do put(c) end
@@ -165,7 +166,7 @@ local function length(list)
 end
 
 -- The body in named steps, unless its tensor multiplied out is less work and less to read; its names are then taken.
--- A body with a hole of its own kind always: its steps are those that do not cancel.
+-- A body with a hole of its own kind always: its steps are those that do not cancel; so one with opaque parts.
 -- Multiplied out it is less to read if no number has nine digits and it has at most twice the characters.
 local function in_parts(m, b, r)
   local taken = {} -- by inputs, which stand beside these names in what is printed
@@ -177,11 +178,13 @@ local function in_parts(m, b, r)
   end)
   local entries, steps = {}, {}
   for n = 1, 6 do entries[n] = m.inertia[n].kind == "num" and m.inertia[n] or p:entry(n) end
-  for _, s in ipairs(p:needed(entries)) do steps[#steps + 1] = s.e end
-  local known = {}
-  local cheaper = cost(m.inertia) <= cost(steps, known) + cost(entries, known)
-  local whole, long = length(m.inertia)
-  if not p.hole and cheaper and not long and whole <= 2 * ((length(steps)) + (length(entries))) then return nil end
+  if not p.hole and not next(p.named) then
+    for _, s in ipairs(p:needed(entries)) do steps[#steps + 1] = s.e end
+    local known = {}
+    local cheaper = cost(m.inertia) <= cost(steps, known) + cost(entries, known)
+    local whole, long = length(m.inertia)
+    if cheaper and not long and whole <= 2 * ((length(steps)) + (length(entries))) then return nil end
+  end
   for _, s in ipairs(p.list) do m.by_name[s.name] = s end
   p.entries, p.central = entries, r == nil
   return p

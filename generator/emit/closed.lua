@@ -77,20 +77,21 @@ local function called(name, asked)
   return false
 end
 
--- A free motion in another time: the clock stands before what asks for the time.
-local function damped(free)
+-- A free motion in another time, or carried along: the clock, or the flight, stands before what asks for the time.
+local function beside(free, flags)
   local asks = { ["orbit/theta_at.c"] = true, ["orbit/closed.c"] = true }
   local list = {}
   for _, name in ipairs(TEXTS[free.kind].sources) do
     if asks[name] then
-      if free.kind == "sphere" then list[#list + 1] = "numeric/quotient.c" end
-      list[#list + 1] = "orbit/clock.c"
+      if flags.damped and free.kind == "sphere" then list[#list + 1] = "numeric/quotient.c" end
+      list[#list + 1] = flags.damped and "orbit/clock.c" or "orbit/flight.c"
     end
     if not ONLY_FREE[name] then list[#list + 1] = name end
   end
-  list[#list + 1] = "orbit/damped.c"
+  if flags.damped then list[#list + 1] = "orbit/damped.c" end
+  list[#list + 1] = "orbit/each.c"
   local headers = TEXTS[free.kind].headers
-  return { headers[1], headers[2], "orbit/damped.h" }, list
+  return { headers[1], headers[2], flags.damped and "orbit/damped.h" or "orbit/flight.h" }, list
 end
 
 -- Equal for every body, as is what stands in numeric/.
@@ -98,7 +99,7 @@ local GENERAL = { ["orbit/circle.c"] = true, ["orbit/quaternion.c"] = true, ["or
 
 -- The templates of headers and of sources.
 local function texts(form, asked)
-  if form.free then return damped(form.free) end
+  if form.free then return beside(form.free, form.flags) end
   local t, list = TEXTS[form.kind], {}
   for _, name in ipairs(t.sources) do
     if called(name, asked) then list[#list + 1] = name end
@@ -109,7 +110,7 @@ end
 -- What the contracts say: errors, and which fields there are.
 local function contract(form, real, v, asked)
   local worst = WORST[form.kind] and WORST[form.kind][real]
-  v.has_tick_fields = asked "set_tick" or asked "at_tick"
+  v.has_tick_fields = not form.free and (asked "set_tick" or asked "at_tick")
   v.orbit_bound = v.single and "4e-6" or "4e-15" -- the requirement of tests/emit and of docs/hunt.md
   v.orbit_worst, v.orbit_searched = worst and worst[1] or false, worst and worst[2] or false
   v.orbit_turns = v.single and "2^17" or "2^40"
@@ -130,7 +131,8 @@ do
     for _, name in ipairs(t.headers) do put(name) end
     for _, name in ipairs(t.sources) do put(name) end
   end
-  for _, name in ipairs { "orbit/damped.h", "orbit/damped.c", "orbit/clock.c", "orbit/own.c", "core/copy.c",
+  for _, name in ipairs { "orbit/damped.h", "orbit/damped.c", "orbit/clock.c", "orbit/flight.h", "orbit/flight.c",
+    "orbit/each.c", "orbit/own.c", "core/copy.c",
     "numeric/quotient.c" } do
     put(name)
   end
@@ -207,7 +209,7 @@ function closed.render(job, base, ctx)
   if not form.kind then return nil end
   local v = { theorem = form.theorem, closed_text = form.text, single = real == "float", has_full = form.full or false,
     has_centre = form.centre or false, rolls = false, pair_top = analysis.pair_top[real], clears = false,
-    symmetric = false, rod = false, rotor = false, damped = false, axial = false, lagrange = false }
+    symmetric = false, rod = false, rotor = false, damped = false, flies = false, axial = false, lagrange = false }
   literals(real, v)
   constants(real, v)
   economy.fill(v, real, ctx.name .. "_real")

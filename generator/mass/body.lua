@@ -12,6 +12,7 @@ local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local catalogue = require "generator.mass.catalogue"
+local maps = require "generator.mass.maps"
 
 local body = {}
 
@@ -42,7 +43,7 @@ local build
 local function divided(node, spec)
   local list, total = spec.pieces(node.a), expr.zero
   for _, s in ipairs(list) do total = total + s.measure end
-  local out = { pieces = {}, points = spec.points(node.a) }
+  local out = { pieces = {}, points = spec.points(node.a), names = {} }
   for i, s in ipairs(list) do
     out.pieces[i] = { mass = node.density and node.density * s.measure or node.mass * s.measure / total,
       com = tidy_all(s.com), sigma = tidy_all(s.sigma), line = node.line, name = node.shape .. ", part " .. i,
@@ -59,7 +60,7 @@ local function primitive(node)
       pieces[#pieces + 1] = { mass = row[1], com = { row[2], row[3], row[4] }, sigma = nil, line = node.line,
         name = "particle" }
     end
-    return { pieces = pieces, points = {}, particles = true }
+    return { pieces = pieces, points = {}, names = {}, particles = true }
   end
   local a = node.a
   if node.shape == "tensor" then
@@ -70,7 +71,7 @@ local function primitive(node)
     end
     local sigma = vec.map(vec.second(I), function(x) return tidy(x / a.mass) end)
     return { pieces = { { mass = a.mass, com = a.com, sigma = sigma, line = node.line, name = node.name or "tensor",
-      given = a.about == "com" and I or nil, typed = node.typed } }, points = {} }
+      given = a.about == "com" and I or nil, typed = node.typed } }, points = {}, names = {} }
   end
   local spec = catalogue.by_name[node.shape]
   if spec.pieces then return divided(node, spec) end
@@ -79,34 +80,45 @@ local function primitive(node)
   local points = { centroid = com }
   for k, v in pairs(shape.points or {}) do points[k] = v end
   return { pieces = { { mass = node.mass or node.density * shape.measure, com = com, sigma = tidy_all(shape.sigma),
-    line = node.line, name = node.shape, density = node.density, measure = node.measure } }, points = points }
+    line = node.line, name = node.shape, density = node.density, measure = node.measure } }, points = points,
+    names = {} }
 end
 
--- r -> A r + b applied to every piece and named point; step: what that is called in a derivation.
--- com -> A com + shift, sigma -> A sigma A^T.  change: piece -> its new mass, nil: as it was.  A tensor that was given
--- is kept as it was typed only while nothing turns it.
-local function affine(b, A, shift, step, change)
-  local function move(r)
-    local v = A and vec.matvec(A, r) or r
-    return shift and vec.add(v, shift) or v
-  end
-  local out = { pieces = {}, points = {}, particles = b.particles }
+-- r -> A r, or r -> r + shift, applied to every piece and named point; step: what that is called in a derivation;
+-- rigid: A turns.  change: piece -> its new mass, nil: as it was.  A tensor that was given is kept as it was typed only
+-- while nothing turns it.
+local function affine(b, A, shift, step, change, rigid)
+  local out, some = { pieces = {}, points = {}, particles = b.particles, names = b.names }, false
   for i, p in ipairs(b.pieces) do
-    local piece = { mass = change and change(p) or p.mass, com = tidy_all(move(p.com)), line = p.line, name = p.name,
-      density = p.density, measure = p.measure, hole = p.hole, steps = { table.unpack(p.steps or {}) } }
+    local piece = { mass = change and change(p) or p.mass, com = p.com, line = p.line, name = p.name,
+      density = p.density, measure = p.measure, hole = p.hole, sigma = p.sigma, own = p.own, M = p.M, rigid = p.rigid,
+      opaque = p.opaque, steps = { table.unpack(p.steps or {}) } }
     piece.steps[#piece.steps + 1] = step
-    piece.sigma = p.sigma and (A and tidy_all(vec.congruence(A, p.sigma)) or p.sigma)
+    if A then
+      maps.apply(piece, p, A, rigid, out.names)
+    else
+      piece.com = tidy_all(vec.add(p.com, shift))
+    end
+    some = some or piece.opaque
     piece.given, piece.typed = not A and p.given or nil, not A and p.typed or nil
     out.pieces[i] = piece
   end
-  for k, r in pairs(b.points) do out.points[k] = tidy_all(move(r)) end
+  local words = {}
+  for k in pairs(b.points) do words[#words + 1] = k end -- in hash order, so:
+  table.sort(words)
+  for _, k in ipairs(words) do
+    local r = A and vec.matvec(A, b.points[k]) or vec.add(b.points[k], shift)
+    out.points[k] = A and some and maps.shortened(r, out.names, "place", "# of the point " .. k .. ", turned", "m") or
+      tidy_all(r)
+  end
   return out
 end
 
 -- a + b, or a - b: what is cut out has negative mass, and a hole in it is matter again.  Named points are those of a;
 -- its centroid is no longer one.
 local function joined(a, b, sign)
-  local out = { pieces = {}, points = {}, particles = a.particles and b.particles and sign > 0 }
+  local out = { pieces = {}, points = {}, particles = a.particles and b.particles and sign > 0, names = {} }
+  for _, list in ipairs { a.names, b.names } do table.move(list, 1, #list, #out.names + 1, out.names) end
   for _, p in ipairs(a.pieces) do out.pieces[#out.pieces + 1] = p end
   for _, p in ipairs(b.pieces) do
     local q = {}
@@ -122,17 +134,25 @@ local function joined(a, b, sign)
   return out
 end
 
--- {pieces, points = {name -> place}, particles} of a tree.
+-- {pieces, points = {name -> place}, names, particles} of a tree; names: of what is opaque (maps.lua).
 function build(node)
   if node.shape then return primitive(node) end
   if node.op == "at" then
     return affine(build(node.of), nil, node.r, { "moved by", node.r })
   end
   if node.op == "turned" then
-    local A = node.angle and vec.rodrigues(node.axis, node.angle) or vec.rotation(node.q)
-    for i = 1, 3 do A[i] = tidy_all(A[i]) end
-    return affine(build(node.of), A, nil, node.angle and { "turned about", node.axis, "by", node.angle } or
-      { "turned by the quaternion", node.q })
+    local A, said
+    for _, t in ipairs(node.turns or {}) do
+      local one = vec.rodrigues(t.axis, t.angle)
+      A = A and vec.matmul(A, one) or one
+    end
+    if A and #node.turns == 1 then
+      said = { "turned about", node.turns[1].axis, "by", node.turns[1].angle }
+    elseif A then
+      said = { "turned by the Euler angles", vec.map(node.turns, function(t) return t.angle end), node.euler }
+    end
+    A = vec.map(A or vec.rotation(node.q), tidy_all)
+    return affine(build(node.of), A, nil, said or { "turned by the quaternion", node.q }, nil, true)
   end
   if node.op == "scaled" then
     local k = node.k
@@ -183,11 +203,14 @@ function body.tensor(b, P)
     if p.given then
       I = vec.add(I, vec.add(p.given, vec.scale(p.mass, shift)))
     else
-      if p.sigma then shift = vec.add(vec.inertia(p.sigma), shift) end
+      if p.sigma then shift = vec.add(maps.own(p), shift) end
       I = vec.add(I, vec.scale(p.mass, shift))
     end
   end
-  return vec.map(I, function(e) return tidy_sum(b, e) end)
+  return vec.map(I, function(e)
+    e = tidy_sum(b, e)
+    return #b.names > 0 and ratio.iszero(e) and expr.zero or e -- by what entries of a rotation have to do with another
+  end)
 end
 
 return body

@@ -21,6 +21,7 @@ local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local text = require "generator.algebra.text"
 local vec = require "generator.algebra.vec"
+local maps = require "generator.mass.maps"
 
 local parts = {}
 parts.__index = parts
@@ -30,8 +31,9 @@ local short = 8 -- characters: a longer constant gets a name, so that formulas s
 local comp = { "x", "y", "z" }
 local zero3 = { expr.zero, expr.zero, expr.zero }
 
--- Is the body composite, with parameters in it?
+-- Is the body composite, with parameters in it, or are there names for what several turns make?
 function parts.wanted(b)
+  if #b.names > 0 then return true end
   if #b.pieces < 2 then return false end
   for _, p in ipairs(b.pieces) do
     for _, e in ipairs { p.mass, p.com[1], p.com[2], p.com[3], table.unpack(p.sigma or {}) } do
@@ -56,8 +58,7 @@ end
 local function own(p, n)
   if not p.sigma then return expr.zero end
   if n > 3 then return -p.sigma[n] end
-  local j, k = n % 3 + 1, (n + 1) % 3 + 1
-  return ratio.tidy(p.sigma[j] + p.sigma[k])
+  return ratio.tidy(maps.own(p)[n])
 end
 
 -- The number that most moments of the piece have in front (1/12 for boxes), made a step with the mass.
@@ -91,12 +92,38 @@ function parts:gathered(f)
   return small and e or nil
 end
 
+-- The steps of what is opaque; named: node -> symbol.
+local function opened(self, names)
+  for _, n in ipairs(names) do
+    local sym = not self.named[n.node] and self:step(n.stem, self:shown(n.node[1]), n.about, n.unit)
+    if sym then self.named[n.node] = sym end
+    if sym and sym.kind == "sym" then self.pure[sym], self.list[#self.list].pure = n.node, n.node end
+  end
+end
+
+-- An expression of the parameters with names for what is opaque.
+function parts:shown(e) return next(self.named) and calculus.substitute(e, self.named) or e end
+
+-- The body with these names in its pieces.
+local function in_names(self, b)
+  if not next(self.named) then return b end
+  local function shown(e) return self:shown(e) end
+  local out = { pieces = {}, com = vec.map(b.com, shown) }
+  for i, p in ipairs(b.pieces) do
+    out.pieces[i] = setmetatable({ com = vec.map(p.com, shown), sigma = p.sigma and vec.map(p.sigma, shown) },
+      { __index = p })
+  end
+  return out
+end
+
 -- b: a body (mass/body.lua); P: the point the tensor is about, nil for its centre of mass; unique: name -> a name that
 -- is not taken yet.  The result has list (the steps), mass, com, pieces {piece, m}, shifts {m, d}, and the methods
 -- below.
 function parts.of(b, P, unique)
-  local self = setmetatable({ list = {}, pure = {}, unique = unique, pieces = {}, shifts = {}, own = {} },
+  local self = setmetatable({ list = {}, pure = {}, unique = unique, pieces = {}, shifts = {}, own = {}, named = {} },
     parts)
+  opened(self, b.names)
+  b, P = in_names(self, b), P and vec.map(P, function(e) return self:shown(e) end)
   local mass, first = expr.zero, zero3
   local solid = {}
   for _, p in ipairs(b.pieces) do solid[p.name] = solid[p.name] or not p.hole end

@@ -104,6 +104,15 @@ end
 local lengths = { { "1/1000", "mm" }, { "1/100", "cm" }, { "0.0254", "in" } } -- no ft, lb: near one
 local masses = { { "1/1000", "g" } }
 
+-- The least mass of a body with the tensor I about the origin and the given p = mass*com; nil if there is none.
+-- Sigma - p p^T/m >= 0 with Sigma > 0: m >= p.Sigma^-1 p (Schur's complement).
+local function least(I, p)
+  local Sigma = vec.second(I)
+  local adj, det = vec.adjugate(Sigma)
+  local positive = R.sign(Sigma[1]) > 0 and R.sign(adj[3]) > 0 and R.sign(det) > 0 -- the leading minors
+  return positive and vec.dot(p, vec.apply(adj, p)) / det or nil
+end
+
 -- About the origin the mass and the centre's position take part; about the centre neither does.  A change that leaves
 -- Steiner's term below a hundredth of the entries explains nothing: it is the tensor about the centre once more.
 local function beside(g, lawful)
@@ -131,6 +140,11 @@ local function beside(g, lawful)
       found[#found + 1] = "all entries are too small by 1e" .. n
       break
     end
+  end
+  local mass = least(g.I, scaled(g.com, g.mass))
+  if mass and mass > g.mass and #found < most then
+    found[#found + 1] = "mass is too small (with the same mass*com, " .. diag.rough(1.005 * R.todouble(mass)) ..
+      " kg and more would satisfy it)" -- rounded to three digits upwards
   end
   return found
 end

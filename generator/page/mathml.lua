@@ -66,7 +66,8 @@ function render(e, sign)
   if e.kind == "call" then
     local args = {}
     for i = 1, #e do args[i] = render(e[i], 1) end
-    return "<mi>" .. escaped(text.called(e.fn)) .. "</mi>" .. bracketed(table.concat(args, "<mo>,</mo>"))
+    local name = e.fn == "opaque" and "" or "<mi>" .. escaped(text.called(e.fn)) .. "</mi>"
+    return name .. bracketed(table.concat(args, "<mo>,</mo>"))
   end
   local list = {}
   for i, p in ipairs(e.kind == "add" and signed.terms(e, sign) or { signed.product(e, sign) }) do

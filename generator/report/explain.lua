@@ -44,6 +44,12 @@ end
 
 local function number(x) return json.number(x) end
 
+-- e as the text has it: with the names of the body's parts for what is opaque.
+local function in_names(f, e)
+  local parts = f.job.model.parts
+  return parts and parts:shown(e) or e
+end
+
 local function body_section(f)
   local lines = { formula("M", f.mass, "kg", f.mass_number) }
   local function vector(name, v, numbers, meaning, vanishes)
@@ -66,12 +72,12 @@ local function principal_section(f)
     lines[2] = "no body has these moments (physical = false): the largest is more than the sum of the others"
   end
   for n, p in ipairs(f.closed_moments or {}) do
-    local shown = f.closed_named[n]
+    local named = f.closed_named[n]
     lines[#lines + 1] = formula("I" .. (p.multiplicity > 1 and " (" .. p.multiplicity .. " times)" or ""),
-      shown.moment, "kg m^2", f.job.model:double(p.moment))
+      named.moment, "kg m^2", f.job.model:double(p.moment))
     if p.axis then
       local parts = {}
-      for i = 1, 3 do parts[i] = text.of(shown.axis[i], "plain") end
+      for i = 1, 3 do parts[i] = text.of(in_names(f, named.axis[i]), "plain") end
       lines[#lines + 1] = "  about the axis (" .. table.concat(parts, ", ") .. ")"
     end
   end
@@ -284,7 +290,7 @@ function writers.text(f)
         out[#out + 1] = "  " .. words(l)
       else
         local sides = { l.name } -- the name, the formula, the number; what repeats is said once
-        local value, plain = text.of(l.e, "unicode"), l.number and number(l.number)
+        local value, plain = text.of(in_names(f, l.e), "unicode"), l.number and number(l.number)
         if value ~= l.name then sides[#sides + 1] = value end
         if plain and tonumber(value) ~= l.number then sides[#sides + 1] = plain end
         out[#out + 1] = "  " .. table.concat(sides, " = ") .. (l.unit and " " .. l.unit or "")

@@ -9,6 +9,7 @@ local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local text = require "generator.algebra.text"
 local vec = require "generator.algebra.vec"
+local maps = require "generator.mass.maps"
 
 local pieces = {}
 
@@ -49,6 +50,7 @@ end
 -- Lines of the section: titles, and per piece its mass, centroid c and own tensor.  formula(name, e, unit, number).
 function pieces.lines(m, formula)
   local b, lines = m.body, {}
+  local function put(name, e, unit) lines[#lines + 1] = formula("  " .. name, e, unit, m:double(e)) end
   local placed = false
   for _, p in ipairs(b.pieces) do placed = placed or #(p.steps or {}) > 0 end
   if #b.pieces == 1 and not placed then return lines end
@@ -58,20 +60,13 @@ function pieces.lines(m, formula)
       break
     end
     lines[#lines + 1] = pieces.title(i, p)
-    lines[#lines + 1] = formula("  mass", p.mass, "kg", m:double(p.mass))
+    put("mass", p.mass, "kg")
     for k = 1, 3 do
-      if p.com[k] ~= expr.zero then
-        lines[#lines + 1] = formula("  c" .. comp[k], p.com[k], "m", m:double(p.com[k]))
-      end
+      if p.com[k] ~= expr.zero then put("c" .. comp[k], p.com[k], "m") end
     end
-    local sigma = p.sigma
-    for n = 1, sigma and 6 or 0 do
-      local j, k = n % 3 + 1, (n + 1) % 3 + 1
-      local e = n > 3 and -sigma[n] or sigma[j] + sigma[k]
+    for n, e in ipairs(p.sigma and maps.own(p) or {}) do
       e = p.given and p.given[n] or ratio.tidy(p.mass * e)
-      if e ~= expr.zero then
-        lines[#lines + 1] = formula("  I" .. vec.entry[n], e, "kg m^2", m:double(e))
-      end
+      if e ~= expr.zero then put("I" .. vec.entry[n], e, "kg m^2") end
     end
   end
   if #b.pieces > 1 then
@@ -80,9 +75,9 @@ function pieces.lines(m, formula)
     lines[#lines + 1] = first and first.mu and "I = I_1 + I_2 + mu (D^2 1 - D D^T)" .. whole ..
       (whole == "" and ", D from centroid 1 to 2" or ", D = c_2 - c_1, d = com - origin") .. " (Huygens, Steiner)"
       or "I = sum of I_i + m_i (d_i^2 1 - d_i d_i^T), d_i from the common point to centroid i (Huygens, Steiner)"
-    for _, s in ipairs(m.parts and m.parts:needed(m.parts.entries) or {}) do
-      lines[#lines + 1] = formula(s.name, s.e, s.unit, m:double(s.pure))
-    end
+  end
+  for _, s in ipairs(m.parts and m.parts:needed(m.parts.entries) or {}) do
+    lines[#lines + 1] = formula(s.name, s.e, s.unit, m:double(s.pure))
   end
   return lines
 end

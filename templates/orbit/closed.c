@@ -11,6 +11,9 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   ${name}_pair s, excess, along;
 %% end
   ${name}_pair v[3], length;
+%% if flies then
+  const ${name}_real g[3] = {${g1}, ${g2}, ${g3}};
+%% end
   ${name}_real u[3], left[4], fastest;
   ${name}_orbit p;
   int i;
@@ -88,9 +91,13 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   if (${fabs}(p.spin[0]) > fastest) fastest = ${fabs}(p.spin[0]);
 %% end
   p.last = fastest*${last_time} > ${last_turn} ? ${last_turn}/fastest : ${last_time};
+%% if flies then
+  for (i = 0; i < 3; i++) p.g[i] = g[i];
+  ${name}_launch(&p, x0);
+%% end
 %% if damped then
   p.decay = ${decay};
-%% else
+%% elseif not flies then
 %% if has_tick_fields then
   p.about_tick[0] = p.about_tick[1] = 0;
 %% end
@@ -211,6 +218,9 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
 %% else
   ${name}_state(o, ${name}_phase(o, o->about, t), x + ${upper}_QW, x + ${upper}_WX);
 %% end
+%% if flies then
+  ${name}_carried(o, t, x);
+%% end
 }
 
 void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[])
@@ -243,6 +253,7 @@ void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[
 %% end
 }
 
+%% if not flies then
 void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${name}_real x[])
 {
   const ${name}_orbit orbit = *o;
@@ -309,6 +320,7 @@ void ${name}_at_tick(const ${name}_orbit *o, int64_t n, ${name}_real x[])
 %% end
 }
 
+%% end
 /* the rates turn by twice the half angle */
 ${name}_real ${name}_polhode_period(const ${name}_orbit *o)
 {

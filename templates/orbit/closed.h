@@ -10,6 +10,8 @@ typedef struct ${name}_orbit {
   ${name}_real last;                  /* s; later times are taken for this one, after 2^50 turns (float: 2^46) */
 %% if damped then
   ${name}_real decay;                 /* rate of decay of L, 1/s */
+%% elseif flies then
+  ${name}_real r[3], v[3], g[3];      /* centre of mass at t = 0, its velocity, and its acceleration */
 %% elseif has_tick_fields then
   uint64_t about_tick[2];             /* set by ${name}_set_tick: the same for a tick, units of 2^-128 of a turn */
 %% if symmetric then

@@ -1,4 +1,4 @@
-%% -- damped.c -- parts of a damped motion, and many times: part of scene.c.  SPDX-License-Identifier: MIT-0
+%% -- damped.c -- parts of a damped motion: part of scene.c.  SPDX-License-Identifier: MIT-0
 void ${name}_at_rates(const ${name}_orbit *o, ${name}_real t, ${name}_real w[])
 {
   ${name}_real x[${upper}_NX];
@@ -13,18 +13,4 @@ void ${name}_at_attitude(const ${name}_orbit *o, ${name}_real t, ${name}_real q[
 
   ${name}_at(o, t, x);
   for (int i = 0; i < 4; i++) q[i] = x[${upper}_QW + i];
-}
-
-void ${name}_at_many(const ${name}_orbit *o, int n, const ${name}_real t[], ${name}_real x[])
-{
-  ${name}_real y[${upper}_NX], *row;
-  int i;
-
-  for (int k = 0; k < n; k++) {
-    ${name}_at(o, t[k], y);
-    for (i = 0, row = x;; row += n) {
-      row[k] = y[i];
-      if (++i == ${upper}_NX) break;
-    }
-  }
 }

@@ -157,6 +157,11 @@ int ${name}_solve(${name}_orbit *o, const ${name}_model *m, const ${name}_real x
   made.last = fastest*${last_time} > ${last_turn} ? ${last_turn}/fastest : ${last_time};
   if (!(made.rate[0] - made.rate[0] == ${zero}) || !(made.turn[0] - made.turn[0] == ${zero})) return 1;
   ${name}_combine(&made, &p, q0);
+%% if flies then
+  const ${name}_real g[3] = {${g1}, ${g2}, ${g3}};
+  for (int i = 0; i < 3; i++) made.g[i] = g[i];
+  ${name}_launch(&made, x0);
+%% end
 
 %% if damped then
   made.decay = ${decay};

@@ -164,6 +164,9 @@ void ${name}_at(const ${name}_orbit *o, ${name}_real t, ${name}_real x[])
   const ${name}_real root = ${name}_inverse_length(q, n, ${sqrt}(n));
   for (int i = 0; i < 4; i++) x[${upper}_QW + i] = root*q[i];
   ${name}_rates_of(o, &y, n, x + ${upper}_WX);
+%% if flies then
+  ${name}_carried(o, t, x);
+%% end
 }
 
 %% if damped then

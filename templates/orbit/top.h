@@ -8,6 +8,8 @@ typedef struct ${name}_orbit {
   ${name}_real q[4][4], w[3][3];    /* quaternion and rates are combinations of these */
 %% if damped then
   ${name}_real decay;               /* rate of decay of L, 1/s */
+%% elseif flies then
+  ${name}_real r[3], v[3], g[3];    /* centre of mass at t = 0, its velocity, and its acceleration */
 %% elseif has_tick_fields then
   ${name}_real tick;                /* s; the rest is set by ${name}_set_tick: fractions of two periods, of a turn */
   uint64_t rate_tick[2], rate_start[2], turn_tick[2], turn_start[2];

@@ -6,6 +6,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 
 local tap = require "tests.tap"
 local R = require "generator.algebra.rational"
+local calculus = require "generator.algebra.calculus"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local poly = require "generator.algebra.poly"
@@ -153,6 +154,21 @@ do
   end
   tap.is(table.concat(wrong, "\n"), "", "40 hidden common factors are cancelled")
   tap.is(cancelled, 40, "all 40 were tried")
+end
+
+-- ---- opaque generators ----
+
+do
+  local a, b, whole = expr.sym "a", expr.sym "b", expr.sym "a" * expr.sym "b" + 1
+  local s = expr.call("opaque", whole)
+  tap.ok(expr.call("opaque", 3 * x) == 3 * x, "what is one term is not made opaque")
+  tap.ok(tidy((s * x + s) ^ 2 - s ^ 2 * x ^ 2) == s ^ 2 * (2 * x + 1), "an opaque sum is one generator")
+  tap.ok(iszero(s - whole) and iszero(s ^ 2 - a ^ 2 * b ^ 2 - 2 * a * b - 1), "its value is still that of the sum")
+  tap.ok(not iszero(s - a - b ^ 2), "and no other")
+  local c, d = expr.call("opaque", expr.call("cos", a) * 2 - b), expr.call("opaque", expr.call("sin", a) * 2 + b)
+  tap.ok(iszero((c + b) ^ 2 + (d - b) ^ 2 - 4), "what two have to do with each other is seen at points")
+  local point = { a = R.new(2), b = R.new(3) }
+  tap.ok(evaluate.exact(calculus.diff(s ^ 2, a), point) == R.new(2 * 7 * 3), "and (s^2)' is 2 s s'")
 end
 
 -- ---- bounded work ----

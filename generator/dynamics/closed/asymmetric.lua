@@ -16,7 +16,7 @@ function asymmetric.positive(m)
 end
 
 function asymmetric.detect(m, eq)
-  local acts = free(m, eq)
+  local acts = free.acts(m, eq)
   if acts then return nil, acts end
   return { kind = "asymmetric", theorem = "free asymmetric top, theta functions",
     text = { "With u linear in time L = (B1 cn u, B2 sn u, B3 dn u) along the principal axes, Jacobi's functions; the",

@@ -25,7 +25,8 @@ local closed = { require "generator.dynamics.closed.sphere", require "generator.
   require "generator.dynamics.closed.damped", require "generator.dynamics.closed.axial",
   require "generator.dynamics.closed.lagrange", require "generator.dynamics.closed.gyrostat",
   require "generator.dynamics.closed.ball", require "generator.dynamics.closed.disc",
-  (require "generator.dynamics.closed.point") } -- one value: require also returns where it found it
+  require "generator.dynamics.closed.point",
+  (require "generator.dynamics.closed.flight") } -- one value: require also returns where it found it
 
 -- The form that applies, with `others`, the list {name, reason} of those refused, and `part`, what one that is not full
 -- gives, as the end of a sentence; without one {refused = text, others, reduced}.

@@ -7,14 +7,11 @@
 -- ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local free = require "generator.dynamics.closed.free"
 local loads = require "generator.dynamics.closed.loads"
 
 local damped = { name = "damping proportional to L" }
 
-local free = { require "generator.dynamics.closed.sphere", require "generator.dynamics.closed.symmetric",
-  (require "generator.dynamics.closed.asymmetric") } -- one value: require also returns where it found it
-
--- The free form is chosen as for the same body without effects.
 function damped.detect(m)
   local l, other = loads.of(m, true)
   if not l then return nil, other end
@@ -24,8 +21,7 @@ function damped.detect(m)
   if not rate then
     return nil, "the damping is not proportional to the tensor, so not to L, for every value of the parameters", true
   end
-  local form
-  for _, f in ipairs(free) do form = form or f.detect(m, { free = true }) end
+  local form = free.top(m)
   local text = { "The torque -rate L leaves the direction of L alone: L = exp(-rate t) L_free, w = exp(-rate t) w_free",
     "and q = q_free at the time (1 - exp(-rate t))/rate of the free motion (negative rates: growth), which is the" }
   text[3] = form.theorem .. ":"

@@ -11,7 +11,9 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local motion = require "generator.algebra.motion"
 local ratio = require "generator.algebra.ratio"
+local vec = require "generator.algebra.vec"
 local contact = require "generator.dynamics.contact"
 local context = require "generator.dynamics.context"
 local moving = require "generator.dynamics.moving"
@@ -19,6 +21,27 @@ local moving = require "generator.dynamics.moving"
 local point = { name = "point under constant and linear forces" }
 
 local function zero(e) return e == expr.zero or ratio.iszero(e) end
+point.zero = zero
+
+-- Why the force of effect.translation is not made of constant and linear ones; a: its arguments.
+function point.varies(a)
+  if not (zero(a.drag) and zero(a.linear)) then return "drag slows the centre of mass" end
+  for i = 1, 3 do
+    if not zero(a.thrust[i]) then return "the thrust turns with the body" end
+    if motion.any(a.force) then return "the force varies with the motion" end
+  end
+end
+
+-- The acceleration by gravity and the constant force of effect.translation (t), as constants of the model.
+function point.steady(model, t)
+  local g = t.spec.strengths(t.a, context.with(context.of(model), t))
+  return vec.map(t.a.force, function(force, i)
+    if zero(force) then return g[i] end
+    local axis = string.sub("xyz", i, i)
+    return model:constant("pull" .. axis, t.a.gravity[i] + force / model.mass, "acceleration by all constant forces " ..
+      axis .. ", m/s^2")
+  end)
+end
 
 -- The axis along which the frame turns for every value of the parameters; nil: oblique.
 local function axis_of(rate)
@@ -46,7 +69,7 @@ local framed_text = {
   "sigma^2 = k/m, without the centrifugal term Omega^2 + k/m; P is the integral of the second solution.  Along n it",
   "is a parabola, an oscillation or an exponential.  Landau, Lifshitz, Mechanics, section 39." }
 
--- Only effect.translation without drag and pushes, and a frame that turns steadily.
+-- Only effect.translation of constant and linear forces, and a frame that turns steadily.
 function point.detect(m)
   if not m.has.position then
     return nil, contact.of(m) and "the body touches a plane" or "nothing moves the centre of mass"
@@ -60,8 +83,8 @@ function point.detect(m)
       return nil, string.gsub(e.kind, "effect%.", "") .. " acts on the point", true
     end
   end
-  if t and not (zero(t.a.drag) and zero(t.a.linear)) then return nil, "drag slows the point", true end
-  if t and t.spec.pushed(t.a) then return nil, "a force or thrust of its own acts on the point", true end
+  local varies = t and point.varies(t.a)
+  if varies then return nil, varies, true end
   local k = t and t.a.stiffness or { expr.zero, expr.zero, expr.zero }
   local frame = m.frame and m.frame.spec.frame(m.frame.a, context.dry(m))
   local axis = frame and axis_of(frame.rate)
@@ -75,8 +98,7 @@ function point.detect(m)
   local function constants(model)
     local c, list = context.with(context.of(model), t or {}), {}
     local turn = frame and moving.frame(model)
-    local g, stiff
-    if t then g, stiff = t.spec.strengths(t.a, c) end
+    local g, stiff = t and point.steady(model, t), t and select(2, t.spec.strengths(t.a, c))
     for i = 1, 3 do
       list["g" .. i] = t and g[i] or expr.zero
       list["k" .. i] = t and context.massive(model, context.divided(stiff[i])) or expr.zero

@@ -6,7 +6,7 @@ local free = require "generator.dynamics.closed.free"
 local sphere = { name = "free spherical top" }
 
 function sphere.detect(m, eq)
-  local acts = free(m, eq)
+  local acts = free.acts(m, eq)
   if acts then return nil, acts end
   if m.structure.kind ~= "sphere" then return nil, "the moments are not all equal for every value of the parameters" end
   return { kind = "sphere", theorem = "free spherical top, uniform rotation",

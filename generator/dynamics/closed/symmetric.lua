@@ -35,7 +35,7 @@ function symmetric.constants(m, about)
 end
 
 function symmetric.detect(m, eq)
-  local acts = free(m, eq)
+  local acts = free.acts(m, eq)
   if acts then return nil, acts end
   local s = m.structure
   if s.kind ~= "symmetric" then return nil, "no two moments are equal for every value of the parameters" end

@@ -68,6 +68,7 @@ local function shaper(B, bound)
     end,
     pow = function(e) return B:product { { shape(e.base), e.exp } } end,
     call = function(e)
+      if e.fn == "opaque" then return shape(e[1]) end
       local args, constant = {}, true
       for k = 1, #e do
         args[k] = shape(e[k])

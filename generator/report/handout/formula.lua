@@ -82,6 +82,7 @@ function formula:of(e, sign)
   if e.kind == "sym" then return self.symbols:of(e.name) end
   if e.kind == "call" then
     if e.fn == "pi" then return math_.sym "pi" end
+    if e.fn == "opaque" then return math_.par(self:of(e[1])) end
     local n = { kind = e.fn == "abs" and "abs" or "call", name = text.called(e.fn) }
     for i = 1, #e do n[i] = self:of(e[i]) end
     return n
