@@ -15,7 +15,7 @@ local FIELDS = {
   model = [[ name file line record symbolic baked params defaults by_name limits inputs
     omega attitude given horizon step
     body mass origin com inertia centroidal parts structure carried carrier locked
-    formal slack unlawful conditions
+    formal slack unlawful conditions unasked
     has frame states moving reasons ]],
   -- dynamics/equations.lua; model: with the constants that the equations use (dynamics/constants.lua)
   equations = [[ groups coupled turn inputs free touch model ]],

@@ -35,6 +35,11 @@ end
 
 function body.determinant(A) return vec.dot(A[1], vec.cross(A[2], A[3])) end
 
+-- The matrix of a turn, its rows.
+function body.turn(node)
+  return vec.map(node.angle and vec.rodrigues(node.axis, node.angle) or vec.rotation(node.q), tidy_all)
+end
+
 local build
 
 -- A shape that is a sum of simpler ones: its mass is shared among them by their measure.
@@ -129,9 +134,8 @@ function build(node)
     return affine(build(node.of), nil, node.r, { "moved by", node.r })
   end
   if node.op == "turned" then
-    local A = node.angle and vec.rodrigues(node.axis, node.angle) or vec.rotation(node.q)
-    for i = 1, 3 do A[i] = tidy_all(A[i]) end
-    return affine(build(node.of), A, nil, node.angle and { "turned about", node.axis, "by", node.angle } or
+    return affine(build(node.of), body.turn(node), nil,
+      node.angle and { "turned about", node.axis, "by", node.angle } or
       { "turned by the quaternion", node.q })
   end
   if node.op == "scaled" then

@@ -36,7 +36,7 @@ local function sign(x) return x > 0 and 1 or x < 0 and -1 or 0 end
 local function validity(m, make)
   local knows_nothing, atoms, tests = critical.of {}, {}, {}
   for _, c in ipairs(m.conditions) do
-    local s, list = knows_nothing:signs(calculus.substitute(c.e, { [lawful.roundoff] = expr.zero }))
+    local s, list = knows_nothing:signs(calculus.substitute(c.e, lawful.exactly))
     local own = {}
     for i, e in ipairs(list) do
       own[i] = make(e)
