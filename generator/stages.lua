@@ -15,7 +15,7 @@ local FIELDS = {
   model = [[ name file line record symbolic baked params defaults by_name limits inputs
     omega attitude given horizon step
     body mass origin com inertia centroidal parts structure carried carrier locked
-    formal slack unlawful conditions
+    formal slack unlawful conditions unasked
     has frame states moving reasons ]],
   -- dynamics/equations.lua; model: with the constants that the equations use (dynamics/constants.lua)
   equations = [[ groups coupled turn inputs free touch model ]],
@@ -33,8 +33,9 @@ local FIELDS = {
     title banner derivation ]],
   -- driver.code, driver.files; plugin: also what the program itself loads; hash, hashes: of driver.trace; counted: the
   -- sheet of --target; code: {header =, source =}, all of them in one; emitted: its functions; costs: their
-  -- operations; readings: what cost/ops.lua has read of the code; sheet, counted_lines: make lists for the README
-  unit = [[ plugin hash hashes counted code emitted costs readings files sheet counted_lines ]],
+  -- operations; readings: what cost/ops.lua has read of the code; sheet, counted_lines: make lists for the README;
+  -- checks: what the set-up refuses, in words, by the numbers that it returns
+  unit = [[ plugin hash hashes counted code emitted checks costs readings files sheet counted_lines ]],
 }
 
 local declared = {}

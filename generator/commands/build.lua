@@ -73,4 +73,10 @@ function build.plugin(host, job)
   return plugins[1]
 end
 
+-- Sets a plugin up with the scene's own parameters; nil, or why it refuses them.
+function build.refusal(job, plugin)
+  local text = job.model:refusal(plugin:init())
+  return text and "the emitted code refuses the scene's own parameters: " .. text
+end
+
 return build

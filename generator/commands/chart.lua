@@ -188,6 +188,7 @@ function chart.run(host, given)
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, d, why) end
   options.warn(host, job.diag)
+  options.unasked(host, job, "the chart does not show")
   local text, wrong
   if given.linearised then
     text, wrong = linearised_text(host, job, given)

@@ -12,6 +12,7 @@ local diag = require "generator.diag"
 local driven = require "generator.commands.fit.driven"
 local driver = require "generator.driver"
 local equations = require "generator.dynamics.equations"
+local holes_at = require "generator.dynamics.holes_at"
 local fit = require "generator.commands.fit"
 local observed = require "generator.commands.fit.observed"
 local options = require "generator.commands.options"
@@ -238,6 +239,25 @@ local function misplaced(job, values)
   return text and string.gsub(text, "^%-%-free", "--over, --vary")
 end
 
+-- What the emitted code cannot ask of the candidates: {of each that is no body its place -> why}.
+local MOST_ASKED = 4000 -- some 10 ms each
+local function no_bodies(host, job, among)
+  local said = {}
+  if #job.model.unasked == 0 then return said end
+  if #among.points > MOST_ASKED then
+    options.unasked(host, job, "of more than " .. MOST_ASKED .. " candidates it is not asked")
+    return said
+  end
+  for i, point in ipairs(among.points) do
+    local values = {}
+    for k, v in ipairs(among.values) do
+      if v.kind == "param" then values[v.name] = R.fromdouble(point[k] * v.scale) end
+    end
+    said[i] = next(values) and holes_at(job, values)
+  end
+  return said
+end
+
 function design.run(host, given)
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, d, why) end
@@ -266,11 +286,13 @@ function design.run(host, given)
   ask.places = put
   local found = { job = job, unknowns = list, of = of, values = among.values, points = {}, inputs = {}, results = {},
     log = log, by = given.best or "D", top = given.top or 10, refusals = plan.model.conditions }
+  local said = no_bodies(host, job, among)
   for _, file in ipairs(files) do
     local results
     results, why = told_of(host, path, ask, among.points, among.values, file.inputs)
     if not results then return options.failed(host, "design", why) end
     for i, r in ipairs(results) do
+      if r.refused == 0 and said[i] then r.refused, r.said = -2, said[i] end
       local n = #found.results + 1
       found.results[n], found.points[n], found.inputs[n] = r, among.points[i], file
     end

@@ -1,7 +1,7 @@
 -- drawn.lua -- states, inputs and parameters drawn at random for the checks of `polhode check`.
 --
 -- Random numbers come from a fixed seed, so a failure repeats.  Parameters are drawn within a factor 2 of their
--- defaults and kept when the emitted NAME_init accepts them; the library then gets the same doubles.
+-- defaults, closer each time that the emitted NAME_init refuses them; the library then gets the same doubles.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
@@ -69,17 +69,17 @@ function drawn.input(job, random, scale, real)
   return u
 end
 
--- Parameters: the scene's own, then random ones.
+-- Random parameters, of which the plugin is made.  At the latest they are the scene's own, which it has accepted.
 function drawn.parameters(job, random, plugin, real)
-  for _ = 1, 100 do
+  for k = 100, 0, -1 do
     local list, values = {}, {}
     for i, p in ipairs(job.model.params) do
-      local x = drawn.narrow(R.todouble(p.default) * 2.0 ^ random(), real)
+      local x = drawn.narrow(R.todouble(p.default) * 2.0 ^ (random() * k / 100), real)
       list[i], values[p.name] = x, R.fromdouble(x)
     end
     if plugin:init(list) == 0 then return values end
   end
-  return nil
+  error "parameters of a body that the emitted code refuses"
 end
 
 return drawn

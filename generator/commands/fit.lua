@@ -12,6 +12,7 @@ local compiler = require "generator.commands.compiler"
 local driven = require "generator.commands.fit.driven"
 local driver = require "generator.driver"
 local equations = require "generator.dynamics.equations"
+local holes_at = require "generator.dynamics.holes_at"
 local logs = require "generator.commands.fit.logs"
 local observed = require "generator.commands.fit.observed"
 local options = require "generator.commands.options"
@@ -226,6 +227,16 @@ local function prepared(host, job, given)
     inputs = inputs, notes = notes or {} }
 end
 
+-- What the emitted code could not ask of the result: a list of sentences.
+local function no_body(job, list, result)
+  local values = {}
+  for i, u in ipairs(list) do
+    if u.kind == "param" then values[u.name] = R.fromdouble(result.theta[i]) end
+  end
+  local said = #job.model.unasked > 0 and holes_at(job, values)
+  return { said and "the result is no body: " .. said or nil }
+end
+
 -- What host.fit says to the question, as report.of has it; or nil and what is wrong.
 local function told_of(host, job, all, path, ask, more)
   local begun = host.clock()
@@ -234,7 +245,8 @@ local function told_of(host, job, all, path, ask, more)
   result.seconds = host.clock() - begun
   return report.of({ host = host, job = job, result = result, unknowns = more.unknowns, data = more.data,
     names = residuals(job.record.measure), known = ask.known, loss = ask.loss, step = ask.step,
-    refusals = all.plan.model.conditions, notes = all.notes, segments = more.segments, whole = more.whole })
+    refusals = all.plan.model.conditions, wrong = no_body(job, more.unknowns, result), notes = all.notes,
+    segments = more.segments, whole = more.whole })
 end
 
 -- The search; with --segments in pieces, then whole from there, and the whole log's answer if that is good.

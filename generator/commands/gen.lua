@@ -315,6 +315,7 @@ function gen.run(host, given)
     scene.diag:warn(scene.record.line, "with attitude", "this scene has no attitude among its states")
   end
   options.warn(host, scene.diag)
+  if not given.bake then options.unasked(host, scene, "the generated code does not ask") end
   given.real = given.real or package.real
   local real, decision = given.real, nil
   local question = not given.show and planner.question(scene, given, order)

@@ -50,7 +50,8 @@ local function compiled(host, q, names, series, real)
   local all = planned(series and (q.order and { q.order } or plan.orders) or {})
   local plugins, failed = build.plugins(host, { { job = all } })
   if failed then return nil, failed[1].message end
-  plugins[1]:init()
+  failed = build.refusal(all, plugins[1])
+  if failed then return nil, failed end
   return { code = driver.code(planned()), plugin = plugins[1] }
 end
 

@@ -123,7 +123,7 @@ local function load_units(host, scene, list, remarks)
   local said = {}
   for i, u in ipairs(list) do
     local why = failed and failed[i] and failed[i].message
-    why = why or plugins[i]:init() ~= 0 and "the emitted code refuses the scene's own parameters" or nil
+    why = why or build.refusal(u.job, plugins[i])
     if not why then
       u.plugin = plugins[i]
     elseif u.carrier then

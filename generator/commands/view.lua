@@ -216,6 +216,7 @@ function view.run(host, given)
   why = shapeless(scene.model, given[1])
   if why then return options.failed(host, "view", why) end
   options.warn(host, scene.diag)
+  options.unasked(host, scene, "the page does not ask")
   local flight
   if scene.record.flies then flight, d, why = bounce.scene(scene, given) end
   if scene.record.flies and not flight then return options.refuse(host, d, why) end

@@ -23,6 +23,7 @@ local parts = require "generator.mass.parts"
 local principal = require "generator.mass.principal"
 local law = require "generator.mass.law"
 local validity = require "generator.mass.validity"
+local within = require "generator.mass.within"
 local inputs = require "generator.dynamics.inputs"
 local numeric = later "generator.dynamics.numeric"
 local states = require "generator.dynamics.states"
@@ -45,6 +46,16 @@ function model:number(e)
   local opened, constant = pcall(calculus.substitute, e, map)
   return evaluate.precise(opened and constant or e, self.defaults, bits)
 end
+
+-- What it means that NAME_init returns the status: the words of its check, nil for 0.
+function model:refusal(status)
+  if status == 0 then return nil end
+  local c = self.conditions[status]
+  return c and c.text or "a constant or the first step is no finite number"
+end
+
+-- The symbols in conditions that allow for the rounding of the real type, see mass/validity.lua.
+function model.rounding(_, unit) return validity.rounding(unit) end
 
 function model:double(e) return R.todouble(self:number(e)) end
 
@@ -95,9 +106,15 @@ local function substituted(record, map)
   return out
 end
 
+-- A rule in the words that all doors have for it; c: {what =, rule =, line =}.
+function model:sentence(c)
+  local place = c.line and " (" .. string.match(self.file, "[^/]*$") .. ":" .. c.line .. ")" or ""
+  return c.what .. ": " .. c.rule .. place
+end
+
 -- What NAME_init must test again: every condition on parameters once, with the scene's line; of two on one expression
--- the stricter.
-local function conditions(m, checks)
+-- the stricter.  Second result: the lines of holes that it cannot ask about; nil if a hole is not in its body.
+local function conditions(d, m, checks)
   local list, seen = {}, {}
   local function put(c)
     local before = seen[c.e]
@@ -106,12 +123,13 @@ local function conditions(m, checks)
     if not before then list[#list + 1] = entry end
     seen[c.e] = entry
     local form = c.form or m.parts and m.parts:shown(c.e) or c.e
-    entry.e, entry.form, entry.pivot, entry.allow_zero = c.e, form, c.pivot, c.allow_zero
-    entry.text = c.what .. ": " .. c.rule .. " (" .. string.match(m.file, "[^/]*$") .. ":" .. c.line .. ")"
+    entry.e, entry.form, entry.opaque, entry.allow_zero = c.e, form, c.opaque, c.allow_zero
+    entry.text = m:sentence(c)
   end
   for _, c in ipairs(checks) do put(c) end
-  for _, c in ipairs(validity.conditions(m)) do put(c) end
-  return list
+  local own, open = validity.conditions(m)
+  for _, c in ipairs(own) do put(c) end
+  return within.hold(d, m, own) and list or nil, open
 end
 
 -- w' = I^-1 (L x w) with an oblique tensor loses as many digits as I has in its condition number; say so from 1e8 on.
@@ -243,7 +261,8 @@ function model.new(d, record, options)
     return nil
   end
   if not carry(d, m, record.checks) then return nil end
-  m.conditions = conditions(m, record.checks)
+  m.conditions, m.unasked = conditions(d, m, record.checks)
+  if not m.conditions then return nil end
   warn_of_condition(d, m)
   return stages.close(m)
 end

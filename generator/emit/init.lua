@@ -18,7 +18,7 @@ local GROUP = template.group("core/init.h", "core/init.c")
 
 local init = {}
 
-local words = { rest = true, m = true, p = true, k = true, roundoff = true }
+local words = { rest = true, m = true, p = true, k = true, roundoff = true, slack = true }
 
 -- Does NAME_init itself call something so?
 local function taken(name) return words[name] or string.match(name, "^check%d+$") end
@@ -180,8 +180,10 @@ function init.of(ctx, m, stepped, unread)
   local groups, checks, placed = {}, {}, {}
   -- a condition may ask for the rounding of the real type, half a unit in the last place of 1: it keeps a name, for
   -- multiplied into the other numbers of a sum it would spoil their form
-  map[expr.sym("unit roundoff", 1, true)] = expr.sym("roundoff", 1, true)
-  list[#list + 1] = { sym = "roundoff", c = number.text(R.new(2) ^ (ctx.real == "float" and -24 or -53), ctx.real) }
+  for _, c in ipairs(m:rounding(R.new(2) ^ (ctx.real == "float" and -24 or -53))) do
+    map[c.sym] = expr.sym(c.name, 1, true)
+    list[#list + 1] = { sym = c.name, c = number.text(c.value, ctx.real), rounding = true }
+  end
   for i, c in ipairs(m.conditions) do
     steps(m, { c.form }, map, placed, groups)
     for k = #groups, 1, -1 do
@@ -190,7 +192,7 @@ function init.of(ctx, m, stepped, unread)
     end
     local e, tested = calculus.substitute(c.form, map), "check" .. i
     for _, p in ipairs(list) do -- a parameter itself
-      if e.kind == "sym" and e.name == p.sym and p.sym ~= "roundoff" then tested = p.c end
+      if e.kind == "sym" and e.name == p.sym and not p.rounding then tested = p.c end
     end
     groups[#groups + 1] = { where = i, defs = {}, outs = tested == "check" .. i and
       { { c = "const " .. ctx.type .. " check" .. i, expr = e } } or {} }
@@ -278,6 +280,16 @@ local function copies(about)
   return lines
 end
 
+-- What NAME_init cannot ask: lines of the header.
+local function unasked(m)
+  local lines, file = {}, string.match(m.file, "[^/]*$")
+  for _, line in ipairs(m.unasked) do
+    lines = joined(lines, source.comment(string.format("Not a check of the set-up, for there is no formula: the " ..
+      "hole of %s:%d must lie inside the body it is cut from.", file, line)))
+  end
+  return lines
+end
+
 -- Header and source of NAME_init and NAME_defaults.  made: from init.of; about: {order = does it find signs of moments,
 -- setup_code, step_code = numbers of those checks or nil, real_members, defaults = see emit/head.lua,
 -- no_members}
@@ -285,7 +297,8 @@ function init.fragment(made, job, base, about)
   local v = { loads = made.loads, groups = made.groups, finite = made.finite, checks = made.checks,
     params = about.defaults, copies = copies(about), has_finite = #made.finite > 0,
     order = about.order, split_setup = about.setup_code ~= nil, setup_code = about.setup_code,
-    first_step = about.step_code ~= nil, step_code = about.step_code, no_members = about.no_members }
+    unasked = unasked(job.model), first_step = about.step_code ~= nil, step_code = about.step_code,
+    no_members = about.no_members }
   local render = GROUP(job.templates, base, v)
   return render "core/init.h", render "core/init.c"
 end

@@ -19,6 +19,8 @@ local project = {}
 function project.code(unit)
   local made = code.of(unit)
   unit.code, unit.emitted, unit.costs = { header = made.header, source = made.source }, made.functions, made.costs
+  unit.checks = {}
+  for i, c in ipairs(made.parts.init.checks) do unit.checks[i] = c.text end
   return made
 end
 

@@ -36,6 +36,16 @@ end
 
 function body.determinant(A) return vec.dot(A[1], vec.cross(A[2], A[3])) end
 
+-- The matrix of a turn, its rows.
+function body.turn(node)
+  local A
+  for _, t in ipairs(node.turns or {}) do
+    local one = vec.rodrigues(t.axis, t.angle)
+    A = A and vec.matmul(A, one) or one
+  end
+  return vec.map(A or vec.rotation(node.q), tidy_all)
+end
+
 local build
 
 -- A shape that is a sum of simpler ones: its mass is shared among them by their measure.
@@ -141,18 +151,13 @@ function build(node)
     return affine(build(node.of), nil, node.r, { "moved by", node.r })
   end
   if node.op == "turned" then
-    local A, said
-    for _, t in ipairs(node.turns or {}) do
-      local one = vec.rodrigues(t.axis, t.angle)
-      A = A and vec.matmul(A, one) or one
-    end
-    if A and #node.turns == 1 then
+    local said = { "turned by the quaternion", node.q }
+    if node.turns and #node.turns == 1 then
       said = { "turned about", node.turns[1].axis, "by", node.turns[1].angle }
-    elseif A then
+    elseif node.turns then
       said = { "turned by the Euler angles", vec.map(node.turns, function(t) return t.angle end), node.euler }
     end
-    A = vec.map(A or vec.rotation(node.q), tidy_all)
-    return affine(build(node.of), A, nil, said or { "turned by the quaternion", node.q }, nil, true)
+    return affine(build(node.of), body.turn(node), nil, said, nil, true)
   end
   if node.op == "scaled" then
     local k = node.k

@@ -63,9 +63,9 @@ end
 -- say: symbols that are positive, and sums of known sign.  An object with :signs(e) and :positive(e).
 function critical.of(conditions)
   local self = setmetatable({ map = {}, known = {} }, critical)
-  local simple = {} -- not the pivots of a tensor: large, and the sign of no factor follows from them
+  local simple = {} -- not pivots of a tensor and places of holes: large, and the sign of no factor follows from them
   for _, c in ipairs(conditions) do
-    if not c.pivot then simple[#simple + 1] = c end
+    if not c.opaque then simple[#simple + 1] = c end
   end
   for _, c in ipairs(simple) do
     local coefficient, list = factors((ratio.tidy(c.e)))

@@ -18,6 +18,7 @@ local inside = later "generator.geometry.inside"
 local surface = later "generator.geometry.surface"
 local catalogue = require "generator.mass.catalogue"
 local kinds = require "generator.mass.kinds"
+local within = require "generator.mass.within"
 
 local holes = {}
 
@@ -153,7 +154,7 @@ local function contained(d, node, a, hole, kind)
   end
   if worst then
     local far = inside.distance(a, where, math.max(1e-6 * size, 16 * slack))
-    d:error(node.line, "hole", "must lie inside the body it is cut from", "the point " .. place(where) ..
+    d:error(node.line, "hole", within.inside, "the point " .. place(where) ..
       " of the hole" .. (node[2].line and " (line " .. node[2].line .. ")" or "") .. ", " .. diag.rough(far) ..
       " m outside")
     return false
@@ -190,7 +191,7 @@ local function same_stuff(d, node, a, hole, kind, points, slack)
     d:warn(node.line, "hole", "is denser than the body it is cut from, " .. text ..
       ": negative mass remains (give both the same density)")
   else
-    d:error(node.line, "hole", "must not be denser than the body it is cut from", text)
+    d:error(node.line, "hole", within.denser, text)
     return false
   end
   return true

@@ -12,6 +12,7 @@ local diag = require "generator.diag"
 local law = require "generator.mass.law"
 local plausible = require "generator.mass.plausible"
 local slips = require "generator.mass.slips"
+local within = require "generator.mass.within"
 
 local validity = {}
 
@@ -84,8 +85,18 @@ end
 
 -- ---- what NAME_init must ask again ----
 
--- Half a unit in the last place of the emitted code's real type: a symbol that emit/ knows.
-validity.roundoff = expr.sym("unit roundoff", 1, true)
+local roundoff = expr.sym("unit roundoff", 1, true)
+
+-- The symbols in conditions that allow for rounding, with their values where half a unit in the last place of 1 is
+-- `unit`: a list of {sym =, name = what a person calls it, value = rational}.
+function validity.rounding(unit)
+  return { { sym = roundoff, name = "roundoff", value = unit },
+    { sym = within.slack, name = "slack", value = within.slack_of(unit) } }
+end
+
+-- The same for exact numbers: {symbol -> number}.
+validity.exactly = {}
+for _, c in ipairs(validity.rounding(R.zero)) do validity.exactly[c.sym] = expr.num(c.value) end
 
 -- The pivots of elimination of A, which must be positive, and whether A is diagonal.
 -- A_11; A_22 - A_12^2/A_11; what is left of A_33.
@@ -104,7 +115,7 @@ end
 -- float.
 -- slack: what the rounding of written digits is allowed beside that, in parts of size.
 local function semidefinite(S, size, slack)
-  local shift = (16 * validity.roundoff + expr.num(slack)) * size
+  local shift = (16 * roundoff + expr.num(slack)) * size
   return pivots_of { S[1] + shift, S[2] + shift, S[3] + shift, S[4], S[5], S[6] } -- may be zero if diagonal
 end
 
@@ -115,11 +126,12 @@ local function constant(list)
   return true
 end
 
--- Conditions on parameters that NAME_init must test: a positive total mass, lawful tensors (expressions > 0 or >= 0).
+-- Conditions on parameters that NAME_init must test: a positive total mass, lawful tensors, holes inside their bodies
+-- (expressions > 0 or >= 0); and the lines of holes of which there is no condition.
 function validity.conditions(m)
-  local list = {}
+  local list, unasked = within.conditions(m) -- first: a hole that reaches out is the cause of what else is wrong
   if not expr.constant(m.mass) then
-    list[1] = { e = m.mass, form = m.parts and m.parts.mass or nil, line = m.line, what = "body",
+    list[#list + 1] = { e = m.mass, form = m.parts and m.parts.mass or nil, line = m.line, what = "body",
       rule = "total mass must be positive" }
   end
   -- S: second moments about the centre of mass; named: S and size are in the names of the body's parts
@@ -127,7 +139,7 @@ function validity.conditions(m)
     if constant(S) then return end
     local pivots, zero = semidefinite(S, size, slack or R.zero)
     for _, e in ipairs(pivots) do -- the next pivot divides by this one
-      list[#list + 1] = { e = named and m.parts:resolve(e) or e, form = named and e or nil, pivot = true, line = line,
+      list[#list + 1] = { e = named and m.parts:resolve(e) or e, form = named and e or nil, opaque = true, line = line,
         what = what, allow_zero = zero,
         rule = "the triangle inequality of the principal moments about the centre of mass must hold" }
     end
@@ -142,7 +154,7 @@ function validity.conditions(m)
     end
     if not node.formal then lawful_at(vec.second(I), size, "tensor", node.line, nil, node.slack) end
     for _, e in ipairs((node.formal or node.positive) and not constant(I) and (pivots_of(I)) or {}) do
-      list[#list + 1] = { e = e, pivot = true, line = node.line, what = "tensor",
+      list[#list + 1] = { e = e, opaque = true, line = node.line, what = "tensor",
         rule = "the principal moments about the centre of mass must be positive" }
     end
   end)
@@ -163,7 +175,7 @@ function validity.conditions(m)
   elseif hole then
     lawful_at(vec.second(m.centroidal), size, "body", m.line, nil, m.slack)
   end
-  return list
+  return list, unasked
 end
 
 return validity

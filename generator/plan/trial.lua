@@ -45,7 +45,8 @@ end
 function trial:run(c, setting, point)
   local plugin, x, T = (c.made or self.apart and self.apart[c.method] or self).plugin, point.x, self.T
   if point.params or self.moved[plugin] then
-    if plugin:init(point.params) ~= 0 then return nil, "NAME_init refuses these parameters" end
+    local refusal = self.job.model:refusal(plugin:init(point.params))
+    if refusal then return nil, "NAME_init refuses these parameters: " .. refusal end
     self.moved[plugin] = point.params ~= nil
   end
   if c.setting == "none" then

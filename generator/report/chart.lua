@@ -36,7 +36,8 @@ local function sign(x) return x > 0 and 1 or x < 0 and -1 or 0 end
 local function validity(m, make)
   local knows_nothing, atoms, tests = critical.of {}, {}, {}
   for _, c in ipairs(m.conditions) do
-    local s, list = knows_nothing:signs(calculus.substitute(c.e, { [lawful.roundoff] = expr.zero }))
+    local s, list = 1, { c.e } -- a mass by itself is a symbol that passes for positive
+    if c.e.kind ~= "sym" then s, list = knows_nothing:signs(calculus.substitute(c.e, lawful.exactly)) end
     local own = {}
     for i, e in ipairs(list) do
       own[i] = make(e)

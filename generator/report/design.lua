@@ -156,7 +156,7 @@ function report.text(told)
     for _, c in ipairs(told.all) do first = first or c.refused and c or nil end
     local rule = found.refusals[first.result.refused // 1 | 0]
     put(out, "note: %d of the candidates are refused, the first (%s) as %s", told.refused, named(found, first.place),
-      rule and rule.text or "its motion is not finite")
+      first.result.said or rule and rule.text or "its motion is not finite")
   end
   if told.unsettled > 0 then
     put(out, "note: of %d candidates the motion cannot be followed exactly enough by rk4; they are left out",

@@ -3,7 +3,7 @@
 --     report.of(found) -> told: a table with everything decided; told.status: the exit status
 --     report.text(told), report.json(told) -> text
 -- found: {host, job, result (src/cli/fit/fit.c), unknowns, data, names (of residuals), known (sigmas), loss, step,
--- refusals, notes (of what was read)}.  Values in told are in the parameters' own units.
+-- refusals, wrong (sentences), notes (of what was read)}.  Values in told are in the parameters' own units.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local json = require "generator.report.json"
@@ -182,7 +182,7 @@ end
 
 -- What is wrong: status, and the sentences that say it; then what is only worth saying.
 local function judged(found, told)
-  local r, wrong, notes = found.result, {}, {}
+  local r, wrong, notes = found.result, found.wrong, {}
   local rule = found.refusals[math.floor(r.refused)]
   if not r.converged and rule and r.refusals < r.passes then
     put(wrong, "the search ended at the border of the rule %s: the minimum is beyond it, %.3g standard errors from " ..

@@ -69,7 +69,7 @@ local function in_one(m, atom, name)
   return terms and section.coefficients(terms)
 end
 
-local exactly = { [validity.roundoff] = expr.zero }
+local exactly = validity.exactly
 
 -- Is there a body for every value of the parameter from its default to x, the others at their defaults?  A condition
 -- holds at the default; it is asked for at x, and between where it is a polynomial in the parameter.

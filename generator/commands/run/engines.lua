@@ -169,9 +169,8 @@ function engines.generated(host, scene, given, course)
   if not job then return nil, { diag = d } end
   local plugin, why, kind = build.plugin(host, job)
   if not plugin then return nil, { status = kind == "range" and 3 or 2, text = why } end
-  if plugin:init() ~= 0 then
-    return nil, { status = 3, text = "the emitted code refuses the scene's own parameters" }
-  end
+  local refusal = build.refusal(job, plugin)
+  if refusal then return nil, { status = 3, text = refusal } end
   local x0 = numeric.initial(job)
   local real = given.real or "double"
   local motion = { method = method, order = m and (m.order or order or m.own_order[real]), longest = limits.emitted,

@@ -1,8 +1,9 @@
 -- cuts.lua -- the members of a sweep whose holes are not in their bodies: they fail, as the scene itself would.
 --
--- Whether a hole lies inside is asked of points (mass/holes.lua), which the program of the sweep cannot do.  So it is
--- asked here, for all values of the grid that the body depends on, and the program gets the answers as a table; or for
--- one value that is drawn, along its range, and the program gets the spans in which a hole sticks out.
+-- NAME_init asks whether a hole lies inside where there is a formula (mass/within.lua).  For the others it is asked of
+-- points (mass/holes.lua), which the program of the sweep cannot do.  So it is asked here, for all values of the grid
+-- that the body depends on, and the program gets the answers as a table; or for one value that is drawn, along its
+-- range, and the program gets the spans in which a hole sticks out.
 --     cuts.find(job, list) -> {texts, codes, axes} | {texts, spans, place} | nil; and a warning | nil
 -- codes: 0, or the number of a text; axes {stride, count, step}: (grid point / stride) modulo count, times step; spans
 -- {code, low | nil, high | nil} of the value at `place`, from 0.
@@ -10,25 +11,12 @@
 
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
-local expr = require "generator.algebra.expr"
-local holes = require "generator.mass.holes"
-local numeric = require "generator.dynamics.numeric"
+local holes_at = require "generator.dynamics.holes_at"
+local within = require "generator.mass.within"
 
 local cuts = {}
 
 local most = 4000 -- answers: some 10 ms each
-
--- The names of the parameters in the tree of a body.
-local function names_in(node, set)
-  for _, x in pairs(node) do -- order does not matter: a set is filled
-    if expr.is(x) then
-      for _, s in ipairs(expr.symbols(x)) do set[s.name] = true end
-    elseif type(x) == "table" then
-      names_in(x, set)
-    end
-  end
-  return set
-end
 
 -- Value i, from 0, of a grid, as a rational in SI units.
 local function gridded(v, i)
@@ -37,18 +25,6 @@ local function gridded(v, i)
   local x = a.log and a.low * (a.high / a.low) ^ t or a.low + (a.high - a.low) * t
   if t == 1 then x = a.high end
   return R.decimal(x) * factor
-end
-
--- What is wrong with the holes for these values of parameters, or nil.
-local function wrong(job, values)
-  local all, said = {}, nil
-  for _, p in ipairs(job.record.params) do all[p.name] = values[p.name] or p.default end
-  local listener = { warn = function() end, error = function(_, line, what, rule)
-    said = said or what .. (line and " of line " .. line or "") .. " " .. rule
-  end }
-  local model = { record = job.model.record, number = function(_, e) return evaluate.precise(e, all, 240) end }
-  local done = pcall(holes.check, listener, model, numeric.scene(job, all).body)
-  return done and said or nil -- what is no shape at all for these values, the program refuses by itself
 end
 
 -- The number of a text, new or known.
@@ -74,7 +50,7 @@ local function table_of(job, grids, size, found)
   for n = 0, size - 1 do
     local values = {}
     for _, g in ipairs(grids) do values[g.value.name] = gridded(g.value, n // g.step % g.count) end
-    found.codes[n + 1] = numbered(found, wrong(job, values))
+    found.codes[n + 1] = numbered(found, holes_at(job, values))
   end
 end
 
@@ -91,7 +67,7 @@ end
 -- last bits.  A span between two of the steps that is shorter than one of them is not found.
 local function spans_of(job, v, low, high, found)
   local factor, steps = evaluate.precise(v.factor, {}, 240), 64
-  local function code(x) return numbered(found, wrong(job, { [v.name] = R.fromdouble(x) * factor })) end
+  local function code(x) return numbered(found, holes_at(job, { [v.name] = R.fromdouble(x) * factor })) end
   local function border(a, b, of_a)
     for _ = 1, 40 do
       local x = a + (b - a) / 2
@@ -118,9 +94,8 @@ end
 
 -- list: the study's values, grids in the order of the program's axes.
 function cuts.find(job, list)
-  local body = job.model.record.body
-  if not holes.any(body) then return nil end
-  local used, grids, drawn, stride, size, axes = names_in(body, {}), {}, {}, 1, 1, 0
+  if #job.model.unasked == 0 then return nil end
+  local used, grids, drawn, stride, size, axes = within.parameters(job.model.record.body), {}, {}, 1, 1, 0
   for k = #list, 1, -1 do
     local v = list[k]
     local mine = v.kind == "param" and used[v.name]

@@ -6,7 +6,6 @@ local R = require "generator.algebra.rational"
 local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
 local touch = require "generator.commands.run.touch"
-local checks = require "generator.commands.view.checks"
 local formulas = require "generator.page.formulas"
 
 local facts = {}
@@ -75,7 +74,7 @@ function facts.compiled(scene, plan, unit)
   local f = facts.of(scene)
   for i, s in ipairs(plan.steppers) do f.methods[i] = { name = s.method.name, order = s.method.order or 0 } end
   f.real, f.exact = plan.real, plan.closed.full or false
-  f.inputs, f.checks = inputs_of(plan.model), checks.texts(unit)
+  f.inputs, f.checks = inputs_of(plan.model), unit.checks
   return f
 end
 
