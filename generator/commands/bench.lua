@@ -6,6 +6,7 @@
 local options = require "generator.commands.options"
 local progress = require "generator.commands.progress"
 local driver = require "generator.driver"
+local ends = require "generator.commands.ends"
 local methods = require "generator.methods.methods"
 local study = require "generator.commands.study"
 local report = require "generator.report.bench"
@@ -50,6 +51,7 @@ function bench.run(host, given)
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, d, why) end
   options.warn(host, job.diag)
+  ends.warn(host, job, given["until"])
   local bar = progress.of(host)
   local s, failure, numbers = study.of(host, job, given, bar.show)
   bar.clear()

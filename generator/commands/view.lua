@@ -13,6 +13,7 @@ local solid = require "generator.commands.view.solid"
 local run = require "generator.commands.run"
 local bounce = require "generator.commands.run.bounce"
 local driver = require "generator.driver"
+local happenings = require "generator.dynamics.happenings"
 local methods = require "generator.methods.methods"
 local gltf = require "generator.page.gltf"
 local page = require "generator.page.page"
@@ -126,7 +127,9 @@ end
 local function animation(host, scene, given, inputs)
   local rows, failure, ended = recorded.rows(host, scene, given, inputs)
   if not rows then return run.refuse(host, failure, nil, "view") end
-  if ended then host.err("warning: " .. ended .. ": the file ends there\n") end
+  if ended then
+    host.err("warning: " .. happenings.at(ended, times.number(rows[#rows][1])) .. "; the file ends there\n")
+  end
   local o = { name = scene.model.name, version = "polhode " .. scene.build,
     shape = solid.corners(given.ground or scene), times = {},
     attitude = {} }

@@ -10,6 +10,7 @@ local events = require "generator.commands.events"
 local facts = require "generator.report.facts"
 local rotation = require "generator.attitude.rotation"
 local contact = require "generator.dynamics.contact"
+local happenings = require "generator.dynamics.happenings"
 local err = require "generator.plan.error"
 local panels = require "generator.plot.panels"
 local sampling = require "generator.plot.sampling"
@@ -172,8 +173,7 @@ function course.compute(host, job, given, inputs)
   if when then
     finish = when.row.t
     c.lost = when.event.reaction and finish or nil
-    warnings[1] = (when.event.said or "contact is lost") .. " at t = " .. times.number(finish) ..
-      " s: what is drawn ends there\n"
+    warnings[1] = happenings.at(when.said, times.number(finish)) .. "; what is drawn ends there\n"
   end
   local samples
   samples, failure = looked(looker(host, job, motions[1], inputs, given.ground), finish, motions[1].step)

@@ -61,14 +61,14 @@ function recorded.rows(host, scene, given, inputs)
   local touching = touch.of(host, scene, given.ground)
   local ending, wrong = events.ending(host, scene, motion, finish, inputs)
   if ending == false then return nil, wrong end
-  local flat = ending and ending.event.said and ending or nil -- where contact is lost the rows show it
-  if flat then finish = flat.row.t end
+  if ending and ending.event.reaction then ending = nil end -- the rows show it
+  if ending then finish = ending.row.t end
   local rows
   rows, failure = rows_of(motion, touching, inputs, finish, FEWEST)
   local n = rows and wanted(scene, rows, finish)
   if n and n > FEWEST then rows, failure = rows_of(motion, touching, inputs, finish, n) end
   if not rows then return nil, failure end
-  return rows, motion.method, flat and flat.event.said
+  return rows, motion.method, ending and ending.said
 end
 
 -- {method, count, rows (in base64), mass, com, inertia, moments, axes}, or nil and a failure.
