@@ -322,7 +322,8 @@ function gen.run(host, given)
   wrong = gen.orderless(given, chosen or question and { "taylor" } or {})
   if wrong then return options.wrong(host, "gen", wrong) end
   if question then
-    ends.warn(host, scene)
+    local over = ends.refused(host, scene, "gen")
+    if over then return over end
     decision, why = planner.decide(host, question, given.accuracy)
     if not decision and why then return options.failed(host, "gen", why) end
     if not decision then return options.refuse(host, scene.diag) end

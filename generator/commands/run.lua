@@ -207,8 +207,7 @@ function run.run(host, given)
   given.seen, bar = progress.along(host, last, function(t)
     return string.format("t = %.4g s of %.4g s", t, last)
   end)
-  local engine = bounce.engine(given.engine == "generated" and engines.generated or engines.general)
-  local motion, failure = engine(host, job, given, course)
+  local motion, failure = bounce.motion(host, job, given, course)
   wrong = motion and limits.exceeded(motion, list, given) or failure and failure.command and failure.text
   if wrong then return options.wrong(host, "run", wrong) end
   options.warn(host, job.diag)

@@ -160,14 +160,13 @@ end
 local function played(host, scene, given)
   local said, inputs = input_file.of(host, scene, given)
   if not said then return options.wrong(host, "view", inputs) end
+  for _, w in ipairs(said) do host.err("warning: " .. w) end
   if given.format == "glb" then return animation(host, scene, given, inputs) end
   local motion, failure = recorded.of(host, scene, given, inputs)
   if not motion then return run.refuse(host, failure, nil, "view") end
   local known = facts.of(scene)
   known.recorded, known.horizon = motion, motion.finish
-  local status = written(host, given.ground or scene, given, known, nil)
-  for _, w in ipairs(status == 0 and said or {}) do host.err("warning: " .. w) end
-  return status
+  return written(host, given.ground or scene, given, known, nil)
 end
 
 -- Plan, unit and WebAssembly of a scene; or nil and the exit status.

@@ -7,6 +7,7 @@ local happenings = {
   contact_lost = "contact is lost: the plane would have to pull",
   settled = "the disc has settled flat: it would not rise again by what it falls in one time.step",
   fallen = "the disc has fallen flat, and touches the plane in a line",
+  no_point = "the body touches the plane in no single point",
   no_body = "I + D(t) is no body's tensor: a principal moment is more than the other two together",
   infinite = "the state is not finite",
   long_step = "the step is too long: |q| is not 1",

@@ -191,16 +191,25 @@ static int passed(const block *b, int k)
 }
 
 %% end
+%% if has_laws then
+static void laws_of(block *b, int k, real t, real y[])
+{
+  real p[${upper}_NP + 1], x[${upper}_NX];
+
+  lane_of(b->p, k, ${upper}_NP, p);
+  lane_of(b->x, k, ${upper}_NX, x);
+  laws_one(p, t, x, y);
+}
+
+%% end
 %% if has_flat then
 /* What has become of lane k's disc, or what becomes of it in a step h on; SWEEP_FINE: it does not lie flat. */
 static int lying(block *b, int k, real t, real h)
 {
   const real step = ${settling}, left = STRETCH[STRETCHES - 1].end - t;
-  real p[${upper}_NP + 1], x[${upper}_NX], y[${law_count}];
+  real y[${law_count}];
 
-  lane_of(b->p, k, ${upper}_NP, p);
-  lane_of(b->x, k, ${upper}_NX, x);
-  laws_one(p, t, x, y);
+  laws_of(b, k, t, y);
   /* it may be low already where y is no number */
   if (y[0] <= 0 || y[1] > y[0]*y[0]*step*step) b->low[k] = (real)NAN;
   else if (b->low[k] != b->low[k] && y[1] == y[1]) b->low[k] = t;
@@ -211,14 +220,12 @@ static int lying(block *b, int k, real t, real h)
 %% end
 %% if has_parts then
 /* Is I + D(t) of lane k a body's tensor, up to roundings of its minors? */
-static int is_body(const block *b, int k, real t)
+static int is_body(block *b, int k, real t)
 {
-  real p[${upper}_NP + 1], x[${upper}_NX], y[${law_count}];
+  real y[${law_count}];
   int i;
 
-  lane_of(b->p, k, ${upper}_NP, p);
-  lane_of(b->x, k, ${upper}_NX, x);
-  laws_one(p, t, x, y);
+  laws_of(b, k, t, y);
   for (i = 0; i < 7; i++) {
     const real size = i < 3 ? y[7] : i < 6 ? y[7]*y[7] : y[7]*y[7]*y[7];
 
