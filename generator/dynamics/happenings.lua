@@ -1,4 +1,4 @@
--- happenings.lua -- what can befall a motion, in words: every command that has a motion says it so (docs/happenings.md).
+-- happenings.lua -- what can befall a motion, in words: each command says it so (docs/happenings.md).
 --
 -- The library knows no words of these: it has statuses (src/runtime/status.c), which run/engines.lua passes on.
 -- SPDX-License-Identifier: GPL-3.0-or-later
