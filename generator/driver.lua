@@ -19,6 +19,7 @@ local effects = require "generator.effects.effects"
 local stability = later "generator.mass.spin_stability"
 local model = require "generator.dynamics.model"
 local equations = require "generator.dynamics.equations"
+local exists = require "generator.dynamics.exists"
 local closed = require "generator.dynamics.closed.closed"
 local breaks = require "generator.dynamics.breaks"
 local conserved = require "generator.dynamics.conserved"
@@ -94,6 +95,18 @@ local function instead(name, record)
     (best and "; did you mean " .. best .. "?" or "")
 end
 
+-- Reports that the body of a scene ceases to be one before its motion ends: false.  options: until, at = times of rows.
+local function lasts(scene, options)
+  local last = options["until"] or not options.at and scene.model:double(scene.model.horizon) or 0.0
+  for _, t in ipairs(options.at or {}) do last = math.max(last, t) end
+  local ends, line = exists.fails(scene, last)
+  if ends then
+    scene.diag:error(line, "effect.inertia_rate", string.format("I + D(t) must be a body's tensor up to t = %.6g s: " ..
+      "from t = %.6g s on a principal moment is more than the other two together", last, ends))
+  end
+  return not ends
+end
+
 -- The scene of a file's text: what driver.read returns.
 local function opened(host, file, text, options)
   local d = diag.new(file, text)
@@ -117,14 +130,14 @@ local function opened(host, file, text, options)
     driver.version
   scene.file, scene.source, scene.text, scene.diag = file, string.match(file, "[^/]*$"), text, d
   scene.record, scene.budget = record, budget(options)
-  if not bounded(scene, model_of, scene, options) then return nil, d end
+  if not bounded(scene, model_of, scene, options) or not lasts(scene, options) then return nil, d end
   return stages.close(scene)
 end
 
 -- Reads and checks the scene of a file, - for standard input.  options: {set =, bake =, name = (in place of the scene's
--- own), phase = "contact" (the default) or "flight" of a body that flies and lands}.  Returns the scene, a stage of
--- generator/stages.lua, or nil, the diagnostics, and what is wrong with the options (a name in --set that is no
--- parameter).  scene.ranges: see dsl/ranges.lua.
+-- own), phase = "contact" (the default) or "flight" of a body that flies and lands, until, at = where its motion
+-- ends}.  Returns the scene, a stage of generator/stages.lua, or nil, the diagnostics, and what is wrong with the
+-- options (a name in --set that is no parameter).  scene.ranges: see dsl/ranges.lua.
 function driver.read(host, file, options)
   local text, why = host.read(file)
   if not text then return nil, nil, why end

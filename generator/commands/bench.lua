@@ -3,9 +3,11 @@
 -- The tables go to standard output, NAME.csv (every row) and NAME.svg (the diagram) into the directory of -o.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local input_file = require "generator.commands.input_file"
 local options = require "generator.commands.options"
 local progress = require "generator.commands.progress"
 local driver = require "generator.driver"
+local ends = require "generator.commands.ends"
 local methods = require "generator.methods.methods"
 local study = require "generator.commands.study"
 local report = require "generator.report.bench"
@@ -50,6 +52,10 @@ function bench.run(host, given)
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, d, why) end
   options.warn(host, job.diag)
+  local over = ends.refused(host, job, "bench", given["until"])
+  if over then return over end
+  local inputs = input_file.names(job)
+  if inputs then host.err("warning: the inputs are 0: " .. inputs .. "\n") end
   local bar = progress.of(host)
   local s, failure, numbers = study.of(host, job, given, bar.show)
   bar.clear()

@@ -11,6 +11,7 @@ local candidates = require "generator.commands.design.candidates"
 local diag = require "generator.diag"
 local driven = require "generator.commands.fit.driven"
 local driver = require "generator.driver"
+local ends = require "generator.commands.ends"
 local equations = require "generator.dynamics.equations"
 local holes_at = require "generator.dynamics.holes_at"
 local fit = require "generator.commands.fit"
@@ -277,6 +278,7 @@ function design.run(host, given)
   wrong[#wrong + 1] = moving_corner(plan, among.values)
   if #wrong > 0 then return say_all(host, wrong) end
   options.warn(host, job.diag)
+  ends.warn(host, job, log.finish)
   local unit = driver.files(plan)
   if not unit then return options.refuse(host, plan.diag) end
   local path

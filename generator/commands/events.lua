@@ -13,6 +13,7 @@ local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
 local motion = require "generator.algebra.motion"
 local contact = require "generator.dynamics.contact"
+local happenings = require "generator.dynamics.happenings"
 local numeric = require "generator.dynamics.numeric"
 local columns = require "generator.commands.run.columns"
 local flat = require "generator.commands.run.flat"
@@ -33,7 +34,8 @@ function events.of(job)
   if not plane and not flies then return list end
   list = { table.unpack(list) }
   if plane then
-    list[#list + 1] = { name = "contact_lost", direction = -1, stop = true, line = plane.line, reaction = true }
+    list[#list + 1] = { name = "contact_lost", direction = -1, stop = true, line = plane.line, reaction = true,
+      said = happenings.contact_lost }
   end
   for _, e in ipairs(flat.events(job, plane or flies)) do list[#list + 1] = e end
   for _, e in ipairs(rest.events(job)) do list[#list + 1] = e end
@@ -347,19 +349,19 @@ function events.find(host, job, course, solve, finish, step, inputs, asked)
   return out
 end
 
--- What ends the motion of a body on a plane, for what shows it: an event with its row (a state); nil if nothing does.
--- Or false and a failure, also where the motion ends at the start.
+-- What ends a motion before `finish`, for what shows it: an event with its row (a state) and `said`, what it is in
+-- words; nil if nothing does.  Or false and a failure, also where the motion ends at the start.
 function events.ending(host, job, course, finish, inputs)
   local step, ends = course.step or job.model:double(job.model.step), {}
-  for _, e in ipairs(events.of(job)) do ends[#ends + 1] = (e.reaction or e.said) and e or nil end
+  for _, e in ipairs(events.of(job)) do ends[#ends + 1] = e.stop and e or nil end
   if #ends == 0 then return nil end
   local function solve(ts) return course.solve(ts, {}) end
   local found, failure = events.find(host, job, course, solve, finish, step, inputs, ends)
   if not found then return false, failure end
   local first = found[1]
+  if first then first.said = first.event.said or "event " .. first.event.name end
   if first and first.row.t == 0 then
-    return false, { status = 3, t = 0.0, text = (first.event.said or "contact is lost") ..
-      ": there is no motion to show" }
+    return false, { status = 3, t = 0.0, text = first.said .. ": there is no motion to show" }
   end
   return first
 end

@@ -11,6 +11,7 @@ local breaks = require "generator.dynamics.breaks"
 local compiler = require "generator.commands.compiler"
 local driven = require "generator.commands.fit.driven"
 local driver = require "generator.driver"
+local ends = require "generator.commands.ends"
 local equations = require "generator.dynamics.equations"
 local holes_at = require "generator.dynamics.holes_at"
 local logs = require "generator.commands.fit.logs"
@@ -268,6 +269,9 @@ function fit.run(host, given)
   local all, status = prepared(host, job, given)
   if not all then return status end
   options.warn(host, job.diag)
+  local last = 0.0
+  for _, log in ipairs(all.data) do last = math.max(last, (select(3, log.log:spacing()))) end
+  ends.warn(host, job, last)
   local unit = driver.files(all.plan)
   if not unit then return options.refuse(host, all.plan.diag) end
   local path

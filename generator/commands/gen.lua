@@ -11,6 +11,7 @@ local options = require "generator.commands.options"
 local measure = require "generator.commands.measure"
 local outputs = require "generator.commands.outputs"
 local packages = require "generator.emit.packages.packages"
+local ends = later "generator.commands.ends"
 local planner = require "generator.commands.planner"
 local driver = require "generator.driver"
 local listed = later "generator.commands.listed"
@@ -322,6 +323,8 @@ function gen.run(host, given)
   wrong = gen.orderless(given, chosen or question and { "taylor" } or {})
   if wrong then return options.wrong(host, "gen", wrong) end
   if question then
+    local over = ends.refused(host, scene, "gen")
+    if over then return over end
     decision, why = planner.decide(host, question, given.accuracy)
     if not decision and why then return options.failed(host, "gen", why) end
     if not decision then return options.refuse(host, scene.diag) end

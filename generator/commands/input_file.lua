@@ -133,16 +133,36 @@ function file.read(job, path, text, linear)
   return { rows = flat, linear = linear or false }, warnings
 end
 
+-- The end of a file before the motion's, as a warning, or nil; one row alone is a constant.
+local function short(job, given, course)
+  local width = #job.model.inputs + 1
+  local last, finish = course.rows[#course.rows - width + 1], given["until"]
+  for _, t in ipairs(given.at or {}) do finish = math.max(finish or t, t) end
+  finish = finish or job.model:double(job.model.horizon)
+  if #course.rows == width or last >= finish * (1 - 1e-12) then return nil end
+  return given.input .. " ends at t = " .. diag.show(last) .. " s: its last row holds to t = " .. diag.show(finish) ..
+    " s\n"
+end
+
+-- The names of a scene's inputs, for who says that they are 0; nil without any.
+function file.names(job)
+  local names = {}
+  for i, u in ipairs(job.model.inputs) do names[i] = u.label end
+  return #names > 0 and table.concat(names, ", ") or nil
+end
+
 -- The inputs over time that a command line names: warnings and these (nil: all 0), or nil and what is wrong.
 function file.of(host, job, given)
   if not given.input then
     if given.between then return nil, "--between: it says how --input FILE.csv is read" end
-    return {}
+    local names = file.names(job)
+    return { names and "without --input FILE.csv these inputs are 0: " .. names .. "\n" }
   end
   local text, why = host.read(given.input)
   if not text then return nil, why end
   local course, said = file.read(job, given.input, text, given.between == "linear")
   if not course then return nil, said end
+  said[#said + 1] = short(job, given, course)
   return said, course
 end
 

@@ -19,7 +19,7 @@ local options = require "generator.commands.options"
 local progress = require "generator.commands.progress"
 local quantities = require "generator.attitude.quantities"
 local driver = require "generator.driver"
-local exists = require "generator.dynamics.exists"
+local happenings = require "generator.dynamics.happenings"
 
 local run = {}
 
@@ -160,7 +160,8 @@ local function computed(host, job, given, motion, list, warnings)
   local rows, states = solve(list)
   if rows and last then rows[#rows] = last.row end
   if last and last.event.said then
-    warnings[#warnings + 1] = string.format("%s at t = %.9g s; the run ends there\n", last.event.said, last.row.t)
+    warnings[#warnings + 1] = happenings.at(last.event.said, string.format("%.9g", last.row.t)) ..
+      "; the run ends there\n"
   end
   if not rows then return nil, states end
   warnings[#warnings + 1] = idle(motion, given, list)
@@ -202,18 +203,11 @@ function run.run(host, given)
   if not warnings then return options.wrong(host, "run", wrong) end
   local last = 0.0
   for _, t in ipairs(list) do last = math.max(last, t) end
-  local ends, line = exists.fails(job, last)
-  if ends then
-    job.diag:error(line, "effect.inertia_rate", string.format("I + D(t) must be a body's tensor up to t = %.6g s: " ..
-      "from t = %.6g s on a principal moment is more than the other two together", last, ends))
-    return options.refuse(host, job.diag)
-  end
   local bar
   given.seen, bar = progress.along(host, last, function(t)
     return string.format("t = %.4g s of %.4g s", t, last)
   end)
-  local engine = bounce.engine(given.engine == "generated" and engines.generated or engines.general)
-  local motion, failure = engine(host, job, given, course)
+  local motion, failure = bounce.motion(host, job, given, course)
   wrong = motion and limits.exceeded(motion, list, given) or failure and failure.command and failure.text
   if wrong then return options.wrong(host, "run", wrong) end
   options.warn(host, job.diag)

@@ -4,7 +4,9 @@
 -- instead, for a cluster.  Progress, messages and the exit status of the program pass through.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local ends = require "generator.commands.ends"
 local gen = require "generator.commands.gen"
+local input_file = require "generator.commands.input_file"
 local keep = require "generator.commands.sweep.keep"
 local methods = require "generator.methods.methods"
 local cuts = require "generator.commands.sweep.cuts"
@@ -99,9 +101,8 @@ end
 
 -- What a run of the scene has and its members have not.
 local function warn(host, job)
-  local names = {}
-  for i, u in ipairs(job.model.inputs) do names[i] = u.label end
-  if #names > 0 then host.err("warning: the members' inputs are 0: " .. table.concat(names, ", ") .. "\n") end
+  local names = input_file.names(job)
+  if names then host.err("warning: the members' inputs are 0: " .. names .. "\n") end
   for _, e in ipairs(job.record.events) do
     if e.stop then
       host.err("warning: event " .. e.name .. " (line " .. e.line .. ") does not end the motion of a member\n")
@@ -146,6 +147,7 @@ end
 local function planned(host, job, given, order)
   local q = planner.question(job, { [1] = given[1], accuracy = given.accuracy, real = given.real, set = given.set,
     method = { given.method or "rk4" } }, order)
+  ends.warn(host, job, given["until"])
   local decision, why = planner.decide(host, q, given.accuracy)
   if not decision then
     return nil, why and options.failed(host, "sweep", why) or options.refuse(host, job.diag)

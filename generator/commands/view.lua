@@ -13,6 +13,7 @@ local solid = require "generator.commands.view.solid"
 local run = require "generator.commands.run"
 local bounce = require "generator.commands.run.bounce"
 local driver = require "generator.driver"
+local happenings = require "generator.dynamics.happenings"
 local methods = require "generator.methods.methods"
 local gltf = require "generator.page.gltf"
 local page = require "generator.page.page"
@@ -126,7 +127,9 @@ end
 local function animation(host, scene, given, inputs)
   local rows, failure, ended = recorded.rows(host, scene, given, inputs)
   if not rows then return run.refuse(host, failure, nil, "view") end
-  if ended then host.err("warning: " .. ended .. ": the file ends there\n") end
+  if ended then
+    host.err("warning: " .. happenings.at(ended, times.number(rows[#rows][1])) .. "; the file ends there\n")
+  end
   local o = { name = scene.model.name, version = "polhode " .. scene.build,
     shape = solid.corners(given.ground or scene), times = {},
     attitude = {} }
@@ -157,14 +160,13 @@ end
 local function played(host, scene, given)
   local said, inputs = input_file.of(host, scene, given)
   if not said then return options.wrong(host, "view", inputs) end
+  for _, w in ipairs(said) do host.err("warning: " .. w) end
   if given.format == "glb" then return animation(host, scene, given, inputs) end
   local motion, failure = recorded.of(host, scene, given, inputs)
   if not motion then return run.refuse(host, failure, nil, "view") end
   local known = facts.of(scene)
   known.recorded, known.horizon = motion, motion.finish
-  local status = written(host, given.ground or scene, given, known, nil)
-  for _, w in ipairs(status == 0 and said or {}) do host.err("warning: " .. w) end
-  return status
+  return written(host, given.ground or scene, given, known, nil)
 end
 
 -- Plan, unit and WebAssembly of a scene; or nil and the exit status.

@@ -138,6 +138,24 @@ function ranges.read(ctx, line, given)
   return out
 end
 
+-- Warns of the scene's own values that are outside its ranges: of parameters, also by --set, and of the start.
+local function warn_outside(d, record, m, out)
+  local function warn(line, name, x, range)
+    local low, high = R.todouble(range.lo) + 0.0, R.todouble(range.hi) + 0.0
+    if x >= low and x <= high then return end
+    d:warn(line, "ranges", name .. " of the scene itself, " .. diag.show(x) .. ", is outside " .. diag.show(low) ..
+      " to " .. diag.show(high) .. " (SI units)")
+  end
+  for _, range in ipairs(out.params) do
+    for _, p in ipairs(record.params) do
+      if p.name == range.name then warn(out.line, p.name, R.todouble(p.default) + 0.0, range) end
+    end
+  end
+  for i, s in ipairs(m.states) do
+    if out.states[i] then warn(out.line, s.name, m:double(s.initial) + 0.0, out.states[i]) end
+  end
+end
+
 -- What the ranges mean for the scene: {states = {[place in x] = {lo =, hi =}}, attitude =, params = {{name =, lo =,
 -- hi =}}} in SI units; nil without ranges; false after an error.  m: the model, with its states and parameters.
 function ranges.resolve(d, record, m)
@@ -193,6 +211,7 @@ function ranges.resolve(d, record, m)
         (#names > 0 and " and " .. table.concat(names, ", ") or "") .. ")")
     end
   end
+  if fine then warn_outside(d, record, m, out) end
   return fine and out
 end
 

@@ -113,6 +113,20 @@ local function first(polynomials, value, corners, finish)
   return nil
 end
 
+-- The seven principal minors of S of a model whose parts move, and its trace, as expressions; else nil.
+function exists.minors(model)
+  for _, e in ipairs(model.record.effects) do
+    if e.spec.varies and e.a.D then
+      local I = vec.map(model.inertia, function(x, k) return { x + e.a.D[k] } end)
+      local S, list = second(I), {}
+      for i, m in ipairs(minors) do list[i] = determinant(S, m)[1] end
+      list[8] = S[1][1] + S[2][1] + S[3][1]
+      return list
+    end
+  end
+  return nil
+end
+
 -- Of the effect of a scene whose parts move: the time, within 0 to `finish`, from which on the tensor is no body's, and
 -- the effect's line; nil if it always is one.
 function exists.fails(job, finish)

@@ -15,9 +15,10 @@
 local R = require "generator.algebra.rational"
 local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
-local expr = require "generator.algebra.expr"
+local happenings = require "generator.dynamics.happenings"
 local hash = require "generator.hash"
 local base = require "generator.emit.base"
+local judged = require "generator.emit.judged"
 local lanes = require "generator.emit.lanes"
 local libm = require "generator.emit.libm"
 local number = require "generator.emit.number"
@@ -102,8 +103,8 @@ end
 
 local TAKEN = { p = true, t = true, x = true, y = true, k = true, real = true, m = true, b = true }
 
--- A description of the expressions as y[0], y[1] ..; they read parameters p, time and states.
-local function description(job, v, name, list)
+-- A description of the expressions as y[0], y[1] ..; they read parameters p, time and states.  why: nil, the user's.
+local function description(job, v, name, list, why)
   local m = job.model
   local names = {}
   for _, s in ipairs(job.states) do names[s.name] = true end
@@ -119,7 +120,7 @@ local function description(job, v, name, list)
     outs[i] = { array = "y", index = int(i - 1), expr = calculus.substitute(e, map) }
   end
   return { name = name, args = { { name = "p", count = 0 }, "t", "x", { name = "y", count = #list, out = true } },
-    inputs = inputs, groups = { { why = "as --keep has it", defs = {}, outs = outs } } }
+    inputs = inputs, groups = { { why = why or "as --keep has it", defs = {}, outs = outs } } }
 end
 
 local PASSAGE = { first = "0", rise = "1", fall = "-1" }
@@ -237,8 +238,7 @@ local POINTS = { random = "SWEEP_RANDOM", sobol = "SWEEP_SOBOL", lhs = "SWEEP_LH
 
 -- What can become of a member: the words of the status column.
 local function reasons(checks, cuts)
-  local list = { "ok", "accuracy missed", "not finite", "the step is too long: |q| is not 1",
-    "contact is lost: the plane would have to pull", "initial state is none" }
+  local list = { table.unpack(happenings.members) }
   for _, c in ipairs(checks) do list[#list + 1] = "no body: " .. c.text end
   for _, text in ipairs(cuts and cuts.texts or {}) do list[#list + 1] = "no body: " .. text end
   return list
@@ -265,21 +265,6 @@ local function cut_lines(v, cuts, checks)
   v.cut_place = table.concat(place, " + ")
 end
 
--- Steps after which members are looked at: on a plane each, for a hop may be short; where t enters the equations each,
--- whose time is that of a run, to the last bit.
-local PIECE = 16
-local function piece(job)
-  if job.equations.touch then return 1 end
-  for _, g in ipairs(job.equations.groups) do
-    for _, list in ipairs { g.defs, g.outs } do
-      for _, d in ipairs(list) do
-        if not expr.constant(d.expr, { t = true }) then return 1 end
-      end
-    end
-  end
-  return PIECE
-end
-
 local function groups_of(job)
   local list = {}
   for i, s in ipairs(job.states) do
@@ -294,7 +279,7 @@ local function groups_of(job)
   return list
 end
 
--- The C of what is watched and of what is kept of the final state: all its lines.
+-- The C of what is watched, of what is kept of the final state, and of what members are judged by: all its lines.
 local function printed(job, v, made, watched, final)
   local ctx, text = made.ctx, {}
   v.has_watched, v.watched_count = #watched > 0, int(math.max(1, #watched))
@@ -304,7 +289,7 @@ local function printed(job, v, made, watched, final)
     for _, l in ipairs(list) do text[#text + 1] = l end
     return list
   end
-  v.watch_lines, v.watch_common, v.watch_loop, v.final_lines = {}, {}, {}, {}
+  v.watch_lines, v.watch_common, v.watch_loop, v.final_lines, v.law_lines = {}, {}, {}, {}, {}
   if v.has_watched then
     local es = {}
     for i, w in ipairs(watched) do es[i] = w.e end
@@ -314,6 +299,11 @@ local function printed(job, v, made, watched, final)
     v.watch_common, v.watch_loop = body(block.common), body(block.lines)
   end
   if v.has_final then v.final_lines = body(source.make(ctx, description(job, made.base, "final", final)).lines) end
+  local laws, why = judged.laws(job)
+  v.has_laws, v.law_count = laws ~= nil, int(laws and #laws or 1)
+  v.has_flat, v.has_parts = why == judged.flat, why == judged.parts
+  v.settling = double(job.model:double(job.model.step) + 0.0, job.real)
+  if laws then v.law_lines = body(source.make(ctx, description(job, made.base, "laws", laws, why)).lines) end
   local whole = table.concat(text, "\n")
   v.own_libm_source = ctx.own and libm.source(base.of(job, true), ctx, job.templates, whole) or ""
   return text
@@ -329,8 +319,7 @@ function members.fill(job, made)
   v.each = v.own_models and made.parts.each or false
   v.models = v.own_models and "LANES" or "1"
   v.has_contact = job.equations.touch and true or false
-  v.judged = v.has_contact or common.has_attitude
-  v.piece = int(piece(job))
+  v.piece = int(judged.piece(job))
   v.contact_inputs = common.has_inputs and "b->u, " or "NULL, "
   v.inputs, v.step_inputs = common.has_inputs and "b->u" or "NULL", common.has_inputs and "u" or "NULL"
   v.energy = job.conserved.rate and "jacobi_integral" or "energy"
@@ -342,6 +331,7 @@ function members.fill(job, made)
   for _, c in ipairs(columns) do all[#all + 1] = c end
   v.passed = v.only_passages and " || passed(b, k)" or ""
   local text = printed(job, v, made, watched, final)
+  v.judged = v.has_contact or common.has_attitude or v.has_laws
   v.stretches = {}
   for i, s in ipairs(study.stretches) do
     v.stretches[i] = { t = double(s.t0, real), last = double(s.t1, real), h = double(s.h, real),

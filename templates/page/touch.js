@@ -37,7 +37,7 @@ function keepContact(motion, plane) {
   return i > 1;
 }
 
-// A disc's motion ends where it lies flat, by the laws of generator/commands/run/flat.lua: cuts the samples there and
+// A disc's motion ends where it lies flat, by the laws of generator/dynamics/flat.lua: cuts the samples there and
 // says so in `flat`.  The numbers of plane.disc are those of the scene's own parameters.
 function keepUpright(motion, places, facts) {
   const { disc, normal } = facts.plane, near = Math.sqrt(facts.real === "float" ? 2**-23 : 2**-52);

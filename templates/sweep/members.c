@@ -103,6 +103,16 @@ static void watch_lanes(real p[][LANES], real t, real x[][LANES], real y[][LANES
   }
 }
 %% end
+%% if has_laws then
+
+/* What a member is judged by. */
+static void laws_one(const real p[], real t, const real x[], real y[])
+{
+%% for _, line in ipairs(law_lines) do
+  ${line}
+%% end
+}
+%% end
 %% if has_final then
 
 /* What is kept of the final state. */
@@ -137,6 +147,9 @@ typedef struct block {
   ${name}_model model[MODELS]; /* of all members, or one of each */
   double values[LANES][VARIED + 1];
   int32_t status[LANES];
+%% if has_flat then
+  real low[LANES]; /* since when a disc has not been able to rise */
+%% end
 %% if has_watched then
   real before[${upper}_NX][LANES], older[${upper}_NX][LANES];  /* states one and two steps back */
   real y[WATCHED][LANES], y1[WATCHED][LANES], y2[WATCHED][LANES]; /* what is watched, now and then */
@@ -178,7 +191,51 @@ static int passed(const block *b, int k)
 }
 
 %% end
-/* Marks the lanes whose motion does not hold any more at the time t.
+%% if has_laws then
+static void laws_of(block *b, int k, real t, real y[])
+{
+  real p[${upper}_NP + 1], x[${upper}_NX];
+
+  lane_of(b->p, k, ${upper}_NP, p);
+  lane_of(b->x, k, ${upper}_NX, x);
+  laws_one(p, t, x, y);
+}
+
+%% end
+%% if has_flat then
+/* What has become of lane k's disc, or what becomes of it in a step h on; SWEEP_FINE: it does not lie flat. */
+static int lying(block *b, int k, real t, real h)
+{
+  const real step = ${settling}, left = STRETCH[STRETCHES - 1].end - t;
+  real y[${law_count}];
+
+  laws_of(b, k, t, y);
+  /* it may be low already where y is no number */
+  if (y[0] <= 0 || y[1] > y[0]*y[0]*step*step) b->low[k] = (real)NAN;
+  else if (b->low[k] != b->low[k] && y[1] == y[1]) b->low[k] = t;
+  if (t - b->low[k] >= step*(real)0.999) return SWEEP_SETTLED;
+  return y[2] > 0 && y[2] <= (h < left ? h : left)*y[3] && y[4] <= ${epsilon}*y[3] ? SWEEP_FALLEN : SWEEP_FINE;
+}
+
+%% end
+%% if has_parts then
+/* Is I + D(t) of lane k a body's tensor, up to roundings of its minors? */
+static int is_body(block *b, int k, real t)
+{
+  real y[${law_count}];
+  int i;
+
+  laws_of(b, k, t, y);
+  for (i = 0; i < 7; i++) {
+    const real size = i < 3 ? y[7] : i < 6 ? y[7]*y[7] : y[7]*y[7]*y[7];
+
+    if (y[i] < -64*${epsilon}*size) return 0;
+  }
+  return 1;
+}
+
+%% end
+/* Marks the lanes whose motion does not hold any more at the time t, from which steps h lead on.
 %% if has_attitude then
  * A step whose h |w| is beyond what the method can do loses |q|, and steps after it bring it back.
 %% end
@@ -186,7 +243,7 @@ static int passed(const block *b, int k)
  * A body stays on its plane as long as the plane need not pull.
 %% end
  */
-static void judge(block *b, real t)
+static void judge(block *b, real t, real h)
 {
 %% if has_contact then
   real x[${upper}_NX], com[3], velocity[3];
@@ -203,14 +260,20 @@ static void judge(block *b, real t)
 %% if has_attitude then
     if (square < (real)0.9 || square > (real)1.1) b->status[k] = SWEEP_LONG;
 %% end
+%% if has_parts then
+    if (!is_body(b, k, t)) b->status[k] = SWEEP_NO_BODY;
+%% end
+%% if has_flat then
+    b->status[k] = lying(b, k, t, h);
+    if (b->status[k] != SWEEP_FINE) continue;
+%% end
 %% if has_contact then
     lane_of(b->x, k, ${upper}_NX, x);
     if (${name}_contact(&b->model[k%MODELS], t, x, ${contact_inputs}com, velocity) < 0) b->status[k] = SWEEP_LOST;
 %% end
   }
-%% if not has_contact then
   (void)t;
-%% end
+  (void)h;
 }
 %% end
 %% if has_watched then
@@ -331,7 +394,10 @@ static void compute(uint64_t first, int count, double rows[], int32_t status[])
   for (k = 0; k < LANES; k++) differences(b.x, coarse, k, most[k], size[k]);
 %% end
 %% if judged then
-  judge(&b, STRETCH[0].t);
+%% if has_flat then
+  for (k = 0; k < LANES; k++) b.low[k] = (real)NAN;
+%% end
+  judge(&b, STRETCH[0].t, STRETCH[0].h);
 %% end
   for (s = 0; s < STRETCHES; s++) {
     if (STRETCH[s].steps > 0) {
@@ -342,7 +408,7 @@ static void compute(uint64_t first, int count, double rows[], int32_t status[])
         const int n = STRETCH[s].steps - i < PIECE ? STRETCH[s].steps - i : PIECE;
 
         advance(&b, b.x, STRETCH[s].t + (real)i*STRETCH[s].h, STRETCH[s].h, n);
-        judge(&b, STRETCH[s].t + (real)(i + n)*STRETCH[s].h);
+        judge(&b, STRETCH[s].t + (real)(i + n)*STRETCH[s].h, STRETCH[s].h);
       }
 %% else
       advance(&b, b.x, STRETCH[s].t, STRETCH[s].h, STRETCH[s].steps);

@@ -44,8 +44,10 @@ typedef struct sweep_column {
   int times;
 } sweep_column;
 
-/* What became of a member; SWEEP_REFUSED + n: NAME_init's check n failed. */
-enum { SWEEP_FINE, SWEEP_MISSED, SWEEP_INFINITE, SWEEP_LONG, SWEEP_LOST, SWEEP_REFUSED };
+/* What became of a member, with words in the study's reasons; SWEEP_REFUSED + n: NAME_init's check n failed. */
+enum sweep_status {
+  SWEEP_FINE, SWEEP_MISSED, SWEEP_INFINITE, SWEEP_LONG, SWEEP_LOST, SWEEP_SETTLED, SWEEP_FALLEN, SWEEP_NO_BODY, SWEEP_REFUSED
+};
 
 typedef struct sweep_study {
   const char *scene, *version, *command, *fingerprint; /* the fingerprint: of all that decides a bit of the result */

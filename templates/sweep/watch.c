@@ -228,7 +228,7 @@ static void march(block *b, real t, real h, int steps)
     }
     advance(b, b->x, at, h, 1);
 %% if judged then
-    judge(b, at + h);
+    judge(b, at + h, h);
 %% end
     watch_lanes(b->p, at + h, b->x, b->y);
     see(b, at, h, j == 0);

@@ -10,6 +10,7 @@ local events = require "generator.commands.events"
 local facts = require "generator.report.facts"
 local rotation = require "generator.attitude.rotation"
 local contact = require "generator.dynamics.contact"
+local happenings = require "generator.dynamics.happenings"
 local err = require "generator.plan.error"
 local panels = require "generator.plot.panels"
 local sampling = require "generator.plot.sampling"
@@ -80,25 +81,18 @@ local function of_scene(job, given)
 end
 
 local function looker(host, job, motion, inputs, ground)
-  local at, touching = places(job), touch.of(host, job, ground)
+  local at, seen = places(job), touch.seen(host, job, motion, inputs, ground)
   return function(ts)
-    local states, failure = motion.solve(ts, {})
-    if not states then return nil, failure end
-    local out = {}
-    for i, state in ipairs(states) do
-      local energy, L = motion.measured(state)
-      if not energy then return nil, L end
-      local s = { t = state.t, x = state.x, energy = energy, L = job.model.has.attitude and L or nil,
+    local out, failure = seen(ts)
+    for i, state in ipairs(out or {}) do
+      local k = state.contact
+      local s = { t = state.t, x = state.x, energy = state.energy, L = job.model.has.attitude and state.L or nil,
         own = part(state.x, at.own) }
       for _, name in ipairs { "q", "w", "r", "v" } do s[name] = at[name] and part(state.x, at[name]) end
-      local k = touching and touching(s.t, s.x, inputs, state.on)
-      if touching and not k then
-        return nil, { status = 3, t = s.t, text = "the body touches the plane in no single point" }
-      end
       if k then s.N, s.r, s.v, s.point = k[1], part(k, { 2, 3, 4 }), part(k, { 5, 6, 7 }), part(k, { 11, 12, 13 }) end
       out[i] = panels.complete(s)
     end
-    return out
+    return out, failure
   end
 end
 
@@ -106,11 +100,6 @@ end
 local function looked(look, finish, step)
   if step then return look(sampling.steps(finish, step)) end
   return sampling.adaptive(look, finish)
-end
-
--- The motion by the first method, or nil and a failure as run.engines has it, or a message in its place.
-local function engine_of(given)
-  return bounce.engine(given.engine == "generated" and engines.generated or engines.general)
 end
 
 local function with_method(given, method)
@@ -160,7 +149,7 @@ function course.compute(host, job, given, inputs)
   local names, motions, step, warnings = given.method or {}, {}, nil, {}
   for n = 1, math.max(1, #names) do
     local own = with_method(given, names[n])
-    local motion, failure = engine_of(given)(host, job, own, inputs)
+    local motion, failure = bounce.motion(host, job, own, inputs)
     if not motion then return nil, failure end
     local wrong = limits.exceeded(motion, { finish }, own)
     if wrong then return nil, { command = true, text = wrong } end
@@ -172,8 +161,7 @@ function course.compute(host, job, given, inputs)
   if when then
     finish = when.row.t
     c.lost = when.event.reaction and finish or nil
-    warnings[1] = (when.event.said or "contact is lost") .. " at t = " .. times.number(finish) ..
-      " s: what is drawn ends there\n"
+    warnings[1] = happenings.at(when.said, times.number(finish)) .. "; what is drawn ends there\n"
   end
   local samples
   samples, failure = looked(looker(host, job, motions[1], inputs, given.ground), finish, motions[1].step)

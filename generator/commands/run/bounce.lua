@@ -9,7 +9,9 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local vec = require "generator.algebra.vec"
+local engines = require "generator.commands.run.engines"
 local driver = require "generator.driver"
+local happenings = require "generator.dynamics.happenings"
 local numeric = require "generator.dynamics.numeric"
 
 local bounce = {}
@@ -123,7 +125,7 @@ local function first_zero(phase, value, start, to, step, o)
     if not list then return nil, why end
     for _, b in ipairs(list) do
       local gb = value(b)
-      if gb ~= gb then return nil, { status = 3, t = b.t, text = "the body has no point of contact" } end
+      if gb ~= gb then return nil, { status = 3, t = b.t, text = happenings.no_point } end
       if gb <= 0 then return narrowed(phase, value, a, b, ga, gb, o) end
       a, ga = b, gb
     end
@@ -300,14 +302,13 @@ function bounce.scene(scene, given)
   return driver.flight(scene, given)
 end
 
--- The engine for such scenes.
-function bounce.engine(engine)
-  return function(host, scene, given, course)
-    if not given.ground then return engine(host, scene, given, course) end
-    return composed(host, given.ground, scene, given, course, function(phase, own)
-      return engine(host, phase, own, course)
-    end)
-  end
+-- The motion of a scene, such or another, by the engine that is asked for: as engines.lua has it, or nil and a failure.
+function bounce.motion(host, scene, given, course)
+  local engine = given.engine == "generated" and engines.generated or engines.general
+  if not given.ground then return engine(host, scene, given, course) end
+  return composed(host, given.ground, scene, given, course, function(phase, own)
+    return engine(host, phase, own, course)
+  end)
 end
 
 return bounce

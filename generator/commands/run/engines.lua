@@ -22,6 +22,7 @@ local breaks = require "generator.dynamics.breaks"
 local driver = require "generator.driver"
 local equations = require "generator.dynamics.equations"
 local gen = require "generator.commands.gen"
+local happenings = require "generator.dynamics.happenings"
 local limits = require "generator.commands.run.limits"
 local methods = require "generator.methods.methods"
 local numeric = require "generator.dynamics.numeric"
@@ -122,9 +123,9 @@ local function stepped(plugin, method, x0, course, usual, step, corners, places)
       local t = last_reached(plugin, method, reached.x, reached.t, next_time or times[#times], course, tolerance)
       return failed(t, "no steps lead on")
     end
-    if infinite then return failed(infinite, "the state is not finite") end
+    if infinite then return failed(infinite, happenings.infinite) end
     local long = shortened(rows, places)
-    if long then return failed(long, "the step is too long: |q| is not 1") end
+    if long then return failed(long, happenings.long_step) end
     local list = {}
     for i, row in ipairs(rows) do
       if not wanted or wanted[i] then list[#list + 1] = { t = row[1], x = { table.unpack(row, 2) } } end
@@ -138,7 +139,7 @@ local function closed(plugin)
     local rows = {}
     for i, t in ipairs(times) do
       rows[i] = { t = t, x = plugin:at(t) }
-      if not finite(rows[i].x) then return failed(t, "the state is not finite") end
+      if not finite(rows[i].x) then return failed(t, happenings.infinite) end
     end
     return rows
   end

@@ -3,6 +3,7 @@
 
 local contact = require "generator.dynamics.contact"
 local flat = require "generator.commands.run.flat"
+local happenings = require "generator.dynamics.happenings"
 local numeric = require "generator.dynamics.numeric"
 local vec = require "generator.algebra.vec"
 
@@ -26,6 +27,23 @@ function touch.of(host, job, ground)
   return function(t, x, inputs, on)
     if ground and not on then return above(library, numeric.whole(job, x)) end
     return (library:contact(t, numeric.whole(ground or job, on or x), inputs))
+  end
+end
+
+-- A function of times: the states of a motion with their energy, L and `contact`, what touch.of has of them; or nil and
+-- a failure.
+function touch.seen(host, job, motion, inputs, ground)
+  local touching = touch.of(host, job, ground)
+  return function(ts)
+    local states, failure = motion.solve(ts, {})
+    local out = {}
+    for i, s in ipairs(states or {}) do
+      local energy, L = motion.measured(s)
+      if not energy then return nil, L end
+      out[i] = { t = s.t, x = s.x, energy = energy, L = L, contact = touching and touching(s.t, s.x, inputs, s.on) }
+      if touching and not out[i].contact then return nil, { status = 3, t = s.t, text = happenings.no_point } end
+    end
+    return states and out, failure
   end
 end
 

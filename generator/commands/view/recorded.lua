@@ -4,7 +4,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local bounce = require "generator.commands.run.bounce"
-local engines = require "generator.commands.run.engines"
 local events = require "generator.commands.events"
 local touch = require "generator.commands.run.touch"
 local facts = require "generator.report.facts"
@@ -17,23 +16,17 @@ local BYTES = 600000 -- of the rows in base64: a page has at most 1 MB
 local ANGLE = 0.04 -- rad from row to row: what an eye takes for a continuous turn
 
 -- States and what was measured of them at n + 1 times up to the end; or nil and a failure of run/engines.lua.
-local function rows_of(motion, touching, inputs, finish, n)
-  local ts, out = {}, {}
+local function rows_of(seen, finish, n)
+  local ts = {}
   for i = 0, n do ts[i + 1] = finish * (i / n) end
-  local states, failure = motion.solve(ts, {})
-  if not states then return nil, failure end
-  for i, s in ipairs(states) do
-    local energy, L = motion.measured(s)
-    if not energy then return nil, L end
+  local out, failure = seen(ts)
+  for i, s in ipairs(out or {}) do
     out[i] = { s.t, table.unpack(s.x) }
-    for _, v in ipairs { energy, L[1], L[2], L[3] } do table.insert(out[i], v) end
-    local k = touching and touching(s.t, s.x, inputs, s.on)
-    if touching and not k then
-      return nil, { status = 3, t = s.t, text = "the body touches the plane in no single point" }
-    end
+    for _, v in ipairs { s.energy, s.L[1], s.L[2], s.L[3] } do table.insert(out[i], v) end
+    local k = s.contact
     for _, v in ipairs(k and { 1, 2, 3, 4, 11, 12, 13 } or {}) do table.insert(out[i], k[v]) end -- N, com, point
   end
-  return out
+  return out, failure
 end
 
 -- How many rows the motion wants: by its largest rate in the first ones.
@@ -55,20 +48,19 @@ end
 -- time, or nil.
 function recorded.rows(host, scene, given, inputs)
   local method, finish = (given.method or {})[1], scene.model:double(scene.model.horizon)
-  local motion, failure = bounce.engine(engines.general)(host, scene, { method = method, ground = given.ground },
-    inputs)
+  local motion, failure = bounce.motion(host, scene, { method = method, ground = given.ground }, inputs)
   if not motion then return nil, failure end
-  local touching = touch.of(host, scene, given.ground)
+  local seen = touch.seen(host, scene, motion, inputs, given.ground)
   local ending, wrong = events.ending(host, scene, motion, finish, inputs)
   if ending == false then return nil, wrong end
-  local flat = ending and ending.event.said and ending or nil -- where contact is lost the rows show it
-  if flat then finish = flat.row.t end
+  if ending and ending.event.reaction then ending = nil end -- the rows show it
+  if ending then finish = ending.row.t end
   local rows
-  rows, failure = rows_of(motion, touching, inputs, finish, FEWEST)
+  rows, failure = rows_of(seen, finish, FEWEST)
   local n = rows and wanted(scene, rows, finish)
-  if n and n > FEWEST then rows, failure = rows_of(motion, touching, inputs, finish, n) end
+  if n and n > FEWEST then rows, failure = rows_of(seen, finish, n) end
   if not rows then return nil, failure end
-  return rows, motion.method, flat and flat.event.said
+  return rows, motion.method, ending and ending.said
 end
 
 -- {method, count, rows (in base64), mass, com, inertia, moments, axes}, or nil and a failure.
