@@ -1,16 +1,20 @@
--- driven.lua -- where the inputs of a scene come from in a fit: columns of the log itself, or of a file beside it.
+-- driven.lua -- the inputs of a scene over time: columns of files, the same for every command.
 --
---     driven.columns(model)       the inputs as columns: {name, dim}
---     driven.files(host, model, given) -> logs of --input, or nil and a message
---     driven.of(model, logs, files, given) -> of each log the list for src/cli/fit/fit.c, and notes; or nil, message
+--     driven.columns(model)       the inputs as columns (csv.lua)
+--     driven.wrong(model, given)  what is wrong with --input and --between, or nil
+--     driven.files(host, model, paths) -> {{path, log, inputs = name -> column}, ...}, or nil and a message
+--     driven.each(host, model, logs, files, given) -> of each log the course of host.course, notes; or nil, a message
+--     driven.one(host, job, given) -> warnings and the course (nil: all 0), or nil and a message
 -- A column that is called as the input, with a unit or in SI's.  Between two values the input is held, or on a straight
 -- line (--between linear); missing values are passed over.  Before the first value and after the last one it stays.
 -- With --between linear an input NAME_rate that has no column of its own is the slope of NAME.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local csv = require "generator.commands.csv"
+local diag = require "generator.diag"
 local inputs = require "generator.dynamics.inputs"
-local logs = require "generator.commands.fit.logs"
+local nearest = require "generator.nearest"
 local units = require "generator.dsl.units"
 
 local driven = {}
@@ -19,11 +23,10 @@ local function dim_of(s) return (select(2, units.parse(s.unit))) end
 
 function driven.columns(m)
   local list = {}
-  for i, s in ipairs(m.inputs) do list[i] = { name = s.label, dim = dim_of(s) } end
+  for i, s in ipairs(m.inputs) do list[i] = { name = s.label, dim = dim_of(s), unit = s.unit } end
   return list
 end
 
--- What the command line says of inputs and the scene does not take, or nil.
 function driven.wrong(m, given)
   if given.input and #m.inputs == 0 then
     return "--input: the scene has no inputs (effect.control, or input(name, unit))"
@@ -35,9 +38,39 @@ function driven.wrong(m, given)
   return nil
 end
 
-function driven.files(host, m, given)
-  if not given.input then return {} end
-  return logs.read(host, {}, driven.columns(m), given.input)
+-- The file, whose columns are t and inputs of the scene; or nil and what is wrong.
+local function read(host, m, path)
+  local f, why = csv.open(host, path)
+  if not f then return nil, why end
+  local columns, places, words = {}, {}, {}
+  for i, c in ipairs(driven.columns(m)) do
+    words[i] = c.name
+    if f.at[c.name] then
+      columns[#columns + 1] = c
+      places[c.name] = #columns
+    end
+  end
+  for _, name in ipairs(f.names) do
+    if name ~= "t" and not places[name] then
+      local near = nearest.one(name, words)
+      return f:wrong("the scene has no input " .. diag.show(name) .. " (it has " .. table.concat(words, ", ") .. ")" ..
+        (near and "; did you mean " .. near .. "?" or ""))
+    end
+  end
+  local rows
+  rows, why = f:read(columns, true)
+  if not rows then return nil, why end
+  return { path = f.path, log = f.object, inputs = places }
+end
+
+function driven.files(host, m, paths)
+  local list = {}
+  for i, path in ipairs(paths or {}) do
+    local made, why = read(host, m, path)
+    if not made then return nil, why end
+    list[i] = made
+  end
+  return list
 end
 
 -- The input whose slope `s` is: the one called so without _rate, of the right dimension; or nil.
@@ -54,37 +87,58 @@ local function limits(m, s)
   return low and R.todouble(low) or 0 / 0, high and R.todouble(high) or 0 / 0
 end
 
-function driven.of(m, data, files, given)
+-- The course from the first of the files that has a column, notes, and the inputs that have none.
+local function course(host, m, files, linear)
+  local list, notes, missing = {}, {}, {}
+  local function source(s, kind)
+    for _, from in ipairs(s and files or {}) do
+      local column = from.inputs[s.label]
+      if column then return { csv = from.log, column = column, kind = kind } end
+    end
+  end
+  for i, s in ipairs(m.inputs) do
+    local made, base = source(s, linear and "linear" or "held"), slope_of(m, s)
+    if not made and linear then
+      made = source(base, "slope")
+      notes[#notes + 1] = made and s.label .. " is the slope of " .. base.label or nil
+    end
+    if made then made.low, made.high = limits(m, s) else missing[#missing + 1] = { label = s.label, base = base } end
+    list[i] = made or false
+  end
+  return host.course(list), notes, missing
+end
+
+function driven.each(host, m, data, files, given)
   if #m.inputs == 0 then return nil end
-  local linear, all, notes = given.between == "linear", {}, {}
+  local all, notes, linear = {}, nil, given.between == "linear"
   for n, log in ipairs(data) do
     local file = files[n] or files[1]
-    local function source(s)
-      for _, from in ipairs { log, file } do
-        local column = from.inputs[s.label]
-        if column then return { log = from.log, column = column + 0.0, kind = linear and "linear" or "held" } end
-      end
-    end
-    all[n] = {}
-    for i, s in ipairs(m.inputs) do
-      local made, base = source(s), slope_of(m, s)
-      if not made and base and linear then
-        made = source(base)
-        if made then
-          made.kind = "slope"
-          if n == 1 then notes[#notes + 1] = s.label .. " is the slope of " .. base.label end
-        end
-      end
-      if not made then
-        return nil, log.path .. ": has no column " .. s.label .. ", an input of the scene; " ..
-          (file and file.path .. " has none, either" or "a file beside it may have it (--input FILE.csv)") ..
-          (base and not linear and "; with --between linear it is the slope of " .. base.label or "")
-      end
-      made.low, made.high = limits(m, s)
-      all[n][i] = made
+    local made, said, missing = course(host, m, { log, file }, linear)
+    all[n], notes = made, notes or said
+    local s = missing[1]
+    if s then
+      return nil, log.path .. ": has no column " .. s.label .. ", an input of the scene; " ..
+        (file and file.path .. " has none, either" or "a file beside it may have it (--input FILE.csv)") ..
+        (s.base and not linear and "; with --between linear it is the slope of " .. s.base.label or "")
     end
   end
   return all, notes
+end
+
+function driven.one(host, job, given)
+  local wrong = driven.wrong(job.model, given) or
+    given.between and not given.input and "--between: it says how --input FILE.csv is read"
+  if wrong then return nil, wrong end
+  if not given.input then return {} end
+  local files, why = driven.files(host, job.model, { given.input })
+  if not files then return nil, why end
+  local made, notes, missing = course(host, job.model, files, given.between == "linear")
+  for _, text in ipairs(notes) do host.err("note: " .. text .. "\n") end
+  local warnings = {}
+  for i, s in ipairs(missing) do
+    warnings[i] = files[1].path .. ": no column for the input " .. s.label .. ", which stays 0\n"
+  end
+  return warnings, made
 end
 
 return driven
