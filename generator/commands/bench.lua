@@ -3,7 +3,7 @@
 -- The tables go to standard output, NAME.csv (every row) and NAME.svg (the diagram) into the directory of -o.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local input_file = require "generator.commands.input_file"
+local driven = require "generator.commands.driven"
 local options = require "generator.commands.options"
 local progress = require "generator.commands.progress"
 local driver = require "generator.driver"
@@ -54,7 +54,7 @@ function bench.run(host, given)
   options.warn(host, job.diag)
   local over = ends.refused(host, job, "bench", given["until"])
   if over then return over end
-  local inputs = input_file.names(job)
+  local inputs = driven.names(job.model)
   if inputs then host.err("warning: the inputs are 0: " .. inputs .. "\n") end
   local bar = progress.of(host)
   local s, failure, numbers = study.of(host, job, given, bar.show)

@@ -4,6 +4,7 @@
 
 local R = require "generator.algebra.rational"
 local vec = require "generator.algebra.vec"
+local csv = require "generator.commands.csv"
 local options = require "generator.commands.options"
 local picture = require "generator.commands.picture"
 local driver = require "generator.driver"
@@ -164,14 +165,13 @@ local function members_text(host, given)
   if not given.x then return nil, "--x is missing: the column of the horizontal axis" end
   if given.z and not given.y then return nil, "--y is missing: the column of the vertical axis" end
   local names = { given.x, given.y, given.z }
-  local columns, known = host.columns(given.from, names)
-  if not columns then return nil, known end
-  for i, name in ipairs(names) do
-    if #columns[i] == 0 then
-      return nil, given.from .. " has no column " .. name .. " with rows (it has " .. table.concat(known, ", ") ..
-        ")" .. options.meant(name, known)
-    end
-  end
+  local f, why = csv.open(host, given.from)
+  if not f then return nil, why end
+  local wanted, columns = {}, {}
+  for i, name in ipairs(names) do wanted[i] = { name = name } end
+  local rows, wrong = f:read(wanted)
+  if not rows then return nil, wrong end
+  for i in ipairs(names) do columns[i] = f.object:values(i) end
   return members.text(names, columns)
 end
 

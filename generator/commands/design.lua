@@ -9,7 +9,7 @@ local R = require "generator.algebra.rational"
 local breaks = require "generator.dynamics.breaks"
 local candidates = require "generator.commands.design.candidates"
 local diag = require "generator.diag"
-local driven = require "generator.commands.fit.driven"
+local driven = require "generator.commands.driven"
 local driver = require "generator.driver"
 local ends = require "generator.commands.ends"
 local equations = require "generator.dynamics.equations"
@@ -66,11 +66,11 @@ local MOST_ROWS, MOST_VALUES = 10000000, 20000000
 -- nil and a message if one cannot be read or lacks an input.
 local function driven_by(host, m, given)
   if #m.inputs == 0 then return { {} } end
-  local files, why = driven.files(host, m, given)
+  local files, why = driven.files(host, m, given.input)
   if not files then return nil, why end
   local list = {}
   for i, file in ipairs(files) do
-    local inputs, wrong = driven.of(m, { { path = "the log", inputs = {} } }, { file }, given)
+    local inputs, wrong = driven.each(host, m, { { path = "the log", inputs = {} } }, { file }, given)
     if not inputs then return nil, wrong end
     list[i] = { path = file.path, inputs = inputs }
   end

@@ -9,7 +9,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local breaks = require "generator.dynamics.breaks"
 local compiler = require "generator.commands.compiler"
-local driven = require "generator.commands.fit.driven"
+local driven = require "generator.commands.driven"
 local driver = require "generator.driver"
 local ends = require "generator.commands.ends"
 local equations = require "generator.dynamics.equations"
@@ -203,8 +203,8 @@ local function prepared(host, job, given)
   if text then return nil, options.wrong(host, "fit", text) end
   local data, why = logs.read(host, job.record.measure, driven.columns(job.model), given.data)
   local files, inputs, notes
-  if data then files, why = driven.files(host, job.model, given) end
-  if files then inputs, notes = driven.of(job.model, data, files, given) end
+  if data then files, why = driven.files(host, job.model, given.input) end
+  if files then inputs, notes = driven.each(host, job.model, data, files, given) end
   if files and #job.model.inputs > 0 and not inputs then files, why = nil, notes end
   if not files then return nil, options.failed(host, "fit", why) end
   local plan, d = fit.planned(job, free)

@@ -4,7 +4,7 @@
 -- that has no meaning, is in generator/plot/panels.lua.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local input_file = require "generator.commands.input_file"
+local driven = require "generator.commands.driven"
 local options = require "generator.commands.options"
 local picture = require "generator.commands.picture"
 local course = require "generator.commands.plot.course"
@@ -134,7 +134,7 @@ local function parameters(job)
 end
 
 local function computed(host, given, job)
-  local said, inputs = input_file.of(host, job, given)
+  local said, inputs = driven.one(host, job, given)
   if not said then return options.wrong(host, "plot", inputs) end
   options.warn(host, job.diag)
   local c, failure = course.compute(host, job, given, inputs)

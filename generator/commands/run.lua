@@ -14,7 +14,7 @@ local engines = require "generator.commands.run.engines"
 local limits = require "generator.commands.run.limits"
 local tables = require "generator.commands.run.table"
 local events = require "generator.commands.events"
-local input_file = require "generator.commands.input_file"
+local driven = require "generator.commands.driven"
 local options = require "generator.commands.options"
 local progress = require "generator.commands.progress"
 local quantities = require "generator.attitude.quantities"
@@ -196,7 +196,7 @@ function run.run(host, given)
   local warnings, course
   if not wrong then given.chosen, wrong = columns.of(host, job, given.columns, given) end
   if not wrong then
-    warnings, course = input_file.of(host, job, given)
+    warnings, course = driven.one(host, job, given)
     wrong = not warnings and course
     given.course = warnings and course
   end

@@ -4,9 +4,9 @@
 -- instead, for a cluster.  Progress, messages and the exit status of the program pass through.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local driven = require "generator.commands.driven"
 local ends = require "generator.commands.ends"
 local gen = require "generator.commands.gen"
-local input_file = require "generator.commands.input_file"
 local keep = require "generator.commands.sweep.keep"
 local methods = require "generator.methods.methods"
 local cuts = require "generator.commands.sweep.cuts"
@@ -101,7 +101,7 @@ end
 
 -- What a run of the scene has and its members have not.
 local function warn(host, job)
-  local names = input_file.names(job)
+  local names = driven.names(job.model)
   if names then host.err("warning: the members' inputs are 0: " .. names .. "\n") end
   for _, e in ipairs(job.record.events) do
     if e.stop then

@@ -6,7 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local facts = require "generator.commands.view.facts"
-local input_file = require "generator.commands.input_file"
+local driven = require "generator.commands.driven"
 local options = require "generator.commands.options"
 local recorded = require "generator.commands.view.recorded"
 local solid = require "generator.commands.view.solid"
@@ -158,7 +158,7 @@ end
 
 -- scene: of a body that flies and lands that in the air; its shape is the same in both.
 local function played(host, scene, given)
-  local said, inputs = input_file.of(host, scene, given)
+  local said, inputs = driven.one(host, scene, given)
   if not said then return options.wrong(host, "view", inputs) end
   for _, w in ipairs(said) do host.err("warning: " .. w) end
   if given.format == "glb" then return animation(host, scene, given, inputs) end

@@ -13,6 +13,7 @@
 -- `mark` sets row.front: no row of its group is both faster and more accurate.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local rows_of = require "generator.report.rows"
 local workprecision = require "generator.draw.workprecision"
 
 local bench = {}
@@ -314,8 +315,8 @@ function bench.csv(study)
   for _, s in ipairs { "steps", "seconds_step", "seconds", "spread" } do head[#head + 1] = s end
   for _, s in ipairs(operations) do head[#head + 1] = s end
   head[#head + 1] = "front"
-  local out = { table.concat(head, ",") }
-  for _, r in ipairs(study.rows) do
+  local list = {}
+  for i, r in ipairs(study.rows) do
     local cells = { study.name, r.group, r.name, r.real, r.kind, number(r.setting),
       r.error == math.huge and "inf" or number(r.error), r.note or "" }
     for _, law in ipairs(study.conserved) do cells[#cells + 1] = number(r.drift and r.drift[law]) end
@@ -326,9 +327,9 @@ function bench.csv(study)
       cells[#cells + 1] = r.operations and string.format("%d", r.operations[s] or 0) or ""
     end
     cells[#cells + 1] = r.front and "1" or "0"
-    out[#out + 1] = table.concat(cells, ",")
+    list[i] = cells
   end
-  return table.concat(out, "\n") .. "\n"
+  return rows_of.csv(head, list)
 end
 
 -- ---- the diagram ----

@@ -51,12 +51,6 @@ end
 
 program.write(dir .. "/a.txt", "one\0two\r\n")
 prints("read gives every byte", "local t = host.read(args[1] .. '/a.txt') say(#t, string.byte(t, 4))", "9 0\n")
-program.write(dir .. "/t.csv", "a,b\n1,2\n3,4\n")
-prints("a wanted column that is not there stays empty, also after one that was", [[
-  for _, names in ipairs { { "a" }, { "none", "b" } } do
-    local lists = host.columns(args[1] .. "/t.csv", names)
-    say(#lists[1], lists[2] and #lists[2])
-  end]], "2 nil\n0 2\n")
 prints("read of nothing says so", "say(select(2, host.read('no/such/file')))",
   "cannot read no/such/file: No such file or directory\n")
 prints("read of a directory says so", "say(select(2, host.read('/tmp')))", "cannot read /tmp: it is a directory\n")

@@ -83,8 +83,9 @@ local RAMP = { { 0, 0.5, 0, 2 }, { 0.5, 2, 1, 0 }, { 2, 2.5, 1, 0.5 }, { 2.5, 2 
 local AT = " --until 4 --every 0.5"
 local FEW = 16 * 2.0 ^ -52
 -- rk4 takes the exponential of half an angle f = h w/2 for its first five terms: f^5/120 is missing in the half angle
--- of each of the 400 steps, |w| at most 0.875; rounding, half a unit for each step
-local RK4 = 400 * 2 * (0.01 * 0.875 / 2) ^ 5 / 120 + 400 * 2.0 ^ -53
+-- of each of the 400 steps; rounding, half a unit for each step
+local function rk4(largest) return 400 * 2 * (0.01 * largest / 2) ^ 5 / 120 + 400 * 2.0 ^ -53 end
+local RK4 = rk4(0.875)
 
 holds("held, general", "s.lua --input u.csv" .. AT, HELD, FEW)
 holds("held, general, rk4", "s.lua --input u.csv --method rk4" .. AT, HELD, RK4)
@@ -102,6 +103,15 @@ do -- control on a line
     { { 0, 2, 0, 0.5 }, { 2, 9, 1, 0 } }, FEW)
 end
 
+do -- the slope of an input on lines, by its name
+  program.write(dir .. "/r.lua", (SCENE:gsub("local motor.-\n", 'local rate = input("push_rate", "N m/s")\n')
+    :gsub("motor %+ push", 'rate*quantity("1", "s")')))
+  program.write(dir .. "/slope.csv", "t,push\n0,0\n1,\n2,4\n3,1\n")
+  local pieces = { { 0, 2, 2, 0 }, { 2, 3, -3, 0 }, { 3, 9, 0, 0 } }
+  holds("a slope, general", "r.lua --input slope.csv --between linear" .. AT, pieces, FEW)
+  holds("a slope, emitted", "r.lua --input slope.csv --between linear --engine generated" .. AT, pieces, rk4(2.25))
+end
+
 ---- what is wrong with a file --------------------------------------------------------------------------
 
 local function refused(what, words, file, message, status)
@@ -111,17 +121,18 @@ local function refused(what, words, file, message, status)
 end
 
 local WITH = "s.lua --input w.csv"
-refused("an unknown input", WITH, "t,moter\n0,1\n", "w.csv:1: the scene has no input \"moter\", did you mean motor")
-refused("no time", WITH, "motor\n1\n", "w.csv:1: the first line must name t")
+refused("an unknown input", WITH, "t,moter\n0,1\n",
+  "w.csv:1: the scene has no input \"moter\" (it has motor, push); did you mean motor?")
+refused("no time", WITH, "motor\n1\n", "w.csv:1: has no column t, the time (it has motor)")
 refused("a column twice", WITH, "t,push,push\n0,1,1\n", "w.csv:1: two columns are called push")
-refused("another unit", WITH, "t,push [kg]\n0,1\n", "w.csv:1: push must be in N m, got [kg]")
-refused("an unknown unit", WITH, "t,push [furlong]\n0,1\n", "w.csv:1: push: unknown unit")
-refused("too few numbers", WITH, "t,push,motor\n0,1\n", "w.csv:2: 3 numbers expected, got 2")
-refused("no number", WITH, "t,push\n0,1\n1,x\n", "w.csv:3: must be a number, got \"x\"")
-refused("not finite", WITH, "t,push\n0,1e999\n", "w.csv:2: must be a number")
-refused("times that descend", WITH, "t,push\n0,1\n0,2\n", "w.csv:3: times must ascend, got 0 after 0")
-refused("an empty file", WITH, "", "w.csv: must have a first line of names and a row")
-refused("no rows", WITH, "t,push\n", "w.csv: must have a first line of names and a row")
+refused("another unit", WITH, "t,push [kg]\n0,1\n", "w.csv:1: column push must be in N m, got [kg]")
+refused("an unknown unit", WITH, "t,push [furlong]\n0,1\n", "w.csv:1: column push: unknown unit")
+refused("too few numbers", WITH, "t,push,motor\n0,1\n", "w.csv:2: 3 cells expected, got 2")
+refused("no number", WITH, "t,push\n0,1\n1,x\n", "w.csv:3: column push must be a number, got \"x\"")
+refused("not finite", WITH, "t,push\n0,1e999\n", "w.csv:2: column push must be a number")
+refused("times that descend", WITH, "t,push\n0,1\n0,2\n", "w.csv:3: times must ascend, got 0 s after 0 s")
+refused("an empty file", WITH, "", "w.csv: has no line that names its columns")
+refused("no rows", WITH, "t,push\n", "w.csv: must have a row or more, got 0")
 refused("no such file", "s.lua --input none.csv", nil, "none.csv")
 refused("no inputs", "free.lua --input u.csv", nil, "--input: the scene has no inputs")
 refused("--between without a file", "s.lua --between linear", nil, "--between")

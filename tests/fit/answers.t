@@ -47,15 +47,15 @@ end
 
 -- ---- logs ----
 
-refused("a word in a cell", 2, 'log.csv:3: must be a number, got "two"', "t,wz\n0,2\n1,two\n")
-refused("an infinity", 2, 'log.csv:3: must be a number, got "inf"', "t,wz\n0,2\n1,inf\n")
-refused("a number that is too large", 2, 'log.csv:2: must be a number, got "1e999"', "t,wz\n0,1e999\n1,2\n")
+refused("a word in a cell", 2, 'log.csv:3: column wz must be a number, got "two"', "t,wz\n0,2\n1,two\n")
+refused("an infinity", 2, 'log.csv:3: column wz must be a number, got "inf"', "t,wz\n0,2\n1,inf\n")
+refused("a number that is too large", 2, 'log.csv:2: column wz must be a number, got "1e999"', "t,wz\n0,1e999\n1,2\n")
 refused("a row that is too short", 2, "log.csv:3: 2 cells expected, got 1", "t,wz\n0,2\n1\n")
 refused("a row that is too long", 2, "log.csv:2: 2 cells expected, got 3", "t,wz\n0,2,3\n1,2\n")
 refused("a time twice", 2, "log.csv:4: times must ascend, got 1 s after 1 s", "t,wz\n0,2\n1,2\n1,2\n")
 refused("a time that goes back", 2, "log.csv:4: times must ascend", "t,wz\n0,2\n1,2\n0.5,2\n")
 refused("a time before the motion", 2, "log.csv:2: times must not be negative", "t,wz\n-1,2\n1,2\n")
-refused("a time that is missing", 2, "log.csv:3: the time is missing", "t,wz\n0,2\n,2\n")
+refused("a time that is missing", 2, 'log.csv:3: column t must be a number, got ""', "t,wz\n0,2\n,2\n")
 refused("a column that is missing", 2, "log.csv:1: has no column wz, which the scene measures (it has t, wy)",
   "t,wy\n0,2\n1,2\n")
 refused("no time", 2, "log.csv:1: has no column t, the time", "time,wz\n0,2\n1,2\n")
@@ -162,7 +162,7 @@ local function undriven(name, status, message, ...)
 end
 undriven("an input without data", 2, "rotor.csv: has no column push, an input of the scene; a file beside it may have",
   driven_log(held), "")
-undriven("a file without an input", 2, "push.csv:1: has no column of an input (push)", driven_log(held),
+undriven("a file without an input", 2, 'push.csv:1: the scene has no input "pull" (it has push)', driven_log(held),
   "--input push.csv", nil, "t,pull\n0,1\n1,2\n")
 undriven("an input in a wrong unit", 2, "push.csv:1: column push must be in", driven_log(held), "--input push.csv", nil,
   "t,push [m]\n0,1\n1,2\n")

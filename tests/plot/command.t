@@ -166,9 +166,9 @@ do
   refused("plot --from " .. csv .. " --method rk4", "--from has rows")
   refused("plot --from " .. csv .. " --set a=1", "there is only --from")
   program.write(csv, "t,wx,wy,wz\n0,1,0,0\n0,1,0,0\n")
-  refused("plot --from " .. csv, "do not ascend")
+  refused("plot --from " .. csv, "racket.csv:3: times must ascend, got 0 s after 0 s")
   program.write(csv, "t,wx,wy,wz\n0,1,0,0\n1,nan,0,0\n")
-  refused("plot --from " .. csv, "row 2 of column wx is no finite number")
+  refused("plot --from " .. csv, 'racket.csv:3: column wx must be a number, got "nan"')
   program.write(csv, "a,b\n0,1\n")
   refused("plot --from " .. csv, "no column t")
 end

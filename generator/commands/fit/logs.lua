@@ -2,20 +2,16 @@
 --
 --     logs.read(host, outputs, inputs, paths) -> list of {path, log, rows, counts, unused, sigmas, inputs}; or nil
 --                                     and a message
---         log: of host.log; counts: values of each column; unused: names of columns that no output takes; sigmas: of
+--         log: of host.csv; counts: values of each column; unused: names of columns that no output takes; sigmas: of
 --         each column in SI units, false where the file has none; inputs: name of an input -> its column, where the
---         file has one (commands/fit/driven.lua); odd: sentences, taken: of each column, how its values are taken;
---         the same without outputs: files of inputs alone
+--         file has one (commands/driven.lua); odd: sentences, taken: of each column, how its values are taken
 --     logs.columns(outputs)           the columns in the order of the outputs: {name, dim, output}
--- Columns have their unit in brackets behind the name or in a comment `# units:`; without one, SI's.  A comment
--- `# sigma:` has standard deviations in these units.
+-- A comment `# sigma:` of a file has standard deviations of its columns in their units.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local R = require "generator.algebra.rational"
-local evaluate = require "generator.algebra.evaluate"
-local units = require "generator.dsl.units"
+local csv = require "generator.commands.csv"
 local diag = require "generator.diag"
-local nearest = require "generator.nearest"
+local units = require "generator.dsl.units"
 
 local logs = {}
 
@@ -29,30 +25,6 @@ function logs.columns(outputs)
   return list
 end
 
--- The factor to SI units of a column called `name`, whose dimension must be dim; or nil and what is wrong.
-local function factor_of(name, unit, dim)
-  if not unit or unit == "" then return 1.0 end
-  local factor, own = units.parse(unit)
-  if not factor then return nil, "column " .. name .. ": " .. own end
-  if not units.equal(own, dim) then
-    return nil, "column " .. name .. " must be in " .. units.si(dim) .. ", got [" .. unit .. "]"
-  end
-  return R.todouble(evaluate.precise(factor, {}, 80))
-end
-
--- Where each name of the head stands, and its unit; or nil and what is wrong.
-local function places(names, given)
-  local at, all = {}, {}
-  for i, cell in ipairs(names) do
-    local name, unit = string.match(cell, "^(.-)%s*%[([^%]]*)%]$")
-    name, unit = name or cell, unit or given[i]
-    if name == "" then return nil, "column " .. i .. " has no name" end
-    if at[name] then return nil, "two columns are called " .. name end
-    at[name], all[i] = { i, unit }, name
-  end
-  return at, all
-end
-
 -- The standard deviation of a column in SI units, false where the file has none; or nil and what is wrong.
 local function sigma_of(column, text, factor)
   if not text or text == "" or text == "-" then return false end
@@ -63,37 +35,6 @@ local function sigma_of(column, text, factor)
     return nil, "sigma of column " .. column.name .. ": the scene says it of an attitude, as a small turn in rad"
   end
   return x * factor
-end
-
--- The columns of the list that the file has.
-local function present(list, names)
-  local has, some = {}, {}
-  for _, cell in ipairs(names) do has[string.match(cell, "^(.-)%s*%[[^%]]*%]$") or cell] = true end
-  for _, c in ipairs(list) do some[#some + 1] = has[c.name] and c or nil end
-  return some
-end
-
-local function wanted(columns, names, given, noise)
-  local at, all = places(names, given)
-  if not at then return nil, all end
-  local list, sigmas, taken = {}, {}, { t = true }
-  for i, c in ipairs { { name = "t", dim = units.time }, table.unpack(columns) } do
-    local place = at[c.name]
-    if not place then
-      local best = nearest.one(c.name, all)
-      return nil, "has no column " .. c.name .. (c.name == "t" and ", the time" or ", which the scene measures") ..
-        " (it has " .. table.concat(all, ", ") .. ")" .. (best and "; did you mean " .. best .. "?" or "")
-    end
-    local factor, why = factor_of(c.name, place[2], c.dim)
-    local sigma
-    if factor and i > 1 and c.output then sigma, why = sigma_of(c, noise[place[1]], factor) end
-    if why then return nil, why end
-    sigmas[i - 1] = sigma
-    list[i], taken[c.name] = { place[1], factor }, true
-  end
-  local unused = {}
-  for _, name in ipairs(all) do unused[#unused + 1] = not taken[name] and name or nil end
-  return list, unused, sigmas
 end
 
 -- What is odd in the columns: sentences with file and line; and of each column {wrapped = bool, low, high, turn = are
@@ -120,36 +61,43 @@ local function oddities(host, log, path, columns)
   return list, taken
 end
 
+-- The standard deviations that the file states of its columns; or nil and what is wrong.
+local function sigmas_of(f, measured, factors)
+  local list = {}
+  for i, c in ipairs(measured) do
+    local sigma, why = sigma_of(c, f.sigmas[f.at[c.name]], factors[i])
+    if why then return f:wrong(why) end
+    list[i] = sigma
+  end
+  return list
+end
+
 local function one(host, measured, inputs, path)
-  local log = host.log(path)
-  local names, given, noise, line = log:head()
-  if not names then return nil, given end
-  if #given > 0 and #given ~= #names then
-    return nil, path .. ":" .. diag.show(line) .. ": " .. #names .. " names, but " .. #given .. " units above them"
+  local f, why = csv.open(host, path)
+  if not f then return nil, why end
+  local columns, driven, taken, unused = table.move(measured, 1, #measured, 1, {}), {}, { t = true }, {}
+  for _, c in ipairs(inputs) do
+    if f.at[c.name] then
+      columns[#columns + 1] = c
+      driven[c.name] = #columns
+    end
   end
-  if #noise > 0 and #noise ~= #names then
-    return nil, path .. ":" .. diag.show(line) .. ": " .. #names .. " names, but " .. #noise .. " sigmas above them"
-  end
-  local columns, driven = table.move(measured, 1, #measured, 1, {}), {}
-  for i, c in ipairs(present(inputs, names)) do columns[#measured + i], driven[c.name] = c, #measured + i end
-  if #columns == 0 then
-    local words = {}
-    for i, c in ipairs(inputs) do words[i] = c.name end
-    return nil, path .. ":" .. diag.show(line) .. ": has no column of an input (" .. table.concat(words, ", ") .. ")"
-  end
-  local list, unused, sigmas = wanted(columns, names, given, noise)
-  if not list then return nil, path .. ":" .. diag.show(line) .. ": " .. unused end
-  local rows, counts = log:read(list)
+  for _, c in ipairs(columns) do taken[c.name] = true end
+  for _, name in ipairs(f.names) do unused[#unused + 1] = not taken[name] and name or nil end
+  local rows, counts, factors = f:read(columns, true, 2)
   if not rows then return nil, counts end
-  if rows < 2 then return nil, path .. ": must have two rows or more, got " .. diag.show(rows) end
-  local spacing, first, last = log:spacing()
-  if first > MOST_BEFORE * spacing or last > MOST * spacing then -- of a clock that began long before
+  local sigmas
+  sigmas, why = sigmas_of(f, measured, factors)
+  if not sigmas then return nil, why end
+  local log = f.object
+  local spacing, first, last, line = log:spacing()
+  if first < 0 then
+    return nil, path .. ":" .. diag.show(line) .. ": times must not be negative (the motion begins at t = 0), got " ..
+      diag.show(first) .. " s"
+  elseif first > MOST_BEFORE * spacing or last > MOST * spacing then -- of a clock that began long before
     return nil, path .. ": the rows are " .. diag.show(spacing) .. " s apart and go from t = " .. diag.show(first) ..
       " s to " .. diag.show(last) .. " s, too many steps from the beginning of the motion at t = 0 (subtract the " ..
       "time of its beginning)"
-  end
-  for i, c in ipairs(columns) do
-    if counts[i] == 0 then return nil, path .. ": column " .. c.name .. " has no value" end
   end
   for i, c in ipairs(measured) do
     local begins = i == 1 or c.output ~= measured[i - 1].output
@@ -160,9 +108,9 @@ local function one(host, measured, inputs, path)
     end
   end
   for i = #counts, #measured + 1, -1 do counts[i] = nil end -- an input is no value that is fitted
-  local odd, taken = oddities(host, log, path, columns)
+  local odd, how = oddities(host, log, path, columns)
   return { path = path, log = log, rows = rows, counts = counts, unused = unused, sigmas = sigmas, inputs = driven,
-    odd = odd, taken = taken }
+    odd = odd, taken = how }
 end
 
 -- A sensor that loses the turns of an angle in one log does so in all, if no jump of them shows it or not.

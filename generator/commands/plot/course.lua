@@ -6,9 +6,11 @@ local bounce = require "generator.commands.run.bounce"
 local engines = require "generator.commands.run.engines"
 local limits = require "generator.commands.run.limits"
 local touch = require "generator.commands.run.touch"
+local csv = require "generator.commands.csv"
 local events = require "generator.commands.events"
 local facts = require "generator.report.facts"
 local rotation = require "generator.attitude.rotation"
+local units = require "generator.dsl.units"
 local contact = require "generator.dynamics.contact"
 local happenings = require "generator.dynamics.happenings"
 local err = require "generator.plan.error"
@@ -182,39 +184,40 @@ end
 
 -- ---- rows of a file ----
 
-local parts = { q = { "qw", "qx", "qy", "qz" }, w = { "wx", "wy", "wz" }, r = { "rx", "ry", "rz" },
-  v = { "vx", "vy", "vz" }, L = { "Lx", "Ly", "Lz" },
-  point = { "contact_point_x", "contact_point_y", "contact_point_z" } }
-local vectors = { "q", "w", "r", "v", "L", "point" }
+local parts = { energy = { "energy", unit = "J" }, N = { "N", unit = "N" },
+  q = { "qw", "qx", "qy", "qz", unit = "1" }, w = { "wx", "wy", "wz", unit = "rad/s" },
+  r = { "rx", "ry", "rz", unit = "m" }, v = { "vx", "vy", "vz", unit = "m/s" },
+  L = { "Lx", "Ly", "Lz", unit = "N m s" },
+  point = { "contact_point_x", "contact_point_y", "contact_point_z", unit = "m" } }
+local vectors = { "energy", "N", "q", "w", "r", "v", "L", "point" }
 local still_touches = 1e-6 -- of the largest reaction: where contact is lost, run's last row has 0 but for rounding
 
 -- A course of the rows that run wrote, with the body of the scene if there is one: nil and what is wrong.
 function course.read(host, job, given)
-  local names = { "t", "energy", "N" }
+  local f, wrong = csv.open(host, given.from)
+  if not f then return nil, wrong end
+  local columns, there = {}, {}
   for _, p in ipairs(vectors) do
-    for _, name in ipairs(parts[p]) do names[#names + 1] = name end
+    local list, dim = {}, select(2, units.parse(parts[p].unit))
+    for _, name in ipairs(parts[p]) do
+      list[#list + 1] = f.at[name] and { name = name, dim = dim, needed = true } or nil
+    end
+    if #list == #parts[p] then
+      there[#there + 1] = { part = p, before = #columns, size = #list }
+      table.move(list, 1, #list, #columns + 1, columns)
+    end
   end
-  local columns, known = host.columns(given.from, names)
-  if not columns then return nil, known end
-  local by_name, n = {}, #columns[1]
-  for i, name in ipairs(names) do by_name[name] = columns[i] end
-  if n < 2 then return nil, given.from .. ": no column t with two rows or more; it is to be a table of polhode run" end
-  local samples = {}
+  local n
+  n, wrong = f:read(columns, true, 2)
+  if not n then return nil, wrong end
+  local ts, numbers, samples = f.object:values(0), {}, {}
+  for i in ipairs(columns) do numbers[i] = f.object:values(i) end
   for i = 1, n do
-    local s = { t = by_name.t[i], energy = by_name.energy[i], N = by_name.N[i] }
-    for _, p in ipairs(vectors) do
+    local s = { t = ts[i] }
+    for _, p in ipairs(there) do
       local v = {}
-      for k, name in ipairs(parts[p]) do v[k] = by_name[name][i] end
-      if #v == #parts[p] then s[p] = v end
-    end
-    for _, name in ipairs(names) do
-      local x = by_name[name][i]
-      if x and x - x ~= 0 then
-        return nil, string.format("%s: row %d of column %s is no finite number", given.from, i, name)
-      end
-    end
-    if i > 1 and s.t <= samples[i - 1].t then
-      return nil, string.format("%s: the times of row %d and the one before do not ascend", given.from, i)
+      for k = 1, p.size do v[k] = numbers[p.before + k][i] end
+      s[p.part] = p.size > 1 and v or v[1]
     end
     samples[i] = panels.complete(s)
   end

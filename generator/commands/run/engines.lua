@@ -162,7 +162,7 @@ function engines.generated(host, scene, given, course)
   wrong = wrong or gen.orderless(given, { method }) or limits.refused(scene, given,
     { method = method, closed = method == "exact", adaptive = m and m.adaptive,
       tolerances = limits.tolerances[given.real or "double"] })
-  if course and course.linear and m.adaptive and not given.step then
+  if course and course:linear() and m.adaptive and not given.step then
     wrong = "--between linear: the emitted " .. method .. " holds its inputs for steps of its own choice"
   end
   if wrong then return refused(wrong) end
@@ -223,7 +223,7 @@ function engines.general(host, job, given, course)
   local wrong = limits.refused(job, given, { method = method, closed = closed_form, adaptive = adaptive,
     tolerances = limits.tolerances.general })
   if wrong then return refused(wrong) end
-  local lines = course and course.linear
+  local lines = course and course:linear()
   local scene = numeric.scene(job, nil, lines)
   if closed_form and #scene.effects > 0 then
     return refused("--engine general --method " .. method .. " solves free tops, and this scene has effects")

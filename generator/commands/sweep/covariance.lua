@@ -8,22 +8,10 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local csv = require "generator.commands.csv"
+local diag = require "generator.diag"
 
 local covariance = {}
-
-local function cells(line)
-  local list = {}
-  for cell in string.gmatch(line .. ",", "([^,]*),") do list[#list + 1] = string.match(cell, "^%s*(.-)%s*$") end
-  return list
-end
-
-local function rows_of(text)
-  local rows = {}
-  for line in string.gmatch(string.gsub(text, "\r", ""), "[^\n]+") do
-    if string.find(line, "%S") then rows[#rows + 1] = cells(line) end
-  end
-  return rows
-end
 
 -- L with L L^T = C, row by row; nil and the row at which C is none.  A pivot of 0 is allowed where its column is 0.
 local function factored(C)
@@ -53,24 +41,27 @@ local function factored(C)
 end
 
 function covariance.read(host, file)
-  local text, why = host.read(file)
-  if not text then return nil, why end
-  local rows = rows_of(text)
-  local head, n = rows[1] or {}, #rows - 1
+  local f, why = csv.open(host, file)
+  if not f then return nil, why end
+  local rows, wrong = f.object:texts()
+  if not rows then return nil, wrong end
+  local head, n, C, out = f.names, #rows, {}, {}
   if head[1] ~= "name" or head[2] ~= "mean" or #head ~= n + 2 or n < 1 then
-    return nil, file .. ": the first line must be name,mean and the names, and each name must have a row"
+    return f:wrong "must be name,mean and the names, and each name must have a row"
+  elseif next(f.units) then
+    return f:wrong "a name must have no unit here: parameters are in the scene's, states in SI's"
   end
-  local C, out = {}, {}
-  for i = 1, n do
-    local row = rows[i + 1]
-    if row[1] ~= head[i + 2] or #row ~= n + 2 then
-      return nil, file .. ": row " .. i .. " must be of " .. head[i + 2] .. ", with its mean and " .. n .. " numbers"
+  for i, row in ipairs(rows) do
+    local function say(rule, got)
+      return nil, f.path .. ":" .. diag.show(row.line) .. ": " .. rule .. ", got " .. diag.show(got)
     end
+    if row[1] ~= head[i + 2] then return say("must be the row of " .. head[i + 2], row[1]) end
     C[i] = {}
     for j = 0, n do
       local q = R.parse(row[j + 2])
-      if not q then return nil, file .. ": row " .. row[1] .. " must be of numbers, got " .. row[j + 2] end
-      if j == 0 then out[i] = { name = row[1], mean = R.todouble(q) } else C[i][j] = q end
+      local x = q and R.todouble(q)
+      if not x or x - x ~= 0 then return say("column " .. head[j + 2] .. " must be a number", row[j + 2]) end
+      if j == 0 then out[i] = { name = row[1], mean = x } else C[i][j] = q end
     end
   end
   for i = 1, n do

@@ -38,8 +38,6 @@ struct bench_request {
   long repeats;
 };
 void bench_read(lua_State *L, const struct plugin *p, struct bench_request *r);
-/* A positive number from that table; *there = 0 if it has none (NULL: it must). */
-double bench_positive(lua_State *L, const char *key, int *there);
 /* How many steps of h lead over a span, as a whole number; raises an error beyond 1e15. */
 long bench_steps(lua_State *L, double span, double h);
 

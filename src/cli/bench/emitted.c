@@ -72,12 +72,12 @@ int plugin_march(lua_State *L) {
   const double t0 = luaL_checknumber(L, 2), h = luaL_checknumber(L, 5);
   const lua_Integer n = luaL_checkinteger(L, 6);
   const struct polhode_stepper *s = plugin_stepper(L, p, 7);
-  engine_list(L, 3, p->code->nx, x);
-  plugin_optional(L, 4, p->code->nu, u);
+  fields_list(L, 3, p->code->nx, x);
+  fields_optional(L, 4, p->code->nu, u);
   luaL_argcheck(L, n >= 0 && n <= MOST_STEPS, 6, "between 0 and 1e8 steps");
   s->march(p->model, t0, x, u, h, (long)n);
   interrupt_check(L);
-  engine_push(L, p->code->nx, x);
+  fields_push(L, p->code->nx, x);
   return 1;
 }
 
@@ -106,10 +106,10 @@ int plugin_time(lua_State *L) {
   const struct plugin *p = plugin_ready(L);
   struct motion m = {.p = p};
   struct bench_result result;
-  int fixed, adaptive;
   bench_read(L, p, &m.r);
-  m.h = bench_positive(L, "step", &fixed);
-  m.tolerance = bench_positive(L, "tolerance", &adaptive);
+  const int fixed = fields_has(L, 2, "step"), adaptive = fields_has(L, 2, "tolerance");
+  m.h = fields_positive(L, 2, "step", 1);
+  m.tolerance = fields_positive(L, 2, "tolerance", 1);
   if (fixed == adaptive)
     return luaL_error(L, "time: a step or a tolerance is needed, one of them");
   lua_getfield(L, 2, "method");

@@ -250,15 +250,15 @@ int plugin_peer(lua_State *L) {
   r.problem.setting = luaL_checknumber(L, 3);
   luaL_argcheck(L, r.problem.setting > 0 && r.problem.setting < HUGE_VAL, 3,
                 "step or tolerance must be positive");
-  engine_list(L, 4, nx, r.x);
+  fields_list(L, 4, nx, r.x);
   luaL_checktype(L, 5, LUA_TTABLE);
-  plugin_optional(L, 6, p->code->nu, r.r.u);
+  fields_optional(L, 6, p->code->nu, r.r.u);
   const double end = bench_now() + luaL_optnumber(L, 7, 60);
   const int n = (int)lua_rawlen(L, 5);
   /* times, then states */
   double *times = lua_newuserdatauv(L, ((size_t)n + 1) * (size_t)(nx + 1) * sizeof *times, 0);
   double *row = times + n, t = 0;
-  engine_list(L, 5, n, times);
+  fields_list(L, 5, n, times);
   for (int i = 0; i < n; i++)
     if (!(times[i] >= (i > 0 ? times[i - 1] : 0) && times[i] < HUGE_VAL))
       return luaL_argerror(L, 5, "times must ascend from 0");
@@ -281,7 +281,7 @@ int plugin_peer(lua_State *L) {
   for (int i = 0; i < n; i++) {
     double full[1 + MAX_STATES] = {times[i]};
     memcpy(full + 1, times + n + i * nx, (size_t)nx * sizeof full[0]);
-    engine_push(L, 1 + nx, full);
+    fields_push(L, 1 + nx, full);
     lua_rawseti(L, -2, i + 1);
   }
   return 1;
@@ -322,7 +322,7 @@ int plugin_time_peer(lua_State *L) {
   bench_read(L, p, &r.r);
   lua_getfield(L, 2, "name");
   r.peer = find(L, luaL_checkstring(L, -1));
-  r.problem.setting = bench_positive(L, "setting", NULL);
+  r.problem.setting = fields_positive(L, 2, "setting", 0);
   const int fixed = r.peer->march != NULL;
   const long whole = fixed ? bench_steps(L, r.r.to, r.problem.setting) : 0;
   if (!prepare(p, &r))

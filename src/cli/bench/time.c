@@ -191,35 +191,15 @@ int bench_part(bench_march *march, void *what, long whole, double limit, long *s
 
 /* ---- requests ---- */
 
-double bench_positive(lua_State *L, const char *key, int *there) {
-  const int type = lua_getfield(L, 2, key);
-  if (there != NULL)
-    *there = type != LUA_TNIL;
-  if (type == LUA_TNIL && there != NULL) {
-    lua_pop(L, 1);
-    return 0;
-  }
-  const double x = lua_tonumber(L, -1);
-  if (type != LUA_TNUMBER || !(x > 0) || x == HUGE_VAL)
-    luaL_error(L, "%s: a positive number is needed", key);
-  lua_pop(L, 1);
-  return x;
-}
-
 void bench_read(lua_State *L, const struct plugin *p, struct bench_request *r) {
-  int there;
   luaL_checktype(L, 2, LUA_TTABLE);
-  lua_getfield(L, 2, "x0");
-  engine_list(L, lua_gettop(L), p->code->nx, r->x0);
+  fields_get(L, 2, "x0", p->code->nx, r->x0, NULL);
   lua_getfield(L, 2, "u");
-  plugin_optional(L, lua_gettop(L), p->code->nu, r->u);
-  lua_pop(L, 2);
-  r->to = bench_positive(L, "to", NULL);
-  const double repeats = bench_positive(L, "repeats", &there);
-  r->repeats = there ? (long)fmax(1, fmin(repeats, BENCH_MAX_REPEATS)) : 9;
-  r->limit = bench_positive(L, "limit", &there);
-  if (!there)
-    r->limit = 1;
+  fields_optional(L, -1, p->code->nu, r->u);
+  lua_pop(L, 1);
+  r->to = fields_positive(L, 2, "to", 0);
+  r->repeats = (long)fmax(1, fmin(fields_positive(L, 2, "repeats", 9), BENCH_MAX_REPEATS));
+  r->limit = fields_positive(L, 2, "limit", 1);
 }
 
 long bench_steps(lua_State *L, double span, double h) {

@@ -21,18 +21,18 @@ static int read_placed(struct engine_scene *s, const char *op, ph_body *out, int
     return status;
   s->where = op;
   if (strcmp(op, "at") == 0) {
-    engine_get(L, -1, "r", 3, v, NULL);
+    fields_get(L, -1, "r", 3, v, NULL);
     return ph_body_at(out, out, v);
   }
   if (strcmp(op, "turned") == 0) {
-    engine_get(L, -1, "q", 4, v, NULL);
+    fields_get(L, -1, "q", 4, v, NULL);
     return ph_body_turned(out, out, v);
   }
   if (strcmp(op, "affine") == 0) {
-    engine_get(L, -1, "A", 9, v, NULL);
+    fields_get(L, -1, "A", 9, v, NULL);
     return ph_body_affine(out, out, v);
   }
-  engine_get(L, -1, "k", 3, v, NULL);
+  fields_get(L, -1, "k", 3, v, NULL);
   return ph_body_scaled(out, out, v);
 }
 

@@ -16,19 +16,19 @@ static void read_varying(struct engine_scene *s, ph_varying *out) {
   if (lua_type(L, -1) == LUA_TNUMBER) {
     out->value = lua_tonumber(L, -1);
     lua_pop(L, 1);
-  } else if (engine_has(L, "rows")) {
+  } else if (fields_has(L, -1, "rows")) {
     lua_getfield(L, -1, "rows");
     const int n = (int)lua_rawlen(L, -1);
     double *table = lua_newuserdatauv(L, (size_t)n * sizeof *table, 0);
     lua_insert(L, -2);
-    engine_list(L, -1, n, table);
+    fields_list(L, -1, n, table);
     lua_pop(L, 1);
     engine_keep(s);
     out->rows = n / 2;
     out->table = table;
     lua_pop(L, 1);
   } else {
-    if (engine_has(L, "code")) {
+    if (fields_has(L, -1, "code")) {
       lua_getfield(L, -1, "code");
       lua_remove(L, -2);
     }
@@ -57,7 +57,7 @@ static void read_list(struct engine_scene *s, effect_list *out) {
   const int n = (int)lua_rawlen(L, -1);
   double *v = lua_newuserdatauv(L, (size_t)(n > 0 ? n : 1) * sizeof *v, 0);
   lua_insert(L, -2);
-  engine_list(L, -1, n, v);
+  fields_list(L, -1, n, v);
   lua_pop(L, 1);
   engine_keep(s);
   *out = (effect_list){n, v};
@@ -65,11 +65,11 @@ static void read_list(struct engine_scene *s, effect_list *out) {
 
 static void read_numbers(lua_State *L, const effect_field *f, double out[]) {
   if (f->n > 1)
-    engine_get(L, -1, f->name, f->n, out, f->standard);
-  else if (f->standard && !engine_has(L, f->name))
+    fields_get(L, -1, f->name, f->n, out, f->standard);
+  else if (f->standard && !fields_has(L, -1, f->name))
     out[0] = f->standard[0];
   else
-    out[0] = engine_number(L, f->name);
+    out[0] = fields_number(L, -1, f->name);
 }
 
 /* One field of the table at the stack's top, which stays. */
@@ -147,5 +147,5 @@ void engine_read_own(lua_State *L, int index, const ph_top *top, double x[]) {
   for (int k = 0; k < top->acts.n; k++)
     n += top->acts.list[k].states;
   if (n > 0)
-    engine_get(L, index, "own", n, x + ph_top_states(top) - n, NULL);
+    fields_get(L, index, "own", n, x + ph_top_states(top) - n, NULL);
 }

@@ -11,8 +11,7 @@
  * - effect {kind="gravity", g=, direction={3}} and so on: kind is its name in Lua, and its fields
  * are those that src/runtime/effects/NAME.c lists
  * - varying: a number, {rows={t, v, ...}} or {code=program}; program: dynamics/postfix.lua's list
- * - inputs: how many the scene has, those of "control" first; a course of them: {u1, u2, ...}, or
- *   {rows={t, u1, u2, ..., t, ...}, linear=bool} with times that ascend
+ * - inputs: how many the scene has, those of "control" first; over time: host/course.h
  *
  * Tables of the wrong form are a bug of the caller and raise; numbers that no body can have are the
  * library's to refuse, and come back as nil and a message that names the shape.
@@ -24,21 +23,9 @@
 
 #include "effects/effect.h"
 #include "polhode.h"
+#include "host/course.h"
+#include "host/fields.h"
 #include "host/host.h"
-
-enum { ENGINE_INPUTS = 64 };
-
-/* Inputs between two breaks: number k is base[k] + slope[k] (t - since). Programs read them. */
-struct engine_inputs {
-  double since, base[ENGINE_INPUTS], slope[ENGINE_INPUTS];
-};
-
-/* n inputs over time, input.c; without rows they are constant. */
-struct engine_course {
-  int n, rows, linear;
-  const double *row;
-  double constant[ENGINE_INPUTS];
-};
 
 /* Where the library refused: the shape, operation or effect. The text lives in the scene's
  * table. */
@@ -49,18 +36,8 @@ struct engine_scene {
   ph_body body;
   ph_top top;
   int inputs;
-  struct engine_inputs *input; /* what programs read; lives as long as the scene's table */
+  struct course_segment *input; /* what programs read; lives as long as the scene's table */
 };
-
-/* The course of n inputs at `index` (nil: zeros); what holds its rows stays on the stack, one
- * value. */
-void engine_course_read(lua_State *L, int index, int n, struct engine_course *c);
-/* The next break after t on the way to `end`, or `end`; both directions. */
-double engine_course_next(const struct engine_course *c, double t, double end);
-/* The inputs between two times without a break between them, and at one time. */
-void engine_course_segment(const struct engine_course *c, double from, double to,
-                           struct engine_inputs *in);
-void engine_inputs_at(const struct engine_inputs *in, int n, double t, double u[]);
 
 /* Read body, origin and effects of the scene table at `index`: PH_OK or the library's status. */
 int engine_read(struct engine_scene *s, lua_State *L, int index);
@@ -71,13 +48,6 @@ int engine_read_shape(struct engine_scene *s, const char *name, ph_body *out);
 /* Push nil and "solid.box: lengths and scale factors must be positive"; returns 2. */
 int engine_fail(const struct engine_scene *s, int status);
 
-/* n numbers from field `key` of the table at `index`: a list, or `standard` when absent (NULL:
- * required). */
-void engine_get(lua_State *L, int index, const char *key, int n, double out[],
-                const double standard[]);
-/* A number from a field of the table on top; is there such a field? */
-double engine_number(lua_State *L, const char *key);
-int engine_has(lua_State *L, const char *key);
 /* The effects of the scene, into its top: PH_OK or the library's status. */
 int engine_read_effects(struct engine_scene *s);
 /* The initial values of the acts' own states, from the field "own" of the table at `index`. */
@@ -91,11 +61,6 @@ long double engine_program_value(void *program, long double t, const long double
 /* ph_support.jet of a program of three variables: value, gradient, second derivatives. */
 void engine_program_jet(void *program, const long double n[3], long double out[10]);
 double engine_program_size(const ph_varying *v, double t, const double x[], int n);
-/* n numbers from the list at `index` itself. */
-void engine_list(lua_State *L, int index, int n, double out[]);
-/* Push {v[0], ..., v[n-1]}. */
-void engine_push(lua_State *L, int n, const double v[]);
-
 /* Lua aligns its blocks for a double, a long double may want more: a userdata is made larger by
    this much, and what is kept there begins where engine_aligned says. */
 enum { ENGINE_ALIGNMENT = 16 };

@@ -14,7 +14,7 @@ static void set_count(lua_State *L, const char *key, size_t n) {
 }
 
 static void set_list(lua_State *L, const char *key, int n, const double v[]) {
-  engine_push(L, n, v);
+  fields_push(L, n, v);
   lua_setfield(L, -2, key);
 }
 
@@ -139,7 +139,7 @@ static int set_body(lua_State *L, int options, const ph_mesh *m) {
   set_list(L, "moments", 3, axes.moment);
   lua_newtable(L);
   for (int k = 0; k < 3; k++) {
-    engine_push(L, 3, axes.axis[k]);
+    fields_push(L, 3, axes.axis[k]);
     lua_seti(L, -2, k + 1);
   }
   lua_setfield(L, -2, "axes");
@@ -180,7 +180,7 @@ static int shape_triangle(lua_State *L) {
   const lua_Integer i = luaL_checkinteger(L, 2);
   luaL_argcheck(L, i >= 1 && ph_mesh_triangle(*shape_at(L), (size_t)i - 1, p) == PH_OK, 2,
                 "no such triangle");
-  engine_push(L, 9, p);
+  fields_push(L, 9, p);
   return 1;
 }
 

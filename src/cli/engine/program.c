@@ -137,7 +137,8 @@ static sized run(const struct engine_program *p, long double t, const long doubl
       r.value = c->op == NUMBER ? c->value : c->n == 0 ? t : x[c->n - 1];
       r.size = fabsl(r.value);
     } else if (c->op == INPUT) {
-      r.value = p->input->base[c->n] + p->input->slope[c->n] * (t - (long double)p->input->since);
+      r.value =
+          p->input->base[c->n] + p->input->slope[c->n] * (t - (long double)p->input->since[c->n]);
       r.size = fabsl(r.value);
     } else if (sides_of(c->op) > 0) {
       top -= c->n;

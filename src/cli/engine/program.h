@@ -44,7 +44,7 @@ struct program_instruction {
 
 struct engine_program {
   int length, sides;
-  const struct engine_inputs *input;
+  const struct course_segment *input;
   struct program_instruction code[];
 };
 

@@ -28,16 +28,6 @@ static const struct {
     {"exact", PH_EXACT, 0},     {"implicit", PH_IMPLICIT, 0},
 };
 
-/* Does the table hold this number? Then *out is it. */
-static int option(lua_State *L, int index, const char *key, double *out) {
-  const int given = lua_istable(L, index) && lua_getfield(L, index, key) != LUA_TNIL;
-  if (given)
-    *out = luaL_checknumber(L, -1);
-  if (lua_istable(L, index))
-    lua_pop(L, 1);
-  return given;
-}
-
 /* A signal to stop, or the end of the row's time. */
 static int stop(void *since) {
   return interrupt_pending() ||
@@ -60,15 +50,10 @@ static int read_options(lua_State *L, int index, clock_t *since, ph_options *o) 
   o->method = methods[i].method;
   if (methods[i].tolerance > 0)
     o->tolerance = methods[i].tolerance;
-  double value;
-  if (option(L, index, "step", &value))
-    o->step = value;
-  if (option(L, index, "tol", &value))
-    o->tolerance = value;
-  if (option(L, index, "order", &value))
-    o->order = (int)value;
-  if (option(L, index, "most", &value) && value < MAX_STEPS)
-    o->max_steps = (long)value;
+  o->step = fields_option(L, index, "step", o->step);
+  o->tolerance = fields_option(L, index, "tol", o->tolerance);
+  o->order = (int)fields_option(L, index, "order", o->order);
+  o->max_steps = (long)fmin(fields_option(L, index, "most", MAX_STEPS), MAX_STEPS);
   return PH_OK;
 }
 
@@ -80,7 +65,7 @@ static int push_row(lua_State *L, const ph_top *top, double t, const double x[])
   if (status == PH_OK)
     status = ph_top_momentum(top, x, &row[n + 2]);
   if (status == PH_OK)
-    engine_push(L, n + 5, row);
+    fields_push(L, n + 5, row);
   return status;
 }
 
@@ -116,7 +101,7 @@ static int fail_at(lua_State *L, double t, int status, int started) {
 struct motion {
   const struct engine_scene *s;
   ph_run *run;
-  struct engine_course course;
+  const struct course *course;
   double x0[7], t0;
   double step;   /* 0: the method chooses */
   clock_t since; /* processor time at which the row began */
@@ -130,11 +115,9 @@ static int go(const struct motion *m, double end, double x[]) {
   double t = ph_run_time(m->run);
   int status;
   do {
-    const double next = engine_course_next(&m->course, t, end);
-    double u[ENGINE_INPUTS];
-    engine_course_segment(&m->course, t, next, s->input);
-    engine_inputs_at(s->input, m->course.n, s->input->since, u);
-    status = ph_run_to(m->run, next, u, x);
+    const double next = course_next(m->course, t, end);
+    course_segment(m->course, t, next, s->input);
+    status = ph_run_to(m->run, next, s->input->base, x);
     t = next;
   } while (status == PH_OK && t != end);
   return status;
@@ -153,7 +136,7 @@ static double first_failure(struct motion *m, double from, double end) {
   double x[PH_STATES];
   if (m->run != NULL) /* a failure leaves it where it was: at a break, maybe */
     from = ph_run_time(m->run);
-  double t = engine_course_next(&m->course, from, end);
+  double t = course_next(m->course, from, end);
   if (m->step > 0) {
     const double span = t - from, n = ceil(fabs(span) / m->step * (1 - 8 * DBL_EPSILON));
     for (double i = 1; i < n; i++)
@@ -196,7 +179,8 @@ static int ends_inside(int status) {
 int host_run(lua_State *L) {
   struct engine_scene s;
   ph_options options = {0};
-  double x[PH_STATES], t = 0;
+  struct course constant;
+  double x[PH_STATES];
   luaL_checktype(L, 2, LUA_TTABLE);
   lua_settop(L, 2);
   int status = engine_read(&s, L, 1);
@@ -206,15 +190,14 @@ int host_run(lua_State *L) {
     return 3;
   }
   struct motion m = {.s = &s};
-  engine_get(L, 1, "q", 4, x, NULL);
-  engine_get(L, 1, "w", 3, x + 4, NULL);
-  engine_get(L, 1, "r", 3, x + 7, no_control);
-  engine_get(L, 1, "v", 3, x + 10, no_control);
+  fields_get(L, 1, "q", 4, x, NULL);
+  fields_get(L, 1, "w", 3, x + 4, NULL);
+  fields_get(L, 1, "r", 3, x + 7, no_control);
+  fields_get(L, 1, "v", 3, x + 10, no_control);
   engine_read_own(L, 1, &s.top, x);
   lua_getfield(L, 2, "u");
-  engine_course_read(L, lua_gettop(L), s.inputs, &m.course);
-  option(L, 2, "t0", &t);
-  m.t0 = t;
+  m.course = course_at(L, -1, s.inputs, &constant);
+  double t = m.t0 = fields_option(L, 2, "t0", 0);
   memcpy(m.x0, x, sizeof m.x0);
   lua_getfield(L, 2, "method");
   const int linearised = strcmp(luaL_optstring(L, -1, ""), "linearised") == 0; /* from x0 */
@@ -259,7 +242,7 @@ int host_run(lua_State *L) {
 struct rates {
   ph_top top;
   int inputs;
-  struct engine_inputs *input;
+  struct course_segment *input;
   double inverse[9]; /* |components| of the pseudo-inverse of the inertia tensor; see bound() */
   double spread[9];  /* |components| of the tensor, as a matrix; likewise */
 };
@@ -352,12 +335,11 @@ static int fail(lua_State *L, int status) {
 static int rates_rates(lua_State *L) {
   const struct rates *r = self(L);
   double x[PH_STATES], dx[PH_STATES], scale[PH_STATES];
-  struct engine_course course;
+  struct course constant;
   const int n = ph_top_states(&r->top);
   const double t = luaL_checknumber(L, 2);
-  engine_list(L, 3, n, x);
-  engine_course_read(L, 4, r->inputs, &course);
-  engine_course_segment(&course, t, t, r->input);
+  fields_list(L, 3, n, x);
+  course_segment(course_at(L, 4, r->inputs, &constant), t, t, r->input);
   const double *u = r->input->base;
   const int status = ph_top_rates(&r->top, t, x, u, dx);
   if (status != PH_OK)
@@ -368,8 +350,8 @@ static int rates_rates(lua_State *L) {
   if (effect_tensor(&terms, D) && prepare(&now, D) != PH_OK)
     return fail(L, PH_EPOSITIVE);
   scales(&now, t, x, u, dx, scale);
-  engine_push(L, n, dx);
-  engine_push(L, n, scale);
+  fields_push(L, n, dx);
+  fields_push(L, n, scale);
   return 2;
 }
 
@@ -377,7 +359,7 @@ static int rates_rates(lua_State *L) {
 static int rates_energy(lua_State *L) {
   const struct rates *r = self(L);
   double x[PH_STATES], energy, scale = 0;
-  engine_list(L, 2, ph_top_states(&r->top), x);
+  fields_list(L, 2, ph_top_states(&r->top), x);
   const int status = ph_top_energy(&r->top, x, &energy);
   if (status != PH_OK)
     return fail(L, status);
@@ -396,7 +378,7 @@ static int rates_energy(lua_State *L) {
 static int rates_momentum(lua_State *L) {
   const struct rates *r = self(L);
   double x[PH_STATES], momentum[3], scale = 0;
-  engine_list(L, 2, ph_top_states(&r->top), x);
+  fields_list(L, 2, ph_top_states(&r->top), x);
   const int status = ph_top_momentum(&r->top, x, momentum);
   if (status != PH_OK)
     return fail(L, status);
@@ -404,7 +386,7 @@ static int rates_momentum(lua_State *L) {
     scale = effect_larger(scale, r->spread[i] * fabs(x[4 + i % 3]));
   const effect_terms terms = terms_of(r, 0, x, NULL);
   effect_term_momentum(&terms, &scale);
-  engine_push(L, 3, momentum);
+  fields_push(L, 3, momentum);
   lua_pushnumber(L, scale);
   return 2;
 }
@@ -413,12 +395,11 @@ static int rates_momentum(lua_State *L) {
 static int rates_contact(lua_State *L) {
   const struct rates *r = self(L);
   double x[PH_STATES], list[16];
-  struct engine_course course;
+  struct course constant;
   ph_contact c;
   const double t = luaL_checknumber(L, 2);
-  engine_list(L, 3, ph_top_states(&r->top), x);
-  engine_course_read(L, 4, r->inputs, &course);
-  engine_course_segment(&course, t, t, r->input);
+  fields_list(L, 3, ph_top_states(&r->top), x);
+  course_segment(course_at(L, 4, r->inputs, &constant), t, t, r->input);
   const int status = ph_top_contact(&r->top, t, x, r->input->base, &c);
   if (status != PH_OK)
     return fail(L, status);
@@ -430,7 +411,7 @@ static int rates_contact(lua_State *L) {
     list[10 + i] = c.point[i];
     list[13 + i] = c.slip[i];
   }
-  engine_push(L, 16, list);
+  fields_push(L, 16, list);
   return 1;
 }
 
@@ -439,7 +420,7 @@ static int rates_gap(lua_State *L) {
   const struct rates *r = self(L);
   double x[13], list[8];
   ph_gap gap;
-  engine_list(L, 2, 13, x);
+  fields_list(L, 2, 13, x);
   const int status = ph_top_gap(&r->top, x, &gap);
   if (status != PH_OK)
     return fail(L, status);
@@ -449,7 +430,7 @@ static int rates_gap(lua_State *L) {
     list[2 + i] = gap.point[i];
     list[5 + i] = gap.slip[i];
   }
-  engine_push(L, 8, list);
+  fields_push(L, 8, list);
   return 1;
 }
 
@@ -457,13 +438,13 @@ static int rates_gap(lua_State *L) {
 static int rates_impact(lua_State *L) {
   const struct rates *r = self(L);
   double x[13], law[3], normal;
-  engine_list(L, 2, 3, law);
-  engine_list(L, 3, 13, x);
+  fields_list(L, 2, 3, law);
+  fields_list(L, 3, 13, x);
   const ph_impact impact = {law[0], law[1], law[2]};
   const int status = ph_top_impact(&r->top, &impact, x, &normal);
   if (status != PH_OK)
     return fail(L, status);
-  engine_push(L, 13, x);
+  fields_push(L, 13, x);
   lua_pushnumber(L, normal);
   return 2;
 }

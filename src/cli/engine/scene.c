@@ -10,20 +10,17 @@ int engine_read(struct engine_scene *s, lua_State *L, int index) {
   s->L = L;
   s->index = lua_absindex(L, index);
   s->where = "body";
-  s->inputs = 0;
-  if (lua_getfield(L, s->index, "inputs") != LUA_TNIL)
-    s->inputs = (int)luaL_checkinteger(L, -1);
-  lua_pop(L, 1);
-  if (s->inputs > ENGINE_INPUTS)
-    return luaL_error(L, "scene: more than %d inputs", ENGINE_INPUTS);
+  s->inputs = (int)fields_option(L, s->index, "inputs", 0);
+  if (s->inputs > COURSE_INPUTS)
+    return luaL_error(L, "scene: more than %d inputs", COURSE_INPUTS);
   s->input = lua_newuserdatauv(L, sizeof *s->input, 0);
-  *s->input = (struct engine_inputs){0};
+  *s->input = (struct course_segment){{0}, {0}, {0}};
   engine_keep(s);
   lua_getfield(L, index, "body");
   int status = engine_read_body(s, &s->body);
   if (status != PH_OK)
     return status;
-  engine_get(L, index, "origin", 3, origin, here);
+  fields_get(L, index, "origin", 3, origin, here);
   s->where = "body";
   status = ph_top_init(&s->top, &s->body, origin);
   return status == PH_OK ? engine_read_effects(s) : status;
@@ -37,9 +34,9 @@ static int push_principal(lua_State *L, const double tensor[6], const char *mome
   const int status = ph_principal(tensor, &p);
   if (status != PH_OK)
     return status;
-  engine_push(L, 3, p.moment);
+  fields_push(L, 3, p.moment);
   lua_setfield(L, -2, moments);
-  engine_push(L, 9, &p.axis[0][0]);
+  fields_push(L, 9, &p.axis[0][0]);
   lua_setfield(L, -2, axes);
   return PH_OK;
 }
@@ -56,13 +53,13 @@ int host_mass(lua_State *L) {
   lua_newtable(L);
   lua_pushnumber(L, s.body.mass);
   lua_setfield(L, -2, "mass");
-  engine_push(L, 3, s.top.com);
+  fields_push(L, 3, s.top.com);
   lua_setfield(L, -2, "com");
-  engine_push(L, 3, s.body.com);
+  fields_push(L, 3, s.body.com);
   lua_setfield(L, -2, "center");
-  engine_push(L, 6, s.top.inertia);
+  fields_push(L, 6, s.top.inertia);
   lua_setfield(L, -2, "inertia");
-  engine_push(L, 6, s.body.tensor);
+  fields_push(L, 6, s.body.tensor);
   lua_setfield(L, -2, "centroidal");
   status = push_principal(L, s.top.inertia, "moments", "axes");
   if (status == PH_OK)

@@ -25,17 +25,8 @@ static int length(lua_State *L, int index) {
 }
 
 static ph_amount amount(lua_State *L) {
-  return engine_has(L, "density") ? ph_amount_density(engine_number(L, "density"))
-                                  : ph_amount_mass(engine_number(L, "mass"));
-}
-
-/* The boolean in a field of the table on top; absent is false. */
-static int flag(lua_State *L, const char *key) {
-  const int type = lua_getfield(L, -1, key), yes = lua_toboolean(L, -1);
-  if (type != LUA_TNIL && type != LUA_TBOOLEAN)
-    luaL_error(L, "field '%s': boolean expected, got %s", key, luaL_typename(L, -1));
-  lua_pop(L, 1);
-  return yes;
+  return fields_has(L, -1, "density") ? ph_amount_density(fields_number(L, -1, "density"))
+                                      : ph_amount_mass(fields_number(L, -1, "mass"));
 }
 
 /* ---- shapes of given sizes ---- */
@@ -57,8 +48,8 @@ static int read_catalogued(lua_State *L, const char *name, ph_body *out) {
     return PH_ENAME;
   const ph_amount a = amount(L);
   if (strcmp(name, "rod.between") == 0) {
-    engine_get(L, -1, "from", 3, argument, NULL);
-    engine_get(L, -1, "to", 3, argument + 3, NULL);
+    fields_get(L, -1, "from", 3, argument, NULL);
+    fields_get(L, -1, "to", 3, argument + 3, NULL);
     count = 6;
     names = "";
   }
@@ -66,7 +57,8 @@ static int read_catalogued(lua_State *L, const char *name, ph_body *out) {
     const size_t n = strcspn(names, " ");
     const char *key = lua_pushlstring(L, names, n);
     lua_insert(L, -2);
-    argument[count++] = strcmp(key, "ends") == 0 ? flag(L, key) : engine_number(L, key);
+    argument[count++] =
+        strcmp(key, "ends") == 0 ? fields_flag(L, -1, key) : fields_number(L, -1, key);
     lua_remove(L, -2);
     names += n + strspn(names + n, " ");
   }
@@ -79,7 +71,7 @@ static int read_catalogued(lua_State *L, const char *name, ph_body *out) {
 static void rows(lua_State *L, int width, double *out) {
   for (int i = 0, n = length(L, -1); i < n; i++) {
     lua_rawgeti(L, -1, i + 1);
-    engine_list(L, -1, width, out + (ptrdiff_t)width * i);
+    fields_list(L, -1, width, out + (ptrdiff_t)width * i);
     lua_pop(L, 1);
   }
 }
@@ -119,7 +111,7 @@ static int read_vertices(lua_State *L, const char *name, ph_body *out) {
   const int line = strcmp(name, "wire.polyline") == 0,
             triangle = strcmp(name, "plate.triangle") == 0;
   const int edges = strcmp(name, "solid.parallelepiped") == 0;
-  const int closed = line && flag(L, "closed");
+  const int closed = line && fields_flag(L, -1, "closed");
   int n, status;
   const double *v = list(L, line ? "points" : edges ? "edges" : "vertices", 3, &n);
   if (line)
@@ -138,10 +130,10 @@ static int read_vertices(lua_State *L, const char *name, ph_body *out) {
 static int read_outlines(lua_State *L, const char *name, ph_body *out) {
   const ph_amount a = amount(L);
   const int solid = strcmp(name, "extrude") == 0 || strcmp(name, "solid.prism") == 0;
-  const double h = solid ? engine_number(L, "h") : 0;
+  const double h = solid ? fields_number(L, -1, "h") : 0;
   const int top = lua_gettop(L), profile = field(L, "profile");
   lua_pushvalue(L, top);
-  const int holes = engine_has(L, "holes") ? field(L, "holes") : (lua_newtable(L), 0);
+  const int holes = fields_has(L, -1, "holes") ? field(L, "holes") : (lua_newtable(L), 0);
   /* on the stack now: top, profile, top again, holes */
   int *count = lua_newuserdatauv(L, ((size_t)holes + 1) * sizeof *count, 0);
   size_t points = (size_t)profile;
@@ -180,7 +172,7 @@ static ph_polynomial polynomial(lua_State *L) {
   for (int k = 0; k < n; k++) {
     double row[4];
     lua_rawgeti(L, -2, k + 1);
-    engine_list(L, -1, 4, row);
+    fields_list(L, -1, 4, row);
     lua_pop(L, 1);
     term[k].coefficient = row[0];
     for (int i = 0; i < 3; i++) {
@@ -200,7 +192,7 @@ static int read_region(lua_State *L, ph_body *out) {
   double order[3];
   int permutation[3];
   ph_polynomial limit[6], density = {0, NULL};
-  engine_get(L, top, "order", 3, order, NULL);
+  fields_get(L, top, "order", 3, order, NULL);
   for (int i = 0; i < 3; i++)
     permutation[i] = order[i] == 1 || order[i] == 2 || order[i] == 3 ? (int)order[i] - 1 : -1;
   field(L, "limits");
@@ -232,22 +224,22 @@ static int read_region(lua_State *L, ph_body *out) {
 
 static int read_mesh(lua_State *L, ph_body *out) {
   double com[3], sigma[6];
-  engine_get(L, -1, "com", 3, com, NULL);
-  engine_get(L, -1, "sigma", 6, sigma, NULL);
-  return ph_body_moments(out, engine_number(L, "mass"), com, sigma);
+  fields_get(L, -1, "com", 3, com, NULL);
+  fields_get(L, -1, "sigma", 6, sigma, NULL);
+  return ph_body_moments(out, fields_number(L, -1, "mass"), com, sigma);
 }
 
 static int read_tensor(lua_State *L, ph_body *out) {
   static const char *const entry[6] = {"xx", "yy", "zz", "xy", "xz", "yz"};
   double com[3], tensor[6];
-  const double mass = engine_number(L, "mass");
-  engine_get(L, -1, "com", 3, com, zero);
+  const double mass = fields_number(L, -1, "mass");
+  fields_get(L, -1, "com", 3, com, zero);
   for (int i = 0; i < 6; i++)
-    tensor[i] = i < 3 || engine_has(L, entry[i]) ? engine_number(L, entry[i]) : 0.0;
+    tensor[i] = i < 3 || fields_has(L, -1, entry[i]) ? fields_number(L, -1, entry[i]) : 0.0;
   lua_getfield(L, -1, "about");
   const int origin = strcmp(luaL_optstring(L, -1, "com"), "origin") == 0;
   lua_pop(L, 1);
-  if (engine_has(L, "formal"))
+  if (fields_has(L, -1, "formal"))
     return ph_body_formal(out, mass, com, tensor);
   return origin ? ph_body_tensor_origin(out, mass, com, tensor)
                 : ph_body_tensor(out, mass, com, tensor);

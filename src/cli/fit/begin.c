@@ -41,7 +41,7 @@ static long first_row(const struct fit_log *log, int first, int count) {
 
 /* What a log's first rows say of its initial state, in place of the scene's. */
 static void from_rows(struct fit_problem *f, int log, double theta[]) {
-  const struct fit_log *l = f->log[log];
+  const struct fit_log *l = &f->log[log];
   const int at = f->code->attitude;
   for (int i = 0; i < f->channels; i++) {
     const struct fit_channel *c = &f->channel[log * f->channels + i];

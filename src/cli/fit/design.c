@@ -18,6 +18,7 @@
  * (F. Pukelsheim: Optimal Design of Experiments, SIAM 2006, chapter 6.)
  */
 #include "fit.h"
+#include "host/fields.h"
 #include "host/host.h"
 
 #include <dlfcn.h>
@@ -30,7 +31,6 @@
 
 struct design {
   struct fit_problem f;
-  struct fit_log log;
   struct fit_sums sums;
   struct fit_result result;
   double start[FIT_MOST], fixed[64], size[FIT_MOST], step;
@@ -40,17 +40,15 @@ struct design {
 
 /* A log of the model's own values, at equal times. */
 static void make_log(lua_State *L, struct design *d) {
-  const int columns = (int)fit_number(L, 2, "columns");
-  const size_t rows = (size_t)fit_number(L, 2, "rows");
-  const double spacing = fit_number(L, 2, "spacing");
-  d->log.rows = d->log.room = rows;
-  d->log.columns = columns;
-  d->log.spacing = spacing;
-  d->log.t = fit_room(L, rows * sizeof *d->log.t);
-  d->log.y = fit_room(L, rows * (size_t)columns * sizeof *d->log.y);
+  const int columns = (int)fields_number(L, 2, "columns");
+  const size_t rows = (size_t)fields_number(L, 2, "rows");
+  const double spacing = fields_number(L, 2, "spacing");
+  struct fit_log *log = d->f.log;
+  *log = (struct fit_log){.rows = rows, .columns = columns, .spacing = spacing};
+  log->t = fit_room(L, rows * sizeof *log->t);
+  log->y = fit_room(L, rows * (size_t)columns * sizeof *log->y);
   for (size_t i = 0; i < rows; i++)
-    d->log.t[i] = (double)i * spacing;
-  d->f.log[0] = &d->log;
+    log->t[i] = (double)i * spacing;
 }
 
 /* One pass at a step: the covariance; 1: no motion. */
@@ -151,26 +149,26 @@ static void push_told(lua_State *L, struct design *d, int settled) {
   const struct fit_result *r = &d->result;
   const int n = d->f.n, bad = d->f.refused != 0 ? d->f.refused : settled < 0 ? -1 : 0;
   lua_createtable(L, 0, 14);
-  fit_push_number(L, "refused", bad);
-  fit_push_number(L, "unknowns", n);
-  fit_push_number(L, "step", d->f.h);
+  fields_set_number(L, "refused", bad);
+  fields_set_number(L, "unknowns", n);
+  fields_set_number(L, "step", d->f.h);
   lua_pushboolean(L, settled > 0);
   lua_setfield(L, -2, "settled");
   if (bad)
     return;
   criteria(d);
-  fit_push_number(L, "rank", r->rank);
-  fit_push_number(L, "mean", d->mean);
-  fit_push_number(L, "root", d->root);
-  fit_push_number(L, "largest", d->largest);
-  fit_push_list(L, "theta", r->theta, n);
-  fit_push_list(L, "covariance", r->covariance, n * n);
+  fields_set_number(L, "rank", r->rank);
+  fields_set_number(L, "mean", d->mean);
+  fields_set_number(L, "root", d->root);
+  fields_set_number(L, "largest", d->largest);
+  fields_set_list(L, "theta", r->theta, n);
+  fields_set_list(L, "covariance", r->covariance, n * n);
   if (r->rank == n)
     return;
-  fit_push_list(L, "singular", r->singular, n);
-  fit_push_list(L, "vectors", r->vectors, n * n);
-  fit_push_list(L, "scale", r->scale, n);
-  fit_push_list(L, "size", r->size, n);
+  fields_set_list(L, "singular", r->singular, n);
+  fields_set_list(L, "vectors", r->vectors, n * n);
+  fields_set_list(L, "scale", r->scale, n);
+  fields_set_list(L, "size", r->size, n);
 }
 
 static void read_design(lua_State *L, struct design *d) {
@@ -178,13 +176,13 @@ static void read_design(lua_State *L, struct design *d) {
   fit_read(L, &d->f);
   make_log(L, d);
   d->step = d->f.h;
-  d->places = fit_list(L, 2, "places", list, FIT_MOST);
+  d->places = fields_some(L, 2, "places", list, FIT_MOST);
   for (int i = 0; i < d->places; i++)
     d->place[i] = (int)list[i];
-  d->count = fit_list(L, 2, "of", list, FIT_MOST);
+  d->count = fields_some(L, 2, "of", list, FIT_MOST);
   for (int i = 0; i < d->count; i++)
     d->of[i] = (int)list[i] - 1;
-  fit_list(L, 2, "size", d->size, FIT_MOST);
+  fields_some(L, 2, "size", d->size, FIT_MOST);
   for (int i = 0; i < 64; i++)
     d->fixed[i] = (double)NAN;
   d->f.fixed = d->fixed;
@@ -203,7 +201,7 @@ int host_design(lua_State *L) {
   read_design(L, d);
   lua_getfield(L, 2, "candidates");
   const int all = lua_gettop(L);
-  const lua_Integer count = (lua_Integer)fit_number(L, 2, "count");
+  const lua_Integer count = (lua_Integer)fields_number(L, 2, "count");
   lua_createtable(L, (int)count, 0);
   for (lua_Integer c = 0; c < count; c++) {
     double candidate[FIT_MOST], theta[FIT_MOST];

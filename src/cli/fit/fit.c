@@ -1,16 +1,15 @@
 /* fit.c - `polhode fit` for Lua: the compiled scene, the logs and what is free, to estimates.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * fit(path, {free = {place among the parameters, from 1}, initial = bool, logs = {of log()},
+ * fit(path, {free = {place among the parameters, from 1}, initial = bool, logs = {of csv()},
  *     channels = of each log {{value =, column =, sigma =,
  *     attitude = bool, state = which one it is as it stands, or nil, wrapped = bool, low, high =
  * limits of the sensor or NaN}}, knots = {t}, loss =
  * "squares", "huber" or "cauchy", corner = k, sizes = of the free parameters, step = h, known = are
  * the sigmas known?, states = {initial values, if initial}, parameters = {all, SI units}, inputs =
- * nil or of each log {of each input {log =, column =, kind = "held", "linear" or "slope", low, high
- * = limits or NaN}}, starts, low, high = ranges of the free parameters, linear = nil or of each log
- * {column, scale, bias, initial, own = lists of 3, place, constant = 6 numbers, slope = 6 rows, in
- * one list}})
+ * nil or of each log those over time (host/course.h), starts, low, high = ranges of the free
+ * parameters, linear = nil or of each log {column, scale, bias, initial, own = lists of 3, place,
+ * constant = 6 numbers, slope = 6 rows, in one list}})
  * -> {theta, covariance, outer, singular, vectors, scale, size (lists), rank, chi2, loss, n,
  * converged, way = "scene", "lengthened", "linear", "starts" or "nodes", tried, same, iterations,
  * passes, decrement, step_error, step, refused, seconds, counts = {of each log: {of each residual:
@@ -19,6 +18,8 @@
  */
 #define _GNU_SOURCE
 #include "fit.h"
+#include "host/csv.h"
+#include "host/fields.h"
 #include "host/host.h"
 
 #include <dlfcn.h>
@@ -30,48 +31,6 @@ void *fit_room(lua_State *L, size_t size) {
   void *p = lua_newuserdatauv(L, size > 0 ? size : 1, 0);
   memset(p, 0, size > 0 ? size : 1);
   return p;
-}
-
-double fit_number(lua_State *L, int index, const char *key) {
-  lua_getfield(L, index, key);
-  const double x = lua_tonumber(L, -1);
-  lua_pop(L, 1);
-  return x;
-}
-
-static int flag_of(lua_State *L, int index, const char *key) {
-  lua_getfield(L, index, key);
-  const int x = lua_toboolean(L, -1);
-  lua_pop(L, 1);
-  return x;
-}
-
-int fit_list(lua_State *L, int index, const char *key, double out[], int most) {
-  lua_getfield(L, index, key);
-  const int n = lua_istable(L, -1) ? (int)lua_rawlen(L, -1) : 0;
-  if (n > most)
-    luaL_error(L, "fit: more than %d %s", most, key);
-  for (int i = 0; i < n; i++) {
-    lua_rawgeti(L, -1, i + 1);
-    out[i] = lua_tonumber(L, -1);
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
-  return n;
-}
-
-void fit_push_list(lua_State *L, const char *key, const double x[], int n) {
-  lua_createtable(L, n, 0);
-  for (int i = 0; i < n; i++) {
-    lua_pushnumber(L, x[i]);
-    lua_rawseti(L, -2, i + 1);
-  }
-  lua_setfield(L, -2, key);
-}
-
-void fit_push_number(lua_State *L, const char *key, double x) {
-  lua_pushnumber(L, x);
-  lua_setfield(L, -2, key);
 }
 
 const struct polhode_fitted *fit_load(lua_State *L, const char *path, void **library) {
@@ -89,7 +48,7 @@ const struct polhode_fitted *fit_load(lua_State *L, const char *path, void **lib
   } table = {symbol};
   const struct polhode_fitted *code = table.function();
   if (code->abi != POLHODE_FITTED_ABI || code->states > 64 || code->values > FIT_CHANNELS ||
-      code->inputs > FIT_INPUTS)
+      code->inputs > COURSE_INPUTS)
     luaL_error(L, "fit: what was compiled is no scene of this program");
   return code;
 }
@@ -108,43 +67,32 @@ static void read_channels(lua_State *L, struct fit_problem *f, int log) {
     struct fit_channel *c = &f->channel[log * f->channels + i];
     lua_rawgeti(L, list, i + 1);
     const int at = lua_gettop(L);
-    c->attitude = flag_of(L, at, "attitude");
-    c->value = (int)fit_number(L, at, "value") - 1;
-    c->column = (int)fit_number(L, at, "column") - 1;
-    c->state = (int)fit_number(L, at, "state") - 1;
-    fit_list(L, at, "sigma", c->sigma, 3);
-    c->wrapped = flag_of(L, at, "wrapped");
-    c->low = fit_number(L, at, "low");
-    c->high = fit_number(L, at, "high");
+    c->attitude = fields_flag(L, at, "attitude");
+    c->value = (int)fields_number(L, at, "value") - 1;
+    c->column = (int)fields_number(L, at, "column") - 1;
+    c->state = (int)fields_option(L, at, "state", 0) - 1;
+    fields_some(L, at, "sigma", c->sigma, 3);
+    c->wrapped = fields_flag(L, at, "wrapped");
+    c->low = fields_option(L, at, "low", (double)NAN);
+    c->high = fields_option(L, at, "high", (double)NAN);
     lua_settop(L, at - 1);
   }
 }
 
 static void read_inputs(lua_State *L, struct fit_problem *f) {
-  static const char *const kinds[] = {"held", "linear", "slope", NULL};
-  const int n = f->code->inputs;
   lua_getfield(L, 2, "inputs");
-  const int all = lua_gettop(L), given = lua_istable(L, all) && n > 0;
-  if (given)
-    f->input = fit_room(L, (size_t)(n * f->logs) * sizeof *f->input);
-  for (int i = 0; given && i < n * f->logs; i++) {
-    lua_rawgeti(L, all, i / n + 1);
-    lua_rawgeti(L, -1, i % n + 1);
-    const int at = lua_gettop(L);
-    lua_getfield(L, at, "log");
-    lua_getfield(L, at, "kind");
-    f->input[i] = (struct fit_input){.log = fit_log_at(L, at + 1),
-                                     .column = (int)fit_number(L, at, "column") - 1,
-                                     .low = fit_number(L, at, "low"),
-                                     .high = fit_number(L, at, "high")};
-    f->input[i].kind = luaL_checkoption(L, at + 2, NULL, kinds);
-    lua_settop(L, at - 2);
+  if (lua_istable(L, -1) && f->code->inputs > 0)
+    f->course = fit_room(L, (size_t)f->logs * sizeof *f->course);
+  for (int i = 0; f->course != NULL && i < f->logs; i++) {
+    lua_rawgeti(L, -2, i + 1);
+    f->course[i] = course_at(L, -1, f->code->inputs, NULL);
+    lua_pop(L, 1);
   }
 }
 
 static void read_places(lua_State *L, int at, const char *key, int out[], int n) {
   double list[FIT_MOST];
-  fit_list(L, at, key, list, n);
+  fields_some(L, at, key, list, n);
   for (int i = 0; i < n; i++)
     out[i] = (int)list[i] - 1;
 }
@@ -165,34 +113,43 @@ static void read_linear(lua_State *L, struct fit_problem *f) {
     read_places(L, at, "column", a->column, 3);
     read_places(L, at, "initial", a->initial, 3);
     read_places(L, at, "own", a->own, 3);
-    fit_list(L, at, "scale", a->scale, 3);
-    fit_list(L, at, "bias", a->bias, 3);
-    fit_list(L, at, "constant", a->constant, 6);
-    fit_list(L, at, "slope", slope, 6 * FIT_MOST);
+    fields_some(L, at, "scale", a->scale, 3);
+    fields_some(L, at, "bias", a->bias, 3);
+    fields_some(L, at, "constant", a->constant, 6);
+    fields_some(L, at, "slope", slope, 6 * FIT_MOST);
     for (int i = 0; i < 6 * a->count; i++)
       a->slope[i / a->count][i % a->count] = slope[i];
     lua_settop(L, at - 1);
   }
 }
 
+static struct fit_log log_of(const struct csv *c) {
+  return (struct fit_log){.rows = c->rows,
+                          .columns = c->columns,
+                          .t = c->t,
+                          .y = c->y,
+                          .line = c->line,
+                          .spacing = csv_spacing(c)};
+}
+
 void fit_read(lua_State *L, struct fit_problem *f) {
   double places[FIT_MOST], knots[1000];
   luaL_checkstack(L, 40, "fit");
-  f->free = fit_list(L, 2, "free", places, FIT_MOST);
+  f->free = fields_some(L, 2, "free", places, FIT_MOST);
   for (int i = 0; i < f->free; i++)
     f->free_index[i] = (int)places[i] - 1;
   static const char *const losses[] = {"squares", "huber", "cauchy", NULL};
   lua_getfield(L, 2, "loss");
   f->loss = luaL_checkoption(L, -1, "squares", losses);
   lua_pop(L, 1);
-  f->corner = fit_number(L, 2, "corner");
-  f->h = fit_number(L, 2, "step");
+  f->corner = fields_number(L, 2, "corner");
+  f->h = fields_number(L, 2, "step");
   f->until = (double)INFINITY;
-  f->knot_count = fit_list(L, 2, "knots", knots, 1000);
+  f->knot_count = fields_some(L, 2, "knots", knots, 1000);
   f->knots = fit_room(L, sizeof knots);
   memcpy(f->knots, knots, sizeof knots);
   f->p = fit_room(L, (size_t)(f->code->params + 1) * sizeof *f->p);
-  fit_list(L, 2, "parameters", f->p, f->code->params);
+  fields_some(L, 2, "parameters", f->p, f->code->params);
   f->model = fit_room(L, f->code->model_size);
   f->k0 = fit_room(L, (size_t)(f->code->constants * f->code->lanes + 1) * sizeof *f->k0);
   lua_getfield(L, 2, "logs");
@@ -201,23 +158,24 @@ void fit_read(lua_State *L, struct fit_problem *f) {
   f->log = fit_room(L, (size_t)f->logs * sizeof *f->log);
   for (int i = 0; i < f->logs; i++) {
     lua_rawgeti(L, list, i + 1);
-    f->log[i] = lua_isuserdata(L, -1) ? fit_log_at(L, -1) : NULL; /* design.c makes its own */
+    if (lua_isuserdata(L, -1)) /* design.c makes its own */
+      f->log[i] = log_of(csv_at(L, -1));
     read_channels(L, f, i);
   }
   read_inputs(L, f);
   read_linear(L, f);
-  fit_list(L, 2, "sizes", f->size, FIT_MOST);
-  f->starts = (int)fit_number(L, 2, "starts");
-  fit_list(L, 2, "low", f->low, FIT_MOST);
-  fit_list(L, 2, "high", f->high, FIT_MOST);
-  f->pieces = (int)fit_number(L, 2, "pieces");
-  f->near = flag_of(L, 2, "near");
+  fields_some(L, 2, "sizes", f->size, FIT_MOST);
+  f->starts = (int)fields_option(L, 2, "starts", 0);
+  fields_some(L, 2, "low", f->low, FIT_MOST);
+  fields_some(L, 2, "high", f->high, FIT_MOST);
+  f->pieces = (int)fields_option(L, 2, "pieces", 0);
+  f->near = fields_flag(L, 2, "near");
   f->active = f->logs;
   if (f->pieces > 1)
-    fit_pieces_cut(f, fit_room(L, (size_t)f->logs * sizeof(struct fit_log)));
+    fit_pieces_cut(f);
   f->reference = fit_room(L, (size_t)(4 * f->logs) * sizeof *f->reference);
   f->former = fit_room(L, (size_t)(4 * f->logs) * sizeof *f->former);
-  if (flag_of(L, 2, "initial"))
+  if (fields_flag(L, 2, "initial"))
     f->own = f->code->states - (f->code->attitude >= 0);
   f->n = f->free + f->logs * f->own;
   if (f->n > FIT_MOST)
@@ -231,11 +189,11 @@ void fit_begin(lua_State *L, struct fit_problem *f, double theta[]) {
     theta[i] = f->p[f->free_index[i]];
   if (f->own == 0)
     return;
-  if (fit_list(L, 2, "theta", theta, FIT_MOST) == f->n) {
-    fit_list(L, 2, "reference", f->reference, 4 * f->logs);
+  if (fields_some(L, 2, "theta", theta, FIT_MOST) == f->n) {
+    fields_some(L, 2, "reference", f->reference, 4 * f->logs);
     return;
   }
-  fit_list(L, 2, "states", x, FIT_MOST);
+  fields_some(L, 2, "states", x, FIT_MOST);
   for (int log = 0; log < f->logs; log++) {
     int at = f->free + log * f->own;
     for (int i = 0; i < f->code->states; i++) {
@@ -262,12 +220,12 @@ static void push_counts(lua_State *L, const struct fit_problem *f,
       for (int j = 0; j < FIT_LAGS; j++)
         pairs[j] = (double)c->pairs[j];
       lua_createtable(L, 0, 6);
-      fit_push_number(L, "n", (double)c->n);
-      fit_push_number(L, "chi2", c->chi2);
-      fit_push_number(L, "worst", c->worst);
-      fit_push_number(L, "worst_t", c->worst_t);
-      fit_push_list(L, "sums", c->sum, FIT_LAGS);
-      fit_push_list(L, "pairs", pairs, FIT_LAGS);
+      fields_set_number(L, "n", (double)c->n);
+      fields_set_number(L, "chi2", c->chi2);
+      fields_set_number(L, "worst", c->worst);
+      fields_set_number(L, "worst_t", c->worst_t);
+      fields_set_list(L, "sums", c->sum, FIT_LAGS);
+      fields_set_list(L, "pairs", pairs, FIT_LAGS);
       lua_rawseti(L, -2, k + 1);
     }
     lua_rawseti(L, -2, i + 1);
@@ -280,16 +238,16 @@ static void push_outliers(lua_State *L, const struct fit_problem *f, const struc
   for (int i = 0; i < a->kept; i++) {
     const struct fit_outlier *o = &a->worst[i];
     lua_createtable(L, 0, 5);
-    fit_push_number(L, "log", o->log + 1);
-    fit_push_number(L, "residual", o->residual + 1);
-    fit_push_number(L, "line", f->log[o->log]->line[o->row]);
-    fit_push_number(L, "t", f->log[o->log]->t[o->row]);
-    fit_push_number(L, "z", o->z);
+    fields_set_number(L, "log", o->log + 1);
+    fields_set_number(L, "residual", o->residual + 1);
+    fields_set_number(L, "line", f->log[o->log].line[o->row]);
+    fields_set_number(L, "t", f->log[o->log].t[o->row]);
+    fields_set_number(L, "z", o->z);
     lua_rawseti(L, -2, i + 1);
   }
   lua_setfield(L, -2, "outliers");
-  fit_push_number(L, "outlier_count", (double)a->count);
-  fit_push_number(L, "outlier_limit", a->limit);
+  fields_set_number(L, "outlier_count", (double)a->count);
+  fields_set_number(L, "outlier_limit", a->limit);
 }
 
 static void push_traces(lua_State *L, const struct fit_problem *f, const struct fit_trace a[]) {
@@ -301,10 +259,10 @@ static void push_traces(lua_State *L, const struct fit_problem *f, const struct 
       const struct fit_trace *t = &a[i * n + k];
       const int plain = t->n > 0 && !isnan(t->y[0]);
       lua_createtable(L, 0, 4);
-      fit_push_list(L, "t", t->t, t->n);
-      fit_push_list(L, "z", t->z, t->n);
-      fit_push_list(L, "y", t->y, plain ? t->n : 0);
-      fit_push_list(L, "model", t->model, plain ? t->n : 0);
+      fields_set_list(L, "t", t->t, t->n);
+      fields_set_list(L, "z", t->z, t->n);
+      fields_set_list(L, "y", t->y, plain ? t->n : 0);
+      fields_set_list(L, "model", t->model, plain ? t->n : 0);
       lua_rawseti(L, -2, k + 1);
     }
     lua_rawseti(L, -2, i + 1);
@@ -336,34 +294,34 @@ static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *
   if (f->loss != FIT_SQUARES)
     sandwich(s->outer, r->covariance, work);
   lua_createtable(L, 0, 24);
-  fit_push_list(L, "theta", r->theta, n);
-  fit_push_list(L, "reference", f->reference, 4 * f->logs);
-  fit_push_list(L, "covariance", r->covariance, n * n);
-  fit_push_list(L, "singular", r->singular, n);
-  fit_push_list(L, "vectors", r->vectors, n * n);
-  fit_push_list(L, "scale", r->scale, n);
-  fit_push_list(L, "size", r->size, n);
-  fit_push_number(L, "rank", r->rank);
-  fit_push_number(L, "chi2", r->chi2);
-  fit_push_number(L, "loss", r->loss);
-  fit_push_number(L, "n", (double)r->n);
-  fit_push_number(L, "iterations", r->iterations);
-  fit_push_number(L, "passes", (double)f->passes);
-  fit_push_number(L, "refusals", (double)f->refusals);
-  fit_push_number(L, "decrement", r->decrement);
-  fit_push_number(L, "step_error", r->step_shift);
-  fit_push_number(L, "step", f->h);
-  fit_push_number(L, "refused", f->refused);
-  fit_push_number(L, "unknowns", n);
+  fields_set_list(L, "theta", r->theta, n);
+  fields_set_list(L, "reference", f->reference, 4 * f->logs);
+  fields_set_list(L, "covariance", r->covariance, n * n);
+  fields_set_list(L, "singular", r->singular, n);
+  fields_set_list(L, "vectors", r->vectors, n * n);
+  fields_set_list(L, "scale", r->scale, n);
+  fields_set_list(L, "size", r->size, n);
+  fields_set_number(L, "rank", r->rank);
+  fields_set_number(L, "chi2", r->chi2);
+  fields_set_number(L, "loss", r->loss);
+  fields_set_number(L, "n", (double)r->n);
+  fields_set_number(L, "iterations", r->iterations);
+  fields_set_number(L, "passes", (double)f->passes);
+  fields_set_number(L, "refusals", (double)f->refusals);
+  fields_set_number(L, "decrement", r->decrement);
+  fields_set_number(L, "step_error", r->step_shift);
+  fields_set_number(L, "step", f->h);
+  fields_set_number(L, "refused", f->refused);
+  fields_set_number(L, "unknowns", n);
   lua_pushboolean(L, r->converged);
   lua_setfield(L, -2, "converged");
   lua_pushstring(L, ways[r->way]);
   lua_setfield(L, -2, "way");
-  fit_push_number(L, "tried", r->tried);
-  fit_push_number(L, "same", r->same);
+  fields_set_number(L, "tried", r->tried);
+  fields_set_number(L, "same", r->same);
   push_counts(L, f, s->counts);
   push_outliers(L, f, s->outliers);
-  fit_push_list(L, "growth", s->growth, f->logs);
+  fields_set_list(L, "growth", s->growth, f->logs);
   push_traces(L, f, s->traces);
 }
 
@@ -384,12 +342,12 @@ int host_fit(lua_State *L) {
   struct fit_result *r = &result;
   struct fit_sums s = {.whole = triangle, triangle + 1, triangle + 2, triangle + 3};
   s.outliers = fit_room(L, sizeof *s.outliers);
-  if (flag_of(L, 2, "traces"))
+  if (fields_flag(L, 2, "traces"))
     s.traces = fit_room(L, (size_t)(f->logs * fit_residuals(f)) * sizeof *s.traces);
   s.growth = fit_room(L, (size_t)f->logs * sizeof *s.growth);
   s.counts = fit_room(L, (size_t)(f->logs * fit_residuals(f)) * sizeof *s.counts);
   fit_begin(L, f, theta);
-  fit_solve(f, theta, flag_of(L, 2, "known"), r, &s);
+  fit_solve(f, theta, fields_flag(L, 2, "known"), r, &s);
   interrupt_check(L);
   push_result(L, f, r, &s, work);
   dlclose(library);

@@ -10,6 +10,7 @@
 #define POLHODE_FIT_H
 
 #include "../../../templates/fit/fitted.h"
+#include "host/course.h"
 
 #include <lauxlib.h>
 #include <lua.h>
@@ -18,8 +19,6 @@
 enum {
   FIT_MOST = 192,    /* unknowns */
   FIT_CHANNELS = 64, /* residuals of a row */
-  FIT_COLUMNS = 64,  /* of a log */
-  FIT_INPUTS = 32,   /* of a scene */
   FIT_STARTS = 1000, /* points of --starts */
   FIT_OUTLIERS = 20, /* that are named */
   FIT_DRAWN = 1000,  /* rows of a log that a picture has */
@@ -27,32 +26,19 @@ enum {
   FIT_BLOCK = 128    /* rows that are taken into the triangle at a time */
 };
 
-/* ---- log.c ---- */
-
-#define FIT_LOG_TYPE "polhode.log"
-
-/* A file of measurements: rows by time, `columns` values each, NaN where there is none. */
+/* The rows of a log, or of a piece of one: host/csv.h. */
 struct fit_log {
-  char *path;
-  size_t rows, room;
+  size_t rows;
   int columns;
   double *t, *y;
-  unsigned *line; /* of the file */
-  double spacing; /* the usual distance of two rows in time */
-  double begin;   /* when its initial state is: 0, or where this piece of a log begins */
+  const unsigned *line; /* of the file */
+  double spacing;       /* the usual distance of two rows in time */
+  double begin;         /* when its initial state is: 0, or where this piece of a log begins */
 };
-
-/* log(path) -> object | nil, message
-   object:head() -> {names}, {units}, {sigmas}, line of the head
-   object:read({{column, factor}, ...}) -> rows, {values of each} | nil, message.  The first of them
-   is the time.
-   object:spacing() -> the usual distance of two rows, times of the first and the last, in s */
-int host_log(lua_State *L);
-struct fit_log *fit_log_at(lua_State *L, int index);
 
 /* ---- odd.c ---- */
 
-/* odd(log) -> of each column {kind = nil, "constant", "limit" (value: at which it stays; low, high:
+/* odd(csv) -> of each column {kind = nil, "constant", "limit" (value: at which it stays; low, high:
  * the limits that it has) or "wrapped" (value: by which it jumps), line, value, rows; turn = are
  * all values within a turn?} */
 int host_odd(lua_State *L);
@@ -101,15 +87,6 @@ struct fit_channel {
   double low, high; /* limits of the sensor: what stands there is beyond; or NaN */
 };
 
-/* An input of the scene over time: a column of a log, whose missing values are passed over; before
- * the first and after the last value it stays. */
-struct fit_input {
-  const struct fit_log *log;
-  int column;
-  enum { FIT_HELD, FIT_LINEAR, FIT_SLOPE } kind; /* FIT_SLOPE: of the lines that join the values */
-  double low, high;                              /* its limits, at which lines are cut; or NaN */
-};
-
 /* For the linear start: what the gyro's columns of a log are of the rates, y = scale w + bias; the
  * tensor's entries as constant + slope p; unknowns: `place` of p, `initial` of the rates at t = 0
  * (-1: they are not free), `own` those of a log's own. */
@@ -142,14 +119,14 @@ struct fit_problem {
   int pieces, near;       /* of each log, all in f->log; is the start near the end? */
   int active;             /* logs that a pass takes, the first ones */
   int free, own, logs, n; /* unknowns: shared, of each log, all */
-  struct fit_log **log;
+  struct fit_log *log;
   double *reference, *former;  /* of each log: a quaternion (fit_refer); those before a trial */
   long referred;               /* how often one of them was set */
   struct fit_channel *channel; /* of each log */
   int channels;
-  struct fit_input *input;   /* of each log; NULL: all 0 */
-  struct fit_linear *linear; /* of each log; NULL: there is no such start */
-  int starts;                /* points of Sobol's sequence, in these ranges: */
+  const struct course **course; /* the inputs over time, of each log; NULL: all 0 */
+  struct fit_linear *linear;    /* of each log; NULL: there is no such start */
+  int starts;                   /* points of Sobol's sequence, in these ranges: */
   double low[FIT_MOST], high[FIT_MOST];
   double size[FIT_MOST]; /* of a free parameter: what is large of its kind */
   double *knots;         /* times at which a step ends */
@@ -217,16 +194,9 @@ int fit_simulate(struct fit_problem *f, const double theta[], int log);
 
 /* ---- input.c ---- */
 
-/* Where the inputs of one log stand: of each the rows before and after the time. */
-struct fit_place {
-  size_t before[FIT_INPUTS], after[FIT_INPUTS];
-};
-
-void fit_inputs_begin(const struct fit_problem *f, int log, struct fit_place *at);
 /* u (templates/fit/fitted.h) from time t on; the time until which it holds: there a line ends, or
  * crosses a limit. */
-double fit_inputs_at(const struct fit_problem *f, int log, double t, struct fit_place *at,
-                     double u[]);
+double fit_inputs_at(const struct fit_problem *f, int log, double t, double u[]);
 
 /* What a fit found. */
 struct fit_result {
@@ -293,8 +263,8 @@ void fit_better_start(struct fit_problem *f, int log, double theta[]);
 
 /* ---- pieces.c ---- */
 
-/* Replaces each of the logs by its pieces: views, which are the caller's. */
-void fit_pieces_cut(struct fit_problem *f, struct fit_log view[]);
+/* Replaces each of the logs by its pieces. */
+void fit_pieces_cut(struct fit_problem *f);
 /* The states with which the pieces begin, one after the other; iterations, -1: the start is no
  * body. */
 int fit_pieces_approach(struct fit_problem *f, double theta[], struct fit_sums *s);
@@ -333,12 +303,6 @@ void fit_solve(struct fit_problem *f, const double start[], int has_sigma, struc
 
 /* Memory of 0 that Lua frees, whatever happens. */
 void *fit_room(lua_State *L, size_t size);
-/* The number, or the list of at most `most` (how many), under a key of the table at index. */
-double fit_number(lua_State *L, int index, const char *key);
-int fit_list(lua_State *L, int index, const char *key, double out[], int most);
-/* Into the table on top of the stack. */
-void fit_push_list(lua_State *L, const char *key, const double x[], int n);
-void fit_push_number(lua_State *L, const char *key, double x);
 /* The table of a shared object, or NULL with nil and a message on the stack. */
 const struct polhode_fitted *fit_load(lua_State *L, const char *path, void **library);
 /* The problem of argument 2; f->code is known. */

@@ -131,8 +131,8 @@ static void fixed_trace(const struct fit_linear *a, const double theta[]) {
 static void first_rates(const struct fit_problem *f, const struct fit_linear *a, int log,
                         double theta[]) {
   double w[3];
-  for (size_t row = 0; row < f->log[log]->rows; row++)
-    if (rates(a, f->log[log], row, w)) {
+  for (size_t row = 0; row < f->log[log].rows; row++)
+    if (rates(a, &f->log[log], row, w)) {
       for (int i = 0; i < 3; i++)
         if (f->own > 0)
           theta[f->free + log * f->own + a->own[i]] = w[i];
@@ -153,7 +153,7 @@ int fit_linear(struct fit_problem *f, double theta[]) {
     const struct fit_linear *a = f->linear;
     triangle_open(&triangle, a->count);
     for (int log = 0; log < f->logs; log++) {
-      const int n = points_of(&f->linear[log], f->log[log]);
+      const int n = points_of(&f->linear[log], &f->log[log]);
       most = n / 4 > most ? n / 4 : most;
       windows(&f->linear[log], n, step);
     }

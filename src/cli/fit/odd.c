@@ -6,6 +6,8 @@
  * so within another length of the run it falls by about nine times the rounding's step.
  */
 #include "fit.h"
+#include "host/csv.h"
+#include "host/fields.h"
 #include "host/host.h"
 
 #include <math.h>
@@ -22,14 +24,14 @@ struct seen {
   double jump;             /* that jump */
 };
 
-static double at(const struct fit_log *log, int column, size_t row) {
+static double at(const struct csv *log, int column, size_t row) {
   return log->y[row * (size_t)log->columns + (size_t)column];
 }
 
 /* An angle without its turns jumps by more than half a turn, and then goes on from there; a gross
  * error comes back.  Only what is nearly a turn may come back: an angle that stays near the jump.
  */
-static struct seen look(const struct fit_log *log, int column) {
+static struct seen look(const struct csv *log, int column) {
   struct seen s = {.low = (double)INFINITY, .high = -(double)INFINITY, .least = (double)INFINITY};
   double last = (double)NAN,
          jump = 0; /* jump: the change before, if it was one and may be a turn */
@@ -57,8 +59,7 @@ static struct seen look(const struct fit_log *log, int column) {
 }
 
 /* The longest run of rows at a value, its first row; 0: none that came there fast. */
-static size_t run_at(const struct fit_log *log, int column, double value, double least,
-                     size_t *first) {
+static size_t run_at(const struct csv *log, int column, double value, double least, size_t *first) {
   size_t most = 0;
   for (size_t i = 0; i < log->rows; i++) {
     size_t n = 0;
@@ -80,17 +81,17 @@ static size_t run_at(const struct fit_log *log, int column, double value, double
   return most;
 }
 
-static void say(lua_State *L, const struct fit_log *log, const char *kind, size_t row, double value,
+static void say(lua_State *L, const struct csv *log, const char *kind, size_t row, double value,
                 size_t rows) {
   lua_pushstring(L, kind);
   lua_setfield(L, -2, "kind");
-  fit_push_number(L, "line", log->line[row]);
-  fit_push_number(L, "value", value);
-  fit_push_number(L, "rows", (double)rows);
+  fields_set_number(L, "line", log->line[row]);
+  fields_set_number(L, "value", value);
+  fields_set_number(L, "rows", (double)rows);
 }
 
 int host_odd(lua_State *L) {
-  const struct fit_log *log = fit_log_at(L, 1);
+  const struct csv *log = csv_at(L, 1);
   lua_createtable(L, log->columns, 0);
   for (int column = 0; column < log->columns; column++) {
     const struct seen s = look(log, column);
@@ -105,11 +106,11 @@ int host_odd(lua_State *L) {
     } else {
       if ((rows = run_at(log, column, s.low, s.least, &first)) > 0) {
         say(L, log, "limit", first, s.low, rows);
-        fit_push_number(L, "low", s.low);
+        fields_set_number(L, "low", s.low);
       }
       if ((rows = run_at(log, column, s.high, s.least, &first)) > 0) {
         say(L, log, "limit", first, s.high, rows);
-        fit_push_number(L, "high", s.high);
+        fields_set_number(L, "high", s.high);
       }
     }
     lua_rawseti(L, -2, column + 1);

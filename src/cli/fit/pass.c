@@ -14,14 +14,13 @@
 enum { STATES = 64, RING = 32 }; /* RING: a power of 2, more than FIT_LAGS */
 
 /* What a pass has at hand for one log. */
-struct course {
+struct track {
   struct fit_problem *f;
   const struct fit_log *log;
   int number, lanes, plain; /* plain: as residuals_plain has it */
   double t, x[STATES];
-  double u[1 + 2 * FIT_INPUTS], segment; /* the inputs, and the time until which u holds */
-  struct fit_place place;
-  double squares[2][FIT_MOST]; /* of derivatives at the log's two ends */
+  double u[1 + 2 * COURSE_INPUTS], segment; /* the inputs, and the time until which u holds */
+  double squares[2][FIT_MOST];              /* of derivatives at the log's two ends */
   long ends[2];
   double *s;     /* states x lanes */
   double *y, *J; /* measured, and derivatives: values x lanes */
@@ -42,7 +41,7 @@ int fit_residuals(const struct fit_problem *f) {
 }
 
 /* The log's own initial state in place of the scene's. */
-static void own_start(struct course *c, const double theta[]) {
+static void own_start(struct track *c, const double theta[]) {
   struct fit_problem *f = c->f;
   const double *own = theta + f->free + c->number * f->own;
   int at = 0;
@@ -65,14 +64,14 @@ static void own_start(struct course *c, const double theta[]) {
 }
 
 /* On to time t in equal steps no longer than h; a step ends at every knot, and with u. */
-static void go(struct course *c, double t, int *knot) {
+static void go(struct track *c, double t, int *knot) {
   const struct fit_problem *f = c->f;
   while (c->t < t) {
     while (*knot < f->knot_count && f->knots[*knot] <= c->t)
       ++*knot;
     double to = *knot < f->knot_count && f->knots[*knot] < t ? f->knots[*knot] : t;
     if (c->segment <= c->t)
-      c->segment = fit_inputs_at(f, c->number, c->t, &c->place, c->u);
+      c->segment = fit_inputs_at(f, c->number, c->t, c->u);
     to = fmin(to, c->segment);
     const double part = (to - c->t) / f->h * (1 - 1e-9), n = part <= 1 ? 1 : ceil(part);
     f->code->advance(f->model, f->k0, c->t, c->x, c->s, c->u, (to - c->t) / n, (long)n);
@@ -81,7 +80,7 @@ static void go(struct course *c, double t, int *knot) {
 }
 
 /* The three residuals of an attitude and their rows, [3][FIT_MOST] by the log's own directions. */
-static void attitude(const struct course *c, const double logged[4], const double sigma[3],
+static void attitude(const struct track *c, const double logged[4], const double sigma[3],
                      double z[3], double J[][FIT_MOST], int directions) {
   const double *q = c->x + c->f->code->attitude;
   const double back[4] = {q[0], -q[1], -q[2], -q[3]};
@@ -121,8 +120,8 @@ static struct loss loss_at(const struct fit_problem *f, double z) {
   return (struct loss){z, z, 1};
 }
 
-/* The course's row times factor, and `last` for its residual. */
-static void scaled(const struct course *c, double factor, double last, struct fit_triangle *to) {
+/* The track's row times factor, and `last` for its residual. */
+static void scaled(const struct track *c, double factor, double last, struct fit_triangle *to) {
   double row[FIT_MOST + 1];
   const int n = c->f->n;
   for (int i = 0; i < n; i++)
@@ -133,7 +132,7 @@ static void scaled(const struct course *c, double factor, double last, struct fi
 
 /* A residual and its row into the sums.  `whole` takes (J psi/root, root): what it is asked for is
  * then J' psi and the sum of 2 rho. */
-static void put(struct course *c, struct fit_sums *s, double z, const double J[], int directions) {
+static void put(struct track *c, struct fit_sums *s, double z, const double J[], int directions) {
   const struct fit_problem *f = c->f;
   s->chi2 += z * z;
   s->n++;
@@ -169,7 +168,7 @@ static int difference(const struct fit_channel *o, double logged, double model, 
 
 /* The residuals of row i where only the triangle of the squares is asked for, and no attitude is
  * measured: straight into its block.  1: one is not finite. */
-static int residuals_plain(struct course *c, size_t i, struct fit_sums *s) {
+static int residuals_plain(struct track *c, size_t i, struct fit_sums *s) {
   const struct fit_problem *f = c->f;
   const double *data = c->log->y + i * (size_t)c->log->columns;
   int known = 0;
@@ -244,7 +243,7 @@ static void count(struct fit_count a[], struct memory *m, int n, double t, const
 }
 
 /* The derivative of a residual by the log's own directions. */
-static void slope(const struct course *c, const struct fit_channel *o, double J[]) {
+static void slope(const struct track *c, const struct fit_channel *o, double J[]) {
   const struct fit_problem *f = c->f;
   const int directions = f->free + f->own;
   const double *own = c->J + o->value * c->lanes, part = -1 / o->sigma[0];
@@ -253,7 +252,7 @@ static void slope(const struct course *c, const struct fit_channel *o, double J[
 }
 
 /* Squares of a residual's derivatives in the first and the last tenth of the log. */
-static void grown(struct course *c, size_t row, const double J[], int directions) {
+static void grown(struct track *c, size_t row, const double J[], int directions) {
   const struct fit_log *l = c->log;
   const double span = l->t[l->rows - 1] - l->t[0], at = (l->t[row] - l->t[0]) / span;
   const int end = at > 0.9;
@@ -265,7 +264,7 @@ static void grown(struct course *c, size_t row, const double J[], int directions
 }
 
 /* How much larger the derivative that grows most is at the log's end. */
-static double growth(const struct course *c, int directions) {
+static double growth(const struct track *c, int directions) {
   double most = 0;
   for (int k = 0; k < directions && c->ends[0] > 0 && c->ends[1] > 0; k++) {
     const double first = c->squares[0][k] / (double)c->ends[0],
@@ -277,7 +276,7 @@ static double growth(const struct course *c, int directions) {
 }
 
 /* Into a trace, of at most FIT_DRAWN rows that are spread evenly. */
-static void drawn(const struct course *c, size_t row, const struct fit_channel *o, double z,
+static void drawn(const struct track *c, size_t row, const struct fit_channel *o, double z,
                   struct fit_trace *a) {
   if (row % (c->log->rows / FIT_DRAWN + 1) != 0 || a->n == FIT_DRAWN)
     return;
@@ -292,7 +291,7 @@ static void drawn(const struct course *c, size_t row, const struct fit_channel *
 }
 
 /* The residuals of row i; 1: one is not finite. */
-static int residuals(struct course *c, size_t i, struct fit_sums *s, struct memory *m) {
+static int residuals(struct track *c, size_t i, struct fit_sums *s, struct memory *m) {
   const struct fit_problem *f = c->f;
   const int directions = f->free + f->own;
   const double *data = c->log->y + i * (size_t)c->log->columns;
@@ -339,7 +338,7 @@ static int residuals(struct course *c, size_t i, struct fit_sums *s, struct memo
 }
 
 /* The motion at t = 0. */
-static void begin(struct course *c, const double theta[]) {
+static void begin(struct track *c, const double theta[]) {
   const struct fit_problem *f = c->f;
   f->code->start(f->model, c->x, c->s, f->k0);
   if (f->own > 0)
@@ -351,12 +350,11 @@ static void begin(struct course *c, const double theta[]) {
         c->s[i * c->lanes + k] = 0;
     }
   c->t = c->log->begin;
-  fit_inputs_begin(f, c->number, &c->place);
-  c->segment = fit_inputs_at(f, c->number, c->t, &c->place, c->u);
+  c->segment = fit_inputs_at(f, c->number, c->t, c->u);
 }
 
 /* 1: a residual is not finite, or a signal came. */
-static int one_log(struct course *c, const double theta[], struct fit_sums *s) {
+static int one_log(struct track *c, const double theta[], struct fit_sums *s) {
   struct fit_problem *f = c->f;
   struct memory m = {.next = 0};
   int knot = 0;
@@ -381,10 +379,10 @@ static int one_log(struct course *c, const double theta[], struct fit_sums *s) {
   return 0;
 }
 
-static struct course course; /* one fit at a time: large for a stack */
+static struct track track; /* one fit at a time: large for a stack */
 
-/* The parameters and the room of a course; 1: they are no body. */
-static int open(struct course *c, struct fit_problem *f, const double theta[]) {
+/* The parameters and the room of a track; 1: they are no body. */
+static int open(struct track *c, struct fit_problem *f, const double theta[]) {
   static double room[STATES * FIT_MOST + FIT_CHANNELS * (1 + FIT_MOST)];
   for (int i = 0; i < f->free; i++)
     f->p[f->free_index[i]] = theta[i];
@@ -398,12 +396,12 @@ static int open(struct course *c, struct fit_problem *f, const double theta[]) {
 }
 
 int fit_state(struct fit_problem *f, const double theta[], int log, double t, double x[]) {
-  struct course *c = &course;
+  struct track *c = &track;
   int knot = 0, bad = 0;
   if (open(c, f, theta))
     return 1;
   c->number = log;
-  c->log = f->log[log];
+  c->log = &f->log[log];
   begin(c, theta);
   go(c, t, &knot);
   for (int i = 0; i < f->code->states; i++) {
@@ -414,12 +412,12 @@ int fit_state(struct fit_problem *f, const double theta[], int log, double t, do
 }
 
 int fit_simulate(struct fit_problem *f, const double theta[], int log) {
-  struct course *c = &course;
+  struct track *c = &track;
   int knot = 0;
   if (open(c, f, theta))
     return 1;
   c->number = log;
-  c->log = f->log[log];
+  c->log = &f->log[log];
   begin(c, theta);
   for (size_t i = 0; i < c->log->rows; i++) {
     double *y = c->log->y + i * (size_t)c->log->columns;
@@ -451,7 +449,7 @@ int fit_again(struct fit_problem *f, const double theta[], struct fit_sums *s) {
 }
 
 int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
-  struct course *c = &course;
+  struct track *c = &track;
   struct fit_triangle *all[] = {s->whole, s->inner, s->lost, s->outer};
   for (int i = 0; i < 4; i++)
     if (all[i] != NULL)
@@ -472,7 +470,7 @@ int fit_pass(struct fit_problem *f, const double theta[], struct fit_sums *s) {
   }
   for (int i = 0; i < f->active; i++) {
     c->number = i;
-    c->log = f->log[i];
+    c->log = &f->log[i];
     if (one_log(c, theta, s))
       return 1;
   }

@@ -13,19 +13,17 @@
 #include <math.h>
 #include <string.h>
 
-void fit_pieces_cut(struct fit_problem *f, struct fit_log view[]) {
+void fit_pieces_cut(struct fit_problem *f) {
   const int n = f->pieces;
   for (int i = 0; i < f->logs; i++) {
-    const struct fit_log *all = f->log[i];
-    const size_t k = (size_t)(i % n), first = all->rows * k / (size_t)n,
-                 last = all->rows * (k + 1) / (size_t)n;
-    view[i] = *all;
-    view[i].rows = last - first;
-    view[i].t = all->t + first;
-    view[i].y = all->y + first * (size_t)all->columns;
-    view[i].line = all->line + first;
-    view[i].begin = k > 0 ? view[i].t[0] : 0;
-    f->log[i] = &view[i];
+    struct fit_log *log = &f->log[i];
+    const size_t k = (size_t)(i % n), first = log->rows * k / (size_t)n,
+                 last = log->rows * (k + 1) / (size_t)n;
+    log->rows = last - first;
+    log->t += first;
+    log->y += first * (size_t)log->columns;
+    log->line += first;
+    log->begin = k > 0 ? log->t[0] : 0;
   }
 }
 
@@ -48,7 +46,7 @@ int fit_pieces_approach(struct fit_problem *f, double theta[], struct fit_sums *
   int count = 0;
   for (f->active = 1; count >= 0; f->active++) {
     const int now = f->active - 1;
-    if (now % f->pieces > 0 && !fit_state(f, theta, now - 1, f->log[now]->begin, x))
+    if (now % f->pieces > 0 && !fit_state(f, theta, now - 1, f->log[now].begin, x))
       put(f, now, x, theta);
     fit_better_start(f, now, theta);
     if (now == 0)

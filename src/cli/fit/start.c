@@ -32,7 +32,7 @@ static int lengthen(struct fit_problem *f, const double start[], double theta[],
   const double whole = f->until;
   double last = 0;
   for (int i = 0; i < f->logs; i++)
-    last = fmax(last, f->log[i]->t[f->log[i]->rows - 1]);
+    last = fmax(last, f->log[i].t[f->log[i].rows - 1]);
   memcpy(theta, start, (size_t)f->n * sizeof theta[0]);
   int count = 0;
   for (int k = 8; k >= 0 && count >= 0; k--) {

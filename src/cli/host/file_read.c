@@ -21,17 +21,22 @@ static int fail(lua_State *L, const char *path, const char *why) {
   return 2;
 }
 
-/* Why the open file is not to be read, or NULL. */
-static const char *refuse(int fd, struct stat *info) {
-  if (fstat(fd, info) != 0)
-    return strerror(errno);
-  if (S_ISDIR(info->st_mode))
-    return "it is a directory";
-  if (!S_ISREG(info->st_mode))
-    return "it is not a regular file";
-  if (info->st_size < 0 || (size_t)info->st_size > HOST_MAX_FILE)
-    return "it is larger than 4 MiB";
-  return NULL;
+int host_open_file(const char *path, off_t *size, const char **why) {
+  const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC); /* a fifo must not block the open */
+  struct stat info;
+  *why = NULL;
+  if (fd < 0 || fstat(fd, &info) != 0)
+    *why = strerror(errno);
+  else if (S_ISDIR(info.st_mode))
+    *why = "it is a directory";
+  else if (!S_ISREG(info.st_mode))
+    *why = "it is not a regular file";
+  else
+    *size = info.st_size;
+  if (*why == NULL || fd < 0)
+    return fd;
+  close(fd);
+  return -1;
 }
 
 /* Read up to `size` bytes; the number read, or -1. */
@@ -51,18 +56,19 @@ static ssize_t read_all(int fd, char *text, size_t size) {
 }
 
 int host_read_file(lua_State *L, const char *path) {
-  const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC); /* a fifo must not block the open */
+  off_t bytes = 0;
+  const char *why;
+  const int fd = host_open_file(path, &bytes, &why);
   if (fd < 0)
-    return fail(L, path, strerror(errno));
-  struct stat info;
-  const char *why = refuse(fd, &info);
-  if (why != NULL) {
-    close(fd);
     return fail(L, path, why);
+  const size_t size = (size_t)bytes;
+  if (bytes < 0 || size > HOST_MAX_FILE) {
+    close(fd);
+    return fail(L, path, "it is larger than 4 MiB");
   }
   /* malloc, not a Lua buffer: no error may be raised while fd is open */
-  char *text = malloc((size_t)info.st_size + 1);
-  const ssize_t got = text != NULL ? read_all(fd, text, (size_t)info.st_size) : -1;
+  char *text = malloc(size + 1);
+  const ssize_t got = text != NULL ? read_all(fd, text, size) : -1;
   const int error = errno;
   close(fd);
   if (got < 0) {

@@ -12,6 +12,7 @@
 #include <lauxlib.h>
 #include <lua.h>
 #include <stddef.h>
+#include <sys/types.h>
 
 /* Scenes, XML: files beyond this size are refused. (Meshes are read elsewhere.) */
 #define HOST_MAX_FILE ((size_t)4 << 20)
@@ -61,6 +62,8 @@ void interrupt_resume(void);
 
 /* ---- files ---- */
 
+/* A regular file, open to be read, and its size; -1 and why not. */
+int host_open_file(const char *path, off_t *size, const char **why);
 /* Push the file's text and return 1, or push nil and a message and return 2. */
 int host_read_file(lua_State *L, const char *path);
 /* Push the sorted names in a directory that end in `suffix`, return 1; or nil, message, 2. */
@@ -79,9 +82,6 @@ int host_sha256(lua_State *L);
 /* list_dir(path, suffix) -> {names} | nil, message.  Sorted by byte; names that begin with a dot
  * are left out. */
 int host_list_dir(lua_State *L);
-/* columns(path, {name, ...}) -> {{number, ...}, ...}, {all names} | nil, message.  Of a CSV file;
- * what is no number is nan; a name that is missing has an empty list. */
-int host_columns(lua_State *L);
 /* write_files(dir, {{name=, text=}, ...}) -> true, {names written} | nil, message, exit status (74:
  the disk is full or broken, else 2).  All or nothing.
  * text = false: a file that is removed, and the folders that this leaves empty; it is among the
@@ -175,11 +175,14 @@ int host_processors(lua_State *L);
 int host_baseline(lua_State *L);
 int host_peers(lua_State *L);
 
-/* fit(path, problem), design(path, problem), log(path), tail(chi2, dof): see fit/fit.h */
+/* csv(path): see csv.h;  course(inputs): see course.h */
+int host_csv(lua_State *L);
+int host_course(lua_State *L);
+
+/* fit(path, problem), design(path, problem), odd(csv), tail(chi2, dof): see fit/fit.h */
 int host_fit(lua_State *L);
 int host_design(lua_State *L);
 int host_tail(lua_State *L);
-int host_log(lua_State *L);
 int host_odd(lua_State *L);
 
 #endif

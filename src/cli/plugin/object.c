@@ -17,12 +17,6 @@ const struct plugin *plugin_ready(lua_State *L) {
   return p;
 }
 
-void plugin_optional(lua_State *L, int index, int n, double out[]) {
-  memset(out, 0, (size_t)n * sizeof out[0]);
-  if (n > 0 && !lua_isnoneornil(L, index) && lua_rawlen(L, index) > 0)
-    engine_list(L, index, n, out);
-}
-
 const struct polhode_stepper *plugin_stepper(lua_State *L, const struct plugin *p, int i) {
   const char *name = luaL_optstring(L, i, NULL);
   const struct polhode_stepper *s = p->code->steppers;

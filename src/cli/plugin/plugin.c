@@ -69,7 +69,7 @@ static int info(lua_State *L) {
   lua_setfield(L, -2, "np");
   if (c->params != NULL)
     c->params(p);
-  engine_push(L, c->np, p);
+  fields_push(L, c->np, p);
   lua_setfield(L, -2, "params");
   lua_newtable(L);
   for (size_t i = 0; i < sizeof functions / sizeof functions[0]; i++) {
@@ -86,7 +86,7 @@ static int init(lua_State *L) {
   double values[MAX_PARAMS];
   const int own = lua_isnoneornil(L, 2);
   if (!own)
-    engine_list(L, 2, p->code->np, values);
+    fields_list(L, 2, p->code->np, values);
   const int status = p->code->init(p->model, own ? NULL : values);
   p->ready = status == 0;
   p->solved = 0;
@@ -101,7 +101,7 @@ static int inertia(lua_State *L) {
   if (p->code->inertia == NULL)
     return absent(L, "inertia");
   p->code->inertia(p->model, I);
-  engine_push(L, 6, I);
+  fields_push(L, 6, I);
   return 1;
 }
 
@@ -113,8 +113,8 @@ static int principal(lua_State *L) {
     return absent(L, "principal axes");
   if (p->code->principal(p->model, moments, axes))
     return luaL_error(L, "plugin: a principal moment is beyond the range of the type");
-  engine_push(L, 3, moments);
-  engine_push(L, 9, axes);
+  fields_push(L, 3, moments);
+  fields_push(L, 9, axes);
   return 2;
 }
 
@@ -124,10 +124,10 @@ static int rhs(lua_State *L) {
   double x[MAX_STATES], u[MAX_STATES], dx[MAX_STATES];
   if (p->code->rhs == NULL)
     return absent(L, "equations of motion");
-  engine_list(L, 3, p->code->nx, x);
-  plugin_optional(L, 4, p->code->nu, u);
+  fields_list(L, 3, p->code->nx, x);
+  fields_optional(L, 4, p->code->nu, u);
   p->code->rhs(p->model, luaL_checknumber(L, 2), x, u, dx);
-  engine_push(L, p->code->nx, dx);
+  fields_push(L, p->code->nx, dx);
   return 1;
 }
 
@@ -137,10 +137,10 @@ static int jacobian(lua_State *L) {
   double x[MAX_STATES], u[MAX_STATES], J[MAX_STATES * MAX_STATES];
   if (p->code->jacobian == NULL)
     return absent(L, "Jacobian");
-  engine_list(L, 3, p->code->nx, x);
-  plugin_optional(L, 4, p->code->nu, u);
+  fields_list(L, 3, p->code->nx, x);
+  fields_optional(L, 4, p->code->nu, u);
   p->code->jacobian(p->model, luaL_checknumber(L, 2), x, u, J);
-  engine_push(L, p->code->nx * p->code->nx, J);
+  fields_push(L, p->code->nx * p->code->nx, J);
   return 1;
 }
 
@@ -148,10 +148,10 @@ static int jacobian(lua_State *L) {
 static int step(lua_State *L) {
   const struct plugin *p = plugin_ready(L);
   double x[MAX_STATES], u[MAX_STATES];
-  engine_list(L, 3, p->code->nx, x);
-  plugin_optional(L, 4, p->code->nu, u);
+  fields_list(L, 3, p->code->nx, x);
+  fields_optional(L, 4, p->code->nu, u);
   plugin_stepper(L, p, 6)->step(p->model, luaL_checknumber(L, 2), x, u, luaL_checknumber(L, 5));
-  engine_push(L, p->code->nx, x);
+  fields_push(L, p->code->nx, x);
   return 1;
 }
 
@@ -167,16 +167,15 @@ static int finite(int n, const double x[]) {
  * bad: NULL, or the state is looked at after every step, and the first that is not finite ends
  * there. */
 static double advance(const struct plugin *p, const struct polhode_stepper *s, double *t,
-                      double end, double h, double x[], const struct engine_course *c,
-                      double *bad) {
-  struct engine_inputs in;
-  double u[ENGINE_INPUTS], all = 0;
+                      double end, double h, double x[], const struct course *c, double *bad) {
+  struct course_segment in;
+  double u[COURSE_INPUTS], all = 0;
   do {
-    const double start = *t, next = engine_course_next(c, start, end), span = next - start;
+    const double start = *t, next = course_next(c, start, end), span = next - start;
     const double n = plugin_steps(span, h);
-    engine_course_segment(c, start, next, &in);
+    course_segment(c, start, next, &in);
     for (double i = 0; i < n && !interrupt_pending(); i++) {
-      engine_inputs_at(&in, c->n, start + span * ((i + 0.5) / n), u);
+      course_value(&in, c->n, start + span * ((i + 0.5) / n), u);
       s->step(p->model, start + span * (i / n), x, u, span / n);
       if (bad != NULL && !finite(p->code->nx, x)) {
         *bad = i + 1 < n ? start + span * ((i + 1) / n) : next;
@@ -192,14 +191,13 @@ static double advance(const struct plugin *p, const struct polhode_stepper *s, d
 /* From *t to `end` in steps of the tolerance's choice; how many, -1 if the state became infinite or
  * the steps vanish. */
 static double adapt(const struct plugin *p, const struct polhode_stepper *s, double *t, double end,
-                    double tolerance, int most, double x[], const struct engine_course *c) {
-  struct engine_inputs in;
-  double u[ENGINE_INPUTS], all = 0;
+                    double tolerance, int most, double x[], const struct course *c) {
+  struct course_segment in;
+  double all = 0;
   do {
-    const double next = engine_course_next(c, *t, end);
-    engine_course_segment(c, *t, next, &in);
-    engine_inputs_at(&in, c->n, in.since, u);
-    const int steps = s->run(p->model, *t, x, u, next, tolerance, most);
+    const double next = course_next(c, *t, end);
+    course_segment(c, *t, next, &in);
+    const int steps = s->run(p->model, *t, x, in.base, next, tolerance, most);
     *t = next;
     all = steps < 0 ? -1 : all + steps;
   } while (all >= 0 && *t != end);
@@ -215,10 +213,10 @@ static int integrate(lua_State *L) {
   const struct plugin *p = plugin_ready(L);
   const int nx = p->code->nx;
   double row[1 + MAX_STATES], before[1 + MAX_STATES], *x = row + 1, h, bad = NAN;
-  struct engine_course course;
+  struct course constant;
   const struct polhode_stepper *s = plugin_stepper(L, p, 7);
-  engine_list(L, 2, nx, x);
-  engine_course_read(L, 3, p->code->nu, &course);
+  fields_list(L, 2, nx, x);
+  const struct course *course = course_at(L, 3, p->code->nu, &constant);
   const int adaptive = lua_istable(L, 4);
   int most = 100000000;
   if (adaptive) {
@@ -233,7 +231,8 @@ static int integrate(lua_State *L) {
   lua_pop(L, 1);
   luaL_argcheck(L, h > 0, 4, "step or tolerance must be positive");
   luaL_argcheck(L, !adaptive || s->run != NULL, 4, "this stepper has a fixed step");
-  luaL_argcheck(L, !adaptive || !course.linear, 3, "a step of its own choice holds its inputs");
+  luaL_argcheck(L, !adaptive || !course_linear(course), 3,
+                "a step of its own choice holds its inputs");
   luaL_checktype(L, 5, LUA_TTABLE);
   row[0] = luaL_optnumber(L, 6, 0);
   const int n = (int)lua_rawlen(L, 5);
@@ -243,8 +242,8 @@ static int integrate(lua_State *L) {
     lua_rawgeti(L, 5, i);
     const double end = luaL_checknumber(L, -1);
     memcpy(before, row, sizeof row);
-    const double steps = adaptive ? adapt(p, s, &row[0], end, h, most, x, &course)
-                                  : advance(p, s, &row[0], end, h, x, &course, NULL);
+    const double steps = adaptive ? adapt(p, s, &row[0], end, h, most, x, course)
+                                  : advance(p, s, &row[0], end, h, x, course, NULL);
     lua_pop(L, 1);
     interrupt_check(L);
     all += steps;
@@ -256,9 +255,9 @@ static int integrate(lua_State *L) {
     if (isnan(bad) && !finite(nx, x)) {
       bad = end;
       if (!adaptive)
-        advance(p, s, &before[0], end, h, before + 1, &course, &bad);
+        advance(p, s, &before[0], end, h, before + 1, course, &bad);
     }
-    engine_push(L, 1 + nx, row);
+    fields_push(L, 1 + nx, row);
     lua_rawseti(L, -2, i);
   }
   lua_pushnumber(L, all);
@@ -274,7 +273,7 @@ static int energy(lua_State *L) {
   double x[MAX_STATES];
   if (p->code->energy == NULL)
     return absent(L, "energy");
-  engine_list(L, 2, p->code->nx, x);
+  fields_list(L, 2, p->code->nx, x);
   lua_pushnumber(L, p->code->energy(p->model, x));
   return 1;
 }
@@ -285,7 +284,7 @@ static int integral(lua_State *L) {
   double x[MAX_STATES];
   if (p->code->integral == NULL)
     return absent(L, "Jacobi's integral");
-  engine_list(L, 3, p->code->nx, x);
+  fields_list(L, 3, p->code->nx, x);
   lua_pushnumber(L, p->code->integral(p->model, luaL_checknumber(L, 2), x));
   return 1;
 }
@@ -296,9 +295,9 @@ static int momentum(lua_State *L) {
   double x[MAX_STATES], out[3];
   if (p->code->momentum == NULL)
     return absent(L, "angular momentum");
-  engine_list(L, 2, p->code->nx, x);
+  fields_list(L, 2, p->code->nx, x);
   p->code->momentum(p->model, x, out);
-  engine_push(L, 3, out);
+  fields_push(L, 3, out);
   return 1;
 }
 
@@ -309,7 +308,7 @@ static int solve(lua_State *L) {
   plugin_ready(L);
   if (p->code->solve == NULL)
     return absent(L, "closed form");
-  engine_list(L, 2, p->code->nx, x);
+  fields_list(L, 2, p->code->nx, x);
   const int status = p->code->solve(p->orbit, p->model, x);
   p->solved = status == 0;
   lua_pushinteger(L, status);
@@ -323,7 +322,7 @@ static int at(lua_State *L) {
   if (!p->solved || p->code->at == NULL)
     return luaL_error(L, "plugin: solve first");
   p->code->at(p->orbit, luaL_checknumber(L, 2), x);
-  engine_push(L, p->code->nx, x);
+  fields_push(L, p->code->nx, x);
   return 1;
 }
 
