@@ -274,7 +274,8 @@ local existence = { about = "validity",
     "likely: xy has a slipped decimal point (0.15 would satisfy it); physical = false takes any positive moments" },
   { body 'tensor { mass = 1, com = {1, 0, 0}, xx = 1, yy = 1, zz = 1, about = "origin" }', 2,
     "tensor: triangle inequality about the centre of mass: xx <= yy + zz must hold, got 1 > 0 + 0; most likely: the " ..
-    "entries are about the centre of mass already (about = \"com\")" },
+    "entries are about the centre of mass already (about = \"com\"), or mass is too small (with the same mass*com, " ..
+    "2.01 kg and more would satisfy it)" },
   { body 'tensor { mass = 1, com = {3, 0, 0}, xx = 1, yy = 1, zz = 2, about = "origin" }',
     { 2, "tensor: yy about the centre of mass must not be negative, got -8; most likely: the entries are about the " ..
       "centre of mass already (about = \"com\")" },
