@@ -13,7 +13,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
 local validity = require "generator.mass.validity"
-local holes_at = require "generator.dynamics.holes_at"
+local body_at = require "generator.dynamics.body_at"
 local tap = require "tests.tap"
 local scene = require "tests.scene"
 
@@ -153,7 +153,7 @@ for _, p in ipairs(pairs_of) do
       for _, c in ipairs(validity.rounding(R.zero)) do env[c.sym.name] = c.value end
       local m = margin(job, env)
       if m and math.abs(m) > (p.near or NEAR) then
-        local told = holes_at(job, values)
+        local told = body_at(job, values)
         if m > 0 then inside = inside + 1 else outside = outside + 1 end
         if (told == nil) ~= (m > 0) then wrong = wrong or table.concat(shown, ", ") .. ": margin " .. m .. ", " ..
           (told or "inside") end
