@@ -53,7 +53,7 @@ local pairs_of = {
     { r = SIZES.r, k = { 0.1, 1.5, 0.5 } }),
   pair("a sheared box in a box", BOX, with "solid.box { x = r, y = h, z = 0.3 }" .. ":sheared{xz = 0.5}" .. AT, SIZES),
   pair("a prism in a box", BOX,
-    "solid.prism { profile = { {0, 0}, {r, 0}, {r, h}, {r/2, h/2} }, h = 0.3, density = 1000 }" .. AT, SIZES),
+    "solid.prism { profile = { {0, 0}, {r, 0}, {r, h}, {r/2, 1.5*h} }, h = 0.3, density = 1000 }" .. AT, SIZES),
   pair("a ball in a ball", "solid.sphere { r = 1 }", with "solid.sphere { r = r }" .. AT),
   pair("a box in a ball", "solid.sphere { r = 1 }", with "solid.box { x = r, y = h, z = 0.2 }" .. AT, SIZES),
   pair("a turned cylinder in a ball", "solid.sphere { r = 1 }", with "solid.cylinder { r = r, h = h }" .. TURN .. AT,
