@@ -13,7 +13,7 @@ local driven = require "generator.commands.driven"
 local driver = require "generator.driver"
 local ends = require "generator.commands.ends"
 local equations = require "generator.dynamics.equations"
-local holes_at = require "generator.dynamics.holes_at"
+local body_at = require "generator.dynamics.body_at"
 local fit = require "generator.commands.fit"
 local observed = require "generator.commands.fit.observed"
 local options = require "generator.commands.options"
@@ -246,7 +246,7 @@ local function no_bodies(host, job, among)
   local said = {}
   if #job.model.unasked == 0 then return said end
   if #among.points > MOST_ASKED then
-    options.unasked(host, job, "of more than " .. MOST_ASKED .. " candidates it is not asked")
+    options.unasked(host, job, "is not asked of more than " .. MOST_ASKED .. " candidates")
     return said
   end
   for i, point in ipairs(among.points) do
@@ -254,7 +254,7 @@ local function no_bodies(host, job, among)
     for k, v in ipairs(among.values) do
       if v.kind == "param" then values[v.name] = R.fromdouble(point[k] * v.scale) end
     end
-    said[i] = next(values) and holes_at(job, values)
+    said[i] = next(values) and body_at(job, values)
   end
   return said
 end

@@ -13,7 +13,7 @@ local driven = require "generator.commands.driven"
 local driver = require "generator.driver"
 local ends = require "generator.commands.ends"
 local equations = require "generator.dynamics.equations"
-local holes_at = require "generator.dynamics.holes_at"
+local body_at = require "generator.dynamics.body_at"
 local logs = require "generator.commands.fit.logs"
 local observed = require "generator.commands.fit.observed"
 local options = require "generator.commands.options"
@@ -234,7 +234,7 @@ local function no_body(job, list, result)
   for i, u in ipairs(list) do
     if u.kind == "param" then values[u.name] = R.fromdouble(result.theta[i]) end
   end
-  local said = #job.model.unasked > 0 and holes_at(job, values)
+  local said = #job.model.unasked > 0 and body_at(job, values)
   return { said and "the result is no body: " .. said or nil }
 end
 

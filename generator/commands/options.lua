@@ -221,11 +221,11 @@ function options.warn(host, d)
   for _, w in ipairs(d.warnings) do host.err("warning: " .. w.text .. "\n") end
 end
 
--- Which holes the emitted code does not ask about when a parameter changes; who: what is then done without asking.
+-- Rules that the emitted code does not ask about when a parameter changes; who: what is then done without asking.
 function options.unasked(host, job, who)
-  for _, line in ipairs(job.model.unasked) do
-    host.err("warning: " .. job.model.file .. ":" .. line .. ": hole: " .. who .. " whether it lies inside the body " ..
-      "it is cut from when a parameter changes: there is no formula (polhode run and sweep ask)\n")
+  for _, c in ipairs(job.model.unasked) do
+    host.err("warning: " .. job.model.file .. ":" .. c.line .. ": " .. c.what .. ": " .. c.rule .. ", which " .. who ..
+      " when a parameter changes: there is no formula (polhode run and sweep ask)\n")
   end
 end
 

@@ -113,7 +113,7 @@ function model:sentence(c)
 end
 
 -- What NAME_init must test again: every condition on parameters once, with the scene's line; of two on one expression
--- the stricter.  Second result: the lines of holes that it cannot ask about; nil if a hole is not in its body.
+-- the stricter.  Second result: the rules that it cannot test; nil if a hole is not in its body.
 local function conditions(d, m, checks)
   local list, seen = {}, {}
   local function put(c)

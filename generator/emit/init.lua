@@ -282,10 +282,9 @@ end
 
 -- What NAME_init cannot ask: lines of the header.
 local function unasked(m)
-  local lines, file = {}, string.match(m.file, "[^/]*$")
-  for _, line in ipairs(m.unasked) do
-    lines = joined(lines, source.comment(string.format("Not a check of the set-up, for there is no formula: the " ..
-      "hole of %s:%d must lie inside the body it is cut from.", file, line)))
+  local lines = {}
+  for _, c in ipairs(m.unasked) do
+    lines = joined(lines, source.comment("Not a check of the set-up, for there is no formula: " .. m:sentence(c)))
   end
   return lines
 end

@@ -127,7 +127,7 @@ local function constant(list)
 end
 
 -- Conditions on parameters that NAME_init must test: a positive total mass, lawful tensors, holes inside their bodies
--- (expressions > 0 or >= 0); and the lines of holes of which there is no condition.
+-- (expressions > 0 or >= 0); and the rules of which there is no condition: {what, rule, line}.
 function validity.conditions(m)
   local list, unasked = within.conditions(m) -- first: a hole that reaches out is the cause of what else is wrong
   if not expr.constant(m.mass) then

@@ -8,7 +8,8 @@
 -- The sum of several holes is several holes.  Of a hole in a sum of bodies, which may lie across both, in a mesh or in
 -- what is not convex there is no such condition; it is `open`, and whoever can ask holes.lua for each set of values
 -- does that.  A hole that no parameter changes has been decided.
---     within.conditions(m) -> list of {e, line, what, rule, opaque, allow_zero}; list of lines of the open ones
+-- Nor is there one for polygons to be simple (simple.lua).
+--     within.conditions(m) -> list of {e, line, what, rule, opaque, allow_zero}; list of {what, rule, line} of the open
 -- Slack, as in holes.lua: 1e-9 of the body's size, and 64 roundings; of a density 1e-6.  ABOVE the line.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -21,6 +22,7 @@ local body = require "generator.mass.body"
 local catalogue = require "generator.mass.catalogue"
 local convex = require "generator.mass.convex"
 local critical = require "generator.mass.critical"
+local simple = require "generator.mass.simple"
 
 local within = { inside = "must lie inside the body it is cut from",
   denser = "must not be denser than the body it is cut from" }
@@ -180,6 +182,18 @@ local function plain(e, facts)
   return calculus.substitute(calculus.substitute(e, facts.map), back)
 end
 
+-- Does a polygon, simple and anticlockwise for the defaults, turn left at each corner whatever the parameters?  Then it
+-- goes round once for all of them, as it does for the defaults, and is simple.
+local function convex_always(loop, facts)
+  for i, b in ipairs(loop) do
+    local a, c = loop[(i - 2) % #loop + 1], loop[i % #loop + 1]
+    local turn = (b[1] - a[1]) * (c[2] - b[2]) - (b[2] - a[2]) * (c[1] - b[1])
+    local sign, atoms = facts:signs(turn)
+    if sign <= 0 or #atoms > 0 then return #loop == 3 end -- of three corners the area is a check
+  end
+  return true
+end
+
 function within.conditions(m)
   local list, open = {}, {}
   local facts = critical.of(m.record.checks)
@@ -196,11 +210,18 @@ function within.conditions(m)
     if asked(node, facts, put) and clear then
       table.move(own, 1, #own, #list + 1, list)
     else
-      open[#open + 1] = node.line
+      open[#open + 1] = { what = "hole", rule = within.inside, line = node.line }
     end
   end
   local function walk(node)
-    if node.shape then return end
+    if node.shape then
+      local a = node.a
+      if a and a.profile and next(within.parameters(a)) and not (#(a.holes or {}) == 0 and convex_always(a.profile,
+        facts)) then
+        open[#open + 1] = { what = string.gsub(node.shape, "^solid%.", ""), rule = simple.rule, line = node.line }
+      end
+      return
+    end
     walk(node.of or node[1])
     if not node.of then walk(node[2]) end
     if node.op == "minus" and next(within.parameters(node)) then hole(node) end

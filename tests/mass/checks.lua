@@ -12,8 +12,8 @@ checks.list = {
     code = true },
   { "axis", about = "an axis of a turn, a quaternion not zero; a matrix a rotation", code = true },
   { "area", about = "a profile encloses an area, and is not left of its axis", code = true },
-  { "simple", about = "a profile does not cross itself; its holes are inside it and apart", code = "no",
-    by = "tests/dsl/scene.t" },
+  { "simple", about = "a profile does not cross itself; its holes are inside it and apart",
+    code = "if it stays convex" },
   { "total", about = "the total mass positive", file = true, code = true },
   { "entries", about = "moments of inertia not negative", file = true, code = true,
     by = "tests/interchange/doors.t" },
@@ -55,6 +55,8 @@ local q, k, e, n = param("q", 0.1, "m"), param("k", 1), param("e", 0.2, "m"), pa
   apart = scene("apart", 'local r = param("r", 0.2, "m")\n', [[
   solid.box { x = 1, y = 1, z = 1, density = 1000 } + solid.box { x = 1, y = 1, z = 1, density = 1000 }:at { 0, 3, 0 } -
   solid.cylinder { r = r, h = 0.5, density = 1000 } ]]),
+  outline = scene("outline", 'local v = param("v", 0.5, "m")\n', [[
+  extrude { profile = { {0, 0}, {1, 0}, {1, 1}, {v, 0.5}, {0, 1} }, h = 0.1, density = 1000 } ]]),
   total = scene("total", 'local c = param("c", 1, "kg")\n', [[
   solid.box { x = 1, y = 1, z = 1, mass = 5 } - solid.sphere { r = 0.4, mass = c } ]]),
   tensor = scene("tensor", 'local J = param("J", 1, "kg m^2")\n', "tensor { mass = 2, xx = J, yy = 1.2, zz = 1.5 } "),
@@ -74,6 +76,7 @@ checks.rows = {
   { "inside", "hole", "x", -0.05, INSIDE }, -- in the other hole
   { "denser", "hole", "d", 1100, "hole: must not be denser than the body it is cut from" },
   { "inside", "apart", "r", 0.6, INSIDE, open = true },
+  { "simple", "outline", "v", 1.5, "extrude: profile must not cross or touch itself", open = true },
   { "total", "total", "c", 6, "total mass must be positive" },
   { "entries", "tensor", "J", -1, "tensor: xx must not be negative" },
   { "triangle", "tensor", "J", 3, "triangle inequality" },

@@ -13,7 +13,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
 local validity = require "generator.mass.validity"
-local holes_at = require "generator.dynamics.holes_at"
+local body_at = require "generator.dynamics.body_at"
 local tap = require "tests.tap"
 local scene = require "tests.scene"
 
@@ -53,7 +53,7 @@ local pairs_of = {
     { r = SIZES.r, k = { 0.1, 1.5, 0.5 } }),
   pair("a sheared box in a box", BOX, with "solid.box { x = r, y = h, z = 0.3 }" .. ":sheared{xz = 0.5}" .. AT, SIZES),
   pair("a prism in a box", BOX,
-    "solid.prism { profile = { {0, 0}, {r, 0}, {r, h}, {r/2, h/2} }, h = 0.3, density = 1000 }" .. AT, SIZES),
+    "solid.prism { profile = { {0, 0}, {r, 0}, {r, h}, {r/2, 1.5*h} }, h = 0.3, density = 1000 }" .. AT, SIZES),
   pair("a ball in a ball", "solid.sphere { r = 1 }", with "solid.sphere { r = r }" .. AT),
   pair("a box in a ball", "solid.sphere { r = 1 }", with "solid.box { x = r, y = h, z = 0.2 }" .. AT, SIZES),
   pair("a turned cylinder in a ball", "solid.sphere { r = 1 }", with "solid.cylinder { r = r, h = h }" .. TURN .. AT,
@@ -153,7 +153,7 @@ for _, p in ipairs(pairs_of) do
       for _, c in ipairs(validity.rounding(R.zero)) do env[c.sym.name] = c.value end
       local m = margin(job, env)
       if m and math.abs(m) > (p.near or NEAR) then
-        local told = holes_at(job, values)
+        local told = body_at(job, values)
         if m > 0 then inside = inside + 1 else outside = outside + 1 end
         if (told == nil) ~= (m > 0) then wrong = wrong or table.concat(shown, ", ") .. ": margin " .. m .. ", " ..
           (told or "inside") end

@@ -1,9 +1,9 @@
--- cuts.lua -- the members of a sweep whose holes are not in their bodies: they fail, as the scene itself would.
+-- cuts.lua -- the members of a sweep that are no body by a rule that NAME_init cannot ask: they fail, as a scene would.
 --
--- NAME_init asks whether a hole lies inside where there is a formula (mass/within.lua).  For the others it is asked of
--- points (mass/holes.lua), which the program of the sweep cannot do.  So it is asked here, for all values of the grid
--- that the body depends on, and the program gets the answers as a table; or for one value that is drawn, along its
--- range, and the program gets the spans in which a hole sticks out.
+-- NAME_init asks whether a hole lies inside where there is a formula (mass/within.lua).  Else the question needs points
+-- or polygons (dynamics/body_at.lua), which the program of the sweep has not.  So it is asked here, for all values of
+-- the grid that the body depends on, and the program gets the answers as a table; or for one value that is drawn, along
+-- its range, and the program gets the spans in which there is no body.
 --     cuts.find(job, list) -> {texts, codes, axes} | {texts, spans, place} | nil; and a warning | nil
 -- codes: 0, or the number of a text; axes {stride, count, step}: (grid point / stride) modulo count, times step; spans
 -- {code, low | nil, high | nil} of the value at `place`, from 0.
@@ -11,7 +11,7 @@
 
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
-local holes_at = require "generator.dynamics.holes_at"
+local body_at = require "generator.dynamics.body_at"
 local within = require "generator.mass.within"
 
 local cuts = {}
@@ -50,7 +50,7 @@ local function table_of(job, grids, size, found)
   for n = 0, size - 1 do
     local values = {}
     for _, g in ipairs(grids) do values[g.value.name] = gridded(g.value, n // g.step % g.count) end
-    found.codes[n + 1] = numbered(found, holes_at(job, values))
+    found.codes[n + 1] = numbered(found, body_at(job, values))
   end
 end
 
@@ -67,7 +67,7 @@ end
 -- last bits.  A span between two of the steps that is shorter than one of them is not found.
 local function spans_of(job, v, low, high, found)
   local factor, steps = evaluate.precise(v.factor, {}, 240), 64
-  local function code(x) return numbered(found, holes_at(job, { [v.name] = R.fromdouble(x) * factor })) end
+  local function code(x) return numbered(found, body_at(job, { [v.name] = R.fromdouble(x) * factor })) end
   local function border(a, b, of_a)
     for _ = 1, 40 do
       local x = a + (b - a) / 2
@@ -119,9 +119,10 @@ function cuts.find(job, list)
       if v.draw then found.place = found.place + 1 end
     end
   elseif #drawn > 0 or size > most then
-    return nil, "a hole depends on " .. (#drawn > 0 and drawn[1].name .. ", which is drawn" ..
+    local rule = job.model:sentence(job.model.unasked[1])
+    return nil, rule .. " depends on " .. (#drawn > 0 and drawn[1].name .. ", which is drawn" ..
       (#drawn + #grids > 1 and " with others" or "") or "more than " .. most .. " points") ..
-      ": whether it lies inside its body is not asked of the members"
+      ": it is not asked of the members"
   else
     table_of(job, grids, size, found)
   end
