@@ -264,7 +264,7 @@ static void judge(block *b, real t, real h)
     if (!is_body(b, k, t)) b->status[k] = SWEEP_NO_BODY;
 %% end
 %% if has_flat then
-    b->status[k] = lying(b, k, t, h);
+    if (b->status[k] == SWEEP_FINE) b->status[k] = lying(b, k, t, h);
     if (b->status[k] != SWEEP_FINE) continue;
 %% end
 %% if has_contact then
