@@ -91,10 +91,8 @@ static int finish(lua_State *L, int status, const struct bench_result *r, double
     return 2;
   }
   bench_push(L, r, part);
-  lua_pushinteger(L, m->steps);
-  lua_setfield(L, -2, "steps");
-  lua_pushnumber(L, part);
-  lua_setfield(L, -2, "part");
+  fields_set_count(L, "steps", m->steps);
+  fields_set_number(L, "part", part);
   return 1;
 }
 

@@ -346,9 +346,7 @@ int plugin_time_peer(lua_State *L) {
     return fail(L, phrase[status > 0 ? status : FINE]);
   const double part = fixed ? (double)r.steps / (double)whole : 1;
   bench_push(L, &result, part);
-  lua_pushinteger(L, fixed ? whole : r.steps);
-  lua_setfield(L, -2, "steps");
-  lua_pushnumber(L, part);
-  lua_setfield(L, -2, "part");
+  fields_set_count(L, "steps", fixed ? whole : r.steps);
+  fields_set_number(L, "part", part);
   return 1;
 }

@@ -163,14 +163,10 @@ int bench_measure(bench_work *work, void *what, long repeats, double limit,
 
 void bench_push(lua_State *L, const struct bench_result *r, double part) {
   lua_createtable(L, 0, 6);
-  lua_pushnumber(L, r->median / part);
-  lua_setfield(L, -2, "median");
-  lua_pushnumber(L, r->least / part);
-  lua_setfield(L, -2, "least");
-  lua_pushnumber(L, r->most / part);
-  lua_setfield(L, -2, "most");
-  lua_pushinteger(L, r->repeats);
-  lua_setfield(L, -2, "repeats");
+  fields_set_number(L, "median", r->median / part);
+  fields_set_number(L, "least", r->least / part);
+  fields_set_number(L, "most", r->most / part);
+  fields_set_count(L, "repeats", r->repeats);
 }
 
 /* A sixteenth of the limit: then there is time for several samples of what comes out. */
@@ -235,9 +231,7 @@ int host_baseline(lua_State *L) {
   }
   summarise(each, SAMPLES, &r);
   bench_push(L, &r, 1);
-  lua_pushnumber(L, r.median);
-  lua_setfield(L, -2, "ns");
-  lua_pushnumber(L, each[SAMPLES * 3 / 4] / r.least - 1);
-  lua_setfield(L, -2, "spread");
+  fields_set_number(L, "ns", r.median);
+  fields_set_number(L, "spread", each[SAMPLES * 3 / 4] / r.least - 1);
   return 1;
 }

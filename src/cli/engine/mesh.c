@@ -9,18 +9,7 @@
 #include <sys/stat.h>
 
 static void set_count(lua_State *L, const char *key, size_t n) {
-  lua_pushinteger(L, (lua_Integer)n);
-  lua_setfield(L, -2, key);
-}
-
-static void set_list(lua_State *L, const char *key, int n, const double v[]) {
-  fields_push(L, n, v);
-  lua_setfield(L, -2, key);
-}
-
-static void set_number(lua_State *L, const char *key, double x) {
-  lua_pushnumber(L, x);
-  lua_setfield(L, -2, key);
+  fields_set_count(L, key, (lua_Integer)n);
 }
 
 /* The faults that were kept, as {kind, part, other, triangles, at, share} each. */
@@ -35,8 +24,8 @@ static void push_faults(lua_State *L, const ph_mesh *m) {
     set_count(L, "part", f->part);
     set_count(L, "other", f->other);
     set_count(L, "triangles", f->triangles);
-    set_list(L, "at", 3, f->at);
-    set_number(L, "share", f->share);
+    fields_set_list(L, "at", f->at, 3);
+    fields_set_number(L, "share", f->share);
     lua_seti(L, -2, (lua_Integer)i + 1);
   }
   set_count(L, "count", m->faults);
@@ -45,13 +34,13 @@ static void push_faults(lua_State *L, const ph_mesh *m) {
 
 static void push_mesh(lua_State *L, const ph_mesh *m) {
   lua_newtable(L);
-  set_number(L, "measure", m->measure);
-  set_list(L, "com", 3, m->com);
-  set_list(L, "com_tail", 3, m->com_tail);
-  set_list(L, "sigma", 6, m->sigma);
+  fields_set_number(L, "measure", m->measure);
+  fields_set_list(L, "com", m->com, 3);
+  fields_set_list(L, "com_tail", m->com_tail, 3);
+  fields_set_list(L, "sigma", m->sigma, 6);
   lua_newtable(L);
-  set_list(L, "lo", 3, m->lo);
-  set_list(L, "hi", 3, m->hi);
+  fields_set_list(L, "lo", m->lo, 3);
+  fields_set_list(L, "hi", m->hi, 3);
   lua_setfield(L, -2, "box");
   set_count(L, "faces", m->faces);
   set_count(L, "triangles", m->triangles);
@@ -59,15 +48,14 @@ static void push_mesh(lua_State *L, const ph_mesh *m) {
   set_count(L, "edges", m->edges);
   set_count(L, "segments", m->segments);
   set_count(L, "parts", m->parts);
-  set_number(L, "weld", m->weld);
-  set_number(L, "gap", m->gap);
+  fields_set_number(L, "weld", m->weld);
+  fields_set_number(L, "gap", m->gap);
   set_count(L, "merged", m->merged);
   lua_newtable(L);
   push_faults(L, m);
   set_count(L, "bent", m->bent);
-  set_number(L, "bend", m->measure > 0 ? m->bend / m->measure : 0);
-  lua_pushboolean(L, m->unseen);
-  lua_setfield(L, -2, "unseen");
+  fields_set_number(L, "bend", m->measure > 0 ? m->bend / m->measure : 0);
+  fields_set_flag(L, "unseen", m->unseen);
   set_count(L, "open", m->open);
   set_count(L, "flipped", m->flipped);
   set_count(L, "nonmanifold", m->nonmanifold);
@@ -75,8 +63,7 @@ static void push_mesh(lua_State *L, const ph_mesh *m) {
   set_count(L, "duplicate", m->duplicate);
   set_count(L, "degenerate", m->degenerate);
   set_count(L, "nonfinite", m->nonfinite);
-  lua_pushboolean(L, m->inverted);
-  lua_setfield(L, -2, "inverted");
+  fields_set_flag(L, "inverted", m->inverted);
   lua_setfield(L, -2, "defects");
 }
 
@@ -117,13 +104,9 @@ static const char *describe_open(lua_State *L, const ph_mesh *m) {
 static int set_body(lua_State *L, int options, const ph_mesh *m) {
   ph_body b;
   ph_axes axes;
-  lua_getfield(L, options, "unit");
-  const double unit = luaL_checknumber(L, -1);
-  const int by_mass = lua_getfield(L, options, "mass") != LUA_TNIL;
-  if (!by_mass)
-    lua_getfield(L, options, "density");
-  const double value = luaL_checknumber(L, -1);
-  lua_pop(L, by_mass ? 2 : 3);
+  const int by_mass = fields_has(L, options, "mass");
+  const double unit = fields_number(L, options, "unit"),
+               value = fields_number(L, options, by_mass ? "mass" : "density");
   int status =
       ph_mesh_body(&b, by_mass ? ph_amount_mass(value) : ph_amount_density(value), m, unit);
   if (status == PH_OK)
@@ -131,12 +114,12 @@ static int set_body(lua_State *L, int options, const ph_mesh *m) {
   if (status != PH_OK)
     return status;
   lua_newtable(L);
-  set_number(L, "mass", b.mass);
-  set_list(L, "com", 3, b.com);
-  set_list(L, "com_tail", 3, b.com_tail);
-  set_list(L, "second", 6, b.second);
-  set_list(L, "tensor", 6, b.tensor);
-  set_list(L, "moments", 3, axes.moment);
+  fields_set_number(L, "mass", b.mass);
+  fields_set_list(L, "com", b.com, 3);
+  fields_set_list(L, "com_tail", b.com_tail, 3);
+  fields_set_list(L, "second", b.second, 6);
+  fields_set_list(L, "tensor", b.tensor, 6);
+  fields_set_list(L, "moments", axes.moment, 3);
   lua_newtable(L);
   for (int k = 0; k < 3; k++) {
     fields_push(L, 3, axes.axis[k]);
@@ -207,17 +190,6 @@ static ph_mesh_shape **new_shape(lua_State *L) {
   return shape;
 }
 
-/* A number or a truth of the options, 0 without. */
-static double option(lua_State *L, const char *key) {
-  double value = 0;
-  if (lua_istable(L, 3)) {
-    const int type = lua_getfield(L, 3, key);
-    value = type == LUA_TNUMBER ? lua_tonumber(L, -1) : lua_toboolean(L, -1);
-    lua_pop(L, 1);
-  }
-  return value;
-}
-
 /* mesh(path, kind[, {unit=, mass= or density=, weld=, shape=}]) -> table | nil, message, table.
    kind: volume, surface or wires; weld: see ph_mesh_open; shape: true asks for the faces.  The
    table, in the file's unit: measure, com, com_tail, sigma (about com, per unit measure), box {lo,
@@ -235,6 +207,10 @@ int host_mesh(lua_State *L) {
   struct stat info;
   ph_mesh mesh;
   lua_settop(L, 3);
+  if (lua_isnil(L, 3)) {
+    lua_newtable(L);
+    lua_replace(L, 3);
+  }
   interrupt_check(L);
   const char *why = stat(path, &info) != 0 ? strerror(errno) : NULL;
   if (why == NULL && !S_ISREG(info.st_mode)) /* a fifo would block */
@@ -243,8 +219,9 @@ int host_mesh(lua_State *L) {
     lua_newtable(L);
     return refuse(L, path, "file", why);
   }
-  ph_mesh_shape **shape = option(L, "shape") != 0 ? new_shape(L) : NULL;
-  int status = ph_mesh_open(&mesh, shape, path, kind, option(L, "weld"), message, sizeof message);
+  ph_mesh_shape **shape = fields_flag(L, 3, "shape") ? new_shape(L) : NULL;
+  int status = ph_mesh_open(&mesh, shape, path, kind, fields_option(L, 3, "weld", 0), message,
+                            sizeof message);
   interrupt_check(L);
   if (status != PH_OK) {
     lua_newtable(L);
@@ -268,7 +245,7 @@ int host_mesh(lua_State *L) {
     lua_insert(L, -2);
     return refuse(L, path, "mesh", text);
   }
-  if (status == PH_OK && option(L, "unit") != 0)
+  if (status == PH_OK && fields_has(L, 3, "unit"))
     status = set_body(L, 3, &mesh);
   return status == PH_OK ? 1 : refuse(L, path, "mesh", ph_status_phrase(status));
 }

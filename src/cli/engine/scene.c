@@ -51,16 +51,11 @@ int host_mass(lua_State *L) {
     return engine_fail(&s, status);
   s.where = "body";
   lua_newtable(L);
-  lua_pushnumber(L, s.body.mass);
-  lua_setfield(L, -2, "mass");
-  fields_push(L, 3, s.top.com);
-  lua_setfield(L, -2, "com");
-  fields_push(L, 3, s.body.com);
-  lua_setfield(L, -2, "center");
-  fields_push(L, 6, s.top.inertia);
-  lua_setfield(L, -2, "inertia");
-  fields_push(L, 6, s.body.tensor);
-  lua_setfield(L, -2, "centroidal");
+  fields_set_number(L, "mass", s.body.mass);
+  fields_set_list(L, "com", s.top.com, 3);
+  fields_set_list(L, "center", s.body.com, 3);
+  fields_set_list(L, "inertia", s.top.inertia, 6);
+  fields_set_list(L, "centroidal", s.body.tensor, 6);
   status = push_principal(L, s.top.inertia, "moments", "axes");
   if (status == PH_OK)
     status = push_principal(L, s.body.tensor, "central_moments", "central_axes");

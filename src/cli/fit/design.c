@@ -152,8 +152,7 @@ static void push_told(lua_State *L, struct design *d, int settled) {
   fields_set_number(L, "refused", bad);
   fields_set_number(L, "unknowns", n);
   fields_set_number(L, "step", d->f.h);
-  lua_pushboolean(L, settled > 0);
-  lua_setfield(L, -2, "settled");
+  fields_set_flag(L, "settled", settled > 0);
   if (bad)
     return;
   criteria(d);

@@ -313,8 +313,7 @@ static void push_result(lua_State *L, struct fit_problem *f, struct fit_result *
   fields_set_number(L, "step", f->h);
   fields_set_number(L, "refused", f->refused);
   fields_set_number(L, "unknowns", n);
-  lua_pushboolean(L, r->converged);
-  lua_setfield(L, -2, "converged");
+  fields_set_flag(L, "converged", r->converged);
   lua_pushstring(L, ways[r->way]);
   lua_setfield(L, -2, "way");
   fields_set_number(L, "tried", r->tried);

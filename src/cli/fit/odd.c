@@ -97,8 +97,7 @@ int host_odd(lua_State *L) {
     const struct seen s = look(log, column);
     size_t first = 0, rows = 0;
     lua_createtable(L, 0, 5);
-    lua_pushboolean(L, s.high - s.low < TURN);
-    lua_setfield(L, -2, "turn");
+    fields_set_flag(L, "turn", s.high - s.low < TURN);
     if (s.values >= 2 * RUN && s.low == s.high) {
       say(L, log, "constant", s.first, s.low, s.values);
     } else if (s.wrap > 0 && s.high - s.low < TURN) {

@@ -3,6 +3,7 @@
  */
 #define _GNU_SOURCE /* getc_unlocked */
 #include "csv.h"
+#include "fields.h"
 #include "host.h"
 
 #include <math.h>
@@ -285,8 +286,7 @@ static int texts(lua_State *L) {
       lua_pushstring(L, cells[i]);
       lua_rawseti(L, -2, i + 1);
     }
-    lua_pushinteger(L, f->number);
-    lua_setfield(L, -2, "line");
+    fields_set_count(L, "line", f->number);
     lua_rawseti(L, -2, n);
   }
   return f->why != NULL ? fail(L, f) : 1;

@@ -100,6 +100,16 @@ void fields_set_number(lua_State *L, const char *key, double x) {
   lua_setfield(L, -2, key);
 }
 
+void fields_set_count(lua_State *L, const char *key, lua_Integer n) {
+  lua_pushinteger(L, n);
+  lua_setfield(L, -2, key);
+}
+
+void fields_set_flag(lua_State *L, const char *key, int yes) {
+  lua_pushboolean(L, yes);
+  lua_setfield(L, -2, key);
+}
+
 void fields_set_list(lua_State *L, const char *key, const double v[], int n) {
   fields_push(L, n, v);
   lua_setfield(L, -2, key);

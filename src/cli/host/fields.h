@@ -31,6 +31,8 @@ void fields_optional(lua_State *L, int index, int n, double out[]);
 void fields_push(lua_State *L, int n, const double v[]);
 /* Into the table on the top. */
 void fields_set_number(lua_State *L, const char *key, double x);
+void fields_set_count(lua_State *L, const char *key, lua_Integer n);
+void fields_set_flag(lua_State *L, const char *key, int yes);
 void fields_set_list(lua_State *L, const char *key, const double v[], int n);
 
 #endif

@@ -28,10 +28,8 @@ static void push_steppers(lua_State *L, const struct polhode_stepper *s) {
     lua_createtable(L, 0, 3);
     lua_pushstring(L, s->name);
     lua_setfield(L, -2, "name");
-    lua_pushinteger(L, s->order);
-    lua_setfield(L, -2, "order");
-    lua_pushboolean(L, s->run != NULL);
-    lua_setfield(L, -2, "adaptive");
+    fields_set_count(L, "order", s->order);
+    fields_set_flag(L, "adaptive", s->run != NULL);
     lua_rawseti(L, -2, i);
   }
 }
@@ -59,18 +57,13 @@ static int info(lua_State *L) {
   lua_setfield(L, -2, "name");
   lua_pushstring(L, c->real);
   lua_setfield(L, -2, "real");
-  lua_pushnumber(L, c->epsilon);
-  lua_setfield(L, -2, "epsilon");
-  lua_pushinteger(L, c->nx);
-  lua_setfield(L, -2, "nx");
-  lua_pushinteger(L, c->nu);
-  lua_setfield(L, -2, "nu");
-  lua_pushinteger(L, c->np);
-  lua_setfield(L, -2, "np");
+  fields_set_number(L, "epsilon", c->epsilon);
+  fields_set_count(L, "nx", c->nx);
+  fields_set_count(L, "nu", c->nu);
+  fields_set_count(L, "np", c->np);
   if (c->params != NULL)
     c->params(p);
-  fields_push(L, c->np, p);
-  lua_setfield(L, -2, "params");
+  fields_set_list(L, "params", p, c->np);
   lua_newtable(L);
   for (size_t i = 0; i < sizeof functions / sizeof functions[0]; i++) {
     lua_pushboolean(L, functions[i].there);
