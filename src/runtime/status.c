@@ -28,7 +28,7 @@ static const char *const phrases[] = {
     "a plane must be touched in one point, not by a disc that lies flat",
     "torque about an axis that has no moment of inertia",
     "the method is unknown or cannot do what is asked",
-    "the step must be positive and large enough to move time on",
+    "no steps lead on: the step is not positive, or so short that time stands still",
     "tolerance or order is outside its bounds",
     "more steps than allowed",
     "out of memory",
