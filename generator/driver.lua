@@ -95,16 +95,18 @@ local function instead(name, record)
     (best and "; did you mean " .. best .. "?" or "")
 end
 
--- Reports that the body of a scene ceases to be one before its motion ends: false.  options: until, at = times of rows.
+-- Reports that the body of a scene ceases to be one before its motion ends: false.  options: until, at = times of rows,
+-- follows = does the command follow the motion to its horizon?  Where nobody said how long it lasts this is a warning.
 local function lasts(scene, options)
   local last = options["until"] or not options.at and scene.model:double(scene.model.horizon) or 0.0
   for _, t in ipairs(options.at or {}) do last = math.max(last, t) end
   local ends, line = exists.fails(scene, last)
-  if ends then
-    scene.diag:error(line, "effect.inertia_rate", string.format("I + D(t) must be a body's tensor up to t = %.6g s: " ..
-      "from t = %.6g s on a principal moment is more than the other two together", last, ends))
-  end
-  return not ends
+  if not ends then return true end
+  local asked = options["until"] or options.at or options.follows or scene.record.timed
+  local report = asked and scene.diag.error or scene.diag.warn
+  report(scene.diag, line, "effect.inertia_rate", string.format("I + D(t) must be a body's tensor up to t = %.6g s: " ..
+    "from t = %.6g s on a principal moment is more than the other two together", last, ends))
+  return not asked
 end
 
 -- The scene of a file's text: what driver.read returns.
@@ -135,8 +137,8 @@ local function opened(host, file, text, options)
 end
 
 -- Reads and checks the scene of a file, - for standard input.  options: {set =, bake =, name = (in place of the scene's
--- own), phase = "contact" (the default) or "flight" of a body that flies and lands, until, at = where its motion
--- ends}.  Returns the scene, a stage of generator/stages.lua, or nil, the diagnostics, and what is wrong with the
+-- own), phase = "contact" (the default) or "flight" of a body that flies and lands, until, at, follows = see
+-- `lasts`}.  Returns the scene, a stage of generator/stages.lua, or nil, the diagnostics, and what is wrong with the
 -- options (a name in --set that is no parameter).  scene.ranges: see dsl/ranges.lua.
 function driver.read(host, file, options)
   local text, why = host.read(file)

@@ -13,7 +13,7 @@ local stages = {}
 local FIELDS = {
   -- dynamics/model.lua: the body and its states; name, file and line: of the scene
   model = [[ name file line record symbolic baked params defaults by_name limits inputs
-    omega attitude given horizon step
+    omega attitude given timed horizon step
     body mass origin com inertia centroidal parts structure carried carrier locked
     formal slack unlawful conditions unasked
     has frame states moving reasons ]],

@@ -49,6 +49,7 @@ end
 function bench.run(host, given)
   local bad = wrong(given)
   if bad then return options.wrong(host, "bench", bad) end
+  given.follows = true
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, d, why) end
   options.warn(host, job.diag)

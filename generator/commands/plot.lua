@@ -152,6 +152,7 @@ function plot.run(host, given)
   local job
   if given[1] then
     local d, why
+    given.follows = true
     job, d, why = driver.read(host, given[1], given)
     if job then job, d, why = bounce.scene(job, given) end
     if not job then return options.refuse(host, d, why) end

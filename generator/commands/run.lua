@@ -182,6 +182,7 @@ function run.refuse(host, failure, help, command)
 end
 
 function run.run(host, given)
+  given.follows = true
   local job, d, why = driver.read(host, given[1], given)
   if not job then return options.refuse(host, d, why) end
   job, d, why = bounce.scene(job, given)

@@ -164,6 +164,7 @@ end
 function sweep.run(host, given)
   local wrong = {}
   plain_mistakes(given, wrong)
+  given.follows = true
   local job, d, why = driver.read(host, given[1], given)
   if not job then
     for _, line in ipairs(wrong) do host.err("polhode sweep: " .. line .. "\n") end

@@ -213,6 +213,7 @@ function view.run(host, given)
     wrong = wrong or "-o must end in ." .. ending .. ", or be -, got " .. given.o
   end
   if wrong then return options.wrong(host, "view", wrong) end
+  given.follows = true
   local scene, d, why = driver.read(host, given[1], given)
   if not scene then return options.refuse(host, d, why) end
   why = shapeless(scene.model, given[1])

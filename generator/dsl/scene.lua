@@ -2,7 +2,7 @@
 --
 -- The result is a plain record (expressions, no numbers yet):
 --     {name, line, body = shape tree, origin = {kind, ...}, effects = {...}, omega, attitude, given, outputs, events,
---     measure, horizon, step, accuracy, budget, ranges}
+--     measure, timed (is a horizon given?), horizon, step, accuracy, budget, ranges}
 -- given tells what `initial` says: {omega = bool, attitude = bool, position = vector or nil, velocity = so, line}.
 -- Defaults: origin at the centroid, attitude 1, all else 0, horizon 10 s, step 1 ms.  What the record means is decided
 -- in mass/ and dynamics/.
@@ -68,12 +68,12 @@ local function initial(ctx, line, given, out)
 end
 
 local function time(ctx, line, given, out)
-  out.horizon, out.step = expr.lift(10), expr.lift "1/1000"
+  out.timed, out.horizon, out.step = false, expr.lift(10), expr.lift "1/1000"
   if given == nil then return end
   local specs = { { name = "horizon", dim = "time", sign = "positive", default = 10 },
     { name = "step", dim = "time", sign = "positive", default = 0.001 }, elsewhere = elsewhere }
   local t = args.read(ctx, ctx.diag:locate(line, "time"), "time", specs, given)
-  out.horizon, out.step = t.horizon or out.horizon, t.step or out.step
+  out.timed, out.horizon, out.step = t.horizon ~= nil, t.horizon or out.horizon, t.step or out.step
 end
 
 -- Their records; a broken one has had its message.

@@ -14,9 +14,11 @@ local step_control = {}
 -- The function that all of them call, before the first.
 function step_control.shared(kit) return GROWTH(kit.templates, kit.base, {}) "steppers/growth.c" end
 
--- Texts for v, the values of the method's own templates, which have been given those of switched.lua.
+-- Texts for v, the values of the method's own templates, which have been given those of switched.lua.  A pair ends in
+-- the states that move alone, the linearly implicit method in all.
 function step_control.put(v, s, kit, method)
-  local own = { method = method, kinds = source.kinds(s.program.states) }
+  local own = { method = method, kinds = source.kinds(s.program.states),
+    place = method == "adaptive" and "k" or kit.ctx.name .. "_" .. method .. "_moving[k]" }
   floors.put(own, s.program, kit)
   v.norm = NORM(kit.templates, kit.base, own) "steppers/norm.c"
   v.norm_pass = floors.passed(s.program, "m", "u", "h")

@@ -12,7 +12,7 @@ static ${name}_real ${name}_${method}_worse(const ${name}_real x[], const ${name
   ${name}_real size = ${least_first}, e = ${zero};
 
   for (int k = first; k < last; k++) {
-    const ${name}_real a = ${fabs}(x[${name}_${method}_moving[k]]), b = ${fabs}(y[k]), c = ${fabs}(error[k]);
+    const ${name}_real a = ${fabs}(x[${name}_${method}_moving[k]]), b = ${fabs}(y[${place}]), c = ${fabs}(error[k]);
 
     size = a > size ? a : size;
     size = b > size ? b : size;
