@@ -43,7 +43,8 @@ local function put(name, origin, list)
   local k = list:gsub("%f[%w]k =", ""):find "%f[%w]k%f[%W]" and "local k = param(\"k\", 0.3, \"N m\")\n" or ""
   program.write(path, k .. string.format("return scene { name = \"%s\",\n" ..
     "  body = solid.box { x = 1, y = 2, z = 3, mass = 3 }, origin = %s,\n  effects = { %s },\n" ..
-    "  initial = { omega = { 0.7, -0.3, 0.9 }, attitude = { 0.5, 0.5, 0.5, 0.5 } } }\n", name, origin, list))
+    "  initial = { omega = { 0.7, -0.3, 0.9 }, attitude = { 0.5, 0.5, 0.5, 0.5 } },\n" ..
+    "  time = { horizon = 1 } }\n", name, origin, list))
   paths[#paths + 1] = path
 end
 for i, a in ipairs(effects) do
