@@ -129,7 +129,7 @@ endsolid part
 program.write(dir .. "/robot.urdf", [[<robot name="r"><link name="arm"><inertial><mass value="2"/>
 <inertia ixx="0.1" iyy="0.2" izz="0.2" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>]])
 
-program.write(dir .. "/torques.csv", "t,roll [mN m],pitch [mN m],yaw [mN m],coil [A m^2]\n0,1,0,0,0\n5,0,0,0,0.1\n")
+program.write(dir .. "/torques.csv", "t,roll [mN m],pitch [mN m],yaw [mN m],coil [A m^2]\n0,1,0,0,0\n60,0,0,0,0.1\n")
 
 -- A book with a phone in it: the log is that of a reference case.
 program.write(dir .. "/phone.csv", program.read "tests/reference/fit/01_free_ratios/log.csv")
