@@ -184,12 +184,21 @@ end
 
 -- Does a polygon, simple and anticlockwise for the defaults, turn left at each corner whatever the parameters?  Then it
 -- goes round once for all of them, as it does for the defaults, and is simple.
+-- That its area is positive is a check, so a turn that is in a fixed proportion to it is to the left.
 local function convex_always(loop, facts)
+  local area = expr.zero
+  for i, a in ipairs(loop) do
+    local b = loop[i % #loop + 1]
+    area = area + a[1] * b[2] - a[2] * b[1]
+  end
   for i, b in ipairs(loop) do
     local a, c = loop[(i - 2) % #loop + 1], loop[i % #loop + 1]
     local turn = (b[1] - a[1]) * (c[2] - b[2]) - (b[2] - a[2]) * (c[1] - b[1])
     local sign, atoms = facts:signs(turn)
-    if sign <= 0 or #atoms > 0 then return #loop == 3 end -- of three corners the area is a check
+    if sign <= 0 or #atoms > 0 then
+      local part = ratio.tidy(turn / area)
+      if part.kind ~= "num" or R.sign(part.value) <= 0 then return false end
+    end
   end
   return true
 end
