@@ -126,9 +126,9 @@ static double break_of(const struct course_input *in, double t, int back) {
   double found = back ? (i > 0 ? in->t[i - 1] : -none) : i < in->rows ? in->t[i] : none;
   if (in->kind != COURSE_LINEAR || i == 0 || i == in->rows)
     return found;
-  const double limit[2] = {in->low, in->high};
-  for (int k = 0; k < 2; k++) {
-    const double at = in->t[i - 1] + (limit[k] - in->u[i - 1]) / slope(in, i);
+  const double limit[2] = {in->low, in->high}, rise = slope(in, i);
+  for (int k = 0; k < 2 && rise != 0; k++) {
+    const double at = in->t[i - 1] + (limit[k] - in->u[i - 1]) / rise;
     if (back ? at < t && at > found : at > t && at < found)
       found = at;
   }
