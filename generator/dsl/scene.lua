@@ -73,7 +73,8 @@ local function time(ctx, line, given, out)
   local specs = { { name = "horizon", dim = "time", sign = "positive", default = 10 },
     { name = "step", dim = "time", sign = "positive", default = 0.001 }, elsewhere = elsewhere }
   local t = args.read(ctx, ctx.diag:locate(line, "time"), "time", specs, given)
-  out.timed, out.horizon, out.step = t.horizon ~= nil, t.horizon or out.horizon, t.step or out.step
+  out.horizon, out.step = t.horizon or out.horizon, t.step or out.step
+  out.timed = args.plain(given) and given.horizon ~= nil -- t has the default
 end
 
 -- Their records; a broken one has had its message.
