@@ -18,13 +18,12 @@ local EPSILON = 2.0 ^ -52
 
 local binary = program.quick()
 
--- Rows of polhode run, as numbers: t, q (4), w (3), energy, L (3); after an empty line come those of events.
+-- Rows of polhode run, as numbers: t, q (4), w (3), energy, L (3).
 local function run(body, options)
   local rows = {}
-  local pipe = assert(io.popen(string.format("%s run bodies/%s.lua %s 2>&1", binary, body, options)))
+  local pipe = assert(io.popen(string.format("%s run bodies/%s.lua %s 2>/dev/null", binary, body, options)))
   local head = pipe:read "l"
   for line in pipe:lines() do
-    if line == "" then break end
     local row = {}
     for word in line:gmatch "[^,]+" do row[#row + 1] = tonumber(word) end
     rows[#rows + 1] = row
