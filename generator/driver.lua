@@ -103,9 +103,10 @@ local function lasts(scene, options)
   local ends, line = exists.fails(scene, last)
   if not ends then return true end
   local asked = options["until"] or options.at or options.follows or scene.record.timed
+  local error_words = string.format("I + D(t) must be a body's tensor up to t = %.6g s: from t = %.6g s on a " ..
+    "principal moment is more than the other two together", last, ends)
   local report = asked and scene.diag.error or scene.diag.warn
-  report(scene.diag, line, "effect.inertia_rate", string.format("I + D(t) must be a body's tensor up to t = %.6g s: " ..
-    "from t = %.6g s on a principal moment is more than the other two together", last, ends))
+  report(scene.diag, line, "effect.inertia_rate", error_words)
   return not asked
 end
 

@@ -285,7 +285,7 @@ return scene { name = "s", body = b + c }]]
 end
 do
   local _, job = body(BOX, "accuracy = 1e-9, budget = { ops = 500, real = \"float\", target = \"avr\" }, " ..
-    "ranges = { omega = { 1, 2 }, attitude = 1/4 }")
+    "initial = { omega = {1, 1, 2} }, ranges = { omega = { 1, 2 }, attitude = 1/4 }")
   tap.is(#job.diag.warnings, 0, "accuracy, budget and ranges are keys like others")
   local b = job.record.budget
   tap.is(table.concat({ job.record.accuracy, b.ops, b.real, b.target }, " "), "1e-09 500.0 float avr", "as given")

@@ -46,7 +46,8 @@ end
 local CLOSE = 1e-10 -- adaptive and taylor of the library: each promises 1e-12 of the state, over some hundred turns
 
 local pushes = dir .. "/pushes.csv" -- inputs of attitude_control, in their units
-program.write(pushes, "t,roll [mN m],coil [A m^2],pitch [mN m],yaw [mN m]\n0,1,0.1,0,0\n7.3,-2,0,1,0\n30,0,0.2,0,0.5\n")
+program.write(pushes, "t,roll [mN m],coil [A m^2],pitch [mN m],yaw [mN m]\n0,1,0.1,0,0\n7.3,-2,0,1,0\n" ..
+  "30,0,0.2,0,0.5\n60,0,0.2,0,0.5\n")
 
 local cases = { { "tennis_racket", "" }, { "attitude_control", " --input " .. pushes }, { "wheels", "" },
   { "heavy_top", "" }, { "thrown_book", "" }, { "turntable_ball", "" },
