@@ -33,7 +33,7 @@ local points = { dropped_stone = true, foucault = true } -- scenes that have no 
 
 -- One of each closed form and kind of state.
 local QUICK = { brick = true, symmetric_top = true, heavy_top = true, gyrostat = true, foucault = true,
-  damped_brick = true, wheels = true }
+  damped_brick = true, wheels = true, nasa_brick_damped = true } -- the last has states that do not move
 
 for _, path in ipairs((lines "ls bodies/*.lua")) do
   local name = path:match "([%w_]+)%.lua"

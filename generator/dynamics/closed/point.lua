@@ -28,8 +28,8 @@ function point.varies(a)
   if not (zero(a.drag) and zero(a.linear)) then return "drag slows the centre of mass" end
   for i = 1, 3 do
     if not zero(a.thrust[i]) then return "the thrust turns with the body" end
-    if motion.any(a.force) then return "the force varies with the motion" end
   end
+  return motion.any(a.force) and "the force varies with the motion" or nil
 end
 
 -- The acceleration by gravity and the constant force of effect.translation (t), as constants of the model.
